@@ -1,0 +1,172 @@
+"""The records everything else speaks in: terms, formulas, hypotheses, items, papers, verdicts. No algebra here.
+
+A *term* is a scalar expression as plain nested tuples, ready for JSON:
+
+    int                         an integer; a rational number is ("/", 1, 2)
+    str                         a variable, [A-Za-z][A-Za-z0-9_]*, for example "a_12", "omega_3", "kbar_1", "alpha"
+    ("+", t, ...)  ("*", t, ...)  ("-", t)  ("/", t, u)  ("^", t, n)      n a literal integer
+    ("sin", t)  ("cos", t)  ("tan", t)  ("sqrt", t)  ("diff", t, "x", n)
+
+A *formula* is ("=", t, u), also "!=", "<", "<=", ">", ">=", or ("and", f, ...), ("or", f, ...), ("=>", f, g),
+("<=>", f, g), ("exists", ("x", ...), f).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass, field
+from enum import StrEnum
+from types import ModuleType
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from symcheck.reading import Notation
+
+Term = int | str | tuple[Any, ...]
+Formula = tuple[Any, ...]
+Certificate = dict[str, Any]
+
+
+class SymcheckError(Exception):
+    """Bad input or a damaged file, told in one line that names the input and the way out."""
+
+
+class Verdict(StrEnum):
+    PROVED = "proved"
+    REFUTED = "refuted"
+    UNDECIDED = "undecided"
+
+
+class Role(StrEnum):
+    CLAIM = "claim"
+    DEFINITION = "definition"
+    PREMISE = "premise"
+    EXCLUSION = "exclusion"
+    OURS = "ours"
+
+
+class Reading(StrEnum):
+    AS_PRINTED = "as printed"
+    MISPRINT = "misprint"
+    NEEDS_HYPOTHESIS = "needs hypothesis"
+    DAMAGED = "damaged source"
+
+
+class Origin(StrEnum):
+    PAPER = "paper"
+    OCR = "OCR"
+    UNCERTAIN = "cannot tell"
+
+
+@dataclass(frozen=True)
+class Hypothesis:
+    """A named condition; `states` is LaTeX in the paper's notation, read by the same reader as the claims."""
+
+    name: str
+    words: str
+    states: str
+
+
+@dataclass(frozen=True)
+class Erratum:
+    """What a wrong printed relation should be. The machine proves `corrected`; only kind, origin and reason are human."""
+
+    corrected: str
+    kind: str
+    origin: Origin
+    reason: str
+
+
+@dataclass(frozen=True)
+class Problem:
+    """One lowered formula to decide: everything a proof method may know.
+
+    `definitions` are (name, term) pairs in dependency order, to be unfolded; `hypotheses` maps a name to the
+    formulas it states. `hints` come from the method's declaration and are never trusted.
+    """
+
+    id: str
+    claim: Formula
+    definitions: tuple[tuple[str, Term], ...] = ()
+    hypotheses: tuple[tuple[str, tuple[Formula, ...]], ...] = ()
+    hints: tuple[tuple[str, Any], ...] = ()
+
+
+@dataclass(frozen=True)
+class Outcome:
+    """What a method answers. `proof` is the checker's rule tree; a refutation carries `point` instead."""
+
+    verdict: Verdict
+    proof: Certificate | None = None
+    point: Certificate | None = None
+    used: tuple[str, ...] = ()
+    reason: str = ""
+
+
+@dataclass(frozen=True)
+class Method:
+    """A proof method with the hints of one claim; `decide` never raises on a statement it cannot decide."""
+
+    name: str
+    decide: Callable[[Problem], Outcome]
+    hints: tuple[tuple[str, str], ...] = ()
+
+
+@dataclass(frozen=True, kw_only=True)
+class Item:
+    """One declaration of a paper's ledger: what is printed, what is given, how it is shown."""
+
+    number: str
+    role: Role
+    line: int
+    printed: tuple[str, ...] = ()
+    words: str = ""
+    formal: str = ""
+    read_as: str = ""
+    reason: str = ""
+    given: tuple[Hypothesis, ...] = ()
+    needs: tuple[Hypothesis, ...] = ()
+    by: Method | None = None
+    where: Callable[[], Mapping[str, Any]] | None = None
+    equation: Callable[[], tuple[Any, ...]] | None = None
+    keeping: tuple[str, ...] = ()
+    uses: tuple[str, ...] = ()
+    imposed: str = ""
+    errata: Mapping[str, Erratum] = field(default_factory=dict)
+    notation: Notation | None = None
+    name: str = ""
+
+
+@dataclass(frozen=True)
+class Section:
+    """A section of a paper: the module that declares its items, in printed order."""
+
+    number: str
+    title: str
+    module: ModuleType
+
+
+@dataclass(frozen=True)
+class Paper:
+    """A paper: its notation and its sections. A number may be declared only once."""
+
+    key: str
+    title: str
+    source: str
+    notation: Notation
+    sections: tuple[Section, ...]
+
+    def items(self) -> Iterator[tuple[Section, Item]]:
+        """Every declaration in printed order, each named after the variable it is bound to."""
+        seen: dict[str, str] = {}
+        for section in self.sections:
+            for name, item in vars(section.module).items():
+                if not isinstance(item, Item):
+                    continue
+                if item.number in seen:
+                    raise SymcheckError(
+                        f"{self.key}:{item.number} is declared twice, as {seen[item.number]} and {name}; "
+                        "give one of them another number"
+                    )
+                seen[item.number] = name
+                yield section, item
