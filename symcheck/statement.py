@@ -60,11 +60,15 @@ class Origin(StrEnum):
 
 @dataclass(frozen=True)
 class Hypothesis:
-    """A named condition; `states` is LaTeX in the paper's notation, read by the same reader as the claims."""
+    """A named condition; `states` is LaTeX in the paper's notation, read by the same reader as the claims.
+
+    `printed` is False for a condition that the paper never states but that its subject implies (a body has mass).
+    """
 
     name: str
     words: str
     states: str
+    printed: bool = True
 
 
 @dataclass(frozen=True)
@@ -114,7 +118,25 @@ class Method:
 
 @dataclass(frozen=True, kw_only=True)
 class Item:
-    """One declaration of a paper's ledger: what is printed, what is given, how it is shown."""
+    """One declaration of a paper's ledger: what is printed, what is given, how it is shown.
+
+    number    the printed number, or for an unnumbered place the last number before it and a counter: "2.13.1"
+    line      1-based line of the source text the printed form (or the sentence) begins on
+    printed   verbatim LaTeX, one piece per displayed block it runs over
+    words     what the paper says in words, in our English; `formal` is its LaTeX form, read by the same reader
+    read_as   the LaTeX to read where the printed text is damaged, with the `reason`
+    given     hypotheses in force where it is printed; `needs` those the paper forgot
+    by        the proof method, or one for each link letter
+    where     names and their derived SymPy expressions, in force instead of the paper's own definitions
+    equation  derived expressions E for a printed equation l = r: the claim is that l - r is E
+    keeping   defined letters (variable stems) that stay free in this claim
+    uses      numbers of the items this one refers to
+    imposed   letters of the links that are conditions imposed rather than claims ("b" of "2.5b")
+    opaque    a definition by something outside algebra (an angle between axes): it is not unfolded
+    equality  for an inequality (or each link letter): where it is an equality, under given and `equality_given`
+    errata    by link letter ("" for the only one): what the wrong relation should be
+    notation  letters that mean something else here
+    """
 
     number: str
     role: Role
@@ -126,12 +148,15 @@ class Item:
     reason: str = ""
     given: tuple[Hypothesis, ...] = ()
     needs: tuple[Hypothesis, ...] = ()
-    by: Method | None = None
+    by: Method | Mapping[str, Method] | None = None
     where: Callable[[], Mapping[str, Any]] | None = None
     equation: Callable[[], tuple[Any, ...]] | None = None
     keeping: tuple[str, ...] = ()
     uses: tuple[str, ...] = ()
     imposed: str = ""
+    opaque: bool = False
+    equality: str | Mapping[str, str] = ""
+    equality_given: tuple[Hypothesis, ...] = ()
     errata: Mapping[str, Erratum] = field(default_factory=dict)
     notation: Notation | None = None
     name: str = ""

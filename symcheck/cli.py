@@ -1,0 +1,282 @@
+"""The command line. Wires papers, decider, cache, executor and terminal; imports each only where it is needed."""
+
+from __future__ import annotations
+
+import json
+import os
+import sys
+from collections import Counter
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any, NoReturn, TypeVar
+
+import click
+
+from symcheck import __version__
+from symcheck.statement import SymcheckError, Verdict
+
+if TYPE_CHECKING:
+    from symcheck.evidence.record import Record
+
+F = TypeVar("F", bound=Callable[..., Any])
+DIFFERS, BAD_INPUT, INTERRUPTED, BROKEN_PIPE = 1, 2, 130, 141
+PRELOAD = ("sympy", "flint", "lark", "symcheck.evidence.decide")
+
+
+@dataclass(frozen=True)
+class How:
+    """The options that all deciding commands share."""
+
+    jobs: int
+    timeout: float
+    no_cache: bool
+
+
+class Commands(click.Group):
+    """A group whose every error is one line on standard error."""
+
+    def make_context(self, *args: Any, **kwargs: Any) -> click.Context:
+        with _one_line_errors():
+            return super().make_context(*args, **kwargs)
+
+    def invoke(self, ctx: click.Context) -> Any:
+        with _one_line_errors():
+            return super().invoke(ctx)
+
+
+@contextmanager
+def _one_line_errors() -> Iterator[None]:
+    try:
+        yield
+    except click.exceptions.NoArgsIsHelpError:
+        raise
+    except click.UsageError as error:
+        where = f"{error.ctx.command_path} --help" if error.ctx else "symcheck --help"
+        _leave(f"{error.format_message().rstrip('.')}; see `{where}`", BAD_INPUT)
+    except SymcheckError as error:
+        _leave(str(error), BAD_INPUT)
+    except KeyboardInterrupt as stop:
+        _leave(f"interrupted{stop}", INTERRUPTED)
+    except BrokenPipeError:
+        # What is still buffered must not fail again when the interpreter flushes it at exit.
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        raise click.exceptions.Exit(BROKEN_PIPE) from None
+
+
+def _leave(message: str, code: int) -> NoReturn:
+    _say(" ".join(message.split()))
+    raise click.exceptions.Exit(code) from None
+
+
+def _say(message: str) -> None:
+    click.echo(f"symcheck: {message}", err=True)
+
+
+def deciding(command: F) -> F:
+    """Add the options of `How` to a command, which receives them as its parameter `how`."""
+    cores = len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
+    options = (
+        click.option(
+            "--jobs",
+            type=click.IntRange(0),
+            default=cores,
+            show_default="cores",
+            help="Worker processes; 0 decides in this process, without a time limit.",
+        ),
+        click.option(
+            "--timeout",
+            type=click.FloatRange(0, min_open=True),
+            default=60.0,
+            show_default=True,
+            help="Seconds that one declaration may take.",
+        ),
+        click.option("--no-cache", is_flag=True, help="Decide everything anew and keep nothing."),
+    )
+
+    def with_options(*args: Any, jobs: int, timeout: float, no_cache: bool, **kwargs: Any) -> Any:
+        return command(*args, how=How(jobs, timeout, no_cache), **kwargs)
+
+    with_options.__name__, with_options.__doc__ = command.__name__, command.__doc__
+    decorated: Any = with_options
+    for option in reversed(options):
+        decorated = option(decorated)
+    return decorated  # type: ignore[no-any-return]
+
+
+@click.group(cls=Commands, context_settings={"help_option_names": ["-h", "--help"]})
+@click.version_option(__version__, prog_name="symcheck")
+def cli() -> None:
+    """Audit the printed equations of mechanics papers: proved, refuted or undecided.
+
+    Exit codes: 0 the verdicts are those recorded, 1 they differ, 2 bad input, 130 interrupted.
+    """
+
+
+@cli.command()
+@click.argument("selection", nargs=-1, metavar="[PAPER[:NUMBER]]...")
+@click.option("--json", "as_json", is_flag=True, help="One JSON object with all items instead of the table.")
+@click.option("--verdict", type=click.Choice([str(v) for v in Verdict]), help="Show only rows of this verdict.")
+@deciding
+def check(selection: Sequence[str], as_json: bool, verdict: str | None, how: How) -> None:
+    """Decide the relations and compare the verdicts with those recorded.
+
+    Without a selection: all papers. `mirer2009:2.1` also means its links 2.1a, 2.1b.
+    """
+    records = audit(selection, how)
+    shown = [record for record in records if verdict is None or record.verdict == verdict]
+    if as_json:
+        _print_json(shown)
+    else:
+        from symcheck import terminal
+
+        out = terminal.console()
+        for key, rows in _by_paper(shown).items():
+            terminal.ledger(out, key, rows)
+        terminal.summary(out, records)
+    _compare(selection, records, as_json)
+
+
+@cli.command()
+@click.argument("number", metavar="PAPER:NUMBER")
+@click.option("--certificate", is_flag=True, help="Print the whole certificate.")
+@deciding
+def show(number: str, certificate: bool, how: How) -> None:
+    """Show one relation: as printed, as read, hypotheses, steps of the proof, certificate, counterexample, erratum."""
+    if ":" not in number:
+        raise SymcheckError(f"{number!r} is not of the form PAPER:NUMBER, such as {number}:2.12")
+    records = audit([number], how)
+    from symcheck import terminal
+
+    out = terminal.console()
+    for record in records:
+        terminal.show(out, record, certificate)
+
+
+@cli.command()
+@click.argument("selection", nargs=-1, metavar="[PAPER[:NUMBER]]...")
+@click.option("--json", "as_json", is_flag=True, help="One JSON object with these items instead of text.")
+@deciding
+def errata(selection: Sequence[str], as_json: bool, how: How) -> None:
+    """List what is wrong as printed, each with a counterexample, the corrected form and its proof."""
+    wrong = [record for record in audit(selection, how) if record.erratum or record.corrected]
+    if as_json:
+        _print_json(wrong)
+        return
+    from symcheck import terminal
+
+    out = terminal.console()
+    terminal.errata(out, wrong)
+    out.print(f"{len(wrong)} errata")
+
+
+@cli.command()
+def papers() -> None:
+    """List the papers: key, title, source, number of declarations."""
+    from symcheck import terminal
+    from symcheck.evidence import decide
+    from symcheck.papers import load
+
+    counts = {key: (paper, Counter(str(o.item.role) for o in decide.expand(paper))) for key, paper in load().items()}
+    terminal.papers(terminal.console(), counts)
+
+
+@cli.command()
+@click.option("--check", "only_check", is_flag=True, help="Write nothing; exit 1 and name the files that differ.")
+@deciding
+def generate(only_check: bool, how: How) -> None:
+    """Write certificates and recorded verdicts to generated/, or check that they are what would be written."""
+    from symcheck import kernels
+    from symcheck.evidence import store
+
+    folder = kernels.folder()
+    contents = store.files(audit((), how))
+    differing = store.differences(folder, contents)
+    if only_check and differing:
+        for line in differing:
+            _say(f"generated/{line}")
+        raise click.exceptions.Exit(DIFFERS)
+    if not only_check:
+        store.write(folder, contents)
+    click.echo(f"{folder}: {len(contents)} files, {len(differing)} {'differ' if only_check else 'rewritten'}")
+
+
+def audit(selection: Sequence[str], how: How) -> list[Record]:
+    """The records of a selection: from the cache where it has them, else decided in workers, with a progress bar."""
+    from symcheck.evidence import decide, run
+    from symcheck.evidence.cache import Cache, location
+    from symcheck.evidence.executor import Pool, Serial
+    from symcheck.papers import load
+
+    cache = Cache(None if how.no_cache else location(), _say)
+    executor = Pool(how.jobs, PRELOAD) if how.jobs else Serial()
+    state = [0, 0]
+    try:
+        with _progress() as move:
+
+            def progress(done: int, total: int) -> None:
+                state[:] = done, total
+                move(done, total)
+
+            return run.audit(
+                selection,
+                papers=load(),
+                decide=decide,
+                cache=cache,
+                executor=executor,
+                timeout=how.timeout,
+                progress=progress,
+            )
+    except KeyboardInterrupt:
+        kept = "nothing is kept" if how.no_cache else f"{state[0]} of {state[1]} declarations are decided and kept"
+        raise KeyboardInterrupt(f"; {kept}") from None
+    finally:
+        cache.close()
+
+
+@contextmanager
+def _progress() -> Iterator[Callable[[int, int], None]]:
+    if not sys.stderr.isatty():
+        yield lambda done, total: None
+        return
+    from symcheck.terminal import progress_bar
+
+    with progress_bar() as move:
+        yield move
+
+
+def _print_json(records: Sequence[Record]) -> None:
+    items = ",\n".join(json.dumps(record.to_json(), ensure_ascii=False) for record in records)
+    click.echo(f'{{"schema": 1, "items": [\n{items}\n]}}')
+
+
+def _by_paper(records: Sequence[Record]) -> dict[str, list[Record]]:
+    papers: dict[str, list[Record]] = {}
+    for record in records:
+        papers.setdefault(record.paper, []).append(record)
+    return papers
+
+
+def _compare(selection: Sequence[str], records: Sequence[Record], quiet: bool) -> None:
+    """Tell how the verdicts differ from those recorded, and exit 1 if they do."""
+    from symcheck import kernels
+    from symcheck.evidence import store
+
+    folder, differing = kernels.folder(), []
+    for key, rows in _by_paper(records).items():
+        complete = not selection or key in selection
+        differing += store.disagreements(rows, store.expected(folder, key), complete)
+    for line in differing:
+        _say(line)
+    if differing:
+        raise click.exceptions.Exit(DIFFERS)
+    if not quiet:
+        click.echo("All verdicts are those recorded.")
+
+
+def main() -> None:
+    """The entry point `symcheck`."""
+    for stream in (sys.stdout, sys.stderr):
+        if hasattr(stream, "reconfigure"):
+            stream.reconfigure(errors="backslashreplace")
+    cli(prog_name="symcheck")

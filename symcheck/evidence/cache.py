@@ -1,0 +1,189 @@
+"""Decided records by content: fingerprint -> records, in one SQLite file that may be lost at any time.
+
+The cache never decides anything and never stops anybody: whatever is wrong with it is said in one line through `say`,
+and the work goes on without the part that was lost.
+"""
+
+from __future__ import annotations
+
+import json
+import os
+import sqlite3
+from collections.abc import Callable, Iterable, Mapping
+from contextlib import suppress
+from hashlib import sha256
+from pathlib import Path
+
+from symcheck.evidence.record import Record
+from symcheck.statement import SymcheckError
+
+SCHEMA = 1
+FILE = "records.sqlite"
+_TABLE = "CREATE TABLE records (id TEXT PRIMARY KEY, fingerprint TEXT, digest TEXT, records TEXT) WITHOUT ROWID"
+_FIND = "SELECT id, fingerprint, digest, records FROM records WHERE id IN (SELECT value FROM json_each(?))"
+Say = Callable[[str], None]
+
+
+def location() -> Path:
+    """The folder of the cache: $SYMCHECK_CACHE, or the user's cache folder of the platform."""
+    if chosen := os.environ.get("SYMCHECK_CACHE"):
+        return Path(chosen)
+    from platformdirs import user_cache_path
+
+    return user_cache_path("symcheck")
+
+
+class Cache:
+    """Records of declarations, one entry per id, valid only for the fingerprint they were stored under.
+
+    A new entry replaces the one of the same id, so stale entries do not pile up. `folder=None` is a cache that keeps
+    nothing.
+    """
+
+    def __init__(self, folder: Path | None, say: Say) -> None:
+        self._say = say
+        self._file = folder / FILE if folder else None
+        self._connection = self._opened() if self._file else None
+
+    def find(self, fingerprints: Mapping[str, str]) -> dict[str, tuple[Record, ...]]:
+        """The records of those ids that are stored under the given fingerprint; stale entries are counted and said."""
+        found, stale, broken = {}, 0, 0
+        for id, fingerprint, digest, text in self._rows(fingerprints):
+            if fingerprint != fingerprints[id]:
+                stale += 1
+            elif (records := _unpacked(id, fingerprint, digest, text)) is None:
+                broken += 1
+            else:
+                found[id] = records
+        if stale:
+            self._say(f"{_results(stale)} in the cache came from other sources or libraries; deciding again")
+        if broken:
+            self._say(f"{_results(broken)} in the cache {self._file} could not be read back; deciding again")
+        return found
+
+    def put(self, id: str, fingerprint: str, records: Iterable[Record]) -> None:
+        """Store the records of one declaration, in one transaction."""
+        if self._connection is None:
+            return
+        text = json.dumps([record.to_json() for record in records], ensure_ascii=False, separators=(",", ":"))
+        row = (id, fingerprint, _digest(id, fingerprint, text), text)
+        try:
+            with self._connection:
+                self._connection.execute("INSERT OR REPLACE INTO records VALUES (?, ?, ?, ?)", row)
+        except sqlite3.Error as error:
+            self._give_up(error)
+
+    def prune(self, paper: str, ids: Iterable[str]) -> None:
+        """Drop the entries of `paper` that belong to none of the declared `ids`."""
+        if self._connection is None:
+            return
+        try:
+            stored = {row[0] for row in self._connection.execute("SELECT id FROM records")}
+            gone = {id for id in stored if id.partition(":")[0] == paper} - set(ids)
+            with self._connection:
+                self._connection.executemany("DELETE FROM records WHERE id = ?", [(id,) for id in sorted(gone)])
+        except sqlite3.Error as error:
+            self._give_up(error)
+
+    def close(self) -> None:
+        """Let go of the file."""
+        if self._connection is not None:
+            self._connection.close()
+            self._connection = None
+
+    def _rows(self, ids: Iterable[str]) -> list[tuple[str, str, str, str]]:
+        if self._connection is None:
+            return []
+        try:
+            return self._connection.execute(_FIND, (json.dumps(list(ids)),)).fetchall()
+        except sqlite3.Error as error:
+            self._give_up(error)
+            return []
+
+    def _opened(self) -> sqlite3.Connection | None:
+        assert self._file is not None
+        try:
+            self._file.parent.mkdir(parents=True, exist_ok=True)
+            return self._sound() or self._rebuilt()
+        except (OSError, sqlite3.Error) as error:
+            self._say(f"the cache {self._file} cannot be used ({error}); going on without it")
+            return None
+
+    def _sound(self) -> sqlite3.Connection | None:
+        """The database as it lies there, or None after saying what is wrong with it."""
+        assert self._file is not None
+        if not self._file.exists() or self._file.stat().st_size == 0:
+            return _created(self._file)
+        connection = _connected(self._file)
+        if (fault := _fault(connection)) is None:
+            return connection
+        connection.close()
+        self._say(f"the cache {self._file} {fault}; put aside as {_aside(self._file).name} and rebuilt")
+        return None
+
+    def _rebuilt(self) -> sqlite3.Connection:
+        assert self._file is not None
+        self._file.replace(_aside(self._file))
+        for suffix in ("-journal", "-wal", "-shm"):
+            with suppress(FileNotFoundError):
+                self._file.with_name(self._file.name + suffix).unlink()
+        return _created(self._file)
+
+    def _give_up(self, error: sqlite3.Error) -> None:
+        self._say(f"the cache {self._file} cannot be used any more ({error}); going on without it")
+        self.close()
+
+
+def _connected(file: Path) -> sqlite3.Connection:
+    connection = sqlite3.connect(file, timeout=2.0)
+    # A lost power supply may cost the newest entries: they are only a cache, and a damaged file is noticed.
+    connection.execute("PRAGMA synchronous = OFF")
+    return connection
+
+
+def _created(file: Path) -> sqlite3.Connection:
+    connection = _connected(file)
+    with connection:
+        connection.execute("BEGIN IMMEDIATE")  # another process may be creating the same file
+        connection.execute(_TABLE.replace("TABLE", "TABLE IF NOT EXISTS"))
+        connection.execute(f"PRAGMA user_version = {SCHEMA}")
+    return connection
+
+
+def _fault(connection: sqlite3.Connection) -> str | None:
+    """What is wrong with an existing database; a locked or unreadable one raises sqlite3.OperationalError instead."""
+    try:
+        [(version,)] = connection.execute("PRAGMA user_version")
+        if version != SCHEMA:
+            return f"has format {version}, not {SCHEMA}"
+        [(state,), *_] = connection.execute("PRAGMA quick_check(1)")
+        tables = [row[0] for row in connection.execute("SELECT sql FROM sqlite_schema WHERE name = 'records'")]
+    except sqlite3.OperationalError:
+        raise
+    except sqlite3.DatabaseError as error:
+        return f"is damaged ({error})"
+    if state != "ok":
+        return "is damaged ({})".format(" ".join(str(state).split()))
+    return None if tables == [_TABLE] else "is damaged (its table is missing or changed)"
+
+
+def _aside(file: Path) -> Path:
+    return file.with_name(file.name + ".damaged")
+
+
+def _digest(id: str, fingerprint: str, text: str) -> str:
+    return sha256("\n".join((id, fingerprint, text)).encode()).hexdigest()
+
+
+def _unpacked(id: str, fingerprint: str, digest: str, text: str) -> tuple[Record, ...] | None:
+    """The records of one row, or None if the row is not what was stored."""
+    if not isinstance(text, str) or _digest(id, fingerprint, text) != digest:
+        return None
+    try:
+        return tuple(Record.from_json(data) for data in json.loads(text))
+    except (ValueError, TypeError, SymcheckError):
+        return None
+
+
+def _results(count: int) -> str:
+    return "1 result" if count == 1 else f"{count} results"

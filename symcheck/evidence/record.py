@@ -1,0 +1,59 @@
+"""One ledger row: what was printed, what the machine says of it, and the evidence."""
+
+from __future__ import annotations
+
+from dataclasses import asdict, dataclass, fields
+from typing import Any
+
+from symcheck.statement import Certificate, Origin, Reading, Role, SymcheckError, Verdict
+
+
+@dataclass(frozen=True, kw_only=True)
+class Record:
+    """One relation of a paper with its verdict. `id` is "paper:number", with a letter for one link of a chain or system."""
+
+    id: str
+    paper: str
+    section: str
+    line: int
+    role: Role
+    name: str = ""
+    printed: str = ""
+    words: str = ""
+    read: str = ""  # the parsed form, printed back as LaTeX
+    verdict: Verdict | None = None  # None: a definition, premise or exclusion, which claims nothing
+    reading: Reading = Reading.AS_PRINTED
+    kind: str = ""
+    origin: Origin | None = None
+    reason: str = ""
+    hypotheses: tuple[dict[str, Any], ...] = ()  # name, words, given ("printed" | "added"), needed (bool | None), counterexample
+    method: str = ""
+    certificates: tuple[Certificate, ...] = ()  # one per lowered formula
+    counterexample: Certificate | None = None
+    corrected: str = ""
+    erratum: dict[str, Any] | None = None  # edit, unique, repairs, certificates of the corrected form
+    uses: tuple[str, ...] = ()
+    used_by: tuple[str, ...] = ()
+    seconds: float = 0.0
+
+    def to_json(self) -> dict[str, Any]:
+        """The record as plain JSON data."""
+        return asdict(self)
+
+    @classmethod
+    def from_json(cls, data: dict[str, Any]) -> Record:
+        """The inverse of `to_json`; SymcheckError if a field is missing, unknown or of an unknown value."""
+        try:
+            known = {f.name for f in fields(cls)}
+            if unknown := sorted(set(data) - known):
+                raise SymcheckError(f"a record has the unknown field {unknown[0]!r}; delete the file and run again")
+            values = dict(data)
+            values["role"] = Role(values["role"])
+            values["verdict"] = Verdict(values["verdict"]) if values.get("verdict") else None
+            values["reading"] = Reading(values.get("reading", Reading.AS_PRINTED))
+            values["origin"] = Origin(values["origin"]) if values.get("origin") else None
+            for key in ("hypotheses", "certificates", "uses", "used_by"):
+                values[key] = tuple(values.get(key, ()))
+            return cls(**values)
+        except (KeyError, ValueError, TypeError) as error:
+            raise SymcheckError(f"a record cannot be read ({error}); delete the file and run again") from error

@@ -1,0 +1,147 @@
+"""The audit: which declarations are asked for, what is known of them already, who decides the rest."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from contextlib import closing
+from difflib import get_close_matches
+from string import ascii_lowercase
+from typing import Any, Protocol
+
+from symcheck.evidence.cache import Cache
+from symcheck.evidence.executor import Answer, Done, Executor, Timeout
+from symcheck.evidence.record import Record
+from symcheck.statement import Item, Paper, SymcheckError, Verdict
+
+Progress = Callable[[int, int], None]
+Links = frozenset[str]
+EVERY: Links = frozenset()
+
+
+class Obligation(Protocol):
+    """One declaration to decide: light, no algebra."""
+
+    @property
+    def id(self) -> str: ...
+    @property
+    def paper(self) -> str: ...
+    @property
+    def section(self) -> str: ...
+    @property
+    def item(self) -> Item: ...
+
+
+class Decider(Protocol):
+    """What decides: the module `symcheck.evidence.decide`, or a stand-in in a test."""
+
+    def expand(self, paper: Any, /) -> tuple[Any, ...]:
+        """The obligations of a paper in printed order."""
+        ...
+
+    def fingerprint(self, obligation: Any, /) -> str:
+        """A hash of everything the records of a declaration depend on."""
+        ...
+
+    def decide(self, id: str, /) -> tuple[Record, ...]:
+        """The records of one declaration; called in a worker process."""
+        ...
+
+
+def audit(
+    selection: Sequence[str],
+    *,
+    papers: Mapping[str, Paper],
+    decide: Decider,
+    cache: Cache,
+    executor: Executor,
+    timeout: float,
+    progress: Progress = lambda done, total: None,
+) -> list[Record]:
+    """The records of the selection in printed order; nothing selected means everything.
+
+    A selection is "paper", "paper:number", or "paper:number" with the letter of one link; SymcheckError if it names
+    nothing, with the nearest names. What is decided is in the cache at once, so an interrupted audit loses only what
+    was running. A declaration that is killed or crashes is undecided and not cached.
+    """
+    obligations = _expanded(_papers_named(selection, papers), decide)
+    wanted = select(selection, list(obligations)) if selection else dict.fromkeys(obligations, EVERY)
+    fingerprints = {id: decide.fingerprint(obligations[id]) for id in wanted}
+    records = cache.find(fingerprints)
+    progress(len(records), len(wanted))
+    open_ids = [id for id in wanted if id not in records]
+    if open_ids:
+        with closing(executor.map(decide.decide, open_ids, timeout)) as answers:
+            for id, answer in answers:
+                records[id] = _records(obligations[id], answer)
+                if isinstance(answer, Done):
+                    cache.put(id, fingerprints[id], records[id])
+                progress(len(records), len(wanted))
+    for key in {id.partition(":")[0] for id in obligations}:
+        cache.prune(key, obligations)
+    return [record for id, links in wanted.items() for record in _of_links(records[id], links)]
+
+
+def select(selection: Iterable[str], ids: Sequence[str]) -> dict[str, Links]:
+    """The selected declarations in printed order, each with the links asked for, EVERY standing for all of them."""
+    chosen: dict[str, Links] = {}
+    for text in selection:
+        for id, links in _matches(text, ids).items():
+            both = (chosen.get(id, links), links)
+            chosen[id] = EVERY if EVERY in both else both[0] | both[1]
+    return {id: chosen[id] for id in ids if id in chosen}
+
+
+def _matches(text: str, ids: Sequence[str]) -> dict[str, Links]:
+    paper, colon, number = text.partition(":")
+    if not colon:
+        return {id: EVERY for id in ids if id.partition(":")[0] == paper}
+    whole = [id for id in ids if id == text or (id.startswith(text) and id[len(text) :].strip(ascii_lowercase) == "")]
+    if number and whole:
+        return dict.fromkeys(whole, EVERY)
+    if (declared := text.rstrip(ascii_lowercase)) in ids and declared != text:
+        return {declared: frozenset((text,))}
+    near = get_close_matches(text, ids, n=3, cutoff=0.75)
+    hint = f"did you mean {' or '.join(near)}?" if near else f"`symcheck check {paper}` lists what there is"
+    raise SymcheckError(f"{paper} has no relation {number!r}; {hint}")
+
+
+def _papers_named(selection: Iterable[str], papers: Mapping[str, Paper]) -> list[Paper]:
+    keys = [text.partition(":")[0] for text in selection] or list(papers)
+    for key in keys:
+        if key not in papers:
+            near = get_close_matches(key, papers, n=1)
+            hint = f"did you mean {near[0]}?" if near else f"known papers: {', '.join(papers)}"
+            raise SymcheckError(f"there is no paper {key!r}; {hint}")
+    return [paper for key, paper in papers.items() if key in keys]
+
+
+def _expanded(papers: Iterable[Paper], decide: Decider) -> dict[str, Obligation]:
+    return {obligation.id: obligation for paper in papers for obligation in decide.expand(paper)}
+
+
+def _records(obligation: Obligation, answer: Answer[tuple[Record, ...]]) -> tuple[Record, ...]:
+    if isinstance(answer, Done):
+        return answer.value
+    limit = f"not decided within {answer.seconds:g} s" if isinstance(answer, Timeout) else answer.reason
+    item = obligation.item
+    record = Record(
+        id=obligation.id,
+        paper=obligation.paper,
+        section=obligation.section,
+        line=item.line,
+        role=item.role,
+        name=item.name,
+        printed="\n".join(item.printed),
+        words=item.words,
+        verdict=Verdict.UNDECIDED,
+        reason=limit,
+        uses=item.uses,
+    )
+    return (record,)
+
+
+def _of_links(records: tuple[Record, ...], links: Links) -> tuple[Record, ...]:
+    """All records of a declaration, or those of the links that were asked for."""
+    if unknown := sorted(links - {record.id for record in records}):
+        raise SymcheckError(f"there is no relation {unknown[0]}; there are {', '.join(r.id for r in records)}")
+    return tuple(record for record in records if not links or record.id in links)

@@ -1,0 +1,126 @@
+"""A certificate in words: terms and formulas in one line, a proof as indented steps. Nothing is computed here."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterator, Mapping
+from typing import Any
+
+_INFIX = {"*": "*", "/": "/", "^": "^", "and": " and ", "or": " or ", "=>": " ⟹ ", "<=>": " ⟺ "}
+_RELATIONS = {"=": "=", "!=": "≠", "<": "<", "<=": "≤", ">": ">", ">=": "≥"}
+_PRECEDENCE = {"<=>": 0, "=>": 1, "or": 2, "and": 3, "exists": 4, "+": 6, "*": 7, "/": 8, "^": 9}
+_RULES = {
+    "identity": "the difference of the two sides is a combination of what is given",
+    "nonnegative": "the difference of the sides, times the multiplier, is the form, whose sign is plain",
+    "nonzero": "suppose the two sides were equal",
+    "implies": "suppose the left side of the implication",
+    "iff": "both directions",
+    "each": "each part by itself",
+    "choose": "one of the alternatives holds",
+    "cases_or": "one case for each alternative",
+    "derive": "a power of the polynomial is a combination of what is given, so it vanishes",
+    "vanish": "a sum of non-negative addends is a combination of what is given, so each addend vanishes",
+    "split": "a product is a combination of what is given, so one of its factors vanishes",
+    "absurd": "something that is not zero is a combination of what is given: a contradiction",
+    "witness": "at this point it holds",
+    "quarter_turn": "a quarter turn changes the sign, so there is a zero on the circle",
+}
+_BRANCHES = {"then": "then", "forward": "forward", "backward": "backward", "parts": "part", "cases": "case"}
+
+
+def term(value: Any) -> str:
+    """A term or formula of statement.py, as tuples or as JSON lists, in one line."""
+    return _written(value, 0)
+
+
+def reference(ref: Any) -> str:
+    """A usable equality in words: a hypothesis, an axiom, or a fact added on the way."""
+    match ref:
+        case ["hyp", name, number]:
+            return f"{name} [{number + 1}]"
+        case ["axiom", "pythagoras", angle]:
+            return f"sin²+cos² = 1 of {angle}"
+        case ["axiom", "sqrt", number]:
+            return f"(√{number})² = {number}"
+        case ["fact" | "cond", number]:
+            return f"{ref[0]} {number + 1}"
+        case ["positive", form]:
+            return f"{term(form)} > 0"
+    return json.dumps(ref)
+
+
+def steps(proof: Mapping[str, Any], depth: int = 0) -> Iterator[str]:
+    """The lines of a proof's rule tree, each indented by its depth."""
+    indent = "  " * depth
+    yield f"{indent}{proof['rule']}: {_RULES.get(proof['rule'], 'see the checker')}"
+    for key, value in proof.items():
+        if key == "rule" or key in _BRANCHES:
+            continue
+        yield from (f"{indent}  {line}" for line in _detail(key, value))
+    for key, label in _BRANCHES.items():
+        branches = proof.get(key, [])
+        for number, branch in enumerate([branches] if isinstance(branches, Mapping) else branches, 1):
+            yield f"{indent}  {label}:" if isinstance(branches, Mapping) else f"{indent}  {label} {number}:"
+            yield from steps(branch, depth + 2)
+
+
+def point(values: Mapping[str, Any]) -> str:
+    """A point as "name = value, ..."."""
+    return ", ".join(f"{name} = {_number(value)}" for name, value in values.items())
+
+
+def sides(counterexample: Mapping[str, Any]) -> str:
+    """The values of both sides at a counterexample, or the empty text where a formula has no sides."""
+    return " against ".join(_number(side) for side in counterexample.get("sides") or ())
+
+
+def _detail(key: str, value: Any) -> Iterator[str]:
+    if key == "cofactors":
+        yield from (f"+ ({poly}) · [{reference(ref)}]" for ref, poly in value)
+    elif key == "times":
+        yield from (f"not zero: {reference(cond)}" for cond in value)
+    elif key == "point":
+        yield point(value)
+    elif key in ("or", "index"):
+        yield f"alternative {value + 1}" if key == "index" else f"of disjunction {value + 1}"
+    elif isinstance(value, list) and key in ("form", "multiplier", "cos", "sin"):
+        yield f"{key}: {term(value)}"
+    elif isinstance(value, list):
+        yield f"{key}: {', '.join(str(entry) if isinstance(entry, str) else json.dumps(entry) for entry in value)}"
+    else:
+        yield f"{key}: {value}"
+
+
+def _number(value: Any) -> str:
+    return term(value) if isinstance(value, list | tuple) else str(value)
+
+
+def _written(value: Any, outer: int) -> str:
+    if isinstance(value, int | str):
+        return str(value)
+    if not isinstance(value, list | tuple) or not value:
+        return json.dumps(value)
+    head, *parts = value
+    if head in _RELATIONS:
+        return f"{_written(parts[0], 5)} {_RELATIONS[head]} {_written(parts[1], 5)}"
+    if head == "exists":
+        return f"there are {', '.join(parts[0])} with {_written(parts[1], 4)}"
+    if head == "-":
+        return _wrapped("-" + _written(parts[0], 7), 6, outer)
+    if head not in _PRECEDENCE:
+        return f"{head}({', '.join(_written(part, 0) for part in parts)})"
+    level = _PRECEDENCE[head]
+    if head == "+":
+        return _wrapped(_written(parts[0], level) + "".join(_addend(part) for part in parts[1:]), level, outer)
+    text = _INFIX[head].join(_written(part, level + (head in ("/", "^") or n > 0)) for n, part in enumerate(parts))
+    return _wrapped(text, level, outer)
+
+
+def _addend(value: Any) -> str:
+    if isinstance(value, list | tuple) and value[0] == "-":
+        return f" - {_written(value[1], 7)}"
+    return f" + {_written(value, 7)}"
+
+
+def _wrapped(text: str, level: int, outer: int) -> str:
+    return f"({text})" if level < outer else text

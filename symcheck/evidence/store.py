@@ -1,0 +1,136 @@
+"""What is checked in under generated/: the certificates of each paper and the verdicts that are expected of it.
+
+Both files are written from the records of an audit and depend on nothing else: no times, no versions. Each certificate
+and each expectation has a line of its own, so that a diff shows what changed.
+"""
+
+from __future__ import annotations
+
+import json
+import os
+from collections.abc import Iterable, Iterator, Mapping
+from pathlib import Path
+from typing import Any
+
+from symcheck.evidence.record import Record
+from symcheck.statement import Certificate, SymcheckError, Verdict
+
+SCHEMA = 1
+CERTIFICATES = "certificates"
+EXPECTED = "expected"
+
+
+def certificates(record: Record) -> Iterator[Certificate]:
+    """Every certificate a record rests on: its own, those of what it should be, those of hypotheses left out."""
+    yield from record.certificates
+    yield from (record.erratum or {}).get("certificates", ())
+    for hypothesis in record.hypotheses:
+        counterexample = hypothesis.get("counterexample")
+        if isinstance(counterexample, dict) and "claim" in counterexample:
+            yield counterexample
+
+
+def files(records: Iterable[Record]) -> dict[str, bytes]:
+    """Path inside generated/ -> contents, for every paper that has a record."""
+    papers: dict[str, list[Record]] = {}
+    for record in records:
+        papers.setdefault(record.paper, []).append(record)
+    out: dict[str, bytes] = {}
+    for key, rows in sorted(papers.items()):
+        proofs = (_line(certificate) for row in rows for certificate in certificates(row))
+        verdicts = (f"{_line(row.id)}: {_line(_expectation(row))}" for row in rows)
+        out[f"{CERTIFICATES}/{key}.json"] = _document(key, "certificates", "[]", proofs)
+        out[f"{EXPECTED}/{key}.json"] = _document(key, "items", "{}", verdicts)
+    return out
+
+
+def write(folder: Path, contents: Mapping[str, bytes]) -> None:
+    """Make the two subfolders of `folder` hold exactly these files; each appears whole or not at all."""
+    try:
+        for name, data in contents.items():
+            _replace(folder / name, data)
+        for name in sorted(_present(folder) - set(contents)):
+            (folder / name).unlink()
+    except OSError as error:
+        raise SymcheckError(f"{folder} cannot be written ({error.strerror}); generate in a checkout") from error
+
+
+def differences(folder: Path, contents: Mapping[str, bytes]) -> list[str]:
+    """One line for each file that is missing, superfluous or different."""
+    present = _present(folder)
+    told = dict.fromkeys(present - set(contents), "superfluous")
+    for name, data in contents.items():
+        if name not in present:
+            told[name] = "missing"
+        elif (old := (folder / name).read_bytes()) != data:
+            told[name] = f"differs from line {_first_difference(old, data)} on"
+    return [f"{name}: {told[name]}" for name in sorted(told)]
+
+
+def expected(folder: Path, paper: str) -> dict[str, Verdict | None]:
+    """The recorded verdict of each id of a paper, None for what claims nothing; empty if nothing was recorded."""
+    file = folder / EXPECTED / f"{paper}.json"
+    try:
+        data = json.loads(file.read_bytes())
+        if data["schema"] != SCHEMA or data["paper"] != paper:
+            raise ValueError(f"it is not of schema {SCHEMA} and paper {paper}")
+        return {id: Verdict(verdict) if verdict else None for id, (verdict, _reading) in data["items"].items()}
+    except FileNotFoundError:
+        return {}
+    except OSError as error:
+        raise SymcheckError(f"{file} cannot be read ({error.strerror})") from error
+    except (ValueError, KeyError, TypeError, AttributeError) as error:
+        raise SymcheckError(f"{file} is damaged ({error}); run `symcheck generate` to write it anew") from error
+
+
+def disagreements(records: Iterable[Record], recorded: Mapping[str, Verdict | None], complete: bool) -> list[str]:
+    """One line for each record whose verdict is not the recorded one; if `complete`, also for each that is gone."""
+    rows = {record.id: record for record in records}
+    if rows and not recorded:
+        return [f"{min(rows).partition(':')[0]} has no recorded verdicts; run `symcheck generate` to record these"]
+    lines = [_disagreement(row, recorded) for id, row in rows.items() if (id, row.verdict) not in recorded.items()]
+    gone = [id for id in recorded if complete and id not in rows]
+    return lines + [f"{id} is recorded and no longer declared; run `symcheck generate` to accept" for id in gone]
+
+
+def _disagreement(record: Record, recorded: Mapping[str, Verdict | None]) -> str:
+    now = record.verdict or f"a {record.role}"
+    if record.id not in recorded:
+        return f"{record.id} is new ({now}); run `symcheck generate` to record it"
+    change = "newly passes" if record.verdict == Verdict.PROVED else "newly fails"
+    why = f" ({record.reason})" if record.verdict == Verdict.UNDECIDED and record.reason else ""
+    return f"{record.id} {change}: {now}{why}, recorded as {recorded[record.id] or 'claiming nothing'}"
+
+
+def _expectation(record: Record) -> list[str | None]:
+    return [record.verdict, record.reading]
+
+
+def _line(value: Any) -> str:
+    return json.dumps(value, sort_keys=True, ensure_ascii=False, separators=(",", ":"))
+
+
+def _document(paper: str, name: str, brackets: str, lines: Iterable[str]) -> bytes:
+    body = ",\n".join(lines)
+    head = f'{{"schema": {SCHEMA}, "paper": {_line(paper)}, "{name}": {brackets[0]}\n'
+    return f"{head}{body}\n{brackets[1]}}}\n".encode()
+
+
+def _present(folder: Path) -> set[str]:
+    return {f"{part}/{file.name}" for part in (CERTIFICATES, EXPECTED) for file in (folder / part).glob("*.json")}
+
+
+def _replace(file: Path, data: bytes) -> None:
+    """Write beside the file, then rename: a reader sees the old contents or the new, never a part."""
+    file.parent.mkdir(parents=True, exist_ok=True)
+    temporary = file.with_name(f".{file.name}.{os.getpid()}")
+    try:
+        temporary.write_bytes(data)
+        temporary.replace(file)
+    finally:
+        temporary.unlink(missing_ok=True)
+
+
+def _first_difference(old: bytes, new: bytes) -> int:
+    pairs = zip(old.split(b"\n"), new.split(b"\n"), strict=False)
+    return next((n for n, (a, b) in enumerate(pairs, 1) if a != b), min(old.count(b"\n"), new.count(b"\n")) + 1)

@@ -1,0 +1,31 @@
+"""Inertia tensors of rigid bodies in rotated axes, and the moments a mass distribution can have."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from symcheck.lazy import lazy
+
+sp = lazy("sympy")
+
+
+def principal_moments(letter: str = "I") -> tuple[Any, Any, Any]:
+    """The symbols letter_1, letter_2, letter_3."""
+    return tuple(sp.Symbol(f"{letter}_{i}", real=True) for i in (1, 2, 3))  # type: ignore[return-value]
+
+
+def axial_moments(tensor: Any, axes: Any) -> list[Any]:
+    """Moments of inertia about the rows of `axes`: n^T T n with T the inertia tensor."""
+    return [sp.expand((axes[i, :] * tensor * axes[i, :].T)[0, 0]) for i in range(3)]
+
+
+def from_second_moments(second: tuple[Any, Any, Any]) -> tuple[Any, Any, Any]:
+    """Principal moments of inertia from P_i = integral of x_i^2 dm: I_1 = P_2 + P_3 and cyclic."""
+    p1, p2, p3 = second
+    return p2 + p3, p3 + p1, p1 + p2
+
+
+def euler_residual(tensor: Any, rate: Any, acceleration: Any, torque: Any) -> Any:
+    """I w' + w x I w - M in body axes: the rate of change of angular momentum seen from the inertial frame, less the torque."""
+    momentum = tensor * rate
+    return (tensor * acceleration + rate.cross(momentum) - torque).applyfunc(sp.expand)

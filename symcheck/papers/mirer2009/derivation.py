@@ -1,0 +1,175 @@
+"""Mirer 2009 from first principles: the damped body, its characteristic equation, moments about turned axes.
+
+Nothing printed as a result is known here: only the law of angular momentum, the control law, the mass distribution and
+the order of the elementary rotations of figure 1. Names of symbols are those of the lowered statements.
+"""
+
+from __future__ import annotations
+
+from functools import cache
+from typing import Any
+
+from symcheck.lazy import lazy
+from symcheck.mechanics import inertia, rotation
+
+sp = lazy("sympy")
+
+
+def _triple(letter: str) -> tuple[Any, Any, Any]:
+    return inertia.principal_moments(letter)
+
+
+def _vector(letter: str) -> Any:
+    return sp.Matrix(_triple(letter))
+
+
+def _tensor() -> Any:
+    return sp.diag(*_triple("I"))
+
+
+def control_torque() -> Any:
+    """M = -sum k_i (w, e_i) e_i in principal axes; e_i is row i of the matrix a, not assumed orthogonal."""
+    rate, axes = _vector("omega"), rotation.matrix()
+    torque = sp.zeros(3, 1)
+    for gain, i in zip(_triple("k"), range(3), strict=True):
+        axis = axes[i, :].T
+        torque -= gain * rate.dot(axis) * axis
+    return torque
+
+
+@cache
+def equations_of_motion() -> tuple[Any, ...]:
+    """Components of I w' + w x I w - M, the left side of the equations of motion, all zero."""
+    return tuple(inertia.euler_residual(_tensor(), _vector("omega"), _vector("domega"), control_torque()))
+
+
+def residual() -> dict[str, Any]:
+    """The same components by name, rho_1 to rho_3."""
+    return {f"rho_{i}": value for i, value in enumerate(equations_of_motion(), 1)}
+
+
+@cache
+def linearised_equations() -> tuple[Any, ...]:
+    """First-order part of the equations of motion at w = 0, w' = 0."""
+    motion = sp.Matrix(equations_of_motion())
+    variables = list(_triple("omega")) + list(_triple("domega"))
+    origin = dict.fromkeys(variables, 0)
+    return tuple(motion.jacobian(variables).subs(origin) * sp.Matrix(variables))
+
+
+@cache
+def damping_matrix() -> Any:
+    """The matrix m of M = -m w, from the torque itself: m = -dM/dw."""
+    return -control_torque().jacobian(_vector("omega"))
+
+
+def damping_entries() -> dict[str, Any]:
+    """Entries m_11 to m_33 of the damping matrix."""
+    return rotation.entries(damping_matrix().applyfunc(sp.expand), "m")
+
+
+def torque_components() -> dict[str, Any]:
+    """Components mu_1 to mu_3 of the control torque in principal axes."""
+    return {f"mu_{i}": value for i, value in enumerate(control_torque(), 1)}
+
+
+def spectral_damping_entries() -> dict[str, Any]:
+    """Entries n_11 to n_33 of S^T B S with a diagonal B."""
+    axes, gains = rotation.matrix("s"), sp.diag(*(sp.Symbol(f"b_{i}{i}", real=True) for i in (1, 2, 3)))
+    return rotation.entries(axes.T * gains * axes, "n")
+
+
+def mirrored_damping_entries() -> dict[str, Any]:
+    """The same entries for -S in place of S, as q_11 to q_33."""
+    axes, gains = -rotation.matrix("s"), sp.diag(*(sp.Symbol(f"b_{i}{i}", real=True) for i in (1, 2, 3)))
+    return rotation.entries(axes.T * gains * axes, "q")
+
+
+def _characteristic(damping: Any) -> Any:
+    return sp.expand((sp.Symbol("p", real=True) * _tensor() + damping).det())
+
+
+@cache
+def characteristic_polynomial_of_damping_matrix() -> tuple[Any, ...]:
+    """det(I p + m) for the symbols m_11 to m_33."""
+    return (_characteristic(rotation.matrix("m")),)
+
+
+@cache
+def characteristic_polynomial() -> tuple[Any, ...]:
+    """det(I p + m) for the damping matrix of three devices with gains k_i along the rows of a."""
+    return (_characteristic(damping_matrix()),)
+
+
+def scaled_gains() -> dict[str, Any]:
+    """k_i = kbar_i J_i: gains in units of the moment of inertia about their own axis."""
+    return {f"k_{i}": sp.Symbol(f"kbar_{i}") * sp.Symbol(f"J_{i}") for i in (1, 2, 3)}
+
+
+def proportional_gains() -> dict[str, Any]:
+    """k_i = k J_i: gains proportional to the moment of inertia about their own axis."""
+    return {f"k_{i}": sp.Symbol("k") * sp.Symbol(f"J_{i}") for i in (1, 2, 3)}
+
+
+@cache
+def triple_root_conditions() -> tuple[Any, ...]:
+    """Coefficients of p^2, p, 1 in I1 I2 I3 (p + xi)^3 less the characteristic polynomial."""
+    p, xi = sp.Symbol("p", real=True), sp.Symbol("xi", real=True)
+    i1, i2, i3 = _triple("I")
+    difference = sp.Poly(i1 * i2 * i3 * (p + xi) ** 3 - characteristic_polynomial()[0], p)
+    return tuple(difference.coeff_monomial(p**n) for n in (2, 1, 0))
+
+
+def triple_root_condition(power: int) -> Any:
+    """One of those coefficients as an equation: a function of no arguments."""
+    return lambda: (triple_root_conditions()[2 - power],)
+
+
+def axial_moments() -> dict[str, Any]:
+    """J_i = e_i^T I e_i for the axes e_i, rows of a."""
+    moments = inertia.axial_moments(_tensor(), rotation.matrix())
+    return {f"J_{i}": moment for i, moment in enumerate(moments, 1)}
+
+
+def moments_of_a_mass_distribution() -> dict[str, Any]:
+    """I_1 = P_2 + P_3 and cyclic, with P_i the integral of x_i^2 over the mass."""
+    moments = inertia.from_second_moments(_triple("P"))
+    return {f"I_{i}": moment for i, moment in enumerate(moments, 1)}
+
+
+def direction_cosines() -> dict[str, Any]:
+    """a_ij of figure 1: axes x are axes y turned by alpha about axis 2, then beta about axis 3, then gamma about axis 1."""
+    alpha, beta, gamma = sp.symbols("alpha beta gamma", real=True)
+    from_y_to_x = rotation.elementary(1, gamma) * rotation.elementary(3, beta) * rotation.elementary(2, alpha)
+    return rotation.entries(from_y_to_x.T)
+
+
+def equal_moment_equation() -> tuple[Any, ...]:
+    """J_1 - (I_1 + I_2 + I_3)/3 in the direction cosines."""
+    mean = sum(_triple("I"), sp.Integer(0)) / 3
+    return (axial_moments()["J_1"] - mean,)
+
+
+def turned_about_the_diagonal() -> dict[str, Any]:
+    """Axes with row 2 along (1, 1, -1) and rows 3, 1 turned about it by the angle of cosine u and sine v."""
+    u, v = sp.symbols("u v", real=True)
+    one, three = sp.Integer(1), sp.Integer(3)
+    diagonal = sp.Matrix([[one, one, -one]]) / sp.sqrt(three)
+    first = sp.Matrix([[2, -1, 1]]) / (sp.sqrt(2) * sp.sqrt(three))
+    third = sp.Matrix([[0, 1, 1]]) / sp.sqrt(2)
+    return rotation.entries(sp.Matrix.vstack(u * first + v * third, diagonal, u * third - v * first))
+
+
+def eigenvector_residual() -> dict[str, Any]:
+    """Real parts u_i and imaginary parts v_i of (I p + m) z for p = sigma + i tau, z = x + i y."""
+    sigma, tau = sp.symbols("sigma tau", real=True)
+    x, y, damping = _vector("x"), _vector("y"), rotation.matrix("m")
+    real = _tensor() * (sigma * x - tau * y) + damping * x
+    imaginary = _tensor() * (tau * x + sigma * y) + damping * y
+    return {f"{letter}_{i}": value for letter, part in (("u", real), ("v", imaginary)) for i, value in enumerate(part, 1)}
+
+
+def gain_from_rates() -> dict[str, Any]:
+    """k as the harmonic mean of the rates xi + s_1, xi + s_2, xi + s_3."""
+    rates = [sp.Symbol("xi", real=True) + excess for excess in _triple("s")]
+    return {"k": 3 / sum((1 / rate for rate in rates), sp.Integer(0))}

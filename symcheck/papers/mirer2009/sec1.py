@@ -1,0 +1,470 @@
+"""Mirer 2009, section 1: model damping of the angular velocity and its optimal parameters."""
+
+from symcheck.papers.declare import body, claim, definition, exclusion, ours, premise
+from symcheck.papers.mirer2009 import derivation
+from symcheck.papers.mirer2009.forms import PARALLEL, excess_of_sum
+from symcheck.papers.mirer2009.hypotheses import (
+    distinct_moments,
+    orthogonal,
+    positive_moments,
+    right_handed,
+    symmetric_damping,
+)
+from symcheck.papers.mirer2009.notation import damping_letters, optimum_letters
+from symcheck.proof import cases, identity, nonnegative
+from symcheck.statement import Erratum, Hypothesis, Origin
+
+angular_momentum_law = premise("1.0.1", 45, r"\frac{d\mathbf{K}}{dt} = \mathbf{M}")
+
+angular_momentum_and_torque = definition(
+    "1.0.2",
+    49,
+    r"\mathbf{K} = \mathbf{I}\boldsymbol{\omega}, \quad \mathbf{M} = M_1\mathbf{e}_1 + M_2\mathbf{e}_2 + M_3\mathbf{e}_3.",
+)
+
+device_index = exclusion("1.0.3", 51, "i=1, 2, 3", reason="range of the index of the three devices, used in the notation")
+
+control_law = definition("1.0.4", 53, r"M_i = -k_i(\boldsymbol{\omega}, \mathbf{e}_i)")
+
+equation_of_motion = claim(
+    "1.1",
+    57,
+    r"\mathbf{I}\dot{\boldsymbol{\omega}} + \boldsymbol{\omega} \times \mathbf{I}\boldsymbol{\omega} = "
+    r"-\sum_{i=1}^3 k_i(\boldsymbol{\omega}, \mathbf{e}_i)\mathbf{e}_i",
+    equation=derivation.equations_of_motion,
+    by=identity,
+    uses=["1.0.1", "1.0.2", "1.0.4"],
+)
+
+equations_in_principal_axes = claim(
+    "1.2",
+    61,
+    r"\begin{aligned} I_1\dot{\omega}_1 + (I_3 - I_2)\omega_2\omega_3 + "
+    r"\sum_{i=1}^3 k_i(\boldsymbol{\omega}, \mathbf{e}_i)(\mathbf{e}_i, \mathbf{E}_1) &= 0, \\ "
+    r"I_2\dot{\omega}_2 + (I_1 - I_3)\omega_3\omega_1 + "
+    r"\sum_{i=1}^3 k_i(\boldsymbol{\omega}, \mathbf{e}_i)(\mathbf{e}_i, \mathbf{E}_2) &= 0, \\ "
+    r"I_3\dot{\omega}_3 + (I_2 - I_1)\omega_1\omega_2 + "
+    r"\sum_{i=1}^3 k_i(\boldsymbol{\omega}, \mathbf{e}_i)(\mathbf{e}_i, \mathbf{E}_3) &= 0. \end{aligned}",
+    equation=derivation.equations_of_motion,
+    by=identity,
+    uses=["1.1"],
+)
+
+tensor_is_diagonal = premise("1.2.1", 63, r"\mathbf{I} = \text{diag}(I_1, I_2, I_3)")
+
+direction_cosines_of_devices = definition("1.2.2", 65, r"(\mathbf{e}_i, \mathbf{E}_j) = a_{ij}", opaque=True)
+
+torque_by_damping_matrix = claim(
+    "1.2.3",
+    67,
+    (
+        r"M_i = (\mathbf{M}, \mathbf{E}_i) = -\sum_{j=1}^3 k_j (\boldsymbol{\omega}, \mathbf{e}_j) (\mathbf{e}_j, \mathbf{E}_i) "
+        r"= -\sum_{j=1}^3 k_j \left(\sum_{s=1}^3 \omega_s a_{js} \right) a_{ji} =",
+        r"= -\sum_{s=1}^3 \omega_s \sum_{j=1}^3 \omega_s k_j a_{js} a_{ji} = -\sum_{s=1}^3 m_{is} \omega_s,",
+    ),
+    by=identity,
+    uses=["1.0.2", "1.0.4", "1.2.2", "1.2.4"],
+    errata={
+        "a": Erratum(
+            r"\mu_i = (\mathbf{M}, \mathbf{E}_i)",
+            "one letter for two quantities",
+            Origin.PAPER,
+            "M_i was introduced (1.0.2, 1.0.4) as the torque of device i along e_i; here the same letter stands for the "
+            "component of M along the principal axis E_i. The two differ unless the axes e_i are the principal axes; "
+            "the component needs a letter of its own (written mu_i here).",
+        ),
+        "d": Erratum(
+            r"-\sum_{j=1}^3 k_j \left(\sum_{s=1}^3 \omega_s a_{js} \right) a_{ji} = "
+            r"-\sum_{s=1}^3 \omega_s \sum_{j=1}^3 k_j a_{js} a_{ji}",
+            "extra factor",
+            Origin.UNCERTAIN,
+            "omega_s stands twice, before and inside the inner sum; m_is, defined by that inner sum two lines below, "
+            "has it without omega_s. Nothing in the text tells whether the author or the OCR repeated it.",
+        ),
+        "e": Erratum(
+            r"-\sum_{s=1}^3 \omega_s \sum_{j=1}^3 k_j a_{js} a_{ji} = -\sum_{s=1}^3 m_{is} \omega_s",
+            "extra factor",
+            Origin.UNCERTAIN,
+            "The same repeated omega_s, seen from the other side of the chain.",
+        ),
+    },
+)
+
+damping_matrix = definition("1.2.4", 73, r"m_{is} = \sum_{j=1}^3 k_j a_{js} a_{ji}.")
+
+torque_is_linear = claim(
+    "1.2.5", 75, r"\mathbf{M} = -\mathbf{m}\boldsymbol{\omega}", by=identity, uses=["1.0.2", "1.0.4", "1.2.4"]
+)
+
+damping_matrix_is_symmetric = claim(
+    "1.2.6", 75, words="The matrix m is symmetric.", formal=r"m_{ij} = m_{ji}", by=identity, uses=["1.2.4"]
+)
+
+spectral_theorem = premise(
+    "1.2.7",
+    77,
+    r"\mathbf{m} = \mathbf{S}^T \mathbf{B} \mathbf{S}",
+    words="Every symmetric matrix is S^T B S with an orthogonal S and a diagonal B.",
+    reason="the spectral theorem, cited by the paper as known",
+    notation=damping_letters,
+)
+
+diagonal_form = premise(
+    "1.2.8",
+    79,
+    r"\mathbf{B} = \begin{pmatrix} b_{11} & 0 & 0 \\ 0 & b_{22} & 0 \\ 0 & 0 & b_{33} \end{pmatrix}.",
+    words="B is diagonal.",
+    notation=damping_letters,
+)
+
+orthogonal_devices_suffice = claim(
+    "1.2.9",
+    81,
+    words="Three devices along arbitrary axes act like three devices along orthogonal axes: S^T B S is the damping matrix "
+    "of devices along the rows of S with gains b_11, b_22, b_33.",
+    formal=r"n_{ij} = b_{11}s_{1j}s_{1i} + b_{22}s_{2j}s_{2i} + b_{33}s_{3j}s_{3i}",
+    where=derivation.spectral_damping_entries,
+    by=identity,
+    uses=["1.2.4", "1.2.7"],
+    notation=damping_letters,
+)
+
+right_handed_choice = ours(
+    "1.2.10",
+    81,
+    words="The orthogonal axes may be taken right-handed: -S gives the same damping matrix as S.",
+    formal=r"q_{ij} = n_{ij}",
+    where=lambda: {**derivation.spectral_damping_entries(), **derivation.mirrored_damping_entries()},
+    by=identity,
+    notation=damping_letters,
+)
+
+orthogonal_devices = premise("1.2.11", 81, words="From here on e_1, e_2, e_3 are a right-handed orthonormal triple.")
+
+damping_matrix_product = claim(
+    "1.2.12",
+    83,
+    r"\mathbf{m} = \mathbf{A}^T \begin{pmatrix} k_1 & 0 & 0 \\ 0 & k_2 & 0 \\ 0 & 0 & k_3 \end{pmatrix} \mathbf{A},",
+    where=derivation.damping_entries,
+    by=identity,
+    uses=["1.2.4"],
+)
+
+trivial_solution = claim(
+    "1.2.13",
+    89,
+    r"\omega_1 = \omega_2 = \omega_3 = 0,",
+    words="Rest is a solution of (1.2).",
+    formal=r"(\omega_1 = \omega_2 = \omega_3 = 0 \land \dot{\omega}_1 = \dot{\omega}_2 = \dot{\omega}_3 = 0) \Rightarrow \rho_i = 0",
+    where=derivation.residual,
+    by=cases(),
+    uses=["1.2"],
+    notation=damping_letters,
+)
+
+stability_degree = definition(
+    "1.2.14",
+    91,
+    words="The stability degree xi is minus the real part of the characteristic root nearest to the imaginary axis.",
+    opaque=True,
+)
+
+linearisation_point = exclusion(
+    "1.2.15", 93, r"\omega_1 = \omega_2 = \omega_3 = 0", reason="names the solution of 1.2.13 once more"
+)
+
+linearised_equations = claim(
+    "1.2.16",
+    95,
+    r"\begin{aligned} I_1 \dot{\omega}_1 + m_{11}\omega_1 + m_{12}\omega_2 + m_{13}\omega_3 &= 0, \\ "
+    r"I_2 \dot{\omega}_2 + m_{21}\omega_1 + m_{22}\omega_2 + m_{23}\omega_3 &= 0, \\ "
+    r"I_3 \dot{\omega}_3 + m_{31}\omega_1 + m_{32}\omega_2 + m_{33}\omega_3 &= 0, \end{aligned}",
+    equation=derivation.linearised_equations,
+    by=identity,
+    uses=["1.2", "1.2.4"],
+)
+
+characteristic_equation = claim(
+    "1.2.17",
+    99,
+    r"\begin{aligned} I_1 I_2 I_3 p^3 + (I_1 I_2 m_{33} + I_2 I_3 m_{11} + I_3 I_1 m_{22}) p^2 + \\ "
+    r"+ \left[I_1 (m_{22} m_{33} - m_{23}^2) + I_2 (m_{33} m_{11} - m_{31}^2) + I_3 (m_{11} m_{22} - m_{12}^2) \right] p + \\ "
+    r"+ (m_{11} m_{22} m_{33} + 2m_{12} m_{13} m_{23} - m_{11} m_{23}^2 - m_{22} m_{31}^2 - m_{33} m_{12}^2) = 0. \end{aligned}",
+    given=[symmetric_damping],
+    equation=derivation.characteristic_polynomial_of_damping_matrix,
+    keeping=("m",),
+    by=identity,
+    uses=["1.2.6", "1.2.16"],
+)
+
+characteristic_equation_in_gains = claim(
+    "1.3",
+    103,
+    r"\begin{aligned} I_1 I_2 I_3 p^3 + \left[k_1 (I_2 I_3 a_{11}^2 + I_3 I_1 a_{12}^2 + I_1 I_2 a_{13}^2) + \right. \\ "
+    r"+ k_2 (I_2 I_3 a_{21}^2 + I_3 I_1 a_{22}^2 + I_1 I_2 a_{23}^2) + \\ "
+    r"\left. + k_3 (I_2 I_3 a_{31}^2 + I_3 I_1 a_{32}^2 + I_1 I_2 a_{33}^2) \right] p^2 + \\ "
+    r"+ \left[k_1 k_2 (I_1 a_{31}^2 + I_2 a_{32}^2 + I_3 a_{33}^2) + k_2 k_3 (I_1 a_{11}^2 + I_2 a_{12}^2 + I_3 a_{13}^2) + \right. \\ "
+    r"\left. + k_3 k_1 (I_1 a_{21}^2 + I_2 a_{22}^2 + I_3 a_{23}^2) \right] p + k_1 k_2 k_3 = 0. \end{aligned}",
+    given=[orthogonal, right_handed],
+    equation=derivation.characteristic_polynomial,
+    by=identity,
+    uses=["1.2.12", "1.2.17"],
+)
+
+moments_and_scaled_gains = definition(
+    "1.3.1",
+    107,
+    r"\begin{aligned} J_i &= I_1 a_{i1}^2 + I_2 a_{i2}^2 + I_3 a_{i3}^2, \\ "
+    r"L_i &= I_2 I_3 a_{i1}^2 + I_3 I_1 a_{i2}^2 + I_1 I_2 a_{i3}^2, \quad (i = 1, 2, 3) \\ "
+    r"\bar{k}_i &= k_i / J_i. \end{aligned}",
+)
+
+characteristic_equation_in_scaled_gains = claim(
+    "1.4",
+    111,
+    r"\begin{aligned} I_1 I_2 I_3 p^3 + (\bar{k}_1 J_1 L_1 + \bar{k}_2 J_2 L_2 + \bar{k}_3 J_3 L_3) p^2 + \\ "
+    r"+ (\bar{k}_1 \bar{k}_2 + \bar{k}_2 \bar{k}_3 + \bar{k}_3 \bar{k}_1) J_1 J_2 J_3 p "
+    r"+ \bar{k}_1 \bar{k}_2 \bar{k}_3 J_1 J_2 J_3 = 0. \end{aligned}",
+    given=[orthogonal, right_handed],
+    where=derivation.scaled_gains,
+    keeping=("kbar",),
+    equation=derivation.characteristic_polynomial,
+    by=identity,
+    uses=["1.3", "1.3.1"],
+)
+
+moment_about_device_axis = claim(
+    "1.4.1",
+    113,
+    words="J_i is the moment of inertia of the body about the axis e_i.",
+    formal=r"J_i = (\mathbf{e}_i, \mathbf{I}\mathbf{e}_i)",
+    by=identity,
+    uses=["1.3.1"],
+)
+
+larger_moment_larger_torque = exclusion(
+    "1.4.2",
+    113,
+    words="The larger J_i, the larger the torque along that axis should be (set in bold there, a vector's letter).",
+    reason="design advice, no relation; it motivates 1.4.3",
+)
+
+gains_in_proportion = premise(
+    "1.4.3", 117, r"\frac{k_1}{J_1} = \frac{k_2}{J_2} = \frac{k_3}{J_3},", words="Gains are chosen in proportion to J_i."
+)
+
+common_gain = premise("1.4.4", 119, r"\bar{k}_1 = \bar{k}_2 = \bar{k}_3 = k", words="The same choice; k is the common ratio.")
+
+characteristic_equation_in_common_gain = claim(
+    "1.5",
+    121,
+    r"I_1 I_2 I_3 p^3 + k(J_1 L_1 + J_2 L_2 + J_3 L_3) p^2 + (3p + k) k^2 J_1 J_2 J_3 = 0.",
+    given=[orthogonal, right_handed],
+    where=derivation.proportional_gains,
+    equation=derivation.characteristic_polynomial,
+    by=identity,
+    uses=["1.3", "1.4", "1.4.4"],
+)
+
+tendency_to_equal_real_parts = exclusion(
+    "1.5.1",
+    123,
+    words="In many attitude control systems the real parts of the roots become equal near the optimum.",
+    reason="an observation about other systems; cited experience, not a statement about this one",
+)
+
+triple_root_assumed = premise(
+    "1.5.2",
+    125,
+    words="The stability degree of (1.5) is supposed to be largest when all roots are real and equal.",
+    reason="only supposed in the paper; proved here as 1.8.5 to 1.8.8",
+)
+
+other_system = exclusion(
+    "1.5.3", 125, words="The same happens in the problem of [3, 4].", reason="refers to other papers, nothing stated here"
+)
+
+triple_root_square_coefficient = claim(
+    "1.5.4",
+    127,
+    r"3\xi I_1 I_2 I_3 = k(J_1 L_1 + J_2 L_2 + J_3 L_3),",
+    given=[orthogonal, right_handed],
+    where=derivation.proportional_gains,
+    equation=derivation.triple_root_condition(2),
+    by=identity,
+    uses=["1.5"],
+)
+
+triple_root_linear_coefficient = claim(
+    "1.5.5",
+    129,
+    r"3\xi^2 I_1 I_2 I_3 = 3k^2 J_1 J_2 J_3,",
+    given=[orthogonal, right_handed],
+    where=derivation.proportional_gains,
+    equation=derivation.triple_root_condition(1),
+    by=identity,
+    uses=["1.5"],
+)
+
+triple_root_constant_coefficient = claim(
+    "1.5.6",
+    131,
+    r"\xi^3 I_1 I_2 I_3 = k^3 J_1 J_2 J_3,",
+    given=[orthogonal, right_handed],
+    where=derivation.proportional_gains,
+    equation=derivation.triple_root_condition(0),
+    by=identity,
+    uses=["1.5"],
+)
+
+triple_root = Hypothesis(
+    "triple root",
+    "(1.5) has the triple root p = -xi: relations 1.5.4 to 1.5.6",
+    body(triple_root_square_coefficient, triple_root_linear_coefficient, triple_root_constant_coefficient),
+)
+positive_ratio = Hypothesis("gain positive", "the common gain ratio k is positive: the devices damp", r"k > 0", printed=False)
+free_moments = ("J", "L")
+
+product_at_triple_root = claim(
+    "1.6",
+    135,
+    r"J_1 J_2 J_3 = I_1 I_2 I_3,",
+    given=[triple_root, positive_ratio, positive_moments],
+    keeping=free_moments,
+    by=cases(),
+    uses=["1.5.4", "1.5.5", "1.5.6"],
+)
+
+sum_at_triple_root = claim(
+    "1.7",
+    137,
+    r"J_1 L_1 + J_2 L_2 + J_3 L_3 = 3I_1 I_2 I_3,",
+    given=[triple_root, positive_ratio, positive_moments],
+    keeping=free_moments,
+    by=cases(),
+    uses=["1.5.4", "1.5.5", "1.5.6"],
+)
+
+gain_at_triple_root = claim(
+    "1.8",
+    139,
+    r"k = \xi.",
+    given=[triple_root, positive_ratio, positive_moments],
+    keeping=free_moments,
+    by=cases(),
+    uses=["1.5.4", "1.5.5", "1.5.6"],
+)
+
+triple_root_conditions_are_equivalent = ours(
+    "1.8.1",
+    139,
+    words="Conversely, (1.6) to (1.8) make p = -k a triple root of (1.5).",
+    formal=rf"{body(product_at_triple_root, sum_at_triple_root, gain_at_triple_root)} \Rightarrow ({triple_root.states})",
+    keeping=free_moments,
+    by=cases(),
+    uses=["1.6", "1.7", "1.8"],
+)
+
+gain_as_large_as_possible = exclusion(
+    "1.8.2",
+    141,
+    words="By (1.8) the gain k should be as large as possible.",
+    reason="design advice; what it rests on is (1.8): the stability degree is k",
+)
+
+equalities_only_for_parallel_axes = claim(
+    "1.8.3",
+    141,
+    words="(1.6) and (1.7) hold only if the damping axes are parallel to the principal axes.",
+    formal=rf"{body(product_at_triple_root, sum_at_triple_root)} \Rightarrow {PARALLEL}",
+    given=[orthogonal, positive_moments],
+    needs=[distinct_moments],
+    by=cases(excess_of_sum),
+    uses=["1.6", "1.7", "2.17", "2.20"],
+    errata={
+        "": Erratum(
+            "",
+            "missing hypothesis",
+            Origin.PAPER,
+            "With two equal moments every axis in their plane serves, so parallelism to the chosen principal axes does not "
+            "follow; it follows when the moments are pairwise distinct.",
+        )
+    },
+)
+
+order_of_axes_does_not_matter = claim(
+    "1.8.4",
+    141,
+    words="Which damping axis is parallel to which principal axis does not matter: (1.6), (1.7) hold for each order.",
+    formal=rf"{PARALLEL} \Rightarrow ({body(product_at_triple_root, sum_at_triple_root)})",
+    given=[orthogonal],
+    by=cases(),
+    uses=["1.6", "1.7"],
+)
+
+roots_are_real = ours(
+    "1.8.5",
+    125,
+    words="If (I p + m) z = 0 with p = sigma + i tau and z = x + i y, then tau (x^T I x + y^T I y) = 0.",
+    formal=r"\sum_{i=1}^3 x_i v_i - \sum_{i=1}^3 y_i u_i = \tau \sum_{i=1}^3 I_i (x_i^2 + y_i^2)",
+    given=[symmetric_damping],
+    where=derivation.eigenvector_residual,
+    keeping=("m",),
+    by=identity,
+    notation=optimum_letters,
+)
+
+imaginary_part_vanishes = ours(
+    "1.8.6",
+    125,
+    words="Hence every root of (1.5) is real.",
+    formal=r"\tau \sum_{i=1}^3 I_i (x_i^2 + y_i^2) = 0, \sum_{i=1}^3 (x_i^2 + y_i^2) = 1 \Rightarrow \tau = 0",
+    given=[positive_moments],
+    by=cases(r"\sum_{i=1}^3 I_i (x_i^2 + y_i^2)"),
+    uses=["1.8.5"],
+    notation=optimum_letters,
+)
+
+harmonic_mean_of_rates = ours(
+    "1.8.7",
+    125,
+    words="The harmonic mean of the three damping rates lambda_i (roots -lambda_i of (1.5)) is k, whatever the axes.",
+    formal=r"\frac{1}{\lambda_1} + \frac{1}{\lambda_2} + \frac{1}{\lambda_3} = \frac{3}{k}",
+    given=[
+        Hypothesis(
+            "rates",
+            "-lambda_1, -lambda_2, -lambda_3 are the roots of (1.5)",
+            r"I_1 I_2 I_3 \lambda_1 \lambda_2 \lambda_3 = k^3 J_1 J_2 J_3, "
+            r"I_1 I_2 I_3 (\lambda_1 \lambda_2 + \lambda_2 \lambda_3 + \lambda_3 \lambda_1) = 3 k^2 J_1 J_2 J_3",
+        ),
+        Hypothesis("rates non-zero", "no root is zero", r"\lambda_1 \ne 0, \lambda_2 \ne 0, \lambda_3 \ne 0"),
+        positive_ratio,
+        positive_moments,
+    ],
+    keeping=free_moments,
+    by=cases(),
+    uses=["1.5"],
+    notation=optimum_letters,
+)
+
+stability_degree_at_most_gain = ours(
+    "1.8.8",
+    125,
+    words="So for gains k_i = k J_i the stability degree xi, the least rate, is at most k; it is k only at the triple root.",
+    formal=r"\xi \le k",
+    given=[
+        Hypothesis(
+            "least rate",
+            "the rates are xi, the least, and xi + s_i",
+            r"\xi > 0, s_1 \ge 0, s_2 \ge 0, s_3 \ge 0",
+        )
+    ],
+    where=derivation.gain_from_rates,
+    by=nonnegative(
+        r"\frac{(\xi + s_1)(\xi + s_2) s_3 + (\xi + s_2)(\xi + s_3) s_1 + (\xi + s_3)(\xi + s_1) s_2}"
+        r"{(\xi + s_1)(\xi + s_2) + (\xi + s_2)(\xi + s_3) + (\xi + s_3)(\xi + s_1)}"
+    ),
+    equality=r"s_1 = 0, s_2 = 0, s_3 = 0",
+    uses=["1.8.6", "1.8.7"],
+    notation=optimum_letters,
+)

@@ -1,0 +1,808 @@
+"""Mirer 2009, section 2: extremal relations between the moments of inertia about three orthogonal axes."""
+
+from symcheck.papers.declare import body, claim, definition, exclusion, ours, premise
+from symcheck.papers.mirer2009 import derivation
+from symcheck.papers.mirer2009.forms import PARALLEL, deficit_of_product, excess_of_product, excess_of_sum
+from symcheck.papers.mirer2009.hypotheses import (
+    distinct_moments,
+    mass_distribution,
+    non_negative_moments,
+    orthogonal,
+    positive_moments,
+    right_handed,
+)
+from symcheck.papers.mirer2009.notation import ellipsoid_letters, turned_letters
+from symcheck.proof import cases, existence, identity, nonnegative
+from symcheck.statement import Erratum, Hypothesis, Origin
+
+EQUAL_MOMENTS = r"(J_1 = J_2 = J_3)"
+EQUAL_PRODUCTS = r"(J_1 J_2 J_3 = I_1 I_2 I_3)"
+EQUAL_SUMS = r"(J_1 L_1 + J_2 L_2 + J_3 L_3 = 3 I_1 I_2 I_3)"
+CUBE_OF_MEAN = r"\left(\frac{I_1 + I_2 + I_3}{3} \right)^3"
+
+two_frames = definition(
+    "2.0.1",
+    149,
+    words="O x_1 x_2 x_3 has its axes along the principal central axes; O y_1 y_2 y_3 is turned against it by A; both are "
+    "right-handed.",
+    opaque=True,
+)
+
+matrix_of_direction_cosines = definition("2.0.2", 153, r"\mathbf{A} = \|a_{ij}\|", opaque=True)
+
+direction_cosine = definition("2.0.3", 155, r"a_{ij} = \cos(Oy_i, Ox_j).", opaque=True)
+
+axial_moment = claim("2.0.4", 159, r"J_i = \sum_{k=1}^3 I_k a_{ik}^2.", where=derivation.axial_moments, by=identity)
+
+bounds_of_product = claim(
+    "2.1",
+    165,
+    r"I_1 I_2 I_3 \leq J_1 J_2 J_3 \leq \left(\frac{I_1 + I_2 + I_3}{3} \right)^3,",
+    given=[orthogonal, non_negative_moments],
+    by={"a": nonnegative(excess_of_product), "b": nonnegative(deficit_of_product)},
+    equality={"a": PARALLEL, "b": EQUAL_MOMENTS},
+    equality_given=[positive_moments, distinct_moments],
+    uses=["1.3.1"],
+)
+
+equality_on_the_right = claim(
+    "2.1.1",
+    167,
+    words="The right equality of (2.1) is attained only if each axis x_i is collinear with an axis y_j.",
+    formal=rf"J_1 J_2 J_3 = {CUBE_OF_MEAN} \Rightarrow {PARALLEL}",
+    given=[orthogonal, positive_moments],
+    needs=[distinct_moments],
+    by=cases(excess_of_product),
+    uses=["2.1"],
+    errata={
+        "": Erratum(
+            rf"{EQUAL_PRODUCTS} \Rightarrow {PARALLEL}",
+            "left and right exchanged",
+            Origin.PAPER,
+            "The sentence exchanges the two sides: collinear axes give the left equality, the minimum (2.10), (2.17); the "
+            "right one, the maximum, belongs to equal moments (line 209). Moreover 'only' needs pairwise distinct moments.",
+        )
+    },
+)
+
+equality_on_the_left = claim(
+    "2.1.2",
+    167,
+    words="The left equality of (2.1) holds at J_1 = J_2 = J_3.",
+    formal=rf"{EQUAL_MOMENTS} \Rightarrow {EQUAL_PRODUCTS}",
+    given=[orthogonal, positive_moments],
+    by=cases(deficit_of_product),
+    uses=["2.1"],
+    errata={
+        "": Erratum(
+            rf"{EQUAL_MOMENTS} \Rightarrow J_1 J_2 J_3 = {CUBE_OF_MEAN}",
+            "left and right exchanged",
+            Origin.PAPER,
+            "The other half of the exchange: J_1 = J_2 = J_3 is where the right equality holds, as the proof says itself.",
+        )
+    },
+)
+
+order_of_axes_is_irrelevant = claim(
+    "2.1.3",
+    167,
+    words="For collinear axes the order in which axes y_j fall on axes x_i does not matter: the product is I_1 I_2 I_3.",
+    formal=rf"{PARALLEL} \Rightarrow {EQUAL_PRODUCTS}",
+    given=[orthogonal],
+    by=cases(),
+    uses=["2.1"],
+)
+
+upper_bound = claim(
+    "2.1.4",
+    173,
+    r"J_1 J_2 J_3 \leq \left(\frac{I_1 + I_2 + I_3}{3} \right)^3.",
+    given=[orthogonal, non_negative_moments],
+    by=nonnegative(deficit_of_product),
+    equality=EQUAL_MOMENTS,
+    equality_given=[positive_moments],
+    uses=["2.2", "2.3.5"],
+)
+
+product_of_moments = definition("2.1.5", 175, "f = J_1 J_2 J_3")
+
+mean_moment = definition("2.1.6", 175, "c = (I_1 + I_2 + I_3)/3")
+
+trace_is_invariant = claim(
+    "2.1.7",
+    177,
+    r"J_1 + J_2 + J_3 = I_1 + I_2 + I_3 = 3c",
+    given=[orthogonal],
+    by=identity,
+    uses=["2.1.6"],
+)
+
+product_at_given_moment = claim(
+    "2.2",
+    181,
+    r"f = J_2 \cdot \frac{1}{4} \left[(J_1 + J_3)^2 - (J_1 - J_3)^2 \right] \leq \frac{1}{4} J_2 (3c - J_2)^2,",
+    given=[orthogonal, non_negative_moments],
+    by={"a": identity, "b": nonnegative(r"\frac{1}{4} J_2 (J_1 - J_3)^2")},
+    equality={"b": "J_1 = J_3"},
+    equality_given=[positive_moments],
+    uses=["2.1.5", "2.1.7"],
+)
+
+equality_at_given_moment = claim(
+    "2.2.1",
+    183,
+    "J_1 = J_3",
+    words="(2.2) is an equality at J_1 = J_3.",
+    formal=r"J_1 = J_3 \Rightarrow f = \frac{1}{4} J_2 (3c - J_2)^2",
+    given=[orthogonal],
+    by=cases(),
+    uses=["2.2"],
+)
+
+bound_at_given_moment = definition("2.2.2", 187, r"f_1(J_2) = \frac{1}{4} J_2 (3c - J_2)^2.")
+
+interval_of_moments = claim(
+    "2.2.3",
+    189,
+    "[0, 3c/2]",
+    words="J_2, the argument of f_1, lies between 0 and 3c/2.",
+    formal=r"(0 \leq J_2) \land (J_2 \leq 3c/2)",
+    given=[orthogonal, mass_distribution],
+    where=derivation.moments_of_a_mass_distribution,
+    by=cases(r"P_1 a_{21}^2 + P_2 a_{22}^2 + P_3 a_{23}^2"),
+    uses=["2.2.2", "2.3.3"],
+)
+
+triangle_inequalities = claim(
+    "2.2.4",
+    191,
+    r"I_2 + I_3 \geq I_1, \quad I_3 + I_1 \geq I_2, \quad I_1 + I_2 \geq I_3",
+    given=[mass_distribution],
+    where=derivation.moments_of_a_mass_distribution,
+    by={"a": nonnegative("2P_1"), "b": nonnegative("2P_2"), "c": nonnegative("2P_3")},
+    equality={"a": "P_1 = 0", "b": "P_2 = 0", "c": "P_3 = 0"},
+)
+
+triangle_inequalities_by_trace = claim(
+    "2.3",
+    195,
+    r"I_1 + I_2 + I_3 \geq 2I_i, \quad i = 1, 2, 3.",
+    given=[mass_distribution],
+    where=derivation.moments_of_a_mass_distribution,
+    by=nonnegative("2P_i"),
+    equality="P_i = 0",
+    uses=["2.2.4"],
+)
+
+triangle_forms_are_equivalent = claim(
+    "2.3.1",
+    193,
+    words="The inequalities (2.3) are equivalent to the triangle inequalities 2.2.4.",
+    formal=r"I_1 + I_2 + I_3 - 2 I_1 = I_2 + I_3 - I_1, I_1 + I_2 + I_3 - 2 I_2 = I_3 + I_1 - I_2, "
+    r"I_1 + I_2 + I_3 - 2 I_3 = I_1 + I_2 - I_3",
+    by=cases(),
+    uses=["2.2.4", "2.3"],
+)
+
+weighted_triangle_inequality = claim(
+    "2.3.2",
+    199,
+    r"3c(a_{21}^2 + a_{22}^2 + a_{23}^2) \geq 2J_2",
+    given=[mass_distribution],
+    where=derivation.moments_of_a_mass_distribution,
+    by=nonnegative(r"2 P_1 a_{21}^2 + 2 P_2 a_{22}^2 + 2 P_3 a_{23}^2"),
+    equality=r"P_1 a_{21} = 0, P_2 a_{22} = 0, P_3 a_{23} = 0",
+    uses=["2.3", "2.1.6"],
+)
+
+second_row_is_a_unit_vector = claim(
+    "2.3.3", 201, r"a_{21}^2 + a_{22}^2 + a_{23}^2 = 1", given=[orthogonal], by=identity
+)
+
+moment_at_most_three_halves_mean = claim(
+    "2.3.4",
+    203,
+    r"J_2 \leq \frac{3}{2}c.",
+    given=[orthogonal, mass_distribution],
+    where=derivation.moments_of_a_mass_distribution,
+    by=nonnegative(r"P_1 a_{21}^2 + P_2 a_{22}^2 + P_3 a_{23}^2"),
+    equality=r"P_1 a_{21} = 0, P_2 a_{22} = 0, P_3 a_{23} = 0",
+    uses=["2.3.2", "2.3.3"],
+)
+
+derivatives_of_bound = claim(
+    "2.3.5",
+    207,
+    r"\frac{df_1}{dJ_2} = \frac{3}{4}(3c - J_2)(c - J_2), \quad \frac{d^2 f_1}{dJ_2^2} = \frac{3}{2}(J_2 - 2c),",
+    keeping=("J", "c"),
+    by=identity,
+    uses=["2.2.2"],
+)
+
+on_the_interval = Hypothesis("interval", "J_2 lies on [0, 3c/2]", r"J_2 \geq 0, J_2 \leq 3c/2")
+positive_mean = Hypothesis("mean positive", "the mean moment c is positive", "c > 0", printed=False)
+
+maximum_of_bound = claim(
+    "2.3.6",
+    209,
+    "J_2 = c",
+    words="f_1 is largest at J_2 = c, and only there, with the value c^3.",
+    formal=r"(f_1 \leq c^3) \land (f_1 = c^3 \Leftrightarrow J_2 = c)",
+    given=[on_the_interval, positive_mean],
+    keeping=("J", "c"),
+    by=cases(r"\frac{1}{4} (c - J_2)^2 ((3c/2 - J_2) + 5c/2)"),
+    uses=["2.2.2", "2.3.5"],
+)
+
+maximum_of_product = claim(
+    "2.3.7",
+    209,
+    r"\max f = c^3",
+    words="The largest value of f is c^3; that it is attained is 2.9.4.",
+    formal=r"f \leq c^3",
+    given=[orthogonal, non_negative_moments],
+    by=nonnegative(deficit_of_product),
+    equality=EQUAL_MOMENTS,
+    equality_given=[positive_moments],
+    uses=["2.2", "2.3.6", "2.9.4"],
+)
+
+maximum_at_equal_moments = claim(
+    "2.3.8",
+    209,
+    "J_1 = J_2 = J_3 = c",
+    words="The value c^3 is reached when all three moments are c.",
+    formal=r"J_1 = J_2 = J_3 = c \Rightarrow f = c^3",
+    by=cases(),
+    keeping=("J", "c"),
+    uses=["2.3.7"],
+)
+
+equal_moment_conditions = claim(
+    "2.4",
+    213,
+    r"J_i = \sum_{k=1}^3 I_k a_{ik}^2 = c, \quad i = 1, 2, 3,",
+    where=derivation.axial_moments,
+    by=identity,
+    imposed="b",
+    uses=["2.0.4"],
+)
+
+two_conditions_suffice = claim(
+    "2.4.1",
+    215,
+    words="Of the three conditions (2.4) any two imply the third.",
+    formal=r"(J_1 = c \land J_2 = c \Rightarrow J_3 = c) \land (J_2 = c \land J_3 = c \Rightarrow J_1 = c) \land "
+    r"(J_3 = c \land J_1 = c \Rightarrow J_2 = c)",
+    given=[orthogonal],
+    by=cases(),
+    uses=["2.4", "2.1.7"],
+)
+
+first_condition = claim(
+    "2.5",
+    217,
+    r"J_1 = I_1 a_{11}^2 + I_2 a_{12}^2 + I_3 a_{13}^2 = c,",
+    where=derivation.axial_moments,
+    by=identity,
+    imposed="b",
+    uses=["2.4"],
+)
+
+second_condition = claim(
+    "2.6",
+    219,
+    r"J_2 = I_1 a_{21}^2 + I_2 a_{22}^2 + I_3 a_{23}^2 = c.",
+    where=derivation.axial_moments,
+    by=identity,
+    imposed="b",
+    uses=["2.4"],
+)
+
+orthonormal_rows = claim(
+    "2.7",
+    223,
+    r"\begin{aligned} a_{11}^2 + a_{12}^2 + a_{13}^2 &= 1, \\ a_{21}^2 + a_{22}^2 + a_{23}^2 &= 1, \\ "
+    r"a_{11}a_{21} + a_{12}a_{22} + a_{13}a_{23} &= 0. \end{aligned}",
+    given=[orthogonal],
+    by=identity,
+)
+
+one_parameter_family = exclusion(
+    "2.7.1",
+    225,
+    words="In general (2.5) to (2.7) have a one-parameter family of solutions; the paper does not derive it.",
+    reason="left out by the paper; derived and proved here as family.1 to family.9",
+)
+
+aircraft_angles = definition(
+    "2.7.2", 227, words="Pitch alpha, yaw beta and roll gamma of figure 1 determine the matrix A.", opaque=True
+)
+
+angles_make_rows_orthonormal = claim(
+    "2.7.3",
+    232,
+    words="With the three angles the conditions (2.7) hold of themselves.",
+    formal=body(orthonormal_rows),
+    where=derivation.direction_cosines,
+    by=cases(),
+    uses=["2.7", "2.7.2"],
+)
+
+second_row_along_a_diagonal = claim(
+    "2.7.4",
+    234,
+    r"a_{21}^2 = a_{22}^2 = a_{23}^2 = 1/3",
+    words="(2.6) holds when the squares of the second row are 1/3 each.",
+    formal=r"a_{21}^2 = a_{22}^2 = a_{23}^2 = 1/3 \Rightarrow J_2 = c",
+    by=cases(),
+    uses=["2.6"],
+)
+
+cosine_11 = claim("2.7.5", 238, r"a_{11} = \cos \alpha \cos \beta,", where=derivation.direction_cosines, by=identity)
+
+cosine_12 = claim(
+    "2.7.6",
+    240,
+    r"a_{12} = \sin \alpha \sin \gamma - \cos \alpha \sin \beta \cos \gamma,",
+    where=derivation.direction_cosines,
+    by=identity,
+)
+
+cosine_13 = claim(
+    "2.7.7",
+    242,
+    r"a_{13} = \sin \alpha \cos \gamma + \cos \alpha \sin \beta \sin \gamma,",
+    where=derivation.direction_cosines,
+    by=identity,
+)
+
+cosine_21 = claim("2.7.8", 244, r"a_{21} = \sin \beta,", where=derivation.direction_cosines, by=identity)
+
+cosine_22 = claim("2.7.9", 246, r"a_{22} = \cos \beta \cos \gamma,", where=derivation.direction_cosines, by=identity)
+
+cosine_23 = claim("2.7.10", 248, r"a_{23} = -\cos \beta \sin \gamma,", where=derivation.direction_cosines, by=identity)
+
+cosine_31 = claim("2.7.11", 250, r"a_{31} = -\sin \alpha \cos \beta,", where=derivation.direction_cosines, by=identity)
+
+cosine_32 = claim(
+    "2.7.12",
+    252,
+    r"a_{32} = \cos \alpha \sin \gamma + \sin \alpha \sin \beta \cos \gamma,",
+    where=derivation.direction_cosines,
+    by=identity,
+)
+
+cosine_33 = claim(
+    "2.7.13",
+    254,
+    r"a_{33} = \cos \alpha \cos \gamma - \sin \alpha \sin \beta \sin \gamma,",
+    where=derivation.direction_cosines,
+    by=identity,
+)
+
+angles_of_the_diagonal = claim(
+    "2.7.14",
+    256,
+    (r"\sin^2 \beta = 1/3", r"\sin^2 \gamma = 1/2"),
+    words="In the angles, the second row has squares 1/3 exactly when sin^2 beta = 1/3 and sin^2 gamma = 1/2.",
+    formal=r"(\sin^2 \beta = 1/3 \land \sin^2 \gamma = 1/2) \Leftrightarrow (a_{21}^2 = a_{22}^2 = a_{23}^2 = 1/3)",
+    where=derivation.direction_cosines,
+    by=cases(),
+    uses=["2.7.4", "2.7.8", "2.7.9", "2.7.10"],
+)
+
+chosen_values = premise(
+    "2.7.15",
+    260,
+    r"\sin \beta = 1/\sqrt{3}, \quad \sin \gamma = 1/\sqrt{2}, \quad \cos \gamma = 1/\sqrt{2}.",
+    words="One of the solutions of 2.7.14 is chosen.",
+)
+
+chosen_angles = Hypothesis("chosen angles", "the angles beta and gamma of 2.7.15", body(chosen_values))
+
+squares_of_first_row = claim(
+    "2.8",
+    264,
+    (
+        r"a_{11}^2 = \frac{1}{3}(1 + \cos 2\alpha),",
+        r"a_{12}^2 = \frac{1}{3} \left(1 - \frac{1}{2} \cos 2\alpha - \frac{\sqrt{3}}{2} \sin 2\alpha \right),",
+        r"a_{13}^2 = \frac{1}{3} \left(1 - \frac{1}{2} \cos 2\alpha + \frac{\sqrt{3}}{2} \sin 2\alpha \right).",
+    ),
+    given=[chosen_angles],
+    where=derivation.direction_cosines,
+    by=identity,
+    uses=["2.7.5", "2.7.6", "2.7.7", "2.7.15"],
+)
+
+equal_moment_equation = claim(
+    "2.8.1",
+    272,
+    r"c + \frac{1}{3} \left(I_1 - \frac{I_2 + I_3}{2} \right) \cos 2\alpha "
+    r"- \frac{1}{3} \frac{\sqrt{3}}{2} (I_2 - I_3) \sin 2\alpha = c,",
+    given=[chosen_angles],
+    where=derivation.direction_cosines,
+    equation=derivation.equal_moment_equation,
+    by=identity,
+    uses=["2.5", "2.8"],
+)
+
+first_moment_is_the_mean = Hypothesis(
+    "first moment is the mean", "relation 2.8.1: J_1 = c in terms of alpha", body(equal_moment_equation)
+)
+
+pitch_of_equal_moments = claim(
+    "2.9",
+    276,
+    r"\operatorname{tg} 2\alpha = \sqrt{3} \frac{I_1 - c}{I_2 - I_3}.",
+    given=[
+        first_moment_is_the_mean,
+        Hypothesis("I_2, I_3 distinct", "I_2 and I_3 differ (line 278)", r"I_2 \neq I_3"),
+    ],
+    by=cases(),
+    uses=["2.8.1"],
+)
+
+two_equal_moments = claim(
+    "2.9.1",
+    278,
+    ("I_2 = I_3", r"\cos 2\alpha = 0"),
+    words="When I_2 = I_3, relation 2.8.1 says cos 2 alpha = 0.",
+    formal=r"I_2 = I_3 \Rightarrow \cos 2\alpha = 0",
+    given=[first_moment_is_the_mean, positive_moments],
+    needs=[Hypothesis("I_1, I_2 distinct", "I_1 differs from I_2 = I_3", r"I_1 \neq I_2")],
+    by=cases(),
+    uses=["2.8.1", "2.9"],
+    errata={
+        "": Erratum(
+            "",
+            "missing hypothesis",
+            Origin.PAPER,
+            "When all three moments are equal, 2.8.1 holds for every alpha and cos 2 alpha need not vanish. The choice "
+            "alpha = pi/4 remains right (2.9.2), so the existence proof is not harmed.",
+        )
+    },
+)
+
+pitch_of_two_equal_moments = claim(
+    "2.9.2",
+    278,
+    r"\alpha = \pi/4",
+    words="When I_2 = I_3, alpha = pi/4 (sin alpha = cos alpha) satisfies 2.8.1.",
+    formal=rf"(I_2 = I_3 \land \sin \alpha = \cos \alpha) \Rightarrow {body(equal_moment_equation)}",
+    by=cases(),
+    uses=["2.8.1"],
+)
+
+expression_is_undefined = exclusion(
+    "2.9.3", 278, words="(2.9) has no meaning at I_2 = I_3.", reason="its denominator; the side condition of (2.9)"
+)
+
+equal_moments_are_possible = claim(
+    "2.9.4",
+    282,
+    r"J_1 = J_2 = J_3 = \frac{1}{3}(I_1 + I_2 + I_3).",
+    words="For every body there are axes about which all three moments are equal (turned about the diagonal (1, 1, -1) by "
+    "an angle of cosine u and sine v).",
+    formal=r"\exists u, v : (u^2 + v^2 = 1 \land J_1 = J_2 = J_3 = \frac{1}{3}(I_1 + I_2 + I_3))",
+    where=derivation.turned_about_the_diagonal,
+    by=existence,
+    uses=["2.4", "2.7.4", "2.9"],
+    notation=turned_letters,
+)
+
+turned_axes_are_orthonormal = ours(
+    "2.9.5",
+    282,
+    words="The axes of 2.9.4 are orthonormal and right-handed.",
+    formal=r"\mathbf{A}\mathbf{A}^T = \mathbf{1} \land |\mathbf{A}| = 1",
+    given=[Hypothesis("circle", "u and v are a cosine and a sine", "u^2 + v^2 = 1")],
+    where=derivation.turned_about_the_diagonal,
+    by=cases(),
+    notation=turned_letters,
+)
+
+on_the_ellipsoid = Hypothesis(
+    "points on the ellipsoid",
+    "the axis y_i meets the ellipsoid at the distance d from its centre, i = 1, 2, 3",
+    r"\left(\frac{a_{i1} d}{a}\right)^2 + \left(\frac{a_{i2} d}{b}\right)^2 + \left(\frac{a_{i3} d}{c}\right)^2 = 1",
+)
+proper_ellipsoid = Hypothesis(
+    "semi-axes", "the semi-axes and the distance are positive", "a > 0, b > 0, c > 0, d > 0", printed=False
+)
+
+ellipsoid_interpretation = claim(
+    "2.9.6",
+    286,
+    r"\frac{1}{d^2} = \frac{1}{3} \left(\frac{1}{a^2} + \frac{1}{b^2} + \frac{1}{c^2} \right).",
+    given=[orthogonal, on_the_ellipsoid, proper_ellipsoid],
+    by=cases(),
+    uses=["2.9.4"],
+    notation=ellipsoid_letters,
+)
+
+ellipsoid_axes_exist = claim(
+    "2.9.7",
+    284,
+    words="Every ellipsoid with semi-axes a, b, c has orthogonal axes through its centre that meet it at equal distances: "
+    "2.9.4 for I_1 = 1/a^2, I_2 = 1/b^2, I_3 = 1/c^2, without triangle inequalities.",
+    formal=r"\exists u, v : (u^2 + v^2 = 1 \land J_1 = J_2 = J_3)",
+    given=[Hypothesis("semi-axes", "the semi-axes are positive", "a > 0, b > 0, c > 0", printed=False)],
+    where=derivation.ellipsoid_moments,
+    by=existence,
+    uses=["2.9.4", "2.9.6"],
+    notation=ellipsoid_letters,
+)
+
+lower_bound = claim(
+    "2.10",
+    290,
+    r"I_1 I_2 I_3 \leq J_1 J_2 J_3 = f.",
+    given=[orthogonal, non_negative_moments],
+    by={"a": nonnegative(excess_of_product), "b": identity},
+    equality={"a": PARALLEL},
+    equality_given=[positive_moments, distinct_moments],
+    uses=["2.1.5", "2.13.1"],
+)
+
+squares_are_squared_cofactors = claim(
+    "2.11",
+    296,
+    r"\begin{aligned} a_{21}^2 &= (a_{12}a_{33} - a_{13}a_{32})^2, \\ a_{22}^2 &= (a_{13}a_{31} - a_{11}a_{33})^2, \\ "
+    r"a_{23}^2 &= (a_{11}a_{32} - a_{12}a_{31})^2. \end{aligned}",
+    given=[orthogonal],
+    by=identity,
+)
+
+square_of_cofactor_step_by_step = claim(
+    "2.11.1",
+    300,
+    r"\begin{aligned} a_{21}^2 &= 1 - a_{11}^2 - a_{31}^2 = a_{12}^2 + a_{13}^2 - a_{31}^2 (a_{11}^2 + a_{12}^2 + a_{13}^2) = \\ "
+    r"&= (a_{12}^2 + a_{13}^2)(a_{32}^2 + a_{33}^2) - (a_{12}a_{32} + a_{13}a_{33})^2 = \\ "
+    r"&= a_{12}^2 a_{33}^2 + a_{13}^2 a_{32}^2 - 2a_{12}a_{33}a_{13}a_{32} = (a_{12}a_{33} - a_{13}a_{32})^2. \end{aligned}",
+    given=[orthogonal],
+    by=identity,
+    uses=["2.7"],
+)
+
+other_cofactors = exclusion(
+    "2.11.2", 302, words="The other two identities (2.11) are shown likewise.", reason="they are decided as 2.11b, 2.11c"
+)
+
+product_of_two_moments_step_by_step = claim(
+    "2.11.3",
+    306,
+    r"""\begin{aligned}
+ J_1 J_3 &= (I_1 a_{11}^2 + I_2 a_{12}^2 + I_3 a_{13}^2)(I_1 a_{31}^2 + I_2 a_{32}^2 + I_3 a_{33}^2) = \\
+ &= I_1^2 a_{11}^2 a_{31}^2 + I_2^2 a_{12}^2 a_{32}^2 + I_3^2 a_{13}^2 a_{33}^2 + I_1 I_2 (a_{11}^2 a_{32}^2 + a_{12}^2 a_{31}^2) + \\
+ &+ I_2 I_3 (a_{12}^2 a_{33}^2 + a_{13}^2 a_{32}^2) + I_3 I_1 (a_{13}^2 a_{31}^2 + a_{11}^2 a_{33}^2) = \\
+ &= (I_1 a_{11} a_{31} + I_2 a_{12} a_{32} + I_3 a_{13} a_{33})^2 + I_1 I_2 (a_{11} a_{32} - a_{12} a_{31})^2 + \\
+ &+ I_2 I_3 (a_{12} a_{33} - a_{13} a_{32})^2 + I_3 I_1 (a_{13} a_{31} - a_{11} a_{33})^2,
+ \end{aligned}""",
+    by=identity,
+    uses=["1.3.1"],
+)
+
+product_of_axial_moments = claim(
+    "2.12",
+    316,
+    r"J_1 J_3 = (I_1 a_{11} a_{31} + I_2 a_{12} a_{32} + I_3 a_{13} a_{33})^2 "
+    r"+ I_1 I_2 a_{23}^2 + I_2 I_3 a_{21}^2 + I_3 I_1 a_{22}^2.",
+    given=[orthogonal],
+    by=identity,
+    uses=["2.11", "2.11.3"],
+)
+
+product_with_second_moment_step_by_step = claim(
+    "2.12.1",
+    320,
+    r"""\begin{aligned}
+ J_2 (I_1 I_2 a_{23}^2 + I_2 I_3 a_{21}^2 + I_3 I_1 a_{22}^2) &= \\
+ &= (I_1 a_{21}^2 + I_2 a_{22}^2 + I_3 a_{23}^2)(I_1 I_2 a_{23}^2 + I_2 I_3 a_{21}^2 + I_3 I_1 a_{22}^2) = \\
+ &= I_1 I_2 I_3 (a_{21}^4 + a_{22}^4 + a_{23}^4) + \\
+ &+ I_1 (I_2^2 + I_3^2) a_{22}^2 a_{23}^2 + I_2 (I_3^2 + I_1^2) a_{23}^2 a_{21}^2 + I_3 (I_1^2 + I_2^2) a_{21}^2 a_{22}^2
+ \end{aligned}""",
+    by=identity,
+    uses=["1.3.1"],
+)
+
+product_with_second_moment = claim(
+    "2.13",
+    329,
+    r"""\begin{aligned}
+ J_2 (I_1 I_2 a_{23}^2 + I_2 I_3 a_{21}^2 + I_3 I_1 a_{22}^2) &= I_1 I_2 I_3 + \\
+ &+ I_1 (I_2 - I_3)^2 a_{22}^2 a_{23}^2 + I_2 (I_3 - I_1)^2 a_{23}^2 a_{21}^2 + I_3 (I_1 - I_2)^2 a_{21}^2 a_{22}^2.
+ \end{aligned}""",
+    given=[orthogonal],
+    by=identity,
+    uses=["2.12.1"],
+)
+
+expansion_of_product = claim(
+    "2.13.1",
+    336,
+    r"""\begin{aligned}
+ f = J_1 J_2 J_3 &= I_1 I_2 I_3 + \\
+ &+ I_1 (I_2 - I_3)^2 a_{22}^2 a_{23}^2 + I_2 (I_3 - I_1)^2 a_{23}^2 a_{21}^2 + I_3 (I_1 - I_2)^2 a_{21}^2 a_{22}^2 + \\
+ &+ (I_1 a_{21}^2 + I_2 a_{22}^2 + I_3 a_{23}^2)(I_1 a_{11} a_{31} + I_2 a_{12} a_{32} + I_3 a_{13} a_{33})^2 \geq J_1 J_2 J_3,
+ \end{aligned}""",
+    given=[orthogonal, non_negative_moments],
+    by={"a": identity, "b": identity, "c": nonnegative("0")},
+    uses=["2.1.5", "2.12", "2.13"],
+    errata={
+        "c": Erratum(
+            r"I_1 I_2 I_3 + I_1 (I_2 - I_3)^2 a_{22}^2 a_{23}^2 + I_2 (I_3 - I_1)^2 a_{23}^2 a_{21}^2 "
+            r"+ I_3 (I_1 - I_2)^2 a_{21}^2 a_{22}^2 + (I_1 a_{21}^2 + I_2 a_{22}^2 + I_3 a_{23}^2)"
+            r"(I_1 a_{11} a_{31} + I_2 a_{12} a_{32} + I_3 a_{13} a_{33})^2 \geq I_1 I_2 I_3",
+            "wrong letter",
+            Origin.UNCERTAIN,
+            "As printed the chain says J_1 J_2 J_3 >= J_1 J_2 J_3: true, but empty, an equality for every A. The sentence after "
+            "it (2.13.2) and (2.10), which it is to prove, need I_1 I_2 I_3 on the right; J for I may be the author's or the "
+            "OCR's.",
+        )
+    },
+)
+
+conditions_on_second_row = premise(
+    "2.14", 344, r"a_{21} a_{22} = 0, \quad a_{22} a_{23} = 0, \quad a_{23} a_{21} = 0;", words="Conditions of equality."
+)
+
+condition_on_product_of_inertia = premise(
+    "2.15", 346, r"I_1 a_{11} a_{31} + I_2 a_{12} a_{32} + I_3 a_{13} a_{33} = 0.", words="Condition of equality."
+)
+
+equality_conditions_suffice = claim(
+    "2.13.2",
+    342,
+    words="The inequality f >= I_1 I_2 I_3 is an equality when (2.14) and (2.15) hold together.",
+    formal=rf"{body(conditions_on_second_row, condition_on_product_of_inertia)} \Rightarrow (f = I_1 I_2 I_3)",
+    given=[orthogonal],
+    by=cases(excess_of_product),
+    uses=["2.13.1", "2.14", "2.15"],
+)
+
+equality_conditions_are_necessary = ours(
+    "2.13.3",
+    342,
+    words="For pairwise distinct positive moments it is an equality only then.",
+    formal=rf"(f = I_1 I_2 I_3) \Leftrightarrow ({body(conditions_on_second_row, condition_on_product_of_inertia)})",
+    given=[orthogonal, positive_moments, distinct_moments],
+    by=cases(excess_of_product),
+    uses=["2.13.1", "2.14", "2.15"],
+)
+
+rows_one_and_three_are_orthogonal = claim(
+    "2.16", 350, r"a_{11} a_{31} + a_{12} a_{32} + a_{13} a_{33} = 0.", given=[orthogonal], by=identity
+)
+
+chain_of_inequations = premise(
+    "2.16.1",
+    352,
+    r"I_1 \neq I_2 \neq I_3",
+    words="The moments are taken as different; as printed I_1 = I_3 is still allowed (see 2.17).",
+)
+
+chain_as_printed = Hypothesis(
+    "I_1 != I_2 != I_3 as printed", "I_1 differs from I_2 and I_2 from I_3", body(chain_of_inequations)
+)
+
+SIX_CASES = r"""\begin{aligned}
+ 1). \quad a_{11}^2 = a_{22}^2 = a_{33}^2 = 1; & \quad 2). \quad a_{11}^2 = a_{23}^2 = a_{32}^2 = 1; \\
+ 3). \quad a_{12}^2 = a_{21}^2 = a_{33}^2 = 1; & \quad 4). \quad a_{12}^2 = a_{23}^2 = a_{31}^2 = 1; \\
+ 5). \quad a_{13}^2 = a_{21}^2 = a_{32}^2 = 1; & \quad 6). \quad a_{13}^2 = a_{22}^2 = a_{31}^2 = 1.
+ \end{aligned}"""
+
+six_cases = claim(
+    "2.17",
+    354,
+    SIX_CASES,
+    words="With (2.14) to (2.16) and I_1 != I_2 != I_3, equality in (2.10) holds exactly in six cases.",
+    formal=rf"(f = I_1 I_2 I_3) \Leftrightarrow ({SIX_CASES})",
+    given=[orthogonal, positive_moments, chain_as_printed],
+    needs=[Hypothesis("I_1, I_3 distinct", "I_3 differs from I_1", r"I_3 \neq I_1")],
+    by=cases(excess_of_product),
+    uses=["2.10", "2.14", "2.15", "2.16", "2.16.1"],
+    errata={
+        "": Erratum(
+            "",
+            "missing hypothesis",
+            Origin.PAPER,
+            "The chain I_1 != I_2 != I_3 does not exclude I_1 = I_3, and then any turn about axis 2 gives equality too. "
+            "What is meant, and enough, is that the three moments are pairwise distinct.",
+        )
+    },
+)
+
+six_cases_are_collinear_axes = claim(
+    "2.17.1",
+    360,
+    words="In all cases (2.17) each axis y_i is collinear with an axis x_k.",
+    formal=rf"({SIX_CASES}) \Leftrightarrow {PARALLEL}",
+    given=[orthogonal],
+    by=cases(),
+    uses=["2.17"],
+)
+
+right_handed_cases = claim(
+    "2.17.2",
+    360,
+    r"|\mathbf{A}| = 1",
+    words="Of the matrices (2.17) those of right-handed axes satisfy |A| = 1; a selection is needed, since (2.17) leaves |A| = +1 "
+    "or -1.",
+    formal=rf"({SIX_CASES}) \Rightarrow (|\mathbf{{A}}| = 1 \lor |\mathbf{{A}}| = -1)",
+    given=[orthogonal],
+    by=cases(),
+    uses=["2.17"],
+)
+
+sum_of_products = claim(
+    "2.18",
+    364,
+    r"J_1L_1 + J_2L_2 + J_3L_3 \geq 3I_1I_2I_3,",
+    given=[orthogonal, non_negative_moments],
+    by=nonnegative(excess_of_sum),
+    equality=PARALLEL,
+    equality_given=[positive_moments, distinct_moments],
+    uses=["2.19", "2.19.1"],
+)
+
+second_order_moments = definition("2.19", 368, r"L_i = I_2I_3a_{i1}^2 + I_3I_1a_{i2}^2 + I_1I_2a_{i3}^2.")
+
+sum_of_products_step_by_step = claim(
+    "2.19.1",
+    372,
+    (
+        r"""\begin{aligned}
+ \sum_{i=1}^3 J_i L_i &= \sum_{i=1}^3 (I_1 a_{i1}^2 + I_2 a_{i2}^2 + I_3 a_{i3}^2) (I_2 I_3 a_{i1}^2 + I_3 I_1 a_{i2}^2 + I_1 I_2 a_{i3}^2) = \\
+ &= I_1 I_2 I_3 \left[(a_{11}^2 + a_{12}^2 + a_{13}^2)^2 - 2(a_{11}^2 a_{12}^2 + a_{12}^2 a_{13}^2 + a_{13}^2 a_{11}^2) + \right. \\
+ &\quad + (a_{21}^2 + a_{22}^2 + a_{23}^2)^2 - 2(a_{21}^2 a_{22}^2 + a_{22}^2 a_{23}^2 + a_{23}^2 a_{21}^2) + \\
+ &\quad \left. + (a_{31}^2 + a_{32}^2 + a_{33}^2)^2 - 2(a_{31}^2 a_{32}^2 + a_{32}^2 a_{33}^2 + a_{33}^2 a_{31}^2) \right] + \\
+ &\quad + I_3 (I_1^2 + I_2^2) (a_{11}^2 a_{12}^2 + a_{21}^2 a_{22}^2 + a_{31}^2 a_{32}^2) + \\
+ &\quad + I_1 (I_2^2 + I_3^2) (a_{12}^2 a_{13}^2 + a_{22}^2 a_{23}^2 + a_{32}^2 a_{33}^2) + \\
+ &\quad + I_2 (I_3^2 + I_1^2) (a_{13}^2 a_{11}^2 + a_{23}^2 a_{21}^2 + a_{33}^2 a_{31}^2) =
+ \end{aligned}""",
+        r"\begin{aligned} &= 3I_1I_2I_3 + I_1(I_2 - I_3)^2 (a_{12}^2 a_{13}^2 + a_{22}^2 a_{23}^2 + a_{32}^2 a_{33}^2) + \\ "
+        r"&\quad + I_2(I_3 - I_1)^2 (a_{13}^2 a_{11}^2 + a_{23}^2 a_{21}^2 + a_{33}^2 a_{31}^2) + \\ "
+        r"&\quad + I_3(I_1 - I_2)^2 (a_{11}^2 a_{12}^2 + a_{21}^2 a_{22}^2 + a_{31}^2 a_{32}^2), \end{aligned}",
+    ),
+    given=[orthogonal],
+    by=identity,
+    uses=["1.3.1", "2.19"],
+)
+
+conditions_on_all_rows = premise(
+    "2.20",
+    386,
+    r"a_{i1}a_{i2} = 0, \quad a_{i2}a_{i3} = 0, \quad a_{i3}a_{i1} = 0, \quad i = 1, 2, 3.",
+    words="Conditions of equality in (2.18).",
+)
+
+row_conditions_suffice = claim(
+    "2.19.2",
+    384,
+    words="(2.18) is an equality when all conditions (2.20) hold.",
+    formal=rf"{body(conditions_on_all_rows)} \Rightarrow {EQUAL_SUMS}",
+    given=[orthogonal],
+    by=cases(excess_of_sum),
+    uses=["2.18", "2.20"],
+)
+
+row_conditions_are_necessary = ours(
+    "2.19.3",
+    384,
+    words="For pairwise distinct positive moments it is an equality only then.",
+    formal=rf"{EQUAL_SUMS} \Leftrightarrow {body(conditions_on_all_rows)}",
+    given=[orthogonal, positive_moments, distinct_moments],
+    by=cases(excess_of_sum),
+    uses=["2.18", "2.20"],
+)
+
+row_conditions_are_the_six_cases = claim(
+    "2.20.1",
+    388,
+    words="(2.20) holds only in the cases (2.17).",
+    formal=rf"{body(conditions_on_all_rows)} \Rightarrow ({SIX_CASES})",
+    given=[orthogonal],
+    by=cases(),
+    uses=["2.17", "2.20"],
+)

@@ -1,0 +1,373 @@
+"""Terms as exact fractions of polynomials over a ring made for one problem (python-flint, degree reverse lexicographic).
+
+Sines and cosines of a variable x become the variables sin_x, cos_x; the root of a prime p becomes sqrt_p.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from dataclasses import dataclass, field
+from fractions import Fraction
+from typing import Any
+
+import flint
+
+from symcheck.statement import Formula, Term
+
+Poly = Any  # flint.fmpq_mpoly, which has no type information
+
+RELATIONS = ("=", "!=", "<", "<=", ">", ">=")
+CONNECTIVES = ("and", "or", "=>", "<=>")
+
+
+class Unsupported(Exception):
+    """A term the ring has no room for: a half angle, the root of a letter, a circular definition."""
+
+
+def fraction(value: Any) -> Fraction:
+    """A flint rational as a standard one."""
+    return Fraction(int(value.p), int(value.q))
+
+
+def rational(value: Fraction | int) -> Any:
+    """A standard rational as a flint one."""
+    value = Fraction(value)
+    return flint.fmpq(value.numerator, value.denominator)
+
+
+def subterms(node: Any) -> Iterator[Any]:
+    """Every tuple, name and number inside a term or formula, itself included."""
+    yield node
+    if isinstance(node, tuple):
+        for child in node[1:]:
+            yield from subterms(child)
+
+
+def unfold(node: Any, definitions: Mapping[str, Term], active: tuple[str, ...] = ()) -> Any:
+    """The term or formula with every defined name replaced by its definition, recursively."""
+    if isinstance(node, str):
+        if node in active:
+            raise Unsupported(f"the definition of {node} refers to itself")
+        return unfold(definitions[node], definitions, (*active, node)) if node in definitions else node
+    if not isinstance(node, tuple):
+        return node
+    if node[0] == "diff":
+        if node[2] in definitions:
+            raise Unsupported(f"a derivative by {node[2]}, which is not a free variable here")
+        return ("diff", unfold(node[1], definitions, active), node[2], node[3])
+    if node[0] == "exists":
+        inner = {name: term for name, term in definitions.items() if name not in node[1]}
+        return ("exists", node[1], unfold(node[2], inner, active))
+    return (node[0], *(unfold(child, definitions, active) for child in node[1:]))
+
+
+def constant(term: Term) -> Fraction:
+    """The value of a term made of integers only."""
+    if isinstance(term, int):
+        return Fraction(term)
+    if isinstance(term, tuple) and term[0] in ("+", "*", "-", "/", "^"):
+        values = [constant(child) for child in term[1:]]
+        if term[0] == "+":
+            return sum(values, Fraction(0))
+        if term[0] == "-":
+            return -values[0]
+        if term[0] == "/" and values[1]:
+            return values[0] / values[1]
+        if term[0] == "^" and values[0]:
+            return Fraction(values[0] ** int(values[1]))
+        if term[0] == "*":
+            product = Fraction(1)
+            for value in values:
+                product *= value
+            return product
+    raise Unsupported(f"{term!r} is not a rational number")
+
+
+def square_free(value: Fraction) -> tuple[Fraction, tuple[int, ...]]:
+    """(r, primes) with sqrt(value) = r * product of sqrt(p) over distinct primes."""
+    if value < 0:
+        raise Unsupported(f"the root of the negative number {value}")
+    if value == 0:
+        return Fraction(0), ()
+    rest, outside, primes, p = value.numerator * value.denominator, Fraction(1, value.denominator), [], 2
+    while rest > 1:
+        if p * p > rest:
+            p = rest
+        while rest % (p * p) == 0:
+            rest, outside = rest // (p * p), outside * p
+        if rest % p == 0:
+            rest //= p
+            primes.append(p)
+        p += 1
+        if p > 10**6:
+            raise Unsupported(f"the root of {value}: it has too large a prime factor")
+    return outside, tuple(primes)
+
+
+def angle(term: Term) -> dict[str, int]:
+    """An integer combination of variables, {name: coefficient}, from the argument of a sine."""
+    if isinstance(term, str):
+        return {term: 1}
+    if isinstance(term, tuple):
+        if term[0] == "-":
+            return {name: -n for name, n in angle(term[1]).items()}
+        if term[0] == "+":
+            total: dict[str, int] = {}
+            for part in term[1:]:
+                for name, n in angle(part).items():
+                    total[name] = total.get(name, 0) + n
+            return total
+        if term[0] == "*":
+            numbers = [t for t in term[1:] if isinstance(t, int)]
+            rest = [t for t in term[1:] if not isinstance(t, int)]
+            if len(rest) == 1:
+                scale = 1
+                for n in numbers:
+                    scale *= n
+                return {name: scale * n for name, n in angle(rest[0]).items()}
+    if term == 0:
+        return {}
+    raise Unsupported(f"sine or cosine of {term!r}: only whole multiples and sums of variables")
+
+
+def variables(node: Any) -> set[str]:
+    """The polynomial variables an unfolded term or formula needs."""
+    found: set[str] = set()
+    if isinstance(node, str):
+        return {node}
+    if not isinstance(node, tuple):
+        return found
+    if node[0] in ("sin", "cos", "tan"):
+        return {f"{function}_{name}" for name in angle(node[1]) for function in ("sin", "cos")}
+    if node[0] == "sqrt":
+        return {f"sqrt_{p}" for p in square_free(constant(node[1]))[1]}
+    if node[0] == "diff":
+        return variables(node[1]) | {node[2]}
+    if node[0] == "exists":
+        return set(node[1]) | variables(node[2])
+    for child in node[1:]:
+        found |= variables(child)
+    return found
+
+
+@dataclass(frozen=True)
+class Ratio:
+    """num / product of the divisors, kept apart as they occur: polynomial text -> (polynomial, exponent)."""
+
+    num: Poly
+    den: dict[str, tuple[Poly, int]] = field(default_factory=dict)
+
+
+def _rank(name: str) -> tuple[int, str]:
+    """Matrix entries first, letters that are mostly parameters later, roots of numbers last."""
+    if name.startswith("sqrt_"):
+        return 3, name
+    tail = name.rpartition("_")[2]
+    return (0, name) if len(tail) == 2 and tail.isdigit() else (1 if name[:4] in ("sin_", "cos_") else 2, name)
+
+
+class Ring:
+    """Polynomials with rational coefficients in the given variables, and the terms they stand for."""
+
+    def __init__(self, names: Iterable[str], definitions: Mapping[str, Term] | None = None) -> None:
+        self.names = tuple(sorted(set(names), key=_rank))
+        self.definitions = dict(definitions or {})
+        self.context = flint.fmpq_mpoly_ctx.get(list(self.names), flint.Ordering.degrevlex)
+        self.generator: dict[str, Poly] = dict(zip(self.names, self.context.gens(), strict=True))
+        self.divisors: dict[str, Poly] = {}
+        self._ratios: dict[Any, Ratio] = {}
+
+    def number(self, value: Fraction | int) -> Poly:
+        """A constant polynomial."""
+        return self.context.constant(rational(value))
+
+    def move(self, poly: Poly) -> Poly:
+        """A polynomial of another ring whose variables all exist here."""
+        names = poly.context().names()
+        position = [self.names.index(name) if name in self.generator else -1 for name in names]
+        terms = {}
+        for exponents, coefficient in poly.terms():
+            moved = [0] * len(self.names)
+            for where, exponent in zip(position, exponents, strict=True):
+                if exponent:
+                    moved[where] = exponent
+            terms[tuple(moved)] = coefficient
+        return self.context.from_dict(terms)
+
+    def difference(self, relation: Formula) -> Poly:
+        """The numerator of left - right of a relation."""
+        return self.subtract(relation[1], relation[2]).num
+
+    def subtract(self, left: Term, right: Term) -> Ratio:
+        """left - right over a common denominator."""
+        return self._add([self.ratio(left), self._negate(self.ratio(right))])
+
+    def poly(self, term: Term) -> Poly:
+        """A term without denominators as a polynomial."""
+        ratio = self.ratio(term)
+        if ratio.den:
+            raise Unsupported(f"{term!r} has a denominator")
+        return ratio.num
+
+    def ratio(self, term: Term) -> Ratio:
+        """The term, definitions unfolded, as numerator and denominator. Unsupported if it is no fraction of polynomials."""
+        known = self._ratios.get(term)
+        if known is None:
+            known = self._ratios[term] = self._ratio(term)
+        return known
+
+    def _ratio(self, term: Term) -> Ratio:
+        if isinstance(term, int):
+            return Ratio(self.number(term))
+        if isinstance(term, str):
+            if term in self.definitions:
+                return self.ratio(unfold(term, self.definitions))
+            return Ratio(self.generator[term])
+        kind = term[0]
+        if kind == "+":
+            return self._add([self.ratio(child) for child in term[1:]])
+        if kind == "-":
+            return self._negate(self.ratio(term[1]))
+        if kind == "*":
+            return self._product([self.ratio(child) for child in term[1:]])
+        if kind == "/":
+            return self._product([self.ratio(term[1]), self._inverse(term[2])])
+        if kind == "^":
+            return self._product([self.ratio(term[1])] * term[2] if term[2] >= 0 else [self._inverse(term[1])] * -term[2])
+        if kind in ("sin", "cos"):
+            return Ratio(self._turn(angle(unfold(term[1], self.definitions)))[kind == "sin"])
+        if kind == "tan":
+            return self.ratio(("/", ("sin", term[1]), ("cos", term[1])))
+        if kind == "sqrt":
+            return Ratio(self._root(constant(unfold(term[1], self.definitions))))
+        if kind == "diff":
+            return self._derivative(self.ratio(unfold(term[1], self.definitions)), term[2], term[3])
+        raise Unsupported(f"the term {kind!r} is not known")
+
+    def _inverse(self, term: Term) -> Ratio:
+        """1 / term, product by product so that the divisors stay small."""
+        if isinstance(term, str) and term in self.definitions:
+            return self._inverse(unfold(term, self.definitions))
+        if isinstance(term, tuple) and term[0] == "*":
+            return self._product([self._inverse(child) for child in term[1:]])
+        if isinstance(term, tuple) and term[0] == "^" and term[2] > 0:
+            return self._product([self._inverse(term[1])] * term[2])
+        value = self.ratio(term)
+        num = self.number(1)
+        for poly, exponent in value.den.values():
+            num *= poly**exponent
+        divisor = value.num
+        if divisor == 0:
+            raise Unsupported(f"division by zero in 1/{term!r}")
+        if divisor.is_constant():
+            return Ratio(num / divisor.leading_coefficient())
+        if (unit := self._unit_inverse(divisor)) is not None:
+            return Ratio(num * unit)
+        self.divisors[str(divisor)] = divisor
+        return Ratio(num, {str(divisor): (divisor, 1)})
+
+    def _unit_inverse(self, divisor: Poly) -> Poly | None:
+        """1 / (r * product of roots) = product of roots / (r * product of their squares)."""
+        terms = list(divisor.terms())
+        if len(terms) > 1:
+            return None
+        exponents, coefficient = terms[0]
+        result = self.number(1 / fraction(coefficient))
+        for name, exponent in zip(self.names, exponents, strict=True):
+            if exponent and not name.startswith("sqrt_"):
+                return None
+            if exponent:
+                result *= (self.generator[name] * rational(Fraction(1, int(name[5:])))) ** exponent
+        return result
+
+    def _negate(self, value: Ratio) -> Ratio:
+        return Ratio(-value.num, value.den)
+
+    def _add(self, values: list[Ratio]) -> Ratio:
+        common: dict[str, tuple[Poly, int]] = {}
+        for value in values:
+            for text, (poly, exponent) in value.den.items():
+                common[text] = (poly, max(exponent, common[text][1] if text in common else 0))
+        total = self.number(0)
+        for value in values:
+            num = value.num
+            for text, (poly, exponent) in common.items():
+                num *= poly ** (exponent - (value.den[text][1] if text in value.den else 0))
+            total += num
+        return Ratio(total, common)
+
+    def _product(self, values: list[Ratio]) -> Ratio:
+        den: dict[str, tuple[Poly, int]] = {}
+        for value in values:
+            for text, (poly, exponent) in value.den.items():
+                den[text] = (poly, exponent + (den[text][1] if text in den else 0))
+        num = self.number(1)
+        for value in values:
+            if den and (text := str(value.num)) in den:
+                poly, exponent = den.pop(text)
+                if exponent > 1:
+                    den[text] = (poly, exponent - 1)
+            else:
+                num *= value.num
+        return Ratio(num, den)
+
+    def _turn(self, combination: Mapping[str, int]) -> tuple[Poly, Poly]:
+        """(cosine, sine) of an integer combination of variables by the addition theorem."""
+        cosine, sine = self.number(1), self.number(0)
+        for name, count in combination.items():
+            c, s = self.generator[f"cos_{name}"], self.generator[f"sin_{name}"]
+            s = s if count >= 0 else -s
+            for _ in range(abs(count)):
+                cosine, sine = cosine * c - sine * s, sine * c + cosine * s
+        return cosine, sine
+
+    def _root(self, value: Fraction) -> Poly:
+        outside, primes = square_free(value)
+        result = self.number(outside)
+        for p in primes:
+            result *= self.generator[f"sqrt_{p}"]
+        return result
+
+    def _derivative(self, value: Ratio, name: str, order: int) -> Ratio:
+        for _ in range(order):
+            den = self.number(1)
+            for poly, exponent in value.den.values():
+                den *= poly**exponent
+            num = self._rate(value.num, name) * den - value.num * self._rate(den, name)
+            doubled = {text: (poly, 2 * exponent) for text, (poly, exponent) in value.den.items()}
+            value = Ratio(num, doubled)
+        return value
+
+    def _rate(self, poly: Poly, name: str) -> Poly:
+        total = poly.derivative(name)
+        c, s = self.generator.get(f"cos_{name}"), self.generator.get(f"sin_{name}")
+        if c is not None and s is not None:
+            total += poly.derivative(f"sin_{name}") * c - poly.derivative(f"cos_{name}") * s
+        return total
+
+    def axioms(self) -> list[tuple[list[Any], Poly]]:
+        """What holds of the sines, cosines and roots of this ring, as (reference, polynomial that is zero)."""
+        found: list[tuple[list[Any], Poly]] = []
+        for name in self.names:
+            if name.startswith("sin_"):
+                s, c = self.generator[name], self.generator[f"cos_{name[4:]}"]
+                found.append((["axiom", "pythagoras", name[4:]], s**2 + c**2 - 1))
+            if name.startswith("sqrt_"):
+                found.append((["axiom", "sqrt", int(name[5:])], self.generator[name] ** 2 - int(name[5:])))
+        return found
+
+
+def flatten(formula: Formula) -> list[Formula]:
+    """The conjuncts of a formula."""
+    if formula[0] != "and":
+        return [formula]
+    return [part for child in formula[1:] for part in flatten(child)]
+
+
+def map_terms(formula: Formula, change: Callable[[Term], Term]) -> Formula:
+    """The formula with each side of each relation changed."""
+    if formula[0] in RELATIONS:
+        return (formula[0], change(formula[1]), change(formula[2]))
+    if formula[0] == "exists":
+        return ("exists", formula[1], map_terms(formula[2], change))
+    return (formula[0], *(map_terms(child, change) for child in formula[1:]))

@@ -1,0 +1,430 @@
+"""From TeX tokens to the tokens of the grammar: letters are looked up, layout is dropped, line breaks are settled."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+from symcheck.reading import tex
+from symcheck.reading.notation import Notation
+from symcheck.reading.tree import Name
+
+FUNCTIONS = frozenset(
+    "sin cos tan tg cot ctg arcsin arccos arctan arctg max min ln log exp tr rank sign const".split()
+) - {"const"}
+SPACES = frozenset(
+    [r"\,", r"\;", r"\:", r"\!", "\\ ", "~", r"\quad", r"\qquad", r"\displaystyle", r"\limits", r"\nolimits", r"\hfill"]
+)
+SIZES = frozenset(r"\left \right \big \Big \bigg \Bigg \bigl \bigr \Bigl \Bigr \biggl \biggr \Biggl \Biggr".split())
+LAYOUT = frozenset("aligned align align* array split cases gathered gather equation equation* multline".split())
+MATRICES = frozenset("pmatrix bmatrix matrix Bmatrix smallmatrix".split())
+RELATIONS = {
+    "=": "=", "<": "<", ">": ">", r"\lt": "<", r"\gt": ">", r"\ne": r"\ne", r"\neq": r"\ne",
+    r"\le": r"\le", r"\leq": r"\le", r"\leqslant": r"\le", r"\ge": r"\ge", r"\geq": r"\ge", r"\geqslant": r"\ge",
+    r"\in": r"\in", r"\subset": r"\subset", r"\approx": r"\approx", r"\equiv": r"\equiv",
+}  # fmt: skip
+LOGIC = {
+    r"\land": "AND", r"\wedge": "AND", r"\lor": "OR", r"\vee": "OR", r"\Rightarrow": "IMPLIES", r"\implies": "IMPLIES",
+    r"\Leftrightarrow": "IFF", r"\iff": "IFF", r"\exists": "EXISTS",
+}  # fmt: skip
+OPEN = {"(": "LPAR", "[": "LBRA", r"\{": "LSET", r"\lbrace": "LSET"}
+CLOSE = {")": "RPAR", "]": "RBRA", r"\}": "RSET", r"\rbrace": "RSET"}
+PARTNER = {"RPAR": "LPAR", "RBRA": "LBRA", "RSET": "LSET", "RB": "LB", "RBAR": "LBAR", "RNORM": "LNORM", "MEND": "MBEGIN"}
+SIMPLE = {
+    "+": "PLUS", "-": "MINUS", "/": "SLASH", r"\cdot": "CDOT", r"\times": "TIMES", ",": "COMMA", ";": "SEMI", ":": "COLON",
+    r"\dots": "DOTS", r"\ldots": "DOTS", r"\cdots": "DOTS",
+}  # fmt: skip
+_ENDS = frozenset("NUMBER NAME RPAR RBRA RSET RB RBAR RNORM MEND TRANSPOSE DEGREE PRIMES DOTS".split())
+_OPERATORS = frozenset("PLUS MINUS REL AND OR IMPLIES IFF CDOT TIMES SLASH".split())
+_BREAKS = frozenset("COMMA SEMI COLON".split())
+
+
+@dataclass(frozen=True, slots=True)
+class Lexeme:
+    """One token of the grammar; `value` is a Name, a number, a sign or the printed text."""
+
+    type: str
+    value: Any
+    at: int
+
+
+class Lexer(tex.Reader):
+    """Reads one formula under one notation; `lexemes` is the result."""
+
+    def __init__(self, source: str, notation: Notation) -> None:
+        super().__init__(source)
+        self.notation = notation
+        self.out: list[Lexeme] = []
+        self.open: list[Lexeme] = []
+        self.environments: list[tuple[str, int]] = []
+        self.lefts: list[tuple[str, int]] = []
+
+    def lexemes(self) -> list[Lexeme]:
+        """All tokens, or SymcheckError at the first place that cannot be one."""
+        while self.i < len(self.toks):
+            self.step()
+        if self.open:
+            self.fail("unbalanced bracket: this one is never closed", self.open[-1].at)
+        if self.environments:
+            self.fail(rf"\begin{{{self.environments[-1][0]}}} is never ended", self.environments[-1][1])
+        if self.lefts:
+            self.fail(r"this \left has no \right", self.lefts[-1][1])
+        return self.joined()
+
+    def emit(self, kind: str, value: Any, at: int) -> None:
+        """One more token; brackets are matched here."""
+        lexeme = Lexeme(kind, value, at)
+        if kind in PARTNER:
+            if not self.open or self.open[-1].type != PARTNER[kind]:
+                self.fail("unbalanced bracket: nothing of this kind is open", at)
+            self.open.pop()
+        elif kind in PARTNER.values():
+            self.open.append(lexeme)
+        self.out.append(lexeme)
+
+    def step(self) -> None:
+        """The next token, command or letter."""
+        text, at = self.peek(), self.at()
+        if text in SPACES:
+            self.i += 1
+        elif text.isdigit() and text.isascii():
+            self.number()
+        elif text in SIZES:
+            self.sized()
+        elif text in (r"\begin", r"\end"):
+            self.environment()
+        elif text in ("&", r"\\"):
+            self.cell()
+        elif text in ("|", r"\|", r"\Vert"):
+            self.bar()
+        elif text in (r"\frac", r"\dfrac", r"\tfrac", r"\sqrt"):
+            self.i += 1
+            if text == r"\sqrt" and self.peek() == "[":
+                self.fail("only square roots can be read")
+            self.emit("SQRT" if text == r"\sqrt" else "FRAC", text, at)
+            for _ in range(1 if text == r"\sqrt" else 2):
+                self.argument()
+        elif text == r"\sum":
+            self.sum()
+        elif text in "^'":
+            self.script()
+        elif text == "_":
+            self.fail("a subscript without a letter before it")
+        elif text in OPEN or text in CLOSE:
+            self.i += 1
+            self.emit(OPEN.get(text) or CLOSE[text], text, at)
+        elif text in SIMPLE or text in RELATIONS or text in LOGIC:
+            self.i += 1
+            kind = SIMPLE.get(text) or LOGIC.get(text) or "REL"
+            self.emit(kind, RELATIONS.get(text, text), at)
+        elif tex.is_letter(text):
+            self.letter()
+        else:
+            self.fail(f"{text} cannot be read here")
+
+    def number(self) -> None:
+        """Digits, with a decimal point between digits; `1).` at the beginning of a clause is the label of a case."""
+        at, text = self.at(), self.digits()
+        if self.peek() == "." and self.peek(1).isdigit():
+            self.i += 1
+            text += "." + self.digits()
+        if self.peek() == ")" and not self.open and self.clause_begins():
+            self.i += 1
+            self.i += self.peek() == "."
+            self.emit("LABEL", text, at)
+        else:
+            self.emit("NUMBER", text, at)
+
+    def digits(self) -> str:
+        text = ""
+        while self.peek().isdigit() and self.peek().isascii():
+            text += self.peek()
+            self.i += 1
+        return text
+
+    def clause_begins(self) -> bool:
+        return not self.out or self.out[-1].type in {"COMMA", "SEMI", "NEWLINE"}
+
+    def argument(self) -> None:
+        """One TeX argument as a bracketed run of tokens."""
+        while self.peek() in SPACES:
+            self.i += 1
+        at = self.at()
+        end = self.i + self.length()
+        self.emit("LB", "{", at)
+        braced = self.peek() == "{"
+        self.i += braced
+        environments, lefts = len(self.environments), len(self.lefts)
+        if not braced and self.peek().isdigit():
+            self.emit("NUMBER", self.peek(), self.at())
+            self.i += 1
+        else:
+            stop = end - braced
+            while self.i < stop:
+                self.step()
+            if self.i != stop:
+                self.fail("unbalanced brace", at)
+        self.i = end
+        if len(self.environments) != environments or len(self.lefts) != lefts:
+            self.fail("unbalanced environment in an argument", at)
+        self.emit("RB", "}", at)
+
+    def length(self) -> int:
+        """The number of TeX tokens of the next argument, braces included."""
+        start = self.i
+        self.group()
+        size, self.i = self.i - start, start
+        return size
+
+    def sized(self) -> None:
+        r"""`\left(`: only the bracket counts; `\left.` and `\right.` are layout."""
+        text, at = self.peek(), self.at()
+        self.i += 1
+        bracket = self.peek()
+        if text == r"\left":
+            self.lefts.append((bracket, at))
+        elif text == r"\right":
+            if not self.lefts:
+                self.fail(r"\right without \left", at)
+            self.lefts.pop()
+        if bracket == ".":
+            self.i += 1
+        elif bracket in ("|", r"\|", r"\Vert"):
+            self.bar(opening={r"\left": True, r"\right": False}.get(text))
+        elif bracket not in OPEN and bracket not in CLOSE:
+            self.fail(f"a bracket must follow {text}")
+
+    def bar(self, opening: bool | None = None) -> None:
+        """Bars: one that can close an open one closes it."""
+        text, at = self.peek(), self.at()
+        self.i += 1
+        kind = "BAR" if text == "|" else "NORM"
+        if opening is None:
+            opening = not (self.open and self.open[-1].type == f"L{kind}" and self.out[-1].type in _ENDS)
+        self.emit(f"{'L' if opening else 'R'}{kind}", text, at)
+
+    def environment(self) -> None:
+        r"""`aligned` and its kin are layout; matrices keep their cells. An array in brackets is a matrix."""
+        begin, at = self.peek() == r"\begin", self.at()
+        self.i += 1
+        name = "".join(t.text for t in self.group())
+        if name not in LAYOUT | MATRICES:
+            self.fail(f"unknown environment {name}", at)
+        if begin:
+            if name == "array":
+                self.group()
+                inside = bool(self.out) and self.out[-1].type in {"LPAR", "LBRA", "LBAR", "LNORM"}
+                name = "array matrix" if inside else name
+            self.environments.append((name, at))
+            if name not in LAYOUT:
+                self.emit("MBEGIN", name, at)
+            return
+        opened = self.environments.pop()[0] if self.environments else ""
+        if opened.removesuffix(" matrix") != name:
+            self.fail(rf"\end{{{name}}} does not match \begin{{{opened}}}", at)
+        if opened not in LAYOUT:
+            if self.out[-1].type == "ROW":
+                self.out.pop()
+            self.emit("MEND", name, at)
+
+    def cell(self) -> None:
+        text, at = self.peek(), self.at()
+        self.i += 1
+        in_matrix = bool(self.environments) and self.environments[-1][0] not in LAYOUT
+        if text == r"\\" and self.peek() == "[" and self.peek(1).isdigit() and self.spacing_follows():
+            while self.peek() != "]":
+                self.i += 1
+            self.i += 1
+        if in_matrix:
+            self.emit("ROW" if text == r"\\" else "CELL", text, at)
+        elif text == r"\\":
+            self.emit("NEWLINE", text, at)
+
+    def spacing_follows(self) -> bool:
+        """Is this `[` the beginning of a length such as `[2pt]`?"""
+        ahead = 1
+        while self.peek(ahead).isdigit() or self.peek(ahead) == ".":
+            ahead += 1
+        unit = self.peek(ahead) + self.peek(ahead + 1)
+        return unit in {"pt", "em", "ex", "mm", "cm"} and self.peek(ahead + 2) == "]"
+
+    def sum(self) -> None:
+        """The sign of a sum with its bounds, the lower one first."""
+        at = self.at()
+        self.i += 1
+        bounds: dict[str, list[Lexeme]] = {}
+        while self.peek() in SPACES:
+            self.i += 1
+        while self.peek() in ("_", "^") and self.peek() not in bounds:
+            which = self.peek()
+            self.i += 1
+            mark = len(self.out)
+            self.argument()
+            bounds[which] = self.out[mark:]
+            del self.out[mark:]
+        if "_" not in bounds:
+            self.fail("a sum without an index", at)
+        self.emit("SUM", r"\sum", at)
+        self.out += bounds["_"] + bounds.get("^", [])
+
+    def script(self) -> None:
+        """An exponent, a transposition, a degree sign or primes behind a bracket."""
+        at = self.at()
+        if self.peek() == "'":
+            self.emit("PRIMES", self.primes(), at)
+            return
+        self.i += 1
+        inside = [t.text for t in self.toks[self.i : self.i + self.length()] if t.text not in {"{", "}"} | tex.ROMAN]
+        if inside == [r"\circ"]:
+            self.group()
+            self.emit("DEGREE", None, at)
+        elif inside in (["T"], [r"\top"]) and not self.notation.knows("T"):
+            self.group()
+            self.emit("TRANSPOSE", None, at)
+        else:
+            self.emit("CARET", "^", at)
+            self.argument()
+
+    def primes(self) -> int:
+        r"""The number of primes here: `'`, `''`, `^{\prime}`."""
+        count = 0
+        while True:
+            if self.peek() == "'":
+                count, self.i = count + 1, self.i + 1
+            elif self.peek() == "^":
+                start = self.i
+                self.i += 1
+                inside = self.group() if self.peek() else []
+                if not inside or any(t.text not in ("'", r"\prime") for t in inside):
+                    self.i = start
+                    return count
+                count += len(inside)
+            else:
+                return count
+
+    def letter(self) -> None:
+        """A letter with its subscripts, the name of a function, or a differential."""
+        at = self.at()
+        word = self.word() or self.spelling()
+        plain = word[1:] if word.startswith("\\") and "{" not in word else word.removeprefix(r"\text{").removesuffix("}")
+        if word.startswith("\\") and (plain in FUNCTIONS or plain == "diag") and not self.notation.knows(word):
+            self.emit("DIAG" if plain == "diag" else "FN", plain, at)
+            return
+        self.name(word, at)
+
+    def word(self) -> str:
+        """A declared letter of several characters, such as `Ox`; the longest that begins here."""
+        for word in self.notation.words:
+            if all(self.peek(k) == c for k, c in enumerate(word)):
+                self.i += len(word)
+                return word
+        return ""
+
+    def name(self, word: str, at: int) -> None:
+        primes = self.primes()
+        power: list[Lexeme] = []
+        tokens: list[tex.Tok] | None = None
+        if self.peek() == "^" and self.subscript_after_exponent():
+            mark = len(self.out)
+            self.script()
+            power = self.out[mark:]
+            del self.out[mark:]
+        place = self.at(1)
+        if self.peek() == "_":
+            self.i += 1
+            tokens = self.group()
+            if self.peek() == "_":
+                self.fail("a second subscript")
+        primes += 0 if power else self.primes()
+        value, kind = self.declared(word, tokens, primes, at, place)
+        self.emit(kind, value, at)
+        self.out += power
+
+    def subscript_after_exponent(self) -> bool:
+        start = self.i
+        self.i += 1
+        after = False
+        if self.peek():
+            self.group()
+            after = self.peek() == "_"
+        self.i = start
+        return after
+
+    def declared(self, word: str, tokens: list[tex.Tok] | None, primes: int, at: int, place: int) -> tuple[Name, str]:
+        """The letter of the notation that stands here, or SymcheckError."""
+        notation = self.notation
+        if tokens is None:
+            letter = notation.find(word, 0)
+            if letter is not None:
+                return Name(word, (), primes), "D" if letter.kind == "differential" else "NAME"
+            if notation.index(word) is not None and not primes:
+                return Name(word), "NAME"
+            if word == r"\partial":
+                return Name(word), "D"
+            self.unknown(word, at)
+        if not tokens:
+            self.fail("an empty subscript", at)
+        fixed = word + tex.subscript(tokens)
+        if notation.find(fixed, 0) is not None:
+            return Name(fixed, (), primes), "NAME"
+        if not notation.knows(word) or notation.arities(word) == [0]:
+            self.unknown(fixed, at)
+        subscripts = self.indices(tokens, notation.arities(word), place)
+        letter = notation.find(word, len(subscripts))
+        if letter is None:
+            self.fail(f"{word} is not declared with {len(subscripts)} indices", at)
+        for value in subscripts:
+            if isinstance(value, int) and value not in letter.range:
+                self.fail(f"index {value} of {word} is outside its range {', '.join(map(str, letter.range))}", at)
+        return Name(word, subscripts, primes), "NAME"
+
+    def unknown(self, word: str, at: int) -> None:
+        self.fail(f"unknown letter {word}; {self.notation.nearest(word)}", at)
+
+    def indices(self, tokens: list[tex.Tok], arities: list[int], at: int) -> tuple[int | str, ...]:
+        """The indices of a subscript; a run of digits is one number where the letter has one index only."""
+        found: list[int | str] = []
+        together = max(arities) == 1 or any(t.text == "," for t in tokens)
+        fresh = True
+        for tok in tokens:
+            if tok.text == ",":
+                fresh = True
+            elif tok.text.isdigit() and tok.text.isascii():
+                last = found[-1] if found else None
+                if together and not fresh and isinstance(last, int):
+                    found[-1] = 10 * last + int(tok.text)
+                else:
+                    found.append(int(tok.text))
+                fresh = False
+            elif self.notation.index(tok.text) is not None:
+                found.append(tok.text)
+                fresh = False
+            else:
+                self.fail(f"{tok.text} is not an index; {self.known_indices()}", tok.at)
+        return tuple(found)
+
+    def known_indices(self) -> str:
+        return f"the index letters are {', '.join(self.notation.indices()) or 'none'}"
+
+    def joined(self) -> list[Lexeme]:
+        """Line breaks settled: a sign repeated over a break is one sign; a break after a comma or at an end is layout."""
+        out: list[Lexeme] = []
+        pending: Lexeme | None = None
+        for lexeme in self.out:
+            if lexeme.type == "NEWLINE":
+                pending = pending or lexeme
+                continue
+            if pending and out:
+                before = out[-1]
+                if before.type in _OPERATORS:
+                    if (before.type, before.value) == (lexeme.type, lexeme.value):
+                        pending = None
+                        continue
+                elif before.type not in _BREAKS and before.type not in PARTNER.values():
+                    if lexeme.type in {"PLUS", "MINUS"}:
+                        self.fail("a line begins with a sign that the line before does not end with", lexeme.at)
+                    if lexeme.type not in _OPERATORS | _BREAKS and lexeme.type not in PARTNER:
+                        out.append(pending)
+            pending = None
+            out.append(lexeme)
+        return out

@@ -1,0 +1,143 @@
+"""The outermost layer of a printed formula: TeX tokens with their places, groups, tags, and the spelling of letters."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass
+from typing import NoReturn
+
+from symcheck.statement import SymcheckError
+
+_TOKEN = re.compile(r"\\[A-Za-z]+\*?|\\.|\S", re.DOTALL)
+_SPACE = r"(?:\\quad|\\qquad|\\,|\\;|\\:|\\!|\\ |~|\s)"
+_TAG = re.compile(rf"{_SPACE}*(?:\\(?:tag|eqno)\s*\{{\s*([^{{}}]*?)\s*\}}|\\quad{_SPACE}*\((\d+\.\d+)\))(?={_SPACE}*$)")
+_TAIL = re.compile(rf"(?:{_SPACE}|[.,;])+$")
+
+STYLES = frozenset({r"\mathbf", r"\boldsymbol", r"\mathcal", r"\mathbb", r"\bm"})
+ACCENTS = frozenset({r"\dot", r"\ddot", r"\bar", r"\overline", r"\hat", r"\tilde", r"\vec", r"\widetilde", r"\widehat"})
+ROMAN = frozenset({r"\text", r"\mathrm", r"\operatorname", r"\textrm", r"\mbox"})
+_NOT_LETTERS = frozenset(r"\quad \qquad \left \right \begin \end \frac \dfrac \tfrac \sqrt \sum \cdot \times".split())
+
+
+@dataclass(frozen=True, slots=True)
+class Tok:
+    """One TeX token: a command, or a single character; `at` is its place in the source string."""
+
+    text: str
+    at: int
+
+
+def fault(source: str, at: int, message: str) -> SymcheckError:
+    """The error of one place: the message, and the source with a pointer before the place."""
+    at = min(max(at, 0), len(source))
+    before, after = source[max(0, at - 24) : at], source[at : at + 24]
+    shown = f"{'...' if at > 24 else ''}{before}▸{after}{'...' if at + 24 < len(source) else ''}"
+    return SymcheckError(f"{message}, at character {at + 1}: {' '.join(shown.split())}")
+
+
+def split_tag(latex: str) -> tuple[str, str | None]:
+    r"""The formula without its printed number, and the number: `x = 1, \quad (2.7)` -> (`x = 1`, "2.7").
+
+    Also takes `\tag{2.7}`; a full stop, comma or semicolon at the end is dropped.
+    """
+    tag = None
+    body = latex
+    found = _TAG.search(_TAIL.sub("", latex) or latex) or _TAG.search(latex)
+    if found:
+        tag = (found[1] or found[2] or "").strip("() ") or None
+        body = latex[: found.start()]
+    return _TAIL.sub("", body).strip(), tag
+
+
+def tokenize(source: str) -> list[Tok]:
+    """All TeX tokens; white space separates and is dropped."""
+    return [Tok(m[0], m.start()) for m in _TOKEN.finditer(source)]
+
+
+class Reader:
+    """A place in a token list, with the errors that name it."""
+
+    def __init__(self, source: str) -> None:
+        self.source = source
+        self.toks = tokenize(source)
+        self.i = 0
+
+    def peek(self, ahead: int = 0) -> str:
+        """The text of a coming token; "" past the end."""
+        k = self.i + ahead
+        return self.toks[k].text if k < len(self.toks) else ""
+
+    def at(self, ahead: int = 0) -> int:
+        """The place of a coming token in the source."""
+        k = self.i + ahead
+        return self.toks[k].at if k < len(self.toks) else len(self.source)
+
+    def fail(self, message: str, at: int | None = None) -> NoReturn:
+        raise fault(self.source, self.at() if at is None else at, message)
+
+    def group(self) -> list[Tok]:
+        """One TeX argument: the inside of `{...}` or a single token."""
+        if self.i >= len(self.toks):
+            self.fail("an argument is missing")
+        start = self.i
+        if self.peek() == "}":
+            self.fail("an argument is missing")
+        self.i += 1
+        if self.toks[start].text != "{":
+            return self.toks[start : self.i]
+        depth = 1
+        while depth:
+            if self.i >= len(self.toks):
+                self.fail("unbalanced brace: this { is never closed", self.toks[start].at)
+            depth += {"{": 1, "}": -1}.get(self.toks[self.i].text, 0)
+            self.i += 1
+        return self.toks[start + 1 : self.i - 1]
+
+    def spelling(self) -> str:
+        r"""The canonical spelling of the letter that begins here, accents included: `\dot{\boldsymbol{\omega}}`."""
+        text = self.peek()
+        if text in ROMAN:
+            self.i += 1
+            start = self.at()
+            inside = self.group()
+            if not inside:
+                self.fail("an empty name", start)
+            return f"\\text{{{''.join(t.text for t in inside)}}}"
+        if text in STYLES | ACCENTS:
+            self.i += 1
+            start = self.at()
+            inside = self.group()
+            inner = spelled("".join(_spaced(inside)))
+            if inner is None:
+                self.fail(f"{text} must stand over one letter", start)
+            return f"{text}{{{inner}}}"
+        if not is_letter(text):
+            self.fail("a letter is expected here")
+        self.i += 1
+        return text
+
+
+def _spaced(tokens: list[Tok]) -> list[str]:
+    return [f"{t.text} " if t.text.startswith("\\") else t.text for t in tokens]
+
+
+def is_letter(text: str) -> bool:
+    """Can this token begin a letter?"""
+    return bool(text) and (
+        text in STYLES | ACCENTS | ROMAN or text.isalpha() or (len(text) > 2 and text[0] == "\\" and text not in _NOT_LETTERS)
+    )
+
+
+def spelled(latex: str) -> str | None:
+    """The canonical spelling if `latex` is one letter and nothing else, otherwise None."""
+    reader = Reader(latex)
+    if not is_letter(reader.peek()):
+        return None
+    text = reader.spelling()
+    return text if reader.i == len(reader.toks) else None
+
+
+def subscript(tokens: list[Tok]) -> str:
+    r"""The canonical text of a subscript that belongs to the letter: `_1`, `_{\max}`, `_{s1}`."""
+    text = "".join(t.text for t in tokens if t.text not in {"{", "}"} | ROMAN)
+    return f"_{text}" if len(tokens) == 1 else f"_{{{text}}}"

@@ -1,0 +1,273 @@
+"""The tree of a formula as printed: nothing is evaluated, only brackets that change nothing are forgotten."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass, fields
+from typing import Any, TypeVar
+
+T = TypeVar("T", bound="Tree")
+
+
+class Tree:
+    """A node; two trees are equal if they are printed alike."""
+
+    __slots__ = ()
+
+
+@dataclass(frozen=True, slots=True)
+class Number(Tree):
+    """A printed number: `2`, `0.75`; never negative."""
+
+    text: str
+
+
+@dataclass(frozen=True, slots=True)
+class Name(Tree):
+    """A declared letter with its indices (numbers or index letters) and primes."""
+
+    letter: str
+    subscripts: tuple[int | str, ...] = ()
+    primes: int = 0
+
+
+@dataclass(frozen=True, slots=True)
+class Add(Tree):
+    """Two or more terms; a subtracted one is a Neg."""
+
+    terms: tuple[Tree, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Neg(Tree):
+    value: Tree
+
+
+@dataclass(frozen=True, slots=True)
+class Mul(Tree):
+    """Two or more factors in printed order."""
+
+    factors: tuple[Tree, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Div(Tree):
+    r"""`\frac{a}{b}` or `a/b`."""
+
+    top: Tree
+    bottom: Tree
+
+
+@dataclass(frozen=True, slots=True)
+class Pow(Tree):
+    base: Tree
+    exponent: Tree
+
+
+@dataclass(frozen=True, slots=True)
+class Call(Tree):
+    r"""A function applied: `\sin 2\alpha`, `\cos(Oy_i, Ox_j)`, `f_1(J_2)`, `\max f_1`."""
+
+    function: str | Name
+    arguments: tuple[Tree, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Sqrt(Tree):
+    value: Tree
+
+
+@dataclass(frozen=True, slots=True)
+class Degrees(Tree):
+    r"""An angle in degrees, `45^\circ`."""
+
+    value: Tree
+
+
+@dataclass(frozen=True, slots=True)
+class BigSum(Tree):
+    r"""`\sum_{i=1}^3 body`: the body runs to the end of the product; no bounds: over the range of the index."""
+
+    indices: tuple[str, ...]
+    low: Tree | None
+    high: Tree | None
+    body: Tree
+
+
+@dataclass(frozen=True, slots=True)
+class Pair(Tree):
+    """`(u, v)`: the scalar product of two vectors."""
+
+    left: Tree
+    right: Tree
+
+
+@dataclass(frozen=True, slots=True)
+class Interval(Tree):
+    """`[a, b]`, both ends included."""
+
+    low: Tree
+    high: Tree
+
+
+@dataclass(frozen=True, slots=True)
+class Tuple(Tree):
+    r"""A list in brackets of three or more items (or one, or two in `\{ \}`): `kind` is "()", "[]" or "{}"."""
+
+    items: tuple[Tree, ...]
+    kind: str
+
+
+@dataclass(frozen=True, slots=True)
+class Cross(Tree):
+    left: Tree
+    right: Tree
+
+
+@dataclass(frozen=True, slots=True)
+class Transpose(Tree):
+    value: Tree
+
+
+@dataclass(frozen=True, slots=True)
+class MatrixOf(Tree):
+    rows: tuple[tuple[Tree, ...], ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Diag(Tree):
+    entries: tuple[Tree, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Bars(Tree):
+    """`|A|`: the determinant of a matrix, the absolute value of a scalar."""
+
+    value: Tree
+
+
+@dataclass(frozen=True, slots=True)
+class ElementsOf(Tree):
+    r"""`\|a_{ij}\|`: the matrix of these elements; the first free index counts rows."""
+
+    value: Tree
+
+
+@dataclass(frozen=True, slots=True)
+class Derivative(Tree):
+    r"""`\frac{d^2 f}{dx^2}`; `partial` is how it is printed."""
+
+    body: Tree
+    variables: tuple[tuple[Tree, int], ...]
+    partial: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class Dots(Tree):
+    r"""`\dots` in a list."""
+
+
+@dataclass(frozen=True, slots=True)
+class Chain(Tree):
+    r"""`a = b \le c`: members and the signs between them."""
+
+    members: tuple[Tree, ...]
+    signs: tuple[str, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Qualifier(Tree):
+    """`i = 1, 2, 3`: the values an index takes."""
+
+    indices: tuple[str, ...]
+    values: tuple[int, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class System(Tree):
+    """Several statements side by side, with the qualifiers that hold for all of them."""
+
+    parts: tuple[Tree, ...]
+    qualifiers: tuple[Qualifier, ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
+class CaseList(Tree):
+    """A numbered list of cases, `1). ...; 2). ...`: one of them holds."""
+
+    cases: tuple[tuple[str, Tree], ...]
+
+
+@dataclass(frozen=True, slots=True)
+class And(Tree):
+    parts: tuple[Tree, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Or(Tree):
+    parts: tuple[Tree, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Implies(Tree):
+    left: Tree
+    right: Tree
+
+
+@dataclass(frozen=True, slots=True)
+class Iff(Tree):
+    left: Tree
+    right: Tree
+
+
+@dataclass(frozen=True, slots=True)
+class Exists(Tree):
+    names: tuple[Tree, ...]
+    body: Tree
+
+
+STATEMENTS = (Chain, System, CaseList, And, Or, Implies, Iff, Exists, Qualifier)
+LOGIC = (And, Or, Implies, Iff, Exists)
+
+Path = tuple[int, ...]
+
+
+def children(tree: Tree) -> tuple[Tree, ...]:
+    """The nodes directly below, in printed order."""
+    return tuple(_trees([getattr(tree, f.name) for f in fields(tree)]))  # type: ignore[arg-type]
+
+
+def _trees(value: Any) -> Iterator[Tree]:
+    if isinstance(value, Tree):
+        yield value
+    elif isinstance(value, list | tuple):
+        for item in value:
+            yield from _trees(item)
+
+
+def with_children(tree: T, new: tuple[Tree, ...]) -> T:
+    """The same node over other children, given in the order of `children`."""
+    supply = iter(new)
+
+    def swap(value: Any) -> Any:
+        if isinstance(value, Tree):
+            return next(supply)
+        return tuple(map(swap, value)) if isinstance(value, tuple) else value
+
+    return type(tree)(*[swap(getattr(tree, f.name)) for f in fields(tree)])  # type: ignore[arg-type]
+
+
+def walk(tree: Tree, path: Path = ()) -> Iterator[tuple[Path, Tree]]:
+    """Every node with the path that leads to it, the root first."""
+    yield path, tree
+    for k, child in enumerate(children(tree)):
+        yield from walk(child, (*path, k))
+
+
+def replaced(tree: Tree, path: Path, new: Tree) -> Tree:
+    """The tree with another node at `path`."""
+    if not path:
+        return new
+    below = list(children(tree))
+    below[path[0]] = replaced(below[path[0]], path[1:], new)
+    return with_children(tree, tuple(below))

@@ -1,0 +1,190 @@
+"""How records look on a terminal: the ledger, one relation in full, the errata, the papers. Computes nothing."""
+
+from __future__ import annotations
+
+import json
+import os
+import sys
+from collections import Counter
+from collections.abc import Iterable, Iterator, Mapping
+from contextlib import contextmanager
+from typing import Any
+
+from rich import box
+from rich.console import Console
+from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeElapsedColumn
+from rich.table import Table
+from rich.text import Text
+
+from symcheck.evidence.record import Record
+from symcheck.evidence.steps import point, sides, steps, term
+from symcheck.statement import Paper, Verdict
+
+_STYLES = {Verdict.PROVED: "green", Verdict.REFUTED: "bold red", Verdict.UNDECIDED: "yellow"}
+_INDENT = 14  # of the values beside their labels
+_WIDTH = 150  # of a ledger that goes to a file or a pipe
+
+
+def console() -> Console:
+    """The standard output; a fixed width when it is no terminal, so that a saved ledger does not depend on chance."""
+    width = None if sys.stdout.isatty() or "COLUMNS" in os.environ else _WIDTH
+    return Console(width=width, highlight=False, markup=False, emoji=False, soft_wrap=False)
+
+
+@contextmanager
+def progress_bar() -> Iterator[Any]:
+    """A function (done, total) that moves a progress bar on standard error, if that is a terminal."""
+    if not sys.stderr.isatty():
+        yield lambda done, total: None
+        return
+    columns = (TextColumn("deciding"), BarColumn(), MofNCompleteColumn(), TimeElapsedColumn())
+    with Progress(*columns, console=Console(stderr=True), transient=True) as bar:
+        task = bar.add_task("deciding", total=None)
+        yield lambda done, total: bar.update(task, completed=done, total=total)
+
+
+def ledger(out: Console, paper: str, records: Iterable[Record]) -> None:
+    """One row per relation of a paper: number, statement, verdict, reading, method, time."""
+    out.print(Text(paper, style="bold"))
+    table = Table(box=box.SIMPLE_HEAD, pad_edge=False, expand=True)
+    table.add_column("number", no_wrap=True)
+    table.add_column("statement", no_wrap=True, overflow="ellipsis", ratio=1)
+    table.add_column("verdict", no_wrap=True)
+    table.add_column("reading", no_wrap=True)
+    table.add_column("method", no_wrap=True, overflow="ellipsis", max_width=28)
+    table.add_column("time", no_wrap=True, justify="right")
+    for record in records:
+        table.add_row(
+            record.id.partition(":")[2],
+            Text(statement(record)),
+            _verdict(record),
+            record.reading,
+            Text(record.method),
+            f"{record.seconds:.3f} s" if record.verdict else "",
+        )
+    out.print(table)
+
+
+def summary(out: Console, records: Iterable[Record]) -> None:
+    """How many of each verdict, and how many declarations that claim nothing."""
+    rows = list(records)
+    verdicts = Counter(record.verdict for record in rows if record.verdict)
+    others = Counter(record.role for record in rows if not record.verdict)
+    decided = ", ".join(f"{verdicts[verdict]} {verdict}" for verdict in Verdict)
+    rest = "".join(f"; {count} of role {role}" for role, count in sorted(others.items()))
+    out.print(f"{sum(verdicts.values())} relations: {decided}{rest}")
+
+
+def show(out: Console, record: Record, whole_certificate: bool = False) -> None:
+    """Everything that is known of one relation."""
+    out.print(Text(f"{record.id}  {record.name.replace('_', ' ')}".rstrip(), style="bold"))
+    _field(out, "verdict", _verdict(record))
+    _field(out, "reading", record.reading)
+    _field(out, "role", f"{record.role}, section {record.section}, line {record.line} of the source")
+    _field(out, "printed", record.printed)
+    _field(out, "words", record.words)
+    _field(out, "read as", record.read)
+    _field(out, "reason", record.reason)
+    for hypothesis in record.hypotheses:
+        _field(out, "hypothesis", _hypothesis(hypothesis))
+    _field(out, "method", f"{record.method}, {record.seconds:.3f} s" if record.method else "")
+    _field(out, "uses", ", ".join(record.uses))
+    _field(out, "used by", ", ".join(record.used_by))
+    _counterexample(out, record)
+    _erratum(out, record)
+    for certificate in record.certificates:
+        _certificate(out, certificate, whole_certificate)
+
+
+def errata(out: Console, records: Iterable[Record]) -> None:
+    """Every wrong printed relation: what is printed, where it fails, what is right, how the two differ."""
+    for record in records:
+        out.print(Text(f"{record.id}  {record.name.replace('_', ' ')}".rstrip(), style="bold"))
+        _field(out, "verdict", _verdict(record))
+        _field(out, "reading", record.reading)
+        _field(out, "line", str(record.line))
+        _field(out, "printed", record.printed or record.words)
+        _counterexample(out, record)
+        _erratum(out, record)
+        _field(out, "used by", ", ".join(record.used_by))
+        out.print()
+
+
+def papers(out: Console, counts: Mapping[str, tuple[Paper, Counter[str]]]) -> None:
+    """One row per paper: key, title, source, how many declarations of each role."""
+    table = Table("key", "title", "source", "declarations", box=box.SIMPLE_HEAD, pad_edge=False)
+    for key, (paper, roles) in counts.items():
+        table.add_row(key, Text(paper.title), Text(paper.source), ", ".join(f"{n} {role}" for role, n in roles.items()))
+    out.print(table)
+
+
+def statement(record: Record) -> str:
+    """What a ledger row says: the printed form in one line, or the words."""
+    return " ".join((record.printed or record.words or record.name.replace("_", " ")).split())
+
+
+def _verdict(record: Record) -> Text:
+    return Text(record.verdict, style=_STYLES[record.verdict]) if record.verdict else Text(record.role, style="dim")
+
+
+def _field(out: Console, label: str, value: str | Text) -> None:
+    """A labelled value, whole: a long line is left to the terminal to wrap. Nothing for an empty value."""
+    if not value:
+        return
+    text = value if isinstance(value, Text) else Text(value.replace("\n", "\n" + " " * _INDENT))
+    out.print(Text(label.ljust(_INDENT), style="cyan"), text, sep="", soft_wrap=True)
+
+
+def _hypothesis(hypothesis: Mapping[str, Any]) -> str:
+    needed = {True: "needed", False: "not needed", None: "need not known"}[hypothesis.get("needed")]
+    given = {"added": "not printed, added", "printed": "printed"}.get(hypothesis.get("given", ""), "")
+    words = hypothesis.get("words") or hypothesis.get("name", "")
+    text = f"{words} ({', '.join(filter(None, (given, needed)))})"
+    without = hypothesis.get("counterexample")
+    return f"{text}; fails without it at {_point(without)}" if without else text
+
+
+def _point(counterexample: Mapping[str, Any]) -> str:
+    """The values of a counterexample, which may be a point or the certificate that holds the point."""
+    found = counterexample.get("point", counterexample)
+    both = sides(found)
+    return point(found.get("values", {})) + (f", where the sides are {both}" if both else "")
+
+
+def _counterexample(out: Console, record: Record) -> None:
+    if record.counterexample:
+        _field(out, "fails at", _point(record.counterexample))
+
+
+def _erratum(out: Console, record: Record) -> None:
+    _field(out, "corrected", record.corrected)
+    _field(out, "kind", record.kind)
+    _field(out, "origin", f"{record.origin}: {record.reason}" if record.origin else "")
+    for key, value in (record.erratum or {}).items():
+        if key == "certificates":
+            for certificate in value:
+                _field(out, "its proof", _digest(certificate))
+        else:
+            _field(out, key.replace("_", " "), _plain(value))
+
+
+def _certificate(out: Console, certificate: Mapping[str, Any], whole: bool) -> None:
+    _field(out, "certificate", _digest(certificate))
+    _field(out, "decides", term(certificate["claim"]) if "claim" in certificate else "")
+    _field(out, "proof", "\n".join(steps(certificate["proof"])) if certificate.get("proof") else "")
+    if whole:
+        print(json.dumps(certificate, ensure_ascii=False, indent=2, sort_keys=True), file=out.file)
+
+
+def _digest(certificate: Mapping[str, Any]) -> str:
+    size = len(json.dumps(certificate, ensure_ascii=False, separators=(",", ":")).encode())
+    parts = (certificate.get("id"), certificate.get("verdict"), f"sha256 {certificate.get('digest', 'none')}")
+    return ", ".join(str(part) for part in (*parts, f"{size} bytes") if part)
+
+
+def _plain(value: Any) -> str:
+    if isinstance(value, bool):
+        return "yes" if value else "no"
+    if isinstance(value, list | tuple) and all(isinstance(entry, str) for entry in value):
+        return "\n".join(value)
+    return value if isinstance(value, str) else json.dumps(value, ensure_ascii=False)

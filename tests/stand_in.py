@@ -1,0 +1,155 @@
+"""A toy paper and a decider for it, so that the shell is tested without any algebra.
+
+The module has the three functions of `symcheck.evidence.decide`. What a declaration does is told by its number.
+"""
+
+from __future__ import annotations
+
+import os
+import sys
+import time
+from dataclasses import dataclass
+from typing import Any
+
+from symcheck.evidence.record import Record
+from symcheck.statement import Item, Origin, Paper, Reading, Role, Verdict
+
+PROOF = {
+    "rule": "iff",
+    "forward": {"rule": "identity", "cofactors": [[["hyp", "orthogonal", 0], "2*a_11 - 1"]]},
+    "backward": {"rule": "cases_or", "or": 0, "cases": [{"rule": "absurd", "times": [["cond", 0]], "cofactors": []}]},
+}
+CERTIFICATE = {
+    "id": "toy:1.1",
+    "claim": ["=", ["+", ["^", "a_11", 2], ["-", "b"]], ["/", 1, ["+", "c", 1]]],
+    "hypotheses": {"orthogonal": [["=", ["^", "a_11", 2], 1]]},
+    "verdict": "proved",
+    "proof": PROOF,
+    "digest": "d1",
+}
+POINT = {"values": {"x": "2/7", "y": ["sqrt", 3]}, "sides": ["1", "-1"]}
+REFUTED = {**CERTIFICATE, "id": "toy:1.3", "verdict": "refuted", "point": POINT, "digest": "d3"}
+CORRECTED = {**CERTIFICATE, "id": "toy:1.3 corrected", "digest": "d3c"}
+SLEEP = 3600
+
+
+@dataclass(frozen=True)
+class Obligation:
+    id: str
+    paper: str
+    section: str
+    item: Item
+
+
+def _item(number: str, role: Role = Role.CLAIM) -> Item:
+    return Item(number=number, role=role, line=int(float("".join(c for c in number if c in "0123456789.") or 1) * 10))
+
+
+NUMBERS = {
+    "1.1": Role.CLAIM,
+    "1.2": Role.CLAIM,
+    "1.3": Role.CLAIM,
+    "1.4": Role.CLAIM,
+    "1.5": Role.DEFINITION,
+    "1.12": Role.CLAIM,
+}
+
+
+def papers() -> dict[str, Paper]:
+    empty: Any = None
+    return {key: Paper(key, f"The {key} paper", f"{key}.txt", empty, ()) for key in ("toy", "other")}
+
+
+def expand(paper: Paper) -> tuple[Obligation, ...]:
+    numbers = dict(NUMBERS) if paper.key == "toy" else {"1": Role.CLAIM}
+    if paper.key == "toy":
+        numbers |= dict.fromkeys(filter(None, os.environ.get("STAND_IN_MORE", "").split()), Role.CLAIM)
+    return tuple(Obligation(f"{paper.key}:{n}", paper.key, "1", _item(n, role)) for n, role in numbers.items())
+
+
+def fingerprint(obligation: Obligation) -> str:
+    return obligation.id + os.environ.get("STAND_IN_SOURCES", "")
+
+
+def decide(id: str) -> tuple[Record, ...]:
+    if log := os.environ.get("STAND_IN_LOG"):
+        with open(log, "a", encoding="utf-8") as file:
+            file.write(id + "\n")
+    paper, _, number = id.partition(":")
+    if number == "hang":
+        time.sleep(SLEEP)
+    if number == "die":
+        os._exit(7)
+    if number == "raise":
+        raise ValueError("the letter\nq is unknown")
+    return _records(paper, number)
+
+
+def _records(paper: str, number: str) -> tuple[Record, ...]:
+    common: dict[str, Any] = {"paper": paper, "section": "1", "line": 10, "role": Role.CLAIM, "seconds": 0.25}
+    id = f"{paper}:{number}"
+    match number:
+        case "1.1":
+            given = {"name": "orthogonal", "words": "A is orthogonal", "given": "printed", "needed": True}
+            added = {"name": "x > 0", "words": "x is positive", "given": "added", "needed": False}
+            needed = {"name": "n", "words": "n is odd", "given": "added", "needed": True, "counterexample": POINT}
+            return (
+                Record(
+                    id=id,
+                    verdict=Verdict.PROVED,
+                    name="square_of_a",
+                    printed=r"a_{11}^2 - b = \frac{1}{c + 1}",
+                    read="a_{11}^2-b",
+                    method="ideal",
+                    certificates=(CERTIFICATE,),
+                    hypotheses=(given, added, needed),
+                    used_by=("toy:1.3",),
+                    **common,
+                ),
+            )
+        case "1.2":
+            return tuple(
+                Record(id=id + letter, verdict=Verdict.PROVED, words=f"a link [{letter}] of a chain", **common)
+                for letter in "ab"
+            )
+        case "1.3":
+            return (
+                Record(
+                    id=id,
+                    verdict=Verdict.REFUTED,
+                    printed="x = -x",
+                    reading=Reading.MISPRINT,
+                    corrected="x = x",
+                    kind="sign",
+                    origin=Origin.PAPER,
+                    reason="the next line has the right sign",
+                    counterexample=POINT,
+                    certificates=(REFUTED,),
+                    erratum={"edit": "drop the minus", "unique": True, "repairs": ["x = x"], "certificates": [CORRECTED]},
+                    **common,
+                ),
+            )
+        case "1.4":
+            return (Record(id=id, verdict=Verdict.UNDECIDED, words="order does not matter", reason="out of reach", **common),)
+        case "1.5":
+            return (Record(id=id, printed="J = 1", **{**common, "role": Role.DEFINITION}),)
+    return (Record(id=id, verdict=Verdict.PROVED, words="filler", **common),)
+
+
+def install(patch: Any = setattr) -> None:
+    """Put the toy paper and this decider in the place of the real ones."""
+    import symcheck.cli
+    import symcheck.evidence
+    import symcheck.papers
+
+    patch(symcheck.papers, "load", papers)
+    patch(symcheck.evidence, "decide", sys.modules["stand_in"])
+    patch(symcheck.cli, "PRELOAD", ())
+
+
+if __name__ == "__main__":
+    import stand_in
+    from symcheck.cli import main
+
+    stand_in.install()
+    main()
