@@ -181,17 +181,16 @@ class Paper:
     notation: Notation
     sections: tuple[Section, ...]
 
-    def items(self) -> Iterator[tuple[Section, Item]]:
-        """Every declaration in printed order, each named after the variable it is bound to."""
+    def items(self) -> Iterator[tuple[Section, str, Item]]:
+        """Every declaration in printed order (by line), with the section and the variable it is bound to."""
         seen: dict[str, str] = {}
         for section in self.sections:
-            for name, item in vars(section.module).items():
-                if not isinstance(item, Item):
-                    continue
+            declared = [(name, item) for name, item in vars(section.module).items() if isinstance(item, Item)]
+            for name, item in sorted(declared, key=lambda pair: pair[1].line):
                 if item.number in seen:
                     raise SymcheckError(
                         f"{self.key}:{item.number} is declared twice, as {seen[item.number]} and {name}; "
                         "give one of them another number"
                     )
                 seen[item.number] = name
-                yield section, item
+                yield section, name, item

@@ -12,7 +12,6 @@ from typing import Any
 
 from rich import box
 from rich.console import Console
-from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeElapsedColumn
 from rich.table import Table
 from rich.text import Text
 
@@ -25,18 +24,23 @@ _INDENT = 14  # of the values beside their labels
 _WIDTH = 150  # of a ledger that goes to a file or a pipe
 
 
+class _Console(Console):
+    def on_broken_pipe(self) -> None:
+        """Leave it to the command line what a reader that went away means."""
+        raise BrokenPipeError
+
+
 def console() -> Console:
     """The standard output; a fixed width when it is no terminal, so that a saved ledger does not depend on chance."""
     width = None if sys.stdout.isatty() or "COLUMNS" in os.environ else _WIDTH
-    return Console(width=width, highlight=False, markup=False, emoji=False, soft_wrap=False)
+    return _Console(width=width, highlight=False, markup=False, emoji=False)
 
 
 @contextmanager
 def progress_bar() -> Iterator[Any]:
-    """A function (done, total) that moves a progress bar on standard error, if that is a terminal."""
-    if not sys.stderr.isatty():
-        yield lambda done, total: None
-        return
+    """A function (done, total) that moves a progress bar on standard error."""
+    from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeElapsedColumn
+
     columns = (TextColumn("deciding"), BarColumn(), MofNCompleteColumn(), TimeElapsedColumn())
     with Progress(*columns, console=Console(stderr=True), transient=True) as bar:
         task = bar.add_task("deciding", total=None)
@@ -137,7 +141,7 @@ def _field(out: Console, label: str, value: str | Text) -> None:
 
 def _hypothesis(hypothesis: Mapping[str, Any]) -> str:
     needed = {True: "needed", False: "not needed", None: "need not known"}[hypothesis.get("needed")]
-    given = {"added": "not printed, added", "printed": "printed"}.get(hypothesis.get("given", ""), "")
+    given = "not printed, added" if hypothesis.get("given") == "added" else hypothesis.get("given", "")
     words = hypothesis.get("words") or hypothesis.get("name", "")
     text = f"{words} ({', '.join(filter(None, (given, needed)))})"
     without = hypothesis.get("counterexample")
@@ -160,12 +164,24 @@ def _erratum(out: Console, record: Record) -> None:
     _field(out, "corrected", record.corrected)
     _field(out, "kind", record.kind)
     _field(out, "origin", f"{record.origin}: {record.reason}" if record.origin else "")
-    for key, value in (record.erratum or {}).items():
-        if key == "certificates":
-            for certificate in value:
-                _field(out, "its proof", _digest(certificate))
-        else:
-            _field(out, key.replace("_", " "), _plain(value))
+    repair = record.erratum or {}
+    _field(
+        out,
+        "edit",
+        "\n".join(f"{e['printed'] or 'nothing'}  →  {e['corrected'] or 'nothing'}" for e in repair.get("edit", ())),
+    )
+    _field(out, "repairs", _repairs(repair) if record.corrected and repair.get("edit") else "")
+    _field(out, "added", "; ".join(repair.get("added", ())))
+    _field(out, "then", f"{repair['verdict']} {repair.get('reason', '')}".rstrip() if repair else "")
+    for certificate in repair.get("certificates", ()):
+        _field(out, "its proof", _digest(certificate))
+
+
+def _repairs(repair: Mapping[str, Any]) -> str:
+    """Every single edit of the printed relation that makes it true."""
+    found = [f"{each['edit']}: {each['relation']}" for each in repair.get("repairs", ())]
+    count = "no single edit repairs it" if not found else f"{len(found)} single edits repair it"
+    return "\n".join([count if len(found) != 1 else "one single edit repairs it", *found])
 
 
 def _certificate(out: Console, certificate: Mapping[str, Any], whole: bool) -> None:
@@ -180,11 +196,3 @@ def _digest(certificate: Mapping[str, Any]) -> str:
     size = len(json.dumps(certificate, ensure_ascii=False, separators=(",", ":")).encode())
     parts = (certificate.get("id"), certificate.get("verdict"), f"sha256 {certificate.get('digest', 'none')}")
     return ", ".join(str(part) for part in (*parts, f"{size} bytes") if part)
-
-
-def _plain(value: Any) -> str:
-    if isinstance(value, bool):
-        return "yes" if value else "no"
-    if isinstance(value, list | tuple) and all(isinstance(entry, str) for entry in value):
-        return "\n".join(value)
-    return value if isinstance(value, str) else json.dumps(value, ensure_ascii=False)

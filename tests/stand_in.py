@@ -9,10 +9,11 @@ import os
 import sys
 import time
 from dataclasses import dataclass
+from types import ModuleType
 from typing import Any
 
 from symcheck.evidence.record import Record
-from symcheck.statement import Item, Origin, Paper, Reading, Role, Verdict
+from symcheck.statement import Item, Origin, Paper, Reading, Role, Section, Verdict
 
 PROOF = {
     "rule": "iff",
@@ -28,21 +29,23 @@ CERTIFICATE = {
     "digest": "d1",
 }
 POINT = {"values": {"x": "2/7", "y": ["sqrt", 3]}, "sides": ["1", "-1"]}
+POINT_WITHOUT = {**CERTIFICATE, "id": "toy:1.1 without n", "verdict": "refuted", "point": POINT, "digest": "d1n"}
 REFUTED = {**CERTIFICATE, "id": "toy:1.3", "verdict": "refuted", "point": POINT, "digest": "d3"}
 CORRECTED = {**CERTIFICATE, "id": "toy:1.3 corrected", "digest": "d3c"}
 SLEEP = 3600
+SECTION = Section("1", "The only section", ModuleType("section"))
 
 
 @dataclass(frozen=True)
 class Obligation:
     id: str
-    paper: str
-    section: str
+    paper: Paper
+    section: Section
     item: Item
 
 
 def _item(number: str, role: Role = Role.CLAIM) -> Item:
-    return Item(number=number, role=role, line=int(float("".join(c for c in number if c in "0123456789.") or 1) * 10))
+    return Item(number=number, role=role, line=10)
 
 
 NUMBERS = {
@@ -64,7 +67,7 @@ def expand(paper: Paper) -> tuple[Obligation, ...]:
     numbers = dict(NUMBERS) if paper.key == "toy" else {"1": Role.CLAIM}
     if paper.key == "toy":
         numbers |= dict.fromkeys(filter(None, os.environ.get("STAND_IN_MORE", "").split()), Role.CLAIM)
-    return tuple(Obligation(f"{paper.key}:{n}", paper.key, "1", _item(n, role)) for n, role in numbers.items())
+    return tuple(Obligation(f"{paper.key}:{n}", paper, SECTION, _item(n, role)) for n, role in numbers.items())
 
 
 def fingerprint(obligation: Obligation) -> str:
@@ -92,7 +95,13 @@ def _records(paper: str, number: str) -> tuple[Record, ...]:
         case "1.1":
             given = {"name": "orthogonal", "words": "A is orthogonal", "given": "printed", "needed": True}
             added = {"name": "x > 0", "words": "x is positive", "given": "added", "needed": False}
-            needed = {"name": "n", "words": "n is odd", "given": "added", "needed": True, "counterexample": POINT}
+            needed = {
+                "name": "n",
+                "words": "n is odd",
+                "given": "added",
+                "needed": True,
+                "counterexample": POINT_WITHOUT,
+            }
             return (
                 Record(
                     id=id,
@@ -125,12 +134,25 @@ def _records(paper: str, number: str) -> tuple[Record, ...]:
                     reason="the next line has the right sign",
                     counterexample=POINT,
                     certificates=(REFUTED,),
-                    erratum={"edit": "drop the minus", "unique": True, "repairs": ["x = x"], "certificates": [CORRECTED]},
+                    erratum={
+                        "verdict": "proved",
+                        "reason": "",
+                        "certificates": [CORRECTED],
+                        "edit": [{"printed": "- x", "corrected": "x"}],
+                        "added": [],
+                        "repairs": [{"kind": "sign", "edit": "drop the minus", "relation": "x = x"}],
+                        "unique": True,
+                        "empty": False,
+                    },
                     **common,
                 ),
             )
         case "1.4":
-            return (Record(id=id, verdict=Verdict.UNDECIDED, words="order does not matter", reason="out of reach", **common),)
+            return (
+                Record(
+                    id=id, verdict=Verdict.UNDECIDED, words="order does not matter", reason="out of reach", **common
+                ),
+            )
         case "1.5":
             return (Record(id=id, printed="J = 1", **{**common, "role": Role.DEFINITION}),)
     return (Record(id=id, verdict=Verdict.PROVED, words="filler", **common),)
@@ -149,6 +171,7 @@ def install(patch: Any = setattr) -> None:
 
 if __name__ == "__main__":
     import stand_in
+
     from symcheck.cli import main
 
     stand_in.install()

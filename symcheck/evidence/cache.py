@@ -10,7 +10,7 @@ import json
 import os
 import sqlite3
 from collections.abc import Callable, Iterable, Mapping
-from contextlib import suppress
+from contextlib import closing
 from hashlib import sha256
 from pathlib import Path
 
@@ -43,7 +43,7 @@ class Cache:
     def __init__(self, folder: Path | None, say: Say) -> None:
         self._say = say
         self._file = folder / FILE if folder else None
-        self._connection = self._opened() if self._file else None
+        self._connection = _opened(self._file, say) if self._file else None
 
     def find(self, fingerprints: Mapping[str, str]) -> dict[str, tuple[Record, ...]]:
         """The records of those ids that are stored under the given fingerprint; stale entries are counted and said."""
@@ -100,43 +100,29 @@ class Cache:
             self._give_up(error)
             return []
 
-    def _opened(self) -> sqlite3.Connection | None:
-        assert self._file is not None
-        try:
-            self._file.parent.mkdir(parents=True, exist_ok=True)
-            return self._sound() or self._rebuilt()
-        except (OSError, sqlite3.Error) as error:
-            self._say(f"the cache {self._file} cannot be used ({error}); going on without it")
-            return None
-
-    def _sound(self) -> sqlite3.Connection | None:
-        """The database as it lies there, or None after saying what is wrong with it."""
-        assert self._file is not None
-        if not self._file.exists() or self._file.stat().st_size == 0:
-            return _created(self._file)
-        connection = _connected(self._file)
-        if (fault := _fault(connection)) is None:
-            return connection
-        connection.close()
-        self._say(f"the cache {self._file} {fault}; put aside as {_aside(self._file).name} and rebuilt")
-        return None
-
-    def _rebuilt(self) -> sqlite3.Connection:
-        assert self._file is not None
-        self._file.replace(_aside(self._file))
-        for suffix in ("-journal", "-wal", "-shm"):
-            with suppress(FileNotFoundError):
-                self._file.with_name(self._file.name + suffix).unlink()
-        return _created(self._file)
-
     def _give_up(self, error: sqlite3.Error) -> None:
         self._say(f"the cache {self._file} cannot be used any more ({error}); going on without it")
         self.close()
 
 
+def _opened(file: Path, say: Say) -> sqlite3.Connection | None:
+    """The database, put aside and made anew if it is damaged; None if there can be none. Both are said."""
+    try:
+        file.parent.mkdir(parents=True, exist_ok=True)
+        if not file.exists() or file.stat().st_size == 0:
+            return _created(file)
+        if (fault := _fault(file)) is None:
+            return _connected(file)
+        say(f"the cache {file} {fault}; put aside as {_aside(file).name} and rebuilt")
+        return _rebuilt(file)
+    except (OSError, sqlite3.Error) as error:
+        say(f"the cache {file} cannot be used ({error}); going on without it")
+        return None
+
+
 def _connected(file: Path) -> sqlite3.Connection:
     connection = sqlite3.connect(file, timeout=2.0)
-    # A lost power supply may cost the newest entries: they are only a cache, and a damaged file is noticed.
+    # A power failure may cost the file: it is only a cache, its damage is noticed, and waiting for the disk is slow.
     connection.execute("PRAGMA synchronous = OFF")
     return connection
 
@@ -150,20 +136,28 @@ def _created(file: Path) -> sqlite3.Connection:
     return connection
 
 
-def _fault(connection: sqlite3.Connection) -> str | None:
+def _rebuilt(file: Path) -> sqlite3.Connection:
+    file.replace(_aside(file))
+    for suffix in ("-journal", "-wal", "-shm"):
+        file.with_name(file.name + suffix).unlink(missing_ok=True)
+    return _created(file)
+
+
+def _fault(file: Path) -> str | None:
     """What is wrong with an existing database; a locked or unreadable one raises sqlite3.OperationalError instead."""
     try:
-        [(version,)] = connection.execute("PRAGMA user_version")
-        if version != SCHEMA:
-            return f"has format {version}, not {SCHEMA}"
-        [(state,), *_] = connection.execute("PRAGMA quick_check(1)")
-        tables = [row[0] for row in connection.execute("SELECT sql FROM sqlite_schema WHERE name = 'records'")]
+        with closing(sqlite3.connect(file, timeout=2.0)) as connection:
+            [(version,)] = connection.execute("PRAGMA user_version")
+            [(state,), *_] = connection.execute("PRAGMA quick_check(1)")
+            tables = [row[0] for row in connection.execute("SELECT sql FROM sqlite_schema WHERE name = 'records'")]
     except sqlite3.OperationalError:
         raise
     except sqlite3.DatabaseError as error:
         return f"is damaged ({error})"
+    if version != SCHEMA:
+        return f"has format {version}, not {SCHEMA}"
     if state != "ok":
-        return "is damaged ({})".format(" ".join(str(state).split()))
+        return f"is damaged ({' '.join(str(state).split())})"
     return None if tables == [_TABLE] else "is damaged (its table is missing or changed)"
 
 

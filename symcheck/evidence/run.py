@@ -11,7 +11,7 @@ from typing import Any, Protocol
 from symcheck.evidence.cache import Cache
 from symcheck.evidence.executor import Answer, Done, Executor, Timeout
 from symcheck.evidence.record import Record
-from symcheck.statement import Item, Paper, SymcheckError, Verdict
+from symcheck.statement import Item, Paper, Section, SymcheckError, Verdict
 
 Progress = Callable[[int, int], None]
 Links = frozenset[str]
@@ -24,9 +24,9 @@ class Obligation(Protocol):
     @property
     def id(self) -> str: ...
     @property
-    def paper(self) -> str: ...
+    def paper(self) -> Paper: ...
     @property
-    def section(self) -> str: ...
+    def section(self) -> Section: ...
     @property
     def item(self) -> Item: ...
 
@@ -126,16 +126,16 @@ def _records(obligation: Obligation, answer: Answer[tuple[Record, ...]]) -> tupl
     item = obligation.item
     record = Record(
         id=obligation.id,
-        paper=obligation.paper,
-        section=obligation.section,
+        paper=obligation.paper.key,
+        section=obligation.section.number,
         line=item.line,
         role=item.role,
         name=item.name,
-        printed="\n".join(item.printed),
+        printed=" ".join(item.printed),
         words=item.words,
         verdict=Verdict.UNDECIDED,
         reason=limit,
-        uses=item.uses,
+        uses=tuple(f"{obligation.paper.key}:{number}" for number in item.uses),
     )
     return (record,)
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Sequence
 from typing import Any
 
@@ -41,6 +42,17 @@ def ours(number: str, line: int, **fields: Any) -> Item:
     return _item(Role.OURS, number, line, (), fields)
 
 
-def body(*items: Item) -> str:
-    """The printed relations of several items as one conjunction, for a statement that refers to them."""
-    return r" \land ".join("(" + " ".join(item.printed).strip().rstrip(".,;") + ")" for item in items)
+def body(*items: Item | str) -> str:
+    """The printed relations of several items as one conjunction, for a statement that refers to them.
+
+    Numbered cases, printed `1). ...; 2). ...`, become a disjunction.
+    """
+    return r" \land ".join(_body(item if isinstance(item, str) else " ".join(item.printed)) for item in items)
+
+
+def _body(latex: str) -> str:
+    text = re.sub(r"\\(begin|end)\{(aligned|array|split)\}", "", latex)
+    cases = re.split(r"\b\d+\)\.", text)
+    parts = cases[1:] if len(cases) > 1 else cases
+    layout = re.compile(r"^(\s|&|\\quad|\\\\)+|(\s|[.,;&]|\\quad|\\\\)+$")
+    return "(" + r") \lor (".join(layout.sub("", part) for part in parts) + ")"

@@ -9,15 +9,18 @@ from symcheck.reading import tex
 from symcheck.reading.notation import Notation
 from symcheck.reading.tree import Name
 
-FUNCTIONS = frozenset(
-    "sin cos tan tg cot ctg arcsin arccos arctan arctg max min ln log exp tr rank sign const".split()
-) - {"const"}
+_TRIGONOMETRIC = {"sin", "cos", "tan", "tg", "cot", "ctg", "arcsin", "arccos", "arctan", "arctg"}
+FUNCTIONS = frozenset(_TRIGONOMETRIC | {"max", "min", "ln", "log", "exp", "tr", "rank", "sign"})
 SPACES = frozenset(
     [r"\,", r"\;", r"\:", r"\!", "\\ ", "~", r"\quad", r"\qquad", r"\displaystyle", r"\limits", r"\nolimits", r"\hfill"]
 )
-SIZES = frozenset(r"\left \right \big \Big \bigg \Bigg \bigl \bigr \Bigl \Bigr \biggl \biggr \Biggl \Biggr".split())
-LAYOUT = frozenset("aligned align align* array split cases gathered gather equation equation* multline".split())
-MATRICES = frozenset("pmatrix bmatrix matrix Bmatrix smallmatrix".split())
+SIZES = frozenset(
+    {"\\left", "\\right"} | {f"\\{size}{side}" for size in ("big", "Big", "bigg", "Bigg") for side in ("", "l", "r")}
+)
+LAYOUT = frozenset(
+    {"aligned", "align", "align*", "array", "split", "cases", "gathered", "gather", "equation", "multline"}
+)
+MATRICES = frozenset({"pmatrix", "bmatrix", "matrix", "Bmatrix", "smallmatrix"})
 RELATIONS = {
     "=": "=", "<": "<", ">": ">", r"\lt": "<", r"\gt": ">", r"\ne": r"\ne", r"\neq": r"\ne",
     r"\le": r"\le", r"\leq": r"\le", r"\leqslant": r"\le", r"\ge": r"\ge", r"\geq": r"\ge", r"\geqslant": r"\ge",
@@ -29,14 +32,16 @@ LOGIC = {
 }  # fmt: skip
 OPEN = {"(": "LPAR", "[": "LBRA", r"\{": "LSET", r"\lbrace": "LSET"}
 CLOSE = {")": "RPAR", "]": "RBRA", r"\}": "RSET", r"\rbrace": "RSET"}
-PARTNER = {"RPAR": "LPAR", "RBRA": "LBRA", "RSET": "LSET", "RB": "LB", "RBAR": "LBAR", "RNORM": "LNORM", "MEND": "MBEGIN"}
-SIMPLE = {
-    "+": "PLUS", "-": "MINUS", "/": "SLASH", r"\cdot": "CDOT", r"\times": "TIMES", ",": "COMMA", ";": "SEMI", ":": "COLON",
-    r"\dots": "DOTS", r"\ldots": "DOTS", r"\cdots": "DOTS",
+PARTNER = {
+    "RPAR": "LPAR", "RBRA": "LBRA", "RSET": "LSET", "RB": "LB", "RBAR": "LBAR", "RNORM": "LNORM", "MEND": "MBEGIN",
 }  # fmt: skip
-_ENDS = frozenset("NUMBER NAME RPAR RBRA RSET RB RBAR RNORM MEND TRANSPOSE DEGREE PRIMES DOTS".split())
-_OPERATORS = frozenset("PLUS MINUS REL AND OR IMPLIES IFF CDOT TIMES SLASH".split())
-_BREAKS = frozenset("COMMA SEMI COLON".split())
+SIMPLE = {
+    "+": "PLUS", "-": "MINUS", "/": "SLASH", r"\cdot": "CDOT", r"\times": "TIMES", ",": "COMMA", ";": "SEMI",
+    ":": "COLON", r"\dots": "DOTS", r"\ldots": "DOTS", r"\cdots": "DOTS",
+}  # fmt: skip
+_ENDS = frozenset({"NUMBER", "NAME", "TRANSPOSE", "DEGREE", "PRIMES", "DOTS", *PARTNER})
+_OPERATORS = frozenset({"PLUS", "MINUS", "REL", "AND", "OR", "IMPLIES", "IFF", "CDOT", "TIMES", "SLASH"})
+_BREAKS = frozenset({"COMMA", "SEMI", "COLON"})
 
 
 @dataclass(frozen=True, slots=True)
@@ -110,6 +115,8 @@ class Lexer(tex.Reader):
             self.script()
         elif text == "_":
             self.fail("a subscript without a letter before it")
+        elif text == "." and self.sentence_ends():
+            self.i += 1
         elif text in OPEN or text in CLOSE:
             self.i += 1
             self.emit(OPEN.get(text) or CLOSE[text], text, at)
@@ -121,6 +128,17 @@ class Lexer(tex.Reader):
             self.letter()
         else:
             self.fail(f"{text} cannot be read here")
+
+    def sentence_ends(self) -> bool:
+        """Is this full stop the last thing on its line?"""
+        ahead = 1
+        while self.peek(ahead) in SPACES or self.peek(ahead) == r"\end":
+            ahead += 1
+            if self.peek(ahead - 1) == r"\end":
+                while self.peek(ahead) not in ("}", ""):
+                    ahead += 1
+                ahead += 1
+        return self.peek(ahead) in ("", r"\\")
 
     def number(self) -> None:
         """Digits, with a decimal point between digits; `1).` at the beginning of a clause is the label of a case."""
@@ -306,7 +324,7 @@ class Lexer(tex.Reader):
         """A letter with its subscripts, the name of a function, or a differential."""
         at = self.at()
         word = self.word() or self.spelling()
-        plain = word[1:] if word.startswith("\\") and "{" not in word else word.removeprefix(r"\text{").removesuffix("}")
+        plain = word.removeprefix(r"\text{").removesuffix("}").removeprefix("\\")
         if word.startswith("\\") and (plain in FUNCTIONS or plain == "diag") and not self.notation.knows(word):
             self.emit("DIAG" if plain == "diag" else "FN", plain, at)
             return
@@ -407,7 +425,7 @@ class Lexer(tex.Reader):
         return f"the index letters are {', '.join(self.notation.indices()) or 'none'}"
 
     def joined(self) -> list[Lexeme]:
-        """Line breaks settled: a sign repeated over a break is one sign; a break after a comma or at an end is layout."""
+        """Line breaks settled: a sign repeated over a break is one sign; one after a comma or at an end is layout."""
         out: list[Lexeme] = []
         pending: Lexeme | None = None
         for lexeme in self.out:
@@ -427,4 +445,6 @@ class Lexer(tex.Reader):
                         out.append(pending)
             pending = None
             out.append(lexeme)
+        if out and out[-1].type in {"COMMA", "SEMI"}:
+            out.pop()
         return out

@@ -45,7 +45,7 @@ class Letter:
 
     def __post_init__(self) -> None:
         if self.kind not in KINDS:
-            raise SymcheckError(f"letter {self.latex}: unknown kind {self.kind!r}; choose one of {', '.join(sorted(KINDS))}")
+            raise SymcheckError(f"letter {self.latex}: unknown kind {self.kind!r}; choose {', '.join(sorted(KINDS))}")
         if self.sign not in SIGNS:
             raise SymcheckError(f"letter {self.latex}: unknown sign {self.sign!r}; choose '', '>= 0' or '> 0'")
         canonical(self.latex)
@@ -94,7 +94,6 @@ class Notation:
         self._index: dict[str, Letter] = {}
         for letter in self.letters:
             key = canonical(letter.latex)
-            table: dict[str, Letter] | dict[tuple[str, int], Letter]
             if letter.kind == "index":
                 twice = key in self._index
                 self._index[key] = letter
@@ -154,4 +153,4 @@ class Notation:
     def nearest(self, latex: str) -> str:
         """A way out for an unknown letter: the nearest declared one."""
         close = difflib.get_close_matches(latex, [*self._spellings, *self._index], n=1, cutoff=0.0)
-        return f"declare it in the notation, or did you mean {close[0]}?" if close else "the notation declares no letters"
+        return f"declare it in the notation, or did you mean {close[0]}?" if close else "the notation has no letters"

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from functools import cache
 from typing import TYPE_CHECKING, Any
 
@@ -143,14 +143,500 @@ def _parse(source: str, lexemes: list[Lexeme]) -> Any:
     interactive = _lark().parse_interactive("")
     for lexeme in lexemes:
         try:
-            interactive.feed_token(Token(lexeme.type, lexeme, start_pos=lexeme.at))  # type: ignore[arg-type]
+            interactive.feed_token(Token(lexeme.type, lexeme, start_pos=lexeme.at))
         except UnexpectedInput:
             raise tex.fault(source, lexeme.at, f"{_shown(lexeme)} does not fit here") from None
     try:
-        return interactive.feed_eof()
+        return interactive.feed_eof()  # type: ignore[no-untyped-call]
     except UnexpectedInput:
         raise tex.fault(source, len(source), "the formula breaks off") from None
 
 
 def _shown(lexeme: Lexeme) -> str:
     return lexeme.value.letter if isinstance(lexeme.value, Name) else str(lexeme.value)
+
+
+class Builder:
+    """From the parser's tree to ours; one method per rule of the grammar."""
+
+    def __init__(self, source: str, notation: Notation) -> None:
+        self.source = source
+        self.notation = notation
+
+    def fail(self, at: int, message: str) -> SymcheckError:
+        return tex.fault(self.source, at, message)
+
+    def build(self, node: Any) -> Any:
+        """The result of one grammar rule."""
+        return getattr(self, f"on_{node.data}")(node.children)
+
+    def statement(self, node: Any) -> Tree:
+        tree = self.statement_of(self.build(node.children[0]))
+        return self.checked(tree, 0)
+
+    # -- lists and statements ------------------------------------------------------------------------------------
+
+    def on_listing(self, nodes: list[Any]) -> Listing:
+        entries = [self.build(node) for node in nodes[0::2]]
+        separators = [node.children[0].type for node in nodes[1::2]]
+        return Listing(entries, separators, _place(nodes[0]))
+
+    def on_entry(self, nodes: list[Any]) -> tuple[str, Tree]:
+        label = nodes[0].value.value if len(nodes) == 2 else ""
+        return label, self.build(nodes[-1])
+
+    def statement_of(self, listing: Listing) -> Tree:
+        """A whole statement: its qualifiers gathered, its cases told apart."""
+        if any(label for label, _ in listing.entries):
+            return self.cases(listing)
+        parts, qualifiers = self.qualified([tree for _, tree in listing.entries], listing.at)
+        if len(parts) == 1 and not qualifiers:
+            return parts[0]
+        if len(parts) > 1 and any(isinstance(part, LOGIC) and not isinstance(part, And) for part in parts):
+            raise self.fail(listing.at, r"a comma beside a logical connective is ambiguous; write \land or brackets")
+        return System(tuple(parts), tuple(qualifiers))
+
+    def cases(self, listing: Listing) -> Tree:
+        cases: list[tuple[str, list[Tree]]] = []
+        for label, tree in listing.entries:
+            if label:
+                cases.append((label, []))
+            elif not cases:
+                raise self.fail(listing.at, "a statement stands before the first case")
+            cases[-1][1].append(tree)
+        built = []
+        for label, trees in cases:
+            parts, qualifiers = self.qualified(trees, listing.at)
+            alone = len(parts) == 1 and not qualifiers
+            built.append((label, parts[0] if alone else System(tuple(parts), tuple(qualifiers))))
+        return CaseList(tuple(built))
+
+    def qualified(self, trees: list[Tree], at: int) -> tuple[list[Tree], list[Qualifier]]:
+        """The statements and the qualifiers of a list: `i = 1, 2, 3` is one qualifier."""
+        parts: list[Tree] = []
+        qualifiers: list[Qualifier] = []
+        k = 0
+        while k < len(trees):
+            found, size = self.qualifier(trees[k:], at)
+            if found is not None:
+                qualifiers.append(found)
+            elif isinstance(tree := trees[k], System) and not tree.parts:
+                qualifiers.extend(tree.qualifiers)
+            else:
+                parts.append(tree)
+            k += size
+        return parts, qualifiers
+
+    def qualifier(self, trees: list[Tree], at: int) -> tuple[Qualifier | None, int]:
+        """A qualifier at the beginning of the list and the number of entries it takes."""
+        names = 0
+        while names < len(trees) and self.is_index(trees[names]):
+            names += 1
+        first = trees[names] if names < len(trees) else None
+        if not isinstance(first, Chain) or first.signs != ("=",) or not self.is_index(first.members[0]):
+            return None, 1
+        values: list[Tree] = [first.members[1]]
+        size = names + 1
+        while size < len(trees) and isinstance(trees[size], Number | Dots):
+            values.append(trees[size])
+            size += 1
+        letters = tuple(t.letter for t in [*trees[:names], first.members[0]] if isinstance(t, Name))
+        alone = len(values) == 1 and any(self.notation.find(letter, 0) for letter in letters)
+        if alone or not isinstance(values[0], Number):
+            return None, 1
+        return Qualifier(letters, self.values(values, at)), size
+
+    def is_index(self, tree: Tree) -> bool:
+        return isinstance(tree, Name) and not tree.subscripts and self.notation.index(tree.letter) is not None
+
+    def values(self, trees: list[Tree], at: int) -> tuple[int, ...]:
+        """The values of a qualifier; dots stand for the integers between their neighbours."""
+        values: list[int] = []
+        for k, tree in enumerate(trees):
+            if isinstance(tree, Number) and tree.text.isdigit():
+                if k and isinstance(trees[k - 1], Dots):
+                    values.extend(range(values[-1] + 1, int(tree.text)))
+                values.append(int(tree.text))
+            elif not (isinstance(tree, Dots) and values and k + 1 < len(trees)):
+                raise self.fail(at, "the values of an index must be whole numbers")
+        return tuple(values)
+
+    # -- logic ---------------------------------------------------------------------------------------------------
+
+    def on_exists(self, nodes: list[Any]) -> Tree:
+        names = tuple(node.value.value for node in nodes[1:-1] if node.type == "NAME")
+        return Exists(names, self.claim(nodes[-1]))
+
+    def on_iff(self, nodes: list[Any]) -> Tree:
+        return Iff(self.claim(nodes[0]), self.claim(nodes[2]))
+
+    def on_implies(self, nodes: list[Any]) -> Tree:
+        return Implies(self.claim(nodes[0]), self.claim(nodes[2]))
+
+    def on_either(self, nodes: list[Any]) -> Tree:
+        return Or(tuple(self.claim(node) for node in nodes[0::2]))
+
+    def on_both(self, nodes: list[Any]) -> Tree:
+        return And(tuple(self.claim(node) for node in nodes[0::2]))
+
+    def claim(self, node: Any) -> Tree:
+        """Something true or false."""
+        tree: Tree = self.build(node)
+        if not isinstance(tree, STATEMENTS):
+            raise self.fail(_place(node), "a relation is expected here, not an expression")
+        return tree
+
+    def on_chain(self, nodes: list[Any]) -> Tree:
+        members = tuple(self.term_of(node) for node in nodes[0::2])
+        return Chain(members, tuple(node.value.value for node in nodes[1::2]))
+
+    def term_of(self, node: Any) -> Tree:
+        """An expression: neither a relation nor half a derivative."""
+        tree: Tree = self.build(node)
+        return self.checked(tree, _place(node), statements=False)
+
+    def checked(self, tree: Tree, at: int, *, statements: bool = True) -> Tree:
+        if isinstance(tree, STATEMENTS) and not statements:
+            raise self.fail(at, "an expression is expected here, not a relation")
+        if isinstance(tree, Differential):
+            raise self.fail(at, "a differential outside of a derivative")
+        return tree
+
+    # -- expressions ---------------------------------------------------------------------------------------------
+
+    def on_sum(self, nodes: list[Any]) -> Tree:
+        negative = nodes[0].data == "term" if hasattr(nodes[0], "data") else True
+        signs = ["PLUS"] if negative and hasattr(nodes[0], "data") else []
+        signs += [node.type for node in nodes if not hasattr(node, "data")]
+        parts = [node for node in nodes if hasattr(node, "data")]
+        if len(parts) == 1 and signs == ["PLUS"]:
+            tree: Tree = self.build(parts[0])
+            return tree
+        terms = [self.term_of(part) for part in parts]
+        signed = tuple(Neg(term) if sign == "MINUS" else term for sign, term in zip(signs, terms, strict=True))
+        return signed[0] if len(signed) == 1 else Add(signed)
+
+    def on_term(self, nodes: list[Any]) -> Tree:
+        left = self.items(nodes[0])
+        if len(nodes) == 1:
+            return self.product(left)
+        right = self.items(nodes[2])
+        if nodes[1].type == "TIMES":
+            return Cross(self.plain(left), self.plain(right))
+        at = nodes[1].value.at
+        top, bottom = self.product(left), self.product(right)
+        if isinstance(top, Differential) and isinstance(bottom, Differential):
+            return self.derivative(top, bottom, at)
+        if len(right) > 1 and not isinstance(bottom, Call):
+            raise self.fail(at, "a slash before several factors is ambiguous")
+        if any(item.kind == "sum" for item in left + right) or _ends_bare(left):
+            raise self.fail(at, "a slash behind a sum or a function without brackets is ambiguous")
+        return Div(self.checked(top, at, statements=False), self.checked(bottom, at, statements=False))
+
+    def items(self, node: Any) -> list[Item]:
+        return [self.build(n) if hasattr(n, "data") else Item("dot", n.value.at) for n in node.children]
+
+    def plain(self, items: list[Item]) -> Tree:
+        return self.checked(self.product(items), items[0].at, statements=False)
+
+    def product(self, items: list[Item]) -> Tree:
+        """Implicit products: functions, sums and derivatives take their arguments from the left to the right."""
+        if items[0].kind == "d":
+            if items[0].postfix:
+                raise self.fail(items[0].at, "a differential must be followed by its letter")
+            return self.differential(items)
+        if len(items) == 1 and items[0].kind in ("group", "atom") and not items[0].postfix:
+            return self.atom(items[0])
+        factors: list[Tree] = []
+        k = 0
+        dotted = True
+        while k < len(items):
+            item = items[k]
+            if item.kind == "dot":
+                if dotted or k + 1 == len(items):
+                    raise self.fail(item.at, r"\cdot must stand between two factors")
+                dotted, k = True, k + 1
+                continue
+            node, k = self.factor(items, k, dotted=dotted)
+            factors.append(self.checked(node, item.at, statements=False))
+            dotted = False
+        return factors[0] if len(factors) == 1 else Mul(tuple(factors))
+
+    def factor(self, items: list[Item], k: int, *, dotted: bool) -> tuple[Tree, int]:
+        item = items[k]
+        if item.kind == "function":
+            return self.call(items, k)
+        if item.kind == "sum":
+            if k + 1 == len(items) or items[k + 1].kind == "dot" or item.bounds is None:
+                raise self.fail(item.at, "a sum of nothing")
+            return BigSum(*item.bounds, self.plain(items[k + 1 :])), len(items)
+        if item.kind == "operator":
+            if k + 2 != len(items) or items[k + 1].kind not in ("group", "atom"):
+                raise self.fail(item.at, "what this operator applies to is ambiguous; put it in brackets")
+            body, variables, partial = self.plain(items[k + 1 :]), item.variables, item.partial
+            return Derivative(body, variables, partial), len(items)
+        if item.kind == "d":
+            raise self.fail(item.at, "a differential outside of a derivative")
+        if isinstance(item.node, Number) and not dotted:
+            raise self.fail(item.at, "a number behind a factor is ambiguous")
+        if isinstance(item.node, Name) and self.kind(item.node) == "function":
+            return self.applied(items, k)
+        return self.atom(item), k + 1
+
+    def kind(self, name: Name) -> str:
+        letter = self.notation.find(name.letter, len(name.subscripts))
+        return letter.kind if letter else "index"
+
+    def applied(self, items: list[Item], k: int) -> tuple[Tree, int]:
+        """A function letter with its arguments in brackets, or alone."""
+        item = items[k]
+        if k + 1 < len(items) and items[k + 1].kind == "group" and not item.postfix and isinstance(item.node, Name):
+            group = items[k + 1]
+            call = Call(item.node, self.entries(group.listing))
+            return self.postfixed(call, group), k + 2
+        return self.atom(item), k + 1
+
+    def call(self, items: list[Item], k: int) -> tuple[Tree, int]:
+        r"""`\sin` with its argument: brackets, one fraction or root, or the simple factors that follow."""
+        head = items[k]
+        k += 1
+        if k < len(items) and items[k].kind == "group":
+            if items[k].postfix:
+                raise self.fail(items[k].at, f"does this power belong to {head.name} or to its argument?")
+            return self.powered(head, self.entries(items[k].listing)), k + 1
+        if k < len(items) and items[k].kind == "fraction" and not items[k].postfix:
+            argument: Tree = self.atom(items[k])
+            k += 1
+            if k < len(items) and self.simple(items[k]):
+                raise self.fail(items[k].at, f"does this factor belong to the argument of {head.name}?")
+            return self.powered(head, (argument,)), k
+        start = k
+        while k < len(items) and self.simple(items[k]):
+            item = items[k]
+            if item.postfix and item.postfix != "DEGREE":
+                raise self.fail(item.at, f"does this power belong to {head.name} or to its argument?")
+            if k > start and isinstance(item.node, Number):
+                raise self.fail(item.at, "a number behind a factor is ambiguous")
+            k += 1
+        if k == start:
+            raise self.fail(head.at, f"{head.name} without an argument")
+        factors = tuple(self.atom(item) for item in items[start:k])
+        return self.powered(head, (factors[0] if len(factors) == 1 else Mul(factors),)), k
+
+    def simple(self, item: Item) -> bool:
+        if isinstance(item.node, Name):
+            return item.kind == "atom" and self.kind(item.node) in SIMPLE_KINDS
+        return item.kind == "atom" and isinstance(item.node, Number)
+
+    def powered(self, head: Item, arguments: tuple[Tree, ...]) -> Tree:
+        call = Call(head.name, arguments)
+        if head.power is None:
+            return call
+        if isinstance(head.power, Neg):
+            raise self.fail(head.at, f"a negative power of {head.name} could mean its inverse function")
+        return Pow(call, head.power)
+
+    def entries(self, listing: Listing | None) -> tuple[Tree, ...]:
+        """The expressions in a pair of brackets."""
+        assert listing is not None
+        if any(label for label, _ in listing.entries) or any(s != "COMMA" for s in listing.separators):
+            raise self.fail(listing.at, "only commas may separate what stands in brackets")
+        return tuple(self.checked(tree, listing.at, statements=False) for _, tree in listing.entries)
+
+    def atom(self, item: Item) -> Tree:
+        """A factor that needs nothing from its right."""
+        if item.kind == "group":
+            node = self.bracketed(item.listing, "()")
+        elif item.node is not None:
+            node = item.node
+        else:
+            raise self.fail(item.at, "something is missing behind this")
+        return self.postfixed(node, item)
+
+    def postfixed(self, node: Tree, item: Item) -> Tree:
+        if not item.postfix:
+            return node
+        self.checked(node, item.at, statements=False)
+        if item.postfix == "TRANSPOSE":
+            return Transpose(node)
+        if item.postfix == "DEGREE":
+            return Degrees(node)
+        assert item.power is not None
+        return Pow(node, item.power)
+
+    def bracketed(self, listing: Listing | None, kind: str) -> Tree:
+        """Grouping, a pair, an interval, a list, or a statement in brackets."""
+        assert listing is not None
+        if any(isinstance(tree, STATEMENTS) for _, tree in listing.entries):
+            if kind != "()":
+                raise self.fail(listing.at, "a relation in brackets of this kind")
+            return self.statement_of(listing)
+        items = self.entries(listing)
+        if len(items) == 1 and kind != "{}":
+            return items[0]
+        if len(items) == 2 and kind == "()":
+            return Pair(*items)
+        if len(items) == 2 and kind == "[]":
+            return Interval(*items)
+        return Tuple(items, kind)
+
+    def differential(self, items: list[Item]) -> Differential:
+        r"""`d^2 f`, `dx^2`, `\partial y_i \partial y_j`."""
+        power, order = items[0].power, 1
+        if power is not None:
+            order = self.order(power, items[0].at)
+        partial = items[0].partial
+        if any(item.kind == "d" for item in items[1:]):
+            return Differential(order, tuple(self.variables(items)), partial)
+        if len(items) == 1:
+            return Differential(order, (), partial)
+        return Differential(order, (self.plain(items[1:]),), partial)
+
+    def order(self, tree: Tree, at: int) -> int:
+        if not isinstance(tree, Number) or tree.text not in "123456789":
+            raise self.fail(at, "the order of a derivative must be a number")
+        return int(tree.text)
+
+    def variables(self, items: list[Item]) -> list[Tree]:
+        found = []
+        for head, item in zip(items[0::2], items[1::2], strict=False):
+            if head.kind != "d" or item.kind != "atom" or head.power:
+                raise self.fail(head.at, "this differential cannot be read")
+            found.append(self.atom(item))
+        if len(items) % 2:
+            raise self.fail(items[-1].at, "this differential cannot be read")
+        return found
+
+    def derivative(self, top: Differential, bottom: Differential, at: int) -> Derivative:
+        variables = self.orders(bottom, at)
+        if sum(order for _, order in variables) != top.order or len(top.body) != 1 or top.partial != bottom.partial:
+            raise self.fail(at, "the orders of this derivative do not agree")
+        return Derivative(top.body[0], variables, top.partial)
+
+    def orders(self, bottom: Differential, at: int) -> tuple[tuple[Tree, int], ...]:
+        """The variables below a derivative with their orders."""
+        if bottom.order != 1 or not bottom.body:
+            raise self.fail(at, "this derivative has no variable")
+        found = []
+        for tree in bottom.body:
+            order = 1
+            if isinstance(tree, Pow):
+                tree, order = tree.base, self.order(tree.exponent, at)
+            if not isinstance(tree, Name):
+                raise self.fail(at, "a derivative is taken by a letter")
+            found.append((tree, order))
+        return tuple(found)
+
+    # -- factors -------------------------------------------------------------------------------------------------
+
+    def on_item(self, nodes: list[Any]) -> Item:
+        item: Item = self.build(nodes[0])
+        if len(nodes) > 1:
+            item.postfix = nodes[1].type
+            if item.kind == "sum" or (item.kind in ("function", "operator") and item.postfix != "CARET"):
+                raise self.fail(nodes[1].value.at, "this cannot stand here")
+        if item.postfix == "CARET":
+            item.power = self.term_of(nodes[3])
+            if item.kind in ("function", "d"):
+                item.postfix = ""
+            elif item.kind == "operator":
+                raise self.fail(item.at, "a power of a derivative without its function")
+        return item
+
+    def on_primary(self, nodes: list[Any]) -> Item:
+        head = nodes[0]
+        if hasattr(head, "data"):
+            return Item("atom", _place(head), MatrixOf(self.rows(nodes, _place(head))))
+        at = head.value.at
+        make = getattr(self, f"from_{head.type.lower()}")
+        item: Item = make(nodes, at)
+        return item
+
+    def from_number(self, nodes: list[Any], at: int) -> Item:
+        return Item("atom", at, Number(nodes[0].value.value))
+
+    def from_name(self, nodes: list[Any], at: int) -> Item:
+        return Item("atom", at, nodes[0].value.value)
+
+    def from_fn(self, nodes: list[Any], at: int) -> Item:
+        return Item("function", at, name=nodes[0].value.value)
+
+    def from_d(self, nodes: list[Any], at: int) -> Item:
+        return Item("d", at, partial=nodes[0].value.value.letter == r"\partial")
+
+    def from_dots(self, nodes: list[Any], at: int) -> Item:
+        return Item("atom", at, Dots())
+
+    def from_lpar(self, nodes: list[Any], at: int) -> Item:
+        return Item("group", at, listing=self.build(nodes[1]))
+
+    def from_lbra(self, nodes: list[Any], at: int) -> Item:
+        return Item("atom", at, self.bracketed(self.build(nodes[1]), "[]"))
+
+    def from_lset(self, nodes: list[Any], at: int) -> Item:
+        return Item("atom", at, self.bracketed(self.build(nodes[1]), "{}"))
+
+    def from_lbar(self, nodes: list[Any], at: int) -> Item:
+        return Item("atom", at, Bars(self.term_of(nodes[1])))
+
+    def from_lnorm(self, nodes: list[Any], at: int) -> Item:
+        return Item("atom", at, ElementsOf(self.term_of(nodes[1])))
+
+    def from_sqrt(self, nodes: list[Any], at: int) -> Item:
+        return Item("fraction", at, Sqrt(self.term_of(nodes[2])))
+
+    def from_diag(self, nodes: list[Any], at: int) -> Item:
+        return Item("atom", at, Diag(self.entries(self.build(nodes[2]))))
+
+    def from_mbegin(self, nodes: list[Any], at: int) -> Item:
+        return Item("atom", at, MatrixOf(self.rows(nodes, at)))
+
+    def rows(self, nodes: list[Any], at: int) -> tuple[tuple[Tree, ...], ...]:
+        rows = [node.children for node in nodes if hasattr(node, "data")]
+        if len({len(row) for row in rows}) > 1:
+            raise self.fail(at, "the rows of this matrix differ in length")
+        return tuple(tuple(self.term_of(cell) for cell in row[0::2]) for row in rows)
+
+    def from_frac(self, nodes: list[Any], at: int) -> Item:
+        top, bottom = self.build(nodes[2]), self.build(nodes[5])
+        if not isinstance(bottom, Differential):
+            top = self.checked(top, at, statements=False)
+            return Item("fraction", at, Div(top, self.checked(bottom, at, statements=False)))
+        if not isinstance(top, Differential):
+            raise self.fail(at, "a differential outside of a derivative")
+        if top.body:
+            return Item("fraction", at, self.derivative(top, bottom, at))
+        variables = self.orders(bottom, at)
+        if sum(order for _, order in variables) != top.order or top.partial != bottom.partial:
+            raise self.fail(at, "the orders of this derivative do not agree")
+        return Item("operator", at, variables=variables, partial=top.partial)
+
+    def from_sum(self, nodes: list[Any], at: int) -> Item:
+        listing: Listing = self.build(nodes[2])
+        trees = [tree for _, tree in listing.entries]
+        high = self.term_of(nodes[5]) if len(nodes) > 4 else None
+        last, low = trees[-1], None
+        if isinstance(last, Chain) and last.signs == ("=",):
+            last, low = last.members
+        names = [*trees[:-1], last]
+        if not all(self.is_index(name) for name in names) or (low is None) != (high is None):
+            raise self.fail(at, "the bounds of this sum cannot be read")
+        letters = tuple(name.letter for name in names if isinstance(name, Name))
+        return Item("sum", at, bounds=(letters, low, high))
+
+
+def _place(node: Any) -> int:
+    while hasattr(node, "data"):
+        node = node.children[0]
+    at: int = node.value.at
+    return at
+
+
+def _ends_bare(items: list[Item]) -> bool:
+    """Does the product end in a function whose argument has no brackets?"""
+    for item in reversed(items):
+        if item.kind == "function":
+            return True
+        if item.kind != "atom" and item.kind != "fraction":
+            return False
+    return False

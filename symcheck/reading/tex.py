@@ -16,7 +16,22 @@ _TAIL = re.compile(rf"(?:{_SPACE}|[.,;])+$")
 STYLES = frozenset({r"\mathbf", r"\boldsymbol", r"\mathcal", r"\mathbb", r"\bm"})
 ACCENTS = frozenset({r"\dot", r"\ddot", r"\bar", r"\overline", r"\hat", r"\tilde", r"\vec", r"\widetilde", r"\widehat"})
 ROMAN = frozenset({r"\text", r"\mathrm", r"\operatorname", r"\textrm", r"\mbox"})
-_NOT_LETTERS = frozenset(r"\quad \qquad \left \right \begin \end \frac \dfrac \tfrac \sqrt \sum \cdot \times".split())
+_NOT_LETTERS = frozenset(
+    {
+        r"\quad",
+        r"\qquad",
+        r"\left",
+        r"\right",
+        r"\begin",
+        r"\end",
+        r"\frac",
+        r"\dfrac",
+        r"\tfrac",
+        r"\sqrt",
+        r"\sum",
+        r"\cdot",
+    }
+)
 
 
 @dataclass(frozen=True, slots=True)
@@ -123,9 +138,8 @@ def _spaced(tokens: list[Tok]) -> list[str]:
 
 def is_letter(text: str) -> bool:
     """Can this token begin a letter?"""
-    return bool(text) and (
-        text in STYLES | ACCENTS | ROMAN or text.isalpha() or (len(text) > 2 and text[0] == "\\" and text not in _NOT_LETTERS)
-    )
+    command = len(text) > 2 and text[0] == "\\" and text not in _NOT_LETTERS
+    return text in STYLES | ACCENTS | ROMAN or text.isalpha() or command
 
 
 def spelled(latex: str) -> str | None:

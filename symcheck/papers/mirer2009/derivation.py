@@ -80,9 +80,9 @@ def spectral_damping_entries() -> dict[str, Any]:
 
 
 def mirrored_damping_entries() -> dict[str, Any]:
-    """The same entries for -S in place of S, as q_11 to q_33."""
+    """The same entries, and those for -S in place of S as q_11 to q_33."""
     axes, gains = -rotation.matrix("s"), sp.diag(*(sp.Symbol(f"b_{i}{i}", real=True) for i in (1, 2, 3)))
-    return rotation.entries(axes.T * gains * axes, "q")
+    return {**spectral_damping_entries(), **rotation.entries(axes.T * gains * axes, "q")}
 
 
 def _characteristic(damping: Any) -> Any:
@@ -120,9 +120,9 @@ def triple_root_conditions() -> tuple[Any, ...]:
     return tuple(difference.coeff_monomial(p**n) for n in (2, 1, 0))
 
 
-def triple_root_condition(power: int) -> Any:
-    """One of those coefficients as an equation: a function of no arguments."""
-    return lambda: (triple_root_conditions()[2 - power],)
+def triple_root_condition(power: int) -> tuple[Any, ...]:
+    """The coefficient of one power of p among them."""
+    return (triple_root_conditions()[2 - power],)
 
 
 def axial_moments() -> dict[str, Any]:
@@ -173,3 +173,54 @@ def gain_from_rates() -> dict[str, Any]:
     """k as the harmonic mean of the rates xi + s_1, xi + s_2, xi + s_3."""
     rates = [sp.Symbol("xi", real=True) + excess for excess in _triple("s")]
     return {"k": 3 / sum((1 / rate for rate in rates), sp.Integer(0))}
+
+
+def ellipsoid_moments() -> dict[str, Any]:
+    """The turned axes, with 1/a^2, 1/b^2, 1/c^2 in the place of the principal moments."""
+    squares = {f"I_{i}": 1 / sp.Symbol(axis, positive=True) ** 2 for i, axis in enumerate("abc", 1)}
+    return {**turned_about_the_diagonal(), **squares}
+
+
+def _deviations(first_axis: Any) -> dict[str, Any]:
+    """g = D e_1, h = e_1 x g, G = (g, g), W = (g, D h) for D = diag(d_i), the deviations of the moments from their mean."""
+    d = sp.diag(*_triple("d"))
+    g = d * first_axis
+    h = first_axis.cross(g)
+    vectors = {f"{letter}_{i}": value for letter, vector in (("g", g), ("h", h)) for i, value in enumerate(vector, 1)}
+    return {**vectors, "G": g.dot(g), "W": sp.expand(g.dot(d * h))}
+
+
+def second_axis_components() -> dict[str, Any]:
+    """d_i = I_i - c, the vectors g and h of the first axis, and u = (e_2, g), v = (e_2, h)."""
+    axes = rotation.matrix()
+    mean = sum(_triple("I"), sp.Integer(0)) / 3
+    deviations = {f"d_{i}": moment - mean for i, moment in enumerate(_triple("I"), 1)}
+    first, second = axes[0, :].T, axes[1, :].T
+    plane = _deviations(first)
+    u = second.dot(sp.Matrix(_triple("g")))
+    v = second.dot(sp.Matrix(_triple("h")))
+    return {**deviations, **plane, "u": u, "v": v}
+
+
+def equal_moment_family() -> dict[str, Any]:
+    """Rows 2 and 3 of the closed form: (u g + v h)/r and its cross product with row 1; I_i = c + d_i."""
+    u, v, r = sp.symbols("u v r", real=True)
+    first = rotation.matrix()[0, :].T
+    plane = _deviations(first)
+    g, h = _vector("g"), _vector("h")
+    second = (u * g + v * h) / r
+    third = first.cross(_vector("e2"))
+    rows = {f"a_2{i}": value for i, value in enumerate(second, 1)}
+    rows |= {f"a_3{i}": value.subs({f"e2_{j}": sp.Symbol(f"a_2{j}", real=True) for j in (1, 2, 3)}) for i, value in enumerate(third, 1)}
+    c = sp.Symbol("c", real=True)
+    moments = {f"I_{i}": c + deviation for i, deviation in enumerate(_triple("d"), 1)}
+    return {**plane, **rows, **moments}
+
+
+def exceptional_family() -> dict[str, Any]:
+    """Moments 3, 1, 2 (mean 2), first axis (1, 1, 0)/sqrt 2, second turned about it by the angle of cosine u and sine v."""
+    u, v = sp.symbols("u v", real=True)
+    first = sp.Matrix([1, 1, 0]) / sp.sqrt(2)
+    second = u * sp.Matrix([1, -1, 0]) / sp.sqrt(2) + v * sp.Matrix([0, 0, 1])
+    axes = sp.Matrix.hstack(first, second, first.cross(second)).T
+    return {**rotation.entries(axes), "I_1": sp.Integer(3), "I_2": sp.Integer(1), "I_3": sp.Integer(2)}

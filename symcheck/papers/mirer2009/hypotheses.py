@@ -5,7 +5,7 @@ from symcheck.statement import Hypothesis
 orthogonal = Hypothesis(
     "orthogonal",
     "A is orthogonal: its rows, and its columns, are orthonormal",
-    r"\mathbf{A}\mathbf{A}^T = \mathbf{1}, \mathbf{A}^T\mathbf{A} = \mathbf{1}",
+    r"\mathbf{A}\mathbf{A}^T = \mathbf{U}, \mathbf{A}^T\mathbf{A} = \mathbf{U}",
 )
 right_handed = Hypothesis(
     "right-handed",

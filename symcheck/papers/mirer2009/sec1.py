@@ -1,5 +1,7 @@
 """Mirer 2009, section 1: model damping of the angular velocity and its optimal parameters."""
 
+from functools import partial
+
 from symcheck.papers.declare import body, claim, definition, exclusion, ours, premise
 from symcheck.papers.mirer2009 import derivation
 from symcheck.papers.mirer2009.forms import PARALLEL, excess_of_sum
@@ -10,8 +12,8 @@ from symcheck.papers.mirer2009.hypotheses import (
     right_handed,
     symmetric_damping,
 )
-from symcheck.papers.mirer2009.notation import damping_letters, optimum_letters
-from symcheck.proof import cases, identity, nonnegative
+from symcheck.papers.mirer2009.notation import damping_letters
+from symcheck.proof import cases, identity
 from symcheck.statement import Erratum, Hypothesis, Origin
 
 angular_momentum_law = premise("1.0.1", 45, r"\frac{d\mathbf{K}}{dt} = \mathbf{M}")
@@ -51,6 +53,13 @@ equations_in_principal_axes = claim(
 )
 
 tensor_is_diagonal = premise("1.2.1", 63, r"\mathbf{I} = \text{diag}(I_1, I_2, I_3)")
+
+principal_unit_vectors = definition(
+    "1.2.0",
+    63,
+    words="E_1, E_2, E_3 are the unit vectors of the principal axes.",
+    formal=", ".join(rf"\delta_{{{i}{j}}} = {int(i == j)}" for i in (1, 2, 3) for j in (1, 2, 3)),
+)
 
 direction_cosines_of_devices = definition("1.2.2", 65, r"(\mathbf{e}_i, \mathbf{E}_j) = a_{ij}", opaque=True)
 
@@ -134,7 +143,7 @@ right_handed_choice = ours(
     81,
     words="The orthogonal axes may be taken right-handed: -S gives the same damping matrix as S.",
     formal=r"q_{ij} = n_{ij}",
-    where=lambda: {**derivation.spectral_damping_entries(), **derivation.mirrored_damping_entries()},
+    where=derivation.mirrored_damping_entries,
     by=identity,
     notation=damping_letters,
 )
@@ -277,7 +286,7 @@ triple_root_assumed = premise(
     "1.5.2",
     125,
     words="The stability degree of (1.5) is supposed to be largest when all roots are real and equal.",
-    reason="only supposed in the paper; proved here as 1.8.5 to 1.8.8",
+    reason="only supposed in the paper; proved here as B.1 to B.4",
 )
 
 other_system = exclusion(
@@ -290,7 +299,7 @@ triple_root_square_coefficient = claim(
     r"3\xi I_1 I_2 I_3 = k(J_1 L_1 + J_2 L_2 + J_3 L_3),",
     given=[orthogonal, right_handed],
     where=derivation.proportional_gains,
-    equation=derivation.triple_root_condition(2),
+    equation=partial(derivation.triple_root_condition, 2),
     by=identity,
     uses=["1.5"],
 )
@@ -301,7 +310,7 @@ triple_root_linear_coefficient = claim(
     r"3\xi^2 I_1 I_2 I_3 = 3k^2 J_1 J_2 J_3,",
     given=[orthogonal, right_handed],
     where=derivation.proportional_gains,
-    equation=derivation.triple_root_condition(1),
+    equation=partial(derivation.triple_root_condition, 1),
     by=identity,
     uses=["1.5"],
 )
@@ -312,7 +321,7 @@ triple_root_constant_coefficient = claim(
     r"\xi^3 I_1 I_2 I_3 = k^3 J_1 J_2 J_3,",
     given=[orthogonal, right_handed],
     where=derivation.proportional_gains,
-    equation=derivation.triple_root_condition(0),
+    equation=partial(derivation.triple_root_condition, 0),
     by=identity,
     uses=["1.5"],
 )
@@ -400,71 +409,4 @@ order_of_axes_does_not_matter = claim(
     given=[orthogonal],
     by=cases(),
     uses=["1.6", "1.7"],
-)
-
-roots_are_real = ours(
-    "1.8.5",
-    125,
-    words="If (I p + m) z = 0 with p = sigma + i tau and z = x + i y, then tau (x^T I x + y^T I y) = 0.",
-    formal=r"\sum_{i=1}^3 x_i v_i - \sum_{i=1}^3 y_i u_i = \tau \sum_{i=1}^3 I_i (x_i^2 + y_i^2)",
-    given=[symmetric_damping],
-    where=derivation.eigenvector_residual,
-    keeping=("m",),
-    by=identity,
-    notation=optimum_letters,
-)
-
-imaginary_part_vanishes = ours(
-    "1.8.6",
-    125,
-    words="Hence every root of (1.5) is real.",
-    formal=r"\tau \sum_{i=1}^3 I_i (x_i^2 + y_i^2) = 0, \sum_{i=1}^3 (x_i^2 + y_i^2) = 1 \Rightarrow \tau = 0",
-    given=[positive_moments],
-    by=cases(r"\sum_{i=1}^3 I_i (x_i^2 + y_i^2)"),
-    uses=["1.8.5"],
-    notation=optimum_letters,
-)
-
-harmonic_mean_of_rates = ours(
-    "1.8.7",
-    125,
-    words="The harmonic mean of the three damping rates lambda_i (roots -lambda_i of (1.5)) is k, whatever the axes.",
-    formal=r"\frac{1}{\lambda_1} + \frac{1}{\lambda_2} + \frac{1}{\lambda_3} = \frac{3}{k}",
-    given=[
-        Hypothesis(
-            "rates",
-            "-lambda_1, -lambda_2, -lambda_3 are the roots of (1.5)",
-            r"I_1 I_2 I_3 \lambda_1 \lambda_2 \lambda_3 = k^3 J_1 J_2 J_3, "
-            r"I_1 I_2 I_3 (\lambda_1 \lambda_2 + \lambda_2 \lambda_3 + \lambda_3 \lambda_1) = 3 k^2 J_1 J_2 J_3",
-        ),
-        Hypothesis("rates non-zero", "no root is zero", r"\lambda_1 \ne 0, \lambda_2 \ne 0, \lambda_3 \ne 0"),
-        positive_ratio,
-        positive_moments,
-    ],
-    keeping=free_moments,
-    by=cases(),
-    uses=["1.5"],
-    notation=optimum_letters,
-)
-
-stability_degree_at_most_gain = ours(
-    "1.8.8",
-    125,
-    words="So for gains k_i = k J_i the stability degree xi, the least rate, is at most k; it is k only at the triple root.",
-    formal=r"\xi \le k",
-    given=[
-        Hypothesis(
-            "least rate",
-            "the rates are xi, the least, and xi + s_i",
-            r"\xi > 0, s_1 \ge 0, s_2 \ge 0, s_3 \ge 0",
-        )
-    ],
-    where=derivation.gain_from_rates,
-    by=nonnegative(
-        r"\frac{(\xi + s_1)(\xi + s_2) s_3 + (\xi + s_2)(\xi + s_3) s_1 + (\xi + s_3)(\xi + s_1) s_2}"
-        r"{(\xi + s_1)(\xi + s_2) + (\xi + s_2)(\xi + s_3) + (\xi + s_3)(\xi + s_1)}"
-    ),
-    equality=r"s_1 = 0, s_2 = 0, s_3 = 0",
-    uses=["1.8.6", "1.8.7"],
-    notation=optimum_letters,
 )

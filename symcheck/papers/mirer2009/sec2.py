@@ -68,6 +68,7 @@ equality_on_the_right = claim(
 equality_on_the_left = claim(
     "2.1.2",
     167,
+    "J_1 = J_2 = J_3",
     words="The left equality of (2.1) holds at J_1 = J_2 = J_3.",
     formal=rf"{EQUAL_MOMENTS} \Rightarrow {EQUAL_PRODUCTS}",
     given=[orthogonal, positive_moments],
@@ -225,7 +226,7 @@ positive_mean = Hypothesis("mean positive", "the mean moment c is positive", "c 
 maximum_of_bound = claim(
     "2.3.6",
     209,
-    "J_2 = c",
+    (r"\max f_1", "J_2 = c"),
     words="f_1 is largest at J_2 = c, and only there, with the value c^3.",
     formal=r"(f_1 \leq c^3) \land (f_1 = c^3 \Leftrightarrow J_2 = c)",
     given=[on_the_interval, positive_mean],
@@ -495,7 +496,7 @@ turned_axes_are_orthonormal = ours(
     "2.9.5",
     282,
     words="The axes of 2.9.4 are orthonormal and right-handed.",
-    formal=r"\mathbf{A}\mathbf{A}^T = \mathbf{1} \land |\mathbf{A}| = 1",
+    formal=r"\mathbf{A}\mathbf{A}^T = \mathbf{U} \land |\mathbf{A}| = 1",
     given=[Hypothesis("circle", "u and v are a cosine and a sine", "u^2 + v^2 = 1")],
     where=derivation.turned_about_the_diagonal,
     by=cases(),
@@ -686,16 +687,17 @@ chain_as_printed = Hypothesis(
     "I_1 != I_2 != I_3 as printed", "I_1 differs from I_2 and I_2 from I_3", body(chain_of_inequations)
 )
 
-SIX_CASES = r"""\begin{aligned}
+PRINTED_CASES = r"""\begin{aligned}
  1). \quad a_{11}^2 = a_{22}^2 = a_{33}^2 = 1; & \quad 2). \quad a_{11}^2 = a_{23}^2 = a_{32}^2 = 1; \\
  3). \quad a_{12}^2 = a_{21}^2 = a_{33}^2 = 1; & \quad 4). \quad a_{12}^2 = a_{23}^2 = a_{31}^2 = 1; \\
  5). \quad a_{13}^2 = a_{21}^2 = a_{32}^2 = 1; & \quad 6). \quad a_{13}^2 = a_{22}^2 = a_{31}^2 = 1.
  \end{aligned}"""
+SIX_CASES = body(PRINTED_CASES)
 
 six_cases = claim(
     "2.17",
     354,
-    SIX_CASES,
+    PRINTED_CASES,
     words="With (2.14) to (2.16) and I_1 != I_2 != I_3, equality in (2.10) holds exactly in six cases.",
     formal=rf"(f = I_1 I_2 I_3) \Leftrightarrow ({SIX_CASES})",
     given=[orthogonal, positive_moments, chain_as_printed],

@@ -1,0 +1,175 @@
+"""What is known at one place of a proof: equalities, things that are not zero, signs, open disjunctions.
+
+References name where each came from, the way the checker names them.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass, field, replace
+from fractions import Fraction
+
+from symcheck.proof.ideal import Fact, Ideal, Ref
+from symcheck.proof.polynomial import RELATIONS, Poly, Ring, flatten, fraction, unfold, variables
+from symcheck.statement import Formula, Problem, Term
+
+MIRROR = {"<": ">", "<=": ">="}
+Given = frozenset[tuple[str, int]]
+NOTHING: Given = frozenset()
+
+
+@dataclass(frozen=True)
+class Sign:
+    """A term known to be >= 0 (level 1) or > 0 (level 2), as it stands and as a polynomial."""
+
+    ref: Ref
+    term: Term
+    level: int
+    poly: Poly
+
+
+@dataclass(frozen=True)
+class Knowledge:
+    """The assumptions at one place of a proof; `assume` and `with_fact` give enlarged copies."""
+
+    ring: Ring
+    facts: tuple[Fact, ...] = ()
+    conditions: tuple[Fact, ...] = ()
+    signs: tuple[Sign, ...] = ()
+    pending: tuple[tuple[Ref, Formula], ...] = ()
+    counts: dict[str, int] = field(default_factory=lambda: {"fact": 0, "cond": 0, "free": 0})
+
+    def ideal(self, pairs: int = 2000) -> Ideal:
+        """The ideal of all facts and of the relations of sines, cosines and roots."""
+        return Ideal(self.ring, [*self.ring.axioms(), *self.facts], pairs)
+
+    def learn(self, ref: Ref, formula: Formula) -> Knowledge:
+        """One more assumption, not a conjunction."""
+        if formula[0] == "or":
+            return replace(self, pending=(*self.pending, (ref, formula)))
+        if formula[0] not in RELATIONS:
+            return self
+        sign, left, right = formula
+        if sign in MIRROR:
+            sign, left, right = MIRROR[sign], right, left
+        gap = self.ring.subtract(left, right)
+        known = self
+        if sign == "=":
+            known = replace(known, facts=(*known.facts, (ref, gap.num)))
+        if sign in ("!=", ">"):
+            known = replace(known, conditions=(*known.conditions, (ref, gap.num)))
+        if sign in (">", ">=") and not gap.den:
+            term = left if right == 0 else ("+", left, ("-", right))
+            known = replace(known, signs=(*known.signs, Sign(ref, term, 1 + (sign == ">"), gap.num)))
+        return known
+
+    def assume(self, formula: Formula) -> Knowledge:
+        """The conjuncts of a formula, numbered as facts and conditions in order."""
+        known = self
+        for part in flatten(formula):
+            kind = {"=": "fact", "!=": "cond", "<": "cond", ">": "cond"}.get(part[0], "free")
+            known = known.learn([kind, known.counts[kind]], part)
+            known = replace(known, counts={**known.counts, kind: known.counts[kind] + 1})
+        return known
+
+    def with_fact(self, poly: Poly) -> Knowledge:
+        """One more polynomial that is zero."""
+        count = self.counts["fact"]
+        return replace(
+            self, facts=(*self.facts, (["fact", count], poly)), counts={**self.counts, "fact": count + 1}
+        )
+
+    def sign(self, term: Term) -> tuple[int, Given]:
+        """(2 if manifestly positive, 1 if manifestly not negative, else 0; the hypotheses that say so)."""
+        known = max((s for s in self.signs if s.term == term), key=lambda s: s.level, default=None)
+        if known:
+            return known.level, given_of([known.ref])
+        if isinstance(term, int):
+            return (0 if term < 0 else 1 + (term > 0)), NOTHING
+        if isinstance(term, str):
+            return self.sign(self.ring.definitions[term]) if term in self.ring.definitions else (0, NOTHING)
+        level, given = self._sign_of_operation(term)
+        return (level, given) if level else self._bound(term)
+
+    def _sign_of_operation(self, term: tuple[object, ...]) -> tuple[int, Given]:
+        kind, rest = term[0], term[1:]
+        parts: list[tuple[int, Given]]
+        if kind == "+":
+            parts = [self.sign(t) for t in rest]  # type: ignore[arg-type]
+            level = max(p[0] for p in parts) if all(p[0] for p in parts) else 0
+            return level, NOTHING.union(*(p[1] for p in parts))
+        if kind == "*":
+            odd: list[object] = []
+            for t in rest:
+                if t in odd:
+                    odd.remove(t)
+                else:
+                    odd.append(t)
+            parts = [self.sign(t) for t in odd]  # type: ignore[arg-type]
+            paired = 1 if len(odd) < len(rest) else 2
+            return min([paired, *(p[0] for p in parts)]), NOTHING.union(*(p[1] for p in parts))
+        if kind == "/":
+            (a, first), (b, second) = (self.sign(t) for t in rest)  # type: ignore[arg-type]
+            return min(a, 2 * bool(b)), first | second
+        if kind == "^" and isinstance(rest[1], int) and rest[1] > 0:
+            level, given = self.sign(rest[0])  # type: ignore[arg-type]
+            return (level, given) if level else (int(rest[1] % 2 == 0), NOTHING)
+        if kind == "sqrt":
+            return self.sign(rest[0])  # type: ignore[arg-type]
+        return 0, NOTHING
+
+    def _bound(self, term: Term) -> tuple[int, Given]:
+        """The sign of a sum that is a positive multiple of something assumed to be >= 0."""
+        if isinstance(term, tuple) and term[0] in ("+", "-") and self.signs:
+            gap = self.ring.ratio(term)
+            for sign in self.signs:
+                if not gap.den and (factor := proportional(gap.num, sign.poly)) is not None and factor > 0:
+                    return sign.level, given_of([sign.ref])
+        return 0, NOTHING
+
+    def nonzero(self, poly: Poly) -> list[Ref] | None:
+        """References to conditions whose product is a multiple of the polynomial, or None."""
+        if poly.is_constant():
+            return [] if poly != 0 else None
+        for ref, condition in self.conditions:
+            if proportional(poly, condition) is not None:
+                return [ref]
+        return None
+
+
+def given_of(refs: Iterable[Ref]) -> Given:
+    """The hypotheses among references."""
+    return frozenset((ref[1], ref[2]) for ref in refs if ref[0] == "hyp")
+
+
+def proportional(a: Poly, b: Poly) -> Fraction | None:
+    """The number f with a = f * b, if there is one."""
+    if a == 0 or b == 0 or len(a) != len(b):
+        return None
+    factor = a.leading_coefficient() / b.leading_coefficient()
+    return fraction(factor) if a == b * factor else None
+
+
+def hints_of(problem: Problem) -> list[Term]:
+    """The hinted terms (forms) of a problem, in order."""
+    return [value for name, value in problem.hints if name.startswith("form") and value not in ("", None)]
+
+
+def ring_of(problem: Problem) -> Ring:
+    """The ring of everything the problem mentions."""
+    definitions = dict(problem.definitions)
+    nodes = [problem.claim, *(f for _, formulas in problem.hypotheses for f in formulas), *hints_of(problem)]
+    names: set[str] = set()
+    for node in nodes:
+        names |= variables(unfold(node, definitions))
+    return Ring(names, definitions)
+
+
+def starting(problem: Problem, ring: Ring, names: Sequence[str] | None = None) -> Knowledge:
+    """What the hypotheses (all, or the named ones) say."""
+    known = Knowledge(ring)
+    for name, formulas in problem.hypotheses:
+        if names is None or name in names:
+            for k, formula in enumerate(part for f in formulas for part in flatten(f)):
+                known = known.learn(["hyp", name, k], formula)
+    return known

@@ -1,0 +1,503 @@
+"""From the tree as printed to formulas: indices take their values, vectors and matrices their components.
+
+A scalar is lowered to a term (see `symcheck.statement`), a vector to a list of terms, a matrix to a list of rows.
+"""
+
+from __future__ import annotations
+
+import itertools
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from functools import lru_cache
+from typing import Any
+
+from symcheck.reading.notation import Letter, Notation
+from symcheck.reading.parser import read
+from symcheck.reading.printing import to_latex
+from symcheck.reading.relations import Relation, relations
+from symcheck.reading.tree import (
+    Add,
+    And,
+    Bars,
+    BigSum,
+    Call,
+    CaseList,
+    Chain,
+    Cross,
+    Degrees,
+    Derivative,
+    Diag,
+    Div,
+    ElementsOf,
+    Exists,
+    Iff,
+    Implies,
+    Interval,
+    MatrixOf,
+    Mul,
+    Name,
+    Neg,
+    Number,
+    Or,
+    Pair,
+    Pow,
+    Qualifier,
+    Sqrt,
+    System,
+    Transpose,
+    Tree,
+    Tuple,
+    children,
+)
+from symcheck.statement import Formula, SymcheckError, Term
+
+Value = Any  # Term | list[Term] | list[list[Term]]
+Env = Mapping[str, int]
+
+SIGNS = {"=": "=", r"\equiv": "=", r"\ne": "!=", "<": "<", r"\le": "<=", ">": ">", r"\ge": ">="}
+_TRIGONOMETRIC = {"sin": "sin", "cos": "cos", "tan": "tan", "tg": "tan"}
+
+
+def lower(item: Relation | Tree, notation: Notation) -> tuple[Formula, ...]:
+    """The formulas of a relation, or of all relations of a statement, in printed order.
+
+    One formula for each value of the free indices (the first index that occurs varies slowest) and for each component
+    of a vector or matrix (by rows). In a list of cases or a logical formula a free index of one relation means all its
+    values. Errors: SymcheckError for what has no algebraic form, shapes that do not fit, misused indices.
+    """
+    found = (item,) if isinstance(item, Relation) else relations(item)
+    if not found:
+        raise SymcheckError(f"{to_latex(item)} states no relation" if isinstance(item, Tree) else "no relation")
+    lowering = Lowering(notation)
+    return tuple(formula for relation in found for formula in lowering.relation(relation))
+
+
+def term(latex: str, notation: Notation) -> Term:
+    """A scalar expression without free indices, read and lowered to a term."""
+    tree = read(latex, notation)
+    if relations(tree):
+        raise SymcheckError(f"{latex} is a relation; an expression is expected")
+    if free := free_indices(tree, notation):
+        raise SymcheckError(f"{latex} has the free index {free[0]}; give it a value")
+    return Lowering(notation).scalar(tree, {})
+
+
+def free_indices(tree: Tree, notation: Notation) -> tuple[str, ...]:
+    """The indices no sum binds, in order of appearance. SymcheckError if a bound index is also used outside of its sum."""
+    bound: set[str] = set()
+    free = list(dict.fromkeys(_free(tree, notation, frozenset(), bound)))
+    if both := [index for index in free if index in bound]:
+        raise SymcheckError(f"index {both[0]} is summed over, and used outside of its sum, in {to_latex(tree)}")
+    return tuple(free)
+
+
+def _free(tree: Tree, notation: Notation, inside: frozenset[str], bound: set[str]) -> Iterator[str]:
+    if isinstance(tree, Name):
+        used = [s for s in tree.subscripts if isinstance(s, str)] or (
+            [tree.letter] if _is_index(tree, notation) else []
+        )
+        yield from (index for index in used if index not in inside)
+    elif isinstance(tree, BigSum):
+        bound.update(tree.indices)
+        for part in (tree.low, tree.high):
+            if part is not None:
+                yield from _free(part, notation, inside, bound)
+        yield from _free(tree.body, notation, inside | set(tree.indices), bound)
+    elif isinstance(tree, ElementsOf):
+        own = tuple(dict.fromkeys(_free(tree.value, notation, inside, set())))
+        bound.update(own)
+    else:
+        for child in children(tree):
+            yield from _free(child, notation, inside, bound)
+
+
+def _is_index(name: Name, notation: Notation) -> bool:
+    return not name.subscripts and notation.find(name.letter, 0) is None and notation.index(name.letter) is not None
+
+
+@lru_cache(maxsize=512)
+def _components(letter: Letter, notation: Notation) -> Tree:
+    assert letter.components is not None
+    return read(letter.components, notation)
+
+
+class Lowering:
+    """The evaluator: `env` gives the indices their values."""
+
+    def __init__(self, notation: Notation) -> None:
+        self.notation = notation
+
+    # -- formulas ------------------------------------------------------------------------------------------------
+
+    def relation(self, relation: Relation) -> list[Formula]:
+        """One formula for each instance and component."""
+        tree = relation.tree
+        if isinstance(tree, Chain):
+            free = free_indices(tree, self.notation)
+            envs = self.instances(free, relation.qualifiers)
+            return [formula for env in envs for formula in self.link(tree, env)]
+        inside = set(_free(tree, self.notation, frozenset(), set()))
+        names = [index for q in relation.qualifiers for index in q.indices if index in inside]
+        return [self.formula(tree, env) for env in self.instances(names, relation.qualifiers)]
+
+    def instances(self, names: Iterable[str], qualifiers: Iterable[Qualifier] = ()) -> Iterator[dict[str, int]]:
+        """All assignments of values to these indices; the first varies slowest."""
+        order = list(dict.fromkeys(names))
+        ranges = [self.range(index, qualifiers) for index in order]
+        for values in itertools.product(*ranges):
+            yield dict(zip(order, values, strict=True))
+
+    def range(self, index: str, qualifiers: Iterable[Qualifier] = ()) -> tuple[int, ...]:
+        for qualifier in qualifiers:
+            if index in qualifier.indices:
+                return qualifier.values
+        letter = self.notation.index(index)
+        if letter is None:
+            raise SymcheckError(f"{index} is not an index; declare it as one in the notation")
+        return letter.range
+
+    def link(self, tree: Chain, env: Env) -> list[Formula]:
+        """The components of every link."""
+        found: list[Formula] = []
+        for k, sign in enumerate(tree.signs):
+            found += self.compare(tree.members[k], sign, tree.members[k + 1], env)
+        return found
+
+    def compare(self, left: Tree, sign: str, right: Tree, env: Env) -> list[Formula]:
+        if sign == r"\in" and isinstance(right, Interval):
+            value = self.scalar(left, env)
+            return [("and", (">=", value, self.scalar(right.low, env)), ("<=", value, self.scalar(right.high, env)))]
+        if sign not in SIGNS:
+            raise SymcheckError(
+                f"{to_latex(Chain((left, right), (sign,)))}: {sign} has no algebraic form; state it formally"
+            )
+        a, b = self._alike(self.value(left, env), self.value(right, env), left, right)
+        if not isinstance(a, list):
+            return [(SIGNS[sign], a, b)]
+        pairs = [(SIGNS[sign], x, y) for x, y in zip(_flat(a), _flat(b), strict=True)]
+        if sign == "=" or sign == r"\equiv":
+            return pairs
+        if sign == r"\ne":
+            return [("or", *pairs)]
+        raise SymcheckError(f"{to_latex(left)} {sign} {to_latex(right)} orders vectors; only scalars can be ordered")
+
+    def _alike(self, a: Value, b: Value, left: Tree, right: Tree) -> tuple[Value, Value]:
+        """Both sides in one shape; a printed 0 stands for the zero of any shape."""
+        if _shape(a) != _shape(b):
+            if left == Number("0"):
+                return _zero(b), b
+            if right == Number("0"):
+                return a, _zero(a)
+            raise SymcheckError(
+                f"{to_latex(left)} ({_says(a)}) and {to_latex(right)} ({_says(b)}) cannot be compared; check the notation"
+            )
+        return a, b
+
+    def formula(self, tree: Tree, env: Env) -> Formula:
+        """One formula for a statement: chains, commas and free indices are conjunctions."""
+        if isinstance(tree, Chain):
+            free = [index for index in free_indices(tree, self.notation) if index not in env]
+            return _and(f for more in self.instances(free) for f in self.link(tree, {**env, **more}))
+        if isinstance(tree, System):
+            names = [index for q in tree.qualifiers for index in q.indices]
+            used = set(_free(tree, self.notation, frozenset(), set()))
+            envs = self.instances([n for n in names if n in used], tree.qualifiers)
+            return _and(self.formula(part, {**env, **more}) for more in envs for part in tree.parts)
+        if isinstance(tree, CaseList):
+            return ("or", *(self.formula(case, env) for _, case in tree.cases))
+        if isinstance(tree, And):
+            return _and(self.formula(part, env) for part in tree.parts)
+        if isinstance(tree, Or):
+            return ("or", *(self.formula(part, env) for part in tree.parts))
+        if isinstance(tree, Implies | Iff):
+            sign = "=>" if isinstance(tree, Implies) else "<=>"
+            return (sign, self.formula(tree.left, env), self.formula(tree.right, env))
+        if isinstance(tree, Exists):
+            return ("exists", tuple(self.variables(tree.names, env)), self.formula(tree.body, env))
+        raise SymcheckError(f"{to_latex(tree)} is neither true nor false; a relation is expected")
+
+    def variables(self, names: Iterable[Tree], env: Env) -> Iterator[str]:
+        """The variables of a quantifier; a free index means all of its values."""
+        for name in names:
+            free = [index for index in free_indices(name, self.notation) if index not in env]
+            for more in self.instances(free):
+                for variable in _flat([self.value(name, {**env, **more})]):
+                    if not isinstance(variable, str):
+                        raise SymcheckError(f"{to_latex(name)} is no variable; only variables can be quantified")
+                    yield variable
+
+    # -- expressions ---------------------------------------------------------------------------------------------
+
+    def scalar(self, tree: Tree, env: Env) -> Term:
+        """The term of a scalar expression."""
+        value: Value = self.value(tree, env)
+        if isinstance(value, list):
+            raise SymcheckError(f"{to_latex(tree)} is a {_says(value)}; a scalar is expected here")
+        result: Term = value
+        return result
+
+    def value(self, tree: Tree, env: Env) -> Value:
+        """The term, vector or matrix of an expression."""
+        method: Callable[[Any, Env], Value] | None = getattr(self, f"of_{type(tree).__name__.lower()}", None)
+        if method is None:
+            raise SymcheckError(f"{to_latex(tree)} has no algebraic form; state it formally")
+        return method(tree, env)
+
+    def of_number(self, tree: Number, env: Env) -> Value:
+        whole, _, decimals = tree.text.partition(".")
+        if not decimals:
+            return int(whole)
+        return ("/", int(whole + decimals), 10 ** len(decimals))
+
+    def of_name(self, tree: Name, env: Env) -> Value:
+        if _is_index(tree, self.notation):
+            return self.index(tree.letter, env)
+        letter = self.notation.letter(tree.letter, len(tree.subscripts))
+        indices = tuple(self.index(s, env) for s in tree.subscripts)
+        for value in indices:
+            if value not in letter.range:
+                raise SymcheckError(f"index {value} in {to_latex(tree)} is outside the range of {letter.latex}")
+        stem = letter.stem + "prime" * tree.primes
+        if letter.kind in ("vector", "matrix"):
+            return self.components(letter, stem, indices)
+        return variable(stem, indices)
+
+    def index(self, index: int | str, env: Env) -> int:
+        if isinstance(index, int):
+            return index
+        if index not in env:
+            raise SymcheckError(f"the index {index} has no value here; sum over it or let it be free")
+        return env[index]
+
+    def components(self, letter: Letter, stem: str, indices: tuple[int, ...]) -> Value:
+        if letter.components is not None:
+            if stem != letter.stem:
+                raise SymcheckError(f"the primed {letter.latex} has no components; declare it as a letter of its own")
+            env = dict(zip("ij", indices, strict=False))
+            return self.value(_components(letter, self.notation), env)
+        places = range(1, 4)
+        if letter.kind == "vector":
+            return [variable(stem, (*indices, k)) for k in places]
+        return [[variable(stem, (*indices, k, m)) for m in places] for k in places]
+
+    def of_add(self, tree: Add, env: Env) -> Value:
+        values = [self.value(term, env) for term in tree.terms]
+        shapes = {_shape(value) for value in values}
+        if len(shapes) > 1:
+            raise SymcheckError(f"{to_latex(tree)} adds a {_says(values[0])} and something else; check the notation")
+        return _zip(lambda *terms: ("+", *terms), values)
+
+    def of_neg(self, tree: Neg, env: Env) -> Value:
+        return _zip(lambda t: ("-", t), [self.value(tree.value, env)])
+
+    def of_mul(self, tree: Mul, env: Env) -> Value:
+        scalars: list[Term] = []
+        product: Value = None
+        for factor in tree.factors:
+            value = self.value(factor, env)
+            if not isinstance(value, list):
+                scalars.append(value)
+            else:
+                product = value if product is None else _matmul(product, value, tree)
+        if product is None:
+            return ("*", *scalars)
+        return _zip(lambda t: ("*", *scalars, t), [product]) if scalars else product
+
+    def of_div(self, tree: Div, env: Env) -> Value:
+        bottom = self.scalar(tree.bottom, env)
+        return _zip(lambda t: ("/", t, bottom), [self.value(tree.top, env)])
+
+    def of_pow(self, tree: Pow, env: Env) -> Value:
+        exponent = self.scalar(tree.exponent, env)
+        if isinstance(exponent, tuple) and exponent[0] == "-" and isinstance(exponent[1], int):
+            exponent = -exponent[1]
+        if not isinstance(exponent, int):
+            raise SymcheckError(f"{to_latex(tree)}: only whole exponents have an algebraic form")
+        return ("^", self.scalar(tree.base, env), exponent)
+
+    def of_sqrt(self, tree: Sqrt, env: Env) -> Value:
+        return ("sqrt", self.scalar(tree.value, env))
+
+    def of_degrees(self, tree: Degrees, env: Env) -> Value:
+        return ("/", ("*", self.scalar(tree.value, env), "pi"), 180)
+
+    def of_call(self, tree: Call, env: Env) -> Value:
+        if isinstance(tree.function, Name):
+            if not all(isinstance(argument, Name) for argument in tree.arguments):
+                raise SymcheckError(f"{to_latex(tree)}: a function can be applied only to the letters it depends on")
+            return self.value(tree.function, env)
+        name = _TRIGONOMETRIC.get(tree.function)
+        if len(tree.arguments) == 2 and name and all(isinstance(a, Name) for a in tree.arguments):
+            axes = [self.scalar(a, env) for a in tree.arguments]
+            return (name, "_".join(str(axis) for axis in axes))
+        if len(tree.arguments) == 1 and name:
+            return (name, self.scalar(tree.arguments[0], env))
+        if tree.function in ("ctg", "cot") and len(tree.arguments) == 1:
+            argument = self.scalar(tree.arguments[0], env)
+            return ("/", ("cos", argument), ("sin", argument))
+        raise SymcheckError(f"{to_latex(tree)} has no algebraic form; state it formally")
+
+    def of_bigsum(self, tree: BigSum, env: Env) -> Value:
+        ranges = [self.bounds(tree, index, env) for index in tree.indices]
+        values = [
+            self.value(tree.body, {**env, **dict(zip(tree.indices, at, strict=True))})
+            for at in itertools.product(*ranges)
+        ]
+        if not values:
+            raise SymcheckError(f"{to_latex(tree)} is an empty sum; check its bounds")
+        return values[0] if len(values) == 1 else _zip(lambda *terms: ("+", *terms), values)
+
+    def bounds(self, tree: BigSum, index: str, env: Env) -> tuple[int, ...]:
+        if tree.low is None or tree.high is None:
+            return self.range(index)
+        low, high = self.scalar(tree.low, env), self.scalar(tree.high, env)
+        if not isinstance(low, int) or not isinstance(high, int):
+            raise SymcheckError(f"{to_latex(tree)}: the bounds of a sum must be whole numbers")
+        return tuple(range(low, high + 1))
+
+    def of_pair(self, tree: Pair, env: Env) -> Value:
+        u, v = self.value(tree.left, env), self.value(tree.right, env)
+        if len(_shape(u)) != 1 or _shape(u) != _shape(v):
+            raise SymcheckError(f"{to_latex(tree)} is a scalar product of two vectors only; check the notation")
+        return _dot(u, v)
+
+    def of_tuple(self, tree: Tuple, env: Env) -> Value:
+        if tree.kind == "{}":
+            raise SymcheckError(f"{to_latex(tree)} is a set; it has no algebraic form")
+        return [self.scalar(item, env) for item in tree.items]
+
+    def of_cross(self, tree: Cross, env: Env) -> Value:
+        u, v = self.value(tree.left, env), self.value(tree.right, env)
+        if _shape(u) != (3,) or _shape(v) != (3,):
+            raise SymcheckError(f"{to_latex(tree)} is a cross product of two vectors only; check the notation")
+        return [_minus(_times(u[p], v[q]), _times(u[q], v[p])) for p, q in ((1, 2), (2, 0), (0, 1))]
+
+    def of_transpose(self, tree: Transpose, env: Env) -> Value:
+        value = self.value(tree.value, env)
+        if not isinstance(value, list):
+            raise SymcheckError(f"{to_latex(tree)} transposes a scalar; declare T as a letter if it is an exponent")
+        return [list(row) for row in zip(*value, strict=True)] if len(_shape(value)) == 2 else value
+
+    def of_matrixof(self, tree: MatrixOf, env: Env) -> Value:
+        rows = [[self.scalar(entry, env) for entry in row] for row in tree.rows]
+        return [row[0] for row in rows] if len(rows[0]) == 1 else rows
+
+    def of_diag(self, tree: Diag, env: Env) -> Value:
+        entries = [self.scalar(entry, env) for entry in tree.entries]
+        return [[entry if k == m else 0 for m in range(len(entries))] for k, entry in enumerate(entries)]
+
+    def of_bars(self, tree: Bars, env: Env) -> Value:
+        value = self.value(tree.value, env)
+        shape = _shape(value)
+        if len(shape) != 2 or shape[0] != shape[1]:
+            raise SymcheckError(f"{to_latex(tree)}: only the determinant of a square matrix has an algebraic form")
+        return _det(value)
+
+    def of_elementsof(self, tree: ElementsOf, env: Env) -> Value:
+        inner = [index for index in free_indices(tree.value, self.notation) if index in tree_indices(tree.value)]
+        if len(inner) != 2:
+            raise SymcheckError(f"{to_latex(tree)} must have two free indices: row and column")
+        row, column = inner
+        return [
+            [self.scalar(tree.value, {**env, row: k, column: m}) for m in self.range(column)] for k in self.range(row)
+        ]
+
+    def of_derivative(self, tree: Derivative, env: Env) -> Value:
+        value = self.value(tree.body, env)
+        for variable_tree, order in tree.variables:
+            by = self.scalar(variable_tree, env)
+            if not isinstance(by, str):
+                raise SymcheckError(f"{to_latex(tree)}: a derivative is taken by a variable")
+            value = _zip(lambda t, by=by, order=order: ("diff", t, by, order), [value])
+        return value
+
+
+def tree_indices(tree: Tree) -> set[str]:
+    """All index letters that occur as subscripts."""
+    found = {s for s in tree.subscripts if isinstance(s, str)} if isinstance(tree, Name) else set()
+    return found.union(*(tree_indices(child) for child in children(tree)))
+
+
+def variable(stem: str, indices: tuple[int, ...]) -> str:
+    """The name of a variable: `a`, (1, 2) -> "a_12"; numbers above 9 are set apart."""
+    if not indices:
+        return stem
+    between = "_" if len(indices) > 1 and max(indices) > 9 else ""
+    return f"{stem}_{between.join(map(str, indices))}"
+
+
+def _and(formulas: Iterable[Formula]) -> Formula:
+    parts = tuple(formulas)
+    return parts[0] if len(parts) == 1 else ("and", *parts)
+
+
+def _shape(value: Value) -> tuple[int, ...]:
+    if not isinstance(value, list):
+        return ()
+    return (len(value), *_shape(value[0]))
+
+
+def _says(value: Value) -> str:
+    return ("scalar", "vector", "matrix")[len(_shape(value))]
+
+
+def _zero(like: Value) -> Value:
+    return [_zero(item) for item in like] if isinstance(like, list) else 0
+
+
+def _flat(value: Value) -> Iterator[Term]:
+    if isinstance(value, list):
+        for item in value:
+            yield from _flat(item)
+    else:
+        yield value
+
+
+def _zip(build: Callable[..., Term], values: list[Value]) -> Value:
+    """Component by component."""
+    if not isinstance(values[0], list):
+        return build(*values)
+    return [_zip(build, list(parts)) for parts in zip(*values, strict=True)]
+
+
+def _times(a: Term, b: Term) -> Term:
+    """A product of components; the zeros and ones that matrices are made of vanish."""
+    if a == 0 or b == 0:
+        return 0
+    return b if a == 1 else a if b == 1 else ("*", a, b)
+
+
+def _minus(a: Term, b: Term) -> Term:
+    if b == 0:
+        return a
+    return ("-", b) if a == 0 else ("+", a, ("-", b))
+
+
+def _plus(terms: Iterable[Term]) -> Term:
+    kept = tuple(term for term in terms if term != 0)
+    return ("+", *kept) if len(kept) > 1 else kept[0] if kept else 0
+
+
+def _dot(u: list[Term], v: list[Term]) -> Term:
+    return _plus(_times(a, b) for a, b in zip(u, v, strict=True))
+
+
+def _matmul(a: Value, b: Value, tree: Tree) -> Value:
+    """Matrix times matrix or vector."""
+    left, right = _shape(a), _shape(b)
+    if len(left) != 2 or left[1] != right[0]:
+        raise SymcheckError(f"{to_latex(tree)}: a {_says(a)} before a {_says(b)} is no product; check the notation")
+    if len(right) == 1:
+        return [_dot(row, b) for row in a]
+    columns = [list(column) for column in zip(*b, strict=True)]
+    return [[_dot(row, column) for column in columns] for row in a]
+
+
+def _det(rows: list[list[Term]]) -> Term:
+    """Expansion along the first row."""
+    if len(rows) == 1:
+        return rows[0][0]
+    total: Term = 0
+    for k, entry in enumerate(rows[0]):
+        minor = _times(entry, _det([row[:k] + row[k + 1 :] for row in rows[1:]]))
+        total = _plus([total, minor]) if k % 2 == 0 else _minus(total, minor)
+    return total

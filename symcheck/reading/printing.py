@@ -1,0 +1,278 @@
+"""The tree printed back as LaTeX: reading the result gives the same tree."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+from symcheck.reading.tree import (
+    Add,
+    And,
+    Bars,
+    BigSum,
+    Call,
+    CaseList,
+    Chain,
+    Cross,
+    Degrees,
+    Derivative,
+    Diag,
+    Div,
+    Dots,
+    ElementsOf,
+    Exists,
+    Iff,
+    Implies,
+    Interval,
+    MatrixOf,
+    Mul,
+    Name,
+    Neg,
+    Number,
+    Or,
+    Pair,
+    Pow,
+    Qualifier,
+    Sqrt,
+    System,
+    Transpose,
+    Tree,
+    Tuple,
+)
+
+# how tightly a printed form holds together: what is looser than its place needs is put in brackets
+LIST, IMPLIES, OR, AND, CHAIN, SUM, TERM, FACTOR, ATOM = range(9)
+_LEVEL: dict[type[Tree], int] = {
+    System: LIST, CaseList: LIST, Exists: LIST, Qualifier: LIST, Iff: LIST, Implies: IMPLIES, Or: OR, And: AND,
+    Chain: CHAIN, Add: SUM, Neg: SUM, Cross: TERM, Mul: TERM, BigSum: TERM, Call: FACTOR, Pow: FACTOR, Transpose: FACTOR,
+    Degrees: FACTOR, Derivative: FACTOR,
+}  # fmt: skip
+_CONNECTIVE = {And: r" \land ", Or: r" \lor ", Implies: r" \Rightarrow ", Iff: r" \Leftrightarrow "}
+
+
+def to_latex(tree: Tree) -> str:
+    """LaTeX that reads as this tree, with no more brackets than needed."""
+    return _print(tree, LIST)
+
+
+def _print(tree: Tree, level: int) -> str:
+    text = _PRINTERS[type(tree)](tree)
+    return text if _level(tree) >= level else rf"\left({text}\right)"
+
+
+def _level(tree: Tree) -> int:
+    if isinstance(tree, Derivative) and not _is_short(tree.body):
+        return TERM
+    return _LEVEL.get(type(tree), ATOM)
+
+
+def _index(value: int | str) -> str:
+    return f"{value} " if isinstance(value, str) and value.startswith("\\") else str(value)
+
+
+def _name(tree: Name) -> str:
+    text = tree.letter + "'" * tree.primes
+    if not tree.subscripts:
+        return text
+    several = len(tree.subscripts) > 1 and any(isinstance(v, int) and v > 9 for v in tree.subscripts)
+    inside = (", " if several else "").join(map(_index, tree.subscripts)).strip()
+    return f"{text}_{inside}" if len(inside) == 1 else f"{text}_{{{inside}}}"
+
+
+def _add(tree: Add) -> str:
+    text = ""
+    for k, term in enumerate(tree.terms):
+        if isinstance(term, Neg):
+            text += (" - " if k else "-") + _print(term.value, TERM)
+        else:
+            text += (" + " if k else "") + _print(term, TERM)
+    return text
+
+
+def _mul(tree: Mul) -> str:
+    text = ""
+    last = len(tree.factors) - 1
+    for k, factor in enumerate(tree.factors):
+        shown = _factor(factor, last=k == last)
+        if k:
+            text += r" \cdot " if _needs_dot(tree.factors[k - 1], factor) else " "
+        text += shown
+    return text
+
+
+def _factor(factor: Tree, *, last: bool) -> str:
+    if isinstance(factor, BigSum) and last:
+        return _print(factor, TERM)
+    return _print(factor, FACTOR)
+
+
+def _needs_dot(before: Tree, factor: Tree) -> bool:
+    """Would juxtaposition be read as something else?"""
+    first = _first(factor)
+    if isinstance(first, Number):
+        return True
+    if isinstance(before, Pow) and isinstance(before.base, Call):
+        before = before.base
+    simple = isinstance(first, Name)
+    if isinstance(before, Call) and isinstance(before.function, str) and _is_bare(before.arguments):
+        return simple
+    bracket = _print(factor, FACTOR).startswith((r"\left(", "("))
+    return isinstance(before, Name) and bracket
+
+
+def _first(tree: Tree) -> Tree:
+    while isinstance(tree, Pow | Transpose | Degrees) and not isinstance(tree, Call):
+        tree = tree.base if isinstance(tree, Pow) else tree.value
+    return tree
+
+
+def _is_bare(arguments: tuple[Tree, ...]) -> bool:
+    """Can the argument of a function stand without brackets?"""
+    if len(arguments) != 1:
+        return False
+    argument = arguments[0]
+    factors = argument.factors if isinstance(argument, Mul) else (argument,)
+    return all(_is_plain(f) for f in factors[1:]) and (isinstance(factors[0], Number) or _is_plain(factors[0]))
+
+
+def _is_plain(tree: Tree) -> bool:
+    """A letter that is no vector by its print."""
+    return isinstance(tree, Name) and "mathbf" not in tree.letter and "boldsymbol" not in tree.letter
+
+
+def _call(tree: Call, power: str = "") -> str:
+    inside = ", ".join(_print(a, SUM) for a in tree.arguments)
+    if isinstance(tree.function, Name):
+        return f"{_name(tree.function)}({inside})"
+    head = tree.function if tree.function not in _OPERATORS else rf"operatorname{{{tree.function}}}"
+    if _is_bare(tree.arguments):
+        return rf"\{head}{power} {inside}"
+    return rf"\{head}{power}\left({inside}\right)"
+
+
+_OPERATORS = frozenset({"tg", "ctg", "arctg", "tr", "rank", "sign"})
+
+
+def _pow(tree: Pow) -> str:
+    exponent = _print(tree.exponent, SUM)
+    power = f"^{exponent}" if len(exponent) == 1 else f"^{{{exponent}}}"
+    base = tree.base
+    if isinstance(base, Call) and isinstance(base.function, str):
+        if isinstance(tree.exponent, Neg):
+            return rf"\left({_call(base)}\right){power}"
+        return _call(base, power)
+    if isinstance(base, Name) and base.primes and not base.subscripts:
+        return f"{_name(base)}{power}"
+    return _base(base) + power
+
+
+def _base(base: Tree) -> str:
+    """What an exponent stands on."""
+    if isinstance(base, Call) and isinstance(base.function, Name):
+        return _print(base, FACTOR)
+    return _print(base, ATOM)
+
+
+def _sum(tree: BigSum) -> str:
+    low = f" = {_print(tree.low, SUM)}" if tree.low is not None else ""
+    high = f"^{{{_print(tree.high, SUM)}}}" if tree.high is not None else ""
+    return rf"\sum_{{{', '.join(tree.indices)}{low}}}{high} {_print(tree.body, TERM)}"
+
+
+def _is_short(body: Tree) -> bool:
+    return isinstance(body, Name | Mul | Call)
+
+
+def _derivative(tree: Derivative) -> str:
+    d = r"\partial " if tree.partial else "d"
+    total = sum(order for _, order in tree.variables)
+    power = f"^{total}" if total > 1 else ""
+    below = " ".join(f"{d}{_print(v, FACTOR)}{f'^{n}' if n > 1 else ''}" for v, n in tree.variables)
+    if _is_short(tree.body):
+        return rf"\frac{{{d.strip()}{power} {_print(tree.body, TERM)}}}{{{below}}}"
+    return rf"\frac{{{d.strip()}{power}}}{{{below}}} \left({_print(tree.body, SUM)}\right)"
+
+
+def _matrix(tree: MatrixOf) -> str:
+    rows = r" \\ ".join(" & ".join(_print(entry, SUM) for entry in row) for row in tree.rows)
+    return rf"\begin{{pmatrix}} {rows} \end{{pmatrix}}"
+
+
+def _tuple(tree: Tuple) -> str:
+    inside = ", ".join(_print(item, SUM) for item in tree.items)
+    left, right = {"()": ("(", ")"), "[]": ("[", "]"), "{}": (r"\{", r"\}")}[tree.kind]
+    return f"{left}{inside}{right}"
+
+
+def _chain(tree: Chain) -> str:
+    text = _print(tree.members[0], SUM)
+    for sign, member in zip(tree.signs, tree.members[1:], strict=True):
+        text += f" {sign} {_print(member, SUM)}"
+    return text
+
+
+def _qualifier(tree: Qualifier) -> str:
+    return f"{', '.join(tree.indices)} = {', '.join(map(str, tree.values))}"
+
+
+def _system(tree: System) -> str:
+    parts = [_part(part) for part in tree.parts]
+    return r", \quad ".join([*parts, *map(_qualifier, tree.qualifiers)])
+
+
+def _part(part: Tree) -> str:
+    return _print(part, AND)
+
+
+def _cases(tree: CaseList) -> str:
+    return r"; \quad ".join(f"{label}). {to_latex(case)}" for label, case in tree.cases)
+
+
+def _joined(tree: And | Or) -> str:
+    level = CHAIN if isinstance(tree, And) else AND
+    return _CONNECTIVE[type(tree)].join(_print(part, level) for part in tree.parts)
+
+
+def _arrow(tree: Implies | Iff) -> str:
+    left = OR if isinstance(tree, Implies) else IMPLIES
+    return _CONNECTIVE[type(tree)].join([_print(tree.left, left), _print(tree.right, IMPLIES)])
+
+
+def _exists(tree: Exists) -> str:
+    names = ", ".join(_print(name, ATOM) for name in tree.names)
+    return rf"\exists {names} : {_print(tree.body, IMPLIES)}"
+
+
+_PRINTERS: dict[type[Tree], Callable[[Any], str]] = {
+    Number: lambda t: t.text,
+    Name: _name,
+    Add: _add,
+    Neg: lambda t: f"-{_print(t.value, TERM)}",
+    Mul: _mul,
+    Div: lambda t: rf"\frac{{{_print(t.top, SUM)}}}{{{_print(t.bottom, SUM)}}}",
+    Pow: _pow,
+    Call: _call,
+    Sqrt: lambda t: rf"\sqrt{{{_print(t.value, SUM)}}}",
+    Degrees: lambda t: rf"{_print(t.value, ATOM)}^\circ",
+    BigSum: _sum,
+    Pair: lambda t: f"({_print(t.left, SUM)}, {_print(t.right, SUM)})",
+    Interval: lambda t: f"[{_print(t.low, SUM)}, {_print(t.high, SUM)}]",
+    Tuple: _tuple,
+    Cross: lambda t: rf"{_print(t.left, TERM)} \times {_print(t.right, TERM)}",
+    Transpose: lambda t: f"{_base(t.value)}^T",
+    MatrixOf: _matrix,
+    Diag: lambda t: rf"\operatorname{{diag}}({', '.join(_print(e, SUM) for e in t.entries)})",
+    Bars: lambda t: rf"\left|{_print(t.value, SUM)}\right|",
+    ElementsOf: lambda t: rf"\left\|{_print(t.value, SUM)}\right\|",
+    Derivative: _derivative,
+    Dots: lambda t: r"\dots",
+    Chain: _chain,
+    Qualifier: _qualifier,
+    System: _system,
+    CaseList: _cases,
+    And: _joined,
+    Or: _joined,
+    Implies: _arrow,
+    Iff: _arrow,
+    Exists: _exists,
+}

@@ -1,0 +1,106 @@
+"""Terms to SymPy expressions and back, exactly; SymPy is imported only when one of these is called."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+from symcheck.statement import SymcheckError, Term
+
+if TYPE_CHECKING:
+    from sympy import Expr
+
+
+def to_sympy(term: Term) -> Expr:
+    """The SymPy expression of a term over real symbols; SymPy evaluates it as it always does."""
+    import sympy
+
+    if isinstance(term, int):
+        return sympy.Integer(term)
+    if isinstance(term, str):
+        return sympy.Symbol(term, real=True)
+    operator, arguments = term[0], term[1:]
+    if operator == "^":
+        return to_sympy(arguments[0]) ** int(arguments[1])
+    if operator == "diff":
+        body, variable, order = arguments
+        return _derivative(to_sympy(body), sympy.Symbol(variable, real=True), order)
+    values = [to_sympy(argument) for argument in arguments]
+    if operator == "+":
+        return sympy.Add(*values)
+    if operator == "*":
+        return sympy.Mul(*values)
+    if operator == "-" and len(values) == 1:
+        return -values[0]
+    if operator == "/":
+        return values[0] / values[1]
+    if operator in ("sin", "cos", "tan", "sqrt"):
+        result: Expr = getattr(sympy, operator)(values[0])
+        return result
+    raise SymcheckError(f"the term {term!r} has the unknown operator {operator!r}")
+
+
+def _derivative(body: Expr, variable: Any, order: int) -> Expr:
+    """The derivative taken, or left standing where the body is a bare name that may depend on the variable."""
+    import sympy
+
+    if isinstance(body, sympy.Symbol) and body != variable:
+        return sympy.Derivative(sympy.Function(body.name, real=True)(variable), (variable, order))
+    result: Expr = sympy.diff(body, variable, order)
+    return result
+
+
+def from_sympy(expr: Any) -> Term:
+    """The term of a SymPy expression; SymcheckError for what has no exact term, such as floats."""
+    import sympy
+
+    expr = sympy.sympify(expr)
+    if isinstance(expr, sympy.Integer):
+        value = int(expr)
+        return value if value >= 0 else ("-", -value)
+    if isinstance(expr, sympy.Rational):
+        top: Term = abs(int(expr.p))
+        quotient = ("/", top, int(expr.q))
+        return quotient if expr.p > 0 else ("-", quotient)
+    if isinstance(expr, sympy.Symbol):
+        return str(expr.name)
+    if expr == sympy.pi:
+        return "pi"
+    if isinstance(expr, sympy.Add):
+        return ("+", *(from_sympy(term) for term in expr.as_ordered_terms()))
+    if isinstance(expr, sympy.Mul):
+        return _product(expr)
+    if isinstance(expr, sympy.Pow):
+        return _power(expr)
+    if isinstance(expr, sympy.sin | sympy.cos | sympy.tan):
+        return (type(expr).__name__, from_sympy(expr.args[0]))
+    raise SymcheckError(f"{expr} has no exact term; only rational expressions, roots of numbers, sin, cos, tan have")
+
+
+def _product(expr: Any) -> Term:
+    import sympy
+
+    sign, factors = "", list(expr.args)
+    if factors[0].is_Rational and factors[0] < 0:
+        sign, factors[0] = "-", -factors[0]
+        factors = [factor for factor in factors if factor != sympy.S.One]
+    terms = [from_sympy(factor) for factor in factors]
+    product: Term = terms[0] if len(terms) == 1 else ("*", *terms)
+    return ("-", product) if sign else product
+
+
+def _power(expr: Any) -> Term:
+    import sympy
+
+    base, exponent = expr.args
+    if isinstance(exponent, sympy.Integer):
+        value = int(exponent)
+        return ("^", from_sympy(base), value) if value > 0 else ("/", 1, _positive_power(base, -value))
+    if isinstance(base, sympy.Rational) and base >= 0 and isinstance(exponent, sympy.Rational) and exponent.q == 2:
+        root: Term = ("sqrt", from_sympy(base))
+        power: Term = root if abs(exponent.p) == 1 else ("^", root, abs(int(exponent.p)))
+        return power if exponent.p > 0 else ("/", 1, power)
+    raise SymcheckError(f"{expr} has no exact term; only whole powers and square roots of numbers have")
+
+
+def _positive_power(base: Any, exponent: int) -> Term:
+    return from_sympy(base) if exponent == 1 else ("^", from_sympy(base), exponent)
