@@ -208,8 +208,9 @@ def audit(selection: Sequence[str], how: How) -> list[Record]:
     from symcheck.evidence.executor import Pool, Serial
     from symcheck.papers import load
 
+    papers = load()
     cache = Cache(None if how.no_cache else location(), _say)
-    executor = Pool(how.jobs, PRELOAD) if how.jobs else Serial()
+    executor = Pool(how.jobs, (*PRELOAD, *(f"symcheck.papers.{key}" for key in papers))) if how.jobs else Serial()
     state = [0, 0]
     try:
         with _progress() as move:
@@ -220,7 +221,7 @@ def audit(selection: Sequence[str], how: How) -> list[Record]:
 
             return run.audit(
                 selection,
-                papers=load(),
+                papers=papers,
                 decide=decide,
                 cache=cache,
                 executor=executor,

@@ -65,6 +65,8 @@ def test_every_part_of_a_proof_is_told_once() -> None:
         "power": 2,
         "times": [["cond", 0]],
         "cofactors": [[["fact", 0], "QUOTIENT"]],
+        "given": [["PREMISE", 0]],
+        "nonzero": ["DIVISOR"],
         "then": {
             "rule": "split",
             "factors": ["FACTOR_1", "FACTOR_2"],
@@ -76,7 +78,19 @@ def test_every_part_of_a_proof_is_told_once() -> None:
         },
     }
     text = "\n".join(steps.steps(proof))
-    for word in ("POLY", "QUOTIENT", "FACTOR_1", "FACTOR_2", "FORM^2", "POINT = 1", "case 1:", "case 2:", "not zero"):
+    for word in (
+        "POLY",
+        "QUOTIENT",
+        "PREMISE [1]",
+        "DIVISOR",
+        "FACTOR_1",
+        "FACTOR_2",
+        "FORM^2",
+        "POINT = 1",
+        "case 1:",
+        "case 2:",
+        "not zero",
+    ):
         assert text.count(word) == 1, word
 
 

@@ -14,7 +14,7 @@ from typing import Any
 from symcheck import papers
 from symcheck.evidence.record import Record
 from symcheck.proof import cases, certificate, needed
-from symcheck.reading import Notation, edits, from_sympy, lower, read, relations, to_latex
+from symcheck.reading import Notation, Relation, System, Tree, edits, from_sympy, lower, read, relations, to_latex
 from symcheck.statement import (
     Certificate,
     Erratum,
@@ -227,11 +227,11 @@ class Unit:
     """One relation of a declaration: its link letter, its tree, what it is compared with, its lowered instances."""
 
     letter: str
-    tree: Any
+    tree: Tree
     derived: tuple[Term, ...]
     formulas: tuple[Formula, ...]
 
-    def reworded(self, context: Context, tree: Any) -> Unit:
+    def reworded(self, context: Context, tree: Tree) -> Unit:
         """The same unit with another statement in the place of the printed one."""
         return replace(self, tree=tree, formulas=_formulas(context, tree, self.derived))
 
@@ -240,7 +240,7 @@ def units(context: Context) -> list[Unit]:
     """The relations of a declaration: each link of a chain or system, or the whole formal statement."""
     item = context.item
     tree = read(item.formal or item.read_as or item.printed, context.notation)
-    links = (tree,) if item.formal else relations(tree)
+    links = [tree] if item.formal else [_statement(link) for link in relations(tree)]
     letters = [chr(ord("a") + n) for n in range(len(links))] if len(links) > 1 else [""]
     derived = [from_sympy(value) for value in item.equation()] if item.equation else []
     found = []
@@ -253,7 +253,12 @@ def units(context: Context) -> list[Unit]:
     return found
 
 
-def _formulas(context: Context, tree: Any, derived: tuple[Term, ...]) -> tuple[Formula, ...]:
+def _statement(link: Relation) -> Tree:
+    """One link as a statement of its own."""
+    return System((link.tree,), link.qualifiers) if link.qualifiers else link.tree
+
+
+def _formulas(context: Context, tree: Tree, derived: tuple[Term, ...]) -> tuple[Formula, ...]:
     """The lowered statement. With a derived equation E = 0, a printed l = r claims that l - r is E."""
     formulas = lower(tree, context.notation)
     if not derived:
@@ -348,8 +353,10 @@ def _hypotheses(finding: Finding, item: Item, method: Method, added: tuple[Hypot
         for problem in finding.problems:
             if problem.claim[0] == "<=>" and item.equality:
                 continue
-            for name, answer in needed(problem, method).items():
-                need.setdefault(name, []).append(answer)
+            for name, (answer, point) in needed(problem, method).items():
+                without = replace(problem, hypotheses=tuple(h for h in problem.hypotheses if h[0] != name))
+                refuted = Outcome(Verdict.REFUTED, point=point, used=tuple(each for each, _ in without.hypotheses))
+                need.setdefault(name, []).append((answer, certificate(without, refuted) if point else None))
     rows = []
     for hypothesis in everything:
         answers = need.get(hypothesis.name, [])
@@ -421,7 +428,7 @@ def _edit(before: str, after: str) -> list[dict[str, str]]:
 def _repairs(context: Context, unit: Unit) -> list[dict[str, str]]:
     """All single edits of the printed relation that are proved and are not empty."""
     found = []
-    for edit in edits(unit.tree):
+    for edit in edits(unit.tree, context.notation):
         try:
             changed = unit.reworded(context, edit.tree)
             if any(formula[1] == formula[2] for formula in changed.formulas):

@@ -35,7 +35,7 @@ class Mutant:
 
 def mutants(context: Context, unit: Unit) -> Iterator[tuple[str, str, Unit | None]]:
     """Kind, description and reworded unit of every single edit (None: the edit makes no statement)."""
-    for edit in edits(unit.tree):
+    for edit in edits(unit.tree, context.notation):
         try:
             yield edit.kind, edit.description, unit.reworded(context, edit.tree)
         except SymcheckError:

@@ -79,6 +79,12 @@ def _detail(key: str, value: Any) -> Iterator[str]:
         yield from (f"+ ({poly}) · [{reference(ref)}]" for ref, poly in value)
     elif key == "times":
         yield from (f"not zero: {reference(cond)}" for cond in value)
+    elif key == "given":
+        yield (
+            "rests on " + ", ".join(f"{name} [{number + 1}]" for name, number in value) if value else "rests on nothing"
+        )
+    elif key == "nonzero":
+        yield "wherever these do not vanish: " + ", ".join(value)
     elif key == "point":
         yield point(value)
     elif key in ("or", "index"):

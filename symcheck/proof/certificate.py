@@ -21,7 +21,7 @@ def certificate(problem: Problem, outcome: Outcome) -> Certificate:
     body: Certificate
     if outcome.verdict is Verdict.PROVED:
         assert outcome.proof is not None
-        proof = {key: value for key, value in outcome.proof.items() if key != "given"}
+        proof = outcome.proof
         given = {(name, k) for name, k in outcome.proof["given"]}
         kept = {name: [k for k in range(len(fs)) if (name, k) in given] for name, fs in hypotheses.items()}
         hypotheses = {name: [hypotheses[name][k] for k in ks] for name, ks in kept.items() if ks}
@@ -50,7 +50,7 @@ def digest(stated: Certificate) -> str:
 def _renumber(node: Any, kept: dict[str, list[int]]) -> Any:
     """The proof with ["hyp", name, k] counted among the kept formulas."""
     if isinstance(node, dict):
-        return {key: _renumber(value, kept) for key, value in node.items()}
+        return {key: _renumber(value, kept) for key, value in node.items() if key != "given"}
     if isinstance(node, list):
         if len(node) == 3 and node[0] == "hyp":
             return ["hyp", node[1], kept[node[1]].index(node[2])]
@@ -61,7 +61,8 @@ def _renumber(node: Any, kept: dict[str, list[int]]) -> Any:
 def references(node: Any) -> set[tuple[str, int]]:
     """The hypotheses a proof refers to."""
     if isinstance(node, dict):
-        return set().union(*(references(value) for value in node.values()))
+        own = {(name, k) for name, k in node.get("given", ())}
+        return own.union(*(references(value) for key, value in node.items() if key != "given"))
     if isinstance(node, list):
         if len(node) == 3 and node[0] == "hyp":
             return {(node[1], node[2])}

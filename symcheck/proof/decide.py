@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from symcheck.proof.certificate import references
-from symcheck.proof.knowledge import Knowledge, ring_of, starting
-from symcheck.proof.polynomial import Ring, Unsupported
+from symcheck.proof.certificate import references, terms_in
+from symcheck.proof.knowledge import Knowledge, given_of, ring_of, starting
+from symcheck.proof.polynomial import Poly, Ring, Unsupported, flatten, sides
 from symcheck.proof.refute import refute
 from symcheck.statement import Certificate, Outcome, Problem, Verdict
 
@@ -30,8 +30,8 @@ def decide(problem: Problem, search: Search) -> Outcome:
 
 def _proved(problem: Problem, ring: Ring, proof: Certificate) -> Outcome:
     """Completes a proof: the denominators' side conditions and the list of what it rests on."""
-    given = references(proof) | {tuple(item) for item in proof.pop("given", ())}
-    extra, nonzero = side_conditions(starting(problem, ring), ring, given, problem)
+    given = references(proof)
+    extra, nonzero = side_conditions(starting(problem, ring), ring, problem, proof, given)
     given |= extra
     if nonzero:
         proof["nonzero"] = nonzero
@@ -41,20 +41,30 @@ def _proved(problem: Problem, ring: Ring, proof: Certificate) -> Outcome:
 
 
 def side_conditions(
-    known: Knowledge, ring: Ring, given: set[tuple[str, int]], problem: Problem
+    known: Knowledge, ring: Ring, problem: Problem, proof: Certificate, given: set[tuple[str, int]]
 ) -> tuple[set[tuple[str, int]], list[str]]:
     """(hypotheses that say that denominators are not zero, denominators about which none does)."""
+    if not ring.divisors:
+        return set(), []
     used: set[tuple[str, int]] = set()
-    listed: list[str] = []
-    for text, divisor in _divisors(problem, ring, given).items():
-        refs = known.nonzero(divisor)
-        if refs is None:
-            listed.append(text)
-        else:
-            used |= {(ref[1], ref[2]) for ref in refs}
-    return used, sorted(listed)
+    while True:
+        listed: list[str] = []
+        before = len(used)
+        for text, divisor in _divisors(problem, ring, proof, given | used).items():
+            refs = known.nonzero(divisor)
+            used |= given_of(refs or ())
+            listed += [text] if refs is None else []
+        if len(used) == before:
+            return used, sorted(listed)
 
 
-def _divisors(problem: Problem, ring: Ring, given: set[tuple[str, int]]) -> dict[str, object]:
-    """The denominators of everything the ring has met in this proof."""
-    return dict(ring.divisors)
+def _divisors(problem: Problem, ring: Ring, proof: Certificate, given: set[tuple[str, int]]) -> dict[str, Poly]:
+    """The denominators of the claim, of the hypotheses used and of the terms in the proof."""
+    fresh = Ring(ring.names, ring.definitions)
+    formulas = [problem.claim]
+    for name, stated in problem.hypotheses:
+        parts = [part for f in stated for part in flatten(f)]
+        formulas += [part for k, part in enumerate(parts) if (name, k) in given]
+    for term in [side for formula in formulas for side in sides(formula)] + terms_in(proof):
+        fresh.ratio(term)
+    return fresh.divisors

@@ -152,13 +152,13 @@ def proportional(a: Poly, b: Poly) -> Fraction | None:
 
 def hints_of(problem: Problem) -> list[Term]:
     """The hinted terms (forms) of a problem, in order."""
-    return [value for name, value in problem.hints if name.startswith("form") and value not in ("", None)]
+    return [value for name, value in problem.hints if name.startswith("form") and value != ""]
 
 
 def ring_of(problem: Problem) -> Ring:
     """The ring of everything the problem mentions."""
     definitions = dict(problem.definitions)
-    nodes = [problem.claim, *(f for _, formulas in problem.hypotheses for f in formulas), *hints_of(problem)]
+    nodes = [problem.claim, *(f for _, formulas in problem.hypotheses for f in formulas), *(value for name, value in problem.hints if name.startswith(("form", "point_")) and value != "")]
     names: set[str] = set()
     for node in nodes:
         names |= variables(unfold(node, definitions))

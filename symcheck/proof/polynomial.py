@@ -5,7 +5,7 @@ Sines and cosines of a variable x become the variables sin_x, cos_x; the root of
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
 from fractions import Fraction
 from typing import Any
@@ -17,7 +17,6 @@ from symcheck.statement import Formula, Term
 Poly = Any  # flint.fmpq_mpoly, which has no type information
 
 RELATIONS = ("=", "!=", "<", "<=", ">", ">=")
-CONNECTIVES = ("and", "or", "=>", "<=>")
 
 
 class Unsupported(Exception):
@@ -170,7 +169,9 @@ class Ring:
     """Polynomials with rational coefficients in the given variables, and the terms they stand for."""
 
     def __init__(self, names: Iterable[str], definitions: Mapping[str, Term] | None = None) -> None:
-        self.names = tuple(sorted(set(names), key=_rank))
+        known = set(names)
+        known |= {f"{other}{name[4:]}" for name in known if name[:4] in ("sin_", "cos_") for other in ("sin_", "cos_")}
+        self.names = tuple(sorted(known, key=_rank))
         self.definitions = dict(definitions or {})
         self.context = flint.fmpq_mpoly_ctx.get(list(self.names), flint.Ordering.degrevlex)
         self.generator: dict[str, Poly] = dict(zip(self.names, self.context.gens(), strict=True))
@@ -364,10 +365,8 @@ def flatten(formula: Formula) -> list[Formula]:
     return [part for child in formula[1:] for part in flatten(child)]
 
 
-def map_terms(formula: Formula, change: Callable[[Term], Term]) -> Formula:
-    """The formula with each side of each relation changed."""
+def sides(formula: Formula) -> list[Term]:
+    """Both sides of every relation in a formula."""
     if formula[0] in RELATIONS:
-        return (formula[0], change(formula[1]), change(formula[2]))
-    if formula[0] == "exists":
-        return ("exists", formula[1], map_terms(formula[2], change))
-    return (formula[0], *(map_terms(child, change) for child in formula[1:]))
+        return list(formula[1:])
+    return [side for part in (formula[2:] if formula[0] == "exists" else formula[1:]) for side in sides(part)]

@@ -206,9 +206,9 @@ def _indices(node: Name, whole: Tree, notation: Notation | None) -> Iterator[Loc
     subscripts = [s for _, n in walk(whole) if isinstance(n, Name) for s in n.subscripts]
     letters = dict.fromkeys(s for s in subscripts if isinstance(s, str))
     letter = notation.find(node.letter, len(node.subscripts)) if notation is not None else None
-    values = letter.range if letter else (1, 2, 3)
+    choices: list[int | str] = [*(letter.range if letter else (1, 2, 3)), *letters]
     for k, old in enumerate(node.subscripts):
-        for new in (*values, *letters):
+        for new in choices:
             if new != old:
                 changed: tuple[int | str, ...] = (*node.subscripts[:k], new, *node.subscripts[k + 1 :])
                 yield "index", f"index {old} -> {new} in {to_latex(node)}", replace(node, subscripts=changed)

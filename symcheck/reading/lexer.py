@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, NoReturn
 
 from symcheck.reading import tex
 from symcheck.reading.notation import Notation
@@ -147,8 +147,8 @@ class Lexer(tex.Reader):
             self.i += 1
             text += "." + self.digits()
         if self.peek() == ")" and not self.open and self.clause_begins():
-            self.i += 1
-            self.i += self.peek() == "."
+            text += ")." if self.peek(1) == "." else ")"
+            self.i += text.endswith(".") + 1
             self.emit("LABEL", text, at)
         else:
             self.emit("NUMBER", text, at)
@@ -289,7 +289,7 @@ class Lexer(tex.Reader):
         """An exponent, a transposition, a degree sign or primes behind a bracket."""
         at = self.at()
         if self.peek() == "'":
-            self.emit("PRIMES", self.primes(), at)
+            self.emit("PRIMES", self.primed(at), at)
             return
         self.i += 1
         inside = [t.text for t in self.toks[self.i : self.i + self.length()] if t.text not in {"{", "}"} | tex.ROMAN]
@@ -302,6 +302,21 @@ class Lexer(tex.Reader):
         else:
             self.emit("CARET", "^", at)
             self.argument()
+
+    def primed(self, at: int) -> tuple[Name, ...]:
+        """The letters by which primes behind a bracket differentiate: `(...)''_{aa}`."""
+        count = self.primes()
+        if self.peek() != "_":
+            self.fail("primes behind a bracket need the letter they differentiate by", at)
+        self.i += 1
+        letters = []
+        for tok in self.group():
+            if self.notation.find(tok.text, 0) is None:
+                self.unknown(tok.text, tok.at)
+            letters.append(Name(tok.text))
+        if len(letters) != count:
+            self.fail("as many letters are needed as there are primes", at)
+        return tuple(letters)
 
     def primes(self) -> int:
         r"""The number of primes here: `'`, `''`, `^{\prime}`."""
@@ -396,7 +411,10 @@ class Lexer(tex.Reader):
                 self.fail(f"index {value} of {word} is outside its range {', '.join(map(str, letter.range))}", at)
         return Name(word, subscripts, primes), "NAME"
 
-    def unknown(self, word: str, at: int) -> None:
+    def unknown(self, word: str, at: int) -> NoReturn:
+        """The error for a letter that is not declared, or not with so many indices."""
+        if arities := self.notation.arities(word):
+            self.fail(f"{word} stands without an index but is declared with {' or '.join(map(str, arities))}", at)
         self.fail(f"unknown letter {word}; {self.notation.nearest(word)}", at)
 
     def indices(self, tokens: list[tex.Tok], arities: list[int], at: int) -> tuple[int | str, ...]:

@@ -82,7 +82,7 @@ def term(latex: str, notation: Notation) -> Term:
 
 
 def free_indices(tree: Tree, notation: Notation) -> tuple[str, ...]:
-    """The indices no sum binds, in order of appearance. SymcheckError if a bound index is also used outside of its sum."""
+    """The indices no sum binds, in order of appearance; SymcheckError if a bound index is also used outside its sum."""
     bound: set[str] = set()
     free = list(dict.fromkeys(_free(tree, notation, frozenset(), bound)))
     if both := [index for index in free if index in bound]:
@@ -178,7 +178,7 @@ class Lowering:
             return pairs
         if sign == r"\ne":
             return [("or", *pairs)]
-        raise SymcheckError(f"{to_latex(left)} {sign} {to_latex(right)} orders vectors; only scalars can be ordered")
+        raise SymcheckError(f"{to_latex(left)} {sign} {to_latex(right)} orders vectors; only scalars can be")
 
     def _alike(self, a: Value, b: Value, left: Tree, right: Tree) -> tuple[Value, Value]:
         """Both sides in one shape; a printed 0 stands for the zero of any shape."""
@@ -188,7 +188,7 @@ class Lowering:
             if right == Number("0"):
                 return a, _zero(a)
             raise SymcheckError(
-                f"{to_latex(left)} ({_says(a)}) and {to_latex(right)} ({_says(b)}) cannot be compared; check the notation"
+                f"{to_latex(left)} ({_says(a)}) and {to_latex(right)} ({_says(b)}) do not compare; check the notation"
             )
         return a, b
 
@@ -203,6 +203,10 @@ class Lowering:
             envs = self.instances([n for n in names if n in used], tree.qualifiers)
             return _and(self.formula(part, {**env, **more}) for more in envs for part in tree.parts)
         if isinstance(tree, CaseList):
+            if not all(label.endswith(".") for label, _ in tree.cases):
+                raise SymcheckError(
+                    f"{to_latex(tree)} is a numbered list; state formally whether all or one of it holds"
+                )
             return ("or", *(self.formula(case, env) for _, case in tree.cases))
         if isinstance(tree, And):
             return _and(self.formula(part, env) for part in tree.parts)

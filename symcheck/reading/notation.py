@@ -23,14 +23,14 @@ _SUFFIXES = {
 class Letter:
     r"""One printed letter, without its indices: `I`, `\omega`, `\bar{k}`, `\mathbf{e}`, `Ox`, `f_1`.
 
-    name        stem of its variables in lowered terms; by default from `latex`: `\dot{\omega}` -> "domega", `\bar{k}` -> "kbar"
+    name        stem of its variables in lowered terms; by default `\dot{\omega}` -> "domega", `\bar{k}` -> "kbar"
     indices     number of index positions; `k` and `k_i` are two letters
-    kind        "scalar", "vector", "matrix", "function" (of other letters), "index", "differential" (the d of a derivative)
+    kind        "scalar", "vector", "matrix", "function" (of other letters), "index", "differential" (as in dx)
     range       the values of an index letter, or of each index of this letter
     sign        "", ">= 0" or "> 0"
-    components  of a vector or matrix: any LaTeX of that shape in the same notation, in which i, j (in this order) stand for
-                the letter's own indices: `(a_{i1}, a_{i2}, a_{i3})`, `\|a_{ij}\|`, `\operatorname{diag}(I_1, I_2, I_3)`;
-                without it the components are variables numbered by one more index (a matrix: two)
+    components  of a vector or matrix: any LaTeX of that shape in the same notation, in which i, j (in this order)
+                stand for the letter's own indices: `(a_{i1}, a_{i2}, a_{i3})`, `\|a_{ij}\|`,
+                `\operatorname{diag}(I_1, I_2, I_3)`; without it they are variables with one more index (a matrix: two)
     """
 
     latex: str
@@ -90,6 +90,7 @@ class Notation:
 
     def __init__(self, letters: Iterable[Letter]) -> None:
         self.letters = tuple(letters)
+        self._hash = hash(self.letters)
         self._letters: dict[tuple[str, int], Letter] = {}
         self._index: dict[str, Letter] = {}
         for letter in self.letters:
@@ -109,7 +110,7 @@ class Notation:
         return isinstance(other, Notation) and self.letters == other.letters
 
     def __hash__(self) -> int:
-        return hash(self.letters)
+        return self._hash
 
     def __repr__(self) -> str:
         return f"Notation({list(self.letters)!r})"

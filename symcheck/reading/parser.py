@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cache
@@ -31,6 +32,7 @@ from symcheck.reading.tree import (
     Iff,
     Implies,
     Interval,
+    Located,
     MatrixOf,
     Mul,
     Name,
@@ -55,7 +57,7 @@ GRAMMAR = r"""
 start: listing
 listing: entry (separator entry)*
 separator: COMMA | SEMI | NEWLINE | COMMA NEWLINE | SEMI NEWLINE
-entry: LABEL? formula
+entry: LABEL? formula (COLON formula)?
 ?formula: exists | iff
 ?iff: implies | implies IFF (implies | exists)
 ?implies: either | either IMPLIES (implies | exists)
@@ -66,7 +68,7 @@ exists: EXISTS NAME (COMMA NAME)* COLON implies
 sum: MINUS? term ((PLUS | MINUS) term)*
 term: product ((SLASH | TIMES) product)?
 product: (item | CDOT)+
-item: primary (CARET LB sum RB | TRANSPOSE | DEGREE)?
+item: primary (CARET LB sum RB | TRANSPOSE | DEGREE | PRIMES)?
 primary: NUMBER | NAME | FN | D | DOTS | LPAR listing RPAR | LBRA listing RBRA | LSET listing RSET
        | LBAR sum RBAR | LNORM sum RNORM | FRAC LB sum RB LB sum RB | SQRT LB sum RB
        | SUM LB listing RB (LB sum RB)? | DIAG (LPAR listing RPAR | LBRA listing RBRA) | MBEGIN row (ROW row)* MEND
@@ -113,6 +115,7 @@ class Item:
     variables: tuple[tuple[Tree, int], ...] = ()
     power: Tree | None = None
     postfix: str = ""
+    letters: tuple[Name, ...] = ()
     partial: bool = False
 
 
@@ -182,8 +185,9 @@ class Builder:
         return Listing(entries, separators, _place(nodes[0]))
 
     def on_entry(self, nodes: list[Any]) -> tuple[str, Tree]:
-        label = nodes[0].value.value if len(nodes) == 2 else ""
-        return label, self.build(nodes[-1])
+        label = nodes.pop(0).value.value if not hasattr(nodes[0], "data") else ""
+        tree = self.build(nodes[0])
+        return label, Located(self.term_of(nodes[0]), self.build(nodes[2])) if len(nodes) > 1 else tree
 
     def statement_of(self, listing: Listing) -> Tree:
         """A whole statement: its qualifiers gathered, its cases told apart."""
@@ -322,6 +326,8 @@ class Builder:
             return self.product(left)
         right = self.items(nodes[2])
         if nodes[1].type == "TIMES":
+            if any(item.kind == "sum" for item in left):
+                raise self.fail(nodes[1].value.at, "a cross product behind a sum is ambiguous")
             return Cross(self.plain(left), self.plain(right))
         at = nodes[1].value.at
         top, bottom = self.product(left), self.product(right)
@@ -447,6 +453,8 @@ class Builder:
         """A factor that needs nothing from its right."""
         if item.kind == "group":
             node = self.bracketed(item.listing, "()")
+        elif isinstance(item.node, Name) and self.kind(item.node) == "function":
+            node = Call(item.node, ())
         elif item.node is not None:
             node = item.node
         else:
@@ -461,6 +469,8 @@ class Builder:
             return Transpose(node)
         if item.postfix == "DEGREE":
             return Degrees(node)
+        if item.postfix == "PRIMES":
+            return Derivative(node, tuple(Counter(item.letters).items()), partial=True)
         assert item.power is not None
         return Pow(node, item.power)
 
@@ -519,12 +529,10 @@ class Builder:
             raise self.fail(at, "this derivative has no variable")
         found = []
         for tree in bottom.body:
-            order = 1
-            if isinstance(tree, Pow):
-                tree, order = tree.base, self.order(tree.exponent, at)
-            if not isinstance(tree, Name):
+            name, order = (tree.base, self.order(tree.exponent, at)) if isinstance(tree, Pow) else (tree, 1)
+            if not isinstance(name, Name):
                 raise self.fail(at, "a derivative is taken by a letter")
-            found.append((tree, order))
+            found.append((name, order))
         return tuple(found)
 
     # -- factors -------------------------------------------------------------------------------------------------
@@ -535,6 +543,8 @@ class Builder:
             item.postfix = nodes[1].type
             if item.kind == "sum" or (item.kind in ("function", "operator") and item.postfix != "CARET"):
                 raise self.fail(nodes[1].value.at, "this cannot stand here")
+        if item.postfix == "PRIMES":
+            item.letters = nodes[1].value.value
         if item.postfix == "CARET":
             item.power = self.term_of(nodes[3])
             if item.kind in ("function", "d"):

@@ -24,6 +24,7 @@ from symcheck.reading.tree import (
     Iff,
     Implies,
     Interval,
+    Located,
     MatrixOf,
     Mul,
     Name,
@@ -41,11 +42,11 @@ from symcheck.reading.tree import (
 )
 
 # how tightly a printed form holds together: what is looser than its place needs is put in brackets
-LIST, IMPLIES, OR, AND, CHAIN, SUM, TERM, FACTOR, ATOM = range(9)
+LIST, IMPLIES, OR, AND, CHAIN, SUM, TERM, PRODUCT, FACTOR, ATOM = range(10)
 _LEVEL: dict[type[Tree], int] = {
-    System: LIST, CaseList: LIST, Exists: LIST, Qualifier: LIST, Iff: LIST, Implies: IMPLIES, Or: OR, And: AND,
-    Chain: CHAIN, Add: SUM, Neg: SUM, Cross: TERM, Mul: TERM, BigSum: TERM, Call: FACTOR, Pow: FACTOR, Transpose: FACTOR,
-    Degrees: FACTOR, Derivative: FACTOR,
+    System: LIST, CaseList: LIST, Located: LIST, Exists: LIST, Qualifier: LIST, Iff: LIST, Implies: IMPLIES,
+    Or: OR, And: AND, Chain: CHAIN, Add: SUM, Neg: SUM, Cross: TERM, Mul: PRODUCT, BigSum: PRODUCT, Call: FACTOR,
+    Pow: FACTOR, Transpose: FACTOR, Degrees: FACTOR, Derivative: FACTOR, Div: FACTOR,
 }  # fmt: skip
 _CONNECTIVE = {And: r" \land ", Or: r" \lor ", Implies: r" \Rightarrow ", Iff: r" \Leftrightarrow "}
 
@@ -62,7 +63,9 @@ def _print(tree: Tree, level: int) -> str:
 
 def _level(tree: Tree) -> int:
     if isinstance(tree, Derivative) and not _is_short(tree.body):
-        return TERM
+        return PRODUCT
+    if isinstance(tree, Call) and not tree.arguments:
+        return ATOM
     return _LEVEL.get(type(tree), ATOM)
 
 
@@ -102,7 +105,7 @@ def _mul(tree: Mul) -> str:
 
 def _factor(factor: Tree, *, last: bool) -> str:
     if isinstance(factor, BigSum) and last:
-        return _print(factor, TERM)
+        return _print(factor, PRODUCT)
     return _print(factor, FACTOR)
 
 
@@ -113,11 +116,13 @@ def _needs_dot(before: Tree, factor: Tree) -> bool:
         return True
     if isinstance(before, Pow) and isinstance(before.base, Call):
         before = before.base
-    simple = isinstance(first, Name)
     if isinstance(before, Call) and isinstance(before.function, str) and _is_bare(before.arguments):
-        return simple
-    bracket = _print(factor, FACTOR).startswith((r"\left(", "("))
-    return isinstance(before, Name) and bracket
+        return isinstance(first, Name) or _is_function_letter(first)
+    return _is_function_letter(before) and _print(factor, FACTOR).startswith((r"\left(", "("))
+
+
+def _is_function_letter(tree: Tree) -> bool:
+    return isinstance(tree, Call) and not tree.arguments
 
 
 def _first(tree: Tree) -> Tree:
@@ -137,13 +142,15 @@ def _is_bare(arguments: tuple[Tree, ...]) -> bool:
 
 def _is_plain(tree: Tree) -> bool:
     """A letter that is no vector by its print."""
+    if _is_function_letter(tree):
+        return True
     return isinstance(tree, Name) and "mathbf" not in tree.letter and "boldsymbol" not in tree.letter
 
 
 def _call(tree: Call, power: str = "") -> str:
     inside = ", ".join(_print(a, SUM) for a in tree.arguments)
     if isinstance(tree.function, Name):
-        return f"{_name(tree.function)}({inside})"
+        return f"{_name(tree.function)}({inside})" if tree.arguments else _name(tree.function)
     head = tree.function if tree.function not in _OPERATORS else rf"operatorname{{{tree.function}}}"
     if _is_bare(tree.arguments):
         return rf"\{head}{power} {inside}"
@@ -176,7 +183,13 @@ def _base(base: Tree) -> str:
 def _sum(tree: BigSum) -> str:
     low = f" = {_print(tree.low, SUM)}" if tree.low is not None else ""
     high = f"^{{{_print(tree.high, SUM)}}}" if tree.high is not None else ""
-    return rf"\sum_{{{', '.join(tree.indices)}{low}}}{high} {_print(tree.body, TERM)}"
+    return rf"\sum_{{{', '.join(tree.indices)}{low}}}{high} {_print(tree.body, PRODUCT)}"
+
+
+def _operand(tree: Tree) -> str:
+    """The left side of a cross product: a sum must not run on into it."""
+    last = tree.factors[-1] if isinstance(tree, Mul) else tree
+    return _print(tree, ATOM if isinstance(last, BigSum) else PRODUCT)
 
 
 def _is_short(body: Tree) -> bool:
@@ -189,7 +202,7 @@ def _derivative(tree: Derivative) -> str:
     power = f"^{total}" if total > 1 else ""
     below = " ".join(f"{d}{_print(v, FACTOR)}{f'^{n}' if n > 1 else ''}" for v, n in tree.variables)
     if _is_short(tree.body):
-        return rf"\frac{{{d.strip()}{power} {_print(tree.body, TERM)}}}{{{below}}}"
+        return rf"\frac{{{d.strip()}{power} {_print(tree.body, PRODUCT)}}}{{{below}}}"
     return rf"\frac{{{d.strip()}{power}}}{{{below}}} \left({_print(tree.body, SUM)}\right)"
 
 
@@ -221,11 +234,11 @@ def _system(tree: System) -> str:
 
 
 def _part(part: Tree) -> str:
-    return _print(part, AND)
+    return _print(part, LIST if isinstance(part, Located) else AND)
 
 
 def _cases(tree: CaseList) -> str:
-    return r"; \quad ".join(f"{label}). {to_latex(case)}" for label, case in tree.cases)
+    return r"; \quad ".join(f"{label} {to_latex(case)}" for label, case in tree.cases)
 
 
 def _joined(tree: And | Or) -> str:
@@ -258,7 +271,7 @@ _PRINTERS: dict[type[Tree], Callable[[Any], str]] = {
     Pair: lambda t: f"({_print(t.left, SUM)}, {_print(t.right, SUM)})",
     Interval: lambda t: f"[{_print(t.low, SUM)}, {_print(t.high, SUM)}]",
     Tuple: _tuple,
-    Cross: lambda t: rf"{_print(t.left, TERM)} \times {_print(t.right, TERM)}",
+    Cross: lambda t: rf"{_operand(t.left)} \times {_print(t.right, PRODUCT)}",
     Transpose: lambda t: f"{_base(t.value)}^T",
     MatrixOf: _matrix,
     Diag: lambda t: rf"\operatorname{{diag}}({', '.join(_print(e, SUM) for e in t.entries)})",
@@ -270,6 +283,7 @@ _PRINTERS: dict[type[Tree], Callable[[Any], str]] = {
     Qualifier: _qualifier,
     System: _system,
     CaseList: _cases,
+    Located: lambda t: f"{_print(t.place, SUM)} : {_print(t.statement, IMPLIES)}",
     And: _joined,
     Or: _joined,
     Implies: _arrow,

@@ -29,6 +29,8 @@ _NOT_LETTERS = frozenset(
         r"\tfrac",
         r"\sqrt",
         r"\sum",
+        r"\pm",
+        r"\mp",
         r"\cdot",
     }
 )

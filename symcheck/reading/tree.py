@@ -66,7 +66,7 @@ class Pow(Tree):
 
 @dataclass(frozen=True, slots=True)
 class Call(Tree):
-    r"""A function applied: `\sin 2\alpha`, `\cos(Oy_i, Ox_j)`, `f_1(J_2)`, `\max f_1`."""
+    r"""A function applied: `\sin 2\alpha`, `\cos(Oy_i, Ox_j)`, `f_1(J_2)`; a bare function letter has no arguments."""
 
     function: str | Name
     arguments: tuple[Tree, ...]
@@ -193,9 +193,17 @@ class System(Tree):
 
 @dataclass(frozen=True, slots=True)
 class CaseList(Tree):
-    """A numbered list of cases, `1). ...; 2). ...`: one of them holds."""
+    """A numbered list; `1). ...; 2). ...` are cases, of which one holds, `1) ...; 2) ...` are just counted."""
 
     cases: tuple[tuple[str, Tree], ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Located(Tree):
+    r"""`V_1 : \mathbf{H} = ...`: a statement about a named thing."""
+
+    place: Tree
+    statement: Tree
 
 
 @dataclass(frozen=True, slots=True)
@@ -226,7 +234,7 @@ class Exists(Tree):
     body: Tree
 
 
-STATEMENTS = (Chain, System, CaseList, And, Or, Implies, Iff, Exists, Qualifier)
+STATEMENTS = (Chain, System, CaseList, Located, And, Or, Implies, Iff, Exists, Qualifier)
 LOGIC = (And, Or, Implies, Iff, Exists)
 
 Path = tuple[int, ...]

@@ -172,7 +172,7 @@ closed_form_of_the_family = ours(
         Hypothesis("length", "r is the length of g, not zero", r"r^2 = G, r \neq 0"),
     ],
     where=derivation.equal_moment_family,
-    keeping=("d",),
+    keeping=("d", "c"),
     by=cases(),
     uses=["B.6", "B.8"],
     notation=family_letters,

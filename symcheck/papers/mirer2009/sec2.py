@@ -313,7 +313,7 @@ one_parameter_family = exclusion(
     "2.7.1",
     225,
     words="In general (2.5) to (2.7) have a one-parameter family of solutions; the paper does not derive it.",
-    reason="left out by the paper; derived and proved here as family.1 to family.9",
+    reason="left out by the paper; derived and proved here as B.5 to B.12",
 )
 
 aircraft_angles = definition(
@@ -487,7 +487,7 @@ equal_moments_are_possible = claim(
     "an angle of cosine u and sine v).",
     formal=r"\exists u, v : (u^2 + v^2 = 1 \land J_1 = J_2 = J_3 = \frac{1}{3}(I_1 + I_2 + I_3))",
     where=derivation.turned_about_the_diagonal,
-    by=existence,
+    by=existence(),
     uses=["2.4", "2.7.4", "2.9"],
     notation=turned_letters,
 )
@@ -530,7 +530,7 @@ ellipsoid_axes_exist = claim(
     formal=r"\exists u, v : (u^2 + v^2 = 1 \land J_1 = J_2 = J_3)",
     given=[Hypothesis("semi-axes", "the semi-axes are positive", "a > 0, b > 0, c > 0", printed=False)],
     where=derivation.ellipsoid_moments,
-    by=existence,
+    by=existence(),
     uses=["2.9.4", "2.9.6"],
     notation=ellipsoid_letters,
 )

@@ -1,0 +1,32 @@
+"""The proof methods a claim can name. Each takes hints as LaTeX; what arrives in a problem's hints is lowered already.
+
+All decide statements of any shape the same way; they differ in the hints they carry.
+"""
+
+from __future__ import annotations
+
+from symcheck.proof.cases import prove
+from symcheck.proof.decide import decide
+from symcheck.statement import Method, Outcome, Problem
+
+
+def _decide(problem: Problem) -> Outcome:
+    return decide(problem, prove)
+
+
+identity = Method("identity", _decide)
+
+
+def nonnegative(form: str = "") -> Method:
+    """An order l <= r: r - l equals `form` (LaTeX) modulo the hypotheses, and the form is manifestly not negative."""
+    return Method("nonnegative", _decide, (("form", form),) if form else ())
+
+
+def cases(*forms: str) -> Method:
+    """Logic: implications, equivalences, alternatives, by splitting into cases; forms (LaTeX) are sums that may vanish."""
+    return Method("cases", _decide, tuple((f"form{k}", form) for k, form in enumerate(forms)))
+
+
+def existence(**point: str) -> Method:
+    """A point is shown: values (LaTeX) for the bound variables, or a zero between a turn by 90 degrees and its start."""
+    return Method("existence", _decide, tuple((f"point_{name}", value) for name, value in point.items()))

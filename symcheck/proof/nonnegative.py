@@ -1,0 +1,114 @@
+"""Orders l <= r: the difference equals a form that is manifestly not negative (positive, for a strict order)."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from symcheck.proof.identity import subsets, written
+from symcheck.proof.knowledge import Knowledge, starting
+from symcheck.proof.polynomial import Poly, fraction
+from symcheck.statement import Certificate, Formula, Problem, Term
+
+
+def gap_of(goal: Formula) -> tuple[Term, int]:
+    """(larger - smaller, the level its sign must have)."""
+    small, large = (goal[1], goal[2]) if goal[0][0] == "<" else (goal[2], goal[1])
+    return (large if small == 0 else ("+", large, ("-", small))), 1 + (len(goal[0]) == 1)
+
+
+def prove_order(goal: Formula, known: Knowledge, forms: list[Term], problem: Problem | None = None) -> Certificate | None:
+    """The proof of an order at one place of a proof; with a problem, over as few of its hypotheses as will do."""
+    gap, wanted = gap_of(goal)
+    for form in [*forms, gap, *_derived(gap, known)]:
+        level, given = known.sign(form)
+        if level < wanted:
+            continue
+        poly = known.ring.subtract(gap, form).num
+        if (cofactors := _cofactors(poly, known, problem)) is not None:
+            return {"rule": "nonnegative", "form": form, "cofactors": cofactors, "given": sorted(map(list, given))}
+    return None
+
+
+def _cofactors(poly: Poly, known: Knowledge, problem: Problem | None) -> list[list[object]] | None:
+    if poly == 0:
+        return []
+    if known.ideal().reduce(poly) != 0:
+        return None
+    if problem is not None:
+        for names in subsets(problem):
+            if (found := starting(problem, known.ring, names).ideal().cofactors(poly)) is not None:
+                return written(found)
+    found = known.ideal().cofactors(poly)
+    return None if found is None else written(found)
+
+
+def _derived(gap: Term, known: Knowledge) -> Iterator[Term]:
+    """Forms found from the polynomial itself: its factors, each a combination of known signs."""
+    ratio = known.ring.ratio(gap)
+    if ratio.den:
+        return
+    for poly in (ratio.num, known.ideal().reduce(ratio.num)):
+        if poly == 0:
+            yield 0
+        elif (form := positive_form(poly, known)) is not None:
+            yield form
+
+
+def positive_form(poly: Poly, known: Knowledge) -> Term | None:
+    """A manifestly non-negative term equal to the polynomial, or None: factors, expanded sums, known bounds."""
+    unit, factors = poly.factor()
+    sign, parts = fraction(unit), []
+    for factor, exponent in factors:
+        if exponent % 2 == 0:
+            parts.append(("^", term_of(factor), int(exponent)))
+            continue
+        form = _factor_form(factor, known)
+        if form is None and (form := _factor_form(-factor, known)) is not None:
+            sign = -sign
+        if form is None:
+            return None
+        parts.append(form if exponent == 1 else ("^", form, int(exponent)))
+    if sign < 0:
+        return None
+    number: Term = sign.numerator if sign.denominator == 1 else ("/", sign.numerator, sign.denominator)
+    return ("*", number, *parts) if parts else number
+
+
+def _factor_form(poly: Poly, known: Knowledge, depth: int = 3) -> Term | None:
+    """The polynomial as a sum of non-negative addends and positive multiples of known bounds."""
+    term = term_of(poly)
+    if known.sign(term)[0]:
+        return term
+    if depth == 0:
+        return None
+    for bound in known.signs:
+        for exponents, coefficient in bound.poly.terms():
+            mine = dict((tuple(map(int, e)), c) for e, c in poly.terms()).get(tuple(map(int, exponents)))
+            if mine is None or mine * coefficient < 0 or len(bound.poly) == 1:
+                continue
+            factor = fraction(mine / coefficient)
+            rest = poly - bound.poly * (mine / coefficient)
+            number: Term = factor.numerator if factor.denominator == 1 else ("/", factor.numerator, factor.denominator)
+            if rest == 0:
+                return ("*", number, bound.term)
+            if (form := _factor_form(rest, known, depth - 1)) is not None:
+                return ("+", ("*", number, bound.term), form)
+    return None
+
+
+def term_of(poly: Poly) -> Term:
+    """A polynomial as a term, expanded; even powers stay visible."""
+    names = poly.context().names()
+    addends: list[Term] = []
+    for exponents, coefficient in poly.terms():
+        value = fraction(coefficient)
+        size = abs(value)
+        number: Term = size.numerator if size.denominator == 1 else ("/", size.numerator, size.denominator)
+        powers: list[Term] = [
+            name if e == 1 else ("^", name, int(e)) for name, e in zip(names, exponents, strict=True) if e
+        ]
+        factors = powers if number == 1 and powers else [number, *powers]
+        term: Term = factors[0] if len(factors) == 1 else ("*", *factors)
+        addends.append(term if value > 0 else ("-", term))
+    return addends[0] if len(addends) == 1 else ("+", *addends) if addends else 0
+

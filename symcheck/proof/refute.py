@@ -1,0 +1,420 @@
+"""Exact counterexamples: a point where every hypothesis holds and the claim does not.
+
+Candidates come in order of size: matrices, sines and cosines, numbers; equations linear in a number are then solved.
+A point counts only after exact evaluation of everything, so nothing here has to be trusted.
+"""
+
+from __future__ import annotations
+
+import random
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+from itertools import islice, permutations, product
+from math import isqrt
+from typing import Any
+
+from symcheck.proof.knowledge import ring_of
+from symcheck.proof.polynomial import (
+    RELATIONS,
+    Poly,
+    Ratio,
+    Ring,
+    Unsupported,
+    flatten,
+    fraction,
+    rational,
+    variables,
+)
+from symcheck.statement import Certificate, Formula, Problem, Term
+
+Point = dict[str, Poly]
+TRIES = 400
+SEVENTHS = ((2, 3, 6), (6, 2, -3), (3, -6, 2))
+
+
+def refute(problem: Problem) -> Certificate | None:
+    """A point of a certificate, or None if none was found. Unsupported for terms outside the ring."""
+    claim = problem.claim
+    if _quantified(claim):
+        return None
+    if claim[0] == "<=>":
+        directions = [("=>", claim[1], claim[2]), ("=>", claim[2], claim[1])]
+        found = (_Search(problem, direction).run() for direction in directions)
+        return next((point for point in found if point), None)
+    return _Search(problem, claim).run()
+
+
+def _quantified(formula: Formula) -> bool:
+    return formula[0] == "exists" or (formula[0] not in RELATIONS and any(_quantified(f) for f in formula[1:]))
+
+
+@dataclass(frozen=True)
+class _Group:
+    """Variables that take values together, and the values to try."""
+
+    names: tuple[str, ...]
+    choices: tuple[Point, ...]
+
+
+class _Search:
+    def __init__(self, problem: Problem, direction: Formula) -> None:
+        base = ring_of(problem)
+        self.problem = problem
+        self.ring = Ring({*base.names, "sqrt_2", "sqrt_3"}, base.definitions)
+        self.formulas = [part for _, fs in problem.hypotheses for f in fs for part in flatten(f)]
+        if direction[0] == "=>":
+            self.formulas += flatten(direction[1])
+        self.gaps: dict[Formula, Ratio] = {}
+        self.roots = [name for name in self.ring.names if name.startswith("sqrt_")]
+        self.free = [name for name in self.ring.names if name not in self.roots]
+
+    def run(self) -> Certificate | None:
+        """The first candidate that stands the exact test."""
+        angles = {name[4:] for name in self.free if name[:4] in ("sin_", "cos_")}
+        if angles & set(self.free):
+            return None
+        for point in self._candidates(sorted(angles)):
+            try:
+                if self._refutes(point):
+                    return self._display(point)
+            except ZeroDivisionError:
+                continue
+        return None
+
+    # candidates
+
+    def _candidates(self, angles: Sequence[str]) -> Iterator[Point]:
+        hinted = dict(self.problem.hints).get("point")
+        groups = [self._matrix(stem, names) for stem, names in _matrices(self.free)]
+        groups += [self._angle(x, k) for k, x in enumerate(angles)]
+        taken = {name for group in groups for name in group.names}
+        scalars = [name for name in self.free if name not in taken]
+        if hinted:
+            point = {name: self._value(term) for name, term in hinted.items()}
+            yield {**{name: self.ring.number(1) for name in self.free}, **point}
+        solved: dict[tuple[int, ...], list[tuple[str, Poly, Poly]] | None] = {}
+        for indices in islice(_by_size([len(g.choices) for g in groups] + [len(_PATTERNS)]), TRIES):
+            fixed: Point = {}
+            for group, index in zip(groups, indices[:-1], strict=True):
+                fixed.update(group.choices[index])
+            if indices[:-1] not in solved:
+                solved[indices[:-1]] = self._solve(fixed, scalars)
+            steps = solved[indices[:-1]]
+            if steps is not None:
+                point = {**fixed, **self._numbers(scalars, indices[-1])}
+                if self._complete(point, steps):
+                    yield point
+
+    def _value(self, value: Any) -> Poly:
+        if isinstance(value, str):
+            return self.ring.number(Fraction(value))
+        return self.ring.number(value) if isinstance(value, Fraction | int) else self.ring.poly(value)
+
+    def _matrix(self, stem: str, names: tuple[str, ...]) -> _Group:
+        own = [f for f in self.formulas if self._support(f) <= set(names)]
+        choices = []
+        for rows in _matrix_values():
+            point = {n: self._value(rows[int(n[-2]) - 1][int(n[-1]) - 1]) for n in names}
+            if all(self._truth(f, point) for f in own):
+                choices.append(point)
+        return _Group(names, tuple(choices))
+
+    def _angle(self, x: str, shift: int) -> _Group:
+        names = (f"sin_{x}", f"cos_{x}")
+        own = [f for f in self.formulas if self._support(f) <= set(names)]
+        choices = []
+        for s, c in _CIRCLE[shift:] + _CIRCLE[:shift]:
+            try:
+                point = {names[0]: self._value(s), names[1]: self._value(c)}
+            except (Unsupported, KeyError):
+                continue
+            if all(self._truth(f, point) for f in own):
+                choices.append(point)
+        return _Group(names, tuple(choices))
+
+    def _numbers(self, names: Sequence[str], index: int) -> Point:
+        """Values for the scalars: members of a family I_1, I_2, I_3 by their number, others by their place."""
+        pattern, point = _PATTERNS[index], {}
+        for place, name in enumerate(names):
+            tail = name.rpartition("_")[2]
+            where = int(tail) - 1 if tail.isdigit() and len(tail) == 1 else place
+            point[name] = self.ring.number(pattern[where % len(pattern)])
+        return point
+
+    def _support(self, formula: Formula) -> set[str]:
+        if formula[0] not in RELATIONS:
+            return set().union(*(self._support(f) for f in formula[1:]))
+        ratio = self._gap(formula)
+        used = ratio.num.degrees()
+        return {name for name, degree in zip(self.ring.names, used, strict=True) if degree and name not in self.roots}
+
+    def _solve(self, fixed: Point, scalars: Sequence[str]) -> list[tuple[str, Poly, Poly]] | None:
+        """Steps (x, a, b) meaning x = -b / a, in order of solution, from the equations at fixed matrices and angles."""
+        equations = [self._gap(f).num for f in self.formulas if f[0] == "="]
+        open_ = [q for q in (self._reduce(self._at(p, fixed)) for p in equations) if q != 0]
+        steps: list[tuple[str, Poly, Poly]] = []
+        while open_:
+            open_.sort(key=len)
+            equation = open_.pop(0)
+            choice = next((x for x in reversed(scalars) if equation.degrees()[self.ring.names.index(x)] == 1), None)
+            if choice is None:
+                if all(equation.degrees()[self.ring.names.index(x)] == 0 for x in scalars):
+                    return None
+                continue
+            slope = equation.derivative(choice)
+            rest = equation - slope * self.ring.generator[choice]
+            steps.append((choice, slope, rest))
+            replaced = (self._eliminate(p, choice, slope, rest) for p in open_)
+            open_ = [p for p in map(self._reduce, replaced) if p != 0]
+        return steps[::-1]
+
+    def _eliminate(self, poly: Poly, x: str, slope: Poly, rest: Poly) -> Poly:
+        where, degree = self.ring.names.index(x), poly.degrees()[self.ring.names.index(x)]
+        total = self.ring.number(0)
+        for exponents, coefficient in poly.terms():
+            power = int(exponents[where])
+            others = tuple(0 if k == where else int(e) for k, e in enumerate(exponents))
+            total += self.ring.context.from_dict({others: coefficient}) * (-rest) ** power * slope ** int(degree - power)
+        return total
+
+    def _complete(self, point: Point, steps: Sequence[tuple[str, Poly, Poly]]) -> bool:
+        for x, slope, rest in steps:
+            bottom = self._reduce(self._at(slope, point))
+            if bottom == 0:
+                if self._reduce(self._at(rest, point)) != 0:
+                    return False
+                continue
+            point[x] = self._quotient(-self._reduce(self._at(rest, point)), bottom)
+        return True
+
+    # exact evaluation
+
+    def _gap(self, formula: Formula) -> Ratio:
+        if formula not in self.gaps:
+            self.gaps[formula] = self.ring.subtract(formula[1], formula[2])
+        return self.gaps[formula]
+
+    def _at(self, poly: Poly, point: Mapping[str, Poly]) -> Poly:
+        values = [point.get(name, self.ring.generator[name]) for name in self.ring.names]
+        return poly.compose(*values, ctx=self.ring.context)
+
+    def _reduce(self, poly: Poly) -> Poly:
+        for name in self.roots:
+            poly = divmod(poly, self.ring.generator[name] ** 2 - int(name[5:]))[1]
+        return poly
+
+    def _quotient(self, top: Poly, bottom: Poly) -> Poly:
+        """top / bottom for combinations of roots, by conjugates."""
+        for name in self.roots:
+            if bottom.degrees()[self.ring.names.index(name)]:
+                conjugate = self._at(bottom, {name: -self.ring.generator[name]})
+                top, bottom = self._reduce(top * conjugate), self._reduce(bottom * conjugate)
+        if not bottom.is_constant() or bottom == 0:
+            raise ZeroDivisionError
+        return top / bottom.leading_coefficient()
+
+    def _sign(self, poly: Poly, point: Point) -> int:
+        value = self._reduce(self._at(poly, point))
+        if value == 0:
+            return 0
+        if value.is_constant():
+            return 1 if value.leading_coefficient() > 0 else -1
+        return self._sign_of_roots(value)
+
+    def _sign_of_roots(self, value: Poly) -> int:
+        precision = 8
+        while precision < 4096:
+            low = high = Fraction(0)
+            for exponents, coefficient in value.terms():
+                radicand = 1
+                for name, exponent in zip(self.ring.names, exponents, strict=True):
+                    if exponent and name not in self.roots:
+                        raise ZeroDivisionError  # a variable without a value
+                    radicand *= int(name[5:]) if exponent else 1
+                near = isqrt(radicand << (2 * precision))
+                ends = [fraction(coefficient) * Fraction(n, 1 << precision) for n in (near, near + 1)]
+                low, high = low + min(ends), high + max(ends)
+            if low > 0 or high < 0:
+                return 1 if low > 0 else -1
+            precision *= 2
+        raise ZeroDivisionError
+
+    def _truth(self, formula: Formula, point: Point) -> bool:
+        kind = formula[0]
+        if kind not in RELATIONS:
+            parts = [self._truth(f, point) for f in formula[1:]]
+            return {
+                "and": all(parts),
+                "or": any(parts),
+                "=>": not parts[0] or parts[-1],
+                "<=>": parts[0] == parts[-1],
+            }[kind]
+        gap = self._gap(formula)
+        order = self._sign(gap.num, point)
+        for divisor, exponent in gap.den.values():
+            order *= self._sign(divisor, point) ** exponent
+        return {
+            "=": order == 0, "!=": order != 0, "<": order < 0, "<=": order <= 0, ">": order > 0, ">=": order >= 0
+        }[kind]  # fmt: skip
+
+    def _refutes(self, point: Point) -> bool:
+        if self._truth(self.problem.claim, point) or not all(self._truth(f, point) for f in self.formulas):
+            return False
+        divisors = [d for gap in list(self.gaps.values()) for d, _ in gap.den.values()] + list(self.ring.divisors.values())
+        axioms = [poly for _, poly in self.ring.axioms() if not poly.is_constant()]
+        if any(self._sign(d, point) == 0 for d in divisors):
+            return False
+        return all(self._reduce(self._at(poly, point)) == 0 for poly in axioms)
+
+    # display
+
+    def _display(self, point: Point) -> Certificate:
+        claim = self.problem.claim
+        needed = self._needed_names(claim)
+        values = {name: self._written(self._reduce(poly)) for name, poly in point.items() if name in needed}
+        if claim[0] in RELATIONS:
+            sides = [self._written(self._side(side, point)) for side in claim[1:]]
+        else:
+            sides = ["true" if self._truth(part, point) else "false" for part in claim[1:]]
+        return {"values": values, "sides": sides}
+
+    def _needed_names(self, claim: Formula) -> set[str]:
+        definitions = self.ring.definitions
+        from symcheck.proof.polynomial import unfold
+
+        nodes = [claim, *(f for _, fs in self.problem.hypotheses for f in fs)]
+        return set().union(*(variables(unfold(node, definitions)) for node in nodes))
+
+    def _side(self, side: Term, point: Point) -> Poly:
+        ratio = self.ring.ratio(side)
+        top, bottom = self._at(ratio.num, point), self.ring.number(1)
+        for divisor, exponent in ratio.den.values():
+            bottom *= self._at(divisor, point) ** exponent
+        return self._quotient(self._reduce(top), self._reduce(bottom))
+
+    def _written(self, value: Poly) -> Any:
+        """A rational as "2/7", another number as a term of integers and roots."""
+        if value.is_constant():
+            return str(fraction(value.leading_coefficient())) if value != 0 else "0"
+        addends = []
+        for exponents, coefficient in value.terms():
+            number, radicand = fraction(coefficient), 1
+            for name, exponent in zip(self.ring.names, exponents, strict=True):
+                radicand *= int(name[5:]) if exponent else 1
+            factor = number.numerator if number.denominator == 1 else ["/", number.numerator, number.denominator]
+            addends.append(["*", factor, ["sqrt", radicand]] if radicand > 1 else factor)
+        return addends[0] if len(addends) == 1 else ["+", *addends]
+
+
+def _matrices(names: Sequence[str]) -> list[tuple[str, tuple[str, ...]]]:
+    """Families of variables with two indices, at least four of them."""
+    stems: dict[str, list[str]] = {}
+    for name in names:
+        stem, _, tail = name.rpartition("_")
+        if len(tail) == 2 and set(tail) <= set("123"):
+            stems.setdefault(stem, []).append(name)
+    return [(stem, tuple(members)) for stem, members in stems.items() if len(members) > 3]
+
+
+def _by_size(lengths: Sequence[int]) -> Iterator[tuple[int, ...]]:
+    """All index tuples below the lengths, those with small sums first."""
+    if 0 in lengths:
+        return
+    limited = [min(n, 40) for n in lengths]
+    if len(limited) > 3:
+        limited = [min(n, 6) for n in limited]
+    yield from sorted(product(*(range(n) for n in limited)), key=lambda t: (sum(t), t))
+
+
+def _turned(rows: Sequence[Sequence[Any]]) -> Iterator[list[list[Any]]]:
+    for order in permutations(range(3)):
+        yield [list(rows[i]) for i in order]
+
+
+def _cayley(seed: int) -> list[list[Fraction]]:
+    """A rotation from a quaternion with 62-bit entries."""
+    source = random.Random(seed)
+    w, x, y, z = (Fraction(source.getrandbits(62) - 2**61) for _ in range(4))
+    n = w * w + x * x + y * y + z * z
+    return [
+        [(w * w + x * x - y * y - z * z) / n, 2 * (x * y - w * z) / n, 2 * (x * z + w * y) / n],
+        [2 * (x * y + w * z) / n, (w * w - x * x + y * y - z * z) / n, 2 * (y * z - w * x) / n],
+        [2 * (x * z - w * y) / n, 2 * (y * z + w * x) / n, (w * w - x * x - y * y + z * z) / n],
+    ]
+
+
+def _matrix_values() -> Iterator[Sequence[Sequence[Any]]]:
+    """Rotations, reflections and other matrices, small ones first."""
+    f = Fraction
+    seventh = [[f(x, 7) for x in row] for row in SEVENTHS]
+    eye = [[1, 0, 0], [0, 1, 0], [0, 0, 1]]
+    r2, r3, r6 = ("sqrt", 2), ("sqrt", 3), ("sqrt", 6)
+    surd = [
+        [("/", 2, r6), ("/", -1, r6), ("/", 1, r6)],
+        [("/", 1, r3), ("/", 1, r3), ("/", -1, r3)],
+        [0, ("/", 1, r2), ("/", 1, r2)],
+    ]
+    half = [[("/", 1, r2), ("/", 1, r2), 0], [("/", -1, r2), ("/", 1, r2), 0], [0, 0, 1]]
+    turns = [
+        [[f(3, 5), f(4, 5), 0], [f(-4, 5), f(3, 5), 0], [0, 0, 1]],
+        [[1, 0, 0], [0, f(3, 5), f(4, 5)], [0, f(-4, 5), f(3, 5)]],
+        [[f(3, 5), 0, f(-4, 5)], [0, 1, 0], [f(4, 5), 0, f(3, 5)]],
+    ]
+    yield seventh
+    yield eye
+    yield [[-x for x in row] for row in seventh]
+    yield turns[0]
+    yield surd
+    yield half
+    yield from turns[1:]
+    yield from ([list(row) for row in rows] for rows in (((1, 2, 3), (4, 5, 7), (6, 9, 8)), ((1, 2, 3), (2, 5, 4), (3, 4, 7))))
+    yield from islice(_turned(eye), 1, None)
+    yield [[1, 0, 0], [0, 1, 0], [0, 0, -1]]
+    yield [[0, 0, 0], [0, 0, 0], [0, 0, 0]]
+    yield [[2, 0, 0], [0, 3, 0], [0, 0, 5]]
+    yield from islice(_turned(seventh), 1, None)
+    yield from islice(_turned(surd), 1, None)
+    for rows in turns:
+        yield from islice(_turned(rows), 1, None)
+    yield from (_cayley(seed) for seed in (1, 2))
+
+
+_CIRCLE: tuple[tuple[Any, Any], ...] = (
+    (Fraction(3, 5), Fraction(4, 5)),
+    (Fraction(5, 13), Fraction(12, 13)),
+    (Fraction(8, 17), Fraction(15, 17)),
+    (0, 1),
+    (1, 0),
+    (Fraction(-4, 5), Fraction(3, 5)),
+    (Fraction(3, 5), Fraction(-4, 5)),
+    (0, -1),
+    (("/", 1, ("sqrt", 3)), ("/", ("*", ("sqrt", 2), ("sqrt", 3)), 3)),
+    (("/", 1, ("sqrt", 2)), ("/", 1, ("sqrt", 2))),
+    (("/", 1, ("sqrt", 3)), ("/", ("*", -1, ("sqrt", 2), ("sqrt", 3)), 3)),
+    (Fraction(1, 2), ("/", ("sqrt", 3), 2)),
+)
+
+_BIG = tuple(random.Random(7).getrandbits(62) for _ in range(12))
+_PATTERNS: tuple[tuple[Any, ...], ...] = (
+    (1, 2, 3),
+    (2, 1, 3, 5, 7, 11),
+    (2, 3, 4, 6, 5),
+    (1, 1, 2),
+    (1, 2, 1),
+    (2, 1, 1),
+    (1, 1, 1),
+    (1, 0, 2),
+    (0, 1, 2),
+    (1, 2, 0),
+    (0, 0, 1),
+    (0, 0, 0),
+    (3, 2, 1, -1),
+    (-1, 2, 3),
+    (1, -2, 3),
+    (-1, -2, -3),
+    (Fraction(1, 2), Fraction(2, 3), Fraction(3, 5), Fraction(5, 7)),
+    (5, 1, 1, 9),
+    (4, -3, Fraction(1, 7), 11, 2),
+    _BIG,
+)

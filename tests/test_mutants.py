@@ -1,0 +1,95 @@
+"""Every single edit of a proved statement is rejected, or says the same; an independent oracle agrees."""
+
+from __future__ import annotations
+
+import random
+from collections import Counter
+from functools import cache
+
+import oracle
+import pytest
+from symcheck import papers
+from symcheck.evidence.decide import Context, Unit, expand, judge, units
+from symcheck.evidence.mutation import Fate, fate, mutants
+from symcheck.statement import Hypothesis, Role, Verdict
+
+SAMPLE = 200
+POINTS = 3
+
+
+@cache
+def proved_units() -> list[tuple[Context, Unit, tuple[Hypothesis, ...]]]:
+    """Every proved relation, with the hypotheses under which it is proved."""
+    found = []
+    for paper in papers.load().values():
+        for obligation in expand(paper):
+            item = obligation.item
+            if item.role not in (Role.CLAIM, Role.OURS):
+                continue
+            context = Context(paper, item)
+            for unit in units(context):
+                if unit.letter in item.imposed and unit.letter:
+                    continue
+                if unit.letter in item.errata and item.errata[unit.letter].corrected:
+                    continue
+                given = item.given + (item.needs if unit.letter in item.errata else ())
+                if judge(context, unit, given).verdict is Verdict.PROVED:
+                    found.append((context, unit, given))
+    return found
+
+
+@cache
+def all_mutants() -> list[tuple[int, str, str, Unit | None]]:
+    return [
+        (n, kind, description, mutant)
+        for n, (context, unit, _) in enumerate(proved_units())
+        for kind, description, mutant in mutants(context, unit)
+    ]
+
+
+def disagreement(context: Context, unit: Unit, mutant: Unit, given: tuple[Hypothesis, ...]) -> bool | None:
+    """Whether the oracle finds a point where the mutant fails; None if it cannot sample the hypotheses."""
+    rng = random.Random(20090055)
+    seen = False
+    for formula in mutant.formulas:
+        problem = context.problem(formula, given, context.method(unit.letter))
+        for _ in range(POINTS):
+            at = oracle.point(problem, rng)
+            if at is None:
+                continue
+            seen = True
+            try:
+                if not oracle.holds(formula, at, dict(problem.definitions)):
+                    return True
+            except (ZeroDivisionError, KeyError):
+                continue
+    return False if seen else None
+
+
+def run(sample: list[tuple[int, str, str, Unit | None]]) -> Counter[str]:
+    counts: Counter[str] = Counter()
+    wrong = []
+    for n, kind, description, mutant in sample:
+        context, unit, given = proved_units()[n]
+        result = fate(context, unit, mutant, given)
+        counts[result] += 1
+        told = f"{context.id}{unit.letter} {kind}: {description}"
+        if result is Fate.ACCEPTED:
+            wrong.append(told)
+        if result is Fate.EQUIVALENT and mutant and disagreement(context, unit, mutant, given):
+            wrong.append(f"{told} (called equivalent, but fails at a point)")
+    assert not wrong
+    return counts
+
+
+def test_no_mutant_of_a_seeded_sample_is_accepted() -> None:
+    sample = random.Random(55).sample(all_mutants(), SAMPLE)
+    counts = run(sample)
+    assert counts.total() - counts[Fate.EQUIVALENT] - counts[Fate.MALFORMED] >= 150
+
+
+@pytest.mark.slow
+def test_no_mutant_at_all_is_accepted() -> None:
+    counts = run(all_mutants())
+    print(dict(counts))
+    assert counts[Fate.REFUTED] + counts[Fate.UNDECIDED] >= 1000

@@ -1,0 +1,115 @@
+"""The ground keeps its promises: documented commands exist, no machine is named, every public function is explained."""
+
+from __future__ import annotations
+
+import ast
+import re
+import shlex
+import subprocess
+from importlib.util import find_spec
+from pathlib import Path
+
+import click
+import pytest
+
+from symcheck.cli import cli
+
+ROOT = Path(__file__).resolve().parent.parent
+MODULES = sorted((ROOT / "symcheck").rglob("*.py"))
+GROUND = ("pyproject.toml", "constraints.txt", "Makefile", ".ci/run", "README.md", ".gitignore")
+TEXT = {".py", ".md", ".toml", ".txt", ".lark", ".json", ""}
+TARGETS = ("audit", "test", "test-full", "bench", "clean")
+
+
+def tracked() -> list[Path]:
+    """The text files that git does not ignore."""
+    command = ["git", "ls-files", "--cached", "--others", "--exclude-standard"]
+    listed = subprocess.run(command, cwd=ROOT, capture_output=True, text=True, check=False).stdout.splitlines()
+    return [ROOT / name for name in listed if (ROOT / name).is_file() and Path(name).suffix in TEXT]
+
+
+def commands_of_the_readme() -> list[str]:
+    """Each line of the README's shell blocks, without the comment behind it."""
+    text = (ROOT / "README.md").read_text(encoding="utf-8")
+    blocks = re.findall(r"^```sh\n(.*?)^```", text, flags=re.DOTALL | re.MULTILINE)
+    return [line for block in blocks for line in block.splitlines() if line.strip()]
+
+
+def make_targets() -> set[str]:
+    return set(re.findall(r"^([a-z][a-z-]*):", (ROOT / "Makefile").read_text(encoding="utf-8"), flags=re.MULTILINE))
+
+
+def test_the_readme_names_the_two_commands() -> None:
+    assert {"make audit", "make test"} <= {line.split("#")[0].strip() for line in commands_of_the_readme()}
+
+
+@pytest.mark.parametrize("line", commands_of_the_readme())
+def test_each_command_of_the_readme_exists(line: str) -> None:
+    words = shlex.split(line, comments=True)
+    match words:
+        case ["make", *targets]:
+            assert set(targets) <= make_targets()
+        case ["symcheck" | ".venv/bin/symcheck", *arguments]:
+            _parse(arguments)
+        case ["python" | ".venv/bin/python", "-m", module, *_]:
+            assert find_spec(module)
+        case ["git" | "cd" | "pip", *_]:
+            pass
+        case _:
+            pytest.fail(f"what is {line!r}?")
+
+
+def _parse(arguments: list[str]) -> None:
+    """Parse a command line without running it."""
+    if arguments[0].startswith("-"):
+        assert arguments[0] in ("--help", "-h", "--version")
+        return
+    command = cli.commands[arguments[0]]
+    command.make_context(arguments[0], arguments[1:], parent=click.Context(cli))
+
+
+@pytest.mark.parametrize("target", TARGETS)
+def test_make_has_the_target(target: str) -> None:
+    result = subprocess.run(["make", "-n", target], cwd=ROOT, capture_output=True, text=True, check=False)
+    assert result.returncode == 0, result.stderr
+    assert target in make_targets()
+
+
+def test_the_ci_script_is_executable_and_runs_the_tests() -> None:
+    script = ROOT / ".ci" / "run"
+    assert script.stat().st_mode & 0o111
+    assert subprocess.run(["bash", "-n", str(script)], check=False).returncode == 0
+    assert "make test" in script.read_text(encoding="utf-8")
+
+
+def test_no_file_names_a_place_on_some_machine() -> None:
+    places = re.compile(r"(?<![\w.])/(?:home|root|work|opt|Users|tmp)/|[A-Z]:\\[A-Za-z]+\\")
+    lines = [(file, line) for file in tracked() for line in file.read_text(encoding="utf-8").splitlines()]
+    assert [(file.name, line) for file, line in lines if places.search(line)] == []
+
+
+@pytest.mark.parametrize("name", GROUND)
+def test_the_ground_names_no_address(name: str) -> None:
+    text = (ROOT / name).read_text(encoding="utf-8")
+    assert "://" not in text
+    assert "index-url" not in text
+    assert "find-links" not in text
+
+
+@pytest.mark.parametrize("file", MODULES, ids=lambda file: str(file.relative_to(ROOT)))
+def test_every_public_function_is_explained(file: Path) -> None:
+    tree = ast.parse(file.read_text(encoding="utf-8"))
+    functions = [node for node in tree.body if isinstance(node, ast.FunctionDef) and not node.name.startswith("_")]
+    assert [function.name for function in functions if not ast.get_docstring(function)] == []
+    assert ast.get_docstring(tree) or not tree.body
+
+
+@pytest.mark.parametrize("file", MODULES, ids=lambda file: str(file.relative_to(ROOT)))
+def test_no_module_imports_everything_from_another(file: Path) -> None:
+    tree = ast.parse(file.read_text(encoding="utf-8"))
+    stars = [n for n in ast.walk(tree) if isinstance(n, ast.ImportFrom) and any(a.name == "*" for a in n.names)]
+    assert stars == []
+
+
+def test_no_module_is_a_drawer_for_everything() -> None:
+    assert {"utils.py", "helpers.py", "misc.py", "common.py"} & {file.name for file in MODULES} == set()

@@ -1,0 +1,179 @@
+"""A tree printed back and read again is the same tree."""
+
+from __future__ import annotations
+
+import time
+from pathlib import Path
+
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from reading_samples import NOTATION, SAMPLES, displays, inline
+
+from symcheck.reading import lower, read, relations, to_latex
+from symcheck.reading.tree import (
+    Add,
+    And,
+    Bars,
+    BigSum,
+    Call,
+    CaseList,
+    Chain,
+    Cross,
+    Degrees,
+    Derivative,
+    Diag,
+    Div,
+    ElementsOf,
+    Exists,
+    Iff,
+    Implies,
+    Interval,
+    Located,
+    MatrixOf,
+    Mul,
+    Name,
+    Neg,
+    Number,
+    Or,
+    Pair,
+    Pow,
+    Qualifier,
+    Sqrt,
+    System,
+    Transpose,
+    Tree,
+    Tuple,
+)
+
+
+@pytest.mark.parametrize("latex", SAMPLES, ids=str)
+def test_a_printed_formula_survives_printing(latex):
+    tree = read(latex, NOTATION)
+    assert read(to_latex(tree), NOTATION) == tree
+    for relation in relations(tree):
+        assert read(relation.latex, NOTATION) in (relation.tree, System((relation.tree,), relation.qualifiers))
+
+
+def test_every_display_of_the_paper_is_read_and_survives_printing(sources: Path):
+    found = displays(sources)
+    assert len(found) == 73
+    for latex, notation in found:
+        tree = read(latex, notation)
+        assert read(to_latex(tree), notation) == tree
+        assert lower(tree, notation)
+
+
+def test_every_inline_relation_of_the_paper_is_read_and_survives_printing(sources: Path):
+    found = inline(sources)
+    assert len(found) > 20
+    for latex in found:
+        tree = read(latex, NOTATION)
+        assert read(to_latex(tree), NOTATION) == tree
+
+
+def test_reading_all_displays_takes_less_than_a_third_of_a_second(sources: Path):
+    found = displays(sources)
+    read("c = 1", NOTATION)
+    begin = time.perf_counter()
+    for latex, notation in found:
+        read(latex, notation)
+    assert time.perf_counter() - begin < 0.3
+
+
+scalars = st.sampled_from(
+    [
+        Name("c"),
+        Name(r"\alpha"),
+        Name("k"),
+        Name("I", (2,)),
+        Name("a", (1, 3)),
+        Name("a", ("i", "j")),
+        Name(r"\bar{k}", ("s",)),
+        Name("c", (), 1),
+        Name("J", (1,), 2),
+        Call(Name("f_1"), ()),
+        Number("0"),
+        Number("12"),
+        Number("0.75"),
+    ]
+)
+names = st.sampled_from([Name("c"), Name("J", (2,)), Name(r"\omega", ("i",))])
+bold = st.sampled_from([Name(r"\mathbf{A}"), Name(r"\mathbf{e}", ("i",)), Name(r"\dot{\boldsymbol{\omega}}")])
+
+
+def several(items: st.SearchStrategy[Tree], low: int = 2, high: int = 3) -> st.SearchStrategy[tuple[Tree, ...]]:
+    return st.lists(items, min_size=low, max_size=high).map(tuple)
+
+
+def grown(inner: st.SearchStrategy[Tree]) -> st.SearchStrategy[Tree]:
+    functions = st.sampled_from(["sin", "cos", "tg", "arctg", "max"])
+    rows = st.lists(st.tuples(inner, inner), min_size=1, max_size=2).map(tuple)
+    bounds = st.one_of(st.just((None, None)), st.tuples(inner, inner))
+    return st.one_of(
+        several(inner).map(Add),
+        several(inner).map(Mul),
+        inner.map(Neg),
+        st.builds(Div, inner, inner),
+        st.builds(Pow, inner, inner),
+        inner.map(Sqrt),
+        st.builds(Call, functions, several(inner, 1, 2)),
+        st.builds(Call, st.just(Name("f_1")), several(inner, 1, 2)),
+        st.builds(lambda b, body: BigSum(("i",), *b, body), bounds, inner),
+        st.builds(Pair, inner, inner),
+        st.builds(Interval, inner, inner),
+        st.builds(Tuple, several(inner, 3, 4), st.sampled_from(["()", "[]", "{}"])),
+        st.builds(Cross, inner, inner),
+        inner.map(Transpose),
+        inner.map(Degrees),
+        inner.map(Bars),
+        inner.map(ElementsOf),
+        several(inner, 1, 3).map(Diag),
+        rows.map(MatrixOf),
+        st.builds(
+            Derivative,
+            inner,
+            st.lists(st.tuples(names, st.integers(1, 3)), min_size=1, max_size=2).map(tuple),
+            st.booleans(),
+        ),
+    )
+
+
+expressions = st.recursive(st.one_of(scalars, bold), grown, max_leaves=12)
+signs = st.sampled_from(["=", r"\ne", "<", r"\le", ">", r"\ge", r"\in", r"\subset", r"\approx", r"\equiv"])
+
+
+@st.composite
+def chains(draw: st.DrawFn) -> Tree:
+    members = draw(several(expressions, 2, 4))
+    return Chain(members, tuple(draw(signs) for _ in members[1:]))
+
+
+def logical(inner: st.SearchStrategy[Tree]) -> st.SearchStrategy[Tree]:
+    return st.one_of(
+        several(inner).map(And),
+        several(inner).map(Or),
+        st.builds(Implies, inner, inner),
+        st.builds(Iff, inner, inner),
+        st.builds(Exists, st.lists(names, min_size=1, max_size=2).map(tuple), inner),
+    )
+
+
+statements = st.recursive(chains(), logical, max_leaves=4)
+qualifiers = st.builds(Qualifier, st.sampled_from([("i",), ("i", "j")]), st.just((1, 2)))
+plain = st.one_of(
+    chains(),
+    several(chains()).map(And),
+    st.builds(System, several(chains()), st.lists(qualifiers, max_size=1).map(tuple)),
+    st.builds(System, several(statements, 1, 1), st.just((Qualifier(("i",), (1, 3)),))),
+    st.builds(Located, names, chains()),
+)
+lists = st.lists(plain, min_size=1, max_size=3).map(
+    lambda cases: CaseList(tuple((f"{n}).", case) for n, case in enumerate(cases, 1)))
+)
+
+
+@settings(max_examples=300, deadline=None)
+@given(st.one_of(expressions, statements, plain, lists))
+def test_any_tree_survives_printing(tree):
+    assert read(to_latex(tree), NOTATION) == tree
