@@ -587,9 +587,9 @@ class Checker:
         """Values for the bound variables, in terms of a point (u, v) of the unit circle that remains to be found."""
         require(goal[0] == "exists" and set(proof["point"]) == set(goal[1]), "values for other variables")
         fresh = proof.get("fresh", [])
-        taken = names(goal[2]) | names([*self.hypotheses.values()]) | names(list(self.algebra.definitions.items()))
+        taken = names(goal[2]) | names([*self.hypotheses.values()]) | set(self.algebra.definitions)
         require(not self.counts["fact"] and len(fresh) in (0, 2) and not set(fresh) & taken, "the names are taken")
-        body = replace(goal[2], proof["point"])
+        body = replace(self.algebra.unfold(goal[2]), proof["point"])
         if fresh:
             circle = ["=", ["+", ["^", fresh[0], 2], ["^", fresh[1], 2]], 1]
             body = ["exists", fresh, ["and", circle, body]]
@@ -600,7 +600,7 @@ class Checker:
         require(goal[0] == "exists" and all(f[0] == "=" for f in conjuncts(goal[2])), "no equations on a circle")
         c, s = proof["cos"], proof["sin"]
         angle_form = len(goal[1]) == 1 and [c, s] == [f"cos_{goal[1][0]}", f"sin_{goal[1][0]}"]
-        assumed = names([*self.hypotheses.values()]) | names(list(self.algebra.definitions.items()))
+        assumed = names([*self.hypotheses.values()]) | set(self.algebra.definitions)
         require(angle_form or (set(goal[1]) == {c, s} and c != s), "the circle is another one")
         require(not self.counts["fact"] and not assumed & {c, s, *goal[1]}, "the names are taken")
         known, equations = len(self.algebra.divisors), [self.difference(*f[1:]).num for f in conjuncts(goal[2])]

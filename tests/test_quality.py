@@ -6,6 +6,7 @@ import ast
 import re
 import shlex
 import subprocess
+import tomllib
 from importlib.util import find_spec
 from pathlib import Path
 
@@ -13,6 +14,7 @@ import click
 import pytest
 
 from symcheck.cli import cli
+from symcheck.papers import load
 
 ROOT = Path(__file__).resolve().parent.parent
 MODULES = sorted((ROOT / "symcheck").rglob("*.py"))
@@ -109,6 +111,14 @@ def test_no_module_imports_everything_from_another(file: Path) -> None:
     tree = ast.parse(file.read_text(encoding="utf-8"))
     stars = [n for n in ast.walk(tree) if isinstance(n, ast.ImportFrom) and any(a.name == "*" for a in n.names)]
     assert stars == []
+
+
+def test_the_contract_between_papers_names_all_papers() -> None:
+    contracts = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["tool"]["importlinter"][
+        "contracts"
+    ]
+    [listed] = [contract["modules"] for contract in contracts if contract["type"] == "independence"]
+    assert listed == [f"symcheck.papers.{key}" for key in load()]
 
 
 def test_no_module_is_a_drawer_for_everything() -> None:

@@ -7,7 +7,20 @@ import sympy
 from reading_samples import CHARACTERISTIC, NOTATION, ROTATED, TORQUE
 
 from symcheck.reading import Letter, Notation, lower, read, relations, split_tag, term, to_latex, to_sympy
-from symcheck.reading.tree import Chain, Cross, Interval, Mul, Name, Neg, Number, Pair, Pow, Qualifier, System, Transpose
+from symcheck.reading.tree import (
+    Chain,
+    Cross,
+    Interval,
+    Mul,
+    Name,
+    Neg,
+    Number,
+    Pair,
+    Pow,
+    Qualifier,
+    System,
+    Transpose,
+)
 from symcheck.statement import SymcheckError
 
 
@@ -229,9 +242,7 @@ def test_brackets_tell_pairs_intervals_and_groups_apart():
 
 
 def test_belonging_to_an_interval_is_two_inequalities():
-    assert formulas(r"J_2 \in [0, 3c/2]") == (
-        ("and", (">=", "J_2", 0), ("<=", "J_2", ("/", ("*", 3, "c"), 2))),
-    )
+    assert formulas(r"J_2 \in [0, 3c/2]") == (("and", (">=", "J_2", 0), ("<=", "J_2", ("/", ("*", 3, "c"), 2))),)
 
 
 def test_a_letter_that_T_names_makes_a_power_of_a_transposition():
@@ -396,7 +407,7 @@ def test_a_letter_is_declared_once_and_properly():
 
 
 def test_a_notation_is_a_value():
-    assert NOTATION == Notation(NOTATION.letters)
+    assert Notation(NOTATION.letters) == NOTATION
     assert hash(NOTATION) == hash(Notation(NOTATION.letters))
     assert NOTATION.extended(Letter("d")) != NOTATION
     assert to_latex(read(r"\bar k_1", NOTATION)) == r"\bar{k}_1"

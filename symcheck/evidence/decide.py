@@ -13,7 +13,7 @@ from typing import Any
 
 from symcheck import papers
 from symcheck.evidence.record import Record
-from symcheck.proof import cases, certificate, needed
+from symcheck.proof import cases, certificate, needed, refute
 from symcheck.reading import Notation, Relation, System, Tree, edits, from_sympy, lower, read, relations, to_latex
 from symcheck.statement import (
     Certificate,
@@ -375,8 +375,11 @@ def _hypotheses(finding: Finding, item: Item, method: Method, added: tuple[Hypot
     return tuple(rows)
 
 
-def _corrected(context: Context, unit: Unit, erratum: Erratum) -> dict[str, Any]:
-    """The proof of the corrected form, the edit from the printed one, and every single edit that repairs it."""
+def _corrected(context: Context, unit: Unit, erratum: Erratum, printed: Finding) -> dict[str, Any]:
+    """The proof of the corrected form, the edit from the printed one, and every single edit that repairs it.
+
+    A sentence is not searched for edits (its words are ours), nor a relation that is true but empty.
+    """
     item = context.item
     if erratum.corrected:
         tree = read(erratum.corrected, context.notation)
@@ -385,15 +388,17 @@ def _corrected(context: Context, unit: Unit, erratum: Erratum) -> dict[str, Any]
         finding = judge(_with(context, repaired), right, item.given, item.needs)
     else:
         finding = judge(context, unit, item.given, item.needs)
-    repairs = _repairs(context, unit) if erratum.corrected and not item.formal else []
+    searched = bool(erratum.corrected) and not item.formal and printed.verdict is Verdict.REFUTED
+    repairs = _repairs(context, unit) if searched else []
     return {
         "verdict": finding.verdict,
         "reason": finding.reason,
         "certificates": list(finding.certificates),
         "edit": _edit(to_latex(unit.tree), erratum.corrected and to_latex(read(erratum.corrected, context.notation))),
         "added": [hypothesis.words for hypothesis in item.needs],
-        "repairs": repairs,
-        "unique": len(repairs) == 1,
+        "repairs": repairs if searched else None,
+        "unique": len(repairs) == 1 if searched else None,
+        "empty": _is_empty(printed),
     }
 
 
@@ -431,13 +436,20 @@ def _repairs(context: Context, unit: Unit) -> list[dict[str, str]]:
     for edit in edits(unit.tree, context.notation):
         try:
             changed = unit.reworded(context, edit.tree)
-            if any(formula[1] == formula[2] for formula in changed.formulas):
+            if _fails_at_a_glance(context, changed):
                 continue
             if judge(context, changed, context.item.given, context.item.needs).verdict is Verdict.PROVED:
                 found.append({"kind": edit.kind, "edit": edit.description, "relation": to_latex(edit.tree)})
         except SymcheckError:
             continue  # an edit that makes no statement repairs nothing
     return found
+
+
+def _fails_at_a_glance(context: Context, unit: Unit) -> bool:
+    """Whether an edited relation is empty or has a counterexample: most do, and a point is found faster than no proof."""
+    method, given = context.method(unit.letter), (*context.item.given, *context.item.needs)
+    problems = (context.problem(formula, given, method, n) for n, formula in enumerate(unit.formulas))
+    return any(problem.claim[1] == problem.claim[2] or refute(problem) for problem in problems)
 
 
 def _is_empty(finding: Finding) -> bool:
@@ -464,7 +476,7 @@ def _base(obligation: Obligation) -> Record:
         line=item.line,
         role=item.role,
         name=item.name,
-        printed=" ".join(item.printed),
+        printed="\n".join(item.printed),
         words=item.words,
         reason=item.reason,
         reading=Reading.DAMAGED if item.read_as else Reading.AS_PRINTED,
@@ -487,8 +499,6 @@ def _claimed(context: Context, base: Record) -> Iterator[Record]:
     for unit in units(context):
         started = time.perf_counter()
         row = replace(base, id=base.id + unit.letter, read=to_latex(unit.tree))
-        if unit.letter:
-            row = replace(row, printed=to_latex(unit.tree))
         if unit.letter and unit.letter in item.imposed:
             yield replace(row, role=Role.PREMISE, reason="a condition imposed here, not a claim")
             continue
@@ -509,7 +519,7 @@ def _judged(context: Context, unit: Unit, row: Record) -> Record:
     )
     shown = finding
     if erratum:
-        repair = _corrected(context, unit, erratum)
+        repair = _corrected(context, unit, erratum, finding)
         misprint = bool(erratum.corrected)
         row = replace(
             row,
@@ -518,7 +528,7 @@ def _judged(context: Context, unit: Unit, row: Record) -> Record:
             origin=Origin(erratum.origin),
             reason=erratum.reason,
             corrected=erratum.corrected or f"{to_latex(unit.tree)} (given: {'; '.join(h.words for h in item.needs)})",
-            erratum={**repair, "empty": _is_empty(finding)},
+            erratum=repair,
         )
         if item.needs and not misprint:
             shown = judge(context, unit, item.given, item.needs)

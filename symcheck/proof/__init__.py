@@ -2,7 +2,7 @@
 
 from symcheck.proof.certificate import certificate
 from symcheck.proof.methods import cases, existence, identity, nonnegative
-from symcheck.proof.refute import refute
+from symcheck.proof.counterexample import refute
 from symcheck.proof.variants import equivalent, needed
 
 __all__ = ["cases", "certificate", "equivalent", "existence", "identity", "needed", "nonnegative", "refute"]

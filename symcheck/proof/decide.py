@@ -7,7 +7,7 @@ from collections.abc import Callable
 from symcheck.proof.certificate import references, terms_in
 from symcheck.proof.knowledge import Knowledge, given_of, ring_of, starting
 from symcheck.proof.polynomial import Poly, Ring, Unsupported, flatten, sides
-from symcheck.proof.refute import refute
+from symcheck.proof.counterexample import refute
 from symcheck.statement import Certificate, Outcome, Problem, Verdict
 
 Search = Callable[[Problem, Ring], Certificate | None]

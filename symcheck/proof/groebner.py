@@ -43,15 +43,17 @@ class Node:
 class Basis:
     """The reduced Groebner basis of the inputs; `complete` is False if the limit of pairs was reached first."""
 
-    def __init__(self, inputs: Sequence[Poly], pairs: int = 2000) -> None:
-        self.nodes = [Node(poly) for poly in inputs]
+    def __init__(self, inputs: Sequence[Poly], pairs: int = 2000, settled: int = 0) -> None:
+        """The first `settled` inputs are a reduced basis already: no pair of them is looked at again."""
+        self.nodes = [Node(poly, [], leading(poly) if k < settled else ()) for k, poly in enumerate(inputs)]
         self.inputs = len(inputs)
-        self.active: list[int] = []
+        self.active: list[int] = list(range(settled))
         self.complete = True
         self._limit = pairs
         self._queue: list[tuple[int, Monomial, int, int]] = []
-        self._done: set[tuple[int, int]] = set()
-        for index in sorted((i for i in range(self.inputs) if inputs[i] != 0), key=lambda i: self._size(inputs[i])):
+        self._done: set[tuple[int, int]] = set(combinations(range(settled), 2))
+        fresh = [i for i in range(settled, self.inputs) if inputs[i] != 0]
+        for index in sorted(fresh, key=lambda i: self._size(inputs[i])):
             self._insert(inputs[index], [(inputs[index] * 0 + 1, index)])
         self._run()
         self._interreduce()
@@ -107,6 +109,9 @@ class Basis:
         parents = [(p / scale, i) for p, i in parents] + [(-q / scale, i) for q, i in quotients]
         new, lead = len(self.nodes), leading(poly)
         self.nodes.append(Node(poly / scale, parents, lead))
+        if poly.is_constant():
+            self.active, self._queue = [new], []
+            return
         outdated = [i for i in self.active if divides(lead, self.nodes[i].lead)]
         self.active = [i for i in self.active if i not in outdated]
         for i in self.active:

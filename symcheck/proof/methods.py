@@ -5,7 +5,7 @@ All decide statements of any shape the same way; they differ in the hints they c
 
 from __future__ import annotations
 
-from symcheck.proof.cases import prove
+from symcheck.proof.splitting import prove
 from symcheck.proof.decide import decide
 from symcheck.statement import Method, Outcome, Problem
 

@@ -30,7 +30,7 @@ from symcheck.statement import Certificate, Formula, Problem, Term
 
 Point = dict[str, Poly]
 TRIES = 400
-SEVENTHS = ((2, 3, 6), (6, 2, -3), (3, -6, 2))
+SEVENTHS = ((2, 3, 6), (6, 2, -3), (-3, 6, -2))
 
 
 def refute(problem: Problem) -> Certificate | None:
@@ -347,7 +347,7 @@ def _cayley(seed: int) -> list[list[Fraction]]:
 def _matrix_values() -> Iterator[Sequence[Sequence[Any]]]:
     """Rotations, reflections and other matrices, small ones first."""
     f = Fraction
-    seventh = [[f(x, 7) for x in row] for row in SEVENTHS]
+    seventh = [[f(x, 7) for x in row] for row in SEVENTHS]  # a rotation; its negative is a reflection
     eye = [[1, 0, 0], [0, 1, 0], [0, 0, 1]]
     r2, r3, r6 = ("sqrt", 2), ("sqrt", 3), ("sqrt", 6)
     surd = [

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from symcheck.proof.ideal import Fact, Ideal
-from symcheck.proof.identity import written
+from symcheck.proof.equations import written
 from symcheck.proof.knowledge import Knowledge, proportional, ring_of, starting
 from symcheck.proof.polynomial import Poly, Ring, flatten, unfold, variables
 from symcheck.statement import Certificate, Formula, Problem, Term
@@ -48,7 +48,7 @@ def substitute(node: Formula, values: dict[str, Term]) -> Formula:
 
 
 def _all_of(body: Formula, known: Knowledge) -> Certificate | None:
-    from symcheck.proof.cases import prove_here
+    from symcheck.proof.splitting import prove_here
 
     return prove_here(body, known)
 

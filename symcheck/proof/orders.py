@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from symcheck.proof.identity import subsets, written
+from symcheck.proof.equations import subsets, written
 from symcheck.proof.knowledge import Knowledge, starting
 from symcheck.proof.polynomial import Poly, fraction
 from symcheck.statement import Certificate, Formula, Problem, Term

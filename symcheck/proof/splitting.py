@@ -1,0 +1,433 @@
+"""Implications, equivalences, alternatives and inequalities: factors first, then Groebner bases, then case splits."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from typing import Any
+
+from symcheck.proof.witnesses import prove_existence
+from symcheck.proof.ideal import Fact, Ideal, Ref
+from symcheck.proof.equations import prove_identity, written
+from symcheck.proof.knowledge import Knowledge, hints_of, proportional, ring_of, starting
+from symcheck.proof.orders import positive_form, prove_order, term_of
+from symcheck.proof.polynomial import RELATIONS, Poly, Ring, fraction
+from symcheck.statement import Certificate, Formula, Problem, Term
+
+ABSURD: Formula = ("or",)  # the goal of a contradiction: nothing to choose from
+MAX_NODES = 240
+MAX_TERMS = 14
+MAX_DEGREE = 8
+PAIRS = 300
+
+Attempt = tuple[Certificate | None, bool]  # a proof, and whether the search at this place is over
+
+
+def prove(problem: Problem, ring: Ring) -> Certificate | None:
+    """A proof of the claim, or None. Defined letters are left free first: what holds for all their values is simpler."""
+    kind = problem.claim[0]
+    if kind == "=" and (proof := prove_identity(problem, ring)) is not None:
+        return proof
+    if kind in ("<", "<=", ">", ">="):
+        return prove_order(problem.claim, starting(problem, ring), hints_of(problem), problem)
+    if kind == "exists":
+        return prove_existence(problem, ring)
+    if problem.definitions:
+        free = replace(problem, definitions=())
+        known = starting(free, ring_of(free))
+        if (proof := _Engine(known, hints_of(free), MAX_NODES // 8).prove(free.claim, known)) is not None:
+            return proof
+    known = starting(problem, ring)
+    return _Engine(known, hints_of(problem)).prove(problem.claim, known)
+
+
+def prove_here(goal: Formula, known: Knowledge) -> Certificate | None:
+    """A proof of the goal from what is known at one place, without hints."""
+    return _Engine(known).prove(goal, known)
+
+
+class _Place:
+    """Knowledge at a node of the search. Facts enter the ideal late: first those that are a variable alone, products
+    never (they are split), the rest when nothing is left to split. Until then they are used in linear combinations."""
+
+    def __init__(self, known: Knowledge, before: _Place | None = None) -> None:
+        self.known = known
+        self.base: Ideal = before.base if before else known.ideal()
+        self.ideal = before.ideal if before else self.base
+        self.rows = list(before.rows) if before else []
+        self.waiting = list(before.waiting) if before else []
+        self.products = list(before.products) if before else []
+        self.shorter: list[_Product] = []
+        entering = []
+        for fact in known.facts[len(before.known.facts) if before else len(known.facts) :]:
+            self._add_row(fact)
+            product = _Product.of(fact, known)
+            if product.shorter:
+                self.shorter.append(product)
+            elif len(product.factors) > 1 and not _is_square_minus_number(fact[1]):
+                self.products.append(product)
+            elif len(fact[1]) == 1 or _is_square_minus_number(fact[1]):
+                entering.append(fact)
+            else:
+                self.waiting.append(fact)
+        self.ideal = self.ideal.extended(entering, PAIRS)
+
+    def _add_row(self, fact: Fact) -> None:
+        """One more row of the echelon form of the facts modulo the hypotheses."""
+        row, combination = self._eliminate(self.base.reduce(fact[1]))
+        if row != 0:
+            scale = row.leading_coefficient()
+            combination = [(ref, -q) for ref, q in combination] + [(fact[0], self.known.ring.number(1))]
+            self.rows.append((tuple(map(int, row.monomial(0))), row / scale, [(r, q / scale) for r, q in combination]))
+
+    def _eliminate(self, poly: Poly) -> tuple[Poly, list[Fact]]:
+        used: list[Fact] = []
+        for lead, row, combination in self.rows:
+            coefficient = poly[lead]
+            if coefficient != 0:
+                poly -= row * coefficient
+                used += [(ref, q * coefficient) for ref, q in combination]
+        return poly, merged(used)
+
+    def settle(self) -> bool:
+        """Lets the waiting facts into the ideal; False if none was waiting."""
+        facts = [f for f in self.waiting if _short(f[1])]
+        self.waiting = []
+        self.ideal = self.ideal.extended(facts, PAIRS)
+        return bool(facts)
+
+    def vanishes(self, poly: Poly) -> bool:
+        """Whether the polynomial is zero by what is in the ideal so far."""
+        return bool(self.ideal.reduce(poly) == 0)
+
+    def cofactors(self, poly: Poly) -> list[Fact] | None:
+        """The polynomial as a combination of facts: of few, if that is enough."""
+        if poly == 0:
+            return []
+        rest, used = self._eliminate(self.base.reduce(poly))
+        if rest == 0:
+            known = {str(ref): fact for ref, fact in self.known.facts}
+            for ref, q in used:
+                poly -= q * known[str(ref)]
+            outer = self.base.cofactors(poly)
+            return None if outer is None else merged([*outer, *used])
+        return self.ideal.cofactors(poly) if self.ideal is not self.base else None
+
+    def of_term(self, term: Term) -> list[Fact] | None:
+        """Cofactors of a term by its structure: a product is zero as soon as one factor is."""
+        kind = term[0] if isinstance(term, tuple) else ""
+        if kind == "+":
+            parts = [self.of_term(t) for t in term[1:]]  # type: ignore[index]
+            return None if any(p is None for p in parts) else merged([f for p in parts for f in p or ()])
+        if kind == "^":
+            return self._multiple(term[1], ("^", term[1], term[2] - 1))  # type: ignore[index]
+        if kind == "*":
+            factors = term[1:]  # type: ignore[index]
+            for k, factor in enumerate(factors):
+                found = self._multiple(factor, ("*", 1, *factors[:k], *factors[k + 1 :]))
+                if found is not None:
+                    return found
+            return None
+        ratio = self.known.ring.ratio(term)
+        return None if ratio.den else self.cofactors(ratio.num)
+
+    def _multiple(self, factor: Term, rest: Term) -> list[Fact] | None:
+        found = self.of_term(factor)
+        if found is None or (ratio := self.known.ring.ratio(rest)).den:
+            return None
+        return [(ref, q * ratio.num) for ref, q in found]
+
+
+def _may_be_sum_of_squares(poly: Poly) -> bool:
+    """Whether all coefficients have one sign and no addend is a number."""
+    signs = {coefficient > 0 for coefficient in poly.coeffs()}
+    return len(signs) == 1 and sum(map(int, poly.monomial(len(poly) - 1))) > 0
+
+
+def _is_square_minus_number(poly: Poly) -> bool:
+    """x^2 - r: it says more as it stands than split into x = s or x = -s."""
+    return len(poly) == 2 and poly.total_degree() == 2 and sum(map(int, poly.monomial(1))) == 0
+
+
+def _short(poly: Poly) -> bool:
+    return len(poly) <= MAX_TERMS and poly.total_degree() <= MAX_DEGREE
+
+
+def merged(cofactors: Sequence[Fact]) -> list[Fact]:
+    """Cofactors of the same fact added up."""
+    total: dict[str, Fact] = {}
+    for ref, q in cofactors:
+        known = total.get(str(ref))
+        total[str(ref)] = (ref, q if known is None else known[1] + q)
+    return [fact for fact in total.values() if fact[1] != 0]
+
+
+class _Engine:
+    def __init__(self, known: Knowledge, forms: Sequence[Term] = (), limit: int = MAX_NODES) -> None:
+        self.root = _Place(known)
+        self.forms = list(forms)
+        self.limit = limit
+        self.nodes = 0
+
+    def prove(self, goal: Formula, known: Knowledge) -> Certificate | None:
+        """A proof of any formula from what is known, by its outermost connective."""
+        kind = goal[0]
+        if kind == "and":
+            return self._each(goal, known)
+        if kind == "=>":
+            return _wrap("implies", then=self.prove(goal[2], known.assume(goal[1])))
+        if kind == "<=>":
+            forward = self.prove(goal[2], known.assume(goal[1]))
+            backward = forward and self.prove(goal[1], known.assume(goal[2]))
+            return _wrap("iff", forward=forward, backward=backward)
+        if kind == "!=":
+            return _wrap("nonzero", then=self.search(ABSURD, known.assume(("=", goal[1], goal[2]))))
+        if kind in RELATIONS or kind == "or":
+            return self.search(goal, known)
+        return None
+
+    def _each(self, goal: Formula, known: Knowledge) -> Certificate | None:
+        parts = []
+        for part in goal[1:]:
+            if (proof := self.prove(part, known)) is None:
+                return None
+            parts.append(proof)
+        return {"rule": "each", "parts": parts}
+
+    def search(self, goal: Formula, known: Knowledge, before: _Place | None = None) -> Certificate | None:
+        """Closes the goal here, or learns something and tries again, or splits into cases."""
+        self.nodes += 1
+        if self.nodes > self.limit:
+            return None
+        place = _Place(known, before or self.root)
+        if place.shorter:
+            return self._shorten(goal, place)
+        while True:
+            for move in (self._close, self._vanish, self._alternatives, self._split):
+                proof, done = move(goal, place)
+                if done:
+                    return proof
+            if place.waiting and place.settle():
+                continue
+            return self._from_basis(goal, place)
+
+    # closing
+
+    def _close(self, goal: Formula, place: _Place) -> Attempt:
+        proof = self._direct(goal, place) or self._absurd(place)
+        return proof, proof is not None
+
+    def _direct(self, goal: Formula, place: _Place) -> Certificate | None:
+        kind = goal[0]
+        if kind == "=":
+            cofactors = self._through_form(goal, place) or place.cofactors(place.known.ring.difference(goal))
+            return None if cofactors is None else {"rule": "identity", "cofactors": written(cofactors)}
+        if kind == "and":
+            parts = [self._direct(part, place) for part in goal[1:]]
+            return None if any(p is None for p in parts) else {"rule": "each", "parts": parts}
+        if kind == "or":
+            for index, part in enumerate(goal[1:]):
+                if (proof := self._direct(part, place)) is not None:
+                    return {"rule": "choose", "index": index, "then": proof}
+        if kind in ("<", "<=", ">", ">="):
+            return prove_order(goal, place.known, self.forms)
+        return None
+
+    def _through_form(self, goal: Formula, place: _Place) -> list[Fact] | None:
+        """left - right is a hinted form (or its negative) by the hypotheses alone, and the form is zero here."""
+        gap = place.known.ring.difference(goal)
+        for form in self.forms:
+            ratio = place.known.ring.ratio(form)
+            factor = None if ratio.den else proportional(place.base.reduce(gap), place.base.reduce(ratio.num))
+            if factor is None or (inner := place.of_term(form)) is None:
+                continue
+            multiple = place.known.ring.number(factor)
+            outer = place.base.cofactors(gap - ratio.num * multiple)
+            return None if outer is None else merged([*outer, *((ref, q * multiple) for ref, q in inner)])
+        return None
+
+    def _absurd(self, place: _Place) -> Certificate | None:
+        one = place.known.ring.number(1)
+        candidates: list[tuple[list[Ref], Poly]] = [([], one)]
+        candidates += [([ref], poly) for ref, poly in place.known.conditions]
+        for refs, poly in candidates:
+            if (cofactors := place.cofactors(poly)) is not None:
+                return {"rule": "absurd", "times": refs, "cofactors": written(cofactors)}
+        return None
+
+    # learning
+
+    def _vanish(self, goal: Formula, place: _Place) -> Attempt:
+        """A sum of non-negative addends that is zero: each addend is."""
+        ring = place.known.ring
+        polys = [poly for _, poly in place.known.facts]
+        polys += place.ideal.polys() if place.ideal is not place.base else []
+        own = [_expanded(poly) for poly in polys if 1 < len(poly) <= MAX_TERMS and _may_be_sum_of_squares(poly)]
+        for form in [*self.forms, *own]:
+            if not (isinstance(form, tuple) and form[0] == "+"):
+                continue
+            signs = [place.known.sign(addend) for addend in form[1:]]
+            if not all(level for level, _ in signs) or any(ring.ratio(addend).den for addend in form[1:]):
+                continue
+            if all(place.cofactors(ring.ratio(addend).num) is not None for addend in form[1:]):
+                continue
+            cofactors = place.cofactors(ring.ratio(form).num)
+            if cofactors is None:
+                continue
+            given = sorted({item for _, names in signs for item in names})
+            known = place.known.assume(("and", *(("=", addend, 0) for addend in form[1:])))
+            then = self.search(goal, known, place)
+            step = {"form": form, "cofactors": written(cofactors), "given": list(map(list, given))}
+            return _wrap("vanish", **step, then=then), True
+        return None, False
+
+    def _shorten(self, goal: Formula, place: _Place) -> Certificate | None:
+        """Divides out of the new facts what is not zero, and takes roots."""
+        steps: list[dict[str, Any]] = []
+        known, seen = place.known, {str(poly) for _, poly in place.known.facts}
+        for product in place.shorter:
+            if str(product.radical) not in seen:
+                steps.append(product.step(product.cofactors()))
+                known = known.with_fact(product.radical)
+                seen.add(str(product.radical))
+        place.shorter = []
+        proof = self.search(goal, known, place)
+        for step in reversed(steps):
+            proof = _wrap("derive", **step, then=proof)
+        return proof
+
+    def _from_basis(self, goal: Formula, place: _Place) -> Certificate | None:
+        """What the elements of the Groebner basis say when something non-zero is divided out, or split."""
+        products = [_Product.of((["basis"], poly), place.known) for poly in place.ideal.polys()]
+        products = [p for p in products if p.factors and (p.shorter or len(p.factors) > 1)]
+        for product in sorted(products, key=lambda p: (len(p.factors), p.size)):
+            if any(place.vanishes(factor) for factor in product.factors):
+                continue
+            cofactors = place.cofactors(product.whole())
+            if cofactors is None:
+                continue
+            if len(product.factors) > 1:
+                return self._cases(goal, place, product, cofactors)
+            then = self.search(goal, place.known.with_fact(product.radical), place)
+            return _wrap("derive", **product.step(cofactors), then=then)
+        return None
+
+    # splitting
+
+    def _alternatives(self, goal: Formula, place: _Place) -> Attempt:
+        known = place.known
+        if not known.pending:
+            return None, False
+        _, disjunction = known.pending[0]
+        cases = []
+        for part in disjunction[1:]:
+            inner = replace(known, pending=known.pending[1:]).assume(part)
+            if (proof := self.search(goal, inner, place)) is None:
+                return None, True
+            cases.append(_shifted(proof))
+        return {"rule": "cases_or", "or": 0, "cases": cases}, True
+
+    def _split(self, goal: Formula, place: _Place) -> Attempt:
+        """One of the factors of a fact is zero: the shortest fact first."""
+        for product in sorted(place.products, key=lambda p: p.size):
+            place.products.remove(product)
+            if not any(place.vanishes(factor) for factor in product.factors):
+                return self._cases(goal, place, product, product.cofactors()), True
+        return None, False
+
+    def _cases(self, goal: Formula, place: _Place, product: _Product, cofactors: list[Fact]) -> Certificate | None:
+        cases = []
+        for factor in product.factors:
+            if (proof := self.search(goal, place.known.with_fact(factor), place)) is None:
+                return None
+            cases.append(proof)
+        step = product.step(cofactors)
+        factors = [str(factor) for factor in product.factors]
+        power = product.power
+        kept = {key: step[key] for key in ("times", "cofactors", "given")}
+        return {"rule": "split", "factors": factors * power, **kept, "cases": cases * power}
+
+
+@dataclass(frozen=True)
+class _Product:
+    """A polynomial that is zero, as (things known to be non-zero) times a radical to a power."""
+
+    factors: tuple[Poly, ...]
+    times: tuple[Ref, ...]
+    outside: Poly  # the product of `times`
+    power: int
+    radical: Poly
+    shorter: bool
+    given: tuple[tuple[str, int], ...]
+    size: tuple[int, int, int]
+    fact: Fact
+
+    @classmethod
+    def of(cls, fact: Fact, known: Knowledge) -> _Product:
+        poly = fact[1]
+        one = known.ring.number(1)
+        times: list[Ref] = []
+        outside, radical, power, factors = one, one, 1, []
+        for factor, exponent in poly.factor()[1] if poly != 0 else ():
+            refs, value = _nonzero(factor, known)
+            if refs is None:
+                factors.append(factor)
+                radical, power = radical * factor, max(power, int(exponent))
+                continue
+            times += refs * int(exponent)
+            outside *= value ** int(exponent)
+        forms = [ref[1] for ref in times if ref[0] == "positive"]
+        given = tuple(sorted({item for form in forms for item in known.sign(form)[1]}))
+        size = (int(radical.total_degree()), len(radical), len(factors))
+        shorter = bool(factors) and (bool(times) or any(e > 1 for _, e in poly.factor()[1]))
+        return cls(tuple(factors), tuple(times), outside, power, radical, shorter, given, size, fact)
+
+    def whole(self) -> Poly:
+        """The multiple of the polynomial that a certificate shows to be zero."""
+        return self.outside * self.radical**self.power
+
+    def cofactors(self) -> list[Fact]:
+        """That multiple as a multiple of the fact itself."""
+        return [(self.fact[0], divmod(self.whole(), self.fact[1])[0])]
+
+    def step(self, cofactors: list[Fact]) -> dict[str, Any]:
+        """The fields of a "derive" step."""
+        return {
+            "poly": str(self.radical),
+            "power": self.power,
+            "times": list(self.times),
+            "cofactors": written(cofactors),
+            "given": [list(item) for item in self.given],
+        }
+
+
+def _nonzero(poly: Poly, known: Knowledge) -> tuple[list[Ref] | None, Poly]:
+    """References that say that the polynomial is not zero, and the multiple of it they speak of."""
+    for ref, condition in known.conditions:
+        if proportional(poly, condition) is not None:
+            return [ref], condition
+    for candidate in (poly, -poly) if known.signs else ():
+        form = positive_form(candidate, known)
+        if form is not None and known.sign(form)[0] == 2:
+            return [["positive", form]], known.ring.poly(form)
+    return None, poly
+
+
+def _expanded(poly: Poly) -> Term:
+    """A polynomial as a sum whose first addend is positive."""
+    return term_of(poly if fraction(poly.leading_coefficient()) > 0 else -poly)
+
+
+def _wrap(rule: str, **parts: Any) -> Certificate | None:
+    """A rule around inner proofs, None if one of them is missing."""
+    if any(parts.get(name, True) is None for name in ("then", "forward", "backward")):
+        return None
+    return {"rule": rule, **parts}
+
+
+def _shifted(proof: Any) -> Any:
+    """Inner disjunctions counted with the outer one still open in front of them."""
+    if isinstance(proof, dict):
+        inner = {key: _shifted(value) for key, value in proof.items()}
+        return {**inner, "or": proof["or"] + 1} if "or" in proof else inner
+    return [_shifted(child) for child in proof] if isinstance(proof, list) else proof

@@ -1,0 +1,117 @@
+"""The ledger of every paper: complete, decided, with evidence for whatever it accuses."""
+
+from __future__ import annotations
+
+import json
+from functools import cache
+
+import pytest
+from symcheck import checker, kernels, papers
+from symcheck.evidence.decide import DECIDED, decide, expand
+from symcheck.evidence.record import Record
+from symcheck.statement import Origin, Reading, Role, SymcheckError, Verdict
+
+IDS = [obligation.id for paper in papers.load().values() for obligation in expand(paper)]
+
+
+@cache
+def records() -> tuple[Record, ...]:
+    return tuple(record for id in IDS for record in decide(id))
+
+
+def claims() -> list[Record]:
+    return [record for record in records() if record.role in DECIDED]
+
+
+def errata() -> list[Record]:
+    return [record for record in records() if record.erratum]
+
+
+def test_at_least_98_percent_of_the_relations_are_decided_and_the_rest_say_why() -> None:
+    undecided = [record for record in claims() if record.verdict is Verdict.UNDECIDED]
+    assert len(undecided) <= 0.02 * len(claims()), [(r.id, r.reason) for r in undecided]
+    assert all(record.reason for record in undecided)
+
+
+def test_every_decided_relation_carries_certificates_the_checker_accepts() -> None:
+    for record in claims():
+        if record.verdict is Verdict.UNDECIDED:
+            continue
+        assert record.certificates, record.id
+        for certificate in record.certificates:
+            assert checker.check(json.loads(json.dumps(certificate))) is None, record.id
+
+
+def test_what_is_refuted_or_misprinted_has_an_erratum_and_nothing_else_has_one() -> None:
+    accused = {r.id for r in claims() if r.verdict is Verdict.REFUTED or r.reading is not Reading.AS_PRINTED}
+    assert accused == {record.id for record in errata()}
+
+
+def test_every_erratum_is_a_whole_bundle() -> None:
+    for record in errata():
+        assert record.erratum
+        assert record.erratum["verdict"] == Verdict.PROVED, (record.id, record.erratum["reason"])
+        assert record.erratum["certificates"], record.id
+        assert record.corrected and record.kind and record.reason, record.id
+        assert record.origin in set(Origin), record.id
+        assert record.counterexample or record.erratum["empty"], record.id
+        assert record.erratum["edit"] or record.erratum["added"], record.id
+
+
+def test_a_counterexample_satisfies_the_hypotheses_and_gives_both_sides() -> None:
+    for record in errata():
+        if record.verdict is Verdict.REFUTED:
+            refuted = [c for c in record.certificates if c["verdict"] == "refuted"]
+            assert refuted and record.counterexample, record.id
+            assert record.counterexample["values"], record.id
+            assert "sides" in record.counterexample or refuted[0]["claim"][0] in ("=>", "<=>", "and"), record.id
+
+
+def test_a_hypothesis_that_is_needed_shows_the_counterexample_without_it() -> None:
+    shown = [h for record in claims() for h in record.hypotheses if h["needed"]]
+    assert shown
+    for hypothesis in shown:
+        assert checker.check(json.loads(json.dumps(hypothesis["counterexample"]))) is None
+
+
+def test_definitions_premises_and_exclusions_claim_nothing() -> None:
+    for record in records():
+        if record.role not in DECIDED:
+            assert record.verdict is None, record.id
+
+
+def test_a_record_survives_json() -> None:
+    for record in records():
+        assert Record.from_json(json.loads(json.dumps(record.to_json()))).id == record.id
+
+
+def test_uses_refer_to_declared_items_and_make_no_circle() -> None:
+    uses = {record.id: record.uses for record in records()}
+    declared = set(IDS)
+
+    def visit(id: str, above: tuple[str, ...]) -> None:
+        assert id not in above, f"circle: {' -> '.join((*above, id))}"
+        for other in next((u for key, u in uses.items() if key.rstrip("abcdefgh") == id), ()):
+            assert other in declared, f"{id} uses {other}"
+            visit(other, (*above, id))
+
+    for id in IDS:
+        visit(id, ())
+
+
+def test_the_recorded_certificates_are_those_of_the_ledger() -> None:
+    for key in papers.load():
+        data = json.loads((kernels.folder() / "certificates" / f"{key}.json").read_bytes())
+        recorded = {certificate["digest"] for certificate in data["certificates"]}
+        assert {c["digest"] for r in claims() if r.paper == key for c in r.certificates} <= recorded
+
+
+def test_ours_are_marked_and_proved() -> None:
+    ours = [record for record in records() if record.role is Role.OURS]
+    assert ours
+    assert all(record.verdict is Verdict.PROVED for record in ours)
+
+
+def test_an_unknown_id_is_named() -> None:
+    with pytest.raises(SymcheckError, match="mirer2009:9.9"):
+        decide("mirer2009:9.9")
