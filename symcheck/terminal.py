@@ -168,20 +168,22 @@ def _erratum(out: Console, record: Record) -> None:
     _field(
         out,
         "edit",
-        "\n".join(f"{e['printed'] or 'nothing'}  →  {e['corrected'] or 'nothing'}" for e in repair.get("edit", ())),
+        "\n".join(f"{e['printed'] or 'nothing'}  →  {e['corrected'] or 'nothing'}" for e in repair.get("edit") or ()),
     )
     _field(out, "repairs", _repairs(repair) if record.corrected and repair.get("edit") else "")
-    _field(out, "added", "; ".join(repair.get("added", ())))
+    _field(out, "added", "; ".join(repair.get("added") or ()))
     _field(out, "then", f"{repair['verdict']} {repair.get('reason', '')}".rstrip() if repair else "")
-    for certificate in repair.get("certificates", ()):
+    for certificate in repair.get("certificates") or ():
         _field(out, "its proof", _digest(certificate))
 
 
 def _repairs(repair: Mapping[str, Any]) -> str:
-    """Every single edit of the printed relation that makes it true."""
-    found = [f"{each['edit']}: {each['relation']}" for each in repair.get("repairs", ())]
-    count = "no single edit repairs it" if not found else f"{len(found)} single edits repair it"
-    return "\n".join([count if len(found) != 1 else "one single edit repairs it", *found])
+    """Every single edit of the printed relation that makes it true; empty if they were not searched."""
+    if (repairs := repair.get("repairs")) is None:
+        return ""
+    found = [f"{each['edit']}: {each['relation']}" for each in repairs]
+    count = {0: "no single edit repairs it", 1: "one single edit repairs it"}
+    return "\n".join([count.get(len(found), f"{len(found)} single edits repair it"), *found])
 
 
 def _certificate(out: Console, certificate: Mapping[str, Any], whole: bool) -> None:

@@ -22,7 +22,7 @@ NOTATION = Notation(
         Letter(r"\mathbf{e}", kind="vector", indices=1, components=r"(a_{i1}, a_{i2}, a_{i3})"),
         Letter(r"\mathbf{E}", kind="vector", indices=1),
         Letter(r"\mathbf{K}", kind="vector"),
-        Letter(r"\mathbf{M}", kind="vector"),
+        Letter(r"\mathbf{M}", name="N", kind="vector"),
         Letter(r"\mathbf{A}", kind="matrix", components=r"\|a_{ij}\|"),
         Letter(r"\mathbf{m}", kind="matrix", components=r"\|m_{ij}\|"),
         Letter(r"\mathbf{I}", kind="matrix", components=r"\operatorname{diag}(I_1, I_2, I_3)"),
@@ -74,7 +74,7 @@ SAMPLES: tuple[str | tuple[str, ...], ...] = (
     r"a_{21} a_{22} = 0, \quad a_{22} a_{23} = 0, \quad a_{23} a_{21} = 0; \quad (2.14)",
     r"I_1 \neq I_2 \neq I_3",
     r"""\begin{aligned} 1). \quad a_{11}^2 = a_{22}^2 = a_{33}^2 = 1; & \quad
-    2). \quad a_{11}^2 = a_{23}^2 = a_{32}^2 = 1; \\ 3). \quad a_{12}^2 = a_{21}^2 = a_{33}^2 = 1. \end{aligned} \tag{2.17}""",
+    2). \quad a_{11}^2 = a_{23}^2 = 1; \\ 3). \quad a_{12}^2 = a_{21}^2 = a_{33}^2 = 1. \end{aligned} \tag{2.17}""",
     r"|\mathbf{A}| = 1",
     r"\mathbf{A} = \|a_{ij}\|",
     r"(a_{11} = 1 \lor a_{12} = 0) \land J_1 = J_2 \Rightarrow \exists \alpha, \beta : \sin \alpha = 0 \land J_i > 0",
@@ -82,12 +82,18 @@ SAMPLES: tuple[str | tuple[str, ...], ...] = (
 )
 
 
+def formulas_of(sources: Path, paper: str) -> tuple[list[str], list[str]]:
+    """The displayed and the inline formulas of the source text whose name begins so."""
+    (path,) = sources.glob(f"{paper}_*.txt")
+    text = path.read_text(encoding="utf-8")
+    inside = re.sub(r"\$\$.*?\$\$", "", text, flags=re.DOTALL)
+    return re.findall(r"\$\$(.*?)\$\$", text, re.DOTALL), re.findall(r"\$(.+?)\$", inside, re.DOTALL)
+
+
 def displays(sources: Path) -> list[tuple[str | tuple[str, ...], Notation]]:
     """Every displayed block of the first paper; a block that begins with a sign continues the one before."""
-    (path,) = sources.glob("000_*.txt")
-    text = path.read_text(encoding="utf-8")
     found: list[str | tuple[str, ...]] = []
-    for block in re.findall(r"\$\$(.*?)\$\$", text, re.DOTALL):
+    for block in formulas_of(sources, "000")[0]:
         if re.match(r"\s*(\\begin\{aligned\})?[\s&]*=", block):
             found[-1] = (str(found[-1]), block)
         else:
@@ -97,6 +103,4 @@ def displays(sources: Path) -> list[tuple[str | tuple[str, ...], Notation]]:
 
 def inline(sources: Path) -> list[str]:
     """Every inline formula of the first paper that states a relation."""
-    (path,) = sources.glob("000_*.txt")
-    text = re.sub(r"\$\$.*?\$\$", "", path.read_text(encoding="utf-8"), flags=re.DOTALL)
-    return [latex for latex in re.findall(r"\$(.+?)\$", text, re.DOTALL) if re.search(r"=|\\neq|\\leq|\\geq", latex)]
+    return [latex for latex in formulas_of(sources, "000")[1] if re.search(r"=|\\neq|\\leq|\\geq", latex)]

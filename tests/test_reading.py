@@ -96,7 +96,7 @@ BY_HAND = {
     ),
     "control torque": (
         TORQUE[0] + TORQUE[1].removeprefix("="),
-        [("=", x(f"M_{n}"), sum(x(f"M_{m}") * x(f"E_{n}{m}") for m in (1, 2, 3))) for n in (1, 2, 3)],
+        [("=", x(f"M_{n}"), sum(x(f"N_{m}") * x(f"E_{n}{m}") for m in (1, 2, 3))) for n in (1, 2, 3)],
     ),
 }
 
@@ -224,14 +224,14 @@ def test_a_vector_equation_has_three_components_and_a_matrix_nine():
 
 
 def test_unequal_vectors_differ_somewhere():
-    assert formulas(r"\mathbf{K} \ne \mathbf{M}") == (("or", *(("!=", f"K_{n}", f"M_{n}") for n in (1, 2, 3))),)
+    assert formulas(r"\mathbf{K} \ne \mathbf{M}") == (("or", *(("!=", f"K_{n}", f"N_{n}") for n in (1, 2, 3))),)
 
 
 def test_a_cross_product_takes_the_whole_product_on_its_right():
     tree = read(r"\boldsymbol{\omega} \times \mathbf{I}\boldsymbol{\omega}", NOTATION)
     assert tree == Cross(Name(r"\boldsymbol{\omega}"), Mul((Name(r"\mathbf{I}"), Name(r"\boldsymbol{\omega}"))))
     first, _, _ = formulas(r"\mathbf{K} = \boldsymbol{\omega} \times \mathbf{M}")
-    assert first == ("=", "K_1", ("+", ("*", "omega_2", "M_3"), ("-", ("*", "omega_3", "M_2"))))
+    assert first == ("=", "K_1", ("+", ("*", "omega_2", "N_3"), ("-", ("*", "omega_3", "N_2"))))
 
 
 def test_brackets_tell_pairs_intervals_and_groups_apart():
@@ -346,6 +346,9 @@ MALFORMED = {
     r"J_1 \Rightarrow k = 0": "relation is expected",
     r"(J_1 = 1) + 2 = 3": "not a relation",
     r"\sqrt[3]{c}": "only square roots",
+    r"J_1 = 0, c": "says nothing",
+    r"J_i = c, i = 1, 2, j": "says nothing",
+    r"c \pm k": "cannot be read",
     r"c_{1}_{2}": "second subscript",
     r"\cdot c": "between two factors",
     r"\begin{pmatrix} 1 & 2 \\ 3 \end{pmatrix}": "differ in length",
@@ -404,6 +407,20 @@ def test_a_letter_is_declared_once_and_properly():
     for wrong in ({"kind": "tensor"}, {"sign": "positive"}):
         with pytest.raises(SymcheckError):
             Letter("x", **wrong)
+
+
+CLASHES = [
+    (Letter("k"), Letter(r"\mathbf{k}")),
+    (Letter("f_1"), Letter("f", indices=1)),
+    (Letter("M", indices=1), Letter(r"\mathbf{M}", kind="vector")),
+    (Letter(r"\omega"), Letter("w", name="omega")),
+]
+
+
+@pytest.mark.parametrize("letters", CLASHES)
+def test_two_letters_never_become_one_variable(letters):
+    with pytest.raises(SymcheckError, match="both be lowered"):
+        Notation(letters)
 
 
 def test_a_notation_is_a_value():

@@ -8,9 +8,10 @@ from pathlib import Path
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from reading_samples import NOTATION, SAMPLES, displays, inline
+from reading_samples import NOTATION, SAMPLES, displays, formulas_of, inline
 
-from symcheck.reading import lower, read, relations, to_latex
+from symcheck.reading import Letter, Notation, lower, read, relations, to_latex
+from symcheck.reading.lexer import FUNCTIONS
 from symcheck.reading.tree import (
     Add,
     And,
@@ -45,6 +46,7 @@ from symcheck.reading.tree import (
     Tree,
     Tuple,
 )
+from symcheck.statement import SymcheckError
 
 
 @pytest.mark.parametrize("latex", SAMPLES, ids=str)
@@ -177,3 +179,42 @@ lists = st.lists(plain, min_size=1, max_size=3).map(
 @given(st.one_of(expressions, statements, plain, lists))
 def test_any_tree_survives_printing(tree):
     assert read(to_latex(tree), NOTATION) == tree
+
+
+class Permissive(Notation):
+    """Takes every letter as declared, subscript and all: for the syntax of papers that have no notation yet."""
+
+    def __init__(self) -> None:
+        super().__init__([*(Letter(index, kind="index") for index in "ijk"), Letter("d", kind="differential")])
+
+    def find(self, latex: str, indices: int) -> Letter | None:
+        if latex == "d":
+            return Letter("d", kind="differential")
+        if indices or latex == r"\partial":
+            return None
+        return Letter("x", kind="vector" if "mathbf" in latex else "scalar")
+
+    def knows(self, latex: str) -> bool:
+        plain = latex.removeprefix("\\")
+        return latex != "T" and plain not in FUNCTIONS and not latex.startswith(r"\text{")
+
+
+SHARES = {"001": (25, 26, 52, 56), "004": (25, 25, 939, 941)}
+
+
+@pytest.mark.parametrize("paper", SHARES)
+def test_the_syntax_of_the_other_papers_is_read_but_for_what_is_ambiguous(paper: str, sources: Path):
+    notation = Permissive()
+    counts: list[int] = []
+    for formulas in formulas_of(sources, paper):
+        trees = [tree for latex in formulas if (tree := read_or_none(latex, notation)) is not None]
+        assert all(read(to_latex(tree), notation) == tree for tree in trees)
+        counts += [len(trees), len(formulas)]
+    assert tuple(counts) == SHARES[paper]
+
+
+def read_or_none(latex: str, notation: Notation) -> Tree | None:
+    try:
+        return read(latex, notation)
+    except SymcheckError:
+        return None

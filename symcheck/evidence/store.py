@@ -23,7 +23,7 @@ EXPECTED = "expected"
 def certificates(record: Record) -> Iterator[Certificate]:
     """Every certificate a record rests on: its own, those of what it should be, those of hypotheses left out."""
     yield from record.certificates
-    yield from (record.erratum or {}).get("certificates", ())
+    yield from (record.erratum or {}).get("certificates") or ()
     for hypothesis in record.hypotheses:
         counterexample = hypothesis.get("counterexample")
         if isinstance(counterexample, dict) and "claim" in counterexample:

@@ -23,12 +23,13 @@ from symcheck.proof.polynomial import (
     Unsupported,
     flatten,
     fraction,
-    rational,
+    unfold,
     variables,
 )
 from symcheck.statement import Certificate, Formula, Problem, Term
 
 Point = dict[str, Poly]
+Rows = Sequence[Sequence[Any]]
 TRIES = 400
 SEVENTHS = ((2, 3, 6), (6, 2, -3), (-3, 6, -2))
 
@@ -134,11 +135,15 @@ class _Search:
         return _Group(names, tuple(choices))
 
     def _numbers(self, names: Sequence[str], index: int) -> Point:
-        """Values for the scalars: members of a family I_1, I_2, I_3 by their number, others by their place."""
-        pattern, point = _PATTERNS[index], {}
-        for place, name in enumerate(names):
+        """Values for the scalars: members of a family I_1, I_2, I_3 by their number, others from the end."""
+        pattern, point, place = _PATTERNS[index], {}, 0
+        for name in names:
             tail = name.rpartition("_")[2]
-            where = int(tail) - 1 if tail.isdigit() and len(tail) == 1 else place
+            if tail.isdigit() and len(tail) == 1:
+                where = int(tail) - 1
+            else:
+                place += 1
+                where = -place
             point[name] = self.ring.number(pattern[where % len(pattern)])
         return point
 
@@ -175,7 +180,9 @@ class _Search:
         for exponents, coefficient in poly.terms():
             power = int(exponents[where])
             others = tuple(0 if k == where else int(e) for k, e in enumerate(exponents))
-            total += self.ring.context.from_dict({others: coefficient}) * (-rest) ** power * slope ** int(degree - power)
+            total += (
+                self.ring.context.from_dict({others: coefficient}) * (-rest) ** power * slope ** int(degree - power)
+            )
         return total
 
     def _complete(self, point: Point, steps: Sequence[tuple[str, Poly, Poly]]) -> bool:
@@ -261,7 +268,9 @@ class _Search:
     def _refutes(self, point: Point) -> bool:
         if self._truth(self.problem.claim, point) or not all(self._truth(f, point) for f in self.formulas):
             return False
-        divisors = [d for gap in list(self.gaps.values()) for d, _ in gap.den.values()] + list(self.ring.divisors.values())
+        divisors = [d for gap in list(self.gaps.values()) for d, _ in gap.den.values()] + list(
+            self.ring.divisors.values()
+        )
         axioms = [poly for _, poly in self.ring.axioms() if not poly.is_constant()]
         if any(self._sign(d, point) == 0 for d in divisors):
             return False
@@ -281,8 +290,6 @@ class _Search:
 
     def _needed_names(self, claim: Formula) -> set[str]:
         definitions = self.ring.definitions
-        from symcheck.proof.polynomial import unfold
-
         nodes = [claim, *(f for _, fs in self.problem.hypotheses for f in fs)]
         return set().union(*(variables(unfold(node, definitions)) for node in nodes))
 
@@ -327,7 +334,7 @@ def _by_size(lengths: Sequence[int]) -> Iterator[tuple[int, ...]]:
     yield from sorted(product(*(range(n) for n in limited)), key=lambda t: (sum(t), t))
 
 
-def _turned(rows: Sequence[Sequence[Any]]) -> Iterator[list[list[Any]]]:
+def _turned(rows: Rows) -> Iterator[Rows]:
     for order in permutations(range(3)):
         yield [list(rows[i]) for i in order]
 
@@ -344,19 +351,19 @@ def _cayley(seed: int) -> list[list[Fraction]]:
     ]
 
 
-def _matrix_values() -> Iterator[Sequence[Sequence[Any]]]:
+def _matrix_values() -> Iterator[Rows]:
     """Rotations, reflections and other matrices, small ones first."""
     f = Fraction
-    seventh = [[f(x, 7) for x in row] for row in SEVENTHS]  # a rotation; its negative is a reflection
-    eye = [[1, 0, 0], [0, 1, 0], [0, 0, 1]]
+    seventh: Rows = [[f(x, 7) for x in row] for row in SEVENTHS]  # a rotation; its negative is a reflection
+    eye: Rows = [[1, 0, 0], [0, 1, 0], [0, 0, 1]]
     r2, r3, r6 = ("sqrt", 2), ("sqrt", 3), ("sqrt", 6)
-    surd = [
+    surd: Rows = [
         [("/", 2, r6), ("/", -1, r6), ("/", 1, r6)],
         [("/", 1, r3), ("/", 1, r3), ("/", -1, r3)],
         [0, ("/", 1, r2), ("/", 1, r2)],
     ]
-    half = [[("/", 1, r2), ("/", 1, r2), 0], [("/", -1, r2), ("/", 1, r2), 0], [0, 0, 1]]
-    turns = [
+    half: Rows = [[("/", 1, r2), ("/", 1, r2), 0], [("/", -1, r2), ("/", 1, r2), 0], [0, 0, 1]]
+    turns: list[Rows] = [
         [[f(3, 5), f(4, 5), 0], [f(-4, 5), f(3, 5), 0], [0, 0, 1]],
         [[1, 0, 0], [0, f(3, 5), f(4, 5)], [0, f(-4, 5), f(3, 5)]],
         [[f(3, 5), 0, f(-4, 5)], [0, 1, 0], [f(4, 5), 0, f(3, 5)]],
@@ -368,7 +375,8 @@ def _matrix_values() -> Iterator[Sequence[Sequence[Any]]]:
     yield surd
     yield half
     yield from turns[1:]
-    yield from ([list(row) for row in rows] for rows in (((1, 2, 3), (4, 5, 7), (6, 9, 8)), ((1, 2, 3), (2, 5, 4), (3, 4, 7))))
+    yield ((1, 2, 3), (4, 5, 7), (6, 9, 8))
+    yield ((1, 2, 3), (2, 5, 4), (3, 4, 7))
     yield from islice(_turned(eye), 1, None)
     yield [[1, 0, 0], [0, 1, 0], [0, 0, -1]]
     yield [[0, 0, 0], [0, 0, 0], [0, 0, 0]]
@@ -400,6 +408,8 @@ _PATTERNS: tuple[tuple[Any, ...], ...] = (
     (1, 2, 3),
     (2, 1, 3, 5, 7, 11),
     (2, 3, 4, 6, 5),
+    (1, -1),
+    (1, 9, 1),
     (1, 1, 2),
     (1, 2, 1),
     (2, 1, 1),

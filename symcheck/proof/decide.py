@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from symcheck.proof.certificate import references, terms_in
+from symcheck.proof.counterexample import refute
 from symcheck.proof.knowledge import Knowledge, given_of, ring_of, starting
 from symcheck.proof.polynomial import Poly, Ring, Unsupported, flatten, sides
-from symcheck.proof.counterexample import refute
 from symcheck.statement import Certificate, Outcome, Problem, Verdict
 
 Search = Callable[[Problem, Ring], Certificate | None]
@@ -25,7 +25,9 @@ def decide(problem: Problem, search: Search) -> Outcome:
         return Outcome(Verdict.UNDECIDED, reason=str(error))
     if point is not None:
         return Outcome(Verdict.REFUTED, point=point, used=tuple(name for name, _ in problem.hypotheses))
-    return Outcome(Verdict.UNDECIDED, reason="neither a proof nor a counterexample was found within the limits of the search")
+    return Outcome(
+        Verdict.UNDECIDED, reason="neither a proof nor a counterexample was found within the limits of the search"
+    )
 
 
 def _proved(problem: Problem, ring: Ring, proof: Certificate) -> Outcome:

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, field
+from heapq import heappop, heappush
 from itertools import combinations
 from typing import Any
 
@@ -116,7 +117,7 @@ class Basis:
         self.active = [i for i in self.active if i not in outdated]
         for i in self.active:
             common = lcm(lead, self.nodes[i].lead)
-            self._queue.append((sum(common), common, i, new))
+            heappush(self._queue, (sum(common), common, i, new))
         self.active.append(new)
         one = poly * 0 + 1
         for i in outdated:
@@ -125,8 +126,7 @@ class Basis:
     def _run(self) -> None:
         count = 0
         while self._queue:
-            best = min(range(len(self._queue)), key=lambda k: self._queue[k][:2])
-            _, common, i, j = self._queue.pop(best)
+            _, common, i, j = heappop(self._queue)
             if i not in self.active or j not in self.active:
                 continue
             self._done.add((i, j))
@@ -154,7 +154,8 @@ class Basis:
     def _insert_s_polynomial(self, i: int, j: int, common: Monomial) -> None:
         context = self.nodes[i].poly.context()
         left, right = (
-            context.from_dict({tuple(c - e for c, e in zip(common, self.nodes[k].lead, strict=True)): 1}) for k in (i, j)
+            context.from_dict({tuple(c - e for c, e in zip(common, self.nodes[k].lead, strict=True)): 1})
+            for k in (i, j)
         )
         self._insert(left * self.nodes[i].poly - right * self.nodes[j].poly, [(left, i), (-right, j)])
 
@@ -187,7 +188,9 @@ def is_basis(basis: Basis) -> bool:
         a, b = basis.nodes[i], basis.nodes[j]
         common = lcm(a.lead, b.lead)
         context: Any = a.poly.context()
-        left, right = (context.from_dict({tuple(c - e for c, e in zip(common, n.lead, strict=True)): 1}) for n in (a, b))
+        left, right = (
+            context.from_dict({tuple(c - e for c, e in zip(common, n.lead, strict=True)): 1}) for n in (a, b)
+        )
         if basis.reduce(left * a.poly - right * b.poly)[0] != 0:
             return False
     return True

@@ -75,9 +75,7 @@ class Knowledge:
     def with_fact(self, poly: Poly) -> Knowledge:
         """One more polynomial that is zero."""
         count = self.counts["fact"]
-        return replace(
-            self, facts=(*self.facts, (["fact", count], poly)), counts={**self.counts, "fact": count + 1}
-        )
+        return replace(self, facts=(*self.facts, (["fact", count], poly)), counts={**self.counts, "fact": count + 1})
 
     def sign(self, term: Term) -> tuple[int, Given]:
         """(2 if manifestly positive, 1 if manifestly not negative, else 0; the hypotheses that say so)."""
@@ -158,7 +156,11 @@ def hints_of(problem: Problem) -> list[Term]:
 def ring_of(problem: Problem) -> Ring:
     """The ring of everything the problem mentions."""
     definitions = dict(problem.definitions)
-    nodes = [problem.claim, *(f for _, formulas in problem.hypotheses for f in formulas), *(value for name, value in problem.hints if name.startswith(("form", "point_")) and value != "")]
+    nodes = [
+        problem.claim,
+        *(f for _, formulas in problem.hypotheses for f in formulas),
+        *(value for name, value in problem.hints if name.startswith(("form", "point_")) and value != ""),
+    ]
     names: set[str] = set()
     for node in nodes:
         names |= variables(unfold(node, definitions))

@@ -5,8 +5,8 @@ All decide statements of any shape the same way; they differ in the hints they c
 
 from __future__ import annotations
 
-from symcheck.proof.splitting import prove
 from symcheck.proof.decide import decide
+from symcheck.proof.splitting import prove
 from symcheck.statement import Method, Outcome, Problem
 
 

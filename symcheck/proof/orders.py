@@ -16,7 +16,9 @@ def gap_of(goal: Formula) -> tuple[Term, int]:
     return (large if small == 0 else ("+", large, ("-", small))), 1 + (len(goal[0]) == 1)
 
 
-def prove_order(goal: Formula, known: Knowledge, forms: list[Term], problem: Problem | None = None) -> Certificate | None:
+def prove_order(
+    goal: Formula, known: Knowledge, forms: list[Term], problem: Problem | None = None
+) -> Certificate | None:
     """The proof of an order at one place of a proof; with a problem, over as few of its hypotheses as will do."""
     gap, wanted = gap_of(goal)
     for form in [*forms, gap, *_derived(gap, known)]:
@@ -57,7 +59,8 @@ def _derived(gap: Term, known: Knowledge) -> Iterator[Term]:
 def positive_form(poly: Poly, known: Knowledge) -> Term | None:
     """A manifestly non-negative term equal to the polynomial, or None: factors, expanded sums, known bounds."""
     unit, factors = poly.factor()
-    sign, parts = fraction(unit), []
+    sign = fraction(unit)
+    parts: list[Term] = []
     for factor, exponent in factors:
         if exponent % 2 == 0:
             parts.append(("^", term_of(factor), int(exponent)))
@@ -83,8 +86,8 @@ def _factor_form(poly: Poly, known: Knowledge, depth: int = 3) -> Term | None:
         return None
     for bound in known.signs:
         for exponents, coefficient in bound.poly.terms():
-            mine = dict((tuple(map(int, e)), c) for e, c in poly.terms()).get(tuple(map(int, exponents)))
-            if mine is None or mine * coefficient < 0 or len(bound.poly) == 1:
+            mine = poly[exponents]
+            if mine * coefficient <= 0 or len(bound.poly) == 1:
                 continue
             factor = fraction(mine / coefficient)
             rest = poly - bound.poly * (mine / coefficient)
@@ -111,4 +114,3 @@ def term_of(poly: Poly) -> Term:
         term: Term = factors[0] if len(factors) == 1 else ("*", *factors)
         addends.append(term if value > 0 else ("-", term))
     return addends[0] if len(addends) == 1 else ("+", *addends) if addends else 0
-

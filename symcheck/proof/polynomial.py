@@ -176,6 +176,7 @@ class Ring:
         self.context = flint.fmpq_mpoly_ctx.get(list(self.names), flint.Ordering.degrevlex)
         self.generator: dict[str, Poly] = dict(zip(self.names, self.context.gens(), strict=True))
         self.divisors: dict[str, Poly] = {}
+        self.memory: dict[Any, Any] = {}  # for answers that depend on the ring and a key alone
         self._ratios: dict[Any, Ratio] = {}
 
     def number(self, value: Fraction | int) -> Poly:
@@ -234,7 +235,9 @@ class Ring:
         if kind == "/":
             return self._product([self.ratio(term[1]), self._inverse(term[2])])
         if kind == "^":
-            return self._product([self.ratio(term[1])] * term[2] if term[2] >= 0 else [self._inverse(term[1])] * -term[2])
+            return self._product(
+                [self.ratio(term[1])] * term[2] if term[2] >= 0 else [self._inverse(term[1])] * -term[2]
+            )
         if kind in ("sin", "cos"):
             return Ratio(self._turn(angle(unfold(term[1], self.definitions)))[kind == "sin"])
         if kind == "tan":

@@ -6,12 +6,13 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
-from symcheck.proof.witnesses import prove_existence
-from symcheck.proof.ideal import Fact, Ideal, Ref
 from symcheck.proof.equations import prove_identity, written
+from symcheck.proof.groebner import Monomial
+from symcheck.proof.ideal import Fact, Ideal, Ref
 from symcheck.proof.knowledge import Knowledge, hints_of, proportional, ring_of, starting
 from symcheck.proof.orders import positive_form, prove_order, term_of
 from symcheck.proof.polynomial import RELATIONS, Poly, Ring, fraction
+from symcheck.proof.witnesses import prove_existence
 from symcheck.statement import Certificate, Formula, Problem, Term
 
 ABSURD: Formula = ("or",)  # the goal of a contradiction: nothing to choose from
@@ -53,28 +54,49 @@ class _Place:
     def __init__(self, known: Knowledge, before: _Place | None = None) -> None:
         self.known = known
         self.base: Ideal = before.base if before else known.ideal()
-        self.ideal = before.ideal if before else self.base
-        self.rows = list(before.rows) if before else []
-        self.waiting = list(before.waiting) if before else []
-        self.products = list(before.products) if before else []
+        self._normal: dict[str, Poly] = before._normal if before else {}
+        self.contradiction: _Product | None = None  # a fact that says that something non-zero is zero
+        self.light = False  # without the ideal, by linear combinations only
+        self._ideal = before.ideal_so_far() if before else (self.base, [])
+        self.rows: list[tuple[Monomial, Poly, list[Fact]]] = list(before.rows) if before else []
+        self.waiting: list[Fact] = list(before.waiting) if before else []
+        self.products: list[_Product] = list(before.products) if before else []
         self.shorter: list[_Product] = []
-        entering = []
         for fact in known.facts[len(before.known.facts) if before else len(known.facts) :]:
             self._add_row(fact)
             product = _Product.of(fact, known)
-            if product.shorter:
+            if product.times and not product.factors:
+                self.contradiction = product
+            elif product.shorter:
                 self.shorter.append(product)
             elif len(product.factors) > 1 and not _is_square_minus_number(fact[1]):
                 self.products.append(product)
-            elif len(fact[1]) == 1 or _is_square_minus_number(fact[1]):
-                entering.append(fact)
+            elif len(fact[1]) == 1:
+                self._ideal = (self._ideal[0], [*self._ideal[1], fact])
             else:
                 self.waiting.append(fact)
-        self.ideal = self.ideal.extended(entering, PAIRS)
+
+    def normal(self, poly: Poly) -> Poly:
+        """The normal form modulo the hypotheses."""
+        text = str(poly)
+        if text not in self._normal:
+            self._normal[text] = self.base.reduce(poly)
+        return self._normal[text]
+
+    def ideal_so_far(self) -> tuple[Ideal, list[Fact]]:
+        """The ideal worked out last and the facts to enter it next."""
+        return self._ideal
+
+    @property
+    def ideal(self) -> Ideal:
+        """The hypotheses and the facts let in so far; worked out when first needed."""
+        if self._ideal[1]:
+            self._ideal = (self._ideal[0].extended(self._ideal[1], PAIRS), [])
+        return self._ideal[0]
 
     def _add_row(self, fact: Fact) -> None:
         """One more row of the echelon form of the facts modulo the hypotheses."""
-        row, combination = self._eliminate(self.base.reduce(fact[1]))
+        row, combination = self._eliminate(self.normal(fact[1]))
         if row != 0:
             scale = row.leading_coefficient()
             combination = [(ref, -q) for ref, q in combination] + [(fact[0], self.known.ring.number(1))]
@@ -89,42 +111,53 @@ class _Place:
                 used += [(ref, q * coefficient) for ref, q in combination]
         return poly, merged(used)
 
+    def relatives(self) -> list[Poly]:
+        """The hypotheses with squares replaced by the numbers they are said to be here."""
+        squares = [poly for _, poly in self.waiting if _is_square_minus_number(poly)]
+        found = []
+        for _, poly in self.base.facts if squares else ():
+            rest = poly
+            for square in squares:
+                rest = divmod(rest, square)[1]
+            if len(rest) < len(poly):
+                found.append(rest)
+        return found
+
     def settle(self) -> bool:
         """Lets the waiting facts into the ideal; False if none was waiting."""
         facts = [f for f in self.waiting if _short(f[1])]
         self.waiting = []
-        self.ideal = self.ideal.extended(facts, PAIRS)
+        self._ideal = (self._ideal[0], [*self._ideal[1], *facts])
         return bool(facts)
 
     def vanishes(self, poly: Poly) -> bool:
         """Whether the polynomial is zero by what is in the ideal so far."""
-        return bool(self.ideal.reduce(poly) == 0)
+        return bool(self._eliminate(self.normal(poly))[0] == 0 or self.ideal.reduce(poly) == 0)
 
     def cofactors(self, poly: Poly) -> list[Fact] | None:
         """The polynomial as a combination of facts: of few, if that is enough."""
         if poly == 0:
             return []
-        rest, used = self._eliminate(self.base.reduce(poly))
+        rest, used = self._eliminate(self.normal(poly))
         if rest == 0:
             known = {str(ref): fact for ref, fact in self.known.facts}
             for ref, q in used:
                 poly -= q * known[str(ref)]
             outer = self.base.cofactors(poly)
             return None if outer is None else merged([*outer, *used])
-        return self.ideal.cofactors(poly) if self.ideal is not self.base else None
+        return None if self.light or self.ideal is self.base else self.ideal.cofactors(poly)
 
     def of_term(self, term: Term) -> list[Fact] | None:
         """Cofactors of a term by its structure: a product is zero as soon as one factor is."""
-        kind = term[0] if isinstance(term, tuple) else ""
+        kind, *rest = term if isinstance(term, tuple) else ("",)
         if kind == "+":
-            parts = [self.of_term(t) for t in term[1:]]  # type: ignore[index]
+            parts = [self.of_term(t) for t in rest]
             return None if any(p is None for p in parts) else merged([f for p in parts for f in p or ()])
         if kind == "^":
-            return self._multiple(term[1], ("^", term[1], term[2] - 1))  # type: ignore[index]
+            return self._multiple(rest[0], ("^", rest[0], rest[1] - 1))
         if kind == "*":
-            factors = term[1:]  # type: ignore[index]
-            for k, factor in enumerate(factors):
-                found = self._multiple(factor, ("*", 1, *factors[:k], *factors[k + 1 :]))
+            for k, factor in enumerate(rest):
+                found = self._multiple(factor, ("*", 1, *rest[:k], *rest[k + 1 :]))
                 if found is not None:
                     return found
             return None
@@ -177,11 +210,9 @@ class _Engine:
         if kind == "=>":
             return _wrap("implies", then=self.prove(goal[2], known.assume(goal[1])))
         if kind == "<=>":
-            forward = self.prove(goal[2], known.assume(goal[1]))
-            backward = forward and self.prove(goal[1], known.assume(goal[2]))
-            return _wrap("iff", forward=forward, backward=backward)
+            return self._each(("and", ("=>", goal[1], goal[2]), ("=>", goal[2], goal[1])), known)
         if kind == "!=":
-            return _wrap("nonzero", then=self.search(ABSURD, known.assume(("=", goal[1], goal[2]))))
+            return _wrap("implies", then=self.search(ABSURD, known.assume(("=", goal[1], goal[2]))))
         if kind in RELATIONS or kind == "or":
             return self.search(goal, known)
         return None
@@ -200,11 +231,14 @@ class _Engine:
         if self.nodes > self.limit:
             return None
         place = _Place(known, before or self.root)
+        if (product := place.contradiction) is not None:
+            return {"rule": "absurd", **product.grounds(product.cofactors())}
         if place.shorter:
             return self._shorten(goal, place)
         while True:
-            for move in (self._close, self._vanish, self._alternatives, self._split):
-                proof, done = move(goal, place)
+            for light, move in _MOVES:
+                place.light = light
+                proof, done = move(self, goal, place)
                 if done:
                     return proof
             if place.waiting and place.settle():
@@ -238,7 +272,7 @@ class _Engine:
         gap = place.known.ring.difference(goal)
         for form in self.forms:
             ratio = place.known.ring.ratio(form)
-            factor = None if ratio.den else proportional(place.base.reduce(gap), place.base.reduce(ratio.num))
+            factor = None if ratio.den else proportional(place.normal(gap), place.normal(ratio.num))
             if factor is None or (inner := place.of_term(form)) is None:
                 continue
             multiple = place.known.ring.number(factor)
@@ -261,7 +295,7 @@ class _Engine:
         """A sum of non-negative addends that is zero: each addend is."""
         ring = place.known.ring
         polys = [poly for _, poly in place.known.facts]
-        polys += place.ideal.polys() if place.ideal is not place.base else []
+        polys += place.relatives()
         own = [_expanded(poly) for poly in polys if 1 < len(poly) <= MAX_TERMS and _may_be_sum_of_squares(poly)]
         for form in [*self.forms, *own]:
             if not (isinstance(form, tuple) and form[0] == "+"):
@@ -269,7 +303,8 @@ class _Engine:
             signs = [place.known.sign(addend) for addend in form[1:]]
             if not all(level for level, _ in signs) or any(ring.ratio(addend).den for addend in form[1:]):
                 continue
-            if all(place.cofactors(ring.ratio(addend).num) is not None for addend in form[1:]):
+            radicals = [_Product.of(([], ring.ratio(addend).num), place.known).radical for addend in form[1:]]
+            if all(place.cofactors(radical) is not None for radical in radicals):
                 continue
             cofactors = place.cofactors(ring.ratio(form).num)
             if cofactors is None:
@@ -283,22 +318,25 @@ class _Engine:
 
     def _shorten(self, goal: Formula, place: _Place) -> Certificate | None:
         """Divides out of the new facts what is not zero, and takes roots."""
-        steps: list[dict[str, Any]] = []
+        steps: list[_Product] = []
         known, seen = place.known, {str(poly) for _, poly in place.known.facts}
         for product in place.shorter:
             if str(product.radical) not in seen:
-                steps.append(product.step(product.cofactors()))
+                steps.append(product)
                 known = known.with_fact(product.radical)
                 seen.add(str(product.radical))
         place.shorter = []
         proof = self.search(goal, known, place)
-        for step in reversed(steps):
-            proof = _wrap("derive", **step, then=proof)
+        for product in reversed(steps):
+            proof = product.split([product.radical], product.cofactors(), [proof])
         return proof
 
     def _from_basis(self, goal: Formula, place: _Place) -> Certificate | None:
         """What the elements of the Groebner basis say when something non-zero is divided out, or split."""
         products = [_Product.of((["basis"], poly), place.known) for poly in place.ideal.polys()]
+        for product in products:
+            if not product.factors and product.times and (cofactors := place.cofactors(product.whole())) is not None:
+                return {"rule": "absurd", **product.grounds(cofactors)}
         products = [p for p in products if p.factors and (p.shorter or len(p.factors) > 1)]
         for product in sorted(products, key=lambda p: (len(p.factors), p.size)):
             if any(place.vanishes(factor) for factor in product.factors):
@@ -309,10 +347,8 @@ class _Engine:
             if len(product.factors) > 1:
                 return self._cases(goal, place, product, cofactors)
             then = self.search(goal, place.known.with_fact(product.radical), place)
-            return _wrap("derive", **product.step(cofactors), then=then)
+            return product.split([product.radical], cofactors, [then])
         return None
-
-    # splitting
 
     def _alternatives(self, goal: Formula, place: _Place) -> Attempt:
         known = place.known
@@ -336,16 +372,23 @@ class _Engine:
         return None, False
 
     def _cases(self, goal: Formula, place: _Place, product: _Product, cofactors: list[Fact]) -> Certificate | None:
-        cases = []
+        cases: list[Certificate | None] = []
         for factor in product.factors:
             if (proof := self.search(goal, place.known.with_fact(factor), place)) is None:
                 return None
             cases.append(proof)
-        step = product.step(cofactors)
-        factors = [str(factor) for factor in product.factors]
-        power = product.power
-        kept = {key: step[key] for key in ("times", "cofactors", "given")}
-        return {"rule": "split", "factors": factors * power, **kept, "cases": cases * power}
+        return product.split(product.factors, cofactors, cases)
+
+
+# the cheap ways first; each closes the search at a place, or leaves it to the next
+_MOVES = (
+    (True, _Engine._close),
+    (True, _Engine._vanish),
+    (False, _Engine._close),
+    (False, _Engine._vanish),
+    (False, _Engine._alternatives),
+    (False, _Engine._split),
+)
 
 
 @dataclass(frozen=True)
@@ -364,6 +407,7 @@ class _Product:
 
     @classmethod
     def of(cls, fact: Fact, known: Knowledge) -> _Product:
+        """The product a fact is, given what is known not to be zero."""
         poly = fact[1]
         one = known.ring.number(1)
         times: list[Ref] = []
@@ -390,23 +434,36 @@ class _Product:
         """That multiple as a multiple of the fact itself."""
         return [(self.fact[0], divmod(self.whole(), self.fact[1])[0])]
 
-    def step(self, cofactors: list[Fact]) -> dict[str, Any]:
-        """The fields of a "derive" step."""
-        return {
-            "poly": str(self.radical),
-            "power": self.power,
-            "times": list(self.times),
-            "cofactors": written(cofactors),
-            "given": [list(item) for item in self.given],
-        }
+    def split(
+        self, bases: Sequence[Poly], cofactors: list[Fact], cases: list[Certificate | None]
+    ) -> Certificate | None:
+        """The rule "split": one of the bases is zero; with one base that is a derivation, not a case."""
+        if None in cases:
+            return None
+        factors = [[str(base), self.power] for base in bases]
+        return {"rule": "split", "factors": factors, **self.grounds(cofactors), "cases": cases}
+
+    def grounds(self, cofactors: list[Fact]) -> dict[str, Any]:
+        """Why the product is zero."""
+        given = [list(item) for item in self.given]
+        return {"times": list(self.times), "cofactors": written(cofactors), "given": given}
 
 
 def _nonzero(poly: Poly, known: Knowledge) -> tuple[list[Ref] | None, Poly]:
     """References that say that the polynomial is not zero, and the multiple of it they speak of."""
+    memory = known.ring.memory
+    key = (str(poly), tuple(map(id, known.conditions)), tuple(map(id, known.signs)))
+    if key not in memory:  # the knowledge is kept beside the answer so that the ids stay its own
+        memory[key] = known, _find_nonzero(poly, known)
+    found: tuple[list[Ref] | None, Poly] = memory[key][1]
+    return found
+
+
+def _find_nonzero(poly: Poly, known: Knowledge) -> tuple[list[Ref] | None, Poly]:
     for ref, condition in known.conditions:
         if proportional(poly, condition) is not None:
             return [ref], condition
-    for candidate in (poly, -poly) if known.signs else ():
+    for candidate in (poly, -poly):
         form = positive_form(candidate, known)
         if form is not None and known.sign(form)[0] == 2:
             return [["positive", form]], known.ring.poly(form)
@@ -420,7 +477,7 @@ def _expanded(poly: Poly) -> Term:
 
 def _wrap(rule: str, **parts: Any) -> Certificate | None:
     """A rule around inner proofs, None if one of them is missing."""
-    if any(parts.get(name, True) is None for name in ("then", "forward", "backward")):
+    if any(parts.get(name, True) is None for name in ("then",)):
         return None
     return {"rule": rule, **parts}
 

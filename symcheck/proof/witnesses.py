@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from symcheck.proof.ideal import Fact, Ideal
 from symcheck.proof.equations import written
+from symcheck.proof.ideal import Fact, Ideal
 from symcheck.proof.knowledge import Knowledge, proportional, ring_of, starting
 from symcheck.proof.polynomial import Poly, Ring, flatten, unfold, variables
 from symcheck.statement import Certificate, Formula, Problem, Term
@@ -41,7 +41,7 @@ def _names(term: Term) -> set[str]:
 def substitute(node: Formula, values: dict[str, Term]) -> Formula:
     """The formula with variables replaced by terms."""
     if isinstance(node, str):
-        return values.get(node, node)  # type: ignore[return-value]
+        return values.get(node, node)
     if not isinstance(node, tuple):
         return node
     return (node[0], *(substitute(child, values) for child in node[1:]))
@@ -96,4 +96,3 @@ def _multiple(poly: Poly, leading: Poly, ideal: Ideal) -> list[object] | None:
     multiple = ideal.ring.number(factor)
     cofactors = ideal.cofactors(poly - multiple * leading)
     return None if cofactors is None else [str(multiple), written(cofactors)]
-

@@ -72,6 +72,8 @@ def _places(tree: Tree) -> Iterator[tuple[Path, Tree, Tree | None]]:
 
 def _local(node: Tree, above: Tree | None, whole: Tree, notation: Notation | None) -> Iterator[Local]:
     """The edits at one node."""
+    if isinstance(above, Call) and above.function is node:
+        return
     if isinstance(above, _SINGLE_TERMED):
         yield from _member(node)
     if isinstance(node, Add):
@@ -203,7 +205,7 @@ def _number(node: Number) -> Iterator[Local]:
 
 
 def _indices(node: Name, whole: Tree, notation: Notation | None) -> Iterator[Local]:
-    subscripts = [s for _, n in walk(whole) if isinstance(n, Name) for s in n.subscripts]
+    subscripts = [s for n in _names(whole) for s in n.subscripts]
     letters = dict.fromkeys(s for s in subscripts if isinstance(s, str))
     letter = notation.find(node.letter, len(node.subscripts)) if notation is not None else None
     choices: list[int | str] = [*(letter.range if letter else (1, 2, 3)), *letters]
@@ -216,9 +218,15 @@ def _indices(node: Name, whole: Tree, notation: Notation | None) -> Iterator[Loc
         yield "index", f"indices of {to_latex(node)} exchanged", replace(node, subscripts=node.subscripts[::-1])
 
 
+def _names(whole: Tree) -> list[Name]:
+    """All letters in printed order, without those of functions."""
+    functions = {node.function for _, node in walk(whole) if isinstance(node, Call)}
+    return [node for _, node in walk(whole) if isinstance(node, Name) and node not in functions]
+
+
 def _likes(node: Name, whole: Tree, notation: Notation | None) -> list[str]:
     """The other letters of the statement with as many indices, of the same kind."""
-    names = [n for _, n in walk(whole) if isinstance(n, Name) and len(n.subscripts) == len(node.subscripts)]
+    names = [n for n in _names(whole) if len(n.subscripts) == len(node.subscripts)]
     kind = _kind(node, notation)
     return list(dict.fromkeys(n.letter for n in names if n.letter != node.letter and _kind(n, notation) == kind))
 

@@ -10,7 +10,8 @@ from collections.abc import Callable, Iterable, Iterator, Mapping
 from functools import lru_cache
 from typing import Any
 
-from symcheck.reading.notation import Letter, Notation
+from symcheck.reading.components import Value, det, dot, flat, matmul, minus, says, shape, times, zero, zipped
+from symcheck.reading.notation import Letter, Notation, variable
 from symcheck.reading.parser import read
 from symcheck.reading.printing import to_latex
 from symcheck.reading.relations import Relation, relations
@@ -50,7 +51,6 @@ from symcheck.reading.tree import (
 )
 from symcheck.statement import Formula, SymcheckError, Term
 
-Value = Any  # Term | list[Term] | list[list[Term]]
 Env = Mapping[str, int]
 
 SIGNS = {"=": "=", r"\equiv": "=", r"\ne": "!=", "<": "<", r"\le": "<=", ">": ">", r"\ge": ">="}
@@ -173,7 +173,7 @@ class Lowering:
         a, b = self._alike(self.value(left, env), self.value(right, env), left, right)
         if not isinstance(a, list):
             return [(SIGNS[sign], a, b)]
-        pairs = [(SIGNS[sign], x, y) for x, y in zip(_flat(a), _flat(b), strict=True)]
+        pairs = [(SIGNS[sign], x, y) for x, y in zip(flat(a), flat(b), strict=True)]
         if sign == "=" or sign == r"\equiv":
             return pairs
         if sign == r"\ne":
@@ -182,13 +182,13 @@ class Lowering:
 
     def _alike(self, a: Value, b: Value, left: Tree, right: Tree) -> tuple[Value, Value]:
         """Both sides in one shape; a printed 0 stands for the zero of any shape."""
-        if _shape(a) != _shape(b):
+        if shape(a) != shape(b):
             if left == Number("0"):
-                return _zero(b), b
+                return zero(b), b
             if right == Number("0"):
-                return a, _zero(a)
+                return a, zero(a)
             raise SymcheckError(
-                f"{to_latex(left)} ({_says(a)}) and {to_latex(right)} ({_says(b)}) do not compare; check the notation"
+                f"{to_latex(left)} ({says(a)}) and {to_latex(right)} ({says(b)}) do not compare; check the notation"
             )
         return a, b
 
@@ -224,10 +224,10 @@ class Lowering:
         for name in names:
             free = [index for index in free_indices(name, self.notation) if index not in env]
             for more in self.instances(free):
-                for variable in _flat([self.value(name, {**env, **more})]):
-                    if not isinstance(variable, str):
+                for found in flat([self.value(name, {**env, **more})]):
+                    if not isinstance(found, str):
                         raise SymcheckError(f"{to_latex(name)} is no variable; only variables can be quantified")
-                    yield variable
+                    yield found
 
     # -- expressions ---------------------------------------------------------------------------------------------
 
@@ -235,7 +235,7 @@ class Lowering:
         """The term of a scalar expression."""
         value: Value = self.value(tree, env)
         if isinstance(value, list):
-            raise SymcheckError(f"{to_latex(tree)} is a {_says(value)}; a scalar is expected here")
+            raise SymcheckError(f"{to_latex(tree)} is a {says(value)}; a scalar is expected here")
         result: Term = value
         return result
 
@@ -285,13 +285,13 @@ class Lowering:
 
     def of_add(self, tree: Add, env: Env) -> Value:
         values = [self.value(term, env) for term in tree.terms]
-        shapes = {_shape(value) for value in values}
+        shapes = {shape(value) for value in values}
         if len(shapes) > 1:
-            raise SymcheckError(f"{to_latex(tree)} adds a {_says(values[0])} and something else; check the notation")
-        return _zip(lambda *terms: ("+", *terms), values)
+            raise SymcheckError(f"{to_latex(tree)} adds a {says(values[0])} and something else; check the notation")
+        return zipped(lambda *terms: ("+", *terms), values)
 
     def of_neg(self, tree: Neg, env: Env) -> Value:
-        return _zip(lambda t: ("-", t), [self.value(tree.value, env)])
+        return zipped(lambda t: ("-", t), [self.value(tree.value, env)])
 
     def of_mul(self, tree: Mul, env: Env) -> Value:
         scalars: list[Term] = []
@@ -301,14 +301,19 @@ class Lowering:
             if not isinstance(value, list):
                 scalars.append(value)
             else:
-                product = value if product is None else _matmul(product, value, tree)
+                product = value if product is None else self.multiplied(product, value, tree)
         if product is None:
             return ("*", *scalars)
-        return _zip(lambda t: ("*", *scalars, t), [product]) if scalars else product
+        return zipped(lambda t: ("*", *scalars, t), [product]) if scalars else product
+
+    def multiplied(self, a: Value, b: Value, tree: Tree) -> Value:
+        if len(shape(a)) != 2 or shape(a)[1] != shape(b)[0]:
+            raise SymcheckError(f"{to_latex(tree)}: a {says(a)} before a {says(b)} is no product; check the notation")
+        return matmul(a, b)
 
     def of_div(self, tree: Div, env: Env) -> Value:
         bottom = self.scalar(tree.bottom, env)
-        return _zip(lambda t: ("/", t, bottom), [self.value(tree.top, env)])
+        return zipped(lambda t: ("/", t, bottom), [self.value(tree.top, env)])
 
     def of_pow(self, tree: Pow, env: Env) -> Value:
         exponent = self.scalar(tree.exponent, env)
@@ -348,7 +353,7 @@ class Lowering:
         ]
         if not values:
             raise SymcheckError(f"{to_latex(tree)} is an empty sum; check its bounds")
-        return values[0] if len(values) == 1 else _zip(lambda *terms: ("+", *terms), values)
+        return values[0] if len(values) == 1 else zipped(lambda *terms: ("+", *terms), values)
 
     def bounds(self, tree: BigSum, index: str, env: Env) -> tuple[int, ...]:
         if tree.low is None or tree.high is None:
@@ -360,9 +365,9 @@ class Lowering:
 
     def of_pair(self, tree: Pair, env: Env) -> Value:
         u, v = self.value(tree.left, env), self.value(tree.right, env)
-        if len(_shape(u)) != 1 or _shape(u) != _shape(v):
+        if len(shape(u)) != 1 or shape(u) != shape(v):
             raise SymcheckError(f"{to_latex(tree)} is a scalar product of two vectors only; check the notation")
-        return _dot(u, v)
+        return dot(u, v)
 
     def of_tuple(self, tree: Tuple, env: Env) -> Value:
         if tree.kind == "{}":
@@ -371,15 +376,15 @@ class Lowering:
 
     def of_cross(self, tree: Cross, env: Env) -> Value:
         u, v = self.value(tree.left, env), self.value(tree.right, env)
-        if _shape(u) != (3,) or _shape(v) != (3,):
+        if shape(u) != (3,) or shape(v) != (3,):
             raise SymcheckError(f"{to_latex(tree)} is a cross product of two vectors only; check the notation")
-        return [_minus(_times(u[p], v[q]), _times(u[q], v[p])) for p, q in ((1, 2), (2, 0), (0, 1))]
+        return [minus(times(u[p], v[q]), times(u[q], v[p])) for p, q in ((1, 2), (2, 0), (0, 1))]
 
     def of_transpose(self, tree: Transpose, env: Env) -> Value:
         value = self.value(tree.value, env)
         if not isinstance(value, list):
             raise SymcheckError(f"{to_latex(tree)} transposes a scalar; declare T as a letter if it is an exponent")
-        return [list(row) for row in zip(*value, strict=True)] if len(_shape(value)) == 2 else value
+        return [list(row) for row in zip(*value, strict=True)] if len(shape(value)) == 2 else value
 
     def of_matrixof(self, tree: MatrixOf, env: Env) -> Value:
         rows = [[self.scalar(entry, env) for entry in row] for row in tree.rows]
@@ -391,10 +396,10 @@ class Lowering:
 
     def of_bars(self, tree: Bars, env: Env) -> Value:
         value = self.value(tree.value, env)
-        shape = _shape(value)
-        if len(shape) != 2 or shape[0] != shape[1]:
+        size = shape(value)
+        if len(size) != 2 or size[0] != size[1]:
             raise SymcheckError(f"{to_latex(tree)}: only the determinant of a square matrix has an algebraic form")
-        return _det(value)
+        return det(value)
 
     def of_elementsof(self, tree: ElementsOf, env: Env) -> Value:
         inner = [index for index in free_indices(tree.value, self.notation) if index in tree_indices(tree.value)]
@@ -411,7 +416,7 @@ class Lowering:
             by = self.scalar(variable_tree, env)
             if not isinstance(by, str):
                 raise SymcheckError(f"{to_latex(tree)}: a derivative is taken by a variable")
-            value = _zip(lambda t, by=by, order=order: ("diff", t, by, order), [value])
+            value = zipped(lambda t, by=by, order=order: ("diff", t, by, order), [value])
         return value
 
 
@@ -421,87 +426,6 @@ def tree_indices(tree: Tree) -> set[str]:
     return found.union(*(tree_indices(child) for child in children(tree)))
 
 
-def variable(stem: str, indices: tuple[int, ...]) -> str:
-    """The name of a variable: `a`, (1, 2) -> "a_12"; numbers above 9 are set apart."""
-    if not indices:
-        return stem
-    between = "_" if len(indices) > 1 and max(indices) > 9 else ""
-    return f"{stem}_{between.join(map(str, indices))}"
-
-
 def _and(formulas: Iterable[Formula]) -> Formula:
     parts = tuple(formulas)
     return parts[0] if len(parts) == 1 else ("and", *parts)
-
-
-def _shape(value: Value) -> tuple[int, ...]:
-    if not isinstance(value, list):
-        return ()
-    return (len(value), *_shape(value[0]))
-
-
-def _says(value: Value) -> str:
-    return ("scalar", "vector", "matrix")[len(_shape(value))]
-
-
-def _zero(like: Value) -> Value:
-    return [_zero(item) for item in like] if isinstance(like, list) else 0
-
-
-def _flat(value: Value) -> Iterator[Term]:
-    if isinstance(value, list):
-        for item in value:
-            yield from _flat(item)
-    else:
-        yield value
-
-
-def _zip(build: Callable[..., Term], values: list[Value]) -> Value:
-    """Component by component."""
-    if not isinstance(values[0], list):
-        return build(*values)
-    return [_zip(build, list(parts)) for parts in zip(*values, strict=True)]
-
-
-def _times(a: Term, b: Term) -> Term:
-    """A product of components; the zeros and ones that matrices are made of vanish."""
-    if a == 0 or b == 0:
-        return 0
-    return b if a == 1 else a if b == 1 else ("*", a, b)
-
-
-def _minus(a: Term, b: Term) -> Term:
-    if b == 0:
-        return a
-    return ("-", b) if a == 0 else ("+", a, ("-", b))
-
-
-def _plus(terms: Iterable[Term]) -> Term:
-    kept = tuple(term for term in terms if term != 0)
-    return ("+", *kept) if len(kept) > 1 else kept[0] if kept else 0
-
-
-def _dot(u: list[Term], v: list[Term]) -> Term:
-    return _plus(_times(a, b) for a, b in zip(u, v, strict=True))
-
-
-def _matmul(a: Value, b: Value, tree: Tree) -> Value:
-    """Matrix times matrix or vector."""
-    left, right = _shape(a), _shape(b)
-    if len(left) != 2 or left[1] != right[0]:
-        raise SymcheckError(f"{to_latex(tree)}: a {_says(a)} before a {_says(b)} is no product; check the notation")
-    if len(right) == 1:
-        return [_dot(row, b) for row in a]
-    columns = [list(column) for column in zip(*b, strict=True)]
-    return [[_dot(row, column) for column in columns] for row in a]
-
-
-def _det(rows: list[list[Term]]) -> Term:
-    """Expansion along the first row."""
-    if len(rows) == 1:
-        return rows[0][0]
-    total: Term = 0
-    for k, entry in enumerate(rows[0]):
-        minor = _times(entry, _det([row[:k] + row[k + 1 :] for row in rows[1:]]))
-        total = _plus([total, minor]) if k % 2 == 0 else _minus(total, minor)
-    return total

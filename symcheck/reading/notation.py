@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-import difflib
+import itertools
 import re
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 
 from symcheck.reading import tex
@@ -85,6 +85,23 @@ def _plain(text: str) -> str:
     return re.sub(r"[^A-Za-z0-9]", "", text.replace("*", "star"))
 
 
+def variable(stem: str, indices: tuple[int, ...]) -> str:
+    """The name of a variable: `a`, (1, 2) -> "a_12"; numbers above 9 are set apart."""
+    if not indices:
+        return stem
+    between = "_" if len(indices) > 1 and max(indices) > 9 else ""
+    return f"{stem}_{between.join(map(str, indices))}"
+
+
+def _variables(letter: Letter) -> Iterator[str]:
+    """All variables this letter is lowered to."""
+    if letter.kind == "differential" or letter.components is not None:
+        return
+    inner = {"vector": 1, "matrix": 2}.get(letter.kind, 0)
+    for indices in itertools.product(*[letter.range] * letter.indices, *[(1, 2, 3)] * inner):
+        yield variable(letter.stem, indices)
+
+
 class Notation:
     """A paper's letters. Immutable; `extended` gives a changed copy."""
 
@@ -103,8 +120,20 @@ class Notation:
                 self._letters[key, letter.indices] = letter
             if twice:
                 raise SymcheckError(f"letter {letter.latex} is declared twice; declare it once")
+        self._check_variables()
         self.words = tuple(sorted({k for k, _ in self._letters if len(k) > 1 and k.isalpha()}, key=len, reverse=True))
         self._spellings = {k for k, _ in self._letters}
+
+    def _check_variables(self) -> None:
+        """No two letters may be lowered to one variable: it would make different things equal without a word."""
+        owners: dict[str, str] = {}
+        for letter in self._letters.values():
+            for name in _variables(letter):
+                if owners.setdefault(name, letter.latex) != letter.latex:
+                    both = f"{owners[name]} and {letter.latex}"
+                    raise SymcheckError(
+                        f"letters {both} would both be lowered to {name}; give one of them another name"
+                    )
 
     def __eq__(self, other: object) -> bool:
         return isinstance(other, Notation) and self.letters == other.letters
@@ -153,5 +182,7 @@ class Notation:
 
     def nearest(self, latex: str) -> str:
         """A way out for an unknown letter: the nearest declared one."""
+        import difflib  # only an error needs it
+
         close = difflib.get_close_matches(latex, [*self._spellings, *self._index], n=1, cutoff=0.0)
         return f"declare it in the notation, or did you mean {close[0]}?" if close else "the notation has no letters"

@@ -1,15 +1,15 @@
-"""The grammar of printed formulas, and the tree built from it. Whatever could be read in two ways is an error."""
+"""From the grammar's parse to the tree. Whatever could be read in two ways is an error."""
 
 from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Sequence
 from dataclasses import dataclass
-from functools import cache
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from symcheck.reading import tex
-from symcheck.reading.lexer import Lexeme, Lexer
+from symcheck.reading.grammar import parse
+from symcheck.reading.lexer import Lexer
 from symcheck.reading.notation import Notation
 from symcheck.reading.tree import (
     LOGIC,
@@ -49,34 +49,6 @@ from symcheck.reading.tree import (
     Tuple,
 )
 from symcheck.statement import SymcheckError
-
-if TYPE_CHECKING:
-    from lark import Lark
-
-GRAMMAR = r"""
-start: listing
-listing: entry (separator entry)*
-separator: COMMA | SEMI | NEWLINE | COMMA NEWLINE | SEMI NEWLINE
-entry: LABEL? formula (COLON formula)?
-?formula: exists | iff
-?iff: implies | implies IFF (implies | exists)
-?implies: either | either IMPLIES (implies | exists)
-?either: both | both (OR both)+
-?both: chain | chain (AND chain)+
-exists: EXISTS NAME (COMMA NAME)* COLON implies
-?chain: sum | sum (REL sum)+
-sum: MINUS? term ((PLUS | MINUS) term)*
-term: product ((SLASH | TIMES) product)?
-product: (item | CDOT)+
-item: primary (CARET LB sum RB | TRANSPOSE | DEGREE | PRIMES)?
-primary: NUMBER | NAME | FN | D | DOTS | LPAR listing RPAR | LBRA listing RBRA | LSET listing RSET
-       | LBAR sum RBAR | LNORM sum RNORM | FRAC LB sum RB LB sum RB | SQRT LB sum RB
-       | SUM LB listing RB (LB sum RB)? | DIAG (LPAR listing RPAR | LBRA listing RBRA) | MBEGIN row (ROW row)* MEND
-row: sum (CELL sum)*
-%declare NUMBER NAME FN D DOTS LPAR RPAR LBRA RBRA LSET RSET LBAR RBAR LNORM RNORM LB RB FRAC SQRT SUM DIAG MBEGIN MEND
-%declare ROW CELL CARET TRANSPOSE DEGREE CDOT SLASH TIMES PLUS MINUS REL AND OR IMPLIES IFF EXISTS COLON COMMA SEMI
-%declare NEWLINE LABEL PRIMES
-"""
 
 SIMPLE_KINDS = ("scalar", "index", "function")
 
@@ -119,13 +91,6 @@ class Item:
     partial: bool = False
 
 
-@cache
-def _lark() -> Lark:
-    from lark import Lark
-
-    return Lark(GRAMMAR, parser="lalr", lexer="basic")
-
-
 def read(latex: str | Sequence[str], notation: Notation) -> Tree:
     """The tree of a printed formula, nothing evaluated.
 
@@ -137,26 +102,7 @@ def read(latex: str | Sequence[str], notation: Notation) -> Tree:
     lexemes = Lexer(source, notation).lexemes()
     if not lexemes:
         raise SymcheckError(f"an empty formula: {latex!r}; give the printed LaTeX")
-    return Builder(source, notation).statement(_parse(source, lexemes))
-
-
-def _parse(source: str, lexemes: list[Lexeme]) -> Any:
-    from lark import Token, UnexpectedInput
-
-    interactive = _lark().parse_interactive("")
-    for lexeme in lexemes:
-        try:
-            interactive.feed_token(Token(lexeme.type, lexeme, start_pos=lexeme.at))
-        except UnexpectedInput:
-            raise tex.fault(source, lexeme.at, f"{_shown(lexeme)} does not fit here") from None
-    try:
-        return interactive.feed_eof()  # type: ignore[no-untyped-call]
-    except UnexpectedInput:
-        raise tex.fault(source, len(source), "the formula breaks off") from None
-
-
-def _shown(lexeme: Lexeme) -> str:
-    return lexeme.value.letter if isinstance(lexeme.value, Name) else str(lexeme.value)
+    return Builder(source, notation).statement(parse(source, lexemes))
 
 
 class Builder:
@@ -186,7 +132,7 @@ class Builder:
 
     def on_entry(self, nodes: list[Any]) -> tuple[str, Tree]:
         label = nodes.pop(0).value.value if not hasattr(nodes[0], "data") else ""
-        tree = self.build(nodes[0])
+        tree = self.checked(self.build(nodes[0]), _place(nodes[0]))
         return label, Located(self.term_of(nodes[0]), self.build(nodes[2])) if len(nodes) > 1 else tree
 
     def statement_of(self, listing: Listing) -> Tree:
@@ -196,6 +142,9 @@ class Builder:
         parts, qualifiers = self.qualified([tree for _, tree in listing.entries], listing.at)
         if len(parts) == 1 and not qualifiers:
             return parts[0]
+        stated = [isinstance(part, STATEMENTS) for part in parts]
+        if not all(stated) and (any(stated) or qualifiers):
+            raise self.fail(listing.at, "an expression stands among relations and says nothing")
         if len(parts) > 1 and any(isinstance(part, LOGIC) and not isinstance(part, And) for part in parts):
             raise self.fail(listing.at, r"a comma beside a logical connective is ambiguous; write \land or brackets")
         return System(tuple(parts), tuple(qualifiers))
@@ -503,7 +452,7 @@ class Builder:
         return Differential(order, (self.plain(items[1:]),), partial)
 
     def order(self, tree: Tree, at: int) -> int:
-        if not isinstance(tree, Number) or tree.text not in "123456789":
+        if not isinstance(tree, Number) or not tree.text.isdigit() or tree.text == "0":
             raise self.fail(at, "the order of a derivative must be a number")
         return int(tree.text)
 

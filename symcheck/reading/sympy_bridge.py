@@ -17,7 +17,7 @@ def to_sympy(term: Term) -> Expr:
     if isinstance(term, int):
         return sympy.Integer(term)
     if isinstance(term, str):
-        return sympy.Symbol(term, real=True)
+        return sympy.pi if term == "pi" else sympy.Symbol(term, real=True)
     operator, arguments = term[0], term[1:]
     if operator == "^":
         return to_sympy(arguments[0]) ** int(arguments[1])

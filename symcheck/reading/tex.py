@@ -10,7 +10,9 @@ from symcheck.statement import SymcheckError
 
 _TOKEN = re.compile(r"\\[A-Za-z]+\*?|\\.|\S", re.DOTALL)
 _SPACE = r"(?:\\quad|\\qquad|\\,|\\;|\\:|\\!|\\ |~|\s)"
-_TAG = re.compile(rf"{_SPACE}*(?:\\(?:tag|eqno)\s*\{{\s*([^{{}}]*?)\s*\}}|\\quad{_SPACE}*\((\d+\.\d+)\))(?={_SPACE}*$)")
+_TAG = re.compile(
+    rf"{_SPACE}*(?:\\(?:tag|eqno)\s*\{{\s*([^{{}}]*?)\s*\}}|\\q?quad{_SPACE}*\((\d+\.\d+[a-zа-я]?)\))(?={_SPACE}*$)"
+)
 _TAIL = re.compile(rf"(?:{_SPACE}|[.,;])+$")
 
 STYLES = frozenset({r"\mathbf", r"\boldsymbol", r"\mathcal", r"\mathbb", r"\bm"})

@@ -1,0 +1,69 @@
+"""The grammar of printed formulas (LALR, without conflicts).
+
+It settles what belongs to what by signs and brackets. What an implicit product means - where the argument of a sine
+ends, whether brackets behind a letter are a factor or an argument - depends on the letters and is settled in `parser`.
+"""
+
+from __future__ import annotations
+
+from functools import cache
+from typing import TYPE_CHECKING, Any
+
+from symcheck.reading import tex
+from symcheck.reading.lexer import Lexeme
+from symcheck.reading.tree import Name
+
+if TYPE_CHECKING:
+    from lark import Lark
+
+GRAMMAR = r"""
+start: listing
+listing: entry (separator entry)*
+separator: COMMA | SEMI | NEWLINE | COMMA NEWLINE | SEMI NEWLINE
+entry: LABEL? formula (COLON formula)?
+?formula: exists | iff
+?iff: implies | implies IFF (implies | exists)
+?implies: either | either IMPLIES (implies | exists)
+?either: both | both (OR both)+
+?both: chain | chain (AND chain)+
+exists: EXISTS NAME (COMMA NAME)* COLON implies
+?chain: sum | sum (REL sum)+
+sum: MINUS? term ((PLUS | MINUS) term)*
+term: product ((SLASH | TIMES) product)?
+product: (item | CDOT)+
+item: primary (CARET LB sum RB | TRANSPOSE | DEGREE | PRIMES)?
+primary: NUMBER | NAME | FN | D | DOTS | LPAR listing RPAR | LBRA listing RBRA | LSET listing RSET
+       | LBAR sum RBAR | LNORM sum RNORM | FRAC LB sum RB LB sum RB | SQRT LB sum RB
+       | SUM LB listing RB (LB sum RB)? | DIAG (LPAR listing RPAR | LBRA listing RBRA) | MBEGIN row (ROW row)* MEND
+row: sum (CELL sum)*
+%declare NUMBER NAME FN D DOTS LPAR RPAR LBRA RBRA LSET RSET LBAR RBAR LNORM RNORM LB RB FRAC SQRT SUM DIAG MBEGIN MEND
+%declare ROW CELL CARET TRANSPOSE DEGREE CDOT SLASH TIMES PLUS MINUS REL AND OR IMPLIES IFF EXISTS COLON COMMA SEMI
+%declare NEWLINE LABEL PRIMES
+"""
+
+
+@cache
+def _lark() -> Lark:
+    from lark import Lark
+
+    return Lark(GRAMMAR, parser="lalr", lexer="basic")
+
+
+def parse(source: str, lexemes: list[Lexeme]) -> Any:
+    """lark's tree of a token list; SymcheckError at the first token that does not fit."""
+    from lark import Token, UnexpectedInput
+
+    interactive = _lark().parse_interactive("")
+    for lexeme in lexemes:
+        try:
+            interactive.feed_token(Token(lexeme.type, lexeme, start_pos=lexeme.at))
+        except UnexpectedInput:
+            raise tex.fault(source, lexeme.at, f"{_shown(lexeme)} does not fit here") from None
+    try:
+        return interactive.feed_eof()  # type: ignore[no-untyped-call]
+    except UnexpectedInput:
+        raise tex.fault(source, len(source), "the formula breaks off") from None
+
+
+def _shown(lexeme: Lexeme) -> str:
+    return lexeme.value.letter if isinstance(lexeme.value, Name) else str(lexeme.value)
