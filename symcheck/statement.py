@@ -73,12 +73,13 @@ class Hypothesis:
 
 @dataclass(frozen=True)
 class Erratum:
-    """What a wrong printed relation should be. The machine proves `corrected`; only kind, origin and reason are human."""
+    """What a wrong relation should be. The machine proves `corrected`; only kind, origin and reason are human."""
 
     corrected: str
     kind: str
     origin: Origin
     reason: str
+    forms: tuple[str, ...] = ()  # hints for the proof of `corrected`
 
 
 @dataclass(frozen=True)

@@ -123,8 +123,9 @@ def papers(out: Console, counts: Mapping[str, tuple[Paper, Counter[str]]]) -> No
 
 
 def statement(record: Record) -> str:
-    """What a ledger row says: the printed form in one line, or the words."""
-    return " ".join((record.printed or record.words or record.name.replace("_", " ")).split())
+    """What a ledger row says in one line: the link of a chain as read, the printed form, or the words."""
+    link = record.read if record.id[-1].isalpha() else ""
+    return " ".join((link or record.words or record.printed or record.name.replace("_", " ")).split())
 
 
 def _verdict(record: Record) -> Text:

@@ -6,6 +6,7 @@ import random
 from typing import Any
 
 import mpmath
+
 from symcheck.statement import Formula, Problem, Term
 
 mpmath.mp.dps = 40

@@ -1,4 +1,4 @@
-"""True and false statements about rotated inertia tensors, written as terms by hand: what the proof engine must tell apart."""
+"""True and false statements about rotated inertia tensors, typed as terms: the proof engine must tell them apart."""
 
 from __future__ import annotations
 

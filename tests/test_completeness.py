@@ -6,6 +6,7 @@ import re
 from pathlib import Path
 
 import pytest
+
 from symcheck import papers
 from symcheck.reading import split_tag
 from symcheck.statement import Item, Paper, Role
@@ -67,9 +68,13 @@ def test_every_printed_string_stands_in_the_source_on_its_line(paper: Paper, sou
         for piece in item.printed:
             assert squeezed(piece) in rest, f"{item.number}: {piece}"
         first = squeezed(item.printed[0])
-        assert first not in squeezed("\n".join(lines[item.line :])) or first in squeezed(lines[item.line - 1]), item.number
+        assert first not in squeezed("\n".join(lines[item.line :])) or first in squeezed(lines[item.line - 1]), (
+            item.number
+        )
         head = squeezed(lines[item.line - 1])
-        assert first in head or head.lstrip("$") and first.startswith(head.lstrip("$")), f"{item.number}: line {item.line}"
+        assert first in head or (head.lstrip("$") and first.startswith(head.lstrip("$"))), (
+            f"{item.number}: line {item.line}"
+        )
 
 
 def test_a_printed_tag_is_the_number_of_its_declaration(paper: Paper, source: str) -> None:

@@ -6,6 +6,7 @@ import json
 from functools import cache
 
 import pytest
+
 from symcheck import checker, kernels, papers
 from symcheck.evidence.decide import DECIDED, decide, expand
 from symcheck.evidence.record import Record

@@ -8,6 +8,7 @@ from functools import cache
 
 import oracle
 import pytest
+
 from symcheck import papers
 from symcheck.evidence.decide import Context, Unit, expand, judge, units
 from symcheck.evidence.mutation import Fate, fate, mutants

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import hashlib
 import time
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, fields, replace
 from functools import cache, partial
 from importlib.metadata import version
@@ -57,7 +57,7 @@ def expand(paper: Paper) -> tuple[Obligation, ...]:
     )
 
 
-# --- what a result depends on ---------------------------------------------------------------------------------------
+# --- what a result depends on
 
 
 @cache
@@ -105,12 +105,12 @@ def _paper_context(key: str) -> str:
 
 
 def fingerprint(obligation: Obligation) -> str:
-    """Hash of everything the result depends on: the declaration, notation, definitions, our sources, library versions."""
+    """Hash of all the result depends on: the declaration, notation, definitions, our sources, library versions."""
     text = _content(obligation.item) + _paper_context(obligation.paper.key)
     return hashlib.sha256(text.encode()).hexdigest()
 
 
-# --- lowering ---------------------------------------------------------------------------------------------------------
+# --- lowering
 
 
 def _names(value: Any) -> Iterator[str]:
@@ -180,8 +180,8 @@ class Context:
         return hypothesis.name, tuple(formulas)
 
     def hint(self, latex: str) -> list[Term]:
-        """A hint for each instance of a free index (one for all if it has none)."""
-        return [formula[1] for formula in self.lower(f"{latex} = 0")]
+        """A hint as one flat sum, for each instance of a free index (one for all if it has none)."""
+        return [("+", *_addends(formula[1])) for formula in self.lower(f"{latex} = 0")]
 
     def used_definitions(self, *values: Any) -> tuple[tuple[str, Term], ...]:
         """The definitions that the values need, each after those it needs itself."""
@@ -211,6 +211,14 @@ class Context:
         return Problem(self.id, formula, definitions, hypotheses, tuple(lowered))
 
 
+def _addends(term: Term) -> Iterator[Term]:
+    if isinstance(term, tuple) and term[0] == "+":
+        for part in term[1:]:
+            yield from _addends(part)
+    else:
+        yield term
+
+
 def _conjuncts(formula: Formula) -> Iterator[Formula]:
     if formula[0] == "and":
         for part in formula[1:]:
@@ -219,7 +227,7 @@ def _conjuncts(formula: Formula) -> Iterator[Formula]:
         yield formula
 
 
-# --- deciding -----------------------------------------------------------------------------------------------------------
+# --- deciding
 
 
 @dataclass(frozen=True)
@@ -331,21 +339,22 @@ def judge(context: Context, unit: Unit, given: tuple[Hypothesis, ...], extra: tu
         return finding
     by = cases(*(latex for _, latex in method.hints))
     attained = _find(context, equality_claims(context, unit, equality), (*given, *extra, *item.equality_given), by)
-    if attained.verdict is Verdict.PROVED:
-        verdict = Verdict.PROVED
-    else:
-        verdict = Verdict.UNDECIDED
+    verdict = Verdict.PROVED if attained.verdict is Verdict.PROVED else Verdict.UNDECIDED
     outcomes = tuple(
-        replace(o, reason=o.reason or "the set of equality is not as declared") if o.verdict is not Verdict.PROVED else o
+        replace(o, reason=o.reason or "the set of equality is not as declared")
+        if o.verdict is not Verdict.PROVED
+        else o
         for o in attained.outcomes
     )
     return Finding(verdict, finding.problems + attained.problems, finding.outcomes + outcomes)
 
 
-# --- evidence beside the verdict ------------------------------------------------------------------------------------------
+# --- evidence beside the verdict
 
 
-def _hypotheses(finding: Finding, item: Item, method: Method, added: tuple[Hypothesis, ...]) -> tuple[dict[str, Any], ...]:
+def _hypotheses(
+    finding: Finding, item: Item, method: Method, added: tuple[Hypothesis, ...]
+) -> tuple[dict[str, Any], ...]:
     """Each hypothesis with whether the proof needs it: dropped, is the claim still proved, or refuted?"""
     everything = (*item.given, *added)
     need: dict[str, list[tuple[bool | None, Certificate | None]]] = {}
@@ -384,7 +393,7 @@ def _corrected(context: Context, unit: Unit, erratum: Erratum, printed: Finding)
     if erratum.corrected:
         tree = read(erratum.corrected, context.notation)
         right = unit.reworded(context, tree)
-        repaired = replace(item, equality="", by=cases(*_hints(item)))
+        repaired = replace(item, equality="", by=cases(*_hints(item), *erratum.forms))
         finding = judge(_with(context, repaired), right, item.given, item.needs)
     else:
         finding = judge(context, unit, item.given, item.needs)
@@ -446,7 +455,7 @@ def _repairs(context: Context, unit: Unit) -> list[dict[str, str]]:
 
 
 def _fails_at_a_glance(context: Context, unit: Unit) -> bool:
-    """Whether an edited relation is empty or has a counterexample: most do, and a point is found faster than no proof."""
+    """Whether an edited relation is empty or has a counterexample, which is found faster than that it has no proof."""
     method, given = context.method(unit.letter), (*context.item.given, *context.item.needs)
     problems = (context.problem(formula, given, method, n) for n, formula in enumerate(unit.formulas))
     return any(problem.claim[1] == problem.claim[2] or refute(problem) for problem in problems)
@@ -460,7 +469,7 @@ def _is_empty(finding: Finding) -> bool:
     )
 
 
-# --- records ----------------------------------------------------------------------------------------------------------------
+# --- records
 
 
 def _used_by(paper: Paper, number: str) -> tuple[str, ...]:

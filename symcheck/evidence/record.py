@@ -10,7 +10,7 @@ from symcheck.statement import Certificate, Origin, Reading, Role, SymcheckError
 
 @dataclass(frozen=True, kw_only=True)
 class Record:
-    """One relation of a paper with its verdict. `id` is "paper:number", with a letter for one link of a chain or system."""
+    """One relation with its verdict. `id` is "paper:number", with a letter for one link of a chain or system."""
 
     id: str
     paper: str
@@ -26,7 +26,9 @@ class Record:
     kind: str = ""
     origin: Origin | None = None
     reason: str = ""
-    hypotheses: tuple[dict[str, Any], ...] = ()  # name, words, given ("printed" | "added"), needed (bool | None), counterexample
+    hypotheses: tuple[
+        dict[str, Any], ...
+    ] = ()  # name, words, given ("printed" | "added"), needed (bool | None), counterexample
     method: str = ""
     certificates: tuple[Certificate, ...] = ()  # one per lowered formula
     counterexample: Certificate | None = None
@@ -37,17 +39,17 @@ class Record:
     seconds: float = 0.0
 
     def to_json(self) -> dict[str, Any]:
-        """The record as plain JSON data."""
-        return asdict(self)
+        """The record as plain JSON data; its certificates, one for each lowered formula, are under "certificate"."""
+        data = asdict(self)
+        return {"certificate" if key == "certificates" else key: value for key, value in data.items()}
 
     @classmethod
     def from_json(cls, data: dict[str, Any]) -> Record:
         """The inverse of `to_json`; SymcheckError if a field is missing, unknown or of an unknown value."""
         try:
-            known = {f.name for f in fields(cls)}
-            if unknown := sorted(set(data) - known):
+            values = {"certificates" if key == "certificate" else key: value for key, value in data.items()}
+            if unknown := sorted(set(values) - {f.name for f in fields(cls)}):
                 raise SymcheckError(f"a record has the unknown field {unknown[0]!r}; delete the file and run again")
-            values = dict(data)
             values["role"] = Role(values["role"])
             values["verdict"] = Verdict(values["verdict"]) if values.get("verdict") else None
             values["reading"] = Reading(values.get("reading", Reading.AS_PRINTED))

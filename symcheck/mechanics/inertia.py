@@ -11,7 +11,8 @@ sp = lazy("sympy")
 
 def principal_moments(letter: str = "I") -> tuple[Any, Any, Any]:
     """The symbols letter_1, letter_2, letter_3."""
-    return tuple(sp.Symbol(f"{letter}_{i}", real=True) for i in (1, 2, 3))  # type: ignore[return-value]
+    first, second, third = (sp.Symbol(f"{letter}_{i}", real=True) for i in (1, 2, 3))
+    return first, second, third
 
 
 def axial_moments(tensor: Any, axes: Any) -> list[Any]:
@@ -26,6 +27,6 @@ def from_second_moments(second: tuple[Any, Any, Any]) -> tuple[Any, Any, Any]:
 
 
 def euler_residual(tensor: Any, rate: Any, acceleration: Any, torque: Any) -> Any:
-    """I w' + w x I w - M in body axes: the rate of change of angular momentum seen from the inertial frame, less the torque."""
+    """I w' + w x I w - M in body axes: the inertial rate of change of the angular momentum, less the torque."""
     momentum = tensor * rate
     return (tensor * acceleration + rate.cross(momentum) - torque).applyfunc(sp.expand)

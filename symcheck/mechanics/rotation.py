@@ -22,7 +22,8 @@ def entries(values: Any, letter: str = "a") -> dict[str, Any]:
 def elementary(axis: int, angle: Any) -> Any:
     """Direction cosines of axes turned by `angle` (radians, right-hand rule) about axis 1, 2 or 3.
 
-    Row i holds the turned axis i in the old axes: elementary(3, t) = [[cos t, sin t, 0], [-sin t, cos t, 0], [0, 0, 1]].
+    Row i holds the turned axis i in the old axes; elementary(3, t) is
+    [[cos t, sin t, 0], [-sin t, cos t, 0], [0, 0, 1]].
     """
     c, s = sp.cos(angle), sp.sin(angle)
     j, k = axis % 3, (axis + 1) % 3

@@ -380,6 +380,7 @@ def _matrix_values() -> Iterator[Rows]:
     yield from islice(_turned(eye), 1, None)
     yield [[1, 0, 0], [0, 1, 0], [0, 0, -1]]
     yield [[0, 0, 0], [0, 0, 0], [0, 0, 0]]
+    yield [[2, 0, 0], [0, f(1, 2), 0], [0, 0, 1]]
     yield [[2, 0, 0], [0, 3, 0], [0, 0, 5]]
     yield from islice(_turned(seventh), 1, None)
     yield from islice(_turned(surd), 1, None)

@@ -6,7 +6,7 @@ References name where each came from, the way the checker names them.
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, replace
 from fractions import Fraction
 
 from symcheck.proof.ideal import Fact, Ideal, Ref
@@ -37,7 +37,7 @@ class Knowledge:
     conditions: tuple[Fact, ...] = ()
     signs: tuple[Sign, ...] = ()
     pending: tuple[tuple[Ref, Formula], ...] = ()
-    counts: dict[str, int] = field(default_factory=lambda: {"fact": 0, "cond": 0, "free": 0})
+    count: int = 0
 
     def ideal(self, pairs: int = 2000) -> Ideal:
         """The ideal of all facts and of the relations of sines, cosines and roots."""
@@ -64,30 +64,26 @@ class Knowledge:
         return known
 
     def assume(self, formula: Formula) -> Knowledge:
-        """The conjuncts of a formula, numbered as facts and conditions in order."""
+        """The conjuncts of a formula, numbered in order."""
         known = self
         for part in flatten(formula):
-            kind = {"=": "fact", "!=": "cond", "<": "cond", ">": "cond"}.get(part[0], "free")
-            known = known.learn([kind, known.counts[kind]], part)
-            known = replace(known, counts={**known.counts, kind: known.counts[kind] + 1})
+            known = replace(known.learn(["here", known.count], part), count=known.count + 1)
         return known
 
     def with_fact(self, poly: Poly) -> Knowledge:
         """One more polynomial that is zero."""
-        count = self.counts["fact"]
-        return replace(self, facts=(*self.facts, (["fact", count], poly)), counts={**self.counts, "fact": count + 1})
+        return replace(self, facts=(*self.facts, (["here", self.count], poly)), count=self.count + 1)
 
     def sign(self, term: Term) -> tuple[int, Given]:
         """(2 if manifestly positive, 1 if manifestly not negative, else 0; the hypotheses that say so)."""
-        known = max((s for s in self.signs if s.term == term), key=lambda s: s.level, default=None)
-        if known:
-            return known.level, given_of([known.ref])
         if isinstance(term, int):
             return (0 if term < 0 else 1 + (term > 0)), NOTHING
-        if isinstance(term, str):
-            return self.sign(self.ring.definitions[term]) if term in self.ring.definitions else (0, NOTHING)
-        level, given = self._sign_of_operation(term)
-        return (level, given) if level else self._bound(term)
+        level, given = self._sign_of_operation(term) if isinstance(term, tuple) else (0, NOTHING)
+        if not level:
+            level, given = self._bound(term)
+        if not level and isinstance(term, str) and term in self.ring.definitions:
+            return self.sign(self.ring.definitions[term])
+        return level, given
 
     def _sign_of_operation(self, term: tuple[object, ...]) -> tuple[int, Given]:
         kind, rest = term[0], term[1:]
@@ -117,11 +113,10 @@ class Knowledge:
         return 0, NOTHING
 
     def _bound(self, term: Term) -> tuple[int, Given]:
-        """The sign of a sum that is a positive multiple of something assumed to be >= 0."""
-        if isinstance(term, tuple) and term[0] in ("+", "-") and self.signs:
-            gap = self.ring.ratio(term)
+        """The sign of a positive multiple of something assumed to be >= 0."""
+        if self.signs and not (gap := self.ring.ratio(term)).den:
             for sign in self.signs:
-                if not gap.den and (factor := proportional(gap.num, sign.poly)) is not None and factor > 0:
+                if (factor := proportional(gap.num, sign.poly)) is not None and factor > 0:
                     return sign.level, given_of([sign.ref])
         return 0, NOTHING
 

@@ -250,8 +250,6 @@ class Ring:
 
     def _inverse(self, term: Term) -> Ratio:
         """1 / term, product by product so that the divisors stay small."""
-        if isinstance(term, str) and term in self.definitions:
-            return self._inverse(unfold(term, self.definitions))
         if isinstance(term, tuple) and term[0] == "*":
             return self._product([self._inverse(child) for child in term[1:]])
         if isinstance(term, tuple) and term[0] == "^" and term[2] > 0:

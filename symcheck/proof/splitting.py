@@ -32,7 +32,7 @@ def prove(problem: Problem, ring: Ring) -> Certificate | None:
     if kind in ("<", "<=", ">", ">="):
         return prove_order(problem.claim, starting(problem, ring), hints_of(problem), problem)
     if kind == "exists":
-        return prove_existence(problem, ring)
+        return prove_existence(problem, ring, prove_here)
     if problem.definitions:
         free = replace(problem, definitions=())
         known = starting(free, ring_of(free))
@@ -206,7 +206,8 @@ class _Engine:
         """A proof of any formula from what is known, by its outermost connective."""
         kind = goal[0]
         if kind == "and":
-            return self._each(goal, known)
+            together = all(part[0] == "=" for part in goal[1:])
+            return (self.search(goal, known) if together else None) or self._each(goal, known)
         if kind == "=>":
             return _wrap("implies", then=self.prove(goal[2], known.assume(goal[1])))
         if kind == "<=>":

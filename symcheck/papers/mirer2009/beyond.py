@@ -2,7 +2,7 @@
 
 from symcheck.papers.declare import ours
 from symcheck.papers.mirer2009 import derivation
-from symcheck.papers.mirer2009.hypotheses import orthogonal, positive_moments, right_handed, symmetric_damping
+from symcheck.papers.mirer2009.hypotheses import orthogonal, positive_moments, symmetric_damping
 from symcheck.papers.mirer2009.notation import family_letters, optimum_letters
 from symcheck.papers.mirer2009.sec1 import free_moments, positive_ratio
 from symcheck.proof import cases, identity, nonnegative
@@ -126,15 +126,19 @@ second_moment_in_the_plane = ours(
     notation=family_letters,
 )
 
+no_moment_is_the_mean = Hypothesis(
+    "no moment is the mean", "no principal moment equals the mean c", r"d_1 \neq 0, d_2 \neq 0, d_3 \neq 0"
+)
+
 plane_never_degenerates = ours(
     "B.9",
     225,
-    words="If no principal moment is the mean, g never vanishes: G > 0, so that u, v are well defined up to the four turns that "
-    "solve (u^2 - v^2) d_1 d_2 d_3 + 2 u v W = 0.",
-    formal=r"d_1 d_2 d_3 \neq 0 \Rightarrow G \neq 0",
-    given=[orthogonal],
+    words="If no principal moment is the mean, g never vanishes, so that u and v are components along true directions.",
+    formal=r"G \neq 0",
+    given=[orthogonal, no_moment_is_the_mean],
     where=derivation.second_axis_components,
-    by=cases("G"),
+    keeping=("d",),
+    by=cases(r"d_1^2 a_{11}^2 + d_2^2 a_{12}^2 + d_3^2 a_{13}^2"),
     uses=["B.7"],
     notation=family_letters,
 )
@@ -143,48 +147,63 @@ family_is_complete = ours(
     "B.10",
     225,
     words="If no principal moment is the mean, the triples with equal moments are exactly those with e_1 on the cone and "
-    "tan 2 theta = -d_1 d_2 d_3 / W for the angle theta of e_2 in the plane of g and h.",
-    formal=rf"{EQUAL_MOMENTS} \Leftrightarrow {DISCRIMINANT} = 0",
+    "tan 2 theta = -d_1 d_2 d_3 / W for the angle theta of e_2 in the plane of g and h: for each e_1 four turns of one triple.",
+    formal=rf"(J_2 = c \land J_3 = c) \Leftrightarrow {DISCRIMINANT} = 0",
     given=[
-        orthogonal,
         first_axis_on_the_cone,
-        Hypothesis("no moment is the mean", "no principal moment equals c", r"d_1 \neq 0, d_2 \neq 0, d_3 \neq 0"),
+        Hypothesis("trace", "relation 2.1.7", r"J_1 + J_2 + J_3 = 3c"),
+        Hypothesis("second moment", "relation B.8", second_moment_in_the_plane.formal),
+        Hypothesis("plane", "relation B.9", plane_never_degenerates.formal),
     ],
-    where=derivation.second_axis_components,
-    by=cases("G"),
-    uses=["B.8", "B.9"],
+    keeping=("J", "c"),
+    by=cases(),
+    uses=["2.1.7", "B.8", "B.9"],
+    notation=family_letters,
+)
+
+first_axis = Hypothesis(
+    "first axis",
+    "e_1 is a unit vector with moment c",
+    r"a_{11}^2 + a_{12}^2 + a_{13}^2 = 1, d_1 a_{11}^2 + d_2 a_{12}^2 + d_3 a_{13}^2 = 0, d_1 + d_2 + d_3 = 0",
+)
+circle = Hypothesis("circle", "u and v are a cosine and a sine", "u^2 + v^2 = 1")
+length = Hypothesis("length", "r is the length of g, not zero", r"r^2 = G, r \neq 0")
+
+closed_form_is_orthonormal = ours(
+    "B.11",
+    225,
+    words="The closed form: e_1 as in B.6, e_2 = (u g + v h)/r with u^2 + v^2 = 1 and r^2 = G, e_3 = e_1 x e_2, are orthonormal and "
+    "right-handed.",
+    formal=r"\mathbf{A}\mathbf{A}^T = \mathbf{U} \land |\mathbf{A}| = 1",
+    given=[first_axis, circle, length],
+    where=derivation.equal_moment_family,
+    keeping=("d", "c"),
+    by=cases(),
+    uses=["B.6"],
     notation=family_letters,
 )
 
 closed_form_of_the_family = ours(
-    "B.11",
+    "B.12",
     225,
-    words="The closed form: e_1 as in B.6, e_2 = (u g + v h)/r with u^2 + v^2 = 1, r^2 = G, e_3 = e_1 x e_2. These axes are orthonormal, "
-    "right-handed and have equal moments.",
-    formal=rf"\mathbf{{A}}\mathbf{{A}}^T = \mathbf{{U}} \land |\mathbf{{A}}| = 1 \land {EQUAL_MOMENTS}",
-    given=[
-        Hypothesis(
-            "first axis",
-            "e_1 is a unit vector with moment c",
-            r"a_{11}^2 + a_{12}^2 + a_{13}^2 = 1, d_1 a_{11}^2 + d_2 a_{12}^2 + d_3 a_{13}^2 = 0, d_1 + d_2 + d_3 = 0",
-        ),
-        Hypothesis("angle", "cosine u and sine v of theta", rf"u^2 + v^2 = 1, {DISCRIMINANT} = 0"),
-        Hypothesis("length", "r is the length of g, not zero", r"r^2 = G, r \neq 0"),
-    ],
+    words="Its moments are c, c + F/G and c - F/G with F = (u^2 - v^2) d_1 d_2 d_3 + 2 u v W: all equal exactly when F = 0, that is for "
+    "tan 2 theta = -d_1 d_2 d_3 / W.",
+    formal=rf"J_1 = c \land J_2 = c + \frac{{{DISCRIMINANT}}}{{r^2}} \land J_3 = c - \frac{{{DISCRIMINANT}}}{{r^2}}",
+    given=[first_axis, circle, length],
     where=derivation.equal_moment_family,
     keeping=("d", "c"),
     by=cases(),
-    uses=["B.6", "B.8"],
+    uses=["B.10", "B.11"],
     notation=family_letters,
 )
 
 exceptional_branch = ours(
-    "B.12",
+    "B.13",
     225,
     words="Left out by B.10 only if a principal moment is the mean. Then there is more: for d = (1, -1, 0) and e_1 = (1, 1, 0)/sqrt 2 "
     "every right angle turn of e_2, e_3 about e_1 gives equal moments.",
     formal=r"J_1 = J_2 = J_3",
-    given=[Hypothesis("circle", "u and v are a cosine and a sine", "u^2 + v^2 = 1")],
+    given=[circle],
     where=derivation.exceptional_family,
     by=identity,
     notation=family_letters,

@@ -166,7 +166,9 @@ def eigenvector_residual() -> dict[str, Any]:
     x, y, damping = _vector("x"), _vector("y"), rotation.matrix("m")
     real = _tensor() * (sigma * x - tau * y) + damping * x
     imaginary = _tensor() * (tau * x + sigma * y) + damping * y
-    return {f"{letter}_{i}": value for letter, part in (("u", real), ("v", imaginary)) for i, value in enumerate(part, 1)}
+    return {
+        f"{letter}_{i}": value for letter, part in (("u", real), ("v", imaginary)) for i, value in enumerate(part, 1)
+    }
 
 
 def gain_from_rates() -> dict[str, Any]:
@@ -205,13 +207,11 @@ def second_axis_components() -> dict[str, Any]:
 def equal_moment_family() -> dict[str, Any]:
     """Rows 2 and 3 of the closed form: (u g + v h)/r and its cross product with row 1; I_i = c + d_i."""
     u, v, r = sp.symbols("u v r", real=True)
-    first = rotation.matrix()[0, :].T
+    axes = rotation.matrix()
+    first, second = axes[0, :].T, axes[1, :].T
     plane = _deviations(first)
-    g, h = _vector("g"), _vector("h")
-    second = (u * g + v * h) / r
-    third = first.cross(_vector("e2"))
-    rows = {f"a_2{i}": value for i, value in enumerate(second, 1)}
-    rows |= {f"a_3{i}": value.subs({f"e2_{j}": sp.Symbol(f"a_2{j}", real=True) for j in (1, 2, 3)}) for i, value in enumerate(third, 1)}
+    rows = {f"a_2{i}": value for i, value in enumerate((u * _vector("g") + v * _vector("h")) / r, 1)}
+    rows |= {f"a_3{i}": value for i, value in enumerate(first.cross(second), 1)}
     c = sp.Symbol("c", real=True)
     moments = {f"I_{i}": c + deviation for i, deviation in enumerate(_triple("d"), 1)}
     return {**plane, **rows, **moments}

@@ -14,7 +14,10 @@ right_handed = Hypothesis(
     r"\mathbf{e}_3 = \mathbf{e}_1 \times \mathbf{e}_2",
 )
 non_negative_moments = Hypothesis(
-    "moments non-negative", "principal moments of inertia are not negative", r"I_1 \ge 0, I_2 \ge 0, I_3 \ge 0", printed=False
+    "moments non-negative",
+    "principal moments of inertia are not negative",
+    r"I_1 \ge 0, I_2 \ge 0, I_3 \ge 0",
+    printed=False,
 )
 positive_moments = Hypothesis(
     "moments positive",

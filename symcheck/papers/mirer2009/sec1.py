@@ -24,7 +24,9 @@ angular_momentum_and_torque = definition(
     r"\mathbf{K} = \mathbf{I}\boldsymbol{\omega}, \quad \mathbf{M} = M_1\mathbf{e}_1 + M_2\mathbf{e}_2 + M_3\mathbf{e}_3.",
 )
 
-device_index = exclusion("1.0.3", 51, "i=1, 2, 3", reason="range of the index of the three devices, used in the notation")
+device_index = exclusion(
+    "1.0.3", 51, "i=1, 2, 3", reason="range of the index of the three devices, used in the notation"
+)
 
 control_law = definition("1.0.4", 53, r"M_i = -k_i(\boldsymbol{\omega}, \mathbf{e}_i)")
 
@@ -259,10 +261,15 @@ larger_moment_larger_torque = exclusion(
 )
 
 gains_in_proportion = premise(
-    "1.4.3", 117, r"\frac{k_1}{J_1} = \frac{k_2}{J_2} = \frac{k_3}{J_3},", words="Gains are chosen in proportion to J_i."
+    "1.4.3",
+    117,
+    r"\frac{k_1}{J_1} = \frac{k_2}{J_2} = \frac{k_3}{J_3},",
+    words="Gains are chosen in proportion to J_i.",
 )
 
-common_gain = premise("1.4.4", 119, r"\bar{k}_1 = \bar{k}_2 = \bar{k}_3 = k", words="The same choice; k is the common ratio.")
+common_gain = premise(
+    "1.4.4", 119, r"\bar{k}_1 = \bar{k}_2 = \bar{k}_3 = k", words="The same choice; k is the common ratio."
+)
 
 characteristic_equation_in_common_gain = claim(
     "1.5",
@@ -290,7 +297,10 @@ triple_root_assumed = premise(
 )
 
 other_system = exclusion(
-    "1.5.3", 125, words="The same happens in the problem of [3, 4].", reason="refers to other papers, nothing stated here"
+    "1.5.3",
+    125,
+    words="The same happens in the problem of [3, 4].",
+    reason="refers to other papers, nothing stated here",
 )
 
 triple_root_square_coefficient = claim(
@@ -331,14 +341,22 @@ triple_root = Hypothesis(
     "(1.5) has the triple root p = -xi: relations 1.5.4 to 1.5.6",
     body(triple_root_square_coefficient, triple_root_linear_coefficient, triple_root_constant_coefficient),
 )
-positive_ratio = Hypothesis("gain positive", "the common gain ratio k is positive: the devices damp", r"k > 0", printed=False)
+positive_ratio = Hypothesis(
+    "gain positive", "the common gain ratio k is positive: the devices damp", r"k > 0", printed=False
+)
+positive_axial_moments = Hypothesis(
+    "moments about the axes positive",
+    "no moment about an axis e_i is zero",
+    r"J_1 > 0, J_2 > 0, J_3 > 0",
+    printed=False,
+)
 free_moments = ("J", "L")
 
 product_at_triple_root = claim(
     "1.6",
     135,
     r"J_1 J_2 J_3 = I_1 I_2 I_3,",
-    given=[triple_root, positive_ratio, positive_moments],
+    given=[triple_root, positive_ratio, positive_moments, positive_axial_moments],
     keeping=free_moments,
     by=cases(),
     uses=["1.5.4", "1.5.5", "1.5.6"],
@@ -348,7 +366,7 @@ sum_at_triple_root = claim(
     "1.7",
     137,
     r"J_1 L_1 + J_2 L_2 + J_3 L_3 = 3I_1 I_2 I_3,",
-    given=[triple_root, positive_ratio, positive_moments],
+    given=[triple_root, positive_ratio, positive_moments, positive_axial_moments],
     keeping=free_moments,
     by=cases(),
     uses=["1.5.4", "1.5.5", "1.5.6"],
@@ -358,7 +376,7 @@ gain_at_triple_root = claim(
     "1.8",
     139,
     r"k = \xi.",
-    given=[triple_root, positive_ratio, positive_moments],
+    given=[triple_root, positive_ratio, positive_moments, positive_axial_moments],
     keeping=free_moments,
     by=cases(),
     uses=["1.5.4", "1.5.5", "1.5.6"],

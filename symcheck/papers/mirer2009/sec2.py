@@ -9,7 +9,6 @@ from symcheck.papers.mirer2009.hypotheses import (
     non_negative_moments,
     orthogonal,
     positive_moments,
-    right_handed,
 )
 from symcheck.papers.mirer2009.notation import ellipsoid_letters, turned_letters
 from symcheck.proof import cases, existence, identity, nonnegative
@@ -313,7 +312,7 @@ one_parameter_family = exclusion(
     "2.7.1",
     225,
     words="In general (2.5) to (2.7) have a one-parameter family of solutions; the paper does not derive it.",
-    reason="left out by the paper; derived and proved here as B.5 to B.12",
+    reason="left out by the paper; derived and proved here as B.5 to B.13",
 )
 
 aircraft_angles = definition(
@@ -567,7 +566,10 @@ square_of_cofactor_step_by_step = claim(
 )
 
 other_cofactors = exclusion(
-    "2.11.2", 302, words="The other two identities (2.11) are shown likewise.", reason="they are decided as 2.11b, 2.11c"
+    "2.11.2",
+    302,
+    words="The other two identities (2.11) are shown likewise.",
+    reason="they are decided as 2.11b, 2.11c",
 )
 
 product_of_two_moments_step_by_step = claim(
@@ -640,12 +642,16 @@ expansion_of_product = claim(
             "As printed the chain says J_1 J_2 J_3 >= J_1 J_2 J_3: true, but empty, an equality for every A. The sentence after "
             "it (2.13.2) and (2.10), which it is to prove, need I_1 I_2 I_3 on the right; J for I may be the author's or the "
             "OCR's.",
+            forms=(excess_of_product,),
         )
     },
 )
 
 conditions_on_second_row = premise(
-    "2.14", 344, r"a_{21} a_{22} = 0, \quad a_{22} a_{23} = 0, \quad a_{23} a_{21} = 0;", words="Conditions of equality."
+    "2.14",
+    344,
+    r"a_{21} a_{22} = 0, \quad a_{22} a_{23} = 0, \quad a_{23} a_{21} = 0;",
+    words="Conditions of equality.",
 )
 
 condition_on_product_of_inertia = premise(
@@ -719,7 +725,7 @@ six_cases_are_collinear_axes = claim(
     "2.17.1",
     360,
     words="In all cases (2.17) each axis y_i is collinear with an axis x_k.",
-    formal=rf"({SIX_CASES}) \Leftrightarrow {PARALLEL}",
+    formal=rf"({SIX_CASES}) \Rightarrow {PARALLEL}",
     given=[orthogonal],
     by=cases(),
     uses=["2.17"],

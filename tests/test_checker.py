@@ -1,0 +1,351 @@
+"""The checker accepts no certificate in which anything has been changed, and stands alone."""
+
+from __future__ import annotations
+
+import copy
+import json
+import re
+import subprocess
+import sys
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import pytest
+from statements import FALSE, TRUE
+
+from symcheck import checker
+from symcheck.checker import check
+from symcheck.proof import certificate, identity
+from symcheck.proof.certificate import digest
+from symcheck.statement import Certificate, Problem
+
+ROOT = Path(__file__).resolve().parent.parent
+BY_ID = {problem.id: problem for problem in (*TRUE, *FALSE)}
+CORRUPTED = ("2.12", "2.13", "2.10", "row 2 from rows 3 and 1", "f_1 greatest only at c")
+
+
+def evidence(name: str) -> Certificate:
+    problem = BY_ID[name]
+    plain: Certificate = json.loads(json.dumps(certificate(problem, identity.decide(problem))))
+    return plain
+
+
+def written(folder: Path, certificates: list[Certificate]) -> Path:
+    folder.mkdir(exist_ok=True)
+    content = {"schema": 1, "paper": "test", "certificates": certificates}
+    (folder / "test.json").write_text(json.dumps(content), encoding="utf-8")
+    return folder
+
+
+def places(node: Any, path: tuple[Any, ...] = ()) -> Iterator[tuple[tuple[Any, ...], Any]]:
+    yield path, node
+    children = node.items() if isinstance(node, dict) else enumerate(node) if isinstance(node, list) else ()
+    for key, child in children:
+        yield from places(child, (*path, key))
+
+
+def altered(original: Certificate, path: tuple[Any, ...], value: Any) -> Certificate:
+    changed = copy.deepcopy(original)
+    node: Any = changed
+    for key in path[:-1]:
+        node = node[key]
+    node[path[-1]] = value
+    changed["digest"] = digest(changed)
+    return changed
+
+
+def without(original: Certificate, path: tuple[Any, ...]) -> Certificate:
+    changed = copy.deepcopy(original)
+    node: Any = changed
+    for key in path[:-1]:
+        node = node[key]
+    del node[path[-1]]
+    changed["digest"] = digest(changed)
+    return changed
+
+
+def polynomial_edits(text: str) -> Iterator[str]:
+    """Every number in a printed polynomial raised by one, every sign turned, every variable doubled."""
+    for found in re.finditer(r"(?<![\w_])\d+|(?<=\^)\d+", text):
+        yield text[: found.start()] + str(int(found[0]) + 1) + text[found.end() :]
+    for found in re.finditer(r" ([+-]) ", text):
+        yield text[: found.start(1)] + "+-"[found[1] == "+"] + text[found.end(1) :]
+    yield text.removeprefix("-") if text.startswith("-") else "-" + text
+
+
+def single_changes(original: Certificate) -> Iterator[tuple[str, Certificate]]:
+    """All that differ in one number, letter, sign, cofactor, fact or hypothesis, with a digest that fits."""
+    for path, value in places(original):
+        section, key = (path or ("",))[0], (path or ("",))[-1]
+        if section not in ("claim", "definitions", "hypotheses", "proof"):
+            continue
+        name = "/".join(map(str, path))
+        if isinstance(value, int) and key != "or":
+            yield f"{name}: {value} + 1", altered(original, path, value + 1)
+        if isinstance(value, str) and section == "proof" and "cofactors" in path and key == 1 and path[-2] != 0:
+            for text in polynomial_edits(value):
+                yield f"{name}: {text}", altered(original, path, text)
+        if isinstance(value, str) and section != "proof" and re.fullmatch(r"\w+_\d+", value) and key != 0:
+            other = value[:-1] + str(int(value[-1]) % 3 + 1)
+            yield f"{name}: {other}", altered(original, path, other)
+        if isinstance(value, list) and len(path) >= 2 and path[-2] == "cofactors":
+            yield f"{name}: dropped", without(original, path)
+        if section == "hypotheses" and len(path) >= 2:
+            yield f"{name}: dropped", without(original, path[:3])
+        if isinstance(value, list) and value[:1] == ["hyp"]:
+            for k in range(len(original["hypotheses"][value[1]])):
+                if k != value[2]:
+                    yield f"{name}: {k}", altered(original, path, ["hyp", value[1], k])
+
+
+def states_the_same(one: Certificate, other: Certificate) -> bool:
+    """Changes that only rename: a hypothesis or claim scaled by a number says the same."""
+    return (
+        one["claim"] == other["claim"] and one["hypotheses"] == other["hypotheses"] and one["proof"] == other["proof"]
+    )
+
+
+@pytest.mark.parametrize("name", CORRUPTED)
+def test_every_single_change_of_a_certificate_is_rejected(name: str) -> None:
+    original = evidence(name)
+    assert check(original) is None
+    changes = list(single_changes(original))
+    accepted = [what for what, changed in changes if not states_the_same(changed, original) and check(changed) is None]
+    assert len(changes) > 40
+    assert accepted == []
+
+
+@pytest.mark.parametrize("name", ["2.12", "2.12 with a sign flipped"])
+def test_a_stale_digest_is_rejected(name: str) -> None:
+    changed = evidence(name)
+    changed["claim"][0] = "!="
+    assert "digest" in (check(changed) or "")
+
+
+def test_every_single_change_of_a_point_is_rejected() -> None:
+    original = evidence("2.12 with a sign flipped")
+    for name, value in original["point"]["values"].items():
+        assert check(altered(original, ("point", "values", name), value + "1")), name
+        assert check(without(original, ("point", "values", name))), name
+    for k in range(2):
+        assert check(altered(original, ("point", "sides", k), "1"))
+
+
+def test_an_irrational_point_is_checked_exactly() -> None:
+    original = evidence("left equality for equal moments")
+    assert check(original) is None
+    path = ("point", "values", "a_11")
+    assert check(altered(original, path, ["*", ["/", 1, 3], ["sqrt", 7]]))
+    assert check(altered(original, path, "81649658092772603/100000000000000000"))
+
+
+def rule(proof: dict[str, Any], claim: Any, hypotheses: dict[str, Any] | None = None) -> str | None:
+    made: Certificate = {"id": "t", "claim": claim, "definitions": [], "hypotheses": hypotheses or {}}
+    return check({**made, "digest": digest(made), "verdict": "proved", "proof": proof})
+
+
+IDENTITY: dict[str, Any] = {"rule": "identity", "cofactors": []}
+X_POSITIVE = {"h": [[">", "x", 0]]}
+FORGED: dict[str, tuple[dict[str, Any], Any, dict[str, Any] | None]] = {
+    "identity of an order": (IDENTITY, ["<", 0, 0], None),
+    "a fact nobody stated": ({"rule": "identity", "cofactors": [[["hyp", "h", 0], "1"]]}, ["=", "x", 0], None),
+    "its own claim as a fact": ({"rule": "identity", "cofactors": [[["here", 0], "1"]]}, ["=", "x", 0], None),
+    "sign of a free letter": ({"rule": "nonnegative", "form": "x", "cofactors": []}, [">=", "x", 0], None),
+    "square said to be positive": (
+        {"rule": "nonnegative", "form": ["^", "x", 2], "cofactors": []},
+        [">", ["^", "x", 2], 0],
+        None,
+    ),
+    "difference of squares": (
+        {"rule": "nonnegative", "form": ["+", ["^", "x", 2], ["-", ["^", "y", 2]]], "cofactors": []},
+        [">=", ["+", ["^", "x", 2], ["-", ["^", "y", 2]]], 0],
+        None,
+    ),
+    "a multiplier that may be zero": (
+        {"rule": "nonnegative", "form": 0, "multiplier": ["^", "x", 2], "cofactors": []},
+        [">=", "x", 0],
+        None,
+    ),
+    "a false axiom": (
+        {"rule": "identity", "cofactors": [[["axiom", "sqrt", 4], "1"]]},
+        ["=", ["^", "sqrt_4", 2], 4],
+        None,
+    ),
+    "a case left out": (
+        {"rule": "implies", "then": {"rule": "cases_or", "or": 0, "cases": [IDENTITY]}},
+        ["=>", ["or", ["=", "x", 0], ["=", "x", 1]], ["=", "x", 0]],
+        None,
+    ),
+    "a factor left out": (
+        {
+            "rule": "implies",
+            "then": {"rule": "split", "factors": [["x", 1]], "cofactors": [[["here", 0], "1"]], "cases": [IDENTITY]},
+        },
+        ["=>", ["=", ["*", "x", "y"], 0], ["=", "x", 0]],
+        None,
+    ),
+    "power zero": (
+        {"rule": "split", "factors": [["x", 0]], "cofactors": [[["hyp", "h", 0], "1"]], "cases": [IDENTITY]},
+        ["=", "x", 0],
+        {"h": [["=", 1, 0]]},
+    ),
+    "addends of two signs vanish": (
+        {
+            "rule": "implies",
+            "then": {
+                "rule": "vanish",
+                "form": ["+", "x", "y"],
+                "cofactors": [[["here", 0], "1"]],
+                "then": {"rule": "identity", "cofactors": [[["here", 1], "1"]]},
+            },
+        },
+        ["=>", ["=", ["+", "x", "y"], 0], ["=", "x", 0]],
+        None,
+    ),
+    "contradiction from nothing": ({"rule": "absurd", "times": [], "cofactors": []}, ["=", "x", 0], None),
+    "contradiction from zero": (
+        {"rule": "absurd", "times": [["hyp", "h", 0]], "cofactors": [[["hyp", "h", 0], "1"]]},
+        ["=", 0, 1],
+        X_POSITIVE,
+    ),
+    "a part of a conjunction left out": (
+        {"rule": "each", "parts": [IDENTITY]},
+        ["and", ["=", 0, 0], ["=", 0, 1]],
+        None,
+    ),
+    "one direction only": (
+        {"rule": "each", "parts": [{"rule": "implies", "then": IDENTITY}]},
+        ["<=>", ["=", 0, 1], ["=", 0, 0]],
+        None,
+    ),
+    "another alternative": ({"rule": "choose", "index": -1, "then": IDENTITY}, ["or", ["=", 0, 1], ["=", 0, 0]], None),
+    "another bound variable": (
+        {"rule": "witness", "point": {"y": 1}, "then": IDENTITY},
+        ["exists", ["x"], ["=", "x", 1]],
+        None,
+    ),
+    "a zero on no circle": (
+        {"rule": "quarter_turn", "cos": "c", "sin": "s", "index": 0, "cofactors": [], "others": [["1", []]]},
+        ["exists", ["c", "s"], ["=", 0, 0]],
+        None,
+    ),
+    "no side condition": (IDENTITY, ["=", ["/", "x", "x"], 1], None),
+    "a side condition about nothing": ({**IDENTITY, "nonzero": ["x"]}, ["=", "x", "x"], None),
+    "an unused hypothesis": (IDENTITY, ["=", "x", "x"], X_POSITIVE),
+    "an unknown rule": ({"rule": "trust me"}, ["=", 0, 1], None),
+    "no proof": ({}, ["=", 0, 0], None),
+    "half an angle": (IDENTITY, ["=", ["sin", ["/", "x", 2]], ["sin", ["/", "x", 2]]], None),
+}
+
+
+@pytest.mark.parametrize("what", FORGED)
+def test_a_forged_proof_is_rejected(what: str) -> None:
+    proof, claim, hypotheses = FORGED[what]
+    assert rule(proof, claim, hypotheses)
+
+
+def test_huge_exponents_do_not_run_into_each_other() -> None:
+    power = ["^", ["^", "x", 999], 999]
+    assert rule(IDENTITY, ["=", power, power])
+
+
+def test_facts_of_one_case_are_forgotten_in_the_next() -> None:
+    claim = ["=>", ["or", ["=", "x", 0], ["=", "y", 0]], ["=", "x", 0]]
+    uses = {"rule": "identity", "cofactors": [[["here", 1], "1"]]}
+    assert rule({"rule": "implies", "then": {"rule": "cases_or", "or": 0, "cases": [uses, uses]}}, claim)
+
+
+def test_the_checker_imports_the_standard_library_only() -> None:
+    source = Path(checker.__file__).read_text(encoding="utf-8")
+    imported = set(re.findall(r"^(?:from|import) (\w+)", source, re.MULTILINE))
+    assert imported <= set(sys.stdlib_module_names)
+
+
+def test_the_checker_can_be_read_in_one_sitting() -> None:
+    assert len(Path(checker.__file__).read_text(encoding="utf-8").splitlines()) <= 500
+
+
+BLOCKED = """
+import sys, runpy
+class Block:
+    def find_spec(self, name, path=None, target=None):
+        if name.split('.')[0] in ('sympy', 'numpy', 'flint', 'mpmath', 'symcheck', 'lark'):
+            raise ImportError(name + ' is blocked')
+sys.meta_path.insert(0, Block())
+sys.argv = ['checker.py', sys.argv[2]]
+runpy.run_path(FILE, run_name='__main__')
+"""
+
+
+def test_the_checker_runs_as_a_plain_file_where_nothing_else_can_be_imported(tmp_path: Path) -> None:
+    folder = written(tmp_path / "certificates", [evidence("2.12"), evidence("2.12 with a sign flipped")])
+    program = BLOCKED.replace("FILE", repr(checker.__file__))
+    command = [sys.executable, "-I", "-S", "-c", program, "-", str(folder)]
+    done = subprocess.run(command, capture_output=True, text=True, check=False, stdin=subprocess.DEVNULL)
+    assert (done.returncode, done.stdout.strip()) == (0, "2 certificates, all hold"), done.stderr
+
+
+def test_a_failure_is_named_and_the_exit_code_is_one(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    bad = altered(evidence("2.12"), ("proof", "cofactors", 0, 1), "7")
+    assert checker.main([str(written(tmp_path / "c", [evidence("2.13"), bad]))]) == 1
+    out = capsys.readouterr().out
+    assert "2.12" in out
+    assert "1 do not hold" in out
+
+
+DAMAGED = {
+    "half a file": '{"schema": 1, "certificates": [',
+    "another schema": '{"schema": 2, "certificates": []}',
+    "no object": "[]",
+    "no list": '{"schema": 1, "certificates": 5}',
+    "no id": '{"schema": 1, "certificates": [{}]}',
+    "a number": '{"schema": 1, "certificates": [7]}',
+    "not text": "\udcff",
+}
+
+
+@pytest.mark.parametrize("content", DAMAGED.values(), ids=DAMAGED)
+def test_a_damaged_file_is_told_in_one_line(content: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    (tmp_path / "x.json").write_bytes(content.encode("utf-8", "surrogateescape"))
+    assert checker.main([str(tmp_path)]) == 2
+    captured = capsys.readouterr()
+    assert captured.err.startswith("checker: ")
+    assert captured.err.count("\n") == 1
+
+
+def test_missing_folders_are_told_in_one_line(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    assert checker.main([]) == 2
+    assert checker.main([str(tmp_path / "nowhere")]) == 2
+    assert capsys.readouterr().err.count("\n") == 2
+
+
+MALFORMED: dict[str, Any] = {
+    "claim is a number": 7,
+    "claim is empty": [],
+    "claim is a word": "x",
+    "no right side": ["=", "x"],
+    "unknown sign": ["~", "x", "y"],
+    "a number that is none": ["=", 1.5, "x"],
+    "a name that is none": ["=", "x y", "x y"],
+    "deep": ["=", *[json.loads("[" * 900 + "1" + "]" * 900)] * 2],
+}
+
+
+@pytest.mark.parametrize("claim", MALFORMED.values(), ids=MALFORMED)
+def test_a_malformed_claim_is_rejected_without_an_exception(claim: Any) -> None:
+    assert rule(IDENTITY, claim)
+
+
+def test_the_digest_is_that_of_the_prover() -> None:
+    assert "digest" not in (check(evidence("2.12")) or "")
+
+
+@pytest.mark.parametrize("problem", [BY_ID["2.12"], BY_ID["tangent"]], ids=lambda p: p.id)
+def test_the_prover_and_the_checker_expand_terms_alike(problem: Problem) -> None:
+    from symcheck.proof.knowledge import ring_of
+
+    ring = ring_of(problem)
+    algebra = checker.Algebra(json.loads(json.dumps(problem.definitions)))
+    for side in problem.claim[1:]:
+        assert algebra.parse(str(ring.ratio(side).num)) == algebra.ratio(json.loads(json.dumps(side)))[0]

@@ -1,0 +1,209 @@
+"""The proof engine proves what is true, refutes what is false, and its evidence holds for the checker."""
+
+from __future__ import annotations
+
+import json
+from dataclasses import replace
+
+import pytest
+from saboteurs import SABOTEURS, unsound
+from statements import DISTINCT, DISTINCT_AS_PRINTED, FALSE, ORTHOGONAL, RIGHT, TRUE, J, L, eq, mul, sq, sub
+
+from symcheck.checker import check
+from symcheck.proof import cases, certificate, equivalent, existence, identity, needed, nonnegative
+from symcheck.proof.groebner import Basis, is_basis
+from symcheck.proof.ideal import Ideal
+from symcheck.proof.knowledge import ring_of, starting
+from symcheck.proof.orders import positive_form
+from symcheck.proof.polynomial import Ring, Unsupported, square_free
+from symcheck.statement import Certificate, Method, Problem, Verdict
+
+BY_ID = {problem.id: problem for problem in (*TRUE, *FALSE)}
+METHODS = (identity, nonnegative(), cases(), existence())
+
+
+def evidence(problem: Problem, method: Method = identity) -> Certificate:
+    plain: Certificate = json.loads(json.dumps(certificate(problem, method.decide(problem))))
+    return plain
+
+
+@pytest.mark.parametrize("problem", TRUE, ids=lambda p: p.id)
+def test_a_true_statement_is_proved_and_the_checker_agrees(problem: Problem) -> None:
+    found = evidence(problem)
+    assert found["verdict"] == "proved"
+    assert check(found) is None
+
+
+@pytest.mark.parametrize("problem", FALSE, ids=lambda p: p.id)
+def test_a_false_statement_is_refuted_and_the_checker_agrees(problem: Problem) -> None:
+    found = evidence(problem)
+    assert found["verdict"] == "refuted"
+    assert check(found) is None
+
+
+def test_there_are_enough_bad_statements() -> None:
+    assert len(FALSE) >= 15
+
+
+@pytest.mark.parametrize("method", METHODS, ids=lambda m: m.name)
+def test_no_real_method_is_unsound(method: Method) -> None:
+    assert unsound(method) == []
+
+
+@pytest.mark.parametrize("decide", SABOTEURS, ids=lambda f: f.__name__)
+def test_a_sabotaged_method_is_caught(decide: object) -> None:
+    assert unsound(Method("sabotaged", decide))  # type: ignore[arg-type]
+
+
+def test_only_the_hypotheses_used_are_listed() -> None:
+    assert identity.decide(BY_ID["2.12"]).used == ("orthogonal",)
+    assert identity.decide(BY_ID["2.11 without squares"]).used == ("right-handed",)
+    assert set(evidence(BY_ID["2.12"])["hypotheses"]) == {"orthogonal"}
+
+
+def test_each_hypothesis_of_the_six_cases_is_needed_or_not_with_a_point() -> None:
+    problem = BY_ID["six cases"]
+    found = needed(problem, identity)
+    assert {name: need for name, (need, _) in found.items()} == {"orthogonal": True, "positive": True, "distinct": True}
+    assert all(point for _, point in found.values())
+    assert needed(BY_ID["2.12"], identity)["right-handed"] == (False, None)
+
+
+def test_pairwise_distinct_is_more_than_the_printed_chain() -> None:
+    assert len(DISTINCT[1]) == len(DISTINCT_AS_PRINTED[1]) + 1
+    values = identity.decide(BY_ID["six cases as printed"]).point
+    assert values is not None
+    assert values["values"]["I_1"] == values["values"]["I_3"]
+
+
+def test_a_displayed_point_is_small() -> None:
+    point = evidence(BY_ID["2.12 with a sign flipped"])["point"]
+    assert all(len(value) <= 4 for value in point["values"].values())
+    assert len(point["sides"]) == 2
+
+
+def test_equal_moments_without_principal_axes_are_found_in_roots() -> None:
+    point = evidence(BY_ID["left equality for equal moments"])["point"]
+    assert any("sqrt" in str(value) for value in point["values"].values())
+
+
+def test_denominators_become_side_conditions() -> None:
+    assert evidence(BY_ID["ratio"])["proof"]["nonzero"] == ["y", "z"]
+    free = Problem("divided", eq(("/", mul("x", "y"), "y"), "x"))
+    assert evidence(free)["proof"]["nonzero"] == ["y"]
+    given = replace(free, hypotheses=(("y", (("!=", "y", 0),)),))
+    assert "nonzero" not in evidence(given)["proof"]
+    assert check(evidence(given)) is None
+
+
+def test_a_wrong_form_leaves_a_true_order_undecided() -> None:
+    problem = replace(BY_ID["2.10"], hints=(("form", mul("I_1", sq("a_11"))),))
+    assert identity.decide(problem).verdict is Verdict.UNDECIDED
+
+
+UNREADABLE = {
+    "half angle": ("=", ("sin", ("/", "alpha", 2)), 0),
+    "root of a letter": ("=", ("sqrt", "x"), 1),
+    "division by zero": ("=", ("/", 1, 0), "x"),
+    "unknown function": ("=", ("arctan", "x"), "x"),
+}
+
+
+@pytest.mark.parametrize("claim", UNREADABLE.values(), ids=UNREADABLE)
+def test_a_statement_outside_the_algebra_is_undecided_with_a_reason(claim: tuple[object, ...]) -> None:
+    outcome = identity.decide(Problem("outside", claim))
+    assert outcome.verdict is Verdict.UNDECIDED
+    assert outcome.reason
+
+
+def test_circular_definitions_are_undecided() -> None:
+    outcome = identity.decide(Problem("circle", eq("x", 1), (("x", "y"), ("y", "x"))))
+    assert outcome.verdict is Verdict.UNDECIDED
+    assert "refers to itself" in outcome.reason
+
+
+def test_an_undecided_outcome_has_no_certificate() -> None:
+    problem = Problem("open", eq(("sqrt", "x"), 1))
+    with pytest.raises(ValueError, match="undecided"):
+        certificate(problem, identity.decide(problem))
+
+
+def test_a_variable_that_is_an_angle_and_a_number_is_not_refuted() -> None:
+    assert identity.decide(Problem("mixed", eq(("sin", "x"), "x"))).verdict is Verdict.UNDECIDED
+
+
+def test_equivalent_forms_are_recognised_and_others_are_not() -> None:
+    problem = BY_ID["2.12"]
+    claim = problem.claim
+    assert equivalent(claim, ("=", claim[2], claim[1]), problem)
+    assert equivalent(claim, ("=", claim[1], ("*", 1, claim[2])), problem)
+    assert not equivalent(claim, ("=", claim[1], ("*", 2, claim[2])), problem)
+    assert equivalent(("<=", "x", "y"), (">=", mul(2, "y"), mul(2, "x")), problem)
+    assert not equivalent(("<=", "x", "y"), (">=", mul(2, "x"), mul(2, "y")), problem)
+    assert not equivalent(("<=", "x", "y"), ("<", "x", "y"), problem)
+
+
+def orthogonal_ideal(*hypotheses: tuple[str, tuple[object, ...]]) -> Ideal:
+    problem = Problem("ideal", eq("a_11", 0), (), hypotheses)  # type: ignore[arg-type]
+    return starting(problem, ring_of(problem)).ideal()
+
+
+def test_the_bases_of_orthogonal_matrices_have_the_known_sizes() -> None:
+    assert len(orthogonal_ideal(ORTHOGONAL).polys()) == 27
+    assert len(orthogonal_ideal(ORTHOGONAL, RIGHT).polys()) == 20
+
+
+def test_cofactors_lead_back_to_the_given_relations() -> None:
+    for problem in (BY_ID["2.12"], BY_ID["2.13"], BY_ID["row 2 from rows 3 and 1"]):
+        ring = ring_of(problem)
+        known = starting(problem, ring)
+        goal = ring.difference(problem.claim)
+        cofactors = known.ideal().cofactors(goal)
+        assert cofactors is not None
+        facts = {str(ref): poly for ref, poly in known.facts}
+        assert sum((q * facts[str(ref)] for ref, q in cofactors), ring.number(0)) == goal
+
+
+def test_a_groebner_basis_is_one_and_an_extended_ideal_has_the_same_members() -> None:
+    ring = Ring(("x", "y", "z"))
+    x, y, z = (ring.generator[name] for name in "xyz")
+    polys = [x * y - z, y**2 - x, x**2 - y * z]
+    assert is_basis(Basis(polys))
+    facts = [(["here", k], poly) for k, poly in enumerate(polys)]
+    whole, grown = Ideal(ring, facts), Ideal(ring, facts[:1]).extended(facts[1:])
+    assert {str(p) for p in whole.polys()} == {str(p) for p in grown.polys()}
+    member = x**3 - z * y**2 + polys[0] * (x + z)
+    for ideal in (whole, grown):
+        assert (ideal.cofactors(member) is None) == (ideal.reduce(member) != 0)
+
+
+def test_a_cut_off_basis_says_so() -> None:
+    ring = Ring(("x", "y", "z"))
+    x, y, z = (ring.generator[name] for name in "xyz")
+    assert not Ideal(
+        ring, [(["here", k], p) for k, p in enumerate((x**2 * y - z, x * y**2 - z, x * z - y))], pairs=1
+    ).complete
+
+
+def test_a_positive_form_uses_bounds() -> None:
+    problem = BY_ID["greatest f_1"]
+    known = starting(problem, ring_of(problem))
+    poly = known.ring.poly(sub(mul(4, "c"), "J_2"))
+    form = positive_form(poly, known)
+    assert form is not None
+    assert known.sign(form)[0] == 2
+    assert positive_form(-poly, known) is None
+
+
+def test_roots_of_rationals_are_split_into_primes() -> None:
+    from fractions import Fraction
+
+    assert square_free(Fraction(12)) == (2, (3,))
+    assert square_free(Fraction(1, 6)) == (Fraction(1, 6), (2, 3))
+    with pytest.raises(Unsupported):
+        square_free(Fraction(-1))
+
+
+def test_definitions_that_are_not_used_are_not_listed() -> None:
+    problem = BY_ID["2.12"]
+    assert {name for name, _ in evidence(replace(problem, definitions=J + L))["definitions"]} == {"J_1", "J_3"}
