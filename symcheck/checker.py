@@ -1,7 +1,7 @@
 """Re-checks certificates with the standard library alone: `python -m symcheck.checker DIR`.
 
 A certificate states a claim (nested lists), the definitions and hypotheses it rests on, and a proof (a tree of rules,
-see `Checker.prove`) or an exact point where the hypotheses hold and the claim does not. All that is listed must be used.
+see `Checker.prove`) or an exact point where the hypotheses hold and the claim does not. What is listed must be used.
 Terms become fractions of polynomials: {monomial: coefficient}, a monomial being a whole number with 16 bits for the
 exponent of each variable above 32 bits for the degree. sin x and cos x are the variables sin_x, cos_x; the root of a
 prime p is sqrt_p. A statement with denominators is meant wherever they are not zero; each denominator is non-zero by
@@ -37,13 +37,12 @@ def require(condition: Any, reason: str) -> None:
 
 
 def combine(*addends: tuple[Poly, Poly]) -> Poly:
-    """The sum of the products."""
+    """The sum of the products. No exponent is above MAX_DEGREE, so that no sum of two overflows its 16 bits."""
     result: Poly = {}
     for a, b in addends:
         for m, c in a.items():
             for n, d in b.items():
                 result[m + n] = result.get(m + n, 0) + c * d
-    # no factor has an exponent above MAX_DEGREE, so that no sum of two has run over its 16 bits
     require(max((m & DEGREE for m in result), default=0) <= MAX_DEGREE, "a polynomial of too high a degree")
     return {m: c for m, c in result.items() if c}
 
@@ -122,9 +121,7 @@ class Algebra:
         """The polynomial of one variable."""
         if name not in self.slots:
             require(re.fullmatch("[A-Za-z][A-Za-z0-9_]*", name), f"the name {name!r}")
-            require(
-                name[:5] != "sqrt_" or root(Fraction(name[5:]))[1] == [int(name[5:])], f"{name} is no root of a prime"
-            )
+            require(name[:5] != "sqrt_" or root(Fraction(name[5:]))[1] == [int(name[5:])], f"{name}: not a prime")
             self.slots[name] = 32 + 16 * len(self.slots)
         return {(1 << self.slots[name]) + 1: 1}
 
@@ -136,9 +133,8 @@ class Algebra:
         """A number or a power of a variable, as (monomial, coefficient)."""
         if text not in self.factors:
             found = re.fullmatch(r"(\d+)(/[1-9]\d*)?|([A-Za-z]\w*)(\^\d{1,3})?", text)
-            name, exponent = (
-                (found[3], int((found[4] or "^1")[1:])) if found else (text, 1)
-            )  # a wrong name is refused there
+            require(found, f"the factor {text}")
+            name, exponent = (found[3], int((found[4] or "^1")[1:])) if found else ("", 1)
             number = 1 if name else Fraction(text) if "/" in text else int(text)
             self.factors[text] = next(iter(self.variable(name))) * exponent if name else 0, number
         return self.factors[text]
@@ -191,13 +187,10 @@ class Algebra:
                 num, den = self.ratio(inner)
                 require(not den and set(num) <= {0}, "the root of what is not a number")
                 outside, primes = root(Fraction(num.get(0, 0)))
-                return powers(
-                    ({0: outside} if outside else {}, 1), *((self.variable(f"sqrt_{p}"), 1) for p in primes)
-                ), den
-            case ["diff", inner, str(x), 0]:
-                return self.ratio(inner)
+                roots = [(self.variable(f"sqrt_{p}"), 1) for p in primes]
+                return powers(({0: outside} if outside else {}, 1), *roots), den
             case ["diff", inner, str(x), int(n)] if 0 < n < 9:
-                return self.derivative(self.ratio(["diff", inner, x, n - 1]), x)
+                return self.derivative(self.ratio(["diff", inner, x, n - 1] if n > 1 else inner), x)
         raise Reject(f"the term {term!r}")
 
     def inverse(self, term: Any) -> Ratio:
@@ -282,10 +275,6 @@ class Checker:
         for reference, formula in self.hypotheses.items():
             self.learn(reference, formula)
 
-    def difference(self, left: Any, right: Any) -> Ratio:
-        """left - right as a fraction."""
-        return total([self.algebra.ratio(left), self.algebra.ratio(["-", right])])
-
     def learn(self, reference: Any, formula: Any) -> None:
         """Takes in one assumption; what is neither relation nor disjunction stays without use."""
         entry: tuple[str, Any] = "", {}
@@ -293,9 +282,9 @@ class Checker:
             case ["or", *parts]:
                 entry = "or", parts
             case ["=" | "!=" as sign, left, right]:
-                entry = sign, self.difference(left, right)[0]
+                entry = sign, self.algebra.ratio(["+", left, ["-", right]])[0]
             case [">" | ">=" as sign, large, small] | ["<" | "<=" as sign, small, large]:
-                num, den = self.difference(large, small)
+                num, den = self.algebra.ratio(["+", large, ["-", small]])
                 entry = sign.replace("<", ">") if not den else "!=" if len(sign) == 1 else "", num
         self.state.append((reference, *entry))
 
@@ -320,10 +309,11 @@ class Checker:
             case ["positive", term] if ">" in signs:
                 require(self.sign(term) == 2, f"{term} is not manifestly positive")
                 return self.algebra.ratio(term)[0]
-        found = [poly for name, sign, poly in self.state if name == tuple(reference) and sign in signs]
-        require(found, f"{reference} is no such assumption")
-        self.used.add(tuple(reference))
-        return found[0]
+        for name, sign, poly in self.state:
+            if name == tuple(reference) and sign in signs:
+                self.used.add(name)
+                return dict(poly)
+        raise Reject(f"{reference} is no such assumption")
 
     def combination(self, poly: Poly, proof: Any, what: str) -> None:
         """The polynomial, times things that are not zero, is the sum of cofactors times facts."""
@@ -351,26 +341,24 @@ class Checker:
                 result = self.sign(base) or int(n % 2 == 0)
             case ["sqrt", inner]:
                 result = self.sign(inner)
-        if result:
-            return result
         num, den = self.algebra.ratio(term)
-        for reference, sign, poly in self.state if not den else ():  # a positive multiple of something assumed?
+        for reference, sign, poly in self.state if not result and not den else ():  # a multiple of an assumption?
             if sign in (">", ">=") and (factor := proportional(num, poly)) and factor > 0:
                 self.used.add(reference)
                 return 3 - len(sign)
-        return self.sign(self.algebra.definitions[term]) if str(term) in self.algebra.definitions else 0
+        defined = self.algebra.definitions.get(term) if isinstance(term, str) and not result else None
+        return result if defined is None else self.sign(defined)
 
     def prove(self, goal: Any, proof: Any) -> None:
-        """One node of a proof: the rule must fit the goal."""
+        """One node of a proof. In an order, larger - smaller is a form manifestly not negative (positive for <)."""
         then, form = proof.get("then"), proof.get("form")
         match [proof["rule"], *goal]:
             case ["identity", "=", left, right]:  # num(l - r) = sum q * fact
-                self.combination(self.difference(left, right)[0], proof, "left - right")
+                self.combination(self.algebra.ratio(["+", left, ["-", right]])[0], proof, "left - right")
             case ["nonnegative", "<" | "<=" as sign, small, large] | ["nonnegative", ">" | ">=" as sign, large, small]:
-                # larger - smaller = form modulo facts, and the form is manifestly not negative (positive for <)
                 require(self.sign(form) >= 3 - len(sign), "the form is not manifestly of one sign")
-                gap = self.difference(["+", large, ["-", small]], form)[0]
-                self.combination(gap, proof, "the difference less the form")
+                gap = ["+", large, ["-", small], ["-", form]]
+                self.combination(self.algebra.ratio(gap)[0], proof, "the difference less the form")
             case ["implies", "=>", assumed, conclusion]:
                 self.branch(conclusion, then, assumed)
             case ["implies", "!=", *sides]:  # l = r leads to a contradiction: the empty "or"
@@ -406,8 +394,8 @@ class Checker:
     def witness(self, bound: Any, body: Any, proof: Any) -> None:
         """Values for the bound variables; they may contain an angle, still to be found."""
         angles, algebra = proof.get("angle", []), self.algebra
-        require(proof["point"].keys() == set(bound), "values for other variables")
-        require(not any(f'"{x}"' in self.stated for x in angles), "the name of the angle is taken")
+        taken = [x for x in angles if f'"{x}"' in self.stated]
+        require(proof["point"].keys() == set(bound) and not taken, "values for other variables, or a name taken")
         kept = algebra.definitions, algebra.unfolded
         algebra.definitions, algebra.unfolded = {**algebra.definitions, **proof["point"]}, {}
         self.branch(["exists", angles, body] if angles else body, proof["then"])
@@ -417,15 +405,15 @@ class Checker:
         """P turned by 90 degrees is -P: P has a zero on the circle; the other equations are multiples of P there."""
         c, s, known = f"cos_{bound[0]}", f"sin_{bound[0]}", len(self.algebra.divisors)
         taken = {x for _, sign, p in self.state if sign != "or" for m in p for x in self.algebra.exponents(m)}
-        taken |= self.algebra.definitions.keys()
-        require(len(bound) == 1 and not taken & {c, s, *bound}, "the angle is not free")
-        require(all(f[0] == "=" for f in conjuncts(body)), "something else than equations on a circle")
-        equations = [self.difference(*f[1:])[0] for f in conjuncts(body)]
+        free = not (taken | self.algebra.definitions.keys()) & {c, s, *bound}
+        require(len(bound) == 1 and free, "the angle is not free")
+        equations = [self.algebra.ratio(["+", f[1], ["-", f[2]]])[0] for f in conjuncts(body) if f[0] == "="]
+        require(len(equations) == len(conjuncts(body)), "something else than equations on a circle")
         require(len(self.algebra.divisors) == known, "a denominator under a quantifier")
         leading = equations[proof["index"]]
         require(not any(bound[0] in self.algebra.exponents(m) for m in leading), "the angle itself occurs")
-        turn = {c: combine((self.algebra.variable(s), MINUS)), s: self.algebra.variable(c)}
-        turned = self.algebra.substitute(leading, turn)
+        x, y = self.algebra.variable(c), self.algebra.variable(s)
+        turned = self.algebra.substitute(leading, {c: combine((y, MINUS)), s: x})
         self.combination(combine((leading, ONE), (turned, ONE)), proof, "the turned equation")
         for poly, (multiple, cofactors) in zip(equations, proof["others"], strict=True):
             gap = combine((poly, ONE), (leading, combine((self.algebra.parse(multiple), MINUS))))
@@ -444,35 +432,32 @@ class Checker:
 
     def check_point(self, goal: Any, point: Any) -> None:
         """The hypotheses hold at the point, the claim does not, and its sides have the stated values."""
-        values = {x: self.algebra.ratio(number(v))[0] for x, v in point["values"].items()}
+
+        def value(stated: Any) -> Poly:
+            return self.algebra.parse(stated) if isinstance(stated, str) else self.algebra.ratio(stated)[0]
+
+        values = {x: value(v) for x, v in point["values"].items()}
         angles = {x[4:] for x in values if x[:4] in ("sin_", "cos_")}
-        require(not angles & set(values), "an angle and its sine are both given")
-        for reference, formula in self.hypotheses.items():
-            require(self.truth(formula, values), f"the hypothesis {reference} fails at the point")
-        require(not self.truth(goal, values), "the claim holds at the point")
+        require(not angles & values.keys(), "an angle and its sine are both given")
+        require(not any(x.startswith("sqrt_") for x in values), "a value for the root of a number")
+        failing = [reference for reference, formula in self.hypotheses.items() if not self.truth(formula, values)]
+        require(not failing and not self.truth(goal, values), f"{failing or 'the claim'}: not so at the point")
         for side, stated in zip(goal[1:], point["sides"], strict=True):
-            right = self.truth(["=", side, number(stated)] if goal[0] in RELATIONS else side, values)
-            require(right == (goal[0] in RELATIONS or stated == "true"), "a side has another value at the point")
-        for x in angles:
-            circle = self.known(("=",), ["axiom", "pythagoras", x])
-            require(self.algebra.order(circle, values) == 0, "no point of the unit circle")
-        require(all(self.algebra.order(d, values) for d in self.algebra.divisors), "a denominator is zero at the point")
+            if goal[0] in RELATIONS:
+                side, stated, values["stated"] = ["=", side, "stated"], "true", value(stated)
+            require(self.truth(side, values) == (stated == "true"), "a side has another value at the point")
+        off = [x for x in angles if self.algebra.order(self.known(("=",), ["axiom", "pythagoras", x]), values)]
+        require(not off and all(self.algebra.order(d, values) for d in self.algebra.divisors), "the point is no point")
 
     def truth(self, formula: Any, values: dict[str, Poly]) -> bool:
         """The formula at a point."""
         kind, *rest = formula
         if kind in RELATIONS:
-            num, den = self.difference(*rest)
+            num, den = self.algebra.ratio(["+", rest[0], ["-", rest[1]]])
             return self.algebra.order(num, values) * self.algebra.order(powers(*den.items()), values) in RELATIONS[kind]
         parts = [self.truth(part, values) for part in rest]
-        both = {"=>": parts[-1] or not parts[0], "<=>": parts[0] == parts[-1]}
-        return {"and": all(parts), "or": any(parts), **both}[kind]
-
-
-def number(value: Any) -> Any:
-    """A stated value, "2/7" or a term of integers and roots, as a term."""
-    require(not isinstance(value, str) or re.fullmatch(r"-?\d+(/\d+)?", value), f"the value {value!r}")
-    return ["/", *map(int, (value + "/1").split("/")[:2])] if isinstance(value, str) else value
+        implied = parts[-1] or not parts[0]
+        return {"and": all(parts), "or": any(parts), "=>": implied, "<=>": parts[0] == parts[-1]}[kind]
 
 
 def check(certificate: dict[str, Any]) -> str | None:
@@ -502,15 +487,14 @@ def main(arguments: list[str]) -> int:
     for path in paths or [Path("certificates")]:
         try:
             data = json.loads(path.read_text(encoding="utf-8"))
-            if not isinstance(data, dict) or data.get("schema") != SCHEMA:
-                raise ValueError(f"not a certificate file of schema {SCHEMA}")
+            require(isinstance(data, dict) and data.get("schema") == SCHEMA, f"its schema is not {SCHEMA}")
             reasons = [(certificate["id"], check(certificate)) for certificate in data["certificates"]]
-        except (OSError, ValueError, KeyError, TypeError, RecursionError) as error:
+        except (Reject, OSError, ValueError, KeyError, TypeError, RecursionError) as error:
             print(f"checker: {path} cannot be read ({error}); name a folder or file of certificates", file=sys.stderr)
             return 2
         for identifier, reason in reasons:
             count, failures = count + 1, failures + bool(reason)
-            print(f"{path}: {identifier}: {reason}\n" if reason else "", end="")
+            print(f"{path}: {identifier}: {reason}\n" * bool(reason), end="")
     print(f"{count} certificates, " + (f"{failures} do not hold" if failures else "all hold"))
     return 1 if failures else 0
 

@@ -77,6 +77,12 @@ stability_degree_at_most_gain = ours(
 
 DISCRIMINANT = r"((u^2 - v^2) d_1 d_2 d_3 + 2 u v W)"
 EQUAL_MOMENTS = "(J_1 = c, J_2 = c, J_3 = c)"
+deviations = Hypothesis("deviations", "the moments are c + d_i with mean c", "d_1 + d_2 + d_3 = 0")
+two_axes = Hypothesis(
+    "two axes",
+    "e_1 and e_2 are orthonormal",
+    r"(\mathbf{e}_1, \mathbf{e}_1) = 1, (\mathbf{e}_1, \mathbf{e}_2) = 0, (\mathbf{e}_2, \mathbf{e}_2) = 1",
+)
 first_axis_on_the_cone = Hypothesis("first moment is the mean", "the first axis is on the cone J_1 = c", "J_1 = c")
 
 squares_of_equal_moment_axes = ours(
@@ -108,8 +114,9 @@ plane_across_the_first_axis = ours(
     225,
     words="With g_i = d_i a_1i and h = e_1 x g, both across e_1, the second axis is G e_2 = u g + v h.",
     formal=r"G a_{2i} = u g_i + v h_i",
-    given=[orthogonal, first_axis_on_the_cone],
+    given=[two_axes, first_axis_on_the_cone, deviations],
     where=derivation.second_axis_components,
+    keeping=("c",),
     by=identity,
     notation=family_letters,
 )
@@ -119,8 +126,9 @@ second_moment_in_the_plane = ours(
     225,
     words="Its moment is G^2 (J_2 - c) = (u^2 - v^2) d_1 d_2 d_3 + 2 u v W.",
     formal=rf"G^2 (J_2 - c) = {DISCRIMINANT}",
-    given=[orthogonal, first_axis_on_the_cone],
+    given=[two_axes, first_axis_on_the_cone, deviations],
     where=derivation.second_axis_components,
+    keeping=("c",),
     by=identity,
     uses=["B.7"],
     notation=family_letters,
@@ -137,7 +145,7 @@ plane_never_degenerates = ours(
     formal=r"G \neq 0",
     given=[orthogonal, no_moment_is_the_mean],
     where=derivation.second_axis_components,
-    keeping=("d",),
+    keeping=("c",),
     by=cases(r"d_1^2 a_{11}^2 + d_2^2 a_{12}^2 + d_3^2 a_{13}^2"),
     uses=["B.7"],
     notation=family_letters,
@@ -177,7 +185,7 @@ closed_form_is_orthonormal = ours(
     formal=r"\mathbf{A}\mathbf{A}^T = \mathbf{U} \land |\mathbf{A}| = 1",
     given=[first_axis, circle, length],
     where=derivation.equal_moment_family,
-    keeping=("d", "c"),
+    keeping=("c",),
     by=cases(),
     uses=["B.6"],
     notation=family_letters,
@@ -191,7 +199,7 @@ closed_form_of_the_family = ours(
     formal=rf"J_1 = c \land J_2 = c + \frac{{{DISCRIMINANT}}}{{r^2}} \land J_3 = c - \frac{{{DISCRIMINANT}}}{{r^2}}",
     given=[first_axis, circle, length],
     where=derivation.equal_moment_family,
-    keeping=("d", "c"),
+    keeping=("c",),
     by=cases(),
     uses=["B.10", "B.11"],
     notation=family_letters,

@@ -101,6 +101,18 @@ def characteristic_polynomial() -> tuple[Any, ...]:
     return (_characteristic(damping_matrix()),)
 
 
+def characteristic_polynomial_by_axes() -> tuple[Any, ...]:
+    """det(I p + m) for orthonormal axes e_i: the gains of some axes times the minors of I p left to the others.
+
+    By Cauchy-Binet these minors are (e_i, I e_i) = J_i for one axis and (e_i, adj(I) e_i) = L_i for two.
+    """
+    p = sp.Symbol("p", real=True)
+    gains, one, two = _triple("k"), _triple("J"), _triple("L")
+    square = sum((gain * minor for gain, minor in zip(gains, two, strict=True)), sp.Integer(0))
+    linear = sum((sp.prod(gains) / gain * minor for gain, minor in zip(gains, one, strict=True)), sp.Integer(0))
+    return (sp.prod(_triple("I")) * p**3 + square * p**2 + linear * p + sp.prod(gains),)
+
+
 def scaled_gains() -> dict[str, Any]:
     """k_i = kbar_i J_i: gains in units of the moment of inertia about their own axis."""
     return {f"k_{i}": sp.Symbol(f"kbar_{i}") * sp.Symbol(f"J_{i}") for i in (1, 2, 3)}
@@ -116,7 +128,7 @@ def triple_root_conditions() -> tuple[Any, ...]:
     """Coefficients of p^2, p, 1 in I1 I2 I3 (p + xi)^3 less the characteristic polynomial."""
     p, xi = sp.Symbol("p", real=True), sp.Symbol("xi", real=True)
     i1, i2, i3 = _triple("I")
-    difference = sp.Poly(i1 * i2 * i3 * (p + xi) ** 3 - characteristic_polynomial()[0], p)
+    difference = sp.Poly(i1 * i2 * i3 * (p + xi) ** 3 - characteristic_polynomial_by_axes()[0], p)
     return tuple(difference.coeff_monomial(p**n) for n in (2, 1, 0))
 
 
@@ -183,6 +195,11 @@ def ellipsoid_moments() -> dict[str, Any]:
     return {**turned_about_the_diagonal(), **squares}
 
 
+def _moments_by_deviation() -> dict[str, Any]:
+    c = sp.Symbol("c", real=True)
+    return {f"I_{i}": c + deviation for i, deviation in enumerate(_triple("d"), 1)}
+
+
 def _deviations(first_axis: Any) -> dict[str, Any]:
     """g = D e_1, h = e_1 x g, G = (g, g), W = (g, D h) for D = diag(d_i), the deviations of the moments from their mean."""
     d = sp.diag(*_triple("d"))
@@ -193,10 +210,9 @@ def _deviations(first_axis: Any) -> dict[str, Any]:
 
 
 def second_axis_components() -> dict[str, Any]:
-    """d_i = I_i - c, the vectors g and h of the first axis, and u = (e_2, g), v = (e_2, h)."""
+    """The moments c + d_i, the vectors g and h of the first axis, and u = (e_2, g), v = (e_2, h)."""
     axes = rotation.matrix()
-    mean = sum(_triple("I"), sp.Integer(0)) / 3
-    deviations = {f"d_{i}": moment - mean for i, moment in enumerate(_triple("I"), 1)}
+    deviations = _moments_by_deviation()
     first, second = axes[0, :].T, axes[1, :].T
     plane = _deviations(first)
     u = second.dot(sp.Matrix(_triple("g")))
@@ -212,9 +228,7 @@ def equal_moment_family() -> dict[str, Any]:
     plane = _deviations(first)
     rows = {f"a_2{i}": value for i, value in enumerate((u * _vector("g") + v * _vector("h")) / r, 1)}
     rows |= {f"a_3{i}": value for i, value in enumerate(first.cross(second), 1)}
-    c = sp.Symbol("c", real=True)
-    moments = {f"I_{i}": c + deviation for i, deviation in enumerate(_triple("d"), 1)}
-    return {**plane, **rows, **moments}
+    return {**plane, **rows, **_moments_by_deviation()}
 
 
 def exceptional_family() -> dict[str, Any]:

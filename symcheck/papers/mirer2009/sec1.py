@@ -230,18 +230,41 @@ moments_and_scaled_gains = definition(
     r"\bar{k}_i &= k_i / J_i. \end{aligned}",
 )
 
+free_moments = ("J", "L")
+
+characteristic_polynomial_by_axes = ours(
+    "1.3.2",
+    107,
+    words="In J_i and L_i the left side of (1.3) is I_1 I_2 I_3 p^3 + sum k_i L_i p^2 + (k_1 k_2 J_3 + ...) p + k_1 k_2 k_3.",
+    formal=r"I_1 I_2 I_3 p^3 + (k_1 L_1 + k_2 L_2 + k_3 L_3) p^2 + (k_1 k_2 J_3 + k_2 k_3 J_1 + k_3 k_1 J_2) p + k_1 k_2 k_3 = 0",
+    given=[orthogonal],
+    equation=derivation.characteristic_polynomial,
+    by=identity,
+    uses=["1.3", "1.3.1"],
+)
+
+characteristic_polynomial_by_minors = ours(
+    "1.3.3",
+    107,
+    words="It is what Cauchy-Binet gives: gains of some axes times minors of I p left to the others.",
+    formal=characteristic_polynomial_by_axes.formal,
+    equation=derivation.characteristic_polynomial_by_axes,
+    keeping=free_moments,
+    by=identity,
+    uses=["1.3.2"],
+)
+
 characteristic_equation_in_scaled_gains = claim(
     "1.4",
     111,
     r"\begin{aligned} I_1 I_2 I_3 p^3 + (\bar{k}_1 J_1 L_1 + \bar{k}_2 J_2 L_2 + \bar{k}_3 J_3 L_3) p^2 + \\ "
     r"+ (\bar{k}_1 \bar{k}_2 + \bar{k}_2 \bar{k}_3 + \bar{k}_3 \bar{k}_1) J_1 J_2 J_3 p "
     r"+ \bar{k}_1 \bar{k}_2 \bar{k}_3 J_1 J_2 J_3 = 0. \end{aligned}",
-    given=[orthogonal, right_handed],
     where=derivation.scaled_gains,
-    keeping=("kbar",),
-    equation=derivation.characteristic_polynomial,
+    keeping=("kbar", *free_moments),
+    equation=derivation.characteristic_polynomial_by_axes,
     by=identity,
-    uses=["1.3", "1.3.1"],
+    uses=["1.3.2", "1.3.3"],
 )
 
 moment_about_device_axis = claim(
@@ -275,11 +298,11 @@ characteristic_equation_in_common_gain = claim(
     "1.5",
     121,
     r"I_1 I_2 I_3 p^3 + k(J_1 L_1 + J_2 L_2 + J_3 L_3) p^2 + (3p + k) k^2 J_1 J_2 J_3 = 0.",
-    given=[orthogonal, right_handed],
     where=derivation.proportional_gains,
-    equation=derivation.characteristic_polynomial,
+    keeping=free_moments,
+    equation=derivation.characteristic_polynomial_by_axes,
     by=identity,
-    uses=["1.3", "1.4", "1.4.4"],
+    uses=["1.3.3", "1.4", "1.4.4"],
 )
 
 tendency_to_equal_real_parts = exclusion(
@@ -307,33 +330,33 @@ triple_root_square_coefficient = claim(
     "1.5.4",
     127,
     r"3\xi I_1 I_2 I_3 = k(J_1 L_1 + J_2 L_2 + J_3 L_3),",
-    given=[orthogonal, right_handed],
     where=derivation.proportional_gains,
+    keeping=free_moments,
     equation=partial(derivation.triple_root_condition, 2),
     by=identity,
-    uses=["1.5"],
+    uses=["1.3.3", "1.5"],
 )
 
 triple_root_linear_coefficient = claim(
     "1.5.5",
     129,
     r"3\xi^2 I_1 I_2 I_3 = 3k^2 J_1 J_2 J_3,",
-    given=[orthogonal, right_handed],
     where=derivation.proportional_gains,
+    keeping=free_moments,
     equation=partial(derivation.triple_root_condition, 1),
     by=identity,
-    uses=["1.5"],
+    uses=["1.3.3", "1.5"],
 )
 
 triple_root_constant_coefficient = claim(
     "1.5.6",
     131,
     r"\xi^3 I_1 I_2 I_3 = k^3 J_1 J_2 J_3,",
-    given=[orthogonal, right_handed],
     where=derivation.proportional_gains,
+    keeping=free_moments,
     equation=partial(derivation.triple_root_condition, 0),
     by=identity,
-    uses=["1.5"],
+    uses=["1.3.3", "1.5"],
 )
 
 triple_root = Hypothesis(
@@ -350,7 +373,6 @@ positive_axial_moments = Hypothesis(
     r"J_1 > 0, J_2 > 0, J_3 > 0",
     printed=False,
 )
-free_moments = ("J", "L")
 
 product_at_triple_root = claim(
     "1.6",
