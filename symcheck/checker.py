@@ -1,11 +1,10 @@
 """Re-checks certificates with the standard library alone: `python -m symcheck.checker DIR`.
 
-A certificate states a claim (nested lists), the definitions and hypotheses it rests on, and a proof (a tree of rules,
-see `Checker.prove`) or an exact point where the hypotheses hold and the claim does not. What is listed must be used.
-Terms become fractions of polynomials: {monomial: coefficient}, a monomial being a whole number with 16 bits for the
-exponent of each variable above 32 bits for the degree. sin x and cos x are the variables sin_x, cos_x; the root of a
-prime p is sqrt_p. A statement with denominators is meant wherever they are not zero; each denominator is non-zero by
-a hypothesis, or is listed under "nonzero" as a side condition.
+A certificate states a claim (nested lists), the definitions and hypotheses it uses, and a proof (see `Checker.prove`)
+or an exact point where the hypotheses hold and the claim does not. Terms become fractions of polynomials {monomial:
+coefficient}, a monomial being a whole number: 16 bits for each exponent above 32 bits for the degree. sin x, cos x,
+the root of a prime p are the variables sin_x, cos_x, sqrt_p. A statement with denominators is meant where they are not
+zero: each denominator is non-zero by a hypothesis or listed under "nonzero" as a side condition.
 """
 
 import hashlib
@@ -23,7 +22,7 @@ RELATIONS = {"=": {0}, "!=": {-1, 1}, "<": {-1}, "<=": {-1, 0}, ">": {1}, ">=": 
 Poly = dict[int, Any]
 Divisors = Counter[frozenset[tuple[int, Any]]]  # the terms of each divisor, with its exponent
 Ratio = tuple[Poly, Divisors]
-ONE, MINUS = Poly({0: 1}), Poly({0: -1})
+ONE, MINUS, NONE = Poly({0: 1}), Poly({0: -1}), Divisors()
 
 
 class Reject(Exception):
@@ -59,29 +58,30 @@ def powers(*factors: tuple[Any, int]) -> Poly:
 
 def total(values: list[Ratio]) -> Ratio:
     """The sum over the least common denominator."""
-    common: Divisors = Counter()
+    common = NONE
     for _, den in values:
-        common |= den
-    return combine(*((num, powers(*(common - den).items())) for num, den in values)), common
+        common = common | den if den else common
+    return combine(*((num, powers(*(common - den).items()) if common else ONE) for num, den in values)), common
 
 
 def product(values: list[Ratio]) -> Ratio:
     """The product; a factor that equals one of the divisors cancels with it."""
-    common, result = sum((den for _, den in values), Counter()), ONE
+    common, result = NONE, ONE
+    for _, den in values:
+        common = common + den if den else common
     for num, _ in values:
         if common and common[key := frozenset(num.items())] > 0:
             common[key] -= 1
         else:
             result = num if result is ONE else combine((result, num))
-    return result, +common
+    return result, +common if common else NONE
 
 
 def proportional(a: Poly, b: Poly) -> Any:
     """The number f with a = f * b, or None."""
     if not a or a.keys() != b.keys():
         return None
-    first = next(iter(a))
-    factor = Fraction(a[first]) / b[first]
+    factor = Fraction(next(iter(a.values()))) / b[next(iter(a))]
     return factor if all(c == factor * b[m] for m, c in a.items()) else None
 
 
@@ -112,6 +112,7 @@ class Algebra:
         self.definitions: dict[str, Any] = dict(definitions)
         require(len(self.definitions) == len(definitions), "a name is defined twice")
         self.unfolded: dict[str, Any] = {}
+        self.point: dict[str, Poly] = {}  # values of variables, where a statement is to be refuted
         self.met: set[str] = set()
         self.divisors: list[Poly] = []
         self.slots: dict[str, int] = {}
@@ -131,13 +132,11 @@ class Algebra:
 
     def factor(self, text: str) -> tuple[int, Any]:
         """A number or a power of a variable, as (monomial, coefficient)."""
-        if text not in self.factors:
-            found = re.fullmatch(r"(\d+)(/[1-9]\d*)?|([A-Za-z]\w*)(\^\d{1,3})?", text)
-            require(found, f"the factor {text}")
-            name, exponent = (found[3], int((found[4] or "^1")[1:])) if found else ("", 1)
-            number = 1 if name else Fraction(text) if "/" in text else int(text)
-            self.factors[text] = next(iter(self.variable(name))) * exponent if name else 0, number
-        return self.factors[text]
+        if re.fullmatch(r"\d+(/[1-9]\d*)?", text):
+            return 0, Fraction(text) if "/" in text else int(text)
+        name, _, exponent = text.partition("^")
+        require(re.fullmatch(r"\d{0,3}", exponent), f"the factor {text}")
+        return next(iter(self.variable(name))) * int(exponent or 1), 1
 
     def parse(self, text: str) -> Poly:
         """A polynomial printed as "3/4*a_11^2*a_12 - I_1 + 2"."""
@@ -145,7 +144,9 @@ class Algebra:
         for term in text.replace(" - ", " + -").split(" + ") if text != "0" else ():
             monomial, coefficient = 0, -1 if term[0] == "-" else 1
             for factor in term.removeprefix("-").split("*"):
-                m, c = self.factors.get(factor) or self.factor(factor)
+                if factor not in self.factors:
+                    self.factors[factor] = self.factor(factor)
+                m, c = self.factors[factor]
                 monomial, coefficient = monomial + m, coefficient * c
             require(coefficient and monomial not in result and monomial & DEGREE < 9999, f"the polynomial {text}")
             result[monomial] = coefficient
@@ -154,7 +155,7 @@ class Algebra:
     def name(self, name: str) -> Ratio:
         """A variable, or what a defined name stands for."""
         if name not in self.definitions:
-            return self.variable(name), Counter()
+            return self.point[name] if name in self.point else self.variable(name), NONE
         if name not in self.unfolded:
             self.met.add(name)
             self.unfolded[name] = None
@@ -166,7 +167,7 @@ class Algebra:
         """The term as a fraction."""
         match term:
             case int():
-                return ({0: int(term)} if term else {}), Counter()
+                return ({0: int(term)} if term else {}), NONE
             case str():
                 return self.name(term)
             case ["+", *parts] if parts:
@@ -174,13 +175,13 @@ class Algebra:
             case ["*", *parts] if parts:
                 return product([self.ratio(part) for part in parts])
             case ["-", inner]:
-                return product([self.ratio(inner), (MINUS, Counter())])
+                return product([self.ratio(inner), (MINUS, NONE)])
             case ["/", top, bottom]:
                 return product([self.ratio(top), self.inverse(bottom)])
             case ["^", base, int(n)] if abs(n) < 1000:
                 return product([self.ratio(base) if n >= 0 else self.inverse(base)] * abs(n))
             case ["sin" | "cos" as function, inner]:
-                return self.turn(inner)[function == "sin"], Counter()
+                return self.turn(inner)[function == "sin"], NONE
             case ["tan", inner]:
                 return self.ratio(["/", ["sin", inner], ["cos", inner]])
             case ["sqrt", inner]:
@@ -190,7 +191,13 @@ class Algebra:
                 roots = [(self.variable(f"sqrt_{p}"), 1) for p in primes]
                 return powers(({0: outside} if outside else {}, 1), *roots), den
             case ["diff", inner, str(x), int(n)] if 0 < n < 9:
-                return self.derivative(self.ratio(["diff", inner, x, n - 1] if n > 1 else inner), x)
+                point, memory, self.point, self.unfolded = self.point, self.unfolded, {}, {}
+                num, den = self.derivative(self.ratio(["diff", inner, x, n - 1] if n > 1 else inner), x)
+                self.point, self.unfolded = point, memory
+                if point:
+                    self.divisors.append(bottom := self.substitute(powers(*den.items()), point))
+                    num, den = self.substitute(num, point), Counter([frozenset(bottom.items())])
+                return num, den
         raise Reject(f"the term {term!r}")
 
     def inverse(self, term: Any) -> Ratio:
@@ -205,7 +212,7 @@ class Algebra:
         exponents = self.exponents(next(iter(divisor)))
         if len(divisor) == 1 and all(x.startswith("sqrt_") for x in exponents):  # 1/sqrt(p) = sqrt(p)/p
             inverses = [(combine((self.variable(x), {0: Fraction(1, int(x[5:]))})), e) for x, e in exponents.items()]
-            return powers(*den.items(), ({0: 1 / Fraction(*divisor.values())}, 1), *inverses), Counter()
+            return powers(*den.items(), ({0: 1 / Fraction(*divisor.values())}, 1), *inverses), NONE
         self.divisors.append(divisor)
         return powers(*den.items()), Counter([frozenset(divisor.items())])
 
@@ -216,7 +223,7 @@ class Algebra:
         for monomial, count in num.items():
             require(not den and monomial & DEGREE == 1 and count in range(-99, 100), f"the angle {term}")
             (x,) = self.exponents(monomial)
-            c, s = self.variable(f"cos_{x}"), combine((self.variable(f"sin_{x}"), ONE if count > 0 else MINUS))
+            c, s = self.name(f"cos_{x}")[0], combine((self.name(f"sin_{x}")[0], ONE if count > 0 else MINUS))
             for _ in range(abs(int(count))):
                 cosine, sine = combine((cosine, c), (sine, combine((s, MINUS)))), combine((sine, c), (cosine, s))
         return cosine, sine
@@ -241,10 +248,10 @@ class Algebra:
             addends.append((powers(*bases), {0: coefficient}))
         return combine(*addends)
 
-    def order(self, poly: Poly, values: dict[str, Poly]) -> int:
-        """The sign of the value at a point, a combination of roots of square-free numbers, by integer enclosures."""
+    def order(self, poly: Poly) -> int:
+        """The sign of a combination of roots of square-free numbers, by integer enclosures."""
         value: dict[int, Fraction] = {}
-        for monomial, coefficient in self.substitute(poly, values).items():
+        for monomial, coefficient in poly.items():
             exponents = self.exponents(monomial)
             require(all(x.startswith("sqrt_") for x in exponents), f"no value for one of {[*exponents]}")
             radicand = prod(int(x[5:]) for x, e in exponents.items() if e % 2)
@@ -272,21 +279,15 @@ class Checker:
         self.stated = json.dumps([certificate["claim"], certificate["definitions"], certificate["hypotheses"]])
         self.used: set[Any] = set()
         self.state: list[tuple[Any, str, Any]] = []  # reference, sign, polynomial (of a disjunction: its parts)
-        for reference, formula in self.hypotheses.items():
-            self.learn(reference, formula)
 
     def learn(self, reference: Any, formula: Any) -> None:
         """Takes in one assumption; what is neither relation nor disjunction stays without use."""
-        entry: tuple[str, Any] = "", {}
-        match formula:
-            case ["or", *parts]:
-                entry = "or", parts
-            case ["=" | "!=" as sign, left, right]:
-                entry = sign, self.algebra.ratio(["+", left, ["-", right]])[0]
-            case [">" | ">=" as sign, large, small] | ["<" | "<=" as sign, small, large]:
-                num, den = self.algebra.ratio(["+", large, ["-", small]])
-                entry = sign.replace("<", ">") if not den else "!=" if len(sign) == 1 else "", num
-        self.state.append((reference, *entry))
+        sign, *sides = formula
+        if sign in ("<", "<="):
+            sign, sides = sign.replace("<", ">"), sides[::-1]
+        difference = ["+", sides[0], ["-", sides[1]]] if sign in RELATIONS else None
+        content, den = self.algebra.ratio(difference) if difference else (sides, NONE)
+        self.state.append((reference, {">": "!=", ">=": ""}.get(sign, sign) if den else sign, content))
 
     def branch(self, goal: Any, proof: Any, assumed: Any = ("and",), fact: Poly | None = None) -> None:
         """Proves a goal under more assumptions, numbered in their order and forgotten afterwards."""
@@ -320,8 +321,8 @@ class Checker:
         for reference in proof.get("times", ()):
             poly = combine((poly, self.known(("!=", ">"), reference)))
         products = [(self.algebra.parse(cofactor), self.known(("=",), ref)) for ref, cofactor in proof["cofactors"]]
-        require(all(q and p for q, p in products), f"{what}: a cofactor or a fact is zero")
-        require(combine(*products) == poly, f"{what} is not the combination of facts it is said to be")
+        right = all(q and p for q, p in products) and combine(*products) == poly
+        require(right, f"{what} is not the combination of facts it is said to be, all of them used")
 
     def sign(self, term: Any) -> int:
         """2 if manifestly positive, 1 if manifestly not negative, else 0."""
@@ -330,8 +331,7 @@ class Checker:
             case int():
                 return (term >= 0) + (term > 0)
             case ["+", *parts]:
-                levels = [self.sign(part) for part in parts]
-                result = max(levels) if all(levels) else 0
+                result = max(levels := [self.sign(part) for part in parts]) * all(levels)
             case ["*", *parts]:  # equal factors pair up to squares
                 single = [t for k, t in enumerate(parts) if parts.count(t) % 2 and t not in parts[:k]]
                 result = min([1 if len(single) < len(parts) else 2, *(self.sign(t) for t in single)])
@@ -341,13 +341,14 @@ class Checker:
                 result = self.sign(base) or int(n % 2 == 0)
             case ["sqrt", inner]:
                 result = self.sign(inner)
+        if result:
+            return result
         num, den = self.algebra.ratio(term)
-        for reference, sign, poly in self.state if not result and not den else ():  # a multiple of an assumption?
+        for reference, sign, poly in () if den else self.state:  # a positive multiple of an assumption?
             if sign in (">", ">=") and (factor := proportional(num, poly)) and factor > 0:
                 self.used.add(reference)
                 return 3 - len(sign)
-        defined = self.algebra.definitions.get(term) if isinstance(term, str) and not result else None
-        return result if defined is None else self.sign(defined)
+        return self.sign(self.algebra.definitions[term]) if str(term) in self.algebra.definitions else 0
 
     def prove(self, goal: Any, proof: Any) -> None:
         """One node of a proof. In an order, larger - smaller is a form manifestly not negative (positive for <)."""
@@ -357,8 +358,8 @@ class Checker:
                 self.combination(self.algebra.ratio(["+", left, ["-", right]])[0], proof, "left - right")
             case ["nonnegative", "<" | "<=" as sign, small, large] | ["nonnegative", ">" | ">=" as sign, large, small]:
                 require(self.sign(form) >= 3 - len(sign), "the form is not manifestly of one sign")
-                gap = ["+", large, ["-", small], ["-", form]]
-                self.combination(self.algebra.ratio(gap)[0], proof, "the difference less the form")
+                gap = self.algebra.ratio(["+", large, ["-", small], ["-", form]])
+                self.combination(gap[0], proof, "the difference less the form")
             case ["implies", "=>", assumed, conclusion]:
                 self.branch(conclusion, then, assumed)
             case ["implies", "!=", *sides]:  # l = r leads to a contradiction: the empty "or"
@@ -403,24 +404,25 @@ class Checker:
 
     def quarter_turn(self, bound: Any, body: Any, proof: Any) -> None:
         """P turned by 90 degrees is -P: P has a zero on the circle; the other equations are multiples of P there."""
-        c, s, known = f"cos_{bound[0]}", f"sin_{bound[0]}", len(self.algebra.divisors)
-        taken = {x for _, sign, p in self.state if sign != "or" for m in p for x in self.algebra.exponents(m)}
-        free = not (taken | self.algebra.definitions.keys()) & {c, s, *bound}
-        require(len(bound) == 1 and free, "the angle is not free")
-        equations = [self.algebra.ratio(["+", f[1], ["-", f[2]]])[0] for f in conjuncts(body) if f[0] == "="]
-        require(len(equations) == len(conjuncts(body)), "something else than equations on a circle")
-        require(len(self.algebra.divisors) == known, "a denominator under a quantifier")
-        leading = equations[proof["index"]]
-        require(not any(bound[0] in self.algebra.exponents(m) for m in leading), "the angle itself occurs")
-        x, y = self.algebra.variable(c), self.algebra.variable(s)
-        turned = self.algebra.substitute(leading, {c: combine((y, MINUS)), s: x})
-        self.combination(combine((leading, ONE), (turned, ONE)), proof, "the turned equation")
+        c, s, algebra = f"cos_{bound[0]}", f"sin_{bound[0]}", self.algebra
+        taken = {x for _, sign, p in self.state if sign in RELATIONS for m in p for x in algebra.exponents(m)}
+        free = len(bound) == 1 and not (taken | algebra.definitions.keys()) & {c, s, *bound}
+        equations = [algebra.ratio(["+", f[1], ["-", f[2]]])[0] for f in conjuncts(body) if f[0] == "="]
+        leading, below = equations[proof["index"]], {m for divisor in algebra.divisors for m in divisor}
+        plain = any(bound[0] in algebra.exponents(m) for m in leading) or len(equations) < len(conjuncts(body))
+        polynomial = not plain and not any({c, s} & algebra.exponents(m).keys() for m in below)
+        require(free and polynomial, "no free angle, or no polynomial equations of its sine and cosine")
+        values = {c: combine((algebra.variable(s), MINUS)), s: algebra.variable(c)}
+        turned = combine((leading, ONE), (algebra.substitute(leading, values), ONE))
+        self.combination(turned, proof, "the turned equation")
         for poly, (multiple, cofactors) in zip(equations, proof["others"], strict=True):
-            gap = combine((poly, ONE), (leading, combine((self.algebra.parse(multiple), MINUS))))
+            gap = combine((poly, ONE), (leading, combine((algebra.parse(multiple), MINUS))))
             self.combination(gap, {"cofactors": cofactors}, "an equation less a multiple of the turned one")
 
     def check_proof(self, goal: Any, proof: Any) -> None:
         """The whole proof, and that nothing superfluous is listed."""
+        for reference, formula in self.hypotheses.items():
+            self.learn(reference, formula)
         self.prove(goal, proof)
         listed = [self.algebra.parse(text) for text in proof.get("nonzero", [])]
         require(all(poly in self.algebra.divisors for poly in listed), "a side condition is no denominator")
@@ -432,32 +434,31 @@ class Checker:
 
     def check_point(self, goal: Any, point: Any) -> None:
         """The hypotheses hold at the point, the claim does not, and its sides have the stated values."""
-
-        def value(stated: Any) -> Poly:
-            return self.algebra.parse(stated) if isinstance(stated, str) else self.algebra.ratio(stated)[0]
-
-        values = {x: value(v) for x, v in point["values"].items()}
+        relation, algebra = goal[0] in RELATIONS, self.algebra
+        given = {**point["values"], **{f"side_{k}": v for k, v in enumerate(point["sides"]) if relation}}
+        values = {x: algebra.parse(v) if isinstance(v, str) else algebra.ratio(v)[0] for x, v in given.items()}
         angles = {x[4:] for x in values if x[:4] in ("sin_", "cos_")}
-        require(not angles & values.keys(), "an angle and its sine are both given")
-        require(not any(x.startswith("sqrt_") for x in values), "a value for the root of a number")
-        failing = [reference for reference, formula in self.hypotheses.items() if not self.truth(formula, values)]
-        require(not failing and not self.truth(goal, values), f"{failing or 'the claim'}: not so at the point")
-        for side, stated in zip(goal[1:], point["sides"], strict=True):
-            if goal[0] in RELATIONS:
-                side, stated, values["stated"] = ["=", side, "stated"], "true", value(stated)
-            require(self.truth(side, values) == (stated == "true"), "a side has another value at the point")
-        off = [x for x in angles if self.algebra.order(self.known(("=",), ["axiom", "pythagoras", x]), values)]
-        require(not off and all(self.algebra.order(d, values) for d in self.algebra.divisors), "the point is no point")
+        roots = [x for x in values if x.startswith("sqrt_")]
+        require(not angles & values.keys() and not roots, "an angle beside its sine, or a value of a root")
+        algebra.point = values
+        failing = [reference for reference, formula in self.hypotheses.items() if not self.truth(formula)]
+        require(not failing and not self.truth(goal), f"{failing or 'the claim'}: not so at the point")
+        for k, (side, stated) in enumerate(zip(goal[1:], point["sides"], strict=True)):
+            right = self.truth(["=", side, f"side_{k}"] if relation else side)
+            require(right == (relation or stated == "true"), "a side has another value at the point")
+        circles = [["=", ["+", ["^", f"sin_{x}", 2], ["^", f"cos_{x}", 2]], 1] for x in angles]
+        defined = all(map(self.truth, circles)) and all(map(algebra.order, algebra.divisors))
+        require(defined, "no point of the unit circle, or a denominator is zero at the point")
 
-    def truth(self, formula: Any, values: dict[str, Poly]) -> bool:
-        """The formula at a point."""
+    def truth(self, formula: Any) -> bool:
+        """The formula at the point."""
         kind, *rest = formula
         if kind in RELATIONS:
             num, den = self.algebra.ratio(["+", rest[0], ["-", rest[1]]])
-            return self.algebra.order(num, values) * self.algebra.order(powers(*den.items()), values) in RELATIONS[kind]
-        parts = [self.truth(part, values) for part in rest]
-        implied = parts[-1] or not parts[0]
-        return {"and": all(parts), "or": any(parts), "=>": implied, "<=>": parts[0] == parts[-1]}[kind]
+            return self.algebra.order(num) * self.algebra.order(powers(*den.items())) in RELATIONS[kind]
+        parts = [self.truth(part) for part in rest]
+        first, last = parts[0], parts[-1]
+        return {"and": all(parts), "or": any(parts), "=>": last or not first, "<=>": first == last}[kind]
 
 
 def check(certificate: dict[str, Any]) -> str | None:
@@ -467,16 +468,12 @@ def check(certificate: dict[str, Any]) -> str | None:
         digest = hashlib.sha256(json.dumps(stated, sort_keys=True, separators=(",", ":")).encode()).hexdigest()
         require(certificate["digest"] == digest, "the digest belongs to another statement")
         checker = Checker(certificate)
-        if certificate["verdict"] == "proved":
-            checker.check_proof(certificate["claim"], certificate["proof"])
-        else:
-            require(certificate["verdict"] == "refuted", "there is no such verdict")
-            checker.check_point(certificate["claim"], certificate["point"])
+        evidence = {"proved": ("proof", checker.check_proof), "refuted": ("point", checker.check_point)}
+        key, verify = evidence[certificate["verdict"]]
+        verify(certificate["claim"], certificate[key])
         require(checker.algebra.met >= checker.algebra.definitions.keys(), "a definition is not used")
-    except Reject as error:
-        return str(error)
-    except (KeyError, IndexError, TypeError, ValueError, AttributeError, ZeroDivisionError, RecursionError) as error:
-        return f"malformed ({type(error).__name__}: {error})"
+    except (Reject, LookupError, TypeError, ValueError, AttributeError, ArithmeticError, RecursionError) as error:
+        return str(error) if isinstance(error, Reject) else f"malformed ({type(error).__name__}: {error})"
     return None
 
 
@@ -488,7 +485,7 @@ def main(arguments: list[str]) -> int:
         try:
             data = json.loads(path.read_text(encoding="utf-8"))
             require(isinstance(data, dict) and data.get("schema") == SCHEMA, f"its schema is not {SCHEMA}")
-            reasons = [(certificate["id"], check(certificate)) for certificate in data["certificates"]]
+            reasons = [(each["id"], check(each)) for each in data["certificates"]]
         except (Reject, OSError, ValueError, KeyError, TypeError, RecursionError) as error:
             print(f"checker: {path} cannot be read ({error}); name a folder or file of certificates", file=sys.stderr)
             return 2

@@ -132,6 +132,7 @@ class Item:
     equation  derived expressions E for a printed equation l = r: the claim is that l - r is E
     keeping   defined letters (variable stems) that stay free in this claim
     uses      numbers of the items this one refers to
+    lemmas    numbers of earlier relations ("2.13.1b") the proof may start from, with the letters `free` not unfolded
     imposed   letters of the links that are conditions imposed rather than claims ("b" of "2.5b")
     opaque    a definition by something outside algebra (an angle between axes): it is not unfolded
     equality  for an inequality (or each link letter): where it is an equality, under given and `equality_given`
@@ -154,6 +155,8 @@ class Item:
     equation: Callable[[], tuple[Any, ...]] | None = None
     keeping: tuple[str, ...] = ()
     uses: tuple[str, ...] = ()
+    lemmas: tuple[str, ...] = ()
+    free: tuple[str, ...] = ()
     imposed: str = ""
     opaque: bool = False
     equality: str | Mapping[str, str] = ""

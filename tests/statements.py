@@ -269,6 +269,14 @@ TRUE = (
         (),
         _family(),
     ),
+    Problem(
+        "denominators that do not turn",
+        (
+            "exists",
+            ("u", "v"),
+            all_of(eq(add(sq("u"), sq("v")), 1), eq(over(mul("u", "v"), "d"), over(mul("u", "v"), ("-", "e")))),
+        ),
+    ),
     Problem("a root of x^2 = 2", ("exists", ("x",), eq(sq("x"), 2)), (), (), (("point_x", ("sqrt", 2)),)),
 )
 

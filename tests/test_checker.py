@@ -230,6 +230,17 @@ FORGED: dict[str, tuple[dict[str, Any], Any, dict[str, Any] | None]] = {
         ["exists", ["c", "s"], ["=", 0, 0]],
         None,
     ),
+    "a denominator that turns": (
+        {
+            "rule": "quarter_turn",
+            "index": 0,
+            "cofactors": [],
+            "others": [["1", []]],
+            "nonzero": ["cos_t"],
+        },
+        ["exists", ["t"], ["=", ["/", 0, ["cos", "t"]], 0]],
+        None,
+    ),
     "no side condition": (IDENTITY, ["=", ["/", "x", "x"], 1], None),
     "a side condition about nothing": ({**IDENTITY, "nonzero": ["x"]}, ["=", "x", "x"], None),
     "an unused hypothesis": (IDENTITY, ["=", "x", "x"], X_POSITIVE),

@@ -5,6 +5,7 @@ from __future__ import annotations
 import hashlib
 import time
 from collections.abc import Iterable, Iterator, Mapping
+from copy import copy
 from dataclasses import dataclass, fields, replace
 from functools import cache, partial
 from importlib.metadata import version
@@ -13,7 +14,7 @@ from typing import Any
 
 from symcheck import papers
 from symcheck.evidence.record import Record
-from symcheck.proof import cases, certificate, needed, refute
+from symcheck.proof import cases, certificate, needed, proof_of, refute
 from symcheck.reading import Notation, Relation, System, Tree, edits, from_sympy, lower, read, relations, to_latex
 from symcheck.statement import (
     Certificate,
@@ -200,7 +201,31 @@ class Context:
             visit(name, ())
         return tuple(ordered.items())
 
-    def problem(self, formula: Formula, given: Iterable[Hypothesis], method: Method, instance: int = 0) -> Problem:
+    def lemmas(self, given: Iterable[Hypothesis]) -> Formula | None:
+        """The earlier relations the proof may start from, as far as they are proved under no more than is given."""
+        names = {hypothesis.name for hypothesis in given}
+        found: list[Formula] = []
+        for number in self.item.lemmas:
+            formulas, proofs = lemma(self.paper.key, number)
+            if all(names >= proof["hypotheses"].keys() for proof in proofs):
+                found += formulas
+        return _all(tuple(found)) if found else None
+
+    def abstract(self) -> Context:
+        """The same declaration with some defined letters left free, known through earlier relations only."""
+        context = copy(self)
+        context.item = replace(self.item, keeping=self.item.keeping + self.item.free)
+        context.table = {name: term for name, term in self.table.items() if not context._is_free(name)}
+        return context
+
+    def problem(
+        self,
+        formula: Formula,
+        given: Iterable[Hypothesis],
+        method: Method,
+        instance: int = 0,
+    ) -> Problem:
+        """What a method is asked: the formula with the definitions and hypotheses in force."""
         hypotheses = tuple(self.hypothesis(each) for each in given)
         lowered = []
         for name, latex in method.hints:
@@ -225,6 +250,33 @@ def _conjuncts(formula: Formula) -> Iterator[Formula]:
             yield from _conjuncts(part)
     else:
         yield formula
+
+
+# --- earlier relations as lemmas
+
+
+def _letter_of(paper: Paper, number: str) -> tuple[Item, str]:
+    """The declaration of "2.13.1b", and "b"."""
+    items = {item.number: item for _, _, item in paper.items()}
+    for declared, letter in ((number, ""), (number[:-1], number[-1:])):
+        if declared in items:
+            return items[declared], letter
+    raise SymcheckError(f"{paper.key}:{number} is used as a lemma, but not declared")
+
+
+@cache
+def lemma(key: str, number: str) -> tuple[tuple[Formula, ...], tuple[Certificate, ...]]:
+    """The formulas of an earlier relation and the certificates that prove them."""
+    paper = papers.load()[key]
+    item, letter = _letter_of(paper, number)
+    context = Context(paper, replace(item, equality=""))
+    unit = next((unit for unit in units(context) if unit.letter == letter), None)
+    if unit is None:
+        raise SymcheckError(f"{key}:{number} is used as a lemma, but {key}:{item.number} has no link {letter!r}")
+    finding = judge(context, unit, item.given)
+    if finding.verdict is not Verdict.PROVED:
+        raise SymcheckError(f"{key}:{number} is used as a lemma, but not proved")
+    return tuple(part for formula in unit.formulas for part in _conjuncts(formula)), finding.certificates
 
 
 # --- deciding
@@ -286,9 +338,11 @@ class Finding:
     verdict: Verdict
     problems: tuple[Problem, ...]
     outcomes: tuple[Outcome, ...]
+    concrete: tuple[Problem, ...]
 
     @property
     def certificates(self) -> tuple[Certificate, ...]:
+        """One for each decided instance."""
         pairs = zip(self.problems, self.outcomes, strict=True)
         return tuple(certificate(p, o) for p, o in pairs if o.verdict is not Verdict.UNDECIDED)
 
@@ -298,9 +352,16 @@ class Finding:
 
 
 def _find(context: Context, formulas: Iterable[Formula], given: Iterable[Hypothesis], method: Method) -> Finding:
-    given = tuple(given)
-    problems = tuple(context.problem(formula, given, method, n) for n, formula in enumerate(formulas))
-    outcomes = tuple(method.decide(problem) for problem in problems)
+    given, formulas = tuple(given), tuple(formulas)
+    concrete = tuple(context.problem(formula, given, method, n) for n, formula in enumerate(formulas))
+    problems, outcomes = list(concrete), []
+    for n, problem in enumerate(concrete):
+        outcome = None
+        if (premises := context.lemmas(given)) is not None:
+            short = context.abstract().problem(("=>", premises, formulas[n]), given, method, n)
+            if (proof := proof_of(short)) is not None:
+                problems[n], outcome = short, proof
+        outcomes.append(outcome or method.decide(problem))
     verdicts = {outcome.verdict for outcome in outcomes}
     if Verdict.REFUTED in verdicts:
         verdict = Verdict.REFUTED
@@ -308,7 +369,7 @@ def _find(context: Context, formulas: Iterable[Formula], given: Iterable[Hypothe
         verdict = Verdict.PROVED
     else:
         verdict = Verdict.UNDECIDED
-    return Finding(verdict, problems, outcomes)
+    return Finding(verdict, tuple(problems), tuple(outcomes), concrete)
 
 
 def _for_letter(value: Any, letter: str) -> Any:
@@ -346,7 +407,9 @@ def judge(context: Context, unit: Unit, given: tuple[Hypothesis, ...], extra: tu
         else o
         for o in attained.outcomes
     )
-    return Finding(verdict, finding.problems + attained.problems, finding.outcomes + outcomes)
+    return Finding(
+        verdict, finding.problems + attained.problems, finding.outcomes + outcomes, finding.concrete + attained.concrete
+    )
 
 
 # --- evidence beside the verdict
@@ -359,7 +422,7 @@ def _hypotheses(
     everything = (*item.given, *added)
     need: dict[str, list[tuple[bool | None, Certificate | None]]] = {}
     if finding.verdict is Verdict.PROVED and everything:
-        for problem in finding.problems:
+        for problem in finding.concrete:
             if problem.claim[0] == "<=>" and item.equality:
                 continue
             for name, (answer, point) in needed(problem, method).items():
@@ -417,8 +480,8 @@ def _hints(item: Item) -> Iterator[str]:
 
 
 def _with(context: Context, item: Item) -> Context:
-    changed = Context.__new__(Context)
-    changed.paper, changed.item, changed.notation, changed.table = context.paper, item, context.notation, context.table
+    changed = copy(context)
+    changed.item = item
     return changed
 
 

@@ -11,7 +11,7 @@ from symcheck.statement import Item, Role
 
 def _item(role: Role, number: str, line: int, printed: str | Sequence[str], fields: dict[str, Any]) -> Item:
     pieces = (printed,) if isinstance(printed, str) else tuple(printed)
-    for name in ("given", "needs", "equality_given", "uses"):
+    for name in ("given", "needs", "equality_given", "uses", "lemmas", "free"):
         if name in fields:
             fields[name] = tuple(fields[name])
     return Item(number=number, role=role, line=line, printed=tuple(p for p in pieces if p), **fields)

@@ -14,6 +14,8 @@ from itertools import islice, permutations, product
 from math import isqrt
 from typing import Any
 
+import flint
+
 from symcheck.proof.knowledge import ring_of
 from symcheck.proof.polynomial import (
     RELATIONS,
@@ -222,12 +224,24 @@ class _Search:
         return top / bottom.leading_coefficient()
 
     def _sign(self, poly: Poly, point: Point) -> int:
+        if (number := self._rational(poly, point)) is not None:
+            return int(number > 0) - int(number < 0)
         value = self._reduce(self._at(poly, point))
         if value == 0:
             return 0
         if value.is_constant():
             return 1 if value.leading_coefficient() > 0 else -1
         return self._sign_of_roots(value)
+
+    def _rational(self, poly: Poly, point: Point) -> Any:
+        """The value where only rational numbers enter, much faster than by substitution; else None."""
+        values = []
+        for name, degree in zip(self.ring.names, poly.degrees(), strict=True):
+            value: Poly = point.get(name) if degree else 0
+            if value is None or not (value == 0 or value.is_constant()):
+                return None
+            values.append(value.leading_coefficient() if value != 0 else flint.fmpq(0))
+        return poly(*values)
 
     def _sign_of_roots(self, value: Poly) -> int:
         precision = 8

@@ -7,19 +7,18 @@ from collections.abc import Callable
 from symcheck.proof.certificate import references, terms_in
 from symcheck.proof.counterexample import refute
 from symcheck.proof.knowledge import Knowledge, given_of, ring_of, starting
-from symcheck.proof.polynomial import Poly, Ring, Unsupported, flatten, sides
+from symcheck.proof.polynomial import Poly, Ring, Unsupported, flatten, sides, unfold, variables
 from symcheck.statement import Certificate, Outcome, Problem, Verdict
 
 Search = Callable[[Problem, Ring], Certificate | None]
 
 
 def decide(problem: Problem, search: Search) -> Outcome:
-    """Proved with a rule tree, refuted with a point, or undecided with the reason; never an exception for a statement."""
+    """Proved with a rule tree, refuted with a point, or undecided with the reason; no statement raises."""
     try:
-        ring = ring_of(problem)
-        proof = search(problem, ring)
-        if proof is not None:
-            return _proved(problem, ring, proof)
+        outcome = prove(problem, search)
+        if outcome is not None:
+            return outcome
         point = refute(problem)
     except Unsupported as error:
         return Outcome(Verdict.UNDECIDED, reason=str(error))
@@ -28,6 +27,13 @@ def decide(problem: Problem, search: Search) -> Outcome:
     return Outcome(
         Verdict.UNDECIDED, reason="neither a proof nor a counterexample was found within the limits of the search"
     )
+
+
+def prove(problem: Problem, search: Search) -> Outcome | None:
+    """Proved, or None; no counterexample is looked for. Unsupported for terms that have no place in a ring."""
+    ring = ring_of(problem)
+    proof = search(problem, ring)
+    return None if proof is None else _proved(problem, ring, proof)
 
 
 def _proved(problem: Problem, ring: Ring, proof: Certificate) -> Outcome:
@@ -46,7 +52,7 @@ def side_conditions(
     known: Knowledge, ring: Ring, problem: Problem, proof: Certificate, given: set[tuple[str, int]]
 ) -> tuple[set[tuple[str, int]], list[str]]:
     """(hypotheses that say that denominators are not zero, denominators about which none does)."""
-    if not ring.divisors:
+    if not ring.divisors and problem.claim[0] != "exists":  # a witness is tried in a ring of its own
         return set(), []
     used: set[tuple[str, int]] = set()
     while True:
@@ -62,11 +68,13 @@ def side_conditions(
 
 def _divisors(problem: Problem, ring: Ring, proof: Certificate, given: set[tuple[str, int]]) -> dict[str, Poly]:
     """The denominators of the claim, of the hypotheses used and of the terms in the proof."""
-    fresh = Ring(ring.names, ring.definitions)
     formulas = [problem.claim]
     for name, stated in problem.hypotheses:
         parts = [part for f in stated for part in flatten(f)]
         formulas += [part for k, part in enumerate(parts) if (name, k) in given]
-    for term in [side for formula in formulas for side in sides(formula)] + terms_in(proof):
+    terms = [side for formula in formulas for side in sides(formula)] + terms_in(proof)
+    own = [variables(unfold(term, ring.definitions)) for term in terms]
+    fresh = Ring(set(ring.names).union(*own), ring.definitions)
+    for term in terms:
         fresh.ratio(term)
     return fresh.divisors

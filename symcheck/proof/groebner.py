@@ -15,6 +15,7 @@ from typing import Any
 from symcheck.proof.polynomial import Poly
 
 Monomial = tuple[int, ...]
+LONG = 10  # terms
 
 
 def leading(poly: Poly) -> Monomial:
@@ -124,7 +125,7 @@ class Basis:
             self._insert(self.nodes[i].poly, [(one, i)])
 
     def _run(self) -> None:
-        count = 0
+        work = 0  # S-polynomials, long ones counted for several
         while self._queue:
             _, common, i, j = heappop(self._queue)
             if i not in self.active or j not in self.active:
@@ -132,8 +133,8 @@ class Basis:
             self._done.add((i, j))
             if self._superfluous(i, j, common):
                 continue
-            count += 1
-            if count > self._limit:
+            work += 1 + (len(self.nodes[i].poly) + len(self.nodes[j].poly)) // LONG
+            if work > self._limit:
                 self.complete = False
                 return
             self._insert_s_polynomial(i, j, common)

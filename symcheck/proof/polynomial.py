@@ -1,4 +1,4 @@
-"""Terms as exact fractions of polynomials over a ring made for one problem (python-flint, degree reverse lexicographic).
+"""Terms as exact fractions of polynomials over a ring made for one problem (python-flint, degrevlex order).
 
 Sines and cosines of a variable x become the variables sin_x, cos_x; the root of a prime p becomes sqrt_p.
 """
@@ -212,7 +212,7 @@ class Ring:
         return ratio.num
 
     def ratio(self, term: Term) -> Ratio:
-        """The term, definitions unfolded, as numerator and denominator. Unsupported if it is no fraction of polynomials."""
+        """The term, definitions unfolded, as numerator and denominator; Unsupported if it has none."""
         known = self._ratios.get(term)
         if known is None:
             known = self._ratios[term] = self._ratio(term)

@@ -25,7 +25,7 @@ Attempt = tuple[Certificate | None, bool]  # a proof, and whether the search at 
 
 
 def prove(problem: Problem, ring: Ring) -> Certificate | None:
-    """A proof of the claim, or None. Defined letters are left free first: what holds for all their values is simpler."""
+    """A proof of the claim, or None. Defined letters are left free first: that is the simpler proof, if it exists."""
     kind = problem.claim[0]
     if kind == "=" and (proof := prove_identity(problem, ring)) is not None:
         return proof
@@ -53,17 +53,22 @@ class _Place:
 
     def __init__(self, known: Knowledge, before: _Place | None = None) -> None:
         self.known = known
-        self.base: Ideal = before.base if before else known.ideal()
+        self.base: Ideal = before.base if before else self._short_hypotheses()
         self._normal: dict[str, Poly] = before._normal if before else {}
         self.contradiction: _Product | None = None  # a fact that says that something non-zero is zero
+        self._answers: dict[tuple[str, bool, int, int], list[Fact] | None] = {}
         self.light = False  # without the ideal, by linear combinations only
         self._ideal = before.ideal_so_far() if before else (self.base, [])
-        self.rows: list[tuple[Monomial, Poly, list[Fact]]] = list(before.rows) if before else []
+        self.rows: list[tuple[Monomial, Poly, list[Fact]]] = []
+        self.monomials = [fact for fact in known.facts if len(fact[1]) == 1]
+        in_base = {str(ref) for ref, _ in self.base.facts}
+        for fact in known.facts:
+            if len(fact[1]) > 1 and str(fact[0]) not in in_base:
+                self._add_row(fact)
         self.waiting: list[Fact] = list(before.waiting) if before else []
         self.products: list[_Product] = list(before.products) if before else []
         self.shorter: list[_Product] = []
         for fact in known.facts[len(before.known.facts) if before else len(known.facts) :]:
-            self._add_row(fact)
             product = _Product.of(fact, known)
             if product.times and not product.factors:
                 self.contradiction = product
@@ -75,6 +80,24 @@ class _Place:
                 self._ideal = (self._ideal[0], [*self._ideal[1], fact])
             else:
                 self.waiting.append(fact)
+
+    def _short_hypotheses(self) -> Ideal:
+        """The ideal of what is short among the hypotheses; the long ones are used in linear combinations only."""
+        short = [fact for fact in self.known.facts if _short(fact[1])]
+        return Ideal(self.known.ring, [*self.known.ring.axioms(), *short])
+
+    def _strip(self, poly: Poly) -> tuple[Poly, list[Fact]]:
+        """(rest, quotients) of the division by the facts that are monomials."""
+        quotients: list[Fact] = []
+        for ref, monomial in self.monomials:
+            quotient, poly = divmod(poly, monomial)
+            if quotient != 0:
+                quotients.append((ref, quotient))
+        return poly, quotients
+
+    def _thin(self, poly: Poly) -> Poly:
+        """What monomials and hypotheses leave of a polynomial; linear in it."""
+        return self._strip(self.normal(self._strip(poly)[0]))[0]
 
     def normal(self, poly: Poly) -> Poly:
         """The normal form modulo the hypotheses."""
@@ -96,7 +119,7 @@ class _Place:
 
     def _add_row(self, fact: Fact) -> None:
         """One more row of the echelon form of the facts modulo the hypotheses."""
-        row, combination = self._eliminate(self.normal(fact[1]))
+        row, combination = self._eliminate(self._thin(fact[1]))
         if row != 0:
             scale = row.leading_coefficient()
             combination = [(ref, -q) for ref, q in combination] + [(fact[0], self.known.ring.number(1))]
@@ -132,19 +155,27 @@ class _Place:
 
     def vanishes(self, poly: Poly) -> bool:
         """Whether the polynomial is zero by what is in the ideal so far."""
-        return bool(self._eliminate(self.normal(poly))[0] == 0 or self.ideal.reduce(poly) == 0)
+        return bool(self._eliminate(self._thin(poly))[0] == 0 or self.ideal.reduce(poly) == 0)
 
     def cofactors(self, poly: Poly) -> list[Fact] | None:
         """The polynomial as a combination of facts: of few, if that is enough."""
         if poly == 0:
             return []
-        rest, used = self._eliminate(self.normal(poly))
+        key = str(poly), self.light, id(self._ideal[0]), len(self._ideal[1])
+        if key not in self._answers:
+            self._answers[key] = self._find_cofactors(poly)
+        return self._answers[key]
+
+    def _find_cofactors(self, poly: Poly) -> list[Fact] | None:
+        rest, used = self._eliminate(self._thin(poly))
         if rest == 0:
             known = {str(ref): fact for ref, fact in self.known.facts}
             for ref, q in used:
                 poly -= q * known[str(ref)]
-            outer = self.base.cofactors(poly)
-            return None if outer is None else merged([*outer, *used])
+            poly, before = self._strip(poly)
+            normal = self.normal(poly)
+            outer = self.base.cofactors(poly - normal) or []
+            return merged([*before, *outer, *self._strip(normal)[1], *used])
         return None if self.light or self.ideal is self.base else self.ideal.cofactors(poly)
 
     def of_term(self, term: Term) -> list[Fact] | None:
@@ -269,16 +300,17 @@ class _Engine:
         return None
 
     def _through_form(self, goal: Formula, place: _Place) -> list[Fact] | None:
-        """left - right is a hinted form (or its negative) by the hypotheses alone, and the form is zero here."""
+        """left - right is a multiple of a hinted form by linear combination, and the form is zero here."""
         gap = place.known.ring.difference(goal)
         for form in self.forms:
             ratio = place.known.ring.ratio(form)
-            factor = None if ratio.den else proportional(place.normal(gap), place.normal(ratio.num))
-            if factor is None or (inner := place.of_term(form)) is None:
+            if ratio.den or (inner := place.of_term(form)) is None:
                 continue
+            factor = proportional(place.normal(gap), place.normal(ratio.num)) or 1
             multiple = place.known.ring.number(factor)
-            outer = place.base.cofactors(gap - ratio.num * multiple)
-            return None if outer is None else merged([*outer, *((ref, q * multiple) for ref, q in inner)])
+            outer = place.cofactors(gap - ratio.num * multiple)
+            if outer is not None:
+                return merged([*outer, *((ref, q * multiple) for ref, q in inner)])
         return None
 
     def _absurd(self, place: _Place) -> Certificate | None:

@@ -14,6 +14,8 @@ product_minimal_in_principal_axes = claim(
     given=[orthogonal, non_negative_moments],
     by=cases(excess_of_product),
     uses=["2.10", "2.17"],
+    lemmas=["2.13.4", "2.0.5"],
+    free=("J", "L"),
 )
 
 abstract_in_english = exclusion("0.2", 33, words="The abstract once more, in English.", reason="repeats 0.1")

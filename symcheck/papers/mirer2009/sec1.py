@@ -439,6 +439,8 @@ equalities_only_for_parallel_axes = claim(
             "follow; it follows when the moments are pairwise distinct.",
         )
     },
+    lemmas=["2.19.4"],
+    free=("J", "L"),
 )
 
 order_of_axes_does_not_matter = claim(
@@ -449,4 +451,6 @@ order_of_axes_does_not_matter = claim(
     given=[orthogonal],
     by=cases(),
     uses=["1.6", "1.7"],
+    lemmas=["2.13.4", "2.19.4"],
+    free=("J", "L"),
 )

@@ -33,6 +33,26 @@ direction_cosine = definition("2.0.3", 155, r"a_{ij} = \cos(Oy_i, Ox_j).", opaqu
 
 axial_moment = claim("2.0.4", 159, r"J_i = \sum_{k=1}^3 I_k a_{ik}^2.", where=derivation.axial_moments, by=identity)
 
+moments_are_not_negative = ours(
+    "2.0.5",
+    159,
+    words="No J_i is negative.",
+    formal=r"(J_1 \geq 0) \land (J_2 \geq 0) \land (J_3 \geq 0)",
+    given=[non_negative_moments],
+    by=cases(),
+    uses=["2.0.4"],
+)
+
+moments_do_not_vanish = ours(
+    "2.0.6",
+    159,
+    words="No J_i vanishes if no principal moment does.",
+    formal=r"(J_1 \neq 0) \land (J_2 \neq 0) \land (J_3 \neq 0)",
+    given=[orthogonal, positive_moments],
+    by=cases("I_1 a_{11}^2 + I_2 a_{12}^2 + I_3 a_{13}^2", "I_1 a_{21}^2 + I_2 a_{22}^2 + I_3 a_{23}^2", "I_1 a_{31}^2 + I_2 a_{32}^2 + I_3 a_{33}^2"),
+    uses=["2.0.4"],
+)
+
 bounds_of_product = claim(
     "2.1",
     165,
@@ -42,6 +62,8 @@ bounds_of_product = claim(
     equality={"a": PARALLEL, "b": EQUAL_MOMENTS},
     equality_given=[positive_moments, distinct_moments],
     uses=["1.3.1"],
+    lemmas=["2.1.7a", "2.13.4", "2.0.5", "2.0.6"],
+    free=("J", "L"),
 )
 
 equality_on_the_right = claim(
@@ -62,6 +84,8 @@ equality_on_the_right = claim(
             "right one, the maximum, belongs to equal moments (line 209). Moreover 'only' needs pairwise distinct moments.",
         )
     },
+    lemmas=["2.13.4", "2.0.5", "2.0.6"],
+    free=("J", "L"),
 )
 
 equality_on_the_left = claim(
@@ -81,6 +105,8 @@ equality_on_the_left = claim(
             "The other half of the exchange: J_1 = J_2 = J_3 is where the right equality holds, as the proof says itself.",
         )
     },
+    lemmas=["2.1.7a"],
+    free=("J", "L"),
 )
 
 order_of_axes_is_irrelevant = claim(
@@ -91,6 +117,8 @@ order_of_axes_is_irrelevant = claim(
     given=[orthogonal],
     by=cases(),
     uses=["2.1"],
+    lemmas=["2.13.4"],
+    free=("J", "L"),
 )
 
 upper_bound = claim(
@@ -102,6 +130,8 @@ upper_bound = claim(
     equality=EQUAL_MOMENTS,
     equality_given=[positive_moments],
     uses=["2.2", "2.3.5"],
+    lemmas=["2.1.7a", "2.0.5", "2.0.6"],
+    free=("J", "L"),
 )
 
 product_of_moments = definition("2.1.5", 175, "f = J_1 J_2 J_3")
@@ -126,6 +156,8 @@ product_at_given_moment = claim(
     equality={"b": "J_1 = J_3"},
     equality_given=[positive_moments],
     uses=["2.1.5", "2.1.7"],
+    lemmas=["2.1.7a", "2.0.5", "2.0.6"],
+    free=("J", "L"),
 )
 
 equality_at_given_moment = claim(
@@ -137,6 +169,8 @@ equality_at_given_moment = claim(
     given=[orthogonal],
     by=cases(),
     uses=["2.2"],
+    lemmas=["2.1.7a"],
+    free=("J", "L"),
 )
 
 bound_at_given_moment = definition("2.2.2", 187, r"f_1(J_2) = \frac{1}{4} J_2 (3c - J_2)^2.")
@@ -245,6 +279,8 @@ maximum_of_product = claim(
     equality=EQUAL_MOMENTS,
     equality_given=[positive_moments],
     uses=["2.2", "2.3.6", "2.9.4"],
+    lemmas=["2.1.7a", "2.0.5", "2.0.6"],
+    free=("J", "L"),
 )
 
 maximum_at_equal_moments = claim(
@@ -277,6 +313,8 @@ two_conditions_suffice = claim(
     given=[orthogonal],
     by=cases(),
     uses=["2.4", "2.1.7"],
+    lemmas=["2.1.7a"],
+    free=("J", "L"),
 )
 
 first_condition = claim(
@@ -543,6 +581,8 @@ lower_bound = claim(
     equality={"a": PARALLEL},
     equality_given=[positive_moments, distinct_moments],
     uses=["2.1.5", "2.13.1"],
+    lemmas=["2.13.4", "2.0.5", "2.0.6"],
+    free=("J", "L"),
 )
 
 squares_are_squared_cofactors = claim(
@@ -647,6 +687,16 @@ expansion_of_product = claim(
     },
 )
 
+product_and_its_excess = ours(
+    "2.13.4",
+    336,
+    words="The same expansion with J_2 for the sum it stands for.",
+    formal=rf"J_1 J_2 J_3 = I_1 I_2 I_3 + {excess_of_product}",
+    given=[orthogonal],
+    by=identity,
+    uses=["2.13.1"],
+)
+
 conditions_on_second_row = premise(
     "2.14",
     344,
@@ -666,6 +716,8 @@ equality_conditions_suffice = claim(
     given=[orthogonal],
     by=cases(excess_of_product),
     uses=["2.13.1", "2.14", "2.15"],
+    lemmas=["2.13.4"],
+    free=("J", "L"),
 )
 
 equality_conditions_are_necessary = ours(
@@ -676,6 +728,8 @@ equality_conditions_are_necessary = ours(
     given=[orthogonal, positive_moments, distinct_moments],
     by=cases(excess_of_product),
     uses=["2.13.1", "2.14", "2.15"],
+    lemmas=["2.13.4", "2.0.5", "2.0.6"],
+    free=("J", "L"),
 )
 
 rows_one_and_three_are_orthogonal = claim(
@@ -719,6 +773,8 @@ six_cases = claim(
             "What is meant, and enough, is that the three moments are pairwise distinct.",
         )
     },
+    lemmas=["2.13.4", "2.0.5", "2.0.6"],
+    free=("J", "L"),
 )
 
 six_cases_are_collinear_axes = claim(
@@ -752,6 +808,8 @@ sum_of_products = claim(
     equality=PARALLEL,
     equality_given=[positive_moments, distinct_moments],
     uses=["2.19", "2.19.1"],
+    lemmas=["2.19.4"],
+    free=("J", "L"),
 )
 
 second_order_moments = definition("2.19", 368, r"L_i = I_2I_3a_{i1}^2 + I_3I_1a_{i2}^2 + I_1I_2a_{i3}^2.")
@@ -778,6 +836,16 @@ sum_of_products_step_by_step = claim(
     uses=["1.3.1", "2.19"],
 )
 
+sum_and_its_excess = ours(
+    "2.19.4",
+    382,
+    words="The same expansion as one sum over the rows.",
+    formal=rf"J_1 L_1 + J_2 L_2 + J_3 L_3 = 3 I_1 I_2 I_3 + {excess_of_sum}",
+    given=[orthogonal],
+    by=identity,
+    uses=["2.19.1"],
+)
+
 conditions_on_all_rows = premise(
     "2.20",
     386,
@@ -793,6 +861,8 @@ row_conditions_suffice = claim(
     given=[orthogonal],
     by=cases(excess_of_sum),
     uses=["2.18", "2.20"],
+    lemmas=["2.19.4"],
+    free=("J", "L"),
 )
 
 row_conditions_are_necessary = ours(
@@ -803,6 +873,8 @@ row_conditions_are_necessary = ours(
     given=[orthogonal, positive_moments, distinct_moments],
     by=cases(excess_of_sum),
     uses=["2.18", "2.20"],
+    lemmas=["2.19.4"],
+    free=("J", "L"),
 )
 
 row_conditions_are_the_six_cases = claim(
