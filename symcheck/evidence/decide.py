@@ -145,7 +145,7 @@ class Context:
     """Notation, definitions and hypotheses in force in one declaration."""
 
     def __init__(self, paper: Paper, item: Item) -> None:
-        self.paper, self.item = paper, item
+        self.paper, self.item, self.letter = paper, item, ""
         self.notation = item.notation or paper.notation
         derived = item.where() if item.where else {}
         local = {letter.stem for letter in self.notation.letters} if item.notation else set()
@@ -233,7 +233,7 @@ class Context:
             lowered.append((name, terms[instance] if len(terms) > 1 else terms[0]))
         bodies = [part for _, formulas in hypotheses for part in formulas]
         definitions = self.used_definitions(formula, *bodies, *(term for _, term in lowered))
-        return Problem(self.id, formula, definitions, hypotheses, tuple(lowered))
+        return Problem(self.id + self.letter, formula, definitions, hypotheses, tuple(lowered))
 
 
 def _addends(term: Term) -> Iterator[Term]:
@@ -339,12 +339,22 @@ class Finding:
     problems: tuple[Problem, ...]
     outcomes: tuple[Outcome, ...]
     concrete: tuple[Problem, ...]
+    lemmas: tuple[str, ...]
 
     @property
     def certificates(self) -> tuple[Certificate, ...]:
-        """One for each decided instance."""
-        pairs = zip(self.problems, self.outcomes, strict=True)
-        return tuple(certificate(p, o) for p, o in pairs if o.verdict is not Verdict.UNDECIDED)
+        """One for each decided instance.
+
+        A proof from lemmas certifies "the lemmas imply the claim"; it names the lemmas, whose own certificates the
+        checker looks for, and the hypotheses in force, which those must not exceed.
+        """
+        found = []
+        for problem, outcome, whole in zip(self.problems, self.outcomes, self.concrete, strict=True):
+            if outcome.verdict is not Verdict.UNDECIDED:
+                under = [name for name, _ in whole.hypotheses]
+                source = {} if problem is whole else {"lemmas": list(self.lemmas), "under": under}
+                found.append({**certificate(problem, outcome), **source})
+        return tuple(found)
 
     @property
     def reason(self) -> str:
@@ -369,7 +379,8 @@ def _find(context: Context, formulas: Iterable[Formula], given: Iterable[Hypothe
         verdict = Verdict.PROVED
     else:
         verdict = Verdict.UNDECIDED
-    return Finding(verdict, tuple(problems), tuple(outcomes), concrete)
+    lemmas = tuple(f"{context.paper.key}:{number}" for number in context.item.lemmas)
+    return Finding(verdict, tuple(problems), tuple(outcomes), concrete, lemmas)
 
 
 def _for_letter(value: Any, letter: str) -> Any:
@@ -392,7 +403,8 @@ def _all(formulas: tuple[Formula, ...]) -> Formula:
 
 def judge(context: Context, unit: Unit, given: tuple[Hypothesis, ...], extra: tuple[Hypothesis, ...] = ()) -> Finding:
     """The statement of one unit, an inequality together with its set of equality."""
-    item = context.item
+    context, item = copy(context), context.item
+    context.letter = unit.letter
     method = context.method(unit.letter)
     finding = _find(context, unit.formulas, (*given, *extra), method)
     equality = _for_letter(item.equality, unit.letter)
@@ -407,8 +419,12 @@ def judge(context: Context, unit: Unit, given: tuple[Hypothesis, ...], extra: tu
         else o
         for o in attained.outcomes
     )
-    return Finding(
-        verdict, finding.problems + attained.problems, finding.outcomes + outcomes, finding.concrete + attained.concrete
+    return replace(
+        finding,
+        verdict=verdict,
+        problems=finding.problems + attained.problems,
+        outcomes=finding.outcomes + outcomes,
+        concrete=finding.concrete + attained.concrete,
     )
 
 

@@ -20,6 +20,7 @@ MAX_NODES = 240
 MAX_TERMS = 14
 MAX_DEGREE = 8
 PAIRS = 300
+LONG_PROOF = 1500  # characters
 
 Attempt = tuple[Certificate | None, bool]  # a proof, and whether the search at this place is over
 
@@ -56,7 +57,7 @@ class _Place:
         self.base: Ideal = before.base if before else self._short_hypotheses()
         self._normal: dict[str, Poly] = before._normal if before else {}
         self.contradiction: _Product | None = None  # a fact that says that something non-zero is zero
-        self._answers: dict[tuple[str, bool, int, int], list[Fact] | None] = {}
+        self._answers: dict[tuple[str, bool], list[Fact] | None] = {}
         self.light = False  # without the ideal, by linear combinations only
         self._ideal = before.ideal_so_far() if before else (self.base, [])
         self.rows: list[tuple[Monomial, Poly, list[Fact]]] = []
@@ -150,6 +151,7 @@ class _Place:
         """Lets the waiting facts into the ideal; False if none was waiting."""
         facts = [f for f in self.waiting if _short(f[1])]
         self.waiting = []
+        self._answers = {}
         self._ideal = (self._ideal[0], [*self._ideal[1], *facts])
         return bool(facts)
 
@@ -161,7 +163,7 @@ class _Place:
         """The polynomial as a combination of facts: of few, if that is enough."""
         if poly == 0:
             return []
-        key = str(poly), self.light, id(self._ideal[0]), len(self._ideal[1])
+        key = str(poly), self.light
         if key not in self._answers:
             self._answers[key] = self._find_cofactors(poly)
         return self._answers[key]
@@ -183,15 +185,15 @@ class _Place:
         kind, *rest = term if isinstance(term, tuple) else ("",)
         if kind == "+":
             parts = [self.of_term(t) for t in rest]
-            return None if any(p is None for p in parts) else merged([f for p in parts for f in p or ()])
-        if kind == "^":
-            return self._multiple(rest[0], ("^", rest[0], rest[1] - 1))
+            if all(p is not None for p in parts):
+                return merged([f for p in parts for f in p or ()])
+        if kind == "^" and (found := self._multiple(rest[0], ("^", rest[0], rest[1] - 1))) is not None:
+            return found
         if kind == "*":
             for k, factor in enumerate(rest):
                 found = self._multiple(factor, ("*", 1, *rest[:k], *rest[k + 1 :]))
                 if found is not None:
                     return found
-            return None
         ratio = self.known.ring.ratio(term)
         return None if ratio.den else self.cofactors(ratio.num)
 
@@ -280,7 +282,9 @@ class _Engine:
     # closing
 
     def _close(self, goal: Formula, place: _Place) -> Attempt:
-        proof = self._direct(goal, place) or self._absurd(place)
+        proof = self._absurd(place) or self._direct(goal, place)
+        if proof is not None and place.products and len(str(proof)) > LONG_PROOF:
+            return None, False  # in each case of a product it will be shorter
         return proof, proof is not None
 
     def _direct(self, goal: Formula, place: _Place) -> Certificate | None:
@@ -306,11 +310,11 @@ class _Engine:
             ratio = place.known.ring.ratio(form)
             if ratio.den or (inner := place.of_term(form)) is None:
                 continue
-            factor = proportional(place.normal(gap), place.normal(ratio.num)) or 1
-            multiple = place.known.ring.number(factor)
-            outer = place.cofactors(gap - ratio.num * multiple)
-            if outer is not None:
-                return merged([*outer, *((ref, q * multiple) for ref, q in inner)])
+            for factor in (proportional(place.normal(gap), place.normal(ratio.num)) or 1, -1):
+                multiple = place.known.ring.number(factor)
+                outer = place.cofactors(gap - ratio.num * multiple)
+                if outer is not None:
+                    return merged([*outer, *((ref, q * multiple) for ref, q in inner)])
         return None
 
     def _absurd(self, place: _Place) -> Certificate | None:

@@ -1,7 +1,7 @@
 """Mirer 2009, title page and abstract."""
 
 from symcheck.papers.declare import claim, exclusion
-from symcheck.papers.mirer2009.forms import PARALLEL, excess_of_product
+from symcheck.papers.mirer2009.forms import ALIGNED, excess_of_product
 from symcheck.papers.mirer2009.hypotheses import non_negative_moments, orthogonal
 from symcheck.proof import cases
 
@@ -10,7 +10,7 @@ product_minimal_in_principal_axes = claim(
     25,
     words="The product of the moments of inertia about three orthogonal axes is least when these are principal axes.",
     formal=r"(J_1 J_2 J_3 \ge I_1 I_2 I_3) \land "
-    rf"({PARALLEL} \Rightarrow J_1 J_2 J_3 = I_1 I_2 I_3)",
+    rf"({ALIGNED} \Rightarrow J_1 J_2 J_3 = I_1 I_2 I_3)",
     given=[orthogonal, non_negative_moments],
     by=cases(excess_of_product),
     uses=["2.10", "2.17"],

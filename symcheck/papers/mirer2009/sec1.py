@@ -4,7 +4,7 @@ from functools import partial
 
 from symcheck.papers.declare import body, claim, definition, exclusion, ours, premise
 from symcheck.papers.mirer2009 import derivation
-from symcheck.papers.mirer2009.forms import PARALLEL, excess_of_sum
+from symcheck.papers.mirer2009.forms import ALIGNED, PARALLEL, excess_of_product, excess_of_sum
 from symcheck.papers.mirer2009.hypotheses import (
     distinct_moments,
     orthogonal,
@@ -447,9 +447,9 @@ order_of_axes_does_not_matter = claim(
     "1.8.4",
     141,
     words="Which damping axis is parallel to which principal axis does not matter: (1.6), (1.7) hold for each order.",
-    formal=rf"{PARALLEL} \Rightarrow ({body(product_at_triple_root, sum_at_triple_root)})",
+    formal=rf"{ALIGNED} \Rightarrow ({body(product_at_triple_root, sum_at_triple_root)})",
     given=[orthogonal],
-    by=cases(),
+    by=cases(excess_of_product, excess_of_sum),
     uses=["1.6", "1.7"],
     lemmas=["2.13.4", "2.19.4"],
     free=("J", "L"),

@@ -2,7 +2,7 @@
 
 from symcheck.papers.declare import body, claim, definition, exclusion, ours, premise
 from symcheck.papers.mirer2009 import derivation
-from symcheck.papers.mirer2009.forms import PARALLEL, deficit_of_product, excess_of_product, excess_of_sum
+from symcheck.papers.mirer2009.forms import ALIGNED, PARALLEL, deficit_of_product, excess_of_product, excess_of_sum
 from symcheck.papers.mirer2009.hypotheses import (
     distinct_moments,
     mass_distribution,
@@ -18,6 +18,19 @@ EQUAL_MOMENTS = r"(J_1 = J_2 = J_3)"
 EQUAL_PRODUCTS = r"(J_1 J_2 J_3 = I_1 I_2 I_3)"
 EQUAL_SUMS = r"(J_1 L_1 + J_2 L_2 + J_3 L_3 = 3 I_1 I_2 I_3)"
 CUBE_OF_MEAN = r"\left(\frac{I_1 + I_2 + I_3}{3} \right)^3"
+
+conditions_on_second_row = premise(
+    "2.14",
+    344,
+    r"a_{21} a_{22} = 0, \quad a_{22} a_{23} = 0, \quad a_{23} a_{21} = 0;",
+    words="Conditions of equality.",
+)
+
+condition_on_product_of_inertia = premise(
+    "2.15", 346, r"I_1 a_{11} a_{31} + I_2 a_{12} a_{32} + I_3 a_{13} a_{33} = 0.", words="Condition of equality."
+)
+
+LOWER_EQUALITY = body(conditions_on_second_row, condition_on_product_of_inertia)
 
 two_frames = definition(
     "2.0.1",
@@ -43,11 +56,11 @@ moments_are_not_negative = ours(
     uses=["2.0.4"],
 )
 
-moments_do_not_vanish = ours(
+moments_are_positive = ours(
     "2.0.6",
     159,
-    words="No J_i vanishes if no principal moment does.",
-    formal=r"(J_1 \neq 0) \land (J_2 \neq 0) \land (J_3 \neq 0)",
+    words="Every J_i is positive if the principal moments are.",
+    formal=r"(J_1 \geq 0) \land (J_2 \geq 0) \land (J_3 \geq 0) \land (J_1 \neq 0) \land (J_2 \neq 0) \land (J_3 \neq 0)",
     given=[orthogonal, positive_moments],
     by=cases("I_1 a_{11}^2 + I_2 a_{12}^2 + I_3 a_{13}^2", "I_1 a_{21}^2 + I_2 a_{22}^2 + I_3 a_{23}^2", "I_1 a_{31}^2 + I_2 a_{32}^2 + I_3 a_{33}^2"),
     uses=["2.0.4"],
@@ -59,7 +72,7 @@ bounds_of_product = claim(
     r"I_1 I_2 I_3 \leq J_1 J_2 J_3 \leq \left(\frac{I_1 + I_2 + I_3}{3} \right)^3,",
     given=[orthogonal, non_negative_moments],
     by={"a": nonnegative(excess_of_product), "b": nonnegative(deficit_of_product)},
-    equality={"a": PARALLEL, "b": EQUAL_MOMENTS},
+    equality={"a": LOWER_EQUALITY, "b": EQUAL_MOMENTS},
     equality_given=[positive_moments, distinct_moments],
     uses=["1.3.1"],
     lemmas=["2.1.7a", "2.13.4", "2.0.5", "2.0.6"],
@@ -113,9 +126,9 @@ order_of_axes_is_irrelevant = claim(
     "2.1.3",
     167,
     words="For collinear axes the order in which axes y_j fall on axes x_i does not matter: the product is I_1 I_2 I_3.",
-    formal=rf"{PARALLEL} \Rightarrow {EQUAL_PRODUCTS}",
+    formal=rf"{ALIGNED} \Rightarrow {EQUAL_PRODUCTS}",
     given=[orthogonal],
-    by=cases(),
+    by=cases(excess_of_product),
     uses=["2.1"],
     lemmas=["2.13.4"],
     free=("J", "L"),
@@ -578,7 +591,7 @@ lower_bound = claim(
     r"I_1 I_2 I_3 \leq J_1 J_2 J_3 = f.",
     given=[orthogonal, non_negative_moments],
     by={"a": nonnegative(excess_of_product), "b": identity},
-    equality={"a": PARALLEL},
+    equality={"a": LOWER_EQUALITY},
     equality_given=[positive_moments, distinct_moments],
     uses=["2.1.5", "2.13.1"],
     lemmas=["2.13.4", "2.0.5", "2.0.6"],
@@ -697,22 +710,11 @@ product_and_its_excess = ours(
     uses=["2.13.1"],
 )
 
-conditions_on_second_row = premise(
-    "2.14",
-    344,
-    r"a_{21} a_{22} = 0, \quad a_{22} a_{23} = 0, \quad a_{23} a_{21} = 0;",
-    words="Conditions of equality.",
-)
-
-condition_on_product_of_inertia = premise(
-    "2.15", 346, r"I_1 a_{11} a_{31} + I_2 a_{12} a_{32} + I_3 a_{13} a_{33} = 0.", words="Condition of equality."
-)
-
 equality_conditions_suffice = claim(
     "2.13.2",
     342,
     words="The inequality f >= I_1 I_2 I_3 is an equality when (2.14) and (2.15) hold together.",
-    formal=rf"{body(conditions_on_second_row, condition_on_product_of_inertia)} \Rightarrow (f = I_1 I_2 I_3)",
+    formal=rf"{LOWER_EQUALITY} \Rightarrow (f = I_1 I_2 I_3)",
     given=[orthogonal],
     by=cases(excess_of_product),
     uses=["2.13.1", "2.14", "2.15"],
@@ -724,7 +726,7 @@ equality_conditions_are_necessary = ours(
     "2.13.3",
     342,
     words="For pairwise distinct positive moments it is an equality only then.",
-    formal=rf"(f = I_1 I_2 I_3) \Leftrightarrow ({body(conditions_on_second_row, condition_on_product_of_inertia)})",
+    formal=rf"(f = I_1 I_2 I_3) \Leftrightarrow ({LOWER_EQUALITY})",
     given=[orthogonal, positive_moments, distinct_moments],
     by=cases(excess_of_product),
     uses=["2.13.1", "2.14", "2.15"],
