@@ -10,7 +10,7 @@ from saboteurs import SABOTEURS, unsound
 from statements import DISTINCT, DISTINCT_AS_PRINTED, FALSE, ORTHOGONAL, RIGHT, TRUE, J, L, eq, mul, sq, sub
 
 from symcheck.checker import check
-from symcheck.proof import cases, certificate, equivalent, existence, identity, needed, nonnegative
+from symcheck.proof import cases, certificate, equivalent, existence, identity, nonnegative
 from symcheck.proof.groebner import Basis, is_basis
 from symcheck.proof.ideal import Ideal
 from symcheck.proof.knowledge import ring_of, starting
@@ -59,14 +59,6 @@ def test_only_the_hypotheses_used_are_listed() -> None:
     assert identity.decide(BY_ID["2.12"]).used == ("orthogonal",)
     assert identity.decide(BY_ID["2.11 without squares"]).used == ("right-handed",)
     assert set(evidence(BY_ID["2.12"])["hypotheses"]) == {"orthogonal"}
-
-
-def test_each_hypothesis_of_the_six_cases_is_needed_or_not_with_a_point() -> None:
-    problem = BY_ID["six cases"]
-    found = needed(problem, identity)
-    assert {name: need for name, (need, _) in found.items()} == {"orthogonal": True, "positive": True, "distinct": True}
-    assert all(point for _, point in found.values())
-    assert needed(BY_ID["2.12"], identity)["right-handed"] == (False, None)
 
 
 def test_pairwise_distinct_is_more_than_the_printed_chain() -> None:

@@ -14,7 +14,7 @@ from typing import Any
 
 from symcheck import papers
 from symcheck.evidence.record import Record
-from symcheck.proof import cases, certificate, needed, proof_of, refute
+from symcheck.proof import cases, certificate, proof_of, refute
 from symcheck.reading import Notation, Relation, System, Tree, edits, from_sympy, lower, read, relations, to_latex
 from symcheck.statement import (
     Certificate,
@@ -141,11 +141,17 @@ def _definitions(key: str) -> dict[str, Term]:
     return table
 
 
+@cache
+def _lowered(latex: str, notation: Notation) -> tuple[Formula, ...]:
+    return lower(read(latex, notation), notation)
+
+
 class Context:
     """Notation, definitions and hypotheses in force in one declaration."""
 
     def __init__(self, paper: Paper, item: Item) -> None:
         self.paper, self.item, self.letter = paper, item, ""
+        self.doubted = False  # a counterexample is looked for before a proof
         self.notation = item.notation or paper.notation
         derived = item.where() if item.where else {}
         local = {letter.stem for letter in self.notation.letters} if item.notation else set()
@@ -173,8 +179,9 @@ class Context:
             raise SymcheckError(f"{self.id}{letter} names no method; add by=...")
         return method
 
-    def lower(self, latex: str | tuple[str, ...]) -> tuple[Formula, ...]:
-        return lower(read(latex, self.notation), self.notation)
+    def lower(self, latex: str) -> tuple[Formula, ...]:
+        """The formulas of a statement of ours, in the notation in force."""
+        return _lowered(latex, self.notation)
 
     def hypothesis(self, hypothesis: Hypothesis) -> tuple[str, tuple[Formula, ...]]:
         formulas = dict.fromkeys(part for formula in self.lower(hypothesis.states) for part in _conjuncts(formula))
@@ -365,12 +372,16 @@ def _find(context: Context, formulas: Iterable[Formula], given: Iterable[Hypothe
     given, formulas = tuple(given), tuple(formulas)
     concrete = tuple(context.problem(formula, given, method, n) for n, formula in enumerate(formulas))
     problems, outcomes = list(concrete), []
+    premises = context.lemmas(given)
     for n, problem in enumerate(concrete):
+        if context.doubted and (point := refute(problem)) is not None:
+            outcomes.append(Outcome(Verdict.REFUTED, point=point, used=tuple(name for name, _ in problem.hypotheses)))
+            continue
         outcome = None
-        if (premises := context.lemmas(given)) is not None:
+        if premises is not None:
             short = context.abstract().problem(("=>", premises, formulas[n]), given, method, n)
-            if (proof := proof_of(short)) is not None:
-                problems[n], outcome = short, proof
+            if (outcome := proof_of(short)) is not None:
+                problems[n] = short
         outcomes.append(outcome or method.decide(problem))
     verdicts = {outcome.verdict for outcome in outcomes}
     if Verdict.REFUTED in verdicts:
@@ -431,39 +442,40 @@ def judge(context: Context, unit: Unit, given: tuple[Hypothesis, ...], extra: tu
 # --- evidence beside the verdict
 
 
-def _hypotheses(
-    finding: Finding, item: Item, method: Method, added: tuple[Hypothesis, ...]
-) -> tuple[dict[str, Any], ...]:
-    """Each hypothesis with whether the proof needs it: dropped, is the claim still proved, or refuted?"""
-    everything = (*item.given, *added)
-    need: dict[str, list[tuple[bool | None, Certificate | None]]] = {}
-    if finding.verdict is Verdict.PROVED and everything:
-        for problem in finding.concrete:
-            if problem.claim[0] == "<=>" and item.equality:
-                continue
-            for name, (answer, point) in needed(problem, method).items():
-                without = replace(problem, hypotheses=tuple(h for h in problem.hypotheses if h[0] != name))
-                refuted = Outcome(Verdict.REFUTED, point=point, used=tuple(each for each, _ in without.hypotheses))
-                need.setdefault(name, []).append((answer, certificate(without, refuted) if point else None))
+def _hypotheses(finding: Finding, item: Item, added: tuple[Hypothesis, ...]) -> tuple[dict[str, Any], ...]:
+    """Each hypothesis with whether the proof needs it, and the counterexample without it."""
     rows = []
-    for hypothesis in everything:
-        answers = need.get(hypothesis.name, [])
-        point = next((p for answer, p in answers if answer), None)
-        known = [answer for answer, _ in answers]
+    for hypothesis in (*item.given, *added):
+        need, counterexample = _need(finding, item, hypothesis.name)
         rows.append(
             {
                 "name": hypothesis.name,
                 "words": hypothesis.words,
                 "states": hypothesis.states,
                 "given": "added" if hypothesis in added else "printed" if hypothesis.printed else "standing",
-                "needed": True if point else False if known and not any(a is None for a in known) else None,
-                "counterexample": point,
+                "needed": need,
+                "counterexample": counterexample,
             }
         )
     return tuple(rows)
 
 
-def _corrected(context: Context, unit: Unit, erratum: Erratum, printed: Finding) -> dict[str, Any]:
+def _need(finding: Finding, item: Item, name: str) -> tuple[bool | None, Certificate | None]:
+    """Left out, is the claim refuted somewhere (True), or proved everywhere (False)? A lemma may rest on it (None)."""
+    if finding.verdict is not Verdict.PROVED:
+        return None, None
+    claims = [problem for problem in finding.concrete if not (problem.claim[0] == "<=>" and item.equality)]
+    without = [replace(problem, hypotheses=tuple(h for h in problem.hypotheses if h[0] != name)) for problem in claims]
+    for problem in without:
+        if (point := refute(problem)) is not None:
+            used = tuple(each for each, _ in problem.hypotheses)
+            return True, certificate(problem, Outcome(Verdict.REFUTED, point=point, used=used))
+    if item.lemmas or any(proof_of(problem) is None for problem in without):
+        return None, None
+    return False, None
+
+
+def _corrected(context: Context, unit: Unit, erratum: Erratum, printed: Finding) -> tuple[Finding, dict[str, Any]]:
     """The proof of the corrected form, the edit from the printed one, and every single edit that repairs it.
 
     A sentence is not searched for edits (its words are ours), nor a relation that is true but empty.
@@ -478,7 +490,7 @@ def _corrected(context: Context, unit: Unit, erratum: Erratum, printed: Finding)
         finding = judge(context, unit, item.given, item.needs)
     searched = bool(erratum.corrected) and not item.formal and printed.verdict is Verdict.REFUTED
     repairs = _repairs(context, unit) if searched else []
-    return {
+    return finding, {
         "verdict": finding.verdict,
         "reason": finding.reason,
         "certificates": list(finding.certificates),
@@ -524,20 +536,18 @@ def _repairs(context: Context, unit: Unit) -> list[dict[str, str]]:
     for edit in edits(unit.tree, context.notation):
         try:
             changed = unit.reworded(context, edit.tree)
-            if _fails_at_a_glance(context, changed):
-                continue
-            if judge(context, changed, context.item.given, context.item.needs).verdict is Verdict.PROVED:
+            if _is_proved(context, changed):
                 found.append({"kind": edit.kind, "edit": edit.description, "relation": to_latex(edit.tree)})
         except SymcheckError:
             continue  # an edit that makes no statement repairs nothing
     return found
 
 
-def _fails_at_a_glance(context: Context, unit: Unit) -> bool:
-    """Whether an edited relation is empty or has a counterexample, which is found faster than that it has no proof."""
+def _is_proved(context: Context, unit: Unit) -> bool:
+    """Whether an edited relation has a proof and is not empty; counterexamples are not looked for."""
     method, given = context.method(unit.letter), (*context.item.given, *context.item.needs)
-    problems = (context.problem(formula, given, method, n) for n, formula in enumerate(unit.formulas))
-    return any(problem.claim[1] == problem.claim[2] or refute(problem) for problem in problems)
+    problems = [context.problem(formula, given, method, n) for n, formula in enumerate(unit.formulas)]
+    return all(problem.claim[1] != problem.claim[2] and proof_of(problem) is not None for problem in problems)
 
 
 def _is_empty(finding: Finding) -> bool:
@@ -596,8 +606,10 @@ def _claimed(context: Context, base: Record) -> Iterator[Record]:
 
 def _judged(context: Context, unit: Unit, row: Record) -> Record:
     item = context.item
-    finding = judge(context, unit, item.given)
     erratum = item.errata.get(unit.letter)
+    sceptical = copy(context)
+    sceptical.doubted = erratum is not None
+    finding = judge(sceptical, unit, item.given)
     row = replace(
         row,
         verdict=finding.verdict,
@@ -607,7 +619,7 @@ def _judged(context: Context, unit: Unit, row: Record) -> Record:
     )
     shown = finding
     if erratum:
-        repair = _corrected(context, unit, erratum, finding)
+        right, repair = _corrected(context, unit, erratum, finding)
         misprint = bool(erratum.corrected)
         row = replace(
             row,
@@ -619,10 +631,9 @@ def _judged(context: Context, unit: Unit, row: Record) -> Record:
             erratum=repair,
         )
         if item.needs and not misprint:
-            shown = judge(context, unit, item.given, item.needs)
-    method = context.method(unit.letter)
+            shown = right
     added = item.needs if erratum and not erratum.corrected else ()
-    return replace(row, hypotheses=_hypotheses(shown, item, method, added))
+    return replace(row, hypotheses=_hypotheses(shown, item, added))
 
 
 def obligation_of(id: str) -> Obligation:

@@ -2,8 +2,8 @@
 
 from symcheck.proof.certificate import certificate, digest
 from symcheck.proof.counterexample import refute
+from symcheck.proof.equivalence import equivalent
 from symcheck.proof.methods import cases, existence, identity, nonnegative, proof_of
-from symcheck.proof.variants import equivalent, needed
 
 __all__ = [
     "cases",
@@ -12,7 +12,6 @@ __all__ = [
     "equivalent",
     "existence",
     "identity",
-    "needed",
     "nonnegative",
     "proof_of",
     "refute",

@@ -115,13 +115,15 @@ class _Search:
         return self.ring.number(value) if isinstance(value, Fraction | int) else self.ring.poly(value)
 
     def _matrix(self, stem: str, names: tuple[str, ...]) -> _Group:
-        own = [f for f in self.formulas if self._support(f) <= set(names)]
-        choices = []
-        for rows in _matrix_values():
-            point = {n: self._value(rows[int(n[-2]) - 1][int(n[-1]) - 1]) for n in names}
-            if all(self._truth(f, point) for f in own):
-                choices.append(point)
-        return _Group(names, tuple(choices))
+        own = tuple(f for f in self.formulas if self._support(f) <= set(names))
+        matrices = tuple(_matrix_values())
+        if (names, own) not in _ALLOWED:  # the same for every statement about matrices of one kind
+            points = (self._entries(rows, names) for rows in matrices)
+            _ALLOWED[names, own] = [k for k, point in enumerate(points) if all(self._truth(f, point) for f in own)]
+        return _Group(names, tuple(self._entries(matrices[k], names) for k in _ALLOWED[names, own]))
+
+    def _entries(self, rows: Rows, names: tuple[str, ...]) -> Point:
+        return {n: self._value(rows[int(n[-2]) - 1][int(n[-1]) - 1]) for n in names}
 
     def _angle(self, x: str, shift: int) -> _Group:
         names = (f"sin_{x}", f"cos_{x}")
@@ -137,8 +139,13 @@ class _Search:
         return _Group(names, tuple(choices))
 
     def _numbers(self, names: Sequence[str], index: int) -> Point:
-        """Values for the scalars: members of a family I_1, I_2, I_3 by their number, others from the end."""
+        """Values for the scalars: members of a family I_1, I_2, I_3 by their number, others from the end.
+
+        The empty pattern gives every letter a value of its own, to tell apart what the others make equal.
+        """
         pattern, point, place = _PATTERNS[index], {}, 0
+        if not pattern:
+            return {name: self.ring.number(Fraction(7 * k + 5, 3)) for k, name in enumerate(names)}
         for name in names:
             tail = name.rpartition("_")[2]
             if tail.isdigit() and len(tail) == 1:
@@ -365,6 +372,10 @@ def _cayley(seed: int) -> list[list[Fraction]]:
     ]
 
 
+# which matrices satisfy the formulas about them alone; a memory of pure results
+_ALLOWED: dict[tuple[tuple[str, ...], tuple[Formula, ...]], list[int]] = {}
+
+
 def _matrix_values() -> Iterator[Rows]:
     """Rotations, reflections and other matrices, small ones first."""
     f = Fraction
@@ -421,6 +432,7 @@ _CIRCLE: tuple[tuple[Any, Any], ...] = (
 _BIG = tuple(random.Random(7).getrandbits(62) for _ in range(12))
 _PATTERNS: tuple[tuple[Any, ...], ...] = (
     (1, 2, 3),
+    (),
     (2, 1, 3, 5, 7, 11),
     (2, 3, 4, 6, 5),
     (1, -1),

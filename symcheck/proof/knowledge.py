@@ -137,7 +137,7 @@ def given_of(refs: Iterable[Ref]) -> Given:
 
 def proportional(a: Poly, b: Poly) -> Fraction | None:
     """The number f with a = f * b, if there is one."""
-    if a == 0 or b == 0 or len(a) != len(b):
+    if len(a) != len(b) or not len(a) or a.monomial(0) != b.monomial(0):
         return None
     factor = a.leading_coefficient() / b.leading_coefficient()
     return fraction(factor) if a == b * factor else None

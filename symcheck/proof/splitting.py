@@ -9,7 +9,7 @@ from typing import Any
 from symcheck.proof.equations import prove_identity, written
 from symcheck.proof.groebner import Monomial
 from symcheck.proof.ideal import Fact, Ideal, Ref
-from symcheck.proof.knowledge import Knowledge, hints_of, proportional, ring_of, starting
+from symcheck.proof.knowledge import Knowledge, hints_of, proportional, starting
 from symcheck.proof.orders import positive_form, prove_order, term_of
 from symcheck.proof.polynomial import RELATIONS, Poly, Ring, fraction
 from symcheck.proof.witnesses import prove_existence
@@ -34,11 +34,6 @@ def prove(problem: Problem, ring: Ring) -> Certificate | None:
         return prove_order(problem.claim, starting(problem, ring), hints_of(problem), problem)
     if kind == "exists":
         return prove_existence(problem, ring, prove_here)
-    if problem.definitions:
-        free = replace(problem, definitions=())
-        known = starting(free, ring_of(free))
-        if (proof := _Engine(known, hints_of(free), MAX_NODES // 8).prove(free.claim, known)) is not None:
-            return proof
     known = starting(problem, ring)
     return _Engine(known, hints_of(problem)).prove(problem.claim, known)
 

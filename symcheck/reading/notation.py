@@ -6,6 +6,7 @@ import itertools
 import re
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
+from functools import cache
 
 from symcheck.reading import tex
 from symcheck.statement import SymcheckError
@@ -56,6 +57,7 @@ class Letter:
         return self.name if self.name is not None else _stem(canonical(self.latex))
 
 
+@cache
 def canonical(latex: str) -> str:
     r"""The one spelling under which a letter is looked up: `\bar k` -> `\bar{k}`, `f_{1}` -> `f_1`."""
     reader = tex.Reader(latex)

@@ -85,6 +85,8 @@ two_axes = Hypothesis(
 )
 first_axis_on_the_cone = Hypothesis("first moment is the mean", "the first axis is on the cone J_1 = c", "J_1 = c")
 
+unit_axes = Hypothesis("unit axes", "e_1, e_2, e_3 are unit vectors", r"(\mathbf{e}_i, \mathbf{e}_i) = 1")
+
 squares_of_equal_moment_axes = ours(
     "B.5",
     225,
@@ -92,7 +94,7 @@ squares_of_equal_moment_axes = ours(
     formal=r"(a_{i1}^2 - 1/3)(I_3 - I_1) = (a_{i2}^2 - 1/3)(I_2 - I_3), "
     r"(a_{i2}^2 - 1/3)(I_1 - I_2) = (a_{i3}^2 - 1/3)(I_3 - I_1), "
     r"(a_{i3}^2 - 1/3)(I_2 - I_3) = (a_{i1}^2 - 1/3)(I_1 - I_2)",
-    given=[orthogonal, Hypothesis("equal moments", "J_1 = J_2 = J_3 = c", EQUAL_MOMENTS)],
+    given=[unit_axes, Hypothesis("equal moments", "J_1 = J_2 = J_3 = c", EQUAL_MOMENTS)],
     by=cases(),
     uses=["2.4"],
 )

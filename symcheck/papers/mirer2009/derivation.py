@@ -189,10 +189,14 @@ def gain_from_rates() -> dict[str, Any]:
     return {"k": 3 / sum((1 / rate for rate in rates), sp.Integer(0))}
 
 
+def reciprocal_squares() -> dict[str, Any]:
+    """1/a^2, 1/b^2, 1/c^2 in the place of the principal moments."""
+    return {f"I_{i}": 1 / sp.Symbol(axis, real=True) ** 2 for i, axis in enumerate("abc", 1)}
+
+
 def ellipsoid_moments() -> dict[str, Any]:
-    """The turned axes, with 1/a^2, 1/b^2, 1/c^2 in the place of the principal moments."""
-    squares = {f"I_{i}": 1 / sp.Symbol(axis, positive=True) ** 2 for i, axis in enumerate("abc", 1)}
-    return {**turned_about_the_diagonal(), **squares}
+    """The same, with the turned axes."""
+    return {**turned_about_the_diagonal(), **reciprocal_squares()}
 
 
 def _moments_by_deviation() -> dict[str, Any]:

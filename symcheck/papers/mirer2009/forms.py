@@ -19,6 +19,4 @@ deficit_of_product = r"\frac{1}{4} (c - J_2)^2 (J_1 + J_3 + c) + \frac{1}{4} J_2
 PARALLEL = r"(a_{i1} a_{i2} = 0, a_{i2} a_{i3} = 0, a_{i3} a_{i1} = 0)"
 
 # the axes y and x coincide but for order and sense: also every axis x_j is collinear with one of the axes y_i
-ALIGNED = (
-    r"(a_{i1} a_{i2} = 0, a_{i2} a_{i3} = 0, a_{i3} a_{i1} = 0, a_{1i} a_{2i} = 0, a_{2i} a_{3i} = 0, a_{3i} a_{1i} = 0)"
-)
+ALIGNED = r"(a_{i1} a_{i2} = 0, a_{i2} a_{i3} = 0, a_{i3} a_{i1} = 0, a_{1i} a_{2i} = 0, a_{2i} a_{3i} = 0, a_{3i} a_{1i} = 0)"

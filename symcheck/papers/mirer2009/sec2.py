@@ -62,7 +62,11 @@ moments_are_positive = ours(
     words="Every J_i is positive if the principal moments are.",
     formal=r"(J_1 \geq 0) \land (J_2 \geq 0) \land (J_3 \geq 0) \land (J_1 \neq 0) \land (J_2 \neq 0) \land (J_3 \neq 0)",
     given=[orthogonal, positive_moments],
-    by=cases("I_1 a_{11}^2 + I_2 a_{12}^2 + I_3 a_{13}^2", "I_1 a_{21}^2 + I_2 a_{22}^2 + I_3 a_{23}^2", "I_1 a_{31}^2 + I_2 a_{32}^2 + I_3 a_{33}^2"),
+    by=cases(
+        "I_1 a_{11}^2 + I_2 a_{12}^2 + I_3 a_{13}^2",
+        "I_1 a_{21}^2 + I_2 a_{22}^2 + I_3 a_{23}^2",
+        "I_1 a_{31}^2 + I_2 a_{32}^2 + I_3 a_{33}^2",
+    ),
     uses=["2.0.4"],
 )
 
@@ -553,27 +557,42 @@ turned_axes_are_orthonormal = ours(
     notation=turned_letters,
 )
 
-on_the_ellipsoid = Hypothesis(
-    "points on the ellipsoid",
-    "the axis y_i meets the ellipsoid at the distance d from its centre, i = 1, 2, 3",
-    r"\left(\frac{a_{i1} d}{a}\right)^2 + \left(\frac{a_{i2} d}{b}\right)^2 + \left(\frac{a_{i3} d}{c}\right)^2 = 1",
-)
-proper_ellipsoid = Hypothesis(
-    "semi-axes", "the semi-axes and the distance are positive", "a > 0, b > 0, c > 0, d > 0", printed=False
-)
-
-ellipsoid_interpretation = claim(
+form_of_the_ellipsoid = ours(
     "2.9.6",
-    286,
-    r"\frac{1}{d^2} = \frac{1}{3} \left(\frac{1}{a^2} + \frac{1}{b^2} + \frac{1}{c^2} \right).",
-    given=[orthogonal, on_the_ellipsoid, proper_ellipsoid],
-    by=cases(),
-    uses=["2.9.4"],
+    284,
+    words="At the distance d along the axis y_i the form x_1^2/a^2 + x_2^2/b^2 + x_3^2/c^2 of the ellipsoid is J_i d^2, with "
+    "1/a^2, 1/b^2, 1/c^2 for the principal moments.",
+    formal=r"\left(\frac{a_{i1} d}{a}\right)^2 + \left(\frac{a_{i2} d}{b}\right)^2 + \left(\frac{a_{i3} d}{c}\right)^2 = J_i d^2",
+    given=[Hypothesis("semi-axes", "the semi-axes are positive", "a > 0, b > 0, c > 0", printed=False)],
+    where=derivation.reciprocal_squares,
+    by=identity,
+    uses=["1.3.1"],
     notation=ellipsoid_letters,
 )
 
-ellipsoid_axes_exist = claim(
+ellipsoid_interpretation = claim(
     "2.9.7",
+    286,
+    r"\frac{1}{d^2} = \frac{1}{3} \left(\frac{1}{a^2} + \frac{1}{b^2} + \frac{1}{c^2} \right).",
+    given=[
+        orthogonal,
+        Hypothesis(
+            "points on the ellipsoid", "the axes y_i meet the ellipsoid at the distance d (2.9.6)", "J_i d^2 = 1"
+        ),
+        Hypothesis(
+            "semi-axes", "the semi-axes and the distance are positive", "a > 0, b > 0, c > 0, d > 0", printed=False
+        ),
+    ],
+    where=derivation.reciprocal_squares,
+    by=cases(),
+    uses=["2.9.4", "2.9.6"],
+    notation=ellipsoid_letters,
+    lemmas=["2.1.7a"],
+    free=("J", "L"),
+)
+
+ellipsoid_axes_exist = claim(
+    "2.9.8",
     284,
     words="Every ellipsoid with semi-axes a, b, c has orthogonal axes through its centre that meet it at equal distances: "
     "2.9.4 for I_1 = 1/a^2, I_2 = 1/b^2, I_3 = 1/c^2, without triangle inequalities.",
@@ -581,7 +600,7 @@ ellipsoid_axes_exist = claim(
     given=[Hypothesis("semi-axes", "the semi-axes are positive", "a > 0, b > 0, c > 0", printed=False)],
     where=derivation.ellipsoid_moments,
     by=existence(),
-    uses=["2.9.4", "2.9.6"],
+    uses=["2.9.4", "2.9.7"],
     notation=ellipsoid_letters,
 )
 
@@ -793,11 +812,11 @@ right_handed_cases = claim(
     "2.17.2",
     360,
     r"|\mathbf{A}| = 1",
-    words="Of the matrices (2.17) those of right-handed axes satisfy |A| = 1; a selection is needed, since (2.17) leaves |A| = +1 "
-    "or -1.",
-    formal=rf"({SIX_CASES}) \Rightarrow (|\mathbf{{A}}| = 1 \lor |\mathbf{{A}}| = -1)",
+    words="Of the matrices (2.17) those of right-handed axes satisfy |A| = 1, and a selection is needed: orthogonality alone "
+    "leaves |A| = 1 or -1.",
+    formal=r"|\mathbf{A}|^2 = 1",
     given=[orthogonal],
-    by=cases(),
+    by=identity,
     uses=["2.17"],
 )
 

@@ -1,30 +1,14 @@
-"""Statements beside the one claimed: with a hypothesis left out, or edited into another form."""
+"""Statements beside the one claimed: edited into another form."""
 
 from __future__ import annotations
 
 from dataclasses import replace
 
-from symcheck.proof.counterexample import refute
 from symcheck.proof.knowledge import proportional, ring_of, starting
 from symcheck.proof.polynomial import RELATIONS, Unsupported
-from symcheck.statement import Certificate, Formula, Method, Problem, Verdict
+from symcheck.statement import Formula, Problem
 
-Need = tuple[bool | None, Certificate | None]
 MIRROR = {"<": ">", "<=": ">="}
-
-
-def needed(problem: Problem, method: Method) -> dict[str, Need]:
-    """For each hypothesis whether the claim needs it: left out, is the claim refuted, or still proved?
-
-    (True, point) if it is refuted then, (False, None) if it is proved, (None, None) if neither is found.
-    """
-    found: dict[str, Need] = {}
-    for name, _ in problem.hypotheses:
-        without = replace(problem, hypotheses=tuple(item for item in problem.hypotheses if item[0] != name))
-        point = refute(without)  # most hypotheses are needed, and a point is found faster than that there is no proof
-        proved = point is None and method.decide(without).verdict is Verdict.PROVED
-        found[name] = (True, point) if point else (False if proved else None, None)
-    return found
 
 
 def equivalent(f: Formula, g: Formula, problem: Problem) -> bool:
