@@ -2,9 +2,8 @@
 
 A certificate states a claim (nested lists), the definitions and hypotheses it uses, and a proof (see `Checker.prove`)
 or an exact point where the hypotheses hold and the claim does not. Terms become fractions of polynomials {monomial:
-coefficient}, a monomial being a whole number: 16 bits for each exponent above 32 bits for the degree. sin x, cos x,
-the root of a prime p are the variables sin_x, cos_x, sqrt_p. A statement with denominators is meant where they are not
-zero: each denominator is non-zero by a hypothesis or listed under "nonzero" as a side condition.
+coefficient}, a monomial being a whole number: 16 bits per exponent above 32 bits for the degree; sin x, cos x and the
+root of a prime p are variables sin_x, cos_x, sqrt_p. A denominator is non-zero by a hypothesis or listed in "nonzero".
 """
 
 import hashlib
@@ -29,8 +28,7 @@ class Reject(Exception):
     """The certificate does not prove its claim; the message says where it fails."""
 
 
-def require(condition: Any, reason: str) -> None:
-    """Rejects with the reason unless the condition holds."""
+def require(condition: Any, reason: str) -> None:  # rejects with the reason unless the condition holds
     if not condition:
         raise Reject(reason)
 
@@ -66,9 +64,7 @@ def total(values: list[Ratio]) -> Ratio:
 
 def product(values: list[Ratio]) -> Ratio:
     """The product; a factor that equals one of the divisors cancels with it."""
-    common, result = NONE, ONE
-    for _, den in values:
-        common = common + den if den else common
+    common, result = sum((den for _, den in values if den), NONE), ONE
     for num, _ in values:
         if common and common[key := frozenset(num.items())] > 0:
             common[key] -= 1
@@ -100,8 +96,7 @@ def root(value: Fraction) -> tuple[Fraction, list[int]]:
     return outside, primes
 
 
-def conjuncts(formula: Any) -> list[Any]:
-    """The formula taken apart at "and"."""
+def conjuncts(formula: Any) -> list[Any]:  # the formula taken apart at ""and"
     return [part for child in formula[1:] for part in conjuncts(child)] if formula[0] == "and" else [formula]
 
 
@@ -118,20 +113,17 @@ class Algebra:
         self.slots: dict[str, int] = {}
         self.factors: dict[str, tuple[int, Any]] = {}
 
-    def variable(self, name: str) -> Poly:
-        """The polynomial of one variable."""
+    def variable(self, name: str) -> Poly:  # the polynomial of one variable
         if name not in self.slots:
-            require(re.fullmatch("[A-Za-z][A-Za-z0-9_]*", name), f"the name {name!r}")
-            require(name[:5] != "sqrt_" or root(Fraction(name[5:]))[1] == [int(name[5:])], f"{name}: not a prime")
+            prime = name[:5] != "sqrt_" or root(Fraction(name[5:]))[1] == [int(name[5:])]
+            require(prime and re.fullmatch("[A-Za-z][A-Za-z0-9_]*", name), f"the name {name!r}")
             self.slots[name] = 32 + 16 * len(self.slots)
         return {(1 << self.slots[name]) + 1: 1}
 
-    def exponents(self, monomial: int) -> dict[str, int]:
-        """The variables of a monomial with their exponents."""
+    def exponents(self, monomial: int) -> dict[str, int]:  # the variables of a monomial with their exponents
         return {x: e for x, slot in self.slots.items() if (e := monomial >> slot & 0xFFFF)}
 
-    def factor(self, text: str) -> tuple[int, Any]:
-        """A number or a power of a variable, as (monomial, coefficient)."""
+    def factor(self, text: str) -> tuple[int, Any]:  # a number or a power of a variable, as (monomial, coefficient)
         if re.fullmatch(r"\d+(/[1-9]\d*)?", text):
             return 0, Fraction(text) if "/" in text else int(text)
         name, _, exponent = text.partition("^")
@@ -339,8 +331,6 @@ class Checker:
                 result = min(self.sign(top), 2 * bool(self.sign(bottom)))
             case ["^", base, int(n)] if n > 0:
                 result = self.sign(base) or int(n % 2 == 0)
-            case ["sqrt", inner]:
-                result = self.sign(inner)
         if result:
             return result
         num, den = self.algebra.ratio(term)
@@ -444,14 +434,13 @@ class Checker:
         failing = [reference for reference, formula in self.hypotheses.items() if not self.truth(formula)]
         require(not failing and not self.truth(goal), f"{failing or 'the claim'}: not so at the point")
         for k, (side, stated) in enumerate(zip(goal[1:], point["sides"], strict=True)):
-            right = self.truth(["=", side, f"side_{k}"] if relation else side)
-            require(right == (relation or stated == "true"), "a side has another value at the point")
+            value = self.truth(["=", side, f"side_{k}"] if relation else side)
+            require(value == (relation or stated == "true"), "a side has another value at the point")
         circles = [["=", ["+", ["^", f"sin_{x}", 2], ["^", f"cos_{x}", 2]], 1] for x in angles]
         defined = all(map(self.truth, circles)) and all(map(algebra.order, algebra.divisors))
         require(defined, "no point of the unit circle, or a denominator is zero at the point")
 
-    def truth(self, formula: Any) -> bool:
-        """The formula at the point."""
+    def truth(self, formula: Any) -> bool:  # the formula at the point
         kind, *rest = formula
         if kind in RELATIONS:
             num, den = self.algebra.ratio(["+", rest[0], ["-", rest[1]]])
@@ -477,22 +466,33 @@ def check(certificate: dict[str, Any]) -> str | None:
     return None
 
 
+def unsupported(each: dict[str, Any], proved: list[dict[str, Any]]) -> str | None:
+    """For "lemmas imply the claim": None if every lemma is proved under hypotheses that are in force here."""
+    force = [formula for formulas in each.get("under", {}).values() for formula in formulas]
+    lemmas = [c for c in proved if c["id"] in each.get("lemmas", ()) and "lemmas" not in c]
+    lemmas = [c for c in lemmas if all(f in force for formulas in c["hypotheses"].values() for f in formulas)]
+    found = [part for lemma in lemmas for part in conjuncts(lemma["claim"])]
+    right = "lemmas" not in each or all(part in found for part in conjuncts(each["claim"][1]))
+    return None if right else "a lemma is not proved, or under other hypotheses"
+
+
 def main(arguments: list[str]) -> int:
     """Checks the files named, or those in the folders named: 0 all hold, 1 some do not, 2 a file cannot be read."""
-    failures = count = 0
+    results: list[tuple[Path, str, str | None]] = []
     paths = [p for a in map(Path, arguments) for p in (sorted(a.glob("*.json")) if a.is_dir() else [a])]
     for path in paths or [Path("certificates")]:
         try:
             data = json.loads(path.read_text(encoding="utf-8"))
             require(isinstance(data, dict) and data.get("schema") == SCHEMA, f"its schema is not {SCHEMA}")
-            reasons = [(each["id"], check(each)) for each in data["certificates"]]
+            checked = [(each, check(each)) for each in data["certificates"]]
+            proved = [each for each, reason in checked if not reason and "proof" in each]
+            results += [(path, each["id"], reason or unsupported(each, proved)) for each, reason in checked]
         except (Reject, OSError, ValueError, KeyError, TypeError, RecursionError) as error:
             print(f"checker: {path} cannot be read ({error}); name a folder or file of certificates", file=sys.stderr)
             return 2
-        for identifier, reason in reasons:
-            count, failures = count + 1, failures + bool(reason)
-            print(f"{path}: {identifier}: {reason}\n" * bool(reason), end="")
-    print(f"{count} certificates, " + (f"{failures} do not hold" if failures else "all hold"))
+    failures = [f"{path}: {identifier}: {reason}" for path, identifier, reason in results if reason]
+    summary = f"{len(failures)} do not hold" if failures else "all hold"
+    print(*failures, f"{len(results)} certificates, {summary}", sep="\n")
     return 1 if failures else 0
 
 

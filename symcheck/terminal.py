@@ -189,6 +189,7 @@ def _repairs(repair: Mapping[str, Any]) -> str:
 
 def _certificate(out: Console, certificate: Mapping[str, Any], whole: bool) -> None:
     _field(out, "certificate", _digest(certificate))
+    _field(out, "from lemmas", ", ".join(certificate.get("lemmas", ())))
     _field(out, "decides", term(certificate["claim"]) if "claim" in certificate else "")
     _field(out, "proof", "\n".join(steps(certificate["proof"])) if certificate.get("proof") else "")
     if whole:

@@ -1,4 +1,4 @@
-"""A judge independent of the provers: evaluates lowered formulas with 40 digits at random points under the hypotheses."""
+"""A judge independent of the provers: evaluates formulas with 40 digits at random points under the hypotheses."""
 
 from __future__ import annotations
 
@@ -49,6 +49,7 @@ def value(term: Term, at: dict[str, Any], unfold: dict[str, Term]) -> Any:
 def _derivative(term: Any, at: dict[str, Any], unfold: dict[str, Term]) -> Any:
     _, body, name, order = term
     value(name, at, unfold)
+    value(body, at, unfold)  # every free variable gets its value before the steps of the difference
 
     def along(x: Any) -> Any:
         return value(body, {k: v for k, v in at.items() if k not in unfold} | {name: x}, unfold)
@@ -79,6 +80,13 @@ def point(problem: Problem, rng: random.Random) -> dict[str, Any] | None:
     if "damping matrix symmetric" in names:
         m = {(i, j): mpmath.mpf(rng.randint(1, 999)) / 7 for i in (1, 2, 3) for j in range(i, 4)}
         at |= {f"m_{i}{j}": m[min(i, j), max(i, j)] for i in (1, 2, 3) for j in (1, 2, 3)}
+    if "triple root" in names:
+        letters = [f"{x}_{i}" for x in "IJL" for i in (1, 2, 3)] + ["k"]
+        at |= {letter: mpmath.mpf(rng.randint(1, 99)) / 7 for letter in letters}
+        product = at["I_1"] * at["I_2"] * at["I_3"]
+        at["xi"] = at["k"]
+        at["J_3"] = product / at["J_1"] / at["J_2"]
+        at["L_3"] = (3 * product - at["J_1"] * at["L_1"] - at["J_2"] * at["L_2"]) / at["J_3"]
     unfold = dict(problem.definitions)
     holds_all = all(holds(formula, at, unfold) for _, formulas in problem.hypotheses for formula in formulas)
     return at if holds_all else None

@@ -48,8 +48,7 @@ def test_distinct_terms_are_written_differently() -> None:
         (["hyp", "orthogonal", 0], "orthogonal [1]"),
         (["axiom", "pythagoras", "alpha"], "sin²+cos² = 1 of alpha"),
         (["axiom", "sqrt", 3], "(√3)² = 3"),
-        (["fact", 2], "fact 3"),
-        (["cond", 0], "cond 1"),
+        (["here", 2], "assumption 3"),
         (["positive", ["+", "a", 1]], "a + 1 > 0"),
         (["something", "new"], '["something", "new"]'),
     ],
@@ -60,28 +59,20 @@ def test_a_reference_is_told_in_words(ref: list[Any], text: str) -> None:
 
 def test_every_part_of_a_proof_is_told_once() -> None:
     proof = {
-        "rule": "derive",
-        "poly": "POLY",
-        "power": 2,
-        "times": [["cond", 0]],
-        "cofactors": [[["fact", 0], "QUOTIENT"]],
-        "given": [["PREMISE", 0]],
+        "rule": "split",
+        "factors": [["FACTOR_1", 2], ["FACTOR_2", 1]],
+        "times": [["here", 0]],
+        "cofactors": [[["here", 0], "QUOTIENT"]],
         "nonzero": ["DIVISOR"],
-        "then": {
-            "rule": "split",
-            "factors": ["FACTOR_1", "FACTOR_2"],
-            "cofactors": [],
-            "cases": [
-                {"rule": "nonnegative", "form": ["^", "FORM", 2], "cofactors": []},
-                {"rule": "witness", "point": {"POINT": 1}},
-            ],
-        },
+        "cases": [
+            {"rule": "nonnegative", "form": ["^", "FORM", 2], "cofactors": []},
+            {"rule": "witness", "point": {"POINT": 1}},
+        ],
     }
     text = "\n".join(steps.steps(proof))
     for word in (
-        "POLY",
         "QUOTIENT",
-        "PREMISE [1]",
+        "(power 2)",
         "DIVISOR",
         "FACTOR_1",
         "FACTOR_2",

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import hashlib
+import json
 import time
 from collections.abc import Iterable, Iterator, Mapping
 from copy import copy
@@ -358,9 +359,8 @@ class Finding:
         found = []
         for problem, outcome, whole in zip(self.problems, self.outcomes, self.concrete, strict=True):
             if outcome.verdict is not Verdict.UNDECIDED:
-                under = [name for name, _ in whole.hypotheses]
-                source = {} if problem is whole else {"lemmas": list(self.lemmas), "under": under}
-                found.append({**certificate(problem, outcome), **source})
+                source = {} if problem is whole else {"lemmas": self.lemmas, "under": dict(whole.hypotheses)}
+                found.append({**certificate(problem, outcome), **json.loads(json.dumps(source))})
         return tuple(found)
 
     @property

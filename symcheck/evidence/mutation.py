@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from copy import copy
 from dataclasses import dataclass
 from enum import StrEnum
 
@@ -48,7 +49,9 @@ def fate(context: Context, unit: Unit, mutant: Unit | None, given: tuple[Hypothe
         return Fate.MALFORMED
     if _same(context, unit, mutant, given):
         return Fate.EQUIVALENT
-    verdict = judge(context, mutant, given).verdict
+    sceptical = copy(context)
+    sceptical.doubted = True
+    verdict = judge(sceptical, mutant, given).verdict
     return {Verdict.PROVED: Fate.ACCEPTED, Verdict.REFUTED: Fate.REFUTED}.get(verdict, Fate.UNDECIDED)
 
 

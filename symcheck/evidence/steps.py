@@ -11,16 +11,13 @@ _RELATIONS = {"=": "=", "!=": "≠", "<": "<", "<=": "≤", ">": ">", ">=": "≥
 _PRECEDENCE = {"<=>": 0, "=>": 1, "or": 2, "and": 3, "exists": 4, "+": 6, "*": 7, "/": 8, "^": 9}
 _RULES = {
     "identity": "the difference of the two sides is a combination of what is given",
-    "nonnegative": "the difference of the sides, times the multiplier, is the form, whose sign is plain",
-    "nonzero": "suppose the two sides were equal",
-    "implies": "suppose the left side of the implication",
-    "iff": "both directions",
-    "each": "each part by itself",
+    "nonnegative": "the larger side less the smaller is the form, whose sign is plain",
+    "implies": "suppose what is on the left (of a ≠ goal: that the sides were equal)",
+    "each": "each part, or each direction, by itself",
     "choose": "one of the alternatives holds",
     "cases_or": "one case for each alternative",
-    "derive": "a power of the polynomial is a combination of what is given, so it vanishes",
-    "vanish": "a sum of non-negative addends is a combination of what is given, so each addend vanishes",
     "split": "a product is a combination of what is given, so one of its factors vanishes",
+    "vanish": "a sum of non-negative addends is a combination of what is given, so each addend vanishes",
     "absurd": "something that is not zero is a combination of what is given: a contradiction",
     "witness": "at this point it holds",
     "quarter_turn": "a quarter turn changes the sign, so there is a zero on the circle",
@@ -42,8 +39,8 @@ def reference(ref: Any) -> str:
             return f"sin²+cos² = 1 of {angle}"
         case ["axiom", "sqrt", number]:
             return f"(√{number})² = {number}"
-        case ["fact" | "cond", number]:
-            return f"{ref[0]} {number + 1}"
+        case ["here", number]:
+            return f"assumption {number + 1}"
         case ["positive", form]:
             return f"{term(form)} > 0"
     return json.dumps(ref)
@@ -87,6 +84,8 @@ def _detail(key: str, value: Any) -> Iterator[str]:
         yield "wherever these do not vanish: " + ", ".join(value)
     elif key == "point":
         yield point(value)
+    elif key == "factors":
+        yield from (f"factor: {base}" + (f" (power {power})" if power > 1 else "") for base, power in value)
     elif key in ("or", "index"):
         yield f"alternative {value + 1}" if key == "index" else f"of disjunction {value + 1}"
     elif isinstance(value, list) and key in ("form", "multiplier", "cos", "sin"):

@@ -37,7 +37,14 @@ SEVENTHS = ((2, 3, 6), (6, 2, -3), (-3, 6, -2))
 
 
 def refute(problem: Problem) -> Certificate | None:
-    """A point of a certificate, or None if none was found. Unsupported for terms outside the ring."""
+    """A point of a certificate, or None if none was found (also for terms that have no place in a ring)."""
+    try:
+        return _point(problem)
+    except Unsupported:
+        return None
+
+
+def _point(problem: Problem) -> Certificate | None:
     claim = problem.claim
     if _quantified(claim):
         return None

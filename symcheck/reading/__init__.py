@@ -17,10 +17,11 @@ from symcheck.reading.printing import to_latex
 from symcheck.reading.relations import Relation, relations
 from symcheck.reading.sympy_bridge import from_sympy, to_sympy
 from symcheck.reading.tex import split_tag
-from symcheck.reading.tree import System, Tree
+from symcheck.reading.tree import Iff, System, Tree
 
 __all__ = [
     "Edit",
+    "Iff",
     "Letter",
     "Notation",
     "Relation",
