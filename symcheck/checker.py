@@ -28,7 +28,8 @@ class Reject(Exception):
     """The certificate does not prove its claim; the message says where it fails."""
 
 
-def require(condition: Any, reason: str) -> None:  # rejects with the reason unless the condition holds
+def require(condition: Any, reason: str) -> None:
+    """Rejects with the reason unless the condition holds."""
     if not condition:
         raise Reject(reason)
 
@@ -96,7 +97,8 @@ def root(value: Fraction) -> tuple[Fraction, list[int]]:
     return outside, primes
 
 
-def conjuncts(formula: Any) -> list[Any]:  # the formula taken apart at ""and"
+def conjuncts(formula: Any) -> list[Any]:
+    """The formula taken apart at "and"."""
     return [part for child in formula[1:] for part in conjuncts(child)] if formula[0] == "and" else [formula]
 
 
@@ -130,8 +132,7 @@ class Algebra:
         require(re.fullmatch(r"\d{0,3}", exponent), f"the factor {text}")
         return next(iter(self.variable(name))) * int(exponent or 1), 1
 
-    def parse(self, text: str) -> Poly:
-        """A polynomial printed as "3/4*a_11^2*a_12 - I_1 + 2"."""
+    def parse(self, text: str) -> Poly:  # a polynomial printed as "3/4*a_11^2*a_12 - I_1 + 2"
         result: Poly = {}
         for term in text.replace(" - ", " + -").split(" + ") if text != "0" else ():
             monomial, coefficient = 0, -1 if term[0] == "-" else 1
@@ -144,8 +145,7 @@ class Algebra:
             result[monomial] = coefficient
         return result
 
-    def name(self, name: str) -> Ratio:
-        """A variable, or what a defined name stands for."""
+    def name(self, name: str) -> Ratio:  # a variable, or what a defined name stands for
         if name not in self.definitions:
             return self.point[name] if name in self.point else self.variable(name), NONE
         if name not in self.unfolded:

@@ -107,10 +107,11 @@ def errata(out: Console, records: Iterable[Record]) -> None:
         _field(out, "verdict", _verdict(record))
         _field(out, "reading", record.reading)
         _field(out, "line", str(record.line))
-        _field(out, "printed", record.printed or record.words)
+        _field(out, "printed", record.printed)
+        _field(out, "words", record.words)
+        _field(out, "read as", record.read)
         _counterexample(out, record)
         _erratum(out, record)
-        _field(out, "used by", ", ".join(record.used_by))
         out.print()
 
 

@@ -7,13 +7,14 @@ relations of an orthogonal matrix.
 
 from __future__ import annotations
 
+import statistics
 import subprocess
 import sys
 import time
 from collections.abc import Callable, Iterator
 from typing import Any
 
-from symcheck import checker, kernels
+from symcheck import kernels
 from symcheck.evidence import decide
 from symcheck.evidence.executor import Done, Pool
 from symcheck.proof.knowledge import ring_of, starting
@@ -85,14 +86,17 @@ def simplify(index: str) -> tuple[float, bool]:
     return seconds, bool(rest == 0)
 
 
-def timed(function: Callable[[], Any], repeat: int = 1) -> tuple[float, Any]:
-    """(seconds of the fastest run, last result)."""
-    best, result = float("inf"), None
-    for _ in range(repeat):
-        start = time.perf_counter()
-        result = function()
-        best = min(best, time.perf_counter() - start)
-    return best, result
+def timed(function: Callable[[], Any]) -> tuple[float, Any]:
+    """(seconds, result) of one run."""
+    start = time.perf_counter()
+    result = function()
+    return time.perf_counter() - start, result
+
+
+def interleaved(rounds: int, *functions: Callable[[], Any]) -> list[tuple[float, Any]]:
+    """(median seconds, last result) of each function; in every round each runs once, in turn."""
+    runs = [[timed(function) for function in functions] for _ in range(rounds)]
+    return [(statistics.median(t for t, _ in column), column[-1][1]) for column in zip(*runs, strict=True)]
 
 
 def ours(statements: list[tuple[Method, Problem]]) -> int:
@@ -107,13 +111,9 @@ def simplified(count: int) -> tuple[float, int]:
     return sum(seconds for seconds, _ in results), sum(proved for _, proved in results)
 
 
-def import_of_sympy() -> float:
-    """Seconds that `import sympy` adds to the start of an interpreter."""
-    runs = {
-        code: timed(lambda code=code: subprocess.run([sys.executable, "-c", code], check=True), 5)[0]
-        for code in ("pass", "import sympy")
-    }
-    return runs["import sympy"] - runs["pass"]
+def python(*arguments: str) -> Callable[[], Any]:
+    """A run of a new interpreter."""
+    return lambda: subprocess.run([sys.executable, *arguments], check=True, stdout=subprocess.DEVNULL)
 
 
 def line(what: str, seconds: float, note: str) -> None:
@@ -125,30 +125,21 @@ def main() -> None:
     """Measure and print."""
     statements = list(problems())
     count = len(statements)
-    seconds, proved = timed(lambda: ours(statements))
-    line("ours, whole decisions, first time", seconds, f"{proved} of {count} proved")
-    seconds, proved = timed(lambda: ours(statements), 10)
-    line("ours, whole decisions", seconds, f"{proved} of {count} proved")
-    unit, proved = timed(cofactors(), 50)
+    (unit, proved), (whole, decided), (basis, reduced) = interleaved(
+        7, cofactors(), lambda: ours(statements), groebner()
+    )
     line("ours, cofactors", unit, f"{proved} of {count} proved")
-    seconds, proved = timed(groebner(), 3)
-    line("SymPy, groebner + reduced", seconds, f"{proved} of {count} proved; {seconds / unit:,.0f} times our cofactors")
-    seconds, proved = simplified(count)
-    line(
-        "SymPy, simplify on Euler angles",
-        seconds,
-        f"{proved} of {count} proved; {seconds / unit:,.0f} times our cofactors",
-    )
-    folder = kernels.folder() / "certificates"
-    certificates = [certificate for file in sorted(folder.glob("*.json")) for certificate in checker.read(file)]
-    seconds, faults = timed(lambda: [fault for c in certificates if (fault := checker.check(c))], 5)
-    imported = import_of_sympy()
-    line(
-        "checker, all certificates",
-        seconds,
-        f"{len(certificates)} certificates, {len(faults)} rejected; {imported / seconds:.1f} times faster than",
-    )
-    line("import sympy", imported, "")
+    line("ours, whole decisions, from terms", whole, f"{decided} of {count} proved")
+    line("SymPy, groebner + reduced", basis, f"{reduced} of {count} proved; {basis / unit:,.0f} times our cofactors")
+    seconds, shown = simplified(count)
+    note = f"{shown} of {count} proved, {LIMIT:g} s each at most; {seconds / unit:,.0f} times our cofactors"
+    line("SymPy, simplify on Euler angles", seconds, note)
+    folder = str(kernels.folder() / "certificates")
+    check = python("-m", "symcheck.checker", folder)
+    (start, _), (checked, _), (imported, _) = interleaved(9, python("-c", "pass"), check, python("-c", "import sympy"))
+    ratio = (checked - start) / (imported - start)
+    line("checker, all certificates", checked - start, f"{ratio:.2f} times as long as import sympy")
+    line("import sympy", imported - start, "")
 
 
 if __name__ == "__main__":

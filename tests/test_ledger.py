@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import json
+from collections.abc import Callable
 from functools import cache
+from pathlib import Path
 
 import pytest
 
@@ -117,3 +119,42 @@ def test_ours_are_marked_and_proved() -> None:
 def test_an_unknown_id_is_named() -> None:
     with pytest.raises(SymcheckError, match=r"mirer2009:9\.9"):
         decide("mirer2009:9.9")
+
+
+def recorded(key: str) -> dict[str, object]:
+    data: dict[str, object] = json.loads((kernels.folder() / "certificates" / f"{key}.json").read_bytes())
+    return data
+
+
+@pytest.fixture
+def outcome(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> Callable[[dict[str, object]], tuple[int, str]]:
+    """The checker's exit code and output for one file of certificates."""
+
+    def run(data: dict[str, object]) -> tuple[int, str]:
+        file = tmp_path / "certificates.json"
+        file.write_text(json.dumps(data), encoding="utf-8")
+        return checker.main([str(file)]), capsys.readouterr().out
+
+    return run
+
+
+def test_a_proof_from_a_lemma_falls_with_the_lemma(outcome: Callable[[dict[str, object]], tuple[int, str]]) -> None:
+    data = recorded("mirer2009")
+    every = data["certificates"]
+    assert isinstance(every, list)
+    lemma = "mirer2009:2.13.4"
+    leaning = {each["id"] for each in every if lemma in each.get("lemmas", ())}
+    assert outcome(data)[0] == 0
+    code, text = outcome({**data, "certificates": [each for each in every if each["id"] != lemma]})
+    assert code == 1
+    assert "mirer2009:2.10a: a lemma is not proved" in text
+    assert leaning >= {"mirer2009:2.10a", "mirer2009:2.17"}
+
+
+def test_a_lemma_needs_its_own_hypotheses_in_force(outcome: Callable[[dict[str, object]], tuple[int, str]]) -> None:
+    data = recorded("mirer2009")
+    for each in data["certificates"]:  # type: ignore[attr-defined]
+        each.get("under", {}).pop("orthogonal", None)
+    code, text = outcome(data)
+    assert code == 1
+    assert "or under other hypotheses" in text

@@ -551,10 +551,10 @@ def _is_proved(context: Context, unit: Unit) -> bool:
 
 
 def _is_empty(finding: Finding) -> bool:
-    """Whether an inequality is proved only because both sides are the same."""
+    """Whether an inequality is true only because its sides are equal, always."""
     return finding.verdict is Verdict.PROVED and all(
-        problem.claim[0] in ("<=", ">=") and outcome.proof is not None and outcome.proof.get("form") == 0
-        for problem, outcome in zip(finding.problems, finding.outcomes, strict=True)
+        problem.claim[0] in ("<=", ">=") and proof_of(replace(problem, claim=("=", *problem.claim[1:]))) is not None
+        for problem in finding.concrete
     )
 
 

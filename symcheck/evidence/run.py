@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from contextlib import closing
+from dataclasses import replace
 from difflib import get_close_matches
 from string import ascii_lowercase
 from typing import Any, Protocol
@@ -78,7 +79,24 @@ def audit(
                 progress(len(records), len(wanted))
     for key in {id.partition(":")[0] for id in obligations}:
         cache.prune(key, obligations)
-    return [record for id, links in wanted.items() for record in _of_links(records[id], links)]
+    return _with_later([record for id, links in wanted.items() for record in _of_links(records[id], links)])
+
+
+def _with_later(records: list[Record]) -> list[Record]:
+    """Each erratum with what becomes of it later: which relations that rest on it are right, which share the fault.
+
+    Told of the relations at hand only: those that refer to the declaration, and the following links of the same chain.
+    """
+    return [replace(r, erratum={**r.erratum, "later": _later(r, records)}) if r.erratum else r for r in records]
+
+
+def _later(wrong: Record, records: list[Record]) -> list[dict[str, str]]:
+    declared = wrong.id.rstrip(ascii_lowercase)
+    resting = (
+        r for r in records if declared in r.uses or (r.id.rstrip(ascii_lowercase) == declared and r.id > wrong.id)
+    )
+    fate = {Verdict.PROVED: "is right", Verdict.REFUTED: "shares the fault or has one of its own"}
+    return [{"id": r.id, "fate": fate[r.verdict]} for r in resting if r.verdict in fate]
 
 
 def select(selection: Iterable[str], ids: Sequence[str]) -> dict[str, Links]:

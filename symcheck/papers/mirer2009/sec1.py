@@ -104,7 +104,7 @@ torque_by_damping_matrix = claim(
 damping_matrix = definition("1.2.4", 73, r"m_{is} = \sum_{j=1}^3 k_j a_{js} a_{ji}.")
 
 torque_is_linear = claim(
-    "1.2.5", 75, r"\mathbf{M} = -\mathbf{m}\boldsymbol{\omega}", by=identity, uses=["1.0.2", "1.0.4", "1.2.4"]
+    "1.2.5", 75, r"\mathbf{M} = -\mathbf{m}\boldsymbol{\omega}", by=identity, uses=["1.0.2", "1.0.4", "1.2.3", "1.2.4"]
 )
 
 damping_matrix_is_symmetric = claim(
