@@ -104,14 +104,16 @@ class Ideal:
 
     def _divide(self, poly: Poly) -> tuple[Poly, Cofactors]:
         quotients: Cofactors = {}
-        changed = True
-        while changed and poly != 0:
+        changed = len(poly) > 0
+        while changed:
             changed = False
             for k, element in enumerate(self._elements):
                 quotient, rest = divmod(poly, element.poly)
-                if quotient != 0:
+                if len(quotient):
                     add_product(quotients, k, quotient)
                     poly, changed = rest, True
+                    if not len(poly):
+                        return poly, quotients
         return poly, quotients
 
     def cofactors(self, poly: Poly) -> list[Fact] | None:
