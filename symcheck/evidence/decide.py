@@ -185,8 +185,8 @@ class Context:
         return _lowered(latex, self.notation)
 
     def hypothesis(self, hypothesis: Hypothesis) -> tuple[str, tuple[Formula, ...]]:
-        formulas = dict.fromkeys(part for formula in self.lower(hypothesis.states) for part in _conjuncts(formula))
-        return hypothesis.name, tuple(formulas)
+        parts = [part for formula in self.lower(hypothesis.states) for part in _conjuncts(formula)]
+        return hypothesis.name, tuple({repr(_commuted(part)): part for part in reversed(parts)}.values())[::-1]
 
     def hint(self, latex: str) -> list[Term]:
         """A hint as one flat sum, for each instance of a free index (one for all if it has none)."""
@@ -242,6 +242,14 @@ class Context:
         bodies = [part for _, formulas in hypotheses for part in formulas]
         definitions = self.used_definitions(formula, *bodies, *(term for _, term in lowered))
         return Problem(self.id + self.letter, formula, definitions, hypotheses, tuple(lowered))
+
+
+def _commuted(term: Any) -> Any:
+    """The term with factors and addends in one order, to find equations stated twice (A A^T = 1 is symmetric)."""
+    if not isinstance(term, tuple):
+        return term
+    parts = [_commuted(part) for part in term[1:]]
+    return (term[0], *(sorted(parts, key=repr) if term[0] in ("+", "*") else parts))
 
 
 def _addends(term: Term) -> Iterator[Term]:
