@@ -155,8 +155,7 @@ class Algebra:
         require(self.unfolded[name], f"the definition of {name} refers to itself")
         return self.unfolded[name]  # type: ignore[no-any-return]
 
-    def ratio(self, term: Any) -> Ratio:
-        """The term as a fraction."""
+    def ratio(self, term: Any) -> Ratio:  # the term as a fraction
         match term:
             case int():
                 return ({0: int(term)} if term else {}), NONE
@@ -192,8 +191,7 @@ class Algebra:
                 return num, den
         raise Reject(f"the term {term!r}")
 
-    def inverse(self, term: Any) -> Ratio:
-        """1 / term, factor by factor; notes the divisors."""
+    def inverse(self, term: Any) -> Ratio:  # 1 / term, factor by factor; notes the divisors
         match term:
             case ["*", *parts]:
                 return product([self.inverse(part) for part in parts])
@@ -471,9 +469,11 @@ def unsupported(each: dict[str, Any], proved: list[dict[str, Any]]) -> str | Non
     force = [formula for formulas in each.get("under", {}).values() for formula in formulas]
     lemmas = [c for c in proved if c["id"] in each.get("lemmas", ()) and "lemmas" not in c]
     lemmas = [c for c in lemmas if all(f in force for formulas in c["hypotheses"].values() for f in formulas)]
+    own = dict(each["definitions"])  # a letter defined in a lemma is free here, or defined alike
+    lemmas = [c for c in lemmas if all(own.get(name, term) == term for name, term in c["definitions"])]
     found = [part for lemma in lemmas for part in conjuncts(lemma["claim"])]
     right = "lemmas" not in each or all(part in found for part in conjuncts(each["claim"][1]))
-    return None if right else "a lemma is not proved, or under other hypotheses"
+    return None if right else "a lemma is not proved, or under other hypotheses or definitions"
 
 
 def main(arguments: list[str]) -> int:

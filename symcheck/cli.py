@@ -144,7 +144,11 @@ def check(selection: Sequence[str], as_json: bool, verdict: str | None, how: How
 def show(number: str, certificate: bool, how: How) -> None:
     """Show one relation: as printed, as read, hypotheses, steps of the proof, certificate, counterexample, erratum."""
     if ":" not in number:
-        raise SymcheckError(f"{number!r} is not of the form PAPER:NUMBER, such as {number}:2.12")
+        from symcheck.papers import load
+
+        keys = list(load())
+        example = f"{number}:NUMBER" if number in keys else f"{keys[0]}:{number}"
+        raise SymcheckError(f"{number!r} is not of the form PAPER:NUMBER; did you mean {example}?")
     records = audit([number], how)
     from symcheck import terminal
 

@@ -158,3 +158,13 @@ def test_a_lemma_needs_its_own_hypotheses_in_force(outcome: Callable[[dict[str, 
     code, text = outcome(data)
     assert code == 1
     assert "or under other hypotheses" in text
+
+
+def test_a_lemma_does_not_speak_of_a_letter_defined_otherwise() -> None:
+    lemma = {"id": "p:1", "claim": ["=", "J", "x"], "definitions": [["J", "x"]], "hypotheses": {}}
+    use = {"lemmas": ["p:1"], "under": {}, "definitions": [], "claim": ["=>", ["=", "J", "x"], ["=", "J", "x"]]}
+    assert checker.unsupported(use, [lemma]) is None
+    assert checker.unsupported({**use, "definitions": [["J", "x"]]}, [lemma]) is None
+    assert checker.unsupported({**use, "definitions": [["J", 8]]}, [lemma])
+    assert checker.unsupported({**use, "claim": ["=>", ["=", "J", "y"], ["=", "J", "y"]]}, [lemma])
+    assert checker.unsupported(use, [])

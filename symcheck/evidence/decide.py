@@ -460,12 +460,21 @@ def _hypotheses(finding: Finding, item: Item, added: tuple[Hypothesis, ...]) -> 
                 "name": hypothesis.name,
                 "words": hypothesis.words,
                 "states": hypothesis.states,
-                "given": "added" if hypothesis in added else "printed" if hypothesis.printed else "standing",
+                "given": _source(hypothesis, item, added),
                 "needed": need,
                 "counterexample": counterexample,
             }
         )
     return tuple(rows)
+
+
+def _source(hypothesis: Hypothesis, item: Item, added: tuple[Hypothesis, ...]) -> str:
+    """Where a hypothesis comes from: printed, implied by the subject, added by us, or part of a statement of ours."""
+    if item.role is Role.OURS:
+        return "stated"
+    if hypothesis in added:
+        return "added"
+    return "printed" if hypothesis.printed else "standing"
 
 
 def _need(finding: Finding, item: Item, name: str) -> tuple[bool | None, Certificate | None]:

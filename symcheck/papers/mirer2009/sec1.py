@@ -57,7 +57,7 @@ equations_in_principal_axes = claim(
 tensor_is_diagonal = premise("1.2.1", 63, r"\mathbf{I} = \text{diag}(I_1, I_2, I_3)")
 
 principal_unit_vectors = definition(
-    "1.2.0",
+    "1.2.1.1",
     63,
     words="E_1, E_2, E_3 are the unit vectors of the principal axes.",
     formal=", ".join(rf"\delta_{{{i}{j}}} = {int(i == j)}" for i in (1, 2, 3) for j in (1, 2, 3)),
