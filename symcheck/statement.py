@@ -132,6 +132,7 @@ class Item:
     equation  derived expressions E for a printed equation l = r: the claim is that l - r is E
     keeping   defined letters (variable stems) that stay free in this claim
     uses      numbers of the items this one refers to
+    lines     by link letter: the line of a link that begins further on
     lemmas    numbers of earlier relations ("2.13.1b") the proof may start from, with the letters `free` not unfolded
     imposed   letters of the links that are conditions imposed rather than claims ("b" of "2.5b")
     opaque    a definition by something outside algebra (an angle between axes): it is not unfolded
@@ -155,6 +156,7 @@ class Item:
     equation: Callable[[], tuple[Any, ...]] | None = None
     keeping: tuple[str, ...] = ()
     uses: tuple[str, ...] = ()
+    lines: Mapping[str, int] = field(default_factory=dict)
     lemmas: tuple[str, ...] = ()
     free: tuple[str, ...] = ()
     imposed: str = ""

@@ -610,10 +610,14 @@ def _stated(context: Context, base: Record) -> tuple[Record, ...]:
 
 
 def _claimed(context: Context, base: Record) -> Iterator[Record]:
-    item = context.item
-    for unit in units(context):
+    item, links = context.item, units(context)
+    for place, unit in enumerate(links):
         started = time.perf_counter()
-        row = replace(base, id=base.id + unit.letter, read=to_latex(unit.tree))
+        row = replace(
+            base, id=base.id + unit.letter, read=to_latex(unit.tree), line=item.lines.get(unit.letter, item.line)
+        )
+        if len(item.printed) == len(links) > 1:
+            row = replace(row, printed=item.printed[place])
         if unit.letter and unit.letter in item.imposed:
             yield replace(row, role=Role.PREMISE, reason="a condition imposed here, not a claim")
             continue

@@ -99,6 +99,7 @@ torque_by_damping_matrix = claim(
             "The same repeated omega_s, seen from the other side of the chain.",
         ),
     },
+    lines={"e": 69},
 )
 
 damping_matrix = definition("1.2.4", 73, r"m_{is} = \sum_{j=1}^3 k_j a_{js} a_{ji}.")

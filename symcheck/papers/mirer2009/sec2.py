@@ -468,6 +468,7 @@ squares_of_first_row = claim(
     where=derivation.direction_cosines,
     by=identity,
     uses=["2.7.5", "2.7.6", "2.7.7", "2.7.15"],
+    lines={"b": 266, "c": 268},
 )
 
 equal_moment_equation = claim(
