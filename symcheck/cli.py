@@ -21,6 +21,7 @@ if TYPE_CHECKING:
 
 F = TypeVar("F", bound=Callable[..., Any])
 DIFFERS, BAD_INPUT, INTERRUPTED, BROKEN_PIPE = 1, 2, 130, 141
+MOST_TOLD = 30  # differences that are named one by one
 PRELOAD = ("sympy", "flint", "lark", "symcheck.evidence.decide")
 
 
@@ -271,8 +272,10 @@ def _compare(selection: Sequence[str], records: Sequence[Record], quiet: bool) -
     for key, rows in _by_paper(records).items():
         complete = not selection or key in selection
         differing += store.disagreements(rows, store.expected(folder, key), complete)
-    for line in differing:
+    for line in differing[:MOST_TOLD]:
         _say(line)
+    if len(differing) > MOST_TOLD:
+        _say(f"and {len(differing) - MOST_TOLD} more differences; ask for a smaller selection to see them")
     if differing:
         raise click.exceptions.Exit(DIFFERS)
     if not quiet:

@@ -16,8 +16,10 @@ from collections.abc import Callable, Iterator
 from typing import Any
 
 from symcheck import kernels
-from symcheck.evidence import decide
+from symcheck.evidence.context import Context
 from symcheck.evidence.executor import Done, Pool
+from symcheck.evidence.judge import units
+from symcheck.evidence.obligation import obligation_of
 from symcheck.proof.knowledge import ring_of, starting
 from symcheck.proof.polynomial import unfold
 from symcheck.reading import to_sympy
@@ -32,9 +34,9 @@ LIMIT = 60.0  # seconds for one statement; a statement that takes longer is coun
 def problems() -> Iterator[tuple[Method, Problem]]:
     """The lowered statements of the proof set, each with its method."""
     for number in PROOF_SET:
-        obligation = decide.obligation_of(f"mirer2009:{number}")
-        context, by = decide.Context(obligation.paper, obligation.item), obligation.item.by
-        for unit in decide.units(context):
+        obligation = obligation_of(f"mirer2009:{number}")
+        context, by = Context(obligation.paper, obligation.item), obligation.item.by
+        for unit in units(context):
             if unit.letter in LINKS.get(number, unit.letter):
                 method = by[unit.letter] if isinstance(by, dict) else by
                 for n, formula in enumerate(unit.formulas):

@@ -10,7 +10,8 @@ from pathlib import Path
 import pytest
 
 from symcheck import checker, kernels, papers
-from symcheck.evidence.decide import DECIDED, decide, expand
+from symcheck.evidence.decide import decide
+from symcheck.evidence.obligation import DECIDED, expand
 from symcheck.evidence.record import Record
 from symcheck.statement import Origin, Reading, Role, SymcheckError, Verdict
 

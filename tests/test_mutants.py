@@ -10,8 +10,10 @@ import oracle
 import pytest
 
 from symcheck import papers
-from symcheck.evidence.decide import Context, Unit, expand, judge, units
+from symcheck.evidence.context import Context
+from symcheck.evidence.judge import Unit, judge, units
 from symcheck.evidence.mutation import Fate, fate, mutants
+from symcheck.evidence.obligation import expand
 from symcheck.reading import Iff
 from symcheck.statement import Hypothesis, Role, Verdict
 

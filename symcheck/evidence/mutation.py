@@ -7,7 +7,8 @@ from copy import copy
 from dataclasses import dataclass
 from enum import StrEnum
 
-from symcheck.evidence.decide import Context, Unit, judge
+from symcheck.evidence.context import Context
+from symcheck.evidence.judge import Unit, judge
 from symcheck.proof import equivalent
 from symcheck.reading import edits, to_latex
 from symcheck.statement import Hypothesis, SymcheckError, Verdict

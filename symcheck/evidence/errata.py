@@ -1,0 +1,138 @@
+"""Evidence beside the verdict: which hypotheses are needed, and what a wrong relation should be."""
+
+from __future__ import annotations
+
+import difflib
+import re
+from collections.abc import Iterator, Mapping
+from copy import copy
+from dataclasses import replace
+from typing import Any
+
+from symcheck.evidence.context import Context
+from symcheck.evidence.judge import Finding, Unit, judge
+from symcheck.proof import cases, certificate, proof_of, refute
+from symcheck.reading import edits, read, to_latex
+from symcheck.statement import Certificate, Erratum, Hypothesis, Item, Outcome, Role, SymcheckError, Verdict
+
+
+def needs(finding: Finding, item: Item, added: tuple[Hypothesis, ...]) -> tuple[dict[str, Any], ...]:
+    """Each hypothesis with whether the proof needs it, and the counterexample without it."""
+    rows = []
+    for hypothesis in (*item.given, *added):
+        need, counterexample = _need(finding, item, hypothesis.name)
+        rows.append(
+            {
+                "name": hypothesis.name,
+                "words": hypothesis.words,
+                "states": hypothesis.states,
+                "given": _source(hypothesis, item, added),
+                "needed": need,
+                "counterexample": counterexample,
+            }
+        )
+    return tuple(rows)
+
+
+def _source(hypothesis: Hypothesis, item: Item, added: tuple[Hypothesis, ...]) -> str:
+    """Where a hypothesis comes from: printed, implied by the subject, added by us, or part of a statement of ours."""
+    if item.role is Role.OURS:
+        return "stated"
+    if hypothesis in added:
+        return "added"
+    return "printed" if hypothesis.printed else "standing"
+
+
+def _need(finding: Finding, item: Item, name: str) -> tuple[bool | None, Certificate | None]:
+    """Left out, is the claim refuted somewhere (True), or proved everywhere (False)? A lemma may rest on it (None)."""
+    if finding.verdict is not Verdict.PROVED:
+        return None, None
+    claims = [problem for problem in finding.concrete if not (problem.claim[0] == "<=>" and item.equality)]
+    without = [replace(problem, hypotheses=tuple(h for h in problem.hypotheses if h[0] != name)) for problem in claims]
+    for problem in without:
+        if (point := refute(problem)) is not None:
+            used = tuple(each for each, _ in problem.hypotheses)
+            return True, certificate(problem, Outcome(Verdict.REFUTED, point=point, used=used))
+    if item.lemmas or any(proof_of(problem) is None for problem in without):
+        return None, None
+    return False, None
+
+
+def corrected(context: Context, unit: Unit, erratum: Erratum, printed: Finding) -> tuple[Finding, dict[str, Any]]:
+    """The proof of the corrected form, the edit from the printed one, and every single edit that repairs it.
+
+    A sentence is not searched for edits (its words are ours), nor a relation that is true but empty.
+    """
+    item = context.item
+    if erratum.corrected:
+        tree = read(erratum.corrected, context.notation)
+        right = unit.reworded(context, tree)
+        repaired = replace(item, equality="", by=cases(*_hints(item), *erratum.forms))
+        finding = judge(_with(context, repaired), right, item.given, item.needs)
+    else:
+        finding = judge(context, unit, item.given, item.needs)
+    searched = bool(erratum.corrected) and not item.formal and printed.verdict is Verdict.REFUTED
+    repairs = _repairs(context, unit) if searched else []
+    return finding, {
+        "verdict": finding.verdict,
+        "reason": finding.reason,
+        "certificates": list(finding.certificates),
+        "edit": _edit(to_latex(unit.tree), erratum.corrected and to_latex(read(erratum.corrected, context.notation))),
+        "added": [hypothesis.words for hypothesis in item.needs],
+        "repairs": repairs if searched else None,
+        "unique": len(repairs) == 1 if searched else None,
+        "empty": _is_empty(printed),
+    }
+
+
+def _hints(item: Item) -> Iterator[str]:
+    methods = item.by.values() if isinstance(item.by, Mapping) else [item.by]
+    yield from dict.fromkeys(latex for method in methods if method for _, latex in method.hints)
+
+
+def _with(context: Context, item: Item) -> Context:
+    changed = copy(context)
+    changed.item = item
+    return changed
+
+
+def _edit(before: str, after: str) -> list[dict[str, str]]:
+    """The places where two LaTeX forms differ, token by token."""
+    if not after:
+        return []
+    tokens = re.compile(r"\\[A-Za-z]+|\\.|\d+|\S")
+    left, right = tokens.findall(before), tokens.findall(after)
+    matcher = difflib.SequenceMatcher(None, left, right, autojunk=False)
+    return [
+        {"printed": " ".join(left[i:j]), "corrected": " ".join(right[k:m])}
+        for kind, i, j, k, m in matcher.get_opcodes()
+        if kind != "equal"
+    ]
+
+
+def _repairs(context: Context, unit: Unit) -> list[dict[str, str]]:
+    """All single edits of the printed relation that are proved and are not empty."""
+    found = []
+    for edit in edits(unit.tree, context.notation):
+        try:
+            changed = unit.reworded(context, edit.tree)
+            if _is_proved(context, changed):
+                found.append({"kind": edit.kind, "edit": edit.description, "relation": to_latex(edit.tree)})
+        except SymcheckError:
+            continue  # an edit that makes no statement repairs nothing
+    return found
+
+
+def _is_proved(context: Context, unit: Unit) -> bool:
+    """Whether an edited relation has a proof and is not empty; counterexamples are not looked for."""
+    method, given = context.method(unit.letter), (*context.item.given, *context.item.needs)
+    problems = [context.problem(formula, given, method, n) for n, formula in enumerate(unit.formulas)]
+    return all(problem.claim[1] != problem.claim[2] and proof_of(problem) is not None for problem in problems)
+
+
+def _is_empty(finding: Finding) -> bool:
+    """Whether an inequality is true only because its sides are equal, always."""
+    return finding.verdict is Verdict.PROVED and all(
+        problem.claim[0] in ("<=", ">=") and proof_of(replace(problem, claim=("=", *problem.claim[1:]))) is not None
+        for problem in finding.concrete
+    )

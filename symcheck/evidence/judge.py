@@ -1,0 +1,210 @@
+"""Proved, refuted or undecided: the relations of a declaration put to its proof method, lemmas first."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterable
+from copy import copy
+from dataclasses import dataclass, replace
+from functools import cache
+
+from symcheck import papers
+from symcheck.evidence.context import Context, conjuncts, for_letter
+from symcheck.proof import cases, certificate, proof_of, refute
+from symcheck.reading import Relation, System, Tree, from_sympy, lower, read, relations, to_latex
+from symcheck.statement import (
+    Certificate,
+    Formula,
+    Hypothesis,
+    Item,
+    Method,
+    Outcome,
+    Paper,
+    Problem,
+    SymcheckError,
+    Term,
+    Verdict,
+)
+
+
+@dataclass(frozen=True)
+class Unit:
+    """One relation of a declaration: its link letter, its tree, what it is compared with, its lowered instances."""
+
+    letter: str
+    tree: Tree
+    derived: tuple[Term, ...]
+    formulas: tuple[Formula, ...]
+
+    def reworded(self, context: Context, tree: Tree) -> Unit:
+        """The same unit with another statement in the place of the printed one."""
+        return replace(self, tree=tree, formulas=_formulas(context, tree, self.derived))
+
+
+def units(context: Context) -> list[Unit]:
+    """The relations of a declaration: each link of a chain or system, or the whole formal statement."""
+    item = context.item
+    tree = read(item.formal or item.read_as or item.printed, context.notation)
+    links = [tree] if item.formal else [_statement(link) for link in relations(tree)]
+    letters = [chr(ord("a") + n) for n in range(len(links))] if len(links) > 1 else [""]
+    derived = [from_sympy(value) for value in item.equation()] if item.equation else []
+    found = []
+    for letter, link in zip(letters, links, strict=True):
+        count = len(lower(link, context.notation)) if derived else 0
+        found.append(Unit(letter, link, tuple(derived[:count]), _formulas(context, link, tuple(derived[:count]))))
+        derived = derived[count:]
+    if derived:
+        raise SymcheckError(f"{context.id}: {len(derived)} more equations are derived than printed")
+    return found
+
+
+def _statement(link: Relation) -> Tree:
+    """One link as a statement of its own."""
+    return System((link.tree,), link.qualifiers) if link.qualifiers else link.tree
+
+
+def _formulas(context: Context, tree: Tree, derived: tuple[Term, ...]) -> tuple[Formula, ...]:
+    """The lowered statement. With a derived equation E = 0, a printed l = r claims that l - r is E."""
+    formulas = lower(tree, context.notation)
+    if not derived:
+        return formulas
+    if len(formulas) != len(derived) or any(formula[0] != "=" for formula in formulas):
+        raise SymcheckError(f"{context.id}: {len(derived)} derived equations cannot be compared with {to_latex(tree)}")
+    return tuple(
+        ("=", left if right == 0 else ("+", left, ("-", right)), term)
+        for (_, left, right), term in zip(formulas, derived, strict=True)
+    )
+
+
+@dataclass(frozen=True)
+class Finding:
+    """What came out for one statement: the outcome of each instance, with its problem."""
+
+    verdict: Verdict
+    problems: tuple[Problem, ...]
+    outcomes: tuple[Outcome, ...]
+    concrete: tuple[Problem, ...]
+    lemmas: tuple[str, ...]
+
+    @property
+    def certificates(self) -> tuple[Certificate, ...]:
+        """One for each decided instance.
+
+        A proof from lemmas certifies "the lemmas imply the claim"; it names the lemmas, whose own certificates the
+        checker looks for, and the hypotheses in force, which those must not exceed.
+        """
+        found = []
+        for problem, outcome, whole in zip(self.problems, self.outcomes, self.concrete, strict=True):
+            if outcome.verdict is not Verdict.UNDECIDED:
+                source = {} if problem is whole else {"lemmas": self.lemmas, "under": dict(whole.hypotheses)}
+                found.append({**certificate(problem, outcome), **json.loads(json.dumps(source))})
+        return tuple(found)
+
+    @property
+    def reason(self) -> str:
+        return "; ".join(dict.fromkeys(o.reason for o in self.outcomes if o.reason))
+
+
+def _find(context: Context, formulas: Iterable[Formula], given: Iterable[Hypothesis], method: Method) -> Finding:
+    given, formulas = tuple(given), tuple(formulas)
+    concrete = tuple(context.problem(formula, given, method, n) for n, formula in enumerate(formulas))
+    problems, outcomes = list(concrete), []
+    premises = _premises(context, given)
+    for n, problem in enumerate(concrete):
+        if context.doubted and (point := refute(problem)) is not None:
+            outcomes.append(Outcome(Verdict.REFUTED, point=point, used=tuple(name for name, _ in problem.hypotheses)))
+            continue
+        outcome = None
+        if premises is not None:
+            short = context.abstract().problem(("=>", premises, formulas[n]), given, method, n)
+            if (outcome := proof_of(short)) is not None:
+                problems[n] = short
+        outcomes.append(outcome or method.decide(problem))
+    verdicts = {outcome.verdict for outcome in outcomes}
+    if Verdict.REFUTED in verdicts:
+        verdict = Verdict.REFUTED
+    elif verdicts == {Verdict.PROVED}:
+        verdict = Verdict.PROVED
+    else:
+        verdict = Verdict.UNDECIDED
+    lemmas = tuple(f"{context.paper.key}:{number}" for number in context.item.lemmas)
+    return Finding(verdict, tuple(problems), tuple(outcomes), concrete, lemmas)
+
+
+def equality_claims(context: Context, unit: Unit, equality: str) -> tuple[Formula, ...]:
+    """For l <= r: l = r exactly where `equality` holds, instance by instance."""
+    where = context.lower(equality)
+    paired = len(unit.formulas) == len(where) > 1
+    return tuple(
+        ("<=>", ("=", formula[1], formula[2]), where[n] if paired else _all(where))
+        for n, formula in enumerate(unit.formulas)
+    )
+
+
+def _all(formulas: tuple[Formula, ...]) -> Formula:
+    return formulas[0] if len(formulas) == 1 else ("and", *formulas)
+
+
+def judge(context: Context, unit: Unit, given: tuple[Hypothesis, ...], extra: tuple[Hypothesis, ...] = ()) -> Finding:
+    """The statement of one unit, an inequality together with its set of equality."""
+    context, item = copy(context), context.item
+    context.letter = unit.letter
+    method = context.method(unit.letter)
+    finding = _find(context, unit.formulas, (*given, *extra), method)
+    equality = for_letter(item.equality, unit.letter)
+    if not equality or finding.verdict is not Verdict.PROVED:
+        return finding
+    by = cases(*(latex for _, latex in method.hints))
+    attained = _find(context, equality_claims(context, unit, equality), (*given, *extra, *item.equality_given), by)
+    verdict = Verdict.PROVED if attained.verdict is Verdict.PROVED else Verdict.UNDECIDED
+    outcomes = tuple(
+        replace(o, reason=o.reason or "the set of equality is not as declared")
+        if o.verdict is not Verdict.PROVED
+        else o
+        for o in attained.outcomes
+    )
+    return replace(
+        finding,
+        verdict=verdict,
+        problems=finding.problems + attained.problems,
+        outcomes=finding.outcomes + outcomes,
+        concrete=finding.concrete + attained.concrete,
+    )
+
+
+# --- earlier relations as lemmas
+
+
+def _letter_of(paper: Paper, number: str) -> tuple[Item, str]:
+    """The declaration of "2.13.1b", and "b"."""
+    items = {item.number: item for _, _, item in paper.items()}
+    for declared, letter in ((number, ""), (number[:-1], number[-1:])):
+        if declared in items:
+            return items[declared], letter
+    raise SymcheckError(f"{paper.key}:{number} is used as a lemma, but not declared")
+
+
+@cache
+def lemma(key: str, number: str) -> tuple[tuple[Formula, ...], tuple[Certificate, ...]]:
+    """The formulas of an earlier relation and the certificates that prove them."""
+    paper = papers.load()[key]
+    item, letter = _letter_of(paper, number)
+    context = Context(paper, replace(item, equality=""))
+    unit = next((unit for unit in units(context) if unit.letter == letter), None)
+    if unit is None:
+        raise SymcheckError(f"{key}:{number} is used as a lemma, but {key}:{item.number} has no link {letter!r}")
+    finding = judge(context, unit, item.given)
+    if finding.verdict is not Verdict.PROVED:
+        raise SymcheckError(f"{key}:{number} is used as a lemma, but not proved")
+    return tuple(part for formula in unit.formulas for part in conjuncts(formula)), finding.certificates
+
+
+def _premises(context: Context, given: Iterable[Hypothesis]) -> Formula | None:
+    """The earlier relations the proof may start from, as far as they are proved under no more than is given."""
+    names = {hypothesis.name for hypothesis in given}
+    found: list[Formula] = []
+    for number in context.item.lemmas:
+        formulas, proofs = lemma(context.paper.key, number)
+        if all(names >= proof["hypotheses"].keys() for proof in proofs):
+            found += formulas
+    return _all(tuple(found)) if found else None
