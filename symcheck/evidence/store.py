@@ -37,7 +37,7 @@ def files(records: Iterable[Record]) -> dict[str, bytes]:
         papers.setdefault(record.paper, []).append(record)
     out: dict[str, bytes] = {}
     for key, rows in sorted(papers.items()):
-        proofs = (_line(certificate) for row in rows for certificate in certificates(row))
+        proofs = dict.fromkeys(_line(certificate) for row in rows for certificate in certificates(row))
         verdicts = (f"{_line(row.id)}: {_line(_expectation(row))}" for row in rows)
         out[f"{CERTIFICATES}/{key}.json"] = _document(key, "certificates", "[]", proofs)
         out[f"{EXPECTED}/{key}.json"] = _document(key, "items", "{}", verdicts)
