@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 from collections.abc import Callable
+from dataclasses import replace
 from functools import cache
 from pathlib import Path
 
@@ -150,6 +151,23 @@ def test_a_proof_from_a_lemma_falls_with_the_lemma(outcome: Callable[[dict[str, 
     assert code == 1
     assert "mirer2009:2.10a: a lemma is not proved" in text
     assert leaning >= {"mirer2009:2.10a", "mirer2009:2.17"}
+
+
+def test_a_result_depends_on_the_lemmas_it_may_use(monkeypatch: pytest.MonkeyPatch) -> None:
+    from symcheck.evidence import obligation
+    from symcheck.papers.mirer2009 import sec2
+
+    def prints() -> dict[str, str]:
+        obligation._paper_context.cache_clear()
+        return {each.id: obligation.fingerprint(each) for each in expand(papers.load()["mirer2009"])}
+
+    before = prints()
+    changed = replace(sec2.product_and_its_excess, formal=r"J_1 J_2 J_3 = I_1 I_2 I_3")
+    monkeypatch.setattr(sec2, "product_and_its_excess", changed)
+    after = prints()
+    monkeypatch.undo()
+    assert prints() == before
+    assert after["mirer2009:2.10"] != before["mirer2009:2.10"]
 
 
 def test_a_lemma_needs_its_own_hypotheses_in_force(outcome: Callable[[dict[str, object]], tuple[int, str]]) -> None:

@@ -68,6 +68,12 @@ class Context:
     def id(self) -> str:
         return f"{self.paper.key}:{self.item.number}"
 
+    def having(self, **changes: Any) -> Context:
+        """A copy with some attributes changed."""
+        context = copy(self)
+        vars(context).update(changes)
+        return context
+
     def _is_free(self, name: str) -> bool:
         return name in self.item.keeping or name.split("_")[0] in self.item.keeping
 
@@ -109,8 +115,7 @@ class Context:
 
     def abstract(self) -> Context:
         """The same declaration with some defined letters left free, known through earlier relations only."""
-        context = copy(self)
-        context.item = replace(self.item, keeping=self.item.keeping + self.item.free)
+        context = self.having(item=replace(self.item, keeping=self.item.keeping + self.item.free))
         context.table = {name: term for name, term in self.table.items() if not context._is_free(name)}
         return context
 

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import time
 from collections.abc import Iterator
-from copy import copy
 from dataclasses import replace
 
 from symcheck.evidence.context import Context
@@ -78,9 +77,7 @@ def _claimed(context: Context, base: Record) -> Iterator[Record]:
 def _judged(context: Context, unit: Unit, row: Record) -> Record:
     item = context.item
     erratum = item.errata.get(unit.letter)
-    sceptical = copy(context)
-    sceptical.doubted = erratum is not None
-    finding = judge(sceptical, unit, item.given)
+    finding = judge(context.having(doubted=erratum is not None), unit, item.given)
     row = replace(
         row,
         verdict=finding.verdict,

@@ -5,7 +5,6 @@ from __future__ import annotations
 import difflib
 import re
 from collections.abc import Iterator, Mapping
-from copy import copy
 from dataclasses import replace
 from typing import Any
 
@@ -63,12 +62,12 @@ def corrected(context: Context, unit: Unit, erratum: Erratum, printed: Finding) 
 
     A sentence is not searched for edits (its words are ours), nor a relation that is true but empty.
     """
-    item = context.item
+    item, edit = context.item, []
     if erratum.corrected:
-        tree = read(erratum.corrected, context.notation)
-        right = unit.reworded(context, tree)
+        right = unit.reworded(context, read(erratum.corrected, context.notation))
         repaired = replace(item, equality="", by=cases(*_hints(item), *erratum.forms))
-        finding = judge(_with(context, repaired), right, item.given, item.needs)
+        finding = judge(context.having(item=repaired), right, item.given, item.needs)
+        edit = _edit(to_latex(unit.tree), to_latex(right.tree))
     else:
         finding = judge(context, unit, item.given, item.needs)
     searched = bool(erratum.corrected) and not item.formal and printed.verdict is Verdict.REFUTED
@@ -77,7 +76,7 @@ def corrected(context: Context, unit: Unit, erratum: Erratum, printed: Finding) 
         "verdict": finding.verdict,
         "reason": finding.reason,
         "certificates": list(finding.certificates),
-        "edit": _edit(to_latex(unit.tree), erratum.corrected and to_latex(read(erratum.corrected, context.notation))),
+        "edit": edit,
         "added": [hypothesis.words for hypothesis in item.needs],
         "repairs": repairs if searched else None,
         "unique": len(repairs) == 1 if searched else None,
@@ -90,16 +89,8 @@ def _hints(item: Item) -> Iterator[str]:
     yield from dict.fromkeys(latex for method in methods if method for _, latex in method.hints)
 
 
-def _with(context: Context, item: Item) -> Context:
-    changed = copy(context)
-    changed.item = item
-    return changed
-
-
 def _edit(before: str, after: str) -> list[dict[str, str]]:
     """The places where two LaTeX forms differ, token by token."""
-    if not after:
-        return []
     tokens = re.compile(r"\\[A-Za-z]+|\\.|\d+|\S")
     left, right = tokens.findall(before), tokens.findall(after)
     matcher = difflib.SequenceMatcher(None, left, right, autojunk=False)

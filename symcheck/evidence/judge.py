@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import json
 from collections.abc import Iterable
-from copy import copy
 from dataclasses import dataclass, replace
 from functools import cache
 
@@ -147,8 +146,7 @@ def _all(formulas: tuple[Formula, ...]) -> Formula:
 
 def judge(context: Context, unit: Unit, given: tuple[Hypothesis, ...], extra: tuple[Hypothesis, ...] = ()) -> Finding:
     """The statement of one unit, an inequality together with its set of equality."""
-    context, item = copy(context), context.item
-    context.letter = unit.letter
+    context, item = context.having(letter=unit.letter), context.item
     method = context.method(unit.letter)
     finding = _find(context, unit.formulas, (*given, *extra), method)
     equality = for_letter(item.equality, unit.letter)

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from copy import copy
 from dataclasses import dataclass
 from enum import StrEnum
 
@@ -50,9 +49,7 @@ def fate(context: Context, unit: Unit, mutant: Unit | None, given: tuple[Hypothe
         return Fate.MALFORMED
     if _same(context, unit, mutant, given):
         return Fate.EQUIVALENT
-    sceptical = copy(context)
-    sceptical.doubted = True
-    verdict = judge(sceptical, mutant, given).verdict
+    verdict = judge(context.having(doubted=True), mutant, given).verdict
     return {Verdict.PROVED: Fate.ACCEPTED, Verdict.REFUTED: Fate.REFUTED}.get(verdict, Fate.UNDECIDED)
 
 

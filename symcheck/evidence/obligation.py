@@ -86,12 +86,14 @@ def _content(item: Item) -> str:
 @cache
 def _paper_context(key: str) -> str:
     paper = papers.load()[key]
-    shared = [_content(item) for _, _, item in paper.items() if item.role is Role.DEFINITION]
-    uses = [(item.number, item.uses) for _, _, item in paper.items()]
+    items = [item for _, _, item in paper.items()]
+    lemmas = {number for item in items for name in item.lemmas for number in (name, name[:-1])}
+    shared = [_content(item) for item in items if item.role is Role.DEFINITION or item.number in lemmas]
+    uses = [(item.number, item.uses) for item in items]
     return repr((paper.notation.letters, shared, uses, _digest_of_sources(key)))
 
 
 def fingerprint(obligation: Obligation) -> str:
-    """Hash of all the result depends on: the declaration, notation, definitions, our sources, library versions."""
+    """Hash of all a result depends on: declaration, notation, definitions, lemmas, our sources, library versions."""
     text = _content(obligation.item) + _paper_context(obligation.paper.key)
     return hashlib.sha256(text.encode()).hexdigest()

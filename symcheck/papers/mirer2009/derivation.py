@@ -68,11 +68,6 @@ def damping_entries() -> dict[str, Any]:
     return rotation.entries(damping_matrix().applyfunc(sp.expand), "m")
 
 
-def torque_components() -> dict[str, Any]:
-    """Components mu_1 to mu_3 of the control torque in principal axes."""
-    return {f"mu_{i}": value for i, value in enumerate(control_torque(), 1)}
-
-
 def spectral_damping_entries() -> dict[str, Any]:
     """Entries n_11 to n_33 of S^T B S with a diagonal B."""
     axes, gains = rotation.matrix("s"), sp.diag(*(sp.Symbol(f"b_{i}{i}", real=True) for i in (1, 2, 3)))
