@@ -63,7 +63,7 @@ def test_every_part_of_a_proof_is_told_once() -> None:
         "factors": [["FACTOR_1", 2], ["FACTOR_2", 1]],
         "times": [["here", 0]],
         "cofactors": [[["here", 0], "QUOTIENT"]],
-        "nonzero": ["DIVISOR"],
+        "nonzero": [["DIVISOR"]],
         "cases": [
             {"rule": "nonnegative", "form": ["^", "FORM", 2], "cofactors": []},
             {"rule": "witness", "point": {"POINT": 1}},

@@ -7,7 +7,7 @@ from dataclasses import replace
 
 import pytest
 from saboteurs import SABOTEURS, unsound
-from statements import DISTINCT, DISTINCT_AS_PRINTED, FALSE, ORTHOGONAL, RIGHT, TRUE, J, L, eq, mul, sq, sub
+from statements import DISTINCT, DISTINCT_AS_PRINTED, FALSE, ORTHOGONAL, RIGHT, TRUE, J, L, eq, mul, over, sq, sub
 
 from symcheck.checker import check
 from symcheck.proof import cases, certificate, equivalent, existence, identity, nonnegative
@@ -80,9 +80,9 @@ def test_equal_moments_without_principal_axes_are_found_in_roots() -> None:
 
 
 def test_denominators_become_side_conditions() -> None:
-    assert evidence(BY_ID["ratio"])["proof"]["nonzero"] == ["y", "z"]
+    assert evidence(BY_ID["ratio"])["proof"]["nonzero"] == [["y"], ["z"]]
     free = Problem("divided", eq(("/", mul("x", "y"), "y"), "x"))
-    assert evidence(free)["proof"]["nonzero"] == ["y"]
+    assert evidence(free)["proof"]["nonzero"] == [["y"]]
     given = replace(free, hypotheses=(("y", (("!=", "y", 0),)),))
     assert "nonzero" not in evidence(given)["proof"]
     assert check(evidence(given)) is None
@@ -199,3 +199,13 @@ def test_roots_of_rationals_are_split_into_primes() -> None:
 def test_definitions_that_are_not_used_are_not_listed() -> None:
     problem = BY_ID["2.12"]
     assert {name for name, _ in evidence(replace(problem, definitions=J + L))["definitions"]} == {"J_1", "J_3"}
+
+
+def test_a_witness_divides_by_nothing_that_may_be_zero() -> None:
+    claim = ("exists", ("x",), eq(("+", mul("a", "x"), "b"), 0))
+    line = Problem("a zero", claim, hints=(("point_x", over(("-", "b"), "a")),))
+    assert identity.decide(line).verdict is not Verdict.PROVED
+    sloped = replace(line, hypotheses=(("a", (("!=", "a", 0),)),))
+    assert identity.decide(sloped).verdict is Verdict.PROVED
+    assert check(evidence(sloped)) is None
+    assert evidence(sloped)["hypotheses"] == {"a": [["!=", "a", 0]]}

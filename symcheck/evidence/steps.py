@@ -73,7 +73,7 @@ def sides(counterexample: Mapping[str, Any]) -> str:
 
 def _detail(key: str, value: Any) -> Iterator[str]:
     if key == "cofactors":
-        yield from (f"+ ({poly}) · [{reference(ref)}]" for ref, poly in value)
+        yield from (f"+ ({') · ('.join(polys)}) · [{reference(ref)}]" for ref, *polys in value)
     elif key == "times":
         yield from (f"not zero: {reference(cond)}" for cond in value)
     elif key == "given":
@@ -81,7 +81,12 @@ def _detail(key: str, value: Any) -> Iterator[str]:
             "rests on " + ", ".join(f"{name} [{number + 1}]" for name, number in value) if value else "rests on nothing"
         )
     elif key == "nonzero":
-        yield "wherever these do not vanish: " + ", ".join(value)
+        yield "wherever these do not vanish: " + ", ".join(" / ".join(texts) for texts in value)
+    elif key == "clear":
+        yield "multiplied with: " + ", ".join(value)
+    elif key == "of":
+        name, *given = value
+        yield f"theorem {name.replace('_', ' ')} of {', '.join(map(_number, given))}"
     elif key == "point":
         yield point(value)
     elif key == "factors":

@@ -7,8 +7,9 @@ from collections.abc import Callable
 from symcheck.proof.certificate import references, terms_in
 from symcheck.proof.counterexample import refute
 from symcheck.proof.knowledge import Knowledge, given_of, ring_of, starting
+from symcheck.proof.orders import positive_form
 from symcheck.proof.polynomial import Poly, Ring, Unsupported, flatten, sides, unfold, variables
-from symcheck.statement import Certificate, Outcome, Problem, Verdict
+from symcheck.statement import Certificate, Outcome, Problem, Term, Verdict
 
 Search = Callable[[Problem, Ring], Certificate | None]
 
@@ -36,45 +37,56 @@ def prove(problem: Problem, search: Search) -> Outcome | None:
     return None if proof is None else _proved(problem, ring, proof)
 
 
-def _proved(problem: Problem, ring: Ring, proof: Certificate) -> Outcome:
-    """Completes a proof: the denominators' side conditions and the list of what it rests on."""
+def _proved(problem: Problem, ring: Ring, proof: Certificate) -> Outcome | None:
+    """Completes a proof: the denominators' side conditions and the list of what it rests on.
+
+    None if the proof divides by something that the statement does not divide by and that is not known to be non-zero.
+    """
     given = references(proof)
-    extra, nonzero = side_conditions(starting(problem, ring), ring, problem, proof, given)
-    given |= extra
-    if nonzero:
-        proof["nonzero"] = nonzero
+    if ring.divisors or problem.claim[0] == "exists":  # a witness is tried in a ring of its own
+        own = [variables(unfold(term, ring.definitions)) for term in terms_in(proof)]
+        known, before = starting(problem, Ring(set(ring.names).union(*own), ring.definitions)), -1
+        while len(given) > before:  # a hypothesis that is used has denominators of its own
+            before = len(given)
+            listed, positive = _conditions(problem, proof, known, given)
+            if listed is None:
+                return None
+        proof |= {"nonzero": sorted(listed)} if listed else {}
+        proof |= {"positive": positive} if positive else {}
     proof["given"] = sorted([name, k] for name, k in given)
     names = {name for name, _ in given}
     return Outcome(Verdict.PROVED, proof=proof, used=tuple(name for name, _ in problem.hypotheses if name in names))
 
 
-def side_conditions(
-    known: Knowledge, ring: Ring, problem: Problem, proof: Certificate, given: set[tuple[str, int]]
-) -> tuple[set[tuple[str, int]], list[str]]:
-    """(hypotheses that say that denominators are not zero, denominators about which none does)."""
-    if not ring.divisors and problem.claim[0] != "exists":  # a witness is tried in a ring of its own
-        return set(), []
-    used: set[tuple[str, int]] = set()
-    while True:
-        listed: list[str] = []
-        before = len(used)
-        for text, divisor in _divisors(problem, ring, proof, given | used).items():
-            refs = known.nonzero(divisor)
-            used |= given_of(refs or ())
-            listed += [text] if refs is None else []
-        if len(used) == before:
-            return used, sorted(listed)
+def _conditions(
+    problem: Problem, proof: Certificate, known: Knowledge, given: set[tuple[str, int]]
+) -> tuple[list[list[str]] | None, list[Term]]:
+    """(denominators of the statement about which no hypothesis speaks, the proof's own as positive terms).
+
+    A denominator that contains others is written as its numerator and those others. Adds to the hypotheses given.
+    """
+    parts = [(name, k, f) for name, fs in problem.hypotheses for k, f in enumerate(p for f in fs for p in flatten(f))]
+    stated = [problem.claim, *(f for name, k, f in parts if (name, k) in given)]
+    statement = _divisors([side for formula in stated for side in sides(formula)], known.ring)
+    listed: list[list[str]] = []
+    positive: list[Term] = []
+    for texts, divisor in {**statement, **_divisors(terms_in(proof), known.ring)}.items():
+        refs = known.nonzero(divisor) if len(texts) == 1 else None
+        if refs is not None:
+            given |= given_of(refs)
+        elif texts in statement:
+            listed.append([*texts])
+        elif (form := positive_form(divisor, known)) is not None and known.sign(form)[0] == 2 and len(texts) == 1:
+            given |= known.sign(form)[1]
+            positive.append(form)
+        else:
+            return None, []
+    return listed, positive
 
 
-def _divisors(problem: Problem, ring: Ring, proof: Certificate, given: set[tuple[str, int]]) -> dict[str, Poly]:
-    """The denominators of the claim, of the hypotheses used and of the terms in the proof."""
-    formulas = [problem.claim]
-    for name, stated in problem.hypotheses:
-        parts = [part for f in stated for part in flatten(f)]
-        formulas += [part for k, part in enumerate(parts) if (name, k) in given]
-    terms = [side for formula in formulas for side in sides(formula)] + terms_in(proof)
-    own = [variables(unfold(term, ring.definitions)) for term in terms]
-    fresh = Ring(set(ring.names).union(*own), ring.definitions)
+def _divisors(terms: list[Term], ring: Ring) -> dict[tuple[str, ...], Poly]:
+    """The denominators met in the terms."""
+    fresh = Ring(ring.names, ring.definitions)
     for term in terms:
         fresh.ratio(term)
     return fresh.divisors

@@ -7,13 +7,19 @@ from itertools import combinations
 
 from symcheck.proof.ideal import Fact
 from symcheck.proof.knowledge import Knowledge, starting
-from symcheck.proof.polynomial import Poly, Ring
+from symcheck.proof.polynomial import Poly, Ratio, Ring
 from symcheck.statement import Certificate, Formula, Problem
 
 
 def written(cofactors: list[Fact]) -> list[list[object]]:
-    """Cofactors as they stand in a certificate."""
-    return [[ref, str(poly)] for ref, poly in cofactors]
+    """Cofactors as they stand in a certificate: those of what holds by construction are left out."""
+    return [[ref, str(poly), *getattr(ref, "den", ())] for ref, poly in cofactors if ref[0] != "axiom"]
+
+
+def cleared(value: Ratio) -> Certificate:
+    """The denominators that a value is multiplied with before it is written as a combination of facts."""
+    texts = [text for text, (_, exponent) in value.den.items() for _ in range(exponent)]
+    return {"clear": texts} if texts else {}
 
 
 def subsets(problem: Problem) -> Iterator[tuple[str, ...]]:
@@ -45,12 +51,13 @@ def fewest(problem: Problem, ring: Ring, poly: Poly) -> list[Fact] | None:
 
 def prove_identity(problem: Problem, ring: Ring) -> Certificate | None:
     """The proof of an equation, or None if left - right is not in the ideal of the hypotheses."""
-    cofactors = fewest(problem, ring, ring.difference(problem.claim))
-    return None if cofactors is None else {"rule": "identity", "cofactors": written(cofactors)}
+    gap = ring.subtract(*problem.claim[1:])
+    cofactors = fewest(problem, ring, gap.num)
+    return None if cofactors is None else {"rule": "identity", **cleared(gap), "cofactors": written(cofactors)}
 
 
 def identity_here(goal: Formula, known: Knowledge) -> Certificate | None:
     """The same inside a larger proof, from everything known at that place."""
-    poly = known.ring.difference(goal)
-    cofactors = [] if poly == 0 else known.ideal().cofactors(poly)
-    return None if cofactors is None else {"rule": "identity", "cofactors": written(cofactors)}
+    gap = known.ring.subtract(*goal[1:])
+    cofactors = [] if gap.num == 0 else known.ideal().cofactors(gap.num)
+    return None if cofactors is None else {"rule": "identity", **cleared(gap), "cofactors": written(cofactors)}

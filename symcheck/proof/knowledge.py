@@ -5,9 +5,10 @@ References name where each came from, the way the checker names them.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
+from typing import Any
 
 from symcheck.proof.ideal import Fact, Ideal, Ref
 from symcheck.proof.polynomial import RELATIONS, Poly, Ring, flatten, fraction, unfold, variables
@@ -16,6 +17,14 @@ from symcheck.statement import Formula, Problem, Term
 MIRROR = {"<": ">", "<=": ">="}
 Given = frozenset[tuple[str, int]]
 NOTHING: Given = frozenset()
+
+
+class Cleared(list[Any]):
+    """The reference of an equation with denominators: the polynomial that stands for it is multiplied with them."""
+
+    def __init__(self, ref: Ref, den: Mapping[str, tuple[Poly, int]]) -> None:
+        super().__init__(ref)
+        self.den = [text for text, (_, exponent) in den.items() for _ in range(exponent)]
 
 
 @dataclass(frozen=True)
@@ -55,8 +64,8 @@ class Knowledge:
         gap = self.ring.subtract(left, right)
         known = self
         if sign == "=":
-            known = replace(known, facts=(*known.facts, (ref, gap.num)))
-        if sign in ("!=", ">"):
+            known = replace(known, facts=(*known.facts, (Cleared(ref, gap.den) if gap.den else ref, gap.num)))
+        if sign in ("!=", ">") and not gap.den:
             known = replace(known, conditions=(*known.conditions, (ref, gap.num)))
         if sign in (">", ">=") and not gap.den:
             term = left if right == 0 else ("+", left, ("-", right))
@@ -113,10 +122,10 @@ class Knowledge:
         return 0, NOTHING
 
     def _bound(self, term: Term) -> tuple[int, Given]:
-        """The sign of a positive multiple of something assumed to be >= 0."""
+        """The sign of something assumed to be >= 0."""
         if self.signs and not (gap := self.ring.ratio(term)).den:
             for sign in self.signs:
-                if (factor := proportional(gap.num, sign.poly)) is not None and factor > 0:
+                if gap.num == sign.poly:
                     return sign.level, given_of([sign.ref])
         return 0, NOTHING
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from symcheck.proof.equations import subsets, written
+from symcheck.proof.equations import cleared, subsets, written
 from symcheck.proof.knowledge import Knowledge, starting
 from symcheck.proof.polynomial import Poly, fraction
 from symcheck.statement import Certificate, Formula, Problem, Term
@@ -25,9 +25,10 @@ def prove_order(
         level, given = known.sign(form)
         if level < wanted:
             continue
-        poly = known.ring.subtract(gap, form).num
-        if (cofactors := _cofactors(poly, known, problem)) is not None:
-            return {"rule": "nonnegative", "form": form, "cofactors": cofactors, "given": sorted(map(list, given))}
+        rest = known.ring.subtract(gap, form)
+        if (cofactors := _cofactors(rest.num, known, problem)) is not None:
+            found = {"form": form, **cleared(rest), "cofactors": cofactors, "given": sorted(map(list, given))}
+            return {"rule": "nonnegative", **found}
     return None
 
 

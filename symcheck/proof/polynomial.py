@@ -13,6 +13,7 @@ from typing import Any
 import flint
 
 from symcheck.statement import Formula, Term
+from symcheck.theorems import Terms, Unknown
 
 Poly = Any  # flint.fmpq_mpoly, which has no type information
 
@@ -58,6 +59,20 @@ def unfold(node: Any, definitions: Mapping[str, Term], active: tuple[str, ...] =
         inner = {name: term for name, term in definitions.items() if name not in node[1]}
         return ("exists", node[1], unfold(node[2], inner, active))
     return (node[0], *(unfold(child, definitions, active) for child in node[1:]))
+
+
+def derivative(term: Term, definitions: Mapping[str, Term]) -> Term:
+    """The term that ("diff", inner, x, order) stands for; the checker takes the same derivatives."""
+    assert isinstance(term, tuple)
+    try:
+        found: Term = _frozen(Terms(dict(definitions)).derived(*term[1:]))
+    except Unknown as error:
+        raise Unsupported(str(error)) from error
+    return found
+
+
+def _frozen(node: Any) -> Any:
+    return tuple(map(_frozen, node)) if isinstance(node, (list, tuple)) else node
 
 
 def constant(term: Term) -> Fraction:
@@ -141,7 +156,7 @@ def variables(node: Any) -> set[str]:
     if node[0] == "sqrt":
         return {f"sqrt_{p}" for p in square_free(constant(node[1]))[1]}
     if node[0] == "diff":
-        return variables(node[1]) | {node[2]}
+        return variables(derivative(node, {})) | variables(node[1]) | {node[2]}
     if node[0] == "exists":
         return set(node[1]) | variables(node[2])
     for child in node[1:]:
@@ -175,7 +190,7 @@ class Ring:
         self.definitions = dict(definitions or {})
         self.context = flint.fmpq_mpoly_ctx.get(list(self.names), flint.Ordering.degrevlex)
         self.generator: dict[str, Poly] = dict(zip(self.names, self.context.gens(), strict=True))
-        self.divisors: dict[str, Poly] = {}
+        self.divisors: dict[tuple[str, ...], Poly] = {}  # by numerator and the denominators inside
         self.memory: dict[Any, Any] = {}  # for answers that depend on the ring and a key alone
         self._ratios: dict[Any, Ratio] = {}
 
@@ -245,7 +260,7 @@ class Ring:
         if kind == "sqrt":
             return Ratio(self._root(constant(unfold(term[1], self.definitions))))
         if kind == "diff":
-            return self._derivative(self.ratio(unfold(term[1], self.definitions)), term[2], term[3])
+            return self.ratio(derivative(term, self.definitions))
         raise Unsupported(f"the term {kind!r} is not known")
 
     def _inverse(self, term: Term) -> Ratio:
@@ -265,7 +280,9 @@ class Ring:
             return Ratio(num / divisor.leading_coefficient())
         if (unit := self._unit_inverse(divisor)) is not None:
             return Ratio(num * unit)
-        self.divisors[str(divisor)] = divisor
+        if any(exponents for name, exponents in zip(self.names, divisor.degrees(), strict=True) if name[:5] != "sqrt_"):
+            below = [text for text, (_, exponent) in value.den.items() for _ in range(exponent)]
+            self.divisors[str(divisor), *below] = divisor
         return Ratio(num, {str(divisor): (divisor, 1)})
 
     def _unit_inverse(self, divisor: Poly) -> Poly | None:
@@ -329,23 +346,6 @@ class Ring:
         for p in primes:
             result *= self.generator[f"sqrt_{p}"]
         return result
-
-    def _derivative(self, value: Ratio, name: str, order: int) -> Ratio:
-        for _ in range(order):
-            den = self.number(1)
-            for poly, exponent in value.den.values():
-                den *= poly**exponent
-            num = self._rate(value.num, name) * den - value.num * self._rate(den, name)
-            doubled = {text: (poly, 2 * exponent) for text, (poly, exponent) in value.den.items()}
-            value = Ratio(num, doubled)
-        return value
-
-    def _rate(self, poly: Poly, name: str) -> Poly:
-        total = poly.derivative(name)
-        c, s = self.generator.get(f"cos_{name}"), self.generator.get(f"sin_{name}")
-        if c is not None and s is not None:
-            total += poly.derivative(f"sin_{name}") * c - poly.derivative(f"cos_{name}") * s
-        return total
 
     def axioms(self) -> list[tuple[list[Any], Poly]]:
         """What holds of the sines, cosines and roots of this ring, as (reference, polynomial that is zero)."""

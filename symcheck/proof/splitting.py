@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
-from symcheck.proof.equations import prove_identity, written
+from symcheck.proof.equations import cleared, prove_identity, written
 from symcheck.proof.groebner import Monomial
 from symcheck.proof.ideal import Fact, Ideal, Ref
 from symcheck.proof.knowledge import Knowledge, hints_of, proportional, starting
@@ -286,7 +286,8 @@ class _Engine:
         kind = goal[0]
         if kind == "=":
             cofactors = self._through_form(goal, place) or place.cofactors(place.known.ring.difference(goal))
-            return None if cofactors is None else {"rule": "identity", "cofactors": written(cofactors)}
+            clear = cleared(place.known.ring.subtract(*goal[1:]))
+            return None if cofactors is None else {"rule": "identity", **clear, "cofactors": written(cofactors)}
         if kind == "and":
             parts = [self._direct(part, place) for part in goal[1:]]
             return None if any(p is None for p in parts) else {"rule": "each", "parts": parts}

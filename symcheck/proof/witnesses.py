@@ -2,20 +2,21 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
+from typing import Any
 
-from symcheck.proof.equations import written
-from symcheck.proof.ideal import Ideal
-from symcheck.proof.knowledge import Knowledge, proportional, ring_of, starting
-from symcheck.proof.polynomial import Poly, Ring, flatten, unfold, variables
+from symcheck.proof.equations import identity_here
+from symcheck.proof.knowledge import Knowledge, ring_of, starting
+from symcheck.proof.polynomial import Ring, flatten, unfold, variables
 from symcheck.statement import Certificate, Formula, Problem, Term
 
 ANGLE = "turn"  # the angle of a witness's point (u, v) = (cos turn, sin turn) of the unit circle
 
 
-def prove_existence(
-    problem: Problem, ring: Ring, prove_body: Callable[[Formula, Knowledge], Certificate | None]
-) -> Certificate | None:
+Search = Callable[[Formula, Knowledge], Certificate | None]
+
+
+def prove_existence(problem: Problem, ring: Ring, prove_body: Search) -> Certificate | None:
     """The proof of an "exists" claim from the hinted point, or by a quarter turn if there is none.
 
     A point may contain two letters of its own, such as u and v: some point (u, v) of the unit circle. A claim about
@@ -24,25 +25,62 @@ def prove_existence(
     point: dict[str, Term] = {name[6:]: value for name, value in problem.hints if name.startswith("point_")}
     bound, body = problem.claim[1], problem.claim[2]
     if not point and len(bound) == 1:
-        return _turn(bound[0], body, starting(problem, ring))
+        point = {bound[0]: ANGLE}
     if not point and len(bound) == 2:
         point = {bound[0]: ("cos", ANGLE), bound[1]: ("sin", ANGLE)}
     if set(point) != set(bound):
         return None
     plain = Problem(problem.id, problem.claim, problem.definitions, problem.hypotheses)
-    own = set().union(*(variables(term) for term in point.values())) - set(ring_of(plain).names)
+    own = set().union(*(variables(term) for term in point.values())) - {*ring_of(plain).names, ANGLE}
     letters = sorted(name for name in own if name[:4] not in ("sin_", "cos_") and not name.startswith("sqrt_"))
     if len(letters) not in (0, 2):
         return None
     circle: dict[str, Term] = {x: (f, ANGLE) for x, f in zip(letters, ("cos", "sin"), strict=False)}
     point = {name: substitute(term, circle) for name, term in point.items()}
-    angles = [ANGLE] if any(ANGLE in str(term) for term in point.values()) else []
     shown = substitute(unfold(body, {n: t for n, t in problem.definitions if n not in point}), point)
     known = starting(problem, Ring({*ring.names, *variables(shown)}, ring.definitions))
-    then = _turn(ANGLE, shown, known) if angles else prove_body(shown, known)
+    turns = flatten(shown) if any(ANGLE in str(term) for term in point.values()) else [None]
+    for equation in turns:
+        if (proof := _witness(point, shown, known, equation, prove_body)) is not None:
+            return proof
+    return None
+
+
+def _witness(
+    point: Mapping[str, Term], shown: Formula, known: Knowledge, equation: Formula | None, prove_body: Search
+) -> Certificate | None:
+    """The proof with that point; the angle in it is one where the equation holds."""
+    if equation is None:
+        then = _equations(shown, known) or prove_body(shown, known)
+        return None if then is None else {"rule": "witness", "point": point, "then": then}
+    if equation[0] != "=" or f"cos_{ANGLE}" not in known.ring.generator:
+        return None
+    leading: Term = ("+", equation[1], ("-", equation[2]))
+    turned = _turned(leading)
+    premise = identity_here(("=", turned, ("-", leading)), known)
+    if premise is None or known.ideal().reduce(known.ring.ratio(leading).num) == 0:
+        return None
+    then = _witness(point, shown, known.assume(("=", leading, 0)), None, prove_body)
     if then is None:
         return None
-    return {"rule": "witness", "point": point, **({"angle": angles} if angles else {}), "then": then}
+    return {"rule": "theorem", "of": ["quarter_turn", leading, ANGLE], "premises": [premise], "then": then}
+
+
+def _equations(goal: Formula, known: Knowledge) -> Certificate | None:
+    """Equations one by one, from all that is known."""
+    if goal[0] == "and":
+        parts = [_equations(part, known) for part in goal[1:]]
+        return None if None in parts else {"rule": "each", "parts": parts}
+    return identity_here(goal, known) if goal[0] == "=" else None
+
+
+def _turned(node: Any) -> Any:
+    """The term 90 degrees further."""
+    if node == ("cos", ANGLE):
+        return ("-", ("sin", ANGLE))
+    if node == ("sin", ANGLE):
+        return ("cos", ANGLE)
+    return (node[0], *map(_turned, node[1:])) if isinstance(node, tuple) else node
 
 
 def substitute(node: Formula | Term, values: dict[str, Term]) -> Formula:
@@ -52,30 +90,3 @@ def substitute(node: Formula | Term, values: dict[str, Term]) -> Formula:
     if not isinstance(node, tuple):
         return node  # type: ignore[return-value]
     return (node[0], *(substitute(child, values) for child in node[1:]))
-
-
-def _turn(angle: str, body: Formula, known: Knowledge) -> Certificate | None:
-    """P(-s, c) = -P(c, s) modulo what is known; every other equation is a multiple of P there."""
-    ring, equations = known.ring, flatten(body)
-    if any(f[0] != "=" for f in equations) or f"cos_{angle}" not in ring.generator:
-        return None
-    polys, ideal = [ring.difference(f) for f in equations], known.ideal()
-    c, s = f"cos_{angle}", f"sin_{angle}"
-    moved = {c: -ring.generator[s], s: ring.generator[c]}
-    for index, leading in enumerate(polys):
-        turned = leading.compose(*(moved.get(n, ring.generator[n]) for n in ring.names), ctx=ring.context)
-        cofactors = ideal.cofactors(leading + turned)
-        if cofactors is None or ideal.reduce(leading) == 0:
-            continue
-        others = [_multiple(poly, leading, ideal) for poly in polys]
-        if all(other is not None for other in others):
-            return {"rule": "quarter_turn", "index": index, "cofactors": written(cofactors), "others": others}
-    return None
-
-
-def _multiple(poly: Poly, leading: Poly, ideal: Ideal) -> list[object] | None:
-    """[multiple, cofactors] with poly - multiple * leading in the ideal."""
-    factor = proportional(ideal.reduce(poly), ideal.reduce(leading)) or 0
-    multiple = ideal.ring.number(factor)
-    cofactors = ideal.cofactors(poly - multiple * leading)
-    return None if cofactors is None else [str(multiple), written(cofactors)]
