@@ -10,99 +10,24 @@ true of it is said by the table in `theorems.py`. A denominator is non-zero by a
 """
 
 import json
-import os
 import re
 import sys
 from collections.abc import Callable
 from fractions import Fraction
-from functools import lru_cache
 from math import prod
 from pathlib import Path
 from typing import Any
 
-from symcheck.theorems import THEOREMS, Terms, Theorem, Unknown, conjuncts, terms
+from symcheck.residues import Reject, chance, require
+from symcheck.theorems import BINDING, THEOREMS, Terms, Theorem, Unknown, conjuncts, terms
 
-SCHEMA, HEIGHT, MAX_DEGREE = 1, 1 << 96, 1 << 60
+SCHEMA, MAX_DEGREE = 1, 1 << 60
 RELATIONS = {"=": {0}, "!=": {-1, 1}, "<": {-1}, "<=": {-1, 0}, ">": {1}, ">=": {0, 1}}  # signs of left - right
 CONTRARY = {"!=": "=", "<": ">=", "<=": ">", ">": "<=", ">=": "<"}
 FACTOR = re.compile(r"(\d+)(?:/(\d+))?|([A-Za-z]\w*)(?:\^(\d{1,3}))?", re.ASCII)
+CONSTANTS = ("pi", "infinity")  # at a point too; pi is transcendental, as good as any letter
+OPAQUE = ("sqrt", "pow", "log", "exp", "gamma", "arctan")
 CHOSEN = re.compile("(sin|cos|sqrt)_")  # letters whose values are not free
-PRIMES = (2, 3, 5, 7, 11, 13, 17, 19, 23, 29, 31, 37, 41, 43)
-
-
-class Reject(Exception):
-    """The certificate does not prove its claim; the message says where it fails."""
-
-
-def require(condition: Any, reason: str) -> None:
-    """Rejects with the reason unless the condition holds."""
-    if not condition:
-        raise Reject(reason)
-
-
-power = lru_cache(None)(pow)  # the same roots and inverses are needed again and again
-
-
-class Chance:
-    """A random prime, -1 modulo 8 and the small primes so that their roots exist, and random values of all letters."""
-
-    def __init__(self) -> None:
-        self.prime = 0
-        while not self.prime:
-            p = 4 * prod(PRIMES) * (2**198 + int.from_bytes(os.urandom(24), "big")) - 1
-            bases = (int.from_bytes(os.urandom(16), "big") for _ in range(6))
-            self.prime = p if all(pow(base, p >> 1, p) in (1, p - 1) for base in bases) else 0
-        self.drawn: dict[Any, int] = {}
-        self.monomials: dict[str, int] = {}
-
-    def draw(self, key: Any) -> int:
-        """The random number that belongs to the key."""
-        if key not in self.drawn:
-            self.drawn[key] = int.from_bytes(os.urandom(40), "big") % self.prime
-        return self.drawn[key]
-
-    def letter(self, name: str) -> int:
-        """The value of a letter; sin_x and cos_x are a point of the circle, sqrt_2 is the root of 2."""
-        if name not in self.drawn:
-            require(re.fullmatch("[A-Za-z][A-Za-z0-9_]*", name), f"the name {name!r}")
-            if name[:4] in ("sin_", "cos_"):
-                self.drawn[name] = self.circle(name[4:])[name[0] == "s"]
-            elif name[:5] == "sqrt_":
-                self.drawn[name] = self.root(Fraction(name[5:]))
-        return self.draw(name)
-
-    def circle(self, key: Any) -> tuple[int, int]:
-        """A point of the unit circle, (cos, sin)."""
-        half = self.draw(("half", key))
-        return (1 - half * half) * self.inverse(1 + half * half), 2 * half * self.inverse(1 + half * half)
-
-    def inverse(self, value: int) -> int:
-        """1 / value."""
-        require(value % self.prime, "division by zero")
-        return power(value, -1, self.prime)
-
-    def rational(self, value: int) -> Fraction | None:
-        """The number n/d with this value; None if there is none with n and d below HEIGHT."""
-        a, b, u, v = self.prime, value % self.prime, 0, 1
-        while b >= HEIGHT:
-            q = a // b
-            a, b, u, v = b, a - q * b, v, u - q * v
-        return Fraction(b, v) if abs(v) < HEIGHT else None
-
-    def root(self, number: Fraction | None) -> int:
-        """The root of a positive number: a square modulo the prime, as the roots of the small primes are chosen."""
-        rest = 0 if number is None or number < 0 else number.numerator * number.denominator
-        value = rest * self.inverse(number.denominator**2) % self.prime if number else 0
-        for p in PRIMES if rest else ():
-            while rest % p == 0:
-                rest //= p
-        require(rest == 1 or number == 0, f"the root of {number}: only of products of primes up to {PRIMES[-1]}")
-        return power(value, (self.prime + 1) // 4, self.prime)
-
-
-@lru_cache(1)
-def chance() -> Chance:  # the prime and the point of this run
-    return Chance()
 
 
 class Algebra(Terms):
@@ -116,8 +41,10 @@ class Algebra(Terms):
         self.monomials = self.chance.monomials
         self.values: dict[str, int] = {}  # of the names met
         self.point: dict[str, Any] | None = None  # where a statement is refuted: all letters have values
+        self.settled: dict[int, int] = {}  # values of functions there
         self.scope: dict[str, int] = {}  # values of bound variables
         self.inside, self.exponent = 0, 1
+        self.atoms: dict[str, Any] = {}  # terms that stand as letters in polynomials
         self.divisors: dict[int, bool] = {}  # value -> whether it depends on letters
 
     def value(self, term: Any) -> int:
@@ -148,12 +75,11 @@ class Algebra(Terms):
             value = self.value(self.definition(name))
             self.degrees[name] = 1 + self.degree(self.definitions[name])
             require(self.degrees[name] < MAX_DEGREE, f"the degree of {name}")
-        elif self.point is None or name[:5] == "sqrt_":
+        elif self.point is None or name[:5] == "sqrt_" or name in CONSTANTS:
             value = self.chance.letter(name)
         else:
             require(name in self.point, f"no value for {name}")
-            given = self.point[name]
-            value = self.polynomial(given) if isinstance(given, str) else self.value(given)
+            value = self.value(self.point[name])
         self.values[name] = value % self.prime
         return self.values[name]
 
@@ -166,8 +92,7 @@ class Algebra(Terms):
             result += self.monomials[term]
         return result % self.prime
 
-    def monomial(self, text: str) -> int:
-        """The value of one term of such a polynomial."""
+    def monomial(self, text: str) -> int:  # one term of it
         result = -1 if text[:1] == "-" else 1
         for factor in text.removeprefix("-").split("*"):
             value = self.monomials.get(factor)
@@ -175,7 +100,8 @@ class Algebra(Terms):
                 found = FACTOR.fullmatch(factor)
                 require(found, f"the factor {factor!r}")
                 number, below, name, exponent = found.groups()  # type: ignore[union-attr]
-                base = int(number) if number else self.chance.letter(name) if self.point is None else self.value(name)
+                free = not number and name not in self.atoms
+                base = int(number) if number else self.chance.letter(name) if free else self.value(self.atoms[name])
                 value = pow(base, int(exponent or 1), self.prime) * self.chance.inverse(int(below or 1)) % self.prime
                 self.monomials[factor] = value
             result = result * value % self.prime
@@ -219,13 +145,18 @@ class Algebra(Terms):
         if kind == "sqrt" and (self.point is not None or not self.names(terms[0])):
             return self.chance.root(self.chance.rational(*values))
         if kind == "pow" and (whole := self.chance.rational(values[1])) is not None and whole.denominator == 1:
-            return self.power(terms[0], int(whole))
-        require(self.point is None, f"no value for {kind} at a point")
-        return self.chance.draw((kind, *values))
+            self.divisors.setdefault(values[0], False)  # the base of such a power is positive: that is what it means
+            return pow(values[0] if whole >= 0 else self.chance.inverse(values[0]), abs(int(whole)), self.prime)
+        return self.settle(self.chance.draw((kind, *values)))
+
+    def settle(self, value: int) -> int:
+        """The value of a function, or at a point the one it is proved to have there."""
+        require(self.point is None or value in self.settled, "no value for a function at the point")
+        return self.settled.get(value, value)
 
     def bound(self, kind: str, body: Any, x: str, *ends: Any) -> int:
         """An integral or a mean: a function of the ends and of the body, which is taken at a value of x of its own."""
-        require(self.point is None and len(ends) == 2 * (kind != "mean"), f"the {kind} of {body}")
+        require(len(ends) == 2 * (kind != "mean"), f"the {kind} of {body}")
         limits = [self.value(end) % self.prime for end in ends]
         kept, self.inside = (self.scope, self.values), self.inside + 1
         key = ("bound", self.inside)
@@ -233,7 +164,7 @@ class Algebra(Terms):
         self.scope, self.values = {**self.scope, **own}, {}
         value = self.value(body) % self.prime
         (self.scope, self.values), self.inside = kept, self.inside - 1
-        return self.chance.draw((kind, value, *limits))
+        return self.settle(self.chance.draw((kind, value, *limits)))
 
 
 OPERATIONS: dict[str, Callable[..., int]] = {
@@ -244,8 +175,8 @@ OPERATIONS: dict[str, Callable[..., int]] = {
     "sin": lambda a, term: a.turn(term)[1],
     "tan": lambda a, term: a.value(["/", ["sin", term], ["cos", term]]),
     "diff": lambda a, term, x, order: a.value(a.derived(term, x, order)),
-    **{kind: lambda a, *t, kind=kind: a.opaque(kind, *t) for kind in ("sqrt", "pow", "log", "gamma")},
-    **{kind: lambda a, *t, kind=kind: a.bound(kind, *t) for kind in ("integral", "diverges", "mean")},
+    **{kind: lambda a, *t, kind=kind: a.opaque(kind, *t) for kind in OPAQUE},
+    **{kind: lambda a, *t, kind=kind: a.bound(kind, *t) for kind in BINDING},
 }
 
 
@@ -282,8 +213,9 @@ class Checker:
     def fresh(self, x: str, *beside: Any) -> None:
         """Rejects unless nothing is assumed of x, nor said of it in the terms and formulas beside."""
         sources = [source for *_, source in self.state.values()]  # formulas, and the texts of polynomials
-        names = (re.findall(r"[A-Za-z]\w*", s) if isinstance(s, str) else self.algebra.names(s) for s in sources)
-        taken = set(self.algebra.definitions).union(*names, *map(self.algebra.names, beside))
+        texts = [name for s in sources if isinstance(s, str) for name in re.findall(r"[A-Za-z]\w*", s)]
+        terms = [*(s for s in sources if not isinstance(s, str)), *(self.algebra.atoms.get(t, t) for t in texts)]
+        taken = set(self.algebra.definitions).union(*map(self.algebra.names, [*terms, *beside]))
         require(not {x, f"sin_{x}", f"cos_{x}"} & taken, f"the letter {x} is taken")
 
     def known(self, signs: tuple[str, ...], reference: Any) -> int:
@@ -362,9 +294,10 @@ class Checker:
             case ["choose", "or", *parts]:
                 self.branch(dict(enumerate(parts))[proof["index"]], then)
             case ["cases_or", *_]:  # the goal in every case of an assumed disjunction
-                reference = [name for name, (sign, *_) in self.state.items() if sign == "or"][proof["or"]]
-                self.used.add(reference)
-                for part, inner in zip(self.state[reference][1], proof["cases"], strict=True):
+                kind, parts, _ = self.state[tuple(proof["or"])]
+                require(kind == "or", f"{proof['or']} is no disjunction")
+                self.used.add(tuple(proof["or"]))
+                for part, inner in zip(parts, proof["cases"], strict=True):
                     self.branch(goal, inner, part)
             case ["split", *_]:  # (non-zero) * product of powers = sum q * fact: one of the bases is zero
                 require(all(exponent > 0 for _, exponent in proof["factors"]), "an exponent that is not positive")
@@ -397,6 +330,8 @@ class Checker:
     def check_proof(self, goal: Any, proof: Any) -> None:
         """The whole proof, and that nothing superfluous is listed."""
         algebra = self.algebra
+        if "atoms" in proof:
+            algebra.atoms, algebra.monomials = proof["atoms"], {}
         for reference, formula in self.hypotheses.items():
             self.learn(reference, formula)
         for term in terms(goal) if "nonzero" in proof else ():
@@ -420,9 +355,14 @@ class Checker:
         relation, algebra = goal[0] in RELATIONS, self.algebra
         given = {**point["values"], **{f"side_{k}": v for k, v in enumerate(point["sides"]) if relation}}
         angles = {x[4:] for x in given if x[:4] in ("sin_", "cos_")}
-        taken = [x for x in given if x[:5] == "sqrt_" or x in algebra.definitions or x in angles]
+        taken = [x for x in given if x[:5] == "sqrt_" or x in CONSTANTS or x in algebra.definitions or x in angles]
         require(not taken, f"a value of {taken}: of a root, of a defined letter, or of an angle beside its sine")
-        algebra.point, algebra.monomials = given, {}
+        numbers = {x: ["/", *Fraction(v).as_integer_ratio()] if isinstance(v, str) else v for x, v in given.items()}
+        for term, value, proof in point.get("functions", ()):  # the values of functions there, with proofs
+            inner = Checker({"definitions": [*numbers.items()], "hypotheses": {}, "claim": ["=", term, value]})
+            inner.check_proof(inner.claim, proof)
+            algebra.settled[inner.algebra.value(term)] = inner.algebra.value(value)
+        algebra.point, algebra.values = numbers, {}
         failing = [reference for reference, formula in self.hypotheses.items() if not self.truth(formula)]
         require(not failing and not self.truth(goal), f"{failing or 'the claim'}: not so at the point")
         for k, (side, stated) in enumerate(zip(goal[1:], point["sides"], strict=True)):
@@ -450,7 +390,7 @@ def check(certificate: dict[str, Any]) -> str | None:
         evidence = {"proved": ("proof", checker.check_proof), "refuted": ("point", checker.check_point)}
         key, verify = evidence[certificate["verdict"]]
         verify(certificate["claim"], certificate[key])
-        require(checker.algebra.met >= checker.algebra.definitions.keys(), "a definition is not used")
+        require(checker.algebra.met >= dict(certificate["definitions"]).keys(), "a definition is not used")
     except (Reject, Unknown) as error:
         return str(error)
     except (LookupError, TypeError, ValueError, AttributeError, ArithmeticError, RecursionError) as error:

@@ -5,7 +5,12 @@ A *term* is a scalar expression as plain nested tuples, ready for JSON:
     int                         an integer; a rational number is ("/", 1, 2)
     str                         a variable, [A-Za-z][A-Za-z0-9_]*, for example "a_12", "omega_3", "kbar_1", "alpha"
     ("+", t, ...)  ("*", t, ...)  ("-", t)  ("/", t, u)  ("^", t, n)      n a literal integer
-    ("sin", t)  ("cos", t)  ("tan", t)  ("sqrt", t)  ("diff", t, "x", n)
+    ("sin", t)  ("cos", t)  ("tan", t)  ("diff", t, "x", n)
+    ("pow", t, u)                           any exponent; t is positive
+    ("sqrt", t)  ("exp", t)  ("log", t)  ("gamma", t)  ("arctan", t)
+    ("mean", t, "x")                        over one turn of the angle x
+    ("integral", t, "x", u, v)              from u to v; "infinity" and ("-", "infinity") are ends too
+    ("diverges", t, "x", u, v)              0 if that integral has a finite value, else 1
 
 A *formula* is ("=", t, u), also "!=", "<", "<=", ">", ">=", or ("and", f, ...), ("or", f, ...), ("=>", f, g),
 ("<=>", f, g), ("exists", ("x", ...), f).

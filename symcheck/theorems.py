@@ -7,6 +7,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any
 
+BINDING = ("integral", "diverges", "mean")
 RELATIONS = ("=", "!=", "<", "<=", ">", ">=")
 
 
@@ -49,6 +50,8 @@ class Terms:
         """The letters a term or formula depends on, definitions unfolded."""
         if isinstance(term, str):
             return self.names(self.definitions[term]) if term in self.definitions else {term}
+        if isinstance(term, (list, tuple)) and term and term[0] in BINDING:
+            return (self.names(term[1]) - {term[2]}).union(*map(self.names, term[3:]))
         return set().union(*map(self.names, term[1:])) if isinstance(term, (list, tuple)) else set()
 
     def derived(self, term: Any, x: str, order: int) -> Any:
@@ -77,11 +80,12 @@ class Terms:
             case ["^", base, int(n)]:
                 return ["*", n, ["^", base, n - 1], self.rate(base, x)]
             case ["pow", base, exponent]:
-                first = ["/", ["*", exponent, self.rate(base, x)], base]
-                return ["*", term, ["+", first, ["*", ["log", base], self.rate(exponent, x)]]]
-            case ["sin" | "cos" | "tan" | "sqrt" | "log" as function, inner]:
+                first, second = ["/", ["*", exponent, self.rate(base, x)], base], self.rate(exponent, x)
+                return ["*", term, first if second == 0 else ["+", first, ["*", ["log", base], second]]]
+            case ["sin" | "cos" | "tan" | "sqrt" | "log" | "exp" | "arctan" as function, inner]:
                 outer = {"sin": ["cos", inner], "cos": ["-", ["sin", inner]], "tan": ["^", ["cos", inner], -2]}
-                outer |= {"sqrt": ["/", 1, ["*", 2, term]], "log": ["/", 1, inner]}
+                outer |= {"sqrt": ["/", 1, ["*", 2, term]], "log": ["/", 1, inner], "exp": term}
+                outer |= {"arctan": ["/", 1, ["+", 1, ["^", inner, 2]]]}
                 return ["*", outer[function], self.rate(inner, x)]
             case ["diff", inner, str(y), int(n)]:
                 return self.rate(self.derived(inner, y, n), x)
@@ -117,15 +121,15 @@ class Terms:
 class Theorem:
     """The premises imply the conclusion.
 
-    `anew` is a letter said to exist: nothing else may be known or said of it. `free` is one for which the premises
-    hold whatever its value is: nothing may be assumed of it, and the terms `without` do not depend on it.
+    `free` is a letter for whose every value the premises hold: nothing may be assumed of it, and the terms `without`
+    do not depend on it. `anew` is a letter said to exist: nothing else may be known or said of it.
     """
 
     premises: list[Any]
     conclusion: Any
-    anew: str = ""
     free: str = ""
     without: tuple[Any, ...] = ()
+    anew: str = ""
 
 
 def have(_: Terms, formula: Any) -> Theorem:
@@ -133,16 +137,70 @@ def have(_: Terms, formula: Any) -> Theorem:
     return Theorem([formula], formula)
 
 
+def congruence(_: Terms, function: str, one: list[Any], other: list[Any]) -> Theorem:
+    """A function has equal values at equal arguments."""
+    if function in BINDING or len(one) != len(other):
+        raise Unknown(f"{function} of these arguments")
+    return Theorem([["=", s, t] for s, t in zip(one, other, strict=True)], ["=", [function, *one], [function, *other]])
+
+
+def dichotomy(_: Terms, t: Any) -> Theorem:
+    """A number is positive or it is not."""
+    return Theorem([], ["or", [">", t, 0], ["<=", t, 0]])
+
+
 def root(_: Terms, t: Any) -> Theorem:
     """The square root of a number that is not negative."""
     return Theorem([[">=", t, 0]], ["and", [">=", ["sqrt", t], 0], ["=", ["^", ["sqrt", t], 2], t]])
+
+
+def root_of_product(_: Terms, s: Any, t: Any) -> Theorem:
+    """Of two numbers that are not negative."""
+    product = ["=", ["sqrt", ["*", s, t]], ["*", ["sqrt", s], ["sqrt", t]]]
+    return Theorem([[">=", s, 0], [">=", t, 0]], product)
+
+
+def power(_: Terms, base: Any, exponent: Any) -> Theorem:
+    """A power of a positive number is positive."""
+    return Theorem([[">", base, 0]], [">", ["pow", base, exponent], 0])
+
+
+def power_of_sum(_: Terms, base: Any, s: Any, t: Any) -> Theorem:
+    """b^(s+t) = b^s b^t for positive b."""
+    whole, parts = ["pow", base, ["+", s, t]], ["*", ["pow", base, s], ["pow", base, t]]
+    return Theorem([[">", base, 0]], ["=", whole, parts])
+
+
+def power_of_product(_: Terms, s: Any, t: Any, exponent: Any) -> Theorem:
+    """(s t)^u = s^u t^u for positive s, t."""
+    whole, parts = ["pow", ["*", s, t], exponent], ["*", ["pow", s, exponent], ["pow", t, exponent]]
+    return Theorem([[">", s, 0], [">", t, 0]], ["=", whole, parts])
+
+
+def power_of_power(_: Terms, base: Any, n: int, exponent: Any) -> Theorem:
+    """(b^n)^u = b^(n u) for positive b; 1^u = 1."""
+    inner, outer = ["pow", ["^", base, n], exponent], ["pow", base, ["*", n, exponent]]
+    return Theorem([[">", base, 0]], ["and", ["=", inner, outer], ["=", ["pow", 1, exponent], 1]])
+
+
+def gamma(_: Terms, t: Any) -> Theorem:
+    """Euler's gamma function is positive for positive t, and gamma(t + 1) = t gamma(t)."""
+    step = ["=", ["gamma", ["+", t, 1]], ["*", t, ["gamma", t]]]
+    return Theorem([[">", t, 0]], ["and", [">", ["gamma", t], 0], step])
+
+
+def gamma_values(_: Terms) -> Theorem:
+    """gamma(1) = 1, gamma(1/2)^2 = pi, and pi is positive."""
+    half = ["gamma", ["/", 1, 2]]
+    values = [["=", ["gamma", 1], 1], ["=", ["^", half, 2], "pi"], [">", half, 0], [">", "pi", 0]]
+    return Theorem([], ["and", *values])
 
 
 def mean(terms: Terms, f: Any, x: str, m: Any, g: Any) -> Theorem:
     """Over one turn f has the mean m if f = m + g' with polynomials f, g in sin x and cos x."""
     if not all(terms.polynomial_in(t, ["sin", x], ["cos", x]) for t in (f, g)):
         raise Unknown(f"no polynomial in the sine and cosine of {x}")
-    return Theorem([["=", f, ["+", m, ["diff", g, x, 1]]]], ["=", ["mean", f, x], m], free=x, without=(m,))
+    return Theorem([["=", f, ["+", m, ["diff", g, x, 1]]]], ["=", ["mean", f, x], m], x, (m,))
 
 
 def quarter_turn(terms: Terms, p: Any, x: str) -> Theorem:
@@ -160,9 +218,57 @@ def intermediate_value(terms: Terms, p: Any, x: str, low: Any, high: Any) -> The
         raise Unknown(f"no polynomial in {x}")
     ends = ["*", *(terms.replaced(p, {x: end}) for end in (low, high))]
     inside = ["and", ["<", low, x], ["<", x, high], ["=", p, 0]]
-    return Theorem([["<", low, high], ["<", ends, 0]], inside, anew=x, without=(low, high))
+    return Theorem([["<", low, high], ["<", ends, 0]], inside, without=(low, high), anew=x)
+
+
+def beta(_: Terms, f: Any, x: str, c: Any, k: int, u: Any, r: Any, p: Any, q: Any) -> Theorem:
+    """The integral of f = c x^(k+u) (p x^2 + q)^(-r) over x > 0, convergent for s = k + u + 1 > 0 and 2 r > s.
+
+    It is c p^(-s/2) q^(s/2-r) gamma(s/2) gamma(r - s/2) / (2 gamma(r)), by Euler's integral of the first kind.
+    """
+    s, half, rest = ["+", k, u, 1], ["/", ["+", k, u, 1], 2], ["+", r, ["-", ["/", ["+", k, u, 1], 2]]]
+    premises = [[">", p, 0], [">", q, 0], [">", s, 0], [">", ["+", ["*", 2, r], ["-", s]], 0]]
+    powers = [["pow", p, ["-", half]], ["pow", q, ["-", rest]]]
+    gammas = [["gamma", half], ["gamma", rest]]
+    value = ["=", ["*", 2, ["gamma", r], ["integral", f, x, 0, "infinity"]], ["*", c, *powers, *gammas]]
+    positive = [[">", t, 0] for t in (["gamma", r], *gammas, *powers)]
+    finite = ["=", ["diverges", f, x, 0, "infinity"], 0]
+    return Theorem([*premises, _shape(f, x, c, k, u, r, p, q)], ["and", finite, value, *positive], x, (c, u, r, p, q))
+
+
+def beta_diverges(_: Terms, f: Any, x: str, c: Any, k: int, u: Any, r: Any, p: Any, q: Any) -> Theorem:
+    """The same integral has no finite value for s <= 0 or 2 r <= s, as its integrand has one sign near both ends."""
+    s = ["+", k, u, 1]
+    premises = [[">", p, 0], [">", q, 0], ["!=", c, 0], ["or", ["<=", s, 0], ["<=", ["+", ["*", 2, r], ["-", s]], 0]]]
+    infinite = ["=", ["diverges", f, x, 0, "infinity"], 1]
+    return Theorem([*premises, _shape(f, x, c, k, u, r, p, q)], infinite, x, (c, u, r, p, q))
+
+
+def _shape(f: Any, x: str, c: Any, k: int, u: Any, r: Any, p: Any, q: Any) -> Any:
+    base = ["+", ["*", p, ["^", x, 2]], q]
+    return ["=>", [">", x, 0], ["=", f, ["*", c, ["^", x, k], ["pow", x, u], ["pow", base, ["-", r]]]]]
+
+
+def even(terms: Terms, f: Any, x: str) -> Theorem:
+    """An even function over the whole line: twice the half of it."""
+    whole, half = (["-", "infinity"], "infinity"), (0, "infinity")
+    value = ["=", ["integral", f, x, *whole], ["*", 2, ["integral", f, x, *half]]]
+    finite = ["=", ["diverges", f, x, *whole], ["diverges", f, x, *half]]
+    return Theorem([["=", terms.replaced(f, {x: ["-", x]}), f]], ["and", value, finite], x)
+
+
+def odd(terms: Terms, f: Any, x: str) -> Theorem:
+    """An odd function over the whole line, if the half of it converges."""
+    whole = (["-", "infinity"], "infinity")
+    premises = [["=", terms.replaced(f, {x: ["-", x]}), ["-", f]], ["=", ["diverges", f, x, 0, "infinity"], 0]]
+    zero = [["=", ["integral", f, x, *whole], 0], ["=", ["diverges", f, x, *whole], 0]]
+    return Theorem(premises, ["and", *zero], x)
 
 
 THEOREMS: dict[str, Callable[..., Theorem]] = {
-    each.__name__: each for each in (have, root, mean, quarter_turn, intermediate_value)
-}
+    each.__name__: each
+    for each in (
+        have, congruence, dichotomy, root, root_of_product, power, power_of_sum, power_of_product, power_of_power, gamma, gamma_values,
+        mean, quarter_turn, intermediate_value, beta, beta_diverges, even, odd,
+    )
+}  # fmt: skip

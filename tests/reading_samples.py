@@ -16,6 +16,8 @@ NOTATION = Notation(
         Letter("Ox", indices=1),
         Letter("Oy", indices=1),
         Letter("f_1", kind="function"),
+        Letter("n", kind="index"),
+        Letter(r"\zeta", indices=1, range=(1, 2, 3, 4, 5, 6)),
         Letter("d", kind="differential"),
         Letter(r"\boldsymbol{\omega}", kind="vector", components=r"(\omega_1, \omega_2, \omega_3)"),
         Letter(r"\dot{\boldsymbol{\omega}}", kind="vector", components=r"(\dot\omega_1, \dot\omega_2, \dot\omega_3)"),
@@ -79,6 +81,16 @@ SAMPLES: tuple[str | tuple[str, ...], ...] = (
     r"\mathbf{A} = \|a_{ij}\|",
     r"(a_{11} = 1 \lor a_{12} = 0) \land J_1 = J_2 \Rightarrow \exists \alpha, \beta : \sin \alpha = 0 \land J_i > 0",
     r"J_1 = J_2 = J_3 \Leftrightarrow (I_1 = c, I_2 = c)",
+    r"\int_0^\infty c^{m_{12}} (c^2 + 1)^{-k/2} \, dc < \infty \Leftrightarrow k > 1",
+    r"\int_{-\infty}^{\infty} \exp(-c^2) \, dc = \sqrt{\pi} = \Gamma(1/2)",
+    r"\langle \cos^2 \alpha + p \sin \alpha \rangle_\alpha = \frac{1}{2}",
+    r"J_1 = -c \pm 2 \sqrt{k(c - k)} = -(\sqrt{k} \mp \sqrt{c - k})^2",
+    r"(\zeta_1, \dots, \zeta_6) = (1, 2, 3, 4, 5, 6)",
+    r"\alpha \in [0, 2\pi), \quad \beta \in (0, c], \quad \gamma \in (0, c)",
+    r"(c^2 k)''_{cc} - (p k)'_k = \frac{\partial^2}{\partial c \partial k} (c k)",
+    r"\ln c = k \operatorname{arctg} p, \quad c = 1, 2, \dots",
+    r"J_1 = J_2, J_3",
+    r"c = \sum_{n=1}^{\infty} k^n",
 )
 
 

@@ -18,7 +18,11 @@ from symcheck.statement import Item, Origin, Paper, Reading, Role, Section, Verd
 PROOF = {
     "rule": "iff",
     "forward": {"rule": "identity", "cofactors": [[["hyp", "orthogonal", 0], "2*a_11 - 1"]]},
-    "backward": {"rule": "cases_or", "or": 0, "cases": [{"rule": "absurd", "times": [["cond", 0]], "cofactors": []}]},
+    "backward": {
+        "rule": "cases_or",
+        "or": ["here", 0],
+        "cases": [{"rule": "absurd", "times": [["cond", 0]], "cofactors": []}],
+    },
 }
 CERTIFICATE = {
     "id": "toy:1.1",

@@ -168,7 +168,7 @@ FORGED: dict[str, tuple[dict[str, Any], Any, dict[str, Any] | None]] = {
         None,
     ),
     "a case left out": (
-        {"rule": "implies", "then": {"rule": "cases_or", "or": 0, "cases": [IDENTITY]}},
+        {"rule": "implies", "then": {"rule": "cases_or", "or": ["here", 0], "cases": [IDENTITY]}},
         ["=>", ["or", ["=", "x", 0], ["=", "x", 1]], ["=", "x", 0]],
         None,
     ),
@@ -382,7 +382,7 @@ def test_a_mean_does_not_depend_on_the_phase_through_a_definition() -> None:
 def test_facts_of_one_case_are_forgotten_in_the_next() -> None:
     claim = ["=>", ["or", ["=", "x", 0], ["=", "y", 0]], ["=", "x", 0]]
     uses = {"rule": "identity", "cofactors": [[["here", 1], "1"]]}
-    assert rule({"rule": "implies", "then": {"rule": "cases_or", "or": 0, "cases": [uses, uses]}}, claim)
+    assert rule({"rule": "implies", "then": {"rule": "cases_or", "or": ["here", 0], "cases": [uses, uses]}}, claim)
 
 
 def test_the_checker_imports_the_standard_library_only() -> None:

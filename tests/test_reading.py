@@ -155,12 +155,99 @@ MEANINGS = {
     r"|\begin{pmatrix} p & 1 \\ 2 & c \end{pmatrix}|": ("+", ("*", "p", "c"), ("-", 2)),
     r"\left|\begin{array}{cc} p & 1 \\ 2 & c \end{array}\right|": ("+", ("*", "p", "c"), ("-", 2)),
     r"45^\circ": ("/", ("*", 45, "pi"), 180),
+    r"c^k": ("pow", "c", "k"),
+    r"c^{1/2}": ("pow", "c", ("/", 1, 2)),
+    r"\sqrt{c + k}": ("sqrt", ("+", "c", "k")),
+    r"\exp(-c^2) \ln k": ("*", ("exp", ("-", ("^", "c", 2))), ("log", "k")),
+    r"\Gamma(c + 1) \operatorname{arctg} c": ("*", ("gamma", ("+", "c", 1)), ("arctan", "c")),
+    r"\int_0^\infty c^k \, dc": ("integral", ("pow", "c", "k"), "c", 0, "infinity"),
+    r"\int_{-\infty}^p \int_0^1 c k dc dk": (
+        "integral",
+        ("integral", ("*", "c", "k"), "c", 0, 1),
+        "k",
+        ("-", "infinity"),
+        "p",
+    ),
+    r"\langle c \sin \alpha \rangle_{\alpha}": ("mean", ("*", "c", ("sin", "alpha")), "alpha"),
+    r"(c k)''_{ck}": ("diff", ("diff", ("*", "c", "k"), "c", 1), "k", 1),
+    r"\sin f_1(c) k": ("*", ("sin", "f_1"), "k"),
+    r"\pi": "pi",
 }
 
 
 @pytest.mark.parametrize("latex", MEANINGS)
 def test_an_expression_means_one_term(latex):
     assert term(latex, NOTATION) == MEANINGS[latex]
+
+
+SLASH = {
+    r"1/2\pi": ("/", 1, ("*", 2, "pi")),
+    r"-4\gamma^2/3\alpha^2 - 2/3": (
+        "+",
+        ("-", ("/", ("*", 4, ("^", "gamma", 2)), ("*", 3, ("^", "alpha", 2)))),
+        ("-", ("/", 2, 3)),
+    ),
+}
+
+
+@pytest.mark.parametrize("latex", SLASH)
+def test_what_a_slash_before_a_product_means_is_said_by_the_notation(latex):
+    physical = Notation(NOTATION.letters, slash="denominator")
+    assert term(latex, physical) == term(latex, physical.extended(Letter("x"))) == SLASH[latex]
+    with pytest.raises(SymcheckError, match="ambiguous"):
+        term(latex, NOTATION)
+    with pytest.raises(SymcheckError, match="ambiguous"):
+        term("1/2(c + k)", physical)
+    with pytest.raises(SymcheckError, match="meaning"):
+        Notation([], slash="numerator")
+
+
+def test_both_signs_are_two_statements_upper_signs_first():
+    upper, lower_ = formulas(r"p = c \pm k = -(c \mp 1)")[::2], formulas(r"p = c \pm k = -(c \mp 1)")[1::2]
+    assert upper == (("=", "p", ("+", "c", "k")), ("=", ("+", "c", "k"), ("-", ("+", "c", ("-", 1)))))
+    assert lower_ == (("=", "p", ("+", "c", ("-", "k"))), ("=", ("+", "c", ("-", "k")), ("-", ("+", "c", 1))))
+    assert len(formulas(r"J_i = \pm c")) == 6
+
+
+def test_convergence_is_a_formula():
+    (formula,) = formulas(r"\int_0^\infty c^k \, dc < \infty")
+    assert formula == ("=", ("diverges", ("pow", "c", "k"), "c", 0, "infinity"), 0)
+
+
+def test_a_letter_in_a_list_of_relations_claims_nothing():
+    assert formulas("J_1 = J_2, J_3") == formulas("J_1 = J_2")
+    assert formulas(r"(J_1 = J_2, J_3) \Rightarrow c = 1") == formulas(r"J_1 = J_2 \Rightarrow c = 1")
+
+
+def test_dots_stand_for_the_indices_between():
+    assert formulas(r"(\zeta_1, \dots, \zeta_3) = (1, 2, 3)") == tuple(("=", f"zeta_{n}", n) for n in (1, 2, 3))
+
+
+def test_values_of_a_letter_are_alternatives():
+    with pytest.raises(SymcheckError, match="says nothing"):
+        formulas("c = 1, 2")
+    with pytest.raises(SymcheckError, match="not written out"):
+        formulas(r"c = 1, 2, \dots, 4")
+
+
+def test_square_brackets_around_an_entry_make_the_matrix():
+    assert read("[a_{ij}]", NOTATION) == read(r"\|a_{ij}\|", NOTATION)
+    assert formulas(r"\mathbf{A} = [a_{ij}]") == formulas(r"\mathbf{A} = \|a_{ij}\|")
+    assert read("[a_{12}]", NOTATION) == Name("a", (1, 2))
+
+
+ENDS = {"[0, c]": (">=", "<="), "[0, c)": (">=", "<"), "(0, c]": (">", "<="), "(0, c)": (">", "<")}
+
+
+@pytest.mark.parametrize("interval", ENDS)
+def test_an_interval_says_whether_it_has_its_ends(interval):
+    above, below = ENDS[interval]
+    assert formulas(rf"k \in {interval}") == (("and", (above, "k", 0), (below, "k", "c")),)
+
+
+def test_a_function_may_have_components():
+    notation = NOTATION.extended(Letter(r"\mathbf{f}", kind="function", components=r"(c k, 0, 0)"))
+    assert formulas(r"\mathbf{f}(\mathbf{K}) = 0", notation)[0] == ("=", ("*", "c", "k"), 0)
 
 
 def test_a_system_keeps_its_qualifier_for_every_part():
@@ -346,9 +433,23 @@ MALFORMED = {
     r"J_1 \Rightarrow k = 0": "relation is expected",
     r"(J_1 = 1) + 2 = 3": "not a relation",
     r"\sqrt[3]{c}": "only square roots",
-    r"J_1 = 0, c": "says nothing",
+    r"J_1 = 0, c k": "says nothing",
+    r"J_1 = 0, i": "says nothing",
     r"J_i = c, i = 1, 2, j": "says nothing",
-    r"c \pm k": "cannot be read",
+    r"c \pm": "breaks off",
+    r"\int_0^1 c": "does not say what it is taken over",
+    r"\int_0^1 dc": "an integral of nothing",
+    r"\int_0^1 c d(c)": "does not say what it is taken over",
+    r"\int_0^1 c dc k": "put the integral in brackets",
+    r"\int_0 c dc": "without bounds",
+    r"\langle c \rangle": "letter it is taken over",
+    r"\langle c \rangle_\lambda": "unknown letter",
+    r"\langle c": "never closed",
+    r"\Gamma c": "must stand in brackets",
+    r"[0, c) = 1": "unbalanced",
+    r"c \in [0, 1, 2)": "two ends",
+    r"1/2(c + k)": "ambiguous",
+    r"p = 1, 2": "says nothing",
     r"c_{1}_{2}": "second subscript",
     r"\cdot c": "between two factors",
     r"\begin{pmatrix} 1 & 2 \\ 3 \end{pmatrix}": "differ in length",
@@ -384,7 +485,14 @@ SENSELESS = {
     r"\sum_{i=1}^4 k_i = 0": "outside the range",
     r"\max f_1 = c": "no algebraic form",
     r"|c| = 1": "determinant",
-    r"c^k = 1": "whole exponents",
+    r"c = 1, 2, \dots": "not written out",
+    r"J_i = c, i = 1, 2, \dots": "not written out",
+    r"\sum_{n=1}^{\infty} k^n = 1": "a sum without end",
+    r"c < \infty": "no algebraic form",
+    r"(\zeta_1, \dots, k) = c": "dots must stand",
+    r"\int_0^1 c d\mathbf{K} = 1": "a scalar is expected",
+    r"\langle c \rangle_{\mathbf{K}} = 1": "a scalar is expected",
+    r"\log c = 1": "no algebraic form",
     r"f_1(J_2 + 1) = c": "only to the letters",
     r"k^T = 1": "transposes a scalar",
     r"c \subset k": "no algebraic form",

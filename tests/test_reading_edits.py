@@ -41,6 +41,15 @@ EXPECTED = {
         ("letter", r"\sum_{s=1}^3 k_s a_{si} = \cos c"),
         ("number", r"\sum_{s=1}^2 k_s a_{si} = \sin c"),
     },
+    r"J_1 = c \pm k": {
+        ("sign", r"J_1 = c \mp k"),
+        ("term", "J_1 = c"),
+    },
+    r"\int_0^1 c^k \, dc = \Gamma(c)": {
+        ("number", r"\int_0^2 c^k \, dc = \Gamma(c)"),
+        ("exponent", r"\int_0^1 c \, dc = \Gamma(c)"),
+        ("sign", r"\int_0^1 c^k \, dc = -\Gamma(c)"),
+    },
     r"\frac{d^2 f_1}{dJ_2^2} = \sqrt{3}": {
         ("exponent", r"\frac{df_1}{dJ_2} = \sqrt{3}"),
         ("exponent", r"\frac{d^2 f_1}{dJ_2^2} = 3"),

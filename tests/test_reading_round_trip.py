@@ -25,19 +25,24 @@ from symcheck.reading.tree import (
     Derivative,
     Diag,
     Div,
+    Dots,
     ElementsOf,
     Exists,
     Iff,
     Implies,
+    Infinity,
+    Integral,
     Interval,
     Located,
     MatrixOf,
+    Mean,
     Mul,
     Name,
     Neg,
     Number,
     Or,
     Pair,
+    PlusMinus,
     Pow,
     Qualifier,
     Sqrt,
@@ -45,6 +50,7 @@ from symcheck.reading.tree import (
     Transpose,
     Tree,
     Tuple,
+    Values,
 )
 from symcheck.statement import SymcheckError
 
@@ -109,13 +115,16 @@ def several(items: st.SearchStrategy[Tree], low: int = 2, high: int = 3) -> st.S
 
 
 def grown(inner: st.SearchStrategy[Tree]) -> st.SearchStrategy[Tree]:
-    functions = st.sampled_from(["sin", "cos", "tg", "arctg", "max"])
+    functions = st.sampled_from(["sin", "cos", "tg", "arctg", "max", "exp", "ln", "Gamma"])
     rows = st.lists(st.tuples(inner, inner), min_size=1, max_size=2).map(tuple)
     bounds = st.one_of(st.just((None, None)), st.tuples(inner, inner))
     return st.one_of(
         several(inner).map(Add),
         several(inner).map(Mul),
         inner.map(Neg),
+        st.builds(PlusMinus, inner, st.booleans()),
+        st.builds(Integral, inner, names, inner, st.one_of(inner, st.just(Infinity()))),
+        st.builds(Mean, inner, st.sampled_from([Name("c"), Name(r"\alpha")])),
         st.builds(Div, inner, inner),
         st.builds(Pow, inner, inner),
         inner.map(Sqrt),
@@ -169,6 +178,8 @@ plain = st.one_of(
     st.builds(System, several(chains()), st.lists(qualifiers, max_size=1).map(tuple)),
     st.builds(System, several(statements, 1, 1), st.just((Qualifier(("i",), (1, 3)),))),
     st.builds(Located, names, chains()),
+    st.builds(System, st.tuples(chains(), names), st.just(())),
+    st.builds(Values, st.just(Name("c")), st.just((Number("1"), Number("2"), Dots()))),
 )
 lists = st.lists(plain, min_size=1, max_size=3).map(
     lambda cases: CaseList(tuple((f"{n}).", case) for n, case in enumerate(cases, 1)))
@@ -184,8 +195,9 @@ def test_any_tree_survives_printing(tree):
 class Permissive(Notation):
     """Takes every letter as declared, subscript and all: for the syntax of papers that have no notation yet."""
 
-    def __init__(self) -> None:
-        super().__init__([*(Letter(index, kind="index") for index in "ijk"), Letter("d", kind="differential")])
+    def __init__(self, slash: str = "") -> None:
+        letters = [*(Letter(index, kind="index") for index in "ijk"), Letter("d", kind="differential")]
+        super().__init__(letters, slash=slash)
 
     def find(self, latex: str, indices: int) -> Letter | None:
         if latex == "d":
@@ -199,12 +211,13 @@ class Permissive(Notation):
         return latex != "T" and plain not in FUNCTIONS and not latex.startswith(r"\text{")
 
 
-SHARES = {"001": (25, 26, 52, 56), "004": (25, 25, 939, 941)}
+SHARES = {"001": (26, 26, 56, 56), "004": (25, 25, 941, 941)}
+SLASHES = {"001": "denominator", "004": ""}
 
 
 @pytest.mark.parametrize("paper", SHARES)
 def test_the_syntax_of_the_other_papers_is_read_but_for_what_is_ambiguous(paper: str, sources: Path):
-    notation = Permissive()
+    notation = Permissive(SLASHES[paper])
     counts: list[int] = []
     for formulas in formulas_of(sources, paper):
         trees = [tree for latex in formulas if (tree := read_or_none(latex, notation)) is not None]

@@ -45,6 +45,11 @@ SWAPS = {
     r"\dot": r"\bar",
     r"\bar": r"\dot",
     r"\frac": r"\sqrt",
+    r"\pm": r"\mp",
+    r"\mp": r"\pm",
+    r"\ln": r"\exp",
+    r"\exp": r"\ln",
+    r"\int": r"\sum",
     **GREEK,
 }
 LETTERS = "IJakc"
@@ -78,7 +83,7 @@ def changes(text: str) -> Iterator[str]:
     tokens = tokenize(text)
     skipped = names_of_environments(tokens)
     for k, tok in enumerate(tokens):
-        if k in skipped or tok.text in LAYOUT or (tok.text in "+-=" and repeated(tokens, k)):
+        if k in skipped or tok.text in LAYOUT or (tok.text in ("+", "-", "=", r"\equiv") and repeated(tokens, k)):
             continue
         before, after = text[: tok.at], text[tok.at + len(tok.text) :]
         yield before + after

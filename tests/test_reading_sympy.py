@@ -25,6 +25,12 @@ EXPRESSIONS = [
     sympy.sin(2 * x) * sympy.cos(x - y) + sympy.tan(x),
     sympy.pi / 4,
     sympy.sqrt(sympy.Rational(2, 3)),
+    sympy.exp(x) * sympy.log(y**2 + 1) + sympy.atan(x),
+    sympy.sqrt(x**2 + 1) / sympy.sqrt(y**2 + 3),
+    (x**2 + 1) ** (y / 2) * sympy.gamma(y**2 + 1),
+    sympy.Integral(sympy.exp(-(x**2)), (x, -sympy.oo, sympy.oo)) * y,
+    sympy.Integral(x**2, (x, 0, y)),
+    sympy.Function("mean")(x * sympy.sin(y), y),
 ]
 
 
@@ -33,7 +39,11 @@ def test_an_expression_survives_the_way_to_a_term_and_back(expr):
     assert sympy.simplify(to_sympy(from_sympy(expr)) - expr) == 0
 
 
-TERMS = [r"\frac{3}{4} (3c - J_2)(c - J_2)", r"\sin 2\alpha - \operatorname{tg} \beta", r"\sqrt{3} c^{-2}", "-0.75 k"]
+TERMS = [
+    r"\int_0^\infty c^k \exp(-c) \, dc",
+    r"\langle c \sin \alpha \rangle_\alpha + \Gamma(k) \operatorname{arctg} c",
+    *[r"\frac{3}{4} (3c - J_2)(c - J_2)", r"\sin 2\alpha - \operatorname{tg} \beta", r"\sqrt{3} c^{-2}", "-0.75 k"],
+]
 
 
 @pytest.mark.parametrize("latex", TERMS)
@@ -47,7 +57,7 @@ def test_symbols_are_real_and_named_as_the_variables():
     assert to_sympy(("diff", ("^", "c", 3), "c", 2)) == 6 * sympy.Symbol("c", real=True)
 
 
-INEXACT = [sympy.Float("0.5"), sympy.exp(x), sympy.sqrt(x), x**y, sympy.I, sympy.oo]
+INEXACT = [sympy.Float("0.5"), sympy.erf(x), sympy.I, sympy.oo, sympy.Integral(x, x)]
 
 
 @pytest.mark.parametrize("expr", INEXACT, ids=str)

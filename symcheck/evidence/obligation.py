@@ -67,7 +67,7 @@ def _plain(value: Any) -> Any:
         case Method():
             return (value.name, value.hints)
         case Notation():
-            return value.letters
+            return (value.letters, value.slash)
         case Mapping():
             return sorted((key, _plain(each)) for key, each in value.items())
         case partial():
@@ -90,7 +90,7 @@ def _paper_context(key: str) -> str:
     lemmas = {number for item in items for name in item.lemmas for number in (name, name[:-1])}
     shared = [_content(item) for item in items if item.role is Role.DEFINITION or item.number in lemmas]
     uses = [(item.number, item.uses) for item in items]
-    return repr((paper.notation.letters, shared, uses, _digest_of_sources(key)))
+    return repr((_plain(paper.notation), shared, uses, _digest_of_sources(key)))
 
 
 def fingerprint(obligation: Obligation) -> str:

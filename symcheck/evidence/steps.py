@@ -91,8 +91,10 @@ def _detail(key: str, value: Any) -> Iterator[str]:
         yield point(value)
     elif key == "factors":
         yield from (f"factor: {base}" + (f" (power {power})" if power > 1 else "") for base, power in value)
-    elif key in ("or", "index"):
-        yield f"alternative {value + 1}" if key == "index" else f"of disjunction {value + 1}"
+    elif key == "index":
+        yield f"alternative {value + 1}"
+    elif key == "or":
+        yield f"of {reference(value)}"
     elif isinstance(value, list) and key in ("form", "multiplier", "cos", "sin"):
         yield f"{key}: {term(value)}"
     elif isinstance(value, list):

@@ -4,10 +4,11 @@ from __future__ import annotations
 
 import hashlib
 import json
+from collections.abc import Mapping
 from typing import Any
 
-from symcheck.proof.polynomial import flatten, subterms
-from symcheck.statement import Certificate, Outcome, Problem, Verdict
+from symcheck.proof.polynomial import flatten, sides, subterms, theorem_of
+from symcheck.statement import Certificate, Outcome, Problem, Term, Verdict
 
 
 def certificate(problem: Problem, outcome: Outcome) -> Certificate:
@@ -26,7 +27,7 @@ def certificate(problem: Problem, outcome: Outcome) -> Certificate:
         kept = {name: [k for k in range(len(fs)) if (name, k) in given] for name, fs in hypotheses.items()}
         hypotheses = {name: [hypotheses[name][k] for k in ks] for name, ks in kept.items() if ks}
         body = {"verdict": "proved", "proof": _renumber(proof, kept)}
-        mentioned: list[Any] = [problem.claim, list(hypotheses.values()), *terms_in(proof)]
+        mentioned: list[Any] = [problem.claim, list(hypotheses.values()), *terms_in(proof, dict(problem.definitions))]
     else:
         assert outcome.point is not None
         body = {"verdict": "refuted", "point": outcome.point}
@@ -70,15 +71,18 @@ def references(node: Any) -> set[tuple[str, int]]:
     return set()
 
 
-def terms_in(node: Any) -> list[Any]:
-    """The terms (forms, multipliers, points) a proof mentions."""
+def terms_in(node: Any, definitions: Mapping[str, Term]) -> list[Any]:
+    """The terms (forms, points, what theorems speak of) a proof mentions."""
     if isinstance(node, dict):
-        own = [node[key] for key in ("form", "multiplier") if key in node] + list(node.get("point", {}).values())
-        return own + [t for value in node.values() for t in terms_in(value)]
+        own = [node["form"]] if "form" in node else [*node.get("point", {}).values()]
+        if "of" in node:
+            theorem = theorem_of(node["of"], definitions)
+            own += [side for formula in (*theorem.premises, theorem.conclusion) for side in sides(formula)]
+        return own + [t for key, value in node.items() if key != "of" for t in terms_in(value, definitions)]
     if isinstance(node, list):
         if len(node) == 2 and node[0] == "positive":
             return [node[1]]
-        return [t for child in node for t in terms_in(child)]
+        return [t for child in node for t in terms_in(child, definitions)]
     return []
 
 

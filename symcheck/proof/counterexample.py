@@ -7,17 +7,19 @@ A point counts only after exact evaluation of everything, so nothing here has to
 from __future__ import annotations
 
 import random
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from itertools import islice, permutations, product
-from math import isqrt
+from math import isqrt, prod
 from typing import Any
 
 import flint
 
+from symcheck.proof.functions import number_term, values_of
 from symcheck.proof.knowledge import ring_of
 from symcheck.proof.polynomial import (
+    ATOMS,
     RELATIONS,
     Poly,
     Ratio,
@@ -25,34 +27,41 @@ from symcheck.proof.polynomial import (
     Unsupported,
     flatten,
     fraction,
+    square_free,
     unfold,
     variables,
+    with_arguments,
 )
-from symcheck.statement import Certificate, Formula, Problem, Term
+from symcheck.statement import Certificate, Formula, Outcome, Problem, Term
 
 Point = dict[str, Poly]
+Prover = Callable[[Problem], Outcome | None]
 Rows = Sequence[Sequence[Any]]
 TRIES = 400
+FUNCTION_TRIES = 12
 SEVENTHS = ((2, 3, 6), (6, 2, -3), (-3, 6, -2))
 
 
-def refute(problem: Problem) -> Certificate | None:
-    """A point of a certificate, or None if none was found (also for terms that have no place in a ring)."""
+def refute(problem: Problem, prove: Prover = lambda _: None) -> Certificate | None:
+    """A point of a certificate, or None if none was found (also for terms that have no place in a ring).
+
+    What functions such as integrals are at the point is proved.
+    """
     try:
-        return _point(problem)
+        return _point(problem, prove)
     except Unsupported:
         return None
 
 
-def _point(problem: Problem) -> Certificate | None:
+def _point(problem: Problem, prove: Prover) -> Certificate | None:
     claim = problem.claim
     if _quantified(claim):
         return None
     if claim[0] == "<=>":
         directions = [("=>", claim[1], claim[2]), ("=>", claim[2], claim[1])]
-        found = (_Search(problem, direction).run() for direction in directions)
+        found = (_Search(problem, direction, prove).run() for direction in directions)
         return next((point for point in found if point), None)
-    return _Search(problem, claim).run()
+    return _Search(problem, claim, prove).run()
 
 
 def _quantified(formula: Formula) -> bool:
@@ -68,16 +77,22 @@ class _Group:
 
 
 class _Search:
-    def __init__(self, problem: Problem, direction: Formula) -> None:
+    def __init__(self, problem: Problem, direction: Formula, prove: Prover) -> None:
         base = ring_of(problem)
         self.problem = problem
-        self.ring = Ring({*base.names, "sqrt_2", "sqrt_3"}, base.definitions)
+        names = {*with_arguments(base.names), "sqrt_2", "sqrt_3"}
+        if any(name in ATOMS for name in names):
+            names |= {"sqrt_5", "sqrt_7"}
+        self.ring = Ring(names, base.definitions)
+        self.functions = sorted((name for name in self.ring.names if name in ATOMS), key=lambda n: len(str(ATOMS[n])))
         self.formulas = [part for _, fs in problem.hypotheses for f in fs for part in flatten(f)]
         if direction[0] == "=>":
             self.formulas += flatten(direction[1])
         self.gaps: dict[Formula, Ratio] = {}
         self.roots = [name for name in self.ring.names if name.startswith("sqrt_")]
-        self.free = [name for name in self.ring.names if name not in self.roots]
+        self.free = [name for name in self.ring.names if name not in (*self.roots, "pi") and name not in ATOMS]
+        self.prove, self.tries = prove, FUNCTION_TRIES
+        self.settled: list[list[Any]] = []  # functions, their values at the point, and the proofs
 
     def run(self) -> Certificate | None:
         """The first candidate that stands the exact test."""
@@ -113,7 +128,7 @@ class _Search:
             steps = solved[indices[:-1]]
             if steps is not None:
                 point = {**fixed, **self._numbers(scalars, indices[-1])}
-                if self._complete(point, steps):
+                if self._complete(point, steps) and self._evaluate(point):
                     yield point
 
     def _value(self, value: Any) -> Poly:
@@ -172,7 +187,7 @@ class _Search:
 
     def _solve(self, fixed: Point, scalars: Sequence[str]) -> list[tuple[str, Poly, Poly]] | None:
         """Steps (x, a, b) meaning x = -b / a, in order of solution, from the equations at fixed matrices and angles."""
-        equations = [self._gap(f).num for f in self.formulas if f[0] == "="]
+        equations = [self._gap(f).num for f in self.formulas if f[0] == "=" and not self._functions_in(f)]
         open_ = [q for q in (self._reduce(self._at(p, fixed)) for p in equations) if q != 0]
         steps: list[tuple[str, Poly, Poly]] = []
         while open_:
@@ -210,6 +225,53 @@ class _Search:
                 continue
             point[x] = self._quotient(-self._reduce(self._at(rest, point)), bottom)
         return True
+
+    def _functions_in(self, formula: Formula) -> bool:
+        degrees = self._gap(formula).num.degrees()
+        return any(degrees[self.ring.names.index(name)] for name in self.functions)
+
+    def _evaluate(self, point: Point) -> bool:
+        """Gives roots and powers their values, the innermost first; False if one of them is no combination of roots."""
+        self.settled = []
+        for name in self.functions:
+            kind, *arguments = ATOMS[name]
+            if kind not in ("sqrt", "pow"):
+                if self.tries == 0 or not self._settle(name, point):
+                    return False
+                continue
+            try:
+                values = [self._side(term, point) for term in arguments]
+                if not all(value == 0 or value.is_constant() for value in values):
+                    return False
+                numbers = [fraction(v.leading_coefficient()) if v != 0 else Fraction(0) for v in values]
+                point[name] = self._reduce(self._power(*numbers))
+            except (Unsupported, ZeroDivisionError):
+                return False
+        return True
+
+    def _settle(self, name: str, point: Point) -> bool:
+        """The value of an integral or a mean, with its proof."""
+        self.tries -= 1
+        numbers = {x: p for x, p in point.items() if x not in ATOMS and (p == 0 or p.is_constant())}
+        defined = tuple((x, number_term(p)) for x, p in numbers.items())
+        for value in values_of(ATOMS[name], dict(defined)):
+            found = self.prove(Problem(name, ("=", ATOMS[name], value), defined))
+            if found is not None and found.proof is not None:
+                proof = {key: part for key, part in found.proof.items() if key != "given"}
+                self.settled.append([ATOMS[name], value, proof])
+                point[name] = self.ring.poly(value)
+                return True
+        return False
+
+    def _power(self, base: Fraction, exponent: Fraction = Fraction(1, 2)) -> Poly:
+        if exponent == Fraction(1, 2):
+            outside, primes = square_free(base)
+            if not {f"sqrt_{p}" for p in primes} <= set(self.roots):
+                raise Unsupported(f"the root of {base}")
+            return prod((self.ring.generator[f"sqrt_{p}"] for p in primes), start=self.ring.number(outside))
+        if exponent.denominator != 1 or base <= 0:
+            raise Unsupported(f"{base} to the power {exponent}")
+        return self.ring.number(base**exponent.numerator)
 
     # exact evaluation
 
@@ -286,6 +348,11 @@ class _Search:
                 "<=>": parts[0] == parts[-1],
             }[kind]
         gap = self._gap(formula)
+        if (
+            kind in ("=", "!=") and "pi" in self.ring.generator
+        ):  # pi is transcendental: what is not zero as a polynomial in it is not zero
+            zero = bool(self._reduce(self._at(gap.num, point)) == 0)
+            return zero == (kind == "=")
         order = self._sign(gap.num, point)
         for divisor, exponent in gap.den.values():
             order *= self._sign(divisor, point) ** exponent
@@ -314,12 +381,13 @@ class _Search:
             sides = [self._written(self._side(side, point)) for side in claim[1:]]
         else:
             sides = ["true" if self._truth(part, point) else "false" for part in claim[1:]]
-        return {"values": values, "sides": sides}
+        functions = {"functions": self.settled} if self.settled else {}
+        return {"values": values, "sides": sides, **functions}
 
     def _needed_names(self, claim: Formula) -> set[str]:
         definitions = self.ring.definitions
         nodes = [claim, *(f for _, fs in self.problem.hypotheses for f in fs)]
-        return set().union(*(variables(unfold(node, definitions)) for node in nodes))
+        return with_arguments(set().union(*(variables(unfold(node, definitions)) for node in nodes)))
 
     def _side(self, side: Term, point: Point) -> Poly:
         ratio = self.ring.ratio(side)

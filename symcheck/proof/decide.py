@@ -2,15 +2,28 @@
 
 from __future__ import annotations
 
+import json
+import re
 from collections.abc import Callable
 
 from symcheck.proof.certificate import references, terms_in
 from symcheck.proof.counterexample import refute
 from symcheck.proof.knowledge import Knowledge, given_of, ring_of, starting
 from symcheck.proof.orders import positive_form
-from symcheck.proof.polynomial import Poly, Ring, Unsupported, flatten, sides, unfold, variables
+from symcheck.proof.polynomial import (
+    ATOMS,
+    Poly,
+    Ring,
+    Unsupported,
+    flatten,
+    function_arguments,
+    sides,
+    unfold,
+    variables,
+)
 from symcheck.statement import Certificate, Outcome, Problem, Term, Verdict
 
+_ATOM = r"\b[A-Z][a-z]+_[0-9a-f]{10}\b"
 Search = Callable[[Problem, Ring], Certificate | None]
 
 
@@ -20,7 +33,7 @@ def decide(problem: Problem, search: Search) -> Outcome:
         outcome = prove(problem, search)
         if outcome is not None:
             return outcome
-        point = refute(problem)
+        point = refute(problem, lambda inner: prove(inner, search))
     except Unsupported as error:
         return Outcome(Verdict.UNDECIDED, reason=str(error))
     if point is not None:
@@ -43,9 +56,12 @@ def _proved(problem: Problem, ring: Ring, proof: Certificate) -> Outcome | None:
     None if the proof divides by something that the statement does not divide by and that is not known to be non-zero.
     """
     given = references(proof)
-    if ring.divisors or problem.claim[0] == "exists":  # a witness is tried in a ring of its own
-        own = [variables(unfold(term, ring.definitions)) for term in terms_in(proof)]
-        known, before = starting(problem, Ring(set(ring.names).union(*own), ring.definitions)), -1
+    own = [unfold(term, ring.definitions) for term in terms_in(proof, ring.definitions)]
+    if ring.divisors or own:
+        stated = [problem.claim, *(f for _, fs in problem.hypotheses for f in fs)]
+        own += [unfold(side, ring.definitions) for formula in stated for side in sides(formula)]
+        names = set(ring.names).union(*(variables(t) for term in own for t in (term, *function_arguments(term))))
+        known, before = starting(problem, Ring(names, ring.definitions)), -1
         while len(given) > before:  # a hypothesis that is used has denominators of its own
             before = len(given)
             listed, positive = _conditions(problem, proof, known, given)
@@ -53,9 +69,11 @@ def _proved(problem: Problem, ring: Ring, proof: Certificate) -> Outcome | None:
                 return None
         proof |= {"nonzero": sorted(listed)} if listed else {}
         proof |= {"positive": positive} if positive else {}
+    atoms = {name: ATOMS[name] for name in sorted(set(re.findall(_ATOM, json.dumps(proof)))) if name in ATOMS}
+    proof |= {"atoms": atoms} if atoms else {}
     proof["given"] = sorted([name, k] for name, k in given)
-    names = {name for name, _ in given}
-    return Outcome(Verdict.PROVED, proof=proof, used=tuple(name for name, _ in problem.hypotheses if name in names))
+    used = {name for name, _ in given}
+    return Outcome(Verdict.PROVED, proof=proof, used=tuple(name for name, _ in problem.hypotheses if name in used))
 
 
 def _conditions(
@@ -70,7 +88,7 @@ def _conditions(
     statement = _divisors([side for formula in stated for side in sides(formula)], known.ring)
     listed: list[list[str]] = []
     positive: list[Term] = []
-    for texts, divisor in {**statement, **_divisors(terms_in(proof), known.ring)}.items():
+    for texts, divisor in {**statement, **_divisors(terms_in(proof, known.ring.definitions), known.ring)}.items():
         refs = known.nonzero(divisor) if len(texts) == 1 else None
         if refs is not None:
             given |= given_of(refs)
@@ -85,8 +103,9 @@ def _conditions(
 
 
 def _divisors(terms: list[Term], ring: Ring) -> dict[tuple[str, ...], Poly]:
-    """The denominators met in the terms."""
+    """The denominators met in the terms, also in the arguments of functions."""
     fresh = Ring(ring.names, ring.definitions)
     for term in terms:
-        fresh.ratio(term)
+        for part in (term, *function_arguments(unfold(term, ring.definitions))):
+            fresh.ratio(part)
     return fresh.divisors

@@ -48,13 +48,15 @@ def _cofactors(poly: Poly, known: Knowledge, problem: Problem | None) -> list[li
 def _derived(gap: Term, known: Knowledge) -> Iterator[Term]:
     """Forms found from the polynomial itself: its factors, each a combination of known signs."""
     ratio = known.ring.ratio(gap)
-    if ratio.den:
-        return
+    bottom = known.ring.number(1)
+    for poly, exponent in ratio.den.values():
+        bottom *= poly**exponent
+    below = positive_form(bottom, known)
     for poly in (ratio.num, known.ideal().reduce(ratio.num)):
         if poly == 0:
             yield 0
-        elif (form := positive_form(poly, known)) is not None:
-            yield form
+        elif below is not None and (form := positive_form(poly, known)) is not None:
+            yield form if bottom == 1 else ("/", form, below)
 
 
 def positive_form(poly: Poly, known: Knowledge) -> Term | None:

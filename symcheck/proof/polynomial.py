@@ -8,16 +8,26 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
 from fractions import Fraction
+from functools import lru_cache
+from hashlib import sha256
+from math import prod
 from typing import Any
 
 import flint
 
 from symcheck.statement import Formula, Term
-from symcheck.theorems import Terms, Unknown
+from symcheck.theorems import THEOREMS, Terms, Theorem, Unknown
 
+Instance = tuple[Any, ...]  # the name of a theorem and what it is applied to
 Poly = Any  # flint.fmpq_mpoly, which has no type information
 
 RELATIONS = ("=", "!=", "<", "<=", ">", ">=")
+BINDING = ("mean", "integral", "diverges")  # of a body, by a variable of their own
+FUNCTIONS = ("sqrt", "pow", "log", "exp", "gamma", "arctan", *BINDING)
+
+ATOMS: dict[
+    str, tuple[Any, ...]
+] = {}  # what each atom stands for; its name tells it, so that the order of entries means nothing
 
 
 class Unsupported(Exception):
@@ -58,6 +68,10 @@ def unfold(node: Any, definitions: Mapping[str, Term], active: tuple[str, ...] =
     if node[0] == "exists":
         inner = {name: term for name, term in definitions.items() if name not in node[1]}
         return ("exists", node[1], unfold(node[2], inner, active))
+    if node[0] in BINDING:
+        inner = {name: term for name, term in definitions.items() if name != node[2]}
+        ends = (unfold(end, definitions, active) for end in node[3:])
+        return (node[0], unfold(node[1], inner, active), node[2], *ends)
     return (node[0], *(unfold(child, definitions, active) for child in node[1:]))
 
 
@@ -65,14 +79,26 @@ def derivative(term: Term, definitions: Mapping[str, Term]) -> Term:
     """The term that ("diff", inner, x, order) stands for; the checker takes the same derivatives."""
     assert isinstance(term, tuple)
     try:
-        found: Term = _frozen(Terms(dict(definitions)).derived(*term[1:]))
+        found: Term = frozen(Terms(dict(definitions)).derived(*term[1:]))
     except Unknown as error:
         raise Unsupported(str(error)) from error
     return found
 
 
-def _frozen(node: Any) -> Any:
-    return tuple(map(_frozen, node)) if isinstance(node, (list, tuple)) else node
+def theorem_of(instance: Instance, definitions: Mapping[str, Term]) -> Theorem:
+    """A theorem applied to terms."""
+    theorem = THEOREMS[instance[0]](Terms(dict(definitions)), *map(_listed, instance[1:]))
+    return Theorem([frozen(premise) for premise in theorem.premises], frozen(theorem.conclusion))
+
+
+def _listed(node: Any) -> Any:
+    """Nested tuples as nested lists, as the checker reads them."""
+    return [*map(_listed, node)] if isinstance(node, tuple) else node
+
+
+def frozen(node: Any) -> Any:
+    """Nested lists as nested tuples."""
+    return tuple(map(frozen, node)) if isinstance(node, (list, tuple)) else node
 
 
 def constant(term: Term) -> Fraction:
@@ -144,6 +170,61 @@ def angle(term: Term) -> dict[str, int]:
     raise Unsupported(f"sine or cosine of {term!r}: only whole multiples and sums of variables")
 
 
+def atom(node: Any) -> str | None:
+    """The variable that stands for a function of an unfolded term; None for roots of numbers and whole powers.
+
+    Terms with the same arguments, as fractions of polynomials, have the same atom.
+    """
+    kind, *arguments = node
+    if kind == "pow" and (number := number_of(arguments[1])) is not None and number.denominator == 1:
+        return None
+    if kind == "sqrt" and number_of(arguments[0]) is not None:
+        return None
+    if kind in BINDING:
+        body, x, *ends = arguments
+        depth = sum(isinstance(part, tuple) and part[0] in BINDING for part in subterms(body))
+        arguments = [renamed(body, x, f"bound_{depth}"), *ends]
+    name = f"{kind.title()}_{sha256(repr([kind, *map(canonical, arguments)]).encode()).hexdigest()[:10]}"
+    ATOMS.setdefault(name, node)
+    return name
+
+
+def number_of(term: Term) -> Fraction | None:
+    """The rational number a term is equal to, or None."""
+    try:
+        return constant(term)
+    except Unsupported:
+        pass
+    try:
+        value = Ring(variables(term)).ratio(term)
+    except Unsupported:
+        return None
+    den = prod((poly**exponent for poly, exponent in value.den.values()), start=value.num**0)
+    quotient, rest = divmod(value.num, den)
+    if quotient == 0 and rest == 0:
+        return Fraction(0)
+    return fraction(quotient.leading_coefficient()) if rest == 0 and quotient.is_constant() else None
+
+
+def renamed(node: Any, old: str, new: str) -> Any:
+    """The term with another name for a variable, also where it is bound."""
+    if isinstance(node, tuple):
+        return tuple(renamed(child, old, new) for child in node)
+    return new if node == old else node
+
+
+@lru_cache(maxsize=4096)
+def canonical(term: Term) -> str:
+    """A text that is the same for terms that are the same fraction of polynomials."""
+    ring = Ring(variables(term))
+    value = ring.ratio(term)
+    den = prod((poly**exponent for poly, exponent in value.den.values()), start=ring.number(1))
+    common = value.num.gcd(den)
+    top, bottom = divmod(value.num, common)[0], divmod(den, common)[0]
+    scale = bottom.leading_coefficient()
+    return f"{top / scale} / {bottom / scale}"
+
+
 def variables(node: Any) -> set[str]:
     """The polynomial variables an unfolded term or formula needs."""
     found: set[str] = set()
@@ -153,14 +234,40 @@ def variables(node: Any) -> set[str]:
         return found
     if node[0] in ("sin", "cos", "tan"):
         return {f"{function}_{name}" for name in angle(node[1]) for function in ("sin", "cos")}
+    if node[0] in FUNCTIONS and (name := atom(node)):
+        return {name}
     if node[0] == "sqrt":
         return {f"sqrt_{p}" for p in square_free(constant(node[1]))[1]}
+    if node[0] == "pow":
+        return variables(node[1])
     if node[0] == "diff":
         return variables(derivative(node, {})) | variables(node[1]) | {node[2]}
     if node[0] == "exists":
         return set(node[1]) | variables(node[2])
     for child in node[1:]:
         found |= variables(child)
+    return found
+
+
+def function_arguments(node: Any) -> Iterator[Term]:
+    """The arguments of all functions inside an unfolded term; of an integral or a mean, the body and the ends."""
+    for part in subterms(node):
+        if isinstance(part, tuple) and part[0] in FUNCTIONS:
+            yield from (part[1], *part[3:]) if part[0] in BINDING else part[1:]
+
+
+def with_arguments(names: Iterable[str]) -> set[str]:
+    """The variables, and those that the arguments of the functions among them need."""
+    found = set(names)
+    open_ = [name for name in found if name in ATOMS]
+    while open_:
+        kind, *arguments = ATOMS[open_.pop()]
+        bound = {arguments[1], f"sin_{arguments[1]}", f"cos_{arguments[1]}"} if kind in BINDING else set()
+        inner = {name for part in arguments for name in variables(part)} - {*bound, "infinity"}
+        if bound:
+            inner = {name for name in inner if not (name in ATOMS and bound & with_arguments({name}))}
+        open_ += [name for name in inner - found if name in ATOMS]
+        found |= inner
     return found
 
 
@@ -254,9 +361,18 @@ class Ring:
                 [self.ratio(term[1])] * term[2] if term[2] >= 0 else [self._inverse(term[1])] * -term[2]
             )
         if kind in ("sin", "cos"):
-            return Ratio(self._turn(angle(unfold(term[1], self.definitions)))[kind == "sin"])
+            return Ratio(self.turn(angle(unfold(term[1], self.definitions)))[kind == "sin"])
         if kind == "tan":
             return self.ratio(("/", ("sin", term[1]), ("cos", term[1])))
+        if kind in FUNCTIONS and (name := atom(unfold(term, self.definitions))):
+            return Ratio(self.generator[name])
+        if kind == "pow":
+            whole = number_of(unfold(term[2], self.definitions))
+            assert whole is not None
+            met = dict(self.divisors)  # the base of such a power is positive: no side condition
+            value = self.ratio(("^", term[1], int(whole)))
+            self.divisors = met
+            return value
         if kind == "sqrt":
             return Ratio(self._root(constant(unfold(term[1], self.definitions))))
         if kind == "diff":
@@ -330,7 +446,7 @@ class Ring:
                 num *= value.num
         return Ratio(num, den)
 
-    def _turn(self, combination: Mapping[str, int]) -> tuple[Poly, Poly]:
+    def turn(self, combination: Mapping[str, int]) -> tuple[Poly, Poly]:
         """(cosine, sine) of an integer combination of variables by the addition theorem."""
         cosine, sine = self.number(1), self.number(0)
         for name, count in combination.items():

@@ -7,6 +7,7 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 from symcheck.proof.equations import cleared, prove_identity, written
+from symcheck.proof.functions import has_functions, prove_with_theorems
 from symcheck.proof.groebner import Monomial
 from symcheck.proof.ideal import Fact, Ideal, Ref
 from symcheck.proof.knowledge import Knowledge, hints_of, proportional, starting
@@ -30,6 +31,9 @@ def prove(problem: Problem, ring: Ring) -> Certificate | None:
     kind = problem.claim[0]
     if kind == "=" and (proof := prove_identity(problem, ring)) is not None:
         return proof
+    if has_functions(ring):
+        hints = hints_of(problem)
+        return prove_with_theorems(problem, lambda goal, known: _Engine(known, hints).prove(goal, known))
     if kind in ("<", "<=", ">", ">="):
         return prove_order(problem.claim, starting(problem, ring), hints_of(problem), problem)
     if kind == "exists":
@@ -387,14 +391,14 @@ class _Engine:
         known = place.known
         if not known.pending:
             return None, False
-        _, disjunction = known.pending[0]
+        ref, disjunction = known.pending[0]
         cases = []
         for part in disjunction[1:]:
             inner = replace(known, pending=known.pending[1:]).assume(part)
             if (proof := self.search(goal, inner, place)) is None:
                 return None, True
-            cases.append(_shifted(proof))
-        return {"rule": "cases_or", "or": 0, "cases": cases}, True
+            cases.append(proof)
+        return {"rule": "cases_or", "or": ref, "cases": cases}, True
 
     def _split(self, goal: Formula, place: _Place) -> Attempt:
         """One of the factors of a fact is zero: the shortest fact first."""
@@ -513,11 +517,3 @@ def _wrap(rule: str, **parts: Any) -> Certificate | None:
     if any(parts.get(name, True) is None for name in ("then",)):
         return None
     return {"rule": rule, **parts}
-
-
-def _shifted(proof: Any) -> Any:
-    """Inner disjunctions counted with the outer one still open in front of them."""
-    if isinstance(proof, dict):
-        inner = {key: _shifted(value) for key, value in proof.items()}
-        return {**inner, "or": proof["or"] + 1} if "or" in proof else inner
-    return [_shifted(child) for child in proof] if isinstance(proof, list) else proof

@@ -17,12 +17,15 @@ from symcheck.reading.tree import (
     Diag,
     Div,
     ElementsOf,
+    Integral,
     MatrixOf,
+    Mean,
     Mul,
     Name,
     Neg,
     Number,
     Path,
+    PlusMinus,
     Pow,
     Sqrt,
     Tree,
@@ -106,7 +109,7 @@ def _local(node: Tree, above: Tree | None, whole: Tree, notation: Notation | Non
 
 def _is_factor(node: Name, above: Tree | None, notation: Notation | None) -> bool:
     """Is this a scalar in a place where an exponent makes sense?"""
-    if isinstance(above, Call | ElementsOf | Bars | Derivative):
+    if isinstance(above, Call | ElementsOf | Bars | Derivative | Integral | Mean):
         return False
     return _kind(node, notation) == "scalar"
 
@@ -119,11 +122,13 @@ def _kind(node: Name, notation: Notation | None) -> str:
 
 
 def _flipped(term: Tree) -> Tree:
+    if isinstance(term, PlusMinus):
+        return replace(term, minus=not term.minus)
     return term.value if isinstance(term, Neg) else Neg(term)
 
 
 def _bare(term: Tree) -> Tree:
-    return term.value if isinstance(term, Neg) else term
+    return term.value if isinstance(term, Neg | PlusMinus) else term
 
 
 def _member(node: Tree) -> Iterator[Local]:

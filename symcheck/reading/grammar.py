@@ -28,17 +28,18 @@ entry: LABEL? formula (COLON formula)?
 ?both: chain | chain (AND chain)+
 exists: EXISTS NAME (COMMA NAME)* COLON implies
 ?chain: sum | sum (REL sum)+
-sum: MINUS? term ((PLUS | MINUS) term)*
+sum: (MINUS | PM)? term ((PLUS | MINUS | PM) term)*
 term: product ((SLASH | TIMES) product)?
 product: (item | CDOT)+
 item: primary (CARET LB sum RB | TRANSPOSE | DEGREE | PRIMES)?
-primary: NUMBER | NAME | FN | D | DOTS | LPAR listing RPAR | LBRA listing RBRA | LSET listing RSET
-       | LBAR sum RBAR | LNORM sum RNORM | FRAC LB sum RB LB sum RB | SQRT LB sum RB
-       | SUM LB listing RB (LB sum RB)? | DIAG (LPAR listing RPAR | LBRA listing RBRA) | MBEGIN row (ROW row)* MEND
+primary: NUMBER | NAME | FN | D | DOTS | INFINITY | LPAR listing RPAR | LBRA listing RBRA | LSET listing RSET
+       | LHALF listing RHALF | LBAR sum RBAR | LNORM sum RNORM | LANGLE sum RANGLE | FRAC LB sum RB LB sum RB
+       | SQRT LB sum RB | SUM LB listing RB (LB sum RB)? | INT LB sum RB LB sum RB
+       | DIAG (LPAR listing RPAR | LBRA listing RBRA) | MBEGIN row (ROW row)* MEND
 row: sum (CELL sum)*
 %declare NUMBER NAME FN D DOTS LPAR RPAR LBRA RBRA LSET RSET LBAR RBAR LNORM RNORM LB RB FRAC SQRT SUM DIAG MBEGIN MEND
 %declare ROW CELL CARET TRANSPOSE DEGREE CDOT SLASH TIMES PLUS MINUS REL AND OR IMPLIES IFF EXISTS COLON COMMA SEMI
-%declare NEWLINE LABEL PRIMES
+%declare NEWLINE LABEL PRIMES PM INT INFINITY LANGLE RANGLE LHALF RHALF
 """
 
 

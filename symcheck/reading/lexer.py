@@ -10,7 +10,7 @@ from symcheck.reading.notation import Notation
 from symcheck.reading.tree import Name
 
 _TRIGONOMETRIC = {"sin", "cos", "tan", "tg", "cot", "ctg", "arcsin", "arccos", "arctan", "arctg"}
-FUNCTIONS = frozenset(_TRIGONOMETRIC | {"max", "min", "ln", "log", "exp", "tr", "rank", "sign"})
+FUNCTIONS = frozenset(_TRIGONOMETRIC | {"max", "min", "ln", "log", "exp", "Gamma", "tr", "rank", "sign"})
 SPACES = frozenset(
     [r"\,", r"\;", r"\:", r"\!", "\\ ", "~", r"\quad", r"\qquad", r"\displaystyle", r"\limits", r"\nolimits", r"\hfill"]
 )
@@ -34,13 +34,15 @@ OPEN = {"(": "LPAR", "[": "LBRA", r"\{": "LSET", r"\lbrace": "LSET"}
 CLOSE = {")": "RPAR", "]": "RBRA", r"\}": "RSET", r"\rbrace": "RSET"}
 PARTNER = {
     "RPAR": "LPAR", "RBRA": "LBRA", "RSET": "LSET", "RB": "LB", "RBAR": "LBAR", "RNORM": "LNORM", "MEND": "MBEGIN",
+    "RANGLE": "LANGLE", "RHALF": "LHALF",
 }  # fmt: skip
 SIMPLE = {
     "+": "PLUS", "-": "MINUS", "/": "SLASH", r"\cdot": "CDOT", r"\times": "TIMES", ",": "COMMA", ";": "SEMI",
     ":": "COLON", r"\dots": "DOTS", r"\ldots": "DOTS", r"\cdots": "DOTS",
+    r"\pm": "PM", r"\mp": "PM", r"\infty": "INFINITY", r"\langle": "LANGLE",
 }  # fmt: skip
-_ENDS = frozenset({"NUMBER", "NAME", "TRANSPOSE", "DEGREE", "PRIMES", "DOTS", *PARTNER})
-_OPERATORS = frozenset({"PLUS", "MINUS", "REL", "AND", "OR", "IMPLIES", "IFF", "CDOT", "TIMES", "SLASH"})
+_ENDS = frozenset({"NUMBER", "NAME", "TRANSPOSE", "DEGREE", "PRIMES", "DOTS", "INFINITY", *PARTNER})
+_OPERATORS = frozenset({"PLUS", "MINUS", "PM", "REL", "AND", "OR", "IMPLIES", "IFF", "CDOT", "TIMES", "SLASH"})
 _BREAKS = frozenset({"COMMA", "SEMI", "COLON"})
 
 
@@ -80,12 +82,35 @@ class Lexer(tex.Reader):
         """One more token; brackets are matched here."""
         lexeme = Lexeme(kind, value, at)
         if kind in PARTNER:
-            if not self.open or self.open[-1].type != PARTNER[kind]:
+            opening = self.open.pop() if self.open else None
+            if opening is not None and self.half_open(opening, kind):
+                ends = f"{opening.value}{value}"
+                self.out[self.out.index(opening)] = Lexeme("LHALF", ends, opening.at)
+                lexeme = Lexeme("RHALF", ends, at)
+            elif opening is None or opening.type != PARTNER[kind]:
                 self.fail("unbalanced bracket: nothing of this kind is open", at)
-            self.open.pop()
         elif kind in PARTNER.values():
             self.open.append(lexeme)
         self.out.append(lexeme)
+
+    def half_open(self, opening: Lexeme, kind: str) -> bool:
+        r"""Is this the end of an interval `[a, b)` or `(a, b]`, behind `\in`?"""
+        k = self.out.index(opening)
+        behind = k > 0 and (self.out[k - 1].type, self.out[k - 1].value) == ("REL", r"\in")
+        return behind and (opening.type, kind) in {("LBRA", "RPAR"), ("LPAR", "RBRA")}
+
+    def mean_ends(self) -> None:
+        r"""`\rangle_\psi`: the end of an average, with the phase."""
+        at = self.at()
+        self.i += 1
+        if self.peek() != "_":
+            self.fail("an average needs the letter it is taken over", at)
+        self.i += 1
+        place = self.at()
+        word = tex.spelled("".join(f"{tok.text} " for tok in self.group()))
+        if word is None or self.notation.find(word, 0) is None:
+            self.unknown(word or "here", place)
+        self.emit("RANGLE", Name(word), at)
 
     def step(self) -> None:
         """The next token, command or letter."""
@@ -109,8 +134,10 @@ class Lexer(tex.Reader):
             self.emit("SQRT" if text == r"\sqrt" else "FRAC", text, at)
             for _ in range(1 if text == r"\sqrt" else 2):
                 self.argument()
-        elif text == r"\sum":
-            self.sum()
+        elif text in (r"\sum", r"\int"):
+            self.bounded("SUM" if text == r"\sum" else "INT")
+        elif text == r"\rangle":
+            self.mean_ends()
         elif text in "^'":
             self.script()
         elif text == "_":
@@ -266,8 +293,8 @@ class Lexer(tex.Reader):
         unit = self.peek(ahead) + self.peek(ahead + 1)
         return unit in {"pt", "em", "ex", "mm", "cm"} and self.peek(ahead + 2) == "]"
 
-    def sum(self) -> None:
-        """The sign of a sum with its bounds, the lower one first."""
+    def bounded(self, kind: str) -> None:
+        """The sign of a sum or an integral with its bounds, the lower one first."""
         at = self.at()
         self.i += 1
         bounds: dict[str, list[Lexeme]] = {}
@@ -280,9 +307,11 @@ class Lexer(tex.Reader):
             self.argument()
             bounds[which] = self.out[mark:]
             del self.out[mark:]
-        if "_" not in bounds:
+        if "_" not in bounds and kind == "SUM":
             self.fail("a sum without an index", at)
-        self.emit("SUM", r"\sum", at)
+        if len(bounds) < 2 and kind == "INT":
+            self.fail("an integral without bounds", at)
+        self.emit(kind, r"\sum" if kind == "SUM" else r"\int", at)
         self.out += bounds["_"] + bounds.get("^", [])
 
     def script(self) -> None:
@@ -457,7 +486,7 @@ class Lexer(tex.Reader):
                         pending = None
                         continue
                 elif before.type not in _BREAKS and before.type not in PARTNER.values():
-                    if lexeme.type in {"PLUS", "MINUS"}:
+                    if lexeme.type in {"PLUS", "MINUS", "PM"}:
                         self.fail("a line begins with a sign that the line before does not end with", lexeme.at)
                     if lexeme.type not in _OPERATORS | _BREAKS and lexeme.type not in PARTNER:
                         out.append(pending)

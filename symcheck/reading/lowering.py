@@ -28,18 +28,23 @@ from symcheck.reading.tree import (
     Derivative,
     Diag,
     Div,
+    Dots,
     ElementsOf,
     Exists,
     Iff,
     Implies,
+    Infinity,
+    Integral,
     Interval,
     MatrixOf,
+    Mean,
     Mul,
     Name,
     Neg,
     Number,
     Or,
     Pair,
+    PlusMinus,
     Pow,
     Qualifier,
     Sqrt,
@@ -47,7 +52,10 @@ from symcheck.reading.tree import (
     Transpose,
     Tree,
     Tuple,
+    Values,
     children,
+    walk,
+    with_children,
 )
 from symcheck.statement import Formula, SymcheckError, Term
 
@@ -55,14 +63,16 @@ Env = Mapping[str, int]
 
 SIGNS = {"=": "=", r"\equiv": "=", r"\ne": "!=", "<": "<", r"\le": "<=", ">": ">", r"\ge": ">="}
 _TRIGONOMETRIC = {"sin": "sin", "cos": "cos", "tan": "tan", "tg": "tan"}
+_FUNCTIONS = {"exp": "exp", "ln": "log", "Gamma": "gamma", "arctan": "arctan", "arctg": "arctan"}
 
 
 def lower(item: Relation | Tree, notation: Notation) -> tuple[Formula, ...]:
     """The formulas of a relation, or of all relations of a statement, in printed order.
 
     One formula for each value of the free indices (the first index that occurs varies slowest) and for each component
-    of a vector or matrix (by rows). In a list of cases or a logical formula a free index of one relation means all its
-    values. Errors: SymcheckError for what has no algebraic form, shapes that do not fit, misused indices.
+    of a vector or matrix (by rows); where `\\pm` stands, all this with the upper signs, then with the lower ones. In a
+    list of cases or a logical formula a free index of one relation means all its values. Errors: SymcheckError for what
+    has no algebraic form, shapes that do not fit, misused indices.
     """
     found = (item,) if isinstance(item, Relation) else relations(item)
     if not found:
@@ -129,8 +139,11 @@ class Lowering:
     # -- formulas ------------------------------------------------------------------------------------------------
 
     def relation(self, relation: Relation) -> list[Formula]:
-        """One formula for each instance and component."""
+        """One formula for each choice of sign, instance and component."""
         tree = relation.tree
+        if any(isinstance(node, PlusMinus) for _, node in walk(tree)):
+            signed = (Relation(_choosing(tree, lower=lower), relation.qualifiers) for lower in (False, True))
+            return [formula for each in signed for formula in self.relation(each)]
         if isinstance(tree, Chain):
             free = free_indices(tree, self.notation)
             envs = self.instances(free, relation.qualifiers)
@@ -163,9 +176,16 @@ class Lowering:
         return found
 
     def compare(self, left: Tree, sign: str, right: Tree, env: Env) -> list[Formula]:
-        if sign == r"\in" and isinstance(right, Interval):
+        if sign == r"\in" and isinstance(right, Interval | Pair):
+            low, high = (self.scalar(end, env) for end in children(right))
+            ends = right.ends if isinstance(right, Interval) else "()"
+            above, below = ">=" if ends.startswith("[") else ">", "<=" if ends.endswith("]") else "<"
             value = self.scalar(left, env)
-            return [("and", (">=", value, self.scalar(right.low, env)), ("<=", value, self.scalar(right.high, env)))]
+            return [("and", (above, value, low), (below, value, high))]
+        if sign == "<" and isinstance(right, Infinity) and isinstance(left, Integral):
+            integral = self.scalar(left, env)
+            assert isinstance(integral, tuple)
+            return [("=", ("diverges", *integral[1:]), 0)]
         if sign not in SIGNS:
             raise SymcheckError(
                 f"{to_latex(Chain((left, right), (sign,)))}: {sign} has no algebraic form; state it formally"
@@ -201,7 +221,8 @@ class Lowering:
             names = [index for q in tree.qualifiers for index in q.indices]
             used = set(_free(tree, self.notation, frozenset(), set()))
             envs = self.instances([n for n in names if n in used], tree.qualifiers)
-            return _and(self.formula(part, {**env, **more}) for more in envs for part in tree.parts)
+            stated = [part for part in tree.parts if not isinstance(part, Name)]
+            return _and(self.formula(part, {**env, **more}) for more in envs for part in stated)
         if isinstance(tree, CaseList):
             if not all(label.endswith(".") for label, _ in tree.cases):
                 raise SymcheckError(
@@ -215,6 +236,10 @@ class Lowering:
         if isinstance(tree, Implies | Iff):
             sign = "=>" if isinstance(tree, Implies) else "<=>"
             return (sign, self.formula(tree.left, env), self.formula(tree.right, env))
+        if isinstance(tree, Values):
+            if Dots() in tree.values:
+                raise SymcheckError(f"{to_latex(tree)}: values that are not written out have no algebraic form")
+            return ("or", *(("=", self.scalar(tree.name, env), self.scalar(value, env)) for value in tree.values))
         if isinstance(tree, Exists):
             return ("exists", tuple(self.variables(tree.names, env)), self.formula(tree.body, env))
         raise SymcheckError(f"{to_latex(tree)} is neither true nor false; a relation is expected")
@@ -261,7 +286,7 @@ class Lowering:
             if value not in letter.range:
                 raise SymcheckError(f"index {value} in {to_latex(tree)} is outside the range of {letter.latex}")
         stem = letter.stem + "prime" * tree.primes
-        if letter.kind in ("vector", "matrix"):
+        if letter.kind in ("vector", "matrix") or letter.components is not None:
             return self.components(letter, stem, indices)
         return variable(stem, indices)
 
@@ -319,9 +344,8 @@ class Lowering:
         exponent = self.scalar(tree.exponent, env)
         if isinstance(exponent, tuple) and exponent[0] == "-" and isinstance(exponent[1], int):
             exponent = -exponent[1]
-        if not isinstance(exponent, int):
-            raise SymcheckError(f"{to_latex(tree)}: only whole exponents have an algebraic form")
-        return ("^", self.scalar(tree.base, env), exponent)
+        base = self.scalar(tree.base, env)
+        return ("^", base, exponent) if isinstance(exponent, int) else ("pow", base, exponent)
 
     def of_sqrt(self, tree: Sqrt, env: Env) -> Value:
         return ("sqrt", self.scalar(tree.value, env))
@@ -340,6 +364,8 @@ class Lowering:
             return (name, "_".join(str(axis) for axis in axes))
         if len(tree.arguments) == 1 and name:
             return (name, self.scalar(tree.arguments[0], env))
+        if len(tree.arguments) == 1 and tree.function in _FUNCTIONS:
+            return (_FUNCTIONS[tree.function], self.scalar(tree.arguments[0], env))
         if tree.function in ("ctg", "cot") and len(tree.arguments) == 1:
             argument = self.scalar(tree.arguments[0], env)
             return ("/", ("cos", argument), ("sin", argument))
@@ -358,6 +384,8 @@ class Lowering:
     def bounds(self, tree: BigSum, index: str, env: Env) -> tuple[int, ...]:
         if tree.low is None or tree.high is None:
             return self.range(index)
+        if isinstance(tree.high, Infinity):
+            raise SymcheckError(f"{to_latex(tree)}: a sum without end has no algebraic form; state a finite one")
         low, high = self.scalar(tree.low, env), self.scalar(tree.high, env)
         if not isinstance(low, int) or not isinstance(high, int):
             raise SymcheckError(f"{to_latex(tree)}: the bounds of a sum must be whole numbers")
@@ -372,7 +400,7 @@ class Lowering:
     def of_tuple(self, tree: Tuple, env: Env) -> Value:
         if tree.kind == "{}":
             raise SymcheckError(f"{to_latex(tree)} is a set; it has no algebraic form")
-        return [self.scalar(item, env) for item in tree.items]
+        return [self.scalar(item, env) for item in _written_out(tree)]
 
     def of_cross(self, tree: Cross, env: Env) -> Value:
         u, v = self.value(tree.left, env), self.value(tree.right, env)
@@ -410,6 +438,24 @@ class Lowering:
             [self.scalar(tree.value, {**env, row: k, column: m}) for m in self.range(column)] for k in self.range(row)
         ]
 
+    def of_integral(self, tree: Integral, env: Env) -> Value:
+        by = self.scalar(tree.variable, env)
+        if not isinstance(by, str):
+            raise SymcheckError(f"{to_latex(tree)}: an integral is taken over a variable")
+        return ("integral", self.scalar(tree.body, env), by, self.bound(tree.low, env), self.bound(tree.high, env))
+
+    def bound(self, tree: Tree, env: Env) -> Term:
+        """A bound of an integral; infinity is the name "infinity"."""
+        if isinstance(tree, Infinity):
+            return "infinity"
+        return ("-", "infinity") if tree == Neg(Infinity()) else self.scalar(tree, env)
+
+    def of_mean(self, tree: Mean, env: Env) -> Value:
+        phase = self.scalar(tree.phase, env)
+        if not isinstance(phase, str):
+            raise SymcheckError(f"{to_latex(tree)}: an average is taken over a variable")
+        return zipped(lambda t: ("mean", t, phase), [self.value(tree.body, env)])
+
     def of_derivative(self, tree: Derivative, env: Env) -> Value:
         value = self.value(tree.body, env)
         for variable_tree, order in tree.variables:
@@ -424,6 +470,30 @@ def tree_indices(tree: Tree) -> set[str]:
     """All index letters that occur as subscripts."""
     found = {s for s in tree.subscripts if isinstance(s, str)} if isinstance(tree, Name) else set()
     return found.union(*(tree_indices(child) for child in children(tree)))
+
+
+def _choosing(tree: Tree, *, lower: bool) -> Tree:
+    """The tree with the upper signs of all double ones, or with the lower ones."""
+    chosen = with_children(tree, tuple(_choosing(child, lower=lower) for child in children(tree)))
+    if isinstance(chosen, PlusMinus):
+        return chosen.value if chosen.minus == lower else Neg(chosen.value)
+    return chosen
+
+
+def _written_out(tree: Tuple) -> Iterator[Tree]:
+    r"""The items of a list, with dots written out: `(\zeta_1, \dots, \zeta_6)`."""
+    for k, item in enumerate(tree.items):
+        if not isinstance(item, Dots):
+            yield item
+            continue
+        before, after = (tree.items[m] if 0 <= m < len(tree.items) else None for m in (k - 1, k + 1))
+        if not isinstance(before, Name) or not isinstance(after, Name) or before.letter != after.letter:
+            raise SymcheckError(f"{to_latex(tree)}: dots must stand between two indices of one letter")
+        match before.subscripts, after.subscripts:
+            case (int(low),), (int(high),) if low < high:
+                yield from (Name(before.letter, (n,), before.primes) for n in range(low + 1, high))
+            case _:
+                raise SymcheckError(f"{to_latex(tree)}: dots must stand between two indices of one letter")
 
 
 def _and(formulas: Iterable[Formula]) -> Formula:

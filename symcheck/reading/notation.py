@@ -13,6 +13,7 @@ from symcheck.statement import SymcheckError
 
 KINDS = frozenset({"scalar", "vector", "matrix", "function", "index", "differential"})
 SIGNS = frozenset({"", ">= 0", "> 0"})
+SLASHES = frozenset({"", "denominator"})
 _PREFIXES = {r"\dot": "d", r"\ddot": "dd"}
 _SUFFIXES = {
     r"\bar": "bar", r"\overline": "bar", r"\hat": "hat", r"\widehat": "hat",
@@ -29,9 +30,10 @@ class Letter:
     kind        "scalar", "vector", "matrix", "function" (of other letters), "index", "differential" (as in dx)
     range       the values of an index letter, or of each index of this letter
     sign        "", ">= 0" or "> 0"
-    components  of a vector or matrix: any LaTeX of that shape in the same notation, in which i, j (in this order)
-                stand for the letter's own indices: `(a_{i1}, a_{i2}, a_{i3})`, `\|a_{ij}\|`,
-                `\operatorname{diag}(I_1, I_2, I_3)`; without it they are variables with one more index (a matrix: two)
+    components  of a vector or matrix, or of a function with such values: any LaTeX of that shape in the same notation,
+                in which i, j (in this order) stand for the letter's own indices: `(a_{i1}, a_{i2}, a_{i3})`,
+                `\|a_{ij}\|`, `\operatorname{diag}(I_1, I_2, I_3)`; without it they are variables with one more index
+                (a matrix: two)
     """
 
     latex: str
@@ -105,11 +107,18 @@ def _variables(letter: Letter) -> Iterator[str]:
 
 
 class Notation:
-    """A paper's letters. Immutable; `extended` gives a changed copy."""
+    """A paper's letters and habits. Immutable; `extended` gives a changed copy.
 
-    def __init__(self, letters: Iterable[Letter]) -> None:
-        self.letters = tuple(letters)
-        self._hash = hash(self.letters)
+    slash   what a slash before several factors means: "" is refused as ambiguous; "denominator": `1/2\\pi` is 1/(2 pi).
+            Physicists print it so, programmers mean (1/2) pi; only the paper itself can tell, by its other formulas.
+            Brackets behind the slash, `1/2(a + b)`, stay refused.
+    """
+
+    def __init__(self, letters: Iterable[Letter], *, slash: str = "") -> None:
+        if slash not in SLASHES:
+            raise SymcheckError(f"unknown meaning {slash!r} of a slash; choose '' or 'denominator'")
+        self.letters, self.slash = tuple(letters), slash
+        self._hash = hash((self.letters, slash))
         self._letters: dict[tuple[str, int], Letter] = {}
         self._index: dict[str, Letter] = {}
         for letter in self.letters:
@@ -138,13 +147,13 @@ class Notation:
                     )
 
     def __eq__(self, other: object) -> bool:
-        return isinstance(other, Notation) and self.letters == other.letters
+        return isinstance(other, Notation) and (self.letters, self.slash) == (other.letters, other.slash)
 
     def __hash__(self) -> int:
         return self._hash
 
     def __repr__(self) -> str:
-        return f"Notation({list(self.letters)!r})"
+        return f"Notation({list(self.letters)!r}, slash={self.slash!r})"
 
     def extended(self, *letters: Letter) -> Notation:
         """A copy in which these letters are added, or stand for others of the same spelling and number of indices."""
@@ -153,7 +162,7 @@ class Notation:
             return canonical(letter.latex), letter.indices, letter.kind == "index"
 
         new = {key(letter) for letter in letters}
-        return Notation([*(old for old in self.letters if key(old) not in new), *letters])
+        return Notation([*(old for old in self.letters if key(old) not in new), *letters], slash=self.slash)
 
     def find(self, latex: str, indices: int) -> Letter | None:
         """The letter of this canonical spelling with so many indices."""

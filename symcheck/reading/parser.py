@@ -12,6 +12,7 @@ from symcheck.reading.grammar import parse
 from symcheck.reading.lexer import Lexer
 from symcheck.reading.notation import Notation
 from symcheck.reading.tree import (
+    BRACKETED,
     LOGIC,
     STATEMENTS,
     Add,
@@ -31,15 +32,19 @@ from symcheck.reading.tree import (
     Exists,
     Iff,
     Implies,
+    Infinity,
+    Integral,
     Interval,
     Located,
     MatrixOf,
+    Mean,
     Mul,
     Name,
     Neg,
     Number,
     Or,
     Pair,
+    PlusMinus,
     Pow,
     Qualifier,
     Sqrt,
@@ -47,6 +52,7 @@ from symcheck.reading.tree import (
     Transpose,
     Tree,
     Tuple,
+    Values,
 )
 from symcheck.statement import SymcheckError
 
@@ -75,7 +81,8 @@ class Listing:
 class Item:
     """One factor before functions, sums and derivatives have taken their arguments.
 
-    kind: "atom", "fraction" (also a root), "group" (round brackets), "function", "sum", "operator", "d", "dot"
+    kind: "atom", "fraction" (also a root), "group" (round brackets), "function", "sum", "integral", "operator", "d",
+    "dot"
     """
 
     kind: str
@@ -142,7 +149,7 @@ class Builder:
         parts, qualifiers = self.qualified([tree for _, tree in listing.entries], listing.at)
         if len(parts) == 1 and not qualifiers:
             return parts[0]
-        stated = [isinstance(part, STATEMENTS) for part in parts]
+        stated = [isinstance(part, STATEMENTS) for part in parts if not self.is_listed(part)]
         if not all(stated) and (any(stated) or qualifiers):
             raise self.fail(listing.at, "an expression stands among relations and says nothing")
         if len(parts) > 1 and any(isinstance(part, LOGIC) and not isinstance(part, And) for part in parts):
@@ -170,8 +177,11 @@ class Builder:
         qualifiers: list[Qualifier] = []
         k = 0
         while k < len(trees):
-            found, size = self.qualifier(trees[k:], at)
-            if found is not None:
+            several = self.several(trees[k:])
+            found, size = self.qualifier(trees[k:], at) if several is None else (None, len(several.values))
+            if several is not None:
+                parts.append(several)
+            elif found is not None:
                 qualifiers.append(found)
             elif isinstance(tree := trees[k], System) and not tree.parts:
                 qualifiers.extend(tree.qualifiers)
@@ -198,6 +208,23 @@ class Builder:
         if alone or not isinstance(values[0], Number):
             return None, 1
         return Qualifier(letters, self.values(values, at)), size
+
+    def several(self, trees: list[Tree]) -> Values | None:
+        r"""Values that never end, `m = 1, 2, \dots`, or those of a letter that is no index, `m = 1, \dots, 4`."""
+        first, run = trees[0], 1
+        if not isinstance(first, Chain) or first.signs != ("=",) or not isinstance(first.members[0], Name):
+            return None
+        while run < len(trees) and isinstance(trees[run], Number | Dots):
+            run += 1
+        values = (first.members[1], *trees[1:run])
+        endless = isinstance(values[-1], Dots)
+        if Dots() not in values or (self.is_index(first.members[0]) and not endless):
+            return None
+        return Values(first.members[0], values) if isinstance(values[0], Number) else None
+
+    def is_listed(self, tree: Tree) -> bool:
+        """A letter that stands in a list of relations to be named, nothing else: the `C` of `A = B, C`."""
+        return isinstance(tree, Name) and not self.is_index(tree)
 
     def is_index(self, tree: Tree) -> bool:
         return isinstance(tree, Name) and not tree.subscripts and self.notation.index(tree.letter) is not None
@@ -260,13 +287,13 @@ class Builder:
     def on_sum(self, nodes: list[Any]) -> Tree:
         negative = nodes[0].data == "term" if hasattr(nodes[0], "data") else True
         signs = ["PLUS"] if negative and hasattr(nodes[0], "data") else []
-        signs += [node.type for node in nodes if not hasattr(node, "data")]
+        signs += [node.value.value if node.type == "PM" else node.type for node in nodes if not hasattr(node, "data")]
         parts = [node for node in nodes if hasattr(node, "data")]
         if len(parts) == 1 and signs == ["PLUS"]:
             tree: Tree = self.build(parts[0])
             return tree
         terms = [self.term_of(part) for part in parts]
-        signed = tuple(Neg(term) if sign == "MINUS" else term for sign, term in zip(signs, terms, strict=True))
+        signed = tuple(_signed(sign, term) for sign, term in zip(signs, terms, strict=True))
         return signed[0] if len(signed) == 1 else Add(signed)
 
     def on_term(self, nodes: list[Any]) -> Tree:
@@ -275,16 +302,17 @@ class Builder:
             return self.product(left)
         right = self.items(nodes[2])
         if nodes[1].type == "TIMES":
-            if any(item.kind == "sum" for item in left):
+            if any(item.kind in ("sum", "integral") for item in left):
                 raise self.fail(nodes[1].value.at, "a cross product behind a sum is ambiguous")
             return Cross(self.plain(left), self.plain(right))
         at = nodes[1].value.at
         top, bottom = self.product(left), self.product(right)
         if isinstance(top, Differential) and isinstance(bottom, Differential):
             return self.derivative(top, bottom, at)
-        if len(right) > 1 and not isinstance(bottom, Call):
+        below = self.notation.slash == "denominator" and all(item.kind == "atom" for item in right)
+        if len(right) > 1 and not isinstance(bottom, Call) and not below:
             raise self.fail(at, "a slash before several factors is ambiguous")
-        if any(item.kind == "sum" for item in left + right) or _ends_bare(left):
+        if any(item.kind in ("sum", "integral") for item in left + right) or _ends_bare(left):
             raise self.fail(at, "a slash behind a sum or a function without brackets is ambiguous")
         return Div(self.checked(top, at, statements=False), self.checked(bottom, at, statements=False))
 
@@ -325,6 +353,8 @@ class Builder:
             if k + 1 == len(items) or items[k + 1].kind == "dot" or item.bounds is None:
                 raise self.fail(item.at, "a sum of nothing")
             return BigSum(*item.bounds, self.plain(items[k + 1 :])), len(items)
+        if item.kind == "integral":
+            return self.integral(items, k), len(items)
         if item.kind == "operator":
             if k + 2 != len(items) or items[k + 1].kind not in ("group", "atom"):
                 raise self.fail(item.at, "what this operator applies to is ambiguous; put it in brackets")
@@ -338,15 +368,34 @@ class Builder:
             return self.applied(items, k)
         return self.atom(item), k + 1
 
+    def integral(self, items: list[Item], k: int) -> Tree:
+        r"""`\int_a^b f \, dx`; nothing may stand behind the differential."""
+        sign, depth, end = items[k], 1, k + 1
+        while end < len(items) and depth:
+            depth += {"integral": 1, "d": -1}.get(items[end].kind, 0)
+            end += 1
+        if depth or end >= len(items) or items[end].kind != "atom" or items[end].postfix or items[end - 1].power:
+            raise self.fail(sign.at, "this integral does not say what it is taken over")
+        if end + 1 < len(items):
+            raise self.fail(items[end + 1].at, "does this belong to the integral? put the integral in brackets")
+        if end - 1 == k + 1 or sign.bounds is None:
+            raise self.fail(sign.at, "an integral of nothing")
+        _, low, high = sign.bounds
+        assert low is not None
+        assert high is not None
+        return Integral(self.plain(items[k + 1 : end - 1]), self.atom(items[end]), low, high)
+
     def kind(self, name: Name) -> str:
         letter = self.notation.find(name.letter, len(name.subscripts))
         return letter.kind if letter else "index"
 
     def applied(self, items: list[Item], k: int) -> tuple[Tree, int]:
-        """A function letter with its arguments in brackets, or alone."""
+        """A function letter with its arguments in brackets, or alone; any other factor as it is."""
         item = items[k]
-        if k + 1 < len(items) and items[k + 1].kind == "group" and not item.postfix and isinstance(item.node, Name):
+        called = isinstance(item.node, Name) and self.kind(item.node) == "function" and not item.postfix
+        if called and k + 1 < len(items) and items[k + 1].kind == "group":
             group = items[k + 1]
+            assert isinstance(item.node, Name)
             call = Call(item.node, self.entries(group.listing))
             return self.postfixed(call, group), k + 2
         return self.atom(item), k + 1
@@ -355,6 +404,8 @@ class Builder:
         r"""`\sin` with its argument: brackets, one fraction or root, or the simple factors that follow."""
         head = items[k]
         k += 1
+        if head.name in BRACKETED and (k == len(items) or items[k].kind != "group"):
+            raise self.fail(head.at, f"the argument of {head.name} must stand in brackets")
         if k < len(items) and items[k].kind == "group":
             if items[k].postfix:
                 raise self.fail(items[k].at, f"does this power belong to {head.name} or to its argument?")
@@ -375,7 +426,9 @@ class Builder:
             k += 1
         if k == start:
             raise self.fail(head.at, f"{head.name} without an argument")
-        factors = tuple(self.atom(item) for item in items[start:k])
+        factors = tuple(self.atom(item) for item in items[start : k - 1])
+        last, k = self.applied(items, k - 1)
+        factors += (last,)
         return self.powered(head, (factors[0] if len(factors) == 1 else Mul(factors),)), k
 
     def simple(self, item: Item) -> bool:
@@ -431,13 +484,22 @@ class Builder:
                 raise self.fail(listing.at, "a relation in brackets of this kind")
             return self.statement_of(listing)
         items = self.entries(listing)
+        if len(items) == 1 and kind == "[]" and self.is_entry(items[0]):
+            return ElementsOf(items[0])
         if len(items) == 1 and kind != "{}":
             return items[0]
         if len(items) == 2 and kind == "()":
             return Pair(*items)
-        if len(items) == 2 and kind == "[]":
-            return Interval(*items)
+        if len(items) == 2 and kind in ("[]", "[)", "(]"):
+            return Interval(*items, kind)
+        if kind in ("[)", "(]"):
+            raise self.fail(listing.at, "an interval has two ends")
         return Tuple(items, kind)
+
+    def is_entry(self, tree: Tree) -> bool:
+        """The entry of a matrix by two index letters: brackets around it, `[a_{ij}]`, would be idle otherwise."""
+        subscripts = tree.subscripts if isinstance(tree, Name) else ()
+        return len(subscripts) == 2 and len({s for s in subscripts if isinstance(s, str)}) == 2
 
     def differential(self, items: list[Item]) -> Differential:
         r"""`d^2 f`, `dx^2`, `\partial y_i \partial y_j`."""
@@ -490,7 +552,7 @@ class Builder:
         item: Item = self.build(nodes[0])
         if len(nodes) > 1:
             item.postfix = nodes[1].type
-            if item.kind == "sum" or (item.kind in ("function", "operator") and item.postfix != "CARET"):
+            if item.kind in ("sum", "integral") or (item.kind in ("function", "operator") and item.postfix != "CARET"):
                 raise self.fail(nodes[1].value.at, "this cannot stand here")
         if item.postfix == "PRIMES":
             item.letters = nodes[1].value.value
@@ -531,6 +593,18 @@ class Builder:
 
     def from_lbra(self, nodes: list[Any], at: int) -> Item:
         return Item("atom", at, self.bracketed(self.build(nodes[1]), "[]"))
+
+    def from_lhalf(self, nodes: list[Any], at: int) -> Item:
+        return Item("atom", at, self.bracketed(self.build(nodes[1]), nodes[0].value.value))
+
+    def from_infinity(self, nodes: list[Any], at: int) -> Item:
+        return Item("atom", at, Infinity())
+
+    def from_langle(self, nodes: list[Any], at: int) -> Item:
+        return Item("atom", at, Mean(self.term_of(nodes[1]), nodes[2].value.value))
+
+    def from_int(self, nodes: list[Any], at: int) -> Item:
+        return Item("integral", at, bounds=((), self.term_of(nodes[2]), self.term_of(nodes[5])))
 
     def from_lset(self, nodes: list[Any], at: int) -> Item:
         return Item("atom", at, self.bracketed(self.build(nodes[1]), "{}"))
@@ -582,6 +656,13 @@ class Builder:
             raise self.fail(at, "the bounds of this sum cannot be read")
         letters = tuple(name.letter for name in names if isinstance(name, Name))
         return Item("sum", at, bounds=(letters, low, high))
+
+
+def _signed(sign: str, term: Tree) -> Tree:
+    """The term with the sign before it."""
+    if sign in (r"\pm", r"\mp"):
+        return PlusMinus(term, minus=sign == r"\mp")
+    return Neg(term) if sign == "MINUS" else term
 
 
 def _place(node: Any) -> int:

@@ -6,6 +6,7 @@ from collections.abc import Callable
 from typing import Any
 
 from symcheck.reading.tree import (
+    BRACKETED,
     Add,
     And,
     Bars,
@@ -23,15 +24,19 @@ from symcheck.reading.tree import (
     Exists,
     Iff,
     Implies,
+    Infinity,
+    Integral,
     Interval,
     Located,
     MatrixOf,
+    Mean,
     Mul,
     Name,
     Neg,
     Number,
     Or,
     Pair,
+    PlusMinus,
     Pow,
     Qualifier,
     Sqrt,
@@ -39,14 +44,16 @@ from symcheck.reading.tree import (
     Transpose,
     Tree,
     Tuple,
+    Values,
 )
 
 # how tightly a printed form holds together: what is looser than its place needs is put in brackets
 LIST, IMPLIES, OR, AND, CHAIN, SUM, TERM, PRODUCT, FACTOR, ATOM = range(10)
 _LEVEL: dict[type[Tree], int] = {
-    System: LIST, CaseList: LIST, Located: LIST, Exists: LIST, Qualifier: LIST, Iff: LIST, Implies: IMPLIES,
-    Or: OR, And: AND, Chain: CHAIN, Add: SUM, Neg: SUM, Cross: TERM, Mul: PRODUCT, BigSum: PRODUCT, Call: FACTOR,
-    Pow: FACTOR, Transpose: FACTOR, Degrees: FACTOR, Derivative: FACTOR, Div: FACTOR,
+    System: LIST, CaseList: LIST, Located: LIST, Exists: LIST, Qualifier: LIST, Values: LIST, Iff: LIST,
+    Implies: IMPLIES, Or: OR, And: AND, Chain: CHAIN, Add: SUM, Neg: SUM, PlusMinus: SUM, Cross: TERM, Mul: PRODUCT,
+    BigSum: PRODUCT, Integral: PRODUCT, Call: FACTOR, Pow: FACTOR, Transpose: FACTOR, Degrees: FACTOR,
+    Derivative: FACTOR, Div: FACTOR,
 }  # fmt: skip
 _CONNECTIVE = {And: r" \land ", Or: r" \lor ", Implies: r" \Rightarrow ", Iff: r" \Leftrightarrow "}
 
@@ -85,11 +92,17 @@ def _name(tree: Name) -> str:
 def _add(tree: Add) -> str:
     text = ""
     for k, term in enumerate(tree.terms):
-        if isinstance(term, Neg):
+        if isinstance(term, PlusMinus):
+            text += (" " if k else "") + _plus_minus(term)
+        elif isinstance(term, Neg):
             text += (" - " if k else "-") + _print(term.value, TERM)
         else:
             text += (" + " if k else "") + _print(term, TERM)
     return text
+
+
+def _plus_minus(tree: PlusMinus) -> str:
+    return rf"\{'mp' if tree.minus else 'pm'} {_print(tree.value, TERM)}"
 
 
 def _mul(tree: Mul) -> str:
@@ -104,7 +117,7 @@ def _mul(tree: Mul) -> str:
 
 
 def _factor(factor: Tree, *, last: bool) -> str:
-    if isinstance(factor, BigSum) and last:
+    if isinstance(factor, BigSum | Integral) and last:
         return _print(factor, PRODUCT)
     return _print(factor, FACTOR)
 
@@ -116,8 +129,11 @@ def _needs_dot(before: Tree, factor: Tree) -> bool:
         return True
     if isinstance(before, Pow) and isinstance(before.base, Call):
         before = before.base
-    if isinstance(before, Call) and isinstance(before.function, str) and _is_bare(before.arguments):
-        return isinstance(first, Name) or _is_function_letter(first)
+    if isinstance(before, Call) and isinstance(before.function, str) and _is_bare(before):
+        if isinstance(first, Name) or _is_function_letter(first):
+            return True
+        argument = before.arguments[0]
+        before = argument.factors[-1] if isinstance(argument, Mul) else argument
     return _is_function_letter(before) and _print(factor, FACTOR).startswith((r"\left(", "("))
 
 
@@ -131,11 +147,11 @@ def _first(tree: Tree) -> Tree:
     return tree
 
 
-def _is_bare(arguments: tuple[Tree, ...]) -> bool:
+def _is_bare(tree: Call) -> bool:
     """Can the argument of a function stand without brackets?"""
-    if len(arguments) != 1:
+    if len(tree.arguments) != 1 or tree.function in BRACKETED:
         return False
-    argument = arguments[0]
+    argument = tree.arguments[0]
     factors = argument.factors if isinstance(argument, Mul) else (argument,)
     return all(_is_plain(f) for f in factors[1:]) and (isinstance(factors[0], Number) or _is_plain(factors[0]))
 
@@ -152,7 +168,7 @@ def _call(tree: Call, power: str = "") -> str:
     if isinstance(tree.function, Name):
         return f"{_name(tree.function)}({inside})" if tree.arguments else _name(tree.function)
     head = tree.function if tree.function not in _OPERATORS else rf"operatorname{{{tree.function}}}"
-    if _is_bare(tree.arguments):
+    if _is_bare(tree):
         return rf"\{head}{power} {inside}"
     return rf"\{head}{power}\left({inside}\right)"
 
@@ -186,10 +202,15 @@ def _sum(tree: BigSum) -> str:
     return rf"\sum_{{{', '.join(tree.indices)}{low}}}{high} {_print(tree.body, PRODUCT)}"
 
 
+def _integral(tree: Integral) -> str:
+    bounds = f"_{{{_print(tree.low, SUM)}}}^{{{_print(tree.high, SUM)}}}"
+    return rf"\int{bounds} {_print(tree.body, PRODUCT)} \, d{_print(tree.variable, ATOM)}"
+
+
 def _operand(tree: Tree) -> str:
     """The left side of a cross product: a sum must not run on into it."""
     last = tree.factors[-1] if isinstance(tree, Mul) else tree
-    return _print(tree, ATOM if isinstance(last, BigSum) else PRODUCT)
+    return _print(tree, ATOM if isinstance(last, BigSum | Integral) else PRODUCT)
 
 
 def _is_short(body: Tree) -> bool:
@@ -228,13 +249,17 @@ def _qualifier(tree: Qualifier) -> str:
     return f"{', '.join(tree.indices)} = {', '.join(map(str, tree.values))}"
 
 
+def _values(tree: Values) -> str:
+    return f"{_print(tree.name, ATOM)} = {', '.join(_print(value, SUM) for value in tree.values)}"
+
+
 def _system(tree: System) -> str:
     parts = [_part(part) for part in tree.parts]
     return r", \quad ".join([*parts, *map(_qualifier, tree.qualifiers)])
 
 
 def _part(part: Tree) -> str:
-    return _print(part, LIST if isinstance(part, Located) else AND)
+    return _print(part, LIST if isinstance(part, Located | Values) else AND)
 
 
 def _cases(tree: CaseList) -> str:
@@ -269,7 +294,12 @@ _PRINTERS: dict[type[Tree], Callable[[Any], str]] = {
     Degrees: lambda t: rf"{_print(t.value, ATOM)}^\circ",
     BigSum: _sum,
     Pair: lambda t: f"({_print(t.left, SUM)}, {_print(t.right, SUM)})",
-    Interval: lambda t: f"[{_print(t.low, SUM)}, {_print(t.high, SUM)}]",
+    Infinity: lambda t: r"\infty",
+    Integral: _integral,
+    Interval: lambda t: f"{t.ends[0]}{_print(t.low, SUM)}, {_print(t.high, SUM)}{t.ends[1]}",
+    Mean: lambda t: rf"\langle {_print(t.body, SUM)} \rangle_{{{_print(t.phase, ATOM)}}}",
+    PlusMinus: _plus_minus,
+    Values: _values,
     Tuple: _tuple,
     Cross: lambda t: rf"{_operand(t.left)} \times {_print(t.right, PRODUCT)}",
     Transpose: lambda t: f"{_base(t.value)}^T",

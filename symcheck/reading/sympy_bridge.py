@@ -10,6 +10,10 @@ if TYPE_CHECKING:
     from sympy import Expr
 
 
+_FUNCTIONS = {name: name for name in ("sin", "cos", "tan", "sqrt", "exp", "log", "gamma")} | {"arctan": "atan"}
+_TERMS = {sympy_name: name for name, sympy_name in _FUNCTIONS.items()}
+
+
 def to_sympy(term: Term) -> Expr:
     """The SymPy expression of a term over real symbols; SymPy evaluates it as it always does."""
     import sympy
@@ -17,14 +21,22 @@ def to_sympy(term: Term) -> Expr:
     if isinstance(term, int):
         return sympy.Integer(term)
     if isinstance(term, str):
-        return sympy.pi if term == "pi" else sympy.Symbol(term, real=True)
+        return {"pi": sympy.pi, "infinity": sympy.oo}.get(term) or sympy.Symbol(term, real=True)
     operator, arguments = term[0], term[1:]
     if operator == "^":
         return to_sympy(arguments[0]) ** int(arguments[1])
     if operator == "diff":
         body, variable, order = arguments
         return _derivative(to_sympy(body), sympy.Symbol(variable, real=True), order)
+    if operator == "integral":
+        body, variable, *bounds = arguments
+        limits = (sympy.Symbol(variable, real=True), *(to_sympy(bound) for bound in bounds))
+        return sympy.Integral(to_sympy(body), limits)
     values = [to_sympy(argument) for argument in arguments]
+    if operator == "mean":
+        return sympy.Function("mean")(*values)
+    if operator == "pow":
+        return values[0] ** values[1]
     if operator == "+":
         return sympy.Add(*values)
     if operator == "*":
@@ -33,8 +45,8 @@ def to_sympy(term: Term) -> Expr:
         return -values[0]
     if operator == "/":
         return values[0] / values[1]
-    if operator in ("sin", "cos", "tan", "sqrt"):
-        result: Expr = getattr(sympy, operator)(values[0])
+    if operator in _FUNCTIONS:
+        result: Expr = getattr(sympy, _FUNCTIONS[operator])(values[0])
         return result
     raise SymcheckError(f"the term {term!r} has the unknown operator {operator!r}")
 
@@ -71,9 +83,22 @@ def from_sympy(expr: Any) -> Term:
         return _product(expr)
     if isinstance(expr, sympy.Pow):
         return _power(expr)
-    if isinstance(expr, sympy.sin | sympy.cos | sympy.tan):
-        return (type(expr).__name__, from_sympy(expr.args[0]))
-    raise SymcheckError(f"{expr} has no exact term; only rational expressions, roots of numbers, sin, cos, tan have")
+    if type(expr).__name__ in _TERMS:
+        return (_TERMS[type(expr).__name__], from_sympy(expr.args[0]))
+    if type(expr).__name__ == "mean":
+        return ("mean", *(from_sympy(part) for part in expr.args))
+    if isinstance(expr, sympy.Integral) and len(expr.limits) == 1 and len(expr.limits[0]) == 3:
+        variable, *bounds = expr.limits[0]
+        return ("integral", from_sympy(expr.function), str(variable), *(_bound(bound) for bound in bounds))
+    raise SymcheckError(f"{expr} has no exact term; only rational expressions, powers and elementary functions have")
+
+
+def _bound(expr: Any) -> Term:
+    import sympy
+
+    if expr == sympy.oo:
+        return "infinity"
+    return ("-", "infinity") if expr == -sympy.oo else from_sympy(expr)
 
 
 def _product(expr: Any) -> Term:
@@ -95,11 +120,11 @@ def _power(expr: Any) -> Term:
     if isinstance(exponent, sympy.Integer):
         value = int(exponent)
         return ("^", from_sympy(base), value) if value > 0 else ("/", 1, _positive_power(base, -value))
-    if isinstance(base, sympy.Rational) and base >= 0 and isinstance(exponent, sympy.Rational) and exponent.q == 2:
+    if isinstance(exponent, sympy.Rational) and exponent.q == 2:
         root: Term = ("sqrt", from_sympy(base))
         power: Term = root if abs(exponent.p) == 1 else ("^", root, abs(int(exponent.p)))
         return power if exponent.p > 0 else ("/", 1, power)
-    raise SymcheckError(f"{expr} has no exact term; only whole powers and square roots of numbers have")
+    return ("pow", from_sympy(base), from_sympy(exponent))
 
 
 def _positive_power(base: Any, exponent: int) -> Term:

@@ -44,6 +44,14 @@ class Neg(Tree):
 
 
 @dataclass(frozen=True, slots=True)
+class PlusMinus(Tree):
+    r"""A term behind `\pm` (or `\mp`: `minus`); a relation with such terms is two, upper signs and lower signs."""
+
+    value: Tree
+    minus: bool = False
+
+
+@dataclass(frozen=True, slots=True)
 class Mul(Tree):
     """Two or more factors in printed order."""
 
@@ -95,8 +103,31 @@ class BigSum(Tree):
 
 
 @dataclass(frozen=True, slots=True)
+class Infinity(Tree):
+    r"""`\infty`: only as a bound, or to say that an integral converges."""
+
+
+@dataclass(frozen=True, slots=True)
+class Integral(Tree):
+    r"""`\int_a^b f \, dx`: the integrand is the product before the differential."""
+
+    body: Tree
+    variable: Tree
+    low: Tree
+    high: Tree
+
+
+@dataclass(frozen=True, slots=True)
+class Mean(Tree):
+    r"""`\langle f \rangle_\psi`: the average over one turn of a phase."""
+
+    body: Tree
+    phase: Tree
+
+
+@dataclass(frozen=True, slots=True)
 class Pair(Tree):
-    """`(u, v)`: the scalar product of two vectors."""
+    """`(u, v)`: the scalar product of two vectors; behind `\\in` the open interval."""
 
     left: Tree
     right: Tree
@@ -104,10 +135,11 @@ class Pair(Tree):
 
 @dataclass(frozen=True, slots=True)
 class Interval(Tree):
-    """`[a, b]`, both ends included."""
+    """`[a, b]`, both ends included; `[a, b)` or `(a, b]` where `ends` says so."""
 
     low: Tree
     high: Tree
+    ends: str = "[]"
 
 
 @dataclass(frozen=True, slots=True)
@@ -148,7 +180,7 @@ class Bars(Tree):
 
 @dataclass(frozen=True, slots=True)
 class ElementsOf(Tree):
-    r"""`\|a_{ij}\|`: the matrix of these elements; the first free index counts rows."""
+    r"""`\|a_{ij}\|` or `[a_{ij}]`: the matrix of these elements; the first free index counts rows."""
 
     value: Tree
 
@@ -184,8 +216,19 @@ class Qualifier(Tree):
 
 
 @dataclass(frozen=True, slots=True)
+class Values(Tree):
+    r"""`m = 1, 2, \dots`: the values a letter that is no index may take."""
+
+    name: Tree
+    values: tuple[Tree, ...]
+
+
+@dataclass(frozen=True, slots=True)
 class System(Tree):
-    """Several statements side by side, with the qualifiers that hold for all of them."""
+    """Several statements side by side, with the qualifiers that hold for all of them.
+
+    Between them letters may stand that are only listed: `A = B, C`.
+    """
 
     parts: tuple[Tree, ...]
     qualifiers: tuple[Qualifier, ...] = ()
@@ -234,7 +277,8 @@ class Exists(Tree):
     body: Tree
 
 
-STATEMENTS = (Chain, System, CaseList, Located, And, Or, Implies, Iff, Exists, Qualifier)
+STATEMENTS = (Chain, Values, System, CaseList, Located, And, Or, Implies, Iff, Exists, Qualifier)
+BRACKETED = frozenset({"Gamma"})  # functions whose argument always stands in brackets
 LOGIC = (And, Or, Implies, Iff, Exists)
 
 Path = tuple[int, ...]

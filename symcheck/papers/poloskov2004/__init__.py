@@ -1,0 +1,20 @@
+"""Poloskov 2004: rotation of a rigid body under dissipative and random torques."""
+
+from symcheck.papers.poloskov2004 import beyond, front, sec1, sec2, sec3, sec4
+from symcheck.papers.poloskov2004.notation import notation
+from symcheck.statement import Paper, Section
+
+paper = Paper(
+    key="poloskov2004",
+    title="I. E. Poloskov, On the rotation of a rigid body under dissipative and random torques (2004)",
+    source="001_dec306ec7e285669.txt",
+    notation=notation,
+    sections=(
+        Section("0", "Abstract", front),
+        Section("1", "Introduction", sec1),
+        Section("2", "Change of variables", sec2),
+        Section("3", "The Fokker-Planck-Kolmogorov equation and its solution", sec3),
+        Section("4", "Analysis of the results", sec4),
+        Section("B", "Beyond the paper", beyond),
+    ),
+)

@@ -1,0 +1,333 @@
+"""Poloskov 2004 from first principles: Euler's equations with noise, amplitude and phase, averaging, zero flux.
+
+Nothing printed as a result is known here: only the equations of motion (1.1) in Stratonovich's sense, the change of
+variables, the meaning of drift and diffusion, and that a stationary marginal density has no flux. Names of symbols are
+those of the lowered statements.
+"""
+
+from __future__ import annotations
+
+from functools import cache
+from typing import Any
+
+from symcheck.lazy import lazy
+from symcheck.mechanics import inertia, rotation
+
+sp = lazy("sympy")
+
+AXES = (1, 2, 3)
+NOISES = (1, 2, 3, 4, 5, 6)
+
+
+def _symbol(name: str) -> Any:
+    return sp.Symbol(name, real=True)
+
+
+def _symbols(names: str) -> tuple[Any, ...]:
+    return tuple(_symbol(name) for name in names.split())
+
+
+def _numbered(letter: str, values: Any) -> dict[str, Any]:
+    """The values by name, `letter`_1, `letter`_2, ..."""
+    return {f"{letter}_{i}": value for i, value in enumerate(values, 1)}
+
+
+def _vector(letter: str) -> Any:
+    return sp.Matrix([_symbol(f"{letter}_{i}") for i in AXES])
+
+
+# --- equations of motion
+
+
+def gyroscopic_terms() -> dict[str, Any]:
+    """f_1 to f_3 of x' + f = 0, the free motion of a body with moments A, A, C, and k = (A - C)/A."""
+    equatorial, polar = _symbols("A C")
+    tensor = sp.diag(equatorial, equatorial, polar)
+    residual = inertia.euler_residual(tensor, _vector("x"), sp.zeros(3, 1), sp.zeros(3, 1))
+    return {**_numbered("f", tensor.inv() * residual), "k": (equatorial - polar) / equatorial, "B": equatorial}
+
+
+def _gyroscopic() -> Any:
+    k, x = _symbol("k"), _vector("x")
+    return sp.Matrix([-k * x[1] * x[2], k * x[2] * x[0], 0])
+
+
+def _torques() -> tuple[Any, ...]:
+    """What multiplies 1, xi_1 to xi_3, eta_1 to eta_3 on the right of x' + f = ..."""
+    small, x = _symbol("varepsilon"), _vector("x")
+    unit = sp.eye(3)
+    multiplicative = [sp.sqrt(small) * _symbol(f"g_1{i}") * x[i - 1] * unit[:, i - 1] for i in AXES]
+    additive = [sp.sqrt(small) * _symbol(f"g_2{i}") * unit[:, i - 1] for i in AXES]
+    return (-small * rotation.matrix("d") * x, *multiplicative, *additive)
+
+
+def free_motion() -> dict[str, Any]:
+    """f_1 to f_3 with k for (A - C)/A."""
+    return _numbered("f", _gyroscopic())
+
+
+def noises() -> tuple[Any, ...]:
+    """xi_1 to xi_3, eta_1 to eta_3."""
+    return tuple(_symbol(f"{letter}_{i}") for letter in ("xi", "eta") for i in AXES)
+
+
+def equations_of_motion() -> tuple[Any, ...]:
+    """Components of x' + f - (torques and noises), all zero."""
+    drift, *columns = _torques()
+    torque = sum((noise * column for noise, column in zip(noises(), columns, strict=True)), drift)
+    return tuple(_vector("dx") + _gyroscopic() - torque)
+
+
+# --- amplitude, phase and frequency
+
+
+def generating_solution() -> dict[str, Any]:
+    """Free motion: x_3 = Omega/k, and z = x_1 + i x_2 obeys z' = -i Omega z, so that |z| = a and z = a exp(-i psi)."""
+    a, k, frequency, phase = _symbols("a k Omega psi")
+    z = a * sp.exp(-sp.I * phase)
+    real, imaginary = (part(z).rewrite(sp.cos) for part in (sp.re, sp.im))
+    values = _numbered("xtilde", (real, imaginary, frequency / k))
+    return {name: sp.expand_trig(value) for name, value in values.items()}
+
+
+def generating_equations() -> dict[str, Any]:
+    """f_1 to f_3 along the generating solution."""
+    solution = generating_solution()
+    x = sp.Matrix([_symbol(f"xtilde_{i}") for i in AXES])
+    along = dict(zip(_vector("x"), x, strict=True))
+    return {**solution, **_numbered("f", _gyroscopic().subs(along))}
+
+
+def change_of_variables() -> dict[str, Any]:
+    """x_1, x_2, x_3 by amplitude, phase and frequency."""
+    a, k, frequency, phase = _symbols("a k Omega psi")
+    return _numbered("x", (a * sp.cos(phase), -a * sp.sin(phase), frequency / k))
+
+
+def rates() -> dict[str, Any]:
+    """Rates of x_1, x_2, x_3 by those of amplitude, phase and frequency; the phase has the rate Omega + theta'."""
+    names = {"a": "da", "psi": "dpsi", "Omega": "dOmega"}
+    moving = change_of_variables().values()
+    found = [sum(sp.diff(x, _symbol(y)) * _symbol(rate) for y, rate in names.items()) for x in moving]
+    return {**_numbered("dx", found), "dpsi": _symbol("Omega") + _symbol("dtheta")}
+
+
+def exact_phase() -> dict[str, Any]:
+    """psi = Omega t + theta, and its rate when Omega is not constant."""
+    frequency, t, theta, dfrequency, dtheta = _symbols("Omega t theta dOmega dtheta")
+    return {"psi": frequency * t + theta, "dpsi": frequency + dfrequency * t + dtheta}
+
+
+@cache
+def _in_new_variables() -> Any:
+    """Rates of a, theta, Omega: a column for the drift and one for each noise; the free motion has none.
+
+    From x = x(a, psi, Omega) and psi' = Omega + theta' by inverting the Jacobian matrix.
+    """
+    a, phase, frequency = _symbols("a psi Omega")
+    moving = sp.Matrix(list(change_of_variables().values()))
+    inverse = moving.jacobian([a, phase, frequency]).inv().applyfunc(sp.trigsimp)
+    there = dict(zip(_vector("x"), moving, strict=True))
+    drift, *columns = (column.subs(there) for column in _torques())
+    free = (inverse * -_gyroscopic().subs(there) - sp.Matrix([0, frequency, 0])).applyfunc(sp.simplify)
+    return sp.Matrix.hstack(free + inverse * drift, *(inverse * column for column in columns)).applyfunc(sp.expand)
+
+
+def stratonovich_system() -> dict[str, Any]:
+    """v_1 to v_3 and h_11 to h_36."""
+    system = _in_new_variables()
+    entries = {f"h_{i}{j}": system[i - 1, j] for i in AXES for j in NOISES}
+    return {**_numbered("v", system[:, 0]), **entries}
+
+
+def slow_rates() -> dict[str, Any]:
+    """The rates of a, theta, Omega with all noises, by inserting (1.1) into the rates of x; and what v, h, zeta are."""
+    a, phase, frequency, k = _symbols("a psi Omega k")
+    there = dict(zip(_vector("x"), change_of_variables().values(), strict=True))
+    residual = [equation.subs(there) for equation in equations_of_motion()]
+    first, second, third = (_symbol(f"dx_{i}") - part for i, part in enumerate(residual, 1))
+    found = {
+        "da": first * sp.cos(phase) - second * sp.sin(phase),
+        "dtheta": -frequency - (first * sp.sin(phase) + second * sp.cos(phase)) / a,
+        "dOmega": k * third,
+    }
+    return {
+        **{n: sp.expand(value) for n, value in found.items()},
+        **stratonovich_system(),
+        **_numbered("zeta", noises()),
+    }
+
+
+# --- the Fokker-Planck-Kolmogorov equation
+
+
+def _generator(function: Any, variables: tuple[Any, ...], drift: Any, noise: Any) -> Any:
+    """v . grad f + (1/2) sum_k (h_k . grad)^2 f: the generator of a system in Stratonovich's sense."""
+
+    def along(vector: Any, value: Any) -> Any:
+        return sum(vector[i] * sp.diff(value, y) for i, y in enumerate(variables))
+
+    squares = (along(noise[:, k], along(noise[:, k], function)) for k in range(noise.cols))
+    return along(drift, function) + sum(squares) / 2
+
+
+def _coefficients(variables: tuple[Any, ...], system: Any) -> dict[str, Any]:
+    """Drift L y_i and diffusion L(y_i y_j) - y_i L y_j - y_j L y_i of the generator L."""
+    drift, noise = system[:, 0], system[:, 1:]
+    first = [_generator(y, variables, drift, noise) for y in variables]
+    found = _numbered("K", first)
+    for i, y in enumerate(variables):
+        for j, z in enumerate(variables):
+            second = _generator(y * z, variables, drift, noise)
+            found[f"K_{i + 1}{j + 1}"] = sp.expand(second - y * first[j] - z * first[i])
+    return {name: sp.expand(value) for name, value in found.items()}
+
+
+@cache
+def coefficients() -> dict[str, Any]:
+    """K_1 to K_3 and K_11 to K_33 by a, psi, Omega, where psi = Omega t + theta."""
+    a, phase, frequency, t, theta = _symbols("a psi Omega t theta")
+    full = {phase: frequency * t + theta}
+    found = _coefficients((a, theta, frequency), _in_new_variables().subs(full))
+    return {name: sp.expand(value.subs(theta, phase - frequency * t)) for name, value in found.items()}
+
+
+def coefficients_by_y() -> dict[str, Any]:
+    """The same, and v and h, with y_1, y_2, y_3 for a, theta, Omega at t = 0, where psi = theta."""
+    renamed = dict(zip(_symbols("a psi Omega"), _vector("y"), strict=True))
+    both = {**coefficients(), **stratonovich_system()}
+    return {name: value.subs(renamed, simultaneous=True) for name, value in both.items()}
+
+
+def _rate(name: str) -> Any:
+    return sp.expand(coefficients()[name] / _symbol("varepsilon"))
+
+
+def _mean(value: Any) -> Any:
+    """The constant Fourier term of a polynomial in the sine and cosine of the phase."""
+    phase = _symbol("psi")
+    return sp.factor(sp.integrate(sp.expand(value), (phase, 0, 2 * sp.pi)) / (2 * sp.pi))
+
+
+def averages() -> dict[str, Any]:
+    """Kbar: the coefficients / epsilon averaged over the phase, the averages not carried out."""
+    average = sp.Function("mean")
+    names = [*(f"K_{i}" for i in AXES), *(f"K_{i}{j}" for i in AXES for j in AXES)]
+    return {name.replace("K", "Kbar"): average(_rate(name), _symbol("psi")) for name in names}
+
+
+@cache
+def averaged_coefficients() -> dict[str, Any]:
+    """Kbar: the coefficients / epsilon averaged over the phase."""
+    names = [*(f"K_{i}" for i in AXES), *(f"K_{i}{j}" for i in AXES for j in AXES)]
+    return {name.replace("K", "Kbar"): _mean(_rate(name)) for name in names}
+
+
+def coefficients_and_averages() -> dict[str, Any]:
+    """K and Kbar side by side."""
+    return {**coefficients(), **averaged_coefficients()}
+
+
+def mixed_average_of_full_noise() -> dict[str, Any]:
+    """Kbar_12 when the multiplicative noises xi_j act on all axes: sum_j q_ij x_j xi_j in equation i."""
+    a, phase = _symbols("a psi")
+    x = tuple(change_of_variables().values())
+    rows = {
+        i: [x[j - 1] * _symbol(f"q_{i}{j}") for j in AXES] + [_symbol(f"g_2{i}") if j == i else 0 for j in AXES]
+        for i in (1, 2)
+    }
+    first = [u * sp.cos(phase) - v * sp.sin(phase) for u, v in zip(rows[1], rows[2], strict=True)]
+    second = [-(u * sp.sin(phase) + v * sp.cos(phase)) / a for u, v in zip(rows[1], rows[2], strict=True)]
+    product = sum((u * v for u, v in zip(first, second, strict=True)), sp.Integer(0))
+    return {"Kbar_12": sp.Function("mean")(sp.expand(product), phase)}
+
+
+def neglected_terms() -> dict[str, Any]:
+    """K_1, K_2, K_3 / epsilon without their averages."""
+    found = {f"K_{i}": sp.expand(_rate(f"K_{i}") - _mean(_rate(f"K_{i}"))) for i in AXES}
+    return {**found, "varepsilon": sp.Integer(1)}
+
+
+# --- stationary densities
+
+
+@cache
+def _shortened_averages() -> dict[str, Any]:
+    """Kbar with alpha^2 = g_11^2 + g_12^2, beta^2 = g_21^2 + g_22^2, gamma^2 = d_11 + d_22."""
+    alpha, beta, gamma = _symbols("alpha beta gamma")
+    short = {
+        _symbol("g_12"): sp.sqrt(alpha**2 - _symbol("g_11") ** 2),
+        _symbol("g_22"): sp.sqrt(beta**2 - _symbol("g_21") ** 2),
+        _symbol("d_22"): gamma**2 - _symbol("d_11"),
+    }
+    return {name: sp.factor(sp.expand(value.subs(short))) for name, value in averaged_coefficients().items()}
+
+
+def _logarithmic_derivative(drift: Any, diffusion: Any, variable: Any) -> Any:
+    """p'/p of a density without flux: (K p)'/2 = M p for the diffusion K and the drift M."""
+    return sp.together((2 * drift - sp.diff(diffusion, variable)) / diffusion)
+
+
+@cache
+def logarithmic_derivatives() -> tuple[Any, Any]:
+    """p'/p of the densities of a and Omega."""
+    bar, a, frequency = _shortened_averages(), _symbol("a"), _symbol("Omega")
+    first = _logarithmic_derivative(bar["Kbar_1"], bar["Kbar_11"], a)
+    return first, _logarithmic_derivative(bar["Kbar_3"], bar["Kbar_33"], frequency)
+
+
+def exponents() -> dict[str, Any]:
+    """Delta_1 = 8 Kbar_11, Delta_2 = Kbar_33, and the powers they have in the densities.
+
+    The density of a is a^r Delta_1^kappa_1 with r the residue of p'/p at a = 0, that of Omega is Delta_2^kappa_2.
+    """
+    bar, a, frequency = _shortened_averages(), _symbol("a"), _symbol("Omega")
+    first, second = logarithmic_derivatives()
+    amplitude, spin = sp.expand(8 * bar["Kbar_11"]), sp.expand(bar["Kbar_33"])
+    residue = sp.limit(a * first, a, 0)
+    return {
+        "Delta_1": amplitude,
+        "kappa_1": sp.simplify((first - residue / a) * amplitude / sp.diff(amplitude, a)),
+        "Delta_2": spin,
+        "kappa_2": sp.simplify(second * spin / sp.diff(spin, frequency)),
+    }
+
+
+def densities() -> dict[str, Any]:
+    """The averaged coefficients and the densities; C_1, C_2 are named such that 8 C_1 and C_2 are their constants."""
+    a = _symbol("a")
+    amplitude = 8 * _symbol("C_1") * a * _symbol("Delta_1") ** _symbol("kappa_1")
+    spin = _symbol("C_2") * _symbol("Delta_2") ** _symbol("kappa_2")
+    marginal = {"p_s1": amplitude, "p_s2": 1 / (2 * sp.pi), "p_s3": spin}
+    joint = _symbol("p_s1") * _symbol("p_s2") * _symbol("p_s3")
+    return {**_shortened_averages(), **exponents(), **marginal, "p_s": joint}
+
+
+def mode() -> dict[str, Any]:
+    """Where the density of a is largest: the positive zero of p'/p."""
+    numerator = sp.Poly(sp.numer(sp.together(logarithmic_derivatives()[0])), _symbol("a"))
+    square = sp.factor(-numerator.coeff_monomial(1) / numerator.coeff_monomial(_symbol("a") ** 2))
+    return {"a_star": sp.sqrt(square.subs(_symbol("beta"), sp.Symbol("beta", positive=True)))}
+
+
+def slope_of_amplitude() -> dict[str, Any]:
+    """Delta_1, and lambda: p'/p of the density of a."""
+    return {**exponents(), "lambda": logarithmic_derivatives()[0]}
+
+
+def slope_of_frequency() -> dict[str, Any]:
+    """Delta_2, and lambda: p'/p of the density of Omega."""
+    return {**exponents(), "lambda": logarithmic_derivatives()[1]}
+
+
+def moment_parameters() -> dict[str, Any]:
+    """The densities, and nu = -kappa_1 - 1, delta = -kappa_2 - 1/2: how fast they fall."""
+    found = densities()
+    nu, delta = sp.expand(-found["kappa_1"] - 1), sp.expand(-found["kappa_2"] - sp.Rational(1, 2))
+    return {**found, "nu": nu, "delta": delta}
+
+
+def additive_noise_only() -> dict[str, Any]:
+    """The averaged coefficients of a for alpha = 0."""
+    bar = _shortened_averages()
+    return {name: sp.expand(bar[name].subs(_symbol("alpha"), 0)) for name in ("Kbar_11", "Kbar_1")}
