@@ -160,6 +160,12 @@ def root_of_product(_: Terms, s: Any, t: Any) -> Theorem:
     return Theorem([[">=", s, 0], [">=", t, 0]], product)
 
 
+def equal_squares(_: Terms, s: Any, t: Any) -> Theorem:
+    """Two numbers that are not negative are equal if their squares are."""
+    premises = [[">=", s, 0], [">=", t, 0], ["=", ["^", s, 2], ["^", t, 2]]]
+    return Theorem(premises, ["=", s, t])
+
+
 def power(_: Terms, base: Any, exponent: Any) -> Theorem:
     """A power of a positive number is positive."""
     return Theorem([[">", base, 0]], [">", ["pow", base, exponent], 0])
@@ -249,6 +255,29 @@ def _shape(f: Any, x: str, c: Any, k: int, u: Any, r: Any, p: Any, q: Any) -> An
     return ["=>", [">", x, 0], ["=", f, ["*", c, ["^", x, k], ["pow", x, u], ["pow", base, ["-", r]]]]]
 
 
+def power_diverges(_: Terms, f: Any, x: str, c: Any, u: Any) -> Theorem:
+    """The integral of f = c x^u over x > 0 has no finite value, whatever the exponent is."""
+    shape = ["=>", [">", x, 0], ["=", f, ["*", c, ["pow", x, u]]]]
+    return Theorem([["!=", c, 0], shape], ["=", ["diverges", f, x, 0, "infinity"], 1], x, (c, u))
+
+
+def constant(_: Terms, c: Any, x: str, low: Any, high: Any) -> Theorem:
+    """The integral of a constant."""
+    return Theorem([], ["=", ["integral", c, x, low, high], ["*", c, ["+", high, ["-", low]]]], x, (c, low, high))
+
+
+def power_rule(terms: Terms, f: Any, x: str, low: Any, high: Any, c: Any, base: Any, exponent: Any) -> Theorem:
+    """The integral of the derivative of c base^exponent, the base a polynomial in x that is positive in between."""
+    if not terms.polynomial_in(base, x):
+        raise Unknown(f"no polynomial in {x}")
+    primitive = ["*", c, ["pow", base, exponent]]
+    between = ["and", ["<=", low, x], ["<=", x, high]]
+    premise = ["=>", between, ["and", [">", base, 0], ["=", f, ["diff", primitive, x, 1]]]]
+    first, last = (["*", c, ["pow", terms.replaced(base, {x: end}), exponent]] for end in (low, high))
+    value = ["=", ["integral", f, x, low, high], ["+", last, ["-", first]]]
+    return Theorem([["<=", low, high], premise], value, x, (low, high, c, exponent))
+
+
 def even(terms: Terms, f: Any, x: str) -> Theorem:
     """An even function over the whole line: twice the half of it."""
     whole, half = (["-", "infinity"], "infinity"), (0, "infinity")
@@ -268,7 +297,9 @@ def odd(terms: Terms, f: Any, x: str) -> Theorem:
 THEOREMS: dict[str, Callable[..., Theorem]] = {
     each.__name__: each
     for each in (
-        have, congruence, dichotomy, root, root_of_product, power, power_of_sum, power_of_product, power_of_power, gamma, gamma_values,
-        mean, quarter_turn, intermediate_value, beta, beta_diverges, even, odd,
+        have, congruence, dichotomy, equal_squares, root, root_of_product,
+        power, power_of_sum, power_of_product, power_of_power, gamma, gamma_values,
+        mean, quarter_turn, intermediate_value,
+        constant, power_rule, power_diverges, beta, beta_diverges, even, odd,
     )
 }  # fmt: skip

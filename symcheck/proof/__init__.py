@@ -3,7 +3,7 @@
 from symcheck.proof.certificate import certificate, digest
 from symcheck.proof.counterexample import refute
 from symcheck.proof.equivalence import equivalent
-from symcheck.proof.methods import cases, existence, identity, nonnegative, proof_of
+from symcheck.proof.methods import cases, existence, identity, nonnegative, proof_of, theorems
 
 __all__ = [
     "cases",
@@ -15,4 +15,5 @@ __all__ = [
     "nonnegative",
     "proof_of",
     "refute",
+    "theorems",
 ]

@@ -16,8 +16,8 @@ from typing import Any
 
 import flint
 
-from symcheck.proof.functions import number_term, values_of
 from symcheck.proof.knowledge import ring_of
+from symcheck.proof.orders import term_of
 from symcheck.proof.polynomial import (
     ATOMS,
     RELATIONS,
@@ -32,6 +32,7 @@ from symcheck.proof.polynomial import (
     variables,
     with_arguments,
 )
+from symcheck.proof.theorem_search import values_of
 from symcheck.statement import Certificate, Formula, Outcome, Problem, Term
 
 Point = dict[str, Poly]
@@ -253,7 +254,7 @@ class _Search:
         """The value of an integral or a mean, with its proof."""
         self.tries -= 1
         numbers = {x: p for x, p in point.items() if x not in ATOMS and (p == 0 or p.is_constant())}
-        defined = tuple((x, number_term(p)) for x, p in numbers.items())
+        defined = tuple((x, term_of(p)) for x, p in numbers.items())
         for value in values_of(ATOMS[name], dict(defined)):
             found = self.prove(Problem(name, ("=", ATOMS[name], value), defined))
             if found is not None and found.proof is not None:
@@ -348,11 +349,9 @@ class _Search:
                 "<=>": parts[0] == parts[-1],
             }[kind]
         gap = self._gap(formula)
-        if (
-            kind in ("=", "!=") and "pi" in self.ring.generator
-        ):  # pi is transcendental: what is not zero as a polynomial in it is not zero
+        if "pi" in self.ring.generator and kind in ("=", "!="):  # transcendental: no polynomial in it is zero by chance
             zero = bool(self._reduce(self._at(gap.num, point)) == 0)
-            return zero == (kind == "=")
+            return zero if kind == "=" else not zero
         order = self._sign(gap.num, point)
         for divisor, exponent in gap.den.values():
             order *= self._sign(divisor, point) ** exponent

@@ -40,3 +40,11 @@ def cases(*forms: str) -> Method:
 def existence(**point: str) -> Method:
     """A point (LaTeX values of the bound variables), or a zero between an angle and the angle plus 90 degrees."""
     return Method("existence", _decide, tuple((f"point_{name}", value) for name, value in point.items()))
+
+
+def theorems(*applied: tuple[str, ...]) -> Method:
+    """Facts about functions: (a theorem, what it is applied to in LaTeX), ... beside those found without help."""
+    hints = [
+        (f"theorem.{k}.{name}.{n}", latex) for k, (name, *parts) in enumerate(applied) for n, latex in enumerate(parts)
+    ]
+    return Method("theorems", _decide, tuple(hints))

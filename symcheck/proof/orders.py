@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from fractions import Fraction
 
 from symcheck.proof.equations import cleared, subsets, written
-from symcheck.proof.knowledge import Knowledge, starting
+from symcheck.proof.knowledge import Knowledge, proportional, starting
 from symcheck.proof.polynomial import Poly, fraction
 from symcheck.statement import Certificate, Formula, Problem, Term
 
@@ -61,6 +62,9 @@ def _derived(gap: Term, known: Knowledge) -> Iterator[Term]:
 
 def positive_form(poly: Poly, known: Knowledge) -> Term | None:
     """A manifestly non-negative term equal to the polynomial, or None: factors, expanded sums, known bounds."""
+    for bound in known.signs:
+        if (multiple := proportional(poly, bound.poly)) is not None and multiple > 0:
+            return bound.term if multiple == 1 else ("*", number_term(multiple), bound.term)
     unit, factors = poly.factor()
     sign = fraction(unit)
     parts: list[Term] = []
@@ -76,8 +80,12 @@ def positive_form(poly: Poly, known: Knowledge) -> Term | None:
         parts.append(form if exponent == 1 else ("^", form, int(exponent)))
     if sign < 0:
         return None
-    number: Term = sign.numerator if sign.denominator == 1 else ("/", sign.numerator, sign.denominator)
-    return ("*", number, *parts) if parts else number
+    return ("*", number_term(sign), *parts) if parts else number_term(sign)
+
+
+def number_term(value: Fraction) -> Term:
+    """A rational number as a term."""
+    return value.numerator if value.denominator == 1 else ("/", value.numerator, value.denominator)
 
 
 def _factor_form(poly: Poly, known: Knowledge, depth: int = 3) -> Term | None:
@@ -92,9 +100,8 @@ def _factor_form(poly: Poly, known: Knowledge, depth: int = 3) -> Term | None:
             mine = poly[exponents]
             if mine * coefficient <= 0 or len(bound.poly) == 1:
                 continue
-            factor = fraction(mine / coefficient)
+            number = number_term(fraction(mine / coefficient))
             rest = poly - bound.poly * (mine / coefficient)
-            number: Term = factor.numerator if factor.denominator == 1 else ("/", factor.numerator, factor.denominator)
             if rest == 0:
                 return ("*", number, bound.term)
             if (form := _factor_form(rest, known, depth - 1)) is not None:
@@ -108,8 +115,7 @@ def term_of(poly: Poly) -> Term:
     addends: list[Term] = []
     for exponents, coefficient in poly.terms():
         value = fraction(coefficient)
-        size = abs(value)
-        number: Term = size.numerator if size.denominator == 1 else ("/", size.numerator, size.denominator)
+        number = number_term(abs(value))
         powers: list[Term] = [
             name if e == 1 else ("^", name, int(e)) for name, e in zip(names, exponents, strict=True) if e
         ]

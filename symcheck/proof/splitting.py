@@ -7,12 +7,12 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 from symcheck.proof.equations import cleared, prove_identity, written
-from symcheck.proof.functions import has_functions, prove_with_theorems
 from symcheck.proof.groebner import Monomial
 from symcheck.proof.ideal import Fact, Ideal, Ref
 from symcheck.proof.knowledge import Knowledge, hints_of, proportional, starting
 from symcheck.proof.orders import positive_form, prove_order, term_of
 from symcheck.proof.polynomial import RELATIONS, Poly, Ring, fraction
+from symcheck.proof.theorem_search import has_functions, prove_with_theorems
 from symcheck.proof.witnesses import prove_existence
 from symcheck.statement import Certificate, Formula, Problem, Term
 
