@@ -347,7 +347,8 @@ class Checker:
             inverse = algebra.chance.inverse(divisor)
             by = [name for name, value in known if value == divisor or algebra.chance.rational(value * inverse)]
             self.used.update(by[:1])
-            require(by or divisor in self.listed or divisor in positive, "a denominator may be zero")
+            sure = divisor in positive or algebra.prime - divisor in positive
+            require(by or sure or divisor in self.listed, "a denominator may be zero")
         require(self.used >= self.hypotheses.keys(), "a hypothesis is not used")
 
     def check_point(self, goal: Any, point: Any) -> None:

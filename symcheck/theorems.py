@@ -189,6 +189,17 @@ def power_of_power(_: Terms, base: Any, n: int, exponent: Any) -> Theorem:
     return Theorem([[">", base, 0]], ["and", ["=", inner, outer], ["=", ["pow", 1, exponent], 1]])
 
 
+def power_inverse(_: Terms, base: Any, exponent: Any, value: Any) -> Theorem:
+    """b = y^(1/u) if b^u = y, for positive b."""
+    premises = [[">", base, 0], ["!=", exponent, 0], ["=", ["pow", base, exponent], value]]
+    return Theorem(premises, ["=", base, ["pow", value, ["/", 1, exponent]]])
+
+
+def circle_number(_: Terms) -> Theorem:
+    """pi is positive."""
+    return Theorem([], [">", "pi", 0])
+
+
 def gamma(_: Terms, t: Any) -> Theorem:
     """Euler's gamma function is positive for positive t, and gamma(t + 1) = t gamma(t)."""
     step = ["=", ["gamma", ["+", t, 1]], ["*", t, ["gamma", t]]]
@@ -196,9 +207,9 @@ def gamma(_: Terms, t: Any) -> Theorem:
 
 
 def gamma_values(_: Terms) -> Theorem:
-    """gamma(1) = 1, gamma(1/2)^2 = pi, and pi is positive."""
+    """gamma(1) = 1, and gamma(1/2) is the root of pi."""
     half = ["gamma", ["/", 1, 2]]
-    values = [["=", ["gamma", 1], 1], ["=", ["^", half, 2], "pi"], [">", half, 0], [">", "pi", 0]]
+    values = [["=", ["gamma", 1], 1], ["=", ["^", half, 2], "pi"], [">", half, 0]]
     return Theorem([], ["and", *values])
 
 
@@ -298,7 +309,8 @@ THEOREMS: dict[str, Callable[..., Theorem]] = {
     each.__name__: each
     for each in (
         have, congruence, dichotomy, equal_squares, root, root_of_product,
-        power, power_of_sum, power_of_product, power_of_power, gamma, gamma_values,
+        power, power_of_sum, power_of_product, power_of_power, power_inverse,
+        gamma, gamma_values, circle_number,
         mean, quarter_turn, intermediate_value,
         constant, power_rule, power_diverges, beta, beta_diverges, even, odd,
     )

@@ -4,15 +4,15 @@ from __future__ import annotations
 
 import difflib
 import re
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
 from dataclasses import replace
 from typing import Any
 
 from symcheck.evidence.context import Context
 from symcheck.evidence.judge import Finding, Unit, judge
-from symcheck.proof import cases, certificate, proof_of, refute
+from symcheck.proof import certificate, combined, proof_of, refute
 from symcheck.reading import edits, read, to_latex
-from symcheck.statement import Certificate, Erratum, Hypothesis, Item, Outcome, Role, SymcheckError, Verdict
+from symcheck.statement import Certificate, Erratum, Hypothesis, Item, Method, Outcome, Role, SymcheckError, Verdict
 
 
 def needs(finding: Finding, item: Item, added: tuple[Hypothesis, ...]) -> tuple[dict[str, Any], ...]:
@@ -65,7 +65,7 @@ def corrected(context: Context, unit: Unit, erratum: Erratum, printed: Finding) 
     item, edit = context.item, []
     if erratum.corrected:
         right = unit.reworded(context, read(erratum.corrected, context.notation))
-        repaired = replace(item, equality="", by=cases(*_hints(item), *erratum.forms))
+        repaired = replace(item, equality="", by=combined(*_methods(item), forms=erratum.forms))
         finding = judge(context.having(item=repaired), right, item.given, item.needs)
         edit = _edit(to_latex(unit.tree), to_latex(right.tree))
     else:
@@ -84,9 +84,8 @@ def corrected(context: Context, unit: Unit, erratum: Erratum, printed: Finding) 
     }
 
 
-def _hints(item: Item) -> Iterator[str]:
-    methods = item.by.values() if isinstance(item.by, Mapping) else [item.by]
-    yield from dict.fromkeys(latex for method in methods if method for _, latex in method.hints)
+def _methods(item: Item) -> list[Method]:
+    return [method for method in (item.by.values() if isinstance(item.by, Mapping) else [item.by]) if method]
 
 
 def _edit(before: str, after: str) -> list[dict[str, str]]:

@@ -9,7 +9,7 @@ from functools import cache
 
 from symcheck import papers
 from symcheck.evidence.context import Context, conjuncts, for_letter
-from symcheck.proof import cases, certificate, proof_of, refute
+from symcheck.proof import certificate, combined, proof_of, refute
 from symcheck.reading import Relation, System, Tree, from_sympy, lower, read, relations, to_latex
 from symcheck.statement import (
     Certificate,
@@ -152,7 +152,7 @@ def judge(context: Context, unit: Unit, given: tuple[Hypothesis, ...], extra: tu
     equality = for_letter(item.equality, unit.letter)
     if not equality or finding.verdict is not Verdict.PROVED:
         return finding
-    by = cases(*(latex for _, latex in method.hints))
+    by = combined(method)
     attained = _find(context, equality_claims(context, unit, equality), (*given, *extra, *item.equality_given), by)
     verdict = Verdict.PROVED if attained.verdict is Verdict.PROVED else Verdict.UNDECIDED
     outcomes = tuple(

@@ -3,15 +3,17 @@
 from symcheck.proof.certificate import certificate, digest
 from symcheck.proof.counterexample import refute
 from symcheck.proof.equivalence import equivalent
-from symcheck.proof.methods import cases, existence, identity, nonnegative, proof_of, theorems
+from symcheck.proof.methods import cases, combined, existence, identity, looking_at, nonnegative, proof_of, theorems
 
 __all__ = [
     "cases",
     "certificate",
+    "combined",
     "digest",
     "equivalent",
     "existence",
     "identity",
+    "looking_at",
     "nonnegative",
     "proof_of",
     "refute",

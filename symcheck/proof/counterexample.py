@@ -111,14 +111,16 @@ class _Search:
     # candidates
 
     def _candidates(self, angles: Sequence[str]) -> Iterator[Point]:
-        hinted = dict(self.problem.hints).get("point")
+        hinted = {name[6:]: value for name, value in self.problem.hints if name.startswith("point.")}
         groups = [self._matrix(stem, names) for stem, names in _matrices(self.free)]
         groups += [self._angle(x, k) for k, x in enumerate(angles)]
         taken = {name for group in groups for name in group.names}
         scalars = [name for name in self.free if name not in taken]
         if hinted:
             point = {name: self._value(term) for name, term in hinted.items()}
-            yield {**{name: self.ring.number(1) for name in self.free}, **point}
+            point = {**{name: self.ring.number(1) for name in self.free}, **point}
+            if self._evaluate(point):
+                yield point
         solved: dict[tuple[int, ...], list[tuple[str, Poly, Poly]] | None] = {}
         for indices in islice(_by_size([len(g.choices) for g in groups] + [len(_PATTERNS)]), TRIES):
             fixed: Point = {}
@@ -375,9 +377,11 @@ class _Search:
     def _display(self, point: Point) -> Certificate:
         claim = self.problem.claim
         needed = self._needed_names(claim)
-        values = {name: self._written(self._reduce(poly)) for name, poly in point.items() if name in needed}
+        values = {
+            name: self._written(self._reduce(poly)) for name, poly in point.items() if name in needed - ATOMS.keys()
+        }
         if claim[0] in RELATIONS:
-            sides = [self._written(self._side(side, point)) for side in claim[1:]]
+            sides = [self._written_side(side, point) for side in claim[1:]]
         else:
             sides = ["true" if self._truth(part, point) else "false" for part in claim[1:]]
         functions = {"functions": self.settled} if self.settled else {}
@@ -387,6 +391,16 @@ class _Search:
         definitions = self.ring.definitions
         nodes = [claim, *(f for _, fs in self.problem.hypotheses for f in fs)]
         return with_arguments(set().union(*(variables(unfold(node, definitions)) for node in nodes)))
+
+    def _written_side(self, side: Term, point: Point) -> Any:
+        """The value of a side; pi may stand in its denominator."""
+        if "pi" not in self.ring.generator:
+            return self._written(self._side(side, point))
+        ratio = self.ring.ratio(side)
+        parts = [ratio.num, prod((d**e for d, e in ratio.den.values()), start=self.ring.number(1))]
+        top, bottom = (self._reduce(self._at(poly, point)) for poly in parts)
+        common = top.gcd(bottom)
+        return ["/", term_of(divmod(top, common)[0]), term_of(divmod(bottom, common)[0])]
 
     def _side(self, side: Term, point: Point) -> Poly:
         ratio = self.ring.ratio(side)

@@ -94,12 +94,22 @@ def _conditions(
             given |= given_of(refs)
         elif texts in statement:
             listed.append([*texts])
-        elif (form := positive_form(divisor, known)) is not None and known.sign(form)[0] == 2 and len(texts) == 1:
+        elif (form := _positive(divisor, texts[1:], known)) is not None:
             given |= known.sign(form)[1]
             positive.append(form)
         else:
             return None, []
     return listed, positive
+
+
+def _positive(top: Poly, below: tuple[str, ...], known: Knowledge) -> Term | None:
+    """A manifestly positive term that is the fraction or its negative, or None."""
+    form = positive_form(top, known) or positive_form(-top, known)
+    bottoms = [positive_form(known.ring.text(text), known) for text in below]
+    if form is None or None in bottoms:
+        return None
+    whole: Term = ("/", form, ("*", 1, *bottoms)) if bottoms else form
+    return whole if known.sign(whole)[0] == 2 else None
 
 
 def _divisors(terms: list[Term], ring: Ring) -> dict[tuple[str, ...], Poly]:

@@ -1,7 +1,7 @@
 """Which theorems speak of a function: roots, powers, gamma functions, means and integrals.
 
-A function stands in the ring as one variable, an *atom* (`polynomial.atom`). What is known of it is said by the theorems
-the checker knows (`symcheck/theorems.py`); `theorem_search.py` proves their premises.
+A function stands in the ring as one variable, an *atom* (`polynomial.atom`). What is known of it is said by theorems
+that the checker knows (`symcheck/theorems.py`); `theorem_search.py` proves their premises.
 """
 
 from __future__ import annotations
@@ -70,6 +70,8 @@ def _simplified(term: Term, known: Knowledge) -> Term:
 
 def _root(arguments: list[Any], others: list[list[Any]]) -> Iterator[Instance]:
     yield "root", arguments[0]
+    if arguments[0] == "pi":
+        yield "equal_squares", ("sqrt", "pi"), ("gamma", ("/", 1, 2))
     radicands = [t for (t,) in (arguments, *others)]
     for s, t in combinations(radicands, 2):
         if any(canonical(("*", s, t)) == canonical(r) for r in radicands):
@@ -83,7 +85,8 @@ def _power(arguments: list[Any], others: list[list[Any]]) -> Iterator[Instance]:
         yield "power_of_power", 1, 1, exponent
     elif (half := _square_root(base)) is not None:
         doubled = number_of(("*", 2, exponent))
-        partners = [other for other, more in others if canonical(more) == canonical(("*", 2, exponent))]
+        opposite = [canonical(("*", 2 * sign, exponent)) for sign in (1, -1)]
+        partners = [other for other, more in others if canonical(more) in opposite]
         if (doubled is not None and doubled.denominator == 1) or canonical(half) in map(canonical, partners):
             yield "power_of_power", half, 2, exponent
     for other, more in others:

@@ -45,6 +45,7 @@ class Knowledge:
     facts: tuple[Fact, ...] = ()
     conditions: tuple[Fact, ...] = ()
     signs: tuple[Sign, ...] = ()
+    fractions: tuple[Sign, ...] = ()  # those of terms with denominators
     pending: tuple[tuple[Ref, Formula], ...] = ()
     count: int = 0
 
@@ -67,9 +68,14 @@ class Knowledge:
             known = replace(known, facts=(*known.facts, (Cleared(ref, gap.den) if gap.den else ref, gap.num)))
         if sign in ("!=", ">") and not gap.den:
             known = replace(known, conditions=(*known.conditions, (ref, gap.num)))
-        if sign in (">", ">=") and not gap.den:
+        if sign in (">", ">="):
             term = left if right == 0 else ("+", left, ("-", right))
-            known = replace(known, signs=(*known.signs, Sign(ref, term, 1 + (sign == ">"), gap.num)))
+            one = Sign(ref, term, 1 + (sign == ">"), gap.num)
+            known = (
+                replace(known, fractions=(*known.fractions, one))
+                if gap.den
+                else replace(known, signs=(*known.signs, one))
+            )
         return known
 
     def assume(self, formula: Formula) -> Knowledge:
@@ -123,10 +129,12 @@ class Knowledge:
 
     def _bound(self, term: Term) -> tuple[int, Given]:
         """The sign of something assumed to be >= 0."""
-        if self.signs and not (gap := self.ring.ratio(term)).den:
-            for sign in self.signs:
-                if gap.num == sign.poly:
-                    return sign.level, given_of([sign.ref])
+        if not self.signs and not self.fractions:
+            return 0, NOTHING
+        gap = self.ring.ratio(term)
+        for sign in self.fractions if gap.den else self.signs:
+            if gap.num == sign.poly and (not gap.den or gap.den == self.ring.ratio(sign.term).den):
+                return sign.level, given_of([sign.ref])
         return 0, NOTHING
 
     def nonzero(self, poly: Poly) -> list[Ref] | None:

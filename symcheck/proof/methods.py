@@ -5,6 +5,9 @@ All decide statements of any shape the same way; they differ in the hints they c
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+from dataclasses import replace
+
 from symcheck.proof import decide as deciding
 from symcheck.proof.decide import decide
 from symcheck.proof.polynomial import Unsupported
@@ -40,6 +43,19 @@ def cases(*forms: str) -> Method:
 def existence(**point: str) -> Method:
     """A point (LaTeX values of the bound variables), or a zero between an angle and the angle plus 90 degrees."""
     return Method("existence", _decide, tuple((f"point_{name}", value) for name, value in point.items()))
+
+
+def combined(*methods: Method, forms: Sequence[str] = ()) -> Method:
+    """All hints of the methods, with further forms."""
+    own = [hint for method in methods for hint in method.hints]
+    kept = dict.fromkeys(latex for name, latex in own if not name.startswith(("point", "theorem.")))
+    others = dict.fromkeys(hint for hint in own if hint[0].startswith("theorem."))
+    return Method("cases", _decide, (*cases(*kept, *forms).hints, *others))
+
+
+def looking_at(method: Method, **point: str) -> Method:
+    """The method, with the values (LaTeX) of a point to try first when a counterexample is looked for."""
+    return replace(method, hints=(*method.hints, *((f"point.{name}", value) for name, value in point.items())))
 
 
 def theorems(*applied: tuple[str, ...]) -> Method:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from fractions import Fraction
+from math import prod
 
 from symcheck.proof.equations import cleared, subsets, written
 from symcheck.proof.knowledge import Knowledge, proportional, starting
@@ -49,15 +50,21 @@ def _cofactors(poly: Poly, known: Knowledge, problem: Problem | None) -> list[li
 def _derived(gap: Term, known: Knowledge) -> Iterator[Term]:
     """Forms found from the polynomial itself: its factors, each a combination of known signs."""
     ratio = known.ring.ratio(gap)
-    bottom = known.ring.number(1)
-    for poly, exponent in ratio.den.values():
-        bottom *= poly**exponent
-    below = positive_form(bottom, known)
     for poly in (ratio.num, known.ideal().reduce(ratio.num)):
         if poly == 0:
             yield 0
-        elif below is not None and (form := positive_form(poly, known)) is not None:
-            yield form if bottom == 1 else ("/", form, below)
+        elif (form := fraction_form(gap, known, poly)) is not None:
+            yield form
+
+
+def fraction_form(term: Term, known: Knowledge, top: Poly | None = None) -> Term | None:
+    """A manifestly non-negative term equal to a fraction (its numerator may be given in another form), or None."""
+    ratio = known.ring.ratio(term)
+    bottom = prod((poly**exponent for poly, exponent in ratio.den.values()), start=known.ring.number(1))
+    form, below = positive_form(ratio.num if top is None else top, known), positive_form(bottom, known)
+    if form is None or below is None:
+        return None
+    return form if bottom == 1 else ("/", form, below)
 
 
 def positive_form(poly: Poly, known: Knowledge) -> Term | None:

@@ -10,12 +10,13 @@ from symcheck.proof.equations import cleared, prove_identity, written
 from symcheck.proof.groebner import Monomial
 from symcheck.proof.ideal import Fact, Ideal, Ref
 from symcheck.proof.knowledge import Knowledge, hints_of, proportional, starting
-from symcheck.proof.orders import positive_form, prove_order, term_of
+from symcheck.proof.orders import fraction_form, positive_form, prove_order, term_of
 from symcheck.proof.polynomial import RELATIONS, Poly, Ring, fraction
 from symcheck.proof.theorem_search import has_functions, prove_with_theorems
 from symcheck.proof.witnesses import prove_existence
 from symcheck.statement import Certificate, Formula, Problem, Term
 
+CONTRARY = {"<": ">=", "<=": ">", ">": "<=", ">=": "<"}
 ABSURD: Formula = ("or",)  # the goal of a contradiction: nothing to choose from
 MAX_NODES = 240
 MAX_TERMS = 14
@@ -247,8 +248,13 @@ class _Engine:
         if kind == "!=":
             return _wrap("implies", then=self.search(ABSURD, known.assume(("=", goal[1], goal[2]))))
         if kind in RELATIONS or kind == "or":
-            return self.search(goal, known)
+            return self.search(goal, known) or (self._contrary(goal, known) if kind in CONTRARY else None)
         return None
+
+    def _contrary(self, goal: Formula, known: Knowledge) -> Certificate | None:
+        """An order follows if its contrary contradicts a sign that is known."""
+        below = known.assume((CONTRARY[goal[0]], *goal[1:]))
+        return _wrap("implies", then=_opposite_signs(below))
 
     def _each(self, goal: Formula, known: Knowledge) -> Certificate | None:
         parts = []
@@ -318,6 +324,8 @@ class _Engine:
         return None
 
     def _absurd(self, place: _Place) -> Certificate | None:
+        if (proof := _opposite_signs(place.known)) is not None:
+            return proof
         one = place.known.ring.number(1)
         candidates: list[tuple[list[Ref], Poly]] = [([], one)]
         candidates += [([ref], poly) for ref, poly in place.known.conditions]
@@ -415,6 +423,24 @@ class _Engine:
                 return None
             cases.append(proof)
         return product.split(product.factors, cofactors, cases)
+
+
+def _opposite_signs(known: Knowledge) -> Certificate | None:
+    """A contradiction: something positive that is zero, the sum of what was assumed last and of its negative."""
+    for sign in (*known.fractions[::-1], *known.signs[::-1])[:2]:
+        if sign.ref[0] != "here":
+            continue
+        others = replace(
+            known,
+            signs=tuple(s for s in known.signs if s is not sign),
+            fractions=tuple(s for s in known.fractions if s is not sign),
+        )
+        form = fraction_form(("-", sign.term), others)
+        if form is not None and (level := known.sign(form)[0]) and sign.level + level > 2:
+            given = sorted(map(list, known.sign(form)[1]))
+            whole: Term = ("+", sign.term, form)
+            return {"rule": "absurd", "times": [["positive", whole]], "cofactors": [], "given": given}
+    return None
 
 
 # the cheap ways first; each closes the search at a place, or leaves it to the next

@@ -1,4 +1,4 @@
-"""Statements about functions, proved by theorems: those whose premises can be proved are applied, then the rest follows."""
+"""Statements about functions, proved by theorems: those whose premises can be proved, then what follows from them."""
 
 from __future__ import annotations
 
@@ -78,6 +78,8 @@ class _Plan:
         for instance in _hinted(problem):
             plan._add(instance, plan.outer)
         plan._collect()
+        if "pi" in plan.names:
+            plan._add(("circle_number",), plan.outer)
         plan.known = starting(problem, Ring(plan.names, definitions))
         return plan
 

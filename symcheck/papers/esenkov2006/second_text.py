@@ -13,7 +13,7 @@ from symcheck.papers.esenkov2006.hypotheses import (
     roots_are_real_numbers,
 )
 from symcheck.papers.esenkov2006.notation import root_letters, three_modes
-from symcheck.proof import cases, identity
+from symcheck.proof import cases, identity, looking_at, theorems
 from symcheck.statement import Erratum, Hypothesis, Origin
 
 ONE_MODE = r"A\eta + (C - A)\omega_0 - \eta(\eta - \omega_0)\frac{E_1}{\eta - \lambda_1}"
@@ -260,7 +260,7 @@ roots_by_formula = claim(
     reason="A b_n reads as '^6Й', a minus is lost, the root sign reads as ',j'. Read with one equation for each sign of the root.",
     given=[roots_of_boundary, liquid_moves, liquid_is_part, roots_are_real_numbers],
     keeping=("b",),
-    by=cases(),
+    by=theorems(("equal_squares", r"\Delta_1 - \Delta_2", rf"2 \cdot {RADICAL}")),
     uses=["1.34.3", "1.34.4"],
 )
 
@@ -275,7 +275,12 @@ roots_as_squares = claim(
     "Read with one equation for each sign of the root.",
     given=[roots_of_boundary, liquid_moves, liquid_is_part, roots_are_real_numbers],
     keeping=("b",),
-    by=cases(),
+    by={
+        "a": theorems(("equal_squares", r"\Delta_1 - \Delta_2", rf"2 \cdot {RADICAL}")),
+        "b": looking_at(cases(), A="2", E_1="1", b_1="1/2", Delta_1="0", Delta_2="-2"),
+        "c": theorems(("equal_squares", r"\Delta_1 - \Delta_2", rf"2 \cdot {RADICAL}")),
+        "d": cases(),
+    },
     uses=["1.34.5"],
     errata={
         "b": Erratum(

@@ -10,7 +10,7 @@ from symcheck.papers.poloskov2004.hypotheses import (
     positive_k,
 )
 from symcheck.papers.poloskov2004.notation import full_noise, moment_letters
-from symcheck.proof import cases, identity
+from symcheck.proof import cases, identity, theorems
 from symcheck.statement import Hypothesis
 
 frequency_density_exists = Hypothesis("density of Omega exists", "the condition of existence", r"d_{33} > 0")
@@ -45,6 +45,8 @@ constant_of_amplitude = ours(
     notation=moment_letters,
 )
 
+STRETCHED = r"1 + \frac{3\alpha^2 a^2}{4\beta^2}"
+
 distribution_of_amplitude = ours(
     "B.3",
     85,
@@ -57,7 +59,11 @@ distribution_of_amplitude = ours(
         Hypothesis("constant", "C_1 is that of B.2", r"C_1 = \frac{4\gamma^2 - \alpha^2}{4} (4\beta^2)^{\nu}"),
     ],
     where=derivation.moment_parameters,
-    by=identity,
+    by=theorems(
+        ("power_of_product", r"4\beta^2", STRETCHED, r"\kappa_1"),
+        ("power_of_sum", STRETCHED, r"-\nu", "-1"),
+        ("power_of_sum", r"4\beta^2", r"\nu", r"\kappa_1"),
+    ),
     uses=["B.2"],
     notation=moment_letters,
 )
@@ -75,7 +81,7 @@ quantiles_of_amplitude = ours(
         Hypothesis("probability", "q is a probability", "q > 0, q < 1"),
     ],
     where=derivation.moment_parameters,
-    by=cases(),
+    by=theorems(("power_inverse", STRETCHED, r"-\nu", "1 - q"), ("power_inverse", "1 - q", r"-1/\nu", STRETCHED)),
     uses=["B.3"],
     notation=moment_letters,
 )

@@ -320,6 +320,16 @@ def slope_of_frequency() -> dict[str, Any]:
     return {**exponents(), "lambda": logarithmic_derivatives()[1]}
 
 
+def constant_of_the_example() -> dict[str, Any]:
+    """C_2 for d_33 = 3/2, g_13 = g_23 = 1: the reciprocal of the integral of Delta_2^kappa_2."""
+    values = {_symbol("d_33"): sp.Rational(3, 2), _symbol("g_13"): 1, _symbol("g_23"): 1}
+    found = exponents()
+    k, frequency = sp.Symbol("k", positive=True), _symbol("Omega")
+    density = (found["Delta_2"] ** found["kappa_2"]).subs(values).subs(_symbol("k"), k)
+    integral = sp.integrate(density, (frequency, -sp.oo, sp.oo))
+    return {"C_2": sp.simplify(1 / integral).subs(k, _symbol("k"))}
+
+
 def moment_parameters() -> dict[str, Any]:
     """The densities, and nu = -kappa_1 - 1, delta = -kappa_2 - 1/2: how fast they fall."""
     found = densities()

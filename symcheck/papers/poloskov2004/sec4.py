@@ -12,7 +12,7 @@ from symcheck.papers.poloskov2004.hypotheses import (
     positive_k,
 )
 from symcheck.papers.poloskov2004.notation import moment_letters
-from symcheck.proof import cases, identity
+from symcheck.proof import cases, identity, theorems
 from symcheck.statement import Erratum, Hypothesis, Origin
 
 TOTAL_1 = r"\int_0^\infty a \Delta_1^{\kappa_1} \, da < \infty"
@@ -172,7 +172,9 @@ mode_of_amplitude = claim(
     "the OCR takes an italic a for alpha, or the author did.",
     given=[equatorial_noise],
     where=derivation.mode,
-    by=identity,
+    by=theorems(
+        ("equal_squares", r"\sqrt{\alpha^2 + 8\gamma^2} \sqrt{\frac{\beta^2}{8\gamma^2 + \alpha^2}}", r"\beta")
+    ),
     uses=["3.4"],
 )
 
@@ -276,25 +278,27 @@ constant_of_amplitude = claim(
     uses=["3.4", "3.5", "3.5.2"],
 )
 
+constant_of_frequency_depends_on_k = ours(
+    "4.0.29",
+    111,
+    words="At these values the constant depends on k, which the paper does not print.",
+    formal=r"\int_{-\infty}^\infty p_{s3}(\Omega) \, d\Omega = 1 \Leftrightarrow C_2 = \frac{2k^3}{\pi}",
+    given=[axial_values, axial_noise, positive_k],
+    where=derivation.densities,
+    by=cases(),
+    uses=["3.4.2", "3.5.1", "3.5.2"],
+)
+
 constant_of_frequency = claim(
     "4.0.27",
     111,
     r"C_2 = 54/125\pi",
     words="At these values the density of Omega has this constant.",
-    given=[
-        axial_values,
-        axial_noise,
-        positive_k,
-        Hypothesis(
-            "normalised",
-            "the integral of the density of Omega is 1",
-            r"\int_{-\infty}^\infty p_{s3}(\Omega) \, d\Omega = 1",
-        ),
-    ],
+    given=[positive_k],
     needs=[Hypothesis("k", "k = 3/5", "k = 3/5")],
-    where=derivation.densities,
+    where=derivation.constant_of_the_example,
     by=identity,
-    uses=["3.4.2", "3.5.1", "3.5.2"],
+    uses=["4.0.29"],
     errata={
         "": Erratum(
             "",
