@@ -151,7 +151,7 @@ class Algebra(Terms):
 
     def settle(self, value: int) -> int:
         """The value of a function, or at a point the one it is proved to have there."""
-        require(self.point is None or value in self.settled, "no value for a function at the point")
+        require(self.point is None or self.inside or value in self.settled, "no value for a function at the point")
         return self.settled.get(value, value)
 
     def bound(self, kind: str, body: Any, x: str, *ends: Any) -> int:
@@ -189,6 +189,7 @@ class Checker:
         self.claim = certificate["claim"]
         self.used: set[Any] = set()
         self.listed: dict[int, int] = {}  # denominators about which no hypothesis speaks, with their numerators
+        self.positive: set[int] = set()  # denominators that are manifestly positive, or negative
         self.state: dict[Any, tuple[str, Any, Any]] = {}  # sign, value (of a disjunction: its parts) and source
 
     def learn(self, reference: Any, formula: Any) -> None:
@@ -232,7 +233,8 @@ class Checker:
         """The value, times denominators and things that are not zero, is the sum of cofactors times facts."""
         for text in proof.get("clear", ()):
             value *= (divisor := self.algebra.polynomial(text))
-            require(divisor in self.algebra.divisors or divisor in self.listed.values(), f"{text} is no denominator")
+            met = divisor in self.algebra.divisors or divisor in self.listed.values() or divisor in self.positive
+            require(met, f"{text} is no denominator")
         for reference in proof.get("times", ()):
             value *= self.known(("!=", ">"), reference)
         for reference, *cofactor in proof["cofactors"]:
@@ -340,15 +342,15 @@ class Checker:
             top, *below = map(algebra.polynomial, texts)
             self.listed[top * algebra.chance.inverse(prod(below)) % algebra.prime] = top
         require(self.listed.keys() <= algebra.divisors.keys(), "a side condition is no denominator of the claim")
-        self.prove(goal, proof)
         positive = [algebra.value(term) % algebra.prime for term in proof.get("positive", ()) if self.sign(term) == 2]
+        self.positive = {value for each in positive for value in (each, algebra.prime - each)}
+        self.prove(goal, proof)
         known = [(name, value) for name, (sign, value, _) in self.state.items() if sign in ("!=", ">")]
         for divisor in (value for value, varies in algebra.divisors.items() if varies):
             inverse = algebra.chance.inverse(divisor)
             by = [name for name, value in known if value == divisor or algebra.chance.rational(value * inverse)]
             self.used.update(by[:1])
-            sure = divisor in positive or algebra.prime - divisor in positive
-            require(by or sure or divisor in self.listed, "a denominator may be zero")
+            require(by or divisor in self.listed or divisor in self.positive, "a denominator may be zero")
         require(self.used >= self.hypotheses.keys(), "a hypothesis is not used")
 
     def check_point(self, goal: Any, point: Any) -> None:

@@ -49,7 +49,7 @@ class Terms:
     def names(self, term: Any) -> set[str]:
         """The letters a term or formula depends on, definitions unfolded."""
         if isinstance(term, str):
-            return self.names(self.definitions[term]) if term in self.definitions else {term}
+            return self.names(self.definition(term)) if term in self.definitions else {term}
         if isinstance(term, (list, tuple)) and term and term[0] in BINDING:
             return (self.names(term[1]) - {term[2]}).union(*map(self.names, term[3:]))
         return set().union(*map(self.names, term[1:])) if isinstance(term, (list, tuple)) else set()

@@ -226,7 +226,10 @@ class _Search:
                 if self._reduce(self._at(rest, point)) != 0:
                     return False
                 continue
-            point[x] = self._quotient(-self._reduce(self._at(rest, point)), bottom)
+            try:
+                point[x] = self._quotient(-self._reduce(self._at(rest, point)), bottom)
+            except ZeroDivisionError:
+                return False
         return True
 
     def _functions_in(self, formula: Formula) -> bool:
@@ -368,7 +371,7 @@ class _Search:
             self.ring.divisors.values()
         )
         axioms = [poly for _, poly in self.ring.axioms() if not poly.is_constant()]
-        if any(self._sign(d, point) == 0 for d in divisors):
+        if any(self._reduce(self._at(d, point)) == 0 for d in divisors):
             return False
         return all(self._reduce(self._at(poly, point)) == 0 for poly in axioms)
 

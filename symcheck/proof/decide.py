@@ -57,7 +57,7 @@ def _proved(problem: Problem, ring: Ring, proof: Certificate) -> Outcome | None:
     """
     given = references(proof)
     own = [unfold(term, ring.definitions) for term in terms_in(proof, ring.definitions)]
-    if ring.divisors or own:
+    if ring.divisors or own or ATOMS.keys() & set(ring.names):
         stated = [problem.claim, *(f for _, fs in problem.hypotheses for f in fs)]
         own += [unfold(side, ring.definitions) for formula in stated for side in sides(formula)]
         names = set(ring.names).union(*(variables(t) for term in own for t in (term, *function_arguments(term))))
@@ -96,7 +96,7 @@ def _conditions(
             listed.append([*texts])
         elif (form := _positive(divisor, texts[1:], known)) is not None:
             given |= known.sign(form)[1]
-            positive.append(form)
+            positive += [form, form[1]] if len(texts) > 1 and isinstance(form, tuple) else [form]
         else:
             return None, []
     return listed, positive

@@ -8,7 +8,7 @@ from math import prod
 
 from symcheck.proof.equations import cleared, subsets, written
 from symcheck.proof.knowledge import Knowledge, proportional, starting
-from symcheck.proof.polynomial import Poly, fraction
+from symcheck.proof.polynomial import ATOMS, Poly, fraction
 from symcheck.statement import Certificate, Formula, Problem, Term
 
 
@@ -123,9 +123,8 @@ def term_of(poly: Poly) -> Term:
     for exponents, coefficient in poly.terms():
         value = fraction(coefficient)
         number = number_term(abs(value))
-        powers: list[Term] = [
-            name if e == 1 else ("^", name, int(e)) for name, e in zip(names, exponents, strict=True) if e
-        ]
+        bases = ((ATOMS.get(name, name), int(e)) for name, e in zip(names, exponents, strict=True) if e)
+        powers: list[Term] = [base if e == 1 else ("^", base, e) for base, e in bases]
         factors = powers if number == 1 and powers else [number, *powers]
         term: Term = factors[0] if len(factors) == 1 else ("*", *factors)
         addends.append(term if value > 0 else ("-", term))
