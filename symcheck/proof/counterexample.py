@@ -40,6 +40,7 @@ Prover = Callable[[Problem], Outcome | None]
 Rows = Sequence[Sequence[Any]]
 TRIES = 400
 FUNCTION_TRIES = 12
+MAX_POWER = 40
 SEVENTHS = ((2, 3, 6), (6, 2, -3), (-3, 6, -2))
 
 
@@ -275,7 +276,7 @@ class _Search:
             if not {f"sqrt_{p}" for p in primes} <= set(self.roots):
                 raise Unsupported(f"the root of {base}")
             return prod((self.ring.generator[f"sqrt_{p}"] for p in primes), start=self.ring.number(outside))
-        if exponent.denominator != 1 or base <= 0:
+        if exponent.denominator != 1 or base <= 0 or abs(exponent) > MAX_POWER:
             raise Unsupported(f"{base} to the power {exponent}")
         return self.ring.number(base**exponent.numerator)
 

@@ -61,3 +61,15 @@ def identity_here(goal: Formula, known: Knowledge) -> Certificate | None:
     gap = known.ring.subtract(*goal[1:])
     cofactors = [] if gap.num == 0 else known.ideal().cofactors(gap.num)
     return None if cofactors is None else {"rule": "identity", **cleared(gap), "cofactors": written(cofactors)}
+
+
+def equations_here(goal: Formula, known: Knowledge) -> Certificate | None:
+    """Equations one by one, from everything known at that place."""
+    if goal[0] == "and":
+        parts = []
+        for part in goal[1:]:
+            if (proof := equations_here(part, known)) is None:
+                return None
+            parts.append(proof)
+        return {"rule": "each", "parts": parts}
+    return identity_here(goal, known) if goal[0] == "=" else None

@@ -267,9 +267,11 @@ _ABOUT: dict[str, Callable[[list[Any], list[list[Any]]], Iterator[Instance]]] = 
 
 
 def _over(top: Poly, value: Ratio) -> Term:
-    """The term of a polynomial over the denominator of a value."""
-    bottoms = [restored(term_of(poly)) for poly, exponent in value.den.values() for _ in range(exponent) if poly != 1]
-    return ("/", restored(term_of(top)), ("*", 1, *bottoms)) if bottoms else restored(term_of(top))
+    """The term of a polynomial over the denominator of a value, in lowest terms."""
+    bottom = prod((poly**exponent for poly, exponent in value.den.values()), start=top**0)
+    common = top.gcd(bottom)
+    top, bottom = divmod(top, common)[0], divmod(bottom, common)[0]
+    return restored(term_of(top)) if bottom == 1 else ("/", restored(term_of(top)), restored(term_of(bottom)))
 
 
 def restored(term: Term) -> Term:

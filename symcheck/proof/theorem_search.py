@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from typing import Any
 
-from symcheck.proof.equations import identity_here
+from symcheck.proof.equations import equations_here, identity_here
 from symcheck.proof.functions import OF_BOUND, instances, restored, simplified
 from symcheck.proof.knowledge import Knowledge, ring_of, starting
 from symcheck.proof.orders import positive_form, prove_order, term_of
@@ -139,7 +139,8 @@ class _Search:
                 then = self.prove(goal, known.assume(theorem.conclusion), [*pending[:k], *pending[k + 1 :]], cases)
                 step = {"rule": "theorem", "of": instance, "premises": premises, "then": then}
                 return None if then is None else step
-        return self.prove_here(goal, known) or (self._by_cases(goal, known, pending, cases) if cases else None)
+        found = equations_here(goal, known) or self.prove_here(goal, known)
+        return found or (self._by_cases(goal, known, pending, cases) if cases else None)
 
     def all_known(self, known: Knowledge, pending: Sequence[Instance]) -> Knowledge:
         """What all theorems say whose premises hold."""

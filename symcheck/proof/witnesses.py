@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from typing import Any
 
-from symcheck.proof.equations import identity_here
+from symcheck.proof.equations import equations_here, identity_here
 from symcheck.proof.knowledge import Knowledge, ring_of, starting
 from symcheck.proof.polynomial import Ring, flatten, unfold, variables
 from symcheck.statement import Certificate, Formula, Problem, Term
@@ -51,7 +51,7 @@ def _witness(
 ) -> Certificate | None:
     """The proof with that point; the angle in it is one where the equation holds."""
     if equation is None:
-        then = _equations(shown, known) or prove_body(shown, known)
+        then = equations_here(shown, known) or prove_body(shown, known)
         return None if then is None else {"rule": "witness", "point": point, "then": then}
     if equation[0] != "=" or f"cos_{ANGLE}" not in known.ring.generator:
         return None
@@ -64,14 +64,6 @@ def _witness(
     if then is None:
         return None
     return {"rule": "theorem", "of": ["quarter_turn", leading, ANGLE], "premises": [premise], "then": then}
-
-
-def _equations(goal: Formula, known: Knowledge) -> Certificate | None:
-    """Equations one by one, from all that is known."""
-    if goal[0] == "and":
-        parts = [_equations(part, known) for part in goal[1:]]
-        return None if None in parts else {"rule": "each", "parts": parts}
-    return identity_here(goal, known) if goal[0] == "=" else None
 
 
 def _turned(node: Any) -> Any:
