@@ -10,7 +10,7 @@ from typing import Any
 
 from symcheck.evidence.context import Context
 from symcheck.evidence.judge import Finding, Unit, judge
-from symcheck.proof import certificate, combined, proof_of, refute
+from symcheck.proof import certificate, combined, fails_at, proof_of, refute
 from symcheck.reading import edits, read, to_latex
 from symcheck.statement import Certificate, Erratum, Hypothesis, Item, Method, Outcome, Role, SymcheckError, Verdict
 
@@ -48,6 +48,8 @@ def _need(finding: Finding, item: Item, name: str) -> tuple[bool | None, Certifi
         return None, None
     claims = [problem for problem in finding.concrete if not (problem.claim[0] == "<=>" and item.equality)]
     without = [replace(problem, hypotheses=tuple(h for h in problem.hypotheses if h[0] != name)) for problem in claims]
+    if not item.lemmas and all(p.claim[0] == "=" and proof_of(p) is not None for p in without):
+        return False, None
     for problem in without:
         if (point := refute(problem)) is not None:
             used = tuple(each for each, _ in problem.hypotheses)
@@ -71,7 +73,7 @@ def corrected(context: Context, unit: Unit, erratum: Erratum, printed: Finding) 
     else:
         finding = judge(context, unit, item.given, item.needs)
     searched = bool(erratum.corrected) and not item.formal and printed.verdict is Verdict.REFUTED
-    repairs = _repairs(context, unit) if searched else []
+    repairs = _repairs(context, unit, printed) if searched else []
     return finding, {
         "verdict": finding.verdict,
         "reason": finding.reason,
@@ -100,23 +102,29 @@ def _edit(before: str, after: str) -> list[dict[str, str]]:
     ]
 
 
-def _repairs(context: Context, unit: Unit) -> list[dict[str, str]]:
-    """All single edits of the printed relation that are proved and are not empty."""
+def _repairs(context: Context, unit: Unit, printed: Finding) -> list[dict[str, str]]:
+    """All single edits of the printed relation that are proved and are not empty.
+
+    An edit that is wrong at the printed relation's own counterexample needs no further thought.
+    """
+    points = [outcome.point["values"] for outcome in printed.outcomes if outcome.point]
     found = []
     for edit in edits(unit.tree, context.notation):
         try:
             changed = unit.reworded(context, edit.tree)
-            if _is_proved(context, changed):
+            if _is_proved(context, changed, points):
                 found.append({"kind": edit.kind, "edit": edit.description, "relation": to_latex(edit.tree)})
         except SymcheckError:
             continue  # an edit that makes no statement repairs nothing
     return found
 
 
-def _is_proved(context: Context, unit: Unit) -> bool:
+def _is_proved(context: Context, unit: Unit, points: list[Any]) -> bool:
     """Whether an edited relation has a proof and is not empty; counterexamples are not looked for."""
     method, given = context.method(unit.letter), (*context.item.given, *context.item.needs)
     problems = [context.problem(formula, given, method, n) for n, formula in enumerate(unit.formulas)]
+    if any(fails_at(problem, point) for problem in problems for point in points):
+        return False
     return all(problem.claim[1] != problem.claim[2] and proof_of(problem) is not None for problem in problems)
 
 

@@ -1,7 +1,7 @@
 """Proof methods: untrusted search, exact results, certificates for the checker."""
 
 from symcheck.proof.certificate import certificate, digest
-from symcheck.proof.counterexample import refute
+from symcheck.proof.counterexample import fails_at, refute
 from symcheck.proof.equivalence import equivalent
 from symcheck.proof.methods import cases, combined, existence, identity, looking_at, nonnegative, proof_of, theorems
 
@@ -12,6 +12,7 @@ __all__ = [
     "digest",
     "equivalent",
     "existence",
+    "fails_at",
     "identity",
     "looking_at",
     "nonnegative",

@@ -27,6 +27,7 @@ from symcheck.proof.polynomial import (
     Unsupported,
     flatten,
     fraction,
+    frozen,
     square_free,
     unfold,
     variables,
@@ -53,6 +54,16 @@ def refute(problem: Problem, prove: Prover = lambda _: None) -> Certificate | No
         return _point(problem, prove)
     except Unsupported:
         return None
+
+
+def fails_at(problem: Problem, values: Mapping[str, Any]) -> bool:
+    """Whether the hypotheses hold at a point, with the values of a certificate, and the claim does not."""
+    try:
+        search = _Search(problem, problem.claim, lambda _: None)
+        point = {name: search._value(frozen(value)) for name, value in values.items() if name in search.free}
+        return len(point) == len(search.free) and search._evaluate(point) and search._refutes(point)
+    except (Unsupported, ZeroDivisionError):
+        return False
 
 
 def _point(problem: Problem, prove: Prover) -> Certificate | None:

@@ -51,7 +51,11 @@ class Knowledge:
 
     def ideal(self, pairs: int = 2000) -> Ideal:
         """The ideal of all facts and of the relations of sines, cosines and roots."""
-        return Ideal(self.ring, [*self.ring.axioms(), *self.facts], pairs)
+        memory, key = self.ring.memory, ("ideal", tuple(map(id, self.facts)), pairs)
+        if key not in memory:  # the facts are kept beside the answer so that the ids stay their own
+            memory[key] = self.facts, Ideal(self.ring, [*self.ring.axioms(), *self.facts], pairs)
+        found: Ideal = memory[key][1]
+        return found
 
     def learn(self, ref: Ref, formula: Formula) -> Knowledge:
         """One more assumption, not a conjunction."""

@@ -25,6 +25,8 @@ RELATIONS = ("=", "!=", "<", "<=", ">", ">=")
 BINDING = ("mean", "integral", "diverges")  # of a body, by a variable of their own
 FUNCTIONS = ("sqrt", "pow", "log", "exp", "gamma", "arctan", *BINDING)
 
+MAX_PRIME = 43  # of the roots the checker knows
+
 ATOMS: dict[
     str, tuple[Any, ...]
 ] = {}  # what each atom stands for; its name tells it, so that the order of entries means nothing
@@ -133,14 +135,14 @@ def square_free(value: Fraction) -> tuple[Fraction, tuple[int, ...]]:
     while rest > 1:
         if p * p > rest:
             p = rest
+        if p > MAX_PRIME:
+            raise Unsupported(f"the root of {value}: it has a prime factor above {MAX_PRIME}")
         while rest % (p * p) == 0:
             rest, outside = rest // (p * p), outside * p
         if rest % p == 0:
             rest //= p
             primes.append(p)
         p += 1
-        if p > 10**6:
-            raise Unsupported(f"the root of {value}: it has too large a prime factor")
     return outside, tuple(primes)
 
 

@@ -23,6 +23,7 @@ from symcheck.proof.polynomial import (
     with_arguments,
 )
 from symcheck.statement import Certificate, Formula, Problem, Term
+from symcheck.theorems import Theorem
 
 Prover = Callable[[Formula, Knowledge], Certificate | None]
 MAX_INSTANCES = 40
@@ -133,7 +134,7 @@ class _Search:
             parts = [self.prove(way, known, pending, cases) for way in ways]
             return None if None in parts else {"rule": "each", "parts": parts}
         for k, instance in enumerate(pending):
-            theorem = theorem_of(instance, known.ring.definitions)
+            theorem = _theorem(instance, known)
             premises = self._premises(theorem.premises, known)
             if premises is not None:
                 then = self.prove(goal, known.assume(theorem.conclusion), [*pending[:k], *pending[k + 1 :]], cases)
@@ -145,7 +146,7 @@ class _Search:
     def all_known(self, known: Knowledge, pending: Sequence[Instance]) -> Knowledge:
         """What all theorems say whose premises hold."""
         for instance in pending:
-            theorem = theorem_of(instance, known.ring.definitions)
+            theorem = _theorem(instance, known)
             if self._premises(theorem.premises, known) is not None:
                 known = known.assume(theorem.conclusion)
         return known
@@ -184,7 +185,7 @@ class _Search:
     def _by_cases(self, goal: Formula, known: Knowledge, pending: Sequence[Instance], cases: int) -> Certificate | None:
         """What a theorem about an integral asks for holds, or it does not."""
         for instance in (each for each in pending if each[0] == "beta"):
-            for premise in theorem_of(instance, known.ring.definitions).premises:
+            for premise in _theorem(instance, known).premises:
                 if premise[0] != ">" or self._premise(premise, known) is not None:
                     continue
                 t = _deciding(known.ring.ratio(premise[1]), known)
@@ -198,6 +199,14 @@ class _Search:
                 step = {"rule": "theorem", "of": ["dichotomy", t], "premises": [], "then": split}
                 return None if None in proofs else step
         return None
+
+
+def _theorem(instance: Instance, known: Knowledge) -> Theorem:
+    memory, key = known.ring.memory, ("theorem", instance)
+    if key not in memory:
+        memory[key] = theorem_of(instance, known.ring.definitions)
+    found: Theorem = memory[key]
+    return found
 
 
 def _deciding(value: Ratio, known: Knowledge) -> Term:

@@ -206,7 +206,15 @@ def _rate(name: str) -> Any:
 def _mean(value: Any) -> Any:
     """The constant Fourier term of a polynomial in the sine and cosine of the phase."""
     phase = _symbol("psi")
-    return sp.factor(sp.integrate(sp.expand(value), (phase, 0, 2 * sp.pi)) / (2 * sp.pi))
+    terms = sp.Poly(sp.expand(value), sp.cos(phase), sp.sin(phase)).terms()
+    half = sp.Rational(1, 2)
+    return sp.factor(
+        sum(
+            coefficient * sp.gamma(i * half + half) * sp.gamma(j * half + half) / (sp.pi * sp.gamma((i + j) * half + 1))
+            for (i, j), coefficient in terms
+            if i % 2 == j % 2 == 0
+        )
+    )
 
 
 def averages() -> dict[str, Any]:
