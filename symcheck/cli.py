@@ -163,16 +163,23 @@ def show(number: str, certificate: bool, how: How) -> None:
 @click.option("--json", "as_json", is_flag=True, help="One JSON object with these items instead of text.")
 @deciding
 def errata(selection: Sequence[str], as_json: bool, how: How) -> None:
-    """List what is wrong as printed, each with a counterexample, the corrected form and its proof."""
-    wrong = [record for record in audit(selection, how) if record.erratum or record.corrected]
+    """List what is wrong as printed, each with a counterexample, the corrected form and its proof.
+
+    What the text does not say as it stands, and is read otherwise, comes after that, a line each.
+    """
+    records = [record for record in audit(selection, how) if record.corrected]
     if as_json:
-        _print_json(wrong)
+        _print_json(records)
         return
     from symcheck import terminal
+    from symcheck.statement import Reading
 
     out = terminal.console()
+    wrong = [record for record in records if record.reading is not Reading.DAMAGED]
+    damaged = [record for record in records if record.reading is Reading.DAMAGED]
     terminal.errata(out, wrong)
-    out.print(f"{len(wrong)} errata")
+    terminal.damaged(out, damaged)
+    out.print(f"{len(wrong)} errata; {len(damaged)} places of damaged text")
 
 
 @cli.command()

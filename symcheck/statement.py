@@ -130,7 +130,8 @@ class Item:
     line      1-based line of the source text the printed form (or the sentence) begins on
     printed   verbatim LaTeX, one piece per displayed block it runs over
     words     what the paper says in words, in our English; `formal` is its LaTeX form, read by the same reader
-    read_as   the LaTeX to read where the printed text is damaged, with the `reason`
+    read_as   the LaTeX to read where the printed text is damaged or says nothing, with the `reason`, the `kind` of the
+              fault and whose it is (`origin`)
     given     hypotheses in force where it is printed; `needs` those the paper forgot
     by        the proof method, or one for each link letter
     where     names and their derived SymPy expressions, in force instead of the paper's own definitions
@@ -154,6 +155,8 @@ class Item:
     formal: str = ""
     read_as: str = ""
     reason: str = ""
+    kind: str = "damaged text"
+    origin: Origin = Origin.OCR
     given: tuple[Hypothesis, ...] = ()
     needs: tuple[Hypothesis, ...] = ()
     by: Method | Mapping[str, Method] | None = None
@@ -191,6 +194,7 @@ class Paper:
     source: str
     notation: Notation
     sections: tuple[Section, ...]
+    excerpt: bool = False  # only some pages are there, so that the printed numbers begin anywhere
 
     def items(self) -> Iterator[tuple[Section, str, Item]]:
         """Every declaration in printed order (by line), with the section and the variable it is bound to."""

@@ -6,7 +6,7 @@ import json
 import os
 import sys
 from collections import Counter
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from typing import Any
 
@@ -113,6 +113,17 @@ def errata(out: Console, records: Iterable[Record]) -> None:
         _counterexample(out, record)
         _erratum(out, record)
         out.print()
+
+
+def damaged(out: Console, records: Sequence[Record]) -> None:
+    """What the text does not say as it stands: where, what is read instead, and why."""
+    if not records:
+        return
+    table = Table("number", "line", "read as", "kind", "origin", "reason", box=box.SIMPLE_HEAD, pad_edge=False)
+    for record in records:
+        row = (record.id, str(record.line), record.corrected, record.kind, record.origin or "", record.reason)
+        table.add_row(*(Text(part) for part in row))
+    out.print(table)
 
 
 def papers(out: Console, counts: Mapping[str, tuple[Paper, Counter[str]]]) -> None:

@@ -11,6 +11,7 @@ from symcheck.statement import Formula, Problem, Term
 
 mpmath.mp.dps = 40
 TOLERANCE = mpmath.mpf(10) ** -25
+CONSTANTS = {"pi": mpmath.pi, "infinity": mpmath.inf}
 SIGNS = {
     "=": lambda d: abs(d) < TOLERANCE,
     "!=": lambda d: abs(d) > TOLERANCE,
@@ -25,6 +26,8 @@ def value(term: Term, at: dict[str, Any], unfold: dict[str, Term]) -> Any:
     """The number a term stands for; names are looked up in the definitions first."""
     if isinstance(term, int):
         return mpmath.mpf(term)
+    if term in CONSTANTS:
+        return CONSTANTS[term]
     if isinstance(term, str):
         if term not in at and term in unfold:
             at[term] = value(unfold[term], at, unfold)
@@ -32,6 +35,8 @@ def value(term: Term, at: dict[str, Any], unfold: dict[str, Term]) -> Any:
     head, *rest = term
     if head == "diff":
         return _derivative(term, at, unfold)
+    if head in ("mean", "integral"):
+        return _over(term, at, unfold)
     args = [value(part, at, unfold) for part in rest]
     if head == "+":
         return mpmath.fsum(args)
@@ -43,7 +48,25 @@ def value(term: Term, at: dict[str, Any], unfold: dict[str, Term]) -> Any:
         return args[0] / args[1]
     if head == "^":
         return args[0] ** int(args[1])
-    return getattr(mpmath, head)(args[0])
+    if head in ("pow", "sqrt", "log") and args[0] < 0:
+        raise ZeroDivisionError(f"{head} of a negative number")
+    if head == "pow":
+        return args[0] ** args[1]
+    return getattr(mpmath, {"arctan": "atan"}.get(head, head))(args[0])
+
+
+def _over(term: Any, at: dict[str, Any], unfold: dict[str, Term]) -> Any:
+    """A mean over one turn of a trigonometric polynomial, for which 64 points are exact; no integral."""
+    head, body, name, *_ = term
+    value(name, at, unfold)
+    value(body, at, unfold)
+
+    def along(x: Any) -> Any:
+        return value(body, {k: v for k, v in at.items() if k not in unfold} | {name: x}, unfold)
+
+    if head == "mean":
+        return mpmath.fsum(along(2 * mpmath.pi * k / 64) for k in range(64)) / 64
+    raise KeyError("an integral is not known to 40 digits")
 
 
 def _derivative(term: Any, at: dict[str, Any], unfold: dict[str, Term]) -> Any:

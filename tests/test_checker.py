@@ -16,7 +16,7 @@ from typing import Any
 import pytest
 from statements import FALSE, TRUE
 
-from symcheck import checker, theorems
+from symcheck import checker, residues, theorems
 from symcheck.checker import check
 from symcheck.proof import certificate, identity
 from symcheck.proof.certificate import digest
@@ -340,30 +340,30 @@ def test_degrees_that_the_random_point_could_not_tell_apart_are_rejected() -> No
 
 def test_no_number_is_zero_in_every_run() -> None:
     for _ in range(3):
-        prime = checker.Chance().prime
+        prime = residues.Chance().prime
         assert prime.bit_length() > 250
         assert prime != checker.chance().prime
         assert rule(IDENTITY, ["=", prime, 0])
 
 
 def test_the_roots_the_checker_computes_with_are_positive() -> None:
-    chance = checker.Chance()
+    chance = residues.Chance()
     assert chance.root(Fraction(9, 4)) * 2 % chance.prime == 3
     assert chance.root(Fraction(6)) == chance.root(Fraction(2)) * chance.root(Fraction(3)) % chance.prime
     assert pow(chance.letter("sqrt_43"), 2, chance.prime) == 43
     for number in (Fraction(47), Fraction(47 * 47), Fraction(-1), Fraction(1, 53)):
-        with pytest.raises(checker.Reject):
+        with pytest.raises(residues.Reject):
             chance.root(number)
 
 
 def test_sines_and_cosines_lie_on_the_circle() -> None:
-    chance = checker.Chance()
+    chance = residues.Chance()
     assert (chance.letter("sin_x") ** 2 + chance.letter("cos_x") ** 2) % chance.prime == 1
 
 
 @pytest.mark.parametrize("number", [Fraction(0), Fraction(-3, 7), Fraction(10**20, 3), Fraction(-(2**90), 2**80 + 1)])
 def test_a_number_is_found_from_its_residue(number: Fraction) -> None:
-    chance = checker.Chance()
+    chance = residues.Chance()
     assert chance.rational(number.numerator * chance.inverse(number.denominator)) == number
 
 
@@ -387,9 +387,9 @@ def test_facts_of_one_case_are_forgotten_in_the_next() -> None:
 
 def test_the_checker_imports_the_standard_library_only() -> None:
     source = Path(checker.__file__).read_text(encoding="utf-8")
-    source += Path(theorems.__file__).read_text(encoding="utf-8")
+    source += "".join(Path(part.__file__).read_text(encoding="utf-8") for part in (theorems, residues))
     imported = set(re.findall(r"^(?:from|import) ([\w.]+)", source, re.MULTILINE))
-    assert imported - {"symcheck.theorems", "collections.abc"} <= set(sys.stdlib_module_names)
+    assert imported - {"symcheck.residues", "symcheck.theorems", "collections.abc"} <= set(sys.stdlib_module_names)
 
 
 def test_the_checker_can_be_read_in_one_sitting() -> None:
@@ -406,7 +406,8 @@ sys.meta_path.insert(0, Block())
 sys.path.insert(0, ROOT)
 sys.argv = ['checker.py', sys.argv[2]]
 runpy.run_module('symcheck.checker', run_name='__main__')
-assert {name for name in sys.modules if name.startswith('symcheck')} <= {'symcheck', 'symcheck.theorems'}
+loaded = {name for name in sys.modules if name.startswith('symcheck')}
+assert loaded <= {'symcheck', 'symcheck.residues', 'symcheck.theorems'}
 """
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import time
 from collections.abc import Iterator
 from dataclasses import replace
+from typing import Any
 
 from symcheck.evidence.context import Context
 from symcheck.evidence.errata import corrected, needs
@@ -33,6 +34,10 @@ def _used_by(paper: Paper, number: str) -> tuple[str, ...]:
 
 def _base(obligation: Obligation) -> Record:
     item, paper = obligation.item, obligation.paper
+    reread: dict[str, Any] = {}
+    if item.read_as:
+        reading = Reading.MISPRINT if item.origin is Origin.PAPER else Reading.DAMAGED
+        reread = {"reading": reading, "kind": item.kind, "origin": item.origin, "corrected": item.read_as}
     return Record(
         id=obligation.id,
         paper=paper.key,
@@ -43,7 +48,7 @@ def _base(obligation: Obligation) -> Record:
         printed="\n".join(item.printed),
         words=item.words,
         reason=item.reason,
-        reading=Reading.DAMAGED if item.read_as else Reading.AS_PRINTED,
+        **reread,
         uses=tuple(f"{paper.key}:{number}" for number in item.uses),
         used_by=_used_by(paper, item.number),
     )
@@ -81,7 +86,7 @@ def _judged(context: Context, unit: Unit, row: Record) -> Record:
     row = replace(
         row,
         verdict=finding.verdict,
-        reason=finding.reason,
+        reason=finding.reason or row.reason,
         certificates=finding.certificates,
         counterexample=next((o.point for o in finding.outcomes if o.verdict is Verdict.REFUTED), None),
     )

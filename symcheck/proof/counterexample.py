@@ -95,7 +95,7 @@ class _Search:
         self.problem = problem
         names = {*with_arguments(base.names), "sqrt_2", "sqrt_3"}
         if any(name in ATOMS for name in names):
-            names |= {"sqrt_5", "sqrt_7"}
+            names |= {"sqrt_5", "sqrt_7", "pi"}
         self.ring = Ring(names, base.definitions)
         self.functions = sorted((name for name in self.ring.names if name in ATOMS), key=lambda n: len(str(ATOMS[n])))
         self.formulas = [part for _, fs in problem.hypotheses for f in fs for part in flatten(f)]

@@ -25,6 +25,7 @@ RELATIONS = ("=", "!=", "<", "<=", ">", ">=")
 BINDING = ("mean", "integral", "diverges")  # of a body, by a variable of their own
 FUNCTIONS = ("sqrt", "pow", "log", "exp", "gamma", "arctan", *BINDING)
 
+MAX_POWER = 999
 MAX_PRIME = 43  # of the roots the checker knows
 
 ATOMS: dict[
@@ -372,6 +373,8 @@ class Ring:
         if kind == "/":
             return self._product([self.ratio(term[1]), self._inverse(term[2])])
         if kind == "^":
+            if abs(term[2]) > MAX_POWER:
+                raise Unsupported(f"the power {term[2]}")
             return self._product(
                 [self.ratio(term[1])] * term[2] if term[2] >= 0 else [self._inverse(term[1])] * -term[2]
             )

@@ -9,6 +9,7 @@ paper = Paper(
     title="A. S. Esenkov, Models of optimal control of rotating rigid bodies with liquid filling (2006)",
     source="002_df6bd28b8c88dd7c.txt",
     notation=notation,
+    excerpt=True,
     sections=(
         Section("2", "Page 29: the freely spinning body with ideal liquid", first_text),
         Section("1.4.1", "Pages 34-35: necessary condition of stability for ideal liquid", second_text),

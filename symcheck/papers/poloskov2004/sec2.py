@@ -216,6 +216,8 @@ noise_intensities = claim(
     read_as=r"\mathbf{H} = [h_{ij}] \equiv \sqrt{\varepsilon} \begin{bmatrix} a\cos^2\psi & a\sin^2\psi & 0 & \cos\psi & -\sin\psi & 0 \\ "
     r"-\cos\psi\sin\psi & \cos\psi\sin\psi & 0 & -\frac{1}{a}\sin\psi & -\frac{1}{a}\cos\psi & 0 \\ "
     r"0 & 0 & \Omega & 0 & 0 & k \end{bmatrix} \operatorname{diag}(g_{11}, g_{12}, g_{13}, g_{21}, g_{22}, g_{23})",
+    kind="vector for a diagonal matrix",
+    origin=Origin.PAPER,
     reason="As printed a 3 x 6 matrix times the column g_* is a column of three, which H is not. Column j of H belongs to the "
     "noise zeta_j and carries its intensity: g_* stands for diag(g_11, ..., g_23). That g_* is printed as a column twice, "
     "here and in the next display, speaks for the author.",

@@ -90,6 +90,7 @@ averaged_equation = premise(
     r"+ \frac{1}{2} \frac{\partial^2}{\partial \theta^2} (\bar{K}_{22} p) + \frac{1}{2} \frac{\partial^2}{\partial \Omega^2} "
     r"(\bar{K}_{33} p) - \frac{\partial}{\partial a} (\bar{K}_1 p) - \frac{\partial}{\partial \theta} (\bar{K}_2 p) "
     r"- \frac{\partial}{\partial \Omega} (\bar{K}_3 p) \right] \equiv \varepsilon \bar{L} p",
+    kind="letter in the index",
     reason="Three times the factor p has slipped into the subscript. No letter with the subscript 1p exists, (3.1) and the "
     "stationary equations have the product, and so have the second derivatives of the same display; a thin space lost "
     "three times alike is what the OCR does to subscripts. That averaging is admissible is cited [5].",

@@ -168,6 +168,8 @@ mode_of_amplitude = claim(
     r"\alpha_* = 2 \sqrt{\frac{\beta^2}{8\gamma^2 + \alpha^2}}",
     words="The mode of a.",
     read_as=r"a_* = 2 \sqrt{\frac{\beta^2}{8\gamma^2 + \alpha^2}}",
+    kind="one letter for another",
+    origin=Origin.UNCERTAIN,
     reason="The point is a value of the amplitude a, as Omega_* is one of Omega, and the parameter alpha stands on the right; "
     "the OCR takes an italic a for alpha, or the author did.",
     given=[equatorial_noise],
