@@ -61,18 +61,25 @@ def all_mutants(key: str) -> list[tuple[int, str, str, Unit | None]]:
 
 
 def disagreement(context: Context, unit: Unit, mutant: Unit, given: tuple[Hypothesis, ...]) -> bool | None:
-    """Whether the oracle finds a point where the mutant fails; None if it cannot sample the hypotheses."""
+    """Whether the oracle finds a point where the mutant fails and the original does not.
+
+    None if it cannot sample the hypotheses, or cannot tell the original right (a numeric second derivative).
+    """
     rng = random.Random(20090055)
     seen = False
-    for formula in mutant.formulas:
+    for n, formula in enumerate(mutant.formulas):
         problem = context.problem(formula, given, context.method(unit.letter))
+        original = unit.formulas[n] if len(unit.formulas) == len(mutant.formulas) else None
         for _ in range(POINTS):
             at = oracle.point(problem, rng)
             if at is None:
                 continue
-            seen = True
             try:
-                if not oracle.holds(formula, at, dict(problem.definitions)):
+                unfold = dict(problem.definitions)
+                if original and not oracle.holds(original, at, unfold | dict(context.used_definitions(original))):
+                    continue
+                seen = True
+                if not oracle.holds(formula, at, unfold):
                     return True
             except (ZeroDivisionError, KeyError):
                 continue
@@ -82,8 +89,9 @@ def disagreement(context: Context, unit: Unit, mutant: Unit, given: tuple[Hypoth
 def run(key: str, sample: list[tuple[int, str, str, Unit | None]]) -> Counter[str]:
     """Counts by fate. Wrong is what the oracle contradicts, and a proved mutant that the oracle cannot vouch for.
 
-    A proved equation that also holds at every point of the oracle changes nothing under the hypotheses; an order that
-    is proved with its set of equality, or an equivalence, says the same as the original.
+    A proved equation that also holds at every point of the oracle changes nothing under the hypotheses, nor does one
+    with the same on both sides; an order that is proved with its set of equality, or an equivalence, says the same as
+    the original.
     """
     counts: Counter[str] = Counter()
     wrong = []
@@ -92,7 +100,8 @@ def run(key: str, sample: list[tuple[int, str, str, Unit | None]]) -> Counter[st
         result = fate(context, unit, mutant, given)
         if result in (Fate.ACCEPTED, Fate.EQUIVALENT) and mutant:
             fails = disagreement(context, unit, mutant, given)
-            same = isinstance(unit.tree, Iff) or (fails is False and mutant.formulas[0][0] == "=")
+            empty = all(formula[1] == formula[2] for formula in mutant.formulas)
+            same = isinstance(unit.tree, Iff) or (mutant.formulas[0][0] == "=" and (empty or fails is False))
             if fails or (result is Fate.ACCEPTED and not same):
                 wrong.append(f"{context.id}{unit.letter} {result} {kind}: {description}")
             result = Fate.EQUIVALENT
