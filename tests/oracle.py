@@ -35,7 +35,7 @@ def value(term: Term, at: dict[str, Any], unfold: dict[str, Term]) -> Any:
     head, *rest = term
     if head == "diff":
         return _derivative(term, at, unfold)
-    if head in ("mean", "integral"):
+    if head in ("mean", "integral", "diverges"):
         return _over(term, at, unfold)
     args = [value(part, at, unfold) for part in rest]
     if head == "+":
@@ -77,7 +77,7 @@ def _derivative(term: Any, at: dict[str, Any], unfold: dict[str, Term]) -> Any:
     def along(x: Any) -> Any:
         return value(body, {k: v for k, v in at.items() if k not in unfold} | {name: x}, unfold)
 
-    return mpmath.diff(along, at[name], order, h=mpmath.mpf(10) ** -12) if order else along(at[name])
+    return mpmath.diff(along, at[name], order, h=mpmath.mpf(10) ** -28) if order else along(at[name])
 
 
 def rotation(rng: random.Random, handed: int) -> dict[str, Any]:
