@@ -46,6 +46,8 @@ def _need(finding: Finding, item: Item, name: str) -> tuple[bool | None, Certifi
     """Left out, is the claim refuted somewhere (True), or proved everywhere (False)? A lemma may rest on it (None)."""
     if finding.verdict is not Verdict.PROVED:
         return None, None
+    if not item.lemmas and not any(name in outcome.used for outcome in finding.outcomes):
+        return False, None  # the proof does without it
     claims = [problem for problem in finding.concrete if not (problem.claim[0] == "<=>" and item.equality)]
     without = [replace(problem, hypotheses=tuple(h for h in problem.hypotheses if h[0] != name)) for problem in claims]
     if not item.lemmas and all(p.claim[0] == "=" and proof_of(p) is not None for p in without):

@@ -140,6 +140,7 @@ def stratonovich_system() -> dict[str, Any]:
     return {**_numbered("v", system[:, 0]), **entries}
 
 
+@cache
 def slow_rates() -> dict[str, Any]:
     """The rates of a, theta, Omega with all noises, by inserting (1.1) into the rates of x; and what v, h, zeta are."""
     a, phase, frequency, k = _symbols("a psi Omega k")
@@ -192,6 +193,7 @@ def coefficients() -> dict[str, Any]:
     return {name: sp.expand(value.subs(theta, phase - frequency * t)) for name, value in found.items()}
 
 
+@cache
 def coefficients_by_y() -> dict[str, Any]:
     """The same, and v and h, with y_1, y_2, y_3 for a, theta, Omega at t = 0, where psi = theta."""
     renamed = dict(zip(_symbols("a psi Omega"), _vector("y"), strict=True))
@@ -284,6 +286,7 @@ def logarithmic_derivatives() -> tuple[Any, Any]:
     return first, _logarithmic_derivative(bar["Kbar_3"], bar["Kbar_33"], frequency)
 
 
+@cache
 def exponents() -> dict[str, Any]:
     """Delta_1 = 8 Kbar_11, Delta_2 = Kbar_33, and the powers they have in the densities.
 
@@ -301,6 +304,7 @@ def exponents() -> dict[str, Any]:
     }
 
 
+@cache
 def densities() -> dict[str, Any]:
     """The averaged coefficients and the densities; C_1, C_2 are named such that 8 C_1 and C_2 are their constants."""
     a = _symbol("a")
@@ -311,6 +315,7 @@ def densities() -> dict[str, Any]:
     return {**_shortened_averages(), **exponents(), **marginal, "p_s": joint}
 
 
+@cache
 def mode() -> dict[str, Any]:
     """Where the density of a is largest: the positive zero of p'/p."""
     numerator = sp.Poly(sp.numer(sp.together(logarithmic_derivatives()[0])), _symbol("a"))
