@@ -73,7 +73,8 @@ def _claimed(context: Context, base: Record) -> Iterator[Record]:
         if len(item.printed) == len(links) > 1:
             row = replace(row, printed=item.printed[place])
         if unit.letter and unit.letter in item.imposed:
-            yield replace(row, role=Role.PREMISE, reason="a condition imposed here, not a claim")
+            plain: dict[str, Any] = {"reading": Reading.AS_PRINTED, "kind": "", "origin": None, "corrected": ""}
+            yield replace(row, role=Role.PREMISE, reason="a condition imposed here, not a claim", **plain)
             continue
         row = replace(_judged(context, unit, row), method=context.method(unit.letter).name)
         yield replace(row, seconds=round(time.perf_counter() - started, 4))

@@ -1,0 +1,94 @@
+"""Wrong statements, made by hand, in the place of right ones: what a tired author or reader might have written."""
+
+from __future__ import annotations
+
+import pytest
+
+from symcheck.evidence.context import Context
+from symcheck.evidence.judge import judge, units
+from symcheck.evidence.obligation import obligation_of
+from symcheck.reading import read
+from symcheck.statement import Verdict
+
+# by the number of the right statement, with the letter of its link
+BAD: dict[str, list[tuple[str, str]]] = {
+    "poloskov2004": [
+        ("1.1", r"\mathbf{f} = [kx_2x_3, -kx_3x_1, 0]^T"),
+        ("2.1b", r"\tilde{x}_2 = a \sin\psi"),
+        ("2.3.1a", r"\dot{a} = \dot{x}_1 \sin\psi - \dot{x}_2 \cos\psi"),
+        ("2.3.1b", r"\dot{\theta} = \Omega - \frac{\dot{x}_1 \sin\psi + \dot{x}_2 \cos\psi}{a}"),
+        ("3.1.2a", r"K_i = v_i"),
+        ("3.1.2a", r"K_i = v_i + \sum_{j=1}^3 \sum_{k=1}^6 \frac{\partial h_{ik}}{\partial y_j} h_{jk}"),
+        ("3.2.4a", r"\bar{K}_{11} = \frac{1}{2} a^2 \alpha^2 + \frac{1}{2} \beta^2"),
+        ("3.2.4b", r"\bar{K}_{22} = \frac{1}{8} \alpha^2 + \frac{1}{2} \beta^2"),
+        ("3.2.5a", r"\bar{K}_1 = -\frac{a}{2} \gamma^2 + \frac{3}{16} a\alpha^2 + \frac{1}{4a} \beta^2"),
+        ("3.2.5a", r"\bar{K}_1 = -\frac{a}{2} \gamma^2"),
+        ("3.2.5b", r"\bar{K}_2 = \frac{1}{2}(d_{12} + d_{21})"),
+        ("3.2.5c", r"\bar{K}_3 = (-d_{33} + g_{13}^2) \Omega"),
+        (
+            "3.3.9a",
+            r"\frac{1}{2} \bar{K}_{11} \frac{\partial^2 p_{s1}}{\partial a^2} - \bar{K}_1 \frac{\partial p_{s1}}{\partial a} = 0",
+        ),
+        ("3.4", r"p_{s1}(a) = 8C_1 \Delta_1^{\kappa_1}"),
+        ("3.5b", r"\kappa_1 = -\frac{4\gamma^2}{3\alpha^2}"),
+        ("3.5.1b", r"\kappa_2 = -\frac{d_{33}}{g_{13}^2}"),
+        ("4.0.3", r"\int_0^\infty a \Delta_1^{\kappa_1} \, da < \infty \Leftrightarrow 4\gamma^2 \geq \alpha^2"),
+        ("4.0.5", r"\int_{-\infty}^\infty \Delta_2^{\kappa_2} \, d\Omega < \infty \Leftrightarrow d_{33} > g_{13}^2"),
+        (
+            "4.0.9",
+            r"\int_0^\infty a^m a \Delta_1^{\kappa_1} \, da < \infty \Leftrightarrow 8\gamma^2 > \alpha^2(3 + 2m)",
+        ),
+        (
+            "4.0.11",
+            r"\int_0^\infty \Omega^m \Delta_2^{\kappa_2} \, d\Omega < \infty \Leftrightarrow d_{33} > mg_{13}^2",
+        ),
+        ("4.0.13", r"a_* = \sqrt{\frac{\beta^2}{8\gamma^2 + \alpha^2}}"),
+        ("4.0.26", r"C_1 = 2"),
+        ("4.0.29", r"\int_{-\infty}^\infty p_{s3}(\Omega) \, d\Omega = 1 \Leftrightarrow C_2 = \frac{2k}{\pi}"),
+        ("B.12", r"\bar{K}_{12} = 0"),
+    ],
+    "esenkov2006": [
+        ("2.3.2", r"\eta^2(A - E_1) + \eta(\Delta\omega_0 - A\lambda_1) - \Delta\omega_0\lambda_1 = 0"),
+        ("2.3.4a", r"D = (\Delta\omega_0 + \omega_0 E_n - A\lambda_n)^2 - 4(A - E_n)\Delta\omega_0\lambda_n"),
+        ("1.31", r"A\eta + (A - C)\omega_0 - \eta(\eta - \omega_0)\sum_n \frac{E_n}{\eta - \lambda_n} = 0"),
+        ("1.32", r"A\eta + (C - A)\omega_0 - \eta(\eta + \omega_0)\frac{E_1}{\eta - \lambda_1} = 0"),
+        ("1.33", r"\eta^2(A + E_1) + \eta(\Delta\omega_0 + \omega_0 E_1 - A\lambda_1) - \Delta\omega_0\lambda_1 = 0"),
+        ("1.33.4", r"(\Delta\omega_0 + \omega_0 E_n - A\lambda_n)^2 + 4A\Delta\omega_0\lambda_n = 0"),
+        (
+            "1.34",
+            r"\left(\Delta + E_n - A\frac{\omega_0}{\lambda_n}\right)^2 + 4(A - E_n)\Delta\frac{\omega_0}{\lambda_n} = 0",
+        ),
+        ("1.34.3", r"\Delta^2 + \Delta(2Ab_n + 2E_n) + (Ab_n - E_n)^2 = 0"),
+        ("1.34.3", r"\Delta^2 + \Delta(2Ab_n + 2E_n - 4E_nb_n) + (A - E_n)^2 = 0"),
+        ("1.34.4a", r"D = 4(E_n + b_nA - 2E_nb_n)^2 - (Ab_n - E_n)^2"),
+        ("1.34.4b", r"4(E_n + b_nA - 2E_nb_n)^2 - 4(Ab_n - E_n)^2 = 16E_n(b_n - 1)b_n(A - E_n)"),
+        ("1.34.5a", r"\Delta_1 = -(Ab_n + E_n - 2E_nb_n) - 2\sqrt{E_n(1 - b_n)b_n(A - E_n)}"),
+        ("1.34.5a", r"\Delta_1 = -(Ab_n + E_n - 2E_nb_n) + 4\sqrt{E_n(1 - b_n)b_n(A - E_n)}"),
+        (
+            "1.35d",
+            r"-E_n(1 - b_n) - b_n(A - E_n) - 2\sqrt{E_n(1 - b_n)b_n(A - E_n)} = -(\sqrt{E_n(1 - b_n)} - \sqrt{b_n(A - E_n)})^2",
+        ),
+        ("B.9", r"\Delta^2 + \Delta(2Ab_n + 2E_n - 4E_nb_n) + (Ab_n - E_n)^2 < 0"),
+        ("B.18", r"\Delta^2 + \Delta(2Ab_n + 2E_n - 4E_nb_n) + (Ab_n - E_n)^2 > A^2"),
+        ("B.19", r"-(u - v)^2 = 0 \Leftrightarrow A = E_n"),
+        ("B.28", r"(\Delta_1 - \Delta_2)^2 = 4E_n(1 - b_n)b_n(A - E_n)"),
+    ],
+}
+CASES = [(paper, number, latex) for paper, rows in BAD.items() for number, latex in rows]
+
+
+@pytest.mark.parametrize(("paper", "number", "latex"), CASES, ids=[f"{paper}:{number}" for paper, number, _ in CASES])
+def test_a_wrong_statement_in_the_place_of_a_right_one_is_not_proved(paper: str, number: str, latex: str) -> None:
+    obligation = obligation_of(f"{paper}:{number.rstrip('abcd')}")
+    context = Context(obligation.paper, obligation.item)
+    letter = number[-1] if number[-1].isalpha() else ""
+    (unit,) = (each for each in units(context) if each.letter == letter)
+    given = (*obligation.item.given, *obligation.item.needs)
+    assert judge(context, unit, given).verdict is Verdict.PROVED
+    wrong = unit.reworded(context, read(latex, context.notation))
+    assert judge(context, wrong, given).verdict is not Verdict.PROVED
+
+
+@pytest.mark.parametrize("paper", BAD)
+def test_there_are_enough_of_them(paper: str) -> None:
+    assert len(BAD[paper]) >= 15
