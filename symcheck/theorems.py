@@ -4,8 +4,7 @@ Terms and formulas are nested lists, as in `checker.py`; this file too uses the 
 """
 
 from collections.abc import Callable
-from dataclasses import dataclass
-from typing import Any
+from typing import Any, NamedTuple
 
 BINDING = ("integral", "diverges", "mean")
 RELATIONS = ("=", "!=", "<", "<=", ">", ">=")
@@ -117,8 +116,7 @@ class Terms:
         return [term[0], *(self.replaced(part, by) for part in parts)] if parts else term
 
 
-@dataclass(frozen=True)
-class Theorem:
+class Theorem(NamedTuple):
     """The premises imply the conclusion.
 
     `free` is a letter for whose every value the premises hold: nothing may be assumed of it, and the terms `without`
