@@ -6,6 +6,8 @@ import json
 from collections.abc import Iterator, Mapping
 from typing import Any
 
+from symcheck.theorems import THEOREMS
+
 _INFIX = {"*": "*", "/": "/", "^": "^", "and": " and ", "or": " or ", "=>": " ⟹ ", "<=>": " ⟺ "}
 _RELATIONS = {"=": "=", "!=": "≠", "<": "<", "<=": "≤", ">": ">", ">=": "≥"}
 _PRECEDENCE = {"<=>": 0, "=>": 1, "or": 2, "and": 3, "exists": 4, "+": 6, "*": 7, "/": 8, "^": 9}
@@ -20,9 +22,9 @@ _RULES = {
     "vanish": "a sum of non-negative addends is a combination of what is given, so each addend vanishes",
     "absurd": "something that is not zero is a combination of what is given: a contradiction",
     "witness": "at this point it holds",
-    "quarter_turn": "a quarter turn changes the sign, so there is a zero on the circle",
 }
-_BRANCHES = {"then": "then", "forward": "forward", "backward": "backward", "parts": "part", "cases": "case"}
+_BRANCHES = {"premises": "premise", "parts": "part", "cases": "case", "then": "then"}
+_TOLD = ("rule", "of", *_BRANCHES)
 
 
 def term(value: Any) -> str:
@@ -31,14 +33,10 @@ def term(value: Any) -> str:
 
 
 def reference(ref: Any) -> str:
-    """A usable equality in words: a hypothesis, an axiom, or a fact added on the way."""
+    """A usable equality in words: a hypothesis, or a fact added on the way."""
     match ref:
         case ["hyp", name, number]:
             return f"{name} [{number + 1}]"
-        case ["axiom", "pythagoras", angle]:
-            return f"sin²+cos² = 1 of {angle}"
-        case ["axiom", "sqrt", number]:
-            return f"(√{number})² = {number}"
         case ["here", number]:
             return f"assumption {number + 1}"
         case ["positive", form]:
@@ -47,18 +45,27 @@ def reference(ref: Any) -> str:
 
 
 def steps(proof: Mapping[str, Any], depth: int = 0) -> Iterator[str]:
-    """The lines of a proof's rule tree, each indented by its depth."""
+    """The lines of a proof's rule tree, each indented by its depth; what follows a theorem stands below it."""
     indent = "  " * depth
-    yield f"{indent}{proof['rule']}: {_RULES.get(proof['rule'], 'see the checker')}"
+    yield indent + (_theorem(*proof["of"]) if "of" in proof else f"{proof['rule']}: {_RULES[proof['rule']]}")
     for key, value in proof.items():
-        if key == "rule" or key in _BRANCHES:
-            continue
-        yield from (f"{indent}  {line}" for line in _detail(key, value))
+        if key not in _TOLD:
+            yield from (f"{indent}  {line}" for line in _detail(key, value))
     for key, label in _BRANCHES.items():
         branches = proof.get(key, [])
+        if key == "then" and "of" in proof:
+            yield from steps(branches, depth)
+            continue
         for number, branch in enumerate([branches] if isinstance(branches, Mapping) else branches, 1):
             yield f"{indent}  {label}:" if isinstance(branches, Mapping) else f"{indent}  {label} {number}:"
             yield from steps(branch, depth + 2)
+
+
+def _theorem(name: str, *given: Any) -> str:
+    """A theorem with what it is applied to, and what it says."""
+    words = (THEOREMS[name].__doc__ or "").split("\n")[0]
+    applied = f" ({'; '.join(map(_number, given))})" if given else ""
+    return f"theorem {name.replace('_', ' ')}{applied}: {words}"
 
 
 def point(values: Mapping[str, Any]) -> str:
@@ -84,9 +91,6 @@ def _detail(key: str, value: Any) -> Iterator[str]:
         yield "wherever these do not vanish: " + ", ".join(" / ".join(texts) for texts in value)
     elif key == "clear":
         yield "multiplied with: " + ", ".join(value)
-    elif key == "of":
-        name, *given = value
-        yield f"theorem {name.replace('_', ' ')} of {', '.join(map(_number, given))}"
     elif key == "point":
         yield point(value)
     elif key == "factors":
@@ -95,7 +99,11 @@ def _detail(key: str, value: Any) -> Iterator[str]:
         yield f"alternative {value + 1}"
     elif key == "or":
         yield f"of {reference(value)}"
-    elif isinstance(value, list) and key in ("form", "multiplier", "cos", "sin"):
+    elif key == "positive":
+        yield "denominators of one sign: " + ", ".join(map(_number, value))
+    elif key == "atoms":
+        yield from (f"{name} stands for {term(meant)}" for name, meant in value.items())
+    elif isinstance(value, list) and key == "form":
         yield f"{key}: {term(value)}"
     elif isinstance(value, list):
         yield f"{key}: {', '.join(str(entry) if isinstance(entry, str) else json.dumps(entry) for entry in value)}"
