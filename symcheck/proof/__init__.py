@@ -1,9 +1,19 @@
 """Proof methods: untrusted search, exact results, certificates for the checker."""
 
 from symcheck.proof.certificate import certificate, digest
-from symcheck.proof.counterexample import fails_at, refute
+from symcheck.proof.counterexample import fails_at
 from symcheck.proof.equivalence import equivalent
-from symcheck.proof.methods import cases, combined, existence, identity, looking_at, nonnegative, proof_of, theorems
+from symcheck.proof.methods import (
+    cases,
+    combined,
+    existence,
+    identity,
+    looking_at,
+    nonnegative,
+    proof_of,
+    refute,
+    theorems,
+)
 
 __all__ = [
     "cases",

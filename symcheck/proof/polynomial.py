@@ -262,14 +262,14 @@ def function_arguments(node: Any) -> Iterator[Term]:
 def with_arguments(names: Iterable[str]) -> set[str]:
     """The variables, and those that the arguments of the functions among them need."""
     found = set(names)
-    open_ = [name for name in found if name in ATOMS]
+    open_ = sorted(name for name in found if name in ATOMS)
     while open_:
         kind, *arguments = ATOMS[open_.pop()]
         bound = {arguments[1], f"sin_{arguments[1]}", f"cos_{arguments[1]}"} if kind in BINDING else set()
         inner = {name for part in arguments for name in variables(part)} - {*bound, "infinity"}
         if bound:
             inner = {name for name in inner if not (name in ATOMS and bound & with_arguments({name}))}
-        open_ += [name for name in inner - found if name in ATOMS]
+        open_ += sorted(name for name in inner - found if name in ATOMS)
         found |= inner
     return found
 
