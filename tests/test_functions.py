@@ -134,3 +134,13 @@ def test_a_declared_theorem_helps() -> None:
     hints = tuple((name, latex) for name, latex in method.hints)
     problem = Problem("squares", claim, (), (signs,), hints)
     assert identity.decide(problem).verdict is Verdict.PROVED
+
+
+def test_a_proof_does_not_depend_on_what_was_decided_before() -> None:
+    signs = ("signs", ((">=", "x", 0), (">=", "y", 0)))
+    roots: list[Term] = [("sqrt", ("+", "x", "y")), ("sqrt", ("+", "y", "x"))]
+    problems = [Problem("root", (">=", root, 0), (), (signs,)) for root in roots]
+    first = [identity.decide(problem).proof for problem in problems]
+    again = [identity.decide(problem).proof for problem in reversed(problems)][::-1]
+    assert first == again
+    assert first[0] != first[1]
