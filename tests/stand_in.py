@@ -16,13 +16,15 @@ from symcheck.evidence.record import Record
 from symcheck.statement import Item, Origin, Paper, Reading, Role, Section, Verdict
 
 PROOF = {
-    "rule": "iff",
-    "forward": {"rule": "identity", "cofactors": [[["hyp", "orthogonal", 0], "2*a_11 - 1"]]},
-    "backward": {
-        "rule": "cases_or",
-        "or": ["here", 0],
-        "cases": [{"rule": "absurd", "times": [["cond", 0]], "cofactors": []}],
-    },
+    "rule": "each",
+    "parts": [
+        {"rule": "identity", "cofactors": [[["hyp", "orthogonal", 0], "2*a_11 - 1"]]},
+        {
+            "rule": "cases_or",
+            "or": ["here", 0],
+            "cases": [{"rule": "absurd", "times": [["here", 1]], "cofactors": []}],
+        },
+    ],
 }
 CERTIFICATE = {
     "id": "toy:1.1",
