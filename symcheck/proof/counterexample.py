@@ -409,11 +409,12 @@ class _Search:
 
     def _written_side(self, side: Term, point: Point) -> Any:
         """The value of a side; pi may stand in its denominator."""
-        if "pi" not in self.ring.generator:
-            return self._written(self._side(side, point))
         ratio = self.ring.ratio(side)
         parts = [ratio.num, prod((d**e for d, e in ratio.den.values()), start=self.ring.number(1))]
         top, bottom = (self._reduce(self._at(poly, point)) for poly in parts)
+        where = self.ring.names.index("pi") if "pi" in self.ring.generator else None
+        if where is None or not any(poly != 0 and poly.degrees()[where] for poly in (top, bottom)):
+            return self._written(self._side(side, point))
         common = top.gcd(bottom)
         return ["/", term_of(divmod(top, common)[0]), term_of(divmod(bottom, common)[0])]
 
