@@ -19,14 +19,12 @@ from pathlib import Path
 from typing import Any
 
 from symcheck.residues import Reject, chance, require
-from symcheck.theorems import BINDING, THEOREMS, Terms, Theorem, Unknown, conjuncts, terms
+from symcheck.theorems import BINDING, CONSTANTS, OPAQUE, THEOREMS, Terms, Theorem, Unknown, conjuncts, terms
 
 SCHEMA, MAX_DEGREE = 1, 1 << 60
 RELATIONS = {"=": {0}, "!=": {-1, 1}, "<": {-1}, "<=": {-1, 0}, ">": {1}, ">=": {0, 1}}  # signs of left - right
 CONTRARY = {"!=": "=", "<": ">=", "<=": ">", ">": "<=", ">=": "<"}
 FACTOR = re.compile(r"(\d+)(?:/(\d+))?|([A-Za-z]\w*)(?:\^(\d{1,3}))?", re.ASCII)
-CONSTANTS = ("pi", "infinity")  # at a point too; pi is transcendental, as good as any letter
-OPAQUE = ("sqrt", "pow", "log", "exp", "gamma", "arctan")
 CHOSEN = re.compile("(sin|cos|sqrt)_")  # letters whose values are not free
 
 
@@ -36,7 +34,8 @@ class Algebra(Terms):
     def __init__(self, definitions: list[Any]) -> None:
         super().__init__(dict(definitions))
         proper = len(self.definitions) == len(definitions) and not any(map(CHOSEN.match, self.definitions))
-        require(proper, "a name is defined twice, or is a sine, a cosine or a root")
+        proper = proper and not self.definitions.keys() & {*CONSTANTS}
+        require(proper, "a name is defined twice, or is a sine, a cosine, a root or a constant")
         self.chance, self.prime = chance(), chance().prime
         self.monomials = self.chance.monomials
         self.values: dict[str, int] = {}  # of the names met
@@ -75,7 +74,9 @@ class Algebra(Terms):
             value = self.value(self.definition(name))
             self.degrees[name] = 1 + self.degree(self.definitions[name])
             require(self.degrees[name] < MAX_DEGREE, f"the degree of {name}")
-        elif self.point is None or name[:5] == "sqrt_" or name in CONSTANTS:
+        elif (
+            self.point is None or name[:5] == "sqrt_" or name in CONSTANTS
+        ):  # pi is as good as any letter: transcendental
             value = self.chance.letter(name)
         else:
             require(name in self.point, f"no value for {name}")
@@ -216,7 +217,7 @@ class Checker:
         sources = [source for *_, source in self.state.values()]  # formulas, and the texts of polynomials
         texts = [name for s in sources if isinstance(s, str) for name in re.findall(r"[A-Za-z]\w*", s)]
         terms = [*(s for s in sources if not isinstance(s, str)), *(self.algebra.atoms.get(t, t) for t in texts)]
-        taken = set(self.algebra.definitions).union(*map(self.algebra.names, [*terms, *beside]))
+        taken = {*self.algebra.definitions, *CONSTANTS}.union(*map(self.algebra.names, [*terms, *beside]))
         require(not {x, f"sin_{x}", f"cos_{x}"} & taken, f"the letter {x} is taken")
 
     def known(self, signs: tuple[str, ...], reference: Any) -> int:
@@ -302,7 +303,7 @@ class Checker:
                 for part, inner in zip(parts, proof["cases"], strict=True):
                     self.branch(goal, inner, part)
             case ["split", *_]:  # (non-zero) * product of powers = sum q * fact: one of the bases is zero
-                require(all(exponent > 0 for _, exponent in proof["factors"]), "an exponent that is not positive")
+                require(all(e in range(1, 1000) for _, e in proof["factors"]), "an exponent that is not a small number")
                 bases = (self.algebra.polynomial(text) ** exponent for text, exponent in proof["factors"])
                 self.combination(prod(bases), proof, "the product")
                 for (base, _), inner in zip(proof["factors"], proof["cases"], strict=True):

@@ -7,6 +7,8 @@ from collections.abc import Callable
 from typing import Any, NamedTuple
 
 BINDING = ("integral", "diverges", "mean")
+OPAQUE = ("sqrt", "pow", "log", "exp", "gamma", "arctan")
+CONSTANTS = ("pi", "infinity")
 RELATIONS = ("=", "!=", "<", "<=", ">", ">=")
 
 
@@ -137,7 +139,7 @@ def have(_: Terms, formula: Any) -> Theorem:
 
 def congruence(_: Terms, function: str, one: list[Any], other: list[Any]) -> Theorem:
     """A function has equal values at equal arguments."""
-    if function in BINDING or len(one) != len(other):
+    if function not in OPAQUE or len(one) != len(other):  # a derivative, say, is no function of values
         raise Unknown(f"{function} of these arguments")
     return Theorem([["=", s, t] for s, t in zip(one, other, strict=True)], ["=", [function, *one], [function, *other]])
 
@@ -270,13 +272,20 @@ def power_diverges(_: Terms, f: Any, x: str, c: Any, u: Any) -> Theorem:
     return Theorem([["!=", c, 0], shape], ["=", ["diverges", f, x, 0, "infinity"], 1], x, (c, u))
 
 
-def constant(_: Terms, c: Any, x: str, low: Any, high: Any) -> Theorem:
-    """The integral of a constant."""
+def _finite(terms: Terms, *ends: Any) -> None:
+    if any("infinity" in terms.names(end) for end in ends):
+        raise Unknown("an interval without an end")
+
+
+def constant(terms: Terms, c: Any, x: str, low: Any, high: Any) -> Theorem:
+    """The integral of a constant over a finite interval."""
+    _finite(terms, low, high)
     return Theorem([], ["=", ["integral", c, x, low, high], ["*", c, ["+", high, ["-", low]]]], x, (c, low, high))
 
 
 def power_rule(terms: Terms, f: Any, x: str, low: Any, high: Any, c: Any, base: Any, exponent: Any) -> Theorem:
     """The integral of the derivative of c base^exponent, the base a polynomial in x that is positive in between."""
+    _finite(terms, low, high)
     if not terms.polynomial_in(base, x):
         raise Unknown(f"no polynomial in {x}")
     primitive = ["*", c, ["pow", base, exponent]]

@@ -317,6 +317,41 @@ FORGED: dict[str, tuple[dict[str, Any], Any, dict[str, Any] | None]] = {
         [">=", ["/", ["^", "x", 3], "x"], 0],
         None,
     ),
+    "a derivative taken for a function of values": (
+        {
+            "rule": "theorem",
+            "of": ["congruence", "diff", ["x", "x", 1], [2, "x", 1]],
+            "premises": [{"rule": "identity", "cofactors": [[["hyp", "h", 0], "1"]]}, IDENTITY, IDENTITY],
+            "then": {"rule": "absurd", "cofactors": [[["here", 0], "1"]]},
+        },
+        ["=", 0, 1],
+        {"h": [["=", "x", 2]]},
+    ),
+    "infinity taken for a number": (
+        {
+            "rule": "theorem",
+            "of": ["constant", 1, "t", 0, "infinity"],
+            "premises": [],
+            "then": {"rule": "identity", "cofactors": [[["here", 0], "1"]]},
+        },
+        ["=", ["integral", 1, "t", 0, "infinity"], "infinity"],
+        None,
+    ),
+    "a constant of mathematics for a witness": (
+        {"rule": "witness", "point": {"pi": 3}, "then": IDENTITY},
+        ["exists", ["pi"], ["=", "pi", 3]],
+        None,
+    ),
+    "half a power": (
+        {"rule": "split", "factors": [["x", 0.5]], "cofactors": [[["hyp", "h", 0], "1"]], "cases": [IDENTITY]},
+        ["=", "x", 0],
+        {"h": [["=", "x", 0]]},
+    ),
+    "a power that hides a division": (
+        {"rule": "witness", "point": {"x": ["*", ["-", "b"], ["pow", "a", -1]]}, "then": IDENTITY},
+        ["exists", ["x"], ["=", ["+", ["*", "a", "x"], "b"], 0]],
+        None,
+    ),
     "an unused hypothesis": (IDENTITY, ["=", "x", "x"], X_POSITIVE),
     "an unknown rule": ({"rule": "trust me"}, ["=", 0, 1], None),
     "no proof": ({}, ["=", 0, 0], None),
@@ -377,6 +412,12 @@ def test_a_mean_does_not_depend_on_the_phase_through_a_definition() -> None:
     }
     made: Certificate = {"id": "t", "claim": claim, "definitions": [["m", ["sin", "t"]]], "hypotheses": {}}
     assert "the letter t is taken" in (check({**made, "verdict": "proved", "proof": proof}) or "")
+
+
+@pytest.mark.parametrize("name", ["pi", "infinity", "sin_x", "sqrt_2"])
+def test_what_has_a_meaning_of_its_own_is_not_defined(name: str) -> None:
+    made: Certificate = {"id": "t", "claim": ["=", name, 5], "definitions": [[name, 5]], "hypotheses": {}}
+    assert check({**made, "verdict": "proved", "proof": IDENTITY})
 
 
 def test_facts_of_one_case_are_forgotten_in_the_next() -> None:
