@@ -146,8 +146,11 @@ class Algebra(Terms):
         if kind == "sqrt" and (self.point is not None or not self.names(terms[0])):
             return self.chance.root(self.chance.rational(*values))
         if kind == "pow" and (whole := self.chance.rational(values[1])) is not None and whole.denominator == 1:
-            self.divisors.setdefault(values[0], False)  # the base of such a power is positive: that is what it means
-            return pow(values[0] if whole >= 0 else self.chance.inverse(values[0]), abs(int(whole)), self.prime)
+            if whole >= 0:
+                return pow(values[0], int(whole), self.prime)
+            # under an integral the base of such a power is positive by its meaning, elsewhere that has to be shown
+            below = self.chance.inverse(values[0]) if self.inside else self.inverse(terms[0])
+            return pow(below, -int(whole), self.prime)
         return self.settle(self.chance.draw((kind, *values)))
 
     def settle(self, value: int) -> int:

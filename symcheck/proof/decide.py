@@ -60,7 +60,8 @@ def _proved(problem: Problem, ring: Ring, proof: Certificate) -> Outcome | None:
     if ring.divisors or own or ATOMS.keys() & set(ring.names):
         stated = [problem.claim, *(f for _, fs in problem.hypotheses for f in fs)]
         own += [unfold(side, ring.definitions) for formula in stated for side in sides(formula)]
-        names = set(ring.names).union(*(variables(t) for term in own for t in (term, *function_arguments(term))))
+        inner = [t for term in own for bodies in (True, False) for t in function_arguments(term, bodies)]
+        names = set(ring.names).union(*map(variables, [*own, *inner]))
         known, before = starting(problem, Ring(names, ring.definitions)), -1
         while len(given) > before:  # a hypothesis that is used has denominators of its own
             before = len(given)
@@ -114,8 +115,12 @@ def _positive(top: Poly, below: tuple[str, ...], known: Knowledge) -> Term | Non
 
 def _divisors(terms: list[Term], ring: Ring) -> dict[tuple[str, ...], Poly]:
     """The denominators met in the terms, also in the arguments of functions."""
-    fresh = Ring(ring.names, ring.definitions)
+    outside, inside = (Ring(ring.names, ring.definitions) for _ in range(2))
+    inside.inside = True
     for term in terms:
-        for part in (term, *function_arguments(unfold(term, ring.definitions))):
-            fresh.ratio(part)
-    return fresh.divisors
+        plain = unfold(term, ring.definitions)
+        for part in (term, *function_arguments(plain, bodies=False)):
+            outside.ratio(part)
+        for part in function_arguments(plain, bodies=True):
+            inside.ratio(part)
+    return {**outside.divisors, **inside.divisors}

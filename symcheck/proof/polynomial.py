@@ -252,11 +252,17 @@ def variables(node: Any) -> set[str]:
     return found
 
 
-def function_arguments(node: Any) -> Iterator[Term]:
-    """The arguments of all functions inside an unfolded term; of an integral or a mean, the body and the ends."""
-    for part in subterms(node):
-        if isinstance(part, tuple) and part[0] in FUNCTIONS:
-            yield from (part[1], *part[3:]) if part[0] in BINDING else part[1:]
+def function_arguments(node: Any, bodies: bool) -> Iterator[Term]:
+    """The bodies of the integrals and means in an unfolded term, or the other arguments of functions outside them."""
+    if not isinstance(node, tuple):
+        return
+    binding = node[0] in BINDING
+    if binding and bodies:
+        yield node[1]
+    elif node[0] in FUNCTIONS and not bodies:
+        yield from node[3:] if binding else node[1:]
+    for part in node[3:] if binding and not bodies else node[1:]:
+        yield from function_arguments(part, bodies)
 
 
 def with_arguments(names: Iterable[str]) -> set[str]:
@@ -300,6 +306,7 @@ class Ring:
         self.definitions = dict(definitions or {})
         self.context = flint.fmpq_mpoly_ctx.get(list(self.names), flint.Ordering.degrevlex)
         self.generator: dict[str, Poly] = dict(zip(self.names, self.context.gens(), strict=True))
+        self.inside = False  # under an integral, where the base of a power is positive: no side condition
         self.divisors: dict[tuple[str, ...], Poly] = {}  # by numerator and the denominators inside
         self.memory: dict[Any, Any] = {}  # for answers that depend on the ring and a key alone
         self._ratios: dict[Any, Ratio] = {}
@@ -387,9 +394,9 @@ class Ring:
         if kind == "pow":
             whole = number_of(unfold(term[2], self.definitions))
             assert whole is not None
-            met = dict(self.divisors)  # the base of such a power is positive: no side condition
+            met = dict(self.divisors)
             value = self.ratio(("^", term[1], int(whole)))
-            self.divisors = met
+            self.divisors = met if self.inside else self.divisors
             return value
         if kind == "sqrt":
             return Ratio(self._root(constant(unfold(term[1], self.definitions))))
