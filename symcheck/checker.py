@@ -19,7 +19,7 @@ from pathlib import Path
 from typing import Any
 
 from symcheck.residues import Reject, chance, require
-from symcheck.theorems import BINDING, CONSTANTS, OPAQUE, THEOREMS, Terms, Theorem, Unknown, conjuncts, terms
+from symcheck.theorems import BINDING, CONSTANTS, OPAQUE, THEOREMS, Terms, Theorem, Unknown, conjuncts, sides
 
 SCHEMA, MAX_DEGREE = 1, 1 << 60
 RELATIONS = {"=": {0}, "!=": {-1, 1}, "<": {-1}, "<=": {-1, 0}, ">": {1}, ">=": {0, 1}}  # signs of left - right
@@ -340,7 +340,7 @@ class Checker:
             algebra.atoms, algebra.monomials = proof["atoms"], {}
         for reference, formula in self.hypotheses.items():
             self.learn(reference, formula)
-        for term in terms(goal) if "nonzero" in proof else ():
+        for term in sides(goal) if "nonzero" in proof else ():
             algebra.value(term)
         for texts in proof.get("nonzero", []):  # a numerator and the denominators in the denominator
             top, *below = map(algebra.polynomial, texts)

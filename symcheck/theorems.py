@@ -21,11 +21,11 @@ def conjuncts(formula: Any) -> list[Any]:
     return [part for child in formula[1:] for part in conjuncts(child)] if formula[0] == "and" else [formula]
 
 
-def terms(formula: Any) -> list[Any]:
+def sides(formula: Any) -> list[Any]:
     """Both sides of every relation in a formula."""
     if formula[0] in RELATIONS:
         return list(formula[1:])
-    return [term for part in formula[1 + (formula[0] == "exists") :] for term in terms(part)]
+    return [term for part in formula[1 + (formula[0] == "exists") :] for term in sides(part)]
 
 
 class Terms:

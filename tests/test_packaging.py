@@ -16,6 +16,8 @@ import pytest
 from packaging.requirements import Requirement
 from packaging.utils import canonicalize_name
 
+from symcheck.evidence.obligation import SOURCES
+
 PACKAGE, GENERATED = "symcheck/", "generated/"
 
 
@@ -135,3 +137,11 @@ def test_pins_satisfy_the_declared_ranges(project: dict[str, Any], root: Path) -
     for text in [*project["project"]["dependencies"], *project["project"]["optional-dependencies"]["dev"]]:
         requirement = Requirement(text)
         assert requirement.specifier.contains(pins[canonicalize_name(requirement.name)]), text
+
+
+def test_a_cached_result_depends_on_every_module_that_makes_it() -> None:
+    program = "import sys, symcheck.evidence.decide; print(*(n for n in sys.modules if n.startswith('symcheck.')))"
+    loaded = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, check=True).stdout.split()
+    hashed = {source.removesuffix(".py") for source in SOURCES}
+    by_content = {"papers", "lazy"}  # declarations are hashed one by one; lazy only puts imports off
+    assert {name.split(".")[1] for name in loaded} <= hashed | by_content

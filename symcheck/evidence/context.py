@@ -11,6 +11,7 @@ from typing import Any
 from symcheck import papers
 from symcheck.reading import Notation, from_sympy, lower, read
 from symcheck.statement import Formula, Hypothesis, Item, Method, Paper, Problem, Role, SymcheckError, Term
+from symcheck.theorems import conjuncts
 
 
 def _names(value: Any) -> Iterator[str]:
@@ -151,15 +152,6 @@ def _addends(term: Term) -> Iterator[Term]:
             yield from _addends(part)
     else:
         yield term
-
-
-def conjuncts(formula: Formula) -> Iterator[Formula]:
-    """The parts of a formula that "and" joins."""
-    if formula[0] == "and":
-        for part in formula[1:]:
-            yield from conjuncts(part)
-    else:
-        yield formula
 
 
 def for_letter(value: Any, letter: str) -> Any:

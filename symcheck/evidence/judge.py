@@ -8,7 +8,7 @@ from dataclasses import dataclass, replace
 from functools import cache
 
 from symcheck import papers
-from symcheck.evidence.context import Context, conjuncts, for_letter
+from symcheck.evidence.context import Context, for_letter
 from symcheck.proof import certificate, combined, proof_of, refute
 from symcheck.reading import Relation, System, Tree, from_sympy, lower, read, relations, to_latex
 from symcheck.statement import (
@@ -24,6 +24,7 @@ from symcheck.statement import (
     Term,
     Verdict,
 )
+from symcheck.theorems import conjuncts
 
 
 @dataclass(frozen=True)

@@ -7,8 +7,9 @@ import json
 from collections.abc import Mapping
 from typing import Any
 
-from symcheck.proof.polynomial import flatten, sides, subterms, theorem_of
+from symcheck.proof.polynomial import subterms, theorem_of
 from symcheck.statement import Certificate, Outcome, Problem, Term, Verdict
+from symcheck.theorems import conjuncts, sides
 
 
 def certificate(problem: Problem, outcome: Outcome) -> Certificate:
@@ -18,7 +19,7 @@ def certificate(problem: Problem, outcome: Outcome) -> Certificate:
     """
     if outcome.verdict is Verdict.UNDECIDED:
         raise ValueError(f"{problem.id} is undecided: there is nothing to certify")
-    hypotheses = {name: [part for f in formulas for part in flatten(f)] for name, formulas in problem.hypotheses}
+    hypotheses = {name: [part for f in formulas for part in conjuncts(f)] for name, formulas in problem.hypotheses}
     body: Certificate
     if outcome.verdict is Verdict.PROVED:
         assert outcome.proof is not None

@@ -20,12 +20,10 @@ from symcheck.proof.knowledge import ring_of
 from symcheck.proof.orders import term_of
 from symcheck.proof.polynomial import (
     ATOMS,
-    RELATIONS,
     Poly,
     Ratio,
     Ring,
     Unsupported,
-    flatten,
     fraction,
     frozen,
     square_free,
@@ -35,6 +33,7 @@ from symcheck.proof.polynomial import (
 )
 from symcheck.proof.theorem_search import values_of
 from symcheck.statement import Certificate, Formula, Outcome, Problem, Term
+from symcheck.theorems import RELATIONS, conjuncts
 
 Point = dict[str, Poly]
 Prover = Callable[[Problem], Outcome | None]
@@ -98,9 +97,9 @@ class _Search:
             names |= {"sqrt_5", "sqrt_7", "pi"}
         self.ring = Ring(names, base.definitions)
         self.functions = sorted((name for name in self.ring.names if name in ATOMS), key=lambda n: len(str(ATOMS[n])))
-        self.formulas = [part for _, fs in problem.hypotheses for f in fs for part in flatten(f)]
+        self.formulas = [part for _, fs in problem.hypotheses for f in fs for part in conjuncts(f)]
         if direction[0] == "=>":
-            self.formulas += flatten(direction[1])
+            self.formulas += conjuncts(direction[1])
         self.gaps: dict[Formula, Ratio] = {}
         self.roots = [name for name in self.ring.names if name.startswith("sqrt_")]
         self.free = [name for name in self.ring.names if name not in (*self.roots, "pi") and name not in ATOMS]

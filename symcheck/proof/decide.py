@@ -10,18 +10,9 @@ from symcheck.proof.certificate import references, terms_in
 from symcheck.proof.counterexample import refute
 from symcheck.proof.knowledge import Knowledge, given_of, ring_of, starting
 from symcheck.proof.orders import positive_form
-from symcheck.proof.polynomial import (
-    ATOMS,
-    Poly,
-    Ring,
-    Unsupported,
-    flatten,
-    function_arguments,
-    sides,
-    unfold,
-    variables,
-)
+from symcheck.proof.polynomial import ATOMS, Poly, Ring, Unsupported, function_arguments, unfold, variables
 from symcheck.statement import Certificate, Outcome, Problem, Term, Verdict
+from symcheck.theorems import conjuncts, sides
 
 _ATOM = r"\b[A-Z][a-z]+_[0-9a-f]{10}\b"
 Search = Callable[[Problem, Ring], Certificate | None]
@@ -84,7 +75,7 @@ def _conditions(
 
     A denominator that contains others is written as its numerator and those others. Adds to the hypotheses given.
     """
-    parts = [(name, k, f) for name, fs in problem.hypotheses for k, f in enumerate(p for f in fs for p in flatten(f))]
+    parts = [(name, k, f) for name, fs in problem.hypotheses for k, f in enumerate(p for f in fs for p in conjuncts(f))]
     stated = [problem.claim, *(f for name, k, f in parts if (name, k) in given)]
     statement = _divisors([side for formula in stated for side in sides(formula)], known.ring)
     listed: list[list[str]] = []

@@ -5,8 +5,9 @@ from __future__ import annotations
 from dataclasses import replace
 
 from symcheck.proof.knowledge import proportional, ring_of, starting
-from symcheck.proof.polynomial import RELATIONS, Unsupported
+from symcheck.proof.polynomial import Unsupported
 from symcheck.statement import Formula, Problem
+from symcheck.theorems import RELATIONS
 
 MIRROR = {"<": ">", "<=": ">="}
 

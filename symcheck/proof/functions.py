@@ -16,7 +16,6 @@ from symcheck.proof.knowledge import Knowledge, proportional
 from symcheck.proof.orders import number_term, term_of
 from symcheck.proof.polynomial import (
     ATOMS,
-    BINDING,
     Instance,
     Poly,
     Ratio,
@@ -32,7 +31,7 @@ from symcheck.proof.polynomial import (
     with_arguments,
 )
 from symcheck.statement import Term
-from symcheck.theorems import Terms, Unknown
+from symcheck.theorems import BINDING, Terms, Unknown
 
 HALF_LINE = (0, "infinity")
 WHOLE_LINE = (("-", "infinity"), "infinity")

@@ -11,8 +11,9 @@ from fractions import Fraction
 from typing import Any
 
 from symcheck.proof.ideal import Fact, Ideal, Ref
-from symcheck.proof.polynomial import RELATIONS, Poly, Ring, flatten, fraction, unfold, variables
+from symcheck.proof.polynomial import Poly, Ring, fraction, unfold, variables
 from symcheck.statement import Formula, Problem, Term
+from symcheck.theorems import RELATIONS, conjuncts
 
 MIRROR = {"<": ">", "<=": ">="}
 Given = frozenset[tuple[str, int]]
@@ -85,7 +86,7 @@ class Knowledge:
     def assume(self, formula: Formula) -> Knowledge:
         """The conjuncts of a formula, numbered in order."""
         known = self
-        for part in flatten(formula):
+        for part in conjuncts(formula):
             known = replace(known.learn(["here", known.count], part), count=known.count + 1)
         return known
 
@@ -188,6 +189,6 @@ def starting(problem: Problem, ring: Ring, names: Sequence[str] | None = None) -
     known = Knowledge(ring)
     for name, formulas in problem.hypotheses:
         if names is None or name in names:
-            for k, formula in enumerate(part for f in formulas for part in flatten(f)):
+            for k, formula in enumerate(part for f in formulas for part in conjuncts(f)):
                 known = known.learn(["hyp", name, k], formula)
     return known

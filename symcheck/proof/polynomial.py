@@ -16,14 +16,12 @@ from typing import Any
 import flint
 
 from symcheck.statement import Formula, Term
-from symcheck.theorems import THEOREMS, Terms, Theorem, Unknown
+from symcheck.theorems import BINDING, OPAQUE, THEOREMS, Terms, Theorem, Unknown
 
 Instance = tuple[Any, ...]  # the name of a theorem and what it is applied to
 Poly = Any  # flint.fmpq_mpoly, which has no type information
 
-RELATIONS = ("=", "!=", "<", "<=", ">", ">=")
-BINDING = ("mean", "integral", "diverges")  # of a body, by a variable of their own
-FUNCTIONS = ("sqrt", "pow", "log", "exp", "gamma", "arctan", *BINDING)
+FUNCTIONS = (*OPAQUE, *BINDING)
 
 MAX_POWER = 999
 MAX_PRIME = 43  # of the roots the checker knows
@@ -498,17 +496,3 @@ class Ring:
             if name.startswith("sqrt_"):
                 found.append((["axiom", "sqrt", int(name[5:])], self.generator[name] ** 2 - int(name[5:])))
         return found
-
-
-def flatten(formula: Formula) -> list[Formula]:
-    """The conjuncts of a formula."""
-    if formula[0] != "and":
-        return [formula]
-    return [part for child in formula[1:] for part in flatten(child)]
-
-
-def sides(formula: Formula) -> list[Term]:
-    """Both sides of every relation in a formula."""
-    if formula[0] in RELATIONS:
-        return list(formula[1:])
-    return [side for part in (formula[2:] if formula[0] == "exists" else formula[1:]) for side in sides(part)]

@@ -11,10 +11,11 @@ from symcheck.proof.groebner import Monomial
 from symcheck.proof.ideal import Fact, Ideal, Ref
 from symcheck.proof.knowledge import Knowledge, hints_of, proportional, starting
 from symcheck.proof.orders import fraction_form, positive_form, prove_order, term_of
-from symcheck.proof.polynomial import RELATIONS, Poly, Ring, fraction
+from symcheck.proof.polynomial import Poly, Ring, fraction
 from symcheck.proof.theorem_search import has_functions, prove_with_theorems
 from symcheck.proof.witnesses import prove_existence
 from symcheck.statement import Certificate, Formula, Problem, Term
+from symcheck.theorems import RELATIONS
 
 CONTRARY = {"<": ">=", "<=": ">", ">": "<=", ">=": "<"}
 ABSURD: Formula = ("or",)  # the goal of a contradiction: nothing to choose from

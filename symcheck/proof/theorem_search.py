@@ -12,7 +12,6 @@ from symcheck.proof.knowledge import Knowledge, ring_of, starting
 from symcheck.proof.orders import positive_form, prove_order, term_of
 from symcheck.proof.polynomial import (
     ATOMS,
-    BINDING,
     Instance,
     Ratio,
     Ring,
@@ -23,7 +22,7 @@ from symcheck.proof.polynomial import (
     with_arguments,
 )
 from symcheck.statement import Certificate, Formula, Problem, Term
-from symcheck.theorems import Theorem
+from symcheck.theorems import BINDING, Theorem
 
 Prover = Callable[[Formula, Knowledge], Certificate | None]
 MAX_INSTANCES = 40
@@ -167,7 +166,7 @@ class _Search:
             below = known.assume(formula[1])
             then = self._premise(formula[2], below)
             if then is None and self.inner:  # here something is assumed of the bound variable
-                then = _Search(self._premise_of, ()).prove(formula[2], below, self.inner, 0)
+                then = _Search(self._premise, ()).prove(formula[2], below, self.inner, 0)
             return None if then is None else {"rule": "implies", "then": then}
         if kind == "and":
             parts = self._premises(formula[1:], known)
@@ -178,9 +177,6 @@ class _Search:
         if kind == "!=":
             return self.prove_here(formula, known)
         return prove_order(formula, known, [])
-
-    def _premise_of(self, goal: Formula, known: Knowledge) -> Certificate | None:
-        return self._premise(goal, known)
 
     def _by_cases(self, goal: Formula, known: Knowledge, pending: Sequence[Instance], cases: int) -> Certificate | None:
         """What a theorem about an integral asks for holds, or it does not."""

@@ -7,8 +7,9 @@ from typing import Any
 
 from symcheck.proof.equations import equations_here, identity_here
 from symcheck.proof.knowledge import Knowledge, ring_of, starting
-from symcheck.proof.polynomial import Ring, flatten, unfold, variables
+from symcheck.proof.polynomial import Ring, unfold, variables
 from symcheck.statement import Certificate, Formula, Problem, Term
+from symcheck.theorems import conjuncts
 
 ANGLE = "turn"  # the angle of a witness's point (u, v) = (cos turn, sin turn) of the unit circle
 
@@ -39,7 +40,7 @@ def prove_existence(problem: Problem, ring: Ring, prove_body: Search) -> Certifi
     point = {name: substitute(term, circle) for name, term in point.items()}
     shown = substitute(unfold(body, {n: t for n, t in problem.definitions if n not in point}), point)
     known = starting(problem, Ring({*ring.names, *variables(shown)}, ring.definitions))
-    turns = flatten(shown) if any(ANGLE in str(term) for term in point.values()) else [None]
+    turns = conjuncts(shown) if any(ANGLE in str(term) for term in point.values()) else [None]
     for equation in turns:
         if (proof := _witness(point, shown, known, equation, prove_body)) is not None:
             return proof
