@@ -6,7 +6,8 @@ Both sides are computed modulo a prime near 2^253, at a point, both drawn anew i
 certificate can know them, so a false equation passes with probability below 2^-60 (degrees are bounded for that) and
 a right one always. Sines and cosines lie on the circle and roots of numbers are roots; a function without a rule here
 (a power with a letter in the exponent, an integral) is a random function of the values it depends on, and what is
-true of it is said by the table in `theorems.py`. A denominator is non-zero by a hypothesis or in "nonzero".
+true of it is said by the table in `theorems.py`. A denominator is non-zero by a hypothesis or in "nonzero". Irrational
+numbers at a point are compared by intervals (`enclosures.py`).
 """
 
 import json
@@ -18,12 +19,12 @@ from math import prod
 from pathlib import Path
 from typing import Any
 
+from symcheck.enclosures import between, enclosed
 from symcheck.residues import Reject, chance, require
-from symcheck.theorems import BINDING, CONSTANTS, OPAQUE, THEOREMS, Terms, Theorem, Unknown, conjuncts, sides
+from symcheck.theorems import BINDING, CONSTANTS, OPAQUE, THEOREMS, Terms, Theorem, Unknown, conjuncts, contrary, sides
 
 SCHEMA, MAX_DEGREE = 1, 1 << 60
 RELATIONS = {"=": {0}, "!=": {-1, 1}, "<": {-1}, "<=": {-1, 0}, ">": {1}, ">=": {0, 1}}  # signs of left - right
-CONTRARY = {"!=": "=", "<": ">=", "<=": ">", ">": "<=", ">=": "<"}
 FACTOR = re.compile(r"(\d+)(?:/(\d+))?|([A-Za-z]\w*)(?:\^(\d{1,3}))?", re.ASCII)
 CHOSEN = re.compile("(sin|cos|sqrt)_")  # letters whose values are not free
 
@@ -44,7 +45,7 @@ class Algebra(Terms):
         self.scope: dict[str, int] = {}  # values of bound variables
         self.inside, self.exponent = 0, 1
         self.atoms: dict[str, Any] = {}  # terms that stand as letters in polynomials
-        self.divisors: dict[int, bool] = {}  # value -> whether it depends on letters
+        self.divisors: dict[int, bool] = {}  # value -> whether it depends on letters or functions
 
     def value(self, term: Any) -> int:
         """The value of a term; sums are not reduced modulo the prime."""
@@ -83,6 +84,12 @@ class Algebra(Terms):
             value = self.value(self.point[name])
         self.values[name] = value % self.prime
         return self.values[name]
+
+    def number(self, name: str) -> Any:
+        """What a letter of a closed term stands for, by definition or at the point."""
+        known = self.point or {}
+        require(name in self.definitions or name in known, f"the number {name}")
+        return self.definition(name) if name in self.definitions else known[name]
 
     def polynomial(self, text: str) -> int:
         """The value of a polynomial printed as "3/4*a_11^2*a_12 - I_1 + 2"."""
@@ -124,20 +131,26 @@ class Algebra(Terms):
             case ["^", base, int(n)] if n > 0:
                 return pow(self.inverse(base), n, self.prime)
         value = self.value(term) % self.prime
-        self.divisors[value] = self.divisors.get(value, False) or bool(self.names(term))
+        self.divisors[value] = self.divisors.get(value, False) or not self.exact(term)
         return self.chance.inverse(value)
 
     def turn(self, term: Any) -> tuple[int, int]:
-        """(cos, sin) of an integer combination of letters, by the addition theorem; half angles are rejected."""
+        """(cos, sin) of whole multiples of letters, by the addition theorem; another number is an angle of its own."""
         cosine, sine, rest = 1, 0, term
         for x in sorted(self.names(term)):
-            rate, rest = self.rate(term, x), self.replaced(rest, {x: 0})
+            rate = self.rate(term, x)
             count = None if self.names(rate) else self.chance.rational(self.value(rate))
+            if x == "pi" and count is not None and count.denominator > 1:
+                continue
             require(count is not None and count.denominator == 1 and abs(count) < 100, f"the angle {term}")
             c, s = self.value(f"cos_{x}"), self.value(f"sin_{x}") * (1 if count > 0 else -1)  # type: ignore[operator]
             for _ in range(abs(int(count))):  # type: ignore[arg-type]
                 cosine, sine = (cosine * c - sine * s) % self.prime, (sine * c + cosine * s) % self.prime
-        require(self.value(rest) == 0, f"the angle {term}")
+            rest = self.replaced(rest, {x: 0})
+        if value := self.value(rest) % self.prime:  # 67 pi / 180, or arctan 2
+            require(self.point is None, f"the angle {term}")
+            c, s = self.chance.circle(("angle", value))
+            cosine, sine = (cosine * c - sine * s) % self.prime, (sine * c + cosine * s) % self.prime
         return cosine, sine
 
     def opaque(self, kind: str, *terms: Any) -> int:
@@ -292,7 +305,7 @@ class Checker:
             case ["implies", "=>", assumed, conclusion]:
                 self.branch(conclusion, then, assumed)
             case ["implies", "!=" | "<" | "<=" | ">" | ">=" as sign, *sides]:  # the contrary leads to a contradiction
-                self.branch(["or"], then, [CONTRARY[sign], *sides])
+                self.branch(["or"], then, contrary([sign, *sides]))
             case ["each", "and" | "<=>" as kind, *parts]:
                 parts = parts if kind == "and" else [["=>", *parts], ["=>", *parts[::-1]]]
                 for part, inner in zip(parts, proof["parts"], strict=True):
@@ -359,10 +372,15 @@ class Checker:
 
     def check_point(self, goal: Any, point: Any) -> None:
         """The hypotheses hold at the point, the claim does not, and its sides have the stated values."""
+        if "enclosed" in point:
+            return self.check_numbers(goal, point["values"], point["enclosed"])
+        if "proof" in point:
+            return self.check_contrary(goal, point["values"], [*point.get("facts", ()), [None, point["proof"]]])
         relation, algebra = goal[0] in RELATIONS, self.algebra
         given = {**point["values"], **{f"side_{k}": v for k, v in enumerate(point["sides"]) if relation}}
         angles = {x[4:] for x in given if x[:4] in ("sin_", "cos_")}
         taken = [x for x in given if x[:5] == "sqrt_" or x in CONSTANTS or x in algebra.definitions or x in angles]
+        taken += angles & {*CONSTANTS}
         require(not taken, f"a value of {taken}: of a root, of a defined letter, or of an angle beside its sine")
         numbers = {x: ["/", *Fraction(v).as_integer_ratio()] if isinstance(v, str) else v for x, v in given.items()}
         for term, value, proof in point.get("functions", ()):  # the values of functions there, with proofs
@@ -378,13 +396,47 @@ class Checker:
         circles = [["=", ["+", ["^", f"sin_{x}", 2], ["^", f"cos_{x}", 2]], 1] for x in angles]
         require(all(map(self.truth, circles)), "no point of the unit circle")
 
+    def check_numbers(self, goal: Any, values: dict[str, Any], shown: Any) -> None:
+        """The same where the letters are numbers such as 67 pi / 180: by interval arithmetic, with the stated ends."""
+        self.algebra = Algebra([*self.algebra.definitions.items(), *values.items()])
+        failing = [reference for reference, formula in self.hypotheses.items() if not self.truth(formula)]
+        require(not failing and not self.truth(goal), f"{failing or 'the claim'}: not so at the point")
+        for term, digits, *ends in shown:
+            require(ends == [*between(term, self.algebra.number, digits)], f"{term} lies elsewhere")
+
+    def check_contrary(self, goal: Any, values: dict[str, Any], proofs: Any) -> None:
+        """The same by proofs where the letters are these numbers: of facts, then of the hypotheses and the contrary."""
+        require(not self.algebra.names(["+", *values.values()]) - {"pi"}, "the point is made of letters")
+        taken = [x for x in values if CHOSEN.match(x) or x in CONSTANTS or x in self.algebra.definitions]
+        known = {"point": [["=", x, value] for x, value in values.items()]}
+        for fact, proof in proofs:
+            require(not taken and "nonzero" not in proof, f"a value of {taken}, or a proof under a condition")
+            fact = fact or ["and", *self.hypotheses.values(), contrary(goal)]
+            inner = Checker({"definitions": [*self.algebra.definitions.items()], "hypotheses": known, "claim": fact})
+            inner.used.update(inner.hypotheses)  # not all are needed each time
+            inner.check_proof(fact, proof)
+            known["point"].append(fact)
+        self.algebra.names(["and", goal, *self.hypotheses.values()])  # notes the definitions
+
+    def order(self, left: Any, right: Any) -> int:
+        """The sign of a difference of numbers: by its digits, or zero where the numbers are the same by algebra."""
+        chosen = {str([x[:3], x[4:]]): x for x in self.algebra.point or () if x[:4] in ("sin_", "cos_")}
+        gap = self.algebra.replaced(["+", left, ["-", right]], chosen)
+        digits = enclosed(gap, self.algebra.number)
+        near = digits.low <= 0 <= digits.high
+        same = near and (digits.low == digits.high or self.algebra.value(gap) % self.algebra.prime == 0)
+        require(same or digits.low > 0 or digits.high < 0, f"too few digits to compare {left} and {right}")
+        return (digits.low > 0) - (digits.high < 0)
+
     def truth(self, formula: Any) -> bool:  # the formula at the point
         kind, *rest = formula
+        if kind in RELATIONS and self.algebra.point is None:  # the letters are defined as numbers
+            return self.order(*rest) in RELATIONS[kind]
         if kind in RELATIONS:
             gap = (self.algebra.value(rest[0]) - self.algebra.value(rest[1])) % self.algebra.prime
             number = Fraction(gap > 0) if kind in ("=", "!=") else self.algebra.chance.rational(gap)
-            require(number is not None, f"the sign of {formula}: an irrational number, or too many digits")
-            return (number > 0) - (number < 0) in RELATIONS[kind]  # type: ignore[operator]
+            sign = (number > 0) - (number < 0) if number is not None else self.order(*rest)
+            return sign in RELATIONS[kind]
         parts = [self.truth(part) for part in rest]
         first, last = parts[0], parts[-1]
         return {"and": all(parts), "or": any(parts), "=>": last or not first, "<=>": first == last}[kind]

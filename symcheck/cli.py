@@ -163,23 +163,23 @@ def show(number: str, certificate: bool, how: How) -> None:
 @click.option("--json", "as_json", is_flag=True, help="One JSON object with these items instead of text.")
 @deciding
 def errata(selection: Sequence[str], as_json: bool, how: How) -> None:
-    """List what is wrong as printed, each with a counterexample, the corrected form and its proof.
+    """List what is wrong as printed, each with what is right: the weightiest first.
 
-    What the text does not say as it stands, and is read otherwise, comes after that, a line each.
+    Formulas and statements come one by one, with a counterexample, the corrected form and its proof; rows of lists and
+    cells of tables, and slips such as a lost prime, in one table for each kind; last what the text does not say as it
+    stands, and is read otherwise.
     """
     records = [record for record in audit(selection, how) if record.corrected]
     if as_json:
         _print_json(records)
         return
     from symcheck import terminal
-    from symcheck.statement import Reading
+    from symcheck.statement import Group
 
     out = terminal.console()
-    wrong = [record for record in records if record.reading is not Reading.DAMAGED]
-    damaged = [record for record in records if record.reading is Reading.DAMAGED]
-    terminal.errata(out, wrong)
-    terminal.damaged(out, damaged)
-    out.print(f"{len(wrong)} errata; {len(damaged)} places of damaged text")
+    terminal.errata(out, records)
+    damaged = sum(record.group is Group.DAMAGED for record in records)
+    out.print(f"{len(records) - damaged} errata; {damaged} places of damaged text")
 
 
 @cli.command()

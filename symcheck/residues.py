@@ -7,11 +7,12 @@ import os
 import re
 from fractions import Fraction
 from functools import lru_cache
-from math import prod
+from math import factorial, gcd, prod
 from typing import Any
 
 HEIGHT = 1 << 96
 PRIMES = (2, 3, 5, 7, 11, 13, 17, 19, 23, 29, 31, 37, 41, 43)
+SIEVE = factorial(2000)  # most candidates have a small divisor
 
 
 class Reject(Exception):
@@ -34,6 +35,8 @@ class Chance:
         self.prime = 0
         while not self.prime:
             p = 4 * prod(PRIMES) * (2**198 + int.from_bytes(os.urandom(24), "big")) - 1
+            if gcd(p, SIEVE) > 1:
+                continue
             bases = (int.from_bytes(os.urandom(16), "big") for _ in range(6))
             self.prime = p if all(pow(base, p >> 1, p) in (1, p - 1) for base in bases) else 0
         self.drawn: dict[Any, int] = {}

@@ -7,7 +7,8 @@ A *term* is a scalar expression as plain nested tuples, ready for JSON:
     ("+", t, ...)  ("*", t, ...)  ("-", t)  ("/", t, u)  ("^", t, n)      n a literal integer
     ("sin", t)  ("cos", t)  ("tan", t)  ("diff", t, "x", n)
     ("pow", t, u)                           any exponent; t is positive
-    ("sqrt", t)  ("exp", t)  ("log", t)  ("gamma", t)  ("arctan", t)
+    ("sqrt", t)  ("exp", t)  ("log", t)  ("gamma", t)
+    ("arctan", t)  ("arcsin", t)  ("arccos", t)
     ("mean", t, "x")                        over one turn of the angle x
     ("integral", t, "x", u, v)              from u to v; "infinity" and ("-", "infinity") are ends too
     ("diverges", t, "x", u, v)              0 if that integral has a finite value, else 1
@@ -57,6 +58,18 @@ class Reading(StrEnum):
     DAMAGED = "damaged source"
 
 
+class Group(StrEnum):
+    """Errata in the order in which a reviewer wants them."""
+
+    STATEMENT = "formulas and statements"
+    ROW = "list rows and table cells"
+    SLIP = "slips that mislead nobody"
+    DAMAGED = "damaged text, read otherwise"
+
+
+SLIPS = frozenset({"lost prime", "lost letter", "typography", "rounding"})
+
+
 class Origin(StrEnum):
     PAPER = "paper"
     OCR = "OCR"
@@ -78,13 +91,17 @@ class Hypothesis:
 
 @dataclass(frozen=True)
 class Erratum:
-    """What a wrong relation should be. The machine proves `corrected`; only kind, origin and reason are human."""
+    """What a wrong relation should be. The machine proves `corrected`; only kind, origin and reason are human.
+
+    `shown` is what to print instead, where that is more than the statement: a whole row of a list.
+    """
 
     corrected: str
     kind: str
     origin: Origin
     reason: str
     forms: tuple[str, ...] = ()  # hints for the proof of `corrected`
+    shown: str = ""
 
 
 @dataclass(frozen=True)
@@ -130,6 +147,7 @@ class Item:
     line      1-based line of the source text the printed form (or the sentence) begins on
     printed   verbatim LaTeX, one piece per displayed block it runs over
     words     what the paper says in words, in our English; `formal` is its LaTeX form, read by the same reader
+    parts     what a list row, table row or sentence says that is several statements: their LaTeX forms, link by link
     read_as   the LaTeX to read where the printed text is damaged or says nothing, with the `reason`, the `kind` of the
               fault and whose it is (`origin`)
     given     hypotheses in force where it is printed; `needs` those the paper forgot
@@ -153,6 +171,7 @@ class Item:
     printed: tuple[str, ...] = ()
     words: str = ""
     formal: str = ""
+    parts: tuple[str, ...] = ()
     read_as: str = ""
     reason: str = ""
     kind: str = "damaged text"
@@ -200,7 +219,12 @@ class Paper:
         """Every declaration in printed order (by line), with the section and the variable it is bound to."""
         seen: dict[str, str] = {}
         for section in self.sections:
-            declared = [(name, item) for name, item in vars(section.module).items() if isinstance(item, Item)]
+            declared = [
+                (name, item)
+                for name, bound in vars(section.module).items()
+                for item in (bound if isinstance(bound, tuple) else (bound,))
+                if isinstance(item, Item)
+            ]
             for name, item in sorted(declared, key=lambda pair: pair[1].line):
                 if item.number in seen:
                     raise SymcheckError(

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import os
+import re
 import sys
 from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping, Sequence
@@ -17,7 +18,7 @@ from rich.text import Text
 
 from symcheck.evidence.record import Record
 from symcheck.evidence.steps import point, sides, steps, term
-from symcheck.statement import Paper, Verdict
+from symcheck.statement import Group, Paper, Verdict
 
 _STYLES = {Verdict.PROVED: "green", Verdict.REFUTED: "bold red", Verdict.UNDECIDED: "yellow"}
 _INDENT = 14  # of the values beside their labels
@@ -100,29 +101,71 @@ def show(out: Console, record: Record, whole_certificate: bool = False) -> None:
         _certificate(out, certificate, whole_certificate)
 
 
-def errata(out: Console, records: Iterable[Record]) -> None:
-    """Every wrong printed relation: what is printed, where it fails, what is right, how the two differ."""
-    for record in records:
-        out.print(Text(f"{record.id}  {record.name.replace('_', ' ')}".rstrip(), style="bold"))
-        _field(out, "verdict", _verdict(record))
-        _field(out, "reading", record.reading)
-        _field(out, "line", str(record.line))
-        _field(out, "printed", record.printed)
-        _field(out, "words", record.words)
-        _field(out, "read as", record.read)
-        _counterexample(out, record)
-        _erratum(out, record)
-        out.print()
+def errata(out: Console, records: Sequence[Record]) -> None:
+    """What is wrong as printed, the weightiest first: statements in full, rows and slips of one kind in a table."""
+    for group in Group:
+        members = [record for record in records if record.group is group]
+        if not members:
+            continue
+        out.print(Text(f"{group} ({len(members)})".upper(), style="bold cyan"), end="\n\n")
+        if group is Group.STATEMENT:
+            for record in members:
+                _wrong(out, record)
+        else:
+            for alike in _alike(members):
+                _table(out, alike)
 
 
-def damaged(out: Console, records: Sequence[Record]) -> None:
-    """What the text does not say as it stands: where, what is read instead, and why."""
-    if not records:
-        return
-    table = Table("number", "line", "read as", "kind", "origin", "reason", box=box.SIMPLE_HEAD, pad_edge=False)
+def _wrong(out: Console, record: Record) -> None:
+    """What is printed, where it fails, what is right, how the two differ."""
+    out.print(Text(f"{record.id}  {record.name.replace('_', ' ')}".rstrip(), style="bold"))
+    _field(out, "verdict", _verdict(record))
+    _field(out, "reading", record.reading)
+    _field(out, "line", str(record.line))
+    _field(out, "printed", record.printed)
+    _field(out, "words", record.words)
+    _field(out, "read as", record.read)
+    _counterexample(out, record)
+    _erratum(out, record)
+    out.print()
+
+
+def _alike(records: Iterable[Record]) -> list[list[Record]]:
+    """Those of one list (or section), kind and origin together."""
+    found: dict[tuple[str | None, ...], list[Record]] = {}
     for record in records:
-        row = (record.id, str(record.line), record.corrected, record.kind, record.origin or "", record.reason)
-        table.add_row(*(Text(part) for part in row))
+        found.setdefault((_place(record), record.kind, record.origin), []).append(record)
+    return list(found.values())
+
+
+def _place(record: Record) -> str:
+    """The list or table of a row, "ignatov2005:2.1V", or else the paper."""
+    return re.sub(r"(\.\d+)?[a-z]?$", "", record.id) if (record.erratum or {}).get("row") else record.paper
+
+
+def _table(out: Console, records: Sequence[Record]) -> None:
+    """Errata of one kind: where, as printed, what is right. Parts of one row are one line."""
+    first, count = records[0], len(records)
+    out.print(Text(f"{_place(first)}: {first.kind}, {first.origin or 'cannot tell'}", style="bold"))
+    reasons = Counter(record.reason for record in records)
+    (reason, shared), *_ = reasons.most_common(1)
+    common = shared > 1 or count == 1
+    if common:
+        out.print(Text(reason), soft_wrap=True)
+    table = Table("number", "line", "printed", "correct", box=box.SIMPLE_HEAD, pad_edge=False)
+    if len(reasons) > common:
+        table.add_column("why")
+    rows: dict[tuple[str, ...], list[str]] = {}
+    for record in records:
+        printed = (
+            (record.printed or record.words) if (record.erratum or {}).get("row") else record.read or record.printed
+        )
+        why = () if len(reasons) == common else ("" if common and record.reason == reason else record.reason,)
+        number = record.id.rstrip("abcdefghijklmnopqrstuvwxyz") if record.verdict else record.id
+        key = (number, str(record.line), " ".join(printed.split()), " ".join(record.corrected.split()), *why)
+        rows.setdefault(key, []).append(record.id[len(number) :])
+    for (number, *cells), letters in rows.items():
+        table.add_row(Text(number.partition(":")[2] + ",".join(letters)), *map(Text, cells))
     out.print(table)
 
 
@@ -164,8 +207,7 @@ def _hypothesis(hypothesis: Mapping[str, Any]) -> str:
 def _point(counterexample: Mapping[str, Any]) -> str:
     """The values of a counterexample, which may be a point or the certificate that holds the point."""
     found = counterexample.get("point", counterexample)
-    both = sides(found)
-    return point(found.get("values", {})) + (f", where the sides are {both}" if both else "")
+    return ", where ".join(filter(None, (point(found.get("values", {})), sides(found))))
 
 
 def _counterexample(out: Console, record: Record) -> None:

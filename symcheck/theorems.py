@@ -6,19 +6,32 @@ Terms and formulas are nested lists, as in `checker.py`; this file too uses the 
 from collections.abc import Callable
 from typing import Any, NamedTuple
 
+from symcheck.enclosures import Unknown as Unknown
+from symcheck.enclosures import between
+
 BINDING = ("integral", "diverges", "mean")
-OPAQUE = ("sqrt", "pow", "log", "exp", "gamma", "arctan")
+OPAQUE = ("sqrt", "pow", "log", "exp", "gamma", "arctan", "arcsin", "arccos")
 CONSTANTS = ("pi", "infinity")
 RELATIONS = ("=", "!=", "<", "<=", ">", ">=")
-
-
-class Unknown(Exception):
-    """A term, or a theorem, about which nothing is known here; the message names it."""
 
 
 def conjuncts(formula: Any) -> list[Any]:
     """The formula taken apart at "and"."""
     return [part for child in formula[1:] for part in conjuncts(child)] if formula[0] == "and" else [formula]
+
+
+def contrary(formula: Any) -> Any:
+    """What is true if and only if the formula is not."""
+    kind, *parts = formula
+    opposite = {"=": "!=", "!=": "=", "<": ">=", "<=": ">", ">": "<=", ">=": "<", "and": "or", "or": "and"}
+    match kind:
+        case "and" | "or":
+            return [opposite[kind], *map(contrary, parts)]
+        case "=>":
+            return ["and", parts[0], contrary(parts[1])]
+        case "<=>":
+            return ["or", ["and", parts[0], contrary(parts[1])], ["and", parts[1], contrary(parts[0])]]
+    return [opposite[kind], *parts]
 
 
 def sides(formula: Any) -> list[Any]:
@@ -55,6 +68,15 @@ class Terms:
             return (self.names(term[1]) - {term[2]}).union(*map(self.names, term[3:]))
         return set().union(*map(self.names, term[1:])) if isinstance(term, (list, tuple)) else set()
 
+    def exact(self, term: Any) -> bool:
+        """Whether a term is a number made of whole numbers and roots: its residue tells whether it is zero."""
+        match term:
+            case str():
+                return self.exact(self.definitions[term]) if term in self.definitions else term[:5] == "sqrt_"
+            case ["+" | "-" | "*" | "/" | "^" | "sqrt", *parts]:
+                return all(map(self.exact, parts))
+        return isinstance(term, int)
+
     def derived(self, term: Any, x: str, order: int) -> Any:
         """The derivative of that order, as a term."""
         if x in self.definitions or order not in range(1, 9):
@@ -75,6 +97,8 @@ class Terms:
             case ["*", *parts]:
                 rates = [(k, self.rate(part, x)) for k, part in enumerate(parts) if x in self.names(part)]
                 return ["+", *(["*", *parts[:k], rate, *parts[k + 1 :]] for k, rate in rates)]
+            case ["/", top, bottom] if x not in self.names(bottom):
+                return ["/", self.rate(top, x), bottom]
             case ["/", top, bottom]:
                 gain, loss = ["*", self.rate(top, x), bottom], ["*", top, self.rate(bottom, x)]
                 return ["/", ["+", gain, ["-", loss]], ["^", bottom, 2]]
@@ -200,6 +224,84 @@ def circle_number(_: Terms) -> Theorem:
     return Theorem([], [">", "pi", 0])
 
 
+def known_angle(_: Terms, function: str, number: int) -> Theorem:
+    """The angles 0, 30, 45, 60 and 90 degrees, by tangent, sine or cosine."""
+    second, third = ["sqrt", 2], ["sqrt", 3]
+    sines = [0, ["/", 1, 2], ["/", second, 2], ["/", third, 2], 1]
+    values = {"arctan": [0, ["/", 1, third], 1, third], "arcsin": sines, "arccos": sines[::-1]}
+    angles = [0, *(["/", "pi", n] for n in (6, 4, 3, 2))]
+    table = [["=", [function, t], angle] for t, angle in zip(values[function], angles, strict=False)]
+    return Theorem([], table[number])
+
+
+def principal_value(_: Terms, function: str, t: Any) -> Theorem:
+    """arctan t lies between -90 and 90 degrees, arcsin t from -90 to 90 and arccos t from 0 to 180 degrees."""
+    quarter, value = ["/", "pi", 2], [function, t]
+    domain, below, low, high = {
+        "arctan": ([], "<", ["-", quarter], quarter),
+        "arcsin": ([_in_range(t)], "<=", ["-", quarter], quarter),
+        "arccos": ([_in_range(t)], "<=", 0, "pi"),
+    }[function]
+    return Theorem(domain, ["and", [below, low, value], [below, value, high]])
+
+
+def first_quadrant(_: Terms, function: str, t: Any) -> Theorem:
+    """arctan t, arcsin t and arccos t lie from 0 to 90 degrees if t is not negative."""
+    if function not in ("arctan", "arcsin", "arccos"):
+        raise Unknown(f"the angle {function}")
+    value, domain = [function, t], [_in_range(t)] if function != "arctan" else []
+    return Theorem([*domain, [">=", t, 0]], ["and", ["<=", 0, value], ["<=", value, ["/", "pi", 2]]])
+
+
+def arctangent(_: Terms, sign: str, a: Any, t: Any, back: int) -> Theorem:
+    """From -90 to 90 degrees an angle is less than arctan t, equal or greater, as its sine is to t times its cosine."""
+    quarter = ["/", "pi", 2]
+    same = [[_relation(sign), a, ["arctan", t]], [sign, ["sin", a], ["*", t, ["cos", a]]]]
+    return Theorem([["<=", ["-", quarter], a], ["<=", a, quarter], same[back]], same[1 - back])
+
+
+def arcsine(_: Terms, sign: str, a: Any, t: Any, back: int) -> Theorem:
+    """From -90 to 90 degrees an angle is less than arcsin t, equal or greater, as its sine is to t."""
+    quarter = ["/", "pi", 2]
+    same = [[_relation(sign), a, ["arcsin", t]], [sign, ["sin", a], t]]
+    return Theorem([_in_range(t), ["<=", ["-", quarter], a], ["<=", a, quarter], same[back]], same[1 - back])
+
+
+def arccosine(_: Terms, sign: str, a: Any, t: Any, back: int) -> Theorem:
+    """From 0 to 180 degrees an angle is less than arccos t, equal or greater, as t is to its cosine."""
+    same = [[_relation(sign), a, ["arccos", t]], [sign, t, ["cos", a]]]
+    return Theorem([_in_range(t), ["<=", 0, a], ["<=", a, "pi"], same[back]], same[1 - back])
+
+
+def right_half(_: Terms, a: Any) -> Theorem:
+    """The cosine of an angle from -90 to 90 degrees is not negative."""
+    quarter = ["/", "pi", 2]
+    return Theorem([["<=", ["-", quarter], a], ["<=", a, quarter]], [">=", ["cos", a], 0])
+
+
+def _in_range(t: Any) -> Any:
+    return ["<=", ["^", t, 2], 1]
+
+
+def _relation(sign: str) -> str:
+    if sign not in RELATIONS:
+        raise Unknown(f"the relation {sign}")
+    return sign
+
+
+def enclosure(terms: Terms, t: Any, digits: int, *letters: Any) -> Theorem:
+    """A number lies between two decimals, by interval arithmetic; its letters stand for what the premises say."""
+    numbers = {x: number for _, x, number in letters}
+
+    def meaning(x: str) -> Any:
+        if x not in numbers and x not in terms.definitions:
+            raise Unknown(f"the digits of {x}")
+        return numbers[x] if x in numbers else terms.definition(x)
+
+    low, high = between(t, meaning, digits)
+    return Theorem([["=", x, number] for x, number in numbers.items()], ["and", ["<=", low, t], ["<=", t, high]])
+
+
 def gamma(_: Terms, t: Any) -> Theorem:
     """Euler's gamma function is positive for positive t, and gamma(t + 1) = t gamma(t)."""
     step = ["=", ["gamma", ["+", t, 1]], ["*", t, ["gamma", t]]]
@@ -318,6 +420,8 @@ THEOREMS: dict[str, Callable[..., Theorem]] = {
         have, congruence, dichotomy, equal_squares, root, root_of_product,
         power, power_of_sum, power_of_product, power_of_power, power_inverse,
         gamma, gamma_values, circle_number,
+        known_angle, principal_value, first_quadrant, arctangent, arcsine, arccosine, right_half,
+        enclosure,
         mean, quarter_turn, intermediate_value,
         constant, power_rule, power_diverges, beta, beta_diverges, even, odd,
     )

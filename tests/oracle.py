@@ -50,9 +50,11 @@ def value(term: Term, at: dict[str, Any], unfold: dict[str, Term]) -> Any:
         return args[0] ** int(args[1])
     if head in ("pow", "sqrt", "log") and args[0] < 0:
         raise ZeroDivisionError(f"{head} of a negative number")
+    if head in ("arcsin", "arccos") and abs(args[0]) > 1:
+        raise ZeroDivisionError(f"{head} of a number above 1")
     if head == "pow":
         return args[0] ** args[1]
-    return getattr(mpmath, {"arctan": "atan"}.get(head, head))(args[0])
+    return getattr(mpmath, {"arctan": "atan", "arcsin": "asin", "arccos": "acos"}.get(head, head))(args[0])
 
 
 def _over(term: Any, at: dict[str, Any], unfold: dict[str, Term]) -> Any:

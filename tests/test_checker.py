@@ -16,7 +16,7 @@ from typing import Any
 import pytest
 from statements import FALSE, TRUE
 
-from symcheck import checker, residues, theorems
+from symcheck import checker, enclosures, residues, theorems
 from symcheck.checker import check
 from symcheck.proof import certificate, identity
 from symcheck.proof.certificate import digest
@@ -428,9 +428,10 @@ def test_facts_of_one_case_are_forgotten_in_the_next() -> None:
 
 def test_the_checker_imports_the_standard_library_only() -> None:
     source = Path(checker.__file__).read_text(encoding="utf-8")
-    source += "".join(Path(part.__file__).read_text(encoding="utf-8") for part in (theorems, residues))
+    source += "".join(Path(part.__file__).read_text(encoding="utf-8") for part in (enclosures, theorems, residues))
     imported = set(re.findall(r"^(?:from|import) ([\w.]+)", source, re.MULTILINE))
-    assert imported - {"symcheck.residues", "symcheck.theorems", "collections.abc"} <= set(sys.stdlib_module_names)
+    own = {"symcheck.enclosures", "symcheck.residues", "symcheck.theorems", "collections.abc"}
+    assert imported - own <= set(sys.stdlib_module_names)
 
 
 def test_the_checker_can_be_read_in_one_sitting() -> None:
@@ -448,7 +449,7 @@ sys.path.insert(0, ROOT)
 sys.argv = ['checker.py', sys.argv[2]]
 runpy.run_module('symcheck.checker', run_name='__main__')
 loaded = {name for name in sys.modules if name.startswith('symcheck')}
-assert loaded <= {'symcheck', 'symcheck.residues', 'symcheck.theorems'}
+assert loaded <= {'symcheck', 'symcheck.enclosures', 'symcheck.residues', 'symcheck.theorems'}
 """
 
 

@@ -12,7 +12,7 @@ from symcheck.reading import split_tag
 from symcheck.statement import Item, Paper, Role
 
 PAPERS = list(papers.load().values())
-LAYOUT = re.compile(r"\\begin\{aligned\}|\\end\{aligned\}|\\quad|[\s&.,;]|\\\\")
+LAYOUT = re.compile(r"\\begin\{aligned\}|\\end\{aligned\}|\\begin\{array\}\{l+\}|\\end\{array\}|\\quad|[\s&.,;]|\\\\")
 RELATION_SIGN = re.compile(r"=|\\neq?\b|\\leq?\b|\\geq?\b|<|>|\\in\b|\\subset\b|\\max|\[0")
 
 

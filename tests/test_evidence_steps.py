@@ -105,5 +105,12 @@ def test_a_theorem_is_told_with_its_premises_and_what_follows() -> None:
 def test_a_counterexample_is_told_with_both_sides() -> None:
     found = {"values": {"x": "2/7", "y": ["sqrt", 3]}, "sides": ["1", ["-", ["sqrt", 3]]]}
     assert steps.point(found["values"]) == "x = 2/7, y = sqrt(3)"
-    assert steps.sides(found) == "1 against -sqrt(3)"
+    assert steps.sides(found) == "the sides are 1 against -sqrt(3)"
     assert steps.sides({}) == ""
+    digits = {"values": {}, "enclosed": [[["-", "pi"], 6, ["/", -3141593, 10**6], ["/", -3141592, 10**6]]]}
+    assert steps.sides(digits) == "-pi lies between -3.141593 and -3.141592"
+
+
+def test_a_decimal_is_shown_as_one() -> None:
+    assert steps.term(["+", "x", ["-", ["/", -51, 10**6]], ["/", 1, 100]]) == "x - (-0.000051) + 1/100"
+    assert steps.term(["/", 12345678, 10**6]) == "12.345678"

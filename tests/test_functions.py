@@ -27,6 +27,9 @@ REST: Term = ("+", 1, ("-", "b"))
 GAP: Term = ("+", "A", ("-", "E"))
 DRIFT: Term = ("+", ("*", ("/", 5, 16), "a", ("^", "alpha", 2)), ("/", ("^", "beta", 2), ("*", 4, "a")))
 DIFFUSION: Term = ("+", ("*", ("/", 3, 8), ("^", "a", 2), ("^", "alpha", 2)), ("*", ("/", 1, 2), ("^", "beta", 2)))
+SQUARES: tuple[Term, Term] = (("^", ("sin", "a"), 2), ("^", ("cos", "a"), 2))
+BELOW_FOUR: Term = ("+", 4, ("-", ("*", 3, SQUARES[0])))
+ABOVE_ONE: Term = ("+", 1, ("*", 3, SQUARES[1]))
 
 
 def finite(body: Term, x: str, ends: tuple[Term, Term] = HALF) -> Formula:
@@ -77,6 +80,14 @@ TRUE: dict[str, tuple[Formula, tuple[Any, ...]]] = {
         (),
     ),
     "a power is positive": ((">", ("pow", LORENTZ, "n"), 0), (K,)),
+    "a sine is one at most": ((">", BELOW_FOUR, 0), ()),
+    "below a root too": ((">=", ("sqrt", ("/", 3, BELOW_FOUR)), 0), ()),
+    "a root of sine and cosine": (
+        ("=", ("sqrt", ("+", ("*", 4, SQUARES[0]), ("*", 16, SQUARES[1]))), ("*", 2, ("sqrt", ABOVE_ONE))),
+        (),
+    ),
+    "roots whose arguments are equal on the circle": (("=", ("sqrt", BELOW_FOUR), ("sqrt", ABOVE_ONE)), ()),
+    "the root of a number": ((">=", ("*", ("sqrt", 3), "b"), 0), (("b", ((">=", "b", 0),)),)),
 }
 FALSE: dict[str, tuple[Formula, tuple[Any, ...]]] = {
     "the square of a difference of roots": (square("-"), (E_,)),
@@ -84,6 +95,9 @@ FALSE: dict[str, tuple[Formula, tuple[Any, ...]]] = {
     "a density with flux": (without_flux(("*", 2, DRIFT)), (NOISE, AMPLITUDE)),
     "other moments": (moments(20), (NOISE, ("order", ((">=", "m", 1),)))),
     "the integral of another constant": (("=", ("integral", "c", "x", 1, 4), ("*", 4, "c")), ()),
+    "a sine is less than one": ((">", ("+", 3, ("-", ("*", 3, SQUARES[0]))), 0), ()),
+    "roots whose arguments differ": (("=", ("sqrt", BELOW_FOUR), ("sqrt", ("+", 1, SQUARES[1]))), ()),
+    "the root of a number, negative": (("<", ("*", ("sqrt", 3), "b"), 0), (("b", ((">=", "b", 0),)),)),
 }
 
 

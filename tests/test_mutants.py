@@ -23,7 +23,12 @@ PARTS = 8
 
 
 PAPERS = papers.load()
-LEAST = {"mirer2009": 1000, "poloskov2004": 500, "esenkov2006": 150}  # mutants of each that are no equivalents
+LEAST = {
+    "mirer2009": 1000,
+    "poloskov2004": 500,
+    "esenkov2006": 150,
+    "ignatov2005": 3000,
+}  # mutants of each that are no equivalents
 
 
 @cache
@@ -41,7 +46,7 @@ def proved_units(key: str) -> list[tuple[Context, Unit, tuple[Hypothesis, ...]]]
         for unit in units(context):
             if unit.letter in item.imposed and unit.letter:
                 continue
-            if item.formal and not isinstance(unit.tree, Iff):
+            if (item.formal or item.parts) and not isinstance(unit.tree, Iff):
                 continue
             if unit.letter in item.errata and item.errata[unit.letter].corrected:
                 continue

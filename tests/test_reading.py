@@ -6,7 +6,7 @@ import pytest
 import sympy
 from reading_samples import CHARACTERISTIC, NOTATION, ROTATED, TORQUE
 
-from symcheck.reading import Letter, Notation, lower, read, relations, split_tag, term, to_latex, to_sympy
+from symcheck.reading import Letter, Notation, edits, lower, read, relations, split_tag, term, to_latex, to_sympy
 from symcheck.reading.tree import (
     Chain,
     Cross,
@@ -200,6 +200,124 @@ def test_what_a_slash_before_a_product_means_is_said_by_the_notation(latex):
         term("1/2(c + k)", physical)
     with pytest.raises(SymcheckError, match="meaning"):
         Notation([], slash="numerator")
+
+
+AXES = Notation(
+    [
+        *(Letter(letter) for letter in ("a", "u", "v", r"\pi")),
+        Letter("h", indices=1, range=(1, 2, 3, 4)),
+        Letter(r"\mathbf{e}", kind="vector", indices=1, range=(1, 2, 3, 4)),
+        Letter(r"\mathbf{H}", kind="vector"),
+        Letter("i", kind="index", range=(1, 2, 3, 4)),
+    ],
+    bracket=r"\mathbf{e}",
+    decimals="rounded",
+)
+
+
+def test_a_list_in_square_brackets_combines_the_vectors_that_the_notation_names():
+    (first, second, third) = formulas(r"\mathbf{H} = [u, 1, -1]", AXES)
+    assert first == ("=", "H_1", ("+", ("*", "u", "e_11"), "e_21", ("*", ("-", 1), "e_31")))
+    assert second == ("=", "H_2", ("+", ("*", "u", "e_12"), "e_22", ("*", ("-", 1), "e_32")))
+    assert third[1] == "H_3"
+    assert all(left == right for _, left, right in formulas(r"[h_1, \dots, h_4] = \sum_i h_i \mathbf{e}_i", AXES))
+    assert formulas(r"-[1, 0, u] + 2 [0, 1, 0] = 0", AXES)[0] == (
+        "=",
+        ("+", ("-", ("+", "e_11", ("*", "u", "e_31"))), ("*", 2, "e_21")),
+        0,
+    )
+    assert lower(read(r"\mathbf{H} = (u, 1, -1)", AXES), AXES)[0] == ("=", "H_1", "u")  # round ones are components
+
+
+def test_without_that_habit_square_brackets_hold_components():
+    plain = Notation(AXES.letters)
+    assert formulas(r"\mathbf{H} = [u, 1, -1]", plain)[0] == ("=", "H_1", "u")
+    assert plain != AXES == Notation(AXES.letters, bracket=r"\mathbf{e}", decimals="rounded") == AXES.extended()
+    assert formulas(r"\mathbf{H} = [u, 1, -1]", AXES.extended(Letter("w")))[0] != ("=", "H_1", "u")
+
+
+@pytest.mark.parametrize(
+    ("latex", "message"),
+    [
+        (r"\mathbf{H} = [1, 1, 1, 1, 1]", r"\[1, 1, 1, 1, 1\] has 5 entries"),
+        (r"\mathbf{H} = [1, 1]", "no algebraic form"),
+        (r"\mathbf{H} = [1, \mathbf{e}_1, 1]", "a scalar is expected"),
+        (r"[1, 0, 0] = 2", "do not compare"),
+    ],
+)
+def test_brackets_of_unknown_sizes_are_errors_that_name_the_place(latex, message):
+    with pytest.raises(SymcheckError, match=message):
+        formulas(latex, AXES)
+
+
+def test_a_habit_must_make_sense():
+    with pytest.raises(SymcheckError, match="vector"):
+        Notation(AXES.letters, bracket="h")
+    with pytest.raises(SymcheckError, match="unknown letter"):
+        Notation(AXES.letters, bracket=r"\mathbf{g}")
+    with pytest.raises(SymcheckError, match="decimals"):
+        Notation([], decimals="exact")
+
+
+SINE = ("sin", "u")
+ROUNDED = {
+    r"\sin u \approx 0.92": (("/", 183, 200), SINE, ("/", 37, 40)),
+    r"\sin u \approx -0.9": (("/", -19, 20), SINE, ("/", -17, 20)),
+    r"\sin u \approx 0.90": (("/", 179, 200), SINE, ("/", 181, 200)),
+    r"\sin u \approx 1": (("/", 1, 2), SINE, ("/", 3, 2)),
+    r"\sin u = 0.92": (("/", 183, 200), SINE, ("/", 37, 40)),
+    r"0.92 = \sin u": (("/", 183, 200), SINE, ("/", 37, 40)),
+    r"u \approx 67^\circ": (("/", ("*", 133, "pi"), 360), "u", ("/", ("*", 135, "pi"), 360)),
+    r"u = 54.7^\circ": (("/", ("*", 1093, "pi"), 3600), "u", ("/", ("*", 219, "pi"), 720)),
+    r"u \approx -54.7^\circ": (("/", ("*", -219, "pi"), 720), "u", ("/", ("*", -1093, "pi"), 3600)),
+}
+
+
+@pytest.mark.parametrize("latex", ROUNDED)
+def test_a_rounded_number_is_right_to_its_last_printed_digit(latex):
+    low, value, high = ROUNDED[latex]
+    assert formulas(latex, AXES) == (("and", ("<=", low, value), ("<=", value, high)),)
+    assert read(to_latex(read(latex, AXES)), AXES) == read(latex, AXES)
+
+
+def test_only_decimals_are_rounded_and_only_where_that_is_the_habit():
+    assert formulas(r"u = 67^\circ", AXES) == (("=", "u", ("/", ("*", 67, "pi"), 180)),)
+    assert formulas("u = 1", AXES) == (("=", "u", 1),)
+    assert formulas("0.5 = 0.50", AXES) == (("=", ("/", 5, 10), ("/", 50, 100)),)
+    assert formulas("u < 0.5, u = 0.5 v", AXES) == (("<", "u", ("/", 5, 10)), ("=", "u", ("*", ("/", 5, 10), "v")))
+    assert formulas("u = 0.5", Notation(AXES.letters)) == (("=", "u", ("/", 5, 10)),)
+    assert formulas(r"u \approx 0.5", Notation(AXES.letters)) == formulas("u = 0.5", AXES)
+    first, second, third = formulas(r"\mathbf{H} = (0.5, -2, -0.5)", AXES)
+    assert (first, third) == (
+        ("and", ("<=", ("/", 9, 20), "H_1"), ("<=", "H_1", ("/", 11, 20))),
+        ("and", ("<=", ("/", -11, 20), "H_3"), ("<=", "H_3", ("/", -9, 20))),
+    )
+    assert second == ("=", "H_2", ("-", 2))
+    assert formulas("v = u = 0.5", AXES)[0] == ("=", "v", "u")
+
+
+@pytest.mark.parametrize(
+    "latex", [r"u \approx v", r"0.5 \approx u", r"\mathbf{H} \approx (1, 2, 3)", r"u \approx \frac{1}{2}"]
+)
+def test_nothing_but_a_printed_number_is_rounded(latex):
+    with pytest.raises(SymcheckError, match="no algebraic form"):
+        formulas(latex, AXES)
+
+
+def test_every_edit_of_a_rounded_number_is_noticed():
+    printed = r"4 \sin a \cos a \approx 1.951"
+    right, met = formulas(printed, AXES), {printed}
+    for k in range(printed.index("1.951"), len(printed)):
+        for new in "0123456789.":
+            met.add(printed[:k] + new + printed[k + 1 :])
+    changed = [text for text in met if ".." not in text and not text.endswith(".") and text.count(".") < 2]
+    assert len(changed) > 35
+    assert [text for text in changed if formulas(text, AXES) == right] == [printed]
+    for edit in edits(read(printed, AXES), AXES):
+        try:
+            assert lower(edit.tree, AXES) != right, edit.description
+        except SymcheckError:
+            continue  # an edit may make no statement at all
 
 
 def test_both_signs_are_two_statements_upper_signs_first():
@@ -398,6 +516,7 @@ MALFORMED = {
     r"a = 1": "without an index",
     r"a_{1x} = 1": "not an index",
     r"I_{} = 1": "empty subscript",
+    r"J_1 = 3 2": "nothing but a space",
     r"(J_1 = 1": "never closed",
     r"J_1) = 1": "unbalanced",
     r"\left(J_1 = 1": "never closed",

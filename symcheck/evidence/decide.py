@@ -10,10 +10,10 @@ from typing import Any
 from symcheck.evidence.context import Context
 from symcheck.evidence.errata import corrected, needs
 from symcheck.evidence.judge import Unit, judge, units
-from symcheck.evidence.obligation import DECIDED, Obligation, expand, fingerprint, obligation_of
+from symcheck.evidence.obligation import DECIDED, Obligation, expand, fingerprint, obligation_of, users
 from symcheck.evidence.record import Record
 from symcheck.reading import read, to_latex
-from symcheck.statement import Origin, Paper, Reading, Role, Verdict
+from symcheck.statement import Origin, Reading, Role, Verdict
 
 __all__ = ["decide", "expand", "fingerprint"]
 
@@ -26,10 +26,6 @@ def decide(id: str) -> tuple[Record, ...]:
     if obligation.item.role in DECIDED:
         return tuple(_claimed(context, base))
     return _stated(context, base)
-
-
-def _used_by(paper: Paper, number: str) -> tuple[str, ...]:
-    return tuple(f"{paper.key}:{item.number}" for _, _, item in paper.items() if number in item.uses)
 
 
 def _base(obligation: Obligation) -> Record:
@@ -50,7 +46,7 @@ def _base(obligation: Obligation) -> Record:
         reason=item.reason,
         **reread,
         uses=tuple(f"{paper.key}:{number}" for number in item.uses),
-        used_by=_used_by(paper, item.number),
+        used_by=users(paper.key).get(item.number, ()),
     )
 
 
@@ -101,7 +97,9 @@ def _judged(context: Context, unit: Unit, row: Record) -> Record:
             kind=erratum.kind,
             origin=Origin(erratum.origin),
             reason=erratum.reason,
-            corrected=erratum.corrected or f"{to_latex(unit.tree)} (given: {'; '.join(h.words for h in item.needs)})",
+            corrected=erratum.shown
+            or erratum.corrected
+            or f"{to_latex(unit.tree)} (given: {'; '.join(h.words for h in item.needs)})",
             erratum=repair,
         )
         if item.needs and not misprint:

@@ -74,7 +74,7 @@ def corrected(context: Context, unit: Unit, erratum: Erratum, printed: Finding) 
         edit = _edit(to_latex(unit.tree), to_latex(right.tree))
     else:
         finding = judge(context, unit, item.given, item.needs)
-    searched = bool(erratum.corrected) and not item.formal and printed.verdict is Verdict.REFUTED
+    searched = bool(erratum.corrected) and not (item.formal or item.parts) and printed.verdict is Verdict.REFUTED
     repairs = _repairs(context, unit, printed) if searched else []
     return finding, {
         "verdict": finding.verdict,
@@ -85,6 +85,7 @@ def corrected(context: Context, unit: Unit, erratum: Erratum, printed: Finding) 
         "repairs": repairs if searched else None,
         "unique": len(repairs) == 1 if searched else None,
         "empty": _is_empty(printed),
+        "row": bool(erratum.shown),
     }
 
 

@@ -44,8 +44,10 @@ class Unit:
 def units(context: Context) -> list[Unit]:
     """The relations of a declaration: each link of a chain or system, or the whole formal statement."""
     item = context.item
-    tree = read(item.formal or item.read_as or item.printed, context.notation)
-    links = [tree] if item.formal else [_statement(link) for link in relations(tree)]
+    if stated := item.parts or ((item.formal,) if item.formal else ()):
+        links = [read(form, context.notation) for form in stated]
+    else:
+        links = [_statement(link) for link in relations(read(item.read_as or item.printed, context.notation))]
     letters = [chr(ord("a") + n) for n in range(len(links))] if len(links) > 1 else [""]
     derived = [from_sympy(value) for value in item.equation()] if item.equation else []
     found = []

@@ -15,7 +15,7 @@ from symcheck.reading import Notation
 from symcheck.statement import Item, Method, Paper, Role, Section, SymcheckError
 
 LIBRARIES = ("sympy", "python-flint", "lark")
-SOURCES = ("reading", "proof", "mechanics", "evidence", "statement.py", "theorems.py")
+SOURCES = ("reading", "proof", "mechanics", "evidence", "statement.py", "theorems.py", "enclosures.py")
 DECIDED = (Role.CLAIM, Role.OURS)
 
 
@@ -40,11 +40,26 @@ def expand(paper: Paper) -> tuple[Obligation, ...]:
 def obligation_of(id: str) -> Obligation:
     """The declaration with this id; SymcheckError if there is none."""
     key, _, _ = id.partition(":")
-    paper = papers.load().get(key)
-    found = [o for o in expand(paper) if o.id == id] if paper else []
-    if not found:
+    found = _declared(key).get(id)
+    if found is None:
         raise SymcheckError(f"{id} is not declared; `symcheck check {key} --json` lists the ids")
-    return found[0]
+    return found
+
+
+@cache
+def _declared(key: str) -> dict[str, Obligation]:
+    paper = papers.load().get(key)
+    return {each.id: each for each in expand(paper)} if paper else {}
+
+
+@cache
+def users(key: str) -> dict[str, tuple[str, ...]]:
+    """By the number of a declaration: the ids of those that refer to it."""
+    found: dict[str, tuple[str, ...]] = {}
+    for each in _declared(key).values():
+        for number in dict.fromkeys(each.item.uses):
+            found[number] = (*found.get(number, ()), each.id)
+    return found
 
 
 @cache
@@ -67,7 +82,7 @@ def _plain(value: Any) -> Any:
         case Method():
             return (value.name, value.hints)
         case Notation():
-            return (value.letters, value.slash)
+            return value.content
         case Mapping():
             return sorted((key, _plain(each)) for key, each in value.items())
         case partial():

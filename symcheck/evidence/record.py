@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import asdict, dataclass, fields
 from typing import Any
 
-from symcheck.statement import Certificate, Origin, Reading, Role, SymcheckError, Verdict
+from symcheck.statement import SLIPS, Certificate, Group, Origin, Reading, Role, SymcheckError, Verdict
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -33,21 +33,34 @@ class Record:
     certificates: tuple[Certificate, ...] = ()  # one per lowered formula
     counterexample: Certificate | None = None
     corrected: str = ""
-    erratum: dict[str, Any] | None = None  # edit, unique, repairs, certificates of the corrected form
+    erratum: dict[str, Any] | None = None  # edit, unique, repairs, certificates of the corrected form, row
     uses: tuple[str, ...] = ()
     used_by: tuple[str, ...] = ()
     seconds: float = 0.0
 
+    @property
+    def group(self) -> Group | None:
+        """Which errata it belongs to, if it is one."""
+        if not self.corrected:
+            return None
+        if self.reading is Reading.DAMAGED:
+            return Group.DAMAGED
+        if self.kind in SLIPS:
+            return Group.SLIP
+        return Group.ROW if (self.erratum or {}).get("row") else Group.STATEMENT
+
     def to_json(self) -> dict[str, Any]:
-        """The record as plain JSON data; its certificates, one for each lowered formula, are under "certificate"."""
+        """The record as plain JSON data, with its group; "certificate" has one for each lowered formula."""
         data = asdict(self)
-        return {"certificate" if key == "certificates" else key: value for key, value in data.items()}
+        named = {"certificate" if key == "certificates" else key: value for key, value in data.items()}
+        return {**named, "group": self.group}
 
     @classmethod
     def from_json(cls, data: dict[str, Any]) -> Record:
         """The inverse of `to_json`; SymcheckError if a field is missing, unknown or of an unknown value."""
         try:
             values = {"certificates" if key == "certificate" else key: value for key, value in data.items()}
+            values.pop("group", None)  # follows from the others
             if unknown := sorted(set(values) - {f.name for f in fields(cls)}):
                 raise SymcheckError(f"a record has the unknown field {unknown[0]!r}; delete the file and run again")
             values["role"] = Role(values["role"])

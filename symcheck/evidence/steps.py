@@ -74,8 +74,15 @@ def point(values: Mapping[str, Any]) -> str:
 
 
 def sides(counterexample: Mapping[str, Any]) -> str:
-    """The values of both sides at a counterexample, or the empty text where a formula has no sides."""
-    return " against ".join(_number(side) for side in counterexample.get("sides") or ())
+    """What is compared at a counterexample: the values of both sides, or the digits of numbers; else the empty text."""
+    if both := counterexample.get("sides"):
+        return f"the sides are {' against '.join(map(_number, both))}"
+    if "proof" in counterexample:
+        return "the contrary has a proof"
+    shown = counterexample.get("enclosed", ())
+    return ", ".join(
+        f"{term(number)} lies between {_number(low)} and {_number(high)}" for number, _, low, high in shown
+    )
 
 
 def _detail(key: str, value: Any) -> Iterator[str]:
@@ -121,6 +128,8 @@ def _written(value: Any, outer: int) -> str:
     if not isinstance(value, list | tuple) or not value:
         return json.dumps(value)
     head, *parts = value
+    if head == "/" and (decimal := _decimal(*parts)):
+        return _wrapped(decimal, 6 if decimal[0] == "-" else 9, outer)
     if head in _RELATIONS:
         return f"{_written(parts[0], 5)} {_RELATIONS[head]} {_written(parts[1], 5)}"
     if head == "exists":
@@ -134,6 +143,15 @@ def _written(value: Any, outer: int) -> str:
         return _wrapped(_written(parts[0], level) + "".join(_addend(part) for part in parts[1:]), level, outer)
     text = _INFIX[head].join(_written(part, level + (head in ("/", "^") or n > 0)) for n, part in enumerate(parts))
     return _wrapped(text, level, outer)
+
+
+def _decimal(top: Any, bottom: Any) -> str:
+    """A fraction with a high power of ten below as a decimal, or the empty text."""
+    digits = len(str(bottom)) - 1
+    if not isinstance(top, int) or bottom != 10**digits or digits < 6:
+        return ""
+    whole = str(abs(top)).zfill(digits + 1)
+    return f"{'-' * (top < 0)}{whole[:-digits]}.{whole[-digits:]}"
 
 
 def _addend(value: Any) -> str:

@@ -33,10 +33,11 @@ def certificate(problem: Problem, outcome: Outcome) -> Certificate:
         assert outcome.point is not None
         body = {"verdict": "refuted", "point": outcome.point}
         mentioned = [problem.claim, list(hypotheses.values())]
+    reached = _reached(problem, mentioned)
     stated = {
         "id": problem.id,
         "claim": problem.claim,
-        "definitions": [[name, term] for name, term in problem.definitions if name in _reached(problem, mentioned)],
+        "definitions": [[name, term] for name, term in problem.definitions if name in reached],
         "hypotheses": hypotheses,
     }
     plain: Certificate = json.loads(json.dumps(stated))

@@ -16,6 +16,8 @@ from typing import Any
 
 import flint
 
+from symcheck.proof.angle_points import refute_about_angles
+from symcheck.proof.closed import refute_at, refute_at_some, refute_numbers
 from symcheck.proof.knowledge import ring_of
 from symcheck.proof.orders import term_of
 from symcheck.proof.polynomial import (
@@ -50,7 +52,8 @@ def refute(problem: Problem, prove: Prover = lambda _: None) -> Certificate | No
     What functions such as integrals are at the point is proved.
     """
     try:
-        return _point(problem, prove)
+        found = refute_numbers(problem) or _point(problem, prove) or refute_at_some(problem)
+        return found or refute_about_angles(problem, prove)
     except Unsupported:
         return None
 
@@ -61,6 +64,8 @@ def fails_at(problem: Problem, values: Mapping[str, Any]) -> bool:
         search = _Search(problem, problem.claim, lambda _: None)
         point = {name: search._value(frozen(value)) for name, value in values.items() if name in search.free}
         return len(point) == len(search.free) and search._evaluate(point) and search._refutes(point)
+    except KeyError:  # a function that has no value in the ring, such as arctan 2
+        return refute_at(problem, {name: frozen(value) for name, value in values.items()}) is not None
     except (Unsupported, ZeroDivisionError):
         return False
 
@@ -109,7 +114,7 @@ class _Search:
     def run(self) -> Certificate | None:
         """The first candidate that stands the exact test."""
         angles = {name[4:] for name in self.free if name[:4] in ("sin_", "cos_")}
-        if angles & set(self.free):
+        if angles & {*self.free, "pi"}:
             return None
         for point in self._candidates(sorted(angles)):
             try:
@@ -430,11 +435,15 @@ class _Search:
             return str(fraction(value.leading_coefficient())) if value != 0 else "0"
         addends = []
         for exponents, coefficient in value.terms():
-            number, radicand = fraction(coefficient), 1
+            number, radicand, turns = fraction(coefficient), 1, 0
             for name, exponent in zip(self.ring.names, exponents, strict=True):
-                radicand *= int(name[5:]) if exponent else 1
-            factor = number.numerator if number.denominator == 1 else ["/", number.numerator, number.denominator]
-            addends.append(["*", factor, ["sqrt", radicand]] if radicand > 1 else factor)
+                if name == "pi":
+                    turns = int(exponent)
+                else:
+                    radicand *= int(name[5:]) if exponent else 1
+            factors: list[Any] = [number.numerator if number.denominator == 1 else ["/", *number.as_integer_ratio()]]
+            factors += [["sqrt", radicand]] * (radicand > 1) + [["^", "pi", turns]] * (turns > 0)
+            addends.append(["*", *factors] if len(factors) > 1 else factors[0])
         return addends[0] if len(addends) == 1 else ["+", *addends]
 
 

@@ -7,9 +7,10 @@ import re
 from collections.abc import Callable
 
 from symcheck.proof.certificate import references, terms_in
+from symcheck.proof.closed import decide_numbers
 from symcheck.proof.counterexample import refute
 from symcheck.proof.knowledge import Knowledge, given_of, ring_of, starting
-from symcheck.proof.orders import positive_form
+from symcheck.proof.orders import form_on_the_circle
 from symcheck.proof.polynomial import ATOMS, Poly, Ring, Unsupported, function_arguments, unfold, variables
 from symcheck.statement import Certificate, Outcome, Problem, Term, Verdict
 from symcheck.theorems import conjuncts, sides
@@ -20,6 +21,8 @@ Search = Callable[[Problem, Ring], Certificate | None]
 
 def decide(problem: Problem, search: Search) -> Outcome:
     """Proved with a rule tree, refuted with a point, or undecided with the reason; no statement raises."""
+    if (decided := decide_numbers(problem)) is not None:
+        return decided
     try:
         outcome = prove(problem, search)
         if outcome is not None:
@@ -36,6 +39,8 @@ def decide(problem: Problem, search: Search) -> Outcome:
 
 def prove(problem: Problem, search: Search) -> Outcome | None:
     """Proved, or None; no counterexample is looked for. Unsupported for terms that have no place in a ring."""
+    if (decided := decide_numbers(problem)) is not None:
+        return decided if decided.verdict is Verdict.PROVED else None
     ring = ring_of(problem)
     proof = search(problem, ring)
     return None if proof is None else _proved(problem, ring, proof)
@@ -96,8 +101,8 @@ def _conditions(
 
 def _positive(top: Poly, below: tuple[str, ...], known: Knowledge) -> Term | None:
     """A manifestly positive term that is the fraction or its negative, or None."""
-    form = positive_form(top, known) or positive_form(-top, known)
-    bottoms = [positive_form(known.ring.text(text), known) for text in below]
+    form = form_on_the_circle(top, known) or form_on_the_circle(-top, known)
+    bottoms = [form_on_the_circle(known.ring.text(text), known) for text in below]
     if form is None or None in bottoms:
         return None
     whole: Term = ("/", form, ("*", 1, *bottoms)) if bottoms else form

@@ -125,7 +125,16 @@ class Ideal:
         for k, quotient in quotients.items():
             for where, cofactor in self._elements[k].cofactors().items():
                 add_product(total, where, cofactor * quotient)
-        return [(self.facts[where][0], q) for where, q in sorted(total.items()) if q != 0]
+        return [(self.facts[where][0], q) for where, q in sorted(total.items()) if q != 0 and self._counts(q)]
+
+    def _counts(self, cofactor: Poly) -> bool:
+        """Whether a cofactor is not zero by what holds of roots, sines and cosines by construction."""
+        memory, axioms = self.ring.memory, self.ring.axioms()
+        if not axioms or len(cofactor) == 1:
+            return True
+        if "axioms" not in memory:
+            memory["axioms"] = Ideal(self.ring, axioms)
+        return bool(memory["axioms"].reduce(cofactor) != 0)
 
 
 def _through(basis: Basis, index: int, old: Sequence[_Element], shift: int) -> Cofactors:

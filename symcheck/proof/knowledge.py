@@ -69,7 +69,7 @@ class Knowledge:
             sign, left, right = MIRROR[sign], right, left
         gap = self.ring.subtract(left, right)
         known = self
-        if sign == "=":
+        if sign == "=" and all(gap.num != axiom for _, axiom in self.ring.axioms()):
             known = replace(known, facts=(*known.facts, (Cleared(ref, gap.den) if gap.den else ref, gap.num)))
         if sign in ("!=", ">") and not gap.den:
             known = replace(known, conditions=(*known.conditions, (ref, gap.num)))
@@ -128,8 +128,6 @@ class Knowledge:
         if kind == "^" and isinstance(rest[1], int) and rest[1] > 0:
             level, given = self.sign(rest[0])  # type: ignore[arg-type]
             return (level, given) if level else (int(rest[1] % 2 == 0), NOTHING)
-        if kind == "sqrt":
-            return self.sign(rest[0])  # type: ignore[arg-type]
         return 0, NOTHING
 
     def _bound(self, term: Term) -> tuple[int, Given]:

@@ -61,7 +61,7 @@ def fraction_form(term: Term, known: Knowledge, top: Poly | None = None) -> Term
     """A manifestly non-negative term equal to a fraction (its numerator may be given in another form), or None."""
     ratio = known.ring.ratio(term)
     bottom = prod((poly**exponent for poly, exponent in ratio.den.values()), start=known.ring.number(1))
-    form, below = positive_form(ratio.num if top is None else top, known), positive_form(bottom, known)
+    form, below = (form_on_the_circle(p, known) for p in (ratio.num if top is None else top, bottom))
     if form is None or below is None:
         return None
     return form if bottom == 1 else ("/", form, below)
@@ -88,6 +88,29 @@ def positive_form(poly: Poly, known: Knowledge) -> Term | None:
     if sign < 0:
         return None
     return ("*", number_term(sign), *parts) if parts else number_term(sign)
+
+
+def form_on_the_circle(poly: Poly, known: Knowledge) -> Term | None:
+    """The same, as sin^2 + cos^2 = 1 allows: 1 + 3 cos^2 a for 4 - 3 sin^2 a."""
+    forms = (positive_form(each, known) for each in (poly, *_on_the_circle(poly)))
+    return next((form for form in forms if form is not None), None)
+
+
+def _on_the_circle(poly: Poly) -> Iterator[Poly]:
+    """The polynomial with the squares of all sines, or of all cosines, replaced by those of the others."""
+    names = poly.context().names()
+    for old, new in (("sin_", "cos_"), ("cos_", "sin_")):
+        turned = poly
+        for x in (name[4:] for name in names if name.startswith(old) and new + name[4:] in names):
+            square, other = names.index(old + x), poly.context().gen(names.index(new + x))
+            terms: dict[int, Poly] = {}
+            for exponents, coefficient in turned.terms():
+                half, odd = divmod(int(exponents[square]), 2)
+                rest = tuple(odd if k == square else int(e) for k, e in enumerate(exponents))
+                terms[half] = terms.get(half, 0) + poly.context().from_dict({rest: coefficient})
+            turned = sum((part * (1 - other**2) ** half for half, part in terms.items()), start=poly * 0)
+        if turned != poly:
+            yield turned
 
 
 def number_term(value: Fraction) -> Term:

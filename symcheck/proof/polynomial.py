@@ -216,12 +216,16 @@ def renamed(node: Any, old: str, new: str) -> Any:
 
 @lru_cache(maxsize=4096)
 def canonical(term: Term) -> str:
-    """A text that is the same for terms that are the same fraction of polynomials."""
+    """A text that is the same for terms that are the same fraction of polynomials, by sin^2 + cos^2 = 1 too."""
     ring = Ring(variables(term))
     value = ring.ratio(term)
-    den = prod((poly**exponent for poly, exponent in value.den.values()), start=ring.number(1))
-    common = value.num.gcd(den)
-    top, bottom = divmod(value.num, common)[0], divmod(den, common)[0]
+    num, den = value.num, prod((poly**exponent for poly, exponent in value.den.values()), start=ring.number(1))
+    for _, axiom in ring.axioms():
+        num, den = divmod(num, axiom)[1], divmod(den, axiom)[1]
+    if den == 0:
+        raise Unsupported("a division by zero")
+    common = num.gcd(den)
+    top, bottom = divmod(num, common)[0], divmod(den, common)[0]
     scale = bottom.leading_coefficient()
     return f"{top / scale} / {bottom / scale}"
 

@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
+from symcheck.proof.angles import compares_angles, prove_about_angles
 from symcheck.proof.equations import cleared, prove_identity, written
 from symcheck.proof.groebner import Monomial
 from symcheck.proof.ideal import Fact, Ideal, Ref
@@ -33,15 +34,25 @@ def prove(problem: Problem, ring: Ring) -> Certificate | None:
     kind = problem.claim[0]
     if kind == "=" and (proof := prove_identity(problem, ring)) is not None:
         return proof
+    hints = hints_of(problem)
+
+    def finish(goal: Formula, known: Knowledge) -> Certificate | None:
+        return _Engine(known, hints).prove(goal, known)
+
+    if kind != "exists" and compares_angles(ring) and (proof := prove_about_angles(problem, finish)) is not None:
+        return proof
     if has_functions(ring):
-        hints = hints_of(problem)
-        return prove_with_theorems(problem, lambda goal, known: _Engine(known, hints).prove(goal, known))
-    if kind in ("<", "<=", ">", ">="):
-        return prove_order(problem.claim, starting(problem, ring), hints_of(problem), problem)
+        return prove_with_theorems(problem, finish)
     if kind == "exists":
         return prove_existence(problem, ring, prove_here)
     known = starting(problem, ring)
-    return _Engine(known, hints_of(problem)).prove(problem.claim, known)
+    if kind in ("<", "<=", ">", ">="):
+        proof = prove_order(problem.claim, known, hints, problem)
+    else:
+        proof = finish(problem.claim, known)
+    if proof is None and any(name.startswith("sqrt_") for name in ring.names):  # their signs may be needed
+        proof = prove_with_theorems(problem, finish)
+    return proof
 
 
 def prove_here(goal: Formula, known: Knowledge) -> Certificate | None:

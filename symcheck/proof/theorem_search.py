@@ -6,6 +6,7 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from typing import Any
 
+from symcheck.proof.closed import order_of_numbers
 from symcheck.proof.equations import equations_here, identity_here
 from symcheck.proof.functions import OF_BOUND, instances, restored, simplified
 from symcheck.proof.knowledge import Knowledge, ring_of, starting
@@ -78,6 +79,8 @@ class _Plan:
         for instance in _hinted(problem):
             plan._add(instance, plan.outer)
         plan._collect()
+        for root in sorted(name for name in plan.names if name.startswith("sqrt_")):
+            plan._add(("root", int(root[5:])), plan.outer)
         if "pi" in plan.names:
             plan._add(("circle_number",), plan.outer)
         plan.known = starting(problem, Ring(plan.names, definitions))
@@ -176,7 +179,7 @@ class _Search:
             return next(({"rule": "choose", "index": k, "then": then} for k, then in proofs if then is not None), None)
         if kind == "!=":
             return self.prove_here(formula, known)
-        return prove_order(formula, known, [])
+        return prove_order(formula, known, []) or order_of_numbers(formula, known.ring.definitions)
 
     def _by_cases(self, goal: Formula, known: Knowledge, pending: Sequence[Instance], cases: int) -> Certificate | None:
         """What a theorem about an integral asks for holds, or it does not."""

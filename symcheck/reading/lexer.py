@@ -181,8 +181,10 @@ class Lexer(tex.Reader):
             self.emit("NUMBER", text, at)
 
     def digits(self) -> str:
-        text = ""
+        text, start = "", self.at()
         while self.peek().isdigit() and self.peek().isascii():
+            if self.at() != start + len(text):
+                self.fail("two numbers with nothing but a space between them; write one number, or a sign")
             text += self.peek()
             self.i += 1
         return text

@@ -15,6 +15,7 @@ from symcheck.reading.notation import Letter, Notation, variable
 from symcheck.reading.parser import read
 from symcheck.reading.printing import to_latex
 from symcheck.reading.relations import Relation, relations
+from symcheck.reading.rounding import is_decimal, is_number, rounds
 from symcheck.reading.tree import (
     Add,
     And,
@@ -63,7 +64,8 @@ Env = Mapping[str, int]
 
 SIGNS = {"=": "=", r"\equiv": "=", r"\ne": "!=", "<": "<", r"\le": "<=", ">": ">", r"\ge": ">="}
 _TRIGONOMETRIC = {"sin": "sin", "cos": "cos", "tan": "tan", "tg": "tan"}
-_FUNCTIONS = {"exp": "exp", "ln": "log", "Gamma": "gamma", "arctan": "arctan", "arctg": "arctan"}
+_FUNCTIONS = {"exp": "exp", "ln": "log", "Gamma": "gamma"}
+_FUNCTIONS |= {"arctan": "arctan", "arctg": "arctan", "arcsin": "arcsin", "arccos": "arccos"}
 
 
 def lower(item: Relation | Tree, notation: Notation) -> tuple[Formula, ...]:
@@ -186,11 +188,14 @@ class Lowering:
             integral = self.scalar(left, env)
             assert isinstance(integral, tuple)
             return [("=", ("diverges", *integral[1:]), 0)]
-        if sign not in SIGNS:
+        if sign not in SIGNS and not (sign == r"\approx" and is_number(right)):
             raise SymcheckError(
                 f"{to_latex(Chain((left, right), (sign,)))}: {sign} has no algebraic form; state it formally"
             )
         a, b = self._alike(self.value(left, env), self.value(right, env), left, right)
+        if sign == r"\approx" or (sign == "=" and self.notation.decimals == "rounded"):
+            parts = zip(_parts(left, a), _parts(right, b), flat(a), flat(b), strict=True)
+            return [self.rounded(*part, sign=sign) for part in parts]
         if not isinstance(a, list):
             return [(SIGNS[sign], a, b)]
         pairs = [(SIGNS[sign], x, y) for x, y in zip(flat(a), flat(b), strict=True)]
@@ -199,6 +204,15 @@ class Lowering:
         if sign == r"\ne":
             return [("or", *pairs)]
         raise SymcheckError(f"{to_latex(left)} {sign} {to_latex(right)} orders vectors; only scalars can be")
+
+    def rounded(self, left: Tree, right: Tree, a: Term, b: Term, *, sign: str) -> Formula:
+        """An equality with a printed number, on whichever side; two numbers and whole ones are compared exactly."""
+        if sign == r"\approx":
+            return rounds(a, right)
+        for value, other, number in ((a, left, right), (b, right, left)):
+            if is_decimal(number) and not is_number(other):
+                return rounds(value, number)
+        return ("=", a, b)
 
     def _alike(self, a: Value, b: Value, left: Tree, right: Tree) -> tuple[Value, Value]:
         """Both sides in one shape; a printed 0 stands for the zero of any shape."""
@@ -400,7 +414,18 @@ class Lowering:
     def of_tuple(self, tree: Tuple, env: Env) -> Value:
         if tree.kind == "{}":
             raise SymcheckError(f"{to_latex(tree)} is a set; it has no algebraic form")
-        return [self.scalar(item, env) for item in _written_out(tree)]
+        entries = [self.scalar(item, env) for item in _written_out(tree)]
+        return self.combination(tree, entries) if tree.kind == "[]" and self.notation.bracket else entries
+
+    def combination(self, tree: Tuple, scalars: list[Term]) -> Value:
+        """What a list in square brackets means where it is a combination of vectors: the k-th entry times the k-th."""
+        letter = self.notation.letter(self.notation.bracket, 1)
+        numbers = range(1, len(scalars) + 1)
+        if not set(numbers) <= set(letter.range):
+            known = f"{letter.latex} has the indices {', '.join(map(str, letter.range))}"
+            raise SymcheckError(f"{to_latex(tree)} has {len(scalars)} entries, but {known}")
+        vectors = [self.components(letter, letter.stem, (k,)) for k in numbers]
+        return [dot(scalars, list(column)) for column in zip(*vectors, strict=True)]
 
     def of_cross(self, tree: Cross, env: Env) -> Value:
         u, v = self.value(tree.left, env), self.value(tree.right, env)
@@ -478,6 +503,13 @@ def _choosing(tree: Tree, *, lower: bool) -> Tree:
     if isinstance(chosen, PlusMinus):
         return chosen.value if chosen.minus == lower else Neg(chosen.value)
     return chosen
+
+
+def _parts(tree: Tree, value: Value) -> Iterable[Tree]:
+    """What is printed for each component of a value: the entries of a list, else the whole."""
+    if isinstance(tree, Tuple) and tree.kind == "()":
+        return _written_out(tree)
+    return itertools.repeat(tree, sum(1 for _ in flat(value)))
 
 
 def _written_out(tree: Tuple) -> Iterator[Tree]:

@@ -14,6 +14,7 @@ from symcheck.statement import SymcheckError
 KINDS = frozenset({"scalar", "vector", "matrix", "function", "index", "differential"})
 SIGNS = frozenset({"", ">= 0", "> 0"})
 SLASHES = frozenset({"", "denominator"})
+DECIMALS = frozenset({"", "rounded"})
 _PREFIXES = {r"\dot": "d", r"\ddot": "dd"}
 _SUFFIXES = {
     r"\bar": "bar", r"\overline": "bar", r"\hat": "hat", r"\widehat": "hat",
@@ -109,16 +110,23 @@ def _variables(letter: Letter) -> Iterator[str]:
 class Notation:
     """A paper's letters and habits. Immutable; `extended` gives a changed copy.
 
-    slash   what a slash before several factors means: "" is refused as ambiguous; "denominator": `1/2\\pi` is 1/(2 pi).
-            Physicists print it so, programmers mean (1/2) pi; only the paper itself can tell, by its other formulas.
-            Brackets behind the slash, `1/2(a + b)`, stay refused.
+    slash     what a slash before several factors means: "" is refused as ambiguous; "denominator": `1/2\\pi` is
+              1/(2 pi). Physicists print it so, programmers mean (1/2) pi; only the paper itself can tell, by its other
+              formulas. Brackets behind the slash, `1/2(a + b)`, stay refused.
+    bracket   the vectors e_i, by their letter `\\mathbf{e}`, that a list in square brackets combines: `[u, 1, -1]`
+              is u e_1 + e_2 - e_3; "": such a list is a vector of components, as one in round brackets is
+    decimals  what an equality with a decimal number says: "" that both are equal, "rounded" that it is so to the last
+              printed digit, as behind `\\approx`; whole numbers are exact
     """
 
-    def __init__(self, letters: Iterable[Letter], *, slash: str = "") -> None:
+    def __init__(self, letters: Iterable[Letter], *, slash: str = "", bracket: str = "", decimals: str = "") -> None:
         if slash not in SLASHES:
             raise SymcheckError(f"unknown meaning {slash!r} of a slash; choose '' or 'denominator'")
-        self.letters, self.slash = tuple(letters), slash
-        self._hash = hash((self.letters, slash))
+        if decimals not in DECIMALS:
+            raise SymcheckError(f"unknown meaning {decimals!r} of decimals; choose '' or 'rounded'")
+        self.letters, self.slash, self.bracket, self.decimals = tuple(letters), slash, bracket, decimals
+        self.content = (self.letters, slash, bracket, decimals)  # all that distinguishes two notations
+        self._hash = hash(self.content)
         self._letters: dict[tuple[str, int], Letter] = {}
         self._index: dict[str, Letter] = {}
         for letter in self.letters:
@@ -131,9 +139,11 @@ class Notation:
                 self._letters[key, letter.indices] = letter
             if twice:
                 raise SymcheckError(f"letter {letter.latex} is declared twice; declare it once")
-        self._check_variables()
-        self.words = tuple(sorted({k for k, _ in self._letters if len(k) > 1 and k.isalpha()}, key=len, reverse=True))
         self._spellings = {k for k, _ in self._letters}
+        self._check_variables()
+        if bracket and self.letter(bracket, 1).kind != "vector":
+            raise SymcheckError(f"brackets cannot combine {bracket}; declare it as a vector with one index")
+        self.words = tuple(sorted({k for k, _ in self._letters if len(k) > 1 and k.isalpha()}, key=len, reverse=True))
 
     def _check_variables(self) -> None:
         """No two letters may be lowered to one variable: it would make different things equal without a word."""
@@ -147,13 +157,14 @@ class Notation:
                     )
 
     def __eq__(self, other: object) -> bool:
-        return isinstance(other, Notation) and (self.letters, self.slash) == (other.letters, other.slash)
+        return isinstance(other, Notation) and self.content == other.content
 
     def __hash__(self) -> int:
         return self._hash
 
     def __repr__(self) -> str:
-        return f"Notation({list(self.letters)!r}, slash={self.slash!r})"
+        habits = f"slash={self.slash!r}, bracket={self.bracket!r}, decimals={self.decimals!r}"
+        return f"Notation({list(self.letters)!r}, {habits})"
 
     def extended(self, *letters: Letter) -> Notation:
         """A copy in which these letters are added, or stand for others of the same spelling and number of indices."""
@@ -162,7 +173,8 @@ class Notation:
             return canonical(letter.latex), letter.indices, letter.kind == "index"
 
         new = {key(letter) for letter in letters}
-        return Notation([*(old for old in self.letters if key(old) not in new), *letters], slash=self.slash)
+        kept = (old for old in self.letters if key(old) not in new)
+        return Notation([*kept, *letters], slash=self.slash, bracket=self.bracket, decimals=self.decimals)
 
     def find(self, latex: str, indices: int) -> Letter | None:
         """The letter of this canonical spelling with so many indices."""

@@ -10,7 +10,8 @@ if TYPE_CHECKING:
     from sympy import Expr
 
 
-_FUNCTIONS = {name: name for name in ("sin", "cos", "tan", "sqrt", "exp", "log", "gamma")} | {"arctan": "atan"}
+_FUNCTIONS = {name: name for name in ("sin", "cos", "tan", "sqrt", "exp", "log", "gamma")}
+_FUNCTIONS |= {"arctan": "atan", "arcsin": "asin", "arccos": "acos"}
 _TERMS = {sympy_name: name for name, sympy_name in _FUNCTIONS.items()}
 
 

@@ -1,0 +1,20 @@
+"""Ignatov, Davydov, Sazonov 2005: the momentum envelopes of two arrays of reaction wheels."""
+
+from symcheck.papers.ignatov2005 import beyond, lists, sec1, sec2, sec3
+from symcheck.papers.ignatov2005.notation import notation
+from symcheck.statement import Paper, Section
+
+paper = Paper(
+    key="ignatov2005",
+    title="A. I. Ignatov, A. A. Davydov, V. V. Sazonov, The analysis of dynamic capabilities of the control systems of "
+    "a small spacecraft built on the basis of reaction wheels (2005)",
+    source="004_745ca85746c95545.txt",
+    notation=notation,
+    sections=(
+        Section("1", "Actuators", sec1),
+        Section("2", "Four-sided pyramid", sec2),
+        Section("3", "Six-sided pyramid", sec3),
+        Section("L", "Lists and tables of coordinates", lists),
+        Section("B", "Beyond the paper", beyond),
+    ),
+)

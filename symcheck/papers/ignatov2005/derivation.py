@@ -1,0 +1,153 @@
+"""Ignatov 2005 from first principles: the axes of the wheels along the side edges of two pyramids."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+from symcheck.lazy import lazy
+from symcheck.mechanics.zonotope import Envelope, Signs, chirotope, combinatorics
+from symcheck.reading.notation import variable
+
+sp = lazy("sympy")
+
+
+# --- section 2: the four-sided pyramid; its axes are those the paper defines, by their letters
+
+
+def _letters(stem: str, number: int) -> Any:
+    """The vector e_i or V_i in its variables e_i1, e_i2, e_i3."""
+    return sp.Matrix([sp.Symbol(variable(stem, (number, k)), real=True) for k in (1, 2, 3)])
+
+
+def momentum_of_wheels(number: int, stem: str = "e") -> dict[str, Any]:
+    """H_x, H_y, H_z: the sum of h_i e_i over the wheels 1, 2, ... that work."""
+    total = sum((sp.Symbol(f"h_{i}", real=True) * _letters(stem, i) for i in range(1, number + 1)), sp.zeros(3, 1))
+    return dict(zip(("H_x", "H_y", "H_z"), total, strict=True))
+
+
+def vertex_distances(vertices: str) -> dict[str, Any]:
+    """d_1, d_2, ...: the distances of the vertices of these names, "V_1, V_6", from the centre."""
+    found = {}
+    for n, vertex in enumerate(vertices.split(", "), 1):
+        stem, number = vertex.split("_")
+        place = _letters(stem, int(number))
+        found[f"d_{n}"] = sp.sqrt(place.dot(place))
+    return found
+
+
+def distances_of_faces(*faces: str) -> dict[str, Any]:
+    """r_1, r_2, ...: the distances from the centre to the planes of the faces [u, 1, v, -1].
+
+    The components of an axis are p, q, r with signs, all three positive for 0 < a, b < 90 degrees.
+    """
+    p, q, r = sp.symbols("p q r", positive=True)
+    axes = [sp.Matrix(axis) for axis in ((p, -q, -r), (p, q, -r), (p, -q, r), (p, q, r))]
+    a, b = sp.symbols("a b", real=True)
+    return _distances(axes, {p: sp.sin(a) * sp.sin(b), q: sp.sin(a) * sp.cos(b), r: sp.cos(a)}, faces)
+
+
+def _distances(axes: Sequence[Any], meaning: dict[Any, Any], faces: tuple[str, ...]) -> dict[str, Any]:
+    """|(n, H)| / |n| for each face: n across both free wheels, H any point of the face, here its middle u = v = 0."""
+    found = {}
+    for n, face in enumerate(faces, 1):
+        signed = list(zip(face.split(", "), axes, strict=False))
+        one, other = (axis for sign, axis in signed if sign in "uv")
+        middle = sum((int(sign) * axis for sign, axis in signed if sign not in "uv"), sp.zeros(3, 1))
+        normal = one.cross(other)
+        distance = sp.Abs(sp.expand(normal.dot(middle))) / sp.sqrt(sp.factor(normal.dot(normal)))
+        found[f"r_{n}"] = distance.subs(meaning)
+    return found
+
+
+def angular_momentum() -> tuple[Any, ...]:
+    """The components of the total angular momentum: of the body with its principal moments, and of the wheels."""
+    tensor = sp.diag(*(sp.Symbol(f"J_{x}", real=True) for x in "xyz"))
+    rate, wheels = (sp.Matrix([sp.Symbol(f"{stem}_{x}", real=True) for x in "xyz"]) for stem in "wH")
+    return tuple(tensor * rate + wheels)
+
+
+# --- section 3: the six-sided pyramid
+
+
+def six_axes() -> dict[str, Any]:
+    """g_11 to g_63: along the side edges of a regular pyramid, 60 degrees apart; wheels 4 to 6 point down their edges.
+
+    The first edge lies in the plane OYZ; the edge k is opposite to the edge k + 3.
+    """
+    edges = [_edge(sp.Rational(k, 3) - sp.Rational(1, 2)) for k in range(6)]
+    axes = edges[:3] + [-edge for edge in edges[3:]]
+    return {f"g_{i}{k}": axis[k - 1] for i, axis in enumerate(axes, 1) for k in (1, 2, 3)}
+
+
+def _edge(azimuth: Any) -> Any:
+    """The unit vector at the angle a to OZ, its azimuth counted from OX in half turns."""
+    a = sp.Symbol("a", real=True)
+    return sp.Matrix([sp.sin(a) * sp.cos(azimuth * sp.pi), sp.sin(a) * sp.sin(azimuth * sp.pi), sp.cos(a)])
+
+
+def _six() -> tuple[Any, ...]:
+    found = six_axes()
+    return tuple(sp.Matrix([found[f"g_{i}{k}"] for k in (1, 2, 3)]) for i in range(1, 7))
+
+
+def momentum_of_six(working: int) -> dict[str, Any]:
+    """The axes with H_x, H_y, H_z: the sum of h_i e_i over the wheels 1, 2, ... of the six that work."""
+    return {**six_axes(), **momentum_of_wheels(working, "g")}
+
+
+def _six_in_letters() -> tuple[list[Any], dict[Any, Any]]:
+    """The axes with positive letters for sin a and cos a, and what these stand for: 0 < a < 90 degrees."""
+    a = sp.Symbol("a", real=True)
+    sine, cosine = sp.symbols("s c", positive=True)
+    axes = [axis.subs({sp.sin(a): sine, sp.cos(a): cosine}) for axis in _six()]
+    return axes, {sine: sp.sin(a), cosine: sp.cos(a)}
+
+
+def distances_of_faces_of_six(*faces: str) -> dict[str, Any]:
+    """The same distances for faces [u, 1, v, -1, ...] of the first five or all six wheels, for 0 < a < 90 degrees."""
+    return _distances(*_six_in_letters(), faces)
+
+
+def foot_of_perpendicular(face: str) -> dict[str, Any]:
+    """The axes with u and v at the point of the plane of a face [u, 1, v, -1, ...] that is nearest to the centre."""
+    axes, meaning = _six_in_letters()
+    places, free = face.split(", "), sp.symbols("u v")
+    point = sum((sp.sympify(h) * axis for h, axis in zip(places, axes, strict=False)), sp.zeros(3, 1))
+    found = sp.solve([point.dot(axes[places.index(str(letter))]) for letter in free], free)
+    return {**six_axes(), **{str(letter): sp.factor(value).subs(meaning) for letter, value in found.items()}}
+
+
+# --- beyond the paper: both arrays with whole numbers for the components of the axes, times positive units
+
+FOUR = ((1, -1, -1), (1, 1, -1), (1, -1, 1), (1, 1, 1))  # units sin a sin b, sin a cos b, cos a
+SIX = ((0, -2, 1), (1, -1, 1), (1, 1, 1), (0, -2, -1), (1, -1, -1), (1, 1, -1))  # sqrt 3/2 sin a, 1/2 sin a, cos a
+
+
+def _in_letters(stem: str, whole: Sequence[Any]) -> Envelope:
+    """The envelope of the axes in their letters e_11, ..., with the signs of the whole numbers."""
+    x, y, z = ([sp.Symbol(f"{stem}_{i}{k}", real=True) for i in range(1, len(whole) + 1)] for k in (1, 2, 3))
+    chi = chirotope(whole)
+    return Envelope(tuple(zip(x, y, z, strict=True)), chi, combinatorics(chi))
+
+
+def _normals(found: Envelope, *faces: Signs) -> dict[str, Any]:
+    """n_11, n_12, n_13 and s_1 for the first of these faces, and so on: its normal n, and (n, H) on it."""
+    values: dict[str, Any] = {}
+    for number, face in enumerate(faces, 1):
+        values |= {f"n_{number}{k}": component for k, component in enumerate(found.normal(face), 1)}
+        values[f"s_{number}"] = found.support(face)
+    return values
+
+
+def faces_of_four() -> dict[str, Any]:
+    """The faces F_3, F_5 and F_4 of the four-sided pyramid: one of each kind."""
+    return _normals(_in_letters("e", FOUR), (1, 0, 1, 0), (0, 0, 1, 1), (1, 0, 0, -1))
+
+
+def faces_of_six() -> dict[str, Any]:
+    """The faces F_6, F_1, F_7, F_8, F_13, F_15 of the six-sided pyramid; reflections in the coordinate planes give all."""
+    neighbours = (1, 1, 1, -1, 0, 0), (0, 1, 1, -1, -1, 0)
+    two_apart = (0, 1, 1, -1, 0, 1), (-1, 0, 1, -1, -1, 0)
+    opposite = (0, 1, 1, 0, 1, 1), (-1, -1, 0, -1, -1, 0)
+    return {**six_axes(), **_normals(_in_letters("g", SIX), *neighbours, *two_apart, *opposite)}

@@ -1,0 +1,140 @@
+"""Counterexamples where angles are compared: at the ends of the intervals, half way between them, at well-known angles.
+
+What digits cannot tell, such as that the tangent of arctan t is t, has a proof.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from dataclasses import replace
+from itertools import islice, pairwise
+from typing import Any
+
+from symcheck.enclosures import Unknown, enclosed
+from symcheck.proof.angles import KNOWN_ANGLES, KNOWN_SINES, compared, compares_angles, multiple_of_pi
+from symcheck.proof.closed import Numbers, refute_at
+from symcheck.proof.knowledge import ring_of
+from symcheck.proof.polynomial import Ring, Unsupported, frozen, subterms, unfold, with_arguments
+from symcheck.statement import Certificate, Formula, Outcome, Problem, Term
+from symcheck.theorems import Terms, conjuncts, contrary
+
+MAX_LETTERS = 3
+MAX_POINTS = 80
+MAX_PROOFS = 8
+Ends = dict[str, list[Term]]  # by angle: what it is compared with
+Prover = Callable[[Problem], Outcome | None]
+
+
+def refute_about_angles(problem: Problem, prove: Prover) -> Certificate | None:
+    """A point where the hypotheses hold and the claim does not, by digits or by a proof; None if none was found."""
+    proofs = 0
+    for point in islice(_points(problem), MAX_POINTS):
+        if (found := refute_at(problem, point)) is not None:
+            return found
+        if proofs < MAX_PROOFS and _may_refute(problem, point):
+            proofs += 1
+            if (found := _proved(problem, point, prove)) is not None:
+                return found
+    return None
+
+
+def _points(problem: Problem) -> Iterator[dict[str, Term]]:
+    """Values for all letters, if all of them are angles: first of those whose ends depend on no others."""
+    definitions = dict(problem.definitions)
+    ring = Ring(with_arguments(ring_of(problem).names), definitions)
+    formulas = [unfold(formula, definitions) for formula in (problem.claim, *_stated(problem))]
+    if not compares_angles(ring) or any(part == "exists" for f in formulas for part in subterms(f)):
+        return
+    ends: Ends = {name[4:]: [] for name in ring.names if name[:4] == "sin_"}
+    for each in (each for formula in formulas for each in compared(formula, ring)):
+        ends.setdefault(each.angle, []).append(each.end)
+    letters = Terms({}).names(("", *formulas)) - {"pi"}
+    if len(letters) <= MAX_LETTERS and letters <= ends.keys():
+        yield from _assigned({}, ends, sorted(letters, key=lambda x: (len(_letters(ends[x])), x)))
+
+
+def _letters(terms: Iterable[Term]) -> set[str]:
+    return Terms({}).names(("", *terms)) - {"pi"}
+
+
+def _assigned(point: Mapping[str, Term], ends: Ends, letters: list[str]) -> Iterator[dict[str, Term]]:
+    """The point with values for the other letters too."""
+    if not letters:
+        yield dict(point)
+        return
+    closed = [end for end in (_at(end, point) for end in ends[letters[0]]) if not _letters([end])]
+    for value in _values(closed):
+        yield from _assigned({**point, letters[0]: value}, ends, letters[1:])
+
+
+def _at(term: Term, point: Mapping[str, Term]) -> Term:
+    """A term at the point, with the sines and cosines of well-known angles."""
+    known = {multiple_of_pi(multiple): multiple for multiple in KNOWN_SINES}
+    match term:
+        case ("sin" | "cos" as function, str(x)) if point.get(x) in known:
+            return KNOWN_SINES[known[point[x]]][function == "cos"]
+        case (kind, *parts):
+            return (kind, *(_at(part, point) for part in parts))
+    return point.get(term, term) if isinstance(term, str) else term
+
+
+def _values(ends: list[Term]) -> list[Term]:
+    """The ends of intervals, angles half way between them, and well-known angles."""
+    known: list[Term] = [multiple_of_pi(multiple) for multiple in KNOWN_ANGLES]
+    sizes: dict[int, Term] = {}
+    for term in (*ends, known[0], known[-1]):
+        try:
+            sizes.setdefault(enclosed(term, dict[str, Term]().__getitem__).low >> 20, term)
+        except (Unknown, KeyError):
+            continue
+    ordered = [term for _, term in sorted(sizes.items())]
+    between: list[Term] = [("/", ("+", low, high), 2) for low, high in pairwise(ordered)]
+    return list(dict.fromkeys([*ends, *known, *between]))
+
+
+def _stated(problem: Problem) -> list[Formula]:
+    return [part for _, formulas in problem.hypotheses for formula in formulas for part in conjuncts(formula)]
+
+
+def _may_refute(problem: Problem, point: Mapping[str, Term]) -> bool:
+    """Whether digits do not exclude it."""
+    try:
+        numbers = Numbers.of(problem, point)
+        if numbers is None or numbers.truth(problem.claim):
+            return False
+        return not any(numbers.truth(formula) is False for formula in _stated(problem))
+    except (Unknown, Unsupported, RecursionError):
+        return False
+
+
+def _proved(problem: Problem, point: Mapping[str, Term], prove: Prover) -> Certificate | None:
+    """Proofs that at the point no denominator vanishes, the hypotheses hold and the claim does not."""
+    stated = _stated(problem)
+    there: list[Formula] = [("=", x, value) for x, value in point.items()]
+    facts: list[list[Any]] = []
+    for bottom in dict.fromkeys(part for f in (*stated, problem.claim) for part in _denominators(f)):
+        if (proof := _proof(("!=", bottom, 0), problem, there, prove)) is None:
+            return None
+        facts.append([("!=", bottom, 0), proof])
+        there.append(("!=", bottom, 0))
+    proof = _proof(frozen(("and", *stated, contrary(problem.claim))), problem, there, prove)
+    return proof and {"values": dict(point), **({"facts": facts} if facts else {}), "proof": proof}
+
+
+def _proof(claim: Formula, problem: Problem, there: list[Formula], prove: Prover) -> Certificate | None:
+    """The proof of something at the point, without any condition."""
+    try:
+        found = prove(replace(problem, claim=claim, hypotheses=(("point", tuple(there)),), hints=()))
+    except Unsupported:
+        return None
+    return None if found is None or "nonzero" in (found.proof or {"nonzero": []}) else found.proof
+
+
+def _denominators(formula: Formula) -> Iterator[Term]:
+    """What a formula divides by, as far as it depends on letters."""
+    for part in subterms(formula):
+        match part:
+            case ("/", _, bottom) if _letters([bottom]):
+                yield bottom
+            case ("tan", angle):
+                yield "cos", angle

@@ -1,0 +1,288 @@
+"""Angles compared with multiples of pi and with arctan, arcsin, arccos: what that says of their sines, and back.
+
+A comparison such as a < arctan t has a theorem (`symcheck/theorems.py`) that makes it one of sin a with t cos a.
+What is left is algebra: orders by `farkas`, equations by squares or by ideals.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from dataclasses import dataclass, replace
+from fractions import Fraction
+from math import prod
+
+from symcheck.proof.equations import identity_here
+from symcheck.proof.farkas import contradiction, prove_by_contrary
+from symcheck.proof.knowledge import Knowledge, hints_of, ring_of, starting
+from symcheck.proof.orders import number_term, prove_order, term_of
+from symcheck.proof.polynomial import (
+    ATOMS,
+    Instance,
+    Ring,
+    canonical,
+    fraction,
+    theorem_of,
+    unfold,
+    variables,
+    with_arguments,
+)
+from symcheck.statement import Certificate, Formula, Problem, Term
+from symcheck.theorems import RELATIONS, conjuncts
+
+INVERSE = {"arctan": "arctangent", "arcsin": "arcsine", "arccos": "arccosine"}
+SWAPPED = {"=": "=", "!=": "!=", "<": ">", "<=": ">=", ">": "<", ">=": "<="}
+KNOWN_ANGLES: dict[Fraction, tuple[str, Term]] = {  # by multiples of pi
+    Fraction(0): ("arctan", 0),
+    Fraction(1, 6): ("arctan", ("/", 1, ("sqrt", 3))),
+    Fraction(1, 4): ("arctan", 1),
+    Fraction(1, 3): ("arctan", ("sqrt", 3)),
+    Fraction(1, 2): ("arccos", 0),
+}
+_HALF: Term = ("/", 1, 2)
+_TWO, _THREE = (("/", ("sqrt", n), 2) for n in (2, 3))
+_SINES: tuple[tuple[Term, Term], ...] = ((0, 1), (_HALF, _THREE), (_TWO, _TWO), (_THREE, _HALF), (1, 0))
+KNOWN_SINES = dict(zip(KNOWN_ANGLES, _SINES, strict=True))  # and cosines
+Prover = Callable[[Formula, Knowledge], Certificate | None]
+
+
+def compares_angles(ring: Ring) -> bool:
+    """Whether angles stand beside their sines, or inverse functions occur."""
+    names = with_arguments(ring.names)
+    arcs = any(name in ATOMS and ATOMS[name][0] in INVERSE for name in names)
+    return arcs or ("pi" in names and any(f"sin_{name}" in names for name in names))
+
+
+def prove_about_angles(problem: Problem, prove_here: Prover) -> Certificate | None:
+    """A proof of a statement in which angles are compared; `prove_here` is asked for equations of their sines."""
+    definitions = dict(problem.definitions)
+    ring = Ring(with_arguments(ring_of(problem).names), definitions)
+    stated = [part for _, formulas in problem.hypotheses for f in formulas for part in conjuncts(f)]
+    found = [each for f in (*stated, problem.claim) for each in compared(unfold(f, definitions), ring)]
+    angles = sorted({each.angle for each in found})
+    positive = [Comparison.with_pi(">=", angle, Fraction(0)) for angle in angles]
+    found += positive
+    names = _names_of((i for each in found for i in (*each.theorems(), each.theorem(1))), definitions)
+    whole = Ring(with_arguments({"pi", *ring.names, *names}), definitions)
+    always = [("circle_number",), *_of_atoms(whole)]
+    known = starting(problem, Ring({*whole.names, *_names_of(always, definitions)}, definitions))
+    signs: list[Instance] = [("right_half", angle) for angle in angles]
+    signs += [each.theorem(0) for each in positive]
+    pending = dict.fromkeys([*always, *_forward(stated, known.ring), *signs])
+    return _Prover(prove_here, hints_of(problem)).prove(problem.claim, known, list(pending))
+
+
+@dataclass(frozen=True)
+class Comparison:
+    """angle ~ function(t); where a multiple of pi is printed, the multiple."""
+
+    sign: str
+    angle: str
+    function: str
+    t: Term
+    multiple: Fraction | None = None
+
+    @classmethod
+    def with_pi(cls, sign: str, angle: str, multiple: Fraction) -> Comparison:
+        """angle ~ multiple pi."""
+        return cls(sign, angle, *KNOWN_ANGLES[multiple], multiple)
+
+    @property
+    def end(self) -> Term:
+        """What the angle is compared with."""
+        return (self.function, self.t) if self.multiple is None else multiple_of_pi(self.multiple)
+
+    def theorem(self, back: int) -> Instance:
+        """From the angle to its sine, or back."""
+        return INVERSE[self.function], self.sign, self.angle, self.t, back
+
+    def theorems(self) -> Iterator[Instance]:
+        """What it says of the sine, and of a well-known angle the cosine itself."""
+        yield self.theorem(0)
+        if self.sign == "=" and self.multiple is not None:
+            yield "have", ("=", ("cos", self.angle), KNOWN_SINES[self.multiple][1])
+
+
+def multiple_of_pi(multiple: Fraction) -> Term:
+    """An angle as a term."""
+    return ("*", number_term(multiple), "pi") if multiple else 0
+
+
+def _comparison(formula: Formula, ring: Ring) -> Comparison | None:
+    """A relation that compares an angle with an inverse function or a multiple of pi."""
+    if formula[0] not in RELATIONS or (gap := ring.subtract(*formula[1:])).den:
+        return None
+    terms = {}
+    for exponents, coefficient in gap.num.terms():
+        used = [(name, int(e)) for name, e in zip(ring.names, exponents, strict=True) if e]
+        if len(used) != 1 or used[0][1] != 1:
+            return None
+        terms[used[0][0]] = fraction(coefficient)
+    angles = [name for name in terms if name not in ATOMS and name != "pi" and name[:4] not in ("sin_", "cos_", "sqrt")]
+    if len(angles) != 1 or len(terms) > 2:
+        return None
+    scale = terms.pop(angles[0])
+    sign = formula[0] if scale > 0 else SWAPPED[formula[0]]
+    other, factor = next(iter(terms.items()), ("pi", Fraction(0)))
+    multiple = -factor / scale
+    if other == "pi" and multiple in KNOWN_ANGLES:
+        return Comparison.with_pi(sign, angles[0], multiple)
+    if other in ATOMS and ATOMS[other][0] in INVERSE and multiple == 1:
+        return Comparison(sign, angles[0], *ATOMS[other])
+    return None
+
+
+def compared(formula: Formula, ring: Ring) -> Iterator[Comparison]:
+    """Those in a formula without quantifiers."""
+    if formula[0] in RELATIONS:
+        if (found := _comparison(formula, ring)) is not None:
+            yield found
+    elif formula[0] != "exists":
+        for part in formula[1:]:
+            yield from compared(part, ring)
+
+
+def _forward(formulas: Sequence[Formula], ring: Ring) -> list[Instance]:
+    """What the comparisons among assumptions say of the sines."""
+    found = (_comparison(formula, ring) for formula in formulas)
+    return [instance for each in found if each is not None for instance in each.theorems()]
+
+
+def _of_atoms(ring: Ring) -> Iterator[Instance]:
+    """What is always true of the functions in a ring."""
+    for name in ring.names:
+        if name[:5] == "sqrt_":
+            yield "root", int(name[5:])
+        elif name in ATOMS and ATOMS[name][0] == "sqrt":
+            yield "root", ATOMS[name][1]
+        elif name in ATOMS and ATOMS[name][0] in INVERSE:
+            yield from _known_angle(*ATOMS[name])
+            yield "principal_value", *ATOMS[name]
+            yield "first_quadrant", *ATOMS[name]
+
+
+def _known_angle(function: str, t: Term) -> Iterator[Instance]:
+    """The theorem about arctan t, arcsin t or arccos t, if that is a well-known angle."""
+    for number in range(len(KNOWN_ANGLES) - (function == "arctan")):
+        instance = "known_angle", function, number
+        _, (_, known), _ = theorem_of(instance, {}).conclusion
+        if canonical(known) == canonical(t):
+            yield instance
+
+
+def _names_of(instances: Iterable[Instance], definitions: dict[str, Term]) -> set[str]:
+    """The variables that theorems speak of."""
+    theorems = (theorem_of(instance, definitions) for instance in instances)
+    said = (unfold(f, definitions) for each in theorems for f in (*each.premises, each.conclusion))
+    return set().union(*map(variables, said))
+
+
+def _has_roots(term: Term) -> bool:
+    return any(name in ATOMS and ATOMS[name][0] == "sqrt" for name in variables(term))
+
+
+def _squared(side: Term, ring: Ring) -> Term | None:
+    """The square of a side as a term without roots of letters; None if there is no such term."""
+    roots = {k: ring.ratio(ATOMS[name][1]) for k, name in enumerate(ring.names) if ATOMS.get(name, "")[:1] == ("sqrt",)}
+    ratio, total = ring.ratio(side), ring.number(0)
+    if ratio.den or any(radicand.den for radicand in roots.values()):
+        return None
+    for exponents, coefficient in (ratio.num**2).terms():
+        if any(exponents[k] % 2 for k in roots):
+            return None
+        rest = tuple(0 if k in roots else int(e) for k, e in enumerate(exponents))
+        powers = (radicand.num ** (int(exponents[k]) // 2) for k, radicand in roots.items())
+        total += prod(powers, start=ring.context.from_dict({rest: coefficient}))
+    return term_of(total)
+
+
+@dataclass(frozen=True)
+class _Prover:
+    prove_here: Prover
+    forms: Sequence[Term]
+
+    def prove(self, goal: Formula, known: Knowledge, pending: Sequence[Instance]) -> Certificate | None:
+        """First the theorems whose premises hold, as long as there are any, then the goal."""
+        for k, instance in enumerate(pending):
+            theorem = theorem_of(instance, known.ring.definitions)
+            premises = self.premises(theorem.premises, known)
+            if premises is not None:
+                rest = [*pending[k + 1 :], *pending[:k]]  # what did not hold so far is tried again last
+                then = self.prove(goal, known.assume(theorem.conclusion), rest)
+                return then and {"rule": "theorem", "of": instance, "premises": premises, "then": then}
+        return self.goal(goal, known, pending)
+
+    def goal(self, goal: Formula, known: Knowledge, pending: Sequence[Instance]) -> Certificate | None:
+        """By the outermost connective."""
+        kind, *parts = goal
+        if kind == "=>":
+            more = _forward(conjuncts(parts[0]), known.ring)
+            then = self.prove(parts[1], known.assume(parts[0]), [*pending, *more])
+            return then and {"rule": "implies", "then": then}
+        if kind in ("and", "<=>"):
+            parts = parts if kind == "and" else [("=>", *parts), ("=>", *parts[::-1])]
+            proofs = []
+            for part in parts:
+                if (proof := self.goal(part, known, pending)) is None:
+                    return None
+                proofs.append(proof)
+            return {"rule": "each", "parts": proofs}
+        if kind == "or":
+            tried = ((k, self.goal(part, known, pending)) for k, part in enumerate(parts))
+            return next(({"rule": "choose", "index": k, "then": then} for k, then in tried if then), None)
+        if kind not in RELATIONS:
+            return None
+        return self.relation(goal, known) or self.by_sine(goal, known)
+
+    def premises(self, formulas: Sequence[Formula], known: Knowledge) -> list[Certificate] | None:
+        """The proofs of them all."""
+        proofs = []
+        for formula in formulas:
+            if (proof := self.relation(formula, known)) is None:
+                return None
+            proofs.append(proof)
+        return proofs
+
+    def by_sine(self, goal: Formula, known: Knowledge) -> Certificate | None:
+        """An angle compared by its sine."""
+        if (found := _comparison(goal, known.ring)) is None:
+            return None
+        theorem = theorem_of(instance := found.theorem(1), known.ring.definitions)
+        if (premises := self.premises(theorem.premises, known)) is None:
+            return None
+        then = self.relation(goal, known.assume(theorem.conclusion))
+        return then and {"rule": "theorem", "of": instance, "premises": premises, "then": then}
+
+    def relation(self, goal: Formula, known: Knowledge) -> Certificate | None:
+        """A relation, by algebra."""
+        if goal[0] == "!=":
+            then = contradiction(known.assume(("=", *goal[1:])), goal)
+            return {"rule": "implies", "then": then} if then else self.prove_here(goal, known)
+        if goal[0] == "=":
+            return identity_here(goal, known) or self.by_squares(goal, known) or self.prove_here(goal, known)
+        if _comparison(goal, known.ring) is not None:
+            return prove_by_contrary(goal, known, products=False)
+        return (
+            prove_order(goal, known, [*self.forms]) or self.without_roots(goal, known) or prove_by_contrary(goal, known)
+        )
+
+    def without_roots(self, goal: Formula, known: Knowledge) -> Certificate | None:
+        """An order of roots by that of their squares."""
+        sign, *sides = goal
+        if not any(_has_roots(unfold(side, known.ring.definitions)) for side in sides):
+            return None
+        squared = (sign, *(_squared(side, known.ring) for side in sides))
+        proof = None if None in squared else self.relation(squared, known)
+        then = proof and prove_by_contrary(goal, known.assume(squared))
+        return then and {"rule": "theorem", "of": ("have", squared), "premises": [proof], "then": then}
+
+    def by_squares(self, goal: Formula, known: Knowledge) -> Certificate | None:
+        """Two things that are not negative are equal if their squares are."""
+        theorem = theorem_of(instance := ("equal_squares", *goal[1:]), known.ring.definitions)
+        *signs, squares = theorem.premises
+        premises = [identity_here(squares, known)]
+        if premises[0] is None:
+            return None
+        premises = [*(self.relation(sign, known) for sign in signs), *premises]
+        then = identity_here(goal, replace(known.assume(theorem.conclusion)))
+        found = {"rule": "theorem", "of": instance, "premises": premises, "then": then}
+        return None if None in (*premises, then) else found

@@ -1,0 +1,417 @@
+"""Numbers told apart by their digits: intervals against mpmath, statements true and false, forged evidence."""
+
+from __future__ import annotations
+
+import copy
+import json
+import random
+from typing import Any
+
+import mpmath
+import pytest
+
+from symcheck.checker import check
+from symcheck.enclosures import ONE, Unknown, between, enclosed
+from symcheck.proof import certificate, identity, proof_of
+from symcheck.proof.closed import order_of_numbers
+from symcheck.reading import Letter, Notation, lower, read
+from symcheck.statement import Certificate, Outcome, Problem, Term, Verdict
+
+LETTERS = Notation([*map(Letter, ("a", "b", "u")), Letter(r"\pi")], decimals="rounded")
+ANGLES = (r"a = 67^\circ", r"32^\circ = b")
+PRECISE = mpmath.mp.clone()
+PRECISE.dps = 120
+
+
+def nothing(name: str) -> Term:
+    raise Unknown(name)
+
+
+# --- interval arithmetic
+
+
+def value(term: Any) -> Any:
+    """The value with 120 digits; ArithmeticError or ValueError where there is none."""
+    match term:
+        case int():
+            return PRECISE.mpf(term)
+        case "pi":
+            return +PRECISE.pi
+        case ("^", base, n):
+            return value(base) ** n
+        case ("-", part):
+            return -value(part)
+        case ("+" | "*" | "/" as sign, left, right):
+            a, b = value(left), value(right)
+            return a + b if sign == "+" else a * b if sign == "*" else a / b
+        case (function, inner):
+            names = {"arctan": "atan", "arcsin": "asin", "arccos": "acos"}
+            found = getattr(PRECISE, names.get(function, function))(value(inner))
+            if isinstance(found, PRECISE.mpc):
+                raise ValueError(term)
+            return found
+    raise AssertionError(term)
+
+
+def some_term(rng: random.Random, depth: int) -> Term:
+    if depth == 0:
+        return rng.choice([rng.randrange(-9, 10), rng.randrange(1, 400), "pi"])
+    kind = rng.choice(["+", "*", "/", "-", "^", "sqrt", "sin", "cos", "tan", "arctan", "arcsin", "arccos"])
+    if kind in ("+", "*", "/"):
+        return (kind, some_term(rng, depth - 1), some_term(rng, rng.randrange(depth)))
+    return ("^", some_term(rng, depth - 1), rng.randrange(-3, 5)) if kind == "^" else (kind, some_term(rng, depth - 1))
+
+
+def test_an_enclosure_contains_the_value_of_every_random_term() -> None:
+    rng, met, sharp = random.Random(2005), 0, 0
+    for _ in range(3000):
+        term = some_term(rng, rng.randrange(1, 5))
+        try:
+            found = enclosed(term, nothing)
+        except Unknown:
+            continue
+        try:
+            exact = value(term) * ONE
+        except (ArithmeticError, ValueError):
+            pytest.fail(f"{term} has no value, but the enclosure {found.low}, {found.high}")
+        slack = abs(exact) * PRECISE.mpf(10) ** -100 + PRECISE.mpf(10) ** -60
+        assert found.low - slack <= exact <= found.high + slack, term
+        met, sharp = met + 1, sharp + (found.high - found.low < ONE >> 100)
+    assert met > 1500
+    assert sharp > 0.9 * met
+
+
+@pytest.mark.parametrize("function", ["sin", "cos", "tan", "arctan"])
+def test_functions_are_known_to_forty_digits_on_both_sides_of_zero(function: str) -> None:
+    for n in [*range(-40, 41), 10**4]:
+        found, exact = enclosed((function, ("/", n, 7)), nothing), value((function, ("/", n, 7))) * ONE
+        assert found.low <= exact + 1, n
+        assert exact - 1 <= found.high, n
+        assert found.high - found.low < 10**-40 * ONE * (1 + abs(exact) / ONE) ** 2, n
+
+
+HOSTILE: list[Term] = [
+    ("/", 1, ("sin", "pi")),
+    ("/", 1, 0),
+    ("^", 0, -1),
+    ("^", ("cos", ("/", "pi", 2)), -2),
+    ("tan", ("/", "pi", 2)),
+    ("/", 1, ("+", ("^", ("sqrt", 2), 2), ("-", 2))),
+    ("sqrt", ("-", 1)),
+    ("sqrt", ("-", ("^", ("sin", 1), 2))),
+    ("arcsin", 2),
+    ("arccos", ("-", ("/", "pi", 3))),
+    ("sin", ("^", 10, 60)),
+    ("sin", ("tan", ("/", ("*", 10**50, "pi"), ("+", 2 * 10**50, 1)))),
+    ("^", ("^", 10, 999), 999),
+    ("^", 2, 10**9),
+    ("arctan", ("^", 10, 700)),
+    ("exp", 1),
+    ("pow", 2, ("/", 1, 2)),
+    ("log", 0),
+    ("gamma", 0),
+    ("mean", ("sin", "x"), "x"),
+    ("diff", ("sin", 1), "x", 1),
+    "infinity",
+    "a",
+    "sin_pi",
+    ("sin", 1, 2),
+    ("/", 1, 2, 3),
+    ("+",),
+    ("^", 2, ("/", 1, 2)),
+    (),
+]
+
+
+@pytest.mark.parametrize("term", HOSTILE, ids=str)
+def test_what_is_no_number_has_no_enclosure(term: Term) -> None:
+    with pytest.raises(Unknown):
+        enclosed(term, nothing)
+
+
+def test_decimals_are_rounded_outward() -> None:
+    assert between("pi", nothing, 3) == (["/", 3141, 1000], ["/", 3142, 1000])
+    assert between(("-", "pi"), nothing, 0) == (["/", -4, 1], ["/", -3, 1])
+    assert between(("/", 5, 4), nothing, 2) == (["/", 125, 100], ["/", 125, 100])
+    for digits in (-1, 41, 10**9):
+        with pytest.raises(Unknown):
+            between("pi", nothing, digits)
+
+
+# --- statements
+
+
+def problem(latex: str, given: tuple[str, ...] = ANGLES, **definitions: Term) -> Problem:
+    (claim,) = lower(read(latex, LETTERS), LETTERS)
+    hypotheses = tuple((f"given {k}", lower(read(each, LETTERS), LETTERS)) for k, each in enumerate(given))
+    return Problem("number", claim, tuple(definitions.items()), hypotheses)
+
+
+def decided(question: Problem) -> tuple[Outcome, Certificate | None]:
+    outcome = identity.decide(question)
+    if outcome.verdict is Verdict.UNDECIDED:
+        return outcome, None
+    return outcome, json.loads(json.dumps(certificate(question, outcome)))
+
+
+TRUE = [
+    (r"4 \sin a \sin b \approx 1.951", ANGLES),
+    (r"4 \sin a \sin b = 1.951", ANGLES),
+    (r"-2 \sin a \cos b = -1.561", ANGLES),
+    (r"1.951 \approx 1.951", ()),
+    (r"4 \sin 67^\circ \cos 32^\circ = 3.123", ()),
+    (r"\operatorname{arctg} \sqrt{2} = 54.7^\circ", ()),
+    (r"\operatorname{arctg} \frac{5}{8} \approx 32^\circ", ()),
+    (r"\operatorname{arctg} \frac{5}{8} \ne 32^\circ", ()),
+    (r"\operatorname{arctg} \frac{5}{8} > 32^\circ", ()),
+    (r"32^\circ < \operatorname{arctg} \frac{5}{8}", ()),
+    (r"\arcsin \frac{2}{\sqrt{7}} \approx 49.1^\circ", ()),
+    (r"\arccos \frac{1}{\sqrt{6}} \approx 65.9^\circ", ()),
+    (r"a \approx 67^\circ", (r"a = \operatorname{arctg} \frac{2}{\cos b}", r"b = \operatorname{arctg} \frac{5}{8}")),
+    (r"\operatorname{tg} a = 2.36", ANGLES),
+    (r"\frac{1}{\sqrt{1 - \sin^2 a \cos^2 b}} \approx 1.60", ANGLES),
+    (r"\frac{2}{\cos 32^\circ} \approx 2.36", ()),
+    (r"\frac{180}{\pi} \operatorname{arctg} \frac{5}{8} = 32.0", ()),
+    (r"\sqrt{2} = 1.41 \land \sqrt{3} = 1.73 \land \sqrt{2} \ne \sqrt{3}", ()),
+]
+
+
+@pytest.mark.parametrize(("latex", "given"), TRUE)
+def test_a_true_statement_about_numbers_is_proved(latex: str, given: tuple[str, ...]) -> None:
+    outcome, evidence = decided(problem(latex, given))
+    assert outcome.verdict is Verdict.PROVED
+    assert evidence is not None
+    assert check(evidence) is None
+
+
+FALSE = [
+    (r"4 \sin a \sin b \approx 1.952", ANGLES),
+    (r"4 \sin a \sin b = -1.951", ANGLES),
+    (r"4 \cos a \sin b = 1.951", ANGLES),
+    (r"4 \sin a \cos b = 1.951", ANGLES),
+    (r"4 \sin 67^\circ \cos 32^\circ = 1.951", ()),
+    (r"\operatorname{arctg} \sqrt{2} = 54.8^\circ", ()),
+    (r"\operatorname{arctg} \frac{5}{8} = 32^\circ", ()),
+    (r"\operatorname{arctg} \frac{5}{8} < 32^\circ", ()),
+    (r"\arccos \frac{1}{\sqrt{6}} \approx 66.0^\circ", ()),
+    (r"a \approx 68^\circ", (r"a = \operatorname{arctg} \frac{2}{\cos b}", r"b = \operatorname{arctg} \frac{5}{8}")),
+    (r"\operatorname{tg} a = 2.37", (*ANGLES, r"\sin a > 0 \land u = 1")),
+    (r"\sqrt{2} = 1.41 \land \sqrt{3} = 1.72", ()),
+    (r"\sqrt{2} = 1.42 \lor \sqrt{3} = 1.72", ()),
+    (r"\sqrt{2} = 1.41 \Rightarrow \sqrt{3} = 1.72", ()),
+    (r"\sqrt{2} = 1.41 \Leftrightarrow \sqrt{3} = 1.72", ()),
+    (r"4 \sin a \sin b = 1.951", ANGLES[:1]),
+    (r"4 \sin a \sin b = 1.951", ()),
+    (r"\operatorname{arctg} u < u", (r"u \ge 0 \lor u < -2",)),
+]
+
+
+@pytest.mark.parametrize(("latex", "given"), FALSE)
+def test_a_false_statement_about_numbers_is_refuted(latex: str, given: tuple[str, ...]) -> None:
+    outcome, evidence = decided(problem(latex, given))
+    assert outcome.verdict is Verdict.REFUTED
+    assert evidence is not None
+    assert check(evidence) is None
+
+
+def test_the_counterexample_shows_the_numbers_that_decide() -> None:
+    outcome, _ = decided(problem(r"4 \sin a \sin b \approx 1.952"))
+    assert outcome.point is not None
+    assert set(outcome.point["values"]) == {"a", "b"}
+    ((term, digits, low, high),) = outcome.point["enclosed"]
+    assert (term, digits) == (("*", 4, ("sin", "a"), ("sin", "b")), 6)
+    assert (low, high) == (["/", 1951173, 10**6], ["/", 1951174, 10**6])
+
+
+def test_a_letter_may_be_defined_instead() -> None:
+    for latex, verdict in ((r"2 \sin a = 1.84", Verdict.PROVED), (r"2 \sin a = 1.85", Verdict.REFUTED)):
+        outcome, evidence = decided(problem(latex, (), a=("/", ("*", 67, "pi"), 180)))
+        assert outcome.verdict is verdict
+        assert evidence is not None
+        assert check(evidence) is None
+
+
+def test_every_other_digit_of_a_cell_is_refuted() -> None:
+    for k, digit in enumerate("1951"):
+        for other in set("0123456789") - {digit}:
+            text = "1951"[:k] + other + "1951"[k + 1 :]
+            outcome, evidence = decided(problem(rf"4 \sin a \sin b = {text[0]}.{text[1:]}"))
+            assert outcome.verdict is Verdict.REFUTED, text
+            assert evidence is not None
+            assert check(evidence) is None, text
+
+
+NEAR = 11071487177940905030170654601785370400  # arctan 2 lies between this and the next over 10^37
+
+
+UNDECIDED = [
+    ("<=", ("arctan", 2), ("/", NEAR + 1, 10**37)),
+    (">", ("arctan", 2), ("/", NEAR + 1, 10**37)),
+    ("!=", ("arctan", 2), ("/", NEAR, 10**37)),
+    ("<", ("/", 1, ("sin", "pi")), 1),
+    (">", ("sqrt", ("-", 1)), 1),
+    ("<", ("tan", ("/", "pi", 2)), 1),
+    ("<", ("sin", ("^", 10, 80)), 2),
+    ("<", 0, ("/", "pi", ("+", ("^", ("sqrt", 5), 2), ("-", 5)))),
+    ("=", ("sin", ("/", "pi", 6)), ("/", 1, 2)),
+    ("=", ("sin", "pi"), 0),
+    ("!=", ("sin", "pi"), 0),
+]
+
+
+@pytest.mark.parametrize("claim", UNDECIDED, ids=str)
+def test_what_is_too_close_or_no_number_is_not_decided_by_digits(claim: Any) -> None:
+    outcome, _ = decided(Problem("number", claim))
+    assert outcome.verdict is Verdict.UNDECIDED
+
+
+def test_an_exact_half_rounds_both_ways() -> None:
+    for latex in (r"\frac{\sqrt{4}}{16} = 0.12", r"\frac{\sqrt{4}}{16} = 0.13"):
+        outcome, evidence = decided(problem(latex, ()))
+        assert outcome.verdict is Verdict.PROVED
+        assert evidence is not None
+        assert check(evidence) is None
+
+
+def test_contradictory_hypotheses_refute_nothing() -> None:
+    outcome, _ = decided(problem(r"\operatorname{tg} a = 2.37", (*ANGLES, r"\sin a < 0")))
+    assert outcome.verdict is not Verdict.REFUTED
+
+
+def test_an_order_of_numbers_inside_a_larger_proof() -> None:
+    less = ("<", ("arcsin", ("/", ("sqrt", 2), 2)), ("arcsin", ("/", 2, ("sqrt", 7))))
+    proof = order_of_numbers(less, {})
+    assert proof is not None
+    assert (
+        check({"verdict": "proved", "claim": less, "definitions": [], "hypotheses": {}, "proof": plain(proof)}) is None
+    )
+    assert order_of_numbers((">", *less[1:]), {}) is None
+    assert order_of_numbers(("<", "a", "pi"), {}) is None
+
+
+# --- forged evidence
+
+
+def plain(value: Any) -> Any:
+    return json.loads(json.dumps(value))
+
+
+def theorem(t: Any, digits: Any, *letters: Any) -> Certificate:
+    """The step of a proof that encloses a number, its letters being what the hypothesis says."""
+    premises = [{"rule": "identity", "cofactors": [[["hyp", "given", k], "1"]]} for k, _ in enumerate(letters)]
+    return {"rule": "theorem", "of": ["enclosure", t, digits, *letters], "premises": premises}
+
+
+def claimed(claim: Any, proof: Certificate, *given: Any) -> str | None:
+    hypotheses = {"given": [*given]} if given else {}
+    made = {"verdict": "proved", "claim": claim, "definitions": [], "hypotheses": hypotheses, "proof": proof}
+    return check(plain(made))
+
+
+SINE, A = ["sin", "a"], ["/", ["*", 67, "pi"], 180]
+
+
+def above(t: Any, low: Any, rest: Any) -> Certificate:
+    return {"rule": "nonnegative", "form": ["+", ["+", t, ["-", low]], rest], "cofactors": []}
+
+
+def test_a_proof_by_enclosure_holds_and_its_forgeries_do_not() -> None:
+    low, rest, bound = ["/", 92, 100], ["/", 1, 100], ["/", 91, 100]  # sin 67 degrees = 0.9205...
+    claim, given = [">", SINE, bound], ["=", "a", A]
+    step = {**theorem(SINE, 2, given), "then": above(SINE, low, rest)}
+    assert claimed(claim, step, given) is None
+
+    other = ["=", "a", ["/", ["*", 68, "pi"], 180]]
+    assert claimed(claim, step, other), "the premise is another equation"
+    assert claimed(claim, step | {"premises": []}, given), "no premise"
+    assert claimed(claim, step | {"of": ["enclosure", SINE, 2]}, given), "a letter that stands for nothing"
+    assert claimed(claim, step | {"of": ["enclosure", SINE, 2, ["=", "b", A]]}, given), "another letter"
+    assert claimed(claim, step | {"of": ["enclosure", SINE, 2, [">", "a", A]]}, [">", "a", A]), "no equation"
+    assert claimed([">", SINE, ["/", 92, 100]], step, given), "more than is known with two digits"
+    assert claimed([">", SINE, ["/", 93, 100]], {**step, "then": above(SINE, ["/", 93, 100], 0)}, given), "false"
+    assert claimed(["<", SINE, bound], step, given), "the other order"
+    assert claimed([">", ["cos", "a"], bound], step, given), "another function"
+    assert claimed([">", ["sin", "b"], bound], step, given), "another letter"
+
+
+@pytest.mark.parametrize("term", HOSTILE, ids=str)
+def test_no_proof_encloses_what_is_no_number(term: Any) -> None:
+    low, claim = ["/", -(10**6), 1], [">", term, ["/", -(10**7), 1]]
+    step = {**theorem(plain(term), 0), "then": above(plain(term), low, 9 * 10**6)}
+    assert claimed(claim, step)
+    point = {"values": {}, "enclosed": []}
+    refuted = {"verdict": "refuted", "claim": ["<", term, low], "definitions": [], "hypotheses": {}, "point": point}
+    assert check(plain(refuted))
+
+
+def refuted() -> Certificate:
+    _, evidence = decided(problem(r"4 \sin a \sin b \approx 1.952"))
+    assert evidence is not None
+    return evidence
+
+
+def test_forged_points_are_rejected() -> None:
+    assert check(refuted()) is None
+
+    def forged(change: Any) -> str | None:
+        made = copy.deepcopy(refuted())
+        change(made)
+        return check(made)
+
+    degrees = ["/", ["*", 68, "pi"], 180]
+    assert forged(lambda c: c["point"]["values"].update(a=degrees)), "the hypothesis is false there"
+    assert forged(lambda c: c["point"]["values"].pop("a")), "a letter without a value"
+    assert forged(lambda c: c["point"]["values"].update(a="a")), "a letter that is itself"
+    assert forged(lambda c: c["point"]["values"].update(a="u")), "a letter that is another"
+    assert forged(lambda c: c["point"]["values"].update(sin_a=1)), "the sine of an angle beside it"
+    assert forged(lambda c: c["point"]["values"].update(pi=3)), "a constant"
+    assert forged(lambda c: c["point"]["enclosed"][0].__setitem__(2, ["/", 1951172, 10**6])), "other digits"
+    assert forged(lambda c: c["point"]["enclosed"][0].__setitem__(1, 5)), "fewer digits"
+    assert forged(lambda c: c["hypotheses"].update(more=[["<", ["sin", "a"], 0]])), "a hypothesis that is false there"
+    assert forged(lambda c: c["hypotheses"].update(more=[["<", "u", 0]])), "a hypothesis about another letter"
+    assert forged(lambda c: c.update(claim=["<=", ["/", 1951, 1000], c["claim"][1][2]])), "a claim that is true"
+    assert forged(lambda c: c.update(claim=["=", ["sin", "pi"], 0])), "too close to be told apart"
+
+
+def test_irrational_numbers_at_a_point_are_compared_by_digits() -> None:
+    values = {"sin_a": "3/5", "cos_a": "4/5", "u": ["*", ["/", -3, 2500], ["sqrt", 3]]}
+    given = {"given": [["=", "u", ["-", ["/", ["*", 2, ["sqrt", 3], SINE], 1000]]]]}
+    low, high = ["/", 13, 4000], ["/", 67, 20000]
+
+    def at(claim: Any, sides: list[str]) -> str | None:
+        point = {"values": values, "sides": sides}
+        return check({"verdict": "refuted", "claim": claim, "definitions": [], "hypotheses": given, "point": point})
+
+    assert at(["and", ["<=", low, ["-", "u"]], ["<=", ["-", "u"], high]], ["false", "true"]) is None
+    assert at(["and", ["<=", low, ["-", "u"]], ["<=", ["-", "u"], high]], ["true", "false"])
+    assert at(["and", ["<=", "u", high], ["<=", low, ["+", "u", SINE]]], ["true", "true"])
+    assert at(["and", ["<=", "u", high], ["<", ["+", "u", SINE], low]], ["true", "false"]) is None
+
+
+def test_the_sine_of_a_number_is_not_chosen_at_a_point() -> None:
+    for claim, values in (
+        (["=", ["sin", "pi"], 0], {"sin_pi": "3/5", "cos_pi": "4/5"}),
+        (["<", ["sin", ["/", ["*", 67, "pi"], 180]], 1], {"sin_pi": "1", "cos_pi": "0"}),
+    ):
+        point = {"values": values, "sides": ["3/5", "0"]}
+        made = {"verdict": "refuted", "claim": claim, "definitions": [], "hypotheses": {}, "point": point}
+        assert check(made)
+
+
+def test_parts_of_a_turn_are_angles_of_their_own() -> None:
+    """What follows for every angle follows for them; nothing else does."""
+    sine, cosine = (["^", [f, A], 2] for f in ("sin", "cos"))
+    proof = {"rule": "identity", "cofactors": []}
+    assert claimed(["=", ["+", sine, cosine], 1], proof) is None
+    assert claimed(["=", sine, cosine], proof)
+    assert claimed(["=", ["sin", ["/", "pi", 2]], 1], proof)
+    assert claimed(["=", ["sin", ["/", "x", 2]], ["sin", ["/", "x", 2]]], proof), "half of a letter"
+
+
+def test_other_statements_are_not_touched() -> None:
+    assert order_of_numbers(("<", ("/", 1, 3), ("/", 1, 2)), {}) is None
+    rational = Problem("number", ("<", "x", 2), (), (("x", (("=", "x", 1),)),))
+    outcome = proof_of(rational)
+    assert outcome is not None
+    assert outcome.proof is not None
+    assert outcome.proof["rule"] == "nonnegative"
