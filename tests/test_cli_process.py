@@ -122,6 +122,17 @@ def test_a_warm_check_imports_nothing_heavy(environment: dict[str, str], root: P
     assert result.stdout.splitlines()[-1] == "[]"
 
 
+def test_a_paper_is_imported_only_when_it_is_asked_for() -> None:
+    code = (
+        "import sys; from symcheck.papers import load; papers = load(); papers['mirer2009']; list(papers);"
+        "print(*[name for name in sys.modules if name.startswith('symcheck.papers.') and name.count('.') == 2])"
+    )
+    imported = set(
+        subprocess.run([sys.executable, "-c", code], check=True, capture_output=True, text=True).stdout.split()
+    )
+    assert imported == {"symcheck.papers.mirer2009", "symcheck.papers.declare"}
+
+
 def test_python_m_symcheck_is_the_command(environment: dict[str, str]) -> None:
     command = [sys.executable, "-m", "symcheck", "--version"]
     result = subprocess.run(command, env=environment, capture_output=True, text=True, check=True)

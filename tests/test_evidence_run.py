@@ -70,6 +70,7 @@ def ids(records: Iterable[Record]) -> list[str]:
         (("toy:1.2b", "toy:1.2"), ["toy:1.2a", "toy:1.2b"]),
         (("toy:1.2", "toy:1.2b"), ["toy:1.2a", "toy:1.2b"]),
         (("toy", "toy:1.2b"), ALL),
+        (("toy:1",), ALL),
     ],
 )
 def test_a_selection_means_these_records_in_printed_order(selection: tuple[str, ...], expected: list[str]) -> None:

@@ -60,9 +60,10 @@ def audit(
 ) -> list[Record]:
     """The records of the selection in printed order; nothing selected means everything.
 
-    A selection is "paper", "paper:number", or "paper:number" with the letter of one link; SymcheckError if it names
-    nothing, with the nearest names. What is decided is in the cache at once, so an interrupted audit loses only what
-    was running. A declaration that is killed or crashes is undecided and not cached.
+    A selection is "paper", "paper:number", "paper:number" with the letter of one link, or "paper:T6" for all rows of a
+    list or table; SymcheckError if it names nothing, with the nearest names. What is decided is in the cache at once,
+    so an interrupted audit loses only what was running. A declaration that is killed or crashes is undecided and not
+    cached.
     """
     obligations = _expanded(_papers_named(selection, papers), decide)
     wanted = select(selection, list(obligations)) if selection else dict.fromkeys(obligations, EVERY)
@@ -114,6 +115,8 @@ def _matches(text: str, ids: Sequence[str]) -> dict[str, Links]:
     if not colon:
         return {id: EVERY for id in ids if id.partition(":")[0] == paper}
     whole = [id for id in ids if id == text or (id.startswith(text) and id[len(text) :].strip(ascii_lowercase) == "")]
+    if not whole or number[-1:].isupper():
+        whole += [id for id in ids if id.startswith(f"{text}.")]
     if number and whole:
         return dict.fromkeys(whole, EVERY)
     if (declared := text.rstrip(ascii_lowercase)) in ids and declared != text:
@@ -130,7 +133,7 @@ def _papers_named(selection: Iterable[str], papers: Mapping[str, Paper]) -> list
             near = get_close_matches(key, papers, n=1)
             hint = f"did you mean {near[0]}?" if near else f"known papers: {', '.join(papers)}"
             raise SymcheckError(f"there is no paper {key!r}; {hint}")
-    return [paper for key, paper in papers.items() if key in keys]
+    return [papers[key] for key in papers if key in keys]
 
 
 def _expanded(papers: Iterable[Paper], decide: Decider) -> dict[str, Obligation]:

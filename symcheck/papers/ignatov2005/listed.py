@@ -44,11 +44,13 @@ SAYS = {
 }
 WHOLE = {
     "V": "(a) The rows are numbered without a gap. (b) Each label is there once. (c) Each vertex is there once. (d) No other "
-    "momenta +-1 are those of a vertex: a combination of the axes with their signs vanishes.",
-    "E": "(a) The rows are numbered without a gap. (b) Each edge is there once. (c) There are as many as Euler's formula asks "
-    "for, all faces having four sides.",
-    "F": "(a) The rows are numbered without a gap. (b) Each label is there once. (c) Each face is there once. (d) There are as "
-    "many as Euler's formula asks for, all having four sides.",
+    "momenta +-1 are those of a vertex, as a combination of the axes with their signs vanishes.",
+    "E": "(a) The rows are numbered without a gap. (b) Each edge is there once. Then: no other momenta, one of them free, are an "
+    "edge, as a combination of the axes with their signs vanishes; there are as many as Euler's formula asks for, all faces "
+    "having four sides.",
+    "F": "(a) The rows are numbered without a gap. (b) Each label is there once. (c) Each face is there once. Then: no other "
+    "momenta, two of them free, are a face, as a combination of the axes with their signs vanishes; there are as many as "
+    "Euler's formula asks for, all having four sides.",
 }
 
 
@@ -255,9 +257,8 @@ def _sums(listed: Listed, rows: Sequence[Any]) -> Iterable[Part]:
         every = [Label(letter, index, primed) for index in sorted(known) for primed in (False, True)]
         yield _same((_power(row.label) for row in rows), map(_power, every))
     yield _same((_monomial(row.pattern) for row in rows), (_monomial(pattern_of(signs)) for signs in cells))
-    if letter == "V":
-        yield from listed.array.no_other_vertices()
-    else:
+    yield from listed.array.no_others(cells)
+    if letter != "V":
         count = f"2 \\cdot {len(lattice.vertices)} - 4" if letter == "E" else f"{len(lattice.vertices)} - 2"
         yield Part(f"{len(rows)} = {count}", len(rows) == len(cells))
 

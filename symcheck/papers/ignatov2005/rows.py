@@ -101,14 +101,15 @@ class Array:
         }
         return Part(rf"\exists c_1, c_2, c_3 : ({AND.join(orders)})", holds, existence(**point))
 
-    def no_other_vertices(self) -> Iterator[Part]:
-        """That momenta +-1 which are not those of a vertex are not, one of each opposite two: by combinations of axes.
+    def no_others(self, cells: Mapping[Signs, Any]) -> Iterator[Part]:
+        """That sign vectors with as many free wheels, but not among these, are no vertex, edge or face.
 
-        Where a combination of the h_k e_k with coefficients that are not negative vanishes, no plane has all of them on
-        one side.
+        By combinations of axes, one of each opposite two: where the c_k e_k add up to zero and no c_k has the sign that
+        h_k has not, no plane has all h_k e_k on one side. The wheels that are free do not matter.
         """
-        vertices = self.envelope.combinatorics.vertices
-        others = [h for h in product((1, -1), repeat=len(self.axes)) if h[0] == 1 and h not in vertices]
+        free = next(iter(cells)).count(0)
+        every = (h for h in product((1, 0, -1), repeat=len(self.axes)) if h.count(0) == free and h not in cells)
+        others = [h for h in every if next(filter(None, h)) == 1]
         found = (
             next((c for c in self.circuits if all(n * s >= 0 for n, s in zip(c, h, strict=True))), ()) for h in others
         )

@@ -784,15 +784,20 @@ region_of_five_is_symmetric = claim(
 number_of_edges_of_five = claim(
     "3.2.7",
     507,
-    words="P' has 40 edges.",
-    formal=r"2 \cdot 5 (5 - 1) = 40",
+    words="The parallelepiped has 40 edges.",
+    formal=r"2 \cdot 3 (3 - 1) = 40",
     by=identity,
     uses=["3.1.13"],
-    read_as="P'",
-    kind="wrong claim",
-    origin=Origin.PAPER,
-    reason="The paper says here that the parallelepiped has 40 edges; a parallelepiped has 12. The word was left over from the same "
-    "sentence in section 2.2, where P' is one; the number is right for P'.",
+    errata={
+        "": Erratum(
+            r"2 \cdot 5 (5 - 1) = 40",
+            "wrong claim",
+            Origin.PAPER,
+            "A parallelepiped has 12 edges, and P' is none: five wheels span it. The word was left over from the same sentence in "
+            "section 2.2, where P' is one; the number is right for P'.",
+            shown="P' has 40 edges.",
+        )
+    },
     notation=five_of_six,
 )
 

@@ -1,0 +1,95 @@
+"""Errata are told in the order in which a reviewer wants them: the few that matter before the many that do not."""
+
+from __future__ import annotations
+
+import io
+from dataclasses import replace
+
+import pytest
+from rich.console import Console
+
+from symcheck import terminal
+from symcheck.evidence.record import Record
+from symcheck.statement import SLIPS, Group, Origin, Reading, Role, Verdict
+
+WRONG = Record(
+    id="toy:2.1",
+    paper="toy",
+    section="2",
+    line=7,
+    role=Role.CLAIM,
+    read="x = -x",
+    verdict=Verdict.REFUTED,
+    reading=Reading.MISPRINT,
+    kind="sign",
+    origin=Origin.PAPER,
+    reason="as the next line has it",
+    corrected="x = x",
+    erratum={"verdict": "proved", "row": False},
+)
+ROW = replace(WRONG, id="toy:2.1V.3a", printed="V_3 : [1, -1]", corrected="V_3 : [1, 1]", erratum={"row": True})
+GROUPS = {
+    Group.STATEMENT: WRONG,
+    Group.ROW: ROW,
+    Group.SLIP: replace(WRONG, id="toy:2.2", kind="lost prime"),
+    Group.DAMAGED: replace(WRONG, id="toy:2.3", reading=Reading.DAMAGED, erratum=None),
+}
+
+
+def told(*records: Record) -> str:
+    out = Console(file=io.StringIO(), width=150, highlight=False, markup=False)
+    terminal.errata(out, records)
+    text = out.file.getvalue()  # type: ignore[attr-defined]
+    assert isinstance(text, str)
+    return text
+
+
+@pytest.mark.parametrize("group", GROUPS)
+def test_each_erratum_has_its_group(group: Group) -> None:
+    assert GROUPS[group].group is group
+    assert GROUPS[group].to_json()["group"] == group
+
+
+def test_what_is_right_has_no_group() -> None:
+    assert replace(WRONG, corrected="", reading=Reading.AS_PRINTED).group is None
+
+
+def test_a_record_with_its_group_is_read_back() -> None:
+    assert Record.from_json(ROW.to_json()) == ROW
+
+
+@pytest.mark.parametrize("kind", sorted(SLIPS))
+def test_a_slip_in_a_row_is_a_slip(kind: str) -> None:
+    assert replace(ROW, kind=kind).group is Group.SLIP
+
+
+def test_the_weightiest_come_first() -> None:
+    text = told(*reversed(GROUPS.values()))
+    places = [text.index(group.upper()) for group in Group]
+    assert places == sorted(places)
+
+
+def test_a_group_without_members_is_not_told() -> None:
+    assert Group.SLIP.upper() not in told(WRONG, ROW)
+
+
+def test_the_parts_of_a_row_are_one_line() -> None:
+    text = told(ROW, replace(ROW, id="toy:2.1V.3b"), replace(ROW, id="toy:2.1V.4a", printed="V_4 : [1, 0]"))
+    assert [line.split()[0] for line in text.splitlines() if line.strip().startswith("2.1V")] == [
+        "2.1V.3a,b",
+        "2.1V.4a",
+    ]
+
+
+def test_rows_of_one_list_kind_and_origin_stand_under_one_heading() -> None:
+    label = replace(ROW, id="toy:2.1V.5a", kind="label")
+    text = told(ROW, label, replace(ROW, id="toy:2.1V.6a"), replace(ROW, id="toy:3.1V.6a"))
+    headings = [line for line in text.splitlines() if line.startswith("toy:")]
+    assert headings == ["toy:2.1V: sign, paper", "toy:2.1V: label, paper", "toy:3.1V: sign, paper"]
+    assert text.count(ROW.reason) == 3
+
+
+def test_a_reason_of_its_own_stands_beside_its_row() -> None:
+    text = told(ROW, replace(ROW, id="toy:2.1V.6a"), replace(ROW, id="toy:2.1V.7a", reason="stands alone"))
+    line = next(line for line in text.splitlines() if "2.1V.7a" in line)
+    assert "stands alone" in line
