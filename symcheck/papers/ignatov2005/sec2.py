@@ -12,7 +12,16 @@ from typing import Any
 
 from symcheck.papers.declare import claim, definition, exclusion, ours, premise
 from symcheck.papers.ignatov2005 import derivation
-from symcheck.papers.ignatov2005.hypotheses import real_base, real_pyramid
+from symcheck.papers.ignatov2005.hypotheses import (
+    EACH,
+    MASS,
+    RATES,
+    SPACECRAFT_MOMENTS,
+    lost_pi,
+    real_base,
+    real_pyramid,
+    rhombi,
+)
 from symcheck.papers.ignatov2005.notation import (
     LIMIT,
     four_and_three,
@@ -27,19 +36,7 @@ from symcheck.statement import Erratum, Hypothesis, Item, Origin
 AND = r" \land "
 FOUR, THREE = (partial(derivation.momentum_of_wheels, number) for number in (4, 3))
 OPEN_RANGE = [real_pyramid, real_base]
-EACH = r"-1 \leq h_i \leq 1"  # the wheels in units of h_max
 FULL_MOMENTUM = Hypothesis("limits", "no wheel exceeds h_max = 1 (line 81)", EACH)
-
-
-def lost_pi(read_as: str) -> dict[str, Any]:
-    """How a printed p is read, and why."""
-    return {
-        "read_as": read_as,
-        "kind": "lost letter",
-        "origin": Origin.OCR,
-        "reason": "p stands for pi throughout the prose and table 2, as 45 degrees beside p/4 shows: the Greek letter was set in a "
-        "font of symbols, where p is its place, and the digital text lost the font.",
-    }
 
 
 # --- 2.1: the axes, the momentum, its region
@@ -421,15 +418,6 @@ edges_of_length_two = claim(
 )
 
 PAIRS = ((1, 2), (1, 3), (1, 4), (2, 3), (2, 4), (3, 4))
-
-
-def rhombi(pairs: tuple[tuple[int, int], ...]) -> tuple[str, ...]:
-    """Two axes of equal length that are not parallel, for each pair: a face is a rhombus."""
-    return tuple(
-        rf"(\mathbf{{e}}_{i}, \mathbf{{e}}_{i}) = (\mathbf{{e}}_{j}, \mathbf{{e}}_{j}) \land "
-        rf"(\mathbf{{e}}_{i} \times \mathbf{{e}}_{j}, \mathbf{{e}}_{i} \times \mathbf{{e}}_{j}) \ne 0"
-        for i, j in pairs
-    )
 
 
 faces_are_rhombi = claim(
@@ -1061,8 +1049,6 @@ moments_of_inertia = premise(
     notation=four_wheels_in_spacecraft,
 )
 
-SPACECRAFT_MOMENTS = Hypothesis("spacecraft", "the moments of inertia of line 248", "J_x = 1000, J_y = 1600, J_z = 800")
-
 such_a_body_exists = ours(
     "2.2.28",
     248,
@@ -1093,8 +1079,6 @@ no_angular_momentum = claim(
 )
 
 AT_REST = Hypothesis("no angular momentum", "2.2.30", r"J_x w_x + H_x = 0, J_y w_y + H_y = 0, J_z w_z + H_z = 0")
-
-MASS = Hypothesis("moments positive", "the body has mass", "J_x > 0, J_y > 0, J_z > 0", printed=False)
 
 rates = claim(
     "2.3",
@@ -1251,8 +1235,6 @@ angle_a = claim(
     uses=["2.3.6", "2.3.8"],
     notation=four_wheels_in_spacecraft,
 )
-
-RATES = Hypothesis("rates", "(2.3)", r"w_x = -\frac{H_x}{J_x}, w_y = -\frac{H_y}{J_y}, w_z = -\frac{H_z}{J_z}")
 
 largest_rates = claim(
     "2.3.10",

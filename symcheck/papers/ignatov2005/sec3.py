@@ -14,7 +14,16 @@ from typing import Any
 
 from symcheck.papers.declare import claim, definition, exclusion, ours, premise
 from symcheck.papers.ignatov2005 import derivation, envelopes
-from symcheck.papers.ignatov2005.hypotheses import real_base, real_pyramid
+from symcheck.papers.ignatov2005.hypotheses import (
+    EACH,
+    MASS,
+    RATES,
+    SPACECRAFT_MOMENTS,
+    lost_pi,
+    real_base,
+    real_pyramid,
+    rhombi,
+)
 from symcheck.papers.ignatov2005.notation import (
     five_of_six,
     four_wheels,
@@ -24,7 +33,6 @@ from symcheck.papers.ignatov2005.notation import (
     six_wheels_in_spacecraft,
     six_wheels_with_units,
 )
-from symcheck.papers.ignatov2005.sec2 import EACH, MASS, RATES, SPACECRAFT_MOMENTS, lost_pi, rhombi
 from symcheck.proof import cases, combined, existence, identity, nonnegative, theorems
 from symcheck.reading import Notation
 from symcheck.statement import Erratum, Hypothesis, Item, Origin
