@@ -52,14 +52,24 @@ def cached(folder: Path) -> int:
         connection.close()
 
 
+def interruptible() -> None:
+    """A job in the background of a shell ignores interrupts, and so would its children."""
+    signal.signal(signal.SIGINT, signal.SIG_DFL)
+
+
 def test_ctrl_c_keeps_what_is_done(environment: dict[str, str], tmp_path: Path) -> None:
     env = {**environment, "STAND_IN_MORE": "hang"}
     command = [*START, "check", "toy", "--jobs", "1", "--timeout", "3600"]
-    with subprocess.Popen(command, env=env, stderr=subprocess.PIPE, text=True, start_new_session=True) as process:
-        until(lambda: cached(tmp_path / "cache") == 6)
-        until(lambda: "toy:hang" in (tmp_path / "decided").read_text())
-        os.killpg(process.pid, signal.SIGINT)
-        _, errors = process.communicate(timeout=DEADLINE)
+    own = {"start_new_session": True, "preexec_fn": interruptible}
+    with subprocess.Popen(command, env=env, stderr=subprocess.PIPE, text=True, **own) as process:
+        try:
+            until(lambda: cached(tmp_path / "cache") == 6)
+            until(lambda: "toy:hang" in (tmp_path / "decided").read_text())
+            os.killpg(process.pid, signal.SIGINT)
+            _, errors = process.communicate(timeout=DEADLINE)
+        finally:
+            if process.poll() is None:
+                os.killpg(process.pid, signal.SIGKILL)
     assert process.returncode == 130
     assert errors == "symcheck: interrupted; 6 of 7 declarations are decided and kept\n"
     (tmp_path / "decided").unlink()
