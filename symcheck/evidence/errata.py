@@ -53,7 +53,8 @@ def _need(finding: Finding, item: Item, name: str) -> tuple[bool | None, Certifi
     if not item.lemmas and all(p.claim[0] == "=" and proof_of(p) is not None for p in without):
         return False, None
     for problem in without:
-        if (point := refute(problem)) is not None:
+        # that nothing exists is not looked for: no single point shows it
+        if problem.claim[0] != "exists" and (point := refute(problem)) is not None:
             used = tuple(each for each, _ in problem.hypotheses)
             return True, certificate(problem, Outcome(Verdict.REFUTED, point=point, used=used))
     if item.lemmas or any(proof_of(problem) is None for problem in without):
