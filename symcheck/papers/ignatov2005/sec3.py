@@ -803,7 +803,6 @@ number_of_edges_of_five = claim(
             Origin.PAPER,
             "A parallelepiped has 12 edges, and P' is none: five wheels span it. The word was left over from the same sentence in "
             "section 2.2, where P' is one; the number is right for P'.",
-            shown="P' has 40 edges.",
         )
     },
     notation=five_of_six,
