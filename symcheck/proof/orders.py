@@ -60,11 +60,12 @@ def _derived(gap: Term, known: Knowledge) -> Iterator[Term]:
 def fraction_form(term: Term, known: Knowledge, top: Poly | None = None) -> Term | None:
     """A manifestly non-negative term equal to a fraction (its numerator may be given in another form), or None."""
     ratio = known.ring.ratio(term)
+    form = form_on_the_circle(ratio.num if top is None else top, known)
+    if form is None or not ratio.den:
+        return form
     bottom = prod((poly**exponent for poly, exponent in ratio.den.values()), start=known.ring.number(1))
-    form, below = (form_on_the_circle(p, known) for p in (ratio.num if top is None else top, bottom))
-    if form is None or below is None:
-        return None
-    return form if bottom == 1 else ("/", form, below)
+    below = form_on_the_circle(bottom, known)
+    return form if bottom == 1 else None if below is None else ("/", form, below)
 
 
 def positive_form(poly: Poly, known: Knowledge) -> Term | None:
@@ -103,6 +104,8 @@ def _on_the_circle(poly: Poly) -> Iterator[Poly]:
         turned = poly
         for x in (name[4:] for name in names if name.startswith(old) and new + name[4:] in names):
             square, other = names.index(old + x), poly.context().gen(names.index(new + x))
+            if turned.degrees()[square] < 2:
+                continue
             terms: dict[int, Poly] = {}
             for exponents, coefficient in turned.terms():
                 half, odd = divmod(int(exponents[square]), 2)
