@@ -139,23 +139,39 @@ def check(selection: Sequence[str], as_json: bool, verdict: str | None, how: How
 
 
 @cli.command()
-@click.argument("number", metavar="PAPER:NUMBER")
+@click.argument("name", metavar="PAPER:NUMBER|KERNEL")
 @click.option("--certificate", is_flag=True, help="Print the whole certificate.")
 @deciding
-def show(number: str, certificate: bool, how: How) -> None:
-    """Show one relation: as printed, as read, hypotheses, steps of the proof, certificate, counterexample, erratum."""
-    if ":" not in number:
-        from symcheck.papers import load
+def show(name: str, certificate: bool, how: How) -> None:
+    """Show one relation: as printed, as read, hypotheses, steps of the proof, certificate, counterexample, erratum.
 
-        keys = list(load())
-        example = f"{number}:NUMBER" if number in keys else f"{keys[0]}:{number}"
-        raise SymcheckError(f"{number!r} is not of the form PAPER:NUMBER; did you mean {example}?")
-    records = audit([number], how)
+    Or one kernel: what it computes, how accurately, and the relations on which it rests.
+    """
     from symcheck import terminal
 
     out = terminal.console()
-    for record in records:
+    if ":" not in name:
+        _show_kernel(out, name, how)
+        return
+    for record in audit([name], how):
         terminal.show(out, record, certificate)
+
+
+def _show_kernel(out: Any, name: str, how: How) -> None:
+    from difflib import get_close_matches
+
+    from symcheck import terminal
+    from symcheck.evidence import kernels
+    from symcheck.papers import load
+
+    keys = list(load())
+    named = {known: (key, kernel) for key in keys for known, kernel in kernels.declared(key).items()}
+    if name not in named:
+        near = get_close_matches(name, named, n=1)
+        example = f"{name}:NUMBER" if name in keys else near[0] if near else f"{keys[0]}:{name}"
+        raise SymcheckError(f"{name!r} is neither of the form PAPER:NUMBER nor a kernel; did you mean {example}?")
+    key, kernel = named[name]
+    terminal.kernel(out, key, name, kernel, audit([f"{key}:{number}" for number in kernel.claims], how))
 
 
 @cli.command()
@@ -194,22 +210,29 @@ def papers() -> None:
 
 
 @cli.command()
-@click.option("--check", "only_check", is_flag=True, help="Write nothing; exit 1 and name the files that differ.")
+@click.option("--check", "only_check", is_flag=True, help="Write nothing; exit 1, name what differs, diff the kernels.")
 @deciding
 def generate(only_check: bool, how: How) -> None:
-    """Write certificates and recorded verdicts to generated/, or check that they are what would be written."""
-    from symcheck import kernels
+    """Write kernels, certificates and recorded verdicts to generated/, or check that they are what would be written."""
+    from symcheck import kernels, papers
+    from symcheck.evidence import kernels as writing
     from symcheck.evidence import store
 
-    folder = kernels.folder()
-    contents = store.files(audit((), how))
+    folder, records = kernels.folder(), audit((), how)
+    modules = {key: writing.module(paper, records) for key, paper in papers.load().items()}
+    contents = store.files(records, modules)
     differing = store.differences(folder, contents)
-    if only_check and differing:
-        for line in differing:
-            _say(f"generated/{line}")
-        raise click.exceptions.Exit(DIFFERS)
-    if not only_check:
+    if only_check:
+        click.echo(store.diff(folder, contents), nl=False)
+    else:
         store.write(folder, contents)
+    left = differing if only_check else store.differences(folder, contents)
+    for line in left:
+        _say(f"generated/{line}")
+    if any(not line.endswith(store.UNKNOWN) for line in left):
+        _say("run `symcheck generate` to write what differs and to remove what is superfluous")
+    if left:
+        raise click.exceptions.Exit(DIFFERS)
     click.echo(f"{folder}: {len(contents)} files, {len(differing)} {'differ' if only_check else 'rewritten'}")
 
 

@@ -17,6 +17,7 @@ from rich.console import Console
 from rich.table import Table
 from rich.text import Text
 
+from symcheck.codegen.kernel import Kernel
 from symcheck.evidence.record import Record
 from symcheck.evidence.steps import point, sides, steps, term
 from symcheck.statement import Group, Paper, Verdict
@@ -116,6 +117,23 @@ def show(out: Console, record: Record, whole_certificate: bool = False) -> None:
     _erratum(out, record)
     for certificate in record.certificates:
         _certificate(out, certificate, whole_certificate)
+
+
+def kernel(out: Console, key: str, name: str, declared: Kernel, records: Iterable[Record]) -> None:
+    """What a kernel computes, how accurately, and the relations it rests on, each with its verdict and certificates."""
+    shown = declared.derived()
+    out.print(Text(f"{name}  generated/{key}.py", style="bold"))
+    _field(out, "says", declared.says)
+    for output in declared.outputs:
+        _field(out, output.name, f"{shown[output.name]}    {output.meaning}, {output.unit}")
+    for argument in declared.arguments:
+        _field(out, f"  {argument.name}", f"{argument.meaning}, {argument.unit}; {argument.domain}")
+    _field(out, "accuracy", " ".join(f"{declared.ulp} ulp. {declared.condition} {declared.degenerate}".split()))
+    for record in records:
+        _field(out, "rests on", f"{record.id}, line {record.line}: {record.read}")
+        _field(out, "verdict", _verdict(record))
+        for certificate in record.certificates:
+            _field(out, "certificate", _digest(certificate))
 
 
 def errata(out: Console, records: Sequence[Record]) -> None:

@@ -190,7 +190,7 @@ BAD_INPUT = {
     "an unknown number": (["check", "toy:1.13"], "did you mean toy:1."),
     "an unknown link": (["check", "toy:1.2z"], "toy:1.2a, toy:1.2b"),
     "one unknown among known": (["check", "toy", "toy:7"], "toy has no relation '7'"),
-    "show of a paper": (["show", "toy"], "not of the form PAPER:NUMBER"),
+    "show of a paper": (["show", "toy"], "neither of the form PAPER:NUMBER"),
     "show of nothing": (["show"], "PAPER:NUMBER"),
     "errata of an unknown paper": (["errata", "toi"], "did you mean toy?"),
     "an unknown verdict": (["check", "--verdict", "true"], "'proved', 'refuted', 'undecided'"),

@@ -1,6 +1,6 @@
-"""What is checked in under generated/: the certificates of each paper and the verdicts that are expected of it.
+"""What is checked in under generated/: the certificates of each paper, the verdicts expected of it, and its kernels.
 
-Both files are written from the records of an audit and depend on nothing else: no times, no versions. Each certificate
+All files are written from the records of an audit and depend on nothing else: no times, no versions. Each certificate
 and each expectation has a line of its own, so that a diff shows what changed.
 """
 
@@ -9,15 +9,20 @@ from __future__ import annotations
 import json
 import os
 from collections.abc import Iterable, Iterator, Mapping
+from difflib import unified_diff
 from pathlib import Path
+from types import MappingProxyType
 from typing import Any
 
 from symcheck.evidence.record import Record
 from symcheck.statement import Certificate, SymcheckError, Verdict
 
 SCHEMA = 1
+Kernels = tuple[str, Iterable[Certificate]]
 CERTIFICATES = "certificates"
 EXPECTED = "expected"
+OURS = ("*.py", f"{CERTIFICATES}/*.json", f"{EXPECTED}/*.json")  # what `write` may remove
+UNKNOWN = "unknown; no command writes it, so remove it"
 
 
 def certificates(record: Record) -> Iterator[Certificate]:
@@ -30,14 +35,18 @@ def certificates(record: Record) -> Iterator[Certificate]:
             yield counterexample
 
 
-def files(records: Iterable[Record]) -> dict[str, bytes]:
-    """Path inside generated/ -> contents, for every paper that has a record."""
+def files(records: Iterable[Record], kernels: Mapping[str, Kernels] = MappingProxyType({})) -> dict[str, bytes]:
+    """Path inside generated/ -> contents, for every paper that has a record; `kernels` by paper: text, certificates."""
     papers: dict[str, list[Record]] = {}
     for record in records:
         papers.setdefault(record.paper, []).append(record)
     out: dict[str, bytes] = {}
     for key, rows in sorted(papers.items()):
-        proofs = dict.fromkeys(_line(certificate) for row in rows for certificate in certificates(row))
+        text, equalities = kernels.get(key, ("", ()))
+        proofs = dict.fromkeys(_line(each) for row in rows for each in certificates(row))
+        proofs |= dict.fromkeys(map(_line, equalities))
+        if text:
+            out[f"{key}.py"] = text.encode()
         verdicts = (f"{_line(row.id)}: {_line(_expectation(row))}" for row in rows)
         out[f"{CERTIFICATES}/{key}.json"] = _document(key, "certificates", "[]", proofs)
         out[f"{EXPECTED}/{key}.json"] = _document(key, "items", "{}", verdicts)
@@ -45,26 +54,37 @@ def files(records: Iterable[Record]) -> dict[str, bytes]:
 
 
 def write(folder: Path, contents: Mapping[str, bytes]) -> None:
-    """Make the two subfolders of `folder` hold exactly these files; each appears whole or not at all."""
+    """Make `folder` hold exactly these of our files; each appears whole or not at all. Unknown files are left alone."""
     try:
         for name, data in contents.items():
             _replace(folder / name, data)
-        for name in sorted(_present(folder) - set(contents)):
+        for name in sorted(_ours(folder) - set(contents)):
             (folder / name).unlink()
     except OSError as error:
         raise SymcheckError(f"{folder} cannot be written ({error.strerror}); generate in a checkout") from error
 
 
 def differences(folder: Path, contents: Mapping[str, bytes]) -> list[str]:
-    """One line for each file that is missing, superfluous or different."""
-    present = _present(folder)
-    told = dict.fromkeys(present - set(contents), "superfluous")
+    """One line for each file that is missing, superfluous, unknown or different."""
+    present, ours = _present(folder), _ours(folder)
+    told = {name: "superfluous" if name in ours else UNKNOWN for name in present - set(contents)}
     for name, data in contents.items():
         if name not in present:
             told[name] = "missing"
         elif (old := (folder / name).read_bytes()) != data:
             told[name] = f"differs from line {_first_difference(old, data)} on"
     return [f"{name}: {told[name]}" for name in sorted(told)]
+
+
+def diff(folder: Path, contents: Mapping[str, bytes]) -> str:
+    """How the kernels would change, as a unified diff that `git apply` takes; "" if they would not."""
+    told: list[str] = []
+    for name in sorted(contents):
+        if name.endswith(".py") and (folder / name).is_file():
+            sides = (data.decode(errors="replace") for data in ((folder / name).read_bytes(), contents[name]))
+            old, new = (side.splitlines(keepends=True) for side in sides)
+            told += unified_diff(old, new, f"a/{folder.name}/{name}", f"b/{folder.name}/{name}")
+    return "".join(line if line.endswith("\n") else f"{line}\n\\ No newline at end of file\n" for line in told)
 
 
 def expected(folder: Path, paper: str) -> dict[str, Verdict | None]:
@@ -117,7 +137,14 @@ def _document(paper: str, name: str, brackets: str, lines: Iterable[str]) -> byt
 
 
 def _present(folder: Path) -> set[str]:
-    return {f"{part}/{file.name}" for part in (CERTIFICATES, EXPECTED) for file in (folder / part).glob("*.json")}
+    """All files but the package's own and what Python compiled."""
+    files = (file.relative_to(folder) for file in folder.rglob("*") if file.is_file())
+    return {file.as_posix() for file in files if "__pycache__" not in file.parts} - {"__init__.py"}
+
+
+def _ours(folder: Path) -> set[str]:
+    files = {file.relative_to(folder).as_posix() for pattern in OURS for file in folder.glob(pattern)}
+    return files & _present(folder)
 
 
 def _replace(file: Path, data: bytes) -> None:

@@ -214,3 +214,64 @@ def two_neighbouring_poles() -> dict[str, Any]:
     function = _real("R_1") / (first - eta) + _real("R_2") / (second - eta) + _real("h")
     cleared = sp.cancel(function * (eta - first) * (eta - second))
     return {f"V_{k}": sp.factor(cleared.subs(eta, at)) for k, at in ((1, first), (2, second))}
+
+
+# --- one mode, for kernels
+
+
+def characteristic_coefficients() -> dict[str, Any]:
+    """Coefficients c_2, c_1, c_0 of the quadratic in eta."""
+    values = sp.Poly(characteristic_polynomial(1), _real("eta")).all_coeffs()
+    return {f"c_{power}": value for power, value in zip((2, 1, 0), values, strict=True)}
+
+
+def _root(square: Any, *factors: Any) -> Any:
+    """The root of something non-negative, with the roots of some of its non-negative factors apart."""
+    return sp.prod(map(sp.sqrt, factors)) * sp.sqrt(sp.factor(square / sp.prod(factors)))
+
+
+@cache
+def _boundary_roots() -> tuple[Any, Any]:
+    """The mean of the roots of the boundary as a quadratic in Delta, and the square of half their difference."""
+    one, linear, _ = sp.Poly(boundary_in_delta()[0], _real("Delta")).all_coeffs()
+    return -linear / (2 * one), discriminant_in_delta()["D"] / (2 * one) ** 2
+
+
+def boundary_roots() -> dict[str, Any]:
+    """These roots, Delta_1 the greater and Delta_2, and their distance."""
+    mean, square = _boundary_roots()
+    half = _root(square, _real("E_1"), _real("b_1"), 1 - _real("b_1"))
+    return {"Delta_1": mean + half, "Delta_2": mean - half, "width": 2 * half}
+
+
+@cache
+def _frequencies() -> tuple[Any, Any, Any]:
+    """In units of the spin: the mean of the two frequencies, and e and b where half their difference is sqrt(b) / e."""
+    values = {_real("C"): _real("A") + _real("Delta"), _real("lambda_1"): _real("b_1") * _real("omega_0")}
+    two, one, _ = (sp.factor(value.subs(values)) for value in characteristic_coefficients().values())
+    [boundary] = boundary_in_delta()
+    return sp.cancel(-one / (2 * two * _real("omega_0"))), 2 * two, boundary
+
+
+def frequencies() -> dict[str, Any]:
+    """eta_1 and eta_2, the roots of the quadratic in eta."""
+    mean, divisor, boundary = _frequencies()
+    half = sp.sqrt(boundary) / divisor
+    return {"eta_1": _real("omega_0") * (mean - half), "eta_2": _real("omega_0") * (mean + half)}
+
+
+@cache
+def critical_frequencies() -> dict[str, Any]:
+    """The double frequencies eta_1 at Delta_1 and eta_2 at Delta_2; the greater Delta has the lesser one."""
+    delta, spin, (mean, square) = _real("Delta"), _real("omega_0"), _boundary_roots()
+    frequency = _frequencies()[0]
+    middle, half = sp.cancel(frequency.subs(delta, mean)), _root(square * frequency.diff(delta) ** 2, _real("E_1"))
+    return {"eta_1": spin * (middle - half), "eta_2": spin * (middle + half)}
+
+
+@cache
+def greatest_growth_rate() -> dict[str, Any]:
+    """y, the imaginary part of the frequencies midway between Delta_1 and Delta_2, where the boundary is least."""
+    _, divisor, boundary = _frequencies()
+    least = boundary.subs(_real("Delta"), _boundary_roots()[0])
+    return {"y": _real("omega_0") * _root(-least / divisor**2, _real("E_1"))}

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from typing import Any
 
 from symcheck.lazy import lazy
@@ -37,14 +37,19 @@ def vertex_distances(vertices: str) -> dict[str, Any]:
 
 
 def distances_of_faces(*faces: str) -> dict[str, Any]:
-    """r_1, r_2, ...: the distances from the centre to the planes of the faces [u, 1, v, -1].
+    """r_1, r_2, ...: the distances from the centre to the planes of the faces [u, 1, v, -1]."""
+    return _distances(*_four_in_letters(), faces)
 
-    The components of an axis are p, q, r with signs, all three positive for 0 < a, b < 90 degrees.
+
+def _four_in_letters() -> tuple[list[Any], dict[Any, Any]]:
+    """The axes with positive letters for their components but for signs, and what these stand for.
+
+    All three are positive for 0 < a, b < 90 degrees.
     """
-    p, q, r = sp.symbols("p q r", positive=True)
-    axes = [sp.Matrix(axis) for axis in ((p, -q, -r), (p, q, -r), (p, -q, r), (p, q, r))]
+    letters = sp.symbols("p q r", positive=True)
+    axes = [sp.Matrix([sign * letter for sign, letter in zip(signs, letters, strict=True)]) for signs in FOUR]
     a, b = sp.symbols("a b", real=True)
-    return _distances(axes, {p: sp.sin(a) * sp.sin(b), q: sp.sin(a) * sp.cos(b), r: sp.cos(a)}, faces)
+    return axes, dict(zip(letters, (sp.sin(a) * sp.sin(b), sp.sin(a) * sp.cos(b), sp.cos(a)), strict=True))
 
 
 def _distances(axes: Sequence[Any], meaning: dict[Any, Any], faces: tuple[str, ...]) -> dict[str, Any]:
@@ -151,3 +156,121 @@ def faces_of_six() -> dict[str, Any]:
     two_apart = (0, 1, 1, -1, 0, 1), (-1, 0, 1, -1, -1, 0)
     opposite = (0, 1, 1, 0, 1, 1), (-1, -1, 0, -1, -1, 0)
     return {**six_axes(), **_normals(_in_letters("g", SIX), *neighbours, *two_apart, *opposite)}
+
+
+# --- for kernels: both pyramids with their first wheels working, in the angles
+
+Momenta = Mapping[int, Sequence[int]]  # of the wheels that work, by the number of a vertex
+
+
+def _in_letters_of(pyramid: int) -> tuple[list[Any], dict[Any, Any]]:
+    """The axes of the pyramid with 4 or 6 wheels in positive letters, and what these stand for."""
+    return _four_in_letters() if pyramid == 4 else _six_in_letters()
+
+
+def _components(pyramid: int, vectors: Mapping[str, Any]) -> dict[str, Any]:
+    """V_1x, V_1y, ...: the components of vectors in letters, without those that are zero for all angles."""
+    meaning = _in_letters_of(pyramid)[1]
+    named = {f"{name}{x}": value for name, vector in vectors.items() for x, value in zip("xyz", vector, strict=True)}
+    return {name: sp.factor_terms(sp.together(value)).subs(meaning) for name, value in named.items() if value != 0}
+
+
+def axes(pyramid: int) -> dict[str, Any]:
+    """e_1x, e_1y, ...: the axes of a pyramid."""
+    return _components(pyramid, {f"e_{i}": axis for i, axis in enumerate(_in_letters_of(pyramid)[0], 1)})
+
+
+def _total(pyramid: int, momenta: Sequence[Any]) -> Any:
+    """The sum of h_i e_i in letters, over the wheels 1, 2, ... that work."""
+    axes, _ = _in_letters_of(pyramid)
+    return sum((h * axis for h, axis in zip(momenta, axes, strict=False)), sp.zeros(3, 1))
+
+
+def momentum(pyramid: int, working: int) -> dict[str, Any]:
+    """H_x, H_y, H_z: the sum of h_i e_i over the wheels 1, 2, ... that work."""
+    momenta = [sp.Symbol(f"h_{i}", real=True) for i in range(1, working + 1)]
+    return _components(pyramid, {"H_": _total(pyramid, momenta)})
+
+
+def rates(pyramid: int, working: int) -> dict[str, Any]:
+    """w_x, w_y, w_z: the rates of the body with which its momentum and that of the wheels are zero together."""
+    unknown = sp.symbols("w_x w_y w_z", real=True)
+    (found,) = sp.solve(angular_momentum(), unknown, dict=True)
+    wheels = {sp.Symbol(name, real=True): value for name, value in momentum(pyramid, working).items()}
+    return {rate.name: found[rate].subs(wheels) for rate in unknown}
+
+
+def largest_rates(pyramid: int) -> dict[str, Any]:
+    """w_x, w_y, w_z: the largest rates about each axis, in absolute value: every wheel does for it what it can."""
+    vectors, meaning = _in_letters_of(pyramid)
+    largest = {x: sum(abs(axis[k]) for axis in vectors) for k, x in enumerate("xyz")}
+    return {f"w_{x}": (sp.S(value) / sp.Symbol(f"J_{x}", real=True)).subs(meaning) for x, value in largest.items()}
+
+
+def vertices(pyramid: int, vertices: Momenta) -> dict[str, Any]:
+    """V_1x, V_1y, ...: the vertices at which the wheels have these momenta."""
+    return _components(pyramid, {f"V_{i}": _total(pyramid, momenta) for i, momenta in vertices.items()})
+
+
+def distances_of_vertices(pyramid: int, vertices: Momenta) -> dict[str, Any]:
+    """d_1, d_2, ...: the distances from the centre of vertices, by their numbers among the distances."""
+    meaning = _in_letters_of(pyramid)[1]
+    points = {f"d_{k}": _total(pyramid, momenta) for k, momenta in vertices.items()}
+    return {name: sp.sqrt(point.dot(point)).subs(meaning) for name, point in points.items()}
+
+
+def volume(pyramid: int, working: int) -> dict[str, Any]:
+    """The volume of the envelope of the wheels 1, 2, ... that work."""
+    vectors, meaning = _in_letters_of(pyramid)
+    chi = chirotope((FOUR if pyramid == 4 else SIX)[:working])
+    found = Envelope(tuple(map(tuple, vectors[:working])), chi, combinatorics(chi)).volume()
+    return {"volume": sp.expand(found).subs(meaning)}
+
+
+def _angles(x: Any, y: Any, z: Any) -> dict[str, Any]:
+    """The angles of the four-sided pyramid whose axes have components in these ratios."""
+    return {"a": sp.atan(sp.sqrt(x**2 + y**2) / z), "b": sp.atan(x / y)}
+
+
+def _moments() -> tuple[Any, Any, Any]:
+    x, y, z = sp.symbols("J_x J_y J_z", real=True)
+    return x, y, z
+
+
+def angles_for_equal_rates() -> dict[str, Any]:
+    """a, b of four wheels whose components are as the moments are, so that the largest rates 4p/J_x, ... are equal, w.
+
+    Then all faces allow one rate about every axis, w_any: w_any^2 (J_x^2/p^2 + J_y^2/q^2) = 16, and so on.
+    """
+    moments = _moments()
+    length = sp.sqrt(sum(moment**2 for moment in moments))
+    return _angles(*moments) | {"w": 4 / length, "w_any": sp.sqrt(8) / length}
+
+
+def angles_for_rate_about_any_axis() -> dict[str, Any]:
+    """a, b, w: of four wheels, the best ones for a body with J_y >= S = sqrt(J_x^2 + J_z^2).
+
+    The faces across OXY and OYZ bind: w^2 (J_x^2/p^2 + J_y^2/q^2) = 16 = w^2 (J_z^2/r^2 + J_y^2/q^2). So p/r = J_x/J_z, and
+    q^2 = 1 - p^2 - r^2 that makes J_y^2/q^2 + S^2/(1 - q^2) least is J_y/(J_y + S).
+    """
+    x, y, z = _moments()
+    root = sp.sqrt(x**2 + z**2)
+    return _angles(x, sp.sqrt(root * y), z) | {"w": 4 / (y + root)}
+
+
+def angle_of_six_for_equal_rates() -> dict[str, Any]:
+    """a, w_x, w_y: of six wheels, with equal largest rates w_y = w_z; and these rates."""
+    a, tangent = sp.Symbol("a", real=True), sp.Symbol("t", positive=True)
+    rates = largest_rates(6)
+    equation = (rates["w_y"] - rates["w_z"]).subs(sp.sin(a), tangent * sp.cos(a)) / sp.cos(a)
+    (found,) = sp.solve(sp.expand(equation), tangent)
+    above, below = sp.fraction(found)
+    length = sp.sqrt(above**2 + below**2)
+    sides = {sp.sin(a): above / length, sp.cos(a): below / length}
+    return {"a": sp.atan(found), **{name: rates[name].subs(sides) for name in ("w_x", "w_y")}}
+
+
+def angle_of_six_for_rate_about_any_axis() -> dict[str, Any]:
+    """a, w: of six wheels, where the face F_8 binds: 16/w^2 = J_y^2/sin^2 a + J_z^2/(4 cos^2 a) is least."""
+    _, y, z = _moments()
+    return {"a": sp.atan(sp.sqrt(2 * y / z)), "w": 8 / (2 * y + z)}

@@ -115,7 +115,8 @@ def scaled_gains() -> dict[str, Any]:
 
 def proportional_gains() -> dict[str, Any]:
     """k_i = k J_i: gains proportional to the moment of inertia about their own axis."""
-    return {f"k_{i}": sp.Symbol("k") * sp.Symbol(f"J_{i}") for i in (1, 2, 3)}
+    ratio = sp.Symbol("k", real=True)
+    return {f"k_{i}": ratio * moment for i, moment in enumerate(_triple("J"), 1)}
 
 
 @cache
@@ -237,3 +238,99 @@ def exceptional_family() -> dict[str, Any]:
     second = u * sp.Matrix([1, -1, 0]) / sp.sqrt(2) + v * sp.Matrix([0, 0, 1])
     axes = sp.Matrix.hstack(first, second, first.cross(second)).T
     return {**rotation.entries(axes), "I_1": sp.Integer(3), "I_2": sp.Integer(1), "I_3": sp.Integer(2)}
+
+
+# --- in moments, direction cosines and gains, for kernels
+
+
+def _put(expression: Any, values: dict[str, Any]) -> Any:
+    """The expression with these values of its letters."""
+    return expression.subs({sp.Symbol(name, real=True): value for name, value in values.items()})
+
+
+def second_order_moments() -> dict[str, Any]:
+    """L_i = e_i^T adj(I) e_i for the axes e_i, rows of a."""
+    forms = inertia.axial_moments(_tensor().adjugate(), rotation.matrix())
+    return {f"L_{i}": form for i, form in enumerate(forms, 1)}
+
+
+def products_of_moments() -> dict[str, Any]:
+    """f = J_1 J_2 J_3, S = J_1 L_1 + J_2 L_2 + J_3 L_3, and the two products that the proof of the lower bound joins."""
+    first, second, third = axial_moments().values()
+    adjugate = second_order_moments().values()
+    pairs = [moment * form for moment, form in zip((first, second, third), adjugate, strict=True)]
+    return {"f": first * second * third, "S": sp.Add(*pairs), "J_1_J_3": first * third, "J_2_L_2": pairs[1]}
+
+
+def bounds_of_products() -> dict[str, Any]:
+    """f and S for axes that are principal, and f for three moments that are equal."""
+    principal, mean = sp.prod(_triple("I")), sum(_triple("I"), sp.Integer(0)) / 3
+    return {"f_least": principal, "f_greatest": mean**3, "S_least": 3 * principal}
+
+
+def _coefficients(gains: dict[str, Any]) -> dict[str, Any]:
+    [polynomial] = characteristic_polynomial_by_axes()
+    values = sp.Poly(_put(polynomial, gains), sp.Symbol("p", real=True)).all_coeffs()
+    moments = axial_moments() | second_order_moments()
+    return {
+        f"c_{power}": _put(sp.factor_terms(value), moments) for power, value in zip((3, 2, 1, 0), values, strict=True)
+    }
+
+
+def characteristic_coefficients() -> dict[str, Any]:
+    """Coefficients c_3 to c_0 of the characteristic polynomial for the gains k_1, k_2, k_3."""
+    return _coefficients({})
+
+
+def characteristic_coefficients_at_common_ratio() -> dict[str, Any]:
+    """The same for gains that are k times the moments about their axes."""
+    return _coefficients(proportional_gains())
+
+
+def gains_in_proportion() -> dict[str, Any]:
+    """These gains in the direction cosines."""
+    return {name: _put(gain, axial_moments()) for name, gain in proportional_gains().items()}
+
+
+def symmetric_damping_entries() -> dict[str, Any]:
+    """The entries of the damping matrix on its diagonal and above."""
+    return {name: entry for name, entry in damping_entries().items() if name[2] <= name[3]}
+
+
+def excess_of_gain() -> dict[str, Any]:
+    """The gain k of damping rates xi, the least, and xi + s_i; and k - xi."""
+    [k] = gain_from_rates().values()
+    return {"k": k, "k_excess": k - sp.Symbol("xi", real=True)}
+
+
+@cache
+def stability_degree_in_pitch() -> dict[str, Any]:
+    """The least damping rate xi for axes turned by the pitch alone, with gains k J_i.
+
+    The axis that stays principal damps with the rate k; the other two rates are the roots of a quadratic a p^2 - b p + c,
+    the lesser of which is 2 c / (b + sqrt(b^2 - 4 a c)).
+    """
+    p, k, alpha = sp.symbols("p k alpha", real=True)
+    pitch = {name: _put(cosine, {"beta": 0, "gamma": 0}) for name, cosine in direction_cosines().items()}
+    moments = {name: _put(moment, pitch) for name, moment in (axial_moments() | second_order_moments()).items()}
+    [polynomial] = characteristic_polynomial_by_axes()
+    polynomial = _put(_put(polynomial, proportional_gains()), moments)
+    polynomial = sp.expand(sp.expand(polynomial).subs(sp.cos(alpha), sp.sqrt(1 - sp.sin(alpha) ** 2)))
+    a, b, c = (sp.factor(value) for value in sp.Poly(sp.quo(polynomial, p + k, p), p).all_coeffs())
+    return {"xi": sp.cancel(2 * c / b) / (1 + sp.sqrt(1 - sp.factor(4 * a * c / b**2)))}
+
+
+@cache
+def equal_moment_pitch() -> dict[str, Any]:
+    """The pitch alpha that makes J_1 the mean moment where the second axis has the angles of 2.7.15.
+
+    J_1 - c is P cos 2 alpha + Q sin 2 alpha: P is its value at 0, Q that at 45 degrees.
+    """
+    yaw, roll = sp.asin(1 / sp.sqrt(3)), sp.pi / 4
+    [equation] = equal_moment_equation()
+
+    def at(pitch: Any) -> Any:
+        angles = {"alpha": pitch, "beta": yaw, "gamma": roll}
+        return sp.expand(_put(equation, {name: _put(x, angles) for name, x in direction_cosines().items()}))
+
+    return {"alpha": sp.atan(sp.factor(-at(0) / at(sp.pi / 4))) / 2}

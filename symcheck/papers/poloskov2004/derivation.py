@@ -354,3 +354,124 @@ def additive_noise_only() -> dict[str, Any]:
     """The averaged coefficients of a for alpha = 0."""
     bar = _shortened_averages()
     return {name: sp.expand(bar[name].subs(_symbol("alpha"), 0)) for name in ("Kbar_11", "Kbar_1")}
+
+
+# --- for positive parameters: densities with their constants, distributions, moments
+
+
+def _positive(*names: str) -> dict[Any, Any]:
+    return {_symbol(name): sp.Symbol(name, positive=True) for name in names}
+
+
+def _over_small_parameter(values: dict[str, Any]) -> dict[str, Any]:
+    """Values with epsilon taken out, and the rest by powers of a."""
+    small, a = sp.Symbol("varepsilon", positive=True), _symbol("a")
+    known = {name: value.subs(_symbol("varepsilon"), small) for name, value in values.items() if value != 0}
+    factors = {name: sp.sqrt(small) if name[0] == "h" else small for name in known}
+    rest = {name: sp.collect(sp.expand(value / factors[name]), a) for name, value in known.items()}
+    return {name: factors[name] * sp.factor_terms(value) for name, value in rest.items()}
+
+
+@cache
+def drift_and_diffusion() -> dict[str, Any]:
+    """v, h, K_i and K_ij that do not vanish, epsilon taken out."""
+    return _over_small_parameter({**stratonovich_system(), **coefficients()})
+
+
+@cache
+def _shapes() -> dict[str, Any]:
+    """c_1, c_2 of Delta = Delta(0) (1 + c x^2) for x = a, Omega; nu, delta: the powers but for 1 and 1/2; Delta(0)."""
+    found, values = moment_parameters(), dict[str, Any]()
+    for i, (x, power) in enumerate((("a", "nu"), ("Omega", "delta")), 1):
+        start = found[f"Delta_{i}"].subs(_symbol(x), 0)
+        ratio = sp.cancel((found[f"Delta_{i}"] / start - 1) / _symbol(x) ** 2)
+        values |= {f"start_{i}": start, f"c_{i}": ratio, power: found[power]}
+    positive = _positive("alpha", "beta", "gamma", "k", "d_33", "g_13", "g_23")
+    return {name: _differences_of_squares(value.subs(positive)) for name, value in values.items()}
+
+
+def _differences_of_squares(value: Any) -> Any:
+    """Factored, with the sign in the difference: (2 gamma - alpha)(2 gamma + alpha), not -(alpha - 2 gamma)(...)."""
+    value = sp.factor(value)
+    number, rest = value.as_coeff_Mul()
+    difference = next((factor for factor in rest.as_ordered_factors() if factor.is_Add), None)
+    return -number * ((-difference) * (rest / difference)) if number < 0 and difference else value
+
+
+def _integral(s: Any, c: Any, r: Any) -> Any:
+    """The integral of x^(s-1) (1 + c x^2)^(-r) over x > 0: Euler's integral of the first kind."""
+    return sp.gamma(s / 2) * sp.gamma(r - s / 2) / (2 * c ** (s / 2) * sp.gamma(r))
+
+
+def _with_shapes(value: Any) -> Any:
+    """A formula in c_1, nu, ... by the parameters; it has to be simplified before."""
+    return value.subs({sp.Symbol(name, positive=True): shape for name, shape in _shapes().items()}, simultaneous=True)
+
+
+def _shape_letters() -> tuple[Any, ...]:
+    return tuple(sp.symbols("c_1 c_2 nu delta start_1 start_2", positive=True))
+
+
+def _weights() -> tuple[Any, Any]:
+    """The integral of a (1 + c_1 a^2)^(-nu-1) over a > 0, and that of (1 + c_2 Omega^2)^(-delta-1/2) over all Omega."""
+    first, second, nu, delta, *_ = _shape_letters()
+    half = sp.Rational(1, 2)
+    return sp.gammasimp(_integral(sp.Integer(2), first, nu + 1)), 2 * _integral(sp.Integer(1), second, delta + half)
+
+
+@cache
+def normalised_densities() -> dict[str, Any]:
+    """p_s1, p_s3 with integral 1, the exponents less 1 and 1/2 standing apart: the other factor is a simple fraction."""
+    first, second, nu, delta, *_ = _shape_letters()
+    a, frequency = sp.Symbol("a", positive=True), _symbol("Omega")
+    amplitude, spin = _weights()
+    simple = _differences_of_squares(sp.cancel(_with_shapes(a / amplitude / (1 + first * a**2))))
+    root = sp.sqrt(sp.cancel(_with_shapes(second / (1 + second * frequency**2))))
+    return {
+        "p_s1": simple * _with_shapes((1 + first * a**2) ** -nu),
+        "p_s3": root * _with_shapes((1 + second * frequency**2) ** -delta / (spin * sp.sqrt(second))),
+    }
+
+
+@cache
+def logarithms_of_constants() -> dict[str, Any]:
+    """log C_1, log C_2 of the constants that make the integrals of 8 C_1 a Delta_1^kappa_1 and C_2 Delta_2^kappa_2 be 1."""
+    _, _, nu, delta, start, middle = _shape_letters()
+    amplitude, spin = _weights()
+    factor = _differences_of_squares(_with_shapes(start / (8 * amplitude)))
+    return {
+        "log_C_1": sp.log(factor) + 2 * _with_shapes(nu) * sp.log(_with_shapes(sp.sqrt(start))),
+        "log_C_2": sp.log(_with_shapes(sp.sqrt(middle) / spin))
+        + 2 * _with_shapes(delta) * sp.log(_with_shapes(sp.sqrt(middle))),
+    }
+
+
+@cache
+def distribution_of_amplitude() -> dict[str, Any]:
+    """The distribution function of a, F, and the amplitude a_q at which it is q."""
+    c, _, nu, *_ = _shape_letters()
+    a, q = sp.symbols("a q", positive=True)
+    return {
+        "F": _with_shapes(1 - (1 + c * a**2) ** -nu),
+        "a_q": sp.sqrt(((1 - q) ** (-1 / _shapes()["nu"]) - 1) / _shapes()["c_1"]),
+    }
+
+
+@cache
+def moments() -> dict[str, Any]:
+    """The means of a^m and of |Omega|^m."""
+    first, second, nu, delta, *_ = _shape_letters()
+    m, half = sp.Symbol("m", real=True), sp.Rational(1, 2)
+    amplitude = _integral(2 + m, first, nu + 1) / _integral(sp.Integer(2), first, nu + 1)
+    spin = _integral(1 + m, second, delta + half) / _integral(sp.Integer(1), second, delta + half)
+    return {"M_a": _with_shapes(sp.powsimp(amplitude)), "M_Omega": _with_shapes(sp.powsimp(spin))}
+
+
+@cache
+def mean_squares() -> dict[str, Any]:
+    """The means of a^2 and Omega^2, as those of 2 x Kbar + Kbar_xx vanish (B.8)."""
+    bar, found = _shortened_averages(), {}
+    for name, x, i in (("S_a", "a", 1), ("S_Omega", "Omega", 3)):
+        balance = sp.Poly(sp.expand(2 * _symbol(x) * bar[f"Kbar_{i}"] + bar[f"Kbar_{i}{i}"]), _symbol(x))
+        found[name] = _differences_of_squares(-balance.coeff_monomial(1) / balance.coeff_monomial(_symbol(x) ** 2))
+    return found

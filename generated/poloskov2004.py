@@ -1,0 +1,1294 @@
+"""Kernels of poloskov2004. Written by `symcheck generate`: what is changed here is lost."""
+
+import math
+
+import numpy as np
+
+from symcheck.runtime import DOUBLE, SMALL, evaluate, expm1_ratio, gamma_ratio, log1p_ratio
+
+__all__ = ["averaged_diffusion", "averaged_drift", "density_of_amplitude", "density_of_frequency", "diffusion_coefficients", "distribution_of_amplitude", "drift_coefficients", "logarithm_of_constant_of_amplitude", "logarithm_of_constant_of_frequency", "mean_square_of_amplitude", "mean_square_of_frequency", "mode_of_amplitude", "moment_of_amplitude", "moment_of_frequency", "noise_intensities", "quantile_of_amplitude", "stratonovich_drift"]
+
+
+def stratonovich_drift(a, psi, Omega, k, varepsilon, d_11, d_12, d_13, d_21, d_22, d_23, d_31, d_32, d_33, out=None):
+    """Drift of amplitude, phase and frequency in Stratonovich's sense.
+
+        v_1 = varepsilon*(-Omega*d_13*cos(psi)/k + Omega*d_23*sin(psi)/k + a*(-d_11*cos(psi)**2 + d_12*sin(psi)*cos(psi) + d_21*sin(psi)*cos(psi) - d_22*sin(psi)**2))
+        v_2 = varepsilon*(Omega*(d_13*sin(psi) + d_23*cos(psi))/(a*k) + d_11*sin(psi)*cos(psi) - d_12*sin(psi)**2 + d_21*cos(psi)**2 - d_22*sin(psi)*cos(psi))
+        v_3 = varepsilon*(-Omega*d_33 + a*k*(-d_31*cos(psi) + d_32*sin(psi)))
+
+    Arguments, numbers or arrays that broadcast:
+        a: amplitude of the equatorial angular velocity, in rad/s; 0 < a
+        psi: phase, in rad; any number
+        Omega: frequency k x_3, in rad/s; any number
+        k: (A - C)/A, of the moments of inertia A, A, C, a number; 0 < k
+        varepsilon: small parameter of the torques, a number; 0 < varepsilon
+        d_11: coefficient of dissipation, in 1/s; 0 < d_11
+        d_12: coefficient of dissipation, in 1/s; 0 < d_12
+        d_13: coefficient of dissipation, in 1/s; 0 < d_13
+        d_21: coefficient of dissipation, in 1/s; 0 < d_21
+        d_22: coefficient of dissipation, in 1/s; 0 < d_22
+        d_23: coefficient of dissipation, in 1/s; 0 < d_23
+        d_31: coefficient of dissipation, in 1/s; 0 < d_31
+        d_32: coefficient of dissipation, in 1/s; 0 < d_32
+        d_33: coefficient of dissipation, in 1/s; 0 < d_33
+
+    Returns a tuple of arrays:
+        v_1: drift of a, in rad/s^2
+        v_2: drift of theta, in rad/s
+        v_3: drift of Omega, in rad/s^2
+
+    Numbers give numbers; arrays give float64, or float32 if all are. `out` takes 3 arrays of the broadcast shape
+    and type; a ValueError names what does not fit. What is no number gives no number.
+
+    Accuracy: 6 ulp over the domain. These are sums with zeros inside the domain: the ulp are those of the largest
+    addend.
+
+    Rests on poloskov2004:2.4 (sha256 c36b573056b6), poloskov2004:2.4.2 (sha256 ceeae5ef97fb).
+    """
+    if out is None:
+        if type(a) is type(psi) is type(Omega) is type(k) is type(varepsilon) is type(d_11) is type(d_12) is type(d_13) is type(d_21) is type(d_22) is type(d_23) is type(d_31) is type(d_32) is type(d_33) is float:
+            try:
+                return _stratonovich_drift(a, psi, Omega, k, varepsilon, d_11, d_12, d_13, d_21, d_22, d_23, d_31, d_32, d_33, math.cos, math.sin)
+            except (ValueError, ZeroDivisionError, OverflowError):
+                pass  # NumPy says whether it is infinite or no number
+        elif type(a) is type(psi) is type(Omega) is type(k) is type(varepsilon) is type(d_11) is type(d_12) is type(d_13) is type(d_21) is type(d_22) is type(d_23) is type(d_31) is type(d_32) is type(d_33) is np.ndarray and a.dtype is psi.dtype is Omega.dtype is k.dtype is varepsilon.dtype is d_11.dtype is d_12.dtype is d_13.dtype is d_21.dtype is d_22.dtype is d_23.dtype is d_31.dtype is d_32.dtype is d_33.dtype is DOUBLE and a.shape == psi.shape == Omega.shape == k.shape == varepsilon.shape == d_11.shape == d_12.shape == d_13.shape == d_21.shape == d_22.shape == d_23.shape == d_31.shape == d_32.shape == d_33.shape and a.size <= SMALL:
+            return _stratonovich_drift(a, psi, Omega, k, varepsilon, d_11, d_12, d_13, d_21, d_22, d_23, d_31, d_32, d_33)
+    return evaluate(_stratonovich_drift_block, 10, 3, (a, psi, Omega, k, varepsilon, d_11, d_12, d_13, d_21, d_22, d_23, d_31, d_32, d_33,), out)
+
+
+def _stratonovich_drift(a, psi, Omega, k, varepsilon, d_11, d_12, d_13, d_21, d_22, d_23, d_31, d_32, d_33, cos=np.cos, sin=np.sin):
+    sin_psi = sin(psi)
+    t1 = Omega / k
+    cos_psi = cos(psi)
+    cos_psi_squared = cos_psi * cos_psi
+    sin_psi_squared = sin_psi * sin_psi
+    t2 = cos_psi * sin_psi
+    t15 = (a * ((((d_12 * t2) + (d_21 * t2)) - (cos_psi_squared * d_11)) - (d_22 * sin_psi_squared))) + (d_23 * (sin_psi * t1))
+    t28 = ((t1 * ((d_13 * sin_psi) + (cos_psi * d_23))) / a) + ((d_11 * t2) + (cos_psi_squared * d_21))
+    return (t15 - (d_13 * (cos_psi * t1))) * varepsilon, ((t28 - (d_12 * sin_psi_squared)) - (d_22 * t2)) * varepsilon, ((((d_32 * sin_psi) - (cos_psi * d_31)) * (a * k)) - (Omega * d_33)) * varepsilon
+
+
+def _stratonovich_drift_block(a, psi, Omega, k, varepsilon, d_11, d_12, d_13, d_21, d_22, d_23, d_31, d_32, d_33, out_v_1, out_v_2, out_v_3, r0, r1, r2, r3, r4, r5, r6, r7, r8, r9):
+    np.sin(psi, r0)  # sin_psi
+    np.divide(Omega, k, r1)  # t1
+    np.cos(psi, r2)  # cos_psi
+    np.multiply(r2, r2, r3)  # cos_psi_squared
+    np.multiply(r0, r0, r4)  # sin_psi_squared
+    np.multiply(r2, r0, r5)  # t2
+    np.multiply(r3, d_11, r6)  # t3
+    np.multiply(d_12, r5, r7)  # t4
+    np.multiply(d_21, r5, r8)  # t5
+    np.multiply(d_22, r4, r9)  # t6
+    np.add(r7, r8, r8)  # t7
+    np.subtract(r8, r6, r6)  # t8
+    np.subtract(r6, r9, r9)  # t9
+    np.multiply(a, r9, r9)  # t10
+    np.multiply(r2, r1, r6)  # t11
+    np.multiply(d_13, r6, r6)  # t12
+    np.multiply(r0, r1, r8)  # t13
+    np.multiply(d_23, r8, r8)  # t14
+    np.add(r9, r8, r8)  # t15
+    np.subtract(r8, r6, r6)  # t16
+    np.multiply(r6, varepsilon, out_v_1)  # t17
+    np.multiply(d_11, r5, r6)  # t18
+    np.multiply(d_12, r4, r4)  # t19
+    np.multiply(r3, d_21, r3)  # t20
+    np.multiply(d_22, r5, r5)  # t21
+    np.multiply(d_13, r0, r8)  # t22
+    np.multiply(r2, d_23, r9)  # t23
+    np.add(r8, r9, r9)  # t24
+    np.multiply(r1, r9, r9)  # t25
+    np.divide(r9, a, r9)  # t26
+    np.add(r6, r3, r3)  # t27
+    np.add(r9, r3, r3)  # t28
+    np.subtract(r3, r4, r4)  # t29
+    np.subtract(r4, r5, r5)  # t30
+    np.multiply(r5, varepsilon, out_v_2)  # t31
+    np.multiply(Omega, d_33, r5)  # t32
+    np.multiply(r2, d_31, r2)  # t33
+    np.multiply(d_32, r0, r0)  # t34
+    np.subtract(r0, r2, r2)  # t35
+    np.multiply(a, k, r0)  # t36
+    np.multiply(r2, r0, r0)  # t37
+    np.subtract(r0, r5, r5)  # t38
+    np.multiply(r5, varepsilon, out_v_3)  # t39
+
+
+def noise_intensities(a, psi, Omega, k, varepsilon, g_11, g_12, g_21, g_22, g_13, g_23, out=None):
+    """Intensities of the noises in amplitude, phase and frequency; h_13, h_16, h_23, h_26, h_31, h_32, h_34, h_35 are 0.
+
+        h_11 = a*g_11*sqrt(varepsilon)*cos(psi)**2
+        h_12 = a*g_12*sqrt(varepsilon)*sin(psi)**2
+        h_14 = g_21*sqrt(varepsilon)*cos(psi)
+        h_15 = -g_22*sqrt(varepsilon)*sin(psi)
+        h_21 = -g_11*sqrt(varepsilon)*sin(psi)*cos(psi)
+        h_22 = g_12*sqrt(varepsilon)*sin(psi)*cos(psi)
+        h_24 = -g_21*sqrt(varepsilon)*sin(psi)/a
+        h_25 = -g_22*sqrt(varepsilon)*cos(psi)/a
+        h_33 = Omega*g_13*sqrt(varepsilon)
+        h_36 = g_23*k*sqrt(varepsilon)
+
+    Arguments, numbers or arrays that broadcast:
+        a: amplitude of the equatorial angular velocity, in rad/s; 0 < a
+        psi: phase, in rad; any number
+        Omega: frequency k x_3, in rad/s; any number
+        k: (A - C)/A, of the moments of inertia A, A, C, a number; 0 < k
+        varepsilon: small parameter of the torques, a number; 0 < varepsilon
+        g_11: intensity of the multiplicative noise of axis 1, in s^(-1/2); 0 < g_11
+        g_12: intensity of the multiplicative noise of axis 2, in s^(-1/2); 0 < g_12
+        g_21: intensity of the additive noise of axis 1, in rad s^(-3/2); 0 < g_21
+        g_22: intensity of the additive noise of axis 2, in rad s^(-3/2); 0 < g_22
+        g_13: intensity of the multiplicative noise of axis 3, in s^(-1/2); 0 < g_13
+        g_23: intensity of the additive noise of axis 3, in rad s^(-3/2); 0 < g_23
+
+    Returns a tuple of arrays:
+        h_11: intensity of noise 1 in a, a number
+        h_12: intensity of noise 2 in a, a number
+        h_14: intensity of noise 4 in a, a number
+        h_15: intensity of noise 5 in a, a number
+        h_21: intensity of noise 1 in theta, a number
+        h_22: intensity of noise 2 in theta, a number
+        h_24: intensity of noise 4 in theta, a number
+        h_25: intensity of noise 5 in theta, a number
+        h_33: intensity of noise 3 in Omega, a number
+        h_36: intensity of noise 6 in Omega, a number
+
+    Numbers give numbers; arrays give float64, or float32 if all are. `out` takes 10 arrays of the broadcast shape
+    and type; a ValueError names what does not fit. What is no number gives no number.
+
+    Accuracy: 5 ulp over the domain. In squares the last place of a sine or cosine counts twice.
+
+    Rests on poloskov2004:2.4.5b (sha256 9f4d27846da7), poloskov2004:2.4.6 (sha256 3c2a5cad14d4).
+    """
+    if out is None:
+        if type(a) is type(psi) is type(Omega) is type(k) is type(varepsilon) is type(g_11) is type(g_12) is type(g_21) is type(g_22) is type(g_13) is type(g_23) is float:
+            try:
+                return _noise_intensities(a, psi, Omega, k, varepsilon, g_11, g_12, g_21, g_22, g_13, g_23, math.cos, math.sin, math.sqrt)
+            except (ValueError, ZeroDivisionError, OverflowError):
+                pass  # NumPy says whether it is infinite or no number
+        elif type(a) is type(psi) is type(Omega) is type(k) is type(varepsilon) is type(g_11) is type(g_12) is type(g_21) is type(g_22) is type(g_13) is type(g_23) is np.ndarray and a.dtype is psi.dtype is Omega.dtype is k.dtype is varepsilon.dtype is g_11.dtype is g_12.dtype is g_21.dtype is g_22.dtype is g_13.dtype is g_23.dtype is DOUBLE and a.shape == psi.shape == Omega.shape == k.shape == varepsilon.shape == g_11.shape == g_12.shape == g_21.shape == g_22.shape == g_13.shape == g_23.shape and a.size <= SMALL:
+            return _noise_intensities(a, psi, Omega, k, varepsilon, g_11, g_12, g_21, g_22, g_13, g_23)
+    return evaluate(_noise_intensities_block, 9, 10, (a, psi, Omega, k, varepsilon, g_11, g_12, g_21, g_22, g_13, g_23,), out)
+
+
+def _noise_intensities(a, psi, Omega, k, varepsilon, g_11, g_12, g_21, g_22, g_13, g_23, cos=np.cos, sin=np.sin, sqrt=np.sqrt):
+    cos_psi = cos(psi)
+    sqrt_varepsilon = sqrt(varepsilon)
+    t1 = a * sqrt_varepsilon
+    sin_psi = sin(psi)
+    t2 = cos_psi * sqrt_varepsilon
+    t3 = sin_psi * sqrt_varepsilon
+    t4 = sin_psi * t2
+    t5 = 1.0 / a
+    return (cos_psi * cos_psi) * (g_11 * t1), (sin_psi * sin_psi) * (g_12 * t1), g_21 * t2, -(g_22 * t3), -(g_11 * t4), g_12 * t4, -(g_21 * (t3 * t5)), -(g_22 * (t2 * t5)), g_13 * (Omega * sqrt_varepsilon), k * (g_23 * sqrt_varepsilon)
+
+
+def _noise_intensities_block(a, psi, Omega, k, varepsilon, g_11, g_12, g_21, g_22, g_13, g_23, out_h_11, out_h_12, out_h_14, out_h_15, out_h_21, out_h_22, out_h_24, out_h_25, out_h_33, out_h_36, r0, r1, r2, r3, r4, r5, r6, r7, r8):
+    np.cos(psi, r0)  # cos_psi
+    np.sqrt(varepsilon, r1)  # sqrt_varepsilon
+    np.multiply(a, r1, r2)  # t1
+    np.sin(psi, r3)  # sin_psi
+    np.multiply(r0, r1, r4)  # t2
+    np.multiply(r3, r1, r5)  # t3
+    np.multiply(r3, r4, r6)  # t4
+    np.divide(1.0, a, r7)  # t5
+    np.multiply(r0, r0, r0)  # cos_psi_squared
+    np.multiply(g_11, r2, r8)  # t6
+    np.multiply(r0, r8, out_h_11)  # t7
+    np.multiply(r3, r3, r3)  # sin_psi_squared
+    np.multiply(g_12, r2, r2)  # t8
+    np.multiply(r3, r2, out_h_12)  # t9
+    np.multiply(g_21, r4, out_h_14)  # t10
+    np.multiply(g_22, r5, r2)  # t11
+    np.negative(r2, out_h_15)  # t12
+    np.multiply(g_11, r6, r2)  # t13
+    np.negative(r2, out_h_21)  # t14
+    np.multiply(g_12, r6, out_h_22)  # t15
+    np.multiply(r5, r7, r5)  # t16
+    np.multiply(g_21, r5, r5)  # t17
+    np.negative(r5, out_h_24)  # t18
+    np.multiply(r4, r7, r7)  # t19
+    np.multiply(g_22, r7, r7)  # t20
+    np.negative(r7, out_h_25)  # t21
+    np.multiply(Omega, r1, r7)  # t22
+    np.multiply(g_13, r7, out_h_33)  # t23
+    np.multiply(g_23, r1, r1)  # t24
+    np.multiply(k, r1, out_h_36)  # t25
+
+
+def drift_coefficients(a, psi, Omega, k, varepsilon, d_11, d_12, d_13, d_21, d_22, d_23, d_31, d_32, d_33, g_11, g_12, g_21, g_22, g_13, out=None):
+    """Drift coefficients of the Fokker-Planck-Kolmogorov equation for amplitude, phase and frequency.
+
+        K_1 = varepsilon*(-Omega*d_13*cos(psi)/k + Omega*d_23*sin(psi)/k + a*(-2*d_11*cos(psi)**2 + 2*d_12*sin(psi)*cos(psi) + 2*d_21*sin(psi)*cos(psi) - 2*d_22*sin(psi)**2 + 2*g_11**2*sin(psi)**2*cos(psi)**2 + g_11**2*cos(psi)**4 + g_12**2*sin(psi)**4 + 2*g_12**2*sin(psi)**2*cos(psi)**2)/2 + (g_21**2*sin(psi)**2 + g_22**2*cos(psi)**2)/(2*a))
+        K_2 = varepsilon*(Omega*(d_13*sin(psi) + d_23*cos(psi))/(a*k) + d_11*sin(psi)*cos(psi) - d_12*sin(psi)**2 + d_21*cos(psi)**2 - d_22*sin(psi)*cos(psi) - g_11**2*sin(psi)**3*cos(psi)/2 + g_11**2*sin(psi)*cos(psi)**3/2 - g_12**2*sin(psi)**3*cos(psi)/2 + g_12**2*sin(psi)*cos(psi)**3/2 + (g_21**2 - g_22**2)*sin(psi)*cos(psi)/a**2)
+        K_3 = varepsilon*(-Omega*d_33 + Omega*g_13**2/2 + a*k*(-d_31*cos(psi) + d_32*sin(psi)))
+
+    Arguments, numbers or arrays that broadcast:
+        a: amplitude of the equatorial angular velocity, in rad/s; 0 < a
+        psi: phase, in rad; any number
+        Omega: frequency k x_3, in rad/s; any number
+        k: (A - C)/A, of the moments of inertia A, A, C, a number; 0 < k
+        varepsilon: small parameter of the torques, a number; 0 < varepsilon
+        d_11: coefficient of dissipation, in 1/s; 0 < d_11
+        d_12: coefficient of dissipation, in 1/s; 0 < d_12
+        d_13: coefficient of dissipation, in 1/s; 0 < d_13
+        d_21: coefficient of dissipation, in 1/s; 0 < d_21
+        d_22: coefficient of dissipation, in 1/s; 0 < d_22
+        d_23: coefficient of dissipation, in 1/s; 0 < d_23
+        d_31: coefficient of dissipation, in 1/s; 0 < d_31
+        d_32: coefficient of dissipation, in 1/s; 0 < d_32
+        d_33: coefficient of dissipation, in 1/s; 0 < d_33
+        g_11: intensity of the multiplicative noise of axis 1, in s^(-1/2); 0 < g_11
+        g_12: intensity of the multiplicative noise of axis 2, in s^(-1/2); 0 < g_12
+        g_21: intensity of the additive noise of axis 1, in rad s^(-3/2); 0 < g_21
+        g_22: intensity of the additive noise of axis 2, in rad s^(-3/2); 0 < g_22
+        g_13: intensity of the multiplicative noise of axis 3, in s^(-1/2); 0 < g_13
+
+    Returns a tuple of arrays:
+        K_1: drift of a, in rad/s^2
+        K_2: drift of theta, in rad/s
+        K_3: drift of Omega, in rad/s^2
+
+    Numbers give numbers; arrays give float64, or float32 if all are. `out` takes 3 arrays of the broadcast shape
+    and type; a ValueError names what does not fit. What is no number gives no number.
+
+    Accuracy: 8 ulp over the domain. These are sums with zeros inside the domain: the ulp are those of the largest
+    addend.
+
+    Rests on poloskov2004:3.1.2 (sha256 b463a2822912), poloskov2004:3.2.1 (sha256 2836599024ed).
+    """
+    if out is None:
+        if type(a) is type(psi) is type(Omega) is type(k) is type(varepsilon) is type(d_11) is type(d_12) is type(d_13) is type(d_21) is type(d_22) is type(d_23) is type(d_31) is type(d_32) is type(d_33) is type(g_11) is type(g_12) is type(g_21) is type(g_22) is type(g_13) is float:
+            try:
+                return _drift_coefficients(a, psi, Omega, k, varepsilon, d_11, d_12, d_13, d_21, d_22, d_23, d_31, d_32, d_33, g_11, g_12, g_21, g_22, g_13, math.cos, math.sin)
+            except (ValueError, ZeroDivisionError, OverflowError):
+                pass  # NumPy says whether it is infinite or no number
+        elif type(a) is type(psi) is type(Omega) is type(k) is type(varepsilon) is type(d_11) is type(d_12) is type(d_13) is type(d_21) is type(d_22) is type(d_23) is type(d_31) is type(d_32) is type(d_33) is type(g_11) is type(g_12) is type(g_21) is type(g_22) is type(g_13) is np.ndarray and a.dtype is psi.dtype is Omega.dtype is k.dtype is varepsilon.dtype is d_11.dtype is d_12.dtype is d_13.dtype is d_21.dtype is d_22.dtype is d_23.dtype is d_31.dtype is d_32.dtype is d_33.dtype is g_11.dtype is g_12.dtype is g_21.dtype is g_22.dtype is g_13.dtype is DOUBLE and a.shape == psi.shape == Omega.shape == k.shape == varepsilon.shape == d_11.shape == d_12.shape == d_13.shape == d_21.shape == d_22.shape == d_23.shape == d_31.shape == d_32.shape == d_33.shape == g_11.shape == g_12.shape == g_21.shape == g_22.shape == g_13.shape and a.size <= SMALL:
+            return _drift_coefficients(a, psi, Omega, k, varepsilon, d_11, d_12, d_13, d_21, d_22, d_23, d_31, d_32, d_33, g_11, g_12, g_21, g_22, g_13)
+    return evaluate(_drift_coefficients_block, 23, 3, (a, psi, Omega, k, varepsilon, d_11, d_12, d_13, d_21, d_22, d_23, d_31, d_32, d_33, g_11, g_12, g_21, g_22, g_13,), out)
+
+
+def _drift_coefficients(a, psi, Omega, k, varepsilon, d_11, d_12, d_13, d_21, d_22, d_23, d_31, d_32, d_33, g_11, g_12, g_21, g_22, g_13, cos=np.cos, sin=np.sin):
+    sin_psi = sin(psi)
+    t1 = Omega / k
+    cos_psi = cos(psi)
+    t2 = 1.0 / a
+    g_21_squared = g_21 * g_21
+    sin_psi_squared = sin_psi * sin_psi
+    g_22_squared = g_22 * g_22
+    cos_psi_squared = cos_psi * cos_psi
+    t3 = 2.0 * cos_psi_squared
+    t4 = cos_psi * sin_psi
+    t5 = 2.0 * t4
+    g_11_squared = g_11 * g_11
+    g_12_squared = g_12 * g_12
+    t6 = sin_psi_squared * t3
+    t7 = (1.0 / 2.0) * g_11_squared
+    t9 = sin_psi * (cos_psi * cos_psi_squared)
+    t11 = cos_psi * (sin_psi * sin_psi_squared)
+    t12 = (1.0 / 2.0) * g_12_squared
+    t24 = (g_11_squared * t6) + ((g_12_squared * (sin_psi_squared * sin_psi_squared)) + ((d_12 * t5) + (d_21 * t5)))
+    t27 = ((g_12_squared * t6) + (((cos_psi_squared * cos_psi_squared) * g_11_squared) + t24)) - (d_11 * t3)
+    t41 = ((1.0 / 2.0) * (t2 * ((g_21_squared * sin_psi_squared) + (cos_psi_squared * g_22_squared)))) + (((1.0 / 2.0) * (a * (t27 - (2.0 * (d_22 * sin_psi_squared))))) + (d_23 * (sin_psi * t1)))
+    t61 = (((d_13 * sin_psi) + (cos_psi * d_23)) * (t1 * t2)) + ((d_11 * t4) + (cos_psi_squared * d_21))
+    t65 = (((t4 * (g_21_squared - g_22_squared)) / (a * a)) + ((t12 * t9) + ((t7 * t9) + t61))) - (d_12 * sin_psi_squared)
+    t78 = ((1.0 / 2.0) * (Omega * (g_13 * g_13))) + (((d_32 * sin_psi) - (cos_psi * d_31)) * (a * k))
+    return (t41 - (d_13 * (cos_psi * t1))) * varepsilon, (((t65 - (d_22 * t4)) - (t11 * t7)) - (t11 * t12)) * varepsilon, (t78 - (Omega * d_33)) * varepsilon
+
+
+def _drift_coefficients_block(a, psi, Omega, k, varepsilon, d_11, d_12, d_13, d_21, d_22, d_23, d_31, d_32, d_33, g_11, g_12, g_21, g_22, g_13, out_K_1, out_K_2, out_K_3, r0, r1, r2, r3, r4, r5, r6, r7, r8, r9, r10, r11, r12, r13, r14, r15, r16, r17, r18, r19, r20, r21, r22):
+    np.sin(psi, r0)  # sin_psi
+    np.divide(Omega, k, r1)  # t1
+    np.cos(psi, r2)  # cos_psi
+    np.divide(1.0, a, r3)  # t2
+    np.multiply(g_21, g_21, r4)  # g_21_squared
+    np.multiply(r0, r0, r5)  # sin_psi_squared
+    np.multiply(g_22, g_22, r6)  # g_22_squared
+    np.multiply(r2, r2, r7)  # cos_psi_squared
+    np.multiply(2.0, r7, r8)  # t3
+    np.multiply(r2, r0, r9)  # t4
+    np.multiply(2.0, r9, r10)  # t5
+    np.multiply(g_11, g_11, r11)  # g_11_squared
+    np.multiply(g_12, g_12, r12)  # g_12_squared
+    np.multiply(r5, r8, r13)  # t6
+    np.multiply((1.0 / 2.0), r11, r14)  # t7
+    np.multiply(r2, r7, r15)  # t8
+    np.multiply(r0, r15, r15)  # t9
+    np.multiply(r0, r5, r16)  # t10
+    np.multiply(r2, r16, r16)  # t11
+    np.multiply((1.0 / 2.0), r12, r17)  # t12
+    np.multiply(d_11, r8, r8)  # t13
+    np.multiply(d_12, r10, r18)  # t14
+    np.multiply(d_21, r10, r10)  # t15
+    np.multiply(d_22, r5, r19)  # t16
+    np.multiply(2.0, r19, r19)  # t17
+    np.multiply(r5, r5, r20)  # sin_psi_squared_squared
+    np.multiply(r12, r20, r20)  # t18
+    np.multiply(r11, r13, r21)  # t19
+    np.multiply(r7, r7, r22)  # cos_psi_squared_squared
+    np.multiply(r22, r11, r11)  # t20
+    np.multiply(r12, r13, r13)  # t21
+    np.add(r18, r10, r10)  # t22
+    np.add(r20, r10, r10)  # t23
+    np.add(r21, r10, r10)  # t24
+    np.add(r11, r10, r10)  # t25
+    np.add(r13, r10, r10)  # t26
+    np.subtract(r10, r8, r8)  # t27
+    np.subtract(r8, r19, r19)  # t28
+    np.multiply(a, r19, r19)  # t29
+    np.multiply((1.0 / 2.0), r19, r19)  # t30
+    np.multiply(r2, r1, r8)  # t31
+    np.multiply(d_13, r8, r8)  # t32
+    np.multiply(r0, r1, r10)  # t33
+    np.multiply(d_23, r10, r10)  # t34
+    np.multiply(r4, r5, r13)  # t35
+    np.multiply(r7, r6, r11)  # t36
+    np.add(r13, r11, r11)  # t37
+    np.multiply(r3, r11, r11)  # t38
+    np.multiply((1.0 / 2.0), r11, r11)  # t39
+    np.add(r19, r10, r10)  # t40
+    np.add(r11, r10, r10)  # t41
+    np.subtract(r10, r8, r8)  # t42
+    np.multiply(r8, varepsilon, out_K_1)  # t43
+    np.multiply(d_11, r9, r8)  # t44
+    np.multiply(d_12, r5, r5)  # t45
+    np.multiply(r7, d_21, r7)  # t46
+    np.multiply(d_22, r9, r10)  # t47
+    np.multiply(d_13, r0, r11)  # t48
+    np.multiply(r2, d_23, r19)  # t49
+    np.add(r11, r19, r19)  # t50
+    np.multiply(r1, r3, r3)  # t51
+    np.multiply(r19, r3, r3)  # t52
+    np.multiply(r14, r15, r19)  # t53
+    np.multiply(r16, r14, r14)  # t54
+    np.multiply(r17, r15, r15)  # t55
+    np.multiply(r16, r17, r17)  # t56
+    np.multiply(a, a, r16)  # a_squared
+    np.subtract(r4, r6, r6)  # t57
+    np.multiply(r9, r6, r6)  # t58
+    np.divide(r6, r16, r16)  # t59
+    np.add(r8, r7, r7)  # t60
+    np.add(r3, r7, r7)  # t61
+    np.add(r19, r7, r7)  # t62
+    np.add(r15, r7, r7)  # t63
+    np.add(r16, r7, r7)  # t64
+    np.subtract(r7, r5, r5)  # t65
+    np.subtract(r5, r10, r10)  # t66
+    np.subtract(r10, r14, r14)  # t67
+    np.subtract(r14, r17, r17)  # t68
+    np.multiply(r17, varepsilon, out_K_2)  # t69
+    np.multiply(Omega, d_33, r17)  # t70
+    np.multiply(g_13, g_13, r14)  # g_13_squared
+    np.multiply(Omega, r14, r14)  # t71
+    np.multiply((1.0 / 2.0), r14, r14)  # t72
+    np.multiply(r2, d_31, r2)  # t73
+    np.multiply(d_32, r0, r0)  # t74
+    np.subtract(r0, r2, r2)  # t75
+    np.multiply(a, k, r0)  # t76
+    np.multiply(r2, r0, r0)  # t77
+    np.add(r14, r0, r0)  # t78
+    np.subtract(r0, r17, r17)  # t79
+    np.multiply(r17, varepsilon, out_K_3)  # t80
+
+
+def diffusion_coefficients(a, psi, Omega, k, varepsilon, g_11, g_12, g_21, g_22, g_13, g_23, out=None):
+    """Diffusion coefficients of the Fokker-Planck-Kolmogorov equation: K_21 = K_12, the others are 0.
+
+        K_11 = varepsilon*(a**2*(g_11**2*cos(psi)**4 + g_12**2*sin(psi)**4) + g_21**2*cos(psi)**2 + g_22**2*sin(psi)**2)
+        K_12 = varepsilon*(a*(-g_11**2*cos(psi)**2 + g_12**2*sin(psi)**2) + (-g_21**2 + g_22**2)/a)*sin(psi)*cos(psi)
+        K_22 = varepsilon*(g_11**2*sin(psi)**2*cos(psi)**2 + g_12**2*sin(psi)**2*cos(psi)**2 + (g_21**2*sin(psi)**2 + g_22**2*cos(psi)**2)/a**2)
+        K_33 = varepsilon*(Omega**2*g_13**2 + g_23**2*k**2)
+
+    Arguments, numbers or arrays that broadcast:
+        a: amplitude of the equatorial angular velocity, in rad/s; 0 < a
+        psi: phase, in rad; any number
+        Omega: frequency k x_3, in rad/s; any number
+        k: (A - C)/A, of the moments of inertia A, A, C, a number; 0 < k
+        varepsilon: small parameter of the torques, a number; 0 < varepsilon
+        g_11: intensity of the multiplicative noise of axis 1, in s^(-1/2); 0 < g_11
+        g_12: intensity of the multiplicative noise of axis 2, in s^(-1/2); 0 < g_12
+        g_21: intensity of the additive noise of axis 1, in rad s^(-3/2); 0 < g_21
+        g_22: intensity of the additive noise of axis 2, in rad s^(-3/2); 0 < g_22
+        g_13: intensity of the multiplicative noise of axis 3, in s^(-1/2); 0 < g_13
+        g_23: intensity of the additive noise of axis 3, in rad s^(-3/2); 0 < g_23
+
+    Returns a tuple of arrays:
+        K_11: diffusion of a, in rad^2/s^3
+        K_12: diffusion of a and theta, in rad^2/s^2
+        K_22: diffusion of theta, in rad^2/s
+        K_33: diffusion of Omega, in rad^2/s^3
+
+    Numbers give numbers; arrays give float64, or float32 if all are. `out` takes 4 arrays of the broadcast shape
+    and type; a ValueError names what does not fit. What is no number gives no number.
+
+    Accuracy: 8 ulp over the domain. In fourth powers the last place of a sine or cosine counts four times. K_12
+    is a sum with zeros inside the domain: its ulp are those of the largest addend.
+
+    Rests on poloskov2004:3.1.2 (sha256 b463a2822912), poloskov2004:3.2.1 (sha256 2836599024ed).
+    """
+    if out is None:
+        if type(a) is type(psi) is type(Omega) is type(k) is type(varepsilon) is type(g_11) is type(g_12) is type(g_21) is type(g_22) is type(g_13) is type(g_23) is float:
+            try:
+                return _diffusion_coefficients(a, psi, Omega, k, varepsilon, g_11, g_12, g_21, g_22, g_13, g_23, math.cos, math.sin)
+            except (ValueError, ZeroDivisionError, OverflowError):
+                pass  # NumPy says whether it is infinite or no number
+        elif type(a) is type(psi) is type(Omega) is type(k) is type(varepsilon) is type(g_11) is type(g_12) is type(g_21) is type(g_22) is type(g_13) is type(g_23) is np.ndarray and a.dtype is psi.dtype is Omega.dtype is k.dtype is varepsilon.dtype is g_11.dtype is g_12.dtype is g_21.dtype is g_22.dtype is g_13.dtype is g_23.dtype is DOUBLE and a.shape == psi.shape == Omega.shape == k.shape == varepsilon.shape == g_11.shape == g_12.shape == g_21.shape == g_22.shape == g_13.shape == g_23.shape and a.size <= SMALL:
+            return _diffusion_coefficients(a, psi, Omega, k, varepsilon, g_11, g_12, g_21, g_22, g_13, g_23)
+    return evaluate(_diffusion_coefficients_block, 13, 4, (a, psi, Omega, k, varepsilon, g_11, g_12, g_21, g_22, g_13, g_23,), out)
+
+
+def _diffusion_coefficients(a, psi, Omega, k, varepsilon, g_11, g_12, g_21, g_22, g_13, g_23, cos=np.cos, sin=np.sin):
+    g_21_squared = g_21 * g_21
+    cos_psi = cos(psi)
+    cos_psi_squared = cos_psi * cos_psi
+    g_22_squared = g_22 * g_22
+    sin_psi = sin(psi)
+    sin_psi_squared = sin_psi * sin_psi
+    a_squared = a * a
+    g_11_squared = g_11 * g_11
+    g_12_squared = g_12 * g_12
+    t1 = cos_psi_squared * g_11_squared
+    t6 = ((cos_psi_squared * cos_psi_squared) * g_11_squared) + (g_12_squared * (sin_psi_squared * sin_psi_squared))
+    t10 = ((a_squared * t6) + ((cos_psi_squared * g_21_squared) + (g_22_squared * sin_psi_squared))) * varepsilon
+    t19 = ((a * ((g_12_squared * sin_psi_squared) - t1)) + ((g_22_squared - g_21_squared) / a)) * ((cos_psi * sin_psi) * varepsilon)
+    t28 = (((g_21_squared * sin_psi_squared) + (cos_psi_squared * g_22_squared)) / a_squared) + ((g_12_squared * (cos_psi_squared * sin_psi_squared)) + (sin_psi_squared * t1))
+    return t10, t19, t28 * varepsilon, (((Omega * Omega) * (g_13 * g_13)) + ((g_23 * g_23) * (k * k))) * varepsilon
+
+
+def _diffusion_coefficients_block(a, psi, Omega, k, varepsilon, g_11, g_12, g_21, g_22, g_13, g_23, out_K_11, out_K_12, out_K_22, out_K_33, r0, r1, r2, r3, r4, r5, r6, r7, r8, r9, r10, r11, r12):
+    np.multiply(g_21, g_21, r0)  # g_21_squared
+    np.cos(psi, r1)  # cos_psi
+    np.multiply(r1, r1, r2)  # cos_psi_squared
+    np.multiply(g_22, g_22, r3)  # g_22_squared
+    np.sin(psi, r4)  # sin_psi
+    np.multiply(r4, r4, r5)  # sin_psi_squared
+    np.multiply(a, a, r6)  # a_squared
+    np.multiply(g_11, g_11, r7)  # g_11_squared
+    np.multiply(g_12, g_12, r8)  # g_12_squared
+    np.multiply(r2, r7, r9)  # t1
+    np.multiply(r2, r0, r10)  # t2
+    np.multiply(r3, r5, r11)  # t3
+    np.multiply(r2, r2, r12)  # cos_psi_squared_squared
+    np.multiply(r12, r7, r7)  # t4
+    np.multiply(r5, r5, r12)  # sin_psi_squared_squared
+    np.multiply(r8, r12, r12)  # t5
+    np.add(r7, r12, r12)  # t6
+    np.multiply(r6, r12, r12)  # t7
+    np.add(r10, r11, r11)  # t8
+    np.add(r12, r11, r11)  # t9
+    np.multiply(r11, varepsilon, out_K_11)  # t10
+    np.multiply(r8, r5, r11)  # t11
+    np.subtract(r11, r9, r11)  # t12
+    np.multiply(a, r11, r11)  # t13
+    np.subtract(r3, r0, r12)  # t14
+    np.divide(r12, a, r12)  # t15
+    np.add(r11, r12, r12)  # t16
+    np.multiply(r1, r4, r4)  # t17
+    np.multiply(r4, varepsilon, r4)  # t18
+    np.multiply(r12, r4, out_K_12)  # t19
+    np.multiply(r2, r5, r4)  # t20
+    np.multiply(r8, r4, r4)  # t21
+    np.multiply(r5, r9, r9)  # t22
+    np.multiply(r0, r5, r5)  # t23
+    np.multiply(r2, r3, r3)  # t24
+    np.add(r5, r3, r3)  # t25
+    np.divide(r3, r6, r6)  # t26
+    np.add(r4, r9, r9)  # t27
+    np.add(r6, r9, r9)  # t28
+    np.multiply(r9, varepsilon, out_K_22)  # t29
+    np.multiply(Omega, Omega, r9)  # Omega_squared
+    np.multiply(g_13, g_13, r6)  # g_13_squared
+    np.multiply(r9, r6, r6)  # t30
+    np.multiply(g_23, g_23, r9)  # g_23_squared
+    np.multiply(k, k, r4)  # k_squared
+    np.multiply(r9, r4, r4)  # t31
+    np.add(r6, r4, r4)  # t32
+    np.multiply(r4, varepsilon, out_K_33)  # t33
+
+
+def averaged_drift(a, Omega, alpha, beta, gamma, d_12, d_21, d_33, g_13, out=None):
+    """Drift coefficients divided by epsilon, averaged over the phase.
+
+        Kbar_1 = (5*a**2*alpha**2 - 8*a**2*gamma**2 + 4*beta**2)/(16*a)
+        Kbar_2 = -(d_12 - d_21)/2
+        Kbar_3 = -Omega*(2*d_33 - g_13**2)/2
+
+    Arguments, numbers or arrays that broadcast:
+        a: amplitude of the equatorial angular velocity, in rad/s; 0 < a
+        Omega: frequency k x_3, in rad/s; any number
+        alpha: multiplicative noise, alpha^2 = g_11^2 + g_12^2, in s^(-1/2); 0 < alpha
+        beta: additive noise, beta^2 = g_21^2 + g_22^2, in rad s^(-3/2); 0 < beta
+        gamma: dissipation, gamma^2 = d_11 + d_22, in s^(-1/2); 0 < gamma
+        d_12: coefficient of dissipation, in 1/s; 0 < d_12
+        d_21: coefficient of dissipation, in 1/s; 0 < d_21
+        d_33: coefficient of dissipation, in 1/s; 0 < d_33
+        g_13: intensity of the multiplicative noise of axis 3, in s^(-1/2); 0 < g_13
+
+    Returns a tuple of arrays:
+        Kbar_1: drift of a, in rad/s^2
+        Kbar_2: drift of theta, in rad/s
+        Kbar_3: drift of Omega, in rad/s^2
+
+    Numbers give numbers; arrays give float64, or float32 if all are. `out` takes 3 arrays of the broadcast shape
+    and type; a ValueError names what does not fit. What is no number gives no number.
+
+    Accuracy: 4 ulp over the domain. These are sums with zeros inside the domain: the ulp are those of the largest
+    addend.
+
+    Rests on poloskov2004:3.2.5 (sha256 87d7ec113821), poloskov2004:3.2.7 (sha256 3baf4d5bad10).
+    """
+    if out is None:
+        if type(a) is type(Omega) is type(alpha) is type(beta) is type(gamma) is type(d_12) is type(d_21) is type(d_33) is type(g_13) is float:
+            try:
+                return _averaged_drift(a, Omega, alpha, beta, gamma, d_12, d_21, d_33, g_13)
+            except (ValueError, ZeroDivisionError, OverflowError):
+                pass  # NumPy says whether it is infinite or no number
+        elif type(a) is type(Omega) is type(alpha) is type(beta) is type(gamma) is type(d_12) is type(d_21) is type(d_33) is type(g_13) is np.ndarray and a.dtype is Omega.dtype is alpha.dtype is beta.dtype is gamma.dtype is d_12.dtype is d_21.dtype is d_33.dtype is g_13.dtype is DOUBLE and a.shape == Omega.shape == alpha.shape == beta.shape == gamma.shape == d_12.shape == d_21.shape == d_33.shape == g_13.shape and a.size <= SMALL:
+            return _averaged_drift(a, Omega, alpha, beta, gamma, d_12, d_21, d_33, g_13)
+    return evaluate(_averaged_drift_block, 4, 3, (a, Omega, alpha, beta, gamma, d_12, d_21, d_33, g_13,), out)
+
+
+def _averaged_drift(a, Omega, alpha, beta, gamma, d_12, d_21, d_33, g_13):
+    a_squared = a * a
+    t7 = ((5.0 * (a_squared * (alpha * alpha))) + (4.0 * (beta * beta))) - (8.0 * (a_squared * (gamma * gamma)))
+    return ((1.0 / 16.0) * t7) / a, ((1.0 / 2.0) * d_21) - ((1.0 / 2.0) * d_12), -((1.0 / 2.0) * (Omega * ((2.0 * d_33) - (g_13 * g_13))))
+
+
+def _averaged_drift_block(a, Omega, alpha, beta, gamma, d_12, d_21, d_33, g_13, out_Kbar_1, out_Kbar_2, out_Kbar_3, r0, r1, r2, r3):
+    np.multiply(a, a, r0)  # a_squared
+    np.multiply(alpha, alpha, r1)  # alpha_squared
+    np.multiply(r0, r1, r1)  # t1
+    np.multiply(5.0, r1, r1)  # t2
+    np.multiply(beta, beta, r2)  # beta_squared
+    np.multiply(4.0, r2, r2)  # t3
+    np.multiply(gamma, gamma, r3)  # gamma_squared
+    np.multiply(r0, r3, r3)  # t4
+    np.multiply(8.0, r3, r3)  # t5
+    np.add(r1, r2, r2)  # t6
+    np.subtract(r2, r3, r3)  # t7
+    np.multiply((1.0 / 16.0), r3, r3)  # t8
+    np.divide(r3, a, out_Kbar_1)  # t9
+    np.multiply((1.0 / 2.0), d_12, r3)  # t10
+    np.multiply((1.0 / 2.0), d_21, r2)  # t11
+    np.subtract(r2, r3, out_Kbar_2)  # t12
+    np.multiply(2.0, d_33, r3)  # t13
+    np.multiply(g_13, g_13, r2)  # g_13_squared
+    np.subtract(r3, r2, r2)  # t14
+    np.multiply(Omega, r2, r2)  # t15
+    np.multiply((1.0 / 2.0), r2, r2)  # t16
+    np.negative(r2, out_Kbar_3)  # t17
+
+
+def averaged_diffusion(a, Omega, k, alpha, beta, g_13, g_23, out=None):
+    """Diffusion coefficients divided by epsilon, averaged over the phase; the mixed ones are 0.
+
+        Kbar_11 = (3*a**2*alpha**2 + 4*beta**2)/8
+        Kbar_22 = (a**2*alpha**2 + 4*beta**2)/(8*a**2)
+        Kbar_33 = Omega**2*g_13**2 + g_23**2*k**2
+
+    Arguments, numbers or arrays that broadcast:
+        a: amplitude of the equatorial angular velocity, in rad/s; 0 < a
+        Omega: frequency k x_3, in rad/s; any number
+        k: (A - C)/A, of the moments of inertia A, A, C, a number; 0 < k
+        alpha: multiplicative noise, alpha^2 = g_11^2 + g_12^2, in s^(-1/2); 0 < alpha
+        beta: additive noise, beta^2 = g_21^2 + g_22^2, in rad s^(-3/2); 0 < beta
+        g_13: intensity of the multiplicative noise of axis 3, in s^(-1/2); 0 < g_13
+        g_23: intensity of the additive noise of axis 3, in rad s^(-3/2); 0 < g_23
+
+    Returns a tuple of arrays:
+        Kbar_11: diffusion of a, in rad^2/s^3
+        Kbar_22: diffusion of theta, in rad^2/s
+        Kbar_33: diffusion of Omega, in rad^2/s^3
+
+    Numbers give numbers; arrays give float64, or float32 if all are. `out` takes 3 arrays of the broadcast shape
+    and type; a ValueError names what does not fit. What is no number gives no number.
+
+    Accuracy: 4 ulp over the domain.
+
+    Rests on poloskov2004:3.2.3 (sha256 0da7c19a33fc), poloskov2004:3.2.4 (sha256 5c6348c245df),
+    poloskov2004:3.2.7 (sha256 3baf4d5bad10).
+    """
+    if out is None:
+        if type(a) is type(Omega) is type(k) is type(alpha) is type(beta) is type(g_13) is type(g_23) is float:
+            try:
+                return _averaged_diffusion(a, Omega, k, alpha, beta, g_13, g_23)
+            except (ValueError, ZeroDivisionError, OverflowError):
+                pass  # NumPy says whether it is infinite or no number
+        elif type(a) is type(Omega) is type(k) is type(alpha) is type(beta) is type(g_13) is type(g_23) is np.ndarray and a.dtype is Omega.dtype is k.dtype is alpha.dtype is beta.dtype is g_13.dtype is g_23.dtype is DOUBLE and a.shape == Omega.shape == k.shape == alpha.shape == beta.shape == g_13.shape == g_23.shape and a.size <= SMALL:
+            return _averaged_diffusion(a, Omega, k, alpha, beta, g_13, g_23)
+    return evaluate(_averaged_diffusion_block, 5, 3, (a, Omega, k, alpha, beta, g_13, g_23,), out)
+
+
+def _averaged_diffusion(a, Omega, k, alpha, beta, g_13, g_23):
+    beta_squared = beta * beta
+    a_squared = a * a
+    t1 = a_squared * (alpha * alpha)
+    return ((1.0 / 2.0) * beta_squared) + ((3.0 / 8.0) * t1), ((1.0 / 8.0) * (t1 + (4.0 * beta_squared))) / a_squared, ((g_23 * g_23) * (k * k)) + ((Omega * Omega) * (g_13 * g_13))
+
+
+def _averaged_diffusion_block(a, Omega, k, alpha, beta, g_13, g_23, out_Kbar_11, out_Kbar_22, out_Kbar_33, r0, r1, r2, r3, r4):
+    np.multiply(beta, beta, r0)  # beta_squared
+    np.multiply(a, a, r1)  # a_squared
+    np.multiply(alpha, alpha, r2)  # alpha_squared
+    np.multiply(r1, r2, r2)  # t1
+    np.multiply((1.0 / 2.0), r0, r3)  # t2
+    np.multiply((3.0 / 8.0), r2, r4)  # t3
+    np.add(r3, r4, out_Kbar_11)  # t4
+    np.multiply(4.0, r0, r0)  # t5
+    np.add(r2, r0, r0)  # t6
+    np.multiply((1.0 / 8.0), r0, r0)  # t7
+    np.divide(r0, r1, out_Kbar_22)  # t8
+    np.multiply(Omega, Omega, r1)  # Omega_squared
+    np.multiply(g_13, g_13, r0)  # g_13_squared
+    np.multiply(r1, r0, r0)  # t9
+    np.multiply(g_23, g_23, r1)  # g_23_squared
+    np.multiply(k, k, r2)  # k_squared
+    np.multiply(r1, r2, r2)  # t10
+    np.add(r2, r0, out_Kbar_33)  # t11
+
+
+def density_of_amplitude(a, alpha, beta, gamma, out=None):
+    """Stationary density of the amplitude, normalised.
+
+        p_s1 = 2*a*(-alpha + 2*gamma)*(alpha + 2*gamma)/((3*a**2*alpha**2 + 4*beta**2)*(3*a**2*alpha**2/(4*beta**2) + 1)**((-alpha + 2*gamma)*(alpha + 2*gamma)/(3*alpha**2)))
+
+    Arguments, numbers or arrays that broadcast:
+        a: amplitude of the equatorial angular velocity, in rad/s; 0 < a
+        alpha: multiplicative noise, alpha^2 = g_11^2 + g_12^2, in s^(-1/2); 0 < alpha
+        beta: additive noise, beta^2 = g_21^2 + g_22^2, in rad s^(-3/2); 0 < beta
+        gamma: dissipation, gamma^2 = d_11 + d_22, in s^(-1/2); alpha/2 < gamma
+
+    Returns one array:
+        p_s1: density of a, in s/rad
+
+    Numbers give numbers; arrays give float64, or float32 if all are. `out` takes an array of the broadcast shape
+    and type; a ValueError names what does not fit. What is no number gives no number.
+
+    Accuracy: 8 ulp over the domain. The ulp are those of the value times its condition number, 1 + |kappa_1|
+    log(1 + 3 alpha^2 a^2/(4 beta^2)), as the exponent is rounded. For alpha -> 0 it becomes Rayleigh's density.
+
+    Rests on poloskov2004:3.4 (sha256 2e970bbcb932), poloskov2004:3.5 (sha256 731ba9bbb374), poloskov2004:4.0.3
+    (sha256 58c3e6bafa1f), poloskov2004:B.2 (sha256 e465490e2191), poloskov2004:B.3 (sha256 055961a8f92e).
+    """
+    if out is None:
+        if type(a) is type(alpha) is type(beta) is type(gamma) is float:
+            try:
+                return _density_of_amplitude(a, alpha, beta, gamma, math.exp)
+            except (ValueError, ZeroDivisionError, OverflowError):
+                pass  # NumPy says whether it is infinite or no number
+        elif type(a) is type(alpha) is type(beta) is type(gamma) is np.ndarray and a.dtype is alpha.dtype is beta.dtype is gamma.dtype is DOUBLE and a.shape == alpha.shape == beta.shape == gamma.shape and a.size <= SMALL:
+            return _density_of_amplitude(a, alpha, beta, gamma)
+    return evaluate(_density_of_amplitude_block, 7, 1, (a, alpha, beta, gamma,), out)
+
+
+def _density_of_amplitude(a, alpha, beta, gamma, exp=np.exp):
+    t1 = 2.0 * gamma
+    beta_squared = beta * beta
+    a_squared = a * a
+    t4 = a_squared * (alpha * alpha)
+    t5 = 1.0 / beta_squared
+    t12 = (alpha + t1) * (alpha - t1)
+    t19 = exp((1.0 / 4.0) * (log1p_ratio((3.0 / 4.0) * (t4 * t5)) * ((a_squared * t12) * t5))) * (a * t12)
+    return -((2.0 * t19) / ((4.0 * beta_squared) + (3.0 * t4)))
+
+
+def _density_of_amplitude_block(a, alpha, beta, gamma, out_p_s1, r0, r1, r2, r3, r4, r5, r6):
+    np.multiply(2.0, gamma, r0)  # t1
+    np.add(alpha, r0, r1)  # t2
+    np.subtract(alpha, r0, r0)  # t3
+    np.multiply(beta, beta, r2)  # beta_squared
+    np.multiply(a, a, r3)  # a_squared
+    np.multiply(alpha, alpha, r4)  # alpha_squared
+    np.multiply(r3, r4, r4)  # t4
+    np.divide(1.0, r2, r5)  # t5
+    np.multiply(4.0, r2, r2)  # t6
+    np.multiply(3.0, r4, r6)  # t7
+    np.add(r2, r6, r6)  # t8
+    np.multiply(r4, r5, r4)  # t9
+    np.multiply((3.0 / 4.0), r4, r4)  # t10
+    log1p_ratio(r4, r4)  # t11
+    np.multiply(r1, r0, r0)  # t12
+    np.multiply(r3, r0, r3)  # t13
+    np.multiply(r3, r5, r5)  # t14
+    np.multiply(r4, r5, r5)  # t15
+    np.multiply((1.0 / 4.0), r5, r5)  # t16
+    np.exp(r5, r5)  # t17
+    np.multiply(a, r0, r0)  # t18
+    np.multiply(r5, r0, r0)  # t19
+    np.multiply(2.0, r0, r0)  # t20
+    np.divide(r0, r6, r6)  # t21
+    np.negative(r6, out_p_s1)  # t22
+
+
+def density_of_frequency(Omega, k, g_13, g_23, d_33, out=None):
+    """Stationary density of the frequency, normalised; gamma() is Euler's function.
+
+        p_s3 = g_13*gamma(d_33/g_13**2 + 1/2)/(sqrt(pi)*sqrt(Omega**2*g_13**2 + g_23**2*k**2)*(Omega**2*g_13**2/(g_23**2*k**2) + 1)**(d_33/g_13**2)*gamma(d_33/g_13**2))
+
+    Arguments, numbers or arrays that broadcast:
+        Omega: frequency k x_3, in rad/s; any number
+        k: (A - C)/A, of the moments of inertia A, A, C, a number; 0 < k
+        g_13: intensity of the multiplicative noise of axis 3, in s^(-1/2); 0 < g_13
+        g_23: intensity of the additive noise of axis 3, in rad s^(-3/2); 0 < g_23
+        d_33: coefficient of dissipation, in 1/s; 0 < d_33
+
+    Returns one array:
+        p_s3: density of Omega, in s/rad
+
+    Numbers give numbers; arrays give float64, or float32 if all are. `out` takes an array of the broadcast shape
+    and type; a ValueError names what does not fit. What is no number gives no number.
+
+    Accuracy: 16 ulp over the domain. The ulp are those of the value times its condition number, 1 + |kappa_2|
+    log(1 + g_13^2 Omega^2/(g_23 k)^2), as the exponent is rounded. For g_13 -> 0 it becomes normal.
+
+    Rests on poloskov2004:3.4.2 (sha256 5d8c90db16ae), poloskov2004:3.5.1 (sha256 9696f77f01bb),
+    poloskov2004:4.0.5 (sha256 ac729170c761), poloskov2004:B.5 (sha256 8313f4f3d44e).
+    """
+    if out is None:
+        if type(Omega) is type(k) is type(g_13) is type(g_23) is type(d_33) is float:
+            try:
+                return _density_of_frequency(Omega, k, g_13, g_23, d_33, math.exp, math.sqrt)
+            except (ValueError, ZeroDivisionError, OverflowError):
+                pass  # NumPy says whether it is infinite or no number
+        elif type(Omega) is type(k) is type(g_13) is type(g_23) is type(d_33) is np.ndarray and Omega.dtype is k.dtype is g_13.dtype is g_23.dtype is d_33.dtype is DOUBLE and Omega.shape == k.shape == g_13.shape == g_23.shape == d_33.shape and Omega.size <= SMALL:
+            return _density_of_frequency(Omega, k, g_13, g_23, d_33)
+    return evaluate(_density_of_frequency_block, 7, 1, (Omega, k, g_13, g_23, d_33,), out)
+
+
+def _density_of_frequency(Omega, k, g_13, g_23, d_33, exp=np.exp, sqrt=np.sqrt):
+    g_13_squared = g_13 * g_13
+    Omega_squared = Omega * Omega
+    t1 = Omega_squared * g_13_squared
+    t2 = (g_23 * g_23) * (k * k)
+    t3 = 1.0 / t2
+    t17 = gamma_ratio(d_33 / g_13_squared, 1.0 / 2.0) * (sqrt(d_33) * exp(-((d_33 * (Omega_squared * t3)) * log1p_ratio(t1 * t3))))
+    return t17 / (sqrt(math.pi) * sqrt(t1 + t2))
+
+
+def _density_of_frequency_block(Omega, k, g_13, g_23, d_33, out_p_s3, r0, r1, r2, r3, r4, r5, r6):
+    np.multiply(g_13, g_13, r0)  # g_13_squared
+    np.multiply(Omega, Omega, r1)  # Omega_squared
+    np.multiply(r1, r0, r2)  # t1
+    np.multiply(g_23, g_23, r3)  # g_23_squared
+    np.multiply(k, k, r4)  # k_squared
+    np.multiply(r3, r4, r4)  # t2
+    np.divide(1.0, r4, r3)  # t3
+    np.sqrt(math.pi, r5)  # t4
+    np.sqrt(d_33, r6)  # sqrt_d_33
+    np.add(r2, r4, r4)  # t5
+    np.sqrt(r4, r4)  # t6
+    np.multiply(r2, r3, r2)  # t7
+    log1p_ratio(r2, r2)  # t8
+    np.multiply(r1, r3, r3)  # t9
+    np.multiply(d_33, r3, r3)  # t10
+    np.multiply(r3, r2, r2)  # t11
+    np.negative(r2, r2)  # t12
+    np.exp(r2, r2)  # t13
+    np.divide(d_33, r0, r0)  # t14
+    gamma_ratio(r0, (1.0 / 2.0), r0)  # t15
+    np.multiply(r6, r2, r2)  # t16
+    np.multiply(r0, r2, r2)  # t17
+    np.multiply(r5, r4, r4)  # t18
+    np.divide(r2, r4, out_p_s3)  # t19
+
+
+def logarithm_of_constant_of_amplitude(alpha, beta, gamma, out=None):
+    """The logarithm of the constant in the density 8 C_1 a Delta_1^kappa_1 of the amplitude.
+
+        log_C_1 = log((-alpha + 2*gamma)*(alpha + 2*gamma)/4) + 2*(-alpha + 2*gamma)*(alpha + 2*gamma)*log(2*beta)/(3*alpha**2)
+
+    Arguments, numbers or arrays that broadcast:
+        alpha: multiplicative noise, alpha^2 = g_11^2 + g_12^2, in s^(-1/2); 0 < alpha
+        beta: additive noise, beta^2 = g_21^2 + g_22^2, in rad s^(-3/2); 0 < beta
+        gamma: dissipation, gamma^2 = d_11 + d_22, in s^(-1/2); alpha/2 < gamma
+
+    Returns one array:
+        log_C_1: log C_1, a number
+
+    Numbers give numbers; arrays give float64, or float32 if all are. `out` takes an array of the broadcast shape
+    and type; a ValueError names what does not fit. What is no number gives no number.
+
+    Accuracy: 6 ulp over the domain. An error is a relative error of the constant: the ulp are those of 2, of the
+    larger addend or of the exponent, whichever is largest.
+
+    Rests on poloskov2004:3.4 (sha256 2e970bbcb932), poloskov2004:3.5 (sha256 731ba9bbb374), poloskov2004:4.0.3
+    (sha256 58c3e6bafa1f), poloskov2004:B.2 (sha256 e465490e2191).
+    """
+    if out is None:
+        if type(alpha) is type(beta) is type(gamma) is float:
+            try:
+                return _logarithm_of_constant_of_amplitude(alpha, beta, gamma, math.log)
+            except (ValueError, ZeroDivisionError, OverflowError):
+                pass  # NumPy says whether it is infinite or no number
+        elif type(alpha) is type(beta) is type(gamma) is np.ndarray and alpha.dtype is beta.dtype is gamma.dtype is DOUBLE and alpha.shape == beta.shape == gamma.shape and alpha.size <= SMALL:
+            return _logarithm_of_constant_of_amplitude(alpha, beta, gamma)
+    return evaluate(_logarithm_of_constant_of_amplitude_block, 4, 1, (alpha, beta, gamma,), out)
+
+
+def _logarithm_of_constant_of_amplitude(alpha, beta, gamma, log=np.log):
+    t1 = 2.0 * gamma
+    t4 = (alpha + t1) * (t1 - alpha)
+    return (((2.0 / 3.0) * (t4 * log(2.0 * beta))) / (alpha * alpha)) + log((1.0 / 4.0) * t4)
+
+
+def _logarithm_of_constant_of_amplitude_block(alpha, beta, gamma, out_log_C_1, r0, r1, r2, r3):
+    np.multiply(2.0, gamma, r0)  # t1
+    np.add(alpha, r0, r1)  # t2
+    np.subtract(r0, alpha, r0)  # t3
+    np.multiply(r1, r0, r0)  # t4
+    np.multiply((1.0 / 4.0), r0, r1)  # t5
+    np.log(r1, r1)  # t6
+    np.multiply(alpha, alpha, r2)  # alpha_squared
+    np.multiply(2.0, beta, r3)  # t7
+    np.log(r3, r3)  # t8
+    np.multiply(r0, r3, r3)  # t9
+    np.multiply((2.0 / 3.0), r3, r3)  # t10
+    np.divide(r3, r2, r2)  # t11
+    np.add(r2, r1, out_log_C_1)  # t12
+
+
+def logarithm_of_constant_of_frequency(k, g_13, g_23, d_33, out=None):
+    """The logarithm of the constant in the density C_2 Delta_2^kappa_2 of the frequency; gamma() is Euler's function.
+
+        log_C_2 = 2*d_33*log(g_23*k)/g_13**2 + log(g_13*gamma(d_33/g_13**2 + 1/2)/(sqrt(pi)*gamma(d_33/g_13**2)))
+
+    Arguments, numbers or arrays that broadcast:
+        k: (A - C)/A, of the moments of inertia A, A, C, a number; 0 < k
+        g_13: intensity of the multiplicative noise of axis 3, in s^(-1/2); 0 < g_13
+        g_23: intensity of the additive noise of axis 3, in rad s^(-3/2); 0 < g_23
+        d_33: coefficient of dissipation, in 1/s; 0 < d_33
+
+    Returns one array:
+        log_C_2: log C_2, a number
+
+    Numbers give numbers; arrays give float64, or float32 if all are. `out` takes an array of the broadcast shape
+    and type; a ValueError names what does not fit. What is no number gives no number.
+
+    Accuracy: 16 ulp over the domain. An error is a relative error of the constant: the ulp are those of 2, of the
+    larger addend or of the exponent, whichever is largest.
+
+    Rests on poloskov2004:3.4.2 (sha256 5d8c90db16ae), poloskov2004:3.5.1 (sha256 9696f77f01bb),
+    poloskov2004:4.0.5 (sha256 ac729170c761), poloskov2004:B.5 (sha256 8313f4f3d44e).
+    """
+    if out is None:
+        if type(k) is type(g_13) is type(g_23) is type(d_33) is float:
+            try:
+                return _logarithm_of_constant_of_frequency(k, g_13, g_23, d_33, math.log, math.sqrt)
+            except (ValueError, ZeroDivisionError, OverflowError):
+                pass  # NumPy says whether it is infinite or no number
+        elif type(k) is type(g_13) is type(g_23) is type(d_33) is np.ndarray and k.dtype is g_13.dtype is g_23.dtype is d_33.dtype is DOUBLE and k.shape == g_13.shape == g_23.shape == d_33.shape and k.size <= SMALL:
+            return _logarithm_of_constant_of_frequency(k, g_13, g_23, d_33)
+    return evaluate(_logarithm_of_constant_of_frequency_block, 4, 1, (k, g_13, g_23, d_33,), out)
+
+
+def _logarithm_of_constant_of_frequency(k, g_13, g_23, d_33, log=np.log, sqrt=np.sqrt):
+    t1 = d_33 / (g_13 * g_13)
+    t11 = log((sqrt(d_33) * gamma_ratio(t1, 1.0 / 2.0)) / sqrt(math.pi)) + (2.0 * (t1 * log(g_23 * k)))
+    return t11
+
+
+def _logarithm_of_constant_of_frequency_block(k, g_13, g_23, d_33, out_log_C_2, r0, r1, r2, r3):
+    np.multiply(g_13, g_13, r0)  # g_13_squared
+    np.divide(d_33, r0, r0)  # t1
+    np.multiply(g_23, k, r1)  # t2
+    np.log(r1, r1)  # t3
+    np.multiply(r0, r1, r1)  # t4
+    np.multiply(2.0, r1, r1)  # t5
+    np.sqrt(math.pi, r2)  # t6
+    np.sqrt(d_33, r3)  # sqrt_d_33
+    gamma_ratio(r0, (1.0 / 2.0), r0)  # t7
+    np.multiply(r3, r0, r0)  # t8
+    np.divide(r0, r2, r2)  # t9
+    np.log(r2, r2)  # t10
+    np.add(r2, r1, out_log_C_2)  # t11
+
+
+def distribution_of_amplitude(a, alpha, beta, gamma, out=None):
+    """The probability that the amplitude is at most a.
+
+        F = 1 - 1/(3*a**2*alpha**2/(4*beta**2) + 1)**((-alpha + 2*gamma)*(alpha + 2*gamma)/(3*alpha**2))
+
+    Arguments, numbers or arrays that broadcast:
+        a: amplitude of the equatorial angular velocity, in rad/s; 0 < a
+        alpha: multiplicative noise, alpha^2 = g_11^2 + g_12^2, in s^(-1/2); 0 < alpha
+        beta: additive noise, beta^2 = g_21^2 + g_22^2, in rad s^(-3/2); 0 < beta
+        gamma: dissipation, gamma^2 = d_11 + d_22, in s^(-1/2); alpha/2 < gamma
+
+    Returns one array:
+        F: probability, a number
+
+    Numbers give numbers; arrays give float64, or float32 if all are. `out` takes an array of the broadcast shape
+    and type; a ValueError names what does not fit. What is no number gives no number.
+
+    Accuracy: 8 ulp over the domain. The exponent of the power is rounded.
+
+    Rests on poloskov2004:B.3 (sha256 055961a8f92e).
+    """
+    if out is None:
+        if type(a) is type(alpha) is type(beta) is type(gamma) is float:
+            try:
+                return _distribution_of_amplitude(a, alpha, beta, gamma, math.expm1)
+            except (ValueError, ZeroDivisionError, OverflowError):
+                pass  # NumPy says whether it is infinite or no number
+        elif type(a) is type(alpha) is type(beta) is type(gamma) is np.ndarray and a.dtype is alpha.dtype is beta.dtype is gamma.dtype is DOUBLE and a.shape == alpha.shape == beta.shape == gamma.shape and a.size <= SMALL:
+            return _distribution_of_amplitude(a, alpha, beta, gamma)
+    return evaluate(_distribution_of_amplitude_block, 4, 1, (a, alpha, beta, gamma,), out)
+
+
+def _distribution_of_amplitude(a, alpha, beta, gamma, expm1=np.expm1):
+    t1 = 2.0 * gamma
+    t2 = (a * a) / (beta * beta)
+    t11 = (1.0 / 4.0) * (log1p_ratio((3.0 / 4.0) * ((alpha * alpha) * t2)) * ((alpha - t1) * (t2 * (alpha + t1))))
+    return -expm1(t11)
+
+
+def _distribution_of_amplitude_block(a, alpha, beta, gamma, out_F, r0, r1, r2, r3):
+    np.multiply(2.0, gamma, r0)  # t1
+    np.multiply(a, a, r1)  # a_squared
+    np.multiply(beta, beta, r2)  # beta_squared
+    np.divide(r1, r2, r2)  # t2
+    np.add(alpha, r0, r1)  # t3
+    np.subtract(alpha, r0, r0)  # t4
+    np.multiply(alpha, alpha, r3)  # alpha_squared
+    np.multiply(r3, r2, r3)  # t5
+    np.multiply((3.0 / 4.0), r3, r3)  # t6
+    log1p_ratio(r3, r3)  # t7
+    np.multiply(r2, r1, r1)  # t8
+    np.multiply(r0, r1, r1)  # t9
+    np.multiply(r3, r1, r1)  # t10
+    np.multiply((1.0 / 4.0), r1, r1)  # t11
+    np.expm1(r1, r1)  # t12
+    np.negative(r1, out_F)  # t13
+
+
+def quantile_of_amplitude(q, alpha, beta, gamma, out=None):
+    """The amplitude that is exceeded with the probability 1 - q.
+
+        a_q = 2*sqrt(3)*beta*sqrt(-1 + (1 - q)**(-3*alpha**2/((-alpha + 2*gamma)*(alpha + 2*gamma))))/(3*alpha)
+
+    Arguments, numbers or arrays that broadcast:
+        q: probability, a number; 0 < q < 1
+        alpha: multiplicative noise, alpha^2 = g_11^2 + g_12^2, in s^(-1/2); 0 < alpha
+        beta: additive noise, beta^2 = g_21^2 + g_22^2, in rad s^(-3/2); 0 < beta
+        gamma: dissipation, gamma^2 = d_11 + d_22, in s^(-1/2); 3*alpha/5 < gamma
+
+    Returns one array:
+        a_q: quantile of a, in rad/s
+
+    Numbers give numbers; arrays give float64, or float32 if all are. `out` takes an array of the broadcast shape
+    and type; a ValueError names what does not fit. What is no number gives no number.
+
+    Accuracy: 8 ulp over the domain. The ulp are those of the value times its condition number, 1 + |log(1 -
+    q)|/nu with nu = |kappa_1| - 1. Nearer to gamma = alpha/2, where the density ends to exist, quantiles may be
+    infinite.
+
+    Rests on poloskov2004:B.3 (sha256 055961a8f92e), poloskov2004:B.4 (sha256 776ac1938ce6).
+    """
+    if out is None:
+        if type(q) is type(alpha) is type(beta) is type(gamma) is float:
+            try:
+                return _quantile_of_amplitude(q, alpha, beta, gamma, math.log1p, math.sqrt)
+            except (ValueError, ZeroDivisionError, OverflowError):
+                pass  # NumPy says whether it is infinite or no number
+        elif type(q) is type(alpha) is type(beta) is type(gamma) is np.ndarray and q.dtype is alpha.dtype is beta.dtype is gamma.dtype is DOUBLE and q.shape == alpha.shape == beta.shape == gamma.shape and q.size <= SMALL:
+            return _quantile_of_amplitude(q, alpha, beta, gamma)
+    return evaluate(_quantile_of_amplitude_block, 7, 1, (q, alpha, beta, gamma,), out)
+
+
+def _quantile_of_amplitude(q, alpha, beta, gamma, log1p=np.log1p, sqrt=np.sqrt):
+    t1 = 2.0 * gamma
+    t2 = alpha + t1
+    t4 = log1p(-q)
+    t6 = 1.0 / (t1 - alpha)
+    t20 = sqrt(expm1_ratio(-((3.0 * ((alpha * alpha) * (t4 * t6))) / t2))) * (sqrt(-t4) * (beta * sqrt(t6)))
+    return (2.0 * t20) / sqrt(t2)
+
+
+def _quantile_of_amplitude_block(q, alpha, beta, gamma, out_a_q, r0, r1, r2, r3, r4, r5, r6):
+    np.multiply(2.0, gamma, r0)  # t1
+    np.add(alpha, r0, r1)  # t2
+    np.negative(q, r2)  # t3
+    np.log1p(r2, r2)  # t4
+    np.subtract(r0, alpha, r0)  # t5
+    np.divide(1.0, r0, r0)  # t6
+    np.sqrt(r1, r3)  # t7
+    np.sqrt(r0, r4)  # t8
+    np.negative(r2, r5)  # t9
+    np.sqrt(r5, r5)  # t10
+    np.multiply(alpha, alpha, r6)  # alpha_squared
+    np.multiply(r2, r0, r0)  # t11
+    np.multiply(r6, r0, r0)  # t12
+    np.multiply(3.0, r0, r0)  # t13
+    np.divide(r0, r1, r1)  # t14
+    np.negative(r1, r1)  # t15
+    expm1_ratio(r1, r1)  # t16
+    np.sqrt(r1, r1)  # t17
+    np.multiply(beta, r4, r4)  # t18
+    np.multiply(r5, r4, r4)  # t19
+    np.multiply(r1, r4, r4)  # t20
+    np.multiply(2.0, r4, r4)  # t21
+    np.divide(r4, r3, out_a_q)  # t22
+
+
+def moment_of_amplitude(m, alpha, beta, gamma, out=None):
+    """The mean of a^m; gamma() is Euler's function.
+
+        M_a = gamma(-m/2 + (-alpha + 2*gamma)*(alpha + 2*gamma)/(3*alpha**2))*gamma(m/2 + 1)/((3*alpha**2/(4*beta**2))**(m/2)*gamma((-alpha + 2*gamma)*(alpha + 2*gamma)/(3*alpha**2)))
+
+    Arguments, numbers or arrays that broadcast:
+        m: order of the moment, a number; 0 <= m <= 8
+        alpha: multiplicative noise, alpha^2 = g_11^2 + g_12^2, in s^(-1/2); 0 < alpha
+        beta: additive noise, beta^2 = g_21^2 + g_22^2, in rad s^(-3/2); 0 < beta
+        gamma: dissipation, gamma^2 = d_11 + d_22, in s^(-1/2); alpha*sqrt((2 + 3*m)/8)*(1 + 1e-9) < gamma
+
+    Returns one array:
+        M_a: moment, in (rad/s)^m
+
+    Numbers give numbers; arrays give float64, or float32 if all are. `out` takes an array of the broadcast shape
+    and type; a ValueError names what does not fit. What is no number gives no number.
+
+    Accuracy: 16 ulp over the domain. The ulp are those of the value times its condition number, (2 + m) (1 +
+    log(1 + m)) nu/(nu - m/2) with nu = |kappa_1| - 1. Beyond the domain the moment is infinite, and the formula
+    means nothing.
+
+    Rests on poloskov2004:4.0.9 (sha256 d97b565a9361), poloskov2004:B.2 (sha256 e465490e2191), poloskov2004:B.6
+    (sha256 bdd22da5aefe).
+    """
+    if out is None:
+        if type(m) is type(alpha) is type(beta) is type(gamma) is float:
+            try:
+                return _moment_of_amplitude(m, alpha, beta, gamma, math.pow, math.sqrt)
+            except (ValueError, ZeroDivisionError, OverflowError):
+                pass  # NumPy says whether it is infinite or no number
+        elif type(m) is type(alpha) is type(beta) is type(gamma) is np.ndarray and m.dtype is alpha.dtype is beta.dtype is gamma.dtype is DOUBLE and m.shape == alpha.shape == beta.shape == gamma.shape and m.size <= SMALL:
+            return _moment_of_amplitude(m, alpha, beta, gamma)
+    return evaluate(_moment_of_amplitude_block, 6, 1, (m, alpha, beta, gamma,), out)
+
+
+def _moment_of_amplitude(m, alpha, beta, gamma, power=np.power, sqrt=np.sqrt):
+    t1 = (1.0 / 2.0) * m
+    t2 = 2.0 * gamma
+    t3 = alpha + t2
+    t4 = t2 - alpha
+    t18 = gamma_ratio(((1.0 / 3.0) * (t3 * t4)) / (alpha * alpha), -t1) * (power((2.0 * beta) / (sqrt(t3) * sqrt(t4)), m) * gamma_ratio(1.0, t1))
+    return t18
+
+
+def _moment_of_amplitude_block(m, alpha, beta, gamma, out_M_a, r0, r1, r2, r3, r4, r5):
+    np.multiply((1.0 / 2.0), m, r0)  # t1
+    np.multiply(2.0, gamma, r1)  # t2
+    np.add(alpha, r1, r2)  # t3
+    np.subtract(r1, alpha, r1)  # t4
+    np.sqrt(r2, r3)  # t5
+    np.sqrt(r1, r4)  # t6
+    np.multiply(2.0, beta, r5)  # t7
+    np.multiply(r3, r4, r4)  # t8
+    np.divide(r5, r4, r4)  # t9
+    np.power(r4, m, r4)  # t10
+    gamma_ratio(1.0, r0, r5)  # t11
+    np.multiply(alpha, alpha, r3)  # alpha_squared
+    np.multiply(r2, r1, r1)  # t12
+    np.multiply((1.0 / 3.0), r1, r1)  # t13
+    np.divide(r1, r3, r3)  # t14
+    np.negative(r0, r0)  # t15
+    gamma_ratio(r3, r0, r0)  # t16
+    np.multiply(r4, r5, r5)  # t17
+    np.multiply(r0, r5, out_M_a)  # t18
+
+
+def moment_of_frequency(m, k, g_13, g_23, d_33, out=None):
+    """The mean of |Omega|^m; gamma() is Euler's function.
+
+        M_Omega = gamma(m/2 + 1/2)*gamma(d_33/g_13**2 - m/2)/(sqrt(pi)*(g_13**2/(g_23**2*k**2))**(m/2)*gamma(d_33/g_13**2))
+
+    Arguments, numbers or arrays that broadcast:
+        m: order of the moment, a number; 0 <= m <= 8
+        k: (A - C)/A, of the moments of inertia A, A, C, a number; 0 < k
+        g_13: intensity of the multiplicative noise of axis 3, in s^(-1/2); 0 < g_13
+        g_23: intensity of the additive noise of axis 3, in rad s^(-3/2); 0 < g_23
+        d_33: coefficient of dissipation, in 1/s; m*g_13**2/2*(1 + 1e-9) < d_33
+
+    Returns one array:
+        M_Omega: absolute moment, in (rad/s)^m
+
+    Numbers give numbers; arrays give float64, or float32 if all are. `out` takes an array of the broadcast shape
+    and type; a ValueError names what does not fit. What is no number gives no number.
+
+    Accuracy: 16 ulp over the domain. The ulp are those of the value times its condition number, (2 + m) (1 +
+    log(1 + m)) delta/(delta - m/2) with delta = d_33/g_13^2. Beyond the domain the moment is infinite, and the
+    formula means nothing.
+
+    Rests on poloskov2004:4.0.11 (sha256 666019967417), poloskov2004:B.5 (sha256 8313f4f3d44e), poloskov2004:B.7
+    (sha256 ea16c7e7d2f5).
+    """
+    if out is None:
+        if type(m) is type(k) is type(g_13) is type(g_23) is type(d_33) is float:
+            try:
+                return _moment_of_frequency(m, k, g_13, g_23, d_33, math.pow, math.sqrt)
+            except (ValueError, ZeroDivisionError, OverflowError):
+                pass  # NumPy says whether it is infinite or no number
+        elif type(m) is type(k) is type(g_13) is type(g_23) is type(d_33) is np.ndarray and m.dtype is k.dtype is g_13.dtype is g_23.dtype is d_33.dtype is DOUBLE and m.shape == k.shape == g_13.shape == g_23.shape == d_33.shape and m.size <= SMALL:
+            return _moment_of_frequency(m, k, g_13, g_23, d_33)
+    return evaluate(_moment_of_frequency_block, 5, 1, (m, k, g_13, g_23, d_33,), out)
+
+
+def _moment_of_frequency(m, k, g_13, g_23, d_33, power=np.power, sqrt=np.sqrt):
+    t1 = (1.0 / 2.0) * m
+    t12 = gamma_ratio(d_33 / (g_13 * g_13), -t1) * (power((g_23 * k) / sqrt(d_33), m) * gamma_ratio(1.0, t1 - (1.0 / 2.0)))
+    return t12 / sqrt(math.pi)
+
+
+def _moment_of_frequency_block(m, k, g_13, g_23, d_33, out_M_Omega, r0, r1, r2, r3, r4):
+    np.multiply((1.0 / 2.0), m, r0)  # t1
+    np.sqrt(math.pi, r1)  # t2
+    np.sqrt(d_33, r2)  # sqrt_d_33
+    np.multiply(g_23, k, r3)  # t3
+    np.divide(r3, r2, r2)  # t4
+    np.power(r2, m, r2)  # t5
+    np.subtract(r0, (1.0 / 2.0), r3)  # t6
+    gamma_ratio(1.0, r3, r3)  # t7
+    np.multiply(g_13, g_13, r4)  # g_13_squared
+    np.divide(d_33, r4, r4)  # t8
+    np.negative(r0, r0)  # t9
+    gamma_ratio(r4, r0, r0)  # t10
+    np.multiply(r2, r3, r3)  # t11
+    np.multiply(r0, r3, r3)  # t12
+    np.divide(r3, r1, out_M_Omega)  # t13
+
+
+def mean_square_of_amplitude(alpha, beta, gamma, out=None):
+    """The mean of a^2.
+
+        S_a = -beta**2/((alpha - gamma)*(alpha + gamma))
+
+    Arguments, numbers or arrays that broadcast:
+        alpha: multiplicative noise, alpha^2 = g_11^2 + g_12^2, in s^(-1/2); 0 < alpha
+        beta: additive noise, beta^2 = g_21^2 + g_22^2, in rad s^(-3/2); 0 < beta
+        gamma: dissipation, gamma^2 = d_11 + d_22, in s^(-1/2); alpha < gamma
+
+    Returns one array:
+        S_a: mean square of a, in rad^2/s^2
+
+    Numbers give numbers; arrays give float64, or float32 if all are. `out` takes an array of the broadcast shape
+    and type; a ValueError names what does not fit. What is no number gives no number.
+
+    Accuracy: 4 ulp over the domain. Beyond the domain it is infinite, and the formula means nothing.
+
+    Rests on poloskov2004:4.0.9 (sha256 d97b565a9361), poloskov2004:B.8 (sha256 4068cfb91ea4).
+    """
+    if out is None:
+        if type(alpha) is type(beta) is type(gamma) is float:
+            try:
+                return _mean_square_of_amplitude(alpha, beta, gamma)
+            except (ValueError, ZeroDivisionError, OverflowError):
+                pass  # NumPy says whether it is infinite or no number
+        elif type(alpha) is type(beta) is type(gamma) is np.ndarray and alpha.dtype is beta.dtype is gamma.dtype is DOUBLE and alpha.shape == beta.shape == gamma.shape and alpha.size <= SMALL:
+            return _mean_square_of_amplitude(alpha, beta, gamma)
+    return evaluate(_mean_square_of_amplitude_block, 3, 1, (alpha, beta, gamma,), out)
+
+
+def _mean_square_of_amplitude(alpha, beta, gamma):
+    return -((beta * beta) / ((alpha + gamma) * (alpha - gamma)))
+
+
+def _mean_square_of_amplitude_block(alpha, beta, gamma, out_S_a, r0, r1, r2):
+    np.multiply(beta, beta, r0)  # beta_squared
+    np.add(alpha, gamma, r1)  # t1
+    np.subtract(alpha, gamma, r2)  # t2
+    np.multiply(r1, r2, r2)  # t3
+    np.divide(r0, r2, r2)  # t4
+    np.negative(r2, out_S_a)  # t5
+
+
+def mean_square_of_frequency(k, g_13, g_23, d_33, out=None):
+    """The mean of Omega^2.
+
+        S_Omega = g_23**2*k**2/(2*(d_33 - g_13**2))
+
+    Arguments, numbers or arrays that broadcast:
+        k: (A - C)/A, of the moments of inertia A, A, C, a number; 0 < k
+        g_13: intensity of the multiplicative noise of axis 3, in s^(-1/2); 0 < g_13
+        g_23: intensity of the additive noise of axis 3, in rad s^(-3/2); 0 < g_23
+        d_33: coefficient of dissipation, in 1/s; g_13**2 < d_33
+
+    Returns one array:
+        S_Omega: mean square of Omega, in rad^2/s^2
+
+    Numbers give numbers; arrays give float64, or float32 if all are. `out` takes an array of the broadcast shape
+    and type; a ValueError names what does not fit. What is no number gives no number.
+
+    Accuracy: 4 ulp over the domain. The ulp are those of the value times its condition number, (d_33 +
+    g_13^2)/|d_33 - g_13^2|, as g_13^2 is rounded. Beyond the domain it is infinite, and the formula means
+    nothing.
+
+    Rests on poloskov2004:4.0.11 (sha256 666019967417), poloskov2004:B.8 (sha256 4068cfb91ea4).
+    """
+    if out is None:
+        if type(k) is type(g_13) is type(g_23) is type(d_33) is float:
+            try:
+                return _mean_square_of_frequency(k, g_13, g_23, d_33)
+            except (ValueError, ZeroDivisionError, OverflowError):
+                pass  # NumPy says whether it is infinite or no number
+        elif type(k) is type(g_13) is type(g_23) is type(d_33) is np.ndarray and k.dtype is g_13.dtype is g_23.dtype is d_33.dtype is DOUBLE and k.shape == g_13.shape == g_23.shape == d_33.shape and k.size <= SMALL:
+            return _mean_square_of_frequency(k, g_13, g_23, d_33)
+    return evaluate(_mean_square_of_frequency_block, 3, 1, (k, g_13, g_23, d_33,), out)
+
+
+def _mean_square_of_frequency(k, g_13, g_23, d_33):
+    return ((1.0 / 2.0) * ((g_23 * g_23) * (k * k))) / (d_33 - (g_13 * g_13))
+
+
+def _mean_square_of_frequency_block(k, g_13, g_23, d_33, out_S_Omega, r0, r1, r2):
+    np.multiply(g_23, g_23, r0)  # g_23_squared
+    np.multiply(k, k, r1)  # k_squared
+    np.multiply(g_13, g_13, r2)  # g_13_squared
+    np.subtract(d_33, r2, r2)  # t1
+    np.multiply(r0, r1, r1)  # t2
+    np.multiply((1.0 / 2.0), r1, r1)  # t3
+    np.divide(r1, r2, out_S_Omega)  # t4
+
+
+def mode_of_amplitude(alpha, beta, gamma, out=None):
+    """The most probable amplitude, where the density is largest; that of the frequency is 0.
+
+        a_star = 2*beta/sqrt(alpha**2 + 8*gamma**2)
+
+    Arguments, numbers or arrays that broadcast:
+        alpha: multiplicative noise, alpha^2 = g_11^2 + g_12^2, in s^(-1/2); 0 < alpha
+        beta: additive noise, beta^2 = g_21^2 + g_22^2, in rad s^(-3/2); 0 < beta
+        gamma: dissipation, gamma^2 = d_11 + d_22, in s^(-1/2); 0 < gamma
+
+    Returns one array:
+        a_star: mode of a, in rad/s
+
+    Numbers give numbers; arrays give float64, or float32 if all are. `out` takes an array of the broadcast shape
+    and type; a ValueError names what does not fit. What is no number gives no number.
+
+    Accuracy: 4 ulp over the domain.
+
+    Rests on poloskov2004:4.0.13 (sha256 6d9dd81c7c60), poloskov2004:4.0.14 (sha256 3e2dc74df09e),
+    poloskov2004:4.0.15 (sha256 471e4ce4d17f).
+    """
+    if out is None:
+        if type(alpha) is type(beta) is type(gamma) is float:
+            try:
+                return _mode_of_amplitude(alpha, beta, gamma, math.sqrt)
+            except (ValueError, ZeroDivisionError, OverflowError):
+                pass  # NumPy says whether it is infinite or no number
+        elif type(alpha) is type(beta) is type(gamma) is np.ndarray and alpha.dtype is beta.dtype is gamma.dtype is DOUBLE and alpha.shape == beta.shape == gamma.shape and alpha.size <= SMALL:
+            return _mode_of_amplitude(alpha, beta, gamma)
+    return evaluate(_mode_of_amplitude_block, 2, 1, (alpha, beta, gamma,), out)
+
+
+def _mode_of_amplitude(alpha, beta, gamma, sqrt=np.sqrt):
+    return (2.0 * beta) / sqrt((alpha * alpha) + (8.0 * (gamma * gamma)))
+
+
+def _mode_of_amplitude_block(alpha, beta, gamma, out_a_star, r0, r1):
+    np.multiply(alpha, alpha, r0)  # alpha_squared
+    np.multiply(gamma, gamma, r1)  # gamma_squared
+    np.multiply(8.0, r1, r1)  # t1
+    np.add(r0, r1, r1)  # t2
+    np.sqrt(r1, r1)  # t3
+    np.multiply(2.0, beta, r0)  # t4
+    np.divide(r0, r1, out_a_star)  # t5

@@ -1,0 +1,1 @@
+"""Kernels: the expressions of the derivations as NumPy functions."""

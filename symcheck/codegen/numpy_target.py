@@ -1,0 +1,172 @@
+"""A program as a NumPy kernel: an expression that `math` and NumPy share, and a block of ufuncs in place."""
+
+from __future__ import annotations
+
+import textwrap
+from collections import Counter
+from collections.abc import Iterator
+from fractions import Fraction
+
+from symcheck.codegen.kernel import Argument, Kernel, Output
+from symcheck.codegen.program import UNARY, Operation, Program, Ref, registers
+from symcheck.codegen.special import RUNTIME
+
+INFIX = {"add": "+", "subtract": "-", "multiply": "*", "divide": "/"}
+MATH = {"arctan": "atan", "power": "pow"}  # what `math` calls otherwise
+WIDTH = 110
+LONGEST = 90  # characters of an expression that is not given a name
+HEAD = '''"""Kernels of {key}. Written by `symcheck generate`: what is changed here is lost."""
+
+import math
+
+import numpy as np
+
+from symcheck.runtime import DOUBLE, SMALL, evaluate{special}
+
+__all__ = [{names}]
+'''
+
+
+def number(x: Ref) -> str:
+    """A number as Python: `2.0`, `(3.0 / 8.0)`, `math.pi`, `math.sqrt(3.0)`; a name as it is."""
+    if isinstance(x, str):
+        if x.startswith("sqrt("):
+            return f"math.sqrt({number(Fraction(x[5:-1])).strip('()')})"
+        return "math.pi" if x == "pi" else x
+    return f"{x.numerator}.0" if x.denominator == 1 else f"({x.numerator}.0 / {x.denominator}.0)"
+
+
+def functions(program: Program) -> tuple[str, ...]:
+    """The functions that the program calls."""
+    return tuple(sorted({operation.function for operation in program.operations} & {*UNARY, "power"}))
+
+
+def expression_lines(program: Program) -> Iterator[str]:
+    """The program as assignments, and what it returns; what is used once stands where it is used.
+
+    NumPy gives the memory of such a value back at once, while it is still in the cache.
+    """
+    uses = Counter(x for operation in program.operations for x in operation.operands) + Counter(
+        program.outputs.values()
+    )
+    texts: dict[Ref, str] = {}
+    for operation in program.operations:
+        text = _expression(operation, [texts.get(x, number(x)) for x in operation.operands])
+        if uses[operation.result] > 1 or len(text) > LONGEST:
+            yield f"{operation.result} = {text}"
+        else:
+            texts[operation.result] = text if operation.function in (*UNARY, *RUNTIME, "power") else f"({text})"
+    values = (texts.get(value, number(value)) for value in program.outputs.values())
+    yield f"return {', '.join(value[1:-1] if value[0] == '(' else value for value in values)}"
+
+
+def _expression(operation: Operation, operands: list[str]) -> str:
+    if operation.function in INFIX:
+        return f" {INFIX[operation.function]} ".join(operands)
+    if operation.function == "negative":
+        return f"-{operands[0]}"
+    inside = ", ".join(x[1:-1] if x[0] == "(" else x for x in operands)
+    return f"{operation.function}({inside})"
+
+
+def block_lines(program: Program) -> tuple[int, list[str]]:
+    """The program as ufunc calls on registers, and how many registers it takes."""
+    outputs: dict[Ref, str] = {}
+    for name, value in program.outputs.items():
+        outputs.setdefault(value, f"out_{name}")
+    lines, count = [], 0
+    held: dict[Ref, str] = {}
+    for operation, place in registers(program):
+        operands = [held.get(x, number(x)) for x in operation.operands]
+        target = outputs[operation.result] if place is None else f"r{place}"
+        count = max(count, 0 if place is None else place + 1)
+        held[operation.result] = target
+        module = "" if operation.function in RUNTIME else "np."
+        lines.append(f"{module}{operation.function}({', '.join(operands)}, {target})  # {operation.result}")
+    for name, value in program.outputs.items():
+        if outputs[value] != f"out_{name}" or value not in held:
+            lines.append(f"out_{name}[...] = {held.get(value, number(value))}")
+    return count, lines
+
+
+def module(key: str, kernels: dict[str, str]) -> str:
+    """The text of a module, of the texts of its kernels by name."""
+    names = ", ".join(f'"{name}"' for name in sorted(kernels))
+    special = "".join(f", {name}" for name in RUNTIME if any(f"{name}(" in text for text in kernels.values()))
+    return "\n\n".join([HEAD.format(key=key, names=names, special=special), *kernels.values()])
+
+
+def source(name: str, kernel: Kernel, program: Program, evidence: str) -> str:
+    """The text of one kernel; `evidence` says on what it rests."""
+    inputs = ", ".join(program.inputs)
+    called = functions(program)
+    count, lines = block_lines(program)
+    outs = ", ".join(f"out_{output}" for output in program.outputs)
+    rows = "".join(f", r{k}" for k in range(count))
+    types = " is ".join(f"type({x})" for x in program.inputs)
+    doubles = " is ".join(f"{x}.dtype" for x in program.inputs)
+    shapes = " == ".join(f"{x}.shape" for x in program.inputs) + " and " if len(program.inputs) > 1 else ""
+    apart = {*program.outputs.values()} <= {operation.result for operation in program.operations}
+    direct = f"""
+        elif {types} is np.ndarray and {doubles} is DOUBLE and {shapes}{program.inputs[0]}.size <= SMALL:
+            return _{name}({inputs})"""
+    if not apart or len({*program.outputs.values()}) < len(program.outputs):
+        direct = ""  # two results must not be one array, nor a result an argument
+    taken = "".join(f", {function}=np.{function}" for function in called)
+    own = "".join(f", math.{MATH.get(function, function)}" for function in called)
+    return f"""def {name}({inputs}, out=None):
+{textwrap.indent(docstring(kernel, evidence), "    ")}
+    if out is None:
+        if {types} is float:
+            try:
+                return _{name}({inputs}{own})
+            except (ValueError, ZeroDivisionError, OverflowError):
+                pass  # NumPy says whether it is infinite or no number{direct}
+    return evaluate(_{name}_block, {count}, {len(program.outputs)}, ({inputs},), out)
+
+
+def _{name}({inputs}{taken}):
+{textwrap.indent(chr(10).join(expression_lines(program)), "    ")}
+
+
+def _{name}_block({inputs}, {outs}{rows}):
+{textwrap.indent(chr(10).join(lines), "    ")}
+"""
+
+
+def docstring(kernel: Kernel, evidence: str) -> str:
+    """What the function is, takes, returns and rests on."""
+    shown = kernel.derived()
+    formulas = [f"    {output.name} = {shown[output.name]}" for output in kernel.outputs]
+    several = len(kernel.outputs) > 1
+    taken = f"{len(kernel.outputs)} arrays" if several else "an array"
+    parts = [
+        kernel.says,
+        "\n".join(formulas),
+        "\n".join(["Arguments, numbers or arrays that broadcast:", *map(_argument, kernel.arguments)]),
+        "\n".join([f"Returns {'a tuple of arrays' if several else 'one array'}:", *map(_output, kernel.outputs)]),
+        _wrapped(
+            "Numbers give numbers; arrays give float64, or float32 if all are. `out` takes "
+            f"{taken} of the broadcast shape and type; a ValueError names what does not fit. What is no number "
+            "gives no number."
+        ),
+        _wrapped(f"Accuracy: {kernel.ulp} ulp over the domain. {kernel.condition} {kernel.degenerate}".strip()),
+        _wrapped(evidence),
+    ]
+    return '"""' + "\n\n".join(parts) + '\n"""'
+
+
+def _argument(each: Argument) -> str:
+    return f"    {each.name}: {each.meaning}, {_unit(each.unit)}; {each.domain}"
+
+
+def _output(each: Output) -> str:
+    return f"    {each.name}: {each.meaning}, {_unit(each.unit)}"
+
+
+def _unit(unit: str) -> str:
+    return "a number" if unit == "1" else f"in {unit}"
+
+
+def _wrapped(text: str) -> str:
+    return textwrap.fill(" ".join(text.split()), WIDTH)

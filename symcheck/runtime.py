@@ -1,0 +1,155 @@
+"""How a generated kernel runs: on numbers through `math`, on small arrays as it stands, on large ones by blocks.
+
+A block stays in the innermost cache, so that the values between two operations never travel to memory; the registers
+that hold them are kept from call to call, one set for each thread. NumPy and the standard library alone.
+"""
+
+from __future__ import annotations
+
+import math
+import sys
+import threading
+from collections.abc import Callable, Sequence
+from typing import Any
+
+import numpy as np
+
+BLOCK = 8192  # elements: 32 kB of doubles
+DOUBLE = np.dtype(np.float64)
+LINE = 64  # bytes of a cache line: registers that begin on one are read twice as fast
+SMALL = 8192  # elements: up to here nothing leaves the caches anyway
+TINY = 2.0**-100  # below it log(1 + x) and exp(x) - 1 are x
+STIRLING = tuple(p / q for p, q in ((1, 12), (-1, 360), (1, 1260), (-1, 1680), (1, 1188), (-691, 360360), (1, 156)))
+SHIFT = 9  # from here on seven terms of Stirling's series are enough for doubles
+
+Block = Callable[..., None]
+_local = threading.local()
+
+
+def evaluate(block: Block, registers: int, outputs: int, inputs: Sequence[Any], out: Any) -> Any:
+    """One call of a kernel on anything that broadcasts: one array, or a tuple of `outputs`, of the broadcast shape.
+
+    float32 if all arrays are, else float64. ValueError if `out` does not fit. NumPy's warnings are the caller's.
+    """
+    dtype = np.result_type(*inputs)
+    dtype = dtype if dtype == np.float32 else DOUBLE
+    arrays = [np.asarray(x) for x in inputs]
+    shape = np.broadcast_shapes(*(x.shape for x in arrays))
+    results = [np.empty(shape, dtype) for _ in range(outputs)] if out is None else _fitting(out, outputs, shape, dtype)
+    if out is not None:  # an output must not overwrite what is read later
+        arrays = [x.copy() if any(np.may_share_memory(x, y) for y in results) else x for x in arrays]
+    _run(block, _registers(registers, dtype), arrays, results, shape, dtype)
+    if out is None and not shape:
+        results = [x[()] for x in results]
+    return results[0] if outputs == 1 else tuple(results)
+
+
+def _fitting(out: Any, outputs: int, shape: tuple[int, ...], dtype: Any) -> list[Any]:
+    results = list(out) if isinstance(out, (tuple, list)) else [out]
+    if len(results) != outputs:
+        raise ValueError(f"out has {len(results)} arrays; this kernel has {outputs} outputs")
+    if len({id(each) for each in results}) < outputs:
+        raise ValueError("out holds one array twice; each output needs an array of its own")
+    for each in results:
+        if not isinstance(each, np.ndarray) or each.shape != shape or each.dtype != dtype:
+            found = f"{each.shape} {each.dtype}" if isinstance(each, np.ndarray) else type(each).__name__
+            raise ValueError(f"out is {found}; an array of shape {shape} and type {dtype} is needed")
+    return results
+
+
+def _run(
+    block: Block, rows: list[Any], arrays: list[Any], results: list[Any], shape: tuple[int, ...], dtype: Any
+) -> None:
+    if all(x.shape == shape and x.dtype == dtype and x.flags.c_contiguous for x in (*arrays, *results)):
+        flat = [x.reshape(-1) for x in (*arrays, *results)]
+        for start in range(0, flat[0].size, BLOCK):
+            pieces = [x[start : start + BLOCK] for x in flat]
+            size = pieces[0].size
+            block(*pieces, *(rows if size == BLOCK else [row[:size] for row in rows]))
+        return
+    chunks: Any = np.nditer  # its types know neither `with` nor lists of modes
+    modes = [["readonly"]] * len(arrays) + [["writeonly"]] * len(results)
+    flags = ["external_loop", "buffered", "zerosize_ok", "delay_bufalloc"]
+    kinds = [dtype] * len(modes)
+    with chunks([*arrays, *results], flags, modes, kinds, casting="same_kind", buffersize=BLOCK) as iterator:
+        iterator.reset()
+        for chunk in iterator:
+            block(*chunk, *(row[: chunk[0].size] for row in rows))
+
+
+def _registers(count: int, dtype: Any) -> list[Any]:
+    kept: dict[Any, list[Any]] = _local.__dict__.setdefault("registers", {})
+    rows = kept.setdefault(dtype, [])
+    while len(rows) < count:
+        memory = np.empty(BLOCK * dtype.itemsize + LINE, np.uint8)
+        begin = -memory.ctypes.data % LINE
+        rows.append(memory[begin : begin + BLOCK * dtype.itemsize].view(dtype))
+    return rows[:count]
+
+
+def log1p_ratio(x: Any, out: Any = None) -> Any:
+    """log(1 + x)/x for x > -1, continued by 1 at 0 and by a number that is not 0 at infinity."""
+    if type(x) is float:
+        x = min(x, sys.float_info.max)
+        return math.log1p(x) / x if abs(x) > TINY else 1.0
+    x = _away_from_zero(x)
+    x = np.minimum(x, np.finfo(x.dtype).max)
+    return np.divide(np.log1p(x), x, out)
+
+
+def expm1_ratio(x: Any, out: Any = None) -> Any:
+    """(exp(x) - 1)/x, continued by 1 at 0."""
+    if type(x) is float:
+        return math.expm1(x) / x if abs(x) > TINY else 1.0
+    x = _away_from_zero(x)
+    return np.divide(np.expm1(x), x, out)
+
+
+def _away_from_zero(x: Any) -> Any:
+    return np.copysign(np.maximum(np.abs(x), TINY), x)
+
+
+def gamma_ratio(x: Any, h: Any, out: Any = None) -> Any:
+    """Gamma(x + h)/(Gamma(x) x^h) for positive x and x + h: 1 at infinity.
+
+    Where x or x + h is small the functional equation moves both up to where Stirling's series holds. Of the logarithms
+    of two values there only the difference is formed, with what is large in it cancelled beforehand: nothing overflows
+    unless the ratio does.
+    """
+    if type(x) is type(h) is float:
+        x = min(x, 1 / TINY)  # beyond, the ratio is 1
+        if min(x, x + h) >= SHIFT:
+            return math.exp(_logarithm(x, h, math.log1p))
+        return math.exp(_logarithm(x + SHIFT, h, math.log1p)) * math.pow((x + SHIFT) / x, h) * _steps(x, h)
+    x = np.minimum(x, 1 / TINY)
+    small = np.minimum(x, x + h) < SHIFT
+    moved = x + SHIFT * small
+    value = np.exp(_logarithm(moved, h, np.log1p))
+    if small.any():
+        value = value * np.where(small, (moved / x) ** h * _steps(np.where(small, x, 1), h), 1)
+    if out is None:
+        return value
+    out[...] = value
+    return out
+
+
+def _logarithm(x: Any, h: Any, log1p: Any) -> Any:
+    """log gamma_ratio(x, h) for x and x + h from SHIFT on."""
+    return (x + (h - 0.5)) * log1p(h / x) - h + (_stirling(x + h) - _stirling(x))
+
+
+def _steps(x: Any, h: Any) -> Any:
+    """gamma(x + h)/gamma(x) divided by the same for x + SHIFT."""
+    above, under = x, x + h
+    for k in range(1, SHIFT):
+        above, under = above * (x + k), under * (x + h + k)
+    return above / under
+
+
+def _stirling(x: Any) -> Any:
+    """log Gamma(x) less (x - 1/2) log x - x + log(2 pi)/2, for large x."""
+    inverse = 1.0 / x
+    square, total = inverse * inverse, STIRLING[-1]
+    for coefficient in reversed(STIRLING[:-1]):
+        total = total * square + coefficient
+    return total * inverse
