@@ -1104,7 +1104,7 @@ def vertices_of_six_wheels(a, out=None):
     Numbers give numbers; arrays give float64, or float32 if all are. `out` takes 38 arrays of the broadcast shape
     and type; a ValueError names what does not fit. What is no number gives no number.
 
-    Accuracy: 4 ulp over the domain.
+    Accuracy: 5 ulp over the domain. The square root of 3 and half a sine are rounded too.
 
     Rests on ignatov2005:3.1V.1a (sha256 8c2b00545e7d), ignatov2005:3.1V.2a (sha256 067fb2bec942),
     ignatov2005:3.1V.3a (sha256 41535d701c6f), ignatov2005:3.1V.4a (sha256 9476d5b0b3b6), ignatov2005:3.1V.5a
@@ -1267,7 +1267,7 @@ def vertices_of_five_wheels(a, out=None):
     Numbers give numbers; arrays give float64, or float32 if all are. `out` takes 33 arrays of the broadcast shape
     and type; a ValueError names what does not fit. What is no number gives no number.
 
-    Accuracy: 4 ulp over the domain.
+    Accuracy: 5 ulp over the domain. The square root of 3 and half a sine are rounded too.
 
     Rests on ignatov2005:3.2V.1a (sha256 d0db951b702d), ignatov2005:3.2V.2a (sha256 fe89686584b6),
     ignatov2005:3.2V.3a (sha256 39d280840367), ignatov2005:3.2V.4a (sha256 64d3045d53d3), ignatov2005:3.2V.5a

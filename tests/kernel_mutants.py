@@ -85,7 +85,7 @@ class Forms:
         with np.errstate(all="ignore"):
             try:
                 results = self._expression(function, inputs) if form == EXPRESSION else self._block(function, inputs)
-            except (ArithmeticError, NameError, TypeError):
+            except (ArithmeticError, AttributeError, NameError, TypeError):
                 return False
         kept = all(np.array_equal(x, y) for x, y in zip(inputs, truth.points, strict=True))
         return kept and bool((truth.error(results) <= self.case.kernel.ulp).all())

@@ -29,7 +29,6 @@ DIGITS = 170  # bits that must be certain: 50 digits and some
 NOTHING = arb(2) ** -4000  # what is not told from 0 and below this is 0
 ORDINARY = 3.0  # decades about 1 that random points of an unbounded domain fill
 CROWD = 300  # points crowd a place as closely as 10^-300
-WIDE = 1e20  # unbounded arguments beyond this, or below its inverse, may leave the range of doubles
 
 Columns = tuple[Any, ...]  # an array of doubles for each argument
 
@@ -111,13 +110,16 @@ class Truth(NamedTuple):
     size: Any  # the value or the scale, whichever is larger
 
     def error(self, results: Sequence[Any], dtype: Any = np.float64) -> Any:
-        """|results - values| in units of the last place of the type; infinite where only the result is no number."""
+        """|results - values| in units of the last place of the type; infinite where only the result is no number.
+
+        Zero where the value times its condition number is no double: no digit is certain there.
+        """
         found = np.array([np.ravel(result) for result in results], np.float64)
         with np.errstate(all="ignore"):
             high = self.high.astype(dtype)  # in single precision more are infinite
             unit = np.spacing(self.size.astype(dtype)).astype(np.float64)
             error = np.abs((found - self.high) - self.low) / unit
-        error[np.isinf(high) & (found == high) | np.isnan(high)] = 0
+        error[np.isinf(high) & (found == high) | np.isnan(high) | np.isfinite(high) & np.isinf(self.size)] = 0
         return np.where(np.isnan(error), np.inf, error)
 
     def take(self, places: Any) -> Truth:
@@ -266,13 +268,9 @@ def inside(kernel: Kernel, points: Columns) -> Any:
     return found
 
 
-def wide(kernel: Kernel, points: Columns) -> Any:
-    """At which points an argument without two ends is so large or small that doubles may not hold its powers."""
-    found = np.zeros(points[0].shape, bool)
-    for argument, column in zip(kernel.arguments, points, strict=True):
-        if not (argument.low and argument.high):
-            found |= (np.abs(column) > WIDE) | ((np.abs(column) < 1 / WIDE) & (column != 0))
-    return found
+def unbounded(kernel: Kernel) -> bool:
+    """Whether an argument has not two ends, so that doubles may not hold its products and powers."""
+    return any(not (argument.low and argument.high) for argument in kernel.arguments)
 
 
 def _sampled(kernel: Kernel, sample: Callable[[Argument, Any, Any], Any]) -> Columns:
@@ -379,7 +377,7 @@ class Worst(NamedTuple):
 def worst(case: Case, truth: Truth, results: Sequence[Any]) -> Worst:
     """The largest error; points where an unbounded argument takes intermediate values out of range do not count."""
     error = truth.error(results)
-    for n in np.flatnonzero((error > case.kernel.ulp).any(axis=0) & wide(case.kernel, truth.points)):
+    for n in np.flatnonzero((error > case.kernel.ulp).any(axis=0) & unbounded(case.kernel)):
         if not in_range(case, [x[n] for x in truth.points]):
             error[:, n] = 0
     row, column = np.unravel_index(np.argmax(error), error.shape)

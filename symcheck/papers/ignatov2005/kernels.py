@@ -170,7 +170,7 @@ def _vertices(wheels: Wheels) -> Kernel:
         outputs=_components("V", points, MOMENTUM),
         derived=partial(derivation.vertices, wheels.pyramid, wheels.vertices),
         claims=tuple(f"{wheels.array.section}V.{row.number}a" for row in wheels.listed),
-        **_roundings(wheels),
+        **(_roundings(wheels) or {"ulp": 5, "condition": "The square root of 3 and half a sine are rounded too."}),
     )
 
 

@@ -63,9 +63,8 @@ def _addends(derived: Callable[[], Mapping[str, Any]], *names: str) -> Callable[
 
 
 def _conditioned(derived: Callable[[], Mapping[str, Any]], name: str, number: Callable[[], Any]) -> Any:
-    """The absolute value of an output times a condition number, within the range in which doubles have all their digits."""
-    least, most = sp.Integer(2) ** -960, sp.Integer(2) ** 1023
-    return lambda: {name: sp.Max(least, sp.Min(most, sp.Abs(derived()[name]) * number()))}
+    """The absolute value of an output times a condition number, from where on doubles have all their digits."""
+    return lambda: {name: sp.Max(sp.Integer(2) ** -960, sp.Abs(derived()[name]) * number())}
 
 
 def _exponents() -> tuple[Any, Any]:
