@@ -9,6 +9,7 @@ import sys
 from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
+from string import ascii_lowercase
 from typing import Any
 
 from rich import box
@@ -175,7 +176,7 @@ def _alike(records: Iterable[Record]) -> list[list[Record]]:
 
 def _place(record: Record) -> str:
     """The list or table of a row, "ignatov2005:2.1V", or else the paper."""
-    return re.sub(r"(\.\d+)?[a-z]?$", "", record.id) if (record.erratum or {}).get("row") else record.paper
+    return re.sub(r"(\.\d+)?[a-z]?$", "", record.id) if record.is_row else record.paper
 
 
 def _table(out: Console, records: Sequence[Record]) -> None:
@@ -192,11 +193,11 @@ def _table(out: Console, records: Sequence[Record]) -> None:
         table.add_column("why")
     rows: dict[tuple[str, ...], list[str]] = {}
     for record in records:
-        printed = (
-            (record.printed or record.words) if (record.erratum or {}).get("row") else record.read or record.printed
-        )
+        # of a statement in several links the one link is shown; a damaged text is read otherwise, so as printed
+        link = "" if record.is_row or record.group is Group.DAMAGED else record.read
+        printed = link or record.printed or record.words
         why = () if len(reasons) == common else ("" if common and record.reason == reason else record.reason,)
-        number = record.id.rstrip("abcdefghijklmnopqrstuvwxyz") if record.verdict else record.id
+        number = record.id.rstrip(ascii_lowercase) if record.verdict else record.id
         key = (number, str(record.line), " ".join(printed.split()), " ".join(record.corrected.split()), *why)
         rows.setdefault(key, []).append(record.id[len(number) :])
     for (number, *cells), letters in rows.items():

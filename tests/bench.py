@@ -91,21 +91,21 @@ def simplify(index: str) -> tuple[float, bool]:
     return seconds, bool(rest == 0)
 
 
-def timed(function: Callable[[], Any]) -> tuple[float, Any]:
+def timed(function: Callable[[], Any], short: float = SHORT) -> tuple[float, Any]:
     """(seconds, result) of one run, as `timeit` does it: short runs repeated, the garbage collector standing still."""
     gc.collect()
     gc.disable()
     runs, start = 0, time.perf_counter()
-    while not runs or time.perf_counter() - start < SHORT:
+    while not runs or time.perf_counter() - start < short:
         result, runs = function(), runs + 1
     seconds = (time.perf_counter() - start) / runs
     gc.enable()
     return seconds, result
 
 
-def interleaved(rounds: int, *functions: Callable[[], Any]) -> list[tuple[float, Any]]:
+def interleaved(rounds: int, *functions: Callable[[], Any], short: float = SHORT) -> list[tuple[float, Any]]:
     """(median seconds, last result) of each function; in every round each runs once, in turn."""
-    runs = [[timed(function) for function in functions] for _ in range(rounds)]
+    runs = [[timed(function, short) for function in functions] for _ in range(rounds)]
     return [(statistics.median(t for t, _ in column), column[-1][1]) for column in zip(*runs, strict=True)]
 
 

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
+import gc
 import os
 import statistics
-import time
 from collections.abc import Callable, Iterator, Sequence
 from functools import partial
 from pathlib import Path
@@ -12,6 +12,7 @@ from typing import Any
 
 import numpy as np
 import sympy as sp
+from bench import interleaved
 from rich import box
 from rich.console import Console
 from rich.table import Table
@@ -25,19 +26,6 @@ from symcheck.evidence.kernels import declared, program
 SIZES = (0, 1, 10, 100, 1_000, 10_000, 100_000, 1_000_000, 10_000_000)  # 0: Python floats
 ROUNDS, SHORT = 5, 0.01
 ANGLE = 1.2
-
-
-def medians(*functions: Callable[[], Any]) -> list[float]:
-    """Seconds of one call of each, interleaved."""
-    runs: list[list[float]] = [[] for _ in functions]
-    for _ in range(ROUNDS):
-        for times, function in zip(runs, functions, strict=True):
-            count, start = 0, time.perf_counter()
-            while not count or time.perf_counter() - start < SHORT:
-                function()
-                count += 1
-            times.append((time.perf_counter() - start) / count)
-    return [statistics.median(times) for times in runs]
 
 
 def lambdified(kernel: Kernel) -> Callable[..., Any]:
@@ -65,11 +53,14 @@ def rows() -> Iterator[tuple[str, int, float, list[float]]]:
         for name, kernel in declared(key).items():
             ours, theirs = getattr(generated.load(key), name), lambdified(kernel)
             calls = sum(operation.function in UNARY for operation in program(kernel).operations)
+            gc.freeze()  # what SymPy made need not be looked through before every run
             ratios, per_point = [], 0.0
             for size in (size for size in SIZES if size <= most):
                 arguments = [values(argument, size, rng) for argument in kernel.arguments]
                 with np.errstate(all="ignore"):
-                    own, other = medians(partial(ours, *arguments), partial(able(theirs, arguments), *arguments))
+                    (own, _), (other, _) = interleaved(
+                        ROUNDS, partial(ours, *arguments), partial(able(theirs, arguments), *arguments), short=SHORT
+                    )
                 ratios.append(other / own)
                 per_point = own / size if size == 1_000_000 else per_point
             yield name, calls, per_point, ratios
@@ -88,8 +79,8 @@ def limits() -> str:
     """What the machine gives: copying, a sine, a tangent, for each of ten million doubles."""
     source = np.random.default_rng(1).uniform(0.1, ANGLE, 10_000_000)
     target = np.empty_like(source)
-    copy, sine, tangent = medians(
-        lambda: np.copyto(target, source), lambda: np.sin(source, target), lambda: np.tan(source, target)
+    (copy, _), (sine, _), (tangent, _) = interleaved(
+        ROUNDS, lambda: np.copyto(target, source), lambda: np.sin(source, target), lambda: np.tan(source, target)
     )
     per = 1e9 / source.size
     return (

@@ -39,6 +39,7 @@ from kernel_reference import (
 )
 
 from symcheck.codegen.kernel import Argument, Kernel, Output, largest_addend
+from symcheck.codegen.numpy_target import MARK
 from symcheck.evidence import kernels as evidence
 from symcheck.papers import load
 from symcheck.runtime import BLOCK, SMALL
@@ -645,6 +646,7 @@ def test_a_lost_last_line_end_is_mended_by_the_patch(written: Any) -> None:
     [
         ("gone.py", "superfluous"),
         ("certificates/gone.json", "superfluous"),
+        ("mine.py", "unknown; no command writes it, so remove it"),
         ("notes.txt", "unknown; no command writes it, so remove it"),
         ("certificates/notes.md", "unknown; no command writes it, so remove it"),
         ("deeper/toy.py", "unknown; no command writes it, so remove it"),
@@ -654,7 +656,7 @@ def test_a_lost_last_line_end_is_mended_by_the_patch(written: Any) -> None:
 def test_a_stale_or_unknown_file_is_told(name: str, told: str, written: Any) -> None:
     run, folder = written
     (folder / name).parent.mkdir(exist_ok=True)
-    (folder / name).write_text("text")
+    (folder / name).write_text(f'"""{MARK}"""\n' if name == "gone.py" else "text")
     result = run("generate", "--check")
     assert result.exit_code == 1
     assert f"generated/{name}: {told}" in result.stderr

@@ -15,7 +15,8 @@ INFIX = {"add": "+", "subtract": "-", "multiply": "*", "divide": "/"}
 MATH = {"arctan": "atan", "power": "pow"}  # what `math` calls otherwise
 WIDTH = 110
 LONGEST = 90  # characters of an expression that is not given a name
-HEAD = '''"""Kernels of {key}. Written by `symcheck generate`: what is changed here is lost."""
+MARK = "Written by `symcheck generate`: what is changed here is lost."
+HEAD = '''"""Kernels of {key}. {mark}"""
 
 import math
 
@@ -93,7 +94,7 @@ def module(key: str, kernels: dict[str, str]) -> str:
     """The text of a module, of the texts of its kernels by name."""
     names = ", ".join(f'"{name}"' for name in sorted(kernels))
     special = "".join(f", {name}" for name in RUNTIME if any(f"{name}(" in text for text in kernels.values()))
-    return "\n\n".join([HEAD.format(key=key, names=names, special=special), *kernels.values()])
+    return "\n\n".join([HEAD.format(key=key, mark=MARK, names=names, special=special), *kernels.values()])
 
 
 def source(name: str, kernel: Kernel, program: Program, evidence: str) -> str:

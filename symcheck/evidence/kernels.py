@@ -30,7 +30,8 @@ def declared(key: str) -> dict[str, Kernel]:
 
 def program(kernel: Kernel) -> Program:
     """What is computed: the accurate forms where there are any."""
-    outputs = {output.name: kernel.derived()[output.name] for output in kernel.outputs}
+    derived = kernel.derived()
+    outputs = {output.name: derived[output.name] for output in kernel.outputs}
     outputs |= kernel.accurate() if kernel.accurate else {}
     angles = [argument.name for argument in kernel.arguments if argument.acute]
     return compiled([argument.name for argument in kernel.arguments], outputs, angles)

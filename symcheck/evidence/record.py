@@ -47,7 +47,12 @@ class Record:
             return Group.DAMAGED
         if self.kind in SLIPS:
             return Group.SLIP
-        return Group.ROW if (self.erratum or {}).get("row") else Group.STATEMENT
+        return Group.ROW if self.is_row else Group.STATEMENT
+
+    @property
+    def is_row(self) -> bool:
+        """Whether it is an erratum of a list row or a table cell, whose correction is the whole row."""
+        return bool((self.erratum or {}).get("row"))
 
     def to_json(self) -> dict[str, Any]:
         """The record as plain JSON data, with its group; "certificate" has one for each lowered formula."""

@@ -14,6 +14,7 @@ from pathlib import Path
 from types import MappingProxyType
 from typing import Any
 
+from symcheck.codegen.numpy_target import MARK
 from symcheck.evidence.record import Record
 from symcheck.statement import Certificate, SymcheckError, Verdict
 
@@ -143,8 +144,10 @@ def _present(folder: Path) -> set[str]:
 
 
 def _ours(folder: Path) -> set[str]:
-    files = {file.relative_to(folder).as_posix() for pattern in OURS for file in folder.glob(pattern)}
-    return files & _present(folder)
+    """Those that `generate` may have written: a module of somebody else has not its mark."""
+    found = (file for pattern in OURS for file in folder.glob(pattern))
+    files = (file for file in found if file.suffix != ".py" or MARK.encode() in file.read_bytes())
+    return {file.relative_to(folder).as_posix() for file in files} & _present(folder)
 
 
 def _replace(file: Path, data: bytes) -> None:

@@ -24,7 +24,7 @@ def decide(problem: Problem, search: Search) -> Outcome:
     if (decided := decide_numbers(problem)) is not None:
         return decided
     try:
-        outcome = prove(problem, search)
+        outcome = _search(problem, search)
         if outcome is not None:
             return outcome
         point = refute(problem, lambda inner: prove(inner, search))
@@ -41,6 +41,10 @@ def prove(problem: Problem, search: Search) -> Outcome | None:
     """Proved, or None; no counterexample is looked for. Unsupported for terms that have no place in a ring."""
     if (decided := decide_numbers(problem)) is not None:
         return decided if decided.verdict is Verdict.PROVED else None
+    return _search(problem, search)
+
+
+def _search(problem: Problem, search: Search) -> Outcome | None:
     ring = ring_of(problem)
     proof = search(problem, ring)
     return None if proof is None else _proved(problem, ring, proof)
