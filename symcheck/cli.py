@@ -9,11 +9,13 @@ from collections import Counter
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
+from pathlib import Path
 from typing import TYPE_CHECKING, Any, NoReturn, TypeVar
 
 import click
 
 from symcheck import __version__
+from symcheck.codegen import target_names
 from symcheck.statement import SymcheckError, Verdict
 
 if TYPE_CHECKING:
@@ -22,6 +24,7 @@ if TYPE_CHECKING:
 F = TypeVar("F", bound=Callable[..., Any])
 DIFFERS, BAD_INPUT, INTERRUPTED, BROKEN_PIPE = 1, 2, 130, 141
 MOST_TOLD = 30  # differences that are named one by one
+CHECKED_IN = "numpy"  # the target whose files stand in generated/
 PRELOAD = ("sympy", "flint", "lark", "symcheck.evidence.decide")
 
 
@@ -211,26 +214,52 @@ def papers() -> None:
 
 @cli.command()
 @click.option("--check", "only_check", is_flag=True, help="Write nothing; exit 1, name what differs, diff the kernels.")
+@click.option(
+    "--target",
+    "name",
+    type=click.Choice(target_names()),
+    default=CHECKED_IN,
+    show_default=True,
+    help="Language of the kernels; for any but NumPy nothing else is written.",
+)
+@click.option(
+    "--output",
+    type=click.Path(file_okay=False, path_type=Path),
+    help="Folder for another target than NumPy; default kernels-TARGET.",
+)
 @deciding
-def generate(only_check: bool, how: How) -> None:
-    """Write kernels, certificates and recorded verdicts to generated/, or check that they are what would be written."""
+def generate(only_check: bool, name: str, output: Path | None, how: How) -> None:
+    """Write kernels, certificates and recorded verdicts to generated/, or check that they are what would be written.
+
+    With another target write the kernels for Numba, in C, or for any library of the array API.
+    """
     from symcheck import kernels, papers
+    from symcheck.codegen.target import target
     from symcheck.evidence import kernels as writing
     from symcheck.evidence import store
 
-    folder, records = kernels.folder(), audit((), how)
-    modules = {key: writing.module(paper, records) for key, paper in papers.load().items()}
-    contents = store.files(records, modules)
-    differing = store.differences(folder, contents)
+    checked_in = name == CHECKED_IN
+    if checked_in and output:
+        raise SymcheckError("NumPy kernels belong in generated/; leave --output out, or choose another --target")
+    folder = kernels.folder() if checked_in else output or Path(f"kernels-{name}")
+    records, files = audit((), how), target(name).files
+    made = {key: writing.made(paper, records) for key, paper in papers.load().items()}
+    texts = {key: (files(key, of_paper) if of_paper else {}, proofs) for key, (of_paper, proofs) in made.items()}
+    if checked_in:
+        contents = store.files(records, texts)
+    else:
+        contents = {file: text.encode() for of_paper, _ in texts.values() for file, text in of_paper.items()}
+    differing = store.differences(folder, contents, alone=checked_in)
     if only_check:
         click.echo(store.diff(folder, contents), nl=False)
     else:
-        store.write(folder, contents)
-    left = differing if only_check else store.differences(folder, contents)
+        (store.write if checked_in else store.put)(folder, contents)
+    left = differing if only_check else store.differences(folder, contents, alone=checked_in)
     for line in left:
-        _say(f"generated/{line}")
+        _say(f"{folder.name}/{line}")
     if any(not line.endswith(store.UNKNOWN) for line in left):
-        _say("run `symcheck generate` to write what differs and to remove what is superfluous")
+        command = "" if checked_in else f" --target {name} --output {folder}"
+        _say(f"run `symcheck generate{command}` to write what differs and to remove what is superfluous")
     if left:
         raise click.exceptions.Exit(DIFFERS)
     click.echo(f"{folder}: {len(contents)} files, {len(differing)} {'differ' if only_check else 'rewritten'}")

@@ -21,6 +21,7 @@ from flint import arb, ctx, fmpq
 
 from symcheck.codegen import numpy_target
 from symcheck.codegen.kernel import Argument, Kernel
+from symcheck.codegen.target import Made
 from symcheck.evidence import kernels as evidence
 from symcheck.papers import load
 
@@ -140,9 +141,14 @@ class Case:
         return f"{self.paper}:{self.name}"
 
     @property
+    def made(self) -> Made:
+        """What targets write, without the evidence it rests on."""
+        return Made(self.kernel, evidence.program(self.kernel), "")
+
+    @property
     def text(self) -> str:
         """The module of this kernel alone."""
-        return numpy_target.module(self.paper, {self.name: source(self)})
+        return numpy_target.files(self.paper, {self.name: self.made})[f"{self.paper}.py"]
 
     @property
     def module(self) -> dict[str, Any]:
@@ -173,7 +179,7 @@ def cases() -> dict[str, Case]:
 @cache
 def source(case: Case) -> str:
     """The generated text of one kernel, without the evidence it rests on."""
-    return numpy_target.source(case.name, case.kernel, evidence.program(case.kernel), "")
+    return numpy_target.source(case.name, case.made)
 
 
 @cache

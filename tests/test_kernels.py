@@ -39,7 +39,7 @@ from kernel_reference import (
 )
 
 from symcheck.codegen.kernel import Argument, Kernel, Output, largest_addend
-from symcheck.codegen.numpy_target import MARK
+from symcheck.codegen.target import MARK
 from symcheck.evidence import kernels as evidence
 from symcheck.papers import load
 from symcheck.runtime import BLOCK, SMALL

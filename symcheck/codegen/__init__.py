@@ -1,1 +1,10 @@
-"""Kernels: the expressions of the derivations as NumPy functions."""
+"""From expressions that are proved to functions: declarations, straight-line programs, and the targets they become."""
+
+from pkgutil import iter_modules
+
+SUFFIX = "_target"
+
+
+def target_names() -> list[str]:
+    """The names of all targets: each is a module `<name>_target`."""
+    return sorted(each.name.removesuffix(SUFFIX) for each in iter_modules(__path__) if each.name.endswith(SUFFIX))

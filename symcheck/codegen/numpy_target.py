@@ -4,18 +4,18 @@ from __future__ import annotations
 
 import textwrap
 from collections import Counter
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from fractions import Fraction
 
 from symcheck.codegen.kernel import Argument, Kernel, Output
 from symcheck.codegen.program import UNARY, Operation, Program, Ref, registers
 from symcheck.codegen.special import RUNTIME
+from symcheck.codegen.target import MARK, Made, Target
 
 INFIX = {"add": "+", "subtract": "-", "multiply": "*", "divide": "/"}
 MATH = {"arctan": "atan", "power": "pow"}  # what `math` calls otherwise
 WIDTH = 110
 LONGEST = 90  # characters of an expression that is not given a name
-MARK = "Written by `symcheck generate`: what is changed here is lost."
 HEAD = '''"""Kernels of {key}. {mark}"""
 
 import math
@@ -90,15 +90,20 @@ def block_lines(program: Program) -> tuple[int, list[str]]:
     return count, lines
 
 
-def module(key: str, kernels: dict[str, str]) -> str:
-    """The text of a module, of the texts of its kernels by name."""
+def files(key: str, kernels: Mapping[str, Made]) -> dict[str, str]:
+    """The module of a paper."""
+    texts = [source(name, made) for name, made in kernels.items()]
     names = ", ".join(f'"{name}"' for name in sorted(kernels))
-    special = "".join(f", {name}" for name in RUNTIME if any(f"{name}(" in text for text in kernels.values()))
-    return "\n\n".join([HEAD.format(key=key, mark=MARK, names=names, special=special), *kernels.values()])
+    special = "".join(f", {name}" for name in RUNTIME if any(f"{name}(" in text for text in texts))
+    return {f"{key}.py": "\n\n".join([HEAD.format(key=key, mark=MARK, names=names, special=special), *texts])}
 
 
-def source(name: str, kernel: Kernel, program: Program, evidence: str) -> str:
-    """The text of one kernel; `evidence` says on what it rests."""
+TARGET = Target("NumPy, in generated/", files)
+
+
+def source(name: str, made: Made) -> str:
+    """The text of one kernel."""
+    kernel, program = made.kernel, made.program
     inputs = ", ".join(program.inputs)
     called = functions(program)
     count, lines = block_lines(program)
@@ -116,7 +121,7 @@ def source(name: str, kernel: Kernel, program: Program, evidence: str) -> str:
     taken = "".join(f", {function}=np.{function}" for function in called)
     own = "".join(f", math.{MATH.get(function, function)}" for function in called)
     return f"""def {name}({inputs}, out=None):
-{textwrap.indent(docstring(kernel, evidence), "    ")}
+{textwrap.indent(docstring(kernel, made.evidence), "    ")}
     if out is None:
         if {types} is float:
             try:

@@ -10,9 +10,9 @@ from importlib.util import find_spec
 from string import ascii_lowercase
 from typing import Any
 
-from symcheck.codegen import numpy_target
 from symcheck.codegen.kernel import Kernel
 from symcheck.codegen.program import Program, compiled
+from symcheck.codegen.target import Made
 from symcheck.evidence.record import Record
 from symcheck.proof import certificate, identity
 from symcheck.reading import from_sympy, lower, read
@@ -37,15 +37,15 @@ def program(kernel: Kernel) -> Program:
     return compiled([argument.name for argument in kernel.arguments], outputs, angles)
 
 
-def module(paper: Paper, records: Iterable[Record]) -> tuple[str, list[Certificate]]:
-    """The text of a paper's kernels, "" if it has none, and the certificates of their accurate forms."""
-    known, texts, proofs = {record.id: record for record in records}, {}, []
+def made(paper: Paper, records: Iterable[Record]) -> tuple[dict[str, Made], list[Certificate]]:
+    """The kernels of a paper by name, as targets write them, and the certificates of their accurate forms."""
+    known, kernels, proofs = {record.id: record for record in records}, {}, []
     for name, kernel in declared(paper.key).items():
         equal = list(equalities(paper, name, kernel))
         evidence = f"{_claims(paper, name, kernel, known)} {_forms(equal)}".strip()
-        texts[name] = numpy_target.source(name, kernel, program(kernel), evidence)
+        kernels[name] = Made(kernel, program(kernel), evidence)
         proofs += equal
-    return numpy_target.module(paper.key, texts) if texts else "", proofs
+    return kernels, proofs
 
 
 def equalities(paper: Paper, name: str, kernel: Kernel) -> Iterator[Certificate]:

@@ -14,12 +14,12 @@ from pathlib import Path
 from types import MappingProxyType
 from typing import Any
 
-from symcheck.codegen.numpy_target import MARK
+from symcheck.codegen.target import MARK
 from symcheck.evidence.record import Record
 from symcheck.statement import Certificate, SymcheckError, Verdict
 
 SCHEMA = 1
-Kernels = tuple[str, Iterable[Certificate]]
+Kernels = tuple[Mapping[str, str], Iterable[Certificate]]  # texts by the names of their files, proofs
 CERTIFICATES = "certificates"
 EXPECTED = "expected"
 OURS = ("*.py", f"{CERTIFICATES}/*.json", f"{EXPECTED}/*.json")  # what `write` may remove
@@ -37,17 +37,16 @@ def certificates(record: Record) -> Iterator[Certificate]:
 
 
 def files(records: Iterable[Record], kernels: Mapping[str, Kernels] = MappingProxyType({})) -> dict[str, bytes]:
-    """Path inside generated/ -> contents, for every paper that has a record; `kernels` by paper: text, certificates."""
+    """Path inside generated/ -> contents, for every paper that has a record; `kernels` by paper."""
     papers: dict[str, list[Record]] = {}
     for record in records:
         papers.setdefault(record.paper, []).append(record)
     out: dict[str, bytes] = {}
     for key, rows in sorted(papers.items()):
-        text, equalities = kernels.get(key, ("", ()))
+        texts, equalities = kernels.get(key, ({}, ()))
         proofs = dict.fromkeys(_line(each) for row in rows for each in certificates(row))
         proofs |= dict.fromkeys(map(_line, equalities))
-        if text:
-            out[f"{key}.py"] = text.encode()
+        out |= {name: text.encode() for name, text in texts.items()}
         verdicts = (f"{_line(row.id)}: {_line(_expectation(row))}" for row in rows)
         out[f"{CERTIFICATES}/{key}.json"] = _document(key, "certificates", "[]", proofs)
         out[f"{EXPECTED}/{key}.json"] = _document(key, "items", "{}", verdicts)
@@ -65,9 +64,26 @@ def write(folder: Path, contents: Mapping[str, bytes]) -> None:
         raise SymcheckError(f"{folder} cannot be written ({error.strerror}); generate in a checkout") from error
 
 
-def differences(folder: Path, contents: Mapping[str, bytes]) -> list[str]:
-    """One line for each file that is missing, superfluous, unknown or different."""
-    present, ours = _present(folder), _ours(folder)
+def put(folder: Path, contents: Mapping[str, bytes]) -> None:
+    """Write these files, each whole, to a folder of the user's, where everything else is left as it is."""
+    foreign = [
+        file for name in contents if (file := folder / name).is_file() and MARK.encode() not in file.read_bytes()
+    ]
+    if foreign:
+        raise SymcheckError(f"{foreign[0]} was not written by `symcheck generate`; choose another folder with --output")
+    try:
+        for name, data in contents.items():
+            _replace(folder / name, data)
+    except OSError as error:
+        raise SymcheckError(f"{folder} cannot be written ({error.strerror}); choose another with --output") from error
+
+
+def differences(folder: Path, contents: Mapping[str, bytes], alone: bool = True) -> list[str]:
+    """One line for each file that is missing or different, and superfluous or unknown if ours should be `alone`."""
+    present, ours = (
+        _present(folder) if alone else {name for name in contents if (folder / name).is_file()},
+        _ours(folder),
+    )
     told = {name: "superfluous" if name in ours else UNKNOWN for name in present - set(contents)}
     for name, data in contents.items():
         if name not in present:
@@ -81,7 +97,7 @@ def diff(folder: Path, contents: Mapping[str, bytes]) -> str:
     """How the kernels would change, as a unified diff that `git apply` takes; "" if they would not."""
     told: list[str] = []
     for name in sorted(contents):
-        if name.endswith(".py") and (folder / name).is_file():
+        if not name.endswith(".json") and (folder / name).is_file():
             sides = (data.decode(errors="replace") for data in ((folder / name).read_bytes(), contents[name]))
             old, new = (side.splitlines(keepends=True) for side in sides)
             told += unified_diff(old, new, f"a/{folder.name}/{name}", f"b/{folder.name}/{name}")
