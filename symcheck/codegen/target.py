@@ -1,0 +1,37 @@
+"""A target: the language that kernels are written in. Each module `<name>_target` beside this one declares TARGET."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from importlib import import_module
+
+from symcheck.codegen import SUFFIX
+from symcheck.codegen.kernel import Kernel
+from symcheck.codegen.program import Program
+
+MARK = "Written by `symcheck generate`: what is changed here is lost."
+
+
+@dataclass(frozen=True)
+class Made:
+    """A kernel that may be written: its program, and in words on which claims and proofs it rests."""
+
+    kernel: Kernel
+    program: Program
+    evidence: str
+
+
+@dataclass(frozen=True)
+class Target:
+    """files: of the key of a paper and its kernels by name, the text of each file by its name; each bears MARK."""
+
+    says: str
+    files: Callable[[str, Mapping[str, Made]], Mapping[str, str]]
+
+
+def target(name: str) -> Target:
+    """The target of that name."""
+    found = import_module(f"symcheck.codegen.{name}{SUFFIX}").TARGET
+    assert isinstance(found, Target)
+    return found
