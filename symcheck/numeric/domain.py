@@ -1,0 +1,56 @@
+"""What an argument may be: every public function of the numeric layer says by these what does not fit.
+
+An error names the argument, the value and the condition, with the equation it comes from; no value that is not finite
+comes in, so that none comes out unseen.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+Array = NDArray[np.float64]
+
+
+def real(name: str, value: ArrayLike, shape: tuple[int | None, ...] = ()) -> Array:
+    """The value as an array of doubles whose last axes have this shape, None for any length.
+
+    ValueError if it is not an array of finite real numbers, or its last axes are others.
+    """
+    try:
+        array = np.asarray(value)
+        if array.dtype.kind not in "iuf":
+            raise TypeError
+        array = array.astype(np.float64)
+    except (TypeError, ValueError):
+        raise ValueError(f"{name} = {shortened(value)} is no array of real numbers") from None
+    last = array.shape[array.ndim - len(shape) :]
+    if len(last) < len(shape) or any(asked not in (None, found) for asked, found in zip(shape, last, strict=True)):
+        words = ", ".join("n" if asked is None else str(asked) for asked in shape)
+        raise ValueError(f"{name} has shape {array.shape}; its last axes must be ({words})")
+    require(np.isfinite(array), name, array, "be finite")
+    return array
+
+
+def require(holds: Any, name: str, value: Any, condition: str, source: str = "") -> None:
+    """ValueError naming the first value for which `holds` is not true: "I = ... must ... (source)"."""
+    holds = np.asarray(holds)
+    if holds.all():
+        return
+    value = np.asarray(value)
+    place = tuple(int(k) for k in np.argwhere(~holds)[0])
+    shown = value[place] if value.ndim >= len(place) and value.shape[: len(place)] == holds.shape else value
+    where = f"{name}[{', '.join(map(str, place))}]" if place and value.ndim else name
+    raise ValueError(f"{where} = {shortened(shown)} must {condition}{f' ({source})' if source else ''}")
+
+
+def shortened(value: Any) -> str:
+    """A value on one line."""
+    text = (
+        " ".join(np.array2string(value, precision=6, threshold=12).split())
+        if isinstance(value, np.ndarray)
+        else repr(value)
+    )
+    return text if len(text) <= 100 else f"{text[:97]}..."
