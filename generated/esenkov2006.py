@@ -4,7 +4,7 @@ import math
 
 import numpy as np
 
-from symcheck.runtime import DOUBLE, SMALL, evaluate
+from symcheck.runtime import DOUBLE, SMALL, evaluate, evaluate_alike
 
 __all__ = ["boundary_of_stability", "characteristic_coefficients", "critical_frequencies", "discriminant", "frequencies", "greatest_growth_rate", "mode_inertia", "residue_of_a_mode", "width_of_the_unstable_interval"]
 
@@ -35,9 +35,11 @@ def mode_inertia(a_1, chi_1, N_1, out=None):
                 return _mode_inertia(a_1, chi_1, N_1)
             except (ValueError, ZeroDivisionError, OverflowError):
                 pass  # NumPy says whether it is infinite or no number
-        elif type(a_1) is type(chi_1) is type(N_1) is np.ndarray and a_1.dtype is chi_1.dtype is N_1.dtype is DOUBLE and a_1.shape == chi_1.shape == N_1.shape and a_1.size <= SMALL:
-            return _mode_inertia(a_1, chi_1, N_1)
-    return evaluate(_mode_inertia_block, 2, 1, (a_1, chi_1, N_1,), out)
+        elif type(a_1) is type(chi_1) is type(N_1) is np.ndarray and a_1.dtype is chi_1.dtype is N_1.dtype is DOUBLE and a_1.shape == chi_1.shape == N_1.shape:
+            if a_1.size <= SMALL:
+                return _mode_inertia(a_1, chi_1, N_1)
+            return evaluate_alike(_mode_inertia_block, 2, (0,), (a_1, chi_1, N_1,))
+    return evaluate(_mode_inertia_block, 2, (0,), (a_1, chi_1, N_1,), out)
 
 
 def _mode_inertia(a_1, chi_1, N_1):
@@ -77,9 +79,11 @@ def residue_of_a_mode(E_1, lambda_1, omega_0, out=None):
                 return _residue_of_a_mode(E_1, lambda_1, omega_0)
             except (ValueError, ZeroDivisionError, OverflowError):
                 pass  # NumPy says whether it is infinite or no number
-        elif type(E_1) is type(lambda_1) is type(omega_0) is np.ndarray and E_1.dtype is lambda_1.dtype is omega_0.dtype is DOUBLE and E_1.shape == lambda_1.shape == omega_0.shape and E_1.size <= SMALL:
-            return _residue_of_a_mode(E_1, lambda_1, omega_0)
-    return evaluate(_residue_of_a_mode_block, 2, 1, (E_1, lambda_1, omega_0,), out)
+        elif type(E_1) is type(lambda_1) is type(omega_0) is np.ndarray and E_1.dtype is lambda_1.dtype is omega_0.dtype is DOUBLE and E_1.shape == lambda_1.shape == omega_0.shape:
+            if E_1.size <= SMALL:
+                return _residue_of_a_mode(E_1, lambda_1, omega_0)
+            return evaluate_alike(_residue_of_a_mode_block, 2, (0,), (E_1, lambda_1, omega_0,))
+    return evaluate(_residue_of_a_mode_block, 2, (0,), (E_1, lambda_1, omega_0,), out)
 
 
 def _residue_of_a_mode(E_1, lambda_1, omega_0):
@@ -126,9 +130,11 @@ def characteristic_coefficients(A, C, E_1, lambda_1, omega_0, out=None):
                 return _characteristic_coefficients(A, C, E_1, lambda_1, omega_0)
             except (ValueError, ZeroDivisionError, OverflowError):
                 pass  # NumPy says whether it is infinite or no number
-        elif type(A) is type(C) is type(E_1) is type(lambda_1) is type(omega_0) is np.ndarray and A.dtype is C.dtype is E_1.dtype is lambda_1.dtype is omega_0.dtype is DOUBLE and A.shape == C.shape == E_1.shape == lambda_1.shape == omega_0.shape and A.size <= SMALL:
-            return _characteristic_coefficients(A, C, E_1, lambda_1, omega_0)
-    return evaluate(_characteristic_coefficients_block, 4, 3, (A, C, E_1, lambda_1, omega_0,), out)
+        elif type(A) is type(C) is type(E_1) is type(lambda_1) is type(omega_0) is np.ndarray and A.dtype is C.dtype is E_1.dtype is lambda_1.dtype is omega_0.dtype is DOUBLE and A.shape == C.shape == E_1.shape == lambda_1.shape == omega_0.shape:
+            if A.size <= SMALL:
+                return _characteristic_coefficients(A, C, E_1, lambda_1, omega_0)
+            return evaluate_alike(_characteristic_coefficients_block, 4, (0, 1, 2,), (A, C, E_1, lambda_1, omega_0,))
+    return evaluate(_characteristic_coefficients_block, 4, (0, 1, 2,), (A, C, E_1, lambda_1, omega_0,), out)
 
 
 def _characteristic_coefficients(A, C, E_1, lambda_1, omega_0):
@@ -177,18 +183,20 @@ def discriminant(A, C, E_1, lambda_1, omega_0, out=None):
     if out is None:
         if type(A) is type(C) is type(E_1) is type(lambda_1) is type(omega_0) is float:
             try:
-                return _discriminant(A, C, E_1, lambda_1, omega_0)
+                return _discriminant(A, C, E_1, lambda_1, omega_0, 4.0)
             except (ValueError, ZeroDivisionError, OverflowError):
                 pass  # NumPy says whether it is infinite or no number
-        elif type(A) is type(C) is type(E_1) is type(lambda_1) is type(omega_0) is np.ndarray and A.dtype is C.dtype is E_1.dtype is lambda_1.dtype is omega_0.dtype is DOUBLE and A.shape == C.shape == E_1.shape == lambda_1.shape == omega_0.shape and A.size <= SMALL:
-            return _discriminant(A, C, E_1, lambda_1, omega_0)
-    return evaluate(_discriminant_block, 4, 1, (A, C, E_1, lambda_1, omega_0,), out)
+        elif type(A) is type(C) is type(E_1) is type(lambda_1) is type(omega_0) is np.ndarray and A.dtype is C.dtype is E_1.dtype is lambda_1.dtype is omega_0.dtype is DOUBLE and A.shape == C.shape == E_1.shape == lambda_1.shape == omega_0.shape:
+            if A.size <= SMALL:
+                return _discriminant(A, C, E_1, lambda_1, omega_0)
+            return evaluate_alike(_discriminant_block, 4, (0,), (A, C, E_1, lambda_1, omega_0,))
+    return evaluate(_discriminant_block, 4, (0,), (A, C, E_1, lambda_1, omega_0,), out)
 
 
-def _discriminant(A, C, E_1, lambda_1, omega_0):
+def _discriminant(A, C, E_1, lambda_1, omega_0, n4=np.array(4.0)):
     t2 = omega_0 * (C - A)
     t10 = (t2 + (E_1 * omega_0)) - (A * lambda_1)
-    return (t10 * t10) + (4.0 * ((A - E_1) * (lambda_1 * t2)))
+    return (t10 * t10) + (n4 * ((A - E_1) * (lambda_1 * t2)))
 
 
 def _discriminant_block(A, C, E_1, lambda_1, omega_0, out_D, r0, r1, r2, r3):
@@ -234,21 +242,23 @@ def boundary_of_stability(A, E_1, b_1, out=None):
     if out is None:
         if type(A) is type(E_1) is type(b_1) is float:
             try:
-                return _boundary_of_stability(A, E_1, b_1, math.sqrt)
+                return _boundary_of_stability(A, E_1, b_1, math.sqrt, 1.0, 2.0)
             except (ValueError, ZeroDivisionError, OverflowError):
                 pass  # NumPy says whether it is infinite or no number
-        elif type(A) is type(E_1) is type(b_1) is np.ndarray and A.dtype is E_1.dtype is b_1.dtype is DOUBLE and A.shape == E_1.shape == b_1.shape and A.size <= SMALL:
-            return _boundary_of_stability(A, E_1, b_1)
-    return evaluate(_boundary_of_stability_block, 6, 2, (A, E_1, b_1,), out)
+        elif type(A) is type(E_1) is type(b_1) is np.ndarray and A.dtype is E_1.dtype is b_1.dtype is DOUBLE and A.shape == E_1.shape == b_1.shape:
+            if A.size <= SMALL:
+                return _boundary_of_stability(A, E_1, b_1)
+            return evaluate_alike(_boundary_of_stability_block, 6, (0, 1,), (A, E_1, b_1,))
+    return evaluate(_boundary_of_stability_block, 6, (0, 1,), (A, E_1, b_1,), out)
 
 
-def _boundary_of_stability(A, E_1, b_1, sqrt=np.sqrt):
-    t1 = 1.0 - b_1
+def _boundary_of_stability(A, E_1, b_1, sqrt=np.sqrt, n1=np.array(1.0), n2=np.array(2.0)):
+    t1 = n1 - b_1
     t2 = E_1 * t1
     t3 = A - E_1
     t4 = b_1 * t3
-    t11 = (t2 + (2.0 * (sqrt(t1 * t3) * (sqrt(E_1) * sqrt(b_1))))) + t4
-    t12 = 1.0 / t11
+    t11 = (t2 + (n2 * (sqrt(t1 * t3) * (sqrt(E_1) * sqrt(b_1))))) + t4
+    t12 = n1 / t11
     return (t2 - t4) * ((b_1 * (t12 * t3)) - (t12 * t2)), -t11
 
 
@@ -300,16 +310,18 @@ def width_of_the_unstable_interval(A, E_1, b_1, out=None):
     if out is None:
         if type(A) is type(E_1) is type(b_1) is float:
             try:
-                return _width_of_the_unstable_interval(A, E_1, b_1, math.sqrt)
+                return _width_of_the_unstable_interval(A, E_1, b_1, math.sqrt, 1.0, 4.0)
             except (ValueError, ZeroDivisionError, OverflowError):
                 pass  # NumPy says whether it is infinite or no number
-        elif type(A) is type(E_1) is type(b_1) is np.ndarray and A.dtype is E_1.dtype is b_1.dtype is DOUBLE and A.shape == E_1.shape == b_1.shape and A.size <= SMALL:
-            return _width_of_the_unstable_interval(A, E_1, b_1)
-    return evaluate(_width_of_the_unstable_interval_block, 4, 1, (A, E_1, b_1,), out)
+        elif type(A) is type(E_1) is type(b_1) is np.ndarray and A.dtype is E_1.dtype is b_1.dtype is DOUBLE and A.shape == E_1.shape == b_1.shape:
+            if A.size <= SMALL:
+                return _width_of_the_unstable_interval(A, E_1, b_1)
+            return evaluate_alike(_width_of_the_unstable_interval_block, 4, (0,), (A, E_1, b_1,))
+    return evaluate(_width_of_the_unstable_interval_block, 4, (0,), (A, E_1, b_1,), out)
 
 
-def _width_of_the_unstable_interval(A, E_1, b_1, sqrt=np.sqrt):
-    return 4.0 * (sqrt((1.0 - b_1) * (A - E_1)) * (sqrt(E_1) * sqrt(b_1)))
+def _width_of_the_unstable_interval(A, E_1, b_1, sqrt=np.sqrt, n1=np.array(1.0), n4=np.array(4.0)):
+    return n4 * (sqrt((n1 - b_1) * (A - E_1)) * (sqrt(E_1) * sqrt(b_1)))
 
 
 def _width_of_the_unstable_interval_block(A, E_1, b_1, out_width, r0, r1, r2, r3):
@@ -352,16 +364,18 @@ def critical_frequencies(A, E_1, b_1, omega_0, out=None):
     if out is None:
         if type(A) is type(E_1) is type(b_1) is type(omega_0) is float:
             try:
-                return _critical_frequencies(A, E_1, b_1, omega_0, math.sqrt)
+                return _critical_frequencies(A, E_1, b_1, omega_0, math.sqrt, 1.0)
             except (ValueError, ZeroDivisionError, OverflowError):
                 pass  # NumPy says whether it is infinite or no number
-        elif type(A) is type(E_1) is type(b_1) is type(omega_0) is np.ndarray and A.dtype is E_1.dtype is b_1.dtype is omega_0.dtype is DOUBLE and A.shape == E_1.shape == b_1.shape == omega_0.shape and A.size <= SMALL:
-            return _critical_frequencies(A, E_1, b_1, omega_0)
-    return evaluate(_critical_frequencies_block, 3, 2, (A, E_1, b_1, omega_0,), out)
+        elif type(A) is type(E_1) is type(b_1) is type(omega_0) is np.ndarray and A.dtype is E_1.dtype is b_1.dtype is omega_0.dtype is DOUBLE and A.shape == E_1.shape == b_1.shape == omega_0.shape:
+            if A.size <= SMALL:
+                return _critical_frequencies(A, E_1, b_1, omega_0)
+            return evaluate_alike(_critical_frequencies_block, 3, (0, 1,), (A, E_1, b_1, omega_0,))
+    return evaluate(_critical_frequencies_block, 3, (0, 1,), (A, E_1, b_1, omega_0,), out)
 
 
-def _critical_frequencies(A, E_1, b_1, omega_0, sqrt=np.sqrt):
-    t7 = sqrt(E_1) * sqrt(-((b_1 * (b_1 - 1.0)) / (A - E_1)))
+def _critical_frequencies(A, E_1, b_1, omega_0, sqrt=np.sqrt, n1=np.array(1.0)):
+    t7 = sqrt(E_1) * sqrt(-((b_1 * (b_1 - n1)) / (A - E_1)))
     return omega_0 * (b_1 - t7), omega_0 * (b_1 + t7)
 
 
@@ -405,16 +419,18 @@ def greatest_growth_rate(A, E_1, b_1, omega_0, out=None):
     if out is None:
         if type(A) is type(E_1) is type(b_1) is type(omega_0) is float:
             try:
-                return _greatest_growth_rate(A, E_1, b_1, omega_0, math.sqrt)
+                return _greatest_growth_rate(A, E_1, b_1, omega_0, math.sqrt, 1.0)
             except (ValueError, ZeroDivisionError, OverflowError):
                 pass  # NumPy says whether it is infinite or no number
-        elif type(A) is type(E_1) is type(b_1) is type(omega_0) is np.ndarray and A.dtype is E_1.dtype is b_1.dtype is omega_0.dtype is DOUBLE and A.shape == E_1.shape == b_1.shape == omega_0.shape and A.size <= SMALL:
-            return _greatest_growth_rate(A, E_1, b_1, omega_0)
-    return evaluate(_greatest_growth_rate_block, 3, 1, (A, E_1, b_1, omega_0,), out)
+        elif type(A) is type(E_1) is type(b_1) is type(omega_0) is np.ndarray and A.dtype is E_1.dtype is b_1.dtype is omega_0.dtype is DOUBLE and A.shape == E_1.shape == b_1.shape == omega_0.shape:
+            if A.size <= SMALL:
+                return _greatest_growth_rate(A, E_1, b_1, omega_0)
+            return evaluate_alike(_greatest_growth_rate_block, 3, (0,), (A, E_1, b_1, omega_0,))
+    return evaluate(_greatest_growth_rate_block, 3, (0,), (A, E_1, b_1, omega_0,), out)
 
 
-def _greatest_growth_rate(A, E_1, b_1, omega_0, sqrt=np.sqrt):
-    return sqrt(-((b_1 * (b_1 - 1.0)) / (A - E_1))) * (omega_0 * sqrt(E_1))
+def _greatest_growth_rate(A, E_1, b_1, omega_0, sqrt=np.sqrt, n1=np.array(1.0)):
+    return sqrt(-((b_1 * (b_1 - n1)) / (A - E_1))) * (omega_0 * sqrt(E_1))
 
 
 def _greatest_growth_rate_block(A, E_1, b_1, omega_0, out_y, r0, r1, r2):
@@ -460,20 +476,22 @@ def frequencies(A, Delta, E_1, b_1, omega_0, out=None):
     if out is None:
         if type(A) is type(Delta) is type(E_1) is type(b_1) is type(omega_0) is float:
             try:
-                return _frequencies(A, Delta, E_1, b_1, omega_0, math.sqrt)
+                return _frequencies(A, Delta, E_1, b_1, omega_0, math.sqrt, 1.0, 4.0, 1.0 / 2.0)
             except (ValueError, ZeroDivisionError, OverflowError):
                 pass  # NumPy says whether it is infinite or no number
-        elif type(A) is type(Delta) is type(E_1) is type(b_1) is type(omega_0) is np.ndarray and A.dtype is Delta.dtype is E_1.dtype is b_1.dtype is omega_0.dtype is DOUBLE and A.shape == Delta.shape == E_1.shape == b_1.shape == omega_0.shape and A.size <= SMALL:
-            return _frequencies(A, Delta, E_1, b_1, omega_0)
-    return evaluate(_frequencies_block, 4, 2, (A, Delta, E_1, b_1, omega_0,), out)
+        elif type(A) is type(Delta) is type(E_1) is type(b_1) is type(omega_0) is np.ndarray and A.dtype is Delta.dtype is E_1.dtype is b_1.dtype is omega_0.dtype is DOUBLE and A.shape == Delta.shape == E_1.shape == b_1.shape == omega_0.shape:
+            if A.size <= SMALL:
+                return _frequencies(A, Delta, E_1, b_1, omega_0)
+            return evaluate_alike(_frequencies_block, 4, (0, 1,), (A, Delta, E_1, b_1, omega_0,))
+    return evaluate(_frequencies_block, 4, (0, 1,), (A, Delta, E_1, b_1, omega_0,), out)
 
 
-def _frequencies(A, Delta, E_1, b_1, omega_0, sqrt=np.sqrt):
+def _frequencies(A, Delta, E_1, b_1, omega_0, sqrt=np.sqrt, n1=np.array(1.0), n4=np.array(4.0), n1_2=np.array(1.0 / 2.0)):
     t1 = A - E_1
     t2 = b_1 * t1
-    t6 = (Delta + (E_1 * (1.0 - b_1))) - t2
-    t11 = sqrt((4.0 * (Delta * t2)) + (t6 * t6))
-    t13 = ((1.0 / 2.0) * omega_0) / t1
+    t6 = (Delta + (E_1 * (n1 - b_1))) - t2
+    t11 = sqrt((n4 * (Delta * t2)) + (t6 * t6))
+    t13 = (n1_2 * omega_0) / t1
     return -(t13 * (t11 + t6)), t13 * (t11 - t6)
 
 
@@ -489,7 +507,7 @@ def _frequencies_block(A, Delta, E_1, b_1, omega_0, out_eta_1, out_eta_2, r0, r1
     np.multiply(r2, r2, r3)  # t9
     np.add(r1, r3, r3)  # t10
     np.sqrt(r3, r3)  # t11
-    np.multiply((1.0 / 2.0), omega_0, r1)  # t12
+    np.multiply(1.0 / 2.0, omega_0, r1)  # t12
     np.divide(r1, r0, r0)  # t13
     np.add(r3, r2, r1)  # t14
     np.multiply(r0, r1, r1)  # t15

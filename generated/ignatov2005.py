@@ -4,7 +4,7 @@ import math
 
 import numpy as np
 
-from symcheck.runtime import DOUBLE, SMALL, evaluate
+from symcheck.runtime import DOUBLE, SMALL, evaluate, evaluate_alike
 
 __all__ = ["axes_of_four_wheels", "axes_of_six_wheels", "best_angle_of_six_wheels", "best_angles_of_four_wheels", "equal_rates_of_four_wheels", "equal_rates_of_six_wheels", "face_distances_of_five_wheels", "face_distances_of_four_wheels", "face_distances_of_six_wheels", "face_distances_of_three_wheels", "largest_rates_of_four_wheels", "largest_rates_of_six_wheels", "momentum_of_five_wheels", "momentum_of_four_wheels", "momentum_of_six_wheels", "momentum_of_three_wheels", "rates_of_five_wheels", "rates_of_four_wheels", "rates_of_six_wheels", "rates_of_three_wheels", "vertex_distances_of_five_wheels", "vertex_distances_of_four_wheels", "vertex_distances_of_six_wheels", "vertex_distances_of_three_wheels", "vertices_of_five_wheels", "vertices_of_four_wheels", "vertices_of_six_wheels", "vertices_of_three_wheels", "volume_of_five_wheels", "volume_of_four_wheels", "volume_of_six_wheels", "volume_of_three_wheels"]
 
@@ -44,7 +44,8 @@ def axes_of_four_wheels(a, b, out=None):
         e_4z: z of e_4, a number
 
     Numbers give numbers; arrays give float64, or float32 if all are. `out` takes 12 arrays of the broadcast shape
-    and type; a ValueError names what does not fit. What is no number gives no number.
+    and type; a ValueError names what does not fit. What is no number gives no number. Outputs that are equal by
+    formula are one array, unless `out` is given.
 
     Accuracy: 6 ulp over the domain. Tangents of two angles, a root and a quotient are rounded one after the
     other.
@@ -55,26 +56,30 @@ def axes_of_four_wheels(a, b, out=None):
     if out is None:
         if type(a) is type(b) is float:
             try:
-                return _axes_of_four_wheels(a, b, math.sqrt, math.tan)
+                return _axes_of_four_wheels(a, b, math.sqrt, math.tan, 1.0)
             except (ValueError, ZeroDivisionError, OverflowError):
                 pass  # NumPy says whether it is infinite or no number
-    return evaluate(_axes_of_four_wheels_block, 5, 12, (a, b,), out)
+        elif type(a) is type(b) is np.ndarray and a.dtype is b.dtype is DOUBLE and a.shape == b.shape:
+            if a.size <= SMALL:
+                return _axes_of_four_wheels(a, b)
+            return evaluate_alike(_axes_of_four_wheels_block, 5, (0, 1, 2, 0, 3, 2, 0, 1, 4, 0, 3, 4,), (a, b,))
+    return evaluate(_axes_of_four_wheels_block, 5, (0, 1, 2, 0, 3, 2, 0, 1, 4, 0, 3, 4,), (a, b,), out)
 
 
-def _axes_of_four_wheels(a, b, sqrt=np.sqrt, tan=np.tan):
+def _axes_of_four_wheels(a, b, sqrt=np.sqrt, tan=np.tan, n1=np.array(1.0)):
     tan_a = tan(a)
-    t1 = 1.0 + (tan_a * tan_a)
+    t1 = n1 + (tan_a * tan_a)
     tan_b = tan(b)
-    t6 = sqrt(t1 * (1.0 + (tan_b * tan_b)))
+    t6 = sqrt(t1 * (n1 + (tan_b * tan_b)))
     t8 = (tan_a * tan_b) / t6
     t9 = tan_a / t6
     t10 = -t9
-    t11 = 1.0 / sqrt(t1)
+    t11 = n1 / sqrt(t1)
     t12 = -t11
     return t8, t10, t12, t8, t9, t12, t8, t10, t11, t8, t9, t11
 
 
-def _axes_of_four_wheels_block(a, b, out_e_1x, out_e_1y, out_e_1z, out_e_2x, out_e_2y, out_e_2z, out_e_3x, out_e_3y, out_e_3z, out_e_4x, out_e_4y, out_e_4z, r0, r1, r2, r3, r4):
+def _axes_of_four_wheels_block(a, b, out_e_1x, out_e_1y, out_e_1z, out_e_2y, out_e_3z, r0, r1, r2, r3, r4):
     np.tan(a, r0)  # tan_a
     np.multiply(r0, r0, r1)  # tan_a_squared
     np.add(1.0, r1, r1)  # t1
@@ -90,13 +95,6 @@ def _axes_of_four_wheels_block(a, b, out_e_1x, out_e_1y, out_e_1z, out_e_2x, out
     np.negative(out_e_2y, out_e_1y)  # t10
     np.divide(1.0, r2, out_e_3z)  # t11
     np.negative(out_e_3z, out_e_1z)  # t12
-    out_e_2x[...] = out_e_1x
-    out_e_2z[...] = out_e_1z
-    out_e_3x[...] = out_e_1x
-    out_e_3y[...] = out_e_1y
-    out_e_4x[...] = out_e_1x
-    out_e_4y[...] = out_e_2y
-    out_e_4z[...] = out_e_3z
 
 
 def axes_of_six_wheels(a, out=None):
@@ -141,7 +139,8 @@ def axes_of_six_wheels(a, out=None):
         e_6z: z of e_6, a number
 
     Numbers give numbers; arrays give float64, or float32 if all are. `out` takes 16 arrays of the broadcast shape
-    and type; a ValueError names what does not fit. What is no number gives no number.
+    and type; a ValueError names what does not fit. What is no number gives no number. Outputs that are equal by
+    formula are one array, unless `out` is given.
 
     Accuracy: 4 ulp over the domain.
 
@@ -151,25 +150,29 @@ def axes_of_six_wheels(a, out=None):
     if out is None:
         if type(a) is float:
             try:
-                return _axes_of_six_wheels(a, math.sqrt, math.tan)
+                return _axes_of_six_wheels(a, math.sqrt, math.tan, 1.0, 1.0 / 2.0, math.sqrt(3.0))
             except (ValueError, ZeroDivisionError, OverflowError):
                 pass  # NumPy says whether it is infinite or no number
-    return evaluate(_axes_of_six_wheels_block, 3, 16, (a,), out)
+        elif type(a) is np.ndarray and a.dtype is DOUBLE:
+            if a.size <= SMALL:
+                return _axes_of_six_wheels(a)
+            return evaluate_alike(_axes_of_six_wheels_block, 3, (0, 1, 2, 3, 1, 2, 4, 1, 0, 5, 2, 3, 5, 2, 4, 5,), (a,))
+    return evaluate(_axes_of_six_wheels_block, 3, (0, 1, 2, 3, 1, 2, 4, 1, 0, 5, 2, 3, 5, 2, 4, 5,), (a,), out)
 
 
-def _axes_of_six_wheels(a, sqrt=np.sqrt, tan=np.tan):
+def _axes_of_six_wheels(a, sqrt=np.sqrt, tan=np.tan, n1=np.array(1.0), n1_2=np.array(1.0 / 2.0), sqrt_3=np.array(math.sqrt(3.0))):
     tan_a = tan(a)
-    t2 = sqrt(1.0 + (tan_a * tan_a))
+    t2 = sqrt(n1 + (tan_a * tan_a))
     t4 = -(tan_a / t2)
-    t5 = 1.0 / t2
-    t7 = ((1.0 / 2.0) * tan_a) / t2
-    t8 = math.sqrt(3.0) * t7
+    t5 = n1 / t2
+    t7 = (n1_2 * tan_a) / t2
+    t8 = sqrt_3 * t7
     t9 = -t7
     t10 = -t5
     return t4, t5, t8, t9, t5, t8, t7, t5, t4, t10, t8, t9, t10, t8, t7, t10
 
 
-def _axes_of_six_wheels_block(a, out_e_1y, out_e_1z, out_e_2x, out_e_2y, out_e_2z, out_e_3x, out_e_3y, out_e_3z, out_e_4y, out_e_4z, out_e_5x, out_e_5y, out_e_5z, out_e_6x, out_e_6y, out_e_6z, r0, r1, r2):
+def _axes_of_six_wheels_block(a, out_e_1y, out_e_1z, out_e_2x, out_e_2y, out_e_3y, out_e_4z, r0, r1, r2):
     np.tan(a, r0)  # tan_a
     np.multiply(r0, r0, r1)  # tan_a_squared
     np.add(1.0, r1, r1)  # t1
@@ -177,21 +180,11 @@ def _axes_of_six_wheels_block(a, out_e_1y, out_e_1z, out_e_2x, out_e_2y, out_e_2
     np.divide(r0, r1, r2)  # t3
     np.negative(r2, out_e_1y)  # t4
     np.divide(1.0, r1, out_e_1z)  # t5
-    np.multiply((1.0 / 2.0), r0, r0)  # t6
+    np.multiply(1.0 / 2.0, r0, r0)  # t6
     np.divide(r0, r1, out_e_3y)  # t7
     np.multiply(math.sqrt(3.0), out_e_3y, out_e_2x)  # t8
     np.negative(out_e_3y, out_e_2y)  # t9
     np.negative(out_e_1z, out_e_4z)  # t10
-    out_e_2z[...] = out_e_1z
-    out_e_3x[...] = out_e_2x
-    out_e_3z[...] = out_e_1z
-    out_e_4y[...] = out_e_1y
-    out_e_5x[...] = out_e_2x
-    out_e_5y[...] = out_e_2y
-    out_e_5z[...] = out_e_4z
-    out_e_6x[...] = out_e_2x
-    out_e_6y[...] = out_e_3y
-    out_e_6z[...] = out_e_4z
 
 
 def momentum_of_four_wheels(h_1, h_2, h_3, h_4, a, b, out=None):
@@ -225,21 +218,23 @@ def momentum_of_four_wheels(h_1, h_2, h_3, h_4, a, b, out=None):
     if out is None:
         if type(h_1) is type(h_2) is type(h_3) is type(h_4) is type(a) is type(b) is float:
             try:
-                return _momentum_of_four_wheels(h_1, h_2, h_3, h_4, a, b, math.sqrt, math.tan)
+                return _momentum_of_four_wheels(h_1, h_2, h_3, h_4, a, b, math.sqrt, math.tan, 1.0)
             except (ValueError, ZeroDivisionError, OverflowError):
                 pass  # NumPy says whether it is infinite or no number
-        elif type(h_1) is type(h_2) is type(h_3) is type(h_4) is type(a) is type(b) is np.ndarray and h_1.dtype is h_2.dtype is h_3.dtype is h_4.dtype is a.dtype is b.dtype is DOUBLE and h_1.shape == h_2.shape == h_3.shape == h_4.shape == a.shape == b.shape and h_1.size <= SMALL:
-            return _momentum_of_four_wheels(h_1, h_2, h_3, h_4, a, b)
-    return evaluate(_momentum_of_four_wheels_block, 8, 3, (h_1, h_2, h_3, h_4, a, b,), out)
+        elif type(h_1) is type(h_2) is type(h_3) is type(h_4) is type(a) is type(b) is np.ndarray and h_1.dtype is h_2.dtype is h_3.dtype is h_4.dtype is a.dtype is b.dtype is DOUBLE and h_1.shape == h_2.shape == h_3.shape == h_4.shape == a.shape == b.shape:
+            if h_1.size <= SMALL:
+                return _momentum_of_four_wheels(h_1, h_2, h_3, h_4, a, b)
+            return evaluate_alike(_momentum_of_four_wheels_block, 8, (0, 1, 2,), (h_1, h_2, h_3, h_4, a, b,))
+    return evaluate(_momentum_of_four_wheels_block, 8, (0, 1, 2,), (h_1, h_2, h_3, h_4, a, b,), out)
 
 
-def _momentum_of_four_wheels(h_1, h_2, h_3, h_4, a, b, sqrt=np.sqrt, tan=np.tan):
+def _momentum_of_four_wheels(h_1, h_2, h_3, h_4, a, b, sqrt=np.sqrt, tan=np.tan, n1=np.array(1.0)):
     tan_a = tan(a)
-    t1 = 1.0 + (tan_a * tan_a)
+    t1 = n1 + (tan_a * tan_a)
     t4 = h_1 + h_3
     t5 = -h_4
     tan_b = tan(b)
-    t10 = sqrt(t1 * (1.0 + (tan_b * tan_b)))
+    t10 = sqrt(t1 * (n1 + (tan_b * tan_b)))
     return (((t4 + (h_2 + h_4)) * tan_a) * tan_b) / t10, (((h_2 - t4) - t5) * tan_a) / t10, (((h_3 - h_1) - h_2) - t5) / sqrt(t1)
 
 
@@ -300,20 +295,22 @@ def momentum_of_three_wheels(h_1, h_2, h_3, a, b, out=None):
     if out is None:
         if type(h_1) is type(h_2) is type(h_3) is type(a) is type(b) is float:
             try:
-                return _momentum_of_three_wheels(h_1, h_2, h_3, a, b, math.sqrt, math.tan)
+                return _momentum_of_three_wheels(h_1, h_2, h_3, a, b, math.sqrt, math.tan, 1.0)
             except (ValueError, ZeroDivisionError, OverflowError):
                 pass  # NumPy says whether it is infinite or no number
-        elif type(h_1) is type(h_2) is type(h_3) is type(a) is type(b) is np.ndarray and h_1.dtype is h_2.dtype is h_3.dtype is a.dtype is b.dtype is DOUBLE and h_1.shape == h_2.shape == h_3.shape == a.shape == b.shape and h_1.size <= SMALL:
-            return _momentum_of_three_wheels(h_1, h_2, h_3, a, b)
-    return evaluate(_momentum_of_three_wheels_block, 7, 3, (h_1, h_2, h_3, a, b,), out)
+        elif type(h_1) is type(h_2) is type(h_3) is type(a) is type(b) is np.ndarray and h_1.dtype is h_2.dtype is h_3.dtype is a.dtype is b.dtype is DOUBLE and h_1.shape == h_2.shape == h_3.shape == a.shape == b.shape:
+            if h_1.size <= SMALL:
+                return _momentum_of_three_wheels(h_1, h_2, h_3, a, b)
+            return evaluate_alike(_momentum_of_three_wheels_block, 7, (0, 1, 2,), (h_1, h_2, h_3, a, b,))
+    return evaluate(_momentum_of_three_wheels_block, 7, (0, 1, 2,), (h_1, h_2, h_3, a, b,), out)
 
 
-def _momentum_of_three_wheels(h_1, h_2, h_3, a, b, sqrt=np.sqrt, tan=np.tan):
+def _momentum_of_three_wheels(h_1, h_2, h_3, a, b, sqrt=np.sqrt, tan=np.tan, n1=np.array(1.0)):
     tan_a = tan(a)
-    t1 = 1.0 + (tan_a * tan_a)
+    t1 = n1 + (tan_a * tan_a)
     t4 = h_1 + h_3
     tan_b = tan(b)
-    t8 = sqrt(t1 * (1.0 + (tan_b * tan_b)))
+    t8 = sqrt(t1 * (n1 + (tan_b * tan_b)))
     return (((h_2 + t4) * tan_a) * tan_b) / t8, ((h_2 - t4) * tan_a) / t8, ((h_3 - h_1) - h_2) / sqrt(t1)
 
 
@@ -372,21 +369,23 @@ def momentum_of_six_wheels(h_1, h_2, h_3, h_4, h_5, h_6, a, out=None):
     if out is None:
         if type(h_1) is type(h_2) is type(h_3) is type(h_4) is type(h_5) is type(h_6) is type(a) is float:
             try:
-                return _momentum_of_six_wheels(h_1, h_2, h_3, h_4, h_5, h_6, a, math.sqrt, math.tan)
+                return _momentum_of_six_wheels(h_1, h_2, h_3, h_4, h_5, h_6, a, math.sqrt, math.tan, 1.0, 1.0 / 2.0, math.sqrt(3.0), 2.0)
             except (ValueError, ZeroDivisionError, OverflowError):
                 pass  # NumPy says whether it is infinite or no number
-        elif type(h_1) is type(h_2) is type(h_3) is type(h_4) is type(h_5) is type(h_6) is type(a) is np.ndarray and h_1.dtype is h_2.dtype is h_3.dtype is h_4.dtype is h_5.dtype is h_6.dtype is a.dtype is DOUBLE and h_1.shape == h_2.shape == h_3.shape == h_4.shape == h_5.shape == h_6.shape == a.shape and h_1.size <= SMALL:
-            return _momentum_of_six_wheels(h_1, h_2, h_3, h_4, h_5, h_6, a)
-    return evaluate(_momentum_of_six_wheels_block, 6, 3, (h_1, h_2, h_3, h_4, h_5, h_6, a,), out)
+        elif type(h_1) is type(h_2) is type(h_3) is type(h_4) is type(h_5) is type(h_6) is type(a) is np.ndarray and h_1.dtype is h_2.dtype is h_3.dtype is h_4.dtype is h_5.dtype is h_6.dtype is a.dtype is DOUBLE and h_1.shape == h_2.shape == h_3.shape == h_4.shape == h_5.shape == h_6.shape == a.shape:
+            if h_1.size <= SMALL:
+                return _momentum_of_six_wheels(h_1, h_2, h_3, h_4, h_5, h_6, a)
+            return evaluate_alike(_momentum_of_six_wheels_block, 6, (0, 1, 2,), (h_1, h_2, h_3, h_4, h_5, h_6, a,))
+    return evaluate(_momentum_of_six_wheels_block, 6, (0, 1, 2,), (h_1, h_2, h_3, h_4, h_5, h_6, a,), out)
 
 
-def _momentum_of_six_wheels(h_1, h_2, h_3, h_4, h_5, h_6, a, sqrt=np.sqrt, tan=np.tan):
+def _momentum_of_six_wheels(h_1, h_2, h_3, h_4, h_5, h_6, a, sqrt=np.sqrt, tan=np.tan, n1=np.array(1.0), n1_2=np.array(1.0 / 2.0), sqrt_3=np.array(math.sqrt(3.0)), n2=np.array(2.0)):
     t1 = h_2 + h_5
     tan_a = tan(a)
-    t3 = sqrt(1.0 + (tan_a * tan_a))
-    t5 = ((1.0 / 2.0) * tan_a) / t3
+    t3 = sqrt(n1 + (tan_a * tan_a))
+    t5 = (n1_2 * tan_a) / t3
     t6 = -h_6
-    return (t1 + (h_3 + h_6)) * (math.sqrt(3.0) * t5), ((((h_3 - (2.0 * h_1)) - (2.0 * h_4)) - t1) - t6) * t5, ((((h_3 + (h_1 + h_2)) + t6) - h_4) - h_5) / t3
+    return (t1 + (h_3 + h_6)) * (sqrt_3 * t5), ((((h_3 - (n2 * h_1)) - (n2 * h_4)) - t1) - t6) * t5, ((((h_3 + (h_1 + h_2)) + t6) - h_4) - h_5) / t3
 
 
 def _momentum_of_six_wheels_block(h_1, h_2, h_3, h_4, h_5, h_6, a, out_H_x, out_H_y, out_H_z, r0, r1, r2, r3, r4, r5):
@@ -395,7 +394,7 @@ def _momentum_of_six_wheels_block(h_1, h_2, h_3, h_4, h_5, h_6, a, out_H_x, out_
     np.multiply(r1, r1, r2)  # tan_a_squared
     np.add(1.0, r2, r2)  # t2
     np.sqrt(r2, r2)  # t3
-    np.multiply((1.0 / 2.0), r1, r1)  # t4
+    np.multiply(1.0 / 2.0, r1, r1)  # t4
     np.divide(r1, r2, r1)  # t5
     np.negative(h_6, r3)  # t6
     np.add(h_3, h_6, r4)  # t7
@@ -448,20 +447,22 @@ def momentum_of_five_wheels(h_1, h_2, h_3, h_4, h_5, a, out=None):
     if out is None:
         if type(h_1) is type(h_2) is type(h_3) is type(h_4) is type(h_5) is type(a) is float:
             try:
-                return _momentum_of_five_wheels(h_1, h_2, h_3, h_4, h_5, a, math.sqrt, math.tan)
+                return _momentum_of_five_wheels(h_1, h_2, h_3, h_4, h_5, a, math.sqrt, math.tan, 1.0, 1.0 / 2.0, math.sqrt(3.0), 2.0)
             except (ValueError, ZeroDivisionError, OverflowError):
                 pass  # NumPy says whether it is infinite or no number
-        elif type(h_1) is type(h_2) is type(h_3) is type(h_4) is type(h_5) is type(a) is np.ndarray and h_1.dtype is h_2.dtype is h_3.dtype is h_4.dtype is h_5.dtype is a.dtype is DOUBLE and h_1.shape == h_2.shape == h_3.shape == h_4.shape == h_5.shape == a.shape and h_1.size <= SMALL:
-            return _momentum_of_five_wheels(h_1, h_2, h_3, h_4, h_5, a)
-    return evaluate(_momentum_of_five_wheels_block, 5, 3, (h_1, h_2, h_3, h_4, h_5, a,), out)
+        elif type(h_1) is type(h_2) is type(h_3) is type(h_4) is type(h_5) is type(a) is np.ndarray and h_1.dtype is h_2.dtype is h_3.dtype is h_4.dtype is h_5.dtype is a.dtype is DOUBLE and h_1.shape == h_2.shape == h_3.shape == h_4.shape == h_5.shape == a.shape:
+            if h_1.size <= SMALL:
+                return _momentum_of_five_wheels(h_1, h_2, h_3, h_4, h_5, a)
+            return evaluate_alike(_momentum_of_five_wheels_block, 5, (0, 1, 2,), (h_1, h_2, h_3, h_4, h_5, a,))
+    return evaluate(_momentum_of_five_wheels_block, 5, (0, 1, 2,), (h_1, h_2, h_3, h_4, h_5, a,), out)
 
 
-def _momentum_of_five_wheels(h_1, h_2, h_3, h_4, h_5, a, sqrt=np.sqrt, tan=np.tan):
+def _momentum_of_five_wheels(h_1, h_2, h_3, h_4, h_5, a, sqrt=np.sqrt, tan=np.tan, n1=np.array(1.0), n1_2=np.array(1.0 / 2.0), sqrt_3=np.array(math.sqrt(3.0)), n2=np.array(2.0)):
     t1 = h_2 + h_5
     tan_a = tan(a)
-    t3 = sqrt(1.0 + (tan_a * tan_a))
-    t5 = ((1.0 / 2.0) * tan_a) / t3
-    return (h_3 + t1) * (math.sqrt(3.0) * t5), (((h_3 - (2.0 * h_1)) - (2.0 * h_4)) - t1) * t5, (((h_3 + (h_1 + h_2)) - h_4) - h_5) / t3
+    t3 = sqrt(n1 + (tan_a * tan_a))
+    t5 = (n1_2 * tan_a) / t3
+    return (h_3 + t1) * (sqrt_3 * t5), (((h_3 - (n2 * h_1)) - (n2 * h_4)) - t1) * t5, (((h_3 + (h_1 + h_2)) - h_4) - h_5) / t3
 
 
 def _momentum_of_five_wheels_block(h_1, h_2, h_3, h_4, h_5, a, out_H_x, out_H_y, out_H_z, r0, r1, r2, r3, r4):
@@ -470,7 +471,7 @@ def _momentum_of_five_wheels_block(h_1, h_2, h_3, h_4, h_5, a, out_H_x, out_H_y,
     np.multiply(r1, r1, r2)  # tan_a_squared
     np.add(1.0, r2, r2)  # t2
     np.sqrt(r2, r2)  # t3
-    np.multiply((1.0 / 2.0), r1, r1)  # t4
+    np.multiply(1.0 / 2.0, r1, r1)  # t4
     np.divide(r1, r2, r1)  # t5
     np.add(h_3, r0, r3)  # t6
     np.multiply(math.sqrt(3.0), r1, r4)  # t7
@@ -522,21 +523,23 @@ def rates_of_four_wheels(h_1, h_2, h_3, h_4, a, b, J_x, J_y, J_z, out=None):
     if out is None:
         if type(h_1) is type(h_2) is type(h_3) is type(h_4) is type(a) is type(b) is type(J_x) is type(J_y) is type(J_z) is float:
             try:
-                return _rates_of_four_wheels(h_1, h_2, h_3, h_4, a, b, J_x, J_y, J_z, math.sqrt, math.tan)
+                return _rates_of_four_wheels(h_1, h_2, h_3, h_4, a, b, J_x, J_y, J_z, math.sqrt, math.tan, 1.0)
             except (ValueError, ZeroDivisionError, OverflowError):
                 pass  # NumPy says whether it is infinite or no number
-        elif type(h_1) is type(h_2) is type(h_3) is type(h_4) is type(a) is type(b) is type(J_x) is type(J_y) is type(J_z) is np.ndarray and h_1.dtype is h_2.dtype is h_3.dtype is h_4.dtype is a.dtype is b.dtype is J_x.dtype is J_y.dtype is J_z.dtype is DOUBLE and h_1.shape == h_2.shape == h_3.shape == h_4.shape == a.shape == b.shape == J_x.shape == J_y.shape == J_z.shape and h_1.size <= SMALL:
-            return _rates_of_four_wheels(h_1, h_2, h_3, h_4, a, b, J_x, J_y, J_z)
-    return evaluate(_rates_of_four_wheels_block, 8, 3, (h_1, h_2, h_3, h_4, a, b, J_x, J_y, J_z,), out)
+        elif type(h_1) is type(h_2) is type(h_3) is type(h_4) is type(a) is type(b) is type(J_x) is type(J_y) is type(J_z) is np.ndarray and h_1.dtype is h_2.dtype is h_3.dtype is h_4.dtype is a.dtype is b.dtype is J_x.dtype is J_y.dtype is J_z.dtype is DOUBLE and h_1.shape == h_2.shape == h_3.shape == h_4.shape == a.shape == b.shape == J_x.shape == J_y.shape == J_z.shape:
+            if h_1.size <= SMALL:
+                return _rates_of_four_wheels(h_1, h_2, h_3, h_4, a, b, J_x, J_y, J_z)
+            return evaluate_alike(_rates_of_four_wheels_block, 8, (0, 1, 2,), (h_1, h_2, h_3, h_4, a, b, J_x, J_y, J_z,))
+    return evaluate(_rates_of_four_wheels_block, 8, (0, 1, 2,), (h_1, h_2, h_3, h_4, a, b, J_x, J_y, J_z,), out)
 
 
-def _rates_of_four_wheels(h_1, h_2, h_3, h_4, a, b, J_x, J_y, J_z, sqrt=np.sqrt, tan=np.tan):
+def _rates_of_four_wheels(h_1, h_2, h_3, h_4, a, b, J_x, J_y, J_z, sqrt=np.sqrt, tan=np.tan, n1=np.array(1.0)):
     tan_a = tan(a)
-    t1 = 1.0 + (tan_a * tan_a)
+    t1 = n1 + (tan_a * tan_a)
     t4 = h_1 + h_3
     t5 = -h_4
     tan_b = tan(b)
-    t10 = sqrt(t1 * (1.0 + (tan_b * tan_b)))
+    t10 = sqrt(t1 * (n1 + (tan_b * tan_b)))
     return -((((t4 + (h_2 + h_4)) * tan_a) * tan_b) / (J_x * t10)), -((((h_2 - t4) - t5) * tan_a) / (J_y * t10)), -((((h_3 - h_1) - h_2) - t5) / (J_z * sqrt(t1)))
 
 
@@ -606,20 +609,22 @@ def rates_of_three_wheels(h_1, h_2, h_3, a, b, J_x, J_y, J_z, out=None):
     if out is None:
         if type(h_1) is type(h_2) is type(h_3) is type(a) is type(b) is type(J_x) is type(J_y) is type(J_z) is float:
             try:
-                return _rates_of_three_wheels(h_1, h_2, h_3, a, b, J_x, J_y, J_z, math.sqrt, math.tan)
+                return _rates_of_three_wheels(h_1, h_2, h_3, a, b, J_x, J_y, J_z, math.sqrt, math.tan, 1.0)
             except (ValueError, ZeroDivisionError, OverflowError):
                 pass  # NumPy says whether it is infinite or no number
-        elif type(h_1) is type(h_2) is type(h_3) is type(a) is type(b) is type(J_x) is type(J_y) is type(J_z) is np.ndarray and h_1.dtype is h_2.dtype is h_3.dtype is a.dtype is b.dtype is J_x.dtype is J_y.dtype is J_z.dtype is DOUBLE and h_1.shape == h_2.shape == h_3.shape == a.shape == b.shape == J_x.shape == J_y.shape == J_z.shape and h_1.size <= SMALL:
-            return _rates_of_three_wheels(h_1, h_2, h_3, a, b, J_x, J_y, J_z)
-    return evaluate(_rates_of_three_wheels_block, 7, 3, (h_1, h_2, h_3, a, b, J_x, J_y, J_z,), out)
+        elif type(h_1) is type(h_2) is type(h_3) is type(a) is type(b) is type(J_x) is type(J_y) is type(J_z) is np.ndarray and h_1.dtype is h_2.dtype is h_3.dtype is a.dtype is b.dtype is J_x.dtype is J_y.dtype is J_z.dtype is DOUBLE and h_1.shape == h_2.shape == h_3.shape == a.shape == b.shape == J_x.shape == J_y.shape == J_z.shape:
+            if h_1.size <= SMALL:
+                return _rates_of_three_wheels(h_1, h_2, h_3, a, b, J_x, J_y, J_z)
+            return evaluate_alike(_rates_of_three_wheels_block, 7, (0, 1, 2,), (h_1, h_2, h_3, a, b, J_x, J_y, J_z,))
+    return evaluate(_rates_of_three_wheels_block, 7, (0, 1, 2,), (h_1, h_2, h_3, a, b, J_x, J_y, J_z,), out)
 
 
-def _rates_of_three_wheels(h_1, h_2, h_3, a, b, J_x, J_y, J_z, sqrt=np.sqrt, tan=np.tan):
+def _rates_of_three_wheels(h_1, h_2, h_3, a, b, J_x, J_y, J_z, sqrt=np.sqrt, tan=np.tan, n1=np.array(1.0)):
     tan_a = tan(a)
-    t1 = 1.0 + (tan_a * tan_a)
+    t1 = n1 + (tan_a * tan_a)
     t4 = h_1 + h_3
     tan_b = tan(b)
-    t8 = sqrt(t1 * (1.0 + (tan_b * tan_b)))
+    t8 = sqrt(t1 * (n1 + (tan_b * tan_b)))
     return -((((h_2 + t4) * tan_a) * tan_b) / (J_x * t8)), -(((h_2 - t4) * tan_a) / (J_y * t8)), -(((h_3 - h_1) - h_2) / (J_z * sqrt(t1)))
 
 
@@ -687,21 +692,23 @@ def rates_of_six_wheels(h_1, h_2, h_3, h_4, h_5, h_6, a, J_x, J_y, J_z, out=None
     if out is None:
         if type(h_1) is type(h_2) is type(h_3) is type(h_4) is type(h_5) is type(h_6) is type(a) is type(J_x) is type(J_y) is type(J_z) is float:
             try:
-                return _rates_of_six_wheels(h_1, h_2, h_3, h_4, h_5, h_6, a, J_x, J_y, J_z, math.sqrt, math.tan)
+                return _rates_of_six_wheels(h_1, h_2, h_3, h_4, h_5, h_6, a, J_x, J_y, J_z, math.sqrt, math.tan, 1.0, 1.0 / 2.0, math.sqrt(3.0), 2.0)
             except (ValueError, ZeroDivisionError, OverflowError):
                 pass  # NumPy says whether it is infinite or no number
-        elif type(h_1) is type(h_2) is type(h_3) is type(h_4) is type(h_5) is type(h_6) is type(a) is type(J_x) is type(J_y) is type(J_z) is np.ndarray and h_1.dtype is h_2.dtype is h_3.dtype is h_4.dtype is h_5.dtype is h_6.dtype is a.dtype is J_x.dtype is J_y.dtype is J_z.dtype is DOUBLE and h_1.shape == h_2.shape == h_3.shape == h_4.shape == h_5.shape == h_6.shape == a.shape == J_x.shape == J_y.shape == J_z.shape and h_1.size <= SMALL:
-            return _rates_of_six_wheels(h_1, h_2, h_3, h_4, h_5, h_6, a, J_x, J_y, J_z)
-    return evaluate(_rates_of_six_wheels_block, 6, 3, (h_1, h_2, h_3, h_4, h_5, h_6, a, J_x, J_y, J_z,), out)
+        elif type(h_1) is type(h_2) is type(h_3) is type(h_4) is type(h_5) is type(h_6) is type(a) is type(J_x) is type(J_y) is type(J_z) is np.ndarray and h_1.dtype is h_2.dtype is h_3.dtype is h_4.dtype is h_5.dtype is h_6.dtype is a.dtype is J_x.dtype is J_y.dtype is J_z.dtype is DOUBLE and h_1.shape == h_2.shape == h_3.shape == h_4.shape == h_5.shape == h_6.shape == a.shape == J_x.shape == J_y.shape == J_z.shape:
+            if h_1.size <= SMALL:
+                return _rates_of_six_wheels(h_1, h_2, h_3, h_4, h_5, h_6, a, J_x, J_y, J_z)
+            return evaluate_alike(_rates_of_six_wheels_block, 6, (0, 1, 2,), (h_1, h_2, h_3, h_4, h_5, h_6, a, J_x, J_y, J_z,))
+    return evaluate(_rates_of_six_wheels_block, 6, (0, 1, 2,), (h_1, h_2, h_3, h_4, h_5, h_6, a, J_x, J_y, J_z,), out)
 
 
-def _rates_of_six_wheels(h_1, h_2, h_3, h_4, h_5, h_6, a, J_x, J_y, J_z, sqrt=np.sqrt, tan=np.tan):
+def _rates_of_six_wheels(h_1, h_2, h_3, h_4, h_5, h_6, a, J_x, J_y, J_z, sqrt=np.sqrt, tan=np.tan, n1=np.array(1.0), n1_2=np.array(1.0 / 2.0), sqrt_3=np.array(math.sqrt(3.0)), n2=np.array(2.0)):
     t1 = h_2 + h_5
     tan_a = tan(a)
-    t3 = sqrt(1.0 + (tan_a * tan_a))
-    t5 = ((1.0 / 2.0) * tan_a) / t3
+    t3 = sqrt(n1 + (tan_a * tan_a))
+    t5 = (n1_2 * tan_a) / t3
     t6 = -h_6
-    return -(((t1 + (h_3 + h_6)) * (math.sqrt(3.0) * t5)) / J_x), -((((((h_3 - (2.0 * h_1)) - (2.0 * h_4)) - t1) - t6) * t5) / J_y), -(((((h_3 + (h_1 + h_2)) + t6) - h_4) - h_5) / (J_z * t3))
+    return -(((t1 + (h_3 + h_6)) * (sqrt_3 * t5)) / J_x), -((((((h_3 - (n2 * h_1)) - (n2 * h_4)) - t1) - t6) * t5) / J_y), -(((((h_3 + (h_1 + h_2)) + t6) - h_4) - h_5) / (J_z * t3))
 
 
 def _rates_of_six_wheels_block(h_1, h_2, h_3, h_4, h_5, h_6, a, J_x, J_y, J_z, out_w_x, out_w_y, out_w_z, r0, r1, r2, r3, r4, r5):
@@ -710,7 +717,7 @@ def _rates_of_six_wheels_block(h_1, h_2, h_3, h_4, h_5, h_6, a, J_x, J_y, J_z, o
     np.multiply(r1, r1, r2)  # tan_a_squared
     np.add(1.0, r2, r2)  # t2
     np.sqrt(r2, r2)  # t3
-    np.multiply((1.0 / 2.0), r1, r1)  # t4
+    np.multiply(1.0 / 2.0, r1, r1)  # t4
     np.divide(r1, r2, r1)  # t5
     np.negative(h_6, r3)  # t6
     np.add(h_3, h_6, r4)  # t7
@@ -772,20 +779,22 @@ def rates_of_five_wheels(h_1, h_2, h_3, h_4, h_5, a, J_x, J_y, J_z, out=None):
     if out is None:
         if type(h_1) is type(h_2) is type(h_3) is type(h_4) is type(h_5) is type(a) is type(J_x) is type(J_y) is type(J_z) is float:
             try:
-                return _rates_of_five_wheels(h_1, h_2, h_3, h_4, h_5, a, J_x, J_y, J_z, math.sqrt, math.tan)
+                return _rates_of_five_wheels(h_1, h_2, h_3, h_4, h_5, a, J_x, J_y, J_z, math.sqrt, math.tan, 1.0, 1.0 / 2.0, math.sqrt(3.0), 2.0)
             except (ValueError, ZeroDivisionError, OverflowError):
                 pass  # NumPy says whether it is infinite or no number
-        elif type(h_1) is type(h_2) is type(h_3) is type(h_4) is type(h_5) is type(a) is type(J_x) is type(J_y) is type(J_z) is np.ndarray and h_1.dtype is h_2.dtype is h_3.dtype is h_4.dtype is h_5.dtype is a.dtype is J_x.dtype is J_y.dtype is J_z.dtype is DOUBLE and h_1.shape == h_2.shape == h_3.shape == h_4.shape == h_5.shape == a.shape == J_x.shape == J_y.shape == J_z.shape and h_1.size <= SMALL:
-            return _rates_of_five_wheels(h_1, h_2, h_3, h_4, h_5, a, J_x, J_y, J_z)
-    return evaluate(_rates_of_five_wheels_block, 5, 3, (h_1, h_2, h_3, h_4, h_5, a, J_x, J_y, J_z,), out)
+        elif type(h_1) is type(h_2) is type(h_3) is type(h_4) is type(h_5) is type(a) is type(J_x) is type(J_y) is type(J_z) is np.ndarray and h_1.dtype is h_2.dtype is h_3.dtype is h_4.dtype is h_5.dtype is a.dtype is J_x.dtype is J_y.dtype is J_z.dtype is DOUBLE and h_1.shape == h_2.shape == h_3.shape == h_4.shape == h_5.shape == a.shape == J_x.shape == J_y.shape == J_z.shape:
+            if h_1.size <= SMALL:
+                return _rates_of_five_wheels(h_1, h_2, h_3, h_4, h_5, a, J_x, J_y, J_z)
+            return evaluate_alike(_rates_of_five_wheels_block, 5, (0, 1, 2,), (h_1, h_2, h_3, h_4, h_5, a, J_x, J_y, J_z,))
+    return evaluate(_rates_of_five_wheels_block, 5, (0, 1, 2,), (h_1, h_2, h_3, h_4, h_5, a, J_x, J_y, J_z,), out)
 
 
-def _rates_of_five_wheels(h_1, h_2, h_3, h_4, h_5, a, J_x, J_y, J_z, sqrt=np.sqrt, tan=np.tan):
+def _rates_of_five_wheels(h_1, h_2, h_3, h_4, h_5, a, J_x, J_y, J_z, sqrt=np.sqrt, tan=np.tan, n1=np.array(1.0), n1_2=np.array(1.0 / 2.0), sqrt_3=np.array(math.sqrt(3.0)), n2=np.array(2.0)):
     t1 = h_2 + h_5
     tan_a = tan(a)
-    t3 = sqrt(1.0 + (tan_a * tan_a))
-    t5 = ((1.0 / 2.0) * tan_a) / t3
-    return -(((h_3 + t1) * (math.sqrt(3.0) * t5)) / J_x), -(((((h_3 - (2.0 * h_1)) - (2.0 * h_4)) - t1) * t5) / J_y), -((((h_3 + (h_1 + h_2)) - h_4) - h_5) / (J_z * t3))
+    t3 = sqrt(n1 + (tan_a * tan_a))
+    t5 = (n1_2 * tan_a) / t3
+    return -(((h_3 + t1) * (sqrt_3 * t5)) / J_x), -(((((h_3 - (n2 * h_1)) - (n2 * h_4)) - t1) * t5) / J_y), -((((h_3 + (h_1 + h_2)) - h_4) - h_5) / (J_z * t3))
 
 
 def _rates_of_five_wheels_block(h_1, h_2, h_3, h_4, h_5, a, J_x, J_y, J_z, out_w_x, out_w_y, out_w_z, r0, r1, r2, r3, r4):
@@ -794,7 +803,7 @@ def _rates_of_five_wheels_block(h_1, h_2, h_3, h_4, h_5, a, J_x, J_y, J_z, out_w
     np.multiply(r1, r1, r2)  # tan_a_squared
     np.add(1.0, r2, r2)  # t2
     np.sqrt(r2, r2)  # t3
-    np.multiply((1.0 / 2.0), r1, r1)  # t4
+    np.multiply(1.0 / 2.0, r1, r1)  # t4
     np.divide(r1, r2, r1)  # t5
     np.add(h_3, r0, r3)  # t6
     np.multiply(math.sqrt(3.0), r1, r4)  # t7
@@ -859,7 +868,8 @@ def vertices_of_four_wheels(a, b, out=None):
         V_7z: z of V_7, in units of h_max
 
     Numbers give numbers; arrays give float64, or float32 if all are. `out` takes 15 arrays of the broadcast shape
-    and type; a ValueError names what does not fit. What is no number gives no number.
+    and type; a ValueError names what does not fit. What is no number gives no number. Outputs that are equal by
+    formula are one array, unless `out` is given.
 
     Accuracy: 6 ulp over the domain. Tangents of two angles, a root and a quotient are rounded one after the
     other.
@@ -871,29 +881,33 @@ def vertices_of_four_wheels(a, b, out=None):
     if out is None:
         if type(a) is type(b) is float:
             try:
-                return _vertices_of_four_wheels(a, b, math.sqrt, math.tan)
+                return _vertices_of_four_wheels(a, b, math.sqrt, math.tan, 1.0, 2.0, 4.0)
             except (ValueError, ZeroDivisionError, OverflowError):
                 pass  # NumPy says whether it is infinite or no number
-    return evaluate(_vertices_of_four_wheels_block, 5, 15, (a, b,), out)
+        elif type(a) is type(b) is np.ndarray and a.dtype is b.dtype is DOUBLE and a.shape == b.shape:
+            if a.size <= SMALL:
+                return _vertices_of_four_wheels(a, b)
+            return evaluate_alike(_vertices_of_four_wheels_block, 5, (0, 1, 2, 3, 1, 4, 3, 1, 2, 5, 1, 4, 5, 6, 7,), (a, b,))
+    return evaluate(_vertices_of_four_wheels_block, 5, (0, 1, 2, 3, 1, 4, 3, 1, 2, 5, 1, 4, 5, 6, 7,), (a, b,), out)
 
 
-def _vertices_of_four_wheels(a, b, sqrt=np.sqrt, tan=np.tan):
+def _vertices_of_four_wheels(a, b, sqrt=np.sqrt, tan=np.tan, n1=np.array(1.0), n2=np.array(2.0), n4=np.array(4.0)):
     tan_a = tan(a)
-    t1 = 1.0 + (tan_a * tan_a)
+    t1 = n1 + (tan_a * tan_a)
     t2 = sqrt(t1)
     tan_b = tan(b)
-    t6 = sqrt(t1 * (1.0 + (tan_b * tan_b)))
+    t6 = sqrt(t1 * (n1 + (tan_b * tan_b)))
     t8 = (tan_a * tan_b) / t6
-    t9 = 2.0 * t8
+    t9 = n2 * t8
     t10 = tan_a / t6
-    t11 = 2.0 * t10
-    t13 = 2.0 / t2
+    t11 = n2 * t10
+    t13 = n2 / t2
     t14 = -t11
     t15 = -t13
-    return 4.0 * t8, t9, t11, t13, t9, t14, t13, t9, t11, t15, t9, t14, t15, -(4.0 * t10), -(4.0 / t2)
+    return n4 * t8, t9, t11, t13, t9, t14, t13, t9, t11, t15, t9, t14, t15, -(n4 * t10), -(n4 / t2)
 
 
-def _vertices_of_four_wheels_block(a, b, out_V_1x, out_V_2x, out_V_2y, out_V_2z, out_V_3x, out_V_3y, out_V_3z, out_V_4x, out_V_4y, out_V_4z, out_V_5x, out_V_5y, out_V_5z, out_V_6y, out_V_7z, r0, r1, r2, r3, r4):
+def _vertices_of_four_wheels_block(a, b, out_V_1x, out_V_2x, out_V_2y, out_V_2z, out_V_3y, out_V_4z, out_V_6y, out_V_7z, r0, r1, r2, r3, r4):
     np.tan(a, r0)  # tan_a
     np.multiply(r0, r0, r1)  # tan_a_squared
     np.add(1.0, r1, r1)  # t1
@@ -916,13 +930,6 @@ def _vertices_of_four_wheels_block(a, b, out_V_1x, out_V_2x, out_V_2y, out_V_2z,
     np.negative(r4, out_V_6y)  # t18
     np.divide(4.0, r2, r2)  # t19
     np.negative(r2, out_V_7z)  # t20
-    out_V_3x[...] = out_V_2x
-    out_V_3z[...] = out_V_2z
-    out_V_4x[...] = out_V_2x
-    out_V_4y[...] = out_V_2y
-    out_V_5x[...] = out_V_2x
-    out_V_5y[...] = out_V_3y
-    out_V_5z[...] = out_V_4z
 
 
 def vertices_of_three_wheels(a, b, out=None):
@@ -960,7 +967,8 @@ def vertices_of_three_wheels(a, b, out=None):
         V_4z: z of V_4, in units of h_max
 
     Numbers give numbers; arrays give float64, or float32 if all are. `out` takes 12 arrays of the broadcast shape
-    and type; a ValueError names what does not fit. What is no number gives no number.
+    and type; a ValueError names what does not fit. What is no number gives no number. Outputs that are equal by
+    formula are one array, unless `out` is given.
 
     Accuracy: 6 ulp over the domain. Tangents of two angles, a root and a quotient are rounded one after the
     other.
@@ -971,25 +979,29 @@ def vertices_of_three_wheels(a, b, out=None):
     if out is None:
         if type(a) is type(b) is float:
             try:
-                return _vertices_of_three_wheels(a, b, math.sqrt, math.tan)
+                return _vertices_of_three_wheels(a, b, math.sqrt, math.tan, 1.0, 3.0)
             except (ValueError, ZeroDivisionError, OverflowError):
                 pass  # NumPy says whether it is infinite or no number
-    return evaluate(_vertices_of_three_wheels_block, 5, 12, (a, b,), out)
+        elif type(a) is type(b) is np.ndarray and a.dtype is b.dtype is DOUBLE and a.shape == b.shape:
+            if a.size <= SMALL:
+                return _vertices_of_three_wheels(a, b)
+            return evaluate_alike(_vertices_of_three_wheels_block, 5, (0, 1, 2, 3, 4, 5, 3, 6, 5, 3, 4, 7,), (a, b,))
+    return evaluate(_vertices_of_three_wheels_block, 5, (0, 1, 2, 3, 4, 5, 3, 6, 5, 3, 4, 7,), (a, b,), out)
 
 
-def _vertices_of_three_wheels(a, b, sqrt=np.sqrt, tan=np.tan):
+def _vertices_of_three_wheels(a, b, sqrt=np.sqrt, tan=np.tan, n1=np.array(1.0), n3=np.array(3.0)):
     tan_a = tan(a)
-    t1 = 1.0 + (tan_a * tan_a)
+    t1 = n1 + (tan_a * tan_a)
     t2 = sqrt(t1)
     tan_b = tan(b)
-    t6 = sqrt(t1 * (1.0 + (tan_b * tan_b)))
+    t6 = sqrt(t1 * (n1 + (tan_b * tan_b)))
     t8 = (tan_a * tan_b) / t6
     t9 = tan_a / t6
-    t10 = 1.0 / t2
-    return 3.0 * t8, -t9, -t10, t8, t9, t10, t8, -(3.0 * t9), t10, t8, t9, -(3.0 / t2)
+    t10 = n1 / t2
+    return n3 * t8, -t9, -t10, t8, t9, t10, t8, -(n3 * t9), t10, t8, t9, -(n3 / t2)
 
 
-def _vertices_of_three_wheels_block(a, b, out_V_1x, out_V_1y, out_V_1z, out_V_2x, out_V_2y, out_V_2z, out_V_3x, out_V_3y, out_V_3z, out_V_4x, out_V_4y, out_V_4z, r0, r1, r2, r3, r4):
+def _vertices_of_three_wheels_block(a, b, out_V_1x, out_V_1y, out_V_1z, out_V_2x, out_V_2y, out_V_2z, out_V_3y, out_V_4z, r0, r1, r2, r3, r4):
     np.tan(a, r0)  # tan_a
     np.multiply(r0, r0, r1)  # tan_a_squared
     np.add(1.0, r1, r1)  # t1
@@ -1010,10 +1022,6 @@ def _vertices_of_three_wheels_block(a, b, out_V_1x, out_V_1y, out_V_1z, out_V_2x
     np.negative(r4, out_V_3y)  # t15
     np.divide(3.0, r2, r2)  # t16
     np.negative(r2, out_V_4z)  # t17
-    out_V_3x[...] = out_V_2x
-    out_V_3z[...] = out_V_2z
-    out_V_4x[...] = out_V_2x
-    out_V_4y[...] = out_V_2y
 
 
 def vertices_of_six_wheels(a, out=None):
@@ -1102,7 +1110,8 @@ def vertices_of_six_wheels(a, out=None):
         V_16y: y of V_16, in units of h_max
 
     Numbers give numbers; arrays give float64, or float32 if all are. `out` takes 38 arrays of the broadcast shape
-    and type; a ValueError names what does not fit. What is no number gives no number.
+    and type; a ValueError names what does not fit. What is no number gives no number. Outputs that are equal by
+    formula are one array, unless `out` is given.
 
     Accuracy: 5 ulp over the domain. The square root of 3 and half a sine are rounded too.
 
@@ -1117,30 +1126,34 @@ def vertices_of_six_wheels(a, out=None):
     if out is None:
         if type(a) is float:
             try:
-                return _vertices_of_six_wheels(a, math.sqrt, math.tan)
+                return _vertices_of_six_wheels(a, math.sqrt, math.tan, 1.0, 2.0, 4.0, math.sqrt(3.0), 3.0, 6.0)
             except (ValueError, ZeroDivisionError, OverflowError):
                 pass  # NumPy says whether it is infinite or no number
-    return evaluate(_vertices_of_six_wheels_block, 3, 38, (a,), out)
+        elif type(a) is np.ndarray and a.dtype is DOUBLE:
+            if a.size <= SMALL:
+                return _vertices_of_six_wheels(a)
+            return evaluate_alike(_vertices_of_six_wheels_block, 3, (0, 1, 2, 3, 4, 2, 3, 5, 2, 6, 2, 7, 5, 2, 7, 4, 2, 7, 8, 9, 3, 8, 9, 10, 9, 3, 11, 9, 7, 11, 9, 12, 9, 12, 1, 13, 10, 1,), (a,))
+    return evaluate(_vertices_of_six_wheels_block, 3, (0, 1, 2, 3, 4, 2, 3, 5, 2, 6, 2, 7, 5, 2, 7, 4, 2, 7, 8, 9, 3, 8, 9, 10, 9, 3, 11, 9, 7, 11, 9, 12, 9, 12, 1, 13, 10, 1,), (a,), out)
 
 
-def _vertices_of_six_wheels(a, sqrt=np.sqrt, tan=np.tan):
+def _vertices_of_six_wheels(a, sqrt=np.sqrt, tan=np.tan, n1=np.array(1.0), n2=np.array(2.0), n4=np.array(4.0), sqrt_3=np.array(math.sqrt(3.0)), n3=np.array(3.0), n6=np.array(6.0)):
     tan_a = tan(a)
-    t2 = sqrt(1.0 + (tan_a * tan_a))
+    t2 = sqrt(n1 + (tan_a * tan_a))
     t4 = tan_a / t2
-    t6 = (2.0 * tan_a) / t2
-    t7 = 4.0 / t2
-    t9 = (math.sqrt(3.0) * tan_a) / t2
+    t6 = (n2 * tan_a) / t2
+    t7 = n4 / t2
+    t9 = (sqrt_3 * tan_a) / t2
     t10 = -t9
     t11 = -t4
-    t13 = (3.0 * tan_a) / t2
-    t14 = 2.0 / t2
-    t15 = math.sqrt(3.0) * t6
+    t13 = (n3 * tan_a) / t2
+    t14 = n2 / t2
+    t15 = sqrt_3 * t6
     t16 = -t15
     t17 = -t13
-    return 6.0 / t2, t6, t7, t10, t4, t7, t10, t11, t7, -t6, t7, t9, t11, t7, t9, t4, t7, t9, t13, t14, t10, t13, t14, t16, t14, t10, t17, t14, t9, t17, t14, t15, t14, t15, t6, (4.0 * tan_a) / t2, t16, t6
+    return n6 / t2, t6, t7, t10, t4, t7, t10, t11, t7, -t6, t7, t9, t11, t7, t9, t4, t7, t9, t13, t14, t10, t13, t14, t16, t14, t10, t17, t14, t9, t17, t14, t15, t14, t15, t6, (n4 * tan_a) / t2, t16, t6
 
 
-def _vertices_of_six_wheels_block(a, out_V_1z, out_V_2y, out_V_2z, out_V_3x, out_V_3y, out_V_3z, out_V_4x, out_V_4y, out_V_4z, out_V_5y, out_V_5z, out_V_6x, out_V_6y, out_V_6z, out_V_7x, out_V_7y, out_V_7z, out_V_8x, out_V_8y, out_V_8z, out_V_9x, out_V_9y, out_V_9z, out_V_10x, out_V_10z, out_V_11x, out_V_11y, out_V_11z, out_V_12x, out_V_12y, out_V_12z, out_V_13x, out_V_13z, out_V_14x, out_V_14y, out_V_15y, out_V_16x, out_V_16y, r0, r1, r2):
+def _vertices_of_six_wheels_block(a, out_V_1z, out_V_2y, out_V_2z, out_V_3x, out_V_3y, out_V_4y, out_V_5y, out_V_6x, out_V_8y, out_V_8z, out_V_10x, out_V_11y, out_V_13x, out_V_15y, r0, r1, r2):
     np.tan(a, r0)  # tan_a
     np.multiply(r0, r0, r1)  # tan_a_squared
     np.add(1.0, r1, r1)  # t1
@@ -1163,30 +1176,6 @@ def _vertices_of_six_wheels_block(a, out_V_1z, out_V_2y, out_V_2z, out_V_3x, out
     np.negative(out_V_2y, out_V_5y)  # t19
     np.multiply(4.0, r0, r0)  # t20
     np.divide(r0, r1, out_V_15y)  # t21
-    out_V_3z[...] = out_V_2z
-    out_V_4x[...] = out_V_3x
-    out_V_4z[...] = out_V_2z
-    out_V_5z[...] = out_V_2z
-    out_V_6y[...] = out_V_4y
-    out_V_6z[...] = out_V_2z
-    out_V_7x[...] = out_V_6x
-    out_V_7y[...] = out_V_3y
-    out_V_7z[...] = out_V_2z
-    out_V_8x[...] = out_V_6x
-    out_V_9x[...] = out_V_3x
-    out_V_9y[...] = out_V_8y
-    out_V_9z[...] = out_V_8z
-    out_V_10z[...] = out_V_8z
-    out_V_11x[...] = out_V_3x
-    out_V_11z[...] = out_V_8z
-    out_V_12x[...] = out_V_6x
-    out_V_12y[...] = out_V_11y
-    out_V_12z[...] = out_V_8z
-    out_V_13z[...] = out_V_8z
-    out_V_14x[...] = out_V_13x
-    out_V_14y[...] = out_V_2y
-    out_V_16x[...] = out_V_10x
-    out_V_16y[...] = out_V_2y
 
 
 def vertices_of_five_wheels(a, out=None):
@@ -1265,7 +1254,8 @@ def vertices_of_five_wheels(a, out=None):
         V_11z: z of V_11, in units of h_max
 
     Numbers give numbers; arrays give float64, or float32 if all are. `out` takes 33 arrays of the broadcast shape
-    and type; a ValueError names what does not fit. What is no number gives no number.
+    and type; a ValueError names what does not fit. What is no number gives no number. Outputs that are equal by
+    formula are one array, unless `out` is given.
 
     Accuracy: 5 ulp over the domain. The square root of 3 and half a sine are rounded too.
 
@@ -1278,70 +1268,55 @@ def vertices_of_five_wheels(a, out=None):
     if out is None:
         if type(a) is float:
             try:
-                return _vertices_of_five_wheels(a, math.sqrt, math.tan)
+                return _vertices_of_five_wheels(a, math.sqrt, math.tan, 1.0, 1.0 / 2.0, math.sqrt(3.0), 5.0 / 2.0, 3.0, 3.0 / 2.0, 5.0, 7.0 / 2.0)
             except (ValueError, ZeroDivisionError, OverflowError):
                 pass  # NumPy says whether it is infinite or no number
-    return evaluate(_vertices_of_five_wheels_block, 3, 33, (a,), out)
+        elif type(a) is np.ndarray and a.dtype is DOUBLE:
+            if a.size <= SMALL:
+                return _vertices_of_five_wheels(a)
+            return evaluate_alike(_vertices_of_five_wheels_block, 3, (0, 1, 2, 0, 3, 4, 5, 6, 4, 5, 7, 4, 0, 8, 4, 9, 7, 4, 9, 6, 10, 5, 11, 10, 12, 1, 10, 5, 13, 10, 9, 13, 10,), (a,))
+    return evaluate(_vertices_of_five_wheels_block, 3, (0, 1, 2, 0, 3, 4, 5, 6, 4, 5, 7, 4, 0, 8, 4, 9, 7, 4, 9, 6, 10, 5, 11, 10, 12, 1, 10, 5, 13, 10, 9, 13, 10,), (a,), out)
 
 
-def _vertices_of_five_wheels(a, sqrt=np.sqrt, tan=np.tan):
+def _vertices_of_five_wheels(a, sqrt=np.sqrt, tan=np.tan, n1=np.array(1.0), n1_2=np.array(1.0 / 2.0), sqrt_3=np.array(math.sqrt(3.0)), n5_2=np.array(5.0 / 2.0), n3=np.array(3.0), n3_2=np.array(3.0 / 2.0), n5=np.array(5.0), n7_2=np.array(7.0 / 2.0)):
     tan_a = tan(a)
-    t2 = sqrt(1.0 + (tan_a * tan_a))
-    t5 = ((1.0 / 2.0) * tan_a) / t2
-    t6 = math.sqrt(3.0) * t5
-    t7 = 1.0 / t2
-    t9 = ((5.0 / 2.0) * tan_a) / t2
-    t10 = 3.0 / t2
+    t2 = sqrt(n1 + (tan_a * tan_a))
+    t5 = (n1_2 * tan_a) / t2
+    t6 = sqrt_3 * t5
+    t7 = n1 / t2
+    t9 = (n5_2 * tan_a) / t2
+    t10 = n3 / t2
     t11 = -t6
-    t13 = ((3.0 / 2.0) * tan_a) / t2
+    t13 = (n3_2 * tan_a) / t2
     t14 = -t5
-    t15 = math.sqrt(3.0) * t13
+    t15 = sqrt_3 * t13
     t16 = -t9
-    return t6, t5, 5.0 / t2, t6, t9, t10, t11, t13, t10, t11, t14, t10, t6, -t13, t10, t15, t14, t10, t15, t13, t7, t11, ((7.0 / 2.0) * tan_a) / t2, t7, -t15, t5, t7, t11, t16, t7, t15, t16, t7
+    return t6, t5, n5 / t2, t6, t9, t10, t11, t13, t10, t11, t14, t10, t6, -t13, t10, t15, t14, t10, t15, t13, t7, t11, (n7_2 * tan_a) / t2, t7, -t15, t5, t7, t11, t16, t7, t15, t16, t7
 
 
-def _vertices_of_five_wheels_block(a, out_V_1x, out_V_1y, out_V_1z, out_V_2x, out_V_2y, out_V_2z, out_V_3x, out_V_3y, out_V_3z, out_V_4x, out_V_4y, out_V_4z, out_V_5x, out_V_5y, out_V_5z, out_V_6x, out_V_6y, out_V_6z, out_V_7x, out_V_7y, out_V_7z, out_V_8x, out_V_8y, out_V_8z, out_V_9x, out_V_9y, out_V_9z, out_V_10x, out_V_10y, out_V_10z, out_V_11x, out_V_11y, out_V_11z, r0, r1, r2):
+def _vertices_of_five_wheels_block(a, out_V_1x, out_V_1y, out_V_1z, out_V_2y, out_V_2z, out_V_3x, out_V_3y, out_V_4y, out_V_5y, out_V_6x, out_V_7z, out_V_8y, out_V_9x, out_V_10y, r0, r1, r2):
     np.tan(a, r0)  # tan_a
     np.multiply(r0, r0, r1)  # tan_a_squared
     np.add(1.0, r1, r1)  # t1
     np.sqrt(r1, r1)  # t2
-    np.multiply((1.0 / 2.0), r0, r2)  # t4
+    np.multiply(1.0 / 2.0, r0, r2)  # t4
     np.divide(r2, r1, out_V_1y)  # t5
     np.multiply(math.sqrt(3.0), out_V_1y, out_V_1x)  # t6
     np.divide(1.0, r1, out_V_7z)  # t7
-    np.multiply((5.0 / 2.0), r0, r2)  # t8
+    np.multiply(5.0 / 2.0, r0, r2)  # t8
     np.divide(r2, r1, out_V_2y)  # t9
     np.divide(3.0, r1, out_V_2z)  # t10
     np.negative(out_V_1x, out_V_3x)  # t11
-    np.multiply((3.0 / 2.0), r0, r2)  # t12
+    np.multiply(3.0 / 2.0, r0, r2)  # t12
     np.divide(r2, r1, out_V_3y)  # t13
     np.negative(out_V_1y, out_V_4y)  # t14
     np.multiply(math.sqrt(3.0), out_V_3y, out_V_6x)  # t15
     np.negative(out_V_2y, out_V_10y)  # t16
     np.divide(5.0, r1, out_V_1z)  # t17
     np.negative(out_V_3y, out_V_5y)  # t18
-    np.multiply((7.0 / 2.0), r0, r0)  # t19
+    np.multiply(7.0 / 2.0, r0, r0)  # t19
     np.divide(r0, r1, out_V_8y)  # t20
     np.negative(out_V_6x, out_V_9x)  # t21
-    out_V_2x[...] = out_V_1x
-    out_V_3z[...] = out_V_2z
-    out_V_4x[...] = out_V_3x
-    out_V_4z[...] = out_V_2z
-    out_V_5x[...] = out_V_1x
-    out_V_5z[...] = out_V_2z
-    out_V_6y[...] = out_V_4y
-    out_V_6z[...] = out_V_2z
-    out_V_7x[...] = out_V_6x
-    out_V_7y[...] = out_V_3y
-    out_V_8x[...] = out_V_3x
-    out_V_8z[...] = out_V_7z
-    out_V_9y[...] = out_V_1y
-    out_V_9z[...] = out_V_7z
-    out_V_10x[...] = out_V_3x
-    out_V_10z[...] = out_V_7z
-    out_V_11x[...] = out_V_6x
-    out_V_11y[...] = out_V_10y
-    out_V_11z[...] = out_V_7z
 
 
 def vertex_distances_of_four_wheels(a, b, out=None):
@@ -1372,21 +1347,23 @@ def vertex_distances_of_four_wheels(a, b, out=None):
     if out is None:
         if type(a) is type(b) is float:
             try:
-                return _vertex_distances_of_four_wheels(a, b, math.sqrt, math.tan)
+                return _vertex_distances_of_four_wheels(a, b, math.sqrt, math.tan, 1.0, 4.0)
             except (ValueError, ZeroDivisionError, OverflowError):
                 pass  # NumPy says whether it is infinite or no number
-        elif type(a) is type(b) is np.ndarray and a.dtype is b.dtype is DOUBLE and a.shape == b.shape and a.size <= SMALL:
-            return _vertex_distances_of_four_wheels(a, b)
-    return evaluate(_vertex_distances_of_four_wheels_block, 5, 3, (a, b,), out)
+        elif type(a) is type(b) is np.ndarray and a.dtype is b.dtype is DOUBLE and a.shape == b.shape:
+            if a.size <= SMALL:
+                return _vertex_distances_of_four_wheels(a, b)
+            return evaluate_alike(_vertex_distances_of_four_wheels_block, 5, (0, 1, 2,), (a, b,))
+    return evaluate(_vertex_distances_of_four_wheels_block, 5, (0, 1, 2,), (a, b,), out)
 
 
-def _vertex_distances_of_four_wheels(a, b, sqrt=np.sqrt, tan=np.tan):
+def _vertex_distances_of_four_wheels(a, b, sqrt=np.sqrt, tan=np.tan, n1=np.array(1.0), n4=np.array(4.0)):
     tan_b = tan(b)
     tan_a = tan(a)
     tan_a_squared = tan_a * tan_a
-    t1 = 1.0 + (tan_b * tan_b)
-    t6 = (4.0 * tan_a) / sqrt(t1 + (t1 * tan_a_squared))
-    return t6 * tan_b, t6, 4.0 / sqrt(1.0 + tan_a_squared)
+    t1 = n1 + (tan_b * tan_b)
+    t6 = (n4 * tan_a) / sqrt(t1 + (t1 * tan_a_squared))
+    return t6 * tan_b, t6, n4 / sqrt(n1 + tan_a_squared)
 
 
 def _vertex_distances_of_four_wheels_block(a, b, out_d_1, out_d_2, out_d_3, r0, r1, r2, r3, r4):
@@ -1434,22 +1411,24 @@ def vertex_distances_of_three_wheels(a, b, out=None):
     if out is None:
         if type(a) is type(b) is float:
             try:
-                return _vertex_distances_of_three_wheels(a, b, math.sqrt, math.tan)
+                return _vertex_distances_of_three_wheels(a, b, math.sqrt, math.tan, 1.0, 8.0)
             except (ValueError, ZeroDivisionError, OverflowError):
                 pass  # NumPy says whether it is infinite or no number
-        elif type(a) is type(b) is np.ndarray and a.dtype is b.dtype is DOUBLE and a.shape == b.shape and a.size <= SMALL:
-            return _vertex_distances_of_three_wheels(a, b)
-    return evaluate(_vertex_distances_of_three_wheels_block, 4, 3, (a, b,), out)
+        elif type(a) is type(b) is np.ndarray and a.dtype is b.dtype is DOUBLE and a.shape == b.shape:
+            if a.size <= SMALL:
+                return _vertex_distances_of_three_wheels(a, b)
+            return evaluate_alike(_vertex_distances_of_three_wheels_block, 4, (0, 1, 2,), (a, b,))
+    return evaluate(_vertex_distances_of_three_wheels_block, 4, (0, 1, 2,), (a, b,), out)
 
 
-def _vertex_distances_of_three_wheels(a, b, sqrt=np.sqrt, tan=np.tan):
+def _vertex_distances_of_three_wheels(a, b, sqrt=np.sqrt, tan=np.tan, n1=np.array(1.0), n8=np.array(8.0)):
     tan_b = tan(b)
     tan_b_squared = tan_b * tan_b
     tan_a = tan(a)
     tan_a_squared = tan_a * tan_a
-    t2 = 8.0 / (1.0 + tan_a_squared)
-    t5 = (t2 * tan_a_squared) / (1.0 + tan_b_squared)
-    return sqrt(1.0 + (t5 * tan_b_squared)), sqrt(1.0 + t5), sqrt(1.0 + t2)
+    t2 = n8 / (n1 + tan_a_squared)
+    t5 = (t2 * tan_a_squared) / (n1 + tan_b_squared)
+    return sqrt(n1 + (t5 * tan_b_squared)), sqrt(n1 + t5), sqrt(n1 + t2)
 
 
 def _vertex_distances_of_three_wheels_block(a, b, out_d_1, out_d_2, out_d_3, r0, r1, r2, r3):
@@ -1500,21 +1479,23 @@ def vertex_distances_of_six_wheels(a, out=None):
     if out is None:
         if type(a) is float:
             try:
-                return _vertex_distances_of_six_wheels(a, math.sqrt, math.tan)
+                return _vertex_distances_of_six_wheels(a, math.sqrt, math.tan, 1.0, 6.0, 4.0, 3.0, 2.0)
             except (ValueError, ZeroDivisionError, OverflowError):
                 pass  # NumPy says whether it is infinite or no number
-        elif type(a) is np.ndarray and a.dtype is DOUBLE and a.size <= SMALL:
-            return _vertex_distances_of_six_wheels(a)
-    return evaluate(_vertex_distances_of_six_wheels_block, 4, 4, (a,), out)
+        elif type(a) is np.ndarray and a.dtype is DOUBLE:
+            if a.size <= SMALL:
+                return _vertex_distances_of_six_wheels(a)
+            return evaluate_alike(_vertex_distances_of_six_wheels_block, 4, (0, 1, 2, 3,), (a,))
+    return evaluate(_vertex_distances_of_six_wheels_block, 4, (0, 1, 2, 3,), (a,), out)
 
 
-def _vertex_distances_of_six_wheels(a, sqrt=np.sqrt, tan=np.tan):
+def _vertex_distances_of_six_wheels(a, sqrt=np.sqrt, tan=np.tan, n1=np.array(1.0), n6=np.array(6.0), n4=np.array(4.0), n3=np.array(3.0), n2=np.array(2.0)):
     tan_a = tan(a)
     tan_a_squared = tan_a * tan_a
-    t1 = 1.0 + tan_a_squared
-    t2 = 1.0 / t1
+    t1 = n1 + tan_a_squared
+    t2 = n1 / t1
     t3 = sqrt(t1)
-    return 6.0 / t3, (4.0 * tan_a) / t3, 2.0 * sqrt(1.0 + (3.0 * t2)), 2.0 * sqrt(1.0 + (2.0 * (t2 * tan_a_squared)))
+    return n6 / t3, (n4 * tan_a) / t3, n2 * sqrt(n1 + (n3 * t2)), n2 * sqrt(n1 + (n2 * (t2 * tan_a_squared)))
 
 
 def _vertex_distances_of_six_wheels_block(a, out_d_1, out_d_2, out_d_3, out_d_4, r0, r1, r2, r3):
@@ -1573,21 +1554,23 @@ def vertex_distances_of_five_wheels(a, out=None):
     if out is None:
         if type(a) is float:
             try:
-                return _vertex_distances_of_five_wheels(a, math.sqrt, math.tan)
+                return _vertex_distances_of_five_wheels(a, math.sqrt, math.tan, 1.0, 6.0, 8.0, 24.0, 2.0, 7.0, 3.0, 12.0)
             except (ValueError, ZeroDivisionError, OverflowError):
                 pass  # NumPy says whether it is infinite or no number
-        elif type(a) is np.ndarray and a.dtype is DOUBLE and a.size <= SMALL:
-            return _vertex_distances_of_five_wheels(a)
-    return evaluate(_vertex_distances_of_five_wheels_block, 5, 7, (a,), out)
+        elif type(a) is np.ndarray and a.dtype is DOUBLE:
+            if a.size <= SMALL:
+                return _vertex_distances_of_five_wheels(a)
+            return evaluate_alike(_vertex_distances_of_five_wheels_block, 5, (0, 1, 2, 3, 4, 5, 6,), (a,))
+    return evaluate(_vertex_distances_of_five_wheels_block, 5, (0, 1, 2, 3, 4, 5, 6,), (a,), out)
 
 
-def _vertex_distances_of_five_wheels(a, sqrt=np.sqrt, tan=np.tan):
+def _vertex_distances_of_five_wheels(a, sqrt=np.sqrt, tan=np.tan, n1=np.array(1.0), n6=np.array(6.0), n8=np.array(8.0), n24=np.array(24.0), n2=np.array(2.0), n7=np.array(7.0), n3=np.array(3.0), n12=np.array(12.0)):
     tan_a = tan(a)
     tan_a_squared = tan_a * tan_a
-    t2 = 1.0 / (1.0 + tan_a_squared)
-    t3 = 6.0 * t2
-    t4 = 8.0 * t2
-    return sqrt(1.0 + (24.0 * t2)), sqrt(7.0 + (2.0 * t2)), sqrt(3.0 + t3), sqrt(1.0 + t4), sqrt(1.0 + (t4 * tan_a_squared)), sqrt(1.0 + (12.0 * (t2 * tan_a_squared))), sqrt(1.0 + (t3 * tan_a_squared))
+    t2 = n1 / (n1 + tan_a_squared)
+    t3 = n6 * t2
+    t4 = n8 * t2
+    return sqrt(n1 + (n24 * t2)), sqrt(n7 + (n2 * t2)), sqrt(n3 + t3), sqrt(n1 + t4), sqrt(n1 + (t4 * tan_a_squared)), sqrt(n1 + (n12 * (t2 * tan_a_squared))), sqrt(n1 + (t3 * tan_a_squared))
 
 
 def _vertex_distances_of_five_wheels_block(a, out_d_1, out_d_2, out_d_3, out_d_4, out_d_5, out_d_6, out_d_7, r0, r1, r2, r3, r4):
@@ -1647,25 +1630,27 @@ def face_distances_of_four_wheels(a, b, out=None):
     if out is None:
         if type(a) is type(b) is float:
             try:
-                return _face_distances_of_four_wheels(a, b, math.sqrt, math.tan)
+                return _face_distances_of_four_wheels(a, b, math.sqrt, math.tan, 1.0, 4.0, 2.0)
             except (ValueError, ZeroDivisionError, OverflowError):
                 pass  # NumPy says whether it is infinite or no number
-        elif type(a) is type(b) is np.ndarray and a.dtype is b.dtype is DOUBLE and a.shape == b.shape and a.size <= SMALL:
-            return _face_distances_of_four_wheels(a, b)
-    return evaluate(_face_distances_of_four_wheels_block, 8, 3, (a, b,), out)
+        elif type(a) is type(b) is np.ndarray and a.dtype is b.dtype is DOUBLE and a.shape == b.shape:
+            if a.size <= SMALL:
+                return _face_distances_of_four_wheels(a, b)
+            return evaluate_alike(_face_distances_of_four_wheels_block, 8, (0, 1, 2,), (a, b,))
+    return evaluate(_face_distances_of_four_wheels_block, 8, (0, 1, 2,), (a, b,), out)
 
 
-def _face_distances_of_four_wheels(a, b, sqrt=np.sqrt, tan=np.tan):
+def _face_distances_of_four_wheels(a, b, sqrt=np.sqrt, tan=np.tan, n1=np.array(1.0), n4=np.array(4.0), n2=np.array(2.0)):
     tan_a = tan(a)
     tan_a_squared = tan_a * tan_a
     tan_b = tan(b)
     tan_b_squared = tan_b * tan_b
-    t1 = 1.0 + tan_b_squared
-    t2 = 4.0 * tan_a
+    t1 = n1 + tan_b_squared
+    t2 = n4 * tan_a
     t3 = t2 * tan_b
     t4 = t1 * t1
-    t11 = sqrt(t1 + ((1.0 + ((tan_a_squared * tan_b_squared) + (2.0 * tan_b_squared))) * tan_a_squared))
-    return t3 / t11, t2 / sqrt(t1 + ((2.0 + (tan_a_squared + tan_b_squared)) * tan_a_squared)), t3 / sqrt((t4 * tan_a_squared) + t4)
+    t11 = sqrt(t1 + ((n1 + ((tan_a_squared * tan_b_squared) + (n2 * tan_b_squared))) * tan_a_squared))
+    return t3 / t11, t2 / sqrt(t1 + ((n2 + (tan_a_squared + tan_b_squared)) * tan_a_squared)), t3 / sqrt((t4 * tan_a_squared) + t4)
 
 
 def _face_distances_of_four_wheels_block(a, b, out_r_1, out_r_2, out_r_3, r0, r1, r2, r3, r4, r5, r6, r7):
@@ -1725,25 +1710,27 @@ def face_distances_of_three_wheels(a, b, out=None):
     if out is None:
         if type(a) is type(b) is float:
             try:
-                return _face_distances_of_three_wheels(a, b, math.sqrt, math.tan)
+                return _face_distances_of_three_wheels(a, b, math.sqrt, math.tan, 1.0, 2.0)
             except (ValueError, ZeroDivisionError, OverflowError):
                 pass  # NumPy says whether it is infinite or no number
-        elif type(a) is type(b) is np.ndarray and a.dtype is b.dtype is DOUBLE and a.shape == b.shape and a.size <= SMALL:
-            return _face_distances_of_three_wheels(a, b)
-    return evaluate(_face_distances_of_three_wheels_block, 8, 3, (a, b,), out)
+        elif type(a) is type(b) is np.ndarray and a.dtype is b.dtype is DOUBLE and a.shape == b.shape:
+            if a.size <= SMALL:
+                return _face_distances_of_three_wheels(a, b)
+            return evaluate_alike(_face_distances_of_three_wheels_block, 8, (0, 1, 2,), (a, b,))
+    return evaluate(_face_distances_of_three_wheels_block, 8, (0, 1, 2,), (a, b,), out)
 
 
-def _face_distances_of_three_wheels(a, b, sqrt=np.sqrt, tan=np.tan):
+def _face_distances_of_three_wheels(a, b, sqrt=np.sqrt, tan=np.tan, n1=np.array(1.0), n2=np.array(2.0)):
     tan_a = tan(a)
     tan_a_squared = tan_a * tan_a
     tan_b = tan(b)
     tan_b_squared = tan_b * tan_b
-    t1 = 1.0 + tan_b_squared
-    t2 = 2.0 * tan_a
+    t1 = n1 + tan_b_squared
+    t2 = n2 * tan_a
     t3 = t2 * tan_b
     t4 = t1 * t1
-    t11 = sqrt(t1 + ((1.0 + ((tan_a_squared * tan_b_squared) + (2.0 * tan_b_squared))) * tan_a_squared))
-    return t3 / t11, t2 / sqrt(t1 + ((2.0 + (tan_a_squared + tan_b_squared)) * tan_a_squared)), t3 / sqrt((t4 * tan_a_squared) + t4)
+    t11 = sqrt(t1 + ((n1 + ((tan_a_squared * tan_b_squared) + (n2 * tan_b_squared))) * tan_a_squared))
+    return t3 / t11, t2 / sqrt(t1 + ((n2 + (tan_a_squared + tan_b_squared)) * tan_a_squared)), t3 / sqrt((t4 * tan_a_squared) + t4)
 
 
 def _face_distances_of_three_wheels_block(a, b, out_r_1, out_r_2, out_r_3, r0, r1, r2, r3, r4, r5, r6, r7):
@@ -1801,26 +1788,28 @@ def face_distances_of_six_wheels(a, out=None):
     if out is None:
         if type(a) is float:
             try:
-                return _face_distances_of_six_wheels(a, math.sqrt, math.tan)
+                return _face_distances_of_six_wheels(a, math.sqrt, math.tan, 7.0 / 3.0, 4.0 / 3.0, 6.0, 5.0, 4.0, 8.0)
             except (ValueError, ZeroDivisionError, OverflowError):
                 pass  # NumPy says whether it is infinite or no number
-        elif type(a) is np.ndarray and a.dtype is DOUBLE and a.size <= SMALL:
-            return _face_distances_of_six_wheels(a)
-    return evaluate(_face_distances_of_six_wheels_block, 4, 3, (a,), out)
+        elif type(a) is np.ndarray and a.dtype is DOUBLE:
+            if a.size <= SMALL:
+                return _face_distances_of_six_wheels(a)
+            return evaluate_alike(_face_distances_of_six_wheels_block, 4, (0, 1, 2,), (a,))
+    return evaluate(_face_distances_of_six_wheels_block, 4, (0, 1, 2,), (a,), out)
 
 
-def _face_distances_of_six_wheels(a, sqrt=np.sqrt, tan=np.tan):
+def _face_distances_of_six_wheels(a, sqrt=np.sqrt, tan=np.tan, n7_3=np.array(7.0 / 3.0), n4_3=np.array(4.0 / 3.0), n6=np.array(6.0), n5=np.array(5.0), n4=np.array(4.0), n8=np.array(8.0)):
     tan_a = tan(a)
     tan_a_squared = tan_a * tan_a
-    return (6.0 * tan_a) / sqrt((4.0 / 3.0) + (((7.0 / 3.0) + tan_a_squared) * tan_a_squared)), (8.0 * tan_a) / sqrt(4.0 + ((5.0 + tan_a_squared) * tan_a_squared)), (4.0 * tan_a) / sqrt((4.0 / 3.0) + ((4.0 / 3.0) * tan_a_squared))
+    return (n6 * tan_a) / sqrt(n4_3 + ((n7_3 + tan_a_squared) * tan_a_squared)), (n8 * tan_a) / sqrt(n4 + ((n5 + tan_a_squared) * tan_a_squared)), (n4 * tan_a) / sqrt(n4_3 + (n4_3 * tan_a_squared))
 
 
 def _face_distances_of_six_wheels_block(a, out_r_1, out_r_2, out_r_3, r0, r1, r2, r3):
     np.tan(a, r0)  # tan_a
     np.multiply(r0, r0, r1)  # tan_a_squared
-    np.add((7.0 / 3.0), r1, r2)  # t1
+    np.add(7.0 / 3.0, r1, r2)  # t1
     np.multiply(r2, r1, r2)  # t2
-    np.add((4.0 / 3.0), r2, r2)  # t3
+    np.add(4.0 / 3.0, r2, r2)  # t3
     np.sqrt(r2, r2)  # t4
     np.multiply(6.0, r0, r3)  # t5
     np.divide(r3, r2, out_r_1)  # t6
@@ -1830,8 +1819,8 @@ def _face_distances_of_six_wheels_block(a, out_r_1, out_r_2, out_r_3, r0, r1, r2
     np.sqrt(r2, r2)  # t10
     np.multiply(8.0, r0, r3)  # t11
     np.divide(r3, r2, out_r_2)  # t12
-    np.multiply((4.0 / 3.0), r1, r1)  # t13
-    np.add((4.0 / 3.0), r1, r1)  # t14
+    np.multiply(4.0 / 3.0, r1, r1)  # t13
+    np.add(4.0 / 3.0, r1, r1)  # t14
     np.sqrt(r1, r1)  # t15
     np.multiply(4.0, r0, r0)  # t16
     np.divide(r0, r1, out_r_3)  # t17
@@ -1871,20 +1860,22 @@ def face_distances_of_five_wheels(a, out=None):
     if out is None:
         if type(a) is float:
             try:
-                return _face_distances_of_five_wheels(a, math.sqrt, math.tan)
+                return _face_distances_of_five_wheels(a, math.sqrt, math.tan, 5.0, 4.0, 7.0 / 3.0, 4.0 / 3.0, 7.0, 6.0, 3.0)
             except (ValueError, ZeroDivisionError, OverflowError):
                 pass  # NumPy says whether it is infinite or no number
-        elif type(a) is np.ndarray and a.dtype is DOUBLE and a.size <= SMALL:
-            return _face_distances_of_five_wheels(a)
-    return evaluate(_face_distances_of_five_wheels_block, 4, 6, (a,), out)
+        elif type(a) is np.ndarray and a.dtype is DOUBLE:
+            if a.size <= SMALL:
+                return _face_distances_of_five_wheels(a)
+            return evaluate_alike(_face_distances_of_five_wheels_block, 4, (0, 1, 2, 3, 4, 5,), (a,))
+    return evaluate(_face_distances_of_five_wheels_block, 4, (0, 1, 2, 3, 4, 5,), (a,), out)
 
 
-def _face_distances_of_five_wheels(a, sqrt=np.sqrt, tan=np.tan):
+def _face_distances_of_five_wheels(a, sqrt=np.sqrt, tan=np.tan, n5=np.array(5.0), n4=np.array(4.0), n7_3=np.array(7.0 / 3.0), n4_3=np.array(4.0 / 3.0), n7=np.array(7.0), n6=np.array(6.0), n3=np.array(3.0)):
     tan_a = tan(a)
     tan_a_squared = tan_a * tan_a
-    t5 = tan_a / sqrt(4.0 + ((5.0 + tan_a_squared) * tan_a_squared))
-    t10 = tan_a / sqrt((4.0 / 3.0) + (((7.0 / 3.0) + tan_a_squared) * tan_a_squared))
-    return 7.0 * t5, 5.0 * t10, 4.0 * t10, 6.0 * t5, 5.0 * t5, (3.0 * tan_a) / sqrt((4.0 / 3.0) + ((4.0 / 3.0) * tan_a_squared))
+    t5 = tan_a / sqrt(n4 + ((n5 + tan_a_squared) * tan_a_squared))
+    t10 = tan_a / sqrt(n4_3 + ((n7_3 + tan_a_squared) * tan_a_squared))
+    return n7 * t5, n5 * t10, n4 * t10, n6 * t5, n5 * t5, (n3 * tan_a) / sqrt(n4_3 + (n4_3 * tan_a_squared))
 
 
 def _face_distances_of_five_wheels_block(a, out_r_1, out_r_2, out_r_3, out_r_4, out_r_5, out_r_6, r0, r1, r2, r3):
@@ -1895,9 +1886,9 @@ def _face_distances_of_five_wheels_block(a, out_r_1, out_r_2, out_r_3, out_r_4, 
     np.add(4.0, r2, r2)  # t3
     np.sqrt(r2, r2)  # t4
     np.divide(r0, r2, r2)  # t5
-    np.add((7.0 / 3.0), r1, r3)  # t6
+    np.add(7.0 / 3.0, r1, r3)  # t6
     np.multiply(r3, r1, r3)  # t7
-    np.add((4.0 / 3.0), r3, r3)  # t8
+    np.add(4.0 / 3.0, r3, r3)  # t8
     np.sqrt(r3, r3)  # t9
     np.divide(r0, r3, r3)  # t10
     np.multiply(7.0, r2, out_r_1)  # t11
@@ -1905,8 +1896,8 @@ def _face_distances_of_five_wheels_block(a, out_r_1, out_r_2, out_r_3, out_r_4, 
     np.multiply(4.0, r3, out_r_3)  # t13
     np.multiply(6.0, r2, out_r_4)  # t14
     np.multiply(5.0, r2, out_r_5)  # t15
-    np.multiply((4.0 / 3.0), r1, r1)  # t16
-    np.add((4.0 / 3.0), r1, r1)  # t17
+    np.multiply(4.0 / 3.0, r1, r1)  # t16
+    np.add(4.0 / 3.0, r1, r1)  # t17
     np.sqrt(r1, r1)  # t18
     np.multiply(3.0, r0, r0)  # t19
     np.divide(r0, r1, out_r_6)  # t20
@@ -1936,18 +1927,20 @@ def volume_of_four_wheels(a, b, out=None):
     if out is None:
         if type(a) is type(b) is float:
             try:
-                return _volume_of_four_wheels(a, b, math.sqrt, math.tan)
+                return _volume_of_four_wheels(a, b, math.sqrt, math.tan, 1.0, 128.0)
             except (ValueError, ZeroDivisionError, OverflowError):
                 pass  # NumPy says whether it is infinite or no number
-        elif type(a) is type(b) is np.ndarray and a.dtype is b.dtype is DOUBLE and a.shape == b.shape and a.size <= SMALL:
-            return _volume_of_four_wheels(a, b)
-    return evaluate(_volume_of_four_wheels_block, 5, 1, (a, b,), out)
+        elif type(a) is type(b) is np.ndarray and a.dtype is b.dtype is DOUBLE and a.shape == b.shape:
+            if a.size <= SMALL:
+                return _volume_of_four_wheels(a, b)
+            return evaluate_alike(_volume_of_four_wheels_block, 5, (0,), (a, b,))
+    return evaluate(_volume_of_four_wheels_block, 5, (0,), (a, b,), out)
 
 
-def _volume_of_four_wheels(a, b, sqrt=np.sqrt, tan=np.tan):
+def _volume_of_four_wheels(a, b, sqrt=np.sqrt, tan=np.tan, n1=np.array(1.0), n128=np.array(128.0)):
     tan_a = tan(a)
     tan_b = tan(b)
-    t10 = (128.0 * (tan_a * tan_b)) / (((1.0 / tan_a) + tan_a) * (sqrt(1.0 + (tan_a * tan_a)) * (1.0 + (tan_b * tan_b))))
+    t10 = (n128 * (tan_a * tan_b)) / (((n1 / tan_a) + tan_a) * (sqrt(n1 + (tan_a * tan_a)) * (n1 + (tan_b * tan_b))))
     return t10
 
 
@@ -1992,18 +1985,20 @@ def volume_of_three_wheels(a, b, out=None):
     if out is None:
         if type(a) is type(b) is float:
             try:
-                return _volume_of_three_wheels(a, b, math.sqrt, math.tan)
+                return _volume_of_three_wheels(a, b, math.sqrt, math.tan, 1.0, 32.0)
             except (ValueError, ZeroDivisionError, OverflowError):
                 pass  # NumPy says whether it is infinite or no number
-        elif type(a) is type(b) is np.ndarray and a.dtype is b.dtype is DOUBLE and a.shape == b.shape and a.size <= SMALL:
-            return _volume_of_three_wheels(a, b)
-    return evaluate(_volume_of_three_wheels_block, 5, 1, (a, b,), out)
+        elif type(a) is type(b) is np.ndarray and a.dtype is b.dtype is DOUBLE and a.shape == b.shape:
+            if a.size <= SMALL:
+                return _volume_of_three_wheels(a, b)
+            return evaluate_alike(_volume_of_three_wheels_block, 5, (0,), (a, b,))
+    return evaluate(_volume_of_three_wheels_block, 5, (0,), (a, b,), out)
 
 
-def _volume_of_three_wheels(a, b, sqrt=np.sqrt, tan=np.tan):
+def _volume_of_three_wheels(a, b, sqrt=np.sqrt, tan=np.tan, n1=np.array(1.0), n32=np.array(32.0)):
     tan_a = tan(a)
     tan_b = tan(b)
-    t10 = (32.0 * (tan_a * tan_b)) / (((1.0 / tan_a) + tan_a) * (sqrt(1.0 + (tan_a * tan_a)) * (1.0 + (tan_b * tan_b))))
+    t10 = (n32 * (tan_a * tan_b)) / (((n1 / tan_a) + tan_a) * (sqrt(n1 + (tan_a * tan_a)) * (n1 + (tan_b * tan_b))))
     return t10
 
 
@@ -2047,25 +2042,26 @@ def volume_of_six_wheels(a, out=None):
     if out is None:
         if type(a) is float:
             try:
-                return _volume_of_six_wheels(a, math.sqrt, math.tan)
+                return _volume_of_six_wheels(a, math.sqrt, math.tan, 1.0 / 3.0, 1.0, 144.0)
             except (ValueError, ZeroDivisionError, OverflowError):
                 pass  # NumPy says whether it is infinite or no number
-        elif type(a) is np.ndarray and a.dtype is DOUBLE and a.size <= SMALL:
-            return _volume_of_six_wheels(a)
-    return evaluate(_volume_of_six_wheels_block, 3, 1, (a,), out)
+        elif type(a) is np.ndarray and a.dtype is DOUBLE:
+            if a.size <= SMALL:
+                return _volume_of_six_wheels(a)
+            return evaluate_alike(_volume_of_six_wheels_block, 3, (0,), (a,))
+    return evaluate(_volume_of_six_wheels_block, 3, (0,), (a,), out)
 
 
-def _volume_of_six_wheels(a, sqrt=np.sqrt, tan=np.tan):
+def _volume_of_six_wheels(a, sqrt=np.sqrt, tan=np.tan, n1_3=np.array(1.0 / 3.0), n1=np.array(1.0), n144=np.array(144.0)):
     tan_a = tan(a)
-    t8 = (144.0 * tan_a) / (sqrt((1.0 / 3.0) + ((1.0 / 3.0) * (tan_a * tan_a))) * ((1.0 / tan_a) + tan_a))
-    return t8
+    return (n144 * tan_a) / (sqrt(n1_3 + (n1_3 * (tan_a * tan_a))) * ((n1 / tan_a) + tan_a))
 
 
 def _volume_of_six_wheels_block(a, out_volume, r0, r1, r2):
     np.tan(a, r0)  # tan_a
     np.multiply(r0, r0, r1)  # tan_a_squared
-    np.multiply((1.0 / 3.0), r1, r1)  # t1
-    np.add((1.0 / 3.0), r1, r1)  # t2
+    np.multiply(1.0 / 3.0, r1, r1)  # t1
+    np.add(1.0 / 3.0, r1, r1)  # t2
     np.sqrt(r1, r1)  # t3
     np.divide(1.0, r0, r2)  # t4
     np.add(r2, r0, r2)  # t5
@@ -2097,25 +2093,26 @@ def volume_of_five_wheels(a, out=None):
     if out is None:
         if type(a) is float:
             try:
-                return _volume_of_five_wheels(a, math.sqrt, math.tan)
+                return _volume_of_five_wheels(a, math.sqrt, math.tan, 1.0 / 3.0, 1.0, 72.0)
             except (ValueError, ZeroDivisionError, OverflowError):
                 pass  # NumPy says whether it is infinite or no number
-        elif type(a) is np.ndarray and a.dtype is DOUBLE and a.size <= SMALL:
-            return _volume_of_five_wheels(a)
-    return evaluate(_volume_of_five_wheels_block, 3, 1, (a,), out)
+        elif type(a) is np.ndarray and a.dtype is DOUBLE:
+            if a.size <= SMALL:
+                return _volume_of_five_wheels(a)
+            return evaluate_alike(_volume_of_five_wheels_block, 3, (0,), (a,))
+    return evaluate(_volume_of_five_wheels_block, 3, (0,), (a,), out)
 
 
-def _volume_of_five_wheels(a, sqrt=np.sqrt, tan=np.tan):
+def _volume_of_five_wheels(a, sqrt=np.sqrt, tan=np.tan, n1_3=np.array(1.0 / 3.0), n1=np.array(1.0), n72=np.array(72.0)):
     tan_a = tan(a)
-    t8 = (72.0 * tan_a) / (sqrt((1.0 / 3.0) + ((1.0 / 3.0) * (tan_a * tan_a))) * ((1.0 / tan_a) + tan_a))
-    return t8
+    return (n72 * tan_a) / (sqrt(n1_3 + (n1_3 * (tan_a * tan_a))) * ((n1 / tan_a) + tan_a))
 
 
 def _volume_of_five_wheels_block(a, out_volume, r0, r1, r2):
     np.tan(a, r0)  # tan_a
     np.multiply(r0, r0, r1)  # tan_a_squared
-    np.multiply((1.0 / 3.0), r1, r1)  # t1
-    np.add((1.0 / 3.0), r1, r1)  # t2
+    np.multiply(1.0 / 3.0, r1, r1)  # t1
+    np.add(1.0 / 3.0, r1, r1)  # t2
     np.sqrt(r1, r1)  # t3
     np.divide(1.0, r0, r2)  # t4
     np.add(r2, r0, r2)  # t5
@@ -2155,21 +2152,23 @@ def largest_rates_of_four_wheels(a, b, J_x, J_y, J_z, out=None):
     if out is None:
         if type(a) is type(b) is type(J_x) is type(J_y) is type(J_z) is float:
             try:
-                return _largest_rates_of_four_wheels(a, b, J_x, J_y, J_z, math.sqrt, math.tan)
+                return _largest_rates_of_four_wheels(a, b, J_x, J_y, J_z, math.sqrt, math.tan, 1.0, 4.0)
             except (ValueError, ZeroDivisionError, OverflowError):
                 pass  # NumPy says whether it is infinite or no number
-        elif type(a) is type(b) is type(J_x) is type(J_y) is type(J_z) is np.ndarray and a.dtype is b.dtype is J_x.dtype is J_y.dtype is J_z.dtype is DOUBLE and a.shape == b.shape == J_x.shape == J_y.shape == J_z.shape and a.size <= SMALL:
-            return _largest_rates_of_four_wheels(a, b, J_x, J_y, J_z)
-    return evaluate(_largest_rates_of_four_wheels_block, 5, 3, (a, b, J_x, J_y, J_z,), out)
+        elif type(a) is type(b) is type(J_x) is type(J_y) is type(J_z) is np.ndarray and a.dtype is b.dtype is J_x.dtype is J_y.dtype is J_z.dtype is DOUBLE and a.shape == b.shape == J_x.shape == J_y.shape == J_z.shape:
+            if a.size <= SMALL:
+                return _largest_rates_of_four_wheels(a, b, J_x, J_y, J_z)
+            return evaluate_alike(_largest_rates_of_four_wheels_block, 5, (0, 1, 2,), (a, b, J_x, J_y, J_z,))
+    return evaluate(_largest_rates_of_four_wheels_block, 5, (0, 1, 2,), (a, b, J_x, J_y, J_z,), out)
 
 
-def _largest_rates_of_four_wheels(a, b, J_x, J_y, J_z, sqrt=np.sqrt, tan=np.tan):
+def _largest_rates_of_four_wheels(a, b, J_x, J_y, J_z, sqrt=np.sqrt, tan=np.tan, n1=np.array(1.0), n4=np.array(4.0)):
     tan_a = tan(a)
-    t2 = sqrt(1.0 + (tan_a * tan_a))
-    t4 = (4.0 * tan_a) / t2
+    t2 = sqrt(n1 + (tan_a * tan_a))
+    t4 = (n4 * tan_a) / t2
     tan_b = tan(b)
-    t6 = sqrt(1.0 + (tan_b * tan_b))
-    return (t4 * tan_b) / (J_x * t6), t4 / (J_y * t6), 4.0 / (J_z * t2)
+    t6 = sqrt(n1 + (tan_b * tan_b))
+    return (t4 * tan_b) / (J_x * t6), t4 / (J_y * t6), n4 / (J_z * t2)
 
 
 def _largest_rates_of_four_wheels_block(a, b, J_x, J_y, J_z, out_w_x, out_w_y, out_w_z, r0, r1, r2, r3, r4):
@@ -2221,18 +2220,20 @@ def largest_rates_of_six_wheels(a, J_x, J_y, J_z, out=None):
     if out is None:
         if type(a) is type(J_x) is type(J_y) is type(J_z) is float:
             try:
-                return _largest_rates_of_six_wheels(a, J_x, J_y, J_z, math.sqrt, math.tan)
+                return _largest_rates_of_six_wheels(a, J_x, J_y, J_z, math.sqrt, math.tan, 1.0, math.sqrt(3.0), 2.0, 4.0, 6.0)
             except (ValueError, ZeroDivisionError, OverflowError):
                 pass  # NumPy says whether it is infinite or no number
-        elif type(a) is type(J_x) is type(J_y) is type(J_z) is np.ndarray and a.dtype is J_x.dtype is J_y.dtype is J_z.dtype is DOUBLE and a.shape == J_x.shape == J_y.shape == J_z.shape and a.size <= SMALL:
-            return _largest_rates_of_six_wheels(a, J_x, J_y, J_z)
-    return evaluate(_largest_rates_of_six_wheels_block, 4, 3, (a, J_x, J_y, J_z,), out)
+        elif type(a) is type(J_x) is type(J_y) is type(J_z) is np.ndarray and a.dtype is J_x.dtype is J_y.dtype is J_z.dtype is DOUBLE and a.shape == J_x.shape == J_y.shape == J_z.shape:
+            if a.size <= SMALL:
+                return _largest_rates_of_six_wheels(a, J_x, J_y, J_z)
+            return evaluate_alike(_largest_rates_of_six_wheels_block, 4, (0, 1, 2,), (a, J_x, J_y, J_z,))
+    return evaluate(_largest_rates_of_six_wheels_block, 4, (0, 1, 2,), (a, J_x, J_y, J_z,), out)
 
 
-def _largest_rates_of_six_wheels(a, J_x, J_y, J_z, sqrt=np.sqrt, tan=np.tan):
+def _largest_rates_of_six_wheels(a, J_x, J_y, J_z, sqrt=np.sqrt, tan=np.tan, n1=np.array(1.0), sqrt_3=np.array(math.sqrt(3.0)), n2=np.array(2.0), n4=np.array(4.0), n6=np.array(6.0)):
     tan_a = tan(a)
-    t2 = sqrt(1.0 + (tan_a * tan_a))
-    return (2.0 * (math.sqrt(3.0) * tan_a)) / (J_x * t2), (4.0 * tan_a) / (J_y * t2), 6.0 / (J_z * t2)
+    t2 = sqrt(n1 + (tan_a * tan_a))
+    return (n2 * (sqrt_3 * tan_a)) / (J_x * t2), (n4 * tan_a) / (J_y * t2), n6 / (J_z * t2)
 
 
 def _largest_rates_of_six_wheels_block(a, J_x, J_y, J_z, out_w_x, out_w_y, out_w_z, r0, r1, r2, r3):
@@ -2282,18 +2283,20 @@ def equal_rates_of_four_wheels(J_x, J_y, J_z, out=None):
     if out is None:
         if type(J_x) is type(J_y) is type(J_z) is float:
             try:
-                return _equal_rates_of_four_wheels(J_x, J_y, J_z, math.atan, math.sqrt)
+                return _equal_rates_of_four_wheels(J_x, J_y, J_z, math.atan, math.sqrt, 1.0, 4.0, math.sqrt(2.0), 2.0)
             except (ValueError, ZeroDivisionError, OverflowError):
                 pass  # NumPy says whether it is infinite or no number
-        elif type(J_x) is type(J_y) is type(J_z) is np.ndarray and J_x.dtype is J_y.dtype is J_z.dtype is DOUBLE and J_x.shape == J_y.shape == J_z.shape and J_x.size <= SMALL:
-            return _equal_rates_of_four_wheels(J_x, J_y, J_z)
-    return evaluate(_equal_rates_of_four_wheels_block, 2, 4, (J_x, J_y, J_z,), out)
+        elif type(J_x) is type(J_y) is type(J_z) is np.ndarray and J_x.dtype is J_y.dtype is J_z.dtype is DOUBLE and J_x.shape == J_y.shape == J_z.shape:
+            if J_x.size <= SMALL:
+                return _equal_rates_of_four_wheels(J_x, J_y, J_z)
+            return evaluate_alike(_equal_rates_of_four_wheels_block, 2, (0, 1, 2, 3,), (J_x, J_y, J_z,))
+    return evaluate(_equal_rates_of_four_wheels_block, 2, (0, 1, 2, 3,), (J_x, J_y, J_z,), out)
 
 
-def _equal_rates_of_four_wheels(J_x, J_y, J_z, arctan=np.arctan, sqrt=np.sqrt):
+def _equal_rates_of_four_wheels(J_x, J_y, J_z, arctan=np.arctan, sqrt=np.sqrt, n1=np.array(1.0), n4=np.array(4.0), sqrt_2=np.array(math.sqrt(2.0)), n2=np.array(2.0)):
     t1 = (J_x * J_x) + (J_y * J_y)
-    t4 = 1.0 / sqrt((J_z * J_z) + t1)
-    return arctan(sqrt(t1) / J_z), arctan(J_x / J_y), 4.0 * t4, 2.0 * (math.sqrt(2.0) * t4)
+    t4 = n1 / sqrt((J_z * J_z) + t1)
+    return arctan(sqrt(t1) / J_z), arctan(J_x / J_y), n4 * t4, n2 * (sqrt_2 * t4)
 
 
 def _equal_rates_of_four_wheels_block(J_x, J_y, J_z, out_a, out_b, out_w, out_w_any, r0, r1):
@@ -2342,17 +2345,19 @@ def equal_rates_of_six_wheels(J_x, J_y, J_z, out=None):
     if out is None:
         if type(J_x) is type(J_y) is type(J_z) is float:
             try:
-                return _equal_rates_of_six_wheels(J_x, J_y, J_z, math.atan, math.sqrt)
+                return _equal_rates_of_six_wheels(J_x, J_y, J_z, math.atan, math.sqrt, 9.0, 4.0, 1.0, 3.0 / 2.0, math.sqrt(3.0), 6.0, 12.0)
             except (ValueError, ZeroDivisionError, OverflowError):
                 pass  # NumPy says whether it is infinite or no number
-        elif type(J_x) is type(J_y) is type(J_z) is np.ndarray and J_x.dtype is J_y.dtype is J_z.dtype is DOUBLE and J_x.shape == J_y.shape == J_z.shape and J_x.size <= SMALL:
-            return _equal_rates_of_six_wheels(J_x, J_y, J_z)
-    return evaluate(_equal_rates_of_six_wheels_block, 2, 3, (J_x, J_y, J_z,), out)
+        elif type(J_x) is type(J_y) is type(J_z) is np.ndarray and J_x.dtype is J_y.dtype is J_z.dtype is DOUBLE and J_x.shape == J_y.shape == J_z.shape:
+            if J_x.size <= SMALL:
+                return _equal_rates_of_six_wheels(J_x, J_y, J_z)
+            return evaluate_alike(_equal_rates_of_six_wheels_block, 2, (0, 1, 2,), (J_x, J_y, J_z,))
+    return evaluate(_equal_rates_of_six_wheels_block, 2, (0, 1, 2,), (J_x, J_y, J_z,), out)
 
 
-def _equal_rates_of_six_wheels(J_x, J_y, J_z, arctan=np.arctan, sqrt=np.sqrt):
-    t5 = 1.0 / sqrt((9.0 * (J_y * J_y)) + (4.0 * (J_z * J_z)))
-    return arctan(((3.0 / 2.0) * J_y) / J_z), (6.0 * (math.sqrt(3.0) * (J_y * t5))) / J_x, 12.0 * t5
+def _equal_rates_of_six_wheels(J_x, J_y, J_z, arctan=np.arctan, sqrt=np.sqrt, n9=np.array(9.0), n4=np.array(4.0), n1=np.array(1.0), n3_2=np.array(3.0 / 2.0), sqrt_3=np.array(math.sqrt(3.0)), n6=np.array(6.0), n12=np.array(12.0)):
+    t5 = n1 / sqrt((n9 * (J_y * J_y)) + (n4 * (J_z * J_z)))
+    return arctan((n3_2 * J_y) / J_z), (n6 * (sqrt_3 * (J_y * t5))) / J_x, n12 * t5
 
 
 def _equal_rates_of_six_wheels_block(J_x, J_y, J_z, out_a, out_w_x, out_w_y, r0, r1):
@@ -2363,7 +2368,7 @@ def _equal_rates_of_six_wheels_block(J_x, J_y, J_z, out_a, out_w_x, out_w_y, r0,
     np.add(r0, r1, r1)  # t3
     np.sqrt(r1, r1)  # t4
     np.divide(1.0, r1, r1)  # t5
-    np.multiply((3.0 / 2.0), J_y, r0)  # t6
+    np.multiply(3.0 / 2.0, J_y, r0)  # t6
     np.divide(r0, J_z, r0)  # t7
     np.arctan(r0, out_a)  # t8
     np.multiply(J_y, r1, r0)  # t9
@@ -2400,19 +2405,21 @@ def best_angles_of_four_wheels(J_x, J_y, J_z, out=None):
     if out is None:
         if type(J_x) is type(J_y) is type(J_z) is float:
             try:
-                return _best_angles_of_four_wheels(J_x, J_y, J_z, math.atan, math.pow, math.sqrt)
+                return _best_angles_of_four_wheels(J_x, J_y, J_z, math.atan, math.pow, math.sqrt, 1.0 / 4.0, 4.0)
             except (ValueError, ZeroDivisionError, OverflowError):
                 pass  # NumPy says whether it is infinite or no number
-        elif type(J_x) is type(J_y) is type(J_z) is np.ndarray and J_x.dtype is J_y.dtype is J_z.dtype is DOUBLE and J_x.shape == J_y.shape == J_z.shape and J_x.size <= SMALL:
-            return _best_angles_of_four_wheels(J_x, J_y, J_z)
-    return evaluate(_best_angles_of_four_wheels_block, 4, 3, (J_x, J_y, J_z,), out)
+        elif type(J_x) is type(J_y) is type(J_z) is np.ndarray and J_x.dtype is J_y.dtype is J_z.dtype is DOUBLE and J_x.shape == J_y.shape == J_z.shape:
+            if J_x.size <= SMALL:
+                return _best_angles_of_four_wheels(J_x, J_y, J_z)
+            return evaluate_alike(_best_angles_of_four_wheels_block, 4, (0, 1, 2,), (J_x, J_y, J_z,))
+    return evaluate(_best_angles_of_four_wheels_block, 4, (0, 1, 2,), (J_x, J_y, J_z,), out)
 
 
-def _best_angles_of_four_wheels(J_x, J_y, J_z, arctan=np.arctan, power=np.power, sqrt=np.sqrt):
+def _best_angles_of_four_wheels(J_x, J_y, J_z, arctan=np.arctan, power=np.power, sqrt=np.sqrt, n1_4=np.array(1.0 / 4.0), n4=np.array(4.0)):
     J_x_squared = J_x * J_x
     t1 = J_x_squared + (J_z * J_z)
     t2 = sqrt(t1)
-    return arctan(sqrt(J_x_squared + (J_y * t2)) / J_z), arctan(J_x / (sqrt(J_y) * power(t1, 1.0 / 4.0))), 4.0 / (J_y + t2)
+    return arctan(sqrt(J_x_squared + (J_y * t2)) / J_z), arctan(J_x / (sqrt(J_y) * power(t1, n1_4))), n4 / (J_y + t2)
 
 
 def _best_angles_of_four_wheels_block(J_x, J_y, J_z, out_a, out_b, out_w, r0, r1, r2, r3):
@@ -2425,7 +2432,7 @@ def _best_angles_of_four_wheels_block(J_x, J_y, J_z, out_a, out_b, out_w, r0, r1
     np.sqrt(r3, r3)  # t5
     np.divide(r3, J_z, r3)  # t6
     np.arctan(r3, out_a)  # t7
-    np.power(r1, (1.0 / 4.0), r1)  # t8
+    np.power(r1, 1.0 / 4.0, r1)  # t8
     np.sqrt(J_y, r3)  # sqrt_J_y
     np.multiply(r3, r1, r1)  # t9
     np.divide(J_x, r1, r1)  # t10
@@ -2460,16 +2467,18 @@ def best_angle_of_six_wheels(J_y, J_z, out=None):
     if out is None:
         if type(J_y) is type(J_z) is float:
             try:
-                return _best_angle_of_six_wheels(J_y, J_z, math.atan, math.sqrt)
+                return _best_angle_of_six_wheels(J_y, J_z, math.atan, math.sqrt, math.sqrt(2.0), 2.0, 8.0)
             except (ValueError, ZeroDivisionError, OverflowError):
                 pass  # NumPy says whether it is infinite or no number
-        elif type(J_y) is type(J_z) is np.ndarray and J_y.dtype is J_z.dtype is DOUBLE and J_y.shape == J_z.shape and J_y.size <= SMALL:
-            return _best_angle_of_six_wheels(J_y, J_z)
-    return evaluate(_best_angle_of_six_wheels_block, 1, 2, (J_y, J_z,), out)
+        elif type(J_y) is type(J_z) is np.ndarray and J_y.dtype is J_z.dtype is DOUBLE and J_y.shape == J_z.shape:
+            if J_y.size <= SMALL:
+                return _best_angle_of_six_wheels(J_y, J_z)
+            return evaluate_alike(_best_angle_of_six_wheels_block, 1, (0, 1,), (J_y, J_z,))
+    return evaluate(_best_angle_of_six_wheels_block, 1, (0, 1,), (J_y, J_z,), out)
 
 
-def _best_angle_of_six_wheels(J_y, J_z, arctan=np.arctan, sqrt=np.sqrt):
-    return arctan(math.sqrt(2.0) * sqrt(J_y / J_z)), 8.0 / (J_z + (2.0 * J_y))
+def _best_angle_of_six_wheels(J_y, J_z, arctan=np.arctan, sqrt=np.sqrt, sqrt_2=np.array(math.sqrt(2.0)), n2=np.array(2.0), n8=np.array(8.0)):
+    return arctan(sqrt_2 * sqrt(J_y / J_z)), n8 / (J_z + (n2 * J_y))
 
 
 def _best_angle_of_six_wheels_block(J_y, J_z, out_a, out_w, r0):

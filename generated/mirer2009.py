@@ -4,7 +4,7 @@ import math
 
 import numpy as np
 
-from symcheck.runtime import DOUBLE, SMALL, evaluate
+from symcheck.runtime import DOUBLE, SMALL, evaluate, evaluate_alike
 
 __all__ = ["axial_moments", "bounds_of_products", "characteristic_coefficients", "characteristic_coefficients_at_common_ratio", "damping_matrix", "direction_cosines", "equal_moment_pitch", "gain_of_rates", "gains_in_proportion", "product_of_axial_moments", "product_of_two_axial_moments", "product_with_second_moment", "second_order_moments", "stability_degree_in_pitch", "sum_of_products"]
 
@@ -55,9 +55,11 @@ def direction_cosines(alpha, beta, gamma, out=None):
                 return _direction_cosines(alpha, beta, gamma, math.cos, math.sin)
             except (ValueError, ZeroDivisionError, OverflowError):
                 pass  # NumPy says whether it is infinite or no number
-        elif type(alpha) is type(beta) is type(gamma) is np.ndarray and alpha.dtype is beta.dtype is gamma.dtype is DOUBLE and alpha.shape == beta.shape == gamma.shape and alpha.size <= SMALL:
-            return _direction_cosines(alpha, beta, gamma)
-    return evaluate(_direction_cosines_block, 9, 9, (alpha, beta, gamma,), out)
+        elif type(alpha) is type(beta) is type(gamma) is np.ndarray and alpha.dtype is beta.dtype is gamma.dtype is DOUBLE and alpha.shape == beta.shape == gamma.shape:
+            if alpha.size <= SMALL:
+                return _direction_cosines(alpha, beta, gamma)
+            return evaluate_alike(_direction_cosines_block, 9, (0, 1, 2, 3, 4, 5, 6, 7, 8,), (alpha, beta, gamma,))
+    return evaluate(_direction_cosines_block, 9, (0, 1, 2, 3, 4, 5, 6, 7, 8,), (alpha, beta, gamma,), out)
 
 
 def _direction_cosines(alpha, beta, gamma, cos=np.cos, sin=np.sin):
@@ -140,9 +142,11 @@ def axial_moments(I_1, I_2, I_3, a_11, a_12, a_13, a_21, a_22, a_23, a_31, a_32,
                 return _axial_moments(I_1, I_2, I_3, a_11, a_12, a_13, a_21, a_22, a_23, a_31, a_32, a_33)
             except (ValueError, ZeroDivisionError, OverflowError):
                 pass  # NumPy says whether it is infinite or no number
-        elif type(I_1) is type(I_2) is type(I_3) is type(a_11) is type(a_12) is type(a_13) is type(a_21) is type(a_22) is type(a_23) is type(a_31) is type(a_32) is type(a_33) is np.ndarray and I_1.dtype is I_2.dtype is I_3.dtype is a_11.dtype is a_12.dtype is a_13.dtype is a_21.dtype is a_22.dtype is a_23.dtype is a_31.dtype is a_32.dtype is a_33.dtype is DOUBLE and I_1.shape == I_2.shape == I_3.shape == a_11.shape == a_12.shape == a_13.shape == a_21.shape == a_22.shape == a_23.shape == a_31.shape == a_32.shape == a_33.shape and I_1.size <= SMALL:
-            return _axial_moments(I_1, I_2, I_3, a_11, a_12, a_13, a_21, a_22, a_23, a_31, a_32, a_33)
-    return evaluate(_axial_moments_block, 3, 3, (I_1, I_2, I_3, a_11, a_12, a_13, a_21, a_22, a_23, a_31, a_32, a_33,), out)
+        elif type(I_1) is type(I_2) is type(I_3) is type(a_11) is type(a_12) is type(a_13) is type(a_21) is type(a_22) is type(a_23) is type(a_31) is type(a_32) is type(a_33) is np.ndarray and I_1.dtype is I_2.dtype is I_3.dtype is a_11.dtype is a_12.dtype is a_13.dtype is a_21.dtype is a_22.dtype is a_23.dtype is a_31.dtype is a_32.dtype is a_33.dtype is DOUBLE and I_1.shape == I_2.shape == I_3.shape == a_11.shape == a_12.shape == a_13.shape == a_21.shape == a_22.shape == a_23.shape == a_31.shape == a_32.shape == a_33.shape:
+            if I_1.size <= SMALL:
+                return _axial_moments(I_1, I_2, I_3, a_11, a_12, a_13, a_21, a_22, a_23, a_31, a_32, a_33)
+            return evaluate_alike(_axial_moments_block, 3, (0, 1, 2,), (I_1, I_2, I_3, a_11, a_12, a_13, a_21, a_22, a_23, a_31, a_32, a_33,))
+    return evaluate(_axial_moments_block, 3, (0, 1, 2,), (I_1, I_2, I_3, a_11, a_12, a_13, a_21, a_22, a_23, a_31, a_32, a_33,), out)
 
 
 def _axial_moments(I_1, I_2, I_3, a_11, a_12, a_13, a_21, a_22, a_23, a_31, a_32, a_33):
@@ -215,9 +219,11 @@ def second_order_moments(I_1, I_2, I_3, a_11, a_12, a_13, a_21, a_22, a_23, a_31
                 return _second_order_moments(I_1, I_2, I_3, a_11, a_12, a_13, a_21, a_22, a_23, a_31, a_32, a_33)
             except (ValueError, ZeroDivisionError, OverflowError):
                 pass  # NumPy says whether it is infinite or no number
-        elif type(I_1) is type(I_2) is type(I_3) is type(a_11) is type(a_12) is type(a_13) is type(a_21) is type(a_22) is type(a_23) is type(a_31) is type(a_32) is type(a_33) is np.ndarray and I_1.dtype is I_2.dtype is I_3.dtype is a_11.dtype is a_12.dtype is a_13.dtype is a_21.dtype is a_22.dtype is a_23.dtype is a_31.dtype is a_32.dtype is a_33.dtype is DOUBLE and I_1.shape == I_2.shape == I_3.shape == a_11.shape == a_12.shape == a_13.shape == a_21.shape == a_22.shape == a_23.shape == a_31.shape == a_32.shape == a_33.shape and I_1.size <= SMALL:
-            return _second_order_moments(I_1, I_2, I_3, a_11, a_12, a_13, a_21, a_22, a_23, a_31, a_32, a_33)
-    return evaluate(_second_order_moments_block, 6, 3, (I_1, I_2, I_3, a_11, a_12, a_13, a_21, a_22, a_23, a_31, a_32, a_33,), out)
+        elif type(I_1) is type(I_2) is type(I_3) is type(a_11) is type(a_12) is type(a_13) is type(a_21) is type(a_22) is type(a_23) is type(a_31) is type(a_32) is type(a_33) is np.ndarray and I_1.dtype is I_2.dtype is I_3.dtype is a_11.dtype is a_12.dtype is a_13.dtype is a_21.dtype is a_22.dtype is a_23.dtype is a_31.dtype is a_32.dtype is a_33.dtype is DOUBLE and I_1.shape == I_2.shape == I_3.shape == a_11.shape == a_12.shape == a_13.shape == a_21.shape == a_22.shape == a_23.shape == a_31.shape == a_32.shape == a_33.shape:
+            if I_1.size <= SMALL:
+                return _second_order_moments(I_1, I_2, I_3, a_11, a_12, a_13, a_21, a_22, a_23, a_31, a_32, a_33)
+            return evaluate_alike(_second_order_moments_block, 6, (0, 1, 2,), (I_1, I_2, I_3, a_11, a_12, a_13, a_21, a_22, a_23, a_31, a_32, a_33,))
+    return evaluate(_second_order_moments_block, 6, (0, 1, 2,), (I_1, I_2, I_3, a_11, a_12, a_13, a_21, a_22, a_23, a_31, a_32, a_33,), out)
 
 
 def _second_order_moments(I_1, I_2, I_3, a_11, a_12, a_13, a_21, a_22, a_23, a_31, a_32, a_33):
@@ -293,9 +299,11 @@ def product_of_axial_moments(I_1, I_2, I_3, a_11, a_12, a_13, a_21, a_22, a_23, 
                 return _product_of_axial_moments(I_1, I_2, I_3, a_11, a_12, a_13, a_21, a_22, a_23, a_31, a_32, a_33)
             except (ValueError, ZeroDivisionError, OverflowError):
                 pass  # NumPy says whether it is infinite or no number
-        elif type(I_1) is type(I_2) is type(I_3) is type(a_11) is type(a_12) is type(a_13) is type(a_21) is type(a_22) is type(a_23) is type(a_31) is type(a_32) is type(a_33) is np.ndarray and I_1.dtype is I_2.dtype is I_3.dtype is a_11.dtype is a_12.dtype is a_13.dtype is a_21.dtype is a_22.dtype is a_23.dtype is a_31.dtype is a_32.dtype is a_33.dtype is DOUBLE and I_1.shape == I_2.shape == I_3.shape == a_11.shape == a_12.shape == a_13.shape == a_21.shape == a_22.shape == a_23.shape == a_31.shape == a_32.shape == a_33.shape and I_1.size <= SMALL:
-            return _product_of_axial_moments(I_1, I_2, I_3, a_11, a_12, a_13, a_21, a_22, a_23, a_31, a_32, a_33)
-    return evaluate(_product_of_axial_moments_block, 5, 1, (I_1, I_2, I_3, a_11, a_12, a_13, a_21, a_22, a_23, a_31, a_32, a_33,), out)
+        elif type(I_1) is type(I_2) is type(I_3) is type(a_11) is type(a_12) is type(a_13) is type(a_21) is type(a_22) is type(a_23) is type(a_31) is type(a_32) is type(a_33) is np.ndarray and I_1.dtype is I_2.dtype is I_3.dtype is a_11.dtype is a_12.dtype is a_13.dtype is a_21.dtype is a_22.dtype is a_23.dtype is a_31.dtype is a_32.dtype is a_33.dtype is DOUBLE and I_1.shape == I_2.shape == I_3.shape == a_11.shape == a_12.shape == a_13.shape == a_21.shape == a_22.shape == a_23.shape == a_31.shape == a_32.shape == a_33.shape:
+            if I_1.size <= SMALL:
+                return _product_of_axial_moments(I_1, I_2, I_3, a_11, a_12, a_13, a_21, a_22, a_23, a_31, a_32, a_33)
+            return evaluate_alike(_product_of_axial_moments_block, 5, (0,), (I_1, I_2, I_3, a_11, a_12, a_13, a_21, a_22, a_23, a_31, a_32, a_33,))
+    return evaluate(_product_of_axial_moments_block, 5, (0,), (I_1, I_2, I_3, a_11, a_12, a_13, a_21, a_22, a_23, a_31, a_32, a_33,), out)
 
 
 def _product_of_axial_moments(I_1, I_2, I_3, a_11, a_12, a_13, a_21, a_22, a_23, a_31, a_32, a_33):
@@ -368,9 +376,11 @@ def sum_of_products(I_1, I_2, I_3, a_11, a_12, a_13, a_21, a_22, a_23, a_31, a_3
                 return _sum_of_products(I_1, I_2, I_3, a_11, a_12, a_13, a_21, a_22, a_23, a_31, a_32, a_33)
             except (ValueError, ZeroDivisionError, OverflowError):
                 pass  # NumPy says whether it is infinite or no number
-        elif type(I_1) is type(I_2) is type(I_3) is type(a_11) is type(a_12) is type(a_13) is type(a_21) is type(a_22) is type(a_23) is type(a_31) is type(a_32) is type(a_33) is np.ndarray and I_1.dtype is I_2.dtype is I_3.dtype is a_11.dtype is a_12.dtype is a_13.dtype is a_21.dtype is a_22.dtype is a_23.dtype is a_31.dtype is a_32.dtype is a_33.dtype is DOUBLE and I_1.shape == I_2.shape == I_3.shape == a_11.shape == a_12.shape == a_13.shape == a_21.shape == a_22.shape == a_23.shape == a_31.shape == a_32.shape == a_33.shape and I_1.size <= SMALL:
-            return _sum_of_products(I_1, I_2, I_3, a_11, a_12, a_13, a_21, a_22, a_23, a_31, a_32, a_33)
-    return evaluate(_sum_of_products_block, 15, 1, (I_1, I_2, I_3, a_11, a_12, a_13, a_21, a_22, a_23, a_31, a_32, a_33,), out)
+        elif type(I_1) is type(I_2) is type(I_3) is type(a_11) is type(a_12) is type(a_13) is type(a_21) is type(a_22) is type(a_23) is type(a_31) is type(a_32) is type(a_33) is np.ndarray and I_1.dtype is I_2.dtype is I_3.dtype is a_11.dtype is a_12.dtype is a_13.dtype is a_21.dtype is a_22.dtype is a_23.dtype is a_31.dtype is a_32.dtype is a_33.dtype is DOUBLE and I_1.shape == I_2.shape == I_3.shape == a_11.shape == a_12.shape == a_13.shape == a_21.shape == a_22.shape == a_23.shape == a_31.shape == a_32.shape == a_33.shape:
+            if I_1.size <= SMALL:
+                return _sum_of_products(I_1, I_2, I_3, a_11, a_12, a_13, a_21, a_22, a_23, a_31, a_32, a_33)
+            return evaluate_alike(_sum_of_products_block, 15, (0,), (I_1, I_2, I_3, a_11, a_12, a_13, a_21, a_22, a_23, a_31, a_32, a_33,))
+    return evaluate(_sum_of_products_block, 15, (0,), (I_1, I_2, I_3, a_11, a_12, a_13, a_21, a_22, a_23, a_31, a_32, a_33,), out)
 
 
 def _sum_of_products(I_1, I_2, I_3, a_11, a_12, a_13, a_21, a_22, a_23, a_31, a_32, a_33):
@@ -470,18 +480,20 @@ def bounds_of_products(I_1, I_2, I_3, out=None):
     if out is None:
         if type(I_1) is type(I_2) is type(I_3) is float:
             try:
-                return _bounds_of_products(I_1, I_2, I_3)
+                return _bounds_of_products(I_1, I_2, I_3, 1.0 / 27.0, 3.0)
             except (ValueError, ZeroDivisionError, OverflowError):
                 pass  # NumPy says whether it is infinite or no number
-        elif type(I_1) is type(I_2) is type(I_3) is np.ndarray and I_1.dtype is I_2.dtype is I_3.dtype is DOUBLE and I_1.shape == I_2.shape == I_3.shape and I_1.size <= SMALL:
-            return _bounds_of_products(I_1, I_2, I_3)
-    return evaluate(_bounds_of_products_block, 2, 3, (I_1, I_2, I_3,), out)
+        elif type(I_1) is type(I_2) is type(I_3) is np.ndarray and I_1.dtype is I_2.dtype is I_3.dtype is DOUBLE and I_1.shape == I_2.shape == I_3.shape:
+            if I_1.size <= SMALL:
+                return _bounds_of_products(I_1, I_2, I_3)
+            return evaluate_alike(_bounds_of_products_block, 2, (0, 1, 2,), (I_1, I_2, I_3,))
+    return evaluate(_bounds_of_products_block, 2, (0, 1, 2,), (I_1, I_2, I_3,), out)
 
 
-def _bounds_of_products(I_1, I_2, I_3):
+def _bounds_of_products(I_1, I_2, I_3, n1_27=np.array(1.0 / 27.0), n3=np.array(3.0)):
     t2 = I_3 * (I_1 * I_2)
     t4 = I_3 + (I_1 + I_2)
-    return t2, (1.0 / 27.0) * (t4 * (t4 * t4)), 3.0 * t2
+    return t2, n1_27 * (t4 * (t4 * t4)), n3 * t2
 
 
 def _bounds_of_products_block(I_1, I_2, I_3, out_f_least, out_f_greatest, out_S_least, r0, r1):
@@ -491,7 +503,7 @@ def _bounds_of_products_block(I_1, I_2, I_3, out_f_least, out_f_greatest, out_S_
     np.add(I_3, r0, r0)  # t4
     np.multiply(r0, r0, r1)  # t5
     np.multiply(r0, r1, r1)  # t6
-    np.multiply((1.0 / 27.0), r1, out_f_greatest)  # t7
+    np.multiply(1.0 / 27.0, r1, out_f_greatest)  # t7
     np.multiply(3.0, out_f_least, out_S_least)  # t8
 
 
@@ -528,9 +540,11 @@ def product_of_two_axial_moments(I_1, I_2, I_3, a_11, a_12, a_13, a_31, a_32, a_
                 return _product_of_two_axial_moments(I_1, I_2, I_3, a_11, a_12, a_13, a_31, a_32, a_33)
             except (ValueError, ZeroDivisionError, OverflowError):
                 pass  # NumPy says whether it is infinite or no number
-        elif type(I_1) is type(I_2) is type(I_3) is type(a_11) is type(a_12) is type(a_13) is type(a_31) is type(a_32) is type(a_33) is np.ndarray and I_1.dtype is I_2.dtype is I_3.dtype is a_11.dtype is a_12.dtype is a_13.dtype is a_31.dtype is a_32.dtype is a_33.dtype is DOUBLE and I_1.shape == I_2.shape == I_3.shape == a_11.shape == a_12.shape == a_13.shape == a_31.shape == a_32.shape == a_33.shape and I_1.size <= SMALL:
-            return _product_of_two_axial_moments(I_1, I_2, I_3, a_11, a_12, a_13, a_31, a_32, a_33)
-    return evaluate(_product_of_two_axial_moments_block, 4, 1, (I_1, I_2, I_3, a_11, a_12, a_13, a_31, a_32, a_33,), out)
+        elif type(I_1) is type(I_2) is type(I_3) is type(a_11) is type(a_12) is type(a_13) is type(a_31) is type(a_32) is type(a_33) is np.ndarray and I_1.dtype is I_2.dtype is I_3.dtype is a_11.dtype is a_12.dtype is a_13.dtype is a_31.dtype is a_32.dtype is a_33.dtype is DOUBLE and I_1.shape == I_2.shape == I_3.shape == a_11.shape == a_12.shape == a_13.shape == a_31.shape == a_32.shape == a_33.shape:
+            if I_1.size <= SMALL:
+                return _product_of_two_axial_moments(I_1, I_2, I_3, a_11, a_12, a_13, a_31, a_32, a_33)
+            return evaluate_alike(_product_of_two_axial_moments_block, 4, (0,), (I_1, I_2, I_3, a_11, a_12, a_13, a_31, a_32, a_33,))
+    return evaluate(_product_of_two_axial_moments_block, 4, (0,), (I_1, I_2, I_3, a_11, a_12, a_13, a_31, a_32, a_33,), out)
 
 
 def _product_of_two_axial_moments(I_1, I_2, I_3, a_11, a_12, a_13, a_31, a_32, a_33):
@@ -588,9 +602,11 @@ def product_with_second_moment(I_1, I_2, I_3, a_21, a_22, a_23, out=None):
                 return _product_with_second_moment(I_1, I_2, I_3, a_21, a_22, a_23)
             except (ValueError, ZeroDivisionError, OverflowError):
                 pass  # NumPy says whether it is infinite or no number
-        elif type(I_1) is type(I_2) is type(I_3) is type(a_21) is type(a_22) is type(a_23) is np.ndarray and I_1.dtype is I_2.dtype is I_3.dtype is a_21.dtype is a_22.dtype is a_23.dtype is DOUBLE and I_1.shape == I_2.shape == I_3.shape == a_21.shape == a_22.shape == a_23.shape and I_1.size <= SMALL:
-            return _product_with_second_moment(I_1, I_2, I_3, a_21, a_22, a_23)
-    return evaluate(_product_with_second_moment_block, 6, 1, (I_1, I_2, I_3, a_21, a_22, a_23,), out)
+        elif type(I_1) is type(I_2) is type(I_3) is type(a_21) is type(a_22) is type(a_23) is np.ndarray and I_1.dtype is I_2.dtype is I_3.dtype is a_21.dtype is a_22.dtype is a_23.dtype is DOUBLE and I_1.shape == I_2.shape == I_3.shape == a_21.shape == a_22.shape == a_23.shape:
+            if I_1.size <= SMALL:
+                return _product_with_second_moment(I_1, I_2, I_3, a_21, a_22, a_23)
+            return evaluate_alike(_product_with_second_moment_block, 6, (0,), (I_1, I_2, I_3, a_21, a_22, a_23,))
+    return evaluate(_product_with_second_moment_block, 6, (0,), (I_1, I_2, I_3, a_21, a_22, a_23,), out)
 
 
 def _product_with_second_moment(I_1, I_2, I_3, a_21, a_22, a_23):
@@ -667,9 +683,11 @@ def damping_matrix(k_1, k_2, k_3, a_11, a_12, a_13, a_21, a_22, a_23, a_31, a_32
                 return _damping_matrix(k_1, k_2, k_3, a_11, a_12, a_13, a_21, a_22, a_23, a_31, a_32, a_33)
             except (ValueError, ZeroDivisionError, OverflowError):
                 pass  # NumPy says whether it is infinite or no number
-        elif type(k_1) is type(k_2) is type(k_3) is type(a_11) is type(a_12) is type(a_13) is type(a_21) is type(a_22) is type(a_23) is type(a_31) is type(a_32) is type(a_33) is np.ndarray and k_1.dtype is k_2.dtype is k_3.dtype is a_11.dtype is a_12.dtype is a_13.dtype is a_21.dtype is a_22.dtype is a_23.dtype is a_31.dtype is a_32.dtype is a_33.dtype is DOUBLE and k_1.shape == k_2.shape == k_3.shape == a_11.shape == a_12.shape == a_13.shape == a_21.shape == a_22.shape == a_23.shape == a_31.shape == a_32.shape == a_33.shape and k_1.size <= SMALL:
-            return _damping_matrix(k_1, k_2, k_3, a_11, a_12, a_13, a_21, a_22, a_23, a_31, a_32, a_33)
-    return evaluate(_damping_matrix_block, 6, 6, (k_1, k_2, k_3, a_11, a_12, a_13, a_21, a_22, a_23, a_31, a_32, a_33,), out)
+        elif type(k_1) is type(k_2) is type(k_3) is type(a_11) is type(a_12) is type(a_13) is type(a_21) is type(a_22) is type(a_23) is type(a_31) is type(a_32) is type(a_33) is np.ndarray and k_1.dtype is k_2.dtype is k_3.dtype is a_11.dtype is a_12.dtype is a_13.dtype is a_21.dtype is a_22.dtype is a_23.dtype is a_31.dtype is a_32.dtype is a_33.dtype is DOUBLE and k_1.shape == k_2.shape == k_3.shape == a_11.shape == a_12.shape == a_13.shape == a_21.shape == a_22.shape == a_23.shape == a_31.shape == a_32.shape == a_33.shape:
+            if k_1.size <= SMALL:
+                return _damping_matrix(k_1, k_2, k_3, a_11, a_12, a_13, a_21, a_22, a_23, a_31, a_32, a_33)
+            return evaluate_alike(_damping_matrix_block, 6, (0, 1, 2, 3, 4, 5,), (k_1, k_2, k_3, a_11, a_12, a_13, a_21, a_22, a_23, a_31, a_32, a_33,))
+    return evaluate(_damping_matrix_block, 6, (0, 1, 2, 3, 4, 5,), (k_1, k_2, k_3, a_11, a_12, a_13, a_21, a_22, a_23, a_31, a_32, a_33,), out)
 
 
 def _damping_matrix(k_1, k_2, k_3, a_11, a_12, a_13, a_21, a_22, a_23, a_31, a_32, a_33):
@@ -773,9 +791,11 @@ def characteristic_coefficients(I_1, I_2, I_3, k_1, k_2, k_3, a_11, a_12, a_13, 
                 return _characteristic_coefficients(I_1, I_2, I_3, k_1, k_2, k_3, a_11, a_12, a_13, a_21, a_22, a_23, a_31, a_32, a_33)
             except (ValueError, ZeroDivisionError, OverflowError):
                 pass  # NumPy says whether it is infinite or no number
-        elif type(I_1) is type(I_2) is type(I_3) is type(k_1) is type(k_2) is type(k_3) is type(a_11) is type(a_12) is type(a_13) is type(a_21) is type(a_22) is type(a_23) is type(a_31) is type(a_32) is type(a_33) is np.ndarray and I_1.dtype is I_2.dtype is I_3.dtype is k_1.dtype is k_2.dtype is k_3.dtype is a_11.dtype is a_12.dtype is a_13.dtype is a_21.dtype is a_22.dtype is a_23.dtype is a_31.dtype is a_32.dtype is a_33.dtype is DOUBLE and I_1.shape == I_2.shape == I_3.shape == k_1.shape == k_2.shape == k_3.shape == a_11.shape == a_12.shape == a_13.shape == a_21.shape == a_22.shape == a_23.shape == a_31.shape == a_32.shape == a_33.shape and I_1.size <= SMALL:
-            return _characteristic_coefficients(I_1, I_2, I_3, k_1, k_2, k_3, a_11, a_12, a_13, a_21, a_22, a_23, a_31, a_32, a_33)
-    return evaluate(_characteristic_coefficients_block, 17, 4, (I_1, I_2, I_3, k_1, k_2, k_3, a_11, a_12, a_13, a_21, a_22, a_23, a_31, a_32, a_33,), out)
+        elif type(I_1) is type(I_2) is type(I_3) is type(k_1) is type(k_2) is type(k_3) is type(a_11) is type(a_12) is type(a_13) is type(a_21) is type(a_22) is type(a_23) is type(a_31) is type(a_32) is type(a_33) is np.ndarray and I_1.dtype is I_2.dtype is I_3.dtype is k_1.dtype is k_2.dtype is k_3.dtype is a_11.dtype is a_12.dtype is a_13.dtype is a_21.dtype is a_22.dtype is a_23.dtype is a_31.dtype is a_32.dtype is a_33.dtype is DOUBLE and I_1.shape == I_2.shape == I_3.shape == k_1.shape == k_2.shape == k_3.shape == a_11.shape == a_12.shape == a_13.shape == a_21.shape == a_22.shape == a_23.shape == a_31.shape == a_32.shape == a_33.shape:
+            if I_1.size <= SMALL:
+                return _characteristic_coefficients(I_1, I_2, I_3, k_1, k_2, k_3, a_11, a_12, a_13, a_21, a_22, a_23, a_31, a_32, a_33)
+            return evaluate_alike(_characteristic_coefficients_block, 17, (0, 1, 2, 3,), (I_1, I_2, I_3, k_1, k_2, k_3, a_11, a_12, a_13, a_21, a_22, a_23, a_31, a_32, a_33,))
+    return evaluate(_characteristic_coefficients_block, 17, (0, 1, 2, 3,), (I_1, I_2, I_3, k_1, k_2, k_3, a_11, a_12, a_13, a_21, a_22, a_23, a_31, a_32, a_33,), out)
 
 
 def _characteristic_coefficients(I_1, I_2, I_3, k_1, k_2, k_3, a_11, a_12, a_13, a_21, a_22, a_23, a_31, a_32, a_33):
@@ -897,15 +917,17 @@ def characteristic_coefficients_at_common_ratio(I_1, I_2, I_3, k, a_11, a_12, a_
     if out is None:
         if type(I_1) is type(I_2) is type(I_3) is type(k) is type(a_11) is type(a_12) is type(a_13) is type(a_21) is type(a_22) is type(a_23) is type(a_31) is type(a_32) is type(a_33) is float:
             try:
-                return _characteristic_coefficients_at_common_ratio(I_1, I_2, I_3, k, a_11, a_12, a_13, a_21, a_22, a_23, a_31, a_32, a_33)
+                return _characteristic_coefficients_at_common_ratio(I_1, I_2, I_3, k, a_11, a_12, a_13, a_21, a_22, a_23, a_31, a_32, a_33, 3.0)
             except (ValueError, ZeroDivisionError, OverflowError):
                 pass  # NumPy says whether it is infinite or no number
-        elif type(I_1) is type(I_2) is type(I_3) is type(k) is type(a_11) is type(a_12) is type(a_13) is type(a_21) is type(a_22) is type(a_23) is type(a_31) is type(a_32) is type(a_33) is np.ndarray and I_1.dtype is I_2.dtype is I_3.dtype is k.dtype is a_11.dtype is a_12.dtype is a_13.dtype is a_21.dtype is a_22.dtype is a_23.dtype is a_31.dtype is a_32.dtype is a_33.dtype is DOUBLE and I_1.shape == I_2.shape == I_3.shape == k.shape == a_11.shape == a_12.shape == a_13.shape == a_21.shape == a_22.shape == a_23.shape == a_31.shape == a_32.shape == a_33.shape and I_1.size <= SMALL:
-            return _characteristic_coefficients_at_common_ratio(I_1, I_2, I_3, k, a_11, a_12, a_13, a_21, a_22, a_23, a_31, a_32, a_33)
-    return evaluate(_characteristic_coefficients_at_common_ratio_block, 17, 4, (I_1, I_2, I_3, k, a_11, a_12, a_13, a_21, a_22, a_23, a_31, a_32, a_33,), out)
+        elif type(I_1) is type(I_2) is type(I_3) is type(k) is type(a_11) is type(a_12) is type(a_13) is type(a_21) is type(a_22) is type(a_23) is type(a_31) is type(a_32) is type(a_33) is np.ndarray and I_1.dtype is I_2.dtype is I_3.dtype is k.dtype is a_11.dtype is a_12.dtype is a_13.dtype is a_21.dtype is a_22.dtype is a_23.dtype is a_31.dtype is a_32.dtype is a_33.dtype is DOUBLE and I_1.shape == I_2.shape == I_3.shape == k.shape == a_11.shape == a_12.shape == a_13.shape == a_21.shape == a_22.shape == a_23.shape == a_31.shape == a_32.shape == a_33.shape:
+            if I_1.size <= SMALL:
+                return _characteristic_coefficients_at_common_ratio(I_1, I_2, I_3, k, a_11, a_12, a_13, a_21, a_22, a_23, a_31, a_32, a_33)
+            return evaluate_alike(_characteristic_coefficients_at_common_ratio_block, 17, (0, 1, 2, 3,), (I_1, I_2, I_3, k, a_11, a_12, a_13, a_21, a_22, a_23, a_31, a_32, a_33,))
+    return evaluate(_characteristic_coefficients_at_common_ratio_block, 17, (0, 1, 2, 3,), (I_1, I_2, I_3, k, a_11, a_12, a_13, a_21, a_22, a_23, a_31, a_32, a_33,), out)
 
 
-def _characteristic_coefficients_at_common_ratio(I_1, I_2, I_3, k, a_11, a_12, a_13, a_21, a_22, a_23, a_31, a_32, a_33):
+def _characteristic_coefficients_at_common_ratio(I_1, I_2, I_3, k, a_11, a_12, a_13, a_21, a_22, a_23, a_31, a_32, a_33, n3=np.array(3.0)):
     t1 = I_1 * I_2
     a_11_squared = a_11 * a_11
     a_12_squared = a_12 * a_12
@@ -924,7 +946,7 @@ def _characteristic_coefficients_at_common_ratio(I_1, I_2, I_3, k, a_11, a_12, a
     t20 = (t13 * t18) * t6
     t40 = (t13 * ((a_21_squared * t8) + ((a_23_squared * t1) + (a_22_squared * t7)))) + (t18 * ((a_32_squared * t7) + ((a_33_squared * t1) + (a_31_squared * t8))))
     k_squared = k * k
-    return I_3 * t1, k * ((((a_12_squared * t7) + ((a_13_squared * t1) + (a_11_squared * t8))) * t6) + t40), 3.0 * (k_squared * t20), t20 * (k * k_squared)
+    return I_3 * t1, k * ((((a_12_squared * t7) + ((a_13_squared * t1) + (a_11_squared * t8))) * t6) + t40), n3 * (k_squared * t20), t20 * (k * k_squared)
 
 
 def _characteristic_coefficients_at_common_ratio_block(I_1, I_2, I_3, k, a_11, a_12, a_13, a_21, a_22, a_23, a_31, a_32, a_33, out_c_3, out_c_2, out_c_1, out_c_0, r0, r1, r2, r3, r4, r5, r6, r7, r8, r9, r10, r11, r12, r13, r14, r15, r16):
@@ -1027,9 +1049,11 @@ def gains_in_proportion(k, I_1, I_2, I_3, a_11, a_12, a_13, a_21, a_22, a_23, a_
                 return _gains_in_proportion(k, I_1, I_2, I_3, a_11, a_12, a_13, a_21, a_22, a_23, a_31, a_32, a_33)
             except (ValueError, ZeroDivisionError, OverflowError):
                 pass  # NumPy says whether it is infinite or no number
-        elif type(k) is type(I_1) is type(I_2) is type(I_3) is type(a_11) is type(a_12) is type(a_13) is type(a_21) is type(a_22) is type(a_23) is type(a_31) is type(a_32) is type(a_33) is np.ndarray and k.dtype is I_1.dtype is I_2.dtype is I_3.dtype is a_11.dtype is a_12.dtype is a_13.dtype is a_21.dtype is a_22.dtype is a_23.dtype is a_31.dtype is a_32.dtype is a_33.dtype is DOUBLE and k.shape == I_1.shape == I_2.shape == I_3.shape == a_11.shape == a_12.shape == a_13.shape == a_21.shape == a_22.shape == a_23.shape == a_31.shape == a_32.shape == a_33.shape and k.size <= SMALL:
-            return _gains_in_proportion(k, I_1, I_2, I_3, a_11, a_12, a_13, a_21, a_22, a_23, a_31, a_32, a_33)
-    return evaluate(_gains_in_proportion_block, 3, 3, (k, I_1, I_2, I_3, a_11, a_12, a_13, a_21, a_22, a_23, a_31, a_32, a_33,), out)
+        elif type(k) is type(I_1) is type(I_2) is type(I_3) is type(a_11) is type(a_12) is type(a_13) is type(a_21) is type(a_22) is type(a_23) is type(a_31) is type(a_32) is type(a_33) is np.ndarray and k.dtype is I_1.dtype is I_2.dtype is I_3.dtype is a_11.dtype is a_12.dtype is a_13.dtype is a_21.dtype is a_22.dtype is a_23.dtype is a_31.dtype is a_32.dtype is a_33.dtype is DOUBLE and k.shape == I_1.shape == I_2.shape == I_3.shape == a_11.shape == a_12.shape == a_13.shape == a_21.shape == a_22.shape == a_23.shape == a_31.shape == a_32.shape == a_33.shape:
+            if k.size <= SMALL:
+                return _gains_in_proportion(k, I_1, I_2, I_3, a_11, a_12, a_13, a_21, a_22, a_23, a_31, a_32, a_33)
+            return evaluate_alike(_gains_in_proportion_block, 3, (0, 1, 2,), (k, I_1, I_2, I_3, a_11, a_12, a_13, a_21, a_22, a_23, a_31, a_32, a_33,))
+    return evaluate(_gains_in_proportion_block, 3, (0, 1, 2,), (k, I_1, I_2, I_3, a_11, a_12, a_13, a_21, a_22, a_23, a_31, a_32, a_33,), out)
 
 
 def _gains_in_proportion(k, I_1, I_2, I_3, a_11, a_12, a_13, a_21, a_22, a_23, a_31, a_32, a_33):
@@ -1094,20 +1118,22 @@ def gain_of_rates(xi, s_1, s_2, s_3, out=None):
     if out is None:
         if type(xi) is type(s_1) is type(s_2) is type(s_3) is float:
             try:
-                return _gain_of_rates(xi, s_1, s_2, s_3)
+                return _gain_of_rates(xi, s_1, s_2, s_3, 1.0, 3.0)
             except (ValueError, ZeroDivisionError, OverflowError):
                 pass  # NumPy says whether it is infinite or no number
-        elif type(xi) is type(s_1) is type(s_2) is type(s_3) is np.ndarray and xi.dtype is s_1.dtype is s_2.dtype is s_3.dtype is DOUBLE and xi.shape == s_1.shape == s_2.shape == s_3.shape and xi.size <= SMALL:
-            return _gain_of_rates(xi, s_1, s_2, s_3)
-    return evaluate(_gain_of_rates_block, 4, 2, (xi, s_1, s_2, s_3,), out)
+        elif type(xi) is type(s_1) is type(s_2) is type(s_3) is np.ndarray and xi.dtype is s_1.dtype is s_2.dtype is s_3.dtype is DOUBLE and xi.shape == s_1.shape == s_2.shape == s_3.shape:
+            if xi.size <= SMALL:
+                return _gain_of_rates(xi, s_1, s_2, s_3)
+            return evaluate_alike(_gain_of_rates_block, 4, (0, 1,), (xi, s_1, s_2, s_3,))
+    return evaluate(_gain_of_rates_block, 4, (0, 1,), (xi, s_1, s_2, s_3,), out)
 
 
-def _gain_of_rates(xi, s_1, s_2, s_3):
-    t2 = 1.0 / (s_1 + xi)
-    t4 = 1.0 / (s_2 + xi)
-    t6 = 1.0 / (s_3 + xi)
-    t9 = 1.0 / (t6 + (t2 + t4))
-    return 3.0 * t9, ((s_3 * t6) + ((s_1 * t2) + (s_2 * t4))) * t9
+def _gain_of_rates(xi, s_1, s_2, s_3, n1=np.array(1.0), n3=np.array(3.0)):
+    t2 = n1 / (s_1 + xi)
+    t4 = n1 / (s_2 + xi)
+    t6 = n1 / (s_3 + xi)
+    t9 = n1 / (t6 + (t2 + t4))
+    return n3 * t9, ((s_3 * t6) + ((s_1 * t2) + (s_2 * t4))) * t9
 
 
 def _gain_of_rates_block(xi, s_1, s_2, s_3, out_k, out_k_excess, r0, r1, r2, r3):
@@ -1156,21 +1182,22 @@ def stability_degree_in_pitch(k, I_1, I_3, alpha, out=None):
     if out is None:
         if type(k) is type(I_1) is type(I_3) is type(alpha) is float:
             try:
-                return _stability_degree_in_pitch(k, I_1, I_3, alpha, math.sqrt, math.tan)
+                return _stability_degree_in_pitch(k, I_1, I_3, alpha, math.sqrt, math.tan, 1.0)
             except (ValueError, ZeroDivisionError, OverflowError):
                 pass  # NumPy says whether it is infinite or no number
-        elif type(k) is type(I_1) is type(I_3) is type(alpha) is np.ndarray and k.dtype is I_1.dtype is I_3.dtype is alpha.dtype is DOUBLE and k.shape == I_1.shape == I_3.shape == alpha.shape and k.size <= SMALL:
-            return _stability_degree_in_pitch(k, I_1, I_3, alpha)
-    return evaluate(_stability_degree_in_pitch_block, 4, 1, (k, I_1, I_3, alpha,), out)
+        elif type(k) is type(I_1) is type(I_3) is type(alpha) is np.ndarray and k.dtype is I_1.dtype is I_3.dtype is alpha.dtype is DOUBLE and k.shape == I_1.shape == I_3.shape == alpha.shape:
+            if k.size <= SMALL:
+                return _stability_degree_in_pitch(k, I_1, I_3, alpha)
+            return evaluate_alike(_stability_degree_in_pitch_block, 4, (0,), (k, I_1, I_3, alpha,))
+    return evaluate(_stability_degree_in_pitch_block, 4, (0,), (k, I_1, I_3, alpha,), out)
 
 
-def _stability_degree_in_pitch(k, I_1, I_3, alpha, sqrt=np.sqrt, tan=np.tan):
+def _stability_degree_in_pitch(k, I_1, I_3, alpha, sqrt=np.sqrt, tan=np.tan, n1=np.array(1.0)):
     tan_alpha = tan(alpha)
     tan_alpha_squared = tan_alpha * tan_alpha
-    t1 = 1.0 + tan_alpha_squared
+    t1 = n1 + tan_alpha_squared
     t3 = I_1 - I_3
-    t13 = k / (1.0 + sqrt(1.0 / (1.0 + (((t1 * t1) * (I_1 * I_3)) / ((t3 * t3) * tan_alpha_squared)))))
-    return t13
+    return k / (n1 + sqrt(n1 / (n1 + (((t1 * t1) * (I_1 * I_3)) / ((t3 * t3) * tan_alpha_squared)))))
 
 
 def _stability_degree_in_pitch_block(k, I_1, I_3, alpha, out_xi, r0, r1, r2, r3):
@@ -1217,17 +1244,18 @@ def equal_moment_pitch(I_1, I_2, I_3, out=None):
     if out is None:
         if type(I_1) is type(I_2) is type(I_3) is float:
             try:
-                return _equal_moment_pitch(I_1, I_2, I_3, math.atan)
+                return _equal_moment_pitch(I_1, I_2, I_3, math.atan, 2.0, 1.0, math.sqrt(3.0), 1.0 / 3.0, 1.0 / 2.0)
             except (ValueError, ZeroDivisionError, OverflowError):
                 pass  # NumPy says whether it is infinite or no number
-        elif type(I_1) is type(I_2) is type(I_3) is np.ndarray and I_1.dtype is I_2.dtype is I_3.dtype is DOUBLE and I_1.shape == I_2.shape == I_3.shape and I_1.size <= SMALL:
-            return _equal_moment_pitch(I_1, I_2, I_3)
-    return evaluate(_equal_moment_pitch_block, 2, 1, (I_1, I_2, I_3,), out)
+        elif type(I_1) is type(I_2) is type(I_3) is np.ndarray and I_1.dtype is I_2.dtype is I_3.dtype is DOUBLE and I_1.shape == I_2.shape == I_3.shape:
+            if I_1.size <= SMALL:
+                return _equal_moment_pitch(I_1, I_2, I_3)
+            return evaluate_alike(_equal_moment_pitch_block, 2, (0,), (I_1, I_2, I_3,))
+    return evaluate(_equal_moment_pitch_block, 2, (0,), (I_1, I_2, I_3,), out)
 
 
-def _equal_moment_pitch(I_1, I_2, I_3, arctan=np.arctan):
-    t9 = (1.0 / 2.0) * arctan((1.0 / 3.0) * (math.sqrt(3.0) * (1.0 + ((2.0 * (I_1 - I_2)) / (I_2 - I_3)))))
-    return t9
+def _equal_moment_pitch(I_1, I_2, I_3, arctan=np.arctan, n2=np.array(2.0), n1=np.array(1.0), sqrt_3=np.array(math.sqrt(3.0)), n1_3=np.array(1.0 / 3.0), n1_2=np.array(1.0 / 2.0)):
+    return n1_2 * arctan(n1_3 * (sqrt_3 * (n1 + ((n2 * (I_1 - I_2)) / (I_2 - I_3)))))
 
 
 def _equal_moment_pitch_block(I_1, I_2, I_3, out_alpha, r0, r1):
@@ -1237,6 +1265,6 @@ def _equal_moment_pitch_block(I_1, I_2, I_3, out_alpha, r0, r1):
     np.divide(r1, r0, r0)  # t4
     np.add(1.0, r0, r0)  # t5
     np.multiply(math.sqrt(3.0), r0, r0)  # t6
-    np.multiply((1.0 / 3.0), r0, r0)  # t7
+    np.multiply(1.0 / 3.0, r0, r0)  # t7
     np.arctan(r0, r0)  # t8
-    np.multiply((1.0 / 2.0), r0, out_alpha)  # t9
+    np.multiply(1.0 / 2.0, r0, out_alpha)  # t9

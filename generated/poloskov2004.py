@@ -4,7 +4,7 @@ import math
 
 import numpy as np
 
-from symcheck.runtime import DOUBLE, SMALL, evaluate, expm1_ratio, gamma_ratio, log1p_ratio
+from symcheck.runtime import DOUBLE, SMALL, evaluate, evaluate_alike, expm1_ratio, gamma_ratio, log1p_ratio
 
 __all__ = ["averaged_diffusion", "averaged_drift", "density_of_amplitude", "density_of_frequency", "diffusion_coefficients", "distribution_of_amplitude", "drift_coefficients", "logarithm_of_constant_of_amplitude", "logarithm_of_constant_of_frequency", "mean_square_of_amplitude", "mean_square_of_frequency", "mode_of_amplitude", "moment_of_amplitude", "moment_of_frequency", "noise_intensities", "quantile_of_amplitude", "stratonovich_drift"]
 
@@ -51,9 +51,11 @@ def stratonovich_drift(a, psi, Omega, k, varepsilon, d_11, d_12, d_13, d_21, d_2
                 return _stratonovich_drift(a, psi, Omega, k, varepsilon, d_11, d_12, d_13, d_21, d_22, d_23, d_31, d_32, d_33, math.cos, math.sin)
             except (ValueError, ZeroDivisionError, OverflowError):
                 pass  # NumPy says whether it is infinite or no number
-        elif type(a) is type(psi) is type(Omega) is type(k) is type(varepsilon) is type(d_11) is type(d_12) is type(d_13) is type(d_21) is type(d_22) is type(d_23) is type(d_31) is type(d_32) is type(d_33) is np.ndarray and a.dtype is psi.dtype is Omega.dtype is k.dtype is varepsilon.dtype is d_11.dtype is d_12.dtype is d_13.dtype is d_21.dtype is d_22.dtype is d_23.dtype is d_31.dtype is d_32.dtype is d_33.dtype is DOUBLE and a.shape == psi.shape == Omega.shape == k.shape == varepsilon.shape == d_11.shape == d_12.shape == d_13.shape == d_21.shape == d_22.shape == d_23.shape == d_31.shape == d_32.shape == d_33.shape and a.size <= SMALL:
-            return _stratonovich_drift(a, psi, Omega, k, varepsilon, d_11, d_12, d_13, d_21, d_22, d_23, d_31, d_32, d_33)
-    return evaluate(_stratonovich_drift_block, 10, 3, (a, psi, Omega, k, varepsilon, d_11, d_12, d_13, d_21, d_22, d_23, d_31, d_32, d_33,), out)
+        elif type(a) is type(psi) is type(Omega) is type(k) is type(varepsilon) is type(d_11) is type(d_12) is type(d_13) is type(d_21) is type(d_22) is type(d_23) is type(d_31) is type(d_32) is type(d_33) is np.ndarray and a.dtype is psi.dtype is Omega.dtype is k.dtype is varepsilon.dtype is d_11.dtype is d_12.dtype is d_13.dtype is d_21.dtype is d_22.dtype is d_23.dtype is d_31.dtype is d_32.dtype is d_33.dtype is DOUBLE and a.shape == psi.shape == Omega.shape == k.shape == varepsilon.shape == d_11.shape == d_12.shape == d_13.shape == d_21.shape == d_22.shape == d_23.shape == d_31.shape == d_32.shape == d_33.shape:
+            if a.size <= SMALL:
+                return _stratonovich_drift(a, psi, Omega, k, varepsilon, d_11, d_12, d_13, d_21, d_22, d_23, d_31, d_32, d_33)
+            return evaluate_alike(_stratonovich_drift_block, 10, (0, 1, 2,), (a, psi, Omega, k, varepsilon, d_11, d_12, d_13, d_21, d_22, d_23, d_31, d_32, d_33,))
+    return evaluate(_stratonovich_drift_block, 10, (0, 1, 2,), (a, psi, Omega, k, varepsilon, d_11, d_12, d_13, d_21, d_22, d_23, d_31, d_32, d_33,), out)
 
 
 def _stratonovich_drift(a, psi, Omega, k, varepsilon, d_11, d_12, d_13, d_21, d_22, d_23, d_31, d_32, d_33, cos=np.cos, sin=np.sin):
@@ -163,15 +165,17 @@ def noise_intensities(a, psi, Omega, k, varepsilon, g_11, g_12, g_21, g_22, g_13
     if out is None:
         if type(a) is type(psi) is type(Omega) is type(k) is type(varepsilon) is type(g_11) is type(g_12) is type(g_21) is type(g_22) is type(g_13) is type(g_23) is float:
             try:
-                return _noise_intensities(a, psi, Omega, k, varepsilon, g_11, g_12, g_21, g_22, g_13, g_23, math.cos, math.sin, math.sqrt)
+                return _noise_intensities(a, psi, Omega, k, varepsilon, g_11, g_12, g_21, g_22, g_13, g_23, math.cos, math.sin, math.sqrt, 1.0)
             except (ValueError, ZeroDivisionError, OverflowError):
                 pass  # NumPy says whether it is infinite or no number
-        elif type(a) is type(psi) is type(Omega) is type(k) is type(varepsilon) is type(g_11) is type(g_12) is type(g_21) is type(g_22) is type(g_13) is type(g_23) is np.ndarray and a.dtype is psi.dtype is Omega.dtype is k.dtype is varepsilon.dtype is g_11.dtype is g_12.dtype is g_21.dtype is g_22.dtype is g_13.dtype is g_23.dtype is DOUBLE and a.shape == psi.shape == Omega.shape == k.shape == varepsilon.shape == g_11.shape == g_12.shape == g_21.shape == g_22.shape == g_13.shape == g_23.shape and a.size <= SMALL:
-            return _noise_intensities(a, psi, Omega, k, varepsilon, g_11, g_12, g_21, g_22, g_13, g_23)
-    return evaluate(_noise_intensities_block, 9, 10, (a, psi, Omega, k, varepsilon, g_11, g_12, g_21, g_22, g_13, g_23,), out)
+        elif type(a) is type(psi) is type(Omega) is type(k) is type(varepsilon) is type(g_11) is type(g_12) is type(g_21) is type(g_22) is type(g_13) is type(g_23) is np.ndarray and a.dtype is psi.dtype is Omega.dtype is k.dtype is varepsilon.dtype is g_11.dtype is g_12.dtype is g_21.dtype is g_22.dtype is g_13.dtype is g_23.dtype is DOUBLE and a.shape == psi.shape == Omega.shape == k.shape == varepsilon.shape == g_11.shape == g_12.shape == g_21.shape == g_22.shape == g_13.shape == g_23.shape:
+            if a.size <= SMALL:
+                return _noise_intensities(a, psi, Omega, k, varepsilon, g_11, g_12, g_21, g_22, g_13, g_23)
+            return evaluate_alike(_noise_intensities_block, 9, (0, 1, 2, 3, 4, 5, 6, 7, 8, 9,), (a, psi, Omega, k, varepsilon, g_11, g_12, g_21, g_22, g_13, g_23,))
+    return evaluate(_noise_intensities_block, 9, (0, 1, 2, 3, 4, 5, 6, 7, 8, 9,), (a, psi, Omega, k, varepsilon, g_11, g_12, g_21, g_22, g_13, g_23,), out)
 
 
-def _noise_intensities(a, psi, Omega, k, varepsilon, g_11, g_12, g_21, g_22, g_13, g_23, cos=np.cos, sin=np.sin, sqrt=np.sqrt):
+def _noise_intensities(a, psi, Omega, k, varepsilon, g_11, g_12, g_21, g_22, g_13, g_23, cos=np.cos, sin=np.sin, sqrt=np.sqrt, n1=np.array(1.0)):
     cos_psi = cos(psi)
     sqrt_varepsilon = sqrt(varepsilon)
     t1 = a * sqrt_varepsilon
@@ -179,7 +183,7 @@ def _noise_intensities(a, psi, Omega, k, varepsilon, g_11, g_12, g_21, g_22, g_1
     t2 = cos_psi * sqrt_varepsilon
     t3 = sin_psi * sqrt_varepsilon
     t4 = sin_psi * t2
-    t5 = 1.0 / a
+    t5 = n1 / a
     return (cos_psi * cos_psi) * (g_11 * t1), (sin_psi * sin_psi) * (g_12 * t1), g_21 * t2, -(g_22 * t3), -(g_11 * t4), g_12 * t4, -(g_21 * (t3 * t5)), -(g_22 * (t2 * t5)), g_13 * (Omega * sqrt_varepsilon), k * (g_23 * sqrt_varepsilon)
 
 
@@ -260,40 +264,42 @@ def drift_coefficients(a, psi, Omega, k, varepsilon, d_11, d_12, d_13, d_21, d_2
     if out is None:
         if type(a) is type(psi) is type(Omega) is type(k) is type(varepsilon) is type(d_11) is type(d_12) is type(d_13) is type(d_21) is type(d_22) is type(d_23) is type(d_31) is type(d_32) is type(d_33) is type(g_11) is type(g_12) is type(g_21) is type(g_22) is type(g_13) is float:
             try:
-                return _drift_coefficients(a, psi, Omega, k, varepsilon, d_11, d_12, d_13, d_21, d_22, d_23, d_31, d_32, d_33, g_11, g_12, g_21, g_22, g_13, math.cos, math.sin)
+                return _drift_coefficients(a, psi, Omega, k, varepsilon, d_11, d_12, d_13, d_21, d_22, d_23, d_31, d_32, d_33, g_11, g_12, g_21, g_22, g_13, math.cos, math.sin, 1.0, 2.0, 1.0 / 2.0)
             except (ValueError, ZeroDivisionError, OverflowError):
                 pass  # NumPy says whether it is infinite or no number
-        elif type(a) is type(psi) is type(Omega) is type(k) is type(varepsilon) is type(d_11) is type(d_12) is type(d_13) is type(d_21) is type(d_22) is type(d_23) is type(d_31) is type(d_32) is type(d_33) is type(g_11) is type(g_12) is type(g_21) is type(g_22) is type(g_13) is np.ndarray and a.dtype is psi.dtype is Omega.dtype is k.dtype is varepsilon.dtype is d_11.dtype is d_12.dtype is d_13.dtype is d_21.dtype is d_22.dtype is d_23.dtype is d_31.dtype is d_32.dtype is d_33.dtype is g_11.dtype is g_12.dtype is g_21.dtype is g_22.dtype is g_13.dtype is DOUBLE and a.shape == psi.shape == Omega.shape == k.shape == varepsilon.shape == d_11.shape == d_12.shape == d_13.shape == d_21.shape == d_22.shape == d_23.shape == d_31.shape == d_32.shape == d_33.shape == g_11.shape == g_12.shape == g_21.shape == g_22.shape == g_13.shape and a.size <= SMALL:
-            return _drift_coefficients(a, psi, Omega, k, varepsilon, d_11, d_12, d_13, d_21, d_22, d_23, d_31, d_32, d_33, g_11, g_12, g_21, g_22, g_13)
-    return evaluate(_drift_coefficients_block, 23, 3, (a, psi, Omega, k, varepsilon, d_11, d_12, d_13, d_21, d_22, d_23, d_31, d_32, d_33, g_11, g_12, g_21, g_22, g_13,), out)
+        elif type(a) is type(psi) is type(Omega) is type(k) is type(varepsilon) is type(d_11) is type(d_12) is type(d_13) is type(d_21) is type(d_22) is type(d_23) is type(d_31) is type(d_32) is type(d_33) is type(g_11) is type(g_12) is type(g_21) is type(g_22) is type(g_13) is np.ndarray and a.dtype is psi.dtype is Omega.dtype is k.dtype is varepsilon.dtype is d_11.dtype is d_12.dtype is d_13.dtype is d_21.dtype is d_22.dtype is d_23.dtype is d_31.dtype is d_32.dtype is d_33.dtype is g_11.dtype is g_12.dtype is g_21.dtype is g_22.dtype is g_13.dtype is DOUBLE and a.shape == psi.shape == Omega.shape == k.shape == varepsilon.shape == d_11.shape == d_12.shape == d_13.shape == d_21.shape == d_22.shape == d_23.shape == d_31.shape == d_32.shape == d_33.shape == g_11.shape == g_12.shape == g_21.shape == g_22.shape == g_13.shape:
+            if a.size <= SMALL:
+                return _drift_coefficients(a, psi, Omega, k, varepsilon, d_11, d_12, d_13, d_21, d_22, d_23, d_31, d_32, d_33, g_11, g_12, g_21, g_22, g_13)
+            return evaluate_alike(_drift_coefficients_block, 23, (0, 1, 2,), (a, psi, Omega, k, varepsilon, d_11, d_12, d_13, d_21, d_22, d_23, d_31, d_32, d_33, g_11, g_12, g_21, g_22, g_13,))
+    return evaluate(_drift_coefficients_block, 23, (0, 1, 2,), (a, psi, Omega, k, varepsilon, d_11, d_12, d_13, d_21, d_22, d_23, d_31, d_32, d_33, g_11, g_12, g_21, g_22, g_13,), out)
 
 
-def _drift_coefficients(a, psi, Omega, k, varepsilon, d_11, d_12, d_13, d_21, d_22, d_23, d_31, d_32, d_33, g_11, g_12, g_21, g_22, g_13, cos=np.cos, sin=np.sin):
+def _drift_coefficients(a, psi, Omega, k, varepsilon, d_11, d_12, d_13, d_21, d_22, d_23, d_31, d_32, d_33, g_11, g_12, g_21, g_22, g_13, cos=np.cos, sin=np.sin, n1=np.array(1.0), n2=np.array(2.0), n1_2=np.array(1.0 / 2.0)):
     sin_psi = sin(psi)
     t1 = Omega / k
     cos_psi = cos(psi)
-    t2 = 1.0 / a
+    t2 = n1 / a
     g_21_squared = g_21 * g_21
     sin_psi_squared = sin_psi * sin_psi
     g_22_squared = g_22 * g_22
     cos_psi_squared = cos_psi * cos_psi
-    t3 = 2.0 * cos_psi_squared
+    t3 = n2 * cos_psi_squared
     t4 = cos_psi * sin_psi
-    t5 = 2.0 * t4
+    t5 = n2 * t4
     g_11_squared = g_11 * g_11
     g_12_squared = g_12 * g_12
     t6 = sin_psi_squared * t3
-    t7 = (1.0 / 2.0) * g_11_squared
+    t7 = n1_2 * g_11_squared
     t9 = sin_psi * (cos_psi * cos_psi_squared)
     t11 = cos_psi * (sin_psi * sin_psi_squared)
-    t12 = (1.0 / 2.0) * g_12_squared
+    t12 = n1_2 * g_12_squared
     t24 = (g_11_squared * t6) + ((g_12_squared * (sin_psi_squared * sin_psi_squared)) + ((d_12 * t5) + (d_21 * t5)))
     t27 = ((g_12_squared * t6) + (((cos_psi_squared * cos_psi_squared) * g_11_squared) + t24)) - (d_11 * t3)
-    t41 = ((1.0 / 2.0) * (t2 * ((g_21_squared * sin_psi_squared) + (cos_psi_squared * g_22_squared)))) + (((1.0 / 2.0) * (a * (t27 - (2.0 * (d_22 * sin_psi_squared))))) + (d_23 * (sin_psi * t1)))
+    t41 = (n1_2 * (t2 * ((g_21_squared * sin_psi_squared) + (cos_psi_squared * g_22_squared)))) + ((n1_2 * (a * (t27 - (n2 * (d_22 * sin_psi_squared))))) + (d_23 * (sin_psi * t1)))
     t61 = (((d_13 * sin_psi) + (cos_psi * d_23)) * (t1 * t2)) + ((d_11 * t4) + (cos_psi_squared * d_21))
     t65 = (((t4 * (g_21_squared - g_22_squared)) / (a * a)) + ((t12 * t9) + ((t7 * t9) + t61))) - (d_12 * sin_psi_squared)
-    t78 = ((1.0 / 2.0) * (Omega * (g_13 * g_13))) + (((d_32 * sin_psi) - (cos_psi * d_31)) * (a * k))
-    return (t41 - (d_13 * (cos_psi * t1))) * varepsilon, (((t65 - (d_22 * t4)) - (t11 * t7)) - (t11 * t12)) * varepsilon, (t78 - (Omega * d_33)) * varepsilon
+    t79 = ((n1_2 * (Omega * (g_13 * g_13))) + (((d_32 * sin_psi) - (cos_psi * d_31)) * (a * k))) - (Omega * d_33)
+    return (t41 - (d_13 * (cos_psi * t1))) * varepsilon, (((t65 - (d_22 * t4)) - (t11 * t7)) - (t11 * t12)) * varepsilon, t79 * varepsilon
 
 
 def _drift_coefficients_block(a, psi, Omega, k, varepsilon, d_11, d_12, d_13, d_21, d_22, d_23, d_31, d_32, d_33, g_11, g_12, g_21, g_22, g_13, out_K_1, out_K_2, out_K_3, r0, r1, r2, r3, r4, r5, r6, r7, r8, r9, r10, r11, r12, r13, r14, r15, r16, r17, r18, r19, r20, r21, r22):
@@ -311,12 +317,12 @@ def _drift_coefficients_block(a, psi, Omega, k, varepsilon, d_11, d_12, d_13, d_
     np.multiply(g_11, g_11, r11)  # g_11_squared
     np.multiply(g_12, g_12, r12)  # g_12_squared
     np.multiply(r5, r8, r13)  # t6
-    np.multiply((1.0 / 2.0), r11, r14)  # t7
+    np.multiply(1.0 / 2.0, r11, r14)  # t7
     np.multiply(r2, r7, r15)  # t8
     np.multiply(r0, r15, r15)  # t9
     np.multiply(r0, r5, r16)  # t10
     np.multiply(r2, r16, r16)  # t11
-    np.multiply((1.0 / 2.0), r12, r17)  # t12
+    np.multiply(1.0 / 2.0, r12, r17)  # t12
     np.multiply(d_11, r8, r8)  # t13
     np.multiply(d_12, r10, r18)  # t14
     np.multiply(d_21, r10, r10)  # t15
@@ -336,7 +342,7 @@ def _drift_coefficients_block(a, psi, Omega, k, varepsilon, d_11, d_12, d_13, d_
     np.subtract(r10, r8, r8)  # t27
     np.subtract(r8, r19, r19)  # t28
     np.multiply(a, r19, r19)  # t29
-    np.multiply((1.0 / 2.0), r19, r19)  # t30
+    np.multiply(1.0 / 2.0, r19, r19)  # t30
     np.multiply(r2, r1, r8)  # t31
     np.multiply(d_13, r8, r8)  # t32
     np.multiply(r0, r1, r10)  # t33
@@ -345,7 +351,7 @@ def _drift_coefficients_block(a, psi, Omega, k, varepsilon, d_11, d_12, d_13, d_
     np.multiply(r7, r6, r11)  # t36
     np.add(r13, r11, r11)  # t37
     np.multiply(r3, r11, r11)  # t38
-    np.multiply((1.0 / 2.0), r11, r11)  # t39
+    np.multiply(1.0 / 2.0, r11, r11)  # t39
     np.add(r19, r10, r10)  # t40
     np.add(r11, r10, r10)  # t41
     np.subtract(r10, r8, r8)  # t42
@@ -380,7 +386,7 @@ def _drift_coefficients_block(a, psi, Omega, k, varepsilon, d_11, d_12, d_13, d_
     np.multiply(Omega, d_33, r17)  # t70
     np.multiply(g_13, g_13, r14)  # g_13_squared
     np.multiply(Omega, r14, r14)  # t71
-    np.multiply((1.0 / 2.0), r14, r14)  # t72
+    np.multiply(1.0 / 2.0, r14, r14)  # t72
     np.multiply(r2, d_31, r2)  # t73
     np.multiply(d_32, r0, r0)  # t74
     np.subtract(r0, r2, r2)  # t75
@@ -432,9 +438,11 @@ def diffusion_coefficients(a, psi, Omega, k, varepsilon, g_11, g_12, g_21, g_22,
                 return _diffusion_coefficients(a, psi, Omega, k, varepsilon, g_11, g_12, g_21, g_22, g_13, g_23, math.cos, math.sin)
             except (ValueError, ZeroDivisionError, OverflowError):
                 pass  # NumPy says whether it is infinite or no number
-        elif type(a) is type(psi) is type(Omega) is type(k) is type(varepsilon) is type(g_11) is type(g_12) is type(g_21) is type(g_22) is type(g_13) is type(g_23) is np.ndarray and a.dtype is psi.dtype is Omega.dtype is k.dtype is varepsilon.dtype is g_11.dtype is g_12.dtype is g_21.dtype is g_22.dtype is g_13.dtype is g_23.dtype is DOUBLE and a.shape == psi.shape == Omega.shape == k.shape == varepsilon.shape == g_11.shape == g_12.shape == g_21.shape == g_22.shape == g_13.shape == g_23.shape and a.size <= SMALL:
-            return _diffusion_coefficients(a, psi, Omega, k, varepsilon, g_11, g_12, g_21, g_22, g_13, g_23)
-    return evaluate(_diffusion_coefficients_block, 13, 4, (a, psi, Omega, k, varepsilon, g_11, g_12, g_21, g_22, g_13, g_23,), out)
+        elif type(a) is type(psi) is type(Omega) is type(k) is type(varepsilon) is type(g_11) is type(g_12) is type(g_21) is type(g_22) is type(g_13) is type(g_23) is np.ndarray and a.dtype is psi.dtype is Omega.dtype is k.dtype is varepsilon.dtype is g_11.dtype is g_12.dtype is g_21.dtype is g_22.dtype is g_13.dtype is g_23.dtype is DOUBLE and a.shape == psi.shape == Omega.shape == k.shape == varepsilon.shape == g_11.shape == g_12.shape == g_21.shape == g_22.shape == g_13.shape == g_23.shape:
+            if a.size <= SMALL:
+                return _diffusion_coefficients(a, psi, Omega, k, varepsilon, g_11, g_12, g_21, g_22, g_13, g_23)
+            return evaluate_alike(_diffusion_coefficients_block, 13, (0, 1, 2, 3,), (a, psi, Omega, k, varepsilon, g_11, g_12, g_21, g_22, g_13, g_23,))
+    return evaluate(_diffusion_coefficients_block, 13, (0, 1, 2, 3,), (a, psi, Omega, k, varepsilon, g_11, g_12, g_21, g_22, g_13, g_23,), out)
 
 
 def _diffusion_coefficients(a, psi, Omega, k, varepsilon, g_11, g_12, g_21, g_22, g_13, g_23, cos=np.cos, sin=np.sin):
@@ -540,18 +548,20 @@ def averaged_drift(a, Omega, alpha, beta, gamma, d_12, d_21, d_33, g_13, out=Non
     if out is None:
         if type(a) is type(Omega) is type(alpha) is type(beta) is type(gamma) is type(d_12) is type(d_21) is type(d_33) is type(g_13) is float:
             try:
-                return _averaged_drift(a, Omega, alpha, beta, gamma, d_12, d_21, d_33, g_13)
+                return _averaged_drift(a, Omega, alpha, beta, gamma, d_12, d_21, d_33, g_13, 5.0, 4.0, 8.0, 1.0 / 16.0, 1.0 / 2.0, 2.0)
             except (ValueError, ZeroDivisionError, OverflowError):
                 pass  # NumPy says whether it is infinite or no number
-        elif type(a) is type(Omega) is type(alpha) is type(beta) is type(gamma) is type(d_12) is type(d_21) is type(d_33) is type(g_13) is np.ndarray and a.dtype is Omega.dtype is alpha.dtype is beta.dtype is gamma.dtype is d_12.dtype is d_21.dtype is d_33.dtype is g_13.dtype is DOUBLE and a.shape == Omega.shape == alpha.shape == beta.shape == gamma.shape == d_12.shape == d_21.shape == d_33.shape == g_13.shape and a.size <= SMALL:
-            return _averaged_drift(a, Omega, alpha, beta, gamma, d_12, d_21, d_33, g_13)
-    return evaluate(_averaged_drift_block, 4, 3, (a, Omega, alpha, beta, gamma, d_12, d_21, d_33, g_13,), out)
+        elif type(a) is type(Omega) is type(alpha) is type(beta) is type(gamma) is type(d_12) is type(d_21) is type(d_33) is type(g_13) is np.ndarray and a.dtype is Omega.dtype is alpha.dtype is beta.dtype is gamma.dtype is d_12.dtype is d_21.dtype is d_33.dtype is g_13.dtype is DOUBLE and a.shape == Omega.shape == alpha.shape == beta.shape == gamma.shape == d_12.shape == d_21.shape == d_33.shape == g_13.shape:
+            if a.size <= SMALL:
+                return _averaged_drift(a, Omega, alpha, beta, gamma, d_12, d_21, d_33, g_13)
+            return evaluate_alike(_averaged_drift_block, 4, (0, 1, 2,), (a, Omega, alpha, beta, gamma, d_12, d_21, d_33, g_13,))
+    return evaluate(_averaged_drift_block, 4, (0, 1, 2,), (a, Omega, alpha, beta, gamma, d_12, d_21, d_33, g_13,), out)
 
 
-def _averaged_drift(a, Omega, alpha, beta, gamma, d_12, d_21, d_33, g_13):
+def _averaged_drift(a, Omega, alpha, beta, gamma, d_12, d_21, d_33, g_13, n5=np.array(5.0), n4=np.array(4.0), n8=np.array(8.0), n1_16=np.array(1.0 / 16.0), n1_2=np.array(1.0 / 2.0), n2=np.array(2.0)):
     a_squared = a * a
-    t7 = ((5.0 * (a_squared * (alpha * alpha))) + (4.0 * (beta * beta))) - (8.0 * (a_squared * (gamma * gamma)))
-    return ((1.0 / 16.0) * t7) / a, ((1.0 / 2.0) * d_21) - ((1.0 / 2.0) * d_12), -((1.0 / 2.0) * (Omega * ((2.0 * d_33) - (g_13 * g_13))))
+    t7 = ((n5 * (a_squared * (alpha * alpha))) + (n4 * (beta * beta))) - (n8 * (a_squared * (gamma * gamma)))
+    return (n1_16 * t7) / a, (n1_2 * d_21) - (n1_2 * d_12), -(n1_2 * (Omega * ((n2 * d_33) - (g_13 * g_13))))
 
 
 def _averaged_drift_block(a, Omega, alpha, beta, gamma, d_12, d_21, d_33, g_13, out_Kbar_1, out_Kbar_2, out_Kbar_3, r0, r1, r2, r3):
@@ -566,16 +576,16 @@ def _averaged_drift_block(a, Omega, alpha, beta, gamma, d_12, d_21, d_33, g_13, 
     np.multiply(8.0, r3, r3)  # t5
     np.add(r1, r2, r2)  # t6
     np.subtract(r2, r3, r3)  # t7
-    np.multiply((1.0 / 16.0), r3, r3)  # t8
+    np.multiply(1.0 / 16.0, r3, r3)  # t8
     np.divide(r3, a, out_Kbar_1)  # t9
-    np.multiply((1.0 / 2.0), d_12, r3)  # t10
-    np.multiply((1.0 / 2.0), d_21, r2)  # t11
+    np.multiply(1.0 / 2.0, d_12, r3)  # t10
+    np.multiply(1.0 / 2.0, d_21, r2)  # t11
     np.subtract(r2, r3, out_Kbar_2)  # t12
     np.multiply(2.0, d_33, r3)  # t13
     np.multiply(g_13, g_13, r2)  # g_13_squared
     np.subtract(r3, r2, r2)  # t14
     np.multiply(Omega, r2, r2)  # t15
-    np.multiply((1.0 / 2.0), r2, r2)  # t16
+    np.multiply(1.0 / 2.0, r2, r2)  # t16
     np.negative(r2, out_Kbar_3)  # t17
 
 
@@ -611,19 +621,21 @@ def averaged_diffusion(a, Omega, k, alpha, beta, g_13, g_23, out=None):
     if out is None:
         if type(a) is type(Omega) is type(k) is type(alpha) is type(beta) is type(g_13) is type(g_23) is float:
             try:
-                return _averaged_diffusion(a, Omega, k, alpha, beta, g_13, g_23)
+                return _averaged_diffusion(a, Omega, k, alpha, beta, g_13, g_23, 1.0 / 2.0, 3.0 / 8.0, 4.0, 1.0 / 8.0)
             except (ValueError, ZeroDivisionError, OverflowError):
                 pass  # NumPy says whether it is infinite or no number
-        elif type(a) is type(Omega) is type(k) is type(alpha) is type(beta) is type(g_13) is type(g_23) is np.ndarray and a.dtype is Omega.dtype is k.dtype is alpha.dtype is beta.dtype is g_13.dtype is g_23.dtype is DOUBLE and a.shape == Omega.shape == k.shape == alpha.shape == beta.shape == g_13.shape == g_23.shape and a.size <= SMALL:
-            return _averaged_diffusion(a, Omega, k, alpha, beta, g_13, g_23)
-    return evaluate(_averaged_diffusion_block, 5, 3, (a, Omega, k, alpha, beta, g_13, g_23,), out)
+        elif type(a) is type(Omega) is type(k) is type(alpha) is type(beta) is type(g_13) is type(g_23) is np.ndarray and a.dtype is Omega.dtype is k.dtype is alpha.dtype is beta.dtype is g_13.dtype is g_23.dtype is DOUBLE and a.shape == Omega.shape == k.shape == alpha.shape == beta.shape == g_13.shape == g_23.shape:
+            if a.size <= SMALL:
+                return _averaged_diffusion(a, Omega, k, alpha, beta, g_13, g_23)
+            return evaluate_alike(_averaged_diffusion_block, 5, (0, 1, 2,), (a, Omega, k, alpha, beta, g_13, g_23,))
+    return evaluate(_averaged_diffusion_block, 5, (0, 1, 2,), (a, Omega, k, alpha, beta, g_13, g_23,), out)
 
 
-def _averaged_diffusion(a, Omega, k, alpha, beta, g_13, g_23):
+def _averaged_diffusion(a, Omega, k, alpha, beta, g_13, g_23, n1_2=np.array(1.0 / 2.0), n3_8=np.array(3.0 / 8.0), n4=np.array(4.0), n1_8=np.array(1.0 / 8.0)):
     beta_squared = beta * beta
     a_squared = a * a
     t1 = a_squared * (alpha * alpha)
-    return ((1.0 / 2.0) * beta_squared) + ((3.0 / 8.0) * t1), ((1.0 / 8.0) * (t1 + (4.0 * beta_squared))) / a_squared, ((g_23 * g_23) * (k * k)) + ((Omega * Omega) * (g_13 * g_13))
+    return (n1_2 * beta_squared) + (n3_8 * t1), (n1_8 * (t1 + (n4 * beta_squared))) / a_squared, ((g_23 * g_23) * (k * k)) + ((Omega * Omega) * (g_13 * g_13))
 
 
 def _averaged_diffusion_block(a, Omega, k, alpha, beta, g_13, g_23, out_Kbar_11, out_Kbar_22, out_Kbar_33, r0, r1, r2, r3, r4):
@@ -631,12 +643,12 @@ def _averaged_diffusion_block(a, Omega, k, alpha, beta, g_13, g_23, out_Kbar_11,
     np.multiply(a, a, r1)  # a_squared
     np.multiply(alpha, alpha, r2)  # alpha_squared
     np.multiply(r1, r2, r2)  # t1
-    np.multiply((1.0 / 2.0), r0, r3)  # t2
-    np.multiply((3.0 / 8.0), r2, r4)  # t3
+    np.multiply(1.0 / 2.0, r0, r3)  # t2
+    np.multiply(3.0 / 8.0, r2, r4)  # t3
     np.add(r3, r4, out_Kbar_11)  # t4
     np.multiply(4.0, r0, r0)  # t5
     np.add(r2, r0, r0)  # t6
-    np.multiply((1.0 / 8.0), r0, r0)  # t7
+    np.multiply(1.0 / 8.0, r0, r0)  # t7
     np.divide(r0, r1, out_Kbar_22)  # t8
     np.multiply(Omega, Omega, r1)  # Omega_squared
     np.multiply(g_13, g_13, r0)  # g_13_squared
@@ -673,23 +685,25 @@ def density_of_amplitude(a, alpha, beta, gamma, out=None):
     if out is None:
         if type(a) is type(alpha) is type(beta) is type(gamma) is float:
             try:
-                return _density_of_amplitude(a, alpha, beta, gamma, math.exp)
+                return _density_of_amplitude(a, alpha, beta, gamma, math.exp, 2.0, 1.0, 4.0, 3.0, 3.0 / 4.0, 1.0 / 4.0)
             except (ValueError, ZeroDivisionError, OverflowError):
                 pass  # NumPy says whether it is infinite or no number
-        elif type(a) is type(alpha) is type(beta) is type(gamma) is np.ndarray and a.dtype is alpha.dtype is beta.dtype is gamma.dtype is DOUBLE and a.shape == alpha.shape == beta.shape == gamma.shape and a.size <= SMALL:
-            return _density_of_amplitude(a, alpha, beta, gamma)
-    return evaluate(_density_of_amplitude_block, 7, 1, (a, alpha, beta, gamma,), out)
+        elif type(a) is type(alpha) is type(beta) is type(gamma) is np.ndarray and a.dtype is alpha.dtype is beta.dtype is gamma.dtype is DOUBLE and a.shape == alpha.shape == beta.shape == gamma.shape:
+            if a.size <= SMALL:
+                return _density_of_amplitude(a, alpha, beta, gamma)
+            return evaluate_alike(_density_of_amplitude_block, 7, (0,), (a, alpha, beta, gamma,))
+    return evaluate(_density_of_amplitude_block, 7, (0,), (a, alpha, beta, gamma,), out)
 
 
-def _density_of_amplitude(a, alpha, beta, gamma, exp=np.exp):
-    t1 = 2.0 * gamma
+def _density_of_amplitude(a, alpha, beta, gamma, exp=np.exp, n2=np.array(2.0), n1=np.array(1.0), n4=np.array(4.0), n3=np.array(3.0), n3_4=np.array(3.0 / 4.0), n1_4=np.array(1.0 / 4.0)):
+    t1 = n2 * gamma
     beta_squared = beta * beta
     a_squared = a * a
     t4 = a_squared * (alpha * alpha)
-    t5 = 1.0 / beta_squared
+    t5 = n1 / beta_squared
     t12 = (alpha + t1) * (alpha - t1)
-    t19 = exp((1.0 / 4.0) * (log1p_ratio((3.0 / 4.0) * (t4 * t5)) * ((a_squared * t12) * t5))) * (a * t12)
-    return -((2.0 * t19) / ((4.0 * beta_squared) + (3.0 * t4)))
+    t21 = (n2 * (exp(n1_4 * (log1p_ratio(n3_4 * (t4 * t5)) * ((a_squared * t12) * t5))) * (a * t12))) / ((n4 * beta_squared) + (n3 * t4))
+    return -t21
 
 
 def _density_of_amplitude_block(a, alpha, beta, gamma, out_p_s1, r0, r1, r2, r3, r4, r5, r6):
@@ -705,13 +719,13 @@ def _density_of_amplitude_block(a, alpha, beta, gamma, out_p_s1, r0, r1, r2, r3,
     np.multiply(3.0, r4, r6)  # t7
     np.add(r2, r6, r6)  # t8
     np.multiply(r4, r5, r4)  # t9
-    np.multiply((3.0 / 4.0), r4, r4)  # t10
+    np.multiply(3.0 / 4.0, r4, r4)  # t10
     log1p_ratio(r4, r4)  # t11
     np.multiply(r1, r0, r0)  # t12
     np.multiply(r3, r0, r3)  # t13
     np.multiply(r3, r5, r5)  # t14
     np.multiply(r4, r5, r5)  # t15
-    np.multiply((1.0 / 4.0), r5, r5)  # t16
+    np.multiply(1.0 / 4.0, r5, r5)  # t16
     np.exp(r5, r5)  # t17
     np.multiply(a, r0, r0)  # t18
     np.multiply(r5, r0, r0)  # t19
@@ -747,22 +761,24 @@ def density_of_frequency(Omega, k, g_13, g_23, d_33, out=None):
     if out is None:
         if type(Omega) is type(k) is type(g_13) is type(g_23) is type(d_33) is float:
             try:
-                return _density_of_frequency(Omega, k, g_13, g_23, d_33, math.exp, math.sqrt)
+                return _density_of_frequency(Omega, k, g_13, g_23, d_33, math.exp, math.sqrt, 1.0, math.pi, 1.0 / 2.0)
             except (ValueError, ZeroDivisionError, OverflowError):
                 pass  # NumPy says whether it is infinite or no number
-        elif type(Omega) is type(k) is type(g_13) is type(g_23) is type(d_33) is np.ndarray and Omega.dtype is k.dtype is g_13.dtype is g_23.dtype is d_33.dtype is DOUBLE and Omega.shape == k.shape == g_13.shape == g_23.shape == d_33.shape and Omega.size <= SMALL:
-            return _density_of_frequency(Omega, k, g_13, g_23, d_33)
-    return evaluate(_density_of_frequency_block, 7, 1, (Omega, k, g_13, g_23, d_33,), out)
+        elif type(Omega) is type(k) is type(g_13) is type(g_23) is type(d_33) is np.ndarray and Omega.dtype is k.dtype is g_13.dtype is g_23.dtype is d_33.dtype is DOUBLE and Omega.shape == k.shape == g_13.shape == g_23.shape == d_33.shape:
+            if Omega.size <= SMALL:
+                return _density_of_frequency(Omega, k, g_13, g_23, d_33)
+            return evaluate_alike(_density_of_frequency_block, 7, (0,), (Omega, k, g_13, g_23, d_33,))
+    return evaluate(_density_of_frequency_block, 7, (0,), (Omega, k, g_13, g_23, d_33,), out)
 
 
-def _density_of_frequency(Omega, k, g_13, g_23, d_33, exp=np.exp, sqrt=np.sqrt):
+def _density_of_frequency(Omega, k, g_13, g_23, d_33, exp=np.exp, sqrt=np.sqrt, n1=np.array(1.0), pi=np.array(math.pi), n1_2=np.array(1.0 / 2.0)):
     g_13_squared = g_13 * g_13
     Omega_squared = Omega * Omega
     t1 = Omega_squared * g_13_squared
     t2 = (g_23 * g_23) * (k * k)
-    t3 = 1.0 / t2
-    t17 = gamma_ratio(d_33 / g_13_squared, 1.0 / 2.0) * (sqrt(d_33) * exp(-((d_33 * (Omega_squared * t3)) * log1p_ratio(t1 * t3))))
-    return t17 / (sqrt(math.pi) * sqrt(t1 + t2))
+    t3 = n1 / t2
+    t17 = gamma_ratio(d_33 / g_13_squared, n1_2) * (sqrt(d_33) * exp(-((d_33 * (Omega_squared * t3)) * log1p_ratio(t1 * t3))))
+    return t17 / (sqrt(pi) * sqrt(t1 + t2))
 
 
 def _density_of_frequency_block(Omega, k, g_13, g_23, d_33, out_p_s3, r0, r1, r2, r3, r4, r5, r6):
@@ -785,7 +801,7 @@ def _density_of_frequency_block(Omega, k, g_13, g_23, d_33, out_p_s3, r0, r1, r2
     np.negative(r2, r2)  # t12
     np.exp(r2, r2)  # t13
     np.divide(d_33, r0, r0)  # t14
-    gamma_ratio(r0, (1.0 / 2.0), r0)  # t15
+    gamma_ratio(r0, 1.0 / 2.0, r0)  # t15
     np.multiply(r6, r2, r2)  # t16
     np.multiply(r0, r2, r2)  # t17
     np.multiply(r5, r4, r4)  # t18
@@ -817,18 +833,20 @@ def logarithm_of_constant_of_amplitude(alpha, beta, gamma, out=None):
     if out is None:
         if type(alpha) is type(beta) is type(gamma) is float:
             try:
-                return _logarithm_of_constant_of_amplitude(alpha, beta, gamma, math.log)
+                return _logarithm_of_constant_of_amplitude(alpha, beta, gamma, math.log, 2.0, 1.0 / 4.0, 2.0 / 3.0)
             except (ValueError, ZeroDivisionError, OverflowError):
                 pass  # NumPy says whether it is infinite or no number
-        elif type(alpha) is type(beta) is type(gamma) is np.ndarray and alpha.dtype is beta.dtype is gamma.dtype is DOUBLE and alpha.shape == beta.shape == gamma.shape and alpha.size <= SMALL:
-            return _logarithm_of_constant_of_amplitude(alpha, beta, gamma)
-    return evaluate(_logarithm_of_constant_of_amplitude_block, 4, 1, (alpha, beta, gamma,), out)
+        elif type(alpha) is type(beta) is type(gamma) is np.ndarray and alpha.dtype is beta.dtype is gamma.dtype is DOUBLE and alpha.shape == beta.shape == gamma.shape:
+            if alpha.size <= SMALL:
+                return _logarithm_of_constant_of_amplitude(alpha, beta, gamma)
+            return evaluate_alike(_logarithm_of_constant_of_amplitude_block, 4, (0,), (alpha, beta, gamma,))
+    return evaluate(_logarithm_of_constant_of_amplitude_block, 4, (0,), (alpha, beta, gamma,), out)
 
 
-def _logarithm_of_constant_of_amplitude(alpha, beta, gamma, log=np.log):
-    t1 = 2.0 * gamma
+def _logarithm_of_constant_of_amplitude(alpha, beta, gamma, log=np.log, n2=np.array(2.0), n1_4=np.array(1.0 / 4.0), n2_3=np.array(2.0 / 3.0)):
+    t1 = n2 * gamma
     t4 = (alpha + t1) * (t1 - alpha)
-    return (((2.0 / 3.0) * (t4 * log(2.0 * beta))) / (alpha * alpha)) + log((1.0 / 4.0) * t4)
+    return ((n2_3 * (t4 * log(n2 * beta))) / (alpha * alpha)) + log(n1_4 * t4)
 
 
 def _logarithm_of_constant_of_amplitude_block(alpha, beta, gamma, out_log_C_1, r0, r1, r2, r3):
@@ -836,13 +854,13 @@ def _logarithm_of_constant_of_amplitude_block(alpha, beta, gamma, out_log_C_1, r
     np.add(alpha, r0, r1)  # t2
     np.subtract(r0, alpha, r0)  # t3
     np.multiply(r1, r0, r0)  # t4
-    np.multiply((1.0 / 4.0), r0, r1)  # t5
+    np.multiply(1.0 / 4.0, r0, r1)  # t5
     np.log(r1, r1)  # t6
     np.multiply(alpha, alpha, r2)  # alpha_squared
     np.multiply(2.0, beta, r3)  # t7
     np.log(r3, r3)  # t8
     np.multiply(r0, r3, r3)  # t9
-    np.multiply((2.0 / 3.0), r3, r3)  # t10
+    np.multiply(2.0 / 3.0, r3, r3)  # t10
     np.divide(r3, r2, r2)  # t11
     np.add(r2, r1, out_log_C_1)  # t12
 
@@ -873,18 +891,19 @@ def logarithm_of_constant_of_frequency(k, g_13, g_23, d_33, out=None):
     if out is None:
         if type(k) is type(g_13) is type(g_23) is type(d_33) is float:
             try:
-                return _logarithm_of_constant_of_frequency(k, g_13, g_23, d_33, math.log, math.sqrt)
+                return _logarithm_of_constant_of_frequency(k, g_13, g_23, d_33, math.log, math.sqrt, 2.0, math.pi, 1.0 / 2.0)
             except (ValueError, ZeroDivisionError, OverflowError):
                 pass  # NumPy says whether it is infinite or no number
-        elif type(k) is type(g_13) is type(g_23) is type(d_33) is np.ndarray and k.dtype is g_13.dtype is g_23.dtype is d_33.dtype is DOUBLE and k.shape == g_13.shape == g_23.shape == d_33.shape and k.size <= SMALL:
-            return _logarithm_of_constant_of_frequency(k, g_13, g_23, d_33)
-    return evaluate(_logarithm_of_constant_of_frequency_block, 4, 1, (k, g_13, g_23, d_33,), out)
+        elif type(k) is type(g_13) is type(g_23) is type(d_33) is np.ndarray and k.dtype is g_13.dtype is g_23.dtype is d_33.dtype is DOUBLE and k.shape == g_13.shape == g_23.shape == d_33.shape:
+            if k.size <= SMALL:
+                return _logarithm_of_constant_of_frequency(k, g_13, g_23, d_33)
+            return evaluate_alike(_logarithm_of_constant_of_frequency_block, 4, (0,), (k, g_13, g_23, d_33,))
+    return evaluate(_logarithm_of_constant_of_frequency_block, 4, (0,), (k, g_13, g_23, d_33,), out)
 
 
-def _logarithm_of_constant_of_frequency(k, g_13, g_23, d_33, log=np.log, sqrt=np.sqrt):
+def _logarithm_of_constant_of_frequency(k, g_13, g_23, d_33, log=np.log, sqrt=np.sqrt, n2=np.array(2.0), pi=np.array(math.pi), n1_2=np.array(1.0 / 2.0)):
     t1 = d_33 / (g_13 * g_13)
-    t11 = log((sqrt(d_33) * gamma_ratio(t1, 1.0 / 2.0)) / sqrt(math.pi)) + (2.0 * (t1 * log(g_23 * k)))
-    return t11
+    return log((sqrt(d_33) * gamma_ratio(t1, n1_2)) / sqrt(pi)) + (n2 * (t1 * log(g_23 * k)))
 
 
 def _logarithm_of_constant_of_frequency_block(k, g_13, g_23, d_33, out_log_C_2, r0, r1, r2, r3):
@@ -896,7 +915,7 @@ def _logarithm_of_constant_of_frequency_block(k, g_13, g_23, d_33, out_log_C_2, 
     np.multiply(2.0, r1, r1)  # t5
     np.sqrt(math.pi, r2)  # t6
     np.sqrt(d_33, r3)  # sqrt_d_33
-    gamma_ratio(r0, (1.0 / 2.0), r0)  # t7
+    gamma_ratio(r0, 1.0 / 2.0, r0)  # t7
     np.multiply(r3, r0, r0)  # t8
     np.divide(r0, r2, r2)  # t9
     np.log(r2, r2)  # t10
@@ -927,19 +946,21 @@ def distribution_of_amplitude(a, alpha, beta, gamma, out=None):
     if out is None:
         if type(a) is type(alpha) is type(beta) is type(gamma) is float:
             try:
-                return _distribution_of_amplitude(a, alpha, beta, gamma, math.expm1)
+                return _distribution_of_amplitude(a, alpha, beta, gamma, math.expm1, 2.0, 3.0 / 4.0, 1.0 / 4.0)
             except (ValueError, ZeroDivisionError, OverflowError):
                 pass  # NumPy says whether it is infinite or no number
-        elif type(a) is type(alpha) is type(beta) is type(gamma) is np.ndarray and a.dtype is alpha.dtype is beta.dtype is gamma.dtype is DOUBLE and a.shape == alpha.shape == beta.shape == gamma.shape and a.size <= SMALL:
-            return _distribution_of_amplitude(a, alpha, beta, gamma)
-    return evaluate(_distribution_of_amplitude_block, 4, 1, (a, alpha, beta, gamma,), out)
+        elif type(a) is type(alpha) is type(beta) is type(gamma) is np.ndarray and a.dtype is alpha.dtype is beta.dtype is gamma.dtype is DOUBLE and a.shape == alpha.shape == beta.shape == gamma.shape:
+            if a.size <= SMALL:
+                return _distribution_of_amplitude(a, alpha, beta, gamma)
+            return evaluate_alike(_distribution_of_amplitude_block, 4, (0,), (a, alpha, beta, gamma,))
+    return evaluate(_distribution_of_amplitude_block, 4, (0,), (a, alpha, beta, gamma,), out)
 
 
-def _distribution_of_amplitude(a, alpha, beta, gamma, expm1=np.expm1):
-    t1 = 2.0 * gamma
+def _distribution_of_amplitude(a, alpha, beta, gamma, expm1=np.expm1, n2=np.array(2.0), n3_4=np.array(3.0 / 4.0), n1_4=np.array(1.0 / 4.0)):
+    t1 = n2 * gamma
     t2 = (a * a) / (beta * beta)
-    t11 = (1.0 / 4.0) * (log1p_ratio((3.0 / 4.0) * ((alpha * alpha) * t2)) * ((alpha - t1) * (t2 * (alpha + t1))))
-    return -expm1(t11)
+    t12 = expm1(n1_4 * (log1p_ratio(n3_4 * ((alpha * alpha) * t2)) * ((alpha - t1) * (t2 * (alpha + t1)))))
+    return -t12
 
 
 def _distribution_of_amplitude_block(a, alpha, beta, gamma, out_F, r0, r1, r2, r3):
@@ -951,12 +972,12 @@ def _distribution_of_amplitude_block(a, alpha, beta, gamma, out_F, r0, r1, r2, r
     np.subtract(alpha, r0, r0)  # t4
     np.multiply(alpha, alpha, r3)  # alpha_squared
     np.multiply(r3, r2, r3)  # t5
-    np.multiply((3.0 / 4.0), r3, r3)  # t6
+    np.multiply(3.0 / 4.0, r3, r3)  # t6
     log1p_ratio(r3, r3)  # t7
     np.multiply(r2, r1, r1)  # t8
     np.multiply(r0, r1, r1)  # t9
     np.multiply(r3, r1, r1)  # t10
-    np.multiply((1.0 / 4.0), r1, r1)  # t11
+    np.multiply(1.0 / 4.0, r1, r1)  # t11
     np.expm1(r1, r1)  # t12
     np.negative(r1, out_F)  # t13
 
@@ -987,21 +1008,23 @@ def quantile_of_amplitude(q, alpha, beta, gamma, out=None):
     if out is None:
         if type(q) is type(alpha) is type(beta) is type(gamma) is float:
             try:
-                return _quantile_of_amplitude(q, alpha, beta, gamma, math.log1p, math.sqrt)
+                return _quantile_of_amplitude(q, alpha, beta, gamma, math.log1p, math.sqrt, 2.0, 1.0, 3.0)
             except (ValueError, ZeroDivisionError, OverflowError):
                 pass  # NumPy says whether it is infinite or no number
-        elif type(q) is type(alpha) is type(beta) is type(gamma) is np.ndarray and q.dtype is alpha.dtype is beta.dtype is gamma.dtype is DOUBLE and q.shape == alpha.shape == beta.shape == gamma.shape and q.size <= SMALL:
-            return _quantile_of_amplitude(q, alpha, beta, gamma)
-    return evaluate(_quantile_of_amplitude_block, 7, 1, (q, alpha, beta, gamma,), out)
+        elif type(q) is type(alpha) is type(beta) is type(gamma) is np.ndarray and q.dtype is alpha.dtype is beta.dtype is gamma.dtype is DOUBLE and q.shape == alpha.shape == beta.shape == gamma.shape:
+            if q.size <= SMALL:
+                return _quantile_of_amplitude(q, alpha, beta, gamma)
+            return evaluate_alike(_quantile_of_amplitude_block, 7, (0,), (q, alpha, beta, gamma,))
+    return evaluate(_quantile_of_amplitude_block, 7, (0,), (q, alpha, beta, gamma,), out)
 
 
-def _quantile_of_amplitude(q, alpha, beta, gamma, log1p=np.log1p, sqrt=np.sqrt):
-    t1 = 2.0 * gamma
+def _quantile_of_amplitude(q, alpha, beta, gamma, log1p=np.log1p, sqrt=np.sqrt, n2=np.array(2.0), n1=np.array(1.0), n3=np.array(3.0)):
+    t1 = n2 * gamma
     t2 = alpha + t1
     t4 = log1p(-q)
-    t6 = 1.0 / (t1 - alpha)
-    t20 = sqrt(expm1_ratio(-((3.0 * ((alpha * alpha) * (t4 * t6))) / t2))) * (sqrt(-t4) * (beta * sqrt(t6)))
-    return (2.0 * t20) / sqrt(t2)
+    t6 = n1 / (t1 - alpha)
+    t20 = sqrt(expm1_ratio(-((n3 * ((alpha * alpha) * (t4 * t6))) / t2))) * (sqrt(-t4) * (beta * sqrt(t6)))
+    return (n2 * t20) / sqrt(t2)
 
 
 def _quantile_of_amplitude_block(q, alpha, beta, gamma, out_a_q, r0, r1, r2, r3, r4, r5, r6):
@@ -1057,25 +1080,27 @@ def moment_of_amplitude(m, alpha, beta, gamma, out=None):
     if out is None:
         if type(m) is type(alpha) is type(beta) is type(gamma) is float:
             try:
-                return _moment_of_amplitude(m, alpha, beta, gamma, math.pow, math.sqrt)
+                return _moment_of_amplitude(m, alpha, beta, gamma, math.pow, math.sqrt, 1.0 / 2.0, 2.0, 1.0, 1.0 / 3.0)
             except (ValueError, ZeroDivisionError, OverflowError):
                 pass  # NumPy says whether it is infinite or no number
-        elif type(m) is type(alpha) is type(beta) is type(gamma) is np.ndarray and m.dtype is alpha.dtype is beta.dtype is gamma.dtype is DOUBLE and m.shape == alpha.shape == beta.shape == gamma.shape and m.size <= SMALL:
-            return _moment_of_amplitude(m, alpha, beta, gamma)
-    return evaluate(_moment_of_amplitude_block, 6, 1, (m, alpha, beta, gamma,), out)
+        elif type(m) is type(alpha) is type(beta) is type(gamma) is np.ndarray and m.dtype is alpha.dtype is beta.dtype is gamma.dtype is DOUBLE and m.shape == alpha.shape == beta.shape == gamma.shape:
+            if m.size <= SMALL:
+                return _moment_of_amplitude(m, alpha, beta, gamma)
+            return evaluate_alike(_moment_of_amplitude_block, 6, (0,), (m, alpha, beta, gamma,))
+    return evaluate(_moment_of_amplitude_block, 6, (0,), (m, alpha, beta, gamma,), out)
 
 
-def _moment_of_amplitude(m, alpha, beta, gamma, power=np.power, sqrt=np.sqrt):
-    t1 = (1.0 / 2.0) * m
-    t2 = 2.0 * gamma
+def _moment_of_amplitude(m, alpha, beta, gamma, power=np.power, sqrt=np.sqrt, n1_2=np.array(1.0 / 2.0), n2=np.array(2.0), n1=np.array(1.0), n1_3=np.array(1.0 / 3.0)):
+    t1 = n1_2 * m
+    t2 = n2 * gamma
     t3 = alpha + t2
     t4 = t2 - alpha
-    t18 = gamma_ratio(((1.0 / 3.0) * (t3 * t4)) / (alpha * alpha), -t1) * (power((2.0 * beta) / (sqrt(t3) * sqrt(t4)), m) * gamma_ratio(1.0, t1))
+    t18 = gamma_ratio((n1_3 * (t3 * t4)) / (alpha * alpha), -t1) * (power((n2 * beta) / (sqrt(t3) * sqrt(t4)), m) * gamma_ratio(n1, t1))
     return t18
 
 
 def _moment_of_amplitude_block(m, alpha, beta, gamma, out_M_a, r0, r1, r2, r3, r4, r5):
-    np.multiply((1.0 / 2.0), m, r0)  # t1
+    np.multiply(1.0 / 2.0, m, r0)  # t1
     np.multiply(2.0, gamma, r1)  # t2
     np.add(alpha, r1, r2)  # t3
     np.subtract(r1, alpha, r1)  # t4
@@ -1088,7 +1113,7 @@ def _moment_of_amplitude_block(m, alpha, beta, gamma, out_M_a, r0, r1, r2, r3, r
     gamma_ratio(1.0, r0, r5)  # t11
     np.multiply(alpha, alpha, r3)  # alpha_squared
     np.multiply(r2, r1, r1)  # t12
-    np.multiply((1.0 / 3.0), r1, r1)  # t13
+    np.multiply(1.0 / 3.0, r1, r1)  # t13
     np.divide(r1, r3, r3)  # t14
     np.negative(r0, r0)  # t15
     gamma_ratio(r3, r0, r0)  # t16
@@ -1124,28 +1149,30 @@ def moment_of_frequency(m, k, g_13, g_23, d_33, out=None):
     if out is None:
         if type(m) is type(k) is type(g_13) is type(g_23) is type(d_33) is float:
             try:
-                return _moment_of_frequency(m, k, g_13, g_23, d_33, math.pow, math.sqrt)
+                return _moment_of_frequency(m, k, g_13, g_23, d_33, math.pow, math.sqrt, 1.0 / 2.0, math.pi, 1.0)
             except (ValueError, ZeroDivisionError, OverflowError):
                 pass  # NumPy says whether it is infinite or no number
-        elif type(m) is type(k) is type(g_13) is type(g_23) is type(d_33) is np.ndarray and m.dtype is k.dtype is g_13.dtype is g_23.dtype is d_33.dtype is DOUBLE and m.shape == k.shape == g_13.shape == g_23.shape == d_33.shape and m.size <= SMALL:
-            return _moment_of_frequency(m, k, g_13, g_23, d_33)
-    return evaluate(_moment_of_frequency_block, 5, 1, (m, k, g_13, g_23, d_33,), out)
+        elif type(m) is type(k) is type(g_13) is type(g_23) is type(d_33) is np.ndarray and m.dtype is k.dtype is g_13.dtype is g_23.dtype is d_33.dtype is DOUBLE and m.shape == k.shape == g_13.shape == g_23.shape == d_33.shape:
+            if m.size <= SMALL:
+                return _moment_of_frequency(m, k, g_13, g_23, d_33)
+            return evaluate_alike(_moment_of_frequency_block, 5, (0,), (m, k, g_13, g_23, d_33,))
+    return evaluate(_moment_of_frequency_block, 5, (0,), (m, k, g_13, g_23, d_33,), out)
 
 
-def _moment_of_frequency(m, k, g_13, g_23, d_33, power=np.power, sqrt=np.sqrt):
-    t1 = (1.0 / 2.0) * m
-    t12 = gamma_ratio(d_33 / (g_13 * g_13), -t1) * (power((g_23 * k) / sqrt(d_33), m) * gamma_ratio(1.0, t1 - (1.0 / 2.0)))
-    return t12 / sqrt(math.pi)
+def _moment_of_frequency(m, k, g_13, g_23, d_33, power=np.power, sqrt=np.sqrt, n1_2=np.array(1.0 / 2.0), pi=np.array(math.pi), n1=np.array(1.0)):
+    t1 = n1_2 * m
+    t12 = gamma_ratio(d_33 / (g_13 * g_13), -t1) * (power((g_23 * k) / sqrt(d_33), m) * gamma_ratio(n1, t1 - n1_2))
+    return t12 / sqrt(pi)
 
 
 def _moment_of_frequency_block(m, k, g_13, g_23, d_33, out_M_Omega, r0, r1, r2, r3, r4):
-    np.multiply((1.0 / 2.0), m, r0)  # t1
+    np.multiply(1.0 / 2.0, m, r0)  # t1
     np.sqrt(math.pi, r1)  # t2
     np.sqrt(d_33, r2)  # sqrt_d_33
     np.multiply(g_23, k, r3)  # t3
     np.divide(r3, r2, r2)  # t4
     np.power(r2, m, r2)  # t5
-    np.subtract(r0, (1.0 / 2.0), r3)  # t6
+    np.subtract(r0, 1.0 / 2.0, r3)  # t6
     gamma_ratio(1.0, r3, r3)  # t7
     np.multiply(g_13, g_13, r4)  # g_13_squared
     np.divide(d_33, r4, r4)  # t8
@@ -1182,9 +1209,11 @@ def mean_square_of_amplitude(alpha, beta, gamma, out=None):
                 return _mean_square_of_amplitude(alpha, beta, gamma)
             except (ValueError, ZeroDivisionError, OverflowError):
                 pass  # NumPy says whether it is infinite or no number
-        elif type(alpha) is type(beta) is type(gamma) is np.ndarray and alpha.dtype is beta.dtype is gamma.dtype is DOUBLE and alpha.shape == beta.shape == gamma.shape and alpha.size <= SMALL:
-            return _mean_square_of_amplitude(alpha, beta, gamma)
-    return evaluate(_mean_square_of_amplitude_block, 3, 1, (alpha, beta, gamma,), out)
+        elif type(alpha) is type(beta) is type(gamma) is np.ndarray and alpha.dtype is beta.dtype is gamma.dtype is DOUBLE and alpha.shape == beta.shape == gamma.shape:
+            if alpha.size <= SMALL:
+                return _mean_square_of_amplitude(alpha, beta, gamma)
+            return evaluate_alike(_mean_square_of_amplitude_block, 3, (0,), (alpha, beta, gamma,))
+    return evaluate(_mean_square_of_amplitude_block, 3, (0,), (alpha, beta, gamma,), out)
 
 
 def _mean_square_of_amplitude(alpha, beta, gamma):
@@ -1226,16 +1255,18 @@ def mean_square_of_frequency(k, g_13, g_23, d_33, out=None):
     if out is None:
         if type(k) is type(g_13) is type(g_23) is type(d_33) is float:
             try:
-                return _mean_square_of_frequency(k, g_13, g_23, d_33)
+                return _mean_square_of_frequency(k, g_13, g_23, d_33, 1.0 / 2.0)
             except (ValueError, ZeroDivisionError, OverflowError):
                 pass  # NumPy says whether it is infinite or no number
-        elif type(k) is type(g_13) is type(g_23) is type(d_33) is np.ndarray and k.dtype is g_13.dtype is g_23.dtype is d_33.dtype is DOUBLE and k.shape == g_13.shape == g_23.shape == d_33.shape and k.size <= SMALL:
-            return _mean_square_of_frequency(k, g_13, g_23, d_33)
-    return evaluate(_mean_square_of_frequency_block, 3, 1, (k, g_13, g_23, d_33,), out)
+        elif type(k) is type(g_13) is type(g_23) is type(d_33) is np.ndarray and k.dtype is g_13.dtype is g_23.dtype is d_33.dtype is DOUBLE and k.shape == g_13.shape == g_23.shape == d_33.shape:
+            if k.size <= SMALL:
+                return _mean_square_of_frequency(k, g_13, g_23, d_33)
+            return evaluate_alike(_mean_square_of_frequency_block, 3, (0,), (k, g_13, g_23, d_33,))
+    return evaluate(_mean_square_of_frequency_block, 3, (0,), (k, g_13, g_23, d_33,), out)
 
 
-def _mean_square_of_frequency(k, g_13, g_23, d_33):
-    return ((1.0 / 2.0) * ((g_23 * g_23) * (k * k))) / (d_33 - (g_13 * g_13))
+def _mean_square_of_frequency(k, g_13, g_23, d_33, n1_2=np.array(1.0 / 2.0)):
+    return (n1_2 * ((g_23 * g_23) * (k * k))) / (d_33 - (g_13 * g_13))
 
 
 def _mean_square_of_frequency_block(k, g_13, g_23, d_33, out_S_Omega, r0, r1, r2):
@@ -1244,7 +1275,7 @@ def _mean_square_of_frequency_block(k, g_13, g_23, d_33, out_S_Omega, r0, r1, r2
     np.multiply(g_13, g_13, r2)  # g_13_squared
     np.subtract(d_33, r2, r2)  # t1
     np.multiply(r0, r1, r1)  # t2
-    np.multiply((1.0 / 2.0), r1, r1)  # t3
+    np.multiply(1.0 / 2.0, r1, r1)  # t3
     np.divide(r1, r2, out_S_Omega)  # t4
 
 
@@ -1272,16 +1303,18 @@ def mode_of_amplitude(alpha, beta, gamma, out=None):
     if out is None:
         if type(alpha) is type(beta) is type(gamma) is float:
             try:
-                return _mode_of_amplitude(alpha, beta, gamma, math.sqrt)
+                return _mode_of_amplitude(alpha, beta, gamma, math.sqrt, 8.0, 2.0)
             except (ValueError, ZeroDivisionError, OverflowError):
                 pass  # NumPy says whether it is infinite or no number
-        elif type(alpha) is type(beta) is type(gamma) is np.ndarray and alpha.dtype is beta.dtype is gamma.dtype is DOUBLE and alpha.shape == beta.shape == gamma.shape and alpha.size <= SMALL:
-            return _mode_of_amplitude(alpha, beta, gamma)
-    return evaluate(_mode_of_amplitude_block, 2, 1, (alpha, beta, gamma,), out)
+        elif type(alpha) is type(beta) is type(gamma) is np.ndarray and alpha.dtype is beta.dtype is gamma.dtype is DOUBLE and alpha.shape == beta.shape == gamma.shape:
+            if alpha.size <= SMALL:
+                return _mode_of_amplitude(alpha, beta, gamma)
+            return evaluate_alike(_mode_of_amplitude_block, 2, (0,), (alpha, beta, gamma,))
+    return evaluate(_mode_of_amplitude_block, 2, (0,), (alpha, beta, gamma,), out)
 
 
-def _mode_of_amplitude(alpha, beta, gamma, sqrt=np.sqrt):
-    return (2.0 * beta) / sqrt((alpha * alpha) + (8.0 * (gamma * gamma)))
+def _mode_of_amplitude(alpha, beta, gamma, sqrt=np.sqrt, n8=np.array(8.0), n2=np.array(2.0)):
+    return (n2 * beta) / sqrt((alpha * alpha) + (n8 * (gamma * gamma)))
 
 
 def _mode_of_amplitude_block(alpha, beta, gamma, out_a_star, r0, r1):

@@ -1,21 +1,27 @@
 """How a generated kernel runs: on numbers through `math`, on small arrays as it stands, on large ones by blocks.
 
 A block stays in the caches of its processor, so that the values between two operations never travel to memory; the
-registers that hold them are kept from call to call, one set for each thread. NumPy and the standard library alone.
+registers that hold them are kept from call to call, one set for each thread. Threads share the blocks of a large array:
+NumPy lets others run while it computes. NumPy and the standard library alone.
 """
 
 from __future__ import annotations
 
 import math
+import os
 import sys
 import threading
 from collections.abc import Callable, Sequence
+from concurrent.futures import ThreadPoolExecutor, wait
+from contextvars import copy_context
+from functools import cache, partial
 from itertools import combinations
 from typing import Any
 
 import numpy as np
 
 BLOCK = 8192  # elements: 64 kB of doubles
+SHARE = 4 * BLOCK  # elements that are worth a thread of their own
 DOUBLE = np.dtype(np.float64)
 LINE = 64  # bytes of a cache line: registers that begin on one are read twice as fast
 SMALL = 8192  # elements: up to here nothing leaves the caches anyway
@@ -27,22 +33,38 @@ Block = Callable[..., None]
 _local = threading.local()
 
 
-def evaluate(block: Block, registers: int, outputs: int, inputs: Sequence[Any], out: Any) -> Any:
-    """One call of a kernel on anything that broadcasts: one array, or a tuple of `outputs`, of the broadcast shape.
+def evaluate(block: Block, registers: int, order: Sequence[int], inputs: Sequence[Any], out: Any) -> Any:
+    """One call of a kernel on anything that broadcasts: one array of the broadcast shape, or a tuple of them.
 
+    `order` tells for each output which of the block's results it is; those that are the same are one array.
     float32 if all arrays are, else float64. ValueError if `out` does not fit. NumPy's warnings are the caller's.
     """
     dtype = np.result_type(*inputs)
     dtype = dtype if dtype == np.float32 else DOUBLE
-    arrays = [np.asarray(x) for x in inputs]
+    arrays = [x if x.ndim else x.astype(dtype, casting="same_kind") for x in map(np.asarray, inputs)]
     shape = np.broadcast_shapes(*(x.shape for x in arrays))
-    results = [np.empty(shape, dtype) for _ in range(outputs)] if out is None else _fitting(out, outputs, shape, dtype)
-    if out is not None:  # an output must not overwrite what is read later
-        arrays = [x.copy() if any(np.may_share_memory(x, y) for y in results) else x for x in arrays]
-    _run(block, _registers(registers, dtype), arrays, results, shape, dtype)
-    if out is None and not shape:
-        results = [x[()] for x in results]
-    return results[0] if outputs == 1 else tuple(results)
+    if out is None:
+        outputs = [np.empty(shape, dtype) for _ in range(max(order) + 1)]
+    else:  # an output must not overwrite what is read later
+        given = _fitting(out, len(order), shape, dtype)
+        arrays = [x.copy() if any(np.may_share_memory(x, y) for y in given) else x for x in arrays]
+        outputs = [given[order.index(k)] for k in range(max(order) + 1)]
+    _run(block, registers, arrays, outputs, shape, dtype)
+    if out is None:
+        results = [outputs[k] if shape else outputs[k][()] for k in order]
+    else:
+        results = given
+        for each, k in zip(given, order, strict=True):
+            if each is not outputs[k]:
+                np.copyto(each, outputs[k])
+    return results[0] if len(order) == 1 else tuple(results)
+
+
+def evaluate_alike(block: Block, registers: int, order: Sequence[int], inputs: Sequence[Any]) -> Any:
+    """The same for arrays of doubles that all have one shape, without asking again."""
+    outputs = [np.empty(inputs[0].shape) for _ in range(max(order) + 1)]
+    _run(block, registers, inputs, outputs, inputs[0].shape, DOUBLE)
+    return outputs[0] if len(order) == 1 else tuple([outputs[k] for k in order])
 
 
 def _fitting(out: Any, outputs: int, shape: tuple[int, ...], dtype: Any) -> list[Any]:
@@ -59,23 +81,65 @@ def _fitting(out: Any, outputs: int, shape: tuple[int, ...], dtype: Any) -> list
 
 
 def _run(
-    block: Block, rows: list[Any], arrays: list[Any], results: list[Any], shape: tuple[int, ...], dtype: Any
+    block: Block, registers: int, arrays: Sequence[Any], outputs: list[Any], shape: tuple[int, ...], dtype: Any
 ) -> None:
-    if all(x.shape == shape and x.dtype == dtype and x.flags.c_contiguous for x in (*arrays, *results)):
-        flat = [x.reshape(-1) for x in (*arrays, *results)]
-        for start in range(0, flat[0].size, BLOCK):
-            pieces = [x[start : start + BLOCK] for x in flat]
-            size = pieces[0].size
-            block(*pieces, *(rows if size == BLOCK else [row[:size] for row in rows]))
+    everything = (*arrays, *outputs)
+    if all(x.shape in (shape, ()) and x.dtype == dtype and x.flags.c_contiguous for x in everything):
+        flat = [x.reshape(-1) if x.shape == shape else x for x in everything]
+        size = outputs[0].size
+        share = -(-size // min(threads(), size // SHARE + 1) // BLOCK) * BLOCK or BLOCK
+        _apart(
+            partial(_pieces, block, registers, flat, dtype), [(k, min(k + share, size)) for k in range(0, size, share)]
+        )
         return
     chunks: Any = np.nditer  # its types know neither `with` nor lists of modes
-    modes = [["readonly"]] * len(arrays) + [["writeonly"]] * len(results)
+    modes = [["readonly"]] * len(arrays) + [["writeonly"]] * len(outputs)
     flags = ["external_loop", "buffered", "zerosize_ok", "delay_bufalloc"]
-    kinds = [dtype] * len(modes)
-    with chunks([*arrays, *results], flags, modes, kinds, casting="same_kind", buffersize=BLOCK) as iterator:
+    rows = _registers(registers, dtype)
+    with chunks(everything, flags, modes, [dtype] * len(modes), casting="same_kind", buffersize=BLOCK) as iterator:
         iterator.reset()
         for chunk in iterator:
             block(*chunk, *(row[: chunk[0].size] for row in rows))
+
+
+def _pieces(block: Block, registers: int, flat: list[Any], dtype: Any, start: int, stop: int) -> None:
+    """The block on each piece of some elements, with the registers of the thread that runs this."""
+    rows = _registers(registers, dtype)
+    for first in range(start, stop, BLOCK):
+        last = min(first + BLOCK, stop)
+        pieces = [x[first:last] if x.ndim else x for x in flat]
+        block(*pieces, *(rows if last - first == BLOCK else [row[: last - first] for row in rows]))
+
+
+def threads() -> int:
+    """How many threads share a large call: SYMCHECK_THREADS, or as many as there are processors."""
+    asked = os.environ.get("SYMCHECK_THREADS", "")
+    if not asked:
+        return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
+    if not asked.isdecimal() or int(asked) < 1:
+        raise ValueError(f"SYMCHECK_THREADS = {asked!r} must be a positive whole number")
+    return int(asked)
+
+
+def _apart(work: Callable[[int, int], None], parts: list[tuple[int, int]]) -> None:
+    """Each part in a thread, the first one here; NumPy's error state is that of the caller in all of them."""
+    others = [_pool().submit(copy_context().run, work, *part) for part in parts[1:]]
+    try:
+        for part in parts[:1]:
+            work(*part)
+    finally:
+        wait(others)
+    for other in others:
+        other.result()
+
+
+@cache
+def _pool() -> ThreadPoolExecutor:
+    return ThreadPoolExecutor(max(threads() - 1, 1), "symcheck")
+
+
+if hasattr(os, "register_at_fork"):
+    os.register_at_fork(after_in_child=_pool.cache_clear)  # threads do not live on in a fork
 
 
 def _registers(count: int, dtype: Any) -> list[Any]:

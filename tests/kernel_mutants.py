@@ -10,7 +10,7 @@ import ast
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from functools import partial
-from typing import Any, NamedTuple
+from typing import Any, ClassVar, NamedTuple
 
 import numpy as np
 import sympy as sp
@@ -36,7 +36,7 @@ SYMBOLIC: dict[str, Callable[..., Any]] = {
     "positive": lambda x: x,
 }
 UFUNCS = {name: getattr(np, name) for name in SYMBOLIC if hasattr(np, name)}
-EXPRESSION, IN_PLACE = "expression", "block"
+EXPRESSION, IN_PLACE, NUMBERS = "expression", "block", "numbers"
 
 
 class Mutant(NamedTuple):
@@ -53,20 +53,26 @@ class Mutant(NamedTuple):
 
 
 class Forms:
-    """The expression and the block of a kernel as syntax trees, of which one token can be changed at a time."""
+    """The expression of a kernel, its call on numbers and its block, as trees of which one token can be changed."""
 
     def __init__(self, case: Case) -> None:
         self.case = case
-        names = {f"_{case.name}": EXPRESSION, f"_{case.name}_block": IN_PLACE}
-        functions = [node for node in ast.parse(case.text).body if isinstance(node, ast.FunctionDef)]
-        self._trees = {names[node.name]: node for node in functions if node.name in names}
+        functions = {node.name: node for node in ast.parse(case.text).body if isinstance(node, ast.FunctionDef)}
+        whole = functions[case.name]
+        (attempt,) = [node for node in ast.walk(whole) if isinstance(node, ast.Try)]
+        whole.body = attempt.body  # without the way out for what `math` does not take
+        forms = (EXPRESSION, f"_{case.name}"), (IN_PLACE, f"_{case.name}_block"), (NUMBERS, case.name)
+        self._trees = {form: functions[name] for form, name in forms}
         self._inputs = [argument.name for argument in case.kernel.arguments]
+        values = list(case.made.program.outputs.values())
+        firsts = list(dict.fromkeys(values))
+        self._order = [firsts.index(value) for value in values]
 
     def mutants(self) -> Iterator[Mutant]:
         """All mutants; the trees stand as they are."""
         for form, tree in self._trees.items():
-            known = list(self._inputs) if form == EXPRESSION else [each.arg for each in tree.args.args]
-            for statement in tree.body:
+            known = [each.arg for each in tree.args.args] if form == IN_PLACE else list(self._inputs)
+            for statement in (*tree.args.defaults, *tree.body):
                 line = ast.unparse(statement)
                 for node, field, value in _changes(statement, known):
                     yield Mutant(form, line, node, field, value)
@@ -84,8 +90,8 @@ class Forms:
         inputs = [x.copy() for x in truth.points]
         with np.errstate(all="ignore"):
             try:
-                results = self._expression(function, inputs) if form == EXPRESSION else self._block(function, inputs)
-            except (ArithmeticError, AttributeError, NameError, TypeError):
+                results = self._runs[form](self, function, inputs)
+            except (ArithmeticError, AttributeError, NameError, TypeError, ValueError):
                 return False
         kept = all(np.array_equal(x, y) for x, y in zip(inputs, truth.points, strict=True))
         return kept and bool((truth.error(results) <= self.case.kernel.ulp).all())
@@ -104,20 +110,31 @@ class Forms:
     def _block(self, function: Any, inputs: list[Any]) -> list[Any]:
         rows = [np.full(inputs[0].shape, np.nan) for _ in self._trees[IN_PLACE].args.args[len(inputs) :]]
         function(*inputs, *rows)
-        return rows[: len(self.case.kernel.outputs)]
+        return [rows[k] for k in self._order]
+
+    def _numbers(self, function: Any, inputs: list[Any]) -> list[Any]:
+        rows = [np.atleast_1d(function(*point)) for point in zip(*(x.tolist() for x in inputs), strict=True)]
+        return list(np.array(rows).T)
+
+    _runs: ClassVar[dict[str, Callable[..., list[Any]]]] = {
+        EXPRESSION: _expression,
+        IN_PLACE: _block,
+        NUMBERS: _numbers,
+    }
 
     def _meaning(self, form: str) -> list[Any]:
         """The outputs of one form as expressions of the arguments."""
         symbols = [sp.Symbol(argument.name, real=True) for argument in self.case.kernel.arguments]
         space: dict[str, Any] = SYMBOLIC | {"np": _Ufuncs(), "math": _Ufuncs()}
-        if form == EXPRESSION:
+        if form != IN_PLACE:
+            self._compiled(EXPRESSION, space)
             results = self._compiled(form, space)(*symbols)
             return [_exact(x) for x in (results if isinstance(results, tuple) else (results,))]
         later = [each.arg for each in self._trees[form].args.args[len(symbols) :]]
         rows = [_Row(sp.Symbol(f"before_{name}")) for name in later]
         written = {name: partial(_written, SYMBOLIC[name]) for name in RUNTIME}
         self._compiled(form, space | written)(*map(_Row, symbols), *rows)
-        return [_exact(row.value) for row in rows[: len(self.case.kernel.outputs)]]
+        return [_exact(rows[k].value) for k in self._order]
 
     def _compiled(self, form: str, space: dict[str, Any]) -> Any:
         tree = self._trees[form]
@@ -148,6 +165,10 @@ class _Ufuncs:
 
     pi, e = sp.pi, sp.E
 
+    @staticmethod
+    def array(x: Any) -> Any:
+        return x
+
     def __getattr__(self, name: str) -> Callable[..., Any]:
         return partial(_written, SYMBOLIC[name])
 
@@ -173,9 +194,9 @@ def _changes(statement: Any, known: list[str]) -> Iterator[tuple[Any, str, Any]]
         elif isinstance(node, ast.UnaryOp):
             yield node, "op", ast.UAdd()
         elif isinstance(node, ast.Attribute):
-            others = {"pi": ("e",)}.get(node.attr) or _others(node.attr)
+            others = {"pi": ("e",), "array": ()}.get(node.attr, _others(node.attr))
             yield from ((node, "attr", name) for name in others)
-        elif isinstance(node, ast.Name) and id(node) in called:
+        elif isinstance(node, ast.Name) and id(node) in called and node.id in SYMBOLIC:
             yield from ((node, "id", name) for name in _others(node.id))
         elif isinstance(node, ast.Name) and isinstance(node.ctx, ast.Load) and node.id in known:
             yield from ((node, "id", name) for name in known if name != node.id)

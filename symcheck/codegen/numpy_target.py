@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 import textwrap
 from collections import Counter
 from collections.abc import Iterator, Mapping
@@ -22,19 +23,38 @@ import math
 
 import numpy as np
 
-from symcheck.runtime import DOUBLE, SMALL, evaluate{special}
+from symcheck.runtime import DOUBLE, SMALL, evaluate, evaluate_alike{special}
 
 __all__ = [{names}]
 '''
 
 
 def number(x: Ref) -> str:
-    """A number as Python: `2.0`, `(3.0 / 8.0)`, `math.pi`, `math.sqrt(3.0)`; a name as it is."""
-    if isinstance(x, str):
-        if x.startswith("sqrt("):
-            return f"math.sqrt({number(Fraction(x[5:-1])).strip('()')})"
-        return "math.pi" if x == "pi" else x
-    return f"{x.numerator}.0" if x.denominator == 1 else f"({x.numerator}.0 / {x.denominator}.0)"
+    """A number as Python: `2.0`, `3.0 / 8.0`, `math.pi`, `math.sqrt(3.0)`; a name as it is."""
+    if isinstance(x, Fraction):
+        return f"{x.numerator}.0" if x.denominator == 1 else f"{x.numerator}.0 / {x.denominator}.0"
+    if x.startswith("sqrt("):
+        return f"math.sqrt({number(Fraction(x[5:-1]))})"
+    return "math.pi" if x == "pi" else x
+
+
+def named(x: Ref) -> str:
+    """The name of a number in an expression: `n2`, `n3_8`, `pi`, `sqrt_3`."""
+    return (
+        f"n{x}".replace("/", "_").replace("-", "minus_")
+        if isinstance(x, Fraction)
+        else re.sub(r"\W+", "_", x).strip("_")
+    )
+
+
+def numbers(program: Program) -> tuple[Ref, ...]:
+    """The numbers in the operations of a program.
+
+    An expression takes them as arguments, for NumPy as arrays: it converts a Python number anew in every operation,
+    which takes half as long as the operation itself on a small array.
+    """
+    used = (x for operation in program.operations for x in operation.operands)
+    return tuple(dict.fromkeys(x for x in used if number(x) != x))
 
 
 def functions(program: Program) -> tuple[str, ...]:
@@ -50,7 +70,7 @@ def expression_lines(program: Program) -> Iterator[str]:
     uses = Counter(x for operation in program.operations for x in operation.operands) + Counter(
         program.outputs.values()
     )
-    texts: dict[Ref, str] = {}
+    texts: dict[Ref, str] = {x: named(x) for x in numbers(program)}
     for operation in program.operations:
         text = _expression(operation, [texts.get(x, number(x)) for x in operation.operands])
         if uses[operation.result] > 1 or len(text) > LONGEST:
@@ -72,9 +92,7 @@ def _expression(operation: Operation, operands: list[str]) -> str:
 
 def block_lines(program: Program) -> tuple[int, list[str]]:
     """The program as ufunc calls on registers, and how many registers it takes."""
-    outputs: dict[Ref, str] = {}
-    for name, value in program.outputs.items():
-        outputs.setdefault(value, f"out_{name}")
+    outputs = {value: f"out_{name}" for value, name in distinct(program).items()}
     lines, count = [], 0
     held: dict[Ref, str] = {}
     for operation, place in registers(program):
@@ -84,10 +102,13 @@ def block_lines(program: Program) -> tuple[int, list[str]]:
         held[operation.result] = target
         module = "" if operation.function in RUNTIME else "np."
         lines.append(f"{module}{operation.function}({', '.join(operands)}, {target})  # {operation.result}")
-    for name, value in program.outputs.items():
-        if outputs[value] != f"out_{name}" or value not in held:
-            lines.append(f"out_{name}[...] = {held.get(value, number(value))}")
+    lines += [f"{target}[...] = {number(value)}" for value, target in outputs.items() if value not in held]
     return count, lines
+
+
+def distinct(program: Program) -> dict[Ref, str]:
+    """The values that the program puts out, each with the first output that has it."""
+    return {value: name for name, value in reversed(program.outputs.items())}
 
 
 def files(key: str, kernels: Mapping[str, Made]) -> dict[str, str]:
@@ -105,30 +126,42 @@ def source(name: str, made: Made) -> str:
     """The text of one kernel."""
     kernel, program = made.kernel, made.program
     inputs = ", ".join(program.inputs)
-    called = functions(program)
+    called, used = functions(program), numbers(program)
     count, lines = block_lines(program)
-    outs = ", ".join(f"out_{output}" for output in program.outputs)
+    firsts = sorted(distinct(program).values(), key=list(program.outputs).index)
+    order = ", ".join(str(firsts.index(distinct(program)[value])) for value in program.outputs.values())
+    outs = ", ".join(f"out_{output}" for output in firsts)
     rows = "".join(f", r{k}" for k in range(count))
     types = " is ".join(f"type({x})" for x in program.inputs)
     doubles = " is ".join(f"{x}.dtype" for x in program.inputs)
-    shapes = " == ".join(f"{x}.shape" for x in program.inputs) + " and " if len(program.inputs) > 1 else ""
-    apart = {*program.outputs.values()} <= {operation.result for operation in program.operations}
+    shapes = "".join(f"{' and' if n == 0 else ''} {x}.shape ==" for n, x in enumerate(program.inputs))
+    shapes = f"{shapes.removesuffix(' ==')}" if len(program.inputs) > 1 else ""
+    block = f"_{name}_block, {count}, ({order},), ({inputs},)"
     direct = f"""
-        elif {types} is np.ndarray and {doubles} is DOUBLE and {shapes}{program.inputs[0]}.size <= SMALL:
-            return _{name}({inputs})"""
-    if not apart or len({*program.outputs.values()}) < len(program.outputs):
-        direct = ""  # two results must not be one array, nor a result an argument
+            if {program.inputs[0]}.size <= SMALL:
+                return _{name}({inputs})"""
+    if not {*program.outputs.values()} <= {operation.result for operation in program.operations}:
+        direct = ""  # a result must be no argument, and no number
     taken = "".join(f", {function}=np.{function}" for function in called)
+    taken += "".join(f", {named(x)}=np.array({number(x)})" for x in used)
     own = "".join(f", math.{MATH.get(function, function)}" for function in called)
+    own += "".join(f", {number(x)}" for x in used)
+    note = (
+        "Outputs that are equal by formula are one array, unless `out` is given."
+        if len(firsts) < len(program.outputs)
+        else ""
+    )
     return f"""def {name}({inputs}, out=None):
-{textwrap.indent(docstring(kernel, made.evidence), "    ")}
+{textwrap.indent(docstring(kernel, made.evidence, note), "    ")}
     if out is None:
         if {types} is float:
             try:
                 return _{name}({inputs}{own})
             except (ValueError, ZeroDivisionError, OverflowError):
-                pass  # NumPy says whether it is infinite or no number{direct}
-    return evaluate(_{name}_block, {count}, {len(program.outputs)}, ({inputs},), out)
+                pass  # NumPy says whether it is infinite or no number
+        elif {types} is np.ndarray and {doubles} is DOUBLE{shapes}:{direct}
+            return evaluate_alike({block})
+    return evaluate({block}, out)
 
 
 def _{name}({inputs}{taken}):
@@ -140,7 +173,7 @@ def _{name}_block({inputs}, {outs}{rows}):
 """
 
 
-def docstring(kernel: Kernel, evidence: str) -> str:
+def docstring(kernel: Kernel, evidence: str, note: str = "") -> str:
     """What the function is, takes, returns and rests on."""
     shown = kernel.derived()
     formulas = [f"    {output.name} = {shown[output.name]}" for output in kernel.outputs]
@@ -154,7 +187,7 @@ def docstring(kernel: Kernel, evidence: str) -> str:
         _wrapped(
             "Numbers give numbers; arrays give float64, or float32 if all are. `out` takes "
             f"{taken} of the broadcast shape and type; a ValueError names what does not fit. What is no number "
-            "gives no number."
+            f"gives no number. {note}"
         ),
         _wrapped(f"Accuracy: {kernel.ulp} ulp over the domain. {kernel.condition} {kernel.degenerate}".strip()),
         _wrapped(evidence),
