@@ -4,7 +4,7 @@ import math
 
 import numpy as np
 
-from symcheck.runtime import DOUBLE, SMALL, evaluate, evaluate_alike
+from symcheck.runtime import DOUBLE, FEW, SMALL, evaluate, evaluate_alike
 
 __all__ = ["boundary_of_stability", "characteristic_coefficients", "critical_frequencies", "discriminant", "frequencies", "greatest_growth_rate", "mode_inertia", "residue_of_a_mode", "width_of_the_unstable_interval"]
 

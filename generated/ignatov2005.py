@@ -4,7 +4,7 @@ import math
 
 import numpy as np
 
-from symcheck.runtime import DOUBLE, SMALL, evaluate, evaluate_alike
+from symcheck.runtime import DOUBLE, FEW, SMALL, evaluate, evaluate_alike
 
 __all__ = ["axes_of_four_wheels", "axes_of_six_wheels", "best_angle_of_six_wheels", "best_angles_of_four_wheels", "equal_rates_of_four_wheels", "equal_rates_of_six_wheels", "face_distances_of_five_wheels", "face_distances_of_four_wheels", "face_distances_of_six_wheels", "face_distances_of_three_wheels", "largest_rates_of_four_wheels", "largest_rates_of_six_wheels", "momentum_of_five_wheels", "momentum_of_four_wheels", "momentum_of_six_wheels", "momentum_of_three_wheels", "rates_of_five_wheels", "rates_of_four_wheels", "rates_of_six_wheels", "rates_of_three_wheels", "vertex_distances_of_five_wheels", "vertex_distances_of_four_wheels", "vertex_distances_of_six_wheels", "vertex_distances_of_three_wheels", "vertices_of_five_wheels", "vertices_of_four_wheels", "vertices_of_six_wheels", "vertices_of_three_wheels", "volume_of_five_wheels", "volume_of_four_wheels", "volume_of_six_wheels", "volume_of_three_wheels"]
 
@@ -56,27 +56,24 @@ def axes_of_four_wheels(a, b, out=None):
     if out is None:
         if type(a) is type(b) is float:
             try:
-                return _axes_of_four_wheels(a, b, math.sqrt, math.tan, 1.0)
+                return _axes_of_four_wheels(a, b, math.cos, math.sin)
             except (ValueError, ZeroDivisionError, OverflowError):
                 pass  # NumPy says whether it is infinite or no number
         elif type(a) is type(b) is np.ndarray and a.dtype is b.dtype is DOUBLE and a.shape == b.shape:
-            if a.size <= SMALL:
+            if a.size <= FEW:
                 return _axes_of_four_wheels(a, b)
             return evaluate_alike(_axes_of_four_wheels_block, 5, (0, 1, 2, 0, 3, 2, 0, 1, 4, 0, 3, 4,), (a, b,))
     return evaluate(_axes_of_four_wheels_block, 5, (0, 1, 2, 0, 3, 2, 0, 1, 4, 0, 3, 4,), (a, b,), out)
 
 
-def _axes_of_four_wheels(a, b, sqrt=np.sqrt, tan=np.tan, n1=np.array(1.0)):
-    tan_a = tan(a)
-    t1 = n1 + (tan_a * tan_a)
-    tan_b = tan(b)
-    t6 = sqrt(t1 * (n1 + (tan_b * tan_b)))
-    t8 = (tan_a * tan_b) / t6
-    t9 = tan_a / t6
-    t10 = -t9
-    t11 = n1 / sqrt(t1)
-    t12 = -t11
-    return t8, t10, t12, t8, t9, t12, t8, t10, t11, t8, t9, t11
+def _axes_of_four_wheels(a, b, cos=np.cos, sin=np.sin):
+    sin_a = sin(a)
+    t1 = sin_a * sin(b)
+    t2 = cos(b) * sin_a
+    t3 = -t2
+    cos_a = cos(a)
+    t4 = -cos_a
+    return t1, t3, t4, t1, t2, t4, t1, t3, cos_a, t1, t2, cos_a
 
 
 def _axes_of_four_wheels_block(a, b, out_e_1x, out_e_1y, out_e_1z, out_e_2y, out_e_3z, r0, r1, r2, r3, r4):
@@ -150,26 +147,25 @@ def axes_of_six_wheels(a, out=None):
     if out is None:
         if type(a) is float:
             try:
-                return _axes_of_six_wheels(a, math.sqrt, math.tan, 1.0, 1.0 / 2.0, math.sqrt(3.0))
+                return _axes_of_six_wheels(a, math.cos, math.sin, 1.0 / 2.0, math.sqrt(3.0))
             except (ValueError, ZeroDivisionError, OverflowError):
                 pass  # NumPy says whether it is infinite or no number
         elif type(a) is np.ndarray and a.dtype is DOUBLE:
-            if a.size <= SMALL:
+            if a.size <= FEW:
                 return _axes_of_six_wheels(a)
             return evaluate_alike(_axes_of_six_wheels_block, 3, (0, 1, 2, 3, 1, 2, 4, 1, 0, 5, 2, 3, 5, 2, 4, 5,), (a,))
     return evaluate(_axes_of_six_wheels_block, 3, (0, 1, 2, 3, 1, 2, 4, 1, 0, 5, 2, 3, 5, 2, 4, 5,), (a,), out)
 
 
-def _axes_of_six_wheels(a, sqrt=np.sqrt, tan=np.tan, n1=np.array(1.0), n1_2=np.array(1.0 / 2.0), sqrt_3=np.array(math.sqrt(3.0))):
-    tan_a = tan(a)
-    t2 = sqrt(n1 + (tan_a * tan_a))
-    t4 = -(tan_a / t2)
-    t5 = n1 / t2
-    t7 = (n1_2 * tan_a) / t2
-    t8 = sqrt_3 * t7
-    t9 = -t7
-    t10 = -t5
-    return t4, t5, t8, t9, t5, t8, t7, t5, t4, t10, t8, t9, t10, t8, t7, t10
+def _axes_of_six_wheels(a, cos=np.cos, sin=np.sin, n1_2=np.array(1.0 / 2.0), sqrt_3=np.array(math.sqrt(3.0))):
+    sin_a = sin(a)
+    t1 = -sin_a
+    cos_a = cos(a)
+    t2 = n1_2 * sin_a
+    t3 = sqrt_3 * t2
+    t4 = -t2
+    t5 = -cos_a
+    return t1, cos_a, t3, t4, cos_a, t3, t2, cos_a, t1, t5, t3, t4, t5, t3, t2, t5
 
 
 def _axes_of_six_wheels_block(a, out_e_1y, out_e_1z, out_e_2x, out_e_2y, out_e_3y, out_e_4z, r0, r1, r2):
@@ -218,24 +214,21 @@ def momentum_of_four_wheels(h_1, h_2, h_3, h_4, a, b, out=None):
     if out is None:
         if type(h_1) is type(h_2) is type(h_3) is type(h_4) is type(a) is type(b) is float:
             try:
-                return _momentum_of_four_wheels(h_1, h_2, h_3, h_4, a, b, math.sqrt, math.tan, 1.0)
+                return _momentum_of_four_wheels(h_1, h_2, h_3, h_4, a, b, math.cos, math.sin)
             except (ValueError, ZeroDivisionError, OverflowError):
                 pass  # NumPy says whether it is infinite or no number
         elif type(h_1) is type(h_2) is type(h_3) is type(h_4) is type(a) is type(b) is np.ndarray and h_1.dtype is h_2.dtype is h_3.dtype is h_4.dtype is a.dtype is b.dtype is DOUBLE and h_1.shape == h_2.shape == h_3.shape == h_4.shape == a.shape == b.shape:
-            if h_1.size <= SMALL:
+            if h_1.size <= FEW:
                 return _momentum_of_four_wheels(h_1, h_2, h_3, h_4, a, b)
             return evaluate_alike(_momentum_of_four_wheels_block, 8, (0, 1, 2,), (h_1, h_2, h_3, h_4, a, b,))
     return evaluate(_momentum_of_four_wheels_block, 8, (0, 1, 2,), (h_1, h_2, h_3, h_4, a, b,), out)
 
 
-def _momentum_of_four_wheels(h_1, h_2, h_3, h_4, a, b, sqrt=np.sqrt, tan=np.tan, n1=np.array(1.0)):
-    tan_a = tan(a)
-    t1 = n1 + (tan_a * tan_a)
-    t4 = h_1 + h_3
-    t5 = -h_4
-    tan_b = tan(b)
-    t10 = sqrt(t1 * (n1 + (tan_b * tan_b)))
-    return (((t4 + (h_2 + h_4)) * tan_a) * tan_b) / t10, (((h_2 - t4) - t5) * tan_a) / t10, (((h_3 - h_1) - h_2) - t5) / sqrt(t1)
+def _momentum_of_four_wheels(h_1, h_2, h_3, h_4, a, b, cos=np.cos, sin=np.sin):
+    sin_a = sin(a)
+    t1 = h_1 + h_3
+    t2 = -h_4
+    return sin(b) * (sin_a * (t1 + (h_2 + h_4))), cos(b) * (sin_a * ((h_2 - t1) - t2)), cos(a) * (((h_3 - h_1) - h_2) - t2)
 
 
 def _momentum_of_four_wheels_block(h_1, h_2, h_3, h_4, a, b, out_H_x, out_H_y, out_H_z, r0, r1, r2, r3, r4, r5, r6, r7):
@@ -295,23 +288,20 @@ def momentum_of_three_wheels(h_1, h_2, h_3, a, b, out=None):
     if out is None:
         if type(h_1) is type(h_2) is type(h_3) is type(a) is type(b) is float:
             try:
-                return _momentum_of_three_wheels(h_1, h_2, h_3, a, b, math.sqrt, math.tan, 1.0)
+                return _momentum_of_three_wheels(h_1, h_2, h_3, a, b, math.cos, math.sin)
             except (ValueError, ZeroDivisionError, OverflowError):
                 pass  # NumPy says whether it is infinite or no number
         elif type(h_1) is type(h_2) is type(h_3) is type(a) is type(b) is np.ndarray and h_1.dtype is h_2.dtype is h_3.dtype is a.dtype is b.dtype is DOUBLE and h_1.shape == h_2.shape == h_3.shape == a.shape == b.shape:
-            if h_1.size <= SMALL:
+            if h_1.size <= FEW:
                 return _momentum_of_three_wheels(h_1, h_2, h_3, a, b)
             return evaluate_alike(_momentum_of_three_wheels_block, 7, (0, 1, 2,), (h_1, h_2, h_3, a, b,))
     return evaluate(_momentum_of_three_wheels_block, 7, (0, 1, 2,), (h_1, h_2, h_3, a, b,), out)
 
 
-def _momentum_of_three_wheels(h_1, h_2, h_3, a, b, sqrt=np.sqrt, tan=np.tan, n1=np.array(1.0)):
-    tan_a = tan(a)
-    t1 = n1 + (tan_a * tan_a)
-    t4 = h_1 + h_3
-    tan_b = tan(b)
-    t8 = sqrt(t1 * (n1 + (tan_b * tan_b)))
-    return (((h_2 + t4) * tan_a) * tan_b) / t8, ((h_2 - t4) * tan_a) / t8, ((h_3 - h_1) - h_2) / sqrt(t1)
+def _momentum_of_three_wheels(h_1, h_2, h_3, a, b, cos=np.cos, sin=np.sin):
+    sin_a = sin(a)
+    t1 = h_1 + h_3
+    return sin(b) * (sin_a * (h_2 + t1)), cos(b) * (sin_a * (h_2 - t1)), cos(a) * ((h_3 - h_1) - h_2)
 
 
 def _momentum_of_three_wheels_block(h_1, h_2, h_3, a, b, out_H_x, out_H_y, out_H_z, r0, r1, r2, r3, r4, r5, r6):
@@ -369,23 +359,21 @@ def momentum_of_six_wheels(h_1, h_2, h_3, h_4, h_5, h_6, a, out=None):
     if out is None:
         if type(h_1) is type(h_2) is type(h_3) is type(h_4) is type(h_5) is type(h_6) is type(a) is float:
             try:
-                return _momentum_of_six_wheels(h_1, h_2, h_3, h_4, h_5, h_6, a, math.sqrt, math.tan, 1.0, 1.0 / 2.0, math.sqrt(3.0), 2.0)
+                return _momentum_of_six_wheels(h_1, h_2, h_3, h_4, h_5, h_6, a, math.cos, math.sin, 1.0 / 2.0, math.sqrt(3.0), 2.0)
             except (ValueError, ZeroDivisionError, OverflowError):
                 pass  # NumPy says whether it is infinite or no number
         elif type(h_1) is type(h_2) is type(h_3) is type(h_4) is type(h_5) is type(h_6) is type(a) is np.ndarray and h_1.dtype is h_2.dtype is h_3.dtype is h_4.dtype is h_5.dtype is h_6.dtype is a.dtype is DOUBLE and h_1.shape == h_2.shape == h_3.shape == h_4.shape == h_5.shape == h_6.shape == a.shape:
-            if h_1.size <= SMALL:
+            if h_1.size <= FEW:
                 return _momentum_of_six_wheels(h_1, h_2, h_3, h_4, h_5, h_6, a)
             return evaluate_alike(_momentum_of_six_wheels_block, 6, (0, 1, 2,), (h_1, h_2, h_3, h_4, h_5, h_6, a,))
     return evaluate(_momentum_of_six_wheels_block, 6, (0, 1, 2,), (h_1, h_2, h_3, h_4, h_5, h_6, a,), out)
 
 
-def _momentum_of_six_wheels(h_1, h_2, h_3, h_4, h_5, h_6, a, sqrt=np.sqrt, tan=np.tan, n1=np.array(1.0), n1_2=np.array(1.0 / 2.0), sqrt_3=np.array(math.sqrt(3.0)), n2=np.array(2.0)):
+def _momentum_of_six_wheels(h_1, h_2, h_3, h_4, h_5, h_6, a, cos=np.cos, sin=np.sin, n1_2=np.array(1.0 / 2.0), sqrt_3=np.array(math.sqrt(3.0)), n2=np.array(2.0)):
     t1 = h_2 + h_5
-    tan_a = tan(a)
-    t3 = sqrt(n1 + (tan_a * tan_a))
-    t5 = (n1_2 * tan_a) / t3
-    t6 = -h_6
-    return (t1 + (h_3 + h_6)) * (sqrt_3 * t5), ((((h_3 - (n2 * h_1)) - (n2 * h_4)) - t1) - t6) * t5, ((((h_3 + (h_1 + h_2)) + t6) - h_4) - h_5) / t3
+    t2 = n1_2 * sin(a)
+    t3 = -h_6
+    return (t1 + (h_3 + h_6)) * (sqrt_3 * t2), ((((h_3 - (n2 * h_1)) - (n2 * h_4)) - t1) - t3) * t2, cos(a) * ((((h_3 + (h_1 + h_2)) + t3) - h_4) - h_5)
 
 
 def _momentum_of_six_wheels_block(h_1, h_2, h_3, h_4, h_5, h_6, a, out_H_x, out_H_y, out_H_z, r0, r1, r2, r3, r4, r5):
@@ -447,22 +435,20 @@ def momentum_of_five_wheels(h_1, h_2, h_3, h_4, h_5, a, out=None):
     if out is None:
         if type(h_1) is type(h_2) is type(h_3) is type(h_4) is type(h_5) is type(a) is float:
             try:
-                return _momentum_of_five_wheels(h_1, h_2, h_3, h_4, h_5, a, math.sqrt, math.tan, 1.0, 1.0 / 2.0, math.sqrt(3.0), 2.0)
+                return _momentum_of_five_wheels(h_1, h_2, h_3, h_4, h_5, a, math.cos, math.sin, 1.0 / 2.0, math.sqrt(3.0), 2.0)
             except (ValueError, ZeroDivisionError, OverflowError):
                 pass  # NumPy says whether it is infinite or no number
         elif type(h_1) is type(h_2) is type(h_3) is type(h_4) is type(h_5) is type(a) is np.ndarray and h_1.dtype is h_2.dtype is h_3.dtype is h_4.dtype is h_5.dtype is a.dtype is DOUBLE and h_1.shape == h_2.shape == h_3.shape == h_4.shape == h_5.shape == a.shape:
-            if h_1.size <= SMALL:
+            if h_1.size <= FEW:
                 return _momentum_of_five_wheels(h_1, h_2, h_3, h_4, h_5, a)
             return evaluate_alike(_momentum_of_five_wheels_block, 5, (0, 1, 2,), (h_1, h_2, h_3, h_4, h_5, a,))
     return evaluate(_momentum_of_five_wheels_block, 5, (0, 1, 2,), (h_1, h_2, h_3, h_4, h_5, a,), out)
 
 
-def _momentum_of_five_wheels(h_1, h_2, h_3, h_4, h_5, a, sqrt=np.sqrt, tan=np.tan, n1=np.array(1.0), n1_2=np.array(1.0 / 2.0), sqrt_3=np.array(math.sqrt(3.0)), n2=np.array(2.0)):
+def _momentum_of_five_wheels(h_1, h_2, h_3, h_4, h_5, a, cos=np.cos, sin=np.sin, n1_2=np.array(1.0 / 2.0), sqrt_3=np.array(math.sqrt(3.0)), n2=np.array(2.0)):
     t1 = h_2 + h_5
-    tan_a = tan(a)
-    t3 = sqrt(n1 + (tan_a * tan_a))
-    t5 = (n1_2 * tan_a) / t3
-    return (h_3 + t1) * (sqrt_3 * t5), (((h_3 - (n2 * h_1)) - (n2 * h_4)) - t1) * t5, (((h_3 + (h_1 + h_2)) - h_4) - h_5) / t3
+    t2 = n1_2 * sin(a)
+    return (h_3 + t1) * (sqrt_3 * t2), (((h_3 - (n2 * h_1)) - (n2 * h_4)) - t1) * t2, cos(a) * (((h_3 + (h_1 + h_2)) - h_4) - h_5)
 
 
 def _momentum_of_five_wheels_block(h_1, h_2, h_3, h_4, h_5, a, out_H_x, out_H_y, out_H_z, r0, r1, r2, r3, r4):
@@ -523,24 +509,21 @@ def rates_of_four_wheels(h_1, h_2, h_3, h_4, a, b, J_x, J_y, J_z, out=None):
     if out is None:
         if type(h_1) is type(h_2) is type(h_3) is type(h_4) is type(a) is type(b) is type(J_x) is type(J_y) is type(J_z) is float:
             try:
-                return _rates_of_four_wheels(h_1, h_2, h_3, h_4, a, b, J_x, J_y, J_z, math.sqrt, math.tan, 1.0)
+                return _rates_of_four_wheels(h_1, h_2, h_3, h_4, a, b, J_x, J_y, J_z, math.cos, math.sin)
             except (ValueError, ZeroDivisionError, OverflowError):
                 pass  # NumPy says whether it is infinite or no number
         elif type(h_1) is type(h_2) is type(h_3) is type(h_4) is type(a) is type(b) is type(J_x) is type(J_y) is type(J_z) is np.ndarray and h_1.dtype is h_2.dtype is h_3.dtype is h_4.dtype is a.dtype is b.dtype is J_x.dtype is J_y.dtype is J_z.dtype is DOUBLE and h_1.shape == h_2.shape == h_3.shape == h_4.shape == a.shape == b.shape == J_x.shape == J_y.shape == J_z.shape:
-            if h_1.size <= SMALL:
+            if h_1.size <= FEW:
                 return _rates_of_four_wheels(h_1, h_2, h_3, h_4, a, b, J_x, J_y, J_z)
             return evaluate_alike(_rates_of_four_wheels_block, 8, (0, 1, 2,), (h_1, h_2, h_3, h_4, a, b, J_x, J_y, J_z,))
     return evaluate(_rates_of_four_wheels_block, 8, (0, 1, 2,), (h_1, h_2, h_3, h_4, a, b, J_x, J_y, J_z,), out)
 
 
-def _rates_of_four_wheels(h_1, h_2, h_3, h_4, a, b, J_x, J_y, J_z, sqrt=np.sqrt, tan=np.tan, n1=np.array(1.0)):
-    tan_a = tan(a)
-    t1 = n1 + (tan_a * tan_a)
-    t4 = h_1 + h_3
-    t5 = -h_4
-    tan_b = tan(b)
-    t10 = sqrt(t1 * (n1 + (tan_b * tan_b)))
-    return -((((t4 + (h_2 + h_4)) * tan_a) * tan_b) / (J_x * t10)), -((((h_2 - t4) - t5) * tan_a) / (J_y * t10)), -((((h_3 - h_1) - h_2) - t5) / (J_z * sqrt(t1)))
+def _rates_of_four_wheels(h_1, h_2, h_3, h_4, a, b, J_x, J_y, J_z, cos=np.cos, sin=np.sin):
+    sin_a = sin(a)
+    t1 = h_1 + h_3
+    t2 = -h_4
+    return -((sin(b) * (sin_a * (t1 + (h_2 + h_4)))) / J_x), -((cos(b) * (sin_a * ((h_2 - t1) - t2))) / J_y), -((cos(a) * (((h_3 - h_1) - h_2) - t2)) / J_z)
 
 
 def _rates_of_four_wheels_block(h_1, h_2, h_3, h_4, a, b, J_x, J_y, J_z, out_w_x, out_w_y, out_w_z, r0, r1, r2, r3, r4, r5, r6, r7):
@@ -609,23 +592,20 @@ def rates_of_three_wheels(h_1, h_2, h_3, a, b, J_x, J_y, J_z, out=None):
     if out is None:
         if type(h_1) is type(h_2) is type(h_3) is type(a) is type(b) is type(J_x) is type(J_y) is type(J_z) is float:
             try:
-                return _rates_of_three_wheels(h_1, h_2, h_3, a, b, J_x, J_y, J_z, math.sqrt, math.tan, 1.0)
+                return _rates_of_three_wheels(h_1, h_2, h_3, a, b, J_x, J_y, J_z, math.cos, math.sin)
             except (ValueError, ZeroDivisionError, OverflowError):
                 pass  # NumPy says whether it is infinite or no number
         elif type(h_1) is type(h_2) is type(h_3) is type(a) is type(b) is type(J_x) is type(J_y) is type(J_z) is np.ndarray and h_1.dtype is h_2.dtype is h_3.dtype is a.dtype is b.dtype is J_x.dtype is J_y.dtype is J_z.dtype is DOUBLE and h_1.shape == h_2.shape == h_3.shape == a.shape == b.shape == J_x.shape == J_y.shape == J_z.shape:
-            if h_1.size <= SMALL:
+            if h_1.size <= FEW:
                 return _rates_of_three_wheels(h_1, h_2, h_3, a, b, J_x, J_y, J_z)
             return evaluate_alike(_rates_of_three_wheels_block, 7, (0, 1, 2,), (h_1, h_2, h_3, a, b, J_x, J_y, J_z,))
     return evaluate(_rates_of_three_wheels_block, 7, (0, 1, 2,), (h_1, h_2, h_3, a, b, J_x, J_y, J_z,), out)
 
 
-def _rates_of_three_wheels(h_1, h_2, h_3, a, b, J_x, J_y, J_z, sqrt=np.sqrt, tan=np.tan, n1=np.array(1.0)):
-    tan_a = tan(a)
-    t1 = n1 + (tan_a * tan_a)
-    t4 = h_1 + h_3
-    tan_b = tan(b)
-    t8 = sqrt(t1 * (n1 + (tan_b * tan_b)))
-    return -((((h_2 + t4) * tan_a) * tan_b) / (J_x * t8)), -(((h_2 - t4) * tan_a) / (J_y * t8)), -(((h_3 - h_1) - h_2) / (J_z * sqrt(t1)))
+def _rates_of_three_wheels(h_1, h_2, h_3, a, b, J_x, J_y, J_z, cos=np.cos, sin=np.sin):
+    sin_a = sin(a)
+    t1 = h_1 + h_3
+    return -((sin(b) * (sin_a * (h_2 + t1))) / J_x), -((cos(b) * (sin_a * (h_2 - t1))) / J_y), -((cos(a) * ((h_3 - h_1) - h_2)) / J_z)
 
 
 def _rates_of_three_wheels_block(h_1, h_2, h_3, a, b, J_x, J_y, J_z, out_w_x, out_w_y, out_w_z, r0, r1, r2, r3, r4, r5, r6):
@@ -692,23 +672,21 @@ def rates_of_six_wheels(h_1, h_2, h_3, h_4, h_5, h_6, a, J_x, J_y, J_z, out=None
     if out is None:
         if type(h_1) is type(h_2) is type(h_3) is type(h_4) is type(h_5) is type(h_6) is type(a) is type(J_x) is type(J_y) is type(J_z) is float:
             try:
-                return _rates_of_six_wheels(h_1, h_2, h_3, h_4, h_5, h_6, a, J_x, J_y, J_z, math.sqrt, math.tan, 1.0, 1.0 / 2.0, math.sqrt(3.0), 2.0)
+                return _rates_of_six_wheels(h_1, h_2, h_3, h_4, h_5, h_6, a, J_x, J_y, J_z, math.cos, math.sin, 1.0 / 2.0, math.sqrt(3.0), 2.0)
             except (ValueError, ZeroDivisionError, OverflowError):
                 pass  # NumPy says whether it is infinite or no number
         elif type(h_1) is type(h_2) is type(h_3) is type(h_4) is type(h_5) is type(h_6) is type(a) is type(J_x) is type(J_y) is type(J_z) is np.ndarray and h_1.dtype is h_2.dtype is h_3.dtype is h_4.dtype is h_5.dtype is h_6.dtype is a.dtype is J_x.dtype is J_y.dtype is J_z.dtype is DOUBLE and h_1.shape == h_2.shape == h_3.shape == h_4.shape == h_5.shape == h_6.shape == a.shape == J_x.shape == J_y.shape == J_z.shape:
-            if h_1.size <= SMALL:
+            if h_1.size <= FEW:
                 return _rates_of_six_wheels(h_1, h_2, h_3, h_4, h_5, h_6, a, J_x, J_y, J_z)
             return evaluate_alike(_rates_of_six_wheels_block, 6, (0, 1, 2,), (h_1, h_2, h_3, h_4, h_5, h_6, a, J_x, J_y, J_z,))
     return evaluate(_rates_of_six_wheels_block, 6, (0, 1, 2,), (h_1, h_2, h_3, h_4, h_5, h_6, a, J_x, J_y, J_z,), out)
 
 
-def _rates_of_six_wheels(h_1, h_2, h_3, h_4, h_5, h_6, a, J_x, J_y, J_z, sqrt=np.sqrt, tan=np.tan, n1=np.array(1.0), n1_2=np.array(1.0 / 2.0), sqrt_3=np.array(math.sqrt(3.0)), n2=np.array(2.0)):
+def _rates_of_six_wheels(h_1, h_2, h_3, h_4, h_5, h_6, a, J_x, J_y, J_z, cos=np.cos, sin=np.sin, n1_2=np.array(1.0 / 2.0), sqrt_3=np.array(math.sqrt(3.0)), n2=np.array(2.0)):
     t1 = h_2 + h_5
-    tan_a = tan(a)
-    t3 = sqrt(n1 + (tan_a * tan_a))
-    t5 = (n1_2 * tan_a) / t3
-    t6 = -h_6
-    return -(((t1 + (h_3 + h_6)) * (sqrt_3 * t5)) / J_x), -((((((h_3 - (n2 * h_1)) - (n2 * h_4)) - t1) - t6) * t5) / J_y), -(((((h_3 + (h_1 + h_2)) + t6) - h_4) - h_5) / (J_z * t3))
+    t2 = n1_2 * sin(a)
+    t3 = -h_6
+    return -(((t1 + (h_3 + h_6)) * (sqrt_3 * t2)) / J_x), -((((((h_3 - (n2 * h_1)) - (n2 * h_4)) - t1) - t3) * t2) / J_y), -((cos(a) * ((((h_3 + (h_1 + h_2)) + t3) - h_4) - h_5)) / J_z)
 
 
 def _rates_of_six_wheels_block(h_1, h_2, h_3, h_4, h_5, h_6, a, J_x, J_y, J_z, out_w_x, out_w_y, out_w_z, r0, r1, r2, r3, r4, r5):
@@ -779,22 +757,20 @@ def rates_of_five_wheels(h_1, h_2, h_3, h_4, h_5, a, J_x, J_y, J_z, out=None):
     if out is None:
         if type(h_1) is type(h_2) is type(h_3) is type(h_4) is type(h_5) is type(a) is type(J_x) is type(J_y) is type(J_z) is float:
             try:
-                return _rates_of_five_wheels(h_1, h_2, h_3, h_4, h_5, a, J_x, J_y, J_z, math.sqrt, math.tan, 1.0, 1.0 / 2.0, math.sqrt(3.0), 2.0)
+                return _rates_of_five_wheels(h_1, h_2, h_3, h_4, h_5, a, J_x, J_y, J_z, math.cos, math.sin, 1.0 / 2.0, math.sqrt(3.0), 2.0)
             except (ValueError, ZeroDivisionError, OverflowError):
                 pass  # NumPy says whether it is infinite or no number
         elif type(h_1) is type(h_2) is type(h_3) is type(h_4) is type(h_5) is type(a) is type(J_x) is type(J_y) is type(J_z) is np.ndarray and h_1.dtype is h_2.dtype is h_3.dtype is h_4.dtype is h_5.dtype is a.dtype is J_x.dtype is J_y.dtype is J_z.dtype is DOUBLE and h_1.shape == h_2.shape == h_3.shape == h_4.shape == h_5.shape == a.shape == J_x.shape == J_y.shape == J_z.shape:
-            if h_1.size <= SMALL:
+            if h_1.size <= FEW:
                 return _rates_of_five_wheels(h_1, h_2, h_3, h_4, h_5, a, J_x, J_y, J_z)
             return evaluate_alike(_rates_of_five_wheels_block, 5, (0, 1, 2,), (h_1, h_2, h_3, h_4, h_5, a, J_x, J_y, J_z,))
     return evaluate(_rates_of_five_wheels_block, 5, (0, 1, 2,), (h_1, h_2, h_3, h_4, h_5, a, J_x, J_y, J_z,), out)
 
 
-def _rates_of_five_wheels(h_1, h_2, h_3, h_4, h_5, a, J_x, J_y, J_z, sqrt=np.sqrt, tan=np.tan, n1=np.array(1.0), n1_2=np.array(1.0 / 2.0), sqrt_3=np.array(math.sqrt(3.0)), n2=np.array(2.0)):
+def _rates_of_five_wheels(h_1, h_2, h_3, h_4, h_5, a, J_x, J_y, J_z, cos=np.cos, sin=np.sin, n1_2=np.array(1.0 / 2.0), sqrt_3=np.array(math.sqrt(3.0)), n2=np.array(2.0)):
     t1 = h_2 + h_5
-    tan_a = tan(a)
-    t3 = sqrt(n1 + (tan_a * tan_a))
-    t5 = (n1_2 * tan_a) / t3
-    return -(((h_3 + t1) * (sqrt_3 * t5)) / J_x), -(((((h_3 - (n2 * h_1)) - (n2 * h_4)) - t1) * t5) / J_y), -((((h_3 + (h_1 + h_2)) - h_4) - h_5) / (J_z * t3))
+    t2 = n1_2 * sin(a)
+    return -(((h_3 + t1) * (sqrt_3 * t2)) / J_x), -(((((h_3 - (n2 * h_1)) - (n2 * h_4)) - t1) * t2) / J_y), -((cos(a) * (((h_3 + (h_1 + h_2)) - h_4) - h_5)) / J_z)
 
 
 def _rates_of_five_wheels_block(h_1, h_2, h_3, h_4, h_5, a, J_x, J_y, J_z, out_w_x, out_w_y, out_w_z, r0, r1, r2, r3, r4):
@@ -881,30 +857,27 @@ def vertices_of_four_wheels(a, b, out=None):
     if out is None:
         if type(a) is type(b) is float:
             try:
-                return _vertices_of_four_wheels(a, b, math.sqrt, math.tan, 1.0, 2.0, 4.0)
+                return _vertices_of_four_wheels(a, b, math.cos, math.sin, 2.0, 4.0)
             except (ValueError, ZeroDivisionError, OverflowError):
                 pass  # NumPy says whether it is infinite or no number
         elif type(a) is type(b) is np.ndarray and a.dtype is b.dtype is DOUBLE and a.shape == b.shape:
-            if a.size <= SMALL:
+            if a.size <= FEW:
                 return _vertices_of_four_wheels(a, b)
             return evaluate_alike(_vertices_of_four_wheels_block, 5, (0, 1, 2, 3, 1, 4, 3, 1, 2, 5, 1, 4, 5, 6, 7,), (a, b,))
     return evaluate(_vertices_of_four_wheels_block, 5, (0, 1, 2, 3, 1, 4, 3, 1, 2, 5, 1, 4, 5, 6, 7,), (a, b,), out)
 
 
-def _vertices_of_four_wheels(a, b, sqrt=np.sqrt, tan=np.tan, n1=np.array(1.0), n2=np.array(2.0), n4=np.array(4.0)):
-    tan_a = tan(a)
-    t1 = n1 + (tan_a * tan_a)
-    t2 = sqrt(t1)
-    tan_b = tan(b)
-    t6 = sqrt(t1 * (n1 + (tan_b * tan_b)))
-    t8 = (tan_a * tan_b) / t6
-    t9 = n2 * t8
-    t10 = tan_a / t6
-    t11 = n2 * t10
-    t13 = n2 / t2
-    t14 = -t11
-    t15 = -t13
-    return n4 * t8, t9, t11, t13, t9, t14, t13, t9, t11, t15, t9, t14, t15, -(n4 * t10), -(n4 / t2)
+def _vertices_of_four_wheels(a, b, cos=np.cos, sin=np.sin, n2=np.array(2.0), n4=np.array(4.0)):
+    sin_a = sin(a)
+    t1 = sin_a * sin(b)
+    t2 = n2 * t1
+    t3 = cos(b) * sin_a
+    t4 = n2 * t3
+    cos_a = cos(a)
+    t5 = n2 * cos_a
+    t6 = -t4
+    t7 = -t5
+    return n4 * t1, t2, t4, t5, t2, t6, t5, t2, t4, t7, t2, t6, t7, -(n4 * t3), -(n4 * cos_a)
 
 
 def _vertices_of_four_wheels_block(a, b, out_V_1x, out_V_2x, out_V_2y, out_V_2z, out_V_3y, out_V_4z, out_V_6y, out_V_7z, r0, r1, r2, r3, r4):
@@ -979,26 +952,22 @@ def vertices_of_three_wheels(a, b, out=None):
     if out is None:
         if type(a) is type(b) is float:
             try:
-                return _vertices_of_three_wheels(a, b, math.sqrt, math.tan, 1.0, 3.0)
+                return _vertices_of_three_wheels(a, b, math.cos, math.sin, 3.0)
             except (ValueError, ZeroDivisionError, OverflowError):
                 pass  # NumPy says whether it is infinite or no number
         elif type(a) is type(b) is np.ndarray and a.dtype is b.dtype is DOUBLE and a.shape == b.shape:
-            if a.size <= SMALL:
+            if a.size <= FEW:
                 return _vertices_of_three_wheels(a, b)
             return evaluate_alike(_vertices_of_three_wheels_block, 5, (0, 1, 2, 3, 4, 5, 3, 6, 5, 3, 4, 7,), (a, b,))
     return evaluate(_vertices_of_three_wheels_block, 5, (0, 1, 2, 3, 4, 5, 3, 6, 5, 3, 4, 7,), (a, b,), out)
 
 
-def _vertices_of_three_wheels(a, b, sqrt=np.sqrt, tan=np.tan, n1=np.array(1.0), n3=np.array(3.0)):
-    tan_a = tan(a)
-    t1 = n1 + (tan_a * tan_a)
-    t2 = sqrt(t1)
-    tan_b = tan(b)
-    t6 = sqrt(t1 * (n1 + (tan_b * tan_b)))
-    t8 = (tan_a * tan_b) / t6
-    t9 = tan_a / t6
-    t10 = n1 / t2
-    return n3 * t8, -t9, -t10, t8, t9, t10, t8, -(n3 * t9), t10, t8, t9, -(n3 / t2)
+def _vertices_of_three_wheels(a, b, cos=np.cos, sin=np.sin, n3=np.array(3.0)):
+    sin_a = sin(a)
+    t1 = sin_a * sin(b)
+    t2 = cos(b) * sin_a
+    cos_a = cos(a)
+    return n3 * t1, -t2, -cos_a, t1, t2, cos_a, t1, -(n3 * t2), cos_a, t1, t2, -(n3 * cos_a)
 
 
 def _vertices_of_three_wheels_block(a, b, out_V_1x, out_V_1y, out_V_1z, out_V_2x, out_V_2y, out_V_2z, out_V_3y, out_V_4z, r0, r1, r2, r3, r4):
@@ -1126,31 +1095,30 @@ def vertices_of_six_wheels(a, out=None):
     if out is None:
         if type(a) is float:
             try:
-                return _vertices_of_six_wheels(a, math.sqrt, math.tan, 1.0, 2.0, 4.0, math.sqrt(3.0), 3.0, 6.0)
+                return _vertices_of_six_wheels(a, math.cos, math.sin, 2.0, 4.0, math.sqrt(3.0), 3.0, 6.0)
             except (ValueError, ZeroDivisionError, OverflowError):
                 pass  # NumPy says whether it is infinite or no number
         elif type(a) is np.ndarray and a.dtype is DOUBLE:
-            if a.size <= SMALL:
+            if a.size <= FEW:
                 return _vertices_of_six_wheels(a)
             return evaluate_alike(_vertices_of_six_wheels_block, 3, (0, 1, 2, 3, 4, 2, 3, 5, 2, 6, 2, 7, 5, 2, 7, 4, 2, 7, 8, 9, 3, 8, 9, 10, 9, 3, 11, 9, 7, 11, 9, 12, 9, 12, 1, 13, 10, 1,), (a,))
     return evaluate(_vertices_of_six_wheels_block, 3, (0, 1, 2, 3, 4, 2, 3, 5, 2, 6, 2, 7, 5, 2, 7, 4, 2, 7, 8, 9, 3, 8, 9, 10, 9, 3, 11, 9, 7, 11, 9, 12, 9, 12, 1, 13, 10, 1,), (a,), out)
 
 
-def _vertices_of_six_wheels(a, sqrt=np.sqrt, tan=np.tan, n1=np.array(1.0), n2=np.array(2.0), n4=np.array(4.0), sqrt_3=np.array(math.sqrt(3.0)), n3=np.array(3.0), n6=np.array(6.0)):
-    tan_a = tan(a)
-    t2 = sqrt(n1 + (tan_a * tan_a))
-    t4 = tan_a / t2
-    t6 = (n2 * tan_a) / t2
-    t7 = n4 / t2
-    t9 = (sqrt_3 * tan_a) / t2
-    t10 = -t9
-    t11 = -t4
-    t13 = (n3 * tan_a) / t2
-    t14 = n2 / t2
-    t15 = sqrt_3 * t6
-    t16 = -t15
-    t17 = -t13
-    return n6 / t2, t6, t7, t10, t4, t7, t10, t11, t7, -t6, t7, t9, t11, t7, t9, t4, t7, t9, t13, t14, t10, t13, t14, t16, t14, t10, t17, t14, t9, t17, t14, t15, t14, t15, t6, (n4 * tan_a) / t2, t16, t6
+def _vertices_of_six_wheels(a, cos=np.cos, sin=np.sin, n2=np.array(2.0), n4=np.array(4.0), sqrt_3=np.array(math.sqrt(3.0)), n3=np.array(3.0), n6=np.array(6.0)):
+    cos_a = cos(a)
+    sin_a = sin(a)
+    t1 = n2 * sin_a
+    t2 = n4 * cos_a
+    t3 = sin_a * sqrt_3
+    t4 = -t3
+    t5 = -sin_a
+    t6 = n3 * sin_a
+    t7 = n2 * cos_a
+    t8 = sqrt_3 * t1
+    t9 = -t8
+    t10 = -t6
+    return n6 * cos_a, t1, t2, t4, sin_a, t2, t4, t5, t2, -t1, t2, t3, t5, t2, t3, sin_a, t2, t3, t6, t7, t4, t6, t7, t9, t7, t4, t10, t7, t3, t10, t7, t8, t7, t8, t1, n4 * sin_a, t9, t1
 
 
 def _vertices_of_six_wheels_block(a, out_V_1z, out_V_2y, out_V_2z, out_V_3x, out_V_3y, out_V_4y, out_V_5y, out_V_6x, out_V_8y, out_V_8z, out_V_10x, out_V_11y, out_V_13x, out_V_15y, r0, r1, r2):
@@ -1268,30 +1236,29 @@ def vertices_of_five_wheels(a, out=None):
     if out is None:
         if type(a) is float:
             try:
-                return _vertices_of_five_wheels(a, math.sqrt, math.tan, 1.0, 1.0 / 2.0, math.sqrt(3.0), 5.0 / 2.0, 3.0, 3.0 / 2.0, 5.0, 7.0 / 2.0)
+                return _vertices_of_five_wheels(a, math.cos, math.sin, 1.0 / 2.0, math.sqrt(3.0), 5.0 / 2.0, 3.0, 3.0 / 2.0, 5.0, 7.0 / 2.0)
             except (ValueError, ZeroDivisionError, OverflowError):
                 pass  # NumPy says whether it is infinite or no number
         elif type(a) is np.ndarray and a.dtype is DOUBLE:
-            if a.size <= SMALL:
+            if a.size <= FEW:
                 return _vertices_of_five_wheels(a)
             return evaluate_alike(_vertices_of_five_wheels_block, 3, (0, 1, 2, 0, 3, 4, 5, 6, 4, 5, 7, 4, 0, 8, 4, 9, 7, 4, 9, 6, 10, 5, 11, 10, 12, 1, 10, 5, 13, 10, 9, 13, 10,), (a,))
     return evaluate(_vertices_of_five_wheels_block, 3, (0, 1, 2, 0, 3, 4, 5, 6, 4, 5, 7, 4, 0, 8, 4, 9, 7, 4, 9, 6, 10, 5, 11, 10, 12, 1, 10, 5, 13, 10, 9, 13, 10,), (a,), out)
 
 
-def _vertices_of_five_wheels(a, sqrt=np.sqrt, tan=np.tan, n1=np.array(1.0), n1_2=np.array(1.0 / 2.0), sqrt_3=np.array(math.sqrt(3.0)), n5_2=np.array(5.0 / 2.0), n3=np.array(3.0), n3_2=np.array(3.0 / 2.0), n5=np.array(5.0), n7_2=np.array(7.0 / 2.0)):
-    tan_a = tan(a)
-    t2 = sqrt(n1 + (tan_a * tan_a))
-    t5 = (n1_2 * tan_a) / t2
-    t6 = sqrt_3 * t5
-    t7 = n1 / t2
-    t9 = (n5_2 * tan_a) / t2
-    t10 = n3 / t2
-    t11 = -t6
-    t13 = (n3_2 * tan_a) / t2
-    t14 = -t5
-    t15 = sqrt_3 * t13
-    t16 = -t9
-    return t6, t5, n5 / t2, t6, t9, t10, t11, t13, t10, t11, t14, t10, t6, -t13, t10, t15, t14, t10, t15, t13, t7, t11, (n7_2 * tan_a) / t2, t7, -t15, t5, t7, t11, t16, t7, t15, t16, t7
+def _vertices_of_five_wheels(a, cos=np.cos, sin=np.sin, n1_2=np.array(1.0 / 2.0), sqrt_3=np.array(math.sqrt(3.0)), n5_2=np.array(5.0 / 2.0), n3=np.array(3.0), n3_2=np.array(3.0 / 2.0), n5=np.array(5.0), n7_2=np.array(7.0 / 2.0)):
+    sin_a = sin(a)
+    t1 = n1_2 * sin_a
+    t2 = sqrt_3 * t1
+    cos_a = cos(a)
+    t3 = n5_2 * sin_a
+    t4 = n3 * cos_a
+    t5 = -t2
+    t6 = n3_2 * sin_a
+    t7 = -t1
+    t8 = sqrt_3 * t6
+    t9 = -t3
+    return t2, t1, n5 * cos_a, t2, t3, t4, t5, t6, t4, t5, t7, t4, t2, -t6, t4, t8, t7, t4, t8, t6, cos_a, t5, n7_2 * sin_a, cos_a, -t8, t1, cos_a, t5, t9, cos_a, t8, t9, cos_a
 
 
 def _vertices_of_five_wheels_block(a, out_V_1x, out_V_1y, out_V_1z, out_V_2y, out_V_2z, out_V_3x, out_V_3y, out_V_4y, out_V_5y, out_V_6x, out_V_7z, out_V_8y, out_V_9x, out_V_10y, r0, r1, r2):
@@ -1479,23 +1446,21 @@ def vertex_distances_of_six_wheels(a, out=None):
     if out is None:
         if type(a) is float:
             try:
-                return _vertex_distances_of_six_wheels(a, math.sqrt, math.tan, 1.0, 6.0, 4.0, 3.0, 2.0)
+                return _vertex_distances_of_six_wheels(a, math.cos, math.sin, math.sqrt, math.tan, 1.0, 6.0, 4.0, 3.0, 2.0)
             except (ValueError, ZeroDivisionError, OverflowError):
                 pass  # NumPy says whether it is infinite or no number
         elif type(a) is np.ndarray and a.dtype is DOUBLE:
-            if a.size <= SMALL:
+            if a.size <= FEW:
                 return _vertex_distances_of_six_wheels(a)
             return evaluate_alike(_vertex_distances_of_six_wheels_block, 4, (0, 1, 2, 3,), (a,))
     return evaluate(_vertex_distances_of_six_wheels_block, 4, (0, 1, 2, 3,), (a,), out)
 
 
-def _vertex_distances_of_six_wheels(a, sqrt=np.sqrt, tan=np.tan, n1=np.array(1.0), n6=np.array(6.0), n4=np.array(4.0), n3=np.array(3.0), n2=np.array(2.0)):
+def _vertex_distances_of_six_wheels(a, cos=np.cos, sin=np.sin, sqrt=np.sqrt, tan=np.tan, n1=np.array(1.0), n6=np.array(6.0), n4=np.array(4.0), n3=np.array(3.0), n2=np.array(2.0)):
     tan_a = tan(a)
     tan_a_squared = tan_a * tan_a
-    t1 = n1 + tan_a_squared
-    t2 = n1 / t1
-    t3 = sqrt(t1)
-    return n6 / t3, (n4 * tan_a) / t3, n2 * sqrt(n1 + (n3 * t2)), n2 * sqrt(n1 + (n2 * (t2 * tan_a_squared)))
+    t2 = n1 / (n1 + tan_a_squared)
+    return n6 * cos(a), n4 * sin(a), n2 * sqrt(n1 + (n3 * t2)), n2 * sqrt(n1 + (n2 * (t2 * tan_a_squared)))
 
 
 def _vertex_distances_of_six_wheels_block(a, out_d_1, out_d_2, out_d_3, out_d_4, r0, r1, r2, r3):
@@ -2152,23 +2117,19 @@ def largest_rates_of_four_wheels(a, b, J_x, J_y, J_z, out=None):
     if out is None:
         if type(a) is type(b) is type(J_x) is type(J_y) is type(J_z) is float:
             try:
-                return _largest_rates_of_four_wheels(a, b, J_x, J_y, J_z, math.sqrt, math.tan, 1.0, 4.0)
+                return _largest_rates_of_four_wheels(a, b, J_x, J_y, J_z, math.cos, math.sin, 4.0)
             except (ValueError, ZeroDivisionError, OverflowError):
                 pass  # NumPy says whether it is infinite or no number
         elif type(a) is type(b) is type(J_x) is type(J_y) is type(J_z) is np.ndarray and a.dtype is b.dtype is J_x.dtype is J_y.dtype is J_z.dtype is DOUBLE and a.shape == b.shape == J_x.shape == J_y.shape == J_z.shape:
-            if a.size <= SMALL:
+            if a.size <= FEW:
                 return _largest_rates_of_four_wheels(a, b, J_x, J_y, J_z)
             return evaluate_alike(_largest_rates_of_four_wheels_block, 5, (0, 1, 2,), (a, b, J_x, J_y, J_z,))
     return evaluate(_largest_rates_of_four_wheels_block, 5, (0, 1, 2,), (a, b, J_x, J_y, J_z,), out)
 
 
-def _largest_rates_of_four_wheels(a, b, J_x, J_y, J_z, sqrt=np.sqrt, tan=np.tan, n1=np.array(1.0), n4=np.array(4.0)):
-    tan_a = tan(a)
-    t2 = sqrt(n1 + (tan_a * tan_a))
-    t4 = (n4 * tan_a) / t2
-    tan_b = tan(b)
-    t6 = sqrt(n1 + (tan_b * tan_b))
-    return (t4 * tan_b) / (J_x * t6), t4 / (J_y * t6), n4 / (J_z * t2)
+def _largest_rates_of_four_wheels(a, b, J_x, J_y, J_z, cos=np.cos, sin=np.sin, n4=np.array(4.0)):
+    t1 = n4 * sin(a)
+    return (sin(b) * t1) / J_x, (cos(b) * t1) / J_y, (n4 * cos(a)) / J_z
 
 
 def _largest_rates_of_four_wheels_block(a, b, J_x, J_y, J_z, out_w_x, out_w_y, out_w_z, r0, r1, r2, r3, r4):
@@ -2220,20 +2181,19 @@ def largest_rates_of_six_wheels(a, J_x, J_y, J_z, out=None):
     if out is None:
         if type(a) is type(J_x) is type(J_y) is type(J_z) is float:
             try:
-                return _largest_rates_of_six_wheels(a, J_x, J_y, J_z, math.sqrt, math.tan, 1.0, math.sqrt(3.0), 2.0, 4.0, 6.0)
+                return _largest_rates_of_six_wheels(a, J_x, J_y, J_z, math.cos, math.sin, math.sqrt(3.0), 2.0, 4.0, 6.0)
             except (ValueError, ZeroDivisionError, OverflowError):
                 pass  # NumPy says whether it is infinite or no number
         elif type(a) is type(J_x) is type(J_y) is type(J_z) is np.ndarray and a.dtype is J_x.dtype is J_y.dtype is J_z.dtype is DOUBLE and a.shape == J_x.shape == J_y.shape == J_z.shape:
-            if a.size <= SMALL:
+            if a.size <= FEW:
                 return _largest_rates_of_six_wheels(a, J_x, J_y, J_z)
             return evaluate_alike(_largest_rates_of_six_wheels_block, 4, (0, 1, 2,), (a, J_x, J_y, J_z,))
     return evaluate(_largest_rates_of_six_wheels_block, 4, (0, 1, 2,), (a, J_x, J_y, J_z,), out)
 
 
-def _largest_rates_of_six_wheels(a, J_x, J_y, J_z, sqrt=np.sqrt, tan=np.tan, n1=np.array(1.0), sqrt_3=np.array(math.sqrt(3.0)), n2=np.array(2.0), n4=np.array(4.0), n6=np.array(6.0)):
-    tan_a = tan(a)
-    t2 = sqrt(n1 + (tan_a * tan_a))
-    return (n2 * (sqrt_3 * tan_a)) / (J_x * t2), (n4 * tan_a) / (J_y * t2), n6 / (J_z * t2)
+def _largest_rates_of_six_wheels(a, J_x, J_y, J_z, cos=np.cos, sin=np.sin, sqrt_3=np.array(math.sqrt(3.0)), n2=np.array(2.0), n4=np.array(4.0), n6=np.array(6.0)):
+    sin_a = sin(a)
+    return (n2 * (sin_a * sqrt_3)) / J_x, (n4 * sin_a) / J_y, (n6 * cos(a)) / J_z
 
 
 def _largest_rates_of_six_wheels_block(a, J_x, J_y, J_z, out_w_x, out_w_y, out_w_z, r0, r1, r2, r3):

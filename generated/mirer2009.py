@@ -4,7 +4,7 @@ import math
 
 import numpy as np
 
-from symcheck.runtime import DOUBLE, SMALL, evaluate, evaluate_alike
+from symcheck.runtime import DOUBLE, FEW, SMALL, evaluate, evaluate_alike
 
 __all__ = ["axial_moments", "bounds_of_products", "characteristic_coefficients", "characteristic_coefficients_at_common_ratio", "damping_matrix", "direction_cosines", "equal_moment_pitch", "gain_of_rates", "gains_in_proportion", "product_of_axial_moments", "product_of_two_axial_moments", "product_with_second_moment", "second_order_moments", "stability_degree_in_pitch", "sum_of_products"]
 

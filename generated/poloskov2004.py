@@ -4,7 +4,7 @@ import math
 
 import numpy as np
 
-from symcheck.runtime import DOUBLE, SMALL, evaluate, evaluate_alike, expm1_ratio, gamma_ratio, log1p_ratio
+from symcheck.runtime import DOUBLE, FEW, SMALL, evaluate, evaluate_alike, expm1_ratio, gamma_ratio, log1p_ratio
 
 __all__ = ["averaged_diffusion", "averaged_drift", "density_of_amplitude", "density_of_frequency", "diffusion_coefficients", "distribution_of_amplitude", "drift_coefficients", "logarithm_of_constant_of_amplitude", "logarithm_of_constant_of_frequency", "mean_square_of_amplitude", "mean_square_of_frequency", "mode_of_amplitude", "moment_of_amplitude", "moment_of_frequency", "noise_intensities", "quantile_of_amplitude", "stratonovich_drift"]
 

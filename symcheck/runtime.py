@@ -1,30 +1,29 @@
 """How a generated kernel runs: on numbers through `math`, on small arrays as it stands, on large ones by blocks.
 
 A block stays in the caches of its processor, so that the values between two operations never travel to memory; the
-registers that hold them are kept from call to call, one set for each thread. Threads share the blocks of a large array:
-NumPy lets others run while it computes. NumPy and the standard library alone.
+registers that hold them are kept from call to call, one set for each thread. NumPy and the standard library alone.
+
+Decision: one thread for a call. Reason: an operation on a block takes microseconds, and two threads that ask for the
+interpreter's lock that often wait for one another longer than they compute (measured: 0 to 20 % gained, except where
+sines prevail). Callers share large work among processes or threads by themselves; each thread has its own registers.
 """
 
 from __future__ import annotations
 
 import math
-import os
 import sys
 import threading
 from collections.abc import Callable, Sequence
-from concurrent.futures import ThreadPoolExecutor, wait
-from contextvars import copy_context
-from functools import cache, partial
 from itertools import combinations
 from typing import Any
 
 import numpy as np
 
 BLOCK = 8192  # elements: 64 kB of doubles
-SHARE = 4 * BLOCK  # elements that are worth a thread of their own
 DOUBLE = np.dtype(np.float64)
 LINE = 64  # bytes of a cache line: registers that begin on one are read twice as fast
-SMALL = 8192  # elements: up to here nothing leaves the caches anyway
+SMALL = 4096  # elements: up to here a block costs more time than it saves
+FEW = 512  # elements: up to here sines and cosines cost no more than the tangents that replace them in a block
 TINY = 2.0**-100  # below it log(1 + x) and exp(x) - 1 are x
 STIRLING = tuple(p / q for p, q in ((1, 12), (-1, 360), (1, 1260), (-1, 1680), (1, 1188), (-691, 360360), (1, 156)))
 SHIFT = 9  # from here on seven terms of Stirling's series are enough for doubles
@@ -61,9 +60,14 @@ def evaluate(block: Block, registers: int, order: Sequence[int], inputs: Sequenc
 
 
 def evaluate_alike(block: Block, registers: int, order: Sequence[int], inputs: Sequence[Any]) -> Any:
-    """The same for arrays of doubles that all have one shape, without asking again."""
-    outputs = [np.empty(inputs[0].shape) for _ in range(max(order) + 1)]
-    _run(block, registers, inputs, outputs, inputs[0].shape, DOUBLE)
+    """The same for arrays of doubles that all have one shape."""
+    shape = inputs[0].shape
+    outputs = [np.empty(shape) for _ in range(max(order) + 1)]
+    flat = inputs if len(shape) == 1 else [x.reshape(-1) if x.flags.c_contiguous else None for x in inputs]
+    if any(x is None for x in flat):
+        _run(block, registers, inputs, outputs, shape, DOUBLE)
+    else:
+        _pieces(block, _registers(registers, DOUBLE), [*flat, *(x.reshape(-1) for x in outputs)], outputs[0].size)
     return outputs[0] if len(order) == 1 else tuple([outputs[k] for k in order])
 
 
@@ -86,11 +90,7 @@ def _run(
     everything = (*arrays, *outputs)
     if all(x.shape in (shape, ()) and x.dtype == dtype and x.flags.c_contiguous for x in everything):
         flat = [x.reshape(-1) if x.shape == shape else x for x in everything]
-        size = outputs[0].size
-        share = -(-size // min(threads(), size // SHARE + 1) // BLOCK) * BLOCK or BLOCK
-        _apart(
-            partial(_pieces, block, registers, flat, dtype), [(k, min(k + share, size)) for k in range(0, size, share)]
-        )
+        _pieces(block, _registers(registers, dtype), flat, outputs[0].size)
         return
     chunks: Any = np.nditer  # its types know neither `with` nor lists of modes
     modes = [["readonly"]] * len(arrays) + [["writeonly"]] * len(outputs)
@@ -102,44 +102,11 @@ def _run(
             block(*chunk, *(row[: chunk[0].size] for row in rows))
 
 
-def _pieces(block: Block, registers: int, flat: list[Any], dtype: Any, start: int, stop: int) -> None:
-    """The block on each piece of some elements, with the registers of the thread that runs this."""
-    rows = _registers(registers, dtype)
-    for first in range(start, stop, BLOCK):
-        last = min(first + BLOCK, stop)
-        pieces = [x[first:last] if x.ndim else x for x in flat]
+def _pieces(block: Block, rows: list[Any], flat: list[Any], size: int) -> None:
+    for first in range(0, size, BLOCK):
+        last = min(first + BLOCK, size)
+        pieces = flat if last - first == size else [x[first:last] if x.ndim else x for x in flat]
         block(*pieces, *(rows if last - first == BLOCK else [row[: last - first] for row in rows]))
-
-
-def threads() -> int:
-    """How many threads share a large call: SYMCHECK_THREADS, or as many as there are processors."""
-    asked = os.environ.get("SYMCHECK_THREADS", "")
-    if not asked:
-        return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
-    if not asked.isdecimal() or int(asked) < 1:
-        raise ValueError(f"SYMCHECK_THREADS = {asked!r} must be a positive whole number")
-    return int(asked)
-
-
-def _apart(work: Callable[[int, int], None], parts: list[tuple[int, int]]) -> None:
-    """Each part in a thread, the first one here; NumPy's error state is that of the caller in all of them."""
-    others = [_pool().submit(copy_context().run, work, *part) for part in parts[1:]]
-    try:
-        for part in parts[:1]:
-            work(*part)
-    finally:
-        wait(others)
-    for other in others:
-        other.result()
-
-
-@cache
-def _pool() -> ThreadPoolExecutor:
-    return ThreadPoolExecutor(max(threads() - 1, 1), "symcheck")
-
-
-if hasattr(os, "register_at_fork"):
-    os.register_at_fork(after_in_child=_pool.cache_clear)  # threads do not live on in a fork
 
 
 def _registers(count: int, dtype: Any) -> list[Any]:

@@ -21,7 +21,7 @@ from symcheck import kernels as generated
 from symcheck import papers
 from symcheck.codegen.kernel import Argument, Kernel
 from symcheck.codegen.program import UNARY
-from symcheck.evidence.kernels import declared, program
+from symcheck.evidence.kernels import declared, programs
 
 SIZES = (0, 1, 10, 100, 1_000, 10_000, 100_000, 1_000_000, 10_000_000)  # 0: Python floats
 ROUNDS, SHORT = 5, 0.01
@@ -52,7 +52,7 @@ def rows() -> Iterator[tuple[str, int, float, list[float]]]:
     for key in papers.load():
         for name, kernel in declared(key).items():
             ours, theirs = getattr(generated.load(key), name), lambdified(kernel)
-            calls = sum(operation.function in UNARY for operation in program(kernel).operations)
+            calls = sum(operation.function in UNARY for operation in programs(kernel)[0].operations)
             gc.freeze()  # what SymPy made need not be looked through before every run
             ratios, per_point = [], 0.0
             for size in (size for size in SIZES if size <= most):

@@ -143,7 +143,7 @@ class Case:
     @property
     def made(self) -> Made:
         """What targets write, without the evidence it rests on."""
-        return Made(self.kernel, evidence.program(self.kernel), "")
+        return Made(self.kernel, *evidence.programs(self.kernel), "")
 
     @property
     def text(self) -> str:

@@ -42,7 +42,7 @@ from symcheck.codegen.kernel import Argument, Kernel, Output, largest_addend
 from symcheck.codegen.target import MARK
 from symcheck.evidence import kernels as evidence
 from symcheck.papers import load
-from symcheck.runtime import BLOCK, SHARE, SMALL
+from symcheck.runtime import BLOCK, SMALL
 from symcheck.statement import SymcheckError
 
 CASES = cases()
@@ -445,12 +445,11 @@ def within_or_at_infinity(kernel: Kernel, points: tuple[Any, ...]) -> Any:
 
 
 @every_kernel
-def test_with_out_given_nothing_is_allocated_that_grows(case: Case, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setenv("SYMCHECK_THREADS", "1")  # each thread keeps its registers
+def test_with_out_given_nothing_is_allocated_that_grows(case: Case) -> None:
     for way in ("contiguous", "broadcast", "integers"):
         if way == "broadcast" and len(case.kernel.arguments) == 1:
             continue
-        _, once, twice = (peak(case, way, size) for size in (2 * SHARE, 2 * SHARE, 4 * SHARE))
+        _, once, twice = (peak(case, way, size) for size in (2 * BLOCK, 2 * BLOCK, 4 * BLOCK))
         assert twice < once + LITTLE, way
 
 

@@ -23,7 +23,7 @@ import math
 
 import numpy as np
 
-from symcheck.runtime import DOUBLE, SMALL, evaluate, evaluate_alike{special}
+from symcheck.runtime import DOUBLE, FEW, SMALL, evaluate, evaluate_alike{special}
 
 __all__ = [{names}]
 '''
@@ -126,7 +126,7 @@ def source(name: str, made: Made) -> str:
     """The text of one kernel."""
     kernel, program = made.kernel, made.program
     inputs = ", ".join(program.inputs)
-    called, used = functions(program), numbers(program)
+    called, used = functions(made.pointwise), numbers(made.pointwise)
     count, lines = block_lines(program)
     firsts = sorted(distinct(program).values(), key=list(program.outputs).index)
     order = ", ".join(str(firsts.index(distinct(program)[value])) for value in program.outputs.values())
@@ -137,8 +137,9 @@ def source(name: str, made: Made) -> str:
     shapes = "".join(f"{' and' if n == 0 else ''} {x}.shape ==" for n, x in enumerate(program.inputs))
     shapes = f"{shapes.removesuffix(' ==')}" if len(program.inputs) > 1 else ""
     block = f"_{name}_block, {count}, ({order},), ({inputs},)"
+    most = "SMALL" if made.pointwise.operations == program.operations else "FEW"
     direct = f"""
-            if {program.inputs[0]}.size <= SMALL:
+            if {program.inputs[0]}.size <= {most}:
                 return _{name}({inputs})"""
     if not {*program.outputs.values()} <= {operation.result for operation in program.operations}:
         direct = ""  # a result must be no argument, and no number
@@ -165,7 +166,7 @@ def source(name: str, made: Made) -> str:
 
 
 def _{name}({inputs}{taken}):
-{textwrap.indent(chr(10).join(expression_lines(program)), "    ")}
+{textwrap.indent(chr(10).join(expression_lines(made.pointwise)), "    ")}
 
 
 def _{name}_block({inputs}, {outs}{rows}):

@@ -15,10 +15,15 @@ MARK = "Written by `symcheck generate`: what is changed here is lost."
 
 @dataclass(frozen=True)
 class Made:
-    """A kernel that may be written: its program, and in words on which claims and proofs it rests."""
+    """A kernel that may be written, and in words on which claims and proofs it rests.
+
+    program     for many points at once: sines and cosines of acute angles through one tangent
+    pointwise   for few points: each function by its name
+    """
 
     kernel: Kernel
     program: Program
+    pointwise: Program
     evidence: str
 
 

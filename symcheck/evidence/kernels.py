@@ -28,13 +28,14 @@ def declared(key: str) -> dict[str, Kernel]:
     return {name: value for name, value in vars(import_module(name)).items() if isinstance(value, Kernel)}
 
 
-def program(kernel: Kernel) -> Program:
-    """What is computed: the accurate forms where there are any."""
+def programs(kernel: Kernel) -> tuple[Program, Program]:
+    """What is computed for many points, and for few: the accurate forms where there are any."""
     derived = kernel.derived()
     outputs = {output.name: derived[output.name] for output in kernel.outputs}
     outputs |= kernel.accurate() if kernel.accurate else {}
     angles = [argument.name for argument in kernel.arguments if argument.acute]
-    return compiled([argument.name for argument in kernel.arguments], outputs, angles)
+    inputs = [argument.name for argument in kernel.arguments]
+    return compiled(inputs, outputs, angles), compiled(inputs, outputs)
 
 
 def made(paper: Paper, records: Iterable[Record]) -> tuple[dict[str, Made], list[Certificate]]:
@@ -43,7 +44,7 @@ def made(paper: Paper, records: Iterable[Record]) -> tuple[dict[str, Made], list
     for name, kernel in declared(paper.key).items():
         equal = list(equalities(paper, name, kernel))
         evidence = f"{_claims(paper, name, kernel, known)} {_forms(equal)}".strip()
-        kernels[name] = Made(kernel, program(kernel), evidence)
+        kernels[name] = Made(kernel, *programs(kernel), evidence)
         proofs += equal
     return kernels, proofs
 
