@@ -1,11 +1,17 @@
-"""Kernels against SymPy's `lambdify(cse=True)`: medians of interleaved runs, as ratios. Run by `make bench`."""
+"""Kernels against SymPy's `lambdify(cse=True)`, and against 50 digits. Run by `make bench`.
+
+Prints two tables in Markdown: times as fast (medians of interleaved runs), and largest errors. With --readme they
+replace those of the README, where a test keeps them complete.
+"""
 
 from __future__ import annotations
 
 import gc
 import os
+import re
 import statistics
-from collections.abc import Callable, Iterator, Sequence
+import sys
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from functools import partial
 from pathlib import Path
 from typing import Any
@@ -13,100 +19,126 @@ from typing import Any
 import numpy as np
 import sympy as sp
 from bench import interleaved
-from rich import box
-from rich.console import Console
-from rich.table import Table
+from kernel_reference import Case, cases, measured, random_points
 
 from symcheck import kernels as generated
-from symcheck import papers
-from symcheck.codegen.kernel import Argument, Kernel
 from symcheck.codegen.program import UNARY
-from symcheck.evidence.kernels import declared, programs
 
+README = Path(__file__).resolve().parent.parent / "README.md"
 SIZES = (0, 1, 10, 100, 1_000, 10_000, 100_000, 1_000_000, 10_000_000)  # 0: Python floats
+MILLION = SIZES.index(1_000_000)
+MOST = int(os.environ.get("BENCH_MOST", SIZES[-1]))
 ROUNDS, SHORT = 5, 0.01
-ANGLE = 1.2
+POINTS = 1_000  # different ones, repeated; as many are compared with 50 digits
+SPEED = ("kernel", "functions", "ns a point", "numbers", *(f"{size:,}" for size in SIZES[1:]))
+ACCURACY = ("kernel", "largest error, ulp", "stated", "where")
 
 
-def lambdified(kernel: Kernel) -> Callable[..., Any]:
+def lambdified(case: Case) -> Callable[..., Any]:
     """The derived expressions as SymPy prints them for NumPy."""
-    derived = kernel.derived()
-    outputs = [derived[output.name] for output in kernel.outputs]
-    letters = {symbol.name: symbol for expression in outputs for symbol in expression.free_symbols}
-    arguments = [letters.get(argument.name, sp.Symbol(argument.name)) for argument in kernel.arguments]
-    function: Callable[..., Any] = sp.lambdify(arguments, outputs, modules="numpy", cse=True)
+    letters = {symbol.name: symbol for expression in case.derived for symbol in expression.free_symbols}
+    arguments = [letters.get(each.name, sp.Symbol(each.name)) for each in case.kernel.arguments]
+    function: Callable[..., Any] = sp.lambdify(
+        arguments, case.derived, modules=["numpy", "scipy"], cse=True, dummify=True
+    )
     return function
 
 
-def values(argument: Argument, size: int, rng: np.random.Generator) -> Any:
-    """Points of the domain, away from its ends; one Python float for size 0."""
-    low, high = 0.1, ANGLE if argument.unit == "rad" or argument.high else 2.0
-    points = rng.uniform(low, high, size or 1)
-    return points if size else float(points[0])
+def values(case: Case, size: int) -> list[Any]:
+    """Ordinary points where the kernel has values; Python floats for size 0."""
+    points = random_points(case.kernel, POINTS, np.random.default_rng(2005), decades=0.3)
+    results = case.function(*points)
+    fine = np.isfinite(results if isinstance(results, tuple) else (results,)).all(axis=0)
+    columns = [np.resize(column[fine], size or 1) for column in points]
+    return columns if size else [float(column[0]) for column in columns]
 
 
-def rows() -> Iterator[tuple[str, int, float, list[float]]]:
-    """Name, number of transcendental calls, seconds per point of a million, ratios by size."""
-    rng = np.random.default_rng(2005)
-    most = int(os.environ.get("BENCH_MOST", SIZES[-1]))
-    for key in papers.load():
-        for name, kernel in declared(key).items():
-            ours, theirs = getattr(generated.load(key), name), lambdified(kernel)
-            calls = sum(operation.function in UNARY for operation in programs(kernel)[0].operations)
-            gc.freeze()  # what SymPy made need not be looked through before every run
-            ratios, per_point = [], 0.0
-            for size in (size for size in SIZES if size <= most):
-                arguments = [values(argument, size, rng) for argument in kernel.arguments]
-                with np.errstate(all="ignore"):
-                    (own, _), (other, _) = interleaved(
-                        ROUNDS, partial(ours, *arguments), partial(able(theirs, arguments), *arguments), short=SHORT
-                    )
-                ratios.append(other / own)
-                per_point = own / size if size == 1_000_000 else per_point
-            yield name, calls, per_point, ratios
-
-
-def able(function: Callable[..., Any], arguments: Sequence[Any]) -> Callable[..., Any]:
-    """The function, or one that takes no time if this one cannot do it: SymPy prints gamma for numbers only."""
-    try:
-        function(*arguments)
-    except TypeError:
-        return lambda *_: None
-    return function
+def ratios(case: Case) -> tuple[int, float, list[float]]:
+    """How many roots and functions it has, seconds per point of a million, times as fast as lambdify by size."""
+    ours, theirs = getattr(generated.load(case.paper), case.name), lambdified(case)
+    calls = sum(operation.function in UNARY for operation in case.made.program.operations)
+    gc.freeze()  # what SymPy made need not be looked through before every run
+    found, per_point = [], 0.0
+    for size in (size for size in SIZES if size <= MOST):
+        arguments = values(case, size)
+        (own, _), (other, _) = interleaved(ROUNDS, partial(ours, *arguments), partial(theirs, *arguments), short=SHORT)
+        found.append(other / own)
+        per_point = own / size if size == 1_000_000 else per_point
+    return calls, per_point, found
 
 
 def limits() -> str:
     """What the machine gives: copying, a sine, a tangent, for each of ten million doubles."""
-    source = np.random.default_rng(1).uniform(0.1, ANGLE, 10_000_000)
+    source = np.random.default_rng(1).uniform(0.1, 1.2, 10_000_000)
     target = np.empty_like(source)
     (copy, _), (sine, _), (tangent, _) = interleaved(
         ROUNDS, lambda: np.copyto(target, source), lambda: np.sin(source, target), lambda: np.tan(source, target)
     )
     per = 1e9 / source.size
-    return (
-        f"copy {16 / (copy * per):.1f} GB/s, sine {sine * per:.1f} ns, tangent {tangent * per:.1f} ns for each double"
-        f"{'' if 'avx512' in Path('/proc/cpuinfo').read_text(encoding='utf-8') else '; no AVX-512'}"
-    )
+    copied, slow = f"copy {16 / (copy * per):.1f} GB/s", "; no AVX-512: half the factor is asked"
+    processor = Path("/proc/cpuinfo")
+    known = processor.read_text(encoding="utf-8") if processor.exists() else ""
+    functions = f"a sine {sine * per:.1f} ns, a tangent {tangent * per:.1f} ns for each double"
+    return f"The machine: {copied}, {functions}{'' if 'avx512' in known else slow}."
+
+
+def speed(every: Iterable[Case]) -> Iterator[str]:
+    """A table row for each kernel; last what the large sizes come to."""
+    yield from head(SPEED)
+    large: list[float] = []
+    small: list[float] = []
+    for case in every:
+        calls, per_point, found = ratios(case)
+        large += found[MILLION:] if calls >= 2 else []
+        small += found[1:MILLION]
+        yield row([case.id, str(calls), f"{per_point * 1e9:.1f}", *(f"{ratio:.2f}" for ratio in found)])
+    yield ""
+    mean = statistics.geometric_mean
+    if large:
+        yield f"Geometric mean from a million points on, of kernels with two functions or more: {mean(large):.2f}."
+    yield f"Geometric mean of all kernels on 1 to 100,000 points: {mean(small):.2f}."
+
+
+def accuracy(every: Iterable[Case]) -> Iterator[str]:
+    """A table row for each kernel."""
+    yield from head(ACCURACY)
+    for case in every:
+        found = measured(case, POINTS)
+        place = ", ".join(f"{name} = {value:.3g}" for name, value in found.point.items())
+        yield row([case.id, f"{found.ulp:.2f}", str(case.kernel.ulp), f"{found.output} at {place}"])
+
+
+def head(names: Sequence[str]) -> list[str]:
+    """The first two lines of a table."""
+    return [row(names), row(["---"] * len(names))]
+
+
+def row(cells: Sequence[str]) -> str:
+    """A line of a table."""
+    return f"| {' | '.join(cells)} |"
+
+
+def block(text: str, name: str) -> str:
+    """What stands between the two markers of that name."""
+    (found,) = re.findall(rf"<!-- {name} -->\n(.*?)\n<!-- end of {name} -->", text, re.DOTALL)
+    return str(found)
 
 
 def main() -> None:
-    """Measure and print."""
-    out = Console(width=170, highlight=False)
-    out.print(limits())
-    table = Table(
-        "kernel", "functions", "ns/point", *map(str, SIZES), box=box.SIMPLE_HEAD, title="times as fast as lambdify"
-    )
-    large: list[float] = []
-    for name, calls, per_point, ratios in rows():
-        table.add_row(
-            name, str(calls), f"{per_point * 1e9:.1f}", *(f"{ratio:.2f}" if ratio > 0.01 else "-" for ratio in ratios)
-        )
-        large += [ratio for ratio in ratios[SIZES.index(1_000_000) :] if calls >= 2 and ratio > 0.01]
-    out.print(table)
-    if large:
-        mean = statistics.geometric_mean(large)
-        out.print(f"geometric mean from a million points on, kernels with two functions or more: {mean:.2f}")
+    """Measure, print, and with --readme write."""
+    every, text = list(cases().values()), README.read_text(encoding="utf-8")
+    for name, table in (("speed of kernels", speed), ("accuracy of kernels", accuracy)):
+        lines = [limits(), ""] if table is speed else []
+        for line in lines:
+            print(line)
+        for line in table(every):
+            print(line, flush=True)
+            lines.append(line)
+        text = text.replace(block(text, name), "\n".join(lines))
+    if sys.argv[1:] == ["--readme"]:
+        README.write_text(text, encoding="utf-8")
 
 
 if __name__ == "__main__":
-    main()
+    with np.errstate(all="ignore"):
+        main()

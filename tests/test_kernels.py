@@ -10,6 +10,7 @@ from __future__ import annotations
 import math
 import os
 import random
+import re
 import subprocess
 import sys
 import threading
@@ -49,6 +50,8 @@ CASES = cases()
 FEW, MANY = 150, 100_000
 MUTANTS = 200
 SEEDS = 20
+CONDITION = r"condition number is (\d+)"
+OTHER = os.environ.get("SYMCHECK_OTHER_PYTHON", "")
 SIZES = sorted({1, 2, 97, SMALL - 1, SMALL, SMALL + 1, BLOCK - 1, BLOCK, BLOCK + 1, 2 * BLOCK + 1})
 EXTREMES = (0.0, -0.0, 1.0, 1e-300, -1e-300, 1e300, -1e300, math.inf, -math.inf, math.nan)
 LITTLE = 10_000  # bytes of small objects
@@ -118,6 +121,22 @@ def test_errors_stay_below_what_the_docstring_says_at_many_points(case: Case, po
 @every_kernel
 def test_the_accuracy_that_is_allowed_is_not_more_than_is_agreed(case: Case) -> None:
     assert case.kernel.ulp <= 16
+
+
+STATED = {id: int(found[1]) for id, case in CASES.items() if (found := re.search(CONDITION, case.kernel.condition))}
+
+
+@pytest.mark.parametrize("id", STATED)
+def test_the_condition_number_that_a_docstring_states_is_reached_and_not_exceeded(id: str) -> None:
+    case = CASES[id]
+    letters = [sp.Symbol(argument.name, real=True) for argument in case.kernel.arguments]
+    numbers = []
+    for point in zip(*random_points(case.kernel, 3, generator(case)), strict=True):
+        values = dict(zip(letters, map(sp.Rational, point), strict=True))
+        for e in case.derived:
+            changes = (abs(x * e.diff(letter).subs(values)) for letter, x in values.items())
+            numbers.append(float(sum(changes) / abs(e.subs(values))))
+    assert max(numbers) == pytest.approx(STATED[id])
 
 
 # --- ways of calling
@@ -482,7 +501,15 @@ def test_the_same_text_for_many_hash_seeds() -> None:
     assert len(set(texts(range(SEEDS), list(CASES)))) == 1
 
 
-def texts(seeds: range, ids: list[str]) -> list[str]:
+@pytest.mark.slow
+@pytest.mark.skipif(not OTHER, reason="SYMCHECK_OTHER_PYTHON names no interpreter that has symcheck's dependencies")
+def test_the_same_text_from_another_version_of_python() -> None:
+    version = subprocess.run([OTHER, "--version"], capture_output=True, text=True, check=True).stdout
+    assert version.split()[1] != sys.version.split()[0]
+    assert texts(range(1), list(CASES), OTHER) == ["".join(map(source, CASES.values()))]
+
+
+def texts(seeds: range, ids: list[str], python: str = sys.executable) -> list[str]:
     """The text of some kernels, from an interpreter for each seed, two at a time."""
     program = "import sys; from kernel_reference import cases, source; " + (
         "sys.stdout.write(''.join(source(cases()[id]) for id in sys.argv[1:]))"
@@ -491,9 +518,9 @@ def texts(seeds: range, ids: list[str]) -> list[str]:
     for first in seeds[::2]:
         pair = [
             subprocess.Popen(
-                [sys.executable, "-c", program, *ids],
+                [python, "-c", program, *ids],
                 cwd=Path(__file__).parent,
-                env={**os.environ, "PYTHONHASHSEED": str(seed)},
+                env={**os.environ, "PYTHONHASHSEED": str(seed), "PYTHONPATH": str(Path(__file__).parent.parent)},
                 stdout=subprocess.PIPE,
                 text=True,
             )

@@ -30,7 +30,14 @@ COSINES = tuple(cosine for row in ROWS for cosine in row)
 GAINS = tuple(Argument(f"k_{i}", f"gain of the damping device along axis {i}", GAIN, "0") for i in (1, 2, 3))
 RATIO = Argument("k", "gains divided by the moments of inertia about their axes", RATE, "0")
 LARGEST = "Where terms cancel, the error is in units of the last place of the largest of them."
-MANY = "A product of sums keeps the roundings of all its factors; so many operations follow one another."
+
+
+def _product(condition: int) -> str:
+    """Why a product of sums of positive terms errs by more; its condition number is its degree."""
+    return (
+        "A product of sums keeps the roundings of all its factors, as many operations follow one another; its condition "
+        f"number is {condition}, so that arguments rounded to the nearest double change it by as many half units."
+    )
 
 
 def _scales(derived: Callable[[], dict[str, Any]]) -> dict[str, Any]:
@@ -78,7 +85,7 @@ product_of_axial_moments = Kernel(
     derived=derivation.products_of_moments,
     claims=("2.1", "2.13.4"),
     ulp=14,
-    condition=MANY,
+    condition=_product(9),
 )
 
 sum_of_products = Kernel(
@@ -88,7 +95,7 @@ sum_of_products = Kernel(
     derived=derivation.products_of_moments,
     claims=("2.18", "2.19.4"),
     ulp=12,
-    condition=MANY,
+    condition=_product(7),
 )
 
 bounds_of_products = Kernel(
@@ -103,7 +110,7 @@ bounds_of_products = Kernel(
     accurate=lambda: {"f_greatest": sum(map(_letter, ("I_1", "I_2", "I_3"))) ** 3 / 27},
     claims=("2.1", "2.3.7", "2.18"),
     ulp=9,
-    condition="A cube has the condition number 3: it triples the error of the mean moment.",
+    condition="A cube triples the error of the mean moment: its condition number is 3.",
 )
 
 product_of_two_axial_moments = Kernel(
@@ -113,7 +120,7 @@ product_of_two_axial_moments = Kernel(
     derived=derivation.products_of_moments,
     claims=("2.11.3", "2.12"),
     ulp=9,
-    condition=MANY,
+    condition=_product(6),
 )
 
 product_with_second_moment = Kernel(
@@ -123,7 +130,7 @@ product_with_second_moment = Kernel(
     derived=derivation.products_of_moments,
     claims=("2.12.1", "2.13"),
     ulp=10,
-    condition=MANY,
+    condition=_product(7),
 )
 
 damping_matrix = Kernel(
@@ -143,7 +150,7 @@ characteristic_coefficients = Kernel(
     derived=derivation.characteristic_coefficients,
     claims=("1.3", "1.3.2", "1.3.3"),
     ulp=8,
-    condition=MANY,
+    condition=_product(5),
 )
 
 characteristic_coefficients_at_common_ratio = Kernel(
@@ -153,7 +160,7 @@ characteristic_coefficients_at_common_ratio = Kernel(
     derived=derivation.characteristic_coefficients_at_common_ratio,
     claims=("1.5", "1.3.3"),
     ulp=16,
-    condition=MANY,
+    condition=_product(12),
 )
 
 gains_in_proportion = Kernel(

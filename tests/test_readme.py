@@ -1,0 +1,36 @@
+"""The README's tables name every kernel; their figures are those of the machine that measured them."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import pytest
+from bench_kernels import ACCURACY, README, SPEED, block, head
+from kernel_reference import cases
+
+TABLES = {"speed of kernels": SPEED, "accuracy of kernels": ACCURACY}
+
+
+def rows(name: str) -> list[list[str]]:
+    """The cells of the table that stands between two markers."""
+    lines = [line for line in block(README.read_text(encoding="utf-8"), name).splitlines() if line.startswith("|")]
+    return [[cell.strip() for cell in line.strip("|").split(" | ")] for line in lines]
+
+
+@pytest.mark.parametrize(("name", "columns"), TABLES.items())
+def test_the_table_in_the_readme_has_the_columns_of_the_benchmark_and_a_row_for_each_kernel(
+    name: str, columns: Sequence[str]
+) -> None:
+    first, second, *others = rows(name)
+    assert [f"| {' | '.join(line)} |" for line in (first, second)] == head(columns)
+    assert [cells[0] for cells in others] == list(cases())
+    assert all(len(cells) == len(columns) for cells in others)
+
+
+def test_errors_in_the_readme_are_below_what_each_kernel_states() -> None:
+    for case, (_, error, stated, _) in zip(cases().values(), rows("accuracy of kernels")[2:], strict=True):
+        assert float(error) <= float(stated) == case.kernel.ulp
+
+
+def test_speeds_in_the_readme_are_positive_numbers() -> None:
+    assert all(float(cell) > 0 for cells in rows("speed of kernels")[2:] for cell in cells[2:])
