@@ -178,7 +178,7 @@ def discriminant(A, C, E_1, lambda_1, omega_0, out=None):
 
     Rests on esenkov2006:1.33.3a (sha256 f139c6183c55), esenkov2006:1.33.4 (sha256 05931f5999a0), esenkov2006:B.2
     (sha256 7f9a06f39baa), esenkov2006:B.6 (sha256 f1f6b0ec5b77). The forms computed are proved equal to those
-    shown (sha256 c25d847e76e1).
+    shown (sha256 d5d679bd5b2f).
     """
     if out is None:
         if type(A) is type(C) is type(E_1) is type(lambda_1) is type(omega_0) is float:
@@ -194,24 +194,27 @@ def discriminant(A, C, E_1, lambda_1, omega_0, out=None):
 
 
 def _discriminant(A, C, E_1, lambda_1, omega_0, n4=np.array(4.0)):
-    t2 = omega_0 * (C - A)
-    t10 = (t2 + (E_1 * omega_0)) - (A * lambda_1)
-    return (t10 * t10) + (n4 * ((A - E_1) * (lambda_1 * t2)))
+    t5 = E_1 * (lambda_1 - omega_0)
+    t13 = ((omega_0 * (C - A)) + (lambda_1 * (A - E_1))) - t5
+    return (t13 * t13) + (((n4 * A) - (n4 * E_1)) * (lambda_1 * t5))
 
 
 def _discriminant_block(A, C, E_1, lambda_1, omega_0, out_D, r0, r1, r2, r3):
-    np.subtract(C, A, r0)  # t1
-    np.multiply(omega_0, r0, r0)  # t2
-    np.subtract(A, E_1, r1)  # t3
-    np.multiply(lambda_1, r0, r2)  # t4
-    np.multiply(r1, r2, r2)  # t5
-    np.multiply(4.0, r2, r2)  # t6
-    np.multiply(A, lambda_1, r1)  # t7
-    np.multiply(E_1, omega_0, r3)  # t8
-    np.add(r0, r3, r3)  # t9
-    np.subtract(r3, r1, r1)  # t10
-    np.multiply(r1, r1, r1)  # t11
-    np.add(r1, r2, out_D)  # t12
+    np.subtract(lambda_1, omega_0, r0)  # t1
+    np.multiply(4.0, A, r1)  # t2
+    np.multiply(4.0, E_1, r2)  # t3
+    np.subtract(r1, r2, r2)  # t4
+    np.multiply(E_1, r0, r0)  # t5
+    np.multiply(lambda_1, r0, r1)  # t6
+    np.multiply(r2, r1, r1)  # t7
+    np.subtract(A, E_1, r2)  # t8
+    np.multiply(lambda_1, r2, r2)  # t9
+    np.subtract(C, A, r3)  # t10
+    np.multiply(omega_0, r3, r3)  # t11
+    np.add(r3, r2, r2)  # t12
+    np.subtract(r2, r0, r0)  # t13
+    np.multiply(r0, r0, r0)  # t14
+    np.add(r0, r1, out_D)  # t15
 
 
 def boundary_of_stability(A, E_1, b_1, out=None):

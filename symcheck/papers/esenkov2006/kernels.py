@@ -87,9 +87,10 @@ characteristic_coefficients = Kernel(
 
 
 def _discriminant() -> Any:
-    """A square and a product, of few operations."""
+    """Expanded about the natural frequency: both terms are as small as the mode's inertia where the body is unstable."""
     whole, axial, mode, natural, spin = _letters("A C E_1 lambda_1 omega_0")
-    return _linear_coefficient() ** 2 + (whole - mode) * (axial - whole) * spin * natural * 4
+    slope = (axial - whole) * spin + mode * (spin - natural) + (whole - mode) * natural
+    return slope**2 + 4 * (whole - mode) * mode * natural * (natural - spin)
 
 
 discriminant = Kernel(
