@@ -3,6 +3,8 @@ PYTHON ?= python3
 VENV := .venv
 BIN := $(VENV)/bin
 STAMP := $(VENV)/.stamp
+DEV := $(VENV)/.dev
+PIP := $(BIN)/python -m pip install --quiet --disable-pip-version-check -c constraints.txt
 
 .PHONY: audit test test-full gates bench clean
 
@@ -15,7 +17,7 @@ test: gates
 test-full: gates
 	$(BIN)/python -m pytest -n 2 -q
 
-gates: $(STAMP)
+gates: $(DEV)
 	$(BIN)/ruff format --check .
 	$(BIN)/ruff check .
 	$(BIN)/mypy --strict symcheck
@@ -23,9 +25,10 @@ gates: $(STAMP)
 	$(BIN)/symcheck generate --check --no-cache
 	$(BIN)/python -m symcheck.checker generated/certificates
 
-bench: $(STAMP)
+bench: $(DEV)
 	$(BIN)/python tests/bench.py
 	$(BIN)/python tests/bench_kernels.py
+	$(BIN)/python tests/bench_envelope.py
 
 clean:
 	rm -rf $(VENV) build dist *.egg-info .mypy_cache .ruff_cache .pytest_cache .import_linter_cache .hypothesis
@@ -35,6 +38,11 @@ clean:
 $(STAMP): pyproject.toml constraints.txt
 	$(PYTHON) -c 'import sys; sys.exit("symcheck needs Python 3.11 or newer" if sys.version_info < (3, 11) else 0)'
 	$(PYTHON) -m venv $(VENV)
-	$(BIN)/python -m pip install --quiet --disable-pip-version-check -c constraints.txt setuptools
-	$(BIN)/python -m pip install --quiet --disable-pip-version-check -c constraints.txt --no-build-isolation -e '.[dev]'
+	$(PIP) setuptools
+	$(PIP) --no-build-isolation -e .
+	touch $@
+
+# What the tests, the benchmarks and the optional parts need beside it.
+$(DEV): $(STAMP)
+	$(PIP) --no-build-isolation -e '.[dev]'
 	touch $@
