@@ -6,7 +6,7 @@ STAMP := $(VENV)/.stamp
 DEV := $(VENV)/.dev
 PIP := $(BIN)/python -m pip install --quiet --disable-pip-version-check -c constraints.txt
 
-.PHONY: audit test test-full gates bench clean
+.PHONY: audit test test-full gates bench bench-gpu clean
 
 audit: $(STAMP)
 	$(BIN)/symcheck check
@@ -30,8 +30,12 @@ bench: $(DEV)
 	$(BIN)/python tests/bench_kernels.py
 	$(BIN)/python tests/bench_envelope.py
 
+bench-gpu: $(DEV)
+	$(BIN)/symcheck generate --target array --output kernels-array
+	$(BIN)/python tests/bench_gpu.py kernels-array
+
 clean:
-	rm -rf $(VENV) build dist *.egg-info .mypy_cache .ruff_cache .pytest_cache .import_linter_cache .hypothesis
+	rm -rf $(VENV) kernels-* build dist *.egg-info .mypy_cache .ruff_cache .pytest_cache .import_linter_cache .hypothesis
 	find symcheck generated tests -name __pycache__ -type d -prune -exec rm -rf {} +
 
 # The versions are pinned once, in constraints.txt; the build runs with the pinned setuptools of the environment.
