@@ -41,7 +41,7 @@ def direction_cosines(alpha, beta, gamma, out=None):
     Numbers give numbers; arrays give float64, or float32 if all are. `out` takes 9 arrays of the broadcast shape
     and type; a ValueError names what does not fit. What is no number gives no number.
 
-    Accuracy: 4 ulp over the domain. Where terms cancel, the error is in units of the last place of the largest of
+    Accuracy: 6 ulp over the domain. Where terms cancel, the error is in units of the last place of the largest of
     them.
 
     Rests on mirer2009:2.7.5 (sha256 e6410c210792), mirer2009:2.7.6 (sha256 8f9501bb0db3), mirer2009:2.7.7 (sha256

@@ -265,6 +265,35 @@ def generate(only_check: bool, name: str, output: Path | None, how: How) -> None
     click.echo(f"{folder}: {len(contents)} files, {len(differing)} {'differ' if only_check else 'rewritten'}")
 
 
+@cli.command()
+@click.argument("name", required=False)
+@click.option(
+    "--output", type=click.Path(dir_okay=False, path_type=Path), help="A .png, .pdf or .svg file; default NAME.png."
+)
+@click.option("--show", is_flag=True, help="Open the file in the viewer of this system.")
+def plot(name: str | None, output: Path | None, show: bool) -> None:
+    """Draw a figure of the numeric layer to a file. Without NAME: list the figures."""
+    from symcheck.numeric import figures
+
+    if name is None:
+        if output or show:
+            raise SymcheckError("which figure? `symcheck plot` lists them")
+        names = list(figures.figures())
+        for each in names:
+            click.echo(f"{each:{max(map(len, names))}}  {figures.summary(each)}")
+        return
+    path = output or Path(f"{name}.png")
+    try:
+        figures.draw(name, path)
+    except ValueError as error:
+        raise SymcheckError(str(error)) from error
+    except OSError as error:
+        raise SymcheckError(f"{path} cannot be written: {error.strerror or error}") from error
+    click.echo(str(path))
+    if show and click.launch(str(path)) != 0:
+        raise SymcheckError(f"no viewer opens {path} here; the file is written")
+
+
 def audit(selection: Sequence[str], how: How) -> list[Record]:
     """The records of a selection: from the cache where it has them, else decided in workers, with a progress bar."""
     from symcheck.evidence import decide, run

@@ -23,7 +23,7 @@ def real(name: str, value: ArrayLike, shape: tuple[int | None, ...] = ()) -> Arr
         array = np.asarray(value)
         if array.dtype.kind not in "iuf":
             raise TypeError
-        array = array.astype(np.float64)
+        array = array.astype(np.float64, copy=False)
     except (TypeError, ValueError):
         raise ValueError(f"{name} = {shortened(value)} is no array of real numbers") from None
     last = array.shape[array.ndim - len(shape) :]
@@ -48,9 +48,7 @@ def require(holds: Any, name: str, value: Any, condition: str, source: str = "")
 
 def shortened(value: Any) -> str:
     """A value on one line."""
-    text = (
-        " ".join(np.array2string(value, precision=6, threshold=12).split())
-        if isinstance(value, np.ndarray)
-        else repr(value)
-    )
+    value = value.item() if isinstance(value, np.generic) else value
+    text = np.array2string(value, precision=6, threshold=12) if isinstance(value, np.ndarray) else repr(value)
+    text = " ".join(text.split())
     return text if len(text) <= 100 else f"{text[:97]}..."

@@ -75,15 +75,6 @@ def _tangents() -> tuple[Any, Any]:
     return sp.tan(a), sp.tan(b)
 
 
-def _with_one_root(derived: Forms) -> dict[str, Any]:
-    """One root and one quotient for sin a sin b, sin a cos b and cos a each: faster than two, and rounded less often."""
-    a, b = sp.symbols("a b", real=True)
-    t, u = _tangents()
-    root = sp.sqrt(1 + u**2 + t**2 * (1 + u**2))
-    forms = {sp.sin(a) * sp.sin(b): t * u / root, sp.sin(a) * sp.cos(b): t / root, sp.cos(a): 1 / sp.sqrt(1 + t**2)}
-    return {name: value.subs(forms) for name, value in derived().items()}
-
-
 # --- axes, momentum, rates
 
 
@@ -183,9 +174,10 @@ def _vertex_distances(wheels: Wheels, kinds: Mapping[str, int], accurate: Forms 
         arguments=wheels.angles,
         outputs=tuple(Output(f"d_{k}", f"distance of {which}", MOMENTUM) for k, which in enumerate(kinds, 1)),
         derived=derived,
-        accurate=accurate or partial(_with_one_root, derived),
+        accurate=accurate,
         given=GIVEN[: len(wheels.angles)],
         claims=claims,
+        **(_roundings(wheels) if accurate is None else {}),
     )
 
 

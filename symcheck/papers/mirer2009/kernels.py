@@ -59,6 +59,7 @@ direction_cosines = Kernel(
     derived=derivation.direction_cosines,
     claims=tuple(f"2.7.{n}" for n in range(5, 14)),
     scale=partial(_scales, derivation.direction_cosines),
+    ulp=6,
     condition=LARGEST,
 )
 
