@@ -1,0 +1,111 @@
+"""All figures of the numeric layer, found without a registry: a module that has some says so in its own `FIGURES`,
+
+    FIGURES = {"name": function}
+
+where the function takes nothing, says in the first line of its docstring what is drawn, and returns a Figure, Axes or
+an array of Axes.
+"""
+
+from __future__ import annotations
+
+import pkgutil
+import tempfile
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from difflib import get_close_matches
+from importlib import import_module
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from symcheck import numeric
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+UNDATED: dict[str, dict[str, None]] = {".png": {}, ".pdf": {"CreationDate": None}, ".svg": {"Date": None}}
+
+
+def figures() -> dict[str, Callable[[], Any]]:
+    """All figures by name, in the order of the names. ValueError where two modules give one name to different figures.
+
+    >>> [name for name in figures() if name.startswith("liquid")]
+    ['liquid-frequencies', 'liquid-stability-map', 'liquid-stability-map-of-two-modes']
+    """
+    found: dict[str, tuple[str, Callable[[], Any]]] = {}
+    for module in pkgutil.walk_packages(numeric.__path__, f"{numeric.__name__}."):
+        for name, function in _declared(module.name).items():
+            owner, known = found.setdefault(name, (module.name, function))
+            if known is not function:
+                raise ValueError(f"{owner} and {module.name} both have a figure {name!r}; rename one of them")
+    return {name: found[name][1] for name in sorted(found)}
+
+
+def summary(name: str) -> str:
+    """What the figure of that name shows, in one line; ValueError suggests the nearest name.
+
+    >>> summary("liquid-frequencies")
+    'Frequencies and growth rate of a body with two modes of its liquid, against C - A.'
+    """
+    return (_function(name).__doc__ or name).strip().splitlines()[0]
+
+
+def figure(name: str) -> Figure:
+    """The figure of that name, drawn anew; ValueError suggests the nearest name.
+
+    >>> len(figure("liquid-frequencies").axes)
+    2
+    """
+    drawn: Figure = np.ravel(np.array(_function(name)(), dtype=object))[0].get_figure(root=True)
+    return drawn
+
+
+def draw(name: str, output: Path | str) -> Path:
+    """Write the figure of that name to a .png, .pdf or .svg file and return its path.
+
+    The file appears when it is whole, in the place of one of that name. One figure gives the same bytes each time.
+    ValueError if there is no such figure, or the file's ending is another; OSError if it cannot be written.
+
+    >>> with tempfile.TemporaryDirectory() as folder:
+    ...     draw("liquid-frequencies", Path(folder) / "frequencies.svg").name
+    'frequencies.svg'
+    """
+    path = Path(output)
+    kind = path.suffix.lower()
+    if kind not in UNDATED:
+        raise ValueError(f"output = {path} must end in {', '.join(UNDATED)}, which tells how the figure is written")
+    drawn = figure(name)
+    from matplotlib import rc_context
+
+    with _replacing(path) as unfinished, rc_context({"svg.hashsalt": name, "savefig.dpi": 150}):
+        drawn.savefig(unfinished, format=kind[1:], metadata=UNDATED[kind])
+    return path
+
+
+def _declared(module: str) -> dict[str, Callable[[], Any]]:
+    """The figures of a module; none if it needs a library that is not installed, as optional ones may not be."""
+    try:
+        declared: dict[str, Callable[[], Any]] = getattr(import_module(module), "FIGURES", {})
+    except ModuleNotFoundError as error:
+        if (error.name or "").partition(".")[0] == __package__.partition(".")[0]:
+            raise
+        return {}
+    return declared
+
+
+def _function(name: str) -> Callable[[], Any]:
+    known = figures()
+    if name not in known:
+        near = get_close_matches(name, known, n=1, cutoff=0)
+        raise ValueError(f"there is no figure {name!r}" + (f"; did you mean {near[0]}?" if near else ""))
+    return known[name]
+
+
+@contextmanager
+def _replacing(path: Path) -> Iterator[Path]:
+    """A file beside the path that takes its place at the end, unless there is an error."""
+    with tempfile.TemporaryDirectory(prefix=".symcheck-", dir=path.parent) as folder:
+        unfinished = Path(folder) / path.name
+        yield unfinished
+        unfinished.replace(path)

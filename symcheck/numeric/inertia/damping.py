@@ -1,0 +1,213 @@
+"""Damping of a rigid body's rotation by three devices: gains, characteristic roots, stability degree, the optimum.
+
+Device i gives the torque -k_i (w, e_i) along its axis e_i; together they give -m w with the damping matrix m. All
+vectors and matrices are in principal axes; leading axes of all arguments broadcast.
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from symcheck import kernels
+from symcheck.numeric.domain import Array, real, require
+from symcheck.numeric.inertia.arguments import (
+    eigensystem,
+    letters,
+    of_one_shape,
+    orthonormal_axes,
+    principal_moments,
+    side_by_side,
+    symmetric_matrix,
+    unit_axes,
+)
+
+ROWS = ((0, 1, 2), (1, 3, 4), (2, 4, 5))  # of a symmetric matrix in its entries on the diagonal and above
+
+
+class Devices(NamedTuple):
+    """Three damping devices.
+
+    gains  shape (..., 3), N m s/rad
+    axes   row i is the axis of device i in principal axes, shape (..., 3, 3)
+
+    >>> damping_matrix(*Devices(np.array([1.0, 2.0, 3.0]), np.eye(3))).diagonal().tolist()
+    [1.0, 2.0, 3.0]
+    """
+
+    gains: Array
+    axes: Array
+
+
+class HarmonicMean(NamedTuple):
+    """The harmonic mean of three damping rates and how far it is above the least, each of shape (...), 1/s.
+
+    mean    for gains k J_i it is k, whatever the axes: the greatest stability degree (mirer2009:B.3)
+    excess  the mean less the least rate, without cancellation: what the axes lose (mirer2009:B.4)
+
+    >>> float(harmonic_mean_of_rates([1, 1, 1]).excess)
+    0.0
+    """
+
+    mean: Array
+    excess: Array
+
+
+def gains_in_proportion(ratio: ArrayLike, moments: ArrayLike, axes: ArrayLike) -> Array:
+    """Gains in proportion to the moments of inertia about the devices' axes: k_i = k J_i, shape (..., 3), N m s/rad.
+
+    ratio    k, shape (...), 1/s
+    moments  principal moments of inertia, shape (..., 3), kg m^2
+    axes     orthonormal axes as rows, shape (..., 3, 3)
+
+    ValueError if the ratio or a moment is not positive or the axes are not orthonormal. Source: mirer2009:1.4.3.
+
+    >>> gains_in_proportion(0.1, [2, 3, 4], np.eye(3)).round(12).tolist()
+    [0.2, 0.3, 0.4]
+    """
+    arguments = letters(principal_moments(moments)), letters(orthonormal_axes(axes), axes=2)
+    kernel = kernels.load("mirer2009").gains_in_proportion
+    return side_by_side(kernel(_ratio(ratio), *arguments[0], *arguments[1]))
+
+
+def damping_matrix(gains: ArrayLike, axes: ArrayLike) -> Array:
+    """The damping matrix of three devices, m_is = sum of k_j a_js a_ji over j, shape (..., 3, 3), N m s/rad.
+
+    gains  k_i, shape (..., 3), N m s/rad; zero for a device that is switched off
+    axes   axes of the devices as rows, unit vectors that need not be orthogonal, shape (..., 3, 3)
+
+    ValueError if a gain is negative or a row is not a unit vector. Source: mirer2009:1.2.4.
+
+    >>> damping_matrix([5, 0, 0], [[0.6, 0.8, 0], [0, 1, 0], [0, 0, 1]]).round(12).tolist()
+    [[1.8, 2.4, 0.0], [2.4, 3.2, 0.0], [0.0, 0.0, 0.0]]
+    """
+    gains = real("gains", gains, (3,))
+    require(gains >= 0, "gains", gains, "be zero or positive: a device that damps", "mirer2009:1.0.4")
+    entries = kernels.load("mirer2009").damping_matrix(*letters(gains), *letters(unit_axes(axes), axes=2))
+    return side_by_side(entries)[..., ROWS]
+
+
+def orthogonal_devices(damping: ArrayLike) -> Devices:
+    """Three devices along orthogonal axes with a given damping matrix: m = S^T B S, gains b_ii along the rows of S.
+
+    damping  damping matrix, of devices along whatever axes, shape (..., 3, 3), N m s/rad
+
+    Gains in ascending order, axes right-handed. ValueError if the matrix is not symmetric.
+    Source: mirer2009:1.2.7 to 1.2.10.
+
+    >>> gains, axes = orthogonal_devices(damping_matrix([1, 1, 2], [[1, 0, 0], [0.6, 0.8, 0], [0, 0, 1]]))
+    >>> gains.round(12).tolist()
+    [0.4, 1.6, 2.0]
+    """
+    return Devices(*eigensystem(symmetric_matrix("damping", damping, "mirer2009:1.2.6")))
+
+
+def characteristic_coefficients(moments: ArrayLike, gains: ArrayLike, axes: ArrayLike) -> Array:
+    """Coefficients of the characteristic equation (1.3), of p^3 first, shape (..., 4), kg^3 m^6/s^0 to kg^3 m^6/s^3.
+
+    moments  principal moments of inertia, shape (..., 3), kg m^2
+    gains    k_i, shape (..., 3), N m s/rad
+    axes     orthonormal axes as rows, shape (..., 3, 3)
+
+    ValueError if a moment is not positive, a gain is negative or the axes are not orthonormal. For the roots call
+    `characteristic_roots`: the optimum is a triple root, which from coefficients is known to a third of the digits.
+
+    >>> characteristic_coefficients([1, 2, 3], [1, 2, 3], np.eye(3)).tolist()
+    [6.0, 18.0, 18.0, 6.0]
+    """
+    gains = real("gains", gains, (3,))
+    require(gains >= 0, "gains", gains, "be zero or positive: a device that damps", "mirer2009:1.0.4")
+    arguments = letters(principal_moments(moments)), letters(gains), letters(orthonormal_axes(axes), axes=2)
+    kernel = kernels.load("mirer2009").characteristic_coefficients
+    return side_by_side(kernel(*arguments[0], *arguments[1], *arguments[2]))
+
+
+def characteristic_roots(moments: ArrayLike, damping: ArrayLike) -> Array:
+    """The roots p of det(I p + m) = 0 in ascending order, shape (..., 3), 1/s: all real (mirer2009:B.2).
+
+    moments  principal moments of inertia, shape (..., 3), kg m^2
+    damping  damping matrix in principal axes, shape (..., 3, 3), N m s/rad
+
+    They are the eigenvalues of -m_ij/sqrt(I_i I_j), right to rounding of the largest, at a triple root as elsewhere.
+    ValueError if a moment is not positive or the matrix is not symmetric. Source: mirer2009:1.2.17.
+
+    >>> characteristic_roots([2, 3, 4], np.diag([1.0, 3.0, 2.0])).round(12).tolist()
+    [-1.0, -0.5, -0.5]
+    """
+    scale = np.sqrt(principal_moments(moments))
+    matrix = symmetric_matrix("damping", damping, "mirer2009:1.2.6") / (scale[..., :, None] * scale[..., None, :])
+    return np.linalg.eigvalsh(-matrix)
+
+
+def stability_degree(moments: ArrayLike, damping: ArrayLike) -> Array:
+    """The stability degree xi: minus the characteristic root nearest to zero, shape (...), 1/s.
+
+    Parameters and errors are those of `characteristic_roots`. It is the least damping rate, negative if the rotation
+    is not damped. Source: mirer2009:1.2.14.
+
+    >>> float(stability_degree([2, 3, 4], np.diag([1.0, 3.0, 2.0])).round(12))
+    0.5
+    """
+    return -characteristic_roots(moments, damping)[..., -1]
+
+
+def optimal_devices(moments: ArrayLike, degree: ArrayLike) -> Devices:
+    """Devices with a given stability degree xi and the least gain ratio: k_i = xi I_i along the principal axes.
+
+    moments  principal moments of inertia, shape (..., 3), kg m^2
+    degree   xi, shape (...), 1/s
+
+    For gains k J_i the degree is at most k (mirer2009:B.4), and here it is k. ValueError if a moment or the degree is
+    not positive. Source: mirer2009:1.8, 1.8.1.
+
+    >>> gains, axes = optimal_devices([2, 3, 4], 0.1)
+    >>> float(stability_degree([2, 3, 4], damping_matrix(gains, axes)).round(12))
+    0.1
+    """
+    gains = gains_in_proportion(_ratio(degree, "degree"), moments, np.eye(3))
+    return Devices(gains, np.broadcast_to(np.eye(3), (*gains.shape, 3)))
+
+
+def harmonic_mean_of_rates(rates: ArrayLike) -> HarmonicMean:
+    """The harmonic mean of three damping rates, which for gains k J_i is k, and its excess over the least rate.
+
+    rates  minus the characteristic roots, in any order, shape (..., 3), 1/s
+
+    ValueError if a rate is not positive. Source: mirer2009:B.3, B.4.
+
+    >>> np.round(harmonic_mean_of_rates([1, 2, 2]), 12).tolist()
+    [1.5, 0.5]
+    """
+    rates = real("rates", rates, (3,))
+    require(rates > 0, "rates", rates, "be positive", "mirer2009:B.4")
+    least = rates.min(axis=-1)
+    excess = letters(rates - least[..., None])
+    return HarmonicMean(*kernels.load("mirer2009").gain_of_rates(least, *excess))
+
+
+def stability_degree_in_pitch(ratio: ArrayLike, moments: ArrayLike, pitch: ArrayLike) -> Array:
+    """The stability degree of gains k J_i along axes turned by the pitch alone, in closed form, shape (...), 1/s.
+
+    ratio    k, shape (...), 1/s
+    moments  principal moments of inertia, shape (..., 3), kg m^2; the second, about which is turned, does not matter
+    pitch    alpha, any angle, shape (...), rad
+
+    It is k where the axes are principal or I_1 = I_3, and least at 45 degrees. ValueError if the ratio or a moment is
+    not positive. Source: mirer2009:1.5, B.2 to B.4.
+
+    >>> stability_degree_in_pitch(1.0, [1, 2, 3], [0.0, np.pi / 4, np.pi / 2]).round(12).tolist()
+    [1.0, 0.666666666667, 1.0]
+    """
+    first, _, third = letters(principal_moments(moments))
+    arguments = of_one_shape(_ratio(ratio), first, third, real("pitch", pitch))
+    with np.errstate(divide="ignore", over="ignore"):  # principal axes: the infinite quotient is meant, and gives k
+        degree: Array = kernels.load("mirer2009").stability_degree_in_pitch(*arguments)
+    return degree
+
+
+def _ratio(value: ArrayLike, name: str = "ratio") -> Array:
+    ratio = real(name, value)
+    require(ratio > 0, name, ratio, "be positive", "mirer2009:1.8")
+    return ratio

@@ -1,0 +1,137 @@
+"""Free decay of a damped rotation: equation (1.1) in time, and how fast the energy really goes.
+
+Decision: SciPy's DOP853, all bodies as one system. Reason: smooth and not stiff as long as the damping rates are within
+some four orders of magnitude of each other, and one call takes all bodies. It is not for: rates wider apart.
+"""
+
+from __future__ import annotations
+
+from math import sqrt
+
+import numpy as np
+from numpy.typing import ArrayLike
+from scipy.integrate import solve_ivp
+
+from symcheck.numeric.domain import Array, real, require
+from symcheck.numeric.inertia.arguments import principal_moments, symmetric_matrix
+from symcheck.numeric.inertia.damping import characteristic_roots
+
+FINEST = 100 * np.finfo(np.float64).eps  # the least relative tolerance that SciPy takes
+SMALLEST = np.finfo(np.float64).tiny
+
+
+def angular_acceleration(moments: ArrayLike, damping: ArrayLike, rate: ArrayLike) -> Array:
+    """The rate of change of the angular rate: I dw/dt = -m w - w x I w, shape (..., 3), rad/s^2.
+
+    moments  principal moments of inertia, shape (..., 3), kg m^2
+    damping  damping matrix in principal axes, shape (..., 3, 3), N m s/rad
+    rate     angular rate w in principal axes, shape (..., 3), rad/s
+
+    ValueError if a moment is not positive or the matrix is not symmetric. Source: mirer2009:1.1.
+
+    >>> angular_acceleration([2, 3, 4], np.zeros((3, 3)), [1, 2, 3]).tolist()
+    [-3.0, 2.0, -0.5]
+    """
+    matrix = symmetric_matrix("damping", damping, "mirer2009:1.2.6")
+    return _acceleration(principal_moments(moments), matrix, real("rate", rate, (3,)))
+
+
+def free_decay(
+    moments: ArrayLike, damping: ArrayLike, rate: ArrayLike, times: ArrayLike, tolerance: float = 1e-11
+) -> Array:
+    """The angular rate of a damped body in time: equation (1.1) integrated, shape (..., n, 3), rad/s.
+
+    moments    principal moments of inertia, shape (..., 3), kg m^2
+    damping    damping matrix in principal axes, shape (..., 3, 3), N m s/rad
+    rate       angular rate at the first time, in principal axes, shape (..., 3), rad/s
+    times      increasing times, the same for all bodies, shape (n,), s
+    tolerance  of each step, relative to the rate, or to what the slowest mode leaves of it at the end if that is more
+
+    ValueError if a moment or the tolerance is not positive, the matrix is not symmetric or amplifies a rotation, or
+    the times do not increase; FloatingPointError if the integration does not reach the last time.
+
+    >>> times = np.linspace(0, 10, 5)
+    >>> rates = free_decay([2, 3, 4], np.diag([0.2, 0.3, 0.4]), [0.1, 0.2, 0.3], times)
+    >>> energy = kinetic_energy([2, 3, 4], rates)
+    >>> (energy / energy[0] * np.exp(2 * 0.1 * times)).round(8).tolist()
+    [1.0, 1.0, 1.0, 1.0, 1.0]
+    """
+    moments, damping = principal_moments(moments), symmetric_matrix("damping", damping, "mirer2009:1.2.6")
+    rate, times = real("rate", rate, (3,)), _increasing(times)
+    roots = characteristic_roots(moments, damping)
+    require(
+        roots[..., -1] <= np.abs(roots).max(axis=-1) * FINEST,
+        "damping",
+        damping,
+        "amplify no rotation",
+        "mirer2009:1.1",
+    )
+    require(real("tolerance", tolerance) > 0, "tolerance", tolerance, "be positive")
+    shape = np.broadcast_shapes(moments.shape[:-1], damping.shape[:-2], rate.shape[:-1])
+    start = np.broadcast_to(rate, (*shape, 3))
+    # SciPy bounds the error of all bodies together, by its mean square: each is to keep within it by itself.
+    tolerance = max(tolerance / sqrt(max(start.size // 3, 1)), FINEST)
+    left = np.exp(np.broadcast_to(roots[..., -1], shape) * np.ptp(times)) * np.linalg.norm(start, axis=-1)
+    allowed = np.maximum(tolerance * left, SMALLEST)
+    solution = solve_ivp(
+        lambda _, state: _acceleration(moments, damping, state.reshape(start.shape)).ravel(),
+        (times[0], times[-1]),
+        start.ravel(),
+        method="DOP853",
+        t_eval=times,
+        rtol=tolerance,
+        atol=np.repeat(allowed.ravel(), 3),
+    )
+    if not solution.success:
+        raise FloatingPointError(f"no free decay up to {times[-1]} s: {solution.message}")
+    rates: Array = np.moveaxis(solution.y.reshape(*start.shape, times.size), -1, -2)
+    return rates
+
+
+def kinetic_energy(moments: ArrayLike, rates: ArrayLike) -> Array:
+    """The kinetic energy of rotation (I_1 w_1^2 + I_2 w_2^2 + I_3 w_3^2)/2 at each time, shape (..., n), J.
+
+    moments  principal moments of inertia, shape (..., 3), kg m^2
+    rates    angular rates in principal axes, shape (..., n, 3), rad/s
+
+    ValueError if a moment is not positive.
+
+    >>> kinetic_energy([2, 3, 4], [[1, 0, 0], [0, 2, 1]]).tolist()
+    [1.0, 8.0]
+    """
+    energy: Array = (principal_moments(moments)[..., None, :] * real("rates", rates, (None, 3)) ** 2).sum(axis=-1) / 2
+    return energy
+
+
+def decay_rate(times: ArrayLike, energy: ArrayLike) -> Array:
+    """The measured decay rate, log(T_first/T_last)/2 over the time between: mean rate of the angular rate, (...), 1/s.
+
+    times   increasing times, shape (n,), s
+    energy  kinetic energy T at these times, shape (..., n), J
+
+    From (1.1) dT/dt = -w^T m w, so that every decay rate lies between the least and the greatest damping rate, not
+    only for small w; over late times it tends to the stability degree unless the slowest mode is missing.
+    ValueError if the times do not increase or an energy is not positive.
+
+    >>> round(float(decay_rate([0, 1, 2], [1.0, np.exp(-0.6), np.exp(-1.2)])), 12)
+    0.3
+    """
+    times = _increasing(times)
+    energy = real("energy", energy, (times.size,))
+    require(energy > 0, "energy", energy, "be positive: nothing that is left can be measured")
+    rate: Array = np.log(energy[..., 0] / energy[..., -1]) / (2 * np.ptp(times))
+    return rate
+
+
+def _acceleration(moments: Array, damping: Array, rate: Array) -> Array:
+    torque = np.einsum("...ij,...j->...i", damping, rate) + np.cross(rate, moments * rate)
+    acceleration: Array = -torque / moments
+    return acceleration
+
+
+def _increasing(times: ArrayLike) -> Array:
+    array = real("times", times, (None,))
+    require(
+        array.ndim == 1 and array.size > 1 and (np.diff(array) > 0).all(), "times", array, "be two or more, increasing"
+    )
+    return array

@@ -1,0 +1,167 @@
+"""Orientations: the attitude angles of Mirer's figure 1, and all axes about which the moments of inertia are equal."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from symcheck import kernels
+from symcheck.numeric.domain import Array, real, require
+from symcheck.numeric.inertia.arguments import letters, of_one_shape, orthonormal_axes, principal_moments, side_by_side
+
+TINY = 1e-100  # beside an axis about which the moment is the mean g is small, and has a direction; upon it, none
+
+
+class AttitudeAngles(NamedTuple):
+    """Pitch, yaw and roll: the turns that take given axes y to the principal axes x, each of shape (...), rad.
+
+    pitch  alpha, the first turn, about axis 2
+    yaw    beta, the second turn, about axis 3 as the first has left it
+    roll   gamma, the third turn, about axis 1 as the second has left it
+
+    >>> direction_cosines(*AttitudeAngles(pitch=0.1, yaw=0.2, roll=0.3)).shape
+    (3, 3)
+    """
+
+    pitch: Array
+    yaw: Array
+    roll: Array
+
+
+def direction_cosines(pitch: ArrayLike, yaw: ArrayLike, roll: ArrayLike) -> Array:
+    """The axes y from which attitude angles turn to the principal axes x: a_ij is the cosine between y_i and x_j.
+
+    pitch, yaw, roll  alpha, beta, gamma, each of shape (...), rad
+
+    Returns the axes as rows, shape (..., 3, 3): right-handed and orthonormal. ValueError if an angle is no finite
+    number. Source: mirer2009:2.7.5 to 2.7.13.
+
+    >>> direction_cosines(np.pi / 2, 0, 0).round(12).tolist()
+    [[0.0, 0.0, 1.0], [0.0, 1.0, -0.0], [-1.0, 0.0, 0.0]]
+    """
+    angles = real("pitch", pitch), real("yaw", yaw), real("roll", roll)
+    cosines = side_by_side(kernels.load("mirer2009").direction_cosines(*angles))
+    return cosines.reshape(*cosines.shape[:-1], 3, 3)
+
+
+def attitude_angles(axes: ArrayLike) -> AttitudeAngles:
+    """Pitch, yaw and roll of given axes, the inverse of `direction_cosines`.
+
+    axes  right-handed orthonormal axes as rows, shape (..., 3, 3)
+
+    The yaw lies on [-pi/2, pi/2], pitch and roll on [-pi, pi]. At a yaw of 90 degrees either way pitch and roll turn
+    about one line: the roll is then what rounding makes of it, and the pitch fits it, so that the angles always give
+    the axes back. ValueError if the axes are not orthonormal and right-handed.
+
+    >>> np.round(attitude_angles(direction_cosines(0.1, 0.2, 0.3)), 12).tolist()
+    [0.1, 0.2, 0.3]
+    """
+    axes = orthonormal_axes(axes)
+    require(np.linalg.det(axes) > 0, "axes", axes, "be right-handed", "mirer2009:2.17.2")
+    a = letters(axes, axes=2).reshape(3, 3, *axes.shape[:-2])
+    yaw = np.arctan2(a[1, 0], np.hypot(a[1, 1], a[1, 2]))
+    roll = np.arctan2(-a[1, 2], a[1, 1])
+    sine, cosine = (a[i, 1] * np.sin(roll) + a[i, 2] * np.cos(roll) for i in (0, 2))
+    return AttitudeAngles(np.arctan2(sine, cosine), yaw, roll)
+
+
+def equal_moment_angles(moments: ArrayLike) -> AttitudeAngles:
+    """The attitude angles of the paper at which all three axial moments are equal to the mean moment.
+
+    moments  principal moments of inertia, shape (..., 3), kg m^2
+
+    The yaw is arcsin(1/sqrt 3), the roll pi/4, and tan 2 alpha = sqrt 3 (I_1 - c)/(I_2 - I_3), with the pitch pi/4 or
+    -pi/4 where I_2 = I_3, and 0 where all moments are equal and every pitch serves. ValueError if a moment is not
+    positive. Source: mirer2009:2.9, 2.9.2.
+
+    >>> np.round(equal_moment_angles([2, 3, 4]), 6).tolist()
+    [0.523599, 0.61548, 0.785398]
+    """
+    moments = principal_moments(moments)
+    spherical = np.ptp(moments, axis=-1) == 0
+    with np.errstate(divide="ignore", invalid="ignore"):  # I_2 = I_3: the infinite tangent is meant
+        pitch = kernels.load("mirer2009").equal_moment_pitch(*letters(moments))
+    yaw, roll = np.array(np.arcsin(1 / np.sqrt(3))), np.array(np.pi / 4)
+    return AttitudeAngles(*of_one_shape(np.where(spherical, 0.0, pitch), yaw, roll))
+
+
+def equal_moment_axes(
+    moments: ArrayLike, phase: ArrayLike, quarter_turns: ArrayLike = 0, nappe: ArrayLike = 1
+) -> Array:
+    """The one-parameter family of axes about which all three moments of inertia are equal.
+
+    moments        principal moments of inertia, shape (..., 3), kg m^2
+    phase          where on the cone J_1 = c the first axis is: an angle about the axis of the cone, shape (...), rad
+    quarter_turns  right angles by which the other two are turned about the first, integers, shape (...)
+    nappe          1 or -1: the nappe of the cone that the first axis is on, shape (...)
+
+    Returns right-handed axes as rows, shape (..., 3, 3).
+
+    The cone is that about the principal axis n whose moment is farthest from the mean c; with l, m the next two and
+    d_i = I_i - c the first axis has the components
+
+        a_1l = sqrt(d_n/(d_n - d_l)) cos(phase),  a_1m = sqrt(d_n/(d_n - d_m)) sin(phase),  a_1n = nappe sqrt(...),
+
+    whose squares are the 1/3 + t (I_2 - I_3), ... of mirer2009:B.6. The second is at the angle theta with
+    tan 2 theta = -d_1 d_2 d_3/W from g = (d_1 a_11, d_2 a_12, d_3 a_13) (B.12); up to the quarter turns nothing else
+    serves (B.10), and phase, nappe and four quarter turns give every right-handed triple once. Only if a principal
+    moment is the mean are there more (B.13): the same triples with their rows moved on cyclically. If all three are
+    equal every triple serves; those of the body with the deviations (1, 1, -2) are returned.
+
+    ValueError if a moment is not positive, the quarter turns are no integers, or the nappe is not 1 or -1.
+
+    >>> from symcheck.numeric.inertia.tensors import axial_moments
+    >>> axial_moments([2, 3, 4.5], equal_moment_axes([2, 3, 4.5], [0.0, 0.7])).round(12).tolist()
+    [[3.166666666667, 3.166666666667, 3.166666666667], [3.166666666667, 3.166666666667, 3.166666666667]]
+    """
+    arguments = real("phase", phase), real("quarter_turns", quarter_turns), real("nappe", nappe)
+    require(arguments[1] == np.round(arguments[1]), "quarter_turns", arguments[1], "be an integer", "mirer2009:B.10")
+    require(np.abs(arguments[2]) == 1, "nappe", arguments[2], "be 1 or -1", "mirer2009:B.6")
+    moments = principal_moments(moments)
+    shape = np.broadcast_shapes(moments.shape[:-1], *(argument.shape for argument in arguments))
+    angle, turns, side = (np.broadcast_to(argument, shape)[..., None] for argument in arguments)
+    deviations = np.broadcast_to(_deviations(moments), (*shape, 3))
+    from_apex = np.argmax(np.abs(deviations), axis=-1)[..., None]
+    d = np.take_along_axis(deviations, (from_apex + np.arange(3)) % 3, axis=-1)
+    triple = _axes_across(d, _on_the_cone(d, angle, side), turns)
+    return np.take_along_axis(triple, ((np.arange(3) - from_apex) % 3)[..., None, :], axis=-1)
+
+
+def _deviations(moments: Array) -> Array:
+    """I_i - c by differences of moments, in units of the largest; those of a disc where all are zero."""
+    d = (moments - np.roll(moments, -1, axis=-1)) + (moments - np.roll(moments, -2, axis=-1))
+    d = np.where((d == 0).all(axis=-1, keepdims=True), [1.0, 1.0, -2.0], d)
+    scaled: Array = d / np.abs(d).max(axis=-1, keepdims=True)
+    return scaled
+
+
+def _on_the_cone(d: Array, phase: Array, nappe: Array) -> Array:
+    """The unit vector x with sum d_i x_i^2 = 0 at a phase, for deviations the first of which has its sign alone."""
+    others = np.abs(d[..., 1:])
+    total = others.sum(axis=-1, keepdims=True)
+    circle = np.concatenate([np.cos(phase), np.sin(phase)], axis=-1)
+    circle = np.copysign(np.maximum(np.abs(circle), TINY), circle)
+    apex = nappe * np.sqrt((others / (total + others) * circle**2).sum(axis=-1, keepdims=True))
+    return np.concatenate([apex, np.sqrt(total / (total + others)) * circle], axis=-1)
+
+
+def _axes_across(d: Array, first: Array, quarter_turns: Array) -> Array:
+    """The triple with this first axis whose moments are equal.
+
+    In the plane across it d is traceless, so the second axis halves the angle between the directions where d is
+    extreme. Worked out from the basis at hand, not from d_1 d_2 d_3 and W, it is right to rounding whatever the basis.
+    """
+    g = d * first
+    g = g - _dot(g, first) * first
+    g = g / np.sqrt(_dot(g, g))
+    h = np.cross(first, g)
+    theta = np.arctan2(_dot(d * h, h) - _dot(d * g, g), 2 * _dot(d * g, h)) / 2 + quarter_turns % 4 * (np.pi / 2)
+    second = np.cos(theta) * g + np.sin(theta) * h
+    return np.stack([first, second, np.cross(first, second)], axis=-2)
+
+
+def _dot(x: Array, y: Array) -> Array:
+    product: Array = (x * y).sum(axis=-1, keepdims=True)
+    return product

@@ -1,0 +1,235 @@
+"""Inertia tensors: principal axes, moments about turned axes, and how far their products are from their bounds.
+
+A matrix of axes has axis i in row i, as direction cosines to the principal axes. Leading axes of all arguments
+broadcast.
+"""
+
+from __future__ import annotations
+
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from symcheck import kernels
+from symcheck.numeric.domain import Array, real, require
+from symcheck.numeric.inertia.arguments import (
+    eigensystem,
+    letters,
+    of_one_shape,
+    orthonormal_axes,
+    principal_moments,
+    side_by_side,
+    symmetric_matrix,
+)
+
+ROUNDING = 8 * np.finfo(np.float64).eps  # of the sum of three moments
+
+
+class PrincipalInertia(NamedTuple):
+    """Principal moments of inertia and principal axes.
+
+    moments  ascending, shape (..., 3), kg m^2
+    axes     right-handed, row i is principal axis i in the axes of the tensor, shape (..., 3, 3)
+
+    >>> moments, axes = PrincipalInertia(np.array([2.0, 3.0, 4.0]), np.eye(3))
+    """
+
+    moments: Array
+    axes: Array
+
+
+class BoundedProduct(NamedTuple):
+    """A product f = J_1 J_2 J_3 of axial moments between its bounds (2.1), each of shape (...), kg^3 m^6.
+
+    value     f
+    least     I_1 I_2 I_3, about principal axes
+    greatest  ((I_1 + I_2 + I_3)/3)^3, about axes of equal moments
+    excess    f - least, without cancellation (mirer2009:2.13.4)
+    deficit   greatest - f, without cancellation (the proof of mirer2009:2.1b)
+
+    >>> float(product_of_axial_moments([2, 3, 4], np.eye(3)).greatest)
+    27.0
+    """
+
+    value: Array
+    least: Array
+    greatest: Array
+    excess: Array
+    deficit: Array
+
+
+class BoundedSum(NamedTuple):
+    """A sum S = J_1 L_1 + J_2 L_2 + J_3 L_3 above its bound (2.18), each of shape (...), kg^3 m^6.
+
+    value   S
+    least   3 I_1 I_2 I_3, about principal axes
+    excess  S - least, without cancellation (mirer2009:2.19.4)
+
+    >>> float(sum_of_products([2, 3, 4], np.eye(3)).excess)
+    0.0
+    """
+
+    value: Array
+    least: Array
+    excess: Array
+
+
+def principal_inertia(tensor: ArrayLike) -> PrincipalInertia:
+    """Principal moments and principal axes of an inertia tensor: T = A^T diag(I_1, I_2, I_3) A.
+
+    tensor  inertia tensor, shape (..., 3, 3), kg m^2
+
+    The axes are those of LAPACK, the third turned so that they are right-handed; where moments coincide every
+    orthonormal choice is right, and one is returned. ValueError if the tensor is not symmetric.
+
+    >>> moments, axes = principal_inertia([[3, 1, 0], [1, 3, 0], [0, 0, 5]])
+    >>> moments.round(12).tolist()
+    [2.0, 4.0, 5.0]
+    """
+    return PrincipalInertia(*eigensystem(symmetric_matrix("tensor", tensor, "mirer2009:1.2.1")))
+
+
+def inertia_tensor(moments: ArrayLike, axes: ArrayLike) -> Array:
+    """The inertia tensor A^T diag(I_1, I_2, I_3) A, shape (..., 3, 3), kg m^2: the inverse of `principal_inertia`.
+
+    moments  principal moments of inertia, shape (..., 3), kg m^2
+    axes     principal axes as rows, shape (..., 3, 3)
+
+    ValueError if a moment is not positive or the axes are not orthonormal.
+
+    >>> inertia_tensor([2, 3, 4], [[0, 1, 0], [-1, 0, 0], [0, 0, 1]]).diagonal().tolist()
+    [3.0, 2.0, 4.0]
+    """
+    axes = orthonormal_axes(axes)
+    return symmetric_matrix("tensor", axes.swapaxes(-1, -2) @ (principal_moments(moments)[..., None] * axes))
+
+
+def triangle_slack(moments: ArrayLike) -> Array:
+    """By how much the triangle inequalities (2.3) hold: I_1 + I_2 + I_3 - 2 I_i, shape (..., 3), kg m^2.
+
+    moments  principal moments of inertia, shape (..., 3), kg m^2
+
+    Negative where no distribution of mass has these moments, zero for i where all mass lies in the plane across
+    axis i.
+
+    >>> triangle_slack([1, 2, 4]).tolist()
+    [5.0, 3.0, -1.0]
+    """
+    array = real("moments", moments, (3,))
+    return np.roll(array, -1, axis=-1) + np.roll(array, -2, axis=-1) - array
+
+
+def second_moments_of_mass(moments: ArrayLike) -> Array:
+    """The integrals P_i of x_i^2 over the mass from I_1 = P_2 + P_3 and cyclic, shape (..., 3), kg m^2.
+
+    moments  principal moments of inertia, shape (..., 3), kg m^2; those of a rod, one of them zero, are welcome
+
+    ValueError if the triangle inequalities (2.3) fail by more than the rounding of the moments.
+
+    >>> second_moments_of_mass([3, 4, 5]).tolist()
+    [3.0, 2.0, 1.0]
+    """
+    array = real("moments", moments, (3,))
+    slack = triangle_slack(array)
+    allowed = -ROUNDING * np.abs(array).sum(axis=-1, keepdims=True)
+    holds = (slack >= allowed).all(axis=-1)
+    require(holds, "moments", array, "satisfy the triangle inequalities I_1 + I_2 + I_3 >= 2 I_i", "mirer2009:2.3")
+    return np.maximum(slack, 0) / 2
+
+
+def axial_moments(moments: ArrayLike, axes: ArrayLike) -> Array:
+    """Moments of inertia about three axes: J_i = I_1 a_i1^2 + I_2 a_i2^2 + I_3 a_i3^2, shape (..., 3), kg m^2.
+
+    moments  principal moments of inertia, shape (..., 3), kg m^2
+    axes     orthonormal axes as rows, shape (..., 3, 3)
+
+    ValueError if a moment is not positive or the axes are not orthonormal. Source: mirer2009:2.0.4.
+
+    >>> axial_moments([2, 3, 4], [[0.6, 0.8, 0], [-0.8, 0.6, 0], [0, 0, 1]]).round(12).tolist()
+    [2.64, 2.36, 4.0]
+    """
+    return side_by_side(_kernel("axial_moments", principal_moments(moments), orthonormal_axes(axes)))
+
+
+def second_order_moments(moments: ArrayLike, axes: ArrayLike) -> Array:
+    """The forms L_i = I_2 I_3 a_i1^2 + I_3 I_1 a_i2^2 + I_1 I_2 a_i3^2, shape (..., 3), kg^2 m^4.
+
+    Parameters and errors are those of `axial_moments`. Source: mirer2009:2.19.
+
+    >>> second_order_moments([2, 3, 4], np.eye(3)).tolist()
+    [12.0, 8.0, 6.0]
+    """
+    return side_by_side(_kernel("second_order_moments", principal_moments(moments), orthonormal_axes(axes)))
+
+
+def product_of_axial_moments(moments: ArrayLike, axes: ArrayLike) -> BoundedProduct:
+    """The product f = J_1 J_2 J_3 with I_1 I_2 I_3 <= f <= ((I_1 + I_2 + I_3)/3)^3 and both distances.
+
+    Parameters and errors are those of `axial_moments`. Excess and deficit are sums of squares with positive factors:
+    never negative, and exact to rounding even where f comes close to a bound. Source: mirer2009:2.1.
+
+    >>> f = product_of_axial_moments([2, 3, 4], [[0.6, 0.8, 0], [-0.8, 0.6, 0], [0, 0, 1]])
+    >>> np.round(f, 10).tolist()
+    [24.9216, 24.0, 27.0, 0.9216, 2.0784]
+    """
+    moments, axes = principal_moments(moments), orthonormal_axes(axes)
+    first, second, third = _kernel("axial_moments", moments, axes)
+    mean = moments.mean(axis=-1)
+    product_of_inertia = (moments * axes[..., 0, :] * axes[..., 2, :]).sum(axis=-1)
+    excess = _excess_by_rows(moments, axes)[..., 1] + second * product_of_inertia**2
+    deficit = ((mean - second) ** 2 * (first + third + mean) + second * (first - third) ** 2) / 4
+    value = _kernel("product_of_axial_moments", moments, axes)
+    return BoundedProduct(*of_one_shape(value, *_bounds(moments)[:2], excess, deficit))
+
+
+def sum_of_products(moments: ArrayLike, axes: ArrayLike) -> BoundedSum:
+    """The sum S = J_1 L_1 + J_2 L_2 + J_3 L_3 with S >= 3 I_1 I_2 I_3 and the distance from this bound.
+
+    Parameters and errors are those of `axial_moments`. Source: mirer2009:2.18.
+
+    >>> s = sum_of_products([2, 3, 4], [[0.6, 0.8, 0], [-0.8, 0.6, 0], [0, 0, 1]])
+    >>> np.round(s, 10).tolist()
+    [73.8432, 72.0, 1.8432]
+    """
+    moments, axes = principal_moments(moments), orthonormal_axes(axes)
+    excess = _excess_by_rows(moments, axes).sum(axis=-1)
+    return BoundedSum(*of_one_shape(_kernel("sum_of_products", moments, axes), _bounds(moments)[2], excess))
+
+
+def bound_at_given_moment(moments: ArrayLike, moment: ArrayLike) -> Array:
+    """The greatest product J_1 J_2 J_3 for a given J_2: f_1 = J_2 (3c - J_2)^2/4, shape (...), kg^3 m^6.
+
+    moments  principal moments of inertia, shape (..., 3), kg m^2; c is their mean
+    moment   J_2, shape (...), kg m^2
+
+    ValueError if a moment is not positive, the triangle inequalities (2.3) fail, or J_2 is outside [0, 3c/2].
+    Source: mirer2009:2.2.2.
+
+    >>> bound_at_given_moment([2, 3, 4], [0, 3, 4.5]).tolist()
+    [0.0, 27.0, 22.78125]
+    """
+    moments, moment = principal_moments(moments), real("moment", moment)
+    second_moments_of_mass(moments)
+    trace = moments.sum(axis=-1)
+    holds = (moment >= 0) & (2 * moment <= trace * (1 + ROUNDING))
+    require(holds, "moment", moment, "lie on [0, 3c/2] with c the mean principal moment", "mirer2009:2.3.4")
+    bound: Array = moment * (trace - moment) ** 2 / 4
+    return bound
+
+
+def _kernel(name: str, moments: Array, axes: Array) -> Any:
+    return getattr(kernels.load("mirer2009"), name)(*letters(moments), *letters(axes, axes=2))
+
+
+def _bounds(moments: Array) -> tuple[Array, Array, Array]:
+    least, greatest, sum_least = kernels.load("mirer2009").bounds_of_products(*letters(moments))
+    return least, greatest, sum_least
+
+
+def _excess_by_rows(moments: Array, axes: Array) -> Array:
+    """Sum over k of I_k (I_l - I_m)^2 (a_il a_im)^2 with k, l, m cyclic, for each row i."""
+    weights = moments * (np.roll(moments, -1, axis=-1) - np.roll(moments, -2, axis=-1)) ** 2
+    pairs = np.roll(axes, -1, axis=-1) * np.roll(axes, -2, axis=-1)
+    rows: Array = (weights[..., None, :] * pairs**2).sum(axis=-1)
+    return rows

@@ -1,0 +1,190 @@
+"""Stability of a spinning symmetric body with ideal liquid that moves in modes: frequencies, growth rate, stability.
+
+Motions are e^(i eta t) in axes that turn with the body. One mode goes through the kernels of the quadratic equation
+(1.33). Several modes are an eigenvalue problem: with the partial fractions N.4 the characteristic equation (1.31) is
+
+    eta - h - sum_n (R_n/m)/(eta - lambda_n) = 0,    R_n = E_n lambda_n (lambda_n - omega_0),
+    m = A - sum_n E_n,    h = (sum_n E_n (lambda_n - omega_0) - (C - A) omega_0)/m,
+
+which is that of the arrowhead matrix with h and lambda_n on its diagonal and sqrt|R_n/m| along its borders, with the
+sign of R_n on one of them. Off the band between zero and the spin it is symmetric: the frequencies are real (N.13).
+Decision: its eigenvalues by LAPACK, all parameters at once; not the roots of a polynomial of degree N + 1, which lose
+digits with each mode.
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from symcheck import kernels
+from symcheck.numeric.domain import Array, real, require
+from symcheck.numeric.liquid.arguments import Body, broadcast, checked_body, require_finite
+
+_kernels = kernels.load("esenkov2006")
+EPSILON = np.finfo(np.float64).eps
+
+
+class Stability(NamedTuple):
+    """Frequencies, and what they mean for the body; see `stability`."""
+
+    frequencies: NDArray[np.complex128]  # (..., N + 1), rad/s
+    growth_rate: Array  # (...), 1/s
+    stable: NDArray[np.bool_]  # (...)
+
+
+def mode_inertia(a_n: ArrayLike, chi_n: ArrayLike, N_n: ArrayLike) -> Array:
+    """The moment of inertia that a mode of the liquid carries, E_n = a_n chi_n / N_n^2.
+
+    a_n    angular momentum of the liquid for the amplitude 1 of the mode, kg m; any shape
+    chi_n  coupling of the mode to the turning body, m^4; its amplitude is counted so that a_n chi_n > 0
+    N_n    norm of the mode, m^(3/2); positive
+
+    Returns E_n in kg m^2, of the broadcast shape. ValueError where a number is not finite, N_n is not positive, or a
+    mode carries nothing (B.1). Source: (1.32), with the equation of the modes before it.
+
+    >>> mode_inertia([3.0, 1.0], 0.5, 2.0).tolist()
+    [0.375, 0.125]
+    """
+    moment, coupling, norm = real("a_n", a_n), real("chi_n", chi_n), real("N_n", N_n)
+    broadcast(a_n=moment, chi_n=coupling, N_n=norm)
+    require(norm > 0, "N_n", norm, "be positive", "B.1")
+    with np.errstate(all="ignore"):
+        carried = np.asarray(_kernels.mode_inertia(moment, coupling, norm))
+    require_finite(carried)
+    require(carried > 0, "E_n = a_n chi_n / N_n^2", carried, "be positive, as the mode carries inertia", "B.1")
+    return carried
+
+
+def stability(A: ArrayLike, C: ArrayLike, E_n: ArrayLike, lambda_n: ArrayLike, omega_0: ArrayLike) -> Stability:
+    """The frequencies of the body with N modes, the rate at which its motion grows, and whether it is stable.
+
+    The frequencies are the roots of
+
+        A eta + (C - A) omega_0 - eta (eta - omega_0) sum_n E_n/(eta - lambda_n) = 0.
+
+    A         transverse moment of inertia, with the liquid at rest, kg m^2; shape (...), positive
+    C         axial moment of inertia, kg m^2; (...), positive
+    E_n       moments of inertia that the modes carry, kg m^2; (..., N), positive, together less than A
+    lambda_n  natural frequencies of the modes, rad/s; (..., N)
+    omega_0   spin, rad/s; (...), positive
+
+    Returns a Stability:
+    frequencies  eta in rad/s, complex, (..., N + 1), by real and then imaginary part; the conjugate of one is one too
+    growth_rate  max |Im eta| in 1/s, (...)
+    stable       (...): with one mode the discriminant of (1.33) is positive, with several all frequencies are real. On
+                 the boundary a frequency is double and the motion grows like t (B.5): one mode asks for more than real
+                 frequencies, as the paper does; with several rounding decides there.
+
+    ValueError names an argument that does not fit.
+    Accuracy: as if the entries of the matrix above, and for one mode the coefficients of (1.33), had errors of a few
+    units in the last place of the greatest; that is as much for frequencies apart, and its square root, 1e-8, for
+    double ones. Frequencies that are proved to be real are so exactly. With several modes an imaginary part that
+    rounding alone can give to a real frequency, N + 1 units in the last place of the matrix's norm, is taken for 0.
+    Source: (1.31), (1.33), 1.33.3; proved to be real off the band and for C >= A: N.13, N.17.
+
+    >>> found = stability(A=1.0, C=[0.5, 1.5], E_n=[0.2], lambda_n=[0.5], omega_0=1.0)
+    >>> found.frequencies.round(6).tolist()
+    [[(0.5-0.25j), (0.5+0.25j)], [(-0.697822+0j), (0.447822+0j)]]
+    >>> found.growth_rate.round(6).tolist(), found.stable.tolist()
+    ([0.25, 0.0], [False, True])
+    """
+    body = checked_body(A, C, E_n, lambda_n, omega_0)
+    with np.errstate(all="ignore"):
+        found = _roots_of_the_quadratic(body) if _is_one_mode(body) else _eigenvalues(body)
+        require_finite(found)
+        found = np.sort(found, axis=-1)
+        rate = np.abs(found.imag).max(-1)
+        stable = _quadratic(body).discriminant > 0 if _is_one_mode(body) else rate == 0
+    return Stability(found, np.asarray(rate), np.asarray(stable))
+
+
+def frequencies(
+    A: ArrayLike, C: ArrayLike, E_n: ArrayLike, lambda_n: ArrayLike, omega_0: ArrayLike
+) -> NDArray[np.complex128]:
+    """The frequencies eta in rad/s alone, shape (..., N + 1): all else is said at `stability`.
+
+    >>> frequencies(A=1.0, C=0.5, E_n=[0.2, 0.1], lambda_n=[0.5, -1.0], omega_0=1.0).round(6).tolist()
+    [(-1.188412+0j), (0.487063-0.251576j), (0.487063+0.251576j)]
+    """
+    return stability(A, C, E_n, lambda_n, omega_0).frequencies
+
+
+def growth_rate(A: ArrayLike, C: ArrayLike, E_n: ArrayLike, lambda_n: ArrayLike, omega_0: ArrayLike) -> Array:
+    """The rate max |Im eta| at which the fastest motion grows, in 1/s, shape (...): all else is said at `stability`.
+
+    >>> growth_rate(A=1.0, C=[0.4, 0.5, 1.5], E_n=[0.2], lambda_n=[0.5], omega_0=1.0).round(6).tolist()
+    [0.242061, 0.25, 0.0]
+    """
+    return stability(A, C, E_n, lambda_n, omega_0).growth_rate
+
+
+def is_stable(A: ArrayLike, C: ArrayLike, E_n: ArrayLike, lambda_n: ArrayLike, omega_0: ArrayLike) -> NDArray[np.bool_]:
+    """Whether no motion grows, shape (...): all else is said at `stability`.
+
+    >>> is_stable(A=1.0, C=[0.5, 1.5], E_n=[0.2], lambda_n=[0.5], omega_0=1.0).tolist()
+    [False, True]
+    """
+    return stability(A, C, E_n, lambda_n, omega_0).stable
+
+
+# --- one mode
+
+
+def _is_one_mode(body: Body) -> bool:
+    return int(body.E_n.shape[-1]) == 1
+
+
+class _Quadratic(NamedTuple):
+    """The coefficients of (1.33), of eta^2 first, and its discriminant."""
+
+    square: Array
+    linear: Array
+    constant: Array
+    discriminant: Array
+
+
+def _quadratic(body: Body) -> _Quadratic:
+    arguments = body.A, body.C, body.E_n[..., 0], body.lambda_n[..., 0], body.omega_0
+    coefficients = map(np.asarray, _kernels.characteristic_coefficients(*arguments))
+    return _Quadratic(*coefficients, np.asarray(_kernels.discriminant(*arguments)))
+
+
+def _roots_of_the_quadratic(body: Body) -> NDArray[np.complex128]:
+    """Two real roots by the greater one and their product, so that the lesser keeps its digits; or a conjugate pair."""
+    square, linear, constant, discriminant = _quadratic(body)
+    discriminant = np.where(body.not_long, np.maximum(discriminant, 0), discriminant)
+    greater = -(linear + np.copysign(np.sqrt(np.maximum(discriminant, 0)), linear)) / 2
+    lesser = np.divide(constant, greater, out=np.zeros_like(greater), where=greater != 0)
+    pair = (1j * np.sqrt(np.maximum(-discriminant, 0)) - linear) / (2 * square)
+    two_real, conjugates = (greater / square, lesser), (pair, pair.conj())
+    return np.stack([np.where(discriminant < 0, *each) for each in zip(conjugates, two_real, strict=True)], -1)
+
+
+# --- several modes
+
+
+def _eigenvalues(body: Body) -> NDArray[np.complex128]:
+    """Those of symmetric matrices apart: they are real, and take half the time."""
+    matrix, symmetric = _arrowhead(body), body.off_the_band
+    require_finite(matrix)
+    found = np.empty(matrix.shape[:-1], np.complex128)
+    found[symmetric] = np.linalg.eigvalsh(matrix[symmetric])
+    found[~symmetric] = np.linalg.eigvals(matrix[~symmetric])
+    rounding = matrix.shape[-1] * EPSILON * np.linalg.norm(matrix, axis=(-2, -1))
+    found.imag[(np.abs(found.imag) <= rounding[..., None]) | body.not_long[..., None]] = 0
+    return found
+
+
+def _arrowhead(body: Body) -> Array:
+    rest, size = body.A - body.E_n.sum(-1), body.E_n.shape[-1] + 1
+    border = np.sqrt(np.abs(body.R_n) / rest[..., None])
+    moment = (body.E_n * (body.lambda_n - body.omega_0[..., None])).sum(-1)
+    matrix = np.zeros((*body.A.shape, size, size))
+    matrix[..., 0, 0] = (moment - (body.C - body.A) * body.omega_0) / rest
+    matrix[..., 0, 1:] = border
+    matrix[..., 1:, 0] = np.copysign(border, body.R_n)
+    matrix[..., range(1, size), range(1, size)] = body.lambda_n
+    return matrix

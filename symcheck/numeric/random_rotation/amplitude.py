@@ -1,0 +1,123 @@
+"""The stationary law of the amplitude a = sqrt(x_1^2 + x_2^2), (3.4): density, distribution, quantiles, moments, mode.
+
+Everywhere, with the body's dissipation d_ij and noise intensities g_ij of (1.1):
+
+    alpha  multiplicative noise, alpha^2 = g_11^2 + g_12^2, s^(-1/2); positive
+    beta   additive noise, beta^2 = g_21^2 + g_22^2, rad s^(-3/2); positive
+    gamma  dissipation, gamma^2 = d_11 + d_22, s^(-1/2); 4 gamma^2 > alpha^2, else there is no stationary law (4.0.3)
+
+All arguments broadcast; a ValueError names what does not fit.
+"""
+
+from __future__ import annotations
+
+from numpy.typing import ArrayLike
+
+from symcheck import kernels
+from symcheck.numeric.domain import Array, real, require, shortened
+from symcheck.numeric.random_rotation.checks import equatorial, evaluated, order, probability, somewhere
+
+_kernels = kernels.load("poloskov2004")
+
+
+def density_of_amplitude(a: ArrayLike, alpha: ArrayLike, beta: ArrayLike, gamma: ArrayLike) -> Array:
+    """The stationary density of the amplitude, p(a) = 8 C_1 a (3 alpha^2 a^2 + 4 beta^2)^kappa_1.
+
+    a  amplitude, rad/s; not negative
+
+    Returns p in s/rad. ValueError where a < 0 or no density exists. Source: (3.4), (3.5), B.2.
+
+    >>> density_of_amplitude([0.0, 0.5, 1.0], 1.0, 3**0.5 / 2, 1.0).round(4).tolist()
+    [0.0, 0.64, 0.5]
+    """
+    return evaluated("density of a", _kernels.density_of_amplitude, _amplitude(a), *equatorial(alpha, beta, gamma))
+
+
+def distribution_of_amplitude(a: ArrayLike, alpha: ArrayLike, beta: ArrayLike, gamma: ArrayLike) -> Array:
+    """The probability that the amplitude is at most a, F = 1 - (1 + 3 alpha^2 a^2/(4 beta^2))^(kappa_1 + 1).
+
+    a  amplitude, rad/s; not negative
+
+    Returns F. ValueError where a < 0 or no density exists. Source: B.3.
+
+    >>> float(distribution_of_amplitude(1.0, 1.0, 3**0.5 / 2, 1.0).round(4))
+    0.5
+    """
+    values = _amplitude(a), *equatorial(alpha, beta, gamma)
+    return evaluated("distribution of a", _kernels.distribution_of_amplitude, *values)
+
+
+def quantile_of_amplitude(q: ArrayLike, alpha: ArrayLike, beta: ArrayLike, gamma: ArrayLike) -> Array:
+    """The amplitude that is exceeded with the probability 1 - q.
+
+    q  probability, 0 < q < 1
+
+    Returns a in rad/s. ValueError where q is no such probability, no density exists, or the quantile exceeds all
+    doubles (near 4 gamma^2 = alpha^2). Source: B.4.
+
+    >>> float(quantile_of_amplitude(0.5, 1.0, 3**0.5 / 2, 1.0).round(4))
+    1.0
+    """
+    values = probability(q), *equatorial(alpha, beta, gamma)
+    return evaluated("quantile of a", _kernels.quantile_of_amplitude, *values)
+
+
+def moment_of_amplitude(m: ArrayLike, alpha: ArrayLike, beta: ArrayLike, gamma: ArrayLike) -> Array:
+    """The mean of a^m.
+
+    m  order, any real number that is not negative; accuracy is shown up to 8
+
+    Returns the moment in (rad/s)^m. ValueError where it is infinite: 8 gamma^2 > alpha^2 (2 + 3 m) has to hold.
+    Source: 4.0.9, B.6.
+
+    >>> moment_of_amplitude([0, 1], 1.0, 3**0.5 / 2, 1.5).round(4).tolist()
+    [1.0, 0.6375]
+    """
+    power, (noise, additive, dissipation) = order(m), equatorial(alpha, beta, gamma)
+    finite = 8 * dissipation**2 > noise**2 * (2 + 3 * power)
+    somewhere(
+        finite, "gamma", dissipation, f"satisfy 8 gamma^2 > alpha^2 (2 + 3 m) for m = {shortened(power)}", "4.0.9"
+    )
+    return evaluated("moment of a", _kernels.moment_of_amplitude, power, noise, additive, dissipation)
+
+
+def mean_square_of_amplitude(alpha: ArrayLike, beta: ArrayLike, gamma: ArrayLike) -> Array:
+    """The mean of a^2, beta^2/(gamma^2 - alpha^2).
+
+    Returns it in rad^2/s^2. ValueError where it is infinite: gamma > alpha has to hold. Source: 4.0.9, B.8.
+
+    >>> float(mean_square_of_amplitude(1.0, 2.0, 3.0))
+    0.5
+    """
+    noise, additive, dissipation = equatorial(alpha, beta, gamma)
+    somewhere(dissipation > noise, "gamma", dissipation, "satisfy gamma^2 > alpha^2", "4.0.9 for m = 2")
+    return evaluated("mean square of a", _kernels.mean_square_of_amplitude, noise, additive, dissipation)
+
+
+def mode_of_amplitude(alpha: ArrayLike, beta: ArrayLike, gamma: ArrayLike) -> Array:
+    """The most probable amplitude, 2 beta/sqrt(8 gamma^2 + alpha^2).
+
+    Returns it in rad/s. ValueError where no density exists. Source: 4.0.13.
+
+    >>> float(mode_of_amplitude(1.0, 0.75, 1.0))
+    0.5
+    """
+    return evaluated("mode of a", _kernels.mode_of_amplitude, *equatorial(alpha, beta, gamma))
+
+
+def logarithm_of_constant_of_amplitude(alpha: ArrayLike, beta: ArrayLike, gamma: ArrayLike) -> Array:
+    """The logarithm of C_1 in p(a) = 8 C_1 a (3 alpha^2 a^2 + 4 beta^2)^kappa_1; the constant itself may be no double.
+
+    Returns log C_1. ValueError where no density exists. Source: (3.4), B.2.
+
+    >>> from math import exp
+    >>> round(exp(logarithm_of_constant_of_amplitude(1.0, 3**0.5 / 2, 1.0)), 4)
+    2.25
+    """
+    return evaluated("log C_1", _kernels.logarithm_of_constant_of_amplitude, *equatorial(alpha, beta, gamma))
+
+
+def _amplitude(a: ArrayLike) -> Array:
+    array = real("a", a)
+    require(array >= 0, "a", array, "not be negative", "(3.4)")
+    return array

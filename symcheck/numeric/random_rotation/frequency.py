@@ -1,0 +1,139 @@
+"""The stationary law of the frequency Omega = k x_3, (3.5): density, distribution, quantiles, moments, mode.
+
+Everywhere, with the coefficients of (1.1):
+
+    k     (A - C)/A of the moments of inertia A, A, C; a positive number
+    g_13  multiplicative noise of the polar axis, s^(-1/2); positive
+    g_23  additive noise of the polar axis, rad s^(-3/2); positive
+    d_33  dissipation about the polar axis, 1/s; positive, else there is no stationary law (4.0.5)
+
+All arguments broadcast; a ValueError names what does not fit. Omega sqrt(2 d_33)/(g_23 k) has Student's distribution
+with 2 d_33/g_13^2 degrees of freedom: its distribution function and quantiles are SciPy's.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import ArrayLike
+from scipy import special
+
+from symcheck import kernels
+from symcheck.numeric.domain import Array, real, shortened
+from symcheck.numeric.random_rotation.checks import axial, evaluated, order, probability, somewhere
+
+_kernels = kernels.load("poloskov2004")
+
+
+def density_of_frequency(Omega: ArrayLike, k: ArrayLike, g_13: ArrayLike, g_23: ArrayLike, d_33: ArrayLike) -> Array:
+    """The stationary density of the frequency, p(Omega) = C_2 (g_13^2 Omega^2 + g_23^2 k^2)^kappa_2.
+
+    Omega  frequency, rad/s
+
+    Returns p in s/rad. ValueError where no density exists. Source: (3.5), B.5.
+
+    >>> density_of_frequency([0.0, 0.6], 0.6, 1.0, 1.0, 1.5).round(4).tolist()
+    [1.061, 0.2653]
+    """
+    values = real("Omega", Omega), *axial(k, g_13, g_23, d_33)
+    return evaluated("density of Omega", _kernels.density_of_frequency, *values)
+
+
+def distribution_of_frequency(
+    Omega: ArrayLike, k: ArrayLike, g_13: ArrayLike, g_23: ArrayLike, d_33: ArrayLike
+) -> Array:
+    """The probability that the frequency is at most Omega: that of Student's t = Omega sqrt(2 d_33)/(g_23 k).
+
+    Omega  frequency, rad/s
+
+    Returns F; small values keep their relative accuracy. ValueError where no density exists. Source: (3.5).
+
+    >>> float(distribution_of_frequency(0.6 / 3**0.5, 0.6, 1.0, 1.0, 1.5).round(4))
+    0.8045
+    """
+    return evaluated("distribution of Omega", _distribution, real("Omega", Omega), *axial(k, g_13, g_23, d_33))
+
+
+def quantile_of_frequency(q: ArrayLike, k: ArrayLike, g_13: ArrayLike, g_23: ArrayLike, d_33: ArrayLike) -> Array:
+    """The frequency that is exceeded with the probability 1 - q.
+
+    q  probability, 0 < q < 1
+
+    Returns Omega in rad/s. ValueError where q is no such probability, no density exists, or |Omega| exceeds
+    1e153 g_23 k/g_13 (small d_33/g_13^2). Source: (3.5).
+
+    >>> quantile_of_frequency([0.1, 0.5], 0.6, 1.0, 1.0, 1.5).round(4).tolist()
+    [-0.5673, 0.0]
+    """
+    return evaluated("quantile of Omega", _quantile, probability(q), *axial(k, g_13, g_23, d_33))
+
+
+def moment_of_frequency(m: ArrayLike, k: ArrayLike, g_13: ArrayLike, g_23: ArrayLike, d_33: ArrayLike) -> Array:
+    """The mean of |Omega|^m; those of Omega^m are the same for even m, and 0 for odd m.
+
+    m  order, any real number that is not negative; accuracy is shown up to 8
+
+    Returns the absolute moment in (rad/s)^m. ValueError where it is infinite: 2 d_33 > m g_13^2 has to hold, and the
+    printed 3 d_33 > m g_13^2 is not enough. Source: 4.0.11, B.7.
+
+    >>> moment_of_frequency([0, 1, 2], 0.6, 1.0, 1.0, 1.5).round(4).tolist()
+    [1.0, 0.382, 0.36]
+    """
+    power, (ratio, noise, additive, dissipation) = order(m), axial(k, g_13, g_23, d_33)
+    finite = 2 * dissipation > power * noise**2
+    somewhere(finite, "d_33", dissipation, f"satisfy 2 d_33 > m g_13^2 for m = {shortened(power)}", "4.0.11")
+    return evaluated("moment of Omega", _kernels.moment_of_frequency, power, ratio, noise, additive, dissipation)
+
+
+def mean_square_of_frequency(k: ArrayLike, g_13: ArrayLike, g_23: ArrayLike, d_33: ArrayLike) -> Array:
+    """The mean of Omega^2, g_23^2 k^2/(2 d_33 - 2 g_13^2).
+
+    Returns it in rad^2/s^2. ValueError where it is infinite: d_33 > g_13^2 has to hold. Source: 4.0.11, B.8.
+
+    >>> float(mean_square_of_frequency(0.5, 1.0, 2.0, 1.5))
+    1.0
+    """
+    ratio, noise, additive, dissipation = axial(k, g_13, g_23, d_33)
+    somewhere(dissipation > noise**2, "d_33", dissipation, "satisfy d_33 > g_13^2", "4.0.11 for m = 2")
+    return evaluated("mean square of Omega", _kernels.mean_square_of_frequency, ratio, noise, additive, dissipation)
+
+
+def mode_of_frequency(k: ArrayLike, g_13: ArrayLike, g_23: ArrayLike, d_33: ArrayLike) -> Array:
+    """The most probable frequency, 0 for all parameters.
+
+    Returns 0 rad/s in the broadcast shape. ValueError where no density exists. Source: 4.0.17.
+
+    >>> mode_of_frequency([0.5, 0.6], 1.0, 1.0, 1.5).tolist()
+    [0.0, 0.0]
+    """
+    return np.zeros(np.broadcast_shapes(*(value.shape for value in axial(k, g_13, g_23, d_33))))
+
+
+def logarithm_of_constant_of_frequency(k: ArrayLike, g_13: ArrayLike, g_23: ArrayLike, d_33: ArrayLike) -> Array:
+    """The logarithm of C_2 in p(Omega) = C_2 (g_13^2 Omega^2 + g_23^2 k^2)^kappa_2; the constant may be no double.
+
+    Returns log C_2. ValueError where no density exists. Source: (3.5), B.5.
+
+    >>> from math import exp, pi
+    >>> round(exp(logarithm_of_constant_of_frequency(0.6, 1.0, 1.0, 1.5)) * pi, 4)
+    0.432
+    """
+    return evaluated("log C_2", _kernels.logarithm_of_constant_of_frequency, *axial(k, g_13, g_23, d_33))
+
+
+def _distribution(Omega: Array, k: Array, g_13: Array, g_23: Array, d_33: Array) -> Array:
+    value: Array = special.stdtr(2 * d_33 / g_13**2, Omega / (g_23 * k) * np.sqrt(2 * d_33))
+    return value
+
+
+def _quantile(q: Array, k: Array, g_13: Array, g_23: Array, d_33: Array) -> Array:
+    """From y = 1/(1 + c Omega^2), c = (g_13/(g_23 k))^2: |Omega| is exceeded with the probability I_y(delta, 1/2).
+
+    Decision: y and 1 - y each by their own inverse of the incomplete beta function, so that neither the tails nor the
+    middle lose digits. `special.stdtrit` (SciPy 1.17) is infinite at q = 1e-300, whatever the degrees of freedom.
+    """
+    delta, outside = d_33 / g_13**2, 2 * np.minimum(q, 1 - q)
+    y = special.betaincinv(delta, 0.5, outside)
+    y = np.where(y > np.finfo(np.float64).tiny, y, 0)  # SciPy gives the least normal double for whatever is less
+    rest = special.betainccinv(0.5, delta, outside)
+    value: Array = np.copysign(np.sqrt(rest / y), q - 0.5) * (g_23 * k / g_13)
+    return value

@@ -1,0 +1,86 @@
+"""Amplitude, phase and frequency of the rotation, and samples of their joint stationary law."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from symcheck.numeric.domain import Array, real, require
+from symcheck.numeric.random_rotation.amplitude import quantile_of_amplitude
+from symcheck.numeric.random_rotation.checks import positive
+from symcheck.numeric.random_rotation.ensemble import whole
+from symcheck.numeric.random_rotation.frequency import quantile_of_frequency
+from symcheck.numeric.random_rotation.torques import RandomTorques
+
+
+class Rotation(NamedTuple):
+    """Amplitude a in rad/s, phase psi in rad within [-pi, pi], frequency Omega in rad/s; one shape.
+
+    >>> float(amplitude_phase_frequency([3.0, 4.0, 5.0], 0.6).a)
+    5.0
+    """
+
+    a: Array
+    psi: Array
+    Omega: Array
+
+
+def amplitude_phase_frequency(x: ArrayLike, k: ArrayLike) -> Rotation:
+    """a = sqrt(x_1^2 + x_2^2), psi with tan psi = -x_2/x_1, Omega = k x_3.
+
+    x  angular velocity in principal axes, rad/s, shape (..., 3)
+    k  (A - C)/A, a number; positive
+
+    Returns a `Rotation` of the broadcast shape; the phase of a = 0 is 0. ValueError names what does not fit.
+    Source: (2.3).
+
+    >>> [float(value) for value in amplitude_phase_frequency([0.0, -2.0, 5.0], 0.6)]
+    [2.0, 1.5707963267948966, 3.0]
+    """
+    velocity, ratio = real("x", x, (3,)), positive("k", k, "(1.1)")
+    x_1, x_2, x_3 = np.moveaxis(velocity, -1, 0)
+    return Rotation(*np.broadcast_arrays(np.hypot(x_1, x_2), np.arctan2(0.0 - x_2, x_1), ratio * x_3))
+
+
+def angular_velocity(a: ArrayLike, psi: ArrayLike, Omega: ArrayLike, k: ArrayLike) -> Array:
+    """x = (a cos psi, -a sin psi, Omega/k).
+
+    a, psi, Omega  amplitude in rad/s, not negative; phase in rad; frequency in rad/s
+    k              (A - C)/A, a number; positive
+
+    Returns x in rad/s, shape (..., 3). ValueError names what does not fit. Source: (2.2).
+
+    >>> angular_velocity(2.0, 0.0, 3.0, 0.6).tolist()
+    [2.0, -0.0, 5.0]
+    """
+    amplitude, phase = real("a", a), real("psi", psi)
+    require(amplitude >= 0, "a", amplitude, "not be negative", "(2.3)")
+    parts = amplitude * np.cos(phase), -amplitude * np.sin(phase), real("Omega", Omega) / positive("k", k, "(1.1)")
+    return np.stack(np.broadcast_arrays(*parts), axis=-1)
+
+
+def stationary_sample(torques: RandomTorques, paths: int, *, seed: int, first: int = 0) -> Array:
+    """Independent angular velocities with the stationary law of the averaged system.
+
+    torques  coefficients of the system
+    paths    how many
+    seed     a whole number from 0 on; another one than that of the noises
+    first    number of the first: a sample in pieces is the same sample
+
+    Amplitude and frequency by their quantiles, the phase uniform on a turn. Returns x in rad/s, shape (paths, 3).
+    ValueError where no stationary law exists, or a number does not fit. Source: (2.2), (3.4), (3.5), B.4.
+
+    >>> D = [[1, 0.3, 0.2], [0.2, 0.5, 0.1], [0.2, 0.1, 0.9]]
+    >>> torques = RandomTorques(0.01, 0.6, D, g_1=[0.6, 0.8, 0.7], g_2=[1, 0, 1])
+    >>> sample = stationary_sample(torques, 5, seed=1)
+    >>> bool((stationary_sample(torques, 2, seed=1, first=3) == sample[3:]).all())
+    True
+    """
+    source = np.random.PCG64(whole("seed", seed, 0))
+    source.advance(3 * whole("first", first, 0))  # one number of the generator makes one uniform number
+    uniform = np.maximum(np.random.Generator(source).random((whole("paths", paths, 1), 3)), 2.0**-54)
+    a = quantile_of_amplitude(uniform[:, 0], *torques.amplitude)
+    Omega = quantile_of_frequency(uniform[:, 1], *torques.frequency)
+    return angular_velocity(a, 2 * np.pi * uniform[:, 2], Omega, torques.k)

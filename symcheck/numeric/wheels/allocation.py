@@ -1,0 +1,138 @@
+"""How the wheels share a demanded momentum.
+
+Decision: the least greatest load is found in the geometry, not by linear programming. Reason: the load is how far the
+demand is out towards its face, the wheels outside the face's plane are all at that load, and those in the plane share
+what is left in the same way; this is exact, takes many demands at once, and loads the others as little as can be too,
+where a linear program stops at any solution. It is not for: hundreds of wheels, whose pairs are all looked at.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from symcheck.numeric.domain import Array, real, require
+from symcheck.numeric.wheels.faces import half_spaces
+from symcheck.numeric.wheels.planes import Index, missing
+from symcheck.numeric.wheels.sets import Wheels, wheels_of
+
+IN_PLANE = 1e-9  # sine of an angle below which an axis lies in a plane
+BLOCK = 1 << 20  # products of demands and normals at once
+SLIGHT = 1e-6  # weight of the loads against the missing momentum: 1e-12 of its square
+
+
+class Allocation(NamedTuple):
+    """Momenta of the wheels.
+
+    momenta  (..., n), h_i, in N m s
+    load     (...), the greatest |h_i - b_i|/h_i,max
+    """
+
+    momenta: Array
+    load: Array
+
+
+def allocate(axes: ArrayLike, demand: ArrayLike, limits: ArrayLike = 1.0, bias: ArrayLike = 0.0) -> Allocation:
+    """The momenta with h_1 e_1 + ... + h_n e_n = H whose greatest load max_i |h_i - b_i|/h_i,max is least.
+
+    axes    (n, 3), unit vectors e_i
+    demand  (..., 3), H, in N m s
+    limits  a number or (n,), h_i,max, in N m s; a wheel with the limit 0 does not take part
+    bias    a number or (n,), b_i, in N m s
+
+    Returns momenta (..., n) and load (...): 1 or less exactly if H is in the envelope; the momenta of a greater load
+    are the best ones too, but no wheel has them. Of all best momenta those are returned whose other loads are least
+    in turn. ValueError if no momenta at all give H: axes in a plane and H out of it. Source: (2.1), condition (1.1).
+
+    >>> allocate(np.eye(3), [0.5, -2, 0])
+    Allocation(momenta=array([ 0.5, -2. ,  0. ]), load=array(2.))
+    """
+    wheels, offset = _one_set(axes, demand, limits, bias)
+    works = wheels.limits > 0
+    momenta = np.zeros((*offset.shape[:-1], len(works)))
+    momenta[..., works] = _shared(wheels.axes[works], wheels.limits[works], offset.reshape(-1, 3)).reshape(
+        *offset.shape[:-1], -1
+    )
+    gap = np.linalg.norm(momenta @ wheels.axes - offset, axis=-1)
+    reached = gap <= IN_PLANE * np.linalg.norm(offset, axis=-1)
+    require(
+        reached, "demand", offset + wheels.centre, "lie in the plane or line of the axes of wheels that work", "(2.1)"
+    )
+    return Allocation(momenta + wheels.bias, _load(momenta, wheels.limits))
+
+
+def allocate_least_squares(
+    axes: ArrayLike, demand: ArrayLike, limits: ArrayLike = 1.0, bias: ArrayLike = 0.0
+) -> Allocation:
+    """The momenta within their limits that come nearest to H; of these the ones with the least sum of squared loads.
+
+        |h_1 e_1 + ... + h_n e_n - H|^2 + 1e-12 h^2 sum_i ((h_i - b_i)/h_i,max)^2 is least, h the greatest limit
+
+    Parameters are those of `allocate`. Returns momenta (..., n) and load (...), not above 1 but for rounding: H outside
+    the envelope is replaced by the nearest momentum that the wheels have. To 1e-9 of the limits. One demand at a time
+    (`scipy.optimize.lsq_linear`), some 0.1 ms each. ValueError if the arguments are unfit. Source:
+    (2.1), condition (1.1).
+
+    >>> allocate_least_squares(np.eye(3), [0.5, -2, 0]).momenta.round(6)
+    array([ 0.5, -1. ,  0. ])
+    """
+    wheels, offset = _one_set(axes, demand, limits, bias)
+    works = wheels.limits > 0
+    momenta = np.zeros((*offset.shape[:-1], len(works)))
+    if works.any():
+        found = [_nearest(wheels.axes[works], wheels.limits[works], each) for each in offset.reshape(-1, 3)]
+        momenta[..., works] = np.reshape(found, (*offset.shape[:-1], np.count_nonzero(works)))
+    return Allocation(momenta + wheels.bias, _load(momenta, wheels.limits))
+
+
+def _one_set(axes: ArrayLike, demand: ArrayLike, limits: ArrayLike, bias: ArrayLike) -> tuple[Wheels, Array]:
+    """The wheels, and the demand less what their biases give."""
+    wheels = wheels_of(axes, limits, bias)
+    require(wheels.limits.ndim == 1, "axes", wheels.axes.shape, "be one set of wheels, of the shape (n, 3)", "(2.1)")
+    return wheels, real("demand", demand, (3,)) - wheels.centre
+
+
+def _load(momenta: Array, limits: Array) -> Array:
+    loads = np.divide(np.abs(momenta), limits, where=limits > 0, out=np.zeros_like(momenta))
+    return np.asarray(loads.max(axis=-1))
+
+
+def _shared(axes: Array, limits: Array, demand: Array) -> Array:
+    """The momenta (m, n) for demands (m, 3) in the span of the axes (n, 3), all with limits."""
+    momenta = np.zeros((len(demand), len(axes)))
+    if not len(axes):
+        return momenta
+    _, across = missing(axes, IN_PLANE)
+    normals, distances, _ = half_spaces(np.vstack([axes, across]), np.append(limits, np.zeros(len(across))))
+    bounds = (distances > IN_PLANE * limits.max()) & np.isfinite(distances)
+    normals, distances = normals[bounds], distances[bounds]
+    for rows, face, load in _towards(normals, distances, demand):
+        height = axes @ normals[face]
+        out = np.abs(height) > IN_PLANE
+        momenta[np.ix_(rows, out)] = load[:, None] * np.sign(height[out]) * limits[out]
+        rest = demand[rows] - momenta[np.ix_(rows, out)] @ axes[out]
+        momenta[np.ix_(rows, ~out)] = _shared(axes[~out], limits[~out], rest)
+    return momenta
+
+
+def _towards(normals: Array, distances: Array, demand: Array) -> Iterator[tuple[Index, int, Array]]:
+    """The demands (their numbers) towards each face, the face, and n . H/d with its sign."""
+    step = max(1, BLOCK // len(distances))
+    for start in range(0, len(demand), step):
+        loads = demand[start : start + step] @ normals.T / distances
+        nearest = np.abs(loads).argmax(axis=1)
+        for face in np.unique(nearest):
+            rows = np.flatnonzero(nearest == face)
+            yield rows + start, int(face), loads[rows, face]
+
+
+def _nearest(axes: Array, limits: Array, demand: Array) -> Array:
+    from scipy.optimize import lsq_linear
+
+    scale = limits.max()
+    matrix = np.vstack([axes.T * limits / scale, SLIGHT * np.eye(len(limits))])
+    target = np.append(demand / scale, np.zeros(len(limits)))
+    return np.asarray(lsq_linear(matrix, target, (-1, 1), method="bvls", tol=1e-15).x * limits)

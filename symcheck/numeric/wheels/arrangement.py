@@ -1,0 +1,110 @@
+"""From a body's moments of inertia to an arrangement of its wheels, and what that arrangement is worth."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from symcheck import kernels
+from symcheck.numeric.domain import Array, real, require
+from symcheck.numeric.inertia.arguments import principal_moments
+from symcheck.numeric.wheels.angles import (
+    best_angle_of_six_wheels,
+    best_angles_of_four_wheels,
+    equal_rates_of_four_wheels,
+    equal_rates_of_six_wheels,
+)
+from symcheck.numeric.wheels.faces import failures, half_spaces
+from symcheck.numeric.wheels.margins import ellipsoid_margin, guaranteed_rate
+from symcheck.numeric.wheels.sets import four_wheels, six_wheels
+
+
+class Arrangement(NamedTuple):
+    """n wheels with their angles for a body, and what rates they give it.
+
+    angles                 (..., k), in rad: a and b of four wheels, a of six
+    axes                   (..., n, 3)
+    largest_rates          (..., 3), the largest rates about OX, OY and OZ alone, in rad/s
+    guaranteed_rate        (...), the largest rate that is had about every axis, in rad/s
+    margin                 (...), of the required ellipsoid (1.2), in N m s; (1.1) holds if it is not negative
+    rate_after_failure     (..., n), guaranteed_rate after the failure of each wheel
+    margin_after_failure   (..., n), margin after the failure of each wheel
+    """
+
+    angles: Array
+    axes: Array
+    largest_rates: Array
+    guaranteed_rate: Array
+    margin: Array
+    rate_after_failure: Array
+    margin_after_failure: Array
+
+
+class Design(NamedTuple):
+    """The paper's two configurations for one body."""
+
+    four: Arrangement
+    six: Arrangement
+
+
+Choice = tuple[Callable[[ArrayLike], Array], Callable[[ArrayLike], Array]]
+CHOICES: dict[str, Choice] = {
+    "every axis": (best_angles_of_four_wheels, best_angle_of_six_wheels),
+    "principal axes": (equal_rates_of_four_wheels, equal_rates_of_six_wheels),
+}
+
+
+def design(
+    moments: ArrayLike, required_rates: ArrayLike, limit: ArrayLike = 1.0, *, rates_about: str = "every axis"
+) -> Design:
+    """The paper's two configurations for a body, with their angles, rates and margins, with all wheels and without one.
+
+    moments         (..., 3), the principal moments of inertia J_x, J_y, J_z, in kg m^2
+    required_rates  (..., 3), w_x, w_y, w_z of the ellipsoid (1.2), in rad/s
+    limit           (...), h_max of every wheel, in N m s
+    rates_about     what the angles make great: the rate about "every axis", or equal ones about the "principal axes"
+
+    ValueError if moments are not those of a body, rates or the limit are negative, or the choice is another.
+    Source: (1.1), (1.2), sections 2.3 and 3.3.
+
+    >>> found = design([1000, 1600, 800], [0.005, 0.005, 0.005], limit=5)
+    >>> found.four.margin.round(3), found.six.margin.round(3)
+    (np.float64(2.035), np.float64(6.325))
+    >>> found.six.rate_after_failure.round(5)
+    array([0.00625, 0.0075 , 0.0075 , 0.00625, 0.0075 , 0.0075 ])
+    """
+    inertia, rate, momentum = (
+        principal_moments(moments),
+        real("required_rates", required_rates, (3,)),
+        real("limit", limit),
+    )
+    of_a_body = 2 * inertia.max(axis=-1) <= inertia.sum(axis=-1) * (1 + 1e-12)
+    require(of_a_body, "moments", inertia, "satisfy the triangle inequalities, as those of a body do: J_1 <= J_2 + J_3")
+    require(rate >= 0, "required_rates", rate, "not be negative", "(1.2)")
+    require(momentum >= 0, "limit", momentum, "not be negative", "(2.1)")
+    require(rates_about in CHOICES, "rates_about", rates_about, f"be one of {', '.join(map(repr, CHOICES))}")
+    four, six = (choose(inertia) for choose in CHOICES[rates_about])
+    return Design(
+        _arrangement(four, four_wheels(four[..., 0], four[..., 1]), "four", inertia, rate, momentum),
+        _arrangement(six, six_wheels(six[..., 0]), "six", inertia, rate, momentum),
+    )
+
+
+def _arrangement(angles: Array, axes: Array, name: str, inertia: Array, rate: Array, limit: Array) -> Arrangement:
+    limits = np.broadcast_to(limit[..., None], (*limit.shape, axes.shape[-2]))
+    whole, left = half_spaces(axes, limits), failures(axes, limits).half_spaces
+    kernel = getattr(kernels.load("ignatov2005"), f"largest_rates_of_{name}_wheels")
+    largest = np.stack(kernel(*np.moveaxis(angles, -1, 0), *np.moveaxis(inertia, -1, 0)), axis=-1) * limit[..., None]
+    one, each = inertia, inertia[..., None, :]
+    return Arrangement(
+        angles,
+        axes,
+        largest,
+        guaranteed_rate(whole, one),
+        ellipsoid_margin(whole, one * rate),
+        guaranteed_rate(left, each),
+        ellipsoid_margin(left, each * rate[..., None, :]),
+    )

@@ -1,0 +1,197 @@
+"""The half-spaces of momentum envelopes, of any number of sets of wheels at once.
+
+Decision: a half-space is written for every pair of axes, whether its face is an ordinary rhombus or shared by several
+pairs. Reason: the shape of the result then depends on the number of wheels alone, so that a million sets are one array
+operation, and no tolerance decides anything. What merges faces is `envelope`, for one set at a time.
+"""
+
+from __future__ import annotations
+
+from functools import lru_cache
+from importlib import import_module
+from itertools import combinations
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from symcheck.numeric.domain import Array, require
+from symcheck.numeric.wheels.sets import Wheels, wheels_of
+
+PARALLEL = 1e-12  # sine of an angle below which two axes are one
+ENGINES = ("numpy", "numba")
+BLOCK = 8192  # numbers in a register: 64 kB stay in the cache
+
+
+class HalfSpaces(NamedTuple):
+    """The polytope |n_j . (H - c)| <= d_j, symmetric about c.
+
+    normals    (..., p, 3), the n_j, of unit length
+    distances  (..., p), the d_j from the centre; infinite, with the normal 0, where two axes are parallel
+    centre     (..., 3), c
+    """
+
+    normals: Array
+    distances: Array
+    centre: Array
+
+
+class Failures(NamedTuple):
+    """What is left when some wheels have failed.
+
+    wheels       (f, k), the k wheels that have failed, counted from 0, in each of the f cases
+    half_spaces  those of every case: normals (..., f, p, 3), distances (..., f, p), centre (..., f, 3)
+    """
+
+    wheels: NDArray[np.intp]
+    half_spaces: HalfSpaces
+
+
+def half_spaces(
+    axes: ArrayLike,
+    limits: ArrayLike = 1.0,
+    bias: ArrayLike = 0.0,
+    *,
+    complete: bool = False,
+    engine: str = "numpy",
+) -> HalfSpaces:
+    """The half-spaces of the momentum envelope: n = e_i x e_j/|e_i x e_j| and d = sum_k h_k |n . e_k|, i < j.
+
+    axes      (..., n, 3), unit vectors e_i that span space
+    limits    numbers or (..., n), h_i, in N m s; 0 for a wheel that has failed
+    bias      numbers or (..., n), b_i, in N m s
+    complete  True adds the three coordinate axes with the limit 0, so that axes that do not span space (one wheel,
+              or all in a plane) are described too: as a polygon or a segment, with the distance 0 across it
+    engine    "numpy", or "numba" (needs Numba), which gives the same to rounding, faster, and compiles at its first use
+
+    Returns normals (..., p, 3), distances (..., p), p = n(n - 1)/2, centre (..., 3). ValueError if axes do not span
+    space and are not completed. Each half-space is exact to rounding whatever the axes are, for d is computed
+    with the normal that is returned; axes at an angle below 1e-12 count as parallel. The time grows with n^3: for more
+    than some hundred wheels in one set use `envelope`. Source: tables 3, 5, 8, 11.
+
+    >>> half_spaces(np.eye(3), [1, 2, 3]).distances
+    array([3., 2., 1.])
+    """
+    wheels = wheels_of(axes, limits, bias)
+    wheels = _completed(wheels) if complete else wheels
+    normals, distances = _found(wheels, True, engine)
+    lead = wheels.limits.shape[:-1]
+    return HalfSpaces(normals.transpose(0, 2, 1).reshape(*lead, -1, 3), distances.reshape(*lead, -1), wheels.centre)
+
+
+def face_distances(axes: ArrayLike, limits: ArrayLike = 1.0, *, engine: str = "numpy") -> Array:
+    """The distances of `half_spaces` alone, d = sum_k h_k |(e_i, e_j, e_k)|/|e_i x e_j|, in less memory.
+
+    Parameters and errors are those of `half_spaces`. Returns (..., n(n - 1)/2), in N m s, from the centre, in the order
+    of the pairs (1, 2), (1, 3), ..., (2, 3), ...; the least is the radius of the largest ball in the envelope.
+    Source: tables 3, 5, 8, 11; the paper's configurations have the kernels `face_distances_of_four_wheels` and others.
+
+    >>> from symcheck.numeric.wheels import six_wheels
+    >>> face_distances(six_wheels(np.arctan(3))).min().round(6)
+    np.float64(1.77073)
+    """
+    wheels = wheels_of(axes, limits)
+    return _found(wheels, False, engine)[1].reshape(*wheels.limits.shape[:-1], -1)
+
+
+def _completed(wheels: Wheels) -> Wheels:
+    lead = wheels.limits.shape[:-1]
+    zero = np.zeros((*lead, 3))
+    return Wheels(
+        np.concatenate([wheels.axes, np.broadcast_to(np.eye(3), (*lead, 3, 3))], axis=-2),
+        np.concatenate([wheels.limits, zero], axis=-1),
+        np.concatenate([wheels.bias, zero], axis=-1),
+    )
+
+
+@lru_cache
+def _pairs(count: int) -> tuple[NDArray[np.intp], NDArray[np.intp]]:
+    return np.triu_indices(count, 1)
+
+
+def _found(wheels: Wheels, keep: bool, engine: str) -> tuple[Array, Array]:
+    """Normals (m, 3, p), or less if they are not kept, and distances (m, p) of all m sets."""
+    require(engine in ENGINES, "engine", engine, f"be one of {', '.join(ENGINES)}")
+    count = wheels.limits.shape[-1]
+    axes, limits = wheels.axes.reshape(-1, count, 3), wheels.limits.reshape(-1, count)
+    run = import_module("symcheck.numeric.wheels.numba_engine").of_pairs if engine == "numba" else of_pairs
+    normals, distances, spans = run(axes, limits, keep, PARALLEL)
+    spans[~spans] = _span(axes[~spans])
+    require(spans.reshape(wheels.limits.shape[:-1]), "axes", wheels.axes, "span space, or have complete=True", "(2.1)")
+    return normals, distances
+
+
+def of_pairs(axes: Array, limits: Array, keep: bool, parallel: float) -> tuple[Array, Array, NDArray[np.bool_]]:
+    """Normals (m, 3, p), or of one block if they are not kept, distances (m, p), and whether pair (1, 2) spans space.
+
+    The registers of a block are allocated once and stay in the cache.
+    """
+    sets, count, _ = axes.shape
+    pairs = count * (count - 1) // 2
+    step = min(sets, max(1, BLOCK // max(1, pairs)))
+    normals, distances = np.empty((sets if keep else step, 3, pairs)), np.empty((sets, pairs))
+    spans = np.empty(sets, bool)
+    registers = np.empty((3, count, step)), np.empty((3, 3, pairs, step)), np.empty((step, count, pairs))
+    for start in range(0, sets, max(1, step)):
+        part = slice(start, min(start + step, sets))
+        size = part.stop - start
+        normal, heights = normals[part] if keep else normals[:size], registers[2][:size]
+        same = _normals(axes[part], parallel, normal, registers[0][..., :size], registers[1][..., :size])
+        np.matmul(axes[part], normal, out=heights)
+        np.abs(heights, out=heights)
+        np.matmul(limits[part, None], heights, out=distances[part, None])
+        if same.any():
+            distances[part][same.T] = np.inf
+        spans[part] = heights[..., :1].max(axis=(1, 2), initial=0) > parallel
+    return normals, distances, spans
+
+
+def _normals(axes: Array, parallel: float, normals: Array, components: Array, registers: Array) -> NDArray[np.bool_]:
+    """Write the normals (m, 3, p) of all pairs of axes (m, n, 3); tell which are parallel, (p, m), their normal is 0.
+
+    The sets come last in the registers, so that every operation runs along memory.
+    """
+    first, second, cross = registers
+    np.copyto(components, axes.T)
+    for index, target in zip(_pairs(axes.shape[1]), (first, second), strict=True):
+        np.take(components, index, axis=1, out=target, mode="clip")  # clip: NumPy writes without a copy in between
+    for k in range(3):
+        np.multiply(first[k - 2], second[k - 1], out=cross[k])
+        cross[k] -= first[k - 1] * second[k - 2]
+    length = np.sqrt(np.einsum("kpm,kpm->pm", cross, cross, out=first[0]), out=first[0])
+    same: NDArray[np.bool_] = length <= parallel
+    length[same] = np.inf
+    cross *= np.divide(1, length, out=length)
+    normals[...] = cross.transpose(2, 0, 1)
+    return same
+
+
+def _span(axes: Array) -> NDArray[np.bool_]:
+    """Whether the axes (m, n, 3) of each set span space."""
+    if axes.shape[1] < 3:
+        return np.zeros(len(axes), bool)
+    return np.asarray(np.linalg.svd(axes, compute_uv=False)[:, 2] > PARALLEL)
+
+
+def failures(axes: ArrayLike, limits: ArrayLike = 1.0, bias: ArrayLike = 0.0, *, count: int = 1) -> Failures:
+    """The envelopes that are left after every failure of `count` wheels at once.
+
+    A wheel that has failed has the momentum 0; its limit and bias become 0. What is left is described
+    exactly, also where it is flat.
+
+    Parameters and errors are those of `half_spaces`; count is a whole number from 0 to n. Returns the C(n, count) cases
+    in lexicographic order, as the axis before the last. Source: sections 2.2 and 3.2.
+
+    >>> failures(np.eye(3), count=2).half_spaces.distances
+    array([[1., 0., 0.],
+           [0., 1., 0.],
+           [0., 0., 1.]])
+    """
+    wheels = wheels_of(axes, limits, bias)
+    number = wheels.limits.shape[-1]
+    require(count in range(number + 1), "count", count, f"be a whole number from 0 to {number}")
+    cases = np.array(list(combinations(range(number), count)), np.intp)
+    works = np.ones((len(cases), number))
+    np.put_along_axis(works, cases, 0, axis=1)
+    left = (wheels.axes[..., None, :, :], works * wheels.limits[..., None, :], works * wheels.bias[..., None, :])
+    return Failures(cases, half_spaces(*left))

@@ -1,0 +1,172 @@
+"""What fits into a momentum envelope: points, ellipsoids, and how far one comes in a direction or about an axis.
+
+All of it is asked of half-spaces, so that it holds for envelopes of momenta, for what failures leave of them and for
+the polytope of angular rates alike. Leading axes broadcast: half-spaces of many sets, or many points, or both.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from symcheck.numeric.domain import Array, real, require
+from symcheck.numeric.inertia.arguments import orthonormal_axes, principal_moments
+from symcheck.numeric.wheels.faces import HalfSpaces
+
+NONE = 1e-12  # of a length of 1: a vector that lies in a plane to rounding does not leave it
+BLOCK = 1 << 18  # numbers at once: 2 MB
+
+
+def margin(half_spaces: HalfSpaces, point: ArrayLike) -> Array:
+    """How far a point is from the nearest plane, min_j (d_j - |n_j . (H - c)|): positive inside, negative outside.
+
+    half_spaces  normals (..., p, 3), distances (..., p), centre (..., 3)
+    point        (..., 3), H, in N m s
+
+    Returns (...), in N m s: inside, the distance from the boundary; outside, a lower bound of it with the sign changed.
+    ValueError if the point is not three finite numbers. Source: condition (1.1) for one momentum.
+
+    >>> from symcheck.numeric.wheels import half_spaces
+    >>> margin(half_spaces(np.eye(3)), [[0.75, 0, 0], [2, 0, 0]])
+    array([ 0.25, -1.  ])
+    """
+    offset = real("point", point, (3,)) - half_spaces.centre
+    return _least(half_spaces, offset.shape[:-1], lambda n, d, c: d - np.abs(np.einsum("...jk,...k->...j", n, offset)))
+
+
+def ellipsoid_margin(half_spaces: HalfSpaces, semi_axes: ArrayLike, axes: ArrayLike | None = None) -> Array:
+    """How far an ellipsoid about the origin stays from the nearest plane, min_j (d_j - |n_j . c| - |S n_j|).
+
+    half_spaces  normals (..., p, 3), distances (..., p), centre (..., 3)
+    semi_axes    (..., 3), S = diag(s_1, s_2, s_3) >= 0, in N m s; s_k = J_k w_k for the ellipsoid (1.2)
+    axes         (..., 3, 3), row i is the direction of semi-axis i; without it they are OX, OY, OZ
+
+    Returns (...), in N m s; condition (1.1) holds exactly if it is not negative. ValueError if a semi-axis is negative
+    or the axes are not orthonormal. Source: (1.1), (1.2).
+
+    >>> from symcheck.numeric.wheels import half_spaces
+    >>> ellipsoid_margin(half_spaces(np.eye(3)), [0.5, 0.75, 0.25])
+    array(0.25)
+    """
+    reach = _reach(semi_axes, axes)
+    return _least(half_spaces, reach.shape[:-2], lambda n, d, c: d - c - _norm(n, reach))
+
+
+def ellipsoid_scale(half_spaces: HalfSpaces, semi_axes: ArrayLike, axes: ArrayLike | None = None) -> Array:
+    """By what factor an ellipsoid about the origin can grow inside the envelope, min_j (d_j - |n_j . c|)/|S n_j|.
+
+    Parameters and errors are those of `ellipsoid_margin`, and the origin must not lie outside. Returns (...), without
+    unit: 1 or more exactly if condition (1.1) holds; infinite if the ellipsoid is a point. Source: (1.1), (1.2).
+
+    >>> from symcheck.numeric.wheels import half_spaces
+    >>> ellipsoid_scale(half_spaces(np.eye(3)), [0.5, 0.8, 0.25])
+    array(1.25)
+    """
+    reach = _reach(semi_axes, axes)
+    _holds_origin(half_spaces)
+    return _least(half_spaces, reach.shape[:-2], lambda n, d, c: _quotient(d - c, _norm(n, reach)))
+
+
+def largest_momentum(half_spaces: HalfSpaces, direction: ArrayLike) -> Array:
+    """The largest momentum that the wheels reach in a direction u: the greatest t with t u in the envelope.
+
+        t = min_j (d_j +- n_j . c)/|n_j . u|, the sign that of n_j . u
+
+    half_spaces  normals (..., p, 3), distances (..., p), centre (..., 3); the origin must not lie outside
+    direction    (..., 3), of any length but 0
+
+    Returns (...), in N m s; 0 in a direction that leaves the plane or line of a flat envelope. ValueError if the
+    direction is 0 or the origin lies outside. For half-spaces of `rates` it is the largest angular rate about u.
+    Source: (2.1), (3.1).
+
+    >>> from symcheck.numeric.wheels import half_spaces
+    >>> largest_momentum(half_spaces(np.eye(3)), [[1, 0, 0], [1, 1, 0]]).round(6)
+    array([1.      , 1.414214])
+    """
+    vector = real("direction", direction, (3,))
+    length = np.linalg.norm(vector, axis=-1, keepdims=True)
+    require(length[..., 0] > 0, "direction", vector, "not be zero")
+    unit = vector / length
+    _holds_origin(half_spaces)
+
+    def farthest(n: Array, d: Array, c: Array) -> Array:
+        along = np.einsum("...jk,...k->...j", n, unit)
+        shift = np.einsum("...jk,...k->...j", n, half_spaces.centre)
+        return _quotient(d + np.sign(along) * shift, np.abs(along))
+
+    return _least(half_spaces, unit.shape[:-1], farthest)
+
+
+def rates(half_spaces: HalfSpaces, moments: ArrayLike) -> HalfSpaces:
+    """The half-spaces of the angular rates w = -H/J that the momenta H give a body whose total momentum is zero.
+
+    half_spaces  normals (..., p, 3), distances (..., p), centre (..., 3), of momenta in N m s
+    moments      (..., 3), the principal moments of inertia J_x, J_y, J_z, in kg m^2
+
+    Returns normals (..., p, 3) along J n_j, distances (..., p), d_j/|J n_j|, in rad/s, and the centre -c/J.
+    ValueError if a moment is not positive. Source: (2.3).
+
+    >>> from symcheck.numeric.wheels import half_spaces
+    >>> rates(half_spaces(np.eye(3)), [1, 2, 4]).distances
+    array([0.25, 0.5 , 1.  ])
+    """
+    inertia = principal_moments(moments)
+    normals = half_spaces.normals * inertia[..., None, :]
+    lengths = np.linalg.norm(normals, axis=-1)
+    parallel = lengths == 0
+    lengths = np.where(parallel, 1, lengths)  # no plane: 0 and infinity stay what they are
+    return HalfSpaces(normals / lengths[..., None], half_spaces.distances / lengths, -half_spaces.centre / inertia)
+
+
+def guaranteed_rate(half_spaces: HalfSpaces, moments: ArrayLike) -> Array:
+    """The largest angular rate that is had about every axis: the radius of the largest ball in `rates`.
+
+    Parameters are those of `rates`. Returns (...), in rad/s; negative if not even the rate 0 is had. ValueError if a
+    moment is not positive. Source: (1.1) for w_x = w_y = w_z and (2.3).
+
+    >>> from symcheck.numeric.wheels import half_spaces
+    >>> guaranteed_rate(half_spaces(np.eye(3)), [1, 2, 4])
+    array(0.25)
+    """
+    return margin(rates(half_spaces, moments), np.zeros(3))
+
+
+def _least(half_spaces: HalfSpaces, lead: tuple[int, ...], value: Callable[[Array, Array, Array], Array]) -> Array:
+    """The least value over all half-spaces, some at a time: `value` gets their n, d and |n . c|."""
+    normals, distances, centre = half_spaces
+    shape = np.broadcast_shapes(lead, distances.shape[:-1], centre.shape[:-1])
+    least = np.full(shape, np.inf)
+    step = max(1, BLOCK // max(1, least.size))
+    for start in range(0, distances.shape[-1], step):
+        n, d = normals[..., start : start + step, :], distances[..., start : start + step]
+        shift = np.abs(np.einsum("...jk,...k->...j", n, centre))
+        np.minimum(least, value(n, d, shift).min(axis=-1), out=least)
+    return least
+
+
+def _reach(semi_axes: ArrayLike, axes: ArrayLike | None) -> Array:
+    """The rows s_i u_i, shape (..., 3, 3)."""
+    lengths = real("semi_axes", semi_axes, (3,))
+    require(lengths >= 0, "semi_axes", lengths, "not be negative", "(1.2)")
+    directions = np.eye(3) if axes is None else orthonormal_axes(axes)
+    return lengths[..., None] * directions
+
+
+def _norm(normals: Array, reach: Array) -> Array:
+    """|S n|: how far the ellipsoid reaches along each normal."""
+    return np.asarray(np.linalg.norm(normals @ reach.swapaxes(-1, -2), axis=-1))
+
+
+def _quotient(room: Array, reach: Array) -> Array:
+    """room/reach, infinite where nothing reaches towards the plane."""
+    towards = reach > NONE * reach.max(axis=-1, keepdims=True, initial=0)
+    room, reach, towards = np.broadcast_arrays(room, reach, towards)
+    return np.asarray(np.divide(room, reach, where=towards, out=np.full(room.shape, np.inf)))
+
+
+def _holds_origin(half_spaces: HalfSpaces) -> None:
+    inside = margin(half_spaces, np.zeros(3))
+    condition = "not be negative: the biases take the origin out of the envelope; make them smaller"
+    require(inside >= -NONE * (1 + np.abs(half_spaces.centre).max()), "the margin of the origin", inside, condition)

@@ -1,0 +1,231 @@
+"""Figures of arrays of wheels: their axes, their envelopes in space and in projection, and what failures leave.
+
+What a solid body hides is dashed. Matplotlib is imported only when a figure is drawn.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from symcheck.numeric.domain import Array, require
+from symcheck.numeric.wheels.polytope import Envelope, envelope
+from symcheck.numeric.wheels.sets import wheels_of
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
+SIDE = 1e-9  # of a unit normal: a face that is seen edgewise is not seen
+PLANES = {"XY": (0, 1), "XZ": (0, 2), "YZ": (1, 2)}
+INDEX, SUBSCRIPT = r"_(\d+)", r"_{\1}"
+Names = Mapping[str, ArrayLike]
+
+
+def plot_axes(axes: ArrayLike, ax: Axes | None = None) -> Axes:
+    """Draw the axes of wheels as unit vectors e_1, ..., e_n from one point: figures 1 and 6.
+
+    axes  (n, 3), unit vectors
+
+    Returns the Axes, in space. ValueError if the axes are not unit vectors. Source: figures 1, 6.
+
+    >>> from symcheck.numeric.wheels import six_wheels
+    >>> plot_axes(six_wheels(1.0)).get_zlabel()
+    'Z'
+    """
+    units = wheels_of(axes).axes
+    drawn = _in_space(ax)
+    zero = np.zeros(len(units))
+    drawn.quiver(zero, zero, zero, *units.T, color="tab:blue", arrow_length_ratio=0.1)
+    for number, unit in enumerate(units, 1):
+        drawn.text(*(1.15 * unit), f"$e_{{{number}}}$", ha="center", va="center")
+    reach = 1.1 * max(1e-3, np.abs(units).max())
+    drawn.locator_params(nbins=5)
+    drawn.set(xlabel="X", ylabel="Y", zlabel="Z", **{f"{k}lim": (-reach, reach) for k in "xyz"}, aspect="equal")
+    return _same(drawn)
+
+
+def plot_envelope(found: Envelope, names: Names | None = None, ax: Axes | None = None) -> Axes:
+    """Draw a momentum envelope in space, with the names of the vertices that are seen: figures 2, 4, 7, 10.
+
+    found  the envelope
+    names  places, shape (3,), by name: "V_1"; without it the vertices are numbered as in `found.vertices`
+
+    Returns the Axes, in space. ValueError if a name stands for no vertex. Source: figures 2, 4, 7, 10.
+
+    >>> from symcheck.numeric.wheels import four_wheels
+    >>> plot_envelope(envelope(four_wheels(1.0, 0.5))).get_xlabel()
+    '$H_x$, N m s'
+    """
+    drawn = _in_space(ax)
+    view = _towards_the_viewer(drawn)
+    seen, hidden = _edges(found, view)
+    for ends, style in ((hidden, DASHED), (seen, SOLID)):
+        for line in ends:
+            drawn.plot(*line.T, **style)
+    if found.dimension > 1:
+        from mpl_toolkits.mplot3d.art3d import Poly3DCollection
+
+        shown = [found.face(int(k)) for k in np.flatnonzero(_in_front(found, view))]
+        drawn.add_collection3d(Poly3DCollection(shown, facecolor="tab:blue", alpha=0.15))
+    for place, name in _labels(found, view, names):
+        drawn.text(*place, name, fontsize=11)
+    drawn.locator_params(nbins=5)
+    drawn.set(**{f"{k}label": f"$H_{k}$, N m s" for k in "xyz"}, aspect="equal")
+    return _same(drawn)
+
+
+def plot_projection(found: Envelope, plane: str = "XY", names: Names | None = None, ax: Axes | None = None) -> Axes:
+    """Draw the projection of a momentum envelope on a coordinate plane, with the names of what is seen: figures 9, 12.
+
+    found  the envelope
+    plane  "XY", "XZ" or "YZ": across, then up; the viewer is where these turn counterclockwise
+    names  as in `plot_envelope`; an empty mapping leaves the names out
+
+    Returns the Axes. ValueError for another plane or a name that stands for no vertex. Source: figures 9, 12.
+
+    >>> from symcheck.numeric.wheels import four_wheels
+    >>> plot_projection(envelope(four_wheels(1.0, 0.5)), "YZ").get_xlabel()
+    '$H_y$, N m s'
+    """
+    across, up = _directions(plane)
+    view = np.cross(np.eye(3)[across], np.eye(3)[up])
+    drawn: Any = _figure(1)[0] if ax is None else ax
+    seen, hidden = _edges(found, view)
+    for ends, style in ((hidden, DASHED), (seen, SOLID)):
+        for line in ends:
+            drawn.plot(line[:, across], line[:, up], **style)
+    for place, name in _merged(_labels(found, view, names), across, up):
+        drawn.annotate(name, place, xytext=(3, 3), textcoords="offset points", fontsize=10)
+    drawn.margins(0.12)
+    drawn.set(xlabel=f"$H_{'xyz'[across]}$, N m s", ylabel=f"$H_{'xyz'[up]}$, N m s", aspect="equal")
+    return _same(drawn)
+
+
+def plot_projections(found: Envelope, names: Names | None = None, axes: Any = None) -> Any:
+    """Draw the three projections of a momentum envelope on the coordinate planes: figures 3, 5, 8, 11.
+
+    Parameters and errors are those of `plot_projection`; axes: an array of three Axes. Returns these.
+
+    >>> [ax.get_ylabel() for ax in plot_projections(envelope(np.eye(3)))]
+    ['$H_y$, N m s', '$H_z$, N m s', '$H_z$, N m s']
+    """
+    axes = _figure(3) if axes is None else np.asarray(axes)
+    for plane, ax in zip(PLANES, axes.flat, strict=True):
+        plot_projection(found, plane, names, ax)
+    return axes
+
+
+def plot_failures(axes: ArrayLike, limits: ArrayLike = 1.0, plane: str = "XY") -> Any:
+    """Draw what is left of an envelope after the failure of each wheel, in projection, inside the whole envelope.
+
+    axes    (n, 3), unit vectors
+    limits  a number or (n,), h_max of the wheels, in N m s
+    plane   as in `plot_projection`
+
+    Returns an array of n Axes. ValueError as in `envelope`. Source: sections 2.2, 3.2.
+
+    >>> plot_failures(np.eye(3))[2].get_title()
+    'without wheel 3'
+    """
+    whole = envelope(axes, limits)
+    units, working, _ = whole.wheels
+    panels, (across, up) = _figure(len(units)), _directions(plane)
+    for number, ax in enumerate(panels.flat):
+        for line in whole.vertices[whole.edges]:
+            ax.plot(line[:, across], line[:, up], color="0.8", linewidth=0.6)
+        left = envelope(units, np.where(np.arange(len(units)) == number, 0, working))
+        plot_projection(left, plane, {}, ax).set_title(f"without wheel {number + 1}")
+    return panels
+
+
+SOLID: dict[str, Any] = {"color": "black", "linewidth": 1.0}
+DASHED: dict[str, Any] = {"color": "0.6", "linewidth": 0.7, "linestyle": "--"}
+
+
+def _directions(plane: str) -> tuple[int, int]:
+    require(plane in PLANES, "plane", plane, f"be one of {', '.join(PLANES)}")
+    return PLANES[plane]
+
+
+def _in_front(found: Envelope, view: Array) -> NDArray[np.bool_]:
+    """Whether each face is seen from that direction; all of something flat is."""
+    if found.dimension < 3:
+        return np.ones(found.counts[2], bool)
+    towards = found.half_spaces.normals @ view
+    return np.concatenate([towards, -towards]) > SIDE
+
+
+def _corners_in_front(found: Envelope, view: Array) -> tuple[NDArray[np.intp], NDArray[np.intp]]:
+    """The numbers of the vertices of the faces that are seen, and their next ones."""
+    corners, begins = found.faces
+    after = np.append(corners[1:], 0)
+    after[begins[1:] - 1] = corners[begins[:-1]]
+    seen = np.repeat(_in_front(found, view), np.diff(begins))
+    return corners[seen], after[seen]
+
+
+def _edges(found: Envelope, view: Array) -> tuple[Array, Array]:
+    """The ends of the edges that are seen and of those that are not, shape (edges, 2, 3)."""
+    places = found.vertices[found.edges]
+    if found.dimension < 3:
+        return places, places[:0]
+    one, other = _corners_in_front(found, view)
+    count = len(found.vertices)
+    seen = np.isin(found.edges @ [count, 1], np.minimum(one, other) * count + np.maximum(one, other))
+    return places[seen], places[~seen]
+
+
+def _labels(found: Envelope, view: Array, names: Names | None) -> list[tuple[Array, str]]:
+    """The vertices that are seen, with their names."""
+    if names is None:
+        names = {f"{number}": place for number, place in enumerate(found.vertices)}
+    seen = np.arange(len(found.vertices)) if found.dimension < 3 else _corners_in_front(found, view)[0]
+    size = 1 + np.abs(found.vertices).max()
+    labels = []
+    for name, place in names.items():
+        distance = np.linalg.norm(found.vertices - np.asarray(place), axis=1)
+        require(distance.min() <= SIDE * size, f"names[{name!r}]", place, "be a vertex of the envelope")
+        if distance.argmin() in seen:
+            labels.append((found.vertices[distance.argmin()], f"${re.sub(INDEX, SUBSCRIPT, name)}$"))
+    return labels
+
+
+def _merged(labels: list[tuple[Array, str]], across: int, up: int) -> list[tuple[tuple[float, float], str]]:
+    """One label for all vertices at one place of the projection."""
+    found: dict[tuple[float, float], list[str]] = {}
+    for place, name in labels:
+        found.setdefault((round(float(place[across]), 9), round(float(place[up]), 9)), []).append(name)
+    return [(place, ", ".join(names)) for place, names in found.items()]
+
+
+def _towards_the_viewer(ax: Any) -> Array:
+    height, azimuth = np.radians(ax.elev), np.radians(ax.azim)
+    return np.array([np.cos(height) * np.cos(azimuth), np.cos(height) * np.sin(azimuth), np.sin(height)])
+
+
+def _in_space(ax: Axes | None) -> Any:
+    if ax is not None:
+        return ax
+    from matplotlib.figure import Figure
+
+    return Figure(figsize=(7, 6)).add_subplot(projection="3d", elev=22, azim=28)
+
+
+def _figure(count: int) -> Any:
+    from matplotlib.figure import Figure
+
+    columns = min(count, 3)
+    rows = -(-count // columns)
+    panels = Figure(figsize=(4.5 * columns, 4.5 * rows), layout="constrained").subplots(rows, columns, squeeze=False)
+    for spare in panels.flat[count:]:
+        spare.remove()
+    return panels.flat[:count]
+
+
+def _same(ax: Any) -> Axes:
+    drawn: Axes = ax
+    return drawn

@@ -1,0 +1,106 @@
+"""The momentum envelope of one set of wheels as a polytope: its vertices, edges, faces and half-spaces.
+
+Faces of several pairs of axes are merged, parallel axes are added up, and what is flat is a polygon, a segment or a
+point. That needs a tolerance; `half_spaces`, for many sets at once, does without.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from symcheck.numeric.domain import Array, require
+from symcheck.numeric.wheels.faces import HalfSpaces
+from symcheck.numeric.wheels.lattice import Lattice, lattice
+from symcheck.numeric.wheels.planes import Directions, Index, Planes, merged, planes
+from symcheck.numeric.wheels.sets import Wheels, wheels_of
+
+TOLERANCE = 1e-11  # rad
+
+
+@dataclass(frozen=True, eq=False)
+class Envelope:
+    """The momentum envelope of one set of n wheels: v vertices, e edges, f faces, p pairs of opposite half-spaces.
+
+    wheels  the wheels: axes (n, 3), limits (n,), bias (n,)
+
+    Vertices, edges and faces are found when they are first asked for.
+    """
+
+    wheels: Wheels
+    _directions: Directions
+    _planes: Planes
+
+    @property
+    def dimension(self) -> int:
+        """3 for a polyhedron, 2 for a polygon, 1 for a segment, 0 for a point."""
+        return self._directions.rank
+
+    @cached_property
+    def half_spaces(self) -> HalfSpaces:
+        """What bounds the envelope, normals (p, 3), distances (p,), centre (3,), for `margin` and the like.
+
+        Those of a polyhedron are in the order of its faces; those across something flat have the distance 0.
+        """
+        return HalfSpaces(self._planes.normals, self._planes.distances, self.wheels.centre)
+
+    @cached_property
+    def _lattice(self) -> Lattice:
+        return lattice(self._directions, self._planes)
+
+    @cached_property
+    def vertices(self) -> Array:
+        """The vertices, shape (v, 3), in N m s; k and k + v/2 are opposite."""
+        return np.asarray(self._lattice.vertices + self.wheels.centre)
+
+    @property
+    def edges(self) -> Index:
+        """The edges as pairs of numbers of vertices, shape (e, 2)."""
+        return self._lattice.edges
+
+    @property
+    def faces(self) -> tuple[Index, Index]:
+        """(corners, begins): face k has the vertices corners[begins[k]:begins[k + 1]], counterclockwise from outside.
+
+        begins has the shape (f + 1,); k and k + f/2 are opposite faces of a polyhedron. A polygon has one face.
+        """
+        return self._lattice.corners, self._lattice.begins
+
+    @property
+    def counts(self) -> tuple[int, int, int]:
+        """How many vertices, edges and faces there are."""
+        return len(self.vertices), len(self.edges), len(self.faces[1]) - 1
+
+    def face(self, number: int) -> Array:
+        """The vertices of a face, shape (sides, 3), counterclockwise from outside."""
+        corners, begins = self.faces
+        return np.asarray(self.vertices[corners[begins[number] : begins[number + 1]]])
+
+
+def envelope(
+    axes: ArrayLike, limits: ArrayLike = 1.0, bias: ArrayLike = 0.0, *, tolerance: float = TOLERANCE
+) -> Envelope:
+    """The envelope of the momenta h_1 e_1 + ... + h_n e_n, b_i - h_i,max <= h_i <= b_i + h_i,max.
+
+    axes       (n, 3), unit vectors e_i, any number of them in any position
+    limits     a number or (n,), h_i,max, in N m s; a wheel with the limit 0 does not count
+    bias       a number or (n,), b_i, in N m s
+    tolerance  the angle in rad below which axes are parallel, or a third lies in the plane of two as seen along one
+               of them; greater for axes that are given with few digits
+
+    Takes O(n^2 log n) operations and n^2 numbers. ValueError for anything but one set of wheels; ArithmeticError, from
+    vertices, edges and faces, if axes near the tolerance make faces that do not fit together. Source: (2.1), (3.1).
+
+    >>> envelope(np.eye(3)).counts
+    (8, 12, 6)
+    >>> envelope([[1, 0, 0], [0, 1, 0], [0.6, 0.8, 0]]).dimension
+    2
+    """
+    wheels = wheels_of(axes, limits, bias)
+    require(wheels.limits.ndim == 1, "axes", wheels.axes.shape, "be one set of wheels; half_spaces takes many", "(2.1)")
+    require(0 < tolerance < 1, "tolerance", tolerance, "lie between 0 and 1 rad")
+    directions = merged(wheels.axes, wheels.limits, tolerance)
+    return Envelope(wheels, directions, planes(directions, tolerance))

@@ -1,0 +1,168 @@
+"""Sets of reaction wheels: their axes, limits and biases, any number of sets at once, and the paper's two arrays."""
+
+from __future__ import annotations
+
+import re
+from math import pi
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from symcheck import kernels
+from symcheck.numeric.domain import Array, real, require
+
+UNIT = 1e-9  # by how much the square of a unit vector's length may differ from 1
+
+
+class Wheels(NamedTuple):
+    """Wheels with momenta b_i - h_i <= h <= b_i + h_i along unit axes e_i; n of them in each set.
+
+    axes    (..., n, 3), in the body's principal axes
+    limits  (..., n), the largest absolute values h_i of the wheels' momenta, in N m s; 0 for a wheel that has failed
+    bias    (..., n), the momenta b_i about which they lie, in N m s
+    """
+
+    axes: Array
+    limits: Array
+    bias: Array
+
+    @property
+    def centre(self) -> Array:
+        """The centre of the envelope, the sum of b_i e_i, shape (..., 3)."""
+        return np.asarray(np.einsum("...n,...nk->...k", self.bias, self.axes))
+
+
+def wheels_of(axes: ArrayLike, limits: ArrayLike = 1.0, bias: ArrayLike = 0.0) -> Wheels:
+    """The wheels with these axes, limits and biases, checked and broadcast against each other.
+
+    axes    (..., n, 3), unit vectors e_i
+    limits  numbers or (..., n), h_i >= 0, in N m s
+    bias    numbers or (..., n), b_i, in N m s
+
+    ValueError if an axis is not of unit length, a limit is negative or the shapes do not fit.
+    Source: (2.1), there with equal limits and without bias.
+
+    >>> wheels_of([[1, 0, 0], [0, 1, 0]], 2.0).limits
+    array([2., 2.])
+    """
+    axes, limits, bias = real("axes", axes, (None, 3)), real("limits", limits), real("bias", bias)
+    count = axes.shape[-2]
+    require(count > 0, "axes", axes.shape, "have one wheel at least")
+    square = np.einsum("...k,...k->...", axes, axes)
+    square -= 1
+    require(np.abs(square, out=square) <= UNIT, "axes", axes, "have the length 1; divide it by its length", "(2.1)")
+    require(limits >= 0, "limits", limits, "not be negative; a limit of 0 stands for a failed wheel", "(2.1)")
+    for name, value in (("limits", limits), ("bias", bias)):
+        if value.ndim and value.shape[-1] != count:
+            raise ValueError(f"{name} has shape {value.shape}; its last axis must have the {count} wheels of axes")
+    try:
+        shape = np.broadcast_shapes(square.shape, limits.shape, bias.shape)
+    except ValueError:
+        shapes = f"axes {axes.shape}, limits {limits.shape}, bias {bias.shape}"
+        raise ValueError(f"{shapes}: the leading axes must broadcast against each other") from None
+    return Wheels(np.broadcast_to(axes, (*shape, 3)), np.broadcast_to(limits, shape), np.broadcast_to(bias, shape))
+
+
+def four_wheels(a: ArrayLike, b: ArrayLike) -> Array:
+    """The axes of wheels along the side edges of a four-sided pyramid, from the kernel `axes_of_four_wheels`.
+
+    a  (...), angle between the axis of a wheel and OZ, in rad, 0 < a < pi/2
+    b  (...), angle of the side edges in the plane OXY, in rad, 0 < b < pi/2
+
+    Returns (..., 4, 3). ValueError outside these ranges. Source: the unit vectors before (2.1).
+
+    >>> four_wheels(np.arctan(np.sqrt(2)), np.pi / 4)[3].round(6)
+    array([0.57735, 0.57735, 0.57735])
+    """
+    found = kernels.load("ignatov2005").axes_of_four_wheels(_acute("a", a), _acute("b", b))
+    return _rows(found)
+
+
+def six_wheels(a: ArrayLike) -> Array:
+    """The axes of wheels along the side edges of a regular six-sided pyramid, from the kernel `axes_of_six_wheels`.
+
+    a  (...), angle between the axis of a wheel and OZ, in rad, 0 < a < pi/2
+
+    Returns (..., 6, 3). ValueError outside this range. Source: the unit vectors before (3.1).
+
+    >>> six_wheels(np.pi / 6)[1].round(6)
+    array([ 0.433013, -0.25    ,  0.866025])
+    """
+    found = kernels.load("ignatov2005").axes_of_six_wheels(_acute("a", a))
+    zero = np.zeros_like(found[0])  # e_1x and e_4x, which the kernel leaves out
+    return _rows((zero, *found[:8], zero, *found[8:]))
+
+
+def _acute(name: str, angle: ArrayLike) -> Array:
+    value = real(name, angle)
+    require((value > 0) & (value < pi / 2), name, value, "lie between 0 and pi/2", "tables 2 and 7")
+    return value
+
+
+def _rows(components: tuple[Array, ...]) -> Array:
+    columns = np.stack(components, axis=-1)
+    return columns.reshape(*columns.shape[:-1], -1, 3)
+
+
+def total_momentum(axes: ArrayLike, momenta: ArrayLike) -> Array:
+    """The momentum of all wheels together, H = h_1 e_1 + ... + h_n e_n.
+
+    axes     (..., n, 3), unit vectors e_i
+    momenta  (..., n), h_i, in N m s
+
+    Returns (..., 3), in N m s. ValueError if the shapes do not fit. Source: (2.1).
+
+    >>> total_momentum([[1, 0, 0], [0, 0.6, 0.8]], [2, 5])
+    array([2., 3., 4.])
+    """
+    return wheels_of(axes, bias=momenta).centre
+
+
+def volume(axes: ArrayLike, limits: ArrayLike = 1.0) -> Array:
+    """The volume of the momentum envelope, 8 times the sum of h_i h_j h_k |(e_i, e_j, e_k)| over i < j < k.
+
+    axes    (..., n, 3), unit vectors e_i
+    limits  numbers or (..., n), h_i, in N m s
+
+    Returns (...), in (N m s)^3; 0 for axes in a plane. Source: the lists of section 2.1; the
+    paper's configurations have the kernels `volume_of_four_wheels` and others.
+
+    >>> float(volume(np.eye(3), 2.0))
+    64.0
+    """
+    wheels = wheels_of(axes, limits)
+    edges = np.moveaxis(wheels.axes * wheels.limits[..., None], -2, 0)
+    total = np.zeros(wheels.limits.shape[:-1])
+    for second in range(1, len(edges) - 1):
+        for first in range(second):
+            normal = np.cross(edges[first], edges[second])
+            total += np.abs(np.einsum("...k,i...k->i...", normal, edges[second + 1 :])).sum(axis=0)
+    return 8 * total
+
+
+def listed_vertices(number: int, *angles: float) -> dict[str, Array]:
+    """The vertices that the paper lists, by their names "V_1", "V_1'", ..., from the kernels `vertices_of_..._wheels`.
+
+    number  of wheels that work: 4 of the four-sided pyramid, 3 of it without wheel 4; 6 of the six-sided one, 5 of it
+            without wheel 6
+    angles  a and b of the four-sided pyramid, a of the six-sided one, in rad
+
+    Returns the vertices, shape (3,), for limits of 1 N m s. ValueError for another number, or angles that do not fit.
+    The names are those in the kernel's docstring. Source: the lists of sections 2.1, 2.2, 3.1, 3.2.
+
+    >>> listed_vertices(4, 1.0, 0.5)["V_1"].round(6)
+    array([1.613691, 0.      , 0.      ])
+    """
+    words = {3: "three", 4: "four", 5: "five", 6: "six"}
+    require(number in words, "number", number, "be 3, 4, 5 or 6")
+    count = 2 if number < 5 else 1
+    require(len(angles) == count, "angles", angles, f"be {count} for {number} wheels")
+    kernel = getattr(kernels.load("ignatov2005"), f"vertices_of_{words[number]}_wheels")
+    values = kernel(*(float(_acute("ab"[k], angle)) for k, angle in enumerate(angles)))
+    found: dict[str, Array] = {}
+    for (name, axis), value in zip(
+        re.findall(r"^ +(V_\d+)([xyz]): ", kernel.__doc__, re.MULTILINE), values, strict=True
+    ):
+        found.setdefault(name, np.zeros(3))["xyz".index(axis)] = value
+    return found | {f"{name}'": -place for name, place in found.items()}
