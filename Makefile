@@ -28,7 +28,10 @@ gates: $(DEV)
 bench: $(DEV)
 	$(BIN)/python tests/bench.py
 	$(BIN)/python tests/bench_kernels.py
+	$(BIN)/python tests/bench_c.py
+	$(BIN)/python tests/bench_numba.py
 	$(BIN)/python tests/bench_envelope.py
+	OPENBLAS_NUM_THREADS=1 $(BIN)/python tests/bench_ensemble.py
 
 bench-gpu: $(DEV)
 	$(BIN)/symcheck generate --target array --output kernels-array

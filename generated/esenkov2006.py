@@ -14,16 +14,17 @@ def mode_inertia(a_1, chi_1, N_1, out=None):
 
         E_1 = a_1*chi_1/N_1**2
 
-    Arguments, numbers or arrays that broadcast:
+    Arguments:
         a_1: angular momentum of the liquid for the amplitude 1 of a mode of dimensionless shape, in kg m; any number
         chi_1: coupling of the mode to the turning body, in m^4; any number
         N_1: norm of the mode, in m^(3/2); 0 < N_1
 
-    Returns one array:
+    Returns:
         E_1: moment of inertia of the mode, in kg m^2
 
-    Numbers give numbers; arrays give float64, or float32 if all are. `out` takes an array of the broadcast shape
-    and type; a ValueError names what does not fit. What is no number gives no number.
+    The arguments are numbers or arrays, which broadcast. Numbers give numbers; arrays give float64, or float32 if
+    all are. `out` takes an array of the broadcast shape and type; a ValueError names what does not fit. What is
+    no number gives no number.
 
     Accuracy: 4 ulp over the domain.
 
@@ -57,16 +58,17 @@ def residue_of_a_mode(E_1, lambda_1, omega_0, out=None):
 
         R_1 = E_1*lambda_1**2 - E_1*lambda_1*omega_0
 
-    Arguments, numbers or arrays that broadcast:
+    Arguments:
         E_1: moment of inertia that the mode carries, in kg m^2; 0 < E_1
         lambda_1: natural frequency of the mode, in rad/s; any number
         omega_0: spin, in rad/s; 0 < omega_0
 
-    Returns one array:
+    Returns:
         R_1: minus the residue, in kg m^2 rad^2/s^2
 
-    Numbers give numbers; arrays give float64, or float32 if all are. `out` takes an array of the broadcast shape
-    and type; a ValueError names what does not fit. What is no number gives no number.
+    The arguments are numbers or arrays, which broadcast. Numbers give numbers; arrays give float64, or float32 if
+    all are. `out` takes an array of the broadcast shape and type; a ValueError names what does not fit. What is
+    no number gives no number.
 
     Accuracy: 4 ulp over the domain.
 
@@ -103,20 +105,21 @@ def characteristic_coefficients(A, C, E_1, lambda_1, omega_0, out=None):
         c_1 = -A*lambda_1 - A*omega_0 + C*omega_0 + E_1*omega_0
         c_0 = A*lambda_1*omega_0 - C*lambda_1*omega_0
 
-    Arguments, numbers or arrays that broadcast:
+    Arguments:
         A: transverse moment of inertia, with the liquid at rest, in kg m^2; 0 < A
         C: axial moment of inertia, in kg m^2; 0 < C
         E_1: moment of inertia that the mode carries, in kg m^2; 0 < E_1 < A
         lambda_1: natural frequency of the mode, in rad/s; any number
         omega_0: spin, in rad/s; 0 < omega_0
 
-    Returns a tuple of arrays:
+    Returns a tuple:
         c_2: coefficient of eta^2, in kg m^2
         c_1: coefficient of eta, in kg m^2 rad/s
         c_0: constant term, in kg m^2 rad^2/s^2
 
-    Numbers give numbers; arrays give float64, or float32 if all are. `out` takes 3 arrays of the broadcast shape
-    and type; a ValueError names what does not fit. What is no number gives no number.
+    The arguments are numbers or arrays, which broadcast. Numbers give numbers; arrays give float64, or float32 if
+    all are. `out` takes 3 arrays of the broadcast shape and type; a ValueError names what does not fit. What is
+    no number gives no number.
 
     Accuracy: 4 ulp over the domain. Where terms cancel, the error is in units of the last place of the largest of
     them.
@@ -159,18 +162,19 @@ def discriminant(A, C, E_1, lambda_1, omega_0, out=None):
 
         D = A**2*lambda_1**2 - 2*A**2*lambda_1*omega_0 + A**2*omega_0**2 + 2*A*C*lambda_1*omega_0 - 2*A*C*omega_0**2 + 2*A*E_1*lambda_1*omega_0 - 2*A*E_1*omega_0**2 + C**2*omega_0**2 - 4*C*E_1*lambda_1*omega_0 + 2*C*E_1*omega_0**2 + E_1**2*omega_0**2
 
-    Arguments, numbers or arrays that broadcast:
+    Arguments:
         A: transverse moment of inertia, with the liquid at rest, in kg m^2; 0 < A
         C: axial moment of inertia, in kg m^2; 0 < C
         E_1: moment of inertia that the mode carries, in kg m^2; 0 < E_1 < A
         lambda_1: natural frequency of the mode, in rad/s; any number
         omega_0: spin, in rad/s; 0 < omega_0
 
-    Returns one array:
+    Returns:
         D: discriminant in eta, in kg^2 m^4 rad^2/s^2
 
-    Numbers give numbers; arrays give float64, or float32 if all are. `out` takes an array of the broadcast shape
-    and type; a ValueError names what does not fit. What is no number gives no number.
+    The arguments are numbers or arrays, which broadcast. Numbers give numbers; arrays give float64, or float32 if
+    all are. `out` takes an array of the broadcast shape and type; a ValueError names what does not fit. What is
+    no number gives no number.
 
     Accuracy: 10 ulp over the domain. It is zero at the boundary of stability; the error is in units of the last
     place of what it were if nothing cancelled, the square of |C - A| omega_0 + E_1 omega_0 + A |lambda_1|; ten
@@ -223,17 +227,18 @@ def boundary_of_stability(A, E_1, b_1, out=None):
         Delta_1 = -A*b_1 + 2*sqrt(E_1)*sqrt(b_1)*sqrt(1 - b_1)*sqrt(A - E_1) + 2*E_1*b_1 - E_1
         Delta_2 = -A*b_1 - 2*sqrt(E_1)*sqrt(b_1)*sqrt(1 - b_1)*sqrt(A - E_1) + 2*E_1*b_1 - E_1
 
-    Arguments, numbers or arrays that broadcast:
+    Arguments:
         A: transverse moment of inertia, with the liquid at rest, in kg m^2; 0 < A
         E_1: moment of inertia that the mode carries, in kg m^2; 0 < E_1 < A
         b_1: natural frequency of the mode, divided by the spin, a number; 0 < b_1 < 1
 
-    Returns a tuple of arrays:
+    Returns a tuple:
         Delta_1: upper end, in kg m^2
         Delta_2: lower end, in kg m^2
 
-    Numbers give numbers; arrays give float64, or float32 if all are. `out` takes 2 arrays of the broadcast shape
-    and type; a ValueError names what does not fit. What is no number gives no number.
+    The arguments are numbers or arrays, which broadcast. Numbers give numbers; arrays give float64, or float32 if
+    all are. `out` takes 2 arrays of the broadcast shape and type; a ValueError names what does not fit. What is
+    no number gives no number.
 
     Accuracy: 4 ulp over the domain. The upper end is zero where A b_1 = E_1; its error is in units of the last
     place of the larger of E_1 (1 - b_1) and b_1 (A - E_1).
@@ -294,16 +299,17 @@ def width_of_the_unstable_interval(A, E_1, b_1, out=None):
 
         width = 4*sqrt(E_1)*sqrt(b_1)*sqrt(1 - b_1)*sqrt(A - E_1)
 
-    Arguments, numbers or arrays that broadcast:
+    Arguments:
         A: transverse moment of inertia, with the liquid at rest, in kg m^2; 0 < A
         E_1: moment of inertia that the mode carries, in kg m^2; 0 < E_1 < A
         b_1: natural frequency of the mode, divided by the spin, a number; 0 < b_1 < 1
 
-    Returns one array:
+    Returns:
         width: length of the interval, in kg m^2
 
-    Numbers give numbers; arrays give float64, or float32 if all are. `out` takes an array of the broadcast shape
-    and type; a ValueError names what does not fit. What is no number gives no number.
+    The arguments are numbers or arrays, which broadcast. Numbers give numbers; arrays give float64, or float32 if
+    all are. `out` takes an array of the broadcast shape and type; a ValueError names what does not fit. What is
+    no number gives no number.
 
     Accuracy: 4 ulp over the domain.
 
@@ -345,18 +351,19 @@ def critical_frequencies(A, E_1, b_1, omega_0, out=None):
         eta_1 = omega_0*(-sqrt(E_1)*sqrt(-b_1*(b_1 - 1)/(A - E_1)) + b_1)
         eta_2 = omega_0*(sqrt(E_1)*sqrt(-b_1*(b_1 - 1)/(A - E_1)) + b_1)
 
-    Arguments, numbers or arrays that broadcast:
+    Arguments:
         A: transverse moment of inertia, with the liquid at rest, in kg m^2; 0 < A
         E_1: moment of inertia that the mode carries, in kg m^2; 0 < E_1 < A
         b_1: natural frequency of the mode, divided by the spin, a number; 0 < b_1 < 1
         omega_0: spin, in rad/s; 0 < omega_0
 
-    Returns a tuple of arrays:
+    Returns a tuple:
         eta_1: frequency at the upper end, in rad/s
         eta_2: frequency at the lower end, in rad/s
 
-    Numbers give numbers; arrays give float64, or float32 if all are. `out` takes 2 arrays of the broadcast shape
-    and type; a ValueError names what does not fit. What is no number gives no number.
+    The arguments are numbers or arrays, which broadcast. Numbers give numbers; arrays give float64, or float32 if
+    all are. `out` takes 2 arrays of the broadcast shape and type; a ValueError names what does not fit. What is
+    no number gives no number.
 
     Accuracy: 4 ulp over the domain. The frequency at the upper end is zero where A b_1 = E_1. Where terms cancel,
     the error is in units of the last place of the largest of them.
@@ -402,17 +409,18 @@ def greatest_growth_rate(A, E_1, b_1, omega_0, out=None):
 
         y = sqrt(E_1)*omega_0*sqrt(-b_1*(b_1 - 1)/(A - E_1))
 
-    Arguments, numbers or arrays that broadcast:
+    Arguments:
         A: transverse moment of inertia, with the liquid at rest, in kg m^2; 0 < A
         E_1: moment of inertia that the mode carries, in kg m^2; 0 < E_1 < A
         b_1: natural frequency of the mode, divided by the spin, a number; 0 < b_1 < 1
         omega_0: spin, in rad/s; 0 < omega_0
 
-    Returns one array:
+    Returns:
         y: growth rate, in 1/s
 
-    Numbers give numbers; arrays give float64, or float32 if all are. `out` takes an array of the broadcast shape
-    and type; a ValueError names what does not fit. What is no number gives no number.
+    The arguments are numbers or arrays, which broadcast. Numbers give numbers; arrays give float64, or float32 if
+    all are. `out` takes an array of the broadcast shape and type; a ValueError names what does not fit. What is
+    no number gives no number.
 
     Accuracy: 4 ulp over the domain.
 
@@ -454,19 +462,20 @@ def frequencies(A, Delta, E_1, b_1, omega_0, out=None):
         eta_1 = omega_0*((A*b_1 - Delta - E_1)/(2*A - 2*E_1) - sqrt(A**2*b_1**2 + 2*A*Delta*b_1 - 2*A*E_1*b_1 + Delta**2 - 4*Delta*E_1*b_1 + 2*Delta*E_1 + E_1**2)/(2*A - 2*E_1))
         eta_2 = omega_0*((A*b_1 - Delta - E_1)/(2*A - 2*E_1) + sqrt(A**2*b_1**2 + 2*A*Delta*b_1 - 2*A*E_1*b_1 + Delta**2 - 4*Delta*E_1*b_1 + 2*Delta*E_1 + E_1**2)/(2*A - 2*E_1))
 
-    Arguments, numbers or arrays that broadcast:
+    Arguments:
         A: transverse moment of inertia, with the liquid at rest, in kg m^2; 0 < A
         Delta: C - A: a flattened body, in kg m^2; 0 < Delta
         E_1: moment of inertia that the mode carries, in kg m^2; 0 < E_1 < A
         b_1: natural frequency of the mode, divided by the spin, a number; 0 < b_1 < 1
         omega_0: spin, in rad/s; 0 < omega_0
 
-    Returns a tuple of arrays:
+    Returns a tuple:
         eta_1: frequency against the spin, in rad/s
         eta_2: frequency with the spin, in rad/s
 
-    Numbers give numbers; arrays give float64, or float32 if all are. `out` takes 2 arrays of the broadcast shape
-    and type; a ValueError names what does not fit. What is no number gives no number.
+    The arguments are numbers or arrays, which broadcast. Numbers give numbers; arrays give float64, or float32 if
+    all are. `out` takes 2 arrays of the broadcast shape and type; a ValueError names what does not fit. What is
+    no number gives no number.
 
     Accuracy: 8 ulp over the domain. The frequencies are differences of a root and a linear term; the error is in
     units of the last place of a bound of both, omega_0 / (A - E_1) times the sum of Delta, E_1 (1 - b_1) and b_1

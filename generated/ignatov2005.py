@@ -25,11 +25,11 @@ def axes_of_four_wheels(a, b, out=None):
         e_4y = sin(a)*cos(b)
         e_4z = cos(a)
 
-    Arguments, numbers or arrays that broadcast:
+    Arguments:
         a: angle between the axis of a wheel and OZ, in rad; 0 < a < pi/2
         b: angle of the side edges in the plane OXY, in rad; 0 < b < pi/2
 
-    Returns a tuple of arrays:
+    Returns a tuple:
         e_1x: x of e_1, a number
         e_1y: y of e_1, a number
         e_1z: z of e_1, a number
@@ -43,9 +43,9 @@ def axes_of_four_wheels(a, b, out=None):
         e_4y: y of e_4, a number
         e_4z: z of e_4, a number
 
-    Numbers give numbers; arrays give float64, or float32 if all are. `out` takes 12 arrays of the broadcast shape
-    and type; a ValueError names what does not fit. What is no number gives no number. Outputs that are equal by
-    formula are one array, unless `out` is given.
+    The arguments are numbers or arrays, which broadcast. Numbers give numbers; arrays give float64, or float32 if
+    all are. `out` takes 12 arrays of the broadcast shape and type; a ValueError names what does not fit. What is
+    no number gives no number. Outputs that are equal by formula are one array, unless `out` is given.
 
     Accuracy: 6 ulp over the domain. Tangents of two angles, a root and a quotient are rounded one after the
     other.
@@ -114,10 +114,10 @@ def axes_of_six_wheels(a, out=None):
         e_6y = sin(a)/2
         e_6z = -cos(a)
 
-    Arguments, numbers or arrays that broadcast:
+    Arguments:
         a: angle between the axis of a wheel and OZ, in rad; 0 < a < pi/2
 
-    Returns a tuple of arrays:
+    Returns a tuple:
         e_1y: y of e_1, a number
         e_1z: z of e_1, a number
         e_2x: x of e_2, a number
@@ -135,9 +135,9 @@ def axes_of_six_wheels(a, out=None):
         e_6y: y of e_6, a number
         e_6z: z of e_6, a number
 
-    Numbers give numbers; arrays give float64, or float32 if all are. `out` takes 16 arrays of the broadcast shape
-    and type; a ValueError names what does not fit. What is no number gives no number. Outputs that are equal by
-    formula are one array, unless `out` is given.
+    The arguments are numbers or arrays, which broadcast. Numbers give numbers; arrays give float64, or float32 if
+    all are. `out` takes 16 arrays of the broadcast shape and type; a ValueError names what does not fit. What is
+    no number gives no number. Outputs that are equal by formula are one array, unless `out` is given.
 
     Accuracy: 4 ulp over the domain.
 
@@ -190,7 +190,7 @@ def momentum_of_four_wheels(h_1, h_2, h_3, h_4, a, b, out=None):
         H_y = (-h_1 + h_2 - h_3 + h_4)*sin(a)*cos(b)
         H_z = (-h_1 - h_2 + h_3 + h_4)*cos(a)
 
-    Arguments, numbers or arrays that broadcast:
+    Arguments:
         h_1: momentum of wheel 1, in units of h_max; -1 <= h_1 <= 1
         h_2: momentum of wheel 2, in units of h_max; -1 <= h_2 <= 1
         h_3: momentum of wheel 3, in units of h_max; -1 <= h_3 <= 1
@@ -198,13 +198,14 @@ def momentum_of_four_wheels(h_1, h_2, h_3, h_4, a, b, out=None):
         a: angle between the axis of a wheel and OZ, in rad; 0 < a < pi/2
         b: angle of the side edges in the plane OXY, in rad; 0 < b < pi/2
 
-    Returns a tuple of arrays:
+    Returns a tuple:
         H_x: momentum along OX, in units of h_max
         H_y: momentum along OY, in units of h_max
         H_z: momentum along OZ, in units of h_max
 
-    Numbers give numbers; arrays give float64, or float32 if all are. `out` takes 3 arrays of the broadcast shape
-    and type; a ValueError names what does not fit. What is no number gives no number.
+    The arguments are numbers or arrays, which broadcast. Numbers give numbers; arrays give float64, or float32 if
+    all are. `out` takes 3 arrays of the broadcast shape and type; a ValueError names what does not fit. What is
+    no number gives no number.
 
     Accuracy: 8 ulp over the domain. Momenta of wheels may cancel: counted in units of the last place of the
     largest h_i e_i.
@@ -265,20 +266,21 @@ def momentum_of_three_wheels(h_1, h_2, h_3, a, b, out=None):
         H_y = (-h_1 + h_2 - h_3)*sin(a)*cos(b)
         H_z = (-h_1 - h_2 + h_3)*cos(a)
 
-    Arguments, numbers or arrays that broadcast:
+    Arguments:
         h_1: momentum of wheel 1, in units of h_max; -1 <= h_1 <= 1
         h_2: momentum of wheel 2, in units of h_max; -1 <= h_2 <= 1
         h_3: momentum of wheel 3, in units of h_max; -1 <= h_3 <= 1
         a: angle between the axis of a wheel and OZ, in rad; 0 < a < pi/2
         b: angle of the side edges in the plane OXY, in rad; 0 < b < pi/2
 
-    Returns a tuple of arrays:
+    Returns a tuple:
         H_x: momentum along OX, in units of h_max
         H_y: momentum along OY, in units of h_max
         H_z: momentum along OZ, in units of h_max
 
-    Numbers give numbers; arrays give float64, or float32 if all are. `out` takes 3 arrays of the broadcast shape
-    and type; a ValueError names what does not fit. What is no number gives no number.
+    The arguments are numbers or arrays, which broadcast. Numbers give numbers; arrays give float64, or float32 if
+    all are. `out` takes 3 arrays of the broadcast shape and type; a ValueError names what does not fit. What is
+    no number gives no number.
 
     Accuracy: 8 ulp over the domain. Momenta of wheels may cancel: counted in units of the last place of the
     largest h_i e_i.
@@ -334,7 +336,7 @@ def momentum_of_six_wheels(h_1, h_2, h_3, h_4, h_5, h_6, a, out=None):
         H_y = (-2*h_1 - h_2 + h_3 - 2*h_4 - h_5 + h_6)*sin(a)/2
         H_z = (h_1 + h_2 + h_3 - h_4 - h_5 - h_6)*cos(a)
 
-    Arguments, numbers or arrays that broadcast:
+    Arguments:
         h_1: momentum of wheel 1, in units of h_max; -1 <= h_1 <= 1
         h_2: momentum of wheel 2, in units of h_max; -1 <= h_2 <= 1
         h_3: momentum of wheel 3, in units of h_max; -1 <= h_3 <= 1
@@ -343,13 +345,14 @@ def momentum_of_six_wheels(h_1, h_2, h_3, h_4, h_5, h_6, a, out=None):
         h_6: momentum of wheel 6, in units of h_max; -1 <= h_6 <= 1
         a: angle between the axis of a wheel and OZ, in rad; 0 < a < pi/2
 
-    Returns a tuple of arrays:
+    Returns a tuple:
         H_x: momentum along OX, in units of h_max
         H_y: momentum along OY, in units of h_max
         H_z: momentum along OZ, in units of h_max
 
-    Numbers give numbers; arrays give float64, or float32 if all are. `out` takes 3 arrays of the broadcast shape
-    and type; a ValueError names what does not fit. What is no number gives no number.
+    The arguments are numbers or arrays, which broadcast. Numbers give numbers; arrays give float64, or float32 if
+    all are. `out` takes 3 arrays of the broadcast shape and type; a ValueError names what does not fit. What is
+    no number gives no number.
 
     Accuracy: 8 ulp over the domain. Momenta of wheels may cancel: counted in units of the last place of the
     largest h_i e_i.
@@ -411,7 +414,7 @@ def momentum_of_five_wheels(h_1, h_2, h_3, h_4, h_5, a, out=None):
         H_y = (-2*h_1 - h_2 + h_3 - 2*h_4 - h_5)*sin(a)/2
         H_z = (h_1 + h_2 + h_3 - h_4 - h_5)*cos(a)
 
-    Arguments, numbers or arrays that broadcast:
+    Arguments:
         h_1: momentum of wheel 1, in units of h_max; -1 <= h_1 <= 1
         h_2: momentum of wheel 2, in units of h_max; -1 <= h_2 <= 1
         h_3: momentum of wheel 3, in units of h_max; -1 <= h_3 <= 1
@@ -419,13 +422,14 @@ def momentum_of_five_wheels(h_1, h_2, h_3, h_4, h_5, a, out=None):
         h_5: momentum of wheel 5, in units of h_max; -1 <= h_5 <= 1
         a: angle between the axis of a wheel and OZ, in rad; 0 < a < pi/2
 
-    Returns a tuple of arrays:
+    Returns a tuple:
         H_x: momentum along OX, in units of h_max
         H_y: momentum along OY, in units of h_max
         H_z: momentum along OZ, in units of h_max
 
-    Numbers give numbers; arrays give float64, or float32 if all are. `out` takes 3 arrays of the broadcast shape
-    and type; a ValueError names what does not fit. What is no number gives no number.
+    The arguments are numbers or arrays, which broadcast. Numbers give numbers; arrays give float64, or float32 if
+    all are. `out` takes 3 arrays of the broadcast shape and type; a ValueError names what does not fit. What is
+    no number gives no number.
 
     Accuracy: 8 ulp over the domain. Momenta of wheels may cancel: counted in units of the last place of the
     largest h_i e_i.
@@ -482,7 +486,7 @@ def rates_of_four_wheels(h_1, h_2, h_3, h_4, a, b, J_x, J_y, J_z, out=None):
         w_y = -(-h_1 + h_2 - h_3 + h_4)*sin(a)*cos(b)/J_y
         w_z = -(-h_1 - h_2 + h_3 + h_4)*cos(a)/J_z
 
-    Arguments, numbers or arrays that broadcast:
+    Arguments:
         h_1: momentum of wheel 1, in units of h_max; -1 <= h_1 <= 1
         h_2: momentum of wheel 2, in units of h_max; -1 <= h_2 <= 1
         h_3: momentum of wheel 3, in units of h_max; -1 <= h_3 <= 1
@@ -493,13 +497,14 @@ def rates_of_four_wheels(h_1, h_2, h_3, h_4, a, b, J_x, J_y, J_z, out=None):
         J_y: moment of inertia about OY, in kg m^2; 0 < J_y
         J_z: moment of inertia about OZ, in kg m^2; 0 < J_z
 
-    Returns a tuple of arrays:
+    Returns a tuple:
         w_x: angular rate about OX, in units of h_max/(kg m^2)
         w_y: angular rate about OY, in units of h_max/(kg m^2)
         w_z: angular rate about OZ, in units of h_max/(kg m^2)
 
-    Numbers give numbers; arrays give float64, or float32 if all are. `out` takes 3 arrays of the broadcast shape
-    and type; a ValueError names what does not fit. What is no number gives no number.
+    The arguments are numbers or arrays, which broadcast. Numbers give numbers; arrays give float64, or float32 if
+    all are. `out` takes 3 arrays of the broadcast shape and type; a ValueError names what does not fit. What is
+    no number gives no number.
 
     Accuracy: 8 ulp over the domain. Momenta of wheels may cancel: counted in units of the last place of the
     largest h_i e_i.
@@ -566,7 +571,7 @@ def rates_of_three_wheels(h_1, h_2, h_3, a, b, J_x, J_y, J_z, out=None):
         w_y = -(-h_1 + h_2 - h_3)*sin(a)*cos(b)/J_y
         w_z = -(-h_1 - h_2 + h_3)*cos(a)/J_z
 
-    Arguments, numbers or arrays that broadcast:
+    Arguments:
         h_1: momentum of wheel 1, in units of h_max; -1 <= h_1 <= 1
         h_2: momentum of wheel 2, in units of h_max; -1 <= h_2 <= 1
         h_3: momentum of wheel 3, in units of h_max; -1 <= h_3 <= 1
@@ -576,13 +581,14 @@ def rates_of_three_wheels(h_1, h_2, h_3, a, b, J_x, J_y, J_z, out=None):
         J_y: moment of inertia about OY, in kg m^2; 0 < J_y
         J_z: moment of inertia about OZ, in kg m^2; 0 < J_z
 
-    Returns a tuple of arrays:
+    Returns a tuple:
         w_x: angular rate about OX, in units of h_max/(kg m^2)
         w_y: angular rate about OY, in units of h_max/(kg m^2)
         w_z: angular rate about OZ, in units of h_max/(kg m^2)
 
-    Numbers give numbers; arrays give float64, or float32 if all are. `out` takes 3 arrays of the broadcast shape
-    and type; a ValueError names what does not fit. What is no number gives no number.
+    The arguments are numbers or arrays, which broadcast. Numbers give numbers; arrays give float64, or float32 if
+    all are. `out` takes 3 arrays of the broadcast shape and type; a ValueError names what does not fit. What is
+    no number gives no number.
 
     Accuracy: 8 ulp over the domain. Momenta of wheels may cancel: counted in units of the last place of the
     largest h_i e_i.
@@ -644,7 +650,7 @@ def rates_of_six_wheels(h_1, h_2, h_3, h_4, h_5, h_6, a, J_x, J_y, J_z, out=None
         w_y = -(-2*h_1 - h_2 + h_3 - 2*h_4 - h_5 + h_6)*sin(a)/(2*J_y)
         w_z = -(h_1 + h_2 + h_3 - h_4 - h_5 - h_6)*cos(a)/J_z
 
-    Arguments, numbers or arrays that broadcast:
+    Arguments:
         h_1: momentum of wheel 1, in units of h_max; -1 <= h_1 <= 1
         h_2: momentum of wheel 2, in units of h_max; -1 <= h_2 <= 1
         h_3: momentum of wheel 3, in units of h_max; -1 <= h_3 <= 1
@@ -656,13 +662,14 @@ def rates_of_six_wheels(h_1, h_2, h_3, h_4, h_5, h_6, a, J_x, J_y, J_z, out=None
         J_y: moment of inertia about OY, in kg m^2; 0 < J_y
         J_z: moment of inertia about OZ, in kg m^2; 0 < J_z
 
-    Returns a tuple of arrays:
+    Returns a tuple:
         w_x: angular rate about OX, in units of h_max/(kg m^2)
         w_y: angular rate about OY, in units of h_max/(kg m^2)
         w_z: angular rate about OZ, in units of h_max/(kg m^2)
 
-    Numbers give numbers; arrays give float64, or float32 if all are. `out` takes 3 arrays of the broadcast shape
-    and type; a ValueError names what does not fit. What is no number gives no number.
+    The arguments are numbers or arrays, which broadcast. Numbers give numbers; arrays give float64, or float32 if
+    all are. `out` takes 3 arrays of the broadcast shape and type; a ValueError names what does not fit. What is
+    no number gives no number.
 
     Accuracy: 8 ulp over the domain. Momenta of wheels may cancel: counted in units of the last place of the
     largest h_i e_i.
@@ -730,7 +737,7 @@ def rates_of_five_wheels(h_1, h_2, h_3, h_4, h_5, a, J_x, J_y, J_z, out=None):
         w_y = -(-2*h_1 - h_2 + h_3 - 2*h_4 - h_5)*sin(a)/(2*J_y)
         w_z = -(h_1 + h_2 + h_3 - h_4 - h_5)*cos(a)/J_z
 
-    Arguments, numbers or arrays that broadcast:
+    Arguments:
         h_1: momentum of wheel 1, in units of h_max; -1 <= h_1 <= 1
         h_2: momentum of wheel 2, in units of h_max; -1 <= h_2 <= 1
         h_3: momentum of wheel 3, in units of h_max; -1 <= h_3 <= 1
@@ -741,13 +748,14 @@ def rates_of_five_wheels(h_1, h_2, h_3, h_4, h_5, a, J_x, J_y, J_z, out=None):
         J_y: moment of inertia about OY, in kg m^2; 0 < J_y
         J_z: moment of inertia about OZ, in kg m^2; 0 < J_z
 
-    Returns a tuple of arrays:
+    Returns a tuple:
         w_x: angular rate about OX, in units of h_max/(kg m^2)
         w_y: angular rate about OY, in units of h_max/(kg m^2)
         w_z: angular rate about OZ, in units of h_max/(kg m^2)
 
-    Numbers give numbers; arrays give float64, or float32 if all are. `out` takes 3 arrays of the broadcast shape
-    and type; a ValueError names what does not fit. What is no number gives no number.
+    The arguments are numbers or arrays, which broadcast. Numbers give numbers; arrays give float64, or float32 if
+    all are. `out` takes 3 arrays of the broadcast shape and type; a ValueError names what does not fit. What is
+    no number gives no number.
 
     Accuracy: 8 ulp over the domain. Momenta of wheels may cancel: counted in units of the last place of the
     largest h_i e_i.
@@ -822,11 +830,11 @@ def vertices_of_four_wheels(a, b, out=None):
         V_6y = -4*sin(a)*cos(b)
         V_7z = -4*cos(a)
 
-    Arguments, numbers or arrays that broadcast:
+    Arguments:
         a: angle between the axis of a wheel and OZ, in rad; 0 < a < pi/2
         b: angle of the side edges in the plane OXY, in rad; 0 < b < pi/2
 
-    Returns a tuple of arrays:
+    Returns a tuple:
         V_1x: x of V_1, in units of h_max
         V_2x: x of V_2, in units of h_max
         V_2y: y of V_2, in units of h_max
@@ -843,9 +851,9 @@ def vertices_of_four_wheels(a, b, out=None):
         V_6y: y of V_6, in units of h_max
         V_7z: z of V_7, in units of h_max
 
-    Numbers give numbers; arrays give float64, or float32 if all are. `out` takes 15 arrays of the broadcast shape
-    and type; a ValueError names what does not fit. What is no number gives no number. Outputs that are equal by
-    formula are one array, unless `out` is given.
+    The arguments are numbers or arrays, which broadcast. Numbers give numbers; arrays give float64, or float32 if
+    all are. `out` takes 15 arrays of the broadcast shape and type; a ValueError names what does not fit. What is
+    no number gives no number. Outputs that are equal by formula are one array, unless `out` is given.
 
     Accuracy: 6 ulp over the domain. Tangents of two angles, a root and a quotient are rounded one after the
     other.
@@ -921,11 +929,11 @@ def vertices_of_three_wheels(a, b, out=None):
         V_4y = sin(a)*cos(b)
         V_4z = -3*cos(a)
 
-    Arguments, numbers or arrays that broadcast:
+    Arguments:
         a: angle between the axis of a wheel and OZ, in rad; 0 < a < pi/2
         b: angle of the side edges in the plane OXY, in rad; 0 < b < pi/2
 
-    Returns a tuple of arrays:
+    Returns a tuple:
         V_1x: x of V_1, in units of h_max
         V_1y: y of V_1, in units of h_max
         V_1z: z of V_1, in units of h_max
@@ -939,9 +947,9 @@ def vertices_of_three_wheels(a, b, out=None):
         V_4y: y of V_4, in units of h_max
         V_4z: z of V_4, in units of h_max
 
-    Numbers give numbers; arrays give float64, or float32 if all are. `out` takes 12 arrays of the broadcast shape
-    and type; a ValueError names what does not fit. What is no number gives no number. Outputs that are equal by
-    formula are one array, unless `out` is given.
+    The arguments are numbers or arrays, which broadcast. Numbers give numbers; arrays give float64, or float32 if
+    all are. `out` takes 12 arrays of the broadcast shape and type; a ValueError names what does not fit. What is
+    no number gives no number. Outputs that are equal by formula are one array, unless `out` is given.
 
     Accuracy: 6 ulp over the domain. Tangents of two angles, a root and a quotient are rounded one after the
     other.
@@ -1035,10 +1043,10 @@ def vertices_of_six_wheels(a, out=None):
         V_16x = -2*sqrt(3)*sin(a)
         V_16y = 2*sin(a)
 
-    Arguments, numbers or arrays that broadcast:
+    Arguments:
         a: angle between the axis of a wheel and OZ, in rad; 0 < a < pi/2
 
-    Returns a tuple of arrays:
+    Returns a tuple:
         V_1z: z of V_1, in units of h_max
         V_2y: y of V_2, in units of h_max
         V_2z: z of V_2, in units of h_max
@@ -1078,9 +1086,9 @@ def vertices_of_six_wheels(a, out=None):
         V_16x: x of V_16, in units of h_max
         V_16y: y of V_16, in units of h_max
 
-    Numbers give numbers; arrays give float64, or float32 if all are. `out` takes 38 arrays of the broadcast shape
-    and type; a ValueError names what does not fit. What is no number gives no number. Outputs that are equal by
-    formula are one array, unless `out` is given.
+    The arguments are numbers or arrays, which broadcast. Numbers give numbers; arrays give float64, or float32 if
+    all are. `out` takes 38 arrays of the broadcast shape and type; a ValueError names what does not fit. What is
+    no number gives no number. Outputs that are equal by formula are one array, unless `out` is given.
 
     Accuracy: 5 ulp over the domain. The square root of 3 and half a sine are rounded too.
 
@@ -1183,10 +1191,10 @@ def vertices_of_five_wheels(a, out=None):
         V_11y = -5*sin(a)/2
         V_11z = cos(a)
 
-    Arguments, numbers or arrays that broadcast:
+    Arguments:
         a: angle between the axis of a wheel and OZ, in rad; 0 < a < pi/2
 
-    Returns a tuple of arrays:
+    Returns a tuple:
         V_1x: x of V_1, in units of h_max
         V_1y: y of V_1, in units of h_max
         V_1z: z of V_1, in units of h_max
@@ -1221,9 +1229,9 @@ def vertices_of_five_wheels(a, out=None):
         V_11y: y of V_11, in units of h_max
         V_11z: z of V_11, in units of h_max
 
-    Numbers give numbers; arrays give float64, or float32 if all are. `out` takes 33 arrays of the broadcast shape
-    and type; a ValueError names what does not fit. What is no number gives no number. Outputs that are equal by
-    formula are one array, unless `out` is given.
+    The arguments are numbers or arrays, which broadcast. Numbers give numbers; arrays give float64, or float32 if
+    all are. `out` takes 33 arrays of the broadcast shape and type; a ValueError names what does not fit. What is
+    no number gives no number. Outputs that are equal by formula are one array, unless `out` is given.
 
     Accuracy: 5 ulp over the domain. The square root of 3 and half a sine are rounded too.
 
@@ -1293,17 +1301,18 @@ def vertex_distances_of_four_wheels(a, b, out=None):
         d_2 = 4*sin(a)*cos(b)
         d_3 = 4*cos(a)
 
-    Arguments, numbers or arrays that broadcast:
+    Arguments:
         a: angle between the axis of a wheel and OZ, in rad; 0 < a < pi/2
         b: angle of the side edges in the plane OXY, in rad; 0 < b < pi/2
 
-    Returns a tuple of arrays:
+    Returns a tuple:
         d_1: distance of V_1, in units of h_max
         d_2: distance of V_6, in units of h_max
         d_3: distance of V_7 (V_2 to V_5 are 2 away at all angles), in units of h_max
 
-    Numbers give numbers; arrays give float64, or float32 if all are. `out` takes 3 arrays of the broadcast shape
-    and type; a ValueError names what does not fit. What is no number gives no number.
+    The arguments are numbers or arrays, which broadcast. Numbers give numbers; arrays give float64, or float32 if
+    all are. `out` takes 3 arrays of the broadcast shape and type; a ValueError names what does not fit. What is
+    no number gives no number.
 
     Accuracy: 6 ulp over the domain. Tangents of two angles, a root and a quotient are rounded one after the
     other.
@@ -1353,17 +1362,18 @@ def vertex_distances_of_three_wheels(a, b, out=None):
         d_2 = sqrt(sin(a)**2*sin(b)**2 + 9*sin(a)**2*cos(b)**2 + cos(a)**2)
         d_3 = sqrt(sin(a)**2*sin(b)**2 + sin(a)**2*cos(b)**2 + 9*cos(a)**2)
 
-    Arguments, numbers or arrays that broadcast:
+    Arguments:
         a: angle between the axis of a wheel and OZ, in rad; 0 < a < pi/2
         b: angle of the side edges in the plane OXY, in rad; 0 < b < pi/2
 
-    Returns a tuple of arrays:
+    Returns a tuple:
         d_1: distance of V_1, in units of h_max
         d_2: distance of V_3, in units of h_max
         d_3: distance of V_4 (V_2 is 1 away at all angles), in units of h_max
 
-    Numbers give numbers; arrays give float64, or float32 if all are. `out` takes 3 arrays of the broadcast shape
-    and type; a ValueError names what does not fit. What is no number gives no number.
+    The arguments are numbers or arrays, which broadcast. Numbers give numbers; arrays give float64, or float32 if
+    all are. `out` takes 3 arrays of the broadcast shape and type; a ValueError names what does not fit. What is
+    no number gives no number.
 
     Accuracy: 4 ulp over the domain.
 
@@ -1421,17 +1431,18 @@ def vertex_distances_of_six_wheels(a, out=None):
         d_3 = sqrt(4*sin(a)**2 + 16*cos(a)**2)
         d_4 = sqrt(12*sin(a)**2 + 4*cos(a)**2)
 
-    Arguments, numbers or arrays that broadcast:
+    Arguments:
         a: angle between the axis of a wheel and OZ, in rad; 0 < a < pi/2
 
-    Returns a tuple of arrays:
+    Returns a tuple:
         d_1: distance of V_1, in units of h_max
         d_2: distance of V_14 to V_16, in units of h_max
         d_3: distance of V_2 to V_7, in units of h_max
         d_4: distance of V_8 to V_13, in units of h_max
 
-    Numbers give numbers; arrays give float64, or float32 if all are. `out` takes 4 arrays of the broadcast shape
-    and type; a ValueError names what does not fit. What is no number gives no number.
+    The arguments are numbers or arrays, which broadcast. Numbers give numbers; arrays give float64, or float32 if
+    all are. `out` takes 4 arrays of the broadcast shape and type; a ValueError names what does not fit. What is
+    no number gives no number.
 
     Accuracy: 4 ulp over the domain.
 
@@ -1490,10 +1501,10 @@ def vertex_distances_of_five_wheels(a, out=None):
         d_6 = sqrt(13*sin(a)**2 + cos(a)**2)
         d_7 = sqrt(7*sin(a)**2 + cos(a)**2)
 
-    Arguments, numbers or arrays that broadcast:
+    Arguments:
         a: angle between the axis of a wheel and OZ, in rad; 0 < a < pi/2
 
-    Returns a tuple of arrays:
+    Returns a tuple:
         d_1: distance of V_1, in units of h_max
         d_2: distance of V_2 and V_6, in units of h_max
         d_3: distance of V_3 and V_5, in units of h_max
@@ -1502,8 +1513,9 @@ def vertex_distances_of_five_wheels(a, out=None):
         d_6: distance of V_8 and V_11, in units of h_max
         d_7: distance of V_9 and V_10, in units of h_max
 
-    Numbers give numbers; arrays give float64, or float32 if all are. `out` takes 7 arrays of the broadcast shape
-    and type; a ValueError names what does not fit. What is no number gives no number.
+    The arguments are numbers or arrays, which broadcast. Numbers give numbers; arrays give float64, or float32 if
+    all are. `out` takes 7 arrays of the broadcast shape and type; a ValueError names what does not fit. What is
+    no number gives no number.
 
     Accuracy: 4 ulp over the domain.
 
@@ -1570,17 +1582,18 @@ def face_distances_of_four_wheels(a, b, out=None):
         r_2 = 4*sin(a)*cos(a)*cos(b)/sqrt(sin(a)**2*cos(b)**2 + cos(a)**2)
         r_3 = 4*sin(a)**2*sin(b)*cos(b)/sqrt(sin(a)**2*sin(b)**2 + sin(a)**2*cos(b)**2)
 
-    Arguments, numbers or arrays that broadcast:
+    Arguments:
         a: angle between the axis of a wheel and OZ, in rad; 0 < a < pi/2
         b: angle of the side edges in the plane OXY, in rad; 0 < b < pi/2
 
-    Returns a tuple of arrays:
+    Returns a tuple:
         r_1: distance of F_1 and F_5, in units of h_max
         r_2: distance of F_2 and F_4, in units of h_max
         r_3: distance of F_3 and F_6, in units of h_max
 
-    Numbers give numbers; arrays give float64, or float32 if all are. `out` takes 3 arrays of the broadcast shape
-    and type; a ValueError names what does not fit. What is no number gives no number.
+    The arguments are numbers or arrays, which broadcast. Numbers give numbers; arrays give float64, or float32 if
+    all are. `out` takes 3 arrays of the broadcast shape and type; a ValueError names what does not fit. What is
+    no number gives no number.
 
     Accuracy: 5 ulp over the domain. Tangents of two angles, a root and a quotient are rounded one after the
     other.
@@ -1650,17 +1663,18 @@ def face_distances_of_three_wheels(a, b, out=None):
         r_2 = 2*sin(a)*cos(a)*cos(b)/sqrt(sin(a)**2*cos(b)**2 + cos(a)**2)
         r_3 = 2*sin(a)**2*sin(b)*cos(b)/sqrt(sin(a)**2*sin(b)**2 + sin(a)**2*cos(b)**2)
 
-    Arguments, numbers or arrays that broadcast:
+    Arguments:
         a: angle between the axis of a wheel and OZ, in rad; 0 < a < pi/2
         b: angle of the side edges in the plane OXY, in rad; 0 < b < pi/2
 
-    Returns a tuple of arrays:
+    Returns a tuple:
         r_1: distance of F_1, in units of h_max
         r_2: distance of F_2, in units of h_max
         r_3: distance of F_3, in units of h_max
 
-    Numbers give numbers; arrays give float64, or float32 if all are. `out` takes 3 arrays of the broadcast shape
-    and type; a ValueError names what does not fit. What is no number gives no number.
+    The arguments are numbers or arrays, which broadcast. Numbers give numbers; arrays give float64, or float32 if
+    all are. `out` takes 3 arrays of the broadcast shape and type; a ValueError names what does not fit. What is
+    no number gives no number.
 
     Accuracy: 5 ulp over the domain. Tangents of two angles, a root and a quotient are rounded one after the
     other.
@@ -1730,16 +1744,17 @@ def face_distances_of_six_wheels(a, out=None):
         r_2 = 8*sin(a)*cos(a)/sqrt(sin(a)**2 + 4*cos(a)**2)
         r_3 = 2*sqrt(3)*sin(a)
 
-    Arguments, numbers or arrays that broadcast:
+    Arguments:
         a: angle between the axis of a wheel and OZ, in rad; 0 < a < pi/2
 
-    Returns a tuple of arrays:
+    Returns a tuple:
         r_1: distance of F_1 to F_6, in units of h_max
         r_2: distance of F_7 to F_12, in units of h_max
         r_3: distance of F_13 to F_15, in units of h_max
 
-    Numbers give numbers; arrays give float64, or float32 if all are. `out` takes 3 arrays of the broadcast shape
-    and type; a ValueError names what does not fit. What is no number gives no number.
+    The arguments are numbers or arrays, which broadcast. Numbers give numbers; arrays give float64, or float32 if
+    all are. `out` takes 3 arrays of the broadcast shape and type; a ValueError names what does not fit. What is
+    no number gives no number.
 
     Accuracy: 4 ulp over the domain.
 
@@ -1797,10 +1812,10 @@ def face_distances_of_five_wheels(a, out=None):
         r_5 = 5*sin(a)*cos(a)/sqrt(sin(a)**2 + 4*cos(a)**2)
         r_6 = 3*sqrt(3)*sin(a)/2
 
-    Arguments, numbers or arrays that broadcast:
+    Arguments:
         a: angle between the axis of a wheel and OZ, in rad; 0 < a < pi/2
 
-    Returns a tuple of arrays:
+    Returns a tuple:
         r_1: distance of F_1, in units of h_max
         r_2: distance of F_2 and F_5, in units of h_max
         r_3: distance of F_3 and F_4, in units of h_max
@@ -1808,8 +1823,9 @@ def face_distances_of_five_wheels(a, out=None):
         r_5: distance of F_7, in units of h_max
         r_6: distance of F_9 and F_10, in units of h_max
 
-    Numbers give numbers; arrays give float64, or float32 if all are. `out` takes 6 arrays of the broadcast shape
-    and type; a ValueError names what does not fit. What is no number gives no number.
+    The arguments are numbers or arrays, which broadcast. Numbers give numbers; arrays give float64, or float32 if
+    all are. `out` takes 6 arrays of the broadcast shape and type; a ValueError names what does not fit. What is
+    no number gives no number.
 
     Accuracy: 4 ulp over the domain.
 
@@ -1869,15 +1885,16 @@ def volume_of_four_wheels(a, b, out=None):
 
         volume = 128*sin(a)**2*sin(b)*cos(a)*cos(b)
 
-    Arguments, numbers or arrays that broadcast:
+    Arguments:
         a: angle between the axis of a wheel and OZ, in rad; 0 < a < pi/2
         b: angle of the side edges in the plane OXY, in rad; 0 < b < pi/2
 
-    Returns one array:
+    Returns:
         volume: volume, in units of h_max^3
 
-    Numbers give numbers; arrays give float64, or float32 if all are. `out` takes an array of the broadcast shape
-    and type; a ValueError names what does not fit. What is no number gives no number.
+    The arguments are numbers or arrays, which broadcast. Numbers give numbers; arrays give float64, or float32 if
+    all are. `out` takes an array of the broadcast shape and type; a ValueError names what does not fit. What is
+    no number gives no number.
 
     Accuracy: 8 ulp over the domain. A product of three or five sines and cosines: rounding a tangent counts twice
     in sin^2 a.
@@ -1927,15 +1944,16 @@ def volume_of_three_wheels(a, b, out=None):
 
         volume = 32*sin(a)**2*sin(b)*cos(a)*cos(b)
 
-    Arguments, numbers or arrays that broadcast:
+    Arguments:
         a: angle between the axis of a wheel and OZ, in rad; 0 < a < pi/2
         b: angle of the side edges in the plane OXY, in rad; 0 < b < pi/2
 
-    Returns one array:
+    Returns:
         volume: volume, in units of h_max^3
 
-    Numbers give numbers; arrays give float64, or float32 if all are. `out` takes an array of the broadcast shape
-    and type; a ValueError names what does not fit. What is no number gives no number.
+    The arguments are numbers or arrays, which broadcast. Numbers give numbers; arrays give float64, or float32 if
+    all are. `out` takes an array of the broadcast shape and type; a ValueError names what does not fit. What is
+    no number gives no number.
 
     Accuracy: 8 ulp over the domain. A product of three or five sines and cosines: rounding a tangent counts twice
     in sin^2 a.
@@ -1985,14 +2003,15 @@ def volume_of_six_wheels(a, out=None):
 
         volume = 144*sqrt(3)*sin(a)**2*cos(a)
 
-    Arguments, numbers or arrays that broadcast:
+    Arguments:
         a: angle between the axis of a wheel and OZ, in rad; 0 < a < pi/2
 
-    Returns one array:
+    Returns:
         volume: volume, in units of h_max^3
 
-    Numbers give numbers; arrays give float64, or float32 if all are. `out` takes an array of the broadcast shape
-    and type; a ValueError names what does not fit. What is no number gives no number.
+    The arguments are numbers or arrays, which broadcast. Numbers give numbers; arrays give float64, or float32 if
+    all are. `out` takes an array of the broadcast shape and type; a ValueError names what does not fit. What is
+    no number gives no number.
 
     Accuracy: 8 ulp over the domain. A product of three or five sines and cosines: rounding a tangent counts twice
     in sin^2 a.
@@ -2036,14 +2055,15 @@ def volume_of_five_wheels(a, out=None):
 
         volume = 72*sqrt(3)*sin(a)**2*cos(a)
 
-    Arguments, numbers or arrays that broadcast:
+    Arguments:
         a: angle between the axis of a wheel and OZ, in rad; 0 < a < pi/2
 
-    Returns one array:
+    Returns:
         volume: volume, in units of h_max^3
 
-    Numbers give numbers; arrays give float64, or float32 if all are. `out` takes an array of the broadcast shape
-    and type; a ValueError names what does not fit. What is no number gives no number.
+    The arguments are numbers or arrays, which broadcast. Numbers give numbers; arrays give float64, or float32 if
+    all are. `out` takes an array of the broadcast shape and type; a ValueError names what does not fit. What is
+    no number gives no number.
 
     Accuracy: 8 ulp over the domain. A product of three or five sines and cosines: rounding a tangent counts twice
     in sin^2 a.
@@ -2089,20 +2109,21 @@ def largest_rates_of_four_wheels(a, b, J_x, J_y, J_z, out=None):
         w_y = 4*sin(a)*cos(b)/J_y
         w_z = 4*cos(a)/J_z
 
-    Arguments, numbers or arrays that broadcast:
+    Arguments:
         a: angle between the axis of a wheel and OZ, in rad; 0 < a < pi/2
         b: angle of the side edges in the plane OXY, in rad; 0 < b < pi/2
         J_x: moment of inertia about OX, in kg m^2; 0 < J_x
         J_y: moment of inertia about OY, in kg m^2; 0 < J_y
         J_z: moment of inertia about OZ, in kg m^2; 0 < J_z
 
-    Returns a tuple of arrays:
+    Returns a tuple:
         w_x: largest angular rate about OX, in units of h_max/(kg m^2)
         w_y: largest angular rate about OY, in units of h_max/(kg m^2)
         w_z: largest angular rate about OZ, in units of h_max/(kg m^2)
 
-    Numbers give numbers; arrays give float64, or float32 if all are. `out` takes 3 arrays of the broadcast shape
-    and type; a ValueError names what does not fit. What is no number gives no number.
+    The arguments are numbers or arrays, which broadcast. Numbers give numbers; arrays give float64, or float32 if
+    all are. `out` takes 3 arrays of the broadcast shape and type; a ValueError names what does not fit. What is
+    no number gives no number.
 
     Accuracy: 6 ulp over the domain. Tangents of two angles, a root and a quotient are rounded one after the
     other.
@@ -2155,19 +2176,20 @@ def largest_rates_of_six_wheels(a, J_x, J_y, J_z, out=None):
         w_y = 4*sin(a)/J_y
         w_z = 6*cos(a)/J_z
 
-    Arguments, numbers or arrays that broadcast:
+    Arguments:
         a: angle between the axis of a wheel and OZ, in rad; 0 < a < pi/2
         J_x: moment of inertia about OX, in kg m^2; 0 < J_x
         J_y: moment of inertia about OY, in kg m^2; 0 < J_y
         J_z: moment of inertia about OZ, in kg m^2; 0 < J_z
 
-    Returns a tuple of arrays:
+    Returns a tuple:
         w_x: largest angular rate about OX, in units of h_max/(kg m^2)
         w_y: largest angular rate about OY, in units of h_max/(kg m^2)
         w_z: largest angular rate about OZ, in units of h_max/(kg m^2)
 
-    Numbers give numbers; arrays give float64, or float32 if all are. `out` takes 3 arrays of the broadcast shape
-    and type; a ValueError names what does not fit. What is no number gives no number.
+    The arguments are numbers or arrays, which broadcast. Numbers give numbers; arrays give float64, or float32 if
+    all are. `out` takes 3 arrays of the broadcast shape and type; a ValueError names what does not fit. What is
+    no number gives no number.
 
     Accuracy: 4 ulp over the domain.
 
@@ -2216,19 +2238,20 @@ def equal_rates_of_four_wheels(J_x, J_y, J_z, out=None):
         w = 4/sqrt(J_x**2 + J_y**2 + J_z**2)
         w_any = 2*sqrt(2)/sqrt(J_x**2 + J_y**2 + J_z**2)
 
-    Arguments, numbers or arrays that broadcast:
+    Arguments:
         J_x: moment of inertia about OX, in kg m^2; 0 < J_x
         J_y: moment of inertia about OY, in kg m^2; 0 < J_y
         J_z: moment of inertia about OZ, in kg m^2; 0 < J_z
 
-    Returns a tuple of arrays:
+    Returns a tuple:
         a: angle between the axis of a wheel and OZ, in rad
         b: angle of the side edges in the plane OXY, in rad
         w: largest angular rate about each of the three axes, in units of h_max/(kg m^2)
         w_any: largest angular rate that is had about every axis, whatever its direction, in units of h_max/(kg m^2)
 
-    Numbers give numbers; arrays give float64, or float32 if all are. `out` takes 4 arrays of the broadcast shape
-    and type; a ValueError names what does not fit. What is no number gives no number.
+    The arguments are numbers or arrays, which broadcast. Numbers give numbers; arrays give float64, or float32 if
+    all are. `out` takes 4 arrays of the broadcast shape and type; a ValueError names what does not fit. What is
+    no number gives no number.
 
     Accuracy: 4 ulp over the domain. If the squares of the moments satisfy the triangle inequalities, no angles
     give a greater rate w_any.
@@ -2280,18 +2303,19 @@ def equal_rates_of_six_wheels(J_x, J_y, J_z, out=None):
         w_x = 6*sqrt(3)*J_y/(J_x*sqrt(9*J_y**2 + 4*J_z**2))
         w_y = 12/sqrt(9*J_y**2 + 4*J_z**2)
 
-    Arguments, numbers or arrays that broadcast:
+    Arguments:
         J_x: moment of inertia about OX, in kg m^2; 0 < J_x
         J_y: moment of inertia about OY, in kg m^2; 0 < J_y
         J_z: moment of inertia about OZ, in kg m^2; 0 < J_z
 
-    Returns a tuple of arrays:
+    Returns a tuple:
         a: angle between the axis of a wheel and OZ, in rad
         w_x: largest angular rate about OX, in units of h_max/(kg m^2)
         w_y: largest angular rate about OY, and about OZ, in units of h_max/(kg m^2)
 
-    Numbers give numbers; arrays give float64, or float32 if all are. `out` takes 3 arrays of the broadcast shape
-    and type; a ValueError names what does not fit. What is no number gives no number.
+    The arguments are numbers or arrays, which broadcast. Numbers give numbers; arrays give float64, or float32 if
+    all are. `out` takes 3 arrays of the broadcast shape and type; a ValueError names what does not fit. What is
+    no number gives no number.
 
     Accuracy: 5 ulp over the domain. The square root of 3 is rounded too.
 
@@ -2341,18 +2365,19 @@ def best_angles_of_four_wheels(J_x, J_y, J_z, out=None):
         b = atan(J_x/(sqrt(J_y)*(J_x**2 + J_z**2)**(1/4)))
         w = 4/(J_y + sqrt(J_x**2 + J_z**2))
 
-    Arguments, numbers or arrays that broadcast:
+    Arguments:
         J_x: moment of inertia about OX, in kg m^2; 0 < J_x
         J_y: moment of inertia about OY, in kg m^2; 0 < J_y
         J_z: moment of inertia about OZ, in kg m^2; 0 < J_z
 
-    Returns a tuple of arrays:
+    Returns a tuple:
         a: angle between the axis of a wheel and OZ, in rad
         b: angle of the side edges in the plane OXY, in rad
         w: largest angular rate that is had about every axis, whatever its direction, in units of h_max/(kg m^2)
 
-    Numbers give numbers; arrays give float64, or float32 if all are. `out` takes 3 arrays of the broadcast shape
-    and type; a ValueError names what does not fit. What is no number gives no number.
+    The arguments are numbers or arrays, which broadcast. Numbers give numbers; arrays give float64, or float32 if
+    all are. `out` takes 3 arrays of the broadcast shape and type; a ValueError names what does not fit. What is
+    no number gives no number.
 
     Accuracy: 4 ulp over the domain.
 
@@ -2403,16 +2428,17 @@ def best_angle_of_six_wheels(J_y, J_z, out=None):
         a = atan(sqrt(2)*sqrt(J_y/J_z))
         w = 8/(2*J_y + J_z)
 
-    Arguments, numbers or arrays that broadcast:
+    Arguments:
         J_y: moment of inertia about OY, in kg m^2; 0 < J_y
         J_z: moment of inertia about OZ, in kg m^2; 0 < J_z
 
-    Returns a tuple of arrays:
+    Returns a tuple:
         a: angle between the axis of a wheel and OZ, in rad
         w: largest angular rate that this face allows about every axis, whatever its direction, in units of h_max/(kg m^2)
 
-    Numbers give numbers; arrays give float64, or float32 if all are. `out` takes 2 arrays of the broadcast shape
-    and type; a ValueError names what does not fit. What is no number gives no number.
+    The arguments are numbers or arrays, which broadcast. Numbers give numbers; arrays give float64, or float32 if
+    all are. `out` takes 2 arrays of the broadcast shape and type; a ValueError names what does not fit. What is
+    no number gives no number.
 
     Accuracy: 4 ulp over the domain. The other faces have to allow this rate too; for moments of 1000, 1600 and
     800 kg m^2 they do.

@@ -22,12 +22,12 @@ def direction_cosines(alpha, beta, gamma, out=None):
         a_32 = sin(alpha)*sin(beta)*cos(gamma) + sin(gamma)*cos(alpha)
         a_33 = -sin(alpha)*sin(beta)*sin(gamma) + cos(alpha)*cos(gamma)
 
-    Arguments, numbers or arrays that broadcast:
+    Arguments:
         alpha: pitch, in rad; any number
         beta: yaw, in rad; any number
         gamma: roll, in rad; any number
 
-    Returns a tuple of arrays:
+    Returns a tuple:
         a_11: cosine between axis 1 and principal axis 1, a number
         a_12: cosine between axis 1 and principal axis 2, a number
         a_13: cosine between axis 1 and principal axis 3, a number
@@ -38,8 +38,9 @@ def direction_cosines(alpha, beta, gamma, out=None):
         a_32: cosine between axis 3 and principal axis 2, a number
         a_33: cosine between axis 3 and principal axis 3, a number
 
-    Numbers give numbers; arrays give float64, or float32 if all are. `out` takes 9 arrays of the broadcast shape
-    and type; a ValueError names what does not fit. What is no number gives no number.
+    The arguments are numbers or arrays, which broadcast. Numbers give numbers; arrays give float64, or float32 if
+    all are. `out` takes 9 arrays of the broadcast shape and type; a ValueError names what does not fit. What is
+    no number gives no number.
 
     Accuracy: 6 ulp over the domain. Where terms cancel, the error is in units of the last place of the largest of
     them.
@@ -110,7 +111,7 @@ def axial_moments(I_1, I_2, I_3, a_11, a_12, a_13, a_21, a_22, a_23, a_31, a_32,
         J_2 = I_1*a_21**2 + I_2*a_22**2 + I_3*a_23**2
         J_3 = I_1*a_31**2 + I_2*a_32**2 + I_3*a_33**2
 
-    Arguments, numbers or arrays that broadcast:
+    Arguments:
         I_1: principal moment of inertia, in kg m^2; 0 < I_1
         I_2: principal moment of inertia, in kg m^2; 0 < I_2
         I_3: principal moment of inertia, in kg m^2; 0 < I_3
@@ -124,13 +125,14 @@ def axial_moments(I_1, I_2, I_3, a_11, a_12, a_13, a_21, a_22, a_23, a_31, a_32,
         a_32: cosine between axis 3 and principal axis 2, a number; -1 <= a_32 <= 1
         a_33: cosine between axis 3 and principal axis 3, a number; -1 <= a_33 <= 1
 
-    Returns a tuple of arrays:
+    Returns a tuple:
         J_1: moment of inertia about axis 1, in kg m^2
         J_2: moment of inertia about axis 2, in kg m^2
         J_3: moment of inertia about axis 3, in kg m^2
 
-    Numbers give numbers; arrays give float64, or float32 if all are. `out` takes 3 arrays of the broadcast shape
-    and type; a ValueError names what does not fit. What is no number gives no number.
+    The arguments are numbers or arrays, which broadcast. Numbers give numbers; arrays give float64, or float32 if
+    all are. `out` takes 3 arrays of the broadcast shape and type; a ValueError names what does not fit. What is
+    no number gives no number.
 
     Accuracy: 4 ulp over the domain.
 
@@ -187,7 +189,7 @@ def second_order_moments(I_1, I_2, I_3, a_11, a_12, a_13, a_21, a_22, a_23, a_31
         L_2 = I_1*I_2*a_23**2 + I_1*I_3*a_22**2 + I_2*I_3*a_21**2
         L_3 = I_1*I_2*a_33**2 + I_1*I_3*a_32**2 + I_2*I_3*a_31**2
 
-    Arguments, numbers or arrays that broadcast:
+    Arguments:
         I_1: principal moment of inertia, in kg m^2; 0 < I_1
         I_2: principal moment of inertia, in kg m^2; 0 < I_2
         I_3: principal moment of inertia, in kg m^2; 0 < I_3
@@ -201,13 +203,14 @@ def second_order_moments(I_1, I_2, I_3, a_11, a_12, a_13, a_21, a_22, a_23, a_31
         a_32: cosine between axis 3 and principal axis 2, a number; -1 <= a_32 <= 1
         a_33: cosine between axis 3 and principal axis 3, a number; -1 <= a_33 <= 1
 
-    Returns a tuple of arrays:
+    Returns a tuple:
         L_1: product of two moments, of axis 1, in kg^2 m^4
         L_2: product of two moments, of axis 2, in kg^2 m^4
         L_3: product of two moments, of axis 3, in kg^2 m^4
 
-    Numbers give numbers; arrays give float64, or float32 if all are. `out` takes 3 arrays of the broadcast shape
-    and type; a ValueError names what does not fit. What is no number gives no number.
+    The arguments are numbers or arrays, which broadcast. Numbers give numbers; arrays give float64, or float32 if
+    all are. `out` takes 3 arrays of the broadcast shape and type; a ValueError names what does not fit. What is
+    no number gives no number.
 
     Accuracy: 4 ulp over the domain.
 
@@ -268,7 +271,7 @@ def product_of_axial_moments(I_1, I_2, I_3, a_11, a_12, a_13, a_21, a_22, a_23, 
 
         f = (I_1*a_11**2 + I_2*a_12**2 + I_3*a_13**2)*(I_1*a_21**2 + I_2*a_22**2 + I_3*a_23**2)*(I_1*a_31**2 + I_2*a_32**2 + I_3*a_33**2)
 
-    Arguments, numbers or arrays that broadcast:
+    Arguments:
         I_1: principal moment of inertia, in kg m^2; 0 < I_1
         I_2: principal moment of inertia, in kg m^2; 0 < I_2
         I_3: principal moment of inertia, in kg m^2; 0 < I_3
@@ -282,11 +285,12 @@ def product_of_axial_moments(I_1, I_2, I_3, a_11, a_12, a_13, a_21, a_22, a_23, 
         a_32: cosine between axis 3 and principal axis 2, a number; -1 <= a_32 <= 1
         a_33: cosine between axis 3 and principal axis 3, a number; -1 <= a_33 <= 1
 
-    Returns one array:
+    Returns:
         f: J_1 J_2 J_3, in kg^3 m^6
 
-    Numbers give numbers; arrays give float64, or float32 if all are. `out` takes an array of the broadcast shape
-    and type; a ValueError names what does not fit. What is no number gives no number.
+    The arguments are numbers or arrays, which broadcast. Numbers give numbers; arrays give float64, or float32 if
+    all are. `out` takes an array of the broadcast shape and type; a ValueError names what does not fit. What is
+    no number gives no number.
 
     Accuracy: 14 ulp over the domain. A product of sums keeps the roundings of all its factors, as many operations
     follow one another; its condition number is 9, so that arguments rounded to the nearest double change it by as
@@ -346,7 +350,7 @@ def sum_of_products(I_1, I_2, I_3, a_11, a_12, a_13, a_21, a_22, a_23, a_31, a_3
 
         S = (I_1*a_11**2 + I_2*a_12**2 + I_3*a_13**2)*(I_1*I_2*a_13**2 + I_1*I_3*a_12**2 + I_2*I_3*a_11**2) + (I_1*a_21**2 + I_2*a_22**2 + I_3*a_23**2)*(I_1*I_2*a_23**2 + I_1*I_3*a_22**2 + I_2*I_3*a_21**2) + (I_1*a_31**2 + I_2*a_32**2 + I_3*a_33**2)*(I_1*I_2*a_33**2 + I_1*I_3*a_32**2 + I_2*I_3*a_31**2)
 
-    Arguments, numbers or arrays that broadcast:
+    Arguments:
         I_1: principal moment of inertia, in kg m^2; 0 < I_1
         I_2: principal moment of inertia, in kg m^2; 0 < I_2
         I_3: principal moment of inertia, in kg m^2; 0 < I_3
@@ -360,11 +364,12 @@ def sum_of_products(I_1, I_2, I_3, a_11, a_12, a_13, a_21, a_22, a_23, a_31, a_3
         a_32: cosine between axis 3 and principal axis 2, a number; -1 <= a_32 <= 1
         a_33: cosine between axis 3 and principal axis 3, a number; -1 <= a_33 <= 1
 
-    Returns one array:
+    Returns:
         S: J_1 L_1 + J_2 L_2 + J_3 L_3, in kg^3 m^6
 
-    Numbers give numbers; arrays give float64, or float32 if all are. `out` takes an array of the broadcast shape
-    and type; a ValueError names what does not fit. What is no number gives no number.
+    The arguments are numbers or arrays, which broadcast. Numbers give numbers; arrays give float64, or float32 if
+    all are. `out` takes an array of the broadcast shape and type; a ValueError names what does not fit. What is
+    no number gives no number.
 
     Accuracy: 12 ulp over the domain. A product of sums keeps the roundings of all its factors, as many operations
     follow one another; its condition number is 7, so that arguments rounded to the nearest double change it by as
@@ -461,18 +466,19 @@ def bounds_of_products(I_1, I_2, I_3, out=None):
         f_greatest = (I_1/3 + I_2/3 + I_3/3)**3
         S_least = 3*I_1*I_2*I_3
 
-    Arguments, numbers or arrays that broadcast:
+    Arguments:
         I_1: principal moment of inertia, in kg m^2; 0 < I_1
         I_2: principal moment of inertia, in kg m^2; 0 < I_2
         I_3: principal moment of inertia, in kg m^2; 0 < I_3
 
-    Returns a tuple of arrays:
+    Returns a tuple:
         f_least: least J_1 J_2 J_3, about principal axes, in kg^3 m^6
         f_greatest: greatest J_1 J_2 J_3, about axes of equal moments, in kg^3 m^6
         S_least: least J_1 L_1 + J_2 L_2 + J_3 L_3, about principal axes, in kg^3 m^6
 
-    Numbers give numbers; arrays give float64, or float32 if all are. `out` takes 3 arrays of the broadcast shape
-    and type; a ValueError names what does not fit. What is no number gives no number.
+    The arguments are numbers or arrays, which broadcast. Numbers give numbers; arrays give float64, or float32 if
+    all are. `out` takes 3 arrays of the broadcast shape and type; a ValueError names what does not fit. What is
+    no number gives no number.
 
     Accuracy: 9 ulp over the domain. A cube triples the error of the mean moment: its condition number is 3.
 
@@ -514,7 +520,7 @@ def product_of_two_axial_moments(I_1, I_2, I_3, a_11, a_12, a_13, a_31, a_32, a_
 
         J_1_J_3 = (I_1*a_11**2 + I_2*a_12**2 + I_3*a_13**2)*(I_1*a_31**2 + I_2*a_32**2 + I_3*a_33**2)
 
-    Arguments, numbers or arrays that broadcast:
+    Arguments:
         I_1: principal moment of inertia, in kg m^2; 0 < I_1
         I_2: principal moment of inertia, in kg m^2; 0 < I_2
         I_3: principal moment of inertia, in kg m^2; 0 < I_3
@@ -525,11 +531,12 @@ def product_of_two_axial_moments(I_1, I_2, I_3, a_11, a_12, a_13, a_31, a_32, a_
         a_32: cosine between axis 3 and principal axis 2, a number; -1 <= a_32 <= 1
         a_33: cosine between axis 3 and principal axis 3, a number; -1 <= a_33 <= 1
 
-    Returns one array:
+    Returns:
         J_1_J_3: J_1 J_3, in kg^2 m^4
 
-    Numbers give numbers; arrays give float64, or float32 if all are. `out` takes an array of the broadcast shape
-    and type; a ValueError names what does not fit. What is no number gives no number.
+    The arguments are numbers or arrays, which broadcast. Numbers give numbers; arrays give float64, or float32 if
+    all are. `out` takes an array of the broadcast shape and type; a ValueError names what does not fit. What is
+    no number gives no number.
 
     Accuracy: 9 ulp over the domain. A product of sums keeps the roundings of all its factors, as many operations
     follow one another; its condition number is 6, so that arguments rounded to the nearest double change it by as
@@ -580,7 +587,7 @@ def product_with_second_moment(I_1, I_2, I_3, a_21, a_22, a_23, out=None):
 
         J_2_L_2 = (I_1*a_21**2 + I_2*a_22**2 + I_3*a_23**2)*(I_1*I_2*a_23**2 + I_1*I_3*a_22**2 + I_2*I_3*a_21**2)
 
-    Arguments, numbers or arrays that broadcast:
+    Arguments:
         I_1: principal moment of inertia, in kg m^2; 0 < I_1
         I_2: principal moment of inertia, in kg m^2; 0 < I_2
         I_3: principal moment of inertia, in kg m^2; 0 < I_3
@@ -588,11 +595,12 @@ def product_with_second_moment(I_1, I_2, I_3, a_21, a_22, a_23, out=None):
         a_22: cosine between axis 2 and principal axis 2, a number; -1 <= a_22 <= 1
         a_23: cosine between axis 2 and principal axis 3, a number; -1 <= a_23 <= 1
 
-    Returns one array:
+    Returns:
         J_2_L_2: J_2 (I_1 I_2 a_23^2 + I_2 I_3 a_21^2 + I_3 I_1 a_22^2), in kg^3 m^6
 
-    Numbers give numbers; arrays give float64, or float32 if all are. `out` takes an array of the broadcast shape
-    and type; a ValueError names what does not fit. What is no number gives no number.
+    The arguments are numbers or arrays, which broadcast. Numbers give numbers; arrays give float64, or float32 if
+    all are. `out` takes an array of the broadcast shape and type; a ValueError names what does not fit. What is
+    no number gives no number.
 
     Accuracy: 10 ulp over the domain. A product of sums keeps the roundings of all its factors, as many operations
     follow one another; its condition number is 7, so that arguments rounded to the nearest double change it by as
@@ -651,7 +659,7 @@ def damping_matrix(k_1, k_2, k_3, a_11, a_12, a_13, a_21, a_22, a_23, a_31, a_32
         m_23 = a_12*a_13*k_1 + a_22*a_23*k_2 + a_32*a_33*k_3
         m_33 = a_13**2*k_1 + a_23**2*k_2 + a_33**2*k_3
 
-    Arguments, numbers or arrays that broadcast:
+    Arguments:
         k_1: gain of the damping device along axis 1, in N m s/rad; 0 < k_1
         k_2: gain of the damping device along axis 2, in N m s/rad; 0 < k_2
         k_3: gain of the damping device along axis 3, in N m s/rad; 0 < k_3
@@ -665,7 +673,7 @@ def damping_matrix(k_1, k_2, k_3, a_11, a_12, a_13, a_21, a_22, a_23, a_31, a_32
         a_32: cosine between axis 3 and principal axis 2, a number; -1 <= a_32 <= 1
         a_33: cosine between axis 3 and principal axis 3, a number; -1 <= a_33 <= 1
 
-    Returns a tuple of arrays:
+    Returns a tuple:
         m_11: entry 1, 1, in N m s/rad
         m_12: entry 1, 2, in N m s/rad
         m_13: entry 1, 3, in N m s/rad
@@ -673,8 +681,9 @@ def damping_matrix(k_1, k_2, k_3, a_11, a_12, a_13, a_21, a_22, a_23, a_31, a_32
         m_23: entry 2, 3, in N m s/rad
         m_33: entry 3, 3, in N m s/rad
 
-    Numbers give numbers; arrays give float64, or float32 if all are. `out` takes 6 arrays of the broadcast shape
-    and type; a ValueError names what does not fit. What is no number gives no number.
+    The arguments are numbers or arrays, which broadcast. Numbers give numbers; arrays give float64, or float32 if
+    all are. `out` takes 6 arrays of the broadcast shape and type; a ValueError names what does not fit. What is
+    no number gives no number.
 
     Accuracy: 4 ulp over the domain. Where terms cancel, the error is in units of the last place of the largest of
     them.
@@ -757,7 +766,7 @@ def characteristic_coefficients(I_1, I_2, I_3, k_1, k_2, k_3, a_11, a_12, a_13, 
         c_1 = k_1*k_2*(I_1*a_31**2 + I_2*a_32**2 + I_3*a_33**2) + k_1*k_3*(I_1*a_21**2 + I_2*a_22**2 + I_3*a_23**2) + k_2*k_3*(I_1*a_11**2 + I_2*a_12**2 + I_3*a_13**2)
         c_0 = k_1*k_2*k_3
 
-    Arguments, numbers or arrays that broadcast:
+    Arguments:
         I_1: principal moment of inertia, in kg m^2; 0 < I_1
         I_2: principal moment of inertia, in kg m^2; 0 < I_2
         I_3: principal moment of inertia, in kg m^2; 0 < I_3
@@ -774,14 +783,15 @@ def characteristic_coefficients(I_1, I_2, I_3, k_1, k_2, k_3, a_11, a_12, a_13, 
         a_32: cosine between axis 3 and principal axis 2, a number; -1 <= a_32 <= 1
         a_33: cosine between axis 3 and principal axis 3, a number; -1 <= a_33 <= 1
 
-    Returns a tuple of arrays:
+    Returns a tuple:
         c_3: coefficient of p^3, for orthogonal axes, in kg^3 m^6
         c_2: coefficient of p^2, for orthogonal axes, in kg^3 m^6/s
         c_1: coefficient of p^1, for orthogonal axes, in kg^3 m^6/s^2
         c_0: coefficient of p^0, for orthogonal axes, in kg^3 m^6/s^3
 
-    Numbers give numbers; arrays give float64, or float32 if all are. `out` takes 4 arrays of the broadcast shape
-    and type; a ValueError names what does not fit. What is no number gives no number.
+    The arguments are numbers or arrays, which broadcast. Numbers give numbers; arrays give float64, or float32 if
+    all are. `out` takes 4 arrays of the broadcast shape and type; a ValueError names what does not fit. What is
+    no number gives no number.
 
     Accuracy: 8 ulp over the domain. A product of sums keeps the roundings of all its factors, as many operations
     follow one another; its condition number is 5, so that arguments rounded to the nearest double change it by as
@@ -890,7 +900,7 @@ def characteristic_coefficients_at_common_ratio(I_1, I_2, I_3, k, a_11, a_12, a_
         c_1 = 3*k**2*(I_1*a_11**2 + I_2*a_12**2 + I_3*a_13**2)*(I_1*a_21**2 + I_2*a_22**2 + I_3*a_23**2)*(I_1*a_31**2 + I_2*a_32**2 + I_3*a_33**2)
         c_0 = k**3*(I_1*a_11**2 + I_2*a_12**2 + I_3*a_13**2)*(I_1*a_21**2 + I_2*a_22**2 + I_3*a_23**2)*(I_1*a_31**2 + I_2*a_32**2 + I_3*a_33**2)
 
-    Arguments, numbers or arrays that broadcast:
+    Arguments:
         I_1: principal moment of inertia, in kg m^2; 0 < I_1
         I_2: principal moment of inertia, in kg m^2; 0 < I_2
         I_3: principal moment of inertia, in kg m^2; 0 < I_3
@@ -905,14 +915,15 @@ def characteristic_coefficients_at_common_ratio(I_1, I_2, I_3, k, a_11, a_12, a_
         a_32: cosine between axis 3 and principal axis 2, a number; -1 <= a_32 <= 1
         a_33: cosine between axis 3 and principal axis 3, a number; -1 <= a_33 <= 1
 
-    Returns a tuple of arrays:
+    Returns a tuple:
         c_3: coefficient of p^3, for gains k J_i, in kg^3 m^6
         c_2: coefficient of p^2, for gains k J_i, in kg^3 m^6/s
         c_1: coefficient of p^1, for gains k J_i, in kg^3 m^6/s^2
         c_0: coefficient of p^0, for gains k J_i, in kg^3 m^6/s^3
 
-    Numbers give numbers; arrays give float64, or float32 if all are. `out` takes 4 arrays of the broadcast shape
-    and type; a ValueError names what does not fit. What is no number gives no number.
+    The arguments are numbers or arrays, which broadcast. Numbers give numbers; arrays give float64, or float32 if
+    all are. `out` takes 4 arrays of the broadcast shape and type; a ValueError names what does not fit. What is
+    no number gives no number.
 
     Accuracy: 16 ulp over the domain. A product of sums keeps the roundings of all its factors, as many operations
     follow one another; its condition number is 12, so that arguments rounded to the nearest double change it by
@@ -1021,7 +1032,7 @@ def gains_in_proportion(k, I_1, I_2, I_3, a_11, a_12, a_13, a_21, a_22, a_23, a_
         k_2 = k*(I_1*a_21**2 + I_2*a_22**2 + I_3*a_23**2)
         k_3 = k*(I_1*a_31**2 + I_2*a_32**2 + I_3*a_33**2)
 
-    Arguments, numbers or arrays that broadcast:
+    Arguments:
         k: gains divided by the moments of inertia about their axes, in 1/s; 0 < k
         I_1: principal moment of inertia, in kg m^2; 0 < I_1
         I_2: principal moment of inertia, in kg m^2; 0 < I_2
@@ -1036,13 +1047,14 @@ def gains_in_proportion(k, I_1, I_2, I_3, a_11, a_12, a_13, a_21, a_22, a_23, a_
         a_32: cosine between axis 3 and principal axis 2, a number; -1 <= a_32 <= 1
         a_33: cosine between axis 3 and principal axis 3, a number; -1 <= a_33 <= 1
 
-    Returns a tuple of arrays:
+    Returns a tuple:
         k_1: gain of the damping device along axis 1, in N m s/rad
         k_2: gain of the damping device along axis 2, in N m s/rad
         k_3: gain of the damping device along axis 3, in N m s/rad
 
-    Numbers give numbers; arrays give float64, or float32 if all are. `out` takes 3 arrays of the broadcast shape
-    and type; a ValueError names what does not fit. What is no number gives no number.
+    The arguments are numbers or arrays, which broadcast. Numbers give numbers; arrays give float64, or float32 if
+    all are. `out` takes 3 arrays of the broadcast shape and type; a ValueError names what does not fit. What is
+    no number gives no number.
 
     Accuracy: 4 ulp over the domain.
 
@@ -1102,18 +1114,19 @@ def gain_of_rates(xi, s_1, s_2, s_3, out=None):
         k = 3/(1/(s_3 + xi) + 1/(s_2 + xi) + 1/(s_1 + xi))
         k_excess = -xi + 3/(1/(s_3 + xi) + 1/(s_2 + xi) + 1/(s_1 + xi))
 
-    Arguments, numbers or arrays that broadcast:
+    Arguments:
         xi: least damping rate, in 1/s; 0 < xi
         s_1: rate 1 less the least one, in 1/s; 0 <= s_1
         s_2: rate 2 less the least one, in 1/s; 0 <= s_2
         s_3: rate 3 less the least one, in 1/s; 0 <= s_3
 
-    Returns a tuple of arrays:
+    Returns a tuple:
         k: harmonic mean of the rates: the greatest stability degree for these gains, in 1/s
         k_excess: k - xi, in 1/s
 
-    Numbers give numbers; arrays give float64, or float32 if all are. `out` takes 2 arrays of the broadcast shape
-    and type; a ValueError names what does not fit. What is no number gives no number.
+    The arguments are numbers or arrays, which broadcast. Numbers give numbers; arrays give float64, or float32 if
+    all are. `out` takes 2 arrays of the broadcast shape and type; a ValueError names what does not fit. What is
+    no number gives no number.
 
     Accuracy: 10 ulp over the domain. Ten operations follow one another in k_excess, none of which cancels. With
     s_1 = s_2 = s_3 = 0, the triple root, k is xi.
@@ -1166,17 +1179,18 @@ def stability_degree_in_pitch(k, I_1, I_3, alpha, out=None):
 
         xi = k/(sqrt(I_1*I_3/((I_1*sin(alpha)**2 - I_1 - I_3*sin(alpha)**2)*(I_1*sin(alpha)**2 - I_3*sin(alpha)**2 + I_3)) + 1) + 1)
 
-    Arguments, numbers or arrays that broadcast:
+    Arguments:
         k: gains divided by the moments of inertia about their axes, in 1/s; 0 < k
         I_1: principal moment of inertia, in kg m^2; 0 < I_1
         I_3: principal moment of inertia, in kg m^2; 0 < I_3
         alpha: pitch, in rad; 0 < alpha < pi/2
 
-    Returns one array:
+    Returns:
         xi: stability degree, in 1/s
 
-    Numbers give numbers; arrays give float64, or float32 if all are. `out` takes an array of the broadcast shape
-    and type; a ValueError names what does not fit. What is no number gives no number.
+    The arguments are numbers or arrays, which broadcast. Numbers give numbers; arrays give float64, or float32 if
+    all are. `out` takes an array of the broadcast shape and type; a ValueError names what does not fit. What is
+    no number gives no number.
 
     Accuracy: 4 ulp over the domain. For I_1 = I_3 and for the pitch 0 the stability degree is k, the greatest
     there is.
@@ -1229,16 +1243,17 @@ def equal_moment_pitch(I_1, I_2, I_3, out=None):
 
         alpha = atan(sqrt(3)*(2*I_1 - I_2 - I_3)/(3*(I_2 - I_3)))/2
 
-    Arguments, numbers or arrays that broadcast:
+    Arguments:
         I_1: principal moment of inertia, in kg m^2; 0 < I_1
         I_2: principal moment of inertia, in kg m^2; 0 < I_2
         I_3: principal moment of inertia, in kg m^2; 0 < I_3
 
-    Returns one array:
+    Returns:
         alpha: pitch, in rad
 
-    Numbers give numbers; arrays give float64, or float32 if all are. `out` takes an array of the broadcast shape
-    and type; a ValueError names what does not fit. What is no number gives no number.
+    The arguments are numbers or arrays, which broadcast. Numbers give numbers; arrays give float64, or float32 if
+    all are. `out` takes an array of the broadcast shape and type; a ValueError names what does not fit. What is
+    no number gives no number.
 
     Accuracy: 4 ulp over the domain. The pitch is zero where I_1 is the mean moment; the error is in units of the
     last place of the greatest, pi/4. For I_2 = I_3 it is pi/4 or -pi/4; if all three moments are equal, every

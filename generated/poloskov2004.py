@@ -16,7 +16,7 @@ def stratonovich_drift(a, psi, Omega, k, varepsilon, d_11, d_12, d_13, d_21, d_2
         v_2 = varepsilon*(Omega*(d_13*sin(psi) + d_23*cos(psi))/(a*k) + d_11*sin(psi)*cos(psi) - d_12*sin(psi)**2 + d_21*cos(psi)**2 - d_22*sin(psi)*cos(psi))
         v_3 = varepsilon*(-Omega*d_33 + a*k*(-d_31*cos(psi) + d_32*sin(psi)))
 
-    Arguments, numbers or arrays that broadcast:
+    Arguments:
         a: amplitude of the equatorial angular velocity, in rad/s; 0 < a
         psi: phase, in rad; any number
         Omega: frequency k x_3, in rad/s; any number
@@ -32,13 +32,14 @@ def stratonovich_drift(a, psi, Omega, k, varepsilon, d_11, d_12, d_13, d_21, d_2
         d_32: coefficient of dissipation, in 1/s; 0 < d_32
         d_33: coefficient of dissipation, in 1/s; 0 < d_33
 
-    Returns a tuple of arrays:
+    Returns a tuple:
         v_1: drift of a, in rad/s^2
         v_2: drift of theta, in rad/s
         v_3: drift of Omega, in rad/s^2
 
-    Numbers give numbers; arrays give float64, or float32 if all are. `out` takes 3 arrays of the broadcast shape
-    and type; a ValueError names what does not fit. What is no number gives no number.
+    The arguments are numbers or arrays, which broadcast. Numbers give numbers; arrays give float64, or float32 if
+    all are. `out` takes 3 arrays of the broadcast shape and type; a ValueError names what does not fit. What is
+    no number gives no number.
 
     Accuracy: 6 ulp over the domain. These are sums with zeros inside the domain: the ulp are those of the largest
     addend.
@@ -130,7 +131,7 @@ def noise_intensities(a, psi, Omega, k, varepsilon, g_11, g_12, g_21, g_22, g_13
         h_33 = Omega*g_13*sqrt(varepsilon)
         h_36 = g_23*k*sqrt(varepsilon)
 
-    Arguments, numbers or arrays that broadcast:
+    Arguments:
         a: amplitude of the equatorial angular velocity, in rad/s; 0 < a
         psi: phase, in rad; any number
         Omega: frequency k x_3, in rad/s; any number
@@ -143,7 +144,7 @@ def noise_intensities(a, psi, Omega, k, varepsilon, g_11, g_12, g_21, g_22, g_13
         g_13: intensity of the multiplicative noise of axis 3, in s^(-1/2); 0 < g_13
         g_23: intensity of the additive noise of axis 3, in rad s^(-3/2); 0 < g_23
 
-    Returns a tuple of arrays:
+    Returns a tuple:
         h_11: intensity of noise 1 in a, a number
         h_12: intensity of noise 2 in a, a number
         h_14: intensity of noise 4 in a, a number
@@ -155,8 +156,9 @@ def noise_intensities(a, psi, Omega, k, varepsilon, g_11, g_12, g_21, g_22, g_13
         h_33: intensity of noise 3 in Omega, a number
         h_36: intensity of noise 6 in Omega, a number
 
-    Numbers give numbers; arrays give float64, or float32 if all are. `out` takes 10 arrays of the broadcast shape
-    and type; a ValueError names what does not fit. What is no number gives no number.
+    The arguments are numbers or arrays, which broadcast. Numbers give numbers; arrays give float64, or float32 if
+    all are. `out` takes 10 arrays of the broadcast shape and type; a ValueError names what does not fit. What is
+    no number gives no number.
 
     Accuracy: 5 ulp over the domain. In squares the last place of a sine or cosine counts twice.
 
@@ -227,7 +229,7 @@ def drift_coefficients(a, psi, Omega, k, varepsilon, d_11, d_12, d_13, d_21, d_2
         K_2 = varepsilon*(Omega*(d_13*sin(psi) + d_23*cos(psi))/(a*k) + d_11*sin(psi)*cos(psi) - d_12*sin(psi)**2 + d_21*cos(psi)**2 - d_22*sin(psi)*cos(psi) - g_11**2*sin(psi)**3*cos(psi)/2 + g_11**2*sin(psi)*cos(psi)**3/2 - g_12**2*sin(psi)**3*cos(psi)/2 + g_12**2*sin(psi)*cos(psi)**3/2 + (g_21**2 - g_22**2)*sin(psi)*cos(psi)/a**2)
         K_3 = varepsilon*(-Omega*d_33 + Omega*g_13**2/2 + a*k*(-d_31*cos(psi) + d_32*sin(psi)))
 
-    Arguments, numbers or arrays that broadcast:
+    Arguments:
         a: amplitude of the equatorial angular velocity, in rad/s; 0 < a
         psi: phase, in rad; any number
         Omega: frequency k x_3, in rad/s; any number
@@ -248,13 +250,14 @@ def drift_coefficients(a, psi, Omega, k, varepsilon, d_11, d_12, d_13, d_21, d_2
         g_22: intensity of the additive noise of axis 2, in rad s^(-3/2); 0 < g_22
         g_13: intensity of the multiplicative noise of axis 3, in s^(-1/2); 0 < g_13
 
-    Returns a tuple of arrays:
+    Returns a tuple:
         K_1: drift of a, in rad/s^2
         K_2: drift of theta, in rad/s
         K_3: drift of Omega, in rad/s^2
 
-    Numbers give numbers; arrays give float64, or float32 if all are. `out` takes 3 arrays of the broadcast shape
-    and type; a ValueError names what does not fit. What is no number gives no number.
+    The arguments are numbers or arrays, which broadcast. Numbers give numbers; arrays give float64, or float32 if
+    all are. `out` takes 3 arrays of the broadcast shape and type; a ValueError names what does not fit. What is
+    no number gives no number.
 
     Accuracy: 8 ulp over the domain. These are sums with zeros inside the domain: the ulp are those of the largest
     addend.
@@ -405,7 +408,7 @@ def diffusion_coefficients(a, psi, Omega, k, varepsilon, g_11, g_12, g_21, g_22,
         K_22 = varepsilon*(g_11**2*sin(psi)**2*cos(psi)**2 + g_12**2*sin(psi)**2*cos(psi)**2 + (g_21**2*sin(psi)**2 + g_22**2*cos(psi)**2)/a**2)
         K_33 = varepsilon*(Omega**2*g_13**2 + g_23**2*k**2)
 
-    Arguments, numbers or arrays that broadcast:
+    Arguments:
         a: amplitude of the equatorial angular velocity, in rad/s; 0 < a
         psi: phase, in rad; any number
         Omega: frequency k x_3, in rad/s; any number
@@ -418,14 +421,15 @@ def diffusion_coefficients(a, psi, Omega, k, varepsilon, g_11, g_12, g_21, g_22,
         g_13: intensity of the multiplicative noise of axis 3, in s^(-1/2); 0 < g_13
         g_23: intensity of the additive noise of axis 3, in rad s^(-3/2); 0 < g_23
 
-    Returns a tuple of arrays:
+    Returns a tuple:
         K_11: diffusion of a, in rad^2/s^3
         K_12: diffusion of a and theta, in rad^2/s^2
         K_22: diffusion of theta, in rad^2/s
         K_33: diffusion of Omega, in rad^2/s^3
 
-    Numbers give numbers; arrays give float64, or float32 if all are. `out` takes 4 arrays of the broadcast shape
-    and type; a ValueError names what does not fit. What is no number gives no number.
+    The arguments are numbers or arrays, which broadcast. Numbers give numbers; arrays give float64, or float32 if
+    all are. `out` takes 4 arrays of the broadcast shape and type; a ValueError names what does not fit. What is
+    no number gives no number.
 
     Accuracy: 8 ulp over the domain. In fourth powers the last place of a sine or cosine counts four times. K_12
     is a sum with zeros inside the domain: its ulp are those of the largest addend.
@@ -521,7 +525,7 @@ def averaged_drift(a, Omega, alpha, beta, gamma, d_12, d_21, d_33, g_13, out=Non
         Kbar_2 = -(d_12 - d_21)/2
         Kbar_3 = -Omega*(2*d_33 - g_13**2)/2
 
-    Arguments, numbers or arrays that broadcast:
+    Arguments:
         a: amplitude of the equatorial angular velocity, in rad/s; 0 < a
         Omega: frequency k x_3, in rad/s; any number
         alpha: multiplicative noise, alpha^2 = g_11^2 + g_12^2, in s^(-1/2); 0 < alpha
@@ -532,13 +536,14 @@ def averaged_drift(a, Omega, alpha, beta, gamma, d_12, d_21, d_33, g_13, out=Non
         d_33: coefficient of dissipation, in 1/s; 0 < d_33
         g_13: intensity of the multiplicative noise of axis 3, in s^(-1/2); 0 < g_13
 
-    Returns a tuple of arrays:
+    Returns a tuple:
         Kbar_1: drift of a, in rad/s^2
         Kbar_2: drift of theta, in rad/s
         Kbar_3: drift of Omega, in rad/s^2
 
-    Numbers give numbers; arrays give float64, or float32 if all are. `out` takes 3 arrays of the broadcast shape
-    and type; a ValueError names what does not fit. What is no number gives no number.
+    The arguments are numbers or arrays, which broadcast. Numbers give numbers; arrays give float64, or float32 if
+    all are. `out` takes 3 arrays of the broadcast shape and type; a ValueError names what does not fit. What is
+    no number gives no number.
 
     Accuracy: 4 ulp over the domain. These are sums with zeros inside the domain: the ulp are those of the largest
     addend.
@@ -596,7 +601,7 @@ def averaged_diffusion(a, Omega, k, alpha, beta, g_13, g_23, out=None):
         Kbar_22 = (a**2*alpha**2 + 4*beta**2)/(8*a**2)
         Kbar_33 = Omega**2*g_13**2 + g_23**2*k**2
 
-    Arguments, numbers or arrays that broadcast:
+    Arguments:
         a: amplitude of the equatorial angular velocity, in rad/s; 0 < a
         Omega: frequency k x_3, in rad/s; any number
         k: (A - C)/A, of the moments of inertia A, A, C, a number; 0 < k
@@ -605,13 +610,14 @@ def averaged_diffusion(a, Omega, k, alpha, beta, g_13, g_23, out=None):
         g_13: intensity of the multiplicative noise of axis 3, in s^(-1/2); 0 < g_13
         g_23: intensity of the additive noise of axis 3, in rad s^(-3/2); 0 < g_23
 
-    Returns a tuple of arrays:
+    Returns a tuple:
         Kbar_11: diffusion of a, in rad^2/s^3
         Kbar_22: diffusion of theta, in rad^2/s
         Kbar_33: diffusion of Omega, in rad^2/s^3
 
-    Numbers give numbers; arrays give float64, or float32 if all are. `out` takes 3 arrays of the broadcast shape
-    and type; a ValueError names what does not fit. What is no number gives no number.
+    The arguments are numbers or arrays, which broadcast. Numbers give numbers; arrays give float64, or float32 if
+    all are. `out` takes 3 arrays of the broadcast shape and type; a ValueError names what does not fit. What is
+    no number gives no number.
 
     Accuracy: 4 ulp over the domain.
 
@@ -664,17 +670,18 @@ def density_of_amplitude(a, alpha, beta, gamma, out=None):
 
         p_s1 = 2*a*(-alpha + 2*gamma)*(alpha + 2*gamma)/((3*a**2*alpha**2 + 4*beta**2)*(3*a**2*alpha**2/(4*beta**2) + 1)**((-alpha + 2*gamma)*(alpha + 2*gamma)/(3*alpha**2)))
 
-    Arguments, numbers or arrays that broadcast:
+    Arguments:
         a: amplitude of the equatorial angular velocity, in rad/s; 0 < a
         alpha: multiplicative noise, alpha^2 = g_11^2 + g_12^2, in s^(-1/2); 0 < alpha
         beta: additive noise, beta^2 = g_21^2 + g_22^2, in rad s^(-3/2); 0 < beta
         gamma: dissipation, gamma^2 = d_11 + d_22, in s^(-1/2); alpha/2 < gamma
 
-    Returns one array:
+    Returns:
         p_s1: density of a, in s/rad
 
-    Numbers give numbers; arrays give float64, or float32 if all are. `out` takes an array of the broadcast shape
-    and type; a ValueError names what does not fit. What is no number gives no number.
+    The arguments are numbers or arrays, which broadcast. Numbers give numbers; arrays give float64, or float32 if
+    all are. `out` takes an array of the broadcast shape and type; a ValueError names what does not fit. What is
+    no number gives no number.
 
     Accuracy: 8 ulp over the domain. The ulp are those of the value times its condition number, 1 + |kappa_1|
     log(1 + 3 alpha^2 a^2/(4 beta^2)), as the exponent is rounded. For alpha -> 0 it becomes Rayleigh's density.
@@ -739,18 +746,19 @@ def density_of_frequency(Omega, k, g_13, g_23, d_33, out=None):
 
         p_s3 = g_13*gamma(d_33/g_13**2 + 1/2)/(sqrt(pi)*sqrt(Omega**2*g_13**2 + g_23**2*k**2)*(Omega**2*g_13**2/(g_23**2*k**2) + 1)**(d_33/g_13**2)*gamma(d_33/g_13**2))
 
-    Arguments, numbers or arrays that broadcast:
+    Arguments:
         Omega: frequency k x_3, in rad/s; any number
         k: (A - C)/A, of the moments of inertia A, A, C, a number; 0 < k
         g_13: intensity of the multiplicative noise of axis 3, in s^(-1/2); 0 < g_13
         g_23: intensity of the additive noise of axis 3, in rad s^(-3/2); 0 < g_23
         d_33: coefficient of dissipation, in 1/s; 0 < d_33
 
-    Returns one array:
+    Returns:
         p_s3: density of Omega, in s/rad
 
-    Numbers give numbers; arrays give float64, or float32 if all are. `out` takes an array of the broadcast shape
-    and type; a ValueError names what does not fit. What is no number gives no number.
+    The arguments are numbers or arrays, which broadcast. Numbers give numbers; arrays give float64, or float32 if
+    all are. `out` takes an array of the broadcast shape and type; a ValueError names what does not fit. What is
+    no number gives no number.
 
     Accuracy: 16 ulp over the domain. The ulp are those of the value times its condition number, 1 + |kappa_2|
     log(1 + g_13^2 Omega^2/(g_23 k)^2), as the exponent is rounded. For g_13 -> 0 it becomes normal.
@@ -813,16 +821,17 @@ def logarithm_of_constant_of_amplitude(alpha, beta, gamma, out=None):
 
         log_C_1 = log((-alpha + 2*gamma)*(alpha + 2*gamma)/4) + 2*(-alpha + 2*gamma)*(alpha + 2*gamma)*log(2*beta)/(3*alpha**2)
 
-    Arguments, numbers or arrays that broadcast:
+    Arguments:
         alpha: multiplicative noise, alpha^2 = g_11^2 + g_12^2, in s^(-1/2); 0 < alpha
         beta: additive noise, beta^2 = g_21^2 + g_22^2, in rad s^(-3/2); 0 < beta
         gamma: dissipation, gamma^2 = d_11 + d_22, in s^(-1/2); alpha/2 < gamma
 
-    Returns one array:
+    Returns:
         log_C_1: log C_1, a number
 
-    Numbers give numbers; arrays give float64, or float32 if all are. `out` takes an array of the broadcast shape
-    and type; a ValueError names what does not fit. What is no number gives no number.
+    The arguments are numbers or arrays, which broadcast. Numbers give numbers; arrays give float64, or float32 if
+    all are. `out` takes an array of the broadcast shape and type; a ValueError names what does not fit. What is
+    no number gives no number.
 
     Accuracy: 6 ulp over the domain. An error is a relative error of the constant: the ulp are those of 2, of the
     larger addend or of the exponent, whichever is largest.
@@ -870,17 +879,18 @@ def logarithm_of_constant_of_frequency(k, g_13, g_23, d_33, out=None):
 
         log_C_2 = 2*d_33*log(g_23*k)/g_13**2 + log(g_13*gamma(d_33/g_13**2 + 1/2)/(sqrt(pi)*gamma(d_33/g_13**2)))
 
-    Arguments, numbers or arrays that broadcast:
+    Arguments:
         k: (A - C)/A, of the moments of inertia A, A, C, a number; 0 < k
         g_13: intensity of the multiplicative noise of axis 3, in s^(-1/2); 0 < g_13
         g_23: intensity of the additive noise of axis 3, in rad s^(-3/2); 0 < g_23
         d_33: coefficient of dissipation, in 1/s; 0 < d_33
 
-    Returns one array:
+    Returns:
         log_C_2: log C_2, a number
 
-    Numbers give numbers; arrays give float64, or float32 if all are. `out` takes an array of the broadcast shape
-    and type; a ValueError names what does not fit. What is no number gives no number.
+    The arguments are numbers or arrays, which broadcast. Numbers give numbers; arrays give float64, or float32 if
+    all are. `out` takes an array of the broadcast shape and type; a ValueError names what does not fit. What is
+    no number gives no number.
 
     Accuracy: 16 ulp over the domain. An error is a relative error of the constant: the ulp are those of 2, of the
     larger addend or of the exponent, whichever is largest.
@@ -927,17 +937,18 @@ def distribution_of_amplitude(a, alpha, beta, gamma, out=None):
 
         F = 1 - 1/(3*a**2*alpha**2/(4*beta**2) + 1)**((-alpha + 2*gamma)*(alpha + 2*gamma)/(3*alpha**2))
 
-    Arguments, numbers or arrays that broadcast:
+    Arguments:
         a: amplitude of the equatorial angular velocity, in rad/s; 0 < a
         alpha: multiplicative noise, alpha^2 = g_11^2 + g_12^2, in s^(-1/2); 0 < alpha
         beta: additive noise, beta^2 = g_21^2 + g_22^2, in rad s^(-3/2); 0 < beta
         gamma: dissipation, gamma^2 = d_11 + d_22, in s^(-1/2); alpha/2 < gamma
 
-    Returns one array:
+    Returns:
         F: probability, a number
 
-    Numbers give numbers; arrays give float64, or float32 if all are. `out` takes an array of the broadcast shape
-    and type; a ValueError names what does not fit. What is no number gives no number.
+    The arguments are numbers or arrays, which broadcast. Numbers give numbers; arrays give float64, or float32 if
+    all are. `out` takes an array of the broadcast shape and type; a ValueError names what does not fit. What is
+    no number gives no number.
 
     Accuracy: 8 ulp over the domain. The exponent of the power is rounded.
 
@@ -987,17 +998,18 @@ def quantile_of_amplitude(q, alpha, beta, gamma, out=None):
 
         a_q = 2*sqrt(3)*beta*sqrt(-1 + (1 - q)**(-3*alpha**2/((-alpha + 2*gamma)*(alpha + 2*gamma))))/(3*alpha)
 
-    Arguments, numbers or arrays that broadcast:
+    Arguments:
         q: probability, a number; 0 < q < 1
         alpha: multiplicative noise, alpha^2 = g_11^2 + g_12^2, in s^(-1/2); 0 < alpha
         beta: additive noise, beta^2 = g_21^2 + g_22^2, in rad s^(-3/2); 0 < beta
         gamma: dissipation, gamma^2 = d_11 + d_22, in s^(-1/2); 3*alpha/5 < gamma
 
-    Returns one array:
+    Returns:
         a_q: quantile of a, in rad/s
 
-    Numbers give numbers; arrays give float64, or float32 if all are. `out` takes an array of the broadcast shape
-    and type; a ValueError names what does not fit. What is no number gives no number.
+    The arguments are numbers or arrays, which broadcast. Numbers give numbers; arrays give float64, or float32 if
+    all are. `out` takes an array of the broadcast shape and type; a ValueError names what does not fit. What is
+    no number gives no number.
 
     Accuracy: 8 ulp over the domain. The ulp are those of the value times its condition number, 1 + |log(1 -
     q)|/nu with nu = |kappa_1| - 1. Nearer to gamma = alpha/2, where the density ends to exist, quantiles may be
@@ -1058,17 +1070,18 @@ def moment_of_amplitude(m, alpha, beta, gamma, out=None):
 
         M_a = gamma(-m/2 + (-alpha + 2*gamma)*(alpha + 2*gamma)/(3*alpha**2))*gamma(m/2 + 1)/((3*alpha**2/(4*beta**2))**(m/2)*gamma((-alpha + 2*gamma)*(alpha + 2*gamma)/(3*alpha**2)))
 
-    Arguments, numbers or arrays that broadcast:
+    Arguments:
         m: order of the moment, a number; 0 <= m <= 8
         alpha: multiplicative noise, alpha^2 = g_11^2 + g_12^2, in s^(-1/2); 0 < alpha
         beta: additive noise, beta^2 = g_21^2 + g_22^2, in rad s^(-3/2); 0 < beta
         gamma: dissipation, gamma^2 = d_11 + d_22, in s^(-1/2); alpha*sqrt((2 + 3*m)/8)*(1 + 1e-9) < gamma
 
-    Returns one array:
+    Returns:
         M_a: moment, in (rad/s)^m
 
-    Numbers give numbers; arrays give float64, or float32 if all are. `out` takes an array of the broadcast shape
-    and type; a ValueError names what does not fit. What is no number gives no number.
+    The arguments are numbers or arrays, which broadcast. Numbers give numbers; arrays give float64, or float32 if
+    all are. `out` takes an array of the broadcast shape and type; a ValueError names what does not fit. What is
+    no number gives no number.
 
     Accuracy: 16 ulp over the domain. The ulp are those of the value times its condition number, (2 + m) (1 +
     log(1 + m)) nu/(nu - m/2) with nu = |kappa_1| - 1. Beyond the domain the moment is infinite, and the formula
@@ -1126,18 +1139,19 @@ def moment_of_frequency(m, k, g_13, g_23, d_33, out=None):
 
         M_Omega = gamma(m/2 + 1/2)*gamma(d_33/g_13**2 - m/2)/(sqrt(pi)*(g_13**2/(g_23**2*k**2))**(m/2)*gamma(d_33/g_13**2))
 
-    Arguments, numbers or arrays that broadcast:
+    Arguments:
         m: order of the moment, a number; 0 <= m <= 8
         k: (A - C)/A, of the moments of inertia A, A, C, a number; 0 < k
         g_13: intensity of the multiplicative noise of axis 3, in s^(-1/2); 0 < g_13
         g_23: intensity of the additive noise of axis 3, in rad s^(-3/2); 0 < g_23
         d_33: coefficient of dissipation, in 1/s; m*g_13**2/2*(1 + 1e-9) < d_33
 
-    Returns one array:
+    Returns:
         M_Omega: absolute moment, in (rad/s)^m
 
-    Numbers give numbers; arrays give float64, or float32 if all are. `out` takes an array of the broadcast shape
-    and type; a ValueError names what does not fit. What is no number gives no number.
+    The arguments are numbers or arrays, which broadcast. Numbers give numbers; arrays give float64, or float32 if
+    all are. `out` takes an array of the broadcast shape and type; a ValueError names what does not fit. What is
+    no number gives no number.
 
     Accuracy: 16 ulp over the domain. The ulp are those of the value times its condition number, (2 + m) (1 +
     log(1 + m)) delta/(delta - m/2) with delta = d_33/g_13^2. Beyond the domain the moment is infinite, and the
@@ -1188,16 +1202,17 @@ def mean_square_of_amplitude(alpha, beta, gamma, out=None):
 
         S_a = -beta**2/((alpha - gamma)*(alpha + gamma))
 
-    Arguments, numbers or arrays that broadcast:
+    Arguments:
         alpha: multiplicative noise, alpha^2 = g_11^2 + g_12^2, in s^(-1/2); 0 < alpha
         beta: additive noise, beta^2 = g_21^2 + g_22^2, in rad s^(-3/2); 0 < beta
         gamma: dissipation, gamma^2 = d_11 + d_22, in s^(-1/2); alpha < gamma
 
-    Returns one array:
+    Returns:
         S_a: mean square of a, in rad^2/s^2
 
-    Numbers give numbers; arrays give float64, or float32 if all are. `out` takes an array of the broadcast shape
-    and type; a ValueError names what does not fit. What is no number gives no number.
+    The arguments are numbers or arrays, which broadcast. Numbers give numbers; arrays give float64, or float32 if
+    all are. `out` takes an array of the broadcast shape and type; a ValueError names what does not fit. What is
+    no number gives no number.
 
     Accuracy: 4 ulp over the domain. Beyond the domain it is infinite, and the formula means nothing.
 
@@ -1234,17 +1249,18 @@ def mean_square_of_frequency(k, g_13, g_23, d_33, out=None):
 
         S_Omega = g_23**2*k**2/(2*(d_33 - g_13**2))
 
-    Arguments, numbers or arrays that broadcast:
+    Arguments:
         k: (A - C)/A, of the moments of inertia A, A, C, a number; 0 < k
         g_13: intensity of the multiplicative noise of axis 3, in s^(-1/2); 0 < g_13
         g_23: intensity of the additive noise of axis 3, in rad s^(-3/2); 0 < g_23
         d_33: coefficient of dissipation, in 1/s; g_13**2 < d_33
 
-    Returns one array:
+    Returns:
         S_Omega: mean square of Omega, in rad^2/s^2
 
-    Numbers give numbers; arrays give float64, or float32 if all are. `out` takes an array of the broadcast shape
-    and type; a ValueError names what does not fit. What is no number gives no number.
+    The arguments are numbers or arrays, which broadcast. Numbers give numbers; arrays give float64, or float32 if
+    all are. `out` takes an array of the broadcast shape and type; a ValueError names what does not fit. What is
+    no number gives no number.
 
     Accuracy: 4 ulp over the domain. The ulp are those of the value times its condition number, (d_33 +
     g_13^2)/|d_33 - g_13^2|, as g_13^2 is rounded. Beyond the domain it is infinite, and the formula means
@@ -1284,16 +1300,17 @@ def mode_of_amplitude(alpha, beta, gamma, out=None):
 
         a_star = 2*beta/sqrt(alpha**2 + 8*gamma**2)
 
-    Arguments, numbers or arrays that broadcast:
+    Arguments:
         alpha: multiplicative noise, alpha^2 = g_11^2 + g_12^2, in s^(-1/2); 0 < alpha
         beta: additive noise, beta^2 = g_21^2 + g_22^2, in rad s^(-3/2); 0 < beta
         gamma: dissipation, gamma^2 = d_11 + d_22, in s^(-1/2); 0 < gamma
 
-    Returns one array:
+    Returns:
         a_star: mode of a, in rad/s
 
-    Numbers give numbers; arrays give float64, or float32 if all are. `out` takes an array of the broadcast shape
-    and type; a ValueError names what does not fit. What is no number gives no number.
+    The arguments are numbers or arrays, which broadcast. Numbers give numbers; arrays give float64, or float32 if
+    all are. `out` takes an array of the broadcast shape and type; a ValueError names what does not fit. What is
+    no number gives no number.
 
     Accuracy: 4 ulp over the domain.
 

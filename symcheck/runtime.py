@@ -45,7 +45,7 @@ def evaluate(block: Block, registers: int, order: Sequence[int], inputs: Sequenc
     if out is None:
         outputs = [np.empty(shape, dtype) for _ in range(max(order) + 1)]
     else:  # an output must not overwrite what is read later
-        given = _fitting(out, len(order), shape, dtype)
+        given = fitting(out, len(order), shape, dtype)
         arrays = [x.copy() if any(np.may_share_memory(x, y) for y in given) else x for x in arrays]
         outputs = [given[order.index(k)] for k in range(max(order) + 1)]
     _run(block, registers, arrays, outputs, shape, dtype)
@@ -71,7 +71,8 @@ def evaluate_alike(block: Block, registers: int, order: Sequence[int], inputs: S
     return outputs[0] if len(order) == 1 else tuple([outputs[k] for k in order])
 
 
-def _fitting(out: Any, outputs: int, shape: tuple[int, ...], dtype: Any) -> list[Any]:
+def fitting(out: Any, outputs: int, shape: tuple[int, ...], dtype: Any) -> list[Any]:
+    """The arrays of `out`; ValueError if they are not as many as the outputs, or do not fit."""
     results = list(out) if isinstance(out, (tuple, list)) else [out]
     if len(results) != outputs:
         raise ValueError(f"out has {len(results)} arrays; this kernel has {outputs} outputs")

@@ -1,4 +1,4 @@
-"""Generated C against `lambdify(cse=True)`, against C by hand, and against what limits it. Run by `make bench-c`.
+"""Generated C against `lambdify(cse=True)`, against C by hand, and against what limits it. Run by `make bench`.
 
 The limit is the longer of two times: to copy as many bytes as a kernel reads and writes, and to compute its divisions,
 roots and functions, each in a loop of its own.
@@ -22,7 +22,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 from bench_kernels import lambdified, values
-from compiled_c import FLAGS, addresses, everything, folder, library
+from compiled_c import COMPILERS, FLAGS, addresses, everything, folder, library
 from kernel_reference import Case, cases
 from rich import box
 from rich.console import Console
@@ -116,6 +116,9 @@ def functions(case: Case) -> int:
 
 def main() -> None:
     """Measure and print."""
+    if "gcc" not in COMPILERS:
+        print("the kernels in C are not measured: there is no gcc; install it (Debian: apt install gcc)")
+        return
     warnings.simplefilter("ignore", RuntimeWarning)  # of lambdify's functions
     gc.disable()
     shutil.copy(Path(__file__).with_name("by_hand.c"), folder())

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Sequence
+from pathlib import Path
 
 import pytest
 from bench_kernels import ACCURACY, README, SPEED, block, head
@@ -34,3 +36,23 @@ def test_errors_in_the_readme_are_below_what_each_kernel_states() -> None:
 
 def test_speeds_in_the_readme_are_positive_numbers() -> None:
     assert all(float(cell) > 0 for cells in rows("speed of kernels")[2:] for cell in cells[2:])
+
+
+def example(word: str) -> str:
+    """The one block of Python in the README that has this word."""
+    blocks = re.findall(r"^```python\n(.*?)^```", README.read_text(encoding="utf-8"), flags=re.DOTALL | re.MULTILINE)
+    (found,) = (block for block in blocks if word in block)
+    return str(found)
+
+
+def test_the_engineers_example_runs_as_it_is_printed(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    exec(example("principal_inertia"), {})
+    lines = capsys.readouterr().out.splitlines()
+    assert len(lines) == 4
+    assert not re.search("nan|inf", " ".join(lines))
+    loss = [float(x) for x in re.findall(r"[\d.]+", lines[1])]
+    assert {n for n, rate in enumerate(loss, 1) if rate == min(loss)} == {1, 4}
+    assert (tmp_path / "envelope.png").read_bytes().startswith(b"\x89PNG")

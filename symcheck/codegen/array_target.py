@@ -10,8 +10,8 @@ from collections import Counter
 from collections.abc import Iterator, Mapping
 from fractions import Fraction
 
-from symcheck.codegen import numpy_target
-from symcheck.codegen.program import UNARY, Operation, Program, Ref
+from symcheck.codegen.docstring import docstring
+from symcheck.codegen.program import INFIX, UNARY, Operation, Program, Ref
 from symcheck.codegen.target import MARK, Made, Target
 from symcheck.runtime import SHIFT, STIRLING, TINY
 from symcheck.statement import SymcheckError
@@ -137,14 +137,8 @@ def source(name: str, made: Made) -> str:
     """The text of one kernel."""
     inputs = made.program.inputs
     pairs = ", ".join(f"{x}={x}" for x in inputs)
-    lines = [docstring(made), f"xp, number, {', '.join(inputs)} = _arrays({pairs})", *statements(made.program)]
+    lines = [docstring(made, CALLS), f"xp, number, {', '.join(inputs)} = _arrays({pairs})", *statements(made.program)]
     return f"def {name}({', '.join(inputs)}):\n{textwrap.indent(chr(10).join(lines), '    ')}\n"
-
-
-def docstring(made: Made) -> str:
-    """That of the NumPy kernel, with the call as it is here."""
-    paragraphs = numpy_target.docstring(made.kernel, made.evidence).split("\n\n")
-    return "\n\n".join(CALLS if each.startswith("Numbers give numbers") else each for each in paragraphs)
 
 
 def statements(program: Program) -> Iterator[str]:
@@ -177,7 +171,7 @@ def dependencies(program: Program) -> dict[Ref, set[Ref]]:
 
 def _text(operation: Operation, texts: Mapping[Ref, str]) -> str:
     """An operator, in parentheses, or a call. Numbers are arrays, except where an operator has an array beside them."""
-    function, sign = operation.function, numpy_target.INFIX.get(operation.function)
+    function, sign = operation.function, INFIX.get(operation.function)
     beside = sign and any(x in texts for x in operation.operands)
     operands = [texts.get(x) or (literal(x) if beside else array(x)) for x in operation.operands]
     if sign:

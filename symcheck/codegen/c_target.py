@@ -11,10 +11,10 @@ import textwrap
 from collections.abc import Iterable, Mapping
 from fractions import Fraction
 
-from symcheck.codegen import numpy_target
 from symcheck.codegen.c_functions import CIRCULAR, REACH, written
 from symcheck.codegen.c_text import HEADER, LOOP, LOOP_AND_REST, PARALLEL, SOURCE, VECTORS
-from symcheck.codegen.program import UNARY, Operation, Program, Ref
+from symcheck.codegen.docstring import paragraphs
+from symcheck.codegen.program import INFIX, UNARY, Operation, Program, Ref
 from symcheck.codegen.special import RUNTIME
 from symcheck.codegen.target import MARK, Made, Target
 from symcheck.statement import SymcheckError
@@ -26,11 +26,7 @@ WORDS_OF_C = re.compile(  # and of the text around a kernel: far, i, libm, n
 C_NAMES = {"arctan": "atan", "power": "pow"}  # what C calls otherwise
 VECTOR = ("atan", "exp", "expm1", "log", "log1p", "pow")  # functions of libm that glibc has for vectors too
 WIDTH = 116
-CALLS = {  # how paragraphs of the docstring begin, and how here
-    "Arguments, numbers or arrays that broadcast:": "Arguments, arrays of n numbers:",
-    "Returns one array:": "Result, an array of n numbers:",
-    "Returns a tuple of arrays:": "Results, arrays of n numbers:",
-}
+CALLS = "Arguments and results are arrays of n numbers. What is no number gives no number."
 
 
 def files(key: str, kernels: Mapping[str, Made]) -> dict[str, str]:
@@ -101,8 +97,8 @@ def statement(operation: Operation, places: Mapping[str, str]) -> str:
 
 
 def _expression(function: str, operands: list[str]) -> str:
-    if function in numpy_target.INFIX:
-        return f" {numpy_target.INFIX[function]} ".join(operands)
+    if function in INFIX:
+        return f" {INFIX[function]} ".join(operands)
     if function == "negative":
         return f"-{operands[0]}"
     inside = ", ".join(operands)
@@ -123,12 +119,8 @@ def number(x: Ref, places: Mapping[str, str]) -> str:
 
 
 def comment(made: Made) -> str:
-    """The docstring of the NumPy kernel, without how NumPy calls it, as a comment."""
-    paragraphs = numpy_target.docstring(made.kernel, made.evidence).strip('"\n').split("\n\n")
-    kept = [each for each in paragraphs if each and not each.startswith("Numbers give numbers")]
-    text = "\n\n".join(kept)
-    for begins, here in CALLS.items():
-        text = text.replace(begins, here)
+    """What the function is, as a comment."""
+    text = "\n\n".join(each for each in paragraphs(made, CALLS) if each)
     return f"/** {textwrap.indent(text, '    ').lstrip()} */"
 
 

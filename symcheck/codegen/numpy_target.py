@@ -8,14 +8,16 @@ from collections import Counter
 from collections.abc import Iterator, Mapping
 from fractions import Fraction
 
-from symcheck.codegen.kernel import Argument, Kernel, Output
-from symcheck.codegen.program import UNARY, Operation, Program, Ref, registers
+from symcheck.codegen.docstring import docstring
+from symcheck.codegen.program import INFIX, UNARY, Operation, Program, Ref, registers
 from symcheck.codegen.special import RUNTIME
 from symcheck.codegen.target import MARK, Made, Target
 
-INFIX = {"add": "+", "subtract": "-", "multiply": "*", "divide": "/"}
 MATH = {"arctan": "atan", "power": "pow"}  # what `math` calls otherwise
-WIDTH = 110
+CALLS = """The arguments are numbers or arrays, which broadcast. Numbers give numbers; arrays give float64, or float32
+if all are. `out` takes {} of the broadcast shape and type; a ValueError names what does not fit. What is no number
+gives no number."""
+EQUAL = "Outputs that are equal by formula are one array, unless `out` is given."
 LONGEST = 90  # characters of an expression that is not given a name
 HEAD = '''"""Kernels of {key}. {mark}"""
 
@@ -119,12 +121,19 @@ def files(key: str, kernels: Mapping[str, Made]) -> dict[str, str]:
     return {f"{key}.py": "\n\n".join([HEAD.format(key=key, mark=MARK, names=names, special=special), *texts])}
 
 
+def calls(program: Program) -> str:
+    """How a kernel is called."""
+    count = len(program.outputs)
+    equal = EQUAL if len(distinct(program)) < count else ""
+    return f"{CALLS.format(f'{count} arrays' if count > 1 else 'an array')} {equal}"
+
+
 TARGET = Target("NumPy, in generated/", files)
 
 
 def source(name: str, made: Made) -> str:
     """The text of one kernel."""
-    kernel, program = made.kernel, made.program
+    program = made.program
     inputs = ", ".join(program.inputs)
     called, used = functions(made.pointwise), numbers(made.pointwise)
     count, lines = block_lines(program)
@@ -147,13 +156,8 @@ def source(name: str, made: Made) -> str:
     taken += "".join(f", {named(x)}=np.array({number(x)})" for x in used)
     own = "".join(f", math.{MATH.get(function, function)}" for function in called)
     own += "".join(f", {number(x)}" for x in used)
-    note = (
-        "Outputs that are equal by formula are one array, unless `out` is given."
-        if len(firsts) < len(program.outputs)
-        else ""
-    )
     return f"""def {name}({inputs}, out=None):
-{textwrap.indent(docstring(kernel, made.evidence, note), "    ")}
+{textwrap.indent(docstring(made, calls(program)), "    ")}
     if out is None:
         if {types} is float:
             try:
@@ -172,41 +176,3 @@ def _{name}({inputs}{taken}):
 def _{name}_block({inputs}, {outs}{rows}):
 {textwrap.indent(chr(10).join(lines), "    ")}
 """
-
-
-def docstring(kernel: Kernel, evidence: str, note: str = "") -> str:
-    """What the function is, takes, returns and rests on."""
-    shown = kernel.derived()
-    formulas = [f"    {output.name} = {shown[output.name]}" for output in kernel.outputs]
-    several = len(kernel.outputs) > 1
-    taken = f"{len(kernel.outputs)} arrays" if several else "an array"
-    parts = [
-        kernel.says,
-        "\n".join(formulas),
-        "\n".join(["Arguments, numbers or arrays that broadcast:", *map(_argument, kernel.arguments)]),
-        "\n".join([f"Returns {'a tuple of arrays' if several else 'one array'}:", *map(_output, kernel.outputs)]),
-        _wrapped(
-            "Numbers give numbers; arrays give float64, or float32 if all are. `out` takes "
-            f"{taken} of the broadcast shape and type; a ValueError names what does not fit. What is no number "
-            f"gives no number. {note}"
-        ),
-        _wrapped(f"Accuracy: {kernel.ulp} ulp over the domain. {kernel.condition} {kernel.degenerate}".strip()),
-        _wrapped(evidence),
-    ]
-    return '"""' + "\n\n".join(parts) + '\n"""'
-
-
-def _argument(each: Argument) -> str:
-    return f"    {each.name}: {each.meaning}, {_unit(each.unit)}; {each.domain}"
-
-
-def _output(each: Output) -> str:
-    return f"    {each.name}: {each.meaning}, {_unit(each.unit)}"
-
-
-def _unit(unit: str) -> str:
-    return "a number" if unit == "1" else f"in {unit}"
-
-
-def _wrapped(text: str) -> str:
-    return textwrap.fill(" ".join(text.split()), WIDTH)

@@ -19,6 +19,7 @@ from symcheck.statement import SymcheckError
 sp = lazy("sympy")
 
 Ref = str | Fraction  # a value by name, or a number
+INFIX = {"add": "+", "subtract": "-", "multiply": "*", "divide": "/"}
 UNARY = ("sin", "cos", "tan", "exp", "expm1", "log", "log1p", "sqrt", "arctan")
 
 
