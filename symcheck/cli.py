@@ -294,6 +294,35 @@ def plot(name: str | None, output: Path | None, show: bool) -> None:
         raise SymcheckError(f"no viewer opens {path} here; the file is written")
 
 
+@cli.command()
+@click.option("--json", "as_json", is_flag=True, help="One JSON object with all counts instead of the table.")
+@click.option("--seed", type=int, default=0, show_default=True, help="The same seed plants the same faults.")
+@click.option("--faults", type=click.IntRange(1), default=21_000, show_default=True, help="About how many to plant.")
+@deciding
+def selftest(as_json: bool, seed: int, faults: int, how: How) -> None:
+    """Plant faults and count those that go unnoticed: the error rate of the audit itself.
+
+    In statements, hypotheses, certificates, kernels, notation tables and proof methods; and true statements written
+    otherwise, which must not be rejected. Exit code 1 if anything wrong was accepted or anything right rejected.
+    """
+    from symcheck.evidence.executor import Pool, Serial
+    from symcheck.selftest.run import classes, run
+    from symcheck.selftest.table import show
+
+    records = audit((), how)
+    modules = (*PRELOAD, *(each.places.__module__ for each in classes().values()))
+    with _progress() as move:
+        result = run(records, Pool(how.jobs, modules) if how.jobs else Serial(), faults, seed, move)
+    if as_json:
+        click.echo(json.dumps(result.to_json(), ensure_ascii=False, indent=1))
+    else:
+        from symcheck.terminal import console
+
+        show(console(), result)
+    if not result.is_sound:
+        raise click.exceptions.Exit(DIFFERS)
+
+
 def audit(selection: Sequence[str], how: How) -> list[Record]:
     """The records of a selection: from the cache where it has them, else decided in workers, with a progress bar."""
     from symcheck.evidence import decide, run

@@ -25,7 +25,6 @@ import numpy as np
 import pytest
 import sympy as sp
 from click.testing import Result
-from kernel_mutants import EXPRESSION, IN_PLACE, NUMBERS, Forms, Mutant
 from kernel_reference import (
     Case,
     Truth,
@@ -44,6 +43,7 @@ from symcheck.codegen.target import MARK
 from symcheck.evidence import kernels as evidence
 from symcheck.papers import load
 from symcheck.runtime import BLOCK, SMALL
+from symcheck.selftest.kernel_mutants import EXPRESSION, IN_PLACE, NUMBERS, Forms, Mutant
 from symcheck.statement import SymcheckError
 
 CASES = cases()

@@ -6,7 +6,6 @@ import random
 from collections import Counter
 from functools import cache
 
-import oracle
 import pytest
 
 from symcheck import papers
@@ -15,6 +14,7 @@ from symcheck.evidence.judge import Unit, judge, units
 from symcheck.evidence.mutation import Fate, fate, mutants
 from symcheck.evidence.obligation import expand
 from symcheck.reading import Iff
+from symcheck.selftest import oracle
 from symcheck.statement import Hypothesis, Role, Verdict
 
 SAMPLE = 200

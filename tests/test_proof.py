@@ -6,7 +6,7 @@ import json
 from dataclasses import replace
 
 import pytest
-from saboteurs import SABOTEURS, unsound
+from saboteurs import unsound
 from statements import DISTINCT, DISTINCT_AS_PRINTED, FALSE, ORTHOGONAL, RIGHT, TRUE, J, L, eq, mul, over, sq, sub
 
 from symcheck.checker import check
@@ -16,6 +16,7 @@ from symcheck.proof.ideal import Ideal
 from symcheck.proof.knowledge import ring_of, starting
 from symcheck.proof.orders import positive_form
 from symcheck.proof.polynomial import Ring, Unsupported, square_free
+from symcheck.selftest.methods import SABOTEURS
 from symcheck.statement import Certificate, Method, Problem, Verdict
 
 BY_ID = {problem.id: problem for problem in (*TRUE, *FALSE)}

@@ -8,7 +8,6 @@ from dataclasses import replace
 from functools import cache
 from typing import Any
 
-from symcheck import papers
 from symcheck.reading import Notation, from_sympy, lower, read
 from symcheck.statement import Formula, Hypothesis, Item, Method, Paper, Problem, Role, SymcheckError, Term
 from symcheck.theorems import conjuncts
@@ -24,9 +23,8 @@ def _names(value: Any) -> Iterator[str]:
 
 
 @cache
-def _definitions(key: str) -> dict[str, Term]:
+def _definitions(paper: Paper) -> dict[str, Term]:
     """What each defined letter of a paper stands for, instance by instance."""
-    paper = papers.load()[key]
     table: dict[str, Term] = {}
     for _, _, item in paper.items():
         if item.role is not Role.DEFINITION or item.opaque:
@@ -35,9 +33,11 @@ def _definitions(key: str) -> dict[str, Term]:
         for formula in lower(tree, item.notation or paper.notation):
             sign, left, right = formula
             if sign != "=" or not isinstance(left, str):
-                raise SymcheckError(f"{key}:{item.number} is no definition of a letter; declare it a premise or opaque")
+                raise SymcheckError(
+                    f"{paper.key}:{item.number} is no definition of a letter; declare it a premise or opaque"
+                )
             if table.setdefault(left, right) != right:
-                raise SymcheckError(f"{key}:{item.number} defines {left} a second time and differently")
+                raise SymcheckError(f"{paper.key}:{item.number} defines {left} a second time and differently")
     return table
 
 
@@ -59,7 +59,7 @@ class Context:
         redefined = local - shared
         table = {
             name: term
-            for name, term in _definitions(paper.key).items()
+            for name, term in _definitions(paper).items()
             if not self._is_free(name) and name not in redefined
         }
         table |= {name: from_sympy(value) for name, value in derived.items()}

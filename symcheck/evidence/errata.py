@@ -9,7 +9,7 @@ from dataclasses import replace
 from typing import Any
 
 from symcheck.evidence.context import Context
-from symcheck.evidence.judge import Finding, Unit, judge
+from symcheck.evidence.judge import Finding, Unit, judge, lemma
 from symcheck.proof import certificate, combined, fails_at, proof_of, refute
 from symcheck.reading import edits, read, to_latex
 from symcheck.statement import Certificate, Erratum, Hypothesis, Item, Method, Outcome, Role, SymcheckError, Verdict
@@ -46,7 +46,7 @@ def _need(finding: Finding, item: Item, name: str) -> tuple[bool | None, Certifi
     """Left out, is the claim refuted somewhere (True), or proved everywhere (False)? A lemma may rest on it (None)."""
     if finding.verdict is not Verdict.PROVED:
         return None, None
-    if not item.lemmas and not any(name in outcome.used for outcome in finding.outcomes):
+    if not any(name in outcome.used for outcome in finding.outcomes) and name not in _under_lemmas(finding):
         return False, None  # the proof does without it
     claims = [problem for problem in finding.concrete if not (problem.claim[0] == "<=>" and item.equality)]
     without = [replace(problem, hypotheses=tuple(h for h in problem.hypotheses if h[0] != name)) for problem in claims]
@@ -60,6 +60,12 @@ def _need(finding: Finding, item: Item, name: str) -> tuple[bool | None, Certifi
     if item.lemmas or any(proof_of(problem) is None for problem in without):
         return None, None
     return False, None
+
+
+def _under_lemmas(finding: Finding) -> set[str]:
+    """The hypotheses that the lemmas rest on."""
+    proofs = (proof for id in finding.lemmas for proof in lemma(*id.split(":", 1))[1])
+    return {name for proof in proofs for name in proof["hypotheses"]}
 
 
 def corrected(context: Context, unit: Unit, erratum: Erratum, printed: Finding) -> tuple[Finding, dict[str, Any]]:

@@ -24,7 +24,9 @@ from symcheck.statement import (
     Term,
     Verdict,
 )
-from symcheck.theorems import conjuncts
+from symcheck.theorems import conjuncts, contrary
+
+Definitions = tuple[tuple[str, Term], ...]
 
 
 @dataclass(frozen=True)
@@ -152,6 +154,9 @@ def judge(context: Context, unit: Unit, given: tuple[Hypothesis, ...], extra: tu
     context, item = context.having(letter=unit.letter), context.item
     method = context.method(unit.letter)
     finding = _find(context, unit.formulas, (*given, *extra), method)
+    if finding.verdict is Verdict.PROVED and any(_is_vacuous(context, each) for each in finding.concrete):
+        vacuous = Outcome(Verdict.UNDECIDED, reason="the hypotheses contradict one another, so that anything follows")
+        return replace(finding, verdict=vacuous.verdict, outcomes=tuple(vacuous for _ in finding.outcomes))
     equality = for_letter(item.equality, unit.letter)
     if not equality or finding.verdict is not Verdict.PROVED:
         return finding
@@ -170,6 +175,25 @@ def judge(context: Context, unit: Unit, given: tuple[Hypothesis, ...], extra: tu
         problems=finding.problems + attained.problems,
         outcomes=finding.outcomes + outcomes,
         concrete=finding.concrete + attained.concrete,
+    )
+
+
+def _is_vacuous(context: Context, problem: Problem) -> bool:
+    """Whether the hypotheses are proved to contradict one another."""
+    stated = tuple(part for _, formulas in problem.hypotheses for formula in formulas for part in conjuncts(formula))
+    return bool(stated) and _contradictory(context.used_definitions(*stated), stated)
+
+
+@cache
+def _contradictory(definitions: Definitions, stated: tuple[Formula, ...]) -> bool:
+    """Whether the equations have no solution, or the other conditions imply the contrary of one of them."""
+
+    def follows(claim: Formula, *left_out: Formula) -> bool:
+        rest = tuple(formula for formula in stated if formula not in left_out)
+        return proof_of(Problem("contradiction", claim, definitions, (("others", rest),))) is not None
+
+    return follows(("=", 0, 1)) or any(
+        follows(tuple(contrary(formula)), formula) for formula in stated if formula[0] in ("<", "<=", ">", ">=", "!=")
     )
 
 

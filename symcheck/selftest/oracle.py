@@ -10,6 +10,7 @@ import mpmath
 from symcheck.statement import Formula, Problem, Term
 
 mpmath.mp.dps = 40
+SEED, POINTS = 20090055, 3
 TOLERANCE = mpmath.mpf(10) ** -25
 CONSTANTS = {"pi": mpmath.pi, "infinity": mpmath.inf}
 SIGNS = {
@@ -54,7 +55,7 @@ def value(term: Term, at: dict[str, Any], unfold: dict[str, Term]) -> Any:
         raise ZeroDivisionError(f"{head} of a number above 1")
     if head == "pow":
         return args[0] ** args[1]
-    return getattr(mpmath, {"arctan": "atan", "arcsin": "asin", "arccos": "acos"}.get(head, head))(args[0])
+    return getattr(mpmath, {"arctan": "atan", "arcsin": "asin", "arccos": "acos"}.get(str(head), str(head)))(args[0])
 
 
 def _over(term: Any, at: dict[str, Any], unfold: dict[str, Term]) -> Any:
@@ -129,3 +130,22 @@ def holds(formula: Formula, at: dict[str, Any], unfold: dict[str, Term]) -> bool
         "=>": not truths[0] or truths[-1],
         "<=>": truths[0] == truths[-1],
     }[head]
+
+
+def contradicts(problem: Problem, original: Problem) -> bool:
+    """Whether at some random point that satisfies the hypotheses the formula fails and the original does not.
+
+    False if no such point is found, also where the hypotheses or the functions are none that can be sampled.
+    """
+    rng = random.Random(SEED)
+    for at in (point(problem, rng) for _ in range(POINTS)):
+        if at is None:
+            continue
+        try:
+            if holds(original.claim, at, dict((*problem.definitions, *original.definitions))) and not holds(
+                problem.claim, at, dict(problem.definitions)
+            ):
+                return True
+        except (ZeroDivisionError, KeyError):
+            continue
+    return False

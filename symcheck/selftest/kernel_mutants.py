@@ -14,10 +14,10 @@ from typing import Any, ClassVar, NamedTuple
 
 import numpy as np
 import sympy as sp
-from kernel_reference import Case, Truth
 
 from symcheck.codegen.program import UNARY
 from symcheck.codegen.special import RUNTIME
+from symcheck.selftest.kernel_truth import Case, Truth
 
 BINARY = ("add", "subtract", "multiply", "divide")
 OPERATORS = (ast.Add, ast.Sub, ast.Mult, ast.Div)
@@ -86,10 +86,10 @@ class Forms:
 
     def right(self, form: str, truth: Truth) -> bool:
         """Whether a form as it stands gives the values at some points, and leaves these as they are."""
-        function = self._compiled(form, UFUNCS | self.case.module)
         inputs = [x.copy() for x in truth.points]
         with np.errstate(all="ignore"):
             try:
+                function = self._compiled(form, UFUNCS | self.case.module)
                 results = self._runs[form](self, function, inputs)
             except (ArithmeticError, AttributeError, NameError, TypeError, ValueError):
                 return False

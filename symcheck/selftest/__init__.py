@@ -1,0 +1,1 @@
+"""Plants faults and counts those that go unnoticed: the error rate of the audit itself."""

@@ -1,0 +1,102 @@
+"""Hypotheses dropped, added, or contradicted: the audit must miss the first, and report the others."""
+
+from __future__ import annotations
+
+from collections import defaultdict
+from collections.abc import Iterator
+from dataclasses import replace
+from functools import cache
+from itertools import islice
+from random import Random
+
+from symcheck import papers
+from symcheck.evidence.errata import needs
+from symcheck.evidence.judge import judge
+from symcheck.evidence.obligation import expand
+from symcheck.reading import System, Tree, read, to_latex
+from symcheck.reading.tree import Chain
+from symcheck.selftest.evidence import all_hold
+from symcheck.selftest.statements import Proved, places, proved
+from symcheck.selftest.trial import Fate, FaultClass, Trial, mixed
+from symcheck.statement import Hypothesis, SymcheckError, Verdict
+
+CONTRARY = {"=": r"\ne", r"\ne": "=", "<": r"\ge", r"\ge": "<", ">": r"\le", r"\le": ">"}
+DROPPED, ADDED, CONTRADICTORY = "dropped", "added", "contradictory"
+OTHERS = 3  # foreign hypotheses that may be added to a relation
+
+
+def without(original: Proved, dropped: Hypothesis) -> Fate:
+    """Whether the proof fails without a hypothesis; it is not needed if there is another that holds."""
+    finding = judge(original.context, original.unit, tuple(h for h in original.given if h != dropped))
+    if finding.verdict is not Verdict.PROVED:
+        return Fate.REJECTED
+    return Fate.EQUIVALENT if all_hold(finding.certificates) else Fate.ACCEPTED
+
+
+def having(original: Proved, added: Hypothesis) -> Fate:
+    """Whether a hypothesis that has nothing to do with a relation is reported as not needed."""
+    context, unit, given = original
+    item = replace(context.item, given=(*context.item.given, added))
+    try:
+        finding = judge(context.having(item=item), unit, (*given, added))
+    except SymcheckError:
+        return Fate.REJECTED  # it speaks of letters that are unknown here
+    if finding.verdict is not Verdict.PROVED:
+        return Fate.REJECTED
+    told = next(row for row in needs(finding, item, ()) if row["name"] == added.name)
+    return Fate.REJECTED if told["needed"] is False else Fate.ACCEPTED
+
+
+def contradicted(original: Proved, contrary: Hypothesis) -> Fate:
+    """Whether a relation is no longer proved when its hypotheses contradict one another, and anything would follow."""
+    finding = judge(original.context, original.unit, (*original.given, contrary))
+    return Fate.ACCEPTED if finding.verdict is Verdict.PROVED else Fate.REJECTED
+
+
+def contrary(original: Proved, hypothesis: Hypothesis) -> Hypothesis | None:
+    """A hypothesis that says the opposite of every relation in another one, where it is made of relations."""
+    tree = read(hypothesis.states, original.context.notation)
+    opposite = _opposite(tree)
+    return Hypothesis(f"not {hypothesis.name}", "the contrary", to_latex(opposite)) if opposite else None
+
+
+def _opposite(tree: Tree) -> Tree | None:
+    if isinstance(tree, System) and tree.parts:
+        first = _opposite(tree.parts[0])
+        return replace(tree, parts=(first,)) if first else None
+    if isinstance(tree, Chain) and len(tree.signs) == 1 and tree.signs[0] in CONTRARY:
+        return replace(tree, signs=(CONTRARY[tree.signs[0]],))
+    return None
+
+
+@cache
+def _of_paper(key: str) -> tuple[Hypothesis, ...]:
+    """All hypotheses of the claims of a paper."""
+    given = (hypothesis for each in expand(papers.load()[key]) for hypothesis in each.item.given)
+    return tuple(dict.fromkeys(given))
+
+
+def trials(place: str, count: int, rng: Random) -> Iterator[Trial]:
+    """So many faults in the hypotheses of one declaration, and the hypotheses as they are."""
+    by_kind: dict[str, list[tuple[str, Proved, Hypothesis]]] = defaultdict(list)
+    for original in proved(place):
+        own = {hypothesis.name for hypothesis in original.given}
+        foreign = [h for h in _of_paper(original.context.paper.key) if h.name not in own]
+        by_kind[DROPPED] += [(DROPPED, original, h) for h in original.given]
+        by_kind[ADDED] += [(ADDED, original, h) for h in rng.sample(foreign, min(OTHERS, len(foreign)))]
+        opposites = (contrary(original, h) for h in original.given)
+        by_kind[CONTRADICTORY] += [(CONTRADICTORY, original, h) for h in opposites if h]
+    for kind, original, hypothesis in islice(mixed(by_kind, rng), count):
+        yield Trial(kind, f"{original.id} {hypothesis.name}", FATES[kind](original, hypothesis))
+
+
+FATES = {DROPPED: without, ADDED: having, CONTRADICTORY: contradicted}
+
+CLASS = FaultClass(
+    "hypotheses",
+    "hypotheses dropped, added, or contradicting one another, before the audit",
+    (DROPPED, ADDED, CONTRADICTORY),
+    share=400,
+    places=places,
+    trials=trials,
+)

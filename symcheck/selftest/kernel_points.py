@@ -1,0 +1,126 @@
+"""Points of a kernel's domain: spread over it, or crowding its ends."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from functools import cache
+from typing import Any
+
+import numpy as np
+import sympy as sp
+
+from symcheck.codegen.kernel import Argument, Kernel
+
+Columns = tuple[Any, ...]  # an array of doubles for each argument
+
+ORDINARY = 3.0  # decades about 1 that random points of an unbounded domain fill
+CROWD = 300  # points crowd a place as closely as 10^-300
+
+
+def random_points(kernel: Kernel, count: int, rng: np.random.Generator, decades: float = ORDINARY) -> Columns:
+    """Points spread over the domain, where it is unbounded over some decades about 1."""
+    return _sampled(kernel, lambda argument, low, high: _spread(low, high, count, rng, decades))
+
+
+def crowded_points(kernel: Kernel, count: int, rng: np.random.Generator) -> Columns:
+    """Points at which some arguments crowd an end of their domain, as closely as doubles do, or one another."""
+    names = [argument.name for argument in kernel.arguments]
+    columns = dict(zip(names, random_points(kernel, count, rng), strict=True))
+
+    def moved(argument: Argument, low: Any, high: Any) -> Any:
+        column, kind = _spread(low, high, count, rng), rng.integers(0, 4, count)
+        column = np.where(kind == 2, _beside_an_end(argument, low, high, count, rng), column)
+        alike = [each.name for each in kernel.arguments if each.unit == argument.unit and each.name in columns]
+        other = columns[str(rng.choice(alike))] * (1 + _closely(count, rng) * rng.choice([-1, 0, 1], count))
+        columns[argument.name] = np.where(kind == 3, _inside(argument, other, low, high), column)
+        return columns[argument.name]
+
+    return _sampled(kernel, moved)
+
+
+def inside(kernel: Kernel, points: Columns) -> Any:
+    """Which points lie in the domain."""
+    columns = dict(zip((argument.name for argument in kernel.arguments), points, strict=True))
+    found = np.ones(points[0].shape, bool)
+    for argument in kernel.arguments:
+        low, high = _ends(argument, columns)
+        column = columns[argument.name]
+        found &= np.isfinite(column) & (_inside(argument, column, low, high) == column)
+    return found
+
+
+def unbounded(kernel: Kernel) -> bool:
+    """Whether an argument has not two ends, so that doubles may not hold its products and powers."""
+    return any(not (argument.low and argument.high) for argument in kernel.arguments)
+
+
+def _sampled(kernel: Kernel, sample: Callable[[Argument, Any, Any], Any]) -> Columns:
+    """A column for each argument; those whose ends are other arguments come after these."""
+    columns: dict[str, Any] = {}
+    waiting = list(kernel.arguments)
+    while waiting:
+        argument = waiting.pop(0)
+        try:
+            low, high = _ends(argument, columns)
+        except NameError:
+            waiting.append(argument)
+            continue
+        columns[argument.name] = _inside(argument, sample(argument, low, high), low, high)
+    return tuple(columns[argument.name] for argument in kernel.arguments)
+
+
+def _ends(argument: Argument, columns: dict[str, Any]) -> tuple[Any, Any]:
+    """The ends of a domain, infinite where there is none."""
+    known = {"pi": math.pi, "sqrt": np.sqrt, "abs": np.abs, "max": np.maximum, "min": np.minimum, **columns}
+    low, high = (eval(text, {"__builtins__": {}}, known) if text else None for text in (argument.low, argument.high))
+    return -np.inf if low is None else low, np.inf if high is None else high
+
+
+def _inside(argument: Argument, column: Any, low: Any, high: Any) -> Any:
+    """A column, moved into the domain where it is not: an open end itself is not in it, the double below pi/2 is."""
+    first, last = low, high
+    if not argument.closed:
+        first = low if _rounded(argument.low) > 0 else _next(low, np.inf)
+        last = high if _rounded(argument.high) < 0 else _next(high, -np.inf)
+    return np.clip(column, first, last)
+
+
+def _next(end: Any, towards: float) -> Any:
+    """The next number; beside 0 the nearest that crowds it, since closer doubles have fewer digits."""
+    return np.where(end == 0, np.copysign(10.0**-CROWD, towards), np.nextafter(end, towards))
+
+
+@cache
+def _rounded(end: str) -> int:
+    """The sign of what rounding did to an end, 0 for other arguments."""
+    exact = sp.sympify(end) if end else sp.oo
+    if not (exact.is_number and exact.is_finite):
+        return 0
+    return int(sp.sign(sp.Rational(float(exact)) - exact))
+
+
+def _spread(low: Any, high: Any, count: int, rng: np.random.Generator, decades: float = ORDINARY) -> Any:
+    """Evenly between two ends, else evenly in the logarithm of the distance from the one end or from zero."""
+    far = 10 ** rng.uniform(-decades, decades, count)
+    if np.all(np.isfinite(low)) and np.all(np.isfinite(high)):
+        return low + (high - low) * rng.random(count)
+    if np.all(np.isfinite(low)):
+        return low + far
+    return high - far if np.all(np.isfinite(high)) else far * rng.choice([-1, 1], count)
+
+
+def _beside_an_end(argument: Argument, low: Any, high: Any, count: int, rng: np.random.Generator) -> Any:
+    """Close to an end, or to zero where there is none, or to a quarter turn."""
+    near = _closely(count, rng)
+    if np.isinf(low).all() and np.isinf(high).all():
+        turns = rng.integers(-4, 5, count) if argument.unit == "rad" else 0
+        return turns * (math.pi / 2) + near * rng.choice([-1, 1], count)
+    from_low = np.isinf(high) | (rng.random(count) < 0.5) & ~np.isinf(low)
+    return np.where(from_low, np.where(np.isinf(low), 0, low) + near, np.where(np.isinf(high), 0, high) - near)
+
+
+def _closely(count: int, rng: np.random.Generator) -> Any:
+    """10^-k for k from 1 to 300; half of them within the digits of a double."""
+    powers = rng.permutation(np.resize(np.arange(1, CROWD + 1), count))
+    return 10.0 ** -np.where(rng.random(count) < 0.5, 1 + powers % 17, powers)

@@ -1,0 +1,234 @@
+"""What kernels are compared with: their derived expressions in ball arithmetic, at points of their domains.
+
+An enclosure is narrowed until 50 digits of it are certain, however much cancels on the way. The error of a result is
+counted in units of the last place of the value, or of the kernel's `scale` where that is larger.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from functools import cache
+from typing import Any, NamedTuple
+
+import numpy as np
+import sympy as sp
+from flint import arb, ctx, fmpq
+
+from symcheck.codegen import numpy_target
+from symcheck.codegen.kernel import Kernel
+from symcheck.codegen.target import Made
+from symcheck.evidence import kernels as evidence
+from symcheck.papers import load
+
+PRECISIONS = (256, 1024, 4096, 16384)  # bits: the last are for differences beside 1e-300
+DIGITS = 170  # bits that must be certain: 50 digits and some
+NOTHING = arb(2) ** -4000  # what is not told from 0 and below this is 0
+
+Columns = tuple[Any, ...]  # an array of doubles for each argument
+
+METHODS = {
+    "Abs": "abs({0})",
+    "Max": "{0}.max({1})",
+    "Min": "{0}.min({1})",
+    "atan2": "arb.atan2({0}, {1})",
+    "loggamma": "{0}.lgamma()",
+    "sign": "{0}.sgn()",
+    "erf": "{0}.erf()",
+    "erfc": "{0}.erfc()",
+    **{name: f"{{0}}.{name}()" for name in ("sin", "cos", "tan", "exp", "log", "atan", "asin", "acos", "gamma")},
+    **{name: f"{{0}}.{name}()" for name in ("sinh", "cosh", "tanh", "asinh", "acosh", "atanh")},
+}
+
+
+class Enclosures:
+    """Some expressions of some arguments as a function of balls."""
+
+    def __init__(self, names: Sequence[str], expressions: Sequence[Any]) -> None:
+        self._lines: list[str] = []
+        self._places: dict[Any, str] = {sp.pi: "arb.pi()", sp.E: "arb(1).exp()"}
+        self._inputs = {name: f"x{n}" for n, name in enumerate(names)}
+        results = ", ".join([self._place(expression) for expression in expressions])
+        body = "\n    ".join([*self._lines, f"return [{results}]"])
+        space: dict[str, Any] = {"arb": arb, "fmpq": fmpq}
+        exec(f"def function({', '.join(self._inputs.values())}):\n    {body}", space)
+        self._function = space["function"]
+
+    def __call__(self, point: Sequence[float], enough: Callable[[list[arb]], bool]) -> list[arb]:
+        """The values at a point, narrowed until they are enough (or as narrow as it goes)."""
+        finite = all(map(math.isfinite, point))
+        for bits in PRECISIONS if finite else PRECISIONS[:1]:
+            with ctx.workprec(bits):
+                values: list[arb] = self._function(*map(arb, point))
+                if enough(values):
+                    break
+        return values
+
+    def _place(self, e: Any) -> str:
+        if e not in self._places:
+            text = self._text(e)
+            self._places[e] = f"v{len(self._places)}"
+            self._lines.append(f"{self._places[e]} = {text}")
+        return self._places[e]
+
+    def _text(self, e: Any) -> str:
+        if e.is_Symbol:
+            return self._inputs[e.name]
+        if e.is_Rational:
+            return f"arb({e.p})" if e.q == 1 else f"arb(fmpq({e.p}, {e.q}))"
+        if e.is_Pow and e.exp.is_Rational and e.exp.q == 2:
+            root = f"{self._place(e.base)}.sqrt()"
+            return root if e.exp == sp.S.Half else f"({root}) ** {e.exp.p}"
+        if e.is_Pow and e.exp.is_Integer:
+            return f"{self._place(e.base)} ** ({e.exp})"
+        operands = [self._place(part) for part in e.args]
+        if e.is_Add or e.is_Mul or e.is_Pow:
+            return (" + " if e.is_Add else " * " if e.is_Mul else " ** ").join(operands)
+        name = e.func.__name__
+        if name in ("Max", "Min"):
+            return f"{operands[0]}" + "".join(f".{name.lower()}({each})" for each in operands[1:])
+        if name not in METHODS:
+            raise NotImplementedError(f"no enclosure of {name}; add it to METHODS")
+        return METHODS[name].format(*operands)
+
+
+class Truth(NamedTuple):
+    """Points with the values there, high + low to more than 30 digits, and their size; arrays (outputs, points).
+
+    Where the derived expression has no value, at a pole or between numbers that are none, there is nothing to compare
+    with: the value here is no number.
+    """
+
+    points: Columns
+    high: Any
+    low: Any
+    size: Any  # the value or the scale, whichever is larger
+
+    def error(self, results: Sequence[Any], dtype: Any = np.float64) -> Any:
+        """|results - values| in units of the last place of the type; infinite where only the result is no number.
+
+        Zero where the value times its condition number is no double: no digit is certain there.
+        """
+        found = np.array([np.ravel(result) for result in results], np.float64)
+        with np.errstate(all="ignore"):
+            high = self.high.astype(dtype)  # in single precision more are infinite
+            unit = np.spacing(self.size.astype(dtype)).astype(np.float64)
+            error = np.abs((found - self.high) - self.low) / unit
+        error[np.isinf(high) & (found == high) | np.isnan(high) | np.isfinite(high) & np.isinf(self.size)] = 0
+        return np.where(np.isnan(error), np.inf, error)
+
+    def take(self, places: Any) -> Truth:
+        """The same at some of the points, or at points repeated."""
+        return Truth(tuple(x[places] for x in self.points), *(x[:, places] for x in self[1:]))
+
+
+@dataclass(frozen=True, eq=False)
+class Case:
+    """A kernel that was declared, with all that is made from it."""
+
+    paper: str
+    name: str
+    kernel: Kernel
+
+    @property
+    def id(self) -> str:
+        return f"{self.paper}:{self.name}"
+
+    @property
+    def made(self) -> Made:
+        """What targets write, without the evidence it rests on."""
+        return Made(self.kernel, *evidence.programs(self.kernel), "")
+
+    @property
+    def text(self) -> str:
+        """The module of this kernel alone."""
+        return numpy_target.files(self.paper, {self.name: self.made})[f"{self.paper}.py"]
+
+    @property
+    def module(self) -> dict[str, Any]:
+        """What is defined in the generated text: the function, its expression `_name` and its block."""
+        return _module(self)
+
+    @property
+    def function(self) -> Any:
+        return self.module[self.name]
+
+    @property
+    def derived(self) -> list[Any]:
+        """The derived expression of each output."""
+        return _derived(self)
+
+    def truth(self, points: Columns) -> Truth:
+        """The values at some points."""
+        return _truth(self, points)
+
+
+@cache
+def cases() -> dict[str, Case]:
+    """All kernels of all papers, by id."""
+    found = (Case(key, name, kernel) for key in load() for name, kernel in evidence.declared(key).items())
+    return {case.id: case for case in found}
+
+
+@cache
+def source(case: Case) -> str:
+    """The generated text of one kernel, without the evidence it rests on."""
+    return numpy_target.source(case.name, case.made)
+
+
+@cache
+def _module(case: Case) -> dict[str, Any]:
+    space: dict[str, Any] = {"__name__": case.id}
+    exec(compile(case.text, case.id, "exec"), space)
+    return space
+
+
+@cache
+def _derived(case: Case) -> list[Any]:
+    values = case.kernel.derived()
+    return [values[output.name] for output in case.kernel.outputs]
+
+
+@cache
+def _enclosures(case: Case) -> Enclosures:
+    scales = case.kernel.scale() if case.kernel.scale else {}
+    values = [*case.derived, *(sp.sympify(scales.get(output.name, 0)) for output in case.kernel.outputs)]
+    return Enclosures([argument.name for argument in case.kernel.arguments], values)
+
+
+def _truth(case: Case, points: Columns) -> Truth:
+    outputs, function = len(case.kernel.outputs), _enclosures(case)
+
+    def enough(values: list[arb]) -> bool:
+        return all(map(_certain, values[:outputs], values[outputs:]))
+
+    rows: list[list[tuple[float, float, float]]] = []
+    for point in zip(*(column.tolist() for column in points), strict=True):
+        values = function(point, enough)
+        if not all(map(math.isfinite, point)):  # sin(infinity) lies between -1 and 1 and has no value
+            values = [value if _certain(value, arb(0)) else arb(math.nan) for value in values]
+        rows.append([_split(*pair) for pair in zip(values[:outputs], values[outputs:], strict=True)])
+    high, low, size = np.array(rows, np.float64).reshape(-1, outputs, 3).transpose(2, 1, 0)
+    return Truth(points, high, low, size)
+
+
+def _certain(value: arb, scale: arb) -> bool:
+    if not value.is_finite():
+        return False
+    return value.is_exact() or value.rel_accuracy_bits() >= DIGITS or bool(value.rad() * 2**DIGITS < abs(scale))
+
+
+def _split(value: arb, scale: arb) -> tuple[float, float, float]:
+    """(nearest double, the rest, the larger of value and scale); no number if there is no value."""
+    if not value.is_finite():
+        infinite = value.lower() == value.upper()
+        return (float(value), 0.0, math.inf) if infinite else (math.nan, math.nan, math.nan)
+    if not _certain(value, scale):
+        if not abs(value).upper() < NOTHING:
+            raise ArithmeticError(f"{value} is not certain with {PRECISIONS[-1]} bits")
+        value = arb(0)
+    with ctx.workprec(DIGITS):
+        high = float(value.mid())
+        low = float(value.mid() - arb(high)) if math.isfinite(high) else 0.0
+    return high, low, max(abs(high), abs(float(scale.mid())))

@@ -1,0 +1,71 @@
+"""Kernels with one token changed: a constant, an operator, a function or an operand."""
+
+from __future__ import annotations
+
+import ast
+from collections import defaultdict
+from collections.abc import Iterator, Sequence
+from functools import cache
+from itertools import islice
+from random import Random
+
+import numpy as np
+
+from symcheck.evidence.record import Record
+from symcheck.selftest.kernel_mutants import EXPRESSION, IN_PLACE, NUMBERS, Forms, Mutant
+from symcheck.selftest.kernel_points import crowded_points, random_points
+from symcheck.selftest.kernel_truth import Case, Truth, cases
+from symcheck.selftest.trial import Fate, FaultClass, Trial, mixed
+
+POINTS = 3  # random ones, and as many beside degenerate places
+
+
+@cache
+def _prepared(case: Case) -> tuple[Forms, Truth, dict[str, list[Mutant]]]:
+    rng = np.random.default_rng(0)
+    pairs = zip(*(draw(case.kernel, POINTS, rng) for draw in (random_points, crowded_points)), strict=True)
+    found = Forms(case)
+    by_kind: dict[str, list[Mutant]] = defaultdict(list)
+    for mutant in found.mutants():
+        by_kind[kind(mutant)].append(mutant)
+    return found, case.truth(tuple(np.concatenate(pair) for pair in pairs)), by_kind
+
+
+def kind(mutant: Mutant) -> str:
+    """Which kind of token is changed."""
+    if isinstance(mutant.node, ast.Constant) or mutant.value == "e":
+        return "constant"
+    called = isinstance(mutant.node, ast.BinOp | ast.UnaryOp | ast.Attribute)
+    return "operator" if called else "operand"
+
+
+def trials(place: str, count: int, rng: Random) -> Iterator[Trial]:
+    """One kernel: its three forms as they are, and so many tokens changed."""
+    case = cases()[place]
+    found, truth, by_kind = _prepared(case)
+    for form in (EXPRESSION, IN_PLACE, NUMBERS):
+        yield Trial("as it is", f"{place} {form}", Fate.KEPT if found.right(form, truth) else Fate.FALSELY_REJECTED)
+    for mutant in islice(mixed(by_kind, rng), count):
+        yield Trial(kind(mutant), f"{place} {mutant}", fate(found, mutant, truth))
+
+
+def fate(found: Forms, mutant: Mutant, truth: Truth) -> Fate:
+    """Whether the values give a mutant away; one with the right values is none if it means the same."""
+    if not found.survives(mutant, truth):
+        return Fate.REJECTED
+    return Fate.EQUIVALENT if found.equivalent(mutant) else Fate.ACCEPTED
+
+
+def _kernels(records: Sequence[Record]) -> list[str]:
+    papers = {record.paper for record in records}
+    return [id for id, case in cases().items() if case.paper in papers]
+
+
+CLASS = FaultClass(
+    "kernels",
+    "kernels with one token changed, before values of 50 digits at a handful of points",
+    ("constant", "operator", "operand", "as it is"),
+    share=4000,
+    places=_kernels,
+    trials=trials,
+)

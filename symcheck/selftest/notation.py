@@ -1,0 +1,177 @@
+"""Notation tables with one mistake: two letters swapped, a wrong assumption. The ledger of the paper must notice."""
+
+from __future__ import annotations
+
+from collections import defaultdict
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import replace
+from functools import cache, partial
+from itertools import combinations, islice, product
+from random import Random
+from typing import Any, NamedTuple
+
+from symcheck import papers
+from symcheck.evidence.context import Context
+from symcheck.evidence.judge import Unit, judge, units
+from symcheck.evidence.obligation import DECIDED, expand
+from symcheck.evidence.record import Record
+from symcheck.proof.polynomial import Unsupported, unfold
+from symcheck.reading import Letter, Notation
+from symcheck.reading.notation import variable
+from symcheck.selftest.trial import Fate, FaultClass, Trial, mixed
+from symcheck.statement import Item, Paper, Role, SymcheckError, Verdict
+
+SWAPPED, ASSUMED = "letters swapped", "wrong assumption"
+PIECES = 8  # tasks for each paper
+OTHER_SIGN = {"": "> 0", ">= 0": "", "> 0": ""}
+Change = Callable[[Notation], Notation]
+
+
+class Fault(NamedTuple):
+    """A mistake in a notation table, and which variables it exchanges."""
+
+    words: str
+    change: Change
+    exchanged: Mapping[str, str]
+
+
+def faults(notation: Notation) -> Iterator[tuple[str, Fault]]:
+    """All mistakes of these kinds in one table."""
+    plain = [letter for letter in notation.letters if letter.kind not in ("index", "differential")]
+    for a, b in combinations(plain, 2):
+        if (a.kind, a.indices) == (b.kind, b.indices):
+            change = partial(_relettered, changes={a: _spelled(a, b), b: _spelled(b, a)})
+            pairs = list(zip(_variables(a), _variables(b), strict=False))
+            exchanged = {**dict(pairs), **{second: first for first, second in pairs}}
+            yield SWAPPED, Fault(f"{a.latex} and {b.latex}", change, exchanged)
+    for letter in notation.letters:
+        for name, value in _assumptions(letter):
+            change = partial(_relettered, changes={letter: replace(letter, **{name: value})})
+            yield ASSUMED, Fault(f"{name} of {letter.latex}: {getattr(letter, name)} -> {value}", change, {})
+
+
+def _spelled(letter: Letter, other: Letter) -> Letter:
+    """A letter with the spelling of another one."""
+    return replace(letter, latex=other.latex, name=letter.stem)
+
+
+def _variables(letter: Letter) -> list[str]:
+    """The variables that a letter may be lowered to."""
+    inner = {"vector": 1, "matrix": 2}.get(letter.kind, 0)
+    places = product(*[letter.range] * letter.indices, *[(1, 2, 3)] * inner)
+    return [variable(letter.stem, indices) for indices in places]
+
+
+def _assumptions(letter: Letter) -> Iterator[tuple[str, Any]]:
+    if letter.kind != "differential":
+        yield "sign", OTHER_SIGN[letter.sign]
+    if letter.kind == "index" or letter.indices:
+        yield "range", letter.range[:-1]
+        yield "range", (*letter.range, letter.range[-1] + 1)
+    if letter.kind in ("scalar", "vector"):
+        yield "kind", {"scalar": "vector", "vector": "scalar"}[letter.kind]
+
+
+def _relettered(notation: Notation, changes: Mapping[Letter, Letter]) -> Notation:
+    letters = [changes.get(letter, letter) for letter in notation.letters]
+    return Notation(letters, slash=notation.slash, bracket=notation.bracket, decimals=notation.decimals)
+
+
+def fate(paper: Paper, fault: Fault) -> Fate:
+    """Whether the first relation that means something else now has another verdict, or cannot be read.
+
+    A fault is none if no statement changes, or if all change as if two variables had exchanged their names throughout.
+    """
+    changed = 0
+    try:
+        faulty = replace(paper, notation=fault.change(paper.notation))
+        for item, verdicts in _decided(paper):
+            context, other = Context(paper, item), Context(faulty, _item(item, fault.change))
+            for before, after in zip(units(context), units(other), strict=True):
+                said, says = _said(context, before), _said(other, after)
+                if said == says or _exchanged(said, fault.exchanged) == says:
+                    continue
+                changed += 1
+                if judge(other, after, other.item.given).verdict is not verdicts.get(before.letter):
+                    return Fate.REJECTED
+    except (SymcheckError, ValueError):
+        return Fate.REJECTED  # it cannot be read, or the table contradicts itself
+    return Fate.ACCEPTED if changed else Fate.EQUIVALENT
+
+
+def _item(item: Item, change: Change) -> Item:
+    return replace(item, notation=change(item.notation)) if item.notation else item
+
+
+def _said(context: Context, unit: Unit) -> Any:
+    """All that a relation states, definitions unfolded: its formulas, what is given, where it is an equality."""
+    item = context.item
+    given = [context.hypothesis(hypothesis) for hypothesis in (*item.given, *item.needs, *item.equality_given)]
+    equality = item.equality.get(unit.letter, "") if isinstance(item.equality, Mapping) else item.equality
+    where = context.lower(equality) if equality else ()
+    stated = (*unit.formulas, *where, *(formula for _, formulas in given for formula in formulas))
+    definitions = dict(context.used_definitions(*stated))
+    try:
+        return tuple(unfold(formula, definitions) for formula in stated)
+    except Unsupported:
+        return stated, tuple(definitions.items())
+
+
+def _exchanged(value: Any, names: Mapping[str, str]) -> Any:
+    """The same with some variables exchanged."""
+    if isinstance(value, str):
+        return names.get(value, value)
+    return tuple(_exchanged(part, names) for part in value) if isinstance(value, tuple) else value
+
+
+@cache
+def _decided(paper: Paper) -> tuple[tuple[Item, dict[str, Verdict]], ...]:
+    """The declarations without lemmas, each with the verdict of its links; lists, and what is long, come last."""
+    found = []
+    for obligation in expand(paper):
+        item = obligation.item
+        if item.role in DECIDED and not item.lemmas:
+            found.append((item, _Verdicts(paper, item)))
+    return tuple(
+        sorted(found, key=lambda pair: (bool(pair[0].parts), pair[0].role is Role.OURS, len(repr(pair[0].printed))))
+    )
+
+
+class _Verdicts(dict[str, Verdict]):
+    """By link letter, decided when asked for."""
+
+    def __init__(self, paper: Paper, item: Item) -> None:
+        super().__init__()
+        self._context = Context(paper, item)
+
+    def get(self, letter: str, default: Any = None) -> Any:
+        if letter not in self:
+            unit = next(unit for unit in units(self._context) if unit.letter == letter)
+            self[letter] = judge(self._context, unit, self._context.item.given).verdict
+        return self[letter]
+
+
+def trials(place: str, count: int, rng: Random) -> Iterator[Trial]:
+    """So many mistakes in the table of one paper."""
+    key, _, piece = place.partition("/")
+    paper = papers.load()[key]
+    by_kind: dict[str, list[tuple[str, Fault]]] = defaultdict(list)
+    for n, (kind, fault) in enumerate(faults(paper.notation)):
+        if n % PIECES == int(piece):
+            by_kind[kind].append((kind, fault))
+    for kind, fault in islice(mixed(by_kind, rng), count):
+        yield Trial(kind, f"{key} {fault.words}", fate(paper, fault))
+
+
+def _places(records: Sequence[Record]) -> list[str]:
+    return [f"{key}/{n}" for key in dict.fromkeys(record.paper for record in records) for n in range(PIECES)]
+
+
+CLASS = FaultClass(
+    "notation",
+    "notation tables with one mistake, before the ledger",
+    (SWAPPED, ASSUMED),
+    share=150,
+    places=_places,
+    trials=trials,
+)

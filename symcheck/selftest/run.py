@@ -1,0 +1,104 @@
+"""Plants faults of every class in worker processes and adds up what became of them."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, field
+from functools import cache
+from importlib import import_module
+from pkgutil import iter_modules
+from random import Random
+
+from symcheck import selftest
+from symcheck.evidence.executor import Done, Executor, Timeout
+from symcheck.evidence.record import Record
+from symcheck.selftest.trial import Count, FaultClass, total
+
+FAULTS = 21_000
+TIMEOUT = 120.0  # seconds for one task
+Progress = Callable[[int, int], None]
+
+
+@dataclass
+class Result:
+    """The counts of all kinds by class, and the tasks that did not come to an end."""
+
+    seed: int
+    counts: dict[str, dict[str, Count]] = field(default_factory=dict)
+    unfinished: list[str] = field(default_factory=list)
+
+    @property
+    def whole(self) -> Count:
+        return total(count for kinds in self.counts.values() for count in kinds.values())
+
+    @property
+    def is_sound(self) -> bool:
+        """Whether nothing wrong was accepted, nothing right rejected, and everything came to an end."""
+        return not self.whole.errors and not self.unfinished
+
+    def to_json(self) -> dict[str, object]:
+        """The confusion matrix as a whole, by class and by kind."""
+        classes = {
+            name: {**total(kinds.values()).to_json(), "kinds": {kind: each.to_json() for kind, each in kinds.items()}}
+            for name, kinds in self.counts.items()
+        }
+        whole = self.whole.to_json()
+        return {"schema": 1, "seed": self.seed, **whole, "unfinished": self.unfinished, "classes": classes}
+
+
+@cache
+def classes() -> dict[str, FaultClass]:
+    """All classes of faults by name: every module of this package that declares a CLASS."""
+    modules = (import_module(f"{selftest.__name__}.{each.name}") for each in iter_modules(selftest.__path__))
+    found = [module.CLASS for module in modules if isinstance(getattr(module, "CLASS", None), FaultClass)]
+    return {each.name: each for each in sorted(found, key=lambda each: -each.share)}
+
+
+def tasks(records: Sequence[Record], faults: int, seed: int) -> list[str]:
+    """What the workers do, each task a text: class, number of trials, seed, place. Long ones come first."""
+    found = []
+    for name, each in classes().items():
+        wanted = -(-faults * each.share // 10_000)
+        places = list(each.places(records))
+        Random(f"{seed} {name}").shuffle(places)
+        places = places[:wanted]
+        for n, place in enumerate(places):
+            count = wanted * (n + 1) // len(places) - wanted * n // len(places)
+            found.append(json.dumps([name, count, f"{seed} {name} {n}", place]))
+    return found
+
+
+def planted(task: str) -> dict[str, Count]:
+    """One task, in a worker process: the counts by kind."""
+    name, count, seed, place = json.loads(task)
+    found: dict[str, Count] = {}
+    for trial in classes()[name].trials(place, count, Random(seed)):
+        found.setdefault(trial.kind, Count()).add(trial)
+    return found
+
+
+def run(
+    records: Sequence[Record],
+    executor: Executor,
+    faults: int = FAULTS,
+    seed: int = 0,
+    progress: Progress = lambda done, total: None,
+) -> Result:
+    """Plant about so many faults in what the records speak of; the same seed plants the same ones."""
+    todo = tasks(records, faults, seed)
+    result = Result(seed, {name: {kind: Count() for kind in each.kinds} for name, each in classes().items()})
+    for done, (task, answer) in enumerate(executor.map(planted, todo, TIMEOUT), 1):
+        name, _, _, place = json.loads(task)
+        if isinstance(answer, Done):
+            for kind, count in answer.value.items():
+                result.counts[name][kind].merge(count)
+        else:
+            why = f"not within {answer.seconds:g} s" if isinstance(answer, Timeout) else answer.reason
+            result.unfinished.append(f"{name} {place[:80]}: {why}")
+        progress(done, len(todo))
+    for kinds in result.counts.values():
+        for count in kinds.values():
+            count.errors.sort()
+    result.unfinished.sort()
+    return result

@@ -1,0 +1,126 @@
+"""What is planted and what became of it: trials, classes of faults, counts with their limits."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field
+from enum import StrEnum
+from itertools import chain, zip_longest
+from random import Random
+from typing import TypeVar
+
+from symcheck.evidence.record import Record
+
+T = TypeVar("T")
+
+
+class Fate(StrEnum):
+    """What became of a planted fault (the first three), or of something right."""
+
+    REJECTED = "rejected"
+    ACCEPTED = "accepted"
+    EQUIVALENT = "equivalent"  # shown exactly to be no fault
+    KEPT = "kept"
+    FALSELY_REJECTED = "falsely rejected"
+
+
+@dataclass(frozen=True)
+class Trial:
+    """One thing planted: of which kind, what it is in words, and its fate."""
+
+    kind: str
+    what: str
+    fate: Fate
+
+    @property
+    def is_error(self) -> bool:
+        """Whether the audit was wrong: a fault went unnoticed, or something right was rejected."""
+        return self.fate in (Fate.ACCEPTED, Fate.FALSELY_REJECTED)
+
+
+@dataclass(frozen=True)
+class FaultClass:
+    """One class of faults; each module of this package that declares a CLASS is one.
+
+    kinds   the kinds of its faults, and of right things that must not be rejected
+    share   how many of 10,000 faults are planted in it (of a class of right things: how many of these)
+    places  where: texts from which a worker process finds the place again
+    trials  at one place about so many, drawn with the seeded generator; fewer if the place has no more
+    """
+
+    name: str
+    says: str
+    kinds: tuple[str, ...]
+    share: int
+    places: Callable[[Sequence[Record]], Sequence[str]]
+    trials: Callable[[str, int, Random], Iterable[Trial]]
+
+
+@dataclass
+class Count:
+    """Fates of one kind, and the errors in words."""
+
+    fates: Counter[Fate] = field(default_factory=Counter)
+    errors: list[str] = field(default_factory=list)
+
+    def add(self, trial: Trial) -> None:
+        """One trial more."""
+        self.fates[trial.fate] += 1
+        if trial.is_error:
+            self.errors.append(f"{trial.fate} {trial.kind}: {trial.what}")
+
+    def merge(self, other: Count) -> None:
+        """All trials of another count more."""
+        self.fates += other.fates
+        self.errors += other.errors
+
+    @property
+    def planted(self) -> int:
+        return self.fates[Fate.REJECTED] + self.fates[Fate.ACCEPTED] + self.fates[Fate.EQUIVALENT]
+
+    @property
+    def right(self) -> int:
+        """How many right things were shown to the audit."""
+        return self.fates[Fate.KEPT] + self.fates[Fate.FALSELY_REJECTED]
+
+    def to_json(self) -> dict[str, object]:
+        """The four numbers of the confusion matrix, the rates with their 95 % limits, and the errors in words."""
+        faults = self.fates[Fate.REJECTED] + self.fates[Fate.ACCEPTED]
+        return {
+            "planted": self.planted,
+            "rejected": self.fates[Fate.REJECTED],
+            "accepted": self.fates[Fate.ACCEPTED],
+            "equivalent": self.fates[Fate.EQUIVALENT],
+            "right": self.right,
+            "false_rejections": self.fates[Fate.FALSELY_REJECTED],
+            "rejected_of_faults": limits(self.fates[Fate.REJECTED], faults),
+            "false_rejections_of_right": limits(self.fates[Fate.FALSELY_REJECTED], self.right),
+            "errors": self.errors,
+        }
+
+
+def limits(found: int, of: int) -> list[float] | None:
+    """The rate found/of with its 95 % limits (Clopper and Pearson), as [low, rate, high]; None of nothing."""
+    from scipy.stats import binomtest
+
+    if not of:
+        return None
+    interval = binomtest(found, of).proportion_ci(0.95, method="exact")
+    return [float(interval.low), found / of, float(interval.high)]
+
+
+def total(counts: Iterable[Count]) -> Count:
+    """All counts in one."""
+    result = Count()
+    for count in counts:
+        result.merge(count)
+    return result
+
+
+def mixed(by_kind: Mapping[str, Sequence[T]], rng: Random) -> Iterator[T]:
+    """All members in a random order in which the kinds take turns, so that a short beginning has rare ones too."""
+    shuffled = [rng.sample(members, len(members)) for members in by_kind.values()]
+    rng.shuffle(shuffled)
+    rows: Iterable[tuple[T | None, ...]] = zip_longest(*shuffled)
+    return (member for member in chain.from_iterable(rows) if member is not None)
