@@ -303,7 +303,8 @@ def selftest(as_json: bool, seed: int, faults: int, how: How) -> None:
     """Plant faults and count those that go unnoticed: the error rate of the audit itself.
 
     In statements, hypotheses, certificates, kernels, notation tables and proof methods; and true statements written
-    otherwise, which must not be rejected. Exit code 1 if anything wrong was accepted or anything right rejected.
+    otherwise, which must not be rejected. Exit code 1 if fewer than 99.9 % of the faults were rejected, or anything
+    right was.
     """
     from symcheck.evidence.executor import Pool, Serial
     from symcheck.selftest.run import classes, run

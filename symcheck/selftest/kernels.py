@@ -65,7 +65,7 @@ CLASS = FaultClass(
     "kernels",
     "kernels with one token changed, before values of 50 digits at a handful of points",
     ("constant", "operator", "operand", "as it is"),
-    share=4000,
+    share=4500,
     places=_kernels,
     trials=trials,
 )

@@ -121,7 +121,7 @@ CLASS = FaultClass(
     "methods",
     "sabotaged proof methods, before statements that are decided",
     tuple(map(_kind, SABOTEURS)),
-    share=450,
+    share=400,
     places=_places,
     trials=trials,
 )

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections import defaultdict
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import replace
@@ -15,11 +16,12 @@ from symcheck.evidence.context import Context
 from symcheck.evidence.judge import Unit, judge, units
 from symcheck.evidence.obligation import DECIDED, expand
 from symcheck.evidence.record import Record
+from symcheck.proof import equivalent
 from symcheck.proof.polynomial import Unsupported, unfold
 from symcheck.reading import Letter, Notation
 from symcheck.reading.notation import variable
 from symcheck.selftest.trial import Fate, FaultClass, Trial, mixed
-from symcheck.statement import Item, Paper, Role, SymcheckError, Verdict
+from symcheck.statement import Item, Paper, Problem, Role, SymcheckError, Verdict
 
 SWAPPED, ASSUMED = "letters swapped", "wrong assumption"
 PIECES = 8  # tasks for each paper
@@ -28,9 +30,10 @@ Change = Callable[[Notation], Notation]
 
 
 class Fault(NamedTuple):
-    """A mistake in a notation table, and which variables it exchanges."""
+    """A mistake in a notation table, the letters it is about, and which variables it exchanges."""
 
     words: str
+    letters: tuple[str, ...]
     change: Change
     exchanged: Mapping[str, str]
 
@@ -43,11 +46,17 @@ def faults(notation: Notation) -> Iterator[tuple[str, Fault]]:
             change = partial(_relettered, changes={a: _spelled(a, b), b: _spelled(b, a)})
             pairs = list(zip(_variables(a), _variables(b), strict=False))
             exchanged = {**dict(pairs), **{second: first for first, second in pairs}}
-            yield SWAPPED, Fault(f"{a.latex} and {b.latex}", change, exchanged)
+            yield SWAPPED, Fault(f"{a.latex} and {b.latex}", _spellings(a, b), change, exchanged)
     for letter in notation.letters:
         for name, value in _assumptions(letter):
             change = partial(_relettered, changes={letter: replace(letter, **{name: value})})
-            yield ASSUMED, Fault(f"{name} of {letter.latex}: {getattr(letter, name)} -> {value}", change, {})
+            words = f"{name} of {letter.latex}: {getattr(letter, name)} -> {value}"
+            yield ASSUMED, Fault(words, _spellings(letter), change, {})
+
+
+def _spellings(*letters: Letter) -> tuple[str, ...]:
+    """What to look for in LaTeX: the longest word of each letter, since `\\bar k` may be printed for `\\bar{k}`."""
+    return tuple(max(re.findall(r"\\?[A-Za-z]+", letter.latex), key=len) for letter in letters)
 
 
 def _spelled(letter: Letter, other: Letter) -> Letter:
@@ -85,25 +94,40 @@ def fate(paper: Paper, fault: Fault) -> Fate:
     changed = 0
     try:
         faulty = replace(paper, notation=fault.change(paper.notation))
-        for item, verdicts in _decided(paper):
+        for item, text, verdicts in _decided(paper):
             context, other = Context(paper, item), Context(faulty, _item(item, fault.change))
+            printed = any(letter in text for letter in fault.letters)
+            if not printed and _means_the_same(context, other, fault):
+                continue
             for before, after in zip(units(context), units(other), strict=True):
                 said, says = _said(context, before), _said(other, after)
-                if said == says or _exchanged(said, fault.exchanged) == says:
+                if _is_alike(said, says) or _is_alike(_exchanged(said, fault.exchanged), says):
                     continue
                 changed += 1
                 if judge(other, after, other.item.given).verdict is not verdicts.get(before.letter):
                     return Fate.REJECTED
-    except (SymcheckError, ValueError):
+    except (SymcheckError, Unsupported, ValueError):
         return Fate.REJECTED  # it cannot be read, or the table contradicts itself
     return Fate.ACCEPTED if changed else Fate.EQUIVALENT
+
+
+def _means_the_same(context: Context, other: Context, fault: Fault) -> bool:
+    """Whether all definitions mean what they meant."""
+    names = fault.exchanged
+    return other.table == {_exchanged(x, names): _exchanged(term, names) for x, term in context.table.items()}
+
+
+def _text(item: Item) -> str:
+    """All LaTeX of a declaration."""
+    given = [hypothesis.states for hypothesis in (*item.given, *item.needs, *item.equality_given)]
+    return str((item.printed, item.formal, item.read_as, item.parts, item.equality, given)).replace("\\\\", "\\")
 
 
 def _item(item: Item, change: Change) -> Item:
     return replace(item, notation=change(item.notation)) if item.notation else item
 
 
-def _said(context: Context, unit: Unit) -> Any:
+def _said(context: Context, unit: Unit) -> tuple[Any, ...]:
     """All that a relation states, definitions unfolded: its formulas, what is given, where it is an equality."""
     item = context.item
     given = [context.hypothesis(hypothesis) for hypothesis in (*item.given, *item.needs, *item.equality_given)]
@@ -111,10 +135,15 @@ def _said(context: Context, unit: Unit) -> Any:
     where = context.lower(equality) if equality else ()
     stated = (*unit.formulas, *where, *(formula for _, formulas in given for formula in formulas))
     definitions = dict(context.used_definitions(*stated))
-    try:
-        return tuple(unfold(formula, definitions) for formula in stated)
-    except Unsupported:
-        return stated, tuple(definitions.items())
+    return tuple(unfold(formula, definitions) for formula in stated)
+
+
+def _is_alike(said: tuple[Any, ...], says: tuple[Any, ...]) -> bool:
+    """Whether the statements are the same by algebra, one by one."""
+    if len(said) != len(says):
+        return False
+    pairs = zip(said, says, strict=True)
+    return all(f == g or equivalent(f, g, Problem("both", ("and", f, g))) for f, g in pairs)
 
 
 def _exchanged(value: Any, names: Mapping[str, str]) -> Any:
@@ -125,13 +154,13 @@ def _exchanged(value: Any, names: Mapping[str, str]) -> Any:
 
 
 @cache
-def _decided(paper: Paper) -> tuple[tuple[Item, dict[str, Verdict]], ...]:
+def _decided(paper: Paper) -> tuple[tuple[Item, str, dict[str, Verdict]], ...]:
     """The declarations without lemmas, each with the verdict of its links; lists, and what is long, come last."""
     found = []
     for obligation in expand(paper):
         item = obligation.item
         if item.role in DECIDED and not item.lemmas:
-            found.append((item, _Verdicts(paper, item)))
+            found.append((item, _text(item), _Verdicts(paper, item)))
     return tuple(
         sorted(found, key=lambda pair: (bool(pair[0].parts), pair[0].role is Role.OURS, len(repr(pair[0].printed))))
     )
@@ -171,7 +200,7 @@ CLASS = FaultClass(
     "notation",
     "notation tables with one mistake, before the ledger",
     (SWAPPED, ASSUMED),
-    share=150,
+    share=30,
     places=_places,
     trials=trials,
 )

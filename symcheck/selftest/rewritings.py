@@ -10,7 +10,6 @@ from random import Random
 from typing import Any
 
 from symcheck.evidence.judge import judge
-from symcheck.evidence.record import Record
 from symcheck.selftest.evidence import all_hold, answered
 from symcheck.selftest.statements import Proved, places, proved
 from symcheck.selftest.trial import Fate, FaultClass, Trial, mixed

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, field
+from dataclasses import asdict, dataclass, field
 from functools import cache
 from importlib import import_module
 from pkgutil import iter_modules
@@ -13,9 +13,12 @@ from random import Random
 from symcheck import selftest
 from symcheck.evidence.executor import Done, Executor, Timeout
 from symcheck.evidence.record import Record
-from symcheck.selftest.trial import Count, FaultClass, total
+from symcheck.selftest.engines import Agreement, agreement
+from symcheck.selftest.statements import unguarded
+from symcheck.selftest.trial import Count, Fate, FaultClass, total
 
 FAULTS = 21_000
+ENOUGH = 0.999  # of the faults must be rejected
 TIMEOUT = 120.0  # seconds for one task
 Progress = Callable[[int, int], None]
 
@@ -27,6 +30,8 @@ class Result:
     seed: int
     counts: dict[str, dict[str, Count]] = field(default_factory=dict)
     unfinished: list[str] = field(default_factory=list)
+    engines: Agreement = field(default_factory=Agreement)
+    findings: list[str] = field(default_factory=list)
 
     @property
     def whole(self) -> Count:
@@ -34,8 +39,10 @@ class Result:
 
     @property
     def is_sound(self) -> bool:
-        """Whether nothing wrong was accepted, nothing right rejected, and everything came to an end."""
-        return not self.whole.errors and not self.unfinished
+        """Whether enough faults were rejected, nothing right was, all came to an end, and the engines agree."""
+        fates = self.whole.fates
+        enough = fates[Fate.ACCEPTED] <= (1 - ENOUGH) * (fates[Fate.ACCEPTED] + fates[Fate.REJECTED])
+        return enough and not (fates[Fate.FALSELY_REJECTED] or self.unfinished or self.engines.disagreements)
 
     def to_json(self) -> dict[str, object]:
         """The confusion matrix as a whole, by class and by kind."""
@@ -44,7 +51,8 @@ class Result:
             for name, kinds in self.counts.items()
         }
         whole = self.whole.to_json()
-        return {"schema": 1, "seed": self.seed, **whole, "unfinished": self.unfinished, "classes": classes}
+        others = {"unfinished": self.unfinished, "engines": asdict(self.engines), "findings": self.findings}
+        return {"schema": 1, "seed": self.seed, **whole, **others, "classes": classes}
 
 
 @cache
@@ -101,4 +109,16 @@ def run(
         for count in kinds.values():
             count.errors.sort()
     result.unfinished.sort()
+    result.engines, result.findings = agreement(records), findings(records)
     return result
+
+
+def findings(records: Sequence[Record]) -> list[str]:
+    """The hypotheses that a relation is stated with and does not need, and the bounds without a set of equality."""
+    told = [
+        f"{record.id} does not need {hypothesis['name']!r}"
+        for record in records
+        for hypothesis in record.hypotheses
+        if hypothesis["needed"] is False
+    ]
+    return told + [f"{id} has no set of equality: a looser bound would pass" for id in unguarded(records)]

@@ -25,7 +25,14 @@ def show(out: Any, result: Result) -> None:
             table.add_row(f"  {kind}", *_cells(count))
     table.add_row("all", *_cells(result.whole), style="bold")
     out.print(table)
-    wrong = [*result.whole.errors, *result.unfinished]
+    engines = result.engines
+    told = ", ".join(f"{name} {count:,}" for name, count in engines.evaluated.items())
+    out.print(f"{engines.points:,} refutations, all re-evaluated by the checker; evaluated at their points by: {told}.")
+    out.print(f"{len(engines.disagreements)} disagreements; {engines.all_three:,} by all three.")
+    out.print(
+        f"{len(result.findings):,} findings (hypotheses not needed, bounds without a set of equality): see --json."
+    )
+    wrong = [*result.whole.errors, *result.unfinished, *engines.disagreements]
     for line in wrong[:MOST_TOLD]:
         out.print(line, markup=False)
     if len(wrong) > MOST_TOLD:

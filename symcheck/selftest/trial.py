@@ -118,9 +118,9 @@ def total(counts: Iterable[Count]) -> Count:
     return result
 
 
-def mixed(by_kind: Mapping[str, Sequence[T]], rng: Random) -> Iterator[T]:
-    """All members in a random order in which the kinds take turns, so that a short beginning has rare ones too."""
-    shuffled = [rng.sample(members, len(members)) for members in by_kind.values()]
-    rng.shuffle(shuffled)
+def mixed(by_kind: Mapping[str, Sequence[T]], rng: Random, rare: Sequence[str] = ()) -> Iterator[T]:
+    """All members in a random order in which the kinds take turns, rare ones first: a short beginning has them."""
+    order = sorted(rng.sample(list(by_kind), len(by_kind)), key=lambda kind: kind not in rare)
+    shuffled = [rng.sample(by_kind[kind], len(by_kind[kind])) for kind in order]
     rows: Iterable[tuple[T | None, ...]] = zip_longest(*shuffled)
     return (member for member in chain.from_iterable(rows) if member is not None)
