@@ -127,17 +127,14 @@ def check(selection: Sequence[str], as_json: bool, verdict: str | None, how: How
 
     Without a selection: all papers. `mirer2009:2.1` also means its links 2.1a, 2.1b.
     """
-    records = audit(selection, how)
-    shown = [record for record in records if verdict is None or record.verdict == verdict]
-    if as_json:
-        _print_json(shown)
-    else:
-        from symcheck import terminal
+    from symcheck.evidence.run import Interrupted
 
-        out = terminal.console()
-        for key, rows in _by_paper(shown).items():
-            terminal.ledger(out, key, rows)
-        terminal.summary(out, records)
+    try:
+        records = audit(selection, how)
+    except Interrupted as stop:
+        _print_ledger(stop.records, as_json, verdict, partial=True)
+        raise
+    _print_ledger(records, as_json, verdict)
     _compare(selection, records, as_json)
 
 
@@ -351,9 +348,9 @@ def audit(selection: Sequence[str], how: How) -> list[Record]:
                 timeout=how.timeout,
                 progress=progress,
             )
-    except KeyboardInterrupt:
+    except run.Interrupted as stop:
         kept = "nothing is kept" if how.no_cache else f"{state[0]} of {state[1]} declarations are decided and kept"
-        raise KeyboardInterrupt(f"; {kept}") from None
+        raise run.Interrupted(stop.records, f"; {kept}") from None
     finally:
         cache.close()
 
@@ -369,9 +366,27 @@ def _progress() -> Iterator[Callable[[int, int], None]]:
         yield move
 
 
-def _print_json(records: Sequence[Record]) -> None:
+def _print_ledger(records: Sequence[Record], as_json: bool, verdict: str | None, partial: bool = False) -> None:
+    """The rows of a verdict; a ledger that is partial says so before and after."""
+    shown = [record for record in records if verdict is None or record.verdict == verdict]
+    if as_json:
+        _print_json(shown, partial)
+        return
+    from symcheck import terminal
+
+    out = terminal.console()
+    note = "PARTIAL: interrupted before all relations were decided" if partial else ""
+    out.print(note, end="\n" * partial)
+    for key, rows in _by_paper(shown).items():
+        terminal.ledger(out, key, rows)
+    terminal.summary(out, records)
+    out.print(note, end="\n" * partial)
+
+
+def _print_json(records: Sequence[Record], partial: bool = False) -> None:
     items = ",\n".join(json.dumps(record.to_json(), ensure_ascii=False) for record in records)
-    click.echo(f'{{"schema": 1, "items": [\n{items}\n]}}')
+    said = '"partial": true, ' if partial else ""
+    click.echo(f'{{"schema": 1, {said}"items": [\n{items}\n]}}')
 
 
 def _by_paper(records: Sequence[Record]) -> dict[str, list[Record]]:

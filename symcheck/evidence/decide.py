@@ -8,6 +8,7 @@ from dataclasses import replace
 from typing import Any
 
 from symcheck.evidence.context import Context
+from symcheck.evidence.domain import refuse_wider
 from symcheck.evidence.errata import corrected, needs
 from symcheck.evidence.judge import Unit, judge, units
 from symcheck.evidence.obligation import DECIDED, Obligation, expand, fingerprint, obligation_of, users
@@ -105,4 +106,7 @@ def _judged(context: Context, unit: Unit, row: Record) -> Record:
         if item.needs and not misprint:
             shown = right
     added = item.needs if erratum and not erratum.corrected else ()
-    return replace(row, hypotheses=needs(shown, item, added))
+    row = replace(row, hypotheses=needs(shown, item, added))
+    if row.verdict is Verdict.PROVED:
+        refuse_wider(row.id, row.certificates, row.hypotheses)
+    return row

@@ -30,7 +30,20 @@ def needs(finding: Finding, item: Item, added: tuple[Hypothesis, ...]) -> tuple[
                 "counterexample": counterexample,
             }
         )
-    return tuple(rows)
+    known = {row["name"] for row in rows}
+    return (*rows, *(_of_equality(h) for h in item.equality_given if h.name not in known and item.equality))
+
+
+def _of_equality(hypothesis: Hypothesis) -> dict[str, Any]:
+    """A hypothesis in force only where it is shown when an inequality is an equality."""
+    return {
+        "name": hypothesis.name,
+        "words": hypothesis.words,
+        "states": hypothesis.states,
+        "given": "for the set of equality",
+        "needed": None,
+        "counterexample": None,
+    }
 
 
 def _source(hypothesis: Hypothesis, item: Item, added: tuple[Hypothesis, ...]) -> str:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import asdict, dataclass, fields
 from typing import Any
 
+from symcheck.evidence.domain import domain, refuse_wider
 from symcheck.statement import SLIPS, Certificate, Group, Origin, Reading, Role, SymcheckError, Verdict
 
 
@@ -50,22 +51,28 @@ class Record:
         return Group.ROW if self.is_row else Group.STATEMENT
 
     @property
+    def domain(self) -> dict[str, list[str]] | None:
+        """Over which set a proved relation was shown: hypotheses by name, and what must not vanish."""
+        return domain(self.certificates) if self.verdict is Verdict.PROVED else None
+
+    @property
     def is_row(self) -> bool:
         """Whether it is an erratum of a list row or a table cell, whose correction is the whole row."""
         return bool((self.erratum or {}).get("row"))
 
     def to_json(self) -> dict[str, Any]:
-        """The record as plain JSON data, with its group; "certificate" has one for each lowered formula."""
+        """The record as plain JSON data, with group and domain; "certificate" has one for each lowered formula."""
         data = asdict(self)
         named = {"certificate" if key == "certificates" else key: value for key, value in data.items()}
-        return {**named, "group": self.group}
+        return {**named, "group": self.group, "domain": self.domain}
 
     @classmethod
     def from_json(cls, data: dict[str, Any]) -> Record:
         """The inverse of `to_json`; SymcheckError if a field is missing, unknown or of an unknown value."""
         try:
             values = {"certificates" if key == "certificate" else key: value for key, value in data.items()}
-            values.pop("group", None)  # follows from the others
+            values.pop("group", None)  # these follow from the others
+            values.pop("domain", None)
             if unknown := sorted(set(values) - {f.name for f in fields(cls)}):
                 raise SymcheckError(f"a record has the unknown field {unknown[0]!r}; delete the file and run again")
             values["role"] = Role(values["role"])
@@ -74,6 +81,9 @@ class Record:
             values["origin"] = Origin(values["origin"]) if values.get("origin") else None
             for key in ("hypotheses", "certificates", "uses", "used_by"):
                 values[key] = tuple(values.get(key, ()))
-            return cls(**values)
+            record = cls(**values)
+            if record.verdict is Verdict.PROVED:
+                refuse_wider(record.id, record.certificates, record.hypotheses)
+            return record
         except (KeyError, ValueError, TypeError) as error:
             raise SymcheckError(f"a record cannot be read ({error}); delete the file and run again") from error

@@ -48,6 +48,14 @@ class Decider(Protocol):
         ...
 
 
+class Interrupted(KeyboardInterrupt):
+    """An interrupt, with the records that were decided before it, in printed order."""
+
+    def __init__(self, records: list[Record], told: str = "") -> None:
+        super().__init__(told)
+        self.records = records
+
+
 def audit(
     selection: Sequence[str],
     *,
@@ -62,8 +70,8 @@ def audit(
 
     A selection is "paper", "paper:number", "paper:number" with the letter of one link, or "paper:T6" for all rows of a
     list or table; SymcheckError if it names nothing, with the nearest names. What is decided is in the cache at once,
-    so an interrupted audit loses only what was running. A declaration that is killed or crashes is undecided and not
-    cached.
+    so an interrupted audit loses only what was running, and raises Interrupted. A declaration that is killed or crashes
+    is undecided and not cached.
     """
     obligations = _expanded(_papers_named(selection, papers), decide)
     wanted = select(selection, list(obligations)) if selection else dict.fromkeys(obligations, EVERY)
@@ -72,15 +80,24 @@ def audit(
     progress(len(records), len(wanted))
     open_ids = [id for id in wanted if id not in records]
     if open_ids:
-        with closing(executor.map(decide.decide, open_ids, timeout)) as answers:
-            for id, answer in answers:
-                records[id] = _records(obligations[id], answer)
-                if isinstance(answer, Done):
-                    cache.put(id, fingerprints[id], records[id])
-                progress(len(records), len(wanted))
+        try:
+            with closing(executor.map(decide.decide, open_ids, timeout)) as answers:
+                for id, answer in answers:
+                    records[id] = _records(obligations[id], answer)
+                    if isinstance(answer, Done):
+                        cache.put(id, fingerprints[id], records[id])
+                    progress(len(records), len(wanted))
+        except KeyboardInterrupt:
+            raise Interrupted(_asked_for(wanted, records)) from None
     for key in {id.partition(":")[0] for id in obligations}:
         cache.prune(key, obligations)
-    return _with_later([record for id, links in wanted.items() for record in _of_links(records[id], links)])
+    return _asked_for(wanted, records)
+
+
+def _asked_for(wanted: Mapping[str, Links], records: Mapping[str, tuple[Record, ...]]) -> list[Record]:
+    """What is decided of what was asked for, in printed order."""
+    decided = ((id, links) for id, links in wanted.items() if id in records)
+    return _with_later([record for id, links in decided for record in _of_links(records[id], links)])
 
 
 def _with_later(records: list[Record]) -> list[Record]:

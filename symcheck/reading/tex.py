@@ -18,6 +18,8 @@ _TAIL = re.compile(rf"(?:{_SPACE}|[.,;])+$")
 STYLES = frozenset({r"\mathbf", r"\boldsymbol", r"\mathcal", r"\mathbb", r"\bm"})
 ACCENTS = frozenset({r"\dot", r"\ddot", r"\bar", r"\overline", r"\hat", r"\tilde", r"\vec", r"\widetilde", r"\widehat"})
 ROMAN = frozenset({r"\text", r"\mathrm", r"\operatorname", r"\textrm", r"\mbox"})
+MAX_DEPTH = 30  # of brackets; the papers have less than ten
+_OPENING, _CLOSING = frozenset({"{", "(", "[", r"\{"}), frozenset({"}", ")", "]", r"\}"})
 _NOT_LETTERS = frozenset(
     {
         r"\quad",
@@ -84,6 +86,15 @@ class Reader:
         self.source = source
         self.toks = tokenize(source)
         self.i = 0
+        self.refuse_depth()
+
+    def refuse_depth(self) -> None:
+        """SymcheckError where brackets are nested deeper than any formula; what comes later recurses into them."""
+        depth = 0
+        for tok in self.toks:
+            depth += (tok.text in _OPENING) - (tok.text in _CLOSING)
+            if depth > MAX_DEPTH:
+                self.fail(f"nested more than {MAX_DEPTH} deep", tok.at)
 
     def peek(self, ahead: int = 0) -> str:
         """The text of a coming token; "" past the end."""

@@ -1,0 +1,150 @@
+"""The self-test plants what it says, counts it right, and notices an audit that lets faults pass."""
+
+from __future__ import annotations
+
+import json
+from dataclasses import replace
+from functools import cache
+from random import Random
+from typing import Any
+
+import pytest
+
+from symcheck.evidence import decide
+from symcheck.evidence.domain import domain, refuse_wider
+from symcheck.evidence.executor import Serial
+from symcheck.evidence.record import Record
+from symcheck.selftest import certificates, engines, hypotheses, kernels, statements
+from symcheck.selftest.run import Result, classes, run, tasks
+from symcheck.selftest.statements import proved
+from symcheck.selftest.trial import Count, Fate, Trial, limits, mixed
+from symcheck.statement import SymcheckError
+
+IDS = ("mirer2009:2.2", "mirer2009:2.12", "mirer2009:2.1.1", "esenkov2006:1.34.4", "ignatov2005:T7.1")
+FAULTS = 250
+
+
+@cache
+def records() -> tuple[Record, ...]:
+    return tuple(record for id in IDS for record in decide.decide(id))
+
+
+@cache
+def result() -> Result:
+    return run(records(), Serial(), FAULTS, seed=3)
+
+
+def test_nothing_is_accepted_and_nothing_right_rejected() -> None:
+    assert result().is_sound
+    assert result().whole.errors == []
+    assert result().whole.planted > FAULTS / 2
+
+
+def test_every_kind_that_is_planted_is_declared_and_every_class_plants() -> None:
+    for name, kinds in result().counts.items():
+        assert set(kinds) == set(classes()[name].kinds)
+        assert sum(count.planted + count.right for count in kinds.values()) > 0, name
+
+
+def test_the_same_seed_plants_the_same_and_another_one_something_else() -> None:
+    assert tasks(records(), FAULTS, 3) == tasks(records(), FAULTS, 3) != tasks(records(), FAULTS, 4)
+    trials = [[*statements.trials(IDS[0], 5, Random(n))] for n in (1, 1, 2)]
+    assert trials[0] == trials[1] != trials[2]
+
+
+def test_the_counts_add_up_in_json() -> None:
+    data: Any = json.loads(json.dumps(result().to_json()))
+    for name in ("planted", "rejected", "accepted", "equivalent", "right", "false_rejections"):
+        assert data[name] == sum(each[name] for each in data["classes"].values())
+        for each in data["classes"].values():
+            assert each[name] == sum(kind[name] for kind in each["kinds"].values())
+    assert data["planted"] == data["rejected"] + data["accepted"] + data["equivalent"]
+    assert data["seed"] == 3
+
+
+def test_limits_contain_the_rate_and_shrink_with_the_number() -> None:
+    few, many = limits(10, 10), limits(10_000, 10_000)
+    assert few
+    assert many
+    assert few[0] < many[0] < many[1] == 1 == many[2]
+    assert limits(0, 0) is None
+    assert limits(1, 2) == pytest.approx([0.0126, 0.5, 0.9874], abs=1e-4)
+
+
+def test_kinds_take_turns_and_rare_ones_begin() -> None:
+    drawn = list(mixed({"a": ["a"] * 9, "b": ["b"], "c": ["c"] * 9}, Random(0), rare=["b"]))
+    assert drawn[0] == "b"
+    assert set(drawn[:3]) == {"a", "b", "c"}
+    assert len(drawn) == 19
+
+
+def test_a_checker_that_holds_everything_true_is_noticed(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(certificates, "holds", lambda certificate: True)
+    place = json.dumps([each for record in records() for each in record.certificates])
+    fates = [trial.fate for trial in certificates.trials(place, 60, Random(0))]
+    assert Fate.ACCEPTED in fates
+
+
+def test_an_audit_that_proves_everything_is_noticed(monkeypatch: pytest.MonkeyPatch) -> None:
+    everything = proved(IDS[1])[0]
+    finding = statements.judge(everything.context, everything.unit, everything.given)
+    monkeypatch.setattr(statements, "judge", lambda *_: finding)
+    monkeypatch.setattr(hypotheses, "judge", lambda *_: finding)
+    assert Fate.ACCEPTED in {trial.fate for trial in statements.trials(IDS[1], 20, Random(0))}
+    assert Fate.ACCEPTED in {trial.fate for trial in hypotheses.trials(IDS[1], 6, Random(0))}
+
+
+def test_a_comparison_that_is_always_content_is_noticed(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(kernels.Forms, "survives", lambda *_: True)
+    place = kernels.CLASS.places(records())[0]
+    assert Fate.ACCEPTED in {trial.fate for trial in kernels.trials(place, 10, Random(0))}
+
+
+def test_a_single_false_rejection_or_too_many_accepted_faults_are_no_success() -> None:
+    def having(*fates: Fate) -> Result:
+        count = Count()
+        for fate in fates:
+            count.add(Trial("k", "w", fate))
+        return Result(0, {"c": {"k": count}})
+
+    assert having(*[Fate.REJECTED] * 999, Fate.ACCEPTED).is_sound
+    assert not having(*[Fate.REJECTED] * 900, Fate.ACCEPTED).is_sound
+    assert not having(Fate.FALSELY_REJECTED).is_sound
+    assert not replace(having(Fate.REJECTED), unfinished=["x"]).is_sound
+
+
+def test_three_engines_agree_about_every_refutation_and_notice_a_wrong_one() -> None:
+    found = engines.agreement(records())
+    assert found.points > 3
+    assert found.all_three > 2
+    assert found.disagreements == []
+    refuted = next(
+        each for record in records() for each in certificates.certificates(record) if each["verdict"] == "refuted"
+    )
+    wrong = certificates.changed(refuted, ("claim",), ["=", 1, 1])
+    assert {engines.refutes(engine, wrong) for engine in engines.ENGINES} == {False}
+
+
+def test_hypotheses_that_contradict_one_another_prove_nothing() -> None:
+    (original,) = proved("mirer2009:2.2")[-1:]
+    contraries = [each for h in original.given if (each := hypotheses.contrary(original, h))]
+    assert contraries
+    assert {hypotheses.contradicted(original, each) for each in contraries} == {Fate.REJECTED}
+
+
+def test_a_record_tells_the_set_over_which_it_was_shown() -> None:
+    for record in records():
+        if record.domain is not None:
+            assert record.domain == domain(record.certificates)
+            assert set(record.domain["hypotheses"]) <= {hypothesis["name"] for hypothesis in record.hypotheses}
+
+
+def test_a_record_that_leaves_a_hypothesis_out_is_refused() -> None:
+    record = next(each for each in records() if each.domain and each.domain["hypotheses"])
+    refuse_wider(record.id, record.certificates, record.hypotheses)
+    narrow = record.domain["hypotheses"][0]  # type: ignore[index]
+    told = tuple(hypothesis for hypothesis in record.hypotheses if hypothesis["name"] != narrow)
+    with pytest.raises(SymcheckError, match="which the record leaves out"):
+        refuse_wider(record.id, record.certificates, told)
+    with pytest.raises(SymcheckError, match="which the record leaves out"):
+        Record.from_json(replace(record, hypotheses=told).to_json())
