@@ -22,7 +22,7 @@ for _ in range(300):
     TALL = ["+", TALL, 1] if TALL != ["x"] else "x"
 RUBBISH: tuple[Any, ...] = (
     *(None, True, False, 0, -1, 1.5, 1e308, float("nan"), float("inf"), 10**4000, -(10**4000), 2**64),
-    *("", "x", "sin_x", "sqrt_4", "sqrt_-1", "pi", "infinity", "1/0", "x" * 10_000, "\x00", "x^999", "9" * 4000),
+    *("", "x", "sin_x", "sqrt_4", "sqrt_-1", "pi", "infinity", "1/0", "x" * 1_000, "\x00", "x^999", "9" * 4000),
     *([], {}, [[]], [{}], {"rule": "identity"}, ["hyp", "h", 0], ["here", 0], ["positive", "x"], DEEP, TALL),
     *(["^", "x", 10**9], ["^", ["^", ["^", "x", 999], 999], 999], ["/", 1, 0], ["sin", ["*", 10**9, "x"]]),
     *(["pow", 2, 10**9], ["diff", "x", "x", 10**6], ["integral", "x", "x", 0, 1], ["exists", ["x"], ["=", "x", 0]]),

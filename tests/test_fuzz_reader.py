@@ -60,9 +60,7 @@ BRACKETS = [("(", ")"), ("{", "}"), (r"\sqrt{", "}"), ("-", ""), (r"\frac{1}{", 
 
 def nested(rng: random.Random, key: str) -> str:
     """One thing inside itself, up to thousands of times."""
-    opening, closing = rng.choice(
-        [("(", ")"), ("{", "}"), (r"\sqrt{", "}"), ("-", ""), (r"\frac{1}{", "}"), ("x^{", "}")]
-    )
+    opening, closing = rng.choice(BRACKETS)
     depth = rng.choice([5, 50, 500, 3000])
     return opening * depth + rng.choice(["x", "1", ""]) + closing * rng.choice([depth, depth - 1])
 

@@ -170,7 +170,7 @@ class Lexer(tex.Reader):
     def number(self) -> None:
         """Digits, with a decimal point between digits; `1).` at the beginning of a clause is the label of a case."""
         at, text = self.at(), self.digits()
-        if self.peek() == "." and self.peek(1).isdigit():
+        if self.peek() == "." and self.peek(1).isdigit() and self.peek(1).isascii():
             self.i += 1
             text += "." + self.digits()
         if self.peek() == ")" and not self.open and self.clause_begins():
@@ -202,7 +202,7 @@ class Lexer(tex.Reader):
         braced = self.peek() == "{"
         self.i += braced
         environments, lefts = len(self.environments), len(self.lefts)
-        if not braced and self.peek().isdigit():
+        if not braced and self.peek().isdigit() and self.peek().isascii():
             self.emit("NUMBER", self.peek(), self.at())
             self.i += 1
         else:
