@@ -174,11 +174,7 @@ def product_of_axial_moments(moments: ArrayLike, axes: ArrayLike) -> BoundedProd
     [24.9216, 24.0, 27.0, 0.9216, 2.0784]
     """
     moments, axes = principal_moments(moments), orthonormal_axes(axes)
-    first, second, third = _kernel("axial_moments", moments, axes)
-    mean = moments.mean(axis=-1)
-    product_of_inertia = (moments * axes[..., 0, :] * axes[..., 2, :]).sum(axis=-1)
-    excess = _excess_by_rows(moments, axes)[..., 1] + second * product_of_inertia**2
-    deficit = ((mean - second) ** 2 * (first + third + mean) + second * (first - third) ** 2) / 4
+    excess, deficit, _ = _kernel("distances_from_bounds", moments, axes)
     value = _kernel("product_of_axial_moments", moments, axes)
     return BoundedProduct(*of_one_shape(value, *_bounds(moments)[:2], excess, deficit))
 
@@ -193,7 +189,7 @@ def sum_of_products(moments: ArrayLike, axes: ArrayLike) -> BoundedSum:
     [73.8432, 72.0, 1.8432]
     """
     moments, axes = principal_moments(moments), orthonormal_axes(axes)
-    excess = _excess_by_rows(moments, axes).sum(axis=-1)
+    _, _, excess = _kernel("distances_from_bounds", moments, axes)
     return BoundedSum(*of_one_shape(_kernel("sum_of_products", moments, axes), _bounds(moments)[2], excess))
 
 
@@ -214,8 +210,7 @@ def bound_at_given_moment(moments: ArrayLike, moment: ArrayLike) -> Array:
     trace = moments.sum(axis=-1)
     holds = (moment >= 0) & (2 * moment <= trace * (1 + ROUNDING))
     require(holds, "moment", moment, "lie on [0, 3c/2] with c the mean principal moment", "mirer2009:2.3.4")
-    bound: Array = moment * (trace - moment) ** 2 / 4
-    return bound
+    return np.asarray(kernels.load("mirer2009").bound_at_given_moment(*letters(moments), moment))
 
 
 def _kernel(name: str, moments: Array, axes: Array) -> Any:
@@ -225,11 +220,3 @@ def _kernel(name: str, moments: Array, axes: Array) -> Any:
 def _bounds(moments: Array) -> tuple[Array, Array, Array]:
     least, greatest, sum_least = kernels.load("mirer2009").bounds_of_products(*letters(moments))
     return least, greatest, sum_least
-
-
-def _excess_by_rows(moments: Array, axes: Array) -> Array:
-    """Sum over k of I_k (I_l - I_m)^2 (a_il a_im)^2 with k, l, m cyclic, for each row i."""
-    weights = moments * (np.roll(moments, -1, axis=-1) - np.roll(moments, -2, axis=-1)) ** 2
-    pairs = np.roll(axes, -1, axis=-1) * np.roll(axes, -2, axis=-1)
-    rows: Array = (weights[..., None, :] * pairs**2).sum(axis=-1)
-    return rows
