@@ -32,6 +32,7 @@ bench: $(DEV)
 	$(BIN)/python tests/bench_numba.py
 	$(BIN)/python tests/bench_envelope.py
 	OPENBLAS_NUM_THREADS=1 $(BIN)/python tests/bench_ensemble.py
+	$(BIN)/python tests/bench_sweep.py
 
 bench-gpu: $(DEV)
 	$(BIN)/symcheck generate --target array --output kernels-array

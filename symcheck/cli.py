@@ -77,14 +77,29 @@ def _say(message: str) -> None:
     click.echo(f"symcheck: {message}", err=True)
 
 
+def _cores() -> int:
+    return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
+
+
+def _chunks(context: click.Context, option: click.Parameter, given: Sequence[str]) -> dict[str, int]:
+    pairs = [text.rpartition("=") for text in given]
+    wrong = [
+        text
+        for text, (axis, _, points) in zip(given, pairs, strict=True)
+        if not axis or not points.isdecimal() or points == "0"
+    ]
+    if wrong:
+        raise click.BadParameter(f"{wrong[0]!r} must be AXIS=POINTS, as a=100")
+    return {axis: int(points) for axis, _, points in pairs}
+
+
 def deciding(command: F) -> F:
     """Add the options of `How` to a command, which receives them as its parameter `how`."""
-    cores = len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
     options = (
         click.option(
             "--jobs",
             type=click.IntRange(0),
-            default=cores,
+            default=_cores,
             show_default="cores",
             help="Worker processes; 0 decides in this process, without a time limit.",
         ),
@@ -294,6 +309,65 @@ def plot(name: str | None, output: Path | None, show: bool) -> None:
         raise SymcheckError(f"no viewer opens {path} here; the file is written")
 
 
+@cli.command()
+@click.argument("spec", type=click.Path(path_type=Path))
+@click.option(
+    "--out", required=True, type=click.Path(path_type=Path), help="FILE.zarr or FILE.nc, written when all is done."
+)
+@click.option(
+    "--scheduler", metavar="ADDRESS", help="A dask.distributed scheduler, as tcp://HOST:8786; default threads."
+)
+@click.option(
+    "--threads", type=click.IntRange(1), default=_cores, show_default="cores", help="Threads of this process."
+)
+@click.option("--chunk", "chunks", multiple=True, metavar="AXIS=POINTS", callback=_chunks, help="Length of a chunk.")
+@click.option(
+    "--chunk-memory",
+    type=click.FloatRange(0, min_open=True),
+    default=32.0,
+    show_default=True,
+    help="Megabytes of results in a chunk, along the axes whose length is not given.",
+)
+@click.option(
+    "--wait",
+    type=click.FloatRange(0, min_open=True),
+    default=10.0,
+    show_default=True,
+    help="Seconds to wait for the scheduler and for workers.",
+)
+def sweep(
+    spec: Path,
+    out: Path,
+    scheduler: str | None,
+    threads: int,
+    chunks: dict[str, int],
+    chunk_memory: float,
+    wait: float,
+) -> None:
+    """Evaluate a function on the outer product of its parameters, as the TOML file SPEC says, and keep the result.
+
+    What was stopped goes on with the same command. Described in `symcheck.numeric.sweep`.
+    """
+    from symcheck.numeric.sweep import SweepError
+    from symcheck.numeric.sweep import sweep as run
+
+    try:
+        with _progress("sweeping") as move:
+            said = run(
+                spec,
+                out,
+                scheduler=scheduler,
+                threads=threads,
+                chunks=chunks,
+                memory=1e6 * chunk_memory,
+                patience=wait,
+                progress=move,
+            )
+    except SweepError as error:
+        raise SymcheckError(str(error)) from error
+    click.echo(said)
+
+
 def audit(selection: Sequence[str], how: How) -> list[Record]:
     """The records of a selection: from the cache where it has them, else decided in workers, with a progress bar."""
     from symcheck.evidence import decide, run
@@ -306,7 +380,7 @@ def audit(selection: Sequence[str], how: How) -> list[Record]:
     executor = Pool(how.jobs, (*PRELOAD, *(f"symcheck.papers.{key}" for key in papers))) if how.jobs else Serial()
     state = [0, 0]
     try:
-        with _progress() as move:
+        with _progress("deciding") as move:
 
             def progress(done: int, total: int) -> None:
                 state[:] = done, total
@@ -329,13 +403,13 @@ def audit(selection: Sequence[str], how: How) -> list[Record]:
 
 
 @contextmanager
-def _progress() -> Iterator[Callable[[int, int], None]]:
+def _progress(what: str) -> Iterator[Callable[[int, int], None]]:
     if not sys.stderr.isatty():
         yield lambda done, total: None
         return
     from symcheck.terminal import progress_bar
 
-    with progress_bar() as move:
+    with progress_bar(what) as move:
         yield move
 
 

@@ -12,6 +12,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from symcheck import kernels
+from symcheck.numeric.chunked import gufunc
 from symcheck.numeric.domain import Array, real, require
 from symcheck.numeric.inertia.arguments import (
     eigensystem,
@@ -75,6 +76,7 @@ class BoundedSum(NamedTuple):
     excess: Array
 
 
+@gufunc("(i,j)->(i),(i,j)")
 def principal_inertia(tensor: ArrayLike) -> PrincipalInertia:
     """Principal moments and principal axes of an inertia tensor: T = A^T diag(I_1, I_2, I_3) A.
 
@@ -90,6 +92,7 @@ def principal_inertia(tensor: ArrayLike) -> PrincipalInertia:
     return PrincipalInertia(*eigensystem(symmetric_matrix("tensor", tensor, "mirer2009:1.2.1")))
 
 
+@gufunc("(k),(k,i)->(i,column)", column=3)
 def inertia_tensor(moments: ArrayLike, axes: ArrayLike) -> Array:
     """The inertia tensor A^T diag(I_1, I_2, I_3) A, shape (..., 3, 3), kg m^2: the inverse of `principal_inertia`.
 
@@ -105,6 +108,7 @@ def inertia_tensor(moments: ArrayLike, axes: ArrayLike) -> Array:
     return symmetric_matrix("tensor", axes.swapaxes(-1, -2) @ (principal_moments(moments)[..., None] * axes))
 
 
+@gufunc("(i)->(i)")
 def triangle_slack(moments: ArrayLike) -> Array:
     """By how much the triangle inequalities (2.3) hold: I_1 + I_2 + I_3 - 2 I_i, shape (..., 3), kg m^2.
 
@@ -120,6 +124,7 @@ def triangle_slack(moments: ArrayLike) -> Array:
     return np.roll(array, -1, axis=-1) + np.roll(array, -2, axis=-1) - array
 
 
+@gufunc("(i)->(i)")
 def second_moments_of_mass(moments: ArrayLike) -> Array:
     """The integrals P_i of x_i^2 over the mass from I_1 = P_2 + P_3 and cyclic, shape (..., 3), kg m^2.
 
@@ -138,6 +143,7 @@ def second_moments_of_mass(moments: ArrayLike) -> Array:
     return np.maximum(slack, 0) / 2
 
 
+@gufunc("(k),(i,k)->(i)")
 def axial_moments(moments: ArrayLike, axes: ArrayLike) -> Array:
     """Moments of inertia about three axes: J_i = I_1 a_i1^2 + I_2 a_i2^2 + I_3 a_i3^2, shape (..., 3), kg m^2.
 
@@ -152,6 +158,7 @@ def axial_moments(moments: ArrayLike, axes: ArrayLike) -> Array:
     return side_by_side(_kernel("axial_moments", principal_moments(moments), orthonormal_axes(axes)))
 
 
+@gufunc("(k),(i,k)->(i)")
 def second_order_moments(moments: ArrayLike, axes: ArrayLike) -> Array:
     """The forms L_i = I_2 I_3 a_i1^2 + I_3 I_1 a_i2^2 + I_1 I_2 a_i3^2, shape (..., 3), kg^2 m^4.
 
@@ -163,6 +170,7 @@ def second_order_moments(moments: ArrayLike, axes: ArrayLike) -> Array:
     return side_by_side(_kernel("second_order_moments", principal_moments(moments), orthonormal_axes(axes)))
 
 
+@gufunc("(k),(i,k)->(),(),(),(),()")
 def product_of_axial_moments(moments: ArrayLike, axes: ArrayLike) -> BoundedProduct:
     """The product f = J_1 J_2 J_3 with I_1 I_2 I_3 <= f <= ((I_1 + I_2 + I_3)/3)^3 and both distances.
 
@@ -179,6 +187,7 @@ def product_of_axial_moments(moments: ArrayLike, axes: ArrayLike) -> BoundedProd
     return BoundedProduct(*of_one_shape(value, *_bounds(moments)[:2], excess, deficit))
 
 
+@gufunc("(k),(i,k)->(),(),()")
 def sum_of_products(moments: ArrayLike, axes: ArrayLike) -> BoundedSum:
     """The sum S = J_1 L_1 + J_2 L_2 + J_3 L_3 with S >= 3 I_1 I_2 I_3 and the distance from this bound.
 
@@ -193,6 +202,7 @@ def sum_of_products(moments: ArrayLike, axes: ArrayLike) -> BoundedSum:
     return BoundedSum(*of_one_shape(_kernel("sum_of_products", moments, axes), _bounds(moments)[2], excess))
 
 
+@gufunc("(k),()->()")
 def bound_at_given_moment(moments: ArrayLike, moment: ArrayLike) -> Array:
     """The greatest product J_1 J_2 J_3 for a given J_2: f_1 = J_2 (3c - J_2)^2/4, shape (...), kg^3 m^6.
 
