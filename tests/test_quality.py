@@ -67,7 +67,7 @@ def _parse(arguments: list[str]) -> None:
         assert arguments[0] in ("--help", "-h", "--version")
         return
     command = cli.commands[arguments[0]]
-    command.make_context(arguments[0], arguments[1:], parent=click.Context(cli))
+    command.make_context(arguments[0], arguments[1:], parent=click.Context(cli, **cli.context_settings))
 
 
 @pytest.mark.parametrize("target", TARGETS)

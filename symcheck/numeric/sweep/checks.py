@@ -30,6 +30,7 @@ def check_parameters(swept: Swept, given: Mapping[str, Any], function: str, path
 
 
 def require_known(table: Mapping[str, Any], allowed: set[str], where: str) -> None:
+    """SweepError that names the first entry which is not allowed, and the nearest one that is."""
     unknown = [name for name in table if name not in allowed]
     if unknown:
         near = get_close_matches(unknown[0], allowed, n=1)
@@ -38,12 +39,14 @@ def require_known(table: Mapping[str, Any], allowed: set[str], where: str) -> No
 
 
 def number(value: Any, where: str) -> float:
+    """The value; SweepError if it is no finite number."""
     if isinstance(value, bool) or not isinstance(value, int | float) or not isfinite(value):
         raise SweepError(f"{where} = {value!r} must be a finite number, or {FORMS}")
     return value
 
 
 def whole(value: Any, where: str, least: int) -> int:
+    """The value; SweepError if it is no whole number from `least` on."""
     if isinstance(value, bool) or not isinstance(value, int) or value < least:
         raise SweepError(f"{where} = {value!r} must be a whole number from {least} on")
     return value

@@ -135,4 +135,5 @@ class Reader:
 
 
 def index(size: int, further: Mapping[str, tuple[tuple[str, ...], Any]] | None = None) -> Axis:
+    """An axis whose places are numbered from 0."""
     return Axis(size, np.arange(size), {}, further or {})
