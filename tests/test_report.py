@@ -120,7 +120,7 @@ def test_equal_formulas_have_no_mark() -> None:
 def test_the_page_says_what_the_records_say() -> None:
     rows = [
         record("1", printed="x = x", uses=("toy:2",)),
-        record("2", words="A <b>bold</b> & sentence", used_by=("toy:1",)),
+        record("2", role=Role.OURS, words="A <b>bold</b> & sentence", used_by=("toy:1",)),
         wrong("3", "x = -x", "x = x", counterexample={"values": {"x": "2/7"}, "sides": ["2/7", "-2/7"]}),
         record("4", role=Role.PREMISE, verdict=None),
     ]
@@ -128,7 +128,8 @@ def test_the_page_says_what_the_records_say() -> None:
     ledger = folded(text, "ledger")
     assert [row[0] for row in ledger["rows"]] == [each.id for each in rows]
     assert Counter(row[1] for row in ledger["rows"]) == {"proved": 2, "refuted": 1, "premise": 1}
-    assert re.search(r"3 printed relations of 1 paper .*<b>2</b> proved.*<b>1</b> refuted.*<b>0</b> undecided", text)
+    assert "3 relations of 1 paper were decided, 2 read as they are printed and 1 added by us" in text
+    assert re.search(r"<b>2</b> proved.*<b>1</b> refuted.*<b>0</b> undecided", text)
     claims = dict(zip((each.id for each in rows), ledger["claims"], strict=True))
     assert 'href="#toy:2"' in claims["toy:1"]
     assert 'href="#toy:1"' in claims["toy:2"]
@@ -257,14 +258,16 @@ def test_arcs_join_what_is_used_with_what_uses_it_and_lists_are_one_place() -> N
         replace(record("2b", name="chain"), verdict=Verdict.REFUTED),
         *(record(f"3V.{k}", name="rows", uses=("toy:2",)) for k in (1, 2)),
         record("4", name="alone"),
+        record("5", name="first", section="2", uses=("toy:1",)),
     ]
     found = graph("toy", rows)
     assert [(node.id, node.label, node.verdict) for node in found.nodes] == [
         ("toy:1", "1", "proved"),
         ("toy:2a", "2", "refuted"),
         ("toy:3V.1", "3V", "proved"),
+        ("toy:5", "5", "proved"),
     ]
-    assert [(arc.used, arc.by) for arc in found.arcs] == [(0, 1), (1, 2)]
+    assert [(arc.used, arc.by) for arc in found.arcs] == [(0, 1), (0, 3), (1, 2)]
 
 
 def test_a_plot_has_round_ticks_and_its_curves_stay_inside() -> None:

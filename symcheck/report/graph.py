@@ -11,14 +11,14 @@ from textwrap import shorten
 from symcheck.evidence.record import Record
 from symcheck.statement import Verdict
 
-STEP, LEFT, WIDEST = 17, 280, 400  # of the drawing, in pixels: between two claims, before the line, the largest arc
+STEP, LEFT, WIDEST = 17, 310, 400  # of the drawing, in pixels: between two claims, before the line, the largest arc
 
 LETTERS = 30  # of a name
 
 
 @dataclass(frozen=True)
 class Node:
-    """A declaration, or all rows of a list: those of one name are drawn as one."""
+    """A declaration, or all rows of a list: those of one name in a section are drawn as one."""
 
     id: str
     label: str
@@ -58,9 +58,9 @@ class Graph:
 
 def graph(paper: str, records: Sequence[Record]) -> Graph:
     """The dependencies between the claims of a paper; claims that use nothing and are not used are left out."""
-    together: dict[str, list[Record]] = {}
+    together: dict[tuple[str, str], list[Record]] = {}
     for record in records:
-        together.setdefault(record.name or _declaration(record.id), []).append(record)
+        together.setdefault((record.section, record.name or _declaration(record.id)), []).append(record)
     owner = {name: key for key, members in together.items() for each in members for name in _names(each.id)}
     pairs = {
         (owner[used], key)
@@ -71,7 +71,7 @@ def graph(paper: str, records: Sequence[Record]) -> Graph:
     }
     shown = [key for key in together if any(key in pair for pair in pairs)]
     place = {key: number for number, key in enumerate(shown)}
-    nodes = tuple(_node(key, together[key], STEP * (place[key] + 1)) for key in shown)
+    nodes = tuple(_node(together[key], STEP * (place[key] + 1)) for key in shown)
     arcs = sorted((place[used], place[by]) for used, by in pairs)
     return Graph(paper, nodes, tuple(Arc(used, by, _curve(nodes[used].y, nodes[by].y)) for used, by in arcs))
 
@@ -85,7 +85,7 @@ def _names(id: str) -> Iterable[str]:
     return id, _declaration(id)
 
 
-def _node(name: str, members: Sequence[Record], y: int) -> Node:
+def _node(members: Sequence[Record], y: int) -> Node:
     numbers = [_declaration(each.id).partition(":")[2] for each in members]
     label = numbers[0] if len(set(numbers)) == 1 else numbers[-1].rpartition(".")[0]
     verdicts = {each.verdict for each in members}

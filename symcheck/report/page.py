@@ -200,8 +200,15 @@ def _state(record: Record) -> str:
 
 
 def _counts(records: Iterable[Record]) -> dict[str, int]:
-    found = Counter(str(record.verdict) for record in records if record.verdict)
-    return {"relations": found.total(), **{str(verdict): found[str(verdict)] for verdict in Verdict}}
+    decided = [record for record in records if record.verdict]
+    found = Counter(str(record.verdict) for record in decided)
+    ours = sum(record.role is Role.OURS for record in decided)
+    return {
+        "relations": len(decided),
+        "printed": len(decided) - ours,
+        "ours": ours,
+        **{str(verdict): found[str(verdict)] for verdict in Verdict},
+    }
 
 
 def _members(alike: Alike) -> _Members:

@@ -137,7 +137,8 @@ async function proofsOf(paper) {
 async function showProof(fold, id, n) {
   const {steps, certificate} = (await proofsOf(id.split(":")[0])).filter((proof) => proof.of === id)[n];
   const shown = (title, text) => text ? [made("h4", {textContent: title}), made("pre", {textContent: text, tabIndex: 0})] : [];
-  fold.append(...shown("Derivation", steps), ...shown("Certificate", JSON.stringify(certificate, null, 1)));
+  const lines = Object.entries(certificate).map(([name, value]) => ` ${JSON.stringify(name)}: ${JSON.stringify(value)}`);
+  fold.append(...shown("Derivation", steps), ...shown("Certificate", `{\n${lines.join(",\n")}\n}`));
 }
 async function download(id) {
   const paper = id.split(":")[0], proofs = await proofsOf(paper);

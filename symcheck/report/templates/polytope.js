@@ -3,7 +3,7 @@
 (() => {
   const canvas = document.querySelector("#canvas");
   if (!canvas) return;
-  const START = {turn: 0.62, tilt: 0.38, zoom: 1}, STEP = 0.12;
+  const START = {turn: 0.45, tilt: 0.42, zoom: 1}, STEP = 0.12;
   const SUBSCRIPT = "₀₁₂₃₄₅₆₇₈₉";
   const written = (name) => name.replace("_", "").replace(/\d/g, (digit) => SUBSCRIPT[digit]).replace("'", "′");
   const colour = (name) => getComputedStyle(probe[name]).color;
