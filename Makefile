@@ -6,7 +6,7 @@ STAMP := $(VENV)/.stamp
 DEV := $(VENV)/.dev
 PIP := $(BIN)/python -m pip install --quiet --disable-pip-version-check -c constraints.txt
 
-.PHONY: audit test test-full gates bench bench-gpu clean
+.PHONY: audit test test-full gates bench bench-gpu browser clean
 
 audit: $(STAMP)
 	$(BIN)/symcheck check
@@ -37,6 +37,10 @@ bench: $(DEV)
 bench-gpu: $(DEV)
 	$(BIN)/symcheck generate --target array --output kernels-array
 	$(BIN)/python tests/bench_gpu.py kernels-array
+
+# Chromium for the tests of the report, from Debian; they are skipped where there is none.
+browser:
+	command -v chromium >/dev/null || { apt-get update -qq && apt-get install -y -qq chromium; }
 
 clean:
 	rm -rf $(VENV) kernels-* build dist *.egg-info .mypy_cache .ruff_cache .pytest_cache .import_linter_cache .hypothesis

@@ -7,7 +7,7 @@ import os
 import sys
 from collections import Counter
 from collections.abc import Callable, Iterator, Sequence
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NoReturn, TypeVar
@@ -16,6 +16,7 @@ import click
 
 from symcheck import __version__
 from symcheck.codegen import target_names
+from symcheck.export import format_names, format_of
 from symcheck.statement import SymcheckError, Verdict
 
 if TYPE_CHECKING:
@@ -442,6 +443,82 @@ def _compare(selection: Sequence[str], records: Sequence[Record], quiet: bool) -
         raise click.exceptions.Exit(DIFFERS)
     if not quiet:
         click.echo("All verdicts are those recorded.")
+
+
+@cli.command()
+@click.argument("selection", nargs=-1, metavar="[PAPER[:NUMBER]]...")
+@click.option(
+    "--output",
+    type=click.Path(dir_okay=False, path_type=Path),
+    default=Path("symcheck-report.html"),
+    show_default=True,
+    help="The file to write.",
+)
+@click.option("--open", "show", is_flag=True, help="Open the file in the browser of this system.")
+@deciding
+def report(selection: Sequence[str], output: Path, show: bool, how: How) -> None:
+    """Write the audit as one page to look at: errata, ledger, certificates, pictures.
+
+    The page needs no network and no server. Notebooks in a folder notebooks/ here are searched for cells that name a
+    claim.
+    """
+    from symcheck import kernels, papers
+    from symcheck.numeric import pictures
+    from symcheck.report import sources
+    from symcheck.report.page import Beside, Pictures, page
+
+    records, known = audit(selection, how), papers.load()
+    beside = Beside(
+        sources.kernels(known, kernels.folder()),
+        sources.cells(Path("notebooks")),
+        Pictures(pictures.envelopes(), pictures.densities(), pictures.stability()),
+    )
+    size = _put(output, page(records, sources.publications(known), beside))
+    click.echo(f"{output}: {len(records)} items, {size / 1e6:.2f} MB")
+    if show and click.launch(str(output)) != 0:
+        raise SymcheckError(f"no browser opens {output} here; the file is written")
+
+
+@cli.command()
+@click.argument("selection", nargs=-1, metavar="[PAPER[:NUMBER]]...")
+@click.option("--format", "name", type=click.Choice(format_names()), required=True, help="What to write.")
+@click.option(
+    "--output",
+    type=click.Path(path_type=Path),
+    help="The file to write, or the folder for a format of many files; default: standard output, or symcheck-FORMAT.",
+)
+@deciding
+def export(selection: Sequence[str], name: str, output: Path | None, how: How) -> None:
+    """Write the ledger and the errata for other tools."""
+    chosen = format_of(name)
+    records = audit(selection, how)
+    if chosen.files:
+        folder = output or Path(f"symcheck-{name}")
+        contents = chosen.files(records)
+        for file, text in contents.items():
+            _put(folder / file, text)
+        click.echo(f"{folder}: {len(contents)} files")
+    elif chosen.text:
+        text = chosen.text(records)
+        if output:
+            click.echo(f"{output}: {len(records)} items, {_put(output, text) / 1e6:.2f} MB")
+        else:
+            click.echo(text, nl=False)
+
+
+def _put(file: Path, text: str) -> int:
+    """Write a file whole or not at all; its size in bytes."""
+    temporary = file.with_name(f".{file.name}.{os.getpid()}")
+    try:
+        file.parent.mkdir(parents=True, exist_ok=True)
+        temporary.write_bytes(data := text.encode())
+        temporary.replace(file)
+    except OSError as error:
+        raise SymcheckError(f"{file} cannot be written ({error.strerror}); choose another with --output") from error
+    finally:
+        with suppress(OSError):
+            temporary.unlink(missing_ok=True)
+    return len(data)
 
 
 def main() -> None:
