@@ -8,16 +8,16 @@ from typing import Any, NamedTuple
 
 from symcheck.evidence.steps import term as in_words
 from symcheck.lazy import lazy
+from symcheck.notebook import letters
 from symcheck.reading import Notation, to_sympy
 from symcheck.statement import Certificate, SymcheckError
-
-from symcheck.notebook import letters
 
 sp = lazy("sympy")
 
 _HOLDS = {"=": op.eq, "!=": op.ne, "<": op.lt, "<=": op.le, ">": op.gt, ">=": op.ge}
 _SIGNS = {"=": "=", "!=": r"\ne", "<": "<", "<=": r"\le", ">": ">", ">=": r"\ge"}
 _DENIED = {"=": r"\ne", "!=": "=", "<": r"\not<", "<=": r"\not\le", ">": r"\not>", ">=": r"\not\ge"}
+SHORT = 24  # signs of a value that is shown exactly
 _ON_THE_CIRCLE = ("sin", "cos")
 _DIGITS = 30  # of numbers that are compared as decimals; those of a certificate differ in the first six
 
@@ -39,7 +39,9 @@ class Evaluation:
         self._notation = notation
         self._claim = _tuples(certificate["claim"])
         self._definitions = {name: _tuples(value) for name, value in certificate["definitions"]}
-        self._functions = {_tuples(each): _tuples(value) for each, value, *_ in certificate["point"].get("functions", ())}
+        self._functions = {
+            _tuples(each): _tuples(value) for each, value, *_ in certificate["point"].get("functions", ())
+        }
         self.values = {name: _exact(value) for name, value in certificate["point"]["values"].items()}
         self._letters = {sp.Symbol(name, real=True): value for name, value in self.values.items()}
         self._circle = {  # sines and cosines that are given in the place of their angle
@@ -135,7 +137,7 @@ def _tuples(value: Any) -> Any:
 def number(value: Any) -> str:
     """A value as LaTeX: exact where it is short, else six digits of it."""
     exact: str = sp.latex(value)
-    if letters.width(exact) <= 12 and not value.has(sp.Float):
+    if letters.width(exact) <= SHORT and not value.has(sp.Float):
         return exact
     return rf"{sp.latex(sp.N(value, 6))}\ldots"
 

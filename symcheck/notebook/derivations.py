@@ -1,18 +1,20 @@
-"""Steps of a derivation as cells show them: the function is called, and what it returns stands beside the printed form."""
+"""Steps of a derivation as cells show them: a function is called, what it returns stands beside the printed form."""
 
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
+from functools import partial
 from string import ascii_lowercase
 from typing import Any
 
 from symcheck.codegen.kernel import Kernel
 from symcheck.evidence import kernels
 from symcheck.notebook import letters
-from symcheck.notebook.records import notation, paper, recorded, records
-from symcheck.notebook.relations import statement, title, verdicts
+from symcheck.notebook.records import item, notation, paper, recorded, records
+from symcheck.notebook.relations import evidence, statement, title, verdicts
 from symcheck.notebook.shown import Heading, Math, Part, Prose, Shown
 from symcheck.reading import Notation
+from symcheck.statement import SymcheckError
 
 
 def step(derivation: Callable[..., Any], *arguments: Any, only: Sequence[str] = (), beside: str = "") -> Shown:
@@ -33,8 +35,17 @@ def step(derivation: Callable[..., Any], *arguments: Any, only: Sequence[str] = 
         *(part for part in compared if part not in formulas),
     ]
     if found:
-        parts.append(Heading(f"{title(found[0], whole=len(found) > 1)} — {' '.join(verdicts(found))}"))
+        parts += [Heading(f"{title(found[0], whole=len(found) > 1)} — {verdicts(found)}"), *evidence(found)]
     return Shown(tuple(parts))
+
+
+def derived(id: str, only: Sequence[str] = ()) -> Shown:
+    """The same for the derivation that a relation itself declares; SymcheckError if it declares none."""
+    declared = item(id).where or item(id).equation
+    if declared is None:
+        raise SymcheckError(f"{id} declares no derivation; show it with claim")
+    function, arguments = (declared.func, declared.args) if isinstance(declared, partial) else (declared, ())
+    return step(function, *arguments, only=only, beside=id)
 
 
 def _rows(derived: Any, only: Sequence[str], used: Notation) -> list[str]:
@@ -58,6 +69,7 @@ def kernel(key: str, name: str) -> Shown:
 
 
 def _rests(key: str, found: Kernel) -> Iterator[str]:
-    for id, verdict in recorded(key).items():
-        if any(f"{key}:{number}" in (id, id.rstrip(ascii_lowercase)) for number in found.claims):
-            yield f"{id} ({verdict})"
+    verdicts = recorded(key)
+    for number in found.claims:
+        links = [id for id in verdicts if f"{key}:{number}" in (id, id.rstrip(ascii_lowercase))]
+        yield f"{key}:{number} ({', '.join(sorted({str(verdicts[id]) for id in links}))})"

@@ -24,7 +24,7 @@ def errata(key: str) -> Shown:
 
 
 def slips(key: str) -> Shown:
-    """How many other relations of a paper have an erratum: wrong rows and cells, slips; by kind, whose, recorded verdict."""
+    """How many other relations of a paper have an erratum: rows, cells, slips; by kind, whose, recorded verdict."""
     verdicts = recorded(key)
     counts = Counter(
         (group, each.kind, str(each.origin), str(verdicts[f"{key}:{item.number}{letter}"]))
@@ -46,7 +46,9 @@ def erratum(id: str) -> Shown:
 
 def _erratum(record: Record) -> Iterator[Part]:
     key, _, place = record.id.partition(":")
-    yield Heading(f"**{key} ({place})** {record.name.replace('_', ' ')}, line {record.line} — **{record.verdict}**: {record.kind}")
+    yield Heading(
+        f"**{key} ({place})** {record.name.replace('_', ' ')}, line {record.line} — **{record.verdict}**: {record.kind}"
+    )
     if record.words:
         yield Prose("", record.words)
     yield from statement([record])
@@ -66,7 +68,7 @@ def _evaluated(record: Record, certificate: Any) -> Iterator[Part]:
         yield formula("at the point", point(evaluation.values, letters))
     for each in evaluation.compared():
         yield formula("holds there" if each.holds else "fails there", each.statement)
-        yield Math("", rf"{number(each.left)} \quad {each.sign} \quad {number(each.right)}")
+        yield Math("that is", rf"{number(each.left)} \quad {each.sign} \quad {number(each.right)}")
     yield Prose("checker", f"{checked(certificate)}, so that the printed relation is refuted")
 
 
@@ -77,13 +79,16 @@ def _empty(record: Record) -> Iterator[Part]:
 
 def _reread(record: Record) -> Iterator[Part]:
     """What says nothing as printed is decided as it must be meant."""
-    yield Prose("as it must be meant", f"{record.verdict}, {digests(record.certificates)}; checker: {checked(record.certificates[0])}")
+    yield Prose(
+        "as it must be meant",
+        f"{record.verdict}, {digests(record.certificates)}; checker: {checked(record.certificates[0])}",
+    )
 
 
 def _repair(repair: dict[str, Any]) -> Iterator[Part]:
     if repair.get("added"):
         yield Prose("given besides", "; ".join(repair["added"]))
-    proofs = repair.get("certificates") or ()
+    proofs = list(repair["certificates"])
     yield Prose("the right form", f"{repair['verdict']}, {digests(proofs)}; checker: {checked(proofs[0])}")
     if repair.get("repairs") is not None:
         yield Prose("single edits of what is printed that make it true", str(len(repair["repairs"])))

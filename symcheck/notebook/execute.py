@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import ast
-import os
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
@@ -16,7 +15,7 @@ TIMEOUT = 60  # seconds that a cell may take in a kernel
 
 
 def in_process(notebook: Any, progress: Progress = lambda done, total: None) -> Any:
-    """The notebook with the outputs of its cells, run in a namespace of its own; SymcheckError names a cell that fails."""
+    """The notebook with the outputs of its cells, run in one namespace; SymcheckError names a cell that fails."""
     from nbformat.v4 import new_output
 
     namespace: dict[str, Any] = {"__name__": "__main__"}
@@ -45,26 +44,25 @@ def _run(id: str, source: str, namespace: dict[str, Any]) -> dict[str, str]:
 
 def in_kernel(notebook: Any, folder: Path, progress: Progress = lambda done, total: None) -> Any:
     """The same through a Jupyter kernel of this Python, which runs in `folder`."""
-    from jupyter_client.kernelspec import KernelSpecManager
-    from jupyter_client.manager import AsyncKernelManager
     from nbclient import NotebookClient
     from nbclient.exceptions import CellExecutionError
 
-    total = sum(cell.cell_type == "code" for cell in notebook.cells)
-    manager = AsyncKernelManager(kernel_spec_manager=KernelSpecManager(ensure_native_kernel=True))
+    total, metadata = sum(cell.cell_type == "code" for cell in notebook.cells), notebook.metadata.copy()
     client = NotebookClient(
         notebook,
-        km=manager,
+        kernel_name="python3",
         timeout=TIMEOUT,
         resources={"metadata": {"path": str(folder)}},
         record_timing=False,
-        on_cell_executed=lambda cell, cell_index, execute_reply: progress(cell.execution_count, total),
+        on_cell_executed=lambda cell, cell_index, execute_reply: progress(cell.get("execution_count") or 0, total),
     )
     try:
-        client.execute(env={**os.environ, "PYDEVD_DISABLE_FILE_VALIDATION": "1"})
+        client.execute(extra_arguments=["--log-level=ERROR"])
     except CellExecutionError as error:
         raise SymcheckError(f"a cell fails in the kernel with {error.ename}: {error.evalue}") from error
+    notebook.metadata = metadata  # the kernel has put its version there
     for cell in notebook.cells:
-        if streams := [output for output in cell.get("outputs", ()) if output.output_type != "execute_result"]:
-            raise SymcheckError(f"cell {cell.id} has more than a result: {streams[0]}")
+        for output in cell.get("outputs", ()):
+            if output.output_type != "execute_result":
+                raise SymcheckError(f"cell {cell.id} writes besides what it shows: {output.get('text', output)}")
     return notebook

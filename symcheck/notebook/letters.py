@@ -12,22 +12,30 @@ from symcheck.reading import Notation
 
 sp = lazy("sympy")
 
-WIDTH = 110  # signs in a line of mathematics
+WIDTH = 95  # signs in a line of mathematics
 MOST = 6  # lines of one expression
-_BREAKS = ({r"\Leftrightarrow", r"\Rightarrow"}, {r"\lor", r"\land", r"\quad"}, {"=", r"\le", r"\ge", r"\approx"}, {"+", "-"})
+_BREAKS = (
+    {r"\Leftrightarrow", r"\Rightarrow"},
+    {r"\lor", r"\land", r"\quad"},
+    {"=", r"\le", r"\ge", r"\approx"},
+    {"+", "-"},
+)
 _OPEN, _CLOSE = {"(", "[", "{", r"\{", r"\begin"}, {")", "]", "}", r"\}", r"\end"}
 _TOKEN = re.compile(r"\\[A-Za-z]+|\\.|\S")
+_BOLD = re.compile(r"\\(?:mathbf|boldsymbol)\{(.*)\}")
 _INDEXED = re.compile(r"(.+?)_(\d+(?:_\d+)*)")
 
 
 def letter(name: str, notation: Notation) -> str:
     r"""The printed letter of a variable: "domega_3" -> \dot{\omega}_{3}; SymPy's own spelling if the paper has none."""
-    printed = {each.stem: each.latex for each in reversed(notation.letters)}
-    if name in printed:
-        return printed[name]
+    declared = {each.stem: each for each in reversed(notation.letters)}
+    if name in declared:
+        return declared[name].latex
     found = _INDEXED.fullmatch(name)
-    if found and found[1] in printed:
-        return f"{printed[found[1]]}_{{{found[2].replace('_', ', ')}}}"
+    if found and found[1] in declared:
+        base = declared[found[1]]
+        plain = _BOLD.sub(r"\1", base.latex) if base.kind in ("vector", "matrix") else base.latex  # a component of it
+        return f"{plain}_{{{found[2].replace('_', ', ')}}}"
     spelled: str = sp.latex(sp.Symbol(name))
     return spelled
 
@@ -35,18 +43,22 @@ def letter(name: str, notation: Notation) -> str:
 def expression(value: Any, notation: Notation) -> str:
     """A SymPy expression as LaTeX in these letters."""
     names = {symbol: letter(symbol.name, notation) for symbol in value.free_symbols}
-    text: str = sp.latex(value, symbol_names=names, root_notation=True, ln_notation=True)
+    text: str = sp.latex(value, symbol_names=names, fold_func_brackets=True, inv_trig_style="full")
     return text
 
 
 def lines(value: Any, notation: Notation) -> list[str]:
     """The same in lines, cut if there are very many."""
     broken = split(expression(value, notation))
-    return [*broken[:MOST], rf"\ldots \quad\text{{and {len(broken) - MOST} more lines}}"] if len(broken) > MOST + 1 else broken
+    return (
+        [*broken[:MOST], rf"\ldots \quad\text{{and {len(broken) - MOST} more lines}}"]
+        if len(broken) > MOST + 1
+        else broken
+    )
 
 
 def split(latex: str) -> list[str]:
-    """A formula in lines of the usual width: broken before connectives, else relations, else signs, outside all brackets."""
+    """A formula in lines of the usual width, broken before connectives, else relations, else signs, not in brackets."""
     if width(latex) <= WIDTH or r"\begin" in latex:  # an environment has its own lines
         return [latex]
     for signs in _BREAKS:
@@ -80,8 +92,10 @@ def _filled(pieces: list[str]) -> list[str]:
 
 
 def width(latex: str) -> int:
-    """How many signs a formula has, about: what takes no room of its own is not counted."""
-    bare = re.sub(r"\\(left|right|frac|mathbf|operatorname|displaystyle|[,;:! ])|[{}_^\s]", "", latex)
+    """How many signs a formula has, about: what takes no room is not counted, and a relation takes more."""
+    wide = re.sub(r"\\(?:Leftrightarrow|Rightarrow|land|lor|quad|qquad|le|ge|approx)(?![A-Za-z])|=", "xxx", latex)
+    wide = re.sub(r"\\(?:sin|cos|tan|operatorname)(?![A-Za-z])", "xxx", wide)
+    bare = re.sub(r"\\(left|right|frac|mathbf|displaystyle|begin|end|[,;:! ])|[{}_^\s]", "", wide)
     return len(re.sub(r"\\[A-Za-z]+", "x", bare))
 
 
@@ -106,4 +120,4 @@ def _rows(head: str, broken: list[str]) -> Iterator[str]:
 
 def aligned(rows: list[str]) -> str:
     """The rows under each other, at their marks."""
-    return r"\begin{aligned}" + r" \\ ".join(rows) + r"\end{aligned}"
+    return r"\begin{aligned}" + r" \\[4pt] ".join(rows) + r"\end{aligned}"

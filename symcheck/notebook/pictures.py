@@ -25,5 +25,5 @@ def drawing(axes: Any, caption: str) -> Shown:
 
 def _picture(drawn: Any, caption: str) -> Shown:
     data = BytesIO()
-    drawn.savefig(data, format="png", dpi=DPI, metadata={"Software": None})
+    drawn.savefig(data, format="png", dpi=DPI, bbox_inches="tight", metadata={"Software": None})
     return Shown((Picture(data.getvalue(), caption),))

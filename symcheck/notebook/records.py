@@ -17,7 +17,7 @@ from symcheck.statement import SLIPS, Erratum, Group, Item, Origin, Paper, Symch
 
 
 def records(id: str) -> tuple[Record, ...]:
-    """The records of a relation, or those of all links of a chain; SymcheckError with the nearest id if there is none."""
+    """The records of a relation, or of all links of a chain; SymcheckError with the nearest id if there is none."""
     found = tuple(record for record in decided(id) if id in (record.id, record.id.rstrip(ascii_lowercase)))
     if not found:
         raise SymcheckError(f"there is no relation {id}; there are {', '.join(record.id for record in decided(id))}")
@@ -60,9 +60,7 @@ def _may_be_serious(item: Item) -> bool:
 def _audited(ids: tuple[str, ...]) -> tuple[Record, ...]:
     kept = Cache(location(), lambda said: print(f"symcheck: {said}", file=sys.stderr))
     try:
-        return tuple(
-            run.audit(ids, papers=papers.load(), decide=decide, cache=kept, executor=Serial(), timeout=60.0)
-        )
+        return tuple(run.audit(ids, papers=papers.load(), decide=decide, cache=kept, executor=Serial(), timeout=60.0))
     finally:
         kept.close()
 

@@ -1,8 +1,9 @@
-"""Relations as cells show them: as printed, as read, with verdict, hypotheses, certificates and the steps of the proof."""
+"""Relations as cells show them: as printed, as read, with verdict, hypotheses, certificates, steps of the proof."""
 
 from __future__ import annotations
 
 import json
+import re
 from collections.abc import Iterator, Mapping, Sequence
 from string import ascii_lowercase
 from typing import Any
@@ -31,11 +32,11 @@ def claim(*ids: str) -> Shown:
 
 def _claim(found: Sequence[Record]) -> Iterator[Part]:
     first = found[0]
-    yield Heading(f"{title(first, whole=len(found) > 1)} — {' '.join(verdicts(found))}")
+    yield Heading(f"{title(first, whole=len(found) > 1)} — {verdicts(found)}")
     if first.words:
         yield Prose("", first.words)
     yield from statement(found)
-    yield from _evidence(found)
+    yield from evidence(found)
 
 
 def title(record: Record, whole: bool = False) -> str:
@@ -44,13 +45,14 @@ def title(record: Record, whole: bool = False) -> str:
     return f"**({id.partition(':')[2]})** {record.name.replace('_', ' ')}, line {record.line}".replace("  ", " ")
 
 
-def verdicts(found: Sequence[Record]) -> Iterator[str]:
-    """The verdict of each link in Markdown, of several that are alike once."""
+def verdicts(found: Sequence[Record]) -> str:
+    """The verdict of each link in Markdown, of links that are alike once."""
     told: dict[str, list[str]] = {}
     for record in found:
         told.setdefault(_verdict(record), []).append(letter(record))
-    for said, links in told.items():
-        yield said if len(told) == 1 else f"{', '.join(links)} {said};"
+    if len(told) == 1:
+        return next(iter(told))
+    return "; ".join(f"{', '.join(links)} {said}" for said, links in told.items())
 
 
 def letter(record: Record) -> str:
@@ -72,7 +74,7 @@ def statement(found: Sequence[Record], reread: bool = True) -> Iterator[Part]:
     reread  False: not again what can be read in the printed form itself
     """
     declaration = item(found[0].id)
-    legible = "".join(declaration.printed).isascii() and found[0].reading is not Reading.DAMAGED
+    legible = _is_latex("\n".join(declaration.printed)) or found[0].reading is not Reading.DAMAGED
     stated = bool(declaration.read_as or declaration.formal or declaration.parts)
     if declaration.printed and legible:
         yield from (formula("printed" if n == 0 else "", each) for n, each in enumerate(declaration.printed))
@@ -83,13 +85,19 @@ def statement(found: Sequence[Record], reread: bool = True) -> Iterator[Part]:
         yield from (formula(f"{label} {letter(each)}".strip(), each.read) for each in found if each.read)
 
 
+def _is_latex(printed: str) -> bool:
+    """Whether a damaged text can be typeset all the same: what a scanner left has other letters, and no commands."""
+    return printed.isascii() and bool(re.search(r"\\[A-Za-z]", printed))
+
+
 def formula(label: str, latex: str) -> Math:
     """A formula without the full stop or comma of its sentence, in several lines if it is long."""
     lines = split(" ".join(latex.split()).rstrip(",. "))
     return Math(label, lines[0] if len(lines) == 1 else aligned([f"& {line}" for line in lines]))
 
 
-def _evidence(found: Sequence[Record]) -> Iterator[Part]:
+def evidence(found: Sequence[Record]) -> Iterator[Part]:
+    """The hypotheses, each with where it is given and whether it is needed, and the certificates."""
     hypotheses = {each["name"]: each for record in found for each in record.hypotheses}
     if hypotheses:
         yield Prose("given", "; ".join(map(_hypothesis, hypotheses.values())))
@@ -141,7 +149,9 @@ def checked(certificate: Certificate) -> str:
     lemmas = [each for id in certificate.get("lemmas", ()) for record in records(id) for each in record.certificates]
     faults = [*map(check, (certificate, *lemmas)), unsupported(certificate, lemmas)]
     fault = next(filter(None, faults), None)
-    return f"the certificate does not hold: {fault}" if fault else f"certificate {certificate['digest'][:_DIGEST]} holds"
+    return (
+        f"the certificate does not hold: {fault}" if fault else f"certificate {certificate['digest'][:_DIGEST]} holds"
+    )
 
 
 def rows(id: str, only_wrong: bool = False) -> Shown:
@@ -151,7 +161,7 @@ def rows(id: str, only_wrong: bool = False) -> Shown:
         wrong = next((record for record in found if record.corrected), None)
         if wrong or not only_wrong:
             told.append(_row(found, wrong))
-    return Shown((Table(("row", "printed", "verdict", "right"), tuple(told)),))
+    return Shown((Table(("row", "as printed; below it what is right", "verdict", "fault"), tuple(told)),))
 
 
 def _row(found: Sequence[Record], wrong: Record | None) -> tuple[str, ...]:
@@ -160,5 +170,10 @@ def _row(found: Sequence[Record], wrong: Record | None) -> tuple[str, ...]:
     said = {str(record.verdict or record.role) for record in found}
     verdict = str(Verdict.REFUTED) if Verdict.REFUTED in said else ", ".join(sorted(said))
     mark = "$" if first.printed else ""
-    right = f"{mark}{wrong.corrected}{mark} ({wrong.kind})" if wrong else ""
-    return number, f"{mark}{first.printed or first.words}{mark}", verdict, right
+    texts = [first.printed or first.words, *([wrong.corrected] if wrong else [])]
+    return (
+        number,
+        "\n".join(f"{mark}{' '.join(text.split())}{mark}" for text in texts),
+        verdict,
+        wrong.kind if wrong else "",
+    )

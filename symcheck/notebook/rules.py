@@ -1,23 +1,35 @@
 """What a cell may hold: calls of the package and names for their results. Mathematics belongs in the package.
 
-A cell of code imports from symcheck and a few names of NumPy, gives results names, and ends in what it shows. It defines
-no function or class, writes no formula (no operator but a sign, no comparison, no LaTeX), and reaches into no module for
-SymPy or a solver. Prose has letters between dollars, and no relations: those come from the records.
+A cell of code imports from symcheck and a few names of NumPy, gives results names, and ends in what it shows. It
+defines no function or class, writes no formula (no operator but a sign, no comparison, no LaTeX), and reaches into no
+module for SymPy or a solver. Prose has letters between dollars, and no relations: those come from the records.
 """
 
 from __future__ import annotations
 
 import ast
+import builtins
 import re
 from collections.abc import Iterator
 
 ALLOWED = (ast.Import, ast.ImportFrom, ast.Assign, ast.Expr)
 PARTS = (
-    *(ast.alias, ast.Attribute, ast.Call, ast.Constant, ast.Dict, ast.keyword, ast.List, ast.Load, ast.Module, ast.Name),
+    *(
+        ast.alias,
+        ast.Attribute,
+        ast.Call,
+        ast.Constant,
+        ast.Dict,
+        ast.keyword,
+        ast.List,
+        ast.Load,
+        ast.Module,
+        ast.Name,
+    ),
     *(ast.Slice, ast.Starred, ast.Store, ast.Subscript, ast.Tuple, ast.UnaryOp, ast.USub),
 )
 NUMPY = frozenset({"linspace", "radians", "degrees"})  # grids and units
-BUILTINS = frozenset({"dict", "float", "int", "len", "list", "round", "sorted", "tuple"})
+BUILTINS = frozenset({"dict", "float", "int", "len", "list", "round", "set", "sorted", "tuple"})
 _RELATION = re.compile(r"[=<>]|\\(?:le|ge|lt|gt|leq|geq|neq?|approx|equiv|sim|to|mapsto|in)(?![A-Za-z])")
 _MATHEMATICS = re.compile(r"\$([^$]+)\$")
 
@@ -49,7 +61,11 @@ def _faults(node: ast.AST, imported: set[str]) -> Iterator[str]:
         case ast.Import(names=names):
             yield from (f"imports {each.name}; import from symcheck" for each in names)
         case ast.ImportFrom(module="numpy", names=names):
-            yield from (f"imports {each.name} of NumPy; only {', '.join(sorted(NUMPY))}" for each in names if each.name not in NUMPY)
+            yield from (
+                f"imports {each.name} of NumPy; only {', '.join(sorted(NUMPY))}"
+                for each in names
+                if each.name not in NUMPY
+            )
         case ast.ImportFrom(module=module):
             if not f"{module}.".startswith("symcheck."):
                 yield f"imports from {module}; import from symcheck"
@@ -59,7 +75,7 @@ def _faults(node: ast.AST, imported: set[str]) -> Iterator[str]:
             yield f"reaches for {name}"
         case ast.Constant(value=str(text)) if "\\" in text or _RELATION.search(text):
             yield f"holds the formula {text!r}; formulas come from the records"
-        case ast.Call(func=ast.Name(id=name)) if name in dir(__builtins__) and name not in BUILTINS | imported:
+        case ast.Call(func=ast.Name(id=name)) if name in vars(builtins) and name not in BUILTINS | imported:
             yield f"calls {name}; a cell calls functions of the package"
         case ast.stmt() | ast.expr_context() | ast.Attribute() | ast.Name() | ast.Constant():
             return

@@ -4,7 +4,7 @@ Verdicts, hypotheses and certificates come from records; derived expressions fro
 called here; numbers and figures from the numeric layer.
 """
 
-from symcheck.notebook.derivations import kernel, step
+from symcheck.notebook.derivations import derived, kernel, step
 from symcheck.notebook.errata import errata, erratum, slips
 from symcheck.notebook.ledgers import contents, ledger, not_proved
 from symcheck.notebook.pictures import drawing, figure
@@ -15,6 +15,7 @@ __all__ = [
     "certificate",
     "claim",
     "contents",
+    "derived",
     "drawing",
     "errata",
     "erratum",

@@ -1,4 +1,4 @@
-"""What a cell shows: a heading, mathematics with labels, prose, a table or a picture, as Markdown, LaTeX and plain text."""
+"""What a cell shows: headings, mathematics with labels, prose, tables, pictures; as Markdown, LaTeX and plain text."""
 
 from __future__ import annotations
 
@@ -105,8 +105,9 @@ def _markdown(parts: Sequence[Part]) -> Iterator[str]:
 
 
 def _display(formulas: Sequence[Math]) -> str:
+    """One array, as a formula of the line: a displayed one would stand in the middle of the page."""
     rows = (rf"\textsf{{{each.label}}} & \displaystyle {each.latex}" for each in formulas)
-    return "$$\n\\begin{array}{ll}\n" + " \\\\[6pt]\n".join(rows) + "\n\\end{array}\n$$"
+    return r"$\begin{array}{ll}" + r" \\[6pt] ".join(rows) + r"\end{array}$"
 
 
 def _block(part: Part) -> str:
@@ -124,11 +125,12 @@ def _block(part: Part) -> str:
 
 
 def _cell(text: str) -> str:
-    """A bar would end the cell, also inside mathematics."""
-    text = " ".join(text.split())
-    if text.startswith("$"):
-        return text.replace("|", r"\vert ")
-    return _escaped(text).replace("|", r"\|")
+    """Lines stay lines; a bar would end the cell, also inside mathematics."""
+    return "<br>".join(_formula_or_text(" ".join(line.split())) for line in text.split("\n"))
+
+
+def _formula_or_text(line: str) -> str:
+    return line.replace("|", r"\vert ") if line.startswith("$") else _escaped(line).replace("|", r"\|")
 
 
 def _escaped(text: str) -> str:

@@ -1,7 +1,7 @@
 """A notebook from its source: Markdown, with the cells of code fenced as python.
 
-Prose begins a new cell at each heading. The id of a cell is its heading in lower case and its number below that heading:
-a cell that is added elsewhere changes no other id.
+Prose begins a new cell at each heading. The id of a cell is its heading in lower case and its number below that
+heading: a cell that is added elsewhere changes no other id.
 """
 
 from __future__ import annotations
