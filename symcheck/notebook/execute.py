@@ -52,12 +52,13 @@ def in_kernel(notebook: Any, folder: Path, progress: Progress = lambda done, tot
         notebook,
         kernel_name="python3",
         timeout=TIMEOUT,
+        extra_arguments=["--log-level=ERROR"],
         resources={"metadata": {"path": str(folder)}},
         record_timing=False,
         on_cell_executed=lambda cell, cell_index, execute_reply: progress(cell.get("execution_count") or 0, total),
     )
     try:
-        client.execute(extra_arguments=["--log-level=ERROR"])
+        client.execute()
     except CellExecutionError as error:
         raise SymcheckError(f"a cell fails in the kernel with {error.ename}: {error.evalue}") from error
     notebook.metadata = metadata  # the kernel has put its version there
