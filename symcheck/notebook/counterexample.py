@@ -84,8 +84,6 @@ class Evaluation:
         deciding = {("and", False): False, ("or", True): True}.get((head, self._truth(formula)))
         if deciding is not None:  # one part alone decides
             parts = [next(part for part in parts if self._truth(part) is deciding)]
-        elif head == "or":
-            parts = parts[:1] + parts[-1:]
         for part in parts:
             yield from self._why(part)
 

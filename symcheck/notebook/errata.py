@@ -69,7 +69,7 @@ def _evaluated(record: Record, certificate: Any) -> Iterator[Part]:
     for each in evaluation.compared():
         yield formula("holds there" if each.holds else "fails there", each.statement)
         yield Math("that is", rf"{number(each.left)} \quad {each.sign} \quad {number(each.right)}")
-    yield Prose("checker", f"{checked(certificate)}, so that the printed relation is refuted")
+    yield Prose("checker", f"{checked([certificate])}, so that the printed relation is refuted")
 
 
 def _empty(record: Record) -> Iterator[Part]:
@@ -81,7 +81,7 @@ def _reread(record: Record) -> Iterator[Part]:
     """What says nothing as printed is decided as it must be meant."""
     yield Prose(
         "as it must be meant",
-        f"{record.verdict}, {digests(record.certificates)}; checker: {checked(record.certificates[0])}",
+        f"{record.verdict}, {digests(record.certificates)}; checker: {checked(record.certificates)}",
     )
 
 
@@ -89,6 +89,6 @@ def _repair(repair: dict[str, Any]) -> Iterator[Part]:
     if repair.get("added"):
         yield Prose("given besides", "; ".join(repair["added"]))
     proofs = list(repair["certificates"])
-    yield Prose("the right form", f"{repair['verdict']}, {digests(proofs)}; checker: {checked(proofs[0])}")
+    yield Prose("the right form", f"{repair['verdict']}, {digests(proofs)}; checker: {checked(proofs)}")
     if repair.get("repairs") is not None:
         yield Prose("single edits of what is printed that make it true", str(len(repair["repairs"])))

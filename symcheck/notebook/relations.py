@@ -126,7 +126,7 @@ def proof(id: str) -> Shown:
         parts.append(Heading(f"{title(record)} — {_verdict(record)}"))
         for each in record.certificates:
             told = list(steps(each["proof"])) if each["verdict"] == Verdict.PROVED else ["refuted at a point"]
-            parts += [Verbatim("", "\n".join(_cut(told))), Prose("checker", checked(each))]
+            parts += [Verbatim("", "\n".join(_cut(told))), Prose("checker", checked([each]))]
     return Shown(tuple(parts))
 
 
@@ -144,14 +144,20 @@ def certificate(id: str) -> Shown:
     return Shown((Verbatim(first["id"], "\n".join(_cut(text.splitlines()))),))
 
 
-def checked(certificate: Certificate) -> str:
-    """What the checker says of a certificate and of its lemmas, asked now."""
-    lemmas = [each for id in certificate.get("lemmas", ()) for record in records(id) for each in record.certificates]
-    faults = [*map(check, (certificate, *lemmas)), unsupported(certificate, lemmas)]
-    fault = next(filter(None, faults), None)
+def checked(certificates: Sequence[Certificate]) -> str:
+    """What the checker says of some certificates and of their lemmas, asked now."""
+    faults = [fault for each in certificates for fault in _faults(each)]
+    if faults:
+        return f"a certificate does not hold: {faults[0]}"
+    count = len(certificates)
     return (
-        f"the certificate does not hold: {fault}" if fault else f"certificate {certificate['digest'][:_DIGEST]} holds"
+        f"certificate {certificates[0]['digest'][:_DIGEST]} holds" if count == 1 else f"all {count} certificates hold"
     )
+
+
+def _faults(certificate: Certificate) -> Iterator[str]:
+    lemmas = [each for id in certificate.get("lemmas", ()) for record in records(id) for each in record.certificates]
+    yield from filter(None, (*map(check, (certificate, *lemmas)), unsupported(certificate, lemmas)))
 
 
 def rows(id: str, only_wrong: bool = False) -> Shown:
