@@ -14,7 +14,7 @@ from click.testing import CliRunner, Result
 from nbformat.v4 import new_code_cell, new_notebook, new_output
 
 from symcheck.cli import cli
-from symcheck.notebook import committed, compare, counterexample, letters, records, rules, show, source
+from symcheck.notebook import committed, compare, counterexample, letters, records, relations, rules, show, source
 from symcheck.notebook.execute import in_kernel, in_process
 from symcheck.notebook.shown import Heading, Math, Prose, Shown, Table
 from symcheck.papers import load
@@ -277,6 +277,15 @@ def test_a_point_at_which_the_relation_holds_refutes_nothing() -> None:
     harmless["point"]["values"]["t"] = "1"
     assert counterexample.Evaluation(harmless, records.notation(record.id)).holds()
     assert not counterexample.Evaluation(certificate, records.notation(record.id)).holds()
+
+
+def test_a_certificate_that_does_not_hold_is_said_not_to() -> None:
+    [record] = records.records("mirer2009:2.12")
+    [certificate] = record.certificates
+    false = {**deepcopy(certificate), "claim": ["=", certificate["claim"][1], 0]}
+    assert relations.checked([certificate]).endswith("holds")
+    assert relations.checked([certificate, certificate]) == "all 2 certificates hold"
+    assert relations.checked([certificate, false]).startswith("a certificate does not hold: ")
 
 
 def test_what_is_right_is_no_erratum() -> None:
