@@ -6,7 +6,7 @@ STAMP := $(VENV)/.stamp
 DEV := $(VENV)/.dev
 PIP := $(BIN)/python -m pip install --quiet --disable-pip-version-check -c constraints.txt
 
-.PHONY: audit test test-full gates bench bench-gpu browser clean
+.PHONY: audit test test-full gates notebooks bench bench-gpu browser clean
 
 audit: $(STAMP)
 	$(BIN)/symcheck check
@@ -24,6 +24,9 @@ gates: $(DEV)
 	$(BIN)/lint-imports --no-cache
 	$(BIN)/symcheck generate --check --no-cache
 	$(BIN)/python -m symcheck.checker generated/certificates
+
+notebooks: $(DEV)
+	$(BIN)/jupyter lab notebooks
 
 bench: $(DEV)
 	$(BIN)/python tests/bench.py

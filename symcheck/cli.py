@@ -369,6 +369,41 @@ def sweep(
     click.echo(said)
 
 
+@cli.command()
+@click.option("--only", multiple=True, metavar="NAME", help="A notebook, 6_errata, or the beginning of its name.")
+@click.option("--kernel", is_flag=True, help="Run through a Jupyter kernel instead of in this process.")
+@click.option("--write", is_flag=True, help="Accept what comes out: write notebooks/ anew.")
+def notebooks(only: Sequence[str], kernel: bool, write: bool) -> None:
+    """Execute the notebooks and compare what they show with what is committed; pictures are not compared."""
+    from symcheck.notebook import committed
+
+    differing = []
+    for name in committed.names(only):
+        with _progress(name) as move, _extra("notebooks"):
+            found = committed.executed(name, kernel, move)
+        if write:
+            committed.write(name, found)
+        told = committed.differences(name, found)
+        differing += told
+        click.echo(f"{name}: {sum('execution_count' in cell for cell in found.cells)} cells, {len(told)} differ")
+    for line in differing[:MOST_TOLD]:
+        _say(line)
+    if differing:
+        _say("run `symcheck notebooks --write` to accept what is shown now")
+        raise click.exceptions.Exit(DIFFERS)
+
+
+@contextmanager
+def _extra(name: str) -> Iterator[None]:
+    """What needs a library of this extra; SymcheckError says how to get it."""
+    try:
+        yield
+    except ModuleNotFoundError as error:
+        if (error.name or "").partition(".")[0] == "symcheck":
+            raise
+        raise SymcheckError(f"{error.name} is not installed; install symcheck[{name}]") from error
+
+
 def audit(selection: Sequence[str], how: How) -> list[Record]:
     """The records of a selection: from the cache where it has them, else decided in workers, with a progress bar."""
     from symcheck.evidence import decide, run

@@ -102,19 +102,19 @@ def test_constraints_are_exact_pins_and_nothing_else(root: Path) -> None:
 
 def _needed(names: list[str]) -> set[str]:
     """The transitive requirements of installed distributions on this platform."""
-    found: set[str] = set()
+    found: set[tuple[str, frozenset[str]]] = set()  # with their extras, which need more
     waiting = [Requirement(name) for name in names]
     while waiting:
         requirement = waiting.pop()
-        name = canonicalize_name(requirement.name)
-        extras = ["", *requirement.extras]
-        found.add(name)
+        name, extras = canonicalize_name(requirement.name), frozenset(requirement.extras)
+        if (name, extras) in found:
+            continue
+        found.add((name, extras))
         for text in requires(name) or ():
             further = Requirement(text)
-            wanted = not further.marker or any(further.marker.evaluate({"extra": extra}) for extra in extras)
-            if wanted and canonicalize_name(further.name) not in found:
+            if not further.marker or any(further.marker.evaluate({"extra": extra}) for extra in ("", *extras)):
                 waiting.append(further)
-    return found
+    return {name for name, _ in found}
 
 
 def _direct(project: dict[str, Any]) -> list[str]:
