@@ -1,0 +1,194 @@
+"""The theorems that certificates take for granted (`symcheck/theorems.py`), each proved in `Symcheck.v` or by Coq itself."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import TYPE_CHECKING, Any
+
+from symcheck.export.coq.printing import name, printed
+from symcheck.export.coq.terms import NotExported, letters
+from symcheck.theorems import THEOREMS, Terms, conjuncts
+
+if TYPE_CHECKING:
+    from symcheck.export.coq.script import Script
+
+ALIKE = {"=": "eq", "!=": "ne", "<": "lt", "<=": "le", ">": "gt", ">=": "ge"}
+MISSING = {
+    "beta": "Euler's beta integral is not in Coq's libraries",
+    "beta_diverges": "the divergence of an improper integral is not stated in Coq",
+    "power_diverges": "the divergence of an improper integral is not stated in Coq",
+    "even": "an improper integral is not stated in Coq",
+    "odd": "an improper integral is not stated in Coq",
+    "gamma": "Euler's gamma function is not in Coq's libraries",
+    "gamma_values": "Euler's gamma function is not in Coq's libraries",
+    "enclosure": "the digits of a number need interval arithmetic, which the libraries used here have not",
+}
+
+
+def apply(script: Script, goal: Any, proof: Any) -> None:
+    """The premises of a theorem with their proofs, then its conclusion as one more assumption."""
+    kind, *given = proof["of"]
+    if kind in MISSING:
+        raise NotExported(MISSING[kind])
+    theorem = THEOREMS[kind](Terms(dict(script.statement.definitions.terms)), *given)
+    given = [script.full(t) if isinstance(t, (list, str)) and kind not in ("known_angle",) else t for t in given]
+    if kind in BINDING:
+        BINDING[kind](script, given, proof)
+    else:
+        names = []
+        for premise, inner in zip(map(script.full, theorem.premises), proof["premises"], strict=True):
+            names.append(script.anew("t"))
+            script.emit(f"assert ({names[-1]} : {printed(premise)}).")
+            script.branch(premise, inner)
+        conclusion = script.full(theorem.conclusion)
+        own = script.anew("t")
+        script.emit(f"assert ({own} : {printed(conclusion)}) by ({BY[kind](script, given, names, theorem)}).")
+        script.emit(f"destruct {own} as {taken(script, conclusion, own)}." if len(conjuncts(conclusion)) > 1 else "")
+        if len(conjuncts(conclusion)) == 1:
+            script.learn(conjuncts(conclusion)[0], own)
+    script.emit_later()
+    script.prove(goal, proof["then"])
+
+
+def taken(script: Script, conclusion: Any, own: str) -> str:
+    """The pattern for a conclusion of several parts."""
+    return script.assume(conclusion)
+
+
+def exact(lemma: str) -> Callable[..., str]:
+    """The lemma applied to the proofs of its premises."""
+    return lambda script, given, names, theorem: f"exact ({' '.join([lemma, *names])})"
+
+
+def known_angle(script: Script, given: list[Any], names: list[str], theorem: Any) -> str:
+    function, number = given
+    if function != "arctan":
+        return f"{function.replace('arc', 'a')}_known"
+    return {
+        0: "exact atan_0", 1: "exact atan_third", 2: "exact atan_1", 3: "exact atan_root",
+    }[number]  # fmt: skip
+
+
+def principal(script: Script, given: list[Any], names: list[str], theorem: Any) -> str:
+    lemma = given[0].replace("arc", "a") + "_below"
+    return f"exact ({' '.join([lemma, script.bracketed(given[1]), *names])})"
+
+
+def first_quadrant(script: Script, given: list[Any], names: list[str], theorem: Any) -> str:
+    lemma = given[0].replace("arc", "a") + "_acute"
+    return f"exact ({' '.join([lemma, script.bracketed(given[1]), *names])})"
+
+
+def angle(lemma: str) -> Callable[..., str]:
+    """An angle compared with arctan t, arcsin t or arccos t, in one direction or the other."""
+
+    def by(script: Script, given: list[Any], names: list[str], theorem: Any) -> str:
+        sign, *_, back = given
+        *domain, last = names
+        way = "proj2" if back else "proj1"
+        return f"exact ({way} (alike_{ALIKE[sign]} ({' '.join([lemma, *domain])})) {last})"
+
+    return by
+
+
+def power_of_power(script: Script, given: list[Any], names: list[str], theorem: Any) -> str:
+    _, n, exponent = given
+    if not isinstance(n, int) or n < 0:
+        raise NotExported("a power of a power with a negative exponent")
+    shown = script.bracketed(exponent)
+    return f"rewrite <- (INR_IZR_INZ {n}) || idtac; generalize (power_of_power (u := {shown}) {n} {names[0]}); simpl INR; intro Q; exact Q"
+
+
+def dichotomy(script: Script, given: list[Any], names: list[str], theorem: Any) -> str:
+    return f"exact (dichotomy {script.bracketed(given[0])})"
+
+
+def have(script: Script, given: list[Any], names: list[str], theorem: Any) -> str:
+    return f"exact {names[0]}"
+
+
+def congruence(script: Script, given: list[Any], names: list[str], theorem: Any) -> str:
+    return f"rewrite {', '.join(names)}; reflexivity"
+
+
+BY: dict[str, Callable[..., str]] = {
+    "have": have,
+    "congruence": lambda script, given, names, theorem: "f_equal; assumption",
+    "dichotomy": dichotomy,
+    "root": exact("root"),
+    "root_of_product": exact("root_of_product"),
+    "equal_squares": exact("equal_squares"),
+    "power": exact("power"),
+    "power_of_sum": exact("power_of_sum"),
+    "power_of_product": exact("power_of_product"),
+    "power_of_power": power_of_power,
+    "power_inverse": exact("power_inverse"),
+    "circle_number": exact("circle_number"),
+    "known_angle": known_angle,
+    "principal_value": principal,
+    "first_quadrant": first_quadrant,
+    "arctangent": angle("alike_tangent"),
+    "arcsine": angle("alike_sine"),
+    "arccosine": angle("alike_cosine"),
+    "right_half": exact("cos_acute"),
+}
+
+
+def mean(script: Script, given: list[Any], proof: Any) -> None:
+    """Coquelicot's integral over one turn, by the primitive of the difference from the mean."""
+    f, x, m, g = given
+    fx, gx = (f"(fun {name(x)} => {printed(t)})" for t in (f, g))
+    own = script.anew("h")
+    script.emit(f"assert ({own} : {printed(['=', ['mean', f, x], m])}).")
+    kept = list(script.hints)
+    script.emit(f"{{ refine (mean_by (f := {fx}) (g := {gx}) (m := {printed(m)}) _ _ _).")
+    script.emit(f"{{ intros {name(x)}. auto_derive; conditions. }}")
+    script.emit(f"{{ intros {name(x)}.")
+    script.emit(f"pose proof (circle {name(x)}) as {(hint := script.anew('e'))}.")
+    divides, script.divides = script.divides, True
+    script.hints = [*kept, hint]
+    script.emit(f"auto_derive; [ conditions | {script.algebra} ]. }}")
+    script.emit("{ rewrite ?cos_2PI, ?sin_2PI, ?cos_0, ?sin_0. ")
+    script.hints = kept
+    script.emit(f"{script.algebra}. }} }}")
+    script.divides = divides
+    script.learn(["=", ["mean", f, x], m], own)
+
+
+BINDING: dict[str, Callable[[Script, list[Any], Any], None]] = {"mean": mean}
+
+
+def quarter_turn(script: Script, given: list[Any], proof: Any) -> None:
+    """The angle where the function is zero."""
+    p, x = given
+    own, fact = script.anew("t"), script.anew("h")
+    shown = name(x)
+    script.emit(f"assert ({own} : exists {shown} : R, {printed(['=', p, 0])}).")
+    script.emit(f"{{ refine (quarter_turn (fun {shown} => {printed(p)}) _ _).")
+    script.emit(f"{{ intros {shown}. auto_derive; conditions. }}")
+    script.emit(f"{{ intros {shown}. cbv beta. rewrite ?cos_plus, ?sin_plus, cos_PI2, sin_PI2.")
+    script.emit(f"pose proof (circle {shown}) as {(hint := script.anew('e'))}.")
+    kept, script.hints = list(script.hints), [*script.hints, hint]
+    script.emit(f"{script.algebra}. }} }}")
+    script.hints = kept
+    script.emit(f"destruct {own} as [{shown} {fact}].")
+    script.scope.add(x)
+    script.functions([p])
+    script.learn(["=", p, 0], fact)
+
+
+def intermediate_value(script: Script, given: list[Any], proof: Any) -> None:
+    """The zero between two ends."""
+    raise NotExported("the intermediate value theorem")
+
+
+BINDING |= {"quarter_turn": quarter_turn, "intermediate_value": intermediate_value}
+for missing in ("constant", "power_rule"):
+    BINDING[missing] = lambda script, given, proof: _missing()
+
+
+def _missing() -> None:
+    raise NotExported("a definite integral")
+
+
+__all__ = ["apply", "letters"]
