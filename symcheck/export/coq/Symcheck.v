@@ -124,6 +124,28 @@ Proof. intros H. apply Rmult_integral in H. destruct H as [H | H]; [left; exact 
 
 (* Tactics *)
 
+Ltac positive :=
+  match goal with
+  | |- _ => assumption
+  | |- 0 < IZR (Zpos _) => apply num_pos
+  | |- 0 <= IZR (Zpos _) => apply Rlt_le, num_pos
+  | |- 0 < PI => exact PI_RGT_0
+  | |- 0 < exp _ => apply exp_pos
+  | |- 0 <= sqrt _ => apply sqrt_pos
+  | |- 0 < _ + _ => apply add_pp; positive
+  | |- 0 < _ + _ => apply add_pn; positive
+  | |- 0 < _ + _ => apply add_np; positive
+  | |- 0 <= _ + _ => apply add_nn; positive
+  | |- 0 < _ * _ => apply mul_pp; positive
+  | |- 0 <= _ * _ => apply mul_nn; positive
+  | |- 0 < _ / _ => apply div_pp; positive
+  | |- 0 <= _ / _ => apply div_nn; positive
+  | |- 0 < _ ^ _ => apply pow_pp; positive
+  | |- 0 <= _ ^ _ => apply pow_even; reflexivity
+  | |- 0 <= _ ^ _ => apply pow_nn; positive
+  | |- 0 <= _ => apply Rlt_le; positive
+  end.
+
 Ltac factor_nonzero :=
   match goal with
   | |- _ => assumption
@@ -136,13 +158,23 @@ Ltac factor_nonzero :=
   | |- - _ <> 0 => apply Ropp_neq_0_compat; factor_nonzero
   | N : ?d <> 0 |- ?e <> 0 => apply (nz_same N); ring
   | N : ?d <> 0 |- ?e <> 0 => apply (nz_minus N); ring
+  | |- _ <> 0 => apply pos_nz; positive
   end.
 
 Ltac nonzero := repeat match goal with |- _ /\ _ => split end; factor_nonzero.
 
+(* `auto_derive` writes powers as products; what stands inside a function should look as before. *)
+Ltac powers :=
+  repeat match goal with
+  | |- context [?x * (?x * 1)] => change (x * (x * 1)) with (x ^ 2)
+  | |- context [?x * ?x ^ ?n] => change (x * x ^ n) with (x ^ (S n))
+  | |- context [?x * / ?y] => change (x * / y) with (x / y)
+  end.
+
 Ltac conditions :=
+  powers;
   repeat match goal with |- _ /\ _ => split | |- True => exact I end;
-  try solve [factor_nonzero | assumption | lra].
+  try solve [factor_nonzero | positive | lra].
 
 (* Sines, cosines and roots *)
 
@@ -200,6 +232,36 @@ Proof. intros H. apply Rpower_pow, H. Qed.
 
 Lemma circle_number : PI > 0.
 Proof. exact PI_RGT_0. Qed.
+
+Lemma asin_known_0 : asin 0 = 0. Proof. exact asin_0. Qed.
+Lemma asin_known_1 : asin (1 / 2) = PI / 6.
+Proof. rewrite <- sin_PI6. apply asin_sin. generalize PI_RGT_0. lra. Qed.
+Lemma asin_known_2 : asin (sqrt 2 / 2) = PI / 4.
+Proof.
+  replace (sqrt 2 / 2) with (sin (PI / 4)).
+  - apply asin_sin. generalize PI_RGT_0. lra.
+  - rewrite sin_PI4. assert (P : 0 < sqrt 2) by (apply sqrt_lt_R0; lra).
+    assert (S : sqrt 2 ^ 2 = 2) by (simpl; rewrite Rmult_1_r; apply sqrt_sqrt; lra). field [S]. lra.
+Qed.
+Lemma asin_known_3 : asin (sqrt 3 / 2) = PI / 3.
+Proof. rewrite <- sin_PI3. apply asin_sin. generalize PI_RGT_0. lra. Qed.
+Lemma asin_known_4 : asin 1 = PI / 2. Proof. exact asin_1. Qed.
+
+Lemma acos_known_0 : acos 1 = 0. Proof. exact acos_1. Qed.
+Lemma acos_known_1 : acos (sqrt 3 / 2) = PI / 6.
+Proof. rewrite <- cos_PI6. apply acos_cos. generalize PI_RGT_0. lra. Qed.
+Lemma acos_known_2 : acos (sqrt 2 / 2) = PI / 4.
+Proof. rewrite acos_asin, asin_known_2; [lra |]. generalize (sqrt_pos 2), (sqrt_sqrt 2). intros. nra. Qed.
+Lemma acos_known_3 : acos (1 / 2) = PI / 3.
+Proof. rewrite <- cos_PI3. apply acos_cos. generalize PI_RGT_0. lra. Qed.
+Lemma acos_known_4 : acos 0 = PI / 2. Proof. exact acos_0. Qed.
+
+Lemma atan_known_0 : atan 0 = 0. Proof. exact atan_0. Qed.
+Lemma atan_known_1 : atan (1 / sqrt 3) = PI / 6.
+Proof. rewrite <- tan_PI6. apply atan_tan. generalize PI_RGT_0. lra. Qed.
+Lemma atan_known_2 : atan 1 = PI / 4. Proof. exact atan_1. Qed.
+Lemma atan_known_3 : atan (sqrt 3) = PI / 3.
+Proof. rewrite <- tan_PI3. apply atan_tan. generalize PI_RGT_0. lra. Qed.
 
 Lemma atan_below (t : R) : - (PI / 2) < atan t /\ atan t < PI / 2.
 Proof. generalize (atan_bound t). lra. Qed.
@@ -362,6 +424,21 @@ Proof.
     - intros x _. unfold plus. simpl. ring.
     - apply (is_RInt_plus (fun x => f x - m) (fun _ => m)); [exact I | apply @is_RInt_const]. }
   rewrite (is_RInt_unique _ _ _ _ J). field. exact PI_neq0.
+Qed.
+
+(* The second derivative, where what makes the first one exist holds on both sides of the point *)
+
+Lemma locally_positive {c : R -> R} {x : R} : ex_derive c x -> 0 < c x -> locally x (fun t => 0 < c t).
+Proof.
+  intros D P. apply (ex_derive_continuous (V := R_NormedModule)) in D.
+  apply D. exact (open_gt 0 (c x) P).
+Qed.
+
+Lemma derive_twice (c g : R -> R) {f : R -> R} {x v : R} :
+  ex_derive c x -> 0 < c x -> (forall t, 0 < c t -> Derive f t = g t) -> Derive g x = v -> Derive_n f 2 x = v.
+Proof.
+  intros D P F G. simpl. rewrite <- G. apply Derive_ext_loc.
+  generalize (locally_positive D P). apply filter_imp. exact F.
 Qed.
 
 (* A function that changes its sign under a quarter turn is zero somewhere *)

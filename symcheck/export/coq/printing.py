@@ -30,6 +30,20 @@ def printed(node: Any, level: int = BINDS) -> str:
     return text if own <= level else f"({text})"
 
 
+def spelled(node: Any, level: int = BINDS) -> str:
+    """The same with a - b spelled a + - b, as terms stand in Coq once `Rminus` is unfolded."""
+    return printed(_without_minus(node), level)
+
+
+def _without_minus(node: Any) -> Any:
+    if not isinstance(node, list):
+        return node
+    parts = [_without_minus(part) for part in node]
+    if parts[:1] == ["+"]:
+        return ["+", parts[1], *(["minus", part[1]] if isinstance(part, list) and part[0] == "-" else part for part in parts[2:])]
+    return parts
+
+
 def _printed(node: Any) -> tuple[str, int]:
     match node:
         case bool():
@@ -44,7 +58,7 @@ def _printed(node: Any) -> tuple[str, int]:
             return _letter(node)
         case ["+", first, *rest]:
             return _sum(first, rest), PLUS
-        case ["-", inner]:
+        case ["-" | "minus", inner]:
             return f"- {printed(inner, POWER)}", MINUS
         case ["*", first, *rest]:
             return " * ".join([printed(first, TIMES), *(printed(t, TIMES - 1) for t in rest)]), TIMES

@@ -12,9 +12,10 @@ from fractions import Fraction
 from math import prod
 from typing import Any, NamedTuple
 
-from symcheck.export.coq.printing import ATOM, name, printed
+from symcheck.export.coq.printing import ATOM, name, spelled
 from symcheck.export.coq.statements import Statement
-from symcheck.export.coq.terms import NotExported, denominators, factors, is_number, letters, polynomial, rebuilt, subterms
+from symcheck.export.coq.theorems import apply, missing
+from symcheck.export.coq.terms import NotExported, denominators, factors, is_number, letters, polynomial, rebuilt, substituted, subterms
 from symcheck.export.coq.values import OPAQUE, Values, turns
 from symcheck.theorems import RELATIONS, Terms, conjuncts, contrary
 
@@ -50,7 +51,7 @@ class Script:
 
     def __init__(self, statement: Statement) -> None:
         self.statement, self.values = statement, Values()
-        self.full = statement.definitions.unfolded
+        self.rewritten: dict[str, Any] = {}  # text of a term -> what it is rewritten to
         self.lines: list[str] = []
         self.state: dict[Any, Known] = {}
         self.own = 0  # how many of them are hypotheses
@@ -61,7 +62,17 @@ class Script:
         self.atoms: dict[str, Any] = {}
         self.listed: list[tuple[Any, list[Any]]] = []  # numerators of divisors, and what they are divided by
         self.scope: set[str] = set(statement.variables)  # the letters there are
+        self.seen: dict[int, Any] = {}  # functions by their values, as first met
         self.settled: set[str] = set()  # the functions of which everything is said
+
+    def full(self, node: Any) -> Any:
+        """A term or formula as it stands in Coq after the beginning: unfolded, without tangents and derivatives."""
+        return self.worked(without_tangents(self.statement.definitions.unfolded(node)))
+
+    def worked(self, node: Any) -> Any:
+        if not self.rewritten or not isinstance(node, list):
+            return node
+        return self.rewritten.get(str(node)) or rebuilt(node, self.worked)
 
     # writing
 
@@ -73,10 +84,10 @@ class Script:
         return f"{stem}{self.count}'"
 
     def text(self, term: Any) -> str:
-        return printed(term)
+        return spelled(term)
 
     def bracketed(self, term: Any) -> str:
-        return printed(term, ATOM)
+        return spelled(term, ATOM)
 
     @property
     def algebra(self) -> str:
@@ -87,13 +98,15 @@ class Script:
     def prove_aside(self, formula: Any, stem: str, by: str) -> str:
         """An auxiliary fact with a proof of one line; its name."""
         own = self.anew(stem)
-        self.emit(f"assert ({own} : {printed(formula)}) by ({by}).")
+        self.emit(f"assert ({own} : {spelled(formula)}) by ({by}).")
         return own
 
     # the beginning
 
     def write(self, proof: Any) -> str:
         """The whole script."""
+        if reason := missing(proof):
+            raise NotExported(reason)
         statement = self.statement
         self.emit(f"intros {' '.join(map(name, statement.variables))}." if statement.variables else "")
         for x in statement.defined:
@@ -115,24 +128,24 @@ class Script:
             own = self.anew("n")
             self.emit(f"intros {own}.")
             premises.append((own, self.full(divisor)))
-        if "'tan'" in str(spoken):
+        if "'tan'" in str([f for _, f in statement.hypotheses] + [statement.conclusion, list(statement.definitions.terms.values())]):
             self.emit("unfold tan in *.")
-            goal, spoken = without_tangents(goal), [without_tangents(each) for each in spoken]
-            self.state = {r: known_without_tangents(known) for r, known in self.state.items()}
-            premises = [(own, without_tangents(divisor)) for own, divisor in premises]
+        if any(f"'{function}'" in str(spoken) for function in ("diff", "sin", "cos", *OPAQUE)):
+            self.emit("unfold Rminus in *.")
         self.functions(spoken)
         for own, divisor in premises:
             self.keep(divisor, own)
-        slopes = {str(t): t for each in spoken for t in subterms(each) if isinstance(t, list) and t[0] == "diff" and self.scope.issuperset(letters(t))}
+        slopes = {str(t): t for each in spoken for t in subterms(each) if is_slope(t) and self.scope.issuperset(letters(t))}
         if slopes:
             worked = [self.full(derivative(t)) for t in slopes.values()]
             self.functions(worked)
-            self.divisors([*spoken, *(body for _, body, *_ in slopes.values()), *worked], proof)
+            self.divisors([*spoken, *worked], proof)
             for slope, term in zip(slopes.values(), worked, strict=True):
                 self.slope(slope, term)
-            goal = replaced(goal, slopes, worked)
-            spoken = [replaced(each, slopes, worked) for each in spoken]
-            self.state = {r: Known(*(replaced(part, slopes, worked) for part in known[:4]), known.hypothesis) for r, known in self.state.items()}
+            self.rewritten |= dict(zip(slopes, worked, strict=True))
+        if self.rewritten:
+            goal, spoken = self.worked(goal), [*map(self.worked, spoken)]
+            self.state = {r: Known(known.sign, *map(self.worked, known[1:4]), known.hypothesis) for r, known in self.state.items()}
         self.divisors(spoken, proof)
         self.same_functions(spoken)
         for texts in proof.get("nonzero", []):
@@ -149,17 +162,17 @@ class Script:
                 case str():
                     kind, _, x = term.partition("_")
                     if kind in ("sin", "cos") and x:
-                        angles.setdefault(printed(x, ATOM), x)
+                        angles.setdefault(spelled(x, ATOM), x)
                     elif kind == "sqrt" and x:
                         self.root(int(x))
                 case ["sin" | "cos", angle]:
-                    angles.setdefault(printed(angle, ATOM), angle)
+                    angles.setdefault(spelled(angle, ATOM), angle)
                 case ["sqrt", inner] if is_number(inner):
                     self.root(inner)
         for angle in list(angles.values()):
             counts, rest = turns(angle)
             for x in (*(x for x, _ in counts), *([rest] if rest != 0 and counts else [])):
-                angles.setdefault(printed(x, ATOM), x)
+                angles.setdefault(spelled(x, ATOM), x)
         for shown, angle in angles.items():
             if shown in self.settled:
                 continue
@@ -178,7 +191,7 @@ class Script:
     def turned(self, shown: str, counts: list[tuple[str, int]], rest: Any) -> None:
         """The addition theorems for an angle."""
         parts = [name(x) if n > 0 else f"(- {name(x)})" for x, n in counts for _ in range(abs(n))]
-        parts += [printed(rest, ATOM)] if rest != 0 else []
+        parts += [spelled(rest, ATOM)] if rest != 0 else []
         total = " + ".join(parts) or "0"
         cosine, sine = addition([(f"cos {p}", f"sin {p}") for p in parts])
         for function, value in (("cos", cosine), ("sin", sine)):
@@ -189,7 +202,7 @@ class Script:
 
     def root(self, number: Any) -> None:
         """The square of the root of a prime number, or the root of another number by those."""
-        shown = printed(number, ATOM)
+        shown = spelled(number, ATOM)
         if f"sqrt {shown}" in self.settled:
             return
         self.settled.add(f"sqrt {shown}")
@@ -202,11 +215,13 @@ class Script:
         for p in inner:
             self.root(p)
         product = " * ".join([f"{outer.numerator} / {outer.denominator}" if outer.denominator > 1 else f"{outer.numerator}", *(f"sqrt {p}" for p in inner)])
-        if outer.denominator > 1:
-            raise NotExported("the root of a fraction")
         by = f"apply (root_is (t := {shown}) (v := {product})); [ lra | repeat apply mul_nn; try apply sqrt_pos; lra | "
         own = self.anew("e")
-        self.emit(f"assert ({own} : sqrt {shown} = {product}) by ({by}ring{self.hinted()} ]).")
+        self.emit(f"assert ({own} : sqrt {shown} = {product}) by ({by}field{self.hinted()} ]).")
+        if outer.denominator > 1:  # `ring` takes polynomials alone as hints
+            self.emit(f"rewrite {own} in *.")
+            self.rewritten[str(["sqrt", number])] = ["*", ["/", outer.numerator, outer.denominator], *(["sqrt", p] for p in inner)]
+            return
         self.hints.append(own)
 
     def hinted(self) -> str:
@@ -225,14 +240,16 @@ class Script:
     def keep(self, term: Any, own: str) -> None:
         """A denominator that is not zero; and if it is a sum of fractions, its numerator, which `field` asks for."""
         self.nonzero[self.text(term)] = (own, term)
+        several = list(factors(term))
+        for k, each in enumerate(several if len(several) > 1 else ()):
+            if not isinstance(each, int) and self.text(each) not in self.nonzero:
+                rest = product([*several[:k], *several[k + 1 :]])
+                by = f"apply (nz_of ({self.text(rest)}) {own}); {self.algebra}"
+                self.nonzero[self.text(each)] = (self.prove_aside(["!=", each, 0], "n", by), each)
         top, below = fraction(term)
-        if not below or self.text(top) in self.nonzero or any(self.text(b) not in self.nonzero for b in below):
-            return
-        apart = self.nonzero[self.text(below[0])][0]
-        for each in below[1:]:
-            apart = f"(mul_nz {apart} {self.nonzero[self.text(each)][0]})"
-        by = f"apply (nz_over {own} {apart}); {self.algebra}"
-        self.nonzero[self.text(top)] = (self.prove_aside(["!=", top, 0], "n", by), top)
+        if below and not isinstance(top, int) and self.text(top) not in self.nonzero:
+            by = f"apply (nz_over (b := {self.text(product(below))}) {own}); [ nonzero | {self.algebra} ]"
+            self.nonzero[self.text(top)] = (self.prove_aside(["!=", top, 0], "n", by), top)
 
     def divisor(self, term: Any) -> None:
         for known in self.state.values():
@@ -260,7 +277,6 @@ class Script:
                 by += f"assert (T : ({self.text(term)}) ^ 2 = {ratio_text(square)}) by ({self.algebra}); lra"
                 self.keep(term, self.prove_aside(["!=", term, 0], "n", by))
                 return
-        raise NotExported(f"a denominator that is not shown to differ from zero: {self.text(term)}")
 
     def ratio(self, one: Any, other: Any) -> Fraction | None:
         """one / other, if that is a rational number and not zero."""
@@ -274,30 +290,53 @@ class Script:
         """A derivative, worked out."""
         _, body, x, order = slope
         kept, self.divides = self.divides, True
-        own, step = self.anew("d"), f"apply is_derive_unique; auto_derive; [ conditions | {self.algebra} ]"
+        self.bases(body)
+        own, step = self.anew("d"), f"apply is_derive_unique; unfold Rpower; auto_derive; [ conditions | powers; {self.algebra} ]"
         if order == 1:
-            self.emit(f"assert ({own} : {printed(['=', slope, term])}) by ({step}).")
+            self.emit(f"assert ({own} : {spelled(['=', slope, term])}) by ({step}).")
+        elif order == 2:
+            first = self.full(derivative(["diff", body, x, 1]))
+            near = self.nearby(body, x)
+            functions = " ".join(f"(fun {name(x)} => {spelled(t)})" for t in (near, first))
+            self.emit(f"assert ({own} : {spelled(['=', slope, term])}).")
+            self.emit(f"{{ apply (derive_twice {functions}).")
+            self.emit("{ auto_derive; conditions. }")
+            self.emit("{ conditions. }")
+            at, positive = self.anew("x"), self.anew("s")
+            self.emit(f"{{ intros {at} {positive}. cbv beta in {positive}. pose proof (pos_nz {positive}). {step}. }}")
+            self.emit(f"{{ {step}. }} }}")
         else:
-            first = self.full(derivative(["diff", body, x, order - 1]))
-            again = f"rewrite (Derive_ext (Derive (fun {name(x)} => {printed(body)})) (fun {name(x)} => {printed(first)}))"
-            if order != 2:
-                raise NotExported("a derivative of third order")
-            each = f"(intro; {step})" 
-            self.emit(f"assert ({own} : {printed(['=', slope, term])}).")
-            self.emit(f"{{ simpl Derive_n. change (Derive (fun {name(x)} => Derive (fun {name(x)} => {printed(body)}) {name(x)}) {name(x)} = {printed(term)}). {again}; [ {step} | {each} ]. }}")
+            raise NotExported("a derivative of third order")
         self.emit(f"rewrite {own} in *.")
         self.divides = kept
 
+    def nearby(self, body: Any, x: str) -> Any:
+        """What is positive at the letter and makes the function differentiable: the letter, or the base of a power."""
+        if any(known.sign == ">" and known.great == x and known.small == 0 for known in self.state.values()):
+            return x
+        return next((t[1] for t in subterms(body) if isinstance(t, list) and t[0] == "pow" and x in letters(t[1])), 1)
+
+    def bases(self, term: Any) -> None:
+        """The bases of powers are positive: said once, as `auto_derive` asks for it."""
+        for base in (t[1] for t in subterms(term) if isinstance(t, list) and t[0] in ("pow", "log", "sqrt")):
+            found = self.sign(base)
+            if found is not None and found.level == 1 and self.text(base) in self.nonzero:
+                found = Sign(2, f"(nz_pos {found.proof} {self.nonzero[self.text(base)][0]})")
+            if found is not None and found.level == 2 and self.text(base) not in self.settled:
+                self.settled.add(self.text(base))
+                self.prove_aside(["<", 0, base], "s", f"exact {found.proof}")
+
     def same_functions(self, spoken: list[Any]) -> None:
         """Functions of equal arguments that are written differently."""
-        seen: dict[int, Any] = {}
-        shown: set[str] = set()
+        seen = self.seen
         for term in (t for each in spoken for t in subterms(each) if self.scope.issuperset(letters(t))):
             if isinstance(term, list) and term[0] in OPAQUE and not (term[0] == "sqrt" and is_number(term)):
                 value = self.values.value(term)
+                if term[0] == "pow" and (whole := self.ratio(term[2], 1)) is not None and whole.denominator == 1:
+                    raise NotExported("a power whose exponent adds up to a whole number")
                 first = seen.setdefault(value, term)
-                if self.text(first) != self.text(term) and self.text(term) not in shown:
-                    shown.add(self.text(term))
+                if self.text(first) != self.text(term) and self.text(term) not in self.settled:
+                    self.settled.add(self.text(term))
                     by = f"f_equal; {self.algebra}"
                     self.hints.append(self.prove_aside(["=", term, first], "e", by))
 
@@ -630,8 +669,6 @@ class Script:
         self.emit(f"exfalso. refine (combine_false {multiplier} {total} _). {self.algebra}.")
 
     def _witness(self, goal: Any, proof: Any) -> None:
-        from symcheck.export.coq.terms import substituted
-
         point = {x: self.full(term) for x, term in proof["point"].items()}
         for x in goal[1]:
             self.emit(f"exists ({self.text(point[x])}).")
@@ -640,8 +677,6 @@ class Script:
         self.prove(body, proof["then"])
 
     def _theorem(self, goal: Any, proof: Any) -> None:
-        from symcheck.export.coq.theorems import apply
-
         apply(self, goal, proof)
 
 
@@ -660,12 +695,8 @@ def derivative(slope: Any) -> Any:
     return Terms({}).derived(body, x, order)
 
 
-def replaced(node: Any, slopes: dict[str, Any], worked: list[Any]) -> Any:
-    """The node with derivatives worked out."""
-    for slope, term in zip(slopes.values(), worked, strict=True):
-        if node == slope:
-            return term
-    return rebuilt(node, lambda child: replaced(child, slopes, worked)) if isinstance(node, list) else node
+def is_slope(term: Any) -> bool:
+    return isinstance(term, list) and term[0] == "diff"
 
 
 def fraction(term: Any) -> tuple[Any, list[Any]]:
@@ -685,8 +716,7 @@ def fraction(term: Any) -> tuple[Any, list[Any]]:
             return product([top for top, _ in read]), [b for _, below in read for b in below]
         case ["/", above, bottom]:
             (top, below), (divisor, lifted) = fraction(above), fraction(bottom)
-            own = [] if isinstance(divisor, int) else [d for d in factors(divisor) if not isinstance(d, int)]
-            return (term, []) if isinstance(divisor, int) else (product([top, *lifted]), [*below, *own])
+            return (term, []) if isinstance(divisor, int) else (product([top, *lifted]), [*below, divisor])
         case ["^", base, int(n)] if n > 0:
             top, below = fraction(base)
             return ["^", top, n], below * n
@@ -746,10 +776,6 @@ def without_tangents(node: Any) -> Any:
         case list():
             return [without_tangents(child) for child in node]
     return node
-
-
-def known_without_tangents(known: Known) -> Known:
-    return Known(known.sign, without_tangents(known.great), without_tangents(known.small), without_tangents(known.formula), known.hypothesis)
 
 
 def terms_in(node: Any) -> list[Any]:

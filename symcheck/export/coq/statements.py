@@ -7,8 +7,9 @@ from dataclasses import dataclass
 from typing import Any
 
 from symcheck.export.coq.printing import name, printed
-from symcheck.export.coq.terms import Definitions, denominators, is_number, letters
+from symcheck.export.coq.terms import Definitions, denominators, is_number, letters, subterms
 from symcheck.export.coq.values import Values
+from symcheck.theorems import Terms
 
 WIDTH = 118
 
@@ -78,6 +79,8 @@ def unsettled(definitions: Definitions, hypotheses: Any, spoken: list[Any], proo
     from symcheck.export.coq.script import Script
 
     values, full = Values(), definitions.unfolded
+    slopes = (full(t) for each in spoken for t in subterms(each) if isinstance(t, list) and t[0] == "diff")
+    spoken = [*spoken, *(Terms({}).derived(*slope[1:]) for slope in slopes)]
     known = [full(f) for _, f in hypotheses if f[0] in ("!=", "<", ">")]
     gaps = [["+", left, ["-", right]] for _, left, right in known]
     found: list[Any] = []

@@ -194,8 +194,10 @@ def denominators(node: Any) -> Iterator[Any]:
                 yield from factors(base)
             case ["tan", angle]:
                 yield ["cos", angle]
+            case ["diff", body, *_]:  # taken at the letter itself
+                yield from denominators(body)
 
 
 def is_number(term: Any) -> bool:
-    """Whether no letter is in it."""
-    return not letters(term)
+    """Whether it is made of whole numbers and their roots."""
+    return not letters(term) and "'pi'" not in str([term])

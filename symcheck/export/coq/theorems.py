@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
-from symcheck.export.coq.printing import name, printed
-from symcheck.export.coq.terms import NotExported, letters
+from symcheck.export.coq.printing import name, spelled
+from symcheck.export.coq.terms import NotExported
 from symcheck.theorems import THEOREMS, Terms, conjuncts
 
 if TYPE_CHECKING:
@@ -14,6 +14,9 @@ if TYPE_CHECKING:
 
 ALIKE = {"=": "eq", "!=": "ne", "<": "lt", "<=": "le", ">": "gt", ">=": "ge"}
 MISSING = {
+    "constant": "a definite integral",
+    "power_rule": "a definite integral",
+    "intermediate_value": "the intermediate value theorem",
     "beta": "Euler's beta integral is not in Coq's libraries",
     "beta_diverges": "the divergence of an improper integral is not stated in Coq",
     "power_diverges": "the divergence of an improper integral is not stated in Coq",
@@ -28,8 +31,6 @@ MISSING = {
 def apply(script: Script, goal: Any, proof: Any) -> None:
     """The premises of a theorem with their proofs, then its conclusion as one more assumption."""
     kind, *given = proof["of"]
-    if kind in MISSING:
-        raise NotExported(MISSING[kind])
     theorem = THEOREMS[kind](Terms(dict(script.statement.definitions.terms)), *given)
     given = [script.full(t) if isinstance(t, (list, str)) and kind not in ("known_angle",) else t for t in given]
     if kind in BINDING:
@@ -38,16 +39,27 @@ def apply(script: Script, goal: Any, proof: Any) -> None:
         names = []
         for premise, inner in zip(map(script.full, theorem.premises), proof["premises"], strict=True):
             names.append(script.anew("t"))
-            script.emit(f"assert ({names[-1]} : {printed(premise)}).")
+            script.emit(f"assert ({names[-1]} : {spelled(premise)}).")
             script.branch(premise, inner)
         conclusion = script.full(theorem.conclusion)
+        script.same_functions([conclusion])
         own = script.anew("t")
-        script.emit(f"assert ({own} : {printed(conclusion)}) by ({BY[kind](script, given, names, theorem)}).")
+        script.emit(f"assert ({own} : {spelled(conclusion)}) by ({BY[kind](script, given, names, theorem)}).")
         script.emit(f"destruct {own} as {taken(script, conclusion, own)}." if len(conjuncts(conclusion)) > 1 else "")
         if len(conjuncts(conclusion)) == 1:
             script.learn(conjuncts(conclusion)[0], own)
     script.emit_later()
     script.prove(goal, proof["then"])
+
+
+def missing(proof: Any) -> str | None:
+    """Why a proof has no form in Coq, if it uses a theorem that is not there."""
+    if isinstance(proof, list):
+        return next(filter(None, map(missing, proof)), None)
+    if not isinstance(proof, dict):
+        return None
+    own = MISSING.get(proof["of"][0]) if "of" in proof else None
+    return own or next(filter(None, map(missing, proof.values())), None)
 
 
 def taken(script: Script, conclusion: Any, own: str) -> str:
@@ -62,11 +74,7 @@ def exact(lemma: str) -> Callable[..., str]:
 
 def known_angle(script: Script, given: list[Any], names: list[str], theorem: Any) -> str:
     function, number = given
-    if function != "arctan":
-        return f"{function.replace('arc', 'a')}_known"
-    return {
-        0: "exact atan_0", 1: "exact atan_third", 2: "exact atan_1", 3: "exact atan_root",
-    }[number]  # fmt: skip
+    return f"exact {function.replace('arc', 'a')}_known_{number}"
 
 
 def principal(script: Script, given: list[Any], names: list[str], theorem: Any) -> str:
@@ -137,11 +145,11 @@ BY: dict[str, Callable[..., str]] = {
 def mean(script: Script, given: list[Any], proof: Any) -> None:
     """Coquelicot's integral over one turn, by the primitive of the difference from the mean."""
     f, x, m, g = given
-    fx, gx = (f"(fun {name(x)} => {printed(t)})" for t in (f, g))
+    fx, gx = (f"(fun {name(x)} => {spelled(t)})" for t in (f, g))
     own = script.anew("h")
-    script.emit(f"assert ({own} : {printed(['=', ['mean', f, x], m])}).")
+    script.emit(f"assert ({own} : {spelled(['=', ['mean', f, x], m])}).")
     kept = list(script.hints)
-    script.emit(f"{{ refine (mean_by (f := {fx}) (g := {gx}) (m := {printed(m)}) _ _ _).")
+    script.emit(f"{{ refine (mean_by (f := {fx}) (g := {gx}) (m := {spelled(m)}) _ _ _).")
     script.emit(f"{{ intros {name(x)}. auto_derive; conditions. }}")
     script.emit(f"{{ intros {name(x)}.")
     script.emit(f"pose proof (circle {name(x)}) as {(hint := script.anew('e'))}.")
@@ -163,8 +171,8 @@ def quarter_turn(script: Script, given: list[Any], proof: Any) -> None:
     p, x = given
     own, fact = script.anew("t"), script.anew("h")
     shown = name(x)
-    script.emit(f"assert ({own} : exists {shown} : R, {printed(['=', p, 0])}).")
-    script.emit(f"{{ refine (quarter_turn (fun {shown} => {printed(p)}) _ _).")
+    script.emit(f"assert ({own} : exists {shown} : R, {spelled(['=', p, 0])}).")
+    script.emit(f"{{ refine (quarter_turn (fun {shown} => {spelled(p)}) _ _).")
     script.emit(f"{{ intros {shown}. auto_derive; conditions. }}")
     script.emit(f"{{ intros {shown}. cbv beta. rewrite ?cos_plus, ?sin_plus, cos_PI2, sin_PI2.")
     script.emit(f"pose proof (circle {shown}) as {(hint := script.anew('e'))}.")
@@ -177,18 +185,4 @@ def quarter_turn(script: Script, given: list[Any], proof: Any) -> None:
     script.learn(["=", p, 0], fact)
 
 
-def intermediate_value(script: Script, given: list[Any], proof: Any) -> None:
-    """The zero between two ends."""
-    raise NotExported("the intermediate value theorem")
-
-
-BINDING |= {"quarter_turn": quarter_turn, "intermediate_value": intermediate_value}
-for missing in ("constant", "power_rule"):
-    BINDING[missing] = lambda script, given, proof: _missing()
-
-
-def _missing() -> None:
-    raise NotExported("a definite integral")
-
-
-__all__ = ["apply", "letters"]
+BINDING["quarter_turn"] = quarter_turn

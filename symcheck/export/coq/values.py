@@ -6,7 +6,7 @@ from fractions import Fraction
 from math import prod
 from typing import Any
 
-from symcheck.export.coq.terms import NotExported, letters
+from symcheck.export.coq.terms import NotExported, is_number
 from symcheck.residues import Reject, chance
 
 OPAQUE = ("sqrt", "pow", "exp", "log", "gamma", "arctan", "arcsin", "arccos")
@@ -90,7 +90,7 @@ class Values:
             case ["tan", angle]:
                 cosine, sine = self._turn(angle)
                 return sine * self.chance.inverse(cosine)
-            case ["sqrt", inner] if not letters(inner):
+            case ["sqrt", inner] if is_number(inner):
                 number = self.chance.rational(self.value(inner))
                 return self.chance.root(number)
             case [function, *arguments] if function in OPAQUE:
