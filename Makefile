@@ -4,7 +4,7 @@ VENV := .venv
 BIN := $(VENV)/bin
 STAMP := $(VENV)/.stamp
 
-.PHONY: audit test test-full gates bench clean
+.PHONY: audit test test-full gates bench coq clean
 
 audit: $(STAMP)
 	$(BIN)/symcheck check
@@ -26,6 +26,14 @@ gates: $(STAMP)
 bench: $(STAMP)
 	$(BIN)/python tests/bench.py
 	$(BIN)/python tests/bench_kernels.py
+
+# Coq's kernel checks the proofs. It is not installed by this: what is missing is said (Debian: coq, libcoq-coquelicot).
+coq: $(STAMP)
+	$(BIN)/python -m symcheck.export.coq.compile --installed
+	rm -rf build/coq
+	$(BIN)/symcheck export --format coq --output build/coq
+	$(BIN)/python -m symcheck.export.coq.comparison build/coq
+	$(BIN)/python -m symcheck.export.coq.compile build/coq
 
 clean:
 	rm -rf $(VENV) build dist *.egg-info .mypy_cache .ruff_cache .pytest_cache .import_linter_cache .hypothesis

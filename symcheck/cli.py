@@ -16,6 +16,7 @@ import click
 
 from symcheck import __version__
 from symcheck.codegen import target_names
+from symcheck.export import format_names, format_of
 from symcheck.statement import SymcheckError, Verdict
 
 if TYPE_CHECKING:
@@ -339,6 +340,47 @@ def _compare(selection: Sequence[str], records: Sequence[Record], quiet: bool) -
         raise click.exceptions.Exit(DIFFERS)
     if not quiet:
         click.echo("All verdicts are those recorded.")
+
+
+@cli.command()
+@click.argument("selection", nargs=-1, metavar="[PAPER[:NUMBER]]...")
+@click.option("--format", "name", type=click.Choice(format_names()), required=True, help="What to write.")
+@click.option(
+    "--output",
+    type=click.Path(path_type=Path),
+    help="The file to write, or the folder for a format of many files; default: standard output, or symcheck-FORMAT.",
+)
+@deciding
+def export(selection: Sequence[str], name: str, output: Path | None, how: How) -> None:
+    """Write the ledger and the errata for other tools."""
+    chosen = format_of(name)
+    records = audit(selection, how)
+    if chosen.files:
+        folder = output or Path(f"symcheck-{name}")
+        contents = chosen.files(records)
+        for file, text in contents.items():
+            _put(folder / file, text)
+        click.echo(f"{folder}: {len(contents)} files")
+    elif chosen.text:
+        text = chosen.text(records)
+        if output:
+            click.echo(f"{output}: {len(records)} items, {_put(output, text) / 1e6:.2f} MB")
+        else:
+            click.echo(text, nl=False)
+
+
+def _put(file: Path, text: str) -> int:
+    """Write a file whole or not at all; its size in bytes."""
+    temporary = file.with_name(f".{file.name}.{os.getpid()}")
+    try:
+        file.parent.mkdir(parents=True, exist_ok=True)
+        temporary.write_bytes(data := text.encode())
+        temporary.replace(file)
+    except OSError as error:
+        raise SymcheckError(f"{file} cannot be written ({error.strerror}); choose another with --output") from error
+    finally:
+        temporary.unlink(missing_ok=True)
+    return len(data)
 
 
 def main() -> None:

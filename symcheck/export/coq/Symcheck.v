@@ -459,3 +459,32 @@ Proof.
   exists z. assert (z <> a) by (intros E; rewrite <- E, Z in S; lra).
   assert (z <> b) by (intros E; rewrite <- E, Z in S; lra). lra.
 Qed.
+
+(* Witnesses: points at which hypotheses hold *)
+
+Lemma angle_of (s c : R) : s ^ 2 + c ^ 2 = 1 -> exists a, sin a = s /\ cos a = c.
+Proof.
+  intros H. assert (Hc : -1 <= c <= 1) by (split; nra).
+  assert (S : sin (acos c) = sqrt (1 - c ^ 2)) by (rewrite sin_acos by exact Hc; unfold Rsqr; f_equal; ring).
+  replace (1 - c ^ 2) with (s ^ 2) in S by lra.
+  destruct (Rle_or_lt 0 s) as [P | N].
+  - exists (acos c). split; [| apply cos_acos, Hc]. rewrite S. apply sqrt_pow2, P.
+  - exists (- acos c). rewrite sin_neg, cos_neg. split; [| apply cos_acos, Hc].
+    rewrite S. replace (s ^ 2) with ((- s) ^ 2) by ring. rewrite sqrt_pow2; lra.
+Qed.
+
+Ltac known_root n :=
+  lazymatch goal with
+  | _ : sqrt n ^ 2 = n |- _ => fail
+  | |- _ => pose proof (root_of_number n ltac:(lra)); assert (0 < sqrt n) by (apply sqrt_lt_R0; lra)
+  end.
+
+Ltac roots := repeat match goal with |- context [sqrt (IZR ?n)] => known_root (IZR n) end.
+
+Ltac by_roots :=
+  match goal with
+  | S : sqrt _ ^ 2 = _, T : sqrt _ ^ 2 = _ |- _ => field [S T]
+  | S : sqrt _ ^ 2 = _ |- _ => field [S]
+  end; nonzero.
+
+Ltac concrete := intros; roots; solve [lra | left; lra | right; lra | nra | field; nonzero | by_roots | field_simplify; nra].

@@ -16,7 +16,20 @@ TAKEN = frozenset(
     Prop Set Type SProp R Z N nat IZR INR PI sin cos tan sqrt exp ln atan asin acos Rpower RInt Derive Derive_n pow
     True False not and or""".split()
 )
-ATOM, APPLIED, POWER, MINUS, TIMES, PLUS, COMPARED, AND, OR, IFF, IMPLIES, BINDS = 0, 10, 30, 35, 40, 50, 70, 80, 85, 95, 99, 200
+ATOM, APPLIED, POWER, MINUS, TIMES, PLUS, COMPARED, AND, OR, IFF, IMPLIES, BINDS = (
+    0,
+    10,
+    30,
+    35,
+    40,
+    50,
+    70,
+    80,
+    85,
+    95,
+    99,
+    200,
+)
 
 
 def name(letter: str) -> str:
@@ -40,7 +53,11 @@ def _without_minus(node: Any) -> Any:
         return node
     parts = [_without_minus(part) for part in node]
     if parts[:1] == ["+"]:
-        return ["+", parts[1], *(["minus", part[1]] if isinstance(part, list) and part[0] == "-" else part for part in parts[2:])]
+        return [
+            "+",
+            parts[1],
+            *(["minus", part[1]] if isinstance(part, list) and part[0] == "-" else part for part in parts[2:]),
+        ]
     return parts
 
 

@@ -15,7 +15,17 @@ from typing import Any, NamedTuple
 from symcheck.export.coq.printing import ATOM, name, spelled
 from symcheck.export.coq.statements import Statement
 from symcheck.export.coq.theorems import apply, missing
-from symcheck.export.coq.terms import NotExported, denominators, factors, is_number, letters, polynomial, rebuilt, substituted, subterms
+from symcheck.export.coq.terms import (
+    NotExported,
+    denominators,
+    factors,
+    is_number,
+    letters,
+    polynomial,
+    rebuilt,
+    substituted,
+    subterms,
+)
 from symcheck.export.coq.values import OPAQUE, Values, turns
 from symcheck.theorems import RELATIONS, Terms, conjuncts, contrary
 
@@ -128,14 +138,18 @@ class Script:
             own = self.anew("n")
             self.emit(f"intros {own}.")
             premises.append((own, self.full(divisor)))
-        if "'tan'" in str([f for _, f in statement.hypotheses] + [statement.conclusion, list(statement.definitions.terms.values())]):
+        if "'tan'" in str(
+            [f for _, f in statement.hypotheses] + [statement.conclusion, list(statement.definitions.terms.values())]
+        ):
             self.emit("unfold tan in *.")
         if any(f"'{function}'" in str(spoken) for function in ("diff", "sin", "cos", *OPAQUE)):
             self.emit("unfold Rminus in *.")
         self.functions(spoken)
         for own, divisor in premises:
             self.keep(divisor, own)
-        slopes = {str(t): t for each in spoken for t in subterms(each) if is_slope(t) and self.scope.issuperset(letters(t))}
+        slopes = {
+            str(t): t for each in spoken for t in subterms(each) if is_slope(t) and self.scope.issuperset(letters(t))
+        }
         if slopes:
             worked = [self.full(derivative(t)) for t in slopes.values()]
             self.functions(worked)
@@ -145,7 +159,9 @@ class Script:
             self.rewritten |= dict(zip(slopes, worked, strict=True))
         if self.rewritten:
             goal, spoken = self.worked(goal), [*map(self.worked, spoken)]
-            self.state = {r: Known(known.sign, *map(self.worked, known[1:4]), known.hypothesis) for r, known in self.state.items()}
+            self.state = {
+                r: Known(known.sign, *map(self.worked, known[1:4]), known.hypothesis) for r, known in self.state.items()
+            }
         self.divisors(spoken, proof)
         self.same_functions(spoken)
         for texts in proof.get("nonzero", []):
@@ -197,7 +213,9 @@ class Script:
         for function, value in (("cos", cosine), ("sin", sine)):
             own = self.anew("e")
             value = value.replace("cos (- ", "cos (").replace("sin (- ", "- sin (")
-            self.emit(f"assert ({own} : {function} {shown} = {value}) by (replace {shown} with ({total}) by field; turn).")
+            self.emit(
+                f"assert ({own} : {function} {shown} = {value}) by (replace {shown} with ({total}) by field; turn)."
+            )
             self.hints.append(own)
 
     def root(self, number: Any) -> None:
@@ -214,13 +232,22 @@ class Script:
         outer, inner = square_part(value)
         for p in inner:
             self.root(p)
-        product = " * ".join([f"{outer.numerator} / {outer.denominator}" if outer.denominator > 1 else f"{outer.numerator}", *(f"sqrt {p}" for p in inner)])
+        product = " * ".join(
+            [
+                f"{outer.numerator} / {outer.denominator}" if outer.denominator > 1 else f"{outer.numerator}",
+                *(f"sqrt {p}" for p in inner),
+            ]
+        )
         by = f"apply (root_is (t := {shown}) (v := {product})); [ lra | repeat apply mul_nn; try apply sqrt_pos; lra | "
         own = self.anew("e")
         self.emit(f"assert ({own} : sqrt {shown} = {product}) by ({by}field{self.hinted()} ]).")
         if outer.denominator > 1:  # `ring` takes polynomials alone as hints
             self.emit(f"rewrite {own} in *.")
-            self.rewritten[str(["sqrt", number])] = ["*", ["/", outer.numerator, outer.denominator], *(["sqrt", p] for p in inner)]
+            self.rewritten[str(["sqrt", number])] = [
+                "*",
+                ["/", outer.numerator, outer.denominator],
+                *(["sqrt", p] for p in inner),
+            ]
             return
         self.hints.append(own)
 
@@ -260,7 +287,9 @@ class Script:
                 return
         for own, other in list(self.nonzero.values()):
             if (k := self.ratio(other, term)) is not None:
-                self.keep(term, self.prove_aside(["!=", term, 0], "n", f"apply (nz_of {ratio_text(k)} {own}); {self.algebra}"))
+                self.keep(
+                    term, self.prove_aside(["!=", term, 0], "n", f"apply (nz_of {ratio_text(k)} {own}); {self.algebra}")
+                )
                 return
         found = self.sign(term)
         if found is not None and found.level == 2:
@@ -291,7 +320,10 @@ class Script:
         _, body, x, order = slope
         kept, self.divides = self.divides, True
         self.bases(body)
-        own, step = self.anew("d"), f"apply is_derive_unique; unfold Rpower; auto_derive; [ conditions | powers; {self.algebra} ]"
+        own, step = (
+            self.anew("d"),
+            f"apply is_derive_unique; unfold Rpower; auto_derive; [ conditions | powers; {self.algebra} ]",
+        )
         if order == 1:
             self.emit(f"assert ({own} : {spelled(['=', slope, term])}) by ({step}).")
         elif order == 2:
@@ -706,7 +738,12 @@ def fraction(term: Any) -> tuple[Any, list[Any]]:
             read = [fraction(part) for part in parts]
             common: list[Any] = []
             for _, below in read:
-                common += [b for b in dict_of(below).values() if below.count(b) > common.count(b) for _ in range(below.count(b) - common.count(b))]
+                common += [
+                    b
+                    for b in dict_of(below).values()
+                    if below.count(b) > common.count(b)
+                    for _ in range(below.count(b) - common.count(b))
+                ]
             return ["+", *(product([top, *without(common, below)]) for top, below in read)], common
         case ["-", inner]:
             top, below = fraction(inner)
@@ -784,7 +821,12 @@ def terms_in(node: Any) -> list[Any]:
         own = [node["form"]] if "form" in node else [*node.get("point", {}).values()]
         own += [t for t in node.get("of", ())[1:] if isinstance(t, list)]
         own += list(node.get("positive", ()))
-        return own + [t for key, value in node.items() if key not in ("of", "form", "point", "positive", "atoms") for t in terms_in(value)]
+        return own + [
+            t
+            for key, value in node.items()
+            if key not in ("of", "form", "point", "positive", "atoms")
+            for t in terms_in(value)
+        ]
     if isinstance(node, list):
         if len(node) == 2 and node[0] == "positive":
             return [node[1]]

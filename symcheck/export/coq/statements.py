@@ -69,7 +69,9 @@ def stated(definitions: Definitions, hypotheses: tuple[tuple[Any, Any], ...], cl
     need(["and", *shown])
     spoken = [*shown, *(definitions.readable(definitions.terms[x]) for x in defined)]
     premises = tuple(unsettled(definitions, hypotheses, spoken, proof))
-    return Statement(tuple(letters(["and", *spoken, *defined])), tuple(defined), hypotheses, premises, claim, definitions)
+    return Statement(
+        tuple(letters(["and", *spoken, *defined])), tuple(defined), hypotheses, premises, claim, definitions
+    )
 
 
 def unsettled(definitions: Definitions, hypotheses: Any, spoken: list[Any], proof: Any) -> Iterable[Any]:
@@ -89,7 +91,11 @@ def unsettled(definitions: Definitions, hypotheses: Any, spoken: list[Any], proo
         probe.assume(formula, reference)
     for divisor in (d for each in spoken for d in denominators(each)):
         term = full(divisor)
-        if is_number(term) or any(values.ratio(gap, term) for gap in gaps) or any(values.ratio(full(d), term) for d in found):
+        if (
+            is_number(term)
+            or any(values.ratio(gap, term) for gap in gaps)
+            or any(values.ratio(full(d), term) for d in found)
+        ):
             continue
         sign = probe.sign(term)
         if sign is None or sign.level < 2:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
+from symcheck.export.coq.digits import Enclosure
 from symcheck.export.coq.printing import name, spelled
 from symcheck.export.coq.terms import NotExported
 from symcheck.theorems import THEOREMS, Terms, conjuncts
@@ -24,7 +25,6 @@ MISSING = {
     "odd": "an improper integral is not stated in Coq",
     "gamma": "Euler's gamma function is not in Coq's libraries",
     "gamma_values": "Euler's gamma function is not in Coq's libraries",
-    "enclosure": "the digits of a number need interval arithmetic, which the libraries used here have not",
 }
 
 
@@ -119,8 +119,17 @@ def congruence(script: Script, given: list[Any], names: list[str], theorem: Any)
     return f"rewrite {', '.join(names)}; reflexivity"
 
 
+def enclosure(script: Script, given: list[Any], names: list[str], theorem: Any) -> str:
+    """The ends of the interval, step by step."""
+    term, _, *letters = given
+    known = {x: (own, value) for (_, x, value), own in zip(letters, names, strict=True)}
+    found = Enclosure(script, known).of(term)
+    return f"destruct {found.proof} as [low high]; clear - low high; split; lra"
+
+
 BY: dict[str, Callable[..., str]] = {
     "have": have,
+    "enclosure": enclosure,
     "congruence": lambda script, given, names, theorem: "f_equal; assumption",
     "dichotomy": dichotomy,
     "root": exact("root"),

@@ -118,5 +118,7 @@ def turns(angle: Any) -> tuple[list[tuple[str, int]], Any]:
     rest = {x: c for x, c in found.items() if c and (x in ("", "pi") or c.denominator != 1)}
     if not rest:
         return whole, 0
-    terms = [["*", ["/", c.numerator, c.denominator], x] if x else ["/", c.numerator, c.denominator] for x, c in rest.items()]
+    terms = [
+        ["*", ["/", c.numerator, c.denominator], x] if x else ["/", c.numerator, c.denominator] for x, c in rest.items()
+    ]
     return whole, angle if not whole else terms[0] if len(terms) == 1 else ["+", *terms]
