@@ -487,4 +487,14 @@ Ltac by_roots :=
   | S : sqrt _ ^ 2 = _ |- _ => field [S]
   end; nonzero.
 
-Ltac concrete := intros; roots; solve [lra | left; lra | right; lra | nra | field; nonzero | by_roots | field_simplify; nra].
+Ltac pi_and_cosines :=
+  generalize PI2_1; intro;
+  repeat match goal with
+  | |- context [cos (atan ?t)] =>
+    lazymatch goal with
+    | _ : 0 < cos (atan t) |- _ => fail
+    | |- _ => assert (0 < cos (atan t)) by (generalize (atan_bound t); intro; apply cos_gt_0; lra)
+    end
+  end.
+
+Ltac concrete := intros; roots; pi_and_cosines; solve [reflexivity | lra | left; lra | right; lra | nra | field; nonzero | by_roots | field_simplify; nra].

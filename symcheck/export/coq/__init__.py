@@ -1,4 +1,4 @@
-"""Coq: the proved claims as statements over the real numbers, and their certificates as proofs that Coq's kernel checks.
+"""Coq: the proved claims as statements over the reals, their certificates as proofs that Coq's kernel checks.
 
 Claims.v    the statements alone, in printed order and shape: the only file to read
 Proofs*.v   a proof of each, made by machine

@@ -13,7 +13,7 @@ from functools import cache
 from pathlib import Path
 from typing import Any
 
-import mpmath
+import mpmath  # type: ignore[import-untyped]
 
 from symcheck.evidence.context import Context, for_letter
 from symcheck.evidence.judge import Unit, equality_claims, units
@@ -23,7 +23,7 @@ from symcheck.reading import read
 from symcheck.statement import Formula, Role
 from symcheck.theorems import RELATIONS
 
-DIGITS, TOLERANCE = 30, mpmath.mpf(10) ** -12
+DIGITS, TOLERANCE = 60, mpmath.mpf(10) ** -12
 CALLS = {"arctan": "atan", "arcsin": "asin", "arccos": "acos"}
 
 
@@ -183,7 +183,8 @@ def main(arguments: Sequence[str]) -> int:
 
     folder = Path(arguments[0])
     manifest = json.loads((folder / "manifest.json").read_text(encoding="utf-8"))
-    faults, count = [], 0
+    faults: list[str] = []
+    count = 0
     for paper, entry in manifest.items():
         names = {id: row["claims"] for id, row in entry["claims"].items() if row["claims"]}
         count += sum(map(len, names.values()))

@@ -72,7 +72,8 @@ def checked(folder: Path, file: str, failed: dict[str, str]) -> Iterator[str]:
         if code == 0:
             axioms = sorted({a for a in ASSUMPTION.findall(said) if a not in REALS and a != "Axioms"})
             failed |= {file: f"axioms beyond those of the reals: {', '.join(axioms)}"} if axioms else {}
-            yield f"{file}: {seconds:.1f} s{'; Print Assumptions: the reals alone' if 'Axioms:' in said and not axioms else ''}"
+            alone = "; Print Assumptions: the reals alone" if "Axioms:" in said and not axioms else ""
+            yield f"{file}: {seconds:.1f} s{alone}"
             return
         stopped = STOPPED.search(said)
         try:

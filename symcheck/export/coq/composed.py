@@ -91,7 +91,8 @@ def shown_premises(statement: Statement) -> list[str]:
 
 def _applied(theorem: str, statement: Statement, context: dict[str, str]) -> str:
     try:
-        return f"({' '.join([theorem, *map(name, statement.variables), *(context[t] for t in shown_premises(statement))])})"
+        given = [context[text] for text in shown_premises(statement)]
+        return f"({' '.join([theorem, *map(name, statement.variables), *given])})"
     except KeyError as premise:
         raise NotExported(f"an earlier relation needs the premise {premise}") from premise
 

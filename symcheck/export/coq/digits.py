@@ -1,4 +1,4 @@
-"""A number between two decimals: each step of interval arithmetic as a lemma of `Digits.v`, the ends worked out here."""
+"""A number between two decimals: each step of interval arithmetic is a lemma of `Digits.v`."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from functools import reduce
 from math import floor
 from typing import TYPE_CHECKING, Any, NamedTuple
 
-from mpmath import mp, mpf
+from mpmath import mp, mpf  # type: ignore[import-untyped]
 
 from symcheck.export.coq.printing import ATOM, spelled
 from symcheck.export.coq.terms import NotExported
@@ -16,7 +16,7 @@ from symcheck.export.coq.terms import NotExported
 if TYPE_CHECKING:
     from symcheck.export.coq.script import Script
 
-PLACES = 10**12
+PLACES = 12  # behind the point, counted from the first digit of a number below 1
 PI = Fraction(31415926535, 10**10), Fraction(31415926536, 10**10)
 ACUTE = Fraction(157, 100)  # the lemmas about sines and cosines go up to there
 
@@ -44,7 +44,9 @@ def cosine(x: Fraction, above: bool) -> Fraction:
 
 
 def down(x: Fraction) -> Fraction:
-    return Fraction(floor(x * PLACES), PLACES)
+    """Rounded down."""
+    places = 10 ** (PLACES + (len(str(x.denominator // abs(x.numerator))) if 0 < abs(x) < 1 else 0))
+    return Fraction(floor(x * places), places)
 
 
 def up(x: Fraction) -> Fraction:
@@ -85,7 +87,7 @@ class Enclosure:
             case ["^", base, int(n)] if 0 < n < 9:
                 product = base if n == 1 else ["*", *[base] * n]
                 found = self.of(product)
-                by = f"equal_in (s := {spelled(term)}) ltac:(ring) {found.proof}"
+                by = f"equal_in (s := {spelled(term)}) (t := {spelled(product)}) ltac:(ring) {found.proof}"
                 return Within(f"({by})", found.low, found.high)
             case [function, inner] if function in FUNCTIONS:
                 return FUNCTIONS[function](self, term, self.of(inner))
@@ -95,8 +97,11 @@ class Enclosure:
         """One lemma; what it asks of fractions is left to the tactic."""
         own = self.script.anew("w")
         proofs = " ".join(each.proof for each in inner)
-        statement = f"within ({spelled(term)}) {shown(low)} {shown(high)}"
-        self.script.emit(f"assert ({own} : {statement}) by (apply ({lemma} {shown(low)} {shown(high)} {proofs}); fractions).")
+        text = term if isinstance(term, str) else spelled(term)
+        statement = f"within ({text}) {shown(low)} {shown(high)}"
+        self.script.emit(
+            f"assert ({own} : {statement}) by (apply ({lemma} {shown(low)} {shown(high)} {proofs}); fractions)."
+        )
         return Within(own, low, high)
 
     def chain(self, sign: str, first: Any, rest: list[Any]) -> Within:
@@ -104,24 +109,26 @@ class Enclosure:
         for part in rest:
             other, so_far = self.of(part), [sign, *(so_far[1:] if so_far is not first else [first]), part]
             if sign == "+":
-                found = self.step("sum_in", so_far, down(found.low + other.low), up(found.high + other.high), found, other)
+                found = self.step(
+                    "sum_in", so_far, down(found.low + other.low), up(found.high + other.high), found, other
+                )
             else:
                 found = self.product("product_in", so_far, found, other)
         return found
 
     def product(self, lemma: str, term: Any, one: Within, other: Within) -> Within:
-        corners = [a * b for a in one[1:] for b in other[1:]]  # type: ignore[operator]
+        corners = [a * b for a in one[1:] for b in other[1:]]
         return self.step(lemma, term, down(min(corners)), up(max(corners)), one, other)
 
     def inverse(self, term: Any) -> Within:
         found = self.of(term)
         if found.low <= 0:
             raise NotExported("the digits of a quotient with a denominator that is not positive")
-        own = self.step("inverse_in", ["^", term, -1], down(1 / found.high), up(1 / found.low), found)
-        return own
+        text = f"/ {spelled(term, ATOM)}"
+        return self.step("inverse_in", text, down(1 / found.high), up(1 / found.low), found)
 
     def root(self, term: Any, inner: Within) -> Within:
-        low, high = (exact(mp.sqrt(rough(max(x, Fraction(0))))) for x in inner[1:])  # type: ignore[type-var]
+        low, high = (exact(mp.sqrt(rough(max(x, Fraction(0))))) for x in inner[1:])
         margin = Fraction(1, 10**11)
         return self.step("root_in", term, max(down(low - margin), Fraction(0)), up(high + margin), inner)
 
@@ -137,7 +144,7 @@ class Enclosure:
         function = {"arctan": mp.atan, "arcsin": mp.asin, "arccos": mp.acos}[term[0]]
         if inner.low < 0 or (term[0] != "arctan" and inner.high > 1):
             raise NotExported("the digits of an angle that is not acute")
-        ends = sorted(exact(function(rough(x))) for x in inner[1:])  # type: ignore[type-var]
+        ends = sorted(exact(function(rough(x))) for x in inner[1:])
         margin = Fraction(1, 10**10)
         low, high = max(down(ends[0] - margin), Fraction(0)), up(ends[1] + margin)
         if high > ACUTE:

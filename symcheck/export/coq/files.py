@@ -1,14 +1,16 @@
-"""The files for Coq: statements, proofs in parts that each compile in about a minute, witnesses, and a list of it all."""
+"""The files for Coq: statements, proofs in parts of about a minute each, witnesses, and a list of it all."""
 
 from __future__ import annotations
 
 import json
 from collections.abc import Iterator, Mapping, Sequence
 from importlib.resources import files as resources
+from textwrap import fill
 from typing import Any
 
 from symcheck.evidence.record import Record
 from symcheck.export.coq.claims import Exported, exported, key
+from symcheck.export.coq.statements import WIDTH
 from symcheck.export.coq.witnesses import witnesses
 from symcheck.statement import Verdict
 
@@ -43,7 +45,7 @@ def files(records: Sequence[Record]) -> Mapping[str, str]:
 
 
 def _listed(rows: Sequence[Record], found: Sequence[Exported]) -> dict[str, Any]:
-    """By the id of a proved relation (or "id, corrected"): its claims in Coq, its certificates, reasons if it has none."""
+    """By the id of a proved relation (or "id, corrected"): its claims in Coq, certificates, reasons if it has none."""
     out: dict[str, Any] = {row.id: _empty() for row in rows if row.verdict is Verdict.PROVED}
     for each in found:
         id = f"{each.record.id}, corrected" if each.corrected else each.record.id
@@ -80,8 +82,8 @@ def printed_form(each: Exported) -> str:
     """What is printed, for a comment."""
     record = each.record
     shown = record.corrected if each.corrected else record.printed or record.words
-    text = f"   {comment(shown)}"
-    return text + (f"\n   read as: {comment(record.read)}" if record.read and record.read != record.printed else "")
+    texts = [comment(shown), *([f"read as: {comment(record.read)}"] if record.read not in ("", record.printed) else [])]
+    return "\n".join(fill(text, WIDTH, initial_indent="   ", subsequent_indent="   ") for text in texts)
 
 
 def comment(text: str) -> str:

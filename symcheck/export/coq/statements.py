@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from dataclasses import dataclass
+from itertools import groupby
 from typing import Any
 
 from symcheck.export.coq.printing import name, printed
@@ -28,10 +29,12 @@ class Statement:
     def text(self) -> str:
         """As Coq reads it."""
         shown = self.definitions.readable
-        lines = [f"{name(x)} = {printed(shown(self.definitions.terms[x]), 70)}" for x in self.defined]
-        lines += [printed(shown(formula), 98) for _, formula in self.hypotheses]
-        lines += [f"{printed(shown(divisor), 70)} <> 0" for divisor in self.premises]
-        lines = [f"{line} ->" for line in lines] + [printed(shown(self.conclusion), 99)]
+        lines = [f"{name(x)} = {printed(shown(self.definitions.terms[x]), 70)} ->" for x in self.defined]
+        for label, group in groupby(self.hypotheses, key=lambda hypothesis: hypothesis[0][1]):
+            lines += [f"(* {label} *)", *(f"{printed(shown(formula), 98)} ->" for _, formula in group)]
+        lines += ["(* where it is divided by *)"] * bool(self.premises)
+        lines += [f"{printed(shown(divisor), 70)} <> 0 ->" for divisor in self.premises]
+        lines += [printed(shown(self.conclusion), 99)]
         head = [f"forall {' '.join(map(name, self.variables))} : R,"] if self.variables else []
         return "\n".join(f"  {piece}" for line in [*head, *lines] for piece in folded(line))
 

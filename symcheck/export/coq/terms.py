@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator, Mapping
 from fractions import Fraction
+from math import lcm
 from typing import Any
 
 from symcheck.theorems import BINDING, RELATIONS
@@ -118,15 +119,9 @@ class Definitions:
 def polynomial(text: str, atoms: Mapping[str, Any]) -> tuple[Any, int]:
     """A polynomial printed in a certificate, times its common denominator, as a term; and that denominator."""
     read = [_monomial(part, atoms) for part in text.replace(" - ", " + -").split(" + ")]
-    scale = 1
-    for coefficient, _ in read:
-        scale = scale * coefficient.denominator // _gcd(scale, coefficient.denominator)
+    scale = lcm(*(coefficient.denominator for coefficient, _ in read))
     terms = [_product(int(coefficient * scale), factors) for coefficient, factors in read]
     return (terms[0] if len(terms) == 1 else ["+", *terms]), scale
-
-
-def _gcd(a: int, b: int) -> int:
-    return a if b == 0 else _gcd(b, a % b)
 
 
 def _monomial(text: str, atoms: Mapping[str, Any]) -> tuple[Fraction, list[Any]]:
