@@ -29,11 +29,11 @@ bench: $(STAMP)
 
 # Coq's kernel checks the proofs. It is not installed by this: what is missing is said (Debian: coq, libcoq-coquelicot).
 coq: $(STAMP)
-	$(BIN)/python -m symcheck.export.coq.compile --installed
+	$(BIN)/python -m symcheck.export.coq.compile
 	rm -rf build/coq
 	$(BIN)/symcheck export --format coq --output build/coq
 	$(BIN)/python -m symcheck.export.coq.comparison build/coq
-	$(BIN)/python -m symcheck.export.coq.compile build/coq
+	$(BIN)/python -m symcheck.export.coq.compile build/coq --jobs 2
 
 clean:
 	rm -rf $(VENV) build dist *.egg-info .mypy_cache .ruff_cache .pytest_cache .import_linter_cache .hypothesis

@@ -426,6 +426,9 @@ Proof.
   rewrite (is_RInt_unique _ _ _ _ J). field. exact PI_neq0.
 Qed.
 
+Lemma integral_of_constant (c a b : R) : RInt (fun _ => c) a b = c * (b - a).
+Proof. rewrite RInt_const. unfold scal. simpl. unfold mult. simpl. ring. Qed.
+
 (* The second derivative, where what makes the first one exist holds on both sides of the point *)
 
 Lemma locally_positive {c : R -> R} {x : R} : ex_derive c x -> 0 < c x -> locally x (fun t => 0 < c t).
@@ -497,4 +500,4 @@ Ltac pi_and_cosines :=
     end
   end.
 
-Ltac concrete := intros; roots; pi_and_cosines; solve [reflexivity | lra | left; lra | right; lra | nra | field; nonzero | by_roots | field_simplify; nra].
+Ltac concrete := intros; roots; pi_and_cosines; solve [reflexivity | apply Rgt_not_eq, sqrt_lt_R0; lra | lra | left; lra | right; lra | nra | field; nonzero | by_roots | field_simplify; nra].

@@ -1,4 +1,4 @@
-"""Has Coq check exported files: `python -m symcheck.export.coq.compile FOLDER [PAPER ...]`, or --installed.
+"""Has Coq check exported files: `python -m symcheck.export.coq.compile FOLDER [PAPER ...] [--jobs N]`.
 
 Writes FOLDER/confirmed.json: for each relation whether Coq confirms it, or the reason why not. A file that does not
 compile is tried again without the proof at which it stopped, so that one bad proof costs no other.
@@ -6,6 +6,7 @@ compile is tried again without the proof at which it stopped, so that one bad pr
 
 from __future__ import annotations
 
+import argparse
 import json
 import re
 import shutil
@@ -13,6 +14,7 @@ import subprocess
 import sys
 import time
 from collections.abc import Iterator, Mapping, Sequence
+from concurrent.futures import ThreadPoolExecutor
 from itertools import accumulate
 from pathlib import Path
 from typing import Any
@@ -52,14 +54,14 @@ def without(text: str, line: int) -> tuple[str, list[str]]:
     blocks = re.split(r"(?=^(?:Lemma|Theorem) )", text, flags=re.MULTILINE)
     ends = list(accumulate(block.count("\n") for block in blocks))
     stopped = next((block for block, end in zip(blocks, ends, strict=True) if line <= end), "")
-    names: list[str] = re.findall(r"\A(?:Lemma|Theorem) (?:proof|step|witness)_(\w+)", stopped)
+    names: list[str] = re.findall(r"\A(?:Lemma|Theorem) (?:proof_|step_)?(\w+)", stopped)
     if not names:
         raise ValueError(f"line {line} is in no theorem")
     for block in blocks:
         own = re.match(r"Theorem proof_(\w+)", block)
         if own and own[1] not in names and re.search(rf"\bproof_(?:{'|'.join(names)})\b", block):
             names.append(own[1])
-    heads = tuple(f"{kind}_{name} :" for name in names for kind in ("Lemma step", "Theorem proof", "Lemma witness"))
+    heads = tuple(f"{kind}{name} :" for name in names for kind in ("Lemma step_", "Theorem proof_", "Lemma "))
     kept = "".join(block for block in blocks if not block.startswith(heads))
     return re.sub(rf"^pose proof proof_(?:{'|'.join(names)})\.\n", "", kept, flags=re.MULTILINE), names
 
@@ -83,24 +85,32 @@ def checked(folder: Path, file: str, failed: dict[str, str]) -> Iterator[str]:
             yield f"{file}: does not compile: {failed[file]}"
             return
         reason = "Coq rejects the proof: " + " ".join((stopped[2] if stopped else "").split())[:200]
-        failed |= dict.fromkeys(names, reason)
+        failed |= {name if name[:8] != "witness_" else f"{name} in {path.parent.name}": reason for name in names}
         yield f"{file}: {', '.join(names)}: {reason}"
         path.write_text(text, encoding="utf-8")
 
 
-def confirm(folder: Path, papers: Sequence[str] = ()) -> tuple[dict[str, Any], list[str]]:
-    """Compiles everything, one file after the other; what is confirmed, and what went wrong."""
+def confirm(folder: Path, papers: Sequence[str] = (), jobs: int = 1) -> tuple[dict[str, Any], list[str]]:
+    """Compiles everything, so many files at once; what is confirmed, and what went wrong."""
     manifest = json.loads((folder / MANIFEST).read_text(encoding="utf-8"))
     failed: dict[str, str] = {}
     out: dict[str, Any] = {}
-    for line in (line for file in OURS for line in checked(folder, file, failed)):
-        print(line, flush=True)
-    for paper in papers or manifest:
-        for name in manifest[paper]["files"]:
-            for line in checked(folder, f"{paper}/{name}.v", failed):
-                print(line, flush=True)
+    chosen = papers or list(manifest)
+    files = [*OURS, *(f"{paper}/{name}.v" for paper in chosen for name in manifest[paper]["files"])]
+    with ThreadPoolExecutor(jobs) as pool:
+        while ready := [file for file in files if not needed(folder, file) & {*files}]:
+            for lines in pool.map(lambda file: [*checked(folder, file, failed)], ready):
+                print(*lines, sep="\n", flush=True)
+            files = [file for file in files if file not in ready]
+    for paper in chosen:
         out |= {id: _verdict(entry, paper, failed) for id, entry in manifest[paper]["claims"].items()}
     return out, [f"{name}: {reason}" for name, reason in failed.items()]
+
+
+def needed(folder: Path, file: str) -> set[str]:
+    """The files that a file imports."""
+    imported = re.findall(r"^Require Import Symcheck\.([\w.]+)\.$", (folder / file).read_text("utf-8"), re.MULTILINE)
+    return {f"{each.replace('.', '/')}.v" for each in imported}
 
 
 def _verdict(entry: Mapping[str, Any], paper: str, failed: Mapping[str, str]) -> dict[str, Any]:
@@ -129,11 +139,16 @@ def main(arguments: Sequence[str]) -> int:
     if reason := missing():
         print(f"symcheck: {reason}", file=sys.stderr)
         return 2
-    if list(arguments) == ["--installed"]:
+    parser = argparse.ArgumentParser(prog="compile", description="Has Coq check exported files.")
+    parser.add_argument("folder", nargs="?", type=Path, help="what was exported; without it, only whether Coq is there")
+    parser.add_argument("papers", nargs="*")
+    parser.add_argument("--jobs", type=int, default=1, help="files at once")
+    given = parser.parse_args(arguments)
+    if given.folder is None:
         return 0
-    folder, *papers = arguments
-    confirmed, failed = confirm(Path(folder), papers)
-    (Path(folder) / CONFIRMED).write_text(json.dumps(confirmed, indent=1, ensure_ascii=False) + "\n", encoding="utf-8")
+    folder = given.folder
+    confirmed, failed = confirm(folder, given.papers, given.jobs)
+    (folder / CONFIRMED).write_text(json.dumps(confirmed, indent=1, ensure_ascii=False) + "\n", encoding="utf-8")
     print(*failed, *summary(confirmed), sep="\n")
     return int(bool(failed))
 

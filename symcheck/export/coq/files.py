@@ -30,10 +30,12 @@ def files(records: Sequence[Record]) -> Mapping[str, str]:
     listed: dict[str, Any] = {}
     for paper, rows in papers.items():
         found = exported(rows)
+        places: dict[str, str] = {}
         parts = [f"Proofs{k}" for k in range(1, len(list(_parts(found))) + 1)]
         out[f"{paper}/Claims.v"] = claims_file(paper, found)
         for name, part in zip(parts, _parts(found), strict=True):
-            out[f"{paper}/{name}.v"] = proofs_file(paper, part, parts[: parts.index(name)])
+            out[f"{paper}/{name}.v"] = proofs_file(paper, part, places)
+            places |= {each.name: name for each in part}
         out[f"{paper}/Witnesses.v"], unwitnessed = witnesses(found)
         listed[paper] = {
             "files": ["Claims", *parts, "Witnesses"],
@@ -92,9 +94,12 @@ def comment(text: str) -> str:
 
 
 def _ordered(found: Sequence[Exported]) -> Iterator[Exported]:
-    """Lemmas before what rests on them."""
+    """Lemmas before what rests on them, and what is stated twice together, as it is proved once."""
     by_name = {each.name: each for each in found if each.statement is not None}
     done: set[str] = set()
+    alike: dict[str, list[Exported]] = {}
+    for each in by_name.values():
+        alike.setdefault(each.text, []).append(each)
 
     def visit(each: Exported) -> Iterator[Exported]:
         if each.name not in done:
@@ -104,7 +109,8 @@ def _ordered(found: Sequence[Exported]) -> Iterator[Exported]:
             yield each
 
     for each in by_name.values():
-        yield from visit(each)
+        for same in alike[each.text]:
+            yield from visit(same)
 
 
 def _parts(found: Sequence[Exported]) -> Iterator[list[Exported]]:
@@ -122,8 +128,9 @@ def _parts(found: Sequence[Exported]) -> Iterator[list[Exported]]:
         yield part
 
 
-def proofs_file(paper: str, part: Sequence[Exported], earlier: Sequence[str]) -> str:
-    """A proof of each claim, and at the end what all of them together assume."""
+def proofs_file(paper: str, part: Sequence[Exported], places: Mapping[str, str]) -> str:
+    """A proof of each claim, and at the end what all of them together assume; lemmas are in `places`."""
+    earlier = sorted({places[lemma] for each in part for lemma in each.after if lemma in places})
     imports = ["Symcheck.Symcheck", "Symcheck.Digits", *(f"Symcheck.{paper}.{name}" for name in ("Claims", *earlier))]
     lines = ["Require Import Lra.\n" + LIBRARIES + "".join(f"Require Import {name}.\n" for name in imports) + SCOPE]
     shown: dict[str, str] = {}

@@ -15,8 +15,7 @@ if TYPE_CHECKING:
 
 ALIKE = {"=": "eq", "!=": "ne", "<": "lt", "<=": "le", ">": "gt", ">=": "ge"}
 MISSING = {
-    "constant": "a definite integral",
-    "power_rule": "a definite integral",
+    "power_rule": "the integral of a power with a letter in the exponent",
     "intermediate_value": "the intermediate value theorem",
     "beta": "Euler's beta integral is not in Coq's libraries",
     "beta_diverges": "the divergence of an improper integral is not stated in Coq",
@@ -130,6 +129,7 @@ def enclosure(script: Script, given: list[Any], names: list[str], theorem: Any) 
 
 BY: dict[str, Callable[..., str]] = {
     "have": have,
+    "constant": lambda script, given, names, theorem: "rewrite integral_of_constant; ring",
     "enclosure": enclosure,
     "congruence": lambda script, given, names, theorem: "f_equal; assumption",
     "dichotomy": dichotomy,

@@ -113,7 +113,7 @@ def proof(statement: Statement) -> str:
         if set(letters(shown)) - set(angles):
             raise NotExported("no point was found that satisfies the hypotheses")
         lines.append(f"exists {spelled(shown, 0)}.")
-    rewrites = "".join(f"rewrite ?s_{x}', ?c_{x}'. " for x in angles)
+    rewrites = "".join(f"rewrite ?sin_2a, ?cos_2a, ?s_{x}', ?c_{x}'. " for x in angles)
     lines.append(
         f"repeat split; {rewrites.strip().replace('. ', '; ').rstrip('.') + '; ' if rewrites else ''}concrete."
     )
