@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import json
 import re
 import shutil
 from pathlib import Path
 
 import pytest
 
+from symcheck.evidence.confirmed import confirmed
 from symcheck.evidence.decide import decide
 from symcheck.export.coq import compile as compiler
 from symcheck.export.coq.comparison import differences
@@ -56,7 +58,6 @@ def folder(exported: dict[str, str], tmp_path_factory: pytest.TempPathFactory) -
 
 
 def names_of(exported: dict[str, str], paper: str) -> dict[str, list[str]]:
-    import json
 
     return {id: row["claims"] for id, row in json.loads(exported["manifest.json"])[paper]["claims"].items()}
 
@@ -181,3 +182,14 @@ def test_a_flipped_sign_does_not_compile(folder: Path, exported: dict[str, str])
     for file in sorted((folder / "mirer2009").glob("Proofs*.v")):
         assert list(compiler.checked(folder, f"mirer2009/{file.name}", failed))
     assert set(wrong) <= failed.keys()
+
+
+def test_what_coq_says_is_told_of_these_certificates_alone(tmp_path: Path) -> None:
+    (record,) = decide("mirer2009:2.12")
+    digest = record.certificates[0]["digest"]
+    told = {"yes": (True, "", [digest]), "no: slow": (False, "slow", [digest]), "not tried": (True, "", ["another"])}
+    for said, (right, reason, digests) in told.items():
+        file = tmp_path / f"{right}{reason}{digests[0]}.json"
+        file.write_text(json.dumps({record.id: {"confirmed": right, "reason": reason, "certificates": digests}}))
+        assert confirmed(record, file) == said
+    assert confirmed(record, tmp_path / "nothing.json") == "not tried"

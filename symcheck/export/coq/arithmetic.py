@@ -38,10 +38,12 @@ def fraction(term: Any) -> tuple[Any, list[Any]]:
 
 
 def dict_of(terms: list[Any]) -> dict[str, Any]:
+    """The different ones of some terms."""
     return {str(t): t for t in terms}
 
 
 def without(terms: list[Any], taken: list[Any]) -> list[Any]:
+    """The terms less some of them, each once."""
     left = list(terms)
     for t in taken:
         left.remove(t)
@@ -49,11 +51,13 @@ def without(terms: list[Any], taken: list[Any]) -> list[Any]:
 
 
 def product(terms: list[Any]) -> Any:
+    """The product of terms, without ones."""
     kept = [t for t in terms if t != 1]
     return 1 if not kept else kept[0] if len(kept) == 1 else ["*", *kept]
 
 
 def ratio_text(k: Fraction) -> str:
+    """A fraction as Coq reads it, in brackets."""
     sign, k = ("-" if k < 0 else ""), abs(k)
     return f"({sign}{k.numerator})" if k.denominator == 1 else f"({sign}{k.numerator} / {k.denominator})"
 
@@ -88,6 +92,7 @@ def derivative(slope: Any) -> Any:
 
 
 def is_slope(term: Any) -> bool:
+    """Whether a term is a derivative."""
     return isinstance(term, list) and term[0] == "diff"
 
 

@@ -36,10 +36,12 @@ def taylor(first: int, terms: int, x: Fraction) -> Fraction:
 
 
 def sine(x: Fraction, above: bool) -> Fraction:
+    """Its Taylor polynomial, above or below."""
     return x * taylor(2, 7 + above, x)
 
 
 def cosine(x: Fraction, above: bool) -> Fraction:
+    """Its Taylor polynomial, above or below."""
     return taylor(1, 7 + above, x)
 
 
@@ -50,6 +52,7 @@ def down(x: Fraction) -> Fraction:
 
 
 def up(x: Fraction) -> Fraction:
+    """Rounded up."""
     return -down(-x)
 
 
@@ -174,9 +177,11 @@ def number(term: Any) -> Fraction:
 
 
 def rough(x: Any) -> Any:
+    """A fraction with 30 digits."""
     mp.dps = 30
     return mpf(x.numerator) / x.denominator
 
 
 def exact(x: Any) -> Fraction:
+    """A number as a fraction with 15 places."""
     return Fraction(int(mp.floor(x * 10**15)), 10**15)

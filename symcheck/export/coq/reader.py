@@ -40,6 +40,7 @@ def uncommented(text: str) -> str:
 
 
 def tokens(text: str) -> Iterator[str]:
+    """The words and signs of a formula."""
     at, text = 0, text.strip()
     while at < len(text):
         found = TOKEN.match(text, at)

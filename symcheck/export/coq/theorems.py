@@ -72,16 +72,19 @@ def exact(lemma: str) -> Callable[..., str]:
 
 
 def known_angle(script: Script, given: list[Any], names: list[str], theorem: Any) -> str:
+    """One of the angles 0, 30, 45, 60 and 90 degrees."""
     function, number = given
     return f"exact {function.replace('arc', 'a')}_known_{number}"
 
 
 def principal(script: Script, given: list[Any], names: list[str], theorem: Any) -> str:
+    """The range of an inverse function."""
     lemma = given[0].replace("arc", "a") + "_below"
     return f"exact ({' '.join([lemma, script.bracketed(given[1]), *names])})"
 
 
 def first_quadrant(script: Script, given: list[Any], names: list[str], theorem: Any) -> str:
+    """The angle of a number that is not negative is at most a right one."""
     lemma = given[0].replace("arc", "a") + "_acute"
     return f"exact ({' '.join([lemma, script.bracketed(given[1]), *names])})"
 
@@ -99,6 +102,7 @@ def angle(lemma: str) -> Callable[..., str]:
 
 
 def power_of_power(script: Script, given: list[Any], names: list[str], theorem: Any) -> str:
+    """With the exponent as a natural number of Coq."""
     _, n, exponent = given
     if not isinstance(n, int) or n < 0:
         raise NotExported("a power of a power with a negative exponent")
@@ -108,15 +112,18 @@ def power_of_power(script: Script, given: list[Any], names: list[str], theorem: 
 
 
 def dichotomy(script: Script, given: list[Any], names: list[str], theorem: Any) -> str:
+    """A number is positive or it is not."""
     return f"exact (dichotomy {script.bracketed(given[0])})"
 
 
 def have(script: Script, given: list[Any], names: list[str], theorem: Any) -> str:
+    """What has just been shown."""
     return f"exact {names[0]}"
 
 
 def congruence(script: Script, given: list[Any], names: list[str], theorem: Any) -> str:
-    return f"rewrite {', '.join(names)}; reflexivity"
+    """Equal arguments are exchanged."""
+    return "f_equal; assumption"
 
 
 def enclosure(script: Script, given: list[Any], names: list[str], theorem: Any) -> str:
@@ -131,7 +138,7 @@ BY: dict[str, Callable[..., str]] = {
     "have": have,
     "constant": lambda script, given, names, theorem: "rewrite integral_of_constant; ring",
     "enclosure": enclosure,
-    "congruence": lambda script, given, names, theorem: "f_equal; assumption",
+    "congruence": congruence,
     "dichotomy": dichotomy,
     "root": exact("root"),
     "root_of_product": exact("root_of_product"),
