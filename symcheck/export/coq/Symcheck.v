@@ -490,14 +490,28 @@ Ltac by_roots :=
   | S : sqrt _ ^ 2 = _ |- _ => field [S]
   end; nonzero.
 
+Lemma sine_of_arctangent {t : R} : 0 < t -> 0 < sin (atan t).
+Proof.
+  intros P. apply sin_gt_0.
+  - rewrite <- atan_0. apply atan_increasing, P.
+  - generalize (atan_bound t), PI_RGT_0. lra.
+Qed.
+
 Ltac pi_and_cosines :=
-  generalize PI2_1; intro;
+  generalize PI2_1, PI_4; intros;
   repeat match goal with
   | |- context [cos (atan ?t)] =>
     lazymatch goal with
     | _ : 0 < cos (atan t) |- _ => fail
     | |- _ => assert (0 < cos (atan t)) by (generalize (atan_bound t); intro; apply cos_gt_0; lra)
     end
+  end;
+  repeat match goal with
+  | |- context [sin (atan ?t)] =>
+    lazymatch goal with
+    | _ : 0 < sin (atan t) |- _ => fail
+    | |- _ => assert (0 < sin (atan t)) by (apply sine_of_arctangent; positive)
+    end
   end.
 
-Ltac concrete := intros; roots; pi_and_cosines; solve [reflexivity | apply Rgt_not_eq, sqrt_lt_R0; lra | lra | left; lra | right; lra | nra | field; nonzero | by_roots | field_simplify; nra].
+Ltac concrete := intros; roots; pi_and_cosines; solve [reflexivity | factor_nonzero | apply Rgt_not_eq, cos_gt_0; lra | apply Rgt_not_eq, sin_gt_0; lra | apply cos_gt_0; lra | apply sin_gt_0; lra | apply Rgt_not_eq, sqrt_lt_R0; lra | lra | left; lra | right; lra | nra | field; nonzero | by_roots | field_simplify; nra].

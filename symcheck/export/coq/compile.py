@@ -135,6 +135,19 @@ def summary(confirmed: Mapping[str, Mapping[str, Any]]) -> Iterator[str]:
         yield from (f"  {others.count(reason)} not: {reason}" for reason in dict.fromkeys(others))
 
 
+def unwitnessed(folder: Path, papers: Sequence[str] = ()) -> Iterator[str]:
+    """The statements for whose hypotheses no point was found."""
+    manifest = json.loads((folder / MANIFEST).read_text(encoding="utf-8"))
+    for paper in papers or manifest:
+        for reason, names in grouped(manifest[paper]["no witness"]).items():
+            yield f"{paper}: {reason}: {', '.join(names)}"
+
+
+def grouped(reasons: Mapping[str, str]) -> dict[str, list[str]]:
+    """The names by the reasons."""
+    return {reason: [name for name in reasons if reasons[name] == reason] for reason in dict.fromkeys(reasons.values())}
+
+
 def main(arguments: Sequence[str]) -> int:
     """0 everything exported compiles, 1 something does not, 2 Coq is not there."""
     if reason := missing():
@@ -150,7 +163,7 @@ def main(arguments: Sequence[str]) -> int:
     folder = given.folder
     confirmed, failed = confirm(folder, given.papers, given.jobs)
     (folder / CONFIRMED).write_text(json.dumps(confirmed, indent=1, ensure_ascii=False) + "\n", encoding="utf-8")
-    print(*failed, *summary(confirmed), sep="\n")
+    print(*failed, *summary(confirmed), *unwitnessed(folder, given.papers), sep="\n")
     return int(bool(failed))
 
 
