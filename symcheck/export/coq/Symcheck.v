@@ -429,6 +429,9 @@ Qed.
 Lemma integral_of_constant (c a b : R) : RInt (fun _ => c) a b = c * (b - a).
 Proof. rewrite RInt_const. unfold scal. simpl. unfold mult. simpl. ring. Qed.
 
+Ltac constant_integral :=
+  match goal with |- ?a = ?b => change (@eq R a b) end; rewrite integral_of_constant; ring.
+
 (* The second derivative, where what makes the first one exist holds on both sides of the point *)
 
 Lemma locally_positive {c : R -> R} {x : R} : ex_derive c x -> 0 < c x -> locally x (fun t => 0 < c t).

@@ -63,6 +63,8 @@ class Point:
                 return mpmath.quad(
                     self.along(body, x, at), mpmath.linspace(self.value(low, at), self.value(high, at), 9)
                 )
+            case ("integral", body, x, low, high):
+                return self.value(("integral", (x, body), low, high), at)
             case ("mean", body, x):
                 return mpmath.quad(self.along(body, x, at), mpmath.linspace(0, 2 * mpmath.pi, 9)) / (2 * mpmath.pi)
             case (function, inner):

@@ -136,7 +136,7 @@ def enclosure(script: Script, given: list[Any], names: list[str], theorem: Any) 
 
 BY: dict[str, Callable[..., str]] = {
     "have": have,
-    "constant": lambda script, given, names, theorem: "rewrite integral_of_constant; ring",
+    "constant": lambda script, given, names, theorem: "constant_integral",
     "enclosure": enclosure,
     "congruence": congruence,
     "dichotomy": dichotomy,
