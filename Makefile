@@ -6,7 +6,7 @@ STAMP := $(VENV)/.stamp
 DEV := $(VENV)/.dev
 PIP := $(BIN)/python -m pip install --quiet --disable-pip-version-check -c constraints.txt
 
-.PHONY: audit test test-full gates notebooks bench bench-gpu browser clean
+.PHONY: audit test test-full gates notebooks bench bench-gpu browser coq clean
 
 audit: $(STAMP)
 	$(BIN)/symcheck check
@@ -44,6 +44,14 @@ bench-gpu: $(DEV)
 # Chromium for the tests of the report, from Debian; they are skipped where there is none.
 browser:
 	command -v chromium >/dev/null || { apt-get update -qq && apt-get install -y -qq chromium; }
+
+# Coq's kernel checks the proofs. It is not installed by this: what is missing is said (Debian: coq, libcoq-coquelicot).
+coq: $(STAMP)
+	$(BIN)/python -m symcheck.export.coq.compile
+	rm -rf build/coq
+	$(BIN)/symcheck export --format coq --output build/coq
+	$(BIN)/python -m symcheck.export.coq.comparison build/coq
+	$(BIN)/python -m symcheck.export.coq.compile build/coq --jobs 2
 
 clean:
 	rm -rf $(VENV) kernels-* build dist *.egg-info .mypy_cache .ruff_cache .pytest_cache .import_linter_cache .hypothesis
