@@ -6,7 +6,7 @@ STAMP := $(VENV)/.stamp
 DEV := $(VENV)/.dev
 PIP := $(BIN)/python -m pip install --quiet --disable-pip-version-check -c constraints.txt
 
-.PHONY: audit test test-full gates bench bench-gpu clean
+.PHONY: audit test test-full gates notebooks bench bench-gpu browser coq clean
 
 audit: $(STAMP)
 	$(BIN)/symcheck check
@@ -25,6 +25,9 @@ gates: $(DEV)
 	$(BIN)/symcheck generate --check --no-cache
 	$(BIN)/python -m symcheck.checker generated/certificates
 
+notebooks: $(DEV)
+	$(BIN)/jupyter lab notebooks
+
 bench: $(DEV)
 	$(BIN)/python tests/bench.py
 	$(BIN)/python tests/bench_kernels.py
@@ -32,10 +35,23 @@ bench: $(DEV)
 	$(BIN)/python tests/bench_numba.py
 	$(BIN)/python tests/bench_envelope.py
 	OPENBLAS_NUM_THREADS=1 $(BIN)/python tests/bench_ensemble.py
+	$(BIN)/python tests/bench_sweep.py
 
 bench-gpu: $(DEV)
 	$(BIN)/symcheck generate --target array --output kernels-array
 	$(BIN)/python tests/bench_gpu.py kernels-array
+
+# Chromium for the tests of the report, from Debian; they are skipped where there is none.
+browser:
+	command -v chromium >/dev/null || { apt-get update -qq && apt-get install -y -qq chromium; }
+
+# Coq's kernel checks the proofs. It is not installed by this: what is missing is said (Debian: coq, libcoq-coquelicot).
+coq: $(STAMP)
+	$(BIN)/python -m symcheck.export.coq.compile
+	rm -rf build/coq
+	$(BIN)/symcheck export --format coq --output build/coq
+	$(BIN)/python -m symcheck.export.coq.comparison build/coq
+	$(BIN)/python -m symcheck.export.coq.compile build/coq --jobs 2
 
 clean:
 	rm -rf $(VENV) kernels-* build dist *.egg-info .mypy_cache .ruff_cache .pytest_cache .import_linter_cache .hypothesis

@@ -7,7 +7,7 @@ import os
 import sys
 from collections import Counter
 from collections.abc import Callable, Iterator, Sequence
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NoReturn, TypeVar
@@ -16,6 +16,7 @@ import click
 
 from symcheck import __version__
 from symcheck.codegen import target_names
+from symcheck.export import format_names, format_of
 from symcheck.statement import SymcheckError, Verdict
 
 if TYPE_CHECKING:
@@ -77,14 +78,29 @@ def _say(message: str) -> None:
     click.echo(f"symcheck: {message}", err=True)
 
 
+def _cores() -> int:
+    return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
+
+
+def _chunks(context: click.Context, option: click.Parameter, given: Sequence[str]) -> dict[str, int]:
+    pairs = [text.rpartition("=") for text in given]
+    wrong = [
+        text
+        for text, (axis, _, points) in zip(given, pairs, strict=True)
+        if not axis or not points.isdecimal() or points == "0"
+    ]
+    if wrong:
+        raise click.BadParameter(f"{wrong[0]!r} must be AXIS=POINTS, as a=100")
+    return {axis: int(points) for axis, _, points in pairs}
+
+
 def deciding(command: F) -> F:
     """Add the options of `How` to a command, which receives them as its parameter `how`."""
-    cores = len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
     options = (
         click.option(
             "--jobs",
             type=click.IntRange(0),
-            default=cores,
+            default=_cores,
             show_default="cores",
             help="Worker processes; 0 decides in this process, without a time limit.",
         ),
@@ -292,6 +308,100 @@ def plot(name: str | None, output: Path | None, show: bool) -> None:
 
 
 @cli.command()
+@click.argument("spec", type=click.Path(path_type=Path))
+@click.option(
+    "--out", required=True, type=click.Path(path_type=Path), help="FILE.zarr or FILE.nc, written when all is done."
+)
+@click.option(
+    "--scheduler", metavar="ADDRESS", help="A dask.distributed scheduler, as tcp://HOST:8786; default threads."
+)
+@click.option(
+    "--threads", type=click.IntRange(1), default=_cores, show_default="cores", help="Threads of this process."
+)
+@click.option("--chunk", "chunks", multiple=True, metavar="AXIS=POINTS", callback=_chunks, help="Length of a chunk.")
+@click.option(
+    "--chunk-memory",
+    type=click.FloatRange(0, min_open=True),
+    default=32.0,
+    show_default=True,
+    help="Megabytes of results in a chunk, along the axes whose length is not given.",
+)
+@click.option(
+    "--wait",
+    type=click.FloatRange(0, min_open=True),
+    default=10.0,
+    show_default=True,
+    help="Seconds to wait for the scheduler and for workers.",
+)
+def sweep(
+    spec: Path,
+    out: Path,
+    scheduler: str | None,
+    threads: int,
+    chunks: dict[str, int],
+    chunk_memory: float,
+    wait: float,
+) -> None:
+    """Evaluate a function on the outer product of its parameters, as the TOML file SPEC says, and keep the result.
+
+    What was stopped goes on with the same command. Described in `symcheck.numeric.sweep`.
+    """
+    from symcheck.numeric.sweep import SweepError
+    from symcheck.numeric.sweep import sweep as run
+
+    try:
+        with _progress("sweeping") as move:
+            said = run(
+                spec,
+                out,
+                scheduler=scheduler,
+                threads=threads,
+                chunks=chunks,
+                memory=1e6 * chunk_memory,
+                patience=wait,
+                progress=move,
+            )
+    except SweepError as error:
+        raise SymcheckError(str(error)) from error
+    click.echo(said)
+
+
+@cli.command()
+@click.option("--only", multiple=True, metavar="NAME", help="A notebook, 6_errata, or the beginning of its name.")
+@click.option("--kernel", is_flag=True, help="Run through a Jupyter kernel instead of in this process.")
+@click.option("--write", is_flag=True, help="Accept what comes out: write notebooks/ anew.")
+def notebooks(only: Sequence[str], kernel: bool, write: bool) -> None:
+    """Execute the notebooks and compare what they show with what is committed; pictures are not compared."""
+    from symcheck.notebook import committed
+
+    differing = []
+    for name in committed.names(only):
+        with _progress(name) as move, _extra("notebooks"):
+            found = committed.executed(name, kernel, move)
+        if write:
+            committed.write(name, found)
+        told = committed.differences(name, found)
+        differing += told
+        click.echo(f"{name}: {sum('execution_count' in cell for cell in found.cells)} cells, {len(told)} differ")
+    for line in differing[:MOST_TOLD]:
+        _say(line)
+    if differing:
+        _say("run `symcheck notebooks --write` to accept what is shown now")
+        raise click.exceptions.Exit(DIFFERS)
+
+
+@contextmanager
+def _extra(name: str) -> Iterator[None]:
+    """What needs a library of this extra; SymcheckError says how to get it."""
+    try:
+        yield
+    except ModuleNotFoundError as error:
+        if (error.name or "").partition(".")[0] == "symcheck":
+            raise
+        raise SymcheckError(f"{error.name} is not installed; install symcheck[{name}]") from error
+
+
+@cli.command()
 @click.option("--json", "as_json", is_flag=True, help="One JSON object with all counts instead of the table.")
 @click.option("--seed", type=int, default=0, show_default=True, help="The same seed plants the same faults.")
 @click.option("--faults", type=click.IntRange(1), default=21_000, show_default=True, help="About how many to plant.")
@@ -309,7 +419,7 @@ def selftest(as_json: bool, seed: int, faults: int, how: How) -> None:
 
     records = audit((), how)
     modules = (*PRELOAD, *(each.places.__module__ for each in classes().values()))
-    with _progress() as move:
+    with _progress("planting faults") as move:
         result = run(records, Pool(how.jobs, modules) if how.jobs else Serial(), faults, seed, move)
     if as_json:
         click.echo(json.dumps(result.to_json(), ensure_ascii=False, indent=1))
@@ -333,7 +443,7 @@ def audit(selection: Sequence[str], how: How) -> list[Record]:
     executor = Pool(how.jobs, (*PRELOAD, *(f"symcheck.papers.{key}" for key in papers))) if how.jobs else Serial()
     state = [0, 0]
     try:
-        with _progress() as move:
+        with _progress("deciding") as move:
 
             def progress(done: int, total: int) -> None:
                 state[:] = done, total
@@ -356,13 +466,13 @@ def audit(selection: Sequence[str], how: How) -> list[Record]:
 
 
 @contextmanager
-def _progress() -> Iterator[Callable[[int, int], None]]:
+def _progress(what: str) -> Iterator[Callable[[int, int], None]]:
     if not sys.stderr.isatty():
         yield lambda done, total: None
         return
     from symcheck.terminal import progress_bar
 
-    with progress_bar() as move:
+    with progress_bar(what) as move:
         yield move
 
 
@@ -413,6 +523,82 @@ def _compare(selection: Sequence[str], records: Sequence[Record], quiet: bool) -
         raise click.exceptions.Exit(DIFFERS)
     if not quiet:
         click.echo("All verdicts are those recorded.")
+
+
+@cli.command()
+@click.argument("selection", nargs=-1, metavar="[PAPER[:NUMBER]]...")
+@click.option(
+    "--output",
+    type=click.Path(dir_okay=False, path_type=Path),
+    default=Path("symcheck-report.html"),
+    show_default=True,
+    help="The file to write.",
+)
+@click.option("--open", "show", is_flag=True, help="Open the file in the browser of this system.")
+@deciding
+def report(selection: Sequence[str], output: Path, show: bool, how: How) -> None:
+    """Write the audit as one page to look at: errata, ledger, certificates, pictures.
+
+    The page needs no network and no server. Notebooks in a folder notebooks/ here are searched for cells that name a
+    claim.
+    """
+    from symcheck import kernels, papers
+    from symcheck.numeric import pictures
+    from symcheck.report import sources
+    from symcheck.report.page import Beside, Pictures, page
+
+    records, known = audit(selection, how), papers.load()
+    beside = Beside(
+        sources.kernels(known, kernels.folder()),
+        sources.cells(Path("notebooks")),
+        Pictures(pictures.envelopes(), pictures.densities(), pictures.stability()),
+    )
+    size = _put(output, page(records, sources.publications(known), beside))
+    click.echo(f"{output}: {len(records)} items, {size / 1e6:.2f} MB")
+    if show and click.launch(str(output)) != 0:
+        raise SymcheckError(f"no browser opens {output} here; the file is written")
+
+
+@cli.command()
+@click.argument("selection", nargs=-1, metavar="[PAPER[:NUMBER]]...")
+@click.option("--format", "name", type=click.Choice(format_names()), required=True, help="What to write.")
+@click.option(
+    "--output",
+    type=click.Path(path_type=Path),
+    help="The file to write, or the folder for a format of many files; default: standard output, or symcheck-FORMAT.",
+)
+@deciding
+def export(selection: Sequence[str], name: str, output: Path | None, how: How) -> None:
+    """Write the ledger and the errata for other tools."""
+    chosen = format_of(name)
+    records = audit(selection, how)
+    if chosen.files:
+        folder = output or Path(f"symcheck-{name}")
+        contents = chosen.files(records)
+        for file, text in contents.items():
+            _put(folder / file, text)
+        click.echo(f"{folder}: {len(contents)} files")
+    elif chosen.text:
+        text = chosen.text(records)
+        if output:
+            click.echo(f"{output}: {len(records)} items, {_put(output, text) / 1e6:.2f} MB")
+        else:
+            click.echo(text, nl=False)
+
+
+def _put(file: Path, text: str) -> int:
+    """Write a file whole or not at all; its size in bytes."""
+    temporary = file.with_name(f".{file.name}.{os.getpid()}")
+    try:
+        file.parent.mkdir(parents=True, exist_ok=True)
+        temporary.write_bytes(data := text.encode())
+        temporary.replace(file)
+    except OSError as error:
+        raise SymcheckError(f"{file} cannot be written ({error.strerror}); choose another with --output") from error
+    finally:
+        with suppress(OSError):
+            temporary.unlink(missing_ok=True)
+    return len(data)
 
 
 def main() -> None:

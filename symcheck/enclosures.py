@@ -10,7 +10,12 @@ from __future__ import annotations
 from collections.abc import Callable
 from functools import lru_cache
 from math import isqrt
-from typing import Any
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from typing import Any as Any
+else:
+    Any = object  # the module `typing` takes longer to import than the checker
 
 PLACES = 160
 ONE = 1 << PLACES

@@ -1,14 +1,14 @@
-"""Numbers to compute with modulo a random prime: residues of letters, of points of the circle, and of roots.
+"""Numbers to compute with modulo a random prime: residues of letters, circle points, roots, polynomials.
 
 The standard library alone: this is a part of the checker.
 """
 
 import os
-import re
-from fractions import Fraction
+from collections.abc import Callable
 from functools import lru_cache
 from math import factorial, gcd, prod
-from typing import Any
+
+from symcheck.enclosures import Any
 
 HEIGHT = 1 << 96
 PRIMES = (2, 3, 5, 7, 11, 13, 17, 19, 23, 29, 31, 37, 41, 43)
@@ -19,10 +19,10 @@ class Reject(Exception):
     """The certificate does not prove its claim; the message says where it fails."""
 
 
-def require(condition: Any, reason: str) -> None:
-    """Rejects with the reason unless the condition holds."""
+def require(condition: Any, reason: str, *about: Any) -> None:
+    """Rejects with the reason, and what it is about, unless the condition holds."""
     if not condition:
-        raise Reject(reason)
+        raise Reject(reason.format(*about) if about else reason)
 
 
 power = lru_cache(None)(pow)  # the same roots and inverses are needed again and again
@@ -40,7 +40,8 @@ class Chance:
             bases = (int.from_bytes(os.urandom(16), "big") for _ in range(6))
             self.prime = p if all(pow(base, p >> 1, p) in (1, p - 1) for base in bases) else 0
         self.drawn: dict[Any, int] = {}
-        self.monomials: dict[str, int] = {}
+        self.letters: dict[str, int] = {}  # values of the names met
+        self.polynomial = polynomials(self, self.letter)
 
     def draw(self, key: Any) -> int:
         """The random number that belongs to the key."""
@@ -51,11 +52,11 @@ class Chance:
     def letter(self, name: str) -> int:
         """The value of a letter; sin_x and cos_x are a point of the circle, sqrt_2 is the root of 2."""
         if name not in self.drawn:
-            require(re.fullmatch("[A-Za-z][A-Za-z0-9_]*", name), f"the name {name!r}")
+            require(name.isascii() and name.isidentifier() and name[0] != "_", "the name {!r}", name)
             if name[:4] in ("sin_", "cos_"):
                 self.drawn[name] = self.circle(name[4:])[name[0] == "s"]
             elif name[:5] == "sqrt_":
-                self.drawn[name] = self.root(Fraction(name[5:]))
+                self.drawn[name] = self.root((int(name[5:]), 1))
         return self.draw(name)
 
     def circle(self, key: Any) -> tuple[int, int]:
@@ -68,23 +69,44 @@ class Chance:
         require(value % self.prime, "division by zero")
         return power(value, -1, self.prime)
 
-    def rational(self, value: int) -> Fraction | None:
-        """The number n/d with this value; None if there is none with n and d below HEIGHT."""
+    def rational(self, value: int) -> tuple[int, int] | None:
+        """(n, d) with d > 0 if n/d in lowest terms has this value; None if there are none below HEIGHT."""
         a, b, u, v = self.prime, value % self.prime, 0, 1
         while b >= HEIGHT:
             q = a // b
             a, b, u, v = b, a - q * b, v, u - q * v
-        return Fraction(b, v) if abs(v) < HEIGHT else None
+        return None if abs(v) >= HEIGHT else (b, v) if v > 0 else (-b, -v)
 
-    def root(self, number: Fraction | None) -> int:
+    def root(self, number: tuple[int, int] | None) -> int:
         """The root of a positive number: a square modulo the prime, as the roots of the small primes are chosen."""
-        rest = 0 if number is None or number < 0 else number.numerator * number.denominator
-        value = rest * self.inverse(number.denominator**2) % self.prime if number else 0
+        top, bottom = number or (-1, 1)
+        rest = max(top, 0) * bottom
         for p in PRIMES if rest else ():
             while rest % p == 0:
                 rest //= p
-        require(rest == 1 or number == 0, f"the root of {number}: only of products of primes up to {PRIMES[-1]}")
-        return power(value, (self.prime + 1) // 4, self.prime)
+        require(rest == 1 or top == 0, f"the root of {number}: only of products of primes up to {PRIMES[-1]}")
+        return power(top * self.inverse(bottom) % self.prime, (self.prime + 1) // 4, self.prime)
+
+
+def polynomials(chance: Chance, letter: Callable[[str], int]) -> Callable[[str], int]:
+    """Gives the values of polynomials printed as "3/4*a_11^2*a_12 - I_1 + 2"; most parts occur again and again."""
+
+    @lru_cache(None)
+    def factor(text: str) -> int:
+        if text[:1] == "-":
+            return -factor(text[1:])
+        if text[:1].isdecimal():
+            top, _, bottom = text.partition("/")
+            return int(top) * chance.inverse(int(bottom or 1))
+        name, _, exponent = text.partition("^")
+        require((exponent or "1").isdecimal() and len(exponent) < 4, "the factor {!r}", text)  # no division
+        return pow(letter(name), int(exponent or 1), chance.prime)
+
+    @lru_cache(None)
+    def monomial(text: str) -> int:
+        return prod(map(factor, text.split("*")))
+
+    return lru_cache(None)(lambda text: sum(map(monomial, text.replace(" - ", " + -").split(" + "))) % chance.prime)
 
 
 @lru_cache(1)

@@ -3,11 +3,11 @@
 Terms and formulas are nested lists, as in `checker.py`; this file too uses the standard library alone.
 """
 
+from collections import namedtuple
 from collections.abc import Callable
-from typing import Any, NamedTuple
 
+from symcheck.enclosures import Any, between
 from symcheck.enclosures import Unknown as Unknown
-from symcheck.enclosures import between
 
 BINDING = ("integral", "diverges", "mean")
 OPAQUE = ("sqrt", "pow", "log", "exp", "gamma", "arctan", "arcsin", "arccos")
@@ -142,18 +142,12 @@ class Terms:
         return [term[0], *(self.replaced(part, by) for part in parts)] if parts else term
 
 
-class Theorem(NamedTuple):
+class Theorem(namedtuple("Theorem", "premises conclusion free without anew", defaults=("", (), ""))):
     """The premises imply the conclusion.
 
     `free` is a letter for whose every value the premises hold: nothing may be assumed of it, and the terms `without`
     do not depend on it. `anew` is a letter said to exist: nothing else may be known or said of it.
     """
-
-    premises: list[Any]
-    conclusion: Any
-    free: str = ""
-    without: tuple[Any, ...] = ()
-    anew: str = ""
 
 
 def have(_: Terms, formula: Any) -> Theorem:

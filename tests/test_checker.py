@@ -290,6 +290,7 @@ FORGED: dict[str, tuple[dict[str, Any], Any, dict[str, Any] | None]] = {
         ["exists", ["x"], ["=", ["+", ["*", "a", "x"], "b"], 0]],
         None,
     ),
+    "zero taken for a multiple of a denominator": (IDENTITY, ["=", ["/", "x", "x"], 1], {"h": [[">", 0, 0]]}),
     "an unused hypothesis": (IDENTITY, ["=", "x", "x"], X_POSITIVE),
     "an unknown rule": ({"rule": "trust me"}, ["=", 0, 1], None),
     "no proof": ({}, ["=", 0, 0], None),
@@ -321,10 +322,11 @@ def test_no_number_is_zero_in_every_run() -> None:
 
 def test_the_roots_the_checker_computes_with_are_positive() -> None:
     chance = residues.Chance()
-    assert chance.root(Fraction(9, 4)) * 2 % chance.prime == 3
-    assert chance.root(Fraction(6)) == chance.root(Fraction(2)) * chance.root(Fraction(3)) % chance.prime
+    assert chance.root((9, 4)) * 2 % chance.prime == 3
+    assert chance.root((6, 1)) == chance.root((2, 1)) * chance.root((3, 1)) % chance.prime
+    assert chance.root((0, 1)) == 0
     assert pow(chance.letter("sqrt_43"), 2, chance.prime) == 43
-    for number in (Fraction(47), Fraction(47 * 47), Fraction(-1), Fraction(1, 53)):
+    for number in ((47, 1), (47 * 47, 1), (-1, 1), (1, 53), None):
         with pytest.raises(residues.Reject):
             chance.root(number)
 
@@ -337,7 +339,64 @@ def test_sines_and_cosines_lie_on_the_circle() -> None:
 @pytest.mark.parametrize("number", [Fraction(0), Fraction(-3, 7), Fraction(10**20, 3), Fraction(-(2**90), 2**80 + 1)])
 def test_a_number_is_found_from_its_residue(number: Fraction) -> None:
     chance = residues.Chance()
-    assert chance.rational(number.numerator * chance.inverse(number.denominator)) == number
+    assert chance.rational(number.numerator * chance.inverse(number.denominator)) == number.as_integer_ratio()
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "",
+        "-",
+        "x^-1",
+        "x^1000",
+        "x^y",
+        "x^2^2",
+        "x/2",
+        "2^3",
+        "1/0",
+        "1/x",
+        "1/2/3",
+        "x y",
+        "(x)",
+        "_x",
+        "x^½",
+        "é",
+        "2x",
+    ],
+)
+def test_what_is_no_printed_polynomial_is_rejected(text: str) -> None:
+    for rest in ("", " + y", " - 1", "*y"):
+        assert rule(
+            {"rule": "identity", "cofactors": [[["hyp", "h", 0], text + rest]]}, ["=", 0, 1], {"h": [["=", 1, 0]]}
+        )
+        with pytest.raises((residues.Reject, ValueError)):
+            checker.chance().polynomial(text + rest)
+
+
+def test_a_printed_polynomial_has_the_value_of_the_term() -> None:
+    algebra = checker.Algebra([])
+    term = ["+", ["*", ["/", -3, 4], ["^", "x", 2], "y"], ["*", -1, "y"], "x", ["-", ["/", 5, 7]], 2]
+    assert algebra.polynomial("-3/4*x^2*y - y + x - 5/7 + 2") == algebra.value(term) % algebra.prime
+
+
+def test_a_letter_is_free_in_one_certificate_and_defined_in_the_next() -> None:
+    free, five, six = [], [["x", 5]], [["x", 6]]
+
+    def holds(definitions: list[Any], claim: Any) -> bool:
+        return (
+            check(
+                {"verdict": "proved", "claim": claim, "definitions": definitions, "hypotheses": {}, "proof": IDENTITY}
+            )
+            is None
+        )
+
+    for _ in range(2):
+        assert holds(free, ["=", ["+", "x", "x"], ["*", 2, "x"]])
+        assert holds(five, ["=", "x", 5])
+        assert holds(six, ["=", ["*", "x", "y"], ["*", 6, "y"]])
+        assert not holds(free, ["=", "x", 5])
+        assert not holds(six, ["=", "x", 5])
+        assert not holds(five, ["=", ["*", "x", "y"], ["*", 6, "y"]])
 
 
 def test_a_mean_does_not_depend_on_the_phase_through_a_definition() -> None:
@@ -441,6 +500,8 @@ MALFORMED: dict[str, Any] = {
     "unknown sign": ["~", "x", "y"],
     "a number that is none": ["=", 1.5, "x"],
     "a name that is none": ["=", "x y", "x y"],
+    "an exponent that is no whole number": ["=", ["^", "x", 2.0], ["^", "x", 2.0]],
+    "three sides": ["=", "x", "x", "x"],
     "deep": ["=", *[json.loads("[" * 900 + "1" + "]" * 900)] * 2],
 }
 

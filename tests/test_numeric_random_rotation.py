@@ -8,6 +8,7 @@ wrong ones.
 from __future__ import annotations
 
 import doctest
+import inspect
 import subprocess
 import sys
 from collections.abc import Callable
@@ -144,8 +145,9 @@ def test_values_are_those_of_the_derivation() -> None:
     }  # fmt: skip
     for name, function in ours.items():
         exact = derived[name].subs({symbol: letters[symbol.name] for symbol in derived[name].free_symbols}).evalf(30)
-        names = function.__code__.co_varnames[: function.__code__.co_argcount]
-        assert float(function(*(numbers[each] for each in names))) == pytest.approx(float(exact), rel=1e-13), name
+        assert float(function(*(numbers[each] for each in inspect.signature(function).parameters))) == pytest.approx(
+            float(exact), rel=1e-13
+        ), name
 
 
 @pytest.mark.parametrize("name", LAWS)

@@ -20,7 +20,7 @@ ROOT = Path(__file__).resolve().parent.parent
 MODULES = sorted((ROOT / "symcheck").rglob("*.py"))
 GROUND = ("pyproject.toml", "constraints.txt", "Makefile", ".ci/run", "README.md", ".gitignore")
 TEXT = {".py", ".md", ".toml", ".txt", ".lark", ".json", ""}
-TARGETS = ("audit", "test", "test-full", "bench", "bench-gpu", "clean")
+TARGETS = ("audit", "test", "test-full", "bench", "bench-gpu", "browser", "notebooks", "coq", "clean")
 
 
 def tracked() -> list[Path]:
@@ -67,7 +67,7 @@ def _parse(arguments: list[str]) -> None:
         assert arguments[0] in ("--help", "-h", "--version")
         return
     command = cli.commands[arguments[0]]
-    command.make_context(arguments[0], arguments[1:], parent=click.Context(cli))
+    command.make_context(arguments[0], arguments[1:], parent=click.Context(cli, **cli.context_settings))
 
 
 @pytest.mark.parametrize("target", TARGETS)

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from pathlib import Path
 
 import pytest
-from bench_kernels import ACCURACY, README, SPEED, block, head
+from bench_kernels import ACCURACY, README, SPEED, block, head, with_block
 from kernel_reference import cases
 
 TABLES = {"speed of kernels": SPEED, "accuracy of kernels": ACCURACY}
@@ -32,6 +32,11 @@ def test_the_table_in_the_readme_has_the_columns_of_the_benchmark_and_a_row_for_
 def test_errors_in_the_readme_are_below_what_each_kernel_states() -> None:
     for case, (_, error, stated, _) in zip(cases().values(), rows("accuracy of kernels")[2:], strict=True):
         assert float(error) <= float(stated) == case.kernel.ulp
+
+
+def test_a_new_table_changes_nothing_beside_it() -> None:
+    text = "y <!-- t -->\ny\n<!-- end of t --> y"
+    assert with_block(text, "t", ["a", r"\1"]) == "y <!-- t -->\na\n\\1\n<!-- end of t --> y"
 
 
 def test_speeds_in_the_readme_are_positive_numbers() -> None:

@@ -119,7 +119,11 @@ def _detail(key: str, value: Any) -> Iterator[str]:
 
 
 def _number(value: Any) -> str:
-    return term(value) if isinstance(value, list | tuple) else str(value)
+    """A term, or several, as a function of several has them."""
+    if not isinstance(value, list | tuple):
+        return str(value)
+    several = len(value) < 2 or not isinstance(value[0], str)
+    return ", ".join(map(_number, value)) if several else term(value)
 
 
 def _written(value: Any, outer: int) -> str:

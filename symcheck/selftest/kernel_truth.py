@@ -138,7 +138,7 @@ class Case:
     @property
     def made(self) -> Made:
         """What targets write, without the evidence it rests on."""
-        return Made(self.kernel, *evidence.programs(self.kernel), "")
+        return _made(self)
 
     @property
     def text(self) -> str:
@@ -175,6 +175,11 @@ def cases() -> dict[str, Case]:
 def source(case: Case) -> str:
     """The generated text of one kernel, without the evidence it rests on."""
     return numpy_target.source(case.name, case.made)
+
+
+@cache
+def _made(case: Case) -> Made:
+    return Made(case.kernel, *evidence.programs(case.kernel), "")
 
 
 @cache

@@ -12,6 +12,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from symcheck import kernels
+from symcheck.numeric.chunked import gufunc
 from symcheck.numeric.domain import Array, real, require
 from symcheck.numeric.inertia.arguments import (
     eigensystem,
@@ -55,6 +56,7 @@ class HarmonicMean(NamedTuple):
     excess: Array
 
 
+@gufunc("(),(k),(i,k)->(i)")
 def gains_in_proportion(ratio: ArrayLike, moments: ArrayLike, axes: ArrayLike) -> Array:
     """Gains in proportion to the moments of inertia about the devices' axes: k_i = k J_i, shape (..., 3), N m s/rad.
 
@@ -72,6 +74,7 @@ def gains_in_proportion(ratio: ArrayLike, moments: ArrayLike, axes: ArrayLike) -
     return side_by_side(kernel(_ratio(ratio), *arguments[0], *arguments[1]))
 
 
+@gufunc("(i),(i,k)->(k,column)", column=3)
 def damping_matrix(gains: ArrayLike, axes: ArrayLike) -> Array:
     """The damping matrix of three devices, m_is = sum of k_j a_js a_ji over j, shape (..., 3, 3), N m s/rad.
 
@@ -89,6 +92,7 @@ def damping_matrix(gains: ArrayLike, axes: ArrayLike) -> Array:
     return side_by_side(entries)[..., ROWS]
 
 
+@gufunc("(i,j)->(i),(i,j)")
 def orthogonal_devices(damping: ArrayLike) -> Devices:
     """Three devices along orthogonal axes with a given damping matrix: m = S^T B S, gains b_ii along the rows of S.
 
@@ -104,6 +108,7 @@ def orthogonal_devices(damping: ArrayLike) -> Devices:
     return Devices(*eigensystem(symmetric_matrix("damping", damping, "mirer2009:1.2.6")))
 
 
+@gufunc("(k),(i),(i,k)->(coefficient)", coefficient=4)
 def characteristic_coefficients(moments: ArrayLike, gains: ArrayLike, axes: ArrayLike) -> Array:
     """Coefficients of the characteristic equation (1.3), of p^3 first, shape (..., 4), kg^3 m^6/s^0 to kg^3 m^6/s^3.
 
@@ -124,6 +129,7 @@ def characteristic_coefficients(moments: ArrayLike, gains: ArrayLike, axes: Arra
     return side_by_side(kernel(*arguments[0], *arguments[1], *arguments[2]))
 
 
+@gufunc("(i),(i,j)->(i)")
 def characteristic_roots(moments: ArrayLike, damping: ArrayLike) -> Array:
     """The roots p of det(I p + m) = 0 in ascending order, shape (..., 3), 1/s: all real (mirer2009:B.2).
 
@@ -141,6 +147,7 @@ def characteristic_roots(moments: ArrayLike, damping: ArrayLike) -> Array:
     return np.linalg.eigvalsh(-matrix)
 
 
+@gufunc("(i),(i,j)->()")
 def stability_degree(moments: ArrayLike, damping: ArrayLike) -> Array:
     """The stability degree xi: minus the characteristic root nearest to zero, shape (...), 1/s.
 
@@ -153,6 +160,7 @@ def stability_degree(moments: ArrayLike, damping: ArrayLike) -> Array:
     return -characteristic_roots(moments, damping)[..., -1]
 
 
+@gufunc("(i),()->(i),(i,axis)", axis=3)
 def optimal_devices(moments: ArrayLike, degree: ArrayLike) -> Devices:
     """Devices with a given stability degree xi and the least gain ratio: k_i = xi I_i along the principal axes.
 
@@ -170,6 +178,7 @@ def optimal_devices(moments: ArrayLike, degree: ArrayLike) -> Devices:
     return Devices(gains, np.broadcast_to(np.eye(3), (*gains.shape, 3)))
 
 
+@gufunc("(i)->(),()")
 def harmonic_mean_of_rates(rates: ArrayLike) -> HarmonicMean:
     """The harmonic mean of three damping rates, which for gains k J_i is k, and its excess over the least rate.
 
@@ -187,6 +196,7 @@ def harmonic_mean_of_rates(rates: ArrayLike) -> HarmonicMean:
     return HarmonicMean(*kernels.load("mirer2009").gain_of_rates(least, *excess))
 
 
+@gufunc("(),(i),()->()")
 def stability_degree_in_pitch(ratio: ArrayLike, moments: ArrayLike, pitch: ArrayLike) -> Array:
     """The stability degree of gains k J_i along axes turned by the pitch alone, in closed form, shape (...), 1/s.
 

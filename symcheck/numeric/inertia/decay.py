@@ -12,6 +12,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 from scipy.integrate import solve_ivp
 
+from symcheck.numeric.chunked import gufunc, pointwise
 from symcheck.numeric.domain import Array, real, require
 from symcheck.numeric.inertia.arguments import principal_moments, symmetric_matrix
 from symcheck.numeric.inertia.damping import characteristic_roots
@@ -20,6 +21,7 @@ FINEST = 100 * np.finfo(np.float64).eps  # the least relative tolerance that Sci
 SMALLEST = np.finfo(np.float64).tiny
 
 
+@gufunc("(i),(i,j),(i)->(i)")
 def angular_acceleration(moments: ArrayLike, damping: ArrayLike, rate: ArrayLike) -> Array:
     """The rate of change of the angular rate: I dw/dt = -m w - w x I w, shape (..., 3), rad/s^2.
 
@@ -36,6 +38,7 @@ def angular_acceleration(moments: ArrayLike, damping: ArrayLike, rate: ArrayLike
     return _acceleration(principal_moments(moments), matrix, real("rate", rate, (3,)))
 
 
+@pointwise("(i),(i,j),(i),(time)->(time,i)")
 def free_decay(
     moments: ArrayLike, damping: ArrayLike, rate: ArrayLike, times: ArrayLike, tolerance: float = 1e-11
 ) -> Array:
@@ -88,6 +91,7 @@ def free_decay(
     return rates
 
 
+@gufunc("(i),(time,i)->(time)")
 def kinetic_energy(moments: ArrayLike, rates: ArrayLike) -> Array:
     """The kinetic energy of rotation (I_1 w_1^2 + I_2 w_2^2 + I_3 w_3^2)/2 at each time, shape (..., n), J.
 
@@ -103,6 +107,7 @@ def kinetic_energy(moments: ArrayLike, rates: ArrayLike) -> Array:
     return energy
 
 
+@gufunc("(time),(time)->()")
 def decay_rate(times: ArrayLike, energy: ArrayLike) -> Array:
     """The measured decay rate, log(T_first/T_last)/2 over the time between: mean rate of the angular rate, (...), 1/s.
 

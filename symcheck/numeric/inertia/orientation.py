@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from symcheck import kernels
+from symcheck.numeric.chunked import gufunc
 from symcheck.numeric.domain import Array, real, require
 from symcheck.numeric.inertia.arguments import letters, of_one_shape, orthonormal_axes, principal_moments, side_by_side
 
@@ -30,6 +31,7 @@ class AttitudeAngles(NamedTuple):
     roll: Array
 
 
+@gufunc("(),(),()->(row,axis)", row=3, axis=3)
 def direction_cosines(pitch: ArrayLike, yaw: ArrayLike, roll: ArrayLike) -> Array:
     """The axes y from which attitude angles turn to the principal axes x: a_ij is the cosine between y_i and x_j.
 
@@ -46,6 +48,7 @@ def direction_cosines(pitch: ArrayLike, yaw: ArrayLike, roll: ArrayLike) -> Arra
     return cosines.reshape(*cosines.shape[:-1], 3, 3)
 
 
+@gufunc("(i,k)->(),(),()")
 def attitude_angles(axes: ArrayLike) -> AttitudeAngles:
     """Pitch, yaw and roll of given axes, the inverse of `direction_cosines`.
 
@@ -67,6 +70,7 @@ def attitude_angles(axes: ArrayLike) -> AttitudeAngles:
     return AttitudeAngles(np.arctan2(sine, cosine), yaw, roll)
 
 
+@gufunc("(k)->(),(),()")
 def equal_moment_angles(moments: ArrayLike) -> AttitudeAngles:
     """The attitude angles of the paper at which all three axial moments are equal to the mean moment.
 
@@ -87,6 +91,7 @@ def equal_moment_angles(moments: ArrayLike) -> AttitudeAngles:
     return AttitudeAngles(*of_one_shape(np.where(spherical, 0.0, pitch), yaw, roll))
 
 
+@gufunc("(k),(),(),()->(row,k)", row=3)
 def equal_moment_axes(
     moments: ArrayLike, phase: ArrayLike, quarter_turns: ArrayLike = 0, nappe: ArrayLike = 1
 ) -> Array:

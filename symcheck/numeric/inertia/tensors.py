@@ -12,6 +12,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from symcheck import kernels
+from symcheck.numeric.chunked import gufunc
 from symcheck.numeric.domain import Array, real, require
 from symcheck.numeric.inertia.arguments import (
     eigensystem,
@@ -75,6 +76,7 @@ class BoundedSum(NamedTuple):
     excess: Array
 
 
+@gufunc("(i,j)->(i),(i,j)")
 def principal_inertia(tensor: ArrayLike) -> PrincipalInertia:
     """Principal moments and principal axes of an inertia tensor: T = A^T diag(I_1, I_2, I_3) A.
 
@@ -90,6 +92,7 @@ def principal_inertia(tensor: ArrayLike) -> PrincipalInertia:
     return PrincipalInertia(*eigensystem(symmetric_matrix("tensor", tensor, "mirer2009:1.2.1")))
 
 
+@gufunc("(k),(k,i)->(i,column)", column=3)
 def inertia_tensor(moments: ArrayLike, axes: ArrayLike) -> Array:
     """The inertia tensor A^T diag(I_1, I_2, I_3) A, shape (..., 3, 3), kg m^2: the inverse of `principal_inertia`.
 
@@ -105,6 +108,7 @@ def inertia_tensor(moments: ArrayLike, axes: ArrayLike) -> Array:
     return symmetric_matrix("tensor", axes.swapaxes(-1, -2) @ (principal_moments(moments)[..., None] * axes))
 
 
+@gufunc("(i)->(i)")
 def triangle_slack(moments: ArrayLike) -> Array:
     """By how much the triangle inequalities (2.3) hold: I_1 + I_2 + I_3 - 2 I_i, shape (..., 3), kg m^2.
 
@@ -120,6 +124,7 @@ def triangle_slack(moments: ArrayLike) -> Array:
     return np.roll(array, -1, axis=-1) + np.roll(array, -2, axis=-1) - array
 
 
+@gufunc("(i)->(i)")
 def second_moments_of_mass(moments: ArrayLike) -> Array:
     """The integrals P_i of x_i^2 over the mass from I_1 = P_2 + P_3 and cyclic, shape (..., 3), kg m^2.
 
@@ -138,6 +143,7 @@ def second_moments_of_mass(moments: ArrayLike) -> Array:
     return np.maximum(slack, 0) / 2
 
 
+@gufunc("(k),(i,k)->(i)")
 def axial_moments(moments: ArrayLike, axes: ArrayLike) -> Array:
     """Moments of inertia about three axes: J_i = I_1 a_i1^2 + I_2 a_i2^2 + I_3 a_i3^2, shape (..., 3), kg m^2.
 
@@ -152,6 +158,7 @@ def axial_moments(moments: ArrayLike, axes: ArrayLike) -> Array:
     return side_by_side(_kernel("axial_moments", principal_moments(moments), orthonormal_axes(axes)))
 
 
+@gufunc("(k),(i,k)->(i)")
 def second_order_moments(moments: ArrayLike, axes: ArrayLike) -> Array:
     """The forms L_i = I_2 I_3 a_i1^2 + I_3 I_1 a_i2^2 + I_1 I_2 a_i3^2, shape (..., 3), kg^2 m^4.
 
@@ -163,6 +170,7 @@ def second_order_moments(moments: ArrayLike, axes: ArrayLike) -> Array:
     return side_by_side(_kernel("second_order_moments", principal_moments(moments), orthonormal_axes(axes)))
 
 
+@gufunc("(k),(i,k)->(),(),(),(),()")
 def product_of_axial_moments(moments: ArrayLike, axes: ArrayLike) -> BoundedProduct:
     """The product f = J_1 J_2 J_3 with I_1 I_2 I_3 <= f <= ((I_1 + I_2 + I_3)/3)^3 and both distances.
 
@@ -174,15 +182,12 @@ def product_of_axial_moments(moments: ArrayLike, axes: ArrayLike) -> BoundedProd
     [24.9216, 24.0, 27.0, 0.9216, 2.0784]
     """
     moments, axes = principal_moments(moments), orthonormal_axes(axes)
-    first, second, third = _kernel("axial_moments", moments, axes)
-    mean = moments.mean(axis=-1)
-    product_of_inertia = (moments * axes[..., 0, :] * axes[..., 2, :]).sum(axis=-1)
-    excess = _excess_by_rows(moments, axes)[..., 1] + second * product_of_inertia**2
-    deficit = ((mean - second) ** 2 * (first + third + mean) + second * (first - third) ** 2) / 4
+    excess, deficit, _ = _kernel("distances_from_bounds", moments, axes)
     value = _kernel("product_of_axial_moments", moments, axes)
     return BoundedProduct(*of_one_shape(value, *_bounds(moments)[:2], excess, deficit))
 
 
+@gufunc("(k),(i,k)->(),(),()")
 def sum_of_products(moments: ArrayLike, axes: ArrayLike) -> BoundedSum:
     """The sum S = J_1 L_1 + J_2 L_2 + J_3 L_3 with S >= 3 I_1 I_2 I_3 and the distance from this bound.
 
@@ -193,10 +198,11 @@ def sum_of_products(moments: ArrayLike, axes: ArrayLike) -> BoundedSum:
     [73.8432, 72.0, 1.8432]
     """
     moments, axes = principal_moments(moments), orthonormal_axes(axes)
-    excess = _excess_by_rows(moments, axes).sum(axis=-1)
+    _, _, excess = _kernel("distances_from_bounds", moments, axes)
     return BoundedSum(*of_one_shape(_kernel("sum_of_products", moments, axes), _bounds(moments)[2], excess))
 
 
+@gufunc("(k),()->()")
 def bound_at_given_moment(moments: ArrayLike, moment: ArrayLike) -> Array:
     """The greatest product J_1 J_2 J_3 for a given J_2: f_1 = J_2 (3c - J_2)^2/4, shape (...), kg^3 m^6.
 
@@ -214,8 +220,7 @@ def bound_at_given_moment(moments: ArrayLike, moment: ArrayLike) -> Array:
     trace = moments.sum(axis=-1)
     holds = (moment >= 0) & (2 * moment <= trace * (1 + ROUNDING))
     require(holds, "moment", moment, "lie on [0, 3c/2] with c the mean principal moment", "mirer2009:2.3.4")
-    bound: Array = moment * (trace - moment) ** 2 / 4
-    return bound
+    return np.asarray(kernels.load("mirer2009").bound_at_given_moment(*letters(moments), moment))
 
 
 def _kernel(name: str, moments: Array, axes: Array) -> Any:
@@ -225,11 +230,3 @@ def _kernel(name: str, moments: Array, axes: Array) -> Any:
 def _bounds(moments: Array) -> tuple[Array, Array, Array]:
     least, greatest, sum_least = kernels.load("mirer2009").bounds_of_products(*letters(moments))
     return least, greatest, sum_least
-
-
-def _excess_by_rows(moments: Array, axes: Array) -> Array:
-    """Sum over k of I_k (I_l - I_m)^2 (a_il a_im)^2 with k, l, m cyclic, for each row i."""
-    weights = moments * (np.roll(moments, -1, axis=-1) - np.roll(moments, -2, axis=-1)) ** 2
-    pairs = np.roll(axes, -1, axis=-1) * np.roll(axes, -2, axis=-1)
-    rows: Array = (weights[..., None, :] * pairs**2).sum(axis=-1)
-    return rows

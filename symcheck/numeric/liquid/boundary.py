@@ -17,6 +17,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from symcheck import kernels
+from symcheck.numeric.chunked import gufunc
 from symcheck.numeric.domain import Array, real, require
 from symcheck.numeric.liquid.arguments import Body, broadcast, checked_body, number, require_finite, row
 from symcheck.numeric.liquid.spectrum import growth_rate, stability
@@ -50,6 +51,7 @@ class StabilityMap:
     stable: NDArray[np.bool_]  # (q, p)
 
 
+@gufunc("(),(),(),()->(),(),(),(),(),()")
 def boundary_of_stability(
     A: ArrayLike, E_1: ArrayLike, b_1: ArrayLike, omega_0: ArrayLike = 1.0
 ) -> BoundaryOfStability:

@@ -20,6 +20,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from symcheck import kernels
+from symcheck.numeric.chunked import gufunc
 from symcheck.numeric.domain import Array, real, require
 from symcheck.numeric.liquid.arguments import Body, broadcast, checked_body, require_finite
 
@@ -35,6 +36,7 @@ class Stability(NamedTuple):
     stable: NDArray[np.bool_]  # (...)
 
 
+@gufunc("(),(),()->()")
 def mode_inertia(a_n: ArrayLike, chi_n: ArrayLike, N_n: ArrayLike) -> Array:
     """The moment of inertia that a mode of the liquid carries, E_n = a_n chi_n / N_n^2.
 
@@ -58,6 +60,7 @@ def mode_inertia(a_n: ArrayLike, chi_n: ArrayLike, N_n: ArrayLike) -> Array:
     return carried
 
 
+@gufunc("(),(),(n),(n),()->(frequency),(),()", frequency=lambda size: size["n"] + 1)
 def stability(A: ArrayLike, C: ArrayLike, E_n: ArrayLike, lambda_n: ArrayLike, omega_0: ArrayLike) -> Stability:
     """The frequencies of the body with N modes, the rate at which its motion grows, and whether it is stable.
 
@@ -101,6 +104,7 @@ def stability(A: ArrayLike, C: ArrayLike, E_n: ArrayLike, lambda_n: ArrayLike, o
     return Stability(found, np.asarray(rate), np.asarray(stable))
 
 
+@gufunc("(),(),(n),(n),()->(frequency)", frequency=lambda size: size["n"] + 1)
 def frequencies(
     A: ArrayLike, C: ArrayLike, E_n: ArrayLike, lambda_n: ArrayLike, omega_0: ArrayLike
 ) -> NDArray[np.complex128]:
@@ -112,6 +116,7 @@ def frequencies(
     return stability(A, C, E_n, lambda_n, omega_0).frequencies
 
 
+@gufunc("(),(),(n),(n),()->()")
 def growth_rate(A: ArrayLike, C: ArrayLike, E_n: ArrayLike, lambda_n: ArrayLike, omega_0: ArrayLike) -> Array:
     """The rate max |Im eta| at which the fastest motion grows, in 1/s, shape (...): all else is said at `stability`.
 
@@ -121,6 +126,7 @@ def growth_rate(A: ArrayLike, C: ArrayLike, E_n: ArrayLike, lambda_n: ArrayLike,
     return stability(A, C, E_n, lambda_n, omega_0).growth_rate
 
 
+@gufunc("(),(),(n),(n),()->()")
 def is_stable(A: ArrayLike, C: ArrayLike, E_n: ArrayLike, lambda_n: ArrayLike, omega_0: ArrayLike) -> NDArray[np.bool_]:
     """Whether no motion grows, shape (...): all else is said at `stability`.
 
@@ -148,8 +154,8 @@ class _Quadratic(NamedTuple):
 
 def _quadratic(body: Body) -> _Quadratic:
     arguments = body.A, body.C, body.E_n[..., 0], body.lambda_n[..., 0], body.omega_0
-    coefficients = map(np.asarray, _kernels.characteristic_coefficients(*arguments))
-    return _Quadratic(*coefficients, np.asarray(_kernels.discriminant(*arguments)))
+    square, linear, constant = map(np.asarray, _kernels.characteristic_coefficients(*arguments))
+    return _Quadratic(square, linear, constant, np.asarray(_kernels.discriminant(*arguments)))
 
 
 def _roots_of_the_quadratic(body: Body) -> NDArray[np.complex128]:

@@ -14,12 +14,14 @@ from __future__ import annotations
 from numpy.typing import ArrayLike
 
 from symcheck import kernels
+from symcheck.numeric.chunked import gufunc
 from symcheck.numeric.domain import Array, real, require, shortened
 from symcheck.numeric.random_rotation.checks import equatorial, evaluated, order, probability, somewhere
 
 _kernels = kernels.load("poloskov2004")
 
 
+@gufunc("(),(),(),()->()")
 def density_of_amplitude(a: ArrayLike, alpha: ArrayLike, beta: ArrayLike, gamma: ArrayLike) -> Array:
     """The stationary density of the amplitude, p(a) = 8 C_1 a (3 alpha^2 a^2 + 4 beta^2)^kappa_1.
 
@@ -33,6 +35,7 @@ def density_of_amplitude(a: ArrayLike, alpha: ArrayLike, beta: ArrayLike, gamma:
     return evaluated("density of a", _kernels.density_of_amplitude, _amplitude(a), *equatorial(alpha, beta, gamma))
 
 
+@gufunc("(),(),(),()->()")
 def distribution_of_amplitude(a: ArrayLike, alpha: ArrayLike, beta: ArrayLike, gamma: ArrayLike) -> Array:
     """The probability that the amplitude is at most a, F = 1 - (1 + 3 alpha^2 a^2/(4 beta^2))^(kappa_1 + 1).
 
@@ -47,6 +50,7 @@ def distribution_of_amplitude(a: ArrayLike, alpha: ArrayLike, beta: ArrayLike, g
     return evaluated("distribution of a", _kernels.distribution_of_amplitude, *values)
 
 
+@gufunc("(),(),(),()->()")
 def quantile_of_amplitude(q: ArrayLike, alpha: ArrayLike, beta: ArrayLike, gamma: ArrayLike) -> Array:
     """The amplitude that is exceeded with the probability 1 - q.
 
@@ -62,6 +66,7 @@ def quantile_of_amplitude(q: ArrayLike, alpha: ArrayLike, beta: ArrayLike, gamma
     return evaluated("quantile of a", _kernels.quantile_of_amplitude, *values)
 
 
+@gufunc("(),(),(),()->()")
 def moment_of_amplitude(m: ArrayLike, alpha: ArrayLike, beta: ArrayLike, gamma: ArrayLike) -> Array:
     """The mean of a^m.
 
@@ -81,6 +86,7 @@ def moment_of_amplitude(m: ArrayLike, alpha: ArrayLike, beta: ArrayLike, gamma: 
     return evaluated("moment of a", _kernels.moment_of_amplitude, power, noise, additive, dissipation)
 
 
+@gufunc("(),(),()->()")
 def mean_square_of_amplitude(alpha: ArrayLike, beta: ArrayLike, gamma: ArrayLike) -> Array:
     """The mean of a^2, beta^2/(gamma^2 - alpha^2).
 
@@ -94,6 +100,7 @@ def mean_square_of_amplitude(alpha: ArrayLike, beta: ArrayLike, gamma: ArrayLike
     return evaluated("mean square of a", _kernels.mean_square_of_amplitude, noise, additive, dissipation)
 
 
+@gufunc("(),(),()->()")
 def mode_of_amplitude(alpha: ArrayLike, beta: ArrayLike, gamma: ArrayLike) -> Array:
     """The most probable amplitude, 2 beta/sqrt(8 gamma^2 + alpha^2).
 
@@ -105,6 +112,7 @@ def mode_of_amplitude(alpha: ArrayLike, beta: ArrayLike, gamma: ArrayLike) -> Ar
     return evaluated("mode of a", _kernels.mode_of_amplitude, *equatorial(alpha, beta, gamma))
 
 
+@gufunc("(),(),()->()")
 def logarithm_of_constant_of_amplitude(alpha: ArrayLike, beta: ArrayLike, gamma: ArrayLike) -> Array:
     """The logarithm of C_1 in p(a) = 8 C_1 a (3 alpha^2 a^2 + 4 beta^2)^kappa_1; the constant itself may be no double.
 

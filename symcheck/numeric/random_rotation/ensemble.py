@@ -14,6 +14,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike
 
+from symcheck.numeric.chunked import pointwise
 from symcheck.numeric.domain import Array, real, require
 from symcheck.numeric.random_rotation.scheme import scheme
 from symcheck.numeric.random_rotation.torques import RandomTorques
@@ -37,6 +38,7 @@ class Ensemble(NamedTuple):
     angular_velocity: Array
 
 
+@pointwise("(),(realization,axis),(),()->(record),(record,realization,axis)")
 def simulate(
     torques: RandomTorques,
     start: ArrayLike,

@@ -18,12 +18,14 @@ from numpy.typing import ArrayLike
 from scipy import special
 
 from symcheck import kernels
+from symcheck.numeric.chunked import gufunc
 from symcheck.numeric.domain import Array, real, shortened
 from symcheck.numeric.random_rotation.checks import axial, evaluated, order, probability, somewhere
 
 _kernels = kernels.load("poloskov2004")
 
 
+@gufunc("(),(),(),(),()->()")
 def density_of_frequency(Omega: ArrayLike, k: ArrayLike, g_13: ArrayLike, g_23: ArrayLike, d_33: ArrayLike) -> Array:
     """The stationary density of the frequency, p(Omega) = C_2 (g_13^2 Omega^2 + g_23^2 k^2)^kappa_2.
 
@@ -38,6 +40,7 @@ def density_of_frequency(Omega: ArrayLike, k: ArrayLike, g_13: ArrayLike, g_23: 
     return evaluated("density of Omega", _kernels.density_of_frequency, *values)
 
 
+@gufunc("(),(),(),(),()->()")
 def distribution_of_frequency(
     Omega: ArrayLike, k: ArrayLike, g_13: ArrayLike, g_23: ArrayLike, d_33: ArrayLike
 ) -> Array:
@@ -53,6 +56,7 @@ def distribution_of_frequency(
     return evaluated("distribution of Omega", _distribution, real("Omega", Omega), *axial(k, g_13, g_23, d_33))
 
 
+@gufunc("(),(),(),(),()->()")
 def quantile_of_frequency(q: ArrayLike, k: ArrayLike, g_13: ArrayLike, g_23: ArrayLike, d_33: ArrayLike) -> Array:
     """The frequency that is exceeded with the probability 1 - q.
 
@@ -67,6 +71,7 @@ def quantile_of_frequency(q: ArrayLike, k: ArrayLike, g_13: ArrayLike, g_23: Arr
     return evaluated("quantile of Omega", _quantile, probability(q), *axial(k, g_13, g_23, d_33))
 
 
+@gufunc("(),(),(),(),()->()")
 def moment_of_frequency(m: ArrayLike, k: ArrayLike, g_13: ArrayLike, g_23: ArrayLike, d_33: ArrayLike) -> Array:
     """The mean of |Omega|^m; those of Omega^m are the same for even m, and 0 for odd m.
 
@@ -84,6 +89,7 @@ def moment_of_frequency(m: ArrayLike, k: ArrayLike, g_13: ArrayLike, g_23: Array
     return evaluated("moment of Omega", _kernels.moment_of_frequency, power, ratio, noise, additive, dissipation)
 
 
+@gufunc("(),(),(),()->()")
 def mean_square_of_frequency(k: ArrayLike, g_13: ArrayLike, g_23: ArrayLike, d_33: ArrayLike) -> Array:
     """The mean of Omega^2, g_23^2 k^2/(2 d_33 - 2 g_13^2).
 
@@ -97,6 +103,7 @@ def mean_square_of_frequency(k: ArrayLike, g_13: ArrayLike, g_23: ArrayLike, d_3
     return evaluated("mean square of Omega", _kernels.mean_square_of_frequency, ratio, noise, additive, dissipation)
 
 
+@gufunc("(),(),(),()->()")
 def mode_of_frequency(k: ArrayLike, g_13: ArrayLike, g_23: ArrayLike, d_33: ArrayLike) -> Array:
     """The most probable frequency, 0 for all parameters.
 
@@ -108,6 +115,7 @@ def mode_of_frequency(k: ArrayLike, g_13: ArrayLike, g_23: ArrayLike, d_33: Arra
     return np.zeros(np.broadcast_shapes(*(value.shape for value in axial(k, g_13, g_23, d_33))))
 
 
+@gufunc("(),(),(),()->()")
 def logarithm_of_constant_of_frequency(k: ArrayLike, g_13: ArrayLike, g_23: ArrayLike, d_33: ArrayLike) -> Array:
     """The logarithm of C_2 in p(Omega) = C_2 (g_13^2 Omega^2 + g_23^2 k^2)^kappa_2; the constant may be no double.
 

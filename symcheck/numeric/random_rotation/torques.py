@@ -7,10 +7,12 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike
 
+from symcheck.numeric.chunked import pointwise
 from symcheck.numeric.domain import Array, real, require
 from symcheck.numeric.random_rotation.checks import positive
 
 
+@pointwise("(),(),(i,j),(i),(i)->()")
 @dataclass(frozen=True, eq=False)
 class RandomTorques:
     """System (1.1), x' + f(x) = -epsilon D x + sqrt(epsilon) (G_1 xi + G_2 eta), in Stratonovich's sense.

@@ -7,6 +7,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike
 
+from symcheck.numeric.chunked import gufunc, pointwise
 from symcheck.numeric.domain import Array, real, require
 from symcheck.numeric.random_rotation.amplitude import quantile_of_amplitude
 from symcheck.numeric.random_rotation.checks import positive
@@ -27,6 +28,7 @@ class Rotation(NamedTuple):
     Omega: Array
 
 
+@gufunc("(i),()->(),(),()")
 def amplitude_phase_frequency(x: ArrayLike, k: ArrayLike) -> Rotation:
     """a = sqrt(x_1^2 + x_2^2), psi with tan psi = -x_2/x_1, Omega = k x_3.
 
@@ -44,6 +46,7 @@ def amplitude_phase_frequency(x: ArrayLike, k: ArrayLike) -> Rotation:
     return Rotation(*np.broadcast_arrays(np.hypot(x_1, x_2), np.arctan2(0.0 - x_2, x_1), ratio * x_3))
 
 
+@gufunc("(),(),(),()->(axis)", axis=3)
 def angular_velocity(a: ArrayLike, psi: ArrayLike, Omega: ArrayLike, k: ArrayLike) -> Array:
     """x = (a cos psi, -a sin psi, Omega/k).
 
@@ -61,6 +64,7 @@ def angular_velocity(a: ArrayLike, psi: ArrayLike, Omega: ArrayLike, k: ArrayLik
     return np.stack(np.broadcast_arrays(*parts), axis=-1)
 
 
+@pointwise("()->(realization,axis)")
 def stationary_sample(torques: RandomTorques, paths: int, *, seed: int, first: int = 0) -> Array:
     """Independent angular velocities with the stationary law of the averaged system.
 

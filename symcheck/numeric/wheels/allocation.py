@@ -14,6 +14,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike
 
+from symcheck.numeric.chunked import gufunc
 from symcheck.numeric.domain import Array, real, require
 from symcheck.numeric.wheels.faces import half_spaces
 from symcheck.numeric.wheels.planes import Index, missing
@@ -35,6 +36,7 @@ class Allocation(NamedTuple):
     load: Array
 
 
+@gufunc("(n,axis),(axis),(n),(n)->(n),()")
 def allocate(axes: ArrayLike, demand: ArrayLike, limits: ArrayLike = 1.0, bias: ArrayLike = 0.0) -> Allocation:
     """The momenta with h_1 e_1 + ... + h_n e_n = H whose greatest load max_i |h_i - b_i|/h_i,max is least.
 
@@ -64,6 +66,7 @@ def allocate(axes: ArrayLike, demand: ArrayLike, limits: ArrayLike = 1.0, bias: 
     return Allocation(momenta + wheels.bias, _load(momenta, wheels.limits))
 
 
+@gufunc("(n,axis),(axis),(n),(n)->(n),()")
 def allocate_least_squares(
     axes: ArrayLike, demand: ArrayLike, limits: ArrayLike = 1.0, bias: ArrayLike = 0.0
 ) -> Allocation:

@@ -15,6 +15,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from symcheck import kernels
+from symcheck.numeric.chunked import gufunc
 from symcheck.numeric.domain import Array, real, require
 from symcheck.numeric.inertia.arguments import principal_moments
 from symcheck.numeric.wheels.faces import half_spaces
@@ -32,6 +33,7 @@ class Optimum(NamedTuple):
     rate: float
 
 
+@gufunc("(k)->(angle)", angle=2)
 def best_angles_of_four_wheels(moments: ArrayLike) -> Array:
     """The angles a, b of four wheels with the greatest rate that is had about every axis.
 
@@ -58,6 +60,7 @@ def best_angles_of_four_wheels(moments: ArrayLike) -> Array:
     return np.stack([np.where(one_is_great, a, equal_a), np.where(one_is_great, b, equal_b)], axis=-1)
 
 
+@gufunc("(k)->(angle)", angle=2)
 def equal_rates_of_four_wheels(moments: ArrayLike) -> Array:
     """The angles a, b of four wheels with which the largest rates about OX, OY and OZ are equal: the paper's choice.
 
@@ -70,6 +73,7 @@ def equal_rates_of_four_wheels(moments: ArrayLike) -> Array:
     return np.stack(_kernel("equal_rates_of_four_wheels", principal_moments(moments))[:2], axis=-1)
 
 
+@gufunc("(k)->(angle)", angle=1)
 def best_angle_of_six_wheels(moments: ArrayLike) -> Array:
     """The angle a of six wheels with the greatest rate that is had about every axis.
 
@@ -99,6 +103,7 @@ def best_angle_of_six_wheels(moments: ArrayLike) -> Array:
     return np.asarray(np.arctan(np.exp((low + high) / 4))[..., None])
 
 
+@gufunc("(k)->(angle)", angle=1)
 def equal_rates_of_six_wheels(moments: ArrayLike) -> Array:
     """The angle a of six wheels with which the largest rates about OY and OZ are equal: the paper's choice.
 

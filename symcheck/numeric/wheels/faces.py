@@ -7,14 +7,17 @@ operation, and no tolerance decides anything. What merges faces is `envelope`, f
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from functools import lru_cache
 from importlib import import_module
 from itertools import combinations
-from typing import NamedTuple
+from math import comb
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from symcheck.numeric.chunked import gufunc
 from symcheck.numeric.domain import Array, require
 from symcheck.numeric.wheels.sets import Wheels, wheels_of
 
@@ -47,6 +50,11 @@ class Failures(NamedTuple):
     half_spaces: HalfSpaces
 
 
+def _number_of_pairs(size: Mapping[str, Any]) -> int:
+    return comb(size["n"] + 3 * bool(size.get("complete")), 2)
+
+
+@gufunc("(n,axis),(n),(n)->(pair,axis),(pair),(axis)", pair=_number_of_pairs)
 def half_spaces(
     axes: ArrayLike,
     limits: ArrayLike = 1.0,
@@ -79,6 +87,7 @@ def half_spaces(
     return HalfSpaces(normals.transpose(0, 2, 1).reshape(*lead, -1, 3), distances.reshape(*lead, -1), wheels.centre)
 
 
+@gufunc("(n,axis),(n)->(pair)", pair=_number_of_pairs)
 def face_distances(axes: ArrayLike, limits: ArrayLike = 1.0, *, engine: str = "numpy") -> Array:
     """The distances of `half_spaces` alone, d = sum_k h_k |(e_i, e_j, e_k)|/|e_i x e_j|, in less memory.
 

@@ -11,6 +11,7 @@ from collections.abc import Callable
 import numpy as np
 from numpy.typing import ArrayLike
 
+from symcheck.numeric.chunked import gufunc
 from symcheck.numeric.domain import Array, real, require
 from symcheck.numeric.inertia.arguments import orthonormal_axes, principal_moments
 from symcheck.numeric.wheels.faces import HalfSpaces
@@ -19,6 +20,7 @@ NONE = 1e-12  # of a length of 1: a vector that lies in a plane to rounding does
 BLOCK = 1 << 18  # numbers at once: 2 MB
 
 
+@gufunc("(p,axis),(p),(axis),(axis)->()")
 def margin(half_spaces: HalfSpaces, point: ArrayLike) -> Array:
     """How far a point is from the nearest plane, min_j (d_j - |n_j . (H - c)|): positive inside, negative outside.
 
@@ -36,6 +38,7 @@ def margin(half_spaces: HalfSpaces, point: ArrayLike) -> Array:
     return _least(half_spaces, offset.shape[:-1], lambda n, d, c: d - np.abs(np.einsum("...jk,...k->...j", n, offset)))
 
 
+@gufunc("(p,axis),(p),(axis),(axis),(row,axis)->()")
 def ellipsoid_margin(half_spaces: HalfSpaces, semi_axes: ArrayLike, axes: ArrayLike | None = None) -> Array:
     """How far an ellipsoid about the origin stays from the nearest plane, min_j (d_j - |n_j . c| - |S n_j|).
 
@@ -54,6 +57,7 @@ def ellipsoid_margin(half_spaces: HalfSpaces, semi_axes: ArrayLike, axes: ArrayL
     return _least(half_spaces, reach.shape[:-2], lambda n, d, c: d - c - _norm(n, reach))
 
 
+@gufunc("(p,axis),(p),(axis),(axis),(row,axis)->()")
 def ellipsoid_scale(half_spaces: HalfSpaces, semi_axes: ArrayLike, axes: ArrayLike | None = None) -> Array:
     """By what factor an ellipsoid about the origin can grow inside the envelope, min_j (d_j - |n_j . c|)/|S n_j|.
 
@@ -69,6 +73,7 @@ def ellipsoid_scale(half_spaces: HalfSpaces, semi_axes: ArrayLike, axes: ArrayLi
     return _least(half_spaces, reach.shape[:-2], lambda n, d, c: _quotient(d - c, _norm(n, reach)))
 
 
+@gufunc("(p,axis),(p),(axis),(axis)->()")
 def largest_momentum(half_spaces: HalfSpaces, direction: ArrayLike) -> Array:
     """The largest momentum that the wheels reach in a direction u: the greatest t with t u in the envelope.
 
@@ -99,6 +104,7 @@ def largest_momentum(half_spaces: HalfSpaces, direction: ArrayLike) -> Array:
     return _least(half_spaces, unit.shape[:-1], farthest)
 
 
+@gufunc("(p,axis),(p),(axis),(axis)->(p,axis),(p),(axis)")
 def rates(half_spaces: HalfSpaces, moments: ArrayLike) -> HalfSpaces:
     """The half-spaces of the angular rates w = -H/J that the momenta H give a body whose total momentum is zero.
 
@@ -120,6 +126,7 @@ def rates(half_spaces: HalfSpaces, moments: ArrayLike) -> HalfSpaces:
     return HalfSpaces(normals / lengths[..., None], half_spaces.distances / lengths, -half_spaces.centre / inertia)
 
 
+@gufunc("(p,axis),(p),(axis),(axis)->()")
 def guaranteed_rate(half_spaces: HalfSpaces, moments: ArrayLike) -> Array:
     """The largest angular rate that is had about every axis: the radius of the largest ball in `rates`.
 

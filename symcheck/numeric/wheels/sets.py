@@ -10,6 +10,8 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from symcheck import kernels
+from symcheck.numeric.chunked import gufunc
+from symcheck.numeric.chunked.kernels import by_blocks
 from symcheck.numeric.domain import Array, real, require
 
 UNIT = 1e-9  # by how much the square of a unit vector's length may differ from 1
@@ -64,6 +66,7 @@ def wheels_of(axes: ArrayLike, limits: ArrayLike = 1.0, bias: ArrayLike = 0.0) -
     return Wheels(np.broadcast_to(axes, (*shape, 3)), np.broadcast_to(limits, shape), np.broadcast_to(bias, shape))
 
 
+@gufunc("(),()->(wheel,axis)", wheel=4, axis=3)
 def four_wheels(a: ArrayLike, b: ArrayLike) -> Array:
     """The axes of wheels along the side edges of a four-sided pyramid, from the kernel `axes_of_four_wheels`.
 
@@ -75,10 +78,11 @@ def four_wheels(a: ArrayLike, b: ArrayLike) -> Array:
     >>> four_wheels(np.arctan(np.sqrt(2)), np.pi / 4)[3].round(6)
     array([0.57735, 0.57735, 0.57735])
     """
-    found = kernels.load("ignatov2005").axes_of_four_wheels(_acute("a", a), _acute("b", b))
+    found = by_blocks("ignatov2005", "axes_of_four_wheels", a=_acute("a", a), b=_acute("b", b))
     return _rows(found)
 
 
+@gufunc("()->(wheel,axis)", wheel=6, axis=3)
 def six_wheels(a: ArrayLike) -> Array:
     """The axes of wheels along the side edges of a regular six-sided pyramid, from the kernel `axes_of_six_wheels`.
 
@@ -89,7 +93,7 @@ def six_wheels(a: ArrayLike) -> Array:
     >>> six_wheels(np.pi / 6)[1].round(6)
     array([ 0.433013, -0.25    ,  0.866025])
     """
-    found = kernels.load("ignatov2005").axes_of_six_wheels(_acute("a", a))
+    found = by_blocks("ignatov2005", "axes_of_six_wheels", a=_acute("a", a))
     zero = np.zeros_like(found[0])  # e_1x and e_4x, which the kernel leaves out
     return _rows((zero, *found[:8], zero, *found[8:]))
 
@@ -105,6 +109,7 @@ def _rows(components: tuple[Array, ...]) -> Array:
     return columns.reshape(*columns.shape[:-1], -1, 3)
 
 
+@gufunc("(n,axis),(n)->(axis)")
 def total_momentum(axes: ArrayLike, momenta: ArrayLike) -> Array:
     """The momentum of all wheels together, H = h_1 e_1 + ... + h_n e_n.
 
@@ -119,6 +124,7 @@ def total_momentum(axes: ArrayLike, momenta: ArrayLike) -> Array:
     return wheels_of(axes, bias=momenta).centre
 
 
+@gufunc("(n,axis),(n)->()")
 def volume(axes: ArrayLike, limits: ArrayLike = 1.0) -> Array:
     """The volume of the momentum envelope, 8 times the sum of h_i h_j h_k |(e_i, e_j, e_k)| over i < j < k.
 

@@ -268,6 +268,34 @@ def bounds_of_products() -> dict[str, Any]:
     return {"f_least": principal, "f_greatest": mean**3, "S_least": 3 * principal}
 
 
+def distances_from_bounds() -> dict[str, Any]:
+    """How far f and S are from their bounds, as sums of squares with positive factors: 2.13.4, 2.19.4, and for 2.1b
+    f = J_2 ((J_1 + J_3)^2 - (J_1 - J_3)^2)/4 with J_1 + J_2 + J_3 = 3c.
+    """
+    moments, (first, second, third) = _triple("I"), axial_moments().values()
+    mean, axes = sum(moments, sp.Integer(0)) / 3, rotation.matrix()
+    rows = [_deviation_of_row(moments, axes.row(i)) for i in range(3)]
+    inertia_product = sum((moments[k] * axes[0, k] * axes[2, k] for k in range(3)), sp.Integer(0))
+    return {
+        "f_excess": rows[1] + second * inertia_product**2,
+        "f_deficit": ((mean - second) ** 2 * (first + third + mean) + second * (first - third) ** 2) / 4,
+        "S_excess": sp.Add(*rows),
+    }
+
+
+def _deviation_of_row(moments: tuple[Any, Any, Any], axis: Any) -> Any:
+    """J L - I_1 I_2 I_3 of one axis: zero if it is principal."""
+    cyclic = ((k, (k + 1) % 3, (k + 2) % 3) for k in range(3))
+    return sp.Add(*(moments[k] * (moments[m] - moments[n]) ** 2 * (axis[m] * axis[n]) ** 2 for k, m, n in cyclic))
+
+
+def bound_at_given_moment() -> dict[str, Any]:
+    """f for a given J_2 and two other moments that are equal: they share what is left of 3c."""
+    second = sp.Symbol("J_2", real=True)
+    other = (sum(_triple("I"), sp.Integer(0)) - second) / 2
+    return {"f_1": second * other**2}
+
+
 def _coefficients(gains: dict[str, Any]) -> dict[str, Any]:
     [polynomial] = characteristic_polynomial_by_axes()
     values = sp.Poly(_put(polynomial, gains), sp.Symbol("p", real=True)).all_coeffs()

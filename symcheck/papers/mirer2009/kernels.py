@@ -114,6 +114,52 @@ bounds_of_products = Kernel(
     condition="A cube triples the error of the mean moment: its condition number is 3.",
 )
 
+
+def _scales_of_distances() -> dict[str, Any]:
+    """What the distances were if nothing cancelled in a sum."""
+    moments, (first, second, third) = sp.symbols("I_1:4", real=True), derivation.axial_moments().values()
+    mean, exact = sp.Add(*moments) / 3, derivation.distances_from_bounds()
+    crossed = sp.Add(
+        *(
+            moments[k] * sp.Abs(sp.Symbol(f"a_1{k + 1}", real=True)) * sp.Abs(sp.Symbol(f"a_3{k + 1}", real=True))
+            for k in range(3)
+        )
+    )
+    return {
+        "f_excess": exact["f_excess"] + second * crossed**2,
+        "f_deficit": ((mean + second) ** 2 * (first + third + mean) + second * (first + third) ** 2) / 4,
+    }
+
+
+distances_from_bounds = Kernel(
+    says="How far J_1 J_2 J_3 and the sum of J_i L_i of orthogonal axes are from their bounds; never negative.",
+    arguments=(*PRINCIPAL, *COSINES),
+    outputs=(
+        Output("f_excess", "J_1 J_2 J_3 - I_1 I_2 I_3", CUBE),
+        Output("f_deficit", "((I_1 + I_2 + I_3)/3)^3 - J_1 J_2 J_3", CUBE),
+        Output("S_excess", "J_1 L_1 + J_2 L_2 + J_3 L_3 - 3 I_1 I_2 I_3", CUBE),
+    ),
+    derived=derivation.distances_from_bounds,
+    claims=("2.13.4", "2.19.4", "2.2", "2.1"),
+    ulp=12,
+    scale=_scales_of_distances,
+    condition="Sums of squares: near a bound they keep the digits that a difference loses. Within a square J_1 - J_3, the mean "
+    "moment less J_2, and a product of inertia may cancel; the error is in units of the last place of what it were if they did not.",
+)
+
+bound_at_given_moment = Kernel(
+    says="The greatest product J_1 J_2 J_3 of moments about orthogonal axes for a given J_2.",
+    arguments=(
+        *PRINCIPAL,
+        Argument("J_2", "moment of inertia about axis 2", MOMENT, "0", "(I_1 + I_2 + I_3)/2", closed=True),
+    ),
+    outputs=(Output("f_1", "greatest J_1 J_2 J_3", CUBE),),
+    derived=derivation.bound_at_given_moment,
+    claims=("2.2",),
+    ulp=8,
+    condition="A square doubles the error of the two other moments, which are at least half of all three.",
+)
+
 product_of_two_axial_moments = Kernel(
     says="The product of the moments of inertia about two axes.",
     arguments=(*PRINCIPAL, *ROWS[0], *ROWS[2]),

@@ -1,0 +1,46 @@
+"""What is printed as LaTeX that stands alone, and what is none: words, or the characters of a damaged source."""
+
+from __future__ import annotations
+
+import re
+
+_ENVIRONMENT = re.compile(r"\\begin\{(\w+)\}.*?\\end\{\1\}", re.DOTALL)
+_ROWS = re.compile(r"(?<!\\)&|\\\\")
+_WORDS = re.compile(r"[A-Za-z]{3,} [a-z]{2,}")
+_TEXT = re.compile(r"\\text\{[^{}]*\}")
+_CUT_OFF = re.compile(r"(?<!\\)\\\s*$")
+_BRACES = re.compile(r"(?<!\\)[{}]")
+
+
+def standing_alone(text: str) -> str:
+    r"""A formula without `$` and tabs, a row cut out of an array within one, and `h_\max` with braces.
+
+    >>> standing_alone("$V_1$\t1.951")
+    'V_1 \\quad 1.951'
+    """
+    text = re.sub(r"[_^]\\(max|min)\b", lambda m: rf"{m[0][0]}{{\{m[1]}}}", text.replace("$", ""))
+    text = text.replace("\t", r" \quad ")
+    outside = _ENVIRONMENT.sub("", text)
+    if outside == text:
+        text = text.replace("\n", r" \quad ")
+    return rf"\begin{{aligned}}{text}\end{{aligned}}" if _ROWS.search(outside) else text
+
+
+def is_formula(text: str) -> bool:
+    r"""Whether a text is LaTeX of a formula: no words, no letters but LaTeX's own outside `\text`, braces that match.
+
+    >>> is_formula(r"J_1 = J_2"), is_formula("The list with that put right."), is_formula("(р = IT}")
+    (True, False, False)
+    """
+    words = "\\" not in text and _WORDS.search(text)
+    whole = bool(text) and not _CUT_OFF.search(text)
+    return whole and not words and _TEXT.sub("", text).isascii() and _matched(text)
+
+
+def _matched(text: str) -> bool:
+    depth = 0
+    for brace in _BRACES.findall(text):
+        depth += 1 if brace == "{" else -1
+        if depth < 0:
+            return False
+    return depth == 0

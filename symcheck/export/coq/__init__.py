@@ -1,0 +1,23 @@
+"""Coq: the proved claims as statements over the reals, their certificates as proofs that Coq's kernel checks.
+
+Claims.v    the statements alone, in printed order and shape: the only file to read
+Proofs*.v   a proof of each, made by machine
+Witnesses.v a point for each set of hypotheses, so that none of them says nothing
+Symcheck.v  the lemmas and tactics behind the proofs
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+
+from symcheck.evidence.record import Record
+from symcheck.export import Format
+
+
+def _files(records: Sequence[Record]) -> Mapping[str, str]:
+    from symcheck.export.coq.files import files
+
+    return files(records)
+
+
+FORMAT = Format("statements and proofs for Coq, a folder per paper; `make coq` compiles them", files=_files)

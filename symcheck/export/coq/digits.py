@@ -1,0 +1,187 @@
+"""A number between two decimals: each step of interval arithmetic is a lemma of `Digits.v`."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from fractions import Fraction
+from functools import reduce
+from math import floor
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+from mpmath import mp, mpf
+
+from symcheck.export.coq.printing import ATOM, spelled
+from symcheck.export.coq.terms import NotExported
+
+if TYPE_CHECKING:
+    from symcheck.export.coq.script import Script
+
+PLACES = 12  # behind the point, counted from the first digit of a number below 1
+PI = Fraction(31415926535, 10**10), Fraction(31415926536, 10**10)
+ACUTE = Fraction(157, 100)  # the lemmas about sines and cosines go up to there
+
+
+class Within(NamedTuple):
+    """A proof term of `within t low high`."""
+
+    proof: str
+    low: Fraction
+    high: Fraction
+
+
+def taylor(first: int, terms: int, x: Fraction) -> Fraction:
+    """Nested 1 - x^2 / (first (first + 1)) (1 - ...), as in `Digits.v`."""
+    steps = [first + 2 * k for k in range(terms)]
+    return reduce(lambda inner, n: 1 - x * x / (n * (n + 1)) * inner, reversed(steps), Fraction(1))
+
+
+def sine(x: Fraction, above: bool) -> Fraction:
+    """Its Taylor polynomial, above or below."""
+    return x * taylor(2, 7 + above, x)
+
+
+def cosine(x: Fraction, above: bool) -> Fraction:
+    """Its Taylor polynomial, above or below."""
+    return taylor(1, 7 + above, x)
+
+
+def down(x: Fraction) -> Fraction:
+    """Rounded down."""
+    places = 10 ** (PLACES + (len(str(x.denominator // abs(x.numerator))) if 0 < abs(x) < 1 else 0))
+    return Fraction(floor(x * places), places)
+
+
+def up(x: Fraction) -> Fraction:
+    """Rounded up."""
+    return -down(-x)
+
+
+def shown(x: Fraction) -> str:
+    """A fraction in brackets."""
+    text = f"{abs(x.numerator)} / {x.denominator}" if x.denominator > 1 else f"{abs(x.numerator)}"
+    return f"(- {text})" if x < 0 else f"({text})"
+
+
+class Enclosure:
+    """Encloses terms one after the other; `known` are proofs of letter = number."""
+
+    def __init__(self, script: Script, known: Mapping[str, tuple[str, Any]]) -> None:
+        self.script, self.known = script, known
+
+    def of(self, term: Any) -> Within:
+        """The enclosure of a term, unfolded and without tangents."""
+        match term:
+            case int() | ["/", int(), int()] | ["-", int()]:
+                value = number(term)
+                return Within(f"(number_in {spelled(term, ATOM)})", value, value)
+            case "pi":
+                return Within("pi_in", *PI)
+            case str() if term in self.known:
+                proof, value = self.known[term]
+                inner = self.of(value)
+                return Within(f"(equal_in {proof} {inner.proof})", inner.low, inner.high)
+            case ["-", inner]:
+                found = self.of(inner)
+                return Within(f"(minus_in {found.proof})", -found.high, -found.low)
+            case ["+" | "*" as sign, first, *rest]:
+                return self.chain(sign, first, rest)
+            case ["/", top, bottom]:
+                return self.product("quotient_in", term, self.of(top), self.inverse(bottom))
+            case ["^", base, int(n)] if 0 < n < 9:
+                product = base if n == 1 else ["*", *[base] * n]
+                found = self.of(product)
+                by = f"equal_in (s := {spelled(term)}) (t := {spelled(product)}) ltac:(ring) {found.proof}"
+                return Within(f"({by})", found.low, found.high)
+            case [function, inner] if function in FUNCTIONS:
+                return FUNCTIONS[function](self, term, self.of(inner))
+        raise NotExported(f"the digits of {spelled(term)}")
+
+    def step(self, lemma: str, term: Any, low: Fraction, high: Fraction, *inner: Within) -> Within:
+        """One lemma; what it asks of fractions is left to the tactic."""
+        own = self.script.anew("w")
+        proofs = " ".join(each.proof for each in inner)
+        text = term if isinstance(term, str) else spelled(term)
+        statement = f"within ({text}) {shown(low)} {shown(high)}"
+        self.script.emit(
+            f"assert ({own} : {statement}) by (apply ({lemma} {shown(low)} {shown(high)} {proofs}); fractions)."
+        )
+        return Within(own, low, high)
+
+    def chain(self, sign: str, first: Any, rest: list[Any]) -> Within:
+        found, so_far = self.of(first), first
+        for part in rest:
+            other, so_far = self.of(part), [sign, *(so_far[1:] if so_far is not first else [first]), part]
+            if sign == "+":
+                found = self.step(
+                    "sum_in", so_far, down(found.low + other.low), up(found.high + other.high), found, other
+                )
+            else:
+                found = self.product("product_in", so_far, found, other)
+        return found
+
+    def product(self, lemma: str, term: Any, one: Within, other: Within) -> Within:
+        corners = [a * b for a in one[1:] for b in other[1:]]
+        return self.step(lemma, term, down(min(corners)), up(max(corners)), one, other)
+
+    def inverse(self, term: Any) -> Within:
+        found = self.of(term)
+        if found.low <= 0:
+            raise NotExported("the digits of a quotient with a denominator that is not positive")
+        text = f"/ {spelled(term, ATOM)}"
+        return self.step("inverse_in", text, down(1 / found.high), up(1 / found.low), found)
+
+    def root(self, term: Any, inner: Within) -> Within:
+        low, high = (exact(mp.sqrt(rough(max(x, Fraction(0))))) for x in inner[1:])
+        margin = Fraction(1, 10**11)
+        return self.step("root_in", term, max(down(low - margin), Fraction(0)), up(high + margin), inner)
+
+    def circular(self, term: Any, inner: Within) -> Within:
+        if inner.low < 0 or inner.high > ACUTE:
+            raise NotExported("the digits of a function of an angle that is not between 0 and 89.9 degrees")
+        if term[0] == "sin":
+            return self.step("sine_in", term, down(sine(inner.low, False)), up(sine(inner.high, True)), inner)
+        return self.step("cosine_in", term, down(cosine(inner.high, False)), up(cosine(inner.low, True)), inner)
+
+    def angle(self, term: Any, inner: Within) -> Within:
+        mp.dps = 30
+        function = {"arctan": mp.atan, "arcsin": mp.asin, "arccos": mp.acos}[term[0]]
+        if inner.low < 0 or (term[0] != "arctan" and inner.high > 1):
+            raise NotExported("the digits of an angle that is not acute")
+        ends = sorted(exact(function(rough(x))) for x in inner[1:])
+        margin = Fraction(1, 10**10)
+        low, high = max(down(ends[0] - margin), Fraction(0)), up(ends[1] + margin)
+        if high > ACUTE:
+            raise NotExported("the digits of an angle near 90 degrees")
+        return self.step(ANGLES[term[0]], term, low, high, inner)
+
+
+ANGLES = {"arctan": "arctangent_in", "arcsin": "arcsine_in", "arccos": "arccosine_in"}
+FUNCTIONS: dict[str, Callable[[Enclosure, Any, Within], Within]] = {
+    "sqrt": Enclosure.root,
+    "sin": Enclosure.circular,
+    "cos": Enclosure.circular,
+    "arctan": Enclosure.angle,
+    "arcsin": Enclosure.angle,
+    "arccos": Enclosure.angle,
+}
+
+
+def number(term: Any) -> Fraction:
+    """A whole number or a fraction of two."""
+    match term:
+        case ["/", top, bottom]:
+            return Fraction(top, bottom)
+        case ["-", inner]:
+            return -number(inner)
+    return Fraction(term)
+
+
+def rough(x: Any) -> Any:
+    """A fraction with 30 digits."""
+    mp.dps = 30
+    return mpf(x.numerator) / x.denominator
+
+
+def exact(x: Any) -> Fraction:
+    """A number as a fraction with 15 places."""
+    return Fraction(int(mp.floor(x * 10**15)), 10**15)

@@ -1,0 +1,189 @@
+"""A second reader: Claims.v read back into terms and formulas, by a parser that shares nothing with what wrote it."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from typing import Any
+
+TOKEN = re.compile(r"\s*(\(\*|<->|->|=>|<=|>=|<>|/\\|\\/|[A-Za-z_][\w']*|\d+|[()+\-*/^=<>:,.])")
+CLAIM = re.compile(r"^Definition claim_(\w+) : Prop :=\n(.*?)\.\n$", re.DOTALL | re.MULTILINE)
+RELATIONS = {"=": "=", "<>": "!=", "<": "<", "<=": "<=", ">": ">", ">=": ">="}
+UNARY = {"sin": "sin", "cos": "cos", "tan": "tan", "sqrt": "sqrt", "exp": "exp", "ln": "log", "atan": "arctan",
+         "asin": "arcsin", "acos": "arccos"}  # fmt: skip
+
+
+def claims(text: str) -> dict[str, Any]:
+    """By its name each statement of a Claims.v: (letters, premises, conclusion)."""
+    return {name: _stated(Reader(body).whole()) for name, body in CLAIM.findall(text)}
+
+
+def _stated(formula: Any) -> tuple[list[str], list[Any], Any]:
+    bound: list[str] = []
+    if formula[0] == "forall":
+        _, bound, formula = formula
+    premises = []
+    while formula[0] == "=>":
+        premises.append(formula[1])
+        formula = formula[2]
+    return bound, premises, formula
+
+
+def uncommented(text: str) -> str:
+    """The text without its comments, which may be nested."""
+    out, depth = [], 0
+    for piece in re.split(r"(\(\*|\*\))", text):
+        depth += (piece == "(*") - (piece == "*)")
+        if not depth and piece != "*)":
+            out.append(piece)
+    return "".join(out)
+
+
+def tokens(text: str) -> Iterator[str]:
+    """The words and signs of a formula."""
+    at, text = 0, text.strip()
+    while at < len(text):
+        found = TOKEN.match(text, at)
+        if found is None:
+            raise ValueError(f"unknown text {text[at : at + 20]!r}")
+        yield found[1]
+        at = found.end()
+
+
+class Reader:
+    """One formula, by recursive descent; each method reads what binds at least as tightly as its name says."""
+
+    def __init__(self, text: str) -> None:
+        self.tokens = [*tokens(uncommented(text)), ""]
+        self.at = 0
+
+    def whole(self) -> Any:
+        formula = self.implication()
+        self.take("")
+        return formula
+
+    def peek(self) -> str:
+        return self.tokens[self.at]
+
+    def take(self, *expected: str) -> str:
+        found = self.tokens[self.at]
+        if expected and found not in expected:
+            raise ValueError(f"{found!r} instead of {' or '.join(map(repr, expected))}")
+        self.at += 1
+        return found
+
+    def implication(self) -> Any:
+        if self.peek() in ("forall", "exists"):
+            kind, names = self.take(), []
+            while self.peek() != ":":
+                names.append(letter(self.take()))
+            self.take(":"), self.take("R"), self.take(",")
+            return (kind, names, self.implication())
+        left = self.equivalence()
+        if self.peek() != "->":
+            return left
+        self.take("->")
+        return ("=>", left, self.implication())
+
+    def equivalence(self) -> Any:
+        left = self.disjunction()
+        if self.peek() != "<->":
+            return left
+        self.take("<->")
+        return ("<=>", left, self.disjunction())
+
+    def disjunction(self) -> Any:
+        left = self.conjunction()
+        if self.peek() != "\\/":
+            return left
+        self.take("\\/")
+        return ("or", left, self.disjunction())
+
+    def conjunction(self) -> Any:
+        left = self.relation()
+        if self.peek() != "/\\":
+            return left
+        self.take("/\\")
+        return ("and", left, self.implication() if self.peek() == "exists" else self.conjunction())
+
+    def relation(self) -> Any:
+        left = self.sum()
+        if self.peek() not in RELATIONS:
+            return left
+        return (RELATIONS[self.take()], left, self.sum())
+
+    def sum(self) -> Any:
+        total = self.product()
+        while self.peek() in ("+", "-"):
+            sign, term = self.take(), self.product()
+            total = ("+", total, term if sign == "+" else ("-", term))
+        return total
+
+    def product(self) -> Any:
+        total = self.signed()
+        while self.peek() in ("*", "/"):
+            total = (self.take(), total, self.signed())
+        return total
+
+    def signed(self) -> Any:
+        match self.peek():
+            case "-":
+                self.take()
+                return ("-", self.signed())
+            case "/":
+                self.take()
+                return ("/", 1, self.signed())
+        return self.power()
+
+    def power(self) -> Any:
+        base = self.applied()
+        if self.peek() != "^":
+            return base
+        self.take("^")
+        return ("^", base, int(self.take()))
+
+    def applied(self) -> Any:
+        head = self.peek()
+        if head in UNARY:
+            self.take()
+            return (UNARY[head], self.atom())
+        if head == "Rpower":
+            self.take()
+            return ("pow", self.atom(), self.atom())
+        if head in ("Derive", "Derive_n"):
+            self.take()
+            x, body = self.function()
+            order = int(self.take()) if head == "Derive_n" else 1
+            return ("diff", (x, body), self.atom(), order)
+        if head == "RInt":
+            self.take()
+            x, body = self.function()
+            return ("integral", (x, body), self.atom(), self.atom())
+        return self.atom()
+
+    def function(self) -> tuple[str, Any]:
+        self.take("("), self.take("fun")
+        x = letter(self.take())
+        self.take("=>")
+        body = self.sum()
+        self.take(")")
+        return x, body
+
+    def atom(self) -> Any:
+        found = self.take()
+        if found == "(":
+            inner = self.implication()
+            self.take(")")
+            return inner
+        if found.isdigit():
+            return int(found)
+        if not re.fullmatch(r"[A-Za-z][\w']*", found):
+            raise ValueError(f"{found!r} instead of a letter")
+        return (
+            ("and",) if found == "True" else ("or",) if found == "False" else "pi" if found == "PI" else letter(found)
+        )
+
+
+def letter(name: str) -> str:
+    """A letter of a paper; one that means something to Coq is written with a prime."""
+    return name.removesuffix("'")

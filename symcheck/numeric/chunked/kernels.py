@@ -1,0 +1,85 @@
+"""A generated kernel on dask arrays and DataArrays, and what its declaration says of arguments and results."""
+
+from __future__ import annotations
+
+import inspect
+import re
+from collections.abc import Callable, Mapping
+from functools import partial, wraps
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from symcheck import kernels
+from symcheck.numeric.chunked.arrays import Results, Signature, apply, is_chunked
+
+LINE = re.compile(r"^        (\w+): (.+), (?:in (?:units of )?(.+?)|a number)(?:; .*)?$", re.MULTILINE)
+FLOAT = np.dtype(np.float32)
+
+
+class Declaration(NamedTuple):
+    """Meaning and unit of each argument and each result, as attributes of arrays."""
+
+    arguments: Mapping[str, Mapping[str, str]]
+    results: Mapping[str, Mapping[str, str]]
+
+
+def declaration(kernel: Callable[..., Any]) -> Declaration:
+    """What the docstring of a kernel lists.
+
+    >>> declaration(kernels.load("ignatov2005").volume_of_three_wheels).results["volume"]["units"]
+    'h_max^3'
+    """
+    _, arguments, results = re.split(r"^    (?:Arguments|Returns)\b.*$", kernel.__doc__ or "", flags=re.MULTILINE)
+    return Declaration(_attributes(arguments), _attributes(results))
+
+
+def kernel(paper: str, name: str) -> Callable[..., Any]:
+    """The kernel of this name for NumPy arrays and numbers, dask arrays and DataArrays alike.
+
+    Chunks go through the kernel's blocks whatever their size, so that results are those of `out=`, and of plain calls
+    with arrays of more than 512 elements, to the last bit. DataArrays get the units of the kernel's declaration.
+
+    >>> volume = kernel("ignatov2005", "volume_of_three_wheels")
+    >>> round(volume(0.5, 1.0), 6)
+    2.93465
+    """
+    function = getattr(kernels.load(paper), name)
+    declared = declaration(function)
+    signature = Signature(((),) * len(declared.arguments), ((),) * len(declared.results))
+
+    @wraps(function)
+    def dispatching(*args: Any, **kwargs: Any) -> Any:
+        if not is_chunked(*args, *kwargs.values()):
+            return function(*args, **kwargs)
+        arguments = inspect.signature(function).bind(*args, **kwargs).arguments
+        dtype = _dtype(arguments.values())
+        results = Results([*declared.results], [dtype] * len(declared.results), [*declared.results.values()], _together)
+        return apply(partial(by_blocks, paper, name), arguments, signature, results)
+
+    return dispatching
+
+
+def by_blocks(paper: str, name: str, /, **arguments: Any) -> Any:
+    """The kernel of this name on arrays or numbers that broadcast, as with `out=`: the same bits for few and for many.
+
+    >>> by_blocks("ignatov2005", "volume_of_four_wheels", a=np.full((2, 1), 0.5), b=np.full(3, 1.0)).shape
+    (2, 3)
+    """
+    function = getattr(kernels.load(paper), name)
+    shape, dtype = np.broadcast_shapes(*map(np.shape, arguments.values())), _dtype(arguments.values())
+    out = tuple(np.empty(shape, dtype) for _ in declaration(function).results)
+    return function(**arguments, out=out)
+
+
+def _together(*results: Any) -> Any:
+    return results if len(results) > 1 else results[0]
+
+
+def _dtype(arguments: Any) -> Any:
+    found = np.result_type(*(getattr(x, "dtype", x) for x in arguments))
+    return found if found == FLOAT else np.dtype(np.float64)
+
+
+def _attributes(lines: str) -> dict[str, dict[str, str]]:
+    return {name: {"long_name": meaning, "units": unit or "1"} for name, meaning, unit in LINE.findall(lines)}

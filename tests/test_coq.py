@@ -1,0 +1,195 @@
+"""Statements and proofs for Coq: they say what is printed, and Coq confirms what is right and nothing else."""
+
+from __future__ import annotations
+
+import json
+import re
+import shutil
+from pathlib import Path
+
+import pytest
+
+from symcheck.evidence.confirmed import confirmed
+from symcheck.evidence.decide import decide
+from symcheck.export.coq import compile as compiler
+from symcheck.export.coq.comparison import differences
+from symcheck.export.coq.files import files
+from symcheck.export.coq.printing import printed
+from symcheck.export.coq.reader import CLAIM, Reader, claims
+from symcheck.export.coq.terms import polynomial
+
+DECLARED = (
+    "mirer2009:2.12", "mirer2009:2.13", "mirer2009:2.1", "mirer2009:2.1.7", "mirer2009:2.13.4", "mirer2009:2.0.5",
+    "mirer2009:2.0.6", "mirer2009:2.3.5", "mirer2009:2.8", "mirer2009:B.4", "poloskov2004:3.2.4", "poloskov2004:3.2.3",
+    "poloskov2004:B.4", "esenkov2006:N.11", "esenkov2006:1.35", "ignatov2005:2.1V.1", "ignatov2005:T1.5",
+    "ignatov2005:2.1.34",
+)  # fmt: skip
+COQ = pytest.mark.skipif(compiler.missing() is not None, reason=str(compiler.missing()))
+FORMULAS = {
+    r"- (a - b) ^ 2 * c / 3 <= / a ^ 2": [
+        "<=",
+        ["/", ["*", ["-", ["^", ["+", "a", ["-", "b"]], 2]], "c"], 3],
+        ["^", "a", -2],
+    ],
+    r"(a = 0 \/ b <> 0) /\ c > 1 -> x <= y <-> sin x >= cos (2 * y)": [
+        "=>",
+        ["and", ["or", ["=", "a", 0], ["!=", "b", 0]], [">", "c", 1]],
+        ["<=>", ["<=", "x", "y"], [">=", ["sin", "x"], ["cos", ["*", 2, "y"]]]],
+    ],
+    "exists R' x : R, R' * x = 1": ["exists", ["R", "x"], ["=", ["*", "R", "x"], 1]],
+    "a - (b + c) = a + b * - 3": ["=", ["+", "a", ["-", ["+", "b", "c"]]], ["+", "a", ["*", "b", -3]]],
+}
+
+
+@pytest.fixture(scope="module")
+def exported() -> dict[str, str]:
+    """The files of some declarations of all papers."""
+    return dict(files([record for id in DECLARED for record in decide(id)]))
+
+
+@pytest.fixture(scope="module")
+def folder(exported: dict[str, str], tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """The same, written."""
+    root = tmp_path_factory.mktemp("coq")
+    for name, text in exported.items():
+        (root / name).parent.mkdir(exist_ok=True)
+        (root / name).write_text(text, encoding="utf-8")
+    return root
+
+
+def names_of(exported: dict[str, str], paper: str) -> dict[str, list[str]]:
+
+    return {id: row["claims"] for id, row in json.loads(exported["manifest.json"])[paper]["claims"].items()}
+
+
+@pytest.mark.parametrize("text", FORMULAS)
+def test_formulas_have_as_few_brackets_as_coq_needs(text: str) -> None:
+    assert printed(FORMULAS[text]) == text
+
+
+@pytest.mark.parametrize("text", FORMULAS)
+def test_what_is_written_is_read_back_as_it_was(text: str) -> None:
+    def plain(node: object) -> object:
+        return tuple(map(plain, node)) if isinstance(node, (list, tuple)) else node
+
+    def binary(node: object) -> object:
+        """Sums and products of two, as the parser builds them; negative numbers and powers as Coq writes them."""
+        match node:
+            case int() if node < 0:
+                return ("-", -node)
+            case ["+" | "*" as sign, first, *rest]:
+                total = binary(first)
+                for part in rest:
+                    total = (sign, total, binary(part))
+                return total
+            case ["^", base, int(n)]:
+                return ("^", binary(base), n) if n > 0 else ("/", 1, ("^", binary(base), -n))
+            case ["exists", bound, body]:
+                return ("exists", tuple(bound), binary(body))
+            case list():
+                return (node[0], *map(binary, node[1:]))
+        return node
+
+    assert plain(Reader(text).whole()) == binary(FORMULAS[text])
+
+
+def test_a_polynomial_loses_no_coefficient() -> None:
+    assert polynomial("3/4*a^2*b - c + 2", {}) == (
+        ["+", ["*", 3, ["^", "a", 2], "b"], ["-", ["*", 4, "c"]], 8],
+        4,
+    )
+
+
+def test_every_statement_is_the_printed_one(exported: dict[str, str]) -> None:
+    for paper in ("mirer2009", "poloskov2004", "esenkov2006", "ignatov2005"):
+        assert claims(exported[f"{paper}/Claims.v"])
+        assert list(differences(exported[f"{paper}/Claims.v"], names_of(exported, paper))) == []
+
+
+@pytest.mark.parametrize(
+    ("old", "new"),
+    [
+        ("J_1 * J_3 = (", "J_1 * J_2 = ("),
+        ("a_23 ^ 2", "a_23 ^ 3"),
+        (" + I_2 * I_3", " - I_2 * I_3"),
+        ("= 1 ->", "= 2 ->"),
+    ],
+)
+def test_the_second_reader_sees_a_slip_in_a_statement(exported: dict[str, str], old: str, new: str) -> None:
+    text, names = exported["mirer2009/Claims.v"], {"mirer2009:2.12": ["2_12"]}
+    own = next(found[0] for found in CLAIM.finditer(text) if found[1] == "2_12")
+    assert old in own
+    assert list(differences(own, names)) == []
+    assert list(differences(own.replace(old, new), names))
+
+
+def test_nothing_is_admitted(exported: dict[str, str]) -> None:
+    for text in exported.values():
+        assert not re.search(r"\b(Admitted|admit|Axiom|Parameter|Conjecture|Abort)\b", text)
+
+
+def test_what_is_not_installed_is_said(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> None:
+    monkeypatch.setattr(shutil, "which", lambda name: None)
+    assert compiler.main(["build/coq"]) == 2
+    assert "apt-get install coq" in capsys.readouterr().err
+
+
+def test_a_theorem_is_left_out_with_what_rests_on_it() -> None:
+    text = (
+        "Theorem proof_a : claim_a.\nProof.\nring.\nQed.\n\n"
+        "Theorem proof_b : claim_b.\nProof.\nexact proof_a.\nQed.\n\n"
+        "Theorem proof_c : claim_c.\nProof.\nring.\nQed.\n\n"
+        "Lemma everything : True.\nProof.\npose proof proof_a.\npose proof proof_b.\npose proof proof_c.\n"
+        "exact I.\nQed.\n"
+    )
+    rest, names = compiler.without(text, 3)
+    assert names == ["a", "b"]
+    assert "proof_a" not in rest
+    assert "proof_b" not in rest
+    assert rest.count("proof_c") == 2
+
+
+@COQ
+def test_coq_confirms_them_on_the_reals_alone(folder: Path) -> None:
+    confirmed, failed = compiler.confirm(folder)
+    assert failed == []
+    assert all(row["confirmed"] for row in confirmed.values()), [r for r in confirmed.values() if not r["confirmed"]]
+
+
+def flipped(statement: str) -> str | None:
+    """The statement with one sign of its conclusion flipped, or an inequality turned round."""
+    head, arrow, conclusion = statement.rpartition("->\n")
+    for old, new in ((" + ", " - "), (" - ", " + "), (" <= ", " > "), (" >= ", " < "), (" = ", " <> ")):
+        if old in conclusion:
+            return head + arrow + conclusion.replace(old, new, 1)
+    return None
+
+
+@COQ
+def test_a_flipped_sign_does_not_compile(folder: Path, exported: dict[str, str]) -> None:
+    claims_file = folder / "mirer2009/Claims.v"
+    kept = claims_file.read_text(encoding="utf-8")
+    names = [name for own in names_of(exported, "mirer2009").values() for name in own][:14]
+    changed = CLAIM.sub(lambda m: flipped(m[0]) or m[0] if m[1] in names else m[0], kept)
+    wrong = [name for name in names if claims(changed)[name] != claims(kept)[name]]
+    assert len(wrong) >= 10
+    failed: dict[str, str] = {}
+    for file in ("Symcheck.v", "Digits.v"):
+        assert list(compiler.checked(folder, file, failed))
+    claims_file.write_text(changed, encoding="utf-8")
+    assert list(compiler.checked(folder, "mirer2009/Claims.v", failed))
+    assert failed == {}
+    for file in sorted((folder / "mirer2009").glob("Proofs*.v")):
+        assert list(compiler.checked(folder, f"mirer2009/{file.name}", failed))
+    assert set(wrong) <= failed.keys()
+
+
+def test_what_coq_says_is_told_of_these_certificates_alone(tmp_path: Path) -> None:
+    (record,) = decide("mirer2009:2.12")
+    digest = record.certificates[0]["digest"]
+    told = {"yes": (True, "", [digest]), "no: slow": (False, "slow", [digest]), "not tried": (True, "", ["another"])}
+    for said, (right, reason, digests) in told.items():
+        file = tmp_path / f"{right}{reason}{digests[0]}.json"
+        file.write_text(json.dumps({record.id: {"confirmed": right, "reason": reason, "certificates": digests}}))
+        assert confirmed(record, file) == said
+    assert confirmed(record, tmp_path / "nothing.json") == "not tried"

@@ -1,0 +1,366 @@
+"""The notebooks show what is true now, hold no mathematics of their own, and are what their sources say."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable
+from copy import deepcopy
+from pathlib import Path
+from typing import Any
+
+import nbformat
+import pytest
+from click.testing import CliRunner, Result
+from nbformat.v4 import new_code_cell, new_notebook, new_output
+
+from symcheck.cli import cli
+from symcheck.notebook import committed, compare, counterexample, letters, records, relations, rules, show, source
+from symcheck.notebook.execute import in_kernel, in_process
+from symcheck.notebook.shown import Heading, Math, Prose, Shown, Table
+from symcheck.papers import load
+from symcheck.statement import SymcheckError, Verdict
+
+NAMES = committed.names()
+PAPERS = {name.partition("_")[2]: name for name in NAMES if name.partition("_")[2] in load()}
+MOST_BYTES = 1_500_000
+TITLE = "# A title\n\nWords.\n\n"
+
+
+@pytest.fixture(autouse=True)
+def cache_of_its_own(monkeypatch: pytest.MonkeyPatch, tmp_path_factory: pytest.TempPathFactory) -> None:
+    """What the notebooks show is decided in this run."""
+    monkeypatch.setenv("SYMCHECK_CACHE", str(tmp_path_factory.getbasetemp() / "notebooks"))
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_executed_in_this_process_a_notebook_shows_what_is_committed(name: str) -> None:
+    assert committed.differences(name, committed.executed(name)) == []
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("name", NAMES)
+def test_executed_in_a_jupyter_kernel_a_notebook_shows_what_is_committed(name: str) -> None:
+    assert committed.differences(name, committed.executed(name, kernel=True)) == []
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_a_committed_notebook_is_valid_normal_and_small(name: str) -> None:
+    found = committed.committed(name)
+    nbformat.validate(found)
+    assert (found.nbformat, found.metadata) == (4, source.METADATA)
+    assert [cell.metadata for cell in found.cells if cell.metadata] == []
+    file = committed.folder() / f"{name}.ipynb"
+    assert file.stat().st_size < MOST_BYTES
+    assert file.read_text(encoding="utf-8") == nbformat.writes(found) + "\n"
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_no_cell_of_a_committed_notebook_holds_mathematics(name: str) -> None:
+    faults = {"code": rules.faults_of_code, "markdown": rules.faults_of_prose}
+    assert [told for cell in committed.committed(name).cells for told in faults[cell.cell_type](cell.source)] == []
+
+
+def test_every_notebook_has_a_source() -> None:
+    assert sorted(file.stem for file in committed.folder().glob("*.ipynb")) == NAMES
+
+
+@pytest.mark.parametrize(("key", "name"), PAPERS.items())
+def test_the_notebook_of_a_paper_shows_derivation_evidence_figures_and_what_is_not_proved(key: str, name: str) -> None:
+    text = "\n".join(cell.source for cell in committed.built(name).cells)
+    for needed in ("show.step(", "show.claim(", "show.erratum(", "show.proof(", "show.numbers(", "symcheck.numeric"):
+        assert needed in text
+    assert re.search(r"show\.(figure|drawing)\(", text)
+    assert committed.built(name).cells[-1].source == f'show.not_proved("{key}")'
+
+
+def test_every_paper_has_a_notebook() -> None:
+    assert PAPERS.keys() == set(load())
+
+
+@pytest.mark.parametrize("key", load())
+def test_every_serious_erratum_is_told(key: str) -> None:
+    told = "\n".join(cell.source for cell in committed.built("6_errata").cells)
+    serious = [record.id for record in records.serious(key)]
+    assert serious
+    assert [id for id in serious if f'show.erratum("{id}")' not in told] == []
+
+
+# --- what a cell may hold
+
+FORBIDDEN = {
+    "def f(x): return x": "functiondef",
+    "class A: pass": "classdef",
+    "f = lambda x: x\nshow.claim(f)": "lambda",
+    "import sympy\nshow.ledger()": "imports sympy",
+    "from sympy import symbols\nsymbols('x')": "imports from sympy",
+    "from numpy import linalg\nshow.numbers()": "imports linalg of NumPy",
+    "from scipy.optimize import fsolve\nfsolve(f, 0)": "imports from scipy.optimize",
+    "from symcheck.papers.mirer2009 import derivation\nderivation.sp.Symbol('x')": "reaches for sp",
+    "derivation._triple('I')": "reaches for _triple",
+    "x = a * b\nshow.numbers(x)": "binop",
+    "show.numbers(a == b)": "compare",
+    "show.numbers([x for x in y])": "listcomp",
+    "for x in y: show.claim(x)": "for",
+    "show.numbers('x = 1')": "holds the formula",
+    r"show.numbers(r'\frac{a}{b}')": "holds the formula",
+    "eval('1')": "calls eval",
+    "exec('1')": "calls exec",
+    "__import__('sympy')": "reaches for __import__",
+    "x = show.claim('mirer2009:2.12')": "shows nothing",
+    "": "shows nothing",
+    "(": "is no Python",
+    "f'{a}'": "joinedstr",
+    "show.numbers(y := 1)": "namedexpr",
+}
+
+
+@pytest.mark.parametrize(("cell", "fault"), FORBIDDEN.items())
+def test_a_cell_that_defines_or_computes_is_refused(cell: str, fault: str, tmp_path: Path) -> None:
+    assert any(fault in told for told in rules.faults_of_code(cell))
+    if cell:
+        (tmp_path / "bad.md").write_text(f"{TITLE}```python\n{cell}\n```\n", encoding="utf-8")
+        with pytest.raises(SymcheckError, match=re.escape("bad.md: ")):
+            source.notebook(tmp_path / "bad.md")
+
+
+ALLOWED = (
+    'from symcheck.notebook import show\n\nshow.claim("mirer2009:2.12")',
+    "from numpy import radians\n\nfour = wheels.four_wheels(*radians([67, 32]))\nshow.numbers(counts=four.counts[-1])",
+)
+
+
+@pytest.mark.parametrize("cell", ALLOWED)
+def test_a_cell_that_calls_and_names_is_accepted(cell: str) -> None:
+    assert list(rules.faults_of_code(cell)) == []
+
+
+@pytest.mark.parametrize("prose", ["$$x$$", "where $x = 1$", r"so $a \le b$", r"\[x\]", r"$x \to 0$", "$a<b$"])
+def test_prose_that_states_a_relation_is_refused(prose: str) -> None:
+    assert list(rules.faults_of_prose(prose))
+
+
+def test_prose_may_name_letters() -> None:
+    assert list(rules.faults_of_prose(r"The angles $a$ and $\alpha_1$, at 0 < 1.")) == []
+
+
+# --- sources and ids
+
+
+def test_a_cell_that_is_added_changes_the_ids_of_no_other_section(tmp_path: Path) -> None:
+    file, code = tmp_path / "x.md", '```python\nshow.claim("mirer2009:2.12")\n```\n'
+
+    def ids(text: str) -> list[str]:
+        file.write_text(text, encoding="utf-8")
+        return [cell.id for cell in source.notebook(file).cells]
+
+    before = ids(f"# One\n\nWords.\n\n{code}\n## Two: $x$\n\n{code}")
+    after = ids(f"# One\n\nWords.\n\n{code}\n{code}\n## Two: $x$\n\n{code}")
+    assert before == ["one-1", "one-2", "two-x-1", "two-x-2"]
+    assert after == ["one-1", "one-2", "one-3", "two-x-1", "two-x-2"]
+
+
+def test_the_cell_that_shows_a_relation_is_found() -> None:
+    name, id = committed.shown_in()["mirer2009:2.12"]
+    assert any(cell.id == id and "mirer2009:2.12" in cell.source for cell in committed.committed(name).cells)
+
+
+# --- when a notebook is stale
+
+
+def shown(text: str) -> Any:
+    cell = new_code_cell("show.numbers()", id="one-1", execution_count=1)
+    cell.outputs = [new_output("execute_result", {"text/plain": text}, execution_count=1)]
+    return new_notebook(cells=[cell], metadata=source.METADATA)
+
+
+def changed(change: Callable[[Any], None]) -> list[str]:
+    before = shown("x | 0.123456")
+    after = deepcopy(before)
+    change(after)
+    return list(compare.differences(after, before))
+
+
+def test_an_unchanged_notebook_is_not_stale() -> None:
+    assert changed(lambda notebook: None) == []
+
+
+CHANGES: dict[str, Callable[[Any], None]] = {
+    "has another source": lambda notebook: notebook.cells[0].update(source="show.claim()"),
+    "is new": lambda notebook: notebook.cells.append(new_code_cell("show.claim()", id="one-2")),
+    "is not in its source any more": lambda notebook: notebook.cells.clear(),
+    "its metadata differ": lambda notebook: notebook.metadata.update(author="somebody"),
+    "shows something of another kind": lambda notebook: notebook.cells[0].outputs[0].data.update({"text/html": "x"}),
+    "shows other text/plain": lambda notebook: notebook.cells[0].outputs[0].data.update({"text/plain": "y | 0.123456"}),
+}
+
+
+@pytest.mark.parametrize(("told", "change"), CHANGES.items())
+def test_every_change_of_a_notebook_is_told(told: str, change: Callable[[Any], None]) -> None:
+    assert [told in line for line in changed(change)] == [True]
+
+
+@pytest.mark.parametrize(
+    ("new", "old", "same"),
+    [
+        ("0.123456", "0.123457", True),
+        ("1.5e-07", "1.50001e-07", True),
+        ("0.123456", "0.124456", False),
+        ("12", "13", False),
+        ("3/7", "3/8", False),
+        ("a 1.5", "b 1.5", False),
+        ("1.5", "1.5 1.5", False),
+    ],
+)
+def test_values_are_compared_but_not_the_last_digit_of_decimals(new: str, old: str, same: bool) -> None:
+    assert compare.same(new, old) is same
+
+
+# --- execution
+
+
+def a_notebook(*cells: str) -> Any:
+    return new_notebook(cells=[new_code_cell(cell, id=f"c-{n}") for n, cell in enumerate(cells)])
+
+
+NUMBERS = "from symcheck.notebook import show\n\nshow.numbers(x=1)"
+
+
+def test_process_and_kernel_fill_in_the_same_outputs(tmp_path: Path) -> None:
+    cells = (NUMBERS, 'show.claim("mirer2009:2.1.6")')
+    fast, real = in_process(a_notebook(*cells)), in_kernel(a_notebook(*cells), tmp_path)
+    assert [cell.outputs for cell in fast.cells] == [cell.outputs for cell in real.cells]
+    assert list(compare.differences(fast, fast)) == []
+
+
+@pytest.mark.parametrize(
+    ("cell", "told"),
+    [
+        ("from symcheck.notebook import show\nshow.claim('mirer2009:9.99')", "c-0 fails with SymcheckError: mirer2009"),
+        ("1", "c-0 ends in a int"),
+        ("x = 1", "c-0 shows nothing"),
+    ],
+)
+def test_a_cell_that_fails_is_named(cell: str, told: str) -> None:
+    with pytest.raises(SymcheckError, match=re.escape(told)):
+        in_process(a_notebook(cell))
+
+
+def test_progress_counts_the_cells_of_code() -> None:
+    seen: list[tuple[int, int]] = []
+    in_process(a_notebook(NUMBERS, NUMBERS), lambda done, total: seen.append((done, total)))
+    assert seen == [(1, 2), (2, 2)]
+
+
+# --- counterexamples
+
+
+@pytest.mark.parametrize("key", load())
+def test_evaluated_anew_a_counterexample_has_the_values_of_its_certificate(key: str) -> None:
+    count = 0
+    for record in records.serious(key):
+        for certificate in record.certificates:
+            if certificate["verdict"] == Verdict.REFUTED:
+                evaluation = counterexample.Evaluation(certificate, records.notation(record.id))
+                assert not evaluation.holds()
+                sides = certificate["point"].get("sides", ())
+                if len(sides) == 2 and all(re.fullmatch(r"-?\d+(/\d+)?", str(side)) for side in sides):
+                    [told] = evaluation.compared()
+                    assert [str(told.left), str(told.right)] == list(sides)
+                    count += 1
+    assert count
+
+
+def test_a_point_at_which_the_relation_holds_refutes_nothing() -> None:
+    [record] = records.records("poloskov2004:2.3.2")
+    [certificate] = record.certificates
+    harmless = deepcopy(certificate)
+    harmless["point"]["values"]["t"] = "1"
+    assert counterexample.Evaluation(harmless, records.notation(record.id)).holds()
+    assert not counterexample.Evaluation(certificate, records.notation(record.id)).holds()
+
+
+def test_a_certificate_that_does_not_hold_is_said_not_to() -> None:
+    [record] = records.records("mirer2009:2.12")
+    [certificate] = record.certificates
+    false = {**deepcopy(certificate), "claim": ["=", certificate["claim"][1], 0]}
+    assert relations.checked([certificate]).endswith("holds")
+    assert relations.checked([certificate, certificate]) == "all 2 certificates hold"
+    assert relations.checked([certificate, false]).startswith("a certificate does not hold: ")
+
+
+def test_what_is_right_is_no_erratum() -> None:
+    with pytest.raises(SymcheckError, match=re.escape("mirer2009:2.12 is no erratum")):
+        show.erratum("mirer2009:2.12")
+
+
+# --- display
+
+
+@pytest.mark.parametrize("key", load())
+def test_a_long_formula_is_broken_and_loses_nothing(key: str) -> None:
+    broken = 0
+    for _, item in records.declared(key):
+        for formula in (*item.printed, *item.parts, item.formal, *(each.corrected for each in item.errata.values())):
+            lines = letters.split(formula)
+            assert "".join("".join(lines).split()) == "".join(formula.split())
+            assert len(lines) == 1 or [line for line in lines if line.count("{") != line.count("}")] == []
+            broken += len(lines) > 1
+    assert broken
+
+
+def test_letters_are_those_of_the_paper() -> None:
+    mirer, wheels = load()["mirer2009"].notation, load()["ignatov2005"].notation
+    assert letters.letter("domega_3", mirer) == r"\dot{\omega}_{3}"
+    assert letters.letter("kbar_1", mirer) == r"\bar{k}_{1}"
+    assert letters.letter("e_12", wheels) == "e_{12}"  # a component is no vector
+    assert letters.letter("nowhere", mirer) == "nowhere"
+
+
+def test_words_are_shown_as_they_are_written() -> None:
+    bundle = Shown(
+        (Heading("**a**"), Prose("given", "x_1 * y < 2$"), Table(("p|q",), (("$|x|$",), ("a|b\nc",))), Math("m", "x"))
+    )
+    found = bundle._repr_mimebundle_()
+    assert r"*given:* x\_1 \* y \< 2\$" in found["text/markdown"]
+    assert r"| $\vert x\vert $ |" in found["text/markdown"]
+    assert r"| a\|b<br>c |" in found["text/markdown"]
+    assert "given: x_1 * y < 2$" in found["text/plain"]
+    assert found["text/latex"] == r"\[x\]"
+
+
+# --- the command line
+
+
+@pytest.fixture
+def notebooks(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Callable[..., Result]:
+    """Run `symcheck notebooks` on a folder with one small source."""
+    (tmp_path / "sources").mkdir()
+    (tmp_path / "sources" / "1_small.md").write_text(f"{TITLE}```python\n{NUMBERS}\n```\n", encoding="utf-8")
+    monkeypatch.setattr(committed, "folder", lambda: tmp_path)
+    return lambda *arguments: CliRunner().invoke(cli, ["notebooks", *arguments], prog_name="symcheck")
+
+
+def test_what_is_written_is_what_is_shown(notebooks: Callable[..., Result], tmp_path: Path) -> None:
+    missing = notebooks()
+    assert (missing.exit_code, "1_small.ipynb is missing" in missing.stderr) == (2, True)
+    assert notebooks("--write").exit_code == 0
+    assert (again := notebooks()).exit_code == 0, again.output
+    assert again.stdout == "1_small: 1 cells, 0 differ\n"
+
+
+def test_a_stale_notebook_is_named(notebooks: Callable[..., Result], tmp_path: Path) -> None:
+    notebooks("--write")
+    file = tmp_path / "1_small.ipynb"
+    file.write_text(file.read_text(encoding="utf-8").replace("x | 1", "x | 2"), encoding="utf-8")
+    stale = notebooks("--only", "1")
+    assert stale.exit_code == 1
+    assert "notebooks/1_small.ipynb: cell a-title-2 shows other text/" in stale.stderr
+    assert "symcheck notebooks --write" in stale.stderr
+
+
+def test_a_notebook_that_is_not_there_or_damaged_is_bad_input(notebooks: Callable[..., Result], tmp_path: Path) -> None:
+    unknown = notebooks("--only", "nothing")
+    assert (unknown.exit_code, "did you mean 1_small?" in unknown.stderr) == (2, True)
+    (tmp_path / "1_small.ipynb").write_text("{", encoding="utf-8")
+    damaged = notebooks()
+    assert (damaged.exit_code, "1_small.ipynb is damaged" in damaged.stderr) == (2, True)

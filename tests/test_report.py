@@ -1,0 +1,344 @@
+"""The report: what stands in the page, before any browser shows it."""
+
+from __future__ import annotations
+
+import json
+import re
+import struct
+import zlib
+from collections import Counter
+from collections.abc import Callable, Iterator
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+import pytest
+from click.testing import Result
+
+from symcheck import kernels, papers
+from symcheck.evidence.faults import errata
+from symcheck.evidence.latex import is_formula
+from symcheck.evidence.obligation import expand
+from symcheck.evidence.record import Record
+from symcheck.evidence.steps import steps
+from symcheck.report import sources
+from symcheck.report.difference import marked
+from symcheck.report.graph import graph
+from symcheck.report.marks import marks
+from symcheck.report.packing import unpacked
+from symcheck.report.page import Beside, Pictures, page
+from symcheck.report.plots import colour, coloured, curves, png
+from symcheck.report.sources import Excerpt, Publication
+from symcheck.report.typeset import typeset
+from symcheck.statement import Group, Origin, Reading, Role, SymcheckError, Verdict
+
+TOY = (Publication("toy", "The toy paper", "toy.txt", {"1": "The only section"}),)
+ROW = r"V_1 : \mathbf{H} = [1, 1, -1] = (0, 0, 1)"
+ENVELOPE: dict[str, Any] = {
+    "title": "A cube",
+    "paper": "toy",
+    "lists": ["1V", "1E", "1F", "T1"],
+    "names": ["V_1", "V_2", "V_2'", "V_1'"],
+    "vertices": [[1, 1, -1], [1, -1, -1], [-1, 1, 1], [-1, -1, 1]],
+    "signs": [[1, 1, -1], [1, -1, -1], [-1, 1, 1], [-1, -1, 1]],
+    "edges": [[0, 1]],
+    "faces": [[0, 1, 2, 3]],
+}
+
+
+def record(number: str, **fields: Any) -> Record:
+    given: dict[str, Any] = {"section": "1", "line": 1, "role": Role.CLAIM, "verdict": Verdict.PROVED, **fields}
+    return Record(id=f"toy:{number}", paper="toy", **given)
+
+
+def wrong(number: str, printed: str, corrected: str, **fields: Any) -> Record:
+    given: dict[str, Any] = {
+        "verdict": Verdict.REFUTED,
+        "reading": Reading.MISPRINT,
+        "kind": "sign",
+        "origin": Origin.PAPER,
+        "erratum": {
+            "verdict": "proved",
+            "reason": "",
+            "edit": [],
+            "added": [],
+            "repairs": None,
+            **fields.pop("repair", {}),
+        },
+        **fields,
+    }
+    return record(number, printed=printed, corrected=corrected, **given)
+
+
+def folded(text: str, name: str) -> Any:
+    found = re.search(rf'id="folded-{name}">([^<]*)<', text)
+    assert found
+    return unpacked(found[1])
+
+
+def printed_texts() -> Iterator[str]:
+    for paper in papers.load().values():
+        for obligation in expand(paper):
+            yield from (*obligation.item.printed, obligation.item.formal, *obligation.item.parts)
+
+
+def test_every_formula_of_the_papers_is_typeset_and_nothing_else() -> None:
+    found = typeset(printed_texts())
+    assert len(found) > 1500
+    assert [text for text, math in found.items() if is_formula(text) and not (math or "").startswith("<math")] == []
+    assert [text for text, math in found.items() if not is_formula(text) and math] == []
+
+
+@pytest.mark.parametrize(
+    "text", ["a & b \\\\ c & d", "$V'_1$\t1\t2", r"h_\max", "x\ny", r"\begin{aligned}x\\y\end{aligned}"]
+)
+def test_what_is_cut_out_of_an_array_is_typeset_too(text: str) -> None:
+    assert typeset([text])[text]
+
+
+@pytest.mark.parametrize("text", ["(р = IT}", "The list with that put right.", "", "a}{b"])
+def test_words_and_damaged_characters_are_no_formulas(text: str) -> None:
+    assert typeset([text]) == {text: None}
+
+
+def test_differences_are_marked_on_both_sides() -> None:
+    before, after = typeset(["a_1 + b", "a_1 - b"]).values()
+    assert before
+    assert after
+    one, other = marked(before, after)
+    assert re.findall(r'class="del"[^>]*>([^<]*)<', one) == ["+"]
+    assert re.findall(r'class="ins"[^>]*>([^<]*)<', other) == ["−"]
+    assert re.sub(r' class="(?:del|ins)"', "", one + other) == before + after
+
+
+def test_equal_formulas_have_no_mark() -> None:
+    [math] = typeset([r"\left(x\right)^2 = 1"]).values()
+    assert math
+    assert marked(math, math) == (math, math)
+
+
+def test_the_page_says_what_the_records_say() -> None:
+    rows = [
+        record("1", printed="x = x", uses=("toy:2",)),
+        record("2", role=Role.OURS, words="A <b>bold</b> & sentence", used_by=("toy:1",)),
+        wrong("3", "x = -x", "x = x", counterexample={"values": {"x": "2/7"}, "sides": ["2/7", "-2/7"]}),
+        record("4", role=Role.PREMISE, verdict=None),
+    ]
+    text = page(rows, TOY)
+    ledger = folded(text, "ledger")
+    assert [row[0] for row in ledger["rows"]] == [each.id for each in rows]
+    assert Counter(row[1] for row in ledger["rows"]) == {"proved": 2, "refuted": 1, "premise": 1}
+    assert "3 relations of 1 paper were decided, 2 read as they are printed and 1 added by us" in text
+    assert re.search(r"<b>2</b> proved.*<b>1</b> refuted.*<b>0</b> undecided", text)
+    claims = dict(zip((each.id for each in rows), ledger["claims"], strict=True))
+    assert 'href="#toy:2"' in claims["toy:1"]
+    assert 'href="#toy:1"' in claims["toy:2"]
+    assert "2/7" in claims["toy:3"]
+    assert "−2/7" in claims["toy:3"]
+    assert "<b>bold</b> & sentence" in "".join(ledger["strings"])
+    assert "<b>bold" not in "".join(claims.values())
+
+
+def test_what_is_printed_cannot_become_markup() -> None:
+    evil = '<script>alert("x")</script>'
+    fields = {"name": evil, "reason": evil, "words": evil}
+    text = page([wrong("1", evil, evil, **fields), record("2", printed=evil, **fields)], TOY)
+    ledger = folded(text, "ledger")
+    assert evil not in text
+    assert evil not in "".join(ledger["claims"])
+    assert "alert" in "".join(ledger["strings"])
+
+
+def test_a_page_asks_nothing_of_any_network() -> None:
+    text = page([record("1", printed="x = x")], TOY)
+    assert re.findall(r'(?:src|href)="(?!#|data:)[^"]*"', text) == []
+    assert re.findall(r"url\((?!data:)", text) == []
+    assert "default-src 'none'" in text
+    assert "//cdn" not in text
+    assert "@import" not in text
+
+
+def test_errata_come_first_and_the_serious_ones_before_the_slips() -> None:
+    rows = [
+        wrong("1", "x", "y", kind="lost prime"),
+        wrong("2", "x", "y", reading=Reading.DAMAGED, verdict=Verdict.PROVED),
+        wrong("3V.1", "x", "y", repair={"row": True}),
+        wrong("4", "x", "y"),
+    ]
+    text = page(rows, TOY)
+    places = [text.index(str(group).capitalize()) for group in Group]
+    assert places == sorted(places)
+    assert places[-1] < text.index('id="view-ledger"')
+    assert [group for group, _ in errata(rows)] == list(Group)
+
+
+def test_faults_of_one_row_are_told_once_with_the_letters_of_its_parts() -> None:
+    rows = [wrong(f"1V.8{letter}", "x", "y", repair={"row": True}) for letter in "ab"]
+    [(_, [alike])] = errata(rows)
+    [fault] = alike.faults
+    assert (alike.place, fault.number, len(fault.records)) == ("toy:1V", "1V.8a, b", 2)
+
+
+def test_certificates_are_folded_whole_but_for_the_digest() -> None:
+    certificate = {
+        "id": "toy:1",
+        "claim": ["=", "x", "x"],
+        "digest": "d",
+        "proof": {"rule": "identity", "cofactors": []},
+    }
+    proofs = folded(page([record("1", certificates=(certificate,))], TOY), "toy")
+    again = {key: values[0] for key, values in proofs["fields"].items()}
+    assert (proofs["of"], again | {"digest": "d"}) == (["toy:1"], certificate)
+    assert proofs["steps"][0].startswith("identity: ")
+
+
+def test_every_application_of_a_theorem_is_told() -> None:
+    proof = {"of": ["congruence", "pow", [["*", 4, "x"], 2], [["+", "y", 1], 2]], "premises": [], "then": []}
+    assert "4*x, 2; y + 1, 2" in next(steps(proof))
+
+
+def test_a_claim_shows_its_kernels_and_the_cells_that_name_it(tmp_path: Path) -> None:
+    cell = {"cell_type": "code", "source": ["# toy2004:1 at work\n", "moments(1.0)"]}
+    (tmp_path / "tour.ipynb").write_text(json.dumps({"cells": [{"source": "# A tour"}, cell]}), encoding="utf-8")
+    found = sources.cells(tmp_path)
+    assert found == {"toy2004:1": [Excerpt("tour", "tour.ipynb, cell 2", "# toy2004:1 at work\nmoments(1.0)")]}
+    beside = Beside(
+        {"toy:1": [Excerpt("moments", "generated/toy.py", "def moments(): ...")]}, {"toy:1": found["toy2004:1"]}
+    )
+    ledger = folded(page([record("1a"), record("2")], TOY, beside), "ledger")
+    assert "moments" in ledger["claims"][0]
+    assert "tour.ipynb, cell 2" in ledger["claims"][0]
+    assert "moments" not in ledger["claims"][1]
+    assert ledger["excerpts"] == ["def moments(): ...", "# toy2004:1 at work\nmoments(1.0)"]
+
+
+def test_a_broken_notebook_is_named(tmp_path: Path) -> None:
+    (tmp_path / "tour.ipynb").write_text("{", encoding="utf-8")
+    with pytest.raises(SymcheckError, match=r"tour\.ipynb"):
+        sources.cells(tmp_path)
+    assert sources.cells(tmp_path / "none") == {}
+
+
+def test_every_generated_kernel_is_found_by_its_claims() -> None:
+    found = sources.kernels(papers.load(), kernels.folder())
+    assert {each.name for each in found["mirer2009:2.12"]} == {"product_of_two_axial_moments"}
+    assert "I_1" in found["mirer2009:2.12"][0].text
+    public = {name for key in papers.load() for name in kernels.load(key).__all__}
+    assert {each.name for excerpts in found.values() for each in excerpts} == public
+
+
+@pytest.mark.parametrize(
+    ("number", "corrected", "cell"),
+    [
+        ("1V.1b", ROW, "v0"),
+        ("1E.1a", r"V_1 V_2 : \mathbf{H} = [1, u, -1]", "e0"),
+        ("1F.1a", r"F_1, \mathbf{H} = [u, v, w]".replace("w", "0"), "f0"),
+        ("T1.3c", r"V'_2, X = 1, Y = 2, Z = 3", "v2"),
+    ],
+)
+def test_an_erratum_is_marked_where_its_row_says(number: str, corrected: str, cell: str) -> None:
+    [mark] = marks(ENVELOPE, [wrong(number, "x", corrected, repair={"row": True})])
+    assert (mark["cell"], mark["id"], mark["slip"]) == (cell, f"toy:{number}", False)
+
+
+def test_rows_of_other_lists_and_right_rows_are_not_marked() -> None:
+    rows = [wrong("9V.1a", "x", ROW, repair={"row": True}), record("1V.1a", printed=ROW), wrong("1Vb", "x", "All.")]
+    assert marks(ENVELOPE, rows) == []
+
+
+def test_a_slip_is_marked_as_a_slip() -> None:
+    [mark] = marks(ENVELOPE, [wrong("1V.1a", ROW, ROW, kind="lost prime")])
+    assert mark["slip"]
+
+
+def test_arcs_join_what_is_used_with_what_uses_it_and_lists_are_one_place() -> None:
+    rows = [
+        record("1", name="first"),
+        record("2a", name="chain", uses=("toy:1",)),
+        replace(record("2b", name="chain"), verdict=Verdict.REFUTED),
+        *(record(f"3V.{k}", name="rows", uses=("toy:2",)) for k in (1, 2)),
+        record("4", name="alone"),
+        record("5", name="first", section="2", uses=("toy:1",)),
+    ]
+    found = graph("toy", rows)
+    assert [(node.id, node.label, node.verdict) for node in found.nodes] == [
+        ("toy:1", "1", "proved"),
+        ("toy:2a", "2", "refuted"),
+        ("toy:3V.1", "3V", "proved"),
+        ("toy:5", "5", "proved"),
+    ]
+    assert [(arc.used, arc.by) for arc in found.arcs] == [(0, 1), (0, 3), (1, 2)]
+
+
+def test_a_plot_has_round_ticks_and_its_curves_stay_inside() -> None:
+    plot = {"x": [0, 1, 2], "curves": [{"label": "one", "y": [0, 3, 1]}]}
+    axes, [(label, path)] = curves(plot)
+    assert (label, [text for _, text in axes.across]) == ("one", ["0.0", "0.5", "1.0", "1.5", "2.0"])
+    points = [tuple(map(float, pair.split())) for pair in path[1:].split("L")]
+    assert all(axes.left <= x <= axes.right and axes.top <= y <= axes.bottom for x, y in points)
+    assert points[1][1] == min(y for _, y in points)
+
+
+def test_a_map_is_a_picture_of_its_values() -> None:
+    palette = [(0, 0, 0), *map(colour, (1, 63))]
+    data = png([b"\0\1", b"\2\0"], palette)
+    assert data.startswith(b"\x89PNG\r\n\x1a\n")
+    assert struct.unpack(">II", data[16:24]) == (2, 2)
+    start = data.index(b"IDAT") + 4
+    assert zlib.decompressobj().decompress(data[start:]) == b"\0\0\1\0\2\0"
+    plot = {"x": [0, 1], "y": [0, 1], "growth": [[0, 0.5], [0.25, 0]], "boundary": [[0, 0], [1, 0], [1, 1]]}
+    drawn = coloured(plot)
+    assert drawn.highest == 0.5
+    assert drawn.image.startswith("data:image/png")
+    assert drawn.boundary.endswith("Z")
+
+
+def test_pictures_are_in_the_page_with_words_for_those_who_do_not_see_them() -> None:
+    density = {"title": "Density", "source": ["toy:1"], "across": "a", "up": "p", "x": [0, 1]}
+    density["curves"] = [{"label": "α = 1", "y": [0, 1]}]
+    plot = {"title": "Map", "source": ["toy:1"], "across": "x", "up": "y", "x": [0, 1], "y": [0, 1]}
+    plot |= {"growth": [[0, 1]], "boundary": [[0, 0], [1, 1]]}
+    rows = [record("1"), wrong("1V.1b", "x", ROW, repair={"row": True})]
+    text = page(rows, TOY, Beside(pictures=Pictures([ENVELOPE], [density], plot)))
+    assert 'aria-label="Density: p against a; α = 1"' in text
+    assert "Map: growth rate over x and y" in text
+    [envelope] = folded(text, "envelopes")
+    assert [mark["cell"] for mark in envelope["marks"]] == ["v0"]
+
+
+@pytest.fixture
+def report(symcheck: Callable[..., Result], toy: Path, monkeypatch: pytest.MonkeyPatch) -> Callable[..., Result]:
+    """`symcheck report` on the toy papers, whose sections and kernels there are none of."""
+    monkeypatch.setattr(sources, "kernels", lambda *_: {})
+    monkeypatch.chdir(toy)
+    return lambda *args: symcheck("report", "--jobs", "0", *args)
+
+
+def test_the_report_names_its_file_and_how_many_items_it_has(toy: Path, report: Callable[..., Result]) -> None:
+    result = report("toy:1.1", "toy:1.3", "--output", str(toy / "deep" / "page.html"))
+    assert result.exit_code == 0, result.output
+    assert "2 items" in result.output
+    text = (toy / "deep" / "page.html").read_text(encoding="utf-8")
+    assert [row[0] for row in folded(text, "ledger")["rows"]] == ["toy:1.1", "toy:1.3"]
+
+
+def test_a_file_that_cannot_be_written_is_told_in_one_line(toy: Path, report: Callable[..., Result]) -> None:
+    (toy / "file").write_text("", encoding="utf-8")
+    result = report("toy:1.1", "--output", str(toy / "file" / "page.html"))
+    assert result.exit_code == 2
+    assert result.stderr.count("\n") == 1
+    assert "--output" in result.stderr
+
+
+def test_the_data_of_the_pictures_are_finite_and_name_claims_and_lists_that_exist() -> None:
+    from symcheck.numeric import pictures
+
+    envelopes, densities, stability = pictures.envelopes(), pictures.densities(), pictures.stability()
+    json.dumps([envelopes, densities, stability], allow_nan=False)
+    known = {obligation.id for paper in papers.load().values() for obligation in expand(paper)}
+    sources_of_all = [id for plot in (*densities, stability) for id in plot["source"]]
+    assert [id for id in sources_of_all if not {id, id.rstrip("abcdef")} & known] == []
+    for each in envelopes:
+        assert all(any(id.startswith(f"{each['paper']}:{name}.") for id in known) for name in each["lists"])
+        assert len(each["vertices"]) - len(each["edges"]) + len(each["faces"]) == 2
+        assert len(set(each["names"])) == len({tuple(signs) for signs in each["signs"]}) == len(each["vertices"])

@@ -1,0 +1,292 @@
+"""The report in a real browser: looked at, clicked, turned, folded, printed, read aloud."""
+
+from __future__ import annotations
+
+import json
+import os
+import re
+import shutil
+from collections.abc import Callable, Iterator
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import pytest
+from click.testing import CliRunner
+
+from symcheck import checker
+
+if TYPE_CHECKING:
+    from playwright.sync_api import Browser, Page
+
+CHROMIUM = next(filter(None, map(shutil.which, ("chromium", "chromium-browser", "google-chrome"))), None)
+SELECTION = ("mirer2009", "ignatov2005:2.1V", "ignatov2005:2.1E")
+VIEWS = ("#errata", "#ledger", "#pictures", "#mirer2009:2.12", "#mirer2009:2.17", "#ignatov2005:2.1V.2d")
+WIDE, NARROW = {"width": 1280, "height": 900}, {"width": 360, "height": 740}
+SERIOUS = ("serious", "critical")
+PATIENCE = 10_000  # milliseconds
+CANVAS = "document.querySelector('#canvas').toDataURL()"
+
+pytestmark = pytest.mark.skipif(not CHROMIUM, reason="no Chromium is found; `make browser` installs it")
+
+
+@pytest.fixture(scope="module")
+def address(tmp_path_factory: pytest.TempPathFactory) -> str:
+    """A page of one paper and two lists of another."""
+    from symcheck.cli import cli
+
+    folder = tmp_path_factory.mktemp("report")
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setenv("SYMCHECK_CACHE", str(folder / "cache"))
+        patch.chdir(folder)
+        done = CliRunner().invoke(cli, ["report", "--jobs", "0", *SELECTION], prog_name="symcheck")
+    assert done.exit_code == 0, done.output
+    return (folder / "symcheck-report.html").as_uri()
+
+
+@pytest.fixture(scope="module")
+def browser() -> Iterator[Browser]:
+    from playwright.sync_api import sync_playwright
+
+    arguments = ["--no-sandbox"] if hasattr(os, "geteuid") and os.geteuid() == 0 else []
+    with sync_playwright() as playwright:
+        found = playwright.chromium.launch(executable_path=CHROMIUM, args=arguments)
+        yield found
+        found.close()
+
+
+@pytest.fixture
+def opened(browser: Browser, address: str) -> Iterator[Callable[..., Page]]:
+    """Open the page at a place of it; what the console or the network says fails the test."""
+    said: list[str] = []
+    contexts = []
+
+    def open_at(place: str = "", **options: Any) -> Page:
+        context = browser.new_context(**{"viewport": WIDE, **options})
+        context.set_default_timeout(PATIENCE)
+        contexts.append(context)
+        page = context.new_page()
+        page.on("console", lambda message: said.append(f"{message.type}: {message.text}"))
+        page.on("pageerror", lambda error: said.append(str(error)))
+        page.on("request", lambda request: outside(request.url))
+        page.goto(address + place)
+        if options.get("java_script_enabled", True):
+            page.wait_for_selector("html[data-ready]", state="attached")
+        return page
+
+    def outside(url: str) -> None:
+        if not url.startswith(("file:", "data:", "blob:")):
+            said.append(f"asked for {url}")
+
+    yield open_at
+    for context in contexts:
+        context.close()
+    assert said == []
+
+
+def title(page: Page, start: str) -> None:
+    """Wait until the claim is shown whose title begins so."""
+    page.locator("#claim-title").filter(has_text=re.compile(f"^{re.escape(start)}")).wait_for()
+
+
+def shown(page: Page) -> list[str]:
+    page.locator("#ledger-title").wait_for()
+    return page.locator("#rows li:visible > a").all_inner_texts()
+
+
+@pytest.mark.parametrize("place", VIEWS)
+@pytest.mark.parametrize("size", [WIDE, NARROW], ids=["wide", "narrow"])
+def test_nothing_reaches_beyond_the_window(opened: Callable[..., Page], place: str, size: dict[str, int]) -> None:
+    page = opened(place, viewport=size)
+    assert page.evaluate("document.documentElement.scrollWidth") == size["width"]
+
+
+@pytest.mark.parametrize("scheme", ["light", "dark"])
+@pytest.mark.parametrize("place", VIEWS)
+def test_there_is_no_serious_obstacle_for_anybody(opened: Callable[..., Page], place: str, scheme: str) -> None:
+    from axe_playwright_python.sync_playwright import Axe
+
+    page = opened(place, color_scheme=scheme, bypass_csp=True)
+    found = Axe().run(page).response["violations"]
+    assert [(each["id"], each["nodes"][0]["html"]) for each in found if each["impact"] in SERIOUS] == []
+
+
+def test_the_counts_are_those_of_the_ledger(opened: Callable[..., Page]) -> None:
+    page = opened("#errata")
+    for link in page.locator(".counts td a").all():
+        count, target = link.inner_text().split()[0], link.get_attribute("href")
+        other = opened(target)
+        assert other.locator("#count").inner_text().split(" of ")[0] == count
+        assert len(shown(other)) == int(count.replace(",", ""))
+
+
+def test_the_search_finds_numbers_words_and_latex(opened: Callable[..., Page]) -> None:
+    page = opened("#ledger")
+    everything = shown(page)
+    search = page.get_by_label("Search")
+    for text, expected in (("2009:2.12", "2.12"), ("six cases", "2.17"), ("a_{11} a_{31} + I_2", "2.12")):
+        search.fill(text)
+        found = shown(page)
+        assert expected in found
+        assert len(found) < len(everything) / 4
+    search.fill("there is no such thing")
+    assert shown(page) == []
+    page.get_by_role("button", name="Clear").click()
+    page.wait_for_timeout(50)
+    assert shown(page) == everything
+
+
+def test_filters_narrow_together_and_stay_when_one_comes_back(opened: Callable[..., Page]) -> None:
+    page = opened("#ledger")
+    page.get_by_label("Verdict or role").select_option("refuted")
+    page.locator("[name=paper]").select_option("ignatov2005")
+    found = shown(page)
+    assert "2.1V.2d" in found
+    assert page.locator("#rows li:visible .badge.refuted").count() == len(found)
+    page.locator("#rows li:visible > a").first.click()
+    page.get_by_role("link", name="next →").click()
+    title(page, f"ignatov2005:{found[1]}")
+    page.locator(".pager").get_by_role("link", name="Ledger").click()
+    assert shown(page) == found
+    assert page.locator("[name=paper]").input_value() == "ignatov2005"
+
+
+def test_a_deep_link_shows_its_claim_typeset_with_its_difference_marked(opened: Callable[..., Page]) -> None:
+    page = opened("#mirer2009:2.13.1c")
+    assert page.title().startswith("mirer2009:2.13.1c")
+    assert page.locator("#view-claim math").count() > 3
+    assert page.locator("#view-claim .del").all_text_contents() == ["J", "J", "J"]
+    assert page.locator("#view-claim .ins").all_text_contents() == ["I", "I", "I"]
+    assert page.evaluate("document.fonts.check('16px \"STIX Two Math\"')")
+
+
+def test_links_lead_to_what_a_claim_uses_and_back(opened: Callable[..., Page]) -> None:
+    page = opened("#mirer2009:2.12")
+    page.locator(".depends").get_by_role("link", name="2.11", exact=True).click()
+    title(page, "mirer2009:2.11")
+    page.locator(".depends").get_by_role("link", name="2.12", exact=True).click()
+    page.go_back()
+    title(page, "mirer2009:2.11")
+
+
+def test_a_certificate_unfolds_and_the_checker_accepts_what_is_downloaded(
+    opened: Callable[..., Page], tmp_path: Path
+) -> None:
+    for place in ("mirer2009:2.12", "mirer2009:2.1a", "mirer2009:2.17"):
+        page = opened(f"#{place}")
+        page.locator("details.proof summary").first.click()
+        page.wait_for_selector("details.proof pre")
+        assert json.loads(page.locator("details.proof pre").last.inner_text())["id"].startswith("mirer2009:")
+        with page.expect_download() as waiting:
+            page.get_by_role("button", name="Download as JSON").click()
+        file = tmp_path / waiting.value.suggested_filename
+        waiting.value.save_as(file)
+        assert checker.main([str(file)]) == 0
+
+
+def test_a_kernel_unfolds_where_its_claim_stands(opened: Callable[..., Page]) -> None:
+    page = opened("#mirer2009:2.12")
+    page.locator("details.excerpt summary").click()
+    assert "def _product_of_two_axial_moments" in page.locator("details.excerpt pre").inner_text()
+
+
+def test_the_envelope_turns_with_mouse_keyboard_and_buttons(opened: Callable[..., Page]) -> None:
+    page = opened("#pictures")
+    canvas = page.locator("#canvas")
+    seen = {page.evaluate(CANVAS)}
+
+    def changed() -> bool:
+        before = len(seen)
+        seen.add(page.evaluate(CANVAS))
+        return len(seen) > before
+
+    canvas.focus()
+    for key in ("ArrowLeft", "ArrowUp", "+"):
+        page.keyboard.press(key)
+        assert changed(), key
+    page.keyboard.press("Home")
+    assert not changed()
+    box = canvas.bounding_box()
+    assert box
+    page.mouse.move(box["x"] + 100, box["y"] + 100)
+    page.mouse.down()
+    page.mouse.move(box["x"] + 190, box["y"] + 130, steps=5)
+    page.mouse.up()
+    assert changed()
+    page.get_by_role("button", name="turn back").click()
+    assert not changed()
+    page.get_by_label("slips too").check()
+    assert changed()
+    page.locator("#envelope").select_option("Six wheels")
+    assert changed()
+    assert "32 vertices, 60 edges, 30 faces" in page.locator("#envelope-says").inner_text()
+
+
+def test_errors_on_the_envelope_lead_to_their_errata(opened: Callable[..., Page]) -> None:
+    page = opened("#pictures")
+    marks = page.locator("#marks li")
+    assert "vertex V₂: letter, 2.1V.2d" in marks.all_inner_texts()
+    page.locator("#marks").get_by_role("link", name="2.1V.2d").click()
+    title(page, "ignatov2005:2.1V.2d")
+
+
+def test_arcs_of_a_claim_stand_out_when_it_has_the_focus(opened: Callable[..., Page]) -> None:
+    page = opened("#pictures")
+    page.locator("details.graph:not([open])").filter(has_text="mirer2009").locator("summary").click()
+    page.locator('.arcs a[href="#mirer2009:2.12"]').focus()
+    assert page.locator(".arcs path.on").count() >= 3
+    assert page.locator(".arcs path.used").count() == 2
+
+
+def test_colours_follow_the_button(opened: Callable[..., Page]) -> None:
+    page = opened("#errata")
+    colours = []
+    for _ in range(3):
+        page.locator("#theme").click()
+        colours.append(page.evaluate("getComputedStyle(document.body).backgroundColor"))
+    assert colours[0] != colours[1]
+    assert colours[2] == colours[0]
+
+
+def test_everything_is_reached_with_the_keyboard_alone(opened: Callable[..., Page]) -> None:
+    page = opened("#errata")
+    page.keyboard.press("Tab")
+    assert page.evaluate("document.activeElement.textContent") == "Skip to the content"
+    for _ in range(3):
+        page.keyboard.press("Tab")
+    page.keyboard.press("Enter")
+    page.locator("#ledger-title").wait_for()
+    page.locator("#rows li > a").first.focus()
+    page.keyboard.press("Enter")
+    page.locator("#claim-title:focus").wait_for()
+
+
+def test_errata_are_legible_without_a_program(opened: Callable[..., Page]) -> None:
+    page = opened("#errata", java_script_enabled=False)
+    assert page.locator(".fault").first.is_visible()
+    assert r"\omega_s" in page.locator(".fault .diff").all_inner_texts()[1]
+    assert page.locator("#view-pictures").is_visible()
+    assert page.locator("#filters").is_hidden()
+
+
+def test_printing_leaves_out_what_paper_cannot_do(opened: Callable[..., Page]) -> None:
+    page = opened("#mirer2009:2.17")
+    page.emulate_media(media="print")
+    assert page.locator("header.top").is_hidden()
+    assert page.get_by_role("button", name="Download as JSON").is_hidden()
+    assert len(page.pdf()) > 10_000
+
+
+@pytest.mark.slow
+def test_the_whole_audit_is_one_file_below_a_megabyte(browser: Browser, tmp_path: Path) -> None:
+    from symcheck.cli import cli
+
+    file = tmp_path / "page.html"
+    done = CliRunner().invoke(cli, ["report", "--output", str(file)], prog_name="symcheck")
+    assert done.exit_code == 0, done.output
+    assert file.stat().st_size < 1_000_000
+    page = browser.new_context(viewport=WIDE).new_page()
+    page.goto(file.as_uri() + "#ledger")
+    page.wait_for_selector("html[data-ready]", state="attached")
+    items = int(done.output.rpartition(": ")[2].split()[0])
+    assert page.locator("#rows li").count() == items > 2300
+    assert page.locator("#count").inner_text() == f"{items:,} of {items:,} items"
