@@ -482,7 +482,7 @@ def frequencies(A, Delta, E_1, b_1, omega_0, out=None):
     (A - E_1); eight operations follow one another.
 
     Rests on esenkov2006:1.33 (sha256 af8f28ce4e87), esenkov2006:1.34.3 (sha256 6ce830dd8a10), esenkov2006:B.2
-    (sha256 7f9a06f39baa), esenkov2006:B.18 (sha256 85ffb360afd1). The forms computed are proved equal to those
+    (sha256 7f9a06f39baa), esenkov2006:B.18 (sha256 9c6d98cce656). The forms computed are proved equal to those
     shown (sha256 c9ab2784cddc).
     """
     if out is None:

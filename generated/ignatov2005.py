@@ -2257,7 +2257,7 @@ def equal_rates_of_four_wheels(J_x, J_y, J_z, out=None):
     give a greater rate w_any.
 
     Rests on ignatov2005:B.16 (sha256 390c1dc3e919), ignatov2005:B.17 (sha256 9063349b485c), ignatov2005:B.18
-    (sha256 79176ba4921e), ignatov2005:B.19 (sha256 76977367497d).
+    (sha256 738f33499d8f), ignatov2005:B.19 (sha256 76977367497d).
     """
     if out is None:
         if type(J_x) is type(J_y) is type(J_z) is float:
@@ -2381,7 +2381,7 @@ def best_angles_of_four_wheels(J_x, J_y, J_z, out=None):
 
     Accuracy: 4 ulp over the domain.
 
-    Rests on ignatov2005:B.20 (sha256 8750082f3a92), ignatov2005:B.21 (sha256 147f60cbcbe6).
+    Rests on ignatov2005:B.20 (sha256 1522635daa40), ignatov2005:B.21 (sha256 147f60cbcbe6).
     """
     if out is None:
         if type(J_x) is type(J_y) is type(J_z) is float:

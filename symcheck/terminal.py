@@ -19,8 +19,9 @@ from rich.table import Table
 from rich.text import Text
 
 from symcheck.codegen.kernel import Kernel
+from symcheck.evidence.faults import fails_at, without
 from symcheck.evidence.record import Record
-from symcheck.evidence.steps import point, sides, steps, term
+from symcheck.evidence.steps import steps, term
 from symcheck.statement import Group, Paper, Verdict
 
 _STYLES = {Verdict.PROVED: "green", Verdict.REFUTED: "bold red", Verdict.UNDECIDED: "yellow"}
@@ -236,19 +237,13 @@ def _hypothesis(hypothesis: Mapping[str, Any]) -> str:
     given = "not printed, added" if hypothesis.get("given") == "added" else hypothesis.get("given", "")
     words = hypothesis.get("words") or hypothesis.get("name", "")
     text = f"{words} ({', '.join(filter(None, (given, needed)))})"
-    without = hypothesis.get("counterexample")
-    return f"{text}; fails without it at {_point(without)}" if without else text
-
-
-def _point(counterexample: Mapping[str, Any]) -> str:
-    """The values of a counterexample, which may be a point or the certificate that holds the point."""
-    found = counterexample.get("point", counterexample)
-    return ", where ".join(filter(None, (point(found.get("values", {})), sides(found))))
+    lost = without(hypothesis)
+    return f"{text}; without it {lost}" if lost else text
 
 
 def _counterexample(out: Console, record: Record) -> None:
     if record.counterexample:
-        _field(out, "fails at", _point(record.counterexample))
+        _field(out, "fails at", fails_at(record.counterexample))
 
 
 def _erratum(out: Console, record: Record) -> None:

@@ -106,6 +106,7 @@ def _records(paper: str, number: str) -> tuple[Record, ...]:
                 "words": "n is odd",
                 "given": "added",
                 "needed": True,
+                "lost": "the relation fails",
                 "counterexample": POINT_WITHOUT,
             }
             return (

@@ -122,7 +122,7 @@ def test_show_tells_everything_of_a_proved_relation(recorded: Run) -> None:
         "line 10 of the source",
         "A is orthogonal (printed, needed)",
         "x is positive (not printed, added, not needed)",
-        "fails without it at x = 2/7, y = sqrt(3), where the sides are 1 against -1",
+        "without it the relation fails at x = 2/7, y = sqrt(3), where the sides are 1 against -1",
         "a_11^2 - b = 1/(c + 1)",
         "(2*a_11 - 1) · [orthogonal [1]]",
         "sha256 d1",

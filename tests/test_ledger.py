@@ -13,8 +13,11 @@ import pytest
 
 from symcheck import checker, kernels, papers
 from symcheck.evidence.decide import decide
+from symcheck.evidence.faults import without
 from symcheck.evidence.obligation import DECIDED, expand
 from symcheck.evidence.record import Record
+from symcheck.proof import Loss
+from symcheck.selftest.statements import unguarded
 from symcheck.statement import Origin, Reading, Role, SymcheckError, Verdict
 
 IDS = [obligation.id for paper in papers.load().values() for obligation in expand(paper)]
@@ -79,11 +82,18 @@ def test_a_counterexample_satisfies_the_hypotheses_and_gives_both_sides() -> Non
             assert shown or refuted[0]["claim"][0] in ("=>", "<=>", "and"), record.id
 
 
-def test_a_hypothesis_that_is_needed_shows_the_counterexample_without_it() -> None:
+def test_a_hypothesis_that_is_needed_shows_what_is_lost_without_it() -> None:
     shown = [h for record in claims() for h in record.hypotheses if h["needed"]]
-    assert shown
+    assert {hypothesis["lost"] for hypothesis in shown} == set(Loss)
     for hypothesis in shown:
         assert checker.check(json.loads(json.dumps(hypothesis["counterexample"]))) is None
+        assert without(hypothesis).startswith(hypothesis["lost"])
+    assert not any(h["lost"] for record in claims() for h in record.hypotheses if not h["needed"])
+
+
+def test_every_inequality_that_may_be_an_equality_says_where_and_is_proved_with_that() -> None:
+    assert unguarded(records()) == []
+    assert len([record for record in claims() if any(c["claim"][0] in ("<=", ">=") for c in record.certificates)]) > 30
 
 
 def test_definitions_premises_and_exclusions_claim_nothing() -> None:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from collections import Counter
 from dataclasses import replace
 from functools import cache
 from random import Random
@@ -10,9 +11,11 @@ from typing import Any
 
 import pytest
 
+from symcheck import papers
 from symcheck.evidence import decide
 from symcheck.evidence.domain import domain, refuse_wider
 from symcheck.evidence.executor import Serial
+from symcheck.evidence.obligation import expand
 from symcheck.evidence.record import Record
 from symcheck.selftest import certificates, engines, hypotheses, kernels, statements
 from symcheck.selftest.run import Result, classes, run, tasks
@@ -148,3 +151,19 @@ def test_a_record_that_leaves_a_hypothesis_out_is_refused() -> None:
         refuse_wider(record.id, record.certificates, told)
     with pytest.raises(SymcheckError, match="which the record leaves out"):
         Record.from_json(replace(record, hypotheses=told).to_json())
+
+
+@pytest.mark.slow
+def test_no_inequality_keeps_its_proof_and_its_equality_case_with_another_bound() -> None:
+    fates = Counter(
+        statements.fate(original, edit)
+        for paper in papers.load().values()
+        for each in expand(paper)
+        if each.item.equality
+        for original in proved(each.id)
+        if original.equality
+        for edit in statements.slips(original)
+        if edit.kind == "bound"
+    )
+    assert set(fates) == {Fate.REJECTED}
+    assert fates[Fate.REJECTED] > 60

@@ -10,16 +10,16 @@ from typing import Any
 
 from symcheck.evidence.context import Context
 from symcheck.evidence.judge import Finding, Unit, judge, lemma
-from symcheck.proof import certificate, combined, fails_at, proof_of, refute
+from symcheck.proof import Without, combined, fails_at, fails_without, proof_of
 from symcheck.reading import edits, read, to_latex
-from symcheck.statement import Certificate, Erratum, Hypothesis, Item, Method, Outcome, Role, SymcheckError, Verdict
+from symcheck.statement import Erratum, Hypothesis, Item, Method, Role, SymcheckError, Verdict
 
 
 def needs(finding: Finding, item: Item, added: tuple[Hypothesis, ...]) -> tuple[dict[str, Any], ...]:
-    """Each hypothesis with whether the proof needs it, and the counterexample without it."""
+    """Each hypothesis with whether the proof needs it, what is lost without it, and the certificate of that."""
     rows = []
     for hypothesis in (*item.given, *added):
-        need, counterexample = _need(finding, item, hypothesis.name)
+        need, lost = _need(finding, item, hypothesis.name)
         rows.append(
             {
                 "name": hypothesis.name,
@@ -27,7 +27,8 @@ def needs(finding: Finding, item: Item, added: tuple[Hypothesis, ...]) -> tuple[
                 "states": hypothesis.states,
                 "given": _source(hypothesis, item, added),
                 "needed": need,
-                "counterexample": counterexample,
+                "lost": lost.loss if lost else "",
+                "counterexample": lost.certificate if lost else None,
             }
         )
     known = {row["name"] for row in rows}
@@ -42,6 +43,7 @@ def _of_equality(hypothesis: Hypothesis) -> dict[str, Any]:
         "states": hypothesis.states,
         "given": "for the set of equality",
         "needed": None,
+        "lost": "",
         "counterexample": None,
     }
 
@@ -55,8 +57,8 @@ def _source(hypothesis: Hypothesis, item: Item, added: tuple[Hypothesis, ...]) -
     return "printed" if hypothesis.printed else "standing"
 
 
-def _need(finding: Finding, item: Item, name: str) -> tuple[bool | None, Certificate | None]:
-    """Left out, is the claim refuted somewhere (True), or proved everywhere (False)? A lemma may rest on it (None)."""
+def _need(finding: Finding, item: Item, name: str) -> tuple[bool | None, Without | None]:
+    """Left out, does the claim fail (True), or is it proved all the same (False)? A lemma may rest on it (None)."""
     if finding.verdict is not Verdict.PROVED:
         return None, None
     if not any(name in outcome.used for outcome in finding.outcomes) and name not in _under_lemmas(finding):
@@ -65,11 +67,8 @@ def _need(finding: Finding, item: Item, name: str) -> tuple[bool | None, Certifi
     without = [replace(problem, hypotheses=tuple(h for h in problem.hypotheses if h[0] != name)) for problem in claims]
     if not item.lemmas and all(p.claim[0] == "=" and proof_of(p) is not None for p in without):
         return False, None
-    for problem in without:
-        # that nothing exists is not looked for: no single point shows it
-        if problem.claim[0] != "exists" and (point := refute(problem)) is not None:
-            used = tuple(each for each, _ in problem.hypotheses)
-            return True, certificate(problem, Outcome(Verdict.REFUTED, point=point, used=used))
+    if (lost := next(filter(None, map(fails_without, without)), None)) is not None:
+        return True, lost
     if item.lemmas or any(proof_of(problem) is None for problem in without):
         return None, None
     return False, None

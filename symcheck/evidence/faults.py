@@ -9,8 +9,9 @@ from string import ascii_lowercase
 from typing import Any
 
 from symcheck.evidence.record import Record
-from symcheck.evidence.steps import point, sides
-from symcheck.statement import Group
+from symcheck.evidence.steps import point, sides, term
+from symcheck.proof import Loss
+from symcheck.statement import Group, Verdict
 
 _GIVEN = re.compile(r" \(given: .*\)$", re.DOTALL)  # how a record tells conditions behind a corrected formula
 
@@ -83,6 +84,18 @@ def fails_at(counterexample: Mapping[str, Any] | None) -> str:
     """The values of a counterexample, which may be a point or the certificate that holds the point; "" without one."""
     found = (counterexample or {}).get("point", counterexample) or {}
     return ", where ".join(filter(None, (point(found.get("values", {})), sides(found))))
+
+
+def without(hypothesis: Mapping[str, Any]) -> str:
+    """What is lost without a hypothesis, and where: "the relation fails at x = 2"; "" if that is not known."""
+    lost, shown = hypothesis.get("lost", ""), hypothesis.get("counterexample")
+    if not lost or not shown:
+        return ""
+    if shown["verdict"] == Verdict.PROVED:  # at an angle whose sine and cosine are defined as numbers
+        return f"{lost} where {point({name: value for name, value in shown['definitions'] if type(value) is int})}"
+    if lost == Loss.VALUE:
+        return f"{lost} at {point(shown['point'].get('values', {}))}: {term(shown['claim'])} is wrong"
+    return f"{lost} at {fails_at(shown)}"
 
 
 def statement(record: Record) -> str:

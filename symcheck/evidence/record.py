@@ -29,7 +29,7 @@ class Record:
     reason: str = ""
     hypotheses: tuple[
         dict[str, Any], ...
-    ] = ()  # name, words, given ("printed" | "added"), needed (bool | None), counterexample
+    ] = ()  # name, words, given ("printed" | "added"), needed (bool | None), lost, counterexample
     method: str = ""
     certificates: tuple[Certificate, ...] = ()  # one per lowered formula
     counterexample: Certificate | None = None

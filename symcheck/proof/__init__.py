@@ -14,8 +14,11 @@ from symcheck.proof.methods import (
     refute,
     theorems,
 )
+from symcheck.proof.necessity import Loss, Without, fails_without
 
 __all__ = [
+    "Loss",
+    "Without",
     "cases",
     "certificate",
     "combined",
@@ -23,6 +26,7 @@ __all__ = [
     "equivalent",
     "existence",
     "fails_at",
+    "fails_without",
     "identity",
     "looking_at",
     "nonnegative",

@@ -79,7 +79,7 @@ def _at(term: Term, point: Mapping[str, Term]) -> Term:
 
 
 def _values(ends: list[Term]) -> list[Term]:
-    """The ends of intervals, angles half way between them, and well-known angles."""
+    """The ends of intervals, angles half way between them, well-known angles, and last negative ones."""
     known: list[Term] = [multiple_of_pi(multiple) for multiple in KNOWN_ANGLES]
     sizes: dict[int, Term] = {}
     for term in (*ends, known[0], known[-1]):
@@ -89,7 +89,8 @@ def _values(ends: list[Term]) -> list[Term]:
             continue
     ordered = [term for _, term in sorted(sizes.items())]
     between: list[Term] = [("/", ("+", low, high), 2) for low, high in pairwise(ordered)]
-    return list(dict.fromkeys([*ends, *known, *between]))
+    negative: list[Term] = [("-", term) for term in known[1:]]
+    return list(dict.fromkeys([*ends, *known, *between, *negative]))
 
 
 def _stated(problem: Problem) -> list[Formula]:

@@ -8,7 +8,7 @@ from typing import Any
 
 from markupsafe import Markup
 
-from symcheck.evidence.faults import Fault, fails_at
+from symcheck.evidence.faults import Fault, without
 from symcheck.evidence.record import Record
 from symcheck.evidence.steps import sides, steps, term
 from symcheck.report.formulas import Formulas
@@ -30,7 +30,7 @@ class Counterexample:
 
 @dataclass(frozen=True)
 class Condition:
-    """A hypothesis as the page shows it; `without` is where the relation fails if it is left out."""
+    """A hypothesis as the page shows it; `without` is what is lost if it is left out."""
 
     words: str
     states: str
@@ -139,5 +139,5 @@ def _condition(hypothesis: Mapping[str, Any]) -> Condition:
         hypothesis.get("states", ""),
         _GIVEN.get(given, given),
         _NEEDED[hypothesis.get("needed")],
-        fails_at(hypothesis.get("counterexample")),
+        without(hypothesis),
     )

@@ -24,7 +24,7 @@ from symcheck.statement import Hypothesis, Role, SymcheckError, Verdict
 
 ORDERS = ("<", "<=", ">", ">=")
 EQUALITY = "equality case"
-RARE = (EQUALITY, "strictness", "interval end")
+RARE = (EQUALITY, "strictness", "bound", "interval end")
 
 
 class Proved(NamedTuple):
@@ -102,9 +102,14 @@ def fate(original: Proved, edit: Edit) -> Fate:
     if edit.kind != EQUALITY and says_the_same(original, changed):
         return Fate.EQUIVALENT
     finding = judge(changed.context.having(doubted=True), changed.unit, changed.given)
-    if finding.verdict is not Verdict.PROVED:
+    if finding.verdict is not Verdict.PROVED or _is_unguarded(changed):
         return Fate.REJECTED
     return Fate.EQUIVALENT if _is_as_good(original, changed, edit, finding) else Fate.ACCEPTED
+
+
+def _is_unguarded(changed: Proved) -> bool:
+    """Whether it may be an equality and nobody says where: that is a finding, whatever is proved."""
+    return changed.unit.formulas[0][0] in ("<=", ">=") and not changed.equality
 
 
 def _is_as_good(original: Proved, changed: Proved, edit: Edit, finding: Finding) -> bool:
@@ -154,13 +159,13 @@ def places(records: Sequence[Record]) -> list[str]:
 
 
 def unguarded(records: Sequence[Record]) -> list[str]:
-    """The proved inequalities that may be equalities, without a set where they are."""
+    """The proved inequalities that may be equalities, without a set where they are; those that are errata left out."""
     found = []
     for record in records:
         claims = [each["claim"] for each in record.certificates]
         obligation = obligation_of(declared(record))
         item, letter = obligation.item, record.id.removeprefix(obligation.id)
-        if record.verdict is Verdict.PROVED and claims and claims[0][0] in ("<=", ">="):
+        if record.verdict is Verdict.PROVED and not record.corrected and claims and claims[0][0] in ("<=", ">="):
             found += [record.id] * (not for_letter(item.equality, letter))
     return found
 
@@ -188,7 +193,7 @@ CLASS = FaultClass(
     "printed statements with one slip, before the audit",
     (
         *("sign", "factor", "number", "index", "exponent", "term", "letter", "relation"),
-        *("strictness", "interval end", EQUALITY),
+        *("strictness", "bound", "interval end", EQUALITY),
     ),
     share=1000,
     places=places,

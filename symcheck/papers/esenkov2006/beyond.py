@@ -247,6 +247,7 @@ flattened_body_is_stable = ours(
     formal=rf"{BOUNDARY} \ge 0",
     given=[liquid_moves, liquid_is_part, resonant_or_at_an_end, Hypothesis("flattened", "C >= A", r"\Delta \ge 0")],
     by=nonnegative(r"\Delta^2 + 2\Delta(b_n(A - E_n) + E_n(1 - b_n)) + (Ab_n - E_n)^2"),
+    equality=r"\Delta = 0, Ab_n = E_n",
     uses=["B.9", "B.10", "B.12"],
     keeping=("b", "Delta"),
 )

@@ -231,6 +231,8 @@ imaginary_part_of_the_poles = ours(
     notation=mode_letters,
 )
 
+PAIRS = tuple(rf"w_{j}w_{k}((x_{j} - x_{k})^2 + (y_{j} - y_{k})^2)" for j, k in combinations((1, 2, 3, 4), 2))
+
 cauchy_inequality = ours(
     "N.16",
     28,
@@ -238,9 +240,8 @@ cauchy_inequality = ours(
     "1 / (eta - lambda_n).",
     formal=rf"({_total('')})({_total('(x_k^2 + y_k^2)')}) \ge ({_total('x_k')})^2 + ({_total('y_k')})^2",
     given=[Hypothesis("weights", "no weight is negative", r"w_1 \ge 0, w_2 \ge 0, w_3 \ge 0, w_4 \ge 0")],
-    by=nonnegative(
-        " + ".join(rf"w_{j}w_{k}((x_{j} - x_{k})^2 + (y_{j} - y_{k})^2)" for j, k in combinations((1, 2, 3, 4), 2))
-    ),
+    by=nonnegative(" + ".join(PAIRS)),
+    equality=", ".join(f"{addend} = 0" for addend in PAIRS),
     notation=weight_letters,
 )
 

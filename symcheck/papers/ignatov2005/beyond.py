@@ -364,12 +364,12 @@ rate_about_any_axis = Hypothesis(
 )
 
 
-def _in_plane(i: str, j: str, x: str, y: str) -> str:
-    """What the ellipsoid leaves of a face, times 1/(x^2 y^2)."""
-    return rf"\frac{{16 {x}^2 {y}^2 - w^2 (J_{i}^2 {y}^2 + J_{j}^2 {x}^2)}}{{{x}^2 {y}^2}}"
-
-
-XY, XZ, YZ = (_in_plane(*plane) for plane in PLANES)
+# What the faces leave, each times p^2 q^2 r^2 and twice the sum of the squares of the moments.
+BALANCED = " + ".join(
+    rf"(J_{i}^2 + J_{j}^2 - J_{k}^2)(16 {x}^2 {y}^2 - w^2 (J_{i}^2 {y}^2 + J_{j}^2 {x}^2)) {z}^2 "
+    rf"+ 2 w^2 (J_{i}^2 {y}^2 - J_{j}^2 {x}^2)^2 {z}^2"
+    for (i, j, x, y), k, z in zip(PLANES, "zyx", "rqp", strict=True)
+)
 
 fastest_of_balanced_bodies = ours(
     "B.18",
@@ -387,11 +387,8 @@ fastest_of_balanced_bodies = ours(
             r"J_x^2 + J_y^2 \geq J_z^2, J_y^2 + J_z^2 \geq J_x^2, J_z^2 + J_x^2 \geq J_y^2",
         ),
     ],
-    by=nonnegative(
-        rf"\frac{{1}}{{2(J_x^2 + J_y^2 + J_z^2)}} ((J_x^2 + J_y^2 - J_z^2) {XY} + (J_z^2 + J_x^2 - J_y^2) {XZ} "
-        rf"+ (J_y^2 + J_z^2 - J_x^2) {YZ} + 2 w^2 (\frac{{(J_x^2 q^2 - J_y^2 p^2)^2}}{{p^2 q^2}} "
-        r"+ \frac{(J_x^2 r^2 - J_z^2 p^2)^2}{p^2 r^2} + \frac{(J_y^2 r^2 - J_z^2 q^2)^2}{q^2 r^2}))"
-    ),
+    by=combined(nonnegative(rf"\frac{{{BALANCED}}}{{2 p^2 q^2 r^2 (J_x^2 + J_y^2 + J_z^2)}}"), forms=(BALANCED,)),
+    equality="w^2 (J_x^2 + J_y^2 + J_z^2) = 8, J_x^2 q^2 = J_y^2 p^2, J_x^2 r^2 = J_z^2 p^2",
     uses=["B.15"],
     notation=four_wheels_beyond,
 )
@@ -411,16 +408,19 @@ balanced_bodies_reach_it = ours(
 
 root_of_moments = Hypothesis("S", "S is the square root of J_x^2 + J_z^2", "S > 0, S^2 = J_x^2 + J_z^2")
 
+UNBALANCED = (
+    "J_x^2 (16 p^2 q^2 - w^2 (J_x^2 q^2 + J_y^2 p^2)) r^2 + J_z^2 (16 q^2 r^2 - w^2 (J_y^2 r^2 + J_z^2 q^2)) p^2 "
+    "+ w^2 (J_x^2 r^2 - J_z^2 p^2)^2 q^2 + w^2 (J_x^2 q^2 - S J_y p^2)^2 r^2 + w^2 (J_z^2 q^2 - S J_y r^2)^2 p^2"
+)
+
 fastest_of_unbalanced_bodies = ours(
     "B.20",
     264,
     words="With S = sqrt(J_x^2 + J_z^2) also w <= 4/(J_y + S) always.",
     formal=r"w^2 (J_y + S)^2 \leq 16",
     given=[axes, rate_about_any_axis, root_of_moments],
-    by=nonnegative(
-        rf"\frac{{1}}{{S^2}} (J_x^2 {XY} + J_z^2 {YZ} + w^2 (\frac{{(J_x^2 r^2 - J_z^2 p^2)^2}}{{p^2 r^2}} "
-        r"+ \frac{(J_x^2 q^2 - S J_y p^2)^2}{p^2 q^2} + \frac{(J_z^2 q^2 - S J_y r^2)^2}{q^2 r^2}))"
-    ),
+    by=combined(nonnegative(rf"\frac{{{UNBALANCED}}}{{S^2 p^2 q^2 r^2}}"), forms=(UNBALANCED,)),
+    equality="w^2 (J_y + S)^2 = 16, J_x^2 r^2 = J_z^2 p^2, J_x^2 q^2 = S J_y p^2, J_z^2 q^2 = S J_y r^2",
     uses=["B.15"],
     notation=four_wheels_beyond,
 )

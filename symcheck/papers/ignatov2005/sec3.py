@@ -658,11 +658,15 @@ table_8 = (
 
 
 def foot_within(number: str, line: int, face: str, words: str, notation: Notation, **angles: str) -> Item:
-    """The foot of the perpendicular from the centre, and for which a its u and its v are those of a point of the face."""
+    """The foot of the perpendicular from the centre, and for which a its u and its v are those of a point of the face.
+
+    Without a condition on a it is one that no edge contains.
+    """
     places = face.split(", ")
     across = [rf"(\mathbf{{e}}_{places.index(free) + 1}, [{face}]) = 0" for free in "uv"]
     within = [
-        rf"-1 \leq {free} \leq 1" + (rf" \Leftrightarrow {angles[free]}" if free in angles else "") for free in "uv"
+        rf"-1 \leq {free} \leq 1 \Leftrightarrow {angles[free]}" if free in angles else f"-1 < {free} < 1"
+        for free in "uv"
     ]
     return ours(
         number,
@@ -1171,17 +1175,17 @@ SQUARES = r"\operatorname{diag}(16\sin^2 a, 16\sin^2 a, 36\cos^2 a)"
 RECIPROCALS = r"\operatorname{diag}(\frac{1}{16\sin^2 a}, \frac{1}{16\sin^2 a}, \frac{1}{36\cos^2 a})"
 
 
-def in_ellipsoid(vertex: int) -> str:
-    """The vertex lies in the ellipsoid with the semi-axes 4 sin a, 4 sin a, 6 cos a."""
-    return rf"(\mathbf{{V}}_{{{vertex}}}, {RECIPROCALS} \mathbf{{V}}_{{{vertex}}}) \leq 1"
+def against_ellipsoid(vertex: int, order: str) -> str:
+    """The vertex lies on the ellipsoid with the semi-axes 4 sin a, 4 sin a, 6 cos a ("="), or within it ("<")."""
+    return rf"(\mathbf{{V}}_{{{vertex}}}, {RECIPROCALS} \mathbf{{V}}_{{{vertex}}}) {order} 1"
 
 
-def beyond_ellipsoid(face: str) -> str:
-    """The plane of the face does not cut that ellipsoid, made smaller by the factor sqrt(27/43)."""
+def around_ellipsoid(face: str, order: str) -> str:
+    """The plane of the face touches that ellipsoid, made smaller by the factor sqrt(27/43) ("="), or misses it ("<")."""
     places = face.split(", ")
     normal = " \\times ".join(rf"\mathbf{{e}}_{places.index(free) + 1}" for free in "uv")
     middle = f"[{face}]".replace("u", "0").replace("v", "0")
-    return rf"\frac{{27}}{{43}} ({normal}, {SQUARES} ({normal})) \leq ({normal}, {middle})^2"
+    return rf"\frac{{27}}{{43}} ({normal}, {SQUARES} ({normal})) {order} ({normal}, {middle})^2"
 
 
 nearer_to_an_ellipsoid = claim(
@@ -1190,13 +1194,19 @@ nearer_to_an_ellipsoid = claim(
     words="More wheels come nearer to an ellipsoid: for six wheels lambda^2 = 27/43, more than 1/2, with the semi-axes 4 sin a, 4 sin a, "
     "6 cos a (the other vertices and faces by sixth turns and opposites).",
     parts=(
-        *map(in_ellipsoid, (1, 2, 8, 14)),
-        *map(beyond_ellipsoid, (FACES_OF_P[0], FACES_OF_P[6], FACES_OF_P[12])),
+        *(against_ellipsoid(vertex, order) for vertex, order in ((1, "="), (2, "<"), (8, "<"), (14, "="))),
+        around_ellipsoid(FACES_OF_P[0], "="),
+        *(around_ellipsoid(face, "<") for face in (FACES_OF_P[6], FACES_OF_P[12])),
         r"\frac{27}{43} > \frac{1}{2}",
     ),
     given=[real_pyramid],
     where=derivation.six_axes,
-    by={**dict.fromkeys("abdefgh", identity), "c": nonnegative(r"\frac{5}{36}")},
+    by={
+        **dict.fromkeys("abdeh", identity),
+        "c": nonnegative(r"\frac{5}{36}"),
+        "f": nonnegative(r"\frac{39}{43} \cos^2 a \sin^4 a"),
+        "g": nonnegative(r"\frac{336}{43} \cos^2 a \sin^4 a"),
+    },
     uses=["3.1.25", "3.2.20"],
     notation=six_wheels,
 )

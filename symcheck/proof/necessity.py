@@ -1,0 +1,141 @@
+"""Why a statement needs a hypothesis: without it the statement fails at a point, nothing of the kind exists, or a term
+has no value. Each is a certificate of its own.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import replace
+from enum import StrEnum
+from typing import Any, NamedTuple
+
+from symcheck.proof.angle_points import refute_about_angles
+from symcheck.proof.certificate import certificate
+from symcheck.proof.methods import proof_of, refute
+from symcheck.proof.polynomial import Unsupported, subterms
+from symcheck.statement import Certificate, Formula, Outcome, Problem, Term, Verdict
+from symcheck.theorems import conjuncts, contrary
+
+ORDERS = ("<", "<=", ">", ">=")
+RIGHT_ANGLES = ((0, 1), (1, 0))  # the sine and the cosine of 0 and of 90 degrees
+HAVING_A_VALUE: dict[str, Callable[..., Formula]] = {
+    "/": lambda _, bottom: ("!=", bottom, 0),
+    "sqrt": lambda radicand: (">=", radicand, 0),
+    "log": lambda number: (">", number, 0),
+    "gamma": lambda number: (">", number, 0),
+    "tan": lambda angle: ("!=", ("cos", angle), 0),
+    "pow": lambda base, _: (">", base, 0),
+}
+
+
+class Loss(StrEnum):
+    """What is lost with a hypothesis."""
+
+    TRUTH = "the relation fails"
+    VALUE = "a term has no value"
+    EXISTENCE = "nothing of the kind exists"
+
+
+class Without(NamedTuple):
+    """What is lost, and the certificate of it: a refutation, or a proof that nothing exists."""
+
+    loss: Loss
+    certificate: Certificate
+
+
+def fails_without(problem: Problem) -> Without | None:
+    """Why a problem, from which a hypothesis was left out, needs it; None if no reason was found."""
+    if problem.claim[0] == "exists":
+        none = next(filter(None, map(_none_exists, _at_special_angles(problem))), None)
+        return Without(Loss.EXISTENCE, none) if none else None
+    if (point := _refuted(problem)) is not None:
+        return Without(Loss.TRUTH, point)
+    without_value = next(filter(None, map(_refuted, _meaningful(problem))), None)
+    return Without(Loss.VALUE, without_value) if without_value else None
+
+
+def _refuted(problem: Problem) -> Certificate | None:
+    point = refute(problem) or _refuted_by_proof(problem)
+    used = tuple(name for name, _ in problem.hypotheses)
+    return certificate(problem, Outcome(Verdict.REFUTED, point=point, used=used)) if point else None
+
+
+def _refuted_by_proof(problem: Problem) -> Certificate | None:
+    """Where angles are compared, a point at which the contrary has a proof."""
+    try:
+        return refute_about_angles(problem, proof_of)
+    except Unsupported:
+        return None
+
+
+def _meaningful(problem: Problem) -> Iterator[Problem]:
+    """What must hold for terms of the claim to have values, each to be refuted."""
+    table, stated = dict(problem.definitions), dict[Formula, None]()
+    todo: list[Any] = [problem.claim]
+    while todo:
+        for node in subterms(todo.pop()):
+            if isinstance(node, str) and node in table:
+                todo.append(table.pop(node))
+            elif isinstance(node, tuple) and node[0] in HAVING_A_VALUE:
+                stated[HAVING_A_VALUE[node[0]](*node[1:])] = None
+    for condition in stated:
+        if any(isinstance(node, str) for part in condition[1:] for node in subterms(part)):
+            yield replace(problem, claim=condition)
+
+
+def _none_exists(problem: Problem) -> Certificate | None:
+    """The relations, as few as will do, hold together for no values of the bound letters."""
+    relations = list(conjuncts(problem.claim[2]))
+    if _contradictory(problem, relations) is None:
+        return None
+    for each in tuple(relations):
+        rest = [other for other in relations if other != each]
+        relations = relations if _contradictory(problem, rest) is None else rest
+    return _contradictory(problem, relations)
+
+
+def _contradictory(problem: Problem, relations: Sequence[Formula]) -> Certificate | None:
+    """The proof that the first order among the relations fails where the others hold."""
+    order = next((each for each in relations if each[0] in ORDERS), None)
+    if order is None:
+        return None
+    claim: Formula = tuple(contrary(order))
+    if others := [each for each in relations if each != order]:
+        claim = ("=>", ("and", *others) if others[1:] else others[0], claim)
+    failing = replace(problem, claim=claim)
+    proof = proof_of(failing)
+    return certificate(failing, proof) if proof else None
+
+
+def _at_special_angles(problem: Problem) -> Iterator[Problem]:
+    """The problem where an angle is right or zero, its sine and cosine letters with definitions; only if there the
+    hypotheses hold somewhere.
+    """
+    hypotheses = (formula for _, formulas in problem.hypotheses for formula in formulas)
+    stated = ("", problem.claim, *(term for _, term in problem.definitions), *hypotheses)
+    angles = sorted({node[1] for node in subterms(stated) if _is_of_angle(node)})
+    for angle in angles:
+        for values in RIGHT_ANGLES:
+            names = {("sin", angle): f"sine_of_{angle}", ("cos", angle): f"cosine_of_{angle}"}
+            special = _renamed(problem, names, dict(zip(names.values(), values, strict=True)))
+            if not problem.hypotheses or refute(replace(special, claim=("=", 0, 1))) is not None:
+                yield special
+
+
+def _is_of_angle(node: Any) -> bool:
+    return isinstance(node, tuple) and node[0] in ("sin", "cos") and isinstance(node[1], str)
+
+
+def _renamed(problem: Problem, names: dict[Any, str], values: dict[str, Term]) -> Problem:
+    def new(term: Any) -> Any:
+        if isinstance(term, tuple):
+            return names[term] if term in names else tuple(map(new, term))
+        return term
+
+    return replace(
+        problem,
+        claim=new(problem.claim),
+        definitions=(*values.items(), *new(problem.definitions)),
+        hypotheses=new(problem.hypotheses),
+        hints=(),
+    )

@@ -1,0 +1,54 @@
+"""A hypothesis is needed if without it the relation fails, a term has no value, or nothing of the kind exists."""
+
+from __future__ import annotations
+
+import pytest
+
+from symcheck import checker
+from symcheck.evidence.faults import without
+from symcheck.proof import Loss, fails_without
+from symcheck.statement import Formula, Problem
+
+E = ("sin", "a")
+SHORTER = (("e", E),)
+EXISTS: Formula = ("exists", ("c",), ("and", (">", ("*", "c", "e"), 0), (">", "c", 0)))
+B_POSITIVE = (("b positive", ((">", ("sin", "b"), 0),)),)
+
+NEEDED = {
+    "a square of a negative number": (Problem("x", (">", "x", 0)), Loss.TRUTH, "x = "),
+    "a denominator": (Problem("x", ("=", ("/", "x", "x"), 1)), Loss.VALUE, "x = 0: x ≠ 0 is wrong"),
+    "a denominator in a definition": (
+        Problem("x", ("=", ("+", "y", 1), ("+", 1, "y")), (("y", ("/", 1, "x")),)),
+        Loss.VALUE,
+        "x = 0: x ≠ 0 is wrong",
+    ),
+    "a root": (Problem("x", ("=", ("^", ("sqrt", "x"), 2), "x")), Loss.VALUE, "x = -1: x ≥ 0 is wrong"),
+    "a direction at a right angle": (Problem("x", EXISTS, SHORTER), Loss.EXISTENCE, "sine_of_a = 0"),
+    "a direction while another angle stays": (
+        Problem("x", EXISTS, SHORTER, B_POSITIVE),
+        Loss.EXISTENCE,
+        "sine_of_a = 0",
+    ),
+}
+NOT_KNOWN = {
+    "an identity": Problem("x", ("=", ("+", "x", "x"), ("*", 2, "x"))),
+    "something that exists everywhere": Problem("x", ("exists", ("c",), ("and", (">", "c", E), (">", "c", 0)))),
+    "something whose hypotheses exclude the right angle": Problem(
+        "x", EXISTS, SHORTER, (("a positive", ((">", E, 0),)),)
+    ),
+}
+
+
+@pytest.mark.parametrize("name", NEEDED)
+def test_what_is_lost_has_a_certificate_and_is_told(name: str) -> None:
+    problem, loss, told = NEEDED[name]
+    found = fails_without(problem)
+    assert found is not None
+    assert found.loss is loss
+    assert checker.check(found.certificate) is None
+    assert told in without({"lost": found.loss, "counterexample": found.certificate})
+
+
+@pytest.mark.parametrize("name", NOT_KNOWN)
+def test_nothing_is_said_to_be_lost_where_nothing_is(name: str) -> None:
+    assert fails_without(NOT_KNOWN[name]) is None
