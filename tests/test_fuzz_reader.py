@@ -72,7 +72,11 @@ SHARES = {"invented": 30, "mutated": 45, "spliced": 24, "nested": 1}
 
 
 def outcome(text: str, notation: Notation) -> str | None:
-    """What is wrong with how the reader takes a string; None if it reads it or refuses it cleanly."""
+    """What is wrong with how the reader takes a string; None if it reads it or refuses it cleanly.
+
+    What cannot be read has a place; what is read and means nothing is quoted.
+    """
+    tree = None
     try:
         with within_a_second():
             tree = read(text, notation)
@@ -80,7 +84,8 @@ def outcome(text: str, notation: Notation) -> str | None:
                 lower(tree, notation)
     except SymcheckError as error:
         told = str(error)
-        return None if told and not told.isspace() else "an error without words"
+        placed = POSITION.search(told) or "empty formula" in told or tree is not None
+        return None if placed else f"an error without a place: {told}"
     except Hung:
         return "a hang"
     except BaseException as error:
