@@ -2,19 +2,15 @@
 
 from __future__ import annotations
 
-import math
-import random
 from collections.abc import Sequence
 from dataclasses import replace
-from fractions import Fraction
-from math import prod
-from operator import eq, ge, gt, le, lt, ne
 from typing import Any
 
 from symcheck.export.coq.claims import Exported
 from symcheck.export.coq.printing import name, spelled
 from symcheck.export.coq.statements import Statement
 from symcheck.export.coq.terms import Definitions, NotExported, letters, substituted
+from symcheck.export.coq.trials import tried
 from symcheck.proof import refute
 from symcheck.statement import Problem
 
@@ -24,12 +20,6 @@ Require Import Symcheck.Symcheck.
 Open Scope R_scope.
 """
 FALSE = ("=", 0, 1)
-TRIES = 20_000
-SMALL = [Fraction(n) for n in (0, 1, 2, 3, 4, 5, -1, -2)] + [
-    Fraction(n, d) for n, d in ((1, 2), (1, 4), (3, 5), (4, 5), (2, 7), (3, 7), (6, 7))
-]
-ROUGHLY = {"sin": math.sin, "cos": math.cos, "arctan": math.atan, "sqrt": math.sqrt}
-SIGNS = {"=": eq, "!=": ne, "<": lt, "<=": le, ">": gt, ">=": ge}
 
 
 def witnesses(found: Sequence[Exported]) -> tuple[str, dict[str, str]]:
@@ -127,58 +117,11 @@ def point(statement: Statement) -> dict[str, Any]:
     found = refute(Problem("witness", FALSE, definitions, (("given", tuple(formulas)),)))
     if found is not None and "values" in found:
         return {x: _term(v) for x, v in found["values"].items()}
-    return tried(statement, formulas)
-
-
-def tried(statement: Statement, formulas: Sequence[Any]) -> dict[str, Any]:
-    """Small numbers, drawn until they fit; the draws are the same in every run."""
-    full, rng = statement.definitions.unfolded, random.Random(len(formulas))
-    conditions = [full(_thawed(formula)) for formula in formulas]
-    if any(f"['^', ['{function}'" in str(conditions) for function in ("sin", "cos")):
-        raise NotExported("no point was found that satisfies the hypotheses")  # rough values would not do
-    free = letters(["and", *conditions])
-    for _ in range(TRIES):
-        values = {x: rng.choice(SMALL) for x in free}
-        if all(_holds(condition, values) for condition in conditions):
-            return {x: _term(str(v)) for x, v in values.items()}
-    raise NotExported("no point was found that satisfies the hypotheses")
-
-
-def _holds(formula: Any, values: dict[str, Fraction]) -> bool:
-    """Whether a formula holds, by fractions; functions are rough, as Coq has the last word."""
-    try:
-        kind, *parts = formula
-        if kind == "=" and parts[0] == parts[1]:  # what a letter is said to be
-            return True
-        if kind in SIGNS:
-            left, right = (_value(part, values) for part in parts)
-            return bool(SIGNS[kind](left, right))
-        return {"and": all, "or": any}[kind](_holds(part, values) for part in parts)
-    except (KeyError, ZeroDivisionError, ValueError):
-        return False
-
-
-def _value(term: Any, values: dict[str, Fraction]) -> Fraction:
-    match term:
-        case int():
-            return Fraction(term)
-        case "pi":
-            return Fraction(355, 113)
-        case str():
-            return values[term]
-        case ["-", inner]:
-            return -_value(inner, values)
-        case ["^", base, int(n)]:
-            return _value(base, values) ** n
-        case ["+", *parts]:
-            return sum((_value(part, values) for part in parts), Fraction(0))
-        case ["*", *parts]:
-            return prod((_value(part, values) for part in parts), start=Fraction(1))
-        case ["/", top, bottom]:
-            return _value(top, values) / _value(bottom, values)
-        case [function, inner] if function in ROUGHLY:
-            return Fraction(ROUGHLY[function](_value(inner, values)))
-    raise KeyError(str(term))
+    full = statement.definitions.unfolded
+    values = tried([full(_thawed(formula)) for formula in formulas])
+    if values is None:
+        raise NotExported("no point was found that satisfies the hypotheses")
+    return values
 
 
 def _term(value: Any) -> Any:
