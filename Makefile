@@ -6,7 +6,7 @@ STAMP := $(VENV)/.stamp
 DEV := $(VENV)/.dev
 PIP := $(BIN)/python -m pip install --quiet --disable-pip-version-check -c constraints.txt
 
-.PHONY: audit test test-full gates notebooks bench bench-gpu browser coq clean
+.PHONY: audit test test-full gates notebooks bench bench-gpu browser coq coq-check install-coq clean
 
 audit: $(STAMP)
 	$(BIN)/symcheck check
@@ -45,13 +45,19 @@ bench-gpu: $(DEV)
 browser:
 	command -v chromium >/dev/null || { apt-get update -qq && apt-get install -y -qq chromium; }
 
-# Coq's kernel checks the proofs. It is not installed by this: what is missing is said (Debian: coq, libcoq-coquelicot).
-coq: $(STAMP)
+# Coq's kernel checks the proofs; what comes out is written to generated/coq, or compared with what is there. Coq is not
+# installed by this: what is missing is said.
+coq: AFTER := --record
+coq-check: AFTER := --check
+coq coq-check: $(STAMP)
 	$(BIN)/python -m symcheck.export.coq.compile
 	rm -rf build/coq
 	$(BIN)/symcheck export --format coq --output build/coq
 	$(BIN)/python -m symcheck.export.coq.comparison build/coq
-	$(BIN)/python -m symcheck.export.coq.compile build/coq --jobs 2
+	$(BIN)/python -m symcheck.export.coq.compile build/coq --jobs 2 $(AFTER)
+
+install-coq:
+	test -d "$$(coqc -where 2>/dev/null)/user-contrib/Coquelicot" || { apt-get update -qq && apt-get install -y -qq coq libcoq-coquelicot; }
 
 clean:
 	rm -rf $(VENV) kernels-* build dist *.egg-info .mypy_cache .ruff_cache .pytest_cache .import_linter_cache .hypothesis

@@ -248,8 +248,8 @@ def generate(only_check: bool, name: str, output: Path | None, how: How) -> None
     """
     from symcheck import kernels, papers
     from symcheck.codegen.target import target
+    from symcheck.evidence import confirmed, store
     from symcheck.evidence import kernels as writing
-    from symcheck.evidence import store
 
     checked_in = name == CHECKED_IN
     if checked_in and output:
@@ -259,7 +259,7 @@ def generate(only_check: bool, name: str, output: Path | None, how: How) -> None
     made = {key: writing.made(paper, records) for key, paper in papers.load().items()}
     texts = {key: (files(key, of_paper) if of_paper else {}, proofs) for key, (of_paper, proofs) in made.items()}
     if checked_in:
-        contents = store.files(records, texts)
+        contents = store.files(records, texts) | confirmed.files(folder, records)
     else:
         contents = {file: text.encode() for of_paper, _ in texts.values() for file, text in of_paper.items()}
     differing = store.differences(folder, contents, alone=checked_in)

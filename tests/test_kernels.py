@@ -678,6 +678,7 @@ def test_a_lost_last_line_end_is_mended_by_the_patch(written: Any) -> None:
     [
         ("gone.py", "superfluous"),
         ("certificates/gone.json", "superfluous"),
+        ("coq/gone.json", "superfluous"),
         ("mine.py", "unknown; no command writes it, so remove it"),
         ("notes.txt", "unknown; no command writes it, so remove it"),
         ("certificates/notes.md", "unknown; no command writes it, so remove it"),

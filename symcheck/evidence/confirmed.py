@@ -1,35 +1,115 @@
-"""What Coq says of a record: read from what `make coq` leaves, and only if it was said of these certificates."""
+"""What Coq says of a record: what `make coq` left in generated/coq, believed of these certificates alone."""
 
 from __future__ import annotations
 
 import json
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from functools import cache
+from hashlib import sha256
 from pathlib import Path
-from typing import Any
 
+from symcheck import kernels
 from symcheck.evidence.record import Record
-from symcheck.statement import SymcheckError, Verdict
+from symcheck.evidence.store import COQ, SCHEMA, document, line, replace
+from symcheck.statement import Certificate, SymcheckError, Verdict
 
-FILE = Path("build/coq/confirmed.json")
-NOT_TRIED = "not tried"
+DIGITS = 16  # of a digest: enough to tell certificates apart that nobody makes alike
+CONFIRMED, NOT_TRIED = "yes", "not tried"
+Outcome = tuple[str, str]  # the digest of the certificates, and why Coq does not confirm them, or ""
 
 
-def confirmed(record: Record, file: Path = FILE, corrected: bool = False) -> str:
-    """ "yes", "no: " with the reason, or "not tried", of a proved relation or of what a wrong one should be."""
-    own = (record.erratum or {}).get("certificates") or () if corrected else record.certificates
-    digests = [each["digest"] for each in own if each["verdict"] == Verdict.PROVED]
-    said = _said(file).get(f"{record.id}, corrected" if corrected else record.id)
-    if not digests or said is None or said["certificates"] != digests:
+def asked(record: Record) -> Iterator[tuple[bool, list[Certificate]]]:
+    """What Coq is asked to confirm: (False, its certificates) of a proved relation, (True, those) of a correction."""
+    own = record.certificates if record.verdict is Verdict.PROVED else ()
+    corrections: Sequence[Certificate] = (record.erratum or {}).get("certificates") or ()
+    for corrected, certificates in ((False, own), (True, corrections)):
+        if proofs := [each for each in certificates if each.get("verdict") == Verdict.PROVED]:
+            yield corrected, proofs
+
+
+def key(record: Record, corrected: bool) -> str:
+    """By which an outcome is found: "paper:number", or "paper:number, corrected"."""
+    return f"{record.id}, corrected" if corrected else record.id
+
+
+def digest(certificates: Iterable[str]) -> str:
+    """One digest for several."""
+    return sha256("\n".join(certificates).encode()).hexdigest()[:DIGITS]
+
+
+def confirmed(record: Record, folder: Path | None = None) -> dict[str, str]:
+    """By `key` what Coq says of a record, "yes", "no: " with the reason, or "not tried"; empty if it is not asked."""
+    recorded = _recorded(folder or kernels.folder(), record.paper)
+    return {name: _told(recorded.get(name), current) for name, current in _current(record)}
+
+
+def told(record: Record) -> str:
+    """The same in a line: "yes", or "correction yes" of what a wrong relation should be; empty if Coq is not asked."""
+    return "; ".join(said if name == record.id else f"correction {said}" for name, said in confirmed(record).items())
+
+
+def _told(outcome: Outcome | None, current: str) -> str:
+    if outcome is None or outcome[0] != current:
         return NOT_TRIED
-    return "yes" if said["confirmed"] else f"no: {said['reason']}"
+    return f"no: {outcome[1]}" if outcome[1] else CONFIRMED
 
 
-@cache
-def _said(file: Path) -> dict[str, Any]:
+def _current(record: Record) -> Iterator[tuple[str, str]]:
+    for corrected, certificates in asked(record):
+        yield key(record, corrected), digest(each["digest"] for each in certificates)
+
+
+def files(folder: Path, records: Iterable[Record]) -> dict[str, bytes]:
+    """What is to stay in `folder` of the recorded outcomes: those of the certificates that there are now."""
+    current = [(record.paper, *each) for record in records for each in _current(record)]
+    out: dict[str, bytes] = {}
+    for paper in dict.fromkeys(paper for paper, _, _ in current):
+        known = recorded(folder, paper)
+        valid = {name for own, name, now in current if own == paper and name in known and known[name][0] == now}
+        if valid:
+            out[_name(paper)] = _text(paper, {name: known[name] for name in valid})
+    return out
+
+
+def record_all(folder: Path, outcomes: Mapping[str, Outcome]) -> list[Path]:
+    """Write the outcomes by `key`, each file whole; what is recorded of other relations stays."""
+    written = []
+    for paper in dict.fromkeys(name.partition(":")[0] for name in outcomes):
+        own = {name: outcome for name, outcome in outcomes.items() if name.startswith(f"{paper}:")}
+        written.append(folder / _name(paper))
+        replace(written[-1], _text(paper, recorded(folder, paper) | own))
+    return written
+
+
+def lost(folder: Path, outcomes: Mapping[str, Outcome], papers: Iterable[str] = ()) -> Iterator[str]:
+    """A line for each relation (of these papers) that is recorded as confirmed, and is not by these outcomes."""
+    for paper in papers or sorted(file.stem for file in (folder / COQ).glob("*.json")):
+        for name, (_, reason) in recorded(folder, paper).items():
+            now = outcomes[name][1] if name in outcomes else "Coq was not asked"
+            if now and not reason:
+                yield f"{name} is recorded as confirmed by Coq, and is not: {now}"
+
+
+def recorded(folder: Path, paper: str) -> dict[str, Outcome]:
+    """The outcomes of a paper by `key`; empty if there are none, SymcheckError if they cannot be read."""
+    file = folder / _name(paper)
     try:
-        found: dict[str, Any] = json.loads(file.read_text(encoding="utf-8"))
+        data = json.loads(file.read_bytes())
+        if data["schema"] != SCHEMA or data["paper"] != paper:
+            raise ValueError(f"it is not of schema {SCHEMA} and paper {paper}")
+        return {name: (str(current), str(reason)) for name, (current, reason) in data["items"].items()}
     except FileNotFoundError:
         return {}
-    except (OSError, ValueError) as error:
-        raise SymcheckError(f"{file} cannot be read ({error}); delete it, or run `make coq` again") from error
-    return found
+    except (OSError, ValueError, KeyError, TypeError, AttributeError) as error:
+        raise SymcheckError(f"{file} cannot be read ({error}); delete it, or run `make coq`") from error
+
+
+_recorded = cache(recorded)
+
+
+def _name(paper: str) -> str:
+    return f"{COQ}/{paper}.json"
+
+
+def _text(paper: str, outcomes: Mapping[str, Outcome]) -> bytes:
+    return document(paper, "items", "{}", (f"{line(name)}: {line(outcomes[name])}" for name in sorted(outcomes)))

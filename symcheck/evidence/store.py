@@ -1,7 +1,8 @@
 """What is checked in under generated/: the certificates of each paper, the verdicts expected of it, and its kernels.
 
 All files are written from the records of an audit and depend on nothing else: no times, no versions. Each certificate
-and each expectation has a line of its own, so that a diff shows what changed.
+and each expectation has a line of its own, so that a diff shows what changed. Beside them lies what Coq said of the
+certificates, see `symcheck.evidence.confirmed`.
 """
 
 from __future__ import annotations
@@ -22,7 +23,8 @@ SCHEMA = 1
 Kernels = tuple[Mapping[str, str], Iterable[Certificate]]  # texts by the names of their files, proofs
 CERTIFICATES = "certificates"
 EXPECTED = "expected"
-OURS = ("*.py", f"{CERTIFICATES}/*.json", f"{EXPECTED}/*.json")  # what `write` may remove
+COQ = "coq"
+OURS = ("*.py", f"{CERTIFICATES}/*.json", f"{EXPECTED}/*.json", f"{COQ}/*.json")  # what `write` may remove
 UNKNOWN = "unknown; no command writes it, so remove it"
 
 
@@ -44,12 +46,12 @@ def files(records: Iterable[Record], kernels: Mapping[str, Kernels] = MappingPro
     out: dict[str, bytes] = {}
     for key, rows in sorted(papers.items()):
         texts, equalities = kernels.get(key, ({}, ()))
-        proofs = dict.fromkeys(_line(each) for row in rows for each in certificates(row))
-        proofs |= dict.fromkeys(map(_line, equalities))
+        proofs = dict.fromkeys(line(each) for row in rows for each in certificates(row))
+        proofs |= dict.fromkeys(map(line, equalities))
         out |= {name: text.encode() for name, text in texts.items()}
-        verdicts = (f"{_line(row.id)}: {_line(_expectation(row))}" for row in rows)
-        out[f"{CERTIFICATES}/{key}.json"] = _document(key, "certificates", "[]", proofs)
-        out[f"{EXPECTED}/{key}.json"] = _document(key, "items", "{}", verdicts)
+        verdicts = (f"{line(row.id)}: {line(_expectation(row))}" for row in rows)
+        out[f"{CERTIFICATES}/{key}.json"] = document(key, "certificates", "[]", proofs)
+        out[f"{EXPECTED}/{key}.json"] = document(key, "items", "{}", verdicts)
     return out
 
 
@@ -57,7 +59,7 @@ def write(folder: Path, contents: Mapping[str, bytes]) -> None:
     """Make `folder` hold exactly these of our files; each appears whole or not at all. Unknown files are left alone."""
     try:
         for name, data in contents.items():
-            _replace(folder / name, data)
+            replace(folder / name, data)
         for name in sorted(_ours(folder) - set(contents)):
             (folder / name).unlink()
     except OSError as error:
@@ -73,7 +75,7 @@ def put(folder: Path, contents: Mapping[str, bytes]) -> None:
         raise SymcheckError(f"{foreign[0]} was not written by `symcheck generate`; choose another folder with --output")
     try:
         for name, data in contents.items():
-            _replace(folder / name, data)
+            replace(folder / name, data)
     except OSError as error:
         raise SymcheckError(f"{folder} cannot be written ({error.strerror}); choose another with --output") from error
 
@@ -143,13 +145,15 @@ def _expectation(record: Record) -> list[str | None]:
     return [record.verdict, record.reading]
 
 
-def _line(value: Any) -> str:
+def line(value: Any) -> str:
+    """JSON that depends on the value alone."""
     return json.dumps(value, sort_keys=True, ensure_ascii=False, separators=(",", ":"))
 
 
-def _document(paper: str, name: str, brackets: str, lines: Iterable[str]) -> bytes:
+def document(paper: str, name: str, brackets: str, lines: Iterable[str]) -> bytes:
+    """A file of a paper: one JSON object, its members under `name` between `brackets`, a line for each."""
     body = ",\n".join(lines)
-    head = f'{{"schema": {SCHEMA}, "paper": {_line(paper)}, "{name}": {brackets[0]}\n'
+    head = f'{{"schema": {SCHEMA}, "paper": {line(paper)}, "{name}": {brackets[0]}\n'
     return f"{head}{body}\n{brackets[1]}}}\n".encode()
 
 
@@ -166,7 +170,7 @@ def _ours(folder: Path) -> set[str]:
     return {file.relative_to(folder).as_posix() for file in files} & _present(folder)
 
 
-def _replace(file: Path, data: bytes) -> None:
+def replace(file: Path, data: bytes) -> None:
     """Write beside the file, then rename: a reader sees the old contents or the new, never a part."""
     file.parent.mkdir(parents=True, exist_ok=True)
     temporary = file.with_name(f".{file.name}.{os.getpid()}")

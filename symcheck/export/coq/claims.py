@@ -7,12 +7,13 @@ from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
 from typing import Any
 
+from symcheck.evidence.confirmed import asked
 from symcheck.evidence.record import Record
 from symcheck.export.coq.composed import composition
 from symcheck.export.coq.script import Script
 from symcheck.export.coq.statements import Statement, statement
 from symcheck.export.coq.terms import NotExported
-from symcheck.statement import Certificate, Verdict
+from symcheck.statement import Certificate
 
 
 @dataclass
@@ -46,13 +47,10 @@ def exported(records: Iterable[Record]) -> list[Exported]:
 
 
 def _of_record(record: Record) -> Iterator[Exported]:
-    proofs: Iterable[Certificate] = record.certificates if record.verdict is Verdict.PROVED else ()
-    corrections: Iterable[Certificate] = (record.erratum or {}).get("certificates") or ()
     stem = re.sub(r"\W", "_", record.id.partition(":")[2])
-    for corrected, certificates in ((False, proofs), (True, corrections)):
-        proved = [each for each in certificates if each["verdict"] == "proved"]
-        for k, certificate in enumerate(proved, 1):
-            part = f"_part{k}" if len(proved) > 1 else ""
+    for corrected, proofs in asked(record):
+        for k, certificate in enumerate(proofs, 1):
+            part = f"_part{k}" if len(proofs) > 1 else ""
             yield Exported(f"{stem}{'_corrected' if corrected else ''}{part}", record, certificate, corrected)
 
 

@@ -1,7 +1,8 @@
 """Has Coq check exported files: `python -m symcheck.export.coq.compile FOLDER [PAPER ...] [--jobs N]`.
 
-Writes FOLDER/confirmed.json: for each relation whether Coq confirms it, or the reason why not. A file that does not
-compile is tried again without the proof at which it stopped, so that one bad proof costs no other.
+For each relation it comes out whether Coq confirms it, or the reason why not; with --record that is written to
+generated/coq, with --check compared with what is recorded there. A file that does not compile is tried again without
+the proof at which it stopped, so that one bad proof costs no other.
 """
 
 from __future__ import annotations
@@ -19,8 +20,12 @@ from itertools import accumulate
 from pathlib import Path
 from typing import Any
 
+from symcheck import kernels
+from symcheck.evidence import confirmed
+from symcheck.evidence.confirmed import Outcome
+
 OURS = ("Symcheck.v", "Digits.v")
-MANIFEST, CONFIRMED = "manifest.json", "confirmed.json"
+MANIFEST = "manifest.json"
 MISSING = "coqc is not installed; on Debian: apt-get install coq libcoq-coquelicot"
 NO_COQUELICOT = "the Coq library Coquelicot is not installed; on Debian: apt-get install libcoq-coquelicot"
 STOPPED = re.compile(r"line (\d+), characters.*?\nError:(.*?)(?:\n\n|\Z)", re.DOTALL)
@@ -91,11 +96,11 @@ def checked(folder: Path, file: str, failed: dict[str, str]) -> Iterator[str]:
         path.write_text(text, encoding="utf-8")
 
 
-def confirm(folder: Path, papers: Sequence[str] = (), jobs: int = 1) -> tuple[dict[str, Any], list[str]]:
-    """Compiles everything, so many files at once; what is confirmed, and what went wrong."""
+def confirm(folder: Path, papers: Sequence[str] = (), jobs: int = 1) -> tuple[dict[str, Outcome], list[str]]:
+    """Compiles everything, so many files at once; the outcome of each relation, and what went wrong."""
     manifest = json.loads((folder / MANIFEST).read_text(encoding="utf-8"))
     failed: dict[str, str] = {}
-    out: dict[str, Any] = {}
+    out: dict[str, Outcome] = {}
     chosen = papers or list(manifest)
     files = [*OURS, *(f"{paper}/{name}.v" for paper in chosen for name in manifest[paper]["files"])]
     with ThreadPoolExecutor(jobs) as pool:
@@ -104,7 +109,7 @@ def confirm(folder: Path, papers: Sequence[str] = (), jobs: int = 1) -> tuple[di
                 print(*lines, sep="\n", flush=True)
             files = [file for file in files if file not in ready]
     for paper in chosen:
-        out |= {id: _verdict(entry, paper, failed) for id, entry in manifest[paper]["claims"].items()}
+        out |= {id: _outcome(entry, paper, failed) for id, entry in manifest[paper]["claims"].items()}
     return out, [f"{name}: {reason}" for name, reason in failed.items()]
 
 
@@ -114,25 +119,18 @@ def needed(folder: Path, file: str) -> set[str]:
     return {f"{each.replace('.', '/')}.v" for each in imported}
 
 
-def _verdict(entry: Mapping[str, Any], paper: str, failed: Mapping[str, str]) -> dict[str, Any]:
+def _outcome(entry: Mapping[str, Any], paper: str, failed: Mapping[str, str]) -> Outcome:
     broken = [failed[name] for name in entry["claims"] if name in failed]
     broken += [reason for file, reason in failed.items() if file.startswith(f"{paper}/") or file in OURS]
-    reasons = [*entry["reasons"], *broken] or ([] if entry["claims"] else ["it has no certificate of a proof"])
-    return {
-        "confirmed": not reasons,
-        "reason": "; ".join(dict.fromkeys(reasons)),
-        "certificates": entry["certificates"],
-    }
+    return confirmed.digest(entry["certificates"]), "; ".join(dict.fromkeys([*entry["reasons"], *broken]))
 
 
-def summary(confirmed: Mapping[str, Mapping[str, Any]]) -> Iterator[str]:
+def summary(outcomes: Mapping[str, Outcome]) -> Iterator[str]:
     """How many of how many, for each paper, and the reasons for the others."""
-    for paper in dict.fromkeys(id.partition(":")[0] for id in confirmed):
-        rows = [row for id, row in confirmed.items() if id.startswith(f"{paper}:")]
-        good = sum(row["confirmed"] for row in rows)
-        yield f"{paper}: {good} of {len(rows)} proved relations and corrections are confirmed by Coq"
-        others = [row["reason"] for row in rows if not row["confirmed"]]
-        yield from (f"  {others.count(reason)} not: {reason}" for reason in dict.fromkeys(others))
+    for paper in dict.fromkeys(id.partition(":")[0] for id in outcomes):
+        reasons = [reason for id, (_, reason) in outcomes.items() if id.startswith(f"{paper}:")]
+        yield f"{paper}: {reasons.count('')} of {len(reasons)} proved relations and corrections are confirmed by Coq"
+        yield from (f"  {reasons.count(reason)} not: {reason}" for reason in dict.fromkeys(reasons) if reason)
 
 
 def unwitnessed(folder: Path, papers: Sequence[str] = ()) -> Iterator[str]:
@@ -149,7 +147,7 @@ def grouped(reasons: Mapping[str, str]) -> dict[str, list[str]]:
 
 
 def main(arguments: Sequence[str]) -> int:
-    """0 everything exported compiles, 1 something does not, 2 Coq is not there."""
+    """0 everything exported compiles, 1 something does not or is no longer confirmed, 2 Coq is not there."""
     if reason := missing():
         print(f"symcheck: {reason}", file=sys.stderr)
         return 2
@@ -157,14 +155,20 @@ def main(arguments: Sequence[str]) -> int:
     parser.add_argument("folder", nargs="?", type=Path, help="what was exported; without it, only whether Coq is there")
     parser.add_argument("papers", nargs="*")
     parser.add_argument("--jobs", type=int, default=1, help="files at once")
+    after = parser.add_mutually_exclusive_group()
+    after.add_argument("--record", action="store_true", help="write the outcomes to generated/coq")
+    after.add_argument("--check", action="store_true", help="fail if something recorded there is not confirmed")
     given = parser.parse_args(arguments)
     if given.folder is None:
         return 0
-    folder = given.folder
-    confirmed, failed = confirm(folder, given.papers, given.jobs)
-    (folder / CONFIRMED).write_text(json.dumps(confirmed, indent=1, ensure_ascii=False) + "\n", encoding="utf-8")
-    print(*failed, *summary(confirmed), *unwitnessed(folder, given.papers), sep="\n")
-    return int(bool(failed))
+    outcomes, failed = confirm(given.folder, given.papers, given.jobs)
+    print(*failed, *summary(outcomes), *unwitnessed(given.folder, given.papers), sep="\n")
+    ours = kernels.folder()
+    if given.record:
+        print(*(f"recorded in {file}" for file in confirmed.record_all(ours, outcomes)), sep="\n")
+    gone = [*confirmed.lost(ours, outcomes, given.papers)] if given.check else []
+    print(*gone, sep="\n", end="\n" * bool(gone))
+    return int(bool(failed or gone))
 
 
 if __name__ == "__main__":

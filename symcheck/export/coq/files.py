@@ -8,11 +8,11 @@ from importlib.resources import files as resources
 from textwrap import fill
 from typing import Any
 
+from symcheck.evidence import confirmed
 from symcheck.evidence.record import Record
 from symcheck.export.coq.claims import Exported, exported, key
 from symcheck.export.coq.statements import WIDTH
 from symcheck.export.coq.witnesses import witnesses
-from symcheck.statement import Verdict
 
 PART = 120_000  # characters of proof scripts in a file: under a minute for Coq
 LIBRARIES = "Require Import Reals.\nFrom Coquelicot Require Import Coquelicot.\n"
@@ -39,19 +39,18 @@ def files(records: Sequence[Record]) -> Mapping[str, str]:
         out[f"{paper}/Witnesses.v"], unwitnessed = witnesses(found)
         listed[paper] = {
             "files": ["Claims", *parts, "Witnesses"],
-            "claims": _listed(rows, found),
+            "claims": _listed(found),
             "no witness": unwitnessed,
         }
     out[MANIFEST] = json.dumps(listed, indent=1, ensure_ascii=False) + "\n"
     return out
 
 
-def _listed(rows: Sequence[Record], found: Sequence[Exported]) -> dict[str, Any]:
-    """By the id of a proved relation (or "id, corrected"): its claims in Coq, certificates, reasons if it has none."""
-    out: dict[str, Any] = {row.id: _empty() for row in rows if row.verdict is Verdict.PROVED}
+def _listed(found: Sequence[Exported]) -> dict[str, Any]:
+    """By the key of what Coq is asked: its claims in Coq, the certificates, and reasons if it has no claim."""
+    out: dict[str, Any] = {}
     for each in found:
-        id = f"{each.record.id}, corrected" if each.corrected else each.record.id
-        entry = out.setdefault(id, _empty())
+        entry = out.setdefault(confirmed.key(each.record, each.corrected), _empty())
         entry["certificates"].append(key(each.certificate))
         if each.statement is None:
             entry["reasons"] = list(dict.fromkeys([*entry["reasons"], each.reason]))
