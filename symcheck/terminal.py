@@ -19,6 +19,7 @@ from rich.table import Table
 from rich.text import Text
 
 from symcheck.codegen.kernel import Kernel
+from symcheck.evidence.confirmed import told
 from symcheck.evidence.faults import fails_at, without
 from symcheck.evidence.record import Record
 from symcheck.evidence.steps import steps, term
@@ -117,6 +118,7 @@ def show(out: Console, record: Record, whole_certificate: bool = False) -> None:
     _field(out, "used by", ", ".join(record.used_by))
     _counterexample(out, record)
     _erratum(out, record)
+    _field(out, "Coq confirms", told(record))
     for certificate in record.certificates:
         _certificate(out, certificate, whole_certificate)
 

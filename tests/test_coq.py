@@ -6,23 +6,26 @@ import json
 import re
 import shutil
 from pathlib import Path
+from typing import Any
 
 import pytest
 
-from symcheck.evidence.confirmed import confirmed
+from symcheck import kernels
+from symcheck.evidence.confirmed import record_all, recorded
 from symcheck.evidence.decide import decide
 from symcheck.export.coq import compile as compiler
 from symcheck.export.coq.comparison import differences
 from symcheck.export.coq.files import files
 from symcheck.export.coq.printing import printed
 from symcheck.export.coq.reader import CLAIM, Reader, claims
-from symcheck.export.coq.terms import polynomial
+from symcheck.export.coq.terms import letters, polynomial
+from symcheck.export.coq.trials import tried
 
 DECLARED = (
     "mirer2009:2.12", "mirer2009:2.13", "mirer2009:2.1", "mirer2009:2.1.7", "mirer2009:2.13.4", "mirer2009:2.0.5",
     "mirer2009:2.0.6", "mirer2009:2.3.5", "mirer2009:2.8", "mirer2009:B.4", "poloskov2004:3.2.4", "poloskov2004:3.2.3",
     "poloskov2004:B.4", "esenkov2006:N.11", "esenkov2006:1.35", "ignatov2005:2.1V.1", "ignatov2005:T1.5",
-    "ignatov2005:2.1.34",
+    "ignatov2005:2.1.34", "ignatov2005:2.3.8", "ignatov2005:3.2.31", "esenkov2006:B.6", "mirer2009:B.11",
 )  # fmt: skip
 COQ = pytest.mark.skipif(compiler.missing() is not None, reason=str(compiler.missing()))
 FORMULAS = {
@@ -128,6 +131,67 @@ def test_nothing_is_admitted(exported: dict[str, str]) -> None:
         assert not re.search(r"\b(Admitted|admit|Axiom|Parameter|Conjecture|Abort)\b", text)
 
 
+def test_every_set_of_hypotheses_has_a_point_that_satisfies_it(exported: dict[str, str]) -> None:
+    for paper, entry in json.loads(exported["manifest.json"]).items():
+        assert entry["no witness"] == {}, paper
+
+
+SATISFIABLE: dict[str, list[Any]] = {
+    "roots of squares": [["=", ["^", "s", 2], ["+", ["^", "x", 2], ["^", "y", 2]]], [">", "x", 3], [">", "y", 3]],
+    "angles": [
+        ["=", ["sin", "a"], ["*", 2, ["cos", "a"], ["cos", "b"]]],
+        [">", ["cos", "b"], 0],
+        [">", ["sin", "a"], 0],
+    ],
+    "two equations": [["=", ["+", "x", "y"], 7], ["=", ["-", "z"], ["*", 3, "y"]]],
+    "one of several": [["or", ["=", "x", ["/", 22, 7]], ["<", "x", 0]], ["!=", "x", ["-", 2]]],
+}
+
+
+@pytest.mark.parametrize("conditions", SATISFIABLE.values(), ids=SATISFIABLE)
+def test_a_point_is_found_and_is_the_same_each_time(conditions: list[Any]) -> None:
+    point = tried(conditions)
+    assert point
+    assert point == tried(conditions)
+    known = {x for x in letters(["and", *conditions]) if x not in point}
+    assert {f"{f}_{x}" for x in known for f in ("sin", "cos")} <= point.keys()
+
+
+@pytest.mark.parametrize("conditions", [[["=", ["^", "x", 2], -1]], [["<", "x", "y"], ["<", "y", "x"]]])
+def test_no_point_is_found_where_there_is_none(conditions: list[Any], monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("symcheck.export.coq.trials.TRIES", 500)
+    assert tried(conditions) is None
+
+
+@pytest.mark.parametrize(
+    ("after", "reason", "code", "left"),
+    [
+        ("--record", "", 0, ("new", "")),
+        ("--record", "slow", 0, ("new", "slow")),
+        ("--check", "", 0, ("old", "")),
+        ("--check", "slow", 1, ("old", "")),
+        (None, "slow", 0, ("old", "")),
+    ],
+)
+def test_outcomes_are_recorded_or_compared(
+    after: str | None,
+    reason: str,
+    code: int,
+    left: tuple[str, str],
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    monkeypatch.setattr(compiler, "missing", lambda: None)
+    monkeypatch.setattr(compiler, "confirm", lambda *_: ({"toy:1": ("new", reason)}, []))
+    monkeypatch.setattr(kernels, "folder", lambda: tmp_path)
+    (tmp_path / "manifest.json").write_text("{}")
+    record_all(tmp_path, {"toy:1": ("old", "")})
+    assert compiler.main([str(tmp_path), *filter(None, (after,))]) == code
+    assert recorded(tmp_path, "toy") == {"toy:1": left}
+    assert ("toy:1 is recorded as confirmed by Coq, and is not: slow" in capsys.readouterr().out) == bool(code)
+
+
 def test_what_is_not_installed_is_said(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> None:
     monkeypatch.setattr(shutil, "which", lambda name: None)
     assert compiler.main(["build/coq"]) == 2
@@ -151,9 +215,10 @@ def test_a_theorem_is_left_out_with_what_rests_on_it() -> None:
 
 @COQ
 def test_coq_confirms_them_on_the_reals_alone(folder: Path) -> None:
-    confirmed, failed = compiler.confirm(folder)
+    outcomes, failed = compiler.confirm(folder)
     assert failed == []
-    assert all(row["confirmed"] for row in confirmed.values()), [r for r in confirmed.values() if not r["confirmed"]]
+    assert len(outcomes) >= len(DECLARED)
+    assert [(id, reason) for id, (_, reason) in outcomes.items() if reason] == []
 
 
 def flipped(statement: str) -> str | None:
@@ -182,14 +247,3 @@ def test_a_flipped_sign_does_not_compile(folder: Path, exported: dict[str, str])
     for file in sorted((folder / "mirer2009").glob("Proofs*.v")):
         assert list(compiler.checked(folder, f"mirer2009/{file.name}", failed))
     assert set(wrong) <= failed.keys()
-
-
-def test_what_coq_says_is_told_of_these_certificates_alone(tmp_path: Path) -> None:
-    (record,) = decide("mirer2009:2.12")
-    digest = record.certificates[0]["digest"]
-    told = {"yes": (True, "", [digest]), "no: slow": (False, "slow", [digest]), "not tried": (True, "", ["another"])}
-    for said, (right, reason, digests) in told.items():
-        file = tmp_path / f"{right}{reason}{digests[0]}.json"
-        file.write_text(json.dumps({record.id: {"confirmed": right, "reason": reason, "certificates": digests}}))
-        assert confirmed(record, file) == said
-    assert confirmed(record, tmp_path / "nothing.json") == "not tried"

@@ -159,6 +159,22 @@ def test_a_deep_link_shows_its_claim_typeset_with_its_difference_marked(opened: 
     assert page.evaluate("document.fonts.check('16px \"STIX Two Math\"')")
 
 
+def test_a_claim_says_whether_coq_confirms_it_and_the_ledger_finds_those_alike(opened: Callable[..., Page]) -> None:
+    from symcheck.evidence.confirmed import told
+    from symcheck.evidence.decide import decide
+
+    for id in ("mirer2009:2.12", "mirer2009:2.13.1c"):
+        said = next(told(record) for record in decide(id.rstrip("abc")) if record.id == id)
+        assert said
+        page = opened(f"#{id}")
+        assert page.locator("#view-claim .facts").inner_text().endswith(f"confirmed by Coq: {said}")
+        page = opened("#ledger")
+        everything = len(shown(page))
+        page.get_by_label("Confirmed by Coq").select_option(said)
+        assert page.locator(f'#rows li:visible > a[href="#{id}"]').count() == 1
+        assert len(shown(page)) < everything
+
+
 def test_links_lead_to_what_a_claim_uses_and_back(opened: Callable[..., Page]) -> None:
     page = opened("#mirer2009:2.12")
     page.locator(".depends").get_by_role("link", name="2.11", exact=True).click()

@@ -6,6 +6,7 @@ import csv
 import io
 from collections.abc import Sequence
 
+from symcheck.evidence.confirmed import told
 from symcheck.evidence.faults import fails_at
 from symcheck.evidence.record import Record
 from symcheck.export import Format
@@ -49,6 +50,7 @@ def _row(record: Record) -> dict[str, str]:
         "hypotheses": "; ".join(conditions),
         "needed": "; ".join(needed),
         "method": record.method,
+        "confirmed by Coq": told(record),
         "uses": " ".join(record.uses),
         "used by": " ".join(record.used_by),
     }

@@ -7,6 +7,7 @@ from collections import Counter
 from collections.abc import Iterable, Iterator, Sequence
 from itertools import groupby
 
+from symcheck.evidence.confirmed import told
 from symcheck.evidence.faults import Alike, Fault, errata, fails_at, statement
 from symcheck.evidence.latex import is_formula, standing_alone
 from symcheck.evidence.record import Record
@@ -58,11 +59,12 @@ def _table(alike: Alike) -> Iterator[str]:
 
 def _ledger(records: Sequence[Record]) -> Iterator[str]:
     for paper, rows in groupby(records, lambda record: record.paper):
-        yield f"\n## {paper}\n\n| number | statement | verdict | reading |\n|---|---|---|---|"
+        yield f"\n## {paper}\n\n| number | statement | verdict | reading | confirmed by Coq |\n|---|---|---|---|---|"
         for record in rows:
             said = statement(record)
             number = record.id.partition(":")[2]
-            yield f"| {number} | {_formula(said)} | {record.verdict or record.role} | {record.reading} |"
+            cells = (_formula(said), record.verdict or record.role, record.reading, _plain(told(record)))
+            yield f"| {number} | {' | '.join(cells)} |"
 
 
 def _formula(text: str) -> str:

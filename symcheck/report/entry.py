@@ -8,6 +8,7 @@ from typing import Any
 
 from markupsafe import Markup
 
+from symcheck.evidence.confirmed import told
 from symcheck.evidence.faults import Fault, without
 from symcheck.evidence.record import Record
 from symcheck.evidence.steps import sides, steps, term
@@ -73,6 +74,11 @@ class Entry:
     def name(self) -> str:
         """The name of the declaration in words."""
         return self.record.name.replace("_", " ")
+
+    @property
+    def coq(self) -> str:
+        """What Coq says of the proofs."""
+        return told(self.record)
 
     @property
     def section(self) -> str:

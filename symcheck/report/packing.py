@@ -1,4 +1,8 @@
-"""What is folded: JSON, deflated and written as text, unfolded by the browser's own DecompressionStream."""
+"""What is folded: JSON, deflated and written as text, unfolded by the browser's own DecompressionStream.
+
+Written in base 85, a sixteenth shorter than in base 64. One of its digits is "<", which must not stand in a page: "/"
+stands for it.
+"""
 
 from __future__ import annotations
 
@@ -11,14 +15,14 @@ from markupsafe import Markup
 
 
 def packed(data: Any) -> Markup:
-    """The data as base64 of deflated JSON, which needs no escape in HTML."""
+    """The data as deflated JSON in base 85, for the text of a <script>, which needs no escapes."""
     text = json.dumps(data, ensure_ascii=False, separators=(",", ":"))
-    return Markup(base64.b64encode(zlib.compress(text.encode(), 9)).decode())
+    return Markup(base64.b85encode(zlib.compress(text.encode(), 9)).decode().replace("<", "/"))
 
 
 def unpacked(text: str) -> Any:
     """The inverse of `packed`."""
-    return json.loads(zlib.decompress(base64.b64decode(text)))
+    return json.loads(zlib.decompress(base64.b85decode(text.replace("/", "<"))))
 
 
 def address(kind: str, data: bytes) -> Markup:

@@ -12,6 +12,7 @@ from typing import Any
 from jinja2 import Environment, PackageLoader, StrictUndefined
 from markupsafe import Markup
 
+from symcheck.evidence.confirmed import CONFIRMED, confirmed, told
 from symcheck.evidence.faults import Alike, Fault, errata
 from symcheck.evidence.record import Record
 from symcheck.report import entry as entries
@@ -101,6 +102,7 @@ def page(records: Sequence[Record], papers: Sequence[Publication], beside: Besid
     parts = {
         "publications": [paper for paper in papers if any(each.paper == paper.key for each in records)],
         "counts": _counts(records),
+        "coq": Counter(said == CONFIRMED for record in records for said in confirmed(record).values()),
         "table": {paper.key: Counter(_state(r) for r in records if r.paper == paper.key) for paper in papers},
         "states": states,
         "errata": found,
@@ -189,6 +191,7 @@ def _row(record: Record, formulas: Formulas, strings: _Numbered) -> list[Any]:
         record.origin or "",
         record.section,
         record.paper,
+        strings.number(told(record)),
         math,
         strings.number(words),
         [strings.number(text) for text in dict.fromkeys(searched) if text],

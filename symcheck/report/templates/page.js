@@ -7,18 +7,28 @@ const made = (tag, properties = {}, ...children) => {
   return element;
 };
 
-// What is folded into this file: base64 of deflated JSON.
+// What is folded into this file: deflated JSON in base 85, with a slash for the digit that a page must not hold.
+const DIGITS = new Uint8Array(128);
+[..."0123456789ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz!#$%&()*+-;/=>?@^_`{|}~"].forEach((digit, value) => { DIGITS[digit.charCodeAt(0)] = value; });
+function bytesOf(text) {
+  const bytes = new DataView(new ArrayBuffer(4 * Math.ceil(text.length / 5)));
+  for (let k = 0; k < text.length; k += 5) {
+    let value = 0;
+    for (let n = k; n < k + 5; n++) value = 85 * value + (n < text.length ? DIGITS[text.charCodeAt(n)] : 84);
+    bytes.setUint32(4 * k / 5, value);
+  }
+  return bytes.buffer.slice(0, Math.floor(4 * text.length / 5));
+}
 const unfolded = {};
 function unfold(name) {
   return unfolded[name] ??= (async () => {
-    const bytes = Uint8Array.from(atob(one(`#folded-${name}`).textContent), (c) => c.charCodeAt(0));
-    const stream = new Blob([bytes]).stream().pipeThrough(new DecompressionStream("deflate"));
+    const stream = new Blob([bytesOf(one(`#folded-${name}`).textContent)]).stream().pipeThrough(new DecompressionStream("deflate"));
     return JSON.parse(await new Response(stream).text());
   })();
 }
 
 let data, entries, byId;
-const HEAD = ["id", "state", "kind", "origin", "section", "paper", "math", "words"];
+const HEAD = ["id", "state", "kind", "origin", "section", "paper", "coq", "math", "words"];
 const setFormulas = (from) => all(".m:not(.set)", from).forEach((place) => {
   place.classList.add("set");
   place.innerHTML = data.math[place.dataset.m];
@@ -53,7 +63,7 @@ function written(text) {
 }
 
 // The ledger: rows are made once, filters hide them; the formulas of a row are set when it comes near.
-const FIELDS = ["paper", "section", "state", "kind", "origin"];
+const FIELDS = ["paper", "section", "state", "kind", "origin", "coq"];
 const plain = (text) => text.toLowerCase().replace(/[\s{}\\]/g, "");
 const near = new IntersectionObserver((seen) => seen.forEach((each) => {
   if (each.isIntersecting) { setFormulas(each.target); setProse(each.target); near.unobserve(each.target); }
@@ -120,6 +130,7 @@ function showClaim(id) {
   const parts = entries.filter((entry) => entry.whole === byId.get(id).whole);
   one(".siblings", body).append(...parts.length < 2 ? [] : ["Parts: ", ...parts.map((entry) =>
     made("a", {href: `#${entry.id}`, textContent: entry.id.split(":")[1], ariaCurrent: entry.id === id ? "page" : null}))]);
+  if (byId.get(id).coq) one(".facts", body).append(" ", made("span", {textContent: `confirmed by Coq: ${byId.get(id).coq}`}));
   setFormulas(body);
   all("[data-s]", body).forEach((place) => { place.textContent = data.strings[place.dataset.s]; });
   setProse(body);
@@ -198,7 +209,7 @@ function light(event) {
   data = await unfold("ledger");
   entries = data.rows.map((row, number) => {
     const entry = Object.fromEntries(HEAD.map((name, k) => [name, row[k]]));
-    return {...entry, words: data.strings[entry.words], number, whole: entry.id.replace(/[a-z]+$/, ""), role: data.roles.includes(entry.state),
+    return {...entry, words: data.strings[entry.words], coq: data.strings[entry.coq], number, whole: entry.id.replace(/[a-z]+$/, ""), role: data.roles.includes(entry.state),
       text: plain([entry.id, data.strings[entry.words], ...row[HEAD.length].map((k) => data.strings[k])].join("\n"))};
   });
   byId = new Map(entries.map((entry) => [entry.id, entry]));
