@@ -189,7 +189,9 @@ def test_outcomes_are_recorded_or_compared(
     record_all(tmp_path, {"toy:1": ("old", "")})
     assert compiler.main([str(tmp_path), *filter(None, (after,))]) == code
     assert recorded(tmp_path, "toy") == {"toy:1": left}
-    assert ("toy:1 is recorded as confirmed by Coq, and is not: slow" in capsys.readouterr().out) == bool(code)
+    told = capsys.readouterr().out
+    assert ("toy:1 is recorded as confirmed by Coq, and is not: slow" in told) == bool(code)
+    assert ("1 outcomes are not as recorded" in told) == (after == "--check")
 
 
 def test_what_is_not_installed_is_said(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> None:

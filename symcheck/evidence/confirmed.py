@@ -90,6 +90,13 @@ def lost(folder: Path, outcomes: Mapping[str, Outcome], papers: Iterable[str] = 
                 yield f"{name} is recorded as confirmed by Coq, and is not: {now}"
 
 
+def unrecorded(folder: Path, outcomes: Mapping[str, Outcome]) -> int:
+    """How many of these outcomes are recorded otherwise, of other certificates, or not at all."""
+    papers = {name.partition(":")[0] for name in outcomes}
+    known = {name: outcome for paper in papers for name, outcome in recorded(folder, paper).items()}
+    return sum(known.get(name) != outcome for name, outcome in outcomes.items())
+
+
 def recorded(folder: Path, paper: str) -> dict[str, Outcome]:
     """The outcomes of a paper by `key`; empty if there are none, SymcheckError if they cannot be read."""
     file = folder / _name(paper)

@@ -166,8 +166,15 @@ def main(arguments: Sequence[str]) -> int:
     ours = kernels.folder()
     if given.record:
         print(*(f"recorded in {file}" for file in confirmed.record_all(ours, outcomes)), sep="\n")
-    gone = [*confirmed.lost(ours, outcomes, given.papers)] if given.check else []
-    print(*gone, sep="\n", end="\n" * bool(gone))
+    gone = []
+    if given.check:
+        gone = [*confirmed.lost(ours, outcomes, given.papers)]
+        others = confirmed.unrecorded(ours, outcomes)
+        print(
+            *gone,
+            f"{others} outcomes are not as recorded; `make coq` records them" if others else "as recorded",
+            sep="\n",
+        )
     return int(bool(failed or gone))
 
 
