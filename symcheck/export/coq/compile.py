@@ -1,8 +1,8 @@
 """Has Coq check exported files: `python -m symcheck.export.coq.compile FOLDER [PAPER ...] [--jobs N]`.
 
 For each relation it comes out whether Coq confirms it, or the reason why not; with --record that is written to
-generated/coq, with --check compared with what is recorded there. A file that does not compile is tried again without
-the proof at which it stopped, so that one bad proof costs no other.
+generated/coq, where outcomes of relations that were not exported stay, with --check compared with what is there. A file
+that does not compile is tried again without the proof at which it stopped, so that one bad proof costs no other.
 """
 
 from __future__ import annotations
