@@ -6,7 +6,7 @@ STAMP := $(VENV)/.stamp
 DEV := $(VENV)/.dev
 PIP := $(BIN)/python -m pip install --quiet --disable-pip-version-check -c constraints.txt
 
-.PHONY: audit test test-full gates notebooks bench bench-gpu browser coq coq-check install-coq clean
+.PHONY: audit test test-full gates notebooks bench bench-gpu selftest browser coq coq-check install-coq clean
 
 audit: $(STAMP)
 	$(BIN)/symcheck check
@@ -36,6 +36,11 @@ bench: $(DEV)
 	$(BIN)/python tests/bench_envelope.py
 	OPENBLAS_NUM_THREADS=1 $(BIN)/python tests/bench_ensemble.py
 	$(BIN)/python tests/bench_sweep.py
+
+# Plants faults and keeps what becomes of them, for the report and the README.
+selftest: $(DEV)
+	$(BIN)/symcheck selftest --record
+	$(BIN)/python tests/selftest_table.py
 
 bench-gpu: $(DEV)
 	$(BIN)/symcheck generate --target array --output kernels-array

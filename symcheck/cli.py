@@ -248,7 +248,7 @@ def generate(only_check: bool, name: str, output: Path | None, how: How) -> None
     """
     from symcheck import kernels, papers
     from symcheck.codegen.target import target
-    from symcheck.evidence import confirmed, store
+    from symcheck.evidence import confirmed, selftested, store
     from symcheck.evidence import kernels as writing
 
     checked_in = name == CHECKED_IN
@@ -259,7 +259,7 @@ def generate(only_check: bool, name: str, output: Path | None, how: How) -> None
     made = {key: writing.made(paper, records) for key, paper in papers.load().items()}
     texts = {key: (files(key, of_paper) if of_paper else {}, proofs) for key, (of_paper, proofs) in made.items()}
     if checked_in:
-        contents = store.files(records, texts) | confirmed.files(folder, records)
+        contents = store.files(records, texts) | confirmed.files(folder, records) | selftested.files(folder)
     else:
         contents = {file: text.encode() for of_paper, _ in texts.values() for file, text in of_paper.items()}
     differing = store.differences(folder, contents, alone=checked_in)
@@ -405,8 +405,9 @@ def _extra(name: str) -> Iterator[None]:
 @click.option("--json", "as_json", is_flag=True, help="One JSON object with all counts instead of the table.")
 @click.option("--seed", type=int, default=0, show_default=True, help="The same seed plants the same faults.")
 @click.option("--faults", type=click.IntRange(1), default=21_000, show_default=True, help="About how many to plant.")
+@click.option("--record", "recording", is_flag=True, help="Keep the result in generated/, for the report.")
 @deciding
-def selftest(as_json: bool, seed: int, faults: int, how: How) -> None:
+def selftest(as_json: bool, seed: int, faults: int, recording: bool, how: How) -> None:
     """Plant faults and count those that go unnoticed: the error rate of the audit itself.
 
     In statements, hypotheses, certificates, kernels, notation tables and proof methods; and true statements written
@@ -421,12 +422,18 @@ def selftest(as_json: bool, seed: int, faults: int, how: How) -> None:
     modules = (*PRELOAD, *(each.places.__module__ for each in classes().values()))
     with _progress("planting faults") as move:
         result = run(records, Pool(how.jobs, modules) if how.jobs else Serial(), faults, seed, move)
+    told = result.to_json()
+    if recording:
+        from symcheck import kernels
+        from symcheck.evidence import selftested
+
+        _say(f"{selftested.record(kernels.folder(), told, records)} written")
     if as_json:
-        click.echo(json.dumps(result.to_json(), ensure_ascii=False, indent=1))
+        click.echo(json.dumps(told, ensure_ascii=False, indent=1))
     else:
         from symcheck.terminal import console
 
-        show(console(), result)
+        show(console(), told)
     if not result.is_sound:
         raise click.exceptions.Exit(DIFFERS)
 
@@ -543,6 +550,7 @@ def report(selection: Sequence[str], output: Path, show: bool, how: How) -> None
     claim.
     """
     from symcheck import kernels, papers
+    from symcheck.evidence import selftested
     from symcheck.numeric import pictures
     from symcheck.report import sources
     from symcheck.report.page import Beside, Pictures, page
@@ -552,6 +560,7 @@ def report(selection: Sequence[str], output: Path, show: bool, how: How) -> None
         sources.kernels(known, kernels.folder()),
         sources.cells(Path("notebooks")),
         Pictures(pictures.envelopes(), pictures.densities(), pictures.stability()),
+        selftested.recorded(kernels.folder()),
     )
     size = _put(output, page(records, sources.publications(known), beside))
     click.echo(f"{output}: {len(records)} items, {size / 1e6:.2f} MB")

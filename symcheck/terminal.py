@@ -113,6 +113,7 @@ def show(out: Console, record: Record, whole_certificate: bool = False) -> None:
     _field(out, "reason", record.reason)
     for hypothesis in record.hypotheses:
         _field(out, "hypothesis", _hypothesis(hypothesis))
+    _field(out, "shown where", ", ".join(f"{each} ≠ 0" for each in (record.domain or {}).get("nonzero", ())))
     _field(out, "method", f"{record.method}, {record.seconds:.3f} s" if record.method else "")
     _field(out, "uses", ", ".join(record.uses))
     _field(out, "used by", ", ".join(record.used_by))

@@ -9,6 +9,7 @@ from pathlib import Path
 import pytest
 from bench_kernels import ACCURACY, README, SPEED, block, head, with_block
 from kernel_reference import cases
+from selftest_table import NAME, table
 
 TABLES = {"speed of kernels": SPEED, "accuracy of kernels": ACCURACY}
 
@@ -41,6 +42,10 @@ def test_a_new_table_changes_nothing_beside_it() -> None:
 
 def test_speeds_in_the_readme_are_positive_numbers() -> None:
     assert all(float(cell) > 0 for cells in rows("speed of kernels")[2:] for cell in cells[2:])
+
+
+def test_the_readme_says_what_the_self_test_found() -> None:
+    assert block(README.read_text(encoding="utf-8"), NAME).splitlines() == list(table())
 
 
 def example(word: str) -> str:

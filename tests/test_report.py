@@ -20,6 +20,7 @@ from symcheck.evidence.faults import errata
 from symcheck.evidence.latex import is_formula
 from symcheck.evidence.obligation import expand
 from symcheck.evidence.record import Record
+from symcheck.evidence.selftested import evidence
 from symcheck.evidence.steps import steps
 from symcheck.report import sources
 from symcheck.report.difference import marked
@@ -184,12 +185,39 @@ def test_certificates_are_folded_whole_but_for_the_digest() -> None:
         "id": "toy:1",
         "claim": ["=", "x", "x"],
         "digest": "d",
+        "hypotheses": {},
+        "verdict": "proved",
         "proof": {"rule": "identity", "cofactors": []},
     }
     proofs = folded(page([record("1", certificates=(certificate,))], TOY), "toy")
     again = {key: values[0] for key, values in proofs["fields"].items()}
     assert (proofs["of"], again | {"digest": "d"}) == (["toy:1"], certificate)
     assert proofs["steps"][0].startswith("identity: ")
+
+
+def test_what_must_not_vanish_is_shown_with_a_proof_that_needs_it() -> None:
+    proof = {"rule": "identity", "cofactors": [], "nonzero": [["c + 1", "k"]]}
+    shown = {"id": "toy:1", "claim": ["=", "x", "x"], "digest": "d", "hypotheses": {}, "verdict": "proved"}
+    (claim,) = folded(page([record("1", certificates=({**shown, "proof": proof},))], TOY), "ledger")["claims"]
+    assert "c + 1 / k ≠ 0" in claim
+
+
+def test_the_self_test_and_the_hypotheses_are_shown() -> None:
+    given = {"words": "x is positive", "name": "x", "states": "x > 0", "given": "printed", "needed": False}
+    records = [record("1", hypotheses=(given,))]
+    none = page(records, TOY)
+    assert "Nothing is recorded" in none
+    assert "x is positive" in none.split("Which hypotheses are needed")[1]
+    counts = {"planted": 5, "rejected": 4, "accepted": 1, "equivalent": 0, "right": 0, "false_rejections": 0}
+    counts["rejected_of_faults"] = [0.3, 0.8, 1.0]  # type: ignore[assignment]
+    engines = {"points": 3, "evaluated": {"flint": 3}, "all_three": 3, "disagreements": []}
+    found = {**counts, "classes": {"signs": {**counts, "kinds": {}}}, "engines": engines, "evidence": "other"}
+    other = page(records, TOY, Beside(selftest=found))
+    assert "80.00 % (30.00 to 100.00)" in other
+    assert "other certificates than those shown" in other
+    assert "the certificates shown here" in page(
+        records, TOY, Beside(selftest={**found, "evidence": evidence(records)})
+    )
 
 
 def test_every_application_of_a_theorem_is_told() -> None:

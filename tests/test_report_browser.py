@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 
 CHROMIUM = next(filter(None, map(shutil.which, ("chromium", "chromium-browser", "google-chrome"))), None)
 SELECTION = ("mirer2009", "ignatov2005:2.1V", "ignatov2005:2.1E")
-VIEWS = ("#errata", "#ledger", "#pictures", "#mirer2009:2.12", "#mirer2009:2.17", "#ignatov2005:2.1V.2d")
+VIEWS = ("#errata", "#ledger", "#pictures", "#checks", "#mirer2009:2.12", "#mirer2009:2.17", "#ignatov2005:2.1V.2d")
 WIDE, NARROW = {"width": 1280, "height": 900}, {"width": 360, "height": 740}
 SERIOUS = ("serious", "critical")
 PATIENCE = 10_000  # milliseconds

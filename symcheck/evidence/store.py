@@ -1,8 +1,8 @@
 """What is checked in under generated/: the certificates of each paper, the verdicts expected of it, and its kernels.
 
 All files are written from the records of an audit and depend on nothing else: no times, no versions. Each certificate
-and each expectation has a line of its own, so that a diff shows what changed. Beside them lies what Coq said of the
-certificates, see `symcheck.evidence.confirmed`.
+and each expectation has a line of its own, so that a diff shows what changed. Beside them lie what Coq said of the
+certificates, see `symcheck.evidence.confirmed`, and what the self-test found, see `symcheck.evidence.selftested`.
 """
 
 from __future__ import annotations
@@ -24,7 +24,8 @@ Kernels = tuple[Mapping[str, str], Iterable[Certificate]]  # texts by the names 
 CERTIFICATES = "certificates"
 EXPECTED = "expected"
 COQ = "coq"
-OURS = ("*.py", f"{CERTIFICATES}/*.json", f"{EXPECTED}/*.json", f"{COQ}/*.json")  # what `write` may remove
+SELFTEST = "selftest.json"
+OURS = ("*.py", f"{CERTIFICATES}/*.json", f"{EXPECTED}/*.json", f"{COQ}/*.json", SELFTEST)  # what `write` may remove
 UNKNOWN = "unknown; no command writes it, so remove it"
 
 

@@ -15,6 +15,7 @@ from markupsafe import Markup
 from symcheck.evidence.confirmed import CONFIRMED, confirmed, told
 from symcheck.evidence.faults import Alike, Fault, errata
 from symcheck.evidence.record import Record
+from symcheck.evidence.selftested import evidence, rows
 from symcheck.report import entry as entries
 from symcheck.report.entry import Entry
 from symcheck.report.formulas import Formulas
@@ -41,11 +42,12 @@ class Pictures:
 
 @dataclass(frozen=True)
 class Beside:
-    """What is shown beside the records: kernels and notebook cells by claim, pictures."""
+    """What is shown beside the records: kernels and notebook cells by claim, pictures, the result of the self-test."""
 
     kernels: Mapping[str, Sequence[Excerpt]] = field(default_factory=dict)
     cells: Mapping[str, Sequence[Excerpt]] = field(default_factory=dict)
     pictures: Pictures = field(default_factory=Pictures)
+    selftest: Mapping[str, Any] | None = None
 
 
 class _Numbered:
@@ -57,6 +59,15 @@ class _Numbered:
     def number(self, text: str | Excerpt) -> int:
         text = text.text if isinstance(text, Excerpt) else text
         return self.numbers.setdefault(text, len(self.numbers))
+
+
+@dataclass(frozen=True)
+class _Hypothesis:
+    """What is assumed in a paper, and how many relations need it (True), do not, or may (None)."""
+
+    paper: str
+    words: str
+    needed: Counter[bool | None]
 
 
 @dataclass(frozen=True)
@@ -78,6 +89,7 @@ def page(records: Sequence[Record], papers: Sequence[Publication], beside: Besid
     beside    kernels, notebook cells and pictures; without it the page has none
     """
     beside = beside or Beside()
+    tested = beside.selftest or {}
     formulas, excerpts, strings = Formulas(entries.texts(records)), _Numbered(), _Numbered()
     shown = _entries(records, papers, beside)
     found = [(group, [_members(alike) for alike in each]) for group, each in errata(records)]
@@ -106,6 +118,10 @@ def page(records: Sequence[Record], papers: Sequence[Publication], beside: Besid
         "table": {paper.key: Counter(_state(r) for r in records if r.paper == paper.key) for paper in papers},
         "states": states,
         "errata": found,
+        "selftest": rows(tested) if tested else [],
+        "current": bool(tested) and tested["evidence"] == evidence(records),
+        "engines": tested.get("engines"),
+        "hypotheses": _hypotheses(records),
         "envelopes": beside.pictures.envelopes,
         "plots": [_plot(each) for each in beside.pictures.densities],
         "stability": beside.pictures.stability,
@@ -212,6 +228,16 @@ def _counts(records: Iterable[Record]) -> dict[str, int]:
         "ours": ours,
         **{str(verdict): found[str(verdict)] for verdict in Verdict},
     }
+
+
+def _hypotheses(records: Iterable[Record]) -> list[_Hypothesis]:
+    """Those that the papers state or imply, where they were left out of a proof; the least needed first."""
+    found: dict[tuple[str, str], Counter[bool | None]] = {}
+    for record in records:
+        for each in record.hypotheses:
+            if record.verdict is Verdict.PROVED and each.get("given") in ("printed", "standing"):
+                found.setdefault((record.paper, each["words"]), Counter())[each["needed"]] += 1
+    return sorted((_Hypothesis(*key, needed) for key, needed in found.items()), key=lambda each: -each.needed[False])
 
 
 def _members(alike: Alike) -> _Members:

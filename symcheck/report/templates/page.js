@@ -217,6 +217,7 @@ function light(event) {
   filter();
   setFormulas(one("#view-errata"));
   setProse(one("#view-errata"));
+  setProse(one("#view-checks"));
   one("#filters").addEventListener("input", filtered);
   one("#filters").addEventListener("reset", () => setTimeout(filtered));
   one("#filters").addEventListener("submit", (event) => event.preventDefault());
