@@ -10,23 +10,21 @@ sines prevail). Callers share large work among processes or threads by themselve
 
 from __future__ import annotations
 
-import math
-import sys
 import threading
 from collections.abc import Callable, Sequence
 from itertools import combinations
+from math import isfinite
+from types import FunctionType
 from typing import Any
 
 import numpy as np
+from numpy import array
 
 BLOCK = 8192  # elements: 64 kB of doubles
 DOUBLE = np.dtype(np.float64)
 LINE = 64  # bytes of a cache line: registers that begin on one are read twice as fast
-SMALL = 4096  # elements: up to here a block costs more time than it saves
-FEW = 512  # elements: up to here sines and cosines cost no more than the tangents that replace them in a block
-TINY = 2.0**-100  # below it log(1 + x) and exp(x) - 1 are x
-STIRLING = tuple(p / q for p, q in ((1, 12), (-1, 360), (1, 1260), (-1, 1680), (1, 1188), (-691, 360360), (1, 156)))
-SHIFT = 9  # from here on seven terms of Stirling's series are enough for doubles
+SMALL = 12288  # elements: up to here a second block costs more time than it saves
+FEW = 200  # elements: up to here sines and cosines cost no more than the tangents that replace them in a block
 
 Block = Callable[..., None]
 _local = threading.local()
@@ -48,7 +46,7 @@ def evaluate(block: Block, registers: int, order: Sequence[int], inputs: Sequenc
         given = fitting(out, len(order), shape, dtype)
         arrays = [x.copy() if any(np.may_share_memory(x, y) for y in given) else x for x in arrays]
         outputs = [given[order.index(k)] for k in range(max(order) + 1)]
-    _run(block, registers, arrays, outputs, shape, dtype)
+    _run(block if dtype == DOUBLE else _single(block), registers, arrays, outputs, shape, dtype)
     if out is None:
         results = [outputs[k] if shape else outputs[k][()] for k in order]
     else:
@@ -57,6 +55,30 @@ def evaluate(block: Block, registers: int, order: Sequence[int], inputs: Sequenc
             if each is not outputs[k]:
                 np.copyto(each, outputs[k])
     return results[0] if len(order) == 1 else tuple(results)
+
+
+def evaluate_handful(expression: Callable[..., Any], inputs: Sequence[Any], order: Sequence[int] = ()) -> Any:
+    """The same for a handful of points in arrays of doubles of one shape: each point through `math`, as numbers are.
+
+    OverflowError where a result is not finite: NumPy is to compute it, and to warn. `order` as above, if any outputs
+    are the same.
+    """
+    first = inputs[0]
+    if first.size == 1:
+        rows = [expression(*[x.item() for x in inputs])]
+    else:
+        flat = inputs if first.ndim == 1 else [x.ravel() for x in inputs]
+        rows = [*map(expression, *[x.tolist() for x in flat])]
+    single = type(rows[0]) is float
+    if not isfinite(sum(rows if single else map(sum, rows))):
+        raise OverflowError
+    columns: list[Any] = [rows] if single else [*zip(*rows, strict=True)]
+    if order:
+        columns = [columns[order.index(k)] for k in range(max(order) + 1)]
+    outputs = [array(column) for column in columns]
+    if first.ndim != 1:
+        outputs = [x.reshape(first.shape) for x in outputs]
+    return outputs[0] if single else tuple([outputs[k] for k in order] or outputs)
 
 
 def evaluate_alike(block: Block, registers: int, order: Sequence[int], inputs: Sequence[Any]) -> Any:
@@ -69,6 +91,12 @@ def evaluate_alike(block: Block, registers: int, order: Sequence[int], inputs: S
     else:
         _pieces(block, _registers(registers, DOUBLE), [*flat, *(x.reshape(-1) for x in outputs)], outputs[0].size)
     return outputs[0] if len(order) == 1 else tuple([outputs[k] for k in order])
+
+
+def _single(block: Any) -> Block:
+    """The block with its numbers in single precision."""
+    numbers = tuple(x if x is None else x.astype(np.float32) for x in block.__defaults__ or ())
+    return FunctionType(block.__code__, block.__globals__, argdefs=numbers)
 
 
 def fitting(out: Any, outputs: int, shape: tuple[int, ...], dtype: Any) -> list[Any]:
@@ -118,71 +146,3 @@ def _registers(count: int, dtype: Any) -> list[Any]:
         begin = -memory.ctypes.data % LINE
         rows.append(memory[begin : begin + BLOCK * dtype.itemsize].view(dtype))
     return rows[:count]
-
-
-def log1p_ratio(x: Any, out: Any = None) -> Any:
-    """log(1 + x)/x for x > -1, continued by 1 at 0 and by a number that is not 0 at infinity."""
-    if type(x) is float:
-        x = min(x, sys.float_info.max)
-        return math.log1p(x) / x if abs(x) > TINY else 1.0
-    x = _away_from_zero(x)
-    x = np.minimum(x, np.finfo(x.dtype).max)
-    return np.divide(np.log1p(x), x, out)
-
-
-def expm1_ratio(x: Any, out: Any = None) -> Any:
-    """(exp(x) - 1)/x, continued by 1 at 0."""
-    if type(x) is float:
-        return math.expm1(x) / x if abs(x) > TINY else 1.0
-    x = _away_from_zero(x)
-    return np.divide(np.expm1(x), x, out)
-
-
-def _away_from_zero(x: Any) -> Any:
-    return np.copysign(np.maximum(np.abs(x), TINY), x)
-
-
-def gamma_ratio(x: Any, h: Any, out: Any = None) -> Any:
-    """Gamma(x + h)/(Gamma(x) x^h) for positive x and x + h: 1 at infinity.
-
-    Where x or x + h is small the functional equation moves both up to where Stirling's series holds. Of the logarithms
-    of two values there only the difference is formed, with what is large in it cancelled beforehand: nothing overflows
-    unless the ratio does.
-    """
-    if type(x) is type(h) is float:
-        x = min(x, 1 / TINY)  # beyond, the ratio is 1
-        if min(x, x + h) >= SHIFT:
-            return math.exp(_logarithm(x, h, math.log1p))
-        return math.exp(_logarithm(x + SHIFT, h, math.log1p)) * math.pow((x + SHIFT) / x, h) * _steps(x, h)
-    x = np.minimum(x, 1 / TINY)
-    small = np.minimum(x, x + h) < SHIFT
-    moved = x + SHIFT * small
-    value = np.exp(_logarithm(moved, h, np.log1p))
-    if small.any():
-        value = value * np.where(small, (moved / x) ** h * _steps(np.where(small, x, 1), h), 1)
-    if out is None:
-        return value
-    out[...] = value
-    return out
-
-
-def _logarithm(x: Any, h: Any, log1p: Any) -> Any:
-    """log gamma_ratio(x, h) for x and x + h from SHIFT on."""
-    return (x + (h - 0.5)) * log1p(h / x) - h + (_stirling(x + h) - _stirling(x))
-
-
-def _steps(x: Any, h: Any) -> Any:
-    """gamma(x + h)/gamma(x) divided by the same for x + SHIFT."""
-    above, under = x, x + h
-    for k in range(1, SHIFT):
-        above, under = above * (x + k), under * (x + h + k)
-    return above / under
-
-
-def _stirling(x: Any) -> Any:
-    """log Gamma(x) less (x - 1/2) log x - x + log(2 pi)/2, for large x."""
-    inverse = 1.0 / x
-    square, total = inverse * inverse, STIRLING[-1]
-    for coefficient in reversed(STIRLING[:-1]):
-        total = total * square + coefficient
-    return total * inverse
