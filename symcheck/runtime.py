@@ -13,7 +13,7 @@ from __future__ import annotations
 import threading
 from collections.abc import Callable, Sequence
 from itertools import combinations
-from math import isfinite
+from math import isfinite, prod
 from types import FunctionType
 from typing import Any
 
@@ -26,7 +26,7 @@ LINE = 64  # bytes of a cache line: registers that begin on one are read twice a
 SMALL = 12288  # elements: up to here a second block costs more time than it saves
 FEW = 200  # elements: up to here sines and cosines cost no more than the tangents that replace them in a block
 
-Block = Callable[..., None]
+Block = Callable[..., Any]
 _local = threading.local()
 
 
@@ -37,24 +37,58 @@ def evaluate(block: Block, registers: int, order: Sequence[int], inputs: Sequenc
     float32 if all arrays are, else float64. ValueError if `out` does not fit. NumPy's warnings are the caller's.
     """
     dtype = np.result_type(*inputs)
-    dtype = dtype if dtype == np.float32 else DOUBLE
-    arrays = [x if x.ndim else x.astype(dtype, casting="same_kind") for x in map(np.asarray, inputs)]
-    shape = np.broadcast_shapes(*(x.shape for x in arrays))
-    if out is None:
+    if dtype == np.float32:
+        block = _single(block)
+    else:
+        dtype = DOUBLE
+    arrays = [x if type(x) is np.ndarray else np.asarray(x) for x in inputs]
+    shapes = {x.shape for x in arrays} - {()} or {()}
+    shape = np.broadcast_shapes(*shapes) if len(shapes) > 1 else shapes.pop()
+    given = None if out is None else fitting(out, len(order), shape, dtype)
+    if prod(shape) <= SMALL:
+        results = _at_once(block, arrays, shape, dtype)
+    else:
+        results = _by_blocks(block, registers, order, arrays, given, shape, dtype)
+    if given:
+        for each, result in zip(given, results, strict=True):
+            if each is not result:
+                np.copyto(each, result)
+        results = given
+    return results[0] if len(order) == 1 else tuple(results)
+
+
+def _at_once(block: Block, arrays: list[Any], shape: tuple[int, ...], dtype: Any) -> Sequence[Any]:
+    """The results in arrays of their own; numbers for numbers."""
+    whole = [x if shape and x.shape == shape and x.dtype == dtype else _filled(x, shape or (1,), dtype) for x in arrays]
+    results = block(*whole)
+    results = results if type(results) is tuple else (results,)
+    return results if shape else [x[0] for x in results]
+
+
+def _filled(x: Any, shape: tuple[int, ...], dtype: Any) -> Any:
+    whole = np.empty(shape, dtype)
+    np.copyto(whole, x, casting="same_kind")
+    return whole
+
+
+def _by_blocks(
+    block: Block,
+    registers: int,
+    order: Sequence[int],
+    arrays: list[Any],
+    given: list[Any] | None,
+    shape: tuple[int, ...],
+    dtype: Any,
+) -> Sequence[Any]:
+    """The results, in the arrays that are given."""
+    arrays = [x if x.ndim else x.astype(dtype, casting="same_kind") for x in arrays]
+    if given is None:
         outputs = [np.empty(shape, dtype) for _ in range(max(order) + 1)]
     else:  # an output must not overwrite what is read later
-        given = fitting(out, len(order), shape, dtype)
         arrays = [x.copy() if any(np.may_share_memory(x, y) for y in given) else x for x in arrays]
         outputs = [given[order.index(k)] for k in range(max(order) + 1)]
-    _run(block if dtype == DOUBLE else _single(block), registers, arrays, outputs, shape, dtype)
-    if out is None:
-        results = [outputs[k] if shape else outputs[k][()] for k in order]
-    else:
-        results = given
-        for each, k in zip(given, order, strict=True):
-            if each is not outputs[k]:
-                np.copyto(each, outputs[k])
-    return results[0] if len(order) == 1 else tuple(results)
+    _run(block, registers, arrays, outputs, shape, dtype)
+    return [outputs[k] for k in order]
 
 
 def evaluate_handful(expression: Callable[..., Any], inputs: Sequence[Any], order: Sequence[int] = ()) -> Any:
