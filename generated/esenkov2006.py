@@ -35,9 +35,8 @@ def mode_inertia(a_1, chi_1, N_1, out=None):
             if float is type(a_1) is type(chi_1) is type(N_1):
                 return _mode_inertia(a_1, chi_1, N_1)
             if ndarray is type(a_1) is type(chi_1) is type(N_1) and DOUBLE is a_1.dtype is chi_1.dtype is N_1.dtype and () != a_1.shape == chi_1.shape == N_1.shape:
-                if 0 < a_1.size <= 1:
-                    return evaluate_handful(_mode_inertia, (a_1, chi_1, N_1,))
-                if a_1.size <= SMALL:
+                size = a_1.size
+                if size <= SMALL:
                     return _mode_inertia_block(a_1, chi_1, N_1)
                 return evaluate_alike(_mode_inertia_block, 2, (0,), (a_1, chi_1, N_1,))
         except (ValueError, ZeroDivisionError, OverflowError):
@@ -83,9 +82,8 @@ def residue_of_a_mode(E_1, lambda_1, omega_0, out=None):
             if float is type(E_1) is type(lambda_1) is type(omega_0):
                 return _residue_of_a_mode(E_1, lambda_1, omega_0)
             if ndarray is type(E_1) is type(lambda_1) is type(omega_0) and DOUBLE is E_1.dtype is lambda_1.dtype is omega_0.dtype and () != E_1.shape == lambda_1.shape == omega_0.shape:
-                if 0 < E_1.size <= 1:
-                    return evaluate_handful(_residue_of_a_mode, (E_1, lambda_1, omega_0,))
-                if E_1.size <= SMALL:
+                size = E_1.size
+                if size <= SMALL:
                     return _residue_of_a_mode_block(E_1, lambda_1, omega_0)
                 return evaluate_alike(_residue_of_a_mode_block, 2, (0,), (E_1, lambda_1, omega_0,))
         except (ValueError, ZeroDivisionError, OverflowError):
@@ -138,9 +136,10 @@ def characteristic_coefficients(A, C, E_1, lambda_1, omega_0, out=None):
             if float is type(A) is type(C) is type(E_1) is type(lambda_1) is type(omega_0):
                 return _characteristic_coefficients(A, C, E_1, lambda_1, omega_0)
             if ndarray is type(A) is type(C) is type(E_1) is type(lambda_1) is type(omega_0) and DOUBLE is A.dtype is C.dtype is E_1.dtype is lambda_1.dtype is omega_0.dtype and () != A.shape == C.shape == E_1.shape == lambda_1.shape == omega_0.shape:
-                if 0 < A.size <= 2:
+                size = A.size
+                if 0 < size <= 1:
                     return evaluate_handful(_characteristic_coefficients, (A, C, E_1, lambda_1, omega_0,))
-                if A.size <= SMALL:
+                if size <= SMALL:
                     return _characteristic_coefficients_block(A, C, E_1, lambda_1, omega_0)
                 return evaluate_alike(_characteristic_coefficients_block, 4, (0, 1, 2,), (A, C, E_1, lambda_1, omega_0,))
         except (ValueError, ZeroDivisionError, OverflowError):
@@ -198,9 +197,10 @@ def discriminant(A, C, E_1, lambda_1, omega_0, out=None):
             if float is type(A) is type(C) is type(E_1) is type(lambda_1) is type(omega_0):
                 return _discriminant(A, C, E_1, lambda_1, omega_0)
             if ndarray is type(A) is type(C) is type(E_1) is type(lambda_1) is type(omega_0) and DOUBLE is A.dtype is C.dtype is E_1.dtype is lambda_1.dtype is omega_0.dtype and () != A.shape == C.shape == E_1.shape == lambda_1.shape == omega_0.shape:
-                if 0 < A.size <= 7:
+                size = A.size
+                if 0 < size <= 6:
                     return evaluate_handful(_discriminant, (A, C, E_1, lambda_1, omega_0,))
-                if A.size <= SMALL:
+                if size <= SMALL:
                     return _discriminant_block(A, C, E_1, lambda_1, omega_0)
                 return evaluate_alike(_discriminant_block, 4, (0,), (A, C, E_1, lambda_1, omega_0,))
         except (ValueError, ZeroDivisionError, OverflowError):
@@ -264,9 +264,10 @@ def boundary_of_stability(A, E_1, b_1, out=None):
             if float is type(A) is type(E_1) is type(b_1):
                 return _boundary_of_stability(A, E_1, b_1)
             if ndarray is type(A) is type(E_1) is type(b_1) and DOUBLE is A.dtype is E_1.dtype is b_1.dtype and () != A.shape == E_1.shape == b_1.shape:
-                if 0 < A.size <= 8:
+                size = A.size
+                if 0 < size <= 8:
                     return evaluate_handful(_boundary_of_stability, (A, E_1, b_1,))
-                if A.size <= SMALL:
+                if size <= SMALL:
                     return _boundary_of_stability_block(A, E_1, b_1)
                 return evaluate_alike(_boundary_of_stability_block, 6, (0, 1,), (A, E_1, b_1,))
         except (ValueError, ZeroDivisionError, OverflowError):
@@ -336,9 +337,10 @@ def width_of_the_unstable_interval(A, E_1, b_1, out=None):
             if float is type(A) is type(E_1) is type(b_1):
                 return _width_of_the_unstable_interval(A, E_1, b_1)
             if ndarray is type(A) is type(E_1) is type(b_1) and DOUBLE is A.dtype is E_1.dtype is b_1.dtype and () != A.shape == E_1.shape == b_1.shape:
-                if 0 < A.size <= 4:
+                size = A.size
+                if 0 < size <= 2:
                     return evaluate_handful(_width_of_the_unstable_interval, (A, E_1, b_1,))
-                if A.size <= SMALL:
+                if size <= SMALL:
                     return _width_of_the_unstable_interval_block(A, E_1, b_1)
                 return evaluate_alike(_width_of_the_unstable_interval_block, 4, (0,), (A, E_1, b_1,))
         except (ValueError, ZeroDivisionError, OverflowError):
@@ -394,9 +396,10 @@ def critical_frequencies(A, E_1, b_1, omega_0, out=None):
             if float is type(A) is type(E_1) is type(b_1) is type(omega_0):
                 return _critical_frequencies(A, E_1, b_1, omega_0)
             if ndarray is type(A) is type(E_1) is type(b_1) is type(omega_0) and DOUBLE is A.dtype is E_1.dtype is b_1.dtype is omega_0.dtype and () != A.shape == E_1.shape == b_1.shape == omega_0.shape:
-                if 0 < A.size <= 5:
+                size = A.size
+                if 0 < size <= 2:
                     return evaluate_handful(_critical_frequencies, (A, E_1, b_1, omega_0,))
-                if A.size <= SMALL:
+                if size <= SMALL:
                     return _critical_frequencies_block(A, E_1, b_1, omega_0)
                 return evaluate_alike(_critical_frequencies_block, 3, (0, 1,), (A, E_1, b_1, omega_0,))
         except (ValueError, ZeroDivisionError, OverflowError):
@@ -453,9 +456,10 @@ def greatest_growth_rate(A, E_1, b_1, omega_0, out=None):
             if float is type(A) is type(E_1) is type(b_1) is type(omega_0):
                 return _greatest_growth_rate(A, E_1, b_1, omega_0)
             if ndarray is type(A) is type(E_1) is type(b_1) is type(omega_0) and DOUBLE is A.dtype is E_1.dtype is b_1.dtype is omega_0.dtype and () != A.shape == E_1.shape == b_1.shape == omega_0.shape:
-                if 0 < A.size <= 4:
+                size = A.size
+                if 0 < size <= 1:
                     return evaluate_handful(_greatest_growth_rate, (A, E_1, b_1, omega_0,))
-                if A.size <= SMALL:
+                if size <= SMALL:
                     return _greatest_growth_rate_block(A, E_1, b_1, omega_0)
                 return evaluate_alike(_greatest_growth_rate_block, 3, (0,), (A, E_1, b_1, omega_0,))
         except (ValueError, ZeroDivisionError, OverflowError):
@@ -514,9 +518,10 @@ def frequencies(A, Delta, E_1, b_1, omega_0, out=None):
             if float is type(A) is type(Delta) is type(E_1) is type(b_1) is type(omega_0):
                 return _frequencies(A, Delta, E_1, b_1, omega_0)
             if ndarray is type(A) is type(Delta) is type(E_1) is type(b_1) is type(omega_0) and DOUBLE is A.dtype is Delta.dtype is E_1.dtype is b_1.dtype is omega_0.dtype and () != A.shape == Delta.shape == E_1.shape == b_1.shape == omega_0.shape:
-                if 0 < A.size <= 7:
+                size = A.size
+                if 0 < size <= 6:
                     return evaluate_handful(_frequencies, (A, Delta, E_1, b_1, omega_0,))
-                if A.size <= SMALL:
+                if size <= SMALL:
                     return _frequencies_block(A, Delta, E_1, b_1, omega_0)
                 return evaluate_alike(_frequencies_block, 4, (0, 1,), (A, Delta, E_1, b_1, omega_0,))
         except (ValueError, ZeroDivisionError, OverflowError):

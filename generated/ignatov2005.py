@@ -58,11 +58,10 @@ def axes_of_four_wheels(a, b, out=None):
             if float is type(a) is type(b):
                 return _axes_of_four_wheels(a, b)
             if ndarray is type(a) is type(b) and DOUBLE is a.dtype is b.dtype and () != a.shape == b.shape:
-                if 0 < a.size <= 1:
-                    return evaluate_handful(_axes_of_four_wheels, (a, b,), (0, 1, 2, 0, 3, 2, 0, 1, 4, 0, 3, 4,))
-                if a.size <= FEW:
+                size = a.size
+                if size <= FEW:
                     return _axes_of_four_wheels_few(a, b)
-                if a.size <= SMALL:
+                if size <= SMALL:
                     return _axes_of_four_wheels_block(a, b)
                 return evaluate_alike(_axes_of_four_wheels_block, 5, (0, 1, 2, 0, 3, 2, 0, 1, 4, 0, 3, 4,), (a, b,))
         except (ValueError, ZeroDivisionError, OverflowError):
@@ -166,11 +165,10 @@ def axes_of_six_wheels(a, out=None):
             if float is type(a):
                 return _axes_of_six_wheels(a)
             if ndarray is type(a) and DOUBLE is a.dtype and () != a.shape:
-                if 0 < a.size <= 1:
-                    return evaluate_handful(_axes_of_six_wheels, (a,), (0, 1, 2, 3, 1, 2, 4, 1, 0, 5, 2, 3, 5, 2, 4, 5,))
-                if a.size <= FEW:
+                size = a.size
+                if size <= FEW:
                     return _axes_of_six_wheels_few(a)
-                if a.size <= SMALL:
+                if size <= SMALL:
                     return _axes_of_six_wheels_block(a)
                 return evaluate_alike(_axes_of_six_wheels_block, 3, (0, 1, 2, 3, 1, 2, 4, 1, 0, 5, 2, 3, 5, 2, 4, 5,), (a,))
         except (ValueError, ZeroDivisionError, OverflowError):
@@ -250,11 +248,12 @@ def momentum_of_four_wheels(h_1, h_2, h_3, h_4, a, b, out=None):
             if float is type(h_1) is type(h_2) is type(h_3) is type(h_4) is type(a) is type(b):
                 return _momentum_of_four_wheels(h_1, h_2, h_3, h_4, a, b)
             if ndarray is type(h_1) is type(h_2) is type(h_3) is type(h_4) is type(a) is type(b) and DOUBLE is h_1.dtype is h_2.dtype is h_3.dtype is h_4.dtype is a.dtype is b.dtype and () != h_1.shape == h_2.shape == h_3.shape == h_4.shape == a.shape == b.shape:
-                if 0 < h_1.size <= 6:
+                size = h_1.size
+                if 0 < size <= 4:
                     return evaluate_handful(_momentum_of_four_wheels, (h_1, h_2, h_3, h_4, a, b,))
-                if h_1.size <= FEW:
+                if size <= FEW:
                     return _momentum_of_four_wheels_few(h_1, h_2, h_3, h_4, a, b)
-                if h_1.size <= SMALL:
+                if size <= SMALL:
                     return _momentum_of_four_wheels_block(h_1, h_2, h_3, h_4, a, b)
                 return evaluate_alike(_momentum_of_four_wheels_block, 8, (0, 1, 2,), (h_1, h_2, h_3, h_4, a, b,))
         except (ValueError, ZeroDivisionError, OverflowError):
@@ -352,11 +351,12 @@ def momentum_of_three_wheels(h_1, h_2, h_3, a, b, out=None):
             if float is type(h_1) is type(h_2) is type(h_3) is type(a) is type(b):
                 return _momentum_of_three_wheels(h_1, h_2, h_3, a, b)
             if ndarray is type(h_1) is type(h_2) is type(h_3) is type(a) is type(b) and DOUBLE is h_1.dtype is h_2.dtype is h_3.dtype is a.dtype is b.dtype and () != h_1.shape == h_2.shape == h_3.shape == a.shape == b.shape:
-                if 0 < h_1.size <= 5:
+                size = h_1.size
+                if 0 < size <= 2:
                     return evaluate_handful(_momentum_of_three_wheels, (h_1, h_2, h_3, a, b,))
-                if h_1.size <= FEW:
+                if size <= FEW:
                     return _momentum_of_three_wheels_few(h_1, h_2, h_3, a, b)
-                if h_1.size <= SMALL:
+                if size <= SMALL:
                     return _momentum_of_three_wheels_block(h_1, h_2, h_3, a, b)
                 return evaluate_alike(_momentum_of_three_wheels_block, 7, (0, 1, 2,), (h_1, h_2, h_3, a, b,))
         except (ValueError, ZeroDivisionError, OverflowError):
@@ -447,11 +447,12 @@ def momentum_of_six_wheels(h_1, h_2, h_3, h_4, h_5, h_6, a, out=None):
             if float is type(h_1) is type(h_2) is type(h_3) is type(h_4) is type(h_5) is type(h_6) is type(a):
                 return _momentum_of_six_wheels(h_1, h_2, h_3, h_4, h_5, h_6, a)
             if ndarray is type(h_1) is type(h_2) is type(h_3) is type(h_4) is type(h_5) is type(h_6) is type(a) and DOUBLE is h_1.dtype is h_2.dtype is h_3.dtype is h_4.dtype is h_5.dtype is h_6.dtype is a.dtype and () != h_1.shape == h_2.shape == h_3.shape == h_4.shape == h_5.shape == h_6.shape == a.shape:
-                if 0 < h_1.size <= 7:
+                size = h_1.size
+                if 0 < size <= 5:
                     return evaluate_handful(_momentum_of_six_wheels, (h_1, h_2, h_3, h_4, h_5, h_6, a,))
-                if h_1.size <= FEW:
+                if size <= FEW:
                     return _momentum_of_six_wheels_few(h_1, h_2, h_3, h_4, h_5, h_6, a)
-                if h_1.size <= SMALL:
+                if size <= SMALL:
                     return _momentum_of_six_wheels_block(h_1, h_2, h_3, h_4, h_5, h_6, a)
                 return evaluate_alike(_momentum_of_six_wheels_block, 6, (0, 1, 2,), (h_1, h_2, h_3, h_4, h_5, h_6, a,))
         except (ValueError, ZeroDivisionError, OverflowError):
@@ -555,11 +556,12 @@ def momentum_of_five_wheels(h_1, h_2, h_3, h_4, h_5, a, out=None):
             if float is type(h_1) is type(h_2) is type(h_3) is type(h_4) is type(h_5) is type(a):
                 return _momentum_of_five_wheels(h_1, h_2, h_3, h_4, h_5, a)
             if ndarray is type(h_1) is type(h_2) is type(h_3) is type(h_4) is type(h_5) is type(a) and DOUBLE is h_1.dtype is h_2.dtype is h_3.dtype is h_4.dtype is h_5.dtype is a.dtype and () != h_1.shape == h_2.shape == h_3.shape == h_4.shape == h_5.shape == a.shape:
-                if 0 < h_1.size <= 6:
+                size = h_1.size
+                if 0 < size <= 4:
                     return evaluate_handful(_momentum_of_five_wheels, (h_1, h_2, h_3, h_4, h_5, a,))
-                if h_1.size <= FEW:
+                if size <= FEW:
                     return _momentum_of_five_wheels_few(h_1, h_2, h_3, h_4, h_5, a)
-                if h_1.size <= SMALL:
+                if size <= SMALL:
                     return _momentum_of_five_wheels_block(h_1, h_2, h_3, h_4, h_5, a)
                 return evaluate_alike(_momentum_of_five_wheels_block, 5, (0, 1, 2,), (h_1, h_2, h_3, h_4, h_5, a,))
         except (ValueError, ZeroDivisionError, OverflowError):
@@ -657,11 +659,12 @@ def rates_of_four_wheels(h_1, h_2, h_3, h_4, a, b, J_x, J_y, J_z, out=None):
             if float is type(h_1) is type(h_2) is type(h_3) is type(h_4) is type(a) is type(b) is type(J_x) is type(J_y) is type(J_z):
                 return _rates_of_four_wheels(h_1, h_2, h_3, h_4, a, b, J_x, J_y, J_z)
             if ndarray is type(h_1) is type(h_2) is type(h_3) is type(h_4) is type(a) is type(b) is type(J_x) is type(J_y) is type(J_z) and DOUBLE is h_1.dtype is h_2.dtype is h_3.dtype is h_4.dtype is a.dtype is b.dtype is J_x.dtype is J_y.dtype is J_z.dtype and () != h_1.shape == h_2.shape == h_3.shape == h_4.shape == a.shape == b.shape == J_x.shape == J_y.shape == J_z.shape:
-                if 0 < h_1.size <= 8:
+                size = h_1.size
+                if 0 < size <= 6:
                     return evaluate_handful(_rates_of_four_wheels, (h_1, h_2, h_3, h_4, a, b, J_x, J_y, J_z,))
-                if h_1.size <= FEW:
+                if size <= FEW:
                     return _rates_of_four_wheels_few(h_1, h_2, h_3, h_4, a, b, J_x, J_y, J_z)
-                if h_1.size <= SMALL:
+                if size <= SMALL:
                     return _rates_of_four_wheels_block(h_1, h_2, h_3, h_4, a, b, J_x, J_y, J_z)
                 return evaluate_alike(_rates_of_four_wheels_block, 8, (0, 1, 2,), (h_1, h_2, h_3, h_4, a, b, J_x, J_y, J_z,))
         except (ValueError, ZeroDivisionError, OverflowError):
@@ -774,11 +777,12 @@ def rates_of_three_wheels(h_1, h_2, h_3, a, b, J_x, J_y, J_z, out=None):
             if float is type(h_1) is type(h_2) is type(h_3) is type(a) is type(b) is type(J_x) is type(J_y) is type(J_z):
                 return _rates_of_three_wheels(h_1, h_2, h_3, a, b, J_x, J_y, J_z)
             if ndarray is type(h_1) is type(h_2) is type(h_3) is type(a) is type(b) is type(J_x) is type(J_y) is type(J_z) and DOUBLE is h_1.dtype is h_2.dtype is h_3.dtype is a.dtype is b.dtype is J_x.dtype is J_y.dtype is J_z.dtype and () != h_1.shape == h_2.shape == h_3.shape == a.shape == b.shape == J_x.shape == J_y.shape == J_z.shape:
-                if 0 < h_1.size <= 7:
+                size = h_1.size
+                if 0 < size <= 4:
                     return evaluate_handful(_rates_of_three_wheels, (h_1, h_2, h_3, a, b, J_x, J_y, J_z,))
-                if h_1.size <= FEW:
+                if size <= FEW:
                     return _rates_of_three_wheels_few(h_1, h_2, h_3, a, b, J_x, J_y, J_z)
-                if h_1.size <= SMALL:
+                if size <= SMALL:
                     return _rates_of_three_wheels_block(h_1, h_2, h_3, a, b, J_x, J_y, J_z)
                 return evaluate_alike(_rates_of_three_wheels_block, 7, (0, 1, 2,), (h_1, h_2, h_3, a, b, J_x, J_y, J_z,))
         except (ValueError, ZeroDivisionError, OverflowError):
@@ -884,11 +888,12 @@ def rates_of_six_wheels(h_1, h_2, h_3, h_4, h_5, h_6, a, J_x, J_y, J_z, out=None
             if float is type(h_1) is type(h_2) is type(h_3) is type(h_4) is type(h_5) is type(h_6) is type(a) is type(J_x) is type(J_y) is type(J_z):
                 return _rates_of_six_wheels(h_1, h_2, h_3, h_4, h_5, h_6, a, J_x, J_y, J_z)
             if ndarray is type(h_1) is type(h_2) is type(h_3) is type(h_4) is type(h_5) is type(h_6) is type(a) is type(J_x) is type(J_y) is type(J_z) and DOUBLE is h_1.dtype is h_2.dtype is h_3.dtype is h_4.dtype is h_5.dtype is h_6.dtype is a.dtype is J_x.dtype is J_y.dtype is J_z.dtype and () != h_1.shape == h_2.shape == h_3.shape == h_4.shape == h_5.shape == h_6.shape == a.shape == J_x.shape == J_y.shape == J_z.shape:
-                if 0 < h_1.size <= 8:
+                size = h_1.size
+                if 0 < size <= 7:
                     return evaluate_handful(_rates_of_six_wheels, (h_1, h_2, h_3, h_4, h_5, h_6, a, J_x, J_y, J_z,))
-                if h_1.size <= FEW:
+                if size <= FEW:
                     return _rates_of_six_wheels_few(h_1, h_2, h_3, h_4, h_5, h_6, a, J_x, J_y, J_z)
-                if h_1.size <= SMALL:
+                if size <= SMALL:
                     return _rates_of_six_wheels_block(h_1, h_2, h_3, h_4, h_5, h_6, a, J_x, J_y, J_z)
                 return evaluate_alike(_rates_of_six_wheels_block, 6, (0, 1, 2,), (h_1, h_2, h_3, h_4, h_5, h_6, a, J_x, J_y, J_z,))
         except (ValueError, ZeroDivisionError, OverflowError):
@@ -1007,11 +1012,12 @@ def rates_of_five_wheels(h_1, h_2, h_3, h_4, h_5, a, J_x, J_y, J_z, out=None):
             if float is type(h_1) is type(h_2) is type(h_3) is type(h_4) is type(h_5) is type(a) is type(J_x) is type(J_y) is type(J_z):
                 return _rates_of_five_wheels(h_1, h_2, h_3, h_4, h_5, a, J_x, J_y, J_z)
             if ndarray is type(h_1) is type(h_2) is type(h_3) is type(h_4) is type(h_5) is type(a) is type(J_x) is type(J_y) is type(J_z) and DOUBLE is h_1.dtype is h_2.dtype is h_3.dtype is h_4.dtype is h_5.dtype is a.dtype is J_x.dtype is J_y.dtype is J_z.dtype and () != h_1.shape == h_2.shape == h_3.shape == h_4.shape == h_5.shape == a.shape == J_x.shape == J_y.shape == J_z.shape:
-                if 0 < h_1.size <= 8:
+                size = h_1.size
+                if 0 < size <= 6:
                     return evaluate_handful(_rates_of_five_wheels, (h_1, h_2, h_3, h_4, h_5, a, J_x, J_y, J_z,))
-                if h_1.size <= FEW:
+                if size <= FEW:
                     return _rates_of_five_wheels_few(h_1, h_2, h_3, h_4, h_5, a, J_x, J_y, J_z)
-                if h_1.size <= SMALL:
+                if size <= SMALL:
                     return _rates_of_five_wheels_block(h_1, h_2, h_3, h_4, h_5, a, J_x, J_y, J_z)
                 return evaluate_alike(_rates_of_five_wheels_block, 5, (0, 1, 2,), (h_1, h_2, h_3, h_4, h_5, a, J_x, J_y, J_z,))
         except (ValueError, ZeroDivisionError, OverflowError):
@@ -1140,11 +1146,12 @@ def vertices_of_four_wheels(a, b, out=None):
             if float is type(a) is type(b):
                 return _vertices_of_four_wheels(a, b)
             if ndarray is type(a) is type(b) and DOUBLE is a.dtype is b.dtype and () != a.shape == b.shape:
-                if 0 < a.size <= 2:
+                size = a.size
+                if 0 < size <= 1:
                     return evaluate_handful(_vertices_of_four_wheels, (a, b,), (0, 1, 2, 3, 1, 4, 3, 1, 2, 5, 1, 4, 5, 6, 7,))
-                if a.size <= FEW:
+                if size <= FEW:
                     return _vertices_of_four_wheels_few(a, b)
-                if a.size <= SMALL:
+                if size <= SMALL:
                     return _vertices_of_four_wheels_block(a, b)
                 return evaluate_alike(_vertices_of_four_wheels_block, 5, (0, 1, 2, 3, 1, 4, 3, 1, 2, 5, 1, 4, 5, 6, 7,), (a, b,))
         except (ValueError, ZeroDivisionError, OverflowError):
@@ -1260,11 +1267,10 @@ def vertices_of_three_wheels(a, b, out=None):
             if float is type(a) is type(b):
                 return _vertices_of_three_wheels(a, b)
             if ndarray is type(a) is type(b) and DOUBLE is a.dtype is b.dtype and () != a.shape == b.shape:
-                if 0 < a.size <= 1:
-                    return evaluate_handful(_vertices_of_three_wheels, (a, b,), (0, 1, 2, 3, 4, 5, 3, 6, 5, 3, 4, 7,))
-                if a.size <= FEW:
+                size = a.size
+                if size <= FEW:
                     return _vertices_of_three_wheels_few(a, b)
-                if a.size <= SMALL:
+                if size <= SMALL:
                     return _vertices_of_three_wheels_block(a, b)
                 return evaluate_alike(_vertices_of_three_wheels_block, 5, (0, 1, 2, 3, 4, 5, 3, 6, 5, 3, 4, 7,), (a, b,))
         except (ValueError, ZeroDivisionError, OverflowError):
@@ -1425,11 +1431,10 @@ def vertices_of_six_wheels(a, out=None):
             if float is type(a):
                 return _vertices_of_six_wheels(a)
             if ndarray is type(a) and DOUBLE is a.dtype and () != a.shape:
-                if 0 < a.size <= 1:
-                    return evaluate_handful(_vertices_of_six_wheels, (a,), (0, 1, 2, 3, 4, 2, 3, 5, 2, 6, 2, 7, 5, 2, 7, 4, 2, 7, 8, 9, 3, 8, 9, 10, 9, 3, 11, 9, 7, 11, 9, 12, 9, 12, 1, 13, 10, 1,))
-                if a.size <= FEW:
+                size = a.size
+                if size <= FEW:
                     return _vertices_of_six_wheels_few(a)
-                if a.size <= SMALL:
+                if size <= SMALL:
                     return _vertices_of_six_wheels_block(a)
                 return evaluate_alike(_vertices_of_six_wheels_block, 3, (0, 1, 2, 3, 4, 2, 3, 5, 2, 6, 2, 7, 5, 2, 7, 4, 2, 7, 8, 9, 3, 8, 9, 10, 9, 3, 11, 9, 7, 11, 9, 12, 9, 12, 1, 13, 10, 1,), (a,))
         except (ValueError, ZeroDivisionError, OverflowError):
@@ -1590,11 +1595,10 @@ def vertices_of_five_wheels(a, out=None):
             if float is type(a):
                 return _vertices_of_five_wheels(a)
             if ndarray is type(a) and DOUBLE is a.dtype and () != a.shape:
-                if 0 < a.size <= 1:
-                    return evaluate_handful(_vertices_of_five_wheels, (a,), (0, 1, 2, 0, 3, 4, 5, 6, 4, 5, 7, 4, 0, 8, 4, 9, 7, 4, 9, 6, 10, 5, 11, 10, 12, 1, 10, 5, 13, 10, 9, 13, 10,))
-                if a.size <= FEW:
+                size = a.size
+                if size <= FEW:
                     return _vertices_of_five_wheels_few(a)
-                if a.size <= SMALL:
+                if size <= SMALL:
                     return _vertices_of_five_wheels_block(a)
                 return evaluate_alike(_vertices_of_five_wheels_block, 3, (0, 1, 2, 0, 3, 4, 5, 6, 4, 5, 7, 4, 0, 8, 4, 9, 7, 4, 9, 6, 10, 5, 11, 10, 12, 1, 10, 5, 13, 10, 9, 13, 10,), (a,))
         except (ValueError, ZeroDivisionError, OverflowError):
@@ -1693,11 +1697,12 @@ def vertex_distances_of_four_wheels(a, b, out=None):
             if float is type(a) is type(b):
                 return _vertex_distances_of_four_wheels(a, b)
             if ndarray is type(a) is type(b) and DOUBLE is a.dtype is b.dtype and () != a.shape == b.shape:
-                if 0 < a.size <= 1:
+                size = a.size
+                if 0 < size <= 1:
                     return evaluate_handful(_vertex_distances_of_four_wheels, (a, b,))
-                if a.size <= FEW:
+                if size <= FEW:
                     return _vertex_distances_of_four_wheels_few(a, b)
-                if a.size <= SMALL:
+                if size <= SMALL:
                     return _vertex_distances_of_four_wheels_block(a, b)
                 return evaluate_alike(_vertex_distances_of_four_wheels_block, 4, (0, 1, 2,), (a, b,))
         except (ValueError, ZeroDivisionError, OverflowError):
@@ -1771,9 +1776,10 @@ def vertex_distances_of_three_wheels(a, b, out=None):
             if float is type(a) is type(b):
                 return _vertex_distances_of_three_wheels(a, b)
             if ndarray is type(a) is type(b) and DOUBLE is a.dtype is b.dtype and () != a.shape == b.shape:
-                if 0 < a.size <= 6:
+                size = a.size
+                if 0 < size <= 4:
                     return evaluate_handful(_vertex_distances_of_three_wheels, (a, b,))
-                if a.size <= SMALL:
+                if size <= SMALL:
                     return _vertex_distances_of_three_wheels_block(a, b)
                 return evaluate_alike(_vertex_distances_of_three_wheels_block, 4, (0, 1, 2,), (a, b,))
         except (ValueError, ZeroDivisionError, OverflowError):
@@ -1843,11 +1849,12 @@ def vertex_distances_of_six_wheels(a, out=None):
             if float is type(a):
                 return _vertex_distances_of_six_wheels(a)
             if ndarray is type(a) and DOUBLE is a.dtype and () != a.shape:
-                if 0 < a.size <= 6:
+                size = a.size
+                if 0 < size <= 3:
                     return evaluate_handful(_vertex_distances_of_six_wheels, (a,))
-                if a.size <= FEW:
+                if size <= FEW:
                     return _vertex_distances_of_six_wheels_few(a)
-                if a.size <= SMALL:
+                if size <= SMALL:
                     return _vertex_distances_of_six_wheels_block(a)
                 return evaluate_alike(_vertex_distances_of_six_wheels_block, 4, (0, 1, 2, 3,), (a,))
         except (ValueError, ZeroDivisionError, OverflowError):
@@ -1943,9 +1950,10 @@ def vertex_distances_of_five_wheels(a, out=None):
             if float is type(a):
                 return _vertex_distances_of_five_wheels(a)
             if ndarray is type(a) and DOUBLE is a.dtype and () != a.shape:
-                if 0 < a.size <= 7:
+                size = a.size
+                if 0 < size <= 4:
                     return evaluate_handful(_vertex_distances_of_five_wheels, (a,))
-                if a.size <= SMALL:
+                if size <= SMALL:
                     return _vertex_distances_of_five_wheels_block(a)
                 return evaluate_alike(_vertex_distances_of_five_wheels_block, 5, (0, 1, 2, 3, 4, 5, 6,), (a,))
         except (ValueError, ZeroDivisionError, OverflowError):
@@ -2023,9 +2031,10 @@ def face_distances_of_four_wheels(a, b, out=None):
             if float is type(a) is type(b):
                 return _face_distances_of_four_wheels(a, b)
             if ndarray is type(a) is type(b) and DOUBLE is a.dtype is b.dtype and () != a.shape == b.shape:
-                if 0 < a.size <= 9:
+                size = a.size
+                if 0 < size <= 9:
                     return evaluate_handful(_face_distances_of_four_wheels, (a, b,))
-                if a.size <= SMALL:
+                if size <= SMALL:
                     return _face_distances_of_four_wheels_block(a, b)
                 return evaluate_alike(_face_distances_of_four_wheels_block, 8, (0, 1, 2,), (a, b,))
         except (ValueError, ZeroDivisionError, OverflowError):
@@ -2107,9 +2116,10 @@ def face_distances_of_three_wheels(a, b, out=None):
             if float is type(a) is type(b):
                 return _face_distances_of_three_wheels(a, b)
             if ndarray is type(a) is type(b) and DOUBLE is a.dtype is b.dtype and () != a.shape == b.shape:
-                if 0 < a.size <= 9:
+                size = a.size
+                if 0 < size <= 9:
                     return evaluate_handful(_face_distances_of_three_wheels, (a, b,))
-                if a.size <= SMALL:
+                if size <= SMALL:
                     return _face_distances_of_three_wheels_block(a, b)
                 return evaluate_alike(_face_distances_of_three_wheels_block, 8, (0, 1, 2,), (a, b,))
         except (ValueError, ZeroDivisionError, OverflowError):
@@ -2189,9 +2199,10 @@ def face_distances_of_six_wheels(a, out=None):
             if float is type(a):
                 return _face_distances_of_six_wheels(a)
             if ndarray is type(a) and DOUBLE is a.dtype and () != a.shape:
-                if 0 < a.size <= 7:
+                size = a.size
+                if 0 < size <= 6:
                     return evaluate_handful(_face_distances_of_six_wheels, (a,))
-                if a.size <= SMALL:
+                if size <= SMALL:
                     return _face_distances_of_six_wheels_block(a)
                 return evaluate_alike(_face_distances_of_six_wheels_block, 4, (0, 1, 2,), (a,))
         except (ValueError, ZeroDivisionError, OverflowError):
@@ -2265,9 +2276,10 @@ def face_distances_of_five_wheels(a, out=None):
             if float is type(a):
                 return _face_distances_of_five_wheels(a)
             if ndarray is type(a) and DOUBLE is a.dtype and () != a.shape:
-                if 0 < a.size <= 6:
+                size = a.size
+                if 0 < size <= 3:
                     return evaluate_handful(_face_distances_of_five_wheels, (a,))
-                if a.size <= SMALL:
+                if size <= SMALL:
                     return _face_distances_of_five_wheels_block(a)
                 return evaluate_alike(_face_distances_of_five_wheels_block, 4, (0, 1, 2, 3, 4, 5,), (a,))
         except (ValueError, ZeroDivisionError, OverflowError):
@@ -2336,9 +2348,10 @@ def volume_of_four_wheels(a, b, out=None):
             if float is type(a) is type(b):
                 return _volume_of_four_wheels(a, b)
             if ndarray is type(a) is type(b) and DOUBLE is a.dtype is b.dtype and () != a.shape == b.shape:
-                if 0 < a.size <= 7:
+                size = a.size
+                if 0 < size <= 6:
                     return evaluate_handful(_volume_of_four_wheels, (a, b,))
-                if a.size <= SMALL:
+                if size <= SMALL:
                     return _volume_of_four_wheels_block(a, b)
                 return evaluate_alike(_volume_of_four_wheels_block, 5, (0,), (a, b,))
         except (ValueError, ZeroDivisionError, OverflowError):
@@ -2398,9 +2411,10 @@ def volume_of_three_wheels(a, b, out=None):
             if float is type(a) is type(b):
                 return _volume_of_three_wheels(a, b)
             if ndarray is type(a) is type(b) and DOUBLE is a.dtype is b.dtype and () != a.shape == b.shape:
-                if 0 < a.size <= 7:
+                size = a.size
+                if 0 < size <= 6:
                     return evaluate_handful(_volume_of_three_wheels, (a, b,))
-                if a.size <= SMALL:
+                if size <= SMALL:
                     return _volume_of_three_wheels_block(a, b)
                 return evaluate_alike(_volume_of_three_wheels_block, 5, (0,), (a, b,))
         except (ValueError, ZeroDivisionError, OverflowError):
@@ -2459,9 +2473,10 @@ def volume_of_six_wheels(a, out=None):
             if float is type(a):
                 return _volume_of_six_wheels(a)
             if ndarray is type(a) and DOUBLE is a.dtype and () != a.shape:
-                if 0 < a.size <= 6:
+                size = a.size
+                if 0 < size <= 4:
                     return evaluate_handful(_volume_of_six_wheels, (a,))
-                if a.size <= SMALL:
+                if size <= SMALL:
                     return _volume_of_six_wheels_block(a)
                 return evaluate_alike(_volume_of_six_wheels_block, 3, (0,), (a,))
         except (ValueError, ZeroDivisionError, OverflowError):
@@ -2515,9 +2530,10 @@ def volume_of_five_wheels(a, out=None):
             if float is type(a):
                 return _volume_of_five_wheels(a)
             if ndarray is type(a) and DOUBLE is a.dtype and () != a.shape:
-                if 0 < a.size <= 6:
+                size = a.size
+                if 0 < size <= 4:
                     return evaluate_handful(_volume_of_five_wheels, (a,))
-                if a.size <= SMALL:
+                if size <= SMALL:
                     return _volume_of_five_wheels_block(a)
                 return evaluate_alike(_volume_of_five_wheels_block, 3, (0,), (a,))
         except (ValueError, ZeroDivisionError, OverflowError):
@@ -2579,11 +2595,12 @@ def largest_rates_of_four_wheels(a, b, J_x, J_y, J_z, out=None):
             if float is type(a) is type(b) is type(J_x) is type(J_y) is type(J_z):
                 return _largest_rates_of_four_wheels(a, b, J_x, J_y, J_z)
             if ndarray is type(a) is type(b) is type(J_x) is type(J_y) is type(J_z) and DOUBLE is a.dtype is b.dtype is J_x.dtype is J_y.dtype is J_z.dtype and () != a.shape == b.shape == J_x.shape == J_y.shape == J_z.shape:
-                if 0 < a.size <= 3:
+                size = a.size
+                if 0 < size <= 1:
                     return evaluate_handful(_largest_rates_of_four_wheels, (a, b, J_x, J_y, J_z,))
-                if a.size <= FEW:
+                if size <= FEW:
                     return _largest_rates_of_four_wheels_few(a, b, J_x, J_y, J_z)
-                if a.size <= SMALL:
+                if size <= SMALL:
                     return _largest_rates_of_four_wheels_block(a, b, J_x, J_y, J_z)
                 return evaluate_alike(_largest_rates_of_four_wheels_block, 5, (0, 1, 2,), (a, b, J_x, J_y, J_z,))
         except (ValueError, ZeroDivisionError, OverflowError):
@@ -2664,11 +2681,12 @@ def largest_rates_of_six_wheels(a, J_x, J_y, J_z, out=None):
             if float is type(a) is type(J_x) is type(J_y) is type(J_z):
                 return _largest_rates_of_six_wheels(a, J_x, J_y, J_z)
             if ndarray is type(a) is type(J_x) is type(J_y) is type(J_z) and DOUBLE is a.dtype is J_x.dtype is J_y.dtype is J_z.dtype and () != a.shape == J_x.shape == J_y.shape == J_z.shape:
-                if 0 < a.size <= 2:
+                size = a.size
+                if 0 < size <= 1:
                     return evaluate_handful(_largest_rates_of_six_wheels, (a, J_x, J_y, J_z,))
-                if a.size <= FEW:
+                if size <= FEW:
                     return _largest_rates_of_six_wheels_few(a, J_x, J_y, J_z)
-                if a.size <= SMALL:
+                if size <= SMALL:
                     return _largest_rates_of_six_wheels_block(a, J_x, J_y, J_z)
                 return evaluate_alike(_largest_rates_of_six_wheels_block, 4, (0, 1, 2,), (a, J_x, J_y, J_z,))
         except (ValueError, ZeroDivisionError, OverflowError):
@@ -2745,9 +2763,10 @@ def equal_rates_of_four_wheels(J_x, J_y, J_z, out=None):
             if float is type(J_x) is type(J_y) is type(J_z):
                 return _equal_rates_of_four_wheels(J_x, J_y, J_z)
             if ndarray is type(J_x) is type(J_y) is type(J_z) and DOUBLE is J_x.dtype is J_y.dtype is J_z.dtype and () != J_x.shape == J_y.shape == J_z.shape:
-                if 0 < J_x.size <= 5:
+                size = J_x.size
+                if 0 < size <= 2:
                     return evaluate_handful(_equal_rates_of_four_wheels, (J_x, J_y, J_z,))
-                if J_x.size <= SMALL:
+                if size <= SMALL:
                     return _equal_rates_of_four_wheels_block(J_x, J_y, J_z)
                 return evaluate_alike(_equal_rates_of_four_wheels_block, 2, (0, 1, 2, 3,), (J_x, J_y, J_z,))
         except (ValueError, ZeroDivisionError, OverflowError):
@@ -2811,9 +2830,10 @@ def equal_rates_of_six_wheels(J_x, J_y, J_z, out=None):
             if float is type(J_x) is type(J_y) is type(J_z):
                 return _equal_rates_of_six_wheels(J_x, J_y, J_z)
             if ndarray is type(J_x) is type(J_y) is type(J_z) and DOUBLE is J_x.dtype is J_y.dtype is J_z.dtype and () != J_x.shape == J_y.shape == J_z.shape:
-                if 0 < J_x.size <= 6:
+                size = J_x.size
+                if 0 < size <= 3:
                     return evaluate_handful(_equal_rates_of_six_wheels, (J_x, J_y, J_z,))
-                if J_x.size <= SMALL:
+                if size <= SMALL:
                     return _equal_rates_of_six_wheels_block(J_x, J_y, J_z)
                 return evaluate_alike(_equal_rates_of_six_wheels_block, 2, (0, 1, 2,), (J_x, J_y, J_z,))
         except (ValueError, ZeroDivisionError, OverflowError):
@@ -2875,9 +2895,10 @@ def best_angles_of_four_wheels(J_x, J_y, J_z, out=None):
             if float is type(J_x) is type(J_y) is type(J_z):
                 return _best_angles_of_four_wheels(J_x, J_y, J_z)
             if ndarray is type(J_x) is type(J_y) is type(J_z) and DOUBLE is J_x.dtype is J_y.dtype is J_z.dtype and () != J_x.shape == J_y.shape == J_z.shape:
-                if 0 < J_x.size <= 6:
+                size = J_x.size
+                if 0 < size <= 4:
                     return evaluate_handful(_best_angles_of_four_wheels, (J_x, J_y, J_z,))
-                if J_x.size <= SMALL:
+                if size <= SMALL:
                     return _best_angles_of_four_wheels_block(J_x, J_y, J_z)
                 return evaluate_alike(_best_angles_of_four_wheels_block, 4, (0, 1, 2,), (J_x, J_y, J_z,))
         except (ValueError, ZeroDivisionError, OverflowError):
@@ -2941,9 +2962,10 @@ def best_angle_of_six_wheels(J_y, J_z, out=None):
             if float is type(J_y) is type(J_z):
                 return _best_angle_of_six_wheels(J_y, J_z)
             if ndarray is type(J_y) is type(J_z) and DOUBLE is J_y.dtype is J_z.dtype and () != J_y.shape == J_z.shape:
-                if 0 < J_y.size <= 2:
+                size = J_y.size
+                if 0 < size <= 1:
                     return evaluate_handful(_best_angle_of_six_wheels, (J_y, J_z,))
-                if J_y.size <= SMALL:
+                if size <= SMALL:
                     return _best_angle_of_six_wheels_block(J_y, J_z)
                 return evaluate_alike(_best_angle_of_six_wheels_block, 1, (0, 1,), (J_y, J_z,))
         except (ValueError, ZeroDivisionError, OverflowError):

@@ -55,9 +55,10 @@ def direction_cosines(alpha, beta, gamma, out=None):
             if float is type(alpha) is type(beta) is type(gamma):
                 return _direction_cosines(alpha, beta, gamma)
             if ndarray is type(alpha) is type(beta) is type(gamma) and DOUBLE is alpha.dtype is beta.dtype is gamma.dtype and () != alpha.shape == beta.shape == gamma.shape:
-                if 0 < alpha.size <= 5:
+                size = alpha.size
+                if 0 < size <= 2:
                     return evaluate_handful(_direction_cosines, (alpha, beta, gamma,))
-                if alpha.size <= SMALL:
+                if size <= SMALL:
                     return _direction_cosines_block(alpha, beta, gamma)
                 return evaluate_alike(_direction_cosines_block, 9, (0, 1, 2, 3, 4, 5, 6, 7, 8,), (alpha, beta, gamma,))
         except (ValueError, ZeroDivisionError, OverflowError):
@@ -146,9 +147,10 @@ def axial_moments(I_1, I_2, I_3, a_11, a_12, a_13, a_21, a_22, a_23, a_31, a_32,
             if float is type(I_1) is type(I_2) is type(I_3) is type(a_11) is type(a_12) is type(a_13) is type(a_21) is type(a_22) is type(a_23) is type(a_31) is type(a_32) is type(a_33):
                 return _axial_moments(I_1, I_2, I_3, a_11, a_12, a_13, a_21, a_22, a_23, a_31, a_32, a_33)
             if ndarray is type(I_1) is type(I_2) is type(I_3) is type(a_11) is type(a_12) is type(a_13) is type(a_21) is type(a_22) is type(a_23) is type(a_31) is type(a_32) is type(a_33) and DOUBLE is I_1.dtype is I_2.dtype is I_3.dtype is a_11.dtype is a_12.dtype is a_13.dtype is a_21.dtype is a_22.dtype is a_23.dtype is a_31.dtype is a_32.dtype is a_33.dtype and () != I_1.shape == I_2.shape == I_3.shape == a_11.shape == a_12.shape == a_13.shape == a_21.shape == a_22.shape == a_23.shape == a_31.shape == a_32.shape == a_33.shape:
-                if 0 < I_1.size <= 7:
+                size = I_1.size
+                if 0 < size <= 5:
                     return evaluate_handful(_axial_moments, (I_1, I_2, I_3, a_11, a_12, a_13, a_21, a_22, a_23, a_31, a_32, a_33,))
-                if I_1.size <= SMALL:
+                if size <= SMALL:
                     return _axial_moments_block(I_1, I_2, I_3, a_11, a_12, a_13, a_21, a_22, a_23, a_31, a_32, a_33)
                 return evaluate_alike(_axial_moments_block, 3, (0, 1, 2,), (I_1, I_2, I_3, a_11, a_12, a_13, a_21, a_22, a_23, a_31, a_32, a_33,))
         except (ValueError, ZeroDivisionError, OverflowError):
@@ -227,9 +229,10 @@ def second_order_moments(I_1, I_2, I_3, a_11, a_12, a_13, a_21, a_22, a_23, a_31
             if float is type(I_1) is type(I_2) is type(I_3) is type(a_11) is type(a_12) is type(a_13) is type(a_21) is type(a_22) is type(a_23) is type(a_31) is type(a_32) is type(a_33):
                 return _second_order_moments(I_1, I_2, I_3, a_11, a_12, a_13, a_21, a_22, a_23, a_31, a_32, a_33)
             if ndarray is type(I_1) is type(I_2) is type(I_3) is type(a_11) is type(a_12) is type(a_13) is type(a_21) is type(a_22) is type(a_23) is type(a_31) is type(a_32) is type(a_33) and DOUBLE is I_1.dtype is I_2.dtype is I_3.dtype is a_11.dtype is a_12.dtype is a_13.dtype is a_21.dtype is a_22.dtype is a_23.dtype is a_31.dtype is a_32.dtype is a_33.dtype and () != I_1.shape == I_2.shape == I_3.shape == a_11.shape == a_12.shape == a_13.shape == a_21.shape == a_22.shape == a_23.shape == a_31.shape == a_32.shape == a_33.shape:
-                if 0 < I_1.size <= 8:
+                size = I_1.size
+                if 0 < size <= 6:
                     return evaluate_handful(_second_order_moments, (I_1, I_2, I_3, a_11, a_12, a_13, a_21, a_22, a_23, a_31, a_32, a_33,))
-                if I_1.size <= SMALL:
+                if size <= SMALL:
                     return _second_order_moments_block(I_1, I_2, I_3, a_11, a_12, a_13, a_21, a_22, a_23, a_31, a_32, a_33)
                 return evaluate_alike(_second_order_moments_block, 6, (0, 1, 2,), (I_1, I_2, I_3, a_11, a_12, a_13, a_21, a_22, a_23, a_31, a_32, a_33,))
         except (ValueError, ZeroDivisionError, OverflowError):
@@ -312,9 +315,10 @@ def product_of_axial_moments(I_1, I_2, I_3, a_11, a_12, a_13, a_21, a_22, a_23, 
             if float is type(I_1) is type(I_2) is type(I_3) is type(a_11) is type(a_12) is type(a_13) is type(a_21) is type(a_22) is type(a_23) is type(a_31) is type(a_32) is type(a_33):
                 return _product_of_axial_moments(I_1, I_2, I_3, a_11, a_12, a_13, a_21, a_22, a_23, a_31, a_32, a_33)
             if ndarray is type(I_1) is type(I_2) is type(I_3) is type(a_11) is type(a_12) is type(a_13) is type(a_21) is type(a_22) is type(a_23) is type(a_31) is type(a_32) is type(a_33) and DOUBLE is I_1.dtype is I_2.dtype is I_3.dtype is a_11.dtype is a_12.dtype is a_13.dtype is a_21.dtype is a_22.dtype is a_23.dtype is a_31.dtype is a_32.dtype is a_33.dtype and () != I_1.shape == I_2.shape == I_3.shape == a_11.shape == a_12.shape == a_13.shape == a_21.shape == a_22.shape == a_23.shape == a_31.shape == a_32.shape == a_33.shape:
-                if 0 < I_1.size <= 9:
+                size = I_1.size
+                if 0 < size <= 8:
                     return evaluate_handful(_product_of_axial_moments, (I_1, I_2, I_3, a_11, a_12, a_13, a_21, a_22, a_23, a_31, a_32, a_33,))
-                if I_1.size <= SMALL:
+                if size <= SMALL:
                     return _product_of_axial_moments_block(I_1, I_2, I_3, a_11, a_12, a_13, a_21, a_22, a_23, a_31, a_32, a_33)
                 return evaluate_alike(_product_of_axial_moments_block, 5, (0,), (I_1, I_2, I_3, a_11, a_12, a_13, a_21, a_22, a_23, a_31, a_32, a_33,))
         except (ValueError, ZeroDivisionError, OverflowError):
@@ -394,9 +398,10 @@ def sum_of_products(I_1, I_2, I_3, a_11, a_12, a_13, a_21, a_22, a_23, a_31, a_3
             if float is type(I_1) is type(I_2) is type(I_3) is type(a_11) is type(a_12) is type(a_13) is type(a_21) is type(a_22) is type(a_23) is type(a_31) is type(a_32) is type(a_33):
                 return _sum_of_products(I_1, I_2, I_3, a_11, a_12, a_13, a_21, a_22, a_23, a_31, a_32, a_33)
             if ndarray is type(I_1) is type(I_2) is type(I_3) is type(a_11) is type(a_12) is type(a_13) is type(a_21) is type(a_22) is type(a_23) is type(a_31) is type(a_32) is type(a_33) and DOUBLE is I_1.dtype is I_2.dtype is I_3.dtype is a_11.dtype is a_12.dtype is a_13.dtype is a_21.dtype is a_22.dtype is a_23.dtype is a_31.dtype is a_32.dtype is a_33.dtype and () != I_1.shape == I_2.shape == I_3.shape == a_11.shape == a_12.shape == a_13.shape == a_21.shape == a_22.shape == a_23.shape == a_31.shape == a_32.shape == a_33.shape:
-                if 0 < I_1.size <= 11:
+                size = I_1.size
+                if 0 < size <= 15:
                     return evaluate_handful(_sum_of_products, (I_1, I_2, I_3, a_11, a_12, a_13, a_21, a_22, a_23, a_31, a_32, a_33,))
-                if I_1.size <= SMALL:
+                if size <= SMALL:
                     return _sum_of_products_block(I_1, I_2, I_3, a_11, a_12, a_13, a_21, a_22, a_23, a_31, a_32, a_33)
                 return evaluate_alike(_sum_of_products_block, 15, (0,), (I_1, I_2, I_3, a_11, a_12, a_13, a_21, a_22, a_23, a_31, a_32, a_33,))
         except (ValueError, ZeroDivisionError, OverflowError):
@@ -505,9 +510,10 @@ def bounds_of_products(I_1, I_2, I_3, out=None):
             if float is type(I_1) is type(I_2) is type(I_3):
                 return _bounds_of_products(I_1, I_2, I_3)
             if ndarray is type(I_1) is type(I_2) is type(I_3) and DOUBLE is I_1.dtype is I_2.dtype is I_3.dtype and () != I_1.shape == I_2.shape == I_3.shape:
-                if 0 < I_1.size <= 1:
+                size = I_1.size
+                if 0 < size <= 1:
                     return evaluate_handful(_bounds_of_products, (I_1, I_2, I_3,))
-                if I_1.size <= SMALL:
+                if size <= SMALL:
                     return _bounds_of_products_block(I_1, I_2, I_3)
                 return evaluate_alike(_bounds_of_products_block, 2, (0, 1, 2,), (I_1, I_2, I_3,))
         except (ValueError, ZeroDivisionError, OverflowError):
@@ -575,9 +581,10 @@ def distances_from_bounds(I_1, I_2, I_3, a_11, a_12, a_13, a_21, a_22, a_23, a_3
             if float is type(I_1) is type(I_2) is type(I_3) is type(a_11) is type(a_12) is type(a_13) is type(a_21) is type(a_22) is type(a_23) is type(a_31) is type(a_32) is type(a_33):
                 return _distances_from_bounds(I_1, I_2, I_3, a_11, a_12, a_13, a_21, a_22, a_23, a_31, a_32, a_33)
             if ndarray is type(I_1) is type(I_2) is type(I_3) is type(a_11) is type(a_12) is type(a_13) is type(a_21) is type(a_22) is type(a_23) is type(a_31) is type(a_32) is type(a_33) and DOUBLE is I_1.dtype is I_2.dtype is I_3.dtype is a_11.dtype is a_12.dtype is a_13.dtype is a_21.dtype is a_22.dtype is a_23.dtype is a_31.dtype is a_32.dtype is a_33.dtype and () != I_1.shape == I_2.shape == I_3.shape == a_11.shape == a_12.shape == a_13.shape == a_21.shape == a_22.shape == a_23.shape == a_31.shape == a_32.shape == a_33.shape:
-                if 0 < I_1.size <= 13:
+                size = I_1.size
+                if 0 < size <= 18:
                     return evaluate_handful(_distances_from_bounds, (I_1, I_2, I_3, a_11, a_12, a_13, a_21, a_22, a_23, a_31, a_32, a_33,))
-                if I_1.size <= SMALL:
+                if size <= SMALL:
                     return _distances_from_bounds_block(I_1, I_2, I_3, a_11, a_12, a_13, a_21, a_22, a_23, a_31, a_32, a_33)
                 return evaluate_alike(_distances_from_bounds_block, 19, (0, 1, 2,), (I_1, I_2, I_3, a_11, a_12, a_13, a_21, a_22, a_23, a_31, a_32, a_33,))
         except (ValueError, ZeroDivisionError, OverflowError):
@@ -740,9 +747,10 @@ def bound_at_given_moment(I_1, I_2, I_3, J_2, out=None):
             if float is type(I_1) is type(I_2) is type(I_3) is type(J_2):
                 return _bound_at_given_moment(I_1, I_2, I_3, J_2)
             if ndarray is type(I_1) is type(I_2) is type(I_3) is type(J_2) and DOUBLE is I_1.dtype is I_2.dtype is I_3.dtype is J_2.dtype and () != I_1.shape == I_2.shape == I_3.shape == J_2.shape:
-                if 0 < I_1.size <= 4:
+                size = I_1.size
+                if 0 < size <= 1:
                     return evaluate_handful(_bound_at_given_moment, (I_1, I_2, I_3, J_2,))
-                if I_1.size <= SMALL:
+                if size <= SMALL:
                     return _bound_at_given_moment_block(I_1, I_2, I_3, J_2)
                 return evaluate_alike(_bound_at_given_moment_block, 4, (0,), (I_1, I_2, I_3, J_2,))
         except (ValueError, ZeroDivisionError, OverflowError):
@@ -802,9 +810,10 @@ def product_of_two_axial_moments(I_1, I_2, I_3, a_11, a_12, a_13, a_31, a_32, a_
             if float is type(I_1) is type(I_2) is type(I_3) is type(a_11) is type(a_12) is type(a_13) is type(a_31) is type(a_32) is type(a_33):
                 return _product_of_two_axial_moments(I_1, I_2, I_3, a_11, a_12, a_13, a_31, a_32, a_33)
             if ndarray is type(I_1) is type(I_2) is type(I_3) is type(a_11) is type(a_12) is type(a_13) is type(a_31) is type(a_32) is type(a_33) and DOUBLE is I_1.dtype is I_2.dtype is I_3.dtype is a_11.dtype is a_12.dtype is a_13.dtype is a_31.dtype is a_32.dtype is a_33.dtype and () != I_1.shape == I_2.shape == I_3.shape == a_11.shape == a_12.shape == a_13.shape == a_31.shape == a_32.shape == a_33.shape:
-                if 0 < I_1.size <= 7:
+                size = I_1.size
+                if 0 < size <= 5:
                     return evaluate_handful(_product_of_two_axial_moments, (I_1, I_2, I_3, a_11, a_12, a_13, a_31, a_32, a_33,))
-                if I_1.size <= SMALL:
+                if size <= SMALL:
                     return _product_of_two_axial_moments_block(I_1, I_2, I_3, a_11, a_12, a_13, a_31, a_32, a_33)
                 return evaluate_alike(_product_of_two_axial_moments_block, 4, (0,), (I_1, I_2, I_3, a_11, a_12, a_13, a_31, a_32, a_33,))
         except (ValueError, ZeroDivisionError, OverflowError):
@@ -869,9 +878,10 @@ def product_with_second_moment(I_1, I_2, I_3, a_21, a_22, a_23, out=None):
             if float is type(I_1) is type(I_2) is type(I_3) is type(a_21) is type(a_22) is type(a_23):
                 return _product_with_second_moment(I_1, I_2, I_3, a_21, a_22, a_23)
             if ndarray is type(I_1) is type(I_2) is type(I_3) is type(a_21) is type(a_22) is type(a_23) and DOUBLE is I_1.dtype is I_2.dtype is I_3.dtype is a_21.dtype is a_22.dtype is a_23.dtype and () != I_1.shape == I_2.shape == I_3.shape == a_21.shape == a_22.shape == a_23.shape:
-                if 0 < I_1.size <= 8:
+                size = I_1.size
+                if 0 < size <= 6:
                     return evaluate_handful(_product_with_second_moment, (I_1, I_2, I_3, a_21, a_22, a_23,))
-                if I_1.size <= SMALL:
+                if size <= SMALL:
                     return _product_with_second_moment_block(I_1, I_2, I_3, a_21, a_22, a_23)
                 return evaluate_alike(_product_with_second_moment_block, 6, (0,), (I_1, I_2, I_3, a_21, a_22, a_23,))
         except (ValueError, ZeroDivisionError, OverflowError):
@@ -954,9 +964,10 @@ def damping_matrix(k_1, k_2, k_3, a_11, a_12, a_13, a_21, a_22, a_23, a_31, a_32
             if float is type(k_1) is type(k_2) is type(k_3) is type(a_11) is type(a_12) is type(a_13) is type(a_21) is type(a_22) is type(a_23) is type(a_31) is type(a_32) is type(a_33):
                 return _damping_matrix(k_1, k_2, k_3, a_11, a_12, a_13, a_21, a_22, a_23, a_31, a_32, a_33)
             if ndarray is type(k_1) is type(k_2) is type(k_3) is type(a_11) is type(a_12) is type(a_13) is type(a_21) is type(a_22) is type(a_23) is type(a_31) is type(a_32) is type(a_33) and DOUBLE is k_1.dtype is k_2.dtype is k_3.dtype is a_11.dtype is a_12.dtype is a_13.dtype is a_21.dtype is a_22.dtype is a_23.dtype is a_31.dtype is a_32.dtype is a_33.dtype and () != k_1.shape == k_2.shape == k_3.shape == a_11.shape == a_12.shape == a_13.shape == a_21.shape == a_22.shape == a_23.shape == a_31.shape == a_32.shape == a_33.shape:
-                if 0 < k_1.size <= 9:
+                size = k_1.size
+                if 0 < size <= 8:
                     return evaluate_handful(_damping_matrix, (k_1, k_2, k_3, a_11, a_12, a_13, a_21, a_22, a_23, a_31, a_32, a_33,))
-                if k_1.size <= SMALL:
+                if size <= SMALL:
                     return _damping_matrix_block(k_1, k_2, k_3, a_11, a_12, a_13, a_21, a_22, a_23, a_31, a_32, a_33)
                 return evaluate_alike(_damping_matrix_block, 6, (0, 1, 2, 3, 4, 5,), (k_1, k_2, k_3, a_11, a_12, a_13, a_21, a_22, a_23, a_31, a_32, a_33,))
         except (ValueError, ZeroDivisionError, OverflowError):
@@ -1067,9 +1078,10 @@ def characteristic_coefficients(I_1, I_2, I_3, k_1, k_2, k_3, a_11, a_12, a_13, 
             if float is type(I_1) is type(I_2) is type(I_3) is type(k_1) is type(k_2) is type(k_3) is type(a_11) is type(a_12) is type(a_13) is type(a_21) is type(a_22) is type(a_23) is type(a_31) is type(a_32) is type(a_33):
                 return _characteristic_coefficients(I_1, I_2, I_3, k_1, k_2, k_3, a_11, a_12, a_13, a_21, a_22, a_23, a_31, a_32, a_33)
             if ndarray is type(I_1) is type(I_2) is type(I_3) is type(k_1) is type(k_2) is type(k_3) is type(a_11) is type(a_12) is type(a_13) is type(a_21) is type(a_22) is type(a_23) is type(a_31) is type(a_32) is type(a_33) and DOUBLE is I_1.dtype is I_2.dtype is I_3.dtype is k_1.dtype is k_2.dtype is k_3.dtype is a_11.dtype is a_12.dtype is a_13.dtype is a_21.dtype is a_22.dtype is a_23.dtype is a_31.dtype is a_32.dtype is a_33.dtype and () != I_1.shape == I_2.shape == I_3.shape == k_1.shape == k_2.shape == k_3.shape == a_11.shape == a_12.shape == a_13.shape == a_21.shape == a_22.shape == a_23.shape == a_31.shape == a_32.shape == a_33.shape:
-                if 0 < I_1.size <= 11:
+                size = I_1.size
+                if 0 < size <= 12:
                     return evaluate_handful(_characteristic_coefficients, (I_1, I_2, I_3, k_1, k_2, k_3, a_11, a_12, a_13, a_21, a_22, a_23, a_31, a_32, a_33,))
-                if I_1.size <= SMALL:
+                if size <= SMALL:
                     return _characteristic_coefficients_block(I_1, I_2, I_3, k_1, k_2, k_3, a_11, a_12, a_13, a_21, a_22, a_23, a_31, a_32, a_33)
                 return evaluate_alike(_characteristic_coefficients_block, 17, (0, 1, 2, 3,), (I_1, I_2, I_3, k_1, k_2, k_3, a_11, a_12, a_13, a_21, a_22, a_23, a_31, a_32, a_33,))
         except (ValueError, ZeroDivisionError, OverflowError):
@@ -1201,9 +1213,10 @@ def characteristic_coefficients_at_common_ratio(I_1, I_2, I_3, k, a_11, a_12, a_
             if float is type(I_1) is type(I_2) is type(I_3) is type(k) is type(a_11) is type(a_12) is type(a_13) is type(a_21) is type(a_22) is type(a_23) is type(a_31) is type(a_32) is type(a_33):
                 return _characteristic_coefficients_at_common_ratio(I_1, I_2, I_3, k, a_11, a_12, a_13, a_21, a_22, a_23, a_31, a_32, a_33)
             if ndarray is type(I_1) is type(I_2) is type(I_3) is type(k) is type(a_11) is type(a_12) is type(a_13) is type(a_21) is type(a_22) is type(a_23) is type(a_31) is type(a_32) is type(a_33) and DOUBLE is I_1.dtype is I_2.dtype is I_3.dtype is k.dtype is a_11.dtype is a_12.dtype is a_13.dtype is a_21.dtype is a_22.dtype is a_23.dtype is a_31.dtype is a_32.dtype is a_33.dtype and () != I_1.shape == I_2.shape == I_3.shape == k.shape == a_11.shape == a_12.shape == a_13.shape == a_21.shape == a_22.shape == a_23.shape == a_31.shape == a_32.shape == a_33.shape:
-                if 0 < I_1.size <= 11:
+                size = I_1.size
+                if 0 < size <= 12:
                     return evaluate_handful(_characteristic_coefficients_at_common_ratio, (I_1, I_2, I_3, k, a_11, a_12, a_13, a_21, a_22, a_23, a_31, a_32, a_33,))
-                if I_1.size <= SMALL:
+                if size <= SMALL:
                     return _characteristic_coefficients_at_common_ratio_block(I_1, I_2, I_3, k, a_11, a_12, a_13, a_21, a_22, a_23, a_31, a_32, a_33)
                 return evaluate_alike(_characteristic_coefficients_at_common_ratio_block, 17, (0, 1, 2, 3,), (I_1, I_2, I_3, k, a_11, a_12, a_13, a_21, a_22, a_23, a_31, a_32, a_33,))
         except (ValueError, ZeroDivisionError, OverflowError):
@@ -1334,9 +1347,10 @@ def gains_in_proportion(k, I_1, I_2, I_3, a_11, a_12, a_13, a_21, a_22, a_23, a_
             if float is type(k) is type(I_1) is type(I_2) is type(I_3) is type(a_11) is type(a_12) is type(a_13) is type(a_21) is type(a_22) is type(a_23) is type(a_31) is type(a_32) is type(a_33):
                 return _gains_in_proportion(k, I_1, I_2, I_3, a_11, a_12, a_13, a_21, a_22, a_23, a_31, a_32, a_33)
             if ndarray is type(k) is type(I_1) is type(I_2) is type(I_3) is type(a_11) is type(a_12) is type(a_13) is type(a_21) is type(a_22) is type(a_23) is type(a_31) is type(a_32) is type(a_33) and DOUBLE is k.dtype is I_1.dtype is I_2.dtype is I_3.dtype is a_11.dtype is a_12.dtype is a_13.dtype is a_21.dtype is a_22.dtype is a_23.dtype is a_31.dtype is a_32.dtype is a_33.dtype and () != k.shape == I_1.shape == I_2.shape == I_3.shape == a_11.shape == a_12.shape == a_13.shape == a_21.shape == a_22.shape == a_23.shape == a_31.shape == a_32.shape == a_33.shape:
-                if 0 < k.size <= 8:
+                size = k.size
+                if 0 < size <= 6:
                     return evaluate_handful(_gains_in_proportion, (k, I_1, I_2, I_3, a_11, a_12, a_13, a_21, a_22, a_23, a_31, a_32, a_33,))
-                if k.size <= SMALL:
+                if size <= SMALL:
                     return _gains_in_proportion_block(k, I_1, I_2, I_3, a_11, a_12, a_13, a_21, a_22, a_23, a_31, a_32, a_33)
                 return evaluate_alike(_gains_in_proportion_block, 3, (0, 1, 2,), (k, I_1, I_2, I_3, a_11, a_12, a_13, a_21, a_22, a_23, a_31, a_32, a_33,))
         except (ValueError, ZeroDivisionError, OverflowError):
@@ -1410,9 +1424,10 @@ def gain_of_rates(xi, s_1, s_2, s_3, out=None):
             if float is type(xi) is type(s_1) is type(s_2) is type(s_3):
                 return _gain_of_rates(xi, s_1, s_2, s_3)
             if ndarray is type(xi) is type(s_1) is type(s_2) is type(s_3) and DOUBLE is xi.dtype is s_1.dtype is s_2.dtype is s_3.dtype and () != xi.shape == s_1.shape == s_2.shape == s_3.shape:
-                if 0 < xi.size <= 7:
+                size = xi.size
+                if 0 < size <= 5:
                     return evaluate_handful(_gain_of_rates, (xi, s_1, s_2, s_3,))
-                if xi.size <= SMALL:
+                if size <= SMALL:
                     return _gain_of_rates_block(xi, s_1, s_2, s_3)
                 return evaluate_alike(_gain_of_rates_block, 4, (0, 1,), (xi, s_1, s_2, s_3,))
         except (ValueError, ZeroDivisionError, OverflowError):
@@ -1478,9 +1493,10 @@ def stability_degree_in_pitch(k, I_1, I_3, alpha, out=None):
             if float is type(k) is type(I_1) is type(I_3) is type(alpha):
                 return _stability_degree_in_pitch(k, I_1, I_3, alpha)
             if ndarray is type(k) is type(I_1) is type(I_3) is type(alpha) and DOUBLE is k.dtype is I_1.dtype is I_3.dtype is alpha.dtype and () != k.shape == I_1.shape == I_3.shape == alpha.shape:
-                if 0 < k.size <= 7:
+                size = k.size
+                if 0 < size <= 6:
                     return evaluate_handful(_stability_degree_in_pitch, (k, I_1, I_3, alpha,))
-                if k.size <= SMALL:
+                if size <= SMALL:
                     return _stability_degree_in_pitch_block(k, I_1, I_3, alpha)
                 return evaluate_alike(_stability_degree_in_pitch_block, 4, (0,), (k, I_1, I_3, alpha,))
         except (ValueError, ZeroDivisionError, OverflowError):
@@ -1545,9 +1561,10 @@ def equal_moment_pitch(I_1, I_2, I_3, out=None):
             if float is type(I_1) is type(I_2) is type(I_3):
                 return _equal_moment_pitch(I_1, I_2, I_3)
             if ndarray is type(I_1) is type(I_2) is type(I_3) and DOUBLE is I_1.dtype is I_2.dtype is I_3.dtype and () != I_1.shape == I_2.shape == I_3.shape:
-                if 0 < I_1.size <= 4:
+                size = I_1.size
+                if 0 < size <= 2:
                     return evaluate_handful(_equal_moment_pitch, (I_1, I_2, I_3,))
-                if I_1.size <= SMALL:
+                if size <= SMALL:
                     return _equal_moment_pitch_block(I_1, I_2, I_3)
                 return evaluate_alike(_equal_moment_pitch_block, 2, (0,), (I_1, I_2, I_3,))
         except (ValueError, ZeroDivisionError, OverflowError):

@@ -52,9 +52,10 @@ def stratonovich_drift(a, psi, Omega, k, varepsilon, d_11, d_12, d_13, d_21, d_2
             if float is type(a) is type(psi) is type(Omega) is type(k) is type(varepsilon) is type(d_11) is type(d_12) is type(d_13) is type(d_21) is type(d_22) is type(d_23) is type(d_31) is type(d_32) is type(d_33):
                 return _stratonovich_drift(a, psi, Omega, k, varepsilon, d_11, d_12, d_13, d_21, d_22, d_23, d_31, d_32, d_33)
             if ndarray is type(a) is type(psi) is type(Omega) is type(k) is type(varepsilon) is type(d_11) is type(d_12) is type(d_13) is type(d_21) is type(d_22) is type(d_23) is type(d_31) is type(d_32) is type(d_33) and DOUBLE is a.dtype is psi.dtype is Omega.dtype is k.dtype is varepsilon.dtype is d_11.dtype is d_12.dtype is d_13.dtype is d_21.dtype is d_22.dtype is d_23.dtype is d_31.dtype is d_32.dtype is d_33.dtype and () != a.shape == psi.shape == Omega.shape == k.shape == varepsilon.shape == d_11.shape == d_12.shape == d_13.shape == d_21.shape == d_22.shape == d_23.shape == d_31.shape == d_32.shape == d_33.shape:
-                if 0 < a.size <= 10:
+                size = a.size
+                if 0 < size <= 10:
                     return evaluate_handful(_stratonovich_drift, (a, psi, Omega, k, varepsilon, d_11, d_12, d_13, d_21, d_22, d_23, d_31, d_32, d_33,))
-                if a.size <= SMALL:
+                if size <= SMALL:
                     return _stratonovich_drift_block(a, psi, Omega, k, varepsilon, d_11, d_12, d_13, d_21, d_22, d_23, d_31, d_32, d_33)
                 return evaluate_alike(_stratonovich_drift_block, 10, (0, 1, 2,), (a, psi, Omega, k, varepsilon, d_11, d_12, d_13, d_21, d_22, d_23, d_31, d_32, d_33,))
         except (ValueError, ZeroDivisionError, OverflowError):
@@ -173,9 +174,10 @@ def noise_intensities(a, psi, Omega, k, varepsilon, g_11, g_12, g_21, g_22, g_13
             if float is type(a) is type(psi) is type(Omega) is type(k) is type(varepsilon) is type(g_11) is type(g_12) is type(g_21) is type(g_22) is type(g_13) is type(g_23):
                 return _noise_intensities(a, psi, Omega, k, varepsilon, g_11, g_12, g_21, g_22, g_13, g_23)
             if ndarray is type(a) is type(psi) is type(Omega) is type(k) is type(varepsilon) is type(g_11) is type(g_12) is type(g_21) is type(g_22) is type(g_13) is type(g_23) and DOUBLE is a.dtype is psi.dtype is Omega.dtype is k.dtype is varepsilon.dtype is g_11.dtype is g_12.dtype is g_21.dtype is g_22.dtype is g_13.dtype is g_23.dtype and () != a.shape == psi.shape == Omega.shape == k.shape == varepsilon.shape == g_11.shape == g_12.shape == g_21.shape == g_22.shape == g_13.shape == g_23.shape:
-                if 0 < a.size <= 5:
+                size = a.size
+                if 0 < size <= 2:
                     return evaluate_handful(_noise_intensities, (a, psi, Omega, k, varepsilon, g_11, g_12, g_21, g_22, g_13, g_23,))
-                if a.size <= SMALL:
+                if size <= SMALL:
                     return _noise_intensities_block(a, psi, Omega, k, varepsilon, g_11, g_12, g_21, g_22, g_13, g_23)
                 return evaluate_alike(_noise_intensities_block, 9, (0, 1, 2, 3, 4, 5, 6, 7, 8, 9,), (a, psi, Omega, k, varepsilon, g_11, g_12, g_21, g_22, g_13, g_23,))
         except (ValueError, ZeroDivisionError, OverflowError):
@@ -276,9 +278,10 @@ def drift_coefficients(a, psi, Omega, k, varepsilon, d_11, d_12, d_13, d_21, d_2
             if float is type(a) is type(psi) is type(Omega) is type(k) is type(varepsilon) is type(d_11) is type(d_12) is type(d_13) is type(d_21) is type(d_22) is type(d_23) is type(d_31) is type(d_32) is type(d_33) is type(g_11) is type(g_12) is type(g_21) is type(g_22) is type(g_13):
                 return _drift_coefficients(a, psi, Omega, k, varepsilon, d_11, d_12, d_13, d_21, d_22, d_23, d_31, d_32, d_33, g_11, g_12, g_21, g_22, g_13)
             if ndarray is type(a) is type(psi) is type(Omega) is type(k) is type(varepsilon) is type(d_11) is type(d_12) is type(d_13) is type(d_21) is type(d_22) is type(d_23) is type(d_31) is type(d_32) is type(d_33) is type(g_11) is type(g_12) is type(g_21) is type(g_22) is type(g_13) and DOUBLE is a.dtype is psi.dtype is Omega.dtype is k.dtype is varepsilon.dtype is d_11.dtype is d_12.dtype is d_13.dtype is d_21.dtype is d_22.dtype is d_23.dtype is d_31.dtype is d_32.dtype is d_33.dtype is g_11.dtype is g_12.dtype is g_21.dtype is g_22.dtype is g_13.dtype and () != a.shape == psi.shape == Omega.shape == k.shape == varepsilon.shape == d_11.shape == d_12.shape == d_13.shape == d_21.shape == d_22.shape == d_23.shape == d_31.shape == d_32.shape == d_33.shape == g_11.shape == g_12.shape == g_21.shape == g_22.shape == g_13.shape:
-                if 0 < a.size <= 12:
+                size = a.size
+                if 0 < size <= 17:
                     return evaluate_handful(_drift_coefficients, (a, psi, Omega, k, varepsilon, d_11, d_12, d_13, d_21, d_22, d_23, d_31, d_32, d_33, g_11, g_12, g_21, g_22, g_13,))
-                if a.size <= SMALL:
+                if size <= SMALL:
                     return _drift_coefficients_block(a, psi, Omega, k, varepsilon, d_11, d_12, d_13, d_21, d_22, d_23, d_31, d_32, d_33, g_11, g_12, g_21, g_22, g_13)
                 return evaluate_alike(_drift_coefficients_block, 23, (0, 1, 2,), (a, psi, Omega, k, varepsilon, d_11, d_12, d_13, d_21, d_22, d_23, d_31, d_32, d_33, g_11, g_12, g_21, g_22, g_13,))
         except (ValueError, ZeroDivisionError, OverflowError):
@@ -451,9 +454,10 @@ def diffusion_coefficients(a, psi, Omega, k, varepsilon, g_11, g_12, g_21, g_22,
             if float is type(a) is type(psi) is type(Omega) is type(k) is type(varepsilon) is type(g_11) is type(g_12) is type(g_21) is type(g_22) is type(g_13) is type(g_23):
                 return _diffusion_coefficients(a, psi, Omega, k, varepsilon, g_11, g_12, g_21, g_22, g_13, g_23)
             if ndarray is type(a) is type(psi) is type(Omega) is type(k) is type(varepsilon) is type(g_11) is type(g_12) is type(g_21) is type(g_22) is type(g_13) is type(g_23) and DOUBLE is a.dtype is psi.dtype is Omega.dtype is k.dtype is varepsilon.dtype is g_11.dtype is g_12.dtype is g_21.dtype is g_22.dtype is g_13.dtype is g_23.dtype and () != a.shape == psi.shape == Omega.shape == k.shape == varepsilon.shape == g_11.shape == g_12.shape == g_21.shape == g_22.shape == g_13.shape == g_23.shape:
-                if 0 < a.size <= 10:
+                size = a.size
+                if 0 < size <= 11:
                     return evaluate_handful(_diffusion_coefficients, (a, psi, Omega, k, varepsilon, g_11, g_12, g_21, g_22, g_13, g_23,))
-                if a.size <= SMALL:
+                if size <= SMALL:
                     return _diffusion_coefficients_block(a, psi, Omega, k, varepsilon, g_11, g_12, g_21, g_22, g_13, g_23)
                 return evaluate_alike(_diffusion_coefficients_block, 13, (0, 1, 2, 3,), (a, psi, Omega, k, varepsilon, g_11, g_12, g_21, g_22, g_13, g_23,))
         except (ValueError, ZeroDivisionError, OverflowError):
@@ -568,9 +572,10 @@ def averaged_drift(a, Omega, alpha, beta, gamma, d_12, d_21, d_33, g_13, out=Non
             if float is type(a) is type(Omega) is type(alpha) is type(beta) is type(gamma) is type(d_12) is type(d_21) is type(d_33) is type(g_13):
                 return _averaged_drift(a, Omega, alpha, beta, gamma, d_12, d_21, d_33, g_13)
             if ndarray is type(a) is type(Omega) is type(alpha) is type(beta) is type(gamma) is type(d_12) is type(d_21) is type(d_33) is type(g_13) and DOUBLE is a.dtype is Omega.dtype is alpha.dtype is beta.dtype is gamma.dtype is d_12.dtype is d_21.dtype is d_33.dtype is g_13.dtype and () != a.shape == Omega.shape == alpha.shape == beta.shape == gamma.shape == d_12.shape == d_21.shape == d_33.shape == g_13.shape:
-                if 0 < a.size <= 7:
+                size = a.size
+                if 0 < size <= 5:
                     return evaluate_handful(_averaged_drift, (a, Omega, alpha, beta, gamma, d_12, d_21, d_33, g_13,))
-                if a.size <= SMALL:
+                if size <= SMALL:
                     return _averaged_drift_block(a, Omega, alpha, beta, gamma, d_12, d_21, d_33, g_13)
                 return evaluate_alike(_averaged_drift_block, 4, (0, 1, 2,), (a, Omega, alpha, beta, gamma, d_12, d_21, d_33, g_13,))
         except (ValueError, ZeroDivisionError, OverflowError):
@@ -645,9 +650,10 @@ def averaged_diffusion(a, Omega, k, alpha, beta, g_13, g_23, out=None):
             if float is type(a) is type(Omega) is type(k) is type(alpha) is type(beta) is type(g_13) is type(g_23):
                 return _averaged_diffusion(a, Omega, k, alpha, beta, g_13, g_23)
             if ndarray is type(a) is type(Omega) is type(k) is type(alpha) is type(beta) is type(g_13) is type(g_23) and DOUBLE is a.dtype is Omega.dtype is k.dtype is alpha.dtype is beta.dtype is g_13.dtype is g_23.dtype and () != a.shape == Omega.shape == k.shape == alpha.shape == beta.shape == g_13.shape == g_23.shape:
-                if 0 < a.size <= 6:
+                size = a.size
+                if 0 < size <= 4:
                     return evaluate_handful(_averaged_diffusion, (a, Omega, k, alpha, beta, g_13, g_23,))
-                if a.size <= SMALL:
+                if size <= SMALL:
                     return _averaged_diffusion_block(a, Omega, k, alpha, beta, g_13, g_23)
                 return evaluate_alike(_averaged_diffusion_block, 5, (0, 1, 2,), (a, Omega, k, alpha, beta, g_13, g_23,))
         except (ValueError, ZeroDivisionError, OverflowError):
@@ -713,9 +719,10 @@ def density_of_amplitude(a, alpha, beta, gamma, out=None):
             if float is type(a) is type(alpha) is type(beta) is type(gamma):
                 return _density_of_amplitude(a, alpha, beta, gamma)
             if ndarray is type(a) is type(alpha) is type(beta) is type(gamma) and DOUBLE is a.dtype is alpha.dtype is beta.dtype is gamma.dtype and () != a.shape == alpha.shape == beta.shape == gamma.shape:
-                if 0 < a.size <= 11:
+                size = a.size
+                if 0 < size <= 12:
                     return evaluate_handful(_density_of_amplitude, (a, alpha, beta, gamma,))
-                if a.size <= SMALL:
+                if size <= SMALL:
                     return _density_of_amplitude_block(a, alpha, beta, gamma)
                 return evaluate_alike(_density_of_amplitude_block, 7, (0,), (a, alpha, beta, gamma,))
         except (ValueError, ZeroDivisionError, OverflowError):
@@ -793,9 +800,10 @@ def density_of_frequency(Omega, k, g_13, g_23, d_33, out=None):
             if float is type(Omega) is type(k) is type(g_13) is type(g_23) is type(d_33):
                 return _density_of_frequency(Omega, k, g_13, g_23, d_33)
             if ndarray is type(Omega) is type(k) is type(g_13) is type(g_23) is type(d_33) and DOUBLE is Omega.dtype is k.dtype is g_13.dtype is g_23.dtype is d_33.dtype and () != Omega.shape == k.shape == g_13.shape == g_23.shape == d_33.shape:
-                if 0 < Omega.size <= 13:
+                size = Omega.size
+                if 0 < size <= 14:
                     return evaluate_handful(_density_of_frequency, (Omega, k, g_13, g_23, d_33,))
-                if Omega.size <= SMALL:
+                if size <= SMALL:
                     return _density_of_frequency_block(Omega, k, g_13, g_23, d_33)
                 return evaluate_alike(_density_of_frequency_block, 6, (0,), (Omega, k, g_13, g_23, d_33,))
         except (ValueError, ZeroDivisionError, OverflowError):
@@ -868,9 +876,10 @@ def logarithm_of_constant_of_amplitude(alpha, beta, gamma, out=None):
             if float is type(alpha) is type(beta) is type(gamma):
                 return _logarithm_of_constant_of_amplitude(alpha, beta, gamma)
             if ndarray is type(alpha) is type(beta) is type(gamma) and DOUBLE is alpha.dtype is beta.dtype is gamma.dtype and () != alpha.shape == beta.shape == gamma.shape:
-                if 0 < alpha.size <= 7:
+                size = alpha.size
+                if 0 < size <= 5:
                     return evaluate_handful(_logarithm_of_constant_of_amplitude, (alpha, beta, gamma,))
-                if alpha.size <= SMALL:
+                if size <= SMALL:
                     return _logarithm_of_constant_of_amplitude_block(alpha, beta, gamma)
                 return evaluate_alike(_logarithm_of_constant_of_amplitude_block, 4, (0,), (alpha, beta, gamma,))
         except (ValueError, ZeroDivisionError, OverflowError):
@@ -931,9 +940,10 @@ def logarithm_of_constant_of_frequency(k, g_13, g_23, d_33, out=None):
             if float is type(k) is type(g_13) is type(g_23) is type(d_33):
                 return _logarithm_of_constant_of_frequency(k, g_13, g_23, d_33)
             if ndarray is type(k) is type(g_13) is type(g_23) is type(d_33) and DOUBLE is k.dtype is g_13.dtype is g_23.dtype is d_33.dtype and () != k.shape == g_13.shape == g_23.shape == d_33.shape:
-                if 0 < k.size <= 13:
+                size = k.size
+                if 0 < size <= 14:
                     return evaluate_handful(_logarithm_of_constant_of_frequency, (k, g_13, g_23, d_33,))
-                if k.size <= SMALL:
+                if size <= SMALL:
                     return _logarithm_of_constant_of_frequency_block(k, g_13, g_23, d_33)
                 return evaluate_alike(_logarithm_of_constant_of_frequency_block, 3, (0,), (k, g_13, g_23, d_33,))
         except (ValueError, ZeroDivisionError, OverflowError):
@@ -990,9 +1000,10 @@ def distribution_of_amplitude(a, alpha, beta, gamma, out=None):
             if float is type(a) is type(alpha) is type(beta) is type(gamma):
                 return _distribution_of_amplitude(a, alpha, beta, gamma)
             if ndarray is type(a) is type(alpha) is type(beta) is type(gamma) and DOUBLE is a.dtype is alpha.dtype is beta.dtype is gamma.dtype and () != a.shape == alpha.shape == beta.shape == gamma.shape:
-                if 0 < a.size <= 9:
+                size = a.size
+                if 0 < size <= 8:
                     return evaluate_handful(_distribution_of_amplitude, (a, alpha, beta, gamma,))
-                if a.size <= SMALL:
+                if size <= SMALL:
                     return _distribution_of_amplitude_block(a, alpha, beta, gamma)
                 return evaluate_alike(_distribution_of_amplitude_block, 4, (0,), (a, alpha, beta, gamma,))
         except (ValueError, ZeroDivisionError, OverflowError):
@@ -1056,9 +1067,10 @@ def quantile_of_amplitude(q, alpha, beta, gamma, out=None):
             if float is type(q) is type(alpha) is type(beta) is type(gamma):
                 return _quantile_of_amplitude(q, alpha, beta, gamma)
             if ndarray is type(q) is type(alpha) is type(beta) is type(gamma) and DOUBLE is q.dtype is alpha.dtype is beta.dtype is gamma.dtype and () != q.shape == alpha.shape == beta.shape == gamma.shape:
-                if 0 < q.size <= 10:
+                size = q.size
+                if 0 < size <= 11:
                     return evaluate_handful(_quantile_of_amplitude, (q, alpha, beta, gamma,))
-                if q.size <= SMALL:
+                if size <= SMALL:
                     return _quantile_of_amplitude_block(q, alpha, beta, gamma)
                 return evaluate_alike(_quantile_of_amplitude_block, 7, (0,), (q, alpha, beta, gamma,))
         except (ValueError, ZeroDivisionError, OverflowError):
@@ -1132,9 +1144,10 @@ def moment_of_amplitude(m, alpha, beta, gamma, out=None):
             if float is type(m) is type(alpha) is type(beta) is type(gamma):
                 return _moment_of_amplitude(m, alpha, beta, gamma)
             if ndarray is type(m) is type(alpha) is type(beta) is type(gamma) and DOUBLE is m.dtype is alpha.dtype is beta.dtype is gamma.dtype and () != m.shape == alpha.shape == beta.shape == gamma.shape:
-                if 0 < m.size <= 14:
+                size = m.size
+                if 0 < size <= 15:
                     return evaluate_handful(_moment_of_amplitude, (m, alpha, beta, gamma,))
-                if m.size <= SMALL:
+                if size <= SMALL:
                     return _moment_of_amplitude_block(m, alpha, beta, gamma)
                 return evaluate_alike(_moment_of_amplitude_block, 6, (0,), (m, alpha, beta, gamma,))
         except (ValueError, ZeroDivisionError, OverflowError):
@@ -1205,9 +1218,10 @@ def moment_of_frequency(m, k, g_13, g_23, d_33, out=None):
             if float is type(m) is type(k) is type(g_13) is type(g_23) is type(d_33):
                 return _moment_of_frequency(m, k, g_13, g_23, d_33)
             if ndarray is type(m) is type(k) is type(g_13) is type(g_23) is type(d_33) and DOUBLE is m.dtype is k.dtype is g_13.dtype is g_23.dtype is d_33.dtype and () != m.shape == k.shape == g_13.shape == g_23.shape == d_33.shape:
-                if 0 < m.size <= 14:
+                size = m.size
+                if 0 < size <= 14:
                     return evaluate_handful(_moment_of_frequency, (m, k, g_13, g_23, d_33,))
-                if m.size <= SMALL:
+                if size <= SMALL:
                     return _moment_of_frequency_block(m, k, g_13, g_23, d_33)
                 return evaluate_alike(_moment_of_frequency_block, 4, (0,), (m, k, g_13, g_23, d_33,))
         except (ValueError, ZeroDivisionError, OverflowError):
@@ -1265,9 +1279,10 @@ def mean_square_of_amplitude(alpha, beta, gamma, out=None):
             if float is type(alpha) is type(beta) is type(gamma):
                 return _mean_square_of_amplitude(alpha, beta, gamma)
             if ndarray is type(alpha) is type(beta) is type(gamma) and DOUBLE is alpha.dtype is beta.dtype is gamma.dtype and () != alpha.shape == beta.shape == gamma.shape:
-                if 0 < alpha.size <= 2:
+                size = alpha.size
+                if 0 < size <= 1:
                     return evaluate_handful(_mean_square_of_amplitude, (alpha, beta, gamma,))
-                if alpha.size <= SMALL:
+                if size <= SMALL:
                     return _mean_square_of_amplitude_block(alpha, beta, gamma)
                 return evaluate_alike(_mean_square_of_amplitude_block, 3, (0,), (alpha, beta, gamma,))
         except (ValueError, ZeroDivisionError, OverflowError):
@@ -1318,9 +1333,10 @@ def mean_square_of_frequency(k, g_13, g_23, d_33, out=None):
             if float is type(k) is type(g_13) is type(g_23) is type(d_33):
                 return _mean_square_of_frequency(k, g_13, g_23, d_33)
             if ndarray is type(k) is type(g_13) is type(g_23) is type(d_33) and DOUBLE is k.dtype is g_13.dtype is g_23.dtype is d_33.dtype and () != k.shape == g_13.shape == g_23.shape == d_33.shape:
-                if 0 < k.size <= 3:
+                size = k.size
+                if 0 < size <= 1:
                     return evaluate_handful(_mean_square_of_frequency, (k, g_13, g_23, d_33,))
-                if k.size <= SMALL:
+                if size <= SMALL:
                     return _mean_square_of_frequency_block(k, g_13, g_23, d_33)
                 return evaluate_alike(_mean_square_of_frequency_block, 3, (0,), (k, g_13, g_23, d_33,))
         except (ValueError, ZeroDivisionError, OverflowError):
@@ -1370,9 +1386,10 @@ def mode_of_amplitude(alpha, beta, gamma, out=None):
             if float is type(alpha) is type(beta) is type(gamma):
                 return _mode_of_amplitude(alpha, beta, gamma)
             if ndarray is type(alpha) is type(beta) is type(gamma) and DOUBLE is alpha.dtype is beta.dtype is gamma.dtype and () != alpha.shape == beta.shape == gamma.shape:
-                if 0 < alpha.size <= 3:
+                size = alpha.size
+                if 0 < size <= 1:
                     return evaluate_handful(_mode_of_amplitude, (alpha, beta, gamma,))
-                if alpha.size <= SMALL:
+                if size <= SMALL:
                     return _mode_of_amplitude_block(alpha, beta, gamma)
                 return evaluate_alike(_mode_of_amplitude_block, 2, (0,), (alpha, beta, gamma,))
         except (ValueError, ZeroDivisionError, OverflowError):

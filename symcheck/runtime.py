@@ -1,4 +1,5 @@
-"""How a generated kernel runs: on numbers through `math`, on small arrays as it stands, on large ones by blocks.
+"""How a generated kernel runs: on numbers and a handful of points through `math`, on small arrays at once, on large ones
+by blocks.
 
 A block stays in the caches of its processor, so that the values between two operations never travel to memory; the
 registers that hold them are kept from call to call, one set for each thread. NumPy and the standard library alone.
@@ -98,21 +99,24 @@ def evaluate_handful(expression: Callable[..., Any], inputs: Sequence[Any], orde
     are the same.
     """
     first = inputs[0]
+    columns: list[Any]
     if first.size == 1:
-        rows = [expression(*[x.item() for x in inputs])]
+        point = expression(*[x.item() for x in inputs])
+        columns = [[point]] if type(point) is float else [[x] for x in point]
     else:
         flat = inputs if first.ndim == 1 else [x.ravel() for x in inputs]
         rows = [*map(expression, *[x.tolist() for x in flat])]
-    single = type(rows[0]) is float
-    if not isfinite(sum(rows if single else map(sum, rows))):
+        columns = [rows] if type(rows[0]) is float else [*zip(*rows, strict=True)]
+    if not isfinite(sum(map(sum, columns))):
         raise OverflowError
-    columns: list[Any] = [rows] if single else [*zip(*rows, strict=True)]
     if order:
-        columns = [columns[order.index(k)] for k in range(max(order) + 1)]
+        columns = [*dict(zip(order, columns, strict=True)).values()]
     outputs = [array(column) for column in columns]
     if first.ndim != 1:
         outputs = [x.reshape(first.shape) for x in outputs]
-    return outputs[0] if single else tuple([outputs[k] for k in order] or outputs)
+    if order:
+        outputs = [outputs[k] for k in order]
+    return outputs[0] if len(outputs) == 1 else tuple(outputs)
 
 
 def evaluate_alike(block: Block, registers: int, order: Sequence[int], inputs: Sequence[Any]) -> Any:

@@ -28,10 +28,13 @@ from numpy import {ufuncs}, array, ndarray
 
 __all__ = [{names}]
 '''
-# Nanoseconds, measured: NumPy for an operation on few points; `math` for one, for the call with its point; to take a
-# point out of an array, to put one into another, to call for points one by one.
-UFUNC, FLOAT, POINT, TAKEN, PUT, CALL = 235, 15, 100, 60, 280, 500
-MANY = {"gamma_ratio": 60, "log1p_ratio": 7, "expm1_ratio": 6}  # operations in a function
+# Nanoseconds, measured. NumPy: an operation on few points; what it takes longer to write one element over its operand.
+UFUNC, AGAIN = 250, 550
+# One by one with `math`: the whole, an argument, an output; what a single point takes less for.
+CALL, TAKEN, PUT, SINGLE = 1100, 75, 330, 450
+# Each point, its operations, arguments and outputs.
+POINT, FLOAT, ARGUMENT, RESULT = 100, 7, 11, 55
+MANY = {"gamma_ratio": (110, 250), "log1p_ratio": (9, 25), "expm1_ratio": (7, 20)}  # operations of NumPy, of `math`
 
 
 def block_lines(program: Program, named: Mapping[Ref, str]) -> tuple[int, list[str]]:
@@ -91,22 +94,35 @@ TARGET = Target("NumPy, in generated/", files)
 
 
 def handful(program: Program) -> int:
-    """Up to how many points `math` takes less time for than NumPy; NumPy overwrites an array of one element slowly."""
-    operations = sum(MANY.get(operation.function, 1) for operation in program.operations)
-    gained = UFUNC * operations - TAKEN * len(program.inputs) - PUT * len(distinct(program)) - CALL
-    return max(gained // (FLOAT * operations + POINT), 1)
+    """Up to how many points `math` takes less time for than NumPy."""
+    inputs, outputs = len(program.inputs), len(distinct(program))
+    weights = [MANY.get(operation.function, (1, 1)) for operation in program.operations]
+    block = UFUNC * sum(ufuncs for ufuncs, _ in weights)
+    begin = CALL + TAKEN * inputs + PUT * outputs
+    each = POINT + FLOAT * sum(floats for _, floats in weights) + ARGUMENT * inputs + RESULT * len(program.outputs)
+    return max((block - begin) // each, int(block + AGAIN * _in_place(program) > begin + each - SINGLE))
+
+
+def _in_place(program: Program) -> int:
+    """How many operations write over one of their operands."""
+    held: dict[Ref, int | None] = {}
+    count = 0
+    for operation, place in registers(program):
+        count += place is not None and place in [held.get(x) for x in operation.operands]
+        held[operation.result] = place
+    return count
 
 
 def on_arrays(name: str, made: Made) -> Iterator[str]:
     """What is called for arrays of doubles of one shape, by their size."""
     program, inputs = made.program, ", ".join(made.program.inputs)
-    size = f"if {program.inputs[0]}.size <="
     equal = f", ({_order(program)},)" if len(distinct(program)) < len(program.outputs) else ""
-    yield f"if 0 < {program.inputs[0]}.size <= {handful(made.pointwise)}:"
-    yield f"    return evaluate_handful(_{name}, ({inputs},){equal})"
+    yield f"size = {program.inputs[0]}.size"
+    if points := handful(made.pointwise):
+        yield f"if 0 < size <= {points}:\n    return evaluate_handful(_{name}, ({inputs},){equal})"
     if made.pointwise.operations != program.operations:
-        yield f"{size} FEW:\n    return _{name}_few({inputs})"
-    yield f"{size} SMALL:\n    return _{name}_block({inputs})"
+        yield f"if size <= FEW:\n    return _{name}_few({inputs})"
+    yield f"if size <= SMALL:\n    return _{name}_block({inputs})"
     yield f"return evaluate_alike({_block(name, program)})"
 
 
