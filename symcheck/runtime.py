@@ -1,5 +1,4 @@
-"""How a generated kernel runs: on numbers and a handful of points through `math`, on small arrays at once, on large ones
-by blocks.
+"""How a generated kernel runs: on numbers and a handful of points by `math`, on small arrays at once, else by blocks.
 
 A block stays in the caches of its processor, so that the values between two operations never travel to memory; the
 registers that hold them are kept from call to call, one set for each thread. NumPy and the standard library alone.
