@@ -2,9 +2,9 @@
 
 import math
 
-import numpy as np
+from numpy import add, divide, multiply, negative, sqrt, subtract, array, ndarray
 
-from symcheck.runtime import DOUBLE, FEW, SMALL, evaluate, evaluate_alike
+from symcheck.runtime import DOUBLE, FEW, SMALL, evaluate, evaluate_alike, evaluate_handful
 
 __all__ = ["boundary_of_stability", "characteristic_coefficients", "critical_frequencies", "discriminant", "frequencies", "greatest_growth_rate", "mode_inertia", "residue_of_a_mode", "width_of_the_unstable_interval"]
 
@@ -31,15 +31,16 @@ def mode_inertia(a_1, chi_1, N_1, out=None):
     Rests on esenkov2006:1.32 (sha256 2b2f890930ce), esenkov2006:B.1 (sha256 46a5923ec93a).
     """
     if out is None:
-        if type(a_1) is type(chi_1) is type(N_1) is float:
-            try:
+        try:
+            if float is type(a_1) is type(chi_1) is type(N_1):
                 return _mode_inertia(a_1, chi_1, N_1)
-            except (ValueError, ZeroDivisionError, OverflowError):
-                pass  # NumPy says whether it is infinite or no number
-        elif type(a_1) is type(chi_1) is type(N_1) is np.ndarray and a_1.dtype is chi_1.dtype is N_1.dtype is DOUBLE and a_1.shape == chi_1.shape == N_1.shape:
-            if a_1.size <= SMALL:
-                return _mode_inertia(a_1, chi_1, N_1)
-            return evaluate_alike(_mode_inertia_block, 2, (0,), (a_1, chi_1, N_1,))
+            if ndarray is type(a_1) is type(chi_1) is type(N_1) and DOUBLE is a_1.dtype is chi_1.dtype is N_1.dtype and () != a_1.shape == chi_1.shape == N_1.shape:
+                size = a_1.size
+                if size <= SMALL:
+                    return _mode_inertia_block(a_1, chi_1, N_1)
+                return evaluate_alike(_mode_inertia_block, 2, (0,), (a_1, chi_1, N_1,))
+        except (ValueError, ZeroDivisionError, OverflowError):
+            pass  # NumPy says whether it is infinite or no number
     return evaluate(_mode_inertia_block, 2, (0,), (a_1, chi_1, N_1,), out)
 
 
@@ -47,10 +48,11 @@ def _mode_inertia(a_1, chi_1, N_1):
     return (a_1 * chi_1) / (N_1 * N_1)
 
 
-def _mode_inertia_block(a_1, chi_1, N_1, out_E_1, r0, r1):
-    np.multiply(N_1, N_1, r0)  # N_1_squared
-    np.multiply(a_1, chi_1, r1)  # t1
-    np.divide(r1, r0, out_E_1)  # t2
+def _mode_inertia_block(a_1, chi_1, N_1, out_E_1=None, r0=None, r1=None):
+    r0 = multiply(N_1, N_1, r0)  # N_1_squared
+    r1 = multiply(a_1, chi_1, r1)  # t1
+    out_E_1 = divide(r1, r0, out_E_1)  # t2
+    return out_E_1
 
 
 def residue_of_a_mode(E_1, lambda_1, omega_0, out=None):
@@ -76,15 +78,16 @@ def residue_of_a_mode(E_1, lambda_1, omega_0, out=None):
     proved equal to those shown (sha256 01e6baed37ee).
     """
     if out is None:
-        if type(E_1) is type(lambda_1) is type(omega_0) is float:
-            try:
+        try:
+            if float is type(E_1) is type(lambda_1) is type(omega_0):
                 return _residue_of_a_mode(E_1, lambda_1, omega_0)
-            except (ValueError, ZeroDivisionError, OverflowError):
-                pass  # NumPy says whether it is infinite or no number
-        elif type(E_1) is type(lambda_1) is type(omega_0) is np.ndarray and E_1.dtype is lambda_1.dtype is omega_0.dtype is DOUBLE and E_1.shape == lambda_1.shape == omega_0.shape:
-            if E_1.size <= SMALL:
-                return _residue_of_a_mode(E_1, lambda_1, omega_0)
-            return evaluate_alike(_residue_of_a_mode_block, 2, (0,), (E_1, lambda_1, omega_0,))
+            if ndarray is type(E_1) is type(lambda_1) is type(omega_0) and DOUBLE is E_1.dtype is lambda_1.dtype is omega_0.dtype and () != E_1.shape == lambda_1.shape == omega_0.shape:
+                size = E_1.size
+                if size <= SMALL:
+                    return _residue_of_a_mode_block(E_1, lambda_1, omega_0)
+                return evaluate_alike(_residue_of_a_mode_block, 2, (0,), (E_1, lambda_1, omega_0,))
+        except (ValueError, ZeroDivisionError, OverflowError):
+            pass  # NumPy says whether it is infinite or no number
     return evaluate(_residue_of_a_mode_block, 2, (0,), (E_1, lambda_1, omega_0,), out)
 
 
@@ -92,10 +95,11 @@ def _residue_of_a_mode(E_1, lambda_1, omega_0):
     return (lambda_1 - omega_0) * (E_1 * lambda_1)
 
 
-def _residue_of_a_mode_block(E_1, lambda_1, omega_0, out_R_1, r0, r1):
-    np.subtract(lambda_1, omega_0, r0)  # t1
-    np.multiply(E_1, lambda_1, r1)  # t2
-    np.multiply(r0, r1, out_R_1)  # t3
+def _residue_of_a_mode_block(E_1, lambda_1, omega_0, out_R_1=None, r0=None, r1=None):
+    r0 = subtract(lambda_1, omega_0, r0)  # t1
+    r1 = multiply(E_1, lambda_1, r1)  # t2
+    out_R_1 = multiply(r0, r1, out_R_1)  # t3
+    return out_R_1
 
 
 def characteristic_coefficients(A, C, E_1, lambda_1, omega_0, out=None):
@@ -128,15 +132,18 @@ def characteristic_coefficients(A, C, E_1, lambda_1, omega_0, out=None):
     are proved equal to those shown (sha256 c734ecc813a1).
     """
     if out is None:
-        if type(A) is type(C) is type(E_1) is type(lambda_1) is type(omega_0) is float:
-            try:
+        try:
+            if float is type(A) is type(C) is type(E_1) is type(lambda_1) is type(omega_0):
                 return _characteristic_coefficients(A, C, E_1, lambda_1, omega_0)
-            except (ValueError, ZeroDivisionError, OverflowError):
-                pass  # NumPy says whether it is infinite or no number
-        elif type(A) is type(C) is type(E_1) is type(lambda_1) is type(omega_0) is np.ndarray and A.dtype is C.dtype is E_1.dtype is lambda_1.dtype is omega_0.dtype is DOUBLE and A.shape == C.shape == E_1.shape == lambda_1.shape == omega_0.shape:
-            if A.size <= SMALL:
-                return _characteristic_coefficients(A, C, E_1, lambda_1, omega_0)
-            return evaluate_alike(_characteristic_coefficients_block, 4, (0, 1, 2,), (A, C, E_1, lambda_1, omega_0,))
+            if ndarray is type(A) is type(C) is type(E_1) is type(lambda_1) is type(omega_0) and DOUBLE is A.dtype is C.dtype is E_1.dtype is lambda_1.dtype is omega_0.dtype and () != A.shape == C.shape == E_1.shape == lambda_1.shape == omega_0.shape:
+                size = A.size
+                if 0 < size <= 1:
+                    return evaluate_handful(_characteristic_coefficients, (A, C, E_1, lambda_1, omega_0,))
+                if size <= SMALL:
+                    return _characteristic_coefficients_block(A, C, E_1, lambda_1, omega_0)
+                return evaluate_alike(_characteristic_coefficients_block, 4, (0, 1, 2,), (A, C, E_1, lambda_1, omega_0,))
+        except (ValueError, ZeroDivisionError, OverflowError):
+            pass  # NumPy says whether it is infinite or no number
     return evaluate(_characteristic_coefficients_block, 4, (0, 1, 2,), (A, C, E_1, lambda_1, omega_0,), out)
 
 
@@ -145,16 +152,17 @@ def _characteristic_coefficients(A, C, E_1, lambda_1, omega_0):
     return A - E_1, ((E_1 * omega_0) - (A * lambda_1)) - (omega_0 * t1), omega_0 * (lambda_1 * t1)
 
 
-def _characteristic_coefficients_block(A, C, E_1, lambda_1, omega_0, out_c_2, out_c_1, out_c_0, r0, r1, r2, r3):
-    np.subtract(A, C, r0)  # t1
-    np.subtract(A, E_1, out_c_2)  # t2
-    np.multiply(A, lambda_1, r1)  # t3
-    np.multiply(E_1, omega_0, r2)  # t4
-    np.multiply(omega_0, r0, r3)  # t5
-    np.subtract(r2, r1, r1)  # t6
-    np.subtract(r1, r3, out_c_1)  # t7
-    np.multiply(lambda_1, r0, r0)  # t8
-    np.multiply(omega_0, r0, out_c_0)  # t9
+def _characteristic_coefficients_block(A, C, E_1, lambda_1, omega_0, out_c_2=None, out_c_1=None, out_c_0=None, r0=None, r1=None, r2=None, r3=None):
+    r0 = subtract(A, C, r0)  # t1
+    out_c_2 = subtract(A, E_1, out_c_2)  # t2
+    r1 = multiply(A, lambda_1, r1)  # t3
+    r2 = multiply(E_1, omega_0, r2)  # t4
+    r3 = multiply(omega_0, r0, r3)  # t5
+    r1 = subtract(r2, r1, r1)  # t6
+    out_c_1 = subtract(r1, r3, out_c_1)  # t7
+    r0 = multiply(lambda_1, r0, r0)  # t8
+    out_c_0 = multiply(omega_0, r0, out_c_0)  # t9
+    return out_c_2, out_c_1, out_c_0
 
 
 def discriminant(A, C, E_1, lambda_1, omega_0, out=None):
@@ -185,40 +193,44 @@ def discriminant(A, C, E_1, lambda_1, omega_0, out=None):
     shown (sha256 d5d679bd5b2f).
     """
     if out is None:
-        if type(A) is type(C) is type(E_1) is type(lambda_1) is type(omega_0) is float:
-            try:
-                return _discriminant(A, C, E_1, lambda_1, omega_0, 4.0)
-            except (ValueError, ZeroDivisionError, OverflowError):
-                pass  # NumPy says whether it is infinite or no number
-        elif type(A) is type(C) is type(E_1) is type(lambda_1) is type(omega_0) is np.ndarray and A.dtype is C.dtype is E_1.dtype is lambda_1.dtype is omega_0.dtype is DOUBLE and A.shape == C.shape == E_1.shape == lambda_1.shape == omega_0.shape:
-            if A.size <= SMALL:
+        try:
+            if float is type(A) is type(C) is type(E_1) is type(lambda_1) is type(omega_0):
                 return _discriminant(A, C, E_1, lambda_1, omega_0)
-            return evaluate_alike(_discriminant_block, 4, (0,), (A, C, E_1, lambda_1, omega_0,))
+            if ndarray is type(A) is type(C) is type(E_1) is type(lambda_1) is type(omega_0) and DOUBLE is A.dtype is C.dtype is E_1.dtype is lambda_1.dtype is omega_0.dtype and () != A.shape == C.shape == E_1.shape == lambda_1.shape == omega_0.shape:
+                size = A.size
+                if 0 < size <= 6:
+                    return evaluate_handful(_discriminant, (A, C, E_1, lambda_1, omega_0,))
+                if size <= SMALL:
+                    return _discriminant_block(A, C, E_1, lambda_1, omega_0)
+                return evaluate_alike(_discriminant_block, 4, (0,), (A, C, E_1, lambda_1, omega_0,))
+        except (ValueError, ZeroDivisionError, OverflowError):
+            pass  # NumPy says whether it is infinite or no number
     return evaluate(_discriminant_block, 4, (0,), (A, C, E_1, lambda_1, omega_0,), out)
 
 
-def _discriminant(A, C, E_1, lambda_1, omega_0, n4=np.array(4.0)):
+def _discriminant(A, C, E_1, lambda_1, omega_0):
     t5 = E_1 * (lambda_1 - omega_0)
     t13 = ((omega_0 * (C - A)) + (lambda_1 * (A - E_1))) - t5
-    return (t13 * t13) + (((n4 * A) - (n4 * E_1)) * (lambda_1 * t5))
+    return (t13 * t13) + (((4.0 * A) - (4.0 * E_1)) * (lambda_1 * t5))
 
 
-def _discriminant_block(A, C, E_1, lambda_1, omega_0, out_D, r0, r1, r2, r3):
-    np.subtract(lambda_1, omega_0, r0)  # t1
-    np.multiply(4.0, A, r1)  # t2
-    np.multiply(4.0, E_1, r2)  # t3
-    np.subtract(r1, r2, r2)  # t4
-    np.multiply(E_1, r0, r0)  # t5
-    np.multiply(lambda_1, r0, r1)  # t6
-    np.multiply(r2, r1, r1)  # t7
-    np.subtract(A, E_1, r2)  # t8
-    np.multiply(lambda_1, r2, r2)  # t9
-    np.subtract(C, A, r3)  # t10
-    np.multiply(omega_0, r3, r3)  # t11
-    np.add(r3, r2, r2)  # t12
-    np.subtract(r2, r0, r0)  # t13
-    np.multiply(r0, r0, r0)  # t14
-    np.add(r0, r1, out_D)  # t15
+def _discriminant_block(A, C, E_1, lambda_1, omega_0, out_D=None, r0=None, r1=None, r2=None, r3=None, n4=array(4.0)):
+    r0 = subtract(lambda_1, omega_0, r0)  # t1
+    r1 = multiply(n4, A, r1)  # t2
+    r2 = multiply(n4, E_1, r2)  # t3
+    r2 = subtract(r1, r2, r2)  # t4
+    r0 = multiply(E_1, r0, r0)  # t5
+    r1 = multiply(lambda_1, r0, r1)  # t6
+    r1 = multiply(r2, r1, r1)  # t7
+    r2 = subtract(A, E_1, r2)  # t8
+    r2 = multiply(lambda_1, r2, r2)  # t9
+    r3 = subtract(C, A, r3)  # t10
+    r3 = multiply(omega_0, r3, r3)  # t11
+    r2 = add(r3, r2, r2)  # t12
+    r0 = subtract(r2, r0, r0)  # t13
+    r0 = multiply(r0, r0, r0)  # t14
+    out_D = add(r0, r1, out_D)  # t15
+    return out_D
 
 
 def boundary_of_stability(A, E_1, b_1, out=None):
@@ -248,50 +260,54 @@ def boundary_of_stability(A, E_1, b_1, out=None):
     forms computed are proved equal to those shown (sha256 f303b2ce4717).
     """
     if out is None:
-        if type(A) is type(E_1) is type(b_1) is float:
-            try:
-                return _boundary_of_stability(A, E_1, b_1, math.sqrt, 1.0, 2.0)
-            except (ValueError, ZeroDivisionError, OverflowError):
-                pass  # NumPy says whether it is infinite or no number
-        elif type(A) is type(E_1) is type(b_1) is np.ndarray and A.dtype is E_1.dtype is b_1.dtype is DOUBLE and A.shape == E_1.shape == b_1.shape:
-            if A.size <= SMALL:
+        try:
+            if float is type(A) is type(E_1) is type(b_1):
                 return _boundary_of_stability(A, E_1, b_1)
-            return evaluate_alike(_boundary_of_stability_block, 6, (0, 1,), (A, E_1, b_1,))
+            if ndarray is type(A) is type(E_1) is type(b_1) and DOUBLE is A.dtype is E_1.dtype is b_1.dtype and () != A.shape == E_1.shape == b_1.shape:
+                size = A.size
+                if 0 < size <= 8:
+                    return evaluate_handful(_boundary_of_stability, (A, E_1, b_1,))
+                if size <= SMALL:
+                    return _boundary_of_stability_block(A, E_1, b_1)
+                return evaluate_alike(_boundary_of_stability_block, 6, (0, 1,), (A, E_1, b_1,))
+        except (ValueError, ZeroDivisionError, OverflowError):
+            pass  # NumPy says whether it is infinite or no number
     return evaluate(_boundary_of_stability_block, 6, (0, 1,), (A, E_1, b_1,), out)
 
 
-def _boundary_of_stability(A, E_1, b_1, sqrt=np.sqrt, n1=np.array(1.0), n2=np.array(2.0)):
-    t1 = n1 - b_1
+def _boundary_of_stability(A, E_1, b_1):
+    t1 = 1.0 - b_1
     t2 = E_1 * t1
     t3 = A - E_1
     t4 = b_1 * t3
-    t11 = (t2 + (n2 * (sqrt(t1 * t3) * (sqrt(E_1) * sqrt(b_1))))) + t4
-    t12 = n1 / t11
+    t11 = (t2 + (2.0 * (math.sqrt(t1 * t3) * (math.sqrt(E_1) * math.sqrt(b_1))))) + t4
+    t12 = 1.0 / t11
     return (t2 - t4) * ((b_1 * (t12 * t3)) - (t12 * t2)), -t11
 
 
-def _boundary_of_stability_block(A, E_1, b_1, out_Delta_1, out_Delta_2, r0, r1, r2, r3, r4, r5):
-    np.subtract(1.0, b_1, r0)  # t1
-    np.multiply(E_1, r0, r1)  # t2
-    np.subtract(A, E_1, r2)  # t3
-    np.multiply(b_1, r2, r3)  # t4
-    np.sqrt(E_1, r4)  # sqrt_E_1
-    np.sqrt(b_1, r5)  # sqrt_b_1
-    np.multiply(r0, r2, r0)  # t5
-    np.sqrt(r0, r0)  # t6
-    np.multiply(r4, r5, r5)  # t7
-    np.multiply(r0, r5, r5)  # t8
-    np.multiply(2.0, r5, r5)  # t9
-    np.add(r1, r5, r5)  # t10
-    np.add(r5, r3, r5)  # t11
-    np.divide(1.0, r5, r0)  # t12
-    np.subtract(r1, r3, r3)  # t13
-    np.multiply(r0, r2, r2)  # t14
-    np.multiply(b_1, r2, r2)  # t15
-    np.multiply(r0, r1, r1)  # t16
-    np.subtract(r2, r1, r1)  # t17
-    np.multiply(r3, r1, out_Delta_1)  # t18
-    np.negative(r5, out_Delta_2)  # t19
+def _boundary_of_stability_block(A, E_1, b_1, out_Delta_1=None, out_Delta_2=None, r0=None, r1=None, r2=None, r3=None, r4=None, r5=None, n1=array(1.0), n2=array(2.0)):
+    r0 = subtract(n1, b_1, r0)  # t1
+    r1 = multiply(E_1, r0, r1)  # t2
+    r2 = subtract(A, E_1, r2)  # t3
+    r3 = multiply(b_1, r2, r3)  # t4
+    r4 = sqrt(E_1, r4)  # sqrt_E_1
+    r5 = sqrt(b_1, r5)  # sqrt_b_1
+    r0 = multiply(r0, r2, r0)  # t5
+    r0 = sqrt(r0, r0)  # t6
+    r5 = multiply(r4, r5, r5)  # t7
+    r5 = multiply(r0, r5, r5)  # t8
+    r5 = multiply(n2, r5, r5)  # t9
+    r5 = add(r1, r5, r5)  # t10
+    r5 = add(r5, r3, r5)  # t11
+    r0 = divide(n1, r5, r0)  # t12
+    r3 = subtract(r1, r3, r3)  # t13
+    r2 = multiply(r0, r2, r2)  # t14
+    r2 = multiply(b_1, r2, r2)  # t15
+    r1 = multiply(r0, r1, r1)  # t16
+    r1 = subtract(r2, r1, r1)  # t17
+    out_Delta_1 = multiply(r3, r1, out_Delta_1)  # t18
+    out_Delta_2 = negative(r5, out_Delta_2)  # t19
+    return out_Delta_1, out_Delta_2
 
 
 def width_of_the_unstable_interval(A, E_1, b_1, out=None):
@@ -317,32 +333,36 @@ def width_of_the_unstable_interval(A, E_1, b_1, out=None):
     (sha256 61c2a4c0e061). The forms computed are proved equal to those shown (sha256 18ee1f9e1b26).
     """
     if out is None:
-        if type(A) is type(E_1) is type(b_1) is float:
-            try:
-                return _width_of_the_unstable_interval(A, E_1, b_1, math.sqrt, 1.0, 4.0)
-            except (ValueError, ZeroDivisionError, OverflowError):
-                pass  # NumPy says whether it is infinite or no number
-        elif type(A) is type(E_1) is type(b_1) is np.ndarray and A.dtype is E_1.dtype is b_1.dtype is DOUBLE and A.shape == E_1.shape == b_1.shape:
-            if A.size <= SMALL:
+        try:
+            if float is type(A) is type(E_1) is type(b_1):
                 return _width_of_the_unstable_interval(A, E_1, b_1)
-            return evaluate_alike(_width_of_the_unstable_interval_block, 4, (0,), (A, E_1, b_1,))
+            if ndarray is type(A) is type(E_1) is type(b_1) and DOUBLE is A.dtype is E_1.dtype is b_1.dtype and () != A.shape == E_1.shape == b_1.shape:
+                size = A.size
+                if 0 < size <= 2:
+                    return evaluate_handful(_width_of_the_unstable_interval, (A, E_1, b_1,))
+                if size <= SMALL:
+                    return _width_of_the_unstable_interval_block(A, E_1, b_1)
+                return evaluate_alike(_width_of_the_unstable_interval_block, 4, (0,), (A, E_1, b_1,))
+        except (ValueError, ZeroDivisionError, OverflowError):
+            pass  # NumPy says whether it is infinite or no number
     return evaluate(_width_of_the_unstable_interval_block, 4, (0,), (A, E_1, b_1,), out)
 
 
-def _width_of_the_unstable_interval(A, E_1, b_1, sqrt=np.sqrt, n1=np.array(1.0), n4=np.array(4.0)):
-    return n4 * (sqrt((n1 - b_1) * (A - E_1)) * (sqrt(E_1) * sqrt(b_1)))
+def _width_of_the_unstable_interval(A, E_1, b_1):
+    return 4.0 * (math.sqrt((1.0 - b_1) * (A - E_1)) * (math.sqrt(E_1) * math.sqrt(b_1)))
 
 
-def _width_of_the_unstable_interval_block(A, E_1, b_1, out_width, r0, r1, r2, r3):
-    np.sqrt(E_1, r0)  # sqrt_E_1
-    np.sqrt(b_1, r1)  # sqrt_b_1
-    np.subtract(1.0, b_1, r2)  # t1
-    np.subtract(A, E_1, r3)  # t2
-    np.multiply(r2, r3, r3)  # t3
-    np.sqrt(r3, r3)  # t4
-    np.multiply(r0, r1, r1)  # t5
-    np.multiply(r3, r1, r1)  # t6
-    np.multiply(4.0, r1, out_width)  # t7
+def _width_of_the_unstable_interval_block(A, E_1, b_1, out_width=None, r0=None, r1=None, r2=None, r3=None, n1=array(1.0), n4=array(4.0)):
+    r0 = sqrt(E_1, r0)  # sqrt_E_1
+    r1 = sqrt(b_1, r1)  # sqrt_b_1
+    r2 = subtract(n1, b_1, r2)  # t1
+    r3 = subtract(A, E_1, r3)  # t2
+    r3 = multiply(r2, r3, r3)  # t3
+    r3 = sqrt(r3, r3)  # t4
+    r1 = multiply(r0, r1, r1)  # t5
+    r1 = multiply(r3, r1, r1)  # t6
+    out_width = multiply(n4, r1, out_width)  # t7
+    return out_width
 
 
 def critical_frequencies(A, E_1, b_1, omega_0, out=None):
@@ -372,36 +392,40 @@ def critical_frequencies(A, E_1, b_1, omega_0, out=None):
     (sha256 2c23c7f94256).
     """
     if out is None:
-        if type(A) is type(E_1) is type(b_1) is type(omega_0) is float:
-            try:
-                return _critical_frequencies(A, E_1, b_1, omega_0, math.sqrt, 1.0)
-            except (ValueError, ZeroDivisionError, OverflowError):
-                pass  # NumPy says whether it is infinite or no number
-        elif type(A) is type(E_1) is type(b_1) is type(omega_0) is np.ndarray and A.dtype is E_1.dtype is b_1.dtype is omega_0.dtype is DOUBLE and A.shape == E_1.shape == b_1.shape == omega_0.shape:
-            if A.size <= SMALL:
+        try:
+            if float is type(A) is type(E_1) is type(b_1) is type(omega_0):
                 return _critical_frequencies(A, E_1, b_1, omega_0)
-            return evaluate_alike(_critical_frequencies_block, 3, (0, 1,), (A, E_1, b_1, omega_0,))
+            if ndarray is type(A) is type(E_1) is type(b_1) is type(omega_0) and DOUBLE is A.dtype is E_1.dtype is b_1.dtype is omega_0.dtype and () != A.shape == E_1.shape == b_1.shape == omega_0.shape:
+                size = A.size
+                if 0 < size <= 2:
+                    return evaluate_handful(_critical_frequencies, (A, E_1, b_1, omega_0,))
+                if size <= SMALL:
+                    return _critical_frequencies_block(A, E_1, b_1, omega_0)
+                return evaluate_alike(_critical_frequencies_block, 3, (0, 1,), (A, E_1, b_1, omega_0,))
+        except (ValueError, ZeroDivisionError, OverflowError):
+            pass  # NumPy says whether it is infinite or no number
     return evaluate(_critical_frequencies_block, 3, (0, 1,), (A, E_1, b_1, omega_0,), out)
 
 
-def _critical_frequencies(A, E_1, b_1, omega_0, sqrt=np.sqrt, n1=np.array(1.0)):
-    t7 = sqrt(E_1) * sqrt(-((b_1 * (b_1 - n1)) / (A - E_1)))
+def _critical_frequencies(A, E_1, b_1, omega_0):
+    t7 = math.sqrt(E_1) * math.sqrt(-((b_1 * (b_1 - 1.0)) / (A - E_1)))
     return omega_0 * (b_1 - t7), omega_0 * (b_1 + t7)
 
 
-def _critical_frequencies_block(A, E_1, b_1, omega_0, out_eta_1, out_eta_2, r0, r1, r2):
-    np.sqrt(E_1, r0)  # sqrt_E_1
-    np.subtract(A, E_1, r1)  # t1
-    np.subtract(b_1, 1.0, r2)  # t2
-    np.multiply(b_1, r2, r2)  # t3
-    np.divide(r2, r1, r1)  # t4
-    np.negative(r1, r1)  # t5
-    np.sqrt(r1, r1)  # t6
-    np.multiply(r0, r1, r1)  # t7
-    np.subtract(b_1, r1, r0)  # t8
-    np.multiply(omega_0, r0, out_eta_1)  # t9
-    np.add(b_1, r1, r1)  # t10
-    np.multiply(omega_0, r1, out_eta_2)  # t11
+def _critical_frequencies_block(A, E_1, b_1, omega_0, out_eta_1=None, out_eta_2=None, r0=None, r1=None, r2=None, n1=array(1.0)):
+    r0 = sqrt(E_1, r0)  # sqrt_E_1
+    r1 = subtract(A, E_1, r1)  # t1
+    r2 = subtract(b_1, n1, r2)  # t2
+    r2 = multiply(b_1, r2, r2)  # t3
+    r1 = divide(r2, r1, r1)  # t4
+    r1 = negative(r1, r1)  # t5
+    r1 = sqrt(r1, r1)  # t6
+    r1 = multiply(r0, r1, r1)  # t7
+    r0 = subtract(b_1, r1, r0)  # t8
+    out_eta_1 = multiply(omega_0, r0, out_eta_1)  # t9
+    r1 = add(b_1, r1, r1)  # t10
+    out_eta_2 = multiply(omega_0, r1, out_eta_2)  # t11
+    return out_eta_1, out_eta_2
 
 
 def greatest_growth_rate(A, E_1, b_1, omega_0, out=None):
@@ -428,32 +452,36 @@ def greatest_growth_rate(A, E_1, b_1, omega_0, out=None):
     1d0b552ab004).
     """
     if out is None:
-        if type(A) is type(E_1) is type(b_1) is type(omega_0) is float:
-            try:
-                return _greatest_growth_rate(A, E_1, b_1, omega_0, math.sqrt, 1.0)
-            except (ValueError, ZeroDivisionError, OverflowError):
-                pass  # NumPy says whether it is infinite or no number
-        elif type(A) is type(E_1) is type(b_1) is type(omega_0) is np.ndarray and A.dtype is E_1.dtype is b_1.dtype is omega_0.dtype is DOUBLE and A.shape == E_1.shape == b_1.shape == omega_0.shape:
-            if A.size <= SMALL:
+        try:
+            if float is type(A) is type(E_1) is type(b_1) is type(omega_0):
                 return _greatest_growth_rate(A, E_1, b_1, omega_0)
-            return evaluate_alike(_greatest_growth_rate_block, 3, (0,), (A, E_1, b_1, omega_0,))
+            if ndarray is type(A) is type(E_1) is type(b_1) is type(omega_0) and DOUBLE is A.dtype is E_1.dtype is b_1.dtype is omega_0.dtype and () != A.shape == E_1.shape == b_1.shape == omega_0.shape:
+                size = A.size
+                if 0 < size <= 1:
+                    return evaluate_handful(_greatest_growth_rate, (A, E_1, b_1, omega_0,))
+                if size <= SMALL:
+                    return _greatest_growth_rate_block(A, E_1, b_1, omega_0)
+                return evaluate_alike(_greatest_growth_rate_block, 3, (0,), (A, E_1, b_1, omega_0,))
+        except (ValueError, ZeroDivisionError, OverflowError):
+            pass  # NumPy says whether it is infinite or no number
     return evaluate(_greatest_growth_rate_block, 3, (0,), (A, E_1, b_1, omega_0,), out)
 
 
-def _greatest_growth_rate(A, E_1, b_1, omega_0, sqrt=np.sqrt, n1=np.array(1.0)):
-    return sqrt(-((b_1 * (b_1 - n1)) / (A - E_1))) * (omega_0 * sqrt(E_1))
+def _greatest_growth_rate(A, E_1, b_1, omega_0):
+    return math.sqrt(-((b_1 * (b_1 - 1.0)) / (A - E_1))) * (omega_0 * math.sqrt(E_1))
 
 
-def _greatest_growth_rate_block(A, E_1, b_1, omega_0, out_y, r0, r1, r2):
-    np.sqrt(E_1, r0)  # sqrt_E_1
-    np.subtract(A, E_1, r1)  # t1
-    np.subtract(b_1, 1.0, r2)  # t2
-    np.multiply(b_1, r2, r2)  # t3
-    np.divide(r2, r1, r1)  # t4
-    np.negative(r1, r1)  # t5
-    np.sqrt(r1, r1)  # t6
-    np.multiply(omega_0, r0, r0)  # t7
-    np.multiply(r1, r0, out_y)  # t8
+def _greatest_growth_rate_block(A, E_1, b_1, omega_0, out_y=None, r0=None, r1=None, r2=None, n1=array(1.0)):
+    r0 = sqrt(E_1, r0)  # sqrt_E_1
+    r1 = subtract(A, E_1, r1)  # t1
+    r2 = subtract(b_1, n1, r2)  # t2
+    r2 = multiply(b_1, r2, r2)  # t3
+    r1 = divide(r2, r1, r1)  # t4
+    r1 = negative(r1, r1)  # t5
+    r1 = sqrt(r1, r1)  # t6
+    r0 = multiply(omega_0, r0, r0)  # t7
+    out_y = multiply(r1, r0, out_y)  # t8
+    return out_y
 
 
 def frequencies(A, Delta, E_1, b_1, omega_0, out=None):
@@ -486,43 +514,47 @@ def frequencies(A, Delta, E_1, b_1, omega_0, out=None):
     shown (sha256 c9ab2784cddc).
     """
     if out is None:
-        if type(A) is type(Delta) is type(E_1) is type(b_1) is type(omega_0) is float:
-            try:
-                return _frequencies(A, Delta, E_1, b_1, omega_0, math.sqrt, 1.0, 4.0, 1.0 / 2.0)
-            except (ValueError, ZeroDivisionError, OverflowError):
-                pass  # NumPy says whether it is infinite or no number
-        elif type(A) is type(Delta) is type(E_1) is type(b_1) is type(omega_0) is np.ndarray and A.dtype is Delta.dtype is E_1.dtype is b_1.dtype is omega_0.dtype is DOUBLE and A.shape == Delta.shape == E_1.shape == b_1.shape == omega_0.shape:
-            if A.size <= SMALL:
+        try:
+            if float is type(A) is type(Delta) is type(E_1) is type(b_1) is type(omega_0):
                 return _frequencies(A, Delta, E_1, b_1, omega_0)
-            return evaluate_alike(_frequencies_block, 4, (0, 1,), (A, Delta, E_1, b_1, omega_0,))
+            if ndarray is type(A) is type(Delta) is type(E_1) is type(b_1) is type(omega_0) and DOUBLE is A.dtype is Delta.dtype is E_1.dtype is b_1.dtype is omega_0.dtype and () != A.shape == Delta.shape == E_1.shape == b_1.shape == omega_0.shape:
+                size = A.size
+                if 0 < size <= 6:
+                    return evaluate_handful(_frequencies, (A, Delta, E_1, b_1, omega_0,))
+                if size <= SMALL:
+                    return _frequencies_block(A, Delta, E_1, b_1, omega_0)
+                return evaluate_alike(_frequencies_block, 4, (0, 1,), (A, Delta, E_1, b_1, omega_0,))
+        except (ValueError, ZeroDivisionError, OverflowError):
+            pass  # NumPy says whether it is infinite or no number
     return evaluate(_frequencies_block, 4, (0, 1,), (A, Delta, E_1, b_1, omega_0,), out)
 
 
-def _frequencies(A, Delta, E_1, b_1, omega_0, sqrt=np.sqrt, n1=np.array(1.0), n4=np.array(4.0), n1_2=np.array(1.0 / 2.0)):
+def _frequencies(A, Delta, E_1, b_1, omega_0):
     t1 = A - E_1
     t2 = b_1 * t1
-    t6 = (Delta + (E_1 * (n1 - b_1))) - t2
-    t11 = sqrt((n4 * (Delta * t2)) + (t6 * t6))
-    t13 = (n1_2 * omega_0) / t1
+    t6 = (Delta + (E_1 * (1.0 - b_1))) - t2
+    t11 = math.sqrt((4.0 * (Delta * t2)) + (t6 * t6))
+    t13 = ((1.0 / 2.0) * omega_0) / t1
     return -(t13 * (t11 + t6)), t13 * (t11 - t6)
 
 
-def _frequencies_block(A, Delta, E_1, b_1, omega_0, out_eta_1, out_eta_2, r0, r1, r2, r3):
-    np.subtract(A, E_1, r0)  # t1
-    np.multiply(b_1, r0, r1)  # t2
-    np.subtract(1.0, b_1, r2)  # t3
-    np.multiply(E_1, r2, r2)  # t4
-    np.add(Delta, r2, r2)  # t5
-    np.subtract(r2, r1, r2)  # t6
-    np.multiply(Delta, r1, r1)  # t7
-    np.multiply(4.0, r1, r1)  # t8
-    np.multiply(r2, r2, r3)  # t9
-    np.add(r1, r3, r3)  # t10
-    np.sqrt(r3, r3)  # t11
-    np.multiply(1.0 / 2.0, omega_0, r1)  # t12
-    np.divide(r1, r0, r0)  # t13
-    np.add(r3, r2, r1)  # t14
-    np.multiply(r0, r1, r1)  # t15
-    np.negative(r1, out_eta_1)  # t16
-    np.subtract(r3, r2, r2)  # t17
-    np.multiply(r0, r2, out_eta_2)  # t18
+def _frequencies_block(A, Delta, E_1, b_1, omega_0, out_eta_1=None, out_eta_2=None, r0=None, r1=None, r2=None, r3=None, n1=array(1.0), n4=array(4.0), n1_2=array(1.0 / 2.0)):
+    r0 = subtract(A, E_1, r0)  # t1
+    r1 = multiply(b_1, r0, r1)  # t2
+    r2 = subtract(n1, b_1, r2)  # t3
+    r2 = multiply(E_1, r2, r2)  # t4
+    r2 = add(Delta, r2, r2)  # t5
+    r2 = subtract(r2, r1, r2)  # t6
+    r1 = multiply(Delta, r1, r1)  # t7
+    r1 = multiply(n4, r1, r1)  # t8
+    r3 = multiply(r2, r2, r3)  # t9
+    r3 = add(r1, r3, r3)  # t10
+    r3 = sqrt(r3, r3)  # t11
+    r1 = multiply(n1_2, omega_0, r1)  # t12
+    r0 = divide(r1, r0, r0)  # t13
+    r1 = add(r3, r2, r1)  # t14
+    r1 = multiply(r0, r1, r1)  # t15
+    out_eta_1 = negative(r1, out_eta_1)  # t16
+    r2 = subtract(r3, r2, r2)  # t17
+    out_eta_2 = multiply(r0, r2, out_eta_2)  # t18
+    return out_eta_1, out_eta_2

@@ -2,9 +2,9 @@
 
 import math
 
-import numpy as np
+from numpy import add, arctan, cos, divide, multiply, negative, power, sin, sqrt, subtract, tan, array, ndarray
 
-from symcheck.runtime import DOUBLE, FEW, SMALL, evaluate, evaluate_alike
+from symcheck.runtime import DOUBLE, FEW, SMALL, evaluate, evaluate_alike, evaluate_handful
 
 __all__ = ["axes_of_four_wheels", "axes_of_six_wheels", "best_angle_of_six_wheels", "best_angles_of_four_wheels", "equal_rates_of_four_wheels", "equal_rates_of_six_wheels", "face_distances_of_five_wheels", "face_distances_of_four_wheels", "face_distances_of_six_wheels", "face_distances_of_three_wheels", "largest_rates_of_four_wheels", "largest_rates_of_six_wheels", "momentum_of_five_wheels", "momentum_of_four_wheels", "momentum_of_six_wheels", "momentum_of_three_wheels", "rates_of_five_wheels", "rates_of_four_wheels", "rates_of_six_wheels", "rates_of_three_wheels", "vertex_distances_of_five_wheels", "vertex_distances_of_four_wheels", "vertex_distances_of_six_wheels", "vertex_distances_of_three_wheels", "vertices_of_five_wheels", "vertices_of_four_wheels", "vertices_of_six_wheels", "vertices_of_three_wheels", "volume_of_five_wheels", "volume_of_four_wheels", "volume_of_six_wheels", "volume_of_three_wheels"]
 
@@ -54,44 +54,60 @@ def axes_of_four_wheels(a, b, out=None):
     (sha256 f49cc6f4df91).
     """
     if out is None:
-        if type(a) is type(b) is float:
-            try:
-                return _axes_of_four_wheels(a, b, math.cos, math.sin)
-            except (ValueError, ZeroDivisionError, OverflowError):
-                pass  # NumPy says whether it is infinite or no number
-        elif type(a) is type(b) is np.ndarray and a.dtype is b.dtype is DOUBLE and a.shape == b.shape:
-            if a.size <= FEW:
+        try:
+            if float is type(a) is type(b):
                 return _axes_of_four_wheels(a, b)
-            return evaluate_alike(_axes_of_four_wheels_block, 5, (0, 1, 2, 0, 3, 2, 0, 1, 4, 0, 3, 4,), (a, b,))
+            if ndarray is type(a) is type(b) and DOUBLE is a.dtype is b.dtype and () != a.shape == b.shape:
+                size = a.size
+                if size <= FEW:
+                    return _axes_of_four_wheels_few(a, b)
+                if size <= SMALL:
+                    return _axes_of_four_wheels_block(a, b)
+                return evaluate_alike(_axes_of_four_wheels_block, 5, (0, 1, 2, 0, 3, 2, 0, 1, 4, 0, 3, 4,), (a, b,))
+        except (ValueError, ZeroDivisionError, OverflowError):
+            pass  # NumPy says whether it is infinite or no number
     return evaluate(_axes_of_four_wheels_block, 5, (0, 1, 2, 0, 3, 2, 0, 1, 4, 0, 3, 4,), (a, b,), out)
 
 
-def _axes_of_four_wheels(a, b, cos=np.cos, sin=np.sin):
-    sin_a = sin(a)
-    t1 = sin_a * sin(b)
-    t2 = cos(b) * sin_a
+def _axes_of_four_wheels(a, b):
+    sin_a = math.sin(a)
+    t1 = sin_a * math.sin(b)
+    t2 = math.cos(b) * sin_a
     t3 = -t2
-    cos_a = cos(a)
+    cos_a = math.cos(a)
     t4 = -cos_a
     return t1, t3, t4, t1, t2, t4, t1, t3, cos_a, t1, t2, cos_a
 
 
-def _axes_of_four_wheels_block(a, b, out_e_1x, out_e_1y, out_e_1z, out_e_2y, out_e_3z, r0, r1, r2, r3, r4):
-    np.tan(a, r0)  # tan_a
-    np.multiply(r0, r0, r1)  # tan_a_squared
-    np.add(1.0, r1, r1)  # t1
-    np.sqrt(r1, r2)  # t2
-    np.tan(b, r3)  # tan_b
-    np.multiply(r3, r3, r4)  # tan_b_squared
-    np.add(1.0, r4, r4)  # t4
-    np.multiply(r1, r4, r4)  # t5
-    np.sqrt(r4, r4)  # t6
-    np.multiply(r0, r3, r3)  # t7
-    np.divide(r3, r4, out_e_1x)  # t8
-    np.divide(r0, r4, out_e_2y)  # t9
-    np.negative(out_e_2y, out_e_1y)  # t10
-    np.divide(1.0, r2, out_e_3z)  # t11
-    np.negative(out_e_3z, out_e_1z)  # t12
+def _axes_of_four_wheels_few(a, b, out_e_1x=None, out_e_1y=None, out_e_1z=None, out_e_2y=None, out_e_3z=None, r0=None, r1=None):
+    r0 = sin(a, r0)  # sin_a
+    r1 = sin(b, r1)  # sin_b
+    out_e_1x = multiply(r0, r1, out_e_1x)  # t1
+    r1 = cos(b, r1)  # cos_b
+    out_e_2y = multiply(r1, r0, out_e_2y)  # t2
+    out_e_1y = negative(out_e_2y, out_e_1y)  # t3
+    out_e_3z = cos(a, out_e_3z)  # cos_a
+    out_e_1z = negative(out_e_3z, out_e_1z)  # t4
+    return out_e_1x, out_e_1y, out_e_1z, out_e_1x, out_e_2y, out_e_1z, out_e_1x, out_e_1y, out_e_3z, out_e_1x, out_e_2y, out_e_3z
+
+
+def _axes_of_four_wheels_block(a, b, out_e_1x=None, out_e_1y=None, out_e_1z=None, out_e_2y=None, out_e_3z=None, r0=None, r1=None, r2=None, r3=None, r4=None, n1=array(1.0)):
+    r0 = tan(a, r0)  # tan_a
+    r1 = multiply(r0, r0, r1)  # tan_a_squared
+    r1 = add(n1, r1, r1)  # t1
+    r2 = sqrt(r1, r2)  # t2
+    r3 = tan(b, r3)  # tan_b
+    r4 = multiply(r3, r3, r4)  # tan_b_squared
+    r4 = add(n1, r4, r4)  # t4
+    r4 = multiply(r1, r4, r4)  # t5
+    r4 = sqrt(r4, r4)  # t6
+    r3 = multiply(r0, r3, r3)  # t7
+    out_e_1x = divide(r3, r4, out_e_1x)  # t8
+    out_e_2y = divide(r0, r4, out_e_2y)  # t9
+    out_e_1y = negative(out_e_2y, out_e_1y)  # t10
+    out_e_3z = divide(n1, r2, out_e_3z)  # t11
+    out_e_1z = negative(out_e_3z, out_e_1z)  # t12
+    return out_e_1x, out_e_1y, out_e_1z, out_e_1x, out_e_2y, out_e_1z, out_e_1x, out_e_1y, out_e_3z, out_e_1x, out_e_2y, out_e_3z
 
 
 def axes_of_six_wheels(a, out=None):
@@ -145,42 +161,57 @@ def axes_of_six_wheels(a, out=None):
     (sha256 859001ee8022).
     """
     if out is None:
-        if type(a) is float:
-            try:
-                return _axes_of_six_wheels(a, math.cos, math.sin, 1.0 / 2.0, math.sqrt(3.0))
-            except (ValueError, ZeroDivisionError, OverflowError):
-                pass  # NumPy says whether it is infinite or no number
-        elif type(a) is np.ndarray and a.dtype is DOUBLE:
-            if a.size <= FEW:
+        try:
+            if float is type(a):
                 return _axes_of_six_wheels(a)
-            return evaluate_alike(_axes_of_six_wheels_block, 3, (0, 1, 2, 3, 1, 2, 4, 1, 0, 5, 2, 3, 5, 2, 4, 5,), (a,))
+            if ndarray is type(a) and DOUBLE is a.dtype and () != a.shape:
+                size = a.size
+                if size <= FEW:
+                    return _axes_of_six_wheels_few(a)
+                if size <= SMALL:
+                    return _axes_of_six_wheels_block(a)
+                return evaluate_alike(_axes_of_six_wheels_block, 3, (0, 1, 2, 3, 1, 2, 4, 1, 0, 5, 2, 3, 5, 2, 4, 5,), (a,))
+        except (ValueError, ZeroDivisionError, OverflowError):
+            pass  # NumPy says whether it is infinite or no number
     return evaluate(_axes_of_six_wheels_block, 3, (0, 1, 2, 3, 1, 2, 4, 1, 0, 5, 2, 3, 5, 2, 4, 5,), (a,), out)
 
 
-def _axes_of_six_wheels(a, cos=np.cos, sin=np.sin, n1_2=np.array(1.0 / 2.0), sqrt_3=np.array(math.sqrt(3.0))):
-    sin_a = sin(a)
+def _axes_of_six_wheels(a):
+    sin_a = math.sin(a)
     t1 = -sin_a
-    cos_a = cos(a)
-    t2 = n1_2 * sin_a
-    t3 = sqrt_3 * t2
+    cos_a = math.cos(a)
+    t2 = (1.0 / 2.0) * sin_a
+    t3 = math.sqrt(3.0) * t2
     t4 = -t2
     t5 = -cos_a
     return t1, cos_a, t3, t4, cos_a, t3, t2, cos_a, t1, t5, t3, t4, t5, t3, t2, t5
 
 
-def _axes_of_six_wheels_block(a, out_e_1y, out_e_1z, out_e_2x, out_e_2y, out_e_3y, out_e_4z, r0, r1, r2):
-    np.tan(a, r0)  # tan_a
-    np.multiply(r0, r0, r1)  # tan_a_squared
-    np.add(1.0, r1, r1)  # t1
-    np.sqrt(r1, r1)  # t2
-    np.divide(r0, r1, r2)  # t3
-    np.negative(r2, out_e_1y)  # t4
-    np.divide(1.0, r1, out_e_1z)  # t5
-    np.multiply(1.0 / 2.0, r0, r0)  # t6
-    np.divide(r0, r1, out_e_3y)  # t7
-    np.multiply(math.sqrt(3.0), out_e_3y, out_e_2x)  # t8
-    np.negative(out_e_3y, out_e_2y)  # t9
-    np.negative(out_e_1z, out_e_4z)  # t10
+def _axes_of_six_wheels_few(a, out_e_1y=None, out_e_1z=None, out_e_2x=None, out_e_2y=None, out_e_3y=None, out_e_4z=None, r0=None, n1_2=array(1.0 / 2.0), sqrt_3=array(math.sqrt(3.0))):
+    r0 = sin(a, r0)  # sin_a
+    out_e_1y = negative(r0, out_e_1y)  # t1
+    out_e_1z = cos(a, out_e_1z)  # cos_a
+    out_e_3y = multiply(n1_2, r0, out_e_3y)  # t2
+    out_e_2x = multiply(sqrt_3, out_e_3y, out_e_2x)  # t3
+    out_e_2y = negative(out_e_3y, out_e_2y)  # t4
+    out_e_4z = negative(out_e_1z, out_e_4z)  # t5
+    return out_e_1y, out_e_1z, out_e_2x, out_e_2y, out_e_1z, out_e_2x, out_e_3y, out_e_1z, out_e_1y, out_e_4z, out_e_2x, out_e_2y, out_e_4z, out_e_2x, out_e_3y, out_e_4z
+
+
+def _axes_of_six_wheels_block(a, out_e_1y=None, out_e_1z=None, out_e_2x=None, out_e_2y=None, out_e_3y=None, out_e_4z=None, r0=None, r1=None, r2=None, n1=array(1.0), n1_2=array(1.0 / 2.0), sqrt_3=array(math.sqrt(3.0))):
+    r0 = tan(a, r0)  # tan_a
+    r1 = multiply(r0, r0, r1)  # tan_a_squared
+    r1 = add(n1, r1, r1)  # t1
+    r1 = sqrt(r1, r1)  # t2
+    r2 = divide(r0, r1, r2)  # t3
+    out_e_1y = negative(r2, out_e_1y)  # t4
+    out_e_1z = divide(n1, r1, out_e_1z)  # t5
+    r0 = multiply(n1_2, r0, r0)  # t6
+    out_e_3y = divide(r0, r1, out_e_3y)  # t7
+    out_e_2x = multiply(sqrt_3, out_e_3y, out_e_2x)  # t8
+    out_e_2y = negative(out_e_3y, out_e_2y)  # t9
+    out_e_4z = negative(out_e_1z, out_e_4z)  # t10
+    return out_e_1y, out_e_1z, out_e_2x, out_e_2y, out_e_1z, out_e_2x, out_e_3y, out_e_1z, out_e_1y, out_e_4z, out_e_2x, out_e_2y, out_e_4z, out_e_2x, out_e_3y, out_e_4z
 
 
 def momentum_of_four_wheels(h_1, h_2, h_3, h_4, a, b, out=None):
@@ -213,50 +244,78 @@ def momentum_of_four_wheels(h_1, h_2, h_3, h_4, a, b, out=None):
     Rests on ignatov2005:2.1.2 (sha256 657ebd719ec9).
     """
     if out is None:
-        if type(h_1) is type(h_2) is type(h_3) is type(h_4) is type(a) is type(b) is float:
-            try:
-                return _momentum_of_four_wheels(h_1, h_2, h_3, h_4, a, b, math.cos, math.sin)
-            except (ValueError, ZeroDivisionError, OverflowError):
-                pass  # NumPy says whether it is infinite or no number
-        elif type(h_1) is type(h_2) is type(h_3) is type(h_4) is type(a) is type(b) is np.ndarray and h_1.dtype is h_2.dtype is h_3.dtype is h_4.dtype is a.dtype is b.dtype is DOUBLE and h_1.shape == h_2.shape == h_3.shape == h_4.shape == a.shape == b.shape:
-            if h_1.size <= FEW:
+        try:
+            if float is type(h_1) is type(h_2) is type(h_3) is type(h_4) is type(a) is type(b):
                 return _momentum_of_four_wheels(h_1, h_2, h_3, h_4, a, b)
-            return evaluate_alike(_momentum_of_four_wheels_block, 8, (0, 1, 2,), (h_1, h_2, h_3, h_4, a, b,))
+            if ndarray is type(h_1) is type(h_2) is type(h_3) is type(h_4) is type(a) is type(b) and DOUBLE is h_1.dtype is h_2.dtype is h_3.dtype is h_4.dtype is a.dtype is b.dtype and () != h_1.shape == h_2.shape == h_3.shape == h_4.shape == a.shape == b.shape:
+                size = h_1.size
+                if 0 < size <= 4:
+                    return evaluate_handful(_momentum_of_four_wheels, (h_1, h_2, h_3, h_4, a, b,))
+                if size <= FEW:
+                    return _momentum_of_four_wheels_few(h_1, h_2, h_3, h_4, a, b)
+                if size <= SMALL:
+                    return _momentum_of_four_wheels_block(h_1, h_2, h_3, h_4, a, b)
+                return evaluate_alike(_momentum_of_four_wheels_block, 8, (0, 1, 2,), (h_1, h_2, h_3, h_4, a, b,))
+        except (ValueError, ZeroDivisionError, OverflowError):
+            pass  # NumPy says whether it is infinite or no number
     return evaluate(_momentum_of_four_wheels_block, 8, (0, 1, 2,), (h_1, h_2, h_3, h_4, a, b,), out)
 
 
-def _momentum_of_four_wheels(h_1, h_2, h_3, h_4, a, b, cos=np.cos, sin=np.sin):
-    sin_a = sin(a)
+def _momentum_of_four_wheels(h_1, h_2, h_3, h_4, a, b):
+    sin_a = math.sin(a)
     t1 = h_1 + h_3
     t2 = -h_4
-    return sin(b) * (sin_a * (t1 + (h_2 + h_4))), cos(b) * (sin_a * ((h_2 - t1) - t2)), cos(a) * (((h_3 - h_1) - h_2) - t2)
+    return math.sin(b) * (sin_a * (t1 + (h_2 + h_4))), math.cos(b) * (sin_a * ((h_2 - t1) - t2)), math.cos(a) * (((h_3 - h_1) - h_2) - t2)
 
 
-def _momentum_of_four_wheels_block(h_1, h_2, h_3, h_4, a, b, out_H_x, out_H_y, out_H_z, r0, r1, r2, r3, r4, r5, r6, r7):
-    np.tan(a, r0)  # tan_a
-    np.multiply(r0, r0, r1)  # tan_a_squared
-    np.add(1.0, r1, r1)  # t1
-    np.sqrt(r1, r2)  # t2
-    np.add(h_1, h_3, r3)  # t4
-    np.negative(h_4, r4)  # t5
-    np.add(h_2, h_4, r5)  # t6
-    np.add(r3, r5, r5)  # t7
-    np.tan(b, r6)  # tan_b
-    np.multiply(r6, r6, r7)  # tan_b_squared
-    np.add(1.0, r7, r7)  # t8
-    np.multiply(r1, r7, r7)  # t9
-    np.sqrt(r7, r7)  # t10
-    np.multiply(r5, r0, r5)  # t11
-    np.multiply(r5, r6, r6)  # t12
-    np.divide(r6, r7, out_H_x)  # t13
-    np.subtract(h_2, r3, r3)  # t14
-    np.subtract(r3, r4, r3)  # t15
-    np.multiply(r3, r0, r0)  # t16
-    np.divide(r0, r7, out_H_y)  # t17
-    np.subtract(h_3, h_1, r7)  # t18
-    np.subtract(r7, h_2, r7)  # t19
-    np.subtract(r7, r4, r4)  # t20
-    np.divide(r4, r2, out_H_z)  # t21
+def _momentum_of_four_wheels_few(h_1, h_2, h_3, h_4, a, b, out_H_x=None, out_H_y=None, out_H_z=None, r0=None, r1=None, r2=None, r3=None, r4=None):
+    r0 = sin(a, r0)  # sin_a
+    r1 = add(h_1, h_3, r1)  # t1
+    r2 = negative(h_4, r2)  # t2
+    r3 = add(h_2, h_4, r3)  # t3
+    r3 = add(r1, r3, r3)  # t4
+    r4 = sin(b, r4)  # sin_b
+    r3 = multiply(r0, r3, r3)  # t5
+    out_H_x = multiply(r4, r3, out_H_x)  # t6
+    r1 = subtract(h_2, r1, r1)  # t7
+    r1 = subtract(r1, r2, r1)  # t8
+    r3 = cos(b, r3)  # cos_b
+    r1 = multiply(r0, r1, r1)  # t9
+    out_H_y = multiply(r3, r1, out_H_y)  # t10
+    r1 = subtract(h_3, h_1, r1)  # t11
+    r1 = subtract(r1, h_2, r1)  # t12
+    r2 = subtract(r1, r2, r2)  # t13
+    r1 = cos(a, r1)  # cos_a
+    out_H_z = multiply(r1, r2, out_H_z)  # t14
+    return out_H_x, out_H_y, out_H_z
+
+
+def _momentum_of_four_wheels_block(h_1, h_2, h_3, h_4, a, b, out_H_x=None, out_H_y=None, out_H_z=None, r0=None, r1=None, r2=None, r3=None, r4=None, r5=None, r6=None, r7=None, n1=array(1.0)):
+    r0 = tan(a, r0)  # tan_a
+    r1 = multiply(r0, r0, r1)  # tan_a_squared
+    r1 = add(n1, r1, r1)  # t1
+    r2 = sqrt(r1, r2)  # t2
+    r3 = add(h_1, h_3, r3)  # t4
+    r4 = negative(h_4, r4)  # t5
+    r5 = add(h_2, h_4, r5)  # t6
+    r5 = add(r3, r5, r5)  # t7
+    r6 = tan(b, r6)  # tan_b
+    r7 = multiply(r6, r6, r7)  # tan_b_squared
+    r7 = add(n1, r7, r7)  # t8
+    r7 = multiply(r1, r7, r7)  # t9
+    r7 = sqrt(r7, r7)  # t10
+    r5 = multiply(r5, r0, r5)  # t11
+    r6 = multiply(r5, r6, r6)  # t12
+    out_H_x = divide(r6, r7, out_H_x)  # t13
+    r3 = subtract(h_2, r3, r3)  # t14
+    r3 = subtract(r3, r4, r3)  # t15
+    r0 = multiply(r3, r0, r0)  # t16
+    out_H_y = divide(r0, r7, out_H_y)  # t17
+    r7 = subtract(h_3, h_1, r7)  # t18
+    r7 = subtract(r7, h_2, r7)  # t19
+    r4 = subtract(r7, r4, r4)  # t20
+    out_H_z = divide(r4, r2, out_H_z)  # t21
+    return out_H_x, out_H_y, out_H_z
 
 
 def momentum_of_three_wheels(h_1, h_2, h_3, a, b, out=None):
@@ -288,45 +347,69 @@ def momentum_of_three_wheels(h_1, h_2, h_3, a, b, out=None):
     Rests on ignatov2005:2.2.1 (sha256 236d541ef553).
     """
     if out is None:
-        if type(h_1) is type(h_2) is type(h_3) is type(a) is type(b) is float:
-            try:
-                return _momentum_of_three_wheels(h_1, h_2, h_3, a, b, math.cos, math.sin)
-            except (ValueError, ZeroDivisionError, OverflowError):
-                pass  # NumPy says whether it is infinite or no number
-        elif type(h_1) is type(h_2) is type(h_3) is type(a) is type(b) is np.ndarray and h_1.dtype is h_2.dtype is h_3.dtype is a.dtype is b.dtype is DOUBLE and h_1.shape == h_2.shape == h_3.shape == a.shape == b.shape:
-            if h_1.size <= FEW:
+        try:
+            if float is type(h_1) is type(h_2) is type(h_3) is type(a) is type(b):
                 return _momentum_of_three_wheels(h_1, h_2, h_3, a, b)
-            return evaluate_alike(_momentum_of_three_wheels_block, 7, (0, 1, 2,), (h_1, h_2, h_3, a, b,))
+            if ndarray is type(h_1) is type(h_2) is type(h_3) is type(a) is type(b) and DOUBLE is h_1.dtype is h_2.dtype is h_3.dtype is a.dtype is b.dtype and () != h_1.shape == h_2.shape == h_3.shape == a.shape == b.shape:
+                size = h_1.size
+                if 0 < size <= 2:
+                    return evaluate_handful(_momentum_of_three_wheels, (h_1, h_2, h_3, a, b,))
+                if size <= FEW:
+                    return _momentum_of_three_wheels_few(h_1, h_2, h_3, a, b)
+                if size <= SMALL:
+                    return _momentum_of_three_wheels_block(h_1, h_2, h_3, a, b)
+                return evaluate_alike(_momentum_of_three_wheels_block, 7, (0, 1, 2,), (h_1, h_2, h_3, a, b,))
+        except (ValueError, ZeroDivisionError, OverflowError):
+            pass  # NumPy says whether it is infinite or no number
     return evaluate(_momentum_of_three_wheels_block, 7, (0, 1, 2,), (h_1, h_2, h_3, a, b,), out)
 
 
-def _momentum_of_three_wheels(h_1, h_2, h_3, a, b, cos=np.cos, sin=np.sin):
-    sin_a = sin(a)
+def _momentum_of_three_wheels(h_1, h_2, h_3, a, b):
+    sin_a = math.sin(a)
     t1 = h_1 + h_3
-    return sin(b) * (sin_a * (h_2 + t1)), cos(b) * (sin_a * (h_2 - t1)), cos(a) * ((h_3 - h_1) - h_2)
+    return math.sin(b) * (sin_a * (h_2 + t1)), math.cos(b) * (sin_a * (h_2 - t1)), math.cos(a) * ((h_3 - h_1) - h_2)
 
 
-def _momentum_of_three_wheels_block(h_1, h_2, h_3, a, b, out_H_x, out_H_y, out_H_z, r0, r1, r2, r3, r4, r5, r6):
-    np.tan(a, r0)  # tan_a
-    np.multiply(r0, r0, r1)  # tan_a_squared
-    np.add(1.0, r1, r1)  # t1
-    np.sqrt(r1, r2)  # t2
-    np.add(h_1, h_3, r3)  # t4
-    np.add(h_2, r3, r4)  # t5
-    np.tan(b, r5)  # tan_b
-    np.multiply(r5, r5, r6)  # tan_b_squared
-    np.add(1.0, r6, r6)  # t6
-    np.multiply(r1, r6, r6)  # t7
-    np.sqrt(r6, r6)  # t8
-    np.multiply(r4, r0, r4)  # t9
-    np.multiply(r4, r5, r5)  # t10
-    np.divide(r5, r6, out_H_x)  # t11
-    np.subtract(h_2, r3, r3)  # t12
-    np.multiply(r3, r0, r0)  # t13
-    np.divide(r0, r6, out_H_y)  # t14
-    np.subtract(h_3, h_1, r6)  # t15
-    np.subtract(r6, h_2, r6)  # t16
-    np.divide(r6, r2, out_H_z)  # t17
+def _momentum_of_three_wheels_few(h_1, h_2, h_3, a, b, out_H_x=None, out_H_y=None, out_H_z=None, r0=None, r1=None, r2=None, r3=None):
+    r0 = sin(a, r0)  # sin_a
+    r1 = add(h_1, h_3, r1)  # t1
+    r2 = add(h_2, r1, r2)  # t2
+    r3 = sin(b, r3)  # sin_b
+    r2 = multiply(r0, r2, r2)  # t3
+    out_H_x = multiply(r3, r2, out_H_x)  # t4
+    r1 = subtract(h_2, r1, r1)  # t5
+    r2 = cos(b, r2)  # cos_b
+    r1 = multiply(r0, r1, r1)  # t6
+    out_H_y = multiply(r2, r1, out_H_y)  # t7
+    r1 = subtract(h_3, h_1, r1)  # t8
+    r1 = subtract(r1, h_2, r1)  # t9
+    r2 = cos(a, r2)  # cos_a
+    out_H_z = multiply(r2, r1, out_H_z)  # t10
+    return out_H_x, out_H_y, out_H_z
+
+
+def _momentum_of_three_wheels_block(h_1, h_2, h_3, a, b, out_H_x=None, out_H_y=None, out_H_z=None, r0=None, r1=None, r2=None, r3=None, r4=None, r5=None, r6=None, n1=array(1.0)):
+    r0 = tan(a, r0)  # tan_a
+    r1 = multiply(r0, r0, r1)  # tan_a_squared
+    r1 = add(n1, r1, r1)  # t1
+    r2 = sqrt(r1, r2)  # t2
+    r3 = add(h_1, h_3, r3)  # t4
+    r4 = add(h_2, r3, r4)  # t5
+    r5 = tan(b, r5)  # tan_b
+    r6 = multiply(r5, r5, r6)  # tan_b_squared
+    r6 = add(n1, r6, r6)  # t6
+    r6 = multiply(r1, r6, r6)  # t7
+    r6 = sqrt(r6, r6)  # t8
+    r4 = multiply(r4, r0, r4)  # t9
+    r5 = multiply(r4, r5, r5)  # t10
+    out_H_x = divide(r5, r6, out_H_x)  # t11
+    r3 = subtract(h_2, r3, r3)  # t12
+    r0 = multiply(r3, r0, r0)  # t13
+    out_H_y = divide(r0, r6, out_H_y)  # t14
+    r6 = subtract(h_3, h_1, r6)  # t15
+    r6 = subtract(r6, h_2, r6)  # t16
+    out_H_z = divide(r6, r2, out_H_z)  # t17
+    return out_H_x, out_H_y, out_H_z
 
 
 def momentum_of_six_wheels(h_1, h_2, h_3, h_4, h_5, h_6, a, out=None):
@@ -360,51 +443,83 @@ def momentum_of_six_wheels(h_1, h_2, h_3, h_4, h_5, h_6, a, out=None):
     Rests on ignatov2005:3.1.2 (sha256 c4e14026f27d).
     """
     if out is None:
-        if type(h_1) is type(h_2) is type(h_3) is type(h_4) is type(h_5) is type(h_6) is type(a) is float:
-            try:
-                return _momentum_of_six_wheels(h_1, h_2, h_3, h_4, h_5, h_6, a, math.cos, math.sin, 1.0 / 2.0, math.sqrt(3.0), 2.0)
-            except (ValueError, ZeroDivisionError, OverflowError):
-                pass  # NumPy says whether it is infinite or no number
-        elif type(h_1) is type(h_2) is type(h_3) is type(h_4) is type(h_5) is type(h_6) is type(a) is np.ndarray and h_1.dtype is h_2.dtype is h_3.dtype is h_4.dtype is h_5.dtype is h_6.dtype is a.dtype is DOUBLE and h_1.shape == h_2.shape == h_3.shape == h_4.shape == h_5.shape == h_6.shape == a.shape:
-            if h_1.size <= FEW:
+        try:
+            if float is type(h_1) is type(h_2) is type(h_3) is type(h_4) is type(h_5) is type(h_6) is type(a):
                 return _momentum_of_six_wheels(h_1, h_2, h_3, h_4, h_5, h_6, a)
-            return evaluate_alike(_momentum_of_six_wheels_block, 6, (0, 1, 2,), (h_1, h_2, h_3, h_4, h_5, h_6, a,))
+            if ndarray is type(h_1) is type(h_2) is type(h_3) is type(h_4) is type(h_5) is type(h_6) is type(a) and DOUBLE is h_1.dtype is h_2.dtype is h_3.dtype is h_4.dtype is h_5.dtype is h_6.dtype is a.dtype and () != h_1.shape == h_2.shape == h_3.shape == h_4.shape == h_5.shape == h_6.shape == a.shape:
+                size = h_1.size
+                if 0 < size <= 5:
+                    return evaluate_handful(_momentum_of_six_wheels, (h_1, h_2, h_3, h_4, h_5, h_6, a,))
+                if size <= FEW:
+                    return _momentum_of_six_wheels_few(h_1, h_2, h_3, h_4, h_5, h_6, a)
+                if size <= SMALL:
+                    return _momentum_of_six_wheels_block(h_1, h_2, h_3, h_4, h_5, h_6, a)
+                return evaluate_alike(_momentum_of_six_wheels_block, 6, (0, 1, 2,), (h_1, h_2, h_3, h_4, h_5, h_6, a,))
+        except (ValueError, ZeroDivisionError, OverflowError):
+            pass  # NumPy says whether it is infinite or no number
     return evaluate(_momentum_of_six_wheels_block, 6, (0, 1, 2,), (h_1, h_2, h_3, h_4, h_5, h_6, a,), out)
 
 
-def _momentum_of_six_wheels(h_1, h_2, h_3, h_4, h_5, h_6, a, cos=np.cos, sin=np.sin, n1_2=np.array(1.0 / 2.0), sqrt_3=np.array(math.sqrt(3.0)), n2=np.array(2.0)):
+def _momentum_of_six_wheels(h_1, h_2, h_3, h_4, h_5, h_6, a):
     t1 = h_2 + h_5
-    t2 = n1_2 * sin(a)
+    t2 = (1.0 / 2.0) * math.sin(a)
     t3 = -h_6
-    return (t1 + (h_3 + h_6)) * (sqrt_3 * t2), ((((h_3 - (n2 * h_1)) - (n2 * h_4)) - t1) - t3) * t2, cos(a) * ((((h_3 + (h_1 + h_2)) + t3) - h_4) - h_5)
+    return (t1 + (h_3 + h_6)) * (math.sqrt(3.0) * t2), ((((h_3 - (2.0 * h_1)) - (2.0 * h_4)) - t1) - t3) * t2, math.cos(a) * ((((h_3 + (h_1 + h_2)) + t3) - h_4) - h_5)
 
 
-def _momentum_of_six_wheels_block(h_1, h_2, h_3, h_4, h_5, h_6, a, out_H_x, out_H_y, out_H_z, r0, r1, r2, r3, r4, r5):
-    np.add(h_2, h_5, r0)  # t1
-    np.tan(a, r1)  # tan_a
-    np.multiply(r1, r1, r2)  # tan_a_squared
-    np.add(1.0, r2, r2)  # t2
-    np.sqrt(r2, r2)  # t3
-    np.multiply(1.0 / 2.0, r1, r1)  # t4
-    np.divide(r1, r2, r1)  # t5
-    np.negative(h_6, r3)  # t6
-    np.add(h_3, h_6, r4)  # t7
-    np.add(r0, r4, r4)  # t8
-    np.multiply(math.sqrt(3.0), r1, r5)  # t9
-    np.multiply(r4, r5, out_H_x)  # t10
-    np.multiply(2.0, h_1, r5)  # t11
-    np.multiply(2.0, h_4, r4)  # t12
-    np.subtract(h_3, r5, r5)  # t13
-    np.subtract(r5, r4, r4)  # t14
-    np.subtract(r4, r0, r0)  # t15
-    np.subtract(r0, r3, r0)  # t16
-    np.multiply(r0, r1, out_H_y)  # t17
-    np.add(h_1, h_2, r1)  # t18
-    np.add(h_3, r1, r1)  # t19
-    np.add(r1, r3, r3)  # t20
-    np.subtract(r3, h_4, r3)  # t21
-    np.subtract(r3, h_5, r3)  # t22
-    np.divide(r3, r2, out_H_z)  # t23
+def _momentum_of_six_wheels_few(h_1, h_2, h_3, h_4, h_5, h_6, a, out_H_x=None, out_H_y=None, out_H_z=None, r0=None, r1=None, r2=None, r3=None, r4=None, n1_2=array(1.0 / 2.0), sqrt_3=array(math.sqrt(3.0)), n2=array(2.0)):
+    r0 = add(h_2, h_5, r0)  # t1
+    r1 = sin(a, r1)  # sin_a
+    r1 = multiply(n1_2, r1, r1)  # t2
+    r2 = negative(h_6, r2)  # t3
+    r3 = add(h_3, h_6, r3)  # t4
+    r3 = add(r0, r3, r3)  # t5
+    r4 = multiply(sqrt_3, r1, r4)  # t6
+    out_H_x = multiply(r3, r4, out_H_x)  # t7
+    r4 = multiply(n2, h_1, r4)  # t8
+    r3 = multiply(n2, h_4, r3)  # t9
+    r4 = subtract(h_3, r4, r4)  # t10
+    r3 = subtract(r4, r3, r3)  # t11
+    r0 = subtract(r3, r0, r0)  # t12
+    r0 = subtract(r0, r2, r0)  # t13
+    out_H_y = multiply(r0, r1, out_H_y)  # t14
+    r1 = add(h_1, h_2, r1)  # t15
+    r1 = add(h_3, r1, r1)  # t16
+    r2 = add(r1, r2, r2)  # t17
+    r2 = subtract(r2, h_4, r2)  # t18
+    r2 = subtract(r2, h_5, r2)  # t19
+    r1 = cos(a, r1)  # cos_a
+    out_H_z = multiply(r1, r2, out_H_z)  # t20
+    return out_H_x, out_H_y, out_H_z
+
+
+def _momentum_of_six_wheels_block(h_1, h_2, h_3, h_4, h_5, h_6, a, out_H_x=None, out_H_y=None, out_H_z=None, r0=None, r1=None, r2=None, r3=None, r4=None, r5=None, n1=array(1.0), n1_2=array(1.0 / 2.0), sqrt_3=array(math.sqrt(3.0)), n2=array(2.0)):
+    r0 = add(h_2, h_5, r0)  # t1
+    r1 = tan(a, r1)  # tan_a
+    r2 = multiply(r1, r1, r2)  # tan_a_squared
+    r2 = add(n1, r2, r2)  # t2
+    r2 = sqrt(r2, r2)  # t3
+    r1 = multiply(n1_2, r1, r1)  # t4
+    r1 = divide(r1, r2, r1)  # t5
+    r3 = negative(h_6, r3)  # t6
+    r4 = add(h_3, h_6, r4)  # t7
+    r4 = add(r0, r4, r4)  # t8
+    r5 = multiply(sqrt_3, r1, r5)  # t9
+    out_H_x = multiply(r4, r5, out_H_x)  # t10
+    r5 = multiply(n2, h_1, r5)  # t11
+    r4 = multiply(n2, h_4, r4)  # t12
+    r5 = subtract(h_3, r5, r5)  # t13
+    r4 = subtract(r5, r4, r4)  # t14
+    r0 = subtract(r4, r0, r0)  # t15
+    r0 = subtract(r0, r3, r0)  # t16
+    out_H_y = multiply(r0, r1, out_H_y)  # t17
+    r1 = add(h_1, h_2, r1)  # t18
+    r1 = add(h_3, r1, r1)  # t19
+    r3 = add(r1, r3, r3)  # t20
+    r3 = subtract(r3, h_4, r3)  # t21
+    r3 = subtract(r3, h_5, r3)  # t22
+    out_H_z = divide(r3, r2, out_H_z)  # t23
+    return out_H_x, out_H_y, out_H_z
 
 
 def momentum_of_five_wheels(h_1, h_2, h_3, h_4, h_5, a, out=None):
@@ -437,46 +552,74 @@ def momentum_of_five_wheels(h_1, h_2, h_3, h_4, h_5, a, out=None):
     Rests on ignatov2005:3.2.1 (sha256 627cc0ca9e03).
     """
     if out is None:
-        if type(h_1) is type(h_2) is type(h_3) is type(h_4) is type(h_5) is type(a) is float:
-            try:
-                return _momentum_of_five_wheels(h_1, h_2, h_3, h_4, h_5, a, math.cos, math.sin, 1.0 / 2.0, math.sqrt(3.0), 2.0)
-            except (ValueError, ZeroDivisionError, OverflowError):
-                pass  # NumPy says whether it is infinite or no number
-        elif type(h_1) is type(h_2) is type(h_3) is type(h_4) is type(h_5) is type(a) is np.ndarray and h_1.dtype is h_2.dtype is h_3.dtype is h_4.dtype is h_5.dtype is a.dtype is DOUBLE and h_1.shape == h_2.shape == h_3.shape == h_4.shape == h_5.shape == a.shape:
-            if h_1.size <= FEW:
+        try:
+            if float is type(h_1) is type(h_2) is type(h_3) is type(h_4) is type(h_5) is type(a):
                 return _momentum_of_five_wheels(h_1, h_2, h_3, h_4, h_5, a)
-            return evaluate_alike(_momentum_of_five_wheels_block, 5, (0, 1, 2,), (h_1, h_2, h_3, h_4, h_5, a,))
+            if ndarray is type(h_1) is type(h_2) is type(h_3) is type(h_4) is type(h_5) is type(a) and DOUBLE is h_1.dtype is h_2.dtype is h_3.dtype is h_4.dtype is h_5.dtype is a.dtype and () != h_1.shape == h_2.shape == h_3.shape == h_4.shape == h_5.shape == a.shape:
+                size = h_1.size
+                if 0 < size <= 4:
+                    return evaluate_handful(_momentum_of_five_wheels, (h_1, h_2, h_3, h_4, h_5, a,))
+                if size <= FEW:
+                    return _momentum_of_five_wheels_few(h_1, h_2, h_3, h_4, h_5, a)
+                if size <= SMALL:
+                    return _momentum_of_five_wheels_block(h_1, h_2, h_3, h_4, h_5, a)
+                return evaluate_alike(_momentum_of_five_wheels_block, 5, (0, 1, 2,), (h_1, h_2, h_3, h_4, h_5, a,))
+        except (ValueError, ZeroDivisionError, OverflowError):
+            pass  # NumPy says whether it is infinite or no number
     return evaluate(_momentum_of_five_wheels_block, 5, (0, 1, 2,), (h_1, h_2, h_3, h_4, h_5, a,), out)
 
 
-def _momentum_of_five_wheels(h_1, h_2, h_3, h_4, h_5, a, cos=np.cos, sin=np.sin, n1_2=np.array(1.0 / 2.0), sqrt_3=np.array(math.sqrt(3.0)), n2=np.array(2.0)):
+def _momentum_of_five_wheels(h_1, h_2, h_3, h_4, h_5, a):
     t1 = h_2 + h_5
-    t2 = n1_2 * sin(a)
-    return (h_3 + t1) * (sqrt_3 * t2), (((h_3 - (n2 * h_1)) - (n2 * h_4)) - t1) * t2, cos(a) * (((h_3 + (h_1 + h_2)) - h_4) - h_5)
+    t2 = (1.0 / 2.0) * math.sin(a)
+    return (h_3 + t1) * (math.sqrt(3.0) * t2), (((h_3 - (2.0 * h_1)) - (2.0 * h_4)) - t1) * t2, math.cos(a) * (((h_3 + (h_1 + h_2)) - h_4) - h_5)
 
 
-def _momentum_of_five_wheels_block(h_1, h_2, h_3, h_4, h_5, a, out_H_x, out_H_y, out_H_z, r0, r1, r2, r3, r4):
-    np.add(h_2, h_5, r0)  # t1
-    np.tan(a, r1)  # tan_a
-    np.multiply(r1, r1, r2)  # tan_a_squared
-    np.add(1.0, r2, r2)  # t2
-    np.sqrt(r2, r2)  # t3
-    np.multiply(1.0 / 2.0, r1, r1)  # t4
-    np.divide(r1, r2, r1)  # t5
-    np.add(h_3, r0, r3)  # t6
-    np.multiply(math.sqrt(3.0), r1, r4)  # t7
-    np.multiply(r3, r4, out_H_x)  # t8
-    np.multiply(2.0, h_1, r4)  # t9
-    np.multiply(2.0, h_4, r3)  # t10
-    np.subtract(h_3, r4, r4)  # t11
-    np.subtract(r4, r3, r3)  # t12
-    np.subtract(r3, r0, r0)  # t13
-    np.multiply(r0, r1, out_H_y)  # t14
-    np.add(h_1, h_2, r1)  # t15
-    np.add(h_3, r1, r1)  # t16
-    np.subtract(r1, h_4, r1)  # t17
-    np.subtract(r1, h_5, r1)  # t18
-    np.divide(r1, r2, out_H_z)  # t19
+def _momentum_of_five_wheels_few(h_1, h_2, h_3, h_4, h_5, a, out_H_x=None, out_H_y=None, out_H_z=None, r0=None, r1=None, r2=None, r3=None, n1_2=array(1.0 / 2.0), sqrt_3=array(math.sqrt(3.0)), n2=array(2.0)):
+    r0 = add(h_2, h_5, r0)  # t1
+    r1 = sin(a, r1)  # sin_a
+    r1 = multiply(n1_2, r1, r1)  # t2
+    r2 = add(h_3, r0, r2)  # t3
+    r3 = multiply(sqrt_3, r1, r3)  # t4
+    out_H_x = multiply(r2, r3, out_H_x)  # t5
+    r3 = multiply(n2, h_1, r3)  # t6
+    r2 = multiply(n2, h_4, r2)  # t7
+    r3 = subtract(h_3, r3, r3)  # t8
+    r2 = subtract(r3, r2, r2)  # t9
+    r0 = subtract(r2, r0, r0)  # t10
+    out_H_y = multiply(r0, r1, out_H_y)  # t11
+    r1 = add(h_1, h_2, r1)  # t12
+    r1 = add(h_3, r1, r1)  # t13
+    r1 = subtract(r1, h_4, r1)  # t14
+    r1 = subtract(r1, h_5, r1)  # t15
+    r0 = cos(a, r0)  # cos_a
+    out_H_z = multiply(r0, r1, out_H_z)  # t16
+    return out_H_x, out_H_y, out_H_z
+
+
+def _momentum_of_five_wheels_block(h_1, h_2, h_3, h_4, h_5, a, out_H_x=None, out_H_y=None, out_H_z=None, r0=None, r1=None, r2=None, r3=None, r4=None, n1=array(1.0), n1_2=array(1.0 / 2.0), sqrt_3=array(math.sqrt(3.0)), n2=array(2.0)):
+    r0 = add(h_2, h_5, r0)  # t1
+    r1 = tan(a, r1)  # tan_a
+    r2 = multiply(r1, r1, r2)  # tan_a_squared
+    r2 = add(n1, r2, r2)  # t2
+    r2 = sqrt(r2, r2)  # t3
+    r1 = multiply(n1_2, r1, r1)  # t4
+    r1 = divide(r1, r2, r1)  # t5
+    r3 = add(h_3, r0, r3)  # t6
+    r4 = multiply(sqrt_3, r1, r4)  # t7
+    out_H_x = multiply(r3, r4, out_H_x)  # t8
+    r4 = multiply(n2, h_1, r4)  # t9
+    r3 = multiply(n2, h_4, r3)  # t10
+    r4 = subtract(h_3, r4, r4)  # t11
+    r3 = subtract(r4, r3, r3)  # t12
+    r0 = subtract(r3, r0, r0)  # t13
+    out_H_y = multiply(r0, r1, out_H_y)  # t14
+    r1 = add(h_1, h_2, r1)  # t15
+    r1 = add(h_3, r1, r1)  # t16
+    r1 = subtract(r1, h_4, r1)  # t17
+    r1 = subtract(r1, h_5, r1)  # t18
+    out_H_z = divide(r1, r2, out_H_z)  # t19
+    return out_H_x, out_H_y, out_H_z
 
 
 def rates_of_four_wheels(h_1, h_2, h_3, h_4, a, b, J_x, J_y, J_z, out=None):
@@ -512,56 +655,90 @@ def rates_of_four_wheels(h_1, h_2, h_3, h_4, a, b, J_x, J_y, J_z, out=None):
     Rests on ignatov2005:2.1.2 (sha256 657ebd719ec9), ignatov2005:2.3 (sha256 233596362da2).
     """
     if out is None:
-        if type(h_1) is type(h_2) is type(h_3) is type(h_4) is type(a) is type(b) is type(J_x) is type(J_y) is type(J_z) is float:
-            try:
-                return _rates_of_four_wheels(h_1, h_2, h_3, h_4, a, b, J_x, J_y, J_z, math.cos, math.sin)
-            except (ValueError, ZeroDivisionError, OverflowError):
-                pass  # NumPy says whether it is infinite or no number
-        elif type(h_1) is type(h_2) is type(h_3) is type(h_4) is type(a) is type(b) is type(J_x) is type(J_y) is type(J_z) is np.ndarray and h_1.dtype is h_2.dtype is h_3.dtype is h_4.dtype is a.dtype is b.dtype is J_x.dtype is J_y.dtype is J_z.dtype is DOUBLE and h_1.shape == h_2.shape == h_3.shape == h_4.shape == a.shape == b.shape == J_x.shape == J_y.shape == J_z.shape:
-            if h_1.size <= FEW:
+        try:
+            if float is type(h_1) is type(h_2) is type(h_3) is type(h_4) is type(a) is type(b) is type(J_x) is type(J_y) is type(J_z):
                 return _rates_of_four_wheels(h_1, h_2, h_3, h_4, a, b, J_x, J_y, J_z)
-            return evaluate_alike(_rates_of_four_wheels_block, 8, (0, 1, 2,), (h_1, h_2, h_3, h_4, a, b, J_x, J_y, J_z,))
+            if ndarray is type(h_1) is type(h_2) is type(h_3) is type(h_4) is type(a) is type(b) is type(J_x) is type(J_y) is type(J_z) and DOUBLE is h_1.dtype is h_2.dtype is h_3.dtype is h_4.dtype is a.dtype is b.dtype is J_x.dtype is J_y.dtype is J_z.dtype and () != h_1.shape == h_2.shape == h_3.shape == h_4.shape == a.shape == b.shape == J_x.shape == J_y.shape == J_z.shape:
+                size = h_1.size
+                if 0 < size <= 6:
+                    return evaluate_handful(_rates_of_four_wheels, (h_1, h_2, h_3, h_4, a, b, J_x, J_y, J_z,))
+                if size <= FEW:
+                    return _rates_of_four_wheels_few(h_1, h_2, h_3, h_4, a, b, J_x, J_y, J_z)
+                if size <= SMALL:
+                    return _rates_of_four_wheels_block(h_1, h_2, h_3, h_4, a, b, J_x, J_y, J_z)
+                return evaluate_alike(_rates_of_four_wheels_block, 8, (0, 1, 2,), (h_1, h_2, h_3, h_4, a, b, J_x, J_y, J_z,))
+        except (ValueError, ZeroDivisionError, OverflowError):
+            pass  # NumPy says whether it is infinite or no number
     return evaluate(_rates_of_four_wheels_block, 8, (0, 1, 2,), (h_1, h_2, h_3, h_4, a, b, J_x, J_y, J_z,), out)
 
 
-def _rates_of_four_wheels(h_1, h_2, h_3, h_4, a, b, J_x, J_y, J_z, cos=np.cos, sin=np.sin):
-    sin_a = sin(a)
+def _rates_of_four_wheels(h_1, h_2, h_3, h_4, a, b, J_x, J_y, J_z):
+    sin_a = math.sin(a)
     t1 = h_1 + h_3
     t2 = -h_4
-    return -((sin(b) * (sin_a * (t1 + (h_2 + h_4)))) / J_x), -((cos(b) * (sin_a * ((h_2 - t1) - t2))) / J_y), -((cos(a) * (((h_3 - h_1) - h_2) - t2)) / J_z)
+    return -((math.sin(b) * (sin_a * (t1 + (h_2 + h_4)))) / J_x), -((math.cos(b) * (sin_a * ((h_2 - t1) - t2))) / J_y), -((math.cos(a) * (((h_3 - h_1) - h_2) - t2)) / J_z)
 
 
-def _rates_of_four_wheels_block(h_1, h_2, h_3, h_4, a, b, J_x, J_y, J_z, out_w_x, out_w_y, out_w_z, r0, r1, r2, r3, r4, r5, r6, r7):
-    np.tan(a, r0)  # tan_a
-    np.multiply(r0, r0, r1)  # tan_a_squared
-    np.add(1.0, r1, r1)  # t1
-    np.sqrt(r1, r2)  # t2
-    np.add(h_1, h_3, r3)  # t4
-    np.negative(h_4, r4)  # t5
-    np.add(h_2, h_4, r5)  # t6
-    np.add(r3, r5, r5)  # t7
-    np.tan(b, r6)  # tan_b
-    np.multiply(r6, r6, r7)  # tan_b_squared
-    np.add(1.0, r7, r7)  # t8
-    np.multiply(r1, r7, r7)  # t9
-    np.sqrt(r7, r7)  # t10
-    np.multiply(r5, r0, r5)  # t11
-    np.multiply(r5, r6, r6)  # t12
-    np.multiply(J_x, r7, r5)  # t13
-    np.divide(r6, r5, r5)  # t14
-    np.negative(r5, out_w_x)  # t15
-    np.subtract(h_2, r3, r3)  # t16
-    np.subtract(r3, r4, r3)  # t17
-    np.multiply(r3, r0, r0)  # t18
-    np.multiply(J_y, r7, r7)  # t19
-    np.divide(r0, r7, r7)  # t20
-    np.negative(r7, out_w_y)  # t21
-    np.subtract(h_3, h_1, r7)  # t22
-    np.subtract(r7, h_2, r7)  # t23
-    np.subtract(r7, r4, r4)  # t24
-    np.multiply(J_z, r2, r2)  # t25
-    np.divide(r4, r2, r2)  # t26
-    np.negative(r2, out_w_z)  # t27
+def _rates_of_four_wheels_few(h_1, h_2, h_3, h_4, a, b, J_x, J_y, J_z, out_w_x=None, out_w_y=None, out_w_z=None, r0=None, r1=None, r2=None, r3=None, r4=None):
+    r0 = sin(a, r0)  # sin_a
+    r1 = add(h_1, h_3, r1)  # t1
+    r2 = negative(h_4, r2)  # t2
+    r3 = add(h_2, h_4, r3)  # t3
+    r3 = add(r1, r3, r3)  # t4
+    r4 = sin(b, r4)  # sin_b
+    r3 = multiply(r0, r3, r3)  # t5
+    r3 = multiply(r4, r3, r3)  # t6
+    r3 = divide(r3, J_x, r3)  # t7
+    out_w_x = negative(r3, out_w_x)  # t8
+    r1 = subtract(h_2, r1, r1)  # t9
+    r1 = subtract(r1, r2, r1)  # t10
+    r3 = cos(b, r3)  # cos_b
+    r1 = multiply(r0, r1, r1)  # t11
+    r1 = multiply(r3, r1, r1)  # t12
+    r1 = divide(r1, J_y, r1)  # t13
+    out_w_y = negative(r1, out_w_y)  # t14
+    r1 = subtract(h_3, h_1, r1)  # t15
+    r1 = subtract(r1, h_2, r1)  # t16
+    r2 = subtract(r1, r2, r2)  # t17
+    r1 = cos(a, r1)  # cos_a
+    r2 = multiply(r1, r2, r2)  # t18
+    r2 = divide(r2, J_z, r2)  # t19
+    out_w_z = negative(r2, out_w_z)  # t20
+    return out_w_x, out_w_y, out_w_z
+
+
+def _rates_of_four_wheels_block(h_1, h_2, h_3, h_4, a, b, J_x, J_y, J_z, out_w_x=None, out_w_y=None, out_w_z=None, r0=None, r1=None, r2=None, r3=None, r4=None, r5=None, r6=None, r7=None, n1=array(1.0)):
+    r0 = tan(a, r0)  # tan_a
+    r1 = multiply(r0, r0, r1)  # tan_a_squared
+    r1 = add(n1, r1, r1)  # t1
+    r2 = sqrt(r1, r2)  # t2
+    r3 = add(h_1, h_3, r3)  # t4
+    r4 = negative(h_4, r4)  # t5
+    r5 = add(h_2, h_4, r5)  # t6
+    r5 = add(r3, r5, r5)  # t7
+    r6 = tan(b, r6)  # tan_b
+    r7 = multiply(r6, r6, r7)  # tan_b_squared
+    r7 = add(n1, r7, r7)  # t8
+    r7 = multiply(r1, r7, r7)  # t9
+    r7 = sqrt(r7, r7)  # t10
+    r5 = multiply(r5, r0, r5)  # t11
+    r6 = multiply(r5, r6, r6)  # t12
+    r5 = multiply(J_x, r7, r5)  # t13
+    r5 = divide(r6, r5, r5)  # t14
+    out_w_x = negative(r5, out_w_x)  # t15
+    r3 = subtract(h_2, r3, r3)  # t16
+    r3 = subtract(r3, r4, r3)  # t17
+    r0 = multiply(r3, r0, r0)  # t18
+    r7 = multiply(J_y, r7, r7)  # t19
+    r7 = divide(r0, r7, r7)  # t20
+    out_w_y = negative(r7, out_w_y)  # t21
+    r7 = subtract(h_3, h_1, r7)  # t22
+    r7 = subtract(r7, h_2, r7)  # t23
+    r4 = subtract(r7, r4, r4)  # t24
+    r2 = multiply(J_z, r2, r2)  # t25
+    r2 = divide(r4, r2, r2)  # t26
+    out_w_z = negative(r2, out_w_z)  # t27
+    return out_w_x, out_w_y, out_w_z
 
 
 def rates_of_three_wheels(h_1, h_2, h_3, a, b, J_x, J_y, J_z, out=None):
@@ -596,51 +773,81 @@ def rates_of_three_wheels(h_1, h_2, h_3, a, b, J_x, J_y, J_z, out=None):
     Rests on ignatov2005:2.2.1 (sha256 236d541ef553), ignatov2005:2.3 (sha256 233596362da2).
     """
     if out is None:
-        if type(h_1) is type(h_2) is type(h_3) is type(a) is type(b) is type(J_x) is type(J_y) is type(J_z) is float:
-            try:
-                return _rates_of_three_wheels(h_1, h_2, h_3, a, b, J_x, J_y, J_z, math.cos, math.sin)
-            except (ValueError, ZeroDivisionError, OverflowError):
-                pass  # NumPy says whether it is infinite or no number
-        elif type(h_1) is type(h_2) is type(h_3) is type(a) is type(b) is type(J_x) is type(J_y) is type(J_z) is np.ndarray and h_1.dtype is h_2.dtype is h_3.dtype is a.dtype is b.dtype is J_x.dtype is J_y.dtype is J_z.dtype is DOUBLE and h_1.shape == h_2.shape == h_3.shape == a.shape == b.shape == J_x.shape == J_y.shape == J_z.shape:
-            if h_1.size <= FEW:
+        try:
+            if float is type(h_1) is type(h_2) is type(h_3) is type(a) is type(b) is type(J_x) is type(J_y) is type(J_z):
                 return _rates_of_three_wheels(h_1, h_2, h_3, a, b, J_x, J_y, J_z)
-            return evaluate_alike(_rates_of_three_wheels_block, 7, (0, 1, 2,), (h_1, h_2, h_3, a, b, J_x, J_y, J_z,))
+            if ndarray is type(h_1) is type(h_2) is type(h_3) is type(a) is type(b) is type(J_x) is type(J_y) is type(J_z) and DOUBLE is h_1.dtype is h_2.dtype is h_3.dtype is a.dtype is b.dtype is J_x.dtype is J_y.dtype is J_z.dtype and () != h_1.shape == h_2.shape == h_3.shape == a.shape == b.shape == J_x.shape == J_y.shape == J_z.shape:
+                size = h_1.size
+                if 0 < size <= 4:
+                    return evaluate_handful(_rates_of_three_wheels, (h_1, h_2, h_3, a, b, J_x, J_y, J_z,))
+                if size <= FEW:
+                    return _rates_of_three_wheels_few(h_1, h_2, h_3, a, b, J_x, J_y, J_z)
+                if size <= SMALL:
+                    return _rates_of_three_wheels_block(h_1, h_2, h_3, a, b, J_x, J_y, J_z)
+                return evaluate_alike(_rates_of_three_wheels_block, 7, (0, 1, 2,), (h_1, h_2, h_3, a, b, J_x, J_y, J_z,))
+        except (ValueError, ZeroDivisionError, OverflowError):
+            pass  # NumPy says whether it is infinite or no number
     return evaluate(_rates_of_three_wheels_block, 7, (0, 1, 2,), (h_1, h_2, h_3, a, b, J_x, J_y, J_z,), out)
 
 
-def _rates_of_three_wheels(h_1, h_2, h_3, a, b, J_x, J_y, J_z, cos=np.cos, sin=np.sin):
-    sin_a = sin(a)
+def _rates_of_three_wheels(h_1, h_2, h_3, a, b, J_x, J_y, J_z):
+    sin_a = math.sin(a)
     t1 = h_1 + h_3
-    return -((sin(b) * (sin_a * (h_2 + t1))) / J_x), -((cos(b) * (sin_a * (h_2 - t1))) / J_y), -((cos(a) * ((h_3 - h_1) - h_2)) / J_z)
+    return -((math.sin(b) * (sin_a * (h_2 + t1))) / J_x), -((math.cos(b) * (sin_a * (h_2 - t1))) / J_y), -((math.cos(a) * ((h_3 - h_1) - h_2)) / J_z)
 
 
-def _rates_of_three_wheels_block(h_1, h_2, h_3, a, b, J_x, J_y, J_z, out_w_x, out_w_y, out_w_z, r0, r1, r2, r3, r4, r5, r6):
-    np.tan(a, r0)  # tan_a
-    np.multiply(r0, r0, r1)  # tan_a_squared
-    np.add(1.0, r1, r1)  # t1
-    np.sqrt(r1, r2)  # t2
-    np.add(h_1, h_3, r3)  # t4
-    np.add(h_2, r3, r4)  # t5
-    np.tan(b, r5)  # tan_b
-    np.multiply(r5, r5, r6)  # tan_b_squared
-    np.add(1.0, r6, r6)  # t6
-    np.multiply(r1, r6, r6)  # t7
-    np.sqrt(r6, r6)  # t8
-    np.multiply(r4, r0, r4)  # t9
-    np.multiply(r4, r5, r5)  # t10
-    np.multiply(J_x, r6, r4)  # t11
-    np.divide(r5, r4, r4)  # t12
-    np.negative(r4, out_w_x)  # t13
-    np.subtract(h_2, r3, r3)  # t14
-    np.multiply(r3, r0, r0)  # t15
-    np.multiply(J_y, r6, r6)  # t16
-    np.divide(r0, r6, r6)  # t17
-    np.negative(r6, out_w_y)  # t18
-    np.subtract(h_3, h_1, r6)  # t19
-    np.subtract(r6, h_2, r6)  # t20
-    np.multiply(J_z, r2, r2)  # t21
-    np.divide(r6, r2, r2)  # t22
-    np.negative(r2, out_w_z)  # t23
+def _rates_of_three_wheels_few(h_1, h_2, h_3, a, b, J_x, J_y, J_z, out_w_x=None, out_w_y=None, out_w_z=None, r0=None, r1=None, r2=None, r3=None):
+    r0 = sin(a, r0)  # sin_a
+    r1 = add(h_1, h_3, r1)  # t1
+    r2 = add(h_2, r1, r2)  # t2
+    r3 = sin(b, r3)  # sin_b
+    r2 = multiply(r0, r2, r2)  # t3
+    r2 = multiply(r3, r2, r2)  # t4
+    r2 = divide(r2, J_x, r2)  # t5
+    out_w_x = negative(r2, out_w_x)  # t6
+    r1 = subtract(h_2, r1, r1)  # t7
+    r2 = cos(b, r2)  # cos_b
+    r1 = multiply(r0, r1, r1)  # t8
+    r1 = multiply(r2, r1, r1)  # t9
+    r1 = divide(r1, J_y, r1)  # t10
+    out_w_y = negative(r1, out_w_y)  # t11
+    r1 = subtract(h_3, h_1, r1)  # t12
+    r1 = subtract(r1, h_2, r1)  # t13
+    r2 = cos(a, r2)  # cos_a
+    r1 = multiply(r2, r1, r1)  # t14
+    r1 = divide(r1, J_z, r1)  # t15
+    out_w_z = negative(r1, out_w_z)  # t16
+    return out_w_x, out_w_y, out_w_z
+
+
+def _rates_of_three_wheels_block(h_1, h_2, h_3, a, b, J_x, J_y, J_z, out_w_x=None, out_w_y=None, out_w_z=None, r0=None, r1=None, r2=None, r3=None, r4=None, r5=None, r6=None, n1=array(1.0)):
+    r0 = tan(a, r0)  # tan_a
+    r1 = multiply(r0, r0, r1)  # tan_a_squared
+    r1 = add(n1, r1, r1)  # t1
+    r2 = sqrt(r1, r2)  # t2
+    r3 = add(h_1, h_3, r3)  # t4
+    r4 = add(h_2, r3, r4)  # t5
+    r5 = tan(b, r5)  # tan_b
+    r6 = multiply(r5, r5, r6)  # tan_b_squared
+    r6 = add(n1, r6, r6)  # t6
+    r6 = multiply(r1, r6, r6)  # t7
+    r6 = sqrt(r6, r6)  # t8
+    r4 = multiply(r4, r0, r4)  # t9
+    r5 = multiply(r4, r5, r5)  # t10
+    r4 = multiply(J_x, r6, r4)  # t11
+    r4 = divide(r5, r4, r4)  # t12
+    out_w_x = negative(r4, out_w_x)  # t13
+    r3 = subtract(h_2, r3, r3)  # t14
+    r0 = multiply(r3, r0, r0)  # t15
+    r6 = multiply(J_y, r6, r6)  # t16
+    r6 = divide(r0, r6, r6)  # t17
+    out_w_y = negative(r6, out_w_y)  # t18
+    r6 = subtract(h_3, h_1, r6)  # t19
+    r6 = subtract(r6, h_2, r6)  # t20
+    r2 = multiply(J_z, r2, r2)  # t21
+    r2 = divide(r6, r2, r2)  # t22
+    out_w_z = negative(r2, out_w_z)  # t23
+    return out_w_x, out_w_y, out_w_z
 
 
 def rates_of_six_wheels(h_1, h_2, h_3, h_4, h_5, h_6, a, J_x, J_y, J_z, out=None):
@@ -677,57 +884,95 @@ def rates_of_six_wheels(h_1, h_2, h_3, h_4, h_5, h_6, a, J_x, J_y, J_z, out=None
     Rests on ignatov2005:3.1.2 (sha256 c4e14026f27d), ignatov2005:2.3 (sha256 233596362da2).
     """
     if out is None:
-        if type(h_1) is type(h_2) is type(h_3) is type(h_4) is type(h_5) is type(h_6) is type(a) is type(J_x) is type(J_y) is type(J_z) is float:
-            try:
-                return _rates_of_six_wheels(h_1, h_2, h_3, h_4, h_5, h_6, a, J_x, J_y, J_z, math.cos, math.sin, 1.0 / 2.0, math.sqrt(3.0), 2.0)
-            except (ValueError, ZeroDivisionError, OverflowError):
-                pass  # NumPy says whether it is infinite or no number
-        elif type(h_1) is type(h_2) is type(h_3) is type(h_4) is type(h_5) is type(h_6) is type(a) is type(J_x) is type(J_y) is type(J_z) is np.ndarray and h_1.dtype is h_2.dtype is h_3.dtype is h_4.dtype is h_5.dtype is h_6.dtype is a.dtype is J_x.dtype is J_y.dtype is J_z.dtype is DOUBLE and h_1.shape == h_2.shape == h_3.shape == h_4.shape == h_5.shape == h_6.shape == a.shape == J_x.shape == J_y.shape == J_z.shape:
-            if h_1.size <= FEW:
+        try:
+            if float is type(h_1) is type(h_2) is type(h_3) is type(h_4) is type(h_5) is type(h_6) is type(a) is type(J_x) is type(J_y) is type(J_z):
                 return _rates_of_six_wheels(h_1, h_2, h_3, h_4, h_5, h_6, a, J_x, J_y, J_z)
-            return evaluate_alike(_rates_of_six_wheels_block, 6, (0, 1, 2,), (h_1, h_2, h_3, h_4, h_5, h_6, a, J_x, J_y, J_z,))
+            if ndarray is type(h_1) is type(h_2) is type(h_3) is type(h_4) is type(h_5) is type(h_6) is type(a) is type(J_x) is type(J_y) is type(J_z) and DOUBLE is h_1.dtype is h_2.dtype is h_3.dtype is h_4.dtype is h_5.dtype is h_6.dtype is a.dtype is J_x.dtype is J_y.dtype is J_z.dtype and () != h_1.shape == h_2.shape == h_3.shape == h_4.shape == h_5.shape == h_6.shape == a.shape == J_x.shape == J_y.shape == J_z.shape:
+                size = h_1.size
+                if 0 < size <= 7:
+                    return evaluate_handful(_rates_of_six_wheels, (h_1, h_2, h_3, h_4, h_5, h_6, a, J_x, J_y, J_z,))
+                if size <= FEW:
+                    return _rates_of_six_wheels_few(h_1, h_2, h_3, h_4, h_5, h_6, a, J_x, J_y, J_z)
+                if size <= SMALL:
+                    return _rates_of_six_wheels_block(h_1, h_2, h_3, h_4, h_5, h_6, a, J_x, J_y, J_z)
+                return evaluate_alike(_rates_of_six_wheels_block, 6, (0, 1, 2,), (h_1, h_2, h_3, h_4, h_5, h_6, a, J_x, J_y, J_z,))
+        except (ValueError, ZeroDivisionError, OverflowError):
+            pass  # NumPy says whether it is infinite or no number
     return evaluate(_rates_of_six_wheels_block, 6, (0, 1, 2,), (h_1, h_2, h_3, h_4, h_5, h_6, a, J_x, J_y, J_z,), out)
 
 
-def _rates_of_six_wheels(h_1, h_2, h_3, h_4, h_5, h_6, a, J_x, J_y, J_z, cos=np.cos, sin=np.sin, n1_2=np.array(1.0 / 2.0), sqrt_3=np.array(math.sqrt(3.0)), n2=np.array(2.0)):
+def _rates_of_six_wheels(h_1, h_2, h_3, h_4, h_5, h_6, a, J_x, J_y, J_z):
     t1 = h_2 + h_5
-    t2 = n1_2 * sin(a)
+    t2 = (1.0 / 2.0) * math.sin(a)
     t3 = -h_6
-    return -(((t1 + (h_3 + h_6)) * (sqrt_3 * t2)) / J_x), -((((((h_3 - (n2 * h_1)) - (n2 * h_4)) - t1) - t3) * t2) / J_y), -((cos(a) * ((((h_3 + (h_1 + h_2)) + t3) - h_4) - h_5)) / J_z)
+    return -(((t1 + (h_3 + h_6)) * (math.sqrt(3.0) * t2)) / J_x), -((((((h_3 - (2.0 * h_1)) - (2.0 * h_4)) - t1) - t3) * t2) / J_y), -((math.cos(a) * ((((h_3 + (h_1 + h_2)) + t3) - h_4) - h_5)) / J_z)
 
 
-def _rates_of_six_wheels_block(h_1, h_2, h_3, h_4, h_5, h_6, a, J_x, J_y, J_z, out_w_x, out_w_y, out_w_z, r0, r1, r2, r3, r4, r5):
-    np.add(h_2, h_5, r0)  # t1
-    np.tan(a, r1)  # tan_a
-    np.multiply(r1, r1, r2)  # tan_a_squared
-    np.add(1.0, r2, r2)  # t2
-    np.sqrt(r2, r2)  # t3
-    np.multiply(1.0 / 2.0, r1, r1)  # t4
-    np.divide(r1, r2, r1)  # t5
-    np.negative(h_6, r3)  # t6
-    np.add(h_3, h_6, r4)  # t7
-    np.add(r0, r4, r4)  # t8
-    np.multiply(math.sqrt(3.0), r1, r5)  # t9
-    np.multiply(r4, r5, r5)  # t10
-    np.divide(r5, J_x, r5)  # t11
-    np.negative(r5, out_w_x)  # t12
-    np.multiply(2.0, h_1, r5)  # t13
-    np.multiply(2.0, h_4, r4)  # t14
-    np.subtract(h_3, r5, r5)  # t15
-    np.subtract(r5, r4, r4)  # t16
-    np.subtract(r4, r0, r0)  # t17
-    np.subtract(r0, r3, r0)  # t18
-    np.multiply(r0, r1, r1)  # t19
-    np.divide(r1, J_y, r1)  # t20
-    np.negative(r1, out_w_y)  # t21
-    np.add(h_1, h_2, r1)  # t22
-    np.add(h_3, r1, r1)  # t23
-    np.add(r1, r3, r3)  # t24
-    np.subtract(r3, h_4, r3)  # t25
-    np.subtract(r3, h_5, r3)  # t26
-    np.multiply(J_z, r2, r2)  # t27
-    np.divide(r3, r2, r2)  # t28
-    np.negative(r2, out_w_z)  # t29
+def _rates_of_six_wheels_few(h_1, h_2, h_3, h_4, h_5, h_6, a, J_x, J_y, J_z, out_w_x=None, out_w_y=None, out_w_z=None, r0=None, r1=None, r2=None, r3=None, r4=None, n1_2=array(1.0 / 2.0), sqrt_3=array(math.sqrt(3.0)), n2=array(2.0)):
+    r0 = add(h_2, h_5, r0)  # t1
+    r1 = sin(a, r1)  # sin_a
+    r1 = multiply(n1_2, r1, r1)  # t2
+    r2 = negative(h_6, r2)  # t3
+    r3 = add(h_3, h_6, r3)  # t4
+    r3 = add(r0, r3, r3)  # t5
+    r4 = multiply(sqrt_3, r1, r4)  # t6
+    r4 = multiply(r3, r4, r4)  # t7
+    r4 = divide(r4, J_x, r4)  # t8
+    out_w_x = negative(r4, out_w_x)  # t9
+    r4 = multiply(n2, h_1, r4)  # t10
+    r3 = multiply(n2, h_4, r3)  # t11
+    r4 = subtract(h_3, r4, r4)  # t12
+    r3 = subtract(r4, r3, r3)  # t13
+    r0 = subtract(r3, r0, r0)  # t14
+    r0 = subtract(r0, r2, r0)  # t15
+    r1 = multiply(r0, r1, r1)  # t16
+    r1 = divide(r1, J_y, r1)  # t17
+    out_w_y = negative(r1, out_w_y)  # t18
+    r1 = add(h_1, h_2, r1)  # t19
+    r1 = add(h_3, r1, r1)  # t20
+    r2 = add(r1, r2, r2)  # t21
+    r2 = subtract(r2, h_4, r2)  # t22
+    r2 = subtract(r2, h_5, r2)  # t23
+    r1 = cos(a, r1)  # cos_a
+    r2 = multiply(r1, r2, r2)  # t24
+    r2 = divide(r2, J_z, r2)  # t25
+    out_w_z = negative(r2, out_w_z)  # t26
+    return out_w_x, out_w_y, out_w_z
+
+
+def _rates_of_six_wheels_block(h_1, h_2, h_3, h_4, h_5, h_6, a, J_x, J_y, J_z, out_w_x=None, out_w_y=None, out_w_z=None, r0=None, r1=None, r2=None, r3=None, r4=None, r5=None, n1=array(1.0), n1_2=array(1.0 / 2.0), sqrt_3=array(math.sqrt(3.0)), n2=array(2.0)):
+    r0 = add(h_2, h_5, r0)  # t1
+    r1 = tan(a, r1)  # tan_a
+    r2 = multiply(r1, r1, r2)  # tan_a_squared
+    r2 = add(n1, r2, r2)  # t2
+    r2 = sqrt(r2, r2)  # t3
+    r1 = multiply(n1_2, r1, r1)  # t4
+    r1 = divide(r1, r2, r1)  # t5
+    r3 = negative(h_6, r3)  # t6
+    r4 = add(h_3, h_6, r4)  # t7
+    r4 = add(r0, r4, r4)  # t8
+    r5 = multiply(sqrt_3, r1, r5)  # t9
+    r5 = multiply(r4, r5, r5)  # t10
+    r5 = divide(r5, J_x, r5)  # t11
+    out_w_x = negative(r5, out_w_x)  # t12
+    r5 = multiply(n2, h_1, r5)  # t13
+    r4 = multiply(n2, h_4, r4)  # t14
+    r5 = subtract(h_3, r5, r5)  # t15
+    r4 = subtract(r5, r4, r4)  # t16
+    r0 = subtract(r4, r0, r0)  # t17
+    r0 = subtract(r0, r3, r0)  # t18
+    r1 = multiply(r0, r1, r1)  # t19
+    r1 = divide(r1, J_y, r1)  # t20
+    out_w_y = negative(r1, out_w_y)  # t21
+    r1 = add(h_1, h_2, r1)  # t22
+    r1 = add(h_3, r1, r1)  # t23
+    r3 = add(r1, r3, r3)  # t24
+    r3 = subtract(r3, h_4, r3)  # t25
+    r3 = subtract(r3, h_5, r3)  # t26
+    r2 = multiply(J_z, r2, r2)  # t27
+    r2 = divide(r3, r2, r2)  # t28
+    out_w_z = negative(r2, out_w_z)  # t29
+    return out_w_x, out_w_y, out_w_z
 
 
 def rates_of_five_wheels(h_1, h_2, h_3, h_4, h_5, a, J_x, J_y, J_z, out=None):
@@ -763,52 +1008,86 @@ def rates_of_five_wheels(h_1, h_2, h_3, h_4, h_5, a, J_x, J_y, J_z, out=None):
     Rests on ignatov2005:3.2.1 (sha256 627cc0ca9e03), ignatov2005:2.3 (sha256 233596362da2).
     """
     if out is None:
-        if type(h_1) is type(h_2) is type(h_3) is type(h_4) is type(h_5) is type(a) is type(J_x) is type(J_y) is type(J_z) is float:
-            try:
-                return _rates_of_five_wheels(h_1, h_2, h_3, h_4, h_5, a, J_x, J_y, J_z, math.cos, math.sin, 1.0 / 2.0, math.sqrt(3.0), 2.0)
-            except (ValueError, ZeroDivisionError, OverflowError):
-                pass  # NumPy says whether it is infinite or no number
-        elif type(h_1) is type(h_2) is type(h_3) is type(h_4) is type(h_5) is type(a) is type(J_x) is type(J_y) is type(J_z) is np.ndarray and h_1.dtype is h_2.dtype is h_3.dtype is h_4.dtype is h_5.dtype is a.dtype is J_x.dtype is J_y.dtype is J_z.dtype is DOUBLE and h_1.shape == h_2.shape == h_3.shape == h_4.shape == h_5.shape == a.shape == J_x.shape == J_y.shape == J_z.shape:
-            if h_1.size <= FEW:
+        try:
+            if float is type(h_1) is type(h_2) is type(h_3) is type(h_4) is type(h_5) is type(a) is type(J_x) is type(J_y) is type(J_z):
                 return _rates_of_five_wheels(h_1, h_2, h_3, h_4, h_5, a, J_x, J_y, J_z)
-            return evaluate_alike(_rates_of_five_wheels_block, 5, (0, 1, 2,), (h_1, h_2, h_3, h_4, h_5, a, J_x, J_y, J_z,))
+            if ndarray is type(h_1) is type(h_2) is type(h_3) is type(h_4) is type(h_5) is type(a) is type(J_x) is type(J_y) is type(J_z) and DOUBLE is h_1.dtype is h_2.dtype is h_3.dtype is h_4.dtype is h_5.dtype is a.dtype is J_x.dtype is J_y.dtype is J_z.dtype and () != h_1.shape == h_2.shape == h_3.shape == h_4.shape == h_5.shape == a.shape == J_x.shape == J_y.shape == J_z.shape:
+                size = h_1.size
+                if 0 < size <= 6:
+                    return evaluate_handful(_rates_of_five_wheels, (h_1, h_2, h_3, h_4, h_5, a, J_x, J_y, J_z,))
+                if size <= FEW:
+                    return _rates_of_five_wheels_few(h_1, h_2, h_3, h_4, h_5, a, J_x, J_y, J_z)
+                if size <= SMALL:
+                    return _rates_of_five_wheels_block(h_1, h_2, h_3, h_4, h_5, a, J_x, J_y, J_z)
+                return evaluate_alike(_rates_of_five_wheels_block, 5, (0, 1, 2,), (h_1, h_2, h_3, h_4, h_5, a, J_x, J_y, J_z,))
+        except (ValueError, ZeroDivisionError, OverflowError):
+            pass  # NumPy says whether it is infinite or no number
     return evaluate(_rates_of_five_wheels_block, 5, (0, 1, 2,), (h_1, h_2, h_3, h_4, h_5, a, J_x, J_y, J_z,), out)
 
 
-def _rates_of_five_wheels(h_1, h_2, h_3, h_4, h_5, a, J_x, J_y, J_z, cos=np.cos, sin=np.sin, n1_2=np.array(1.0 / 2.0), sqrt_3=np.array(math.sqrt(3.0)), n2=np.array(2.0)):
+def _rates_of_five_wheels(h_1, h_2, h_3, h_4, h_5, a, J_x, J_y, J_z):
     t1 = h_2 + h_5
-    t2 = n1_2 * sin(a)
-    return -(((h_3 + t1) * (sqrt_3 * t2)) / J_x), -(((((h_3 - (n2 * h_1)) - (n2 * h_4)) - t1) * t2) / J_y), -((cos(a) * (((h_3 + (h_1 + h_2)) - h_4) - h_5)) / J_z)
+    t2 = (1.0 / 2.0) * math.sin(a)
+    return -(((h_3 + t1) * (math.sqrt(3.0) * t2)) / J_x), -(((((h_3 - (2.0 * h_1)) - (2.0 * h_4)) - t1) * t2) / J_y), -((math.cos(a) * (((h_3 + (h_1 + h_2)) - h_4) - h_5)) / J_z)
 
 
-def _rates_of_five_wheels_block(h_1, h_2, h_3, h_4, h_5, a, J_x, J_y, J_z, out_w_x, out_w_y, out_w_z, r0, r1, r2, r3, r4):
-    np.add(h_2, h_5, r0)  # t1
-    np.tan(a, r1)  # tan_a
-    np.multiply(r1, r1, r2)  # tan_a_squared
-    np.add(1.0, r2, r2)  # t2
-    np.sqrt(r2, r2)  # t3
-    np.multiply(1.0 / 2.0, r1, r1)  # t4
-    np.divide(r1, r2, r1)  # t5
-    np.add(h_3, r0, r3)  # t6
-    np.multiply(math.sqrt(3.0), r1, r4)  # t7
-    np.multiply(r3, r4, r4)  # t8
-    np.divide(r4, J_x, r4)  # t9
-    np.negative(r4, out_w_x)  # t10
-    np.multiply(2.0, h_1, r4)  # t11
-    np.multiply(2.0, h_4, r3)  # t12
-    np.subtract(h_3, r4, r4)  # t13
-    np.subtract(r4, r3, r3)  # t14
-    np.subtract(r3, r0, r0)  # t15
-    np.multiply(r0, r1, r1)  # t16
-    np.divide(r1, J_y, r1)  # t17
-    np.negative(r1, out_w_y)  # t18
-    np.add(h_1, h_2, r1)  # t19
-    np.add(h_3, r1, r1)  # t20
-    np.subtract(r1, h_4, r1)  # t21
-    np.subtract(r1, h_5, r1)  # t22
-    np.multiply(J_z, r2, r2)  # t23
-    np.divide(r1, r2, r2)  # t24
-    np.negative(r2, out_w_z)  # t25
+def _rates_of_five_wheels_few(h_1, h_2, h_3, h_4, h_5, a, J_x, J_y, J_z, out_w_x=None, out_w_y=None, out_w_z=None, r0=None, r1=None, r2=None, r3=None, n1_2=array(1.0 / 2.0), sqrt_3=array(math.sqrt(3.0)), n2=array(2.0)):
+    r0 = add(h_2, h_5, r0)  # t1
+    r1 = sin(a, r1)  # sin_a
+    r1 = multiply(n1_2, r1, r1)  # t2
+    r2 = add(h_3, r0, r2)  # t3
+    r3 = multiply(sqrt_3, r1, r3)  # t4
+    r3 = multiply(r2, r3, r3)  # t5
+    r3 = divide(r3, J_x, r3)  # t6
+    out_w_x = negative(r3, out_w_x)  # t7
+    r3 = multiply(n2, h_1, r3)  # t8
+    r2 = multiply(n2, h_4, r2)  # t9
+    r3 = subtract(h_3, r3, r3)  # t10
+    r2 = subtract(r3, r2, r2)  # t11
+    r0 = subtract(r2, r0, r0)  # t12
+    r1 = multiply(r0, r1, r1)  # t13
+    r1 = divide(r1, J_y, r1)  # t14
+    out_w_y = negative(r1, out_w_y)  # t15
+    r1 = add(h_1, h_2, r1)  # t16
+    r1 = add(h_3, r1, r1)  # t17
+    r1 = subtract(r1, h_4, r1)  # t18
+    r1 = subtract(r1, h_5, r1)  # t19
+    r0 = cos(a, r0)  # cos_a
+    r1 = multiply(r0, r1, r1)  # t20
+    r1 = divide(r1, J_z, r1)  # t21
+    out_w_z = negative(r1, out_w_z)  # t22
+    return out_w_x, out_w_y, out_w_z
+
+
+def _rates_of_five_wheels_block(h_1, h_2, h_3, h_4, h_5, a, J_x, J_y, J_z, out_w_x=None, out_w_y=None, out_w_z=None, r0=None, r1=None, r2=None, r3=None, r4=None, n1=array(1.0), n1_2=array(1.0 / 2.0), sqrt_3=array(math.sqrt(3.0)), n2=array(2.0)):
+    r0 = add(h_2, h_5, r0)  # t1
+    r1 = tan(a, r1)  # tan_a
+    r2 = multiply(r1, r1, r2)  # tan_a_squared
+    r2 = add(n1, r2, r2)  # t2
+    r2 = sqrt(r2, r2)  # t3
+    r1 = multiply(n1_2, r1, r1)  # t4
+    r1 = divide(r1, r2, r1)  # t5
+    r3 = add(h_3, r0, r3)  # t6
+    r4 = multiply(sqrt_3, r1, r4)  # t7
+    r4 = multiply(r3, r4, r4)  # t8
+    r4 = divide(r4, J_x, r4)  # t9
+    out_w_x = negative(r4, out_w_x)  # t10
+    r4 = multiply(n2, h_1, r4)  # t11
+    r3 = multiply(n2, h_4, r3)  # t12
+    r4 = subtract(h_3, r4, r4)  # t13
+    r3 = subtract(r4, r3, r3)  # t14
+    r0 = subtract(r3, r0, r0)  # t15
+    r1 = multiply(r0, r1, r1)  # t16
+    r1 = divide(r1, J_y, r1)  # t17
+    out_w_y = negative(r1, out_w_y)  # t18
+    r1 = add(h_1, h_2, r1)  # t19
+    r1 = add(h_3, r1, r1)  # t20
+    r1 = subtract(r1, h_4, r1)  # t21
+    r1 = subtract(r1, h_5, r1)  # t22
+    r2 = multiply(J_z, r2, r2)  # t23
+    r2 = divide(r1, r2, r2)  # t24
+    out_w_z = negative(r2, out_w_z)  # t25
+    return out_w_x, out_w_y, out_w_z
 
 
 def vertices_of_four_wheels(a, b, out=None):
@@ -863,54 +1142,80 @@ def vertices_of_four_wheels(a, b, out=None):
     (sha256 a62897744444), ignatov2005:2.1V.6a (sha256 9f473c0762c6), ignatov2005:2.1V.7a (sha256 b9c4435a36b9).
     """
     if out is None:
-        if type(a) is type(b) is float:
-            try:
-                return _vertices_of_four_wheels(a, b, math.cos, math.sin, 2.0, 4.0)
-            except (ValueError, ZeroDivisionError, OverflowError):
-                pass  # NumPy says whether it is infinite or no number
-        elif type(a) is type(b) is np.ndarray and a.dtype is b.dtype is DOUBLE and a.shape == b.shape:
-            if a.size <= FEW:
+        try:
+            if float is type(a) is type(b):
                 return _vertices_of_four_wheels(a, b)
-            return evaluate_alike(_vertices_of_four_wheels_block, 5, (0, 1, 2, 3, 1, 4, 3, 1, 2, 5, 1, 4, 5, 6, 7,), (a, b,))
+            if ndarray is type(a) is type(b) and DOUBLE is a.dtype is b.dtype and () != a.shape == b.shape:
+                size = a.size
+                if 0 < size <= 1:
+                    return evaluate_handful(_vertices_of_four_wheels, (a, b,), (0, 1, 2, 3, 1, 4, 3, 1, 2, 5, 1, 4, 5, 6, 7,))
+                if size <= FEW:
+                    return _vertices_of_four_wheels_few(a, b)
+                if size <= SMALL:
+                    return _vertices_of_four_wheels_block(a, b)
+                return evaluate_alike(_vertices_of_four_wheels_block, 5, (0, 1, 2, 3, 1, 4, 3, 1, 2, 5, 1, 4, 5, 6, 7,), (a, b,))
+        except (ValueError, ZeroDivisionError, OverflowError):
+            pass  # NumPy says whether it is infinite or no number
     return evaluate(_vertices_of_four_wheels_block, 5, (0, 1, 2, 3, 1, 4, 3, 1, 2, 5, 1, 4, 5, 6, 7,), (a, b,), out)
 
 
-def _vertices_of_four_wheels(a, b, cos=np.cos, sin=np.sin, n2=np.array(2.0), n4=np.array(4.0)):
-    sin_a = sin(a)
-    t1 = sin_a * sin(b)
-    t2 = n2 * t1
-    t3 = cos(b) * sin_a
-    t4 = n2 * t3
-    cos_a = cos(a)
-    t5 = n2 * cos_a
+def _vertices_of_four_wheels(a, b):
+    sin_a = math.sin(a)
+    t1 = sin_a * math.sin(b)
+    t2 = 2.0 * t1
+    t3 = math.cos(b) * sin_a
+    t4 = 2.0 * t3
+    cos_a = math.cos(a)
+    t5 = 2.0 * cos_a
     t6 = -t4
     t7 = -t5
-    return n4 * t1, t2, t4, t5, t2, t6, t5, t2, t4, t7, t2, t6, t7, -(n4 * t3), -(n4 * cos_a)
+    return 4.0 * t1, t2, t4, t5, t2, t6, t5, t2, t4, t7, t2, t6, t7, -(4.0 * t3), -(4.0 * cos_a)
 
 
-def _vertices_of_four_wheels_block(a, b, out_V_1x, out_V_2x, out_V_2y, out_V_2z, out_V_3y, out_V_4z, out_V_6y, out_V_7z, r0, r1, r2, r3, r4):
-    np.tan(a, r0)  # tan_a
-    np.multiply(r0, r0, r1)  # tan_a_squared
-    np.add(1.0, r1, r1)  # t1
-    np.sqrt(r1, r2)  # t2
-    np.tan(b, r3)  # tan_b
-    np.multiply(r3, r3, r4)  # tan_b_squared
-    np.add(1.0, r4, r4)  # t4
-    np.multiply(r1, r4, r4)  # t5
-    np.sqrt(r4, r4)  # t6
-    np.multiply(r0, r3, r3)  # t7
-    np.divide(r3, r4, r3)  # t8
-    np.multiply(2.0, r3, out_V_2x)  # t9
-    np.divide(r0, r4, r4)  # t10
-    np.multiply(2.0, r4, out_V_2y)  # t11
-    np.divide(2.0, r2, out_V_2z)  # t13
-    np.negative(out_V_2y, out_V_3y)  # t14
-    np.negative(out_V_2z, out_V_4z)  # t15
-    np.multiply(4.0, r3, out_V_1x)  # t16
-    np.multiply(4.0, r4, r4)  # t17
-    np.negative(r4, out_V_6y)  # t18
-    np.divide(4.0, r2, r2)  # t19
-    np.negative(r2, out_V_7z)  # t20
+def _vertices_of_four_wheels_few(a, b, out_V_1x=None, out_V_2x=None, out_V_2y=None, out_V_2z=None, out_V_3y=None, out_V_4z=None, out_V_6y=None, out_V_7z=None, r0=None, r1=None, r2=None, n2=array(2.0), n4=array(4.0)):
+    r0 = sin(a, r0)  # sin_a
+    r1 = sin(b, r1)  # sin_b
+    r1 = multiply(r0, r1, r1)  # t1
+    out_V_2x = multiply(n2, r1, out_V_2x)  # t2
+    r2 = cos(b, r2)  # cos_b
+    r0 = multiply(r2, r0, r0)  # t3
+    out_V_2y = multiply(n2, r0, out_V_2y)  # t4
+    r2 = cos(a, r2)  # cos_a
+    out_V_2z = multiply(n2, r2, out_V_2z)  # t5
+    out_V_3y = negative(out_V_2y, out_V_3y)  # t6
+    out_V_4z = negative(out_V_2z, out_V_4z)  # t7
+    out_V_1x = multiply(n4, r1, out_V_1x)  # t8
+    r0 = multiply(n4, r0, r0)  # t9
+    out_V_6y = negative(r0, out_V_6y)  # t10
+    r2 = multiply(n4, r2, r2)  # t11
+    out_V_7z = negative(r2, out_V_7z)  # t12
+    return out_V_1x, out_V_2x, out_V_2y, out_V_2z, out_V_2x, out_V_3y, out_V_2z, out_V_2x, out_V_2y, out_V_4z, out_V_2x, out_V_3y, out_V_4z, out_V_6y, out_V_7z
+
+
+def _vertices_of_four_wheels_block(a, b, out_V_1x=None, out_V_2x=None, out_V_2y=None, out_V_2z=None, out_V_3y=None, out_V_4z=None, out_V_6y=None, out_V_7z=None, r0=None, r1=None, r2=None, r3=None, r4=None, n1=array(1.0), n2=array(2.0), n4=array(4.0)):
+    r0 = tan(a, r0)  # tan_a
+    r1 = multiply(r0, r0, r1)  # tan_a_squared
+    r1 = add(n1, r1, r1)  # t1
+    r2 = sqrt(r1, r2)  # t2
+    r3 = tan(b, r3)  # tan_b
+    r4 = multiply(r3, r3, r4)  # tan_b_squared
+    r4 = add(n1, r4, r4)  # t4
+    r4 = multiply(r1, r4, r4)  # t5
+    r4 = sqrt(r4, r4)  # t6
+    r3 = multiply(r0, r3, r3)  # t7
+    r3 = divide(r3, r4, r3)  # t8
+    out_V_2x = multiply(n2, r3, out_V_2x)  # t9
+    r4 = divide(r0, r4, r4)  # t10
+    out_V_2y = multiply(n2, r4, out_V_2y)  # t11
+    out_V_2z = divide(n2, r2, out_V_2z)  # t13
+    out_V_3y = negative(out_V_2y, out_V_3y)  # t14
+    out_V_4z = negative(out_V_2z, out_V_4z)  # t15
+    out_V_1x = multiply(n4, r3, out_V_1x)  # t16
+    r4 = multiply(n4, r4, r4)  # t17
+    out_V_6y = negative(r4, out_V_6y)  # t18
+    r2 = divide(n4, r2, r2)  # t19
+    out_V_7z = negative(r2, out_V_7z)  # t20
+    return out_V_1x, out_V_2x, out_V_2y, out_V_2z, out_V_2x, out_V_3y, out_V_2z, out_V_2x, out_V_2y, out_V_4z, out_V_2x, out_V_3y, out_V_4z, out_V_6y, out_V_7z
 
 
 def vertices_of_three_wheels(a, b, out=None):
@@ -958,47 +1263,68 @@ def vertices_of_three_wheels(a, b, out=None):
     ignatov2005:2.2V.3a (sha256 ff1dc70e4e37), ignatov2005:2.2V.4a (sha256 7594a5d54588).
     """
     if out is None:
-        if type(a) is type(b) is float:
-            try:
-                return _vertices_of_three_wheels(a, b, math.cos, math.sin, 3.0)
-            except (ValueError, ZeroDivisionError, OverflowError):
-                pass  # NumPy says whether it is infinite or no number
-        elif type(a) is type(b) is np.ndarray and a.dtype is b.dtype is DOUBLE and a.shape == b.shape:
-            if a.size <= FEW:
+        try:
+            if float is type(a) is type(b):
                 return _vertices_of_three_wheels(a, b)
-            return evaluate_alike(_vertices_of_three_wheels_block, 5, (0, 1, 2, 3, 4, 5, 3, 6, 5, 3, 4, 7,), (a, b,))
+            if ndarray is type(a) is type(b) and DOUBLE is a.dtype is b.dtype and () != a.shape == b.shape:
+                size = a.size
+                if size <= FEW:
+                    return _vertices_of_three_wheels_few(a, b)
+                if size <= SMALL:
+                    return _vertices_of_three_wheels_block(a, b)
+                return evaluate_alike(_vertices_of_three_wheels_block, 5, (0, 1, 2, 3, 4, 5, 3, 6, 5, 3, 4, 7,), (a, b,))
+        except (ValueError, ZeroDivisionError, OverflowError):
+            pass  # NumPy says whether it is infinite or no number
     return evaluate(_vertices_of_three_wheels_block, 5, (0, 1, 2, 3, 4, 5, 3, 6, 5, 3, 4, 7,), (a, b,), out)
 
 
-def _vertices_of_three_wheels(a, b, cos=np.cos, sin=np.sin, n3=np.array(3.0)):
-    sin_a = sin(a)
-    t1 = sin_a * sin(b)
-    t2 = cos(b) * sin_a
-    cos_a = cos(a)
-    return n3 * t1, -t2, -cos_a, t1, t2, cos_a, t1, -(n3 * t2), cos_a, t1, t2, -(n3 * cos_a)
+def _vertices_of_three_wheels(a, b):
+    sin_a = math.sin(a)
+    t1 = sin_a * math.sin(b)
+    t2 = math.cos(b) * sin_a
+    cos_a = math.cos(a)
+    return 3.0 * t1, -t2, -cos_a, t1, t2, cos_a, t1, -(3.0 * t2), cos_a, t1, t2, -(3.0 * cos_a)
 
 
-def _vertices_of_three_wheels_block(a, b, out_V_1x, out_V_1y, out_V_1z, out_V_2x, out_V_2y, out_V_2z, out_V_3y, out_V_4z, r0, r1, r2, r3, r4):
-    np.tan(a, r0)  # tan_a
-    np.multiply(r0, r0, r1)  # tan_a_squared
-    np.add(1.0, r1, r1)  # t1
-    np.sqrt(r1, r2)  # t2
-    np.tan(b, r3)  # tan_b
-    np.multiply(r3, r3, r4)  # tan_b_squared
-    np.add(1.0, r4, r4)  # t4
-    np.multiply(r1, r4, r4)  # t5
-    np.sqrt(r4, r4)  # t6
-    np.multiply(r0, r3, r3)  # t7
-    np.divide(r3, r4, out_V_2x)  # t8
-    np.divide(r0, r4, out_V_2y)  # t9
-    np.divide(1.0, r2, out_V_2z)  # t10
-    np.multiply(3.0, out_V_2x, out_V_1x)  # t11
-    np.negative(out_V_2y, out_V_1y)  # t12
-    np.negative(out_V_2z, out_V_1z)  # t13
-    np.multiply(3.0, out_V_2y, r4)  # t14
-    np.negative(r4, out_V_3y)  # t15
-    np.divide(3.0, r2, r2)  # t16
-    np.negative(r2, out_V_4z)  # t17
+def _vertices_of_three_wheels_few(a, b, out_V_1x=None, out_V_1y=None, out_V_1z=None, out_V_2x=None, out_V_2y=None, out_V_2z=None, out_V_3y=None, out_V_4z=None, r0=None, r1=None, n3=array(3.0)):
+    r0 = sin(a, r0)  # sin_a
+    r1 = sin(b, r1)  # sin_b
+    out_V_2x = multiply(r0, r1, out_V_2x)  # t1
+    r1 = cos(b, r1)  # cos_b
+    out_V_2y = multiply(r1, r0, out_V_2y)  # t2
+    out_V_2z = cos(a, out_V_2z)  # cos_a
+    out_V_1x = multiply(n3, out_V_2x, out_V_1x)  # t3
+    out_V_1y = negative(out_V_2y, out_V_1y)  # t4
+    out_V_1z = negative(out_V_2z, out_V_1z)  # t5
+    r0 = multiply(n3, out_V_2y, r0)  # t6
+    out_V_3y = negative(r0, out_V_3y)  # t7
+    r0 = multiply(n3, out_V_2z, r0)  # t8
+    out_V_4z = negative(r0, out_V_4z)  # t9
+    return out_V_1x, out_V_1y, out_V_1z, out_V_2x, out_V_2y, out_V_2z, out_V_2x, out_V_3y, out_V_2z, out_V_2x, out_V_2y, out_V_4z
+
+
+def _vertices_of_three_wheels_block(a, b, out_V_1x=None, out_V_1y=None, out_V_1z=None, out_V_2x=None, out_V_2y=None, out_V_2z=None, out_V_3y=None, out_V_4z=None, r0=None, r1=None, r2=None, r3=None, r4=None, n1=array(1.0), n3=array(3.0)):
+    r0 = tan(a, r0)  # tan_a
+    r1 = multiply(r0, r0, r1)  # tan_a_squared
+    r1 = add(n1, r1, r1)  # t1
+    r2 = sqrt(r1, r2)  # t2
+    r3 = tan(b, r3)  # tan_b
+    r4 = multiply(r3, r3, r4)  # tan_b_squared
+    r4 = add(n1, r4, r4)  # t4
+    r4 = multiply(r1, r4, r4)  # t5
+    r4 = sqrt(r4, r4)  # t6
+    r3 = multiply(r0, r3, r3)  # t7
+    out_V_2x = divide(r3, r4, out_V_2x)  # t8
+    out_V_2y = divide(r0, r4, out_V_2y)  # t9
+    out_V_2z = divide(n1, r2, out_V_2z)  # t10
+    out_V_1x = multiply(n3, out_V_2x, out_V_1x)  # t11
+    out_V_1y = negative(out_V_2y, out_V_1y)  # t12
+    out_V_1z = negative(out_V_2z, out_V_1z)  # t13
+    r4 = multiply(n3, out_V_2y, r4)  # t14
+    out_V_3y = negative(r4, out_V_3y)  # t15
+    r2 = divide(n3, r2, r2)  # t16
+    out_V_4z = negative(r2, out_V_4z)  # t17
+    return out_V_1x, out_V_1y, out_V_1z, out_V_2x, out_V_2y, out_V_2z, out_V_2x, out_V_3y, out_V_2z, out_V_2x, out_V_2y, out_V_4z
 
 
 def vertices_of_six_wheels(a, out=None):
@@ -1101,57 +1427,80 @@ def vertices_of_six_wheels(a, out=None):
     (sha256 794169dc5b05), ignatov2005:3.1V.16a (sha256 8492d5ba141e).
     """
     if out is None:
-        if type(a) is float:
-            try:
-                return _vertices_of_six_wheels(a, math.cos, math.sin, 2.0, 4.0, math.sqrt(3.0), 3.0, 6.0)
-            except (ValueError, ZeroDivisionError, OverflowError):
-                pass  # NumPy says whether it is infinite or no number
-        elif type(a) is np.ndarray and a.dtype is DOUBLE:
-            if a.size <= FEW:
+        try:
+            if float is type(a):
                 return _vertices_of_six_wheels(a)
-            return evaluate_alike(_vertices_of_six_wheels_block, 3, (0, 1, 2, 3, 4, 2, 3, 5, 2, 6, 2, 7, 5, 2, 7, 4, 2, 7, 8, 9, 3, 8, 9, 10, 9, 3, 11, 9, 7, 11, 9, 12, 9, 12, 1, 13, 10, 1,), (a,))
+            if ndarray is type(a) and DOUBLE is a.dtype and () != a.shape:
+                size = a.size
+                if size <= FEW:
+                    return _vertices_of_six_wheels_few(a)
+                if size <= SMALL:
+                    return _vertices_of_six_wheels_block(a)
+                return evaluate_alike(_vertices_of_six_wheels_block, 3, (0, 1, 2, 3, 4, 2, 3, 5, 2, 6, 2, 7, 5, 2, 7, 4, 2, 7, 8, 9, 3, 8, 9, 10, 9, 3, 11, 9, 7, 11, 9, 12, 9, 12, 1, 13, 10, 1,), (a,))
+        except (ValueError, ZeroDivisionError, OverflowError):
+            pass  # NumPy says whether it is infinite or no number
     return evaluate(_vertices_of_six_wheels_block, 3, (0, 1, 2, 3, 4, 2, 3, 5, 2, 6, 2, 7, 5, 2, 7, 4, 2, 7, 8, 9, 3, 8, 9, 10, 9, 3, 11, 9, 7, 11, 9, 12, 9, 12, 1, 13, 10, 1,), (a,), out)
 
 
-def _vertices_of_six_wheels(a, cos=np.cos, sin=np.sin, n2=np.array(2.0), n4=np.array(4.0), sqrt_3=np.array(math.sqrt(3.0)), n3=np.array(3.0), n6=np.array(6.0)):
-    cos_a = cos(a)
-    sin_a = sin(a)
-    t1 = n2 * sin_a
-    t2 = n4 * cos_a
-    t3 = sin_a * sqrt_3
+def _vertices_of_six_wheels(a):
+    cos_a = math.cos(a)
+    sin_a = math.sin(a)
+    t1 = 2.0 * sin_a
+    t2 = 4.0 * cos_a
+    t3 = sin_a * math.sqrt(3.0)
     t4 = -t3
     t5 = -sin_a
-    t6 = n3 * sin_a
-    t7 = n2 * cos_a
-    t8 = sqrt_3 * t1
+    t6 = 3.0 * sin_a
+    t7 = 2.0 * cos_a
+    t8 = math.sqrt(3.0) * t1
     t9 = -t8
     t10 = -t6
-    return n6 * cos_a, t1, t2, t4, sin_a, t2, t4, t5, t2, -t1, t2, t3, t5, t2, t3, sin_a, t2, t3, t6, t7, t4, t6, t7, t9, t7, t4, t10, t7, t3, t10, t7, t8, t7, t8, t1, n4 * sin_a, t9, t1
+    return 6.0 * cos_a, t1, t2, t4, sin_a, t2, t4, t5, t2, -t1, t2, t3, t5, t2, t3, sin_a, t2, t3, t6, t7, t4, t6, t7, t9, t7, t4, t10, t7, t3, t10, t7, t8, t7, t8, t1, 4.0 * sin_a, t9, t1
 
 
-def _vertices_of_six_wheels_block(a, out_V_1z, out_V_2y, out_V_2z, out_V_3x, out_V_3y, out_V_4y, out_V_5y, out_V_6x, out_V_8y, out_V_8z, out_V_10x, out_V_11y, out_V_13x, out_V_15y, r0, r1, r2):
-    np.tan(a, r0)  # tan_a
-    np.multiply(r0, r0, r1)  # tan_a_squared
-    np.add(1.0, r1, r1)  # t1
-    np.sqrt(r1, r1)  # t2
-    np.divide(r0, r1, out_V_3y)  # t4
-    np.multiply(2.0, r0, r2)  # t5
-    np.divide(r2, r1, out_V_2y)  # t6
-    np.divide(4.0, r1, out_V_2z)  # t7
-    np.multiply(math.sqrt(3.0), r0, r2)  # t8
-    np.divide(r2, r1, out_V_6x)  # t9
-    np.negative(out_V_6x, out_V_3x)  # t10
-    np.negative(out_V_3y, out_V_4y)  # t11
-    np.multiply(3.0, r0, r2)  # t12
-    np.divide(r2, r1, out_V_8y)  # t13
-    np.divide(2.0, r1, out_V_8z)  # t14
-    np.multiply(math.sqrt(3.0), out_V_2y, out_V_13x)  # t15
-    np.negative(out_V_13x, out_V_10x)  # t16
-    np.negative(out_V_8y, out_V_11y)  # t17
-    np.divide(6.0, r1, out_V_1z)  # t18
-    np.negative(out_V_2y, out_V_5y)  # t19
-    np.multiply(4.0, r0, r0)  # t20
-    np.divide(r0, r1, out_V_15y)  # t21
+def _vertices_of_six_wheels_few(a, out_V_1z=None, out_V_2y=None, out_V_2z=None, out_V_3x=None, out_V_3y=None, out_V_4y=None, out_V_5y=None, out_V_6x=None, out_V_8y=None, out_V_8z=None, out_V_10x=None, out_V_11y=None, out_V_13x=None, out_V_15y=None, r0=None, n2=array(2.0), n4=array(4.0), sqrt_3=array(math.sqrt(3.0)), n3=array(3.0), n6=array(6.0)):
+    r0 = cos(a, r0)  # cos_a
+    out_V_3y = sin(a, out_V_3y)  # sin_a
+    out_V_2y = multiply(n2, out_V_3y, out_V_2y)  # t1
+    out_V_2z = multiply(n4, r0, out_V_2z)  # t2
+    out_V_6x = multiply(out_V_3y, sqrt_3, out_V_6x)  # t3
+    out_V_3x = negative(out_V_6x, out_V_3x)  # t4
+    out_V_4y = negative(out_V_3y, out_V_4y)  # t5
+    out_V_8y = multiply(n3, out_V_3y, out_V_8y)  # t6
+    out_V_8z = multiply(n2, r0, out_V_8z)  # t7
+    out_V_13x = multiply(sqrt_3, out_V_2y, out_V_13x)  # t8
+    out_V_10x = negative(out_V_13x, out_V_10x)  # t9
+    out_V_11y = negative(out_V_8y, out_V_11y)  # t10
+    out_V_1z = multiply(n6, r0, out_V_1z)  # t11
+    out_V_5y = negative(out_V_2y, out_V_5y)  # t12
+    out_V_15y = multiply(n4, out_V_3y, out_V_15y)  # t13
+    return out_V_1z, out_V_2y, out_V_2z, out_V_3x, out_V_3y, out_V_2z, out_V_3x, out_V_4y, out_V_2z, out_V_5y, out_V_2z, out_V_6x, out_V_4y, out_V_2z, out_V_6x, out_V_3y, out_V_2z, out_V_6x, out_V_8y, out_V_8z, out_V_3x, out_V_8y, out_V_8z, out_V_10x, out_V_8z, out_V_3x, out_V_11y, out_V_8z, out_V_6x, out_V_11y, out_V_8z, out_V_13x, out_V_8z, out_V_13x, out_V_2y, out_V_15y, out_V_10x, out_V_2y
+
+
+def _vertices_of_six_wheels_block(a, out_V_1z=None, out_V_2y=None, out_V_2z=None, out_V_3x=None, out_V_3y=None, out_V_4y=None, out_V_5y=None, out_V_6x=None, out_V_8y=None, out_V_8z=None, out_V_10x=None, out_V_11y=None, out_V_13x=None, out_V_15y=None, r0=None, r1=None, r2=None, n1=array(1.0), n2=array(2.0), n4=array(4.0), sqrt_3=array(math.sqrt(3.0)), n3=array(3.0), n6=array(6.0)):
+    r0 = tan(a, r0)  # tan_a
+    r1 = multiply(r0, r0, r1)  # tan_a_squared
+    r1 = add(n1, r1, r1)  # t1
+    r1 = sqrt(r1, r1)  # t2
+    out_V_3y = divide(r0, r1, out_V_3y)  # t4
+    r2 = multiply(n2, r0, r2)  # t5
+    out_V_2y = divide(r2, r1, out_V_2y)  # t6
+    out_V_2z = divide(n4, r1, out_V_2z)  # t7
+    r2 = multiply(sqrt_3, r0, r2)  # t8
+    out_V_6x = divide(r2, r1, out_V_6x)  # t9
+    out_V_3x = negative(out_V_6x, out_V_3x)  # t10
+    out_V_4y = negative(out_V_3y, out_V_4y)  # t11
+    r2 = multiply(n3, r0, r2)  # t12
+    out_V_8y = divide(r2, r1, out_V_8y)  # t13
+    out_V_8z = divide(n2, r1, out_V_8z)  # t14
+    out_V_13x = multiply(sqrt_3, out_V_2y, out_V_13x)  # t15
+    out_V_10x = negative(out_V_13x, out_V_10x)  # t16
+    out_V_11y = negative(out_V_8y, out_V_11y)  # t17
+    out_V_1z = divide(n6, r1, out_V_1z)  # t18
+    out_V_5y = negative(out_V_2y, out_V_5y)  # t19
+    r0 = multiply(n4, r0, r0)  # t20
+    out_V_15y = divide(r0, r1, out_V_15y)  # t21
+    return out_V_1z, out_V_2y, out_V_2z, out_V_3x, out_V_3y, out_V_2z, out_V_3x, out_V_4y, out_V_2z, out_V_5y, out_V_2z, out_V_6x, out_V_4y, out_V_2z, out_V_6x, out_V_3y, out_V_2z, out_V_6x, out_V_8y, out_V_8z, out_V_3x, out_V_8y, out_V_8z, out_V_10x, out_V_8z, out_V_3x, out_V_11y, out_V_8z, out_V_6x, out_V_11y, out_V_8z, out_V_13x, out_V_8z, out_V_13x, out_V_2y, out_V_15y, out_V_10x, out_V_2y
 
 
 def vertices_of_five_wheels(a, out=None):
@@ -1242,56 +1591,79 @@ def vertices_of_five_wheels(a, out=None):
     (sha256 e6f228859ccb), ignatov2005:3.2V.11a (sha256 969fdc746efd).
     """
     if out is None:
-        if type(a) is float:
-            try:
-                return _vertices_of_five_wheels(a, math.cos, math.sin, 1.0 / 2.0, math.sqrt(3.0), 5.0 / 2.0, 3.0, 3.0 / 2.0, 5.0, 7.0 / 2.0)
-            except (ValueError, ZeroDivisionError, OverflowError):
-                pass  # NumPy says whether it is infinite or no number
-        elif type(a) is np.ndarray and a.dtype is DOUBLE:
-            if a.size <= FEW:
+        try:
+            if float is type(a):
                 return _vertices_of_five_wheels(a)
-            return evaluate_alike(_vertices_of_five_wheels_block, 3, (0, 1, 2, 0, 3, 4, 5, 6, 4, 5, 7, 4, 0, 8, 4, 9, 7, 4, 9, 6, 10, 5, 11, 10, 12, 1, 10, 5, 13, 10, 9, 13, 10,), (a,))
+            if ndarray is type(a) and DOUBLE is a.dtype and () != a.shape:
+                size = a.size
+                if size <= FEW:
+                    return _vertices_of_five_wheels_few(a)
+                if size <= SMALL:
+                    return _vertices_of_five_wheels_block(a)
+                return evaluate_alike(_vertices_of_five_wheels_block, 3, (0, 1, 2, 0, 3, 4, 5, 6, 4, 5, 7, 4, 0, 8, 4, 9, 7, 4, 9, 6, 10, 5, 11, 10, 12, 1, 10, 5, 13, 10, 9, 13, 10,), (a,))
+        except (ValueError, ZeroDivisionError, OverflowError):
+            pass  # NumPy says whether it is infinite or no number
     return evaluate(_vertices_of_five_wheels_block, 3, (0, 1, 2, 0, 3, 4, 5, 6, 4, 5, 7, 4, 0, 8, 4, 9, 7, 4, 9, 6, 10, 5, 11, 10, 12, 1, 10, 5, 13, 10, 9, 13, 10,), (a,), out)
 
 
-def _vertices_of_five_wheels(a, cos=np.cos, sin=np.sin, n1_2=np.array(1.0 / 2.0), sqrt_3=np.array(math.sqrt(3.0)), n5_2=np.array(5.0 / 2.0), n3=np.array(3.0), n3_2=np.array(3.0 / 2.0), n5=np.array(5.0), n7_2=np.array(7.0 / 2.0)):
-    sin_a = sin(a)
-    t1 = n1_2 * sin_a
-    t2 = sqrt_3 * t1
-    cos_a = cos(a)
-    t3 = n5_2 * sin_a
-    t4 = n3 * cos_a
+def _vertices_of_five_wheels(a):
+    sin_a = math.sin(a)
+    t1 = (1.0 / 2.0) * sin_a
+    t2 = math.sqrt(3.0) * t1
+    cos_a = math.cos(a)
+    t3 = (5.0 / 2.0) * sin_a
+    t4 = 3.0 * cos_a
     t5 = -t2
-    t6 = n3_2 * sin_a
+    t6 = (3.0 / 2.0) * sin_a
     t7 = -t1
-    t8 = sqrt_3 * t6
+    t8 = math.sqrt(3.0) * t6
     t9 = -t3
-    return t2, t1, n5 * cos_a, t2, t3, t4, t5, t6, t4, t5, t7, t4, t2, -t6, t4, t8, t7, t4, t8, t6, cos_a, t5, n7_2 * sin_a, cos_a, -t8, t1, cos_a, t5, t9, cos_a, t8, t9, cos_a
+    return t2, t1, 5.0 * cos_a, t2, t3, t4, t5, t6, t4, t5, t7, t4, t2, -t6, t4, t8, t7, t4, t8, t6, cos_a, t5, (7.0 / 2.0) * sin_a, cos_a, -t8, t1, cos_a, t5, t9, cos_a, t8, t9, cos_a
 
 
-def _vertices_of_five_wheels_block(a, out_V_1x, out_V_1y, out_V_1z, out_V_2y, out_V_2z, out_V_3x, out_V_3y, out_V_4y, out_V_5y, out_V_6x, out_V_7z, out_V_8y, out_V_9x, out_V_10y, r0, r1, r2):
-    np.tan(a, r0)  # tan_a
-    np.multiply(r0, r0, r1)  # tan_a_squared
-    np.add(1.0, r1, r1)  # t1
-    np.sqrt(r1, r1)  # t2
-    np.multiply(1.0 / 2.0, r0, r2)  # t4
-    np.divide(r2, r1, out_V_1y)  # t5
-    np.multiply(math.sqrt(3.0), out_V_1y, out_V_1x)  # t6
-    np.divide(1.0, r1, out_V_7z)  # t7
-    np.multiply(5.0 / 2.0, r0, r2)  # t8
-    np.divide(r2, r1, out_V_2y)  # t9
-    np.divide(3.0, r1, out_V_2z)  # t10
-    np.negative(out_V_1x, out_V_3x)  # t11
-    np.multiply(3.0 / 2.0, r0, r2)  # t12
-    np.divide(r2, r1, out_V_3y)  # t13
-    np.negative(out_V_1y, out_V_4y)  # t14
-    np.multiply(math.sqrt(3.0), out_V_3y, out_V_6x)  # t15
-    np.negative(out_V_2y, out_V_10y)  # t16
-    np.divide(5.0, r1, out_V_1z)  # t17
-    np.negative(out_V_3y, out_V_5y)  # t18
-    np.multiply(7.0 / 2.0, r0, r0)  # t19
-    np.divide(r0, r1, out_V_8y)  # t20
-    np.negative(out_V_6x, out_V_9x)  # t21
+def _vertices_of_five_wheels_few(a, out_V_1x=None, out_V_1y=None, out_V_1z=None, out_V_2y=None, out_V_2z=None, out_V_3x=None, out_V_3y=None, out_V_4y=None, out_V_5y=None, out_V_6x=None, out_V_7z=None, out_V_8y=None, out_V_9x=None, out_V_10y=None, r0=None, n1_2=array(1.0 / 2.0), sqrt_3=array(math.sqrt(3.0)), n5_2=array(5.0 / 2.0), n3=array(3.0), n3_2=array(3.0 / 2.0), n5=array(5.0), n7_2=array(7.0 / 2.0)):
+    r0 = sin(a, r0)  # sin_a
+    out_V_1y = multiply(n1_2, r0, out_V_1y)  # t1
+    out_V_1x = multiply(sqrt_3, out_V_1y, out_V_1x)  # t2
+    out_V_7z = cos(a, out_V_7z)  # cos_a
+    out_V_2y = multiply(n5_2, r0, out_V_2y)  # t3
+    out_V_2z = multiply(n3, out_V_7z, out_V_2z)  # t4
+    out_V_3x = negative(out_V_1x, out_V_3x)  # t5
+    out_V_3y = multiply(n3_2, r0, out_V_3y)  # t6
+    out_V_4y = negative(out_V_1y, out_V_4y)  # t7
+    out_V_6x = multiply(sqrt_3, out_V_3y, out_V_6x)  # t8
+    out_V_10y = negative(out_V_2y, out_V_10y)  # t9
+    out_V_1z = multiply(n5, out_V_7z, out_V_1z)  # t10
+    out_V_5y = negative(out_V_3y, out_V_5y)  # t11
+    out_V_8y = multiply(n7_2, r0, out_V_8y)  # t12
+    out_V_9x = negative(out_V_6x, out_V_9x)  # t13
+    return out_V_1x, out_V_1y, out_V_1z, out_V_1x, out_V_2y, out_V_2z, out_V_3x, out_V_3y, out_V_2z, out_V_3x, out_V_4y, out_V_2z, out_V_1x, out_V_5y, out_V_2z, out_V_6x, out_V_4y, out_V_2z, out_V_6x, out_V_3y, out_V_7z, out_V_3x, out_V_8y, out_V_7z, out_V_9x, out_V_1y, out_V_7z, out_V_3x, out_V_10y, out_V_7z, out_V_6x, out_V_10y, out_V_7z
+
+
+def _vertices_of_five_wheels_block(a, out_V_1x=None, out_V_1y=None, out_V_1z=None, out_V_2y=None, out_V_2z=None, out_V_3x=None, out_V_3y=None, out_V_4y=None, out_V_5y=None, out_V_6x=None, out_V_7z=None, out_V_8y=None, out_V_9x=None, out_V_10y=None, r0=None, r1=None, r2=None, n1=array(1.0), n1_2=array(1.0 / 2.0), sqrt_3=array(math.sqrt(3.0)), n5_2=array(5.0 / 2.0), n3=array(3.0), n3_2=array(3.0 / 2.0), n5=array(5.0), n7_2=array(7.0 / 2.0)):
+    r0 = tan(a, r0)  # tan_a
+    r1 = multiply(r0, r0, r1)  # tan_a_squared
+    r1 = add(n1, r1, r1)  # t1
+    r1 = sqrt(r1, r1)  # t2
+    r2 = multiply(n1_2, r0, r2)  # t4
+    out_V_1y = divide(r2, r1, out_V_1y)  # t5
+    out_V_1x = multiply(sqrt_3, out_V_1y, out_V_1x)  # t6
+    out_V_7z = divide(n1, r1, out_V_7z)  # t7
+    r2 = multiply(n5_2, r0, r2)  # t8
+    out_V_2y = divide(r2, r1, out_V_2y)  # t9
+    out_V_2z = divide(n3, r1, out_V_2z)  # t10
+    out_V_3x = negative(out_V_1x, out_V_3x)  # t11
+    r2 = multiply(n3_2, r0, r2)  # t12
+    out_V_3y = divide(r2, r1, out_V_3y)  # t13
+    out_V_4y = negative(out_V_1y, out_V_4y)  # t14
+    out_V_6x = multiply(sqrt_3, out_V_3y, out_V_6x)  # t15
+    out_V_10y = negative(out_V_2y, out_V_10y)  # t16
+    out_V_1z = divide(n5, r1, out_V_1z)  # t17
+    out_V_5y = negative(out_V_3y, out_V_5y)  # t18
+    r0 = multiply(n7_2, r0, r0)  # t19
+    out_V_8y = divide(r0, r1, out_V_8y)  # t20
+    out_V_9x = negative(out_V_6x, out_V_9x)  # t21
+    return out_V_1x, out_V_1y, out_V_1z, out_V_1x, out_V_2y, out_V_2z, out_V_3x, out_V_3y, out_V_2z, out_V_3x, out_V_4y, out_V_2z, out_V_1x, out_V_5y, out_V_2z, out_V_6x, out_V_4y, out_V_2z, out_V_6x, out_V_3y, out_V_7z, out_V_3x, out_V_8y, out_V_7z, out_V_9x, out_V_1y, out_V_7z, out_V_3x, out_V_10y, out_V_7z, out_V_6x, out_V_10y, out_V_7z
 
 
 def vertex_distances_of_four_wheels(a, b, out=None):
@@ -1321,38 +1693,56 @@ def vertex_distances_of_four_wheels(a, b, out=None):
     ignatov2005:2.1.30 (sha256 26da3182c8fc).
     """
     if out is None:
-        if type(a) is type(b) is float:
-            try:
-                return _vertex_distances_of_four_wheels(a, b, math.cos, math.sin, 4.0)
-            except (ValueError, ZeroDivisionError, OverflowError):
-                pass  # NumPy says whether it is infinite or no number
-        elif type(a) is type(b) is np.ndarray and a.dtype is b.dtype is DOUBLE and a.shape == b.shape:
-            if a.size <= FEW:
+        try:
+            if float is type(a) is type(b):
                 return _vertex_distances_of_four_wheels(a, b)
-            return evaluate_alike(_vertex_distances_of_four_wheels_block, 4, (0, 1, 2,), (a, b,))
+            if ndarray is type(a) is type(b) and DOUBLE is a.dtype is b.dtype and () != a.shape == b.shape:
+                size = a.size
+                if 0 < size <= 1:
+                    return evaluate_handful(_vertex_distances_of_four_wheels, (a, b,))
+                if size <= FEW:
+                    return _vertex_distances_of_four_wheels_few(a, b)
+                if size <= SMALL:
+                    return _vertex_distances_of_four_wheels_block(a, b)
+                return evaluate_alike(_vertex_distances_of_four_wheels_block, 4, (0, 1, 2,), (a, b,))
+        except (ValueError, ZeroDivisionError, OverflowError):
+            pass  # NumPy says whether it is infinite or no number
     return evaluate(_vertex_distances_of_four_wheels_block, 4, (0, 1, 2,), (a, b,), out)
 
 
-def _vertex_distances_of_four_wheels(a, b, cos=np.cos, sin=np.sin, n4=np.array(4.0)):
-    t1 = n4 * sin(a)
-    return sin(b) * t1, cos(b) * t1, n4 * cos(a)
+def _vertex_distances_of_four_wheels(a, b):
+    t1 = 4.0 * math.sin(a)
+    return math.sin(b) * t1, math.cos(b) * t1, 4.0 * math.cos(a)
 
 
-def _vertex_distances_of_four_wheels_block(a, b, out_d_1, out_d_2, out_d_3, r0, r1, r2, r3):
-    np.tan(a, r0)  # tan_a
-    np.multiply(r0, r0, r1)  # tan_a_squared
-    np.add(1.0, r1, r1)  # t1
-    np.sqrt(r1, r1)  # t2
-    np.multiply(4.0, r0, r0)  # t3
-    np.divide(r0, r1, r0)  # t4
-    np.tan(b, r2)  # tan_b
-    np.multiply(r2, r2, r3)  # tan_b_squared
-    np.add(1.0, r3, r3)  # t5
-    np.sqrt(r3, r3)  # t6
-    np.multiply(r0, r2, r2)  # t7
-    np.divide(r2, r3, out_d_1)  # t8
-    np.divide(r0, r3, out_d_2)  # t9
-    np.divide(4.0, r1, out_d_3)  # t10
+def _vertex_distances_of_four_wheels_few(a, b, out_d_1=None, out_d_2=None, out_d_3=None, r0=None, r1=None, n4=array(4.0)):
+    r0 = sin(a, r0)  # sin_a
+    r0 = multiply(n4, r0, r0)  # t1
+    r1 = sin(b, r1)  # sin_b
+    out_d_1 = multiply(r1, r0, out_d_1)  # t2
+    r1 = cos(b, r1)  # cos_b
+    out_d_2 = multiply(r1, r0, out_d_2)  # t3
+    r0 = cos(a, r0)  # cos_a
+    out_d_3 = multiply(n4, r0, out_d_3)  # t4
+    return out_d_1, out_d_2, out_d_3
+
+
+def _vertex_distances_of_four_wheels_block(a, b, out_d_1=None, out_d_2=None, out_d_3=None, r0=None, r1=None, r2=None, r3=None, n1=array(1.0), n4=array(4.0)):
+    r0 = tan(a, r0)  # tan_a
+    r1 = multiply(r0, r0, r1)  # tan_a_squared
+    r1 = add(n1, r1, r1)  # t1
+    r1 = sqrt(r1, r1)  # t2
+    r0 = multiply(n4, r0, r0)  # t3
+    r0 = divide(r0, r1, r0)  # t4
+    r2 = tan(b, r2)  # tan_b
+    r3 = multiply(r2, r2, r3)  # tan_b_squared
+    r3 = add(n1, r3, r3)  # t5
+    r3 = sqrt(r3, r3)  # t6
+    r2 = multiply(r0, r2, r2)  # t7
+    out_d_1 = divide(r2, r3, out_d_1)  # t8
+    out_d_2 = divide(r0, r3, out_d_2)  # t9
+    out_d_3 = divide(n4, r1, out_d_3)  # t10
+    return out_d_1, out_d_2, out_d_3
 
 
 def vertex_distances_of_three_wheels(a, b, out=None):
@@ -1382,45 +1772,49 @@ def vertex_distances_of_three_wheels(a, b, out=None):
     f520c9c82bc3).
     """
     if out is None:
-        if type(a) is type(b) is float:
-            try:
-                return _vertex_distances_of_three_wheels(a, b, math.sqrt, math.tan, 1.0, 8.0)
-            except (ValueError, ZeroDivisionError, OverflowError):
-                pass  # NumPy says whether it is infinite or no number
-        elif type(a) is type(b) is np.ndarray and a.dtype is b.dtype is DOUBLE and a.shape == b.shape:
-            if a.size <= SMALL:
+        try:
+            if float is type(a) is type(b):
                 return _vertex_distances_of_three_wheels(a, b)
-            return evaluate_alike(_vertex_distances_of_three_wheels_block, 4, (0, 1, 2,), (a, b,))
+            if ndarray is type(a) is type(b) and DOUBLE is a.dtype is b.dtype and () != a.shape == b.shape:
+                size = a.size
+                if 0 < size <= 4:
+                    return evaluate_handful(_vertex_distances_of_three_wheels, (a, b,))
+                if size <= SMALL:
+                    return _vertex_distances_of_three_wheels_block(a, b)
+                return evaluate_alike(_vertex_distances_of_three_wheels_block, 4, (0, 1, 2,), (a, b,))
+        except (ValueError, ZeroDivisionError, OverflowError):
+            pass  # NumPy says whether it is infinite or no number
     return evaluate(_vertex_distances_of_three_wheels_block, 4, (0, 1, 2,), (a, b,), out)
 
 
-def _vertex_distances_of_three_wheels(a, b, sqrt=np.sqrt, tan=np.tan, n1=np.array(1.0), n8=np.array(8.0)):
-    tan_b = tan(b)
+def _vertex_distances_of_three_wheels(a, b):
+    tan_b = math.tan(b)
     tan_b_squared = tan_b * tan_b
-    tan_a = tan(a)
+    tan_a = math.tan(a)
     tan_a_squared = tan_a * tan_a
-    t2 = n8 / (n1 + tan_a_squared)
-    t5 = (t2 * tan_a_squared) / (n1 + tan_b_squared)
-    return sqrt(n1 + (t5 * tan_b_squared)), sqrt(n1 + t5), sqrt(n1 + t2)
+    t2 = 8.0 / (1.0 + tan_a_squared)
+    t5 = (t2 * tan_a_squared) / (1.0 + tan_b_squared)
+    return math.sqrt(1.0 + (t5 * tan_b_squared)), math.sqrt(1.0 + t5), math.sqrt(1.0 + t2)
 
 
-def _vertex_distances_of_three_wheels_block(a, b, out_d_1, out_d_2, out_d_3, r0, r1, r2, r3):
-    np.tan(b, r0)  # tan_b
-    np.multiply(r0, r0, r0)  # tan_b_squared
-    np.tan(a, r1)  # tan_a
-    np.multiply(r1, r1, r1)  # tan_a_squared
-    np.add(1.0, r1, r2)  # t1
-    np.divide(8.0, r2, r2)  # t2
-    np.add(1.0, r0, r3)  # t3
-    np.multiply(r2, r1, r1)  # t4
-    np.divide(r1, r3, r3)  # t5
-    np.multiply(r3, r0, r0)  # t6
-    np.add(1.0, r0, r0)  # t7
-    np.sqrt(r0, out_d_1)  # t8
-    np.add(1.0, r3, r3)  # t9
-    np.sqrt(r3, out_d_2)  # t10
-    np.add(1.0, r2, r2)  # t11
-    np.sqrt(r2, out_d_3)  # t12
+def _vertex_distances_of_three_wheels_block(a, b, out_d_1=None, out_d_2=None, out_d_3=None, r0=None, r1=None, r2=None, r3=None, n1=array(1.0), n8=array(8.0)):
+    r0 = tan(b, r0)  # tan_b
+    r0 = multiply(r0, r0, r0)  # tan_b_squared
+    r1 = tan(a, r1)  # tan_a
+    r1 = multiply(r1, r1, r1)  # tan_a_squared
+    r2 = add(n1, r1, r2)  # t1
+    r2 = divide(n8, r2, r2)  # t2
+    r3 = add(n1, r0, r3)  # t3
+    r1 = multiply(r2, r1, r1)  # t4
+    r3 = divide(r1, r3, r3)  # t5
+    r0 = multiply(r3, r0, r0)  # t6
+    r0 = add(n1, r0, r0)  # t7
+    out_d_1 = sqrt(r0, out_d_1)  # t8
+    r3 = add(n1, r3, r3)  # t9
+    out_d_2 = sqrt(r3, out_d_2)  # t10
+    r2 = add(n1, r2, r2)  # t11
+    out_d_3 = sqrt(r2, out_d_3)  # t12
+    return out_d_1, out_d_2, out_d_3
 
 
 def vertex_distances_of_six_wheels(a, out=None):
@@ -1451,43 +1845,70 @@ def vertex_distances_of_six_wheels(a, out=None):
     proved equal to those shown (sha256 0bd0d880e232).
     """
     if out is None:
-        if type(a) is float:
-            try:
-                return _vertex_distances_of_six_wheels(a, math.cos, math.sin, math.sqrt, math.tan, 1.0, 6.0, 4.0, 3.0, 2.0)
-            except (ValueError, ZeroDivisionError, OverflowError):
-                pass  # NumPy says whether it is infinite or no number
-        elif type(a) is np.ndarray and a.dtype is DOUBLE:
-            if a.size <= FEW:
+        try:
+            if float is type(a):
                 return _vertex_distances_of_six_wheels(a)
-            return evaluate_alike(_vertex_distances_of_six_wheels_block, 4, (0, 1, 2, 3,), (a,))
+            if ndarray is type(a) and DOUBLE is a.dtype and () != a.shape:
+                size = a.size
+                if 0 < size <= 3:
+                    return evaluate_handful(_vertex_distances_of_six_wheels, (a,))
+                if size <= FEW:
+                    return _vertex_distances_of_six_wheels_few(a)
+                if size <= SMALL:
+                    return _vertex_distances_of_six_wheels_block(a)
+                return evaluate_alike(_vertex_distances_of_six_wheels_block, 4, (0, 1, 2, 3,), (a,))
+        except (ValueError, ZeroDivisionError, OverflowError):
+            pass  # NumPy says whether it is infinite or no number
     return evaluate(_vertex_distances_of_six_wheels_block, 4, (0, 1, 2, 3,), (a,), out)
 
 
-def _vertex_distances_of_six_wheels(a, cos=np.cos, sin=np.sin, sqrt=np.sqrt, tan=np.tan, n1=np.array(1.0), n6=np.array(6.0), n4=np.array(4.0), n3=np.array(3.0), n2=np.array(2.0)):
-    tan_a = tan(a)
+def _vertex_distances_of_six_wheels(a):
+    tan_a = math.tan(a)
     tan_a_squared = tan_a * tan_a
-    t2 = n1 / (n1 + tan_a_squared)
-    return n6 * cos(a), n4 * sin(a), n2 * sqrt(n1 + (n3 * t2)), n2 * sqrt(n1 + (n2 * (t2 * tan_a_squared)))
+    t2 = 1.0 / (1.0 + tan_a_squared)
+    return 6.0 * math.cos(a), 4.0 * math.sin(a), 2.0 * math.sqrt(1.0 + (3.0 * t2)), 2.0 * math.sqrt(1.0 + (2.0 * (t2 * tan_a_squared)))
 
 
-def _vertex_distances_of_six_wheels_block(a, out_d_1, out_d_2, out_d_3, out_d_4, r0, r1, r2, r3):
-    np.tan(a, r0)  # tan_a
-    np.multiply(r0, r0, r1)  # tan_a_squared
-    np.add(1.0, r1, r2)  # t1
-    np.divide(1.0, r2, r3)  # t2
-    np.sqrt(r2, r2)  # t3
-    np.divide(6.0, r2, out_d_1)  # t4
-    np.multiply(4.0, r0, r0)  # t5
-    np.divide(r0, r2, out_d_2)  # t6
-    np.multiply(3.0, r3, r2)  # t7
-    np.add(1.0, r2, r2)  # t8
-    np.sqrt(r2, r2)  # t9
-    np.multiply(2.0, r2, out_d_3)  # t10
-    np.multiply(r3, r1, r1)  # t11
-    np.multiply(2.0, r1, r1)  # t12
-    np.add(1.0, r1, r1)  # t13
-    np.sqrt(r1, r1)  # t14
-    np.multiply(2.0, r1, out_d_4)  # t15
+def _vertex_distances_of_six_wheels_few(a, out_d_1=None, out_d_2=None, out_d_3=None, out_d_4=None, r0=None, r1=None, r2=None, n1=array(1.0), n6=array(6.0), n4=array(4.0), n3=array(3.0), n2=array(2.0)):
+    r0 = tan(a, r0)  # tan_a
+    r0 = multiply(r0, r0, r0)  # tan_a_squared
+    r1 = add(n1, r0, r1)  # t1
+    r1 = divide(n1, r1, r1)  # t2
+    r2 = cos(a, r2)  # cos_a
+    out_d_1 = multiply(n6, r2, out_d_1)  # t3
+    r2 = sin(a, r2)  # sin_a
+    out_d_2 = multiply(n4, r2, out_d_2)  # t4
+    r2 = multiply(n3, r1, r2)  # t5
+    r2 = add(n1, r2, r2)  # t6
+    r2 = sqrt(r2, r2)  # t7
+    out_d_3 = multiply(n2, r2, out_d_3)  # t8
+    r0 = multiply(r1, r0, r0)  # t9
+    r0 = multiply(n2, r0, r0)  # t10
+    r0 = add(n1, r0, r0)  # t11
+    r0 = sqrt(r0, r0)  # t12
+    out_d_4 = multiply(n2, r0, out_d_4)  # t13
+    return out_d_1, out_d_2, out_d_3, out_d_4
+
+
+def _vertex_distances_of_six_wheels_block(a, out_d_1=None, out_d_2=None, out_d_3=None, out_d_4=None, r0=None, r1=None, r2=None, r3=None, n1=array(1.0), n6=array(6.0), n4=array(4.0), n3=array(3.0), n2=array(2.0)):
+    r0 = tan(a, r0)  # tan_a
+    r1 = multiply(r0, r0, r1)  # tan_a_squared
+    r2 = add(n1, r1, r2)  # t1
+    r3 = divide(n1, r2, r3)  # t2
+    r2 = sqrt(r2, r2)  # t3
+    out_d_1 = divide(n6, r2, out_d_1)  # t4
+    r0 = multiply(n4, r0, r0)  # t5
+    out_d_2 = divide(r0, r2, out_d_2)  # t6
+    r2 = multiply(n3, r3, r2)  # t7
+    r2 = add(n1, r2, r2)  # t8
+    r2 = sqrt(r2, r2)  # t9
+    out_d_3 = multiply(n2, r2, out_d_3)  # t10
+    r1 = multiply(r3, r1, r1)  # t11
+    r1 = multiply(n2, r1, r1)  # t12
+    r1 = add(n1, r1, r1)  # t13
+    r1 = sqrt(r1, r1)  # t14
+    out_d_4 = multiply(n2, r1, out_d_4)  # t15
+    return out_d_1, out_d_2, out_d_3, out_d_4
 
 
 def vertex_distances_of_five_wheels(a, out=None):
@@ -1525,54 +1946,58 @@ def vertex_distances_of_five_wheels(a, out=None):
     proved equal to those shown (sha256 6b611b3313a6).
     """
     if out is None:
-        if type(a) is float:
-            try:
-                return _vertex_distances_of_five_wheels(a, math.sqrt, math.tan, 1.0, 6.0, 8.0, 24.0, 2.0, 7.0, 3.0, 12.0)
-            except (ValueError, ZeroDivisionError, OverflowError):
-                pass  # NumPy says whether it is infinite or no number
-        elif type(a) is np.ndarray and a.dtype is DOUBLE:
-            if a.size <= SMALL:
+        try:
+            if float is type(a):
                 return _vertex_distances_of_five_wheels(a)
-            return evaluate_alike(_vertex_distances_of_five_wheels_block, 5, (0, 1, 2, 3, 4, 5, 6,), (a,))
+            if ndarray is type(a) and DOUBLE is a.dtype and () != a.shape:
+                size = a.size
+                if 0 < size <= 4:
+                    return evaluate_handful(_vertex_distances_of_five_wheels, (a,))
+                if size <= SMALL:
+                    return _vertex_distances_of_five_wheels_block(a)
+                return evaluate_alike(_vertex_distances_of_five_wheels_block, 5, (0, 1, 2, 3, 4, 5, 6,), (a,))
+        except (ValueError, ZeroDivisionError, OverflowError):
+            pass  # NumPy says whether it is infinite or no number
     return evaluate(_vertex_distances_of_five_wheels_block, 5, (0, 1, 2, 3, 4, 5, 6,), (a,), out)
 
 
-def _vertex_distances_of_five_wheels(a, sqrt=np.sqrt, tan=np.tan, n1=np.array(1.0), n6=np.array(6.0), n8=np.array(8.0), n24=np.array(24.0), n2=np.array(2.0), n7=np.array(7.0), n3=np.array(3.0), n12=np.array(12.0)):
-    tan_a = tan(a)
+def _vertex_distances_of_five_wheels(a):
+    tan_a = math.tan(a)
     tan_a_squared = tan_a * tan_a
-    t2 = n1 / (n1 + tan_a_squared)
-    t3 = n6 * t2
-    t4 = n8 * t2
-    return sqrt(n1 + (n24 * t2)), sqrt(n7 + (n2 * t2)), sqrt(n3 + t3), sqrt(n1 + t4), sqrt(n1 + (t4 * tan_a_squared)), sqrt(n1 + (n12 * (t2 * tan_a_squared))), sqrt(n1 + (t3 * tan_a_squared))
+    t2 = 1.0 / (1.0 + tan_a_squared)
+    t3 = 6.0 * t2
+    t4 = 8.0 * t2
+    return math.sqrt(1.0 + (24.0 * t2)), math.sqrt(7.0 + (2.0 * t2)), math.sqrt(3.0 + t3), math.sqrt(1.0 + t4), math.sqrt(1.0 + (t4 * tan_a_squared)), math.sqrt(1.0 + (12.0 * (t2 * tan_a_squared))), math.sqrt(1.0 + (t3 * tan_a_squared))
 
 
-def _vertex_distances_of_five_wheels_block(a, out_d_1, out_d_2, out_d_3, out_d_4, out_d_5, out_d_6, out_d_7, r0, r1, r2, r3, r4):
-    np.tan(a, r0)  # tan_a
-    np.multiply(r0, r0, r0)  # tan_a_squared
-    np.add(1.0, r0, r1)  # t1
-    np.divide(1.0, r1, r1)  # t2
-    np.multiply(6.0, r1, r2)  # t3
-    np.multiply(8.0, r1, r3)  # t4
-    np.multiply(24.0, r1, r4)  # t5
-    np.add(1.0, r4, r4)  # t6
-    np.sqrt(r4, out_d_1)  # t7
-    np.multiply(2.0, r1, r4)  # t8
-    np.add(7.0, r4, r4)  # t9
-    np.sqrt(r4, out_d_2)  # t10
-    np.add(3.0, r2, r4)  # t11
-    np.sqrt(r4, out_d_3)  # t12
-    np.add(1.0, r3, r4)  # t13
-    np.sqrt(r4, out_d_4)  # t14
-    np.multiply(r3, r0, r3)  # t15
-    np.add(1.0, r3, r3)  # t16
-    np.sqrt(r3, out_d_5)  # t17
-    np.multiply(r1, r0, r1)  # t18
-    np.multiply(12.0, r1, r1)  # t19
-    np.add(1.0, r1, r1)  # t20
-    np.sqrt(r1, out_d_6)  # t21
-    np.multiply(r2, r0, r0)  # t22
-    np.add(1.0, r0, r0)  # t23
-    np.sqrt(r0, out_d_7)  # t24
+def _vertex_distances_of_five_wheels_block(a, out_d_1=None, out_d_2=None, out_d_3=None, out_d_4=None, out_d_5=None, out_d_6=None, out_d_7=None, r0=None, r1=None, r2=None, r3=None, r4=None, n1=array(1.0), n6=array(6.0), n8=array(8.0), n24=array(24.0), n2=array(2.0), n7=array(7.0), n3=array(3.0), n12=array(12.0)):
+    r0 = tan(a, r0)  # tan_a
+    r0 = multiply(r0, r0, r0)  # tan_a_squared
+    r1 = add(n1, r0, r1)  # t1
+    r1 = divide(n1, r1, r1)  # t2
+    r2 = multiply(n6, r1, r2)  # t3
+    r3 = multiply(n8, r1, r3)  # t4
+    r4 = multiply(n24, r1, r4)  # t5
+    r4 = add(n1, r4, r4)  # t6
+    out_d_1 = sqrt(r4, out_d_1)  # t7
+    r4 = multiply(n2, r1, r4)  # t8
+    r4 = add(n7, r4, r4)  # t9
+    out_d_2 = sqrt(r4, out_d_2)  # t10
+    r4 = add(n3, r2, r4)  # t11
+    out_d_3 = sqrt(r4, out_d_3)  # t12
+    r4 = add(n1, r3, r4)  # t13
+    out_d_4 = sqrt(r4, out_d_4)  # t14
+    r3 = multiply(r3, r0, r3)  # t15
+    r3 = add(n1, r3, r3)  # t16
+    out_d_5 = sqrt(r3, out_d_5)  # t17
+    r1 = multiply(r1, r0, r1)  # t18
+    r1 = multiply(n12, r1, r1)  # t19
+    r1 = add(n1, r1, r1)  # t20
+    out_d_6 = sqrt(r1, out_d_6)  # t21
+    r0 = multiply(r2, r0, r0)  # t22
+    r0 = add(n1, r0, r0)  # t23
+    out_d_7 = sqrt(r0, out_d_7)  # t24
+    return out_d_1, out_d_2, out_d_3, out_d_4, out_d_5, out_d_6, out_d_7
 
 
 def face_distances_of_four_wheels(a, b, out=None):
@@ -1602,58 +2027,62 @@ def face_distances_of_four_wheels(a, b, out=None):
     (sha256 1ada6fc8bf90). The forms computed are proved equal to those shown (sha256 ec293f1923fb).
     """
     if out is None:
-        if type(a) is type(b) is float:
-            try:
-                return _face_distances_of_four_wheels(a, b, math.sqrt, math.tan, 1.0, 4.0, 2.0)
-            except (ValueError, ZeroDivisionError, OverflowError):
-                pass  # NumPy says whether it is infinite or no number
-        elif type(a) is type(b) is np.ndarray and a.dtype is b.dtype is DOUBLE and a.shape == b.shape:
-            if a.size <= SMALL:
+        try:
+            if float is type(a) is type(b):
                 return _face_distances_of_four_wheels(a, b)
-            return evaluate_alike(_face_distances_of_four_wheels_block, 8, (0, 1, 2,), (a, b,))
+            if ndarray is type(a) is type(b) and DOUBLE is a.dtype is b.dtype and () != a.shape == b.shape:
+                size = a.size
+                if 0 < size <= 9:
+                    return evaluate_handful(_face_distances_of_four_wheels, (a, b,))
+                if size <= SMALL:
+                    return _face_distances_of_four_wheels_block(a, b)
+                return evaluate_alike(_face_distances_of_four_wheels_block, 8, (0, 1, 2,), (a, b,))
+        except (ValueError, ZeroDivisionError, OverflowError):
+            pass  # NumPy says whether it is infinite or no number
     return evaluate(_face_distances_of_four_wheels_block, 8, (0, 1, 2,), (a, b,), out)
 
 
-def _face_distances_of_four_wheels(a, b, sqrt=np.sqrt, tan=np.tan, n1=np.array(1.0), n4=np.array(4.0), n2=np.array(2.0)):
-    tan_a = tan(a)
+def _face_distances_of_four_wheels(a, b):
+    tan_a = math.tan(a)
     tan_a_squared = tan_a * tan_a
-    tan_b = tan(b)
+    tan_b = math.tan(b)
     tan_b_squared = tan_b * tan_b
-    t1 = n1 + tan_b_squared
-    t2 = n4 * tan_a
+    t1 = 1.0 + tan_b_squared
+    t2 = 4.0 * tan_a
     t3 = t2 * tan_b
     t4 = t1 * t1
-    t11 = sqrt(t1 + ((n1 + ((tan_a_squared * tan_b_squared) + (n2 * tan_b_squared))) * tan_a_squared))
-    return t3 / t11, t2 / sqrt(t1 + ((n2 + (tan_a_squared + tan_b_squared)) * tan_a_squared)), t3 / sqrt((t4 * tan_a_squared) + t4)
+    t11 = math.sqrt(t1 + ((1.0 + ((tan_a_squared * tan_b_squared) + (2.0 * tan_b_squared))) * tan_a_squared))
+    return t3 / t11, t2 / math.sqrt(t1 + ((2.0 + (tan_a_squared + tan_b_squared)) * tan_a_squared)), t3 / math.sqrt((t4 * tan_a_squared) + t4)
 
 
-def _face_distances_of_four_wheels_block(a, b, out_r_1, out_r_2, out_r_3, r0, r1, r2, r3, r4, r5, r6, r7):
-    np.tan(a, r0)  # tan_a
-    np.multiply(r0, r0, r1)  # tan_a_squared
-    np.tan(b, r2)  # tan_b
-    np.multiply(r2, r2, r3)  # tan_b_squared
-    np.add(1.0, r3, r4)  # t1
-    np.multiply(4.0, r0, r0)  # t2
-    np.multiply(r0, r2, r2)  # t3
-    np.multiply(r4, r4, r5)  # t4
-    np.multiply(r1, r3, r6)  # t5
-    np.multiply(2.0, r3, r7)  # t6
-    np.add(r6, r7, r7)  # t7
-    np.add(1.0, r7, r7)  # t8
-    np.multiply(r7, r1, r7)  # t9
-    np.add(r4, r7, r7)  # t10
-    np.sqrt(r7, r7)  # t11
-    np.divide(r2, r7, out_r_1)  # t12
-    np.add(r1, r3, r3)  # t13
-    np.add(2.0, r3, r3)  # t14
-    np.multiply(r3, r1, r3)  # t15
-    np.add(r4, r3, r3)  # t16
-    np.sqrt(r3, r3)  # t17
-    np.divide(r0, r3, out_r_2)  # t18
-    np.multiply(r5, r1, r1)  # t19
-    np.add(r1, r5, r5)  # t20
-    np.sqrt(r5, r5)  # t21
-    np.divide(r2, r5, out_r_3)  # t22
+def _face_distances_of_four_wheels_block(a, b, out_r_1=None, out_r_2=None, out_r_3=None, r0=None, r1=None, r2=None, r3=None, r4=None, r5=None, r6=None, r7=None, n1=array(1.0), n4=array(4.0), n2=array(2.0)):
+    r0 = tan(a, r0)  # tan_a
+    r1 = multiply(r0, r0, r1)  # tan_a_squared
+    r2 = tan(b, r2)  # tan_b
+    r3 = multiply(r2, r2, r3)  # tan_b_squared
+    r4 = add(n1, r3, r4)  # t1
+    r0 = multiply(n4, r0, r0)  # t2
+    r2 = multiply(r0, r2, r2)  # t3
+    r5 = multiply(r4, r4, r5)  # t4
+    r6 = multiply(r1, r3, r6)  # t5
+    r7 = multiply(n2, r3, r7)  # t6
+    r7 = add(r6, r7, r7)  # t7
+    r7 = add(n1, r7, r7)  # t8
+    r7 = multiply(r7, r1, r7)  # t9
+    r7 = add(r4, r7, r7)  # t10
+    r7 = sqrt(r7, r7)  # t11
+    out_r_1 = divide(r2, r7, out_r_1)  # t12
+    r3 = add(r1, r3, r3)  # t13
+    r3 = add(n2, r3, r3)  # t14
+    r3 = multiply(r3, r1, r3)  # t15
+    r3 = add(r4, r3, r3)  # t16
+    r3 = sqrt(r3, r3)  # t17
+    out_r_2 = divide(r0, r3, out_r_2)  # t18
+    r1 = multiply(r5, r1, r1)  # t19
+    r5 = add(r1, r5, r5)  # t20
+    r5 = sqrt(r5, r5)  # t21
+    out_r_3 = divide(r2, r5, out_r_3)  # t22
+    return out_r_1, out_r_2, out_r_3
 
 
 def face_distances_of_three_wheels(a, b, out=None):
@@ -1683,58 +2112,62 @@ def face_distances_of_three_wheels(a, b, out=None):
     6353fe2cdb3b).
     """
     if out is None:
-        if type(a) is type(b) is float:
-            try:
-                return _face_distances_of_three_wheels(a, b, math.sqrt, math.tan, 1.0, 2.0)
-            except (ValueError, ZeroDivisionError, OverflowError):
-                pass  # NumPy says whether it is infinite or no number
-        elif type(a) is type(b) is np.ndarray and a.dtype is b.dtype is DOUBLE and a.shape == b.shape:
-            if a.size <= SMALL:
+        try:
+            if float is type(a) is type(b):
                 return _face_distances_of_three_wheels(a, b)
-            return evaluate_alike(_face_distances_of_three_wheels_block, 8, (0, 1, 2,), (a, b,))
+            if ndarray is type(a) is type(b) and DOUBLE is a.dtype is b.dtype and () != a.shape == b.shape:
+                size = a.size
+                if 0 < size <= 9:
+                    return evaluate_handful(_face_distances_of_three_wheels, (a, b,))
+                if size <= SMALL:
+                    return _face_distances_of_three_wheels_block(a, b)
+                return evaluate_alike(_face_distances_of_three_wheels_block, 8, (0, 1, 2,), (a, b,))
+        except (ValueError, ZeroDivisionError, OverflowError):
+            pass  # NumPy says whether it is infinite or no number
     return evaluate(_face_distances_of_three_wheels_block, 8, (0, 1, 2,), (a, b,), out)
 
 
-def _face_distances_of_three_wheels(a, b, sqrt=np.sqrt, tan=np.tan, n1=np.array(1.0), n2=np.array(2.0)):
-    tan_a = tan(a)
+def _face_distances_of_three_wheels(a, b):
+    tan_a = math.tan(a)
     tan_a_squared = tan_a * tan_a
-    tan_b = tan(b)
+    tan_b = math.tan(b)
     tan_b_squared = tan_b * tan_b
-    t1 = n1 + tan_b_squared
-    t2 = n2 * tan_a
+    t1 = 1.0 + tan_b_squared
+    t2 = 2.0 * tan_a
     t3 = t2 * tan_b
     t4 = t1 * t1
-    t11 = sqrt(t1 + ((n1 + ((tan_a_squared * tan_b_squared) + (n2 * tan_b_squared))) * tan_a_squared))
-    return t3 / t11, t2 / sqrt(t1 + ((n2 + (tan_a_squared + tan_b_squared)) * tan_a_squared)), t3 / sqrt((t4 * tan_a_squared) + t4)
+    t11 = math.sqrt(t1 + ((1.0 + ((tan_a_squared * tan_b_squared) + (2.0 * tan_b_squared))) * tan_a_squared))
+    return t3 / t11, t2 / math.sqrt(t1 + ((2.0 + (tan_a_squared + tan_b_squared)) * tan_a_squared)), t3 / math.sqrt((t4 * tan_a_squared) + t4)
 
 
-def _face_distances_of_three_wheels_block(a, b, out_r_1, out_r_2, out_r_3, r0, r1, r2, r3, r4, r5, r6, r7):
-    np.tan(a, r0)  # tan_a
-    np.multiply(r0, r0, r1)  # tan_a_squared
-    np.tan(b, r2)  # tan_b
-    np.multiply(r2, r2, r3)  # tan_b_squared
-    np.add(1.0, r3, r4)  # t1
-    np.multiply(2.0, r0, r0)  # t2
-    np.multiply(r0, r2, r2)  # t3
-    np.multiply(r4, r4, r5)  # t4
-    np.multiply(r1, r3, r6)  # t5
-    np.multiply(2.0, r3, r7)  # t6
-    np.add(r6, r7, r7)  # t7
-    np.add(1.0, r7, r7)  # t8
-    np.multiply(r7, r1, r7)  # t9
-    np.add(r4, r7, r7)  # t10
-    np.sqrt(r7, r7)  # t11
-    np.divide(r2, r7, out_r_1)  # t12
-    np.add(r1, r3, r3)  # t13
-    np.add(2.0, r3, r3)  # t14
-    np.multiply(r3, r1, r3)  # t15
-    np.add(r4, r3, r3)  # t16
-    np.sqrt(r3, r3)  # t17
-    np.divide(r0, r3, out_r_2)  # t18
-    np.multiply(r5, r1, r1)  # t19
-    np.add(r1, r5, r5)  # t20
-    np.sqrt(r5, r5)  # t21
-    np.divide(r2, r5, out_r_3)  # t22
+def _face_distances_of_three_wheels_block(a, b, out_r_1=None, out_r_2=None, out_r_3=None, r0=None, r1=None, r2=None, r3=None, r4=None, r5=None, r6=None, r7=None, n1=array(1.0), n2=array(2.0)):
+    r0 = tan(a, r0)  # tan_a
+    r1 = multiply(r0, r0, r1)  # tan_a_squared
+    r2 = tan(b, r2)  # tan_b
+    r3 = multiply(r2, r2, r3)  # tan_b_squared
+    r4 = add(n1, r3, r4)  # t1
+    r0 = multiply(n2, r0, r0)  # t2
+    r2 = multiply(r0, r2, r2)  # t3
+    r5 = multiply(r4, r4, r5)  # t4
+    r6 = multiply(r1, r3, r6)  # t5
+    r7 = multiply(n2, r3, r7)  # t6
+    r7 = add(r6, r7, r7)  # t7
+    r7 = add(n1, r7, r7)  # t8
+    r7 = multiply(r7, r1, r7)  # t9
+    r7 = add(r4, r7, r7)  # t10
+    r7 = sqrt(r7, r7)  # t11
+    out_r_1 = divide(r2, r7, out_r_1)  # t12
+    r3 = add(r1, r3, r3)  # t13
+    r3 = add(n2, r3, r3)  # t14
+    r3 = multiply(r3, r1, r3)  # t15
+    r3 = add(r4, r3, r3)  # t16
+    r3 = sqrt(r3, r3)  # t17
+    out_r_2 = divide(r0, r3, out_r_2)  # t18
+    r1 = multiply(r5, r1, r1)  # t19
+    r5 = add(r1, r5, r5)  # t20
+    r5 = sqrt(r5, r5)  # t21
+    out_r_3 = divide(r2, r5, out_r_3)  # t22
+    return out_r_1, out_r_2, out_r_3
 
 
 def face_distances_of_six_wheels(a, out=None):
@@ -1762,44 +2195,48 @@ def face_distances_of_six_wheels(a, out=None):
     (sha256 2c1e1a48f9f3). The forms computed are proved equal to those shown (sha256 a5187b06298a).
     """
     if out is None:
-        if type(a) is float:
-            try:
-                return _face_distances_of_six_wheels(a, math.sqrt, math.tan, 7.0 / 3.0, 4.0 / 3.0, 6.0, 5.0, 4.0, 8.0)
-            except (ValueError, ZeroDivisionError, OverflowError):
-                pass  # NumPy says whether it is infinite or no number
-        elif type(a) is np.ndarray and a.dtype is DOUBLE:
-            if a.size <= SMALL:
+        try:
+            if float is type(a):
                 return _face_distances_of_six_wheels(a)
-            return evaluate_alike(_face_distances_of_six_wheels_block, 4, (0, 1, 2,), (a,))
+            if ndarray is type(a) and DOUBLE is a.dtype and () != a.shape:
+                size = a.size
+                if 0 < size <= 6:
+                    return evaluate_handful(_face_distances_of_six_wheels, (a,))
+                if size <= SMALL:
+                    return _face_distances_of_six_wheels_block(a)
+                return evaluate_alike(_face_distances_of_six_wheels_block, 4, (0, 1, 2,), (a,))
+        except (ValueError, ZeroDivisionError, OverflowError):
+            pass  # NumPy says whether it is infinite or no number
     return evaluate(_face_distances_of_six_wheels_block, 4, (0, 1, 2,), (a,), out)
 
 
-def _face_distances_of_six_wheels(a, sqrt=np.sqrt, tan=np.tan, n7_3=np.array(7.0 / 3.0), n4_3=np.array(4.0 / 3.0), n6=np.array(6.0), n5=np.array(5.0), n4=np.array(4.0), n8=np.array(8.0)):
-    tan_a = tan(a)
+def _face_distances_of_six_wheels(a):
+    tan_a = math.tan(a)
     tan_a_squared = tan_a * tan_a
-    return (n6 * tan_a) / sqrt(n4_3 + ((n7_3 + tan_a_squared) * tan_a_squared)), (n8 * tan_a) / sqrt(n4 + ((n5 + tan_a_squared) * tan_a_squared)), (n4 * tan_a) / sqrt(n4_3 + (n4_3 * tan_a_squared))
+    return (6.0 * tan_a) / math.sqrt((4.0 / 3.0) + (((7.0 / 3.0) + tan_a_squared) * tan_a_squared)), (8.0 * tan_a) / math.sqrt(4.0 + ((5.0 + tan_a_squared) * tan_a_squared)), (4.0 * tan_a) / math.sqrt((4.0 / 3.0) + ((4.0 / 3.0) * tan_a_squared))
 
 
-def _face_distances_of_six_wheels_block(a, out_r_1, out_r_2, out_r_3, r0, r1, r2, r3):
-    np.tan(a, r0)  # tan_a
-    np.multiply(r0, r0, r1)  # tan_a_squared
-    np.add(7.0 / 3.0, r1, r2)  # t1
-    np.multiply(r2, r1, r2)  # t2
-    np.add(4.0 / 3.0, r2, r2)  # t3
-    np.sqrt(r2, r2)  # t4
-    np.multiply(6.0, r0, r3)  # t5
-    np.divide(r3, r2, out_r_1)  # t6
-    np.add(5.0, r1, r2)  # t7
-    np.multiply(r2, r1, r2)  # t8
-    np.add(4.0, r2, r2)  # t9
-    np.sqrt(r2, r2)  # t10
-    np.multiply(8.0, r0, r3)  # t11
-    np.divide(r3, r2, out_r_2)  # t12
-    np.multiply(4.0 / 3.0, r1, r1)  # t13
-    np.add(4.0 / 3.0, r1, r1)  # t14
-    np.sqrt(r1, r1)  # t15
-    np.multiply(4.0, r0, r0)  # t16
-    np.divide(r0, r1, out_r_3)  # t17
+def _face_distances_of_six_wheels_block(a, out_r_1=None, out_r_2=None, out_r_3=None, r0=None, r1=None, r2=None, r3=None, n7_3=array(7.0 / 3.0), n4_3=array(4.0 / 3.0), n6=array(6.0), n5=array(5.0), n4=array(4.0), n8=array(8.0)):
+    r0 = tan(a, r0)  # tan_a
+    r1 = multiply(r0, r0, r1)  # tan_a_squared
+    r2 = add(n7_3, r1, r2)  # t1
+    r2 = multiply(r2, r1, r2)  # t2
+    r2 = add(n4_3, r2, r2)  # t3
+    r2 = sqrt(r2, r2)  # t4
+    r3 = multiply(n6, r0, r3)  # t5
+    out_r_1 = divide(r3, r2, out_r_1)  # t6
+    r2 = add(n5, r1, r2)  # t7
+    r2 = multiply(r2, r1, r2)  # t8
+    r2 = add(n4, r2, r2)  # t9
+    r2 = sqrt(r2, r2)  # t10
+    r3 = multiply(n8, r0, r3)  # t11
+    out_r_2 = divide(r3, r2, out_r_2)  # t12
+    r1 = multiply(n4_3, r1, r1)  # t13
+    r1 = add(n4_3, r1, r1)  # t14
+    r1 = sqrt(r1, r1)  # t15
+    r0 = multiply(n4, r0, r0)  # t16
+    out_r_3 = divide(r0, r1, out_r_3)  # t17
+    return out_r_1, out_r_2, out_r_3
 
 
 def face_distances_of_five_wheels(a, out=None):
@@ -1835,49 +2272,53 @@ def face_distances_of_five_wheels(a, out=None):
     ac2c69c4b170).
     """
     if out is None:
-        if type(a) is float:
-            try:
-                return _face_distances_of_five_wheels(a, math.sqrt, math.tan, 5.0, 4.0, 7.0 / 3.0, 4.0 / 3.0, 7.0, 6.0, 3.0)
-            except (ValueError, ZeroDivisionError, OverflowError):
-                pass  # NumPy says whether it is infinite or no number
-        elif type(a) is np.ndarray and a.dtype is DOUBLE:
-            if a.size <= SMALL:
+        try:
+            if float is type(a):
                 return _face_distances_of_five_wheels(a)
-            return evaluate_alike(_face_distances_of_five_wheels_block, 4, (0, 1, 2, 3, 4, 5,), (a,))
+            if ndarray is type(a) and DOUBLE is a.dtype and () != a.shape:
+                size = a.size
+                if 0 < size <= 3:
+                    return evaluate_handful(_face_distances_of_five_wheels, (a,))
+                if size <= SMALL:
+                    return _face_distances_of_five_wheels_block(a)
+                return evaluate_alike(_face_distances_of_five_wheels_block, 4, (0, 1, 2, 3, 4, 5,), (a,))
+        except (ValueError, ZeroDivisionError, OverflowError):
+            pass  # NumPy says whether it is infinite or no number
     return evaluate(_face_distances_of_five_wheels_block, 4, (0, 1, 2, 3, 4, 5,), (a,), out)
 
 
-def _face_distances_of_five_wheels(a, sqrt=np.sqrt, tan=np.tan, n5=np.array(5.0), n4=np.array(4.0), n7_3=np.array(7.0 / 3.0), n4_3=np.array(4.0 / 3.0), n7=np.array(7.0), n6=np.array(6.0), n3=np.array(3.0)):
-    tan_a = tan(a)
+def _face_distances_of_five_wheels(a):
+    tan_a = math.tan(a)
     tan_a_squared = tan_a * tan_a
-    t5 = tan_a / sqrt(n4 + ((n5 + tan_a_squared) * tan_a_squared))
-    t10 = tan_a / sqrt(n4_3 + ((n7_3 + tan_a_squared) * tan_a_squared))
-    return n7 * t5, n5 * t10, n4 * t10, n6 * t5, n5 * t5, (n3 * tan_a) / sqrt(n4_3 + (n4_3 * tan_a_squared))
+    t5 = tan_a / math.sqrt(4.0 + ((5.0 + tan_a_squared) * tan_a_squared))
+    t10 = tan_a / math.sqrt((4.0 / 3.0) + (((7.0 / 3.0) + tan_a_squared) * tan_a_squared))
+    return 7.0 * t5, 5.0 * t10, 4.0 * t10, 6.0 * t5, 5.0 * t5, (3.0 * tan_a) / math.sqrt((4.0 / 3.0) + ((4.0 / 3.0) * tan_a_squared))
 
 
-def _face_distances_of_five_wheels_block(a, out_r_1, out_r_2, out_r_3, out_r_4, out_r_5, out_r_6, r0, r1, r2, r3):
-    np.tan(a, r0)  # tan_a
-    np.multiply(r0, r0, r1)  # tan_a_squared
-    np.add(5.0, r1, r2)  # t1
-    np.multiply(r2, r1, r2)  # t2
-    np.add(4.0, r2, r2)  # t3
-    np.sqrt(r2, r2)  # t4
-    np.divide(r0, r2, r2)  # t5
-    np.add(7.0 / 3.0, r1, r3)  # t6
-    np.multiply(r3, r1, r3)  # t7
-    np.add(4.0 / 3.0, r3, r3)  # t8
-    np.sqrt(r3, r3)  # t9
-    np.divide(r0, r3, r3)  # t10
-    np.multiply(7.0, r2, out_r_1)  # t11
-    np.multiply(5.0, r3, out_r_2)  # t12
-    np.multiply(4.0, r3, out_r_3)  # t13
-    np.multiply(6.0, r2, out_r_4)  # t14
-    np.multiply(5.0, r2, out_r_5)  # t15
-    np.multiply(4.0 / 3.0, r1, r1)  # t16
-    np.add(4.0 / 3.0, r1, r1)  # t17
-    np.sqrt(r1, r1)  # t18
-    np.multiply(3.0, r0, r0)  # t19
-    np.divide(r0, r1, out_r_6)  # t20
+def _face_distances_of_five_wheels_block(a, out_r_1=None, out_r_2=None, out_r_3=None, out_r_4=None, out_r_5=None, out_r_6=None, r0=None, r1=None, r2=None, r3=None, n5=array(5.0), n4=array(4.0), n7_3=array(7.0 / 3.0), n4_3=array(4.0 / 3.0), n7=array(7.0), n6=array(6.0), n3=array(3.0)):
+    r0 = tan(a, r0)  # tan_a
+    r1 = multiply(r0, r0, r1)  # tan_a_squared
+    r2 = add(n5, r1, r2)  # t1
+    r2 = multiply(r2, r1, r2)  # t2
+    r2 = add(n4, r2, r2)  # t3
+    r2 = sqrt(r2, r2)  # t4
+    r2 = divide(r0, r2, r2)  # t5
+    r3 = add(n7_3, r1, r3)  # t6
+    r3 = multiply(r3, r1, r3)  # t7
+    r3 = add(n4_3, r3, r3)  # t8
+    r3 = sqrt(r3, r3)  # t9
+    r3 = divide(r0, r3, r3)  # t10
+    out_r_1 = multiply(n7, r2, out_r_1)  # t11
+    out_r_2 = multiply(n5, r3, out_r_2)  # t12
+    out_r_3 = multiply(n4, r3, out_r_3)  # t13
+    out_r_4 = multiply(n6, r2, out_r_4)  # t14
+    out_r_5 = multiply(n5, r2, out_r_5)  # t15
+    r1 = multiply(n4_3, r1, r1)  # t16
+    r1 = add(n4_3, r1, r1)  # t17
+    r1 = sqrt(r1, r1)  # t18
+    r0 = multiply(n3, r0, r0)  # t19
+    out_r_6 = divide(r0, r1, out_r_6)  # t20
+    return out_r_1, out_r_2, out_r_3, out_r_4, out_r_5, out_r_6
 
 
 def volume_of_four_wheels(a, b, out=None):
@@ -1903,40 +2344,44 @@ def volume_of_four_wheels(a, b, out=None):
     dedbcbc99d0a).
     """
     if out is None:
-        if type(a) is type(b) is float:
-            try:
-                return _volume_of_four_wheels(a, b, math.sqrt, math.tan, 1.0, 128.0)
-            except (ValueError, ZeroDivisionError, OverflowError):
-                pass  # NumPy says whether it is infinite or no number
-        elif type(a) is type(b) is np.ndarray and a.dtype is b.dtype is DOUBLE and a.shape == b.shape:
-            if a.size <= SMALL:
+        try:
+            if float is type(a) is type(b):
                 return _volume_of_four_wheels(a, b)
-            return evaluate_alike(_volume_of_four_wheels_block, 5, (0,), (a, b,))
+            if ndarray is type(a) is type(b) and DOUBLE is a.dtype is b.dtype and () != a.shape == b.shape:
+                size = a.size
+                if 0 < size <= 6:
+                    return evaluate_handful(_volume_of_four_wheels, (a, b,))
+                if size <= SMALL:
+                    return _volume_of_four_wheels_block(a, b)
+                return evaluate_alike(_volume_of_four_wheels_block, 5, (0,), (a, b,))
+        except (ValueError, ZeroDivisionError, OverflowError):
+            pass  # NumPy says whether it is infinite or no number
     return evaluate(_volume_of_four_wheels_block, 5, (0,), (a, b,), out)
 
 
-def _volume_of_four_wheels(a, b, sqrt=np.sqrt, tan=np.tan, n1=np.array(1.0), n128=np.array(128.0)):
-    tan_a = tan(a)
-    tan_b = tan(b)
-    t10 = (n128 * (tan_a * tan_b)) / (((n1 / tan_a) + tan_a) * (sqrt(n1 + (tan_a * tan_a)) * (n1 + (tan_b * tan_b))))
+def _volume_of_four_wheels(a, b):
+    tan_a = math.tan(a)
+    tan_b = math.tan(b)
+    t10 = (128.0 * (tan_a * tan_b)) / (((1.0 / tan_a) + tan_a) * (math.sqrt(1.0 + (tan_a * tan_a)) * (1.0 + (tan_b * tan_b))))
     return t10
 
 
-def _volume_of_four_wheels_block(a, b, out_volume, r0, r1, r2, r3, r4):
-    np.tan(a, r0)  # tan_a
-    np.tan(b, r1)  # tan_b
-    np.multiply(r0, r0, r2)  # tan_a_squared
-    np.add(1.0, r2, r2)  # t1
-    np.sqrt(r2, r2)  # t2
-    np.multiply(r1, r1, r3)  # tan_b_squared
-    np.add(1.0, r3, r3)  # t3
-    np.divide(1.0, r0, r4)  # t4
-    np.add(r4, r0, r4)  # t5
-    np.multiply(r0, r1, r1)  # t6
-    np.multiply(128.0, r1, r1)  # t7
-    np.multiply(r2, r3, r3)  # t8
-    np.multiply(r4, r3, r3)  # t9
-    np.divide(r1, r3, out_volume)  # t10
+def _volume_of_four_wheels_block(a, b, out_volume=None, r0=None, r1=None, r2=None, r3=None, r4=None, n1=array(1.0), n128=array(128.0)):
+    r0 = tan(a, r0)  # tan_a
+    r1 = tan(b, r1)  # tan_b
+    r2 = multiply(r0, r0, r2)  # tan_a_squared
+    r2 = add(n1, r2, r2)  # t1
+    r2 = sqrt(r2, r2)  # t2
+    r3 = multiply(r1, r1, r3)  # tan_b_squared
+    r3 = add(n1, r3, r3)  # t3
+    r4 = divide(n1, r0, r4)  # t4
+    r4 = add(r4, r0, r4)  # t5
+    r1 = multiply(r0, r1, r1)  # t6
+    r1 = multiply(n128, r1, r1)  # t7
+    r3 = multiply(r2, r3, r3)  # t8
+    r3 = multiply(r4, r3, r3)  # t9
+    out_volume = divide(r1, r3, out_volume)  # t10
+    return out_volume
 
 
 def volume_of_three_wheels(a, b, out=None):
@@ -1962,40 +2407,44 @@ def volume_of_three_wheels(a, b, out=None):
     682d9b861fe9).
     """
     if out is None:
-        if type(a) is type(b) is float:
-            try:
-                return _volume_of_three_wheels(a, b, math.sqrt, math.tan, 1.0, 32.0)
-            except (ValueError, ZeroDivisionError, OverflowError):
-                pass  # NumPy says whether it is infinite or no number
-        elif type(a) is type(b) is np.ndarray and a.dtype is b.dtype is DOUBLE and a.shape == b.shape:
-            if a.size <= SMALL:
+        try:
+            if float is type(a) is type(b):
                 return _volume_of_three_wheels(a, b)
-            return evaluate_alike(_volume_of_three_wheels_block, 5, (0,), (a, b,))
+            if ndarray is type(a) is type(b) and DOUBLE is a.dtype is b.dtype and () != a.shape == b.shape:
+                size = a.size
+                if 0 < size <= 6:
+                    return evaluate_handful(_volume_of_three_wheels, (a, b,))
+                if size <= SMALL:
+                    return _volume_of_three_wheels_block(a, b)
+                return evaluate_alike(_volume_of_three_wheels_block, 5, (0,), (a, b,))
+        except (ValueError, ZeroDivisionError, OverflowError):
+            pass  # NumPy says whether it is infinite or no number
     return evaluate(_volume_of_three_wheels_block, 5, (0,), (a, b,), out)
 
 
-def _volume_of_three_wheels(a, b, sqrt=np.sqrt, tan=np.tan, n1=np.array(1.0), n32=np.array(32.0)):
-    tan_a = tan(a)
-    tan_b = tan(b)
-    t10 = (n32 * (tan_a * tan_b)) / (((n1 / tan_a) + tan_a) * (sqrt(n1 + (tan_a * tan_a)) * (n1 + (tan_b * tan_b))))
+def _volume_of_three_wheels(a, b):
+    tan_a = math.tan(a)
+    tan_b = math.tan(b)
+    t10 = (32.0 * (tan_a * tan_b)) / (((1.0 / tan_a) + tan_a) * (math.sqrt(1.0 + (tan_a * tan_a)) * (1.0 + (tan_b * tan_b))))
     return t10
 
 
-def _volume_of_three_wheels_block(a, b, out_volume, r0, r1, r2, r3, r4):
-    np.tan(a, r0)  # tan_a
-    np.tan(b, r1)  # tan_b
-    np.multiply(r0, r0, r2)  # tan_a_squared
-    np.add(1.0, r2, r2)  # t1
-    np.sqrt(r2, r2)  # t2
-    np.multiply(r1, r1, r3)  # tan_b_squared
-    np.add(1.0, r3, r3)  # t3
-    np.divide(1.0, r0, r4)  # t4
-    np.add(r4, r0, r4)  # t5
-    np.multiply(r0, r1, r1)  # t6
-    np.multiply(32.0, r1, r1)  # t7
-    np.multiply(r2, r3, r3)  # t8
-    np.multiply(r4, r3, r3)  # t9
-    np.divide(r1, r3, out_volume)  # t10
+def _volume_of_three_wheels_block(a, b, out_volume=None, r0=None, r1=None, r2=None, r3=None, r4=None, n1=array(1.0), n32=array(32.0)):
+    r0 = tan(a, r0)  # tan_a
+    r1 = tan(b, r1)  # tan_b
+    r2 = multiply(r0, r0, r2)  # tan_a_squared
+    r2 = add(n1, r2, r2)  # t1
+    r2 = sqrt(r2, r2)  # t2
+    r3 = multiply(r1, r1, r3)  # tan_b_squared
+    r3 = add(n1, r3, r3)  # t3
+    r4 = divide(n1, r0, r4)  # t4
+    r4 = add(r4, r0, r4)  # t5
+    r1 = multiply(r0, r1, r1)  # t6
+    r1 = multiply(n32, r1, r1)  # t7
+    r3 = multiply(r2, r3, r3)  # t8
+    r3 = multiply(r4, r3, r3)  # t9
+    out_volume = divide(r1, r3, out_volume)  # t10
+    return out_volume
 
 
 def volume_of_six_wheels(a, out=None):
@@ -2020,34 +2469,39 @@ def volume_of_six_wheels(a, out=None):
     1bfd836c36dc).
     """
     if out is None:
-        if type(a) is float:
-            try:
-                return _volume_of_six_wheels(a, math.sqrt, math.tan, 1.0 / 3.0, 1.0, 144.0)
-            except (ValueError, ZeroDivisionError, OverflowError):
-                pass  # NumPy says whether it is infinite or no number
-        elif type(a) is np.ndarray and a.dtype is DOUBLE:
-            if a.size <= SMALL:
+        try:
+            if float is type(a):
                 return _volume_of_six_wheels(a)
-            return evaluate_alike(_volume_of_six_wheels_block, 3, (0,), (a,))
+            if ndarray is type(a) and DOUBLE is a.dtype and () != a.shape:
+                size = a.size
+                if 0 < size <= 4:
+                    return evaluate_handful(_volume_of_six_wheels, (a,))
+                if size <= SMALL:
+                    return _volume_of_six_wheels_block(a)
+                return evaluate_alike(_volume_of_six_wheels_block, 3, (0,), (a,))
+        except (ValueError, ZeroDivisionError, OverflowError):
+            pass  # NumPy says whether it is infinite or no number
     return evaluate(_volume_of_six_wheels_block, 3, (0,), (a,), out)
 
 
-def _volume_of_six_wheels(a, sqrt=np.sqrt, tan=np.tan, n1_3=np.array(1.0 / 3.0), n1=np.array(1.0), n144=np.array(144.0)):
-    tan_a = tan(a)
-    return (n144 * tan_a) / (sqrt(n1_3 + (n1_3 * (tan_a * tan_a))) * ((n1 / tan_a) + tan_a))
+def _volume_of_six_wheels(a):
+    tan_a = math.tan(a)
+    t8 = (144.0 * tan_a) / (math.sqrt((1.0 / 3.0) + ((1.0 / 3.0) * (tan_a * tan_a))) * ((1.0 / tan_a) + tan_a))
+    return t8
 
 
-def _volume_of_six_wheels_block(a, out_volume, r0, r1, r2):
-    np.tan(a, r0)  # tan_a
-    np.multiply(r0, r0, r1)  # tan_a_squared
-    np.multiply(1.0 / 3.0, r1, r1)  # t1
-    np.add(1.0 / 3.0, r1, r1)  # t2
-    np.sqrt(r1, r1)  # t3
-    np.divide(1.0, r0, r2)  # t4
-    np.add(r2, r0, r2)  # t5
-    np.multiply(144.0, r0, r0)  # t6
-    np.multiply(r1, r2, r2)  # t7
-    np.divide(r0, r2, out_volume)  # t8
+def _volume_of_six_wheels_block(a, out_volume=None, r0=None, r1=None, r2=None, n1_3=array(1.0 / 3.0), n1=array(1.0), n144=array(144.0)):
+    r0 = tan(a, r0)  # tan_a
+    r1 = multiply(r0, r0, r1)  # tan_a_squared
+    r1 = multiply(n1_3, r1, r1)  # t1
+    r1 = add(n1_3, r1, r1)  # t2
+    r1 = sqrt(r1, r1)  # t3
+    r2 = divide(n1, r0, r2)  # t4
+    r2 = add(r2, r0, r2)  # t5
+    r0 = multiply(n144, r0, r0)  # t6
+    r2 = multiply(r1, r2, r2)  # t7
+    out_volume = divide(r0, r2, out_volume)  # t8
+    return out_volume
 
 
 def volume_of_five_wheels(a, out=None):
@@ -2072,34 +2526,39 @@ def volume_of_five_wheels(a, out=None):
     7aaba26622d6).
     """
     if out is None:
-        if type(a) is float:
-            try:
-                return _volume_of_five_wheels(a, math.sqrt, math.tan, 1.0 / 3.0, 1.0, 72.0)
-            except (ValueError, ZeroDivisionError, OverflowError):
-                pass  # NumPy says whether it is infinite or no number
-        elif type(a) is np.ndarray and a.dtype is DOUBLE:
-            if a.size <= SMALL:
+        try:
+            if float is type(a):
                 return _volume_of_five_wheels(a)
-            return evaluate_alike(_volume_of_five_wheels_block, 3, (0,), (a,))
+            if ndarray is type(a) and DOUBLE is a.dtype and () != a.shape:
+                size = a.size
+                if 0 < size <= 4:
+                    return evaluate_handful(_volume_of_five_wheels, (a,))
+                if size <= SMALL:
+                    return _volume_of_five_wheels_block(a)
+                return evaluate_alike(_volume_of_five_wheels_block, 3, (0,), (a,))
+        except (ValueError, ZeroDivisionError, OverflowError):
+            pass  # NumPy says whether it is infinite or no number
     return evaluate(_volume_of_five_wheels_block, 3, (0,), (a,), out)
 
 
-def _volume_of_five_wheels(a, sqrt=np.sqrt, tan=np.tan, n1_3=np.array(1.0 / 3.0), n1=np.array(1.0), n72=np.array(72.0)):
-    tan_a = tan(a)
-    return (n72 * tan_a) / (sqrt(n1_3 + (n1_3 * (tan_a * tan_a))) * ((n1 / tan_a) + tan_a))
+def _volume_of_five_wheels(a):
+    tan_a = math.tan(a)
+    t8 = (72.0 * tan_a) / (math.sqrt((1.0 / 3.0) + ((1.0 / 3.0) * (tan_a * tan_a))) * ((1.0 / tan_a) + tan_a))
+    return t8
 
 
-def _volume_of_five_wheels_block(a, out_volume, r0, r1, r2):
-    np.tan(a, r0)  # tan_a
-    np.multiply(r0, r0, r1)  # tan_a_squared
-    np.multiply(1.0 / 3.0, r1, r1)  # t1
-    np.add(1.0 / 3.0, r1, r1)  # t2
-    np.sqrt(r1, r1)  # t3
-    np.divide(1.0, r0, r2)  # t4
-    np.add(r2, r0, r2)  # t5
-    np.multiply(72.0, r0, r0)  # t6
-    np.multiply(r1, r2, r2)  # t7
-    np.divide(r0, r2, out_volume)  # t8
+def _volume_of_five_wheels_block(a, out_volume=None, r0=None, r1=None, r2=None, n1_3=array(1.0 / 3.0), n1=array(1.0), n72=array(72.0)):
+    r0 = tan(a, r0)  # tan_a
+    r1 = multiply(r0, r0, r1)  # tan_a_squared
+    r1 = multiply(n1_3, r1, r1)  # t1
+    r1 = add(n1_3, r1, r1)  # t2
+    r1 = sqrt(r1, r1)  # t3
+    r2 = divide(n1, r0, r2)  # t4
+    r2 = add(r2, r0, r2)  # t5
+    r0 = multiply(n72, r0, r0)  # t6
+    r2 = multiply(r1, r2, r2)  # t7
+    out_volume = divide(r0, r2, out_volume)  # t8
+    return out_volume
 
 
 def largest_rates_of_four_wheels(a, b, J_x, J_y, J_z, out=None):
@@ -2132,41 +2591,62 @@ def largest_rates_of_four_wheels(a, b, J_x, J_y, J_z, out=None):
     (sha256 ae2c229f2fc3), ignatov2005:2.3 (sha256 233596362da2).
     """
     if out is None:
-        if type(a) is type(b) is type(J_x) is type(J_y) is type(J_z) is float:
-            try:
-                return _largest_rates_of_four_wheels(a, b, J_x, J_y, J_z, math.cos, math.sin, 4.0)
-            except (ValueError, ZeroDivisionError, OverflowError):
-                pass  # NumPy says whether it is infinite or no number
-        elif type(a) is type(b) is type(J_x) is type(J_y) is type(J_z) is np.ndarray and a.dtype is b.dtype is J_x.dtype is J_y.dtype is J_z.dtype is DOUBLE and a.shape == b.shape == J_x.shape == J_y.shape == J_z.shape:
-            if a.size <= FEW:
+        try:
+            if float is type(a) is type(b) is type(J_x) is type(J_y) is type(J_z):
                 return _largest_rates_of_four_wheels(a, b, J_x, J_y, J_z)
-            return evaluate_alike(_largest_rates_of_four_wheels_block, 5, (0, 1, 2,), (a, b, J_x, J_y, J_z,))
+            if ndarray is type(a) is type(b) is type(J_x) is type(J_y) is type(J_z) and DOUBLE is a.dtype is b.dtype is J_x.dtype is J_y.dtype is J_z.dtype and () != a.shape == b.shape == J_x.shape == J_y.shape == J_z.shape:
+                size = a.size
+                if 0 < size <= 1:
+                    return evaluate_handful(_largest_rates_of_four_wheels, (a, b, J_x, J_y, J_z,))
+                if size <= FEW:
+                    return _largest_rates_of_four_wheels_few(a, b, J_x, J_y, J_z)
+                if size <= SMALL:
+                    return _largest_rates_of_four_wheels_block(a, b, J_x, J_y, J_z)
+                return evaluate_alike(_largest_rates_of_four_wheels_block, 5, (0, 1, 2,), (a, b, J_x, J_y, J_z,))
+        except (ValueError, ZeroDivisionError, OverflowError):
+            pass  # NumPy says whether it is infinite or no number
     return evaluate(_largest_rates_of_four_wheels_block, 5, (0, 1, 2,), (a, b, J_x, J_y, J_z,), out)
 
 
-def _largest_rates_of_four_wheels(a, b, J_x, J_y, J_z, cos=np.cos, sin=np.sin, n4=np.array(4.0)):
-    t1 = n4 * sin(a)
-    return (sin(b) * t1) / J_x, (cos(b) * t1) / J_y, (n4 * cos(a)) / J_z
+def _largest_rates_of_four_wheels(a, b, J_x, J_y, J_z):
+    t1 = 4.0 * math.sin(a)
+    return (math.sin(b) * t1) / J_x, (math.cos(b) * t1) / J_y, (4.0 * math.cos(a)) / J_z
 
 
-def _largest_rates_of_four_wheels_block(a, b, J_x, J_y, J_z, out_w_x, out_w_y, out_w_z, r0, r1, r2, r3, r4):
-    np.tan(a, r0)  # tan_a
-    np.multiply(r0, r0, r1)  # tan_a_squared
-    np.add(1.0, r1, r1)  # t1
-    np.sqrt(r1, r1)  # t2
-    np.multiply(4.0, r0, r0)  # t3
-    np.divide(r0, r1, r0)  # t4
-    np.tan(b, r2)  # tan_b
-    np.multiply(r2, r2, r3)  # tan_b_squared
-    np.add(1.0, r3, r3)  # t5
-    np.sqrt(r3, r3)  # t6
-    np.multiply(r0, r2, r2)  # t7
-    np.multiply(J_x, r3, r4)  # t8
-    np.divide(r2, r4, out_w_x)  # t9
-    np.multiply(J_y, r3, r3)  # t10
-    np.divide(r0, r3, out_w_y)  # t11
-    np.multiply(J_z, r1, r1)  # t12
-    np.divide(4.0, r1, out_w_z)  # t13
+def _largest_rates_of_four_wheels_few(a, b, J_x, J_y, J_z, out_w_x=None, out_w_y=None, out_w_z=None, r0=None, r1=None, n4=array(4.0)):
+    r0 = sin(a, r0)  # sin_a
+    r0 = multiply(n4, r0, r0)  # t1
+    r1 = sin(b, r1)  # sin_b
+    r1 = multiply(r1, r0, r1)  # t2
+    out_w_x = divide(r1, J_x, out_w_x)  # t3
+    r1 = cos(b, r1)  # cos_b
+    r0 = multiply(r1, r0, r0)  # t4
+    out_w_y = divide(r0, J_y, out_w_y)  # t5
+    r0 = cos(a, r0)  # cos_a
+    r0 = multiply(n4, r0, r0)  # t6
+    out_w_z = divide(r0, J_z, out_w_z)  # t7
+    return out_w_x, out_w_y, out_w_z
+
+
+def _largest_rates_of_four_wheels_block(a, b, J_x, J_y, J_z, out_w_x=None, out_w_y=None, out_w_z=None, r0=None, r1=None, r2=None, r3=None, r4=None, n1=array(1.0), n4=array(4.0)):
+    r0 = tan(a, r0)  # tan_a
+    r1 = multiply(r0, r0, r1)  # tan_a_squared
+    r1 = add(n1, r1, r1)  # t1
+    r1 = sqrt(r1, r1)  # t2
+    r0 = multiply(n4, r0, r0)  # t3
+    r0 = divide(r0, r1, r0)  # t4
+    r2 = tan(b, r2)  # tan_b
+    r3 = multiply(r2, r2, r3)  # tan_b_squared
+    r3 = add(n1, r3, r3)  # t5
+    r3 = sqrt(r3, r3)  # t6
+    r2 = multiply(r0, r2, r2)  # t7
+    r4 = multiply(J_x, r3, r4)  # t8
+    out_w_x = divide(r2, r4, out_w_x)  # t9
+    r3 = multiply(J_y, r3, r3)  # t10
+    out_w_y = divide(r0, r3, out_w_y)  # t11
+    r1 = multiply(J_z, r1, r1)  # t12
+    out_w_z = divide(n4, r1, out_w_z)  # t13
+    return out_w_x, out_w_y, out_w_z
 
 
 def largest_rates_of_six_wheels(a, J_x, J_y, J_z, out=None):
@@ -2197,37 +2677,56 @@ def largest_rates_of_six_wheels(a, J_x, J_y, J_z, out=None):
     ignatov2005:3.2.28 (sha256 87f642530ce1), ignatov2005:2.3 (sha256 233596362da2).
     """
     if out is None:
-        if type(a) is type(J_x) is type(J_y) is type(J_z) is float:
-            try:
-                return _largest_rates_of_six_wheels(a, J_x, J_y, J_z, math.cos, math.sin, math.sqrt(3.0), 2.0, 4.0, 6.0)
-            except (ValueError, ZeroDivisionError, OverflowError):
-                pass  # NumPy says whether it is infinite or no number
-        elif type(a) is type(J_x) is type(J_y) is type(J_z) is np.ndarray and a.dtype is J_x.dtype is J_y.dtype is J_z.dtype is DOUBLE and a.shape == J_x.shape == J_y.shape == J_z.shape:
-            if a.size <= FEW:
+        try:
+            if float is type(a) is type(J_x) is type(J_y) is type(J_z):
                 return _largest_rates_of_six_wheels(a, J_x, J_y, J_z)
-            return evaluate_alike(_largest_rates_of_six_wheels_block, 4, (0, 1, 2,), (a, J_x, J_y, J_z,))
+            if ndarray is type(a) is type(J_x) is type(J_y) is type(J_z) and DOUBLE is a.dtype is J_x.dtype is J_y.dtype is J_z.dtype and () != a.shape == J_x.shape == J_y.shape == J_z.shape:
+                size = a.size
+                if 0 < size <= 1:
+                    return evaluate_handful(_largest_rates_of_six_wheels, (a, J_x, J_y, J_z,))
+                if size <= FEW:
+                    return _largest_rates_of_six_wheels_few(a, J_x, J_y, J_z)
+                if size <= SMALL:
+                    return _largest_rates_of_six_wheels_block(a, J_x, J_y, J_z)
+                return evaluate_alike(_largest_rates_of_six_wheels_block, 4, (0, 1, 2,), (a, J_x, J_y, J_z,))
+        except (ValueError, ZeroDivisionError, OverflowError):
+            pass  # NumPy says whether it is infinite or no number
     return evaluate(_largest_rates_of_six_wheels_block, 4, (0, 1, 2,), (a, J_x, J_y, J_z,), out)
 
 
-def _largest_rates_of_six_wheels(a, J_x, J_y, J_z, cos=np.cos, sin=np.sin, sqrt_3=np.array(math.sqrt(3.0)), n2=np.array(2.0), n4=np.array(4.0), n6=np.array(6.0)):
-    sin_a = sin(a)
-    return (n2 * (sin_a * sqrt_3)) / J_x, (n4 * sin_a) / J_y, (n6 * cos(a)) / J_z
+def _largest_rates_of_six_wheels(a, J_x, J_y, J_z):
+    sin_a = math.sin(a)
+    return (2.0 * (sin_a * math.sqrt(3.0))) / J_x, (4.0 * sin_a) / J_y, (6.0 * math.cos(a)) / J_z
 
 
-def _largest_rates_of_six_wheels_block(a, J_x, J_y, J_z, out_w_x, out_w_y, out_w_z, r0, r1, r2, r3):
-    np.tan(a, r0)  # tan_a
-    np.multiply(r0, r0, r1)  # tan_a_squared
-    np.add(1.0, r1, r1)  # t1
-    np.sqrt(r1, r1)  # t2
-    np.multiply(math.sqrt(3.0), r0, r2)  # t4
-    np.multiply(2.0, r2, r2)  # t5
-    np.multiply(J_x, r1, r3)  # t6
-    np.divide(r2, r3, out_w_x)  # t7
-    np.multiply(4.0, r0, r0)  # t8
-    np.multiply(J_y, r1, r3)  # t9
-    np.divide(r0, r3, out_w_y)  # t10
-    np.multiply(J_z, r1, r1)  # t11
-    np.divide(6.0, r1, out_w_z)  # t12
+def _largest_rates_of_six_wheels_few(a, J_x, J_y, J_z, out_w_x=None, out_w_y=None, out_w_z=None, r0=None, r1=None, sqrt_3=array(math.sqrt(3.0)), n2=array(2.0), n4=array(4.0), n6=array(6.0)):
+    r0 = sin(a, r0)  # sin_a
+    r1 = multiply(r0, sqrt_3, r1)  # t1
+    r1 = multiply(n2, r1, r1)  # t2
+    out_w_x = divide(r1, J_x, out_w_x)  # t3
+    r0 = multiply(n4, r0, r0)  # t4
+    out_w_y = divide(r0, J_y, out_w_y)  # t5
+    r0 = cos(a, r0)  # cos_a
+    r0 = multiply(n6, r0, r0)  # t6
+    out_w_z = divide(r0, J_z, out_w_z)  # t7
+    return out_w_x, out_w_y, out_w_z
+
+
+def _largest_rates_of_six_wheels_block(a, J_x, J_y, J_z, out_w_x=None, out_w_y=None, out_w_z=None, r0=None, r1=None, r2=None, r3=None, n1=array(1.0), sqrt_3=array(math.sqrt(3.0)), n2=array(2.0), n4=array(4.0), n6=array(6.0)):
+    r0 = tan(a, r0)  # tan_a
+    r1 = multiply(r0, r0, r1)  # tan_a_squared
+    r1 = add(n1, r1, r1)  # t1
+    r1 = sqrt(r1, r1)  # t2
+    r2 = multiply(sqrt_3, r0, r2)  # t4
+    r2 = multiply(n2, r2, r2)  # t5
+    r3 = multiply(J_x, r1, r3)  # t6
+    out_w_x = divide(r2, r3, out_w_x)  # t7
+    r0 = multiply(n4, r0, r0)  # t8
+    r3 = multiply(J_y, r1, r3)  # t9
+    out_w_y = divide(r0, r3, out_w_y)  # t10
+    r1 = multiply(J_z, r1, r1)  # t11
+    out_w_z = divide(n6, r1, out_w_z)  # t12
+    return out_w_x, out_w_y, out_w_z
 
 
 def equal_rates_of_four_wheels(J_x, J_y, J_z, out=None):
@@ -2260,40 +2759,44 @@ def equal_rates_of_four_wheels(J_x, J_y, J_z, out=None):
     (sha256 738f33499d8f), ignatov2005:B.19 (sha256 76977367497d).
     """
     if out is None:
-        if type(J_x) is type(J_y) is type(J_z) is float:
-            try:
-                return _equal_rates_of_four_wheels(J_x, J_y, J_z, math.atan, math.sqrt, 1.0, 4.0, math.sqrt(2.0), 2.0)
-            except (ValueError, ZeroDivisionError, OverflowError):
-                pass  # NumPy says whether it is infinite or no number
-        elif type(J_x) is type(J_y) is type(J_z) is np.ndarray and J_x.dtype is J_y.dtype is J_z.dtype is DOUBLE and J_x.shape == J_y.shape == J_z.shape:
-            if J_x.size <= SMALL:
+        try:
+            if float is type(J_x) is type(J_y) is type(J_z):
                 return _equal_rates_of_four_wheels(J_x, J_y, J_z)
-            return evaluate_alike(_equal_rates_of_four_wheels_block, 2, (0, 1, 2, 3,), (J_x, J_y, J_z,))
+            if ndarray is type(J_x) is type(J_y) is type(J_z) and DOUBLE is J_x.dtype is J_y.dtype is J_z.dtype and () != J_x.shape == J_y.shape == J_z.shape:
+                size = J_x.size
+                if 0 < size <= 2:
+                    return evaluate_handful(_equal_rates_of_four_wheels, (J_x, J_y, J_z,))
+                if size <= SMALL:
+                    return _equal_rates_of_four_wheels_block(J_x, J_y, J_z)
+                return evaluate_alike(_equal_rates_of_four_wheels_block, 2, (0, 1, 2, 3,), (J_x, J_y, J_z,))
+        except (ValueError, ZeroDivisionError, OverflowError):
+            pass  # NumPy says whether it is infinite or no number
     return evaluate(_equal_rates_of_four_wheels_block, 2, (0, 1, 2, 3,), (J_x, J_y, J_z,), out)
 
 
-def _equal_rates_of_four_wheels(J_x, J_y, J_z, arctan=np.arctan, sqrt=np.sqrt, n1=np.array(1.0), n4=np.array(4.0), sqrt_2=np.array(math.sqrt(2.0)), n2=np.array(2.0)):
+def _equal_rates_of_four_wheels(J_x, J_y, J_z):
     t1 = (J_x * J_x) + (J_y * J_y)
-    t4 = n1 / sqrt((J_z * J_z) + t1)
-    return arctan(sqrt(t1) / J_z), arctan(J_x / J_y), n4 * t4, n2 * (sqrt_2 * t4)
+    t4 = 1.0 / math.sqrt((J_z * J_z) + t1)
+    return math.atan(math.sqrt(t1) / J_z), math.atan(J_x / J_y), 4.0 * t4, 2.0 * (math.sqrt(2.0) * t4)
 
 
-def _equal_rates_of_four_wheels_block(J_x, J_y, J_z, out_a, out_b, out_w, out_w_any, r0, r1):
-    np.multiply(J_x, J_x, r0)  # J_x_squared
-    np.multiply(J_y, J_y, r1)  # J_y_squared
-    np.add(r0, r1, r1)  # t1
-    np.multiply(J_z, J_z, r0)  # J_z_squared
-    np.add(r0, r1, r0)  # t2
-    np.sqrt(r0, r0)  # t3
-    np.divide(1.0, r0, r0)  # t4
-    np.sqrt(r1, r1)  # t5
-    np.divide(r1, J_z, r1)  # t6
-    np.arctan(r1, out_a)  # t7
-    np.divide(J_x, J_y, r1)  # t8
-    np.arctan(r1, out_b)  # t9
-    np.multiply(4.0, r0, out_w)  # t10
-    np.multiply(math.sqrt(2.0), r0, r0)  # t11
-    np.multiply(2.0, r0, out_w_any)  # t12
+def _equal_rates_of_four_wheels_block(J_x, J_y, J_z, out_a=None, out_b=None, out_w=None, out_w_any=None, r0=None, r1=None, n1=array(1.0), n4=array(4.0), sqrt_2=array(math.sqrt(2.0)), n2=array(2.0)):
+    r0 = multiply(J_x, J_x, r0)  # J_x_squared
+    r1 = multiply(J_y, J_y, r1)  # J_y_squared
+    r1 = add(r0, r1, r1)  # t1
+    r0 = multiply(J_z, J_z, r0)  # J_z_squared
+    r0 = add(r0, r1, r0)  # t2
+    r0 = sqrt(r0, r0)  # t3
+    r0 = divide(n1, r0, r0)  # t4
+    r1 = sqrt(r1, r1)  # t5
+    r1 = divide(r1, J_z, r1)  # t6
+    out_a = arctan(r1, out_a)  # t7
+    r1 = divide(J_x, J_y, r1)  # t8
+    out_b = arctan(r1, out_b)  # t9
+    out_w = multiply(n4, r0, out_w)  # t10
+    r0 = multiply(sqrt_2, r0, r0)  # t11
+    out_w_any = multiply(n2, r0, out_w_any)  # t12
+    return out_a, out_b, out_w, out_w_any
 
 
 def equal_rates_of_six_wheels(J_x, J_y, J_z, out=None):
@@ -2323,39 +2826,43 @@ def equal_rates_of_six_wheels(J_x, J_y, J_z, out=None):
     ignatov2005:3.2.28 (sha256 87f642530ce1), ignatov2005:3.2.30 (sha256 254422d7305a).
     """
     if out is None:
-        if type(J_x) is type(J_y) is type(J_z) is float:
-            try:
-                return _equal_rates_of_six_wheels(J_x, J_y, J_z, math.atan, math.sqrt, 9.0, 4.0, 1.0, 3.0 / 2.0, math.sqrt(3.0), 6.0, 12.0)
-            except (ValueError, ZeroDivisionError, OverflowError):
-                pass  # NumPy says whether it is infinite or no number
-        elif type(J_x) is type(J_y) is type(J_z) is np.ndarray and J_x.dtype is J_y.dtype is J_z.dtype is DOUBLE and J_x.shape == J_y.shape == J_z.shape:
-            if J_x.size <= SMALL:
+        try:
+            if float is type(J_x) is type(J_y) is type(J_z):
                 return _equal_rates_of_six_wheels(J_x, J_y, J_z)
-            return evaluate_alike(_equal_rates_of_six_wheels_block, 2, (0, 1, 2,), (J_x, J_y, J_z,))
+            if ndarray is type(J_x) is type(J_y) is type(J_z) and DOUBLE is J_x.dtype is J_y.dtype is J_z.dtype and () != J_x.shape == J_y.shape == J_z.shape:
+                size = J_x.size
+                if 0 < size <= 3:
+                    return evaluate_handful(_equal_rates_of_six_wheels, (J_x, J_y, J_z,))
+                if size <= SMALL:
+                    return _equal_rates_of_six_wheels_block(J_x, J_y, J_z)
+                return evaluate_alike(_equal_rates_of_six_wheels_block, 2, (0, 1, 2,), (J_x, J_y, J_z,))
+        except (ValueError, ZeroDivisionError, OverflowError):
+            pass  # NumPy says whether it is infinite or no number
     return evaluate(_equal_rates_of_six_wheels_block, 2, (0, 1, 2,), (J_x, J_y, J_z,), out)
 
 
-def _equal_rates_of_six_wheels(J_x, J_y, J_z, arctan=np.arctan, sqrt=np.sqrt, n9=np.array(9.0), n4=np.array(4.0), n1=np.array(1.0), n3_2=np.array(3.0 / 2.0), sqrt_3=np.array(math.sqrt(3.0)), n6=np.array(6.0), n12=np.array(12.0)):
-    t5 = n1 / sqrt((n9 * (J_y * J_y)) + (n4 * (J_z * J_z)))
-    return arctan((n3_2 * J_y) / J_z), (n6 * (sqrt_3 * (J_y * t5))) / J_x, n12 * t5
+def _equal_rates_of_six_wheels(J_x, J_y, J_z):
+    t5 = 1.0 / math.sqrt((9.0 * (J_y * J_y)) + (4.0 * (J_z * J_z)))
+    return math.atan(((3.0 / 2.0) * J_y) / J_z), (6.0 * (math.sqrt(3.0) * (J_y * t5))) / J_x, 12.0 * t5
 
 
-def _equal_rates_of_six_wheels_block(J_x, J_y, J_z, out_a, out_w_x, out_w_y, r0, r1):
-    np.multiply(J_y, J_y, r0)  # J_y_squared
-    np.multiply(9.0, r0, r0)  # t1
-    np.multiply(J_z, J_z, r1)  # J_z_squared
-    np.multiply(4.0, r1, r1)  # t2
-    np.add(r0, r1, r1)  # t3
-    np.sqrt(r1, r1)  # t4
-    np.divide(1.0, r1, r1)  # t5
-    np.multiply(3.0 / 2.0, J_y, r0)  # t6
-    np.divide(r0, J_z, r0)  # t7
-    np.arctan(r0, out_a)  # t8
-    np.multiply(J_y, r1, r0)  # t9
-    np.multiply(math.sqrt(3.0), r0, r0)  # t10
-    np.multiply(6.0, r0, r0)  # t11
-    np.divide(r0, J_x, out_w_x)  # t12
-    np.multiply(12.0, r1, out_w_y)  # t13
+def _equal_rates_of_six_wheels_block(J_x, J_y, J_z, out_a=None, out_w_x=None, out_w_y=None, r0=None, r1=None, n9=array(9.0), n4=array(4.0), n1=array(1.0), n3_2=array(3.0 / 2.0), sqrt_3=array(math.sqrt(3.0)), n6=array(6.0), n12=array(12.0)):
+    r0 = multiply(J_y, J_y, r0)  # J_y_squared
+    r0 = multiply(n9, r0, r0)  # t1
+    r1 = multiply(J_z, J_z, r1)  # J_z_squared
+    r1 = multiply(n4, r1, r1)  # t2
+    r1 = add(r0, r1, r1)  # t3
+    r1 = sqrt(r1, r1)  # t4
+    r1 = divide(n1, r1, r1)  # t5
+    r0 = multiply(n3_2, J_y, r0)  # t6
+    r0 = divide(r0, J_z, r0)  # t7
+    out_a = arctan(r0, out_a)  # t8
+    r0 = multiply(J_y, r1, r0)  # t9
+    r0 = multiply(sqrt_3, r0, r0)  # t10
+    r0 = multiply(n6, r0, r0)  # t11
+    out_w_x = divide(r0, J_x, out_w_x)  # t12
+    out_w_y = multiply(n12, r1, out_w_y)  # t13
+    return out_a, out_w_x, out_w_y
 
 
 def best_angles_of_four_wheels(J_x, J_y, J_z, out=None):
@@ -2384,42 +2891,46 @@ def best_angles_of_four_wheels(J_x, J_y, J_z, out=None):
     Rests on ignatov2005:B.20 (sha256 1522635daa40), ignatov2005:B.21 (sha256 147f60cbcbe6).
     """
     if out is None:
-        if type(J_x) is type(J_y) is type(J_z) is float:
-            try:
-                return _best_angles_of_four_wheels(J_x, J_y, J_z, math.atan, math.pow, math.sqrt, 1.0 / 4.0, 4.0)
-            except (ValueError, ZeroDivisionError, OverflowError):
-                pass  # NumPy says whether it is infinite or no number
-        elif type(J_x) is type(J_y) is type(J_z) is np.ndarray and J_x.dtype is J_y.dtype is J_z.dtype is DOUBLE and J_x.shape == J_y.shape == J_z.shape:
-            if J_x.size <= SMALL:
+        try:
+            if float is type(J_x) is type(J_y) is type(J_z):
                 return _best_angles_of_four_wheels(J_x, J_y, J_z)
-            return evaluate_alike(_best_angles_of_four_wheels_block, 4, (0, 1, 2,), (J_x, J_y, J_z,))
+            if ndarray is type(J_x) is type(J_y) is type(J_z) and DOUBLE is J_x.dtype is J_y.dtype is J_z.dtype and () != J_x.shape == J_y.shape == J_z.shape:
+                size = J_x.size
+                if 0 < size <= 4:
+                    return evaluate_handful(_best_angles_of_four_wheels, (J_x, J_y, J_z,))
+                if size <= SMALL:
+                    return _best_angles_of_four_wheels_block(J_x, J_y, J_z)
+                return evaluate_alike(_best_angles_of_four_wheels_block, 4, (0, 1, 2,), (J_x, J_y, J_z,))
+        except (ValueError, ZeroDivisionError, OverflowError):
+            pass  # NumPy says whether it is infinite or no number
     return evaluate(_best_angles_of_four_wheels_block, 4, (0, 1, 2,), (J_x, J_y, J_z,), out)
 
 
-def _best_angles_of_four_wheels(J_x, J_y, J_z, arctan=np.arctan, power=np.power, sqrt=np.sqrt, n1_4=np.array(1.0 / 4.0), n4=np.array(4.0)):
+def _best_angles_of_four_wheels(J_x, J_y, J_z):
     J_x_squared = J_x * J_x
     t1 = J_x_squared + (J_z * J_z)
-    t2 = sqrt(t1)
-    return arctan(sqrt(J_x_squared + (J_y * t2)) / J_z), arctan(J_x / (sqrt(J_y) * power(t1, n1_4))), n4 / (J_y + t2)
+    t2 = math.sqrt(t1)
+    return math.atan(math.sqrt(J_x_squared + (J_y * t2)) / J_z), math.atan(J_x / (math.sqrt(J_y) * math.pow(t1, 1.0 / 4.0))), 4.0 / (J_y + t2)
 
 
-def _best_angles_of_four_wheels_block(J_x, J_y, J_z, out_a, out_b, out_w, r0, r1, r2, r3):
-    np.multiply(J_x, J_x, r0)  # J_x_squared
-    np.multiply(J_z, J_z, r1)  # J_z_squared
-    np.add(r0, r1, r1)  # t1
-    np.sqrt(r1, r2)  # t2
-    np.multiply(J_y, r2, r3)  # t3
-    np.add(r0, r3, r3)  # t4
-    np.sqrt(r3, r3)  # t5
-    np.divide(r3, J_z, r3)  # t6
-    np.arctan(r3, out_a)  # t7
-    np.power(r1, 1.0 / 4.0, r1)  # t8
-    np.sqrt(J_y, r3)  # sqrt_J_y
-    np.multiply(r3, r1, r1)  # t9
-    np.divide(J_x, r1, r1)  # t10
-    np.arctan(r1, out_b)  # t11
-    np.add(J_y, r2, r2)  # t12
-    np.divide(4.0, r2, out_w)  # t13
+def _best_angles_of_four_wheels_block(J_x, J_y, J_z, out_a=None, out_b=None, out_w=None, r0=None, r1=None, r2=None, r3=None, n1_4=array(1.0 / 4.0), n4=array(4.0)):
+    r0 = multiply(J_x, J_x, r0)  # J_x_squared
+    r1 = multiply(J_z, J_z, r1)  # J_z_squared
+    r1 = add(r0, r1, r1)  # t1
+    r2 = sqrt(r1, r2)  # t2
+    r3 = multiply(J_y, r2, r3)  # t3
+    r3 = add(r0, r3, r3)  # t4
+    r3 = sqrt(r3, r3)  # t5
+    r3 = divide(r3, J_z, r3)  # t6
+    out_a = arctan(r3, out_a)  # t7
+    r1 = power(r1, n1_4, r1)  # t8
+    r3 = sqrt(J_y, r3)  # sqrt_J_y
+    r1 = multiply(r3, r1, r1)  # t9
+    r1 = divide(J_x, r1, r1)  # t10
+    out_b = arctan(r1, out_b)  # t11
+    r2 = add(J_y, r2, r2)  # t12
+    out_w = divide(n4, r2, out_w)  # t13
+    return out_a, out_b, out_w
 
 
 def best_angle_of_six_wheels(J_y, J_z, out=None):
@@ -2447,27 +2958,31 @@ def best_angle_of_six_wheels(J_y, J_z, out=None):
     (sha256 369d33522dc2).
     """
     if out is None:
-        if type(J_y) is type(J_z) is float:
-            try:
-                return _best_angle_of_six_wheels(J_y, J_z, math.atan, math.sqrt, math.sqrt(2.0), 2.0, 8.0)
-            except (ValueError, ZeroDivisionError, OverflowError):
-                pass  # NumPy says whether it is infinite or no number
-        elif type(J_y) is type(J_z) is np.ndarray and J_y.dtype is J_z.dtype is DOUBLE and J_y.shape == J_z.shape:
-            if J_y.size <= SMALL:
+        try:
+            if float is type(J_y) is type(J_z):
                 return _best_angle_of_six_wheels(J_y, J_z)
-            return evaluate_alike(_best_angle_of_six_wheels_block, 1, (0, 1,), (J_y, J_z,))
+            if ndarray is type(J_y) is type(J_z) and DOUBLE is J_y.dtype is J_z.dtype and () != J_y.shape == J_z.shape:
+                size = J_y.size
+                if 0 < size <= 1:
+                    return evaluate_handful(_best_angle_of_six_wheels, (J_y, J_z,))
+                if size <= SMALL:
+                    return _best_angle_of_six_wheels_block(J_y, J_z)
+                return evaluate_alike(_best_angle_of_six_wheels_block, 1, (0, 1,), (J_y, J_z,))
+        except (ValueError, ZeroDivisionError, OverflowError):
+            pass  # NumPy says whether it is infinite or no number
     return evaluate(_best_angle_of_six_wheels_block, 1, (0, 1,), (J_y, J_z,), out)
 
 
-def _best_angle_of_six_wheels(J_y, J_z, arctan=np.arctan, sqrt=np.sqrt, sqrt_2=np.array(math.sqrt(2.0)), n2=np.array(2.0), n8=np.array(8.0)):
-    return arctan(sqrt_2 * sqrt(J_y / J_z)), n8 / (J_z + (n2 * J_y))
+def _best_angle_of_six_wheels(J_y, J_z):
+    return math.atan(math.sqrt(2.0) * math.sqrt(J_y / J_z)), 8.0 / (J_z + (2.0 * J_y))
 
 
-def _best_angle_of_six_wheels_block(J_y, J_z, out_a, out_w, r0):
-    np.divide(J_y, J_z, r0)  # t1
-    np.sqrt(r0, r0)  # t2
-    np.multiply(math.sqrt(2.0), r0, r0)  # t3
-    np.arctan(r0, out_a)  # t4
-    np.multiply(2.0, J_y, r0)  # t5
-    np.add(J_z, r0, r0)  # t6
-    np.divide(8.0, r0, out_w)  # t7
+def _best_angle_of_six_wheels_block(J_y, J_z, out_a=None, out_w=None, r0=None, sqrt_2=array(math.sqrt(2.0)), n2=array(2.0), n8=array(8.0)):
+    r0 = divide(J_y, J_z, r0)  # t1
+    r0 = sqrt(r0, r0)  # t2
+    r0 = multiply(sqrt_2, r0, r0)  # t3
+    out_a = arctan(r0, out_a)  # t4
+    r0 = multiply(n2, J_y, r0)  # t5
+    r0 = add(J_z, r0, r0)  # t6
+    out_w = divide(n8, r0, out_w)  # t7
+    return out_a, out_w

@@ -2,9 +2,10 @@
 
 import math
 
-import numpy as np
+from numpy import add, cos, divide, exp, expm1, log, log1p, multiply, negative, power, sin, sqrt, subtract, array, ndarray
 
-from symcheck.runtime import DOUBLE, FEW, SMALL, evaluate, evaluate_alike, expm1_ratio, gamma_ratio, log1p_ratio
+from symcheck.ratios import expm1_ratio, gamma_ratio, log1p_ratio
+from symcheck.runtime import DOUBLE, FEW, SMALL, evaluate, evaluate_alike, evaluate_handful
 
 __all__ = ["averaged_diffusion", "averaged_drift", "density_of_amplitude", "density_of_frequency", "diffusion_coefficients", "distribution_of_amplitude", "drift_coefficients", "logarithm_of_constant_of_amplitude", "logarithm_of_constant_of_frequency", "mean_square_of_amplitude", "mean_square_of_frequency", "mode_of_amplitude", "moment_of_amplitude", "moment_of_frequency", "noise_intensities", "quantile_of_amplitude", "stratonovich_drift"]
 
@@ -47,22 +48,25 @@ def stratonovich_drift(a, psi, Omega, k, varepsilon, d_11, d_12, d_13, d_21, d_2
     Rests on poloskov2004:2.4 (sha256 c36b573056b6), poloskov2004:2.4.2 (sha256 ceeae5ef97fb).
     """
     if out is None:
-        if type(a) is type(psi) is type(Omega) is type(k) is type(varepsilon) is type(d_11) is type(d_12) is type(d_13) is type(d_21) is type(d_22) is type(d_23) is type(d_31) is type(d_32) is type(d_33) is float:
-            try:
-                return _stratonovich_drift(a, psi, Omega, k, varepsilon, d_11, d_12, d_13, d_21, d_22, d_23, d_31, d_32, d_33, math.cos, math.sin)
-            except (ValueError, ZeroDivisionError, OverflowError):
-                pass  # NumPy says whether it is infinite or no number
-        elif type(a) is type(psi) is type(Omega) is type(k) is type(varepsilon) is type(d_11) is type(d_12) is type(d_13) is type(d_21) is type(d_22) is type(d_23) is type(d_31) is type(d_32) is type(d_33) is np.ndarray and a.dtype is psi.dtype is Omega.dtype is k.dtype is varepsilon.dtype is d_11.dtype is d_12.dtype is d_13.dtype is d_21.dtype is d_22.dtype is d_23.dtype is d_31.dtype is d_32.dtype is d_33.dtype is DOUBLE and a.shape == psi.shape == Omega.shape == k.shape == varepsilon.shape == d_11.shape == d_12.shape == d_13.shape == d_21.shape == d_22.shape == d_23.shape == d_31.shape == d_32.shape == d_33.shape:
-            if a.size <= SMALL:
+        try:
+            if float is type(a) is type(psi) is type(Omega) is type(k) is type(varepsilon) is type(d_11) is type(d_12) is type(d_13) is type(d_21) is type(d_22) is type(d_23) is type(d_31) is type(d_32) is type(d_33):
                 return _stratonovich_drift(a, psi, Omega, k, varepsilon, d_11, d_12, d_13, d_21, d_22, d_23, d_31, d_32, d_33)
-            return evaluate_alike(_stratonovich_drift_block, 10, (0, 1, 2,), (a, psi, Omega, k, varepsilon, d_11, d_12, d_13, d_21, d_22, d_23, d_31, d_32, d_33,))
+            if ndarray is type(a) is type(psi) is type(Omega) is type(k) is type(varepsilon) is type(d_11) is type(d_12) is type(d_13) is type(d_21) is type(d_22) is type(d_23) is type(d_31) is type(d_32) is type(d_33) and DOUBLE is a.dtype is psi.dtype is Omega.dtype is k.dtype is varepsilon.dtype is d_11.dtype is d_12.dtype is d_13.dtype is d_21.dtype is d_22.dtype is d_23.dtype is d_31.dtype is d_32.dtype is d_33.dtype and () != a.shape == psi.shape == Omega.shape == k.shape == varepsilon.shape == d_11.shape == d_12.shape == d_13.shape == d_21.shape == d_22.shape == d_23.shape == d_31.shape == d_32.shape == d_33.shape:
+                size = a.size
+                if 0 < size <= 10:
+                    return evaluate_handful(_stratonovich_drift, (a, psi, Omega, k, varepsilon, d_11, d_12, d_13, d_21, d_22, d_23, d_31, d_32, d_33,))
+                if size <= SMALL:
+                    return _stratonovich_drift_block(a, psi, Omega, k, varepsilon, d_11, d_12, d_13, d_21, d_22, d_23, d_31, d_32, d_33)
+                return evaluate_alike(_stratonovich_drift_block, 10, (0, 1, 2,), (a, psi, Omega, k, varepsilon, d_11, d_12, d_13, d_21, d_22, d_23, d_31, d_32, d_33,))
+        except (ValueError, ZeroDivisionError, OverflowError):
+            pass  # NumPy says whether it is infinite or no number
     return evaluate(_stratonovich_drift_block, 10, (0, 1, 2,), (a, psi, Omega, k, varepsilon, d_11, d_12, d_13, d_21, d_22, d_23, d_31, d_32, d_33,), out)
 
 
-def _stratonovich_drift(a, psi, Omega, k, varepsilon, d_11, d_12, d_13, d_21, d_22, d_23, d_31, d_32, d_33, cos=np.cos, sin=np.sin):
-    sin_psi = sin(psi)
+def _stratonovich_drift(a, psi, Omega, k, varepsilon, d_11, d_12, d_13, d_21, d_22, d_23, d_31, d_32, d_33):
+    sin_psi = math.sin(psi)
     t1 = Omega / k
-    cos_psi = cos(psi)
+    cos_psi = math.cos(psi)
     cos_psi_squared = cos_psi * cos_psi
     sin_psi_squared = sin_psi * sin_psi
     t2 = cos_psi * sin_psi
@@ -71,50 +75,51 @@ def _stratonovich_drift(a, psi, Omega, k, varepsilon, d_11, d_12, d_13, d_21, d_
     return (t15 - (d_13 * (cos_psi * t1))) * varepsilon, ((t28 - (d_12 * sin_psi_squared)) - (d_22 * t2)) * varepsilon, ((((d_32 * sin_psi) - (cos_psi * d_31)) * (a * k)) - (Omega * d_33)) * varepsilon
 
 
-def _stratonovich_drift_block(a, psi, Omega, k, varepsilon, d_11, d_12, d_13, d_21, d_22, d_23, d_31, d_32, d_33, out_v_1, out_v_2, out_v_3, r0, r1, r2, r3, r4, r5, r6, r7, r8, r9):
-    np.sin(psi, r0)  # sin_psi
-    np.divide(Omega, k, r1)  # t1
-    np.cos(psi, r2)  # cos_psi
-    np.multiply(r2, r2, r3)  # cos_psi_squared
-    np.multiply(r0, r0, r4)  # sin_psi_squared
-    np.multiply(r2, r0, r5)  # t2
-    np.multiply(r3, d_11, r6)  # t3
-    np.multiply(d_12, r5, r7)  # t4
-    np.multiply(d_21, r5, r8)  # t5
-    np.multiply(d_22, r4, r9)  # t6
-    np.add(r7, r8, r8)  # t7
-    np.subtract(r8, r6, r6)  # t8
-    np.subtract(r6, r9, r9)  # t9
-    np.multiply(a, r9, r9)  # t10
-    np.multiply(r2, r1, r6)  # t11
-    np.multiply(d_13, r6, r6)  # t12
-    np.multiply(r0, r1, r8)  # t13
-    np.multiply(d_23, r8, r8)  # t14
-    np.add(r9, r8, r8)  # t15
-    np.subtract(r8, r6, r6)  # t16
-    np.multiply(r6, varepsilon, out_v_1)  # t17
-    np.multiply(d_11, r5, r6)  # t18
-    np.multiply(d_12, r4, r4)  # t19
-    np.multiply(r3, d_21, r3)  # t20
-    np.multiply(d_22, r5, r5)  # t21
-    np.multiply(d_13, r0, r8)  # t22
-    np.multiply(r2, d_23, r9)  # t23
-    np.add(r8, r9, r9)  # t24
-    np.multiply(r1, r9, r9)  # t25
-    np.divide(r9, a, r9)  # t26
-    np.add(r6, r3, r3)  # t27
-    np.add(r9, r3, r3)  # t28
-    np.subtract(r3, r4, r4)  # t29
-    np.subtract(r4, r5, r5)  # t30
-    np.multiply(r5, varepsilon, out_v_2)  # t31
-    np.multiply(Omega, d_33, r5)  # t32
-    np.multiply(r2, d_31, r2)  # t33
-    np.multiply(d_32, r0, r0)  # t34
-    np.subtract(r0, r2, r2)  # t35
-    np.multiply(a, k, r0)  # t36
-    np.multiply(r2, r0, r0)  # t37
-    np.subtract(r0, r5, r5)  # t38
-    np.multiply(r5, varepsilon, out_v_3)  # t39
+def _stratonovich_drift_block(a, psi, Omega, k, varepsilon, d_11, d_12, d_13, d_21, d_22, d_23, d_31, d_32, d_33, out_v_1=None, out_v_2=None, out_v_3=None, r0=None, r1=None, r2=None, r3=None, r4=None, r5=None, r6=None, r7=None, r8=None, r9=None):
+    r0 = sin(psi, r0)  # sin_psi
+    r1 = divide(Omega, k, r1)  # t1
+    r2 = cos(psi, r2)  # cos_psi
+    r3 = multiply(r2, r2, r3)  # cos_psi_squared
+    r4 = multiply(r0, r0, r4)  # sin_psi_squared
+    r5 = multiply(r2, r0, r5)  # t2
+    r6 = multiply(r3, d_11, r6)  # t3
+    r7 = multiply(d_12, r5, r7)  # t4
+    r8 = multiply(d_21, r5, r8)  # t5
+    r9 = multiply(d_22, r4, r9)  # t6
+    r8 = add(r7, r8, r8)  # t7
+    r6 = subtract(r8, r6, r6)  # t8
+    r9 = subtract(r6, r9, r9)  # t9
+    r9 = multiply(a, r9, r9)  # t10
+    r6 = multiply(r2, r1, r6)  # t11
+    r6 = multiply(d_13, r6, r6)  # t12
+    r8 = multiply(r0, r1, r8)  # t13
+    r8 = multiply(d_23, r8, r8)  # t14
+    r8 = add(r9, r8, r8)  # t15
+    r6 = subtract(r8, r6, r6)  # t16
+    out_v_1 = multiply(r6, varepsilon, out_v_1)  # t17
+    r6 = multiply(d_11, r5, r6)  # t18
+    r4 = multiply(d_12, r4, r4)  # t19
+    r3 = multiply(r3, d_21, r3)  # t20
+    r5 = multiply(d_22, r5, r5)  # t21
+    r8 = multiply(d_13, r0, r8)  # t22
+    r9 = multiply(r2, d_23, r9)  # t23
+    r9 = add(r8, r9, r9)  # t24
+    r9 = multiply(r1, r9, r9)  # t25
+    r9 = divide(r9, a, r9)  # t26
+    r3 = add(r6, r3, r3)  # t27
+    r3 = add(r9, r3, r3)  # t28
+    r4 = subtract(r3, r4, r4)  # t29
+    r5 = subtract(r4, r5, r5)  # t30
+    out_v_2 = multiply(r5, varepsilon, out_v_2)  # t31
+    r5 = multiply(Omega, d_33, r5)  # t32
+    r2 = multiply(r2, d_31, r2)  # t33
+    r0 = multiply(d_32, r0, r0)  # t34
+    r2 = subtract(r0, r2, r2)  # t35
+    r0 = multiply(a, k, r0)  # t36
+    r0 = multiply(r2, r0, r0)  # t37
+    r5 = subtract(r0, r5, r5)  # t38
+    out_v_3 = multiply(r5, varepsilon, out_v_3)  # t39
+    return out_v_1, out_v_2, out_v_3
 
 
 def noise_intensities(a, psi, Omega, k, varepsilon, g_11, g_12, g_21, g_22, g_13, g_23, out=None):
@@ -165,61 +170,65 @@ def noise_intensities(a, psi, Omega, k, varepsilon, g_11, g_12, g_21, g_22, g_13
     Rests on poloskov2004:2.4.5b (sha256 9f4d27846da7), poloskov2004:2.4.6 (sha256 3c2a5cad14d4).
     """
     if out is None:
-        if type(a) is type(psi) is type(Omega) is type(k) is type(varepsilon) is type(g_11) is type(g_12) is type(g_21) is type(g_22) is type(g_13) is type(g_23) is float:
-            try:
-                return _noise_intensities(a, psi, Omega, k, varepsilon, g_11, g_12, g_21, g_22, g_13, g_23, math.cos, math.sin, math.sqrt, 1.0)
-            except (ValueError, ZeroDivisionError, OverflowError):
-                pass  # NumPy says whether it is infinite or no number
-        elif type(a) is type(psi) is type(Omega) is type(k) is type(varepsilon) is type(g_11) is type(g_12) is type(g_21) is type(g_22) is type(g_13) is type(g_23) is np.ndarray and a.dtype is psi.dtype is Omega.dtype is k.dtype is varepsilon.dtype is g_11.dtype is g_12.dtype is g_21.dtype is g_22.dtype is g_13.dtype is g_23.dtype is DOUBLE and a.shape == psi.shape == Omega.shape == k.shape == varepsilon.shape == g_11.shape == g_12.shape == g_21.shape == g_22.shape == g_13.shape == g_23.shape:
-            if a.size <= SMALL:
+        try:
+            if float is type(a) is type(psi) is type(Omega) is type(k) is type(varepsilon) is type(g_11) is type(g_12) is type(g_21) is type(g_22) is type(g_13) is type(g_23):
                 return _noise_intensities(a, psi, Omega, k, varepsilon, g_11, g_12, g_21, g_22, g_13, g_23)
-            return evaluate_alike(_noise_intensities_block, 9, (0, 1, 2, 3, 4, 5, 6, 7, 8, 9,), (a, psi, Omega, k, varepsilon, g_11, g_12, g_21, g_22, g_13, g_23,))
+            if ndarray is type(a) is type(psi) is type(Omega) is type(k) is type(varepsilon) is type(g_11) is type(g_12) is type(g_21) is type(g_22) is type(g_13) is type(g_23) and DOUBLE is a.dtype is psi.dtype is Omega.dtype is k.dtype is varepsilon.dtype is g_11.dtype is g_12.dtype is g_21.dtype is g_22.dtype is g_13.dtype is g_23.dtype and () != a.shape == psi.shape == Omega.shape == k.shape == varepsilon.shape == g_11.shape == g_12.shape == g_21.shape == g_22.shape == g_13.shape == g_23.shape:
+                size = a.size
+                if 0 < size <= 2:
+                    return evaluate_handful(_noise_intensities, (a, psi, Omega, k, varepsilon, g_11, g_12, g_21, g_22, g_13, g_23,))
+                if size <= SMALL:
+                    return _noise_intensities_block(a, psi, Omega, k, varepsilon, g_11, g_12, g_21, g_22, g_13, g_23)
+                return evaluate_alike(_noise_intensities_block, 9, (0, 1, 2, 3, 4, 5, 6, 7, 8, 9,), (a, psi, Omega, k, varepsilon, g_11, g_12, g_21, g_22, g_13, g_23,))
+        except (ValueError, ZeroDivisionError, OverflowError):
+            pass  # NumPy says whether it is infinite or no number
     return evaluate(_noise_intensities_block, 9, (0, 1, 2, 3, 4, 5, 6, 7, 8, 9,), (a, psi, Omega, k, varepsilon, g_11, g_12, g_21, g_22, g_13, g_23,), out)
 
 
-def _noise_intensities(a, psi, Omega, k, varepsilon, g_11, g_12, g_21, g_22, g_13, g_23, cos=np.cos, sin=np.sin, sqrt=np.sqrt, n1=np.array(1.0)):
-    cos_psi = cos(psi)
-    sqrt_varepsilon = sqrt(varepsilon)
+def _noise_intensities(a, psi, Omega, k, varepsilon, g_11, g_12, g_21, g_22, g_13, g_23):
+    cos_psi = math.cos(psi)
+    sqrt_varepsilon = math.sqrt(varepsilon)
     t1 = a * sqrt_varepsilon
-    sin_psi = sin(psi)
+    sin_psi = math.sin(psi)
     t2 = cos_psi * sqrt_varepsilon
     t3 = sin_psi * sqrt_varepsilon
     t4 = sin_psi * t2
-    t5 = n1 / a
+    t5 = 1.0 / a
     return (cos_psi * cos_psi) * (g_11 * t1), (sin_psi * sin_psi) * (g_12 * t1), g_21 * t2, -(g_22 * t3), -(g_11 * t4), g_12 * t4, -(g_21 * (t3 * t5)), -(g_22 * (t2 * t5)), g_13 * (Omega * sqrt_varepsilon), k * (g_23 * sqrt_varepsilon)
 
 
-def _noise_intensities_block(a, psi, Omega, k, varepsilon, g_11, g_12, g_21, g_22, g_13, g_23, out_h_11, out_h_12, out_h_14, out_h_15, out_h_21, out_h_22, out_h_24, out_h_25, out_h_33, out_h_36, r0, r1, r2, r3, r4, r5, r6, r7, r8):
-    np.cos(psi, r0)  # cos_psi
-    np.sqrt(varepsilon, r1)  # sqrt_varepsilon
-    np.multiply(a, r1, r2)  # t1
-    np.sin(psi, r3)  # sin_psi
-    np.multiply(r0, r1, r4)  # t2
-    np.multiply(r3, r1, r5)  # t3
-    np.multiply(r3, r4, r6)  # t4
-    np.divide(1.0, a, r7)  # t5
-    np.multiply(r0, r0, r0)  # cos_psi_squared
-    np.multiply(g_11, r2, r8)  # t6
-    np.multiply(r0, r8, out_h_11)  # t7
-    np.multiply(r3, r3, r3)  # sin_psi_squared
-    np.multiply(g_12, r2, r2)  # t8
-    np.multiply(r3, r2, out_h_12)  # t9
-    np.multiply(g_21, r4, out_h_14)  # t10
-    np.multiply(g_22, r5, r2)  # t11
-    np.negative(r2, out_h_15)  # t12
-    np.multiply(g_11, r6, r2)  # t13
-    np.negative(r2, out_h_21)  # t14
-    np.multiply(g_12, r6, out_h_22)  # t15
-    np.multiply(r5, r7, r5)  # t16
-    np.multiply(g_21, r5, r5)  # t17
-    np.negative(r5, out_h_24)  # t18
-    np.multiply(r4, r7, r7)  # t19
-    np.multiply(g_22, r7, r7)  # t20
-    np.negative(r7, out_h_25)  # t21
-    np.multiply(Omega, r1, r7)  # t22
-    np.multiply(g_13, r7, out_h_33)  # t23
-    np.multiply(g_23, r1, r1)  # t24
-    np.multiply(k, r1, out_h_36)  # t25
+def _noise_intensities_block(a, psi, Omega, k, varepsilon, g_11, g_12, g_21, g_22, g_13, g_23, out_h_11=None, out_h_12=None, out_h_14=None, out_h_15=None, out_h_21=None, out_h_22=None, out_h_24=None, out_h_25=None, out_h_33=None, out_h_36=None, r0=None, r1=None, r2=None, r3=None, r4=None, r5=None, r6=None, r7=None, r8=None, n1=array(1.0)):
+    r0 = cos(psi, r0)  # cos_psi
+    r1 = sqrt(varepsilon, r1)  # sqrt_varepsilon
+    r2 = multiply(a, r1, r2)  # t1
+    r3 = sin(psi, r3)  # sin_psi
+    r4 = multiply(r0, r1, r4)  # t2
+    r5 = multiply(r3, r1, r5)  # t3
+    r6 = multiply(r3, r4, r6)  # t4
+    r7 = divide(n1, a, r7)  # t5
+    r0 = multiply(r0, r0, r0)  # cos_psi_squared
+    r8 = multiply(g_11, r2, r8)  # t6
+    out_h_11 = multiply(r0, r8, out_h_11)  # t7
+    r3 = multiply(r3, r3, r3)  # sin_psi_squared
+    r2 = multiply(g_12, r2, r2)  # t8
+    out_h_12 = multiply(r3, r2, out_h_12)  # t9
+    out_h_14 = multiply(g_21, r4, out_h_14)  # t10
+    r2 = multiply(g_22, r5, r2)  # t11
+    out_h_15 = negative(r2, out_h_15)  # t12
+    r2 = multiply(g_11, r6, r2)  # t13
+    out_h_21 = negative(r2, out_h_21)  # t14
+    out_h_22 = multiply(g_12, r6, out_h_22)  # t15
+    r5 = multiply(r5, r7, r5)  # t16
+    r5 = multiply(g_21, r5, r5)  # t17
+    out_h_24 = negative(r5, out_h_24)  # t18
+    r7 = multiply(r4, r7, r7)  # t19
+    r7 = multiply(g_22, r7, r7)  # t20
+    out_h_25 = negative(r7, out_h_25)  # t21
+    r7 = multiply(Omega, r1, r7)  # t22
+    out_h_33 = multiply(g_13, r7, out_h_33)  # t23
+    r1 = multiply(g_23, r1, r1)  # t24
+    out_h_36 = multiply(k, r1, out_h_36)  # t25
+    return out_h_11, out_h_12, out_h_14, out_h_15, out_h_21, out_h_22, out_h_24, out_h_25, out_h_33, out_h_36
 
 
 def drift_coefficients(a, psi, Omega, k, varepsilon, d_11, d_12, d_13, d_21, d_22, d_23, d_31, d_32, d_33, g_11, g_12, g_21, g_22, g_13, out=None):
@@ -265,139 +274,143 @@ def drift_coefficients(a, psi, Omega, k, varepsilon, d_11, d_12, d_13, d_21, d_2
     Rests on poloskov2004:3.1.2 (sha256 b463a2822912), poloskov2004:3.2.1 (sha256 2836599024ed).
     """
     if out is None:
-        if type(a) is type(psi) is type(Omega) is type(k) is type(varepsilon) is type(d_11) is type(d_12) is type(d_13) is type(d_21) is type(d_22) is type(d_23) is type(d_31) is type(d_32) is type(d_33) is type(g_11) is type(g_12) is type(g_21) is type(g_22) is type(g_13) is float:
-            try:
-                return _drift_coefficients(a, psi, Omega, k, varepsilon, d_11, d_12, d_13, d_21, d_22, d_23, d_31, d_32, d_33, g_11, g_12, g_21, g_22, g_13, math.cos, math.sin, 1.0, 2.0, 1.0 / 2.0)
-            except (ValueError, ZeroDivisionError, OverflowError):
-                pass  # NumPy says whether it is infinite or no number
-        elif type(a) is type(psi) is type(Omega) is type(k) is type(varepsilon) is type(d_11) is type(d_12) is type(d_13) is type(d_21) is type(d_22) is type(d_23) is type(d_31) is type(d_32) is type(d_33) is type(g_11) is type(g_12) is type(g_21) is type(g_22) is type(g_13) is np.ndarray and a.dtype is psi.dtype is Omega.dtype is k.dtype is varepsilon.dtype is d_11.dtype is d_12.dtype is d_13.dtype is d_21.dtype is d_22.dtype is d_23.dtype is d_31.dtype is d_32.dtype is d_33.dtype is g_11.dtype is g_12.dtype is g_21.dtype is g_22.dtype is g_13.dtype is DOUBLE and a.shape == psi.shape == Omega.shape == k.shape == varepsilon.shape == d_11.shape == d_12.shape == d_13.shape == d_21.shape == d_22.shape == d_23.shape == d_31.shape == d_32.shape == d_33.shape == g_11.shape == g_12.shape == g_21.shape == g_22.shape == g_13.shape:
-            if a.size <= SMALL:
+        try:
+            if float is type(a) is type(psi) is type(Omega) is type(k) is type(varepsilon) is type(d_11) is type(d_12) is type(d_13) is type(d_21) is type(d_22) is type(d_23) is type(d_31) is type(d_32) is type(d_33) is type(g_11) is type(g_12) is type(g_21) is type(g_22) is type(g_13):
                 return _drift_coefficients(a, psi, Omega, k, varepsilon, d_11, d_12, d_13, d_21, d_22, d_23, d_31, d_32, d_33, g_11, g_12, g_21, g_22, g_13)
-            return evaluate_alike(_drift_coefficients_block, 23, (0, 1, 2,), (a, psi, Omega, k, varepsilon, d_11, d_12, d_13, d_21, d_22, d_23, d_31, d_32, d_33, g_11, g_12, g_21, g_22, g_13,))
+            if ndarray is type(a) is type(psi) is type(Omega) is type(k) is type(varepsilon) is type(d_11) is type(d_12) is type(d_13) is type(d_21) is type(d_22) is type(d_23) is type(d_31) is type(d_32) is type(d_33) is type(g_11) is type(g_12) is type(g_21) is type(g_22) is type(g_13) and DOUBLE is a.dtype is psi.dtype is Omega.dtype is k.dtype is varepsilon.dtype is d_11.dtype is d_12.dtype is d_13.dtype is d_21.dtype is d_22.dtype is d_23.dtype is d_31.dtype is d_32.dtype is d_33.dtype is g_11.dtype is g_12.dtype is g_21.dtype is g_22.dtype is g_13.dtype and () != a.shape == psi.shape == Omega.shape == k.shape == varepsilon.shape == d_11.shape == d_12.shape == d_13.shape == d_21.shape == d_22.shape == d_23.shape == d_31.shape == d_32.shape == d_33.shape == g_11.shape == g_12.shape == g_21.shape == g_22.shape == g_13.shape:
+                size = a.size
+                if 0 < size <= 17:
+                    return evaluate_handful(_drift_coefficients, (a, psi, Omega, k, varepsilon, d_11, d_12, d_13, d_21, d_22, d_23, d_31, d_32, d_33, g_11, g_12, g_21, g_22, g_13,))
+                if size <= SMALL:
+                    return _drift_coefficients_block(a, psi, Omega, k, varepsilon, d_11, d_12, d_13, d_21, d_22, d_23, d_31, d_32, d_33, g_11, g_12, g_21, g_22, g_13)
+                return evaluate_alike(_drift_coefficients_block, 23, (0, 1, 2,), (a, psi, Omega, k, varepsilon, d_11, d_12, d_13, d_21, d_22, d_23, d_31, d_32, d_33, g_11, g_12, g_21, g_22, g_13,))
+        except (ValueError, ZeroDivisionError, OverflowError):
+            pass  # NumPy says whether it is infinite or no number
     return evaluate(_drift_coefficients_block, 23, (0, 1, 2,), (a, psi, Omega, k, varepsilon, d_11, d_12, d_13, d_21, d_22, d_23, d_31, d_32, d_33, g_11, g_12, g_21, g_22, g_13,), out)
 
 
-def _drift_coefficients(a, psi, Omega, k, varepsilon, d_11, d_12, d_13, d_21, d_22, d_23, d_31, d_32, d_33, g_11, g_12, g_21, g_22, g_13, cos=np.cos, sin=np.sin, n1=np.array(1.0), n2=np.array(2.0), n1_2=np.array(1.0 / 2.0)):
-    sin_psi = sin(psi)
+def _drift_coefficients(a, psi, Omega, k, varepsilon, d_11, d_12, d_13, d_21, d_22, d_23, d_31, d_32, d_33, g_11, g_12, g_21, g_22, g_13):
+    sin_psi = math.sin(psi)
     t1 = Omega / k
-    cos_psi = cos(psi)
-    t2 = n1 / a
+    cos_psi = math.cos(psi)
+    t2 = 1.0 / a
     g_21_squared = g_21 * g_21
     sin_psi_squared = sin_psi * sin_psi
     g_22_squared = g_22 * g_22
     cos_psi_squared = cos_psi * cos_psi
-    t3 = n2 * cos_psi_squared
+    t3 = 2.0 * cos_psi_squared
     t4 = cos_psi * sin_psi
-    t5 = n2 * t4
+    t5 = 2.0 * t4
     g_11_squared = g_11 * g_11
     g_12_squared = g_12 * g_12
     t6 = sin_psi_squared * t3
-    t7 = n1_2 * g_11_squared
+    t7 = (1.0 / 2.0) * g_11_squared
     t9 = sin_psi * (cos_psi * cos_psi_squared)
     t11 = cos_psi * (sin_psi * sin_psi_squared)
-    t12 = n1_2 * g_12_squared
+    t12 = (1.0 / 2.0) * g_12_squared
     t24 = (g_11_squared * t6) + ((g_12_squared * (sin_psi_squared * sin_psi_squared)) + ((d_12 * t5) + (d_21 * t5)))
     t27 = ((g_12_squared * t6) + (((cos_psi_squared * cos_psi_squared) * g_11_squared) + t24)) - (d_11 * t3)
-    t41 = (n1_2 * (t2 * ((g_21_squared * sin_psi_squared) + (cos_psi_squared * g_22_squared)))) + ((n1_2 * (a * (t27 - (n2 * (d_22 * sin_psi_squared))))) + (d_23 * (sin_psi * t1)))
+    t41 = ((1.0 / 2.0) * (t2 * ((g_21_squared * sin_psi_squared) + (cos_psi_squared * g_22_squared)))) + (((1.0 / 2.0) * (a * (t27 - (2.0 * (d_22 * sin_psi_squared))))) + (d_23 * (sin_psi * t1)))
     t61 = (((d_13 * sin_psi) + (cos_psi * d_23)) * (t1 * t2)) + ((d_11 * t4) + (cos_psi_squared * d_21))
     t65 = (((t4 * (g_21_squared - g_22_squared)) / (a * a)) + ((t12 * t9) + ((t7 * t9) + t61))) - (d_12 * sin_psi_squared)
-    t79 = ((n1_2 * (Omega * (g_13 * g_13))) + (((d_32 * sin_psi) - (cos_psi * d_31)) * (a * k))) - (Omega * d_33)
-    return (t41 - (d_13 * (cos_psi * t1))) * varepsilon, (((t65 - (d_22 * t4)) - (t11 * t7)) - (t11 * t12)) * varepsilon, t79 * varepsilon
+    t78 = ((1.0 / 2.0) * (Omega * (g_13 * g_13))) + (((d_32 * sin_psi) - (cos_psi * d_31)) * (a * k))
+    return (t41 - (d_13 * (cos_psi * t1))) * varepsilon, (((t65 - (d_22 * t4)) - (t11 * t7)) - (t11 * t12)) * varepsilon, (t78 - (Omega * d_33)) * varepsilon
 
 
-def _drift_coefficients_block(a, psi, Omega, k, varepsilon, d_11, d_12, d_13, d_21, d_22, d_23, d_31, d_32, d_33, g_11, g_12, g_21, g_22, g_13, out_K_1, out_K_2, out_K_3, r0, r1, r2, r3, r4, r5, r6, r7, r8, r9, r10, r11, r12, r13, r14, r15, r16, r17, r18, r19, r20, r21, r22):
-    np.sin(psi, r0)  # sin_psi
-    np.divide(Omega, k, r1)  # t1
-    np.cos(psi, r2)  # cos_psi
-    np.divide(1.0, a, r3)  # t2
-    np.multiply(g_21, g_21, r4)  # g_21_squared
-    np.multiply(r0, r0, r5)  # sin_psi_squared
-    np.multiply(g_22, g_22, r6)  # g_22_squared
-    np.multiply(r2, r2, r7)  # cos_psi_squared
-    np.multiply(2.0, r7, r8)  # t3
-    np.multiply(r2, r0, r9)  # t4
-    np.multiply(2.0, r9, r10)  # t5
-    np.multiply(g_11, g_11, r11)  # g_11_squared
-    np.multiply(g_12, g_12, r12)  # g_12_squared
-    np.multiply(r5, r8, r13)  # t6
-    np.multiply(1.0 / 2.0, r11, r14)  # t7
-    np.multiply(r2, r7, r15)  # t8
-    np.multiply(r0, r15, r15)  # t9
-    np.multiply(r0, r5, r16)  # t10
-    np.multiply(r2, r16, r16)  # t11
-    np.multiply(1.0 / 2.0, r12, r17)  # t12
-    np.multiply(d_11, r8, r8)  # t13
-    np.multiply(d_12, r10, r18)  # t14
-    np.multiply(d_21, r10, r10)  # t15
-    np.multiply(d_22, r5, r19)  # t16
-    np.multiply(2.0, r19, r19)  # t17
-    np.multiply(r5, r5, r20)  # sin_psi_squared_squared
-    np.multiply(r12, r20, r20)  # t18
-    np.multiply(r11, r13, r21)  # t19
-    np.multiply(r7, r7, r22)  # cos_psi_squared_squared
-    np.multiply(r22, r11, r11)  # t20
-    np.multiply(r12, r13, r13)  # t21
-    np.add(r18, r10, r10)  # t22
-    np.add(r20, r10, r10)  # t23
-    np.add(r21, r10, r10)  # t24
-    np.add(r11, r10, r10)  # t25
-    np.add(r13, r10, r10)  # t26
-    np.subtract(r10, r8, r8)  # t27
-    np.subtract(r8, r19, r19)  # t28
-    np.multiply(a, r19, r19)  # t29
-    np.multiply(1.0 / 2.0, r19, r19)  # t30
-    np.multiply(r2, r1, r8)  # t31
-    np.multiply(d_13, r8, r8)  # t32
-    np.multiply(r0, r1, r10)  # t33
-    np.multiply(d_23, r10, r10)  # t34
-    np.multiply(r4, r5, r13)  # t35
-    np.multiply(r7, r6, r11)  # t36
-    np.add(r13, r11, r11)  # t37
-    np.multiply(r3, r11, r11)  # t38
-    np.multiply(1.0 / 2.0, r11, r11)  # t39
-    np.add(r19, r10, r10)  # t40
-    np.add(r11, r10, r10)  # t41
-    np.subtract(r10, r8, r8)  # t42
-    np.multiply(r8, varepsilon, out_K_1)  # t43
-    np.multiply(d_11, r9, r8)  # t44
-    np.multiply(d_12, r5, r5)  # t45
-    np.multiply(r7, d_21, r7)  # t46
-    np.multiply(d_22, r9, r10)  # t47
-    np.multiply(d_13, r0, r11)  # t48
-    np.multiply(r2, d_23, r19)  # t49
-    np.add(r11, r19, r19)  # t50
-    np.multiply(r1, r3, r3)  # t51
-    np.multiply(r19, r3, r3)  # t52
-    np.multiply(r14, r15, r19)  # t53
-    np.multiply(r16, r14, r14)  # t54
-    np.multiply(r17, r15, r15)  # t55
-    np.multiply(r16, r17, r17)  # t56
-    np.multiply(a, a, r16)  # a_squared
-    np.subtract(r4, r6, r6)  # t57
-    np.multiply(r9, r6, r6)  # t58
-    np.divide(r6, r16, r16)  # t59
-    np.add(r8, r7, r7)  # t60
-    np.add(r3, r7, r7)  # t61
-    np.add(r19, r7, r7)  # t62
-    np.add(r15, r7, r7)  # t63
-    np.add(r16, r7, r7)  # t64
-    np.subtract(r7, r5, r5)  # t65
-    np.subtract(r5, r10, r10)  # t66
-    np.subtract(r10, r14, r14)  # t67
-    np.subtract(r14, r17, r17)  # t68
-    np.multiply(r17, varepsilon, out_K_2)  # t69
-    np.multiply(Omega, d_33, r17)  # t70
-    np.multiply(g_13, g_13, r14)  # g_13_squared
-    np.multiply(Omega, r14, r14)  # t71
-    np.multiply(1.0 / 2.0, r14, r14)  # t72
-    np.multiply(r2, d_31, r2)  # t73
-    np.multiply(d_32, r0, r0)  # t74
-    np.subtract(r0, r2, r2)  # t75
-    np.multiply(a, k, r0)  # t76
-    np.multiply(r2, r0, r0)  # t77
-    np.add(r14, r0, r0)  # t78
-    np.subtract(r0, r17, r17)  # t79
-    np.multiply(r17, varepsilon, out_K_3)  # t80
+def _drift_coefficients_block(a, psi, Omega, k, varepsilon, d_11, d_12, d_13, d_21, d_22, d_23, d_31, d_32, d_33, g_11, g_12, g_21, g_22, g_13, out_K_1=None, out_K_2=None, out_K_3=None, r0=None, r1=None, r2=None, r3=None, r4=None, r5=None, r6=None, r7=None, r8=None, r9=None, r10=None, r11=None, r12=None, r13=None, r14=None, r15=None, r16=None, r17=None, r18=None, r19=None, r20=None, r21=None, r22=None, n1=array(1.0), n2=array(2.0), n1_2=array(1.0 / 2.0)):
+    r0 = sin(psi, r0)  # sin_psi
+    r1 = divide(Omega, k, r1)  # t1
+    r2 = cos(psi, r2)  # cos_psi
+    r3 = divide(n1, a, r3)  # t2
+    r4 = multiply(g_21, g_21, r4)  # g_21_squared
+    r5 = multiply(r0, r0, r5)  # sin_psi_squared
+    r6 = multiply(g_22, g_22, r6)  # g_22_squared
+    r7 = multiply(r2, r2, r7)  # cos_psi_squared
+    r8 = multiply(n2, r7, r8)  # t3
+    r9 = multiply(r2, r0, r9)  # t4
+    r10 = multiply(n2, r9, r10)  # t5
+    r11 = multiply(g_11, g_11, r11)  # g_11_squared
+    r12 = multiply(g_12, g_12, r12)  # g_12_squared
+    r13 = multiply(r5, r8, r13)  # t6
+    r14 = multiply(n1_2, r11, r14)  # t7
+    r15 = multiply(r2, r7, r15)  # t8
+    r15 = multiply(r0, r15, r15)  # t9
+    r16 = multiply(r0, r5, r16)  # t10
+    r16 = multiply(r2, r16, r16)  # t11
+    r17 = multiply(n1_2, r12, r17)  # t12
+    r8 = multiply(d_11, r8, r8)  # t13
+    r18 = multiply(d_12, r10, r18)  # t14
+    r10 = multiply(d_21, r10, r10)  # t15
+    r19 = multiply(d_22, r5, r19)  # t16
+    r19 = multiply(n2, r19, r19)  # t17
+    r20 = multiply(r5, r5, r20)  # sin_psi_squared_squared
+    r20 = multiply(r12, r20, r20)  # t18
+    r21 = multiply(r11, r13, r21)  # t19
+    r22 = multiply(r7, r7, r22)  # cos_psi_squared_squared
+    r11 = multiply(r22, r11, r11)  # t20
+    r13 = multiply(r12, r13, r13)  # t21
+    r10 = add(r18, r10, r10)  # t22
+    r10 = add(r20, r10, r10)  # t23
+    r10 = add(r21, r10, r10)  # t24
+    r10 = add(r11, r10, r10)  # t25
+    r10 = add(r13, r10, r10)  # t26
+    r8 = subtract(r10, r8, r8)  # t27
+    r19 = subtract(r8, r19, r19)  # t28
+    r19 = multiply(a, r19, r19)  # t29
+    r19 = multiply(n1_2, r19, r19)  # t30
+    r8 = multiply(r2, r1, r8)  # t31
+    r8 = multiply(d_13, r8, r8)  # t32
+    r10 = multiply(r0, r1, r10)  # t33
+    r10 = multiply(d_23, r10, r10)  # t34
+    r13 = multiply(r4, r5, r13)  # t35
+    r11 = multiply(r7, r6, r11)  # t36
+    r11 = add(r13, r11, r11)  # t37
+    r11 = multiply(r3, r11, r11)  # t38
+    r11 = multiply(n1_2, r11, r11)  # t39
+    r10 = add(r19, r10, r10)  # t40
+    r10 = add(r11, r10, r10)  # t41
+    r8 = subtract(r10, r8, r8)  # t42
+    out_K_1 = multiply(r8, varepsilon, out_K_1)  # t43
+    r8 = multiply(d_11, r9, r8)  # t44
+    r5 = multiply(d_12, r5, r5)  # t45
+    r7 = multiply(r7, d_21, r7)  # t46
+    r10 = multiply(d_22, r9, r10)  # t47
+    r11 = multiply(d_13, r0, r11)  # t48
+    r19 = multiply(r2, d_23, r19)  # t49
+    r19 = add(r11, r19, r19)  # t50
+    r3 = multiply(r1, r3, r3)  # t51
+    r3 = multiply(r19, r3, r3)  # t52
+    r19 = multiply(r14, r15, r19)  # t53
+    r14 = multiply(r16, r14, r14)  # t54
+    r15 = multiply(r17, r15, r15)  # t55
+    r17 = multiply(r16, r17, r17)  # t56
+    r16 = multiply(a, a, r16)  # a_squared
+    r6 = subtract(r4, r6, r6)  # t57
+    r6 = multiply(r9, r6, r6)  # t58
+    r16 = divide(r6, r16, r16)  # t59
+    r7 = add(r8, r7, r7)  # t60
+    r7 = add(r3, r7, r7)  # t61
+    r7 = add(r19, r7, r7)  # t62
+    r7 = add(r15, r7, r7)  # t63
+    r7 = add(r16, r7, r7)  # t64
+    r5 = subtract(r7, r5, r5)  # t65
+    r10 = subtract(r5, r10, r10)  # t66
+    r14 = subtract(r10, r14, r14)  # t67
+    r17 = subtract(r14, r17, r17)  # t68
+    out_K_2 = multiply(r17, varepsilon, out_K_2)  # t69
+    r17 = multiply(Omega, d_33, r17)  # t70
+    r14 = multiply(g_13, g_13, r14)  # g_13_squared
+    r14 = multiply(Omega, r14, r14)  # t71
+    r14 = multiply(n1_2, r14, r14)  # t72
+    r2 = multiply(r2, d_31, r2)  # t73
+    r0 = multiply(d_32, r0, r0)  # t74
+    r2 = subtract(r0, r2, r2)  # t75
+    r0 = multiply(a, k, r0)  # t76
+    r0 = multiply(r2, r0, r0)  # t77
+    r0 = add(r14, r0, r0)  # t78
+    r17 = subtract(r0, r17, r17)  # t79
+    out_K_3 = multiply(r17, varepsilon, out_K_3)  # t80
+    return out_K_1, out_K_2, out_K_3
 
 
 def diffusion_coefficients(a, psi, Omega, k, varepsilon, g_11, g_12, g_21, g_22, g_13, g_23, out=None):
@@ -437,24 +450,27 @@ def diffusion_coefficients(a, psi, Omega, k, varepsilon, g_11, g_12, g_21, g_22,
     Rests on poloskov2004:3.1.2 (sha256 b463a2822912), poloskov2004:3.2.1 (sha256 2836599024ed).
     """
     if out is None:
-        if type(a) is type(psi) is type(Omega) is type(k) is type(varepsilon) is type(g_11) is type(g_12) is type(g_21) is type(g_22) is type(g_13) is type(g_23) is float:
-            try:
-                return _diffusion_coefficients(a, psi, Omega, k, varepsilon, g_11, g_12, g_21, g_22, g_13, g_23, math.cos, math.sin)
-            except (ValueError, ZeroDivisionError, OverflowError):
-                pass  # NumPy says whether it is infinite or no number
-        elif type(a) is type(psi) is type(Omega) is type(k) is type(varepsilon) is type(g_11) is type(g_12) is type(g_21) is type(g_22) is type(g_13) is type(g_23) is np.ndarray and a.dtype is psi.dtype is Omega.dtype is k.dtype is varepsilon.dtype is g_11.dtype is g_12.dtype is g_21.dtype is g_22.dtype is g_13.dtype is g_23.dtype is DOUBLE and a.shape == psi.shape == Omega.shape == k.shape == varepsilon.shape == g_11.shape == g_12.shape == g_21.shape == g_22.shape == g_13.shape == g_23.shape:
-            if a.size <= SMALL:
+        try:
+            if float is type(a) is type(psi) is type(Omega) is type(k) is type(varepsilon) is type(g_11) is type(g_12) is type(g_21) is type(g_22) is type(g_13) is type(g_23):
                 return _diffusion_coefficients(a, psi, Omega, k, varepsilon, g_11, g_12, g_21, g_22, g_13, g_23)
-            return evaluate_alike(_diffusion_coefficients_block, 13, (0, 1, 2, 3,), (a, psi, Omega, k, varepsilon, g_11, g_12, g_21, g_22, g_13, g_23,))
+            if ndarray is type(a) is type(psi) is type(Omega) is type(k) is type(varepsilon) is type(g_11) is type(g_12) is type(g_21) is type(g_22) is type(g_13) is type(g_23) and DOUBLE is a.dtype is psi.dtype is Omega.dtype is k.dtype is varepsilon.dtype is g_11.dtype is g_12.dtype is g_21.dtype is g_22.dtype is g_13.dtype is g_23.dtype and () != a.shape == psi.shape == Omega.shape == k.shape == varepsilon.shape == g_11.shape == g_12.shape == g_21.shape == g_22.shape == g_13.shape == g_23.shape:
+                size = a.size
+                if 0 < size <= 11:
+                    return evaluate_handful(_diffusion_coefficients, (a, psi, Omega, k, varepsilon, g_11, g_12, g_21, g_22, g_13, g_23,))
+                if size <= SMALL:
+                    return _diffusion_coefficients_block(a, psi, Omega, k, varepsilon, g_11, g_12, g_21, g_22, g_13, g_23)
+                return evaluate_alike(_diffusion_coefficients_block, 13, (0, 1, 2, 3,), (a, psi, Omega, k, varepsilon, g_11, g_12, g_21, g_22, g_13, g_23,))
+        except (ValueError, ZeroDivisionError, OverflowError):
+            pass  # NumPy says whether it is infinite or no number
     return evaluate(_diffusion_coefficients_block, 13, (0, 1, 2, 3,), (a, psi, Omega, k, varepsilon, g_11, g_12, g_21, g_22, g_13, g_23,), out)
 
 
-def _diffusion_coefficients(a, psi, Omega, k, varepsilon, g_11, g_12, g_21, g_22, g_13, g_23, cos=np.cos, sin=np.sin):
+def _diffusion_coefficients(a, psi, Omega, k, varepsilon, g_11, g_12, g_21, g_22, g_13, g_23):
     g_21_squared = g_21 * g_21
-    cos_psi = cos(psi)
+    cos_psi = math.cos(psi)
     cos_psi_squared = cos_psi * cos_psi
     g_22_squared = g_22 * g_22
-    sin_psi = sin(psi)
+    sin_psi = math.sin(psi)
     sin_psi_squared = sin_psi * sin_psi
     a_squared = a * a
     g_11_squared = g_11 * g_11
@@ -467,55 +483,56 @@ def _diffusion_coefficients(a, psi, Omega, k, varepsilon, g_11, g_12, g_21, g_22
     return t10, t19, t28 * varepsilon, (((Omega * Omega) * (g_13 * g_13)) + ((g_23 * g_23) * (k * k))) * varepsilon
 
 
-def _diffusion_coefficients_block(a, psi, Omega, k, varepsilon, g_11, g_12, g_21, g_22, g_13, g_23, out_K_11, out_K_12, out_K_22, out_K_33, r0, r1, r2, r3, r4, r5, r6, r7, r8, r9, r10, r11, r12):
-    np.multiply(g_21, g_21, r0)  # g_21_squared
-    np.cos(psi, r1)  # cos_psi
-    np.multiply(r1, r1, r2)  # cos_psi_squared
-    np.multiply(g_22, g_22, r3)  # g_22_squared
-    np.sin(psi, r4)  # sin_psi
-    np.multiply(r4, r4, r5)  # sin_psi_squared
-    np.multiply(a, a, r6)  # a_squared
-    np.multiply(g_11, g_11, r7)  # g_11_squared
-    np.multiply(g_12, g_12, r8)  # g_12_squared
-    np.multiply(r2, r7, r9)  # t1
-    np.multiply(r2, r0, r10)  # t2
-    np.multiply(r3, r5, r11)  # t3
-    np.multiply(r2, r2, r12)  # cos_psi_squared_squared
-    np.multiply(r12, r7, r7)  # t4
-    np.multiply(r5, r5, r12)  # sin_psi_squared_squared
-    np.multiply(r8, r12, r12)  # t5
-    np.add(r7, r12, r12)  # t6
-    np.multiply(r6, r12, r12)  # t7
-    np.add(r10, r11, r11)  # t8
-    np.add(r12, r11, r11)  # t9
-    np.multiply(r11, varepsilon, out_K_11)  # t10
-    np.multiply(r8, r5, r11)  # t11
-    np.subtract(r11, r9, r11)  # t12
-    np.multiply(a, r11, r11)  # t13
-    np.subtract(r3, r0, r12)  # t14
-    np.divide(r12, a, r12)  # t15
-    np.add(r11, r12, r12)  # t16
-    np.multiply(r1, r4, r4)  # t17
-    np.multiply(r4, varepsilon, r4)  # t18
-    np.multiply(r12, r4, out_K_12)  # t19
-    np.multiply(r2, r5, r4)  # t20
-    np.multiply(r8, r4, r4)  # t21
-    np.multiply(r5, r9, r9)  # t22
-    np.multiply(r0, r5, r5)  # t23
-    np.multiply(r2, r3, r3)  # t24
-    np.add(r5, r3, r3)  # t25
-    np.divide(r3, r6, r6)  # t26
-    np.add(r4, r9, r9)  # t27
-    np.add(r6, r9, r9)  # t28
-    np.multiply(r9, varepsilon, out_K_22)  # t29
-    np.multiply(Omega, Omega, r9)  # Omega_squared
-    np.multiply(g_13, g_13, r6)  # g_13_squared
-    np.multiply(r9, r6, r6)  # t30
-    np.multiply(g_23, g_23, r9)  # g_23_squared
-    np.multiply(k, k, r4)  # k_squared
-    np.multiply(r9, r4, r4)  # t31
-    np.add(r6, r4, r4)  # t32
-    np.multiply(r4, varepsilon, out_K_33)  # t33
+def _diffusion_coefficients_block(a, psi, Omega, k, varepsilon, g_11, g_12, g_21, g_22, g_13, g_23, out_K_11=None, out_K_12=None, out_K_22=None, out_K_33=None, r0=None, r1=None, r2=None, r3=None, r4=None, r5=None, r6=None, r7=None, r8=None, r9=None, r10=None, r11=None, r12=None):
+    r0 = multiply(g_21, g_21, r0)  # g_21_squared
+    r1 = cos(psi, r1)  # cos_psi
+    r2 = multiply(r1, r1, r2)  # cos_psi_squared
+    r3 = multiply(g_22, g_22, r3)  # g_22_squared
+    r4 = sin(psi, r4)  # sin_psi
+    r5 = multiply(r4, r4, r5)  # sin_psi_squared
+    r6 = multiply(a, a, r6)  # a_squared
+    r7 = multiply(g_11, g_11, r7)  # g_11_squared
+    r8 = multiply(g_12, g_12, r8)  # g_12_squared
+    r9 = multiply(r2, r7, r9)  # t1
+    r10 = multiply(r2, r0, r10)  # t2
+    r11 = multiply(r3, r5, r11)  # t3
+    r12 = multiply(r2, r2, r12)  # cos_psi_squared_squared
+    r7 = multiply(r12, r7, r7)  # t4
+    r12 = multiply(r5, r5, r12)  # sin_psi_squared_squared
+    r12 = multiply(r8, r12, r12)  # t5
+    r12 = add(r7, r12, r12)  # t6
+    r12 = multiply(r6, r12, r12)  # t7
+    r11 = add(r10, r11, r11)  # t8
+    r11 = add(r12, r11, r11)  # t9
+    out_K_11 = multiply(r11, varepsilon, out_K_11)  # t10
+    r11 = multiply(r8, r5, r11)  # t11
+    r11 = subtract(r11, r9, r11)  # t12
+    r11 = multiply(a, r11, r11)  # t13
+    r12 = subtract(r3, r0, r12)  # t14
+    r12 = divide(r12, a, r12)  # t15
+    r12 = add(r11, r12, r12)  # t16
+    r4 = multiply(r1, r4, r4)  # t17
+    r4 = multiply(r4, varepsilon, r4)  # t18
+    out_K_12 = multiply(r12, r4, out_K_12)  # t19
+    r4 = multiply(r2, r5, r4)  # t20
+    r4 = multiply(r8, r4, r4)  # t21
+    r9 = multiply(r5, r9, r9)  # t22
+    r5 = multiply(r0, r5, r5)  # t23
+    r3 = multiply(r2, r3, r3)  # t24
+    r3 = add(r5, r3, r3)  # t25
+    r6 = divide(r3, r6, r6)  # t26
+    r9 = add(r4, r9, r9)  # t27
+    r9 = add(r6, r9, r9)  # t28
+    out_K_22 = multiply(r9, varepsilon, out_K_22)  # t29
+    r9 = multiply(Omega, Omega, r9)  # Omega_squared
+    r6 = multiply(g_13, g_13, r6)  # g_13_squared
+    r6 = multiply(r9, r6, r6)  # t30
+    r9 = multiply(g_23, g_23, r9)  # g_23_squared
+    r4 = multiply(k, k, r4)  # k_squared
+    r4 = multiply(r9, r4, r4)  # t31
+    r4 = add(r6, r4, r4)  # t32
+    out_K_33 = multiply(r4, varepsilon, out_K_33)  # t33
+    return out_K_11, out_K_12, out_K_22, out_K_33
 
 
 def averaged_drift(a, Omega, alpha, beta, gamma, d_12, d_21, d_33, g_13, out=None):
@@ -551,47 +568,51 @@ def averaged_drift(a, Omega, alpha, beta, gamma, d_12, d_21, d_33, g_13, out=Non
     Rests on poloskov2004:3.2.5 (sha256 87d7ec113821), poloskov2004:3.2.7 (sha256 3baf4d5bad10).
     """
     if out is None:
-        if type(a) is type(Omega) is type(alpha) is type(beta) is type(gamma) is type(d_12) is type(d_21) is type(d_33) is type(g_13) is float:
-            try:
-                return _averaged_drift(a, Omega, alpha, beta, gamma, d_12, d_21, d_33, g_13, 5.0, 4.0, 8.0, 1.0 / 16.0, 1.0 / 2.0, 2.0)
-            except (ValueError, ZeroDivisionError, OverflowError):
-                pass  # NumPy says whether it is infinite or no number
-        elif type(a) is type(Omega) is type(alpha) is type(beta) is type(gamma) is type(d_12) is type(d_21) is type(d_33) is type(g_13) is np.ndarray and a.dtype is Omega.dtype is alpha.dtype is beta.dtype is gamma.dtype is d_12.dtype is d_21.dtype is d_33.dtype is g_13.dtype is DOUBLE and a.shape == Omega.shape == alpha.shape == beta.shape == gamma.shape == d_12.shape == d_21.shape == d_33.shape == g_13.shape:
-            if a.size <= SMALL:
+        try:
+            if float is type(a) is type(Omega) is type(alpha) is type(beta) is type(gamma) is type(d_12) is type(d_21) is type(d_33) is type(g_13):
                 return _averaged_drift(a, Omega, alpha, beta, gamma, d_12, d_21, d_33, g_13)
-            return evaluate_alike(_averaged_drift_block, 4, (0, 1, 2,), (a, Omega, alpha, beta, gamma, d_12, d_21, d_33, g_13,))
+            if ndarray is type(a) is type(Omega) is type(alpha) is type(beta) is type(gamma) is type(d_12) is type(d_21) is type(d_33) is type(g_13) and DOUBLE is a.dtype is Omega.dtype is alpha.dtype is beta.dtype is gamma.dtype is d_12.dtype is d_21.dtype is d_33.dtype is g_13.dtype and () != a.shape == Omega.shape == alpha.shape == beta.shape == gamma.shape == d_12.shape == d_21.shape == d_33.shape == g_13.shape:
+                size = a.size
+                if 0 < size <= 5:
+                    return evaluate_handful(_averaged_drift, (a, Omega, alpha, beta, gamma, d_12, d_21, d_33, g_13,))
+                if size <= SMALL:
+                    return _averaged_drift_block(a, Omega, alpha, beta, gamma, d_12, d_21, d_33, g_13)
+                return evaluate_alike(_averaged_drift_block, 4, (0, 1, 2,), (a, Omega, alpha, beta, gamma, d_12, d_21, d_33, g_13,))
+        except (ValueError, ZeroDivisionError, OverflowError):
+            pass  # NumPy says whether it is infinite or no number
     return evaluate(_averaged_drift_block, 4, (0, 1, 2,), (a, Omega, alpha, beta, gamma, d_12, d_21, d_33, g_13,), out)
 
 
-def _averaged_drift(a, Omega, alpha, beta, gamma, d_12, d_21, d_33, g_13, n5=np.array(5.0), n4=np.array(4.0), n8=np.array(8.0), n1_16=np.array(1.0 / 16.0), n1_2=np.array(1.0 / 2.0), n2=np.array(2.0)):
+def _averaged_drift(a, Omega, alpha, beta, gamma, d_12, d_21, d_33, g_13):
     a_squared = a * a
-    t7 = ((n5 * (a_squared * (alpha * alpha))) + (n4 * (beta * beta))) - (n8 * (a_squared * (gamma * gamma)))
-    return (n1_16 * t7) / a, (n1_2 * d_21) - (n1_2 * d_12), -(n1_2 * (Omega * ((n2 * d_33) - (g_13 * g_13))))
+    t7 = ((5.0 * (a_squared * (alpha * alpha))) + (4.0 * (beta * beta))) - (8.0 * (a_squared * (gamma * gamma)))
+    return ((1.0 / 16.0) * t7) / a, ((1.0 / 2.0) * d_21) - ((1.0 / 2.0) * d_12), -((1.0 / 2.0) * (Omega * ((2.0 * d_33) - (g_13 * g_13))))
 
 
-def _averaged_drift_block(a, Omega, alpha, beta, gamma, d_12, d_21, d_33, g_13, out_Kbar_1, out_Kbar_2, out_Kbar_3, r0, r1, r2, r3):
-    np.multiply(a, a, r0)  # a_squared
-    np.multiply(alpha, alpha, r1)  # alpha_squared
-    np.multiply(r0, r1, r1)  # t1
-    np.multiply(5.0, r1, r1)  # t2
-    np.multiply(beta, beta, r2)  # beta_squared
-    np.multiply(4.0, r2, r2)  # t3
-    np.multiply(gamma, gamma, r3)  # gamma_squared
-    np.multiply(r0, r3, r3)  # t4
-    np.multiply(8.0, r3, r3)  # t5
-    np.add(r1, r2, r2)  # t6
-    np.subtract(r2, r3, r3)  # t7
-    np.multiply(1.0 / 16.0, r3, r3)  # t8
-    np.divide(r3, a, out_Kbar_1)  # t9
-    np.multiply(1.0 / 2.0, d_12, r3)  # t10
-    np.multiply(1.0 / 2.0, d_21, r2)  # t11
-    np.subtract(r2, r3, out_Kbar_2)  # t12
-    np.multiply(2.0, d_33, r3)  # t13
-    np.multiply(g_13, g_13, r2)  # g_13_squared
-    np.subtract(r3, r2, r2)  # t14
-    np.multiply(Omega, r2, r2)  # t15
-    np.multiply(1.0 / 2.0, r2, r2)  # t16
-    np.negative(r2, out_Kbar_3)  # t17
+def _averaged_drift_block(a, Omega, alpha, beta, gamma, d_12, d_21, d_33, g_13, out_Kbar_1=None, out_Kbar_2=None, out_Kbar_3=None, r0=None, r1=None, r2=None, r3=None, n5=array(5.0), n4=array(4.0), n8=array(8.0), n1_16=array(1.0 / 16.0), n1_2=array(1.0 / 2.0), n2=array(2.0)):
+    r0 = multiply(a, a, r0)  # a_squared
+    r1 = multiply(alpha, alpha, r1)  # alpha_squared
+    r1 = multiply(r0, r1, r1)  # t1
+    r1 = multiply(n5, r1, r1)  # t2
+    r2 = multiply(beta, beta, r2)  # beta_squared
+    r2 = multiply(n4, r2, r2)  # t3
+    r3 = multiply(gamma, gamma, r3)  # gamma_squared
+    r3 = multiply(r0, r3, r3)  # t4
+    r3 = multiply(n8, r3, r3)  # t5
+    r2 = add(r1, r2, r2)  # t6
+    r3 = subtract(r2, r3, r3)  # t7
+    r3 = multiply(n1_16, r3, r3)  # t8
+    out_Kbar_1 = divide(r3, a, out_Kbar_1)  # t9
+    r3 = multiply(n1_2, d_12, r3)  # t10
+    r2 = multiply(n1_2, d_21, r2)  # t11
+    out_Kbar_2 = subtract(r2, r3, out_Kbar_2)  # t12
+    r3 = multiply(n2, d_33, r3)  # t13
+    r2 = multiply(g_13, g_13, r2)  # g_13_squared
+    r2 = subtract(r3, r2, r2)  # t14
+    r2 = multiply(Omega, r2, r2)  # t15
+    r2 = multiply(n1_2, r2, r2)  # t16
+    out_Kbar_3 = negative(r2, out_Kbar_3)  # t17
+    return out_Kbar_1, out_Kbar_2, out_Kbar_3
 
 
 def averaged_diffusion(a, Omega, k, alpha, beta, g_13, g_23, out=None):
@@ -625,44 +646,48 @@ def averaged_diffusion(a, Omega, k, alpha, beta, g_13, g_23, out=None):
     poloskov2004:3.2.7 (sha256 3baf4d5bad10).
     """
     if out is None:
-        if type(a) is type(Omega) is type(k) is type(alpha) is type(beta) is type(g_13) is type(g_23) is float:
-            try:
-                return _averaged_diffusion(a, Omega, k, alpha, beta, g_13, g_23, 1.0 / 2.0, 3.0 / 8.0, 4.0, 1.0 / 8.0)
-            except (ValueError, ZeroDivisionError, OverflowError):
-                pass  # NumPy says whether it is infinite or no number
-        elif type(a) is type(Omega) is type(k) is type(alpha) is type(beta) is type(g_13) is type(g_23) is np.ndarray and a.dtype is Omega.dtype is k.dtype is alpha.dtype is beta.dtype is g_13.dtype is g_23.dtype is DOUBLE and a.shape == Omega.shape == k.shape == alpha.shape == beta.shape == g_13.shape == g_23.shape:
-            if a.size <= SMALL:
+        try:
+            if float is type(a) is type(Omega) is type(k) is type(alpha) is type(beta) is type(g_13) is type(g_23):
                 return _averaged_diffusion(a, Omega, k, alpha, beta, g_13, g_23)
-            return evaluate_alike(_averaged_diffusion_block, 5, (0, 1, 2,), (a, Omega, k, alpha, beta, g_13, g_23,))
+            if ndarray is type(a) is type(Omega) is type(k) is type(alpha) is type(beta) is type(g_13) is type(g_23) and DOUBLE is a.dtype is Omega.dtype is k.dtype is alpha.dtype is beta.dtype is g_13.dtype is g_23.dtype and () != a.shape == Omega.shape == k.shape == alpha.shape == beta.shape == g_13.shape == g_23.shape:
+                size = a.size
+                if 0 < size <= 4:
+                    return evaluate_handful(_averaged_diffusion, (a, Omega, k, alpha, beta, g_13, g_23,))
+                if size <= SMALL:
+                    return _averaged_diffusion_block(a, Omega, k, alpha, beta, g_13, g_23)
+                return evaluate_alike(_averaged_diffusion_block, 5, (0, 1, 2,), (a, Omega, k, alpha, beta, g_13, g_23,))
+        except (ValueError, ZeroDivisionError, OverflowError):
+            pass  # NumPy says whether it is infinite or no number
     return evaluate(_averaged_diffusion_block, 5, (0, 1, 2,), (a, Omega, k, alpha, beta, g_13, g_23,), out)
 
 
-def _averaged_diffusion(a, Omega, k, alpha, beta, g_13, g_23, n1_2=np.array(1.0 / 2.0), n3_8=np.array(3.0 / 8.0), n4=np.array(4.0), n1_8=np.array(1.0 / 8.0)):
+def _averaged_diffusion(a, Omega, k, alpha, beta, g_13, g_23):
     beta_squared = beta * beta
     a_squared = a * a
     t1 = a_squared * (alpha * alpha)
-    return (n1_2 * beta_squared) + (n3_8 * t1), (n1_8 * (t1 + (n4 * beta_squared))) / a_squared, ((g_23 * g_23) * (k * k)) + ((Omega * Omega) * (g_13 * g_13))
+    return ((1.0 / 2.0) * beta_squared) + ((3.0 / 8.0) * t1), ((1.0 / 8.0) * (t1 + (4.0 * beta_squared))) / a_squared, ((g_23 * g_23) * (k * k)) + ((Omega * Omega) * (g_13 * g_13))
 
 
-def _averaged_diffusion_block(a, Omega, k, alpha, beta, g_13, g_23, out_Kbar_11, out_Kbar_22, out_Kbar_33, r0, r1, r2, r3, r4):
-    np.multiply(beta, beta, r0)  # beta_squared
-    np.multiply(a, a, r1)  # a_squared
-    np.multiply(alpha, alpha, r2)  # alpha_squared
-    np.multiply(r1, r2, r2)  # t1
-    np.multiply(1.0 / 2.0, r0, r3)  # t2
-    np.multiply(3.0 / 8.0, r2, r4)  # t3
-    np.add(r3, r4, out_Kbar_11)  # t4
-    np.multiply(4.0, r0, r0)  # t5
-    np.add(r2, r0, r0)  # t6
-    np.multiply(1.0 / 8.0, r0, r0)  # t7
-    np.divide(r0, r1, out_Kbar_22)  # t8
-    np.multiply(Omega, Omega, r1)  # Omega_squared
-    np.multiply(g_13, g_13, r0)  # g_13_squared
-    np.multiply(r1, r0, r0)  # t9
-    np.multiply(g_23, g_23, r1)  # g_23_squared
-    np.multiply(k, k, r2)  # k_squared
-    np.multiply(r1, r2, r2)  # t10
-    np.add(r2, r0, out_Kbar_33)  # t11
+def _averaged_diffusion_block(a, Omega, k, alpha, beta, g_13, g_23, out_Kbar_11=None, out_Kbar_22=None, out_Kbar_33=None, r0=None, r1=None, r2=None, r3=None, r4=None, n1_2=array(1.0 / 2.0), n3_8=array(3.0 / 8.0), n4=array(4.0), n1_8=array(1.0 / 8.0)):
+    r0 = multiply(beta, beta, r0)  # beta_squared
+    r1 = multiply(a, a, r1)  # a_squared
+    r2 = multiply(alpha, alpha, r2)  # alpha_squared
+    r2 = multiply(r1, r2, r2)  # t1
+    r3 = multiply(n1_2, r0, r3)  # t2
+    r4 = multiply(n3_8, r2, r4)  # t3
+    out_Kbar_11 = add(r3, r4, out_Kbar_11)  # t4
+    r0 = multiply(n4, r0, r0)  # t5
+    r0 = add(r2, r0, r0)  # t6
+    r0 = multiply(n1_8, r0, r0)  # t7
+    out_Kbar_22 = divide(r0, r1, out_Kbar_22)  # t8
+    r1 = multiply(Omega, Omega, r1)  # Omega_squared
+    r0 = multiply(g_13, g_13, r0)  # g_13_squared
+    r0 = multiply(r1, r0, r0)  # t9
+    r1 = multiply(g_23, g_23, r1)  # g_23_squared
+    r2 = multiply(k, k, r2)  # k_squared
+    r2 = multiply(r1, r2, r2)  # t10
+    out_Kbar_33 = add(r2, r0, out_Kbar_33)  # t11
+    return out_Kbar_11, out_Kbar_22, out_Kbar_33
 
 
 def density_of_amplitude(a, alpha, beta, gamma, out=None):
@@ -690,55 +715,59 @@ def density_of_amplitude(a, alpha, beta, gamma, out=None):
     (sha256 58c3e6bafa1f), poloskov2004:B.2 (sha256 e465490e2191), poloskov2004:B.3 (sha256 055961a8f92e).
     """
     if out is None:
-        if type(a) is type(alpha) is type(beta) is type(gamma) is float:
-            try:
-                return _density_of_amplitude(a, alpha, beta, gamma, math.exp, 2.0, 1.0, 4.0, 3.0, 3.0 / 4.0, 1.0 / 4.0)
-            except (ValueError, ZeroDivisionError, OverflowError):
-                pass  # NumPy says whether it is infinite or no number
-        elif type(a) is type(alpha) is type(beta) is type(gamma) is np.ndarray and a.dtype is alpha.dtype is beta.dtype is gamma.dtype is DOUBLE and a.shape == alpha.shape == beta.shape == gamma.shape:
-            if a.size <= SMALL:
+        try:
+            if float is type(a) is type(alpha) is type(beta) is type(gamma):
                 return _density_of_amplitude(a, alpha, beta, gamma)
-            return evaluate_alike(_density_of_amplitude_block, 7, (0,), (a, alpha, beta, gamma,))
+            if ndarray is type(a) is type(alpha) is type(beta) is type(gamma) and DOUBLE is a.dtype is alpha.dtype is beta.dtype is gamma.dtype and () != a.shape == alpha.shape == beta.shape == gamma.shape:
+                size = a.size
+                if 0 < size <= 12:
+                    return evaluate_handful(_density_of_amplitude, (a, alpha, beta, gamma,))
+                if size <= SMALL:
+                    return _density_of_amplitude_block(a, alpha, beta, gamma)
+                return evaluate_alike(_density_of_amplitude_block, 7, (0,), (a, alpha, beta, gamma,))
+        except (ValueError, ZeroDivisionError, OverflowError):
+            pass  # NumPy says whether it is infinite or no number
     return evaluate(_density_of_amplitude_block, 7, (0,), (a, alpha, beta, gamma,), out)
 
 
-def _density_of_amplitude(a, alpha, beta, gamma, exp=np.exp, n2=np.array(2.0), n1=np.array(1.0), n4=np.array(4.0), n3=np.array(3.0), n3_4=np.array(3.0 / 4.0), n1_4=np.array(1.0 / 4.0)):
-    t1 = n2 * gamma
+def _density_of_amplitude(a, alpha, beta, gamma):
+    t1 = 2.0 * gamma
     beta_squared = beta * beta
     a_squared = a * a
     t4 = a_squared * (alpha * alpha)
-    t5 = n1 / beta_squared
+    t5 = 1.0 / beta_squared
     t12 = (alpha + t1) * (alpha - t1)
-    t21 = (n2 * (exp(n1_4 * (log1p_ratio(n3_4 * (t4 * t5)) * ((a_squared * t12) * t5))) * (a * t12))) / ((n4 * beta_squared) + (n3 * t4))
-    return -t21
+    t19 = math.exp((1.0 / 4.0) * (log1p_ratio((3.0 / 4.0) * (t4 * t5)) * ((a_squared * t12) * t5))) * (a * t12)
+    return -((2.0 * t19) / ((4.0 * beta_squared) + (3.0 * t4)))
 
 
-def _density_of_amplitude_block(a, alpha, beta, gamma, out_p_s1, r0, r1, r2, r3, r4, r5, r6):
-    np.multiply(2.0, gamma, r0)  # t1
-    np.add(alpha, r0, r1)  # t2
-    np.subtract(alpha, r0, r0)  # t3
-    np.multiply(beta, beta, r2)  # beta_squared
-    np.multiply(a, a, r3)  # a_squared
-    np.multiply(alpha, alpha, r4)  # alpha_squared
-    np.multiply(r3, r4, r4)  # t4
-    np.divide(1.0, r2, r5)  # t5
-    np.multiply(4.0, r2, r2)  # t6
-    np.multiply(3.0, r4, r6)  # t7
-    np.add(r2, r6, r6)  # t8
-    np.multiply(r4, r5, r4)  # t9
-    np.multiply(3.0 / 4.0, r4, r4)  # t10
-    log1p_ratio(r4, r4)  # t11
-    np.multiply(r1, r0, r0)  # t12
-    np.multiply(r3, r0, r3)  # t13
-    np.multiply(r3, r5, r5)  # t14
-    np.multiply(r4, r5, r5)  # t15
-    np.multiply(1.0 / 4.0, r5, r5)  # t16
-    np.exp(r5, r5)  # t17
-    np.multiply(a, r0, r0)  # t18
-    np.multiply(r5, r0, r0)  # t19
-    np.multiply(2.0, r0, r0)  # t20
-    np.divide(r0, r6, r6)  # t21
-    np.negative(r6, out_p_s1)  # t22
+def _density_of_amplitude_block(a, alpha, beta, gamma, out_p_s1=None, r0=None, r1=None, r2=None, r3=None, r4=None, r5=None, r6=None, n2=array(2.0), n1=array(1.0), n4=array(4.0), n3=array(3.0), n3_4=array(3.0 / 4.0), n1_4=array(1.0 / 4.0)):
+    r0 = multiply(n2, gamma, r0)  # t1
+    r1 = add(alpha, r0, r1)  # t2
+    r0 = subtract(alpha, r0, r0)  # t3
+    r2 = multiply(beta, beta, r2)  # beta_squared
+    r3 = multiply(a, a, r3)  # a_squared
+    r4 = multiply(alpha, alpha, r4)  # alpha_squared
+    r4 = multiply(r3, r4, r4)  # t4
+    r5 = divide(n1, r2, r5)  # t5
+    r2 = multiply(n4, r2, r2)  # t6
+    r6 = multiply(n3, r4, r6)  # t7
+    r6 = add(r2, r6, r6)  # t8
+    r4 = multiply(r4, r5, r4)  # t9
+    r4 = multiply(n3_4, r4, r4)  # t10
+    r4 = log1p_ratio(r4, r4)  # t11
+    r0 = multiply(r1, r0, r0)  # t12
+    r3 = multiply(r3, r0, r3)  # t13
+    r5 = multiply(r3, r5, r5)  # t14
+    r5 = multiply(r4, r5, r5)  # t15
+    r5 = multiply(n1_4, r5, r5)  # t16
+    r5 = exp(r5, r5)  # t17
+    r0 = multiply(a, r0, r0)  # t18
+    r0 = multiply(r5, r0, r0)  # t19
+    r0 = multiply(n2, r0, r0)  # t20
+    r6 = divide(r0, r6, r6)  # t21
+    out_p_s1 = negative(r6, out_p_s1)  # t22
+    return out_p_s1
 
 
 def density_of_frequency(Omega, k, g_13, g_23, d_33, out=None):
@@ -767,53 +796,56 @@ def density_of_frequency(Omega, k, g_13, g_23, d_33, out=None):
     poloskov2004:4.0.5 (sha256 ac729170c761), poloskov2004:B.5 (sha256 8313f4f3d44e).
     """
     if out is None:
-        if type(Omega) is type(k) is type(g_13) is type(g_23) is type(d_33) is float:
-            try:
-                return _density_of_frequency(Omega, k, g_13, g_23, d_33, math.exp, math.sqrt, 1.0, math.pi, 1.0 / 2.0)
-            except (ValueError, ZeroDivisionError, OverflowError):
-                pass  # NumPy says whether it is infinite or no number
-        elif type(Omega) is type(k) is type(g_13) is type(g_23) is type(d_33) is np.ndarray and Omega.dtype is k.dtype is g_13.dtype is g_23.dtype is d_33.dtype is DOUBLE and Omega.shape == k.shape == g_13.shape == g_23.shape == d_33.shape:
-            if Omega.size <= SMALL:
+        try:
+            if float is type(Omega) is type(k) is type(g_13) is type(g_23) is type(d_33):
                 return _density_of_frequency(Omega, k, g_13, g_23, d_33)
-            return evaluate_alike(_density_of_frequency_block, 7, (0,), (Omega, k, g_13, g_23, d_33,))
-    return evaluate(_density_of_frequency_block, 7, (0,), (Omega, k, g_13, g_23, d_33,), out)
+            if ndarray is type(Omega) is type(k) is type(g_13) is type(g_23) is type(d_33) and DOUBLE is Omega.dtype is k.dtype is g_13.dtype is g_23.dtype is d_33.dtype and () != Omega.shape == k.shape == g_13.shape == g_23.shape == d_33.shape:
+                size = Omega.size
+                if 0 < size <= 14:
+                    return evaluate_handful(_density_of_frequency, (Omega, k, g_13, g_23, d_33,))
+                if size <= SMALL:
+                    return _density_of_frequency_block(Omega, k, g_13, g_23, d_33)
+                return evaluate_alike(_density_of_frequency_block, 6, (0,), (Omega, k, g_13, g_23, d_33,))
+        except (ValueError, ZeroDivisionError, OverflowError):
+            pass  # NumPy says whether it is infinite or no number
+    return evaluate(_density_of_frequency_block, 6, (0,), (Omega, k, g_13, g_23, d_33,), out)
 
 
-def _density_of_frequency(Omega, k, g_13, g_23, d_33, exp=np.exp, sqrt=np.sqrt, n1=np.array(1.0), pi=np.array(math.pi), n1_2=np.array(1.0 / 2.0)):
+def _density_of_frequency(Omega, k, g_13, g_23, d_33):
     g_13_squared = g_13 * g_13
     Omega_squared = Omega * Omega
     t1 = Omega_squared * g_13_squared
     t2 = (g_23 * g_23) * (k * k)
-    t3 = n1 / t2
-    t17 = gamma_ratio(d_33 / g_13_squared, n1_2) * (sqrt(d_33) * exp(-((d_33 * (Omega_squared * t3)) * log1p_ratio(t1 * t3))))
-    return t17 / (sqrt(pi) * sqrt(t1 + t2))
+    t3 = 1.0 / t2
+    t16 = gamma_ratio(d_33 / g_13_squared, 1.0 / 2.0) * (math.sqrt(d_33) * math.exp(-(log1p_ratio(t1 * t3) * (d_33 * (Omega_squared * t3)))))
+    return t16 / (math.sqrt(math.pi) * math.sqrt(t1 + t2))
 
 
-def _density_of_frequency_block(Omega, k, g_13, g_23, d_33, out_p_s3, r0, r1, r2, r3, r4, r5, r6):
-    np.multiply(g_13, g_13, r0)  # g_13_squared
-    np.multiply(Omega, Omega, r1)  # Omega_squared
-    np.multiply(r1, r0, r2)  # t1
-    np.multiply(g_23, g_23, r3)  # g_23_squared
-    np.multiply(k, k, r4)  # k_squared
-    np.multiply(r3, r4, r4)  # t2
-    np.divide(1.0, r4, r3)  # t3
-    np.sqrt(math.pi, r5)  # t4
-    np.sqrt(d_33, r6)  # sqrt_d_33
-    np.add(r2, r4, r4)  # t5
-    np.sqrt(r4, r4)  # t6
-    np.multiply(r2, r3, r2)  # t7
-    log1p_ratio(r2, r2)  # t8
-    np.multiply(r1, r3, r3)  # t9
-    np.multiply(d_33, r3, r3)  # t10
-    np.multiply(r3, r2, r2)  # t11
-    np.negative(r2, r2)  # t12
-    np.exp(r2, r2)  # t13
-    np.divide(d_33, r0, r0)  # t14
-    gamma_ratio(r0, 1.0 / 2.0, r0)  # t15
-    np.multiply(r6, r2, r2)  # t16
-    np.multiply(r0, r2, r2)  # t17
-    np.multiply(r5, r4, r4)  # t18
-    np.divide(r2, r4, out_p_s3)  # t19
+def _density_of_frequency_block(Omega, k, g_13, g_23, d_33, out_p_s3=None, r0=None, r1=None, r2=None, r3=None, r4=None, r5=None, n1=array(1.0), n1_2=array(1.0 / 2.0), sqrt_pi=array(math.sqrt(math.pi))):
+    r0 = multiply(g_13, g_13, r0)  # g_13_squared
+    r1 = multiply(Omega, Omega, r1)  # Omega_squared
+    r2 = multiply(r1, r0, r2)  # t1
+    r3 = multiply(g_23, g_23, r3)  # g_23_squared
+    r4 = multiply(k, k, r4)  # k_squared
+    r4 = multiply(r3, r4, r4)  # t2
+    r3 = divide(n1, r4, r3)  # t3
+    r5 = sqrt(d_33, r5)  # sqrt_d_33
+    r4 = add(r2, r4, r4)  # t4
+    r4 = sqrt(r4, r4)  # t5
+    r2 = multiply(r2, r3, r2)  # t6
+    r2 = log1p_ratio(r2, r2)  # t7
+    r3 = multiply(r1, r3, r3)  # t8
+    r3 = multiply(d_33, r3, r3)  # t9
+    r3 = multiply(r2, r3, r3)  # t10
+    r3 = negative(r3, r3)  # t11
+    r3 = exp(r3, r3)  # t12
+    r0 = divide(d_33, r0, r0)  # t13
+    r0 = gamma_ratio(r0, n1_2, r0)  # t14
+    r3 = multiply(r5, r3, r3)  # t15
+    r3 = multiply(r0, r3, r3)  # t16
+    r4 = multiply(sqrt_pi, r4, r4)  # t17
+    out_p_s3 = divide(r3, r4, out_p_s3)  # t18
+    return out_p_s3
 
 
 def logarithm_of_constant_of_amplitude(alpha, beta, gamma, out=None):
@@ -840,38 +872,43 @@ def logarithm_of_constant_of_amplitude(alpha, beta, gamma, out=None):
     (sha256 58c3e6bafa1f), poloskov2004:B.2 (sha256 e465490e2191).
     """
     if out is None:
-        if type(alpha) is type(beta) is type(gamma) is float:
-            try:
-                return _logarithm_of_constant_of_amplitude(alpha, beta, gamma, math.log, 2.0, 1.0 / 4.0, 2.0 / 3.0)
-            except (ValueError, ZeroDivisionError, OverflowError):
-                pass  # NumPy says whether it is infinite or no number
-        elif type(alpha) is type(beta) is type(gamma) is np.ndarray and alpha.dtype is beta.dtype is gamma.dtype is DOUBLE and alpha.shape == beta.shape == gamma.shape:
-            if alpha.size <= SMALL:
+        try:
+            if float is type(alpha) is type(beta) is type(gamma):
                 return _logarithm_of_constant_of_amplitude(alpha, beta, gamma)
-            return evaluate_alike(_logarithm_of_constant_of_amplitude_block, 4, (0,), (alpha, beta, gamma,))
+            if ndarray is type(alpha) is type(beta) is type(gamma) and DOUBLE is alpha.dtype is beta.dtype is gamma.dtype and () != alpha.shape == beta.shape == gamma.shape:
+                size = alpha.size
+                if 0 < size <= 5:
+                    return evaluate_handful(_logarithm_of_constant_of_amplitude, (alpha, beta, gamma,))
+                if size <= SMALL:
+                    return _logarithm_of_constant_of_amplitude_block(alpha, beta, gamma)
+                return evaluate_alike(_logarithm_of_constant_of_amplitude_block, 4, (0,), (alpha, beta, gamma,))
+        except (ValueError, ZeroDivisionError, OverflowError):
+            pass  # NumPy says whether it is infinite or no number
     return evaluate(_logarithm_of_constant_of_amplitude_block, 4, (0,), (alpha, beta, gamma,), out)
 
 
-def _logarithm_of_constant_of_amplitude(alpha, beta, gamma, log=np.log, n2=np.array(2.0), n1_4=np.array(1.0 / 4.0), n2_3=np.array(2.0 / 3.0)):
-    t1 = n2 * gamma
+def _logarithm_of_constant_of_amplitude(alpha, beta, gamma):
+    t1 = 2.0 * gamma
     t4 = (alpha + t1) * (t1 - alpha)
-    return ((n2_3 * (t4 * log(n2 * beta))) / (alpha * alpha)) + log(n1_4 * t4)
+    t12 = (((2.0 / 3.0) * (t4 * math.log(2.0 * beta))) / (alpha * alpha)) + math.log((1.0 / 4.0) * t4)
+    return t12
 
 
-def _logarithm_of_constant_of_amplitude_block(alpha, beta, gamma, out_log_C_1, r0, r1, r2, r3):
-    np.multiply(2.0, gamma, r0)  # t1
-    np.add(alpha, r0, r1)  # t2
-    np.subtract(r0, alpha, r0)  # t3
-    np.multiply(r1, r0, r0)  # t4
-    np.multiply(1.0 / 4.0, r0, r1)  # t5
-    np.log(r1, r1)  # t6
-    np.multiply(alpha, alpha, r2)  # alpha_squared
-    np.multiply(2.0, beta, r3)  # t7
-    np.log(r3, r3)  # t8
-    np.multiply(r0, r3, r3)  # t9
-    np.multiply(2.0 / 3.0, r3, r3)  # t10
-    np.divide(r3, r2, r2)  # t11
-    np.add(r2, r1, out_log_C_1)  # t12
+def _logarithm_of_constant_of_amplitude_block(alpha, beta, gamma, out_log_C_1=None, r0=None, r1=None, r2=None, r3=None, n2=array(2.0), n1_4=array(1.0 / 4.0), n2_3=array(2.0 / 3.0)):
+    r0 = multiply(n2, gamma, r0)  # t1
+    r1 = add(alpha, r0, r1)  # t2
+    r0 = subtract(r0, alpha, r0)  # t3
+    r0 = multiply(r1, r0, r0)  # t4
+    r1 = multiply(n1_4, r0, r1)  # t5
+    r1 = log(r1, r1)  # t6
+    r2 = multiply(alpha, alpha, r2)  # alpha_squared
+    r3 = multiply(n2, beta, r3)  # t7
+    r3 = log(r3, r3)  # t8
+    r3 = multiply(r0, r3, r3)  # t9
+    r3 = multiply(n2_3, r3, r3)  # t10
+    r2 = divide(r3, r2, r2)  # t11
+    out_log_C_1 = add(r2, r1, out_log_C_1)  # t12
+    return out_log_C_1
 
 
 def logarithm_of_constant_of_frequency(k, g_13, g_23, d_33, out=None):
@@ -899,37 +936,41 @@ def logarithm_of_constant_of_frequency(k, g_13, g_23, d_33, out=None):
     poloskov2004:4.0.5 (sha256 ac729170c761), poloskov2004:B.5 (sha256 8313f4f3d44e).
     """
     if out is None:
-        if type(k) is type(g_13) is type(g_23) is type(d_33) is float:
-            try:
-                return _logarithm_of_constant_of_frequency(k, g_13, g_23, d_33, math.log, math.sqrt, 2.0, math.pi, 1.0 / 2.0)
-            except (ValueError, ZeroDivisionError, OverflowError):
-                pass  # NumPy says whether it is infinite or no number
-        elif type(k) is type(g_13) is type(g_23) is type(d_33) is np.ndarray and k.dtype is g_13.dtype is g_23.dtype is d_33.dtype is DOUBLE and k.shape == g_13.shape == g_23.shape == d_33.shape:
-            if k.size <= SMALL:
+        try:
+            if float is type(k) is type(g_13) is type(g_23) is type(d_33):
                 return _logarithm_of_constant_of_frequency(k, g_13, g_23, d_33)
-            return evaluate_alike(_logarithm_of_constant_of_frequency_block, 4, (0,), (k, g_13, g_23, d_33,))
-    return evaluate(_logarithm_of_constant_of_frequency_block, 4, (0,), (k, g_13, g_23, d_33,), out)
+            if ndarray is type(k) is type(g_13) is type(g_23) is type(d_33) and DOUBLE is k.dtype is g_13.dtype is g_23.dtype is d_33.dtype and () != k.shape == g_13.shape == g_23.shape == d_33.shape:
+                size = k.size
+                if 0 < size <= 14:
+                    return evaluate_handful(_logarithm_of_constant_of_frequency, (k, g_13, g_23, d_33,))
+                if size <= SMALL:
+                    return _logarithm_of_constant_of_frequency_block(k, g_13, g_23, d_33)
+                return evaluate_alike(_logarithm_of_constant_of_frequency_block, 3, (0,), (k, g_13, g_23, d_33,))
+        except (ValueError, ZeroDivisionError, OverflowError):
+            pass  # NumPy says whether it is infinite or no number
+    return evaluate(_logarithm_of_constant_of_frequency_block, 3, (0,), (k, g_13, g_23, d_33,), out)
 
 
-def _logarithm_of_constant_of_frequency(k, g_13, g_23, d_33, log=np.log, sqrt=np.sqrt, n2=np.array(2.0), pi=np.array(math.pi), n1_2=np.array(1.0 / 2.0)):
+def _logarithm_of_constant_of_frequency(k, g_13, g_23, d_33):
     t1 = d_33 / (g_13 * g_13)
-    return log((sqrt(d_33) * gamma_ratio(t1, n1_2)) / sqrt(pi)) + (n2 * (t1 * log(g_23 * k)))
+    t10 = (2.0 * (t1 * math.log(g_23 * k))) + math.log((math.sqrt(d_33) * gamma_ratio(t1, 1.0 / 2.0)) / math.sqrt(math.pi))
+    return t10
 
 
-def _logarithm_of_constant_of_frequency_block(k, g_13, g_23, d_33, out_log_C_2, r0, r1, r2, r3):
-    np.multiply(g_13, g_13, r0)  # g_13_squared
-    np.divide(d_33, r0, r0)  # t1
-    np.multiply(g_23, k, r1)  # t2
-    np.log(r1, r1)  # t3
-    np.multiply(r0, r1, r1)  # t4
-    np.multiply(2.0, r1, r1)  # t5
-    np.sqrt(math.pi, r2)  # t6
-    np.sqrt(d_33, r3)  # sqrt_d_33
-    gamma_ratio(r0, 1.0 / 2.0, r0)  # t7
-    np.multiply(r3, r0, r0)  # t8
-    np.divide(r0, r2, r2)  # t9
-    np.log(r2, r2)  # t10
-    np.add(r2, r1, out_log_C_2)  # t11
+def _logarithm_of_constant_of_frequency_block(k, g_13, g_23, d_33, out_log_C_2=None, r0=None, r1=None, r2=None, n2=array(2.0), n1_2=array(1.0 / 2.0), sqrt_pi=array(math.sqrt(math.pi))):
+    r0 = multiply(g_13, g_13, r0)  # g_13_squared
+    r0 = divide(d_33, r0, r0)  # t1
+    r1 = multiply(g_23, k, r1)  # t2
+    r1 = log(r1, r1)  # t3
+    r1 = multiply(r0, r1, r1)  # t4
+    r1 = multiply(n2, r1, r1)  # t5
+    r2 = sqrt(d_33, r2)  # sqrt_d_33
+    r0 = gamma_ratio(r0, n1_2, r0)  # t6
+    r0 = multiply(r2, r0, r0)  # t7
+    r0 = divide(r0, sqrt_pi, r0)  # t8
+    r0 = log(r0, r0)  # t9
+    out_log_C_2 = add(r1, r0, out_log_C_2)  # t10
+    return out_log_C_2
 
 
 def distribution_of_amplitude(a, alpha, beta, gamma, out=None):
@@ -955,42 +996,46 @@ def distribution_of_amplitude(a, alpha, beta, gamma, out=None):
     Rests on poloskov2004:B.3 (sha256 055961a8f92e).
     """
     if out is None:
-        if type(a) is type(alpha) is type(beta) is type(gamma) is float:
-            try:
-                return _distribution_of_amplitude(a, alpha, beta, gamma, math.expm1, 2.0, 3.0 / 4.0, 1.0 / 4.0)
-            except (ValueError, ZeroDivisionError, OverflowError):
-                pass  # NumPy says whether it is infinite or no number
-        elif type(a) is type(alpha) is type(beta) is type(gamma) is np.ndarray and a.dtype is alpha.dtype is beta.dtype is gamma.dtype is DOUBLE and a.shape == alpha.shape == beta.shape == gamma.shape:
-            if a.size <= SMALL:
+        try:
+            if float is type(a) is type(alpha) is type(beta) is type(gamma):
                 return _distribution_of_amplitude(a, alpha, beta, gamma)
-            return evaluate_alike(_distribution_of_amplitude_block, 4, (0,), (a, alpha, beta, gamma,))
+            if ndarray is type(a) is type(alpha) is type(beta) is type(gamma) and DOUBLE is a.dtype is alpha.dtype is beta.dtype is gamma.dtype and () != a.shape == alpha.shape == beta.shape == gamma.shape:
+                size = a.size
+                if 0 < size <= 8:
+                    return evaluate_handful(_distribution_of_amplitude, (a, alpha, beta, gamma,))
+                if size <= SMALL:
+                    return _distribution_of_amplitude_block(a, alpha, beta, gamma)
+                return evaluate_alike(_distribution_of_amplitude_block, 4, (0,), (a, alpha, beta, gamma,))
+        except (ValueError, ZeroDivisionError, OverflowError):
+            pass  # NumPy says whether it is infinite or no number
     return evaluate(_distribution_of_amplitude_block, 4, (0,), (a, alpha, beta, gamma,), out)
 
 
-def _distribution_of_amplitude(a, alpha, beta, gamma, expm1=np.expm1, n2=np.array(2.0), n3_4=np.array(3.0 / 4.0), n1_4=np.array(1.0 / 4.0)):
-    t1 = n2 * gamma
+def _distribution_of_amplitude(a, alpha, beta, gamma):
+    t1 = 2.0 * gamma
     t2 = (a * a) / (beta * beta)
-    t12 = expm1(n1_4 * (log1p_ratio(n3_4 * ((alpha * alpha) * t2)) * ((alpha - t1) * (t2 * (alpha + t1)))))
-    return -t12
+    t11 = (1.0 / 4.0) * (log1p_ratio((3.0 / 4.0) * ((alpha * alpha) * t2)) * ((alpha - t1) * (t2 * (alpha + t1))))
+    return -math.expm1(t11)
 
 
-def _distribution_of_amplitude_block(a, alpha, beta, gamma, out_F, r0, r1, r2, r3):
-    np.multiply(2.0, gamma, r0)  # t1
-    np.multiply(a, a, r1)  # a_squared
-    np.multiply(beta, beta, r2)  # beta_squared
-    np.divide(r1, r2, r2)  # t2
-    np.add(alpha, r0, r1)  # t3
-    np.subtract(alpha, r0, r0)  # t4
-    np.multiply(alpha, alpha, r3)  # alpha_squared
-    np.multiply(r3, r2, r3)  # t5
-    np.multiply(3.0 / 4.0, r3, r3)  # t6
-    log1p_ratio(r3, r3)  # t7
-    np.multiply(r2, r1, r1)  # t8
-    np.multiply(r0, r1, r1)  # t9
-    np.multiply(r3, r1, r1)  # t10
-    np.multiply(1.0 / 4.0, r1, r1)  # t11
-    np.expm1(r1, r1)  # t12
-    np.negative(r1, out_F)  # t13
+def _distribution_of_amplitude_block(a, alpha, beta, gamma, out_F=None, r0=None, r1=None, r2=None, r3=None, n2=array(2.0), n3_4=array(3.0 / 4.0), n1_4=array(1.0 / 4.0)):
+    r0 = multiply(n2, gamma, r0)  # t1
+    r1 = multiply(a, a, r1)  # a_squared
+    r2 = multiply(beta, beta, r2)  # beta_squared
+    r2 = divide(r1, r2, r2)  # t2
+    r1 = add(alpha, r0, r1)  # t3
+    r0 = subtract(alpha, r0, r0)  # t4
+    r3 = multiply(alpha, alpha, r3)  # alpha_squared
+    r3 = multiply(r3, r2, r3)  # t5
+    r3 = multiply(n3_4, r3, r3)  # t6
+    r3 = log1p_ratio(r3, r3)  # t7
+    r1 = multiply(r2, r1, r1)  # t8
+    r1 = multiply(r0, r1, r1)  # t9
+    r1 = multiply(r3, r1, r1)  # t10
+    r1 = multiply(n1_4, r1, r1)  # t11
+    r1 = expm1(r1, r1)  # t12
+    out_F = negative(r1, out_F)  # t13
+    return out_F
 
 
 def quantile_of_amplitude(q, alpha, beta, gamma, out=None):
@@ -1018,51 +1063,55 @@ def quantile_of_amplitude(q, alpha, beta, gamma, out=None):
     Rests on poloskov2004:B.3 (sha256 055961a8f92e), poloskov2004:B.4 (sha256 776ac1938ce6).
     """
     if out is None:
-        if type(q) is type(alpha) is type(beta) is type(gamma) is float:
-            try:
-                return _quantile_of_amplitude(q, alpha, beta, gamma, math.log1p, math.sqrt, 2.0, 1.0, 3.0)
-            except (ValueError, ZeroDivisionError, OverflowError):
-                pass  # NumPy says whether it is infinite or no number
-        elif type(q) is type(alpha) is type(beta) is type(gamma) is np.ndarray and q.dtype is alpha.dtype is beta.dtype is gamma.dtype is DOUBLE and q.shape == alpha.shape == beta.shape == gamma.shape:
-            if q.size <= SMALL:
+        try:
+            if float is type(q) is type(alpha) is type(beta) is type(gamma):
                 return _quantile_of_amplitude(q, alpha, beta, gamma)
-            return evaluate_alike(_quantile_of_amplitude_block, 7, (0,), (q, alpha, beta, gamma,))
+            if ndarray is type(q) is type(alpha) is type(beta) is type(gamma) and DOUBLE is q.dtype is alpha.dtype is beta.dtype is gamma.dtype and () != q.shape == alpha.shape == beta.shape == gamma.shape:
+                size = q.size
+                if 0 < size <= 11:
+                    return evaluate_handful(_quantile_of_amplitude, (q, alpha, beta, gamma,))
+                if size <= SMALL:
+                    return _quantile_of_amplitude_block(q, alpha, beta, gamma)
+                return evaluate_alike(_quantile_of_amplitude_block, 7, (0,), (q, alpha, beta, gamma,))
+        except (ValueError, ZeroDivisionError, OverflowError):
+            pass  # NumPy says whether it is infinite or no number
     return evaluate(_quantile_of_amplitude_block, 7, (0,), (q, alpha, beta, gamma,), out)
 
 
-def _quantile_of_amplitude(q, alpha, beta, gamma, log1p=np.log1p, sqrt=np.sqrt, n2=np.array(2.0), n1=np.array(1.0), n3=np.array(3.0)):
-    t1 = n2 * gamma
+def _quantile_of_amplitude(q, alpha, beta, gamma):
+    t1 = 2.0 * gamma
     t2 = alpha + t1
-    t4 = log1p(-q)
-    t6 = n1 / (t1 - alpha)
-    t20 = sqrt(expm1_ratio(-((n3 * ((alpha * alpha) * (t4 * t6))) / t2))) * (sqrt(-t4) * (beta * sqrt(t6)))
-    return (n2 * t20) / sqrt(t2)
+    t4 = math.log1p(-q)
+    t6 = 1.0 / (t1 - alpha)
+    t20 = math.sqrt(expm1_ratio(-((3.0 * ((alpha * alpha) * (t4 * t6))) / t2))) * (math.sqrt(-t4) * (beta * math.sqrt(t6)))
+    return (2.0 * t20) / math.sqrt(t2)
 
 
-def _quantile_of_amplitude_block(q, alpha, beta, gamma, out_a_q, r0, r1, r2, r3, r4, r5, r6):
-    np.multiply(2.0, gamma, r0)  # t1
-    np.add(alpha, r0, r1)  # t2
-    np.negative(q, r2)  # t3
-    np.log1p(r2, r2)  # t4
-    np.subtract(r0, alpha, r0)  # t5
-    np.divide(1.0, r0, r0)  # t6
-    np.sqrt(r1, r3)  # t7
-    np.sqrt(r0, r4)  # t8
-    np.negative(r2, r5)  # t9
-    np.sqrt(r5, r5)  # t10
-    np.multiply(alpha, alpha, r6)  # alpha_squared
-    np.multiply(r2, r0, r0)  # t11
-    np.multiply(r6, r0, r0)  # t12
-    np.multiply(3.0, r0, r0)  # t13
-    np.divide(r0, r1, r1)  # t14
-    np.negative(r1, r1)  # t15
-    expm1_ratio(r1, r1)  # t16
-    np.sqrt(r1, r1)  # t17
-    np.multiply(beta, r4, r4)  # t18
-    np.multiply(r5, r4, r4)  # t19
-    np.multiply(r1, r4, r4)  # t20
-    np.multiply(2.0, r4, r4)  # t21
-    np.divide(r4, r3, out_a_q)  # t22
+def _quantile_of_amplitude_block(q, alpha, beta, gamma, out_a_q=None, r0=None, r1=None, r2=None, r3=None, r4=None, r5=None, r6=None, n2=array(2.0), n1=array(1.0), n3=array(3.0)):
+    r0 = multiply(n2, gamma, r0)  # t1
+    r1 = add(alpha, r0, r1)  # t2
+    r2 = negative(q, r2)  # t3
+    r2 = log1p(r2, r2)  # t4
+    r0 = subtract(r0, alpha, r0)  # t5
+    r0 = divide(n1, r0, r0)  # t6
+    r3 = sqrt(r1, r3)  # t7
+    r4 = sqrt(r0, r4)  # t8
+    r5 = negative(r2, r5)  # t9
+    r5 = sqrt(r5, r5)  # t10
+    r6 = multiply(alpha, alpha, r6)  # alpha_squared
+    r0 = multiply(r2, r0, r0)  # t11
+    r0 = multiply(r6, r0, r0)  # t12
+    r0 = multiply(n3, r0, r0)  # t13
+    r1 = divide(r0, r1, r1)  # t14
+    r1 = negative(r1, r1)  # t15
+    r1 = expm1_ratio(r1, r1)  # t16
+    r1 = sqrt(r1, r1)  # t17
+    r4 = multiply(beta, r4, r4)  # t18
+    r4 = multiply(r5, r4, r4)  # t19
+    r4 = multiply(r1, r4, r4)  # t20
+    r4 = multiply(n2, r4, r4)  # t21
+    out_a_q = divide(r4, r3, out_a_q)  # t22
+    return out_a_q
 
 
 def moment_of_amplitude(m, alpha, beta, gamma, out=None):
@@ -1091,47 +1140,51 @@ def moment_of_amplitude(m, alpha, beta, gamma, out=None):
     (sha256 bdd22da5aefe).
     """
     if out is None:
-        if type(m) is type(alpha) is type(beta) is type(gamma) is float:
-            try:
-                return _moment_of_amplitude(m, alpha, beta, gamma, math.pow, math.sqrt, 1.0 / 2.0, 2.0, 1.0, 1.0 / 3.0)
-            except (ValueError, ZeroDivisionError, OverflowError):
-                pass  # NumPy says whether it is infinite or no number
-        elif type(m) is type(alpha) is type(beta) is type(gamma) is np.ndarray and m.dtype is alpha.dtype is beta.dtype is gamma.dtype is DOUBLE and m.shape == alpha.shape == beta.shape == gamma.shape:
-            if m.size <= SMALL:
+        try:
+            if float is type(m) is type(alpha) is type(beta) is type(gamma):
                 return _moment_of_amplitude(m, alpha, beta, gamma)
-            return evaluate_alike(_moment_of_amplitude_block, 6, (0,), (m, alpha, beta, gamma,))
+            if ndarray is type(m) is type(alpha) is type(beta) is type(gamma) and DOUBLE is m.dtype is alpha.dtype is beta.dtype is gamma.dtype and () != m.shape == alpha.shape == beta.shape == gamma.shape:
+                size = m.size
+                if 0 < size <= 15:
+                    return evaluate_handful(_moment_of_amplitude, (m, alpha, beta, gamma,))
+                if size <= SMALL:
+                    return _moment_of_amplitude_block(m, alpha, beta, gamma)
+                return evaluate_alike(_moment_of_amplitude_block, 6, (0,), (m, alpha, beta, gamma,))
+        except (ValueError, ZeroDivisionError, OverflowError):
+            pass  # NumPy says whether it is infinite or no number
     return evaluate(_moment_of_amplitude_block, 6, (0,), (m, alpha, beta, gamma,), out)
 
 
-def _moment_of_amplitude(m, alpha, beta, gamma, power=np.power, sqrt=np.sqrt, n1_2=np.array(1.0 / 2.0), n2=np.array(2.0), n1=np.array(1.0), n1_3=np.array(1.0 / 3.0)):
-    t1 = n1_2 * m
-    t2 = n2 * gamma
+def _moment_of_amplitude(m, alpha, beta, gamma):
+    t1 = (1.0 / 2.0) * m
+    t2 = 2.0 * gamma
     t3 = alpha + t2
     t4 = t2 - alpha
-    t18 = gamma_ratio((n1_3 * (t3 * t4)) / (alpha * alpha), -t1) * (power((n2 * beta) / (sqrt(t3) * sqrt(t4)), m) * gamma_ratio(n1, t1))
+    t18 = gamma_ratio(((1.0 / 3.0) * (t3 * t4)) / (alpha * alpha), -t1) * (math.pow((2.0 * beta) / (math.sqrt(t3) * math.sqrt(t4)), m) * gamma_ratio(1.0, t1))
     return t18
 
 
-def _moment_of_amplitude_block(m, alpha, beta, gamma, out_M_a, r0, r1, r2, r3, r4, r5):
-    np.multiply(1.0 / 2.0, m, r0)  # t1
-    np.multiply(2.0, gamma, r1)  # t2
-    np.add(alpha, r1, r2)  # t3
-    np.subtract(r1, alpha, r1)  # t4
-    np.sqrt(r2, r3)  # t5
-    np.sqrt(r1, r4)  # t6
-    np.multiply(2.0, beta, r5)  # t7
-    np.multiply(r3, r4, r4)  # t8
-    np.divide(r5, r4, r4)  # t9
-    np.power(r4, m, r4)  # t10
-    gamma_ratio(1.0, r0, r5)  # t11
-    np.multiply(alpha, alpha, r3)  # alpha_squared
-    np.multiply(r2, r1, r1)  # t12
-    np.multiply(1.0 / 3.0, r1, r1)  # t13
-    np.divide(r1, r3, r3)  # t14
-    np.negative(r0, r0)  # t15
-    gamma_ratio(r3, r0, r0)  # t16
-    np.multiply(r4, r5, r5)  # t17
-    np.multiply(r0, r5, out_M_a)  # t18
+def _moment_of_amplitude_block(m, alpha, beta, gamma, out_M_a=None, r0=None, r1=None, r2=None, r3=None, r4=None, r5=None, n1_2=array(1.0 / 2.0), n2=array(2.0), n1=array(1.0), n1_3=array(1.0 / 3.0)):
+    r0 = multiply(n1_2, m, r0)  # t1
+    r1 = multiply(n2, gamma, r1)  # t2
+    r2 = add(alpha, r1, r2)  # t3
+    r1 = subtract(r1, alpha, r1)  # t4
+    r3 = sqrt(r2, r3)  # t5
+    r4 = sqrt(r1, r4)  # t6
+    r5 = multiply(n2, beta, r5)  # t7
+    r4 = multiply(r3, r4, r4)  # t8
+    r4 = divide(r5, r4, r4)  # t9
+    r4 = power(r4, m, r4)  # t10
+    r5 = gamma_ratio(n1, r0, r5)  # t11
+    r3 = multiply(alpha, alpha, r3)  # alpha_squared
+    r1 = multiply(r2, r1, r1)  # t12
+    r1 = multiply(n1_3, r1, r1)  # t13
+    r3 = divide(r1, r3, r3)  # t14
+    r0 = negative(r0, r0)  # t15
+    r0 = gamma_ratio(r3, r0, r0)  # t16
+    r5 = multiply(r4, r5, r5)  # t17
+    out_M_a = multiply(r0, r5, out_M_a)  # t18
+    return out_M_a
 
 
 def moment_of_frequency(m, k, g_13, g_23, d_33, out=None):
@@ -1161,40 +1214,43 @@ def moment_of_frequency(m, k, g_13, g_23, d_33, out=None):
     (sha256 ea16c7e7d2f5).
     """
     if out is None:
-        if type(m) is type(k) is type(g_13) is type(g_23) is type(d_33) is float:
-            try:
-                return _moment_of_frequency(m, k, g_13, g_23, d_33, math.pow, math.sqrt, 1.0 / 2.0, math.pi, 1.0)
-            except (ValueError, ZeroDivisionError, OverflowError):
-                pass  # NumPy says whether it is infinite or no number
-        elif type(m) is type(k) is type(g_13) is type(g_23) is type(d_33) is np.ndarray and m.dtype is k.dtype is g_13.dtype is g_23.dtype is d_33.dtype is DOUBLE and m.shape == k.shape == g_13.shape == g_23.shape == d_33.shape:
-            if m.size <= SMALL:
+        try:
+            if float is type(m) is type(k) is type(g_13) is type(g_23) is type(d_33):
                 return _moment_of_frequency(m, k, g_13, g_23, d_33)
-            return evaluate_alike(_moment_of_frequency_block, 5, (0,), (m, k, g_13, g_23, d_33,))
-    return evaluate(_moment_of_frequency_block, 5, (0,), (m, k, g_13, g_23, d_33,), out)
+            if ndarray is type(m) is type(k) is type(g_13) is type(g_23) is type(d_33) and DOUBLE is m.dtype is k.dtype is g_13.dtype is g_23.dtype is d_33.dtype and () != m.shape == k.shape == g_13.shape == g_23.shape == d_33.shape:
+                size = m.size
+                if 0 < size <= 14:
+                    return evaluate_handful(_moment_of_frequency, (m, k, g_13, g_23, d_33,))
+                if size <= SMALL:
+                    return _moment_of_frequency_block(m, k, g_13, g_23, d_33)
+                return evaluate_alike(_moment_of_frequency_block, 4, (0,), (m, k, g_13, g_23, d_33,))
+        except (ValueError, ZeroDivisionError, OverflowError):
+            pass  # NumPy says whether it is infinite or no number
+    return evaluate(_moment_of_frequency_block, 4, (0,), (m, k, g_13, g_23, d_33,), out)
 
 
-def _moment_of_frequency(m, k, g_13, g_23, d_33, power=np.power, sqrt=np.sqrt, n1_2=np.array(1.0 / 2.0), pi=np.array(math.pi), n1=np.array(1.0)):
-    t1 = n1_2 * m
-    t12 = gamma_ratio(d_33 / (g_13 * g_13), -t1) * (power((g_23 * k) / sqrt(d_33), m) * gamma_ratio(n1, t1 - n1_2))
-    return t12 / sqrt(pi)
+def _moment_of_frequency(m, k, g_13, g_23, d_33):
+    t1 = (1.0 / 2.0) * m
+    t11 = (math.pow((g_23 * k) / math.sqrt(d_33), m) * gamma_ratio(1.0, t1 - (1.0 / 2.0))) * gamma_ratio(d_33 / (g_13 * g_13), -t1)
+    return t11 / math.sqrt(math.pi)
 
 
-def _moment_of_frequency_block(m, k, g_13, g_23, d_33, out_M_Omega, r0, r1, r2, r3, r4):
-    np.multiply(1.0 / 2.0, m, r0)  # t1
-    np.sqrt(math.pi, r1)  # t2
-    np.sqrt(d_33, r2)  # sqrt_d_33
-    np.multiply(g_23, k, r3)  # t3
-    np.divide(r3, r2, r2)  # t4
-    np.power(r2, m, r2)  # t5
-    np.subtract(r0, 1.0 / 2.0, r3)  # t6
-    gamma_ratio(1.0, r3, r3)  # t7
-    np.multiply(g_13, g_13, r4)  # g_13_squared
-    np.divide(d_33, r4, r4)  # t8
-    np.negative(r0, r0)  # t9
-    gamma_ratio(r4, r0, r0)  # t10
-    np.multiply(r2, r3, r3)  # t11
-    np.multiply(r0, r3, r3)  # t12
-    np.divide(r3, r1, out_M_Omega)  # t13
+def _moment_of_frequency_block(m, k, g_13, g_23, d_33, out_M_Omega=None, r0=None, r1=None, r2=None, r3=None, n1_2=array(1.0 / 2.0), n1=array(1.0), sqrt_pi=array(math.sqrt(math.pi))):
+    r0 = multiply(n1_2, m, r0)  # t1
+    r1 = sqrt(d_33, r1)  # sqrt_d_33
+    r2 = multiply(g_23, k, r2)  # t2
+    r1 = divide(r2, r1, r1)  # t3
+    r1 = power(r1, m, r1)  # t4
+    r2 = subtract(r0, n1_2, r2)  # t5
+    r2 = gamma_ratio(n1, r2, r2)  # t6
+    r3 = multiply(g_13, g_13, r3)  # g_13_squared
+    r3 = divide(d_33, r3, r3)  # t7
+    r0 = negative(r0, r0)  # t8
+    r0 = gamma_ratio(r3, r0, r0)  # t9
+    r2 = multiply(r1, r2, r2)  # t10
+    r0 = multiply(r2, r0, r0)  # t11
+    out_M_Omega = divide(r0, sqrt_pi, out_M_Omega)  # t12
+    return out_M_Omega
 
 
 def mean_square_of_amplitude(alpha, beta, gamma, out=None):
@@ -1219,15 +1275,18 @@ def mean_square_of_amplitude(alpha, beta, gamma, out=None):
     Rests on poloskov2004:4.0.9 (sha256 d97b565a9361), poloskov2004:B.8 (sha256 4068cfb91ea4).
     """
     if out is None:
-        if type(alpha) is type(beta) is type(gamma) is float:
-            try:
+        try:
+            if float is type(alpha) is type(beta) is type(gamma):
                 return _mean_square_of_amplitude(alpha, beta, gamma)
-            except (ValueError, ZeroDivisionError, OverflowError):
-                pass  # NumPy says whether it is infinite or no number
-        elif type(alpha) is type(beta) is type(gamma) is np.ndarray and alpha.dtype is beta.dtype is gamma.dtype is DOUBLE and alpha.shape == beta.shape == gamma.shape:
-            if alpha.size <= SMALL:
-                return _mean_square_of_amplitude(alpha, beta, gamma)
-            return evaluate_alike(_mean_square_of_amplitude_block, 3, (0,), (alpha, beta, gamma,))
+            if ndarray is type(alpha) is type(beta) is type(gamma) and DOUBLE is alpha.dtype is beta.dtype is gamma.dtype and () != alpha.shape == beta.shape == gamma.shape:
+                size = alpha.size
+                if 0 < size <= 1:
+                    return evaluate_handful(_mean_square_of_amplitude, (alpha, beta, gamma,))
+                if size <= SMALL:
+                    return _mean_square_of_amplitude_block(alpha, beta, gamma)
+                return evaluate_alike(_mean_square_of_amplitude_block, 3, (0,), (alpha, beta, gamma,))
+        except (ValueError, ZeroDivisionError, OverflowError):
+            pass  # NumPy says whether it is infinite or no number
     return evaluate(_mean_square_of_amplitude_block, 3, (0,), (alpha, beta, gamma,), out)
 
 
@@ -1235,13 +1294,14 @@ def _mean_square_of_amplitude(alpha, beta, gamma):
     return -((beta * beta) / ((alpha + gamma) * (alpha - gamma)))
 
 
-def _mean_square_of_amplitude_block(alpha, beta, gamma, out_S_a, r0, r1, r2):
-    np.multiply(beta, beta, r0)  # beta_squared
-    np.add(alpha, gamma, r1)  # t1
-    np.subtract(alpha, gamma, r2)  # t2
-    np.multiply(r1, r2, r2)  # t3
-    np.divide(r0, r2, r2)  # t4
-    np.negative(r2, out_S_a)  # t5
+def _mean_square_of_amplitude_block(alpha, beta, gamma, out_S_a=None, r0=None, r1=None, r2=None):
+    r0 = multiply(beta, beta, r0)  # beta_squared
+    r1 = add(alpha, gamma, r1)  # t1
+    r2 = subtract(alpha, gamma, r2)  # t2
+    r2 = multiply(r1, r2, r2)  # t3
+    r2 = divide(r0, r2, r2)  # t4
+    out_S_a = negative(r2, out_S_a)  # t5
+    return out_S_a
 
 
 def mean_square_of_frequency(k, g_13, g_23, d_33, out=None):
@@ -1269,30 +1329,34 @@ def mean_square_of_frequency(k, g_13, g_23, d_33, out=None):
     Rests on poloskov2004:4.0.11 (sha256 666019967417), poloskov2004:B.8 (sha256 4068cfb91ea4).
     """
     if out is None:
-        if type(k) is type(g_13) is type(g_23) is type(d_33) is float:
-            try:
-                return _mean_square_of_frequency(k, g_13, g_23, d_33, 1.0 / 2.0)
-            except (ValueError, ZeroDivisionError, OverflowError):
-                pass  # NumPy says whether it is infinite or no number
-        elif type(k) is type(g_13) is type(g_23) is type(d_33) is np.ndarray and k.dtype is g_13.dtype is g_23.dtype is d_33.dtype is DOUBLE and k.shape == g_13.shape == g_23.shape == d_33.shape:
-            if k.size <= SMALL:
+        try:
+            if float is type(k) is type(g_13) is type(g_23) is type(d_33):
                 return _mean_square_of_frequency(k, g_13, g_23, d_33)
-            return evaluate_alike(_mean_square_of_frequency_block, 3, (0,), (k, g_13, g_23, d_33,))
+            if ndarray is type(k) is type(g_13) is type(g_23) is type(d_33) and DOUBLE is k.dtype is g_13.dtype is g_23.dtype is d_33.dtype and () != k.shape == g_13.shape == g_23.shape == d_33.shape:
+                size = k.size
+                if 0 < size <= 1:
+                    return evaluate_handful(_mean_square_of_frequency, (k, g_13, g_23, d_33,))
+                if size <= SMALL:
+                    return _mean_square_of_frequency_block(k, g_13, g_23, d_33)
+                return evaluate_alike(_mean_square_of_frequency_block, 3, (0,), (k, g_13, g_23, d_33,))
+        except (ValueError, ZeroDivisionError, OverflowError):
+            pass  # NumPy says whether it is infinite or no number
     return evaluate(_mean_square_of_frequency_block, 3, (0,), (k, g_13, g_23, d_33,), out)
 
 
-def _mean_square_of_frequency(k, g_13, g_23, d_33, n1_2=np.array(1.0 / 2.0)):
-    return (n1_2 * ((g_23 * g_23) * (k * k))) / (d_33 - (g_13 * g_13))
+def _mean_square_of_frequency(k, g_13, g_23, d_33):
+    return ((1.0 / 2.0) * ((g_23 * g_23) * (k * k))) / (d_33 - (g_13 * g_13))
 
 
-def _mean_square_of_frequency_block(k, g_13, g_23, d_33, out_S_Omega, r0, r1, r2):
-    np.multiply(g_23, g_23, r0)  # g_23_squared
-    np.multiply(k, k, r1)  # k_squared
-    np.multiply(g_13, g_13, r2)  # g_13_squared
-    np.subtract(d_33, r2, r2)  # t1
-    np.multiply(r0, r1, r1)  # t2
-    np.multiply(1.0 / 2.0, r1, r1)  # t3
-    np.divide(r1, r2, out_S_Omega)  # t4
+def _mean_square_of_frequency_block(k, g_13, g_23, d_33, out_S_Omega=None, r0=None, r1=None, r2=None, n1_2=array(1.0 / 2.0)):
+    r0 = multiply(g_23, g_23, r0)  # g_23_squared
+    r1 = multiply(k, k, r1)  # k_squared
+    r2 = multiply(g_13, g_13, r2)  # g_13_squared
+    r2 = subtract(d_33, r2, r2)  # t1
+    r1 = multiply(r0, r1, r1)  # t2
+    r1 = multiply(n1_2, r1, r1)  # t3
+    out_S_Omega = divide(r1, r2, out_S_Omega)  # t4
+    return out_S_Omega
 
 
 def mode_of_amplitude(alpha, beta, gamma, out=None):
@@ -1318,27 +1382,31 @@ def mode_of_amplitude(alpha, beta, gamma, out=None):
     poloskov2004:4.0.15 (sha256 471e4ce4d17f).
     """
     if out is None:
-        if type(alpha) is type(beta) is type(gamma) is float:
-            try:
-                return _mode_of_amplitude(alpha, beta, gamma, math.sqrt, 8.0, 2.0)
-            except (ValueError, ZeroDivisionError, OverflowError):
-                pass  # NumPy says whether it is infinite or no number
-        elif type(alpha) is type(beta) is type(gamma) is np.ndarray and alpha.dtype is beta.dtype is gamma.dtype is DOUBLE and alpha.shape == beta.shape == gamma.shape:
-            if alpha.size <= SMALL:
+        try:
+            if float is type(alpha) is type(beta) is type(gamma):
                 return _mode_of_amplitude(alpha, beta, gamma)
-            return evaluate_alike(_mode_of_amplitude_block, 2, (0,), (alpha, beta, gamma,))
+            if ndarray is type(alpha) is type(beta) is type(gamma) and DOUBLE is alpha.dtype is beta.dtype is gamma.dtype and () != alpha.shape == beta.shape == gamma.shape:
+                size = alpha.size
+                if 0 < size <= 1:
+                    return evaluate_handful(_mode_of_amplitude, (alpha, beta, gamma,))
+                if size <= SMALL:
+                    return _mode_of_amplitude_block(alpha, beta, gamma)
+                return evaluate_alike(_mode_of_amplitude_block, 2, (0,), (alpha, beta, gamma,))
+        except (ValueError, ZeroDivisionError, OverflowError):
+            pass  # NumPy says whether it is infinite or no number
     return evaluate(_mode_of_amplitude_block, 2, (0,), (alpha, beta, gamma,), out)
 
 
-def _mode_of_amplitude(alpha, beta, gamma, sqrt=np.sqrt, n8=np.array(8.0), n2=np.array(2.0)):
-    return (n2 * beta) / sqrt((alpha * alpha) + (n8 * (gamma * gamma)))
+def _mode_of_amplitude(alpha, beta, gamma):
+    return (2.0 * beta) / math.sqrt((alpha * alpha) + (8.0 * (gamma * gamma)))
 
 
-def _mode_of_amplitude_block(alpha, beta, gamma, out_a_star, r0, r1):
-    np.multiply(alpha, alpha, r0)  # alpha_squared
-    np.multiply(gamma, gamma, r1)  # gamma_squared
-    np.multiply(8.0, r1, r1)  # t1
-    np.add(r0, r1, r1)  # t2
-    np.sqrt(r1, r1)  # t3
-    np.multiply(2.0, beta, r0)  # t4
-    np.divide(r0, r1, out_a_star)  # t5
+def _mode_of_amplitude_block(alpha, beta, gamma, out_a_star=None, r0=None, r1=None, n8=array(8.0), n2=array(2.0)):
+    r0 = multiply(alpha, alpha, r0)  # alpha_squared
+    r1 = multiply(gamma, gamma, r1)  # gamma_squared
+    r1 = multiply(n8, r1, r1)  # t1
+    r1 = add(r0, r1, r1)  # t2
+    r1 = sqrt(r1, r1)  # t3
+    r0 = multiply(n2, beta, r0)  # t4
+    out_a_star = divide(r0, r1, out_a_star)  # t5
+    return out_a_star

@@ -1,4 +1,4 @@
-"""How a generated kernel runs: on numbers through `math`, on small arrays as it stands, on large ones by blocks.
+"""How a generated kernel runs: on numbers and a handful of points by `math`, on small arrays at once, else by blocks.
 
 A block stays in the caches of its processor, so that the values between two operations never travel to memory; the
 registers that hold them are kept from call to call, one set for each thread. NumPy and the standard library alone.
@@ -10,25 +10,23 @@ sines prevail). Callers share large work among processes or threads by themselve
 
 from __future__ import annotations
 
-import math
-import sys
 import threading
 from collections.abc import Callable, Sequence
 from itertools import combinations
+from math import isfinite, prod
+from types import FunctionType
 from typing import Any
 
 import numpy as np
+from numpy import array
 
 BLOCK = 8192  # elements: 64 kB of doubles
 DOUBLE = np.dtype(np.float64)
 LINE = 64  # bytes of a cache line: registers that begin on one are read twice as fast
-SMALL = 4096  # elements: up to here a block costs more time than it saves
-FEW = 512  # elements: up to here sines and cosines cost no more than the tangents that replace them in a block
-TINY = 2.0**-100  # below it log(1 + x) and exp(x) - 1 are x
-STIRLING = tuple(p / q for p, q in ((1, 12), (-1, 360), (1, 1260), (-1, 1680), (1, 1188), (-691, 360360), (1, 156)))
-SHIFT = 9  # from here on seven terms of Stirling's series are enough for doubles
+SMALL = 12288  # elements: up to here a second block costs more time than it saves
+FEW = 200  # elements: up to here sines and cosines cost no more than the tangents that replace them in a block
 
-Block = Callable[..., None]
+Block = Callable[..., Any]
 _local = threading.local()
 
 
@@ -39,24 +37,85 @@ def evaluate(block: Block, registers: int, order: Sequence[int], inputs: Sequenc
     float32 if all arrays are, else float64. ValueError if `out` does not fit. NumPy's warnings are the caller's.
     """
     dtype = np.result_type(*inputs)
-    dtype = dtype if dtype == np.float32 else DOUBLE
-    arrays = [x if x.ndim else x.astype(dtype, casting="same_kind") for x in map(np.asarray, inputs)]
-    shape = np.broadcast_shapes(*(x.shape for x in arrays))
-    if out is None:
+    if dtype == np.float32:
+        block = _single(block)
+    else:
+        dtype = DOUBLE
+    arrays = [x if type(x) is np.ndarray else np.asarray(x) for x in inputs]
+    shapes = {x.shape for x in arrays} - {()} or {()}
+    shape = np.broadcast_shapes(*shapes) if len(shapes) > 1 else shapes.pop()
+    given = None if out is None else fitting(out, len(order), shape, dtype)
+    if prod(shape) <= SMALL:
+        results = _at_once(block, arrays, shape, dtype)
+    else:
+        results = _by_blocks(block, registers, order, arrays, given, shape, dtype)
+    if given:
+        for each, result in zip(given, results, strict=True):
+            if each is not result:
+                np.copyto(each, result)
+        results = given
+    return results[0] if len(order) == 1 else tuple(results)
+
+
+def _at_once(block: Block, arrays: list[Any], shape: tuple[int, ...], dtype: Any) -> Sequence[Any]:
+    """The results in arrays of their own; numbers for numbers."""
+    whole = [x if shape and x.shape == shape and x.dtype == dtype else _filled(x, shape or (1,), dtype) for x in arrays]
+    results = block(*whole)
+    results = results if type(results) is tuple else (results,)
+    return results if shape else [x[0] for x in results]
+
+
+def _filled(x: Any, shape: tuple[int, ...], dtype: Any) -> Any:
+    whole = np.empty(shape, dtype)
+    np.copyto(whole, x, casting="same_kind")
+    return whole
+
+
+def _by_blocks(
+    block: Block,
+    registers: int,
+    order: Sequence[int],
+    arrays: list[Any],
+    given: list[Any] | None,
+    shape: tuple[int, ...],
+    dtype: Any,
+) -> Sequence[Any]:
+    """The results, in the arrays that are given."""
+    arrays = [x if x.ndim else x.astype(dtype, casting="same_kind") for x in arrays]
+    if given is None:
         outputs = [np.empty(shape, dtype) for _ in range(max(order) + 1)]
     else:  # an output must not overwrite what is read later
-        given = fitting(out, len(order), shape, dtype)
         arrays = [x.copy() if any(np.may_share_memory(x, y) for y in given) else x for x in arrays]
         outputs = [given[order.index(k)] for k in range(max(order) + 1)]
     _run(block, registers, arrays, outputs, shape, dtype)
-    if out is None:
-        results = [outputs[k] if shape else outputs[k][()] for k in order]
+    return [outputs[k] for k in order]
+
+
+def evaluate_handful(expression: Callable[..., Any], inputs: Sequence[Any], order: Sequence[int] = ()) -> Any:
+    """The same for a handful of points in arrays of doubles of one shape: each point through `math`, as numbers are.
+
+    OverflowError where a result is not finite: NumPy is to compute it, and to warn. `order` as above, if any outputs
+    are the same.
+    """
+    first = inputs[0]
+    columns: list[Any]
+    if first.size == 1:
+        point = expression(*[x.item() for x in inputs])
+        columns = [[point]] if type(point) is float else [[x] for x in point]
     else:
-        results = given
-        for each, k in zip(given, order, strict=True):
-            if each is not outputs[k]:
-                np.copyto(each, outputs[k])
-    return results[0] if len(order) == 1 else tuple(results)
+        flat = inputs if first.ndim == 1 else [x.ravel() for x in inputs]
+        rows = [*map(expression, *[x.tolist() for x in flat])]
+        columns = [rows] if type(rows[0]) is float else [*zip(*rows, strict=True)]
+    if not isfinite(sum(map(sum, columns))):
+        raise OverflowError
+    if order:
+        columns = [*dict(zip(order, columns, strict=True)).values()]
+    outputs = [array(column) for column in columns]
+    if first.ndim != 1:
+        outputs = [x.reshape(first.shape) for x in outputs]
+    if order:
+        outputs = [outputs[k] for k in order]
+    return outputs[0] if len(outputs) == 1 else tuple(outputs)
 
 
 def evaluate_alike(block: Block, registers: int, order: Sequence[int], inputs: Sequence[Any]) -> Any:
@@ -69,6 +128,12 @@ def evaluate_alike(block: Block, registers: int, order: Sequence[int], inputs: S
     else:
         _pieces(block, _registers(registers, DOUBLE), [*flat, *(x.reshape(-1) for x in outputs)], outputs[0].size)
     return outputs[0] if len(order) == 1 else tuple([outputs[k] for k in order])
+
+
+def _single(block: Any) -> Block:
+    """The block with its numbers in single precision."""
+    numbers = tuple(x if x is None else x.astype(np.float32) for x in block.__defaults__ or ())
+    return FunctionType(block.__code__, block.__globals__, argdefs=numbers)
 
 
 def fitting(out: Any, outputs: int, shape: tuple[int, ...], dtype: Any) -> list[Any]:
@@ -118,71 +183,3 @@ def _registers(count: int, dtype: Any) -> list[Any]:
         begin = -memory.ctypes.data % LINE
         rows.append(memory[begin : begin + BLOCK * dtype.itemsize].view(dtype))
     return rows[:count]
-
-
-def log1p_ratio(x: Any, out: Any = None) -> Any:
-    """log(1 + x)/x for x > -1, continued by 1 at 0 and by a number that is not 0 at infinity."""
-    if type(x) is float:
-        x = min(x, sys.float_info.max)
-        return math.log1p(x) / x if abs(x) > TINY else 1.0
-    x = _away_from_zero(x)
-    x = np.minimum(x, np.finfo(x.dtype).max)
-    return np.divide(np.log1p(x), x, out)
-
-
-def expm1_ratio(x: Any, out: Any = None) -> Any:
-    """(exp(x) - 1)/x, continued by 1 at 0."""
-    if type(x) is float:
-        return math.expm1(x) / x if abs(x) > TINY else 1.0
-    x = _away_from_zero(x)
-    return np.divide(np.expm1(x), x, out)
-
-
-def _away_from_zero(x: Any) -> Any:
-    return np.copysign(np.maximum(np.abs(x), TINY), x)
-
-
-def gamma_ratio(x: Any, h: Any, out: Any = None) -> Any:
-    """Gamma(x + h)/(Gamma(x) x^h) for positive x and x + h: 1 at infinity.
-
-    Where x or x + h is small the functional equation moves both up to where Stirling's series holds. Of the logarithms
-    of two values there only the difference is formed, with what is large in it cancelled beforehand: nothing overflows
-    unless the ratio does.
-    """
-    if type(x) is type(h) is float:
-        x = min(x, 1 / TINY)  # beyond, the ratio is 1
-        if min(x, x + h) >= SHIFT:
-            return math.exp(_logarithm(x, h, math.log1p))
-        return math.exp(_logarithm(x + SHIFT, h, math.log1p)) * math.pow((x + SHIFT) / x, h) * _steps(x, h)
-    x = np.minimum(x, 1 / TINY)
-    small = np.minimum(x, x + h) < SHIFT
-    moved = x + SHIFT * small
-    value = np.exp(_logarithm(moved, h, np.log1p))
-    if small.any():
-        value = value * np.where(small, (moved / x) ** h * _steps(np.where(small, x, 1), h), 1)
-    if out is None:
-        return value
-    out[...] = value
-    return out
-
-
-def _logarithm(x: Any, h: Any, log1p: Any) -> Any:
-    """log gamma_ratio(x, h) for x and x + h from SHIFT on."""
-    return (x + (h - 0.5)) * log1p(h / x) - h + (_stirling(x + h) - _stirling(x))
-
-
-def _steps(x: Any, h: Any) -> Any:
-    """gamma(x + h)/gamma(x) divided by the same for x + SHIFT."""
-    above, under = x, x + h
-    for k in range(1, SHIFT):
-        above, under = above * (x + k), under * (x + h + k)
-    return above / under
-
-
-def _stirling(x: Any) -> Any:
-    """log Gamma(x) less (x - 1/2) log x - x + log(2 pi)/2, for large x."""
-    inverse = 1.0 / x
-    square, total = inverse * inverse, STIRLING[-1]
-    for coefficient in reversed(STIRLING[:-1]):
-        total = total * square + coefficient
-    return total * inverse

@@ -33,7 +33,7 @@ def in_range(case: Case, point: Sequence[float]) -> bool:
     """Whether no intermediate value at a point leaves the range of doubles."""
     with np.errstate(all="raise"):
         try:
-            case.module[f"_{case.name}"](*map(np.float64, point))
+            case.module[f"_{case.name}_block"](*np.array(point).reshape(-1, 1))
         except (FloatingPointError, ZeroDivisionError):
             return False
     return True

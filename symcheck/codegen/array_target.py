@@ -8,12 +8,12 @@ from __future__ import annotations
 import textwrap
 from collections import Counter
 from collections.abc import Iterator, Mapping
-from fractions import Fraction
 
 from symcheck.codegen.docstring import docstring
+from symcheck.codegen.expression import bare, number
 from symcheck.codegen.program import INFIX, UNARY, Operation, Program, Ref
 from symcheck.codegen.target import MARK, Made, Target
-from symcheck.runtime import SHIFT, STIRLING, TINY
+from symcheck.ratios import SHIFT, STIRLING, TINY
 from symcheck.statement import SymcheckError
 
 STANDARD = {"arctan": "atan", "power": "pow"}  # what the standard calls otherwise
@@ -152,11 +152,11 @@ def statements(program: Program) -> Iterator[str]:
     for operation in program.operations:
         text = _text(operation, texts)
         if uses[operation.result] > 1 or len(text) > LONGEST:
-            yield f"{operation.result} = {_bare(text)}"
+            yield f"{operation.result} = {bare(text)}"
             text = operation.result
         texts[operation.result] = text
     reached, every = dependencies(program), ", ".join(program.inputs)
-    results = [(_bare(texts.get(x) or array(x)), reached.get(x, set())) for x in program.outputs.values()]
+    results = [(bare(texts.get(x) or array(x)), reached.get(x, set())) for x in program.outputs.values()]
     wholes = [text if names >= {*program.inputs} else f"full(xp, {text}, {every})" for text, names in results]
     yield f"return {', '.join(wholes)}"
 
@@ -173,12 +173,12 @@ def _text(operation: Operation, texts: Mapping[Ref, str]) -> str:
     """An operator, in parentheses, or a call. Numbers are arrays, except where an operator has an array beside them."""
     function, sign = operation.function, INFIX.get(operation.function)
     beside = sign and any(x in texts for x in operation.operands)
-    operands = [texts.get(x) or (literal(x) if beside else array(x)) for x in operation.operands]
+    operands = [texts.get(x) or (number(x) if beside else array(x)) for x in operation.operands]
     if sign:
         return f"({f' {sign} '.join(operands)})"
     if function == "negative":
         return f"(-{operands[0]})"
-    inside = ", ".join(map(_bare, operands))
+    inside = ", ".join(map(bare, operands))
     if function in HELPERS:
         return f"{function}(xp, {inside})"
     if function in (*UNARY, "power"):
@@ -188,15 +188,4 @@ def _text(operation: Operation, texts: Mapping[Ref, str]) -> str:
 
 def array(x: Ref) -> str:
     """A number as an array."""
-    return f"number({_bare(literal(x))})"
-
-
-def literal(x: Ref) -> str:
-    """A number as Python: `2.0`, `(3.0 / 8.0)`, `math.pi`, `math.sqrt(3.0)`."""
-    if isinstance(x, Fraction):
-        return f"{x.numerator}.0" if x.denominator == 1 else f"({x.numerator}.0 / {x.denominator}.0)"
-    return "math.pi" if x == "pi" else f"math.sqrt({_bare(literal(Fraction(x[5:-1])))})"
-
-
-def _bare(text: str) -> str:
-    return text[1:-1] if text[0] == "(" else text
+    return f"number({bare(number(x))})"

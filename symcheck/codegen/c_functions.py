@@ -11,7 +11,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
-from symcheck.runtime import SHIFT, STIRLING
+from symcheck.ratios import SHIFT, STIRLING
 
 CIRCULAR = ("sin", "cos", "tan")
 REACH = 1e6  # a multiple of pi/2 up to here has 20 bits, and the product with a part of 33 bits is exact

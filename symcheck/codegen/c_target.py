@@ -14,7 +14,7 @@ from fractions import Fraction
 from symcheck.codegen.c_functions import CIRCULAR, REACH, written
 from symcheck.codegen.c_text import HEADER, LOOP, LOOP_AND_REST, PARALLEL, SOURCE, VECTORS
 from symcheck.codegen.docstring import paragraphs
-from symcheck.codegen.program import INFIX, UNARY, Operation, Program, Ref
+from symcheck.codegen.program import INFIX, UNARY, Operation, Program, Ref, under_root
 from symcheck.codegen.special import RUNTIME
 from symcheck.codegen.target import MARK, Made, Target
 from symcheck.statement import SymcheckError
@@ -113,8 +113,8 @@ def number(x: Ref, places: Mapping[str, str]) -> str:
     """A number as C: `2.0`, `(3.0 / 8.0)`, `sqrt(3.0)`; an argument at its place `a[i]`; another name as it is."""
     if isinstance(x, Fraction):
         return f"{x.numerator}.0" if x.denominator == 1 else f"({x.numerator}.0 / {x.denominator}.0)"
-    if x.startswith("sqrt("):
-        return f"sqrt({number(Fraction(x[5:-1]), places)})"
+    if (inside := under_root(x)) is not None:
+        return f"sqrt({number(inside, places)})"
     return "3.141592653589793" if x == "pi" else places.get(x, x)
 
 

@@ -19,6 +19,7 @@ import numpy as np
 
 from symcheck.codegen import numba_calls, numba_functions
 from symcheck.codegen.docstring import docstring
+from symcheck.codegen.expression import number
 from symcheck.codegen.numpy_target import calls
 from symcheck.codegen.program import INFIX, Operation, Program, Ref
 from symcheck.codegen.target import MARK, Made, Target
@@ -191,15 +192,6 @@ def _{name}_points({", ".join(f"in_{x}" for x in program.inputs)}, {", ".join(f"
 _{name}_number = kept(_{name}_point)
 callable_by_name({name}, _{name}_point)
 """
-
-
-def number(x: Ref) -> str:
-    """A number as Python: `2.0`, `(3.0 / 8.0)`, `math.pi`, `math.sqrt(3.0)`; a name as it is."""
-    if isinstance(x, Fraction):
-        return f"{x.numerator}.0" if x.denominator == 1 else f"({x.numerator}.0 / {x.denominator}.0)"
-    if x.startswith("sqrt("):
-        return f"math.sqrt({number(Fraction(x[5:-1]))})"
-    return "math.pi" if x == "pi" else x
 
 
 def _results(program: Program) -> dict[Ref, str]:

@@ -1,111 +1,68 @@
-"""A program as a NumPy kernel: an expression that `math` and NumPy share, and a block of ufuncs in place."""
+"""A program as a NumPy kernel: an expression of numbers, and a block of ufuncs in place for arrays."""
 
 from __future__ import annotations
 
 import re
 import textwrap
-from collections import Counter
 from collections.abc import Iterator, Mapping
 from fractions import Fraction
 
 from symcheck.codegen.docstring import docstring
-from symcheck.codegen.program import INFIX, UNARY, Operation, Program, Ref, registers
+from symcheck.codegen.expression import bare, expression_lines, number
+from symcheck.codegen.program import Program, Ref, is_number, registers
 from symcheck.codegen.special import RUNTIME
 from symcheck.codegen.target import MARK, Made, Target
+from symcheck.statement import SymcheckError
 
-MATH = {"arctan": "atan", "power": "pow"}  # what `math` calls otherwise
 CALLS = """The arguments are numbers or arrays, which broadcast. Numbers give numbers; arrays give float64, or float32
 if all are. `out` takes {} of the broadcast shape and type; a ValueError names what does not fit. What is no number
 gives no number."""
 EQUAL = "Outputs that are equal by formula are one array, unless `out` is given."
-LONGEST = 90  # characters of an expression that is not given a name
 HEAD = '''"""Kernels of {key}. {mark}"""
 
 import math
 
-import numpy as np
+from numpy import {ufuncs}, array, ndarray
 
-from symcheck.runtime import DOUBLE, FEW, SMALL, evaluate, evaluate_alike{special}
+{special}from symcheck.runtime import DOUBLE, FEW, SMALL, evaluate, evaluate_alike, evaluate_handful
 
 __all__ = [{names}]
 '''
+# Nanoseconds, measured. NumPy: an operation on few points; what it takes longer to write one element over its operand.
+UFUNC, AGAIN = 250, 550
+# One by one with `math`: the whole, an argument, an output; what a single point takes less for.
+CALL, TAKEN, PUT, SINGLE = 1100, 75, 330, 450
+# Each point, its operations, arguments and outputs.
+POINT, FLOAT, ARGUMENT, RESULT = 100, 7, 11, 55
+MANY = {"gamma_ratio": (110, 250), "log1p_ratio": (9, 25), "expm1_ratio": (7, 20)}  # operations of NumPy, of `math`
 
 
-def number(x: Ref) -> str:
-    """A number as Python: `2.0`, `3.0 / 8.0`, `math.pi`, `math.sqrt(3.0)`; a name as it is."""
-    if isinstance(x, Fraction):
-        return f"{x.numerator}.0" if x.denominator == 1 else f"{x.numerator}.0 / {x.denominator}.0"
-    if x.startswith("sqrt("):
-        return f"math.sqrt({number(Fraction(x[5:-1]))})"
-    return "math.pi" if x == "pi" else x
+def block_lines(program: Program, named: Mapping[Ref, str]) -> tuple[int, list[str]]:
+    """The program as ufunc calls on registers, and how many registers it takes.
 
-
-def named(x: Ref) -> str:
-    """The name of a number in an expression: `n2`, `n3_8`, `pi`, `sqrt_3`."""
-    return (
-        f"n{x}".replace("/", "_").replace("-", "minus_")
-        if isinstance(x, Fraction)
-        else re.sub(r"\W+", "_", x).strip("_")
-    )
-
-
-def numbers(program: Program) -> tuple[Ref, ...]:
-    """The numbers in the operations of a program.
-
-    An expression takes them as arguments, for NumPy as arrays: it converts a Python number anew in every operation,
-    which takes half as long as the operation itself on a small array.
+    Each call gives back the register it wrote, or a new array if there was none.
     """
-    used = (x for operation in program.operations for x in operation.operands)
-    return tuple(dict.fromkeys(x for x in used if number(x) != x))
-
-
-def functions(program: Program) -> tuple[str, ...]:
-    """The functions that the program calls."""
-    return tuple(sorted({operation.function for operation in program.operations} & {*UNARY, "power"}))
-
-
-def expression_lines(program: Program) -> Iterator[str]:
-    """The program as assignments, and what it returns; what is used once stands where it is used.
-
-    NumPy gives the memory of such a value back at once, while it is still in the cache.
-    """
-    uses = Counter(x for operation in program.operations for x in operation.operands) + Counter(
-        program.outputs.values()
-    )
-    texts: dict[Ref, str] = {x: named(x) for x in numbers(program)}
-    for operation in program.operations:
-        text = _expression(operation, [texts.get(x, number(x)) for x in operation.operands])
-        if uses[operation.result] > 1 or len(text) > LONGEST:
-            yield f"{operation.result} = {text}"
-        else:
-            texts[operation.result] = text if operation.function in (*UNARY, *RUNTIME, "power") else f"({text})"
-    values = (texts.get(value, number(value)) for value in program.outputs.values())
-    yield f"return {', '.join(value[1:-1] if value[0] == '(' else value for value in values)}"
-
-
-def _expression(operation: Operation, operands: list[str]) -> str:
-    if operation.function in INFIX:
-        return f" {INFIX[operation.function]} ".join(operands)
-    if operation.function == "negative":
-        return f"-{operands[0]}"
-    inside = ", ".join(x[1:-1] if x[0] == "(" else x for x in operands)
-    return f"{operation.function}({inside})"
-
-
-def block_lines(program: Program) -> tuple[int, list[str]]:
-    """The program as ufunc calls on registers, and how many registers it takes."""
     outputs = {value: f"out_{name}" for value, name in distinct(program).items()}
     lines, count = [], 0
-    held: dict[Ref, str] = {}
+    held: dict[Ref, str] = dict(named)
     for operation, place in registers(program):
-        operands = [held.get(x, number(x)) for x in operation.operands]
+        operands = [held.get(x, str(x)) for x in operation.operands]
         target = outputs[operation.result] if place is None else f"r{place}"
         count = max(count, 0 if place is None else place + 1)
         held[operation.result] = target
-        module = "" if operation.function in RUNTIME else "np."
-        lines.append(f"{module}{operation.function}({', '.join(operands)}, {target})  # {operation.result}")
-    lines += [f"{target}[...] = {number(value)}" for value, target in outputs.items() if value not in held]
-    return count, lines
+        call = f"{operation.function}({', '.join([*operands, target])})"
+        lines.append(f"{target} = {call}  # {operation.result}")
+    return count, [*lines, f"return {', '.join(outputs[value] for value in program.outputs.values())}"]
+
+
+def numbers(program: Program) -> dict[Ref, str]:
+    """The numbers of a program with their names in a block: `n2`, `n3_8`, `pi`, `sqrt_3`.
+
+    NumPy gets them as arrays: it converts a Python number anew in every operation, which takes half as long as the
+    operation itself on a small array.
+    """
+    used = (x for operation in program.operations for x in operation.operands)
+    return {x: re.sub(r"\W+", "_", f"n{x}" if isinstance(x, Fraction) else x).strip("_") for x in used if is_number(x)}
 
 
 def distinct(program: Program) -> dict[Ref, str]:
@@ -117,8 +74,13 @@ def files(key: str, kernels: Mapping[str, Made]) -> dict[str, str]:
     """The module of a paper."""
     texts = [source(name, made) for name, made in kernels.items()]
     names = ", ".join(f'"{name}"' for name in sorted(kernels))
-    special = "".join(f", {name}" for name in RUNTIME if any(f"{name}(" in text for text in texts))
-    return {f"{key}.py": "\n\n".join([HEAD.format(key=key, mark=MARK, names=names, special=special), *texts])}
+    special = ", ".join(name for name in RUNTIME if any(f"{name}(" in text for text in texts))
+    special = f"from symcheck.ratios import {special}\n" if special else ""
+    used = {x.function for made in kernels.values() for each in (made.program, made.pointwise) for x in each.operations}
+    ufuncs = ", ".join(sorted(used - {*RUNTIME}))
+    return {
+        f"{key}.py": "\n\n".join([HEAD.format(key=key, mark=MARK, names=names, ufuncs=ufuncs, special=special), *texts])
+    }
 
 
 def calls(program: Program) -> str:
@@ -131,48 +93,92 @@ def calls(program: Program) -> str:
 TARGET = Target("NumPy, in generated/", files)
 
 
+def handful(program: Program) -> int:
+    """Up to how many points `math` takes less time for than NumPy."""
+    inputs, outputs = len(program.inputs), len(distinct(program))
+    weights = [MANY.get(operation.function, (1, 1)) for operation in program.operations]
+    block = UFUNC * sum(ufuncs for ufuncs, _ in weights)
+    begin = CALL + TAKEN * inputs + PUT * outputs
+    each = POINT + FLOAT * sum(floats for _, floats in weights) + ARGUMENT * inputs + RESULT * len(program.outputs)
+    return max((block - begin) // each, int(block + AGAIN * _in_place(program) > begin + each - SINGLE))
+
+
+def _in_place(program: Program) -> int:
+    """How many operations write over one of their operands."""
+    held: dict[Ref, int | None] = {}
+    count = 0
+    for operation, place in registers(program):
+        count += place is not None and place in [held.get(x) for x in operation.operands]
+        held[operation.result] = place
+    return count
+
+
+def on_arrays(name: str, made: Made) -> Iterator[str]:
+    """What is called for arrays of doubles of one shape, by their size."""
+    program, inputs = made.program, ", ".join(made.program.inputs)
+    equal = f", ({_order(program)},)" if len(distinct(program)) < len(program.outputs) else ""
+    yield f"size = {program.inputs[0]}.size"
+    if points := handful(made.pointwise):
+        yield f"if 0 < size <= {points}:\n    return evaluate_handful(_{name}, ({inputs},){equal})"
+    if made.pointwise.operations != program.operations:
+        yield f"if size <= FEW:\n    return _{name}_few({inputs})"
+    yield f"if size <= SMALL:\n    return _{name}_block({inputs})"
+    yield f"return evaluate_alike({_block(name, program)})"
+
+
+def _order(program: Program) -> str:
+    """For each output, which of the distinct ones it is."""
+    firsts = sorted(distinct(program).values(), key=list(program.outputs).index)
+    return ", ".join(str(firsts.index(distinct(program)[value])) for value in program.outputs.values())
+
+
+def _block(name: str, program: Program) -> str:
+    count, _ = block_lines(program, numbers(program))
+    return f"_{name}_block, {count}, ({_order(program)},), ({', '.join(program.inputs)},)"
+
+
+def block(name: str, program: Program) -> str:
+    """The text of a block; SymcheckError where a value would be no array, or an argument."""
+    results = {operation.result for operation in program.operations}
+    fixed = [name for name, value in program.outputs.items() if value not in results]
+    fixed += [each.result for each in program.operations if all(map(is_number, each.operands))]
+    if fixed:
+        raise SymcheckError(f"the kernel {name}: {fixed[0]} is an argument or a number; leave it to the caller")
+    used = numbers(program)
+    count, lines = block_lines(program, used)
+    outs = sorted(distinct(program).values(), key=list(program.outputs).index)
+    rows = "".join(f", {row}=None" for row in [*(f"out_{x}" for x in outs), *(f"r{k}" for k in range(count))])
+    taken = "".join(f", {text}=array({bare(number(x))})" for x, text in used.items())
+    return f"def _{name}({', '.join(program.inputs)}{rows}{taken}):\n" + textwrap.indent("\n".join(lines), "    ")
+
+
 def source(name: str, made: Made) -> str:
     """The text of one kernel."""
     program = made.program
     inputs = ", ".join(program.inputs)
-    called, used = functions(made.pointwise), numbers(made.pointwise)
-    count, lines = block_lines(program)
-    firsts = sorted(distinct(program).values(), key=list(program.outputs).index)
-    order = ", ".join(str(firsts.index(distinct(program)[value])) for value in program.outputs.values())
-    outs = ", ".join(f"out_{output}" for output in firsts)
-    rows = "".join(f", r{k}" for k in range(count))
     types = " is ".join(f"type({x})" for x in program.inputs)
     doubles = " is ".join(f"{x}.dtype" for x in program.inputs)
-    shapes = "".join(f"{' and' if n == 0 else ''} {x}.shape ==" for n, x in enumerate(program.inputs))
-    shapes = f"{shapes.removesuffix(' ==')}" if len(program.inputs) > 1 else ""
-    block = f"_{name}_block, {count}, ({order},), ({inputs},)"
-    most = "SMALL" if made.pointwise.operations == program.operations else "FEW"
-    direct = f"""
-            if {program.inputs[0]}.size <= {most}:
-                return _{name}({inputs})"""
-    if not {*program.outputs.values()} <= {operation.result for operation in program.operations}:
-        direct = ""  # a result must be no argument, and no number
-    taken = "".join(f", {function}=np.{function}" for function in called)
-    taken += "".join(f", {named(x)}=np.array({number(x)})" for x in used)
-    own = "".join(f", math.{MATH.get(function, function)}" for function in called)
-    own += "".join(f", {number(x)}" for x in used)
+    shapes = " == ".join(f"{x}.shape" for x in program.inputs)
+    shapes = f"() != {shapes}"  # arrays without dimensions give numbers
+    blocks = [block(f"{name}_block", program)]
+    if made.pointwise.operations != program.operations:
+        blocks.insert(0, block(f"{name}_few", made.pointwise))
     return f"""def {name}({inputs}, out=None):
 {textwrap.indent(docstring(made, calls(program)), "    ")}
     if out is None:
-        if {types} is float:
-            try:
-                return _{name}({inputs}{own})
-            except (ValueError, ZeroDivisionError, OverflowError):
-                pass  # NumPy says whether it is infinite or no number
-        elif {types} is np.ndarray and {doubles} is DOUBLE{shapes}:{direct}
-            return evaluate_alike({block})
-    return evaluate({block}, out)
+        try:
+            if float is {types}:
+                return _{name}({inputs})
+            if ndarray is {types} and DOUBLE is {doubles} and {shapes}:
+{textwrap.indent(chr(10).join(on_arrays(name, made)), " " * 16)}
+        except (ValueError, ZeroDivisionError, OverflowError):
+            pass  # NumPy says whether it is infinite or no number
+    return evaluate({_block(name, program)}, out)
 
 
-def _{name}({inputs}{taken}):
+def _{name}({inputs}):
 {textwrap.indent(chr(10).join(expression_lines(made.pointwise)), "    ")}
 
 
-def _{name}_block({inputs}, {outs}{rows}):
-{textwrap.indent(chr(10).join(lines), "    ")}
+{(chr(10) * 3).join(blocks)}
 """

@@ -48,7 +48,7 @@ class Program:
         """The value of an operation, computed once; numbers are folded."""
         if all(isinstance(x, Fraction) for x in operands) and function not in (*UNARY, *RUNTIME, "power"):
             return _folded(function, *operands)  # type: ignore[arg-type]
-        if function == "sqrt" and isinstance(operands[0], Fraction):
+        if function == "sqrt" and (isinstance(operands[0], Fraction) or operands[0] == "pi"):
             return f"sqrt({operands[0]})"  # a number, as pi is
         if function in ("add", "multiply"):
             operands = tuple(sorted(operands, key=_order))
@@ -212,6 +212,18 @@ def compiled(inputs: Iterable[str], outputs: Mapping[str, Any], acute: Iterable[
             needed.update(operation.operands)
     program.operations = kept[::-1]
     return program
+
+
+def under_root(x: Ref) -> Ref | None:
+    """What the root is of, if this number is one."""
+    if isinstance(x, Fraction) or not x.startswith("sqrt("):
+        return None
+    return "pi" if x[5:-1] == "pi" else Fraction(x[5:-1])
+
+
+def is_number(x: Ref) -> bool:
+    """Whether this is no value by name."""
+    return isinstance(x, Fraction) or x == "pi" or under_root(x) is not None
 
 
 def registers(program: Program) -> Iterator[tuple[Operation, int | None]]:

@@ -3,7 +3,7 @@
 (1 + x)^y is exp(x y log(1 + x)/x): where x is small and y is large, 1 + x keeps nothing of x, while x y is of ordinary
 size; letters that x and y share cancel in it. From a power 1 is taken by expm1. Gamma functions come in quotients,
 Gamma(x + h)/Gamma(x) = x^h gamma_ratio(x, h), where the last factor tends to 1 as x grows; x^h is simplified with the
-factors beside it. Functions named here are those of NumPy and of `symcheck.runtime`.
+factors beside it. Functions named here are those of NumPy and of `symcheck.ratios`.
 """
 
 from __future__ import annotations

@@ -7,14 +7,16 @@ expressions that come out are compared.
 from __future__ import annotations
 
 import ast
-from collections.abc import Callable, Iterator
+import math
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from functools import partial
-from typing import Any, ClassVar, NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 import sympy as sp
 
+from symcheck.codegen.expression import MATH
 from symcheck.codegen.program import UNARY
 from symcheck.codegen.special import RUNTIME
 from symcheck.selftest.kernel_truth import Case, Truth
@@ -35,8 +37,9 @@ SYMBOLIC: dict[str, Callable[..., Any]] = {
     "negative": lambda x: -x,
     "positive": lambda x: x,
 }
+OF_MATH = {name: function for function, name in MATH.items()}
 UFUNCS = {name: getattr(np, name) for name in SYMBOLIC if hasattr(np, name)}
-EXPRESSION, IN_PLACE, NUMBERS = "expression", "block", "numbers"
+EXPRESSION, CALLED, IN_PLACE, FEW = "expression", "call", "block", "block for few"
 
 
 class Mutant(NamedTuple):
@@ -53,31 +56,42 @@ class Mutant(NamedTuple):
 
 
 class Forms:
-    """The expression of a kernel, its call on numbers and its block, as trees of which one token can be changed."""
+    """The expression of a kernel, its call on numbers and its blocks, as trees of which one token can be changed."""
 
     def __init__(self, case: Case) -> None:
         self.case = case
         functions = {node.name: node for node in ast.parse(case.text).body if isinstance(node, ast.FunctionDef)}
         whole = functions[case.name]
         (attempt,) = [node for node in ast.walk(whole) if isinstance(node, ast.Try)]
-        whole.body = attempt.body  # without the way out for what `math` does not take
-        forms = (EXPRESSION, f"_{case.name}"), (IN_PLACE, f"_{case.name}_block"), (NUMBERS, case.name)
-        self._trees = {form: functions[name] for form, name in forms}
+        (numbers, _) = [node for node in attempt.body if isinstance(node, ast.If)]
+        whole.body = numbers.body  # without arrays, and the way out for what `math` does not take
+        names = {
+            EXPRESSION: f"_{case.name}",
+            CALLED: case.name,
+            IN_PLACE: f"_{case.name}_block",
+            FEW: f"_{case.name}_few",
+        }
+        self._trees = {form: functions[name] for form, name in names.items() if name in functions}
         self._inputs = [argument.name for argument in case.kernel.arguments]
         values = list(case.made.program.outputs.values())
         firsts = list(dict.fromkeys(values))
         self._order = [firsts.index(value) for value in values]
 
+    @property
+    def forms(self) -> list[str]:
+        """What a kernel has; one whose angles are not acute has one block for all sizes."""
+        return list(self._trees)
+
     def mutants(self) -> Iterator[Mutant]:
         """All mutants; the trees stand as they are."""
         for form, tree in self._trees.items():
-            known = [each.arg for each in tree.args.args] if form == IN_PLACE else list(self._inputs)
+            known = [each.arg for each in tree.args.args] if form in (IN_PLACE, FEW) else list(self._inputs)
             for statement in (*tree.args.defaults, *tree.body):
                 line = ast.unparse(statement)
                 for node, field, value in _changes(statement, known):
                     yield Mutant(form, line, node, field, value)
                 if isinstance(statement, ast.Assign) and isinstance(statement.targets[0], ast.Name):
-                    known.append(statement.targets[0].id)
+                    known += [statement.targets[0].id] if statement.targets[0].id not in known else []
 
     def survives(self, mutant: Mutant, truth: Truth) -> bool:
         """Whether the values at some points are right with a mutant's token."""
@@ -90,11 +104,11 @@ class Forms:
         with np.errstate(all="ignore"):
             try:
                 function = self._compiled(form, UFUNCS | self.case.module)
-                results = self._runs[form](self, function, inputs)
+                results = [*self._results(form, function, inputs)]
             except (ArithmeticError, AttributeError, NameError, TypeError, ValueError):
                 return False
         kept = all(np.array_equal(x, y) for x, y in zip(inputs, truth.points, strict=True))
-        return kept and bool((truth.error(results) <= self.case.kernel.ulp).all())
+        return kept and all((truth.error(each) <= self.case.kernel.ulp).all() for each in results)
 
     def equivalent(self, mutant: Mutant) -> bool:
         """Whether the mutant means what the kernel means, for all arguments."""
@@ -102,39 +116,34 @@ class Forms:
             changed = self._meaning(mutant.form)
         return all(sp.expand(x - y) == 0 for x, y in zip(changed, self._meaning(mutant.form), strict=True))
 
-    def _expression(self, function: Any, inputs: list[Any]) -> list[Any]:
-        results = function(*inputs)
-        values = results if isinstance(results, tuple) else (results,)
-        return [np.broadcast_to(value, inputs[0].shape) for value in values]
-
-    def _block(self, function: Any, inputs: list[Any]) -> list[Any]:
-        rows = [np.full(inputs[0].shape, np.nan) for _ in self._trees[IN_PLACE].args.args[len(inputs) :]]
+    def _results(self, form: str, function: Any, inputs: list[Any]) -> Iterator[Sequence[Any]]:
+        """The outputs at some points, of a block in arrays of its own and in those it is given."""
+        if form in (EXPRESSION, CALLED):
+            rows = [np.atleast_1d(function(*point)) for point in zip(*(x.tolist() for x in inputs), strict=True)]
+            yield list(np.array(rows).T)
+            return
+        yield [np.broadcast_to(np.asarray(x, float), inputs[0].shape) for x in _each(function(*inputs))]
+        rows = [np.full(inputs[0].shape, np.nan) for _ in self._rows(form)]
         function(*inputs, *rows)
-        return [rows[k] for k in self._order]
+        yield [rows[k] for k in self._order]
 
-    def _numbers(self, function: Any, inputs: list[Any]) -> list[Any]:
-        rows = [np.atleast_1d(function(*point)) for point in zip(*(x.tolist() for x in inputs), strict=True)]
-        return list(np.array(rows).T)
-
-    _runs: ClassVar[dict[str, Callable[..., list[Any]]]] = {
-        EXPRESSION: _expression,
-        IN_PLACE: _block,
-        NUMBERS: _numbers,
-    }
+    def _rows(self, form: str) -> list[str]:
+        """The arrays that a block writes; the numbers stand behind them."""
+        arguments = self._trees[form].args
+        own = zip(arguments.args[len(self._inputs) :], arguments.defaults, strict=True)
+        return [name.arg for name, value in own if isinstance(value, ast.Constant)]
 
     def _meaning(self, form: str) -> list[Any]:
         """The outputs of one form as expressions of the arguments."""
         symbols = [sp.Symbol(argument.name, real=True) for argument in self.case.kernel.arguments]
-        space: dict[str, Any] = SYMBOLIC | {"np": _Ufuncs(), "math": _Ufuncs()}
-        if form != IN_PLACE:
+        space: dict[str, Any] = SYMBOLIC | {"math": _Ufuncs(), "array": lambda x: x}
+        if form in (EXPRESSION, CALLED):
             self._compiled(EXPRESSION, space)
-            results = self._compiled(form, space)(*symbols)
-            return [_exact(x) for x in (results if isinstance(results, tuple) else (results,))]
-        later = [each.arg for each in self._trees[form].args.args[len(symbols) :]]
-        rows = [_Row(sp.Symbol(f"before_{name}")) for name in later]
-        written = {name: partial(_written, SYMBOLIC[name]) for name in RUNTIME}
-        self._compiled(form, space | written)(*map(_Row, symbols), *rows)
-        return [_exact(rows[k].value) for k in self._order]
+            return [_exact(x) for x in _each(self._compiled(form, space)(*symbols))]
+        rows = [_Row(sp.Symbol(f"before_{name}")) for name in self._rows(form)]
+        written = {name: partial(_written, function) for name, function in SYMBOLIC.items()}
+        results = _each(self._compiled(form, space | written)(*map(_Row, symbols), *rows))
+        return [_exact(_held(x)) for x in (*results, *(rows[k] for k in self._order))]
 
     def _compiled(self, form: str, space: dict[str, Any]) -> Any:
         tree = self._trees[form]
@@ -148,29 +157,22 @@ class _Row:
     def __init__(self, value: Any) -> None:
         self.value = value
 
-    def __setitem__(self, everything: Any, value: Any) -> None:
-        self.value = _held(value)
-
 
 def _written(function: Callable[..., Any], *operands: Any) -> Any:
     """A call on registers, of which the last is written, or on expressions."""
     if not isinstance(operands[-1], _Row):
         return function(*operands)
     operands[-1].value = function(*map(_held, operands[:-1]))
-    return None
+    return operands[-1]
 
 
 class _Ufuncs:
-    """NumPy and `math` for symbols."""
+    """`math` for symbols."""
 
     pi, e = sp.pi, sp.E
 
-    @staticmethod
-    def array(x: Any) -> Any:
-        return x
-
     def __getattr__(self, name: str) -> Callable[..., Any]:
-        return partial(_written, SYMBOLIC[name])
+        return SYMBOLIC[OF_MATH.get(name, name)]
 
 
 @contextmanager
@@ -194,8 +196,10 @@ def _changes(statement: Any, known: list[str]) -> Iterator[tuple[Any, str, Any]]
         elif isinstance(node, ast.UnaryOp):
             yield node, "op", ast.UAdd()
         elif isinstance(node, ast.Attribute):
-            others = {"pi": ("e",), "array": ()}.get(node.attr, _others(node.attr))
-            yield from ((node, "attr", name) for name in others)
+            others = (
+                ["e"] if node.attr == "pi" else [MATH.get(x, x) for x in _others(OF_MATH.get(node.attr, node.attr))]
+            )
+            yield from ((node, "attr", name) for name in others if hasattr(math, name))
         elif isinstance(node, ast.Name) and id(node) in called and node.id in SYMBOLIC:
             yield from ((node, "id", name) for name in _others(node.id))
         elif isinstance(node, ast.Name) and isinstance(node.ctx, ast.Load) and node.id in known:
@@ -211,6 +215,10 @@ def _others(function: str) -> list[str]:
 
 def _token(value: Any) -> str:
     return type(value).__name__ if isinstance(value, ast.AST) else str(value)
+
+
+def _each(results: Any) -> tuple[Any, ...]:
+    return results if isinstance(results, tuple) else (results,)
 
 
 def _held(x: Any) -> Any:

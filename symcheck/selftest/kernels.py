@@ -12,7 +12,7 @@ from random import Random
 import numpy as np
 
 from symcheck.evidence.record import Record
-from symcheck.selftest.kernel_mutants import EXPRESSION, IN_PLACE, NUMBERS, Forms, Mutant
+from symcheck.selftest.kernel_mutants import SYMBOLIC, Forms, Mutant
 from symcheck.selftest.kernel_points import crowded_points, random_points
 from symcheck.selftest.kernel_truth import Case, Truth, cases
 from symcheck.selftest.trial import Fate, FaultClass, Trial, mixed
@@ -35,15 +35,15 @@ def kind(mutant: Mutant) -> str:
     """Which kind of token is changed."""
     if isinstance(mutant.node, ast.Constant) or mutant.value == "e":
         return "constant"
-    called = isinstance(mutant.node, ast.BinOp | ast.UnaryOp | ast.Attribute)
-    return "operator" if called else "operand"
+    operator = isinstance(mutant.node, ast.BinOp | ast.UnaryOp | ast.Attribute) or mutant.value in SYMBOLIC
+    return "operator" if operator else "operand"
 
 
 def trials(place: str, count: int, rng: Random) -> Iterator[Trial]:
-    """One kernel: its three forms as they are, and so many tokens changed."""
+    """One kernel: its forms as they are, and so many tokens changed."""
     case = cases()[place]
     found, truth, by_kind = _prepared(case)
-    for form in (EXPRESSION, IN_PLACE, NUMBERS):
+    for form in found.forms:
         yield Trial("as it is", f"{place} {form}", Fate.KEPT if found.right(form, truth) else Fate.FALSELY_REJECTED)
     for mutant in islice(mixed(by_kind, rng), count):
         yield Trial(kind(mutant), f"{place} {mutant}", fate(found, mutant, truth))
