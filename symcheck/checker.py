@@ -12,6 +12,7 @@ A denominator is non-zero by a hypothesis or in "nonzero". Irrational numbers at
 
 import gc
 import json
+import os
 import re
 import sys
 from collections.abc import Callable
@@ -23,6 +24,7 @@ from symcheck.residues import Reject, chance, polynomials, require
 from symcheck.theorems import BINDING, CONSTANTS, OPAQUE, THEOREMS, Terms, Theorem, Unknown, conjuncts, contrary, sides
 
 SCHEMA, MAX_DEGREE = 1, 1 << 60  # of a definition; powers and the length of a file add 2^40 at most
+UNKNOWN = ("", 0, None)  # no assumption
 RELATIONS = {"=": {0}, "!=": {-1, 1}, "<": {-1}, "<=": {-1, 0}, ">": {1}, ">=": {0, 1}}  # signs of left - right
 CHOSEN = ("sin_", "cos_", "sqrt_")  # letters whose values are not free begin so
 
@@ -48,19 +50,25 @@ class Algebra(Terms):
         self.divisors: dict[int, bool] = {}  # value -> whether it depends on letters or functions
 
     def value(self, term: Any) -> int:
-        """The value of a term; sums are not reduced modulo the prime."""
+        """The value of a term; sums and products are not reduced modulo the prime."""
         values, kind = self.values, type(term)
         if kind is str:
             return values[term] if term in values else self.named(term)
         if kind is int:
             return term  # type: ignore[no-any-return]
-        sign, *parts = term
+        sign = term[0]
         if sign == "*" or sign == "+":
-            parts = [values[t] if type(t) is str and t in values else self.value(t) for t in parts]
-            return prod(parts) % self.prime if sign == "*" else sum(parts)
+            times = sign == "*"
+            result = int(times)
+            for t in term[1:]:
+                value = values[t] if type(t) is str and t in values else self.value(t)
+                result = result * value if times else result + value
+            return result
+        if sign == "^" and term[2] == 2 and type(term[2]) is int and type(term[1]) is str and len(term) == 3:
+            return self.value(term[1]) ** 2  # most powers are so
         if sign not in OPERATIONS:
             raise Reject(f"the term {term!r}")
-        return OPERATIONS[sign](self, *parts)
+        return OPERATIONS[sign](self, *term[1:])
 
     def named(self, name: str) -> int:
         """The value of a letter, or of what a defined name stands for."""
@@ -90,8 +98,6 @@ class Algebra(Terms):
         return self.value(self.atoms[name]) if name in self.atoms else self.chance.letter(name)
 
     def power(self, base: Any, exponent: int) -> int:
-        if exponent == 2 and type(exponent) is int and type(base) is str:  # most are so
-            return self.value(base) ** 2 % self.prime
         size = abs(exponent)
         require(type(exponent) is int and self.exponent * size < 1000, "the exponent {}", exponent)
         self.exponent *= size or 1
@@ -219,10 +225,11 @@ class Checker:
         if reference[0] == "positive" and ">" in signs:
             require(self.sign(reference[1]) == 2, "{} is not manifestly positive", reference[1])
             return self.algebra.value(reference[1])
-        sign, value, _ = self.state.get(tuple(reference), ("", 0, 0))
+        reference = tuple(reference)
+        sign, value, _ = self.state.get(reference, UNKNOWN)
         require(sign in signs, "{} is no such assumption", reference)
-        self.used.add(tuple(reference))
-        return int(value)
+        self.used.add(reference)
+        return value  # type: ignore[no-any-return]
 
     def combination(self, value: Any, proof: Any, what: str) -> None:
         """The value, times denominators and things that are not zero, is the sum of cofactors times facts."""
@@ -247,8 +254,10 @@ class Checker:
             case ["+", *parts]:
                 result = max(levels := [self.sign(part) for part in parts]) * all(levels)
             case ["*", *parts]:  # equal factors pair up to squares
-                single = [t for k, t in enumerate(parts) if parts.count(t) % 2 and t not in parts[:k]]
-                result = min([1 if len(single) < len(parts) else 2, *(self.sign(t) for t in single)])
+                single: list[Any] = []
+                for t in parts:
+                    (single.remove if t in single else single.append)(t)
+                result = min([1 if len(single) < len(parts) else 2, *map(self.sign, single)])
             case ["/", top, bottom]:
                 result = min(self.sign(top), 2 * bool(self.sign(bottom)))
             case ["^", base, int(n)] if n > 0:
@@ -257,10 +266,11 @@ class Checker:
             return result
         value = self.algebra.value(term) % self.algebra.prime
         for reference, (sign, other, _) in self.state.items():
-            if sign in (">", ">=") and value == other:
+            if value == other and sign in (">", ">="):
                 self.used.add(reference)
                 return 3 - len(sign)
-        return self.sign(self.algebra.definitions[term]) if str(term) in self.algebra.definitions else 0
+        defined = type(term) is str and term in self.algebra.definitions
+        return self.sign(self.algebra.definitions[term]) if defined else 0
 
     def theorem(self, goal: Any, name: str, *given: Any) -> Theorem:
         """One of the theorems that are taken for granted, if its letters are free for it."""
@@ -343,9 +353,9 @@ class Checker:
         known = [(name, value) for name, (sign, value, _) in self.state.items() if value and sign in ("!=", ">")]
         for divisor in (value for value, varies in algebra.divisors.items() if varies):
             inverse = algebra.chance.inverse(divisor)
-            by = [name for name, value in known if value == divisor or algebra.chance.rational(value * inverse)]
-            self.used.update(by[:1])
+            by = next((name for name, value in known if algebra.chance.rational(value * inverse)), None)
             require(by or divisor in self.listed or divisor in self.positive, "a denominator may be zero")
+            self.used.add(by)
         require(self.used >= self.hypotheses.keys(), "a hypothesis is not used")
 
     def check_point(self, goal: Any, point: Any) -> None:
@@ -453,8 +463,11 @@ def unsupported(each: dict[str, Any], proved: list[dict[str, Any]]) -> str | Non
     return "a lemma is not proved, or under other hypotheses or definitions" if missing else None
 
 
-def main(arguments: list[str]) -> int:
-    """Checks the files named, or those in the folders named: 0 all hold, 1 some do not, 2 a file cannot be read."""
+def main(arguments: list[str], end: Callable[[int], int] = int) -> int:
+    """Checks the files named, or those in the folders named: 0 all hold, 1 some do not, 2 a file cannot be read.
+
+    `end` may end the process: to clear the memory up would take longer than many a certificate.
+    """
     results: list[tuple[str, str, str | None]] = []
     for path in [p for a in arguments for p in sorted(glob(escape(a) + "/*.json")) or [a]] or ["certificates"]:
         try:
@@ -469,10 +482,10 @@ def main(arguments: list[str]) -> int:
             return 2
     failures = [f"{path}: {identifier}: {reason}" for path, identifier, reason in results if reason]
     summary = f"{len(failures)} do not hold" if failures else "all hold"
-    print(*failures, f"{len(results)} certificates, {summary}", sep="\n")
-    return int(bool(failures))
+    print(*failures, f"{len(results)} certificates, {summary}", sep="\n", flush=True)
+    return end(bool(failures))
 
 
 if __name__ == "__main__":
     gc.disable()  # nothing is thrown away before the end
-    sys.exit(main(sys.argv[1:]))
+    sys.exit(main(sys.argv[1:], os._exit))

@@ -73,8 +73,8 @@ class Chance:
         """(n, d) with d > 0 if n/d in lowest terms has this value; None if there are none below HEIGHT."""
         a, b, u, v = self.prime, value % self.prime, 0, 1
         while b >= HEIGHT:
-            q = a // b
-            a, b, u, v = b, a - q * b, v, u - q * v
+            q, rest = divmod(a, b)
+            a, b, u, v = b, rest, v, u - q * v
         return None if abs(v) >= HEIGHT else (b, v) if v > 0 else (-b, -v)
 
     def root(self, number: tuple[int, int] | None) -> int:

@@ -56,17 +56,19 @@ class Terms:
 
     def degree(self, term: Any) -> int:
         """A bound of the degree, definitions having one already."""
-        if not isinstance(term, list):
-            return self.degrees.get(term, 1) if isinstance(term, str) else 0
+        if type(term) is not list:
+            return self.degrees.get(term, 1) if type(term) is str else 0
         return abs(term[2]) * self.degree(term[1]) if term[0] == "^" else sum(map(self.degree, term[1:]))
 
     def names(self, term: Any) -> set[str]:
         """The letters a term or formula depends on, definitions unfolded."""
-        if isinstance(term, str):
+        if type(term) is str:
             return self.names(self.definition(term)) if term in self.definitions else {term}
-        if isinstance(term, (list, tuple)) and term and term[0] in BINDING:
+        if type(term) is int or not term:
+            return set()
+        if term[0] in BINDING:
             return (self.names(term[1]) - {term[2]}).union(*map(self.names, term[3:]))
-        return set().union(*map(self.names, term[1:])) if isinstance(term, (list, tuple)) else set()
+        return set().union(*map(self.names, term[1:]))
 
     def exact(self, term: Any) -> bool:
         """Whether a term is a number made of whole numbers and roots: its residue tells whether it is zero."""

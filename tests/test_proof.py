@@ -9,13 +9,15 @@ import pytest
 from saboteurs import unsound
 from statements import DISTINCT, DISTINCT_AS_PRINTED, FALSE, ORTHOGONAL, RIGHT, TRUE, J, L, eq, mul, over, sq, sub
 
-from symcheck.checker import check
+from symcheck import kernels
+from symcheck.checker import Checker, check
 from symcheck.proof import cases, certificate, equivalent, existence, identity, nonnegative
 from symcheck.proof.groebner import Basis, is_basis
 from symcheck.proof.ideal import Ideal
 from symcheck.proof.knowledge import ring_of, starting
 from symcheck.proof.orders import positive_form
 from symcheck.proof.polynomial import Ring, Unsupported, square_free
+from symcheck.proof.pruning import without
 from symcheck.selftest.methods import SABOTEURS
 from symcheck.statement import Certificate, Method, Problem, Verdict
 
@@ -60,6 +62,42 @@ def test_only_the_hypotheses_used_are_listed() -> None:
     assert identity.decide(BY_ID["2.12"]).used == ("orthogonal",)
     assert identity.decide(BY_ID["2.11 without squares"]).used == ("right-handed",)
     assert set(evidence(BY_ID["2.12"])["hypotheses"]) == {"orthogonal"}
+
+
+class Attentive(Checker):
+    """Notes the factors of products whose vanishing a proof assumes and makes no use of."""
+
+    def __init__(self, stated: Certificate) -> None:
+        super().__init__(stated)
+        self.assumed, self.idle = 0, list[str]()
+
+    def branch(self, goal: object, proof: object, assumed: object = ("and",), fact: str = "") -> None:
+        number = "here", len(self.state) - len(self.hypotheses)
+        self.used.discard(number)
+        super().branch(goal, proof, assumed, fact)
+        self.assumed += bool(fact)
+        self.idle += [fact] if fact and number not in self.used else []
+
+
+@pytest.mark.parametrize("paper", ["mirer2009", "esenkov2006", "poloskov2004"])
+def test_every_case_of_a_proof_uses_what_it_assumes(paper: str) -> None:
+    text = (kernels.folder() / "certificates" / f"{paper}.json").read_text(encoding="utf-8")
+    checkers = []
+    for stated in json.loads(text)["certificates"]:
+        if stated["verdict"] == "proved":
+            checkers.append(Attentive(stated))
+            checkers[-1].check_proof(stated["claim"], stated["proof"])
+    assert sum(checker.assumed for checker in checkers) > 0
+    assert [checker.idle for checker in checkers if checker.idle] == []
+
+
+def test_a_proof_does_without_an_assumption_that_it_does_not_refer_to() -> None:
+    proof = {"rule": "identity", "times": [["here", 4]], "cofactors": [[["here", 1], "x"], [["hyp", "h", 0], "2"]]}
+    shorter = {**proof, "times": [["here", 2]]}
+    assert without(proof, [2, 3]) == shorter
+    assert without(proof, [5]) == proof
+    assert without(proof, [1]) is None
+    assert without({"rule": "each", "parts": [shorter, proof]}, [4]) is None
 
 
 def test_pairwise_distinct_is_more_than_the_printed_chain() -> None:

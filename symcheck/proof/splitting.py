@@ -13,6 +13,7 @@ from symcheck.proof.ideal import Fact, Ideal, Ref
 from symcheck.proof.knowledge import Knowledge, hints_of, proportional, starting
 from symcheck.proof.orders import fraction_form, positive_form, prove_order, term_of
 from symcheck.proof.polynomial import Poly, Ring, fraction
+from symcheck.proof.pruning import without
 from symcheck.proof.theorem_search import has_functions, prove_with_theorems
 from symcheck.proof.witnesses import prove_existence
 from symcheck.statement import Certificate, Formula, Problem, Term
@@ -370,7 +371,8 @@ class _Engine:
             known = place.known.assume(("and", *(("=", addend, 0) for addend in form[1:])))
             then = self.search(goal, known, place)
             step = {"form": form, "cofactors": written(cofactors), "given": list(map(list, given))}
-            return _wrap("vanish", **step, then=then), True
+            added = range(place.known.count, known.count)
+            return (then and without(then, added)) or _wrap("vanish", **step, then=then), True
         return None, False
 
     def _shorten(self, goal: Formula, place: _Place) -> Certificate | None:
@@ -384,8 +386,8 @@ class _Engine:
                 seen.add(str(product.radical))
         place.shorter = []
         proof = self.search(goal, known, place)
-        for product in reversed(steps):
-            proof = product.split([product.radical], product.cofactors(), [proof])
+        for number, product in reversed([*enumerate(steps, place.known.count)]):
+            proof = product.split([product.radical], product.cofactors(), [proof], number)
         return proof
 
     def _from_basis(self, goal: Formula, place: _Place) -> Certificate | None:
@@ -404,7 +406,7 @@ class _Engine:
             if len(product.factors) > 1:
                 return self._cases(goal, place, product, cofactors)
             then = self.search(goal, place.known.with_fact(product.radical), place)
-            return product.split([product.radical], cofactors, [then])
+            return product.split([product.radical], cofactors, [then], place.known.count)
         return None
 
     def _alternatives(self, goal: Formula, place: _Place) -> Attempt:
@@ -434,7 +436,9 @@ class _Engine:
             if (proof := self.search(goal, place.known.with_fact(factor), place)) is None:
                 return None
             cases.append(proof)
-        return product.split(product.factors, cofactors, cases)
+            if without(proof, [place.known.count]) is not None:  # the other cases are like this one
+                break
+        return product.split(product.factors, cofactors, cases, place.known.count)
 
 
 def _opposite_signs(known: Knowledge) -> Certificate | None:
@@ -510,11 +514,17 @@ class _Product:
         return [(self.fact[0], divmod(self.whole(), self.fact[1])[0])]
 
     def split(
-        self, bases: Sequence[Poly], cofactors: list[Fact], cases: list[Certificate | None]
+        self, bases: Sequence[Poly], cofactors: list[Fact], cases: list[Certificate | None], number: int
     ) -> Certificate | None:
-        """The rule "split": one of the bases is zero; with one base that is a derivation, not a case."""
+        """The rule "split": one of the bases is zero; with one base that is a derivation, not a case.
+
+        A case that does without what is assumed there, under that number, is a proof by itself.
+        """
         if None in cases:
             return None
+        shorter: list[Certificate | None] = [without(case, [number]) for case in cases]
+        if any(shorter):
+            return next(filter(None, shorter))
         factors = [[str(base), self.power] for base in bases]
         return {"rule": "split", "factors": factors, **self.grounds(cofactors), "cases": cases}
 
