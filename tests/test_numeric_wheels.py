@@ -263,6 +263,15 @@ def test_a_set_with_parallel_axes_changes_no_other_set(engine: str) -> None:
         assert wheels.face_distances(axes, engine=engine)[place] == pytest.approx(one.distances, rel=1e-14)
 
 
+@pytest.mark.parametrize("engine", ["numpy", "numba"])
+def test_no_sets_have_no_half_spaces(engine: str) -> None:
+    if engine != "numpy":
+        pytest.importorskip(engine)
+    axes = np.empty((2, 0, 4, 3))
+    assert [each.shape for each in wheels.half_spaces(axes, engine=engine)] == [(2, 0, 6, 3), (2, 0, 6), (2, 0, 3)]
+    assert wheels.face_distances(axes, engine=engine).shape == (2, 0, 6)
+
+
 def test_a_number_for_all_wheels_is_checked_in_every_call_and_cannot_be_changed() -> None:
     given = wheels.wheels_of(np.eye(3), 1.0, 1)
     for shared in (given.limits, given.bias):

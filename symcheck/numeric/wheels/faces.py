@@ -85,8 +85,8 @@ def half_spaces(
     wheels = wheels_of(axes, limits, bias)
     wheels = _completed(wheels) if complete else wheels
     normals, distances = _found(wheels, True, engine)
-    lead = wheels.limits.shape[:-1]
-    return HalfSpaces(normals.transpose(0, 2, 1).reshape(*lead, -1, 3), distances.reshape(*lead, -1), wheels.centre)
+    shape = (*wheels.limits.shape[:-1], distances.shape[1])
+    return HalfSpaces(normals.transpose(0, 2, 1).reshape(*shape, 3), distances.reshape(shape), wheels.centre)
 
 
 @gufunc("(n,axis),(n)->(pair)", pair=_number_of_pairs)
@@ -102,7 +102,8 @@ def face_distances(axes: ArrayLike, limits: ArrayLike = 1.0, *, engine: str = "n
     np.float64(1.77073)
     """
     wheels = wheels_of(axes, limits)
-    return _found(wheels, False, engine)[1].reshape(*wheels.limits.shape[:-1], -1)
+    _, distances = _found(wheels, False, engine)
+    return distances.reshape(*wheels.limits.shape[:-1], distances.shape[1])
 
 
 def _completed(wheels: Wheels) -> Wheels:
