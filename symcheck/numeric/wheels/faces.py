@@ -173,16 +173,19 @@ def _of_block(
     left, right = rows.take(_operands(count), axis=0, out=operands, mode="clip")  # clip: else through a copy
     cross, less = np.multiply(left, right, left)
     np.subtract(cross, less, cross)
-    length, *others = np.multiply(cross, cross, less)
-    for other in others:
-        np.add(length, other, length)
+    length, second, third = np.multiply(cross, cross, less)
+    np.add(length, second, length)
+    np.add(length, third, length)
     np.sqrt(length, length)
     some = length.min(initial=np.inf) <= parallel
     if some:
         same = length <= parallel
         length[same] = np.inf
     np.divide(cross, length, cross)
-    normals = np.positive(cross.transpose(2, 0, 1), normals, order="C")
+    if normals is None:
+        normals = np.ascontiguousarray(cross.transpose(2, 0, 1))
+    else:
+        np.copyto(normals, cross.transpose(2, 0, 1))
     heights = np.matmul(axes, normals, heights)
     np.abs(heights, heights)
     distances = np.matmul(limits[:, None], heights)[:, 0]
