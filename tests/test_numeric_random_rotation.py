@@ -339,12 +339,18 @@ def test_paths_are_those_of_the_formulas(engine: str) -> None:
 
 @pytest.mark.parametrize("engine", ENGINES)
 def test_a_path_depends_on_its_number_alone(engine: str) -> None:
-    start = np.random.default_rng(0).uniform(-1.5, 1.5, (5_000, 3))
+    start = np.random.default_rng(0).uniform(-1.5, 1.5, (18_000, 3))  # 71 streams, in two pieces for one worker
     whole = simulated(start, engine=engine, every=5)
-    np.testing.assert_array_equal(simulated(start, engine=engine, every=5, workers=2), whole)
-    for begin, end in ((0, 1), (0, 3_000), (255, 257), (2_048, 4_096), (4_999, 5_000)):
+    for workers in (2, 4, 100):
+        np.testing.assert_array_equal(simulated(start, engine=engine, every=5, workers=workers), whole)
+    for begin, end in ((0, 1), (0, 3_000), (255, 257), (2_048, 14_096), (17_999, 18_000)):
         piece = simulated(start[begin:end], engine=engine, every=5, first=begin)
         np.testing.assert_array_equal(piece, whole[:, begin:end])
+
+
+@pytest.mark.parametrize("engine", ENGINES)
+def test_no_paths_are_no_error(engine: str) -> None:
+    assert simulated(np.empty((0, 3)), engine=engine, every=5, workers=2).shape == (4, 0, 3)
 
 
 @pytest.mark.parametrize("engine", ENGINES)

@@ -244,6 +244,47 @@ def test_many_sets_are_each_set() -> None:
     assert wheels.volume(axes, limits)[3, 299] == pytest.approx(float(wheels.volume(axes[3, 299], limits[299])))
 
 
+@pytest.mark.parametrize("engine", ["numpy", "numba"])
+def test_a_set_with_parallel_axes_changes_no_other_set(engine: str) -> None:
+    if engine != "numpy":
+        pytest.importorskip(engine)
+    axes = random_axes(6, sets=(1200,))  # more than a block, and the last block is not full
+    parallel = {0: (0, 1), 545: (2, 4), 546: (0, 1), 1199: (4, 5)}
+    for place, (first, second) in parallel.items():
+        axes[place, second] = -axes[place, first]
+    found = wheels.half_spaces(axes, engine=engine)
+    pairs = list(combinations(range(6), 2))
+    infinite = {(int(place), pairs[pair]) for place, pair in np.argwhere(np.isinf(found.distances))}
+    assert infinite == set(parallel.items())
+    for place in (*parallel, 1, 544, 1000, 1198):
+        one = wheels.half_spaces(axes[place], engine=engine)
+        assert found.normals[place] == pytest.approx(one.normals, abs=1e-15)
+        assert found.distances[place] == pytest.approx(one.distances, rel=1e-14)
+        assert wheels.face_distances(axes, engine=engine)[place] == pytest.approx(one.distances, rel=1e-14)
+
+
+@pytest.mark.parametrize("engine", ["numpy", "numba"])
+def test_no_sets_have_no_half_spaces(engine: str) -> None:
+    if engine != "numpy":
+        pytest.importorskip(engine)
+    axes = np.empty((2, 0, 4, 3))
+    assert [each.shape for each in wheels.half_spaces(axes, engine=engine)] == [(2, 0, 6, 3), (2, 0, 6), (2, 0, 3)]
+    assert wheels.face_distances(axes, engine=engine).shape == (2, 0, 6)
+
+
+def test_a_number_for_all_wheels_is_checked_in_every_call_and_cannot_be_changed() -> None:
+    given = wheels.wheels_of(np.eye(3), 1.0, 1)
+    for shared in (given.limits, given.bias):
+        with pytest.raises(ValueError, match="read-only"):
+            shared[0] = 2
+    for number in (True, np.nan, "1"):
+        with pytest.raises(ValueError, match="limits = "):
+            wheels.wheels_of(np.eye(3), number)  # type: ignore[arg-type]
+    for _ in range(2):
+        with pytest.raises(ValueError, match=r"limits = -1.* not be negative"):
+            wheels.wheels_of(np.eye(3), -1.0)
+
+
 @pytest.mark.parametrize("whole", DEGENERATE.values(), ids=DEGENERATE)
 def test_engines_agree(whole: Whole) -> None:
     pytest.importorskip("numba")
@@ -464,6 +505,9 @@ def test_a_design_broadcasts_and_its_margins_are_those_of_its_axes() -> None:
 BODY, SLOW = [1000, 1600, 800], [0, 0, 0]
 UNFIT: dict[str, tuple[Callable[[], Any], str]] = {
     "no unit vector": (lambda: wheels.half_spaces([[1, 0, 0], [0, 2, 0]]), r"axes\[1\] = .*length 1.*\(2\.1\)"),
+    "axis not finite": (lambda: wheels.half_spaces([[1, 0, 0], [0, np.nan, 0]]), r"axes\[1\] = .*nan.*be finite"),
+    "axis without end": (lambda: wheels.envelope([[1, 0, 0], [np.inf, 0, 0]]), r"axes\[1\] = .*inf.*be finite"),
+    "axis out of range": (lambda: wheels.half_spaces([[1e200, 0, 0], [0, 1, 0]]), r"axes\[0\] = .*1.e.200.*length 1"),
     "negative limit": (lambda: wheels.envelope(np.eye(3), [1, -1, 1]), r"limits\[1\] = .*-1.*not be negative"),
     "wrong number of limits": (lambda: wheels.half_spaces(np.eye(3), [1, 1]), "limits has shape .*3 wheels"),
     "shapes": (lambda: wheels.half_spaces(random_axes(4, sets=(2,)), np.ones((3, 4))), "must broadcast"),

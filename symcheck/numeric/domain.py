@@ -19,6 +19,13 @@ def real(name: str, value: ArrayLike, shape: tuple[int | None, ...] = ()) -> Arr
 
     ValueError if it is not an array of finite real numbers, or its last axes are others.
     """
+    array = doubles(name, value, shape)
+    require(np.isfinite(array), name, array, "be finite")
+    return array
+
+
+def doubles(name: str, value: ArrayLike, shape: tuple[int | None, ...] = ()) -> Array:
+    """`real` for a caller whose own condition no NaN and no infinity satisfies: these pass here."""
     try:
         array = np.asarray(value)
         if array.dtype.kind not in "iuf":
@@ -27,18 +34,21 @@ def real(name: str, value: ArrayLike, shape: tuple[int | None, ...] = ()) -> Arr
     except (TypeError, ValueError):
         raise ValueError(f"{name} = {shortened(value)} is no array of real numbers") from None
     last = array.shape[array.ndim - len(shape) :]
-    if len(last) < len(shape) or any(asked not in (None, found) for asked, found in zip(shape, last, strict=True)):
+    if last != shape and (len(last) < len(shape) or any(map(_differs, shape, last))):
         words = ", ".join("n" if asked is None else str(asked) for asked in shape)
         raise ValueError(f"{name} has shape {array.shape}; its last axes must be ({words})")
-    require(np.isfinite(array), name, array, "be finite")
     return array
+
+
+def _differs(asked: int | None, found: int) -> bool:
+    return asked is not None and asked != found
 
 
 def require(holds: Any, name: str, value: Any, condition: str, source: str = "") -> None:
     """ValueError naming the first value for which `holds` is not true: "I = ... must ... (source)"."""
-    holds = np.asarray(holds)
-    if holds.all():
+    if np.count_nonzero(holds) == holds.size if isinstance(holds, np.ndarray) else holds:  # all() takes twice as long
         return
+    holds = np.asarray(holds)
     value = np.asarray(value)
     place = tuple(int(k) for k in np.argwhere(~holds)[0])
     shown = value[place] if value.ndim >= len(place) and value.shape[: len(place)] == holds.shape else value

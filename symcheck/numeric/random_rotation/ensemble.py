@@ -20,7 +20,8 @@ from symcheck.numeric.random_rotation.scheme import scheme
 from symcheck.numeric.random_rotation.torques import RandomTorques
 
 LANES = 256  # paths that share a generator
-TOGETHER = 16  # streams that are advanced together: what belongs to 4,096 paths stays in the cache
+TOGETHER = 40  # streams at most that are advanced together: what a step needs of 10,240 paths stays in the cache
+FEWEST = 16  # streams of a piece that is made for another worker: with fewer, NumPy's threads wait for one another
 ENGINES = ("numpy", "numba")  # <engine>_engine.py, which needs the package of that name
 
 
@@ -83,10 +84,10 @@ def simulate(
     state, before = _in_lanes(velocities, whole("first", first, 0))
     generators = _generators(whole("seed", seed, 0), first // LANES, state.shape[1])
     records = np.empty((steps // every, *state.shape))
-    pieces = [slice(begin, begin + TOGETHER) for begin in range(0, state.shape[1], TOGETHER)]
+    workers = whole("workers", workers, 1)
     record = partial(_record, partial(_advance(engine), scheme(torques, step)), every, records, state, generators)
-    with ThreadPoolExecutor(whole("workers", workers, 1)) as pool:
-        list(pool.map(record, pieces))
+    with ThreadPoolExecutor(workers) as pool:
+        list(pool.map(record, _pieces(state.shape[1], workers)))
     paths = records.reshape(len(records), 3, -1)[:, :, before : before + len(velocities)]
     if not np.isfinite(paths).all():
         raise FloatingPointError(f"a path is no longer finite; take a shorter step than {step}, or see whether D damps")
@@ -108,6 +109,12 @@ def _in_lanes(start: Array, first: int) -> tuple[Array, int]:
     state = np.zeros((3, streams * LANES))
     state[:, before : before + len(start)] = start.T
     return state.reshape(3, streams, LANES), before
+
+
+def _pieces(streams: int, workers: int) -> list[slice]:
+    """As few pieces as keep the workers busy, none too large and none too small, of one size as nearly as can be."""
+    count = max(min(workers, streams // FEWEST), -(-streams // TOGETHER))
+    return [slice(streams * k // count, streams * (k + 1) // count) for k in range(count)]
 
 
 def _generators(seed: int, first: int, count: int) -> list[np.random.Generator]:

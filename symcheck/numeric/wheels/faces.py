@@ -23,6 +23,8 @@ from symcheck.numeric.wheels.sets import Wheels, wheels_of
 
 PARALLEL = 1e-12  # sine of an angle below which two axes are one
 ENGINES = ("numpy", "numba")
+ONE_OF_ENGINES = f"be one of {', '.join(ENGINES)}"
+SPANS = "span space, or have complete=True"
 BLOCK = 8192  # numbers in a register: 64 kB stay in the cache
 
 
@@ -83,8 +85,8 @@ def half_spaces(
     wheels = wheels_of(axes, limits, bias)
     wheels = _completed(wheels) if complete else wheels
     normals, distances = _found(wheels, True, engine)
-    lead = wheels.limits.shape[:-1]
-    return HalfSpaces(normals.transpose(0, 2, 1).reshape(*lead, -1, 3), distances.reshape(*lead, -1), wheels.centre)
+    shape = (*wheels.limits.shape[:-1], distances.shape[1])
+    return HalfSpaces(normals.transpose(0, 2, 1).reshape(*shape, 3), distances.reshape(shape), wheels.centre)
 
 
 @gufunc("(n,axis),(n)->(pair)", pair=_number_of_pairs)
@@ -100,7 +102,8 @@ def face_distances(axes: ArrayLike, limits: ArrayLike = 1.0, *, engine: str = "n
     np.float64(1.77073)
     """
     wheels = wheels_of(axes, limits)
-    return _found(wheels, False, engine)[1].reshape(*wheels.limits.shape[:-1], -1)
+    _, distances = _found(wheels, False, engine)
+    return distances.reshape(*wheels.limits.shape[:-1], distances.shape[1])
 
 
 def _completed(wheels: Wheels) -> Wheels:
@@ -114,65 +117,82 @@ def _completed(wheels: Wheels) -> Wheels:
 
 
 @lru_cache
-def _pairs(count: int) -> tuple[NDArray[np.intp], NDArray[np.intp]]:
-    return np.triu_indices(count, 1)
+def _operands(count: int) -> NDArray[np.intp]:
+    """Which numbers of a set's axes, in a row, give e_i x e_j = u v - w z: u and w, v and z, (2, 2, 3, p)."""
+    first, second = (3 * each for each in np.triu_indices(count, 1))
+    after, before = np.array([[[1], [2], [0]], [[2], [0], [1]]])
+    return np.array([[first + after, first + before], [second + before, second + after]])
 
 
 def _found(wheels: Wheels, keep: bool, engine: str) -> tuple[Array, Array]:
     """Normals (m, 3, p), or less if they are not kept, and distances (m, p) of all m sets."""
-    require(engine in ENGINES, "engine", engine, f"be one of {', '.join(ENGINES)}")
+    require(engine in ENGINES, "engine", engine, ONE_OF_ENGINES)
     count = wheels.limits.shape[-1]
+    require(count > 2, "axes", wheels.axes, SPANS, "(2.1)")
     axes, limits = wheels.axes.reshape(-1, count, 3), wheels.limits.reshape(-1, count)
     run = import_module("symcheck.numeric.wheels.numba_engine").of_pairs if engine == "numba" else of_pairs
     normals, distances, spans = run(axes, limits, keep, PARALLEL)
-    spans[~spans] = _span(axes[~spans])
-    require(spans.reshape(wheels.limits.shape[:-1]), "axes", wheels.axes, "span space, or have complete=True", "(2.1)")
+    if np.count_nonzero(spans) < len(spans):
+        spans[~spans] = _span(axes[~spans])
+        require(spans.reshape(wheels.limits.shape[:-1]), "axes", wheels.axes, SPANS, "(2.1)")
     return normals, distances
 
 
 def of_pairs(axes: Array, limits: Array, keep: bool, parallel: float) -> tuple[Array, Array, NDArray[np.bool_]]:
-    """Normals (m, 3, p), or of one block if they are not kept, distances (m, p), and whether pair (1, 2) spans space.
-
-    The registers of a block are allocated once and stay in the cache.
-    """
+    """Normals (m, 3, p), of one block if they are not kept, distances (m, p), and whether pair (1, 2) spans space."""
     sets, count, _ = axes.shape
-    pairs = count * (count - 1) // 2
-    step = min(sets, max(1, BLOCK // max(1, pairs)))
+    pairs = comb(count, 2)
+    step = max(1, BLOCK // pairs)
+    if sets <= step:
+        return _of_block(axes, limits, parallel)
     normals, distances = np.empty((sets if keep else step, 3, pairs)), np.empty((sets, pairs))
     spans = np.empty(sets, bool)
-    registers = np.empty((3, count, step)), np.empty((3, 3, pairs, step)), np.empty((step, count, pairs))
-    for start in range(0, sets, max(1, step)):
-        part = slice(start, min(start + step, sets))
-        size = part.stop - start
-        normal, heights = normals[part] if keep else normals[:size], registers[2][:size]
-        same = _normals(axes[part], parallel, normal, registers[0][..., :size], registers[1][..., :size])
-        np.matmul(axes[part], normal, out=heights)
-        np.abs(heights, out=heights)
-        np.matmul(limits[part, None], heights, out=distances[part, None])
-        if same.any():
-            distances[part][same.T] = np.inf
-        spans[part] = heights[..., :1].max(axis=(1, 2), initial=0) > parallel
+    operands, heights = np.empty((2, 2, 3, pairs, step)), np.empty((step, count, pairs))
+    for start in range(0, sets, step):
+        part = slice(start, start + step)
+        size = min(step, sets - start)
+        registers = operands[..., :size], normals[part] if keep else normals[:size], heights[:size]
+        _, distances[part], spans[part] = _of_block(axes[part], limits[part], parallel, *registers)
     return normals, distances, spans
 
 
-def _normals(axes: Array, parallel: float, normals: Array, components: Array, registers: Array) -> NDArray[np.bool_]:
-    """Write the normals (m, 3, p) of all pairs of axes (m, n, 3); tell which are parallel, (p, m), their normal is 0.
+def _of_block(
+    axes: Array,
+    limits: Array,
+    parallel: float,
+    operands: Array | None = None,
+    normals: Array | None = None,
+    heights: Array | None = None,
+) -> tuple[Array, Array, NDArray[np.bool_]]:
+    """What `of_pairs` returns, of sets whose numbers stay in the cache; registers for the larger arrays may be given.
 
-    The sets come last in the registers, so that every operation runs along memory.
+    In the cross products the sets come last, so that every operation runs along memory.
     """
-    first, second, cross = registers
-    np.copyto(components, axes.T)
-    for index, target in zip(_pairs(axes.shape[1]), (first, second), strict=True):
-        np.take(components, index, axis=1, out=target, mode="clip")  # clip: NumPy writes without a copy in between
-    for k in range(3):
-        np.multiply(first[k - 2], second[k - 1], out=cross[k])
-        cross[k] -= first[k - 1] * second[k - 2]
-    length = np.sqrt(np.einsum("kpm,kpm->pm", cross, cross, out=first[0]), out=first[0])
-    same: NDArray[np.bool_] = length <= parallel
-    length[same] = np.inf
-    cross *= np.divide(1, length, out=length)
-    normals[...] = cross.transpose(2, 0, 1)
-    return same
+    sets, count, _ = axes.shape
+    rows = axes.reshape(sets, 3 * count).T
+    left, right = rows.take(_operands(count), axis=0, out=operands, mode="clip")  # clip: else through a copy
+    cross, less = np.multiply(left, right, left)
+    np.subtract(cross, less, cross)
+    length, second, third = np.multiply(cross, cross, less)
+    np.add(length, second, length)
+    np.add(length, third, length)
+    np.sqrt(length, length)
+    some = length.min(initial=np.inf) <= parallel
+    if some:
+        same = length <= parallel
+        length[same] = np.inf
+    np.divide(cross, length, cross)
+    if normals is None:
+        normals = np.ascontiguousarray(cross.transpose(2, 0, 1))
+    else:
+        np.copyto(normals, cross.transpose(2, 0, 1))
+    heights = np.matmul(axes, normals, heights)
+    np.abs(heights, heights)
+    distances = np.matmul(limits[:, None], heights)[:, 0]
+    if some:
+        distances[same.T] = np.inf
+    highest = np.ascontiguousarray(heights[..., 0].T).max(axis=0)  # T: rows as short as these would take longer
+    return normals, distances, highest > parallel
 
 
 def _span(axes: Array) -> NDArray[np.bool_]:

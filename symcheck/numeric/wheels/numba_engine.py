@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from math import inf, sqrt
-from typing import ParamSpec, TypeVar, cast
+from math import comb, inf, sqrt
+from typing import Any, ParamSpec, TypeVar, cast
 
 import numba
 import numpy as np
@@ -14,19 +14,21 @@ from symcheck.numeric.domain import Array
 
 P = ParamSpec("P")
 T = TypeVar("T")
+LANES = 16  # the pairs of a set are filled up to a multiple of these, so that loops are all vector instructions
 
 
 def compiled(function: Callable[P, T]) -> Callable[P, T]:
-    """Compiled without the interpreter's lock; kept for the next process."""
-    return cast(Callable[P, T], numba.njit(nogil=True, cache=True, error_model="numpy")(function))
+    """Compiled without the interpreter's lock, with fused products and sums; kept for the next process."""
+    options: Any = {"nogil": True, "cache": True, "error_model": "numpy", "fastmath": {"contract"}}
+    return cast(Callable[P, T], numba.njit(**options)(function))
 
 
 def of_pairs(axes: Array, limits: Array, keep: bool, parallel: float) -> tuple[Array, Array, NDArray[np.bool_]]:
     """What the function of this name in `faces` returns."""
     sets, count, _ = axes.shape
-    pairs = count * (count - 1) // 2
+    pairs = comb(count, 2)
     normals, distances = np.empty((sets if keep else 1, 3, pairs)), np.empty((sets, pairs))
-    spans = np.zeros(sets, np.bool_)
+    spans = np.empty(sets, np.bool_)
     _fill(np.ascontiguousarray(axes), np.ascontiguousarray(limits), parallel, normals, distances, spans)
     return normals, distances, spans
 
@@ -35,22 +37,46 @@ def of_pairs(axes: Array, limits: Array, keep: bool, parallel: float) -> tuple[A
 def _fill(
     axes: Array, limits: Array, parallel: float, normals: Array, distances: Array, spans: NDArray[np.bool_]
 ) -> None:
-    count = axes.shape[1]
+    pairs = distances.shape[1]
+    filled = -(-pairs // LANES) * LANES
+    x, y, z, d = np.zeros(filled), np.zeros(filled), np.zeros(filled), np.zeros(filled)
     for s in range(len(axes)):
-        normal, pair = normals[s % len(normals)], 0
-        for i in range(count):
-            for j in range(i + 1, count):
-                x = axes[s, i, 1] * axes[s, j, 2] - axes[s, i, 2] * axes[s, j, 1]
-                y = axes[s, i, 2] * axes[s, j, 0] - axes[s, i, 0] * axes[s, j, 2]
-                z = axes[s, i, 0] * axes[s, j, 1] - axes[s, i, 1] * axes[s, j, 0]
-                length = sqrt(x * x + y * y + z * z)
-                apart = length > parallel
-                scale = 1 / length if apart else 0.0
-                x, y, z = x * scale, y * scale, z * scale
-                distance = 0.0 if apart else inf
-                for k in range(count):
-                    height = abs(x * axes[s, k, 0] + y * axes[s, k, 1] + z * axes[s, k, 2])
-                    spans[s] |= height > parallel
-                    distance += limits[s, k] * height
-                normal[0, pair], normal[1, pair], normal[2, pair], distances[s, pair] = x, y, z, distance
-                pair += 1
+        _cross(axes, s, x, y, z)
+        _normalise(x, y, z, d, parallel)
+        spans[s] = _add(axes, limits, s, x, y, z, d) > parallel
+        row = s % len(normals)
+        for p in range(pairs):
+            normals[row, 0, p], normals[row, 1, p], normals[row, 2, p], distances[s, p] = x[p], y[p], z[p], d[p]
+
+
+@compiled
+def _cross(axes: Array, s: int, x: Array, y: Array, z: Array) -> None:
+    pair = 0
+    for i in range(axes.shape[1]):
+        for j in range(i + 1, axes.shape[1]):
+            x[pair] = axes[s, i, 1] * axes[s, j, 2] - axes[s, i, 2] * axes[s, j, 1]
+            y[pair] = axes[s, i, 2] * axes[s, j, 0] - axes[s, i, 0] * axes[s, j, 2]
+            z[pair] = axes[s, i, 0] * axes[s, j, 1] - axes[s, i, 1] * axes[s, j, 0]
+            pair += 1
+
+
+@compiled
+def _normalise(x: Array, y: Array, z: Array, d: Array, parallel: float) -> None:
+    """Normals of unit length and the distance 0; the normal 0 and the distance infinity for a parallel pair."""
+    for p in range(len(x)):
+        length = sqrt(x[p] * x[p] + y[p] * y[p] + z[p] * z[p])
+        apart = length > parallel
+        scale = 1 / length if apart else 0.0
+        x[p], y[p], z[p], d[p] = x[p] * scale, y[p] * scale, z[p] * scale, 0.0 if apart else inf
+
+
+@compiled
+def _add(axes: Array, limits: Array, s: int, x: Array, y: Array, z: Array, d: Array) -> float:
+    """Add every wheel's part to the distances d; how high the highest axis stands over the plane of pair (1, 2)."""
+    highest = 0.0
+    for k in range(axes.shape[1]):
+        u, v, w, limit = axes[s, k, 0], axes[s, k, 1], axes[s, k, 2], limits[s, k]
+        highest = max(highest, abs(x[0] * u + y[0] * v + z[0] * w))
+        for p in range(len(x)):
+            d[p] += limit * abs(x[p] * u + y[p] * v + z[p] * w)
+    return highest

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Callable
+from functools import lru_cache
 from math import pi
 from typing import NamedTuple
 
@@ -12,7 +14,7 @@ from numpy.typing import ArrayLike
 from symcheck import kernels
 from symcheck.numeric.chunked import gufunc
 from symcheck.numeric.chunked.kernels import by_blocks
-from symcheck.numeric.domain import Array, real, require
+from symcheck.numeric.domain import Array, doubles, real, require
 
 UNIT = 1e-9  # by how much the square of a unit vector's length may differ from 1
 
@@ -32,7 +34,9 @@ class Wheels(NamedTuple):
     @property
     def centre(self) -> Array:
         """The centre of the envelope, the sum of b_i e_i, shape (..., 3)."""
-        return np.asarray(np.einsum("...n,...nk->...k", self.bias, self.axes))
+        if not self.bias.any():
+            return np.zeros((*self.bias.shape[:-1], 3))
+        return np.asarray(np.matmul(self.bias[..., None, :], self.axes)[..., 0, :])
 
 
 def wheels_of(axes: ArrayLike, limits: ArrayLike = 1.0, bias: ArrayLike = 0.0) -> Wheels:
@@ -48,22 +52,55 @@ def wheels_of(axes: ArrayLike, limits: ArrayLike = 1.0, bias: ArrayLike = 0.0) -
     >>> wheels_of([[1, 0, 0], [0, 1, 0]], 2.0).limits
     array([2., 2.])
     """
-    axes, limits, bias = real("axes", axes, (None, 3)), real("limits", limits), real("bias", bias)
+    axes = doubles("axes", axes, (None, 3))
     count = axes.shape[-2]
     require(count > 0, "axes", axes.shape, "have one wheel at least")
     square = np.einsum("...k,...k->...", axes, axes)
     square -= 1
-    require(np.abs(square, out=square) <= UNIT, "axes", axes, "have the length 1; divide it by its length", "(2.1)")
-    require(limits >= 0, "limits", limits, "not be negative; a limit of 0 stands for a failed wheel", "(2.1)")
-    for name, value in (("limits", limits), ("bias", bias)):
-        if value.ndim and value.shape[-1] != count:
-            raise ValueError(f"{name} has shape {value.shape}; its last axis must have the {count} wheels of axes")
+    np.abs(square, out=square)
+    require(square <= UNIT, "axes", axes, "be finite and have the length 1; divide it by its length", "(2.1)")
+    limits, bias = _of_wheels(_limits, limits, count), _of_wheels(_bias, bias, count)
+    if not square.shape == limits.shape == bias.shape:  # most calls need no broadcasting, which takes longer than this
+        shape = _common_shape(axes, limits, bias)
+        axes, limits, bias = (np.broadcast_to(*each) for each in ((axes, (*shape, 3)), (limits, shape), (bias, shape)))
+    return Wheels(axes, limits, bias)
+
+
+def _of_wheels(checked: Callable[[ArrayLike, int], Array], value: ArrayLike, count: int) -> Array:
+    return _of_all(checked, value, count) if isinstance(value, int | float) else checked(value, count)
+
+
+@lru_cache(typed=True)
+def _of_all(checked: Callable[[ArrayLike, int], Array], value: float, count: int) -> Array:
+    """A number that all wheels share, checked once for many calls."""
+    array = np.full(count, checked(value, count))
+    array.flags.writeable = False
+    return array
+
+
+def _limits(value: ArrayLike, count: int) -> Array:
+    array = _of_each("limits", value, count)
+    require(array >= 0, "limits", array, "not be negative; a limit of 0 stands for a failed wheel", "(2.1)")
+    return array
+
+
+def _bias(value: ArrayLike, count: int) -> Array:
+    return _of_each("bias", value, count)
+
+
+def _of_each(name: str, value: ArrayLike, count: int) -> Array:
+    array = real(name, value)
+    if array.ndim and array.shape[-1] != count:
+        raise ValueError(f"{name} has shape {array.shape}; its last axis must have the {count} wheels of axes")
+    return array
+
+
+def _common_shape(axes: Array, limits: Array, bias: Array) -> tuple[int, ...]:
     try:
-        shape = np.broadcast_shapes(square.shape, limits.shape, bias.shape)
+        return np.broadcast_shapes(axes.shape[:-1], limits.shape, bias.shape)
     except ValueError:
         shapes = f"axes {axes.shape}, limits {limits.shape}, bias {bias.shape}"
         raise ValueError(f"{shapes}: the leading axes must broadcast against each other") from None
-    return Wheels(np.broadcast_to(axes, (*shape, 3)), np.broadcast_to(limits, shape), np.broadcast_to(bias, shape))
 
 
 @gufunc("(),()->(wheel,axis)", wheel=4, axis=3)
