@@ -37,6 +37,14 @@ class SymcheckError(Exception):
     """Bad input or a damaged file, told in one line that names the input and the way out."""
 
 
+class Loss(StrEnum):
+    """What is lost with a hypothesis."""
+
+    TRUTH = "the relation fails"
+    VALUE = "a term has no value"
+    EXISTENCE = "nothing of the kind exists"
+
+
 class Verdict(StrEnum):
     PROVED = "proved"
     REFUTED = "refuted"

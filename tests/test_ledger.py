@@ -16,9 +16,8 @@ from symcheck.evidence.decide import decide
 from symcheck.evidence.faults import without
 from symcheck.evidence.obligation import DECIDED, expand
 from symcheck.evidence.record import Record
-from symcheck.proof import Loss
 from symcheck.selftest.statements import unguarded
-from symcheck.statement import Origin, Reading, Role, SymcheckError, Verdict
+from symcheck.statement import Loss, Origin, Reading, Role, SymcheckError, Verdict
 
 IDS = [obligation.id for paper in papers.load().values() for obligation in expand(paper)]
 

@@ -6,8 +6,8 @@ import pytest
 
 from symcheck import checker
 from symcheck.evidence.faults import without
-from symcheck.proof import Loss, fails_without
-from symcheck.statement import Formula, Problem
+from symcheck.proof import fails_without
+from symcheck.statement import Formula, Loss, Problem
 
 E = ("sin", "a")
 SHORTER = (("e", E),)

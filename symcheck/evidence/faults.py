@@ -10,8 +10,7 @@ from typing import Any
 
 from symcheck.evidence.record import Record
 from symcheck.evidence.steps import point, sides, term
-from symcheck.proof import Loss
-from symcheck.statement import Group, Verdict
+from symcheck.statement import Group, Loss, Verdict
 
 _GIVEN = re.compile(r" \(given: .*\)$", re.DOTALL)  # how a record tells conditions behind a corrected formula
 

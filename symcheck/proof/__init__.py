@@ -14,10 +14,9 @@ from symcheck.proof.methods import (
     refute,
     theorems,
 )
-from symcheck.proof.necessity import Loss, Without, fails_without
+from symcheck.proof.necessity import Without, fails_without
 
 __all__ = [
-    "Loss",
     "Without",
     "cases",
     "certificate",

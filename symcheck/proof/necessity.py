@@ -6,14 +6,13 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
-from enum import StrEnum
 from typing import Any, NamedTuple
 
 from symcheck.proof.angle_points import refute_about_angles
 from symcheck.proof.certificate import certificate
 from symcheck.proof.methods import proof_of, refute
 from symcheck.proof.polynomial import Unsupported, subterms
-from symcheck.statement import Certificate, Formula, Outcome, Problem, Term, Verdict
+from symcheck.statement import Certificate, Formula, Loss, Outcome, Problem, Term, Verdict
 from symcheck.theorems import conjuncts, contrary
 
 ORDERS = ("<", "<=", ">", ">=")
@@ -26,14 +25,6 @@ HAVING_A_VALUE: dict[str, Callable[..., Formula]] = {
     "tan": lambda angle: ("!=", ("cos", angle), 0),
     "pow": lambda base, _: (">", base, 0),
 }
-
-
-class Loss(StrEnum):
-    """What is lost with a hypothesis."""
-
-    TRUTH = "the relation fails"
-    VALUE = "a term has no value"
-    EXISTENCE = "nothing of the kind exists"
 
 
 class Without(NamedTuple):
