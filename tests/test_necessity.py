@@ -6,7 +6,7 @@ import pytest
 
 from symcheck import checker
 from symcheck.evidence.faults import without
-from symcheck.proof import fails_without
+from symcheck.proof import fails_without, refute
 from symcheck.statement import Formula, Loss, Problem
 
 E = ("sin", "a")
@@ -30,6 +30,27 @@ NEEDED = {
         "sine_of_a = 0",
     ),
 }
+D: Formula = (
+    ">",
+    (
+        "+",
+        ("^", "d", 2),
+        ("*", 2, "d", ("+", ("*", "a", "b"), "e", ("*", -2, "e", "b"))),
+        ("^", ("+", ("*", "a", "b"), ("-", "e")), 2),
+    ),
+    0,
+)
+BY_CHANCE = Problem("x", D, (), (("e positive", ((">", "e", 0),)), ("b negative", (("<", "b", 0),))))
+
+
+def test_a_point_that_no_search_finds_may_be_drawn() -> None:
+    assert refute(BY_CHANCE) is None
+    found = fails_without(BY_CHANCE)
+    assert found is not None
+    assert found.loss is Loss.TRUTH
+    assert checker.check(found.certificate) is None
+
+
 NOT_KNOWN = {
     "an identity": Problem("x", ("=", ("+", "x", "x"), ("*", 2, "x"))),
     "something that exists everywhere": Problem("x", ("exists", ("c",), ("and", (">", "c", E), (">", "c", 0)))),

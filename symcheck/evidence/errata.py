@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import difflib
 import re
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from typing import Any
 
@@ -12,39 +12,38 @@ from symcheck.evidence.context import Context
 from symcheck.evidence.judge import Finding, Unit, judge, lemma
 from symcheck.proof import Without, combined, fails_at, fails_without, proof_of
 from symcheck.reading import edits, read, to_latex
-from symcheck.statement import Erratum, Hypothesis, Item, Method, Role, SymcheckError, Verdict
+from symcheck.statement import Erratum, Hypothesis, Item, Method, Problem, Role, SymcheckError, Verdict
 
 
 def needs(finding: Finding, item: Item, added: tuple[Hypothesis, ...]) -> tuple[dict[str, Any], ...]:
-    """Each hypothesis with whether the proof needs it, what is lost without it, and the certificate of that."""
-    rows = []
-    for hypothesis in (*item.given, *added):
-        need, lost = _need(finding, item, hypothesis.name)
-        rows.append(
-            {
-                "name": hypothesis.name,
-                "words": hypothesis.words,
-                "states": hypothesis.states,
-                "given": _source(hypothesis, item, added),
-                "needed": need,
-                "lost": lost.loss if lost else "",
-                "counterexample": lost.certificate if lost else None,
-            }
-        )
+    """Each hypothesis with whether the proof needs it, what is lost without it, and the certificate of that.
+
+    Those that are in force only where an inequality is shown to be an equality come last.
+    """
+    order, equality = _parts(finding, item)
+    rows = [_row(h, _source(h, item, added), _need(finding, order, item, h.name)) for h in (*item.given, *added)]
     known = {row["name"] for row in rows}
-    return (*rows, *(_of_equality(h) for h in item.equality_given if h.name not in known and item.equality))
+    others = [h for h in item.equality_given if h.name not in known and item.equality]
+    return (*rows, *(_row(h, "for the set of equality", _need(finding, equality, item, h.name)) for h in others))
 
 
-def _of_equality(hypothesis: Hypothesis) -> dict[str, Any]:
-    """A hypothesis in force only where it is shown when an inequality is an equality."""
+def _parts(finding: Finding, item: Item) -> tuple[list[Problem], list[Problem]]:
+    """What is claimed, and where it is said to be an equality."""
+    apart = [bool(item.equality) and problem.claim[0] == "<=>" for problem in finding.concrete]
+    pairs = list(zip(finding.concrete, apart, strict=True))
+    return [problem for problem, of in pairs if not of], [problem for problem, of in pairs if of]
+
+
+def _row(hypothesis: Hypothesis, given: str, need: tuple[bool | None, Without | None]) -> dict[str, Any]:
+    needed, lost = need
     return {
         "name": hypothesis.name,
         "words": hypothesis.words,
         "states": hypothesis.states,
-        "given": "for the set of equality",
-        "needed": None,
-        "lost": "",
-        "counterexample": None,
+        "given": given,
+        "needed": needed,
+        "lost": lost.loss if lost else "",
+        "counterexample": lost.certificate if lost else None,
     }
 
 
@@ -57,13 +56,12 @@ def _source(hypothesis: Hypothesis, item: Item, added: tuple[Hypothesis, ...]) -
     return "printed" if hypothesis.printed else "standing"
 
 
-def _need(finding: Finding, item: Item, name: str) -> tuple[bool | None, Without | None]:
-    """Left out, does the claim fail (True), or is it proved all the same (False)? A lemma may rest on it (None)."""
-    if finding.verdict is not Verdict.PROVED:
+def _need(finding: Finding, claims: Sequence[Problem], item: Item, name: str) -> tuple[bool | None, Without | None]:
+    """Left out, does a claim fail (True), or are all proved all the same (False)? A lemma may rest on it (None)."""
+    if finding.verdict is not Verdict.PROVED or not claims:
         return None, None
     if not any(name in outcome.used for outcome in finding.outcomes) and name not in _under_lemmas(finding):
         return False, None  # the proof does without it
-    claims = [problem for problem in finding.concrete if not (problem.claim[0] == "<=>" and item.equality)]
     without = [replace(problem, hypotheses=tuple(h for h in problem.hypotheses if h[0] != name)) for problem in claims]
     if not item.lemmas and all(p.claim[0] == "=" and proof_of(p) is not None for p in without):
         return False, None

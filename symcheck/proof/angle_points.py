@@ -79,7 +79,7 @@ def _at(term: Term, point: Mapping[str, Term]) -> Term:
 
 
 def _values(ends: list[Term]) -> list[Term]:
-    """The ends of intervals, angles half way between them, well-known angles, and last negative ones."""
+    """The ends of intervals, angles half way between them, well-known angles; last negative ones and a turn more."""
     known: list[Term] = [multiple_of_pi(multiple) for multiple in KNOWN_ANGLES]
     sizes: dict[int, Term] = {}
     for term in (*ends, known[0], known[-1]):
@@ -90,7 +90,8 @@ def _values(ends: list[Term]) -> list[Term]:
     ordered = [term for _, term in sorted(sizes.items())]
     between: list[Term] = [("/", ("+", low, high), 2) for low, high in pairwise(ordered)]
     negative: list[Term] = [("-", term) for term in known[1:]]
-    return list(dict.fromkeys([*ends, *known, *between, *negative]))
+    turned: list[Term] = [("+", term, ("*", 2, "pi")) for term in between]
+    return list(dict.fromkeys([*ends, *known, *between, *negative, *turned]))
 
 
 def _stated(problem: Problem) -> list[Formula]:

@@ -4,17 +4,21 @@ has no value. Each is a certificate of its own.
 
 from __future__ import annotations
 
+import random
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
 from typing import Any, NamedTuple
 
 from symcheck.proof.angle_points import refute_about_angles
 from symcheck.proof.certificate import certificate
+from symcheck.proof.counterexample import fails_at
 from symcheck.proof.methods import proof_of, refute
 from symcheck.proof.polynomial import Unsupported, subterms
 from symcheck.statement import Certificate, Formula, Loss, Outcome, Problem, Term, Verdict
-from symcheck.theorems import conjuncts, contrary
+from symcheck.theorems import RELATIONS, Terms, conjuncts, contrary
 
+PLAIN = {"+", "-", "*", "/", "^", "and", "or", "=>", "<=>", *RELATIONS}
+DRAWN, DRAWS = range(-5, 6), 500
 ORDERS = ("<", "<=", ">", ">=")
 RIGHT_ANGLES = ((0, 1), (1, 0))  # the sine and the cosine of 0 and of 90 degrees
 HAVING_A_VALUE: dict[str, Callable[..., Formula]] = {
@@ -46,7 +50,7 @@ def fails_without(problem: Problem) -> Without | None:
 
 
 def _refuted(problem: Problem) -> Certificate | None:
-    point = refute(problem) or _refuted_by_proof(problem)
+    point = refute(problem) or _refuted_by_proof(problem) or _refuted_by_chance(problem)
     used = tuple(name for name, _ in problem.hypotheses)
     return certificate(problem, Outcome(Verdict.REFUTED, point=point, used=used)) if point else None
 
@@ -57,6 +61,21 @@ def _refuted_by_proof(problem: Problem) -> Certificate | None:
         return refute_about_angles(problem, proof_of)
     except Unsupported:
         return None
+
+
+def _refuted_by_chance(problem: Problem) -> Certificate | None:
+    """A point whose coordinates are drawn from the small whole numbers; not where there are functions."""
+    terms = dict(problem.definitions)
+    stated = ("", problem.claim, *(f for _, formulas in problem.hypotheses for f in formulas), *terms.values())
+    if any(isinstance(node, tuple) and node[0] not in PLAIN for node in subterms(stated) if node is not stated):
+        return None
+    letters = sorted(Terms({}).names(stated) - terms.keys())
+    draw = random.Random(problem.id)
+    for _ in range(DRAWS):
+        point = {letter: draw.choice(DRAWN) for letter in letters}
+        if fails_at(problem, {letter: str(value) for letter, value in point.items()}):
+            return refute(replace(problem, hints=tuple((f"point.{letter}", value) for letter, value in point.items())))
+    return None
 
 
 def _meaningful(problem: Problem) -> Iterator[Problem]:
