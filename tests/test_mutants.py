@@ -24,7 +24,6 @@ LEAST = {
     "esenkov2006": 150,
     "ignatov2005": 3000,
 }  # slips in each that are faults
-KNOWN = {r"ignatov2005:3.2.33 > -> \ge in J_y > J_x"}  # a strict order has no set of equality that would show it
 
 
 @cache
@@ -38,7 +37,7 @@ def every_slip(key: str) -> list[tuple[Proved, Edit]]:
 def run(sample: list[tuple[Proved, Edit]]) -> Counter[Fate]:
     """Counts by fate; none is accepted."""
     fates = [(fate(original, edit), f"{original.id} {edit.description}") for original, edit in sample]
-    assert {what for each, what in fates if each is Fate.ACCEPTED} <= KNOWN
+    assert [what for each, what in fates if each is Fate.ACCEPTED] == []
     return Counter(each for each, _ in fates)
 
 

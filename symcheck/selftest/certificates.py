@@ -13,10 +13,10 @@ from typing import Any
 
 from symcheck.evidence.record import Record
 from symcheck.evidence.store import certificates
-from symcheck.proof import digest, proof_of, refute
+from symcheck.proof import digest, fails_without, proof_of
 from symcheck.selftest.evidence import holds, problem_of
 from symcheck.selftest.trial import Fate, FaultClass, Trial, mixed
-from symcheck.statement import Certificate
+from symcheck.statement import Certificate, Loss
 from symcheck.theorems import conjuncts
 
 STATED = ("claim", "definitions", "hypotheses")
@@ -117,7 +117,8 @@ def is_so(original: Certificate, edited: Certificate) -> bool:
     given, before = ({f for _, formulas in each.hypotheses for f in formulas} for each in (problem, known))
     alike = problem.definitions == known.definitions and holds(original)
     if edited["verdict"] == "refuted":
-        return (alike and problem.claim == known.claim and given <= before) or refute(problem) is not None
+        weaker = alike and problem.claim == known.claim and given <= before
+        return weaker or ((found := fails_without(problem)) is not None and found.loss is Loss.TRUTH)
     shown = conjuncts(known.claim) if alike and given >= before else []
     open_ = [part for part in conjuncts(problem.claim) if part not in shown]
     return all(proof_of(replace(problem, claim=part)) is not None for part in open_)
