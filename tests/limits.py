@@ -1,4 +1,4 @@
-"""Limits for what is fed with rubbish: a second for each piece, and 500 MB more than before for all of them."""
+"""Limits for what is fed with rubbish: a second for each piece, and 500 MB more than before; processes to interrupt."""
 
 from __future__ import annotations
 
@@ -37,3 +37,8 @@ def little_memory() -> Iterator[None]:
     before = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
     yield
     assert resource.getrusage(resource.RUSAGE_SELF).ru_maxrss - before < MEMORY
+
+
+def interruptible() -> None:
+    """For a new process: a job in the background of a shell ignores interrupts, and so would its children."""
+    signal.signal(signal.SIGINT, signal.SIG_DFL)

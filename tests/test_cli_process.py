@@ -13,6 +13,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from limits import interruptible
 
 START = [sys.executable, str(Path(__file__).with_name("stand_in.py"))]
 DEADLINE = 60.0
@@ -50,11 +51,6 @@ def cached(folder: Path) -> int:
         return 0
     finally:
         connection.close()
-
-
-def interruptible() -> None:
-    """A job in the background of a shell ignores interrupts, and so would its children."""
-    signal.signal(signal.SIGINT, signal.SIG_DFL)
 
 
 def test_ctrl_c_keeps_what_is_done(environment: dict[str, str], tmp_path: Path) -> None:

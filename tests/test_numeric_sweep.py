@@ -18,6 +18,7 @@ from typing import Any
 import numpy as np
 import pytest
 from click.testing import CliRunner
+from limits import interruptible
 
 from symcheck import kernels
 from symcheck.cli import cli
@@ -497,9 +498,8 @@ def command(folder: Path, out: str, *options: str, text: str = LONG, **how: Any)
     """`symcheck sweep` as a process of its own."""
     (folder / "sweep.toml").write_text(text, encoding="utf-8")
     arguments = ["-m", "symcheck", "sweep", str(folder / "sweep.toml"), "--out", str(folder / out), *options]
-    return subprocess.Popen(
-        [sys.executable, *arguments], cwd=ROOT, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, **how
-    )
+    own = {"stdout": subprocess.PIPE, "stderr": subprocess.PIPE, "preexec_fn": interruptible, **how}
+    return subprocess.Popen([sys.executable, *arguments], cwd=ROOT, text=True, **own)
 
 
 def until(condition: Callable[[], Any], process: subprocess.Popen[str] | None = None) -> None:
