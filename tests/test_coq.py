@@ -215,7 +215,6 @@ def test_a_theorem_is_left_out_with_what_rests_on_it() -> None:
     assert rest.count("proof_c") == 2
 
 
-@pytest.mark.slow  # `make coq-check` has Coq look at all of them
 @COQ
 def test_coq_confirms_them_on_the_reals_alone(folder: Path) -> None:
     outcomes, failed = compiler.confirm(folder)

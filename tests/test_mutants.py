@@ -15,7 +15,7 @@ from symcheck.selftest.statements import Proved, fate, proved, slips
 from symcheck.selftest.trial import Fate
 from symcheck.statement import Role
 
-SAMPLE = 120
+SAMPLE = 200
 PARTS = 8
 PAPERS = papers.load()
 LEAST = {
@@ -44,7 +44,7 @@ def run(sample: list[tuple[Proved, Edit]]) -> Counter[Fate]:
 @pytest.mark.parametrize("key", LEAST)
 def test_no_slip_of_a_seeded_sample_is_accepted(key: str) -> None:
     counts = run(random.Random(55).sample(every_slip(key), SAMPLE))
-    assert counts[Fate.REJECTED] >= 80
+    assert counts[Fate.REJECTED] >= 140
 
 
 def test_every_paper_has_its_slips() -> None:
