@@ -1,9 +1,7 @@
 """The functions of the numeric layer on arrays in chunks: dask arrays and xarray's, lazily, and NumPy's at no cost.
 
 A decorator names the axes of the last dimensions, as NumPy's generalised universal functions do; all other axes are
-leading ones, which broadcast and may come in chunks. Chunks give the bits of the whole array, but those of fewer than
-16 points, which kernels may compute by `math`: their last digits may differ within the stated accuracy. Neither dask
-nor xarray is imported unless an argument is theirs.
+leading ones, which broadcast and may come in chunks. Neither dask nor xarray is imported unless an argument is theirs.
 """
 
 from __future__ import annotations

@@ -7,9 +7,12 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import partial
 from itertools import chain, islice
+from math import prod
 from typing import Any, NamedTuple
 
 import numpy as np
+
+from symcheck.runtime import FEW
 
 Size = int | Callable[[Mapping[str, Any]], int]
 Axes = tuple[str, ...]
@@ -73,6 +76,8 @@ def apply(function: Callable[..., Any], arguments: Mapping[str, Any], signature:
     sizes = {axis: own[axis] if axis in own else lengths[axis] for axis in missing}
     constants = [None if given else leaf for (leaf, _), given in zip(leaves, is_array, strict=True)]
     call = partial(_call, function, dict(arguments), constants, is_array)
+    if not any(chain(signature.inputs, signature.outputs)):
+        call = partial(_as_of_many, call)
     xarray = sys.modules.get("xarray")
     named = xarray is not None and any(isinstance(leaf, xarray.DataArray) for leaf, _ in arrays)
     return results.together(*(_named if named else _unnamed)(call, signature, arrays, sizes, results))
@@ -91,6 +96,16 @@ def _is_array(leaf: Any, core: Axes) -> bool:
 def _lengths(leaf: Any, core: Axes) -> Iterator[tuple[str, int]]:
     if core and np.ndim(leaf) >= len(core):
         yield from zip(core, np.shape(leaf)[-len(core) :], strict=True)
+
+
+def _as_of_many(call: Callable[..., Any], *arrays: Any) -> Any:
+    """The call point by point, of few points repeated: kernels compute few with other last bits than many."""
+    shape = np.broadcast_shapes(*map(np.shape, arrays))
+    if not 0 < prod(shape) <= FEW:
+        return call(*arrays)
+    again = FEW // prod(shape) + 1
+    found = call(*(np.broadcast_to(array, (again, *shape)) for array in arrays))
+    return tuple(each[0] for each in found) if isinstance(found, tuple) else found[0]
 
 
 def _call(
