@@ -20,7 +20,20 @@ ROOT = Path(__file__).resolve().parent.parent
 MODULES = sorted((ROOT / "symcheck").rglob("*.py"))
 GROUND = ("pyproject.toml", "constraints.txt", "Makefile", ".ci/run", "README.md", ".gitignore")
 TEXT = {".py", ".md", ".toml", ".txt", ".lark", ".json", ""}
-TARGETS = ("audit", "test", "test-full", "bench", "bench-gpu", "browser", "notebooks", "coq", "clean")
+TARGETS = (
+    "audit",
+    "test",
+    "test-full",
+    "bench",
+    "bench-gpu",
+    "browser",
+    "notebooks",
+    "selftest",
+    "coq",
+    "coq-check",
+    "install-coq",
+    "clean",
+)
 
 
 def tracked() -> list[Path]:

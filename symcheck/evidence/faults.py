@@ -10,7 +10,7 @@ from typing import Any
 
 from symcheck.evidence.record import Record
 from symcheck.evidence.steps import point, sides, term
-from symcheck.statement import Group, Loss, Verdict
+from symcheck.statement import Group, Loss
 
 _GIVEN = re.compile(r" \(given: .*\)$", re.DOTALL)  # how a record tells conditions behind a corrected formula
 
@@ -90,7 +90,7 @@ def without(hypothesis: Mapping[str, Any]) -> str:
     lost, shown = hypothesis.get("lost", ""), hypothesis.get("counterexample")
     if not lost or not shown:
         return ""
-    if shown["verdict"] == Verdict.PROVED:  # at an angle whose sine and cosine are defined as numbers
+    if lost == Loss.EXISTENCE:  # at an angle whose sine and cosine are defined as numbers
         return f"{lost} where {point({name: value for name, value in shown['definitions'] if type(value) is int})}"
     if lost == Loss.VALUE:
         return f"{lost} at {point(shown['point'].get('values', {}))}: {term(shown['claim'])} is wrong"

@@ -5,10 +5,10 @@ from __future__ import annotations
 import json
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
-from hashlib import sha256
 from pathlib import Path
 from typing import Any
 
+from symcheck.evidence.confirmed import digest
 from symcheck.evidence.record import Record
 from symcheck.evidence.store import SCHEMA, SELFTEST, certificates, replace
 from symcheck.statement import SymcheckError
@@ -40,8 +40,7 @@ def rows(result: Mapping[str, Any]) -> list[Row]:
 
 def evidence(records: Iterable[Record]) -> str:
     """One digest of all certificates."""
-    digests = sorted(each["digest"] for record in records for each in certificates(record))
-    return sha256("\n".join(digests).encode()).hexdigest()[:16]
+    return digest(sorted(each["digest"] for record in records for each in certificates(record)))
 
 
 def recorded(folder: Path) -> dict[str, Any] | None:

@@ -91,7 +91,8 @@ def fate(original: Proved, edit: Edit) -> Fate:
 
     A true equation or equivalence in the place of another says as much under the hypotheses: both hold. That it is
     true rests on certificates that the checker accepts, and no point of the oracle may contradict it. An order that
-    is proved says as much only with the same sides: a looser bound is a fault.
+    is proved says as much only with the same sides: a looser bound is a fault. One that may be an equality, nobody says
+    where, is among the findings of the self-test, and so noticed.
     """
     try:
         changed = _changed(original, edit)
