@@ -1,0 +1,156 @@
+"""Enclosures of numbers: integers, in units of 2^-160, between which the value of a closed term lies.
+
+Interval arithmetic with whole numbers: every operation rounds outward, so that no exact value is ever lost. The series
+of sine, cosine and arctangent alternate and decrease where they are broken off: what is left out is smaller than its
+first term. pi is 4 arctan 1. The standard library alone: this is a part of the checker.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from functools import lru_cache
+from math import isqrt
+
+from symcheck.core.calculus import Unknown
+from symcheck.core.terms import Node, Term, node
+
+PLACES = 160
+ONE = 1 << PLACES
+LARGEST = ONE << 2048  # beyond it a certificate is up to no good
+
+
+class Interval:
+    """All numbers from `low` to `high`, in units of 2^-160."""
+
+    __slots__ = ("high", "low", "size")
+
+    def __init__(self, low: int, high: int) -> None:
+        self.low, self.high, self.size = low, high, max(-low, high)  # no number in it is farther from zero than `size`
+        if self.size > LARGEST:
+            raise Unknown("a number with too many digits")
+
+    def __add__(self, other: Interval) -> Interval:
+        return Interval(self.low + other.low, self.high + other.high)
+
+    def __neg__(self) -> Interval:
+        return Interval(-self.high, -self.low)
+
+    def __mul__(self, other: Interval) -> Interval:
+        products = [a * b for a in (self.low, self.high) for b in (other.low, other.high)]
+        return Interval(min(products) >> PLACES, -(-max(products) >> PLACES))
+
+    def __truediv__(self, other: Interval) -> Interval:
+        if other.low <= 0 <= other.high:
+            raise Unknown("a division by what may be zero")
+        pairs = [(a << PLACES, b) for a in (self.low, self.high) for b in (other.low, other.high)]
+        return Interval(min(a // b for a, b in pairs), max(-(-a // b) for a, b in pairs))
+
+    def __pow__(self, exponent: int) -> Interval:
+        if abs(exponent) > 999:
+            raise Unknown(f"the exponent {exponent}")
+        result = whole(1)
+        for _ in range(abs(exponent)):
+            result = result * self
+        return result if exponent >= 0 else whole(1) / result
+
+    def over(self, n: int) -> Interval:
+        """Divided by a positive whole number."""
+        return Interval(self.low // n, -(-self.high // n))
+
+    def widened(self, by: int) -> Interval:
+        """With everything that is not farther away than that."""
+        return Interval(self.low - by, self.high + by)
+
+
+def whole(n: int) -> Interval:
+    """A whole number, exactly."""
+    return Interval(n << PLACES, n << PLACES)
+
+
+def root(x: Interval) -> Interval:
+    """The square root."""
+    if x.low < 0:
+        raise Unknown("the root of what may be negative")
+    return Interval(isqrt(x.low << PLACES), isqrt(x.high << PLACES) + 1)
+
+
+@lru_cache(4096)
+def arctangent(low: int, high: int) -> Interval:
+    """x - x^3/3 + x^5/5 - ... of an angle halved four times: tan(t/2) = tan t / (1 + sqrt(1 + tan^2 t))."""
+    x = Interval(low, high)
+    for _ in range(4):
+        x = x / (whole(1) + root(whole(1) + x * x))
+    if 4 * x.size > ONE:
+        raise Unknown("an arctangent with too few digits")
+    total, power, square, k = whole(0), x, x * x, 1
+    while (term := power.over(k)).size > 1:
+        total, power, k = total + term, -(power * square), k + 2
+    return whole(16) * total.widened(term.size)
+
+
+@lru_cache(1)
+def circle_number() -> Interval:
+    """The number pi."""
+    return whole(4) * arctangent(ONE, ONE)
+
+
+@lru_cache(4096)
+def trigonometric(low: int, high: int, k: int) -> Interval:
+    """x^k/k! - x^(k+2)/(k+2)! + ...: the cosine for k = 0, the sine for k = 1; whole turns are left out."""
+    turn = whole(2) * circle_number()
+    turns = whole((low + high) // (2 * turn.low))
+    x = Interval(low, high) + -(turns * turn) + -circle_number()  # between -pi and pi
+    if x.size > 4 * ONE:
+        raise Unknown("an angle with too few digits")
+    total, term, square = whole(0), x if k else whole(1), x * x
+    while k < 4 or term.size > 1:  # from x^4 on the terms decrease, as x^2 <= 16 < 5 * 6
+        total, k = total + term, k + 2
+        term = -(term * square).over(k * (k - 1))
+    return -total.widened(term.size)  # half a turn was left out too many
+
+
+def arcsine(x: Interval) -> Interval:
+    """2 arctan(x / (1 + sqrt(1 - x^2)))."""
+    half = x / (whole(1) + root(whole(1) + -(x * x)))
+    return whole(2) * arctangent(half.low, half.high)
+
+
+FUNCTIONS: dict[str, Callable[[Interval], Interval]] = {
+    "-": Interval.__neg__,
+    "sqrt": root,
+    "sin": lambda x: trigonometric(x.low, x.high, 1),
+    "cos": lambda x: trigonometric(x.low, x.high, 0),
+    "tan": lambda x: trigonometric(x.low, x.high, 1) / trigonometric(x.low, x.high, 0),
+    "arctan": lambda x: arctangent(x.low, x.high),
+    "arcsin": arcsine,
+    "arccos": lambda x: circle_number().over(2) + -arcsine(x),
+}
+
+
+def enclosed(term: object) -> Interval:
+    """The value of a term; Unknown if it is no number."""
+    match term:
+        case int():
+            return whole(term)
+        case ("pi",):
+            return circle_number()
+        case ("^", base, int(n)):
+            return enclosed(base) ** n
+        case ("/", top, bottom):
+            return enclosed(top) / enclosed(bottom)
+        case ("+" | "*" as sign, first, *rest):
+            result = enclosed(first)
+            for other in map(enclosed, rest):
+                result = result + other if sign == "+" else result * other
+            return result
+        case (str(function), inner) if function in FUNCTIONS:
+            return FUNCTIONS[function](enclosed(inner))
+    raise Unknown(f"the digits of {term!r}")
+
+
+def between(term: Term, digits: int) -> tuple[Node, Node]:
+    """Decimals with so many digits behind the point, as terms, not above and not below the value."""
+    if digits not in range(41):
+        raise Unknown(f"{digits} digits")
+    value, unit = enclosed(term), 10**digits
+    return node("/", value.low * unit >> PLACES, unit), node("/", -(-value.high * unit >> PLACES), unit)

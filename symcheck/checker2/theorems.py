@@ -1,0 +1,191 @@
+"""What is taken for granted of functions: a table of theorems, each stated as one writes mathematics.
+
+A line is "name(parameters): premises |- conclusion", with ";" between premises. Parameters are terms, but `n` and `k`,
+which are whole numbers, and `f`, `g`, `h`, which are terms in a letter: `f(t)` is such a term with t in its place. No
+other parameter depends on a letter that is bound in a premise or in the conclusion, as substitution does not capture.
+An integral that has no finite value counts as 0; a mean is over one turn.
+"""
+
+from __future__ import annotations
+
+import ast
+from functools import cache
+from typing import NamedTuple
+
+from symcheck.core.calculus import polynomial_in
+from symcheck.core.terms import RELATIONS, Formula, Lambda, Malformed, Node, Term, node, substituted
+
+QUADRANTS = "-(pi/2) <= a; a <= pi/2"  # from -90 to 90 degrees
+S = "(k + u + 1)"  # an integrand of the shape below is like x**(S - 1) near 0 and like x**(S - 1 - 2*r) far away
+SHAPE = "forall(x, implies(x > 0, f(x) == c * x**k * pow(x, u) * pow(p * x**2 + q, -r)))"
+EULER = f"2 * gamma(r) * integral(f(x), x, 0, oo) == c * pow(p, -({S}/2)) * pow(q, -(r - {S}/2)) * gamma({S}/2)"
+LINE, HALF = "x, -oo, oo", "x, 0, oo"
+
+STATEMENTS = f"""
+dichotomy(t): |- t > 0 or t <= 0
+root(t): t >= 0 |- sqrt(t) >= 0 and sqrt(t)**2 == t
+root_of_product(s, t): s >= 0; t >= 0 |- sqrt(s * t) == sqrt(s) * sqrt(t)
+equal_squares(s, t): s >= 0; t >= 0; s**2 == t**2 |- s == t
+power(b, u): b > 0 |- pow(b, u) > 0
+power_of_sum(b, s, t): b > 0 |- pow(b, s + t) == pow(b, s) * pow(b, t)
+power_of_product(s, t, u): s > 0; t > 0 |- pow(s * t, u) == pow(s, u) * pow(t, u)
+power_of_power(b, n, u): b > 0 |- pow(b**n, u) == pow(b, n * u) and pow(1, u) == 1
+power_inverse(b, u, t): b > 0; u != 0; pow(b, u) == t |- b == pow(t, 1/u)
+gamma(t): t > 0 |- gamma(t) > 0 and gamma(t + 1) == t * gamma(t)
+gamma_values(): |- gamma(1) == 1 and gamma(1/2)**2 == pi and gamma(1/2) > 0
+circle_number(): |- pi > 0
+right_half(a): {QUADRANTS} |- cos(a) >= 0
+principal_value_arctan(t): |- -(pi/2) < arctan(t) and arctan(t) < pi/2
+principal_value_arcsin(t): t**2 <= 1 |- -(pi/2) <= arcsin(t) and arcsin(t) <= pi/2
+principal_value_arccos(t): t**2 <= 1 |- 0 <= arccos(t) and arccos(t) <= pi
+first_quadrant_arctan(t): t >= 0 |- 0 <= arctan(t) and arctan(t) <= pi/2
+first_quadrant_arcsin(t): t**2 <= 1; t >= 0 |- 0 <= arcsin(t) and arcsin(t) <= pi/2
+first_quadrant_arccos(t): t**2 <= 1; t >= 0 |- 0 <= arccos(t) and arccos(t) <= pi/2
+known_angle_arctan_0(): |- arctan(0) == 0
+known_angle_arctan_1(): |- arctan(1/sqrt(3)) == pi/6
+known_angle_arctan_2(): |- arctan(1) == pi/4
+known_angle_arctan_3(): |- arctan(sqrt(3)) == pi/3
+known_angle_arcsin_0(): |- arcsin(0) == 0
+known_angle_arcsin_1(): |- arcsin(1/2) == pi/6
+known_angle_arcsin_2(): |- arcsin(sqrt(2)/2) == pi/4
+known_angle_arcsin_3(): |- arcsin(sqrt(3)/2) == pi/3
+known_angle_arcsin_4(): |- arcsin(1) == pi/2
+known_angle_arccos_0(): |- arccos(1) == 0
+known_angle_arccos_1(): |- arccos(sqrt(3)/2) == pi/6
+known_angle_arccos_2(): |- arccos(sqrt(2)/2) == pi/4
+known_angle_arccos_3(): |- arccos(1/2) == pi/3
+known_angle_arccos_4(): |- arccos(0) == pi/2
+mean(f, c, g): forall(x, f(x) == c + diff(g(x), x)) |- mean(f(x), x) == c
+quarter_turn(f): forall(x, f(x + pi/2) == -f(x)) |- exists(x, f(x) == 0)
+intermediate_value(f, s, t): s < t; f(s) * f(t) < 0 |- exists(x, s < x and x < t and f(x) == 0)
+constant(c, s, t): |- integral(c, x, s, t) == c * (t - s)
+power_rule(f, s, t, c, g, u): s <= t; forall(x, implies(s <= x and x <= t, g(x) > 0 and f(x) == diff(c * pow(g(x), u), x))) |- integral(f(x), x, s, t) == c * pow(g(t), u) - c * pow(g(s), u)
+power_diverges(f, c, u): c != 0; forall(x, implies(x > 0, f(x) == c * pow(x, u))) |- diverges(f(x), {HALF}) == 1
+beta(f, c, k, u, r, p, q): p > 0; q > 0; {S} > 0; 2*r - {S} > 0; {SHAPE} |- diverges(f(x), {HALF}) == 0 and {EULER} * gamma(r - {S}/2) and gamma(r) > 0 and gamma({S}/2) > 0 and gamma(r - {S}/2) > 0 and pow(p, -({S}/2)) > 0 and pow(q, -(r - {S}/2)) > 0
+beta_diverges(f, c, k, u, r, p, q): p > 0; q > 0; c != 0; {S} <= 0 or 2*r - {S} <= 0; {SHAPE} |- diverges(f(x), {HALF}) == 1
+even(f): forall(x, f(-x) == f(x)) |- integral(f(x), {LINE}) == 2 * integral(f(x), {HALF}) and diverges(f(x), {LINE}) == diverges(f(x), {HALF})
+odd(f): forall(x, f(-x) == -f(x)); diverges(f(x), {HALF}) == 0 |- integral(f(x), {LINE}) == 0 and diverges(f(x), {LINE}) == 0
+"""  # noqa: E501
+SMOOTH = {  # what else must be so: a polynomial in the sine and cosine of its letter, or in the letter itself
+    "mean": ("g", "sin", "cos"), "quarter_turn": ("f", "sin", "cos"), "intermediate_value": ("f",),
+    "power_rule": ("g",),
+}  # fmt: skip
+
+
+class Theorem(NamedTuple):
+    """Premises, conclusion and the parameters, by name."""
+
+    parameters: tuple[str, ...]
+    premises: tuple[Formula, ...]
+    conclusion: Formula
+
+
+def _table() -> dict[str, str]:
+    """The statements by name, with those of angles: in these ranges a function keeps or reverses every order."""
+    lines = STATEMENTS.strip().splitlines()
+    for sign in RELATIONS:
+        written = "==" if sign == "=" else sign
+        for name, domain, angles, values in (
+            ("arctangent", QUADRANTS, f"a {written} arctan(t)", f"sin(a) {written} t * cos(a)"),
+            ("arcsine", f"t**2 <= 1; {QUADRANTS}", f"a {written} arcsin(t)", f"sin(a) {written} t"),
+            ("arccosine", "t**2 <= 1; 0 <= a; a <= pi", f"a {written} arccos(t)", f"t {written} cos(a)"),
+        ):
+            lines.append(f"{name} {sign}(a, t): {domain}; {angles} |- {values}")
+            lines.append(f"{name} {sign} back(a, t): {domain}; {values} |- {angles}")
+    return {line.partition("(")[0]: line for line in lines}
+
+
+@cache
+def theorem(name: str) -> Theorem:
+    """The theorem of that name; KeyError if there is none."""
+    head, _, rest = _table()[name].partition("): ")
+    parameters = tuple(head.partition("(")[2].replace(",", "").split())
+    before, _, after = rest.partition("|- ")
+    premises = tuple(_formula(text) for text in before.split(";") if text.strip())
+    return Theorem(parameters, premises, _formula(after))
+
+
+NAMES = tuple(_table())
+
+
+def _formula(text: str) -> Formula:
+    formula = _read(ast.parse(text.strip(), mode="eval").body)
+    assert isinstance(formula, Node)
+    return formula
+
+
+SIGNS: dict[type, str] = {
+    ast.Add: "+", ast.Mult: "*", ast.Div: "/", ast.Pow: "^", ast.And: "and", ast.Or: "or", ast.Eq: "=",
+    ast.NotEq: "!=", ast.Lt: "<", ast.LtE: "<=", ast.Gt: ">", ast.GtE: ">=",
+}  # fmt: skip
+
+
+def _read(tree: ast.AST) -> Term | Formula:
+    """A term or formula of a statement above."""
+    match tree:
+        case ast.Constant(value=int(number)):
+            return number
+        case ast.Name(id="pi"):
+            return node("pi")
+        case ast.Name(id="oo"):
+            return node("infinity")
+        case ast.Name(id=name):
+            return name
+        case ast.UnaryOp(op=ast.USub(), operand=ast.Name(id="oo")):
+            return node("-infinity")
+        case ast.UnaryOp(op=ast.USub(), operand=inner):
+            return node("-", _read(inner))
+        case ast.BinOp(op=ast.Sub(), left=left, right=right):
+            return node("+", _read(left), node("-", _read(right)))
+        case ast.BinOp(op=op, left=left, right=right):
+            return node(SIGNS[type(op)], _read(left), _read(right))
+        case ast.Compare(ops=[op], left=left, comparators=[right]):
+            return node(SIGNS[type(op)], _read(left), _read(right))
+        case ast.BoolOp(op=op, values=parts):
+            return node(SIGNS[type(op)], *map(_read, parts))
+        case ast.Call(func=ast.Name(id=name), args=arguments):
+            return _applied(name, [_read(argument) for argument in arguments])
+    raise AssertionError(ast.dump(tree))
+
+
+def _applied(name: str, parts: list[Term | Formula]) -> Node:
+    match name, parts:
+        case ("forall", [str(x), body]):
+            return node("forall", (x,), body)
+        case ("exists", [str(x), body]):
+            return node("exists", (x,), body)
+        case ("implies", [premise, conclusion]):
+            return node("=>", premise, conclusion)
+        case ("diff", [body, str(x)]):
+            return node("diff", body, x, 1, x)
+        case ("f" | "g" | "h", [argument]):
+            return node("call", name, (0,), argument)
+    return node(name, *parts)
+
+
+Argument = Term | Lambda
+
+
+def instance(name: str, arguments: dict[str, Argument]) -> tuple[tuple[Formula, ...], Formula]:
+    """Premises and conclusion with the parameters replaced; Malformed where an argument does not fit."""
+    stated = theorem(name)
+    if arguments.keys() != {*stated.parameters}:
+        raise Malformed(f"{name} is a theorem about {', '.join(stated.parameters) or 'no parameters'}")
+    terms: dict[str, Term] = {}
+    functions: dict[str, Lambda] = {}
+    for parameter, argument in arguments.items():
+        lambda_ = isinstance(argument, tuple) and not isinstance(argument, Node)
+        if lambda_ != (parameter in ("f", "g", "h")) or (parameter in ("n", "k") and not isinstance(argument, int)):
+            raise Malformed(f"{argument!r} for the parameter {parameter} of {name}")
+        if isinstance(argument, tuple) and not isinstance(argument, Node):
+            functions[parameter] = argument
+        else:
+            terms[parameter] = argument
+    if name in SMOOTH:
+        parameter, *of = SMOOTH[name]
+        (x,), body = functions[parameter]
+        atoms: list[Term] = [node(each, x) for each in of] or [x]
+        if not polynomial_in(body, *atoms):
+            raise Malformed(f"{body!r} is no polynomial in {' and '.join(of)} {x}")
+    new = [substituted(formula, terms, functions) for formula in (*stated.premises, stated.conclusion)]
+    return tuple(new[:-1]), new[-1]
