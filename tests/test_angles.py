@@ -16,9 +16,9 @@ from symcheck.checker import check
 from symcheck.evidence.steps import point, sides
 from symcheck.proof import certificate, fails_at, identity
 from symcheck.proof.farkas import positive_relation
+from symcheck.proof.theorems import THEOREMS, Terms, contrary
 from symcheck.reading import Letter, Notation, lower, read
 from symcheck.statement import Certificate, Formula, Outcome, Problem, Verdict
-from symcheck.theorems import THEOREMS, Terms, contrary
 
 ANGLES = Notation([Letter("a"), Letter("b"), Letter("c"), Letter(r"\pi")])
 COSECANT, SECANT = (rf"\operatorname{{arctg}}\left(\frac{{1}}{{\{f} b}}\right)" for f in ("sin", "cos"))

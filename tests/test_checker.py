@@ -427,7 +427,7 @@ def test_the_checker_imports_the_standard_library_only() -> None:
     source = Path(checker.__file__).read_text(encoding="utf-8")
     source += "".join(Path(part.__file__).read_text(encoding="utf-8") for part in (enclosures, theorems, residues))
     imported = set(re.findall(r"^(?:from|import) ([\w.]+)", source, re.MULTILINE))
-    own = {"symcheck.enclosures", "symcheck.residues", "symcheck.theorems", "collections.abc"}
+    own = {"symcheck.proof.enclosures", "symcheck.export.coq.residues", "symcheck.proof.theorems", "collections.abc"}
     assert imported - own <= set(sys.stdlib_module_names)
 
 
@@ -446,7 +446,7 @@ sys.path.insert(0, ROOT)
 sys.argv = ['checker.py', sys.argv[2]]
 def end(code):
     loaded = {name for name in sys.modules if name.startswith('symcheck')}
-    assert loaded == {'symcheck', 'symcheck.enclosures', 'symcheck.residues', 'symcheck.theorems'}, loaded
+    assert loaded == {'symcheck', 'symcheck.proof.enclosures', 'symcheck.export.coq.residues', 'symcheck.proof.theorems'}, loaded
     sys.exit(code)
 os._exit = end
 runpy.run_module('symcheck.checker', run_name='__main__')

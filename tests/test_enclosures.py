@@ -11,9 +11,9 @@ import mpmath
 import pytest
 
 from symcheck.checker import check
-from symcheck.enclosures import ONE, Unknown, between, enclosed
 from symcheck.proof import certificate, identity, proof_of
 from symcheck.proof.closed import order_of_numbers
+from symcheck.proof.enclosures import ONE, Unknown, between, enclosed
 from symcheck.reading import Letter, Notation, lower, read
 from symcheck.statement import Certificate, Outcome, Problem, Term, Verdict
 

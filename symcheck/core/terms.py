@@ -31,9 +31,10 @@ if TYPE_CHECKING:
     T = TypeVar("T")
     Term: TypeAlias = "int | str | Node"
     Formula: TypeAlias = "Node"
+    Field: TypeAlias = "int | str | Node | tuple[int, ...] | tuple[str, ...]"
     JSON: TypeAlias = "bool | int | float | str | list[JSON] | dict[str, JSON] | None"
 else:
-    Term = Formula = JSON = T = object  # the module `typing` takes longer to import than the checker
+    Term = Formula = JSON = Field = T = object  # the module `typing` takes longer to import than the checker
 
 FUNCTIONS = ("sqrt", "exp", "log", "gamma", "sin", "cos", "tan", "arctan", "arcsin", "arccos")
 INTEGRALS = ("integral", "diverges")
@@ -55,7 +56,7 @@ def parts(start: int) -> tuple[Term, ...]:
     return property(itemgetter(slice(start, None)))  # type: ignore[return-value]
 
 
-class Node(tuple["int | str | Node | tuple[int, ...] | tuple[str, ...]", ...]):
+class Node(tuple["Field", ...]):
     """A tag and fields; made by the constructors below or by a `Reader`, so that every node is well-formed."""
 
     __slots__ = ()
@@ -139,13 +140,15 @@ TERMS = {tag for tag, (kind, _) in SHAPES.items() if not issubclass(kind, (Relat
 FORMULAS = SHAPES.keys() - TERMS - {"infinity", "-infinity"}
 
 
-def node(tag: str, *fields: int | str | Node | tuple[int, ...] | tuple[str, ...]) -> Node:
+def node(tag: str, *fields: Field) -> Node:
     """A node of the class of its tag; for fields that are right already."""
     return tuple.__new__(SHAPES[tag][0], (tag, *fields))
 
 
 class Reader:
     """Reads JSON into nodes; names that are defined are replaced by what they stand for, wherever they are written."""
+
+    good: set[str] = set()  # noqa: RUF012  names that are letters, as was found out
 
     def __init__(self) -> None:
         self.names: dict[str, Term] = {}
@@ -162,17 +165,17 @@ class Reader:
     def term(self, data: JSON) -> Term:
         """A term; Malformed if it is none."""
         self.size = 0
-        return self._term(data)
+        return self._sized(self._fields([None, data])[1])  # type: ignore[arg-type]
 
     def formula(self, data: JSON) -> Formula:
         """A formula; Malformed if it is none."""
         self.size = 0
-        return self._node(data, FORMULAS)
+        return self._sized(self._node(data, FORMULAS))  # type: ignore[return-value]
 
-    def under(self, x: str) -> Reader:
-        """A reader of what stands under a binder of this letter."""
-        inner = Reader()
-        inner.names, inner.sizes = {name: term for name, term in self.names.items() if name != x}, self.sizes
+    def without(self, *bound: JSON) -> Reader:
+        """A reader of what stands under a binder of these letters."""
+        inner, own = Reader(), {*map(self.letter, bound)}
+        inner.names, inner.sizes = {name: term for name, term in self.names.items() if name not in own}, self.sizes
         return inner
 
     @staticmethod
@@ -180,71 +183,83 @@ class Reader:
         """The name of a letter or of a function."""
         if type(data) is not str or not (data.isascii() and data.isidentifier() and data[0] != "_"):
             raise Malformed(f"{data!r} is no letter")
+        Reader.good.add(data)
         return data
 
-    def _term(self, data: JSON) -> Term:
-        if type(data) is str:
-            if data in self.names:
-                self._count(self.sizes[data])
-                return self.names[data]
-            return self.letter(data)
-        return data if type(data) is int else self._node(data, TERMS)
-
-    def _count(self, nodes: int) -> None:
-        self.size += nodes
+    def _sized(self, found: Term) -> Term:
         if self.size > LARGEST:
             raise Malformed("a term that is too large")
+        return found
+
+    def _fields(self, data: list[JSON]) -> list[Field]:
+        """The tag, and terms after it."""
+        fields: list[Field] = [data[0]]  # type: ignore[list-item]
+        for each in data[1:]:
+            kind = type(each)
+            if kind is list:
+                fields.append(self._node(each, TERMS))
+            elif kind is int:
+                fields.append(each)  # type: ignore[arg-type]
+            elif each in self.names:
+                self.size += self.sizes[each]
+                fields.append(self._sized(self.names[each]))
+            else:
+                fields.append(each if each in self.good else self.letter(each))
+        return fields
 
     def _node(self, data: JSON, allowed: set[str]) -> Node:
         if type(data) is not list or not data or type(tag := data[0]) is not str or tag not in allowed:
             raise Malformed(f"{str(data)[:80]} is no {'term' if allowed is TERMS else 'formula'}")
         kind, sorts = SHAPES[tag]
-        self._count(1)
-        if sorts == "t*":  # sums and products are most of all nodes
-            return tuple.__new__(kind, (tag, *map(self._term, data[1:])))
-        if sorts in ("t", "tt") and len(data) == 1 + len(sorts):
-            return tuple.__new__(kind, (tag, *map(self._term, data[1:])))
-        return tuple.__new__(kind, (tag, *self._fields(tag, sorts, data[1:])))
+        self.size += len(data)
+        if sorts[-1:] != "*" and len(data) != 1 + len(sorts):
+            raise Malformed(f"{tag} with {len(data) - 1} fields")
+        if sorts in ("t*", "tt", "t"):  # most nodes are so
+            return tuple.__new__(kind, self._fields(data))
+        if sorts == "Ft*":
+            return tuple.__new__(kind, (tag, *self._function(data), *self._fields(data[2:])[1:]))
+        if sorts == "f*":
+            return tuple.__new__(kind, (tag, *(self._node(each, FORMULAS) for each in data[1:])))
+        bound = self.without(data[2]) if "x" in sorts else self.without(*letters_of(data[1])) if "X" in sorts else self
+        found = tuple.__new__(kind, (tag, *map(bound._field, sorts, data[1:], [self] * len(data))))
+        self.size += bound.size if bound is not self else 0
+        return found
 
-    def _fields(
-        self, tag: str, sorts: str, data: list[JSON]
-    ) -> Iterator[int | str | Node | tuple[int, ...] | tuple[str, ...]]:
-        if sorts[-1:] == "*":
-            sorts = sorts[:-1] + sorts[-2] * (1 + len(data) - len(sorts) + (sorts[0] == "F"))
-        if tag == "call":
-            function, orders = (*data[:2], None, None)[:2]
-            yield self.letter(function)
-            listed = orders if type(orders) is list else []
-            counts = tuple(n for n in listed if type(n) is int and 0 <= n < 9)
-            if not counts or len(counts) != len(listed) or len(counts) != len(data) - 2:
-                raise Malformed(f"the orders {orders} of the function {function}")
-            yield counts
-            yield from map(self._term, data[2:])
-            return
-        if len(sorts) != len(data):
-            raise Malformed(f"{tag} with {len(data)} fields")
-        kept = self.names
-        for sort, value in zip(sorts, data, strict=True):
-            if sort in "bg":
-                bound = data[1] if sort == "b" else data[0]
-                inner = {self.letter(x) for x in (bound if type(bound) is list else [bound])}
-                self.names = {x: t for x, t in kept.items() if x not in inner}
-                yield self._term(value) if sort == "b" else self._node(value, FORMULAS)
-                self.names = kept
-            elif sort == "x":
-                yield self.letter(value)
-            elif sort == "X":
-                if type(value) is not list or not value or len({str(x) for x in value}) < len(value):
-                    raise Malformed(f"{value!r} are no letters")
-                yield tuple(map(self.letter, value))
-            elif sort in "nk":
-                if type(value) is not int or (sort == "k" and value not in range(1, 9)):
-                    raise Malformed(f"{value!r} is no whole number that fits {tag}")
-                yield value
-            elif sort == "e" and type(value) is list and value in (["infinity"], ["-infinity"]):
-                yield node(str(value[0]))
-            else:
-                yield self._node(value, FORMULAS) if sort == "f" else self._term(value)
+    def _field(self, sort: str, data: JSON, outside: Reader) -> Field:
+        """A field by its sort, read by what is in force under the binder."""
+        match sort:
+            case "b":
+                return self._fields([None, data])[1]
+            case "g":
+                return self._node(data, FORMULAS)
+            case "x":
+                return self.letter(data)
+            case "X":
+                return tuple(map(self.letter, letters_of(data)))
+            case "f":
+                return outside._node(data, FORMULAS)
+            case "e" if data in (["infinity"], ["-infinity"]):
+                return node(str(data[0]))
+            case "n" | "k" if type(data) is int and (sort == "n" or 0 < data < 9):
+                return data
+            case "t" | "e":
+                return outside._fields([None, data])[1]
+        raise Malformed(f"{data!r} is no whole number that fits")
+
+    def _function(self, data: list[JSON]) -> tuple[str, tuple[int, ...]]:
+        """The name of an unknown function, and how often it is differentiated by each of its arguments."""
+        name, listed = data[1:3] if len(data) > 3 else (None, None)
+        orders = tuple(n for n in listed if type(n) is int and 0 <= n < 9) if type(listed) is list else ()
+        if type(listed) is not list or not len(orders) == len(listed) == len(data) - 3:
+            raise Malformed(f"the orders {listed} of the function {name}")
+        return self.letter(name), orders
+
+
+def letters_of(data: JSON) -> list[JSON]:
+    """The letters that a quantifier binds."""
+    if type(data) is not list or not data or len({*map(str, data)}) < len(data):
+        raise Malformed(f"{data!r} are no letters")
+    return data
 
 
 def bound(tree: Node) -> tuple[str, ...]:
@@ -265,12 +280,20 @@ def children(tree: Node) -> Iterator[tuple[Term | Formula, bool]]:
 
 def letters(tree: Term | Formula) -> set[str]:
     """The letters that occur free. Names of unknown functions are not among them: see `functions`."""
-    if not isinstance(tree, tuple):
-        return {tree} if isinstance(tree, str) else set()
     found: set[str] = set()
-    for child, inside in children(tree):
-        found |= letters(child).difference(bound(tree)) if inside else letters(child)
+    _letters(tree, found)
     return found
+
+
+def _letters(tree: Term | Formula, found: set[str]) -> None:
+    if isinstance(tree, str):
+        found.add(tree)
+    elif isinstance(tree, (Binder, Quantified, Call)):
+        for child, inside in children(tree):
+            found |= letters(child).difference(bound(tree)) if inside else letters(child)
+    elif isinstance(tree, tuple):
+        for part in tree[1:]:
+            _letters(part, found)  # type: ignore[arg-type]
 
 
 def functions(tree: Term | Formula) -> set[str]:
@@ -301,6 +324,8 @@ def _substituted(tree: Term | Formula, by: Mapping[str, Term], calls: Mapping[st
             raise Malformed(f"a derivative of {tree.function}, or other arguments")
         arguments = [_substituted(t, by, calls) for t in tree.arguments]
         return _substituted(body, dict(zip(own, arguments, strict=True)), {})
+    if not isinstance(tree, (Binder, Quantified, Call)):
+        return tuple.__new__(type(tree), [tree[0], *[_substituted(t, by, calls) for t in tree[1:]]])  # type: ignore[arg-type]
     own = bound(tree)
     inner = {x: t for x, t in by.items() if x not in own} if own else by
     if own:

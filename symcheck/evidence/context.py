@@ -8,9 +8,9 @@ from dataclasses import replace
 from functools import cache
 from typing import Any
 
+from symcheck.proof.theorems import conjuncts
 from symcheck.reading import Notation, from_sympy, lower, read
 from symcheck.statement import Formula, Hypothesis, Item, Method, Paper, Problem, Role, SymcheckError, Term
-from symcheck.theorems import conjuncts
 
 
 def _names(value: Any) -> Iterator[str]:

@@ -10,6 +10,7 @@ from functools import cache
 from symcheck import papers
 from symcheck.evidence.context import Context, for_letter
 from symcheck.proof import certificate, combined, proof_of, refute
+from symcheck.proof.theorems import conjuncts, contrary
 from symcheck.reading import Relation, System, Tree, from_sympy, lower, read, relations, to_latex
 from symcheck.statement import (
     Certificate,
@@ -24,7 +25,6 @@ from symcheck.statement import (
     Term,
     Verdict,
 )
-from symcheck.theorems import conjuncts, contrary
 
 Definitions = tuple[tuple[str, Term], ...]
 

@@ -15,9 +15,9 @@ from symcheck.codegen.program import Program, compiled
 from symcheck.codegen.target import Made
 from symcheck.evidence.record import Record
 from symcheck.proof import certificate, identity
+from symcheck.proof.theorems import conjuncts
 from symcheck.reading import from_sympy, lower, read
 from symcheck.statement import Certificate, Paper, Problem, SymcheckError, Verdict
-from symcheck.theorems import conjuncts
 
 
 def declared(key: str) -> dict[str, Kernel]:

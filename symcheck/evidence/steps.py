@@ -6,7 +6,7 @@ import json
 from collections.abc import Iterator, Mapping
 from typing import Any
 
-from symcheck.theorems import THEOREMS
+from symcheck.proof.theorems import THEOREMS
 
 _INFIX = {"*": "*", "/": "/", "^": "^", "and": " and ", "or": " or ", "=>": " ⟹ ", "<=>": " ⟺ "}
 _RELATIONS = {"=": "=", "!=": "≠", "<": "<", "<=": "≤", ">": ">", ">=": "≥"}

@@ -10,13 +10,13 @@ from dataclasses import replace
 from itertools import islice, pairwise
 from typing import Any
 
-from symcheck.enclosures import Unknown, enclosed
 from symcheck.proof.angles import KNOWN_ANGLES, KNOWN_SINES, compared, compares_angles, multiple_of_pi
 from symcheck.proof.closed import Numbers, refute_at
+from symcheck.proof.enclosures import Unknown, enclosed
 from symcheck.proof.knowledge import ring_of
 from symcheck.proof.polynomial import Ring, Unsupported, frozen, subterms, unfold, with_arguments
+from symcheck.proof.theorems import Terms, conjuncts, contrary
 from symcheck.statement import Certificate, Formula, Outcome, Problem, Term
-from symcheck.theorems import Terms, conjuncts, contrary
 
 MAX_LETTERS = 3
 MAX_POINTS = 80

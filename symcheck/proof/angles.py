@@ -26,8 +26,8 @@ from symcheck.proof.polynomial import (
     variables,
     with_arguments,
 )
+from symcheck.proof.theorems import RELATIONS, conjuncts
 from symcheck.statement import Certificate, Formula, Problem, Term
-from symcheck.theorems import RELATIONS, conjuncts
 
 INVERSE = {"arctan": "arctangent", "arcsin": "arcsine", "arccos": "arccosine"}
 SWAPPED = {"=": "=", "!=": "!=", "<": ">", "<=": ">=", ">": "<", ">=": "<="}

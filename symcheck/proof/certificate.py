@@ -8,8 +8,8 @@ from collections.abc import Mapping
 from typing import Any
 
 from symcheck.proof.polynomial import subterms, theorem_of
+from symcheck.proof.theorems import conjuncts, sides
 from symcheck.statement import Certificate, Outcome, Problem, Term, Verdict
-from symcheck.theorems import conjuncts, sides
 
 
 def certificate(problem: Problem, outcome: Outcome) -> Certificate:

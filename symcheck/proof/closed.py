@@ -13,11 +13,11 @@ from fractions import Fraction
 from itertools import product
 from typing import Any, NamedTuple
 
-from symcheck.enclosures import FUNCTIONS, Unknown, between
+from symcheck.proof.enclosures import FUNCTIONS, Unknown, between
 from symcheck.proof.orders import number_term
 from symcheck.proof.polynomial import Unsupported, constant, subterms, unfold
+from symcheck.proof.theorems import RELATIONS, Terms, conjuncts
 from symcheck.statement import Certificate, Formula, Outcome, Problem, Term, Verdict
-from symcheck.theorems import RELATIONS, Terms, conjuncts
 
 DIGITS = (6, 12, 20, 30)  # as few as tell two numbers apart
 SIGNS = {"=": {0}, "!=": {-1, 1}, "<": {-1}, "<=": {-1, 0}, ">": {1}, ">=": {0, 1}}  # of left - right

@@ -34,8 +34,8 @@ from symcheck.proof.polynomial import (
     with_arguments,
 )
 from symcheck.proof.theorem_search import values_of
+from symcheck.proof.theorems import RELATIONS, conjuncts
 from symcheck.statement import Certificate, Formula, Outcome, Problem, Term
-from symcheck.theorems import RELATIONS, conjuncts
 
 Point = dict[str, Poly]
 Prover = Callable[[Problem], Outcome | None]

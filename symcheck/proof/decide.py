@@ -12,8 +12,8 @@ from symcheck.proof.counterexample import refute
 from symcheck.proof.knowledge import Knowledge, given_of, ring_of, starting
 from symcheck.proof.orders import form_on_the_circle
 from symcheck.proof.polynomial import ATOMS, Poly, Ring, Unsupported, function_arguments, unfold, variables
+from symcheck.proof.theorems import conjuncts, sides
 from symcheck.statement import Certificate, Outcome, Problem, Term, Verdict
-from symcheck.theorems import conjuncts, sides
 
 _ATOM = r"\b[A-Z][a-z]+_[0-9a-f]{10}\b"
 Search = Callable[[Problem, Ring], Certificate | None]

@@ -6,8 +6,8 @@ from dataclasses import replace
 
 from symcheck.proof.knowledge import proportional, ring_of, starting
 from symcheck.proof.polynomial import Unsupported
+from symcheck.proof.theorems import RELATIONS
 from symcheck.statement import Formula, Problem
-from symcheck.theorems import RELATIONS
 
 MIRROR = {"<": ">", "<=": ">="}
 

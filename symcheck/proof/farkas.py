@@ -10,8 +10,8 @@ from symcheck.proof.equations import written
 from symcheck.proof.knowledge import Knowledge
 from symcheck.proof.orders import number_term, term_of
 from symcheck.proof.polynomial import Poly, fraction, frozen
+from symcheck.proof.theorems import contrary
 from symcheck.statement import Certificate, Formula, Term
-from symcheck.theorems import contrary
 
 MAX_COLUMNS = 160
 

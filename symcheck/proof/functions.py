@@ -30,8 +30,8 @@ from symcheck.proof.polynomial import (
     variables,
     with_arguments,
 )
+from symcheck.proof.theorems import BINDING, Terms, Unknown
 from symcheck.statement import Term
-from symcheck.theorems import BINDING, Terms, Unknown
 
 HALF_LINE = (0, "infinity")
 WHOLE_LINE = (("-", "infinity"), "infinity")

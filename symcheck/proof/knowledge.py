@@ -12,8 +12,8 @@ from typing import Any
 
 from symcheck.proof.ideal import Fact, Ideal, Ref
 from symcheck.proof.polynomial import Poly, Ring, fraction, unfold, variables
+from symcheck.proof.theorems import RELATIONS, conjuncts
 from symcheck.statement import Formula, Problem, Term
-from symcheck.theorems import RELATIONS, conjuncts
 
 MIRROR = {"<": ">", "<=": ">="}
 Given = frozenset[tuple[str, int]]

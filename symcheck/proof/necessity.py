@@ -14,8 +14,8 @@ from symcheck.proof.certificate import certificate
 from symcheck.proof.counterexample import fails_at
 from symcheck.proof.methods import proof_of, refute
 from symcheck.proof.polynomial import Unsupported, subterms
+from symcheck.proof.theorems import RELATIONS, Terms, conjuncts, contrary
 from symcheck.statement import Certificate, Formula, Loss, Outcome, Problem, Term, Verdict
-from symcheck.theorems import RELATIONS, Terms, conjuncts, contrary
 
 PLAIN = {"+", "-", "*", "/", "^", "and", "or", "=>", "<=>", *RELATIONS}
 DRAWN, DRAWS = range(-5, 6), 500

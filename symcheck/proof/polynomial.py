@@ -15,8 +15,8 @@ from typing import Any
 
 import flint
 
+from symcheck.proof.theorems import BINDING, OPAQUE, THEOREMS, Terms, Theorem, Unknown
 from symcheck.statement import Formula, Term
-from symcheck.theorems import BINDING, OPAQUE, THEOREMS, Terms, Theorem, Unknown
 
 Instance = tuple[Any, ...]  # the name of a theorem and what it is applied to
 Poly = Any  # flint.fmpq_mpoly, which has no type information

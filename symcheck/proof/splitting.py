@@ -15,9 +15,9 @@ from symcheck.proof.orders import fraction_form, positive_form, prove_order, ter
 from symcheck.proof.polynomial import Poly, Ring, fraction
 from symcheck.proof.pruning import without
 from symcheck.proof.theorem_search import has_functions, prove_with_theorems
+from symcheck.proof.theorems import RELATIONS
 from symcheck.proof.witnesses import prove_existence
 from symcheck.statement import Certificate, Formula, Problem, Term
-from symcheck.theorems import RELATIONS
 
 CONTRARY = {"<": ">=", "<=": ">", ">": "<=", ">=": "<"}
 ABSURD: Formula = ("or",)  # the goal of a contradiction: nothing to choose from

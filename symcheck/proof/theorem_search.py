@@ -22,8 +22,8 @@ from symcheck.proof.polynomial import (
     variables,
     with_arguments,
 )
+from symcheck.proof.theorems import BINDING, Theorem
 from symcheck.statement import Certificate, Formula, Problem, Term
-from symcheck.theorems import BINDING, Theorem
 
 Prover = Callable[[Formula, Knowledge], Certificate | None]
 MAX_INSTANCES = 40

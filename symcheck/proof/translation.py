@@ -177,7 +177,9 @@ def point(found: Mapping[str, Any]) -> Proof:
         new["sides"] = [number(side) if isinstance(side, str) else term(side) for side in sides]
     if "enclosed" in found:
         new["enclosed"] = [[term(t), digits, term(low), term(high)] for t, digits, low, high in found["enclosed"]]
-    known: list[tuple[JSON, Proof]] = [(["=", put(term(t), values), term(v)], proof(why)) for t, v, why in found.get("functions", ())]
+    known: list[tuple[JSON, Proof]] = [
+        (["=", put(term(t), values), term(v)], proof(why)) for t, v, why in found.get("functions", ())
+    ]
     known += [(term(fact), proof(why)) for fact, why in found.get("facts", ())]
     last: Proof = {"rule": "compute", "values": [["here", k] for k in range(len(known))]}
     if "proof" in found:

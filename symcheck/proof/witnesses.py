@@ -8,8 +8,8 @@ from typing import Any
 from symcheck.proof.equations import equations_here, identity_here
 from symcheck.proof.knowledge import Knowledge, ring_of, starting
 from symcheck.proof.polynomial import Ring, unfold, variables
+from symcheck.proof.theorems import conjuncts
 from symcheck.statement import Certificate, Formula, Problem, Term
-from symcheck.theorems import conjuncts
 
 ANGLE = "turn"  # the angle of a witness's point (u, v) = (cos turn, sin turn) of the unit circle
 

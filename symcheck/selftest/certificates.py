@@ -14,10 +14,10 @@ from typing import Any
 from symcheck.evidence.record import Record
 from symcheck.evidence.store import certificates
 from symcheck.proof import digest, fails_without, proof_of
+from symcheck.proof.theorems import conjuncts
 from symcheck.selftest.evidence import holds, problem_of
 from symcheck.selftest.trial import Fate, FaultClass, Trial, mixed
 from symcheck.statement import Certificate, Loss
-from symcheck.theorems import conjuncts
 
 STATED = ("claim", "definitions", "hypotheses")
 TURNED = {"<": ">=", "<=": ">", ">": "<=", ">=": "<", "=": "!=", "!=": "="}

@@ -10,10 +10,10 @@ from typing import Any
 
 from symcheck.evidence.record import Record
 from symcheck.proof import fails_at, identity
+from symcheck.proof.theorems import CONSTANTS, Terms
 from symcheck.selftest.evidence import answered, problem_of
 from symcheck.selftest.trial import Fate, FaultClass, Trial
 from symcheck.statement import Formula, Outcome, Problem, Verdict
-from symcheck.theorems import CONSTANTS, Terms
 
 PROVED = Outcome(Verdict.PROVED, proof={"rule": "identity", "cofactors": [], "given": []})
 MOST = 20_000  # characters of a statement that is put to them: some proofs hang on longer ones for minutes

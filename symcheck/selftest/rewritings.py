@@ -10,11 +10,11 @@ from random import Random
 from typing import Any
 
 from symcheck.evidence.judge import judge
+from symcheck.proof.theorems import CONSTANTS
 from symcheck.selftest.evidence import all_hold, answered
 from symcheck.selftest.statements import Proved, places, proved
 from symcheck.selftest.trial import Fate, FaultClass, Trial, mixed
 from symcheck.statement import Formula, Problem, Term, Verdict
-from symcheck.theorems import CONSTANTS
 
 RENAMED = "renamed"
 Rewriting = tuple[str, Proved, int, Formula]

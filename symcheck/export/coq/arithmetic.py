@@ -5,7 +5,7 @@ from __future__ import annotations
 from fractions import Fraction
 from typing import Any
 
-from symcheck.theorems import Terms
+from symcheck.proof.theorems import Terms
 
 
 def fraction(term: Any) -> tuple[Any, list[Any]]:

@@ -12,7 +12,7 @@ from symcheck.export.coq.printing import ATOM, spelled
 from symcheck.export.coq.statements import Statement
 from symcheck.export.coq.terms import NotExported, rebuilt
 from symcheck.export.coq.values import Values
-from symcheck.theorems import RELATIONS
+from symcheck.proof.theorems import RELATIONS
 
 
 class Known(NamedTuple):

@@ -19,9 +19,9 @@ from symcheck.evidence.context import Context, for_letter
 from symcheck.evidence.judge import Unit, equality_claims, units
 from symcheck.evidence.obligation import obligation_of
 from symcheck.export.coq.reader import claims
+from symcheck.proof.theorems import RELATIONS
 from symcheck.reading import read
 from symcheck.statement import Formula, Role
-from symcheck.theorems import RELATIONS
 
 DIGITS, TOLERANCE = 60, mpmath.mpf(10) ** -12
 CALLS = {"arctan": "atan", "arcsin": "asin", "arccos": "acos"}

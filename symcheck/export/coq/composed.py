@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 from symcheck.export.coq.printing import name, printed
 from symcheck.export.coq.statements import Statement, stated
 from symcheck.export.coq.terms import Definitions, NotExported, bound_letters
-from symcheck.theorems import conjuncts
+from symcheck.proof.theorems import conjuncts
 
 if TYPE_CHECKING:
     from symcheck.export.coq.claims import Exported

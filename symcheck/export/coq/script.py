@@ -16,7 +16,7 @@ from symcheck.export.coq.printing import name
 from symcheck.export.coq.terms import NotExported, denominators, letters, polynomial, substituted, subterms
 from symcheck.export.coq.theorems import apply, missing
 from symcheck.export.coq.values import OPAQUE
-from symcheck.theorems import conjuncts, contrary
+from symcheck.proof.theorems import conjuncts, contrary
 
 BY_CONTRADICTION = {
     "!=": "", "<": "apply Rnot_ge_lt. ", "<=": "apply Rnot_gt_le. ",

@@ -10,7 +10,7 @@ from typing import Any
 from symcheck.export.coq.printing import name, printed
 from symcheck.export.coq.terms import Definitions, denominators, is_number, letters, subterms
 from symcheck.export.coq.values import Values
-from symcheck.theorems import Terms
+from symcheck.proof.theorems import Terms
 
 WIDTH = 118
 

@@ -8,7 +8,7 @@ from fractions import Fraction
 from math import lcm
 from typing import Any
 
-from symcheck.theorems import BINDING, RELATIONS
+from symcheck.proof.theorems import BINDING, RELATIONS
 
 FACTOR = re.compile(r"(\d+)(?:/(\d+))?|([A-Za-z]\w*)(?:\^(\d+))?", re.ASCII)
 FUNCTIONS = ("sin", "cos", "tan", "sqrt", "exp", "log", "pow", "gamma", "arctan", "arcsin", "arccos")

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 from symcheck.export.coq.digits import Enclosure
 from symcheck.export.coq.printing import name, spelled
 from symcheck.export.coq.terms import NotExported
-from symcheck.theorems import THEOREMS, Terms, conjuncts
+from symcheck.proof.theorems import THEOREMS, Terms, conjuncts
 
 if TYPE_CHECKING:
     from symcheck.export.coq.script import Script

@@ -6,8 +6,8 @@ from fractions import Fraction
 from math import prod
 from typing import Any
 
+from symcheck.export.coq.residues import Reject, chance
 from symcheck.export.coq.terms import NotExported, is_number
-from symcheck.residues import Reject, chance
 
 OPAQUE = ("sqrt", "pow", "exp", "log", "gamma", "arctan", "arcsin", "arccos")
 

@@ -8,7 +8,7 @@ from collections.abc import Callable
 from functools import lru_cache
 from math import factorial, gcd, prod
 
-from symcheck.enclosures import Any
+from symcheck.proof.enclosures import Any
 
 HEIGHT = 1 << 96
 PRIMES = (2, 3, 5, 7, 11, 13, 17, 19, 23, 29, 31, 37, 41, 43)

@@ -6,8 +6,8 @@ Terms and formulas are nested lists, as in `checker.py`; this file too uses the 
 from collections import namedtuple
 from collections.abc import Callable
 
-from symcheck.enclosures import Any, between
-from symcheck.enclosures import Unknown as Unknown
+from symcheck.proof.enclosures import Any, between
+from symcheck.proof.enclosures import Unknown as Unknown
 
 BINDING = ("integral", "diverges", "mean")
 OPAQUE = ("sqrt", "pow", "log", "exp", "gamma", "arctan", "arcsin", "arccos")

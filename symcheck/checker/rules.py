@@ -11,10 +11,10 @@ from collections.abc import Callable, Iterable, Mapping
 from re import findall
 from typing import NamedTuple
 
-from symcheck.checker2.algebra import Algebra, Inexact
-from symcheck.checker2.enclosures import between, enclosed
-from symcheck.checker2.residues import require
-from symcheck.checker2.theorems import Argument, instance
+from symcheck.checker.algebra import Algebra, Inexact
+from symcheck.checker.enclosures import between, enclosed
+from symcheck.checker.residues import require
+from symcheck.checker.theorems import Argument, instance
 from symcheck.core.terms import (
     JSON,
     Call,
@@ -352,7 +352,7 @@ class Prover:
             if isinstance(data, dict):
                 inner = Step(data, self.reader)
                 x = self.reader.letter(inner.take("letter"))
-                given[parameter] = (x,), self.reader.under(x).term(inner.take("term"))
+                given[parameter] = (x,), self.reader.without(x).term(inner.take("term"))
                 inner.end()
             else:
                 given[parameter] = self.reader.term(data)

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 
-from symcheck.checker2.algebra import Algebra
-from symcheck.checker2.residues import Reject, require
-from symcheck.checker2.rules import Prover, Step, conjuncts, contrary, enclosure, sides, string
+from symcheck.checker.algebra import Algebra
+from symcheck.checker.residues import Reject, require
+from symcheck.checker.rules import Prover, Step, conjuncts, contrary, enclosure, sides, string
 from symcheck.core.calculus import Unknown
 from symcheck.core.terms import (
     JSON,

@@ -12,7 +12,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Mapping
 from math import prod
 
-from symcheck.checker2.residues import CHANCE, Reject, polynomials, require
+from symcheck.checker.residues import CHANCE, Reject, polynomials, require
 from symcheck.core.calculus import differentiated
 from symcheck.core.terms import (
     Binder,
@@ -67,10 +67,6 @@ class Algebra:
 
     def value(self, term: Term) -> int:
         """The value of a term; sums and products are not reduced modulo the prime."""
-        if isinstance(term, str):
-            return self.letter(term)
-        if isinstance(term, int):
-            return term
         if id(term) in self.shared and not self.bound:
             if id(term) not in self.known:
                 self.known[id(term)] = OPERATIONS[type(term)](self, term) % self.prime
@@ -78,6 +74,7 @@ class Algebra:
         return OPERATIONS[type(term)](self, term)
 
     def letter(self, name: str) -> int:
+        """The value of a letter: at a point the one that it has there, else a random one."""
         if name in self.bound:
             return self.chance.draw(*self.bound[name])
         if name not in self.values:
@@ -91,10 +88,16 @@ class Algebra:
         return self.values[name]
 
     def sum(self, term: Sum) -> int:
-        return sum(map(self.value, term.terms))
+        total, values = 0, self.values if not self.bound else {}
+        for part in term[1:]:
+            total += values[part] if type(part) is str and part in values else self.value(part)  # type: ignore[arg-type]
+        return total
 
     def product(self, term: Product) -> int:
-        return prod(map(self.value, term.terms))
+        total, values = 1, self.values if not self.bound else {}
+        for part in term[1:]:
+            total *= values[part] if type(part) is str and part in values else self.value(part)  # type: ignore[arg-type]
+        return total
 
     def quotient(self, term: Quotient) -> int:
         return self.value(term.top) * self.inverse(term.bottom) % self.prime
@@ -278,6 +281,7 @@ def height(term: Term) -> int:
 
 
 OPERATIONS: dict[type, Callable[..., int]] = {
+    str: Algebra.letter, int: lambda algebra, term: term,
     Sum: Algebra.sum, Product: Algebra.product, Minus: lambda algebra, term: -algebra.value(term[1]),
     Quotient: Algebra.quotient, Power: Algebra.power, Value: Algebra.function, Call: Algebra.call,
     Binder: Algebra.binder,

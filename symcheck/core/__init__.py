@@ -1,0 +1,1 @@
+"""Terms, formulas and derivatives: what the checker and those who look for proofs have in common."""
