@@ -81,6 +81,4 @@ def _dtype(arguments: Any) -> Any:
 
 
 def _attributes(listed: Iterable[tuple[str, str, str]]) -> dict[str, dict[str, str]]:
-    return {
-        name: {"long_name": meaning, "units": unit.removeprefix("units of ")} for name, meaning, unit in listed
-    }
+    return {name: {"long_name": meaning, "units": unit.removeprefix("units of ")} for name, meaning, unit in listed}
