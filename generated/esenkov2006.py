@@ -8,6 +8,112 @@ from symcheck.runtime import DOUBLE, FEW, SMALL, evaluate, evaluate_alike, evalu
 
 __all__ = ["boundary_of_stability", "characteristic_coefficients", "critical_frequencies", "discriminant", "frequencies", "greatest_growth_rate", "mode_inertia", "residue_of_a_mode", "width_of_the_unstable_interval"]
 
+DECLARED = {  # name, meaning and unit of the arguments and of the results; docstrings may be stripped
+    'mode_inertia': (
+        (
+            ('a_1', 'angular momentum of the liquid for the amplitude 1 of a mode of dimensionless shape', 'kg m'),
+            ('chi_1', 'coupling of the mode to the turning body', 'm^4'),
+            ('N_1', 'norm of the mode', 'm^(3/2)'),
+        ),
+        (
+            ('E_1', 'moment of inertia of the mode', 'kg m^2'),
+        ),
+    ),
+    'residue_of_a_mode': (
+        (
+            ('E_1', 'moment of inertia that the mode carries', 'kg m^2'),
+            ('lambda_1', 'natural frequency of the mode', 'rad/s'),
+            ('omega_0', 'spin', 'rad/s'),
+        ),
+        (
+            ('R_1', 'minus the residue', 'kg m^2 rad^2/s^2'),
+        ),
+    ),
+    'characteristic_coefficients': (
+        (
+            ('A', 'transverse moment of inertia, with the liquid at rest', 'kg m^2'),
+            ('C', 'axial moment of inertia', 'kg m^2'),
+            ('E_1', 'moment of inertia that the mode carries', 'kg m^2'),
+            ('lambda_1', 'natural frequency of the mode', 'rad/s'),
+            ('omega_0', 'spin', 'rad/s'),
+        ),
+        (
+            ('c_2', 'coefficient of eta^2', 'kg m^2'),
+            ('c_1', 'coefficient of eta', 'kg m^2 rad/s'),
+            ('c_0', 'constant term', 'kg m^2 rad^2/s^2'),
+        ),
+    ),
+    'discriminant': (
+        (
+            ('A', 'transverse moment of inertia, with the liquid at rest', 'kg m^2'),
+            ('C', 'axial moment of inertia', 'kg m^2'),
+            ('E_1', 'moment of inertia that the mode carries', 'kg m^2'),
+            ('lambda_1', 'natural frequency of the mode', 'rad/s'),
+            ('omega_0', 'spin', 'rad/s'),
+        ),
+        (
+            ('D', 'discriminant in eta', 'kg^2 m^4 rad^2/s^2'),
+        ),
+    ),
+    'boundary_of_stability': (
+        (
+            ('A', 'transverse moment of inertia, with the liquid at rest', 'kg m^2'),
+            ('E_1', 'moment of inertia that the mode carries', 'kg m^2'),
+            ('b_1', 'natural frequency of the mode, divided by the spin', '1'),
+        ),
+        (
+            ('Delta_1', 'upper end', 'kg m^2'),
+            ('Delta_2', 'lower end', 'kg m^2'),
+        ),
+    ),
+    'width_of_the_unstable_interval': (
+        (
+            ('A', 'transverse moment of inertia, with the liquid at rest', 'kg m^2'),
+            ('E_1', 'moment of inertia that the mode carries', 'kg m^2'),
+            ('b_1', 'natural frequency of the mode, divided by the spin', '1'),
+        ),
+        (
+            ('width', 'length of the interval', 'kg m^2'),
+        ),
+    ),
+    'critical_frequencies': (
+        (
+            ('A', 'transverse moment of inertia, with the liquid at rest', 'kg m^2'),
+            ('E_1', 'moment of inertia that the mode carries', 'kg m^2'),
+            ('b_1', 'natural frequency of the mode, divided by the spin', '1'),
+            ('omega_0', 'spin', 'rad/s'),
+        ),
+        (
+            ('eta_1', 'frequency at the upper end', 'rad/s'),
+            ('eta_2', 'frequency at the lower end', 'rad/s'),
+        ),
+    ),
+    'greatest_growth_rate': (
+        (
+            ('A', 'transverse moment of inertia, with the liquid at rest', 'kg m^2'),
+            ('E_1', 'moment of inertia that the mode carries', 'kg m^2'),
+            ('b_1', 'natural frequency of the mode, divided by the spin', '1'),
+            ('omega_0', 'spin', 'rad/s'),
+        ),
+        (
+            ('y', 'growth rate', '1/s'),
+        ),
+    ),
+    'frequencies': (
+        (
+            ('A', 'transverse moment of inertia, with the liquid at rest', 'kg m^2'),
+            ('Delta', 'C - A: a flattened body', 'kg m^2'),
+            ('E_1', 'moment of inertia that the mode carries', 'kg m^2'),
+            ('b_1', 'natural frequency of the mode, divided by the spin', '1'),
+            ('omega_0', 'spin', 'rad/s'),
+        ),
+        (
+            ('eta_1', 'frequency against the spin', 'rad/s'),
+            ('eta_2', 'frequency with the spin', 'rad/s'),
+        ),
+    ),
+}
+
 
 def mode_inertia(a_1, chi_1, N_1, out=None):
     """The moment of inertia that a mode of the liquid carries.

@@ -8,6 +8,512 @@ from symcheck.runtime import DOUBLE, FEW, SMALL, evaluate, evaluate_alike, evalu
 
 __all__ = ["axes_of_four_wheels", "axes_of_six_wheels", "best_angle_of_six_wheels", "best_angles_of_four_wheels", "equal_rates_of_four_wheels", "equal_rates_of_six_wheels", "face_distances_of_five_wheels", "face_distances_of_four_wheels", "face_distances_of_six_wheels", "face_distances_of_three_wheels", "largest_rates_of_four_wheels", "largest_rates_of_six_wheels", "momentum_of_five_wheels", "momentum_of_four_wheels", "momentum_of_six_wheels", "momentum_of_three_wheels", "rates_of_five_wheels", "rates_of_four_wheels", "rates_of_six_wheels", "rates_of_three_wheels", "vertex_distances_of_five_wheels", "vertex_distances_of_four_wheels", "vertex_distances_of_six_wheels", "vertex_distances_of_three_wheels", "vertices_of_five_wheels", "vertices_of_four_wheels", "vertices_of_six_wheels", "vertices_of_three_wheels", "volume_of_five_wheels", "volume_of_four_wheels", "volume_of_six_wheels", "volume_of_three_wheels"]
 
+DECLARED = {  # name, meaning and unit of the arguments and of the results; docstrings may be stripped
+    'axes_of_four_wheels': (
+        (
+            ('a', 'angle between the axis of a wheel and OZ', 'rad'),
+            ('b', 'angle of the side edges in the plane OXY', 'rad'),
+        ),
+        (
+            ('e_1x', 'x of e_1', '1'),
+            ('e_1y', 'y of e_1', '1'),
+            ('e_1z', 'z of e_1', '1'),
+            ('e_2x', 'x of e_2', '1'),
+            ('e_2y', 'y of e_2', '1'),
+            ('e_2z', 'z of e_2', '1'),
+            ('e_3x', 'x of e_3', '1'),
+            ('e_3y', 'y of e_3', '1'),
+            ('e_3z', 'z of e_3', '1'),
+            ('e_4x', 'x of e_4', '1'),
+            ('e_4y', 'y of e_4', '1'),
+            ('e_4z', 'z of e_4', '1'),
+        ),
+    ),
+    'axes_of_six_wheels': (
+        (
+            ('a', 'angle between the axis of a wheel and OZ', 'rad'),
+        ),
+        (
+            ('e_1y', 'y of e_1', '1'),
+            ('e_1z', 'z of e_1', '1'),
+            ('e_2x', 'x of e_2', '1'),
+            ('e_2y', 'y of e_2', '1'),
+            ('e_2z', 'z of e_2', '1'),
+            ('e_3x', 'x of e_3', '1'),
+            ('e_3y', 'y of e_3', '1'),
+            ('e_3z', 'z of e_3', '1'),
+            ('e_4y', 'y of e_4', '1'),
+            ('e_4z', 'z of e_4', '1'),
+            ('e_5x', 'x of e_5', '1'),
+            ('e_5y', 'y of e_5', '1'),
+            ('e_5z', 'z of e_5', '1'),
+            ('e_6x', 'x of e_6', '1'),
+            ('e_6y', 'y of e_6', '1'),
+            ('e_6z', 'z of e_6', '1'),
+        ),
+    ),
+    'momentum_of_four_wheels': (
+        (
+            ('h_1', 'momentum of wheel 1', 'units of h_max'),
+            ('h_2', 'momentum of wheel 2', 'units of h_max'),
+            ('h_3', 'momentum of wheel 3', 'units of h_max'),
+            ('h_4', 'momentum of wheel 4', 'units of h_max'),
+            ('a', 'angle between the axis of a wheel and OZ', 'rad'),
+            ('b', 'angle of the side edges in the plane OXY', 'rad'),
+        ),
+        (
+            ('H_x', 'momentum along OX', 'units of h_max'),
+            ('H_y', 'momentum along OY', 'units of h_max'),
+            ('H_z', 'momentum along OZ', 'units of h_max'),
+        ),
+    ),
+    'momentum_of_three_wheels': (
+        (
+            ('h_1', 'momentum of wheel 1', 'units of h_max'),
+            ('h_2', 'momentum of wheel 2', 'units of h_max'),
+            ('h_3', 'momentum of wheel 3', 'units of h_max'),
+            ('a', 'angle between the axis of a wheel and OZ', 'rad'),
+            ('b', 'angle of the side edges in the plane OXY', 'rad'),
+        ),
+        (
+            ('H_x', 'momentum along OX', 'units of h_max'),
+            ('H_y', 'momentum along OY', 'units of h_max'),
+            ('H_z', 'momentum along OZ', 'units of h_max'),
+        ),
+    ),
+    'momentum_of_six_wheels': (
+        (
+            ('h_1', 'momentum of wheel 1', 'units of h_max'),
+            ('h_2', 'momentum of wheel 2', 'units of h_max'),
+            ('h_3', 'momentum of wheel 3', 'units of h_max'),
+            ('h_4', 'momentum of wheel 4', 'units of h_max'),
+            ('h_5', 'momentum of wheel 5', 'units of h_max'),
+            ('h_6', 'momentum of wheel 6', 'units of h_max'),
+            ('a', 'angle between the axis of a wheel and OZ', 'rad'),
+        ),
+        (
+            ('H_x', 'momentum along OX', 'units of h_max'),
+            ('H_y', 'momentum along OY', 'units of h_max'),
+            ('H_z', 'momentum along OZ', 'units of h_max'),
+        ),
+    ),
+    'momentum_of_five_wheels': (
+        (
+            ('h_1', 'momentum of wheel 1', 'units of h_max'),
+            ('h_2', 'momentum of wheel 2', 'units of h_max'),
+            ('h_3', 'momentum of wheel 3', 'units of h_max'),
+            ('h_4', 'momentum of wheel 4', 'units of h_max'),
+            ('h_5', 'momentum of wheel 5', 'units of h_max'),
+            ('a', 'angle between the axis of a wheel and OZ', 'rad'),
+        ),
+        (
+            ('H_x', 'momentum along OX', 'units of h_max'),
+            ('H_y', 'momentum along OY', 'units of h_max'),
+            ('H_z', 'momentum along OZ', 'units of h_max'),
+        ),
+    ),
+    'rates_of_four_wheels': (
+        (
+            ('h_1', 'momentum of wheel 1', 'units of h_max'),
+            ('h_2', 'momentum of wheel 2', 'units of h_max'),
+            ('h_3', 'momentum of wheel 3', 'units of h_max'),
+            ('h_4', 'momentum of wheel 4', 'units of h_max'),
+            ('a', 'angle between the axis of a wheel and OZ', 'rad'),
+            ('b', 'angle of the side edges in the plane OXY', 'rad'),
+            ('J_x', 'moment of inertia about OX', 'kg m^2'),
+            ('J_y', 'moment of inertia about OY', 'kg m^2'),
+            ('J_z', 'moment of inertia about OZ', 'kg m^2'),
+        ),
+        (
+            ('w_x', 'angular rate about OX', 'units of h_max/(kg m^2)'),
+            ('w_y', 'angular rate about OY', 'units of h_max/(kg m^2)'),
+            ('w_z', 'angular rate about OZ', 'units of h_max/(kg m^2)'),
+        ),
+    ),
+    'rates_of_three_wheels': (
+        (
+            ('h_1', 'momentum of wheel 1', 'units of h_max'),
+            ('h_2', 'momentum of wheel 2', 'units of h_max'),
+            ('h_3', 'momentum of wheel 3', 'units of h_max'),
+            ('a', 'angle between the axis of a wheel and OZ', 'rad'),
+            ('b', 'angle of the side edges in the plane OXY', 'rad'),
+            ('J_x', 'moment of inertia about OX', 'kg m^2'),
+            ('J_y', 'moment of inertia about OY', 'kg m^2'),
+            ('J_z', 'moment of inertia about OZ', 'kg m^2'),
+        ),
+        (
+            ('w_x', 'angular rate about OX', 'units of h_max/(kg m^2)'),
+            ('w_y', 'angular rate about OY', 'units of h_max/(kg m^2)'),
+            ('w_z', 'angular rate about OZ', 'units of h_max/(kg m^2)'),
+        ),
+    ),
+    'rates_of_six_wheels': (
+        (
+            ('h_1', 'momentum of wheel 1', 'units of h_max'),
+            ('h_2', 'momentum of wheel 2', 'units of h_max'),
+            ('h_3', 'momentum of wheel 3', 'units of h_max'),
+            ('h_4', 'momentum of wheel 4', 'units of h_max'),
+            ('h_5', 'momentum of wheel 5', 'units of h_max'),
+            ('h_6', 'momentum of wheel 6', 'units of h_max'),
+            ('a', 'angle between the axis of a wheel and OZ', 'rad'),
+            ('J_x', 'moment of inertia about OX', 'kg m^2'),
+            ('J_y', 'moment of inertia about OY', 'kg m^2'),
+            ('J_z', 'moment of inertia about OZ', 'kg m^2'),
+        ),
+        (
+            ('w_x', 'angular rate about OX', 'units of h_max/(kg m^2)'),
+            ('w_y', 'angular rate about OY', 'units of h_max/(kg m^2)'),
+            ('w_z', 'angular rate about OZ', 'units of h_max/(kg m^2)'),
+        ),
+    ),
+    'rates_of_five_wheels': (
+        (
+            ('h_1', 'momentum of wheel 1', 'units of h_max'),
+            ('h_2', 'momentum of wheel 2', 'units of h_max'),
+            ('h_3', 'momentum of wheel 3', 'units of h_max'),
+            ('h_4', 'momentum of wheel 4', 'units of h_max'),
+            ('h_5', 'momentum of wheel 5', 'units of h_max'),
+            ('a', 'angle between the axis of a wheel and OZ', 'rad'),
+            ('J_x', 'moment of inertia about OX', 'kg m^2'),
+            ('J_y', 'moment of inertia about OY', 'kg m^2'),
+            ('J_z', 'moment of inertia about OZ', 'kg m^2'),
+        ),
+        (
+            ('w_x', 'angular rate about OX', 'units of h_max/(kg m^2)'),
+            ('w_y', 'angular rate about OY', 'units of h_max/(kg m^2)'),
+            ('w_z', 'angular rate about OZ', 'units of h_max/(kg m^2)'),
+        ),
+    ),
+    'vertices_of_four_wheels': (
+        (
+            ('a', 'angle between the axis of a wheel and OZ', 'rad'),
+            ('b', 'angle of the side edges in the plane OXY', 'rad'),
+        ),
+        (
+            ('V_1x', 'x of V_1', 'units of h_max'),
+            ('V_2x', 'x of V_2', 'units of h_max'),
+            ('V_2y', 'y of V_2', 'units of h_max'),
+            ('V_2z', 'z of V_2', 'units of h_max'),
+            ('V_3x', 'x of V_3', 'units of h_max'),
+            ('V_3y', 'y of V_3', 'units of h_max'),
+            ('V_3z', 'z of V_3', 'units of h_max'),
+            ('V_4x', 'x of V_4', 'units of h_max'),
+            ('V_4y', 'y of V_4', 'units of h_max'),
+            ('V_4z', 'z of V_4', 'units of h_max'),
+            ('V_5x', 'x of V_5', 'units of h_max'),
+            ('V_5y', 'y of V_5', 'units of h_max'),
+            ('V_5z', 'z of V_5', 'units of h_max'),
+            ('V_6y', 'y of V_6', 'units of h_max'),
+            ('V_7z', 'z of V_7', 'units of h_max'),
+        ),
+    ),
+    'vertices_of_three_wheels': (
+        (
+            ('a', 'angle between the axis of a wheel and OZ', 'rad'),
+            ('b', 'angle of the side edges in the plane OXY', 'rad'),
+        ),
+        (
+            ('V_1x', 'x of V_1', 'units of h_max'),
+            ('V_1y', 'y of V_1', 'units of h_max'),
+            ('V_1z', 'z of V_1', 'units of h_max'),
+            ('V_2x', 'x of V_2', 'units of h_max'),
+            ('V_2y', 'y of V_2', 'units of h_max'),
+            ('V_2z', 'z of V_2', 'units of h_max'),
+            ('V_3x', 'x of V_3', 'units of h_max'),
+            ('V_3y', 'y of V_3', 'units of h_max'),
+            ('V_3z', 'z of V_3', 'units of h_max'),
+            ('V_4x', 'x of V_4', 'units of h_max'),
+            ('V_4y', 'y of V_4', 'units of h_max'),
+            ('V_4z', 'z of V_4', 'units of h_max'),
+        ),
+    ),
+    'vertices_of_six_wheels': (
+        (
+            ('a', 'angle between the axis of a wheel and OZ', 'rad'),
+        ),
+        (
+            ('V_1z', 'z of V_1', 'units of h_max'),
+            ('V_2y', 'y of V_2', 'units of h_max'),
+            ('V_2z', 'z of V_2', 'units of h_max'),
+            ('V_3x', 'x of V_3', 'units of h_max'),
+            ('V_3y', 'y of V_3', 'units of h_max'),
+            ('V_3z', 'z of V_3', 'units of h_max'),
+            ('V_4x', 'x of V_4', 'units of h_max'),
+            ('V_4y', 'y of V_4', 'units of h_max'),
+            ('V_4z', 'z of V_4', 'units of h_max'),
+            ('V_5y', 'y of V_5', 'units of h_max'),
+            ('V_5z', 'z of V_5', 'units of h_max'),
+            ('V_6x', 'x of V_6', 'units of h_max'),
+            ('V_6y', 'y of V_6', 'units of h_max'),
+            ('V_6z', 'z of V_6', 'units of h_max'),
+            ('V_7x', 'x of V_7', 'units of h_max'),
+            ('V_7y', 'y of V_7', 'units of h_max'),
+            ('V_7z', 'z of V_7', 'units of h_max'),
+            ('V_8x', 'x of V_8', 'units of h_max'),
+            ('V_8y', 'y of V_8', 'units of h_max'),
+            ('V_8z', 'z of V_8', 'units of h_max'),
+            ('V_9x', 'x of V_9', 'units of h_max'),
+            ('V_9y', 'y of V_9', 'units of h_max'),
+            ('V_9z', 'z of V_9', 'units of h_max'),
+            ('V_10x', 'x of V_10', 'units of h_max'),
+            ('V_10z', 'z of V_10', 'units of h_max'),
+            ('V_11x', 'x of V_11', 'units of h_max'),
+            ('V_11y', 'y of V_11', 'units of h_max'),
+            ('V_11z', 'z of V_11', 'units of h_max'),
+            ('V_12x', 'x of V_12', 'units of h_max'),
+            ('V_12y', 'y of V_12', 'units of h_max'),
+            ('V_12z', 'z of V_12', 'units of h_max'),
+            ('V_13x', 'x of V_13', 'units of h_max'),
+            ('V_13z', 'z of V_13', 'units of h_max'),
+            ('V_14x', 'x of V_14', 'units of h_max'),
+            ('V_14y', 'y of V_14', 'units of h_max'),
+            ('V_15y', 'y of V_15', 'units of h_max'),
+            ('V_16x', 'x of V_16', 'units of h_max'),
+            ('V_16y', 'y of V_16', 'units of h_max'),
+        ),
+    ),
+    'vertices_of_five_wheels': (
+        (
+            ('a', 'angle between the axis of a wheel and OZ', 'rad'),
+        ),
+        (
+            ('V_1x', 'x of V_1', 'units of h_max'),
+            ('V_1y', 'y of V_1', 'units of h_max'),
+            ('V_1z', 'z of V_1', 'units of h_max'),
+            ('V_2x', 'x of V_2', 'units of h_max'),
+            ('V_2y', 'y of V_2', 'units of h_max'),
+            ('V_2z', 'z of V_2', 'units of h_max'),
+            ('V_3x', 'x of V_3', 'units of h_max'),
+            ('V_3y', 'y of V_3', 'units of h_max'),
+            ('V_3z', 'z of V_3', 'units of h_max'),
+            ('V_4x', 'x of V_4', 'units of h_max'),
+            ('V_4y', 'y of V_4', 'units of h_max'),
+            ('V_4z', 'z of V_4', 'units of h_max'),
+            ('V_5x', 'x of V_5', 'units of h_max'),
+            ('V_5y', 'y of V_5', 'units of h_max'),
+            ('V_5z', 'z of V_5', 'units of h_max'),
+            ('V_6x', 'x of V_6', 'units of h_max'),
+            ('V_6y', 'y of V_6', 'units of h_max'),
+            ('V_6z', 'z of V_6', 'units of h_max'),
+            ('V_7x', 'x of V_7', 'units of h_max'),
+            ('V_7y', 'y of V_7', 'units of h_max'),
+            ('V_7z', 'z of V_7', 'units of h_max'),
+            ('V_8x', 'x of V_8', 'units of h_max'),
+            ('V_8y', 'y of V_8', 'units of h_max'),
+            ('V_8z', 'z of V_8', 'units of h_max'),
+            ('V_9x', 'x of V_9', 'units of h_max'),
+            ('V_9y', 'y of V_9', 'units of h_max'),
+            ('V_9z', 'z of V_9', 'units of h_max'),
+            ('V_10x', 'x of V_10', 'units of h_max'),
+            ('V_10y', 'y of V_10', 'units of h_max'),
+            ('V_10z', 'z of V_10', 'units of h_max'),
+            ('V_11x', 'x of V_11', 'units of h_max'),
+            ('V_11y', 'y of V_11', 'units of h_max'),
+            ('V_11z', 'z of V_11', 'units of h_max'),
+        ),
+    ),
+    'vertex_distances_of_four_wheels': (
+        (
+            ('a', 'angle between the axis of a wheel and OZ', 'rad'),
+            ('b', 'angle of the side edges in the plane OXY', 'rad'),
+        ),
+        (
+            ('d_1', 'distance of V_1', 'units of h_max'),
+            ('d_2', 'distance of V_6', 'units of h_max'),
+            ('d_3', 'distance of V_7 (V_2 to V_5 are 2 away at all angles)', 'units of h_max'),
+        ),
+    ),
+    'vertex_distances_of_three_wheels': (
+        (
+            ('a', 'angle between the axis of a wheel and OZ', 'rad'),
+            ('b', 'angle of the side edges in the plane OXY', 'rad'),
+        ),
+        (
+            ('d_1', 'distance of V_1', 'units of h_max'),
+            ('d_2', 'distance of V_3', 'units of h_max'),
+            ('d_3', 'distance of V_4 (V_2 is 1 away at all angles)', 'units of h_max'),
+        ),
+    ),
+    'vertex_distances_of_six_wheels': (
+        (
+            ('a', 'angle between the axis of a wheel and OZ', 'rad'),
+        ),
+        (
+            ('d_1', 'distance of V_1', 'units of h_max'),
+            ('d_2', 'distance of V_14 to V_16', 'units of h_max'),
+            ('d_3', 'distance of V_2 to V_7', 'units of h_max'),
+            ('d_4', 'distance of V_8 to V_13', 'units of h_max'),
+        ),
+    ),
+    'vertex_distances_of_five_wheels': (
+        (
+            ('a', 'angle between the axis of a wheel and OZ', 'rad'),
+        ),
+        (
+            ('d_1', 'distance of V_1', 'units of h_max'),
+            ('d_2', 'distance of V_2 and V_6', 'units of h_max'),
+            ('d_3', 'distance of V_3 and V_5', 'units of h_max'),
+            ('d_4', 'distance of V_4', 'units of h_max'),
+            ('d_5', 'distance of V_7', 'units of h_max'),
+            ('d_6', 'distance of V_8 and V_11', 'units of h_max'),
+            ('d_7', 'distance of V_9 and V_10', 'units of h_max'),
+        ),
+    ),
+    'face_distances_of_four_wheels': (
+        (
+            ('a', 'angle between the axis of a wheel and OZ', 'rad'),
+            ('b', 'angle of the side edges in the plane OXY', 'rad'),
+        ),
+        (
+            ('r_1', 'distance of F_1 and F_5', 'units of h_max'),
+            ('r_2', 'distance of F_2 and F_4', 'units of h_max'),
+            ('r_3', 'distance of F_3 and F_6', 'units of h_max'),
+        ),
+    ),
+    'face_distances_of_three_wheels': (
+        (
+            ('a', 'angle between the axis of a wheel and OZ', 'rad'),
+            ('b', 'angle of the side edges in the plane OXY', 'rad'),
+        ),
+        (
+            ('r_1', 'distance of F_1', 'units of h_max'),
+            ('r_2', 'distance of F_2', 'units of h_max'),
+            ('r_3', 'distance of F_3', 'units of h_max'),
+        ),
+    ),
+    'face_distances_of_six_wheels': (
+        (
+            ('a', 'angle between the axis of a wheel and OZ', 'rad'),
+        ),
+        (
+            ('r_1', 'distance of F_1 to F_6', 'units of h_max'),
+            ('r_2', 'distance of F_7 to F_12', 'units of h_max'),
+            ('r_3', 'distance of F_13 to F_15', 'units of h_max'),
+        ),
+    ),
+    'face_distances_of_five_wheels': (
+        (
+            ('a', 'angle between the axis of a wheel and OZ', 'rad'),
+        ),
+        (
+            ('r_1', 'distance of F_1', 'units of h_max'),
+            ('r_2', 'distance of F_2 and F_5', 'units of h_max'),
+            ('r_3', 'distance of F_3 and F_4', 'units of h_max'),
+            ('r_4', 'distance of F_6 and F_8', 'units of h_max'),
+            ('r_5', 'distance of F_7', 'units of h_max'),
+            ('r_6', 'distance of F_9 and F_10', 'units of h_max'),
+        ),
+    ),
+    'volume_of_four_wheels': (
+        (
+            ('a', 'angle between the axis of a wheel and OZ', 'rad'),
+            ('b', 'angle of the side edges in the plane OXY', 'rad'),
+        ),
+        (
+            ('volume', 'volume', 'units of h_max^3'),
+        ),
+    ),
+    'volume_of_three_wheels': (
+        (
+            ('a', 'angle between the axis of a wheel and OZ', 'rad'),
+            ('b', 'angle of the side edges in the plane OXY', 'rad'),
+        ),
+        (
+            ('volume', 'volume', 'units of h_max^3'),
+        ),
+    ),
+    'volume_of_six_wheels': (
+        (
+            ('a', 'angle between the axis of a wheel and OZ', 'rad'),
+        ),
+        (
+            ('volume', 'volume', 'units of h_max^3'),
+        ),
+    ),
+    'volume_of_five_wheels': (
+        (
+            ('a', 'angle between the axis of a wheel and OZ', 'rad'),
+        ),
+        (
+            ('volume', 'volume', 'units of h_max^3'),
+        ),
+    ),
+    'largest_rates_of_four_wheels': (
+        (
+            ('a', 'angle between the axis of a wheel and OZ', 'rad'),
+            ('b', 'angle of the side edges in the plane OXY', 'rad'),
+            ('J_x', 'moment of inertia about OX', 'kg m^2'),
+            ('J_y', 'moment of inertia about OY', 'kg m^2'),
+            ('J_z', 'moment of inertia about OZ', 'kg m^2'),
+        ),
+        (
+            ('w_x', 'largest angular rate about OX', 'units of h_max/(kg m^2)'),
+            ('w_y', 'largest angular rate about OY', 'units of h_max/(kg m^2)'),
+            ('w_z', 'largest angular rate about OZ', 'units of h_max/(kg m^2)'),
+        ),
+    ),
+    'largest_rates_of_six_wheels': (
+        (
+            ('a', 'angle between the axis of a wheel and OZ', 'rad'),
+            ('J_x', 'moment of inertia about OX', 'kg m^2'),
+            ('J_y', 'moment of inertia about OY', 'kg m^2'),
+            ('J_z', 'moment of inertia about OZ', 'kg m^2'),
+        ),
+        (
+            ('w_x', 'largest angular rate about OX', 'units of h_max/(kg m^2)'),
+            ('w_y', 'largest angular rate about OY', 'units of h_max/(kg m^2)'),
+            ('w_z', 'largest angular rate about OZ', 'units of h_max/(kg m^2)'),
+        ),
+    ),
+    'equal_rates_of_four_wheels': (
+        (
+            ('J_x', 'moment of inertia about OX', 'kg m^2'),
+            ('J_y', 'moment of inertia about OY', 'kg m^2'),
+            ('J_z', 'moment of inertia about OZ', 'kg m^2'),
+        ),
+        (
+            ('a', 'angle between the axis of a wheel and OZ', 'rad'),
+            ('b', 'angle of the side edges in the plane OXY', 'rad'),
+            ('w', 'largest angular rate about each of the three axes', 'units of h_max/(kg m^2)'),
+            ('w_any', 'largest angular rate that is had about every axis, whatever its direction', 'units of h_max/(kg m^2)'),
+        ),
+    ),
+    'equal_rates_of_six_wheels': (
+        (
+            ('J_x', 'moment of inertia about OX', 'kg m^2'),
+            ('J_y', 'moment of inertia about OY', 'kg m^2'),
+            ('J_z', 'moment of inertia about OZ', 'kg m^2'),
+        ),
+        (
+            ('a', 'angle between the axis of a wheel and OZ', 'rad'),
+            ('w_x', 'largest angular rate about OX', 'units of h_max/(kg m^2)'),
+            ('w_y', 'largest angular rate about OY, and about OZ', 'units of h_max/(kg m^2)'),
+        ),
+    ),
+    'best_angles_of_four_wheels': (
+        (
+            ('J_x', 'moment of inertia about OX', 'kg m^2'),
+            ('J_y', 'moment of inertia about OY', 'kg m^2'),
+            ('J_z', 'moment of inertia about OZ', 'kg m^2'),
+        ),
+        (
+            ('a', 'angle between the axis of a wheel and OZ', 'rad'),
+            ('b', 'angle of the side edges in the plane OXY', 'rad'),
+            ('w', 'largest angular rate that is had about every axis, whatever its direction', 'units of h_max/(kg m^2)'),
+        ),
+    ),
+    'best_angle_of_six_wheels': (
+        (
+            ('J_y', 'moment of inertia about OY', 'kg m^2'),
+            ('J_z', 'moment of inertia about OZ', 'kg m^2'),
+        ),
+        (
+            ('a', 'angle between the axis of a wheel and OZ', 'rad'),
+            ('w', 'largest angular rate that this face allows about every axis, whatever its direction', 'units of h_max/(kg m^2)'),
+        ),
+    ),
+}
+
 
 def axes_of_four_wheels(a, b, out=None):
     """Unit vectors e_1, e_2, ... along the axes of four wheels, without components that are zero.

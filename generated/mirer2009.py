@@ -8,6 +8,307 @@ from symcheck.runtime import DOUBLE, FEW, SMALL, evaluate, evaluate_alike, evalu
 
 __all__ = ["axial_moments", "bound_at_given_moment", "bounds_of_products", "characteristic_coefficients", "characteristic_coefficients_at_common_ratio", "damping_matrix", "direction_cosines", "distances_from_bounds", "equal_moment_pitch", "gain_of_rates", "gains_in_proportion", "product_of_axial_moments", "product_of_two_axial_moments", "product_with_second_moment", "second_order_moments", "stability_degree_in_pitch", "sum_of_products"]
 
+DECLARED = {  # name, meaning and unit of the arguments and of the results; docstrings may be stripped
+    'direction_cosines': (
+        (
+            ('alpha', 'pitch', 'rad'),
+            ('beta', 'yaw', 'rad'),
+            ('gamma', 'roll', 'rad'),
+        ),
+        (
+            ('a_11', 'cosine between axis 1 and principal axis 1', '1'),
+            ('a_12', 'cosine between axis 1 and principal axis 2', '1'),
+            ('a_13', 'cosine between axis 1 and principal axis 3', '1'),
+            ('a_21', 'cosine between axis 2 and principal axis 1', '1'),
+            ('a_22', 'cosine between axis 2 and principal axis 2', '1'),
+            ('a_23', 'cosine between axis 2 and principal axis 3', '1'),
+            ('a_31', 'cosine between axis 3 and principal axis 1', '1'),
+            ('a_32', 'cosine between axis 3 and principal axis 2', '1'),
+            ('a_33', 'cosine between axis 3 and principal axis 3', '1'),
+        ),
+    ),
+    'axial_moments': (
+        (
+            ('I_1', 'principal moment of inertia', 'kg m^2'),
+            ('I_2', 'principal moment of inertia', 'kg m^2'),
+            ('I_3', 'principal moment of inertia', 'kg m^2'),
+            ('a_11', 'cosine between axis 1 and principal axis 1', '1'),
+            ('a_12', 'cosine between axis 1 and principal axis 2', '1'),
+            ('a_13', 'cosine between axis 1 and principal axis 3', '1'),
+            ('a_21', 'cosine between axis 2 and principal axis 1', '1'),
+            ('a_22', 'cosine between axis 2 and principal axis 2', '1'),
+            ('a_23', 'cosine between axis 2 and principal axis 3', '1'),
+            ('a_31', 'cosine between axis 3 and principal axis 1', '1'),
+            ('a_32', 'cosine between axis 3 and principal axis 2', '1'),
+            ('a_33', 'cosine between axis 3 and principal axis 3', '1'),
+        ),
+        (
+            ('J_1', 'moment of inertia about axis 1', 'kg m^2'),
+            ('J_2', 'moment of inertia about axis 2', 'kg m^2'),
+            ('J_3', 'moment of inertia about axis 3', 'kg m^2'),
+        ),
+    ),
+    'second_order_moments': (
+        (
+            ('I_1', 'principal moment of inertia', 'kg m^2'),
+            ('I_2', 'principal moment of inertia', 'kg m^2'),
+            ('I_3', 'principal moment of inertia', 'kg m^2'),
+            ('a_11', 'cosine between axis 1 and principal axis 1', '1'),
+            ('a_12', 'cosine between axis 1 and principal axis 2', '1'),
+            ('a_13', 'cosine between axis 1 and principal axis 3', '1'),
+            ('a_21', 'cosine between axis 2 and principal axis 1', '1'),
+            ('a_22', 'cosine between axis 2 and principal axis 2', '1'),
+            ('a_23', 'cosine between axis 2 and principal axis 3', '1'),
+            ('a_31', 'cosine between axis 3 and principal axis 1', '1'),
+            ('a_32', 'cosine between axis 3 and principal axis 2', '1'),
+            ('a_33', 'cosine between axis 3 and principal axis 3', '1'),
+        ),
+        (
+            ('L_1', 'product of two moments, of axis 1', 'kg^2 m^4'),
+            ('L_2', 'product of two moments, of axis 2', 'kg^2 m^4'),
+            ('L_3', 'product of two moments, of axis 3', 'kg^2 m^4'),
+        ),
+    ),
+    'product_of_axial_moments': (
+        (
+            ('I_1', 'principal moment of inertia', 'kg m^2'),
+            ('I_2', 'principal moment of inertia', 'kg m^2'),
+            ('I_3', 'principal moment of inertia', 'kg m^2'),
+            ('a_11', 'cosine between axis 1 and principal axis 1', '1'),
+            ('a_12', 'cosine between axis 1 and principal axis 2', '1'),
+            ('a_13', 'cosine between axis 1 and principal axis 3', '1'),
+            ('a_21', 'cosine between axis 2 and principal axis 1', '1'),
+            ('a_22', 'cosine between axis 2 and principal axis 2', '1'),
+            ('a_23', 'cosine between axis 2 and principal axis 3', '1'),
+            ('a_31', 'cosine between axis 3 and principal axis 1', '1'),
+            ('a_32', 'cosine between axis 3 and principal axis 2', '1'),
+            ('a_33', 'cosine between axis 3 and principal axis 3', '1'),
+        ),
+        (
+            ('f', 'J_1 J_2 J_3', 'kg^3 m^6'),
+        ),
+    ),
+    'sum_of_products': (
+        (
+            ('I_1', 'principal moment of inertia', 'kg m^2'),
+            ('I_2', 'principal moment of inertia', 'kg m^2'),
+            ('I_3', 'principal moment of inertia', 'kg m^2'),
+            ('a_11', 'cosine between axis 1 and principal axis 1', '1'),
+            ('a_12', 'cosine between axis 1 and principal axis 2', '1'),
+            ('a_13', 'cosine between axis 1 and principal axis 3', '1'),
+            ('a_21', 'cosine between axis 2 and principal axis 1', '1'),
+            ('a_22', 'cosine between axis 2 and principal axis 2', '1'),
+            ('a_23', 'cosine between axis 2 and principal axis 3', '1'),
+            ('a_31', 'cosine between axis 3 and principal axis 1', '1'),
+            ('a_32', 'cosine between axis 3 and principal axis 2', '1'),
+            ('a_33', 'cosine between axis 3 and principal axis 3', '1'),
+        ),
+        (
+            ('S', 'J_1 L_1 + J_2 L_2 + J_3 L_3', 'kg^3 m^6'),
+        ),
+    ),
+    'bounds_of_products': (
+        (
+            ('I_1', 'principal moment of inertia', 'kg m^2'),
+            ('I_2', 'principal moment of inertia', 'kg m^2'),
+            ('I_3', 'principal moment of inertia', 'kg m^2'),
+        ),
+        (
+            ('f_least', 'least J_1 J_2 J_3, about principal axes', 'kg^3 m^6'),
+            ('f_greatest', 'greatest J_1 J_2 J_3, about axes of equal moments', 'kg^3 m^6'),
+            ('S_least', 'least J_1 L_1 + J_2 L_2 + J_3 L_3, about principal axes', 'kg^3 m^6'),
+        ),
+    ),
+    'distances_from_bounds': (
+        (
+            ('I_1', 'principal moment of inertia', 'kg m^2'),
+            ('I_2', 'principal moment of inertia', 'kg m^2'),
+            ('I_3', 'principal moment of inertia', 'kg m^2'),
+            ('a_11', 'cosine between axis 1 and principal axis 1', '1'),
+            ('a_12', 'cosine between axis 1 and principal axis 2', '1'),
+            ('a_13', 'cosine between axis 1 and principal axis 3', '1'),
+            ('a_21', 'cosine between axis 2 and principal axis 1', '1'),
+            ('a_22', 'cosine between axis 2 and principal axis 2', '1'),
+            ('a_23', 'cosine between axis 2 and principal axis 3', '1'),
+            ('a_31', 'cosine between axis 3 and principal axis 1', '1'),
+            ('a_32', 'cosine between axis 3 and principal axis 2', '1'),
+            ('a_33', 'cosine between axis 3 and principal axis 3', '1'),
+        ),
+        (
+            ('f_excess', 'J_1 J_2 J_3 - I_1 I_2 I_3', 'kg^3 m^6'),
+            ('f_deficit', '((I_1 + I_2 + I_3)/3)^3 - J_1 J_2 J_3', 'kg^3 m^6'),
+            ('S_excess', 'J_1 L_1 + J_2 L_2 + J_3 L_3 - 3 I_1 I_2 I_3', 'kg^3 m^6'),
+        ),
+    ),
+    'bound_at_given_moment': (
+        (
+            ('I_1', 'principal moment of inertia', 'kg m^2'),
+            ('I_2', 'principal moment of inertia', 'kg m^2'),
+            ('I_3', 'principal moment of inertia', 'kg m^2'),
+            ('J_2', 'moment of inertia about axis 2', 'kg m^2'),
+        ),
+        (
+            ('f_1', 'greatest J_1 J_2 J_3', 'kg^3 m^6'),
+        ),
+    ),
+    'product_of_two_axial_moments': (
+        (
+            ('I_1', 'principal moment of inertia', 'kg m^2'),
+            ('I_2', 'principal moment of inertia', 'kg m^2'),
+            ('I_3', 'principal moment of inertia', 'kg m^2'),
+            ('a_11', 'cosine between axis 1 and principal axis 1', '1'),
+            ('a_12', 'cosine between axis 1 and principal axis 2', '1'),
+            ('a_13', 'cosine between axis 1 and principal axis 3', '1'),
+            ('a_31', 'cosine between axis 3 and principal axis 1', '1'),
+            ('a_32', 'cosine between axis 3 and principal axis 2', '1'),
+            ('a_33', 'cosine between axis 3 and principal axis 3', '1'),
+        ),
+        (
+            ('J_1_J_3', 'J_1 J_3', 'kg^2 m^4'),
+        ),
+    ),
+    'product_with_second_moment': (
+        (
+            ('I_1', 'principal moment of inertia', 'kg m^2'),
+            ('I_2', 'principal moment of inertia', 'kg m^2'),
+            ('I_3', 'principal moment of inertia', 'kg m^2'),
+            ('a_21', 'cosine between axis 2 and principal axis 1', '1'),
+            ('a_22', 'cosine between axis 2 and principal axis 2', '1'),
+            ('a_23', 'cosine between axis 2 and principal axis 3', '1'),
+        ),
+        (
+            ('J_2_L_2', 'J_2 (I_1 I_2 a_23^2 + I_2 I_3 a_21^2 + I_3 I_1 a_22^2)', 'kg^3 m^6'),
+        ),
+    ),
+    'damping_matrix': (
+        (
+            ('k_1', 'gain of the damping device along axis 1', 'N m s/rad'),
+            ('k_2', 'gain of the damping device along axis 2', 'N m s/rad'),
+            ('k_3', 'gain of the damping device along axis 3', 'N m s/rad'),
+            ('a_11', 'cosine between axis 1 and principal axis 1', '1'),
+            ('a_12', 'cosine between axis 1 and principal axis 2', '1'),
+            ('a_13', 'cosine between axis 1 and principal axis 3', '1'),
+            ('a_21', 'cosine between axis 2 and principal axis 1', '1'),
+            ('a_22', 'cosine between axis 2 and principal axis 2', '1'),
+            ('a_23', 'cosine between axis 2 and principal axis 3', '1'),
+            ('a_31', 'cosine between axis 3 and principal axis 1', '1'),
+            ('a_32', 'cosine between axis 3 and principal axis 2', '1'),
+            ('a_33', 'cosine between axis 3 and principal axis 3', '1'),
+        ),
+        (
+            ('m_11', 'entry 1, 1', 'N m s/rad'),
+            ('m_12', 'entry 1, 2', 'N m s/rad'),
+            ('m_13', 'entry 1, 3', 'N m s/rad'),
+            ('m_22', 'entry 2, 2', 'N m s/rad'),
+            ('m_23', 'entry 2, 3', 'N m s/rad'),
+            ('m_33', 'entry 3, 3', 'N m s/rad'),
+        ),
+    ),
+    'characteristic_coefficients': (
+        (
+            ('I_1', 'principal moment of inertia', 'kg m^2'),
+            ('I_2', 'principal moment of inertia', 'kg m^2'),
+            ('I_3', 'principal moment of inertia', 'kg m^2'),
+            ('k_1', 'gain of the damping device along axis 1', 'N m s/rad'),
+            ('k_2', 'gain of the damping device along axis 2', 'N m s/rad'),
+            ('k_3', 'gain of the damping device along axis 3', 'N m s/rad'),
+            ('a_11', 'cosine between axis 1 and principal axis 1', '1'),
+            ('a_12', 'cosine between axis 1 and principal axis 2', '1'),
+            ('a_13', 'cosine between axis 1 and principal axis 3', '1'),
+            ('a_21', 'cosine between axis 2 and principal axis 1', '1'),
+            ('a_22', 'cosine between axis 2 and principal axis 2', '1'),
+            ('a_23', 'cosine between axis 2 and principal axis 3', '1'),
+            ('a_31', 'cosine between axis 3 and principal axis 1', '1'),
+            ('a_32', 'cosine between axis 3 and principal axis 2', '1'),
+            ('a_33', 'cosine between axis 3 and principal axis 3', '1'),
+        ),
+        (
+            ('c_3', 'coefficient of p^3, for orthogonal axes', 'kg^3 m^6'),
+            ('c_2', 'coefficient of p^2, for orthogonal axes', 'kg^3 m^6/s'),
+            ('c_1', 'coefficient of p^1, for orthogonal axes', 'kg^3 m^6/s^2'),
+            ('c_0', 'coefficient of p^0, for orthogonal axes', 'kg^3 m^6/s^3'),
+        ),
+    ),
+    'characteristic_coefficients_at_common_ratio': (
+        (
+            ('I_1', 'principal moment of inertia', 'kg m^2'),
+            ('I_2', 'principal moment of inertia', 'kg m^2'),
+            ('I_3', 'principal moment of inertia', 'kg m^2'),
+            ('k', 'gains divided by the moments of inertia about their axes', '1/s'),
+            ('a_11', 'cosine between axis 1 and principal axis 1', '1'),
+            ('a_12', 'cosine between axis 1 and principal axis 2', '1'),
+            ('a_13', 'cosine between axis 1 and principal axis 3', '1'),
+            ('a_21', 'cosine between axis 2 and principal axis 1', '1'),
+            ('a_22', 'cosine between axis 2 and principal axis 2', '1'),
+            ('a_23', 'cosine between axis 2 and principal axis 3', '1'),
+            ('a_31', 'cosine between axis 3 and principal axis 1', '1'),
+            ('a_32', 'cosine between axis 3 and principal axis 2', '1'),
+            ('a_33', 'cosine between axis 3 and principal axis 3', '1'),
+        ),
+        (
+            ('c_3', 'coefficient of p^3, for gains k J_i', 'kg^3 m^6'),
+            ('c_2', 'coefficient of p^2, for gains k J_i', 'kg^3 m^6/s'),
+            ('c_1', 'coefficient of p^1, for gains k J_i', 'kg^3 m^6/s^2'),
+            ('c_0', 'coefficient of p^0, for gains k J_i', 'kg^3 m^6/s^3'),
+        ),
+    ),
+    'gains_in_proportion': (
+        (
+            ('k', 'gains divided by the moments of inertia about their axes', '1/s'),
+            ('I_1', 'principal moment of inertia', 'kg m^2'),
+            ('I_2', 'principal moment of inertia', 'kg m^2'),
+            ('I_3', 'principal moment of inertia', 'kg m^2'),
+            ('a_11', 'cosine between axis 1 and principal axis 1', '1'),
+            ('a_12', 'cosine between axis 1 and principal axis 2', '1'),
+            ('a_13', 'cosine between axis 1 and principal axis 3', '1'),
+            ('a_21', 'cosine between axis 2 and principal axis 1', '1'),
+            ('a_22', 'cosine between axis 2 and principal axis 2', '1'),
+            ('a_23', 'cosine between axis 2 and principal axis 3', '1'),
+            ('a_31', 'cosine between axis 3 and principal axis 1', '1'),
+            ('a_32', 'cosine between axis 3 and principal axis 2', '1'),
+            ('a_33', 'cosine between axis 3 and principal axis 3', '1'),
+        ),
+        (
+            ('k_1', 'gain of the damping device along axis 1', 'N m s/rad'),
+            ('k_2', 'gain of the damping device along axis 2', 'N m s/rad'),
+            ('k_3', 'gain of the damping device along axis 3', 'N m s/rad'),
+        ),
+    ),
+    'gain_of_rates': (
+        (
+            ('xi', 'least damping rate', '1/s'),
+            ('s_1', 'rate 1 less the least one', '1/s'),
+            ('s_2', 'rate 2 less the least one', '1/s'),
+            ('s_3', 'rate 3 less the least one', '1/s'),
+        ),
+        (
+            ('k', 'harmonic mean of the rates: the greatest stability degree for these gains', '1/s'),
+            ('k_excess', 'k - xi', '1/s'),
+        ),
+    ),
+    'stability_degree_in_pitch': (
+        (
+            ('k', 'gains divided by the moments of inertia about their axes', '1/s'),
+            ('I_1', 'principal moment of inertia', 'kg m^2'),
+            ('I_3', 'principal moment of inertia', 'kg m^2'),
+            ('alpha', 'pitch', 'rad'),
+        ),
+        (
+            ('xi', 'stability degree', '1/s'),
+        ),
+    ),
+    'equal_moment_pitch': (
+        (
+            ('I_1', 'principal moment of inertia', 'kg m^2'),
+            ('I_2', 'principal moment of inertia', 'kg m^2'),
+            ('I_3', 'principal moment of inertia', 'kg m^2'),
+        ),
+        (
+            ('alpha', 'pitch', 'rad'),
+        ),
+    ),
+}
+
 
 def direction_cosines(alpha, beta, gamma, out=None):
     """Cosines between the turned axes and the principal ones, by pitch, yaw and roll.

@@ -9,6 +9,262 @@ from symcheck.runtime import DOUBLE, FEW, SMALL, evaluate, evaluate_alike, evalu
 
 __all__ = ["averaged_diffusion", "averaged_drift", "density_of_amplitude", "density_of_frequency", "diffusion_coefficients", "distribution_of_amplitude", "drift_coefficients", "logarithm_of_constant_of_amplitude", "logarithm_of_constant_of_frequency", "mean_square_of_amplitude", "mean_square_of_frequency", "mode_of_amplitude", "moment_of_amplitude", "moment_of_frequency", "noise_intensities", "quantile_of_amplitude", "stratonovich_drift"]
 
+DECLARED = {  # name, meaning and unit of the arguments and of the results; docstrings may be stripped
+    'stratonovich_drift': (
+        (
+            ('a', 'amplitude of the equatorial angular velocity', 'rad/s'),
+            ('psi', 'phase', 'rad'),
+            ('Omega', 'frequency k x_3', 'rad/s'),
+            ('k', '(A - C)/A, of the moments of inertia A, A, C', '1'),
+            ('varepsilon', 'small parameter of the torques', '1'),
+            ('d_11', 'coefficient of dissipation', '1/s'),
+            ('d_12', 'coefficient of dissipation', '1/s'),
+            ('d_13', 'coefficient of dissipation', '1/s'),
+            ('d_21', 'coefficient of dissipation', '1/s'),
+            ('d_22', 'coefficient of dissipation', '1/s'),
+            ('d_23', 'coefficient of dissipation', '1/s'),
+            ('d_31', 'coefficient of dissipation', '1/s'),
+            ('d_32', 'coefficient of dissipation', '1/s'),
+            ('d_33', 'coefficient of dissipation', '1/s'),
+        ),
+        (
+            ('v_1', 'drift of a', 'rad/s^2'),
+            ('v_2', 'drift of theta', 'rad/s'),
+            ('v_3', 'drift of Omega', 'rad/s^2'),
+        ),
+    ),
+    'noise_intensities': (
+        (
+            ('a', 'amplitude of the equatorial angular velocity', 'rad/s'),
+            ('psi', 'phase', 'rad'),
+            ('Omega', 'frequency k x_3', 'rad/s'),
+            ('k', '(A - C)/A, of the moments of inertia A, A, C', '1'),
+            ('varepsilon', 'small parameter of the torques', '1'),
+            ('g_11', 'intensity of the multiplicative noise of axis 1', 's^(-1/2)'),
+            ('g_12', 'intensity of the multiplicative noise of axis 2', 's^(-1/2)'),
+            ('g_21', 'intensity of the additive noise of axis 1', 'rad s^(-3/2)'),
+            ('g_22', 'intensity of the additive noise of axis 2', 'rad s^(-3/2)'),
+            ('g_13', 'intensity of the multiplicative noise of axis 3', 's^(-1/2)'),
+            ('g_23', 'intensity of the additive noise of axis 3', 'rad s^(-3/2)'),
+        ),
+        (
+            ('h_11', 'intensity of noise 1 in a', '1'),
+            ('h_12', 'intensity of noise 2 in a', '1'),
+            ('h_14', 'intensity of noise 4 in a', '1'),
+            ('h_15', 'intensity of noise 5 in a', '1'),
+            ('h_21', 'intensity of noise 1 in theta', '1'),
+            ('h_22', 'intensity of noise 2 in theta', '1'),
+            ('h_24', 'intensity of noise 4 in theta', '1'),
+            ('h_25', 'intensity of noise 5 in theta', '1'),
+            ('h_33', 'intensity of noise 3 in Omega', '1'),
+            ('h_36', 'intensity of noise 6 in Omega', '1'),
+        ),
+    ),
+    'drift_coefficients': (
+        (
+            ('a', 'amplitude of the equatorial angular velocity', 'rad/s'),
+            ('psi', 'phase', 'rad'),
+            ('Omega', 'frequency k x_3', 'rad/s'),
+            ('k', '(A - C)/A, of the moments of inertia A, A, C', '1'),
+            ('varepsilon', 'small parameter of the torques', '1'),
+            ('d_11', 'coefficient of dissipation', '1/s'),
+            ('d_12', 'coefficient of dissipation', '1/s'),
+            ('d_13', 'coefficient of dissipation', '1/s'),
+            ('d_21', 'coefficient of dissipation', '1/s'),
+            ('d_22', 'coefficient of dissipation', '1/s'),
+            ('d_23', 'coefficient of dissipation', '1/s'),
+            ('d_31', 'coefficient of dissipation', '1/s'),
+            ('d_32', 'coefficient of dissipation', '1/s'),
+            ('d_33', 'coefficient of dissipation', '1/s'),
+            ('g_11', 'intensity of the multiplicative noise of axis 1', 's^(-1/2)'),
+            ('g_12', 'intensity of the multiplicative noise of axis 2', 's^(-1/2)'),
+            ('g_21', 'intensity of the additive noise of axis 1', 'rad s^(-3/2)'),
+            ('g_22', 'intensity of the additive noise of axis 2', 'rad s^(-3/2)'),
+            ('g_13', 'intensity of the multiplicative noise of axis 3', 's^(-1/2)'),
+        ),
+        (
+            ('K_1', 'drift of a', 'rad/s^2'),
+            ('K_2', 'drift of theta', 'rad/s'),
+            ('K_3', 'drift of Omega', 'rad/s^2'),
+        ),
+    ),
+    'diffusion_coefficients': (
+        (
+            ('a', 'amplitude of the equatorial angular velocity', 'rad/s'),
+            ('psi', 'phase', 'rad'),
+            ('Omega', 'frequency k x_3', 'rad/s'),
+            ('k', '(A - C)/A, of the moments of inertia A, A, C', '1'),
+            ('varepsilon', 'small parameter of the torques', '1'),
+            ('g_11', 'intensity of the multiplicative noise of axis 1', 's^(-1/2)'),
+            ('g_12', 'intensity of the multiplicative noise of axis 2', 's^(-1/2)'),
+            ('g_21', 'intensity of the additive noise of axis 1', 'rad s^(-3/2)'),
+            ('g_22', 'intensity of the additive noise of axis 2', 'rad s^(-3/2)'),
+            ('g_13', 'intensity of the multiplicative noise of axis 3', 's^(-1/2)'),
+            ('g_23', 'intensity of the additive noise of axis 3', 'rad s^(-3/2)'),
+        ),
+        (
+            ('K_11', 'diffusion of a', 'rad^2/s^3'),
+            ('K_12', 'diffusion of a and theta', 'rad^2/s^2'),
+            ('K_22', 'diffusion of theta', 'rad^2/s'),
+            ('K_33', 'diffusion of Omega', 'rad^2/s^3'),
+        ),
+    ),
+    'averaged_drift': (
+        (
+            ('a', 'amplitude of the equatorial angular velocity', 'rad/s'),
+            ('Omega', 'frequency k x_3', 'rad/s'),
+            ('alpha', 'multiplicative noise, alpha^2 = g_11^2 + g_12^2', 's^(-1/2)'),
+            ('beta', 'additive noise, beta^2 = g_21^2 + g_22^2', 'rad s^(-3/2)'),
+            ('gamma', 'dissipation, gamma^2 = d_11 + d_22', 's^(-1/2)'),
+            ('d_12', 'coefficient of dissipation', '1/s'),
+            ('d_21', 'coefficient of dissipation', '1/s'),
+            ('d_33', 'coefficient of dissipation', '1/s'),
+            ('g_13', 'intensity of the multiplicative noise of axis 3', 's^(-1/2)'),
+        ),
+        (
+            ('Kbar_1', 'drift of a', 'rad/s^2'),
+            ('Kbar_2', 'drift of theta', 'rad/s'),
+            ('Kbar_3', 'drift of Omega', 'rad/s^2'),
+        ),
+    ),
+    'averaged_diffusion': (
+        (
+            ('a', 'amplitude of the equatorial angular velocity', 'rad/s'),
+            ('Omega', 'frequency k x_3', 'rad/s'),
+            ('k', '(A - C)/A, of the moments of inertia A, A, C', '1'),
+            ('alpha', 'multiplicative noise, alpha^2 = g_11^2 + g_12^2', 's^(-1/2)'),
+            ('beta', 'additive noise, beta^2 = g_21^2 + g_22^2', 'rad s^(-3/2)'),
+            ('g_13', 'intensity of the multiplicative noise of axis 3', 's^(-1/2)'),
+            ('g_23', 'intensity of the additive noise of axis 3', 'rad s^(-3/2)'),
+        ),
+        (
+            ('Kbar_11', 'diffusion of a', 'rad^2/s^3'),
+            ('Kbar_22', 'diffusion of theta', 'rad^2/s'),
+            ('Kbar_33', 'diffusion of Omega', 'rad^2/s^3'),
+        ),
+    ),
+    'density_of_amplitude': (
+        (
+            ('a', 'amplitude of the equatorial angular velocity', 'rad/s'),
+            ('alpha', 'multiplicative noise, alpha^2 = g_11^2 + g_12^2', 's^(-1/2)'),
+            ('beta', 'additive noise, beta^2 = g_21^2 + g_22^2', 'rad s^(-3/2)'),
+            ('gamma', 'dissipation, gamma^2 = d_11 + d_22', 's^(-1/2)'),
+        ),
+        (
+            ('p_s1', 'density of a', 's/rad'),
+        ),
+    ),
+    'density_of_frequency': (
+        (
+            ('Omega', 'frequency k x_3', 'rad/s'),
+            ('k', '(A - C)/A, of the moments of inertia A, A, C', '1'),
+            ('g_13', 'intensity of the multiplicative noise of axis 3', 's^(-1/2)'),
+            ('g_23', 'intensity of the additive noise of axis 3', 'rad s^(-3/2)'),
+            ('d_33', 'coefficient of dissipation', '1/s'),
+        ),
+        (
+            ('p_s3', 'density of Omega', 's/rad'),
+        ),
+    ),
+    'logarithm_of_constant_of_amplitude': (
+        (
+            ('alpha', 'multiplicative noise, alpha^2 = g_11^2 + g_12^2', 's^(-1/2)'),
+            ('beta', 'additive noise, beta^2 = g_21^2 + g_22^2', 'rad s^(-3/2)'),
+            ('gamma', 'dissipation, gamma^2 = d_11 + d_22', 's^(-1/2)'),
+        ),
+        (
+            ('log_C_1', 'log C_1', '1'),
+        ),
+    ),
+    'logarithm_of_constant_of_frequency': (
+        (
+            ('k', '(A - C)/A, of the moments of inertia A, A, C', '1'),
+            ('g_13', 'intensity of the multiplicative noise of axis 3', 's^(-1/2)'),
+            ('g_23', 'intensity of the additive noise of axis 3', 'rad s^(-3/2)'),
+            ('d_33', 'coefficient of dissipation', '1/s'),
+        ),
+        (
+            ('log_C_2', 'log C_2', '1'),
+        ),
+    ),
+    'distribution_of_amplitude': (
+        (
+            ('a', 'amplitude of the equatorial angular velocity', 'rad/s'),
+            ('alpha', 'multiplicative noise, alpha^2 = g_11^2 + g_12^2', 's^(-1/2)'),
+            ('beta', 'additive noise, beta^2 = g_21^2 + g_22^2', 'rad s^(-3/2)'),
+            ('gamma', 'dissipation, gamma^2 = d_11 + d_22', 's^(-1/2)'),
+        ),
+        (
+            ('F', 'probability', '1'),
+        ),
+    ),
+    'quantile_of_amplitude': (
+        (
+            ('q', 'probability', '1'),
+            ('alpha', 'multiplicative noise, alpha^2 = g_11^2 + g_12^2', 's^(-1/2)'),
+            ('beta', 'additive noise, beta^2 = g_21^2 + g_22^2', 'rad s^(-3/2)'),
+            ('gamma', 'dissipation, gamma^2 = d_11 + d_22', 's^(-1/2)'),
+        ),
+        (
+            ('a_q', 'quantile of a', 'rad/s'),
+        ),
+    ),
+    'moment_of_amplitude': (
+        (
+            ('m', 'order of the moment', '1'),
+            ('alpha', 'multiplicative noise, alpha^2 = g_11^2 + g_12^2', 's^(-1/2)'),
+            ('beta', 'additive noise, beta^2 = g_21^2 + g_22^2', 'rad s^(-3/2)'),
+            ('gamma', 'dissipation, gamma^2 = d_11 + d_22', 's^(-1/2)'),
+        ),
+        (
+            ('M_a', 'moment', '(rad/s)^m'),
+        ),
+    ),
+    'moment_of_frequency': (
+        (
+            ('m', 'order of the moment', '1'),
+            ('k', '(A - C)/A, of the moments of inertia A, A, C', '1'),
+            ('g_13', 'intensity of the multiplicative noise of axis 3', 's^(-1/2)'),
+            ('g_23', 'intensity of the additive noise of axis 3', 'rad s^(-3/2)'),
+            ('d_33', 'coefficient of dissipation', '1/s'),
+        ),
+        (
+            ('M_Omega', 'absolute moment', '(rad/s)^m'),
+        ),
+    ),
+    'mean_square_of_amplitude': (
+        (
+            ('alpha', 'multiplicative noise, alpha^2 = g_11^2 + g_12^2', 's^(-1/2)'),
+            ('beta', 'additive noise, beta^2 = g_21^2 + g_22^2', 'rad s^(-3/2)'),
+            ('gamma', 'dissipation, gamma^2 = d_11 + d_22', 's^(-1/2)'),
+        ),
+        (
+            ('S_a', 'mean square of a', 'rad^2/s^2'),
+        ),
+    ),
+    'mean_square_of_frequency': (
+        (
+            ('k', '(A - C)/A, of the moments of inertia A, A, C', '1'),
+            ('g_13', 'intensity of the multiplicative noise of axis 3', 's^(-1/2)'),
+            ('g_23', 'intensity of the additive noise of axis 3', 'rad s^(-3/2)'),
+            ('d_33', 'coefficient of dissipation', '1/s'),
+        ),
+        (
+            ('S_Omega', 'mean square of Omega', 'rad^2/s^2'),
+        ),
+    ),
+    'mode_of_amplitude': (
+        (
+            ('alpha', 'multiplicative noise, alpha^2 = g_11^2 + g_12^2', 's^(-1/2)'),
+            ('beta', 'additive noise, beta^2 = g_21^2 + g_22^2', 'rad s^(-3/2)'),
+            ('gamma', 'dissipation, gamma^2 = d_11 + d_22', 's^(-1/2)'),
+        ),
+        (
+            ('a_star', 'mode of a', 'rad/s'),
+        ),
+    ),
+}
+
 
 def stratonovich_drift(a, psi, Omega, k, varepsilon, d_11, d_12, d_13, d_21, d_22, d_23, d_31, d_32, d_33, out=None):
     """Drift of amplitude, phase and frequency in Stratonovich's sense.

@@ -1,6 +1,15 @@
-"""`python -m symcheck` is the command `symcheck`."""
+"""The entry point: the command `symcheck`, and `python -m symcheck`."""
 
-from symcheck.cli import main
+from symcheck import interrupts
+
+
+def main() -> None:
+    """Import the command line, which takes a while, and run it."""
+    interrupts.leave_at_once()
+    from symcheck.cli import main as run
+
+    run()
+
 
 if __name__ == "__main__":
     main()

@@ -17,13 +17,14 @@ import click
 from symcheck import __version__
 from symcheck.codegen import target_names
 from symcheck.export import format_names, format_of
+from symcheck.interrupts import INTERRUPTED, raise_from_now_on
 from symcheck.statement import SymcheckError, Verdict
 
 if TYPE_CHECKING:
     from symcheck.evidence.record import Record
 
 F = TypeVar("F", bound=Callable[..., Any])
-DIFFERS, BAD_INPUT, INTERRUPTED, BROKEN_PIPE = 1, 2, 130, 141
+DIFFERS, BAD_INPUT, BROKEN_PIPE = 1, 2, 141
 MOST_TOLD = 30  # differences that are named one by one
 CHECKED_IN = "numpy"  # the target whose files stand in generated/
 PRELOAD = ("sympy", "flint", "lark", "symcheck.evidence.decide")
@@ -43,6 +44,7 @@ class Commands(click.Group):
 
     def make_context(self, *args: Any, **kwargs: Any) -> click.Context:
         with _one_line_errors():
+            raise_from_now_on()
             return super().make_context(*args, **kwargs)
 
     def invoke(self, ctx: click.Context) -> Any:

@@ -9,6 +9,7 @@ from fractions import Fraction
 
 from symcheck.codegen.docstring import docstring
 from symcheck.codegen.expression import bare, expression_lines, number
+from symcheck.codegen.kernel import Kernel
 from symcheck.codegen.program import Program, Ref, is_number, registers
 from symcheck.codegen.special import RUNTIME
 from symcheck.codegen.target import MARK, Made, Target
@@ -27,6 +28,10 @@ from numpy import {ufuncs}, array, ndarray
 {special}from symcheck.runtime import DOUBLE, FEW, SMALL, evaluate, evaluate_alike, evaluate_handful
 
 __all__ = [{names}]
+
+DECLARED = {{  # name, meaning and unit of the arguments and of the results; docstrings may be stripped
+{declared}
+}}
 '''
 # Nanoseconds, measured. NumPy: an operation on few points; what it takes longer to write one element over its operand.
 UFUNC, AGAIN = 250, 550
@@ -78,9 +83,18 @@ def files(key: str, kernels: Mapping[str, Made]) -> dict[str, str]:
     special = f"from symcheck.ratios import {special}\n" if special else ""
     used = {x.function for made in kernels.values() for each in (made.program, made.pointwise) for x in each.operations}
     ufuncs = ", ".join(sorted(used - {*RUNTIME}))
-    return {
-        f"{key}.py": "\n\n".join([HEAD.format(key=key, mark=MARK, names=names, ufuncs=ufuncs, special=special), *texts])
-    }
+    declared = "\n".join(declaration(name, made.kernel) for name, made in kernels.items())
+    head = HEAD.format(key=key, mark=MARK, names=names, ufuncs=ufuncs, special=special, declared=declared)
+    return {f"{key}.py": "\n\n".join([head, *texts])}
+
+
+def declaration(name: str, kernel: Kernel) -> str:
+    """What programs are told of a kernel, as an entry of DECLARED."""
+    arguments, results = (
+        textwrap.indent("\n".join(f"{(each.name, each.meaning, each.unit)!r}," for each in column), " " * 8)
+        for column in (kernel.arguments, kernel.outputs)
+    )
+    return textwrap.indent(f"{name!r}: (\n    (\n{arguments}\n    ),\n    (\n{results}\n    ),\n),", "    ")
 
 
 def calls(program: Program) -> str:

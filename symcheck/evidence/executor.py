@@ -2,9 +2,14 @@
 
 from __future__ import annotations
 
+import os
+import signal
 from collections.abc import Callable, Generator, Iterable
+from contextlib import suppress
 from dataclasses import dataclass
 from typing import Any, Generic, Protocol, TypeVar
+
+from symcheck.interrupts import withheld
 
 T = TypeVar("T")
 
@@ -54,7 +59,9 @@ class Pool:
     """`jobs` worker processes; `preload` names the modules each of them starts with.
 
     Workers come from a fork server, where the platform has one: it imports the preloaded modules once, so that a
-    worker that takes the place of a killed one costs milliseconds, and nothing forks a process that has threads.
+    worker that takes the place of a killed one costs milliseconds, and nothing forks a process that has threads. An
+    interrupt is for this process alone, which stops them: the server is started with interrupts withheld, and what
+    it forks inherits that.
     """
 
     jobs: int
@@ -68,7 +75,8 @@ class Pool:
         waiting = list(ids)
         pool: Any = ProcessPool(max_workers=max(1, min(self.jobs, len(waiting))), context=self._context())
         try:
-            futures = {pool.schedule(_attempt, args=(function, id), timeout=timeout): id for id in waiting}
+            with withheld():  # no worker is left half started
+                futures = {pool.schedule(_attempt, args=(function, id), timeout=timeout): id for id in waiting}
             for future in as_completed(futures):
                 yield futures[future], _answer(future, timeout)
         finally:
@@ -80,9 +88,35 @@ class Pool:
 
         if "forkserver" not in get_all_start_methods():
             return get_context("spawn")
+        from multiprocessing import forkserver, resource_tracker
+
         context = get_context("forkserver")
         context.set_forkserver_preload(list(self.preload))
+        resource_tracker.ensure_running()  # before the server: to start it lets interrupts through
+        with withheld():
+            forkserver.ensure_running()
+        try:
+            first = context.Process(target=_nothing)
+            first.start()  # returns when all is imported
+            first.join()
+        except KeyboardInterrupt:
+            _kill_server()
+            raise
         return context
+
+
+def _nothing() -> None:
+    """What a process does that is waited for."""
+
+
+def _kill_server() -> None:
+    """Kill the fork server, which would still fork what was asked of it, when nobody is there any more."""
+    from multiprocessing import forkserver
+
+    pid = getattr(getattr(forkserver, "_forkserver", None), "_forkserver_pid", None)  # told nowhere else
+    if pid is not None:
+        with suppress(ProcessLookupError):
+            os.kill(pid, signal.SIGKILL)
 
 
 def _attempt(function: Callable[[str], T], id: str) -> Done[T] | Crash:

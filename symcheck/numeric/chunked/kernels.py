@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import inspect
-import re
-from collections.abc import Callable, Mapping
+import sys
+from collections.abc import Callable, Iterable, Mapping
 from functools import partial, wraps
 from typing import Any, NamedTuple
 
@@ -13,7 +13,6 @@ import numpy as np
 from symcheck import kernels
 from symcheck.numeric.chunked.arrays import Results, Signature, apply, is_chunked
 
-LINE = re.compile(r"^        (\w+): (.+), (?:in (?:units of )?(.+?)|a number)(?:; .*)?$", re.MULTILINE)
 FLOAT = np.dtype(np.float32)
 
 
@@ -25,12 +24,12 @@ class Declaration(NamedTuple):
 
 
 def declaration(kernel: Callable[..., Any]) -> Declaration:
-    """What the docstring of a kernel lists.
+    """What the module of a kernel declares of it.
 
     >>> declaration(kernels.load("ignatov2005").volume_of_three_wheels).results["volume"]["units"]
     'h_max^3'
     """
-    _, arguments, results = re.split(r"^    (?:Arguments|Returns)\b.*$", kernel.__doc__ or "", flags=re.MULTILINE)
+    arguments, results = vars(sys.modules[kernel.__module__])["DECLARED"][kernel.__name__]
     return Declaration(_attributes(arguments), _attributes(results))
 
 
@@ -81,5 +80,5 @@ def _dtype(arguments: Any) -> Any:
     return found if found == FLOAT else np.dtype(np.float64)
 
 
-def _attributes(lines: str) -> dict[str, dict[str, str]]:
-    return {name: {"long_name": meaning, "units": unit or "1"} for name, meaning, unit in LINE.findall(lines)}
+def _attributes(listed: Iterable[tuple[str, str, str]]) -> dict[str, dict[str, str]]:
+    return {name: {"long_name": meaning, "units": unit.removeprefix("units of ")} for name, meaning, unit in listed}

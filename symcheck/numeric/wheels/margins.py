@@ -7,6 +7,8 @@ the polytope of angular rates alike. Leading axes broadcast: half-spaces of many
 from __future__ import annotations
 
 from collections.abc import Callable
+from functools import reduce
+from math import prod
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -18,6 +20,7 @@ from symcheck.numeric.wheels.faces import HalfSpaces
 
 NONE = 1e-12  # of a length of 1: a vector that lies in a plane to rounding does not leave it
 BLOCK = 1 << 18  # numbers at once: 2 MB
+Value = Callable[[Array, Array, Array], Array]  # of some half-spaces, from their n, d and |n . c|
 
 
 @gufunc("(p,axis),(p),(axis),(axis)->()")
@@ -70,7 +73,7 @@ def ellipsoid_scale(half_spaces: HalfSpaces, semi_axes: ArrayLike, axes: ArrayLi
     """
     reach = _reach(semi_axes, axes)
     _holds_origin(half_spaces)
-    return _least(half_spaces, reach.shape[:-2], lambda n, d, c: _quotient(d - c, _norm(n, reach)))
+    return _least_quotient(half_spaces, reach.shape[:-2], lambda n, d, c: d - c, lambda n, d, c: _norm(n, reach))
 
 
 @gufunc("(p,axis),(p),(axis),(axis)->()")
@@ -96,12 +99,13 @@ def largest_momentum(half_spaces: HalfSpaces, direction: ArrayLike) -> Array:
     unit = vector / length
     _holds_origin(half_spaces)
 
-    def farthest(n: Array, d: Array, c: Array) -> Array:
-        along = np.einsum("...jk,...k->...j", n, unit)
-        shift = np.einsum("...jk,...k->...j", n, half_spaces.centre)
-        return _quotient(d + np.sign(along) * shift, np.abs(along))
+    def along(n: Array) -> Array:
+        return np.asarray(np.einsum("...jk,...k->...j", n, unit))
 
-    return _least(half_spaces, unit.shape[:-1], farthest)
+    def room(n: Array, d: Array, c: Array) -> Array:
+        return d + np.sign(along(n)) * np.einsum("...jk,...k->...j", n, half_spaces.centre)
+
+    return _least_quotient(half_spaces, unit.shape[:-1], room, lambda n, d, c: np.abs(along(n)))
 
 
 @gufunc("(p,axis),(p),(axis),(axis)->(p,axis),(p),(axis)")
@@ -140,17 +144,41 @@ def guaranteed_rate(half_spaces: HalfSpaces, moments: ArrayLike) -> Array:
     return margin(rates(half_spaces, moments), np.zeros(3))
 
 
-def _least(half_spaces: HalfSpaces, lead: tuple[int, ...], value: Callable[[Array, Array, Array], Array]) -> Array:
-    """The least value over all half-spaces, some at a time: `value` gets their n, d and |n . c|."""
-    normals, distances, centre = half_spaces
-    shape = np.broadcast_shapes(lead, distances.shape[:-1], centre.shape[:-1])
-    least = np.full(shape, np.inf)
-    step = max(1, BLOCK // max(1, least.size))
-    for start in range(0, distances.shape[-1], step):
-        n, d = normals[..., start : start + step, :], distances[..., start : start + step]
-        shift = np.abs(np.einsum("...jk,...k->...j", n, centre))
-        np.minimum(least, value(n, d, shift).min(axis=-1), out=least)
-    return least
+def _least(half_spaces: HalfSpaces, lead: tuple[int, ...], value: Value) -> Array:
+    """The least value over all half-spaces, some at a time."""
+    values = (_of(half_spaces, block, value) for block in _blocks(half_spaces, lead))
+    return np.asarray(reduce(np.minimum, (each.min(axis=-1, initial=np.inf) for each in values)))
+
+
+def _least_quotient(half_spaces: HalfSpaces, lead: tuple[int, ...], room: Value, reach: Value) -> Array:
+    """The least room/reach over all half-spaces, some at a time; what lies in a plane to rounding does not reach it.
+
+    What rounding is, the greatest reach towards all planes tells: towards those at hand alone it may be rounding too.
+    """
+    blocks = _blocks(half_spaces, lead)
+    reaches = (_of(half_spaces, block, reach) for block in blocks)
+    greatest = reduce(np.maximum, (each.max(axis=-1, initial=0) for each in reaches))[..., None]
+
+    def quotient(n: Array, d: Array, c: Array) -> Array:
+        towards = reach(n, d, c)
+        above, below, reached = np.broadcast_arrays(room(n, d, c), towards, towards > NONE * greatest)
+        return np.asarray(np.divide(above, below, where=reached, out=np.full(above.shape, np.inf)))
+
+    return _least(half_spaces, lead, quotient)
+
+
+def _of(half_spaces: HalfSpaces, block: slice, value: Value) -> Array:
+    """The value for some of the half-spaces, which gets their n, d and |n . c|."""
+    n, d = half_spaces.normals[..., block, :], half_spaces.distances[..., block]
+    return value(n, d, np.abs(np.einsum("...jk,...k->...j", n, half_spaces.centre)))
+
+
+def _blocks(half_spaces: HalfSpaces, lead: tuple[int, ...]) -> list[slice]:
+    """All half-spaces, some at a time; one block at least."""
+    _, distances, centre = half_spaces
+    points = prod(np.broadcast_shapes(lead, distances.shape[:-1], centre.shape[:-1]))
+    step = max(1, BLOCK // max(1, points))
+    return [slice(start, start + step) for start in range(0, max(1, distances.shape[-1]), step)]
 
 
 def _reach(semi_axes: ArrayLike, axes: ArrayLike | None) -> Array:
@@ -166,14 +194,8 @@ def _norm(normals: Array, reach: Array) -> Array:
     return np.asarray(np.linalg.norm(normals @ reach.swapaxes(-1, -2), axis=-1))
 
 
-def _quotient(room: Array, reach: Array) -> Array:
-    """room/reach, infinite where nothing reaches towards the plane."""
-    towards = reach > NONE * reach.max(axis=-1, keepdims=True, initial=0)
-    room, reach, towards = np.broadcast_arrays(room, reach, towards)
-    return np.asarray(np.divide(room, reach, where=towards, out=np.full(room.shape, np.inf)))
-
-
 def _holds_origin(half_spaces: HalfSpaces) -> None:
     inside = margin(half_spaces, np.zeros(3))
     condition = "not be negative: the biases take the origin out of the envelope; make them smaller"
-    require(inside >= -NONE * (1 + np.abs(half_spaces.centre).max()), "the margin of the origin", inside, condition)
+    rounding = NONE * (1 + np.abs(half_spaces.centre).max(axis=-1))  # each envelope's own, however many there are
+    require(inside >= -rounding, "the margin of the origin", inside, condition)

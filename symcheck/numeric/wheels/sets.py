@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Callable
 from functools import lru_cache
 from math import pi
@@ -13,7 +12,7 @@ from numpy.typing import ArrayLike
 
 from symcheck import kernels
 from symcheck.numeric.chunked import gufunc
-from symcheck.numeric.chunked.kernels import by_blocks
+from symcheck.numeric.chunked.kernels import by_blocks, declaration
 from symcheck.numeric.domain import Array, doubles, real, require
 
 UNIT = 1e-9  # by how much the square of a unit vector's length may differ from 1
@@ -192,7 +191,7 @@ def listed_vertices(number: int, *angles: float) -> dict[str, Array]:
     angles  a and b of the four-sided pyramid, a of the six-sided one, in rad
 
     Returns the vertices, shape (3,), for limits of 1 N m s. ValueError for another number, or angles that do not fit.
-    The names are those in the kernel's docstring. Source: the lists of sections 2.1, 2.2, 3.1, 3.2.
+    The names are those that the kernel declares. Source: the lists of sections 2.1, 2.2, 3.1, 3.2.
 
     >>> listed_vertices(4, 1.0, 0.5)["V_1"].round(6)
     array([1.613691, 0.      , 0.      ])
@@ -204,8 +203,6 @@ def listed_vertices(number: int, *angles: float) -> dict[str, Array]:
     kernel = getattr(kernels.load("ignatov2005"), f"vertices_of_{words[number]}_wheels")
     values = kernel(*(float(_acute("ab"[k], angle)) for k, angle in enumerate(angles)))
     found: dict[str, Array] = {}
-    for (name, axis), value in zip(
-        re.findall(r"^ +(V_\d+)([xyz]): ", kernel.__doc__, re.MULTILINE), values, strict=True
-    ):
-        found.setdefault(name, np.zeros(3))["xyz".index(axis)] = value
+    for component, value in zip(declaration(kernel).results, values, strict=True):
+        found.setdefault(component[:-1], np.zeros(3))["xyz".index(component[-1])] = value
     return found | {f"{name}'": -place for name, place in found.items()}

@@ -1,0 +1,63 @@
+"""Ctrl-C: one line and the exit code 130 from the first moment on, and nothing of it in worker processes.
+
+The standard library alone, and little of it: this is imported before anything else.
+"""
+
+from __future__ import annotations
+
+import os
+import signal
+import sys
+from collections.abc import Iterator
+from contextlib import contextmanager
+from typing import Any
+
+INTERRUPTED = 130
+AGAIN = 0.02  # seconds until an interrupt that was dropped comes again
+
+
+def leave_at_once() -> None:
+    """From now on an interrupt ends the process: for imports, where an exception may be dropped or told at length.
+
+    What ignores interrupts, as a job in the background of a shell, goes on to do so.
+    """
+    if signal.getsignal(signal.SIGINT) is signal.default_int_handler:
+        signal.signal(signal.SIGINT, _leave)
+
+
+def raise_from_now_on() -> None:
+    """From now on an interrupt is a KeyboardInterrupt, which comes again if it strikes where exceptions are dropped."""
+    if signal.getsignal(signal.SIGINT) is _leave:
+        signal.signal(signal.SIGINT, signal.default_int_handler)
+    if sys.unraisablehook is sys.__unraisablehook__:
+        sys.unraisablehook = _unraisable
+
+
+@contextmanager
+def withheld() -> Iterator[None]:
+    """Processes that are started here never get an interrupt, from their very first moment; this one gets it after.
+
+    A mask, which they inherit, and not a handler: the interpreter of a new process would put its own in the place.
+    """
+    if not hasattr(signal, "pthread_sigmask"):
+        yield
+        return
+    before = signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})
+    try:
+        yield
+    finally:
+        signal.pthread_sigmask(signal.SIG_SETMASK, before)
+
+
+def _leave(*_: Any) -> None:
+    os.write(2, b"symcheck: interrupted\n")
+    os._exit(INTERRUPTED)
+
+
+def _unraisable(dropped: Any) -> None:
+    if not isinstance(dropped.exc_value, KeyboardInterrupt):
+        sys.__unraisablehook__(dropped)
+        return
+    from threading import Timer
+
+    Timer(AGAIN, signal.raise_signal, (signal.SIGINT,)).start()
