@@ -150,6 +150,11 @@ class Algebra(Terms):
             return pow(below, -whole[0], self.prime)
         return self.settle(self.chance.draw((kind, *values)))
 
+    def call(self, name: str, orders: Any, *terms: Any) -> int:
+        """A partial derivative of an unknown smooth function: one random number for equal orders and arguments."""
+        require(len(orders) == len(terms) and all(n in range(99) for n in orders), "the orders {} of {}", orders, name)
+        return self.settle(self.chance.draw(("call", name, *orders, *(self.value(t) % self.prime for t in terms))))
+
     def settle(self, value: int) -> int:
         """The value of a function, or at a point the one it is proved to have there."""
         require(self.point is None or self.inside or value in self.settled, "no value for a function at the point")
@@ -176,6 +181,7 @@ OPERATIONS: dict[str, Callable[..., int]] = {
     "sin": lambda a, term: a.turn(term)[1],
     "tan": lambda a, term: a.value(["/", ["sin", term], ["cos", term]]),
     "diff": lambda a, term, x, order: a.value(a.derived(term, x, order)),
+    "call": Algebra.call,
     **{kind: lambda a, *t, kind=kind: a.opaque(kind, *t) for kind in OPAQUE},
     **{kind: lambda a, *t, kind=kind: a.bound(kind, *t) for kind in BINDING},
 }
@@ -377,6 +383,10 @@ class Checker:
             inner.check_proof(inner.claim, proof)
             algebra.settled[inner.algebra.value(term)] = inner.algebra.value(value)
         algebra.point, algebra.values = numbers, {x: v[0] for x, v in texts.items() if len(v) == 1}
+        for name, orders, arguments, number in point.get("calls", ()):  # free where the arguments differ
+            at, value = [tuple(map(self.number_at, each)) for each in (arguments, [number])]
+            key = algebra.chance.draw(("call", name, *orders, *at))
+            require(algebra.settled.setdefault(key, value[0]) == value[0], "{} has two values at a point", name)
         failing = [reference for reference, formula in self.hypotheses.items() if not self.truth(formula)]
         require(not failing and not self.truth(goal), f"{failing or 'the claim'}: not so at the point")
         for k, (side, stated) in enumerate(zip(goal[1:], point["sides"], strict=True)):
@@ -384,6 +394,14 @@ class Checker:
             require(value == (relation or stated == "true"), "a side has another value at the point")
         circles = [["=", ["+", ["^", f"sin_{x}", 2], ["^", f"cos_{x}", 2]], 1] for x in angles]
         require(all(map(self.truth, circles)), "no point of the unit circle")
+
+    def number_at(self, number: Any) -> int:
+        """The value of a coordinate of a point, "2/7" or a term of numbers."""
+        if isinstance(number, str):
+            top, _, bottom = number.partition("/")
+            return self.algebra.value(["/", int(top), int(bottom or 1)]) % self.algebra.prime
+        require(self.algebra.exact(number), "the number {}", number)
+        return self.algebra.value(number) % self.algebra.prime
 
     def check_numbers(self, goal: Any, values: dict[str, Any], shown: Any) -> None:
         """The same where the letters are numbers such as 67 pi / 180: by interval arithmetic, with the stated ends."""
