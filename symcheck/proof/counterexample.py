@@ -368,14 +368,13 @@ class _Search:
 
     def _truth(self, formula: Formula, point: Point) -> bool:
         kind = formula[0]
+        if kind == "exists":
+            raise Unsupported("a quantifier inside a statement")
         if kind not in RELATIONS:
             parts = [self._truth(f, point) for f in formula[1:]]
-            return {
-                "and": all(parts),
-                "or": any(parts),
-                "=>": not parts[0] or parts[-1],
-                "<=>": parts[0] == parts[-1],
-            }[kind]
+            if kind in ("and", "or"):
+                return all(parts) if kind == "and" else any(parts)
+            return parts[0] == parts[1] if kind == "<=>" else parts[1] or not parts[0]
         gap = self._gap(formula)
         if "pi" in self.ring.generator and kind in ("=", "!="):  # transcendental: no polynomial in it is zero by chance
             zero = bool(self._reduce(self._at(gap.num, point)) == 0)
