@@ -16,6 +16,7 @@ from symcheck.proof.enclosures import Unknown, enclosed
 from symcheck.proof.knowledge import ring_of
 from symcheck.proof.polynomial import Ring, Unsupported, frozen, subterms, unfold, with_arguments
 from symcheck.proof.theorems import Terms, conjuncts, contrary
+from symcheck.proof.variables import circle
 from symcheck.statement import Certificate, Formula, Outcome, Problem, Term
 
 MAX_LETTERS = 3
@@ -45,7 +46,7 @@ def _points(problem: Problem) -> Iterator[dict[str, Term]]:
     formulas = [unfold(formula, definitions) for formula in (problem.claim, *_stated(problem))]
     if not compares_angles(ring) or any(part == "exists" for f in formulas for part in subterms(f)):
         return
-    ends: Ends = {name[4:]: [] for name in ring.names if name[:4] == "sin_"}
+    ends: Ends = {x: [] for function, x in filter(None, map(circle, ring.names)) if function == "sin"}
     for each in (each for formula in formulas for each in compared(formula, ring)):
         ends.setdefault(each.angle, []).append(each.end)
     letters = Terms({}).names(("", *formulas)) - {"pi"}

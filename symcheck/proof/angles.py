@@ -16,7 +16,6 @@ from symcheck.proof.farkas import contradiction, prove_by_contrary
 from symcheck.proof.knowledge import Knowledge, hints_of, ring_of, starting
 from symcheck.proof.orders import number_term, prove_order, term_of
 from symcheck.proof.polynomial import (
-    ATOMS,
     Instance,
     Ring,
     canonical,
@@ -27,6 +26,7 @@ from symcheck.proof.polynomial import (
     with_arguments,
 )
 from symcheck.proof.theorems import RELATIONS, conjuncts
+from symcheck.proof.variables import atoms, circle, prime, table
 from symcheck.statement import Certificate, Formula, Problem, Term
 
 INVERSE = {"arctan": "arctangent", "arcsin": "arcsine", "arccos": "arccosine"}
@@ -48,8 +48,8 @@ Prover = Callable[[Formula, Knowledge], Certificate | None]
 def compares_angles(ring: Ring) -> bool:
     """Whether angles stand beside their sines, or inverse functions occur."""
     names = with_arguments(ring.names)
-    arcs = any(name in ATOMS and ATOMS[name][0] in INVERSE for name in names)
-    return arcs or ("pi" in names and any(f"sin_{name}" in names for name in names))
+    arcs = any(name in atoms() and atoms()[name][0] in INVERSE for name in names)
+    return arcs or ("pi" in names and any(turn is not None and turn[1] in names for turn in map(circle, names)))
 
 
 def prove_about_angles(problem: Problem, prove_here: Prover) -> Certificate | None:
@@ -117,7 +117,7 @@ def _comparison(formula: Formula, ring: Ring) -> Comparison | None:
         if len(used) != 1 or used[0][1] != 1:
             return None
         terms[used[0][0]] = fraction(coefficient)
-    angles = [name for name in terms if name not in ATOMS and name != "pi" and name[:4] not in ("sin_", "cos_", "sqrt")]
+    angles = [name for name in terms if name != "pi" and not table().stands(name)]
     if len(angles) != 1 or len(terms) > 2:
         return None
     scale = terms.pop(angles[0])
@@ -126,8 +126,8 @@ def _comparison(formula: Formula, ring: Ring) -> Comparison | None:
     multiple = -factor / scale
     if other == "pi" and multiple in KNOWN_ANGLES:
         return Comparison.with_pi(sign, angles[0], multiple)
-    if other in ATOMS and ATOMS[other][0] in INVERSE and multiple == 1:
-        return Comparison(sign, angles[0], *ATOMS[other])
+    if other in atoms() and atoms()[other][0] in INVERSE and multiple == 1:
+        return Comparison(sign, angles[0], *atoms()[other])
     return None
 
 
@@ -150,14 +150,15 @@ def _forward(formulas: Sequence[Formula], ring: Ring) -> list[Instance]:
 def _of_atoms(ring: Ring) -> Iterator[Instance]:
     """What is always true of the functions in a ring."""
     for name in ring.names:
-        if name[:5] == "sqrt_":
-            yield "root", int(name[5:])
-        elif name in ATOMS and ATOMS[name][0] == "sqrt":
-            yield "root", ATOMS[name][1]
-        elif name in ATOMS and ATOMS[name][0] in INVERSE:
-            yield from _known_angle(*ATOMS[name])
-            yield "principal_value", *ATOMS[name]
-            yield "first_quadrant", *ATOMS[name]
+        function, *arguments = atoms().get(name, ("",))
+        if (p := prime(name)) is not None:
+            yield "root", p
+        elif function == "sqrt":
+            yield "root", *arguments
+        elif function in INVERSE:
+            yield from _known_angle(function, *arguments)
+            yield "principal_value", function, *arguments
+            yield "first_quadrant", function, *arguments
 
 
 def _known_angle(function: str, t: Term) -> Iterator[Instance]:
@@ -177,12 +178,12 @@ def _names_of(instances: Iterable[Instance], definitions: dict[str, Term]) -> se
 
 
 def _has_roots(term: Term) -> bool:
-    return any(name in ATOMS and ATOMS[name][0] == "sqrt" for name in variables(term))
+    return any(atoms().get(name, ("",))[0] == "sqrt" for name in variables(term))
 
 
 def _squared(side: Term, ring: Ring) -> Term | None:
     """The square of a side as a term without roots of letters; None if there is no such term."""
-    roots = {k: ring.ratio(ATOMS[name][1]) for k, name in enumerate(ring.names) if ATOMS.get(name, "")[:1] == ("sqrt",)}
+    roots = {k: ring.ratio(atoms()[x][1]) for k, x in enumerate(ring.names) if atoms().get(x, ())[:1] == ("sqrt",)}
     ratio, total = ring.ratio(side), ring.number(0)
     if ratio.den or any(radicand.den for radicand in roots.values()):
         return None

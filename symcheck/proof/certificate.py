@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import hashlib
 import json
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from typing import Any
 
 from symcheck.proof.polynomial import subterms, theorem_of
@@ -86,6 +86,20 @@ def terms_in(node: Any, definitions: Mapping[str, Term]) -> list[Any]:
             return [node[1]]
         return [t for child in node for t in terms_in(child, definitions)]
     return []
+
+
+def texts_in(node: Any) -> Iterator[str]:
+    """The polynomials a proof mentions, as they are printed."""
+    if isinstance(node, dict):
+        yield from node.get("clear", ())
+        yield from (text for _, *texts in node.get("cofactors", ()) for text in texts)
+        yield from (text for text, _ in node.get("factors", ()))
+        yield from (text for texts in node.get("nonzero", ()) for text in texts)
+        for part in node.values():
+            yield from texts_in(part)
+    elif isinstance(node, list):
+        for part in node:
+            yield from texts_in(part)
 
 
 def _reached(problem: Problem, mentioned: list[Any]) -> set[str]:

@@ -21,11 +21,11 @@ from symcheck.proof.closed import refute_at, refute_at_some, refute_numbers
 from symcheck.proof.knowledge import ring_of
 from symcheck.proof.orders import term_of
 from symcheck.proof.polynomial import (
-    ATOMS,
     Poly,
     Ratio,
     Ring,
     Unsupported,
+    alone,
     fraction,
     frozen,
     square_free,
@@ -35,6 +35,7 @@ from symcheck.proof.polynomial import (
 )
 from symcheck.proof.theorem_search import values_of
 from symcheck.proof.theorems import RELATIONS, conjuncts
+from symcheck.proof.variables import atoms, circle, cosine, prime, sine, table
 from symcheck.statement import Certificate, Formula, Outcome, Problem, Term
 
 Point = dict[str, Poly]
@@ -61,9 +62,10 @@ def refute(problem: Problem, prove: Prover = lambda _: None) -> Certificate | No
 def fails_at(problem: Problem, values: Mapping[str, Any]) -> bool:
     """Whether the hypotheses hold at a point, with the values of a certificate, and the claim does not."""
     try:
-        search = _Search(problem, problem.claim, lambda _: None)
-        point = {name: search._value(frozen(value)) for name, value in values.items() if name in search.free}
-        return len(point) == len(search.free) and search._evaluate(point) and search._refutes(point)
+        with alone(problem):
+            search = _Search(problem, problem.claim, lambda _: None)
+            point = {x: search._value(frozen(values[key])) for x in search.free if (key := _key(x)) in values}
+            return len(point) == len(search.free) and search._evaluate(point) and search._refutes(point)
     except KeyError:  # a function that has no value in the ring, such as arctan 2
         return refute_at(problem, {name: frozen(value) for name, value in values.items()}) is not None
     except (Unsupported, ZeroDivisionError):
@@ -97,24 +99,26 @@ class _Search:
     def __init__(self, problem: Problem, direction: Formula, prove: Prover) -> None:
         base = ring_of(problem)
         self.problem = problem
-        names = {*with_arguments(base.names), "sqrt_2", "sqrt_3"}
-        if any(name in ATOMS for name in names):
-            names |= {"sqrt_5", "sqrt_7", "pi"}
+        names = {*with_arguments(base.names), *map(table().root, (2, 3))}
+        if any(name in atoms() for name in names):
+            names |= {*map(table().root, (5, 7)), "pi"}
         self.ring = Ring(names, base.definitions)
-        self.functions = sorted((name for name in self.ring.names if name in ATOMS), key=lambda n: len(str(ATOMS[n])))
+        functions = sorted((name for name in self.ring.names if name in atoms()), key=lambda n: len(str(atoms()[n])))
+        self.calls = [name for name in functions if atoms()[name][0] == "call"]  # their values are free
+        self.functions = [name for name in functions if name not in self.calls]
         self.formulas = [part for _, fs in problem.hypotheses for f in fs for part in conjuncts(f)]
         if direction[0] == "=>":
             self.formulas += conjuncts(direction[1])
         self.gaps: dict[Formula, Ratio] = {}
-        self.roots = [name for name in self.ring.names if name.startswith("sqrt_")]
-        self.free = [name for name in self.ring.names if name not in (*self.roots, "pi") and name not in ATOMS]
+        self.roots = {name: p for name in self.ring.names if (p := prime(name)) is not None}
+        self.free = [name for name in self.ring.names if name not in (*self.roots, *self.functions, "pi")]
         self.prove, self.tries = prove, FUNCTION_TRIES
         self.settled: list[list[Any]] = []  # functions, their values at the point, and the proofs
 
     def run(self) -> Certificate | None:
         """The first candidate that stands the exact test."""
-        angles = {name[4:] for name in self.free if name[:4] in ("sin_", "cos_")}
-        if angles & {*self.free, "pi"}:
+        angles = {turn[1] for turn in map(circle, self.free) if turn is not None}
+        if angles & {*self.free, "pi"} or len({*map(_key, self.free)}) < len(self.free):
             return None
         for point in self._candidates(sorted(angles)):
             try:
@@ -128,13 +132,13 @@ class _Search:
 
     def _candidates(self, angles: Sequence[str]) -> Iterator[Point]:
         hinted = {name[6:]: value for name, value in self.problem.hints if name.startswith("point.")}
-        groups = [self._matrix(stem, names) for stem, names in _matrices(self.free)]
+        letters = [name for name in self.free if not table().stands(name)]
+        groups = [self._matrix(stem, names) for stem, names in _matrices(letters)]
         groups += [self._angle(x, k) for k, x in enumerate(angles)]
         taken = {name for group in groups for name in group.names}
         scalars = [name for name in self.free if name not in taken]
         if hinted:
-            point = {name: self._value(term) for name, term in hinted.items()}
-            point = {**{name: self.ring.number(1) for name in self.free}, **point}
+            point = {x: self._value(hinted.get(_key(x), 1)) for x in self.free}
             if self._evaluate(point):
                 yield point
         solved: dict[tuple[int, ...], list[tuple[str, Poly, Poly]] | None] = {}
@@ -156,18 +160,19 @@ class _Search:
         return self.ring.number(value) if isinstance(value, Fraction | int) else self.ring.poly(value)
 
     def _matrix(self, stem: str, names: tuple[str, ...]) -> _Group:
-        own = tuple(f for f in self.formulas if self._support(f) <= set(names))
+        own = ("and", *(f for f in self.formulas if self._support(f) <= set(names)))
         matrices = tuple(_matrix_values())
-        if (names, own) not in _ALLOWED:  # the same for every statement about matrices of one kind
+        key = names, unfold(own, self.ring.definitions)
+        if key not in _ALLOWED:  # the same for every statement about matrices of one kind
             points = (self._entries(rows, names) for rows in matrices)
-            _ALLOWED[names, own] = [k for k, point in enumerate(points) if all(self._truth(f, point) for f in own)]
-        return _Group(names, tuple(self._entries(matrices[k], names) for k in _ALLOWED[names, own]))
+            _ALLOWED[key] = [k for k, point in enumerate(points) if self._truth(own, point)]
+        return _Group(names, tuple(self._entries(matrices[k], names) for k in _ALLOWED[key]))
 
     def _entries(self, rows: Rows, names: tuple[str, ...]) -> Point:
         return {n: self._value(rows[int(n[-2]) - 1][int(n[-1]) - 1]) for n in names}
 
     def _angle(self, x: str, shift: int) -> _Group:
-        names = (f"sin_{x}", f"cos_{x}")
+        names = sine(x), cosine(x)
         own = [f for f in self.formulas if self._support(f) <= set(names)]
         choices = []
         for s, c in _CIRCLE[shift:] + _CIRCLE[:shift]:
@@ -256,7 +261,7 @@ class _Search:
         """Gives roots and powers their values, the innermost first; False if one of them is no combination of roots."""
         self.settled = []
         for name in self.functions:
-            kind, *arguments = ATOMS[name]
+            kind, *arguments = atoms()[name]
             if kind not in ("sqrt", "pow"):
                 if self.tries == 0 or not self._settle(name, point):
                     return False
@@ -274,13 +279,14 @@ class _Search:
     def _settle(self, name: str, point: Point) -> bool:
         """The value of an integral or a mean, with its proof."""
         self.tries -= 1
-        numbers = {x: p for x, p in point.items() if x not in ATOMS and (p == 0 or p.is_constant())}
+        numbers = {x: p for x, p in point.items() if not table().stands(x) and (p == 0 or p.is_constant())}
         defined = tuple((x, term_of(p)) for x, p in numbers.items())
-        for value in values_of(ATOMS[name], dict(defined)):
-            found = self.prove(Problem(name, ("=", ATOMS[name], value), defined))
+        function = atoms()[name]
+        for value in values_of(function, dict(defined)):
+            found = self.prove(Problem(name, ("=", function, value), defined))
             if found is not None and found.proof is not None:
                 proof = {key: part for key, part in found.proof.items() if key != "given"}
-                self.settled.append([ATOMS[name], value, proof])
+                self.settled.append([function, value, proof])
                 point[name] = self.ring.poly(value)
                 return True
         return False
@@ -288,9 +294,10 @@ class _Search:
     def _power(self, base: Fraction, exponent: Fraction = Fraction(1, 2)) -> Poly:
         if exponent == Fraction(1, 2):
             outside, primes = square_free(base)
-            if not {f"sqrt_{p}" for p in primes} <= set(self.roots):
+            roots = [*map(table().root, primes)]
+            if not self.roots.keys() >= {*roots}:
                 raise Unsupported(f"the root of {base}")
-            return prod((self.ring.generator[f"sqrt_{p}"] for p in primes), start=self.ring.number(outside))
+            return prod((self.ring.generator[root] for root in roots), start=self.ring.number(outside))
         if exponent.denominator != 1 or base <= 0 or abs(exponent) > MAX_POWER:
             raise Unsupported(f"{base} to the power {exponent}")
         return self.ring.number(base**exponent.numerator)
@@ -307,8 +314,8 @@ class _Search:
         return poly.compose(*values, ctx=self.ring.context)
 
     def _reduce(self, poly: Poly) -> Poly:
-        for name in self.roots:
-            poly = divmod(poly, self.ring.generator[name] ** 2 - int(name[5:]))[1]
+        for name, p in self.roots.items():
+            poly = divmod(poly, self.ring.generator[name] ** 2 - p)[1]
         return poly
 
     def _quotient(self, top: Poly, bottom: Poly) -> Poly:
@@ -350,7 +357,7 @@ class _Search:
                 for name, exponent in zip(self.ring.names, exponents, strict=True):
                     if exponent and name not in self.roots:
                         raise ZeroDivisionError  # a variable without a value
-                    radicand *= int(name[5:]) if exponent else 1
+                    radicand *= self.roots[name] if exponent else 1
                 near = isqrt(radicand << (2 * precision))
                 ends = [fraction(coefficient) * Fraction(n, 1 << precision) for n in (near, near + 1)]
                 low, high = low + min(ends), high + max(ends)
@@ -361,14 +368,13 @@ class _Search:
 
     def _truth(self, formula: Formula, point: Point) -> bool:
         kind = formula[0]
+        if kind == "exists":
+            raise Unsupported("a quantifier inside a statement")
         if kind not in RELATIONS:
             parts = [self._truth(f, point) for f in formula[1:]]
-            return {
-                "and": all(parts),
-                "or": any(parts),
-                "=>": not parts[0] or parts[-1],
-                "<=>": parts[0] == parts[-1],
-            }[kind]
+            if kind in ("and", "or"):
+                return all(parts) if kind == "and" else any(parts)
+            return parts[0] == parts[1] if kind == "<=>" else parts[1] or not parts[0]
         gap = self._gap(formula)
         if "pi" in self.ring.generator and kind in ("=", "!="):  # transcendental: no polynomial in it is zero by chance
             zero = bool(self._reduce(self._at(gap.num, point)) == 0)
@@ -387,9 +393,23 @@ class _Search:
             self.ring.divisors.values()
         )
         axioms = [poly for _, poly in self.ring.axioms() if not poly.is_constant()]
-        if any(self._reduce(self._at(d, point)) == 0 for d in divisors):
+        if any(self._reduce(self._at(d, point)) == 0 for d in divisors) or not self._consistent(point):
             return False
         return all(self._reduce(self._at(poly, point)) == 0 for poly in axioms)
+
+    def _called(self, point: Point) -> list[tuple[str, tuple[int, ...], tuple[str, ...], list[Any]]]:
+        """What unknown functions are at the point: name, orders, arguments as text, and [arguments, value]."""
+        found = []
+        for call in self.calls:
+            _, name, orders, *terms = atoms()[call]
+            values = [self._side(term, point) for term in terms]
+            found.append((name, orders, tuple(map(str, values)), [values, self._reduce(point[call])]))
+        return found
+
+    def _consistent(self, point: Point) -> bool:
+        """Whether unknown functions have equal values at equal arguments; no others depend on each other."""
+        known: dict[Any, Poly] = {}
+        return all(known.setdefault(tuple(key), each[1]) == each[1] for *key, each in self._called(point))
 
     # display
 
@@ -397,14 +417,21 @@ class _Search:
         claim = self.problem.claim
         needed = self._needed_names(claim)
         values = {
-            name: self._written(self._reduce(poly)) for name, poly in point.items() if name in needed - ATOMS.keys()
+            _key(name): self._written(self._reduce(poly))
+            for name, poly in point.items()
+            if name in needed - atoms().keys()
         }
         if claim[0] in RELATIONS:
             sides = [self._written_side(side, point) for side in claim[1:]]
         else:
             sides = ["true" if self._truth(part, point) else "false" for part in claim[1:]]
         functions = {"functions": self.settled} if self.settled else {}
-        return {"values": values, "sides": sides, **functions}
+        called = {
+            repr(key): [*key[:2], [*map(self._written, arguments)], self._written(value)]
+            for *key, (arguments, value) in self._called(point)
+        }
+        calls = {"calls": [*called.values()]} if called else {}
+        return {"values": values, "sides": sides, **functions, **calls}
 
     def _needed_names(self, claim: Formula) -> set[str]:
         definitions = self.ring.definitions
@@ -440,11 +467,16 @@ class _Search:
                 if name == "pi":
                     turns = int(exponent)
                 else:
-                    radicand *= int(name[5:]) if exponent else 1
+                    radicand *= self.roots[name] if exponent else 1
             factors: list[Any] = [number.numerator if number.denominator == 1 else ["/", *number.as_integer_ratio()]]
             factors += [["sqrt", radicand]] * (radicand > 1) + [["^", "pi", turns]] * (turns > 0)
             addends.append(["*", *factors] if len(factors) > 1 else factors[0])
         return addends[0] if len(addends) == 1 else ["+", *addends]
+
+
+def _key(name: str) -> str:
+    """The name of a coordinate in a point: "sin_x" for the sine of x."""
+    return "_".join(circle(name) or (name,))
 
 
 def _matrices(names: Sequence[str]) -> list[tuple[str, tuple[str, ...]]]:
@@ -485,7 +517,7 @@ def _cayley(seed: int) -> list[list[Fraction]]:
 
 
 # which matrices satisfy the formulas about them alone; a memory of pure results
-_ALLOWED: dict[tuple[tuple[str, ...], tuple[Formula, ...]], list[int]] = {}
+_ALLOWED: dict[tuple[tuple[str, ...], Formula], list[int]] = {}
 
 
 def _matrix_values() -> Iterator[Rows]:

@@ -2,20 +2,19 @@
 
 from __future__ import annotations
 
-import json
 import re
 from collections.abc import Callable
 
-from symcheck.proof.certificate import references, terms_in
+from symcheck.proof.certificate import references, terms_in, texts_in
 from symcheck.proof.closed import decide_numbers
 from symcheck.proof.counterexample import refute
 from symcheck.proof.knowledge import Knowledge, given_of, ring_of, starting
 from symcheck.proof.orders import form_on_the_circle
-from symcheck.proof.polynomial import ATOMS, Poly, Ring, Unsupported, function_arguments, unfold, variables
+from symcheck.proof.polynomial import Poly, Ring, Unsupported, function_arguments, unfold, variables
 from symcheck.proof.theorems import conjuncts, sides
+from symcheck.proof.variables import atoms, table
 from symcheck.statement import Certificate, Outcome, Problem, Term, Verdict
 
-_ATOM = r"\b[A-Z][a-z]+_[0-9a-f]{10}\b"
 Search = Callable[[Problem, Ring], Certificate | None]
 
 
@@ -57,7 +56,7 @@ def _proved(problem: Problem, ring: Ring, proof: Certificate) -> Outcome | None:
     """
     given = references(proof)
     own = [unfold(term, ring.definitions) for term in terms_in(proof, ring.definitions)]
-    if ring.divisors or own or ATOMS.keys() & set(ring.names):
+    if ring.divisors or own or atoms().keys() & set(ring.names):
         stated = [problem.claim, *(f for _, fs in problem.hypotheses for f in fs)]
         own += [unfold(side, ring.definitions) for formula in stated for side in sides(formula)]
         inner = [t for term in own for bodies in (True, False) for t in function_arguments(term, bodies)]
@@ -70,8 +69,9 @@ def _proved(problem: Problem, ring: Ring, proof: Certificate) -> Outcome | None:
                 return None
         proof |= {"nonzero": sorted(listed)} if listed else {}
         proof |= {"positive": positive} if positive else {}
-    atoms = {name: ATOMS[name] for name in sorted(set(re.findall(_ATOM, json.dumps(proof)))) if name in ATOMS}
-    proof |= {"atoms": atoms} if atoms else {}
+    names = set(re.findall(r"\w+", " ".join(texts_in(proof))))
+    meant = {name: table().term(name) for name in sorted(names) if table().stands(name)}
+    proof |= {"atoms": meant} if meant else {}
     proof["given"] = sorted([name, k] for name, k in given)
     used = {name for name, _ in given}
     return Outcome(Verdict.PROVED, proof=proof, used=tuple(name for name, _ in problem.hypotheses if name in used))

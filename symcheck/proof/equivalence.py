@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 from symcheck.proof.knowledge import proportional, ring_of, starting
-from symcheck.proof.polynomial import Unsupported
+from symcheck.proof.polynomial import Unsupported, alone
 from symcheck.proof.theorems import RELATIONS
 from symcheck.statement import Formula, Problem
 
@@ -17,10 +17,14 @@ def equivalent(f: Formula, g: Formula, problem: Problem) -> bool:
 
     Decided exactly; False if that cannot be seen (Unsupported terms included).
     """
-    if f == g:
-        return True
+    both = replace(problem, claim=("and", f, g))
+    with alone(both):
+        return f == g or _equivalent(f, g, both)
+
+
+def _equivalent(f: Formula, g: Formula, problem: Problem) -> bool:
     try:
-        ring = ring_of(replace(problem, claim=("and", f, g)))
+        ring = ring_of(problem)
         ideal = starting(problem, ring).ideal()
     except Unsupported:
         return False

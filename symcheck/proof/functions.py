@@ -15,7 +15,6 @@ from typing import Any
 from symcheck.proof.knowledge import Knowledge, proportional
 from symcheck.proof.orders import number_term, term_of
 from symcheck.proof.polynomial import (
-    ATOMS,
     Instance,
     Poly,
     Ratio,
@@ -25,12 +24,14 @@ from symcheck.proof.polynomial import (
     fraction,
     frozen,
     number_of,
+    parts,
     rational,
     square_free,
     variables,
     with_arguments,
 )
 from symcheck.proof.theorems import BINDING, Terms, Unknown
+from symcheck.proof.variables import atoms, cosine, sine
 from symcheck.statement import Term
 
 HALF_LINE = (0, "infinity")
@@ -39,8 +40,8 @@ WHOLE_LINE = (("-", "infinity"), "infinity")
 
 def instances(name: str, names: set[str]) -> Iterator[Instance]:
     """The theorems about an atom, and about it together with other atoms."""
-    kind, *arguments = ATOMS[name]
-    others = [ATOMS[other] for other in sorted(names) if other in ATOMS and other != name]
+    kind, *arguments = atoms()[name]
+    others = [atoms()[other] for other in sorted(names) if other in atoms() and other != name]
     try:
         if kind in _ABOUT:
             yield from _ABOUT[kind](arguments, [rest for k, *rest in others if k == kind])
@@ -50,12 +51,13 @@ def instances(name: str, names: set[str]) -> Iterator[Instance]:
 
 def simplified(name: str, known: Knowledge) -> Iterator[Instance]:
     """A function at arguments that the equations in force make simpler."""
-    kind, *arguments = ATOMS[name]
-    if kind in BINDING:
+    node = atoms()[name]
+    if node[0] in BINDING:
         return
-    simpler = [_simplified(term, known) for term in arguments]
+    arguments = parts(node)
+    simpler = tuple(_simplified(term, known) for term in arguments)
     if [*map(canonical, simpler)] != [*map(canonical, arguments)]:
-        yield "congruence", kind, tuple(arguments), tuple(simpler)
+        yield "congruence", node[:3] if node[0] == "call" else node[0], arguments, simpler
 
 
 def _simplified(term: Term, known: Knowledge) -> Term:
@@ -100,15 +102,13 @@ def _power(arguments: list[Any], others: list[list[Any]]) -> Iterator[Instance]:
 def _square_root(term: Term) -> Term | None:
     """A term whose square is the polynomial, or None."""
     value = Ring(variables(term)).ratio(term)
-    if value.num == 0 or value.den:
-        return None
-    unit, factors = value.num.factor()
+    unit, factors = value.num.factor() if value.num != 0 and not value.den else (-1, [])
     number = fraction(unit) if factors or value.num == 1 else Fraction(-1)
     outside, primes = square_free(number) if number > 0 else (number, (1,))
     if primes or any(exponent % 2 for _, exponent in factors):
         return None
     bases = (poly ** (exponent // 2) for poly, exponent in factors)
-    return restored(term_of(prod(bases, start=value.num**0 * rational(outside))))
+    return term_of(prod(bases, start=value.num**0 * rational(outside)))
 
 
 def _gamma(arguments: list[Any], others: list[list[Any]]) -> Iterator[Instance]:
@@ -128,9 +128,9 @@ def _gamma(arguments: list[Any], others: list[list[Any]]) -> Iterator[Instance]:
 def _mean(arguments: list[Any], others: list[list[Any]]) -> Iterator[Instance]:
     """The constant Fourier coefficient, and the integral of the rest."""
     body, x = arguments
-    ring = Ring({*variables(body), f"sin_{x}", f"cos_{x}"})
+    ring = Ring({*variables(body), sine(x), cosine(x)})
     value = ring.ratio(body)
-    s, c = (ring.names.index(f"{function}_{x}") for function in ("sin", "cos"))
+    s, c = ring.names.index(sine(x)), ring.names.index(cosine(x))
     mean, primitive = ring.number(0), ring.number(0)
     for exponents, coefficient in value.num.terms():
         i, j = int(exponents[c]), int(exponents[s])
@@ -140,8 +140,8 @@ def _mean(arguments: list[Any], others: list[list[Any]]) -> Iterator[Instance]:
             if k == 0:
                 mean += outside * rational(real)
             elif k > 0:  # 2 Re (a + i b) e^(ikx) = d/dx of 2 (b cos kx + a sin kx) / k
-                cosine, sine = ring.turn({x: k})
-                primitive += outside * (cosine * rational(2 * imaginary / k) + sine * rational(2 * real / k))
+                turned = ring.turn({x: k})
+                primitive += outside * (turned[0] * rational(2 * imaginary / k) + turned[1] * rational(2 * real / k))
     yield "mean", body, x, _over(mean, value), _over(primitive, value)
 
 
@@ -193,13 +193,13 @@ def _pure_power(body: Term, x: str) -> tuple[Term, Term] | None:
         name = str(poly)
         if name == x:
             exponents.append(e)
-        elif name in ATOMS and ATOMS[name][0] == "pow" and canonical(ATOMS[name][1]) == canonical(x):
-            exponents.append(("*", e, ATOMS[name][2]))
-        elif e > 0 and not poly.degrees()[ring.names.index(x)] and x not in with_arguments({name} & set(ATOMS)):
+        elif name in atoms() and atoms()[name][0] == "pow" and canonical(atoms()[name][1]) == canonical(x):
+            exponents.append(("*", e, atoms()[name][2]))
+        elif e > 0 and not poly.degrees()[ring.names.index(x)] and x not in with_arguments({name} & set(atoms())):
             outside *= poly**e
         else:
             return None
-    return restored(term_of(outside)), ("+", *exponents) if exponents else 0
+    return term_of(outside), ("+", *exponents) if exponents else 0
 
 
 def _shape(body: Term, x: str) -> tuple[Any, ...]:
@@ -215,15 +215,15 @@ def _shape(body: Term, x: str) -> tuple[Any, ...]:
         name = str(poly)
         if name == x:
             power += e
-        elif name in ATOMS and ATOMS[name][0] == "pow" and canonical(ATOMS[name][1]) == canonical(x):
-            exponents.append(("*", e, ATOMS[name][2]))
-        elif name in ATOMS and ATOMS[name][0] == "pow" and canonical(ATOMS[name][1]) == canonical(("^", x, 2)):
-            exponents.append(("*", 2 * e, ATOMS[name][2]))
-        elif name in ATOMS and ATOMS[name][0] == "pow" and x in variables(ATOMS[name][1]):
-            if base is not None and canonical(base) != canonical(ATOMS[name][1]):
+        elif name in atoms() and atoms()[name][0] == "pow" and canonical(atoms()[name][1]) == canonical(x):
+            exponents.append(("*", e, atoms()[name][2]))
+        elif name in atoms() and atoms()[name][0] == "pow" and canonical(atoms()[name][1]) == canonical(("^", x, 2)):
+            exponents.append(("*", 2 * e, atoms()[name][2]))
+        elif name in atoms() and atoms()[name][0] == "pow" and x in variables(atoms()[name][1]):
+            if base is not None and canonical(base) != canonical(atoms()[name][1]):
                 raise Unsupported("powers of two bases")
-            base = ATOMS[name][1]
-            r.append(("*", -e, ATOMS[name][2]))
+            base = atoms()[name][1]
+            r.append(("*", -e, atoms()[name][2]))
         elif poly.degrees()[ring.names.index(x)]:
             quadratic.append((poly, e))
         elif e > 0:
@@ -243,7 +243,7 @@ def _shape(body: Term, x: str) -> tuple[Any, ...]:
         exponents, power = [*exponents, power], 0
     c = _over(outside, Ratio(outside, {"": (inside, 1)}))
     u, exponent = (("+", *terms) if terms else 0 for terms in (exponents, r))
-    return c, power, u, exponent, restored(term_of(p)), restored(term_of(q))
+    return c, power, u, exponent, term_of(p), term_of(q)
 
 
 def _coefficient(ring: Ring, poly: Poly, x: str, k: int) -> Poly:
@@ -272,13 +272,4 @@ def _over(top: Poly, value: Ratio) -> Term:
     bottom = prod((poly**exponent for poly, exponent in value.den.values()), start=top**0)
     common = top.gcd(bottom)
     top, bottom = divmod(top, common)[0], divmod(bottom, common)[0]
-    return restored(term_of(top)) if bottom == 1 else ("/", restored(term_of(top)), restored(term_of(bottom)))
-
-
-def restored(term: Term) -> Term:
-    """The term with the functions themselves in the place of their atoms."""
-    if isinstance(term, tuple):
-        return tuple(restored(part) for part in term)
-    if isinstance(term, str) and term[:4] in ("sin_", "cos_"):
-        return (term[:3], term[4:])
-    return restored(ATOMS[term]) if isinstance(term, str) and term in ATOMS else term
+    return term_of(top) if bottom == 1 else ("/", term_of(top), term_of(bottom))

@@ -11,29 +11,30 @@ from dataclasses import replace
 from symcheck.proof import counterexample
 from symcheck.proof import decide as deciding
 from symcheck.proof.decide import decide
-from symcheck.proof.polynomial import ATOMS, Unsupported
+from symcheck.proof.polynomial import alone
 from symcheck.proof.splitting import prove
+from symcheck.proof.variables import Unsupported
 from symcheck.statement import Certificate, Method, Outcome, Problem
 
 
 def _decide(problem: Problem) -> Outcome:
-    ATOMS.clear()  # which of equal terms an atom stands for depends on this problem alone
-    return decide(problem, prove)
+    with alone(problem):  # which of equal terms a variable stands for depends on this problem alone
+        return decide(problem, prove)
 
 
 def refute(problem: Problem) -> Certificate | None:
     """A point where the hypotheses hold and the claim does not, or None; what functions are there is not looked for."""
-    ATOMS.clear()
-    return counterexample.refute(problem)
+    with alone(problem):
+        return counterexample.refute(problem)
 
 
 def proof_of(problem: Problem) -> Outcome | None:
     """A proof, or None; unlike a method it looks for no counterexample."""
-    ATOMS.clear()
-    try:
-        return deciding.prove(problem, prove)
-    except Unsupported:
-        return None
+    with alone(problem):
+        try:
+            return deciding.prove(problem, prove)
+        except Unsupported:
+            return None
 
 
 identity = Method("identity", _decide)

@@ -13,8 +13,9 @@ from symcheck.proof.angle_points import refute_about_angles
 from symcheck.proof.certificate import certificate
 from symcheck.proof.counterexample import fails_at
 from symcheck.proof.methods import proof_of, refute
-from symcheck.proof.polynomial import Unsupported, subterms
+from symcheck.proof.polynomial import Unsupported, alone, letters_of, parts, rebuilt, subterms
 from symcheck.proof.theorems import RELATIONS, Terms, conjuncts, contrary
+from symcheck.proof.variables import Table
 from symcheck.statement import Certificate, Formula, Loss, Outcome, Problem, Term, Verdict
 
 PLAIN = {"+", "-", "*", "/", "^", "and", "or", "=>", "<=>", *RELATIONS}
@@ -58,7 +59,8 @@ def _refuted(problem: Problem) -> Certificate | None:
 def _refuted_by_proof(problem: Problem) -> Certificate | None:
     """Where angles are compared, a point at which the contrary has a proof."""
     try:
-        return refute_about_angles(problem, proof_of)
+        with alone(problem):
+            return refute_about_angles(problem, proof_of)
     except Unsupported:
         return None
 
@@ -124,9 +126,10 @@ def _at_special_angles(problem: Problem) -> Iterator[Problem]:
     hypotheses = (formula for _, formulas in problem.hypotheses for formula in formulas)
     stated = ("", problem.claim, *(term for _, term in problem.definitions), *hypotheses)
     angles = sorted({node[1] for node in subterms(stated) if _is_of_angle(node)})
+    taken = Table(letters_of(problem))
     for angle in angles:
         for values in RIGHT_ANGLES:
-            names = {("sin", angle): f"sine_of_{angle}", ("cos", angle): f"cosine_of_{angle}"}
+            names = {(f, angle): taken.fresh(f"{word}_of_{angle}") for f, word in (("sin", "sine"), ("cos", "cosine"))}
             special = _renamed(problem, names, dict(zip(names.values(), values, strict=True)))
             if not problem.hypotheses or refute(replace(special, claim=("=", 0, 1))) is not None:
                 yield special
@@ -139,13 +142,13 @@ def _is_of_angle(node: Any) -> bool:
 def _renamed(problem: Problem, names: dict[Any, str], values: dict[str, Term]) -> Problem:
     def new(term: Any) -> Any:
         if isinstance(term, tuple):
-            return names[term] if term in names else tuple(map(new, term))
+            return names[term] if term in names else rebuilt(term, map(new, parts(term)))
         return term
 
     return replace(
         problem,
         claim=new(problem.claim),
-        definitions=(*values.items(), *new(problem.definitions)),
-        hypotheses=new(problem.hypotheses),
+        definitions=(*values.items(), *((name, new(term)) for name, term in problem.definitions)),
+        hypotheses=tuple((name, tuple(map(new, formulas))) for name, formulas in problem.hypotheses),
         hints=(),
     )

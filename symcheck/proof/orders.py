@@ -8,7 +8,8 @@ from math import prod
 
 from symcheck.proof.equations import cleared, subsets, written
 from symcheck.proof.knowledge import Knowledge, proportional, starting
-from symcheck.proof.polynomial import ATOMS, Poly, fraction
+from symcheck.proof.polynomial import Poly, fraction
+from symcheck.proof.variables import circle, cosine, sine, table
 from symcheck.statement import Certificate, Formula, Problem, Term
 
 
@@ -100,10 +101,11 @@ def form_on_the_circle(poly: Poly, known: Knowledge) -> Term | None:
 def _on_the_circle(poly: Poly) -> Iterator[Poly]:
     """The polynomial with the squares of all sines, or of all cosines, replaced by those of the others."""
     names = poly.context().names()
-    for old, new in (("sin_", "cos_"), ("cos_", "sin_")):
+    angles = [x for function, x in filter(None, map(circle, names)) if function == "sin" and cosine(x) in names]
+    for old, new in ((sine, cosine), (cosine, sine)):
         turned = poly
-        for x in (name[4:] for name in names if name.startswith(old) and new + name[4:] in names):
-            square, other = names.index(old + x), poly.context().gen(names.index(new + x))
+        for x in angles:
+            square, other = names.index(old(x)), poly.context().gen(names.index(new(x)))
             if turned.degrees()[square] < 2:
                 continue
             terms: dict[int, Poly] = {}
@@ -149,7 +151,7 @@ def term_of(poly: Poly) -> Term:
     for exponents, coefficient in poly.terms():
         value = fraction(coefficient)
         number = number_term(abs(value))
-        bases = ((ATOMS.get(name, name), int(e)) for name, e in zip(names, exponents, strict=True) if e)
+        bases = ((table().term(name), int(e)) for name, e in zip(names, exponents, strict=True) if e)
         powers: list[Term] = [base if e == 1 else ("^", base, e) for base, e in bases]
         factors = powers if number == 1 and powers else [number, *powers]
         term: Term = factors[0] if len(factors) == 1 else ("*", *factors)

@@ -1,38 +1,34 @@
 """Terms as exact fractions of polynomials over a ring made for one problem (python-flint, degrevlex order).
 
-Sines and cosines of a variable x become the variables sin_x, cos_x; the root of a prime p becomes sqrt_p.
+Sines, cosines, roots of primes and other functions are variables of their own (`variables.py`).
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
+from contextlib import AbstractContextManager
 from dataclasses import dataclass, field
 from fractions import Fraction
-from functools import lru_cache
-from hashlib import sha256
-from math import prod
+from math import comb, prod
 from typing import Any
 
 import flint
 
 from symcheck.proof.theorems import BINDING, OPAQUE, THEOREMS, Terms, Theorem, Unknown
-from symcheck.statement import Formula, Term
+from symcheck.proof.variables import Unsupported as Unsupported
+from symcheck.proof.variables import atoms, circle, cosine, one_problem, prime, sine, table
+from symcheck.statement import Formula, Problem, Term
 
 Instance = tuple[Any, ...]  # the name of a theorem and what it is applied to
 Poly = Any  # flint.fmpq_mpoly, which has no type information
 
-FUNCTIONS = (*OPAQUE, *BINDING)
+FUNCTIONS = (*OPAQUE, *BINDING, "call")
 
 MAX_POWER = 999
+MAX_LENGTH = 200_000  # terms of a power
+MAX_BITS = 100_000  # of a number
+MAX_TURNS = 99
 MAX_PRIME = 43  # of the roots the checker knows
-
-ATOMS: dict[
-    str, tuple[Any, ...]
-] = {}  # what each atom stands for; its name tells it, so that the order of entries means nothing
-
-
-class Unsupported(Exception):
-    """A term the ring has no room for: a half angle, the root of a letter, a circular definition."""
 
 
 def fraction(value: Any) -> Fraction:
@@ -46,12 +42,38 @@ def rational(value: Fraction | int) -> Any:
     return flint.fmpq(value.numerator, value.denominator)
 
 
+def parts(node: tuple[Any, ...]) -> tuple[Any, ...]:
+    """What a term or formula is made of: all but its kind, and but the name and the orders of an unknown function."""
+    return node[3 if node[:1] == ("call",) else 1 :]
+
+
+def rebuilt(node: tuple[Any, ...], inner: Iterable[Any]) -> tuple[Any, ...]:
+    """The same kind of term or formula, made of other parts."""
+    return (*node[: 3 if node[:1] == ("call",) else 1], *inner)
+
+
 def subterms(node: Any) -> Iterator[Any]:
     """Every tuple, name and number inside a term or formula, itself included."""
     yield node
     if isinstance(node, tuple):
-        for child in node[1:]:
+        for child in parts(node):
             yield from subterms(child)
+
+
+def letters_of(problem: Problem) -> set[str]:
+    """Every name in a problem, also of what is bound there and of what is defined."""
+    said: list[Any] = [formula for _, formulas in problem.hypotheses for formula in formulas]
+    said += [term for _, term in problem.definitions] + [value for _, value in problem.hints]
+    return {name for name, _ in problem.definitions} | _names_in((problem.claim, *said))
+
+
+def _names_in(node: Any) -> set[str]:
+    return set().union(*map(_names_in, node)) if isinstance(node, tuple) else {node} if isinstance(node, str) else set()
+
+
+def alone(problem: Problem) -> AbstractContextManager[Any]:
+    """A table of variables for this problem alone."""
+    return one_problem(letters_of(problem))
 
 
 def unfold(node: Any, definitions: Mapping[str, Term], active: tuple[str, ...] = ()) -> Any:
@@ -73,7 +95,7 @@ def unfold(node: Any, definitions: Mapping[str, Term], active: tuple[str, ...] =
         inner = {name: term for name, term in definitions.items() if name != node[2]}
         ends = (unfold(end, definitions, active) for end in node[3:])
         return (node[0], unfold(node[1], inner, active), node[2], *ends)
-    return (node[0], *(unfold(child, definitions, active) for child in node[1:]))
+    return rebuilt(node, (unfold(child, definitions, active) for child in parts(node)))
 
 
 def derivative(term: Term, definitions: Mapping[str, Term]) -> Term:
@@ -115,6 +137,9 @@ def constant(term: Term) -> Fraction:
         if term[0] == "/" and values[1]:
             return values[0] / values[1]
         if term[0] == "^" and values[0]:
+            size = values[0].numerator.bit_length() + values[0].denominator.bit_length()
+            if abs(values[1]) * size > MAX_BITS:
+                raise Unsupported(f"the power {values[1]} of {values[0]}")
             return Fraction(values[0] ** int(values[1]))
         if term[0] == "*":
             product = Fraction(1)
@@ -122,6 +147,14 @@ def constant(term: Term) -> Fraction:
                 product *= value
             return product
     raise Unsupported(f"{term!r} is not a rational number")
+
+
+def _constant(term: Term) -> Fraction:
+    """The value of a term that is a rational number, as `number_of` finds it."""
+    number = number_of(term)
+    if number is None:
+        raise Unsupported(f"{term!r} is not a rational number")
+    return number
 
 
 def square_free(value: Fraction) -> tuple[Fraction, tuple[int, ...]]:
@@ -177,6 +210,9 @@ def atom(node: Any) -> str | None:
     Terms with the same arguments, as fractions of polynomials, have the same atom.
     """
     kind, *arguments = node
+    if kind == "call":
+        function, orders, *arguments = arguments
+        return table().atom((kind, function, orders, *map(canonical, arguments)), node)
     if kind == "pow" and (number := number_of(arguments[1])) is not None and number.denominator == 1:
         return None
     if kind == "sqrt" and number_of(arguments[0]) is not None:
@@ -184,10 +220,8 @@ def atom(node: Any) -> str | None:
     if kind in BINDING:
         body, x, *ends = arguments
         depth = sum(isinstance(part, tuple) and part[0] in BINDING for part in subterms(body))
-        arguments = [renamed(body, x, f"bound_{depth}"), *ends]
-    name = f"{kind.title()}_{sha256(repr([kind, *map(canonical, arguments)]).encode()).hexdigest()[:10]}"
-    ATOMS.setdefault(name, node)
-    return name
+        arguments = [renamed(body, x, f"#{depth}"), *ends]  # a name no letter has
+    return table().atom((kind, *map(canonical, arguments)), node)
 
 
 def number_of(term: Term) -> Fraction | None:
@@ -210,13 +244,19 @@ def number_of(term: Term) -> Fraction | None:
 def renamed(node: Any, old: str, new: str) -> Any:
     """The term with another name for a variable, also where it is bound."""
     if isinstance(node, tuple):
-        return tuple(renamed(child, old, new) for child in node)
+        return rebuilt(node, (renamed(child, old, new) for child in parts(node)))
     return new if node == old else node
 
 
-@lru_cache(maxsize=4096)
 def canonical(term: Term) -> str:
     """A text that is the same for terms that are the same fraction of polynomials, by sin^2 + cos^2 = 1 too."""
+    texts = table().texts
+    if term not in texts:
+        texts[term] = _canonical(term)
+    return texts[term]
+
+
+def _canonical(term: Term) -> str:
     ring = Ring(variables(term))
     value = ring.ratio(term)
     num, den = value.num, prod((poly**exponent for poly, exponent in value.den.values()), start=ring.number(1))
@@ -234,22 +274,22 @@ def variables(node: Any) -> set[str]:
     """The polynomial variables an unfolded term or formula needs."""
     found: set[str] = set()
     if isinstance(node, str):
-        return {node}
+        return {table().letter(node)}
     if not isinstance(node, tuple):
         return found
     if node[0] in ("sin", "cos", "tan"):
-        return {f"{function}_{name}" for name in angle(node[1]) for function in ("sin", "cos")}
+        return {of(table().letter(name)) for name in angle(node[1]) for of in (sine, cosine)}
     if node[0] in FUNCTIONS and (name := atom(node)):
         return {name}
     if node[0] == "sqrt":
-        return {f"sqrt_{p}" for p in square_free(constant(node[1]))[1]}
+        return {table().root(p) for p in square_free(_constant(node[1]))[1]}
     if node[0] == "pow":
         return variables(node[1])
     if node[0] == "diff":
         return variables(derivative(node, {})) | variables(node[1]) | {node[2]}
     if node[0] == "exists":
         return set(node[1]) | variables(node[2])
-    for child in node[1:]:
+    for child in parts(node):
         found |= variables(child)
     return found
 
@@ -262,24 +302,29 @@ def function_arguments(node: Any, bodies: bool) -> Iterator[Term]:
     if binding and bodies:
         yield node[1]
     elif node[0] in FUNCTIONS and not bodies:
-        yield from node[3:] if binding else node[1:]
-    for part in node[3:] if binding and not bodies else node[1:]:
+        yield from node[3:] if binding else parts(node)
+    for part in node[3:] if binding and not bodies else parts(node):
         yield from function_arguments(part, bodies)
 
 
 def with_arguments(names: Iterable[str]) -> set[str]:
     """The variables, and those that the arguments of the functions among them need."""
     found = set(names)
-    open_ = sorted(name for name in found if name in ATOMS)
+    open_ = sorted(name for name in found if name in atoms())
     while open_:
-        kind, *arguments = ATOMS[open_.pop()]
-        bound = {arguments[1], f"sin_{arguments[1]}", f"cos_{arguments[1]}"} if kind in BINDING else set()
-        inner = {name for part in arguments for name in variables(part)} - {*bound, "infinity"}
+        node = atoms()[open_.pop()]
+        bound = turning(node[2]) if node[0] in BINDING else set()
+        inner = {name for part in parts(node) for name in variables(part)} - {*bound, "infinity"}
         if bound:
-            inner = {name for name in inner if not (name in ATOMS and bound & with_arguments({name}))}
-        open_ += sorted(name for name in inner - found if name in ATOMS)
+            inner = {name for name in inner if not (name in atoms() and bound & with_arguments({name}))}
+        open_ += sorted(name for name in inner - found if name in atoms())
         found |= inner
     return found
+
+
+def turning(x: str) -> set[str]:
+    """A letter, its sine and its cosine."""
+    return {x, sine(x), cosine(x)}
 
 
 @dataclass(frozen=True)
@@ -292,10 +337,12 @@ class Ratio:
 
 def _rank(name: str) -> tuple[int, str]:
     """Matrix entries first, letters that are mostly parameters later, roots of numbers last."""
-    if name.startswith("sqrt_"):
+    if prime(name) is not None:
         return 3, name
+    if circle(name) is not None:
+        return 1, name
     tail = name.rpartition("_")[2]
-    return (0, name) if len(tail) == 2 and tail.isdigit() else (1 if name[:4] in ("sin_", "cos_") else 2, name)
+    return (0 if len(tail) == 2 and tail.isdigit() and name not in atoms() else 2), name
 
 
 class Ring:
@@ -303,7 +350,8 @@ class Ring:
 
     def __init__(self, names: Iterable[str], definitions: Mapping[str, Term] | None = None) -> None:
         known = set(names)
-        known |= {f"{other}{name[4:]}" for name in known if name[:4] in ("sin_", "cos_") for other in ("sin_", "cos_")}
+        angles = sorted(turn[1] for turn in map(circle, known) if turn is not None)
+        known |= {of(x) for x in angles for of in (sine, cosine)}
         self.names = tuple(sorted(known, key=_rank))
         self.definitions = dict(definitions or {})
         self.context = flint.fmpq_mpoly_ctx.get(list(self.names), flint.Ordering.degrevlex)
@@ -371,7 +419,7 @@ class Ring:
         if isinstance(term, str):
             if term in self.definitions:
                 return self.ratio(unfold(term, self.definitions))
-            return Ratio(self.generator[term])
+            return Ratio(self.generator[table().letter(term)])
         kind = term[0]
         if kind == "+":
             return self._add([self.ratio(child) for child in term[1:]])
@@ -382,11 +430,7 @@ class Ring:
         if kind == "/":
             return self._product([self.ratio(term[1]), self._inverse(term[2])])
         if kind == "^":
-            if abs(term[2]) > MAX_POWER:
-                raise Unsupported(f"the power {term[2]}")
-            return self._product(
-                [self.ratio(term[1])] * term[2] if term[2] >= 0 else [self._inverse(term[1])] * -term[2]
-            )
+            return self._power(self.ratio(term[1]) if term[2] >= 0 else self._inverse(term[1]), abs(term[2]))
         if kind in ("sin", "cos"):
             return Ratio(self.turn(angle(unfold(term[1], self.definitions)))[kind == "sin"])
         if kind == "tan":
@@ -401,7 +445,7 @@ class Ring:
             self.divisors = met if self.inside else self.divisors
             return value
         if kind == "sqrt":
-            return Ratio(self._root(constant(unfold(term[1], self.definitions))))
+            return Ratio(self._root(_constant(unfold(term[1], self.definitions))))
         if kind == "diff":
             return self.ratio(derivative(term, self.definitions))
         raise Unsupported(f"the term {kind!r} is not known")
@@ -411,7 +455,7 @@ class Ring:
         if isinstance(term, tuple) and term[0] == "*":
             return self._product([self._inverse(child) for child in term[1:]])
         if isinstance(term, tuple) and term[0] == "^" and term[2] > 0:
-            return self._product([self._inverse(term[1])] * term[2])
+            return self._power(self._inverse(term[1]), term[2])
         value = self.ratio(term)
         num = self.number(1)
         for poly, exponent in value.den.values():
@@ -423,7 +467,7 @@ class Ring:
             return Ratio(num / divisor.leading_coefficient())
         if (unit := self._unit_inverse(divisor)) is not None:
             return Ratio(num * unit)
-        if any(exponents for name, exponents in zip(self.names, divisor.degrees(), strict=True) if name[:5] != "sqrt_"):
+        if any(degree for name, degree in zip(self.names, divisor.degrees(), strict=True) if prime(name) is None):
             below = [text for text, (_, exponent) in value.den.items() for _ in range(exponent)]
             self.divisors[str(divisor), *below] = divisor
         return Ratio(num, {str(divisor): (divisor, 1)})
@@ -436,11 +480,22 @@ class Ring:
         exponents, coefficient = terms[0]
         result = self.number(1 / fraction(coefficient))
         for name, exponent in zip(self.names, exponents, strict=True):
-            if exponent and not name.startswith("sqrt_"):
+            if not exponent:
+                continue
+            if (p := prime(name)) is None:
                 return None
-            if exponent:
-                result *= (self.generator[name] * rational(Fraction(1, int(name[5:])))) ** exponent
+            result *= (self.generator[name] * rational(Fraction(1, p))) ** exponent
         return result
+
+    def _power(self, value: Ratio, exponent: int) -> Ratio:
+        """A whole power that is not negative."""
+        length = len(value.num)
+        if exponent > MAX_POWER or (length > 1 and comb(min(exponent, MAX_POWER) + length - 1, exponent) > MAX_LENGTH):
+            raise Unsupported(f"the power {exponent}")
+        if exponent == 0:
+            return Ratio(self.number(1))
+        den = {text: (poly, count * exponent) for text, (poly, count) in value.den.items()}
+        return Ratio(value.num**exponent, den)
 
     def _negate(self, value: Ratio) -> Ratio:
         return Ratio(-value.num, value.den)
@@ -475,28 +530,31 @@ class Ring:
 
     def turn(self, combination: Mapping[str, int]) -> tuple[Poly, Poly]:
         """(cosine, sine) of an integer combination of variables by the addition theorem."""
-        cosine, sine = self.number(1), self.number(0)
+        both = self.number(1), self.number(0)
         for name, count in combination.items():
-            c, s = self.generator[f"cos_{name}"], self.generator[f"sin_{name}"]
+            if abs(count) > MAX_TURNS:
+                raise Unsupported(f"{count} times an angle")
+            c, s = self.generator[cosine(name)], self.generator[sine(name)]
             s = s if count >= 0 else -s
             for _ in range(abs(count)):
-                cosine, sine = cosine * c - sine * s, sine * c + cosine * s
-        return cosine, sine
+                both = both[0] * c - both[1] * s, both[1] * c + both[0] * s
+        return both
 
     def _root(self, value: Fraction) -> Poly:
         outside, primes = square_free(value)
         result = self.number(outside)
         for p in primes:
-            result *= self.generator[f"sqrt_{p}"]
+            result *= self.generator[table().root(p)]
         return result
 
     def axioms(self) -> list[tuple[list[Any], Poly]]:
         """What holds of the sines, cosines and roots of this ring, as (reference, polynomial that is zero)."""
         found: list[tuple[list[Any], Poly]] = []
         for name in self.names:
-            if name.startswith("sin_"):
-                s, c = self.generator[name], self.generator[f"cos_{name[4:]}"]
-                found.append((["axiom", "pythagoras", name[4:]], s**2 + c**2 - 1))
-            if name.startswith("sqrt_"):
-                found.append((["axiom", "sqrt", int(name[5:])], self.generator[name] ** 2 - int(name[5:])))
+            function, x = circle(name) or ("", "")
+            if function == "sin":
+                s, c = self.generator[name], self.generator[cosine(x)]
+                found.append((["axiom", "pythagoras", x], s**2 + c**2 - 1))
+            if (p := prime(name)) is not None:
+                found.append((["axiom", "sqrt", p], self.generator[name] ** 2 - p))
         return found

@@ -8,6 +8,7 @@ from typing import Any
 
 from symcheck.proof.angles import compares_angles, prove_about_angles
 from symcheck.proof.equations import cleared, prove_identity, written
+from symcheck.proof.existence import prove_existence
 from symcheck.proof.groebner import Monomial
 from symcheck.proof.ideal import Fact, Ideal, Ref
 from symcheck.proof.knowledge import Knowledge, hints_of, proportional, starting
@@ -16,7 +17,7 @@ from symcheck.proof.polynomial import Poly, Ring, fraction
 from symcheck.proof.pruning import without
 from symcheck.proof.theorem_search import has_functions, prove_with_theorems
 from symcheck.proof.theorems import RELATIONS
-from symcheck.proof.witnesses import prove_existence
+from symcheck.proof.variables import prime
 from symcheck.statement import Certificate, Formula, Problem, Term
 
 CONTRARY = {"<": ">=", "<=": ">", ">": "<=", ">=": "<"}
@@ -51,7 +52,7 @@ def prove(problem: Problem, ring: Ring) -> Certificate | None:
         proof = prove_order(problem.claim, known, hints, problem)
     else:
         proof = finish(problem.claim, known)
-    if proof is None and any(name.startswith("sqrt_") for name in ring.names):  # their signs may be needed
+    if proof is None and any(prime(name) for name in ring.names):  # their signs may be needed
         proof = prove_with_theorems(problem, finish)
     return proof
 

@@ -8,11 +8,10 @@ from typing import Any
 
 from symcheck.proof.closed import order_of_numbers
 from symcheck.proof.equations import equations_here, identity_here
-from symcheck.proof.functions import OF_BOUND, instances, restored, simplified
+from symcheck.proof.functions import OF_BOUND, instances, simplified
 from symcheck.proof.knowledge import Knowledge, ring_of, starting
 from symcheck.proof.orders import positive_form, prove_order, term_of
 from symcheck.proof.polynomial import (
-    ATOMS,
     Instance,
     Ratio,
     Ring,
@@ -23,6 +22,7 @@ from symcheck.proof.polynomial import (
     with_arguments,
 )
 from symcheck.proof.theorems import BINDING, Theorem
+from symcheck.proof.variables import atoms, prime
 from symcheck.statement import Certificate, Formula, Problem, Term
 
 Prover = Callable[[Formula, Knowledge], Certificate | None]
@@ -32,7 +32,7 @@ MAX_CASES = 4
 
 def has_functions(ring: Ring) -> bool:
     """Whether atoms are among the variables."""
-    return any(name in ATOMS for name in ring.names)
+    return any(name in atoms() for name in ring.names)
 
 
 def prove_with_theorems(problem: Problem, prove_here: Prover) -> Certificate | None:
@@ -53,8 +53,8 @@ def values_of(term: Term, numbers: Mapping[str, Term]) -> Iterator[Term]:
     known = _Search(lambda goal, known: None, plan.inner).all_known(plan.known, plan.outer)
     value = known.ideal().reduce(known.ring.generator[name])
     used = {n for n, degree in zip(known.ring.names, value.degrees(), strict=True) if degree} if value != 0 else set()
-    if all(n == "pi" or n[:5] == "sqrt_" for n in used):
-        yield restored(term_of(value))
+    if all(n == "pi" or prime(n) for n in used):
+        yield term_of(value)
 
 
 @dataclass
@@ -79,8 +79,8 @@ class _Plan:
         for instance in _hinted(problem):
             plan._add(instance, plan.outer)
         plan._collect()
-        for root in sorted(name for name in plan.names if name.startswith("sqrt_")):
-            plan._add(("root", int(root[5:])), plan.outer)
+        for p in [p for p in map(prime, sorted(plan.names)) if p is not None]:
+            plan._add(("root", p), plan.outer)
         if "pi" in plan.names:
             plan._add(("circle_number",), plan.outer)
         plan.known = starting(problem, Ring(plan.names, definitions))
@@ -88,9 +88,9 @@ class _Plan:
 
     def _collect(self) -> None:
         seen: set[str] = set()
-        while fresh := sorted(name for name in self.names - seen if name in ATOMS):
+        while fresh := sorted(name for name in self.names - seen if name in atoms()):
             seen |= set(fresh)
-            bound = {ATOMS[name][2] for name in seen if ATOMS[name][0] in BINDING}
+            bound = {atoms()[name][2] for name in seen if atoms()[name][0] in BINDING}
             for instance in (i for name in fresh for i in self._instances(name)):
                 about = variables(("", *instance[1:])) if instance[0] not in OF_BOUND else set()
                 kept = (

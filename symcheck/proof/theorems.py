@@ -68,6 +68,8 @@ class Terms:
             return set()
         if term[0] in BINDING:
             return (self.names(term[1]) - {term[2]}).union(*map(self.names, term[3:]))
+        if term[0] == "call":
+            return set().union(*map(self.names, term[3:]))
         return set().union(*map(self.names, term[1:]))
 
     def exact(self, term: Any) -> bool:
@@ -116,6 +118,15 @@ class Terms:
                 return ["*", outer[function], self.rate(inner, x)]
             case ["diff", inner, str(y), int(n)]:
                 return self.rate(self.derived(inner, y, n), x)
+            case ["call", function, orders, *parts]:  # the chain rule
+                return [
+                    "+",
+                    *(
+                        ["*", ["call", function, _one_more(orders, k), *parts], self.rate(part, x)]
+                        for k, part in enumerate(parts)
+                        if x in self.names(part)
+                    ),
+                ]
         raise Unknown(f"the derivative of {term!r}")
 
     def polynomial_in(self, term: Any, *atoms: Any) -> bool:
@@ -140,8 +151,14 @@ class Terms:
             return by[str(term)]
         if isinstance(term, str) and term in self.definitions:
             return self.replaced(self.definition(term), by)
-        parts = term[1:] if isinstance(term, (list, tuple)) else ()
-        return [term[0], *(self.replaced(part, by) for part in parts)] if parts else term
+        first = 3 if isinstance(term, (list, tuple)) and term[0] == "call" else 1
+        parts = term[first:] if isinstance(term, (list, tuple)) else ()
+        return [*term[:first], *(self.replaced(part, by) for part in parts)] if parts else term
+
+
+def _one_more(orders: Any, k: int) -> list[int]:
+    """The orders of a partial derivative, one more by the argument with that number."""
+    return [order + (number == k) for number, order in enumerate(orders)]
 
 
 class Theorem(namedtuple("Theorem", "premises conclusion free without anew", defaults=("", (), ""))):
@@ -157,11 +174,13 @@ def have(_: Terms, formula: Any) -> Theorem:
     return Theorem([formula], formula)
 
 
-def congruence(_: Terms, function: str, one: list[Any], other: list[Any]) -> Theorem:
-    """A function has equal values at equal arguments."""
-    if function not in OPAQUE or len(one) != len(other):  # a derivative, say, is no function of values
+def congruence(_: Terms, function: Any, one: list[Any], other: list[Any]) -> Theorem:
+    """A function has equal values at equal arguments; an unknown one is named as ["call", its name, the orders]."""
+    head = [function] if isinstance(function, str) else [*function]
+    unknown = head[0] == "call" and len(head) == 3 and len(head[2]) == len(one)
+    if (head[0] not in OPAQUE and not unknown) or len(one) != len(other):  # a derivative, say, is no function of values
         raise Unknown(f"{function} of these arguments")
-    return Theorem([["=", s, t] for s, t in zip(one, other, strict=True)], ["=", [function, *one], [function, *other]])
+    return Theorem([["=", s, t] for s, t in zip(one, other, strict=True)], ["=", [*head, *one], [*head, *other]])
 
 
 def dichotomy(_: Terms, t: Any) -> Theorem:

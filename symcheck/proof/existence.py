@@ -7,12 +7,10 @@ from typing import Any
 
 from symcheck.proof.equations import equations_here, identity_here
 from symcheck.proof.knowledge import Knowledge, ring_of, starting
-from symcheck.proof.polynomial import Ring, unfold, variables
+from symcheck.proof.polynomial import Ring, parts, rebuilt, subterms, unfold, variables
 from symcheck.proof.theorems import conjuncts
+from symcheck.proof.variables import cosine, table
 from symcheck.statement import Certificate, Formula, Problem, Term
-
-ANGLE = "turn"  # the angle of a witness's point (u, v) = (cos turn, sin turn) of the unit circle
-
 
 Search = Callable[[Formula, Knowledge], Certificate | None]
 
@@ -25,55 +23,56 @@ def prove_existence(problem: Problem, ring: Ring, prove_body: Search) -> Certifi
     """
     point: dict[str, Term] = {name[6:]: value for name, value in problem.hints if name.startswith("point_")}
     bound, body = problem.claim[1], problem.claim[2]
+    angle = table().letter(table().fresh("turn"))  # (u, v) = (cos turn, sin turn)
     if not point and len(bound) == 1:
-        point = {bound[0]: ANGLE}
+        point = {bound[0]: angle}
     if not point and len(bound) == 2:
-        point = {bound[0]: ("cos", ANGLE), bound[1]: ("sin", ANGLE)}
+        point = {bound[0]: ("cos", angle), bound[1]: ("sin", angle)}
     if set(point) != set(bound):
         return None
     plain = Problem(problem.id, problem.claim, problem.definitions, problem.hypotheses)
-    own = set().union(*(variables(term) for term in point.values())) - {*ring_of(plain).names, ANGLE}
-    letters = sorted(name for name in own if name[:4] not in ("sin_", "cos_") and not name.startswith("sqrt_"))
+    own = set().union(*(variables(term) for term in point.values())) - {*ring_of(plain).names, angle}
+    letters = sorted(name for name in own if not table().stands(name))
     if len(letters) not in (0, 2):
         return None
-    circle: dict[str, Term] = {x: (f, ANGLE) for x, f in zip(letters, ("cos", "sin"), strict=False)}
+    circle: dict[str, Term] = {x: (f, angle) for x, f in zip(letters, ("cos", "sin"), strict=False)}
     point = {name: substitute(term, circle) for name, term in point.items()}
     shown = substitute(unfold(body, {n: t for n, t in problem.definitions if n not in point}), point)
     known = starting(problem, Ring({*ring.names, *variables(shown)}, ring.definitions))
-    turns = conjuncts(shown) if any(ANGLE in str(term) for term in point.values()) else [None]
-    for equation in turns:
-        if (proof := _witness(point, shown, known, equation, prove_body)) is not None:
-            return proof
-    return None
+    if not any(part == angle for term in point.values() for part in subterms(term)):
+        return _witness(point, shown, known, prove_body)
+    turns = (_turned(point, shown, known, equation, angle, prove_body) for equation in conjuncts(shown))
+    return next(filter(None, turns), None)
 
 
-def _witness(
-    point: Mapping[str, Term], shown: Formula, known: Knowledge, equation: Formula | None, prove_body: Search
+def _witness(point: Mapping[str, Term], shown: Formula, known: Knowledge, prove_body: Search) -> Certificate | None:
+    """The proof with that point."""
+    then = equations_here(shown, known) or prove_body(shown, known)
+    return None if then is None else {"rule": "witness", "point": point, "then": then}
+
+
+def _turned(
+    point: Mapping[str, Term], shown: Formula, known: Knowledge, equation: Formula, angle: str, prove_body: Search
 ) -> Certificate | None:
     """The proof with that point; the angle in it is one where the equation holds."""
-    if equation is None:
-        then = equations_here(shown, known) or prove_body(shown, known)
-        return None if then is None else {"rule": "witness", "point": point, "then": then}
-    if equation[0] != "=" or f"cos_{ANGLE}" not in known.ring.generator:
+    if equation[0] != "=" or cosine(angle) not in known.ring.generator:
         return None
     leading: Term = ("+", equation[1], ("-", equation[2]))
-    turned = _turned(leading)
-    premise = identity_here(("=", turned, ("-", leading)), known)
+    quarter = {("cos", angle): ("-", ("sin", angle)), ("sin", angle): ("cos", angle)}
+    premise = identity_here(("=", _further(leading, quarter), ("-", leading)), known)
     if premise is None or known.ideal().reduce(known.ring.ratio(leading).num) == 0:
         return None
-    then = _witness(point, shown, known.assume(("=", leading, 0)), None, prove_body)
+    then = _witness(point, shown, known.assume(("=", leading, 0)), prove_body)
     if then is None:
         return None
-    return {"rule": "theorem", "of": ["quarter_turn", leading, ANGLE], "premises": [premise], "then": then}
+    return {"rule": "theorem", "of": ["quarter_turn", leading, angle], "premises": [premise], "then": then}
 
 
-def _turned(node: Any) -> Any:
+def _further(node: Any, quarter: Mapping[Any, Term]) -> Any:
     """The term 90 degrees further."""
-    if node == ("cos", ANGLE):
-        return ("-", ("sin", ANGLE))
-    if node == ("sin", ANGLE):
-        return ("cos", ANGLE)
-    return (node[0], *map(_turned, node[1:])) if isinstance(node, tuple) else node
+    if node in quarter:
+        return quarter[node]
+    return rebuilt(node, (_further(part, quarter) for part in parts(node))) if isinstance(node, tuple) else node
 
 
 def substitute(node: Formula | Term, values: dict[str, Term]) -> Formula:
@@ -82,4 +81,4 @@ def substitute(node: Formula | Term, values: dict[str, Term]) -> Formula:
         return values.get(node, node)  # type: ignore[return-value]
     if not isinstance(node, tuple):
         return node  # type: ignore[return-value]
-    return (node[0], *(substitute(child, values) for child in node[1:]))
+    return rebuilt(node, (substitute(child, values) for child in parts(node)))
