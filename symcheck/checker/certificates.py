@@ -101,7 +101,7 @@ class Certificate:
         goal = node("=>", node("and", *facts), self.claim) if facts else self.claim
         prover.prove(goal, self.step.take("proof"))
         prover.finish()
-        require(prover.used >= self.hypotheses.keys(), "a hypothesis is not used")
+        require(prover.used >= self.hypotheses.keys() or facts, "a hypothesis is not used")
         assumed = [*self.hypotheses.values(), *(node("!=", term, 0) for term in self.nonzero)]
         needed = [self.unfolded(node("and", *assumed, *premises)) for premises in supposed(self.claim)]
         points = self.step.items("witnesses")

@@ -6,6 +6,7 @@ import json
 from collections.abc import Iterable
 from dataclasses import dataclass, replace
 from functools import cache
+from typing import Any
 
 from symcheck import papers
 from symcheck.evidence.context import Context, for_letter
@@ -89,6 +90,7 @@ class Finding:
     outcomes: tuple[Outcome, ...]
     concrete: tuple[Problem, ...]
     lemmas: tuple[str, ...]
+    facts: tuple[tuple[str, Formula], ...] = ()  # what the lemmas say, with the id of each
 
     @property
     def certificates(self) -> tuple[Certificate, ...]:
@@ -100,9 +102,17 @@ class Finding:
         found = []
         for problem, outcome, whole in zip(self.problems, self.outcomes, self.concrete, strict=True):
             if outcome.verdict is not Verdict.UNDECIDED:
-                source = {} if problem is whole else {"lemmas": self.lemmas, "under": dict(whole.hypotheses)}
+                source = {} if problem is whole else self._source(whole)
                 found.append({**certificate(problem, outcome), **json.loads(json.dumps(source))})
         return tuple(found)
+
+    def _source(self, whole: Problem) -> dict[str, Any]:
+        return {
+            "lemmas": self.lemmas,
+            "facts": self.facts,
+            "defined": whole.definitions,
+            "under": dict(whole.hypotheses),
+        }
 
     @property
     def reason(self) -> str:
@@ -119,8 +129,9 @@ def _find(context: Context, formulas: Iterable[Formula], given: Iterable[Hypothe
             outcomes.append(Outcome(Verdict.REFUTED, point=point, used=tuple(name for name, _ in problem.hypotheses)))
             continue
         outcome = None
-        if premises is not None:
-            short = context.abstract().problem(("=>", premises, formulas[n]), given, method, n)
+        if premises:
+            stated = _all(tuple(formula for _, formula in premises))
+            short = context.abstract().problem(("=>", stated, formulas[n]), given, method, n)
             if (outcome := proof_of(short)) is not None:
                 problems[n] = short
         outcomes.append(outcome or method.decide(problem))
@@ -132,7 +143,7 @@ def _find(context: Context, formulas: Iterable[Formula], given: Iterable[Hypothe
     else:
         verdict = Verdict.UNDECIDED
     lemmas = tuple(f"{context.paper.key}:{number}" for number in context.item.lemmas)
-    return Finding(verdict, tuple(problems), tuple(outcomes), concrete, lemmas)
+    return Finding(verdict, tuple(problems), tuple(outcomes), concrete, lemmas, premises or ())
 
 
 def equality_claims(context: Context, unit: Unit, equality: str) -> tuple[Formula, ...]:
@@ -224,12 +235,12 @@ def lemma(key: str, number: str) -> tuple[tuple[Formula, ...], tuple[Certificate
     return tuple(part for formula in unit.formulas for part in conjuncts(formula)), finding.certificates
 
 
-def _premises(context: Context, given: Iterable[Hypothesis]) -> Formula | None:
+def _premises(context: Context, given: Iterable[Hypothesis]) -> tuple[tuple[str, Formula], ...]:
     """The earlier relations the proof may start from, as far as they are proved under no more than is given."""
     names = {hypothesis.name for hypothesis in given}
-    found: list[Formula] = []
+    found: list[tuple[str, Formula]] = []
     for number in context.item.lemmas:
         formulas, proofs = lemma(context.paper.key, number)
         if all(names >= proof["hypotheses"].keys() for proof in proofs):
-            found += formulas
-    return _all(tuple(found)) if found else None
+            found += [(f"{context.paper.key}:{number}", formula) for formula in formulas]
+    return tuple(found)

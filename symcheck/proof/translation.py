@@ -27,24 +27,66 @@ _PARAMETERS: Mapping[str, str] = {
 }  # fmt: skip
 
 
-def term(node: Any) -> JSON:
-    """A term or formula of the search as JSON for the checker."""
+def stated(node: Any) -> JSON:
+    """A term or formula of a statement as JSON for the checker: its names are letters, but for pi and infinity."""
+    return term(node, lambda name: [name] if name in ("pi", "infinity") else None)
+
+
+def term(node: Any, meaning: Callable[[str], Any] | None = None) -> JSON:
+    """A term of a proof as JSON for the checker; `meaning` says which names are no letters, and what they are."""
     if isinstance(node, str):
-        return value_of(node) or node
+        return (meaning or value_of)(node) or node
     if not isinstance(node, (tuple, list)):
         return node
     match node:
         case ["-", "infinity"]:
             return ["-infinity"]
         case ["diff", body, x, order]:
-            return ["diff", term(body), x, order, x]
+            return ["diff", term(body, meaning), x, order, x]
         case ["integral" | "diverges" | "mean" | "sum" | "product" as kind, body, x, *ends]:
-            return [kind, term(body), x, *map(term, ends)]
+            return [kind, term(body, meaning), x, *(term(end, meaning) for end in ends)]
         case ["exists" | "forall" as kind, bound, body]:
-            return [kind, [*bound], term(body)]
+            return [kind, [*bound], term(body, meaning)]
         case ["call", function, orders, *arguments]:
-            return ["call", function, [*orders], *map(term, arguments)]
-    return [node[0], *map(term, node[1:])]
+            return ["call", function, [*orders], *(term(each, meaning) for each in arguments)]
+    return [node[0], *(term(each, meaning) for each in node[1:])]
+
+
+def certificate(found: Mapping[str, Any]) -> dict[str, JSON]:
+    """A whole certificate, with the points where all that is assumed holds."""
+    claim = stated(found["claim"])
+    new = {
+        "id": found["id"],
+        "verdict": found["verdict"],
+        "claim": claim,
+        "definitions": [[name, stated(value)] for name, value in found["definitions"]],
+        "hypotheses": {name: [*map(stated, formulas)] for name, formulas in found["hypotheses"].items()},
+    }
+    if "point" in found:
+        return {**new, "point": point(found["point"])}
+    if facts := found.get("facts"):
+        new["claim"] = claim = claim[2]
+        new["definitions"] = [[name, stated(value)] for name, value in found["defined"]]
+        new["free"] = sorted({name for name, _ in found["defined"]} - {name for name, _ in found["definitions"]})
+        new["lemmas"] = [[name, stated(formula)] for name, formula in facts]
+        for name, formulas in found["under"].items():
+            own = new["hypotheses"].setdefault(name, [])
+            own += [formula for formula in map(stated, formulas) if formula not in own]
+    atoms = {name: term(value) for name, value in found["proof"].get("atoms", {}).items()}
+    if conditions := found["proof"].get("nonzero"):
+        new["nonzero"] = [condition(texts, atoms) for texts in conditions]
+    new["proof"] = proof(found["proof"])
+    if points := [*map(point, found.get("witnesses", ()))]:
+        wanted = len(implications(claim)) or 1
+        new["witnesses"] = points * wanted if len(points) == 1 else points
+    return new
+
+
+def implications(claim: JSON) -> list[JSON]:
+    """The implications among the parts of a claim."""
+    if claim[0] == "and":
+        return [each for part in claim[1:] for each in implications(part)]
+    return [claim] if claim[0] == "=>" else []
 
 
 def value_of(name: str) -> list[Any] | None:
