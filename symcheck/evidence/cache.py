@@ -41,7 +41,7 @@ class Cache:
     """
 
     def __init__(self, folder: Path | None, say: Say) -> None:
-        self._say = say
+        self.say = say
         self._file = folder / FILE if folder else None
         self._connection = _opened(self._file, say) if self._file else None
 
@@ -56,9 +56,9 @@ class Cache:
             else:
                 found[id] = records
         if stale:
-            self._say(f"{_results(stale)} in the cache came from other sources or libraries; deciding again")
+            self.say(f"{_results(stale)} in the cache came from other sources or libraries; deciding again")
         if broken:
-            self._say(f"{_results(broken)} in the cache {self._file} could not be read back; deciding again")
+            self.say(f"{_results(broken)} in the cache {self._file} could not be read back; deciding again")
         return found
 
     def put(self, id: str, fingerprint: str, records: Iterable[Record]) -> None:
@@ -101,7 +101,7 @@ class Cache:
             return []
 
     def _give_up(self, error: sqlite3.Error) -> None:
-        self._say(f"the cache {self._file} cannot be used any more ({error}); going on without it")
+        self.say(f"the cache {self._file} cannot be used any more ({error}); going on without it")
         self.close()
 
 

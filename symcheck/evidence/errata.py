@@ -4,19 +4,41 @@ from __future__ import annotations
 
 import difflib
 import re
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import replace
-from typing import Any
+from typing import Any, NamedTuple
 
+from symcheck.evidence.checked import FOR_EQUALITY, reasons
 from symcheck.evidence.context import Context
 from symcheck.evidence.judge import Finding, Unit, judge, lemma
-from symcheck.proof import Without, combined, fails_at, fails_without, proof_of
+from symcheck.proof import Without, certificate, combined, fails_at, fails_without, proof_of
 from symcheck.reading import edits, read, to_latex
-from symcheck.statement import Erratum, Hypothesis, Item, Method, Problem, Role, SymcheckError, Verdict
+from symcheck.statement import (
+    Certificate,
+    Erratum,
+    Hypothesis,
+    Item,
+    Method,
+    Outcome,
+    Problem,
+    Role,
+    SymcheckError,
+    Verdict,
+)
+
+Shown = tuple[Problem, Outcome]
+
+
+class Need(NamedTuple):
+    """Whether a hypothesis is needed, and what shows it: what is lost without it, or proofs that do without it."""
+
+    needed: bool | None
+    lost: Without | None = None
+    proofs: tuple[Certificate, ...] = ()
 
 
 def needs(finding: Finding, item: Item, added: tuple[Hypothesis, ...]) -> tuple[dict[str, Any], ...]:
-    """Each hypothesis with whether the proof needs it, what is lost without it, and the certificate of that.
+    """Each hypothesis with whether the proof needs it, what is lost without it, and the certificates of that.
 
     Those that are in force only where an inequality is shown to be an equality come last.
     """
@@ -24,26 +46,28 @@ def needs(finding: Finding, item: Item, added: tuple[Hypothesis, ...]) -> tuple[
     rows = [_row(h, _source(h, item, added), _need(finding, order, item, h.name)) for h in (*item.given, *added)]
     known = {row["name"] for row in rows}
     others = [h for h in item.equality_given if h.name not in known and item.equality]
-    return (*rows, *(_row(h, "for the set of equality", _need(finding, equality, item, h.name)) for h in others))
+    return (*rows, *(_row(h, FOR_EQUALITY, _need(finding, equality, item, h.name)) for h in others))
 
 
-def _parts(finding: Finding, item: Item) -> tuple[list[Problem], list[Problem]]:
+def _parts(finding: Finding, item: Item) -> tuple[list[Shown], list[Shown]]:
     """What is claimed, and where it is said to be an equality."""
-    apart = [bool(item.equality) and problem.claim[0] == "<=>" for problem in finding.concrete]
-    pairs = list(zip(finding.concrete, apart, strict=True))
-    return [problem for problem, of in pairs if not of], [problem for problem, of in pairs if of]
+    pairs = list(zip(finding.concrete, finding.outcomes, strict=True))
+    apart = [bool(item.equality) and problem.claim[0] == "<=>" for problem, _ in pairs]
+    return [pair for pair, of in zip(pairs, apart, strict=True) if not of], [
+        pair for pair, of in zip(pairs, apart, strict=True) if of
+    ]
 
 
-def _row(hypothesis: Hypothesis, given: str, need: tuple[bool | None, Without | None]) -> dict[str, Any]:
-    needed, lost = need
+def _row(hypothesis: Hypothesis, given: str, need: Need) -> dict[str, Any]:
     return {
         "name": hypothesis.name,
         "words": hypothesis.words,
         "states": hypothesis.states,
         "given": given,
-        "needed": needed,
-        "lost": lost.loss if lost else "",
-        "counterexample": lost.certificate if lost else None,
+        "needed": need.needed,
+        "lost": need.lost.loss if need.lost else "",
+        "counterexample": need.lost.certificate if need.lost else None,
+        "proofs": list(need.proofs),
     }
 
 
@@ -56,20 +80,31 @@ def _source(hypothesis: Hypothesis, item: Item, added: tuple[Hypothesis, ...]) -
     return "printed" if hypothesis.printed else "standing"
 
 
-def _need(finding: Finding, claims: Sequence[Problem], item: Item, name: str) -> tuple[bool | None, Without | None]:
+def _need(finding: Finding, claims: Sequence[Shown], item: Item, name: str) -> Need:
     """Left out, does a claim fail (True), or are all proved all the same (False)? A lemma may rest on it (None)."""
     if finding.verdict is not Verdict.PROVED or not claims:
-        return None, None
+        return Need(None)
     if not any(name in outcome.used for outcome in finding.outcomes) and name not in _under_lemmas(finding):
-        return False, None  # the proof does without it
-    without = [replace(problem, hypotheses=tuple(h for h in problem.hypotheses if h[0] != name)) for problem in claims]
-    if not item.lemmas and all(p.claim[0] == "=" and proof_of(p) is not None for p in without):
-        return False, None
+        return Need(False)  # the proof does without it
+    using = [problem for problem, outcome in claims if item.lemmas or name in outcome.used]
+    without = [replace(problem, hypotheses=tuple(h for h in problem.hypotheses if h[0] != name)) for problem in using]
+    if not item.lemmas and all(p.claim[0] == "=" for p in without) and (proofs := _proofs(without)) is not None:
+        return Need(False, proofs=proofs)
     if (lost := next(filter(None, map(fails_without, without)), None)) is not None:
-        return True, lost
-    if item.lemmas or any(proof_of(problem) is None for problem in without):
-        return None, None
-    return False, None
+        return Need(True, lost)
+    if item.lemmas or (proofs := _proofs(without)) is None:
+        return Need(None)
+    return Need(False, proofs=proofs)
+
+
+def _proofs(problems: Iterable[Problem]) -> tuple[Certificate, ...] | None:
+    """A certificate for each problem, or None if one has no proof."""
+    found = []
+    for problem in problems:
+        if (outcome := proof_of(problem)) is None:
+            return None
+        found.append(certificate(problem, outcome))
+    return tuple(found)
 
 
 def _under_lemmas(finding: Finding) -> set[str]:
@@ -145,12 +180,14 @@ def _is_proved(context: Context, unit: Unit, points: list[Any]) -> bool:
     problems = [context.problem(formula, given, method, n) for n, formula in enumerate(unit.formulas)]
     if any(fails_at(problem, point) for problem in problems for point in points):
         return False
-    return all(problem.claim[1] != problem.claim[2] and proof_of(problem) is not None for problem in problems)
+    if any(problem.claim[1] == problem.claim[2] for problem in problems):
+        return False
+    return (proofs := _proofs(problems)) is not None and not any(reasons(proofs))
 
 
 def _is_empty(finding: Finding) -> bool:
     """Whether an inequality is true only because its sides are equal, always."""
-    return finding.verdict is Verdict.PROVED and all(
-        problem.claim[0] in ("<=", ">=") and proof_of(replace(problem, claim=("=", *problem.claim[1:]))) is not None
-        for problem in finding.concrete
-    )
+    if finding.verdict is not Verdict.PROVED or any(p.claim[0] not in ("<=", ">=") for p in finding.concrete):
+        return False
+    proofs = _proofs(replace(problem, claim=("=", *problem.claim[1:])) for problem in finding.concrete)
+    return proofs is not None and not any(reasons(proofs))

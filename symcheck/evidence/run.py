@@ -9,6 +9,7 @@ from difflib import get_close_matches
 from string import ascii_lowercase
 from typing import Any, Protocol
 
+from symcheck.evidence import checked
 from symcheck.evidence.cache import Cache
 from symcheck.evidence.executor import Answer, Done, Executor, Timeout
 from symcheck.evidence.record import Record
@@ -71,27 +72,51 @@ def audit(
     A selection is "paper", "paper:number", "paper:number" with the letter of one link, or "paper:T6" for all rows of a
     list or table; SymcheckError if it names nothing, with the nearest names. What is decided is in the cache at once,
     so an interrupted audit loses only what was running, and raises Interrupted. A declaration that is killed or crashes
-    is undecided and not cached.
+    is undecided and not cached. Whatever is told, kept or new, the checker has accepted: of what was kept and is not
+    accepted each declaration is decided again, of what is new the verdict becomes undecided.
     """
     obligations = _expanded(_papers_named(selection, papers), decide)
     wanted = select(selection, list(obligations)) if selection else dict.fromkeys(obligations, EVERY)
-    fingerprints = {id: decide.fingerprint(obligations[id]) for id in wanted}
-    records = cache.find(fingerprints)
-    progress(len(records), len(wanted))
-    open_ids = [id for id in wanted if id not in records]
-    if open_ids:
-        try:
-            with closing(executor.map(decide.decide, open_ids, timeout)) as answers:
-                for id, answer in answers:
-                    records[id] = _records(obligations[id], answer)
-                    if isinstance(answer, Done):
-                        cache.put(id, fingerprints[id], records[id])
-                    progress(len(records), len(wanted))
-        except KeyboardInterrupt:
-            raise Interrupted(_asked_for(wanted, records)) from None
+    needed = _with_lemmas(wanted, obligations)
+    fingerprints = {id: decide.fingerprint(obligations[id]) for id in needed}
+    kept = cache.find(fingerprints)
+    records = {id: rows for id, rows in checked.told(kept).items() if rows == kept[id]}
+    if refused := len(kept) - len(records):
+        cache.say(f"{refused} of the results in the cache are not accepted by the checker; deciding again")
+    progress(len(records), len(needed))
+    new: dict[str, tuple[Record, ...]] = {}
+    try:
+        with closing(executor.map(decide.decide, [id for id in needed if id not in records], timeout)) as answers:
+            for id, answer in answers:
+                new[id] = _records(obligations[id], answer)
+                if isinstance(answer, Done):
+                    cache.put(id, fingerprints[id], new[id])
+                progress(len(records) + len(new), len(needed))
+    except KeyboardInterrupt:
+        known = records.keys() | new.keys()
+        whole = {id: rows for id, rows in new.items() if known >= {*_lemmas(id, obligations)}}
+        raise Interrupted(_asked_for(wanted, records | checked.told(whole, records))) from None
     for key in {id.partition(":")[0] for id in obligations}:
         cache.prune(key, obligations)
-    return _asked_for(wanted, records)
+    return _asked_for(wanted, records | checked.told(new, records))
+
+
+def _with_lemmas(wanted: Iterable[str], obligations: Mapping[str, Obligation]) -> list[str]:
+    """The declarations wanted, and behind them those on whose relations they rest, which are not told of."""
+    found = dict.fromkeys(wanted)
+    todo = list(found)
+    while todo:
+        more = [id for id in _lemmas(todo.pop(), obligations) if id not in found]
+        found |= dict.fromkeys(more)
+        todo += more
+    return list(found)
+
+
+def _lemmas(id: str, obligations: Mapping[str, Obligation]) -> list[str]:
+    """The declarations whose relations the proof of one may start from; "2.13.1b" is a link of 2.13.1."""
+    key = id.partition(":")[0]
+    named = ((f"{key}:{number}", f"{key}:{number[:-1]}") for number in obligations[id].item.lemmas)
+    return [next(name for name in names if name in obligations) for names in named if not obligations.keys().isdisjoint(names)]
 
 
 def _asked_for(wanted: Mapping[str, Links], records: Mapping[str, tuple[Record, ...]]) -> list[Record]:
