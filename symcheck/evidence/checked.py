@@ -12,8 +12,10 @@ from dataclasses import dataclass, replace
 from types import MappingProxyType
 from typing import Any
 
-from symcheck import checker
+from symcheck.checker import check_all
+from symcheck.core.terms import JSON
 from symcheck.evidence.record import Record
+from symcheck.proof import translation
 from symcheck.statement import Certificate, Loss, Reading, Verdict
 
 FOR_EQUALITY = "for the set of equality"  # of a hypothesis that is in force nowhere else
@@ -22,14 +24,13 @@ NOT_ACCEPTED = "the certificate was not accepted"
 
 def reasons(certificates: Sequence[Certificate]) -> list[str | None]:
     """For each certificate None if the checker accepts it, else why not; lemmas are looked for among all of them."""
-    found = [checker.check(each) for each in certificates]
-    proved = [each for each, reason in zip(certificates, found, strict=True) if reason is None and "proof" in each]
-    return [reason or _unsupported(each, proved) for each, reason in zip(certificates, found, strict=True)]
+    return [*check_all(_translated(each) for each in certificates)]
 
 
-def _unsupported(each: Certificate, proved: list[Certificate]) -> str | None:
+def _translated(certificate: Certificate) -> JSON:
+    """The certificate in the checker's words; what cannot be said so is refused there."""
     try:
-        return checker.unsupported(each, proved)
+        return translation.certificate(certificate)
     except (LookupError, TypeError, ValueError, AttributeError) as error:
         return f"malformed ({type(error).__name__}: {error})"
 

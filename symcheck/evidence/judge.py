@@ -91,6 +91,7 @@ class Finding:
     concrete: tuple[Problem, ...]
     lemmas: tuple[str, ...]
     facts: tuple[tuple[str, Formula], ...] = ()  # what the lemmas say, with the id of each
+    defined: Definitions = ()  # what the claims, the hypotheses and the lemmas speak of
 
     @property
     def certificates(self) -> tuple[Certificate, ...]:
@@ -110,7 +111,7 @@ class Finding:
         return {
             "lemmas": self.lemmas,
             "facts": self.facts,
-            "defined": whole.definitions,
+            "defined": self.defined,
             "under": dict(whole.hypotheses),
         }
 
@@ -143,7 +144,11 @@ def _find(context: Context, formulas: Iterable[Formula], given: Iterable[Hypothe
     else:
         verdict = Verdict.UNDECIDED
     lemmas = tuple(f"{context.paper.key}:{number}" for number in context.item.lemmas)
-    return Finding(verdict, tuple(problems), tuple(outcomes), concrete, lemmas, premises or ())
+    spoken = [formula for _, formula in premises] + [
+        f for problem in concrete for _, fs in problem.hypotheses for f in fs
+    ]
+    defined = context.used_definitions(*formulas, *spoken) if premises else ()
+    return Finding(verdict, tuple(problems), tuple(outcomes), concrete, lemmas, premises, defined)
 
 
 def equality_claims(context: Context, unit: Unit, equality: str) -> tuple[Formula, ...]:

@@ -8,7 +8,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from string import ascii_lowercase
 from typing import Any
 
-from symcheck.checker import check, unsupported
+from symcheck.evidence.checked import reasons
 from symcheck.evidence.record import Record
 from symcheck.evidence.steps import steps
 from symcheck.notebook.letters import aligned, split
@@ -157,7 +157,7 @@ def checked(certificates: Sequence[Certificate]) -> str:
 
 def _faults(certificate: Certificate) -> Iterator[str]:
     lemmas = [each for id in certificate.get("lemmas", ()) for record in records(id) for each in record.certificates]
-    yield from filter(None, (*map(check, (certificate, *lemmas)), unsupported(certificate, lemmas)))
+    yield from filter(None, reasons((certificate, *lemmas)))
 
 
 def rows(id: str, only_wrong: bool = False) -> Shown:
