@@ -9,51 +9,64 @@ from __future__ import annotations
 
 import json
 import os
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Mapping
 from difflib import unified_diff
 from pathlib import Path
 from types import MappingProxyType
 from typing import Any
 
+from symcheck import papers
 from symcheck.codegen.target import MARK
+from symcheck.evidence.checked import certificates
+from symcheck.evidence.index import Index
 from symcheck.evidence.record import Record
+from symcheck.proof import translation
 from symcheck.statement import Certificate, SymcheckError, Verdict
 
 SCHEMA = 1
+PROOFS = 2  # the schema of certificates and of the statements they are compared with
 Kernels = tuple[Mapping[str, str], Iterable[Certificate]]  # texts by the names of their files, proofs
 CERTIFICATES = "certificates"
 EXPECTED = "expected"
+STATEMENTS = "statements"
 COQ = "coq"
 SELFTEST = "selftest.json"
-OURS = ("*.py", f"{CERTIFICATES}/*.json", f"{EXPECTED}/*.json", f"{COQ}/*.json", SELFTEST)  # what `write` may remove
+OURS = (
+    "*.py",
+    f"{CERTIFICATES}/*.json",
+    f"{EXPECTED}/*.json",
+    f"{STATEMENTS}/*.json",
+    f"{COQ}/*.json",
+    SELFTEST,
+)  # what `write` may remove
 UNKNOWN = "unknown; no command writes it, so remove it"
-
-
-def certificates(record: Record) -> Iterator[Certificate]:
-    """Every certificate a record rests on: its own, those of what it should be, those of hypotheses left out."""
-    yield from record.certificates
-    yield from (record.erratum or {}).get("certificates") or ()
-    for hypothesis in record.hypotheses:
-        counterexample = hypothesis.get("counterexample")
-        if isinstance(counterexample, dict) and "claim" in counterexample:
-            yield counterexample
 
 
 def files(records: Iterable[Record], kernels: Mapping[str, Kernels] = MappingProxyType({})) -> dict[str, bytes]:
     """Path inside generated/ -> contents, for every paper that has a record; `kernels` by paper."""
-    papers: dict[str, list[Record]] = {}
+    of_paper: dict[str, list[Record]] = {}
     for record in records:
-        papers.setdefault(record.paper, []).append(record)
+        of_paper.setdefault(record.paper, []).append(record)
     out: dict[str, bytes] = {}
-    for key, rows in sorted(papers.items()):
+    for key, rows in sorted(of_paper.items()):
         texts, equalities = kernels.get(key, ({}, ()))
-        proofs = dict.fromkeys(line(each) for row in rows for each in certificates(row))
-        proofs |= dict.fromkeys(map(line, equalities))
+        equalities = [*equalities]
+        proofs = [*(each for row in rows for each in certificates(row)), *equalities]
+        written = dict.fromkeys(line(translation.certificate(each)) for each in proofs)
         out |= {name: text.encode() for name, text in texts.items()}
         verdicts = (f"{line(row.id)}: {line(_expectation(row))}" for row in rows)
-        out[f"{CERTIFICATES}/{key}.json"] = document(key, "certificates", "[]", proofs)
+        out[f"{CERTIFICATES}/{key}.json"] = document(key, "certificates", "[]", written, schema=PROOFS)
+        out[f"{STATEMENTS}/{key}.json"] = _stated(key, rows, equalities)
         out[f"{EXPECTED}/{key}.json"] = document(key, "items", "{}", verdicts)
     return out
+
+
+def _stated(key: str, rows: Iterable[Record], equalities: Iterable[Certificate]) -> bytes:
+    """The statements of a paper, read anew."""
+    index = Index(papers.load()[key])
+    index.beside(rows, equalities)
+    known = {"definitions": index.definitions, "hypotheses": index.hypotheses}
+    return document(key, "statements", "[]", map(line, index.statements), schema=PROOFS, **known)
 
 
 def write(folder: Path, contents: Mapping[str, bytes]) -> None:
@@ -151,10 +164,12 @@ def line(value: Any) -> str:
     return json.dumps(value, sort_keys=True, ensure_ascii=False, separators=(",", ":"))
 
 
-def document(paper: str, name: str, brackets: str, lines: Iterable[str]) -> bytes:
+def document(paper: str, name: str, brackets: str, lines: Iterable[str], **others: Any) -> bytes:
     """A file of a paper: one JSON object, its members under `name` between `brackets`, a line for each."""
     body = ",\n".join(lines)
-    head = f'{{"schema": {SCHEMA}, "paper": {line(paper)}, "{name}": {brackets[0]}\n'
+    schema = others.pop("schema", SCHEMA)
+    before = "".join(f'"{key}": {line(value)},\n' for key, value in others.items())
+    head = f'{{"schema": {schema}, "paper": {line(paper)}, {before}"{name}": {brackets[0]}\n'
     return f"{head}{body}\n{brackets[1]}}}\n".encode()
 
 
