@@ -6,16 +6,30 @@ STAMP := $(VENV)/.stamp
 DEV := $(VENV)/.dev
 PIP := $(BIN)/python -m pip install --quiet --disable-pip-version-check -c constraints.txt
 
-.PHONY: audit test test-full gates notebooks bench bench-gpu selftest browser coq coq-check install-coq clean
+# The newest Python that the quick tests run on too; with pyenv its name is there whichever version is current.
+NEWEST := python3.13
+NEWEST_VENV := .venv-newest
+
+.PHONY: audit test test-full test-newest quick gates notebooks bench bench-gpu selftest browser coq coq-check install-coq clean
 
 audit: $(STAMP)
 	$(BIN)/symcheck check
 
-test: gates
-	$(BIN)/python -m pytest -n 2 -q -m "not slow"
+test: gates quick
 
 test-full: gates
 	$(BIN)/python -m pytest -n 2 -q
+
+# Where there is no such Python it says so, which is no failure.
+test-newest:
+	@if PYENV_VERSION=$(NEWEST:python%=%) $(NEWEST) -c '' 2>/dev/null; then \
+		PYENV_VERSION=$(NEWEST:python%=%) $(MAKE) VENV=$(NEWEST_VENV) PYTHON=$(NEWEST) quick; \
+	else \
+		echo "no $(NEWEST): the quick tests on it are skipped"; \
+	fi
+
+quick: $(DEV)
+	$(BIN)/python -m pytest -n 2 -q -m "not slow"
 
 gates: $(DEV)
 	$(BIN)/ruff format --check .
@@ -65,7 +79,7 @@ install-coq:
 	test -d "$$(coqc -where 2>/dev/null)/user-contrib/Coquelicot" || { apt-get update -qq && apt-get install -y -qq coq libcoq-coquelicot; }
 
 clean:
-	rm -rf $(VENV) kernels-* build dist *.egg-info .mypy_cache .ruff_cache .pytest_cache .import_linter_cache .hypothesis
+	rm -rf $(VENV) $(NEWEST_VENV) kernels-* build dist *.egg-info .mypy_cache .ruff_cache .pytest_cache .import_linter_cache .hypothesis
 	find symcheck generated tests -name __pycache__ -type d -prune -exec rm -rf {} +
 
 # The versions are pinned once, in constraints.txt; the build runs with the pinned setuptools of the environment.

@@ -7,7 +7,7 @@ import os
 import sys
 from collections import Counter
 from collections.abc import Callable, Iterator, Sequence
-from contextlib import contextmanager, suppress
+from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NoReturn, TypeVar
@@ -19,6 +19,7 @@ from symcheck.codegen import target_names
 from symcheck.export import format_names, format_of
 from symcheck.interrupts import INTERRUPTED, raise_from_now_on
 from symcheck.statement import SymcheckError, Verdict
+from symcheck.writing import put
 
 if TYPE_CHECKING:
     from symcheck.evidence.record import Record
@@ -283,7 +284,9 @@ def generate(only_check: bool, name: str, output: Path | None, how: How) -> None
 @cli.command()
 @click.argument("name", required=False)
 @click.option(
-    "--output", type=click.Path(dir_okay=False, path_type=Path), help="A .png, .pdf or .svg file; default NAME.png."
+    "--output",
+    type=click.Path(dir_okay=False, readable=False, path_type=Path),
+    help="A .png, .pdf or .svg file; default NAME.png.",
 )
 @click.option("--show", is_flag=True, help="Open the file in the viewer of this system.")
 def plot(name: str | None, output: Path | None, show: bool) -> None:
@@ -298,12 +301,11 @@ def plot(name: str | None, output: Path | None, show: bool) -> None:
             click.echo(f"{each:{max(map(len, names))}}  {figures.summary(each)}")
         return
     path = output or Path(f"{name}.png")
-    try:
-        figures.draw(name, path)
-    except ValueError as error:
-        raise SymcheckError(str(error)) from error
-    except OSError as error:
-        raise SymcheckError(f"{path} cannot be written: {error.strerror or error}") from error
+    with _output(path), _extra("plots"):
+        try:
+            figures.draw(name, path)
+        except ValueError as error:
+            raise SymcheckError(str(error)) from error
     click.echo(str(path))
     if show and click.launch(str(path)) != 0:
         raise SymcheckError(f"no viewer opens {path} here; the file is written")
@@ -400,7 +402,7 @@ def _extra(name: str) -> Iterator[None]:
     except ModuleNotFoundError as error:
         if (error.name or "").partition(".")[0] == "symcheck":
             raise
-        raise SymcheckError(f"{error.name} is not installed; install symcheck[{name}]") from error
+        raise SymcheckError(f"{error.name} is not installed; run `pip install 'symcheck[{name}]'`") from error
 
 
 @cli.command()
@@ -538,7 +540,7 @@ def _compare(selection: Sequence[str], records: Sequence[Record], quiet: bool) -
 @click.argument("selection", nargs=-1, metavar="[PAPER[:NUMBER]]...")
 @click.option(
     "--output",
-    type=click.Path(dir_okay=False, path_type=Path),
+    type=click.Path(dir_okay=False, readable=False, path_type=Path),
     default=Path("symcheck-report.html"),
     show_default=True,
     help="The file to write.",
@@ -564,8 +566,10 @@ def report(selection: Sequence[str], output: Path, show: bool, how: How) -> None
         Pictures(pictures.envelopes(), pictures.densities(), pictures.stability()),
         selftested.recorded(kernels.folder()),
     )
-    size = _put(output, page(records, sources.publications(known), beside))
-    click.echo(f"{output}: {len(records)} items, {size / 1e6:.2f} MB")
+    text = page(records, sources.publications(known), beside).encode()
+    with _output(output):
+        put(output, text)
+    click.echo(f"{output}: {len(records)} items, {len(text) / 1e6:.2f} MB")
     if show and click.launch(str(output)) != 0:
         raise SymcheckError(f"no browser opens {output} here; the file is written")
 
@@ -575,7 +579,7 @@ def report(selection: Sequence[str], output: Path, show: bool, how: How) -> None
 @click.option("--format", "name", type=click.Choice(format_names()), required=True, help="What to write.")
 @click.option(
     "--output",
-    type=click.Path(path_type=Path),
+    type=click.Path(readable=False, path_type=Path),
     help="The file to write, or the folder for a format of many files; default: standard output, or symcheck-FORMAT.",
 )
 @deciding
@@ -587,29 +591,27 @@ def export(selection: Sequence[str], name: str, output: Path | None, how: How) -
         folder = output or Path(f"symcheck-{name}")
         contents = chosen.files(records)
         for file, text in contents.items():
-            _put(folder / file, text)
+            with _output(folder / file):
+                put(folder / file, text.encode())
         click.echo(f"{folder}: {len(contents)} files")
     elif chosen.text:
         text = chosen.text(records)
         if output:
-            click.echo(f"{output}: {len(records)} items, {_put(output, text) / 1e6:.2f} MB")
+            with _output(output):
+                put(output, data := text.encode())
+            click.echo(f"{output}: {len(records)} items, {len(data) / 1e6:.2f} MB")
         else:
             click.echo(text, nl=False)
 
 
-def _put(file: Path, text: str) -> int:
-    """Write a file whole or not at all; its size in bytes."""
-    temporary = file.with_name(f".{file.name}.{os.getpid()}")
+@contextmanager
+def _output(file: Path) -> Iterator[None]:
+    """What goes to a file that was asked for; SymcheckError says why it cannot."""
     try:
-        file.parent.mkdir(parents=True, exist_ok=True)
-        temporary.write_bytes(data := text.encode())
-        temporary.replace(file)
+        yield
     except OSError as error:
-        raise SymcheckError(f"{file} cannot be written ({error.strerror}); choose another with --output") from error
-    finally:
-        with suppress(OSError):
-            temporary.unlink(missing_ok=True)
-    return len(data)
+        why = error.strerror or error
+        raise SymcheckError(f"{file} cannot be written ({why}); choose another with --output") from error
 
 
 def main() -> None:

@@ -24,6 +24,7 @@ TARGETS = (
     "audit",
     "test",
     "test-full",
+    "test-newest",
     "bench",
     "bench-gpu",
     "browser",

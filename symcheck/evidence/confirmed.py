@@ -10,8 +10,9 @@ from pathlib import Path
 
 from symcheck import kernels
 from symcheck.evidence.record import Record
-from symcheck.evidence.store import COQ, SCHEMA, document, line, replace
+from symcheck.evidence.store import COQ, SCHEMA, document, line
 from symcheck.statement import Certificate, SymcheckError, Verdict
+from symcheck.writing import put
 
 DIGITS = 16  # of a digest: enough to tell certificates apart that nobody makes alike
 CONFIRMED, NOT_TRIED = "yes", "not tried"
@@ -77,7 +78,7 @@ def record_all(folder: Path, outcomes: Mapping[str, Outcome]) -> list[Path]:
     for paper in dict.fromkeys(name.partition(":")[0] for name in outcomes):
         own = {name: outcome for name, outcome in outcomes.items() if name.startswith(f"{paper}:")}
         written.append(folder / _name(paper))
-        replace(written[-1], _text(paper, recorded(folder, paper) | own))
+        put(written[-1], _text(paper, recorded(folder, paper) | own))
     return written
 
 

@@ -11,8 +11,9 @@ from typing import Any
 from symcheck.evidence.checked import certificates
 from symcheck.evidence.confirmed import digest
 from symcheck.evidence.record import Record
-from symcheck.evidence.store import SCHEMA, SELFTEST, replace
+from symcheck.evidence.store import SCHEMA, SELFTEST
 from symcheck.statement import SymcheckError
+from symcheck.writing import put
 
 
 @dataclass(frozen=True)
@@ -69,5 +70,5 @@ def record(folder: Path, result: Mapping[str, Any], records: Iterable[Record]) -
     """Write a result whole; the findings are left out, as the ledger has them."""
     kept = {"evidence": evidence(records), **{key: value for key, value in result.items() if key != "findings"}}
     text = json.dumps(kept, ensure_ascii=False, indent=1)
-    replace(folder / SELFTEST, f"{text}\n".encode())
+    put(folder / SELFTEST, f"{text}\n".encode())
     return folder / SELFTEST

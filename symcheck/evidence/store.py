@@ -8,7 +8,6 @@ certificates, see `symcheck.evidence.confirmed`, and what the self-test found, s
 from __future__ import annotations
 
 import json
-import os
 from collections.abc import Iterable, Mapping
 from difflib import unified_diff
 from pathlib import Path
@@ -22,6 +21,7 @@ from symcheck.evidence.index import Index
 from symcheck.evidence.record import Record
 from symcheck.proof import translation
 from symcheck.statement import Certificate, SymcheckError, Verdict
+from symcheck.writing import put as put_file
 
 SCHEMA = 1
 PROOFS = 2  # the schema of certificates and of the statements they are compared with
@@ -73,7 +73,7 @@ def write(folder: Path, contents: Mapping[str, bytes]) -> None:
     """Make `folder` hold exactly these of our files; each appears whole or not at all. Unknown files are left alone."""
     try:
         for name, data in contents.items():
-            replace(folder / name, data)
+            put_file(folder / name, data)
         for name in sorted(_ours(folder) - set(contents)):
             (folder / name).unlink()
     except OSError as error:
@@ -89,7 +89,7 @@ def put(folder: Path, contents: Mapping[str, bytes]) -> None:
         raise SymcheckError(f"{foreign[0]} was not written by `symcheck generate`; choose another folder with --output")
     try:
         for name, data in contents.items():
-            replace(folder / name, data)
+            put_file(folder / name, data)
     except OSError as error:
         raise SymcheckError(f"{folder} cannot be written ({error.strerror}); choose another with --output") from error
 
@@ -184,17 +184,6 @@ def _ours(folder: Path) -> set[str]:
     found = (file for pattern in OURS for file in folder.glob(pattern))
     files = (file for file in found if file.suffix != ".py" or MARK.encode() in file.read_bytes())
     return {file.relative_to(folder).as_posix() for file in files} & _present(folder)
-
-
-def replace(file: Path, data: bytes) -> None:
-    """Write beside the file, then rename: a reader sees the old contents or the new, never a part."""
-    file.parent.mkdir(parents=True, exist_ok=True)
-    temporary = file.with_name(f".{file.name}.{os.getpid()}")
-    try:
-        temporary.write_bytes(data)
-        temporary.replace(file)
-    finally:
-        temporary.unlink(missing_ok=True)
 
 
 def _first_difference(old: bytes, new: bytes) -> int:

@@ -14,6 +14,7 @@ from symcheck.notebook.execute import Progress, in_kernel, in_process
 from symcheck.notebook.shown import PNG
 from symcheck.notebook.source import notebook
 from symcheck.statement import SymcheckError
+from symcheck.writing import put
 
 _MENTIONED = re.compile(r'"(\w+:[\w.]+)"')
 
@@ -73,7 +74,7 @@ def write(name: str, found: Any) -> None:
     if file.exists() and not list(compare.differences(found, old := committed(name))):
         _keep_pictures(found, old)
     nbformat.validate(found)
-    file.write_text(nbformat.writes(found) + "\n", encoding="utf-8")
+    put(file, f"{nbformat.writes(found)}\n".encode())
 
 
 def _keep_pictures(found: Any, old: Any) -> None:

@@ -6,6 +6,7 @@ comes in, so that none comes out unseen.
 
 from __future__ import annotations
 
+from importlib import import_module
 from typing import Any
 
 import numpy as np
@@ -62,3 +63,15 @@ def shortened(value: Any) -> str:
     text = np.array2string(value, precision=6, threshold=12) if isinstance(value, np.ndarray) else repr(value)
     text = " ".join(text.split())
     return text if len(text) <= 100 else f"{text[:97]}..."
+
+
+def engine_module(engine: str, module: str) -> Any:
+    """The module of an engine that needs a library of the same name; ImportError says if that is missing."""
+    try:
+        return import_module(module)
+    except ModuleNotFoundError as error:
+        if error.name != engine:
+            raise
+        raise ImportError(
+            f"engine={engine!r} needs {engine}: pip install {engine}, or leave engine='numpy'", name=engine
+        ) from error

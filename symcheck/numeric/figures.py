@@ -9,17 +9,17 @@ an array of Axes.
 from __future__ import annotations
 
 import pkgutil
-import tempfile
-from collections.abc import Callable, Iterator
-from contextlib import contextmanager
+from collections.abc import Callable
 from difflib import get_close_matches
 from importlib import import_module
+from io import BytesIO
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from symcheck import numeric
+from symcheck.writing import put
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -64,9 +64,11 @@ def figure(name: str) -> Figure:
 def draw(name: str, output: Path | str) -> Path:
     """Write the figure of that name to a .png, .pdf or .svg file and return its path.
 
-    The file appears when it is whole, in the place of one of that name. One figure gives the same bytes each time.
+    The file appears when it is whole, in the place of one of that name; a pipe or a device gets the bytes, which are
+    the same each time.
     ValueError if there is no such figure, or the file's ending is another; OSError if it cannot be written.
 
+    >>> import tempfile
     >>> with tempfile.TemporaryDirectory() as folder:
     ...     draw("liquid-frequencies", Path(folder) / "frequencies.svg").name
     'frequencies.svg'
@@ -78,8 +80,10 @@ def draw(name: str, output: Path | str) -> Path:
     drawn = figure(name)
     from matplotlib import rc_context
 
-    with _replacing(path) as unfinished, rc_context({"svg.hashsalt": name, "savefig.dpi": 150}):
-        drawn.savefig(unfinished, format=kind[1:], metadata=UNDATED[kind])
+    written = BytesIO()
+    with rc_context({"svg.hashsalt": name, "savefig.dpi": 150}):
+        drawn.savefig(written, format=kind[1:], metadata=UNDATED[kind])
+    put(path, written.getvalue())
     return path
 
 
@@ -100,12 +104,3 @@ def _function(name: str) -> Callable[[], Any]:
         near = get_close_matches(name, known, n=1, cutoff=0)
         raise ValueError(f"there is no figure {name!r}" + (f"; did you mean {near[0]}?" if near else ""))
     return known[name]
-
-
-@contextmanager
-def _replacing(path: Path) -> Iterator[Path]:
-    """A file beside the path that takes its place at the end, unless there is an error."""
-    with tempfile.TemporaryDirectory(prefix=".symcheck-", dir=path.parent) as folder:
-        unfinished = Path(folder) / path.name
-        yield unfinished
-        unfinished.replace(path)

@@ -8,14 +8,13 @@ from __future__ import annotations
 
 from concurrent.futures import ThreadPoolExecutor
 from functools import partial
-from importlib import import_module
 from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from symcheck.numeric.chunked import pointwise
-from symcheck.numeric.domain import Array, real, require
+from symcheck.numeric.domain import Array, engine_module, real, require
 from symcheck.numeric.random_rotation.scheme import scheme
 from symcheck.numeric.random_rotation.torques import RandomTorques
 
@@ -136,9 +135,4 @@ def _record(
 def _advance(engine: str) -> Any:
     """The function that advances a state; see `numpy_engine.advance`."""
     require(engine in ENGINES, "engine", engine, f"be one of {', '.join(ENGINES)}")
-    try:
-        return import_module(f"symcheck.numeric.random_rotation.{engine}_engine").advance
-    except ModuleNotFoundError as error:
-        if error.name != engine:
-            raise
-        raise ImportError(f"engine={engine!r} needs {engine}: pip install {engine}, or leave engine='numpy'") from error
+    return engine_module(engine, f"symcheck.numeric.random_rotation.{engine}_engine").advance

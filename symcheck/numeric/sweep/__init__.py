@@ -19,6 +19,7 @@ wheels may fail, `failures = [[], [0], [0, 1]]`; and with `seed = 1` and `realiz
 from __future__ import annotations
 
 import json
+import os
 from collections.abc import Callable, Iterator, Mapping
 from concurrent.futures import ThreadPoolExecutor
 from contextlib import contextmanager, suppress
@@ -65,6 +66,7 @@ def sweep(
     SweepError says in one line what does not fit, or what keeps it from going on; KeyboardInterrupt says what is kept.
     Values do not depend on chunks, threads or workers, as long as these have processors of one kind.
     """
+    out = _place(out)
     _require(out, scheduler)
     from filelock import FileLock, Timeout
 
@@ -105,7 +107,7 @@ def _prepared(text: str, swept: Plan, store: Store, asked: Mapping[str, int], me
 
     try:
         results = swept.results()
-    except (ValueError, ArithmeticError, MemoryError, TypeError) as error:
+    except (ValueError, ArithmeticError, MemoryError, TypeError, ImportError) as error:
         raise SweepError(_reason(swept, error)) from None
     is_complex = [name for name, each in results.items() if each.dtype.kind == "c"]
     if is_complex and store.out.suffix == ".nc":
@@ -151,7 +153,7 @@ def _compute(text: str, swept: Plan, store: Store, chunks: Chunks, workers: Work
         store.finish()
     except KeyboardInterrupt:
         raise KeyboardInterrupt(f"; {_said(store, chunks)}") from None
-    except (ValueError, ArithmeticError, MemoryError) as error:
+    except (ValueError, ArithmeticError, MemoryError, ImportError) as error:
         raise SweepError(f"{_reason(swept, error)}; {_said(store, chunks)}") from None
     return _summary(store.out, chunks, kept, sum(done.values()))
 
@@ -168,6 +170,13 @@ def _summary(out: Path, chunks: Chunks, kept: int, not_finite: int) -> str:
     shape = " x ".join(f"{name} {size}" for name, size in chunks.sizes.items())
     lines = f"{out}: {shape}, {chunks.count} chunks, {kept} of them from before"
     return f"{lines}; {not_finite} values are infinite or no number" if not_finite else lines
+
+
+def _place(out: Path) -> Path:
+    """Where the file really is, if that is a link to it."""
+    if out.exists() and not (out.is_file() or out.is_dir()):
+        raise SweepError(f"--out {out} is a device or a pipe; name a file, in which parts can be sought")
+    return Path(os.path.realpath(out)) if out.is_symlink() else out
 
 
 def _require(out: Path, scheduler: str | None) -> None:

@@ -9,7 +9,6 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from functools import lru_cache
-from importlib import import_module
 from itertools import combinations
 from math import comb
 from typing import Any, NamedTuple
@@ -18,7 +17,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from symcheck.numeric.chunked import gufunc
-from symcheck.numeric.domain import Array, require
+from symcheck.numeric.domain import Array, engine_module, require
 from symcheck.numeric.wheels.sets import Wheels, wheels_of
 
 PARALLEL = 1e-12  # sine of an angle below which two axes are one
@@ -130,7 +129,7 @@ def _found(wheels: Wheels, keep: bool, engine: str) -> tuple[Array, Array]:
     count = wheels.limits.shape[-1]
     require(count > 2, "axes", wheels.axes, SPANS, "(2.1)")
     axes, limits = wheels.axes.reshape(-1, count, 3), wheels.limits.reshape(-1, count)
-    run = import_module("symcheck.numeric.wheels.numba_engine").of_pairs if engine == "numba" else of_pairs
+    run = engine_module(engine, "symcheck.numeric.wheels.numba_engine").of_pairs if engine == "numba" else of_pairs
     normals, distances, spans = run(axes, limits, keep, PARALLEL)
     if np.count_nonzero(spans) < len(spans):
         spans[~spans] = _span(axes[~spans])

@@ -103,7 +103,7 @@ def largest_momentum(half_spaces: HalfSpaces, direction: ArrayLike) -> Array:
         return np.asarray(np.einsum("...jk,...k->...j", n, unit))
 
     def room(n: Array, d: Array, c: Array) -> Array:
-        return d + np.sign(along(n)) * np.einsum("...jk,...k->...j", n, half_spaces.centre)
+        return np.asarray(d + np.sign(along(n)) * np.einsum("...jk,...k->...j", n, half_spaces.centre))
 
     return _least_quotient(half_spaces, unit.shape[:-1], room, lambda n, d, c: np.abs(along(n)))
 
