@@ -283,7 +283,7 @@ class Search:
     def _settle(self, name: str, point: Point) -> bool:
         """The value of an integral or a mean, with its proof."""
         self.tries -= 1
-        numbers = {x: p for x, p in point.items() if not table().stands(x) and (p == 0 or p.is_constant())}
+        numbers = {x: p for x, p in point.items() if not table().stands(x)}
         defined = tuple((x, term_of(p)) for x, p in numbers.items())
         function = atoms()[name]
         for value in values_of(function, dict(defined)):

@@ -15,8 +15,8 @@ from typing import Any
 from symcheck.enclosures import Unknown, enclosed
 from symcheck.proof.closed import TRIED, refute_at
 from symcheck.proof.counterexample import Point, Search, refute
-from symcheck.proof.polynomial import Poly, alone, fraction, parts, subterms
-from symcheck.proof.variables import Unsupported, circle, cosine, sine
+from symcheck.proof.polynomial import Poly, alone, fraction, parts, subterms, with_arguments
+from symcheck.proof.variables import Unsupported, atoms, circle, cosine, sine
 from symcheck.statement import Certificate, Formula, Outcome, Problem, Term
 from symcheck.theorems import BINDING, RELATIONS, conjuncts
 
@@ -84,7 +84,10 @@ def _witness(problem: Problem, nonzero: Sequence[Term], premises: Sequence[Formu
     conditions = [condition for node in (*stated, *reached) for condition in _domains(node)]
     said = tuple(dict.fromkeys((*stated, *conditions)))
     used = {part for formula in said for part in subterms(unfold_names(formula, definitions)) if isinstance(part, str)}
-    return _search(tuple((x, term) for x, term in problem.definitions if x in used), said, prove)
+    needed = tuple((x, term) for x, term in problem.definitions if x in used)
+    if (point := _search(needed, said, prove)) is not None or problem.claim[0] != "=" or not stated:
+        return point
+    return _search(problem.definitions, tuple(dict.fromkeys((*said, problem.claim))), prove)  # it is proved, so true
 
 
 def _plainly_nonzero(term: Term) -> bool:
@@ -169,7 +172,8 @@ class _Draws(Search):
         scalars = [name for name in self.free if circle(name) is None]
         equations = [self._gap(f).num for f in self.formulas if f[0] == "=" and not self._functions_in(f)]
         steps, equations = self._eliminated([poly for poly in equations if poly != 0], scalars)
-        left = [name for name in scalars if name not in [x for x, _, _ in steps]]
+        last = dict(self._said_by_functions(scalars))
+        left = [name for name in scalars if name not in last and name not in [x for x, _, _ in steps]]
         for seed in range(DRAWS):
             if self.tries == 0:
                 return
@@ -177,7 +181,29 @@ class _Draws(Search):
             point: Point = {}
             drawn = self._draw(rng, point, [*left, *angles], equations, VALUES[: (2, 4, len(VALUES))[seed % 3]])
             if drawn and self._complete(point, steps) and self._ordered(point) and self._evaluate(point):
+                try:
+                    point.update({x: self._side(term, point) for x, term in last.items()})
+                except ZeroDivisionError:
+                    continue
                 yield point
+
+    def _said_by_functions(self, scalars: Sequence[str]) -> Iterator[tuple[str, Term]]:
+        """Letters with what they are said to be, where that has functions in it; nothing else depends on them."""
+        inside = set().union(*(with_arguments({name}) - {name} for name in self.functions))
+        for f in self.formulas:
+            if f[0] == "=" and f[1] in scalars and f[1] not in inside and self._functions_in(f):
+                others = [self._gap(g).num for g in self.formulas if g[0] == "=" and g is not f]
+                if not any(poly.degrees()[self.ring.names.index(f[1])] for poly in others if poly != 0):
+                    yield f[1], f[2]
+
+    def _settle(self, name: str, point: Point) -> bool:
+        """Gamma functions of small whole numbers only; others are not worth a search."""
+        kind, *arguments = atoms()[name]
+        if kind == "gamma":
+            value = self._side(arguments[0], point)
+            if value not in (1, 2, 3, 4):
+                return False
+        return super()._settle(name, point)
 
     def _eliminated(
         self, equations: list[Poly], scalars: Sequence[str]
