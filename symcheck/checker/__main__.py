@@ -20,8 +20,8 @@ from symcheck.core.terms import JSON
 
 SCHEMA = 2
 TIED = """Each claims what generated/statements lists under its id, with definitions and hypotheses listed there. That
-these lists say what is printed is not checked here: the reader makes them from the printed text, and what a sentence means is put
-in formulas by hand. Statements about hypotheses left out and about kernels are not printed."""
+these lists say what is printed is not checked here: the reader makes them from the printed text, and what a sentence
+means is put in formulas by hand. Statements about hypotheses left out and about kernels are not printed."""
 NOT_TIED = "Nothing here ties the certificates to what is printed; name generated/ to compare them with its statements."
 
 

@@ -102,6 +102,30 @@ def texts_in(node: Any) -> Iterator[str]:
             yield from texts_in(part)
 
 
+def nonzero_terms(proof: Certificate) -> list[Term]:
+    """The denominators of a statement about which no hypothesis speaks, as terms."""
+    meant = proof.get("atoms", {})
+    return list(dict.fromkeys(_term(text, meant) for texts in proof.get("nonzero", ()) for text in texts))
+
+
+def _term(text: str, meant: Mapping[str, Term]) -> Term:
+    """A polynomial as it is printed, as a term."""
+    addends = [_product(term, meant) for term in text.replace(" - ", " + -").split(" + ")]
+    return addends[0] if len(addends) == 1 else ("+", *addends)
+
+
+def _product(text: str, meant: Mapping[str, Term]) -> Term:
+    if text.startswith("-"):
+        return "-", _product(text[1:], meant)
+    factors: list[Term] = []
+    for factor in text.split("*"):
+        name, _, exponent = factor.partition("^")
+        top, _, bottom = name.partition("/")
+        number: Term = ("/", int(top), int(bottom)) if bottom else int(top) if top.isdigit() else meant.get(name, name)
+        factors.append(("^", number, int(exponent)) if exponent else number)
+    return factors[0] if len(factors) == 1 else ("*", *factors)
+
+
 def _reached(problem: Problem, mentioned: list[Any]) -> set[str]:
     definitions = dict(problem.definitions)
     open_, reached = list(mentioned), set()

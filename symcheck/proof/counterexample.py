@@ -63,7 +63,7 @@ def fails_at(problem: Problem, values: Mapping[str, Any]) -> bool:
     """Whether the hypotheses hold at a point, with the values of a certificate, and the claim does not."""
     try:
         with alone(problem):
-            search = _Search(problem, problem.claim, lambda _: None)
+            search = Search(problem, problem.claim, lambda _: None)
             point = {x: search._value(frozen(values[key])) for x in search.free if (key := _key(x)) in values}
             return len(point) == len(search.free) and search._evaluate(point) and search._refutes(point)
     except KeyError:  # a function that has no value in the ring, such as arctan 2
@@ -78,9 +78,9 @@ def _point(problem: Problem, prove: Prover) -> Certificate | None:
         return None
     if claim[0] == "<=>":
         directions = [("=>", claim[1], claim[2]), ("=>", claim[2], claim[1])]
-        found = (_Search(problem, direction, prove).run() for direction in directions)
+        found = (Search(problem, direction, prove).run() for direction in directions)
         return next((point for point in found if point), None)
-    return _Search(problem, claim, prove).run()
+    return Search(problem, claim, prove).run()
 
 
 def _quantified(formula: Formula) -> bool:
@@ -95,11 +95,15 @@ class _Group:
     choices: tuple[Point, ...]
 
 
-class _Search:
+class Search:
+    """The candidates for one claim, and what holds at them."""
+
+    primes: tuple[int, ...] = (2, 3)  # their roots may occur in coordinates
+
     def __init__(self, problem: Problem, direction: Formula, prove: Prover) -> None:
         base = ring_of(problem)
         self.problem = problem
-        names = {*with_arguments(base.names), *map(table().root, (2, 3))}
+        names = {*with_arguments(base.names), *map(table().root, self.primes)}
         if any(name in atoms() for name in names):
             names |= {*map(table().root, (5, 7)), "pi"}
         self.ring = Ring(names, base.definitions)
@@ -279,7 +283,7 @@ class _Search:
     def _settle(self, name: str, point: Point) -> bool:
         """The value of an integral or a mean, with its proof."""
         self.tries -= 1
-        numbers = {x: p for x, p in point.items() if not table().stands(x) and (p == 0 or p.is_constant())}
+        numbers = {x: p for x, p in point.items() if not table().stands(x)}
         defined = tuple((x, term_of(p)) for x, p in numbers.items())
         function = atoms()[name]
         for value in values_of(function, dict(defined)):

@@ -315,8 +315,9 @@ def with_arguments(names: Iterable[str]) -> set[str]:
         node = atoms()[open_.pop()]
         bound = turning(node[2]) if node[0] in BINDING else set()
         inner = {name for part in parts(node) for name in variables(part)} - {*bound, "infinity"}
-        if bound:
-            inner = {name for name in inner if not (name in atoms() and bound & with_arguments({name}))}
+        if bound:  # a function of what is bound is none of the statement, but what else it depends on is
+            inner = {other for name in inner for other in (with_arguments({name}) if name in atoms() else {name})}
+            inner = {name for name in inner - bound if not (name in atoms() and bound & with_arguments({name}))}
         open_ += sorted(name for name in inner - found if name in atoms())
         found |= inner
     return found

@@ -6,16 +6,38 @@ A witness is a counterexample to "0 = 1", and is found as one: its form is that 
 
 from __future__ import annotations
 
+import random
 from collections.abc import Callable, Iterator, Sequence
+from dataclasses import replace
+from fractions import Fraction
 from typing import Any
 
-from symcheck.proof.counterexample import refute
-from symcheck.proof.polynomial import alone, subterms
-from symcheck.proof.theorems import BINDING, conjuncts
+from symcheck.proof.closed import TRIED, refute_at
+from symcheck.proof.counterexample import Point, Search, refute
+from symcheck.proof.enclosures import Unknown, enclosed
+from symcheck.proof.polynomial import Poly, alone, fraction, parts, subterms, with_arguments
+from symcheck.proof.theorems import BINDING, RELATIONS, conjuncts
+from symcheck.proof.variables import Unsupported, atoms, circle, cosine, sine
 from symcheck.statement import Certificate, Formula, Outcome, Problem, Term
 
 FALSE: Formula = ("=", 0, 1)
-MAX_FORMULAS = 400
+DRAWS = 3000
+TRIALS = 60
+_ARCS = ("arctan", "arcsin", "arccos")
+VALUES = (
+    1,
+    -1,
+    0,
+    2,
+    3,
+    4,
+    5,
+    -2,
+    *(
+        Fraction(n, d)
+        for n, d in ((1, 2), (1, 3), (2, 3), (1, 4), (3, 4), (3, 5), (4, 5), (2, 7), (3, 7), (6, 7), (1, 10))
+    ),
+)
 Prover = Callable[[Problem], Outcome | None]
 Definitions = tuple[tuple[str, Term], ...]
 _DOMAINS: dict[str, Callable[..., Formula]] = {
@@ -31,8 +53,11 @@ _DOMAINS: dict[str, Callable[..., Formula]] = {
 
 
 def implications(claim: Formula) -> list[Formula]:
-    """The premises of a claim that is an implication, or a conjunction with implications."""
-    return [part[1] for part in conjuncts(claim) if part[0] == "=>"]
+    """The premises of a claim that is an implication, or a conjunction with implications.
+
+    "A => 0 = 1" is how it is said that A never holds: that has no premise.
+    """
+    return [part[1] for part in conjuncts(claim) if part[0] == "=>" and part[2] not in (FALSE, ("or",))]
 
 
 def find_witnesses(problem: Problem, nonzero: Sequence[Term], prove: Prover) -> list[Certificate] | None:
@@ -53,25 +78,37 @@ def find_witnesses(problem: Problem, nonzero: Sequence[Term], prove: Prover) -> 
 def _witness(problem: Problem, nonzero: Sequence[Term], premises: Sequence[Formula], prove: Prover) -> Any:
     stated = [part for _, formulas in problem.hypotheses for formula in formulas for part in conjuncts(formula)]
     stated += [part for premise in premises for part in conjuncts(premise)]
-    stated += [("!=", term, 0) for term in nonzero]
+    stated += [("!=", term, 0) for term in nonzero if not _plainly_nonzero(term)]
     definitions = dict(problem.definitions)
-    reached = [term for name, term in problem.definitions]
+    reached = [term for _, term in problem.definitions]
     conditions = [condition for node in (*stated, *reached) for condition in _domains(node)]
     said = tuple(dict.fromkeys((*stated, *conditions)))
     used = {part for formula in said for part in subterms(unfold_names(formula, definitions)) if isinstance(part, str)}
-    return _search(tuple((x, term) for x, term in problem.definitions if x in used), said, prove)
+    needed = tuple((x, term) for x, term in problem.definitions if x in used)
+    if (point := _search(needed, said, prove)) is not None or problem.claim[0] != "=" or not stated:
+        return point
+    return _search(problem.definitions, tuple(dict.fromkeys((*said, problem.claim))), prove)  # it is proved, so true
+
+
+def _plainly_nonzero(term: Term) -> bool:
+    """Whether a term is a number, and its digits say that it is not zero."""
+    try:
+        digits = enclosed(term, dict[str, Term]().__getitem__)
+    except (Unknown, KeyError, RecursionError):
+        return False
+    return digits.low > 0 or digits.high < 0
 
 
 def unfold_names(node: Any, definitions: dict[str, Term]) -> tuple[Any, ...]:
     """A node made of all the parts of a formula and of the definitions it rests on."""
     open_, seen = [node], set[str]()
-    parts: list[Any] = []
+    found: list[Any] = []
     while open_:
-        parts.append(part := open_.pop())
+        found.append(part := open_.pop())
         names = {name for name in subterms(part) if isinstance(name, str)} & definitions.keys() - seen
         open_ += [definitions[name] for name in sorted(names)]
         seen |= names
-    return ("", *parts)
+    return ("", *found)
 
 
 def _domains(node: Any) -> Iterator[Formula]:
@@ -82,11 +119,11 @@ def _domains(node: Any) -> Iterator[Formula]:
         yield _DOMAINS[node[0]](*node[1:])
     if node[0] == "^" and node[2] < 0:
         yield "!=", node[1], 0
-    for part in node[1:]:
+    for part in parts(node):
         yield from _domains(part)
 
 
-_FOUND: dict[Any, Certificate | None] = {}
+_FOUND: dict[Any, Certificate | None] = {}  # the same hypotheses stand in many problems
 
 
 def _search(definitions: Definitions, said: tuple[Formula, ...], prove: Prover) -> Certificate | None:
@@ -94,6 +131,188 @@ def _search(definitions: Definitions, said: tuple[Formula, ...], prove: Prover) 
     if key not in _FOUND:
         problem = Problem("witness", FALSE, definitions, (("said", said),))
         with alone(problem):
-            point = refute(problem, prove)
+            point = _by_digits(problem) or refute(problem, prove) or _drawn(problem, prove)
         _FOUND[key] = None if point is None else {name: part for name, part in point.items() if name != "sides"}
     return _FOUND[key]
+
+
+def _by_digits(problem: Problem) -> Certificate | None:
+    """Where angles are compared: letters that are numbers, and trials for the others, by their digits."""
+    said = problem.hypotheses[0][1]
+    definitions = dict(problem.definitions)
+    parts = list(subterms(unfold_names(("", *said), definitions)))
+    if not any(part == "pi" or (isinstance(part, tuple) and part[0] in _ARCS) for part in parts):
+        return None
+    absurd = replace(problem, claim=("=", "pi", 0))
+    fixed = {side for f in said if f[0] == "=" for side in f[1:] if isinstance(side, str)}
+    free = sorted(
+        {part for part in parts if isinstance(part, str)} - {"pi", ""} - fixed - dict(problem.definitions).keys()
+    )
+    for seed in range(TRIALS):
+        rng = random.Random(seed)
+        point = {x: TRIED[0] if seed == 0 else rng.choice(TRIED) for x in free}
+        if (found := refute_at(absurd, point)) is not None:
+            return {"values": found["values"], "enclosed": []}
+    return None
+
+
+def _drawn(problem: Problem, prove: Prover) -> Certificate | None:
+    try:
+        return _Draws(problem, FALSE, prove).run()
+    except Unsupported:
+        return None
+
+
+class _Draws(Search):
+    """Letters drawn at random, the same in every run; what an equation says of the last letter in it is solved for."""
+
+    primes = (2, 3, 5, 7)
+
+    def _candidates(self, angles: Sequence[str]) -> Iterator[Point]:
+        scalars = [name for name in self.free if circle(name) is None]
+        equations = [self._gap(f).num for f in self.formulas if f[0] == "=" and not self._functions_in(f)]
+        steps, equations = self._eliminated([poly for poly in equations if poly != 0], scalars)
+        last = dict(self._said_by_functions(scalars))
+        left = [name for name in scalars if name not in last and name not in [x for x, _, _ in steps]]
+        for seed in range(DRAWS):
+            if self.tries == 0:
+                return
+            rng = random.Random(seed)
+            point: Point = {}
+            drawn = self._draw(rng, point, [*left, *angles], equations, VALUES[: (2, 4, len(VALUES))[seed % 3]])
+            if drawn and self._complete(point, steps) and self._ordered(point) and self._evaluate(point):
+                try:
+                    point.update({x: self._side(term, point) for x, term in last.items()})
+                except ZeroDivisionError:
+                    continue
+                yield point
+
+    def _said_by_functions(self, scalars: Sequence[str]) -> Iterator[tuple[str, Term]]:
+        """Letters with what they are said to be, where that has functions in it; nothing else depends on them."""
+        inside = set().union(*(with_arguments({name}) - {name} for name in self.functions))
+        for f in self.formulas:
+            if f[0] == "=" and f[1] in scalars and f[1] not in inside and self._functions_in(f):
+                others = [self._gap(g).num for g in self.formulas if g[0] == "=" and g is not f]
+                if not any(poly.degrees()[self.ring.names.index(f[1])] for poly in others if poly != 0):
+                    yield f[1], f[2]
+
+    def _settle(self, name: str, point: Point) -> bool:
+        """Gamma functions of small whole numbers only; others are not worth a search."""
+        kind, *arguments = atoms()[name]
+        if kind == "gamma":
+            value = self._side(arguments[0], point)
+            if value not in (1, 2, 3, 4):
+                return False
+        return super()._settle(name, point)
+
+    def _eliminated(
+        self, equations: list[Poly], scalars: Sequence[str]
+    ) -> tuple[list[tuple[str, Poly, Poly]], list[Poly]]:
+        """Steps (x, a, b) meaning x = -b / a with numbers a, in order of solution, and the other equations."""
+        steps: list[tuple[str, Poly, Poly]] = []
+        while True:
+            found = next(
+                ((p, x) for p in sorted(equations, key=len) for x in scalars if self._number_times(p, x)), None
+            )
+            if found is None:
+                return steps[::-1], equations
+            equation, x = found
+            slope = equation.derivative(x)
+            rest = equation - slope * self.ring.generator[x]
+            steps.append((x, slope, rest))
+            others = (self._reduce(self._eliminate(p, x, slope, rest)) for p in equations if p is not equation)
+            equations = [poly for poly in others if poly != 0]
+
+    def _number_times(self, poly: Poly, x: str) -> bool:
+        """Whether a polynomial is a number times x, plus what does not depend on x."""
+        return poly.degrees()[self.ring.names.index(x)] == 1 and not self._unknown(poly.derivative(x))
+
+    def _draw(
+        self, rng: random.Random, point: Point, left: list[str], equations: Sequence[Poly], values: Sequence[Any]
+    ) -> bool:
+        """Gives letters and angles values, in a random order; False if an equation has no root."""
+        left = rng.sample(left, len(left))
+        open_ = list(equations)
+        while True:
+            open_ = [poly for poly in open_ if poly != 0]
+            alone = ((poly, among) for poly in open_ if len(among := self._about(poly)) < 2)
+            poly, among = next(alone, (None, set()))
+            if poly is None and not left:
+                return True
+            name = left[-1] if poly is None else next(iter(among), "")
+            if not name:
+                return False
+            fixed = self._fixed(rng, name, poly, values)
+            if fixed is None:
+                return False
+            left.remove(name)
+            point.update(fixed)
+            open_ = [self._reduce(self._at(poly, fixed)) for poly in open_]
+
+    def _about(self, poly: Poly) -> set[str]:
+        """The letters of a polynomial; an angle in place of its sine and cosine."""
+        return {(circle(name) or ("", name))[1] for name in self._unknown(poly)}
+
+    def _fixed(self, rng: random.Random, name: str, poly: Poly | None, values: Sequence[Any]) -> Point | None:
+        """A letter or an angle with a value drawn, or the one that an equation says it has."""
+        sign = rng.choice((1, -1))
+        if name in self.free:
+            value = self.ring.number(rng.choice(values)) if poly is None else self._zero(poly, name, sign)
+            return None if value is None else {name: value}
+        if poly is None:
+            choices = self._angle(name, 0).choices
+            return rng.choice(choices) if choices else None
+        s, c = sine(name), cosine(name)
+        poly = divmod(poly, self.ring.generator[s] ** 2 + self.ring.generator[c] ** 2 - 1)[1]
+        square, other = (s, c) if poly.degrees()[self.ring.names.index(s)] < 2 else (c, s)
+        slope = poly.derivative(square)  # poly = rest + slope * square
+        rest = poly - slope * self.ring.generator[square]
+        if slope == 0:
+            found = self._zero(rest, other, sign)
+            return None if found is None else self._on_circle(other, found, square, rng.choice((1, -1)))
+        found = self._zero(self._reduce(rest**2 - slope**2 * (1 - self.ring.generator[other] ** 2)), other, sign)
+        if found is None:
+            return None
+        top, bottom = (self._reduce(self._at(each, {other: found})) for each in (-rest, slope))
+        return {other: found, square: self._quotient(top, bottom)} if bottom != 0 else None
+
+    def _on_circle(self, name: str, value: Poly, other: str, sign: int) -> Point | None:
+        """A point of the unit circle with one coordinate."""
+        found = self._zero(self.ring.generator[other] ** 2 + self._reduce(value**2) - 1, other, sign)
+        return None if found is None else {name: value, other: found}
+
+    def _unknown(self, poly: Poly) -> list[str]:
+        """The variables of a polynomial that are no roots of numbers."""
+        used = zip(self.ring.names, poly.degrees(), strict=True)
+        return [name for name, degree in used if degree and name not in self.roots and name != "pi"]
+
+    def _zero(self, poly: Poly, x: str, sign: int) -> Poly | None:
+        """A zero of a polynomial of degree one or two in x alone."""
+        where = self.ring.names.index(x)
+        powers = [self.ring.number(0) for _ in range(3)]
+        for exponents, coefficient in poly.terms():
+            degree = int(exponents[where])
+            if degree > 2:
+                return None
+            rest = tuple(0 if k == where else int(e) for k, e in enumerate(exponents))
+            powers[degree] += self.ring.context.from_dict({rest: coefficient})
+        c, b, a = powers
+        try:
+            if a == 0:
+                return self._quotient(-c, b)
+            b, c = self._quotient(b, 2 * a), self._quotient(c, a)
+            square = self._reduce(b * b - c)
+            if square != 0 and not square.is_constant():
+                return None
+            root = self._power(fraction(square.leading_coefficient())) if square != 0 else square
+        except (Unsupported, ZeroDivisionError):
+            return None
+        return root * sign - b
+
+    def _ordered(self, point: Point) -> bool:
+        """Whether what is said without functions holds."""
+        plain = (f for f in self.formulas if f[0] in RELATIONS and not self._functions_in(f))
+        try:
+            return all(self._truth(formula, point) for formula in plain)
+        except ZeroDivisionError:
+            return False
