@@ -5,22 +5,11 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 
 from symcheck.checker.algebra import Algebra
-from symcheck.checker.residues import Reject, require
-from symcheck.checker.rules import Prover, Step, conjuncts, contrary, enclosure, sides, string
-from symcheck.core.calculus import Unknown
-from symcheck.core.terms import (
-    JSON,
-    Call,
-    Formula,
-    Malformed,
-    Quotient,
-    Reader,
-    Term,
-    functions,
-    letters,
-    node,
-    substituted,
-)
+from symcheck.checker.residues import PRIME, Reject, require
+from symcheck.checker.rules import LIST, Prover, Step, conjuncts, contrary, fit, sides, truth
+from symcheck.checker.theorems import instance
+from symcheck.core.calculus import Unknown, domain, functions, letters, substituted
+from symcheck.core.terms import JSON, Call, Connective, Formula, Malformed, Reader, Value, node
 
 MALFORMED = (LookupError, TypeError, ValueError, AttributeError, ArithmeticError, RecursionError, AssertionError)
 
@@ -29,52 +18,49 @@ class Certificate:
     """What is stated, definitions unfolded, and the evidence: a proof with witnesses, or a point."""
 
     def __init__(self, data: JSON) -> None:
-        whole, partial = Reader(), Reader()
-        step = Step(data, whole)
-        self.id, self.verdict = step.text("id"), step.text("verdict")
-        free = step.texts("free")  # defined letters of which the proof knows what lemmas say, and nothing else
-        for entry in step.items("definitions"):
-            name, term = pair(entry)
-            whole.define(string(name), term)
-            if name not in free:
-                partial.define(string(name), term)
-        self.reader, own = (partial, {x: whole.names[x] for x in free}) if free else (whole, {})
-
-        def read(formula: JSON) -> Formula:
-            found = self.reader.formula(formula)
-            require(not own or substituted(found, own) == whole.formula(formula), "{} is bound in {}", free, formula)
-            return found
-
+        self.step = step = Step(data)
+        self.id, self.verdict = fit(str, step.take("id")), fit(str, step.take("verdict"))
+        free = step.texts("free")  # defined letters of which lemmas say all that the proof knows
+        self.whole, self.reader = Reader(), Reader()
+        for name, term in step.lists("definitions"):
+            self.whole.define(fit(str, name), term)
+            if free and name not in free:
+                self.reader.define(fit(str, name), term)
+        self.own = {x: self.whole.names[x] for x in free}
+        self.reader = self.reader if free else self.whole
         self.hypotheses = {
-            ("hyp", name, k): read(formula)
+            ("hyp", name, k): self.read(formula)
             for name, formulas in step.mapping("hypotheses").items()
-            for k, formula in enumerate(formulas if isinstance(formulas, list) else [formulas])
+            for k, formula in enumerate(fit(LIST, formulas))
         }
         self.nonzero = [self.reader.term(term) for term in step.items("nonzero")]
-        self.lemmas = [(string(name), read(formula)) for name, formula in map(pair, step.items("lemmas"))]
-        self.claim = read(step.take("claim"))
-        self.own, self.step, self.whole = own, step, whole
+        self.lemmas = [(fit(str, name), self.read(formula)) for name, formula in step.lists("lemmas")]
+        self.claim = self.read(step.take("claim"))
+
+    def read(self, data: JSON) -> Formula:
+        """A formula; no binder binds a letter that stands for something."""
+        found = self.reader.formula(data)
+        require(
+            not self.own or self.unfolded(found) == self.whole.formula(data), "a defined letter is bound in {}", data
+        )
+        return found
 
     def unfolded(self, formula: Formula) -> Formula:
+        """The formula with all definitions unfolded."""
         return substituted(formula, self.own) if self.own else formula
 
-    def assumed(self) -> set[Formula | Term]:
+    def assumed(self) -> list[Formula]:
         """Hypotheses, and what must not vanish, definitions unfolded."""
-        hypotheses = [part for formula in self.hypotheses.values() for part in conjuncts(self.unfolded(formula))]
-        return {*hypotheses, *(substituted(term, self.own) for term in self.nonzero)}
+        nonzero = (node("!=", term, 0) for term in self.nonzero)
+        return [part for each in (*self.hypotheses.values(), *nonzero) for part in conjuncts(self.unfolded(each))]
 
     def supported(self, proved: Iterable[Certificate]) -> bool:
         """Whether each lemma is part of a statement that is proved under no more than is assumed here."""
         assumed = self.assumed()
-        return all(
-            any(
-                name == lemma.id
-                and self.unfolded(formula) in [*conjuncts(lemma.unfolded(lemma.claim)), lemma.unfolded(lemma.claim)]
-                and lemma.assumed() <= assumed
-                for lemma in proved
-            )
-            for name, formula in self.lemmas
-        )
+        under = [each for each in proved if all(formula in assumed for formula in each.assumed())]
+        claims = [(each.id, each.unfolded(each.claim)) for each in under]
+        stated = [(name, part) for name, claim in claims for part in (claim, *conjuncts(claim))]
+        return all((name, self.unfolded(formula)) in stated for name, formula in self.lemmas)
 
     def check(self) -> None:
         """Rejects unless the evidence shows the verdict; lemmas are taken for granted."""
@@ -88,12 +74,10 @@ class Certificate:
         for name, formula in self.hypotheses.items():
             prover.learn(name, formula)
         for term in sides(self.claim) if self.nonzero else ():
-            prover.algebra.value(term)
+            prover.value(term)
         divisors = {**prover.algebra.divisors}
-        prover.listed = {prover.algebra.value(term) % prover.algebra.prime: term for term in self.nonzero}
-        prover.tops = {
-            prover.algebra.value(t.top) % prover.algebra.prime for t in self.nonzero if isinstance(t, Quotient)
-        }
+        prover.listed = {prover.value(term): term for term in self.nonzero}
+        prover.tops = {prover.value(t.terms[0]) for t in self.nonzero if isinstance(t, Value) and t.tag == "/"}
         prover.algebra.divisors = divisors  # those in the terms listed are not the statement's own
         superfluous = prover.listed.keys() - divisors.keys()
         require(not superfluous, "{} is no denominator of the statement", [prover.listed[v] for v in superfluous])
@@ -102,67 +86,71 @@ class Certificate:
         prover.prove(goal, self.step.take("proof"))
         prover.finish()
         require(prover.used >= self.hypotheses.keys() or facts, "a hypothesis is not used")
-        assumed = [*self.hypotheses.values(), *(node("!=", term, 0) for term in self.nonzero)]
-        needed = [self.unfolded(node("and", *assumed, *premises)) for premises in supposed(self.claim)]
+        self.check_witnesses()
+
+    def check_witnesses(self) -> None:
+        """Everything that is assumed holds somewhere, the premises of each implication too, and all terms have values.
+
+        What does so without letters needs no point.
+        """
+        assumed, claim = self.assumed(), self.unfolded(self.claim)
+        conditions = domain(*assumed, claim)
+        varying = [each for each in conditions if letters(each) or functions(each)]
+        for each in conditions:
+            require(each in varying or truth(each, Algebra({}, {})), "a term has no value, as {} is not so", each)
+        needed = [[*assumed, *premises, *varying] for premises in supposed(claim)]
         points = self.step.items("witnesses")
-        require(len(points) == len(needed) * (needed != [node("and")]), "no point where all that is assumed holds")
-        for formula, point in zip(needed, points, strict=False):
-            self.hold(formula, Step(point, self.whole))
+        require(len(points) == len(needed) * (needed != [[]]), "no point where all that is assumed holds")
+        for formulas, point in zip(needed, points, strict=False):
+            self.hold(formulas, Step(point))
 
     def check_point(self) -> None:
         """The hypotheses hold at the point, the claim does not; its sides have the stated values there."""
-        step = Step(self.step.take("point"), self.whole)
-        stated, shown = [*map(self.whole.term, step.items("sides"))], step.items("enclosed")
-        formulas = [self.unfolded(formula) for formula in (*self.hypotheses.values(), contrary(self.claim))]
-        at = self.hold(node("and", *formulas), step, refuting=True)
+        step = Step(self.step.take("point"))
+        stated, shown = [*map(self.whole.term, step.items("sides"))], step.lists("enclosed")
+        at = self.hold([self.unfolded(each) for each in (*self.hypotheses.values(), contrary(self.claim))], step, True)
         if stated:
-            same = [at.value(t) % at.prime for t in stated] == [at.value(t) % at.prime for t in sides(self.claim)]
+            same = [at.value(t) % PRIME for t in stated] == [at.value(t) % PRIME for t in sides(self.claim)]
             require(same, "a side has another value at the point")
-        for entry in shown:
-            data, digits, *ends = entry if isinstance(entry, list) else []
+        for data, digits, low, high in shown:
             term = substituted(self.whole.term(data), at.point or {})
-            order = [node("<=", self.whole.term(ends[0]), term), node("<=", term, self.whole.term(ends[1]))]
-            require(enclosure(term, self.whole.term(digits), {})[1] == order, "{} lies elsewhere", data)
+            order = node("<=", self.whole.term(low), term), node("<=", term, self.whole.term(high))
+            lies = instance("enclosure", {"t": term, "digits": self.whole.term(digits)})[1]
+            require(lies == node("and", *order), "{} lies elsewhere", data)
 
-    def hold(self, formula: Formula, step: Step, refuting: bool = False) -> Algebra:
-        """Rejects unless the formula holds at a point; gives the values there."""
+    def hold(self, formulas: list[Formula], step: Step, refuting: bool = False) -> Algebra:
+        """Rejects unless the formulas hold at a point; gives the values there."""
         read = self.whole
         values = {read.letter(x): read.term(data) for x, data in step.mapping("values").items()}
         closed = not any(letters(t) or functions(t) for t in values.values()) and not values.keys() & read.names.keys()
         require(closed, "a coordinate is no number, or of a defined letter")
         at = Algebra(read.names, values)
         prover = Prover(read, at)
-        for call, value in map(pair, step.items("calls")):
-            term = read.term(call)
-            require(isinstance(term, Call) and not letters(term), "{} is no function at a point", call)
-            place = prover.algebra.value(term)
-            require(place not in at.settled, "{} has two values", call)
-            at.settled[place] = at.value(read.term(value)) % at.prime
+        for data, value in step.lists("calls"):
+            call = read.term(data)
+            require(isinstance(call, Call) and not letters(call), "{} is no function at a point", data)
+            place = prover.algebra.value(call)
+            require(place not in at.settled, "{} has two values", data)
+            at.settled[place] = at.value(read.term(value)) % PRIME
         # a hypothesis about a function speaks of all its values, a point of a few
-        known = set().union(*(functions(f) for f in self.hypotheses.values())) if refuting else set()
+        known = set().union(*map(functions, self.hypotheses.values())) if refuting else set()
         require(not (at.settled and known), "what is assumed of {} is not only so at one point", known)
         proof = step.data.pop("proof", None)
         for k, (x, number) in enumerate(values.items() if proof else ()):
             prover.learn(("point", k), node("=", x, number))
-        prover.prove(formula, proof or {"rule": "compute"})
+        prover.prove(node("and", *formulas), proof or {"rule": "compute"})
         prover.finish()
         step.end()
         return at
 
 
-def pair(data: JSON) -> tuple[JSON, JSON]:
-    require(isinstance(data, list) and len(data) == 2, "{} is no pair", data)
-    return (data[0], data[1]) if isinstance(data, list) else (None, None)
-
-
 def supposed(claim: Formula) -> list[list[Formula]]:
     """What must hold somewhere lest the claim be empty: nothing, or the premises of each of its implications."""
     match claim:
-        case ("and", *parts):
-            each = [premises for part in parts for premises in supposed(part)]  # type: ignore[arg-type]
-            return [premises for premises in each if premises] or [[]]
-        case ("=>", premise, conclusion):
-            return [[premise, *others] for others in supposed(conclusion)]  # type: ignore[arg-type, list-item]
+        case Connective(tag="and", formulas=parts):
+            return [premises for part in parts for premises in supposed(part) if premises] or [[]]
+        case Connective(tag="=>", formulas=(premise, conclusion)):
+            return [[premise, *others] for others in supposed(conclusion)]
     return [[]]
 
 
