@@ -19,6 +19,7 @@ from symcheck.core.terms import Binder, Call, End, Node, Term, Value, node
 STEEPEST = 1 << 40  # product of nested exponents, multiples of angles and the like; a term has 2^20 nodes at most
 Key = tuple[object, ...]
 PI: Key = ("pi",)
+LETTERS: dict[str, int] = {}  # what was drawn for free letters
 
 
 class Inexact(Reject):
@@ -32,7 +33,7 @@ class Algebra:
         self.point = point
         self.shared = {id(t): t for t in shared.values() if isinstance(t, Node)}  # what definitions stand for
         self.known: dict[int, int] = {}  # their values
-        self.letters: dict[str, int] = {}  # values of letters
+        self.letters = LETTERS if point is None else {}  # their values
         self.bound: dict[str, Key] = {}  # what is drawn for bound letters
         self.settled: dict[int, int] = {}  # values of functions at the point, by what is drawn for them
         self.scale = 1  # product of the exponents around
@@ -47,22 +48,23 @@ class Algebra:
         if id(term) in self.known and not self.bound:
             return self.known[id(term)]
         match term.tag:
-            case "+":
-                result = sum(self.values(term.outside))
-            case "*":
-                result = prod(self.values(term.outside))
+            case "+" | "*" as sign:
+                result, known = int(sign == "*"), self.letters
+                for t in term.outside:
+                    value = known[t] if type(t) is str and t in known else self.value(t)  # most are letters
+                    result = result * value if sign == "*" else result + value
             case "-":
-                result = -self.value(term.outside[0])
+                result = -self.value(term[1])  # type: ignore[arg-type]
+            case "sin" | "cos" as name:
+                result = self.turn(term[1])[name == "sin"]  # type: ignore[arg-type]
             case _:
                 result = self.operation(term)
         if id(term) in self.shared and not self.bound:
             self.known[id(term)] = result
         return result
 
-    def values(self, terms: Iterable[Term]) -> list[int]:
-        """The values of several terms; most are letters, which are looked up here: a tenth of the time."""
-        known = self.letters
-        return [known[t] if type(t) is str and t in known else self.value(t) for t in terms]
+    def residues(self, terms: Iterable[Term]) -> list[int]:
+        return [self.value(t) % PRIME for t in terms]
 
     def letter(self, name: str) -> int:
         """The value of a letter that is not bound: at a point the one that it has there, else a random one."""
@@ -85,7 +87,7 @@ class Algebra:
             case Value():
                 return self.function(term)
             case Call():
-                return self.settle("call", term.function, term.orders, *(v % PRIME for v in self.values(term.terms)))
+                return self.settle("call", term.function, term.orders, *self.residues(term.terms))
             case Binder():
                 return self.binder(term)
         raise AssertionError(term)
@@ -123,11 +125,9 @@ class Algebra:
         if name == "pi":
             return draw("pi")  # transcendental, as a letter is
         inner = term.terms[0]
-        if name in ("sin", "cos"):
-            return self.turn(inner)[name == "sin"]
         if name == "tan":
             return self.turn(inner)[1] * self.inverse(node("cos", inner)) % PRIME
-        values = [value % PRIME for value in self.values(term.terms)]
+        values = self.residues(term.terms)
         if name == "sqrt" and (
             exact(inner, roots=False) or (self.point is not None and not letters(inner) & self.bound.keys())
         ):

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import json
 from collections.abc import Iterable, Iterator
+from functools import lru_cache
 
 from symcheck.checker.algebra import Algebra
 from symcheck.checker.residues import PRIME, Reject, require
@@ -14,6 +16,15 @@ from symcheck.core.terms import JSON, Call, Connective, Formula, Malformed, Read
 MALFORMED = (LookupError, TypeError, ValueError, AttributeError, ArithmeticError, RecursionError, AssertionError)
 
 
+@lru_cache(1024)
+def reader(definitions: str) -> Reader:
+    """A reader that knows the definitions, a JSON text: many certificates have the same ones, read once for all."""
+    found = Reader()
+    for name, term in json.loads(definitions):
+        found.define(fit(str, name), term)
+    return found
+
+
 class Certificate:
     """What is stated, definitions unfolded, and the evidence: a proof with witnesses, or a point."""
 
@@ -21,13 +32,10 @@ class Certificate:
         self.step = step = Step(data)
         self.id, self.verdict = fit(str, step.take("id")), fit(str, step.take("verdict"))
         free = step.texts("free")  # defined letters of which lemmas say all that the proof knows
-        self.whole, self.reader = Reader(), Reader()
-        for name, term in step.lists("definitions"):
-            self.whole.define(fit(str, name), term)
-            if free and name not in free:
-                self.reader.define(fit(str, name), term)
+        definitions = step.lists("definitions")
+        self.whole = reader(json.dumps(definitions))
+        self.reader = reader(json.dumps([each for each in definitions if each[0] not in free])) if free else self.whole
         self.own = {x: self.whole.names[x] for x in free}
-        self.reader = self.reader if free else self.whole
         self.hypotheses = {
             ("hyp", name, k): self.read(formula)
             for name, formulas in step.mapping("hypotheses").items()

@@ -68,6 +68,7 @@ def rational(value: int) -> tuple[int, int] | None:
     return None if abs(v) >= HEIGHT else (b, v) if v > 0 else (-b, -v)
 
 
+@lru_cache(None)
 def root(fraction: tuple[int, int] | None) -> int:
     """The root of a rational number: a square modulo the prime, as the roots of the small primes are chosen."""
     top, bottom = fraction or (-1, 1)

@@ -130,7 +130,7 @@ class Prover:
 
     def gap(self, relation: Relation) -> int:
         """By how much the larger side exceeds the smaller one, or the left one the right one."""
-        left, right = self.algebra.values(relation.terms)
+        left, right = self.algebra.residues(relation.terms)
         return (right - left if relation.tag[0] == "<" else left - right) % PRIME
 
     def learn(self, name: Reference, formula: Formula) -> None:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 
 from symcheck.core.terms import Binder, Call, Formula, Malformed, Node, Quantified, T, Term, Value, node
 
@@ -130,19 +130,21 @@ def polynomial_in(term: Term, *atoms: Term) -> bool:
     return False
 
 
+DOMAINS: dict[str, Callable[[Term], Formula]] = {  # where a function of t has a real value
+    "sqrt": lambda t: node(">=", t, 0),
+    **dict.fromkeys(("log", "gamma", "pow"), lambda t: node(">", t, 0)),
+    **dict.fromkeys(("arcsin", "arccos"), lambda t: node("<=", node("^", t, 2), 1)),
+}
+
+
 def domain(*trees: Term) -> list[Formula]:
     """What must be so lest a part of the terms or formulas that stands under no binder have no real value."""
-    todo, seen, found = [*trees], set[int](), list[Formula]()
+    todo, seen, found = [*trees], set[int](), dict[Formula, None]()
     while todo:
         tree = todo.pop()
         if isinstance(tree, Node) and id(tree) not in seen:  # what is defined may stand in many places
             seen.add(id(tree))
             todo += tree.outside
-            match tree:
-                case Value(tag="sqrt", terms=(t,)):
-                    found.append(node(">=", t, 0))
-                case Value(tag="log" | "gamma" | "pow", terms=(t, *_)):
-                    found.append(node(">", t, 0))
-                case Value(tag="arcsin" | "arccos", terms=(t,)):
-                    found.append(node("<=", node("^", t, 2), 1))
-    return [*dict.fromkeys(found)]
+            if tree.tag in DOMAINS:
+                found[DOMAINS[tree.tag](tree.outside[0])] = None
+    return [*found]
