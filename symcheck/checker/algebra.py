@@ -32,7 +32,7 @@ class Algebra:
     def __init__(self, shared: Mapping[str, Term], point: Mapping[str, Term] | None = None) -> None:
         self.point = point
         self.shared = {id(t): t for t in shared.values() if isinstance(t, Node)}  # what definitions stand for
-        self.known: dict[int, int] = {}  # their values
+        self.known: dict[tuple[int, int], int] = {}  # their values, by how steep they are where they stand
         self.letters = LETTERS if point is None else {}  # their values
         self.bound: dict[str, Key] = {}  # what is drawn for bound letters
         self.settled: dict[int, int] = {}  # values of functions at the point, by what is drawn for them
@@ -45,8 +45,9 @@ class Algebra:
             return term
         if isinstance(term, str):
             return self.letters[term] if term in self.letters else self.letter(term)
-        if id(term) in self.known and not self.bound:
-            return self.known[id(term)]
+        place = id(term), self.scale
+        if place in self.known and not self.bound:
+            return self.known[place]
         match term.tag:
             case "+" | "*" as sign:
                 result, known = int(sign == "*"), self.letters
@@ -60,7 +61,7 @@ class Algebra:
             case _:
                 result = self.operation(term)
         if id(term) in self.shared and not self.bound:
-            self.known[id(term)] = result
+            self.known[place] = result
         return result
 
     def residues(self, terms: Iterable[Term]) -> list[int]:
@@ -117,6 +118,8 @@ class Algebra:
                 return self.raised(base, -exponent)
         value = self.value(term) % PRIME
         self.divisors[value] = self.divisors.get(value, False) or not exact(term)
+        if self.point is not None and self.bound:  # nobody asks later
+            require(exact(term) or rational(value), "{} may be zero under a binder", term)
         return inverse(value)
 
     def function(self, term: Value) -> int:

@@ -6,12 +6,12 @@ import json
 from collections.abc import Iterable, Iterator
 from functools import lru_cache
 
-from symcheck.checker.algebra import Algebra
+from symcheck.checker.algebra import Algebra, exact
 from symcheck.checker.residues import PRIME, Reject, require
-from symcheck.checker.rules import LIST, Prover, Step, conjuncts, contrary, fit, sides, truth
+from symcheck.checker.rules import FALSE, LIST, Prover, Step, conjuncts, contrary, fit, sides, truth
 from symcheck.checker.theorems import instance
 from symcheck.core.calculus import Unknown, domain, functions, letters, substituted
-from symcheck.core.terms import JSON, Call, Connective, Formula, Malformed, Reader, Value, node
+from symcheck.core.terms import JSON, Call, Connective, Formula, Malformed, Quantified, Reader, Value, node
 
 MALFORMED = (LookupError, TypeError, ValueError, AttributeError, ArithmeticError, RecursionError, AssertionError)
 
@@ -41,7 +41,7 @@ class Certificate:
             for name, formulas in step.mapping("hypotheses").items()
             for k, formula in enumerate(fit(LIST, formulas))
         }
-        self.nonzero = [self.reader.term(term) for term in step.items("nonzero")]
+        self.nonzero = [self.read(["!=", term, 0]) for term in step.items("nonzero")]
         self.lemmas = [(fit(str, name), self.read(formula)) for name, formula in step.lists("lemmas")]
         self.claim = self.read(step.take("claim"))
 
@@ -59,8 +59,7 @@ class Certificate:
 
     def assumed(self) -> list[Formula]:
         """Hypotheses, and what must not vanish, definitions unfolded."""
-        nonzero = (node("!=", term, 0) for term in self.nonzero)
-        return [part for each in (*self.hypotheses.values(), *nonzero) for part in conjuncts(self.unfolded(each))]
+        return [part for each in (*self.hypotheses.values(), *self.nonzero) for part in conjuncts(self.unfolded(each))]
 
     def supported(self, proved: Iterable[Certificate]) -> bool:
         """Whether each lemma is part of a statement that is proved under no more than is assumed here."""
@@ -83,11 +82,11 @@ class Certificate:
             prover.learn(name, formula)
         for term in sides(self.claim) if self.nonzero else ():
             prover.value(term)
-        divisors = {**prover.algebra.divisors}
-        prover.listed = {prover.value(term): term for term in self.nonzero}
-        prover.tops = {prover.value(t.terms[0]) for t in self.nonzero if isinstance(t, Value) and t.tag == "/"}
-        prover.algebra.divisors = divisors  # those in the terms listed are not the statement's own
-        superfluous = prover.listed.keys() - divisors.keys()
+        aside = Algebra(self.reader.names)  # what the terms listed are divided by is not the statement's own
+        listed = [formula.outside[0] for formula in self.nonzero]
+        prover.listed = dict(zip(aside.residues(listed), listed, strict=True))
+        prover.tops = {*aside.residues(t.terms[0] for t in listed if isinstance(t, Value) and t.tag == "/")}
+        superfluous = prover.listed.keys() - prover.algebra.divisors.keys()
         require(not superfluous, "{} is no denominator of the statement", [prover.listed[v] for v in superfluous])
         facts = [formula for _, formula in self.lemmas]
         goal = node("=>", node("and", *facts), self.claim) if facts else self.claim
@@ -108,15 +107,16 @@ class Certificate:
             require(each in varying or truth(each, Algebra({}, {})), "a term has no value, as {} is not so", each)
         needed = [[*assumed, *premises, *varying] for premises in supposed(claim)]
         points = self.step.items("witnesses")
-        require(len(points) == len(needed) * (needed != [[]]), "no point where all that is assumed holds")
-        for formulas, point in zip(needed, points, strict=False):
+        require(points or needed == [[]], "no point where all that is assumed holds")
+        for formulas, point in zip(needed, points, strict=bool(points)):
             self.hold(formulas, Step(point))
 
     def check_point(self) -> None:
         """The hypotheses hold at the point, the claim does not; its sides have the stated values there."""
+        require(not self.lemmas, "a point needs no lemmas")
         step = Step(self.step.take("point"))
         stated, shown = [*map(self.whole.term, step.items("sides"))], step.lists("enclosed")
-        at = self.hold([self.unfolded(each) for each in (*self.hypotheses.values(), contrary(self.claim))], step, True)
+        at = self.hold([*self.assumed(), contrary(self.unfolded(self.claim))], step, refuting=True)
         if stated:
             same = [at.value(t) % PRIME for t in stated] == [at.value(t) % PRIME for t in sides(self.claim)]
             require(same, "a side has another value at the point")
@@ -136,17 +136,20 @@ class Certificate:
         prover = Prover(read, at)
         for data, value in step.lists("calls"):
             call = read.term(data)
-            require(isinstance(call, Call) and not letters(call), "{} is no function at a point", data)
+            known = isinstance(call, Call) and all(map(exact, call.terms))  # two numbers are told apart
+            require(known, "{} is no function at a point", data)
             place = prover.algebra.value(call)
             require(place not in at.settled, "{} has two values", data)
             at.settled[place] = at.value(read.term(value)) % PRIME
         # a hypothesis about a function speaks of all its values, a point of a few
-        known = set().union(*map(functions, self.hypotheses.values())) if refuting else set()
-        require(not (at.settled and known), "what is assumed of {} is not only so at one point", known)
+        spoken = set().union(*map(functions, self.hypotheses.values())) if refuting else set()
+        require(not (at.settled and spoken), "what is assumed of {} is not only so at one point", spoken)
         proof = step.data.pop("proof", None)
-        for k, (x, number) in enumerate(values.items() if proof else ()):
+        for k, (x, number) in enumerate(values.items() if proof is not None else ()):
             prover.learn(("point", k), node("=", x, number))
-        prover.prove(node("and", *formulas), proof or {"rule": "compute"})
+        for each in domain(*formulas, divisors=True) if refuting and proof is not None else ():
+            require(truth(each, at), "a term has no value at the point: {} is not so", each)  # to compute finds values
+        prover.prove(node("and", *formulas), {"rule": "compute"} if proof is None else proof)
         prover.finish()
         step.end()
         return at
@@ -157,8 +160,10 @@ def supposed(claim: Formula) -> list[list[Formula]]:
     match claim:
         case Connective(tag="and", formulas=parts):
             return [premises for part in parts for premises in supposed(part) if premises] or [[]]
-        case Connective(tag="=>", formulas=(premise, conclusion)):
-            return [[premise, *others] for others in supposed(conclusion)]
+        case Connective(tag="=>", formulas=(premise, conclusion)) if conclusion not in (FALSE, node("=", 0, 1)):
+            return [[premise, *others] for others in supposed(conclusion)]  # else: the premise never holds
+        case Quantified(tag="forall", bound=xs, body=body):
+            return [each and [node("exists", xs, node("and", *each))] for each in supposed(body)]
     return [[]]
 
 

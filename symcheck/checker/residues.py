@@ -91,10 +91,12 @@ def polynomials(values: Mapping[str, int]) -> Callable[[str], int]:
         if text[:1] == "-":
             return -factor(text[1:])
         if text[:1].isdecimal():
-            top, _, bottom = text.partition("/")
+            top, slash, bottom = text.partition("/")
+            require((top + bottom).isdecimal() and bool(bottom) == bool(slash), "the factor {}", text)
             return int(top) * inverse(int(bottom or 1))
-        name, _, exponent = text.partition("^")
-        require((exponent or "1").isdecimal() and len(exponent) < 4, "the factor {!r}", text)  # no division
+        name, hat, exponent = text.partition("^")
+        proper = name.isidentifier() and bool(exponent) == bool(hat) and (exponent or "1").isdecimal()  # no division
+        require(proper and len(exponent) < 4, "the factor {}", text)
         return pow(values[name] if name in values else draw("letter", name), int(exponent or 1), PRIME)
 
     @lru_cache(None)

@@ -137,8 +137,23 @@ DOMAINS: dict[str, Callable[[Term], Formula]] = {  # where a function of t has a
 }
 
 
-def domain(*trees: Term) -> list[Formula]:
-    """What must be so lest a part of the terms or formulas that stands under no binder have no real value."""
+def divisor(term: Node) -> Term:
+    """What the term divides by."""
+    match term:
+        case Value(tag="/", terms=(_, bottom)):
+            return bottom
+        case Value(tag="^", terms=(base, int(n))) if n < 0:
+            return base
+        case Value(tag="tan", terms=(angle,)):
+            return node("cos", angle)
+    return 1
+
+
+def domain(*trees: Term, divisors: bool = False) -> list[Formula]:
+    """What must be so lest a part of the terms or formulas that stands under no binder have no real value.
+
+    Divisors are told on demand: what a proof divides by has to be shown not to vanish anyhow.
+    """
     todo, seen, found = [*trees], set[int](), dict[Formula, None]()
     while todo:
         tree = todo.pop()
@@ -147,4 +162,6 @@ def domain(*trees: Term) -> list[Formula]:
             todo += tree.outside
             if tree.tag in DOMAINS:
                 found[DOMAINS[tree.tag](tree.outside[0])] = None
+            if divisors and (below := divisor(tree)) != 1:
+                found[node("!=", below, 0)] = None
     return [*found]
