@@ -105,8 +105,8 @@ class Certificate:
         assumed = [*self.hypotheses.values(), *(node("!=", term, 0) for term in self.nonzero)]
         needed = [self.unfolded(node("and", *assumed, *premises)) for premises in supposed(self.claim)]
         points = self.step.items("witnesses")
-        require(len(points) == len(needed) * (needed != [node("and")]), "no point where all that is assumed holds")
-        for formula, point in zip(needed, points, strict=False):
+        require(points or needed == [node("and")], "no point where all that is assumed holds")
+        for formula, point in zip(needed, points, strict=bool(points)):
             self.hold(formula, Step(point, self.whole))
 
     def check_point(self) -> None:

@@ -5,10 +5,10 @@ from __future__ import annotations
 import re
 from collections.abc import Callable
 
-from symcheck.proof.certificate import references, terms_in, texts_in
 from symcheck.proof.closed import decide_numbers
 from symcheck.proof.counterexample import refute
 from symcheck.proof.knowledge import Knowledge, given_of, ring_of, starting
+from symcheck.proof.mentions import references, terms_in, texts_in
 from symcheck.proof.orders import form_on_the_circle
 from symcheck.proof.polynomial import Poly, Ring, Unsupported, function_arguments, unfold, variables
 from symcheck.proof.theorems import conjuncts, sides
