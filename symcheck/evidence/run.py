@@ -116,7 +116,11 @@ def _lemmas(id: str, obligations: Mapping[str, Obligation]) -> list[str]:
     """The declarations whose relations the proof of one may start from; "2.13.1b" is a link of 2.13.1."""
     key = id.partition(":")[0]
     named = ((f"{key}:{number}", f"{key}:{number[:-1]}") for number in obligations[id].item.lemmas)
-    return [next(name for name in names if name in obligations) for names in named if not obligations.keys().isdisjoint(names)]
+    return [
+        next(name for name in names if name in obligations)
+        for names in named
+        if not obligations.keys().isdisjoint(names)
+    ]
 
 
 def _asked_for(wanted: Mapping[str, Links], records: Mapping[str, tuple[Record, ...]]) -> list[Record]:
