@@ -8,9 +8,10 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
+from symcheck.evidence.checked import certificates
 from symcheck.evidence.confirmed import digest
 from symcheck.evidence.record import Record
-from symcheck.evidence.store import SCHEMA, SELFTEST, certificates, replace
+from symcheck.evidence.store import SCHEMA, SELFTEST, replace
 from symcheck.statement import SymcheckError
 
 

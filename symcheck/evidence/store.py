@@ -9,13 +9,14 @@ from __future__ import annotations
 
 import json
 import os
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Mapping
 from difflib import unified_diff
 from pathlib import Path
 from types import MappingProxyType
 from typing import Any
 
 from symcheck.codegen.target import MARK
+from symcheck.evidence.checked import certificates
 from symcheck.evidence.record import Record
 from symcheck.statement import Certificate, SymcheckError, Verdict
 
@@ -27,16 +28,6 @@ COQ = "coq"
 SELFTEST = "selftest.json"
 OURS = ("*.py", f"{CERTIFICATES}/*.json", f"{EXPECTED}/*.json", f"{COQ}/*.json", SELFTEST)  # what `write` may remove
 UNKNOWN = "unknown; no command writes it, so remove it"
-
-
-def certificates(record: Record) -> Iterator[Certificate]:
-    """Every certificate a record rests on: its own, those of what it should be, those of hypotheses left out."""
-    yield from record.certificates
-    yield from (record.erratum or {}).get("certificates") or ()
-    for hypothesis in record.hypotheses:
-        counterexample = hypothesis.get("counterexample")
-        if isinstance(counterexample, dict) and "claim" in counterexample:
-            yield counterexample
 
 
 def files(records: Iterable[Record], kernels: Mapping[str, Kernels] = MappingProxyType({})) -> dict[str, bytes]:

@@ -11,8 +11,8 @@ from dataclasses import replace
 from random import Random
 from typing import Any
 
+from symcheck.evidence.checked import certificates
 from symcheck.evidence.record import Record
-from symcheck.evidence.store import certificates
 from symcheck.proof import digest, fails_without, proof_of
 from symcheck.selftest.evidence import holds, problem_of
 from symcheck.selftest.trial import Fate, FaultClass, Trial, mixed

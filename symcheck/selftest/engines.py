@@ -16,8 +16,8 @@ from typing import Any
 import flint
 import sympy as sp
 
+from symcheck.evidence.checked import certificates
 from symcheck.evidence.record import Record
-from symcheck.evidence.store import certificates
 from symcheck.selftest.evidence import frozen, holds
 from symcheck.statement import Certificate, Formula, Term
 
