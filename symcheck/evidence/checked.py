@@ -134,7 +134,10 @@ def _need(record: Record, row: dict[str, Any], answers: Answers) -> dict[str, An
     if row.get("needed") is None:
         shown = not row.get("lost") and not any(_of_need(row))
     else:
-        shown = (_is_lost if row["needed"] else _is_needless)(record, row, answers)
+        try:
+            shown = (_is_lost if row["needed"] else _is_needless)(record, row, answers)
+        except (LookupError, TypeError, AttributeError):  # of a malformed certificate
+            shown = False
     return row if shown else {**row, "needed": None, "lost": "", "counterexample": None, "proofs": []}
 
 

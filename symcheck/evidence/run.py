@@ -82,7 +82,8 @@ def audit(
     kept = cache.find(fingerprints)
     records = {id: rows for id, rows in checked.told(kept).items() if rows == kept[id]}
     if refused := len(kept) - len(records):
-        cache.say(f"{refused} of the results in the cache are not accepted by the checker; deciding again")
+        are = "is" if refused == 1 else "are"
+        cache.say(f"{refused} of the results in the cache {are} not accepted by the checker; deciding again")
     progress(len(records), len(needed))
     new: dict[str, tuple[Record, ...]] = {}
     try:
