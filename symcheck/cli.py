@@ -17,7 +17,7 @@ import click
 from symcheck import __version__
 from symcheck.codegen import target_names
 from symcheck.export import format_names, format_of
-from symcheck.interrupts import INTERRUPTED, raise_from_now_on
+from symcheck.interrupts import INTERRUPTED, leave, raise_from_now_on
 from symcheck.statement import SymcheckError, Verdict
 from symcheck.writing import put
 
@@ -619,4 +619,9 @@ def main() -> None:
     for stream in (sys.stdout, sys.stderr):
         if hasattr(stream, "reconfigure"):
             stream.reconfigure(errors="backslashreplace")
-    cli(prog_name="symcheck")
+    try:
+        cli(prog_name="symcheck")
+    except SystemExit as stop:
+        if stop.code == INTERRUPTED:
+            leave()
+        raise
