@@ -74,6 +74,8 @@ notation = Notation(
     ),
     # `1/2\pi` is the density of a uniform phase and `4\gamma^2/3\alpha^2` the exponent that solves the equation
     slash="denominator",
+    # `\cos\psi\sin\psi(d_{12} + d_{21})` is a product in the drift of Euler's equations
+    argument="short",
 )
 
 functions_of_time = notation.extended(
