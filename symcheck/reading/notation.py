@@ -237,7 +237,7 @@ class Notation:
         """A dotted letter is no letter of its own where the dots are a derivative."""
         bare, dots = undotted(canonical(letter.latex))
         below = self._letters.get((bare, letter.indices)) if dots else None
-        if below is not None and below.depends:
+        if below is not None and below.depends and not below.named:
             raise letter.fault(f"{below.latex} depends on {below.depends}, so this is its derivative; do not declare it")
 
     def owner(self, name: str) -> Letter | None:
@@ -308,12 +308,14 @@ class Notation:
             return f"declare it, with number={which!r} if it is {_SAID[which]}; or {meant}"
         return f"declare it in the notation, or {meant}"
 
-    def undefined(self, defined: Container[str], *values: Any) -> str | None:
-        """A named letter under a derivative, an integral or a mean that no definition in force gives a value."""
+    def refuse_undefined(self, defined: Container[str], *values: Any) -> None:
+        """SymcheckError for a named letter under a derivative, an integral or a mean that no definition gives a value."""
         for value in values:
             if found := self._undefined(value, defined, inside=False):
-                return found
-        return None
+                raise SymcheckError(
+                    f"nothing defines {found} here, so that its derivative, integral or mean is not known; define it, or "
+                    "declare it without named"
+                )
 
     def _undefined(self, value: Any, defined: Container[str], *, inside: bool) -> str | None:
         if isinstance(value, str):

@@ -65,7 +65,7 @@ root_letters = notation.extended(
 )
 
 mode_letters = three_modes.extended(
-    Letter("F", meaning="left side of (1.31)"),
+    Letter("F", named=True, meaning="left side of (1.31)"),
     Letter("d", kind="differential"),
     Letter("P", indices=1, meaning="(1.31) times all eta - lambda_n, at eta = lambda_k"),
     Letter("L", meaning="its leading coefficient", unit=MOMENT),
