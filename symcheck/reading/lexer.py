@@ -170,7 +170,9 @@ class Lexer(tex.Reader):
         elif tex.is_letter(text) or text == r"\partial" or text[1:] in FUNCTIONS:
             self.letter()
         else:
-            self.fail(tex.no_letter(text) if known(text) and text[1:].isalpha() else f"{text} cannot be read here")
+            meant = self.notation.resembling(text)
+            said = tex.no_letter(text) if known(text) else f"{text} cannot be read here"
+            self.fail(f"{said}, or did you mean {meant}?" if meant else said)
 
     def space(self) -> None:
         """A space; what it means where it could part two things is settled in `joined`."""
@@ -406,7 +408,7 @@ class Lexer(tex.Reader):
     def letter(self) -> None:
         """A letter with its subscripts, the name of a function, or a differential."""
         at = self.at()
-        if self.peek()[1:] in FUNCTIONS | {"partial"} and not self.notation.knows(self.peek()):
+        if self.peek() == r"\partial" or (self.peek()[1:] in FUNCTIONS and not self.notation.knows(self.peek())):
             word = self.peek()
             self.i += 1
         else:
@@ -486,7 +488,8 @@ class Lexer(tex.Reader):
         """The letter of the notation that stands here, or SymcheckError."""
         notation = self.notation
         bare, dots = undotted(word)
-        if dots and not notation.knows(word) and notation.knows(bare):
+        fixed = bare + tex.subscript(tokens) if tokens else bare
+        if dots and not notation.knows(word) and (notation.knows(bare) or notation.knows(fixed)):
             return self.dotted(word, tokens, primes, at, place)
         if tokens is None:
             letter = notation.find(word, 0)

@@ -298,15 +298,20 @@ class Notation:
 
     def nearest(self, latex: str) -> str:
         """A way out for an unknown letter: the nearest declared one."""
-        import difflib  # only an error needs it
-
-        close = difflib.get_close_matches(latex, [*self._spellings, *self._index], n=1, cutoff=0.0)
-        meant = f"did you mean {close[0]}?" if close else "the notation has no letters"
+        close = self.resembling(latex, 0.0)
+        meant = f"did you mean {close}?" if close else "the notation has no letters"
         if known(latex):
             return f"it is no letter that could be declared; {meant}"
         if which := _NUMBERS.get(latex):
             return f"declare it, with number={which!r} if it is {_SAID[which]}; or {meant}"
-        return f"declare it in the notation, or {meant}"
+        return f"declare it in the notation, or {meant}" if close else meant
+
+    def resembling(self, latex: str, cutoff: float = 0.75) -> str:
+        """The declared letter that is spelled most alike; the empty text if none is."""
+        import difflib  # only an error needs it
+
+        close = difflib.get_close_matches(latex, [*self._spellings, *self._index], n=1, cutoff=cutoff)
+        return close[0] if close else ""
 
     def refuse_undefined(self, defined: Container[str], *values: Any) -> None:
         """SymcheckError for a named letter under a derivative, an integral or a mean that no definition gives a value."""

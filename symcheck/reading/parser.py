@@ -283,7 +283,8 @@ class Builder:
                 raise self.fail(listing.at, "a statement stands before the first case")
             cases[-1][1].append(tree)
         built = []
-        if [int(label.rstrip(").")) for label, _ in cases] != list(range(1, len(cases) + 1)):
+        numbers = [label.rstrip(").") for label, _ in cases if label.endswith(".")]
+        if numbers and numbers != [str(n) for n in range(1, len(cases) + 1)]:
             raise self.fail(listing.at, "the cases are not numbered 1, 2, 3, ...")
         for label, trees in cases:
             built.append((label, self.system(trees, listing.at)))
@@ -343,7 +344,7 @@ class Builder:
     def is_listed(self, tree: Tree) -> bool:
         """A letter alone, which may share a relation with others: those of `a, b > 0`."""
         name = tree.function if isinstance(tree, Call) and not tree.arguments else tree
-        return isinstance(name, Name) and not self.is_index(name)
+        return isinstance(name, Name) and (bool(name.subscripts) or self.notation.find(name.letter, 0) is not None)
 
     def is_index(self, tree: Tree) -> bool:
         return isinstance(tree, Name) and not tree.subscripts and self.notation.index(tree.letter) is not None
