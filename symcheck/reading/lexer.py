@@ -534,7 +534,7 @@ class Lexer(tex.Reader):
         """The error for a letter that is not declared, or not with so many indices."""
         if arities := self.notation.arities(word):
             self.fail(f"{word} stands without an index but is declared with {' or '.join(map(str, arities))}", at)
-        self.fail(f"unknown letter {word}; {self.notation.nearest(word)}", at)
+        self.fail(tex.no_letter(word) if known(word) else f"unknown letter {word}; {self.notation.nearest(word)}", at)
 
     def indices(self, tokens: list[tex.Tok], arities: list[int], at: int) -> tuple[int | str, ...]:
         """The indices of a subscript; a run of digits is one number where the letter has one index only."""

@@ -325,8 +325,15 @@ class Lowering:
         letter = self.notation.letter(tree.letter, len(tree.subscripts))
         derived = tree.primes if letter.depends and not letter.named else 0
         if tree.dots or derived:
-            bare = self.of_name(Name(tree.letter, tree.subscripts, tree.primes - derived), env)
-            return self.derived(self.derived(bare, self.time(letter, env), tree.dots, tree), self.only(letter, env), derived, tree)
+            value = self.of_name(Name(tree.letter, tree.subscripts, tree.primes - derived), env)
+            if tree.dots:
+                value = self.derived(value, self.time(letter, env), tree.dots, tree)
+            return self.derived(value, self.only(letter, env), derived, tree) if derived else value
+        if tree.primes and letter.depends is None and not letter.named:
+            raise SymcheckError(
+                f"{to_latex(tree)}: the derivative of {letter.latex}, or another letter? declare {letter.latex} with "
+                "depends='x' for a function of x, depends='' if the prime makes another letter"
+            )
         indices = self.places(tree, letter, env)
         if letter.number:
             return self.number(letter)
@@ -381,7 +388,7 @@ class Lowering:
     def time(self, letter: Letter, env: Env) -> str:
         """The letter that dots differentiate by."""
         if letter.components is not None and not letter.depends:
-            return "t"
+            return next((time.stem for name in TIMES if (time := self.notation.find(name, 0))), "t")
         names = [tree for tree in dependence(letter, self.notation) if isinstance(tree, Name) and tree.letter in TIMES]
         if len(names) != 1:
             raise SymcheckError(
@@ -500,6 +507,8 @@ class Lowering:
             return self.value(name, env)
         if declared is not None and len(arguments) != len(declared):
             raise SymcheckError(f"{to_latex(tree)}: {letter.latex} depends on {letter.depends}")
+        if name.dots and arguments == declared:
+            return self.value(name, env)
         if name.dots or (name.primes and len(arguments) != 1):
             raise SymcheckError(f"{to_latex(tree)}: by which argument? write the derivative as a fraction")
         orders = (name.primes,) if name.primes else (0,) * len(arguments)

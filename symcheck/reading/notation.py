@@ -301,7 +301,7 @@ class Notation:
         close = self.resembling(latex, 0.0)
         meant = f"did you mean {close}?" if close else "the notation has no letters"
         if known(latex):
-            return f"it is no letter that could be declared; {meant}"
+            return tex.no_letter(latex)
         if which := _NUMBERS.get(latex):
             return f"declare it, with number={which!r} if it is {_SAID[which]}; or {meant}"
         return f"declare it in the notation, or {meant}" if close else meant

@@ -596,8 +596,12 @@ class Builder:
         if item.power is None:
             return self.postfixed(call, after), k + 2
         if after.postfix or isinstance(item.power, Neg):
-            which = "does this power" if after.postfix else "is this the inverse function or the reciprocal? does it"
-            raise self.fail(item.at, f"{which} belong to {to_latex(name)} or to its value? write a power behind brackets")
+            shown = to_latex(name)
+            if after.postfix:
+                raise self.fail(item.at, f"two powers of {shown}; write one behind brackets around {shown} and its argument")
+            raise self.fail(
+                item.at, f"the inverse function of {shown}, or its reciprocal? write \\frac{{1}}{{{shown}(...)}} for that one"
+            )
         return Pow(call, item.power), k + 2
 
     def is_declared(self, name: Name, arguments: tuple[Tree, ...]) -> bool:
@@ -669,7 +673,7 @@ class Builder:
         if head.power is None:
             return call
         if isinstance(head.power, Neg):
-            raise self.fail(head.at, f"a negative power of {head.name} could mean its inverse function")
+            raise self.fail(head.at, f"the inverse function of {head.name}, or its reciprocal? write one or the other")
         return Pow(call, head.power)
 
     def entries(self, listing: Listing | None) -> tuple[Tree, ...]:
