@@ -19,7 +19,7 @@ LETTER_COMMANDS = frozenset(f"\\{name}" for name in f"{_GREEK} {_VARIANTS} {_OTH
 
 STYLES = frozenset({r"\mathbf", r"\boldsymbol", r"\mathcal", r"\mathbb", r"\bm"})
 ACCENTS = frozenset(
-    r"\dot \ddot \dddot \bar \overline \hat \tilde \vec \widetilde \widehat".split(),
+    [r"\dot", r"\ddot", r"\dddot", r"\bar", r"\overline", r"\hat", r"\tilde", r"\vec", r"\widetilde", r"\widehat"],
 )
 ROMAN = frozenset({r"\text", r"\mathrm", r"\operatorname", r"\textrm", r"\mbox"})
 

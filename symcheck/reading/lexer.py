@@ -48,7 +48,9 @@ _ENDS = frozenset({"NUMBER", "NAME", "TRANSPOSE", "DEGREE", "PRIMES", "DOTS", "I
 _OPERATORS = frozenset({"PLUS", "MINUS", "PM", "REL", "AND", "OR", "IMPLIES", "IFF", "CDOT", "TIMES", "SLASH"})
 _BREAKS = frozenset({"COMMA", "SEMI", "COLON"})
 WIDE_COMMA = r",\quad"
-_JOINS = _OPERATORS | _BREAKS | frozenset({"NEWLINE", "CELL", "ROW", "CARET", "TRANSPOSE", "DEGREE", "PRIMES", *PARTNER})
+_JOINS = (
+    _OPERATORS | _BREAKS | frozenset({"NEWLINE", "CELL", "ROW", "CARET", "TRANSPOSE", "DEGREE", "PRIMES", *PARTNER})
+)
 # The tokens that may be left out, doubled or exchanged for another of them where the statement stays the same: spaces,
 # line breaks and alignment, sizes of brackets, the sign of a product, what separates relations or ends a sentence.
 LAYOUT = SPACES | SIZES | frozenset({"&", r"\\", r"\cdot", ",", ";", "."})
@@ -519,9 +521,7 @@ class Lexer(tex.Reader):
                 self.fail(f"index {value} of {word} is outside its range {', '.join(map(str, letter.range))}", at)
         return Name(word, subscripts, primes), "NAME"
 
-    def dotted(
-        self, word: str, tokens: list[tex.Tok] | None, primes: int, at: int, place: int
-    ) -> tuple[Name, str]:
+    def dotted(self, word: str, tokens: list[tex.Tok] | None, primes: int, at: int, place: int) -> tuple[Name, str]:
         """A letter below dots that are its derivative by the time."""
         bare, dots = undotted(word)
         found, kind = self.declared(bare, tokens, primes, at, place)
@@ -574,7 +574,9 @@ class Lexer(tex.Reader):
             left, right = _says(reversed(out), PARTNER), _says(rest, PARTNER.values())
             if lexeme.value in THICK:
                 if left and right:
-                    self.fail("does this space part two relations, or two factors? write a comma, or no space", lexeme.at)
+                    self.fail(
+                        "does this space part two relations, or two factors? write a comma, or no space", lexeme.at
+                    )
             elif left:
                 out.append(Lexeme("SEMI", lexeme.value, lexeme.at))
             else:

@@ -149,7 +149,9 @@ class Lowering:
         names = set(_names(tuple(formulas)))
         for name, printed in self.met.items():
             if name not in names:
-                raise SymcheckError(f"{to_latex(printed)} is multiplied by 0 and says nothing in {relation.latex}; leave it out")
+                raise SymcheckError(
+                    f"{to_latex(printed)} is multiplied by 0 and says nothing in {relation.latex}; leave it out"
+                )
         return formulas
 
     def relation(self, relation: Relation) -> list[Formula]:
@@ -341,7 +343,9 @@ class Lowering:
         if letter.components is not None or (letter.kind in ("vector", "matrix")):
             return self.components(letter, stem, indices)
         if letter.kind == "function" and letter.depends is None and not letter.named:
-            raise SymcheckError(f"{to_latex(tree)} stands without its arguments; say what it depends on, as depends='x'")
+            raise SymcheckError(
+                f"{to_latex(tree)} stands without its arguments; say what it depends on, as depends='x'"
+            )
         return self.instance(letter, stem, indices, tree)
 
     def places(self, tree: Name, letter: Letter, env: Env) -> tuple[int, ...]:
@@ -458,7 +462,10 @@ class Lowering:
 
     def of_pow(self, tree: Pow, env: Env) -> Value:
         exponent = self.scalar(tree.exponent, env)
-        if isinstance(tree.base, Name) and self.notation.letter(tree.base.letter, len(tree.base.subscripts)).number == "e":
+        if (
+            isinstance(tree.base, Name)
+            and self.notation.letter(tree.base.letter, len(tree.base.subscripts)).number == "e"
+        ):
             return ("exp", exponent)
         if isinstance(exponent, tuple) and exponent[0] == "-" and isinstance(exponent[1], int):
             exponent = -exponent[1]
@@ -479,7 +486,9 @@ class Lowering:
             axes = [str(self.scalar(a, env)) for a in tree.arguments]
             angle = "_".join(axes)
             if self.notation.owner(angle) is not None:
-                raise SymcheckError(f"{to_latex(tree)} and a letter would both be lowered to {angle}; rename the letter")
+                raise SymcheckError(
+                    f"{to_latex(tree)} and a letter would both be lowered to {angle}; rename the letter"
+                )
             self.met = {each: at for each, at in self.met.items() if each not in axes}  # they stand in the angle's name
             return (name, angle)
         if len(tree.arguments) == 1 and name:

@@ -23,7 +23,24 @@ TIMES = ("t", r"\tau")
 _NUMBERS = {"e": "e", r"\text{e}": "e", "i": "i", r"\text{i}": "i", r"\text{j}": "i", r"\pi": "pi"}
 _SAID = {"e": "Euler's number", "i": "the imaginary unit", "pi": "the number pi"}
 _NAME = re.compile(r"[A-Za-z][A-Za-z0-9_]*")
-_FUNCTIONS = "sin cos tan sqrt exp log arctan arcsin arccos pow mean integral diverges diff call exists".split()
+_FUNCTIONS = [
+    "sin",
+    "cos",
+    "tan",
+    "sqrt",
+    "exp",
+    "log",
+    "arctan",
+    "arcsin",
+    "arccos",
+    "pow",
+    "mean",
+    "integral",
+    "diverges",
+    "diff",
+    "call",
+    "exists",
+]
 _VALUE = re.compile(rf"pi|infinity|({'|'.join(_FUNCTIONS)})(_.*)?|[A-Z][a-z]+_[0-9a-f]{{10}}")
 _PREFIXES = {r"\dot": "d", r"\ddot": "dd", r"\dddot": "ddd"}
 _SUFFIXES = {
@@ -91,7 +108,11 @@ class Letter:
             raise self.fault(f"number={self.number!r} does not fit it; only e, i and \\pi are numbers")
         said = self.number or self.name is not None
         if which and not said and (self.kind == "scalar" or (which != "i" and self.kind == "index")):
-            ways = f"say name={self.stem!r} for a letter" if self.kind == "index" else f"say number={which!r}, or name={self.stem!r}"
+            ways = (
+                f"say name={self.stem!r} for a letter"
+                if self.kind == "index"
+                else f"say number={which!r}, or name={self.stem!r}"
+            )
             raise self.fault(f"{_SAID[which]}, or a letter of its own? {ways}")
         if spelling == r"\text{d}" and self.kind != "differential" and self.name is None:
             raise self.fault("the d of a differential, or a letter of its own? say kind='differential', or name='d'")
@@ -223,7 +244,9 @@ class Notation:
         for letter in self._letters.values():
             for name, indices in _instances(letter):
                 if _VALUE.fullmatch(name):
-                    raise letter.fault(f"it would be lowered to {name}, which is a value; give it another name, name=...")
+                    raise letter.fault(
+                        f"it would be lowered to {name}, which is a value; give it another name, name=..."
+                    )
                 other, others = owners.setdefault(name, (letter, indices))
                 if (other, others) != (letter, indices):
                     both = f"{other.spelled(others)} and {letter.spelled(indices)}"
@@ -238,7 +261,9 @@ class Notation:
         bare, dots = undotted(canonical(letter.latex))
         below = self._letters.get((bare, letter.indices)) if dots else None
         if below is not None and below.depends and not below.named:
-            raise letter.fault(f"{below.latex} depends on {below.depends}, so this is its derivative; do not declare it")
+            raise letter.fault(
+                f"{below.latex} depends on {below.depends}, so this is its derivative; do not declare it"
+            )
 
     def owner(self, name: str) -> Letter | None:
         """The letter that is lowered to this variable or function, with primes or without."""
@@ -252,7 +277,9 @@ class Notation:
         return self._hash
 
     def __repr__(self) -> str:
-        habits = f"slash={self.slash!r}, bracket={self.bracket!r}, decimals={self.decimals!r}, argument={self.argument!r}"
+        habits = (
+            f"slash={self.slash!r}, bracket={self.bracket!r}, decimals={self.decimals!r}, argument={self.argument!r}"
+        )
         return f"Notation({list(self.letters)!r}, {habits})"
 
     def extended(self, *letters: Letter) -> Notation:

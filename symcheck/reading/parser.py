@@ -163,7 +163,9 @@ class Builder:
         signed = [[_is_signed(member) for member in chain.members] for chain in chains]
         links = [pair for chain in signed for pair in zip(chain, chain[1:], strict=False) if any(pair)]
         if sum(map(any, signed)) > 1 and not all(map(all, links)):
-            raise self.fail(0, "do the double signs of these relations switch together? write a statement for each sign")
+            raise self.fail(
+                0, "do the double signs of these relations switch together? write a statement for each sign"
+            )
         if any(sum(any(p) and not all(p) for p in zip(c, c[1:], strict=False)) > 1 for c in signed):
             raise self.fail(0, "do the double signs of this chain switch together? write a statement for each sign")
 
@@ -378,7 +380,8 @@ class Builder:
     def on_implies(self, nodes: list[Any]) -> Tree:
         if nodes[2].data == "implies":
             raise self.fail(
-                nodes[1].value.at, r"A \Rightarrow B \Rightarrow C is A \Rightarrow (B \Rightarrow C), or two; write brackets"
+                nodes[1].value.at,
+                r"A \Rightarrow B \Rightarrow C is A \Rightarrow (B \Rightarrow C), or two; write brackets",
             )
         return Implies(self.claim(nodes[0]), self.claim(nodes[2]))
 
@@ -454,7 +457,9 @@ class Builder:
         firsts = [tree.factors[0] if isinstance(tree, Mul) else tree for tree in (top, bottom)]
         firsts = [tree.base if isinstance(tree, Pow) else tree for tree in firsts]
         if isinstance(bottom, Mul) and all(isinstance(tree, Name) and tree.letter == "d" for tree in firsts):
-            raise self.fail(at, "a derivative, or a quotient by the letter d? write the d elsewhere, or name the letter D")
+            raise self.fail(
+                at, "a derivative, or a quotient by the letter d? write the d elsewhere, or name the letter D"
+            )
 
     def items(self, node: Any) -> list[Item]:
         return [self.build(n) if hasattr(n, "data") else Item("dot", n.value.at) for n in node.children]
@@ -598,9 +603,12 @@ class Builder:
         if after.postfix or isinstance(item.power, Neg):
             shown = to_latex(name)
             if after.postfix:
-                raise self.fail(item.at, f"two powers of {shown}; write one behind brackets around {shown} and its argument")
+                raise self.fail(
+                    item.at, f"two powers of {shown}; write one behind brackets around {shown} and its argument"
+                )
             raise self.fail(
-                item.at, f"the inverse function of {shown}, or its reciprocal? write \\frac{{1}}{{{shown}(...)}} for that one"
+                item.at,
+                f"the inverse function of {shown}, or its reciprocal? write \\frac{{1}}{{{shown}(...)}} for that one",
             )
         return Pow(call, item.power), k + 2
 
