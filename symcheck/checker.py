@@ -378,8 +378,9 @@ class Checker:
         require(not taken, "a value of {}: of a root, of a defined letter, or of an angle beside its sine", taken)
         texts = {x: [*map(int, v.split("/", 1))] for x, v in given.items() if isinstance(v, str)}  # "-3" or "2/7"
         numbers = {**given, **{x: v[0] if len(v) == 1 else ["/", *v] for x, v in texts.items()}}
+        plain = [(x, number) for x, number in numbers.items() if x[:4] not in ("sin_", "cos_")]
         for term, value, proof in point.get("functions", ()):  # the values of functions there, with proofs
-            inner = Checker({"definitions": [*numbers.items()], "hypotheses": {}, "claim": ["=", term, value]})
+            inner = Checker({"definitions": plain, "hypotheses": {}, "claim": ["=", term, value]})
             inner.check_proof(inner.claim, proof)
             algebra.settled[inner.algebra.value(term)] = inner.algebra.value(value)
         algebra.point, algebra.values = numbers, {x: v[0] for x, v in texts.items() if len(v) == 1}
@@ -455,6 +456,7 @@ def check(certificate: dict[str, Any]) -> str | None:
         evidence = {"proved": ("proof", checker.check_proof), "refuted": ("point", checker.check_point)}
         key, verify = evidence[certificate["verdict"]]
         verify(certificate["claim"], certificate[key])
+        checker.algebra.names(["and", certificate["claim"], *checker.hypotheses.values()])  # what is stated is used
         require(checker.algebra.met >= dict(certificate["definitions"]).keys(), "a definition is not used")
     except (Reject, Unknown) as error:
         return str(error)

@@ -28,6 +28,7 @@ def certificate(problem: Problem, outcome: Outcome) -> Certificate:
         kept = {name: [k for k in range(len(fs)) if (name, k) in given] for name, fs in hypotheses.items()}
         hypotheses = {name: [hypotheses[name][k] for k in ks] for name, ks in kept.items() if ks}
         body = {"verdict": "proved", "proof": _renumber(proof, kept)}
+        body |= {"witnesses": proof["witnesses"]} if "witnesses" in proof else {}
         mentioned: list[Any] = [problem.claim, list(hypotheses.values()), *terms_in(proof, dict(problem.definitions))]
     else:
         assert outcome.point is not None
@@ -53,7 +54,7 @@ def digest(stated: Certificate) -> str:
 def _renumber(node: Any, kept: dict[str, list[int]]) -> Any:
     """The proof with ["hyp", name, k] counted among the kept formulas."""
     if isinstance(node, dict):
-        return {key: _renumber(value, kept) for key, value in node.items() if key != "given"}
+        return {key: _renumber(value, kept) for key, value in node.items() if key not in ("given", "witnesses")}
     if isinstance(node, list):
         if len(node) == 3 and node[0] == "hyp":
             return ["hyp", node[1], kept[node[1]].index(node[2])]
@@ -65,7 +66,7 @@ def references(node: Any) -> set[tuple[str, int]]:
     """The hypotheses a proof refers to."""
     if isinstance(node, dict):
         own = {(name, k) for name, k in node.get("given", ())}
-        return own.union(*(references(value) for key, value in node.items() if key != "given"))
+        return own.union(*(references(value) for key, value in node.items() if key not in ("given", "witnesses")))
     if isinstance(node, list):
         if len(node) == 3 and node[0] == "hyp":
             return {(node[1], node[2])}
@@ -80,7 +81,9 @@ def terms_in(node: Any, definitions: Mapping[str, Term]) -> list[Any]:
         if "of" in node:
             theorem = theorem_of(node["of"], definitions)
             own += [side for formula in (*theorem.premises, theorem.conclusion) for side in sides(formula)]
-        return own + [t for key, value in node.items() if key != "of" for t in terms_in(value, definitions)]
+        return own + [
+            t for key, value in node.items() if key not in ("of", "witnesses") for t in terms_in(value, definitions)
+        ]
     if isinstance(node, list):
         if len(node) == 2 and node[0] == "positive":
             return [node[1]]
