@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import hashlib
 import json
-from dataclasses import replace
 from typing import Any
 
 from symcheck.proof.mentions import nonzero_terms, terms_in
@@ -34,9 +33,8 @@ def certificate(problem: Problem, outcome: Outcome, whole: Problem | None = None
         kept = {name: [k for k in range(len(fs)) if (name, k) in given] for name, fs in hypotheses.items()}
         hypotheses = {name: [hypotheses[name][k] for k in ks] for name, ks in kept.items() if ks}
         body = {"verdict": "proved", "proof": _renumber(proof, kept)}
-        assumed = whole or replace(problem, hypotheses=tuple((name, tuple(fs)) for name, fs in hypotheses.items()))
-        if points := find_witnesses(assumed, nonzero_terms(proof), proof_of):
-            body["witnesses"] = points
+        points = find_witnesses(whole, nonzero_terms(proof), proof_of) if whole else proof.get("witnesses")
+        body |= {"witnesses": points} if points else {}
         mentioned: list[Any] = [problem.claim, list(hypotheses.values()), *terms_in(proof, dict(problem.definitions))]
     else:
         assert outcome.point is not None
@@ -62,7 +60,7 @@ def digest(stated: Certificate) -> str:
 def _renumber(node: Any, kept: dict[str, list[int]]) -> Any:
     """The proof with ["hyp", name, k] counted among the kept formulas."""
     if isinstance(node, dict):
-        return {key: _renumber(value, kept) for key, value in node.items() if key != "given"}
+        return {key: _renumber(value, kept) for key, value in node.items() if key not in ("given", "witnesses")}
     if isinstance(node, list):
         if len(node) == 3 and node[0] == "hyp":
             return ["hyp", node[1], kept[node[1]].index(node[2])]

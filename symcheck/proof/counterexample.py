@@ -295,8 +295,8 @@ class Search:
                 return True
         return False
 
-    def _power(self, base: Fraction, exponent: Fraction = Fraction(1, 2)) -> Poly:
-        if exponent == Fraction(1, 2):
+    def _power(self, base: Fraction, exponent: Fraction | None = None) -> Poly:
+        if exponent is None:
             outside, primes = square_free(base)
             roots = [*map(table().root, primes)]
             if not self.roots.keys() >= {*roots}:

@@ -14,7 +14,7 @@ def references(node: Any) -> set[tuple[str, int]]:
     """The hypotheses a proof refers to."""
     if isinstance(node, dict):
         own = {(name, k) for name, k in node.get("given", ())}
-        return own.union(*(references(value) for key, value in node.items() if key != "given"))
+        return own.union(*(references(value) for key, value in node.items() if key not in ("given", "witnesses")))
     if isinstance(node, list):
         if len(node) == 3 and node[0] == "hyp":
             return {(node[1], node[2])}
@@ -29,7 +29,9 @@ def terms_in(node: Any, definitions: Mapping[str, Term]) -> list[Any]:
         if "of" in node:
             theorem = theorem_of(node["of"], definitions)
             own += [side for formula in (*theorem.premises, theorem.conclusion) for side in sides(formula)]
-        return own + [t for key, value in node.items() if key != "of" for t in terms_in(value, definitions)]
+        return own + [
+            t for key, value in node.items() if key not in ("of", "witnesses") for t in terms_in(value, definitions)
+        ]
     if isinstance(node, list):
         if len(node) == 2 and node[0] == "positive":
             return [node[1]]

@@ -33,11 +33,15 @@ VALUES = (
     4,
     5,
     -2,
+    -3,
+    -4,
+    -5,
     *(
         Fraction(n, d)
-        for n, d in ((1, 2), (1, 3), (2, 3), (1, 4), (3, 4), (3, 5), (4, 5), (2, 7), (3, 7), (6, 7), (1, 10))
+        for n, d in ((1, 2), (1, 3), (2, 3), (1, 4), (3, 4), (3, 5), (4, 5), (2, 7), (3, 7), (6, 7), (1, 10), (-1, 2))
     ),
 )
+POOLS: tuple[tuple[Any, ...], ...] = (VALUES[:2], VALUES[:4], VALUES, (0, 0, 0, 1, -1))
 Prover = Callable[[Problem], Outcome | None]
 Definitions = tuple[tuple[str, Term], ...]
 _DOMAINS: dict[str, Callable[..., Formula]] = {
@@ -57,10 +61,22 @@ def implications(claim: Formula) -> list[Formula]:
 
     "A => 0 = 1" is how it is said that A never holds: that has no premise.
     """
-    return [part[1] for part in conjuncts(claim) if part[0] == "=>" and part[2] not in (FALSE, ("or",))]
+    found: list[Formula] = []
+    for part in conjuncts(claim):
+        if part[0] == "=>" and part[2] not in (FALSE, ("or",)):
+            inner = implications(part[2])
+            found += [("and", part[1], further) for further in inner] or [part[1]]
+    return found
 
 
-def find_witnesses(problem: Problem, nonzero: Sequence[Term], prove: Prover) -> list[Certificate] | None:
+def find_witness(problem: Problem, nonzero: Sequence[Term] = (), prove: Prover = lambda _: None) -> Certificate | None:
+    """The same where one point will do for all implications of the claim."""
+    return _witness(problem, nonzero, implications(problem.claim), prove)
+
+
+def find_witnesses(
+    problem: Problem, nonzero: Sequence[Term] = (), prove: Prover = lambda _: None
+) -> list[Certificate] | None:
     """Points where the hypotheses hold, definitions have values and the terms `nonzero` are not zero; None if none.
 
     One point for all implications of the claim, where their premises hold too; or, where there is no such point or it
@@ -75,7 +91,9 @@ def find_witnesses(problem: Problem, nonzero: Sequence[Term], prove: Prover) -> 
     return found if len(found) == len(each) else None
 
 
-def _witness(problem: Problem, nonzero: Sequence[Term], premises: Sequence[Formula], prove: Prover) -> Any:
+def _witness(
+    problem: Problem, nonzero: Sequence[Term], premises: Sequence[Formula], prove: Prover
+) -> Certificate | None:
     stated = [part for _, formulas in problem.hypotheses for formula in formulas for part in conjuncts(formula)]
     stated += [part for premise in premises for part in conjuncts(premise)]
     stated += [("!=", term, 0) for term in nonzero if not _plainly_nonzero(term)]
@@ -171,6 +189,8 @@ class _Draws(Search):
     def _candidates(self, angles: Sequence[str]) -> Iterator[Point]:
         scalars = [name for name in self.free if circle(name) is None]
         equations = [self._gap(f).num for f in self.formulas if f[0] == "=" and not self._functions_in(f)]
+        if any(self._impossible(formula) for formula in self.formulas):
+            return
         steps, equations = self._eliminated([poly for poly in equations if poly != 0], scalars)
         last = dict(self._said_by_functions(scalars))
         left = [name for name in scalars if name not in last and name not in [x for x, _, _ in steps]]
@@ -179,13 +199,22 @@ class _Draws(Search):
                 return
             rng = random.Random(seed)
             point: Point = {}
-            drawn = self._draw(rng, point, [*left, *angles], equations, VALUES[: (2, 4, len(VALUES))[seed % 3]])
+            drawn = self._draw(rng, point, [*left, *angles], equations, POOLS[seed % len(POOLS)])
             if drawn and self._complete(point, steps) and self._ordered(point) and self._evaluate(point):
                 try:
                     point.update({x: self._side(term, point) for x, term in last.items()})
                 except ZeroDivisionError:
                     continue
                 yield point
+
+    def _impossible(self, formula: Formula) -> bool:
+        """Whether both sides of an order are the same, or those of an equation differ by a number."""
+        if formula[0] not in RELATIONS:
+            return False
+        gap = self._gap(formula).num
+        if formula[0] == "=":
+            return bool(gap != 0 and gap.is_constant())
+        return bool(gap == 0 and formula[0] in ("!=", "<", ">"))
 
     def _said_by_functions(self, scalars: Sequence[str]) -> Iterator[tuple[str, Term]]:
         """Letters with what they are said to be, where that has functions in it; nothing else depends on them."""
