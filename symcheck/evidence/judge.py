@@ -210,7 +210,12 @@ def _is_vacuous(context: Context, problem: Problem) -> bool:
 
 @cache
 def _contradictory(definitions: Definitions, stated: tuple[Formula, ...]) -> bool:
-    """Whether the equations have no solution, or the other conditions imply the contrary of one of them."""
+    """Whether the equations have no solution, or the other conditions imply the contrary of one of them.
+
+    Mostly there is a point at which all of them hold, and to find it takes much less than to look for proofs in vain.
+    """
+    if refute(Problem("together", ("=", 0, 1), definitions, (("all", stated),))) is not None:
+        return False
 
     def follows(claim: Formula, *left_out: Formula) -> bool:
         rest = tuple(formula for formula in stated if formula not in left_out)

@@ -72,6 +72,23 @@ def fails_at(problem: Problem, values: Mapping[str, Any]) -> bool:
         return False
 
 
+def failing(problem: Problem) -> Callable[[Mapping[str, int]], bool] | None:
+    """The same for whole numbers at many points, where no functions occur; None for terms without a place in a ring."""
+    try:
+        search = _Search(problem, problem.claim, lambda _: None)
+    except Unsupported:
+        return None
+
+    def fails(values: Mapping[str, int]) -> bool:
+        try:
+            point = {name: search.ring.number(values[name]) for name in search.free}
+            return all(search._truth(f, point) for f in search.formulas) and search._refutes(point)
+        except (Unsupported, ZeroDivisionError):
+            return False
+
+    return fails
+
+
 def _point(problem: Problem, prove: Prover) -> Certificate | None:
     claim = problem.claim
     if _quantified(claim):

@@ -11,7 +11,7 @@ from typing import Any, NamedTuple
 
 from symcheck.proof.angle_points import refute_about_angles
 from symcheck.proof.certificate import certificate
-from symcheck.proof.counterexample import fails_at
+from symcheck.proof.counterexample import failing
 from symcheck.proof.methods import proof_of, refute
 from symcheck.proof.polynomial import Unsupported, alone, letters_of, parts, rebuilt, subterms
 from symcheck.proof.theorems import RELATIONS, Terms, conjuncts, contrary
@@ -72,10 +72,10 @@ def _refuted_by_chance(problem: Problem) -> Certificate | None:
     if any(isinstance(node, tuple) and node[0] not in PLAIN for node in subterms(stated) if node is not stated):
         return None
     letters = sorted(Terms({}).names(stated) - terms.keys())
-    draw = random.Random(problem.id)
-    for _ in range(DRAWS):
+    draw, fails = random.Random(problem.id), failing(problem)
+    for _ in range(DRAWS if fails else 0):
         point = {letter: draw.choice(DRAWN) for letter in letters}
-        if fails_at(problem, {letter: str(value) for letter, value in point.items()}):
+        if fails and fails(point):
             return refute(replace(problem, hints=tuple((f"point.{letter}", value) for letter, value in point.items())))
     return None
 
