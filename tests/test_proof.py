@@ -10,7 +10,7 @@ from saboteurs import unsound
 from statements import DISTINCT, DISTINCT_AS_PRINTED, FALSE, ORTHOGONAL, RIGHT, TRUE, J, L, eq, mul, over, sq, sub
 
 from symcheck import kernels
-from symcheck.checker import Checker, check
+from symcheck.evidence.checked import reason as check
 from symcheck.proof import cases, certificate, equivalent, existence, identity, nonnegative
 from symcheck.proof.groebner import Basis, is_basis
 from symcheck.proof.ideal import Ideal

@@ -172,3 +172,8 @@ def _spoken_of(record: Record, row: Mapping[str, Any]) -> list[Certificate]:
         return [*own]
     equality = row["given"] == FOR_EQUALITY
     return [each for each, of in zip(own, apart, strict=True) if of is equality]
+
+
+def reason(certificate: Certificate) -> str | None:
+    """None if the checker accepts a certificate without lemmas, else why not."""
+    return reasons([certificate])[0]

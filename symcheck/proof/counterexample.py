@@ -75,7 +75,7 @@ def fails_at(problem: Problem, values: Mapping[str, Any]) -> bool:
 def failing(problem: Problem) -> Callable[[Mapping[str, int]], bool] | None:
     """The same for whole numbers at many points, where no functions occur; None for terms without a place in a ring."""
     try:
-        search = _Search(problem, problem.claim, lambda _: None)
+        search = Search(problem, problem.claim, lambda _: None)
     except Unsupported:
         return None
 
