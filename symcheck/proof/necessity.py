@@ -103,11 +103,11 @@ def _none_exists(problem: Problem) -> Certificate | None:
     for each in tuple(relations):
         rest = [other for other in relations if other != each]
         relations = relations if _contradictory(problem, rest) is None else rest
-    return _contradictory(problem, relations)
+    return _contradictory(problem, relations, vacuous=False) or _contradictory(problem, relations)
 
 
-def _contradictory(problem: Problem, relations: Sequence[Formula]) -> Certificate | None:
-    """The proof that the first order among the relations fails where the others hold."""
+def _contradictory(problem: Problem, relations: Sequence[Formula], vacuous: bool = True) -> Certificate | None:
+    """The proof that the first order among the relations fails where the others hold, be it nowhere if `vacuous`."""
     order = next((each for each in relations if each[0] in ORDERS), None)
     if order is None:
         return None
@@ -115,7 +115,7 @@ def _contradictory(problem: Problem, relations: Sequence[Formula]) -> Certificat
     if others := [each for each in relations if each != order]:
         claim = ("=>", ("and", *others) if others[1:] else others[0], claim)
     failing = replace(problem, claim=claim)
-    proof = proof_of(failing)
+    proof = proof_of(failing, vacuous)
     return certificate(failing, proof) if proof else None
 
 
