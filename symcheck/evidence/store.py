@@ -11,6 +11,7 @@ import json
 import os
 from collections.abc import Iterable, Mapping
 from difflib import unified_diff
+from hashlib import sha256
 from pathlib import Path
 from types import MappingProxyType
 from typing import Any
@@ -21,6 +22,7 @@ from symcheck.evidence.record import Record
 from symcheck.statement import Certificate, SymcheckError, Verdict
 
 SCHEMA = 1
+DIGITS = 16  # of a digest
 Kernels = tuple[Mapping[str, str], Iterable[Certificate]]  # texts by the names of their files, proofs
 CERTIFICATES = "certificates"
 EXPECTED = "expected"
@@ -137,16 +139,25 @@ def _expectation(record: Record) -> list[str | None]:
     return [record.verdict, record.reading]
 
 
+def short_digest(text: str) -> str:
+    """Enough to tell apart what nobody makes alike."""
+    return sha256(text.encode()).hexdigest()[:DIGITS]
+
+
 def line(value: Any) -> str:
     """JSON that depends on the value alone."""
     return json.dumps(value, sort_keys=True, ensure_ascii=False, separators=(",", ":"))
 
 
-def document(paper: str, name: str, brackets: str, lines: Iterable[str]) -> bytes:
-    """A file of a paper: one JSON object, its members under `name` between `brackets`, a line for each."""
+def document(paper: str, name: str, brackets: str, lines: Iterable[str], sealed: bool = False) -> bytes:
+    """A file of a paper: one JSON object, its members under `name` between `brackets`, a line for each.
+
+    If it is `sealed`, with a digest of them, so that nobody changes one by hand unnoticed.
+    """
     body = ",\n".join(lines)
+    seal = f', "digest": {line(short_digest(body))}' if sealed else ""
     head = f'{{"schema": {SCHEMA}, "paper": {line(paper)}, "{name}": {brackets[0]}\n'
-    return f"{head}{body}\n{brackets[1]}}}\n".encode()
+    return f"{head}{body}\n{brackets[1]}{seal}}}\n".encode()
 
 
 def _present(folder: Path) -> set[str]:
