@@ -12,14 +12,15 @@ import sys
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, replace
-from multiprocessing import get_context
-from multiprocessing.connection import Connection
 from types import MappingProxyType
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from symcheck import checker
 from symcheck.evidence.record import Record
 from symcheck.statement import Certificate, Loss, Reading, Verdict
+
+if TYPE_CHECKING:
+    from multiprocessing.connection import Connection
 
 FOR_EQUALITY = "for the set of equality"  # of a hypothesis that is in force nowhere else
 MANY = 500  # certificates that take longer than it takes to start another process
@@ -44,6 +45,8 @@ def _reasons(certificates: Sequence[Certificate]) -> list[str | None]:
     """The same, where there are many half of them in another process."""
     if len(certificates) < MANY or not _may_fork():
         return reasons(certificates)
+    from multiprocessing import get_context
+
     context = get_context("fork")
     receiver, sender = context.Pipe(duplex=False)
     own, other = (_with_lemmas(certificates[k::2], certificates) for k in range(2))

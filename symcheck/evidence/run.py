@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import gc
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Generator, Iterable, Iterator, Mapping, Sequence
 from contextlib import closing, contextmanager
 from dataclasses import replace
 from difflib import get_close_matches
@@ -88,8 +88,9 @@ def audit(
         cache.say(f"{refused} of the results in the cache {are} not accepted by the checker; deciding again")
     progress(len(records), len(needed))
     new: dict[str, tuple[Record, ...]] = {}
+    open_ids = [id for id in needed if id not in records]
     try:
-        with closing(executor.map(decide.decide, [id for id in needed if id not in records], timeout)) as answers:
+        with closing(executor.map(decide.decide, open_ids, timeout) if open_ids else _nothing()) as answers:
             for id, answer in answers:
                 new[id] = _records(obligations[id], answer)
                 if isinstance(answer, Done):
@@ -115,6 +116,11 @@ def _uncollected() -> Iterator[None]:
         gc.freeze()  # nor is it later
         if was_enabled:
             gc.enable()
+
+
+def _nothing() -> Generator[tuple[str, Answer[tuple[Record, ...]]]]:
+    """The answers where nothing is asked, for which no process is started."""
+    yield from ()
 
 
 def _told(new: checked.Rows, records: checked.Rows) -> dict[str, tuple[Record, ...]]:
