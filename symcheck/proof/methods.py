@@ -34,17 +34,16 @@ def refute(problem: Problem) -> Certificate | None:
             return None
 
 
-def proof_of(problem: Problem, vacuous: bool = False) -> Outcome | None:
+def proof_of(problem: Problem) -> Outcome | None:
     """A proof, or None; unlike a method it looks for no counterexample.
 
-    What it rests on holds at some point, except where "0 = 1" is proved, that its hypotheses contradict one another,
-    or where it may be `vacuous`.
+    What it rests on holds at some point, except where "0 = 1" is proved: that its hypotheses contradict one another.
     """
     with alone(problem):
         try:
             check_terms(problem)
             outcome = deciding.prove(problem, prove)
-            if outcome is None or vacuous or problem.claim == FALSE:
+            if outcome is None or problem.claim == FALSE:
                 return outcome
             outcome = deciding.with_witnesses(problem, outcome, prove)
             return outcome if outcome.verdict is Verdict.PROVED else None
