@@ -48,11 +48,11 @@ class Algebra:
         self.shared = {
             id(term): term for term in shared.values() if isinstance(term, tuple)
         }  # what definitions stand for
-        self.known: dict[int, int] = {}  # their values
+        self.known: dict[int, tuple[int, int]] = {}  # their values, and how steep they are
         self.values: dict[str, int] = {}  # of letters
         self.bound: dict[str, tuple[object, ...]] = {}  # the keys of bound letters
         self.settled: dict[int, int] = {}  # values of functions at the point, by what is drawn for them
-        self.scale = 1
+        self.scale = self.steepest = 1
         self.divisors: dict[int, bool] = {}  # value -> whether it depends on letters or functions
         self.atoms: dict[str, Term] = {}  # terms that stand as letters in polynomials
         self.polynomial = POLYNOMIAL
@@ -69,8 +69,14 @@ class Algebra:
         """The value of a term; sums and products are not reduced modulo the prime."""
         if id(term) in self.shared and not self.bound:
             if id(term) not in self.known:
-                self.known[id(term)] = OPERATIONS[type(term)](self, term) % self.prime
-            return self.known[id(term)]
+                before, self.steepest = self.steepest, self.scale
+                value = OPERATIONS[type(term)](self, term) % self.prime
+                self.known[id(term)] = value, self.steepest // self.scale
+                self.steepest = max(before, self.steepest)
+            value, factor = self.known[id(term)]
+            self.steeper(factor)
+            self.scale //= factor
+            return value
         return OPERATIONS[type(term)](self, term)
 
     def letter(self, name: str) -> int:
@@ -115,6 +121,7 @@ class Algebra:
 
     def steeper(self, factor: int) -> None:
         self.scale *= factor
+        self.steepest = max(self.steepest, self.scale)
         require(self.scale < STEEPEST, "the exponent {}", factor)
 
     def inverse(self, term: Term) -> int:
@@ -129,6 +136,8 @@ class Algebra:
             return pow(value, term.exponent, self.prime)
         value = self.value(term) % self.prime
         self.divisors[value] = self.divisors.get(value, False) or not exact(term)
+        if self.point is not None and self.bound:  # nobody asks later
+            require(exact(term) or self.chance.rational(value), "{} may be zero under a binder", term)
         return self.chance.inverse(value)
 
     def function(self, term: Value) -> int:

@@ -4,23 +4,30 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 
-from symcheck.checker.algebra import Algebra
+from symcheck.checker.algebra import Algebra, exact
 from symcheck.checker.residues import Reject, require
-from symcheck.checker.rules import Prover, Step, conjuncts, contrary, enclosure, sides, string
+from symcheck.checker.rules import Prover, Step, conjuncts, contrary, enclosure, sides, string, truth
 from symcheck.core.calculus import Unknown
 from symcheck.core.terms import (
     JSON,
     Call,
     Formula,
     Malformed,
+    Power,
     Quotient,
     Reader,
     Term,
+    Value,
+    children,
     functions,
     letters,
     node,
     substituted,
 )
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from symcheck.core.terms import T
 
 MALFORMED = (LookupError, TypeError, ValueError, AttributeError, ArithmeticError, RecursionError, AssertionError)
 
@@ -40,17 +47,19 @@ class Certificate:
                 partial.define(string(name), term)
         self.reader, own = (partial, {x: whole.names[x] for x in free}) if free else (whole, {})
 
-        def read(formula: JSON) -> Formula:
-            found = self.reader.formula(formula)
-            require(not own or substituted(found, own) == whole.formula(formula), "{} is bound in {}", free, formula)
+        def same(found: T, meant: T) -> T:
+            require(not own or substituted(found, own) == meant, "{} is bound in {}", free, found)
             return found
+
+        def read(formula: JSON) -> Formula:
+            return same(self.reader.formula(formula), whole.formula(formula))
 
         self.hypotheses = {
             ("hyp", name, k): read(formula)
             for name, formulas in step.mapping("hypotheses").items()
             for k, formula in enumerate(formulas if isinstance(formulas, list) else [formulas])
         }
-        self.nonzero = [self.reader.term(term) for term in step.items("nonzero")]
+        self.nonzero = [same(self.reader.term(term), whole.term(term)) for term in step.items("nonzero")]
         self.lemmas = [(string(name), read(formula)) for name, formula in map(pair, step.items("lemmas"))]
         self.claim = read(step.take("claim"))
         self.own, self.step, self.whole = own, step, whole
@@ -89,13 +98,10 @@ class Certificate:
             prover.learn(name, formula)
         for term in sides(self.claim) if self.nonzero else ():
             prover.algebra.value(term)
-        divisors = {**prover.algebra.divisors}
-        prover.listed = {prover.algebra.value(term) % prover.algebra.prime: term for term in self.nonzero}
-        prover.tops = {
-            prover.algebra.value(t.top) % prover.algebra.prime for t in self.nonzero if isinstance(t, Quotient)
-        }
-        prover.algebra.divisors = divisors  # those in the terms listed are not the statement's own
-        superfluous = prover.listed.keys() - divisors.keys()
+        aside = Algebra(self.reader.names)  # what the terms listed are divided by is not the statement's own
+        prover.listed = {aside.value(term) % aside.prime: term for term in self.nonzero}
+        prover.tops = {aside.value(t.top) % aside.prime for t in self.nonzero if isinstance(t, Quotient)}
+        superfluous = prover.listed.keys() - prover.algebra.divisors.keys()
         require(not superfluous, "{} is no denominator of the statement", [prover.listed[v] for v in superfluous])
         facts = [formula for _, formula in self.lemmas]
         goal = node("=>", node("and", *facts), self.claim) if facts else self.claim
@@ -111,17 +117,19 @@ class Certificate:
 
     def check_point(self) -> None:
         """The hypotheses hold at the point, the claim does not; its sides have the stated values there."""
+        require(not self.lemmas, "a point needs no lemmas")
         step = Step(self.step.take("point"), self.whole)
         stated, shown = [*map(self.whole.term, step.items("sides"))], step.items("enclosed")
-        formulas = [self.unfolded(formula) for formula in (*self.hypotheses.values(), contrary(self.claim))]
+        assumed = [*self.hypotheses.values(), *(node("!=", term, 0) for term in self.nonzero)]
+        formulas = [self.unfolded(formula) for formula in (*assumed, contrary(self.claim))]
         at = self.hold(node("and", *formulas), step, refuting=True)
         if stated:
             same = [at.value(t) % at.prime for t in stated] == [at.value(t) % at.prime for t in sides(self.claim)]
             require(same, "a side has another value at the point")
         for entry in shown:
-            data, digits, *ends = entry if isinstance(entry, list) else []
+            data, digits, low, high = entry if isinstance(entry, list) else []
             term = substituted(self.whole.term(data), at.point or {})
-            order = [node("<=", self.whole.term(ends[0]), term), node("<=", term, self.whole.term(ends[1]))]
+            order = [node("<=", self.whole.term(low), term), node("<=", term, self.whole.term(high))]
             require(enclosure(term, self.whole.term(digits), {})[1] == order, "{} lies elsewhere", data)
 
     def hold(self, formula: Formula, step: Step, refuting: bool = False) -> Algebra:
@@ -134,17 +142,20 @@ class Certificate:
         prover = Prover(read, at)
         for call, value in map(pair, step.items("calls")):
             term = read.term(call)
-            require(isinstance(term, Call) and not letters(term), "{} is no function at a point", call)
+            known = isinstance(term, Call) and all(map(exact, term.arguments))  # two numbers are told apart
+            require(known, "{} is no function at a point", call)
             place = prover.algebra.value(term)
             require(place not in at.settled, "{} has two values", call)
             at.settled[place] = at.value(read.term(value)) % at.prime
         # a hypothesis about a function speaks of all its values, a point of a few
-        known = set().union(*(functions(f) for f in self.hypotheses.values())) if refuting else set()
-        require(not (at.settled and known), "what is assumed of {} is not only so at one point", known)
+        spoken = set().union(*(functions(f) for f in self.hypotheses.values())) if refuting else set()
+        require(not (at.settled and spoken), "what is assumed of {} is not only so at one point", spoken)
         proof = step.data.pop("proof", None)
-        for k, (x, number) in enumerate(values.items() if proof else ()):
+        for k, (x, number) in enumerate(values.items() if proof is not None else ()):
             prover.learn(("point", k), node("=", x, number))
-        prover.prove(formula, proof or {"rule": "compute"})
+        for condition in domains(formula) if refuting and proof is not None else ():  # to compute is to find values
+            require(truth(condition, at), "a term has no value at the point: {} is not so", condition)
+        prover.prove(formula, {"rule": "compute"} if proof is None else proof)
         prover.finish()
         step.end()
         return at
@@ -155,6 +166,25 @@ def pair(data: JSON) -> tuple[JSON, JSON]:
     return (data[0], data[1]) if isinstance(data, list) else (None, None)
 
 
+def domains(tree: Term | Formula) -> Iterator[Formula]:
+    """What must be so lest a term have no value. Of what stands under a binder nothing is asked."""
+    for child, inside in children(tree) if isinstance(tree, tuple) else ():
+        yield from () if inside else domains(child)
+    match tree:
+        case Quotient(bottom=divisor):
+            yield node("!=", divisor, 0)
+        case Power(base=divisor, exponent=n) if n < 0:
+            yield node("!=", divisor, 0)
+        case Value(tag="tan", arguments=(angle,)):
+            yield node("!=", node("cos", angle), 0)
+        case Value(tag="sqrt", arguments=(t,)):
+            yield node(">=", t, 0)
+        case Value(tag="log" | "gamma" | "pow", arguments=(t, *_)):
+            yield node(">", t, 0)
+        case Value(tag="arcsin" | "arccos", arguments=(t,)):
+            yield node("<=", node("^", t, 2), 1)
+
+
 def supposed(claim: Formula) -> list[list[Formula]]:
     """What must hold somewhere lest the claim be empty: nothing, or the premises of each of its implications."""
     match claim:
@@ -163,6 +193,9 @@ def supposed(claim: Formula) -> list[list[Formula]]:
             return [premises for premises in each if premises] or [[]]
         case ("=>", premise, conclusion):
             return [[premise, *others] for others in supposed(conclusion)]  # type: ignore[arg-type, list-item]
+        case ("forall", letters, body):
+            each = supposed(body)  # type: ignore[arg-type]
+            return [[node("exists", letters, node("and", *premises))] if premises else [] for premises in each]
     return [[]]
 
 

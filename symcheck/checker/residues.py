@@ -89,10 +89,12 @@ def polynomials(letter: Callable[[str], int]) -> Callable[[str], int]:
         if text[:1] == "-":
             return -factor(text[1:])
         if text[:1].isdecimal():
-            top, _, bottom = text.partition("/")
+            top, slash, bottom = text.partition("/")
+            require((top + bottom).isdecimal() and bool(bottom) == bool(slash), "the factor {}", text)
             return int(top) * CHANCE.inverse(int(bottom or 1))
-        name, _, exponent = text.partition("^")
-        require((exponent or "1").isdecimal() and len(exponent) < 4, "the factor {!r}", text)  # no division
+        name, power_, exponent = text.partition("^")
+        require(name.isidentifier() and bool(exponent) == bool(power_), "the factor {}", text)
+        require((exponent or "1").isdecimal() and len(exponent) < 4, "the factor {}", text)  # no division
         return pow(letter(name), int(exponent or 1), CHANCE.prime)
 
     @lru_cache(None)

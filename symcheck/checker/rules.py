@@ -360,7 +360,8 @@ class Prover:
             return congruence(given.pop("s", 0), given.pop("t", 0), *given)
         if name == "enclosure":
             numbers = {x: self.reader.term(t) for x, t in step.mapping("numbers").items()}
-            premises, order = enclosure(given["t"], given["digits"], numbers)
+            premises, order = enclosure(given.pop("t"), given.pop("digits"), numbers)
+            require(not given, "{} is nothing that has digits", [*given])
             return premises, node("and", *order)
         return instance(name, given)
 
