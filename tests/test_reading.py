@@ -325,7 +325,9 @@ def test_a_double_sign_on_one_side_is_an_alternative_and_on_both_sides_two_claim
     assert first == ("or", ("=", "p", ("+", "c", "k")), ("=", "p", ("+", "c", ("-", "k"))))
     assert upper == ("=", ("+", "c", "k"), ("-", ("+", "c", ("-", 1))))
     assert lower_ == ("=", ("+", "c", ("-", "k")), ("-", ("+", "c", 1)))
-    assert formulas(r"J_i = \pm c") == tuple(("or", ("=", f"J_{n}", "c"), ("=", f"J_{n}", ("-", "c"))) for n in (1, 2, 3))
+    assert formulas(r"J_i = \pm c") == tuple(
+        ("or", ("=", f"J_{n}", "c"), ("=", f"J_{n}", ("-", "c"))) for n in (1, 2, 3)
+    )
     assert formulas(r"k \ne \pm c") == (("!=", "k", "c"), ("!=", "k", ("-", "c")))
     vector = formulas(r"\mathbf{K} = \pm \mathbf{M}")
     assert vector == (
@@ -379,7 +381,9 @@ def test_an_interval_says_whether_it_has_its_ends(interval):
 
 
 def test_a_function_may_have_components():
-    notation = NOTATION.extended(Letter(r"\mathbf{f}", kind="function", depends=r"\mathbf{K}", components="(c k, 0, 0)"))
+    notation = NOTATION.extended(
+        Letter(r"\mathbf{f}", kind="function", depends=r"\mathbf{K}", components="(c k, 0, 0)")
+    )
     assert formulas(r"\mathbf{f}(\mathbf{K}) = 0", notation)[0] == ("=", ("*", "c", "k"), 0)
     with pytest.raises(SymcheckError, match="known by its name"):
         formulas(r"\mathbf{f}(\mathbf{M}) = 0", notation)

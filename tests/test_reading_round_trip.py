@@ -164,7 +164,9 @@ def logical(inner: st.SearchStrategy[Tree]) -> st.SearchStrategy[Tree]:
 def uses_its_indices(tree: Tree) -> bool:
     """Does every index that is given values occur?"""
     assert isinstance(tree, System)
-    used = {index for part in tree.parts for _, node in walk(part) if isinstance(node, Name) for index in node.subscripts}
+    used = {
+        index for part in tree.parts for _, node in walk(part) if isinstance(node, Name) for index in node.subscripts
+    }
     return all(index in used for qualifier in tree.qualifiers for index in qualifier.indices)
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 from collections.abc import Collection, Iterable
 from dataclasses import dataclass, replace
 from typing import Any, NoReturn
@@ -48,7 +49,9 @@ _ENDS = frozenset({"NUMBER", "NAME", "TRANSPOSE", "DEGREE", "PRIMES", "DOTS", "I
 _OPERATORS = frozenset({"PLUS", "MINUS", "PM", "REL", "AND", "OR", "IMPLIES", "IFF", "CDOT", "TIMES", "SLASH"})
 _BREAKS = frozenset({"COMMA", "SEMI", "COLON"})
 WIDE_COMMA = r",\quad"
-_JOINS = _OPERATORS | _BREAKS | frozenset({"NEWLINE", "CELL", "ROW", "CARET", "TRANSPOSE", "DEGREE", "PRIMES", *PARTNER})
+_JOINS = (
+    _OPERATORS | _BREAKS | frozenset({"NEWLINE", "CELL", "ROW", "CARET", "TRANSPOSE", "DEGREE", "PRIMES", *PARTNER})
+)
 # The tokens that may be left out, doubled or exchanged for another of them where the statement stays the same: spaces,
 # line breaks and alignment, sizes of brackets, the sign of a product, what separates relations or ends a sentence.
 LAYOUT = SPACES | SIZES | frozenset({"&", r"\\", r"\cdot", ",", ";", "."})
@@ -445,8 +448,8 @@ class Lexer(tex.Reader):
             return
         shown, inside = name or "", text[2:-2].strip("()")
         self.fail(
-            f"{shown}{text} may be an index, the order of a derivative, or a power: declare {name or 'a letter '}{text}, "
-            f"write primes or a fraction, or write {shown}^{{{inside}}}"
+            f"{shown}{text} may be an index, the order of a derivative, or a power: declare {name or 'a letter '}"
+            f"{text}, write primes or a fraction, or write {shown}^{{{inside}}}"
         )
 
     def name(self, word: str, at: int) -> None:
@@ -519,9 +522,7 @@ class Lexer(tex.Reader):
                 self.fail(f"index {value} of {word} is outside its range {', '.join(map(str, letter.range))}", at)
         return Name(word, subscripts, primes), "NAME"
 
-    def dotted(
-        self, word: str, tokens: list[tex.Tok] | None, primes: int, at: int, place: int
-    ) -> tuple[Name, str]:
+    def dotted(self, word: str, tokens: list[tex.Tok] | None, primes: int, at: int, place: int) -> tuple[Name, str]:
         """A letter below dots that are its derivative by the time."""
         bare, dots = undotted(word)
         found, kind = self.declared(bare, tokens, primes, at, place)
@@ -562,7 +563,7 @@ class Lexer(tex.Reader):
         return f"the index letters are {', '.join(self.notation.indices()) or 'none'}"
 
     def parted(self) -> None:
-        """Spaces settled: between two factors a wide one parts relations, and so may another; elsewhere it is layout."""
+        """Spaces settled: between two factors a wide one parts relations, another may; elsewhere they are layout."""
         out: list[Lexeme] = []
         for k, lexeme in enumerate(self.out):
             if lexeme.type != "GAP":
@@ -574,7 +575,9 @@ class Lexer(tex.Reader):
             left, right = _says(reversed(out), PARTNER), _says(rest, PARTNER.values())
             if lexeme.value in THICK:
                 if left and right:
-                    self.fail("does this space part two relations, or two factors? write a comma, or no space", lexeme.at)
+                    self.fail(
+                        "does this space part two relations, or two factors? write a comma, or no space", lexeme.at
+                    )
             elif left:
                 out.append(Lexeme("SEMI", lexeme.value, lexeme.at))
             else:
@@ -621,3 +624,30 @@ def _says(lexemes: Iterable[Lexeme], into: Collection[str]) -> bool:
         elif not depth and lexeme.type == "REL":
             return True
     return False
+
+
+def layout(source: str) -> set[int]:
+    """The places of the tokens of a formula that are layout.
+
+    Those of LAYOUT, the names and columns of environments, one of two equal signs on both sides of a line break, and
+    the transposition of a list in brackets, which prints a column as a row.
+    """
+    tokens = tex.tokenize(source)
+    found = {tok.at for tok in tokens if tok.text in LAYOUT}
+    for k, tok in enumerate(tokens):
+        if tok.text in (r"\begin", r"\end"):
+            end = next((m for m in range(k, len(tokens)) if tokens[m].text == "}"), k)
+            if (
+                end + 1 < len(tokens) and tokens[end + 1].text == "{" and tokens[end - 1].text == "y"
+            ):  # an array's columns
+                end = next((m for m in range(end + 1, len(tokens)) if tokens[m].text == "}"), end)
+            found.update(each.at for each in tokens[k : end + 1])
+    counting = [tok for tok in tokens if tok.at not in found]
+    for tok, after in itertools.pairwise(counting):
+        broken = r"\\" in source[tok.at : after.at]
+        if broken and tok.text == after.text:
+            found.update((tok.at, after.at))
+    for (a, b), c in zip(itertools.pairwise(tokens), tokens[2:], strict=False):
+        if (a.text, b.text, c.text) == ("]", "^", "T"):
+            found.update((b.at, c.at))
+    return found

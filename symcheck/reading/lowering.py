@@ -73,8 +73,9 @@ def lower(item: Relation | Tree, notation: Notation) -> tuple[Formula, ...]:
 
     One formula for each value of the free indices (the first index that occurs varies slowest) and for each component
     of a vector or matrix (by rows). `\\pm` on one side of an equality says that one of the signs holds, on both sides
-    that both hold, each with the upper or the lower signs throughout. In a list of cases or a logical formula a free index of one relation means all its values. Errors: SymcheckError for what
-    has no algebraic form, shapes that do not fit, misused indices.
+    that both hold, each with the upper or the lower signs throughout. In a list of cases or a logical formula a free
+    index of one relation means all its values. Errors: SymcheckError for what has no algebraic form, shapes that do
+    not fit, misused indices.
     """
     found = (item,) if isinstance(item, Relation) else relations(item)
     if not found:
@@ -149,7 +150,9 @@ class Lowering:
         names = set(_names(tuple(formulas)))
         for name, printed in self.met.items():
             if name not in names:
-                raise SymcheckError(f"{to_latex(printed)} is multiplied by 0 and says nothing in {relation.latex}; leave it out")
+                raise SymcheckError(
+                    f"{to_latex(printed)} is multiplied by 0 and says nothing in {relation.latex}; leave it out"
+                )
         return formulas
 
     def relation(self, relation: Relation) -> list[Formula]:
@@ -199,7 +202,7 @@ class Lowering:
             return upper + lower
         if sign not in ("=", r"\equiv", r"\approx"):
             raise SymcheckError(
-                f"{to_latex(Chain((left, right), (sign,)))}: does it hold for one sign or for both? write a relation for each"
+                f"{to_latex(Chain((left, right), (sign,)))}: for one sign, or for both? write a relation for each"
             )
         return [("or", _and(upper), _and(lower))]
 
@@ -341,7 +344,9 @@ class Lowering:
         if letter.components is not None or (letter.kind in ("vector", "matrix")):
             return self.components(letter, stem, indices)
         if letter.kind == "function" and letter.depends is None and not letter.named:
-            raise SymcheckError(f"{to_latex(tree)} stands without its arguments; say what it depends on, as depends='x'")
+            raise SymcheckError(
+                f"{to_latex(tree)} stands without its arguments; say what it depends on, as depends='x'"
+            )
         return self.instance(letter, stem, indices, tree)
 
     def places(self, tree: Name, letter: Letter, env: Env) -> tuple[int, ...]:
@@ -392,7 +397,7 @@ class Lowering:
         names = [tree for tree in dependence(letter, self.notation) if isinstance(tree, Name) and tree.letter in TIMES]
         if len(names) != 1:
             raise SymcheckError(
-                f"dots over {letter.latex}, which depends on {letter.depends or 'nothing'}: no time among it; write a fraction"
+                f"dots over {letter.latex}, which depends on {letter.depends or 'nothing'} and on no time; write a fraction"
             )
         return self.variable(names[0], env)
 
@@ -458,7 +463,10 @@ class Lowering:
 
     def of_pow(self, tree: Pow, env: Env) -> Value:
         exponent = self.scalar(tree.exponent, env)
-        if isinstance(tree.base, Name) and self.notation.letter(tree.base.letter, len(tree.base.subscripts)).number == "e":
+        if (
+            isinstance(tree.base, Name)
+            and self.notation.letter(tree.base.letter, len(tree.base.subscripts)).number == "e"
+        ):
             return ("exp", exponent)
         if isinstance(exponent, tuple) and exponent[0] == "-" and isinstance(exponent[1], int):
             exponent = -exponent[1]
@@ -479,7 +487,9 @@ class Lowering:
             axes = [str(self.scalar(a, env)) for a in tree.arguments]
             angle = "_".join(axes)
             if self.notation.owner(angle) is not None:
-                raise SymcheckError(f"{to_latex(tree)} and a letter would both be lowered to {angle}; rename the letter")
+                raise SymcheckError(
+                    f"{to_latex(tree)} and a letter would both be lowered to {angle}; rename the letter"
+                )
             self.met = {each: at for each, at in self.met.items() if each not in axes}  # they stand in the angle's name
             return (name, angle)
         if len(tree.arguments) == 1 and name:
@@ -595,6 +605,10 @@ class Lowering:
         if len(inner) != 2:
             raise SymcheckError(f"{to_latex(tree)} must have two free indices: row and column")
         row, column = inner
+        if row.lstrip("\\") > column.lstrip("\\"):
+            raise SymcheckError(
+                f"{to_latex(tree)}: does {row} count rows, or columns? write the rows' index as the earlier letter"
+            )
         return [
             [self.scalar(tree.value, {**env, row: k, column: m}) for m in self.range(column)] for k in self.range(row)
         ]
@@ -640,13 +654,13 @@ class Lowering:
                 return ("call", name, (*orders[:k], orders[k] + order, *orders[k + 1 :]), *arguments)
         if partial and _through(term, by):
             raise SymcheckError(
-                f"{to_latex(tree)}: are the functions of {by} held constant, or not? write a total derivative, or name them"
+                f"{to_latex(tree)}: are the functions of {by} held constant, or not? write a total derivative"
             )
         self.refuse_unsaid(term, by, tree, held=partial)
         return ("diff", term, by, order)
 
     def refuse_unsaid(self, term: Term, by: str, tree: Tree, *, held: bool = False) -> None:
-        """SymcheckError where a letter does not say whether it depends on a variable; `held`: arguments are constant."""
+        """SymcheckError where it is not said whether a letter depends on a variable; `held`: arguments are constant."""
         for name in dict.fromkeys(_free_names(term, held=held)):
             letter = self.notation.owner(name)
             if name == by or name in ("pi", "infinity") or (letter and (letter.named or letter.depends is not None)):

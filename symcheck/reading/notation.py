@@ -23,8 +23,8 @@ TIMES = ("t", r"\tau")
 _NUMBERS = {"e": "e", r"\text{e}": "e", "i": "i", r"\text{i}": "i", r"\text{j}": "i", r"\pi": "pi"}
 _SAID = {"e": "Euler's number", "i": "the imaginary unit", "pi": "the number pi"}
 _NAME = re.compile(r"[A-Za-z][A-Za-z0-9_]*")
-_FUNCTIONS = "sin cos tan sqrt exp log arctan arcsin arccos pow mean integral diverges diff call exists".split()
-_VALUE = re.compile(rf"pi|infinity|({'|'.join(_FUNCTIONS)})(_.*)?|[A-Z][a-z]+_[0-9a-f]{{10}}")
+_FUNCTIONS = "sin|cos|tan|sqrt|exp|log|arctan|arcsin|arccos|pow|mean|integral|diverges|diff|call|exists"
+_VALUE = re.compile(rf"pi|infinity|({_FUNCTIONS})(_.*)?|[A-Z][a-z]+_[0-9a-f]{{10}}")
 _PREFIXES = {r"\dot": "d", r"\ddot": "dd", r"\dddot": "ddd"}
 _SUFFIXES = {
     r"\bar": "bar", r"\overline": "bar", r"\hat": "hat", r"\widehat": "hat",
@@ -45,11 +45,11 @@ class Letter:
                 in which i, j (in this order) stand for the letter's own indices: `(a_{i1}, a_{i2}, a_{i3})`,
                 `\|a_{ij}\|`, `\operatorname{diag}(I_1, I_2, I_3)`; without it they are variables with one more index
                 (a matrix: two)
-    depends     the letters it is a function of: "t", "x, t", `\mathbf{y}, t`; "" if it is constant. Then `r` is r(t) and
-                `\dot{r}`, `r'`, `\frac{dr}{dt}` are its derivatives. Where nothing is said, it cannot stand in a
+    depends     the letters it is a function of: "t", "x, t", `\mathbf{y}, t`; "" if it is constant. Then `r` is r(t)
+                and `\dot{r}`, `r'`, `\frac{dr}{dt}` are its derivatives. Where nothing is said, it cannot stand in a
                 derivative, an integral or a mean by another letter
-    named       its value is known by its name: `r` and `r(t)` are lowered to the variable r, for which a definition puts
-                the expression that says how it depends on others; no other arguments are allowed
+    named       its value is known by its name: `r` and `r(t)` are lowered to the variable r, for which a definition
+                puts the expression that says how it depends on others; no other arguments are allowed
     number      "e", "i" or "pi" for a letter that is this number
     """
 
@@ -91,7 +91,11 @@ class Letter:
             raise self.fault(f"number={self.number!r} does not fit it; only e, i and \\pi are numbers")
         said = self.number or self.name is not None
         if which and not said and (self.kind == "scalar" or (which != "i" and self.kind == "index")):
-            ways = f"say name={self.stem!r} for a letter" if self.kind == "index" else f"say number={which!r}, or name={self.stem!r}"
+            ways = (
+                f"say name={self.stem!r} for a letter"
+                if self.kind == "index"
+                else f"say number={which!r}, or name={self.stem!r}"
+            )
             raise self.fault(f"{_SAID[which]}, or a letter of its own? {ways}")
         if spelling == r"\text{d}" and self.kind != "differential" and self.name is None:
             raise self.fault("the d of a differential, or a letter of its own? say kind='differential', or name='d'")
@@ -223,7 +227,9 @@ class Notation:
         for letter in self._letters.values():
             for name, indices in _instances(letter):
                 if _VALUE.fullmatch(name):
-                    raise letter.fault(f"it would be lowered to {name}, which is a value; give it another name, name=...")
+                    raise letter.fault(
+                        f"it would be lowered to {name}, which is a value; give it another name, name=..."
+                    )
                 other, others = owners.setdefault(name, (letter, indices))
                 if (other, others) != (letter, indices):
                     both = f"{other.spelled(others)} and {letter.spelled(indices)}"
@@ -238,7 +244,9 @@ class Notation:
         bare, dots = undotted(canonical(letter.latex))
         below = self._letters.get((bare, letter.indices)) if dots else None
         if below is not None and below.depends and not below.named:
-            raise letter.fault(f"{below.latex} depends on {below.depends}, so this is its derivative; do not declare it")
+            raise letter.fault(
+                f"{below.latex} depends on {below.depends}, so this is its derivative; do not declare it"
+            )
 
     def owner(self, name: str) -> Letter | None:
         """The letter that is lowered to this variable or function, with primes or without."""
@@ -252,7 +260,9 @@ class Notation:
         return self._hash
 
     def __repr__(self) -> str:
-        habits = f"slash={self.slash!r}, bracket={self.bracket!r}, decimals={self.decimals!r}, argument={self.argument!r}"
+        habits = (
+            f"slash={self.slash!r}, bracket={self.bracket!r}, decimals={self.decimals!r}, argument={self.argument!r}"
+        )
         return f"Notation({list(self.letters)!r}, {habits})"
 
     def extended(self, *letters: Letter) -> Notation:
@@ -314,12 +324,12 @@ class Notation:
         return close[0] if close else ""
 
     def refuse_undefined(self, defined: Container[str], *values: Any) -> None:
-        """SymcheckError for a named letter under a derivative, an integral or a mean that no definition gives a value."""
+        """SymcheckError for a named letter under a derivative, integral or mean that no definition gives a value."""
         for value in values:
             if found := self._undefined(value, defined, inside=False):
                 raise SymcheckError(
-                    f"nothing defines {found} here, so that its derivative, integral or mean is not known; define it, or "
-                    "declare it without named"
+                    f"nothing defines {found} here, so that its derivative, integral or mean is not known; define it, "
+                    "or declare it without named"
                 )
 
     def _undefined(self, value: Any, defined: Container[str], *, inside: bool) -> str | None:

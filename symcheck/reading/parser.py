@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 from collections import Counter
 from collections.abc import Container, Sequence
 from dataclasses import dataclass
@@ -161,10 +162,12 @@ class Builder:
         """Double signs of several relations may switch together or not; only where both hold it does not matter."""
         chains = [node for _, node in walk(tree) if isinstance(node, Chain)]
         signed = [[_is_signed(member) for member in chain.members] for chain in chains]
-        links = [pair for chain in signed for pair in zip(chain, chain[1:], strict=False) if any(pair)]
+        links = [pair for chain in signed for pair in itertools.pairwise(chain) if any(pair)]
         if sum(map(any, signed)) > 1 and not all(map(all, links)):
-            raise self.fail(0, "do the double signs of these relations switch together? write a statement for each sign")
-        if any(sum(any(p) and not all(p) for p in zip(c, c[1:], strict=False)) > 1 for c in signed):
+            raise self.fail(
+                0, "do the double signs of these relations switch together? write a statement for each sign"
+            )
+        if any(sum(any(p) and not all(p) for p in itertools.pairwise(c)) > 1 for c in signed):
             raise self.fail(0, "do the double signs of this chain switch together? write a statement for each sign")
 
     # -- lists and statements ------------------------------------------------------------------------------------
@@ -259,8 +262,8 @@ class Builder:
         if not isinstance(first.members[0], Number | Neg):
             raise self.fail(
                 at,
-                "two relations, or letters that lie between the same ends? write \\quad behind the comma, or a relation "
-                "for each letter",
+                "two relations, or letters that lie between the same ends? write \\quad behind the comma, or a "
+                "relation for each letter",
             )
         letters = [first.members[-1], *trees[1:-1], last.members[0]]
         signs = (*first.signs, *last.signs)
@@ -378,7 +381,8 @@ class Builder:
     def on_implies(self, nodes: list[Any]) -> Tree:
         if nodes[2].data == "implies":
             raise self.fail(
-                nodes[1].value.at, r"A \Rightarrow B \Rightarrow C is A \Rightarrow (B \Rightarrow C), or two; write brackets"
+                nodes[1].value.at,
+                r"A \Rightarrow B \Rightarrow C is A \Rightarrow (B \Rightarrow C), or two; write brackets",
             )
         return Implies(self.claim(nodes[0]), self.claim(nodes[2]))
 
@@ -454,7 +458,9 @@ class Builder:
         firsts = [tree.factors[0] if isinstance(tree, Mul) else tree for tree in (top, bottom)]
         firsts = [tree.base if isinstance(tree, Pow) else tree for tree in firsts]
         if isinstance(bottom, Mul) and all(isinstance(tree, Name) and tree.letter == "d" for tree in firsts):
-            raise self.fail(at, "a derivative, or a quotient by the letter d? write the d elsewhere, or name the letter D")
+            raise self.fail(
+                at, "a derivative, or a quotient by the letter d? write the d elsewhere, or name the letter D"
+            )
 
     def items(self, node: Any) -> list[Item]:
         return [self.build(n) if hasattr(n, "data") else Item("dot", n.value.at) for n in node.children]
@@ -492,9 +498,9 @@ class Builder:
         after = rest[0] if rest else None
         if after is None or after.kind == "dot" or not alone:
             return
-        if isinstance(node, Number) and isinstance(after.node, Div) and not after.postfix:
-            if isinstance(after.node.top, Number) and isinstance(after.node.bottom, Number):
-                raise self.fail(after.at, r"a mixed number, or a product? write \cdot, or one fraction")
+        fraction = children(after.node) if isinstance(after.node, Div) and not after.postfix else ()
+        if fraction and all(isinstance(each, Number) for each in (node, *fraction)):
+            raise self.fail(after.at, r"a mixed number, or a product? write \cdot, or one fraction")
         name = node.base if isinstance(node, Pow) else node
         if isinstance(name, Call) and isinstance(name.function, Name) and not name.arguments:
             name = name.function
@@ -505,8 +511,8 @@ class Builder:
         if letter is not None and letter.applies:
             raise self.fail(
                 after.at,
-                f"{shown} of what is in these brackets, or times it? declare {letter.latex} with kind='function', or write "
-                r"\cdot",
+                f"{shown} of what is in these brackets, or times it? declare {letter.latex} with kind='function', or "
+                r"write \cdot",
             )
         constant = letter is not None and (letter.depends == "" or letter.number)
         # a sum and a power of a product need their brackets, so that they are no sign of a function
@@ -518,8 +524,8 @@ class Builder:
         if not constant and isinstance(inside, idle):
             raise self.fail(
                 after.at,
-                f"{shown} of what is in these brackets, or times it? declare {name.letter} with kind='function', or with "
-                "depends='' if it is constant, or leave out the brackets",
+                f"{shown} of what is in these brackets, or times it? declare {name.letter} with kind='function', or "
+                "with depends='' if it is constant, or leave out the brackets",
             )
 
     def is_vector(self, tree: Tree) -> bool:
@@ -563,6 +569,8 @@ class Builder:
             end += 1
         if depth or end >= len(items) or items[end].kind != "atom" or items[end].postfix or items[end - 1].power:
             raise self.fail(sign.at, "this integral does not say what it is taken over")
+        if items[end - 1].partial:
+            raise self.fail(items[end - 1].at, "an integral is taken over dx, not over a partial differential")
         if end + 1 < len(items):
             raise self.fail(items[end + 1].at, "does this belong to the integral? put the integral in brackets")
         if end - 1 == k + 1 or sign.bounds is None:
@@ -598,9 +606,12 @@ class Builder:
         if after.postfix or isinstance(item.power, Neg):
             shown = to_latex(name)
             if after.postfix:
-                raise self.fail(item.at, f"two powers of {shown}; write one behind brackets around {shown} and its argument")
+                raise self.fail(
+                    item.at, f"two powers of {shown}; write one behind brackets around {shown} and its argument"
+                )
             raise self.fail(
-                item.at, f"the inverse function of {shown}, or its reciprocal? write \\frac{{1}}{{{shown}(...)}} for that one"
+                item.at,
+                f"the inverse function of {shown}, or its reciprocal? write \\frac{{1}}{{{shown}(...)}} for that one",
             )
         return Pow(call, item.power), k + 2
 
@@ -658,8 +669,8 @@ class Builder:
         if not self.notation.argument:
             raise self.fail(
                 item.at,
-                f"does this factor belong to the argument of {function}? write brackets around the argument, or say in the "
-                "notation argument='short' (it does not) or 'long' (it does)",
+                f"does this factor belong to the argument of {function}? write brackets around the argument, or say in "
+                "the notation argument='short' (it does not) or 'long' (it does)",
             )
         return self.notation.argument == "long"
 

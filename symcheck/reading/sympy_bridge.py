@@ -83,7 +83,6 @@ def _derivative(body: Expr, variable: Any, order: int) -> Expr:
 def from_sympy(expr: Any) -> Term:
     """The term of a SymPy expression; SymcheckError for what has no exact term, such as floats."""
     import sympy
-
     from sympy.core.function import AppliedUndef
 
     expr = sympy.sympify(expr)

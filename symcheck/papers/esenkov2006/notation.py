@@ -29,7 +29,9 @@ notation = Notation(
         Letter(r"\chi", indices=1, meaning="coupling of mode n to the turning body"),
         Letter("N", indices=1, meaning="norm of mode n"),
         Letter(r"\rho", meaning="density of the liquid", unit="kg/m^3"),
-        Letter("E", indices=1, depends="", meaning="moment of inertia carried by mode n, a_n chi_n / N_n^2", unit=MOMENT),
+        Letter(
+            "E", indices=1, depends="", meaning="moment of inertia carried by mode n, a_n chi_n / N_n^2", unit=MOMENT
+        ),
         Letter("p", meaning="exponent of the motion e^{pt}; in 2.1.1 the angular velocity about x", unit="1/s"),
         Letter("p", indices=1, meaning="exponent of mode n in the body at rest", unit="1/s"),
         Letter(r"\eta", meaning="frequency: p = i eta", unit=RATE),
