@@ -157,7 +157,7 @@ class Lexer(tex.Reader):
         elif text == r"\rangle":
             self.mean_ends()
         elif text in "^'":
-            self.refuse_bracketed(self.last(), None)
+            self.refuse_bracketed()
             self.script()
         elif text == "_":
             self.fail("a subscript without a letter before it")
@@ -440,15 +440,21 @@ class Lexer(tex.Reader):
         self.i = start
         return found or ""
 
-    def refuse_bracketed(self, base: str, name: str | None) -> None:
-        """A superscript in brackets is no power where it may be an index or the order of a derivative."""
+    def refuse_bracketed(self, word: str = "") -> None:
+        """A superscript in brackets is no power where it may be an index or the order of a derivative.
+
+        It stands behind the letter `word`, or behind the last token.
+        """
         text = self.bracketed()
-        letter = self.notation.find(name, 0) if name else None
-        if not text or base == "NUMBER" or (letter is not None and letter.number):
+        base = next((lexeme for lexeme in reversed(self.out) if lexeme.type != "GAP"), None)
+        name = Name(word) if word else base.value if base is not None and base.type == "NAME" else None
+        letter = self.notation.find(name.letter, len(name.subscripts)) if name is not None else None
+        number = name is None and base is not None and base.type == "NUMBER"
+        if not text or number or (letter is not None and letter.number):
             return
-        shown, inside = name or "", text[2:-2].strip("()")
+        shown, inside = name.letter if name is not None else "", text[2:-2].strip("()")
         self.fail(
-            f"{shown}{text} may be an index, the order of a derivative, or a power: declare {name or 'a letter '}"
+            f"{shown}{text} may be an index, the order of a derivative, or a power: declare {shown or 'a letter '}"
             f"{text}, write primes or a fraction, or write {shown}^{{{inside}}}"
         )
 
@@ -457,7 +463,7 @@ class Lexer(tex.Reader):
             word += text
             self.i += 1
             self.group()
-        self.refuse_bracketed("NAME", word)
+        self.refuse_bracketed(word)
         primes = self.primes()
         power: list[Lexeme] = []
         tokens: list[tex.Tok] | None = None

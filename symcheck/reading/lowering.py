@@ -139,6 +139,7 @@ class Lowering:
     def __init__(self, notation: Notation) -> None:
         self.notation = notation
         self.met: dict[str, Name] = {}  # variables of letters that are printed, with one place
+        self.arities: dict[str, int] = {}  # how many arguments each function has
         self.inside: tuple[str, ...] = ()  # letters whose components or dependence are being written out
 
     # -- formulas ------------------------------------------------------------------------------------------------
@@ -397,7 +398,7 @@ class Lowering:
         names = [tree for tree in dependence(letter, self.notation) if isinstance(tree, Name) and tree.letter in TIMES]
         if len(names) != 1:
             raise SymcheckError(
-                f"dots over {letter.latex}, which depends on {letter.depends or 'nothing'} and on no time; write a fraction"
+                f"dots over {letter.latex}, which depends on {letter.depends or 'nothing'}, no time; write a fraction"
             )
         return self.variable(names[0], env)
 
@@ -525,6 +526,8 @@ class Lowering:
         if letter.kind != "function" and letter.kind != "scalar":
             return self.value(name, env)
         stem = variable(letter.stem, indices)
+        if self.arities.setdefault(stem, len(arguments)) != len(arguments):
+            raise SymcheckError(f"{to_latex(tree)}: {letter.latex} has another number of arguments elsewhere")
         if not self.inside:
             self.met.setdefault(stem, name)
         return ("call", stem, orders, *arguments)

@@ -764,7 +764,7 @@ class Builder:
     def variables(self, items: list[Item]) -> list[Tree]:
         found = []
         for head, item in zip(items[0::2], items[1::2], strict=False):
-            if head.kind != "d" or item.kind != "atom" or head.power:
+            if head.kind != "d" or item.kind != "atom" or head.power or head.partial != items[0].partial:
                 raise self.fail(head.at, "this differential cannot be read")
             found.append(self.atom(item))
         if len(items) % 2:
@@ -785,7 +785,7 @@ class Builder:
         for tree in bottom.body:
             name, order = (tree.base, self.order(tree.exponent, at)) if isinstance(tree, Pow) else (tree, 1)
             if not isinstance(name, Name):
-                raise self.fail(at, "a derivative is taken by a letter")
+                raise self.fail(at, "a derivative is taken by a letter that depends on no other")
             found.append((name, order))
         return tuple(found)
 
