@@ -27,6 +27,7 @@ MOVING = PLAIN.extended(
     Letter("U", kind="function", depends="r"),
     Letter("Y", depends="s"),
     Letter("l", indices=1, depends="q_i"),
+    Letter("V", kind="function", depends="t"),
     Letter("N", named=True),
     Letter("M", kind="function", depends="t", named=True),
     Letter(r"\mathbf{R}", kind="vector", depends="t"),
@@ -88,6 +89,7 @@ READ = {
     r"\sin(\omega)(x + 1)": ("*", ("sin", "omega"), ("+", "x", 1)),
     r"2 \cdot \frac12": ("*", 2, ("/", 1, 2)),
     r"2 \frac{x}{2}": ("*", 2, ("/", "x", 2)),
+    r"\dot{V}(0) + V'(0)": ("+", call("V", 0, orders=(1,)), call("V", 0, orders=(1,))),
     "2^{(x + 1)}": ("pow", 2, ("+", "x", 1)),
 }
 
@@ -118,6 +120,7 @@ REFUSED = {
     r"\int_0^1 z \, dt = z": "does z depend on t",
     r"\langle z \rangle_t = z": "does z depend on t",
     r"\frac{dt}{dr} = 0": "by a letter that depends on no other",
+    "N' = 0": "derivative of N, or another letter",
     "x' = 0": "derivative of x, or another letter.*depends",
     r"\dot z = 0": r"unknown letter \\dot\{z\}: declare it, or say on what z depends",
     r"\dot Y = 0": "no time",
@@ -137,6 +140,10 @@ REFUSED = {
     "g(x)^2 = 0": "in these brackets, or times it",
     "I_1(x) = 0": "in these brackets, or times it",
     "r(t + 1) = 0": r"declare r with kind='function', or write \\cdot",
+    r"\frac{dp}{dx}(0) = 1": "at the place in these brackets, or times it",
+    r"\left(\frac{d}{dx}(x^2)\right)(1) = 2": "at the place in these brackets, or times it",
+    "(p + 1)(x) = 1": "at the place in these brackets, or times it",
+    "0 < x < y, z < 1": "two relations, or letters that lie between",
     "f[x] = 0": "in these brackets, or times it",
     r"2\frac12 = x": "mixed number, or a product",
     "a^{(2)} = x": "an index, the order of a derivative, or a power",
@@ -368,3 +375,10 @@ def test_a_double_sign_in_a_conclusion_is_an_alternative():
     (formula,) = stated(r"x^2 = y^2 \Leftrightarrow x = \pm y", PLAIN)
     assert formula[2] == ("or", ("=", "x", "y"), ("=", "x", ("-", "y")))
     assert stated(r"\pm x = \mp z", PLAIN) == (("=", "x", ("-", "z")), ("=", ("-", "x"), "z"))
+
+
+def test_one_wide_index_is_not_mistaken_for_two():
+    notation = Notation([Letter("a", indices=1, range=WIDE, name="b"), Letter("a", indices=2)])
+    assert (term("a_{1,2}", notation), term("a_2", notation)) == ("a_12", "b_2")
+    with pytest.raises(SymcheckError, match="one index 12, or 2 indices"):
+        term("a_{12}", notation)

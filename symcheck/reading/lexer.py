@@ -517,6 +517,7 @@ class Lexer(tex.Reader):
             return Name(fixed, (), primes), "NAME"
         if not notation.knows(word) or notation.arities(word) == [0]:
             self.unknown(fixed, at)
+        self.refuse_digits(word, tokens, place)
         subscripts = self.indices(tokens, notation.arities(word), place)
         letter = notation.find(word, len(subscripts))
         if letter is None:
@@ -527,6 +528,14 @@ class Lexer(tex.Reader):
             if isinstance(value, int) and value not in letter.range:
                 self.fail(f"index {value} of {word} is outside its range {', '.join(map(str, letter.range))}", at)
         return Name(word, subscripts, primes), "NAME"
+
+    def refuse_digits(self, word: str, tokens: list[tex.Tok], at: int) -> None:
+        """A run of digits is one number or several indices; where both are declared it may be either."""
+        digits, single = "".join(tok.text for tok in tokens), self.notation.find(word, 1)
+        if single is None or len(digits) < 2 or not digits.isdigit() or not digits.isascii():
+            return
+        if int(digits) in single.range and self.notation.find(word, len(digits)) is not None:
+            self.fail(f"one index {digits}, or {len(digits)} indices? write commas between them, or name a letter", at)
 
     def dotted(self, word: str, tokens: list[tex.Tok] | None, primes: int, at: int, place: int) -> tuple[Name, str]:
         """A letter below dots that are its derivative by the time."""

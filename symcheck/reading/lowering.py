@@ -333,7 +333,7 @@ class Lowering:
             if tree.dots:
                 value = self.derived(value, self.time(letter, env), tree.dots, tree)
             return self.derived(value, self.only(letter, env), derived, tree) if derived else value
-        if tree.primes and letter.depends is None and not letter.named:
+        if tree.primes and (letter.depends is None or letter.named):
             raise SymcheckError(
                 f"{to_latex(tree)}: the derivative of {letter.latex}, or another letter? declare {letter.latex} with "
                 "depends='x' for a function of x, depends='' if the prime makes another letter"
@@ -520,6 +520,9 @@ class Lowering:
             raise SymcheckError(f"{to_latex(tree)}: {letter.latex} depends on {letter.depends}")
         if name.dots and arguments == declared:
             return self.value(name, env)
+        if name.dots and len(arguments) == 1:
+            self.time(letter, env)
+            name = Name(name.letter, name.subscripts, name.primes + name.dots)
         if name.dots or (name.primes and len(arguments) != 1):
             raise SymcheckError(f"{to_latex(tree)}: by which argument? write the derivative as a fraction")
         orders = (name.primes,) if name.primes else (0,) * len(arguments)

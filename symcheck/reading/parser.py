@@ -226,7 +226,7 @@ class Builder:
             while end < len(trees) and self.is_listed(trees[end]) and not isinstance(trees[end - 1], STATEMENTS):
                 end += 1
             first = trees[k]
-            if isinstance(first, Chain) and len(first.signs) == 1 and self.is_listed(first.members[-1]):
+            if isinstance(first, Chain) and self.is_listed(first.members[-1]):
                 end = self.closing(listing, trees, k)
                 if end > k + 1:
                     found += self.between(trees[k:end], listing.at)
@@ -250,7 +250,7 @@ class Builder:
         if not isinstance(first, Chain) or not isinstance(last, Chain) or listing.wide[end - 1]:
             return k + 1
         orders = {_ORDERS.get(sign) for sign in first.signs + last.signs}
-        one_way = len(last.signs) == 1 and orders in ({"up"}, {"down"})
+        one_way = orders in ({"up"}, {"down"})
         inner = (first.members[-1], last.members[0])
         return end + 1 if one_way and self.is_listed(inner[1]) and inner[0] != inner[1] else k + 1
 
@@ -259,7 +259,7 @@ class Builder:
         first, last = trees[0], trees[-1]
         assert isinstance(first, Chain)
         assert isinstance(last, Chain)
-        if not isinstance(first.members[0], Number | Neg):
+        if not isinstance(first.members[0], Number | Neg) or len(first.signs + last.signs) > 2:
             raise self.fail(
                 at,
                 "two relations, or letters that lie between the same ends? write \\quad behind the comma, or a "
@@ -504,7 +504,13 @@ class Builder:
         name = node.base if isinstance(node, Pow) else node
         if isinstance(name, Call) and isinstance(name.function, Name) and not name.arguments:
             name = name.function
-        if not isinstance(name, Name) or not self.in_brackets(after):
+        if not self.in_brackets(after):
+            return
+        if isinstance(node, Derivative) or (item.kind == "group" and self.has_function(node)):
+            raise self.fail(
+                after.at, "at the place in these brackets, or times it? write \\cdot, or the function with its place"
+            )
+        if not isinstance(name, Name):
             return
         letter = self.notation.find(name.letter, len(name.subscripts))
         shown, inside = to_latex(name), self.inside(after)
@@ -527,6 +533,11 @@ class Builder:
                 f"{shown} of what is in these brackets, or times it? declare {name.letter} with kind='function', or "
                 "with depends='' if it is constant, or leave out the brackets",
             )
+
+    def has_function(self, tree: Tree) -> bool:
+        """Does a function stand here without its arguments?"""
+        calls = [node for _, node in walk(tree) if isinstance(node, Call) and not node.arguments]
+        return any(isinstance(call.function, Name) and self.kind(call.function) == "function" for call in calls)
 
     def is_vector(self, tree: Tree) -> bool:
         return any(isinstance(node, Name) and self.kind(node) == "vector" for _, node in walk(tree))
