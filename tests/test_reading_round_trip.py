@@ -216,7 +216,7 @@ class Permissive(Notation):
         return latex != "T" and plain not in FUNCTIONS and not latex.startswith(r"\text{")
 
 
-# Not read: `A = B, C`, an index that is given values and stands in a letter, rows of lists (`reading.listing` reads them)
+# Not read: `A = B, C`, an index that is given values and stands in a letter, rows of lists (`listing` reads them)
 SHARES = {"001": (25, 26, 55, 56), "004": (24, 25, 936, 941)}
 SLASHES = {"001": "denominator", "004": ""}
 
