@@ -191,7 +191,7 @@ def supposed(claim: Formula) -> list[list[Formula]]:
         case ("and", *parts):
             each = [premises for part in parts for premises in supposed(part)]  # type: ignore[arg-type]
             return [premises for premises in each if premises] or [[]]
-        case ("=>", premise, conclusion):
+        case ("=>", premise, conclusion) if conclusion not in (node("or"), node("=", 0, 1)):  # else: it never holds
             return [[premise, *others] for others in supposed(conclusion)]  # type: ignore[arg-type, list-item]
         case ("forall", letters, body):
             each = supposed(body)  # type: ignore[arg-type]
