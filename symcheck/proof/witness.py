@@ -7,7 +7,7 @@ A witness is a counterexample to "0 = 1", and is found as one: its form is that 
 from __future__ import annotations
 
 import random
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from fractions import Fraction
 from typing import Any
@@ -337,6 +337,12 @@ class _Draws(Search):
         """A point of the unit circle with one coordinate."""
         found = self._zero(self.ring.generator[other] ** 2 + self._reduce(value**2) - 1, other, sign)
         return None if found is None else {name: value, other: found}
+
+    def _possible(self, function: Term, numbers: Mapping[str, Term]) -> Iterator[Term]:
+        """Also the whole number that it is said to be."""
+        yield from super()._possible(function, numbers)
+        said = (f for f in self.formulas if f[0] == "=" and isinstance(f[2], int))
+        yield from (f[2] for f in said if unfold(f[1], self.ring.definitions) == function)
 
     def _unknown(self, poly: Poly) -> list[str]:
         """The variables of a polynomial that are no roots of numbers."""
