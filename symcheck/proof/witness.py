@@ -25,7 +25,7 @@ FALSE: Formula = ("=", 0, 1)
 DRAWS = 3000
 TRIALS = 60
 _ARCS = ("arctan", "arcsin", "arccos")
-VALUES = (
+VALUES: tuple[int | Fraction, ...] = (
     1,
     -1,
     0,
