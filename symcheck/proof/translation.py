@@ -78,7 +78,8 @@ def certificate(found: Mapping[str, Any]) -> dict[str, JSON]:
             condition(texts, lambda name: atoms.get(name) or value_of(name) or name) for texts in conditions
         ]
     new["proof"] = proof(found["proof"])
-    if points := [*map(point, found.get("witnesses", ()))]:
+    told = ("values", "calls", "proof")
+    if points := [{key: each[key] for key in told if key in each} for each in map(point, found.get("witnesses", ()))]:
         wanted = len(implications(claim)) or 1
         new["witnesses"] = points * wanted if len(points) == 1 else points
     return new
