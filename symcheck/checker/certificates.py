@@ -73,13 +73,16 @@ class Certificate:
         return {*hypotheses, *(substituted(term, self.own) for term in self.nonzero)}
 
     def supported(self, proved: Iterable[Certificate]) -> bool:
-        """Whether each lemma is part of a statement that is proved under no more than is assumed here."""
-        assumed = self.assumed()
+        """Whether each lemma is part of a statement that is proved under no more than is assumed here.
+
+        What a lemma says of a letter holds of what the letter is defined to be here.
+        """
+        assumed, mean = self.assumed(), self.whole.names
         return all(
             any(
                 name == lemma.id
-                and self.unfolded(formula) in [*conjuncts(lemma.unfolded(lemma.claim)), lemma.unfolded(lemma.claim)]
-                and lemma.assumed() <= assumed
+                and self.unfolded(formula) in conjuncts(substituted(lemma.unfolded(lemma.claim), mean))
+                and {substituted(each, mean) for each in lemma.assumed()} <= assumed
                 for lemma in proved
             )
             for name, formula in self.lemmas
@@ -148,11 +151,13 @@ class Certificate:
             require(place not in at.settled, "{} has two values", call)
             at.settled[place] = at.value(read.term(value)) % at.prime
         # a hypothesis about a function speaks of all its values, a point of a few
-        spoken = set().union(*(functions(f) for f in self.hypotheses.values())) if refuting else set()
-        require(not (at.settled and spoken), "what is assumed of {} is not only so at one point", spoken)
+        general = set().union(*(functions(f) for f in self.hypotheses.values())) if refuting else set()
+        require(not (at.settled and general), "what is assumed of {} is not only so at one point", general)
         proof = step.data.pop("proof", None)
-        for k, (x, number) in enumerate(values.items() if proof is not None else ()):
-            prover.learn(("point", k), node("=", x, number))
+        spoken = letters(formula) if proof is not None else set()
+        for k, (x, number) in enumerate(values.items()):
+            if x in spoken:
+                prover.learn(("point", k), node("=", x, number))
         for condition in domains(formula) if refuting and proof is not None else ():  # to compute is to find values
             require(truth(condition, at), "a term has no value at the point: {} is not so", condition)
         prover.prove(formula, {"rule": "compute"} if proof is None else proof)
