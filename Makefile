@@ -37,7 +37,7 @@ gates: $(DEV)
 	$(BIN)/mypy --strict symcheck
 	$(BIN)/lint-imports --no-cache
 	$(BIN)/symcheck generate --check --no-cache
-	$(BIN)/python -m symcheck.checker generated/certificates
+	$(BIN)/python -m symcheck.checker generated
 
 notebooks: $(DEV)
 	$(BIN)/jupyter lab notebooks

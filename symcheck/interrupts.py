@@ -5,12 +5,13 @@ The standard library alone, and little of it: this is imported before anything e
 
 from __future__ import annotations
 
+import atexit
 import os
 import signal
 import sys
 from collections.abc import Iterator
-from contextlib import contextmanager
-from typing import Any
+from contextlib import contextmanager, suppress
+from typing import Any, NoReturn
 
 INTERRUPTED = 130
 AGAIN = 0.02  # seconds until an interrupt that was dropped comes again
@@ -31,6 +32,20 @@ def raise_from_now_on() -> None:
         signal.signal(signal.SIGINT, signal.default_int_handler)
     if sys.unraisablehook is sys.__unraisablehook__:
         sys.unraisablehook = _unraisable
+
+
+def leave() -> NoReturn:
+    """End an interrupted process, after all that is registered for its end.
+
+    Not by an exception: the interpreter drops what was being done and tells of each error in that, and Python 3.13 ends
+    by a signal instead of the exit code where the interrupt struck in a text that was executed, as dataclasses do.
+    """
+    signal.signal(signal.SIGINT, signal.SIG_IGN)
+    atexit._run_exitfuncs()
+    for stream in (sys.stdout, sys.stderr):
+        with suppress(OSError, ValueError):
+            stream.flush()
+    os._exit(INTERRUPTED)
 
 
 @contextmanager

@@ -23,6 +23,7 @@ from symcheck.evidence.confirmed import told
 from symcheck.evidence.faults import fails_at, without
 from symcheck.evidence.record import Record
 from symcheck.evidence.steps import steps, term
+from symcheck.proof import translation
 from symcheck.statement import Group, Paper, Verdict
 
 _STYLES = {Verdict.PROVED: "green", Verdict.REFUTED: "bold red", Verdict.UNDECIDED: "yellow"}
@@ -281,7 +282,10 @@ def _certificate(out: Console, certificate: Mapping[str, Any], whole: bool) -> N
     _field(out, "decides", term(certificate["claim"]) if "claim" in certificate else "")
     _field(out, "proof", "\n".join(steps(certificate["proof"])) if certificate.get("proof") else "")
     if whole:
-        print(json.dumps(certificate, ensure_ascii=False, indent=2, sort_keys=True), file=out.file)
+        print(
+            json.dumps(translation.certificate(certificate), ensure_ascii=False, indent=2, sort_keys=True),
+            file=out.file,
+        )
 
 
 def _digest(certificate: Mapping[str, Any]) -> str:

@@ -36,6 +36,7 @@ def toy(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> Path:
 
     stand_in.install(partial(monkeypatch.setattr, raising=False))  # the decider may not be imported yet
     monkeypatch.setenv("SYMCHECK_CACHE", str(tmp_path / "cache"))
+    monkeypatch.setenv("XDG_CONFIG_HOME", str(tmp_path / "config"))
     monkeypatch.setenv("STAND_IN_LOG", str(tmp_path / "decided"))
     monkeypatch.setattr(symcheck.kernels, "folder", lambda: tmp_path / "generated")
     return tmp_path

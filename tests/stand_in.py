@@ -8,12 +8,13 @@ from __future__ import annotations
 import os
 import sys
 import time
+from collections.abc import Sequence
 from dataclasses import dataclass
 from types import ModuleType
 from typing import Any
 
 from symcheck.evidence.record import Record
-from symcheck.statement import Item, Origin, Paper, Reading, Role, Section, Verdict
+from symcheck.statement import Certificate, Item, Origin, Paper, Reading, Role, Section, Verdict
 
 PROOF = {
     "rule": "each",
@@ -35,9 +36,9 @@ CERTIFICATE = {
     "digest": "d1",
 }
 POINT = {"values": {"x": "2/7", "y": ["sqrt", 3]}, "sides": ["1", "-1"]}
-POINT_WITHOUT = {**CERTIFICATE, "id": "toy:1.1 without n", "verdict": "refuted", "point": POINT, "digest": "d1n"}
+POINT_WITHOUT = {**CERTIFICATE, "hypotheses": {}, "verdict": "refuted", "point": POINT, "digest": "d1n"}
 REFUTED = {**CERTIFICATE, "id": "toy:1.3", "verdict": "refuted", "point": POINT, "digest": "d3"}
-CORRECTED = {**CERTIFICATE, "id": "toy:1.3 corrected", "digest": "d3c"}
+CORRECTED = {**CERTIFICATE, "id": "toy:1.3", "digest": "d3c"}
 SLEEP = 3600
 SECTION = Section("1", "The only section", ModuleType("section"))
 
@@ -99,15 +100,15 @@ def _records(paper: str, number: str) -> tuple[Record, ...]:
     id = f"{paper}:{number}"
     match number:
         case "1.1":
-            given = {"name": "orthogonal", "words": "A is orthogonal", "given": "printed", "needed": True}
+            lost = {"lost": "the relation fails", "counterexample": POINT_WITHOUT}
+            given = {"name": "orthogonal", "words": "A is orthogonal", "given": "printed", "needed": True, **lost}
             added = {"name": "x > 0", "words": "x is positive", "given": "added", "needed": False}
             needed = {
                 "name": "n",
                 "words": "n is odd",
                 "given": "added",
                 "needed": True,
-                "lost": "the relation fails",
-                "counterexample": POINT_WITHOUT,
+                **lost,
             }
             return (
                 Record(
@@ -125,7 +126,7 @@ def _records(paper: str, number: str) -> tuple[Record, ...]:
             )
         case "1.2":
             return tuple(
-                Record(id=id + letter, verdict=Verdict.PROVED, words=f"a link [{letter}] of a chain", **common)
+                Record(id=id + letter, words=f"a link [{letter}] of a chain", **_plain(id + letter), **common)
                 for letter in "ab"
             )
         case "1.3":
@@ -162,17 +163,28 @@ def _records(paper: str, number: str) -> tuple[Record, ...]:
             )
         case "1.5":
             return (Record(id=id, printed="J = 1", **{**common, "role": Role.DEFINITION}),)
-    return (Record(id=id, verdict=Verdict.PROVED, words="filler", **common),)
+    return (Record(id=id, words="filler", **_plain(id), **common),)
+
+
+def _plain(id: str) -> dict[str, Any]:
+    """A verdict with its certificate."""
+    return {"verdict": Verdict.PROVED, "certificates": ({**CERTIFICATE, "id": id, "hypotheses": {}, "digest": "d"},)}
+
+
+def reasons(certificates: Sequence[Certificate]) -> list[str | None]:
+    """What a checker would say of these certificates, whose proofs are made up."""
+    return [None if str(each["digest"]).startswith("d") else "it is none of ours" for each in certificates]
 
 
 def install(patch: Any = setattr) -> None:
     """Put the toy paper and this decider in the place of the real ones."""
     import symcheck.cli
-    import symcheck.evidence
+    import symcheck.evidence.checked
     import symcheck.papers
 
     patch(symcheck.papers, "load", papers)
     patch(symcheck.evidence, "decide", sys.modules["stand_in"])
+    patch(symcheck.evidence.checked, "reasons", reasons)
     patch(symcheck.cli, "PRELOAD", ())
 
 

@@ -12,7 +12,7 @@ from typing import Any
 
 import pytest
 
-from symcheck.checker import check
+from symcheck.evidence.checked import reason as check
 from symcheck.evidence.steps import point, sides
 from symcheck.proof import certificate, fails_at, identity
 from symcheck.proof.farkas import positive_relation

@@ -10,7 +10,7 @@ from typing import Any
 import mpmath
 import pytest
 
-from symcheck.checker import check
+from symcheck.evidence.checked import reason as check
 from symcheck.proof import certificate, identity, proof_of
 from symcheck.proof.closed import order_of_numbers
 from symcheck.proof.enclosures import ONE, Unknown, between, enclosed

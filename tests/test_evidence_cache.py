@@ -135,7 +135,7 @@ def test_a_damaged_file_is_put_aside_rebuilt_and_said(
 ONE_ROW = {
     "no JSON": _statement("UPDATE records SET records = 'oops'"),
     "a changed verdict": _statement("UPDATE records SET records = replace(records, 'proved', 'refuted')"),
-    "the fingerprint of another entry": _statement("UPDATE records SET fingerprint = 'f', digest = 'x'"),
+    "the fingerprint of another entry": _statement("UPDATE records SET fingerprint = 'f', signature = 'x'"),
     "nothing": _statement("UPDATE records SET records = NULL"),
 }
 

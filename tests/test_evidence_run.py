@@ -10,7 +10,7 @@ from typing import Any
 import pytest
 import stand_in
 
-from symcheck.evidence import run
+from symcheck.evidence import checked, run
 from symcheck.evidence.cache import Cache
 from symcheck.evidence.executor import Done, Executor, Pool, Serial
 from symcheck.evidence.record import Record
@@ -18,6 +18,11 @@ from symcheck.statement import SymcheckError, Verdict
 
 STAND_IN: Any = sys.modules["stand_in"]
 ALL = ["toy:1.1", "toy:1.2a", "toy:1.2b", "toy:1.3", "toy:1.4", "toy:1.5", "toy:1.12"]
+
+
+@pytest.fixture(autouse=True)
+def _checked(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(checked, "reasons", stand_in.reasons)
 
 
 class Backwards:

@@ -7,7 +7,7 @@ from typing import Any
 
 import pytest
 
-from symcheck.checker import check
+from symcheck.evidence.checked import reason as check
 from symcheck.proof import certificate, identity
 from symcheck.proof.methods import theorems
 from symcheck.statement import Formula, Problem, Term, Verdict

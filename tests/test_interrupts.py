@@ -134,3 +134,13 @@ def test_an_interrupt_that_was_withheld_comes_afterwards() -> None:
     with pytest.raises(KeyboardInterrupt):
         interrupted()
     assert reached == ["inside"]
+
+
+def test_the_exit_code_is_the_same_where_the_interrupt_strikes_in_a_text_that_is_executed() -> None:
+    found = run(
+        "import symcheck.cli\n"
+        "symcheck.cli.audit = lambda *_: exec('signal.raise_signal(signal.SIGINT)')\n"
+        "sys.argv[1:] = ['check']\n"
+        "symcheck.cli.main()\n"
+    )
+    assert (found.stderr, found.returncode) == ("symcheck: interrupted\n", 130)

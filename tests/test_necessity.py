@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from symcheck import checker
+from symcheck.evidence.checked import reason
 from symcheck.evidence.faults import without
 from symcheck.proof import fails_without, refute
 from symcheck.statement import Formula, Loss, Problem
@@ -48,7 +48,7 @@ def test_a_point_that_no_search_finds_may_be_drawn() -> None:
     found = fails_without(BY_CHANCE)
     assert found is not None
     assert found.loss is Loss.TRUTH
-    assert checker.check(found.certificate) is None
+    assert reason(found.certificate) is None
 
 
 NOT_KNOWN = {
@@ -66,7 +66,7 @@ def test_what_is_lost_has_a_certificate_and_is_told(name: str) -> None:
     found = fails_without(problem)
     assert found is not None
     assert found.loss is loss
-    assert checker.check(found.certificate) is None
+    assert reason(found.certificate) is None
     assert told in without({"lost": found.loss, "counterexample": found.certificate})
 
 

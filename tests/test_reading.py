@@ -72,7 +72,7 @@ BY_HAND = {
     ),
     "function of one moment": (
         r"f_1(J_2) = \frac{1}{4} J_2 (3c - J_2)^2.",
-        [("=", x("f_1"), J2 * (3 * c - J2) ** 2 / 4)],
+        [("=", sympy.Function("f_1", real=True)(J2), J2 * (3 * c - J2) ** 2 / 4)],
     ),
     "direction cosine": (
         r"a_{13} = \sin \alpha \cos \gamma + \cos \alpha \sin \beta \sin \gamma,",
@@ -150,7 +150,7 @@ MEANINGS = {
         ("*", "omega_2", "K_2"),
         ("*", "omega_3", "K_3"),
     ),
-    r"\frac{d^2 f_1}{dJ_2^2}": ("diff", "f_1", "J_2", 2),
+    r"\frac{d^2 f_1}{dJ_2^2}": ("call", "f_1", (2,), "J_2"),
     r"\cos(Oy_1, Ox_2)": ("cos", "Oy_1_Ox_2"),
     r"|\begin{pmatrix} p & 1 \\ 2 & c \end{pmatrix}|": ("+", ("*", "p", "c"), ("-", 2)),
     r"\left|\begin{array}{cc} p & 1 \\ 2 & c \end{array}\right|": ("+", ("*", "p", "c"), ("-", 2)),
@@ -170,7 +170,7 @@ MEANINGS = {
     ),
     r"\langle c \sin \alpha \rangle_{\alpha}": ("mean", ("*", "c", ("sin", "alpha")), "alpha"),
     r"(c k)''_{ck}": ("diff", ("diff", ("*", "c", "k"), "c", 1), "k", 1),
-    r"\sin f_1(c) k": ("*", ("sin", "f_1"), "k"),
+    r"\sin f_1(c) k": ("*", ("sin", ("call", "f_1", (0,), "c")), "k"),
     r"\pi": "pi",
 }
 
@@ -320,11 +320,23 @@ def test_every_edit_of_a_rounded_number_is_noticed():
             continue  # an edit may make no statement at all
 
 
-def test_both_signs_are_two_statements_upper_signs_first():
-    upper, lower_ = formulas(r"p = c \pm k = -(c \mp 1)")[::2], formulas(r"p = c \pm k = -(c \mp 1)")[1::2]
-    assert upper == (("=", "p", ("+", "c", "k")), ("=", ("+", "c", "k"), ("-", ("+", "c", ("-", 1)))))
-    assert lower_ == (("=", "p", ("+", "c", ("-", "k"))), ("=", ("+", "c", ("-", "k")), ("-", ("+", "c", 1))))
-    assert len(formulas(r"J_i = \pm c")) == 6
+def test_a_double_sign_on_one_side_is_an_alternative_and_on_both_sides_two_claims():
+    first, upper, lower_ = formulas(r"p = c \pm k = -(c \mp 1)")
+    assert first == ("or", ("=", "p", ("+", "c", "k")), ("=", "p", ("+", "c", ("-", "k"))))
+    assert upper == ("=", ("+", "c", "k"), ("-", ("+", "c", ("-", 1))))
+    assert lower_ == ("=", ("+", "c", ("-", "k")), ("-", ("+", "c", 1)))
+    assert formulas(r"J_i = \pm c") == tuple(
+        ("or", ("=", f"J_{n}", "c"), ("=", f"J_{n}", ("-", "c"))) for n in (1, 2, 3)
+    )
+    assert formulas(r"k \ne \pm c") == (("!=", "k", "c"), ("!=", "k", ("-", "c")))
+    vector = formulas(r"\mathbf{K} = \pm \mathbf{M}")
+    assert vector == (
+        (
+            "or",
+            ("and", *(("=", f"K_{n}", f"N_{n}") for n in (1, 2, 3))),
+            ("and", *(("=", f"K_{n}", ("-", f"N_{n}")) for n in (1, 2, 3))),
+        ),
+    )
 
 
 def test_convergence_is_a_formula():
@@ -332,9 +344,14 @@ def test_convergence_is_a_formula():
     assert formula == ("=", ("diverges", ("pow", "c", "k"), "c", 0, "infinity"), 0)
 
 
-def test_a_letter_in_a_list_of_relations_claims_nothing():
-    assert formulas("J_1 = J_2, J_3") == formulas("J_1 = J_2")
-    assert formulas(r"(J_1 = J_2, J_3) \Rightarrow c = 1") == formulas(r"J_1 = J_2 \Rightarrow c = 1")
+def test_letters_in_a_list_share_the_relation():
+    assert formulas("J_1, J_2 > 0") == ((">", "J_1", 0), (">", "J_2", 0))
+    assert formulas(r"(J_1, k \ge c) \Rightarrow c = 1") == (
+        ("=>", ("and", (">=", "J_1", "c"), (">=", "k", "c")), ("=", "c", 1)),
+    )
+    between = [("<", 0, letter) for letter in "kcp"], [("<", letter, 1) for letter in "kcp"]
+    assert formulas("0 < k, c, p < 1") == tuple(each for pair in zip(*between, strict=True) for each in pair)
+    assert formulas(r"0 < k, \quad c < 1") == (("<", 0, "k"), ("<", "c", 1))
 
 
 def test_dots_stand_for_the_indices_between():
@@ -364,8 +381,12 @@ def test_an_interval_says_whether_it_has_its_ends(interval):
 
 
 def test_a_function_may_have_components():
-    notation = NOTATION.extended(Letter(r"\mathbf{f}", kind="function", components=r"(c k, 0, 0)"))
+    notation = NOTATION.extended(
+        Letter(r"\mathbf{f}", kind="function", depends=r"\mathbf{K}", components="(c k, 0, 0)")
+    )
     assert formulas(r"\mathbf{f}(\mathbf{K}) = 0", notation)[0] == ("=", ("*", "c", "k"), 0)
+    with pytest.raises(SymcheckError, match="known by its name"):
+        formulas(r"\mathbf{f}(\mathbf{M}) = 0", notation)
 
 
 def test_a_system_keeps_its_qualifier_for_every_part():
@@ -472,7 +493,7 @@ def test_a_letter_with_and_without_indices_is_two_letters():
 
 
 def test_wide_indices_are_one_number_where_there_is_one_index():
-    notation = Notation([Letter("V", indices=1, range=tuple(range(1, 17)))])
+    notation = Notation([Letter("V", indices=1, range=tuple(range(1, 17)), depends="")])
     assert term("V_{12}' - V_1", notation) == ("+", "Vprime_12", ("-", "V_1"))
 
 
@@ -612,7 +633,7 @@ SENSELESS = {
     r"\int_0^1 c d\mathbf{K} = 1": "a scalar is expected",
     r"\langle c \rangle_{\mathbf{K}} = 1": "a scalar is expected",
     r"\log c = 1": "no algebraic form",
-    r"f_1(J_2 + 1) = c": "only to the letters",
+    r"f_1(J_2, c) = c": "f_1 depends on J_2",
     r"k^T = 1": "transposes a scalar",
     r"c \subset k": "no algebraic form",
 }

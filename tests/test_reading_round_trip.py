@@ -50,6 +50,7 @@ from symcheck.reading.tree import (
     Tree,
     Tuple,
     Values,
+    walk,
 )
 from symcheck.statement import SymcheckError
 
@@ -89,6 +90,7 @@ scalars = st.sampled_from(
         Name("a", ("i", "j")),
         Name(r"\bar{k}", ("s",)),
         Name("c", (), 1),
+        Call(Name("f_1", (), 1), ()),
         Name("J", (1,), 2),
         Call(Name("f_1"), ()),
         Number("0"),
@@ -112,7 +114,6 @@ def grown(inner: st.SearchStrategy[Tree]) -> st.SearchStrategy[Tree]:
         several(inner).map(Add),
         several(inner).map(Mul),
         inner.map(Neg),
-        st.builds(PlusMinus, inner, st.booleans()),
         st.builds(Integral, inner, names, inner, st.one_of(inner, st.just(Infinity()))),
         st.builds(Mean, inner, st.sampled_from([Name("c"), Name(r"\alpha")])),
         st.builds(Div, inner, inner),
@@ -160,15 +161,29 @@ def logical(inner: st.SearchStrategy[Tree]) -> st.SearchStrategy[Tree]:
     )
 
 
+def uses_its_indices(tree: Tree) -> bool:
+    """Does every index that is given values occur?"""
+    assert isinstance(tree, System)
+    used = {
+        index for part in tree.parts for _, node in walk(part) if isinstance(node, Name) for index in node.subscripts
+    }
+    return all(index in used for qualifier in tree.qualifiers for index in qualifier.indices)
+
+
+def doubly_signed(left: Tree, right: Tree, sign: str, minus: bool) -> Tree:
+    """A relation with a double sign."""
+    return Chain((left, Add((Name("c"), PlusMinus(Mul((Name("k"), right)), minus)))), (sign,))
+
+
 statements = st.recursive(chains(), logical, max_leaves=4)
 qualifiers = st.builds(Qualifier, st.sampled_from([("i",), ("i", "j")]), st.just((1, 2)))
 plain = st.one_of(
     chains(),
     several(chains()).map(And),
-    st.builds(System, several(chains()), st.lists(qualifiers, max_size=1).map(tuple)),
-    st.builds(System, several(statements, 1, 1), st.just((Qualifier(("i",), (1, 3)),))),
+    st.builds(System, several(chains()), st.lists(qualifiers, max_size=1).map(tuple)).filter(uses_its_indices),
+    st.builds(System, several(statements, 1, 1), st.just((Qualifier(("i",), (1, 3)),))).filter(uses_its_indices),
     st.builds(Located, names, chains()),
-    st.builds(System, st.tuples(chains(), names), st.just(())),
+    st.builds(doubly_signed, expressions, expressions, signs, st.booleans()),
     st.builds(Values, st.just(Name("c")), st.just((Number("1"), Number("2"), Dots()))),
 )
 lists = st.lists(plain, min_size=1, max_size=3).map(
@@ -187,21 +202,22 @@ class Permissive(Notation):
 
     def __init__(self, slash: str = "") -> None:
         letters = [*(Letter(index, kind="index") for index in "ijk"), Letter("d", kind="differential")]
-        super().__init__(letters, slash=slash)
+        super().__init__(letters, slash=slash, argument="short")
 
     def find(self, latex: str, indices: int) -> Letter | None:
         if latex == "d":
             return Letter("d", kind="differential")
         if indices or latex == r"\partial":
             return None
-        return Letter("x", kind="vector" if "mathbf" in latex else "scalar")
+        return Letter("x", kind="vector" if "mathbf" in latex else "scalar", depends="")
 
     def knows(self, latex: str) -> bool:
         plain = latex.removeprefix("\\")
         return latex != "T" and plain not in FUNCTIONS and not latex.startswith(r"\text{")
 
 
-SHARES = {"001": (26, 26, 56, 56), "004": (25, 25, 941, 941)}
+# Not read: `A = B, C`, an index that is given values and stands in a letter, rows of lists (`listing` reads them)
+SHARES = {"001": (25, 26, 55, 56), "004": (24, 25, 936, 941)}
 SLASHES = {"001": "denominator", "004": ""}
 
 

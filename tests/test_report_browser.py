@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any
 import pytest
 from click.testing import CliRunner
 
-from symcheck import checker
+from symcheck.checker.__main__ import main
 
 if TYPE_CHECKING:
     from playwright.sync_api import Browser, Page
@@ -196,7 +196,7 @@ def test_a_certificate_unfolds_and_the_checker_accepts_what_is_downloaded(
             page.get_by_role("button", name="Download as JSON").click()
         file = tmp_path / waiting.value.suggested_filename
         waiting.value.save_as(file)
-        assert checker.main([str(file)]) == 0
+        assert main([str(file)]) == 0
 
 
 def test_a_kernel_unfolds_where_its_claim_stands(opened: Callable[..., Page]) -> None:

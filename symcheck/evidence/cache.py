@@ -1,26 +1,30 @@
 """Decided records by content: fingerprint -> records, in one SQLite file that may be lost at any time.
 
 The cache never decides anything and never stops anybody: whatever is wrong with it is said in one line through `say`,
-and the work goes on without the part that was lost.
+and the work goes on without the part that was lost. It is not believed either: each entry is signed with a key that is
+kept elsewhere, so that nothing in it can be changed, and entries of somebody else's cache count for nothing. (Whoever
+has the key could change the program as well.) What the entries say is checked again, see `symcheck.evidence.checked`.
 """
 
 from __future__ import annotations
 
+import hmac
 import json
 import os
+import secrets
 import sqlite3
 from collections.abc import Callable, Iterable, Mapping
 from contextlib import closing
-from hashlib import sha256
 from pathlib import Path
 
 from symcheck.evidence.record import Record
 from symcheck.statement import SymcheckError
 
-SCHEMA = 1
+SCHEMA = 2
 FILE = "records.sqlite"
-_TABLE = "CREATE TABLE records (id TEXT PRIMARY KEY, fingerprint TEXT, digest TEXT, records TEXT) WITHOUT ROWID"
-_FIND = "SELECT id, fingerprint, digest, records FROM records WHERE id IN (SELECT value FROM json_each(?))"
+KEY, KEY_BYTES = "cache.key", 32
+_TABLE = "CREATE TABLE records (id TEXT PRIMARY KEY, fingerprint TEXT, signature TEXT, records TEXT) WITHOUT ROWID"
+_FIND = "SELECT id, fingerprint, signature, records FROM records WHERE id IN (SELECT value FROM json_each(?))"
 Say = Callable[[str], None]
 
 
@@ -33,6 +37,22 @@ def location() -> Path:
     return user_cache_path("symcheck")
 
 
+def key() -> bytes:
+    """The key with which entries are signed, of this user; it is made at the first use. OSError if it cannot be."""
+    from platformdirs import user_config_path
+
+    file = user_config_path("symcheck") / KEY
+    if not file.exists():
+        file.parent.mkdir(parents=True, exist_ok=True)
+        new = file.with_name(f".{KEY}.{os.getpid()}")
+        with open(os.open(new, os.O_CREAT | os.O_WRONLY | os.O_TRUNC, 0o600), "wb") as opened:
+            opened.write(secrets.token_bytes(KEY_BYTES))
+        new.replace(file)  # if another process is making it, too, one of the two decides a few things again
+    if len(found := file.read_bytes()) != KEY_BYTES:
+        raise OSError(f"{file} is not the key of a cache; remove it")
+    return found
+
+
 class Cache:
     """Records of declarations, one entry per id, valid only for the fingerprint they were stored under.
 
@@ -43,15 +63,21 @@ class Cache:
     def __init__(self, folder: Path | None, say: Say) -> None:
         self.say = say
         self._file = folder / FILE if folder else None
-        self._connection = _opened(self._file, say) if self._file else None
+        self._connection = None
+        try:
+            self._key = key() if folder else b""
+        except OSError as error:
+            say(f"no cache, as there is no key to sign it with ({error})")
+        else:
+            self._connection = _opened(self._file, say) if self._file else None
 
     def find(self, fingerprints: Mapping[str, str]) -> dict[str, tuple[Record, ...]]:
         """The records of those ids that are stored under the given fingerprint; stale entries are counted and said."""
         found, stale, broken = {}, 0, 0
-        for id, fingerprint, digest, text in self._rows(fingerprints):
+        for id, fingerprint, signature, text in self._rows(fingerprints):
             if fingerprint != fingerprints[id]:
                 stale += 1
-            elif (records := _unpacked(id, fingerprint, digest, text)) is None:
+            elif (records := self._unpacked(id, fingerprint, signature, text)) is None:
                 broken += 1
             else:
                 found[id] = records
@@ -66,7 +92,7 @@ class Cache:
         if self._connection is None:
             return
         text = json.dumps([record.to_json() for record in records], ensure_ascii=False, separators=(",", ":"))
-        row = (id, fingerprint, _digest(id, fingerprint, text), text)
+        row = (id, fingerprint, self._signature(id, fingerprint, text), text)
         try:
             with self._connection:
                 self._connection.execute("INSERT OR REPLACE INTO records VALUES (?, ?, ?, ?)", row)
@@ -90,6 +116,19 @@ class Cache:
         if self._connection is not None:
             self._connection.close()
             self._connection = None
+
+    def _signature(self, id: str, fingerprint: str, text: str) -> str:
+        return hmac.digest(self._key, "\n".join((id, fingerprint, text)).encode(), "sha256").hex()
+
+    def _unpacked(self, id: str, fingerprint: str, signature: str, text: str) -> tuple[Record, ...] | None:
+        """The records of one entry, or None if the entry is not what was stored here."""
+        texts = isinstance(text, str) and isinstance(signature, str) and signature.isascii()
+        if not texts or not hmac.compare_digest(self._signature(id, fingerprint, text), signature):
+            return None
+        try:
+            return tuple(Record.from_json(data) for data in json.loads(text))
+        except (ValueError, TypeError, SymcheckError):
+            return None
 
     def _rows(self, ids: Iterable[str]) -> list[tuple[str, str, str, str]]:
         if self._connection is None:
@@ -163,20 +202,6 @@ def _fault(file: Path) -> str | None:
 
 def _aside(file: Path) -> Path:
     return file.with_name(file.name + ".damaged")
-
-
-def _digest(id: str, fingerprint: str, text: str) -> str:
-    return sha256("\n".join((id, fingerprint, text)).encode()).hexdigest()
-
-
-def _unpacked(id: str, fingerprint: str, digest: str, text: str) -> tuple[Record, ...] | None:
-    """The records of one row, or None if the row is not what was stored."""
-    if not isinstance(text, str) or _digest(id, fingerprint, text) != digest:
-        return None
-    try:
-        return tuple(Record.from_json(data) for data in json.loads(text))
-    except (ValueError, TypeError, SymcheckError):
-        return None
 
 
 def _results(count: int) -> str:

@@ -134,6 +134,7 @@ class Context:
             terms = self.hint(latex)
             lowered.append((name, terms[instance] if len(terms) > 1 else terms[0]))
         bodies = [part for _, formulas in hypotheses for part in formulas]
+        self.notation.refuse_undefined(self.table, formula, *bodies)
         definitions = self.used_definitions(formula, *bodies, *(term for _, term in lowered))
         return Problem(self.id + self.letter, formula, definitions, hypotheses, tuple(lowered))
 

@@ -10,9 +10,9 @@ from symcheck.statement import Certificate, SymcheckError, Verdict
 
 def domain(certificates: Iterable[Certificate]) -> dict[str, list[str]]:
     """The hypotheses that proofs use (or that are in force where a lemma is used), and what must not vanish there."""
-    proofs = [each for each in certificates if each["verdict"] == Verdict.PROVED]
-    names = {name for each in proofs for name in (*each["hypotheses"], *each.get("under", {}))}
-    conditions = {" / ".join(texts) for each in proofs for texts in each["proof"].get("nonzero", ())}
+    proofs = [each for each in certificates if each.get("verdict") == Verdict.PROVED]
+    names = {name for each in proofs for name in (*each.get("hypotheses", {}), *each.get("under", {}))}
+    conditions = {" / ".join(texts) for each in proofs for texts in each.get("proof", {}).get("nonzero", ())}
     return {"hypotheses": sorted(names), "nonzero": sorted(conditions)}
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 from collections.abc import Iterable
 from dataclasses import dataclass, replace
-from functools import cache
+from functools import cache, cached_property
 from typing import Any
 
 from symcheck import papers
@@ -82,6 +82,14 @@ def _formulas(context: Context, tree: Tree, derived: tuple[Term, ...]) -> tuple[
 
 
 @dataclass(frozen=True)
+class Source:
+    """What a proof may start from: what lemmas say, with the id of each, and definitions of all that is spoken of."""
+
+    facts: tuple[tuple[str, Formula], ...]
+    defined: Definitions
+
+
+@dataclass(frozen=True)
 class Finding:
     """What came out for one statement: the outcome of each instance, with its problem."""
 
@@ -90,10 +98,9 @@ class Finding:
     outcomes: tuple[Outcome, ...]
     concrete: tuple[Problem, ...]
     lemmas: tuple[str, ...]
-    facts: tuple[tuple[str, Formula], ...] = ()  # what the lemmas say, with the id of each
-    defined: Definitions = ()  # what the claims, the hypotheses and the lemmas speak of
+    sources: tuple[Source, ...]
 
-    @property
+    @cached_property
     def certificates(self) -> tuple[Certificate, ...]:
         """One for each decided instance.
 
@@ -101,19 +108,16 @@ class Finding:
         checker looks for, and the hypotheses in force, which those must not exceed.
         """
         found = []
-        for problem, outcome, whole in zip(self.problems, self.outcomes, self.concrete, strict=True):
+        each = zip(self.problems, self.outcomes, self.concrete, self.sources, strict=True)
+        for problem, outcome, whole, start in each:
             if outcome.verdict is not Verdict.UNDECIDED:
-                source = {} if problem is whole else self._source(whole)
-                found.append({**certificate(problem, outcome), **json.loads(json.dumps(source))})
+                source = {} if problem is whole else self._source(whole, start)
+                certified = certificate(problem, outcome, None if problem is whole else whole)
+                found.append({**certified, **json.loads(json.dumps(source))})
         return tuple(found)
 
-    def _source(self, whole: Problem) -> dict[str, Any]:
-        return {
-            "lemmas": self.lemmas,
-            "facts": self.facts,
-            "defined": self.defined,
-            "under": dict(whole.hypotheses),
-        }
+    def _source(self, whole: Problem, start: Source) -> dict[str, Any]:
+        return {"lemmas": self.lemmas, "facts": start.facts, "defined": start.defined, "under": dict(whole.hypotheses)}
 
     @property
     def reason(self) -> str:
@@ -144,11 +148,14 @@ def _find(context: Context, formulas: Iterable[Formula], given: Iterable[Hypothe
     else:
         verdict = Verdict.UNDECIDED
     lemmas = tuple(f"{context.paper.key}:{number}" for number in context.item.lemmas)
-    spoken = [formula for _, formula in premises] + [
-        f for problem in concrete for _, fs in problem.hypotheses for f in fs
-    ]
-    defined = context.used_definitions(*formulas, *spoken) if premises else ()
-    return Finding(verdict, tuple(problems), tuple(outcomes), concrete, lemmas, premises, defined)
+    sources = tuple(_source(context, problem, premises) for problem in concrete)
+    return Finding(verdict, tuple(problems), tuple(outcomes), concrete, lemmas, sources)
+
+
+def _source(context: Context, problem: Problem, premises: tuple[tuple[str, Formula], ...]) -> Source:
+    spoken = [problem.claim, *(f for _, stated in problem.hypotheses for f in stated), *(f for _, f in premises)]
+    defined = context.used_definitions(*spoken, *(term for _, term in problem.hints)) if premises else ()
+    return Source(premises, defined)
 
 
 def equality_claims(context: Context, unit: Unit, equality: str) -> tuple[Formula, ...]:
@@ -191,6 +198,7 @@ def judge(context: Context, unit: Unit, given: tuple[Hypothesis, ...], extra: tu
         problems=finding.problems + attained.problems,
         outcomes=finding.outcomes + outcomes,
         concrete=finding.concrete + attained.concrete,
+        sources=finding.sources + attained.sources,
     )
 
 
@@ -202,7 +210,12 @@ def _is_vacuous(context: Context, problem: Problem) -> bool:
 
 @cache
 def _contradictory(definitions: Definitions, stated: tuple[Formula, ...]) -> bool:
-    """Whether the equations have no solution, or the other conditions imply the contrary of one of them."""
+    """Whether the equations have no solution, or the other conditions imply the contrary of one of them.
+
+    Mostly there is a point at which all of them hold, and to find it takes much less than to look for proofs in vain.
+    """
+    if refute(Problem("together", ("=", 0, 1), definitions, (("all", stated),))) is not None:
+        return False
 
     def follows(claim: Formula, *left_out: Formula) -> bool:
         rest = tuple(formula for formula in stated if formula not in left_out)

@@ -4,16 +4,21 @@ from __future__ import annotations
 
 import hashlib
 import json
-from collections.abc import Iterator, Mapping
 from typing import Any
 
-from symcheck.proof.polynomial import subterms, theorem_of
-from symcheck.proof.theorems import conjuncts, sides
-from symcheck.statement import Certificate, Outcome, Problem, Term, Verdict
+from symcheck.proof.mentions import nonzero_terms, terms_in
+from symcheck.proof.methods import proof_of
+from symcheck.proof.polynomial import subterms
+from symcheck.proof.theorems import conjuncts
+from symcheck.proof.witness import find_witnesses
+from symcheck.statement import Certificate, Outcome, Problem, Verdict
 
 
-def certificate(problem: Problem, outcome: Outcome) -> Certificate:
+def certificate(problem: Problem, outcome: Outcome, whole: Problem | None = None) -> Certificate:
     """The outcome as JSON data. A proof lists just the hypotheses and definitions it uses, a refutation all hypotheses.
+
+    A proof comes with points where all that is assumed holds together, if such are found; where it starts from lemmas,
+    of the `whole` problem that is proved with them.
 
     ValueError for an undecided outcome: it has no certificate.
     """
@@ -28,6 +33,8 @@ def certificate(problem: Problem, outcome: Outcome) -> Certificate:
         kept = {name: [k for k in range(len(fs)) if (name, k) in given] for name, fs in hypotheses.items()}
         hypotheses = {name: [hypotheses[name][k] for k in ks] for name, ks in kept.items() if ks}
         body = {"verdict": "proved", "proof": _renumber(proof, kept)}
+        points = find_witnesses(whole, nonzero_terms(proof), proof_of) if whole else proof.get("witnesses")
+        body |= {"witnesses": points} if points else {}
         mentioned: list[Any] = [problem.claim, list(hypotheses.values()), *terms_in(proof, dict(problem.definitions))]
     else:
         assert outcome.point is not None
@@ -53,77 +60,12 @@ def digest(stated: Certificate) -> str:
 def _renumber(node: Any, kept: dict[str, list[int]]) -> Any:
     """The proof with ["hyp", name, k] counted among the kept formulas."""
     if isinstance(node, dict):
-        return {key: _renumber(value, kept) for key, value in node.items() if key != "given"}
+        return {key: _renumber(value, kept) for key, value in node.items() if key not in ("given", "witnesses")}
     if isinstance(node, list):
         if len(node) == 3 and node[0] == "hyp":
             return ["hyp", node[1], kept[node[1]].index(node[2])]
         return [_renumber(child, kept) for child in node]
     return node
-
-
-def references(node: Any) -> set[tuple[str, int]]:
-    """The hypotheses a proof refers to."""
-    if isinstance(node, dict):
-        own = {(name, k) for name, k in node.get("given", ())}
-        return own.union(*(references(value) for key, value in node.items() if key != "given"))
-    if isinstance(node, list):
-        if len(node) == 3 and node[0] == "hyp":
-            return {(node[1], node[2])}
-        return set().union(*(references(child) for child in node))
-    return set()
-
-
-def terms_in(node: Any, definitions: Mapping[str, Term]) -> list[Any]:
-    """The terms (forms, points, what theorems speak of) a proof mentions."""
-    if isinstance(node, dict):
-        own = [node["form"]] if "form" in node else [*node.get("point", {}).values()]
-        if "of" in node:
-            theorem = theorem_of(node["of"], definitions)
-            own += [side for formula in (*theorem.premises, theorem.conclusion) for side in sides(formula)]
-        return own + [t for key, value in node.items() if key != "of" for t in terms_in(value, definitions)]
-    if isinstance(node, list):
-        if len(node) == 2 and node[0] == "positive":
-            return [node[1]]
-        return [t for child in node for t in terms_in(child, definitions)]
-    return []
-
-
-def texts_in(node: Any) -> Iterator[str]:
-    """The polynomials a proof mentions, as they are printed."""
-    if isinstance(node, dict):
-        yield from node.get("clear", ())
-        yield from (text for _, *texts in node.get("cofactors", ()) for text in texts)
-        yield from (text for text, _ in node.get("factors", ()))
-        yield from (text for texts in node.get("nonzero", ()) for text in texts)
-        for part in node.values():
-            yield from texts_in(part)
-    elif isinstance(node, list):
-        for part in node:
-            yield from texts_in(part)
-
-
-def nonzero_terms(proof: Certificate) -> list[Term]:
-    """The denominators of a statement about which no hypothesis speaks, as terms."""
-    meant = proof.get("atoms", {})
-    return list(dict.fromkeys(_term(text, meant) for texts in proof.get("nonzero", ()) for text in texts))
-
-
-def _term(text: str, meant: Mapping[str, Term]) -> Term:
-    """A polynomial as it is printed, as a term."""
-    addends = [_product(term, meant) for term in text.replace(" - ", " + -").split(" + ")]
-    return addends[0] if len(addends) == 1 else ("+", *addends)
-
-
-def _product(text: str, meant: Mapping[str, Term]) -> Term:
-    if text.startswith("-"):
-        return "-", _product(text[1:], meant)
-    factors: list[Term] = []
-    for factor in text.split("*"):
-        name, _, exponent = factor.partition("^")
-        top, _, bottom = name.partition("/")
-        number: Term = ("/", int(top), int(bottom)) if bottom else int(top) if top.isdigit() else meant.get(name, name)
-        factors.append(("^", number, int(exponent)) if exponent else number)
-    return factors[0] if len(factors) == 1 else ("*", *factors)
 
 
 def _reached(problem: Problem, mentioned: list[Any]) -> set[str]:

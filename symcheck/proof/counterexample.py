@@ -72,6 +72,23 @@ def fails_at(problem: Problem, values: Mapping[str, Any]) -> bool:
         return False
 
 
+def failing(problem: Problem) -> Callable[[Mapping[str, int]], bool] | None:
+    """The same for whole numbers at many points, where no functions occur; None for terms without a place in a ring."""
+    try:
+        search = Search(problem, problem.claim, lambda _: None)
+    except Unsupported:
+        return None
+
+    def fails(values: Mapping[str, int]) -> bool:
+        try:
+            point = {name: search.ring.number(values[name]) for name in search.free}
+            return all(search._truth(f, point) for f in search.formulas) and search._refutes(point)
+        except (Unsupported, ZeroDivisionError):
+            return False
+
+    return fails
+
+
 def _point(problem: Problem, prove: Prover) -> Certificate | None:
     claim = problem.claim
     if _quantified(claim):
@@ -286,7 +303,7 @@ class Search:
         numbers = {x: p for x, p in point.items() if not table().stands(x)}
         defined = tuple((x, term_of(p)) for x, p in numbers.items())
         function = atoms()[name]
-        for value in values_of(function, dict(defined)):
+        for value in self._possible(function, dict(defined)):
             found = self.prove(Problem(name, ("=", function, value), defined))
             if found is not None and found.proof is not None:
                 proof = {key: part for key, part in found.proof.items() if key != "given"}
@@ -295,8 +312,12 @@ class Search:
                 return True
         return False
 
-    def _power(self, base: Fraction, exponent: Fraction = Fraction(1, 2)) -> Poly:
-        if exponent == Fraction(1, 2):
+    def _possible(self, function: Term, numbers: Mapping[str, Term]) -> Iterator[Term]:
+        """What a function may be where letters have these numbers."""
+        yield from values_of(function, numbers)
+
+    def _power(self, base: Fraction, exponent: Fraction | None = None) -> Poly:
+        if exponent is None:
             outside, primes = square_free(base)
             roots = [*map(table().root, primes)]
             if not self.roots.keys() >= {*roots}:

@@ -2,38 +2,58 @@
 
 from __future__ import annotations
 
+import json
 import re
 from collections.abc import Callable
+from dataclasses import replace
 
-from symcheck.proof.certificate import references, terms_in, texts_in
 from symcheck.proof.closed import decide_numbers
 from symcheck.proof.counterexample import refute
 from symcheck.proof.knowledge import Knowledge, given_of, ring_of, starting
+from symcheck.proof.mentions import nonzero_terms, references, terms_in, texts_in
 from symcheck.proof.orders import form_on_the_circle
 from symcheck.proof.polynomial import Poly, Ring, Unsupported, function_arguments, unfold, variables
 from symcheck.proof.theorems import conjuncts, sides
 from symcheck.proof.variables import atoms, table
+from symcheck.proof.wellformed import check_terms
+from symcheck.proof.witness import find_witnesses
 from symcheck.statement import Certificate, Outcome, Problem, Term, Verdict
 
+VACUOUS = (
+    "it follows from what is given, but no point was found at which that holds: hypotheses, premises, "
+    "and that no denominator is zero"
+)
 Search = Callable[[Problem, Ring], Certificate | None]
 
 
 def decide(problem: Problem, search: Search) -> Outcome:
     """Proved with a rule tree, refuted with a point, or undecided with the reason; no statement raises."""
-    if (decided := decide_numbers(problem)) is not None:
-        return decided
     try:
-        outcome = _search(problem, search)
+        check_terms(problem)
+        outcome = decide_numbers(problem) or _search(problem, search)
         if outcome is not None:
-            return outcome
+            return outcome if outcome.verdict is Verdict.REFUTED else with_witnesses(problem, outcome, search)
         point = refute(problem, lambda inner: prove(inner, search))
+        json.dumps(point)  # a number may be too long to be written
     except Unsupported as error:
         return Outcome(Verdict.UNDECIDED, reason=str(error))
+    except (RecursionError, ArithmeticError, ValueError) as error:
+        return Outcome(Verdict.UNDECIDED, reason=f"a limit of the search was reached ({type(error).__name__})")
     if point is not None:
         return Outcome(Verdict.REFUTED, point=point, used=tuple(name for name, _ in problem.hypotheses))
     return Outcome(
         Verdict.UNDECIDED, reason="neither a proof nor a counterexample was found within the limits of the search"
     )
+
+
+def with_witnesses(problem: Problem, outcome: Outcome, search: Search) -> Outcome:
+    """The proof with points at which all it rests on holds together; undecided if none was found."""
+    assert outcome.proof is not None
+    found = find_witnesses(problem, nonzero_terms(outcome.proof), lambda inner: prove(inner, search))
+    if found is None:
+        return Outcome(Verdict.UNDECIDED, reason=VACUOUS)
+    json.dumps([outcome.proof, found])
+    return replace(outcome, proof={**outcome.proof, "witnesses": found})
 
 
 def prove(problem: Problem, search: Search) -> Outcome | None:

@@ -14,7 +14,9 @@ from symcheck.proof.decide import decide
 from symcheck.proof.polynomial import alone
 from symcheck.proof.splitting import prove
 from symcheck.proof.variables import Unsupported
-from symcheck.statement import Certificate, Method, Outcome, Problem
+from symcheck.proof.wellformed import check_terms
+from symcheck.proof.witness import FALSE
+from symcheck.statement import Certificate, Method, Outcome, Problem, Verdict
 
 
 def _decide(problem: Problem) -> Outcome:
@@ -25,15 +27,27 @@ def _decide(problem: Problem) -> Outcome:
 def refute(problem: Problem) -> Certificate | None:
     """A point where the hypotheses hold and the claim does not, or None; what functions are there is not looked for."""
     with alone(problem):
-        return counterexample.refute(problem)
+        try:
+            check_terms(problem)
+            return counterexample.refute(problem)
+        except (Unsupported, RecursionError, ArithmeticError, ValueError):
+            return None
 
 
 def proof_of(problem: Problem) -> Outcome | None:
-    """A proof, or None; unlike a method it looks for no counterexample."""
+    """A proof, or None; unlike a method it looks for no counterexample.
+
+    What it rests on holds at some point, except where "0 = 1" is proved: that its hypotheses contradict one another.
+    """
     with alone(problem):
         try:
-            return deciding.prove(problem, prove)
-        except Unsupported:
+            check_terms(problem)
+            outcome = deciding.prove(problem, prove)
+            if outcome is None or problem.claim == FALSE:
+                return outcome
+            outcome = deciding.with_witnesses(problem, outcome, prove)
+            return outcome if outcome.verdict is Verdict.PROVED else None
+        except (Unsupported, RecursionError, ArithmeticError, ValueError):
             return None
 
 

@@ -11,11 +11,12 @@ from typing import Any, NamedTuple
 
 from symcheck.proof.angle_points import refute_about_angles
 from symcheck.proof.certificate import certificate
-from symcheck.proof.counterexample import fails_at
+from symcheck.proof.counterexample import failing
 from symcheck.proof.methods import proof_of, refute
 from symcheck.proof.polynomial import Unsupported, alone, letters_of, parts, rebuilt, subterms
-from symcheck.proof.theorems import RELATIONS, Terms, conjuncts, contrary
+from symcheck.proof.theorems import RELATIONS, Terms, conjuncts
 from symcheck.proof.variables import Table
+from symcheck.proof.witness import FALSE
 from symcheck.statement import Certificate, Formula, Loss, Outcome, Problem, Term, Verdict
 
 PLAIN = {"+", "-", "*", "/", "^", "and", "or", "=>", "<=>", *RELATIONS}
@@ -72,10 +73,10 @@ def _refuted_by_chance(problem: Problem) -> Certificate | None:
     if any(isinstance(node, tuple) and node[0] not in PLAIN for node in subterms(stated) if node is not stated):
         return None
     letters = sorted(Terms({}).names(stated) - terms.keys())
-    draw = random.Random(problem.id)
-    for _ in range(DRAWS):
+    draw, fails = random.Random(problem.id), failing(problem)
+    for _ in range(DRAWS if fails else 0):
         point = {letter: draw.choice(DRAWN) for letter in letters}
-        if fails_at(problem, {letter: str(value) for letter, value in point.items()}):
+        if fails and fails(point):
             return refute(replace(problem, hints=tuple((f"point.{letter}", value) for letter, value in point.items())))
     return None
 
@@ -107,14 +108,10 @@ def _none_exists(problem: Problem) -> Certificate | None:
 
 
 def _contradictory(problem: Problem, relations: Sequence[Formula]) -> Certificate | None:
-    """The proof that the first order among the relations fails where the others hold."""
-    order = next((each for each in relations if each[0] in ORDERS), None)
-    if order is None:
+    """The proof that the relations never hold together; one of them has to be an order."""
+    if not any(each[0] in ORDERS for each in relations):
         return None
-    claim: Formula = tuple(contrary(order))
-    if others := [each for each in relations if each != order]:
-        claim = ("=>", ("and", *others) if others[1:] else others[0], claim)
-    failing = replace(problem, claim=claim)
+    failing = replace(problem, claim=("=>", ("and", *relations) if relations[1:] else relations[0], FALSE))
     proof = proof_of(failing)
     return certificate(failing, proof) if proof else None
 

@@ -26,7 +26,8 @@ FUNCTIONS = (*OPAQUE, *BINDING, "call")
 
 MAX_POWER = 999
 MAX_LENGTH = 200_000  # terms of a power
-MAX_BITS = 100_000  # of a number
+MAX_DEGREE = 400  # of the power of a sum
+MAX_BITS = 12_000  # of a number
 MAX_TURNS = 99
 MAX_PRIME = 43  # of the roots the checker knows
 
@@ -34,6 +35,10 @@ MAX_PRIME = 43  # of the roots the checker knows
 def fraction(value: Any) -> Fraction:
     """A flint rational as a standard one."""
     return Fraction(int(value.p), int(value.q))
+
+
+def _bits(value: Any) -> int:
+    return max(int(value.p).bit_length(), int(value.q).bit_length())
 
 
 def rational(value: Fraction | int) -> Any:
@@ -68,7 +73,14 @@ def letters_of(problem: Problem) -> set[str]:
 
 
 def _names_in(node: Any) -> set[str]:
-    return set().union(*map(_names_in, node)) if isinstance(node, tuple) else {node} if isinstance(node, str) else set()
+    open_, found = [node], set[str]()
+    while open_:
+        part = open_.pop()
+        if isinstance(part, tuple):
+            open_ += part
+        elif isinstance(part, str):
+            found.add(part)
+    return found
 
 
 def alone(problem: Problem) -> AbstractContextManager[Any]:
@@ -110,7 +122,10 @@ def derivative(term: Term, definitions: Mapping[str, Term]) -> Term:
 
 def theorem_of(instance: Instance, definitions: Mapping[str, Term]) -> Theorem:
     """A theorem applied to terms."""
-    theorem = THEOREMS[instance[0]](Terms(dict(definitions)), *map(_listed, instance[1:]))
+    try:
+        theorem = THEOREMS[instance[0]](Terms(dict(definitions)), *map(_listed, instance[1:]))
+    except Unknown as error:
+        raise Unsupported(str(error)) from error
     return Theorem([frozen(premise) for premise in theorem.premises], frozen(theorem.conclusion))
 
 
@@ -219,6 +234,7 @@ def atom(node: Any) -> str | None:
         return None
     if kind in BINDING:
         body, x, *ends = arguments
+        variables(body)  # what does not depend on x has its variable already
         depth = sum(isinstance(part, tuple) and part[0] in BINDING for part in subterms(body))
         arguments = [renamed(body, x, f"#{depth}"), *ends]  # a name no letter has
     return table().atom((kind, *map(canonical, arguments)), node)
@@ -242,7 +258,9 @@ def number_of(term: Term) -> Fraction | None:
 
 
 def renamed(node: Any, old: str, new: str) -> Any:
-    """The term with another name for a variable, also where it is bound."""
+    """The term with another name for a variable, except where it is bound again."""
+    if isinstance(node, tuple) and node[:1] and node[0] in BINDING and node[2] == old:
+        return (*node[:3], *(renamed(end, old, new) for end in node[3:]))
     if isinstance(node, tuple):
         return rebuilt(node, (renamed(child, old, new) for child in parts(node)))
     return new if node == old else node
@@ -491,8 +509,12 @@ class Ring:
     def _power(self, value: Ratio, exponent: int) -> Ratio:
         """A whole power that is not negative."""
         length = len(value.num)
-        if exponent > MAX_POWER or (length > 1 and comb(min(exponent, MAX_POWER) + length - 1, exponent) > MAX_LENGTH):
-            raise Unsupported(f"the power {exponent}")
+        small = exponent <= MAX_POWER
+        if small and length > 1 and exponent > 2:
+            degree = exponent * int(value.num.total_degree())
+            small = degree <= MAX_DEGREE and comb(exponent + length - 1, exponent) <= MAX_LENGTH
+        if not small or (exponent > 20 and exponent * max(map(_bits, value.num.coeffs()), default=0) > MAX_BITS):
+            raise Unsupported(f"the power {exponent} of a sum or of a long number")
         if exponent == 0:
             return Ratio(self.number(1))
         den = {text: (poly, count * exponent) for text, (poly, count) in value.den.items()}

@@ -22,7 +22,7 @@ from symcheck.proof.polynomial import (
     with_arguments,
 )
 from symcheck.proof.theorems import BINDING, Theorem
-from symcheck.proof.variables import atoms, prime
+from symcheck.proof.variables import Unsupported, atoms, prime
 from symcheck.statement import Certificate, Formula, Problem, Term
 
 Prover = Callable[[Formula, Knowledge], Certificate | None]
@@ -104,10 +104,14 @@ class _Plan:
         yield from instances(name, self.names)
 
     def _add(self, instance: Instance, kept: list[Instance]) -> None:
-        theorem = theorem_of(instance, self.definitions)
+        try:
+            theorem = theorem_of(instance, self.definitions)
+            said = (unfold(formula, self.definitions) for formula in (*theorem.premises, theorem.conclusion))
+            needed = set().union(*map(variables, said))
+        except Unsupported:
+            return
         kept.append(instance)
-        for formula in (*theorem.premises, theorem.conclusion):
-            self.names |= variables(unfold(formula, self.definitions))
+        self.names |= needed
 
 
 def _hinted(problem: Problem) -> list[Instance]:

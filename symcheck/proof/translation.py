@@ -74,9 +74,12 @@ def certificate(found: Mapping[str, Any]) -> dict[str, JSON]:
             own += [formula for formula in map(stated, formulas) if formula not in own]
     atoms = {name: term(value) for name, value in found["proof"].get("atoms", {}).items()}
     if conditions := found["proof"].get("nonzero"):
-        new["nonzero"] = [condition(texts, atoms) for texts in conditions]
+        new["nonzero"] = [
+            condition(texts, lambda name: atoms.get(name) or value_of(name) or name) for texts in conditions
+        ]
     new["proof"] = proof(found["proof"])
-    if points := [*map(point, found.get("witnesses", ()))]:
+    told = ("values", "calls", "proof")
+    if points := [{key: each[key] for key in told if key in each} for each in map(point, found.get("witnesses", ()))]:
         wanted = len(implications(claim)) or 1
         new["witnesses"] = points * wanted if len(points) == 1 else points
     return new
@@ -180,14 +183,14 @@ def theorem(found: Proof) -> Proof:
     return new
 
 
-def polynomial(text: str, atoms: Mapping[str, JSON]) -> JSON:
-    """A printed polynomial as a term."""
+def polynomial(text: str, meaning: Callable[[str], JSON]) -> JSON:
+    """A printed polynomial as a term, in which its variables are what they mean."""
     addends = []
     for addend in text.replace(" - ", " + -").split(" + "):
         factors: list[JSON] = []
         for factor in addend.removeprefix("-").split("*"):
             name, _, exponent = factor.partition("^")
-            base = number(factor) if factor[0].isdigit() else atoms.get(name) or value_of(name) or name
+            base = number(factor) if factor[0].isdigit() else meaning(name)
             factors.append(["^", base, int(exponent)] if exponent else base)
         product = factors[0] if len(factors) == 1 else ["*", *factors]
         addends.append(["-", product] if addend.startswith("-") else product)
@@ -200,9 +203,9 @@ def number(text: str) -> JSON:
     return value.numerator if value.denominator == 1 else ["/", value.numerator, value.denominator]
 
 
-def condition(texts: list[str], atoms: Mapping[str, JSON]) -> JSON:
+def condition(texts: list[str], meaning: Callable[[str], JSON]) -> JSON:
     """A denominator: a numerator, and the denominators in it."""
-    top, *below = (polynomial(text, atoms) for text in texts)
+    top, *below = (polynomial(text, meaning) for text in texts)
     return ["/", top, below[0] if len(below) == 1 else ["*", *below]] if below else top
 
 

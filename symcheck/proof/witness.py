@@ -7,7 +7,7 @@ A witness is a counterexample to "0 = 1", and is found as one: its form is that 
 from __future__ import annotations
 
 import random
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from fractions import Fraction
 from typing import Any
@@ -15,7 +15,8 @@ from typing import Any
 from symcheck.proof.closed import TRIED, refute_at
 from symcheck.proof.counterexample import Point, Search, refute
 from symcheck.proof.enclosures import Unknown, enclosed
-from symcheck.proof.polynomial import Poly, alone, fraction, parts, subterms, with_arguments
+from symcheck.proof.orders import number_term
+from symcheck.proof.polynomial import Poly, alone, fraction, parts, rebuilt, subterms, unfold, with_arguments
 from symcheck.proof.theorems import BINDING, RELATIONS, conjuncts
 from symcheck.proof.variables import Unsupported, atoms, circle, cosine, sine
 from symcheck.statement import Certificate, Formula, Outcome, Problem, Term
@@ -24,7 +25,7 @@ FALSE: Formula = ("=", 0, 1)
 DRAWS = 3000
 TRIALS = 60
 _ARCS = ("arctan", "arcsin", "arccos")
-VALUES = (
+VALUES: tuple[int | Fraction, ...] = (
     1,
     -1,
     0,
@@ -33,11 +34,16 @@ VALUES = (
     4,
     5,
     -2,
+    -3,
+    -4,
+    -5,
     *(
         Fraction(n, d)
-        for n, d in ((1, 2), (1, 3), (2, 3), (1, 4), (3, 4), (3, 5), (4, 5), (2, 7), (3, 7), (6, 7), (1, 10))
+        for n, d in ((1, 2), (1, 3), (2, 3), (1, 4), (3, 4), (3, 5), (4, 5), (2, 7), (3, 7), (6, 7), (1, 10), (-1, 2))
     ),
 )
+POSITIVE = tuple(value for value in VALUES if value > 0)
+POOLS: tuple[tuple[Any, ...], ...] = (VALUES[:2], VALUES[:4], VALUES, POSITIVE, (0, 0, 0, 1, -1))
 Prover = Callable[[Problem], Outcome | None]
 Definitions = tuple[tuple[str, Term], ...]
 _DOMAINS: dict[str, Callable[..., Formula]] = {
@@ -57,10 +63,22 @@ def implications(claim: Formula) -> list[Formula]:
 
     "A => 0 = 1" is how it is said that A never holds: that has no premise.
     """
-    return [part[1] for part in conjuncts(claim) if part[0] == "=>" and part[2] not in (FALSE, ("or",))]
+    found: list[Formula] = []
+    for part in conjuncts(claim):
+        if part[0] == "=>" and part[2] not in (FALSE, ("or",)):
+            inner = implications(part[2])
+            found += [("and", part[1], further) for further in inner] or [part[1]]
+    return found
 
 
-def find_witnesses(problem: Problem, nonzero: Sequence[Term], prove: Prover) -> list[Certificate] | None:
+def find_witness(problem: Problem, nonzero: Sequence[Term] = (), prove: Prover = lambda _: None) -> Certificate | None:
+    """The same where one point will do for all implications of the claim."""
+    return _witness(problem, nonzero, implications(problem.claim), prove)
+
+
+def find_witnesses(
+    problem: Problem, nonzero: Sequence[Term] = (), prove: Prover = lambda _: None
+) -> list[Certificate] | None:
     """Points where the hypotheses hold, definitions have values and the terms `nonzero` are not zero; None if none.
 
     One point for all implications of the claim, where their premises hold too; or, where there is no such point or it
@@ -75,7 +93,9 @@ def find_witnesses(problem: Problem, nonzero: Sequence[Term], prove: Prover) -> 
     return found if len(found) == len(each) else None
 
 
-def _witness(problem: Problem, nonzero: Sequence[Term], premises: Sequence[Formula], prove: Prover) -> Any:
+def _witness(
+    problem: Problem, nonzero: Sequence[Term], premises: Sequence[Formula], prove: Prover
+) -> Certificate | None:
     stated = [part for _, formulas in problem.hypotheses for formula in formulas for part in conjuncts(formula)]
     stated += [part for premise in premises for part in conjuncts(premise)]
     stated += [("!=", term, 0) for term in nonzero if not _plainly_nonzero(term)]
@@ -85,9 +105,32 @@ def _witness(problem: Problem, nonzero: Sequence[Term], premises: Sequence[Formu
     said = tuple(dict.fromkeys((*stated, *conditions)))
     used = {part for formula in said for part in subterms(unfold_names(formula, definitions)) if isinstance(part, str)}
     needed = tuple((x, term) for x, term in problem.definitions if x in used)
-    if (point := _search(needed, said, prove)) is not None or problem.claim[0] != "=" or not stated:
+    concluded = problem.claim[2] if problem.claim[0] == "=>" else problem.claim
+    if (point := _search(needed, said, prove)) is not None or concluded[0] != "=" or not stated:
         return point
-    return _search(problem.definitions, tuple(dict.fromkeys((*said, problem.claim))), prove)  # it is proved, so true
+    found = _search(problem.definitions, tuple(dict.fromkeys((*said, concluded))), prove)  # it is proved, so true
+    return found or _defining(concluded, problem.definitions, said, prove)
+
+
+def _defining(concluded: Formula, definitions: Definitions, said: tuple[Formula, ...], prove: Prover) -> Any:
+    """The same where a letter is what it is concluded to be, which may be no combination of roots: 2 / pi."""
+    _, letter, term = concluded
+    term = unfold(term, dict(definitions))
+    names = {part for part in subterms(term) if isinstance(part, str)}
+    if not isinstance(letter, str) or letter in {*names, *dict(definitions)}:
+        return None
+    point = _search((*definitions, (letter, term)), said, prove)
+    if point is None or not names <= {"pi", *point["values"]}:
+        return None
+    return {**point, "values": {**point["values"], letter: _at(term, point["values"])}}
+
+
+def _at(term: Any, values: dict[str, Any]) -> Any:
+    """A term with the values of a point in place of its letters."""
+    if isinstance(term, str) and term in values:
+        value = values[term]
+        return number_term(Fraction(value)) if isinstance(value, str) else value
+    return rebuilt(term, (_at(part, values) for part in parts(term))) if isinstance(term, tuple) else term
 
 
 def _plainly_nonzero(term: Term) -> bool:
@@ -171,6 +214,8 @@ class _Draws(Search):
     def _candidates(self, angles: Sequence[str]) -> Iterator[Point]:
         scalars = [name for name in self.free if circle(name) is None]
         equations = [self._gap(f).num for f in self.formulas if f[0] == "=" and not self._functions_in(f)]
+        if any(self._impossible(formula) for formula in self.formulas):
+            return
         steps, equations = self._eliminated([poly for poly in equations if poly != 0], scalars)
         last = dict(self._said_by_functions(scalars))
         left = [name for name in scalars if name not in last and name not in [x for x, _, _ in steps]]
@@ -179,13 +224,22 @@ class _Draws(Search):
                 return
             rng = random.Random(seed)
             point: Point = {}
-            drawn = self._draw(rng, point, [*left, *angles], equations, VALUES[: (2, 4, len(VALUES))[seed % 3]])
+            drawn = self._draw(rng, point, [*left, *angles], equations, POOLS[seed % len(POOLS)])
             if drawn and self._complete(point, steps) and self._ordered(point) and self._evaluate(point):
                 try:
                     point.update({x: self._side(term, point) for x, term in last.items()})
                 except ZeroDivisionError:
                     continue
                 yield point
+
+    def _impossible(self, formula: Formula) -> bool:
+        """Whether both sides of an order are the same, or those of an equation differ by a number."""
+        if formula[0] not in RELATIONS:
+            return False
+        gap = self._gap(formula).num
+        if formula[0] == "=":
+            return bool(gap != 0 and gap.is_constant())
+        return bool(gap == 0 and formula[0] in ("!=", "<", ">"))
 
     def _said_by_functions(self, scalars: Sequence[str]) -> Iterator[tuple[str, Term]]:
         """Letters with what they are said to be, where that has functions in it; nothing else depends on them."""
@@ -225,7 +279,10 @@ class _Draws(Search):
 
     def _number_times(self, poly: Poly, x: str) -> bool:
         """Whether a polynomial is a number times x, plus what does not depend on x."""
-        return poly.degrees()[self.ring.names.index(x)] == 1 and not self._unknown(poly.derivative(x))
+        if poly.degrees()[self.ring.names.index(x)] != 1:
+            return False
+        used = zip(self.ring.names, poly.derivative(x).degrees(), strict=True)
+        return all(name in self.roots for name, degree in used if degree)
 
     def _draw(
         self, rng: random.Random, point: Point, left: list[str], equations: Sequence[Poly], values: Sequence[Any]
@@ -281,6 +338,12 @@ class _Draws(Search):
         found = self._zero(self.ring.generator[other] ** 2 + self._reduce(value**2) - 1, other, sign)
         return None if found is None else {name: value, other: found}
 
+    def _possible(self, function: Term, numbers: Mapping[str, Term]) -> Iterator[Term]:
+        """Also the whole number that it is said to be."""
+        yield from super()._possible(function, numbers)
+        said = (f for f in self.formulas if f[0] == "=" and isinstance(f[2], int))
+        yield from (f[2] for f in said if unfold(f[1], self.ring.definitions) == function)
+
     def _unknown(self, poly: Poly) -> list[str]:
         """The variables of a polynomial that are no roots of numbers."""
         used = zip(self.ring.names, poly.degrees(), strict=True)
@@ -299,7 +362,8 @@ class _Draws(Search):
         c, b, a = powers
         try:
             if a == 0:
-                return self._quotient(-c, b)
+                quotient, rest = divmod(-c, b)
+                return quotient if rest == 0 else self._quotient(-c, b)
             b, c = self._quotient(b, 2 * a), self._quotient(c, a)
             square = self._reduce(b * b - c)
             if square != 0 and not square.is_constant():

@@ -2,22 +2,26 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+import itertools
+from collections.abc import Collection, Iterable
+from dataclasses import dataclass, replace
 from typing import Any, NoReturn
 
 from symcheck.reading import tex
-from symcheck.reading.notation import Notation
+from symcheck.reading.commands import ROMAN, known
+from symcheck.reading.notation import Notation, undotted
 from symcheck.reading.tree import Name
 
 _TRIGONOMETRIC = {"sin", "cos", "tan", "tg", "cot", "ctg", "arcsin", "arccos", "arctan", "arctg"}
 FUNCTIONS = frozenset(_TRIGONOMETRIC | {"max", "min", "ln", "log", "exp", "Gamma", "tr", "rank", "sign"})
-SPACES = frozenset(
-    [r"\,", r"\;", r"\:", r"\!", "\\ ", "~", r"\quad", r"\qquad", r"\displaystyle", r"\limits", r"\nolimits", r"\hfill"]
-)
+THIN = frozenset([r"\,", r"\!", r"\displaystyle", r"\limits", r"\nolimits"])
+THICK = frozenset([r"\;", r"\:", "\\ ", "~"])
+WIDE = frozenset([r"\quad", r"\qquad", r"\hfill"])
+SPACES = THIN | THICK | WIDE
 SIZES = frozenset(
     {"\\left", "\\right"} | {f"\\{size}{side}" for size in ("big", "Big", "bigg", "Bigg") for side in ("", "l", "r")}
 )
-LAYOUT = frozenset(
+ENVIRONMENTS = frozenset(
     {"aligned", "align", "align*", "array", "split", "cases", "gathered", "gather", "equation", "multline"}
 )
 MATRICES = frozenset({"pmatrix", "bmatrix", "matrix", "Bmatrix", "smallmatrix"})
@@ -44,6 +48,13 @@ SIMPLE = {
 _ENDS = frozenset({"NUMBER", "NAME", "TRANSPOSE", "DEGREE", "PRIMES", "DOTS", "INFINITY", *PARTNER})
 _OPERATORS = frozenset({"PLUS", "MINUS", "PM", "REL", "AND", "OR", "IMPLIES", "IFF", "CDOT", "TIMES", "SLASH"})
 _BREAKS = frozenset({"COMMA", "SEMI", "COLON"})
+WIDE_COMMA = r",\quad"
+_JOINS = (
+    _OPERATORS | _BREAKS | frozenset({"NEWLINE", "CELL", "ROW", "CARET", "TRANSPOSE", "DEGREE", "PRIMES", *PARTNER})
+)
+# The tokens that may be left out, doubled or exchanged for another of them where the statement stays the same: spaces,
+# line breaks and alignment, sizes of brackets, the sign of a product, what separates relations or ends a sentence.
+LAYOUT = SPACES | SIZES | frozenset({"&", r"\\", r"\cdot", ",", ";", "."})
 
 
 @dataclass(frozen=True, slots=True)
@@ -65,6 +76,8 @@ class Lexer(tex.Reader):
         self.open: list[Lexeme] = []
         self.environments: list[tuple[str, int]] = []
         self.lefts: list[tuple[str, int]] = []
+        self.spaced: set[int] = set()  # places of tokens behind an explicit space
+        self.bounds = -1  # where the sign of a sum or an integral with its bounds ends
 
     def lexemes(self) -> list[Lexeme]:
         """All tokens, or SymcheckError at the first place that cannot be one."""
@@ -93,11 +106,16 @@ class Lexer(tex.Reader):
             self.open.append(lexeme)
         self.out.append(lexeme)
 
+    def last(self) -> str:
+        """The type of the last token that is no space; the empty text at the beginning."""
+        return next((lexeme.type for lexeme in reversed(self.out) if lexeme.type != "GAP"), "")
+
     def half_open(self, opening: Lexeme, kind: str) -> bool:
         r"""Is this the end of an interval `[a, b)` or `(a, b]`, behind `\in`?"""
-        k = self.out.index(opening)
-        behind = k > 0 and (self.out[k - 1].type, self.out[k - 1].value) == ("REL", r"\in")
-        return behind and (opening.type, kind) in {("LBRA", "RPAR"), ("LPAR", "RBRA")}
+        if (opening.type, kind) not in {("LBRA", "RPAR"), ("LPAR", "RBRA")}:
+            return False
+        before = [lexeme for lexeme in self.out[: self.out.index(opening)] if lexeme.type != "GAP"]
+        return bool(before) and (before[-1].type, before[-1].value) == ("REL", r"\in")
 
     def mean_ends(self) -> None:
         r"""`\rangle_\psi`: the end of an average, with the phase."""
@@ -116,7 +134,7 @@ class Lexer(tex.Reader):
         """The next token, command or letter."""
         text, at = self.peek(), self.at()
         if text in SPACES:
-            self.i += 1
+            self.space()
         elif text.isdigit() and text.isascii():
             self.number()
         elif text in SIZES:
@@ -139,6 +157,7 @@ class Lexer(tex.Reader):
         elif text == r"\rangle":
             self.mean_ends()
         elif text in "^'":
+            self.refuse_bracketed()
             self.script()
         elif text == "_":
             self.fail("a subscript without a letter before it")
@@ -151,10 +170,24 @@ class Lexer(tex.Reader):
             self.i += 1
             kind = SIMPLE.get(text) or LOGIC.get(text) or "REL"
             self.emit(kind, RELATIONS.get(text, text), at)
-        elif tex.is_letter(text):
+        elif tex.is_letter(text) or text == r"\partial" or text[1:] in FUNCTIONS:
             self.letter()
         else:
-            self.fail(f"{text} cannot be read here")
+            meant = self.notation.resembling(text)
+            said = tex.no_letter(text) if known(text) else f"{text} cannot be read here"
+            self.fail(f"{said}, or did you mean {meant}?" if meant else said)
+
+    def space(self) -> None:
+        """A space; what it means where it could part two things is settled in `joined`."""
+        text, at = self.peek(), self.at()
+        self.i += 1
+        comma = self.last() == "COMMA" and self.out[-1].type == "COMMA"
+        if comma and text not in THIN:
+            self.out[-1] = Lexeme("COMMA", WIDE_COMMA, self.out[-1].at)
+        elif text not in THIN and len(self.out) != self.bounds:
+            self.out.append(Lexeme("GAP", text, at))
+        if text not in (r"\!", r"\displaystyle", r"\limits", r"\nolimits"):
+            self.spaced.add(self.at())
 
     def sentence_ends(self) -> bool:
         """Is this full stop the last thing on its line?"""
@@ -190,7 +223,7 @@ class Lexer(tex.Reader):
         return text
 
     def clause_begins(self) -> bool:
-        return not self.out or self.out[-1].type in {"COMMA", "SEMI", "NEWLINE"}
+        return self.last() in {"", "COMMA", "SEMI", "NEWLINE"}
 
     def argument(self) -> None:
         """One TeX argument as a bracketed run of tokens."""
@@ -247,7 +280,7 @@ class Lexer(tex.Reader):
         self.i += 1
         kind = "BAR" if text == "|" else "NORM"
         if opening is None:
-            opening = not (self.open and self.open[-1].type == f"L{kind}" and self.out[-1].type in _ENDS)
+            opening = not (self.open and self.open[-1].type == f"L{kind}" and self.last() in _ENDS)
         self.emit(f"{'L' if opening else 'R'}{kind}", text, at)
 
     def environment(self) -> None:
@@ -255,29 +288,33 @@ class Lexer(tex.Reader):
         begin, at = self.peek() == r"\begin", self.at()
         self.i += 1
         name = "".join(t.text for t in self.group())
-        if name not in LAYOUT | MATRICES:
+        if name not in ENVIRONMENTS | MATRICES:
             self.fail(f"unknown environment {name}", at)
         if begin:
+            if name == "cases" and self.last() in _OPERATORS:
+                self.fail("a value given by cases cannot be read; state one implication for each case", at)
             if name == "array":
                 self.group()
-                inside = bool(self.out) and self.out[-1].type in {"LPAR", "LBRA", "LBAR", "LNORM"}
+                inside = self.last() in {"LPAR", "LBRA", "LBAR", "LNORM"}
                 name = "array matrix" if inside else name
             self.environments.append((name, at))
-            if name not in LAYOUT:
+            if name not in ENVIRONMENTS:
                 self.emit("MBEGIN", name, at)
             return
         opened = self.environments.pop()[0] if self.environments else ""
         if opened.removesuffix(" matrix") != name:
             self.fail(rf"\end{{{name}}} does not match \begin{{{opened}}}", at)
-        if opened not in LAYOUT:
-            if self.out[-1].type == "ROW":
+        if opened not in ENVIRONMENTS:
+            while self.out and self.out[-1].type == "GAP":
+                self.out.pop()
+            if self.last() == "ROW":
                 self.out.pop()
             self.emit("MEND", name, at)
 
     def cell(self) -> None:
         text, at = self.peek(), self.at()
         self.i += 1
-        in_matrix = bool(self.environments) and self.environments[-1][0] not in LAYOUT
+        in_matrix = bool(self.environments) and self.environments[-1][0] not in ENVIRONMENTS
         if text == r"\\" and self.peek() == "[" and self.peek(1).isdigit() and self.spacing_follows():
             while self.peek() != "]":
                 self.i += 1
@@ -286,6 +323,10 @@ class Lexer(tex.Reader):
             self.emit("ROW" if text == r"\\" else "CELL", text, at)
         elif text == r"\\":
             self.emit("NEWLINE", text, at)
+        elif self.environments and self.environments[-1][0] == "cases":
+            self.fail("a value with its condition cannot be read; state one implication for each case", at)
+        else:
+            self.emit("GAP", text, at)
 
     def spacing_follows(self) -> bool:
         """Is this `[` the beginning of a length such as `[2pt]`?"""
@@ -315,6 +356,7 @@ class Lexer(tex.Reader):
             self.fail("an integral without bounds", at)
         self.emit(kind, r"\sum" if kind == "SUM" else r"\int", at)
         self.out += bounds["_"] + bounds.get("^", [])
+        self.bounds = len(self.out)
 
     def script(self) -> None:
         """An exponent, a transposition, a degree sign or primes behind a bracket."""
@@ -323,7 +365,7 @@ class Lexer(tex.Reader):
             self.emit("PRIMES", self.primed(at), at)
             return
         self.i += 1
-        inside = [t.text for t in self.toks[self.i : self.i + self.length()] if t.text not in {"{", "}"} | tex.ROMAN]
+        inside = [t.text for t in self.toks[self.i : self.i + self.length()] if t.text not in {"{", "}"} | ROMAN]
         if inside == [r"\circ"]:
             self.group()
             self.emit("DEGREE", None, at)
@@ -369,7 +411,11 @@ class Lexer(tex.Reader):
     def letter(self) -> None:
         """A letter with its subscripts, the name of a function, or a differential."""
         at = self.at()
-        word = self.word() or self.spelling()
+        if self.peek() == r"\partial" or (self.peek()[1:] in FUNCTIONS and not self.notation.knows(self.peek())):
+            word = self.peek()
+            self.i += 1
+        else:
+            word = self.word() or self.spelling()
         plain = word.removeprefix(r"\text{").removesuffix("}").removeprefix("\\")
         if word.startswith("\\") and (plain in FUNCTIONS or plain == "diag") and not self.notation.knows(word):
             self.emit("DIAG" if plain == "diag" else "FN", plain, at)
@@ -384,7 +430,40 @@ class Lexer(tex.Reader):
                 return word
         return ""
 
+    def bracketed(self) -> str:
+        """The superscript in brackets that stands here, `^{(2)}`, or the empty text."""
+        if self.peek() != "^" or not self.peek(1):
+            return ""
+        start = self.i
+        self.i += 1
+        found = tex.superscript(self.group())
+        self.i = start
+        return found or ""
+
+    def refuse_bracketed(self, word: str = "") -> None:
+        """A superscript in brackets is no power where it may be an index or the order of a derivative.
+
+        It stands behind the letter `word`, or behind the last token.
+        """
+        text = self.bracketed()
+        base = next((lexeme for lexeme in reversed(self.out) if lexeme.type != "GAP"), None)
+        name = Name(word) if word else base.value if base is not None and base.type == "NAME" else None
+        letter = self.notation.find(name.letter, len(name.subscripts)) if name is not None else None
+        number = name is None and base is not None and base.type == "NUMBER"
+        if not text or number or (letter is not None and letter.number):
+            return
+        shown, inside = name.letter if name is not None else "", text[2:-2].strip("()")
+        self.fail(
+            f"{shown}{text} may be an index, the order of a derivative, or a power: declare {shown or 'a letter '}"
+            f"{text}, write primes or a fraction, or write {shown}^{{{inside}}}"
+        )
+
     def name(self, word: str, at: int) -> None:
+        if (text := self.bracketed()) and self.notation.knows(word + text):
+            word += text
+            self.i += 1
+            self.group()
+        self.refuse_bracketed(word)
         primes = self.primes()
         power: list[Lexeme] = []
         tokens: list[tex.Tok] | None = None
@@ -417,13 +496,18 @@ class Lexer(tex.Reader):
     def declared(self, word: str, tokens: list[tex.Tok] | None, primes: int, at: int, place: int) -> tuple[Name, str]:
         """The letter of the notation that stands here, or SymcheckError."""
         notation = self.notation
+        bare, dots = undotted(word)
+        fixed = bare + tex.subscript(tokens) if tokens else bare
+        if dots and not notation.knows(word) and (notation.knows(bare) or notation.knows(fixed)):
+            return self.dotted(word, tokens, primes, at, place)
         if tokens is None:
             letter = notation.find(word, 0)
             if letter is not None:
                 return Name(word, (), primes), "D" if letter.kind == "differential" else "NAME"
             if notation.index(word) is not None and not primes:
                 return Name(word), "NAME"
-            if word == r"\partial":
+            differential = notation.find("d", 0) if word == r"\text{d}" else None
+            if word == r"\partial" or (differential is not None and differential.kind == "differential"):
                 return Name(word), "D"
             self.unknown(word, at)
         if not tokens:
@@ -433,20 +517,40 @@ class Lexer(tex.Reader):
             return Name(fixed, (), primes), "NAME"
         if not notation.knows(word) or notation.arities(word) == [0]:
             self.unknown(fixed, at)
+        self.refuse_digits(word, tokens, place)
         subscripts = self.indices(tokens, notation.arities(word), place)
         letter = notation.find(word, len(subscripts))
         if letter is None:
-            self.fail(f"{word} is not declared with {len(subscripts)} indices", at)
+            pair = f"; if {word}_{{{tokens[0].text},...}} means several letters, write a relation for each"
+            several = pair if any(t.text == "," for t in tokens) else ""
+            self.fail(f"{word} is not declared with {len(subscripts)} indices{several}", at)
         for value in subscripts:
             if isinstance(value, int) and value not in letter.range:
                 self.fail(f"index {value} of {word} is outside its range {', '.join(map(str, letter.range))}", at)
         return Name(word, subscripts, primes), "NAME"
 
+    def refuse_digits(self, word: str, tokens: list[tex.Tok], at: int) -> None:
+        """A run of digits is one number or several indices; where both are declared it may be either."""
+        digits, single = "".join(tok.text for tok in tokens), self.notation.find(word, 1)
+        if single is None or len(digits) < 2 or not digits.isdigit() or not digits.isascii():
+            return
+        if int(digits) in single.range and self.notation.find(word, len(digits)) is not None:
+            self.fail(f"one index {digits}, or {len(digits)} indices? write commas between them, or name a letter", at)
+
+    def dotted(self, word: str, tokens: list[tex.Tok] | None, primes: int, at: int, place: int) -> tuple[Name, str]:
+        """A letter below dots that are its derivative by the time."""
+        bare, dots = undotted(word)
+        found, kind = self.declared(bare, tokens, primes, at, place)
+        letter = self.notation.find(found.letter, len(found.subscripts))
+        if kind != "NAME" or letter is None or (letter.depends is None and letter.components is None):
+            self.fail(f"unknown letter {word}: declare it, or say on what {bare} depends, as depends='t'", at)
+        return replace(found, dots=dots), kind
+
     def unknown(self, word: str, at: int) -> NoReturn:
         """The error for a letter that is not declared, or not with so many indices."""
         if arities := self.notation.arities(word):
             self.fail(f"{word} stands without an index but is declared with {' or '.join(map(str, arities))}", at)
-        self.fail(f"unknown letter {word}; {self.notation.nearest(word)}", at)
+        self.fail(tex.no_letter(word) if known(word) else f"unknown letter {word}; {self.notation.nearest(word)}", at)
 
     def indices(self, tokens: list[tex.Tok], arities: list[int], at: int) -> tuple[int | str, ...]:
         """The indices of a subscript; a run of digits is one number where the letter has one index only."""
@@ -473,8 +577,31 @@ class Lexer(tex.Reader):
     def known_indices(self) -> str:
         return f"the index letters are {', '.join(self.notation.indices()) or 'none'}"
 
+    def parted(self) -> None:
+        """Spaces settled: between two factors a wide one parts relations, another may; elsewhere they are layout."""
+        out: list[Lexeme] = []
+        for k, lexeme in enumerate(self.out):
+            if lexeme.type != "GAP":
+                out.append(lexeme)
+                continue
+            rest = [after for after in self.out[k + 1 :] if after.type != "GAP"]
+            if not out or not rest or out[-1].type not in _ENDS or rest[0].type in _JOINS:
+                continue
+            left, right = _says(reversed(out), PARTNER), _says(rest, PARTNER.values())
+            if lexeme.value in THICK:
+                if left and right:
+                    self.fail(
+                        "does this space part two relations, or two factors? write a comma, or no space", lexeme.at
+                    )
+            elif left:
+                out.append(Lexeme("SEMI", lexeme.value, lexeme.at))
+            else:
+                self.fail("does this space part two things, or two factors? write a comma, or no space", lexeme.at)
+        self.out = out
+
     def joined(self) -> list[Lexeme]:
         """Line breaks settled: a sign repeated over a break is one sign; one after a comma or at an end is layout."""
+        self.parted()
         out: list[Lexeme] = []
         pending: Lexeme | None = None
         for lexeme in self.out:
@@ -497,3 +624,45 @@ class Lexer(tex.Reader):
         if out and out[-1].type in {"COMMA", "SEMI"}:
             out.pop()
         return out
+
+
+def _says(lexemes: Iterable[Lexeme], into: Collection[str]) -> bool:
+    """Does a sign of relation come before the next separator and the end of this bracket? `into` leads into others."""
+    depth = 0
+    for lexeme in lexemes:
+        if lexeme.type in PARTNER or lexeme.type in PARTNER.values():
+            depth += 1 if lexeme.type in into else -1
+            if depth < 0:
+                return False
+        elif not depth and lexeme.type in {"COMMA", "SEMI", "NEWLINE", "CELL", "ROW"}:
+            return False
+        elif not depth and lexeme.type == "REL":
+            return True
+    return False
+
+
+def layout(source: str) -> set[int]:
+    """The places of the tokens of a formula that are layout.
+
+    Those of LAYOUT, the names and columns of environments, one of two equal signs on both sides of a line break, and
+    the transposition of a list in brackets, which prints a column as a row.
+    """
+    tokens = tex.tokenize(source)
+    found = {tok.at for tok in tokens if tok.text in LAYOUT}
+    for k, tok in enumerate(tokens):
+        if tok.text in (r"\begin", r"\end"):
+            end = next((m for m in range(k, len(tokens)) if tokens[m].text == "}"), k)
+            if (
+                end + 1 < len(tokens) and tokens[end + 1].text == "{" and tokens[end - 1].text == "y"
+            ):  # an array's columns
+                end = next((m for m in range(end + 1, len(tokens)) if tokens[m].text == "}"), end)
+            found.update(each.at for each in tokens[k : end + 1])
+    counting = [tok for tok in tokens if tok.at not in found]
+    for tok, after in itertools.pairwise(counting):
+        broken = r"\\" in source[tok.at : after.at]
+        if broken and tok.text == after.text:
+            found.update((tok.at, after.at))
+    for (a, b), c in zip(itertools.pairwise(tokens), tokens[2:], strict=False):
+        if (a.text, b.text, c.text) == ("]", "^", "T"):
+            found.update((b.at, c.at))
+    return found

@@ -11,8 +11,8 @@ from functools import lru_cache
 from typing import Any
 
 from symcheck.reading.components import Value, det, dot, flat, matmul, minus, says, shape, times, zero, zipped
-from symcheck.reading.notation import Letter, Notation, variable
-from symcheck.reading.parser import read
+from symcheck.reading.notation import TIMES, Letter, Notation, variable
+from symcheck.reading.parser import dependence, read
 from symcheck.reading.printing import to_latex
 from symcheck.reading.relations import Relation, relations
 from symcheck.reading.rounding import is_decimal, is_number, rounds
@@ -72,15 +72,16 @@ def lower(item: Relation | Tree, notation: Notation) -> tuple[Formula, ...]:
     """The formulas of a relation, or of all relations of a statement, in printed order.
 
     One formula for each value of the free indices (the first index that occurs varies slowest) and for each component
-    of a vector or matrix (by rows); where `\\pm` stands, all this with the upper signs, then with the lower ones. In a
-    list of cases or a logical formula a free index of one relation means all its values. Errors: SymcheckError for what
-    has no algebraic form, shapes that do not fit, misused indices.
+    of a vector or matrix (by rows). `\\pm` on one side of an equality says that one of the signs holds, on both sides
+    that both hold, each with the upper or the lower signs throughout. In a list of cases or a logical formula a free
+    index of one relation means all its values. Errors: SymcheckError for what has no algebraic form, shapes that do
+    not fit, misused indices.
     """
     found = (item,) if isinstance(item, Relation) else relations(item)
     if not found:
         raise SymcheckError(f"{to_latex(item)} states no relation" if isinstance(item, Tree) else "no relation")
     lowering = Lowering(notation)
-    return tuple(formula for relation in found for formula in lowering.relation(relation))
+    return tuple(formula for relation in found for formula in lowering.whole(relation))
 
 
 def term(latex: str, notation: Notation) -> Term:
@@ -137,15 +138,27 @@ class Lowering:
 
     def __init__(self, notation: Notation) -> None:
         self.notation = notation
+        self.met: dict[str, Name] = {}  # variables of letters that are printed, with one place
+        self.arities: dict[str, int] = {}  # how many arguments each function has
+        self.inside: tuple[str, ...] = ()  # letters whose components or dependence are being written out
 
     # -- formulas ------------------------------------------------------------------------------------------------
 
+    def whole(self, relation: Relation) -> list[Formula]:
+        """The formulas of a relation, in which every letter that is printed occurs."""
+        self.met.clear()
+        formulas = self.relation(relation)
+        names = set(_names(tuple(formulas)))
+        for name, printed in self.met.items():
+            if name not in names:
+                raise SymcheckError(
+                    f"{to_latex(printed)} is multiplied by 0 and says nothing in {relation.latex}; leave it out"
+                )
+        return formulas
+
     def relation(self, relation: Relation) -> list[Formula]:
-        """One formula for each choice of sign, instance and component."""
+        """One formula for each instance and component."""
         tree = relation.tree
-        if any(isinstance(node, PlusMinus) for _, node in walk(tree)):
-            signed = (Relation(_choosing(tree, lower=lower), relation.qualifiers) for lower in (False, True))
-            return [formula for each in signed for formula in self.relation(each)]
         if isinstance(tree, Chain):
             free = free_indices(tree, self.notation)
             envs = self.instances(free, relation.qualifiers)
@@ -174,8 +187,25 @@ class Lowering:
         """The components of every link."""
         found: list[Formula] = []
         for k, sign in enumerate(tree.signs):
-            found += self.compare(tree.members[k], sign, tree.members[k + 1], env)
+            found += self.signed(tree.members[k], sign, tree.members[k + 1], env)
         return found
+
+    def signed(self, left: Tree, sign: str, right: Tree, env: Env) -> list[Formula]:
+        """One link; the double signs in it switch together."""
+        double = [any(isinstance(node, PlusMinus) for _, node in walk(side)) for side in (left, right)]
+        if not any(double):
+            return self.compare(left, sign, right, env)
+        upper, lower = (
+            self.compare(_choosing(left, lower=which), sign, _choosing(right, lower=which), env)
+            for which in (False, True)
+        )
+        if all(double) or sign == r"\ne":
+            return upper + lower
+        if sign not in ("=", r"\equiv", r"\approx"):
+            raise SymcheckError(
+                f"{to_latex(Chain((left, right), (sign,)))}: for one sign, or for both? write a relation for each"
+            )
+        return [("or", _and(upper), _and(lower))]
 
     def compare(self, left: Tree, sign: str, right: Tree, env: Env) -> list[Formula]:
         if sign == r"\in" and isinstance(right, Interval | Pair):
@@ -294,15 +324,90 @@ class Lowering:
     def of_name(self, tree: Name, env: Env) -> Value:
         if _is_index(tree, self.notation):
             return self.index(tree.letter, env)
+        if not tree.subscripts and tree.letter in env and self.notation.index(tree.letter) is not None:
+            raise SymcheckError(f"{tree.letter} is an index here, and a letter; give one of them another name")
         letter = self.notation.letter(tree.letter, len(tree.subscripts))
+        derived = tree.primes if letter.depends and not letter.named else 0
+        if tree.dots or derived:
+            value = self.of_name(Name(tree.letter, tree.subscripts, tree.primes - derived), env)
+            if tree.dots:
+                value = self.derived(value, self.time(letter, env), tree.dots, tree)
+            return self.derived(value, self.only(letter, env), derived, tree) if derived else value
+        if tree.primes and (letter.depends is None or letter.named):
+            raise SymcheckError(
+                f"{to_latex(tree)}: the derivative of {letter.latex}, or another letter? declare {letter.latex} with "
+                "depends='x' for a function of x, depends='' if the prime makes another letter"
+            )
+        indices = self.places(tree, letter, env)
+        if letter.number:
+            return self.number(letter)
+        stem = letter.stem + "prime" * tree.primes
+        if letter.components is not None or (letter.kind in ("vector", "matrix")):
+            return self.components(letter, stem, indices)
+        if letter.kind == "function" and letter.depends is None and not letter.named:
+            raise SymcheckError(
+                f"{to_latex(tree)} stands without its arguments; say what it depends on, as depends='x'"
+            )
+        return self.instance(letter, stem, indices, tree)
+
+    def places(self, tree: Name, letter: Letter, env: Env) -> tuple[int, ...]:
+        """The values of the indices of a letter."""
         indices = tuple(self.index(s, env) for s in tree.subscripts)
         for value in indices:
             if value not in letter.range:
                 raise SymcheckError(f"index {value} in {to_latex(tree)} is outside the range of {letter.latex}")
-        stem = letter.stem + "prime" * tree.primes
-        if letter.kind in ("vector", "matrix") or letter.components is not None:
-            return self.components(letter, stem, indices)
-        return variable(stem, indices)
+        return indices
+
+    def number(self, letter: Letter) -> Term:
+        """A letter that is a number."""
+        if letter.number == "i":
+            raise SymcheckError(f"{letter.latex} is the imaginary unit; the reader knows real numbers only")
+        return "pi" if letter.number == "pi" else ("exp", 1)
+
+    def instance(self, letter: Letter, stem: str, indices: tuple[int, ...], printed: Name | None = None) -> Term:
+        """A variable, or the function it is of the letters that it depends on."""
+        name = variable(stem, indices)
+        if printed is not None and not self.inside:
+            self.met.setdefault(name, printed)
+        if not letter.depends or letter.named:
+            return name
+        arguments = self.arguments(letter, indices)
+        return ("call", name, (0,) * len(arguments), *arguments)
+
+    def arguments(self, letter: Letter, indices: tuple[int, ...]) -> tuple[Term, ...]:
+        """The letters that a letter depends on."""
+        if letter.latex in self.inside:
+            raise SymcheckError(f"letter {letter.latex} depends on itself; change depends")
+        self.inside = (*self.inside, letter.latex)
+        env = dict(zip("ij", indices, strict=False))
+        found = tuple(t for tree in dependence(letter, self.notation) for t in flat(self.value(tree, env)))
+        self.inside = self.inside[:-1]
+        return found
+
+    def only(self, letter: Letter, env: Env) -> str:
+        """The one letter that primes differentiate by."""
+        names = dependence(letter, self.notation)
+        if len(names) != 1:
+            raise SymcheckError(f"a prime of {letter.latex}, which depends on {letter.depends}; write a fraction")
+        return self.variable(names[0], env)
+
+    def time(self, letter: Letter, env: Env) -> str:
+        """The letter that dots differentiate by."""
+        if letter.components is not None and not letter.depends:
+            return next((time.stem for name in TIMES if (time := self.notation.find(name, 0))), "t")
+        names = [tree for tree in dependence(letter, self.notation) if isinstance(tree, Name) and tree.letter in TIMES]
+        if len(names) != 1:
+            raise SymcheckError(
+                f"dots over {letter.latex}, which depends on {letter.depends or 'nothing'}, no time; write a fraction"
+            )
+        return self.variable(names[0], env)
+
+    def variable(self, tree: Tree, env: Env) -> str:
+        """The variable that a derivative, an integral or a mean is taken by."""
+        found = self.scalar(tree, env)
+        if not isinstance(found, str):
+            raise SymcheckError(f"{to_latex(tree)} is no variable; a derivative, an integral or a mean is taken by one")
+        return found
 
     def index(self, index: int | str, env: Env) -> int:
         if isinstance(index, int):
@@ -316,11 +421,14 @@ class Lowering:
             if stem != letter.stem:
                 raise SymcheckError(f"the primed {letter.latex} has no components; declare it as a letter of its own")
             env = dict(zip("ij", indices, strict=False))
-            return self.value(_components(letter, self.notation), env)
+            self.inside = (*self.inside, letter.latex)
+            value = self.value(_components(letter, self.notation), env)
+            self.inside = self.inside[:-1]
+            return value
         places = range(1, 4)
         if letter.kind == "vector":
-            return [variable(stem, (*indices, k)) for k in places]
-        return [[variable(stem, (*indices, k, m)) for m in places] for k in places]
+            return [self.instance(letter, stem, (*indices, k)) for k in places]
+        return [[self.instance(letter, stem, (*indices, k, m)) for m in places] for k in places]
 
     def of_add(self, tree: Add, env: Env) -> Value:
         values = [self.value(term, env) for term in tree.terms]
@@ -356,6 +464,11 @@ class Lowering:
 
     def of_pow(self, tree: Pow, env: Env) -> Value:
         exponent = self.scalar(tree.exponent, env)
+        if (
+            isinstance(tree.base, Name)
+            and self.notation.letter(tree.base.letter, len(tree.base.subscripts)).number == "e"
+        ):
+            return ("exp", exponent)
         if isinstance(exponent, tuple) and exponent[0] == "-" and isinstance(exponent[1], int):
             exponent = -exponent[1]
         base = self.scalar(tree.base, env)
@@ -369,13 +482,17 @@ class Lowering:
 
     def of_call(self, tree: Call, env: Env) -> Value:
         if isinstance(tree.function, Name):
-            if not all(isinstance(argument, Name) for argument in tree.arguments):
-                raise SymcheckError(f"{to_latex(tree)}: a function can be applied only to the letters it depends on")
-            return self.value(tree.function, env)
+            return self.applied(tree, tree.function, env) if tree.arguments else self.value(tree.function, env)
         name = _TRIGONOMETRIC.get(tree.function)
         if len(tree.arguments) == 2 and name and all(isinstance(a, Name) for a in tree.arguments):
-            axes = [self.scalar(a, env) for a in tree.arguments]
-            return (name, "_".join(str(axis) for axis in axes))
+            axes = [str(self.scalar(a, env)) for a in tree.arguments]
+            angle = "_".join(axes)
+            if self.notation.owner(angle) is not None:
+                raise SymcheckError(
+                    f"{to_latex(tree)} and a letter would both be lowered to {angle}; rename the letter"
+                )
+            self.met = {each: at for each, at in self.met.items() if each not in axes}  # they stand in the angle's name
+            return (name, angle)
         if len(tree.arguments) == 1 and name:
             return (name, self.scalar(tree.arguments[0], env))
         if len(tree.arguments) == 1 and tree.function in _FUNCTIONS:
@@ -384,6 +501,39 @@ class Lowering:
             argument = self.scalar(tree.arguments[0], env)
             return ("/", ("cos", argument), ("sin", argument))
         raise SymcheckError(f"{to_latex(tree)} has no algebraic form; state it formally")
+
+    def applied(self, tree: Call, name: Name, env: Env) -> Value:
+        """A function of the notation with its arguments."""
+        letter, met = self.notation.letter(name.letter, len(name.subscripts)), dict(self.met)
+        arguments = tuple(t for argument in tree.arguments for t in flat(self.value(argument, env)))
+        indices = self.places(name, letter, env)
+        declared = self.arguments(letter, indices) if letter.depends else None
+        if letter.named or letter.components is not None:
+            if arguments != declared:
+                raise SymcheckError(
+                    f"{to_latex(tree)}: {letter.latex} is known by its name, as a function of "
+                    f"{letter.depends or 'letters that are not said'}; declare depends, or the function without named"
+                )
+            self.met = met  # the arguments are those that the declaration says
+            return self.value(name, env)
+        if declared is not None and len(arguments) != len(declared):
+            raise SymcheckError(f"{to_latex(tree)}: {letter.latex} depends on {letter.depends}")
+        if name.dots and arguments == declared:
+            return self.value(name, env)
+        if name.dots and len(arguments) == 1:
+            self.time(letter, env)
+            name = Name(name.letter, name.subscripts, name.primes + name.dots)
+        if name.dots or (name.primes and len(arguments) != 1):
+            raise SymcheckError(f"{to_latex(tree)}: by which argument? write the derivative as a fraction")
+        orders = (name.primes,) if name.primes else (0,) * len(arguments)
+        if letter.kind != "function" and letter.kind != "scalar":
+            return self.value(name, env)
+        stem = variable(letter.stem, indices)
+        if self.arities.setdefault(stem, len(arguments)) != len(arguments):
+            raise SymcheckError(f"{to_latex(tree)}: {letter.latex} has another number of arguments elsewhere")
+        if not self.inside:
+            self.met.setdefault(stem, name)
+        return ("call", stem, orders, *arguments)
 
     def of_bigsum(self, tree: BigSum, env: Env) -> Value:
         ranges = [self.bounds(tree, index, env) for index in tree.indices]
@@ -435,6 +585,8 @@ class Lowering:
 
     def of_transpose(self, tree: Transpose, env: Env) -> Value:
         value = self.value(tree.value, env)
+        if len(shape(value)) == 1 and not isinstance(tree.value, Tuple):
+            raise SymcheckError(f"{to_latex(tree)}: a vector is neither row nor column; leave out the transposition")
         if not isinstance(value, list):
             raise SymcheckError(f"{to_latex(tree)} transposes a scalar; declare T as a letter if it is an exponent")
         return [list(row) for row in zip(*value, strict=True)] if len(shape(value)) == 2 else value
@@ -459,15 +611,18 @@ class Lowering:
         if len(inner) != 2:
             raise SymcheckError(f"{to_latex(tree)} must have two free indices: row and column")
         row, column = inner
+        if row.lstrip("\\") > column.lstrip("\\"):
+            raise SymcheckError(
+                f"{to_latex(tree)}: does {row} count rows, or columns? write the rows' index as the earlier letter"
+            )
         return [
             [self.scalar(tree.value, {**env, row: k, column: m}) for m in self.range(column)] for k in self.range(row)
         ]
 
     def of_integral(self, tree: Integral, env: Env) -> Value:
-        by = self.scalar(tree.variable, env)
-        if not isinstance(by, str):
-            raise SymcheckError(f"{to_latex(tree)}: an integral is taken over a variable")
-        return ("integral", self.scalar(tree.body, env), by, self.bound(tree.low, env), self.bound(tree.high, env))
+        by, body = self.variable(tree.variable, env), self.scalar(tree.body, env)
+        self.refuse_unsaid(body, by, tree)
+        return ("integral", body, by, self.bound(tree.low, env), self.bound(tree.high, env))
 
     def bound(self, tree: Tree, env: Env) -> Term:
         """A bound of an integral; infinity is the name "infinity"."""
@@ -476,19 +631,83 @@ class Lowering:
         return ("-", "infinity") if tree == Neg(Infinity()) else self.scalar(tree, env)
 
     def of_mean(self, tree: Mean, env: Env) -> Value:
-        phase = self.scalar(tree.phase, env)
-        if not isinstance(phase, str):
-            raise SymcheckError(f"{to_latex(tree)}: an average is taken over a variable")
-        return zipped(lambda t: ("mean", t, phase), [self.value(tree.body, env)])
+        phase, body = self.variable(tree.phase, env), self.value(tree.body, env)
+        for part in flat(body):
+            self.refuse_unsaid(part, phase, tree)
+        return zipped(lambda t: ("mean", t, phase), [body])
 
     def of_derivative(self, tree: Derivative, env: Env) -> Value:
         value = self.value(tree.body, env)
         for variable_tree, order in tree.variables:
-            by = self.scalar(variable_tree, env)
-            if not isinstance(by, str):
-                raise SymcheckError(f"{to_latex(tree)}: a derivative is taken by a variable")
-            value = zipped(lambda t, by=by, order=order: ("diff", t, by, order), [value])
+            value = self.derived(value, self.variable(variable_tree, env), order, tree, partial=tree.partial)
         return value
+
+    def derived(self, value: Value, by: str, order: int, tree: Tree, *, partial: bool = False) -> Value:
+        """The derivative of a scalar, or of each component, by a variable."""
+        if not order:
+            return value
+        return zipped(lambda t: self.slope(t, by, order, tree, partial=partial), [value])
+
+    def slope(self, term: Term, by: str, order: int, tree: Tree, *, partial: bool) -> Term:
+        """The derivative of a term; that of a function by one of its arguments is the function of a higher order."""
+        if isinstance(term, tuple) and term[0] == "call":
+            _, name, orders, *arguments = term
+            elsewhere = any(by in _names(argument) for argument in arguments if argument != by)
+            if arguments.count(by) == 1 and (partial or not elsewhere):
+                if not partial:
+                    self.refuse_unsaid(term, by, tree)
+                k = arguments.index(by)
+                return ("call", name, (*orders[:k], orders[k] + order, *orders[k + 1 :]), *arguments)
+        if partial and _through(term, by):
+            raise SymcheckError(
+                f"{to_latex(tree)}: are the functions of {by} held constant, or not? write a total derivative"
+            )
+        self.refuse_unsaid(term, by, tree, held=partial)
+        return ("diff", term, by, order)
+
+    def refuse_unsaid(self, term: Term, by: str, tree: Tree, *, held: bool = False) -> None:
+        """SymcheckError where it is not said whether a letter depends on a variable; `held`: arguments are constant."""
+        for name in dict.fromkeys(_free_names(term, held=held)):
+            letter = self.notation.owner(name)
+            if name == by or name in ("pi", "infinity") or (letter and (letter.named or letter.depends is not None)):
+                continue
+            shown = letter.latex if letter else name
+            by_letter = self.notation.owner(by)
+            raise SymcheckError(
+                f"{to_latex(tree)}: does {shown} depend on {by}? declare {shown} with "
+                f"depends={(by_letter.latex if by_letter else by)!r} if it does, depends='' if it is constant"
+            )
+
+
+def _names(node: Any) -> Iterator[str]:
+    """Every name in a term or in formulas, those of functions too."""
+    if isinstance(node, str):
+        yield node
+    elif isinstance(node, tuple):
+        for part in node:
+            yield from _names(part)
+
+
+def _free_names(term: Any, *, held: bool) -> Iterator[str]:
+    """The variables of a term that no integral binds; with `held` not those that are arguments themselves."""
+    if isinstance(term, str):
+        yield term
+    elif isinstance(term, tuple):
+        head, *parts = term
+        if head == "call":
+            parts = [part for part in parts[2:] if not (held and isinstance(part, str))]
+        bound = parts[1] if head in ("diff", "integral", "mean", "diverges") else ""
+        for part in parts:
+            yield from (name for name in _free_names(part, held=held) if name != bound)
+
+
+def _through(term: Any, by: str) -> bool:
+    """Does a function have an argument that depends on the variable without being it?"""
+    if not isinstance(term, tuple):
+        return False
+    if term[0] == "call" and any(part != by and by in _names(part) for part in term[3:]):
+        return True
+    return any(_through(part, by) for part in term[1:])
 
 
 def tree_indices(tree: Tree) -> set[str]:

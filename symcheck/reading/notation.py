@@ -4,18 +4,28 @@ from __future__ import annotations
 
 import itertools
 import re
-from collections.abc import Iterable, Iterator
+from collections.abc import Container, Iterable, Iterator
 from dataclasses import dataclass
 from functools import cache
+from typing import Any
 
 from symcheck.reading import tex
+from symcheck.reading.commands import known
 from symcheck.statement import SymcheckError
 
 KINDS = frozenset({"scalar", "vector", "matrix", "function", "index", "differential"})
 SIGNS = frozenset({"", ">= 0", "> 0"})
 SLASHES = frozenset({"", "denominator"})
 DECIMALS = frozenset({"", "rounded"})
-_PREFIXES = {r"\dot": "d", r"\ddot": "dd"}
+ARGUMENTS = frozenset({"", "short", "long"})
+DOTS = {r"\dot": 1, r"\ddot": 2, r"\dddot": 3}
+TIMES = ("t", r"\tau")
+_NUMBERS = {"e": "e", r"\text{e}": "e", "i": "i", r"\text{i}": "i", r"\text{j}": "i", r"\pi": "pi"}
+_SAID = {"e": "Euler's number", "i": "the imaginary unit", "pi": "the number pi"}
+_NAME = re.compile(r"[A-Za-z][A-Za-z0-9_]*")
+_FUNCTIONS = "sin|cos|tan|sqrt|exp|log|arctan|arcsin|arccos|pow|mean|integral|diverges|diff|call|exists"
+_VALUE = re.compile(rf"pi|infinity|({_FUNCTIONS})(_.*)?|[A-Z][a-z]+_[0-9a-f]{{10}}")
+_PREFIXES = {r"\dot": "d", r"\ddot": "dd", r"\dddot": "ddd"}
 _SUFFIXES = {
     r"\bar": "bar", r"\overline": "bar", r"\hat": "hat", r"\widehat": "hat",
     r"\tilde": "tilde", r"\widetilde": "tilde", r"\vec": "vec",
@@ -24,7 +34,7 @@ _SUFFIXES = {
 
 @dataclass(frozen=True)
 class Letter:
-    r"""One printed letter, without its indices: `I`, `\omega`, `\bar{k}`, `\mathbf{e}`, `Ox`, `f_1`.
+    r"""One printed letter, without its indices: `I`, `\omega`, `\bar{k}`, `\mathbf{e}`, `Ox`, `f_1`, `a^{(2)}`.
 
     name        stem of its variables in lowered terms; by default `\dot{\omega}` -> "domega", `\bar{k}` -> "kbar"
     indices     number of index positions; `k` and `k_i` are two letters
@@ -35,6 +45,12 @@ class Letter:
                 in which i, j (in this order) stand for the letter's own indices: `(a_{i1}, a_{i2}, a_{i3})`,
                 `\|a_{ij}\|`, `\operatorname{diag}(I_1, I_2, I_3)`; without it they are variables with one more index
                 (a matrix: two)
+    depends     the letters it is a function of: "t", "x, t", `\mathbf{y}, t`; "" if it is constant. Then `r` is r(t)
+                and `\dot{r}`, `r'`, `\frac{dr}{dt}` are its derivatives. Where nothing is said, it cannot stand in a
+                derivative, an integral or a mean by another letter
+    named       its value is known by its name: `r` and `r(t)` are lowered to the variable r, for which a definition
+                puts the expression that says how it depends on others; no other arguments are allowed
+    number      "e", "i" or "pi" for a letter that is this number
     """
 
     latex: str
@@ -46,18 +62,61 @@ class Letter:
     unit: str = ""
     sign: str = ""
     components: str | None = None
+    depends: str | None = None
+    named: bool = False
+    number: str = ""
 
     def __post_init__(self) -> None:
         if self.kind not in KINDS:
-            raise SymcheckError(f"letter {self.latex}: unknown kind {self.kind!r}; choose {', '.join(sorted(KINDS))}")
+            raise self.fault(f"unknown kind {self.kind!r}; choose {', '.join(sorted(KINDS))}")
         if self.sign not in SIGNS:
-            raise SymcheckError(f"letter {self.latex}: unknown sign {self.sign!r}; choose '', '>= 0' or '> 0'")
-        canonical(self.latex)
+            raise self.fault(f"unknown sign {self.sign!r}; choose '', '>= 0' or '> 0'")
+        spelling = self.latex if known(self.latex) else canonical(self.latex)
+        if known(spelling):
+            raise self.fault("it has a meaning of its own, or none that is known, and cannot be a letter")
+        if spelling == r"\pi" and self.kind == "scalar" and not self.indices and self.name is None:
+            object.__setattr__(self, "number", "pi")
+        self._check_number(spelling)
+        if self.kind in ("index", "differential") and (self.depends is not None or self.named):
+            raise self.fault(f"an {self.kind} depends on nothing; leave out depends and named")
+        if self.name is not None and not _NAME.fullmatch(self.name):
+            raise self.fault(f"the name {self.name!r} is none of a variable; use letters, digits and _")
+        if not self.stem or (self.stem.endswith("prime") and self.kind != "index"):
+            raise self.fault(f"it would be lowered to {self.stem!r}; give it another name, name=...")
+
+    def _check_number(self, spelling: str) -> None:
+        """Letters that may be numbers say whether they are."""
+        which = _NUMBERS.get(spelling, "") if not self.indices else ""
+        if self.number and (self.number != which or self.kind != "scalar" or self.depends or self.name):
+            raise self.fault(f"number={self.number!r} does not fit it; only e, i and \\pi are numbers")
+        said = self.number or self.name is not None
+        if which and not said and (self.kind == "scalar" or (which != "i" and self.kind == "index")):
+            ways = (
+                f"say name={self.stem!r} for a letter"
+                if self.kind == "index"
+                else f"say number={which!r}, or name={self.stem!r}"
+            )
+            raise self.fault(f"{_SAID[which]}, or a letter of its own? {ways}")
+        if spelling == r"\text{d}" and self.kind != "differential" and self.name is None:
+            raise self.fault("the d of a differential, or a letter of its own? say kind='differential', or name='d'")
+
+    def fault(self, message: str) -> SymcheckError:
+        """The error of this declaration."""
+        return SymcheckError(f"letter {self.latex}: {message}")
 
     @property
     def stem(self) -> str:
         """The stem of the variable names."""
         return self.name if self.name is not None else _stem(canonical(self.latex))
+
+    @property
+    def applies(self) -> bool:
+        """Can this letter stand before arguments in brackets?"""
+        return self.kind == "function" or bool(self.depends)
+
+    def spelled(self, indices: tuple[int, ...]) -> str:
+        """One instance of the letter, for messages."""
+        return f"{self.latex}_{{{','.join(map(str, indices))}}}" if indices else self.latex
 
 
 @cache
@@ -70,6 +129,9 @@ def canonical(latex: str) -> str:
     if reader.peek() == "_":
         reader.i += 1
         text += tex.subscript(reader.group())
+    if reader.peek() == "^":
+        reader.i += 1
+        text += tex.superscript(reader.group()) or ""
     if reader.i < len(reader.toks):
         reader.fail("a letter is declared by its spelling alone, without indices")
     return text
@@ -98,13 +160,13 @@ def variable(stem: str, indices: tuple[int, ...]) -> str:
     return f"{stem}_{between.join(map(str, indices))}"
 
 
-def _variables(letter: Letter) -> Iterator[str]:
-    """All variables this letter is lowered to."""
-    if letter.kind == "differential" or letter.components is not None:
+def _instances(letter: Letter) -> Iterator[tuple[str, tuple[int, ...]]]:
+    """All variables and functions this letter is lowered to, each with its indices."""
+    if letter.kind in ("differential", "index") or letter.components is not None or letter.number:
         return
     inner = {"vector": 1, "matrix": 2}.get(letter.kind, 0)
     for indices in itertools.product(*[letter.range] * letter.indices, *[(1, 2, 3)] * inner):
-        yield variable(letter.stem, indices)
+        yield variable(letter.stem, indices), indices
 
 
 class Notation:
@@ -117,15 +179,29 @@ class Notation:
               is u e_1 + e_2 - e_3; "": such a list is a vector of components, as one in round brackets is
     decimals  what an equality with a decimal number says: "" that both are equal, "rounded" that it is so to the last
               printed digit, as behind `\\approx`; whole numbers are exact
+    argument  where the argument of a function printed without brackets ends, if a space or brackets follow: "" is
+              refused as ambiguous; "short": before them, `\\cos a\\,x` is (cos a) x and `\\sin\\omega(t - x)` is
+              (sin omega)(t - x); "long": behind them, as cos(a x) and sin(omega (t - x))
     """
 
-    def __init__(self, letters: Iterable[Letter], *, slash: str = "", bracket: str = "", decimals: str = "") -> None:
+    def __init__(
+        self,
+        letters: Iterable[Letter],
+        *,
+        slash: str = "",
+        bracket: str = "",
+        decimals: str = "",
+        argument: str = "",
+    ) -> None:
         if slash not in SLASHES:
             raise SymcheckError(f"unknown meaning {slash!r} of a slash; choose '' or 'denominator'")
         if decimals not in DECIMALS:
             raise SymcheckError(f"unknown meaning {decimals!r} of decimals; choose '' or 'rounded'")
+        if argument not in ARGUMENTS:
+            raise SymcheckError(f"unknown end {argument!r} of an argument; choose '', 'short' or 'long'")
         self.letters, self.slash, self.bracket, self.decimals = tuple(letters), slash, bracket, decimals
-        self.content = (self.letters, slash, bracket, decimals)  # all that distinguishes two notations
+        self.argument = argument
+        self.content = (self.letters, slash, bracket, decimals, argument)  # all that distinguishes two notations
         self._hash = hash(self.content)
         self._letters: dict[tuple[str, int], Letter] = {}
         self._index: dict[str, Letter] = {}
@@ -146,15 +222,36 @@ class Notation:
         self.words = tuple(sorted({k for k, _ in self._letters if len(k) > 1 and k.isalpha()}, key=len, reverse=True))
 
     def _check_variables(self) -> None:
-        """No two letters may be lowered to one variable: it would make different things equal without a word."""
-        owners: dict[str, str] = {}
+        """No two letters may be lowered to one variable, and none to a name that has a value of its own."""
+        owners: dict[str, tuple[Letter, tuple[int, ...]]] = {}
         for letter in self._letters.values():
-            for name in _variables(letter):
-                if owners.setdefault(name, letter.latex) != letter.latex:
-                    both = f"{owners[name]} and {letter.latex}"
-                    raise SymcheckError(
-                        f"letters {both} would both be lowered to {name}; give one of them another name"
+            for name, indices in _instances(letter):
+                if _VALUE.fullmatch(name):
+                    raise letter.fault(
+                        f"it would be lowered to {name}, which is a value; give it another name, name=..."
                     )
+                other, others = owners.setdefault(name, (letter, indices))
+                if (other, others) != (letter, indices):
+                    both = f"{other.spelled(others)} and {letter.spelled(indices)}"
+                    raise SymcheckError(
+                        f"letters {both} would both be lowered to {name}; give one of them another name, name=..."
+                    )
+            self._check_dots(letter)
+        self._owners = owners
+
+    def _check_dots(self, letter: Letter) -> None:
+        """A dotted letter is no letter of its own where the dots are a derivative."""
+        bare, dots = undotted(canonical(letter.latex))
+        below = self._letters.get((bare, letter.indices)) if dots else None
+        if below is not None and below.depends and not below.named:
+            raise letter.fault(
+                f"{below.latex} depends on {below.depends}, so this is its derivative; do not declare it"
+            )
+
+    def owner(self, name: str) -> Letter | None:
+        """The letter that is lowered to this variable or function, with primes or without."""
+        found = self._owners.get(name) or self._owners.get(re.sub(r"(prime)+(?=_|$)", "", name))
+        return found[0] if found else None
 
     def __eq__(self, other: object) -> bool:
         return isinstance(other, Notation) and self.content == other.content
@@ -163,7 +260,9 @@ class Notation:
         return self._hash
 
     def __repr__(self) -> str:
-        habits = f"slash={self.slash!r}, bracket={self.bracket!r}, decimals={self.decimals!r}"
+        habits = (
+            f"slash={self.slash!r}, bracket={self.bracket!r}, decimals={self.decimals!r}, argument={self.argument!r}"
+        )
         return f"Notation({list(self.letters)!r}, {habits})"
 
     def extended(self, *letters: Letter) -> Notation:
@@ -173,8 +272,12 @@ class Notation:
             return canonical(letter.latex), letter.indices, letter.kind == "index"
 
         new = {key(letter) for letter in letters}
-        kept = (old for old in self.letters if key(old) not in new)
-        return Notation([*kept, *letters], slash=self.slash, bracket=self.bracket, decimals=self.decimals)
+        return self.having(*(old for old in self.letters if key(old) not in new), *letters)
+
+    def having(self, *letters: Letter) -> Notation:
+        """The same habits with these letters and no others."""
+        habits = {"slash": self.slash, "bracket": self.bracket, "decimals": self.decimals, "argument": self.argument}
+        return Notation(letters, **habits)
 
     def find(self, latex: str, indices: int) -> Letter | None:
         """The letter of this canonical spelling with so many indices."""
@@ -205,7 +308,44 @@ class Notation:
 
     def nearest(self, latex: str) -> str:
         """A way out for an unknown letter: the nearest declared one."""
+        close = self.resembling(latex, 0.0)
+        meant = f"did you mean {close}?" if close else "the notation has no letters"
+        if known(latex):
+            return tex.no_letter(latex)
+        if which := _NUMBERS.get(latex):
+            return f"declare it, with number={which!r} if it is {_SAID[which]}; or {meant}"
+        return f"declare it in the notation, or {meant}" if close else meant
+
+    def resembling(self, latex: str, cutoff: float = 0.75) -> str:
+        """The declared letter that is spelled most alike; the empty text if none is."""
         import difflib  # only an error needs it
 
-        close = difflib.get_close_matches(latex, [*self._spellings, *self._index], n=1, cutoff=0.0)
-        return f"declare it in the notation, or did you mean {close[0]}?" if close else "the notation has no letters"
+        close = difflib.get_close_matches(latex, [*self._spellings, *self._index], n=1, cutoff=cutoff)
+        return close[0] if close else ""
+
+    def refuse_undefined(self, defined: Container[str], *values: Any) -> None:
+        """SymcheckError for a named letter under a derivative, integral or mean that no definition gives a value."""
+        for value in values:
+            if found := self._undefined(value, defined, inside=False):
+                raise SymcheckError(
+                    f"nothing defines {found} here, so that its derivative, integral or mean is not known; define it, "
+                    "or declare it without named"
+                )
+
+    def _undefined(self, value: Any, defined: Container[str], *, inside: bool) -> str | None:
+        if isinstance(value, str):
+            letter = self.owner(value) if inside and value not in defined else None
+            return letter.latex if letter and letter.named else None
+        if isinstance(value, tuple):
+            inside = inside or value[:1] in (("diff",), ("integral",), ("mean",), ("diverges",))
+            bound = value[2] if inside and len(value) > 2 and isinstance(value[2], str) else ""
+            for part in value[1:]:
+                if part != bound and (found := self._undefined(part, defined, inside=inside)):
+                    return found
+        return None
+
+
+def undotted(latex: str) -> tuple[str, int]:
+    r"""The letter below its dots, and their number: `\ddot{x}` -> (`x`, 2)."""
+    head, _, rest = latex.partition("{")
+    return (rest[:-1], DOTS[head]) if head in DOTS and rest.endswith("}") else (latex, 0)

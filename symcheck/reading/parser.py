@@ -2,15 +2,18 @@
 
 from __future__ import annotations
 
+import itertools
 from collections import Counter
-from collections.abc import Sequence
+from collections.abc import Container, Sequence
 from dataclasses import dataclass
+from functools import lru_cache
 from typing import Any
 
 from symcheck.reading import tex
 from symcheck.reading.grammar import parse
 from symcheck.reading.lexer import Lexer
-from symcheck.reading.notation import Notation
+from symcheck.reading.notation import Letter, Notation
+from symcheck.reading.printing import to_latex
 from symcheck.reading.tree import (
     BRACKETED,
     LOGIC,
@@ -53,10 +56,14 @@ from symcheck.reading.tree import (
     Tree,
     Tuple,
     Values,
+    children,
+    walk,
 )
 from symcheck.statement import SymcheckError
 
 SIMPLE_KINDS = ("scalar", "index", "function")
+_BRACKETS_ARE_IDLE = (Name, Number, Call, Sqrt, Pow, Mul, Div, Derivative, Degrees, Pair)
+_ORDERS = {"<": "up", r"\le": "up", ">": "down", r"\ge": "down"}
 
 
 @dataclass(frozen=True, slots=True)
@@ -75,6 +82,7 @@ class Listing:
     entries: list[tuple[str, Tree]]
     separators: list[str]
     at: int
+    wide: list[bool]  # is there more than a comma between two entries?
 
 
 @dataclass(slots=True)
@@ -96,6 +104,7 @@ class Item:
     postfix: str = ""
     letters: tuple[Name, ...] = ()
     partial: bool = False
+    square: bool = False
 
 
 def read(latex: str | Sequence[str], notation: Notation) -> Tree:
@@ -106,18 +115,36 @@ def read(latex: str | Sequence[str], notation: Notation) -> Tree:
     """
     pieces = [latex] if isinstance(latex, str) else list(latex)
     source = r" \\ ".join(tex.split_tag(piece)[0] for piece in pieces)
-    lexemes = Lexer(source, notation).lexemes()
+    lexer = Lexer(source, notation)
+    lexemes = lexer.lexemes()
     if not lexemes:
         raise SymcheckError(f"an empty formula: {latex!r}; give the printed LaTeX")
-    return Builder(source, notation).statement(parse(source, lexemes))
+    return Builder(source, notation, lexer.spaced).statement(parse(source, lexemes))
+
+
+@lru_cache(maxsize=512)
+def dependence(letter: Letter, notation: Notation) -> tuple[Tree, ...]:
+    """The letters a letter depends on, as printed in its declaration."""
+    if not letter.depends:
+        return ()
+    try:
+        tree = read(letter.depends, notation)
+    except SymcheckError as error:
+        raise letter.fault(f"depends={letter.depends!r}: {error}") from None
+    parts = tree.parts if isinstance(tree, System) else (tree,)
+    found = tuple(part.function if isinstance(part, Call) and not part.arguments else part for part in parts)
+    if not all(isinstance(part, Name) and not part.primes for part in found):
+        raise letter.fault(f"depends={letter.depends!r} must be letters, separated by commas")
+    return found  # type: ignore[return-value]
 
 
 class Builder:
     """From the parser's tree to ours; one method per rule of the grammar."""
 
-    def __init__(self, source: str, notation: Notation) -> None:
+    def __init__(self, source: str, notation: Notation, spaced: Container[int] = ()) -> None:
         self.source = source
         self.notation = notation
+        self.spaced = spaced  # places behind an explicit space
 
     def fail(self, at: int, message: str) -> SymcheckError:
         return tex.fault(self.source, at, message)
@@ -127,15 +154,29 @@ class Builder:
         return getattr(self, f"on_{node.data}")(node.children)
 
     def statement(self, node: Any) -> Tree:
-        tree = self.statement_of(self.build(node.children[0]))
-        return self.checked(tree, 0)
+        tree = self.checked(self.statement_of(self.build(node.children[0])), 0)
+        self.refuse_signs(tree)
+        return tree
+
+    def refuse_signs(self, tree: Tree) -> None:
+        """Double signs of several relations may switch together or not; only where both hold it does not matter."""
+        chains = [node for _, node in walk(tree) if isinstance(node, Chain)]
+        signed = [[_is_signed(member) for member in chain.members] for chain in chains]
+        links = [pair for chain in signed for pair in itertools.pairwise(chain) if any(pair)]
+        if sum(map(any, signed)) > 1 and not all(map(all, links)):
+            raise self.fail(
+                0, "do the double signs of these relations switch together? write a statement for each sign"
+            )
+        if any(sum(any(p) and not all(p) for p in itertools.pairwise(c)) > 1 for c in signed):
+            raise self.fail(0, "do the double signs of this chain switch together? write a statement for each sign")
 
     # -- lists and statements ------------------------------------------------------------------------------------
 
     def on_listing(self, nodes: list[Any]) -> Listing:
         entries = [self.build(node) for node in nodes[0::2]]
-        separators = [node.children[0].type for node in nodes[1::2]]
-        return Listing(entries, separators, _place(nodes[0]))
+        separators = [node.children[0] for node in nodes[1::2]]
+        wide = [len(node.children) > 1 or node.children[0].value.value != "," for node in nodes[1::2]]
+        return Listing(entries, [separator.type for separator in separators], _place(nodes[0]), wide)
 
     def on_entry(self, nodes: list[Any]) -> tuple[str, Tree]:
         label = nodes.pop(0).value.value if not hasattr(nodes[0], "data") else ""
@@ -146,15 +187,95 @@ class Builder:
         """A whole statement: its qualifiers gathered, its cases told apart."""
         if any(label for label, _ in listing.entries):
             return self.cases(listing)
-        parts, qualifiers = self.qualified([tree for _, tree in listing.entries], listing.at)
+        return self.system(self.shared(listing), listing.at)
+
+    def system(self, trees: list[Tree], at: int) -> Tree:
+        """Statements, or expressions, side by side, with their qualifiers."""
+        parts, qualifiers = self.qualified(trees, at)
+        self.refuse_idle(parts, qualifiers, at)
         if len(parts) == 1 and not qualifiers:
             return parts[0]
-        stated = [isinstance(part, STATEMENTS) for part in parts if not self.is_listed(part)]
+        stated = [isinstance(part, STATEMENTS) for part in parts]
         if not all(stated) and (any(stated) or qualifiers):
-            raise self.fail(listing.at, "an expression stands among relations and says nothing")
+            raise self.fail(
+                at,
+                "an expression stands among relations and says nothing; if it shares a relation, write it out, "
+                "if it is only named, leave it out",
+            )
         if len(parts) > 1 and any(isinstance(part, LOGIC) and not isinstance(part, And) for part in parts):
-            raise self.fail(listing.at, r"a comma beside a logical connective is ambiguous; write \land or brackets")
+            raise self.fail(at, r"a comma beside a logical connective is ambiguous; write \land or brackets")
         return System(tuple(parts), tuple(qualifiers))
+
+    def refuse_idle(self, parts: list[Tree], qualifiers: list[Qualifier], at: int) -> None:
+        """A qualifier says something about an index that occurs, and says it once."""
+        said = [index for qualifier in qualifiers for index in qualifier.indices]
+        if twice := [index for index, count in Counter(said).items() if count > 1]:
+            raise self.fail(at, f"the values of {twice[0]} are given twice")
+        names = [node for part in parts for _, node in walk(part) if isinstance(node, Name)]
+        used = {index for name in names for index in (name.letter, *name.subscripts)}
+        if parts and (idle := [index for index in said if index not in used]):
+            raise self.fail(at, f"values are given for {idle[0]}, which does not occur")
+
+    def shared(self, listing: Listing) -> list[Tree]:
+        """The entries of a list, in which letters may share one relation: `a, b > 0`, `0 < a, b < 1`."""
+        trees = [tree for _, tree in listing.entries]
+        found: list[Tree] = []
+        k = 0
+        while k < len(trees):
+            end = k + 1
+            while end < len(trees) and self.is_listed(trees[end]) and not isinstance(trees[end - 1], STATEMENTS):
+                end += 1
+            first = trees[k]
+            if isinstance(first, Chain) and self.is_listed(first.members[-1]):
+                end = self.closing(listing, trees, k)
+                if end > k + 1:
+                    found += self.between(trees[k:end], listing.at)
+                    k = end
+                    continue
+            last = trees[end] if end < len(trees) else None
+            if self.is_listed(first) and isinstance(last, Chain) and self.is_listed(last.members[0]):
+                found += self.having_all(trees[k:end], last, listing.at)
+                k = end + 1
+                continue
+            found.append(first)
+            k += 1
+        return found
+
+    def closing(self, listing: Listing, trees: list[Tree], k: int) -> int:
+        """Where a run such as `0 < a, b, c < 1` ends that begins with entry k; k + 1 if there is none."""
+        first, end = trees[k], k + 1
+        while end < len(trees) and self.is_listed(trees[end]) and not listing.wide[end - 1]:
+            end += 1
+        last = trees[end] if end < len(trees) else None
+        if not isinstance(first, Chain) or not isinstance(last, Chain) or listing.wide[end - 1]:
+            return k + 1
+        orders = {_ORDERS.get(sign) for sign in first.signs + last.signs}
+        one_way = orders in ({"up"}, {"down"})
+        inner = (first.members[-1], last.members[0])
+        return end + 1 if one_way and self.is_listed(inner[1]) and inner[0] != inner[1] else k + 1
+
+    def between(self, trees: list[Tree], at: int) -> list[Tree]:
+        """The relations of `0 < a, b < 1`: each letter lies between both ends."""
+        first, last = trees[0], trees[-1]
+        assert isinstance(first, Chain)
+        assert isinstance(last, Chain)
+        if not isinstance(first.members[0], Number | Neg) or len(first.signs + last.signs) > 2:
+            raise self.fail(
+                at,
+                "two relations, or letters that lie between the same ends? write \\quad behind the comma, or a "
+                "relation for each letter",
+            )
+        letters = [first.members[-1], *trees[1:-1], last.members[0]]
+        signs = (*first.signs, *last.signs)
+        return [Chain((first.members[0], letter, last.members[-1]), signs) for letter in letters]
+
+    def having_all(self, letters: list[Tree], last: Chain, at: int) -> list[Tree]:
+        """The relations of `a, b > 0`: one for each letter."""
+        if last.signs[0] == "=" and self.is_listed(last.members[1]):
+            raise self.fail(
+                at, "are the letters before the comma equal to this too, or only named? write a relation for each"
+            )
+        return [Chain((letter, *last.members[1:]), last.signs) for letter in (*letters, last.members[0])]
 
     def cases(self, listing: Listing) -> Tree:
         cases: list[tuple[str, list[Tree]]] = []
@@ -165,10 +286,11 @@ class Builder:
                 raise self.fail(listing.at, "a statement stands before the first case")
             cases[-1][1].append(tree)
         built = []
+        numbers = [label.rstrip(").") for label, _ in cases if label.endswith(".")]
+        if numbers and numbers != [str(n) for n in range(1, len(cases) + 1)]:
+            raise self.fail(listing.at, "the cases are not numbered 1, 2, 3, ...")
         for label, trees in cases:
-            parts, qualifiers = self.qualified(trees, listing.at)
-            alone = len(parts) == 1 and not qualifiers
-            built.append((label, parts[0] if alone else System(tuple(parts), tuple(qualifiers))))
+            built.append((label, self.system(trees, listing.at)))
         return CaseList(tuple(built))
 
     def qualified(self, trees: list[Tree], at: int) -> tuple[list[Tree], list[Qualifier]]:
@@ -223,8 +345,9 @@ class Builder:
         return Values(first.members[0], values) if isinstance(values[0], Number) else None
 
     def is_listed(self, tree: Tree) -> bool:
-        """A letter that stands in a list of relations to be named, nothing else: the `C` of `A = B, C`."""
-        return isinstance(tree, Name) and not self.is_index(tree)
+        """A letter alone, which may share a relation with others: those of `a, b > 0`."""
+        name = tree.function if isinstance(tree, Call) and not tree.arguments else tree
+        return isinstance(name, Name) and (bool(name.subscripts) or self.notation.find(name.letter, 0) is not None)
 
     def is_index(self, tree: Tree) -> bool:
         return isinstance(tree, Name) and not tree.subscripts and self.notation.index(tree.letter) is not None
@@ -244,13 +367,23 @@ class Builder:
     # -- logic ---------------------------------------------------------------------------------------------------
 
     def on_exists(self, nodes: list[Any]) -> Tree:
+        if getattr(nodes[-1], "data", "") == "implies":
+            at = nodes[0].value.at
+            raise self.fail(at, r"does \exists hold for the premise alone or for the whole implication? write brackets")
         names = tuple(node.value.value for node in nodes[1:-1] if node.type == "NAME")
         return Exists(names, self.claim(nodes[-1]))
 
     def on_iff(self, nodes: list[Any]) -> Tree:
+        if "implies" in (nodes[0].data, nodes[2].data):
+            raise self.fail(nodes[1].value.at, r"\Leftrightarrow beside \Rightarrow is ambiguous; write brackets")
         return Iff(self.claim(nodes[0]), self.claim(nodes[2]))
 
     def on_implies(self, nodes: list[Any]) -> Tree:
+        if nodes[2].data == "implies":
+            raise self.fail(
+                nodes[1].value.at,
+                r"A \Rightarrow B \Rightarrow C is A \Rightarrow (B \Rightarrow C), or two; write brackets",
+            )
         return Implies(self.claim(nodes[0]), self.claim(nodes[2]))
 
     def on_either(self, nodes: list[Any]) -> Tree:
@@ -293,6 +426,9 @@ class Builder:
             tree: Tree = self.build(parts[0])
             return tree
         terms = [self.term_of(part) for part in parts]
+        for sign, term, part in zip(signs, terms, parts, strict=True):
+            if sign in (r"\pm", r"\mp") and isinstance(term, Number) and "." in term.text:
+                raise self.fail(_place(part), "both signs, or the error of a measured value? write it out")
         signed = tuple(_signed(sign, term) for sign, term in zip(signs, terms, strict=True))
         return signed[0] if len(signed) == 1 else Add(signed)
 
@@ -309,12 +445,22 @@ class Builder:
         top, bottom = self.product(left), self.product(right)
         if isinstance(top, Differential) and isinstance(bottom, Differential):
             return self.derivative(top, bottom, at)
+        self.refuse_quotient(top, bottom, at)
         below = self.notation.slash == "denominator" and all(item.kind == "atom" for item in right)
         if len(right) > 1 and not isinstance(bottom, Call) and not below:
             raise self.fail(at, "a slash before several factors is ambiguous")
         if any(item.kind in ("sum", "integral") for item in left + right) or _ends_bare(left):
             raise self.fail(at, "a slash behind a sum or a function without brackets is ambiguous")
         return Div(self.checked(top, at, statements=False), self.checked(bottom, at, statements=False))
+
+    def refuse_quotient(self, top: Tree, bottom: Tree, at: int) -> None:
+        """Where d is a letter, d f / d x is no quotient without a word."""
+        firsts = [tree.factors[0] if isinstance(tree, Mul) else tree for tree in (top, bottom)]
+        firsts = [tree.base if isinstance(tree, Pow) else tree for tree in firsts]
+        if isinstance(bottom, Mul) and all(isinstance(tree, Name) and tree.letter == "d" for tree in firsts):
+            raise self.fail(
+                at, "a derivative, or a quotient by the letter d? write the d elsewhere, or name the letter D"
+            )
 
     def items(self, node: Any) -> list[Item]:
         return [self.build(n) if hasattr(n, "data") else Item("dot", n.value.at) for n in node.children]
@@ -340,10 +486,68 @@ class Builder:
                     raise self.fail(item.at, r"\cdot must stand between two factors")
                 dotted, k = True, k + 1
                 continue
-            node, k = self.factor(items, k, dotted=dotted)
+            node, after = self.factor(items, k, dotted=dotted)
             factors.append(self.checked(node, item.at, statements=False))
+            self.refuse_product(item, factors[-1], items[after:], alone=after == k + 1)
+            k = after
             dotted = False
         return factors[0] if len(factors) == 1 else Mul(tuple(factors))
+
+    def refuse_product(self, item: Item, node: Tree, rest: list[Item], *, alone: bool) -> None:
+        """What stands behind a factor without a sign must be a factor without a doubt."""
+        after = rest[0] if rest else None
+        if after is None or after.kind == "dot" or not alone:
+            return
+        fraction = children(after.node) if isinstance(after.node, Div) and not after.postfix else ()
+        if fraction and all(isinstance(each, Number) for each in (node, *fraction)):
+            raise self.fail(after.at, r"a mixed number, or a product? write \cdot, or one fraction")
+        name = node.base if isinstance(node, Pow) else node
+        if isinstance(name, Call) and isinstance(name.function, Name) and not name.arguments:
+            name = name.function
+        if not self.in_brackets(after):
+            return
+        if isinstance(node, Derivative) or (item.kind == "group" and self.has_function(node)):
+            raise self.fail(
+                after.at, "at the place in these brackets, or times it? write \\cdot, or the function with its place"
+            )
+        if not isinstance(name, Name):
+            return
+        letter = self.notation.find(name.letter, len(name.subscripts))
+        shown, inside = to_latex(name), self.inside(after)
+        if letter is not None and letter.applies:
+            raise self.fail(
+                after.at,
+                f"{shown} of what is in these brackets, or times it? declare {letter.latex} with kind='function', or "
+                r"write \cdot",
+            )
+        constant = letter is not None and (letter.depends == "" or letter.number)
+        # a sum and a power of a product need their brackets, so that they are no sign of a function
+        if isinstance(inside, Pair) and all(map(self.is_vector, children(inside))):
+            return
+        if isinstance(inside, Tuple) and inside.kind == "()":
+            inside = inside.items[0]
+        idle = (Name, Number, Call) if after.postfix else _BRACKETS_ARE_IDLE
+        if not constant and isinstance(inside, idle):
+            raise self.fail(
+                after.at,
+                f"{shown} of what is in these brackets, or times it? declare {name.letter} with kind='function', or "
+                "with depends='' if it is constant, or leave out the brackets",
+            )
+
+    def has_function(self, tree: Tree) -> bool:
+        """Does a function stand here without its arguments?"""
+        calls = [node for _, node in walk(tree) if isinstance(node, Call) and not node.arguments]
+        return any(isinstance(call.function, Name) and self.kind(call.function) == "function" for call in calls)
+
+    def is_vector(self, tree: Tree) -> bool:
+        return any(isinstance(node, Name) and self.kind(node) == "vector" for _, node in walk(tree))
+
+    def in_brackets(self, item: Item) -> bool:
+        return item.kind == "group" or item.square
+
+    def inside(self, item: Item) -> Tree | None:
+        """What stands in round or square brackets."""
+        return item.node if item.square else self.bracketed(item.listing, "()")
 
     def factor(self, items: list[Item], k: int, *, dotted: bool) -> tuple[Tree, int]:
         item = items[k]
@@ -364,7 +568,7 @@ class Builder:
             raise self.fail(item.at, "a differential outside of a derivative")
         if isinstance(item.node, Number) and not dotted:
             raise self.fail(item.at, "a number behind a factor is ambiguous")
-        if isinstance(item.node, Name) and self.kind(item.node) == "function":
+        if isinstance(item.node, Name):
             return self.applied(items, k)
         return self.atom(item), k + 1
 
@@ -376,6 +580,8 @@ class Builder:
             end += 1
         if depth or end >= len(items) or items[end].kind != "atom" or items[end].postfix or items[end - 1].power:
             raise self.fail(sign.at, "this integral does not say what it is taken over")
+        if items[end - 1].partial:
+            raise self.fail(items[end - 1].at, "an integral is taken over dx, not over a partial differential")
         if end + 1 < len(items):
             raise self.fail(items[end + 1].at, "does this belong to the integral? put the integral in brackets")
         if end - 1 == k + 1 or sign.bounds is None:
@@ -389,16 +595,42 @@ class Builder:
         letter = self.notation.find(name.letter, len(name.subscripts))
         return letter.kind if letter else "index"
 
+    def applies(self, name: Name) -> bool:
+        """Can this letter stand before arguments?"""
+        letter = self.notation.find(name.letter, len(name.subscripts))
+        return letter is not None and letter.applies
+
     def applied(self, items: list[Item], k: int) -> tuple[Tree, int]:
         """A function letter with its arguments in brackets, or alone; any other factor as it is."""
-        item = items[k]
-        called = isinstance(item.node, Name) and self.kind(item.node) == "function" and not item.postfix
-        if called and k + 1 < len(items) and items[k + 1].kind == "group":
-            group = items[k + 1]
-            assert isinstance(item.node, Name)
-            call = Call(item.node, self.entries(group.listing))
-            return self.postfixed(call, group), k + 2
-        return self.atom(item), k + 1
+        item, after = items[k], items[k + 1] if k + 1 < len(items) else None
+        name = item.node
+        if not isinstance(name, Name) or after is None or after.kind != "group" or item.postfix not in ("", "CARET"):
+            return self.atom(item), k + 1
+        if not self.applies(name):
+            return self.atom(item), k + 1
+        arguments = self.entries(after.listing)
+        if self.kind(name) != "function" and not self.is_declared(name, arguments):
+            return self.atom(item), k + 1  # refused as a product
+        call = Call(name, arguments)
+        if item.power is None:
+            return self.postfixed(call, after), k + 2
+        if after.postfix or isinstance(item.power, Neg):
+            shown = to_latex(name)
+            if after.postfix:
+                raise self.fail(
+                    item.at, f"two powers of {shown}; write one behind brackets around {shown} and its argument"
+                )
+            raise self.fail(
+                item.at,
+                f"the inverse function of {shown}, or its reciprocal? write \\frac{{1}}{{{shown}(...)}} for that one",
+            )
+        return Pow(call, item.power), k + 2
+
+    def is_declared(self, name: Name, arguments: tuple[Tree, ...]) -> bool:
+        """Are these the very letters that the letter is declared to depend on?"""
+        letter = self.notation.letter(name.letter, len(name.subscripts))
+        bare = tuple(a.function if isinstance(a, Call) and not a.arguments else a for a in arguments)
+        return bare == dependence(letter, self.notation)
 
     def call(self, items: list[Item], k: int) -> tuple[Tree, int]:
         r"""`\sin` with its argument: brackets, one fraction or root, or the simple factors that follow."""
@@ -423,13 +655,35 @@ class Builder:
                 raise self.fail(item.at, f"does this power belong to {head.name} or to its argument?")
             if k > start and isinstance(item.node, Number):
                 raise self.fail(item.at, "a number behind a factor is ambiguous")
+            if k > start and item.at in self.spaced and not self.runs_on(item, head.name):
+                break
             k += 1
         if k == start:
             raise self.fail(head.at, f"{head.name} without an argument")
         factors = tuple(self.atom(item) for item in items[start : k - 1])
         last, k = self.applied(items, k - 1)
         factors += (last,)
+        if k < len(items) and self.continues(items[k]):
+            if all(isinstance(factor, Number) for factor in factors):
+                raise self.fail(items[k].at, f"does this factor belong to the argument of {head.name}?")
+            if self.runs_on(items[k], head.name):
+                factors += (self.atom(items[k]),)
+                k += 1
         return self.powered(head, (factors[0] if len(factors) == 1 else Mul(factors),)), k
+
+    def continues(self, item: Item) -> bool:
+        """Could this factor belong to an argument without brackets before it?"""
+        return self.in_brackets(item) or isinstance(item.node, Div)
+
+    def runs_on(self, item: Item, function: str) -> bool:
+        """Does an argument without brackets go on behind this space or into these brackets, as the notation says?"""
+        if not self.notation.argument:
+            raise self.fail(
+                item.at,
+                f"does this factor belong to the argument of {function}? write brackets around the argument, or say in "
+                "the notation argument='short' (it does not) or 'long' (it does)",
+            )
+        return self.notation.argument == "long"
 
     def simple(self, item: Item) -> bool:
         if isinstance(item.node, Name):
@@ -441,7 +695,7 @@ class Builder:
         if head.power is None:
             return call
         if isinstance(head.power, Neg):
-            raise self.fail(head.at, f"a negative power of {head.name} could mean its inverse function")
+            raise self.fail(head.at, f"the inverse function of {head.name}, or its reciprocal? write one or the other")
         return Pow(call, head.power)
 
     def entries(self, listing: Listing | None) -> tuple[Tree, ...]:
@@ -455,7 +709,7 @@ class Builder:
         """A factor that needs nothing from its right."""
         if item.kind == "group":
             node = self.bracketed(item.listing, "()")
-        elif isinstance(item.node, Name) and self.kind(item.node) == "function":
+        elif isinstance(item.node, Name) and self.applies(item.node):
             node = Call(item.node, ())
         elif item.node is not None:
             node = item.node
@@ -521,7 +775,7 @@ class Builder:
     def variables(self, items: list[Item]) -> list[Tree]:
         found = []
         for head, item in zip(items[0::2], items[1::2], strict=False):
-            if head.kind != "d" or item.kind != "atom" or head.power:
+            if head.kind != "d" or item.kind != "atom" or head.power or head.partial != items[0].partial:
                 raise self.fail(head.at, "this differential cannot be read")
             found.append(self.atom(item))
         if len(items) % 2:
@@ -542,7 +796,7 @@ class Builder:
         for tree in bottom.body:
             name, order = (tree.base, self.order(tree.exponent, at)) if isinstance(tree, Pow) else (tree, 1)
             if not isinstance(name, Name):
-                raise self.fail(at, "a derivative is taken by a letter")
+                raise self.fail(at, "a derivative is taken by a letter that depends on no other")
             found.append((name, order))
         return tuple(found)
 
@@ -592,7 +846,7 @@ class Builder:
         return Item("group", at, listing=self.build(nodes[1]))
 
     def from_lbra(self, nodes: list[Any], at: int) -> Item:
-        return Item("atom", at, self.bracketed(self.build(nodes[1]), "[]"))
+        return Item("atom", at, self.bracketed(self.build(nodes[1]), "[]"), square=True)
 
     def from_lhalf(self, nodes: list[Any], at: int) -> Item:
         return Item("atom", at, self.bracketed(self.build(nodes[1]), nodes[0].value.value))
@@ -634,6 +888,7 @@ class Builder:
         top, bottom = self.build(nodes[2]), self.build(nodes[5])
         if not isinstance(bottom, Differential):
             top = self.checked(top, at, statements=False)
+            self.refuse_quotient(top, bottom, at)
             return Item("fraction", at, Div(top, self.checked(bottom, at, statements=False)))
         if not isinstance(top, Differential):
             raise self.fail(at, "a differential outside of a derivative")
@@ -663,6 +918,10 @@ def _signed(sign: str, term: Tree) -> Tree:
     if sign in (r"\pm", r"\mp"):
         return PlusMinus(term, minus=sign == r"\mp")
     return Neg(term) if sign == "MINUS" else term
+
+
+def _is_signed(tree: Tree) -> bool:
+    return any(isinstance(node, PlusMinus) for _, node in walk(tree))
 
 
 def _place(node: Any) -> int:

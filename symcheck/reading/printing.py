@@ -55,6 +55,7 @@ _LEVEL: dict[type[Tree], int] = {
     BigSum: PRODUCT, Integral: PRODUCT, Call: FACTOR, Pow: FACTOR, Transpose: FACTOR, Degrees: FACTOR,
     Derivative: FACTOR, Div: FACTOR,
 }  # fmt: skip
+_BRACKETS = (r"\left(", "(", "[")
 _CONNECTIVE = {And: r" \land ", Or: r" \lor ", Implies: r" \Rightarrow ", Iff: r" \Leftrightarrow "}
 
 
@@ -81,12 +82,20 @@ def _index(value: int | str) -> str:
 
 
 def _name(tree: Name) -> str:
-    text = tree.letter + "'" * tree.primes
+    text = _dotted(tree.letter, tree.dots) + "'" * tree.primes
     if not tree.subscripts:
         return text
     several = len(tree.subscripts) > 1 and any(isinstance(v, int) and v > 9 for v in tree.subscripts)
     inside = (", " if several else "").join(map(_index, tree.subscripts)).strip()
     return f"{text}_{inside}" if len(inside) == 1 else f"{text}_{{{inside}}}"
+
+
+def _dotted(letter: str, dots: int) -> str:
+    """The letter below dots; a subscript that belongs to it stands behind them."""
+    if not dots:
+        return letter
+    base, underscore, rest = letter.partition("_") if not letter.endswith("}") or "_{" in letter else (letter, "", "")
+    return rf"\{'d' * dots}ot{{{base}}}{underscore}{rest}"
 
 
 def _add(tree: Add) -> str:
@@ -127,14 +136,19 @@ def _needs_dot(before: Tree, factor: Tree) -> bool:
     first = _first(factor)
     if isinstance(first, Number):
         return True
-    if isinstance(before, Pow) and isinstance(before.base, Call):
+    if isinstance(before, Number):
+        return isinstance(factor, Div) and isinstance(factor.top, Number) and isinstance(factor.bottom, Number)
+    shown = _print(factor, FACTOR)
+    if isinstance(before, Pow) and isinstance(before.base, Call | Name):
         before = before.base
     if isinstance(before, Call) and isinstance(before.function, str) and _is_bare(before):
-        if isinstance(first, Name) or _is_function_letter(first):
+        if isinstance(first, Name | Div) or _is_function_letter(first) or shown.startswith(_BRACKETS):
             return True
         argument = before.arguments[0]
         before = argument.factors[-1] if isinstance(argument, Mul) else argument
-    return _is_function_letter(before) and _print(factor, FACTOR).startswith((r"\left(", "("))
+    if not shown.startswith(_BRACKETS):
+        return False
+    return _is_function_letter(before) or (isinstance(before, Name) and not isinstance(factor, Add | Neg | PlusMinus))
 
 
 def _is_function_letter(tree: Tree) -> bool:
@@ -272,13 +286,12 @@ def _joined(tree: And | Or) -> str:
 
 
 def _arrow(tree: Implies | Iff) -> str:
-    left = OR if isinstance(tree, Implies) else IMPLIES
-    return _CONNECTIVE[type(tree)].join([_print(tree.left, left), _print(tree.right, IMPLIES)])
+    return _CONNECTIVE[type(tree)].join([_print(tree.left, OR), _print(tree.right, OR)])
 
 
 def _exists(tree: Exists) -> str:
     names = ", ".join(_print(name, ATOM) for name in tree.names)
-    return rf"\exists {names} : {_print(tree.body, IMPLIES)}"
+    return rf"\exists {names} : {_print(tree.body, OR)}"
 
 
 _PRINTERS: dict[type[Tree], Callable[[Any], str]] = {

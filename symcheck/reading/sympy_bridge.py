@@ -24,6 +24,8 @@ def to_sympy(term: Term) -> Expr:
     if isinstance(term, str):
         return {"pi": sympy.pi, "infinity": sympy.oo}.get(term) or sympy.Symbol(term, real=True)
     operator, arguments = term[0], term[1:]
+    if operator == "call":
+        return _applied(*arguments)
     if operator == "^":
         return to_sympy(arguments[0]) ** int(arguments[1])
     if operator == "diff":
@@ -52,6 +54,22 @@ def to_sympy(term: Term) -> Expr:
     raise SymcheckError(f"the term {term!r} has the unknown operator {operator!r}")
 
 
+def _applied(name: str, orders: tuple[int, ...], *arguments: Term) -> Expr:
+    """An undefined function, or a derivative of it, at its arguments."""
+    import sympy
+
+    function, values = sympy.Function(name, real=True), [to_sympy(argument) for argument in arguments]
+    if not any(orders):
+        found: Expr = function(*values)
+        return found
+    places = [sympy.Dummy(f"place_{k}", real=True) for k in range(len(values))]
+    by = [(place, order) for place, order in zip(places, orders, strict=True) if order]
+    slope = sympy.Derivative(function(*places), *by)
+    if len(set(values)) == len(values) and all(value.is_Symbol for value in values):
+        return slope.xreplace(dict(zip(places, values, strict=True)))
+    return sympy.Subs(slope, tuple(places), tuple(values))
+
+
 def _derivative(body: Expr, variable: Any, order: int) -> Expr:
     """The derivative taken, or left standing where the body is a bare name that may depend on the variable."""
     import sympy
@@ -65,6 +83,7 @@ def _derivative(body: Expr, variable: Any, order: int) -> Expr:
 def from_sympy(expr: Any) -> Term:
     """The term of a SymPy expression; SymcheckError for what has no exact term, such as floats."""
     import sympy
+    from sympy.core.function import AppliedUndef
 
     expr = sympy.sympify(expr)
     if isinstance(expr, sympy.Integer):
@@ -78,6 +97,8 @@ def from_sympy(expr: Any) -> Term:
         return str(expr.name)
     if expr == sympy.pi:
         return "pi"
+    if isinstance(expr, sympy.Derivative | sympy.Subs | AppliedUndef) and (applied := _call(expr)):
+        return applied
     if isinstance(expr, sympy.Add):
         return ("+", *(from_sympy(term) for term in expr.as_ordered_terms()))
     if isinstance(expr, sympy.Mul):
@@ -92,6 +113,25 @@ def from_sympy(expr: Any) -> Term:
         variable, *bounds = expr.limits[0]
         return ("integral", from_sympy(expr.function), str(variable), *(_bound(bound) for bound in bounds))
     raise SymcheckError(f"{expr} has no exact term; only rational expressions, powers and elementary functions have")
+
+
+def _call(expr: Any) -> Term | None:
+    """The term of an undefined function, or of its derivatives by its arguments; None for other derivatives."""
+    import sympy
+    from sympy.core.function import AppliedUndef
+
+    at: dict[Any, Any] = {}
+    if isinstance(expr, sympy.Subs):
+        at, expr = dict(zip(expr.variables, expr.point, strict=True)), expr.expr
+    counts: dict[Any, int] = {}
+    if isinstance(expr, sympy.Derivative):
+        counts, expr = {by: int(order) for by, order in expr.variable_count}, expr.expr
+    if not isinstance(expr, AppliedUndef) or expr.func.__name__ == "mean":
+        return None
+    if any(expr.args.count(by) != 1 for by in counts):
+        return None
+    orders = tuple(counts.get(argument, 0) for argument in expr.args)
+    return ("call", expr.func.__name__, orders, *(from_sympy(argument.xreplace(at)) for argument in expr.args))
 
 
 def _bound(expr: Any) -> Term:

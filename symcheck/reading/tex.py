@@ -6,6 +6,7 @@ import re
 from dataclasses import dataclass
 from typing import NoReturn
 
+from symcheck.reading.commands import ACCENTS, LETTER_COMMANDS, ROMAN, STYLES, known
 from symcheck.statement import SymcheckError
 
 _TOKEN = re.compile(r"\\[A-Za-z]+\*?|\\.|\S", re.DOTALL)
@@ -15,33 +16,8 @@ _TAG = re.compile(
 )
 _TAIL = re.compile(rf"(?:{_SPACE}|[.,;])+$")
 
-STYLES = frozenset({r"\mathbf", r"\boldsymbol", r"\mathcal", r"\mathbb", r"\bm"})
-ACCENTS = frozenset({r"\dot", r"\ddot", r"\bar", r"\overline", r"\hat", r"\tilde", r"\vec", r"\widetilde", r"\widehat"})
-ROMAN = frozenset({r"\text", r"\mathrm", r"\operatorname", r"\textrm", r"\mbox"})
 MAX_DEPTH = 30  # of brackets; the papers have less than ten
 _OPENING, _CLOSING = frozenset({"{", "(", "[", r"\{"}), frozenset({"}", ")", "]", r"\}"})
-_NOT_LETTERS = frozenset(
-    {
-        r"\quad",
-        r"\qquad",
-        r"\left",
-        r"\right",
-        r"\begin",
-        r"\end",
-        r"\frac",
-        r"\dfrac",
-        r"\tfrac",
-        r"\sqrt",
-        r"\sum",
-        r"\int",
-        r"\infty",
-        r"\langle",
-        r"\rangle",
-        r"\pm",
-        r"\mp",
-        r"\cdot",
-    }
-)
 
 
 @dataclass(frozen=True, slots=True)
@@ -146,7 +122,7 @@ class Reader:
                 self.fail(f"{text} must stand over one letter", start)
             return f"{text}{{{inner}}}"
         if not is_letter(text):
-            self.fail("a letter is expected here")
+            self.fail(no_letter(text) if known(text) else "a letter is expected here")
         self.i += 1
         return text
 
@@ -157,8 +133,12 @@ def _spaced(tokens: list[Tok]) -> list[str]:
 
 def is_letter(text: str) -> bool:
     """Can this token begin a letter?"""
-    command = len(text) > 2 and text[0] == "\\" and text not in _NOT_LETTERS
-    return text in STYLES | ACCENTS | ROMAN or text.isalpha() or command
+    return text in STYLES | ACCENTS | ROMAN | LETTER_COMMANDS or text.isalpha()
+
+
+def no_letter(latex: str) -> str:
+    """What to say of a command or word that is no letter and that nothing is known of here."""
+    return f"{latex} is no letter, and the reader does not know it; say it in other words, or exclude the formula"
 
 
 def spelled(latex: str) -> str | None:
@@ -174,3 +154,12 @@ def subscript(tokens: list[Tok]) -> str:
     r"""The canonical text of a subscript that belongs to the letter: `_1`, `_{\max}`, `_{s1}`."""
     text = "".join(t.text for t in tokens if t.text not in {"{", "}"} | ROMAN)
     return f"_{text}" if len(tokens) == 1 else f"_{{{text}}}"
+
+
+def superscript(tokens: list[Tok]) -> str | None:
+    """The canonical text of a superscript in brackets, `^{(2)}`; None if it is another one."""
+    text = "".join(t.text for t in tokens)
+    closing = text.find(")")
+    if len(text) < 3 or text[0] != "(" or closing != len(text) - 1 or "," in text:
+        return None
+    return f"^{{{text}}}"

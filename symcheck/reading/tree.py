@@ -24,11 +24,12 @@ class Number(Tree):
 
 @dataclass(frozen=True, slots=True)
 class Name(Tree):
-    """A declared letter with its indices (numbers or index letters) and primes."""
+    """A declared letter with its indices (numbers or index letters), primes, and dots where they are a derivative."""
 
     letter: str
     subscripts: tuple[int | str, ...] = ()
     primes: int = 0
+    dots: int = 0
 
 
 @dataclass(frozen=True, slots=True)
@@ -45,7 +46,7 @@ class Neg(Tree):
 
 @dataclass(frozen=True, slots=True)
 class PlusMinus(Tree):
-    r"""A term behind `\pm` (or `\mp`: `minus`); a relation with such terms is two, upper signs and lower signs."""
+    r"""A term behind `\pm` (or `\mp`: `minus`); all double signs of a relation switch together."""
 
     value: Tree
     minus: bool = False
@@ -74,7 +75,7 @@ class Pow(Tree):
 
 @dataclass(frozen=True, slots=True)
 class Call(Tree):
-    r"""A function applied: `\sin 2\alpha`, `\cos(Oy_i, Ox_j)`, `f_1(J_2)`; a bare function letter has no arguments."""
+    r"""A function applied: `\sin 2\alpha`, `\cos(Oy_i, Ox_j)`, `f_1(J_2)`; a bare letter has those it depends on."""
 
     function: str | Name
     arguments: tuple[Tree, ...]
@@ -225,10 +226,7 @@ class Values(Tree):
 
 @dataclass(frozen=True, slots=True)
 class System(Tree):
-    """Several statements side by side, with the qualifiers that hold for all of them.
-
-    Between them letters may stand that are only listed: `A = B, C`.
-    """
+    """Several statements, or several expressions, side by side, with the qualifiers that hold for all of them."""
 
     parts: tuple[Tree, ...]
     qualifiers: tuple[Qualifier, ...] = ()

@@ -16,6 +16,7 @@ from symcheck.evidence.confirmed import CONFIRMED, confirmed, told
 from symcheck.evidence.faults import Alike, Fault, errata
 from symcheck.evidence.record import Record
 from symcheck.evidence.selftested import evidence, rows
+from symcheck.proof import translation
 from symcheck.report import entry as entries
 from symcheck.report.entry import Entry
 from symcheck.report.formulas import Formulas
@@ -118,8 +119,8 @@ def page(records: Sequence[Record], papers: Sequence[Publication], beside: Besid
         "table": {paper.key: Counter(_state(r) for r in records if r.paper == paper.key) for paper in papers},
         "states": states,
         "errata": found,
-        "selftest": rows(tested) if tested else [],
-        "current": bool(tested) and tested["evidence"] == evidence(records),
+        "selftest": rows(tested) if tested and tested["evidence"] == evidence(records) else [],
+        "recorded": bool(tested),
         "engines": tested.get("engines"),
         "hypotheses": _hypotheses(records),
         "envelopes": beside.pictures.envelopes,
@@ -161,11 +162,12 @@ def _proofs(records: Iterable[Record]) -> dict[str, Any]:
     The digest is left out. It follows from the rest, and nothing folds it.
     """
     found = [(record.id, proof) for record in records for proof in entries.proofs(record)]
-    keys = sorted({key for _, proof in found for key in proof.certificate} - {"digest"})
+    written = [translation.certificate(proof.certificate) for _, proof in found]
+    keys = sorted({key for each in written for key in each})
     return {
         "of": [id for id, _ in found],
         "steps": [proof.lines for _, proof in found],
-        "fields": {key: [proof.certificate.get(key) for _, proof in found] for key in keys},
+        "fields": {key: [each.get(key) for each in written] for key in keys},
     }
 
 

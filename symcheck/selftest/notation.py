@@ -83,7 +83,7 @@ def _assumptions(letter: Letter) -> Iterator[tuple[str, Any]]:
 
 def _relettered(notation: Notation, changes: Mapping[Letter, Letter]) -> Notation:
     letters = [changes.get(letter, letter) for letter in notation.letters]
-    return Notation(letters, slash=notation.slash, bracket=notation.bracket, decimals=notation.decimals)
+    return notation.having(*letters)
 
 
 def fate(paper: Paper, fault: Fault) -> Fate:

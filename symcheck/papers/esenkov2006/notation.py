@@ -18,18 +18,20 @@ notation = Notation(
         Letter(r"\Omega_x", meaning="angular velocity about the body axis x", unit=RATE),
         Letter(r"\Omega_y", meaning="angular velocity about the body axis y", unit=RATE),
         Letter("q", meaning="the same component, as the first text also calls it", unit=RATE),
-        Letter("M", meaning="complex transverse torque", unit="N m"),
+        Letter("M", depends="t", meaning="complex transverse torque", unit="N m"),
         Letter("M_x", meaning="torque about x", unit="N m"),
         Letter("M_y", meaning="torque about y", unit="N m"),
         Letter("t", meaning="time", unit="s"),
-        Letter("i", meaning="imaginary unit; in premises only"),
+        Letter("i", number="i", meaning="imaginary unit; in premises only"),
         Letter("S", indices=1, meaning="complex amplitude of mode n of the liquid"),
         Letter(r"\dot{S}", indices=1, meaning="its rate of change in the body"),
         Letter("a", indices=1, meaning="angular momentum of the liquid per unit amplitude of mode n"),
         Letter(r"\chi", indices=1, meaning="coupling of mode n to the turning body"),
         Letter("N", indices=1, meaning="norm of mode n"),
         Letter(r"\rho", meaning="density of the liquid", unit="kg/m^3"),
-        Letter("E", indices=1, meaning="moment of inertia carried by mode n, a_n chi_n / N_n^2", unit=MOMENT),
+        Letter(
+            "E", indices=1, depends="", meaning="moment of inertia carried by mode n, a_n chi_n / N_n^2", unit=MOMENT
+        ),
         Letter("p", meaning="exponent of the motion e^{pt}; in 2.1.1 the angular velocity about x", unit="1/s"),
         Letter("p", indices=1, meaning="exponent of mode n in the body at rest", unit="1/s"),
         Letter(r"\eta", meaning="frequency: p = i eta", unit=RATE),
@@ -65,7 +67,7 @@ root_letters = notation.extended(
 )
 
 mode_letters = three_modes.extended(
-    Letter("F", meaning="left side of (1.31)"),
+    Letter("F", named=True, meaning="left side of (1.31)"),
     Letter("d", kind="differential"),
     Letter("P", indices=1, meaning="(1.31) times all eta - lambda_n, at eta = lambda_k"),
     Letter("L", meaning="its leading coefficient", unit=MOMENT),

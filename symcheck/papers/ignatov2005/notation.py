@@ -29,6 +29,7 @@ notation = Notation(
     ),
     bracket=r"\mathbf{e}",
     decimals="rounded",
+    argument="short",
 )
 
 

@@ -19,7 +19,13 @@ notation = Notation(
         Letter(r"\bar{k}", indices=1, meaning="k_i / J_i", unit="1/s"),
         Letter("M", indices=1, meaning="control torque of device i", unit="N m"),
         Letter(r"\mu", indices=1, meaning="components of the control torque in principal axes", unit="N m"),
-        Letter(r"\kappa", indices=1, meaning="components of the angular momentum in principal axes", unit="kg m^2/s"),
+        Letter(
+            r"\kappa",
+            indices=1,
+            named=True,
+            meaning="components of the angular momentum in principal axes",
+            unit="kg m^2/s",
+        ),
         Letter(r"\omega", indices=1, meaning="angular velocity in principal axes", unit="rad/s"),
         Letter(r"\dot{\omega}", indices=1, meaning="its rate of change in the body", unit="rad/s^2"),
         Letter(r"\rho", indices=1, meaning="left sides of (1.2)", unit="N m"),
@@ -28,7 +34,9 @@ notation = Notation(
         Letter(r"\xi", meaning="stability degree", unit="1/s"),
         Letter("f", meaning="J_1 J_2 J_3", unit="kg^3 m^6"),
         Letter("c", meaning="mean principal moment", unit=MOMENT),
-        Letter("f_1", kind="function", meaning="upper bound of f at given J_2", unit="kg^3 m^6"),
+        Letter(
+            "f_1", kind="function", depends="J_2", named=True, meaning="upper bound of f at given J_2", unit="kg^3 m^6"
+        ),
         Letter(r"\alpha", meaning="pitch", unit="rad"),
         Letter(r"\beta", meaning="yaw", unit="rad"),
         Letter(r"\gamma", meaning="roll", unit="rad"),

@@ -15,9 +15,9 @@ notation = Notation(
         Letter("k", meaning="(A - C)/B"),
         Letter("x", indices=1, meaning="angular velocity in body axes", unit=RATE),
         Letter(r"\dot{x}", indices=1, meaning="its rate of change", unit="rad/s^2"),
-        Letter(r"\tilde{x}", indices=1, meaning="angular velocity for epsilon = 0", unit=RATE),
+        Letter(r"\tilde{x}", indices=1, named=True, meaning="angular velocity for epsilon = 0", unit=RATE),
         Letter("f", indices=1, meaning="gyroscopic terms of Euler's equations", unit="rad/s^2"),
-        Letter(r"\varepsilon", meaning="small positive parameter"),
+        Letter(r"\varepsilon", depends="", meaning="small positive parameter"),
         Letter("d", indices=2, meaning="coefficients of dissipation", unit="1/s"),
         Letter("g", indices=2, meaning="intensities of the multiplicative (g_1j) and the additive (g_2j) noises"),
         Letter(r"\xi", indices=1, meaning="multiplicative white noises"),
@@ -34,34 +34,34 @@ notation = Notation(
         Letter(r"\dot{\Omega}", meaning="its rate of change", unit="rad/s^2"),
         Letter("t", meaning="time", unit="s"),
         Letter("v", indices=1, meaning="drift of a, theta, Omega in Stratonovich's sense"),
-        Letter("h", indices=2, range=SIX, meaning="intensity of the noises zeta_j in a, theta, Omega"),
+        Letter("h", indices=2, range=SIX, named=True, meaning="intensity of the noises zeta_j in a, theta, Omega"),
         Letter("y", indices=1, meaning="a, theta, Omega"),
-        Letter("K", indices=1, meaning="drift coefficients of the FPK equation"),
-        Letter("K", indices=2, meaning="diffusion coefficients of the FPK equation"),
-        Letter(r"\bar{K}", indices=1, kind="function", meaning="K_i / epsilon averaged over the phase"),
-        Letter(r"\bar{K}", indices=2, kind="function", meaning="K_ij / epsilon averaged over the phase"),
-        Letter("p", kind="function", meaning="joint density of a, theta, Omega"),
+        Letter("K", indices=1, named=True, meaning="drift coefficients of the FPK equation"),
+        Letter("K", indices=2, named=True, meaning="diffusion coefficients of the FPK equation"),
+        Letter(r"\bar{K}", indices=1, kind="function", named=True, meaning="K_i / epsilon averaged over the phase"),
+        Letter(r"\bar{K}", indices=2, kind="function", named=True, meaning="K_ij / epsilon averaged over the phase"),
+        Letter("p", kind="function", depends=r"a, \theta, \Omega, t", meaning="joint density of a, theta, Omega"),
         Letter("p_0", kind="function", meaning="initial density"),
-        Letter("p_s", kind="function", meaning="stationary density"),
-        Letter("p_{s1}", kind="function", meaning="stationary density of a"),
-        Letter("p_{s2}", kind="function", meaning="stationary density of theta"),
-        Letter("p_{s3}", kind="function", meaning="stationary density of Omega"),
+        Letter("p_s", kind="function", depends=r"a, \theta, \Omega", named=True, meaning="stationary density"),
+        Letter("p_{s1}", kind="function", depends="a", named=True, meaning="stationary density of a"),
+        Letter("p_{s2}", kind="function", depends=r"\theta", named=True, meaning="stationary density of theta"),
+        Letter("p_{s3}", kind="function", depends=r"\Omega", named=True, meaning="stationary density of Omega"),
         Letter(r"\mathbf{L}", name="L", meaning="FPK operator / epsilon"),
         Letter(r"\bar{L}", meaning="averaged FPK operator / epsilon"),
-        Letter(r"\alpha", meaning="alpha^2 = g_11^2 + g_12^2"),
-        Letter(r"\beta", meaning="beta^2 = g_21^2 + g_22^2"),
-        Letter(r"\gamma", meaning="gamma^2 = d_11 + d_22"),
+        Letter(r"\alpha", depends="", meaning="alpha^2 = g_11^2 + g_12^2"),
+        Letter(r"\beta", depends="", meaning="beta^2 = g_21^2 + g_22^2"),
+        Letter(r"\gamma", depends="", meaning="gamma^2 = d_11 + d_22"),
         Letter("C", indices=1, meaning="constants of normalisation"),
-        Letter(r"\Delta", indices=1, meaning="8 K_11 and K_33, averaged"),
-        Letter(r"\kappa", indices=1, meaning="exponents of the densities"),
-        Letter("m", meaning="order of a moment"),
+        Letter(r"\Delta", indices=1, named=True, meaning="8 K_11 and K_33, averaged"),
+        Letter(r"\kappa", indices=1, named=True, meaning="exponents of the densities"),
+        Letter("m", depends="", meaning="order of a moment"),
         Letter("a_*", meaning="mode of a", unit=RATE),
         Letter(r"\Omega_*", meaning="mode of Omega", unit=RATE),
         Letter(r"\pi"),
         Letter("d", kind="differential"),
         Letter(r"\mathbf{x}", kind="vector", components="(x_1, x_2, x_3)"),
         Letter(r"\dot{\mathbf{x}}", kind="vector", components=r"(\dot{x}_1, \dot{x}_2, \dot{x}_3)"),
-        Letter(r"\mathbf{f}", kind="function", components="(f_1, f_2, f_3)"),
+        Letter(r"\mathbf{f}", kind="function", depends=r"\mathbf{x}", components="(f_1, f_2, f_3)"),
         Letter(r"\xi", kind="vector", components=r"(\xi_1, \xi_2, \xi_3)"),
         Letter(r"\eta", kind="vector", components=r"(\eta_1, \eta_2, \eta_3)"),
         Letter(r"\boldsymbol{\zeta}", kind="vector", components=r"(\zeta_1, \dots, \zeta_6)"),
@@ -74,10 +74,19 @@ notation = Notation(
     ),
     # `1/2\pi` is the density of a uniform phase and `4\gamma^2/3\alpha^2` the exponent that solves the equation
     slash="denominator",
+    # `\cos\psi\sin\psi(d_{12} + d_{21})` is a product in the drift of Euler's equations
+    argument="short",
 )
 
 functions_of_time = notation.extended(
-    *(Letter(latex, kind="function", meaning="as a function of time") for latex in ("a", r"\psi", r"\Omega"))
+    *(
+        Letter(latex, kind="function", depends="t", named=True, meaning="as a function of time")
+        for latex in ("a", r"\psi", r"\Omega")
+    )
+)
+
+density_by_y = notation.extended(
+    Letter("p", kind="function", depends=r"\mathbf{y}, t", meaning="joint density of y_1, y_2, y_3")
 )
 
 six_columns = notation.extended(
@@ -87,10 +96,10 @@ six_columns = notation.extended(
 full_noise = notation.extended(Letter("q", indices=2, meaning="full matrix of multiplicative intensities"))
 
 moment_letters = notation.extended(
-    Letter(r"\nu", meaning="-kappa_1 - 1 = (4 gamma^2 - alpha^2)/(3 alpha^2)"),
+    Letter(r"\nu", named=True, meaning="-kappa_1 - 1 = (4 gamma^2 - alpha^2)/(3 alpha^2)"),
     Letter(r"\delta", meaning="d_33 / g_13^2"),
     Letter("F", kind="function", meaning="distribution function of a"),
     Letter("q", meaning="probability"),
-    Letter("n", meaning="half the order of a moment, less one half"),
+    Letter("n", depends="", meaning="half the order of a moment, less one half"),
     Letter(r"\lambda", meaning="logarithmic derivative of a density"),
 )

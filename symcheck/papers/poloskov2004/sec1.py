@@ -59,7 +59,11 @@ constant_intensities = premise(
 angular_velocity = premise("1.1.4", 21, r"\mathbf{x} = [x_1, x_2, x_3]^T", words="Angular velocity in body axes.")
 
 dynamic_symmetry = premise(
-    "1.1.5", 21, "A = B, C", words="A, B, C are the principal central moments of inertia, of which two are equal."
+    "1.1.5",
+    21,
+    "A = B, C",
+    words="A, B, C are the principal central moments of inertia, of which two are equal.",
+    formal="A = B",
 )
 
 small_parameter = premise("1.1.6", 21, words="epsilon is small and positive.", formal=r"\varepsilon > 0")

@@ -10,6 +10,7 @@ from symcheck.papers.poloskov2004.hypotheses import (
     positive_k,
     positive_parameter,
 )
+from symcheck.papers.poloskov2004.notation import density_by_y
 from symcheck.proof import cases, identity
 from symcheck.statement import Hypothesis
 
@@ -24,6 +25,7 @@ fpk_equation = premise(
     r"- \sum_{i=1}^3 \frac{\partial}{\partial y_i} (K_i p), \quad p(\mathbf{y}, 0) = p_0(\mathbf{y})",
     words="The FPK equation of a diffusion with drift K_i and diffusion K_ij.",
     reason="the textbook form, cited as known",
+    notation=density_by_y,
 )
 
 slow_variables = premise(

@@ -154,9 +154,9 @@ async function showProof(fold, id, n) {
 async function download(id) {
   const paper = id.split(":")[0], proofs = await proofsOf(paper);
   const own = proofs.filter((proof) => proof.of === id).map((proof) => proof.certificate);
-  const wanted = new Set(own.flatMap((certificate) => certificate.lemmas ?? []));
+  const wanted = new Set(own.flatMap((certificate) => (certificate.lemmas ?? []).map(([name]) => name)));
   const lemmas = proofs.map((proof) => proof.certificate).filter((each) => wanted.has(each.id) && !own.includes(each));
-  const url = URL.createObjectURL(new Blob([JSON.stringify({schema: 1, paper, certificates: [...own, ...lemmas]})], {type: "application/json"}));
+  const url = URL.createObjectURL(new Blob([JSON.stringify({schema: 2, paper, certificates: [...own, ...lemmas]})], {type: "application/json"}));
   made("a", {href: url, download: `${id.replace(":", "-")}.json`}).click();
   setTimeout(() => URL.revokeObjectURL(url), 10000);
 }

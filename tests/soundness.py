@@ -1,0 +1,657 @@
+"""Random certificates, most of them wrong, and whether what the checker accepts is so by `meaning`.
+
+`python tests/soundness.py 100000 SEED` counts what is accepted and rejected, and prints what is accepted and false.
+"""
+
+from __future__ import annotations
+
+import json
+import random
+import sys
+import time
+from collections import Counter
+from collections.abc import Iterator
+from typing import Any
+
+from meaning import Meaning, NoValue, Smooth, mpf, unfold, unfolded
+
+from symcheck.checker import check_all
+from symcheck.checker.theorems import NAMES, instance, theorem
+from symcheck.core.terms import Malformed, Reader
+
+JSON = Any
+LETTERS = ("x", "y", "a", "sin_x", "pi", "sqrt_2", "x_0")  # names as of values, and as substitution makes them
+BOUND = ("x", "y", "sin_x", "t")
+STRANGE = (None, True, 1.0, "", "infinity", ["infinity"], ["-infinity"], [], ["pi", 1], "_", "x y", ["=", "x", 0])
+ORDERS = ("=", "!=", "<", "<=", ">", ">=")
+IDENTITY: JSON = {"rule": "identity"}
+HERE: JSON = {"rule": "identity", "cofactors": [[["here", 0], "1"]]}
+
+
+class Forger:
+    """Certificates by chance. Each method that draws one leaves it to the checker whether it is right."""
+
+    def __init__(self, seed: int) -> None:
+        self.rng = random.Random(seed)
+
+    def chance(self, probability: float) -> bool:
+        return self.rng.random() < probability
+
+    def letter(self) -> str:
+        return self.rng.choice(LETTERS)
+
+    def number(self) -> JSON:
+        return self.rng.choice((0, 1, 2, 3, -1, -2, ["/", 1, 2], ["/", -2, 3], ["sqrt", 2], 4))
+
+    def whole(self) -> int:
+        return self.rng.choice((0, 1, 2, 3, -1, -2))
+
+    def term(self, depth: int = 2, letters: tuple[str, ...] = LETTERS) -> JSON:
+        if self.chance(0.003):
+            return self.rng.choice(STRANGE)
+        if depth == 0 or self.chance(0.2):
+            return self.rng.choice(letters) if self.chance(0.7) else self.number()
+
+        def part() -> JSON:
+            return self.term(depth - 1, letters)
+
+        kind = self.rng.random()
+        if kind < 0.25:
+            return ["+", part(), part()]
+        if kind < 0.5:
+            return ["*", part(), part()]
+        if kind < 0.56:
+            return ["-", part()]
+        if kind < 0.62:
+            return ["/", part(), part()]
+        if kind < 0.7:
+            return ["^", part(), self.whole()]
+        if kind < 0.86:
+            return [
+                self.rng.choice(("sin", "cos", "sin", "cos", "tan", "sqrt", "exp", "log", "arctan", "arcsin")),
+                part(),
+            ]
+        if kind < 0.89:
+            return ["pow", part(), part()]
+        if kind < 0.9:
+            return ["pi"]
+        if kind < 0.95:
+            return self.call(part)
+        return self.binder(depth, letters)
+
+    def call(self, part: Any) -> JSON:
+        number = self.rng.choice((1, 1, 2))
+        return [
+            "call",
+            self.rng.choice("fgx"),
+            [self.rng.choice((0, 0, 1)) for _ in range(number)],
+            *(part() for _ in range(number)),
+        ]
+
+    def binder(self, depth: int, letters: tuple[str, ...]) -> JSON:
+        x = self.rng.choice(BOUND)
+        body, end = self.term(depth - 1, (x, x, *letters)), self.term(0, letters)
+        match self.rng.randrange(6):
+            case 0 | 1:
+                return ["mean", body, x]
+            case 2:
+                return ["integral", body, x, 0, end if self.chance(0.6) else 1]
+            case 3:
+                return [self.rng.choice(("sum", "product")), body, x, 1, self.rng.choice((3, end))]
+            case _:
+                return ["diff", body, x, self.rng.choice((1, 1, 2)), end]
+
+    def same(self, node: JSON) -> JSON:
+        """The term written in another way."""
+        if not isinstance(node, list) or not node or self.chance(0.15):
+            return self.around(node)
+        tag, rest = node[0], node[1:]
+        if tag in ("+", "*") and len(rest) == 2:
+            one, other = self.same(rest[0]), self.same(rest[1])
+            if tag == "*" and isinstance(one, list) and one[:1] == ["+"]:
+                return ["+", *(["*", each, other] for each in one[1:])]
+            return [tag, other, one] if self.chance(0.6) else [tag, one, other]
+        if tag in ("-", "/", "sin", "cos", "tan", "sqrt", "exp", "log", "arctan", "arcsin", "pow"):
+            if tag in ("sin", "cos") and self.chance(0.4):
+                return self.turned(tag, rest[0])
+            return [tag, *map(self.same, rest)]
+        if tag == "^" and len(rest) == 2 and rest[1] == 2:
+            return ["*", rest[0], self.same(rest[0])]
+        if tag == "diff":
+            return self.derived(node)
+        if tag in ("mean", "integral", "sum", "product") and len(rest) > 1:
+            y = self.rng.choice(BOUND)
+            body = self.same(rest[0])
+            return [
+                tag,
+                put(body, rest[1], y) if self.chance(0.5) else body,
+                y if self.chance(0.5) else rest[1],
+                *rest[2:],
+            ]
+        return node
+
+    def around(self, node: JSON) -> JSON:
+        """More work for the same value, or nearly so."""
+        t = self.term(1)
+        return self.rng.choice((
+            node, node, node, ["+", node, 0], ["*", 1, node], ["+", ["+", node, t], ["-", t]], ["/", ["*", node, t], t],
+            ["-", ["-", node]], ["*", node, ["+", ["^", ["sin", t], 2], ["^", ["cos", t], 2]]], ["^", node, 1],
+            ["diff", ["*", "x", node], "x", 1, t], ["sqrt", ["^", node, 2]], ["pow", node, 1], ["^", ["sqrt", node], 2],
+        ))  # fmt: skip
+
+    def turned(self, tag: str, angle: JSON) -> JSON:
+        quarter = ["+", angle, ["/", ["pi"], self.rng.choice((2, 2, -2, 1, 3))]]
+        half = ["/", angle, 2]
+        return self.rng.choice((
+            ["cos", quarter] if tag == "sin" else ["sin", quarter], ["-", [tag, ["+", angle, ["pi"]]]],
+            ["*", 2, ["sin", half], ["cos", half]], ["-", [tag, ["-", angle]]], [tag, ["-", angle]],
+            [tag, ["+", angle, ["*", self.rng.choice((2, 4, 1)), ["pi"]]]],
+        ))  # fmt: skip
+
+    def derived(self, node: JSON) -> JSON:
+        """What the checker itself says that the derivative is."""
+        from symcheck.core.calculus import Unknown, differentiated
+
+        try:
+            return plain(differentiated(Reader().term(node)))  # type: ignore[arg-type]
+        except (Unknown, Malformed, ArithmeticError, ValueError, TypeError, AttributeError):
+            return node
+
+    def changed(self, node: JSON) -> JSON:
+        """One place of a tree changed."""
+        places = [*spots(node)]
+        if not places:
+            return node
+        path = self.rng.choice(places)
+        old = at(node, path)
+        if isinstance(old, str) and old in ORDERS:
+            new: JSON = self.rng.choice(ORDERS)
+        elif isinstance(old, str) and path and path[-1] == 0:
+            new = self.rng.choice(("sin", "cos", "+", "*", "and", "or", "=>", "mean"))
+        elif isinstance(old, str):
+            new = self.rng.choice((*LETTERS, *BOUND))
+        elif isinstance(old, int):
+            new = old + self.rng.choice((1, -1))
+        else:
+            new = self.term(1) if self.chance(0.7) else old[-1] if isinstance(old, list) and old else old
+        return replaced(node, path, new)
+
+    def relation(self, sign: str | None = None) -> JSON:
+        sign = sign or self.rng.choice(ORDERS)
+        t = self.term()
+        u = self.same(t) if self.chance(0.6) else self.term(1)
+        return [sign, t, self.changed(u) if self.chance(0.2) else u]
+
+    def form(self, goal: JSON) -> JSON:
+        """The difference as it is, or as a square, or what a fact may know the sign of."""
+        sign, left, right = (*goal, 0, 0)[:3]
+        large, small = (right, left) if sign in ("<", "<=") else (left, right)
+        gap = large if small == 0 else ["+", large, ["-", small]]
+        return self.rng.choice(
+            (gap, gap, gap, large, ["^", self.letter(), 2], 1, 0, self.term(1), ["+", ["^", small, 2], 1])
+        )
+
+    def cofactors(self, facts: list[JSON]) -> JSON:
+        names = [*facts, ["here", 0], ["here", 1]]
+        return [
+            [self.rng.choice(names), self.rng.choice(("1", "-1", "1", "2", self.letter(), "x - y"))]
+            for _ in range(self.rng.choice((0, 1, 1, 2)))
+        ]
+
+    def proof(self, goal: JSON, facts: list[JSON], depth: int = 3) -> JSON:
+        """A step for the goal, by its form; now and then any other."""
+        tag = goal[0] if isinstance(goal, list) and goal else "="
+        kind = self.rng.random()
+        if kind < 0.08 and depth:
+            return self.any_step(goal, facts, depth)
+        if tag == "and" and depth:
+            return {"rule": "each", "parts": [self.proof(part, facts, depth - 1) for part in goal[1:]]}
+        if tag == "<=>" and depth:
+            both = [["=>", goal[1], goal[2]], ["=>", goal[2], goal[1]]]
+            return {"rule": "each", "parts": [self.proof(part, facts, depth - 1) for part in both]}
+        if tag == "=>" and depth:
+            return {"rule": "implies", "then": self.proof(goal[2], [*facts, ["here", 0]], depth - 1)}
+        if tag == "or" and depth and len(goal) > 1:
+            k = self.rng.randrange(len(goal) - 1)
+            return {"rule": "choose", "index": k, "then": self.proof(goal[k + 1], facts, depth - 1)}
+        if tag == "forall" and depth:
+            new = self.rng.choice((*goal[1], "y", "t", "u", "v", "w"))
+            body = put(goal[2], goal[1][0], new)
+            return {"rule": "every", "letters": [new], "then": self.proof(body, facts, depth - 1)}
+        if tag == "exists" and depth:
+            value = self.term(1)
+            body = put(goal[2], goal[1][0], value)
+            return {"rule": "witness", "point": {goal[1][0]: value}, "then": self.proof(body, facts, depth - 1)}
+        if tag in ("<", "<=", ">", ">=") and kind < 0.8:
+            step = {"rule": "nonnegative", "form": self.form(goal)}
+            return step if self.chance(0.6) else {**step, "cofactors": self.cofactors(facts)}
+        if tag == "!=" and depth and kind < 0.8:
+            return {
+                "rule": "implies",
+                "then": {"rule": "absurd", "times": facts[:1], "cofactors": self.cofactors(facts)},
+            }
+        if kind > 0.93:
+            return {"rule": "compute"}
+        return IDENTITY if self.chance(0.5) else {"rule": "identity", "cofactors": self.cofactors(facts)}
+
+    def any_step(self, goal: JSON, facts: list[JSON], depth: int) -> JSON:
+        def more() -> JSON:
+            return self.proof(goal, [*facts, ["here", 0]], depth - 1)
+
+        names: list[JSON] = [*facts, ["here", 0], ["here", 1]]
+        match self.rng.randrange(7):
+            case 0:
+                formula = self.relation()
+                return {"rule": "have", "formula": formula, "proof": self.proof(formula, facts, 1), "then": more()}
+            case 1:
+                bases = [[self.letter(), self.rng.choice((1, 1, 2, 0))] for _ in range(self.rng.choice((1, 2)))]
+                return {
+                    "rule": "split", "factors": bases, "cofactors": self.cofactors(facts),
+                    "cases": [more() for _ in bases],
+                }  # fmt: skip
+            case 2:
+                form = ["+", ["^", self.letter(), 2], self.term(1)]
+                return {"rule": "vanish", "form": form, "cofactors": self.cofactors(facts), "then": more()}
+            case 3:
+                return {"rule": "absurd", "times": self.rng.sample(names, 1), "cofactors": self.cofactors(facts)}
+            case 4:
+                return {"rule": "cases_or", "or": self.rng.choice(names), "cases": [more(), more()]}
+            case 5:
+                return {**more(), "positive": [self.term(1)], "atoms": {self.letter(): self.term(1)}}
+            case _:
+                return self.theorem(goal, facts, depth)[0]
+
+    def arguments(self, name: str) -> dict[str, JSON]:
+        """Of a theorem: now and then such as it asks for."""
+        given: dict[str, JSON] = {}
+        for parameter in theorem(name).parameters:
+            if parameter in ("n", "k") and self.chance(0.97):
+                given[parameter] = self.whole()
+            elif parameter in ("f", "g", "h") and self.chance(0.98):
+                x = self.rng.choice(BOUND)
+                given[parameter] = {"letter": x, "term": self.shape(name, parameter, x)}
+            else:
+                given[parameter] = self.term(self.rng.choice((0, 0, 1, 2)))
+        if name == "mean" and isinstance(given.get("g"), dict) and self.chance(0.7):
+            x, body = given["g"]["letter"], given["g"]["term"]
+            given["f"] = {"letter": x, "term": ["+", given["c"], self.derived(["diff", body, x, 1, x])]}
+        if name == "power_rule" and isinstance(given.get("g"), dict) and self.chance(0.7):
+            x, body = given["g"]["letter"], ["*", given["c"], ["pow", given["g"]["term"], given["u"]]]
+            given["f"] = {"letter": x, "term": self.derived(["diff", body, x, 1, x])}
+        if name in ("beta", "beta_diverges") and self.chance(0.7):
+            self.integrand(given)
+        if name == "power_diverges" and self.chance(0.7):
+            given["u"] = self.number()
+            given["f"] = {"letter": "x", "term": ["*", given["c"], ["pow", "x", given["u"]]]}
+        return given
+
+    def integrand(self, given: dict[str, JSON]) -> None:
+        """c x^k x^u (p x^2 + q)^-r."""
+        for parameter in "urpq":
+            given[parameter] = self.number() if self.chance(0.8) else self.letter()
+        c, k, u, r, p, q = (given[parameter] for parameter in "ckurpq")
+        sum_ = ["+", ["*", p, ["^", "x", 2]], q]
+        given["f"] = {"letter": "x", "term": ["*", c, ["^", "x", k], ["pow", "x", u], ["pow", sum_, ["-", r]]]}
+
+    def shape(self, name: str, parameter: str, x: str) -> JSON:
+        s, c, k = ["sin", x], ["cos", x], self.rng.choice((1, 1, 2, 3))
+        free = self.term(1)
+        wave = ["+", ["*", free, ["^", s, k]], ["*", self.number(), ["^", c, self.rng.choice((1, 1, 3))]]]
+        polynomial = ["+", ["*", free, ["^", x, k]], self.number()]
+        odd = ["*", free, ["^", x, k]]
+        decay = ["*", odd, ["pow", ["+", ["^", x, 2], 1], -3]]
+        usual = {
+            "mean": wave, "quarter_turn": wave, "intermediate_value": polynomial, "power_rule": polynomial,
+            "even": decay, "odd": decay,
+        }  # fmt: skip
+        return usual.get(name, polynomial) if self.chance(0.75) else self.term(2, (x, x, *LETTERS))
+
+    def theorem(self, goal: JSON, facts: list[JSON], depth: int = 2) -> tuple[JSON, JSON]:
+        """A step that applies a theorem, and what it says."""
+        name = self.rng.choice((*NAMES, "congruence", "enclosure", "mean", "quarter_turn", "constant", "even", "odd"))
+        step: dict[str, JSON] = {"rule": "theorem", "of": name}
+        if name == "congruence":
+            t = self.rng.choice(
+                (["sin", self.term(1)], self.call(lambda: self.term(1)), ["pow", self.term(1), self.term(1)])
+            )
+            step["with"] = {"s": t, "t": self.same(t) if self.chance(0.7) else self.term(1)}
+            premises, conclusion = [["=", one, other] for one, other in zip(t[1:], t[1:], strict=True)], goal
+        elif name == "enclosure":
+            term = self.term(2, ("x", "y"))
+            step["with"], step["numbers"] = {"t": term, "digits": self.rng.choice((0, 2, 5))}, {"x": self.number()}
+            premises, conclusion = [["=", "x", step["numbers"]["x"]]], goal
+        else:
+            step["with"] = self.arguments(name)
+            found = applied(name, step["with"])
+            premises, conclusion = found or ([], goal)
+        step["premises"] = [self.proof(premise, facts, depth) for premise in premises]
+        if conclusion[:1] == ["exists"]:
+            new = self.rng.choice((*LETTERS, "u", "v"))
+            step["letters"] = [new]
+            conclusion = put(conclusion[2], conclusion[1][0], new) if self.chance(0.4) else conclusion
+        step["then"] = HERE
+        return step, conclusion
+
+    def by_theorem(self) -> JSON:
+        """A claim that a theorem makes, or nearly."""
+        facts: list[JSON] = []
+        hypotheses: dict[str, JSON] = {}
+        step, conclusion = self.theorem(["=", self.term(1), self.term(1)], facts)
+        if self.chance(0.75) and step["of"] not in ("congruence", "enclosure"):
+            found = applied(step["of"], step["with"])
+            for k, premise in enumerate(found[0] if found else ()):
+                if premise[0] in (*ORDERS, "or") and self.chance(0.7):
+                    hypotheses[f"h{k}"] = [premise]
+                    step["premises"][k] = self.by_fact(premise, ["hyp", f"h{k}", 0])
+        claim = conclusion
+        parts = conclusion[1:] if conclusion[:1] == ["and"] else [conclusion]
+        if conclusion[:1] == ["exists"]:
+            x = conclusion[1][0]
+            step["then"] = {"rule": "witness", "point": {x: step.get("letters", ["x"])[0]}, "then": HERE}
+        else:
+            k = self.rng.randrange(len(parts))
+            claim = parts[k]
+            step["then"] = self.by_fact(claim, ["here", k])
+        if self.chance(0.25):
+            claim = self.changed(claim)
+        return self.proved(claim, step, hypotheses)
+
+    def by_fact(self, claim: JSON, name: JSON) -> JSON:
+        tag = claim[0] if isinstance(claim, list) and claim else ""
+        if tag == "=":
+            return {"rule": "identity", "cofactors": [[name, "1"]]}
+        if tag in ("<", "<=", ">", ">=") and len(claim) == 3:
+            large, small = (claim[2], claim[1]) if tag[0] == "<" else (claim[1], claim[2])
+            return {"rule": "nonnegative", "form": ["+", large, ["-", small]]}
+        if tag == "!=":
+            return {"rule": "implies", "then": {"rule": "absurd", "times": [name], "cofactors": [[["here", 0], "1"]]}}
+        return self.proof(claim, [name], 2)
+
+    def proved(self, claim: JSON, proof: JSON, hypotheses: JSON = None, **more: JSON) -> JSON:
+        made = {"id": "t", "verdict": "proved", "claim": claim, "definitions": [], "hypotheses": hypotheses or {}}
+        made = {**made, "proof": proof, **more}
+        divisors = [*denominators(claim)]
+        if divisors and "nonzero" not in made and self.chance(0.8):
+            made["nonzero"] = divisors
+        made["witnesses"] = self.points(made)
+        return made
+
+    def points(self, made: JSON) -> JSON:
+        """A point for what is assumed: numbers for all letters, fitted to an equation with a letter alone."""
+        if (
+            not made["hypotheses"]
+            and not made.get("nonzero")
+            and made["claim"][:1] not in (["=>"], ["and"], ["forall"])
+        ):
+            return []
+        values = {x: self.rng.choice((1, 2, 3, ["/", 1, 2], -1, 0)) for x in LETTERS}
+        for formulas in made["hypotheses"].values():
+            for formula in formulas:
+                if formula[:1] == ["="] and len(formula) == 3 and isinstance(formula[1], str):
+                    values[formula[1]] = unfold(formula[2], {x: v for x, v in values.items() if x != formula[1]})
+        defined = {name for name, _ in made["definitions"]}
+        return [{"values": {x: value for x, value in values.items() if x not in defined}}]
+
+    def identity(self) -> JSON:
+        claim = self.relation("=")
+        return self.proved(claim, IDENTITY)
+
+    def assumed(self) -> JSON:
+        """A small statement with hypotheses, and a proof by its form."""
+        formulas = [
+            [self.rng.choice(("=", "=", ">", "!=", ">=", "<")), self.letter(), self.rng.choice((0, self.term(1)))]
+            for _ in range(self.rng.choice((1, 1, 2)))
+        ]
+        hypotheses = {f"h{k}": [formula] for k, formula in enumerate(formulas)}
+        names = [["hyp", name, 0] for name in hypotheses]
+        one, other = self.rng.choice(formulas), self.rng.choice(formulas)
+        claim: JSON = self.rng.choice((
+            [one[0], ["+", one[1], "a"], ["+", one[2], "a"]], [one[0], ["*", 2, one[1]], ["*", 2, one[2]]],
+            [one[0], ["+", one[1], other[1]], ["+", one[2], other[2]]], ["=", ["*", one[1], "y"], ["*", one[2], "y"]],
+            ["=>", ["=", ["*", "x", "y"], 0], ["or", ["=", "x", 0], ["=", "y", 0]]], self.relation(),
+            ["exists", ["t"], [one[0], ["+", "t", one[1]], one[2]]],
+            ["forall", ["t"], [one[0], ["*", "t", one[1]], one[2]]],
+        ))  # fmt: skip
+        if self.chance(0.5) and claim[0] == "=":
+            steps = [[name, self.rng.choice(("1", "2", "y", "-1"))] for name in self.rng.sample(names, 1)]
+            return self.proved(claim, {"rule": "identity", "cofactors": steps}, hypotheses)
+        return self.proved(claim, self.proof(claim, names), hypotheses)
+
+    def defined(self) -> JSON:
+        """Definitions, some of them free, with names that binders have too."""
+        definitions = []
+        for name in self.rng.sample(("d", "x", "t", "y"), 2):
+            definitions.append([name, self.term(1, ("a", "x", *(each for each, _ in definitions)))])
+        t = self.term(2, ("d", "x", "t", "y", "a"))
+        claim = ["=", t, self.same(unfold(t, unfolded(definitions)) if self.chance(0.5) else t)]
+        made = self.proved(claim, IDENTITY)
+        made = {**made, "definitions": definitions}
+        if self.chance(0.2):
+            made["free"] = [self.rng.choice(definitions)[0]]
+        made["witnesses"] = self.points(made)
+        return made
+
+    def closed(self) -> JSON:
+        """A statement about numbers, proved or refuted by computing it."""
+        values = {x: self.rng.choice((0, 1, 2, -1, ["/", 1, 2], ["pi"], ["sqrt", 2])) for x in LETTERS}
+        claim = self.statement()
+        if self.chance(0.4):
+            return self.proved(unfold(claim, values), {"rule": "compute"})
+        point: JSON = {"values": values}
+        if self.chance(0.3):
+            point["calls"] = [[self.call(self.number), self.number()] for _ in range(self.rng.choice((1, 2)))]
+        made = {"id": "t", "verdict": "refuted", "claim": claim, "definitions": [], "hypotheses": {}, "point": point}
+        if self.chance(0.3):
+            made["hypotheses"] = {"h": [self.relation()]}
+        if self.chance(0.2):
+            point["proof"] = self.proof(["and", contrary(claim)], [["point", k] for k in range(len(values))])
+        return made
+
+    def statement(self) -> JSON:
+        kind = self.rng.random()
+        if kind < 0.6:
+            return self.relation()
+        if kind < 0.9:
+            return [self.rng.choice(("and", "or", "=>", "<=>")), self.relation(), self.relation()]
+        return [self.rng.choice(("exists", "forall")), [self.rng.choice(BOUND)], self.relation()]
+
+    def logical(self) -> JSON:
+        claim = self.statement()
+        return self.proved(claim, self.proof(claim, []))
+
+    def one(self) -> JSON:
+        """A certificate of any kind; another one where what is strange cannot even be written about."""
+        kinds = (self.identity, self.by_theorem, self.assumed, self.closed, self.defined, self.logical)
+        while True:
+            (draw,) = self.rng.choices(kinds, (28, 32, 12, 14, 7, 7))
+            try:
+                made = draw()
+                return self.damaged(made) if self.chance(0.08) else made
+            except (TypeError, LookupError, AttributeError, ValueError):
+                continue
+
+    def damaged(self, made: JSON) -> JSON:
+        """One place of the certificate changed, anywhere."""
+        key = self.rng.choice([key for key in made if key not in ("id", "verdict")])
+        return {**made, key: self.changed(made[key])}
+
+
+def applied(name: str, given: dict[str, JSON]) -> tuple[list[JSON], JSON] | None:
+    """Premises and conclusion of a theorem as raw JSON; None if the arguments do not fit."""
+    reader = Reader()
+    try:
+        read = {
+            key: ((value["letter"],), reader.term(value["term"])) if isinstance(value, dict) else reader.term(value)
+            for key, value in given.items()
+        }
+        premises, conclusion = instance(name, read)  # type: ignore[arg-type]
+    except (Malformed, TypeError, AttributeError, ValueError):
+        return None
+    return [*map(plain, premises)], plain(conclusion)
+
+
+def plain(node: Any) -> JSON:
+    return json.loads(json.dumps(node))
+
+
+def put(node: JSON, x: str, value: JSON) -> JSON:
+    return unfold(node, {x: value})
+
+
+def contrary(claim: JSON) -> JSON:
+    opposite = {"=": "!=", "!=": "=", "<": ">=", ">=": "<", ">": "<=", "<=": ">"}
+    return [opposite.get(claim[0], claim[0]), *claim[1:]]
+
+
+def spots(node: JSON, path: tuple[Any, ...] = ()) -> Iterator[tuple[Any, ...]]:
+    yield path
+    for key, child in node.items() if isinstance(node, dict) else enumerate(node) if isinstance(node, list) else ():
+        yield from spots(child, (*path, key))
+
+
+def at(node: JSON, path: tuple[Any, ...]) -> JSON:
+    for key in path:
+        node = node[key]
+    return node
+
+
+def replaced(node: JSON, path: tuple[Any, ...], new: JSON) -> JSON:
+    if not path:
+        return new
+    key, *rest = path
+    if isinstance(node, dict):
+        return {**node, key: replaced(node[key], tuple(rest), new)}
+    return [*node[:key], replaced(node[key], tuple(rest), new), *node[key + 1 :]]
+
+
+def denominators(node: JSON) -> Iterator[JSON]:
+    """What the claim divides by, of what stands under no binder."""
+    if isinstance(node, list) and node:
+        if node[0] in ("mean", "integral", "diverges", "sum", "product", "diff", "exists", "forall"):
+            return
+        if node[0] == "/" and len(node) == 3 and not isinstance(node[2], int):
+            yield node[2]
+        if node[0] == "^" and len(node) == 3 and isinstance(node[2], int) and node[2] < 0:
+            yield node[1]
+        if node[0] == "tan" and len(node) == 2:
+            yield ["cos", node[1]]
+        for child in node[1:]:
+            yield from denominators(child)
+
+
+class Judge:
+    """Whether what was accepted is so."""
+
+    def __init__(self, seed: int) -> None:
+        self.rng = random.Random(seed)
+        self.told: Counter[str] = Counter()
+
+    def false(self, made: JSON) -> str | None:
+        """Why an accepted certificate is false; None if nothing speaks against it."""
+        names = unfolded(made["definitions"])
+        claim = unfold(made["claim"], names)
+        assumed = [unfold(f, names) for formulas in made["hypotheses"].values() for f in formulas]
+        assumed += [["!=", unfold(t, names), 0] for t in made.get("nonzero", ())]
+        if made["verdict"] == "refuted":
+            return self.refutation(claim, assumed, made["point"], names)
+        for point in made.get("witnesses", ()):
+            meaning, values = self.place(point, names)
+            found = [meaning.formula(formula, values) for formula in assumed]
+            if False in found:
+                return "what is assumed does not hold at the witness"
+        tried = 0
+        for meaning, values in self.places(assumed, claim, made.get("witnesses", ()), names):
+            if all(meaning.formula(formula, values) for formula in assumed):
+                tried += 1
+                found_ = meaning.formula(claim, values)
+                self.told[f"claim {found_}"] += 1
+                if found_ is False:
+                    return f"false at {values}"
+        self.told["assumptions met" if tried else "assumptions never met"] += 1
+        return None
+
+    def place(self, point: JSON, names: dict[str, JSON]) -> tuple[Meaning, dict[str, mpf]]:
+        smooth = Smooth(self.rng)
+        meaning = Meaning(smooth)
+        values = {x: meaning.term(unfold(t, names), {}) for x, t in point["values"].items()}
+        for call, value in point.get("calls", ()):
+            places = [meaning.term(unfold(t, names), values) for t in call[3:]]
+            smooth.state(call[1], call[2], places, meaning.term(unfold(value, names), values))
+        return meaning, values
+
+    def places(
+        self, assumed: list[JSON], claim: JSON, points: JSON, names: JSON
+    ) -> Iterator[tuple[Meaning, dict[str, mpf]]]:
+        """Random points; letters that an assumption gives alone follow the others."""
+        heavy = any(
+            kind in json.dumps([claim, assumed]) for kind in ("integral", "diverges", "exists", "product", "gamma")
+        )
+        for k in range(2 if heavy else 4):
+            meaning = Meaning(Smooth(self.rng))
+            values = {x: mpf(self.rng.randint(-40, 40)) / (3 if k % 2 else 16) for x in (*LETTERS, *BOUND, "d")}
+            if k:
+                values |= {x: abs(value) + mpf(1) / 7 for x, value in values.items()}
+            for _ in range(2):
+                for formula in assumed:
+                    if formula[0] == "=" and isinstance(formula[1], str):
+                        try:
+                            values[formula[1]] = meaning.term(formula[2], values)
+                        except (NoValue, ZeroDivisionError, ValueError, OverflowError):
+                            break
+            yield meaning, values
+        for point in points:
+            yield self.place(point, names)
+
+    def refutation(self, claim: JSON, assumed: list[JSON], point: JSON, names: dict[str, JSON]) -> str | None:
+        try:
+            meaning, values = self.place(point, names)
+        except (NoValue, ZeroDivisionError, ValueError, OverflowError) as error:
+            return f"a coordinate has no value ({error})"
+        values = {**{x: mpf(self.rng.randint(-9, 9)) / 7 for x in (*LETTERS, *BOUND, "d")}, **values}
+        if any(meaning.formula(formula, values) is False for formula in assumed):
+            return "a hypothesis does not hold at the point"
+        found = meaning.formula(claim, values)
+        self.told[f"refuted {found}"] += 1
+        if found is None and not any(
+            kind in json.dumps(claim) for kind in ("integral", "exists", "forall", "mean", "diff")
+        ):
+            return "a term has no value at the point"
+        return "the claim holds at the point" if found is True else None
+
+
+def run(number: int, seed: int) -> tuple[Counter[str], list[tuple[str, str]]]:
+    """So many certificates: how many are accepted and rejected, and which are accepted and false."""
+    forger, judge = Forger(seed), Judge(seed + 1)
+    counts: Counter[str] = Counter()
+    bad: list[tuple[str, str]] = []
+    seen: set[str] = set()
+    while number > 0:
+        batch = [forger.one() for _ in range(min(number, 500))]
+        number -= len(batch)
+        for made, reason in zip(
+            batch, check_all([{**each, "id": f"t{k}"} for k, each in enumerate(batch)]), strict=True
+        ):
+            counts["rejected" if reason else "accepted"] += 1
+            if reason:
+                continue
+            text = json.dumps(made)
+            if hash(text) in seen:
+                continue
+            seen.add(hash(text))
+            counts[made["verdict"]] += 1
+            if made["verdict"] == "proved":
+                counts[f"by {made['proof'].get('of', made['proof']['rule'])}"] += 1
+            why = judge.false(made)
+            if why:
+                bad.append((why, text))
+    return counts + judge.told, bad
+
+
+if __name__ == "__main__":
+    began = time.time()
+    total, wrong = run(int(sys.argv[1]), int(sys.argv[2]))
+    for line, count in total.most_common():
+        print(f"{count:8d} {line}")
+    print(f"{time.time() - began:.1f} s, {len(wrong)} accepted and false")
+    for why, text in wrong[:20]:
+        print(why, text, sep="\n    ")
