@@ -13,10 +13,6 @@ from symcheck.checker.theorems import instance
 from symcheck.core.calculus import Unknown, domain, functions, letters, substituted
 from symcheck.core.terms import JSON, Call, Connective, Formula, Malformed, Quantified, Reader, Value, node
 
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from symcheck.core.terms import T
-
 MALFORMED = (LookupError, TypeError, ValueError, AttributeError, ArithmeticError, RecursionError, AssertionError)
 
 

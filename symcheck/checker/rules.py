@@ -7,7 +7,7 @@ inequality (the sign of its difference is known), or any other formula. Cofactor
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from re import findall
 from typing import NamedTuple, TypeVar
 
@@ -26,7 +26,7 @@ DICT: type[dict[str, JSON]] = dict
 KINDS = {int: "whole number", str: "text", list: "list", dict: "object"}
 CONTRARY = {"=": "!=", "!=": "=", "<": ">=", "<=": ">", ">": "<=", ">=": "<", "and": "or", "or": "and"}
 CONTRARY |= {"exists": "forall", "forall": "exists"}
-TRUE, FALSE = node("and"), node("or")
+FALSE = node("or")
 POLYNOMIAL = polynomials({})
 
 
@@ -140,11 +140,11 @@ class Prover:
         else:
             self.facts[name] = Fact(formula.tag, 0, formula)
 
-    def branch(self, goal: Formula, proof: JSON, assumed: Formula = TRUE, zero: str | None = None) -> None:
+    def branch(self, goal: Formula, proof: JSON, assumed: Iterable[Formula] = (), zero: str | None = None) -> None:
         """Proves a goal under more assumptions, which are forgotten afterwards."""
         facts, depth = self.facts, self.depth
         self.facts = {**facts}
-        for formula in conjuncts(assumed):
+        for formula in (part for each in assumed for part in conjuncts(each)):
             self.learn(("here", self.depth), formula)
             self.depth += 1
         if zero is not None:
@@ -261,9 +261,9 @@ class Prover:
         """A => B under A. A relation, as its contrary leads to a contradiction."""
         match goal:
             case Relation():
-                self.branch(FALSE, step.take("then"), contrary(goal))
+                self.branch(FALSE, step.take("then"), [contrary(goal)])
             case Connective(tag="=>", formulas=(premise, conclusion)):
-                self.branch(conclusion, step.take("then"), premise)
+                self.branch(conclusion, step.take("then"), [premise])
             case _:
                 raise Reject("no implication and no relation")
 
@@ -290,7 +290,7 @@ class Prover:
         formula = self.fact(("or",), reference(step.take("or")), "{} is no disjunction").formula
         assert isinstance(formula, Connective)
         for part, proof in zip(formula.formulas, step.items("cases"), strict=True):
-            self.branch(goal, proof, part)
+            self.branch(goal, proof, [part])
 
     def split(self, goal: Formula, step: Step) -> None:
         """What is not zero times a product of powers is a combination of facts: so one of the bases is zero."""
@@ -309,7 +309,7 @@ class Prover:
         addends = form.terms if isinstance(form, Value) and form.tag == "+" else ()
         require(addends and all(map(self.sign, addends)), "an addend is not manifestly non-negative")
         self.combination(self.value(form), step, "the form")
-        self.branch(goal, step.take("then"), node("and", *(node("=", addend, 0) for addend in addends)))
+        self.branch(goal, step.take("then"), [node("=", addend, 0) for addend in addends])
 
     def absurd(self, goal: Formula, step: Step) -> None:
         """Something that is not zero is a combination of facts: so anything follows."""
@@ -319,7 +319,7 @@ class Prover:
         """What is proved once may be used often."""
         formula = self.reader.formula(step.take("formula"))
         self.branch(formula, step.take("proof"))
-        self.branch(goal, step.take("then"), formula)
+        self.branch(goal, step.take("then"), [formula])
 
     def theorem(self, goal: Formula, step: Step) -> None:
         """The premises of a theorem have proofs; its conclusion is one more fact. What it says to exist is named."""
@@ -328,7 +328,7 @@ class Prover:
             self.branch(premise, proof)
         if isinstance(conclusion, Quantified):
             conclusion = self.opened(conclusion, step, goal)
-        self.branch(goal, step.take("then"), conclusion)
+        self.branch(goal, step.take("then"), [conclusion])
 
     def applied(self, name: str, step: Step) -> tuple[list[Formula], Formula]:
         """Premises and conclusion of a theorem with what it is applied to."""
