@@ -62,11 +62,17 @@ class Certificate:
         return [part for each in (*self.hypotheses.values(), *self.nonzero) for part in conjuncts(self.unfolded(each))]
 
     def supported(self, proved: Iterable[Certificate]) -> bool:
-        """Whether each lemma is part of a statement that is proved under no more than is assumed here."""
-        assumed = self.assumed()
-        under = [each for each in proved if all(formula in assumed for formula in each.assumed())]
-        claims = [(each.id, each.unfolded(each.claim)) for each in under]
-        stated = [(name, part) for name, claim in claims for part in (claim, *conjuncts(claim))]
+        """Whether each lemma is part of a statement that is proved under no more than is assumed here.
+
+        What a lemma says of a letter holds of what the letter is defined to be here.
+        """
+        mean, assumed, names = self.whole.names, self.assumed(), [name for name, _ in self.lemmas]
+        stated = [
+            (lemma.id, part)
+            for lemma in proved
+            if lemma.id in names and all(substituted(each, mean) in assumed for each in lemma.assumed())
+            for part in conjuncts(substituted(lemma.unfolded(lemma.claim), mean))
+        ]
         return all((name, self.unfolded(formula)) in stated for name, formula in self.lemmas)
 
     def check(self) -> None:
@@ -142,11 +148,13 @@ class Certificate:
             require(place not in at.settled, "{} has two values", data)
             at.settled[place] = at.value(read.term(value)) % PRIME
         # a hypothesis about a function speaks of all its values, a point of a few
-        spoken = set().union(*map(functions, self.hypotheses.values())) if refuting else set()
-        require(not (at.settled and spoken), "what is assumed of {} is not only so at one point", spoken)
+        general = set().union(*map(functions, self.hypotheses.values())) if refuting else set()
+        require(not (at.settled and general), "what is assumed of {} is not only so at one point", general)
         proof = step.data.pop("proof", None)
-        for k, (x, number) in enumerate(values.items() if proof is not None else ()):
-            prover.learn(("point", k), node("=", x, number))
+        spoken = set().union(*map(letters, formulas)) if proof is not None else set()
+        for k, (x, number) in enumerate(values.items()):
+            if x in spoken:
+                prover.learn(("point", k), node("=", x, number))
         for each in domain(*formulas, divisors=True) if refuting and proof is not None else ():
             require(truth(each, at), "a term has no value at the point: {} is not so", each)  # to compute finds values
         prover.prove(node("and", *formulas), {"rule": "compute"} if proof is None else proof)
