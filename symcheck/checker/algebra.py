@@ -54,6 +54,7 @@ class Algebra:
         self.settled: dict[int, int] = {}  # values of functions at the point, by what is drawn for them
         self.scale = self.steepest = 1
         self.divisors: dict[int, bool] = {}  # value -> whether it depends on letters or functions
+        self.divided: dict[int, Term] = {}  # those that stand under no binder, as terms
         self.atoms: dict[str, Term] = {}  # terms that stand as letters in polynomials
         self.polynomial = POLYNOMIAL
 
@@ -136,6 +137,8 @@ class Algebra:
             return pow(value, term.exponent, self.prime)
         value = self.value(term) % self.prime
         self.divisors[value] = self.divisors.get(value, False) or not exact(term)
+        if not self.bound:
+            self.divided[value] = term
         if self.point is not None and self.bound:  # nobody asks later
             require(exact(term) or self.chance.rational(value), "{} may be zero under a binder", term)
         return self.chance.inverse(value)

@@ -400,7 +400,8 @@ class Prover:
         for divisor in (value for value, varies in algebra.divisors.items() if varies):
             inverse = algebra.chance.inverse(divisor)
             by = next((name for name, value in known if algebra.chance.rational(value * inverse)), None)
-            require(by or divisor in self.listed or divisor in self.positive, "a denominator may be zero")
+            plain = by or divisor in self.listed or divisor in self.positive
+            require(plain or self.sign(algebra.divided.get(divisor, 0)) == 2, "a denominator may be zero")
             self.used |= {by} if by else set()
 
 
