@@ -11,7 +11,7 @@ from collections.abc import Callable, Iterable, Mapping
 from re import findall
 from typing import NamedTuple
 
-from symcheck.checker.algebra import Algebra, Inexact
+from symcheck.checker.algebra import Algebra, Inexact, exact
 from symcheck.checker.enclosures import between, enclosed
 from symcheck.checker.residues import require
 from symcheck.checker.theorems import Argument, instance
@@ -227,6 +227,8 @@ class Prover:
         if result:
             return result
         value = self.algebra.value(term) % self.algebra.prime
+        if exact(term) and (number := self.algebra.chance.rational(value)):
+            return (number[0] >= 0) + (number[0] > 0)
         for name, fact in self.facts.items():
             if value == fact.value and fact.sign in (">", ">="):
                 self.used.add(name)
