@@ -118,6 +118,8 @@ class Algebra:
                 return self.raised(base, -exponent)
         value = self.value(term) % PRIME
         self.divisors[value] = self.divisors.get(value, False) or not exact(term)
+        if not self.bound:
+            self.divided[value] = term
         if self.point is not None and self.bound:  # nobody asks later
             require(exact(term) or rational(value), "{} may be zero under a binder", term)
         return inverse(value)
