@@ -37,7 +37,7 @@ class Algebra:
         self.bound: dict[str, Key] = {}  # what is drawn for bound letters
         self.settled: dict[int, int] = {}  # values of functions at the point, by what is drawn for them
         self.scale = 1  # product of the exponents around
-        self.divisors: dict[int, bool] = {}  # value -> whether it depends on letters or functions
+        self.divisors: dict[int, Term | None] = {}  # by their values; None for those that stand under a binder
 
     def value(self, term: Term) -> int:
         """The value of a term; sums and products are not reduced modulo the prime."""
@@ -117,9 +117,7 @@ class Algebra:
             case Value(tag="^", terms=(base, int(exponent))) if exponent > 0:
                 return self.raised(base, -exponent)
         value = self.value(term) % PRIME
-        self.divisors[value] = self.divisors.get(value, False) or not exact(term)
-        if not self.bound:
-            self.divided[value] = term
+        self.divisors[value] = self.divisors.get(value) or (term if exact(term) or not self.bound else None)
         if self.point is not None and self.bound:  # nobody asks later
             require(exact(term) or rational(value), "{} may be zero under a binder", term)
         return inverse(value)

@@ -11,7 +11,7 @@ from collections.abc import Callable, Iterable
 from re import findall
 from typing import NamedTuple, TypeVar
 
-from symcheck.checker.algebra import Algebra, Inexact
+from symcheck.checker.algebra import Algebra, Inexact, exact
 from symcheck.checker.enclosures import enclosed
 from symcheck.checker.residues import PRIME, Reject, inverse, polynomials, rational, require
 from symcheck.checker.theorems import Argument, instance
@@ -374,9 +374,12 @@ class Prover:
     def finish(self) -> None:
         """No denominator that was met may be zero."""
         known = [(n, fact.value) for n, fact in self.facts.items() if fact.value and fact.sign in ("!=", ">")]
-        for divisor in (value for value, varies in self.algebra.divisors.items() if varies):
+        for divisor, term in [*self.algebra.divisors.items()]:
+            if term and exact(term):
+                continue
             by = next((name for name, value in known if rational(value * inverse(divisor))), None)
-            require(by or divisor in self.listed or divisor in self.positive, "a denominator may be zero")
+            shown = by or divisor in self.listed or divisor in self.positive or self.sign(term or 0) == 2
+            require(shown, "a denominator may be zero")
             self.used |= {by} if by else set()
 
 
@@ -397,9 +400,9 @@ def compared(relation: Relation, at: Algebra) -> int:
     left, right = relation.terms
     try:
         gap = (at.value(left) - at.value(right)) % PRIME
-        exact = (gap, 1) if relation.tag in ("=", "!=") else rational(gap)
-        if exact:
-            return (exact[0] > 0) - (exact[0] < 0)
+        number = (gap, 1) if relation.tag in ("=", "!=") else rational(gap)
+        if number:
+            return (number[0] > 0) - (number[0] < 0)
     except Inexact:
         pass
     difference = substituted(node("+", left, node("-", right)), at.point or {})
