@@ -45,10 +45,10 @@ class Algebra:
             return term
         if isinstance(term, str):
             return self.letters[term] if term in self.letters else self.letter(term)
-        place = id(term), self.scale
-        if place in self.known and not self.bound:
-            return self.known[place]
-        match term.tag:
+        named = id(term) in self.shared and not self.bound
+        if named and (id(term), self.scale) in self.known:
+            return self.known[id(term), self.scale]
+        match term[0]:
             case "+" | "*" as sign:
                 result, known = int(sign == "*"), self.letters
                 for t in term.outside:
@@ -60,8 +60,8 @@ class Algebra:
                 result = self.turn(term[1])[name == "sin"]  # type: ignore[arg-type]
             case _:
                 result = self.operation(term)
-        if id(term) in self.shared and not self.bound:
-            self.known[place] = result
+        if named:
+            self.known[id(term), self.scale] = result
         return result
 
     def residues(self, terms: Iterable[Term]) -> list[int]:

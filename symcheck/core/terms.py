@@ -21,7 +21,7 @@ Binders bind: their letter means nothing outside of their body, and substitution
 
 from __future__ import annotations
 
-from collections.abc import Set
+from collections.abc import Sequence, Set
 from operator import itemgetter
 
 TYPE_CHECKING = False
@@ -187,9 +187,9 @@ class Reader:
         kind, count = SHAPES[tag]
         if count is not None and len(data) != 1 + count:
             raise Malformed(f"{tag} with {len(data) - 1} fields")
-        fields: list[Field] = []
+        fields: Sequence[Field] = ()
         if kind is Value or kind is Relation:
-            fields = [*self._terms(data[1:])]
+            fields = self._terms(data[1:])
             if tag == "^" and type(fields[1]) is not int:
                 raise Malformed(f"{data[2]!r} is no whole number that fits")
         elif kind is Connective:
@@ -203,11 +203,11 @@ class Reader:
             self.size = inner.size
         elif kind is Binder:
             own, inner = self.without(data[2:3])
-            fields = [inner._terms(data[1:2])[0], own[0]]
+            body = inner._terms(data[1:2])
             self.size = inner.size
             if tag == "diff" and not (type(data[3]) is int and 0 < data[3] < 9):
                 raise Malformed(f"{data[3]!r} is no whole number that fits")
-            fields += self._terms(data[3:], ENDS if tag in ("integral", "diverges") else TERMS)
+            fields = *body, *own, *self._terms(data[3:], ENDS if tag in ("integral", "diverges") else TERMS)
         self.size += len(data)
         if self.size > LARGEST:
             raise Malformed("a term that is too large")
