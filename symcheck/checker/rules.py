@@ -224,11 +224,11 @@ class Prover:
                 result = min(self.sign(top), 2 * bool(self.sign(bottom)))  # type: ignore[arg-type]
             case ("^", base, int(n)) if n > 0:
                 result = self.sign(base) or int(n % 2 == 0)  # type: ignore[arg-type]
+        if result < 2 and exact(term) and (number := self.algebra.chance.rational(self.algebra.value(term))):
+            return (number[0] >= 0) + (number[0] > 0)
         if result:
             return result
         value = self.algebra.value(term) % self.algebra.prime
-        if exact(term) and (number := self.algebra.chance.rational(value)):
-            return (number[0] >= 0) + (number[0] > 0)
         for name, fact in self.facts.items():
             if value == fact.value and fact.sign in (">", ">="):
                 self.used.add(name)
