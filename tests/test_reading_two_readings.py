@@ -306,7 +306,7 @@ def test_letters_that_may_be_numbers_say_whether_they_are():
         with pytest.raises(SymcheckError, match="or a letter of its own"):
             Letter(latex, kind="index")
     with pytest.raises(SymcheckError, match="does not fit"):
-        Letter("x", number="e")
+        Notation([Letter("x", number="e")])
     with pytest.raises(SymcheckError, match="Euler's number"):
         read("e^x = 1", PLAIN)
 
