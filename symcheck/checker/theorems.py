@@ -9,11 +9,14 @@ An integral that has no finite value counts as 0; a mean is over one turn.
 from __future__ import annotations
 
 import ast
+from collections.abc import Mapping
 from functools import cache
+from types import MappingProxyType
 from typing import NamedTuple
 
-from symcheck.core.calculus import polynomial_in
-from symcheck.core.terms import RELATIONS, Formula, Lambda, Malformed, Node, Term, node, substituted
+from symcheck.checker.enclosures import between
+from symcheck.core.calculus import Lambda, polynomial_in, substituted
+from symcheck.core.terms import RELATIONS, Call, Formula, Malformed, Node, Term, Value, node
 
 QUADRANTS = "-(pi/2) <= a; a <= pi/2"  # from -90 to 90 degrees
 S = "(k + u + 1)"  # an integrand of the shape below is like x**(S - 1) near 0 and like x**(S - 1 - 2*r) far away
@@ -101,17 +104,11 @@ def theorem(name: str) -> Theorem:
     head, _, rest = _table()[name].partition("): ")
     parameters = tuple(head.partition("(")[2].replace(",", "").split())
     before, _, after = rest.partition("|- ")
-    premises = tuple(_formula(text) for text in before.split(";") if text.strip())
-    return Theorem(parameters, premises, _formula(after))
+    premises = tuple(_read(text) for text in before.split(";") if text.strip())
+    return Theorem(parameters, premises, _read(after))
 
 
 NAMES = tuple(_table())
-
-
-def _formula(text: str) -> Formula:
-    formula = _read(ast.parse(text.strip(), mode="eval").body)
-    assert isinstance(formula, Node)
-    return formula
 
 
 SIGNS: dict[type, str] = {
@@ -120,8 +117,14 @@ SIGNS: dict[type, str] = {
 }  # fmt: skip
 
 
-def _read(tree: ast.AST) -> Term | Formula:
-    """A term or formula of a statement above."""
+def _read(text: str) -> Node:
+    """A formula of a statement above."""
+    found = _part(ast.parse(text.strip(), mode="eval").body)
+    assert isinstance(found, Node)
+    return found
+
+
+def _part(tree: ast.expr) -> Term:
     match tree:
         case ast.Constant(value=int(number)):
             return number
@@ -131,61 +134,80 @@ def _read(tree: ast.AST) -> Term | Formula:
             return node("infinity")
         case ast.Name(id=name):
             return name
-        case ast.UnaryOp(op=ast.USub(), operand=ast.Name(id="oo")):
+        case ast.UnaryOp(operand=ast.Name(id="oo")):
             return node("-infinity")
-        case ast.UnaryOp(op=ast.USub(), operand=inner):
-            return node("-", _read(inner))
+        case ast.UnaryOp(operand=inner):
+            return node("-", _part(inner))
         case ast.BinOp(op=ast.Sub(), left=left, right=right):
-            return node("+", _read(left), node("-", _read(right)))
-        case ast.BinOp(op=op, left=left, right=right):
-            return node(SIGNS[type(op)], _read(left), _read(right))
-        case ast.Compare(ops=[op], left=left, comparators=[right]):
-            return node(SIGNS[type(op)], _read(left), _read(right))
+            return node("+", _part(left), node("-", _part(right)))
+        case ast.BinOp(op=op, left=left, right=right) | ast.Compare(ops=[op], left=left, comparators=[right]):
+            return node(SIGNS[type(op)], _part(left), _part(right))
         case ast.BoolOp(op=op, values=parts):
-            return node(SIGNS[type(op)], *map(_read, parts))
+            return node(SIGNS[type(op)], *map(_part, parts))
         case ast.Call(func=ast.Name(id=name), args=arguments):
-            return _applied(name, [_read(argument) for argument in arguments])
+            first, *rest = map(_part, arguments)
+            if name in ("forall", "exists"):
+                return node(name, (str(first),), *rest)
+            if name == "diff":
+                return node(name, first, rest[0], 1, rest[0])
+            if name in ("f", "g", "h"):
+                return node("call", name, (0,), first)
+            return node("=>" if name == "implies" else name, first, *rest)
     raise AssertionError(ast.dump(tree))
-
-
-def _applied(name: str, parts: list[Term | Formula]) -> Node:
-    match name, parts:
-        case ("forall", [str(x), body]):
-            return node("forall", (x,), body)
-        case ("exists", [str(x), body]):
-            return node("exists", (x,), body)
-        case ("implies", [premise, conclusion]):
-            return node("=>", premise, conclusion)
-        case ("diff", [body, str(x)]):
-            return node("diff", body, x, 1, x)
-        case ("f" | "g" | "h", [argument]):
-            return node("call", name, (0,), argument)
-    return node(name, *parts)
 
 
 Argument = Term | Lambda
 
 
-def instance(name: str, arguments: dict[str, Argument]) -> tuple[tuple[Formula, ...], Formula]:
-    """Premises and conclusion with the parameters replaced; Malformed where an argument does not fit."""
-    stated = theorem(name)
-    if arguments.keys() != {*stated.parameters}:
-        raise Malformed(f"{name} is a theorem about {', '.join(stated.parameters) or 'no parameters'}")
+def instance(
+    name: str, given: Mapping[str, Argument], numbers: Mapping[str, Term] = MappingProxyType({})
+) -> tuple[list[Formula], Formula]:
+    """Premises and conclusion of a theorem with its parameters replaced; Malformed where an argument does not fit."""
+    parameters = SPECIAL.get(name) or theorem(name).parameters
+    if given.keys() != {*parameters}:
+        raise Malformed(f"{name} is a theorem about {', '.join(parameters) or 'no parameters'}")
     terms: dict[str, Term] = {}
-    functions: dict[str, Lambda] = {}
-    for parameter, argument in arguments.items():
-        lambda_ = isinstance(argument, tuple) and not isinstance(argument, Node)
-        if lambda_ != (parameter in ("f", "g", "h")) or (parameter in ("n", "k") and not isinstance(argument, int)):
-            raise Malformed(f"{argument!r} for the parameter {parameter} of {name}")
+    lambdas: dict[str, Lambda] = {}
+    for parameter, argument in given.items():
         if isinstance(argument, tuple) and not isinstance(argument, Node):
-            functions[parameter] = argument
+            lambdas[parameter] = argument
         else:
             terms[parameter] = argument
+        whole = parameter not in ("n", "k", "digits") or isinstance(argument, int)
+        if (parameter in lambdas) != (parameter in ("f", "g", "h")) or not whole:
+            raise Malformed(f"{argument!r} for the parameter {parameter} of {name}")
+    if name == "congruence":
+        return congruence(terms["s"], terms["t"])
+    if name == "enclosure":
+        return enclosure(terms["t"], terms["digits"], numbers)
     if name in SMOOTH:
         parameter, *of = SMOOTH[name]
-        (x,), body = functions[parameter]
+        (x,), body = lambdas[parameter]
         atoms: list[Term] = [node(each, x) for each in of] or [x]
         if not polynomial_in(body, *atoms):
             raise Malformed(f"{body!r} is no polynomial in {' and '.join(of)} {x}")
-    new = [substituted(formula, terms, functions) for formula in (*stated.premises, stated.conclusion)]
-    return tuple(new[:-1]), new[-1]
+    stated = theorem(name)
+    premises = [substituted(premise, terms, lambdas) for premise in stated.premises]
+    return premises, substituted(stated.conclusion, terms, lambdas)
+
+
+SPECIAL = {"congruence": ("s", "t"), "enclosure": ("t", "digits")}  # these are no schemas
+
+
+def congruence(s: Term, t: Term) -> tuple[list[Formula], Formula]:
+    """Equal arguments give equal values of a function."""
+    if not (isinstance(s, (Value, Call)) and isinstance(t, (Value, Call)) and len(s) == len(t)):
+        raise Malformed(f"{s} and {t} are not the same function")
+    start = len(s) - len(s.terms)
+    if s[:start] != t[:start]:
+        raise Malformed(f"{s} and {t} are not the same function")
+    return [node("=", *pair) for pair in zip(s.terms, t.terms, strict=True)], node("=", s, t)
+
+
+def enclosure(t: Term, digits: Term, numbers: Mapping[str, Term]) -> tuple[list[Formula], Formula]:
+    """A number lies between two decimals, by interval arithmetic; its letters stand for what the premises say."""
+    term = t
+    for _ in numbers:  # what a letter stands for may contain others
+        term = substituted(term, numbers)
+    low, high = between(term, digits)
+    return [node("=", *each) for each in numbers.items()], node("and", node("<=", low, t), node("<=", t, high))
