@@ -6,7 +6,7 @@ from collections.abc import Iterable, Iterator
 
 from symcheck.checker.algebra import Algebra, exact
 from symcheck.checker.residues import Reject, require
-from symcheck.checker.rules import Prover, Step, conjuncts, contrary, enclosure, sides, string, truth
+from symcheck.checker.rules import Prover, Step, conjuncts, contrary, enclosure, paired, sides, string, truth
 from symcheck.core.calculus import Unknown
 from symcheck.core.terms import (
     JSON,
@@ -45,6 +45,7 @@ class Certificate:
             whole.define(string(name), term)
             if name not in free:
                 partial.define(string(name), term)
+        require({*free} <= whole.names.keys(), "{} are not all defined", free)
         self.reader, own = (partial, {x: whole.names[x] for x in free}) if free else (whole, {})
 
         def same(found: T, meant: T) -> T:
@@ -112,7 +113,7 @@ class Certificate:
         needed = [self.unfolded(node("and", *assumed, *premises)) for premises in supposed(self.claim)]
         points = self.step.items("witnesses")
         require(points or needed == [node("and")], "no point where all that is assumed holds")
-        for formula, point in zip(needed, points, strict=bool(points)):
+        for formula, point in paired(needed, points) if points else ():
             self.hold(formula, Step(point, self.whole))
 
     def check_point(self) -> None:

@@ -31,6 +31,10 @@ from symcheck.core.terms import (
     substituted,
 )
 
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from symcheck.core.terms import T
+
 Reference = tuple[str | int, ...]
 SIGNS = {"=": {0}, "!=": {-1, 1}, "<": {-1}, "<=": {-1, 0}, ">": {1}, ">=": {0, 1}}  # of left - right
 CONTRARY = {"=": "!=", "!=": "=", "<": ">=", "<=": ">", ">": "<=", ">=": "<", "and": "or", "or": "and"}
@@ -114,6 +118,13 @@ class Step:
 
     def end(self) -> None:
         require(not self.data, "a step of a proof has the superfluous {}", [*self.data])
+
+
+def paired(parts: Iterable[T], proofs: list[JSON]) -> list[tuple[T, JSON]]:
+    """Each part with its own proof."""
+    listed = [*parts]
+    require(len(listed) == len(proofs), "{} proofs for {}", len(proofs), len(listed))
+    return [*zip(listed, proofs, strict=True)]
 
 
 def string(data: JSON) -> str:
@@ -283,7 +294,7 @@ class Prover:
         """All parts of an "and", both directions of an equivalence."""
         require(goal.tag in ("and", "<=>"), "nothing with parts")
         parts = [*goal[1:]] if goal.tag == "and" else [node("=>", *goal[1:]), node("=>", *goal[:0:-1])]
-        for part, proof in zip(parts, step.items("parts"), strict=True):
+        for part, proof in paired(parts, step.items("parts")):
             self.branch(part, proof)  # type: ignore[arg-type]
 
     def choose(self, goal: Formula, step: Step) -> None:
@@ -298,7 +309,7 @@ class Prover:
         fact = self.facts.get(name)
         require(fact and fact.sign == "or" and fact.formula, "{} is no disjunction", name)
         self.used.add(name)
-        for part, proof in zip(fact.formula[1:], step.items("cases"), strict=True):  # type: ignore[union-attr, index]
+        for part, proof in paired(fact.formula[1:], step.items("cases")):  # type: ignore[union-attr, index]
             self.branch(goal, proof, conjuncts(part))
 
     def split(self, goal: Formula, step: Step) -> None:
@@ -311,7 +322,7 @@ class Prover:
             require(type(exponent) is int and 0 < exponent < 1000, "the exponent {}", exponent)
             value *= self.algebra.polynomial(bases[-1]) ** (exponent if isinstance(exponent, int) else 0)
         self.combination(value, step, "the product")
-        for base, proof in zip(bases, step.items("cases"), strict=True):
+        for base, proof in paired(bases, step.items("cases")):
             self.branch(goal, proof, zero=base)
 
     def vanish(self, goal: Formula, step: Step) -> None:
@@ -335,7 +346,7 @@ class Prover:
     def theorem(self, goal: Formula, step: Step) -> None:
         """The premises of a theorem have proofs; its conclusion is one more fact. What it says to exist is named."""
         premises, conclusion = self.applied(step.text("of"), step)
-        for premise, proof in zip(premises, step.items("premises"), strict=True):
+        for premise, proof in paired(premises, step.items("premises")):
             self.branch(premise, proof)
         if isinstance(conclusion, Quantified):
             new = step.texts("letters")
@@ -434,8 +445,9 @@ def compared(relation: Relation, at: Algebra) -> int:
 
 def congruence(one: Argument, other: Argument, *more: str) -> tuple[Iterable[Formula], Formula]:
     """Equal arguments give equal values of a function."""
+    require(not more, "congruence is about s and t alone")
     for term in (one, other):
-        require(isinstance(term, (Value, Call)) and not more, "{} is no function of values", term)
+        require(isinstance(term, (Value, Call)), "{} is no function of values", term)
     assert isinstance(one, (Value, Call))
     assert isinstance(other, (Value, Call))
     same = one[: len(one) - len(one.arguments)] == other[: len(other) - len(other.arguments)]
