@@ -128,6 +128,7 @@ class Certificate:
             same = [at.value(t) % at.prime for t in stated] == [at.value(t) % at.prime for t in sides(self.claim)]
             require(same, "a side has another value at the point")
         for entry in shown:
+            require(isinstance(entry, list) and len(entry) == 4, "{} is no term with digits and two ends", entry)
             data, digits, low, high = entry if isinstance(entry, list) else []
             term = substituted(self.whole.term(data), at.point or {})
             order = [node("<=", self.whole.term(low), term), node("<=", term, self.whole.term(high))]
