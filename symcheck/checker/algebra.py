@@ -205,9 +205,9 @@ class Algebra:
             (c, s), times = self.multiple(key, n, d)
             require(abs(times) < 1000, "the multiple {} of an angle", times)
             self.steeper(max(abs(times), 1))
+            s = s if times > 0 else -s  # the other way round
             for _ in range(abs(times)):
-                cosine, sine = cosine * c - sine * s, sine * c + cosine * s if times > 0 else sine * c - cosine * s
-                cosine, sine = cosine % self.prime, sine % self.prime
+                cosine, sine = (cosine * c - sine * s) % self.prime, (sine * c + cosine * s) % self.prime
             self.scale //= max(abs(times), 1)
         return cosine, sine
 
