@@ -733,6 +733,10 @@ ANALYSIS: dict[str, Forgery] = {
     "the sine of a multiple": Forgery(NOT_EQUAL, proved(["=", ["sin", ["*", 2, "x"]], ["*", 2, SIN]], ID)),
     "half an angle": Forgery(NOT_EQUAL, proved(["=", ["sin", ["/", "x", 2]], ["sqrt", ["/", minus(1, COS), 2]]], ID)),
     "a third of a half turn": Forgery(NOT_EQUAL, proved(["=", ["sin", ["/", PI, 3]], ["/", 1, 2]], ID)),
+    "the cosine of an angle twice, the other way": Forgery(NOT_EQUAL, proved(["=", ["cos", ["*", -2, "x"]], 1], ID)),
+    "the sine of an angle three times, the other way": Forgery(
+        NOT_EQUAL, proved(["=", ["sin", ["*", -3, "x"]], ["-", SIN]], ID)
+    ),
     "an eighth of a turn the other way": Forgery(
         NOT_EQUAL, proved(["=", ["sin", ["+", "x", HALF_PI]], ["-", COS]], ID)
     ),
