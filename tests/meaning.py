@@ -140,8 +140,13 @@ class Meaning:
         return quadrature(inside, [low, 0, high] if mp.isinf(low) and mp.isinf(high) else [low, high])
 
     def formula(self, node: JSON, at: Values) -> bool | None:
+        """What is false at 50 digits is looked at with 400 more."""
         try:
-            return self.truth(node, at)
+            found = self.truth(node, at)
+            if found is False and mp.dps < 100:
+                with mp.workdps(450):
+                    found = self.truth(node, at)
+            return found
         except (NoValue, ZeroDivisionError, ValueError, OverflowError, mp.NoConvergence):
             return None
 
@@ -151,7 +156,11 @@ class Meaning:
             left, right = (self.term(side, at) for side in node[1:])
             if mp.im(left) or mp.im(right) or mp.isnan(left) or mp.isnan(right):
                 raise NoValue("a number that is not real")
-            return RELATIONS[tag](0 if same(left, right) else 1 if left > right else -1)
+            near = same(left, right)
+            found = RELATIONS[tag](0 if near else 1 if left > right else -1)
+            if near and not found and left != right:
+                raise NoValue("two numbers that cannot be told apart")
+            return found
         if tag == "exists":
             return self.existence(node, at)
         if tag == "forall":

@@ -144,6 +144,9 @@ REFUSED = {
     r"\left(\frac{d}{dx}(x^2)\right)(1) = 2": "at the place in these brackets, or times it",
     "(p + 1)(x) = 1": "at the place in these brackets, or times it",
     "0 < x < y, z < 1": "two relations, or letters that lie between",
+    "I_{02} = x": "zero before it",
+    "x = 02": "zero before it",
+    r"\frac{d'x^2}{dx} = x": "no primes",
     "f[x] = 0": "in these brackets, or times it",
     r"2\frac12 = x": "mixed number, or a product",
     "a^{(2)} = x": "an index, the order of a derivative, or a power",
@@ -306,7 +309,7 @@ def test_letters_that_may_be_numbers_say_whether_they_are():
         with pytest.raises(SymcheckError, match="or a letter of its own"):
             Letter(latex, kind="index")
     with pytest.raises(SymcheckError, match="does not fit"):
-        Letter("x", number="e")
+        Notation([Letter("x", number="e")])
     with pytest.raises(SymcheckError, match="Euler's number"):
         read("e^x = 1", PLAIN)
 
@@ -319,6 +322,9 @@ def test_numbers_among_the_letters_have_their_values():
     with pytest.raises(SymcheckError, match="imaginary unit"):
         term("2 i", notation)
     assert term("e^x", PLAIN.extended(Letter("e", name="e"))) == ("pow", "e", "x")
+    for latex in ("e'", "e'^x"):
+        with pytest.raises(SymcheckError, match=r"another letter|no primes"):
+            term(latex, notation)
 
 
 def test_a_quotient_by_a_letter_d_is_no_derivative():

@@ -216,9 +216,11 @@ class Prover:
                 result = min(self.sign(top), 2 * bool(self.sign(bottom)))
             case Value(tag="^", terms=(base, int(n))) if n > 0:
                 result = self.sign(base) or int(n % 2 == 0)
+        value = self.value(term) if result < 2 else 0
+        if result < 2 and exact(term) and (number := rational(value)):
+            return (number[0] >= 0) + (number[0] > 0)
         if result:
             return result
-        value = self.value(term)
         for name, fact in self.facts.items():
             if value == fact.value and fact.sign in (">", ">="):
                 self.used.add(name)

@@ -100,7 +100,9 @@ def _table() -> dict[str, str]:
 
 @cache
 def theorem(name: str) -> Theorem:
-    """The theorem of that name; KeyError if there is none."""
+    """The theorem of that name; Malformed if there is none."""
+    if name not in _table():
+        raise Malformed(f"there is no theorem {name}")
     head, _, rest = _table()[name].partition("): ")
     parameters = tuple(head.partition("(")[2].replace(",", "").split())
     before, _, after = rest.partition("|- ")

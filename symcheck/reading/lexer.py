@@ -203,6 +203,8 @@ class Lexer(tex.Reader):
     def number(self) -> None:
         """Digits, with a decimal point between digits; `1).` at the beginning of a clause is the label of a case."""
         at, text = self.at(), self.digits()
+        if len(text) > 1 and text[0] == "0":
+            self.fail("a number with a zero before it", at)
         if self.peek() == "." and self.peek(1).isdigit() and self.peek(1).isascii():
             self.i += 1
             text += "." + self.digits()
@@ -502,6 +504,10 @@ class Lexer(tex.Reader):
             return self.dotted(word, tokens, primes, at, place)
         if tokens is None:
             letter = notation.find(word, 0)
+            if primes and (
+                word in (r"\partial", r"\text{d}") or (letter is not None and letter.kind == "differential")
+            ):
+                self.fail("a differential has no primes", at)
             if letter is not None:
                 return Name(word, (), primes), "D" if letter.kind == "differential" else "NAME"
             if notation.index(word) is not None and not primes:
@@ -562,6 +568,8 @@ class Lexer(tex.Reader):
                 fresh = True
             elif tok.text.isdigit() and tok.text.isascii():
                 last = found[-1] if found else None
+                if last == 0 and together and not fresh:
+                    self.fail("a number with a zero before it", tok.at)
                 if together and not fresh and isinstance(last, int):
                     found[-1] = 10 * last + int(tok.text)
                 else:

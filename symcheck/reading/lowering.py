@@ -340,6 +340,8 @@ class Lowering:
             )
         indices = self.places(tree, letter, env)
         if letter.number:
+            if tree.primes:
+                raise SymcheckError(f"{to_latex(tree)}: a number has no primes")
             return self.number(letter)
         stem = letter.stem + "prime" * tree.primes
         if letter.components is not None or (letter.kind in ("vector", "matrix")):
@@ -464,11 +466,10 @@ class Lowering:
 
     def of_pow(self, tree: Pow, env: Env) -> Value:
         exponent = self.scalar(tree.exponent, env)
-        if (
-            isinstance(tree.base, Name)
-            and self.notation.letter(tree.base.letter, len(tree.base.subscripts)).number == "e"
-        ):
-            return ("exp", exponent)
+        if isinstance(tree.base, Name) and not tree.base.primes:
+            letter = self.notation.find(tree.base.letter, len(tree.base.subscripts))
+            if letter is not None and letter.number == "e":
+                return ("exp", exponent)
         if isinstance(exponent, tuple) and exponent[0] == "-" and isinstance(exponent[1], int):
             exponent = -exponent[1]
         base = self.scalar(tree.base, env)

@@ -87,8 +87,6 @@ class Letter:
     def _check_number(self, spelling: str) -> None:
         """Letters that may be numbers say whether they are."""
         which = _NUMBERS.get(spelling, "") if not self.indices else ""
-        if self.number and (self.number != which or self.kind != "scalar" or self.depends or self.name):
-            raise self.fault(f"number={self.number!r} does not fit it; only e, i and \\pi are numbers")
         said = self.number or self.name is not None
         if which and not said and (self.kind == "scalar" or (which != "i" and self.kind == "index")):
             ways = (
@@ -99,6 +97,12 @@ class Letter:
             raise self.fault(f"{_SAID[which]}, or a letter of its own? {ways}")
         if spelling == r"\text{d}" and self.kind != "differential" and self.name is None:
             raise self.fault("the d of a differential, or a letter of its own? say kind='differential', or name='d'")
+
+    def check(self) -> None:
+        """SymcheckError if what is said of the letter does not fit together."""
+        which = _NUMBERS.get(canonical(self.latex), "") if not self.indices else ""
+        if self.number and (self.number != which or self.kind != "scalar" or self.depends or self.name):
+            raise self.fault(f"number={self.number!r} does not fit it; only e, i and \\pi are numbers, without a name")
 
     def fault(self, message: str) -> SymcheckError:
         """The error of this declaration."""
@@ -206,6 +210,7 @@ class Notation:
         self._letters: dict[tuple[str, int], Letter] = {}
         self._index: dict[str, Letter] = {}
         for letter in self.letters:
+            letter.check()
             key = canonical(letter.latex)
             if letter.kind == "index":
                 twice = key in self._index
