@@ -104,7 +104,7 @@ class Algebra:
     def steeper(self, factor: int) -> int:
         """The product of the exponents around, and of one more."""
         scale = self.scale * max(abs(factor), 1)
-        require(scale < STEEPEST, "the exponent {}", factor)
+        require(scale < STEEPEST, "the exponent {}", abs(factor))
         return scale
 
     def inverse(self, term: Term) -> int:

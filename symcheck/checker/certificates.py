@@ -8,7 +8,7 @@ from functools import lru_cache
 
 from symcheck.checker.algebra import Algebra, exact
 from symcheck.checker.residues import PRIME, Reject, require
-from symcheck.checker.rules import FALSE, LIST, Prover, Step, conjuncts, contrary, fit, sides, truth
+from symcheck.checker.rules import FALSE, LIST, Prover, Step, conjuncts, contrary, fit, paired, sides, truth
 from symcheck.checker.theorems import instance
 from symcheck.core.calculus import Unknown, domain, functions, letters, substituted
 from symcheck.core.terms import JSON, Call, Connective, Formula, Malformed, Quantified, Reader, Value, node
@@ -32,9 +32,10 @@ class Certificate:
         self.step = step = Step(data)
         self.id, self.verdict = fit(str, step.take("id")), fit(str, step.take("verdict"))
         free = step.texts("free")  # defined letters of which lemmas say all that the proof knows
-        definitions = step.lists("definitions")
+        definitions = step.lists("definitions", 2)
         self.whole = reader(json.dumps(definitions))
         self.reader = reader(json.dumps([each for each in definitions if each[0] not in free])) if free else self.whole
+        require({*free} <= self.whole.names.keys(), "{} are not all defined", free)
         self.own = {x: self.whole.names[x] for x in free}
         self.hypotheses = {
             ("hyp", name, k): self.read(formula)
@@ -42,15 +43,14 @@ class Certificate:
             for k, formula in enumerate(fit(LIST, formulas))
         }
         self.nonzero = [self.read(["!=", term, 0]) for term in step.items("nonzero")]
-        self.lemmas = [(fit(str, name), self.read(formula)) for name, formula in step.lists("lemmas")]
+        self.lemmas = [(fit(str, name), self.read(formula)) for name, formula in step.lists("lemmas", 2)]
         self.claim = self.read(step.take("claim"))
 
     def read(self, data: JSON) -> Formula:
         """A formula; no binder binds a letter that stands for something."""
         found = self.reader.formula(data)
-        require(
-            not self.own or self.unfolded(found) == self.whole.formula(data), "a defined letter is bound in {}", data
-        )
+        same = not self.own or self.unfolded(found) == self.whole.formula(data)
+        require(same, "{} is bound in {}", [*self.own], found)
         return found
 
     def unfolded(self, formula: Formula) -> Formula:
@@ -114,14 +114,17 @@ class Certificate:
         needed = [[*assumed, *premises, *varying] for premises in supposed(claim)]
         points = self.step.items("witnesses")
         require(points or needed == [[]], "no point where all that is assumed holds")
-        for formulas, point in zip(needed, points, strict=bool(points)):
+        for formulas, point in paired(needed, points) if points else ():
             self.hold(formulas, Step(point))
 
     def check_point(self) -> None:
         """The hypotheses hold at the point, the claim does not; its sides have the stated values there."""
         require(not self.lemmas, "a point needs no lemmas")
         step = Step(self.step.take("point"))
-        stated, shown = [*map(self.whole.term, step.items("sides"))], step.lists("enclosed")
+        stated, shown = (
+            [*map(self.whole.term, step.items("sides"))],
+            step.lists("enclosed", 4, "term with digits and two ends"),
+        )
         at = self.hold([*self.assumed(), contrary(self.unfolded(self.claim))], step, refuting=True)
         if stated:
             same = [at.value(t) % PRIME for t in stated] == [at.value(t) % PRIME for t in sides(self.claim)]
@@ -138,9 +141,10 @@ class Certificate:
         values = {read.letter(x): read.term(data) for x, data in step.mapping("values").items()}
         closed = not any(letters(t) or functions(t) for t in values.values()) and not values.keys() & read.names.keys()
         require(closed, "a coordinate is no number, or of a defined letter")
-        at = Algebra(read.names, values)
+        spoken = set().union(*map(letters, formulas))
+        at = Algebra(read.names, {x: number for x, number in values.items() if x in spoken})  # others are free for use
         prover = Prover(read, at)
-        for data, value in step.lists("calls"):
+        for data, value in step.lists("calls", 2):
             call = read.term(data)
             known = isinstance(call, Call) and all(map(exact, call.terms))  # two numbers are told apart
             require(known, "{} is no function at a point", data)
@@ -151,9 +155,8 @@ class Certificate:
         general = set().union(*map(functions, self.hypotheses.values())) if refuting else set()
         require(not (at.settled and general), "what is assumed of {} is not only so at one point", general)
         proof = step.data.pop("proof", None)
-        spoken = set().union(*map(letters, formulas)) if proof is not None else set()
         for k, (x, number) in enumerate(values.items()):
-            if x in spoken:
+            if x in spoken and proof is not None:
                 prover.learn(("point", k), node("=", x, number))
         for each in domain(*formulas, divisors=True) if refuting and proof is not None else ():
             require(truth(each, at), "a term has no value at the point: {} is not so", each)  # to compute finds values

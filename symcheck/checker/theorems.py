@@ -165,7 +165,11 @@ def instance(
     name: str, given: Mapping[str, Argument], numbers: Mapping[str, Term] = MappingProxyType({})
 ) -> tuple[list[Formula], Formula]:
     """Premises and conclusion of a theorem with its parameters replaced; Malformed where an argument does not fit."""
-    parameters = SPECIAL.get(name) or theorem(name).parameters
+    if name == "congruence":
+        return congruence(given)
+    if name == "enclosure":
+        return enclosure(given, numbers)
+    parameters = theorem(name).parameters
     if given.keys() != {*parameters}:
         raise Malformed(f"{name} is a theorem about {', '.join(parameters) or 'no parameters'}")
     terms: dict[str, Term] = {}
@@ -175,13 +179,9 @@ def instance(
             lambdas[parameter] = argument
         else:
             terms[parameter] = argument
-        whole = parameter not in ("n", "k", "digits") or isinstance(argument, int)
+        whole = parameter not in ("n", "k") or isinstance(argument, int)
         if (parameter in lambdas) != (parameter in ("f", "g", "h")) or not whole:
             raise Malformed(f"{argument!r} for the parameter {parameter} of {name}")
-    if name == "congruence":
-        return congruence(terms["s"], terms["t"])
-    if name == "enclosure":
-        return enclosure(terms["t"], terms["digits"], numbers)
     if name in SMOOTH:
         parameter, *of = SMOOTH[name]
         (x,), body = lambdas[parameter]
@@ -193,21 +193,29 @@ def instance(
     return premises, substituted(stated.conclusion, terms, lambdas)
 
 
-SPECIAL = {"congruence": ("s", "t"), "enclosure": ("t", "digits")}  # these are no schemas
-
-
-def congruence(s: Term, t: Term) -> tuple[list[Formula], Formula]:
-    """Equal arguments give equal values of a function."""
-    if not (isinstance(s, (Value, Call)) and isinstance(t, (Value, Call)) and len(s) == len(t)):
-        raise Malformed(f"{s} and {t} are not the same function")
+def congruence(given: Mapping[str, Argument]) -> tuple[list[Formula], Formula]:
+    """Equal arguments give equal values of a function: s1 = t1; ... |- f(s1, ...) = f(t1, ...)."""
+    s, t = given.get("s", 0), given.get("t", 0)
+    for term in (s, t):
+        if not isinstance(term, (Value, Call)) or term.tag in ("+", "*", "-", "/", "^"):
+            raise Malformed(f"{term} is no function of values")
+    assert isinstance(s, (Value, Call))
+    assert isinstance(t, (Value, Call))
     start = len(s) - len(s.terms)
-    if s[:start] != t[:start]:
+    if len(s) != len(t) or s[:start] != t[:start]:
         raise Malformed(f"{s} and {t} are not the same function")
+    if len(given) != 2:
+        raise Malformed("congruence is about s and t alone")
     return [node("=", *pair) for pair in zip(s.terms, t.terms, strict=True)], node("=", s, t)
 
 
-def enclosure(t: Term, digits: Term, numbers: Mapping[str, Term]) -> tuple[list[Formula], Formula]:
-    """A number lies between two decimals, by interval arithmetic; its letters stand for what the premises say."""
+def enclosure(given: Mapping[str, Argument], numbers: Mapping[str, Term]) -> tuple[list[Formula], Formula]:
+    """x = t; ... |- low <= term <= high, by interval arithmetic, with so many digits; letters stand for numbers."""
+    t, digits, *others = given["t"], given["digits"], *(given.keys() - {"t", "digits"})
+    if others:
+        raise Malformed(f"{others} is nothing that has digits")
+    if not isinstance(t, (int, str, Node)) or not isinstance(digits, int):
+        raise Malformed("no term with digits")
     term = t
     for _ in numbers:  # what a letter stands for may contain others
         term = substituted(term, numbers)

@@ -111,7 +111,7 @@ def _outer(function: str, t: Term) -> Term:
         "arctan": node("/", 1, node("+", 1, node("^", t, 2))),
     }
     if function not in known:
-        raise Unknown(f"the derivative of {function} at {t!r}")
+        raise Unknown(f"the derivative of {node(function, t)}")
     return known[function]
 
 
