@@ -103,6 +103,9 @@ def _witness(
     reached = [term for _, term in problem.definitions]
     conditions = [condition for node in (*stated, *reached) for condition in _domains(node)]
     said = tuple(dict.fromkeys((*stated, *conditions)))
+    meant = tuple(dict.fromkeys((*said, *_domains(problem.claim))))  # that the claim has a value is often plain
+    if meant != said and (point := _search(problem.definitions, meant, prove)) is not None:
+        return point
     used = {part for formula in said for part in subterms(unfold_names(formula, definitions)) if isinstance(part, str)}
     needed = tuple((x, term) for x, term in problem.definitions if x in used)
     concluded = problem.claim[2] if problem.claim[0] == "=>" else problem.claim
