@@ -44,20 +44,6 @@ principal_value_arccos(t): t**2 <= 1 |- 0 <= arccos(t) and arccos(t) <= pi
 first_quadrant_arctan(t): t >= 0 |- 0 <= arctan(t) and arctan(t) <= pi/2
 first_quadrant_arcsin(t): t**2 <= 1; t >= 0 |- 0 <= arcsin(t) and arcsin(t) <= pi/2
 first_quadrant_arccos(t): t**2 <= 1; t >= 0 |- 0 <= arccos(t) and arccos(t) <= pi/2
-known_angle_arctan_0(): |- arctan(0) == 0
-known_angle_arctan_1(): |- arctan(1/sqrt(3)) == pi/6
-known_angle_arctan_2(): |- arctan(1) == pi/4
-known_angle_arctan_3(): |- arctan(sqrt(3)) == pi/3
-known_angle_arcsin_0(): |- arcsin(0) == 0
-known_angle_arcsin_1(): |- arcsin(1/2) == pi/6
-known_angle_arcsin_2(): |- arcsin(sqrt(2)/2) == pi/4
-known_angle_arcsin_3(): |- arcsin(sqrt(3)/2) == pi/3
-known_angle_arcsin_4(): |- arcsin(1) == pi/2
-known_angle_arccos_0(): |- arccos(1) == 0
-known_angle_arccos_1(): |- arccos(sqrt(3)/2) == pi/6
-known_angle_arccos_2(): |- arccos(sqrt(2)/2) == pi/4
-known_angle_arccos_3(): |- arccos(1/2) == pi/3
-known_angle_arccos_4(): |- arccos(0) == pi/2
 mean(f, c, g): forall(x, f(x) == c + diff(g(x), x)) |- mean(f(x), x) == c
 quarter_turn(f): forall(x, f(x + pi/2) == -f(x)) |- exists(x, f(x) == 0)
 intermediate_value(f, s, t): s < t; f(s) * f(t) < 0 |- exists(x, s < x and x < t and f(x) == 0)
@@ -69,6 +55,9 @@ beta_diverges(f, c, k, u, r, p, q): p > 0; q > 0; c != 0; {S} <= 0 or 2*r - {S} 
 even(f): forall(x, f(-x) == f(x)) |- integral(f(x), {LINE}) == 2 * integral(f(x), {HALF}) and diverges(f(x), {LINE}) == diverges(f(x), {HALF})
 odd(f): forall(x, f(-x) == -f(x)); diverges(f(x), {HALF}) == 0 |- integral(f(x), {LINE}) == 0 and diverges(f(x), {LINE}) == 0
 """  # noqa: E501
+ANGLES = ("0", "pi/6", "pi/4", "pi/3", "pi/2")
+SINES = ("0", "1/2", "sqrt(2)/2", "sqrt(3)/2", "1")  # of these angles; of the last there is no tangent
+KNOWN = {"arctan": ("0", "1/sqrt(3)", "1", "sqrt(3)"), "arcsin": SINES, "arccos": SINES[::-1]}
 SMOOTH = {  # what else must be so: a polynomial in the sine and cosine of its letter, or in the letter itself
     "mean": ("g", "sin", "cos"), "quarter_turn": ("f", "sin", "cos"), "intermediate_value": ("f",),
     "power_rule": ("g",),
@@ -86,6 +75,8 @@ class Theorem(NamedTuple):
 def _table() -> dict[str, str]:
     """The statements by name, with those of angles: in these ranges a function keeps or reverses every order."""
     lines = STATEMENTS.strip().splitlines()
+    for name, numbers in KNOWN.items():
+        lines += [f"known_angle_{name}_{k}(): |- {name}({t}) == {ANGLES[k]}" for k, t in enumerate(numbers)]
     for sign in RELATIONS:
         written = "==" if sign == "=" else sign
         for name, domain, angles, values in (
