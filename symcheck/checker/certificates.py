@@ -141,7 +141,8 @@ class Certificate:
         values = {read.letter(x): read.term(data) for x, data in step.mapping("values").items()}
         closed = not any(letters(t) or functions(t) for t in values.values()) and not values.keys() & read.names.keys()
         require(closed, "a coordinate is no number, or of a defined letter")
-        spoken = set().union(*map(letters, formulas))
+        proof = step.data.pop("proof", None)
+        spoken = {*values} if proof is None else set().union(*map(letters, formulas))
         at = Algebra(read.names, {x: number for x, number in values.items() if x in spoken})  # others are free for use
         prover = Prover(read, at)
         for data, value in step.lists("calls", 2):
@@ -154,7 +155,6 @@ class Certificate:
         # a hypothesis about a function speaks of all its values, a point of a few
         general = set().union(*map(functions, self.hypotheses.values())) if refuting else set()
         require(not (at.settled and general), "what is assumed of {} is not only so at one point", general)
-        proof = step.data.pop("proof", None)
         for k, (x, number) in enumerate(values.items()):
             if x in spoken and proof is not None:
                 prover.learn(("point", k), node("=", x, number))
