@@ -16,6 +16,7 @@ from meaning import Meaning, Smooth
 
 from symcheck.checker import algebra, theorems
 from symcheck.checker.rules import Prover
+from symcheck.core.calculus import substituted
 
 JSON = Any
 SAMPLE, ALL, PART = 2_500, 1_000_000, 12_500
@@ -136,13 +137,18 @@ def turned_the_wrong_way(self: algebra.Algebra, term: Any) -> tuple[int, int]:
 RIGHT = algebra.Algebra.turn
 
 
+def opened_with_any_letters(self: Prover, formula: Any, step: Any, *beside: Any) -> Any:
+    """The body of what is bound with letters of which something may be assumed."""
+    return substituted(formula.body, dict(zip(formula.bound, step.texts("letters"), strict=True)))
+
+
 @pytest.mark.parametrize(
     ("where", "name", "fault"),
     [
         (algebra.Algebra, "turn", turned_the_wrong_way),
         (algebra, "height", lambda term: 0),
         (theorems, "polynomial_in", lambda term, *atoms: True),
-        (Prover, "fresh", lambda self, x, *beside: None),
+        (Prover, "opened", opened_with_any_letters),
         (Prover, "sign", lambda self, term: 2),
         (Prover, "combination", lambda self, value, step, what: (step.items("cofactors"), step.items("times"))),
     ],

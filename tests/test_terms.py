@@ -10,19 +10,8 @@ import pytest
 import soundness
 from meaning import Meaning, NoValue, Smooth, mp, mpf, unfold
 
-from symcheck.core.calculus import Unknown, derivative, differentiated, polynomial_in
-from symcheck.core.terms import (
-    FUNCTIONS,
-    Binder,
-    Call,
-    Malformed,
-    Node,
-    Reader,
-    functions,
-    letters,
-    node,
-    substituted,
-)
+from symcheck.core.calculus import Unknown, derivative, differentiated, functions, letters, polynomial_in, substituted
+from symcheck.core.terms import FUNCTIONS, Binder, Call, Malformed, Node, Reader, node
 
 JSON = Any
 TERMS: list[JSON] = [
