@@ -140,6 +140,8 @@ class Certificate:
         values = {read.letter(x): read.term(data) for x, data in step.mapping("values").items()}
         closed = not any(letters(t) or functions(t) for t in values.values()) and not values.keys() & read.names.keys()
         require(closed, "a coordinate is no number, or of a defined letter")
+        missing = letters(formula) - values.keys()
+        require(not missing, "no value for {}", ", ".join(sorted(missing)))
         at = Algebra(read.names, values)
         prover = Prover(read, at)
         for call, value in map(pair, step.items("calls")):

@@ -401,6 +401,7 @@ class Prover:
             require(fact and fact.sign == "=" and fact.formula and not letters(fact.formula), "{} is no value", name)
             assert fact
             assert isinstance(fact.formula, Relation)
+            self.used.add(name)
             at.settled[self.algebra.value(fact.formula.left) % at.prime] = at.value(fact.formula.right) % at.prime
         require(truth(goal, at), "{} is not so", goal)
 
