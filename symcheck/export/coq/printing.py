@@ -124,7 +124,7 @@ def _printed(node: Any) -> tuple[str, int]:
         case "infinity":
             raise NotExported("an integral without an end needs Euler's beta function, which the libraries have not")
         case str():
-            return _letter(node)
+            return name(node), ATOM
         case ["+", first, *rest]:
             return _sum(first, rest), PLUS
         case ["-" | "minus", inner]:
@@ -165,15 +165,6 @@ def _printed(node: Any) -> tuple[str, int]:
         case ["exists", bound, body]:
             return f"exists {' '.join(map(name, bound))} : R, {printed(body)}", BINDS
     raise NotExported(f"the term {node!r}")
-
-
-def _letter(node: str) -> tuple[str, int]:
-    kind, _, rest = node.partition("_")
-    if kind in ("sin", "cos") and rest:
-        return f"{kind} {name(rest)}", APPLIED
-    if kind == "sqrt" and rest:
-        return f"sqrt {rest}", APPLIED
-    return name(node), ATOM
 
 
 def _sum(first: Any, rest: list[Any]) -> str:
