@@ -271,12 +271,13 @@ def generate(only_check: bool, name: str, output: Path | None, how: How) -> None
     else:
         (store.write if checked_in else store.put)(folder, contents)
     left = differing if only_check else store.differences(folder, contents, alone=checked_in)
-    for line in left:
+    outdated = selftested.outdated(folder, records) if checked_in else []
+    for line in (*left, *outdated):
         _say(f"{folder.name}/{line}")
     if any(not line.endswith(store.UNKNOWN) for line in left):
         command = "" if checked_in else f" --target {name} --output {folder}"
         _say(f"run `symcheck generate{command}` to write what differs and to remove what is superfluous")
-    if left:
+    if left or (outdated and only_check):
         raise click.exceptions.Exit(DIFFERS)
     click.echo(f"{folder}: {len(contents)} files, {len(differing)} {'differ' if only_check else 'rewritten'}")
 

@@ -12,6 +12,11 @@ A *term* is a scalar expression as plain nested tuples, ready for JSON:
     ("mean", t, "x")                        over one turn of the angle x
     ("integral", t, "x", u, v)              from u to v; "infinity" and ("-", "infinity") are ends too
     ("diverges", t, "x", u, v)              0 if that integral has a finite value, else 1
+    ("call", "f", (n1, ..., nk), t1, ..., tk)
+                                            the partial derivative of f of the orders n1, ..., nk (0 or more, one for
+                                            each argument) at the place t1, ..., tk; ("call", "f", (0,), "x") is f(x).
+                                            f is a name as that of a variable, of which nothing else is known; two
+                                            functions with one name have as many arguments
 
 A *formula* is ("=", t, u), also "!=", "<", "<=", ">", ">=", or ("and", f, ...), ("or", f, ...), ("=>", f, g),
 ("<=>", f, g), ("exists", ("x", ...), f).

@@ -526,9 +526,9 @@ RULES: dict[str, Forgery] = {
         "('hyp', 'h', 0) is no value", proved(["=", f(0), 1], compute(hyp()), [["<", f(0), 1]])
     ),
     "a function without a value": Forgery("the digits of ('call', 'f', (0,), 0)", proved(["=", f(0), f(0)], compute())),
-    "pi is a fraction": Forgery("('=', ('pi'), ('/', 22, 7)) is not so", proved(["=", PI, ["/", 22, 7]], compute())),
+    "pi is a fraction": Forgery("('=', ('pi',), ('/', 22, 7)) is not so", proved(["=", PI, ["/", 22, 7]], compute())),
     "pi is a fraction with many digits": Forgery(
-        "('=', ('pi'), ('/', 314159265358979323846264338327950288419716939937510,",
+        "('=', ('pi',), ('/', 314159265358979323846264338327950288419716939937510,",
         proved(["=", PI, ["/", 314159265358979323846264338327950288419716939937510, 10**50]], compute()),
     ),
     "a quantifier over numbers": Forgery(
@@ -750,7 +750,7 @@ ANALYSIS: dict[str, Forgery] = {
         "the exponent 1000000", proved(["=", ["^", ["^", ["^", "x", 10**6], 10**6], 10**6], 0], ID)
     ),
     "an exponent beyond the bound by names": Forgery(
-        "the exponent 1000000000000",
+        "the exponent 1000",
         proved(
             ["and", *[["=", f"d{k}", f"d{k}"] for k in range(1, 6)]],
             each(*[ID] * 5),
@@ -814,7 +814,7 @@ ANALYSIS: dict[str, Forgery] = {
         ),
     ),
     "positive by a theorem in a branch": Forgery(
-        "('pi') is not manifestly positive",
+        "('pi',) is not manifestly positive",
         proved(
             ["exists", ["z"], ["=", ["*", "z", PI], 1]],
             theorem("circle_number", {}, [], {**witness({"z": ["/", 1, PI]}, ID), "positive": [PI]}),
@@ -1010,7 +1010,7 @@ CERTIFICATES: dict[str, Forgery] = {
         "nonzero is no list", proved(["=", ["/", "x", "x"], 1], ID, nonzero={"x": 1}, at={"x": 1})
     ),
     "a denominator captured by a binder": Forgery(
-        "['d'] is bound in ('integral', 'd', 'y', 0, 1)",
+        "['d'] is bound in ('!=', ('integral', 'd', 'y', 0, 1), 0)",
         proved(
             ["=", ["/", integral("d", "y"), integral("d", "y")], 1],
             ID,
@@ -1271,7 +1271,7 @@ CERTIFICATES: dict[str, Forgery] = {
         "('and', ('!=', ('+', ('^', ('sin', 'x'), 2), ('^', ('cos', 'x'), 2)), 1)) is not so",
         refuted(["=", ["+", sq(SIN), sq(COS)], 1], {"x": 0, "sin_x": 5, "cos_x": 0}),
     ),
-    "a value for a constant": Forgery("('and', ('>=', ('pi'), 4)) is not so", refuted(["<", PI, 4], {"pi": 5})),
+    "a value for a constant": Forgery("('and', ('>=', ('pi',), 4)) is not so", refuted(["<", PI, 4], {"pi": 5})),
     "a coordinate for a bound letter": Forgery(
         "the digits of ('mean', ('sin', 'x'), 'x')", refuted(["=", ["mean", SIN, "x"], 0], {"x": 1})
     ),
@@ -1331,7 +1331,7 @@ CERTIFICATES: dict[str, Forgery] = {
         refuted(["exists", ["x"], ["=", sq("x"), 2]], {"x": 1}),
     ),
     "a claim about all at a point, by a proof": Forgery(
-        "the letter x is taken",
+        "no value for x",
         refuted(["exists", ["x"], ["=", sq("x"), 2]], {"x": 1}, proof=each(every(["x"], compute()))),
     ),
     "sides that have other values": Forgery(
@@ -1362,7 +1362,7 @@ CERTIFICATES: dict[str, Forgery] = {
         refuted(["=", "x", 1], {"x": 1}, proof=each(implies(absurd([], [["point", 0], "1"], [["point", 1], "1"])))),
     ),
     "digits too few to compare": Forgery(
-        "too few digits to compare ('arctan', 1) and ('/', ('pi'), 4)", refuted(["=", ["arctan", 1], ["/", PI, 4]], {})
+        "too few digits to compare ('arctan', 1) and ('/', ('pi',), 4)", refuted(["=", ["arctan", 1], ["/", PI, 4]], {})
     ),
     # witnesses
     "a witness with a letter that has no value": Forgery(

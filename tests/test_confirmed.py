@@ -24,7 +24,7 @@ from symcheck.statement import SymcheckError, Verdict
 
 Run = Callable[..., Result]
 RIGHT, WRONG = (record for number in ("1.1", "1.3") for record in stand_in.decide(f"toy:{number}"))
-D1, D3C = confirmed.digest(["d1"]), confirmed.digest(["d3c"])
+D1, D3C = (confirmed.digest([confirmed.digest_of(each)]) for each in (stand_in.CERTIFICATE, stand_in.CORRECTED))
 STATES = {
     "confirmed": ("", "yes"),
     "not confirmed": ("no integral", "no: no integral"),
@@ -93,6 +93,38 @@ def test_a_changed_certificate_is_not_confirmed(folder: Path) -> None:
     assert confirmed.confirmed(changed, folder) == {RIGHT.id: "not tried"}
     longer = replace(RIGHT, certificates=(stand_in.CERTIFICATE, {**stand_in.CERTIFICATE, "digest": "d2"}))
     assert confirmed.confirmed(longer, folder) == {RIGHT.id: "not tried"}
+
+
+def test_another_proof_of_the_same_statement_is_not_confirmed(folder: Path) -> None:
+    confirmed.record_all(folder, {RIGHT.id: (D1, "")})
+    proof = {"rule": "identity", "cofactors": []}
+    changed = replace(RIGHT, certificates=({**stand_in.CERTIFICATE, "proof": proof},))
+    assert confirmed.confirmed(changed, folder) == {RIGHT.id: "not tried"}
+
+
+EDITS = {
+    "an outcome": ('"slow"', '""'),
+    "a digest of certificates": (D1, D3C),
+    "an entry left out": (f'"toy:1.1": ["{D1}",""],\n', ""),
+    "the digest": ('"digest": "', '"digest": "0'),
+    "a relation": ("toy:1.1", "toy:1.2a"),
+}
+
+
+@pytest.mark.parametrize(("old", "new"), EDITS.values(), ids=EDITS.keys())
+def test_what_was_changed_by_hand_is_refused(old: str, new: str, folder: Path, symcheck: Run) -> None:
+    assert symcheck("generate").exit_code == 0
+    confirmed.record_all(folder, {"toy:1.1": (D1, ""), "toy:1.3, corrected": (D3C, "slow")})
+    file = folder / COQ / "toy.json"
+    text = file.read_text("utf-8")
+    assert old in text
+    file.write_text(text.replace(old, new, 1), encoding="utf-8")
+    for refused in (symcheck("generate", "--check"), symcheck("show", "toy:1.1")):
+        assert refused.exit_code == 2
+        assert refused.stderr.count("\n") == 1
+        assert "toy.json cannot be read (its outcomes are not those that its digest is of)" in refused.stderr
+    assert confirmed.record_all(folder, {"toy:1.1": (D1, "")}) == [file]  # `make coq` begins anew
+    assert confirmed.recorded(folder, "toy") == {"toy:1.1": (D1, "")}
 
 
 def test_coq_is_asked_of_what_is_proved_alone() -> None:

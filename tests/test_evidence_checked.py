@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import json
+import os
 import sqlite3
+import sys
 from collections.abc import Callable, Mapping
 from copy import deepcopy
 from dataclasses import replace
@@ -14,7 +16,7 @@ from typing import Any
 import pytest
 
 from symcheck import papers
-from symcheck.evidence import decide, run
+from symcheck.evidence import checked, decide, run
 from symcheck.evidence.cache import FILE, Cache
 from symcheck.evidence.checked import NOT_ACCEPTED, told
 from symcheck.evidence.executor import Serial
@@ -165,6 +167,31 @@ def test_a_hypothesis_is_needless_if_a_proof_does_without_it(changes: dict[str, 
     assert told_of(record) == record
     row = next(row for row in told_of(_changed(record, name, **changes)).hypotheses if row["name"] == name)
     assert (row["needed"], row["proofs"]) == (None, [])
+
+
+@pytest.mark.parametrize("many", [1, 10**6], ids=["two processes", "one process"])
+def test_one_process_or_two_say_the_same(many: int, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(checked, "MANY", many)
+    monkeypatch.setattr(checked, "_may_fork", lambda: sys.platform == "linux")
+    assert told(DECIDED) == DECIDED
+    spoilt = {id: tuple(_false(copied(id)) for _ in range(2)) for id in (PROVED, OTHER, RESTING, EQUALITY)}
+    found = told(spoilt | {LEMMA: DECIDED[LEMMA]})
+    assert {record.verdict for id in spoilt for record in found[id]} == {Verdict.UNDECIDED}
+    assert found[LEMMA] == DECIDED[LEMMA]
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="no other process is asked")
+def test_what_a_killed_process_does_not_say_is_checked_here(monkeypatch: pytest.MonkeyPatch) -> None:
+    here = os.getpid()
+
+    def answer(sender: Any, certificates: Any) -> None:
+        assert os.getpid() != here
+        os._exit(9)
+
+    monkeypatch.setattr(checked, "MANY", 1)
+    monkeypatch.setattr(checked, "_may_fork", lambda: True)
+    monkeypatch.setattr(checked, "_send", answer)
+    assert told(DECIDED) == DECIDED
 
 
 # --- the cache

@@ -8,6 +8,7 @@ from collections.abc import Callable
 from functools import cache
 
 import pytest
+from formula_grammar import GENERATED, formula
 from limits import Hung, little_memory, within_a_second
 
 from symcheck import papers
@@ -55,6 +56,17 @@ def spliced(rng: random.Random, key: str) -> str:
     return one[: rng.randrange(len(one) + 1)] + other[rng.randrange(len(other) + 1) :]
 
 
+def made(rng: random.Random, key: str) -> str:
+    """A formula of a grammar, with functions, derivatives and lists, and a few places changed."""
+    text = formula(rng)
+    for _ in range(rng.randint(0, 3)):
+        at = rng.randrange(len(text))
+        text = (
+            text[:at] + rng.choice(["", rng.choice(COMMANDS), rng.choice(CHARACTERS)]) + text[at + rng.randint(0, 2) :]
+        )
+    return text
+
+
 BRACKETS = [("(", ")"), ("{", "}"), (r"\sqrt{", "}"), ("-", ""), (r"\frac{1}{", "}"), ("p^{", "}")]
 
 
@@ -66,9 +78,9 @@ def nested(rng: random.Random, key: str) -> str:
 
 
 SOURCES: dict[str, Callable[[random.Random, str], str]] = {
-    each.__name__: each for each in (invented, mutated, spliced, nested)
+    each.__name__: each for each in (invented, mutated, spliced, made, nested)
 }
-SHARES = {"invented": 30, "mutated": 45, "spliced": 24, "nested": 1}
+SHARES = {"invented": 25, "mutated": 40, "spliced": 19, "made": 15, "nested": 1}
 
 
 def outcome(text: str, notation: Notation) -> str | None:
@@ -100,7 +112,7 @@ def fed(count: int, seed: int) -> list[tuple[str, str, str]]:
     for _ in range(count):
         key, name = rng.choice(keys), rng.choices(names, weights)[0]
         text = SOURCES[name](rng, key)
-        if wrong := outcome(text, papers.load()[key].notation):
+        if wrong := outcome(text, GENERATED if name == "made" else papers.load()[key].notation):
             bad.append((wrong, key, text[:300]))
     return bad
 

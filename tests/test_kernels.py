@@ -43,6 +43,7 @@ from symcheck.codegen.kernel import Argument, Kernel, Output, largest_addend
 from symcheck.codegen.target import MARK
 from symcheck.evidence import kernels as evidence
 from symcheck.papers import load
+from symcheck.proof import certificate
 from symcheck.runtime import BLOCK, SMALL
 from symcheck.selftest.kernel_mutants import CALLED, Forms, Mutant
 from symcheck.statement import SymcheckError
@@ -630,6 +631,16 @@ def test_a_kernel_whose_claim_is_proved_is_written(declares: Any, toy: Path) -> 
     assert "Rests on toy:1.1 (sha256 " in text
     assert "The forms computed are proved equal to those shown (sha256 " in " ".join(text.split())
     assert '"toy:square.y"' in (toy / "generated" / "certificates" / "toy.json").read_text(encoding="utf-8")
+
+
+def test_a_form_whose_proof_the_checker_refuses_is_not_written(
+    declares: Any, toy: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(evidence, "certificate", lambda *_: {**certificate(*_), "claim": ["=", "x", 1]})
+    result = declares(accurate=lambda: {"y": (X - 1) * (X + 1)})("generate")
+    assert result.exit_code == 2
+    assert "toy:square.y: the certificate was not accepted (" in result.stderr
+    assert not (toy / "generated").exists()
 
 
 @pytest.mark.parametrize("form", FALSE.values(), ids=FALSE.keys())

@@ -487,6 +487,91 @@ def test_a_folder_that_is_no_beginning_is_not_touched(tmp_path: Path) -> None:
     assert "is not the beginning of a sweep" in said
 
 
+def _rewritten(path: Path, edit: Callable[[dict[str, Any]], object]) -> None:
+    data = json.loads(path.read_text("utf-8"))
+    edit(data)
+    path.write_text(json.dumps(data), encoding="utf-8")
+
+
+def _as_format_2(partial: Path) -> None:
+    with xarray.open_dataset(partial, engine="zarr", consolidated=False) as found:
+        kept = found.load()
+    shutil.rmtree(partial)
+    for name in kept.variables:
+        kept[name].encoding = {}
+    kept.to_zarr(partial, zarr_format=2, consolidated=False)
+
+
+def _of_metadata(edit: Callable[[dict[str, Any]], object], inner: str = "") -> Callable[[Path], None]:
+    return lambda partial: _rewritten(partial / inner / "zarr.json", edit)
+
+
+def _identified(**changes: Any) -> Callable[[Path], None]:
+    def edit(data: dict[str, Any]) -> None:
+        found = json.loads(data["attributes"]["symcheck_sweep"])
+        data["attributes"]["symcheck_sweep"] = json.dumps({**found, **changes})
+
+    return _of_metadata(edit)
+
+
+def _written(text: str) -> Callable[[Path], None]:
+    def edit(partial: Path) -> None:
+        (partial / "zarr.json").write_text(text)
+
+    return edit
+
+
+FOREIGN: dict[str, Callable[[Path], None]] = {
+    "of format 2": _as_format_2,
+    "no JSON": _written("{"),
+    "a list": _written("[]"),
+    "an array": _of_metadata(lambda data: data.update(node_type="array")),
+    "without a name": _of_metadata(lambda data: data.update(attributes={})),
+    "named by a number": _of_metadata(lambda data: data["attributes"].update(symcheck_sweep=3)),
+    "named by a list": _of_metadata(lambda data: data["attributes"].update(symcheck_sweep="[]")),
+    "chunks of no length": _identified(chunks={"a": 0, "b": 40}),
+    "chunks along other axes": _identified(chunks={"a": 6}),
+    "another code": _identified(code=None),
+    "another shape": _of_metadata(lambda data: data.update(shape=[60, 41]), "r_1"),
+    "another type": _of_metadata(lambda data: data.update(data_type="float32"), "r_1"),
+    "another codec": _of_metadata(lambda data: data.update(codecs=[{"name": "of mine"}]), "r_1"),
+    "an array that is a group": _of_metadata(lambda data: data.update(node_type="group"), "r_1"),
+    "an array less": lambda partial: shutil.rmtree(partial / "r_1"),
+}
+
+
+@pytest.mark.parametrize("name", FOREIGN)
+def test_a_foreign_store_is_refused_in_one_line(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, computed: list[Any], name: str
+) -> None:
+    with stopped(tmp_path, monkeypatch, 2):
+        partial = tmp_path / "out.zarr.partial.zarr"
+        FOREIGN[name](partial)
+        computed.clear()
+        exit_code, said = run(tmp_path, DISTANCES, "out.zarr")
+    assert (exit_code, computed, said.count("\n")) == (2, [], 1)
+    assert re.search(r"is not the beginning of (a|this) sweep \(.*\); remove it", said)
+
+
+def test_a_finished_sweep_of_format_2_is_not_taken_for_one(tmp_path: Path) -> None:
+    swept(tmp_path, DISTANCES, "out.zarr")
+    _as_format_2(tmp_path / "out.zarr")
+    exit_code, said = run(tmp_path, DISTANCES, "out.zarr")
+    assert (exit_code, said.count("\n")) == (2, 1)
+    assert "exists and is not this sweep" in said
+
+
+def test_lines_of_a_journal_that_are_not_ours_count_for_nothing(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, computed: list[Any]
+) -> None:
+    with stopped(tmp_path, monkeypatch, 2):
+        with open(tmp_path / "out.zarr.partial.finished", "ab") as journal:
+            journal.write(b"3\n-1 0 0\n99 " + b"0" * 32 + b" 0\n\xff\xfe\n")
+        computed.clear()
+        exit_code, _ = run(tmp_path, DISTANCES, "out.zarr")
+    assert (exit_code, len(computed)) == (0, 8)
+
+
 def test_values_out_of_the_domain_stop_the_sweep_and_what_is_done_is_kept(tmp_path: Path) -> None:
     text = GROWTH.replace("start = 0.1, stop = 2.0, count = 12", "start = 1.0, stop = -1.0, count = 12")
     exit_code, said = run(tmp_path, text, "out.zarr", "--chunk", "C=1", "--threads", "1")

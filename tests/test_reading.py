@@ -493,7 +493,7 @@ def test_a_letter_with_and_without_indices_is_two_letters():
 
 
 def test_wide_indices_are_one_number_where_there_is_one_index():
-    notation = Notation([Letter("V", indices=1, range=tuple(range(1, 17)))])
+    notation = Notation([Letter("V", indices=1, range=tuple(range(1, 17)), depends="")])
     assert term("V_{12}' - V_1", notation) == ("+", "Vprime_12", ("-", "V_1"))
 
 

@@ -183,16 +183,16 @@ plain = st.one_of(
     st.builds(System, several(chains()), st.lists(qualifiers, max_size=1).map(tuple)).filter(uses_its_indices),
     st.builds(System, several(statements, 1, 1), st.just((Qualifier(("i",), (1, 3)),))).filter(uses_its_indices),
     st.builds(Located, names, chains()),
-    st.builds(doubly_signed, expressions, expressions, signs, st.booleans()),
     st.builds(Values, st.just(Name("c")), st.just((Number("1"), Number("2"), Dots()))),
 )
+signed = st.builds(doubly_signed, expressions, expressions, signs, st.booleans())
 lists = st.lists(plain, min_size=1, max_size=3).map(
     lambda cases: CaseList(tuple((f"{n}).", case) for n, case in enumerate(cases, 1)))
 )
 
 
 @settings(max_examples=300, deadline=None)
-@given(st.one_of(expressions, statements, plain, lists))
+@given(st.one_of(expressions, statements, plain, signed, lists))
 def test_any_tree_survives_printing(tree):
     assert read(to_latex(tree), NOTATION) == tree
 
@@ -216,7 +216,7 @@ class Permissive(Notation):
         return latex != "T" and plain not in FUNCTIONS and not latex.startswith(r"\text{")
 
 
-# Not read: `A = B, C`, an index that is given values and stands in a letter, rows of lists (`reading.listing` reads them)
+# Not read: `A = B, C`, an index that is given values and stands in a letter, rows of lists (`listing` reads them)
 SHARES = {"001": (25, 26, 55, 56), "004": (24, 25, 936, 941)}
 SLASHES = {"001": "denominator", "004": ""}
 

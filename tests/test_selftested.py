@@ -2,12 +2,18 @@
 
 from __future__ import annotations
 
+import json
 from collections import Counter
+from collections.abc import Callable
 from pathlib import Path
+from typing import Any
 
 import pytest
+import stand_in
+from click.testing import Result as Outcome
 
 from symcheck import kernels
+from symcheck.codegen.target import MARK
 from symcheck.evidence import selftested, store
 from symcheck.evidence.record import Record
 from symcheck.selftest.run import Result
@@ -31,10 +37,60 @@ def test_what_is_recorded_is_read_again_with_its_evidence(tmp_path: Path) -> Non
     file = selftested.record(tmp_path, RESULT, [a_record("d1")])
     found = selftested.recorded(tmp_path)
     assert found
-    assert found["evidence"] == selftested.evidence([a_record("d1")]) != selftested.evidence([a_record("d2")])
+    assert found["evidence"] == selftested.evidence([a_record("d1")], tmp_path)
+    assert found["evidence"] != selftested.evidence([a_record("d2")], tmp_path)
     assert found["classes"] == RESULT["classes"]
     assert "findings" not in found
     assert selftested.files(tmp_path) == {store.SELFTEST: file.read_bytes()}
+
+
+def _edited(folder: Path, edit: Callable[[dict[str, Any]], object]) -> None:
+    file = folder / store.SELFTEST
+    data = json.loads(file.read_text("utf-8"))
+    edit(data)
+    file.write_text(json.dumps(data), encoding="utf-8")
+
+
+EDITS: dict[str, Callable[[dict[str, Any]], object]] = {
+    "a count of all": lambda data: data.update(accepted=0),
+    "a count of a class": lambda data: data["classes"]["signs"].update(accepted=0),
+    "a class left out": lambda data: data["classes"].update(signs={}),
+    "the findings left out": lambda data: data.update(errors=[]),
+    "other evidence": lambda data: data["evidence"].update(ledger="another"),
+    "no digest": lambda data: data.pop("digest"),
+    "an entry more": lambda data: data.update(more=1),
+}
+
+
+@pytest.mark.parametrize("edit", EDITS.values(), ids=EDITS.keys())
+def test_what_was_changed_by_hand_is_refused(edit: Callable[[dict[str, Any]], object], tmp_path: Path) -> None:
+    selftested.record(tmp_path, RESULT, [a_record("d1")])
+    _edited(tmp_path, lambda data: None)
+    assert selftested.recorded(tmp_path)
+    _edited(tmp_path, edit)
+    with pytest.raises(SymcheckError, match=r"selftest\.json cannot be read.*selftest --record"):
+        selftested.recorded(tmp_path)
+
+
+def test_generate_names_what_the_self_test_was_not_done_with(symcheck: Callable[..., Outcome], toy: Path) -> None:
+    folder = toy / "generated"
+    assert symcheck("generate").exit_code == 0
+    known = [record for number in stand_in.NUMBERS for record in stand_in.decide(f"toy:{number}")]
+    known += stand_in.decide("other:1")
+    selftested.record(folder, RESULT, known)
+    assert symcheck("generate", "--check").exit_code == 0
+    selftested.record(folder, RESULT, known[:-1])
+    found = symcheck("generate", "--check")
+    assert found.exit_code == 1
+    assert "selftest.json: of other certificates, ledger; run `symcheck selftest --record`" in found.stderr
+    selftested.record(folder, RESULT, known)
+    (folder / "toy.py").write_text(f"# {MARK}\n", encoding="utf-8")
+    assert selftested.outdated(folder, known) == ["selftest.json: of other kernels; run `symcheck selftest --record`"]
+    _edited(folder, EDITS["a count of all"])
+    refused = symcheck("generate", "--check")
+    assert refused.exit_code == 2
+    assert refused.stderr.count("\n") == 1
+    assert "selftest.json cannot be read" in refused.stderr
 
 
 def test_a_class_comes_before_its_kinds_and_all_come_last() -> None:

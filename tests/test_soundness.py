@@ -16,6 +16,7 @@ from meaning import Meaning, Smooth
 
 from symcheck.checker import algebra, theorems
 from symcheck.checker.rules import Prover
+from symcheck.core.calculus import substituted
 
 JSON = Any
 SAMPLE, ALL, PART = 2_500, 1_000_000, 12_500
@@ -133,6 +134,10 @@ def turned_the_wrong_way(self: algebra.Algebra, term: Any) -> tuple[int, int]:
     return (cosine, -sine) if isinstance(term, tuple) and term[0] == "-" else (cosine, sine)
 
 
+def opened_with_any_letter(self: Prover, formula: Any, step: Any, *beside: Any) -> Any:
+    return substituted(formula.body, dict(zip(formula.bound, step.texts("letters"), strict=False)))
+
+
 RIGHT = algebra.Algebra.turn
 
 
@@ -142,7 +147,7 @@ RIGHT = algebra.Algebra.turn
         (algebra.Algebra, "turn", turned_the_wrong_way),
         (algebra, "height", lambda term: 0),
         (theorems, "polynomial_in", lambda term, *atoms: True),
-        (Prover, "fresh", lambda self, x, *beside: None),
+        (Prover, "opened", opened_with_any_letter),
         (Prover, "sign", lambda self, term: 2),
         (Prover, "combination", lambda self, value, step, what: (step.items("cofactors"), step.items("times"))),
     ],

@@ -15,7 +15,7 @@ from symcheck.evidence.kernels import declared
 from symcheck.numeric.chunked.kernels import declaration
 from symcheck.numeric.wheels import listed_vertices
 from symcheck.papers import load
-from symcheck.theorems import THEOREMS
+from symcheck.proof.theorems import THEOREMS
 
 EVERY = [(paper, name) for paper in load() for name in kernels.load(paper).__all__]
 

@@ -10,7 +10,15 @@ import pytest
 import soundness
 from meaning import Meaning, NoValue, Smooth, mp, mpf, unfold
 
-from symcheck.core.calculus import Unknown, derivative, differentiated, polynomial_in
+from symcheck.core.calculus import (
+    Unknown,
+    derivative,
+    differentiated,
+    functions,
+    letters,
+    polynomial_in,
+    substituted,
+)
 from symcheck.core.terms import (
     FUNCTIONS,
     Binder,
@@ -18,10 +26,7 @@ from symcheck.core.terms import (
     Malformed,
     Node,
     Reader,
-    functions,
-    letters,
     node,
-    substituted,
 )
 
 JSON = Any

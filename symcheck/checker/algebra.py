@@ -9,31 +9,17 @@ integrand's value at a random place: whatever holds for random functions holds f
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from math import prod
 
-from symcheck.checker.residues import CHANCE, Reject, polynomials, require
-from symcheck.core.calculus import differentiated
-from symcheck.core.terms import (
-    Binder,
-    Call,
-    End,
-    Minus,
-    Power,
-    Product,
-    Quotient,
-    Sum,
-    Term,
-    Value,
-    children,
-    letters,
-    node,
-)
+from symcheck.checker.residues import PRIME, Reject, circle, draw, inverse, rational, require, root, rotation
+from symcheck.core.calculus import differentiated, letters
+from symcheck.core.terms import Binder, Call, End, Node, Term, Value, node
 
 STEEPEST = 1 << 40  # product of nested exponents, multiples of angles and the like; a term has 2^20 nodes at most
 Key = tuple[object, ...]
-PI: Key = ("turn", "pi")
-POLYNOMIAL = polynomials(CHANCE.letter)
+PI: Key = ("pi",)
+LETTERS: dict[str, int] = {}  # what was drawn for free letters
 
 
 class Inexact(Reject):
@@ -44,132 +30,122 @@ class Algebra:
     """Values of terms; notes the divisors it meets. With a point, letters have the values stated there."""
 
     def __init__(self, shared: Mapping[str, Term], point: Mapping[str, Term] | None = None) -> None:
-        self.chance, self.prime, self.point = CHANCE, CHANCE.prime, point
-        self.shared = {
-            id(term): term for term in shared.values() if isinstance(term, tuple)
-        }  # what definitions stand for
-        self.known: dict[int, tuple[int, int]] = {}  # their values, and how steep they are
-        self.values: dict[str, int] = {}  # of letters
-        self.bound: dict[str, tuple[object, ...]] = {}  # the keys of bound letters
+        self.point = point
+        self.shared = {id(t): t for t in shared.values() if isinstance(t, Node)}  # what definitions stand for
+        self.known: dict[tuple[int, int], int] = {}  # their values, by how steep they are where they stand
+        self.letters = LETTERS if point is None else {}  # their values
+        self.bound: dict[str, Key] = {}  # what is drawn for bound letters
         self.settled: dict[int, int] = {}  # values of functions at the point, by what is drawn for them
-        self.scale = self.steepest = 1
-        self.divisors: dict[int, bool] = {}  # value -> whether it depends on letters or functions
-        self.atoms: dict[str, Term] = {}  # terms that stand as letters in polynomials
-        self.polynomial = POLYNOMIAL
-
-    def naming(self, atoms: dict[str, Term]) -> dict[str, Term]:
-        """Takes other terms as the letters of polynomials; gives those of before."""
-        before, self.atoms = self.atoms, atoms
-        values = {name: self.value(term) % self.prime for name, term in atoms.items()}
-        draw = self.chance.letter
-        self.polynomial = polynomials(lambda x: values[x] if x in values else draw(x)) if values else POLYNOMIAL
-        return before
+        self.scale = 1  # product of the exponents around
+        self.divisors: dict[int, Term | None] = {}  # by their values; None for those that stand under a binder
 
     def value(self, term: Term) -> int:
         """The value of a term; sums and products are not reduced modulo the prime."""
-        if id(term) in self.shared and not self.bound:
-            if id(term) not in self.known:
-                before, self.steepest = self.steepest, self.scale
-                value = OPERATIONS[type(term)](self, term) % self.prime
-                self.known[id(term)] = value, self.steepest // self.scale
-                self.steepest = max(before, self.steepest)
-            value, factor = self.known[id(term)]
-            self.steeper(factor)
-            self.scale //= factor
-            return value
-        return OPERATIONS[type(term)](self, term)
+        if isinstance(term, int):
+            return term
+        if isinstance(term, str):
+            return self.letters[term] if term in self.letters else self.letter(term)
+        named = id(term) in self.shared and not self.bound
+        if named and (id(term), self.scale) in self.known:
+            return self.known[id(term), self.scale]
+        match term[0]:
+            case "+" | "*" as sign:
+                result, known = int(sign == "*"), self.letters
+                for t in term.outside:
+                    value = known[t] if type(t) is str and t in known else self.value(t)  # most are letters
+                    result = result * value if sign == "*" else result + value
+            case "-":
+                result = -self.value(term[1])  # type: ignore[arg-type]
+            case "sin" | "cos" as name:
+                result = self.turn(term[1])[name == "sin"]  # type: ignore[arg-type]
+            case _:
+                result = self.operation(term)
+        if named:
+            self.known[id(term), self.scale] = result
+        return result
+
+    def residues(self, terms: Iterable[Term]) -> list[int]:
+        return [self.value(t) % PRIME for t in terms]
 
     def letter(self, name: str) -> int:
-        """The value of a letter: at a point the one that it has there, else a random one."""
-        if name in self.bound:
-            return self.chance.draw(*self.bound[name])
-        if name not in self.values:
-            if self.point is None:
-                self.values[name] = self.chance.letter(name)
-            else:
-                require(name in self.point, "no value for {}", name)
-                kept, self.bound = self.bound, {}
-                self.values[name] = self.value(self.point[name]) % self.prime
-                self.bound = kept
-        return self.values[name]
+        """The value of a letter that is not bound: at a point the one that it has there, else a random one."""
+        if self.point is None:
+            self.letters[name] = draw("letter", name)
+        else:
+            require(name in self.point, "no value for {}", name)
+            kept, self.bound = self.bound, {}
+            self.letters[name] = self.value(self.point[name]) % PRIME
+            self.bound = kept
+        return self.letters[name]
 
-    def sum(self, term: Sum) -> int:
-        total, values = 0, self.values if not self.bound else {}
-        for part in term[1:]:
-            total += values[part] if type(part) is str and part in values else self.value(part)  # type: ignore[arg-type]
-        return total
-
-    def product(self, term: Product) -> int:
-        total, values = 1, self.values if not self.bound else {}
-        for part in term[1:]:
-            total *= values[part] if type(part) is str and part in values else self.value(part)  # type: ignore[arg-type]
-        return total
-
-    def quotient(self, term: Quotient) -> int:
-        return self.value(term.top) * self.inverse(term.bottom) % self.prime
-
-    def power(self, term: Power) -> int:
-        return self.raised(term.base, term.exponent)
+    def operation(self, term: Node) -> int:
+        """The value of a power or quotient, of a function, or of a binder."""
+        match term:
+            case Value(tag="^", terms=(base, int(exponent))):
+                return self.raised(base, exponent)
+            case Value(tag="/", terms=(top, bottom)):
+                return self.value(top) * self.inverse(bottom) % PRIME
+            case Value():
+                return self.function(term)
+            case Call():
+                return self.settle("call", term.function, term.orders, *self.residues(term.terms))
+            case Binder():
+                return self.binder(term)
+        raise AssertionError(term)
 
     def raised(self, base: Term, exponent: int) -> int:
         """The power of a term; of what is divided by, note is taken."""
-        with_size = max(abs(exponent), 1)
-        self.steeper(with_size)
+        around = self.scale
+        self.scale = self.steeper(exponent)
         value = self.value(base) if exponent >= 0 else self.inverse(base)
-        self.scale //= with_size
-        return pow(value, abs(exponent), self.prime)
+        self.scale = around
+        return pow(value, abs(exponent), PRIME)
 
-    def steeper(self, factor: int) -> None:
-        self.scale *= factor
-        self.steepest = max(self.steepest, self.scale)
-        require(self.scale < STEEPEST, "the exponent {}", factor)
+    def steeper(self, factor: int) -> int:
+        """The product of the exponents around, and of one more."""
+        scale = self.scale * max(abs(factor), 1)
+        require(scale < STEEPEST, "the exponent {}", abs(factor))
+        return scale
 
     def inverse(self, term: Term) -> int:
         """1 / term, factor by factor (what has a name, as a whole); notes the divisors."""
-        whole = id(term) in self.shared
-        if isinstance(term, Product) and not whole:
-            return prod(map(self.inverse, term.terms)) % self.prime
-        if isinstance(term, Power) and term.exponent > 0 and not whole:
-            self.steeper(term.exponent)
-            value = self.inverse(term.base)
-            self.scale //= term.exponent
-            return pow(value, term.exponent, self.prime)
-        value = self.value(term) % self.prime
-        self.divisors[value] = self.divisors.get(value, False) or not exact(term)
+        match term:
+            case Value() if id(term) in self.shared:
+                pass
+            case Value(tag="*", terms=factors):
+                return prod(map(self.inverse, factors)) % PRIME
+            case Value(tag="^", terms=(base, int(exponent))) if exponent > 0:
+                return self.raised(base, -exponent)
+        value = self.value(term) % PRIME
+        self.divisors[value] = self.divisors.get(value) or (term if exact(term) or not self.bound else None)
         if self.point is not None and self.bound:  # nobody asks later
-            require(exact(term) or self.chance.rational(value), "{} may be zero under a binder", term)
-        return self.chance.inverse(value)
+            require(exact(term) or rational(value), "{} may be zero under a binder", term)
+        return inverse(value)
 
     def function(self, term: Value) -> int:
         """A known function: sines by the addition theorem, roots of numbers, whole powers; else a random function."""
         name = term.tag
         if name == "pi":
-            return self.chance.draw("pi")  # transcendental, as a letter is
-        inner = term.arguments[0]
-        if name in ("sin", "cos"):
-            return self.turn(inner)[name == "sin"]
+            return draw("pi")  # transcendental, as a letter is
+        inner = term.terms[0]
         if name == "tan":
-            return self.turn(inner)[1] * self.inverse(node("cos", inner)) % self.prime
-        values = [self.value(argument) % self.prime for argument in term.arguments]
+            return self.turn(inner)[1] * self.inverse(node("cos", inner)) % PRIME
+        values = self.residues(term.terms)
         if name == "sqrt" and (
             exact(inner, roots=False) or (self.point is not None and not letters(inner) & self.bound.keys())
         ):
-            number = self.chance.rational(values[0])
-            self.exactly(number is not None, name)
-            return self.chance.root(number)
-        if name == "pow" and (whole := self.chance.rational(values[1])) and whole[1] == 1:
+            fraction = rational(values[0])
+            self.exactly(fraction is not None, name)
+            return root(fraction)
+        if name == "pow" and (whole := rational(values[1])) and whole[1] == 1:
             if whole[0] >= 0 or not self.bound:  # under an integral the base is positive by the meaning of such a power
                 return self.raised(inner, whole[0])
-            return self.chance.inverse(pow(values[0], -whole[0], self.prime))
+            return inverse(pow(values[0], -whole[0], PRIME))
         return self.settle(name, *values)
-
-    def call(self, term: Call) -> int:
-        """An unknown function: a random one."""
-        return self.settle("call", term.function, term.orders, *(self.value(t) % self.prime for t in term.arguments))
 
     def settle(self, *key: object) -> int:
         """The value drawn for a function, or at a point the one that it is known to have there."""
-        value = self.chance.draw(*key)
+        value = draw(*key)
         self.exactly(value in self.settled, key[0])
         return self.settled.get(value, value)
 
@@ -185,10 +161,12 @@ class Algebra:
         """
         if term.tag == "diff":
             return self.value(differentiated(term))
-        ends = [e.tag if isinstance(e, End) else self.value(e) % self.prime for e in term.ends]
-        kept, self.bound = self.bound, {**self.bound, term.letter: ("bound", height(term))}
-        value = self.value(term.body) % self.prime
-        self.bound = kept
+        ends = [e.tag if isinstance(e, End) else self.value(e) % PRIME for e in term.outside]
+        kept = self.bound, self.letters
+        self.bound = {**self.bound, term.letter: ("bound", height(term))}
+        self.letters = {**self.letters, term.letter: draw(*self.bound[term.letter])}
+        value = self.value(term.body) % PRIME
+        self.bound, self.letters = kept
         return self.settle(term.tag, value, *ends)
 
     def turn(self, term: Term) -> tuple[int, int]:
@@ -196,19 +174,20 @@ class Algebra:
 
         Twice the arctangent of a rational number has both rational; any other number is an angle of its own.
         """
+        if isinstance(term, str) and self.point is None and term not in self.bound:
+            return circle("letter", term)  # as below, and in a fraction of the time
         total: dict[Key, tuple[int, int]] = {}
         for key, n, d in self.angles(term, 1, 1):
-            old = total.get(key, (0, 1))
-            total[key] = (old[0] * d + n * old[1], old[1] * d)
+            a, b = total.get(key, (0, 1))
+            total[key] = a * d + n * b, b * d
         cosine, sine = 1, 0
         for key, (n, d) in total.items():
             (c, s), times = self.multiple(key, n, d)
             require(abs(times) < 1000, "the multiple {} of an angle", times)
-            self.steeper(max(abs(times), 1))
-            s = s if times > 0 else -s  # the other way round
+            self.steeper(times)
             for _ in range(abs(times)):
-                cosine, sine = (cosine * c - sine * s) % self.prime, (sine * c + cosine * s) % self.prime
-            self.scale //= max(abs(times), 1)
+                s_ = s if times > 0 else -s
+                cosine, sine = (cosine * c - sine * s_) % PRIME, (sine * c + cosine * s_) % PRIME
         return cosine, sine
 
     def multiple(self, key: Key, n: int, d: int) -> tuple[tuple[int, int], int]:
@@ -220,14 +199,13 @@ class Algebra:
         if key[0] == "arctan" and n % (2 * d) == 0:
             t = key[1]
             assert isinstance(t, int)
-            below = self.chance.inverse(1 + t * t)
-            return ((1 - t * t) * below % self.prime, 2 * t * below % self.prime), n // (2 * d)
+            return rotation(t), n // (2 * d)
         self.exactly(False, "a sine or cosine")
         if n % d == 0 and key != PI:
-            return self.chance.circle(*key), n // d
-        value = n * self.chance.draw(*key[1:]) * self.chance.inverse(d) % self.prime
-        half = min(value, self.prime - value)  # the angle and its contrary go together
-        return self.chance.circle("angle", half), 1 if half == value else -1
+            return circle(*key), n // d
+        value = n * draw(*key) * inverse(d) % PRIME
+        half = min(value, PRIME - value)  # the angle and its contrary go together
+        return circle("angle", half), 1 if half == value else -1
 
     def angles(self, term: Term, n: int, d: int) -> Iterator[tuple[Key, int, int]]:
         """An angle taken apart into multiples n / d of letters, of pi, of arctangents and of other terms."""
@@ -236,24 +214,24 @@ class Algebra:
                 require(term in self.point, "no value for {}", term)
                 yield from self.angles(self.point[term], n, d)
             case str():
-                yield ("turn", *self.bound.get(term, ("letter", term))), n, d
-            case Sum(terms=parts):
+                yield self.bound.get(term, ("letter", term)), n, d
+            case Value(tag="+", terms=parts):
                 for part in parts:
                     yield from self.angles(part, n, d)
-            case Minus(inner=inner):
+            case Value(tag="-", terms=(inner,)):
                 yield from self.angles(inner, -n, d)
-            case Product(terms=factors) if len(rest := [t for t in factors if ratio(t) is None]) == 1:
+            case Value(tag="*", terms=factors) if len(rest := [t for t in factors if ratio(t) is None]) == 1:
                 for top, bottom in filter(None, map(ratio, factors)):
                     n, d = n * top, d * bottom
                 yield from self.angles(rest[0], n, d)
-            case Quotient(top=top, bottom=int(bottom)) if bottom:
+            case Value(tag="/", terms=(top, int(bottom))) if bottom:
                 yield from self.angles(top, n, d * bottom)
             case Value(tag="pi"):
                 yield PI, n, d
-            case Value(tag="arctan", arguments=(t,)) if exact(t):
-                yield ("arctan", self.value(t) % self.prime), n, d
-            case _ if value := self.value(term) % self.prime:
-                yield ("turn", "number", value), n, d
+            case Value(tag="arctan", terms=(t,)) if exact(t):
+                yield ("arctan", self.value(t) % PRIME), n, d
+            case _ if value := self.value(term) % PRIME:
+                yield ("number", value), n, d
 
 
 def ratio(term: Term) -> tuple[int, int] | None:
@@ -261,9 +239,9 @@ def ratio(term: Term) -> tuple[int, int] | None:
     match term:
         case int():
             return term, 1
-        case Quotient(top=int(n), bottom=int(d)) if d:
+        case Value(tag="/", terms=(int(n), int(d))) if d:
             return n, d
-        case Minus(inner=inner) if known := ratio(inner):
+        case Value(tag="-", terms=(inner,)) if known := ratio(inner):
             return -known[0], known[1]
     return None
 
@@ -271,27 +249,14 @@ def ratio(term: Term) -> tuple[int, int] | None:
 def exact(term: Term, roots: bool = True) -> bool:
     """Whether a term is made of whole numbers, and of their roots: its residue tells whether it is zero."""
     match term:
-        case Sum() | Product() | Minus() | Quotient():
-            return all(exact(part, roots) for part in term[1:])  # type: ignore[arg-type]
-        case Power(base=base):
-            return exact(base, roots)
-        case Value(tag="sqrt", arguments=(inner,)):
+        case Value(tag="+" | "*" | "-" | "/" | "^", terms=parts):
+            return all(exact(part, roots) for part in parts)
+        case Value(tag="sqrt", terms=(inner,)):
             return roots and exact(inner, roots=False)
     return isinstance(term, int)
 
 
 def height(term: Term) -> int:
     """How many binders stand one in another."""
-    if not isinstance(term, tuple):
-        return 0
-    return max((height(child) for child, _ in children(term)), default=0) + (
-        isinstance(term, Binder) and term.tag != "diff"
-    )
-
-
-OPERATIONS: dict[type, Callable[..., int]] = {
-    str: Algebra.letter, int: lambda algebra, term: term,
-    Sum: Algebra.sum, Product: Algebra.product, Minus: lambda algebra, term: -algebra.value(term[1]),
-    Quotient: Algebra.quotient, Power: Algebra.power, Value: Algebra.function, Call: Algebra.call,
-    Binder: Algebra.binder,
-}  # fmt: skip
+    parts = (*term.inside, *term.outside) if isinstance(term, Node) else ()
+    return max(map(height, parts), default=0) + (isinstance(term, Binder) and term.tag != "diff")

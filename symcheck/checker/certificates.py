@@ -2,89 +2,78 @@
 
 from __future__ import annotations
 
+import json
 from collections.abc import Iterable, Iterator
+from functools import lru_cache
 
 from symcheck.checker.algebra import Algebra, exact
-from symcheck.checker.residues import Reject, require
-from symcheck.checker.rules import Prover, Step, conjuncts, contrary, enclosure, paired, sides, string, truth
-from symcheck.core.calculus import Unknown
-from symcheck.core.terms import (
-    JSON,
-    Call,
-    Formula,
-    Malformed,
-    Power,
-    Quotient,
-    Reader,
-    Term,
-    Value,
-    children,
-    functions,
-    letters,
-    node,
-    substituted,
-)
-
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from symcheck.core.terms import T
+from symcheck.checker.residues import PRIME, Reject, require
+from symcheck.checker.rules import FALSE, LIST, Prover, Step, conjuncts, contrary, fit, paired, sides, truth
+from symcheck.checker.theorems import instance
+from symcheck.core.calculus import Unknown, domain, functions, letters, substituted
+from symcheck.core.terms import JSON, Call, Connective, Formula, Malformed, Quantified, Reader, Value, node
 
 MALFORMED = (LookupError, TypeError, ValueError, AttributeError, ArithmeticError, RecursionError, AssertionError)
+
+
+@lru_cache(1024)
+def reader(definitions: str) -> Reader:
+    """A reader that knows the definitions, a JSON text: many certificates have the same ones, read once for all."""
+    found = Reader()
+    for name, term in json.loads(definitions):
+        found.define(fit(str, name), term)
+    return found
 
 
 class Certificate:
     """What is stated, definitions unfolded, and the evidence: a proof with witnesses, or a point."""
 
     def __init__(self, data: JSON) -> None:
-        whole, partial = Reader(), Reader()
-        step = Step(data, whole)
-        self.id, self.verdict = step.text("id"), step.text("verdict")
-        free = step.texts("free")  # defined letters of which the proof knows what lemmas say, and nothing else
-        for entry in step.items("definitions"):
-            name, term = pair(entry)
-            whole.define(string(name), term)
-            if name not in free:
-                partial.define(string(name), term)
-        require({*free} <= whole.names.keys(), "{} are not all defined", free)
-        self.reader, own = (partial, {x: whole.names[x] for x in free}) if free else (whole, {})
-
-        def same(found: T, meant: T) -> T:
-            require(not own or substituted(found, own) == meant, "{} is bound in {}", free, found)
-            return found
-
-        def read(formula: JSON) -> Formula:
-            return same(self.reader.formula(formula), whole.formula(formula))
-
+        self.step = step = Step(data)
+        self.id, self.verdict = fit(str, step.take("id")), fit(str, step.take("verdict"))
+        free = step.texts("free")  # defined letters of which lemmas say all that the proof knows
+        definitions = step.lists("definitions", 2)
+        self.whole = reader(json.dumps(definitions))
+        self.reader = reader(json.dumps([each for each in definitions if each[0] not in free])) if free else self.whole
+        require({*free} <= self.whole.names.keys(), "{} are not all defined", free)
+        self.own = {x: self.whole.names[x] for x in free}
         self.hypotheses = {
-            ("hyp", name, k): read(formula)
+            ("hyp", name, k): self.read(formula)
             for name, formulas in step.mapping("hypotheses").items()
-            for k, formula in enumerate(formulas if isinstance(formulas, list) else [formulas])
+            for k, formula in enumerate(fit(LIST, formulas))
         }
-        self.nonzero = [same(self.reader.term(term), whole.term(term)) for term in step.items("nonzero")]
-        self.lemmas = [(string(name), read(formula)) for name, formula in map(pair, step.items("lemmas"))]
-        self.claim = read(step.take("claim"))
-        self.own, self.step, self.whole = own, step, whole
+        self.nonzero = [self.read(["!=", term, 0]) for term in step.items("nonzero")]
+        self.lemmas = [(fit(str, name), self.read(formula)) for name, formula in step.lists("lemmas", 2)]
+        self.claim = self.read(step.take("claim"))
+
+    def read(self, data: JSON) -> Formula:
+        """A formula; no binder binds a letter that stands for something."""
+        found = self.reader.formula(data)
+        same = not self.own or self.unfolded(found) == self.whole.formula(data)
+        require(same, "{} is bound in {}", [*self.own], found)
+        return found
 
     def unfolded(self, formula: Formula) -> Formula:
+        """The formula with all definitions unfolded."""
         return substituted(formula, self.own) if self.own else formula
 
-    def assumed(self) -> set[Formula | Term]:
+    def assumed(self) -> list[Formula]:
         """Hypotheses, and what must not vanish, definitions unfolded."""
-        hypotheses = [part for formula in self.hypotheses.values() for part in conjuncts(self.unfolded(formula))]
-        return {*hypotheses, *(substituted(term, self.own) for term in self.nonzero)}
+        return [part for each in (*self.hypotheses.values(), *self.nonzero) for part in conjuncts(self.unfolded(each))]
 
     def supported(self, proved: Iterable[Certificate]) -> bool:
-        """Whether each lemma is part of a statement that is proved under no more than is assumed here."""
-        assumed = self.assumed()
-        return all(
-            any(
-                name == lemma.id
-                and self.unfolded(formula) in [*conjuncts(lemma.unfolded(lemma.claim)), lemma.unfolded(lemma.claim)]
-                and lemma.assumed() <= assumed
-                for lemma in proved
-            )
-            for name, formula in self.lemmas
-        )
+        """Whether each lemma is part of a statement that is proved under no more than is assumed here.
+
+        What a lemma says of a letter holds of what the letter is defined to be here.
+        """
+        mean, assumed, names = self.whole.names, self.assumed(), [name for name, _ in self.lemmas]
+        stated = [
+            (lemma.id, part)
+            for lemma in proved
+            if lemma.id in names and all(substituted(each, mean) in assumed for each in lemma.assumed())
+            for part in conjuncts(substituted(lemma.unfolded(lemma.claim), mean))
+        ]
+        return all((name, self.unfolded(formula)) in stated for name, formula in self.lemmas)
 
     def check(self) -> None:
         """Rejects unless the evidence shows the verdict; lemmas are taken for granted."""
@@ -98,10 +87,11 @@ class Certificate:
         for name, formula in self.hypotheses.items():
             prover.learn(name, formula)
         for term in sides(self.claim) if self.nonzero else ():
-            prover.algebra.value(term)
+            prover.value(term)
         aside = Algebra(self.reader.names)  # what the terms listed are divided by is not the statement's own
-        prover.listed = {aside.value(term) % aside.prime: term for term in self.nonzero}
-        prover.tops = {aside.value(t.top) % aside.prime for t in self.nonzero if isinstance(t, Quotient)}
+        listed = [formula.outside[0] for formula in self.nonzero]
+        prover.listed = dict(zip(aside.residues(listed), listed, strict=True))
+        prover.tops = {*aside.residues(t.terms[0] for t in listed if isinstance(t, Value) and t.tag == "/")}
         superfluous = prover.listed.keys() - prover.algebra.divisors.keys()
         require(not superfluous, "{} is no denominator of the statement", [prover.listed[v] for v in superfluous])
         facts = [formula for _, formula in self.lemmas]
@@ -109,97 +99,83 @@ class Certificate:
         prover.prove(goal, self.step.take("proof"))
         prover.finish()
         require(prover.used >= self.hypotheses.keys() or facts, "a hypothesis is not used")
-        assumed = [*self.hypotheses.values(), *(node("!=", term, 0) for term in self.nonzero)]
-        needed = [self.unfolded(node("and", *assumed, *premises)) for premises in supposed(self.claim)]
+        self.check_witnesses()
+
+    def check_witnesses(self) -> None:
+        """Everything that is assumed holds somewhere, the premises of each implication too, and all terms have values.
+
+        What does so without letters needs no point.
+        """
+        assumed, claim = self.assumed(), self.unfolded(self.claim)
+        conditions = domain(*assumed, claim)
+        varying = [each for each in conditions if letters(each) or functions(each)]
+        for each in conditions:
+            require(each in varying or truth(each, Algebra({}, {})), "a term has no value, as {} is not so", each)
+        needed = [[*assumed, *premises, *varying] for premises in supposed(claim)]
         points = self.step.items("witnesses")
-        require(points or needed == [node("and")], "no point where all that is assumed holds")
-        for formula, point in paired(needed, points) if points else ():
-            self.hold(formula, Step(point, self.whole))
+        require(points or needed == [[]], "no point where all that is assumed holds")
+        for formulas, point in paired(needed, points) if points else ():
+            self.hold(formulas, Step(point))
 
     def check_point(self) -> None:
         """The hypotheses hold at the point, the claim does not; its sides have the stated values there."""
         require(not self.lemmas, "a point needs no lemmas")
-        step = Step(self.step.take("point"), self.whole)
-        stated, shown = [*map(self.whole.term, step.items("sides"))], step.items("enclosed")
-        assumed = [*self.hypotheses.values(), *(node("!=", term, 0) for term in self.nonzero)]
-        formulas = [self.unfolded(formula) for formula in (*assumed, contrary(self.claim))]
-        at = self.hold(node("and", *formulas), step, refuting=True)
+        step = Step(self.step.take("point"))
+        stated, shown = (
+            [*map(self.whole.term, step.items("sides"))],
+            step.lists("enclosed", 4, "term with digits and two ends"),
+        )
+        at = self.hold([*self.assumed(), contrary(self.unfolded(self.claim))], step, refuting=True)
         if stated:
-            same = [at.value(t) % at.prime for t in stated] == [at.value(t) % at.prime for t in sides(self.claim)]
+            same = [at.value(t) % PRIME for t in stated] == [at.value(t) % PRIME for t in sides(self.claim)]
             require(same, "a side has another value at the point")
-        for entry in shown:
-            require(isinstance(entry, list) and len(entry) == 4, "{} is no term with digits and two ends", entry)
-            data, digits, low, high = entry if isinstance(entry, list) else []
+        for data, digits, low, high in shown:
             term = substituted(self.whole.term(data), at.point or {})
-            order = [node("<=", self.whole.term(low), term), node("<=", term, self.whole.term(high))]
-            require(enclosure(term, self.whole.term(digits), {})[1] == order, "{} lies elsewhere", data)
+            order = node("<=", self.whole.term(low), term), node("<=", term, self.whole.term(high))
+            lies = instance("enclosure", {"t": term, "digits": self.whole.term(digits)})[1]
+            require(lies == node("and", *order), "{} lies elsewhere", data)
 
-    def hold(self, formula: Formula, step: Step, refuting: bool = False) -> Algebra:
-        """Rejects unless the formula holds at a point; gives the values there."""
+    def hold(self, formulas: list[Formula], step: Step, refuting: bool = False) -> Algebra:
+        """Rejects unless the formulas hold at a point; gives the values there."""
         read = self.whole
         values = {read.letter(x): read.term(data) for x, data in step.mapping("values").items()}
         closed = not any(letters(t) or functions(t) for t in values.values()) and not values.keys() & read.names.keys()
         require(closed, "a coordinate is no number, or of a defined letter")
-        missing = letters(formula) - values.keys()
-        require(not missing, "no value for {}", ", ".join(sorted(missing)))
-        at = Algebra(read.names, values)
-        prover = Prover(read, at)
-        for call, value in map(pair, step.items("calls")):
-            term = read.term(call)
-            known = isinstance(term, Call) and all(map(exact, term.arguments))  # two numbers are told apart
-            require(known, "{} is no function at a point", call)
-            place = prover.algebra.value(term)
-            require(place not in at.settled, "{} has two values", call)
-            at.settled[place] = at.value(read.term(value)) % at.prime
-        # a hypothesis about a function speaks of all its values, a point of a few
-        spoken = set().union(*(functions(f) for f in self.hypotheses.values())) if refuting else set()
-        require(not (at.settled and spoken), "what is assumed of {} is not only so at one point", spoken)
         proof = step.data.pop("proof", None)
-        for k, (x, number) in enumerate(values.items() if proof is not None else ()):
-            prover.learn(("point", k), node("=", x, number))
-        for condition in domains(formula) if refuting and proof is not None else ():  # to compute is to find values
-            require(truth(condition, at), "a term has no value at the point: {} is not so", condition)
-        prover.prove(formula, {"rule": "compute"} if proof is None else proof)
+        spoken = {*values} if proof is None else set().union(*map(letters, formulas))
+        require(spoken <= values.keys(), "no value for {}", ", ".join(sorted(spoken - values.keys())))
+        at = Algebra(read.names, {x: number for x, number in values.items() if x in spoken})  # others are free for use
+        prover = Prover(read, at)
+        for data, value in step.lists("calls", 2):
+            call = read.term(data)
+            known = isinstance(call, Call) and all(map(exact, call.terms))  # two numbers are told apart
+            require(known, "{} is no function at a point", data)
+            place = prover.algebra.value(call)
+            require(place not in at.settled, "{} has two values", data)
+            at.settled[place] = at.value(read.term(value)) % PRIME
+        # a hypothesis about a function speaks of all its values, a point of a few
+        general = set().union(*map(functions, self.hypotheses.values())) if refuting else set()
+        require(not (at.settled and general), "what is assumed of {} is not only so at one point", general)
+        for k, (x, number) in enumerate(values.items()):
+            if x in spoken and proof is not None:
+                prover.learn(("point", k), node("=", x, number))
+        for each in domain(*formulas, divisors=True) if refuting and proof is not None else ():
+            require(truth(each, at), "a term has no value at the point: {} is not so", each)  # to compute finds values
+        prover.prove(node("and", *formulas), {"rule": "compute"} if proof is None else proof)
         prover.finish()
         step.end()
         return at
 
 
-def pair(data: JSON) -> tuple[JSON, JSON]:
-    require(isinstance(data, list) and len(data) == 2, "{} is no pair", data)
-    return (data[0], data[1]) if isinstance(data, list) else (None, None)
-
-
-def domains(tree: Term | Formula) -> Iterator[Formula]:
-    """What must be so lest a term have no value. Of what stands under a binder nothing is asked."""
-    for child, inside in children(tree) if isinstance(tree, tuple) else ():
-        yield from () if inside else domains(child)
-    match tree:
-        case Quotient(bottom=divisor):
-            yield node("!=", divisor, 0)
-        case Power(base=divisor, exponent=n) if n < 0:
-            yield node("!=", divisor, 0)
-        case Value(tag="tan", arguments=(angle,)):
-            yield node("!=", node("cos", angle), 0)
-        case Value(tag="sqrt", arguments=(t,)):
-            yield node(">=", t, 0)
-        case Value(tag="log" | "gamma" | "pow", arguments=(t, *_)):
-            yield node(">", t, 0)
-        case Value(tag="arcsin" | "arccos", arguments=(t,)):
-            yield node("<=", node("^", t, 2), 1)
-
-
 def supposed(claim: Formula) -> list[list[Formula]]:
     """What must hold somewhere lest the claim be empty: nothing, or the premises of each of its implications."""
     match claim:
-        case ("and", *parts):
-            each = [premises for part in parts for premises in supposed(part)]  # type: ignore[arg-type]
-            return [premises for premises in each if premises] or [[]]
-        case ("=>", premise, conclusion):
-            return [[premise, *others] for others in supposed(conclusion)]  # type: ignore[arg-type, list-item]
-        case ("forall", letters, body):
-            each = supposed(body)  # type: ignore[arg-type]
-            return [[node("exists", letters, node("and", *premises))] if premises else [] for premises in each]
+        case Connective(tag="and", formulas=parts):
+            return [premises for part in parts for premises in supposed(part) if premises] or [[]]
+        case Connective(tag="=>", formulas=(premise, conclusion)) if conclusion not in (FALSE, node("=", 0, 1)):
+            return [[premise, *others] for others in supposed(conclusion)]  # else: the premise never holds
+        case Quantified(tag="forall", bound=xs, body=body):
+            return [each and [node("exists", xs, node("and", *each))] for each in supposed(body)]
     return [[]]
 
 

@@ -2,7 +2,7 @@
 
 Interval arithmetic with whole numbers: every operation rounds outward, so that no exact value is ever lost. The series
 of sine, cosine and arctangent alternate and decrease where they are broken off: what is left out is smaller than its
-first term. pi is 4 arctan 1. The standard library alone: this is a part of the checker.
+first term. pi is 4 arctan 1.
 """
 
 from __future__ import annotations
@@ -12,7 +12,7 @@ from functools import lru_cache
 from math import isqrt
 
 from symcheck.core.calculus import Unknown
-from symcheck.core.terms import Node, Term, node
+from symcheck.core.terms import Node, Term, Value, node
 
 PLACES = 160
 ONE = 1 << PLACES
@@ -21,8 +21,6 @@ LARGEST = ONE << 2048  # beyond it a certificate is up to no good
 
 class Interval:
     """All numbers from `low` to `high`, in units of 2^-160."""
-
-    __slots__ = ("high", "low", "size")
 
     def __init__(self, low: int, high: int) -> None:
         self.low, self.high, self.size = low, high, max(-low, high)  # no number in it is farther from zero than `size`
@@ -57,10 +55,6 @@ class Interval:
         """Divided by a positive whole number."""
         return Interval(self.low // n, -(-self.high // n))
 
-    def widened(self, by: int) -> Interval:
-        """With everything that is not farther away than that."""
-        return Interval(self.low - by, self.high + by)
-
 
 def whole(n: int) -> Interval:
     """A whole number, exactly."""
@@ -74,10 +68,8 @@ def root(x: Interval) -> Interval:
     return Interval(isqrt(x.low << PLACES), isqrt(x.high << PLACES) + 1)
 
 
-@lru_cache(4096)
-def arctangent(low: int, high: int) -> Interval:
+def arctangent(x: Interval) -> Interval:
     """x - x^3/3 + x^5/5 - ... of an angle halved four times: tan(t/2) = tan t / (1 + sqrt(1 + tan^2 t))."""
-    x = Interval(low, high)
     for _ in range(4):
         x = x / (whole(1) + root(whole(1) + x * x))
     if 4 * x.size > ONE:
@@ -85,65 +77,60 @@ def arctangent(low: int, high: int) -> Interval:
     total, power, square, k = whole(0), x, x * x, 1
     while (term := power.over(k)).size > 1:
         total, power, k = total + term, -(power * square), k + 2
-    return whole(16) * total.widened(term.size)
+    return whole(16) * (total + Interval(-term.size, term.size))
 
 
-@lru_cache(1)
-def circle_number() -> Interval:
-    """The number pi."""
-    return whole(4) * arctangent(ONE, ONE)
+PI = whole(4) * arctangent(whole(1))
 
 
-@lru_cache(4096)
-def trigonometric(low: int, high: int, k: int) -> Interval:
+def trigonometric(x: Interval, k: int) -> Interval:
     """x^k/k! - x^(k+2)/(k+2)! + ...: the cosine for k = 0, the sine for k = 1; whole turns are left out."""
-    turn = whole(2) * circle_number()
-    turns = whole((low + high) // (2 * turn.low))
-    x = Interval(low, high) + -(turns * turn) + -circle_number()  # between -pi and pi
+    turn = whole(2) * PI
+    x = x + -(whole((x.low + x.high) // (2 * turn.low)) * turn) + -PI  # between -pi and pi
     if x.size > 4 * ONE:
         raise Unknown("an angle with too few digits")
     total, term, square = whole(0), x if k else whole(1), x * x
     while k < 4 or term.size > 1:  # from x^4 on the terms decrease, as x^2 <= 16 < 5 * 6
         total, k = total + term, k + 2
         term = -(term * square).over(k * (k - 1))
-    return -total.widened(term.size)  # half a turn was left out too many
+    return -(total + Interval(-term.size, term.size))  # half a turn was left out too many
 
 
 def arcsine(x: Interval) -> Interval:
     """2 arctan(x / (1 + sqrt(1 - x^2)))."""
-    half = x / (whole(1) + root(whole(1) + -(x * x)))
-    return whole(2) * arctangent(half.low, half.high)
+    return whole(2) * arctangent(x / (whole(1) + root(whole(1) + -(x * x))))
 
 
 FUNCTIONS: dict[str, Callable[[Interval], Interval]] = {
     "-": Interval.__neg__,
     "sqrt": root,
-    "sin": lambda x: trigonometric(x.low, x.high, 1),
-    "cos": lambda x: trigonometric(x.low, x.high, 0),
-    "tan": lambda x: trigonometric(x.low, x.high, 1) / trigonometric(x.low, x.high, 0),
-    "arctan": lambda x: arctangent(x.low, x.high),
+    "sin": lambda x: trigonometric(x, 1),
+    "cos": lambda x: trigonometric(x, 0),
+    "tan": lambda x: trigonometric(x, 1) / trigonometric(x, 0),
+    "arctan": arctangent,
     "arcsin": arcsine,
-    "arccos": lambda x: circle_number().over(2) + -arcsine(x),
+    "arccos": lambda x: PI.over(2) + -arcsine(x),
 }
 
 
-def enclosed(term: object) -> Interval:
+@lru_cache(4096)
+def enclosed(term: Term) -> Interval:
     """The value of a term; Unknown if it is no number."""
     match term:
         case int():
             return whole(term)
-        case ("pi",):
-            return circle_number()
-        case ("^", base, int(n)):
-            return enclosed(base) ** n
-        case ("/", top, bottom):
+        case Value(tag="pi"):
+            return PI
+        case Value(tag="/", terms=(top, bottom)):
             return enclosed(top) / enclosed(bottom)
-        case ("+" | "*" as sign, first, *rest):
+        case Value(tag="^", terms=(base, int(n))):
+            return enclosed(base) ** n
+        case Value(tag="+" | "*" as sign, terms=(first, *rest)):
             result = enclosed(first)
             for other in map(enclosed, rest):
                 result = result + other if sign == "+" else result * other
             return result
-        case (str(function), inner) if function in FUNCTIONS:
+        case Value(tag=function, terms=(inner,)) if function in FUNCTIONS:
             return FUNCTIONS[function](enclosed(inner))
     raise Unknown(f"the digits of {term!r}")
 

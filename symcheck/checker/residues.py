@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from functools import lru_cache
 from math import factorial, gcd, prod
 
@@ -22,67 +22,69 @@ def require(condition: object, reason: str, *about: object) -> None:
         raise Reject(reason.format(*(str(each)[:200] for each in about)) if about else reason)
 
 
+def prime() -> int:
+    """A random prime, -1 modulo 8 and modulo the small primes, so that their roots exist."""
+    while True:
+        p = 4 * prod(PRIMES) * (2**198 + int.from_bytes(os.urandom(24), "big")) - 1
+        bases = (int.from_bytes(os.urandom(16), "big") for _ in range(6))
+        if gcd(p, SIEVE) == 1 and all(pow(base, p >> 1, p) in (1, p - 1) for base in bases):
+            return p
+
+
+PRIME = prime()  # of this run
 power = lru_cache(None)(pow)  # the same roots and inverses are needed again and again
 
 
-class Chance:
-    """A random prime, -1 modulo 8 and the small primes so that their roots exist, and random values of all letters."""
-
-    def __init__(self) -> None:
-        self.prime = 0
-        while not self.prime:
-            p = 4 * prod(PRIMES) * (2**198 + int.from_bytes(os.urandom(24), "big")) - 1
-            if gcd(p, SIEVE) > 1:
-                continue
-            bases = (int.from_bytes(os.urandom(16), "big") for _ in range(6))
-            self.prime = p if all(pow(base, p >> 1, p) in (1, p - 1) for base in bases) else 0
-        self.drawn: dict[object, int] = {}
-
-    def draw(self, *key: object) -> int:
-        """The random number that belongs to the key."""
-        if key not in self.drawn:
-            self.drawn[key] = int.from_bytes(os.urandom(40), "big") % self.prime
-        return self.drawn[key]
-
-    def letter(self, name: str) -> int:
-        """The value of a free letter."""
-        return self.draw("letter", name)
-
-    def circle(self, *key: object) -> tuple[int, int]:
-        """The point (cos, sin) of the unit circle that belongs to the key."""
-        half = self.draw("half", *key)
-        below = self.inverse(1 + half * half)
-        return (1 - half * half) * below % self.prime, 2 * half * below % self.prime
-
-    def inverse(self, value: int) -> int:
-        """1 / value."""
-        require(value % self.prime, "division by zero")
-        return power(value, -1, self.prime)
-
-    def rational(self, value: int) -> tuple[int, int] | None:
-        """(n, d) with d > 0 if n/d in lowest terms has this value; None if there are none below HEIGHT."""
-        a, b, u, v = self.prime, value % self.prime, 0, 1
-        while b >= HEIGHT:
-            q, rest = divmod(a, b)
-            a, b, u, v = b, rest, v, u - q * v
-        return None if abs(v) >= HEIGHT else (b, v) if v > 0 else (-b, -v)
-
-    def root(self, number: tuple[int, int] | None) -> int:
-        """The root of a rational number: a square modulo the prime, as the roots of the small primes are chosen."""
-        top, bottom = number or (-1, 1)
-        rest = max(top, 0) * bottom
-        for p in PRIMES if rest else ():
-            while rest % p == 0:
-                rest //= p
-        require(rest == 1 or top == 0, f"the root of {number}: only of products of primes up to {PRIMES[-1]}")
-        return power(top * self.inverse(bottom) % self.prime, (self.prime + 1) // 4, self.prime)
+@lru_cache(None)
+def draw(*key: object) -> int:
+    """The random number that belongs to the key: a letter, a function with values of its arguments, ..."""
+    return int.from_bytes(os.urandom(40), "big") % PRIME
 
 
-CHANCE = Chance()  # of this run
+@lru_cache(None)
+def circle(*key: object) -> tuple[int, int]:
+    """The point (cos, sin) of the unit circle that belongs to the key."""
+    return rotation(draw("half", *key))
 
 
-def polynomials(letter: Callable[[str], int]) -> Callable[[str], int]:
-    """Gives the values of polynomials printed as "3/4*a_11^2*a_12 - I_1 + 2"; most parts occur again and again."""
+def rotation(half: int) -> tuple[int, int]:
+    """(cos, sin) of an angle by the tangent of its half."""
+    below = inverse(1 + half * half)
+    return (1 - half * half) * below % PRIME, 2 * half * below % PRIME
+
+
+def inverse(value: int) -> int:
+    """1 / value."""
+    require(value % PRIME, "division by zero")
+    return power(value % PRIME, -1, PRIME)
+
+
+def rational(value: int) -> tuple[int, int] | None:
+    """(n, d) with d > 0 if n/d in lowest terms has this value; None if there are none below HEIGHT."""
+    a, b, u, v = PRIME, value % PRIME, 0, 1
+    while b >= HEIGHT:
+        q, rest = divmod(a, b)
+        a, b, u, v = b, rest, v, u - q * v
+    return None if abs(v) >= HEIGHT else (b, v) if v > 0 else (-b, -v)
+
+
+@lru_cache(None)
+def root(fraction: tuple[int, int] | None) -> int:
+    """The root of a rational number: a square modulo the prime, as the roots of the small primes are chosen."""
+    top, bottom = fraction or (-1, 1)
+    rest = max(top, 0) * bottom
+    for p in PRIMES if rest else ():
+        while rest % p == 0:
+            rest //= p
+    require(rest == 1 or top == 0, f"the root of {fraction}: only of products of primes up to {PRIMES[-1]}")
+    return power(top * inverse(bottom) % PRIME, (PRIME + 1) // 4, PRIME)
+
+
+def polynomials(values: Mapping[str, int]) -> Callable[[str], int]:
+    """Gives the values of polynomials printed as "3/4*a_11^2*a_12 - I_1 + 2"; most parts occur again and again.
+
+    Letters have the values given, else those that are drawn for them.
+    """
 
     @lru_cache(None)
     def factor(text: str) -> int:
@@ -91,14 +93,14 @@ def polynomials(letter: Callable[[str], int]) -> Callable[[str], int]:
         if text[:1].isdecimal():
             top, slash, bottom = text.partition("/")
             require((top + bottom).isdecimal() and bool(bottom) == bool(slash), "the factor {}", text)
-            return int(top) * CHANCE.inverse(int(bottom or 1))
-        name, power_, exponent = text.partition("^")
-        require(name.isidentifier() and bool(exponent) == bool(power_), "the factor {}", text)
-        require((exponent or "1").isdecimal() and len(exponent) < 4, "the factor {}", text)  # no division
-        return pow(letter(name), int(exponent or 1), CHANCE.prime)
+            return int(top) * inverse(int(bottom or 1))
+        name, hat, exponent = text.partition("^")
+        proper = name.isidentifier() and bool(exponent) == bool(hat) and (exponent or "1").isdecimal()  # no division
+        require(proper and len(exponent) < 4, "the factor {}", text)
+        return pow(values[name] if name in values else draw("letter", name), int(exponent or 1), PRIME)
 
     @lru_cache(None)
     def monomial(text: str) -> int:
         return prod(map(factor, text.split("*")))
 
-    return lru_cache(None)(lambda text: sum(map(monomial, text.replace(" - ", " + -").split(" + "))) % CHANCE.prime)
+    return lru_cache(None)(lambda text: sum(map(monomial, text.replace(" - ", " + -").split(" + "))) % PRIME)

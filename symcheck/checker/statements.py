@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from symcheck.checker.residues import require
-from symcheck.checker.rules import string
+from symcheck.checker.rules import fit
 from symcheck.core.terms import JSON
 
 LEDGER = ("as printed", "where it is an equality", "as corrected")  # what is read from the print, or put in its place
@@ -21,7 +21,7 @@ class Index:
         for entry in listed if isinstance(listed, list) else []:
             require(isinstance(entry, list) and len(entry) == 3, "{} is no statement", entry)
             id, what, claim = entry if isinstance(entry, list) else []
-            self.claims.setdefault(string(id), []).append((string(what), claim))
+            self.claims.setdefault(fit(str, id), []).append((fit(str, what), claim))
         require(self.claims, "it states nothing")
 
     def differences(self, certificates: list[JSON]) -> Iterator[str]:
@@ -29,7 +29,7 @@ class Index:
         open_ = {id: list(claims) for id, claims in self.claims.items()}
         for each in certificates:
             assert isinstance(each, dict)
-            id, claim = string(each.get("id")), each.get("claim")
+            id, claim = fit(str, each.get("id")), each.get("claim")
             found = [entry for entry in self.claims.get(id, ()) if entry[1] == claim]
             if not found:
                 yield f"{id}: the ledger does not state what this certificate claims"

@@ -9,11 +9,14 @@ An integral that has no finite value counts as 0; a mean is over one turn.
 from __future__ import annotations
 
 import ast
+from collections.abc import Mapping
 from functools import cache
+from types import MappingProxyType
 from typing import NamedTuple
 
-from symcheck.core.calculus import polynomial_in
-from symcheck.core.terms import RELATIONS, Formula, Lambda, Malformed, Node, Term, node, substituted
+from symcheck.checker.enclosures import between
+from symcheck.core.calculus import Lambda, polynomial_in, substituted
+from symcheck.core.terms import RELATIONS, Call, Formula, Malformed, Node, Term, Value, node
 
 QUADRANTS = "-(pi/2) <= a; a <= pi/2"  # from -90 to 90 degrees
 S = "(k + u + 1)"  # an integrand of the shape below is like x**(S - 1) near 0 and like x**(S - 1 - 2*r) far away
@@ -41,20 +44,6 @@ principal_value_arccos(t): t**2 <= 1 |- 0 <= arccos(t) and arccos(t) <= pi
 first_quadrant_arctan(t): t >= 0 |- 0 <= arctan(t) and arctan(t) <= pi/2
 first_quadrant_arcsin(t): t**2 <= 1; t >= 0 |- 0 <= arcsin(t) and arcsin(t) <= pi/2
 first_quadrant_arccos(t): t**2 <= 1; t >= 0 |- 0 <= arccos(t) and arccos(t) <= pi/2
-known_angle_arctan_0(): |- arctan(0) == 0
-known_angle_arctan_1(): |- arctan(1/sqrt(3)) == pi/6
-known_angle_arctan_2(): |- arctan(1) == pi/4
-known_angle_arctan_3(): |- arctan(sqrt(3)) == pi/3
-known_angle_arcsin_0(): |- arcsin(0) == 0
-known_angle_arcsin_1(): |- arcsin(1/2) == pi/6
-known_angle_arcsin_2(): |- arcsin(sqrt(2)/2) == pi/4
-known_angle_arcsin_3(): |- arcsin(sqrt(3)/2) == pi/3
-known_angle_arcsin_4(): |- arcsin(1) == pi/2
-known_angle_arccos_0(): |- arccos(1) == 0
-known_angle_arccos_1(): |- arccos(sqrt(3)/2) == pi/6
-known_angle_arccos_2(): |- arccos(sqrt(2)/2) == pi/4
-known_angle_arccos_3(): |- arccos(1/2) == pi/3
-known_angle_arccos_4(): |- arccos(0) == pi/2
 mean(f, c, g): forall(x, f(x) == c + diff(g(x), x)) |- mean(f(x), x) == c
 quarter_turn(f): forall(x, f(x + pi/2) == -f(x)) |- exists(x, f(x) == 0)
 intermediate_value(f, s, t): s < t; f(s) * f(t) < 0 |- exists(x, s < x and x < t and f(x) == 0)
@@ -66,6 +55,9 @@ beta_diverges(f, c, k, u, r, p, q): p > 0; q > 0; c != 0; {S} <= 0 or 2*r - {S} 
 even(f): forall(x, f(-x) == f(x)) |- integral(f(x), {LINE}) == 2 * integral(f(x), {HALF}) and diverges(f(x), {LINE}) == diverges(f(x), {HALF})
 odd(f): forall(x, f(-x) == -f(x)); diverges(f(x), {HALF}) == 0 |- integral(f(x), {LINE}) == 0 and diverges(f(x), {LINE}) == 0
 """  # noqa: E501
+ANGLES = ("0", "pi/6", "pi/4", "pi/3", "pi/2")
+SINES = ("0", "1/2", "sqrt(2)/2", "sqrt(3)/2", "1")  # of these angles; of the last there is no tangent
+KNOWN = {"arctan": ("0", "1/sqrt(3)", "1", "sqrt(3)"), "arcsin": SINES, "arccos": SINES[::-1]}
 SMOOTH = {  # what else must be so: a polynomial in the sine and cosine of its letter, or in the letter itself
     "mean": ("g", "sin", "cos"), "quarter_turn": ("f", "sin", "cos"), "intermediate_value": ("f",),
     "power_rule": ("g",),
@@ -83,6 +75,8 @@ class Theorem(NamedTuple):
 def _table() -> dict[str, str]:
     """The statements by name, with those of angles: in these ranges a function keeps or reverses every order."""
     lines = STATEMENTS.strip().splitlines()
+    for name, numbers in KNOWN.items():
+        lines += [f"known_angle_{name}_{k}(): |- {name}({t}) == {ANGLES[k]}" for k, t in enumerate(numbers)]
     for sign in RELATIONS:
         written = "==" if sign == "=" else sign
         for name, domain, angles, values in (
@@ -103,17 +97,11 @@ def theorem(name: str) -> Theorem:
     head, _, rest = _table()[name].partition("): ")
     parameters = tuple(head.partition("(")[2].replace(",", "").split())
     before, _, after = rest.partition("|- ")
-    premises = tuple(_formula(text) for text in before.split(";") if text.strip())
-    return Theorem(parameters, premises, _formula(after))
+    premises = tuple(_read(text) for text in before.split(";") if text.strip())
+    return Theorem(parameters, premises, _read(after))
 
 
 NAMES = tuple(_table())
-
-
-def _formula(text: str) -> Formula:
-    formula = _read(ast.parse(text.strip(), mode="eval").body)
-    assert isinstance(formula, Node)
-    return formula
 
 
 SIGNS: dict[type, str] = {
@@ -122,8 +110,14 @@ SIGNS: dict[type, str] = {
 }  # fmt: skip
 
 
-def _read(tree: ast.AST) -> Term | Formula:
-    """A term or formula of a statement above."""
+def _read(text: str) -> Node:
+    """A formula of a statement above."""
+    found = _part(ast.parse(text.strip(), mode="eval").body)
+    assert isinstance(found, Node)
+    return found
+
+
+def _part(tree: ast.expr) -> Term:
     match tree:
         case ast.Constant(value=int(number)):
             return number
@@ -133,61 +127,88 @@ def _read(tree: ast.AST) -> Term | Formula:
             return node("infinity")
         case ast.Name(id=name):
             return name
-        case ast.UnaryOp(op=ast.USub(), operand=ast.Name(id="oo")):
+        case ast.UnaryOp(operand=ast.Name(id="oo")):
             return node("-infinity")
-        case ast.UnaryOp(op=ast.USub(), operand=inner):
-            return node("-", _read(inner))
+        case ast.UnaryOp(operand=inner):
+            return node("-", _part(inner))
         case ast.BinOp(op=ast.Sub(), left=left, right=right):
-            return node("+", _read(left), node("-", _read(right)))
-        case ast.BinOp(op=op, left=left, right=right):
-            return node(SIGNS[type(op)], _read(left), _read(right))
-        case ast.Compare(ops=[op], left=left, comparators=[right]):
-            return node(SIGNS[type(op)], _read(left), _read(right))
+            return node("+", _part(left), node("-", _part(right)))
+        case ast.BinOp(op=op, left=left, right=right) | ast.Compare(ops=[op], left=left, comparators=[right]):
+            return node(SIGNS[type(op)], _part(left), _part(right))
         case ast.BoolOp(op=op, values=parts):
-            return node(SIGNS[type(op)], *map(_read, parts))
+            return node(SIGNS[type(op)], *map(_part, parts))
         case ast.Call(func=ast.Name(id=name), args=arguments):
-            return _applied(name, [_read(argument) for argument in arguments])
+            first, *rest = map(_part, arguments)
+            if name in ("forall", "exists"):
+                return node(name, (str(first),), *rest)
+            if name == "diff":
+                return node(name, first, rest[0], 1, rest[0])
+            if name in ("f", "g", "h"):
+                return node("call", name, (0,), first)
+            return node("=>" if name == "implies" else name, first, *rest)
     raise AssertionError(ast.dump(tree))
-
-
-def _applied(name: str, parts: list[Term | Formula]) -> Node:
-    match name, parts:
-        case ("forall", [str(x), body]):
-            return node("forall", (x,), body)
-        case ("exists", [str(x), body]):
-            return node("exists", (x,), body)
-        case ("implies", [premise, conclusion]):
-            return node("=>", premise, conclusion)
-        case ("diff", [body, str(x)]):
-            return node("diff", body, x, 1, x)
-        case ("f" | "g" | "h", [argument]):
-            return node("call", name, (0,), argument)
-    return node(name, *parts)
 
 
 Argument = Term | Lambda
 
 
-def instance(name: str, arguments: dict[str, Argument]) -> tuple[tuple[Formula, ...], Formula]:
-    """Premises and conclusion with the parameters replaced; Malformed where an argument does not fit."""
-    stated = theorem(name)
-    if arguments.keys() != {*stated.parameters}:
-        raise Malformed(f"{name} is a theorem about {', '.join(stated.parameters) or 'no parameters'}")
+def instance(
+    name: str, given: Mapping[str, Argument], numbers: Mapping[str, Term] = MappingProxyType({})
+) -> tuple[list[Formula], Formula]:
+    """Premises and conclusion of a theorem with its parameters replaced; Malformed where an argument does not fit."""
+    if name == "congruence":
+        return congruence(given)
+    if name == "enclosure":
+        return enclosure(given, numbers)
+    parameters = theorem(name).parameters
+    if given.keys() != {*parameters}:
+        raise Malformed(f"{name} is a theorem about {', '.join(parameters) or 'no parameters'}")
     terms: dict[str, Term] = {}
-    functions: dict[str, Lambda] = {}
-    for parameter, argument in arguments.items():
-        lambda_ = isinstance(argument, tuple) and not isinstance(argument, Node)
-        if lambda_ != (parameter in ("f", "g", "h")) or (parameter in ("n", "k") and not isinstance(argument, int)):
-            raise Malformed(f"{argument!r} for the parameter {parameter} of {name}")
+    lambdas: dict[str, Lambda] = {}
+    for parameter, argument in given.items():
         if isinstance(argument, tuple) and not isinstance(argument, Node):
-            functions[parameter] = argument
+            lambdas[parameter] = argument
         else:
             terms[parameter] = argument
+        whole = parameter not in ("n", "k") or isinstance(argument, int)
+        if (parameter in lambdas) != (parameter in ("f", "g", "h")) or not whole:
+            raise Malformed(f"{argument!r} for the parameter {parameter} of {name}")
     if name in SMOOTH:
         parameter, *of = SMOOTH[name]
-        (x,), body = functions[parameter]
+        (x,), body = lambdas[parameter]
         atoms: list[Term] = [node(each, x) for each in of] or [x]
         if not polynomial_in(body, *atoms):
             raise Malformed(f"{body!r} is no polynomial in {' and '.join(of)} {x}")
-    new = [substituted(formula, terms, functions) for formula in (*stated.premises, stated.conclusion)]
-    return tuple(new[:-1]), new[-1]
+    stated = theorem(name)
+    premises = [substituted(premise, terms, lambdas) for premise in stated.premises]
+    return premises, substituted(stated.conclusion, terms, lambdas)
+
+
+def congruence(given: Mapping[str, Argument]) -> tuple[list[Formula], Formula]:
+    """Equal arguments give equal values of a function: s1 = t1; ... |- f(s1, ...) = f(t1, ...)."""
+    s, t = given.get("s", 0), given.get("t", 0)
+    for term in (s, t):
+        if not isinstance(term, (Value, Call)) or term.tag in ("+", "*", "-", "/", "^"):
+            raise Malformed(f"{term} is no function of values")
+    assert isinstance(s, (Value, Call))
+    assert isinstance(t, (Value, Call))
+    start = len(s) - len(s.terms)
+    if len(s) != len(t) or s[:start] != t[:start]:
+        raise Malformed(f"{s} and {t} are not the same function")
+    if len(given) != 2:
+        raise Malformed("congruence is about s and t alone")
+    return [node("=", *pair) for pair in zip(s.terms, t.terms, strict=True)], node("=", s, t)
+
+
+def enclosure(given: Mapping[str, Argument], numbers: Mapping[str, Term]) -> tuple[list[Formula], Formula]:
+    """x = t; ... |- low <= term <= high, by interval arithmetic, with so many digits; letters stand for numbers."""
+    t, digits, *others = given["t"], given["digits"], *(given.keys() - {"t", "digits"})
+    if others:
+        raise Malformed(f"{others} is nothing that has digits")
+    if not isinstance(t, (int, str, Node)) or not isinstance(digits, int):
+        raise Malformed("no term with digits")
+    term = t
+    for _ in numbers:  # what a letter stands for may contain others
+        term = substituted(term, numbers)
+    low, high = between(term, digits)
+    return [node("=", *each) for each in numbers.items()], node("and", node("<=", low, t), node("<=", t, high))

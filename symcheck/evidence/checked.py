@@ -7,10 +7,13 @@ undecided, and the same holds for what a correction is said to be, and for wheth
 from __future__ import annotations
 
 import json
+import os
+import sys
 from collections.abc import Iterable, Iterator, Mapping, Sequence
+from contextlib import suppress
 from dataclasses import dataclass, replace
 from types import MappingProxyType
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from symcheck.checker import check_all
 from symcheck.core.terms import JSON
@@ -18,7 +21,11 @@ from symcheck.evidence.record import Record
 from symcheck.proof import translation
 from symcheck.statement import Certificate, Loss, Reading, Verdict
 
+if TYPE_CHECKING:
+    from multiprocessing.connection import Connection
+
 FOR_EQUALITY = "for the set of equality"  # of a hypothesis that is in force nowhere else
+MANY = 500  # certificates that take longer than it takes to start another process
 NOT_ACCEPTED = "the certificate was not accepted"
 
 
@@ -33,6 +40,48 @@ def _translated(certificate: Certificate) -> JSON:
         return translation.certificate(certificate)
     except (LookupError, TypeError, ValueError, AttributeError) as error:
         return f"malformed ({type(error).__name__}: {error})"
+
+
+def _reasons(certificates: Sequence[Certificate]) -> list[str | None]:
+    """The same, where there are many half of them in another process."""
+    if len(certificates) < MANY or not _may_fork():
+        return reasons(certificates)
+    from multiprocessing import get_context
+
+    context = get_context("fork")
+    receiver, sender = context.Pipe(duplex=False)
+    own, other = (_with_lemmas(certificates[k::2], certificates) for k in range(2))
+    helper = context.Process(target=_send, args=(sender, other), daemon=True)
+    helper.start()
+    sender.close()
+    found: list[str | None] = [None] * len(certificates)
+    found[0::2] = reasons(own)[: len(certificates[0::2])]
+    try:
+        told = receiver.recv()
+    except (EOFError, OSError):  # it was killed
+        told = reasons(other)
+    helper.join()
+    found[1::2] = told[: len(certificates[1::2])]
+    return found
+
+
+def _may_fork() -> bool:
+    """On two processors, and where no thread, also of a library, is left behind in the middle of something."""
+    return sys.platform == "linux" and len(os.sched_getaffinity(0)) > 1 and len(os.listdir("/proc/self/task")) == 1
+
+
+def _with_lemmas(part: Sequence[Certificate], every: Sequence[Certificate]) -> list[Certificate]:
+    """Some certificates, and behind them those of their lemmas, and of the lemmas of these."""
+    found, named, size = list(part), set[str](), -1
+    while len(named) > size:
+        size, named = len(named), {name for each in found for name in each.get("lemmas", ())}
+        found = [*part, *(each for each in every if each.get("id") in named)]
+    return found
+
+
+def _send(sender: Connection, certificates: Sequence[Certificate]) -> None:
+    with suppress(KeyboardInterrupt, BrokenPipeError):
+        sender.send(reasons(certificates))
 
 
 def certificates(record: Record) -> Iterator[Certificate]:
@@ -59,7 +108,7 @@ def told(rows: Rows, beside: Rows = MappingProxyType({})) -> dict[str, tuple[Rec
     records = [record for each in rows.values() for record in each]
     others = (record for each in beside.values() for record in each)
     every = [each for record in (*records, *_lemmas(records, others)) for each in certificates(record)]
-    answers = Answers({id(each): reason for each, reason in zip(every, reasons(every), strict=True)})
+    answers = Answers({id(each): reason for each, reason in zip(every, _reasons(every), strict=True)})
     return {name: tuple(_told(record, answers) for record in each) for name, each in rows.items()}
 
 

@@ -1,20 +1,22 @@
-"""What Coq says of a record: what `make coq` left in generated/coq, believed of these certificates alone."""
+"""What Coq says of a record: what `make coq` left in generated/coq, believed of these certificates alone.
+
+The certificates are told by digests of all that is in them. A file has a digest of its own outcomes, too: one that was
+changed by hand is refused.
+"""
 
 from __future__ import annotations
 
 import json
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from functools import cache
-from hashlib import sha256
 from pathlib import Path
 
 from symcheck import kernels
 from symcheck.evidence.record import Record
-from symcheck.evidence.store import COQ, SCHEMA, document, line
+from symcheck.evidence.store import COQ, SCHEMA, document, line, short_digest
 from symcheck.statement import Certificate, SymcheckError, Verdict
 from symcheck.writing import put
 
-DIGITS = 16  # of a digest: enough to tell certificates apart that nobody makes alike
 CONFIRMED, NOT_TRIED = "yes", "not tried"
 Outcome = tuple[str, str]  # the digest of the certificates, and why Coq does not confirm them, or ""
 
@@ -33,9 +35,14 @@ def key(record: Record, corrected: bool) -> str:
     return f"{record.id}, corrected" if corrected else record.id
 
 
-def digest(certificates: Iterable[str]) -> str:
+def digest(digests: Iterable[str]) -> str:
     """One digest for several."""
-    return sha256("\n".join(certificates).encode()).hexdigest()[:DIGITS]
+    return short_digest("\n".join(digests))
+
+
+def digest_of(certificate: Certificate) -> str:
+    """The digest of a certificate, its proof included."""
+    return short_digest(line(certificate))
 
 
 def confirmed(record: Record, folder: Path | None = None) -> dict[str, str]:
@@ -57,7 +64,7 @@ def _told(outcome: Outcome | None, current: str) -> str:
 
 def _current(record: Record) -> Iterator[tuple[str, str]]:
     for corrected, certificates in asked(record):
-        yield key(record, corrected), digest(each["digest"] for each in certificates)
+        yield key(record, corrected), digest(map(digest_of, certificates))
 
 
 def files(folder: Path, records: Iterable[Record]) -> dict[str, bytes]:
@@ -78,8 +85,16 @@ def record_all(folder: Path, outcomes: Mapping[str, Outcome]) -> list[Path]:
     for paper in dict.fromkeys(name.partition(":")[0] for name in outcomes):
         own = {name: outcome for name, outcome in outcomes.items() if name.startswith(f"{paper}:")}
         written.append(folder / _name(paper))
-        put(written[-1], _text(paper, recorded(folder, paper) | own))
+        put(written[-1], _text(paper, _kept(folder, paper) | own))
     return written
+
+
+def _kept(folder: Path, paper: str) -> dict[str, Outcome]:
+    """What is recorded and can be read."""
+    try:
+        return recorded(folder, paper)
+    except SymcheckError:
+        return {}
 
 
 def lost(folder: Path, outcomes: Mapping[str, Outcome], papers: Iterable[str] = ()) -> Iterator[str]:
@@ -102,10 +117,13 @@ def recorded(folder: Path, paper: str) -> dict[str, Outcome]:
     """The outcomes of a paper by `key`; empty if there are none, SymcheckError if they cannot be read."""
     file = folder / _name(paper)
     try:
-        data = json.loads(file.read_bytes())
+        data = json.loads(text := file.read_bytes())
         if data["schema"] != SCHEMA or data["paper"] != paper:
             raise ValueError(f"it is not of schema {SCHEMA} and paper {paper}")
-        return {name: (str(current), str(reason)) for name, (current, reason) in data["items"].items()}
+        found = {name: (str(current), str(reason)) for name, (current, reason) in data["items"].items()}
+        if text != _text(paper, found):
+            raise ValueError("its outcomes are not those that its digest is of")
+        return found
     except FileNotFoundError:
         return {}
     except (OSError, ValueError, KeyError, TypeError, AttributeError) as error:
@@ -120,4 +138,4 @@ def _name(paper: str) -> str:
 
 
 def _text(paper: str, outcomes: Mapping[str, Outcome]) -> bytes:
-    return document(paper, "items", "{}", (f"{line(name)}: {line(outcomes[name])}" for name in sorted(outcomes)))
+    return document(paper, "items", "{}", (f"{line(name)}: {line(outcomes[name])}" for name in sorted(outcomes)), True)

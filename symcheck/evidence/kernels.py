@@ -13,6 +13,7 @@ from typing import Any
 from symcheck.codegen.kernel import Kernel
 from symcheck.codegen.program import Program, compiled
 from symcheck.codegen.target import Made
+from symcheck.evidence.checked import NOT_ACCEPTED, reasons
 from symcheck.evidence.record import Record
 from symcheck.proof import certificate, identity
 from symcheck.proof.theorems import conjuncts
@@ -66,7 +67,10 @@ def equalities(paper: Paper, name: str, kernel: Kernel) -> Iterator[Certificate]
         if outcome.verdict is not Verdict.PROVED:
             why = outcome.reason or outcome.verdict
             raise SymcheckError(f"{problem.id}: the accurate form is not proved equal to the derived one ({why})")
-        yield certificate(problem, outcome)
+        shown = certificate(problem, outcome)
+        if refused := reasons([shown])[0]:
+            raise SymcheckError(f"{problem.id}: {NOT_ACCEPTED} ({refused})")
+        yield shown
 
 
 def _claims(paper: Paper, name: str, kernel: Kernel, known: Mapping[str, Record]) -> str:

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping, Sequence
-from contextlib import closing
+import gc
+from collections.abc import Callable, Generator, Iterable, Iterator, Mapping, Sequence
+from contextlib import closing, contextmanager
 from dataclasses import replace
 from difflib import get_close_matches
 from string import ascii_lowercase
@@ -79,15 +80,17 @@ def audit(
     wanted = select(selection, list(obligations)) if selection else dict.fromkeys(obligations, EVERY)
     needed = _with_lemmas(wanted, obligations)
     fingerprints = {id: decide.fingerprint(obligations[id]) for id in needed}
-    kept = cache.find(fingerprints)
-    records = {id: rows for id, rows in checked.told(kept).items() if rows == kept[id]}
+    with _uncollected():
+        kept = cache.find(fingerprints)
+        records = {id: rows for id, rows in checked.told(kept).items() if rows == kept[id]}
     if refused := len(kept) - len(records):
         are = "is" if refused == 1 else "are"
         cache.say(f"{refused} of the results in the cache {are} not accepted by the checker; deciding again")
     progress(len(records), len(needed))
     new: dict[str, tuple[Record, ...]] = {}
+    open_ids = [id for id in needed if id not in records]
     try:
-        with closing(executor.map(decide.decide, [id for id in needed if id not in records], timeout)) as answers:
+        with closing(executor.map(decide.decide, open_ids, timeout) if open_ids else _nothing()) as answers:
             for id, answer in answers:
                 new[id] = _records(obligations[id], answer)
                 if isinstance(answer, Done):
@@ -96,10 +99,33 @@ def audit(
     except KeyboardInterrupt:
         known = records.keys() | new.keys()
         whole = {id: rows for id, rows in new.items() if known >= {*_lemmas(id, obligations)}}
-        raise Interrupted(_asked_for(wanted, records | checked.told(whole, records))) from None
+        raise Interrupted(_asked_for(wanted, records | _told(whole, records))) from None
     for key in {id.partition(":")[0] for id in obligations}:
         cache.prune(key, obligations)
-    return _asked_for(wanted, records | checked.told(new, records))
+    return _asked_for(wanted, records | _told(new, records))
+
+
+@contextmanager
+def _uncollected() -> Iterator[None]:
+    """Nothing is thrown away while certificates are read and checked; to look for it takes as long as to read them."""
+    was_enabled = gc.isenabled()
+    gc.disable()
+    try:
+        yield
+    finally:
+        gc.freeze()  # nor is it later
+        if was_enabled:
+            gc.enable()
+
+
+def _nothing() -> Generator[tuple[str, Answer[tuple[Record, ...]]]]:
+    """The answers where nothing is asked, for which no process is started."""
+    yield from ()
+
+
+def _told(new: checked.Rows, records: checked.Rows) -> dict[str, tuple[Record, ...]]:
+    with _uncollected():
+        return checked.told(new, records)
 
 
 def _with_lemmas(wanted: Iterable[str], obligations: Mapping[str, Obligation]) -> list[str]:

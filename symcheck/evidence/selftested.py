@@ -1,4 +1,8 @@
-"""What the self-test found: what `symcheck selftest --record` left in generated/selftest.json."""
+"""What the self-test found: what `symcheck selftest --record` left in generated/selftest.json.
+
+It says of which certificates, verdicts and kernels it is, and has a digest of its own counts: a file that was changed
+by hand is refused.
+"""
 
 from __future__ import annotations
 
@@ -8,10 +12,12 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
+from symcheck import kernels
+from symcheck.codegen.target import MARK
 from symcheck.evidence.checked import certificates
-from symcheck.evidence.confirmed import digest
+from symcheck.evidence.confirmed import digest, digest_of
 from symcheck.evidence.record import Record
-from symcheck.evidence.store import SCHEMA, SELFTEST
+from symcheck.evidence.store import SCHEMA, SELFTEST, line, short_digest
 from symcheck.statement import SymcheckError
 from symcheck.writing import put
 
@@ -40,18 +46,30 @@ def rows(result: Mapping[str, Any]) -> list[Row]:
     return [*found, Row("all", True, result)]
 
 
-def evidence(records: Iterable[Record]) -> str:
-    """One digest of all certificates."""
-    return digest(sorted(each["digest"] for record in records for each in certificates(record)))
+def evidence(records: Iterable[Record], folder: Path | None = None) -> dict[str, str]:
+    """What a self-test is of, in digests: all certificates with their proofs, all verdicts, the kernels in a folder."""
+    rows = list(records)
+    folder = folder or kernels.folder()
+    texts = sorted(file for file in folder.glob("*.py") if MARK in file.read_text(encoding="utf-8"))
+    return {
+        "certificates": digest(sorted(digest_of(each) for row in rows for each in certificates(row))),
+        "ledger": digest(sorted(line([row.id, row.verdict, row.reading]) for row in rows)),
+        "kernels": digest(short_digest(file.read_text(encoding="utf-8")) for file in texts),
+    }
 
 
 def recorded(folder: Path) -> dict[str, Any] | None:
-    """What is recorded, with the digest of its evidence under "evidence"; None if nothing is."""
+    """What is recorded, with the digests of its evidence under "evidence"; None if nothing is.
+
+    SymcheckError if it cannot be read, or was changed by hand.
+    """
     file = folder / SELFTEST
     try:
         data: dict[str, Any] = json.loads(file.read_bytes())
-        if data["schema"] != SCHEMA or not data["classes"] or not data["evidence"]:
+        if data["schema"] != SCHEMA or not data["classes"] or not {**data["evidence"]}:
             raise ValueError(f"it is not of schema {SCHEMA}")
+        if data["digest"] != _seal(data):
+            raise ValueError("its counts are not those that its digest is of")
     except FileNotFoundError:
         return None
     except (OSError, ValueError, KeyError, TypeError) as error:
@@ -61,14 +79,28 @@ def recorded(folder: Path) -> dict[str, Any] | None:
     return data
 
 
+def _seal(data: Mapping[str, Any]) -> str:
+    return short_digest(line({key: value for key, value in data.items() if key != "digest"}))
+
+
 def files(folder: Path) -> dict[str, bytes]:
     """What is to stay in `folder`: a result says itself of which evidence it is."""
     return {SELFTEST: (folder / SELFTEST).read_bytes()} if recorded(folder) else {}
 
 
+def outdated(folder: Path, records: Iterable[Record]) -> list[str]:
+    """A line if what is recorded was found with other evidence than there is now."""
+    if (found := recorded(folder)) is None:
+        return []
+    now = evidence(records, folder)
+    others = [name for name in now if found["evidence"].get(name) != now[name]]
+    return [f"{SELFTEST}: of other {', '.join(others)}; run `symcheck selftest --record`"] if others else []
+
+
 def record(folder: Path, result: Mapping[str, Any], records: Iterable[Record]) -> Path:
     """Write a result whole; the findings are left out, as the ledger has them."""
-    kept = {"evidence": evidence(records), **{key: value for key, value in result.items() if key != "findings"}}
-    text = json.dumps(kept, ensure_ascii=False, indent=1)
+    kept = {key: value for key, value in result.items() if key != "findings"}
+    kept = json.loads(json.dumps({**kept, "evidence": evidence(records, folder)}))
+    text = json.dumps({"digest": _seal(kept), **kept}, ensure_ascii=False, indent=1)
     put(folder / SELFTEST, f"{text}\n".encode())
     return folder / SELFTEST

@@ -10,6 +10,7 @@ from __future__ import annotations
 import json
 from collections.abc import Iterable, Mapping
 from difflib import unified_diff
+from hashlib import sha256
 from pathlib import Path
 from types import MappingProxyType
 from typing import Any
@@ -25,6 +26,7 @@ from symcheck.writing import put as put_file
 
 SCHEMA = 1
 PROOFS = 2  # the schema of certificates and of the statements they are compared with
+DIGITS = 16  # of a digest
 Kernels = tuple[Mapping[str, str], Iterable[Certificate]]  # texts by the names of their files, proofs
 CERTIFICATES = "certificates"
 EXPECTED = "expected"
@@ -66,7 +68,7 @@ def _stated(key: str, rows: Iterable[Record], equalities: Iterable[Certificate])
     index = Index(papers.load()[key])
     index.beside(rows, equalities)
     known = {"definitions": index.definitions, "hypotheses": index.hypotheses}
-    return document(key, "statements", "[]", map(line, index.statements), schema=PROOFS, **known)
+    return document(key, "statements", "[]", map(line, index.statements), schema=PROOFS, others=known)
 
 
 def write(folder: Path, contents: Mapping[str, bytes]) -> None:
@@ -159,18 +161,34 @@ def _expectation(record: Record) -> list[str | None]:
     return [record.verdict, record.reading]
 
 
+def short_digest(text: str) -> str:
+    """Enough to tell apart what nobody makes alike."""
+    return sha256(text.encode()).hexdigest()[:DIGITS]
+
+
 def line(value: Any) -> str:
     """JSON that depends on the value alone."""
     return json.dumps(value, sort_keys=True, ensure_ascii=False, separators=(",", ":"))
 
 
-def document(paper: str, name: str, brackets: str, lines: Iterable[str], **others: Any) -> bytes:
-    """A file of a paper: one JSON object, its members under `name` between `brackets`, a line for each."""
+def document(
+    paper: str,
+    name: str,
+    brackets: str,
+    lines: Iterable[str],
+    sealed: bool = False,
+    schema: int = SCHEMA,
+    others: Mapping[str, Any] = MappingProxyType({}),
+) -> bytes:
+    """A file of a paper: one JSON object, its members under `name` between `brackets`, a line for each.
+
+    If it is `sealed`, with a digest of them, so that nobody changes one by hand unnoticed. `others` stand before.
+    """
     body = ",\n".join(lines)
-    schema = others.pop("schema", SCHEMA)
+    seal = f', "digest": {line(short_digest(body))}' if sealed else ""
     before = "".join(f'"{key}": {line(value)},\n' for key, value in others.items())
     head = f'{{"schema": {schema}, "paper": {line(paper)}, {before}"{name}": {brackets[0]}\n'
-    return f"{head}{body}\n{brackets[1]}}}\n".encode()
+    return f"{head}{body}\n{brackets[1]}{seal}}}\n".encode()
 
 
 def _present(folder: Path) -> set[str]:

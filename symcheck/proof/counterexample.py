@@ -303,7 +303,7 @@ class Search:
         numbers = {x: p for x, p in point.items() if not table().stands(x)}
         defined = tuple((x, term_of(p)) for x, p in numbers.items())
         function = atoms()[name]
-        for value in values_of(function, dict(defined)):
+        for value in self._possible(function, dict(defined)):
             found = self.prove(Problem(name, ("=", function, value), defined))
             if found is not None and found.proof is not None:
                 proof = {key: part for key, part in found.proof.items() if key != "given"}
@@ -311,6 +311,10 @@ class Search:
                 point[name] = self.ring.poly(value)
                 return True
         return False
+
+    def _possible(self, function: Term, numbers: Mapping[str, Term]) -> Iterator[Term]:
+        """What a function may be where letters have these numbers."""
+        yield from values_of(function, numbers)
 
     def _power(self, base: Fraction, exponent: Fraction | None = None) -> Poly:
         if exponent is None:

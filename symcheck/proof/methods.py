@@ -8,7 +8,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 
-from symcheck.proof import counterexample
+from symcheck.proof import counterexample, witness
 from symcheck.proof import decide as deciding
 from symcheck.proof.decide import decide
 from symcheck.proof.polynomial import alone
@@ -16,7 +16,7 @@ from symcheck.proof.splitting import prove
 from symcheck.proof.variables import Unsupported
 from symcheck.proof.wellformed import check_terms
 from symcheck.proof.witness import FALSE
-from symcheck.statement import Certificate, Method, Outcome, Problem, Verdict
+from symcheck.statement import Certificate, Method, Outcome, Problem, Term, Verdict
 
 
 def _decide(problem: Problem) -> Outcome:
@@ -49,6 +49,12 @@ def proof_of(problem: Problem) -> Outcome | None:
             return outcome if outcome.verdict is Verdict.PROVED else None
         except (Unsupported, RecursionError, ArithmeticError, ValueError):
             return None
+
+
+def find_witnesses(problem: Problem, nonzero: Sequence[Term] = ()) -> list[Certificate] | None:
+    """Points at which all that a statement rests on holds (`witness.py`); what functions are there is proved."""
+    with alone(problem):
+        return witness.find_witnesses(problem, nonzero, lambda inner: deciding.prove(inner, prove))
 
 
 identity = Method("identity", _decide)

@@ -14,8 +14,9 @@ from symcheck.proof.certificate import certificate
 from symcheck.proof.counterexample import failing
 from symcheck.proof.methods import proof_of, refute
 from symcheck.proof.polynomial import Unsupported, alone, letters_of, parts, rebuilt, subterms
-from symcheck.proof.theorems import RELATIONS, Terms, conjuncts, contrary
+from symcheck.proof.theorems import RELATIONS, Terms, conjuncts
 from symcheck.proof.variables import Table
+from symcheck.proof.witness import FALSE
 from symcheck.statement import Certificate, Formula, Loss, Outcome, Problem, Term, Verdict
 
 PLAIN = {"+", "-", "*", "/", "^", "and", "or", "=>", "<=>", *RELATIONS}
@@ -107,14 +108,10 @@ def _none_exists(problem: Problem) -> Certificate | None:
 
 
 def _contradictory(problem: Problem, relations: Sequence[Formula]) -> Certificate | None:
-    """The proof that the first order among the relations fails where the others hold."""
-    order = next((each for each in relations if each[0] in ORDERS), None)
-    if order is None:
+    """The proof that the relations never hold together; one of them has to be an order."""
+    if not any(each[0] in ORDERS for each in relations):
         return None
-    claim: Formula = tuple(contrary(order))
-    if others := [each for each in relations if each != order]:
-        claim = ("=>", ("and", *others) if others[1:] else others[0], claim)
-    failing = replace(problem, claim=claim)
+    failing = replace(problem, claim=("=>", ("and", *relations) if relations[1:] else relations[0], FALSE))
     proof = proof_of(failing)
     return certificate(failing, proof) if proof else None
 

@@ -73,7 +73,14 @@ def letters_of(problem: Problem) -> set[str]:
 
 
 def _names_in(node: Any) -> set[str]:
-    return set().union(*map(_names_in, node)) if isinstance(node, tuple) else {node} if isinstance(node, str) else set()
+    open_, found = [node], set[str]()
+    while open_:
+        part = open_.pop()
+        if isinstance(part, tuple):
+            open_ += part
+        elif isinstance(part, str):
+            found.add(part)
+    return found
 
 
 def alone(problem: Problem) -> AbstractContextManager[Any]:

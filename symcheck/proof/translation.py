@@ -78,7 +78,8 @@ def certificate(found: Mapping[str, Any]) -> dict[str, JSON]:
             condition(texts, lambda name: atoms.get(name) or value_of(name) or name) for texts in conditions
         ]
     new["proof"] = proof(found["proof"])
-    if points := [*map(point, found.get("witnesses", ()))]:
+    told = ("values", "calls", "proof")
+    if points := [{key: each[key] for key in told if key in each} for each in map(point, found.get("witnesses", ()))]:
         wanted = len(implications(claim)) or 1
         new["witnesses"] = points * wanted if len(points) == 1 else points
     return new
@@ -156,7 +157,8 @@ def theorem(found: Proof) -> Proof:
     new: Proof = {"rule": "theorem", "of": name, "premises": premises, "then": then}
     if name == "congruence":
         function, one, other = given
-        new["with"] = {"s": [function, *map(term, one)], "t": [function, *map(term, other)]}
+        name = [*function] if isinstance(function, (list, tuple)) else [function]
+        new["with"] = {"s": [*name, *map(term, one)], "t": [*name, *map(term, other)]}
     elif name == "enclosure":
         t, digits, *letters = given
         new["with"], new["numbers"] = {"t": term(t), "digits": digits}, {x: term(number) for _, x, number in letters}
@@ -210,7 +212,7 @@ def condition(texts: list[str], meaning: Callable[[str], JSON]) -> JSON:
 
 def point(found: Mapping[str, Any]) -> Proof:
     """A point, with the proofs that go with it. An angle of rational sine and cosine is twice an arctangent."""
-    given = {x: number(value) if isinstance(value, str) else term(value) for x, value in found["values"].items()}
+    given = {x: exactly(value) for x, value in found["values"].items()}
     angles = {x[4:] for x in given if x[:4] in ("sin_", "cos_")}
     values = {x: value for x, value in given.items() if x[4:] not in angles or x[:4] not in ("sin_", "cos_")}
     values |= {x: angle(given[f"cos_{x}"], given[f"sin_{x}"]) for x in angles}
@@ -218,9 +220,14 @@ def point(found: Mapping[str, Any]) -> Proof:
         values = {x: put(value, values) for x, value in values.items()}
     new: Proof = {"values": dict(sorted(values.items()))}
     if sides := [side for side in found.get("sides", ()) if side not in ("true", "false")]:
-        new["sides"] = [number(side) if isinstance(side, str) else term(side) for side in sides]
+        new["sides"] = [*map(exactly, sides)]
     if "enclosed" in found:
         new["enclosed"] = [[term(t), digits, term(low), term(high)] for t, digits, low, high in found["enclosed"]]
+    if calls := found.get("calls"):
+        new["calls"] = [
+            [["call", name, [*orders], *map(exactly, arguments)], exactly(value)]
+            for name, orders, arguments, value in calls
+        ]
     known: list[tuple[JSON, Proof]] = [
         (["=", put(term(t), values), term(v)], proof(why)) for t, v, why in found.get("functions", ())
     ]
@@ -238,6 +245,11 @@ def point(found: Mapping[str, Any]) -> Proof:
         for formula, why, _ in reversed(steps):
             new["proof"] = {"rule": "have", "formula": formula, "proof": why, "then": new["proof"]}
     return new
+
+
+def exactly(value: Any) -> JSON:
+    """A number at a point, written as "2/7" or as a term."""
+    return number(value) if isinstance(value, str) else term(value)
 
 
 def put(node: JSON, values: Mapping[str, JSON]) -> JSON:

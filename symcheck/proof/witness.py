@@ -7,7 +7,7 @@ A witness is a counterexample to "0 = 1", and is found as one: its form is that 
 from __future__ import annotations
 
 import random
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from fractions import Fraction
 from typing import Any
@@ -15,7 +15,8 @@ from typing import Any
 from symcheck.proof.closed import TRIED, refute_at
 from symcheck.proof.counterexample import Point, Search, refute
 from symcheck.proof.enclosures import Unknown, enclosed
-from symcheck.proof.polynomial import Poly, alone, fraction, parts, subterms, with_arguments
+from symcheck.proof.orders import number_term
+from symcheck.proof.polynomial import Poly, alone, fraction, parts, rebuilt, subterms, unfold, with_arguments
 from symcheck.proof.theorems import BINDING, RELATIONS, conjuncts
 from symcheck.proof.variables import Unsupported, atoms, circle, cosine, sine
 from symcheck.statement import Certificate, Formula, Outcome, Problem, Term
@@ -24,7 +25,7 @@ FALSE: Formula = ("=", 0, 1)
 DRAWS = 3000
 TRIALS = 60
 _ARCS = ("arctan", "arcsin", "arccos")
-VALUES = (
+VALUES: tuple[int | Fraction, ...] = (
     1,
     -1,
     0,
@@ -41,7 +42,8 @@ VALUES = (
         for n, d in ((1, 2), (1, 3), (2, 3), (1, 4), (3, 4), (3, 5), (4, 5), (2, 7), (3, 7), (6, 7), (1, 10), (-1, 2))
     ),
 )
-POOLS: tuple[tuple[Any, ...], ...] = (VALUES[:2], VALUES[:4], VALUES, (0, 0, 0, 1, -1))
+POSITIVE = tuple(value for value in VALUES if value > 0)
+POOLS: tuple[tuple[Any, ...], ...] = (VALUES[:2], VALUES[:4], VALUES, POSITIVE, (0, 0, 0, 1, -1))
 Prover = Callable[[Problem], Outcome | None]
 Definitions = tuple[tuple[str, Term], ...]
 _DOMAINS: dict[str, Callable[..., Formula]] = {
@@ -101,11 +103,37 @@ def _witness(
     reached = [term for _, term in problem.definitions]
     conditions = [condition for node in (*stated, *reached) for condition in _domains(node)]
     said = tuple(dict.fromkeys((*stated, *conditions)))
+    meant = tuple(dict.fromkeys((*said, *_domains(problem.claim))))  # that the claim has a value is often plain
+    if meant != said and (point := _search(problem.definitions, meant, prove)) is not None:
+        return point
     used = {part for formula in said for part in subterms(unfold_names(formula, definitions)) if isinstance(part, str)}
     needed = tuple((x, term) for x, term in problem.definitions if x in used)
-    if (point := _search(needed, said, prove)) is not None or problem.claim[0] != "=" or not stated:
+    concluded = problem.claim[2] if problem.claim[0] == "=>" else problem.claim
+    if (point := _search(needed, said, prove)) is not None or concluded[0] != "=" or not stated:
         return point
-    return _search(problem.definitions, tuple(dict.fromkeys((*said, problem.claim))), prove)  # it is proved, so true
+    found = _search(problem.definitions, tuple(dict.fromkeys((*said, concluded))), prove)  # it is proved, so true
+    return found or _defining(concluded, problem.definitions, said, prove)
+
+
+def _defining(concluded: Formula, definitions: Definitions, said: tuple[Formula, ...], prove: Prover) -> Any:
+    """The same where a letter is what it is concluded to be, which may be no combination of roots: 2 / pi."""
+    _, letter, term = concluded
+    term = unfold(term, dict(definitions))
+    names = {part for part in subterms(term) if isinstance(part, str)}
+    if not isinstance(letter, str) or letter in {*names, *dict(definitions)}:
+        return None
+    point = _search((*definitions, (letter, term)), said, prove)
+    if point is None or not names <= {"pi", *point["values"]}:
+        return None
+    return {**point, "values": {**point["values"], letter: _at(term, point["values"])}}
+
+
+def _at(term: Any, values: dict[str, Any]) -> Any:
+    """A term with the values of a point in place of its letters."""
+    if isinstance(term, str) and term in values:
+        value = values[term]
+        return number_term(Fraction(value)) if isinstance(value, str) else value
+    return rebuilt(term, (_at(part, values) for part in parts(term))) if isinstance(term, tuple) else term
 
 
 def _plainly_nonzero(term: Term) -> bool:
@@ -254,7 +282,10 @@ class _Draws(Search):
 
     def _number_times(self, poly: Poly, x: str) -> bool:
         """Whether a polynomial is a number times x, plus what does not depend on x."""
-        return poly.degrees()[self.ring.names.index(x)] == 1 and not self._unknown(poly.derivative(x))
+        if poly.degrees()[self.ring.names.index(x)] != 1:
+            return False
+        used = zip(self.ring.names, poly.derivative(x).degrees(), strict=True)
+        return all(name in self.roots for name, degree in used if degree)
 
     def _draw(
         self, rng: random.Random, point: Point, left: list[str], equations: Sequence[Poly], values: Sequence[Any]
@@ -310,6 +341,12 @@ class _Draws(Search):
         found = self._zero(self.ring.generator[other] ** 2 + self._reduce(value**2) - 1, other, sign)
         return None if found is None else {name: value, other: found}
 
+    def _possible(self, function: Term, numbers: Mapping[str, Term]) -> Iterator[Term]:
+        """Also the whole number that it is said to be."""
+        yield from super()._possible(function, numbers)
+        said = (f for f in self.formulas if f[0] == "=" and isinstance(f[2], int))
+        yield from (f[2] for f in said if unfold(f[1], self.ring.definitions) == function)
+
     def _unknown(self, poly: Poly) -> list[str]:
         """The variables of a polynomial that are no roots of numbers."""
         used = zip(self.ring.names, poly.degrees(), strict=True)
@@ -328,7 +365,8 @@ class _Draws(Search):
         c, b, a = powers
         try:
             if a == 0:
-                return self._quotient(-c, b)
+                quotient, rest = divmod(-c, b)
+                return quotient if rest == 0 else self._quotient(-c, b)
             b, c = self._quotient(b, 2 * a), self._quotient(c, a)
             square = self._reduce(b * b - c)
             if square != 0 and not square.is_constant():

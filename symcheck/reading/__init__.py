@@ -10,6 +10,7 @@ and each ambiguity is refused by name (`1/2x`, `\\sin x^2`, `\\sin x/2`). Not fo
 """
 
 from symcheck.reading.edits import Edit, edits
+from symcheck.reading.lexer import LAYOUT, layout
 from symcheck.reading.lowering import free_indices, lower, term
 from symcheck.reading.notation import Letter, Notation
 from symcheck.reading.parser import read
@@ -20,6 +21,7 @@ from symcheck.reading.tex import split_tag
 from symcheck.reading.tree import Iff, System, Tree
 
 __all__ = [
+    "LAYOUT",
     "Edit",
     "Iff",
     "Letter",
@@ -30,6 +32,7 @@ __all__ = [
     "edits",
     "free_indices",
     "from_sympy",
+    "layout",
     "lower",
     "read",
     "relations",

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 from collections.abc import Collection, Iterable
 from dataclasses import dataclass, replace
 from typing import Any, NoReturn
@@ -156,7 +157,7 @@ class Lexer(tex.Reader):
         elif text == r"\rangle":
             self.mean_ends()
         elif text in "^'":
-            self.refuse_bracketed(self.last(), None)
+            self.refuse_bracketed()
             self.script()
         elif text == "_":
             self.fail("a subscript without a letter before it")
@@ -202,6 +203,8 @@ class Lexer(tex.Reader):
     def number(self) -> None:
         """Digits, with a decimal point between digits; `1).` at the beginning of a clause is the label of a case."""
         at, text = self.at(), self.digits()
+        if len(text) > 1 and text[0] == "0":
+            self.fail("a number with a zero before it", at)
         if self.peek() == "." and self.peek(1).isdigit() and self.peek(1).isascii():
             self.i += 1
             text += "." + self.digits()
@@ -439,16 +442,22 @@ class Lexer(tex.Reader):
         self.i = start
         return found or ""
 
-    def refuse_bracketed(self, base: str, name: str | None) -> None:
-        """A superscript in brackets is no power where it may be an index or the order of a derivative."""
+    def refuse_bracketed(self, word: str = "") -> None:
+        """A superscript in brackets is no power where it may be an index or the order of a derivative.
+
+        It stands behind the letter `word`, or behind the last token.
+        """
         text = self.bracketed()
-        letter = self.notation.find(name, 0) if name else None
-        if not text or base == "NUMBER" or (letter is not None and letter.number):
+        base = next((lexeme for lexeme in reversed(self.out) if lexeme.type != "GAP"), None)
+        name = Name(word) if word else base.value if base is not None and base.type == "NAME" else None
+        letter = self.notation.find(name.letter, len(name.subscripts)) if name is not None else None
+        number = name is None and base is not None and base.type == "NUMBER"
+        if not text or number or (letter is not None and letter.number):
             return
-        shown, inside = name or "", text[2:-2].strip("()")
+        shown, inside = name.letter if name is not None else "", text[2:-2].strip("()")
         self.fail(
-            f"{shown}{text} may be an index, the order of a derivative, or a power: declare {name or 'a letter '}{text}, "
-            f"write primes or a fraction, or write {shown}^{{{inside}}}"
+            f"{shown}{text} may be an index, the order of a derivative, or a power: declare {shown or 'a letter '}"
+            f"{text}, write primes or a fraction, or write {shown}^{{{inside}}}"
         )
 
     def name(self, word: str, at: int) -> None:
@@ -456,7 +465,7 @@ class Lexer(tex.Reader):
             word += text
             self.i += 1
             self.group()
-        self.refuse_bracketed("NAME", word)
+        self.refuse_bracketed(word)
         primes = self.primes()
         power: list[Lexeme] = []
         tokens: list[tex.Tok] | None = None
@@ -495,6 +504,10 @@ class Lexer(tex.Reader):
             return self.dotted(word, tokens, primes, at, place)
         if tokens is None:
             letter = notation.find(word, 0)
+            if primes and (
+                word in (r"\partial", r"\text{d}") or (letter is not None and letter.kind == "differential")
+            ):
+                self.fail("a differential has no primes", at)
             if letter is not None:
                 return Name(word, (), primes), "D" if letter.kind == "differential" else "NAME"
             if notation.index(word) is not None and not primes:
@@ -510,6 +523,7 @@ class Lexer(tex.Reader):
             return Name(fixed, (), primes), "NAME"
         if not notation.knows(word) or notation.arities(word) == [0]:
             self.unknown(fixed, at)
+        self.refuse_digits(word, tokens, place)
         subscripts = self.indices(tokens, notation.arities(word), place)
         letter = notation.find(word, len(subscripts))
         if letter is None:
@@ -520,6 +534,14 @@ class Lexer(tex.Reader):
             if isinstance(value, int) and value not in letter.range:
                 self.fail(f"index {value} of {word} is outside its range {', '.join(map(str, letter.range))}", at)
         return Name(word, subscripts, primes), "NAME"
+
+    def refuse_digits(self, word: str, tokens: list[tex.Tok], at: int) -> None:
+        """A run of digits is one number or several indices; where both are declared it may be either."""
+        digits, single = "".join(tok.text for tok in tokens), self.notation.find(word, 1)
+        if single is None or len(digits) < 2 or not digits.isdigit() or not digits.isascii():
+            return
+        if int(digits) in single.range and self.notation.find(word, len(digits)) is not None:
+            self.fail(f"one index {digits}, or {len(digits)} indices? write commas between them, or name a letter", at)
 
     def dotted(self, word: str, tokens: list[tex.Tok] | None, primes: int, at: int, place: int) -> tuple[Name, str]:
         """A letter below dots that are its derivative by the time."""
@@ -546,6 +568,8 @@ class Lexer(tex.Reader):
                 fresh = True
             elif tok.text.isdigit() and tok.text.isascii():
                 last = found[-1] if found else None
+                if last == 0 and together and not fresh:
+                    self.fail("a number with a zero before it", tok.at)
                 if together and not fresh and isinstance(last, int):
                     found[-1] = 10 * last + int(tok.text)
                 else:
@@ -562,7 +586,7 @@ class Lexer(tex.Reader):
         return f"the index letters are {', '.join(self.notation.indices()) or 'none'}"
 
     def parted(self) -> None:
-        """Spaces settled: between two factors a wide one parts relations, and so may another; elsewhere it is layout."""
+        """Spaces settled: between two factors a wide one parts relations, another may; elsewhere they are layout."""
         out: list[Lexeme] = []
         for k, lexeme in enumerate(self.out):
             if lexeme.type != "GAP":
@@ -623,3 +647,30 @@ def _says(lexemes: Iterable[Lexeme], into: Collection[str]) -> bool:
         elif not depth and lexeme.type == "REL":
             return True
     return False
+
+
+def layout(source: str) -> set[int]:
+    """The places of the tokens of a formula that are layout.
+
+    Those of LAYOUT, the names and columns of environments, one of two equal signs on both sides of a line break, and
+    the transposition of a list in brackets, which prints a column as a row.
+    """
+    tokens = tex.tokenize(source)
+    found = {tok.at for tok in tokens if tok.text in LAYOUT}
+    for k, tok in enumerate(tokens):
+        if tok.text in (r"\begin", r"\end"):
+            end = next((m for m in range(k, len(tokens)) if tokens[m].text == "}"), k)
+            if (
+                end + 1 < len(tokens) and tokens[end + 1].text == "{" and tokens[end - 1].text == "y"
+            ):  # an array's columns
+                end = next((m for m in range(end + 1, len(tokens)) if tokens[m].text == "}"), end)
+            found.update(each.at for each in tokens[k : end + 1])
+    counting = [tok for tok in tokens if tok.at not in found]
+    for tok, after in itertools.pairwise(counting):
+        broken = r"\\" in source[tok.at : after.at]
+        if broken and tok.text == after.text:
+            found.update((tok.at, after.at))
+    for (a, b), c in zip(itertools.pairwise(tokens), tokens[2:], strict=False):
+        if (a.text, b.text, c.text) == ("]", "^", "T"):
+            found.update((b.at, c.at))
+    return found

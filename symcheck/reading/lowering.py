@@ -73,8 +73,9 @@ def lower(item: Relation | Tree, notation: Notation) -> tuple[Formula, ...]:
 
     One formula for each value of the free indices (the first index that occurs varies slowest) and for each component
     of a vector or matrix (by rows). `\\pm` on one side of an equality says that one of the signs holds, on both sides
-    that both hold, each with the upper or the lower signs throughout. In a list of cases or a logical formula a free index of one relation means all its values. Errors: SymcheckError for what
-    has no algebraic form, shapes that do not fit, misused indices.
+    that both hold, each with the upper or the lower signs throughout. In a list of cases or a logical formula a free
+    index of one relation means all its values. Errors: SymcheckError for what has no algebraic form, shapes that do
+    not fit, misused indices.
     """
     found = (item,) if isinstance(item, Relation) else relations(item)
     if not found:
@@ -138,6 +139,7 @@ class Lowering:
     def __init__(self, notation: Notation) -> None:
         self.notation = notation
         self.met: dict[str, Name] = {}  # variables of letters that are printed, with one place
+        self.arities: dict[str, int] = {}  # how many arguments each function has
         self.inside: tuple[str, ...] = ()  # letters whose components or dependence are being written out
 
     # -- formulas ------------------------------------------------------------------------------------------------
@@ -201,7 +203,7 @@ class Lowering:
             return upper + lower
         if sign not in ("=", r"\equiv", r"\approx"):
             raise SymcheckError(
-                f"{to_latex(Chain((left, right), (sign,)))}: does it hold for one sign or for both? write a relation for each"
+                f"{to_latex(Chain((left, right), (sign,)))}: for one sign, or for both? write a relation for each"
             )
         return [("or", _and(upper), _and(lower))]
 
@@ -331,13 +333,15 @@ class Lowering:
             if tree.dots:
                 value = self.derived(value, self.time(letter, env), tree.dots, tree)
             return self.derived(value, self.only(letter, env), derived, tree) if derived else value
-        if tree.primes and letter.depends is None and not letter.named:
+        if tree.primes and (letter.depends is None or letter.named):
             raise SymcheckError(
                 f"{to_latex(tree)}: the derivative of {letter.latex}, or another letter? declare {letter.latex} with "
                 "depends='x' for a function of x, depends='' if the prime makes another letter"
             )
         indices = self.places(tree, letter, env)
         if letter.number:
+            if tree.primes:
+                raise SymcheckError(f"{to_latex(tree)}: a number has no primes")
             return self.number(letter)
         stem = letter.stem + "prime" * tree.primes
         if letter.components is not None or (letter.kind in ("vector", "matrix")):
@@ -396,7 +400,7 @@ class Lowering:
         names = [tree for tree in dependence(letter, self.notation) if isinstance(tree, Name) and tree.letter in TIMES]
         if len(names) != 1:
             raise SymcheckError(
-                f"dots over {letter.latex}, which depends on {letter.depends or 'nothing'}: no time among it; write a fraction"
+                f"dots over {letter.latex}, which depends on {letter.depends or 'nothing'}, no time; write a fraction"
             )
         return self.variable(names[0], env)
 
@@ -462,11 +466,10 @@ class Lowering:
 
     def of_pow(self, tree: Pow, env: Env) -> Value:
         exponent = self.scalar(tree.exponent, env)
-        if (
-            isinstance(tree.base, Name)
-            and self.notation.letter(tree.base.letter, len(tree.base.subscripts)).number == "e"
-        ):
-            return ("exp", exponent)
+        if isinstance(tree.base, Name) and not tree.base.primes:
+            letter = self.notation.find(tree.base.letter, len(tree.base.subscripts))
+            if letter is not None and letter.number == "e":
+                return ("exp", exponent)
         if isinstance(exponent, tuple) and exponent[0] == "-" and isinstance(exponent[1], int):
             exponent = -exponent[1]
         base = self.scalar(tree.base, env)
@@ -518,12 +521,17 @@ class Lowering:
             raise SymcheckError(f"{to_latex(tree)}: {letter.latex} depends on {letter.depends}")
         if name.dots and arguments == declared:
             return self.value(name, env)
+        if name.dots and len(arguments) == 1:
+            self.time(letter, env)
+            name = Name(name.letter, name.subscripts, name.primes + name.dots)
         if name.dots or (name.primes and len(arguments) != 1):
             raise SymcheckError(f"{to_latex(tree)}: by which argument? write the derivative as a fraction")
         orders = (name.primes,) if name.primes else (0,) * len(arguments)
         if letter.kind != "function" and letter.kind != "scalar":
             return self.value(name, env)
         stem = variable(letter.stem, indices)
+        if self.arities.setdefault(stem, len(arguments)) != len(arguments):
+            raise SymcheckError(f"{to_latex(tree)}: {letter.latex} has another number of arguments elsewhere")
         if not self.inside:
             self.met.setdefault(stem, name)
         return ("call", stem, orders, *arguments)
@@ -604,6 +612,10 @@ class Lowering:
         if len(inner) != 2:
             raise SymcheckError(f"{to_latex(tree)} must have two free indices: row and column")
         row, column = inner
+        if row.lstrip("\\") > column.lstrip("\\"):
+            raise SymcheckError(
+                f"{to_latex(tree)}: does {row} count rows, or columns? write the rows' index as the earlier letter"
+            )
         return [
             [self.scalar(tree.value, {**env, row: k, column: m}) for m in self.range(column)] for k in self.range(row)
         ]
@@ -649,13 +661,13 @@ class Lowering:
                 return ("call", name, (*orders[:k], orders[k] + order, *orders[k + 1 :]), *arguments)
         if partial and _through(term, by):
             raise SymcheckError(
-                f"{to_latex(tree)}: are the functions of {by} held constant, or not? write a total derivative, or name them"
+                f"{to_latex(tree)}: are the functions of {by} held constant, or not? write a total derivative"
             )
         self.refuse_unsaid(term, by, tree, held=partial)
         return ("diff", term, by, order)
 
     def refuse_unsaid(self, term: Term, by: str, tree: Tree, *, held: bool = False) -> None:
-        """SymcheckError where a letter does not say whether it depends on a variable; `held`: arguments are constant."""
+        """SymcheckError where it is not said whether a letter depends on a variable; `held`: arguments are constant."""
         for name in dict.fromkeys(_free_names(term, held=held)):
             letter = self.notation.owner(name)
             if name == by or name in ("pi", "infinity") or (letter and (letter.named or letter.depends is not None)):

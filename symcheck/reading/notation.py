@@ -23,25 +23,8 @@ TIMES = ("t", r"\tau")
 _NUMBERS = {"e": "e", r"\text{e}": "e", "i": "i", r"\text{i}": "i", r"\text{j}": "i", r"\pi": "pi"}
 _SAID = {"e": "Euler's number", "i": "the imaginary unit", "pi": "the number pi"}
 _NAME = re.compile(r"[A-Za-z][A-Za-z0-9_]*")
-_FUNCTIONS = [
-    "sin",
-    "cos",
-    "tan",
-    "sqrt",
-    "exp",
-    "log",
-    "arctan",
-    "arcsin",
-    "arccos",
-    "pow",
-    "mean",
-    "integral",
-    "diverges",
-    "diff",
-    "call",
-    "exists",
-]
-_VALUE = re.compile(rf"pi|infinity|({'|'.join(_FUNCTIONS)})(_.*)?|[A-Z][a-z]+_[0-9a-f]{{10}}")
+_FUNCTIONS = "sin|cos|tan|sqrt|exp|log|arctan|arcsin|arccos|pow|mean|integral|diverges|diff|call|exists"
+_VALUE = re.compile(rf"pi|infinity|({_FUNCTIONS})(_.*)?|[A-Z][a-z]+_[0-9a-f]{{10}}")
 _PREFIXES = {r"\dot": "d", r"\ddot": "dd", r"\dddot": "ddd"}
 _SUFFIXES = {
     r"\bar": "bar", r"\overline": "bar", r"\hat": "hat", r"\widehat": "hat",
@@ -62,11 +45,11 @@ class Letter:
                 in which i, j (in this order) stand for the letter's own indices: `(a_{i1}, a_{i2}, a_{i3})`,
                 `\|a_{ij}\|`, `\operatorname{diag}(I_1, I_2, I_3)`; without it they are variables with one more index
                 (a matrix: two)
-    depends     the letters it is a function of: "t", "x, t", `\mathbf{y}, t`; "" if it is constant. Then `r` is r(t) and
-                `\dot{r}`, `r'`, `\frac{dr}{dt}` are its derivatives. Where nothing is said, it cannot stand in a
+    depends     the letters it is a function of: "t", "x, t", `\mathbf{y}, t`; "" if it is constant. Then `r` is r(t)
+                and `\dot{r}`, `r'`, `\frac{dr}{dt}` are its derivatives. Where nothing is said, it cannot stand in a
                 derivative, an integral or a mean by another letter
-    named       its value is known by its name: `r` and `r(t)` are lowered to the variable r, for which a definition puts
-                the expression that says how it depends on others; no other arguments are allowed
+    named       its value is known by its name: `r` and `r(t)` are lowered to the variable r, for which a definition
+                puts the expression that says how it depends on others; no other arguments are allowed
     number      "e", "i" or "pi" for a letter that is this number
     """
 
@@ -104,8 +87,6 @@ class Letter:
     def _check_number(self, spelling: str) -> None:
         """Letters that may be numbers say whether they are."""
         which = _NUMBERS.get(spelling, "") if not self.indices else ""
-        if self.number and (self.number != which or self.kind != "scalar" or self.depends or self.name):
-            raise self.fault(f"number={self.number!r} does not fit it; only e, i and \\pi are numbers")
         said = self.number or self.name is not None
         if which and not said and (self.kind == "scalar" or (which != "i" and self.kind == "index")):
             ways = (
@@ -116,6 +97,12 @@ class Letter:
             raise self.fault(f"{_SAID[which]}, or a letter of its own? {ways}")
         if spelling == r"\text{d}" and self.kind != "differential" and self.name is None:
             raise self.fault("the d of a differential, or a letter of its own? say kind='differential', or name='d'")
+
+    def check(self) -> None:
+        """SymcheckError if what is said of the letter does not fit together."""
+        which = _NUMBERS.get(canonical(self.latex), "") if not self.indices else ""
+        if self.number and (self.number != which or self.kind != "scalar" or self.depends or self.name):
+            raise self.fault(f"number={self.number!r} does not fit it; only e, i and \\pi are numbers, without a name")
 
     def fault(self, message: str) -> SymcheckError:
         """The error of this declaration."""
@@ -223,6 +210,7 @@ class Notation:
         self._letters: dict[tuple[str, int], Letter] = {}
         self._index: dict[str, Letter] = {}
         for letter in self.letters:
+            letter.check()
             key = canonical(letter.latex)
             if letter.kind == "index":
                 twice = key in self._index
@@ -341,12 +329,12 @@ class Notation:
         return close[0] if close else ""
 
     def refuse_undefined(self, defined: Container[str], *values: Any) -> None:
-        """SymcheckError for a named letter under a derivative, an integral or a mean that no definition gives a value."""
+        """SymcheckError for a named letter under a derivative, integral or mean that no definition gives a value."""
         for value in values:
             if found := self._undefined(value, defined, inside=False):
                 raise SymcheckError(
-                    f"nothing defines {found} here, so that its derivative, integral or mean is not known; define it, or "
-                    "declare it without named"
+                    f"nothing defines {found} here, so that its derivative, integral or mean is not known; define it, "
+                    "or declare it without named"
                 )
 
     def _undefined(self, value: Any, defined: Container[str], *, inside: bool) -> str | None:

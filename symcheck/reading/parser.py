@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 from collections import Counter
 from collections.abc import Container, Sequence
 from dataclasses import dataclass
@@ -161,12 +162,12 @@ class Builder:
         """Double signs of several relations may switch together or not; only where both hold it does not matter."""
         chains = [node for _, node in walk(tree) if isinstance(node, Chain)]
         signed = [[_is_signed(member) for member in chain.members] for chain in chains]
-        links = [pair for chain in signed for pair in zip(chain, chain[1:], strict=False) if any(pair)]
+        links = [pair for chain in signed for pair in itertools.pairwise(chain) if any(pair)]
         if sum(map(any, signed)) > 1 and not all(map(all, links)):
             raise self.fail(
                 0, "do the double signs of these relations switch together? write a statement for each sign"
             )
-        if any(sum(any(p) and not all(p) for p in zip(c, c[1:], strict=False)) > 1 for c in signed):
+        if any(sum(any(p) and not all(p) for p in itertools.pairwise(c)) > 1 for c in signed):
             raise self.fail(0, "do the double signs of this chain switch together? write a statement for each sign")
 
     # -- lists and statements ------------------------------------------------------------------------------------
@@ -225,7 +226,7 @@ class Builder:
             while end < len(trees) and self.is_listed(trees[end]) and not isinstance(trees[end - 1], STATEMENTS):
                 end += 1
             first = trees[k]
-            if isinstance(first, Chain) and len(first.signs) == 1 and self.is_listed(first.members[-1]):
+            if isinstance(first, Chain) and self.is_listed(first.members[-1]):
                 end = self.closing(listing, trees, k)
                 if end > k + 1:
                     found += self.between(trees[k:end], listing.at)
@@ -249,7 +250,7 @@ class Builder:
         if not isinstance(first, Chain) or not isinstance(last, Chain) or listing.wide[end - 1]:
             return k + 1
         orders = {_ORDERS.get(sign) for sign in first.signs + last.signs}
-        one_way = len(last.signs) == 1 and orders in ({"up"}, {"down"})
+        one_way = orders in ({"up"}, {"down"})
         inner = (first.members[-1], last.members[0])
         return end + 1 if one_way and self.is_listed(inner[1]) and inner[0] != inner[1] else k + 1
 
@@ -258,11 +259,11 @@ class Builder:
         first, last = trees[0], trees[-1]
         assert isinstance(first, Chain)
         assert isinstance(last, Chain)
-        if not isinstance(first.members[0], Number | Neg):
+        if not isinstance(first.members[0], Number | Neg) or len(first.signs + last.signs) > 2:
             raise self.fail(
                 at,
-                "two relations, or letters that lie between the same ends? write \\quad behind the comma, or a relation "
-                "for each letter",
+                "two relations, or letters that lie between the same ends? write \\quad behind the comma, or a "
+                "relation for each letter",
             )
         letters = [first.members[-1], *trees[1:-1], last.members[0]]
         signs = (*first.signs, *last.signs)
@@ -497,21 +498,27 @@ class Builder:
         after = rest[0] if rest else None
         if after is None or after.kind == "dot" or not alone:
             return
-        if isinstance(node, Number) and isinstance(after.node, Div) and not after.postfix:
-            if isinstance(after.node.top, Number) and isinstance(after.node.bottom, Number):
-                raise self.fail(after.at, r"a mixed number, or a product? write \cdot, or one fraction")
+        fraction = children(after.node) if isinstance(after.node, Div) and not after.postfix else ()
+        if fraction and all(isinstance(each, Number) for each in (node, *fraction)):
+            raise self.fail(after.at, r"a mixed number, or a product? write \cdot, or one fraction")
         name = node.base if isinstance(node, Pow) else node
         if isinstance(name, Call) and isinstance(name.function, Name) and not name.arguments:
             name = name.function
-        if not isinstance(name, Name) or not self.in_brackets(after):
+        if not self.in_brackets(after):
+            return
+        if isinstance(node, Derivative) or (item.kind == "group" and self.has_function(node)):
+            raise self.fail(
+                after.at, "at the place in these brackets, or times it? write \\cdot, or the function with its place"
+            )
+        if not isinstance(name, Name):
             return
         letter = self.notation.find(name.letter, len(name.subscripts))
         shown, inside = to_latex(name), self.inside(after)
         if letter is not None and letter.applies:
             raise self.fail(
                 after.at,
-                f"{shown} of what is in these brackets, or times it? declare {letter.latex} with kind='function', or write "
-                r"\cdot",
+                f"{shown} of what is in these brackets, or times it? declare {letter.latex} with kind='function', or "
+                r"write \cdot",
             )
         constant = letter is not None and (letter.depends == "" or letter.number)
         # a sum and a power of a product need their brackets, so that they are no sign of a function
@@ -523,9 +530,14 @@ class Builder:
         if not constant and isinstance(inside, idle):
             raise self.fail(
                 after.at,
-                f"{shown} of what is in these brackets, or times it? declare {name.letter} with kind='function', or with "
-                "depends='' if it is constant, or leave out the brackets",
+                f"{shown} of what is in these brackets, or times it? declare {name.letter} with kind='function', or "
+                "with depends='' if it is constant, or leave out the brackets",
             )
+
+    def has_function(self, tree: Tree) -> bool:
+        """Does a function stand here without its arguments?"""
+        calls = [node for _, node in walk(tree) if isinstance(node, Call) and not node.arguments]
+        return any(isinstance(call.function, Name) and self.kind(call.function) == "function" for call in calls)
 
     def is_vector(self, tree: Tree) -> bool:
         return any(isinstance(node, Name) and self.kind(node) == "vector" for _, node in walk(tree))
@@ -568,6 +580,8 @@ class Builder:
             end += 1
         if depth or end >= len(items) or items[end].kind != "atom" or items[end].postfix or items[end - 1].power:
             raise self.fail(sign.at, "this integral does not say what it is taken over")
+        if items[end - 1].partial:
+            raise self.fail(items[end - 1].at, "an integral is taken over dx, not over a partial differential")
         if end + 1 < len(items):
             raise self.fail(items[end + 1].at, "does this belong to the integral? put the integral in brackets")
         if end - 1 == k + 1 or sign.bounds is None:
@@ -666,8 +680,8 @@ class Builder:
         if not self.notation.argument:
             raise self.fail(
                 item.at,
-                f"does this factor belong to the argument of {function}? write brackets around the argument, or say in the "
-                "notation argument='short' (it does not) or 'long' (it does)",
+                f"does this factor belong to the argument of {function}? write brackets around the argument, or say in "
+                "the notation argument='short' (it does not) or 'long' (it does)",
             )
         return self.notation.argument == "long"
 
@@ -761,7 +775,7 @@ class Builder:
     def variables(self, items: list[Item]) -> list[Tree]:
         found = []
         for head, item in zip(items[0::2], items[1::2], strict=False):
-            if head.kind != "d" or item.kind != "atom" or head.power:
+            if head.kind != "d" or item.kind != "atom" or head.power or head.partial != items[0].partial:
                 raise self.fail(head.at, "this differential cannot be read")
             found.append(self.atom(item))
         if len(items) % 2:
@@ -782,7 +796,7 @@ class Builder:
         for tree in bottom.body:
             name, order = (tree.base, self.order(tree.exponent, at)) if isinstance(tree, Pow) else (tree, 1)
             if not isinstance(name, Name):
-                raise self.fail(at, "a derivative is taken by a letter")
+                raise self.fail(at, "a derivative is taken by a letter that depends on no other")
             found.append((name, order))
         return tuple(found)
 

@@ -45,6 +45,7 @@ from symcheck.reading.tree import (
     Tree,
     Tuple,
     Values,
+    walk,
 )
 
 # how tightly a printed form holds together: what is looser than its place needs is put in brackets
@@ -139,6 +140,10 @@ def _needs_dot(before: Tree, factor: Tree) -> bool:
     if isinstance(before, Number):
         return isinstance(factor, Div) and isinstance(factor.top, Number) and isinstance(factor.bottom, Number)
     shown = _print(factor, FACTOR)
+    if shown.startswith(_BRACKETS) and (
+        isinstance(before, Derivative) or any(_is_function_letter(n) for _, n in walk(before))
+    ):
+        return True
     if isinstance(before, Pow) and isinstance(before.base, Call | Name):
         before = before.base
     if isinstance(before, Call) and isinstance(before.function, str) and _is_bare(before):

@@ -10,7 +10,7 @@ from typing import Any
 
 from symcheck.evidence import confirmed
 from symcheck.evidence.record import Record
-from symcheck.export.coq.claims import Exported, exported, key
+from symcheck.export.coq.claims import Exported, exported
 from symcheck.export.coq.statements import WIDTH
 from symcheck.export.coq.witnesses import witnesses
 
@@ -51,7 +51,7 @@ def _listed(found: Sequence[Exported]) -> dict[str, Any]:
     out: dict[str, Any] = {}
     for each in found:
         entry = out.setdefault(confirmed.key(each.record, each.corrected), _empty())
-        entry["certificates"].append(key(each.certificate))
+        entry["certificates"].append(confirmed.digest_of(each.certificate))
         if each.statement is None:
             entry["reasons"] = list(dict.fromkeys([*entry["reasons"], each.reason]))
         else:

@@ -122,7 +122,7 @@ def _prepared(text: str, swept: Plan, store: Store, asked: Mapping[str, int], me
             raise SweepError(
                 f"the sweep was begun with chunks {begun['chunks']}; leave --chunk out, or remove {store.partial}"
             )
-    store.open(results)
+    store.open(results, chunks)
     return chunks
 
 

@@ -1,0 +1,174 @@
+"""Whatever a method is asked, it answers; and what it says it has proved or refuted, the checker accepts."""
+
+from __future__ import annotations
+
+import ast
+import json
+import random
+from pathlib import Path
+
+import pytest
+
+from symcheck.checker import check
+from symcheck.proof import certificate, identity, proof_of
+from symcheck.statement import Formula, Problem, Term, Verdict
+
+PROOF = Path(__file__).parents[1] / "symcheck" / "proof"
+SIGNS = ("=", "=", "=", "!=", "<", "<=", ">", ">=")
+
+
+def polynomial(rng: random.Random, depth: int) -> Term:
+    if depth == 0 or rng.random() < 0.35:
+        return rng.choice(("x", "y", "u", 0, 1, 2, -1))
+    kind = rng.choice("+*-^")
+    if kind in "-^":
+        return (kind, polynomial(rng, depth - 1), *((rng.choice((2, 3)),) if kind == "^" else ()))
+    return (kind, polynomial(rng, depth - 1), polynomial(rng, depth - 1))
+
+
+def statement(rng: random.Random, depth: int) -> Formula:
+    if depth == 0 or rng.random() < 0.3:
+        return (rng.choice(SIGNS), polynomial(rng, 2), polynomial(rng, 2))
+    kind = rng.choice(("and", "or", "or", "=>", "<=>"))
+    return (kind, *(statement(rng, depth - 1) for _ in range(rng.choice((2, 3)) if kind in ("and", "or") else 2)))
+
+
+def logical(seed: int) -> Problem:
+    rng = random.Random(seed)
+    definitions = (("u", rng.choice((("+", "x", "z"), ("*", "z", "z"), "z", 0, ("^", "y", 2)))),)
+    hypotheses = tuple((f"h{n}", (statement(rng, 1),)) for n in range(rng.choice((0, 1, 2))))
+    return Problem(f"logical {seed}", statement(rng, 2), definitions, hypotheses)
+
+
+def accepted(problem: Problem) -> Verdict:
+    outcome = identity.decide(problem)
+    if outcome.verdict is Verdict.UNDECIDED:
+        assert outcome.reason
+    else:
+        assert check(json.loads(json.dumps(certificate(problem, outcome)))) is None, problem
+    return outcome.verdict
+
+
+def logic(seeds: range) -> None:
+    verdicts = [accepted(logical(seed)) for seed in seeds]
+    assert {*verdicts} == {*Verdict}
+
+
+def test_the_checker_accepts_what_a_method_says_of_connectives() -> None:
+    logic(range(80))
+
+
+@pytest.mark.slow
+def test_the_checker_accepts_what_a_method_says_of_many_connectives() -> None:
+    logic(range(80, 1000))
+
+
+KINDS = (
+    *("+", "*", "-", "/", "/", "^", "^^", "pow", "sqrt", "sqrt", "sin", "cos", "tan"),
+    *("exp", "log", "gamma", "arctan", "arcsin", "diff", "call", "integral", "mean"),
+)
+
+
+def function(rng: random.Random, depth: int) -> Term:
+    if depth == 0 or rng.random() < 0.2:
+        return rng.choice(("x", "y", "a", "Sqrt_1", "pi", "turn", 0, 1, 2, -1, 3, 10**12))
+    kind = rng.choice(KINDS)
+    inner = function(rng, depth - 1)
+    match kind:
+        case "sin" | "cos" | "tan":
+            return kind, rng.choice(("x", "a", ("*", 2, "x"), ("+", "x", "a"), ("/", "x", 2), inner))
+        case "^" | "^^":
+            return "^", inner, rng.choice((2, 3, -1, -2, 0) if kind == "^" else (50, 999, 10**9, -(10**9)))
+        case "pow":
+            return kind, inner, rng.choice((("/", 1, 2), ("/", 1, 3), -1, 2, ("/", 1, 0), function(rng, depth - 1)))
+        case "diff":
+            return kind, inner, rng.choice(("x", "a")), rng.choice((1, 2, 9))
+        case "call":
+            return kind, rng.choice("fg"), (rng.choice((0, 1)),), inner
+        case "integral":
+            ends = ((0, 1), (0, "infinity"), (("-", "infinity"), "infinity"), ("a", 2))
+            return kind, inner, "x", *rng.choice(ends)
+        case "mean":
+            return kind, inner, "x"
+        case "+" | "*" | "/":
+            return kind, inner, function(rng, depth - 1)
+    return kind, inner
+
+
+def relation(rng: random.Random) -> Formula:
+    left = function(rng, 3)
+    return (rng.choice(SIGNS), left, left if rng.random() < 0.3 else function(rng, 2))
+
+
+def transcendental(seed: int) -> Problem:
+    rng = random.Random(seed)
+    hypotheses = (("h", (relation(rng),)),) if rng.random() < 0.3 else ()
+    kind = rng.choice(("", "", "and", "or", "=>", "exists"))
+    claim = relation(rng)
+    if kind:
+        claim = ("exists", ("x",), claim) if kind == "exists" else (kind, claim, relation(rng))
+    return Problem(f"transcendental {seed}", claim, (), hypotheses)
+
+
+def test_a_method_has_an_answer_to_any_functions() -> None:
+    for seed in range(150):
+        accepted(transcendental(seed))
+
+
+@pytest.mark.slow
+def test_a_method_has_an_answer_to_many_functions() -> None:
+    for seed in range(150, 1500):
+        accepted(transcendental(seed))
+
+
+ENDLESS: dict[str, Formula] = {
+    "a long power of a number": ("=", ("^", 2, 10**9), 1),
+    "a long power of a long number": ("=", ("^", 10**40, 999), "x"),
+    "a long power of a sum": ("=", ("^", ("+", "x", "y", "z"), 998), 1),
+    "a long power of a cosine": ("=", ("^", ("cos", ("*", 2, "x")), 999), 1),
+    "a large multiple of an angle": ("=", ("sin", ("*", 10**9, "x")), 0),
+    "nothing to a power below nothing": ("=", ("^", 0, -1), 1),
+    "nested roots": ("=", ("sqrt", ("sqrt", ("sqrt", ("+", "x", ("sqrt", "y"))))), ("sqrt", 47)),
+    "the root of minus one": ("=", ("^", ("sqrt", -1), 2), -1),
+    "a fractional power of nothing": ("=", ("pow", 0, ("/", 1, 2)), 0),
+    "infinity as a number": ("=", ("+", "infinity", 1), "infinity"),
+    "a bound constant": ("=", ("integral", "pi", "pi", 0, 1), "pi"),
+    "a derivative by a constant": ("=", ("diff", ("^", "pi", 2), "pi", 1), ("*", 2, "pi")),
+    "an unknown operation": ("=", ("sinh", "x"), "x"),
+    "a power without an exponent": ("=", ("^", "x"), "x"),
+    "an exponent that is a letter": ("=", ("^", "x", "n"), "x"),
+    "a truth value": ("=", True, 1),
+    "no side": ("=",),
+    "no connective": ("nor", ("=", "x", "x"), ("=", "x", "x")),
+    "an empty quantifier": ("exists", (), ("=", "x", "x")),
+    "a name that is none": ("=", "x y", "x y"),
+    "orders that do not fit": ("=", ("call", "f", (0, 1), "x"), ("call", "f", (0, 1), "x")),
+    "another order": ("=", ("call", "f", (-1,), "x"), ("call", "f", (-1,), "x")),
+}
+
+
+@pytest.mark.parametrize("claim", ENDLESS.values(), ids=ENDLESS)
+def test_what_no_method_can_read_or_finish_is_undecided_with_a_reason(claim: Formula) -> None:
+    for problem in (
+        Problem("claimed", claim),
+        Problem("given", ("=", "x", "x"), (), (("h", (claim,)),)),
+    ):
+        outcome = identity.decide(problem)
+        assert outcome.verdict is Verdict.UNDECIDED
+        assert outcome.reason
+        assert proof_of(problem) is None
+
+
+def test_deep_terms_are_undecided() -> None:
+    term: Term = "x"
+    for _ in range(5000):
+        term = ("-", term)
+    assert identity.decide(Problem("deep", ("=", term, "x"))).verdict is Verdict.UNDECIDED
+
+
+@pytest.mark.parametrize("file", sorted(PROOF.glob("*.py")), ids=lambda file: file.stem)
+def test_the_provers_use_nothing_of_the_checker(file: Path) -> None:
+    nodes = [*ast.walk(ast.parse(file.read_text(encoding="utf-8")))]
+    imported = [f"{node.module}.{a.name}" for node in nodes if isinstance(node, ast.ImportFrom) for a in node.names]
+    imported += [alias.name for node in nodes if isinstance(node, ast.Import) for alias in node.names]
+    assert not [name for name in imported if name.startswith(("symcheck.checker", "symcheck.residues"))]

@@ -1,0 +1,166 @@
+"""A statement is proved only with a point at which all it rests on holds together."""
+
+from __future__ import annotations
+
+import json
+import math
+from fractions import Fraction
+from typing import Any
+
+import pytest
+from statements import TRUE, over, sub
+
+from symcheck.checker import check
+from symcheck.proof import certificate, identity, proof_of
+from symcheck.proof.witness import find_witness, find_witnesses, implications
+from symcheck.statement import Formula, Problem, Term, Verdict
+
+EQUAL = (("h", (("=", "x", "y"),)),)
+AND_NOT: tuple[Formula, ...] = (("=", "x", 1), ("=", "x", 2))
+ZERO = sub("x", "y")
+VACUOUS = {
+    "nothing by nothing": Problem("0/0", ("=", over(sub("x", "y"), sub("y", "x")), 7), (), EQUAL),
+    "nothing by nothing, equal to itself": Problem(
+        "0/0", ("=", over(1, sub("x", "y")), over(1, sub("x", "y"))), (), EQUAL
+    ),
+    "a premise that never holds": Problem("never", ("=>", ("<", ("^", "x", 2), 0), ("=", "x", 5))),
+    "hypotheses that contradict each other": Problem("both", ("=", "x", 5), (), (("h", AND_NOT),)),
+    "one that is not used contradicts": Problem("unused", ("=", "y", "y"), (), (("h", AND_NOT),)),
+    "the second of two implications": Problem(
+        "second", ("and", ("=>", ("=", "x", 1), ("=", "x", 1)), ("=>", ("and", *AND_NOT), ("=", "y", 3)))
+    ),
+    "an implication after another": Problem("chain", ("=>", ("=", "x", 1), ("=>", ("=", "x", 2), ("=", "y", 3)))),
+    "a denominator that a definition makes zero": Problem(
+        "defined", ("=", over("a", "u"), over("a", "u")), (("u", sub("x", "y")),), EQUAL
+    ),
+    "the root of a negative number": Problem(
+        "root", (">=", ("sqrt", ("-", "x")), 0), (), (("h", ((">", "x", 0), ("<=", "x", 0))),)
+    ),
+}
+
+
+@pytest.mark.parametrize("problem", VACUOUS.values(), ids=VACUOUS)
+def test_what_is_true_for_want_of_a_case_is_not_proved(problem: Problem) -> None:
+    outcome = identity.decide(problem)
+    assert outcome.verdict is Verdict.UNDECIDED
+    assert "no point was found" in outcome.reason
+    assert proof_of(problem) is None
+
+
+def test_a_fraction_is_cancelled_where_it_has_a_value() -> None:
+    problem = Problem("cancelled", ("=", over(sub("x", "y"), sub("y", "x")), ("-", 1)))
+    (point,) = certificate(problem, identity.decide(problem))["witnesses"]
+    assert point["values"]["x"] != point["values"]["y"]
+
+
+def test_that_something_never_holds_is_proved_without_a_case_where_it_does() -> None:
+    problem = Problem("never", ("=>", ("<", ("^", "x", 2), 0), ("=", 0, 1)))
+    assert identity.decide(problem).verdict is Verdict.PROVED
+
+
+def test_that_hypotheses_contradict_each_other_can_be_proved() -> None:
+    assert proof_of(Problem("contradiction", ("=", 0, 1), (), (("h", AND_NOT),))) is not None
+
+
+def test_each_implication_has_a_case_of_its_own() -> None:
+    ways = [("=>", ("=", "x", n), ("=", ("^", "x", 2), n * n)) for n in (1, 2)]
+    problem = Problem("two", ("and", *ways))
+    found = find_witnesses(problem)
+    assert found is not None
+    assert [point["values"]["x"] for point in found] == ["1", "2"]
+    assert find_witness(problem) is None
+    assert implications(("=>", ("=", "x", 1), ways[0])) == [("and", ("=", "x", 1), ("=", "x", 1))]
+
+
+def value(term: Term, at: dict[str, float]) -> float:
+    """By floating-point numbers, with no code of the provers."""
+    if isinstance(term, int):
+        return term
+    if isinstance(term, str):
+        return math.pi if term == "pi" else at[term]
+    kind, *parts = term
+    if kind in ("sin", "cos") and isinstance(parts[0], str) and f"{kind}_{parts[0]}" in at:
+        return at[f"{kind}_{parts[0]}"]
+    if kind == "^":
+        return value(parts[0], at) ** parts[1]
+    values = [value(part, at) for part in parts]
+    operations: dict[str, Any] = {
+        "+": sum, "*": math.prod, "-": lambda v: -v[0], "/": lambda v: v[0] / v[1], "pow": lambda v: v[0] ** v[1],
+    }  # fmt: skip
+    return float(operations[kind](values) if kind in operations else getattr(math, kind)(values[0]))
+
+
+def holds(formula: Formula, at: dict[str, float]) -> bool:
+    kind, *parts = formula
+    if kind == "and":
+        return all(holds(part, at) for part in parts)
+    if kind == "or":
+        return any(holds(part, at) for part in parts)
+    gap = value(parts[0], at) - value(parts[1], at)
+    near = abs(gap) < 1e-9
+    return {"=": near, "!=": not near, "<": gap < 0, "<=": gap < 0 or near, ">": gap > 0, ">=": gap > 0 or near}[kind]
+
+
+def coordinates(point: dict[str, Any], definitions: Any) -> dict[str, float]:
+    at: dict[str, float] = {}
+    for x, written in point["values"].items():
+        at[x] = float(Fraction(written)) if isinstance(written, str) else value(_frozen(written), {})
+    for name, term in definitions:
+        if name not in at:
+            try:
+                at[name] = value(_frozen(term), at)
+            except KeyError:  # of letters about which nothing is said
+                continue
+    return at
+
+
+def _frozen(node: Any) -> Any:
+    return tuple(map(_frozen, node)) if isinstance(node, (list, tuple)) else node
+
+
+TAN = ("h", ((">", ("sin", "a"), 0), ("=", ("sin", "a"), ("*", 3, ("cos", "a")))))
+GIVEN = [
+    Problem("a tangent", (">", ("cos", "a"), 0), (), (TAN,)),
+    Problem("a square", ("=", ("^", "x", 4), over(1, 9)), (), (("h", (("=", ("^", "x", 2), over(1, 3)),)),)),
+    Problem("an interval", ("<", "x", 1), (), (("h", (("<", "x", over(1, 5)), (">", "x", over(1, 20)))),)),
+    Problem("a root", (">=", ("sqrt", sub("x", 7)), 0), (), (("h", ((">=", sub("x", 7), 0),)),)),
+]
+
+
+@pytest.mark.parametrize("problem", [*TRUE, *GIVEN], ids=lambda p: p.id)
+def test_at_a_witness_everything_holds(problem: Problem) -> None:
+    made = json.loads(json.dumps(certificate(problem, identity.decide(problem))))
+    assert check(made) is None
+    premises = implications(problem.claim)
+    assert len(made["witnesses"]) in (1, len(premises))
+    for n, point in enumerate(made["witnesses"]):
+        at = coordinates(point, problem.definitions)
+        stated = [f for _, formulas in problem.hypotheses for f in formulas]
+        stated += premises if len(made["witnesses"]) == 1 else [premises[n]]
+        assert [f for f in stated if not holds(f, at)] == []
+        for x in (key[4:] for key in at if key.startswith("sin_")):
+            assert math.isclose(at[f"sin_{x}"] ** 2 + at[f"cos_{x}"] ** 2, 1)
+
+
+def test_angles_that_are_compared_have_witnesses_by_their_digits() -> None:
+    acute = ("acute", (("<", 0, "a"), ("<", "a", over("pi", 2)), ("=", "b", ("arctan", over(5, 8)))))
+    point = find_witness(Problem("angles", ("=", "a", "a"), (), (acute,)))
+    assert point is not None
+    assert point["values"]["b"] == ("arctan", over(5, 8))
+    assert 0 < value(point["values"]["a"], {}) < math.pi / 2
+
+
+def test_an_integral_at_a_witness_has_a_proof() -> None:
+    whole = ("whole", (("=", ("integral", "c", "x", 1, 4), 6),))
+    problem = Problem("integral", ("=", "c", 2), (), (whole,))
+    (point,) = certificate(problem, identity.decide(problem))["witnesses"]
+    assert point["values"] == {"c": "2"}
+    ((integral, number, proof),) = point["functions"]
+    assert (integral[0], number, proof["rule"]) == ("integral", 6, "theorem")
+
+
+def test_the_search_for_a_witness_of_what_cannot_be_gives_none() -> None:
+    half: Term = ("sin", over("x", 2))
+    assert find_witness(Problem("half", ("=", "x", "x"), (), (("h", (("=", half, 1),)),))) is None
+    some = ("exists", ("t",), ("=", "t", "x"))
+    assert find_witness(Problem("some", ("=", "x", "x"), (), (("h", (some,)),))) is None
