@@ -249,9 +249,12 @@ def power(base: mpf, exponent: int) -> mpf:
 
 def real_power(base: mpf, exponent: mpf) -> mpf:
     """Of a base that is positive; whole powers are said of all bases."""
-    if base <= 0 and not mp.isint(exponent):
+    whole = mp.nint(exponent)
+    if base > 0:
+        return base**exponent
+    if abs(exponent - whole) > NIL:
         raise NoValue("a power")
-    return base**exponent if base > 0 else power(base, int(exponent))
+    return power(base, int(whole))
 
 
 def defined(function: Callable[[mpf], mpf], where: Callable[[mpf], bool]) -> Callable[[mpf], mpf]:

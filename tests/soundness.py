@@ -17,7 +17,7 @@ from meaning import Meaning, NoValue, Smooth, mpf, unfold, unfolded
 
 from symcheck.checker import check_all
 from symcheck.checker.algebra import Algebra
-from symcheck.checker.residues import Reject
+from symcheck.checker.residues import PRIME, Reject
 from symcheck.checker.theorems import NAMES, instance, theorem
 from symcheck.core.calculus import Unknown, differentiated
 from symcheck.core.terms import Malformed, Reader
@@ -414,12 +414,6 @@ class Forger:
 
     def points(self, made: JSON) -> JSON:
         """A point for what is assumed: numbers for all letters, fitted to an equation with a letter alone."""
-        if (
-            not made["hypotheses"]
-            and not made.get("nonzero")
-            and made["claim"][:1] not in (["=>"], ["and"], ["forall"])
-        ):
-            return []
         values = {x: self.rng.choice((1, 2, 3, ["/", 1, 2], -1, 0)) for x in LETTERS}
         for formulas in made["hypotheses"].values():
             for formula in formulas:
@@ -440,7 +434,7 @@ class Forger:
             t = self.angular() if self.chance(0.5) else self.term(2, ("x", "y"))
             try:
                 algebra = Algebra({})
-                value = algebra.value(Reader().term(t)) % algebra.prime
+                value = algebra.value(Reader().term(t)) % PRIME
             except (Reject, Malformed, Unknown, TypeError, ValueError, AttributeError, ArithmeticError):
                 continue
             other = self.met.setdefault(value, t)
