@@ -54,15 +54,10 @@ def contrary(formula: Formula) -> Formula:
 
 
 def sides(formula: Formula) -> list[Term]:
-    """Both sides of every relation in a formula."""
-    match formula:
-        case Relation(terms=(left, right)):
-            return [left, right]
-        case Connective(formulas=parts):
-            return [t for part in parts for t in sides(part)]
-        case Quantified(body=body):
-            return sides(body)
-    raise AssertionError(formula)
+    """Both sides of every relation in a formula that stands under no quantifier."""
+    if isinstance(formula, Relation):
+        return [*formula.terms]
+    return [t for part in formula.formulas for t in sides(part)] if isinstance(formula, Connective) else []
 
 
 def fit(kind: type[T], data: JSON, name: str | None = None) -> T:
