@@ -11,7 +11,19 @@ from symcheck.checker.residues import PRIME, Reject, require
 from symcheck.checker.rules import FALSE, LIST, Prover, Step, conjuncts, contrary, fit, paired, sides, truth
 from symcheck.checker.theorems import instance
 from symcheck.core.calculus import Unknown, domain, functions, letters, substituted
-from symcheck.core.terms import JSON, Call, Connective, Formula, Malformed, Quantified, Reader, Value, node
+from symcheck.core.terms import (
+    JSON,
+    Call,
+    Connective,
+    Formula,
+    Malformed,
+    Node,
+    Quantified,
+    Reader,
+    Relation,
+    Value,
+    node,
+)
 
 MALFORMED = (LookupError, TypeError, ValueError, AttributeError, ArithmeticError, RecursionError, AssertionError)
 
@@ -92,7 +104,8 @@ class Certificate:
         listed = [formula.outside[0] for formula in self.nonzero]
         prover.listed = dict(zip(aside.residues(listed), listed, strict=True))
         prover.tops = {*aside.residues(t.terms[0] for t in listed if isinstance(t, Value) and t.tag == "/")}
-        superfluous = prover.listed.keys() - prover.algebra.divisors.keys()
+        met = {*prover.algebra.divisors, *self.quantified(self.claim)} if self.nonzero else set()
+        superfluous = prover.listed.keys() - met
         require(not superfluous, "{} is no denominator of the statement", [prover.listed[v] for v in superfluous])
         facts = [formula for _, formula in self.lemmas]
         goal = node("=>", node("and", *facts), self.claim) if facts else self.claim
@@ -100,6 +113,17 @@ class Certificate:
         prover.finish()
         require(prover.used >= self.hypotheses.keys() or facts, "a hypothesis is not used")
         self.check_witnesses()
+
+    def quantified(self, formula: Formula, bound: frozenset[str] = frozenset()) -> Iterator[int]:
+        """The values of denominators under quantifiers that are the same for all values of the letters bound there."""
+        if isinstance(formula, Relation) and bound:
+            inner = Algebra(self.reader.names)
+            inner.residues(formula.terms)
+            yield from (v for v, term in inner.divisors.items() if term is not None and not letters(term) & bound)
+        elif not isinstance(formula, Relation):
+            for part in (*formula.inside, *formula.outside):
+                assert isinstance(part, Node)
+                yield from self.quantified(part, bound.union(formula.bound))
 
     def check_witnesses(self) -> None:
         """Everything that is assumed holds somewhere, the premises of each implication too, and all terms have values.
