@@ -1250,6 +1250,9 @@ CERTIFICATES: dict[str, Forgery] = {
         ),
     ),
     "a letter without a coordinate": Forgery("no value for y", refuted(["=", "x", "y"], {"x": 1})),
+    "a letter without a coordinate, by a proof": Forgery(
+        "no value for y", refuted(["!=", "y", "y"], {"x": 1}, proof=each(ID))
+    ),
     "infinity as a coordinate": Forgery(
         "['infinity'] is no term", refuted(["=", ["+", "x", 1], ["+", "x", 1]], {"x": OO})
     ),

@@ -16,7 +16,10 @@ from typing import Any
 from meaning import Meaning, NoValue, Smooth, mpf, unfold, unfolded
 
 from symcheck.checker import check_all
+from symcheck.checker.algebra import Algebra
+from symcheck.checker.residues import PRIME, Reject
 from symcheck.checker.theorems import NAMES, instance, theorem
+from symcheck.core.calculus import Unknown, differentiated
 from symcheck.core.terms import Malformed, Reader
 
 JSON = Any
@@ -33,6 +36,7 @@ class Forger:
 
     def __init__(self, seed: int) -> None:
         self.rng = random.Random(seed)
+        self.met: dict[int, JSON] = {}  # a term for each value that the checker gave
 
     def chance(self, probability: float) -> bool:
         return self.rng.random() < probability
@@ -150,8 +154,6 @@ class Forger:
 
     def derived(self, node: JSON) -> JSON:
         """What the checker itself says that the derivative is."""
-        from symcheck.core.calculus import Unknown, differentiated
-
         try:
             return plain(differentiated(Reader().term(node)))  # type: ignore[arg-type]
         except (Unknown, Malformed, ArithmeticError, ValueError, TypeError, AttributeError):
@@ -272,18 +274,52 @@ class Forger:
                 given[parameter] = {"letter": x, "term": self.shape(name, parameter, x)}
             else:
                 given[parameter] = self.term(self.rng.choice((0, 0, 1, 2)))
-        if name == "mean" and isinstance(given.get("g"), dict) and self.chance(0.7):
+        if self.chance(0.6):
+            self.fit(name, given)
+        return given
+
+    def fit(self, name: str, given: dict[str, JSON]) -> None:
+        """Arguments such as the premises ask for, or nearly."""
+        if name.startswith("arc") or "_arc" in name:
+            sign = ["-", 1] if self.chance(0.3) else 1
+            given["t"] = self.rng.choice(
+                (0, 1, -1, ["/", 1, 2], ["/", -2, 3], ["sin", "x"], ["cos", "a"], ["*", sign, "y"])
+            )
+            kind = {"arct": "arctan", "arcs": "arcsin", "arcc": "arccos"}.get(name[:4], "arctan")
+            angle = [kind, given["t"]]
+            if "a" in given:
+                given["a"] = self.rng.choice((angle, angle, 0, ["/", ["pi"], 2], ["/", ["pi"], -3], ["/", "x", 4]))
+        if name == "equal_squares":
+            given["s"], given["t"] = self.rng.choice((("x", ["sqrt", ["^", "x", 2]]), ("x", "x"), (2, 2), ("x", "y")))
+        if name == "power_inverse":
+            given["t"] = ["pow", given["b"], given["u"]]
+        if name == "intermediate_value":
+            given["s"], given["t"] = self.rng.choice(((-1, 2), (0, 3), ("x", ["+", "x", 5]), (["-", "y"], "y")))
+        if name == "power_rule":
+            given["s"], given["t"] = self.rng.choice(((1, 2), (0, 1), (0, "y"), ("x", ["+", "x", 1]), (-1, 1)))
+            given["c"], given["u"] = self.number(), self.rng.choice((2, ["/", 1, 2], -1, "a"))
+        if name == "quarter_turn":
+            s, c = ["sin", "x"], ["cos", "x"]
+            double = ["+", ["^", c, 2], ["-", ["^", s, 2]]]
+            given["f"] = {"letter": "x", "term": ["+", ["*", self.term(1), double], ["*", self.number(), s, c]]}
+        if name in ("even", "odd"):
+            k = self.rng.choice((0, 2) if name == "even" else (1, 3))
+            bottom = ["+", ["^", "x", 2], self.rng.choice((1, 2, "a"))]
+            given["f"] = {
+                "letter": "x",
+                "term": ["*", self.number(), ["^", "x", k], ["pow", bottom, self.rng.choice((-3, -1))]],
+            }
+        if name == "mean" and isinstance(given.get("g"), dict):
             x, body = given["g"]["letter"], given["g"]["term"]
             given["f"] = {"letter": x, "term": ["+", given["c"], self.derived(["diff", body, x, 1, x])]}
-        if name == "power_rule" and isinstance(given.get("g"), dict) and self.chance(0.7):
+        if name == "power_rule" and isinstance(given.get("g"), dict):
             x, body = given["g"]["letter"], ["*", given["c"], ["pow", given["g"]["term"], given["u"]]]
             given["f"] = {"letter": x, "term": self.derived(["diff", body, x, 1, x])}
-        if name in ("beta", "beta_diverges") and self.chance(0.7):
+        if name in ("beta", "beta_diverges"):
             self.integrand(given)
-        if name == "power_diverges" and self.chance(0.7):
+        if name == "power_diverges":
             given["u"] = self.number()
             given["f"] = {"letter": "x", "term": ["*", given["c"], ["pow", "x", given["u"]]]}
-        return given
 
     def integrand(self, given: dict[str, JSON]) -> None:
         """c x^k x^u (p x^2 + q)^-r."""
@@ -378,12 +414,6 @@ class Forger:
 
     def points(self, made: JSON) -> JSON:
         """A point for what is assumed: numbers for all letters, fitted to an equation with a letter alone."""
-        if (
-            not made["hypotheses"]
-            and not made.get("nonzero")
-            and made["claim"][:1] not in (["=>"], ["and"], ["forall"])
-        ):
-            return []
         values = {x: self.rng.choice((1, 2, 3, ["/", 1, 2], -1, 0)) for x in LETTERS}
         for formulas in made["hypotheses"].values():
             for formula in formulas:
@@ -393,8 +423,50 @@ class Forger:
         return [{"values": {x: value for x, value in values.items() if x not in defined}}]
 
     def identity(self) -> JSON:
-        claim = self.relation("=")
-        return self.proved(claim, IDENTITY)
+        if self.chance(0.4):
+            return self.proved(self.twins(), IDENTITY)
+        return self.proved(self.relation("="), IDENTITY)
+
+    def twins(self) -> JSON:
+        """Two terms that have one value for the checker, among many small ones."""
+        t: JSON = 0
+        for _ in range(12):
+            t = self.angular() if self.chance(0.5) else self.term(2, ("x", "y"))
+            try:
+                algebra = Algebra({})
+                value = algebra.value(Reader().term(t)) % PRIME
+            except (Reject, Malformed, Unknown, TypeError, ValueError, AttributeError, ArithmeticError):
+                continue
+            other = self.met.setdefault(value, t)
+            if other != t:
+                return ["=", other, t]
+        return ["=", t, self.same(t)]
+
+    def angular(self) -> JSON:
+        """A sine, cosine or tangent of multiples of angles, or a small form of such."""
+        if self.chance(0.3):
+            part = [self.angular(), self.angular()]
+            return self.rng.choice(
+                (["*", *part], ["+", *part], ["-", part[0]], ["^", part[0], self.rng.choice((2, 3))])
+            )
+        return [self.rng.choice(("sin", "cos", "sin", "cos", "tan")), self.angle()]
+
+    def angle(self) -> JSON:
+        whole = self.rng.choice((1, 2, 3, -1, -2, -3, 4, 0))
+        base = self.rng.choice(("x", "x", "y", ["pi"], ["arctan", 2], ["arctan", ["/", 1, 2]], ["*", "x", "y"], 1))
+        match self.rng.randrange(6):
+            case 0:
+                return ["*", whole, base]
+            case 1:
+                return ["/", base, self.rng.choice((2, -2, 3, 4))]
+            case 2:
+                return ["*", ["/", whole, self.rng.choice((2, 3, -2))], base]
+            case 3:
+                return ["+", self.angle(), self.angle()]
+            case 4:
+                return ["-", self.angle()]
+            case _:
+                return base
 
     def assumed(self) -> JSON:
         """A small statement with hypotheses, and a proof by its form."""
@@ -555,12 +627,14 @@ class Judge:
         if made["verdict"] == "refuted":
             return self.refutation(claim, assumed, made["point"], names)
         for point in made.get("witnesses", ()):
-            meaning, values = self.place(point, names)
-            found = [meaning.formula(formula, values) for formula in assumed]
+            meaning, values, own = self.place(point, names)
+            found = [meaning.formula(unfold(formula, own), values) for formula in assumed]
             if False in found:
                 return "what is assumed does not hold at the witness"
+            if all(found) and meaning.formula(unfold(claim, own), values) is False:
+                return "false at the witness"
         tried = 0
-        for meaning, values in self.places(assumed, claim, made.get("witnesses", ()), names):
+        for meaning, values in self.places(assumed, claim):
             if all(meaning.formula(formula, values) for formula in assumed):
                 tried += 1
                 found_ = meaning.formula(claim, values)
@@ -570,23 +644,24 @@ class Judge:
         self.told["assumptions met" if tried else "assumptions never met"] += 1
         return None
 
-    def place(self, point: JSON, names: dict[str, JSON]) -> tuple[Meaning, dict[str, mpf]]:
+    def place(self, point: JSON, names: dict[str, JSON]) -> tuple[Meaning, dict[str, mpf], dict[str, JSON]]:
+        """Functions with the values stated, other letters by chance, and the coordinates, to be put in as terms."""
         smooth = Smooth(self.rng)
         meaning = Meaning(smooth)
-        values = {x: meaning.term(unfold(t, names), {}) for x, t in point["values"].items()}
+        own = {x: unfold(t, names) for x, t in point["values"].items()}
+        for x in own:
+            meaning.term(own[x], {})
         for call, value in point.get("calls", ()):
-            places = [meaning.term(unfold(t, names), values) for t in call[3:]]
-            smooth.state(call[1], call[2], places, meaning.term(unfold(value, names), values))
-        return meaning, values
+            places = [meaning.term(unfold(unfold(t, names), own), {}) for t in call[3:]]
+            smooth.state(call[1], call[2], places, meaning.term(unfold(unfold(value, names), own), {}))
+        return meaning, {x: mpf(self.rng.randint(-9, 9)) / 7 for x in (*LETTERS, *BOUND, "d")}, own
 
-    def places(
-        self, assumed: list[JSON], claim: JSON, points: JSON, names: JSON
-    ) -> Iterator[tuple[Meaning, dict[str, mpf]]]:
+    def places(self, assumed: list[JSON], claim: JSON) -> Iterator[tuple[Meaning, dict[str, mpf]]]:
         """Random points; letters that an assumption gives alone follow the others."""
         heavy = any(
             kind in json.dumps([claim, assumed]) for kind in ("integral", "diverges", "exists", "product", "gamma")
         )
-        for k in range(2 if heavy else 4):
+        for k in range(2 if heavy else 3):
             meaning = Meaning(Smooth(self.rng))
             values = {x: mpf(self.rng.randint(-40, 40)) / (3 if k % 2 else 16) for x in (*LETTERS, *BOUND, "d")}
             if k:
@@ -599,18 +674,15 @@ class Judge:
                         except (NoValue, ZeroDivisionError, ValueError, OverflowError):
                             break
             yield meaning, values
-        for point in points:
-            yield self.place(point, names)
 
     def refutation(self, claim: JSON, assumed: list[JSON], point: JSON, names: dict[str, JSON]) -> str | None:
         try:
-            meaning, values = self.place(point, names)
+            meaning, values, own = self.place(point, names)
         except (NoValue, ZeroDivisionError, ValueError, OverflowError) as error:
             return f"a coordinate has no value ({error})"
-        values = {**{x: mpf(self.rng.randint(-9, 9)) / 7 for x in (*LETTERS, *BOUND, "d")}, **values}
-        if any(meaning.formula(formula, values) is False for formula in assumed):
+        if any(meaning.formula(unfold(formula, own), values) is False for formula in assumed):
             return "a hypothesis does not hold at the point"
-        found = meaning.formula(claim, values)
+        found = meaning.formula(unfold(claim, own), values)
         self.told[f"refuted {found}"] += 1
         if found is None and not any(
             kind in json.dumps(claim) for kind in ("integral", "exists", "forall", "mean", "diff")
@@ -645,6 +717,23 @@ def run(number: int, seed: int) -> tuple[Counter[str], list[tuple[str, str]]]:
             if why:
                 bad.append((why, text))
     return counts + judge.told, bad
+
+
+def instances(name: str, number: int, seed: int) -> tuple[int, list[tuple[str, str]]]:
+    """Of so many instances of a theorem: those whose premises hold, and among them those whose conclusion does not."""
+    forger, judge = Forger(seed), Judge(seed)
+    met, bad = 0, []
+    for _ in range(number):
+        found = applied(name, forger.arguments(name))
+        if found is None:
+            continue
+        premises, conclusion = found
+        for meaning, values in judge.places(premises, conclusion):
+            if all(meaning.formula(premise, values) for premise in premises):
+                met += 1
+                if meaning.formula(conclusion, values) is False:
+                    bad.append((f"false at {values}", json.dumps([premises, conclusion])))
+    return met, bad
 
 
 if __name__ == "__main__":

@@ -11,6 +11,7 @@ from typing import Any
 import pytest
 
 from symcheck import kernels
+from symcheck.checker.theorems import NAMES
 from symcheck.evidence.confirmed import record_all, recorded
 from symcheck.evidence.decide import decide
 from symcheck.export.coq import compile as compiler
@@ -19,6 +20,7 @@ from symcheck.export.coq.files import files
 from symcheck.export.coq.printing import printed
 from symcheck.export.coq.reader import CLAIM, Reader, claims
 from symcheck.export.coq.terms import letters, polynomial
+from symcheck.export.coq.theorems import CONGRUENCE, UNSTATED, identifier, statement
 from symcheck.export.coq.trials import tried
 
 DECLARED = (
@@ -131,6 +133,33 @@ def test_nothing_is_admitted(exported: dict[str, str]) -> None:
         assert not re.search(r"\b(Admitted|admit|Axiom|Parameter|Conjecture|Abort)\b", text)
 
 
+def test_every_theorem_of_the_checker_is_proved_as_it_stands_there_or_has_a_reason_why_not(
+    exported: dict[str, str],
+) -> None:
+    proved = re.findall(r"^Theorem (\w+) :\n(.*?)\.\nProof\.", exported["Theorems.v"], re.DOTALL | re.MULTILINE)
+    stated = {identifier(name): statement(name) for name in (*NAMES, *CONGRUENCE) if name not in UNSTATED}
+    assert dict(proved) == stated
+    assert len(proved) == len(stated) > 60
+    assert UNSTATED.keys() <= {*NAMES, "enclosure"}
+    assert all(UNSTATED.values())
+
+
+@pytest.mark.parametrize(
+    ("name", "stated"),
+    [
+        ("root_of_product", "forall (s t : R), s >= 0 -> t >= 0 -> sqrt (s * t) = sqrt s * sqrt t"),
+        ("power_of_power", "forall (b : R) (n : Z) (u : R), b > 0 -> "
+         "Rpower (powerRZ b n) u = Rpower b (IZR n * u) /\\ Rpower 1 u = 1"),
+        ("mean", "forall (f : R -> R) (c : R) (g : R -> R), polynomial_in_circle g -> "
+         "(forall x : R, f x = c + Derive (fun x => g x) x) -> RInt (fun x => f x) 0 (2 * PI) / (2 * PI) = c"),
+        ("arccosine < back", "forall (a t : R), t ^ 2 <= 1 -> 0 <= a -> a <= PI -> t < cos a -> a < acos t"),
+        ("congruence of two", "forall (f : R -> R -> R) (s t u v : R), s = t -> u = v -> f s u = f t v"),
+    ],
+)  # fmt: skip
+def test_a_theorem_is_stated_with_all_its_premises(name: str, stated: str) -> None:
+    assert " ".join(statement(name).split()) == stated
+
+
 def test_every_set_of_hypotheses_has_a_point_that_satisfies_it(exported: dict[str, str]) -> None:
     for paper, entry in json.loads(exported["manifest.json"]).items():
         assert entry["no witness"] == {}, paper
@@ -213,6 +242,11 @@ def test_a_theorem_is_left_out_with_what_rests_on_it() -> None:
     assert "proof_a" not in rest
     assert "proof_b" not in rest
     assert rest.count("proof_c") == 2
+
+
+def test_a_file_without_a_claim_to_leave_out_is_not_tried_for_ever() -> None:
+    with pytest.raises(ValueError, match="no proof of a claim"):
+        compiler.without("Lemma zero {a : R} : a = 0.\nProof. ring. Qed.\n", 2)
 
 
 @COQ

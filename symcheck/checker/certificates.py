@@ -166,7 +166,9 @@ class Certificate:
         closed = not any(letters(t) or functions(t) for t in values.values()) and not values.keys() & read.names.keys()
         require(closed, "a coordinate is no number, or of a defined letter")
         proof = step.data.pop("proof", None)
-        spoken = {*values} if proof is None else set().union(*map(letters, formulas))
+        mentioned = set().union(*map(letters, formulas))
+        require(mentioned <= values.keys(), "no value for {}", ", ".join(sorted(mentioned - values.keys())))
+        spoken = {*values} if proof is None else mentioned
         at = Algebra(read.names, {x: number for x, number in values.items() if x in spoken})  # others are free for use
         prover = Prover(read, at)
         for data, value in step.lists("calls", 2):

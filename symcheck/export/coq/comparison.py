@@ -77,9 +77,6 @@ class Point:
     def letter(self, x: str, at: Mapping[str, Any]) -> Any:
         if x in at:
             return at[x]
-        kind, _, angle = x.partition("_")
-        if kind in ("sin", "cos") and angle:
-            return getattr(mpmath, kind)(self.letter(angle, at))
         if x in self.unfold:
             if at:  # the definition may depend on what has another value
                 return self.value(self.unfold[x], at)

@@ -20,12 +20,6 @@ class Functions(Signs):
         angles: dict[str, Any] = {}
         for term in (t for each in spoken for t in subterms(each) if self.scope.issuperset(letters(t))):
             match term:
-                case str():
-                    kind, _, x = term.partition("_")
-                    if kind in ("sin", "cos") and x:
-                        angles.setdefault(spelled(x, ATOM), x)
-                    elif kind == "sqrt" and x:
-                        self.root(int(x))
                 case ["sin" | "cos", angle]:
                     angles.setdefault(spelled(angle, ATOM), angle)
                 case ["sqrt", inner] if is_number(inner):

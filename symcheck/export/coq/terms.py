@@ -8,7 +8,7 @@ from fractions import Fraction
 from math import lcm
 from typing import Any
 
-from symcheck.proof.theorems import BINDING, RELATIONS
+from symcheck.proof.theorems import BINDING, CONSTANTS, RELATIONS
 
 FACTOR = re.compile(r"(\d+)(?:/(\d+))?|([A-Za-z]\w*)(?:\^(\d+))?", re.ASCII)
 FUNCTIONS = ("sin", "cos", "tan", "sqrt", "exp", "log", "pow", "gamma", "arctan", "arcsin", "arccos")
@@ -37,10 +37,7 @@ def rebuilt(node: Any, change: Any) -> Any:
 def substituted(node: Any, values: Mapping[str, Any]) -> Any:
     """The node with letters replaced by terms, where they are not bound."""
     if isinstance(node, str):
-        if node in values:
-            return values[node]
-        kind, _, x = node.partition("_")
-        return [kind, values[x]] if kind in ("sin", "cos") and x in values else node
+        return values.get(node, node)
     bound = bound_letters(node)
     inner = {x: v for x, v in values.items() if x not in bound} if bound else values
     return rebuilt(node, lambda child: substituted(child, inner))
@@ -57,16 +54,15 @@ def bound_letters(node: Any) -> tuple[str, ...]:
 
 
 def letters(node: Any) -> list[str]:
-    """The free letters in order of appearance; that of sin_x is x."""
+    """The free letters in order of appearance."""
     return list(dict.fromkeys(_letters(node)))
 
 
 def _letters(node: Any) -> Iterator[str]:
     match node:
         case str():
-            kind, _, x = node.partition("_")
-            if node not in ("pi", "infinity") and kind != "sqrt":
-                yield x if kind in ("sin", "cos") and x else node
+            if node not in CONSTANTS:
+                yield node
         case ["exists", bound, body]:
             yield from (x for x in _letters(body) if x not in bound)
         case ["diff", body, x, _]:
