@@ -167,6 +167,8 @@ class Certificate:
         values = {read.letter(x): read.term(data) for x, data in step.mapping("values").items()}
         closed = not any(letters(t) or functions(t) for t in values.values()) and not values.keys() & read.names.keys()
         require(closed, "a coordinate is no number, or of a defined letter")
+        for each in domain(*values.values(), divisors=True):
+            require(truth(each, Algebra({}, {})), "a coordinate has no value: {} is not so", each)
         proof = step.data.pop("proof", None)
         mentioned = set().union(*map(letters, formulas))
         require(mentioned <= values.keys(), "no value for {}", ", ".join(sorted(mentioned - values.keys())))
@@ -188,6 +190,10 @@ class Certificate:
                 prover.learn(("point", k), node("=", x, number))
         for each in domain(*formulas, divisors=True) if refuting and proof is not None else ():
             require(truth(each, at), "a term has no value at the point: {} is not so", each)  # to compute finds values
+            if each.tag == "!=":  # what is not zero at the point may be divided by in all that is proved of it
+                aside = Algebra(read.names)
+                aside.value(node("/", 1, *each.outside[:1]))
+                prover.listed |= {value: term for value, term in aside.divisors.items() if term is not None}
         prover.prove(node("and", *formulas), {"rule": "compute"} if proof is None else proof)
         prover.finish()
         step.end()
