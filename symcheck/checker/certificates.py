@@ -145,14 +145,16 @@ class Certificate:
         """The hypotheses hold at the point, the claim does not; its sides have the stated values there."""
         require(not self.lemmas, "a point needs no lemmas")
         step = Step(self.step.take("point"))
-        stated, shown = (
-            [*map(self.whole.term, step.items("sides"))],
-            step.lists("enclosed", 4, "term with digits and two ends"),
-        )
-        at = self.hold([*self.assumed(), contrary(self.unfolded(self.claim))], step, refuting=True)
-        if stated:
-            same = [at.value(t) % PRIME for t in stated] == [at.value(t) % PRIME for t in sides(self.claim)]
-            require(same, "a side has another value at the point")
+        claim, stated = self.unfolded(self.claim), [*map(self.whole.term, step.items("sides"))]
+        shown = step.lists("enclosed", 4, "term with digits and two ends")
+        own, another = sides(claim) if stated else [], "a side has another value at the point"
+        require(len(own) == len(stated), another)
+        values = [node("=", *pair) for pair in zip(own, stated, strict=True)]
+        shows = (
+            [*values] if "proof" in step.data else []
+        )  # where values of functions are proved, they are with the rest
+        at = self.hold([*self.assumed(), contrary(claim), *shows], step, refuting=True)
+        require(shows or all(truth(each, at) for each in values), another)
         for data, digits, low, high in shown:
             term = substituted(self.whole.term(data), at.point or {})
             order = node("<=", self.whole.term(low), term), node("<=", term, self.whole.term(high))
@@ -165,6 +167,8 @@ class Certificate:
         values = {read.letter(x): read.term(data) for x, data in step.mapping("values").items()}
         closed = not any(letters(t) or functions(t) for t in values.values()) and not values.keys() & read.names.keys()
         require(closed, "a coordinate is no number, or of a defined letter")
+        for each in domain(*values.values(), divisors=True):
+            require(truth(each, Algebra({}, {})), "a coordinate has no value: {} is not so", each)
         proof = step.data.pop("proof", None)
         mentioned = set().union(*map(letters, formulas))
         require(mentioned <= values.keys(), "no value for {}", ", ".join(sorted(mentioned - values.keys())))
@@ -186,6 +190,10 @@ class Certificate:
                 prover.learn(("point", k), node("=", x, number))
         for each in domain(*formulas, divisors=True) if refuting and proof is not None else ():
             require(truth(each, at), "a term has no value at the point: {} is not so", each)  # to compute finds values
+            if each.tag == "!=":  # what is not zero at the point may be divided by in all that is proved of it
+                aside = Algebra(read.names)
+                aside.value(node("/", 1, *each.outside[:1]))
+                prover.listed |= {value: term for value, term in aside.divisors.items() if term is not None}
         prover.prove(node("and", *formulas), {"rule": "compute"} if proof is None else proof)
         prover.finish()
         step.end()
