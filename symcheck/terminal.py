@@ -23,7 +23,7 @@ from symcheck.evidence.confirmed import told
 from symcheck.evidence.faults import fails_at, without
 from symcheck.evidence.record import Record
 from symcheck.evidence.steps import steps, term
-from symcheck.proof import translation
+from symcheck.evidence import translation
 from symcheck.statement import Group, Paper, Verdict
 
 _STYLES = {Verdict.PROVED: "green", Verdict.REFUTED: "bold red", Verdict.UNDECIDED: "yellow"}

@@ -16,7 +16,7 @@ from symcheck.evidence.confirmed import CONFIRMED, confirmed, told
 from symcheck.evidence.faults import Alike, Fault, errata
 from symcheck.evidence.record import Record
 from symcheck.evidence.selftested import evidence, rows
-from symcheck.proof import translation
+from symcheck.evidence import translation
 from symcheck.report import entry as entries
 from symcheck.report.entry import Entry
 from symcheck.report.formulas import Formulas
