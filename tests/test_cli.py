@@ -12,6 +12,7 @@ from click.testing import Result
 
 from symcheck.cli import cli
 from symcheck.evidence.record import Record
+from symcheck.proof import translation
 
 Run = Callable[..., Result]
 
