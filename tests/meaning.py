@@ -162,7 +162,7 @@ class Meaning:
         if tag == "exists":
             return self.existence(node, at)
         if tag == "forall":
-            places = [*PLACES[::3], *self.between(node[2], at)]
+            places = [*PLACES[::3], *self.between(node[2], {x: t for x, t in at.items() if x not in node[1]})]
             found = [self.formula(node[2], {**at, **dict.fromkeys(node[1], place)}) for place in places]
             return False if False in found else None if None in found else True
         parts = [self.truth(each, at) for each in node[1:]]
