@@ -125,6 +125,7 @@ def minus(s: JSON, t: JSON) -> JSON:
 ID: JSON = {"rule": "identity", "cofactors": []}
 ZERO_IS_ONE: JSON = ["=", 0, 1]
 PI: JSON = ["pi"]
+HALF_GAMMA: JSON = ["gamma", ["/", 1, 2]]
 HALF_PI: JSON = ["/", PI, 2]
 SIN, COS = ["sin", "x"], ["cos", "x"]
 OO, NOO = ["infinity"], ["-infinity"]
@@ -814,10 +815,10 @@ ANALYSIS: dict[str, Forgery] = {
         ),
     ),
     "positive by a theorem in a branch": Forgery(
-        "('pi',) is not manifestly positive",
+        "('gamma', ('/', 1, 2)) is not manifestly positive",
         proved(
-            ["exists", ["z"], ["=", ["*", "z", PI], 1]],
-            theorem("circle_number", {}, [], {**witness({"z": ["/", 1, PI]}, ID), "positive": [PI]}),
+            ["exists", ["z"], ["=", ["*", "z", HALF_GAMMA], 1]],
+            theorem("gamma_values", {}, [], {**witness({"z": ["/", 1, HALF_GAMMA]}, ID), "positive": [HALF_GAMMA]}),
         ),
     ),
     "nonzero in a branch": Forgery(
@@ -1260,10 +1261,8 @@ CERTIFICATES: dict[str, Forgery] = {
     "nothing as a coordinate": Forgery("None is no letter", refuted(["=", "x", 1], {"x": None})),
     "a letter as a coordinate": Forgery(NO_COORDINATE, refuted(["=", "x", "y"], {"x": "y", "y": 1})),
     "a function as a coordinate": Forgery(NO_COORDINATE, refuted(["=", "x", f(0)], {"x": f(1)})),
-    "a zero fraction as a coordinate": Forgery("division by zero", refuted(["=", "x", 1], {"x": ["/", 0, 0]})),
-    "an imaginary coordinate": Forgery(
-        "the root of (-1, 1): only of products of primes up to 43", refuted([">=", sq("x"), 0], {"x": ["sqrt", -1]})
-    ),
+    "a zero fraction as a coordinate": Forgery("a coordinate has no value", refuted(["=", "x", 1], {"x": ["/", 0, 0]})),
+    "an imaginary coordinate": Forgery("a coordinate has no value", refuted([">=", sq("x"), 0], {"x": ["sqrt", -1]})),
     "a coordinate of a defined letter": Forgery(
         NO_COORDINATE, refuted(["=", "d", 1], {"d": 2}, definitions=[["d", 1]])
     ),

@@ -128,6 +128,8 @@ class Algebra:
         if name == "pi":
             return draw("pi")  # transcendental, as a letter is
         inner = term.terms[0]
+        if name == "tan" and isinstance(inner, Value) and inner.tag == "arctan":
+            return self.value(inner.terms[0])
         if name == "tan":
             return self.turn(inner)[1] * self.inverse(node("cos", inner)) % PRIME
         values = self.residues(term.terms)

@@ -21,6 +21,7 @@ from symcheck.core.terms import (
     Quantified,
     Reader,
     Relation,
+    Term,
     Value,
     node,
 )
@@ -145,14 +146,12 @@ class Certificate:
         """The hypotheses hold at the point, the claim does not; its sides have the stated values there."""
         require(not self.lemmas, "a point needs no lemmas")
         step = Step(self.step.take("point"))
-        claim, stated = self.unfolded(self.claim), [*map(self.whole.term, step.items("sides"))]
+        claim, stated = self.unfolded(self.claim), step.items("sides")
         shown = step.lists("enclosed", 4, "term with digits and two ends")
-        own, another = sides(claim) if stated else [], "a side has another value at the point"
+        own, another = [*claim.outside] if stated else [], "a side has another value at the point"
         require(len(own) == len(stated), another)
-        values = [node("=", *pair) for pair in zip(own, stated, strict=True)]
-        shows = (
-            [*values] if "proof" in step.data else []
-        )  # where values of functions are proved, they are with the rest
+        values = [self.valued(*pair) for pair in zip(own, stated, strict=True)]
+        shows = values if "proof" in step.data else []  # where values of functions are proved, they are with the rest
         at = self.hold([*self.assumed(), contrary(claim), *shows], step, refuting=True)
         require(shows or all(truth(each, at) for each in values), another)
         for data, digits, low, high in shown:
@@ -160,6 +159,13 @@ class Certificate:
             order = node("<=", self.whole.term(low), term), node("<=", term, self.whole.term(high))
             lies = instance("enclosure", {"t": term, "digits": self.whole.term(digits)})[1]
             require(lies == node("and", *order), "{} lies elsewhere", data)
+
+    def valued(self, side: Term, data: JSON) -> Formula:
+        """That a side of the claim has this value; a formula is true or false."""
+        if not isinstance(side, (Relation, Connective, Quantified)):
+            return node("=", side, self.whole.term(data))
+        require(isinstance(data, bool), "{} is no truth value", data)
+        return side if data else contrary(side)
 
     def hold(self, formulas: list[Formula], step: Step, refuting: bool = False) -> Algebra:
         """Rejects unless the formulas hold at a point; gives the values there."""

@@ -78,11 +78,16 @@ def certificate(found: Mapping[str, Any]) -> dict[str, JSON]:
             condition(texts, lambda name: atoms.get(name) or value_of(name) or name) for texts in conditions
         ]
     new["proof"] = proof(found["proof"])
-    told = ("values", "calls", "proof")
-    if points := [{key: each[key] for key in told if key in each} for each in map(point, found.get("witnesses", ()))]:
+    if points := [*map(witness, found.get("witnesses", ()))]:
         wanted = len(implications(claim)) or 1
         new["witnesses"] = points * wanted if len(points) == 1 else points
     return new
+
+
+def witness(found: Mapping[str, Any]) -> dict[str, JSON]:
+    """A point where something holds, which is computed: the search proves it there together with what it needs."""
+    given = {key: value for key, value in found.items() if key in ("values", "calls", "functions")}
+    return point(given)
 
 
 def implications(claim: JSON) -> list[JSON]:
@@ -221,8 +226,8 @@ def point(found: Mapping[str, Any]) -> Proof:
     for _ in values:  # coordinates may be given by others
         values = {x: put(value, values) for x, value in values.items()}
     new: Proof = {"values": dict(sorted(values.items()))}
-    if sides := [side for side in found.get("sides", ()) if side not in ("true", "false")]:
-        new["sides"] = [*map(exactly, sides)]
+    if sides := found.get("sides"):
+        new["sides"] = [side == "true" if side in ("true", "false") else exactly(side) for side in sides]
     if "enclosed" in found:
         new["enclosed"] = [[term(t), digits, term(low), term(high)] for t, digits, low, high in found["enclosed"]]
     if calls := found.get("calls"):
