@@ -10,9 +10,8 @@ import pytest
 import stand_in
 
 from symcheck import papers
-from symcheck.evidence import store
+from symcheck.evidence import store, translation
 from symcheck.evidence.record import Record
-from symcheck.evidence import translation
 from symcheck.statement import SymcheckError, Verdict
 
 RECORDS = [record for number in stand_in.NUMBERS for record in stand_in.decide(f"toy:{number}")]

@@ -16,6 +16,7 @@ import pytest
 from packaging.requirements import Requirement
 from packaging.utils import canonicalize_name
 
+import symcheck
 from symcheck.evidence.obligation import SOURCES
 
 PACKAGE, GENERATED = "symcheck/", "generated/"

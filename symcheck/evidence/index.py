@@ -9,11 +9,11 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 from typing import Any
 
+from symcheck.evidence import translation
 from symcheck.evidence.context import Context, for_letter
 from symcheck.evidence.judge import equality_claims, units
 from symcheck.evidence.obligation import DECIDED, expand
 from symcheck.evidence.record import Record
-from symcheck.evidence import translation
 from symcheck.reading import read
 from symcheck.statement import Certificate, Formula, Paper
 

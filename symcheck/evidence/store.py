@@ -17,9 +17,9 @@ from typing import Any
 
 from symcheck import papers
 from symcheck.codegen.target import MARK
+from symcheck.evidence import translation
 from symcheck.evidence.checked import certificates
 from symcheck.evidence.record import Record
-from symcheck.evidence import translation
 from symcheck.statement import Certificate, SymcheckError, Verdict
 from symcheck.writing import put as put_file
 
