@@ -11,6 +11,7 @@ import stand_in
 from click.testing import Result
 
 from symcheck.cli import cli
+from symcheck.evidence import translation
 from symcheck.evidence.record import Record
 from symcheck.proof import translation
 
