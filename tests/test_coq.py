@@ -9,19 +9,22 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+import stand_in
 
 from symcheck import kernels
 from symcheck.checker.theorems import NAMES
 from symcheck.evidence.confirmed import record_all, recorded
 from symcheck.evidence.decide import decide
 from symcheck.export.coq import compile as compiler
+from symcheck.export.coq.claims import Exported
 from symcheck.export.coq.comparison import differences
 from symcheck.export.coq.files import files
 from symcheck.export.coq.printing import printed
 from symcheck.export.coq.reader import CLAIM, Reader, claims
-from symcheck.export.coq.terms import letters, polynomial
+from symcheck.export.coq.statements import statement as stated
+from symcheck.export.coq.terms import polynomial
 from symcheck.export.coq.theorems import CONGRUENCE, UNSTATED, identifier, statement
-from symcheck.export.coq.trials import tried
+from symcheck.export.coq.witnesses import NONE, coordinates, witnesses
 
 DECLARED = (
     "mirer2009:2.12", "mirer2009:2.13", "mirer2009:2.1", "mirer2009:2.1.7", "mirer2009:2.13.4", "mirer2009:2.0.5",
@@ -165,31 +168,31 @@ def test_every_set_of_hypotheses_has_a_point_that_satisfies_it(exported: dict[st
         assert entry["no witness"] == {}, paper
 
 
-SATISFIABLE: dict[str, list[Any]] = {
-    "roots of squares": [["=", ["^", "s", 2], ["+", ["^", "x", 2], ["^", "y", 2]]], [">", "x", 3], [">", "y", 3]],
-    "angles": [
-        ["=", ["sin", "a"], ["*", 2, ["cos", "a"], ["cos", "b"]]],
-        [">", ["cos", "b"], 0],
-        [">", ["sin", "a"], 0],
-    ],
-    "two equations": [["=", ["+", "x", "y"], 7], ["=", ["-", "z"], ["*", 3, "y"]]],
-    "one of several": [["or", ["=", "x", ["/", 22, 7]], ["<", "x", 0]], ["!=", "x", ["-", 2]]],
-}
+POINT = {"x": "-2/7", "y": ["+", "x", "z"], "z": ["*", 2, ["sqrt", 3]], "sin_a": "3/5", "cos_a": ["/", 4, 5]}
 
 
-@pytest.mark.parametrize("conditions", SATISFIABLE.values(), ids=SATISFIABLE)
-def test_a_point_is_found_and_is_the_same_each_time(conditions: list[Any]) -> None:
-    point = tried(conditions)
-    assert point
-    assert point == tried(conditions)
-    known = {x for x in letters(["and", *conditions]) if x not in point}
-    assert {f"{f}_{x}" for x in known for f in ("sin", "cos")} <= point.keys()
+def test_coordinates_are_terms_without_other_coordinates() -> None:
+    x, z = ["/", ["-", 2], 7], ["*", 2, ["sqrt", 3]]
+    angle = {"sin_a": ["/", 3, 5], "cos_a": ["/", 4, 5]}
+    assert coordinates(POINT) == {"x": x, "y": ["+", x, z], "z": z, **angle}
 
 
-@pytest.mark.parametrize("conditions", [[["=", ["^", "x", 2], -1]], [["<", "x", "y"], ["<", "y", "x"]]])
-def test_no_point_is_found_where_there_is_none(conditions: list[Any], monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("symcheck.export.coq.trials.TRIES", 500)
-    assert tried(conditions) is None
+@pytest.mark.parametrize(
+    ("values", "reason"),
+    [({"x": "1", "y": "2"}, None), ({"x": "1"}, NONE), ({"x": "1", "y": ["*", 2, "z"]}, NONE), (None, NONE)],
+    ids=["all letters", "one letter less", "by another letter", "no point"],
+)
+def test_a_point_is_taken_from_the_certificate_if_it_tells_all_letters(
+    values: dict[str, Any] | None, reason: str | None
+) -> None:
+    certificate: dict[str, Any] = {
+        "definitions": [], "hypotheses": {"given": [["<", "x", "y"]]}, "claim": ["<", ["*", 2, "x"], ["*", 2, "y"]],
+        "proof": {}, "witnesses": [{"values": values}] if values else [],
+    }  # fmt: skip
+    each = Exported("1", stand_in.decide("toy:1.1")[0], certificate, False, stated(certificate))
+    text, missing = witnesses([each])
+    assert missing == ({"1": reason} if reason else {})
+    assert ("exists 1.\nexists 2.\n" in text) == (reason is None)
 
 
 @pytest.mark.parametrize(
