@@ -17,14 +17,18 @@ from symcheck.evidence.confirmed import record_all, recorded
 from symcheck.evidence.decide import decide
 from symcheck.export.coq import compile as compiler
 from symcheck.export.coq.claims import Exported
-from symcheck.export.coq.comparison import differences
+from symcheck.export.coq.comparison import Point, differences
 from symcheck.export.coq.files import files
 from symcheck.export.coq.printing import printed
 from symcheck.export.coq.reader import CLAIM, Reader, claims
+from symcheck.export.coq.script import Script
 from symcheck.export.coq.statements import statement as stated
-from symcheck.export.coq.terms import polynomial
+from symcheck.export.coq.terms import NotExported, polynomial
 from symcheck.export.coq.theorems import CONGRUENCE, UNSTATED, identifier, statement
-from symcheck.export.coq.witnesses import NONE, coordinates, witnesses
+from symcheck.export.coq.witnesses import HEAD, NONE, coordinates, witnesses
+from symcheck.proof import certificate as certificate_of
+from symcheck.proof import combined
+from symcheck.statement import Problem
 
 DECLARED = (
     "mirer2009:2.12", "mirer2009:2.13", "mirer2009:2.1", "mirer2009:2.1.7", "mirer2009:2.13.4", "mirer2009:2.0.5",
@@ -163,6 +167,62 @@ def test_a_theorem_is_stated_with_all_its_premises(name: str, stated: str) -> No
     assert " ".join(statement(name).split()) == stated
 
 
+def call(function: str, *arguments: Any, orders: tuple[int, ...] = ()) -> Any:
+    return ("call", function, orders or (0,) * len(arguments), *arguments)
+
+
+UNKNOWN = Problem(
+    "toy:1",
+    ("=>", (">", call("f", "y"), 2), (">", ("+", call("f", ("+", "x", "x")), call("g", "x", call("f", "y"))),
+                                      call("g", "x", call("f", "y")))),
+    (("z", ("*", 2, "x")),),
+    (("given", ((">", call("f", "z"), 0),)),),
+)  # fmt: skip
+
+
+def certified(problem: Problem) -> dict[str, Any]:
+    outcome = combined().decide(problem)
+    assert outcome is not None
+    return certificate_of(problem, outcome)
+
+
+def test_unknown_functions_are_any_functions() -> None:
+    text = stated(certified(UNKNOWN)).text()
+    assert " ".join(text.split()) == (
+        "forall (f : R -> R) (g : R -> R -> R) (y x z : R), z = 2 * x -> (* given *) f z > 0 -> "
+        "f y > 2 -> f (x + x) + g x (f y) > g x (f y)"
+    )
+    names, premises, (sign, great, less) = claims(f"Definition claim_1 : Prop :=\n{text}.\n")["1"]
+    assert names == ["f", "g", "y", "x", "z"]
+    assert [premise[0] for premise in premises] == ["=", ">", ">"]
+    assert (sign, great) == (">", ("+", call("f", ("+", "x", "x")), less))
+    assert less == call("g", "x", call("f", "y"))
+
+
+def test_an_unknown_function_has_one_value_for_equal_arguments_and_others_for_others() -> None:
+    point = Point({"z": ("*", 2, "x")})
+    one, *others = (
+        point.value(each, {})
+        for each in (call("f", ("+", "x", "x")), call("f", "z"), call("f", "x"), call("g", "z"), call("f", "z", "z"))
+    )
+    assert [abs(one - other) < 1e-12 for other in others] == [True, False, False, False]
+
+
+@pytest.mark.parametrize(
+    ("claim", "reason"),
+    [
+        (("=", call("f", "x", orders=(1,)), call("f", "x", orders=(1,))), "a derivative of an unknown function"),
+        (("=", call("x", "x"), call("x", "x")), "the name of a letter"),
+        (("=", ("+", call("f", "x"), call("f", "x", "x")), ("+", call("f", "x", "x"), call("f", "x"))), "two numbers"),
+    ],
+    ids=["derivative", "name of a letter", "two numbers of arguments"],
+)
+def test_what_is_not_stated_of_unknown_functions_has_a_reason(claim: Any, reason: str) -> None:
+    certificate = {"definitions": [], "hypotheses": {}, "claim": json.loads(json.dumps(claim)), "proof": {}}
+    with pytest.raises(NotExported, match=reason):
+        stated(certificate).text()
+
+
 def test_every_set_of_hypotheses_has_a_point_that_satisfies_it(exported: dict[str, str]) -> None:
     for paper, entry in json.loads(exported["manifest.json"]).items():
         assert entry["no witness"] == {}, paper
@@ -258,6 +318,18 @@ def test_coq_confirms_them_on_the_reals_alone(folder: Path) -> None:
     assert failed == []
     assert len(outcomes) >= len(DECLARED)
     assert [(id, reason) for id, (_, reason) in outcomes.items() if reason] == []
+
+
+@COQ
+def test_coq_confirms_a_claim_about_unknown_functions(tmp_path: Path) -> None:
+    found = certified(UNKNOWN)
+    own = stated(found)
+    proof = f"Theorem proof_1 :\n{own.text()}.\nProof.\n{Script(own).write(found['proof'])}\nQed.\n"
+    (tmp_path / "Symcheck.v").write_text(Path(compiler.__file__).with_name("Symcheck.v").read_text("utf-8"), "utf-8")
+    assert compiler.coqc(tmp_path, "Symcheck.v")[0] == 0
+    for text, code in ((proof, 0), (proof.replace("f z > 0", "f z >= 0"), 1)):
+        (tmp_path / "Proof.v").write_text(HEAD + text, encoding="utf-8")
+        assert compiler.coqc(tmp_path, "Proof.v")[0] == code
 
 
 def flipped(statement: str) -> str | None:

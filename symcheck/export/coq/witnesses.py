@@ -18,6 +18,7 @@ Require Import Symcheck.Symcheck.
 Open Scope R_scope.
 """
 NONE = "no certificate has a point that satisfies the hypotheses"
+FUNCTIONS = "a certificate tells some values of an unknown function, and no function that has them"
 
 
 def witnesses(found: Sequence[Exported]) -> tuple[str, dict[str, str]]:
@@ -32,7 +33,8 @@ def witnesses(found: Sequence[Exported]) -> tuple[str, dict[str, str]]:
         names = [each.name for each in alike]
         script = next((script for each in alike for script in proofs(each)), None)
         if script is None:
-            missing |= dict.fromkeys(names, NONE)
+            about = alike[0].statement
+            missing |= dict.fromkeys(names, FUNCTIONS if about and about.functions else NONE)
         else:
             lines.append(f"(* {' '.join(names)} *)\nLemma witness_{k} :\n{text}.\nProof.\n{script}\nQed.\n")
     return "\n".join(lines), missing
@@ -60,6 +62,8 @@ def proofs(each: Exported) -> Iterator[str]:
     """For each point of the certificate that speaks of all letters: the point, and that it satisfies them."""
     statement = each.statement
     assert statement is not None
+    if statement.functions:
+        return
     kept = needed(statement)
     for point in each.certificate.get("witnesses", ()):
         values = coordinates(point["values"])
