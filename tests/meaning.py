@@ -162,7 +162,7 @@ class Meaning:
         if tag == "exists":
             return self.existence(node, at)
         if tag == "forall":
-            places = [*PLACES[::3], *self.between(node[2], at)]
+            places = [*PLACES[::3], *self.between(node[2], {x: t for x, t in at.items() if x not in node[1]})]
             found = [self.formula(node[2], {**at, **dict.fromkeys(node[1], place)}) for place in places]
             return False if False in found else None if None in found else True
         parts = [self.truth(each, at) for each in node[1:]]
@@ -249,9 +249,12 @@ def power(base: mpf, exponent: int) -> mpf:
 
 def real_power(base: mpf, exponent: mpf) -> mpf:
     """Of a base that is positive; whole powers are said of all bases."""
-    if base <= 0 and not mp.isint(exponent):
+    whole = mp.nint(exponent)
+    if base > 0:
+        return base**exponent
+    if abs(exponent - whole) > NIL:
         raise NoValue("a power")
-    return base**exponent if base > 0 else power(base, int(exponent))
+    return power(base, int(whole))
 
 
 def defined(function: Callable[[mpf], mpf], where: Callable[[mpf], bool]) -> Callable[[mpf], mpf]:

@@ -17,7 +17,7 @@ from meaning import Meaning, NoValue, Smooth, mpf, unfold, unfolded
 
 from symcheck.checker import check_all
 from symcheck.checker.algebra import Algebra
-from symcheck.checker.residues import Reject
+from symcheck.checker.residues import PRIME, Reject
 from symcheck.checker.theorems import NAMES, instance, theorem
 from symcheck.core.calculus import Unknown, differentiated
 from symcheck.core.terms import Malformed, Reader
@@ -295,6 +295,8 @@ class Forger:
             given["t"] = ["pow", given["b"], given["u"]]
         if name == "intermediate_value":
             given["s"], given["t"] = self.rng.choice(((-1, 2), (0, 3), ("x", ["+", "x", 5]), (["-", "y"], "y")))
+        if name == "intermediate_value":
+            given["f"] = {"letter": "x", "term": ["+", ["^", "x", self.rng.choice((1, 2, 3))], self.number()]}
         if name == "power_rule":
             given["s"], given["t"] = self.rng.choice(((1, 2), (0, 1), (0, "y"), ("x", ["+", "x", 1]), (-1, 1)))
             given["c"], given["u"] = self.number(), self.rng.choice((2, ["/", 1, 2], -1, "a"))
@@ -323,8 +325,9 @@ class Forger:
 
     def integrand(self, given: dict[str, JSON]) -> None:
         """c x^k x^u (p x^2 + q)^-r."""
-        for parameter in "urpq":
-            given[parameter] = self.number() if self.chance(0.8) else self.letter()
+        for parameter in "urpqc":
+            given[parameter] = self.rng.choice((1, 2, 1, ["/", 1, 2])) if self.chance(0.9) else self.term(1)
+        given["k"] = self.rng.choice((0, 0, 1, 2, -1))
         c, k, u, r, p, q = (given[parameter] for parameter in "ckurpq")
         sum_ = ["+", ["*", p, ["^", "x", 2]], q]
         given["f"] = {"letter": "x", "term": ["*", c, ["^", "x", k], ["pow", "x", u], ["pow", sum_, ["-", r]]]}
@@ -344,7 +347,20 @@ class Forger:
 
     def theorem(self, goal: JSON, facts: list[JSON], depth: int = 2) -> tuple[JSON, JSON]:
         """A step that applies a theorem, and what it says."""
-        name = self.rng.choice((*NAMES, "congruence", "enclosure", "mean", "quarter_turn", "constant", "even", "odd"))
+        name = self.rng.choice(
+            (
+                *NAMES,
+                "congruence",
+                "enclosure",
+                "mean",
+                "quarter_turn",
+                "constant",
+                "even",
+                "odd",
+                "beta",
+                "beta_diverges",
+            )
+        )
         step: dict[str, JSON] = {"rule": "theorem", "of": name}
         if name == "congruence":
             t = self.rng.choice(
@@ -360,13 +376,35 @@ class Forger:
             step["with"] = self.arguments(name)
             found = applied(name, step["with"])
             premises, conclusion = found or ([], goal)
-        step["premises"] = [self.proof(premise, facts, depth) for premise in premises]
+        usual = self.chance(0.6)
+        step["premises"] = [self.usual(premise) if usual else self.proof(premise, facts, depth) for premise in premises]
         if conclusion[:1] == ["exists"]:
             new = self.rng.choice((*LETTERS, "u", "v"))
             step["letters"] = [new]
             conclusion = put(conclusion[2], conclusion[1][0], new) if self.chance(0.4) else conclusion
         step["then"] = HERE
         return step, conclusion
+
+    def usual(self, goal: JSON, assumed: int = 0) -> JSON:
+        """The proof that the form of a premise asks for; so many facts have been assumed before."""
+        match goal:
+            case ["and", *parts]:
+                return {"rule": "each", "parts": [self.usual(part, assumed) for part in parts]}
+            case ["or", *parts]:
+                k = self.rng.randrange(len(parts))
+                return {"rule": "choose", "index": k, "then": self.usual(parts[k], assumed)}
+            case ["forall", _, body]:
+                return {"rule": "every", "letters": ["w"], "then": self.usual(body, assumed)}
+            case ["=>", premise, conclusion]:
+                more = len(premise) - 1 if premise[0] == "and" else 1
+                return {"rule": "implies", "then": self.usual(conclusion, assumed + more)}
+            case ["!=", left, 0]:
+                factor = f"1/{left}" if type(left) is int and left > 0 else "1"
+                return {"rule": "implies", "then": {"rule": "absurd", "cofactors": [[["here", assumed], factor]]}}
+            case ["<" | "<=" | ">" | ">=" as sign, left, right]:
+                large, small = (right, left) if sign[0] == "<" else (left, right)
+                return {"rule": "nonnegative", "form": ["+", large, ["-", small]]}
+        return IDENTITY
 
     def by_theorem(self) -> JSON:
         """A claim that a theorem makes, or nearly."""
@@ -378,21 +416,24 @@ class Forger:
             for k, premise in enumerate(found[0] if found else ()):
                 if premise[0] in (*ORDERS, "or") and self.chance(0.7):
                     hypotheses[f"h{k}"] = [premise]
-                    step["premises"][k] = self.by_fact(premise, ["hyp", f"h{k}", 0])
+                    step["premises"][k] = self.by_fact(premise, ["hyp", f"h{k}", 0], 0)
         claim = conclusion
         parts = conclusion[1:] if conclusion[:1] == ["and"] else [conclusion]
         if conclusion[:1] == ["exists"]:
-            x = conclusion[1][0]
-            step["then"] = {"rule": "witness", "point": {x: step.get("letters", ["x"])[0]}, "then": HERE}
+            _, (x, *_), body = conclusion
+            parts, new = body[1:] if body[0] == "and" else [body], step.get("letters", ["x"])[0]
+            k = self.rng.randrange(len(parts))
+            claim, last = ["exists", [x], parts[k]], self.by_fact(put(parts[k], x, new), ["here", k], len(parts))
+            step["then"] = {"rule": "witness", "point": {x: new}, "then": last}
         else:
             k = self.rng.randrange(len(parts))
             claim = parts[k]
-            step["then"] = self.by_fact(claim, ["here", k])
+            step["then"] = self.by_fact(claim, ["here", k], len(parts))
         if self.chance(0.25):
             claim = self.changed(claim)
         return self.proved(claim, step, hypotheses)
 
-    def by_fact(self, claim: JSON, name: JSON) -> JSON:
+    def by_fact(self, claim: JSON, name: JSON, assumed: int) -> JSON:
         tag = claim[0] if isinstance(claim, list) and claim else ""
         if tag == "=":
             return {"rule": "identity", "cofactors": [[name, "1"]]}
@@ -400,7 +441,10 @@ class Forger:
             large, small = (claim[2], claim[1]) if tag[0] == "<" else (claim[1], claim[2])
             return {"rule": "nonnegative", "form": ["+", large, ["-", small]]}
         if tag == "!=":
-            return {"rule": "implies", "then": {"rule": "absurd", "times": [name], "cofactors": [[["here", 0], "1"]]}}
+            return {
+                "rule": "implies",
+                "then": {"rule": "absurd", "times": [name], "cofactors": [[["here", assumed], "1"]]},
+            }
         return self.proof(claim, [name], 2)
 
     def proved(self, claim: JSON, proof: JSON, hypotheses: JSON = None, **more: JSON) -> JSON:
@@ -414,12 +458,6 @@ class Forger:
 
     def points(self, made: JSON) -> JSON:
         """A point for what is assumed: numbers for all letters, fitted to an equation with a letter alone."""
-        if (
-            not made["hypotheses"]
-            and not made.get("nonzero")
-            and made["claim"][:1] not in (["=>"], ["and"], ["forall"])
-        ):
-            return []
         values = {x: self.rng.choice((1, 2, 3, ["/", 1, 2], -1, 0)) for x in LETTERS}
         for formulas in made["hypotheses"].values():
             for formula in formulas:
@@ -440,7 +478,7 @@ class Forger:
             t = self.angular() if self.chance(0.5) else self.term(2, ("x", "y"))
             try:
                 algebra = Algebra({})
-                value = algebra.value(Reader().term(t)) % algebra.prime
+                value = algebra.value(Reader().term(t)) % PRIME
             except (Reject, Malformed, Unknown, TypeError, ValueError, AttributeError, ArithmeticError):
                 continue
             other = self.met.setdefault(value, t)

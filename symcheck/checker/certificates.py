@@ -11,7 +11,19 @@ from symcheck.checker.residues import PRIME, Reject, require
 from symcheck.checker.rules import FALSE, LIST, Prover, Step, conjuncts, contrary, fit, paired, sides, truth
 from symcheck.checker.theorems import instance
 from symcheck.core.calculus import Unknown, domain, functions, letters, substituted
-from symcheck.core.terms import JSON, Call, Connective, Formula, Malformed, Quantified, Reader, Value, node
+from symcheck.core.terms import (
+    JSON,
+    Call,
+    Connective,
+    Formula,
+    Malformed,
+    Node,
+    Quantified,
+    Reader,
+    Relation,
+    Value,
+    node,
+)
 
 MALFORMED = (LookupError, TypeError, ValueError, AttributeError, ArithmeticError, RecursionError, AssertionError)
 
@@ -92,7 +104,8 @@ class Certificate:
         listed = [formula.outside[0] for formula in self.nonzero]
         prover.listed = dict(zip(aside.residues(listed), listed, strict=True))
         prover.tops = {*aside.residues(t.terms[0] for t in listed if isinstance(t, Value) and t.tag == "/")}
-        superfluous = prover.listed.keys() - prover.algebra.divisors.keys()
+        met = {*prover.algebra.divisors, *self.quantified(self.claim)} if self.nonzero else set()
+        superfluous = prover.listed.keys() - met
         require(not superfluous, "{} is no denominator of the statement", [prover.listed[v] for v in superfluous])
         facts = [formula for _, formula in self.lemmas]
         goal = node("=>", node("and", *facts), self.claim) if facts else self.claim
@@ -100,6 +113,17 @@ class Certificate:
         prover.finish()
         require(prover.used >= self.hypotheses.keys() or facts, "a hypothesis is not used")
         self.check_witnesses()
+
+    def quantified(self, formula: Formula, bound: frozenset[str] = frozenset()) -> Iterator[int]:
+        """The values of denominators under quantifiers that are the same for all values of the letters bound there."""
+        if isinstance(formula, Relation) and bound:
+            inner = Algebra(self.reader.names)
+            inner.residues(formula.terms)
+            yield from (v for v, term in inner.divisors.items() if term is not None and not letters(term) & bound)
+        elif not isinstance(formula, Relation):
+            for part in (*formula.inside, *formula.outside):
+                assert isinstance(part, Node)
+                yield from self.quantified(part, bound.union(formula.bound))
 
     def check_witnesses(self) -> None:
         """Everything that is assumed holds somewhere, the premises of each implication too, and all terms have values.
@@ -121,14 +145,16 @@ class Certificate:
         """The hypotheses hold at the point, the claim does not; its sides have the stated values there."""
         require(not self.lemmas, "a point needs no lemmas")
         step = Step(self.step.take("point"))
-        stated, shown = (
-            [*map(self.whole.term, step.items("sides"))],
-            step.lists("enclosed", 4, "term with digits and two ends"),
-        )
-        at = self.hold([*self.assumed(), contrary(self.unfolded(self.claim))], step, refuting=True)
-        if stated:
-            same = [at.value(t) % PRIME for t in stated] == [at.value(t) % PRIME for t in sides(self.claim)]
-            require(same, "a side has another value at the point")
+        claim, stated = self.unfolded(self.claim), [*map(self.whole.term, step.items("sides"))]
+        shown = step.lists("enclosed", 4, "term with digits and two ends")
+        own, another = sides(claim) if stated else [], "a side has another value at the point"
+        require(len(own) == len(stated), another)
+        values = [node("=", *pair) for pair in zip(own, stated, strict=True)]
+        shows = (
+            [*values] if "proof" in step.data else []
+        )  # where values of functions are proved, they are with the rest
+        at = self.hold([*self.assumed(), contrary(claim), *shows], step, refuting=True)
+        require(shows or all(truth(each, at) for each in values), another)
         for data, digits, low, high in shown:
             term = substituted(self.whole.term(data), at.point or {})
             order = node("<=", self.whole.term(low), term), node("<=", term, self.whole.term(high))
@@ -141,6 +167,8 @@ class Certificate:
         values = {read.letter(x): read.term(data) for x, data in step.mapping("values").items()}
         closed = not any(letters(t) or functions(t) for t in values.values()) and not values.keys() & read.names.keys()
         require(closed, "a coordinate is no number, or of a defined letter")
+        for each in domain(*values.values(), divisors=True):
+            require(truth(each, Algebra({}, {})), "a coordinate has no value: {} is not so", each)
         proof = step.data.pop("proof", None)
         mentioned = set().union(*map(letters, formulas))
         require(mentioned <= values.keys(), "no value for {}", ", ".join(sorted(mentioned - values.keys())))
@@ -162,6 +190,10 @@ class Certificate:
                 prover.learn(("point", k), node("=", x, number))
         for each in domain(*formulas, divisors=True) if refuting and proof is not None else ():
             require(truth(each, at), "a term has no value at the point: {} is not so", each)  # to compute finds values
+            if each.tag == "!=":  # what is not zero at the point may be divided by in all that is proved of it
+                aside = Algebra(read.names)
+                aside.value(node("/", 1, *each.outside[:1]))
+                prover.listed |= {value: term for value, term in aside.divisors.items() if term is not None}
         prover.prove(node("and", *formulas), {"rule": "compute"} if proof is None else proof)
         prover.finish()
         step.end()

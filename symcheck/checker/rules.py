@@ -219,6 +219,8 @@ class Prover:
         match term:
             case int():
                 return (term >= 0) + (term > 0)
+            case Value(tag="pi"):
+                return 2
             case Value(tag="+", terms=parts) if parts:
                 result = max(levels := [*map(self.sign, parts)]) * all(levels)
             case Value(tag="*", terms=parts):  # equal factors pair up to squares

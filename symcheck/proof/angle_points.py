@@ -113,7 +113,8 @@ def _may_refute(problem: Problem, point: Mapping[str, Term]) -> bool:
 def _proved(problem: Problem, point: Mapping[str, Term], prove: Prover) -> Certificate | None:
     """Proofs that at the point no denominator vanishes, the hypotheses hold and the claim does not."""
     stated = _stated(problem)
-    there: list[Formula] = [("=", x, value) for x, value in point.items()]
+    values = dict(sorted(point.items()))  # facts about the point are numbered in this order
+    there: list[Formula] = [("=", x, value) for x, value in values.items()]
     facts: list[list[Any]] = []
     for bottom in dict.fromkeys(part for f in (*stated, problem.claim) for part in _denominators(f)):
         if (proof := _proof(("!=", bottom, 0), problem, there, prove)) is None:
@@ -121,7 +122,7 @@ def _proved(problem: Problem, point: Mapping[str, Term], prove: Prover) -> Certi
         facts.append([("!=", bottom, 0), proof])
         there.append(("!=", bottom, 0))
     proof = _proof(frozen(("and", *stated, contrary(problem.claim))), problem, there, prove)
-    return proof and {"values": dict(point), **({"facts": facts} if facts else {}), "proof": proof}
+    return proof and {"values": values, **({"facts": facts} if facts else {}), "proof": proof}
 
 
 def _proof(claim: Formula, problem: Problem, there: list[Formula], prove: Prover) -> Certificate | None:

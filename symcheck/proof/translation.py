@@ -213,6 +213,8 @@ def condition(texts: list[str], meaning: Callable[[str], JSON]) -> JSON:
 def point(found: Mapping[str, Any]) -> Proof:
     """A point, with the proofs that go with it. An angle of rational sine and cosine is twice an arctangent."""
     given = {x: exactly(value) for x, value in found["values"].items()}
+    if constants := given.keys() & {"pi", "infinity"}:
+        raise ValueError(f"{', '.join(sorted(constants))} with a value")
     angles = {x[4:] for x in given if x[:4] in ("sin_", "cos_")}
     values = {x: value for x, value in given.items() if x[4:] not in angles or x[:4] not in ("sin_", "cos_")}
     values |= {x: angle(given[f"cos_{x}"], given[f"sin_{x}"]) for x in angles}
