@@ -185,7 +185,7 @@ class Functions(Signs):
         """Functions of equal arguments that are written differently."""
         seen = self.seen
         for term in (t for each in spoken for t in subterms(each) if self.scope.issuperset(letters(t))):
-            if isinstance(term, list) and term[0] in OPAQUE and not (term[0] == "sqrt" and is_number(term)):
+            if isinstance(term, list) and term[0] in (*OPAQUE, "call") and not (term[0] == "sqrt" and is_number(term)):
                 value = self.values.value(term)
                 if term[0] == "pow" and (whole := self.ratio(term[2], 1)) is not None and whole.denominator == 1:
                     raise NotExported("a power whose exponent adds up to a whole number")

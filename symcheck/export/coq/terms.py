@@ -29,6 +29,8 @@ def rebuilt(node: Any, change: Any) -> Any:
             return [kind, change(body), x, *map(change, ends)]
         case ["exists", bound, body]:
             return ["exists", bound, change(body)]
+        case ["call", function, orders, *arguments]:
+            return ["call", function, orders, *map(change, arguments)]
         case ["^", base, n]:
             return ["^", change(base), n]
     return [node[0], *map(change, node[1:])]
@@ -74,9 +76,18 @@ def _letters(node: Any) -> Iterator[str]:
                 yield from _letters(end)
         case ["^", base, _]:
             yield from _letters(base)
-        case [str(), *parts]:
+        case ["call", _, _, *parts] | [str(), *parts]:
             for part in parts:
                 yield from _letters(part)
+
+
+def functions(node: Any) -> Iterator[tuple[str, int]]:
+    """The unknown functions with the numbers of their arguments, again and again."""
+    if isinstance(node, list):
+        if node[:1] == ["call"]:
+            yield node[1], len(node) - 3
+        for part in node:
+            yield from functions(part)
 
 
 class Definitions:
@@ -151,7 +162,8 @@ def subterms(node: Any) -> Iterator[Any]:
         if node[0] in (*BINDING, "diff"):
             yield node
             return
-        children = node[2:] if node[0] == "exists" else node[1:2] if node[0] == "^" else node[1:]
+        start = 2 if node[0] == "exists" else 3 if node[0] == "call" else 1
+        children = node[1:2] if node[0] == "^" else node[start:]
         for child in children:
             yield from subterms(child)
     if not (isinstance(node, list) and node[0] in (*RELATIONS, "and", "or", "=>", "<=>", "exists")):

@@ -95,6 +95,8 @@ class Values:
                 return root(rational(self.value(inner)))
             case [function, *arguments] if function in OPAQUE:
                 return draw(function, *map(self.value, arguments))
+            case ["call", function, orders, *arguments]:
+                return draw("call", function, *orders, *map(self.value, arguments))
             case ["diff" | "mean" | "integral" | "diverges", *_]:
                 return draw(str(term))
         raise NotExported(f"the term {term!r}")
