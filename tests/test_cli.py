@@ -13,7 +13,6 @@ from click.testing import Result
 from symcheck.cli import cli
 from symcheck.evidence import translation
 from symcheck.evidence.record import Record
-from symcheck.proof import translation
 
 Run = Callable[..., Result]
 

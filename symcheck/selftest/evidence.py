@@ -6,14 +6,14 @@ import json
 from collections.abc import Iterable, Iterator
 from typing import Any
 
-from symcheck import checker
+from symcheck.evidence.checked import reason
 from symcheck.proof import certificate
 from symcheck.statement import Certificate, Outcome, Problem, SymcheckError, Verdict
 
 
 def holds(evidence: Certificate) -> bool:
     """Whether the checker accepts a certificate."""
-    return checker.check(evidence) is None
+    return reason(evidence) is None
 
 
 def all_hold(evidence: Iterable[Certificate]) -> bool:
