@@ -13,9 +13,10 @@ from typing import Any
 import pytest
 
 from symcheck import checker
+from symcheck.evidence import translation
 from symcheck.evidence.checked import reason as check
 from symcheck.evidence.steps import point, sides
-from symcheck.proof import certificate, fails_at, identity, translation
+from symcheck.proof import certificate, fails_at, identity
 from symcheck.proof.farkas import positive_relation
 from symcheck.proof.theorems import THEOREMS, Terms, contrary
 from symcheck.reading import Letter, Notation, lower, read
