@@ -8,13 +8,16 @@ from itertools import chain
 from typing import Any
 
 import mpmath
+from scipy.optimize import linprog
 
+from symcheck.proof.theorems import conjuncts
 from symcheck.statement import Certificate, Formula, Problem, Term
 
 mpmath.mp.dps = 40
 SEED = 20090055
-DRAWS, ENOUGH = 40, 3  # points that are tried, and points where the hypotheses hold
+DRAWS, ENOUGH = 16, 3  # points that are tried, and points where the hypotheses hold
 TOLERANCE = mpmath.mpf(10) ** -25  # of a difference, in proportion to what is compared
+SOLVED, STEPS = mpmath.mpf(10) ** -60, 10  # of Newton's method: the square of what is left, and the steps
 CONSTANTS = {"pi": mpmath.pi, "infinity": mpmath.inf}
 SIGNS: dict[str, Callable[[Any, Any], bool]] = {
     "=": lambda d, small: abs(d) < small,
@@ -31,6 +34,7 @@ CONNECTIVES: dict[str, Callable[[list[bool]], bool]] = {
     "<=>": lambda truths: truths[0] == truths[1],
 }
 NAMES = {"arctan": "atan", "arcsin": "asin", "arccos": "acos"}
+FAR, DOUBT, INFEASIBLE = 1e4, (1e-9, 1e-6), 2  # of linear programming: bounds, what is too near to zero, a status
 WAVES = 2  # an unknown function is a sum of so many sines
 NO_VALUE = (ZeroDivisionError, KeyError, AttributeError, TypeError, ValueError, OverflowError)
 
@@ -113,10 +117,65 @@ class Place:
     def holds(self, formula: Formula) -> bool:
         """Whether a formula without quantifiers holds here."""
         head, *parts = formula
+        if head == "exists":
+            return self._exists(*parts)
         if head in SIGNS:
             left, right = (self.value(part) for part in parts)
             return bool(SIGNS[head](left - right, TOLERANCE * max(1, abs(left), abs(right))))
         return CONNECTIVES[head]([self.holds(part) for part in parts if head in CONNECTIVES])
+
+
+    def _exists(self, names: tuple[str, ...], body: Formula) -> bool:
+        """Whether linear orders and equations have a common solution; KeyError if they are not linear.
+
+        The most by which all orders can be met is zero, or far from it: with what is so near to zero that the few
+        digits of linear programming leave it in doubt, nothing is decided.
+        """
+        rows, equal = self._rows(names, body)
+        n = len(names)
+        bounds = [(-FAR, FAR)] * n + [(None, 1)]
+        above = [[-float(c) for c in row[1:]] + [float(strict)] for row, strict in rows]
+        found = linprog(
+            [0] * n + [-1],
+            A_ub=above or None,
+            b_ub=[float(row[0]) for row, _ in rows] or None,
+            A_eq=[[*map(float, row[1:]), 0] for row in equal] or None,
+            b_eq=[-float(row[0]) for row in equal] or None,
+            bounds=bounds,
+        )
+        if found.status == INFEASIBLE:
+            return False
+        if found.status or DOUBT[0] < -found.fun < DOUBT[1]:
+            raise KeyError("nothing certain about a linear program")
+        return bool(-found.fun >= DOUBT[1])
+
+    def _rows(self, names: tuple[str, ...], body: Formula) -> tuple[list[tuple[list[Any], bool]], list[list[Any]]]:
+        """[constant, coefficients] of what is not negative (or positive: True), and of what is zero."""
+        rows, equal = [], []
+        for head, left, right in conjuncts(body):
+            larger, smaller = (right, left) if head in ("<", "<=") else (left, right)
+            row = self._affine(names, ("+", larger, ("-", smaller)))
+            if head == "=":
+                equal.append(row)
+            elif head in SIGNS and head != "!=":
+                rows.append((row, len(head) == 1))
+            else:
+                raise KeyError(head)
+        return rows, equal
+
+    def _affine(self, names: tuple[str, ...], term: Term) -> list[Any]:
+        def at(values: Iterable[int]) -> Any:
+            place = self
+            for name, value in zip(names, values, strict=True):
+                place = place.inside(name, mpmath.mpf(value))
+            return place.value(term)
+
+        zero, trial = at([0] * len(names)), range(2, len(names) + 2)
+        slopes = [at(int(k == n) for n in range(len(names))) - zero for k in range(len(names))]
+        gap = at(trial) - zero - mpmath.fsum(k * slope for k, slope in zip(trial, slopes, strict=True))
+        if abs(gap) > TOLERANCE * max(1, abs(zero)):
+            raise KeyError("not linear")
+        return [zero, *slopes]
 
 
 def _applied(head: str, args: list[Any]) -> Any:
@@ -200,16 +259,40 @@ def _frozen(value: Any) -> Any:
 def fails(problem: Problem, evidence: Iterable[Certificate] = ()) -> bool | None:
     """Whether the claim fails at some point where the hypotheses hold; None if no point says anything.
 
-    Points are drawn, and taken from the witnesses of certificates.
+    Points are taken from the witnesses of certificates, or drawn and moved to where the equations hold.
     """
-    rng, found = random.Random(SEED), 0
-    unfold = dict(problem.definitions)
+    rng, evidence = random.Random(SEED), [*evidence]
+    given = [formula for _, formulas in problem.hypotheses for formula in formulas]
+    found = [_fails(problem, assumed, claim, evidence, rng) for assumed, claim in goals(problem.claim, given)]
+    return True if True in found else None if None in found else False
+
+
+def goals(claim: Formula, given: list[Formula]) -> Iterator[tuple[list[Formula], Formula]]:
+    """A claim taken apart: what is assumed, and what has to follow, for each part and each direction."""
+    match claim:
+        case ("and", *parts):
+            for part in parts:
+                yield from goals(part, given)
+        case ("=>", premise, conclusion):
+            yield from goals(conclusion, [*given, premise])
+        case ("<=>", left, right):
+            yield from goals(right, [*given, left])
+            yield from goals(left, [*given, right])
+        case _:
+            yield given, claim
+
+
+def _fails(
+    problem: Problem, given: list[Formula], claim: Formula, evidence: list[Certificate], rng: random.Random
+) -> bool | None:
+    unfold, found = dict(problem.definitions), 0
     for at in chain(witnessed(evidence, rng), (drawn(problem, rng) for _ in range(DRAWS))):
         place = Place(unfold, rng, at)
         try:
-            if not all(place.holds(formula) for _, formulas in problem.hypotheses for formula in formulas):
+            _solve(place, [_chosen(formula, rng) for formula in given])
+            if not all(place.holds(formula) for formula in given):
                 continue
-            if not place.holds(problem.claim):
+            if not place.holds(claim):
                 return True
         except NO_VALUE:
             continue
@@ -217,3 +300,61 @@ def fails(problem: Problem, evidence: Iterable[Certificate] = ()) -> bool | None
         if found == ENOUGH:
             break
     return False if found else None
+
+
+def _chosen(formula: Formula, rng: random.Random) -> Formula:
+    """A formula with one alternative of each `or`."""
+    if formula[0] == "or":
+        return _chosen(rng.choice(formula[1:]), rng)
+    return ("and", *(_chosen(part, rng) for part in formula[1:])) if formula[0] == "and" else formula
+
+
+def _equations(formula: Formula) -> Iterator[tuple[Term, Term]]:
+    if formula[0] == "=":
+        yield formula[1], formula[2]
+    elif formula[0] == "and":
+        for part in formula[1:]:
+            yield from _equations(part)
+
+
+def _solve(place: Place, given: list[Formula]) -> None:
+    """Moves as many letters as there are equations, by Newton's method, to where these hold."""
+    open_ = [pair for formula in given for pair in _equations(formula) if not place.holds(("=", *pair))]
+    if not open_:
+        return
+    letters = sorted(name for name in _letters(open_, place.unfold) if name in place.at)
+    if len(letters) < len(open_):
+        raise KeyError("more equations than letters")
+    ordered = [*_letters_of_orders(given, place.unfold)]
+    letters = place.rng.sample(letters, len(letters))
+    if place.rng.random() < 0.7:
+        letters.sort(key=ordered.count)  # others may leave the range where they have to lie
+    moved = letters[: len(open_)]
+
+    def gaps(*values: Any) -> list[Any]:
+        other = Place(place.unfold, place.rng, _free(place) | dict(zip(moved, values, strict=True)))
+        return [other.value(left) - other.value(right) for left, right in open_]
+
+    start = [place.at[name] for name in moved]
+    solution = mpmath.findroot(gaps, start if len(moved) > 1 else start[0], tol=SOLVED, maxsteps=STEPS)
+    place.at = _free(place) | dict(zip(moved, solution if len(moved) > 1 else [solution], strict=True))
+
+
+def _letters_of_orders(given: Iterable[Formula], unfold: Mapping[str, Term]) -> Iterator[str]:
+    """The letters of everything given but equations, as often as there is such."""
+    for formula in given:
+        if formula[0] == "and":
+            yield from _letters_of_orders(formula[1:], unfold)
+        elif formula[0] != "=":
+            yield from _letters([*formula[1:]], unfold)
+
+
+def _free(place: Place) -> dict[str, Any]:
+    return {name: value for name, value in place.at.items() if name not in place.unfold}
+
+
+def _letters(value: Any, unfold: Mapping[str, Term]) -> set[str]:
+    """The letters in terms, definitions unfolded."""
+    if isinstance(value, str):
+        return _letters(unfold[value], unfold) if value in unfold else {value}
+    return set().union(*(_letters(part, unfold) for part in value)) if isinstance(value, list | tuple) else set()

@@ -10,7 +10,7 @@ from collections import defaultdict
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from functools import cache
-from itertools import islice
+from itertools import islice, starmap
 from random import Random
 from typing import NamedTuple
 
@@ -18,14 +18,15 @@ from symcheck.evidence.context import Context, for_letter
 from symcheck.evidence.judge import Finding, Unit, judge, units
 from symcheck.evidence.obligation import obligation_of
 from symcheck.evidence.record import Record
-from symcheck.proof import combined, equivalent, fails_without
-from symcheck.reading import Edit, edits, lower, read, to_latex
+from symcheck.proof import combined, fails_without
+from symcheck.reading import Edit, Tree, edits, lower, read, to_latex
+from symcheck.reading.tree import Add, Number, children, replaced, walk
 from symcheck.selftest.arguments import ARGUMENT, arguments
 from symcheck.selftest.connectives import CONNECTIVE, EQUATED, connectives, stronger
 from symcheck.selftest.ends import ends
 from symcheck.selftest.evidence import holds, states, told_of
 from symcheck.selftest.oracle import fails
-from symcheck.selftest.strength import compared, idle
+from symcheck.selftest.strength import compared, same
 from symcheck.selftest.trial import Fate, FaultClass, Trial, mixed
 from symcheck.statement import Erratum, Hypothesis, Problem, Role, SymcheckError, Verdict
 
@@ -50,12 +51,11 @@ class Proved(NamedTuple):
         """Where the inequality is an equality, as declared."""
         return str(for_letter(self.context.item.equality, self.unit.letter) or "")
 
-    @property
-    def problems(self) -> tuple[Problem, ...]:
-        """What is claimed, instance by instance, under the hypotheses."""
+    def both(self, changed: Proved) -> Iterator[Problem]:
+        """Both claims, instance by instance, under the hypotheses."""
         method = self.context.method(self.unit.letter)
-        formulas = enumerate(self.unit.formulas)
-        return tuple(self.context.problem(formula, self.given, method, n) for n, formula in formulas)
+        for n, pair in enumerate(zip(self.unit.formulas, changed.unit.formulas, strict=True)):
+            yield self.context.problem(("and", *pair), self.given, method, n)
 
 
 def proved(id: str) -> list[Proved]:
@@ -135,23 +135,38 @@ def _changed(original: Proved, edit: Edit) -> Proved:
 
 
 def _is_read_alike(original: Proved, changed: Proved, edit: Edit) -> bool:
-    """Whether the reader, or the way from what is read to formulas, forgets that there is a slip."""
-    if edit.kind != EQUALITY:
-        return changed.unit.formulas == original.unit.formulas
-    return original.context.lower(original.equality) == changed.context.lower(changed.equality)
+    """Whether the reader, or the way from what is read to formulas, forgets that there is a slip.
+
+    If the formulas are the same, but for any other change at the place too, the place is dropped.
+    """
+    if edit.kind == EQUALITY:
+        return original.context.lower(original.equality) == changed.context.lower(changed.equality)
+    if changed.unit.formulas != original.unit.formulas:
+        return False
+    path = _where(original.unit.tree, edit.tree)
+    node = dict(walk(original.unit.tree))[path]
+    try:
+        other = replaced(original.unit.tree, path, Add((node, Number("7"))))
+        return original.unit.reworded(original.context, other).formulas == original.unit.formulas
+    except SymcheckError:
+        return False  # what stands there matters
+
+
+def _where(before: Tree, after: Tree) -> tuple[int, ...]:
+    """The path to the lowest place at which all that is different lies."""
+    parts = (children(before), children(after))
+    if type(before) is type(after) and len(parts[0]) == len(parts[1]):
+        others = [k for k, (one, other) in enumerate(zip(*parts, strict=True)) if one != other]
+        if len(others) == 1:
+            return (others[0], *_where(parts[0][others[0]], parts[1][others[0]]))
+    return ()
 
 
 def says_the_same(original: Proved, changed: Proved) -> bool:
     """Whether a slip leaves the meaning alone, instance by instance, under the hypotheses."""
-    pairs = [*zip(original.unit.formulas, changed.unit.formulas, strict=False)]
-    if len(original.unit.formulas) != len(changed.unit.formulas) or any(idle(a) != idle(b) for a, b in pairs):
+    if len(original.unit.formulas) != len(changed.unit.formulas):
         return False
-    context, unit, given, _ = original
-    method = context.method(unit.letter)
-    return all(
-        equivalent(before, after, context.problem(("and", before, after), given, method, n))
-        for n, (before, after) in enumerate(pairs)
-    )
+    return all(starmap(same, zip(original.unit.formulas, changed.unit.formulas, original.both(changed), strict=True)))
 
 
 def is_false(original: Proved, finding: Finding) -> bool:
@@ -178,7 +193,7 @@ def _strength(original: Proved, changed: Proved, edit: Edit) -> Fate:
     before, after = original.unit.formulas, changed.unit.formulas
     if len(before) != len(after):  # instances dropped or added
         return Fate.WEAKER if {*after} <= {*before} else Fate.STRONGER if {*before} <= {*after} else Fate.OPEN
-    fates = {compared(*each) for each in zip(before, after, changed.problems, strict=True)}
+    fates = {compared(*each) for each in zip(before, after, original.both(changed), strict=True)}
     for whole in (Fate.EQUIVALENT, Fate.WEAKER, Fate.STRONGER):
         if fates <= {whole, Fate.EQUIVALENT}:
             return whole

@@ -5,13 +5,14 @@ from __future__ import annotations
 from dataclasses import replace
 
 from symcheck.proof import equivalent, proof_of
-from symcheck.proof.theorems import RELATIONS
+from symcheck.proof.theorems import RELATIONS, conjuncts
 from symcheck.selftest.evidence import is_shown
 from symcheck.selftest.trial import Fate
-from symcheck.statement import Formula, Problem
+from symcheck.statement import Formula, Problem, Term
 
 MIRROR = {">": "<", ">=": "<="}
 IMPLIED = {"=": ("<=",), "<": ("<=", "!=")}  # signs between the same sides
+ARITHMETIC = ("+", "-", "*", "/", "^")
 TRUE_OF_EQUALS = ("=", "<=", ">=")
 
 
@@ -40,22 +41,30 @@ class Strength:
             return True
         if is_empty(f):
             return False
-        if (not asserted or idle(f) == idle(g)) and self._same(f, g):
+        if same(f, g, self.problem) if asserted else equivalent(f, g, self.problem):
             return True
         if asserted:
             return self._by_form(f, g, asserted)
         return self._by_form(f, g, asserted) or self._shown(("=>", f, g))
 
     def _by_form(self, f: Formula, g: Formula, asserted: bool) -> bool:
+        if asserted and (f[0] == "and" or g[0] == "and"):
+            return self._parts(conjuncts(f), conjuncts(g))
         if g[0] == "and":
-            return all(self.entails(f, part, asserted) for part in g[1:])
+            return all(self.entails(f, part, False) for part in g[1:])
         if f[0] == "and":
-            return any(self.entails(part, g, asserted) for part in f[1:])
+            return any(self.entails(part, g, False) for part in f[1:])
         if f[0] == "or" and g[0] == "or":
             return all(any(self.entails(p, q, False) for q in g[1:]) for p in f[1:])
         if g[0] == "or":
             return any(self.entails(f, part, False) for part in g[1:])
         return self._directed(f, g, asserted)
+
+    def _parts(self, f: list[Formula], g: list[Formula]) -> bool:
+        """Part by part, where as many are asserted; else each is one of the others, or follows from its sign."""
+        if len(f) == len(g):
+            return all(self.entails(*pair) for pair in zip(f, g, strict=True))
+        return all(any(part == other or _is_implied(other, part) for other in f) for part in g)
 
     def _directed(self, f: Formula, g: Formula, asserted: bool) -> bool:
         if f[0] == "<=>" and g[0] == "<=>":
@@ -79,9 +88,9 @@ class Strength:
             return False
         if f[0] == g[0] == "=":
             return True
-        one, two = _smaller_first(f), _smaller_first(g)
-        if two[0] in IMPLIED.get(one[0], ()) and (one[1:] == two[1:] or (one[0] == "=" and one[:0:-1] == two[1:])):
+        if _is_implied(f, g):
             return True
+        one, two = _smaller_first(f), _smaller_first(g)
         if one[0][0] == "<" and two[0][0] == "<" and (one[0] == "<" or two[0] == "<="):
             if one[1] == two[1]:
                 return self._shown(("<=", one[2], two[2]))
@@ -89,23 +98,43 @@ class Strength:
                 return self._shown(("<=", two[1], one[1]))
         return False
 
-    def _same(self, f: Formula, g: Formula) -> bool:
-        return equivalent(f, g, replace(self.problem, claim=("and", f, g)))
-
     def _shown(self, claim: Formula) -> bool:
         """Whether something follows from the hypotheses."""
         problem = replace(self.problem, claim=claim)
         return is_shown(problem, proof_of(problem))
 
 
+def _is_implied(f: Formula, g: Formula) -> bool:
+    """Whether a relation follows from another one with the same sides by their signs."""
+    one, two = _smaller_first(f), _smaller_first(g)
+    return two[0] in IMPLIED.get(one[0], ()) and (one[1:] == two[1:] or (one[0] == "=" and one[:0:-1] == two[1:]))
+
+
+def same(f: Formula, g: Formula, problem: Problem) -> bool:
+    """Whether two statements are the same by algebra: equations under the hypotheses, orders without them."""
+    if f == g:
+        return True
+    if f[0] == g[0] == "and" and len(f) == len(g):
+        return all(same(*pair, problem) for pair in zip(f[1:], g[1:], strict=True))
+    if is_empty(f) is not is_empty(g):
+        return False
+    alone = f[0] in RELATIONS and f[0] != "="
+    return equivalent(f, g, replace(problem, hypotheses=()) if alone else problem)
+
+
 def is_empty(formula: Formula) -> bool:
-    """Whether a relation says of something that it is what it is."""
-    return formula[0] in TRUE_OF_EQUALS and formula[1] == formula[2]
+    """Whether a relation says of something that it is what it is, or compares two numbers that are written out."""
+    if formula[0] == "and":
+        return all(map(is_empty, formula[1:]))
+    return (formula[0] in TRUE_OF_EQUALS and formula[1] == formula[2]) or (
+        formula[0] in RELATIONS and all(map(_is_written_out, formula[1:]))
+    )
 
 
-def idle(formula: Formula) -> int:
-    """How many relations of a statement, taken apart at "and", are empty."""
-    return sum(map(idle, formula[1:])) if formula[0] == "and" else int(is_empty(formula))
+def _is_written_out(term: Term) -> bool:
+    if isinstance(term, tuple):
+        return term[0] in ARITHMETIC and all(map(_is_written_out, term[1:]))
+    return isinstance(term, int)
 
 
 def _directions(f: Formula) -> tuple[Formula, Formula]:
