@@ -11,6 +11,7 @@ import mpmath
 from scipy.optimize import linprog
 
 from symcheck.proof.theorems import conjuncts
+from symcheck.selftest.evidence import frozen
 from symcheck.statement import Certificate, Formula, Problem, Term
 
 mpmath.mp.dps = 40
@@ -123,7 +124,6 @@ class Place:
             left, right = (self.value(part) for part in parts)
             return bool(SIGNS[head](left - right, TOLERANCE * max(1, abs(left), abs(right))))
         return CONNECTIVES[head]([self.holds(part) for part in parts if head in CONNECTIVES])
-
 
     def _exists(self, names: tuple[str, ...], body: Formula) -> bool:
         """Whether linear orders and equations have a common solution; KeyError if they are not linear.
@@ -249,11 +249,8 @@ def _coordinate(value: Any) -> Term:
     if isinstance(value, str):
         top, _, bottom = value.partition("/")
         return ("/", int(top), int(bottom or 1))
-    return _frozen(value)
-
-
-def _frozen(value: Any) -> Any:
-    return tuple(map(_frozen, value)) if isinstance(value, list) else value
+    term: Term = frozen(value)
+    return term
 
 
 def fails(problem: Problem, evidence: Iterable[Certificate] = ()) -> bool | None:
