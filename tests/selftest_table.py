@@ -8,9 +8,10 @@ from bench_kernels import README, head, row, with_block
 
 from symcheck import kernels
 from symcheck.evidence.selftested import recorded, rows
+from symcheck.selftest.table import FATES
 
 NAME = "self-test"
-COLUMNS = ("planted in", "planted", "rejected", "accepted", "equivalent", "rejected of the faults", "right", "rejected")
+COLUMNS = ("planted in", *FATES, "rejected of the faults", "right", "rejected")
 
 
 def table() -> Iterator[str]:
@@ -20,7 +21,7 @@ def table() -> Iterator[str]:
     yield from head(COLUMNS)
     for each in rows(result):
         if each.is_class:
-            counts = [each.counts[name] for name in ("planted", "rejected", "accepted", "equivalent")]
+            counts = [each.counts.get(name, 0) for name in FATES]
             right = (each.counts["right"], each.counts["false_rejections"])
             yield row([each.name, *map(_number, counts), each.rate, *map(_number, right)])
     engines = result["engines"]

@@ -6,7 +6,7 @@ import copy
 import json
 import re
 from collections import defaultdict
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from random import Random
 from typing import Any
@@ -15,9 +15,9 @@ from symcheck.evidence.checked import certificates
 from symcheck.evidence.record import Record
 from symcheck.proof import digest, fails_without, proof_of
 from symcheck.proof.theorems import conjuncts
-from symcheck.selftest.evidence import holds, problem_of
+from symcheck.selftest.evidence import holds, is_shown, problem_of
 from symcheck.selftest.trial import Fate, FaultClass, Trial, mixed
-from symcheck.statement import Certificate, Loss
+from symcheck.statement import Certificate, Loss, Problem
 
 STATED = ("claim", "definitions", "hypotheses")
 TURNED = {"<": ">=", "<=": ">", ">": "<=", ">=": "<", "=": "!=", "!=": "="}
@@ -108,44 +108,73 @@ def _places(node: Any, path: Path = ()) -> Iterator[tuple[Path, Any]]:
 
 
 def is_so(original: Certificate, edited: Certificate) -> bool:
-    """Whether what an edited certificate states is so, by a decision that owes nothing to its own proof or point.
+    """Whether what an edited certificate states is so, by a decision that owes nothing to its own proof or point."""
+    return follows(problem_of(original), problem_of(edited), edited["verdict"] == original["verdict"] == "refuted")
 
-    What the original shows is so: the parts of its claim under no less than its hypotheses, or that the claim fails
-    under some of them. The rest is put to the provers, which compute exactly and know nothing of the checker.
+
+def follows(known: Problem, problem: Problem, refuted: bool) -> bool:
+    """Whether a problem is proved (or refuted), where another one is known to be.
+
+    What is known is: the parts of its claim under no less than its hypotheses, or that the claim fails under some of
+    them. The rest is put to the provers, whose proofs and points the checker has to accept.
     """
-    problem, known = problem_of(edited), problem_of(original)
     given, before = ({f for _, formulas in each.hypotheses for f in formulas} for each in (problem, known))
-    alike = problem.definitions == known.definitions and holds(original)
-    if edited["verdict"] == "refuted":
+    alike = problem.definitions == known.definitions
+    if refuted:
         weaker = alike and problem.claim == known.claim and given <= before
-        return weaker or ((found := fails_without(problem)) is not None and found.loss is Loss.TRUTH)
+        found = None if weaker else fails_without(problem)
+        return weaker or (found is not None and found.loss is Loss.TRUTH and holds(found.certificate))
     shown = conjuncts(known.claim) if alike and given >= before else []
-    open_ = [part for part in conjuncts(problem.claim) if part not in shown]
-    return all(proof_of(replace(problem, claim=part)) is not None for part in open_)
+    open_ = [replace(problem, claim=part) for part in conjuncts(problem.claim) if part not in shown]
+    return all(is_shown(each, proof_of(each)) for each in open_)
 
 
-def _groups(records: Sequence[Record]) -> list[str]:
+def groups(records: Sequence[Record]) -> list[str]:
+    """All certificates in groups, each with those of the lemmas that they rest on."""
     every = list(dict.fromkeys(json.dumps(each) for record in records for each in certificates(record)))
-    return [f"[{','.join(every[k :: len(every) // TOGETHER + 1])}]" for k in range(len(every) // TOGETHER + 1)]
+    named: dict[str, list[str]] = defaultdict(list)
+    for record in records:
+        named[record.id] += [json.dumps(each) for each in record.certificates]
+    size = len(every) // TOGETHER + 1
+    return [f"[[{','.join(own)}],[{','.join(_lemmas(own, named))}]]" for own in (every[k::size] for k in range(size))]
+
+
+def _lemmas(texts: Sequence[str], named: Mapping[str, Sequence[str]]) -> list[str]:
+    """The certificates of the lemmas of certificates, and of the lemmas of these."""
+    found: dict[str, None] = {}
+    todo = [*texts]
+    while todo:
+        for name in json.loads(todo.pop()).get("lemmas", ()):
+            new = [text for text in named.get(name, ()) if text not in found]
+            found |= dict.fromkeys(new)
+            todo += new
+    return [*found]
+
+
+def beside(original: Certificate, lemmas: Sequence[Certificate]) -> list[Certificate]:
+    """Those of the lemmas that a certificate may need; to check none is quicker."""
+    return [*lemmas] if original.get("lemmas") else []
 
 
 def trials(place: str, count: int, rng: Random) -> Iterator[Trial]:
     """Some certificates: each as it is, and so many changes of all of them."""
-    group: list[Certificate] = json.loads(place)
+    group, lemmas = json.loads(place)
     for original in group:
-        yield Trial("as it is", original["id"], Fate.KEPT if holds(original) else Fate.FALSELY_REJECTED)
+        kept = holds(original, beside(original, lemmas))
+        yield Trial("as it is", original["id"], Fate.KEPT if kept else Fate.FALSELY_REJECTED)
     for k, original in enumerate(group):
         by_kind: dict[str, list[Change]] = defaultdict(list)
         for change in changes(original):
             by_kind[change[0]].append(change)
         share = count * (k + 1) // len(group) - count * k // len(group)
         for kind, words, path, value in _first(mixed(by_kind, rng), share):
-            yield Trial(kind, f"{original['id']} {words}", fate(original, changed(original, path, value)))
+            edited = changed(original, path, value)
+            yield Trial(kind, f"{original['id']} {words}", fate(original, edited, beside(original, lemmas)))
 
 
-def fate(original: Certificate, edited: Certificate) -> Fate:
+def fate(original: Certificate, edited: Certificate, lemmas: Sequence[Certificate] = ()) -> Fate:
     """What the checker makes of a changed certificate; one that holds is right if what it states is so."""
-    if not holds(edited):
+    if not holds(edited, lemmas):
         return Fate.REJECTED
     return Fate.EQUIVALENT if is_so(original, edited) else Fate.ACCEPTED
 
@@ -159,6 +188,6 @@ CLASS = FaultClass(
     "certificates with one thing changed, before the checker",
     ("coefficient", "relation", "index", "hypothesis list", "coordinate", "as it is"),
     share=4300,
-    places=_groups,
+    places=groups,
     trials=trials,
 )

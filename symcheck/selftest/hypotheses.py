@@ -15,7 +15,7 @@ from symcheck.evidence.judge import judge
 from symcheck.evidence.obligation import expand
 from symcheck.reading import System, Tree, read, to_latex
 from symcheck.reading.tree import Chain
-from symcheck.selftest.evidence import all_hold
+from symcheck.selftest.evidence import states, told_of
 from symcheck.selftest.statements import Proved, places, proved
 from symcheck.selftest.trial import Fate, FaultClass, Trial, mixed
 from symcheck.statement import Hypothesis, SymcheckError, Verdict
@@ -26,22 +26,24 @@ OTHERS = 3  # foreign hypotheses that may be added to a relation
 
 
 def without(original: Proved, dropped: Hypothesis) -> Fate:
-    """Whether the proof fails without a hypothesis; it is not needed if there is another that holds."""
+    """Whether the proof fails without a hypothesis; it is not needed if there is another, accepted and without it."""
     finding = judge(original.context, original.unit, tuple(h for h in original.given if h != dropped))
-    if finding.verdict is not Verdict.PROVED:
+    if told_of(original.context, original.unit, finding) is not Verdict.PROVED:
         return Fate.REJECTED
-    return Fate.EQUIVALENT if all_hold(finding.certificates) else Fate.ACCEPTED
+    shown = states(finding, original.unit.formulas)
+    free = all(dropped.name not in {*each["hypotheses"], *each.get("under", ())} for each in finding.certificates)
+    return Fate.EQUIVALENT if shown and free else Fate.ACCEPTED
 
 
 def having(original: Proved, added: Hypothesis) -> Fate:
     """Whether a hypothesis that has nothing to do with a relation is reported as not needed."""
-    context, unit, given = original
+    context, unit, given, _ = original
     item = replace(context.item, given=(*context.item.given, added))
     try:
         finding = judge(context.having(item=item), unit, (*given, added))
     except SymcheckError:
         return Fate.REJECTED  # it speaks of letters that are unknown here
-    if finding.verdict is not Verdict.PROVED:
+    if told_of(context, unit, finding) is not Verdict.PROVED:
         return Fate.REJECTED
     told = next(row for row in needs(finding, item, ()) if row["name"] == added.name)
     return Fate.REJECTED if told["needed"] is False else Fate.ACCEPTED
@@ -50,7 +52,8 @@ def having(original: Proved, added: Hypothesis) -> Fate:
 def contradicted(original: Proved, contrary: Hypothesis) -> Fate:
     """Whether a relation is no longer proved when its hypotheses contradict one another, and anything would follow."""
     finding = judge(original.context, original.unit, (*original.given, contrary))
-    return Fate.ACCEPTED if finding.verdict is Verdict.PROVED else Fate.REJECTED
+    told = told_of(original.context, original.unit, finding)
+    return Fate.ACCEPTED if told is Verdict.PROVED else Fate.REJECTED
 
 
 def contrary(original: Proved, hypothesis: Hypothesis) -> Hypothesis | None:

@@ -1,22 +1,48 @@
-"""Sabotaged proof methods: whatever they answer, nothing false may come with a certificate that holds."""
+"""Saboteurs inside the ledger: proof methods, provers, the reader and the cache lie, and the ledger must not tell it.
+
+What judges is what judges every day: `run.audit`, with the deciding of `evidence.decide`, the check of
+`evidence.checked.told` and the file of `evidence.cache`. Only the part that a saboteur has taken over is another one.
+"""
 
 from __future__ import annotations
 
 import json
-from collections.abc import Callable, Iterator, Sequence
+import re
+import sqlite3
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from contextlib import closing, contextmanager
 from dataclasses import replace
+from functools import cache, partial
+from pathlib import Path
 from random import Random
+from tempfile import TemporaryDirectory
 from typing import Any
+from unittest.mock import patch
 
+from symcheck import papers
+from symcheck.checker.statements import Index as StatementIndex
+from symcheck.core.terms import JSON
+from symcheck.evidence import decide, errata, judge, run, store, translation
+from symcheck.evidence.cache import FILE, Cache
+from symcheck.evidence.context import Context
+from symcheck.evidence.executor import Serial
+from symcheck.evidence.index import Index
+from symcheck.evidence.judge import units
+from symcheck.evidence.obligation import fingerprint, obligation_of
 from symcheck.evidence.record import Record
-from symcheck.proof import fails_at, identity
+from symcheck.proof import Without, certificate, fails_at, identity
 from symcheck.proof.theorems import CONSTANTS, Terms
-from symcheck.selftest.evidence import answered, problem_of
+from symcheck.reading import read
+from symcheck.selftest.statements import declared
 from symcheck.selftest.trial import Fate, FaultClass, Trial
-from symcheck.statement import Formula, Outcome, Problem, Verdict
+from symcheck.statement import Certificate, Formula, Loss, Outcome, Problem, Role, SymcheckError, Verdict
 
 PROVED = Outcome(Verdict.PROVED, proof={"rule": "identity", "cofactors": [], "given": []})
-MOST = 20_000  # characters of a statement that is put to them: some proofs hang on longer ones for minutes
+DOUBLE = Problem("double", ("=", ("+", "x", "x"), ("*", 2, "x")))
+LIMIT = 60.0  # seconds for one declaration
+MOST = 20_000  # characters of the certificates of a declaration: some proofs hang on longer ones for minutes
+OTHER = {Verdict.PROVED: Verdict.REFUTED, Verdict.REFUTED: Verdict.PROVED}
+Decide = Callable[[Problem], Outcome]
 
 
 def always_yes(problem: Problem) -> Outcome:
@@ -66,7 +92,12 @@ def assumes_the_claim(problem: Problem) -> Outcome:
     return identity.decide(replace(problem, hypotheses=(*problem.hypotheses, ("assumed", (problem.claim,)))))
 
 
-SABOTEURS: tuple[Callable[[Problem], Outcome], ...] = (
+def proves_another_statement(problem: Problem) -> Outcome:
+    """The proof of one statement for every other one."""
+    return identity.decide(DOUBLE)
+
+
+SABOTEURS: tuple[Decide, ...] = (
     always_yes,
     always_no,
     compares_with_itself,
@@ -75,7 +106,9 @@ SABOTEURS: tuple[Callable[[Problem], Outcome], ...] = (
     one_sample_point,
     ignores_the_domain,
     assumes_the_claim,
+    proves_another_statement,
 )
+RELABELLED, EDITED, SIGNED, READER = "rows relabelled", "cache row edited", "cache row signed", "reader drops a token"
 
 
 def _letters(problem: Problem) -> list[str]:
@@ -85,43 +118,215 @@ def _letters(problem: Problem) -> list[str]:
     return sorted(set().union(*map(algebra.names, formulas)) - {*CONSTANTS})
 
 
-def _kind(saboteur: Callable[[Problem], Outcome]) -> str:
+# --- what is taken over
+
+
+def _answer(saboteur: Decide, problem: Problem) -> Outcome:
+    """A method that fails answers nothing."""
+    try:
+        return saboteur(problem)
+    except Exception:
+        return Outcome(Verdict.UNDECIDED, reason="it failed")
+
+
+def _proof(saboteur: Decide, problem: Problem) -> Outcome | None:
+    outcome = _answer(saboteur, problem)
+    return outcome if outcome.verdict is Verdict.PROVED else None
+
+
+def _point(saboteur: Decide, problem: Problem) -> Certificate | None:
+    return _answer(saboteur, problem).point
+
+
+def _loss(saboteur: Decide, problem: Problem) -> Without | None:
+    outcome = _answer(saboteur, problem)
+    if outcome.verdict is not Verdict.REFUTED:
+        return None
+    return Without(Loss.TRUTH, certificate(problem, outcome))
+
+
+@contextmanager
+def sabotaged(saboteur: Decide) -> Iterator[None]:
+    """All methods and provers of the ledger are the saboteur."""
+    method = Context.method
+    answer, proof = partial(_answer, saboteur), partial(_proof, saboteur)
+    point, loss = partial(_point, saboteur), partial(_loss, saboteur)
+    with (
+        _forgetful(),
+        patch.object(Context, "method", lambda context, letter: replace(method(context, letter), decide=answer)),
+        patch.object(judge, "proof_of", proof),
+        patch.object(judge, "refute", point),
+        patch.object(judge, "_is_vacuous", lambda *_: False),
+        patch.object(errata, "proof_of", proof),
+        patch.object(errata, "fails_without", loss),
+    ):
+        yield
+
+
+@contextmanager
+def _reading(drop: Callable[[str], str]) -> Iterator[None]:
+    """Every text of a declaration is read without something."""
+
+    def other(latex: str | tuple[str, ...], *rest: Any) -> Any:
+        return read(tuple(map(drop, latex)) if isinstance(latex, tuple) else drop(latex), *rest)
+
+    with _forgetful(), patch.object(judge, "read", other):
+        yield
+
+
+@contextmanager
+def _forgetful() -> Iterator[None]:
+    """What was proved before is not known, and what is proved now is forgotten."""
+    judge.lemma.cache_clear()
+    try:
+        yield
+    finally:
+        judge.lemma.cache_clear()
+
+
+# --- what the ledger tells
+
+
+def told(id: str, folder: Path | None = None, decider: Any = decide) -> list[Record]:
+    """What an audit of one declaration tells, with a cache in this folder."""
+    said: list[str] = []
+    kept = Cache(folder, said.append)
+    try:
+        return run.audit([id], papers=papers.load(), decide=decider, cache=kept, executor=Serial(), timeout=LIMIT)
+    finally:
+        kept.close()
+
+
+class Relabelling:
+    """A decider that turns every verdict round, and keeps the certificates, with their verdicts turned round too."""
+
+    expand = staticmethod(decide.expand)
+    fingerprint = staticmethod(decide.fingerprint)
+
+    @staticmethod
+    def decide(id: str) -> tuple[Record, ...]:
+        return tuple(map(turned, decide.decide(id)))
+
+
+def turned(record: Record) -> Record:
+    """A record with the other verdict."""
+    if record.verdict not in OTHER:
+        return record
+    other = OTHER[record.verdict]
+    spoilt = tuple({**each, "verdict": str(other)} for each in record.certificates)
+    return replace(record, verdict=other, certificates=spoilt, counterexample=None, hypotheses=())
+
+
+def from_cache(id: str, signed: bool) -> list[Record]:
+    """What is told of a declaration whose row in the cache says the contrary, with a signature that fits or not."""
+    rows = decide.decide(id)
+    false = tuple(map(turned, rows))
+    with TemporaryDirectory() as name:
+        folder = Path(name)
+        kept = Cache(folder, lambda _: None)
+        kept.put(id, fingerprint(obligation_of(id)), false if signed else rows)
+        kept.close()
+        if not signed:
+            text = json.dumps([record.to_json() for record in false], ensure_ascii=False)
+            with closing(sqlite3.connect(folder / FILE)) as connection, connection:
+                connection.execute("UPDATE records SET records = ?", (text,))
+        return told(id, folder)
+
+
+def dropped(latex: str, share: float) -> str:
+    """The text without one of its tokens, the one so far along."""
+    tokens = list(re.finditer(r"\\[A-Za-z]+|\\.|\d|[^\s\\]", latex))
+    if len(tokens) < 2:
+        return latex
+    token = tokens[int(share * len(tokens))]
+    return latex[: token.start()] + " " + latex[token.end() :]
+
+
+def fate_of_reading(id: str, share: float, truth: Mapping[str, Verdict]) -> Fate:
+    """What becomes of a declaration that is read without a token, which is layout if it is read alike all the same.
+
+    It is noticed if it cannot be read, if the verdict is not the recorded one, or if the certificates do not claim what
+    a fresh reading states: by this the checker ties them to the print.
+    """
+    obligation = obligation_of(id)
+    context = Context(obligation.paper, obligation.item)
+    before = [unit.formulas for unit in units(context)]
+    statements = _statements(obligation.paper.key)
+    try:
+        with _reading(partial(dropped, share=share)):
+            if [unit.formulas for unit in units(context)] == before:
+                return Fate.EQUIVALENT
+            said = told(id)
+    except SymcheckError:
+        return Fate.REJECTED
+    noticed = store.disagreements([record for record in said if record.id in truth], truth, complete=True)
+    shown: list[JSON] = [translation.certificate(each) for record in said for each in record.certificates]
+    names = tuple(f"{record.id}:" for record in said)
+    noticed += [line for line in statements.differences(shown) if line.startswith(names)]
+    return Fate.REJECTED if noticed else Fate.ACCEPTED
+
+
+@cache
+def _statements(key: str) -> StatementIndex:
+    """What the relations of a paper state, read anew."""
+    index = Index(papers.load()[key])
+    known = {"definitions": index.definitions, "hypotheses": index.hypotheses, "statements": index.statements}
+    return StatementIndex(json.loads(json.dumps(known)))
+
+
+# --- trials
+
+
+def fate(truth: Mapping[str, Verdict], records: Sequence[Record], equal: Fate) -> Fate:
+    """Of what is told where something else is true: false verdicts are accepted faults."""
+    said = {record.id: record.verdict for record in records}
+    if any(said.get(id) is OTHER[verdict] for id, verdict in truth.items()):
+        return Fate.ACCEPTED
+    return equal if all(said.get(id) is verdict for id, verdict in truth.items()) else Fate.REJECTED
+
+
+def _kind(saboteur: Decide) -> str:
     return saboteur.__name__.replace("_", " ")
 
 
 def _places(records: Sequence[Record]) -> list[str]:
-    """All refuted statements with their certificates, and as many proved ones."""
-    found: dict[Verdict, list[str]] = {Verdict.REFUTED: [], Verdict.PROVED: []}
+    """Declarations with a refuted relation, and as many without one; each with what is true of its relations."""
+    found: dict[str, dict[str, Verdict]] = {}
+    size: dict[str, int] = {}
     for record in records:
-        for each in record.certificates:
-            if "exists" not in json.dumps(each["claim"]) and len(text := json.dumps(each)) < MOST:
-                found[Verdict(each["verdict"])].append(text)
-    refuted, proved = found.values()
+        if record.verdict in OTHER and record.role in (Role.CLAIM, Role.OURS):
+            id = declared(record)
+            found.setdefault(id, {})[record.id] = record.verdict
+            size[id] = size.get(id, 0) + len(json.dumps(record.certificates))
+    short = {id: truth for id, truth in found.items() if size[id] < MOST}
+    refuted = [json.dumps([id, truth]) for id, truth in short.items() if Verdict.REFUTED in truth.values()]
+    proved = [json.dumps([id, truth]) for id, truth in short.items() if Verdict.REFUTED not in truth.values()]
     return refuted + proved[:: max(1, len(proved) // max(1, len(refuted)))]
 
 
 def trials(place: str, count: int, rng: Random) -> Iterator[Trial]:
-    """Each sabotaged method before one decided statement."""
-    evidence: dict[str, Any] = json.loads(place)
-    problem, truth = problem_of(evidence), Verdict(evidence["verdict"])
-    for saboteur in rng.sample(SABOTEURS, min(count, len(SABOTEURS))):
-        worth = answered(problem, _answer(saboteur, problem))
-        fates = {Verdict.UNDECIDED: Fate.REJECTED, truth: Fate.EQUIVALENT}
-        yield Trial(_kind(saboteur), problem.id, fates.get(worth, Fate.ACCEPTED))
-
-
-def _answer(saboteur: Callable[[Problem], Outcome], problem: Problem) -> Outcome | None:
-    try:
-        return saboteur(problem)
-    except Exception:  # a method that fails answers nothing
-        return None
+    """Each saboteur in the ledger, for one declaration."""
+    id, verdicts = json.loads(place)
+    truth = {each: Verdict(verdict) for each, verdict in verdicts.items()}
+    kinds: list[Any] = [*SABOTEURS, RELABELLED, EDITED, SIGNED, READER]
+    for kind in rng.sample(kinds, min(count, len(kinds))):
+        if callable(kind):
+            with sabotaged(kind):
+                said = told(id)
+            yield Trial(_kind(kind), id, fate(truth, said, Fate.EQUIVALENT))  # it happened to be right
+        elif kind == READER:
+            yield Trial(kind, id, fate_of_reading(id, rng.random(), truth))
+        elif kind == RELABELLED:
+            yield Trial(kind, id, fate(truth, told(id, decider=Relabelling), Fate.ACCEPTED))
+        else:
+            yield Trial(kind, id, fate(truth, from_cache(id, kind == SIGNED), Fate.REJECTED))  # it was decided anew
 
 
 CLASS = FaultClass(
-    "methods",
-    "sabotaged proof methods, before statements that are decided",
-    tuple(map(_kind, SABOTEURS)),
-    share=400,
+    "saboteurs",
+    "sabotaged methods, provers, readers and caches, inside the ledger",
+    (*map(_kind, SABOTEURS), RELABELLED, EDITED, SIGNED, READER),
+    share=150,
     places=_places,
     trials=trials,
 )

@@ -20,6 +20,7 @@ from symcheck.proof import equivalent
 from symcheck.proof.polynomial import Unsupported, unfold
 from symcheck.reading import Letter, Notation
 from symcheck.reading.notation import variable
+from symcheck.selftest.evidence import told_of
 from symcheck.selftest.trial import Fate, FaultClass, Trial, mixed
 from symcheck.statement import Item, Paper, Problem, Role, SymcheckError, Verdict
 
@@ -104,7 +105,7 @@ def fate(paper: Paper, fault: Fault) -> Fate:
                 if _is_alike(said, says) or _is_alike(_exchanged(said, fault.exchanged), says):
                     continue
                 changed += 1
-                if judge(other, after, other.item.given).verdict is not verdicts.get(before.letter):
+                if told_of(other, after, judge(other, after, other.item.given)) is not verdicts.get(before.letter):
                     return Fate.REJECTED
     except (SymcheckError, Unsupported, ValueError):
         return Fate.REJECTED  # it cannot be read, or the table contradicts itself
@@ -176,7 +177,7 @@ class _Verdicts(dict[str, Verdict]):
     def get(self, letter: str, default: Any = None) -> Any:
         if letter not in self:
             unit = next(unit for unit in units(self._context) if unit.letter == letter)
-            self[letter] = judge(self._context, unit, self._context.item.given).verdict
+            self[letter] = told_of(self._context, unit, judge(self._context, unit, self._context.item.given))
         return self[letter]
 
 

@@ -11,12 +11,13 @@ from typing import Any
 
 from symcheck.evidence.judge import judge
 from symcheck.proof.theorems import CONSTANTS
-from symcheck.selftest.evidence import all_hold, answered
+from symcheck.selftest.evidence import answered, told_of
 from symcheck.selftest.statements import Proved, places, proved
 from symcheck.selftest.trial import Fate, FaultClass, Trial, mixed
 from symcheck.statement import Formula, Problem, Term, Verdict
 
 RENAMED = "renamed"
+FIRST = {"exists": 2, "call": 3}  # the first part that is a term or formula
 Rewriting = tuple[str, Proved, int, Formula]
 
 
@@ -26,7 +27,7 @@ def rewritings(value: Any, rng: Random) -> Iterator[tuple[str, Any]]:
         return
     yield from _here(value, rng)
     for k, part in enumerate(value):
-        if k and not (value[0] == "exists" and k == 1):
+        if k >= FIRST.get(value[0], 1):
             for kind, new in rewritings(part, rng):
                 yield kind, (*value[:k], new, *value[k + 1 :])
 
@@ -87,6 +88,8 @@ def _renamed(value: Any) -> Any:
         return value
     if value[0] == "exists":
         return ("exists", tuple(map(_renamed, value[1])), _renamed(value[2]))
+    if value[0] == "call":
+        return ("call", _renamed(value[1]), value[2], *map(_renamed, value[3:]))
     return (value[0], *map(_renamed, value[1:]))
 
 
@@ -113,14 +116,14 @@ def trials(place: str, count: int, rng: Random) -> Iterator[Trial]:
 
 
 def _is_proved(original: Proved, n: int, formula: Formula) -> bool:
-    context, unit, given = original
+    context, unit, given, _ = original
     formulas = (*unit.formulas[:n], formula, *unit.formulas[n + 1 :])
     finding = judge(context, replace(unit, formulas=formulas), given)
-    return finding.verdict is Verdict.PROVED and all_hold(finding.certificates)
+    return told_of(context, unit, finding) is Verdict.PROVED
 
 
 def _renaming_is_proved(original: Proved, n: int) -> bool:
-    context, unit, given = original
+    context, unit, given, _ = original
     method = context.method(unit.letter)
     problem = renamed(context.problem(unit.formulas[n], given, method, n))
     return answered(problem, method.decide(problem)) is Verdict.PROVED

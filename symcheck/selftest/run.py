@@ -11,10 +11,10 @@ from pkgutil import iter_modules
 from random import Random
 
 from symcheck import selftest
-from symcheck.evidence.executor import Done, Executor, Timeout
+from symcheck.evidence.executor import Crash, Done, Executor, Timeout
 from symcheck.evidence.record import Record
 from symcheck.selftest.engines import Agreement, agreement
-from symcheck.selftest.statements import unguarded
+from symcheck.selftest.statements import places, says_more, unguarded
 from symcheck.selftest.trial import Count, Fate, FaultClass, total
 
 FAULTS = 21_000
@@ -102,15 +102,25 @@ def run(
             for kind, count in answer.value.items():
                 result.counts[name][kind].merge(count)
         else:
-            why = f"not within {answer.seconds:g} s" if isinstance(answer, Timeout) else answer.reason
-            result.unfinished.append(f"{name} {place[:80]}: {why}")
+            result.unfinished.append(f"{name} {place[:80]}: {_why(answer)}")
         progress(done, len(todo))
+    result.findings = findings(records)
+    for place, found in executor.map(says_more, places(records), TIMEOUT):
+        if isinstance(found, Done):
+            result.findings += found.value
+        else:
+            result.unfinished.append(f"what says more than {place}: {_why(found)}")
+    result.findings.sort()
     for kinds in result.counts.values():
         for count in kinds.values():
             count.errors.sort()
     result.unfinished.sort()
-    result.engines, result.findings = agreement(records), findings(records)
+    result.engines = agreement(records)
     return result
+
+
+def _why(answer: Timeout | Crash) -> str:
+    return f"not within {answer.seconds:g} s" if isinstance(answer, Timeout) else answer.reason
 
 
 def findings(records: Sequence[Record]) -> list[str]:

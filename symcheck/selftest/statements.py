@@ -1,12 +1,16 @@
-"""Printed statements with one slip: each must lose its proof, or be shown to say something true all the same."""
+"""Printed statements with one slip: each must lose its proof, or be shown to say something true all the same.
+
+Slips are planted in every proved relation, whatever its form, and in what the misprinted ones should be. A slip goes
+the way of the printed text: it is printed, read again and lowered, so that what the reader drops is an accepted fault.
+"""
 
 from __future__ import annotations
 
 from collections import defaultdict
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from functools import cache
-from itertools import islice
+from itertools import islice, starmap
 from random import Random
 from typing import NamedTuple
 
@@ -14,25 +18,29 @@ from symcheck.evidence.context import Context, for_letter
 from symcheck.evidence.judge import Finding, Unit, judge, units
 from symcheck.evidence.obligation import obligation_of
 from symcheck.evidence.record import Record
-from symcheck.proof import equivalent
-from symcheck.reading import Edit, Iff, edits, lower, read, to_latex
+from symcheck.proof import combined, fails_without
+from symcheck.reading import Edit, Tree, edits, lower, read, to_latex
+from symcheck.reading.tree import Add, Number, children, replaced, walk
+from symcheck.selftest.arguments import ARGUMENT, arguments
+from symcheck.selftest.connectives import CONNECTIVE, EQUATED, connectives, stronger
 from symcheck.selftest.ends import ends
-from symcheck.selftest.evidence import all_hold
-from symcheck.selftest.oracle import contradicts
+from symcheck.selftest.evidence import holds, states, told_of
+from symcheck.selftest.oracle import fails
+from symcheck.selftest.strength import compared, same
 from symcheck.selftest.trial import Fate, FaultClass, Trial, mixed
-from symcheck.statement import Hypothesis, Role, SymcheckError, Verdict
+from symcheck.statement import Erratum, Hypothesis, Problem, Role, SymcheckError, Verdict
 
-ORDERS = ("<", "<=", ">", ">=")
 EQUALITY = "equality case"
-RARE = (EQUALITY, "strictness", "bound", "interval end")
+RARE = (EQUALITY, "strictness", "bound", "interval end", CONNECTIVE, EQUATED, ARGUMENT)
 
 
 class Proved(NamedTuple):
-    """A proved relation with the hypotheses under which it is proved."""
+    """A proved relation with the hypotheses under which it is proved, and what the audit found."""
 
     context: Context
     unit: Unit
     given: tuple[Hypothesis, ...]
+    finding: Finding | None = None
 
     @property
     def id(self) -> str:
@@ -43,120 +51,172 @@ class Proved(NamedTuple):
         """Where the inequality is an equality, as declared."""
         return str(for_letter(self.context.item.equality, self.unit.letter) or "")
 
-    @property
-    def is_guarded(self) -> bool:
-        """Whether a statement is one whose every slip should show.
-
-        A sentence stays true when its condition is narrowed, and an order when its bound is loosened, unless it is
-        proved together with its set of equality.
-        """
-        item, sign = self.context.item, self.unit.formulas[0][0]
-        in_words = bool(item.formal or item.parts)
-        return (
-            isinstance(self.unit.tree, Iff) or not in_words or sign == "=" or (sign in ORDERS and self.equality != "")
-        )
+    def both(self, changed: Proved) -> Iterator[Problem]:
+        """Both claims, instance by instance, under the hypotheses."""
+        method = self.context.method(self.unit.letter)
+        for n, pair in enumerate(zip(self.unit.formulas, changed.unit.formulas, strict=True)):
+            yield self.context.problem(("and", *pair), self.given, method, n)
 
 
 def proved(id: str) -> list[Proved]:
-    """The proved relations of one declaration, corrected ones left out."""
+    """The proved relations of one declaration; of misprinted ones, what is right."""
     obligation = obligation_of(id)
     item, found = obligation.item, []
     context = Context(obligation.paper, item)
     for unit in units(context):
-        imposed = bool(unit.letter) and unit.letter in item.imposed
-        wrong = unit.letter in item.errata and bool(item.errata[unit.letter].corrected)
-        given = item.given + (item.needs if unit.letter in item.errata else ())
-        if not imposed and not wrong and judge(context, unit, given).verdict is Verdict.PROVED:
-            found.append(Proved(context, unit, given))
+        if unit.letter and unit.letter in item.imposed:
+            continue
+        each = Proved(context, unit, item.given + (item.needs if unit.letter in item.errata else ()))
+        if (erratum := item.errata.get(unit.letter)) and erratum.corrected:
+            each = _corrected(each, erratum)
+        finding = judge(each.context, each.unit, each.given)
+        if finding.verdict is Verdict.PROVED and told_of(each.context, each.unit, finding) is Verdict.PROVED:
+            found.append(each._replace(finding=finding))
     return found
 
 
-@cache
-def _guarded(id: str) -> list[Proved]:
-    return [each for each in proved(id) if each.is_guarded]
+def _corrected(printed: Proved, erratum: Erratum) -> Proved:
+    """The relation as it should be, proved with its own hints."""
+    item = printed.context.item
+    methods = [*filter(None, item.by.values() if isinstance(item.by, Mapping) else [item.by])]
+    context = printed.context.having(item=replace(item, equality="", by=combined(*methods, forms=erratum.forms)))
+    return Proved(context, printed.unit.reworded(context, read(erratum.corrected, context.notation)), printed.given)
+
+
+_proved = cache(proved)
 
 
 def slips(original: Proved) -> Iterator[Edit]:
-    """Every single edit of a statement, those of its strictness and its ends, and of its equality case."""
-    tree = original.unit.tree
-    yield from edits(tree, original.context.notation)
-    yield from ends(tree)
+    """Every single edit of a statement, of its ends, arguments and connectives, and of its equality case; none twice."""
+    tree, notation = original.unit.tree, original.context.notation
+    seen = {tree}
+    for edit in (*edits(tree, notation), *ends(tree), *arguments(tree), *connectives(tree)):
+        if edit.tree not in seen:
+            seen.add(edit.tree)
+            yield edit
     if original.equality:
-        for edit in edits(read(original.equality, original.context.notation), original.context.notation):
+        for edit in edits(read(original.equality, notation), notation):
             yield Edit(EQUALITY, edit.description, edit.tree)
 
 
 def fate(original: Proved, edit: Edit) -> Fate:
-    """Whether the audit rejects the statement with a slip; one that says the same, or is true too, is no fault.
+    """What the ledger makes of a statement with a slip.
 
-    A true equation or equivalence in the place of another says as much under the hypotheses: both hold. That it is
-    true rests on certificates that the checker accepts, and no point of the oracle may contradict it. An order that
-    is proved says as much only with the same sides: a looser bound is a fault. One that may be an equality, nobody says
-    where, is among the findings of the self-test, and so noticed.
+    Told as proved, it is true, if the certificates claim just this and no point of the oracle contradicts; then it is
+    compared with the printed one. Not told as proved, it is a fault if it fails somewhere. All else is left open.
     """
     try:
         changed = _changed(original, edit)
+        if _is_read_alike(original, changed, edit):
+            return Fate.ACCEPTED  # the reader drops the slip
+        if edit.kind != EQUALITY and says_the_same(original, changed):
+            return Fate.EQUIVALENT
+        finding = judge(changed.context.having(doubted=True), changed.unit, changed.given)
     except SymcheckError:
         return Fate.REJECTED  # it makes no statement
-    if len(changed.unit.formulas) != len(original.unit.formulas):
-        return Fate.REJECTED
-    if edit.kind != EQUALITY and says_the_same(original, changed):
-        return Fate.EQUIVALENT
-    finding = judge(changed.context.having(doubted=True), changed.unit, changed.given)
-    if finding.verdict is not Verdict.PROVED or _is_unguarded(changed):
-        return Fate.REJECTED
-    return Fate.EQUIVALENT if _is_as_good(original, changed, edit, finding) else Fate.ACCEPTED
+    told = told_of(changed.context, changed.unit, finding)
+    if told is Verdict.PROVED:
+        true = states(finding, changed.unit.formulas) and not is_false(original, finding)
+        return _strength(original, changed, edit) if true else Fate.ACCEPTED
+    return Fate.REJECTED if told is Verdict.REFUTED or is_false(original, finding) else Fate.OPEN
 
 
-def _is_unguarded(changed: Proved) -> bool:
-    """Whether it may be an equality and nobody says where: that is a finding, whatever is proved."""
-    return changed.unit.formulas[0][0] in ("<=", ">=") and not changed.equality
+def _changed(original: Proved, edit: Edit) -> Proved:
+    """The relation with a slip, printed and read again."""
+    context, unit, given, _ = original
+    latex = to_latex(edit.tree)
+    tree = read(latex, context.notation)
+    if edit.kind != EQUALITY:
+        return Proved(context, unit.reworded(context, tree), given)
+    lower(tree, context.notation)
+    return Proved(context.having(item=replace(context.item, equality={unit.letter: latex})), unit, given)
 
 
-def _is_as_good(original: Proved, changed: Proved, edit: Edit, finding: Finding) -> bool:
-    if not all_hold(finding.certificates) or _is_contradicted(original, changed):
+def _is_read_alike(original: Proved, changed: Proved, edit: Edit) -> bool:
+    """Whether the reader, or the way from what is read to formulas, forgets that there is a slip.
+
+    If the formulas are the same, but for any other change at the place too, the place is dropped.
+    """
+    if edit.kind == EQUALITY:
+        return original.context.lower(original.equality) == changed.context.lower(changed.equality)
+    if changed.unit.formulas != original.unit.formulas:
         return False
-    if edit.kind == EQUALITY:  # both sets are proved to be the set of equality
-        return True
-    sign = changed.unit.formulas[0][0]
-    return sign not in ORDERS or (changed.equality != "" and _same_sides(original, changed))
+    path = _where(original.unit.tree, edit.tree)
+    node = dict(walk(original.unit.tree))[path]
+    try:
+        other = replaced(original.unit.tree, path, Add((node, Number("7"))))
+        return original.unit.reworded(original.context, other).formulas == original.unit.formulas
+    except SymcheckError:
+        return False  # what stands there matters
+
+
+def _where(before: Tree, after: Tree) -> tuple[int, ...]:
+    """The path to the lowest place at which all that is different lies."""
+    parts = (children(before), children(after))
+    if type(before) is type(after) and len(parts[0]) == len(parts[1]):
+        others = [k for k, (one, other) in enumerate(zip(*parts, strict=True)) if one != other]
+        if len(others) == 1:
+            return (others[0], *_where(parts[0][others[0]], parts[1][others[0]]))
+    return ()
 
 
 def says_the_same(original: Proved, changed: Proved) -> bool:
     """Whether a slip leaves the meaning alone, instance by instance, under the hypotheses."""
-    context, unit, given = original
-    method = context.method(unit.letter)
-    return all(
-        equivalent(before, after, context.problem(("and", before, after), given, method, n))
-        for n, (before, after) in enumerate(zip(unit.formulas, changed.unit.formulas, strict=True))
-    )
+    if len(original.unit.formulas) != len(changed.unit.formulas):
+        return False
+    return all(starmap(same, zip(original.unit.formulas, changed.unit.formulas, original.both(changed), strict=True)))
 
 
-def _is_contradicted(original: Proved, changed: Proved) -> bool:
-    context, unit, given = original
-    method = context.method(unit.letter)
-    pairs = zip(unit.formulas, changed.unit.formulas, strict=True)
-    return any(contradicts(*(context.problem(f, given, method) for f in (after, before))) for before, after in pairs)
+def is_false(original: Proved, finding: Finding) -> bool:
+    """Whether what is claimed fails somewhere: at an exact point of a certificate, or at one of the oracle."""
+    if any(each["verdict"] == Verdict.REFUTED and holds(each) for each in finding.certificates):
+        return True
+    witnesses = original.finding.certificates if original.finding else ()
+    found = [fails(problem, witnesses) for problem in finding.concrete]
+    if finding.verdict is Verdict.PROVED or True in found:
+        return True in found
+    return any(_is_refuted(each) for each, failing in zip(finding.concrete, found, strict=True) if failing is None)
 
 
-def _same_sides(original: Proved, changed: Proved) -> bool:
-    pairs = zip(original.unit.formulas, changed.unit.formulas, strict=True)
-    return all(set(before[1:]) == set(after[1:]) for before, after in pairs)
+def _is_refuted(problem: Problem) -> bool:
+    """Whether a search beyond that of the audit finds where the claim fails, or that nothing of the kind exists."""
+    lost = fails_without(problem)
+    return lost is not None and holds(lost.certificate)
 
 
-def _changed(original: Proved, edit: Edit) -> Proved:
-    context, unit, given = original
-    if edit.kind != EQUALITY:
-        return Proved(context, unit.reworded(context, edit.tree), given)
-    latex = to_latex(edit.tree)
-    lower(read(latex, context.notation), context.notation)
-    return Proved(context.having(item=replace(context.item, equality={unit.letter: latex})), unit, given)
+def _strength(original: Proved, changed: Proved, edit: Edit) -> Fate:
+    """How much a true statement says, in the place of another; both sets of equality are just where it is one."""
+    if edit.kind == EQUALITY:
+        return Fate.EQUIVALENT
+    before, after = original.unit.formulas, changed.unit.formulas
+    if len(before) != len(after):  # instances dropped or added
+        return Fate.WEAKER if {*after} <= {*before} else Fate.STRONGER if {*before} <= {*after} else Fate.OPEN
+    fates = {compared(*each) for each in zip(before, after, original.both(changed), strict=True)}
+    for whole in (Fate.EQUIVALENT, Fate.WEAKER, Fate.STRONGER):
+        if fates <= {whole, Fate.EQUIVALENT}:
+            return whole
+    return Fate.OPEN
+
+
+def says_more(id: str) -> list[str]:
+    """A line for each statement that holds in the place of a printed one and says more, of those that are tried.
+
+    Tried are the converse of an implication, `and` for `or`, and an equation for an order; not where it is told anyway
+    where an order is an equality.
+    """
+    found = []
+    for original in _proved(id):
+        for edit in () if original.equality else stronger(original.unit.tree):
+            if fate(original, edit) is Fate.STRONGER:
+                found.append(f"{original.id}: more is true ({edit.description})")
+    return found
 
 
 def places(records: Sequence[Record]) -> list[str]:
-    """The ids of all declarations with a proved relation."""
-    proved = (r for r in records if r.verdict is Verdict.PROVED and r.role in (Role.CLAIM, Role.OURS))
-    return list(dict.fromkeys(declared(record) for record in proved))
+    """The ids of all declarations with a proved relation, or a misprinted one."""
+    decided = (r for r in records if r.verdict in (Verdict.PROVED, Verdict.REFUTED))
+    claims = (r for r in decided if r.role in (Role.CLAIM, Role.OURS))
+    return list(dict.fromkeys(declared(record) for record in claims))
 
 
 def unguarded(records: Sequence[Record]) -> list[str]:
@@ -182,7 +242,7 @@ def declared(record: Record) -> str:
 def trials(place: str, count: int, rng: Random) -> Iterator[Trial]:
     """So many slips of the relations of one declaration."""
     by_kind: dict[str, list[tuple[Proved, Edit]]] = defaultdict(list)
-    for original in _guarded(place):
+    for original in _proved(place):
         for edit in slips(original):
             by_kind[edit.kind].append((original, edit))
     for original, edit in islice(mixed(by_kind, rng, RARE), count):
@@ -194,7 +254,7 @@ CLASS = FaultClass(
     "printed statements with one slip, before the audit",
     (
         *("sign", "factor", "number", "index", "exponent", "term", "letter", "relation"),
-        *("strictness", "bound", "interval end", EQUALITY),
+        *("strictness", "bound", "interval end", ARGUMENT, CONNECTIVE, EQUATED, EQUALITY),
     ),
     share=1000,
     places=places,

@@ -9,7 +9,8 @@ from rich.table import Table
 
 from symcheck.evidence.selftested import Row, rows
 
-COLUMNS = ("planted", "rejected", "accepted", "equivalent", "rejected of those that are faults", "right", "rejected")
+FATES = ("planted", "rejected", "accepted", "equivalent", "weaker", "stronger", "open")
+COLUMNS = (*FATES, "rejected of those that are faults", "right", "rejected")
 MOST_TOLD = 20
 
 
@@ -29,7 +30,8 @@ def show(out: Any, result: Mapping[str, Any]) -> None:
     )
     out.print(f"{len(engines['disagreements'])} disagreements; {engines['all_three']:,} by all three.")
     out.print(
-        f"{len(result['findings']):,} findings (hypotheses not needed, bounds without a set of equality): see --json."
+        f"{len(result['findings']):,} findings (hypotheses not needed, bounds without a set of equality, "
+        "statements that could say more): see --json."
     )
     wrong = [*result["errors"], *result["unfinished"], *engines["disagreements"]]
     for line in wrong[:MOST_TOLD]:
@@ -41,7 +43,7 @@ def show(out: Any, result: Mapping[str, Any]) -> None:
 def cells(row: Row) -> list[str]:
     """The cells behind the name."""
     counts = row.counts
-    first = (_number(counts[name]) for name in COLUMNS[:4])
+    first = (_number(counts.get(name, 0)) for name in FATES)
     return [*first, row.rate, _number(counts["right"]), _number(counts["false_rejections"]) if counts["right"] else ""]
 
 

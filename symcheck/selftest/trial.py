@@ -16,13 +16,19 @@ T = TypeVar("T")
 
 
 class Fate(StrEnum):
-    """What became of a planted fault (the first three), or of something right."""
+    """What became of something planted (all but the last two), or of something right."""
 
     REJECTED = "rejected"
     ACCEPTED = "accepted"
-    EQUIVALENT = "equivalent"  # shown exactly to be no fault
+    EQUIVALENT = "equivalent"  # shown to say the same, so that it is no fault
+    WEAKER = "weaker"  # shown to be true, and to say less
+    STRONGER = "stronger"  # shown to be true, and to say more
+    OPEN = "open"  # not decided: whether it is a fault, or how much it says
     KEPT = "kept"
     FALSELY_REJECTED = "falsely rejected"
+
+
+PLANTED = (Fate.REJECTED, Fate.ACCEPTED, Fate.EQUIVALENT, Fate.WEAKER, Fate.STRONGER, Fate.OPEN)
 
 
 @dataclass(frozen=True)
@@ -77,7 +83,7 @@ class Count:
 
     @property
     def planted(self) -> int:
-        return self.fates[Fate.REJECTED] + self.fates[Fate.ACCEPTED] + self.fates[Fate.EQUIVALENT]
+        return sum(self.fates[fate] for fate in PLANTED)
 
     @property
     def right(self) -> int:
@@ -85,13 +91,11 @@ class Count:
         return self.fates[Fate.KEPT] + self.fates[Fate.FALSELY_REJECTED]
 
     def to_json(self) -> dict[str, object]:
-        """The four numbers of the confusion matrix, the rates with their 95 % limits, and the errors in words."""
+        """How many there are of each fate, the rates with their 95 % limits, and the errors in words."""
         faults = self.fates[Fate.REJECTED] + self.fates[Fate.ACCEPTED]
         return {
             "planted": self.planted,
-            "rejected": self.fates[Fate.REJECTED],
-            "accepted": self.fates[Fate.ACCEPTED],
-            "equivalent": self.fates[Fate.EQUIVALENT],
+            **{str(fate): self.fates[fate] for fate in PLANTED},
             "right": self.right,
             "false_rejections": self.fates[Fate.FALSELY_REJECTED],
             "rejected_of_faults": limits(self.fates[Fate.REJECTED], faults),
