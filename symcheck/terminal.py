@@ -19,11 +19,11 @@ from rich.table import Table
 from rich.text import Text
 
 from symcheck.codegen.kernel import Kernel
+from symcheck.evidence import translation
 from symcheck.evidence.confirmed import told
 from symcheck.evidence.faults import fails_at, without
 from symcheck.evidence.record import Record
 from symcheck.evidence.steps import steps, term
-from symcheck.proof import translation
 from symcheck.statement import Group, Paper, Verdict
 
 _STYLES = {Verdict.PROVED: "green", Verdict.REFUTED: "bold red", Verdict.UNDECIDED: "yellow"}

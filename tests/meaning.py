@@ -15,6 +15,7 @@ mp.dps = 50
 JSON = Any
 Values = Mapping[str, mpf]
 CLOSE = mpf(10) ** -22  # two sides that are nearer to each other, in proportion, are equal
+MORE = 450  # digits
 NIL = mpf(10) ** -40
 FAR = 300  # exp(FAR): where an integrand over a half-line is looked at
 BINDERS = {"mean", "integral", "diverges", "sum", "product", "diff"}
@@ -143,8 +144,8 @@ class Meaning:
         """What is false at 50 digits is looked at with 400 more."""
         try:
             found = self.truth(node, at)
-            if found is False and mp.dps < 100:
-                with mp.workdps(450):
+            if found is False and mp.dps < MORE:
+                with mp.workdps(MORE):
                     found = self.truth(node, at)
             return found
         except (NoValue, ZeroDivisionError, ValueError, OverflowError, mp.NoConvergence):
@@ -156,16 +157,14 @@ class Meaning:
             left, right = (self.term(side, at) for side in node[1:])
             if mp.im(left) or mp.im(right) or mp.isnan(left) or mp.isnan(right):
                 raise NoValue("a number that is not real")
-            near = same(left, right)
-            found = RELATIONS[tag](0 if near else 1 if left > right else -1)
-            if near and not found and left != right:
-                raise NoValue("two numbers that cannot be told apart")
-            return found
+            near = left == right or (same(left, right) and not self.apart(node, at, left - right))
+            return RELATIONS[tag](0 if near else 1 if left > right else -1)
         if tag == "exists":
             return self.existence(node, at)
         if tag == "forall":
-            found = [self.formula(node[2], {**at, **dict.fromkeys(node[1], place)}) for place in PLACES[::3]]
-            return not any(each is False for each in found)
+            places = [*PLACES[::3], *self.between(node[2], {x: t for x, t in at.items() if x not in node[1]})]
+            found = [self.formula(node[2], {**at, **dict.fromkeys(node[1], place)}) for place in places]
+            return False if False in found else None if None in found else True
         parts = [self.truth(each, at) for each in node[1:]]
         if any(each is None for each in parts):
             return None
@@ -179,6 +178,24 @@ class Meaning:
             case "<=>":
                 return parts[0] == parts[1]
         raise AssertionError(tag)
+
+    def between(self, body: JSON, at: Values) -> list[mpf]:
+        """Where the premise of an implication may hold: between the numbers that it mentions."""
+        ends = []
+        for part in body[1][1:] if body[0] == "=>" and body[1][0] == "and" else ():
+            for side in part[1:]:
+                try:
+                    ends.append(self.term(side, at))
+                except NoValue:
+                    continue
+        return [ends[0] + (ends[1] - ends[0]) * k / 5 for k in range(6)] if len(ends) == 2 else []
+
+    def apart(self, node: JSON, at: Values, gap: mpf) -> bool:
+        """Whether two sides near to each other differ: with more digits, noise gets smaller and a number stays."""
+        if mp.dps < MORE:
+            return False
+        with mp.workdps(2 * MORE):
+            return abs(self.term(node[1], at) - self.term(node[2], at) - gap) < abs(gap) / 1000
 
     def existence(self, node: JSON, at: Values) -> bool | None:
         """By trial; for one letter also by change of sign. An equation of at most second degree is decided."""
@@ -232,9 +249,12 @@ def power(base: mpf, exponent: int) -> mpf:
 
 def real_power(base: mpf, exponent: mpf) -> mpf:
     """Of a base that is positive; whole powers are said of all bases."""
-    if base <= 0 and not mp.isint(exponent):
+    whole = mp.nint(exponent)
+    if base > 0:
+        return base**exponent
+    if abs(exponent - whole) > NIL:
         raise NoValue("a power")
-    return base**exponent if base > 0 else power(base, int(exponent))
+    return power(base, int(whole))
 
 
 def defined(function: Callable[[mpf], mpf], where: Callable[[mpf], bool]) -> Callable[[mpf], mpf]:

@@ -16,7 +16,10 @@ from typing import Any
 from meaning import Meaning, NoValue, Smooth, mpf, unfold, unfolded
 
 from symcheck.checker import check_all
+from symcheck.checker.algebra import Algebra
+from symcheck.checker.residues import PRIME, Reject
 from symcheck.checker.theorems import NAMES, instance, theorem
+from symcheck.core.calculus import Unknown, differentiated
 from symcheck.core.terms import Malformed, Reader
 
 JSON = Any
@@ -33,6 +36,7 @@ class Forger:
 
     def __init__(self, seed: int) -> None:
         self.rng = random.Random(seed)
+        self.met: dict[int, JSON] = {}  # a term for each value that the checker gave
 
     def chance(self, probability: float) -> bool:
         return self.rng.random() < probability
@@ -150,8 +154,6 @@ class Forger:
 
     def derived(self, node: JSON) -> JSON:
         """What the checker itself says that the derivative is."""
-        from symcheck.core.calculus import Unknown, differentiated
-
         try:
             return plain(differentiated(Reader().term(node)))  # type: ignore[arg-type]
         except (Unknown, Malformed, ArithmeticError, ValueError, TypeError, AttributeError):
@@ -272,23 +274,60 @@ class Forger:
                 given[parameter] = {"letter": x, "term": self.shape(name, parameter, x)}
             else:
                 given[parameter] = self.term(self.rng.choice((0, 0, 1, 2)))
-        if name == "mean" and isinstance(given.get("g"), dict) and self.chance(0.7):
+        if self.chance(0.6):
+            self.fit(name, given)
+        return given
+
+    def fit(self, name: str, given: dict[str, JSON]) -> None:
+        """Arguments such as the premises ask for, or nearly."""
+        if name.startswith("arc") or "_arc" in name:
+            sign = ["-", 1] if self.chance(0.3) else 1
+            given["t"] = self.rng.choice(
+                (0, 1, -1, ["/", 1, 2], ["/", -2, 3], ["sin", "x"], ["cos", "a"], ["*", sign, "y"])
+            )
+            kind = {"arct": "arctan", "arcs": "arcsin", "arcc": "arccos"}.get(name[:4], "arctan")
+            angle = [kind, given["t"]]
+            if "a" in given:
+                given["a"] = self.rng.choice((angle, angle, 0, ["/", ["pi"], 2], ["/", ["pi"], -3], ["/", "x", 4]))
+        if name == "equal_squares":
+            given["s"], given["t"] = self.rng.choice((("x", ["sqrt", ["^", "x", 2]]), ("x", "x"), (2, 2), ("x", "y")))
+        if name == "power_inverse":
+            given["t"] = ["pow", given["b"], given["u"]]
+        if name == "intermediate_value":
+            given["s"], given["t"] = self.rng.choice(((-1, 2), (0, 3), ("x", ["+", "x", 5]), (["-", "y"], "y")))
+        if name == "intermediate_value":
+            given["f"] = {"letter": "x", "term": ["+", ["^", "x", self.rng.choice((1, 2, 3))], self.number()]}
+        if name == "power_rule":
+            given["s"], given["t"] = self.rng.choice(((1, 2), (0, 1), (0, "y"), ("x", ["+", "x", 1]), (-1, 1)))
+            given["c"], given["u"] = self.number(), self.rng.choice((2, ["/", 1, 2], -1, "a"))
+        if name == "quarter_turn":
+            s, c = ["sin", "x"], ["cos", "x"]
+            double = ["+", ["^", c, 2], ["-", ["^", s, 2]]]
+            given["f"] = {"letter": "x", "term": ["+", ["*", self.term(1), double], ["*", self.number(), s, c]]}
+        if name in ("even", "odd"):
+            k = self.rng.choice((0, 2) if name == "even" else (1, 3))
+            bottom = ["+", ["^", "x", 2], self.rng.choice((1, 2, "a"))]
+            given["f"] = {
+                "letter": "x",
+                "term": ["*", self.number(), ["^", "x", k], ["pow", bottom, self.rng.choice((-3, -1))]],
+            }
+        if name == "mean" and isinstance(given.get("g"), dict):
             x, body = given["g"]["letter"], given["g"]["term"]
             given["f"] = {"letter": x, "term": ["+", given["c"], self.derived(["diff", body, x, 1, x])]}
-        if name == "power_rule" and isinstance(given.get("g"), dict) and self.chance(0.7):
+        if name == "power_rule" and isinstance(given.get("g"), dict):
             x, body = given["g"]["letter"], ["*", given["c"], ["pow", given["g"]["term"], given["u"]]]
             given["f"] = {"letter": x, "term": self.derived(["diff", body, x, 1, x])}
-        if name in ("beta", "beta_diverges") and self.chance(0.7):
+        if name in ("beta", "beta_diverges"):
             self.integrand(given)
-        if name == "power_diverges" and self.chance(0.7):
+        if name == "power_diverges":
             given["u"] = self.number()
             given["f"] = {"letter": "x", "term": ["*", given["c"], ["pow", "x", given["u"]]]}
-        return given
 
     def integrand(self, given: dict[str, JSON]) -> None:
         """c x^k x^u (p x^2 + q)^-r."""
-        for parameter in "urpq":
-            given[parameter] = self.number() if self.chance(0.8) else self.letter()
+        for parameter in "urpqc":
+            given[parameter] = self.rng.choice((1, 2, 1, ["/", 1, 2])) if self.chance(0.9) else self.term(1)
+        given["k"] = self.rng.choice((0, 0, 1, 2, -1))
         c, k, u, r, p, q = (given[parameter] for parameter in "ckurpq")
         sum_ = ["+", ["*", p, ["^", "x", 2]], q]
         given["f"] = {"letter": "x", "term": ["*", c, ["^", "x", k], ["pow", "x", u], ["pow", sum_, ["-", r]]]}
@@ -308,7 +347,20 @@ class Forger:
 
     def theorem(self, goal: JSON, facts: list[JSON], depth: int = 2) -> tuple[JSON, JSON]:
         """A step that applies a theorem, and what it says."""
-        name = self.rng.choice((*NAMES, "congruence", "enclosure", "mean", "quarter_turn", "constant", "even", "odd"))
+        name = self.rng.choice(
+            (
+                *NAMES,
+                "congruence",
+                "enclosure",
+                "mean",
+                "quarter_turn",
+                "constant",
+                "even",
+                "odd",
+                "beta",
+                "beta_diverges",
+            )
+        )
         step: dict[str, JSON] = {"rule": "theorem", "of": name}
         if name == "congruence":
             t = self.rng.choice(
@@ -324,13 +376,35 @@ class Forger:
             step["with"] = self.arguments(name)
             found = applied(name, step["with"])
             premises, conclusion = found or ([], goal)
-        step["premises"] = [self.proof(premise, facts, depth) for premise in premises]
+        usual = self.chance(0.6)
+        step["premises"] = [self.usual(premise) if usual else self.proof(premise, facts, depth) for premise in premises]
         if conclusion[:1] == ["exists"]:
             new = self.rng.choice((*LETTERS, "u", "v"))
             step["letters"] = [new]
             conclusion = put(conclusion[2], conclusion[1][0], new) if self.chance(0.4) else conclusion
         step["then"] = HERE
         return step, conclusion
+
+    def usual(self, goal: JSON, assumed: int = 0) -> JSON:
+        """The proof that the form of a premise asks for; so many facts have been assumed before."""
+        match goal:
+            case ["and", *parts]:
+                return {"rule": "each", "parts": [self.usual(part, assumed) for part in parts]}
+            case ["or", *parts]:
+                k = self.rng.randrange(len(parts))
+                return {"rule": "choose", "index": k, "then": self.usual(parts[k], assumed)}
+            case ["forall", _, body]:
+                return {"rule": "every", "letters": ["w"], "then": self.usual(body, assumed)}
+            case ["=>", premise, conclusion]:
+                more = len(premise) - 1 if premise[0] == "and" else 1
+                return {"rule": "implies", "then": self.usual(conclusion, assumed + more)}
+            case ["!=", left, 0]:
+                factor = f"1/{left}" if type(left) is int and left > 0 else "1"
+                return {"rule": "implies", "then": {"rule": "absurd", "cofactors": [[["here", assumed], factor]]}}
+            case ["<" | "<=" | ">" | ">=" as sign, left, right]:
+                large, small = (right, left) if sign[0] == "<" else (left, right)
+                return {"rule": "nonnegative", "form": ["+", large, ["-", small]]}
+        return IDENTITY
 
     def by_theorem(self) -> JSON:
         """A claim that a theorem makes, or nearly."""
@@ -342,21 +416,24 @@ class Forger:
             for k, premise in enumerate(found[0] if found else ()):
                 if premise[0] in (*ORDERS, "or") and self.chance(0.7):
                     hypotheses[f"h{k}"] = [premise]
-                    step["premises"][k] = self.by_fact(premise, ["hyp", f"h{k}", 0])
+                    step["premises"][k] = self.by_fact(premise, ["hyp", f"h{k}", 0], 0)
         claim = conclusion
         parts = conclusion[1:] if conclusion[:1] == ["and"] else [conclusion]
         if conclusion[:1] == ["exists"]:
-            x = conclusion[1][0]
-            step["then"] = {"rule": "witness", "point": {x: step.get("letters", ["x"])[0]}, "then": HERE}
+            _, (x, *_), body = conclusion
+            parts, new = body[1:] if body[0] == "and" else [body], step.get("letters", ["x"])[0]
+            k = self.rng.randrange(len(parts))
+            claim, last = ["exists", [x], parts[k]], self.by_fact(put(parts[k], x, new), ["here", k], len(parts))
+            step["then"] = {"rule": "witness", "point": {x: new}, "then": last}
         else:
             k = self.rng.randrange(len(parts))
             claim = parts[k]
-            step["then"] = self.by_fact(claim, ["here", k])
+            step["then"] = self.by_fact(claim, ["here", k], len(parts))
         if self.chance(0.25):
             claim = self.changed(claim)
         return self.proved(claim, step, hypotheses)
 
-    def by_fact(self, claim: JSON, name: JSON) -> JSON:
+    def by_fact(self, claim: JSON, name: JSON, assumed: int) -> JSON:
         tag = claim[0] if isinstance(claim, list) and claim else ""
         if tag == "=":
             return {"rule": "identity", "cofactors": [[name, "1"]]}
@@ -364,7 +441,10 @@ class Forger:
             large, small = (claim[2], claim[1]) if tag[0] == "<" else (claim[1], claim[2])
             return {"rule": "nonnegative", "form": ["+", large, ["-", small]]}
         if tag == "!=":
-            return {"rule": "implies", "then": {"rule": "absurd", "times": [name], "cofactors": [[["here", 0], "1"]]}}
+            return {
+                "rule": "implies",
+                "then": {"rule": "absurd", "times": [name], "cofactors": [[["here", assumed], "1"]]},
+            }
         return self.proof(claim, [name], 2)
 
     def proved(self, claim: JSON, proof: JSON, hypotheses: JSON = None, **more: JSON) -> JSON:
@@ -378,12 +458,6 @@ class Forger:
 
     def points(self, made: JSON) -> JSON:
         """A point for what is assumed: numbers for all letters, fitted to an equation with a letter alone."""
-        if (
-            not made["hypotheses"]
-            and not made.get("nonzero")
-            and made["claim"][:1] not in (["=>"], ["and"], ["forall"])
-        ):
-            return []
         values = {x: self.rng.choice((1, 2, 3, ["/", 1, 2], -1, 0)) for x in LETTERS}
         for formulas in made["hypotheses"].values():
             for formula in formulas:
@@ -393,8 +467,50 @@ class Forger:
         return [{"values": {x: value for x, value in values.items() if x not in defined}}]
 
     def identity(self) -> JSON:
-        claim = self.relation("=")
-        return self.proved(claim, IDENTITY)
+        if self.chance(0.4):
+            return self.proved(self.twins(), IDENTITY)
+        return self.proved(self.relation("="), IDENTITY)
+
+    def twins(self) -> JSON:
+        """Two terms that have one value for the checker, among many small ones."""
+        t: JSON = 0
+        for _ in range(12):
+            t = self.angular() if self.chance(0.5) else self.term(2, ("x", "y"))
+            try:
+                algebra = Algebra({})
+                value = algebra.value(Reader().term(t)) % PRIME
+            except (Reject, Malformed, Unknown, TypeError, ValueError, AttributeError, ArithmeticError):
+                continue
+            other = self.met.setdefault(value, t)
+            if other != t:
+                return ["=", other, t]
+        return ["=", t, self.same(t)]
+
+    def angular(self) -> JSON:
+        """A sine, cosine or tangent of multiples of angles, or a small form of such."""
+        if self.chance(0.3):
+            part = [self.angular(), self.angular()]
+            return self.rng.choice(
+                (["*", *part], ["+", *part], ["-", part[0]], ["^", part[0], self.rng.choice((2, 3))])
+            )
+        return [self.rng.choice(("sin", "cos", "sin", "cos", "tan")), self.angle()]
+
+    def angle(self) -> JSON:
+        whole = self.rng.choice((1, 2, 3, -1, -2, -3, 4, 0))
+        base = self.rng.choice(("x", "x", "y", ["pi"], ["arctan", 2], ["arctan", ["/", 1, 2]], ["*", "x", "y"], 1))
+        match self.rng.randrange(6):
+            case 0:
+                return ["*", whole, base]
+            case 1:
+                return ["/", base, self.rng.choice((2, -2, 3, 4))]
+            case 2:
+                return ["*", ["/", whole, self.rng.choice((2, 3, -2))], base]
+            case 3:
+                return ["+", self.angle(), self.angle()]
+            case 4:
+                return ["-", self.angle()]
+            case _:
+                return base
 
     def assumed(self) -> JSON:
         """A small statement with hypotheses, and a proof by its form."""
@@ -555,12 +671,14 @@ class Judge:
         if made["verdict"] == "refuted":
             return self.refutation(claim, assumed, made["point"], names)
         for point in made.get("witnesses", ()):
-            meaning, values = self.place(point, names)
-            found = [meaning.formula(formula, values) for formula in assumed]
+            meaning, values, own = self.place(point, names)
+            found = [meaning.formula(unfold(formula, own), values) for formula in assumed]
             if False in found:
                 return "what is assumed does not hold at the witness"
+            if all(found) and meaning.formula(unfold(claim, own), values) is False:
+                return "false at the witness"
         tried = 0
-        for meaning, values in self.places(assumed, claim, made.get("witnesses", ()), names):
+        for meaning, values in self.places(assumed, claim):
             if all(meaning.formula(formula, values) for formula in assumed):
                 tried += 1
                 found_ = meaning.formula(claim, values)
@@ -570,23 +688,24 @@ class Judge:
         self.told["assumptions met" if tried else "assumptions never met"] += 1
         return None
 
-    def place(self, point: JSON, names: dict[str, JSON]) -> tuple[Meaning, dict[str, mpf]]:
+    def place(self, point: JSON, names: dict[str, JSON]) -> tuple[Meaning, dict[str, mpf], dict[str, JSON]]:
+        """Functions with the values stated, other letters by chance, and the coordinates, to be put in as terms."""
         smooth = Smooth(self.rng)
         meaning = Meaning(smooth)
-        values = {x: meaning.term(unfold(t, names), {}) for x, t in point["values"].items()}
+        own = {x: unfold(t, names) for x, t in point["values"].items()}
+        for x in own:
+            meaning.term(own[x], {})
         for call, value in point.get("calls", ()):
-            places = [meaning.term(unfold(t, names), values) for t in call[3:]]
-            smooth.state(call[1], call[2], places, meaning.term(unfold(value, names), values))
-        return meaning, values
+            places = [meaning.term(unfold(unfold(t, names), own), {}) for t in call[3:]]
+            smooth.state(call[1], call[2], places, meaning.term(unfold(unfold(value, names), own), {}))
+        return meaning, {x: mpf(self.rng.randint(-9, 9)) / 7 for x in (*LETTERS, *BOUND, "d")}, own
 
-    def places(
-        self, assumed: list[JSON], claim: JSON, points: JSON, names: JSON
-    ) -> Iterator[tuple[Meaning, dict[str, mpf]]]:
+    def places(self, assumed: list[JSON], claim: JSON) -> Iterator[tuple[Meaning, dict[str, mpf]]]:
         """Random points; letters that an assumption gives alone follow the others."""
         heavy = any(
             kind in json.dumps([claim, assumed]) for kind in ("integral", "diverges", "exists", "product", "gamma")
         )
-        for k in range(2 if heavy else 4):
+        for k in range(2 if heavy else 3):
             meaning = Meaning(Smooth(self.rng))
             values = {x: mpf(self.rng.randint(-40, 40)) / (3 if k % 2 else 16) for x in (*LETTERS, *BOUND, "d")}
             if k:
@@ -599,18 +718,15 @@ class Judge:
                         except (NoValue, ZeroDivisionError, ValueError, OverflowError):
                             break
             yield meaning, values
-        for point in points:
-            yield self.place(point, names)
 
     def refutation(self, claim: JSON, assumed: list[JSON], point: JSON, names: dict[str, JSON]) -> str | None:
         try:
-            meaning, values = self.place(point, names)
+            meaning, values, own = self.place(point, names)
         except (NoValue, ZeroDivisionError, ValueError, OverflowError) as error:
             return f"a coordinate has no value ({error})"
-        values = {**{x: mpf(self.rng.randint(-9, 9)) / 7 for x in (*LETTERS, *BOUND, "d")}, **values}
-        if any(meaning.formula(formula, values) is False for formula in assumed):
+        if any(meaning.formula(unfold(formula, own), values) is False for formula in assumed):
             return "a hypothesis does not hold at the point"
-        found = meaning.formula(claim, values)
+        found = meaning.formula(unfold(claim, own), values)
         self.told[f"refuted {found}"] += 1
         if found is None and not any(
             kind in json.dumps(claim) for kind in ("integral", "exists", "forall", "mean", "diff")
@@ -645,6 +761,23 @@ def run(number: int, seed: int) -> tuple[Counter[str], list[tuple[str, str]]]:
             if why:
                 bad.append((why, text))
     return counts + judge.told, bad
+
+
+def instances(name: str, number: int, seed: int) -> tuple[int, list[tuple[str, str]]]:
+    """Of so many instances of a theorem: those whose premises hold, and among them those whose conclusion does not."""
+    forger, judge = Forger(seed), Judge(seed)
+    met, bad = 0, []
+    for _ in range(number):
+        found = applied(name, forger.arguments(name))
+        if found is None:
+            continue
+        premises, conclusion = found
+        for meaning, values in judge.places(premises, conclusion):
+            if all(meaning.formula(premise, values) for premise in premises):
+                met += 1
+                if meaning.formula(conclusion, values) is False:
+                    bad.append((f"false at {values}", json.dumps([premises, conclusion])))
+    return met, bad
 
 
 if __name__ == "__main__":

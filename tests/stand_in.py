@@ -30,6 +30,7 @@ PROOF = {
 CERTIFICATE = {
     "id": "toy:1.1",
     "claim": ["=", ["+", ["^", "a_11", 2], ["-", "b"]], ["/", 1, ["+", "c", 1]]],
+    "definitions": [],
     "hypotheses": {"orthogonal": [["=", ["^", "a_11", 2], 1]]},
     "verdict": "proved",
     "proof": PROOF,

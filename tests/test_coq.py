@@ -9,17 +9,26 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+import stand_in
 
 from symcheck import kernels
+from symcheck.checker.theorems import NAMES
 from symcheck.evidence.confirmed import record_all, recorded
 from symcheck.evidence.decide import decide
 from symcheck.export.coq import compile as compiler
-from symcheck.export.coq.comparison import differences
+from symcheck.export.coq.claims import Exported
+from symcheck.export.coq.comparison import Point, differences
 from symcheck.export.coq.files import files
 from symcheck.export.coq.printing import printed
 from symcheck.export.coq.reader import CLAIM, Reader, claims
-from symcheck.export.coq.terms import letters, polynomial
-from symcheck.export.coq.trials import tried
+from symcheck.export.coq.script import Script
+from symcheck.export.coq.statements import statement as stated
+from symcheck.export.coq.terms import NotExported, polynomial
+from symcheck.export.coq.theorems import CONGRUENCE, UNSTATED, identifier, statement
+from symcheck.export.coq.witnesses import HEAD, NONE, coordinates, witnesses
+from symcheck.proof import certificate as certificate_of
+from symcheck.proof import combined
+from symcheck.statement import Problem
 
 DECLARED = (
     "mirer2009:2.12", "mirer2009:2.13", "mirer2009:2.1", "mirer2009:2.1.7", "mirer2009:2.13.4", "mirer2009:2.0.5",
@@ -131,36 +140,119 @@ def test_nothing_is_admitted(exported: dict[str, str]) -> None:
         assert not re.search(r"\b(Admitted|admit|Axiom|Parameter|Conjecture|Abort)\b", text)
 
 
+def test_every_theorem_of_the_checker_is_proved_as_it_stands_there_or_has_a_reason_why_not(
+    exported: dict[str, str],
+) -> None:
+    proved = re.findall(r"^Theorem (\w+) :\n(.*?)\.\nProof\.", exported["Theorems.v"], re.DOTALL | re.MULTILINE)
+    stated = {identifier(name): statement(name) for name in (*NAMES, *CONGRUENCE) if name not in UNSTATED}
+    assert dict(proved) == stated
+    assert len(proved) == len(stated) > 60
+    assert UNSTATED.keys() <= {*NAMES, "enclosure"}
+    assert all(UNSTATED.values())
+
+
+@pytest.mark.parametrize(
+    ("name", "stated"),
+    [
+        ("root_of_product", "forall (s t : R), s >= 0 -> t >= 0 -> sqrt (s * t) = sqrt s * sqrt t"),
+        ("power_of_power", "forall (b : R) (n : Z) (u : R), b > 0 -> "
+         "Rpower (powerRZ b n) u = Rpower b (IZR n * u) /\\ Rpower 1 u = 1"),
+        ("mean", "forall (f : R -> R) (c : R) (g : R -> R), polynomial_in_circle g -> "
+         "(forall x : R, f x = c + Derive (fun x => g x) x) -> RInt (fun x => f x) 0 (2 * PI) / (2 * PI) = c"),
+        ("arccosine < back", "forall (a t : R), t ^ 2 <= 1 -> 0 <= a -> a <= PI -> t < cos a -> a < acos t"),
+        ("congruence of two", "forall (f : R -> R -> R) (s t u v : R), s = t -> u = v -> f s u = f t v"),
+    ],
+)  # fmt: skip
+def test_a_theorem_is_stated_with_all_its_premises(name: str, stated: str) -> None:
+    assert " ".join(statement(name).split()) == stated
+
+
+def call(function: str, *arguments: Any, orders: tuple[int, ...] = ()) -> Any:
+    return ("call", function, orders or (0,) * len(arguments), *arguments)
+
+
+UNKNOWN = Problem(
+    "toy:1",
+    ("=>", (">", call("f", "y"), 2), (">", ("+", call("f", ("+", "x", "x")), call("g", "x", call("f", "y"))),
+                                      call("g", "x", call("f", "y")))),
+    (("z", ("*", 2, "x")),),
+    (("given", ((">", call("f", "z"), 0),)),),
+)  # fmt: skip
+
+
+def certified(problem: Problem) -> dict[str, Any]:
+    outcome = combined().decide(problem)
+    assert outcome is not None
+    return certificate_of(problem, outcome)
+
+
+def test_unknown_functions_are_any_functions() -> None:
+    text = stated(certified(UNKNOWN)).text()
+    assert " ".join(text.split()) == (
+        "forall (f : R -> R) (g : R -> R -> R) (y x z : R), z = 2 * x -> (* given *) f z > 0 -> "
+        "f y > 2 -> f (x + x) + g x (f y) > g x (f y)"
+    )
+    names, premises, (sign, great, less) = claims(f"Definition claim_1 : Prop :=\n{text}.\n")["1"]
+    assert names == ["f", "g", "y", "x", "z"]
+    assert [premise[0] for premise in premises] == ["=", ">", ">"]
+    assert (sign, great) == (">", ("+", call("f", ("+", "x", "x")), less))
+    assert less == call("g", "x", call("f", "y"))
+
+
+def test_an_unknown_function_has_one_value_for_equal_arguments_and_others_for_others() -> None:
+    point = Point({"z": ("*", 2, "x")})
+    one, *others = (
+        point.value(each, {})
+        for each in (call("f", ("+", "x", "x")), call("f", "z"), call("f", "x"), call("g", "z"), call("f", "z", "z"))
+    )
+    assert [abs(one - other) < 1e-12 for other in others] == [True, False, False, False]
+
+
+@pytest.mark.parametrize(
+    ("claim", "reason"),
+    [
+        (("=", call("f", "x", orders=(1,)), call("f", "x", orders=(1,))), "a derivative of an unknown function"),
+        (("=", call("x", "x"), call("x", "x")), "the name of a letter"),
+        (("=", ("+", call("f", "x"), call("f", "x", "x")), ("+", call("f", "x", "x"), call("f", "x"))), "two numbers"),
+    ],
+    ids=["derivative", "name of a letter", "two numbers of arguments"],
+)
+def test_what_is_not_stated_of_unknown_functions_has_a_reason(claim: Any, reason: str) -> None:
+    certificate = {"definitions": [], "hypotheses": {}, "claim": json.loads(json.dumps(claim)), "proof": {}}
+    with pytest.raises(NotExported, match=reason):
+        stated(certificate).text()
+
+
 def test_every_set_of_hypotheses_has_a_point_that_satisfies_it(exported: dict[str, str]) -> None:
     for paper, entry in json.loads(exported["manifest.json"]).items():
         assert entry["no witness"] == {}, paper
 
 
-SATISFIABLE: dict[str, list[Any]] = {
-    "roots of squares": [["=", ["^", "s", 2], ["+", ["^", "x", 2], ["^", "y", 2]]], [">", "x", 3], [">", "y", 3]],
-    "angles": [
-        ["=", ["sin", "a"], ["*", 2, ["cos", "a"], ["cos", "b"]]],
-        [">", ["cos", "b"], 0],
-        [">", ["sin", "a"], 0],
-    ],
-    "two equations": [["=", ["+", "x", "y"], 7], ["=", ["-", "z"], ["*", 3, "y"]]],
-    "one of several": [["or", ["=", "x", ["/", 22, 7]], ["<", "x", 0]], ["!=", "x", ["-", 2]]],
-}
+POINT = {"x": "-2/7", "y": ["+", "x", "z"], "z": ["*", 2, ["sqrt", 3]], "sin_a": "3/5", "cos_a": ["/", 4, 5]}
 
 
-@pytest.mark.parametrize("conditions", SATISFIABLE.values(), ids=SATISFIABLE)
-def test_a_point_is_found_and_is_the_same_each_time(conditions: list[Any]) -> None:
-    point = tried(conditions)
-    assert point
-    assert point == tried(conditions)
-    known = {x for x in letters(["and", *conditions]) if x not in point}
-    assert {f"{f}_{x}" for x in known for f in ("sin", "cos")} <= point.keys()
+def test_coordinates_are_terms_without_other_coordinates() -> None:
+    x, z = ["/", ["-", 2], 7], ["*", 2, ["sqrt", 3]]
+    angle = {"sin_a": ["/", 3, 5], "cos_a": ["/", 4, 5]}
+    assert coordinates(POINT) == {"x": x, "y": ["+", x, z], "z": z, **angle}
 
 
-@pytest.mark.parametrize("conditions", [[["=", ["^", "x", 2], -1]], [["<", "x", "y"], ["<", "y", "x"]]])
-def test_no_point_is_found_where_there_is_none(conditions: list[Any], monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("symcheck.export.coq.trials.TRIES", 500)
-    assert tried(conditions) is None
+@pytest.mark.parametrize(
+    ("values", "reason"),
+    [({"x": "1", "y": "2"}, None), ({"x": "1"}, NONE), ({"x": "1", "y": ["*", 2, "z"]}, NONE), (None, NONE)],
+    ids=["all letters", "one letter less", "by another letter", "no point"],
+)
+def test_a_point_is_taken_from_the_certificate_if_it_tells_all_letters(
+    values: dict[str, Any] | None, reason: str | None
+) -> None:
+    certificate: dict[str, Any] = {
+        "definitions": [], "hypotheses": {"given": [["<", "x", "y"]]}, "claim": ["<", ["*", 2, "x"], ["*", 2, "y"]],
+        "proof": {}, "witnesses": [{"values": values}] if values else [],
+    }  # fmt: skip
+    each = Exported("1", stand_in.decide("toy:1.1")[0], certificate, False, stated(certificate))
+    text, missing = witnesses([each])
+    assert missing == ({"1": reason} if reason else {})
+    assert ("exists 1.\nexists 2.\n" in text) == (reason is None)
 
 
 @pytest.mark.parametrize(
@@ -215,12 +307,29 @@ def test_a_theorem_is_left_out_with_what_rests_on_it() -> None:
     assert rest.count("proof_c") == 2
 
 
+def test_a_file_without_a_claim_to_leave_out_is_not_tried_for_ever() -> None:
+    with pytest.raises(ValueError, match="no proof of a claim"):
+        compiler.without("Lemma zero {a : R} : a = 0.\nProof. ring. Qed.\n", 2)
+
+
 @COQ
 def test_coq_confirms_them_on_the_reals_alone(folder: Path) -> None:
     outcomes, failed = compiler.confirm(folder)
     assert failed == []
     assert len(outcomes) >= len(DECLARED)
     assert [(id, reason) for id, (_, reason) in outcomes.items() if reason] == []
+
+
+@COQ
+def test_coq_confirms_a_claim_about_unknown_functions(tmp_path: Path) -> None:
+    found = certified(UNKNOWN)
+    own = stated(found)
+    proof = f"Theorem proof_1 :\n{own.text()}.\nProof.\n{Script(own).write(found['proof'])}\nQed.\n"
+    (tmp_path / "Symcheck.v").write_text(Path(compiler.__file__).with_name("Symcheck.v").read_text("utf-8"), "utf-8")
+    assert compiler.coqc(tmp_path, "Symcheck.v")[0] == 0
+    for text, code in ((proof, 0), (proof.replace("f z > 0", "f z >= 0"), 1)):
+        (tmp_path / "Proof.v").write_text(HEAD + text, encoding="utf-8")
+        assert compiler.coqc(tmp_path, "Proof.v")[0] == code
 
 
 def flipped(statement: str) -> str | None:

@@ -55,7 +55,7 @@ def test_a_proof_from_a_lemma_is_accepted_with_the_proof_of_the_lemma_only() -> 
     assert told_of(copied(RESTING), LEMMA).verdict is Verdict.PROVED
     alone = told_of(copied(RESTING))
     assert (alone.verdict, alone.certificates) == (Verdict.UNDECIDED, ())
-    assert alone.reason == f"{NOT_ACCEPTED} (a lemma is not proved, or under other hypotheses or definitions)"
+    assert alone.reason == f"{NOT_ACCEPTED} (a lemma is not proved, or under other assumptions)"
 
 
 def _relabelled(record: Record) -> Record:
@@ -100,7 +100,7 @@ VERDICTS: dict[str, tuple[str, Callable[[Record], Record], str]] = {
     "a verdict without certificates": (PROVED, _bare, "there is none"),
     "a certificate of another relation": (PROVED, _of_another, f"it is of {OTHER}"),
     "another claim": (PROVED, _false, "not the combination"),
-    "a refutation called a proof": (REFUTED, _certificate_relabelled, "malformed"),
+    "a refutation called a proof": (REFUTED, _certificate_relabelled, "a step without proof"),
     "another counterexample": (REFUTED, _another_point, "another counterexample is shown"),
     "half a certificate": (PROVED, _malformed, "malformed"),
     "a set of equality that is not shown": (EQUALITY, _equality_spoilt, ""),

@@ -9,12 +9,18 @@ from pathlib import Path
 import pytest
 import stand_in
 
-from symcheck.evidence import store
+from symcheck import papers
+from symcheck.evidence import store, translation
 from symcheck.evidence.record import Record
 from symcheck.statement import SymcheckError, Verdict
 
 RECORDS = [record for number in stand_in.NUMBERS for record in stand_in.decide(f"toy:{number}")]
 EXPECTED = {record.id: record.verdict for record in RECORDS}
+
+
+@pytest.fixture(autouse=True)
+def _toy(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(papers, "load", stand_in.papers)
 
 
 @pytest.fixture
@@ -30,10 +36,10 @@ def test_what_was_written_is_read_back(folder: Path) -> None:
 def test_the_certificate_file_is_one_object_with_all_certificates_one_per_line(folder: Path) -> None:
     text = (folder / "certificates" / "toy.json").read_text(encoding="utf-8")
     data = json.loads(text)
-    assert (data["schema"], data["paper"]) == (1, "toy")
+    assert (data["schema"], data["paper"]) == (2, "toy")
     links = [record.certificates[0] for record in RECORDS if record.words and record.certificates]
     whole = [stand_in.CERTIFICATE, stand_in.POINT_WITHOUT, *links[:2], stand_in.REFUTED, stand_in.CORRECTED, *links[2:]]
-    assert data["certificates"] == whole
+    assert data["certificates"] == [translation.certificate(each) for each in whole]
     assert text.count("\n") == len(data["certificates"]) + 2
 
 
@@ -64,6 +70,7 @@ def test_writing_removes_the_files_of_papers_that_are_gone_and_leaves_nothing_el
     assert sorted(str(f.relative_to(folder)) for f in folder.rglob("*") if f.is_file()) == [
         "certificates/toy.json",
         "expected/toy.json",
+        "statements/toy.json",
     ]
 
 

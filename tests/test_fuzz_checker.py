@@ -14,7 +14,8 @@ from statements import FALSE, TRUE
 
 from symcheck.checker import check
 from symcheck.checker.__main__ import main
-from symcheck.proof import certificate, identity, translation
+from symcheck.evidence import translation
+from symcheck.proof import certificate, identity
 
 FEW, MANY = 1_500, 40_000
 DEEP: Any = json.loads("[" * 500 + "1" + "]" * 500)

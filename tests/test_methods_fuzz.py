@@ -9,7 +9,7 @@ from pathlib import Path
 
 import pytest
 
-from symcheck.checker import check
+from symcheck.evidence.checked import reason as check
 from symcheck.proof import certificate, identity, proof_of
 from symcheck.statement import Formula, Problem, Term, Verdict
 

@@ -16,6 +16,7 @@ import pytest
 from packaging.requirements import Requirement
 from packaging.utils import canonicalize_name
 
+import symcheck
 from symcheck.evidence.obligation import SOURCES
 
 PACKAGE, GENERATED = "symcheck/", "generated/"
@@ -152,3 +153,4 @@ def test_a_cached_result_depends_on_every_module_that_makes_it() -> None:
     hashed = {source.removesuffix(".py") for source in SOURCES}
     by_content = {"papers", "lazy"}  # declarations are hashed one by one; lazy only puts imports off
     assert {name.split(".")[1] for name in loaded} <= hashed | by_content
+    assert all((Path(symcheck.__file__).parent / source).exists() for source in SOURCES)

@@ -185,6 +185,7 @@ def test_certificates_are_folded_whole_but_for_the_digest() -> None:
         "id": "toy:1",
         "claim": ["=", "x", "x"],
         "digest": "d",
+        "definitions": [],
         "hypotheses": {},
         "verdict": "proved",
         "proof": {"rule": "identity", "cofactors": []},
@@ -197,8 +198,9 @@ def test_certificates_are_folded_whole_but_for_the_digest() -> None:
 
 def test_what_must_not_vanish_is_shown_with_a_proof_that_needs_it() -> None:
     proof = {"rule": "identity", "cofactors": [], "nonzero": [["c + 1", "k"]]}
-    shown = {"id": "toy:1", "claim": ["=", "x", "x"], "digest": "d", "hypotheses": {}, "verdict": "proved"}
-    (claim,) = folded(page([record("1", certificates=({**shown, "proof": proof},))], TOY), "ledger")["claims"]
+    shown = {"id": "toy:1", "claim": ["=", "x", "x"], "definitions": [], "hypotheses": {}, "verdict": "proved"}
+    shown |= {"digest": "d", "proof": proof}
+    (claim,) = folded(page([record("1", certificates=(shown,))], TOY), "ledger")["claims"]
     assert "c + 1 / k ≠ 0" in claim
 
 

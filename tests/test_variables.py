@@ -8,7 +8,7 @@ import sys
 
 import pytest
 
-from symcheck.checker import check
+from symcheck.evidence.checked import reason
 from symcheck.proof import certificate, equivalent, identity
 from symcheck.proof.polynomial import Ring, Unsupported, alone, letters_of, variables
 from symcheck.proof.variables import Table, atoms, one_problem
@@ -21,7 +21,7 @@ def verdict(claim: Formula, *hypotheses: Formula) -> Verdict:
     problem = Problem("variables", claim, (), (("h", hypotheses),) if hypotheses else ())
     outcome = identity.decide(problem)
     if outcome.verdict is Verdict.PROVED:
-        assert check(json.loads(json.dumps(certificate(problem, outcome)))) is None
+        assert reason(json.loads(json.dumps(certificate(problem, outcome)))) is None
     return outcome.verdict
 
 
@@ -197,7 +197,7 @@ def test_an_unknown_function_depends_on_its_arguments_alone(claim: Formula, expe
     problem = Problem("function", claim)
     outcome = identity.decide(problem)
     assert outcome.verdict is expected, outcome.reason
-    assert check(json.loads(json.dumps(certificate(problem, outcome)))) is None
+    assert reason(json.loads(json.dumps(certificate(problem, outcome)))) is None
 
 
 def test_an_unknown_function_has_one_value_at_a_point() -> None:
@@ -211,12 +211,12 @@ def test_an_unknown_function_has_one_value_at_a_point() -> None:
         assert outcome.point is not None
         seen: dict[str, str] = {}
         assert all(seen.setdefault(str(each[:3]), each[3]) == each[3] for each in outcome.point["calls"])
-        assert check(json.loads(json.dumps(certificate(problem, outcome)))) is None
+        assert reason(json.loads(json.dumps(certificate(problem, outcome)))) is None
 
 
 def test_a_point_at_which_an_unknown_function_has_two_values_is_rejected() -> None:
     problem = Problem("even", ("=", call("f", "x"), call("f", ("-", "x"))))
     made = json.loads(json.dumps(certificate(problem, identity.decide(problem))))
-    assert check(made) is None
+    assert reason(made) is None
     made["point"]["calls"][1][2] = made["point"]["calls"][0][2]
-    assert "two values" in str(check(made))
+    assert "two values" in str(reason(made))

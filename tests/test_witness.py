@@ -10,7 +10,7 @@ from typing import Any
 import pytest
 from statements import TRUE, over, sub
 
-from symcheck.checker import check
+from symcheck.evidence.checked import reason
 from symcheck.proof import certificate, identity, proof_of
 from symcheck.proof.witness import find_witness, find_witnesses, implications
 from symcheck.statement import Formula, Problem, Term, Verdict
@@ -130,7 +130,7 @@ GIVEN = [
 @pytest.mark.parametrize("problem", [*TRUE, *GIVEN], ids=lambda p: p.id)
 def test_at_a_witness_everything_holds(problem: Problem) -> None:
     made = json.loads(json.dumps(certificate(problem, identity.decide(problem))))
-    assert check(made) is None
+    assert reason(made) is None
     premises = implications(problem.claim)
     assert len(made["witnesses"]) in (1, len(premises))
     for n, point in enumerate(made["witnesses"]):

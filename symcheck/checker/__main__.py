@@ -80,7 +80,8 @@ def main(arguments: list[str], end: Callable[[int], int] = int) -> int:
         count, tied = count + number, tied and index is not None
         failures += [f"{path}: {reason}" for reason in wrong]
     summary = f"{len(failures)} do not hold" if failures else "all hold"
-    print(*failures, f"{count} certificates, {summary}", sep="\n")
+    told = "\n".join([*failures, f"{count} certificates, {summary}"])
+    print(told.encode("utf-8", "backslashreplace").decode())  # a name in a file may be no text that can be written
     print(TIED if tied else NOT_TIED, flush=True)
     return end(bool(failures))
 

@@ -104,7 +104,7 @@ class Algebra:
     def steeper(self, factor: int) -> int:
         """The product of the exponents around, and of one more."""
         scale = self.scale * max(abs(factor), 1)
-        require(scale < STEEPEST, "the exponent {}", factor)
+        require(scale < STEEPEST, "the exponent {}", abs(factor))
         return scale
 
     def inverse(self, term: Term) -> int:
@@ -128,6 +128,8 @@ class Algebra:
         if name == "pi":
             return draw("pi")  # transcendental, as a letter is
         inner = term.terms[0]
+        if name == "tan" and isinstance(inner, Value) and inner.tag == "arctan":
+            return self.value(inner.terms[0])
         if name == "tan":
             return self.turn(inner)[1] * self.inverse(node("cos", inner)) % PRIME
         values = self.residues(term.terms)

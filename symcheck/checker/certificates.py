@@ -8,10 +8,23 @@ from functools import lru_cache
 
 from symcheck.checker.algebra import Algebra, exact
 from symcheck.checker.residues import PRIME, Reject, require
-from symcheck.checker.rules import FALSE, LIST, Prover, Step, conjuncts, contrary, fit, sides, truth
+from symcheck.checker.rules import FALSE, LIST, Prover, Step, conjuncts, contrary, fit, paired, sides, truth
 from symcheck.checker.theorems import instance
 from symcheck.core.calculus import Unknown, domain, functions, letters, substituted
-from symcheck.core.terms import JSON, Call, Connective, Formula, Malformed, Quantified, Reader, Value, node
+from symcheck.core.terms import (
+    JSON,
+    Call,
+    Connective,
+    Formula,
+    Malformed,
+    Node,
+    Quantified,
+    Reader,
+    Relation,
+    Term,
+    Value,
+    node,
+)
 
 MALFORMED = (LookupError, TypeError, ValueError, AttributeError, ArithmeticError, RecursionError, AssertionError)
 
@@ -32,9 +45,10 @@ class Certificate:
         self.step = step = Step(data)
         self.id, self.verdict = fit(str, step.take("id")), fit(str, step.take("verdict"))
         free = step.texts("free")  # defined letters of which lemmas say all that the proof knows
-        definitions = step.lists("definitions")
+        definitions = step.lists("definitions", 2)
         self.whole = reader(json.dumps(definitions))
         self.reader = reader(json.dumps([each for each in definitions if each[0] not in free])) if free else self.whole
+        require({*free} <= self.whole.names.keys(), "{} are not all defined", free)
         self.own = {x: self.whole.names[x] for x in free}
         self.hypotheses = {
             ("hyp", name, k): self.read(formula)
@@ -42,15 +56,14 @@ class Certificate:
             for k, formula in enumerate(fit(LIST, formulas))
         }
         self.nonzero = [self.read(["!=", term, 0]) for term in step.items("nonzero")]
-        self.lemmas = [(fit(str, name), self.read(formula)) for name, formula in step.lists("lemmas")]
+        self.lemmas = [(fit(str, name), self.read(formula)) for name, formula in step.lists("lemmas", 2)]
         self.claim = self.read(step.take("claim"))
 
     def read(self, data: JSON) -> Formula:
         """A formula; no binder binds a letter that stands for something."""
         found = self.reader.formula(data)
-        require(
-            not self.own or self.unfolded(found) == self.whole.formula(data), "a defined letter is bound in {}", data
-        )
+        same = not self.own or self.unfolded(found) == self.whole.formula(data)
+        require(same, "{} is bound in {}", [*self.own], found)
         return found
 
     def unfolded(self, formula: Formula) -> Formula:
@@ -92,7 +105,8 @@ class Certificate:
         listed = [formula.outside[0] for formula in self.nonzero]
         prover.listed = dict(zip(aside.residues(listed), listed, strict=True))
         prover.tops = {*aside.residues(t.terms[0] for t in listed if isinstance(t, Value) and t.tag == "/")}
-        superfluous = prover.listed.keys() - prover.algebra.divisors.keys()
+        met = {*prover.algebra.divisors, *self.quantified(self.claim)} if self.nonzero else set()
+        superfluous = prover.listed.keys() - met
         require(not superfluous, "{} is no denominator of the statement", [prover.listed[v] for v in superfluous])
         facts = [formula for _, formula in self.lemmas]
         goal = node("=>", node("and", *facts), self.claim) if facts else self.claim
@@ -100,6 +114,17 @@ class Certificate:
         prover.finish()
         require(prover.used >= self.hypotheses.keys() or facts, "a hypothesis is not used")
         self.check_witnesses()
+
+    def quantified(self, formula: Formula, bound: frozenset[str] = frozenset()) -> Iterator[int]:
+        """The values of denominators under quantifiers that are the same for all values of the letters bound there."""
+        if isinstance(formula, Relation) and bound:
+            inner = Algebra(self.reader.names)
+            inner.residues(formula.terms)
+            yield from (v for v, term in inner.divisors.items() if term is not None and not letters(term) & bound)
+        elif not isinstance(formula, Relation):
+            for part in (*formula.inside, *formula.outside):
+                assert isinstance(part, Node)
+                yield from self.quantified(part, bound.union(formula.bound))
 
     def check_witnesses(self) -> None:
         """Everything that is assumed holds somewhere, the premises of each implication too, and all terms have values.
@@ -114,23 +139,33 @@ class Certificate:
         needed = [[*assumed, *premises, *varying] for premises in supposed(claim)]
         points = self.step.items("witnesses")
         require(points or needed == [[]], "no point where all that is assumed holds")
-        for formulas, point in zip(needed, points, strict=bool(points)):
+        for formulas, point in paired(needed, points) if points else ():
             self.hold(formulas, Step(point))
 
     def check_point(self) -> None:
         """The hypotheses hold at the point, the claim does not; its sides have the stated values there."""
         require(not self.lemmas, "a point needs no lemmas")
         step = Step(self.step.take("point"))
-        stated, shown = [*map(self.whole.term, step.items("sides"))], step.lists("enclosed")
-        at = self.hold([*self.assumed(), contrary(self.unfolded(self.claim))], step, refuting=True)
-        if stated:
-            same = [at.value(t) % PRIME for t in stated] == [at.value(t) % PRIME for t in sides(self.claim)]
-            require(same, "a side has another value at the point")
+        claim, stated = self.unfolded(self.claim), step.items("sides")
+        shown = step.lists("enclosed", 4, "term with digits and two ends")
+        own, another = [*claim.outside] if stated else [], "a side has another value at the point"
+        require(len(own) == len(stated), another)
+        values = [self.valued(*pair) for pair in zip(own, stated, strict=True)]
+        shows = values if "proof" in step.data else []  # where values of functions are proved, they are with the rest
+        at = self.hold([*self.assumed(), contrary(claim), *shows], step, refuting=True)
+        require(shows or all(truth(each, at) for each in values), another)
         for data, digits, low, high in shown:
             term = substituted(self.whole.term(data), at.point or {})
             order = node("<=", self.whole.term(low), term), node("<=", term, self.whole.term(high))
             lies = instance("enclosure", {"t": term, "digits": self.whole.term(digits)})[1]
             require(lies == node("and", *order), "{} lies elsewhere", data)
+
+    def valued(self, side: Term, data: JSON) -> Formula:
+        """That a side of the claim has this value; a formula is true or false."""
+        if not isinstance(side, (Relation, Connective, Quantified)):
+            return node("=", side, self.whole.term(data))
+        require(isinstance(data, bool), "{} is no truth value", data)
+        return side if data else contrary(side)
 
     def hold(self, formulas: list[Formula], step: Step, refuting: bool = False) -> Algebra:
         """Rejects unless the formulas hold at a point; gives the values there."""
@@ -138,9 +173,15 @@ class Certificate:
         values = {read.letter(x): read.term(data) for x, data in step.mapping("values").items()}
         closed = not any(letters(t) or functions(t) for t in values.values()) and not values.keys() & read.names.keys()
         require(closed, "a coordinate is no number, or of a defined letter")
-        at = Algebra(read.names, values)
+        for each in domain(*values.values(), divisors=True):
+            require(truth(each, Algebra({}, {})), "a coordinate has no value: {} is not so", each)
+        proof = step.data.pop("proof", None)
+        mentioned = set().union(*map(letters, formulas))
+        require(mentioned <= values.keys(), "no value for {}", ", ".join(sorted(mentioned - values.keys())))
+        spoken = {*values} if proof is None else mentioned
+        at = Algebra(read.names, {x: number for x, number in values.items() if x in spoken})  # others are free for use
         prover = Prover(read, at)
-        for data, value in step.lists("calls"):
+        for data, value in step.lists("calls", 2):
             call = read.term(data)
             known = isinstance(call, Call) and all(map(exact, call.terms))  # two numbers are told apart
             require(known, "{} is no function at a point", data)
@@ -150,13 +191,15 @@ class Certificate:
         # a hypothesis about a function speaks of all its values, a point of a few
         general = set().union(*map(functions, self.hypotheses.values())) if refuting else set()
         require(not (at.settled and general), "what is assumed of {} is not only so at one point", general)
-        proof = step.data.pop("proof", None)
-        spoken = set().union(*map(letters, formulas)) if proof is not None else set()
         for k, (x, number) in enumerate(values.items()):
-            if x in spoken:
+            if x in spoken and proof is not None:
                 prover.learn(("point", k), node("=", x, number))
         for each in domain(*formulas, divisors=True) if refuting and proof is not None else ():
             require(truth(each, at), "a term has no value at the point: {} is not so", each)  # to compute finds values
+            if each.tag == "!=":  # what is not zero at the point may be divided by in all that is proved of it
+                aside = Algebra(read.names)
+                aside.value(node("/", 1, *each.outside[:1]))
+                prover.listed |= {value: term for value, term in aside.divisors.items() if term is not None}
         prover.prove(node("and", *formulas), {"rule": "compute"} if proof is None else proof)
         prover.finish()
         step.end()

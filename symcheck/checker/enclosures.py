@@ -135,9 +135,9 @@ def enclosed(term: Term) -> Interval:
     raise Unknown(f"the digits of {term!r}")
 
 
-def between(term: Term, digits: Term) -> tuple[Node, Node]:
+def between(term: Term, digits: int) -> tuple[Node, Node]:
     """Decimals with so many digits behind the point, as terms, not above and not below the value."""
-    if not isinstance(digits, int) or digits not in range(41):
+    if digits not in range(41):
         raise Unknown(f"{digits} digits")
     value, unit = enclosed(term), 10**digits
     return node("/", value.low * unit >> PLACES, unit), node("/", -(-value.high * unit >> PLACES), unit)

@@ -7,7 +7,7 @@ inequality (the sign of its difference is known), or any other formula. Cofactor
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Sequence
 from re import findall
 from typing import NamedTuple, TypeVar
 
@@ -60,22 +60,31 @@ def sides(formula: Formula) -> list[Term]:
     return [t for part in formula.formulas for t in sides(part)] if isinstance(formula, Connective) else []
 
 
-def fit(kind: type[T], data: JSON) -> T:
-    """The data, if they are of this type; a truth value is no number."""
+def fit(kind: type[T], data: JSON, name: str | None = None) -> T:
+    """The data, which may have a name, if they are of this type; a truth value is no number."""
     if not isinstance(data, kind) or isinstance(data, bool):
-        raise Reject(f"{str(data)[:200]} is no {KINDS[kind]}")
+        raise Reject(f"{str(name or data)[:200]} is no {KINDS[kind]}")
     return data
+
+
+def paired(parts: Sequence[T], proofs: list[JSON]) -> Iterable[tuple[T, JSON]]:
+    """Each part with its own proof."""
+    require(len(parts) == len(proofs), "{} proofs for {}", len(proofs), len(parts))
+    return zip(parts, proofs, strict=True)
 
 
 def reference(data: JSON) -> Reference:
     """A name and counters, such as ["hyp", "orthogonal", 2]."""
-    return tuple(each if isinstance(each, str) else fit(int, each) for each in fit(LIST, data))
+    found = [each for each in data if type(each) is str or type(each) is int] if isinstance(data, list) else []
+    require(isinstance(data, list) and len(found) == len(data), "{} is no reference to a fact", data)
+    return tuple(found)
 
 
 class Step:
     """One node of a proof as JSON; what is taken out of it must be all there is."""
 
     def __init__(self, data: JSON) -> None:
+        require(isinstance(data, dict), "{} is no step of a proof", data)
         self.data = {**fit(DICT, data)}
 
     def take(self, key: str) -> JSON:
@@ -84,17 +93,21 @@ class Step:
 
     def items(self, key: str) -> list[JSON]:
         """A list, empty if it is not there."""
-        return fit(LIST, self.data.pop(key, []))
+        return fit(LIST, self.data.pop(key, []), key)
 
     def texts(self, key: str) -> list[str]:
         return [fit(str, each) for each in self.items(key)]
 
-    def lists(self, key: str) -> list[list[JSON]]:
-        return [fit(LIST, each) for each in self.items(key)]
+    def lists(self, key: str, count: int | None = None, what: str = "pair") -> list[list[JSON]]:
+        """A list of lists, all of so many entries."""
+        listed = [fit(LIST, each) for each in self.items(key)]
+        for each in listed:
+            require(count in (None, len(each)), "{} is no {}", each, what)
+        return listed
 
     def mapping(self, key: str) -> dict[str, JSON]:
         """An object, empty if it is not there."""
-        return fit(DICT, self.data.pop(key, {}))
+        return fit(DICT, self.data.pop(key, {}), key)
 
     def end(self) -> None:
         require(not self.data, "a step of a proof has the superfluous {}", [*self.data])
@@ -157,7 +170,8 @@ class Prover:
     def opened(self, formula: Quantified, step: Step, *beside: Formula) -> Formula:
         """The body with new letters for those bound: nothing is assumed or said of them here."""
         new = [*step.texts("letters")]
-        require(len(new) == len(formula.bound) == len({*new}), "other letters than are bound")
+        what = "said to exist" if formula.tag == "exists" else "bound"
+        require(len(new) == len(formula.bound) == len({*new}), "other letters than are {}", what)
         facts = (fact.formula for fact in self.facts.values() if fact.formula)
         spoken: list[Term] = [formula, *beside, *self.listed.values(), *facts]
         taken = set().union(*map(letters, spoken), *(fact.names for fact in self.facts.values()))
@@ -205,6 +219,8 @@ class Prover:
         match term:
             case int():
                 return (term >= 0) + (term > 0)
+            case Value(tag="pi"):
+                return 2
             case Value(tag="+", terms=parts) if parts:
                 result = max(levels := [*map(self.sign, parts)]) * all(levels)
             case Value(tag="*", terms=parts):  # equal factors pair up to squares
@@ -278,7 +294,7 @@ class Prover:
                 parts = node("=>", left, right), node("=>", right, left)
             case _:
                 raise Reject("nothing with parts")
-        for part, proof in zip(parts, step.items("parts"), strict=True):
+        for part, proof in paired(parts, step.items("parts")):
             self.branch(part, proof)
 
     def choose(self, goal: Formula, step: Step) -> None:
@@ -291,18 +307,18 @@ class Prover:
         """The goal in every case of a fact that is a disjunction."""
         formula = self.fact(("or",), reference(step.take("or")), "{} is no disjunction").formula
         assert isinstance(formula, Connective)
-        for part, proof in zip(formula.formulas, step.items("cases"), strict=True):
+        for part, proof in paired(formula.formulas, step.items("cases")):
             self.branch(goal, proof, [part])
 
     def split(self, goal: Formula, step: Step) -> None:
         """What is not zero times a product of powers is a combination of facts: so one of the bases is zero."""
         bases, value = [], 1
-        for text, exponent in step.lists("factors"):
+        for text, exponent in step.lists("factors", 2):
             bases.append(fit(str, text))
-            require(0 < fit(int, exponent) < 1000, "the exponent {}", exponent)
+            require(type(exponent) is int and 0 < exponent < 1000, "the exponent {}", exponent)
             value *= self.polynomial(bases[-1]) ** fit(int, exponent)
         self.combination(value, step, "the product")
-        for base, proof in zip(bases, step.items("cases"), strict=True):
+        for base, proof in paired(bases, step.items("cases")):
             self.branch(goal, proof, zero=base)
 
     def vanish(self, goal: Formula, step: Step) -> None:
@@ -326,7 +342,7 @@ class Prover:
     def theorem(self, goal: Formula, step: Step) -> None:
         """The premises of a theorem have proofs; its conclusion is one more fact. What it says to exist is named."""
         premises, conclusion = self.applied(fit(str, step.take("of")), step)
-        for premise, proof in zip(premises, step.items("premises"), strict=True):
+        for premise, proof in paired(premises, step.items("premises")):
             self.branch(premise, proof)
         if isinstance(conclusion, Quantified):
             conclusion = self.opened(conclusion, step, goal)

@@ -44,20 +44,6 @@ principal_value_arccos(t): t**2 <= 1 |- 0 <= arccos(t) and arccos(t) <= pi
 first_quadrant_arctan(t): t >= 0 |- 0 <= arctan(t) and arctan(t) <= pi/2
 first_quadrant_arcsin(t): t**2 <= 1; t >= 0 |- 0 <= arcsin(t) and arcsin(t) <= pi/2
 first_quadrant_arccos(t): t**2 <= 1; t >= 0 |- 0 <= arccos(t) and arccos(t) <= pi/2
-known_angle_arctan_0(): |- arctan(0) == 0
-known_angle_arctan_1(): |- arctan(1/sqrt(3)) == pi/6
-known_angle_arctan_2(): |- arctan(1) == pi/4
-known_angle_arctan_3(): |- arctan(sqrt(3)) == pi/3
-known_angle_arcsin_0(): |- arcsin(0) == 0
-known_angle_arcsin_1(): |- arcsin(1/2) == pi/6
-known_angle_arcsin_2(): |- arcsin(sqrt(2)/2) == pi/4
-known_angle_arcsin_3(): |- arcsin(sqrt(3)/2) == pi/3
-known_angle_arcsin_4(): |- arcsin(1) == pi/2
-known_angle_arccos_0(): |- arccos(1) == 0
-known_angle_arccos_1(): |- arccos(sqrt(3)/2) == pi/6
-known_angle_arccos_2(): |- arccos(sqrt(2)/2) == pi/4
-known_angle_arccos_3(): |- arccos(1/2) == pi/3
-known_angle_arccos_4(): |- arccos(0) == pi/2
 mean(f, c, g): forall(x, f(x) == c + diff(g(x), x)) |- mean(f(x), x) == c
 quarter_turn(f): forall(x, f(x + pi/2) == -f(x)) |- exists(x, f(x) == 0)
 intermediate_value(f, s, t): s < t; f(s) * f(t) < 0 |- exists(x, s < x and x < t and f(x) == 0)
@@ -69,6 +55,9 @@ beta_diverges(f, c, k, u, r, p, q): p > 0; q > 0; c != 0; {S} <= 0 or 2*r - {S} 
 even(f): forall(x, f(-x) == f(x)) |- integral(f(x), {LINE}) == 2 * integral(f(x), {HALF}) and diverges(f(x), {LINE}) == diverges(f(x), {HALF})
 odd(f): forall(x, f(-x) == -f(x)); diverges(f(x), {HALF}) == 0 |- integral(f(x), {LINE}) == 0 and diverges(f(x), {LINE}) == 0
 """  # noqa: E501
+ANGLES = ("0", "pi/6", "pi/4", "pi/3", "pi/2")
+SINES = ("0", "1/2", "sqrt(2)/2", "sqrt(3)/2", "1")  # of these angles; of the last there is no tangent
+KNOWN = {"arctan": ("0", "1/sqrt(3)", "1", "sqrt(3)"), "arcsin": SINES, "arccos": SINES[::-1]}
 SMOOTH = {  # what else must be so: a polynomial in the sine and cosine of its letter, or in the letter itself
     "mean": ("g", "sin", "cos"), "quarter_turn": ("f", "sin", "cos"), "intermediate_value": ("f",),
     "power_rule": ("g",),
@@ -86,6 +75,8 @@ class Theorem(NamedTuple):
 def _table() -> dict[str, str]:
     """The statements by name, with those of angles: in these ranges a function keeps or reverses every order."""
     lines = STATEMENTS.strip().splitlines()
+    for name, numbers in KNOWN.items():
+        lines += [f"known_angle_{name}_{k}(): |- {name}({t}) == {ANGLES[k]}" for k, t in enumerate(numbers)]
     for sign in RELATIONS:
         written = "==" if sign == "=" else sign
         for name, domain, angles, values in (
@@ -165,7 +156,11 @@ def instance(
     name: str, given: Mapping[str, Argument], numbers: Mapping[str, Term] = MappingProxyType({})
 ) -> tuple[list[Formula], Formula]:
     """Premises and conclusion of a theorem with its parameters replaced; Malformed where an argument does not fit."""
-    parameters = SPECIAL.get(name) or theorem(name).parameters
+    if name == "congruence":
+        return congruence(given)
+    if name == "enclosure":
+        return enclosure(given, numbers)
+    parameters = theorem(name).parameters
     if given.keys() != {*parameters}:
         raise Malformed(f"{name} is a theorem about {', '.join(parameters) or 'no parameters'}")
     terms: dict[str, Term] = {}
@@ -175,13 +170,9 @@ def instance(
             lambdas[parameter] = argument
         else:
             terms[parameter] = argument
-        whole = parameter not in ("n", "k", "digits") or isinstance(argument, int)
+        whole = parameter not in ("n", "k") or isinstance(argument, int)
         if (parameter in lambdas) != (parameter in ("f", "g", "h")) or not whole:
             raise Malformed(f"{argument!r} for the parameter {parameter} of {name}")
-    if name == "congruence":
-        return congruence(terms["s"], terms["t"])
-    if name == "enclosure":
-        return enclosure(terms["t"], terms["digits"], numbers)
     if name in SMOOTH:
         parameter, *of = SMOOTH[name]
         (x,), body = lambdas[parameter]
@@ -193,21 +184,29 @@ def instance(
     return premises, substituted(stated.conclusion, terms, lambdas)
 
 
-SPECIAL = {"congruence": ("s", "t"), "enclosure": ("t", "digits")}  # these are no schemas
-
-
-def congruence(s: Term, t: Term) -> tuple[list[Formula], Formula]:
-    """Equal arguments give equal values of a function."""
-    if not (isinstance(s, (Value, Call)) and isinstance(t, (Value, Call)) and len(s) == len(t)):
-        raise Malformed(f"{s} and {t} are not the same function")
+def congruence(given: Mapping[str, Argument]) -> tuple[list[Formula], Formula]:
+    """Equal arguments give equal values of a function: s1 = t1; ... |- f(s1, ...) = f(t1, ...)."""
+    s, t = given.get("s", 0), given.get("t", 0)
+    for term in (s, t):
+        if not isinstance(term, (Value, Call)) or term.tag in ("+", "*", "-", "/", "^"):
+            raise Malformed(f"{term} is no function of values")
+    assert isinstance(s, (Value, Call))
+    assert isinstance(t, (Value, Call))
     start = len(s) - len(s.terms)
-    if s[:start] != t[:start]:
+    if len(s) != len(t) or s[:start] != t[:start]:
         raise Malformed(f"{s} and {t} are not the same function")
+    if len(given) != 2:
+        raise Malformed("congruence is about s and t alone")
     return [node("=", *pair) for pair in zip(s.terms, t.terms, strict=True)], node("=", s, t)
 
 
-def enclosure(t: Term, digits: Term, numbers: Mapping[str, Term]) -> tuple[list[Formula], Formula]:
-    """A number lies between two decimals, by interval arithmetic; its letters stand for what the premises say."""
+def enclosure(given: Mapping[str, Argument], numbers: Mapping[str, Term]) -> tuple[list[Formula], Formula]:
+    """x = t; ... |- low <= term <= high, by interval arithmetic, with so many digits; letters stand for numbers."""
+    t, digits, *others = given["t"], given["digits"], *(given.keys() - {"t", "digits"})
+    if others:
+        raise Malformed(f"{others} is nothing that has digits")
+    if not isinstance(t, (int, str, Node)) or not isinstance(digits, int):
+        raise Malformed("no term with digits")
     term = t
     for _ in numbers:  # what a letter stands for may contain others
         term = substituted(term, numbers)

@@ -9,9 +9,10 @@ from symcheck.core.terms import Binder, Call, Formula, Malformed, Node, Quantifi
 
 def letters(tree: Term) -> set[str]:
     """The letters that occur free. Names of unknown functions are not among them: see `functions`."""
-    if isinstance(tree, Node):
-        return set().union(*map(letters, tree.inside)).difference(tree.bound).union(*map(letters, tree.outside))
-    return {tree} if isinstance(tree, str) else set()
+    if not isinstance(tree, Node):
+        return {tree} if isinstance(tree, str) else set()
+    found = set[str]().union(*map(letters, tree.outside))
+    return found.union(*map(letters, tree.inside)) - {*tree.bound} | found if tree.bound else found
 
 
 def functions(tree: Term) -> set[str]:
@@ -111,7 +112,7 @@ def _outer(function: str, t: Term) -> Term:
         "arctan": node("/", 1, node("+", 1, node("^", t, 2))),
     }
     if function not in known:
-        raise Unknown(f"the derivative of {function} at {t!r}")
+        raise Unknown(f"the derivative of {node(function, t)}")
     return known[function]
 
 

@@ -189,14 +189,17 @@ class Reader:
             raise Malformed(f"{tag} with {len(data) - 1} fields")
         fields: Sequence[Field] = ()
         if kind is Value or kind is Relation:
-            fields = self._terms(data[1:])
-            if tag == "^" and type(fields[1]) is not int:
+            if tag == "^" and type(data[2]) is not int:
                 raise Malformed(f"{data[2]!r} is no whole number that fits")
+            fields = self._terms(data[1:])
         elif kind is Connective:
             fields = [self._node(each, FORMULAS) for each in data[1:]]
         elif kind is Call:
             name, orders, *arguments = data[1:] if len(data) > 3 else (None, None)
-            fields = [self.letter(name), self._orders(orders, len(arguments)), *self._terms(arguments)]
+            listed = [n for n in orders if type(n) is int and 0 <= n < 9] if isinstance(orders, list) else []
+            if not isinstance(orders, list) or not len(listed) == len(orders) == len(arguments):
+                raise Malformed(f"the orders {orders} of the function {name}")
+            fields = [self.letter(name), tuple(listed), *self._terms(arguments)]
         elif kind is Quantified:
             own, inner = self.without(data[1])
             fields = [own, inner._node(data[2], FORMULAS)]
@@ -212,11 +215,3 @@ class Reader:
         if self.size > LARGEST:
             raise Malformed("a term that is too large")
         return tuple.__new__(kind, (tag, *fields))
-
-    @staticmethod
-    def _orders(data: JSON, arguments: int) -> tuple[int, ...]:
-        """How often an unknown function is differentiated by each of its arguments."""
-        orders = [n for n in data if type(n) is int and 0 <= n < 9] if isinstance(data, list) else []
-        if not isinstance(data, list) or not len(orders) == len(data) == arguments:
-            raise Malformed(f"{data!r} are no orders of a derivative by {arguments} arguments")
-        return tuple(orders)

@@ -17,8 +17,8 @@ from typing import TYPE_CHECKING, Any
 
 from symcheck.checker import check_all
 from symcheck.core.terms import JSON
+from symcheck.evidence import translation
 from symcheck.evidence.record import Record
-from symcheck.proof import translation
 from symcheck.statement import Certificate, Loss, Reading, Verdict
 
 if TYPE_CHECKING:

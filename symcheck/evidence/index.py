@@ -7,42 +7,45 @@ print: it is listed with what it is, from the certificates themselves.
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
+from functools import cache
 from typing import Any
 
+from symcheck.evidence import translation
 from symcheck.evidence.context import Context, for_letter
 from symcheck.evidence.judge import equality_claims, units
 from symcheck.evidence.obligation import DECIDED, expand
 from symcheck.evidence.record import Record
-from symcheck.proof import translation
 from symcheck.reading import read
-from symcheck.statement import Certificate, Formula, Paper
+from symcheck.statement import Certificate, Formula, Hypothesis, Paper
 
-Entry = tuple[str, str, Formula]  # id, what it is, the claim
+Entry = tuple[str, str, Formula, tuple[Hypothesis, ...]]  # id, what it is, the claim, what is in force
 
 
 class Index:
-    """The statements of a paper, with every definition and hypothesis that is in force in one of them."""
+    """The statements of a paper: id, what each is, claim, names of the hypotheses in force, defined letters.
+
+    Of each name every definition, and every list of formulas of a hypothesis, that is in force somewhere.
+    """
 
     def __init__(self, paper: Paper) -> None:
         self.definitions: dict[str, list[Any]] = {}
         self.hypotheses: dict[str, list[Any]] = {}
-        self.statements: list[tuple[str, str, Any]] = []
+        self.statements: list[list[Any]] = []
         for obligation in expand(paper):
             if obligation.item.role in DECIDED:
                 self._read(Context(obligation.paper, obligation.item))
 
     def _read(self, context: Context) -> None:
-        item = context.item
-        spoken: list[Formula] = []
-        for hypothesis in (*item.given, *item.needs, *item.equality_given):
-            name, formulas = context.hypothesis(hypothesis)
-            spoken += formulas
-            _add(self.hypotheses.setdefault(name, []), map(translation.stated, formulas))
-        claims = [*_claims(context)]
-        for id, what, claim in claims:
-            self.statements.append((id, what, translation.stated(claim)))
-        for name, term in context.used_definitions(*spoken, *(claim for *_, claim in claims)):
-            _add(self.definitions.setdefault(name, []), [translation.stated(term)])
+        hypothesis = cache(context.hypothesis)
+        for id, what, claim, given in _claims(context):
+            hypotheses = dict(map(hypothesis, given))
+            defined = context.used_definitions(claim, *(f for formulas in hypotheses.values() for f in formulas))
+            for name, formulas in hypotheses.items():
+                _add(self.hypotheses.setdefault(name, []), [[*map(translation.stated, formulas)]])
+            for name, term in defined:
+                _add(self.definitions.setdefault(name, []), [translation.stated(term)])
+            letters = [name for name, _ in defined]
+            self.statements.append([id, what, translation.stated(claim), [*hypotheses], letters])
 
     def beside(self, records: Iterable[Record], kernels: Iterable[Certificate]) -> None:
         """What else there are certificates of."""
@@ -55,7 +58,9 @@ class Index:
             self._beside("a kernel", each)
 
     def _beside(self, what: str, certificate: Certificate) -> None:
-        _add(self.statements, [(certificate["id"], what, translation.stated(certificate["claim"]))])
+        letters = [name for name, _ in certificate["definitions"]]
+        claim, given = translation.stated(certificate["claim"]), [*certificate["hypotheses"]]
+        _add(self.statements, [[certificate["id"], what, claim, given, letters]])
 
 
 def _add(known: list[Any], new: Iterable[Any]) -> None:
@@ -67,11 +72,11 @@ def _claims(context: Context) -> Iterator[Entry]:
     for unit in units(context):
         if unit.letter and unit.letter in item.imposed:
             continue
-        id = f"{context.id}{unit.letter}"
-        yield from ((id, "as printed", formula) for formula in unit.formulas)
+        id, given = f"{context.id}{unit.letter}", item.given
+        yield from ((id, "as printed", formula, given) for formula in unit.formulas)
         if equality := for_letter(item.equality, unit.letter):
-            yield from ((id, "where it is an equality", claim) for claim in equality_claims(context, unit, equality))
-        erratum = item.errata.get(unit.letter)
-        if erratum and erratum.corrected:
-            right = unit.reworded(context, read(erratum.corrected, context.notation))
-            yield from ((id, "as corrected", formula) for formula in right.formulas)
+            claims, attained = equality_claims(context, unit, equality), (*given, *item.equality_given)
+            yield from ((id, "where it is an equality", claim, attained) for claim in claims)
+        if erratum := item.errata.get(unit.letter):
+            right = unit.reworded(context, read(erratum.corrected, context.notation)) if erratum.corrected else unit
+            yield from ((id, "as corrected", formula, (*given, *item.needs)) for formula in right.formulas)

@@ -15,7 +15,7 @@ from symcheck.reading import Notation
 from symcheck.statement import Item, Method, Paper, Role, Section, SymcheckError
 
 LIBRARIES = ("sympy", "python-flint", "lark")
-SOURCES = ("reading", "proof", "mechanics", "evidence", "statement.py", "theorems.py", "enclosures.py")
+SOURCES = ("reading", "proof", "mechanics", "evidence", "checker", "core", "statement.py")
 DECIDED = (Role.CLAIM, Role.OURS)
 
 

@@ -6,8 +6,6 @@ import json
 from collections.abc import Iterator, Mapping
 from typing import Any
 
-from symcheck.proof.theorems import THEOREMS
-
 _INFIX = {"*": "*", "/": "/", "^": "^", "and": " and ", "or": " or ", "=>": " ⟹ ", "<=>": " ⟺ "}
 _RELATIONS = {"=": "=", "!=": "≠", "<": "<", "<=": "≤", ">": ">", ">=": "≥"}
 _PRECEDENCE = {"<=>": 0, "=>": 1, "or": 2, "and": 3, "exists": 4, "+": 6, "*": 7, "/": 8, "^": 9}
@@ -63,6 +61,8 @@ def steps(proof: Mapping[str, Any], depth: int = 0) -> Iterator[str]:
 
 def _theorem(name: str, *given: Any) -> str:
     """A theorem with what it is applied to, and what it says."""
+    from symcheck.proof.theorems import THEOREMS  # takes long, and is seldom needed
+
     words = (THEOREMS[name].__doc__ or "").split("\n")[0]
     applied = f" ({'; '.join(map(_number, given))})" if given else ""
     return f"theorem {name.replace('_', ' ')}{applied}: {words}"

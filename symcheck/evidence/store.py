@@ -17,10 +17,9 @@ from typing import Any
 
 from symcheck import papers
 from symcheck.codegen.target import MARK
+from symcheck.evidence import translation
 from symcheck.evidence.checked import certificates
-from symcheck.evidence.index import Index
 from symcheck.evidence.record import Record
-from symcheck.proof import translation
 from symcheck.statement import Certificate, SymcheckError, Verdict
 from symcheck.writing import put as put_file
 
@@ -65,6 +64,8 @@ def files(records: Iterable[Record], kernels: Mapping[str, Kernels] = MappingPro
 
 def _stated(key: str, rows: Iterable[Record], equalities: Iterable[Certificate]) -> bytes:
     """The statements of a paper, read anew."""
+    from symcheck.evidence.index import Index  # with all that reads: only who writes files needs it
+
     index = Index(papers.load()[key])
     index.beside(rows, equalities)
     known = {"definitions": index.definitions, "hypotheses": index.hypotheses}

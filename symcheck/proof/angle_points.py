@@ -11,13 +11,13 @@ from itertools import islice, pairwise
 from typing import Any
 
 from symcheck.proof.angles import KNOWN_ANGLES, KNOWN_SINES, compared, compares_angles, multiple_of_pi
-from symcheck.proof.closed import Numbers, refute_at
+from symcheck.proof.closed import Numbers, decide_numbers, refute_at
 from symcheck.proof.enclosures import Unknown, enclosed
 from symcheck.proof.knowledge import ring_of
 from symcheck.proof.polynomial import Ring, Unsupported, frozen, subterms, unfold, with_arguments
 from symcheck.proof.theorems import Terms, conjuncts, contrary
 from symcheck.proof.variables import circle
-from symcheck.statement import Certificate, Formula, Outcome, Problem, Term
+from symcheck.statement import Certificate, Formula, Outcome, Problem, Term, Verdict
 
 MAX_LETTERS = 3
 MAX_POINTS = 80
@@ -113,15 +113,27 @@ def _may_refute(problem: Problem, point: Mapping[str, Term]) -> bool:
 def _proved(problem: Problem, point: Mapping[str, Term], prove: Prover) -> Certificate | None:
     """Proofs that at the point no denominator vanishes, the hypotheses hold and the claim does not."""
     stated = _stated(problem)
-    there: list[Formula] = [("=", x, value) for x, value in point.items()]
+    values = dict(sorted(point.items()))  # facts about the point are numbered in this order
+    there: list[Formula] = [("=", x, value) for x, value in values.items()]
     facts: list[list[Any]] = []
     for bottom in dict.fromkeys(part for f in (*stated, problem.claim) for part in _denominators(f)):
         if (proof := _proof(("!=", bottom, 0), problem, there, prove)) is None:
             return None
         facts.append([("!=", bottom, 0), proof])
         there.append(("!=", bottom, 0))
-    proof = _proof(frozen(("and", *stated, contrary(problem.claim))), problem, there, prove)
-    return proof and {"values": dict(point), **({"facts": facts} if facts else {}), "proof": proof}
+    goal = frozen(("and", *stated, contrary(problem.claim)))
+    proof = _proof(goal, problem, there, prove)
+    if proof is None:  # what digits tell need not follow from the theorems that tell the rest
+        told = [[part, known] for part in conjuncts(goal) if (known := _proof(part, problem, there, _by_digits))]
+        facts += told
+        proof = _proof(goal, problem, [*there, *(part for part, _ in told)], prove) if told else None
+    return proof and {"values": values, **({"facts": facts} if facts else {}), "proof": proof}
+
+
+def _by_digits(problem: Problem) -> Outcome | None:
+    """The proof of an order of numbers."""
+    found = decide_numbers(problem)
+    return found if found and found.verdict is Verdict.PROVED else None
 
 
 def _proof(claim: Formula, problem: Problem, there: list[Formula], prove: Prover) -> Certificate | None:

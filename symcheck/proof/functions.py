@@ -102,9 +102,13 @@ def _power(arguments: list[Any], others: list[list[Any]]) -> Iterator[Instance]:
 def _square_root(term: Term) -> Term | None:
     """A term whose square is the polynomial, or None."""
     value = Ring(variables(term)).ratio(term)
-    unit, factors = value.num.factor() if value.num != 0 and not value.den else (-1, [])
-    number = fraction(unit) if factors or value.num == 1 else Fraction(-1)
-    outside, primes = square_free(number) if number > 0 else (number, (1,))
+    if value.num == 0 or value.den:
+        return None
+    unit, factors = value.num.factor()
+    number = fraction(unit)
+    if number <= 0 or not (factors or value.num == 1):
+        return None
+    outside, primes = square_free(number)
     if primes or any(exponent % 2 for _, exponent in factors):
         return None
     bases = (poly ** (exponent // 2) for poly, exponent in factors)

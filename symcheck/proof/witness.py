@@ -103,6 +103,31 @@ def _witness(
     reached = [term for _, term in problem.definitions]
     conditions = [condition for node in (*stated, *reached) for condition in _domains(node)]
     said = tuple(dict.fromkeys((*stated, *conditions)))
+    meant = tuple(dict.fromkeys((*said, *_domains(problem.claim))))  # that the claim has a value is often plain
+    if meant != said and (point := _search(problem.definitions, meant, prove)) is not None:
+        return point
+    point = _witness_of(problem, said, stated, prove)
+    own = [formula for formula in _domains(problem.claim) if formula[0] != "!="]
+    return point if point is not None and all(_is_met(formula, point, definitions) for formula in own) else None
+
+
+def _is_met(condition: Formula, point: Certificate, definitions: dict[str, Term]) -> bool:
+    """Whether digits tell that a condition for a value is met at a point."""
+    kind, left, right = condition
+    values = {x: number_term(Fraction(v)) if isinstance(v, str) else v for x, v in point["values"].items()}
+    for x in [name.removeprefix("sin_") for name in values if name.startswith("sin_")]:
+        sine, cosine = values[f"sin_{x}"], values[f"cos_{x}"]
+        values[x] = "pi" if cosine == -1 else ("*", 2, ("arctan", ("/", sine, ("+", 1, cosine))))
+    try:
+        digits = enclosed(unfold(("+", left, ("-", right)), definitions), values.__getitem__)
+    except (Unknown, KeyError, RecursionError):
+        return False
+    return {">": digits.low > 0, ">=": digits.high >= 0, "<=": digits.low <= 0}[kind]
+
+
+def _witness_of(problem: Problem, said: tuple[Formula, ...], stated: list[Formula], prove: Prover) -> Any:
+    """A point where all this is so; nothing is asked of the terms of the claim."""
+    definitions = dict(problem.definitions)
     used = {part for formula in said for part in subterms(unfold_names(formula, definitions)) if isinstance(part, str)}
     needed = tuple((x, term) for x, term in problem.definitions if x in used)
     concluded = problem.claim[2] if problem.claim[0] == "=>" else problem.claim
@@ -156,7 +181,7 @@ def unfold_names(node: Any, definitions: dict[str, Term]) -> tuple[Any, ...]:
 
 def _domains(node: Any) -> Iterator[Formula]:
     """What must hold for a term or formula to have a value."""
-    if not isinstance(node, tuple) or node[0] in BINDING:
+    if not isinstance(node, tuple) or node[0] in (*BINDING, "exists"):
         return
     if node[0] in _DOMAINS:
         yield _DOMAINS[node[0]](*node[1:])

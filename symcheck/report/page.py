@@ -12,11 +12,11 @@ from typing import Any
 from jinja2 import Environment, PackageLoader, StrictUndefined
 from markupsafe import Markup
 
+from symcheck.evidence import translation
 from symcheck.evidence.confirmed import CONFIRMED, confirmed, told
 from symcheck.evidence.faults import Alike, Fault, errata
 from symcheck.evidence.record import Record
 from symcheck.evidence.selftested import evidence, rows
-from symcheck.proof import translation
 from symcheck.report import entry as entries
 from symcheck.report.entry import Entry
 from symcheck.report.formulas import Formulas

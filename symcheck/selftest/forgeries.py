@@ -11,7 +11,8 @@ from random import Random
 from typing import Any, NamedTuple
 
 from symcheck.checker import check_all
-from symcheck.proof import proof_of, translation
+from symcheck.evidence import translation
+from symcheck.proof import proof_of
 from symcheck.proof.theorems import conjuncts
 from symcheck.selftest.certificates import DROPPED, TURNED, beside, follows, groups
 from symcheck.selftest.evidence import is_shown

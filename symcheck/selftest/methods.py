@@ -22,7 +22,7 @@ from unittest.mock import patch
 from symcheck import papers
 from symcheck.checker.statements import Index as StatementIndex
 from symcheck.core.terms import JSON
-from symcheck.evidence import decide, errata, judge, run, store
+from symcheck.evidence import decide, errata, judge, run, store, translation
 from symcheck.evidence.cache import FILE, Cache
 from symcheck.evidence.context import Context
 from symcheck.evidence.executor import Serial
@@ -30,7 +30,7 @@ from symcheck.evidence.index import Index
 from symcheck.evidence.judge import units
 from symcheck.evidence.obligation import fingerprint, obligation_of
 from symcheck.evidence.record import Record
-from symcheck.proof import Without, certificate, fails_at, identity, translation
+from symcheck.proof import Without, certificate, fails_at, identity
 from symcheck.proof.theorems import CONSTANTS, Terms
 from symcheck.reading import read
 from symcheck.selftest.statements import declared

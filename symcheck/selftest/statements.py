@@ -87,7 +87,7 @@ _proved = cache(proved)
 
 
 def slips(original: Proved) -> Iterator[Edit]:
-    """Every single edit of a statement, its ends, arguments and connectives, and its equality case; none twice."""
+    """Every single edit of a statement, of its ends, arguments, connectives and equality case; none twice."""
     tree, notation = original.unit.tree, original.context.notation
     seen = {tree}
     for edit in (*edits(tree, notation), *ends(tree), *arguments(tree), *connectives(tree)):

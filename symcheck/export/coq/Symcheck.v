@@ -501,7 +501,7 @@ Proof.
 Qed.
 
 Ltac pi_and_cosines :=
-  generalize PI2_1, PI_4; intros;
+  generalize PI2_3_2, PI_4; intros;
   repeat match goal with
   | |- context [cos (atan ?t)] =>
     lazymatch goal with

@@ -67,6 +67,10 @@ class Point:
                 return self.value(("integral", (x, body), low, high), at)
             case ("mean", body, x):
                 return mpmath.quad(self.along(body, x, at), mpmath.linspace(0, 2 * mpmath.pi, 9)) / (2 * mpmath.pi)
+            case ("call", function, orders, *arguments) if not any(orders):  # some function, the same in all statements
+                values = [self.value(each, at) for each in arguments]
+                weights = [_number(f"{function} {k}") for k in range(len(values))]
+                return mpmath.sin(_number(f"{function} at 0") + mpmath.fdot(weights, values))
             case (function, inner):
                 return getattr(mpmath, CALLS.get(function, function))(self.value(inner, at))
         raise KeyError(str(term))
@@ -77,9 +81,6 @@ class Point:
     def letter(self, x: str, at: Mapping[str, Any]) -> Any:
         if x in at:
             return at[x]
-        kind, _, angle = x.partition("_")
-        if kind in ("sin", "cos") and angle:
-            return getattr(mpmath, kind)(self.letter(angle, at))
         if x in self.unfold:
             if at:  # the definition may depend on what has another value
                 return self.value(self.unfold[x], at)

@@ -24,7 +24,7 @@ from symcheck import kernels
 from symcheck.evidence import confirmed
 from symcheck.evidence.confirmed import Outcome
 
-OURS = ("Symcheck.v", "Digits.v")
+OURS = ("Symcheck.v", "Digits.v", "Theorems.v")
 MANIFEST = "manifest.json"
 MISSING = "coqc is not installed; on Debian: apt-get install coq libcoq-coquelicot"
 NO_COQUELICOT = "the Coq library Coquelicot is not installed; on Debian: apt-get install libcoq-coquelicot"
@@ -68,6 +68,8 @@ def without(text: str, line: int) -> tuple[str, list[str]]:
             names.append(own[1])
     heads = tuple(f"{kind}{name} :" for name in names for kind in ("Lemma step_", "Theorem proof_", "Lemma "))
     kept = "".join(block for block in blocks if not block.startswith(heads))
+    if kept == text:
+        raise ValueError(f"line {line} is in {names[0]}, which is no proof of a claim")
     return re.sub(rf"^pose proof proof_(?:{'|'.join(names)})\.\n", "", kept, flags=re.MULTILINE), names
 
 

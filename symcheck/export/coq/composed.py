@@ -63,7 +63,7 @@ def _binds(node: Any) -> bool:
 
 def _proof(certificate: Any, step: Statement, step_name: str, whole: Statement, used: Sequence[Exported]) -> str:
     context: dict[str, str] = {}
-    lines = [f"intros {' '.join(map(name, whole.variables))}."]
+    lines = [f"intros {' '.join(whole.names)}."]
     for shown in shown_premises(whole):
         context.setdefault(shown, f"h{len(context)}'")
         lines.append(f"intros {context[shown]}.")
@@ -92,7 +92,7 @@ def shown_premises(statement: Statement) -> list[str]:
 def _applied(theorem: str, statement: Statement, context: dict[str, str]) -> str:
     try:
         given = [context[text] for text in shown_premises(statement)]
-        return f"({' '.join([theorem, *map(name, statement.variables), *given])})"
+        return f"({' '.join([theorem, *statement.names, *given])})"
     except KeyError as premise:
         raise NotExported(f"an earlier relation needs the premise {premise}") from premise
 

@@ -26,7 +26,7 @@ def files(records: Sequence[Record]) -> Mapping[str, str]:
     for record in records:
         papers.setdefault(record.paper, []).append(record)
     own = resources(__package__)
-    out = {name: own.joinpath(name).read_text(encoding="utf-8") for name in ("Symcheck.v", "Digits.v")}
+    out = {name: own.joinpath(name).read_text(encoding="utf-8") for name in ("Symcheck.v", "Digits.v", "Theorems.v")}
     listed: dict[str, Any] = {}
     for paper, rows in papers.items():
         found = exported(rows)

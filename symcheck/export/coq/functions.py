@@ -20,12 +20,6 @@ class Functions(Signs):
         angles: dict[str, Any] = {}
         for term in (t for each in spoken for t in subterms(each) if self.scope.issuperset(letters(t))):
             match term:
-                case str():
-                    kind, _, x = term.partition("_")
-                    if kind in ("sin", "cos") and x:
-                        angles.setdefault(spelled(x, ATOM), x)
-                    elif kind == "sqrt" and x:
-                        self.root(int(x))
                 case ["sin" | "cos", angle]:
                     angles.setdefault(spelled(angle, ATOM), angle)
                 case ["sqrt", inner] if is_number(inner):
@@ -191,7 +185,7 @@ class Functions(Signs):
         """Functions of equal arguments that are written differently."""
         seen = self.seen
         for term in (t for each in spoken for t in subterms(each) if self.scope.issuperset(letters(t))):
-            if isinstance(term, list) and term[0] in OPAQUE and not (term[0] == "sqrt" and is_number(term)):
+            if isinstance(term, list) and term[0] in (*OPAQUE, "call") and not (term[0] == "sqrt" and is_number(term)):
                 value = self.values.value(term)
                 if term[0] == "pow" and (whole := self.ratio(term[2], 1)) is not None and whole.denominator == 1:
                     raise NotExported("a power whose exponent adds up to a whole number")

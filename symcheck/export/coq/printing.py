@@ -9,7 +9,7 @@ from symcheck.export.coq.terms import NotExported
 RELATIONS = {"=": "=", "!=": "<>", "<": "<", "<=": "<=", ">": ">", ">=": ">="}
 CALLS = {
     "sin": "sin", "cos": "cos", "tan": "tan", "sqrt": "sqrt", "exp": "exp", "log": "ln",
-    "arctan": "atan", "arcsin": "asin", "arccos": "acos", "pow": "Rpower",
+    "arctan": "atan", "arcsin": "asin", "arccos": "acos", "pow": "Rpower", "powerRZ": "powerRZ", "IZR": "IZR",
 }  # fmt: skip
 TAKEN = frozenset(
     [
@@ -124,7 +124,7 @@ def _printed(node: Any) -> tuple[str, int]:
         case "infinity":
             raise NotExported("an integral without an end needs Euler's beta function, which the libraries have not")
         case str():
-            return _letter(node)
+            return name(node), ATOM
         case ["+", first, *rest]:
             return _sum(first, rest), PLUS
         case ["-" | "minus", inner]:
@@ -162,18 +162,13 @@ def _printed(node: Any) -> tuple[str, int]:
             return f"{printed(first, IMPLIES - 1)} -> {printed(second, IMPLIES)}", IMPLIES
         case ["<=>", first, second]:
             return f"{printed(first, IFF - 1)} <-> {printed(second, IFF - 1)}", IFF
-        case ["exists", bound, body]:
-            return f"exists {' '.join(map(name, bound))} : R, {printed(body)}", BINDS
+        case ["exists" | "forall" as kind, bound, body]:
+            return f"{kind} {' '.join(map(name, bound))} : R, {printed(body)}", BINDS
+        case ["call", function, orders, *arguments]:
+            if any(orders):
+                raise NotExported("a derivative of an unknown function is not stated in Coq")
+            return " ".join([name(function), *(printed(t, APPLIED - 1) for t in arguments)]), APPLIED
     raise NotExported(f"the term {node!r}")
-
-
-def _letter(node: str) -> tuple[str, int]:
-    kind, _, rest = node.partition("_")
-    if kind in ("sin", "cos") and rest:
-        return f"{kind} {name(rest)}", APPLIED
-    if kind == "sqrt" and rest:
-        return f"sqrt {rest}", APPLIED
-    return name(node), ATOM
 
 
 def _sum(first: Any, rest: list[Any]) -> str:

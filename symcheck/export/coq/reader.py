@@ -20,8 +20,9 @@ def claims(text: str) -> dict[str, Any]:
 
 def _stated(formula: Any) -> tuple[list[str], list[Any], Any]:
     bound: list[str] = []
-    if formula[0] == "forall":
-        _, bound, formula = formula
+    while formula[0] == "forall":
+        bound += formula[1]
+        formula = formula[2]
     premises = []
     while formula[0] == "=>":
         premises.append(formula[1])
@@ -56,6 +57,7 @@ class Reader:
     def __init__(self, text: str) -> None:
         self.tokens = [*tokens(uncommented(text)), ""]
         self.at = 0
+        self.functions: dict[str, int] = {}  # unknown ones, with the numbers of their arguments
 
     def whole(self) -> Any:
         formula = self.implication()
@@ -75,15 +77,35 @@ class Reader:
     def implication(self) -> Any:
         if self.peek() in ("forall", "exists"):
             kind, names = self.take(), []
-            while self.peek() != ":":
-                names.append(letter(self.take()))
-            self.take(":"), self.take("R"), self.take(",")
+            while self.peek() == "(":
+                names += self.binders()
+            if self.peek() != ",":
+                names += self.typed()
+            self.take(",")
             return (kind, names, self.implication())
         left = self.equivalence()
         if self.peek() != "->":
             return left
         self.take("->")
         return ("=>", left, self.implication())
+
+    def binders(self) -> list[str]:
+        """Letters, or a function, in brackets."""
+        self.take("(")
+        names = self.typed()
+        self.take(")")
+        return names
+
+    def typed(self) -> list[str]:
+        """Letters, or the names of functions, and their type."""
+        names: list[str] = []
+        while self.peek() != ":":
+            names.append(letter(self.take()))
+        self.take(":"), self.take("R")
+        while self.peek() == "->":
+            self.take("->"), self.take("R")
+            self.functions |= {function: self.functions.get(function, 0) + 1 for function in names}
+        return names
 
     def equivalence(self) -> Any:
         left = self.disjunction()
@@ -159,6 +181,10 @@ class Reader:
             self.take()
             x, body = self.function()
             return ("integral", (x, body), self.atom(), self.atom())
+        if letter(head) in self.functions:
+            function = letter(self.take())
+            arguments = [self.atom() for _ in range(self.functions[function])]
+            return ("call", function, (0,) * len(arguments), *arguments)
         return self.atom()
 
     def function(self) -> tuple[str, Any]:

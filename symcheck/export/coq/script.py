@@ -33,7 +33,7 @@ class Script(Functions):
         if reason := missing(proof):
             raise NotExported(reason)
         statement = self.statement
-        self.emit(f"intros {' '.join(map(name, statement.variables))}." if statement.variables else "")
+        self.emit(f"intros {' '.join(statement.names)}." if statement.names else "")
         for x in statement.defined:
             own = self.anew("d")
             self.emit(f"intros {own}. subst {name(x)}.")
@@ -57,7 +57,7 @@ class Script(Functions):
             [f for _, f in statement.hypotheses] + [statement.conclusion, list(statement.definitions.terms.values())]
         ):
             self.emit("unfold tan in *.")
-        if any(f"'{function}'" in str(spoken) for function in ("diff", "sin", "cos", *OPAQUE)):
+        if any(f"'{function}'" in str(spoken) for function in ("diff", "sin", "cos", "call", *OPAQUE)):
             self.emit("unfold Rminus in *.")
         self.functions(spoken)
         self.same_functions([t for each in spoken for t in subterms(each) if not [*denominators(t)]])

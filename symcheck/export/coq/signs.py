@@ -41,8 +41,6 @@ class Signs(Assumptions):
                 found = self._of_power(base, n)
             case ["sqrt", number] if is_number(number) and isinstance(number, int) and number > 0:
                 return Sign(2, f"(sqrt_lt_R0 _ (num_pos {number}))")
-            case str() if term[:5] == "sqrt_":
-                return Sign(2, f"(sqrt_lt_R0 _ (num_pos {term[5:]}))")
             case _:
                 found = None
         return found or self._known(term)

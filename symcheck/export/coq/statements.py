@@ -8,7 +8,15 @@ from itertools import groupby
 from typing import Any
 
 from symcheck.export.coq.printing import name, printed
-from symcheck.export.coq.terms import Definitions, denominators, is_number, letters, subterms
+from symcheck.export.coq.terms import (
+    Definitions,
+    NotExported,
+    denominators,
+    functions,
+    is_number,
+    letters,
+    subterms,
+)
 from symcheck.export.coq.values import Values
 from symcheck.proof.theorems import Terms
 
@@ -26,6 +34,22 @@ class Statement:
     conclusion: Any
     definitions: Definitions
 
+    @property
+    def functions(self) -> dict[str, int]:
+        """The unknown functions, with the numbers of their arguments."""
+        terms = [self.definitions.terms[x] for x in self.defined]
+        said = [*terms, *(f for _, f in self.hypotheses), *self.premises, self.conclusion]
+        met = [*dict.fromkeys(functions(said))]
+        found = dict(met)
+        if len(found) < len(met) or found.keys() & {*self.variables}:
+            raise NotExported("an unknown function has the name of a letter, or two numbers of arguments")
+        return found
+
+    @property
+    def names(self) -> list[str]:
+        """All that the statement is about, by its names in Coq."""
+        return [name(x) for x in (*self.functions, *self.variables)]
+
     def text(self) -> str:
         """As Coq reads it."""
         shown = self.definitions.readable
@@ -35,7 +59,11 @@ class Statement:
         lines += ["(* where it is divided by *)"] * bool(self.premises)
         lines += [f"{printed(shown(divisor), 70)} <> 0 ->" for divisor in self.premises]
         lines += [printed(shown(self.conclusion), 99)]
-        head = [f"forall {' '.join(map(name, self.variables))} : R,"] if self.variables else []
+        bound = [f"({name(f)} : {'R -> ' * arity}R)" for f, arity in self.functions.items()]
+        shown_letters = " ".join(map(name, self.variables))
+        if shown_letters:
+            bound.append(f"({shown_letters} : R)" if bound else f"{shown_letters} : R")
+        head = [f"forall {' '.join(bound)},"] if bound else []
         return "\n".join(f"  {piece}" for line in [*head, *lines] for piece in folded(line))
 
 

@@ -8,7 +8,7 @@ from fractions import Fraction
 from math import lcm
 from typing import Any
 
-from symcheck.proof.theorems import BINDING, RELATIONS
+from symcheck.proof.theorems import BINDING, CONSTANTS, RELATIONS
 
 FACTOR = re.compile(r"(\d+)(?:/(\d+))?|([A-Za-z]\w*)(?:\^(\d+))?", re.ASCII)
 FUNCTIONS = ("sin", "cos", "tan", "sqrt", "exp", "log", "pow", "gamma", "arctan", "arcsin", "arccos")
@@ -29,6 +29,8 @@ def rebuilt(node: Any, change: Any) -> Any:
             return [kind, change(body), x, *map(change, ends)]
         case ["exists", bound, body]:
             return ["exists", bound, change(body)]
+        case ["call", function, orders, *arguments]:
+            return ["call", function, orders, *map(change, arguments)]
         case ["^", base, n]:
             return ["^", change(base), n]
     return [node[0], *map(change, node[1:])]
@@ -37,10 +39,7 @@ def rebuilt(node: Any, change: Any) -> Any:
 def substituted(node: Any, values: Mapping[str, Any]) -> Any:
     """The node with letters replaced by terms, where they are not bound."""
     if isinstance(node, str):
-        if node in values:
-            return values[node]
-        kind, _, x = node.partition("_")
-        return [kind, values[x]] if kind in ("sin", "cos") and x in values else node
+        return values.get(node, node)
     bound = bound_letters(node)
     inner = {x: v for x, v in values.items() if x not in bound} if bound else values
     return rebuilt(node, lambda child: substituted(child, inner))
@@ -57,16 +56,15 @@ def bound_letters(node: Any) -> tuple[str, ...]:
 
 
 def letters(node: Any) -> list[str]:
-    """The free letters in order of appearance; that of sin_x is x."""
+    """The free letters in order of appearance."""
     return list(dict.fromkeys(_letters(node)))
 
 
 def _letters(node: Any) -> Iterator[str]:
     match node:
         case str():
-            kind, _, x = node.partition("_")
-            if node not in ("pi", "infinity") and kind != "sqrt":
-                yield x if kind in ("sin", "cos") and x else node
+            if node not in CONSTANTS:
+                yield node
         case ["exists", bound, body]:
             yield from (x for x in _letters(body) if x not in bound)
         case ["diff", body, x, _]:
@@ -78,9 +76,18 @@ def _letters(node: Any) -> Iterator[str]:
                 yield from _letters(end)
         case ["^", base, _]:
             yield from _letters(base)
-        case [str(), *parts]:
+        case ["call", _, _, *parts] | [str(), *parts]:
             for part in parts:
                 yield from _letters(part)
+
+
+def functions(node: Any) -> Iterator[tuple[str, int]]:
+    """The unknown functions with the numbers of their arguments, again and again."""
+    if isinstance(node, list):
+        if node[:1] == ["call"]:
+            yield node[1], len(node) - 3
+        for part in node:
+            yield from functions(part)
 
 
 class Definitions:
@@ -155,7 +162,8 @@ def subterms(node: Any) -> Iterator[Any]:
         if node[0] in (*BINDING, "diff"):
             yield node
             return
-        children = node[2:] if node[0] == "exists" else node[1:2] if node[0] == "^" else node[1:]
+        start = 2 if node[0] == "exists" else 3 if node[0] == "call" else 1
+        children = node[1:2] if node[0] == "^" else node[start:]
         for child in children:
             yield from subterms(child)
     if not (isinstance(node, list) and node[0] in (*RELATIONS, "and", "or", "=>", "<=>", "exists")):

@@ -1,22 +1,29 @@
-"""The theorems that certificates take for granted (`symcheck/theorems.py`), each proved in Coq."""
+"""The theorems that certificates take for granted (`symcheck/checker/theorems.py`), each proved in Coq.
+
+Theorems.v proves them as they stand in the checker's table; here they are applied, one by one.
+"""
 
 from __future__ import annotations
 
 from collections.abc import Callable
+from itertools import groupby
 from typing import TYPE_CHECKING, Any
 
+from symcheck.checker import theorems as table
+from symcheck.core.terms import node
 from symcheck.export.coq.digits import Enclosure
-from symcheck.export.coq.printing import name, spelled
+from symcheck.export.coq.printing import IMPLIES, name, printed, spelled
 from symcheck.export.coq.terms import NotExported
 from symcheck.proof.theorems import THEOREMS, Terms, conjuncts
 
 if TYPE_CHECKING:
     from symcheck.export.coq.script import Script
 
+KINDS = {"n": "Z", "f": "R -> R", "g": "R -> R"}  # of parameters
+CONGRUENCE = {"congruence": "st", "congruence of two": "stuv"}  # of functions of one argument, and of two
 ALIKE = {"=": "eq", "!=": "ne", "<": "lt", "<=": "le", ">": "gt", ">=": "ge"}
-MISSING = {
-    "power_rule": "the integral of a power with a letter in the exponent",
-    "intermediate_value": "the intermediate value theorem",
+UNSTATED = {  # theorems without a proof in Theorems.v
+    "enclosure": "it is computed anew for each number, by the lemmas of Digits.v",
     "beta": "Euler's beta integral is not in Coq's libraries",
     "beta_diverges": "the divergence of an improper integral is not stated in Coq",
     "power_diverges": "the divergence of an improper integral is not stated in Coq",
@@ -24,6 +31,11 @@ MISSING = {
     "odd": "an improper integral is not stated in Coq",
     "gamma": "Euler's gamma function is not in Coq's libraries",
     "gamma_values": "Euler's gamma function is not in Coq's libraries",
+}
+MISSING = {  # theorems that are not applied in proofs
+    **{name: reason for name, reason in UNSTATED.items() if name != "enclosure"},
+    "power_rule": "the integral of a power with a letter in the exponent",
+    "intermediate_value": "the intermediate value theorem",
 }
 
 
@@ -49,6 +61,55 @@ def apply(script: Script, goal: Any, proof: Any) -> None:
             script.learn(conjuncts(conclusion)[0], own)
     script.emit_later()
     script.prove(goal, proof["then"])
+
+
+def statement(name: str) -> str:
+    """What the checker takes for granted under that name, as Coq reads it."""
+    stated = _congruence(name) if name in CONGRUENCE else table.theorem(name)
+    kinds = KINDS | ({"f": "R -> R -> R"} if name == "congruence of two" else {})
+    groups = groupby(stated.parameters, key=lambda parameter: kinds.get(parameter, "R"))
+    bound = " ".join(f"({' '.join(own)} : {kind})" for kind, own in groups)
+    smooth, *of = table.SMOOTH.get(name, ("",))
+    premises = [f"polynomial_in_{'circle' if of else 'letter'} {smooth}"] if smooth else []
+    premises += [printed(_as_exported(premise), IMPLIES - 1) for premise in stated.premises]
+    lines = [f"forall {bound},"] if bound else []
+    lines += [*(f"{premise} ->" for premise in premises), printed(_as_exported(stated.conclusion))]
+    return "\n".join(f"  {line}" for line in lines)
+
+
+def _congruence(name: str) -> table.Theorem:
+    """It has as many premises as the function has arguments; here they are letters."""
+    letters = CONGRUENCE[name]
+    one, other = (node("call", "f", (0,) * len(own), *own) for own in (letters[::2], letters[1::2]))
+    premises, conclusion = table.congruence({"s": one, "t": other})
+    return table.Theorem(("f", *letters), tuple(premises), conclusion)
+
+
+def identifier(name: str) -> str:
+    """The name of a theorem in Theorems.v."""
+    return "theorem_" + "_".join(ALIKE.get(word, word) for word in name.split())
+
+
+def _as_exported(tree: Any) -> Any:
+    """A term of the checker's language in the form in which this package takes terms."""
+    match tree:
+        case ("pi",):
+            return "pi"
+        case ("diff", body, x, n, place) if place == x:
+            return ["diff", _as_exported(body), x, n]
+        case "n" | "k":  # whole numbers
+            return ["IZR", tree]
+        case ("^", base, str(n)):
+            return ["powerRZ", _as_exported(base), n]
+        case ("^", base, n):
+            return ["^", _as_exported(base), n]
+        case ("call", function, orders, *arguments):
+            return ["call", function, list(orders), *map(_as_exported, arguments)]
+        case ("forall" | "exists" as kind, bound, body):
+            return [kind, list(bound), _as_exported(body)]
+        case (str(), *parts):
+            return [tree[0], *map(_as_exported, parts)]
+    return tree
 
 
 def missing(proof: Any) -> str | None:

@@ -6,7 +6,7 @@ from fractions import Fraction
 from math import prod
 from typing import Any
 
-from symcheck.export.coq.residues import Reject, chance
+from symcheck.checker.residues import PRIME, Reject, circle, draw, inverse, rational, root
 from symcheck.export.coq.terms import NotExported, is_number
 
 OPAQUE = ("sqrt", "pow", "exp", "log", "gamma", "arctan", "arcsin", "arccos")
@@ -50,25 +50,21 @@ def linear(term: Any) -> dict[Any, Fraction] | None:
 class Values:
     """Values of unfolded terms at one random point; roots of numbers are roots, other functions are random."""
 
-    def __init__(self) -> None:
-        self.chance = chance()
-        self.prime = self.chance.prime
-
     def value(self, term: Any) -> int:
         """The value of a term."""
         try:
-            return self._value(term) % self.prime
+            return self._value(term) % PRIME
         except Reject as reason:
             raise NotExported(str(reason)) from reason
 
     def ratio(self, one: Any, other: Any) -> Fraction | None:
         """The rational number one / other, if it is one."""
         below = self.value(other)
-        return self.rational(self.value(one) * self.chance.inverse(below) % self.prime) if below else None
+        return self.rational(self.value(one) * inverse(below)) if below else None
 
     def rational(self, value: int) -> Fraction | None:
         """The rational number that has this value modulo the prime, if there is a small one."""
-        found = self.chance.rational(value)
+        found = rational(value)
         return None if found is None else Fraction(*found)
 
     def _value(self, term: Any) -> int:
@@ -76,40 +72,43 @@ class Values:
             case int():
                 return term
             case str():
-                return self.chance.letter(term)
+                return draw("letter", term)
             case ["+", *parts]:
                 return sum(map(self._value, parts))
             case ["-", inner]:
                 return -self._value(inner)
             case ["*", *parts]:
-                return prod(map(self._value, parts)) % self.prime
+                return prod(map(self._value, parts)) % PRIME
             case ["/", top, bottom]:
-                return self._value(top) * self.chance.inverse(self._value(bottom))
+                return self._value(top) * inverse(self._value(bottom))
             case ["^", base, int(n)]:
-                value = self._value(base) if n >= 0 else self.chance.inverse(self._value(base))
-                return pow(value, abs(n), self.prime)
+                value = self._value(base) if n >= 0 else inverse(self._value(base))
+                return pow(value, abs(n), PRIME)
             case ["sin", angle]:
                 return self._turn(angle)[1]
             case ["cos", angle]:
                 return self._turn(angle)[0]
             case ["tan", angle]:
                 cosine, sine = self._turn(angle)
-                return sine * self.chance.inverse(cosine)
+                return sine * inverse(cosine)
             case ["sqrt", inner] if is_number(inner):
-                return self.chance.root(self.chance.rational(self.value(inner)))
+                return root(rational(self.value(inner)))
             case [function, *arguments] if function in OPAQUE:
-                return self.chance.draw((function, *map(self.value, arguments)))
+                return draw(function, *map(self.value, arguments))
+            case ["call", function, orders, *arguments]:
+                return draw("call", function, *orders, *map(self.value, arguments))
             case ["diff" | "mean" | "integral" | "diverges", *_]:
-                return self.chance.draw(str(term))
+                return draw(str(term))
         raise NotExported(f"the term {term!r}")
 
     def _turn(self, angle: Any) -> tuple[int, int]:
         counts, rest = turns(angle)
-        cosine, sine = self.chance.circle(("angle", self.value(rest))) if rest != 0 else (1, 0)
+        cosine, sine = circle("angle", self.value(rest)) if rest != 0 else (1, 0)
         for x, n in counts:
-            c, s = self.chance.letter(f"cos_{x}"), self.chance.letter(f"sin_{x}") * (1 if n > 0 else -1)
+            c, s = circle("letter", x)
+            s = s if n > 0 else -s
             for _ in range(abs(n)):
-                cosine, sine = (cosine * c - sine * s) % self.prime, (sine * c + cosine * s) % self.prime
+                cosine, sine = (cosine * c - sine * s) % PRIME, (sine * c + cosine * s) % PRIME
         return cosine, sine
 
 

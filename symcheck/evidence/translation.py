@@ -78,11 +78,16 @@ def certificate(found: Mapping[str, Any]) -> dict[str, JSON]:
             condition(texts, lambda name: atoms.get(name) or value_of(name) or name) for texts in conditions
         ]
     new["proof"] = proof(found["proof"])
-    told = ("values", "calls", "proof")
-    if points := [{key: each[key] for key in told if key in each} for each in map(point, found.get("witnesses", ()))]:
+    if points := [*map(witness, found.get("witnesses", ()))]:
         wanted = len(implications(claim)) or 1
         new["witnesses"] = points * wanted if len(points) == 1 else points
     return new
+
+
+def witness(found: Mapping[str, Any]) -> dict[str, JSON]:
+    """A point where something holds, which is computed: the search proves it there together with what it needs."""
+    given = {key: value for key, value in found.items() if key in ("values", "calls", "functions")}
+    return point(given)
 
 
 def implications(claim: JSON) -> list[JSON]:
@@ -213,14 +218,16 @@ def condition(texts: list[str], meaning: Callable[[str], JSON]) -> JSON:
 def point(found: Mapping[str, Any]) -> Proof:
     """A point, with the proofs that go with it. An angle of rational sine and cosine is twice an arctangent."""
     given = {x: exactly(value) for x, value in found["values"].items()}
+    if constants := given.keys() & {"pi", "infinity"}:
+        raise ValueError(f"{', '.join(sorted(constants))} with a value")
     angles = {x[4:] for x in given if x[:4] in ("sin_", "cos_")}
     values = {x: value for x, value in given.items() if x[4:] not in angles or x[:4] not in ("sin_", "cos_")}
     values |= {x: angle(given[f"cos_{x}"], given[f"sin_{x}"]) for x in angles}
     for _ in values:  # coordinates may be given by others
         values = {x: put(value, values) for x, value in values.items()}
     new: Proof = {"values": dict(sorted(values.items()))}
-    if sides := [side for side in found.get("sides", ()) if side not in ("true", "false")]:
-        new["sides"] = [*map(exactly, sides)]
+    if sides := found.get("sides"):
+        new["sides"] = [side == "true" if side in ("true", "false") else exactly(side) for side in sides]
     if "enclosed" in found:
         new["enclosed"] = [[term(t), digits, term(low), term(high)] for t, digits, low, high in found["enclosed"]]
     if calls := found.get("calls"):

@@ -1,0 +1,718 @@
+(* The theorems that the checker takes for granted (symcheck/checker/theorems.py), each under exactly its premises.
+
+   A test compares the statements with that table, name by name. *)
+
+Require Import Reals Lra.
+From Coquelicot Require Import Coquelicot.
+Require Import Symcheck.Symcheck.
+Open Scope R_scope.
+
+(* What a polynomial is, in one letter or in a sine and a cosine *)
+
+Inductive polynomial (atom : (R -> R) -> Prop) : (R -> R) -> Prop :=
+  | polynomial_constant c : polynomial atom (fun _ => c)
+  | polynomial_atom f : atom f -> polynomial atom f
+  | polynomial_sum f g : polynomial atom f -> polynomial atom g -> polynomial atom (fun x => f x + g x)
+  | polynomial_product f g : polynomial atom f -> polynomial atom g -> polynomial atom (fun x => f x * g x)
+  | polynomial_minus f : polynomial atom f -> polynomial atom (fun x => - f x)
+  | polynomial_quotient f c : polynomial atom f -> polynomial atom (fun x => f x / c)
+  | polynomial_power f n : polynomial atom f -> polynomial atom (fun x => f x ^ n).
+
+Definition polynomial_in_letter : (R -> R) -> Prop := polynomial (fun f => f = fun x => x).
+Definition polynomial_in_circle : (R -> R) -> Prop := polynomial (fun f => f = sin \/ f = cos).
+
+Lemma polynomial_derivative (atom : (R -> R) -> Prop) :
+  (forall f, atom f -> exists d, polynomial atom d /\ forall x, is_derive f x (d x)) ->
+  forall f, polynomial atom f -> exists d, polynomial atom d /\ forall x, is_derive f x (d x).
+Proof.
+  intros A f P. induction P as [c | f H | f g F [df [PF DF]] G [dg [PG DG]] | f g F [df [PF DF]] G [dg [PG DG]]
+    | f F [df [PF DF]] | f c F [df [PF DF]] | f n F [df [PF DF]]].
+  - exists (fun _ => 0). split; [apply polynomial_constant |]. intros x. apply @is_derive_const.
+  - exact (A f H).
+  - exists (fun x => df x + dg x). split; [apply polynomial_sum; assumption |].
+    intros x. apply @is_derive_plus; [apply DF | apply DG].
+  - exists (fun x => df x * g x + f x * dg x). split.
+    { apply polynomial_sum; apply polynomial_product; assumption. }
+    intros x. apply (is_derive_mult f g x (df x) (dg x)); [apply DF | apply DG | apply Rmult_comm].
+  - exists (fun x => - df x). split; [apply polynomial_minus; assumption |].
+    intros x. apply @is_derive_opp, DF.
+  - exists (fun x => df x / c). split; [apply polynomial_quotient; assumption |].
+    intros x. apply (is_derive_scal_l f x (df x) (/ c)), DF.
+  - exists (fun x => INR n * df x * f x ^ pred n). split.
+    { apply polynomial_product; [apply polynomial_product; [apply polynomial_constant | assumption] |].
+      apply polynomial_power, F. }
+    intros x. apply is_derive_pow, DF.
+Qed.
+
+Lemma letter_derivative (f : R -> R) :
+  polynomial_in_letter f -> exists d, polynomial_in_letter d /\ forall x, is_derive f x (d x).
+Proof.
+  apply polynomial_derivative. intros g E. rewrite E. exists (fun _ => 1).
+  split; [apply polynomial_constant |]. intros x. apply @is_derive_id.
+Qed.
+
+Lemma circle_derivative (f : R -> R) :
+  polynomial_in_circle f -> exists d, polynomial_in_circle d /\ forall x, is_derive f x (d x).
+Proof.
+  apply polynomial_derivative. intros g [E | E]; rewrite E.
+  - exists cos. split; [apply polynomial_atom; right; reflexivity |]. intros x. apply is_derive_sin.
+  - exists (fun x => - sin x). split; [apply polynomial_minus, polynomial_atom; left; reflexivity |].
+    intros x. apply is_derive_cos.
+Qed.
+
+Lemma circle_turn (f : R -> R) : polynomial_in_circle f -> f 0 = f (2 * PI).
+Proof.
+  intros P. induction P as [c | f [E | E] | f g F IF G IG | f g F IF G IG | f F IF | f c F IF | f n F IF].
+  - reflexivity.
+  - rewrite E, sin_2PI, sin_0. reflexivity.
+  - rewrite E, cos_2PI, cos_0. reflexivity.
+  - rewrite IF, IG. reflexivity.
+  - rewrite IF, IG. reflexivity.
+  - rewrite IF. reflexivity.
+  - rewrite IF. reflexivity.
+  - rewrite IF. reflexivity.
+Qed.
+
+(* The theorems *)
+
+Theorem theorem_dichotomy :
+  forall (t : R),
+  t > 0 \/ t <= 0.
+Proof. exact dichotomy. Qed.
+
+Theorem theorem_root :
+  forall (t : R),
+  t >= 0 ->
+  sqrt t >= 0 /\ sqrt t ^ 2 = t.
+Proof. intros. apply root; assumption. Qed.
+
+Theorem theorem_root_of_product :
+  forall (s t : R),
+  s >= 0 ->
+  t >= 0 ->
+  sqrt (s * t) = sqrt s * sqrt t.
+Proof. intros. apply root_of_product; assumption. Qed.
+
+Theorem theorem_equal_squares :
+  forall (s t : R),
+  s >= 0 ->
+  t >= 0 ->
+  s ^ 2 = t ^ 2 ->
+  s = t.
+Proof. intros. apply equal_squares; assumption. Qed.
+
+Theorem theorem_power :
+  forall (b u : R),
+  b > 0 ->
+  Rpower b u > 0.
+Proof. intros. apply power; assumption. Qed.
+
+Theorem theorem_power_of_sum :
+  forall (b s t : R),
+  b > 0 ->
+  Rpower b (s + t) = Rpower b s * Rpower b t.
+Proof. intros. apply power_of_sum; assumption. Qed.
+
+Theorem theorem_power_of_product :
+  forall (s t u : R),
+  s > 0 ->
+  t > 0 ->
+  Rpower (s * t) u = Rpower s u * Rpower t u.
+Proof. intros. apply power_of_product; assumption. Qed.
+
+Theorem theorem_power_of_power :
+  forall (b : R) (n : Z) (u : R),
+  b > 0 ->
+  Rpower (powerRZ b n) u = Rpower b (IZR n * u) /\ Rpower 1 u = 1.
+Proof.
+  intros b n u H. split.
+  - rewrite (powerRZ_Rpower b n H). apply Rpower_mult.
+  - unfold Rpower. rewrite ln_1, Rmult_0_r. apply exp_0.
+Qed.
+
+Theorem theorem_power_inverse :
+  forall (b u t : R),
+  b > 0 ->
+  u <> 0 ->
+  Rpower b u = t ->
+  b = Rpower t (1 / u).
+Proof. intros. apply power_inverse; assumption. Qed.
+
+Theorem theorem_circle_number :
+  PI > 0.
+Proof. exact circle_number. Qed.
+
+Theorem theorem_right_half :
+  forall (a : R),
+  - (PI / 2) <= a ->
+  a <= PI / 2 ->
+  cos a >= 0.
+Proof. intros a. exact cos_acute. Qed.
+
+Theorem theorem_principal_value_arctan :
+  forall (t : R),
+  - (PI / 2) < atan t /\ atan t < PI / 2.
+Proof. exact atan_below. Qed.
+
+Theorem theorem_principal_value_arcsin :
+  forall (t : R),
+  t ^ 2 <= 1 ->
+  - (PI / 2) <= asin t /\ asin t <= PI / 2.
+Proof. exact asin_below. Qed.
+
+Theorem theorem_principal_value_arccos :
+  forall (t : R),
+  t ^ 2 <= 1 ->
+  0 <= acos t /\ acos t <= PI.
+Proof. exact acos_below. Qed.
+
+Theorem theorem_first_quadrant_arctan :
+  forall (t : R),
+  t >= 0 ->
+  0 <= atan t /\ atan t <= PI / 2.
+Proof. exact atan_acute. Qed.
+
+Theorem theorem_first_quadrant_arcsin :
+  forall (t : R),
+  t ^ 2 <= 1 ->
+  t >= 0 ->
+  0 <= asin t /\ asin t <= PI / 2.
+Proof. exact asin_acute. Qed.
+
+Theorem theorem_first_quadrant_arccos :
+  forall (t : R),
+  t ^ 2 <= 1 ->
+  t >= 0 ->
+  0 <= acos t /\ acos t <= PI / 2.
+Proof. exact acos_acute. Qed.
+
+Theorem theorem_mean :
+  forall (f : R -> R) (c : R) (g : R -> R),
+  polynomial_in_circle g ->
+  (forall x : R, f x = c + Derive (fun x => g x) x) ->
+  RInt (fun x => f x) 0 (2 * PI) / (2 * PI) = c.
+Proof.
+  intros f c g P E.
+  destruct (circle_derivative g P) as [d [Q D]]. destruct (circle_derivative d Q) as [e [_ F]].
+  assert (V : forall x, f x = c + d x) by (intros x; rewrite E; f_equal; apply is_derive_unique, D).
+  apply (mean_by (f := f) (g := g)).
+  - intros x. apply (ex_derive_ext (fun t => c + d t)); [intros t; symmetry; apply V |].
+    apply @ex_derive_plus; [apply @ex_derive_const | exists (e x); apply F].
+  - intros x. replace (f x - c) with (d x) by (rewrite V; ring). apply D.
+  - apply circle_turn, P.
+Qed.
+
+Theorem theorem_quarter_turn :
+  forall (f : R -> R),
+  polynomial_in_circle f ->
+  (forall x : R, f (x + PI / 2) = - f x) ->
+  exists x : R, f x = 0.
+Proof.
+  intros f P T. apply (quarter_turn f); [| exact T].
+  intros x. destruct (circle_derivative f P) as [d [_ D]]. exists (d x). apply D.
+Qed.
+
+Theorem theorem_intermediate_value :
+  forall (f : R -> R) (s t : R),
+  polynomial_in_letter f ->
+  s < t ->
+  f s * f t < 0 ->
+  exists x : R, s < x /\ x < t /\ f x = 0.
+Proof.
+  intros f s t P L S. apply (intermediate_value f); [| exact L | exact S].
+  intros x. destruct (letter_derivative f P) as [d [_ D]]. exists (d x). apply D.
+Qed.
+
+Theorem theorem_constant :
+  forall (c s t : R),
+  RInt (fun x => c) s t = c * (t - s).
+Proof. intros. apply integral_of_constant. Qed.
+
+Theorem theorem_power_rule :
+  forall (f : R -> R) (s t c : R) (g : R -> R) (u : R),
+  polynomial_in_letter g ->
+  s <= t ->
+  (forall x : R, s <= x /\ x <= t -> g x > 0 /\ f x = Derive (fun x => c * Rpower (g x) u) x) ->
+  RInt (fun x => f x) s t = c * Rpower (g t) u - c * Rpower (g s) u.
+Proof.
+  intros f s t c g u P L H.
+  destruct (letter_derivative g P) as [d [Q D]]. destruct (letter_derivative d Q) as [e [_ F]].
+  pose (h := fun x => c * Rpower (g x) u).
+  pose (r := fun x => c * (u * (d x / g x) * Rpower (g x) u)).
+  assert (B : forall x, 0 < g x -> is_derive h x (r x)).
+  { intros x O. unfold h, r, Rpower. auto_derive.
+    - repeat split; [exists (d x); apply D | exact O].
+    - replace (Derive (fun t => g t) x) with (d x) by (symmetry; apply is_derive_unique, D). field. lra. }
+  assert (C : forall x, 0 < g x -> continuous r x).
+  { intros x O. apply (ex_derive_continuous (V := R_NormedModule)). unfold r, Rpower. auto_derive.
+    repeat split; [exists (e x); apply F | exists (d x); apply D | lra | exists (d x); apply D | exact O]. }
+  apply is_RInt_unique, (is_RInt_ext r).
+  - rewrite Rmin_left, Rmax_right by exact L. intros x [A Z].
+    destruct (H x (conj (Rlt_le _ _ A) (Rlt_le _ _ Z))) as [O E]. rewrite E.
+    symmetry. apply is_derive_unique, B, O.
+  - apply (is_RInt_derive h r); rewrite Rmin_left, Rmax_right by exact L; intros x I; destruct (H x I) as [O _].
+    + apply B, O.
+    + apply C, O.
+Qed.
+
+Theorem theorem_known_angle_arctan_0 :
+  atan 0 = 0.
+Proof. exact atan_known_0. Qed.
+
+Theorem theorem_known_angle_arctan_1 :
+  atan (1 / sqrt 3) = PI / 6.
+Proof. exact atan_known_1. Qed.
+
+Theorem theorem_known_angle_arctan_2 :
+  atan 1 = PI / 4.
+Proof. exact atan_known_2. Qed.
+
+Theorem theorem_known_angle_arctan_3 :
+  atan (sqrt 3) = PI / 3.
+Proof. exact atan_known_3. Qed.
+
+Theorem theorem_known_angle_arcsin_0 :
+  asin 0 = 0.
+Proof. exact asin_known_0. Qed.
+
+Theorem theorem_known_angle_arcsin_1 :
+  asin (1 / 2) = PI / 6.
+Proof. exact asin_known_1. Qed.
+
+Theorem theorem_known_angle_arcsin_2 :
+  asin (sqrt 2 / 2) = PI / 4.
+Proof. exact asin_known_2. Qed.
+
+Theorem theorem_known_angle_arcsin_3 :
+  asin (sqrt 3 / 2) = PI / 3.
+Proof. exact asin_known_3. Qed.
+
+Theorem theorem_known_angle_arcsin_4 :
+  asin 1 = PI / 2.
+Proof. exact asin_known_4. Qed.
+
+Theorem theorem_known_angle_arccos_0 :
+  acos 1 = 0.
+Proof. exact acos_known_0. Qed.
+
+Theorem theorem_known_angle_arccos_1 :
+  acos (sqrt 3 / 2) = PI / 6.
+Proof. exact acos_known_1. Qed.
+
+Theorem theorem_known_angle_arccos_2 :
+  acos (sqrt 2 / 2) = PI / 4.
+Proof. exact acos_known_2. Qed.
+
+Theorem theorem_known_angle_arccos_3 :
+  acos (1 / 2) = PI / 3.
+Proof. exact acos_known_3. Qed.
+
+Theorem theorem_known_angle_arccos_4 :
+  acos 0 = PI / 2.
+Proof. exact acos_known_4. Qed.
+
+Theorem theorem_arctangent_eq :
+  forall (a t : R),
+  - (PI / 2) <= a ->
+  a <= PI / 2 ->
+  a = atan t ->
+  sin a = t * cos a.
+Proof. intros a t L H I. exact (proj1 (alike_eq (alike_tangent L H)) I). Qed.
+
+Theorem theorem_arctangent_eq_back :
+  forall (a t : R),
+  - (PI / 2) <= a ->
+  a <= PI / 2 ->
+  sin a = t * cos a ->
+  a = atan t.
+Proof. intros a t L H I. exact (proj2 (alike_eq (alike_tangent L H)) I). Qed.
+
+Theorem theorem_arcsine_eq :
+  forall (a t : R),
+  t ^ 2 <= 1 ->
+  - (PI / 2) <= a ->
+  a <= PI / 2 ->
+  a = asin t ->
+  sin a = t.
+Proof. intros a t R1 L H I. exact (proj1 (alike_eq (alike_sine R1 L H)) I). Qed.
+
+Theorem theorem_arcsine_eq_back :
+  forall (a t : R),
+  t ^ 2 <= 1 ->
+  - (PI / 2) <= a ->
+  a <= PI / 2 ->
+  sin a = t ->
+  a = asin t.
+Proof. intros a t R1 L H I. exact (proj2 (alike_eq (alike_sine R1 L H)) I). Qed.
+
+Theorem theorem_arccosine_eq :
+  forall (a t : R),
+  t ^ 2 <= 1 ->
+  0 <= a ->
+  a <= PI ->
+  a = acos t ->
+  t = cos a.
+Proof. intros a t R1 L H I. exact (proj1 (alike_eq (alike_cosine R1 L H)) I). Qed.
+
+Theorem theorem_arccosine_eq_back :
+  forall (a t : R),
+  t ^ 2 <= 1 ->
+  0 <= a ->
+  a <= PI ->
+  t = cos a ->
+  a = acos t.
+Proof. intros a t R1 L H I. exact (proj2 (alike_eq (alike_cosine R1 L H)) I). Qed.
+
+Theorem theorem_arctangent_ne :
+  forall (a t : R),
+  - (PI / 2) <= a ->
+  a <= PI / 2 ->
+  a <> atan t ->
+  sin a <> t * cos a.
+Proof. intros a t L H I. exact (proj1 (alike_ne (alike_tangent L H)) I). Qed.
+
+Theorem theorem_arctangent_ne_back :
+  forall (a t : R),
+  - (PI / 2) <= a ->
+  a <= PI / 2 ->
+  sin a <> t * cos a ->
+  a <> atan t.
+Proof. intros a t L H I. exact (proj2 (alike_ne (alike_tangent L H)) I). Qed.
+
+Theorem theorem_arcsine_ne :
+  forall (a t : R),
+  t ^ 2 <= 1 ->
+  - (PI / 2) <= a ->
+  a <= PI / 2 ->
+  a <> asin t ->
+  sin a <> t.
+Proof. intros a t R1 L H I. exact (proj1 (alike_ne (alike_sine R1 L H)) I). Qed.
+
+Theorem theorem_arcsine_ne_back :
+  forall (a t : R),
+  t ^ 2 <= 1 ->
+  - (PI / 2) <= a ->
+  a <= PI / 2 ->
+  sin a <> t ->
+  a <> asin t.
+Proof. intros a t R1 L H I. exact (proj2 (alike_ne (alike_sine R1 L H)) I). Qed.
+
+Theorem theorem_arccosine_ne :
+  forall (a t : R),
+  t ^ 2 <= 1 ->
+  0 <= a ->
+  a <= PI ->
+  a <> acos t ->
+  t <> cos a.
+Proof. intros a t R1 L H I. exact (proj1 (alike_ne (alike_cosine R1 L H)) I). Qed.
+
+Theorem theorem_arccosine_ne_back :
+  forall (a t : R),
+  t ^ 2 <= 1 ->
+  0 <= a ->
+  a <= PI ->
+  t <> cos a ->
+  a <> acos t.
+Proof. intros a t R1 L H I. exact (proj2 (alike_ne (alike_cosine R1 L H)) I). Qed.
+
+Theorem theorem_arctangent_lt :
+  forall (a t : R),
+  - (PI / 2) <= a ->
+  a <= PI / 2 ->
+  a < atan t ->
+  sin a < t * cos a.
+Proof. intros a t L H I. exact (proj1 (alike_lt (alike_tangent L H)) I). Qed.
+
+Theorem theorem_arctangent_lt_back :
+  forall (a t : R),
+  - (PI / 2) <= a ->
+  a <= PI / 2 ->
+  sin a < t * cos a ->
+  a < atan t.
+Proof. intros a t L H I. exact (proj2 (alike_lt (alike_tangent L H)) I). Qed.
+
+Theorem theorem_arcsine_lt :
+  forall (a t : R),
+  t ^ 2 <= 1 ->
+  - (PI / 2) <= a ->
+  a <= PI / 2 ->
+  a < asin t ->
+  sin a < t.
+Proof. intros a t R1 L H I. exact (proj1 (alike_lt (alike_sine R1 L H)) I). Qed.
+
+Theorem theorem_arcsine_lt_back :
+  forall (a t : R),
+  t ^ 2 <= 1 ->
+  - (PI / 2) <= a ->
+  a <= PI / 2 ->
+  sin a < t ->
+  a < asin t.
+Proof. intros a t R1 L H I. exact (proj2 (alike_lt (alike_sine R1 L H)) I). Qed.
+
+Theorem theorem_arccosine_lt :
+  forall (a t : R),
+  t ^ 2 <= 1 ->
+  0 <= a ->
+  a <= PI ->
+  a < acos t ->
+  t < cos a.
+Proof. intros a t R1 L H I. exact (proj1 (alike_lt (alike_cosine R1 L H)) I). Qed.
+
+Theorem theorem_arccosine_lt_back :
+  forall (a t : R),
+  t ^ 2 <= 1 ->
+  0 <= a ->
+  a <= PI ->
+  t < cos a ->
+  a < acos t.
+Proof. intros a t R1 L H I. exact (proj2 (alike_lt (alike_cosine R1 L H)) I). Qed.
+
+Theorem theorem_arctangent_le :
+  forall (a t : R),
+  - (PI / 2) <= a ->
+  a <= PI / 2 ->
+  a <= atan t ->
+  sin a <= t * cos a.
+Proof. intros a t L H I. exact (proj1 (alike_le (alike_tangent L H)) I). Qed.
+
+Theorem theorem_arctangent_le_back :
+  forall (a t : R),
+  - (PI / 2) <= a ->
+  a <= PI / 2 ->
+  sin a <= t * cos a ->
+  a <= atan t.
+Proof. intros a t L H I. exact (proj2 (alike_le (alike_tangent L H)) I). Qed.
+
+Theorem theorem_arcsine_le :
+  forall (a t : R),
+  t ^ 2 <= 1 ->
+  - (PI / 2) <= a ->
+  a <= PI / 2 ->
+  a <= asin t ->
+  sin a <= t.
+Proof. intros a t R1 L H I. exact (proj1 (alike_le (alike_sine R1 L H)) I). Qed.
+
+Theorem theorem_arcsine_le_back :
+  forall (a t : R),
+  t ^ 2 <= 1 ->
+  - (PI / 2) <= a ->
+  a <= PI / 2 ->
+  sin a <= t ->
+  a <= asin t.
+Proof. intros a t R1 L H I. exact (proj2 (alike_le (alike_sine R1 L H)) I). Qed.
+
+Theorem theorem_arccosine_le :
+  forall (a t : R),
+  t ^ 2 <= 1 ->
+  0 <= a ->
+  a <= PI ->
+  a <= acos t ->
+  t <= cos a.
+Proof. intros a t R1 L H I. exact (proj1 (alike_le (alike_cosine R1 L H)) I). Qed.
+
+Theorem theorem_arccosine_le_back :
+  forall (a t : R),
+  t ^ 2 <= 1 ->
+  0 <= a ->
+  a <= PI ->
+  t <= cos a ->
+  a <= acos t.
+Proof. intros a t R1 L H I. exact (proj2 (alike_le (alike_cosine R1 L H)) I). Qed.
+
+Theorem theorem_arctangent_gt :
+  forall (a t : R),
+  - (PI / 2) <= a ->
+  a <= PI / 2 ->
+  a > atan t ->
+  sin a > t * cos a.
+Proof. intros a t L H I. exact (proj1 (alike_gt (alike_tangent L H)) I). Qed.
+
+Theorem theorem_arctangent_gt_back :
+  forall (a t : R),
+  - (PI / 2) <= a ->
+  a <= PI / 2 ->
+  sin a > t * cos a ->
+  a > atan t.
+Proof. intros a t L H I. exact (proj2 (alike_gt (alike_tangent L H)) I). Qed.
+
+Theorem theorem_arcsine_gt :
+  forall (a t : R),
+  t ^ 2 <= 1 ->
+  - (PI / 2) <= a ->
+  a <= PI / 2 ->
+  a > asin t ->
+  sin a > t.
+Proof. intros a t R1 L H I. exact (proj1 (alike_gt (alike_sine R1 L H)) I). Qed.
+
+Theorem theorem_arcsine_gt_back :
+  forall (a t : R),
+  t ^ 2 <= 1 ->
+  - (PI / 2) <= a ->
+  a <= PI / 2 ->
+  sin a > t ->
+  a > asin t.
+Proof. intros a t R1 L H I. exact (proj2 (alike_gt (alike_sine R1 L H)) I). Qed.
+
+Theorem theorem_arccosine_gt :
+  forall (a t : R),
+  t ^ 2 <= 1 ->
+  0 <= a ->
+  a <= PI ->
+  a > acos t ->
+  t > cos a.
+Proof. intros a t R1 L H I. exact (proj1 (alike_gt (alike_cosine R1 L H)) I). Qed.
+
+Theorem theorem_arccosine_gt_back :
+  forall (a t : R),
+  t ^ 2 <= 1 ->
+  0 <= a ->
+  a <= PI ->
+  t > cos a ->
+  a > acos t.
+Proof. intros a t R1 L H I. exact (proj2 (alike_gt (alike_cosine R1 L H)) I). Qed.
+
+Theorem theorem_arctangent_ge :
+  forall (a t : R),
+  - (PI / 2) <= a ->
+  a <= PI / 2 ->
+  a >= atan t ->
+  sin a >= t * cos a.
+Proof. intros a t L H I. exact (proj1 (alike_ge (alike_tangent L H)) I). Qed.
+
+Theorem theorem_arctangent_ge_back :
+  forall (a t : R),
+  - (PI / 2) <= a ->
+  a <= PI / 2 ->
+  sin a >= t * cos a ->
+  a >= atan t.
+Proof. intros a t L H I. exact (proj2 (alike_ge (alike_tangent L H)) I). Qed.
+
+Theorem theorem_arcsine_ge :
+  forall (a t : R),
+  t ^ 2 <= 1 ->
+  - (PI / 2) <= a ->
+  a <= PI / 2 ->
+  a >= asin t ->
+  sin a >= t.
+Proof. intros a t R1 L H I. exact (proj1 (alike_ge (alike_sine R1 L H)) I). Qed.
+
+Theorem theorem_arcsine_ge_back :
+  forall (a t : R),
+  t ^ 2 <= 1 ->
+  - (PI / 2) <= a ->
+  a <= PI / 2 ->
+  sin a >= t ->
+  a >= asin t.
+Proof. intros a t R1 L H I. exact (proj2 (alike_ge (alike_sine R1 L H)) I). Qed.
+
+Theorem theorem_arccosine_ge :
+  forall (a t : R),
+  t ^ 2 <= 1 ->
+  0 <= a ->
+  a <= PI ->
+  a >= acos t ->
+  t >= cos a.
+Proof. intros a t R1 L H I. exact (proj1 (alike_ge (alike_cosine R1 L H)) I). Qed.
+
+Theorem theorem_arccosine_ge_back :
+  forall (a t : R),
+  t ^ 2 <= 1 ->
+  0 <= a ->
+  a <= PI ->
+  t >= cos a ->
+  a >= acos t.
+Proof. intros a t R1 L H I. exact (proj2 (alike_ge (alike_cosine R1 L H)) I). Qed.
+
+Theorem theorem_congruence :
+  forall (f : R -> R) (s t : R),
+  s = t ->
+  f s = f t.
+Proof. intros f s t E. rewrite E. reflexivity. Qed.
+
+Theorem theorem_congruence_of_two :
+  forall (f : R -> R -> R) (s t u v : R),
+  s = t ->
+  u = v ->
+  f s u = f t v.
+Proof. intros f s t u v D E. rewrite D, E. reflexivity. Qed.
+
+Lemma everything : True.
+Proof.
+pose proof theorem_dichotomy.
+pose proof theorem_root.
+pose proof theorem_root_of_product.
+pose proof theorem_equal_squares.
+pose proof theorem_power.
+pose proof theorem_power_of_sum.
+pose proof theorem_power_of_product.
+pose proof theorem_power_of_power.
+pose proof theorem_power_inverse.
+pose proof theorem_circle_number.
+pose proof theorem_right_half.
+pose proof theorem_principal_value_arctan.
+pose proof theorem_principal_value_arcsin.
+pose proof theorem_principal_value_arccos.
+pose proof theorem_first_quadrant_arctan.
+pose proof theorem_first_quadrant_arcsin.
+pose proof theorem_first_quadrant_arccos.
+pose proof theorem_mean.
+pose proof theorem_quarter_turn.
+pose proof theorem_intermediate_value.
+pose proof theorem_constant.
+pose proof theorem_power_rule.
+pose proof theorem_known_angle_arctan_0.
+pose proof theorem_known_angle_arctan_1.
+pose proof theorem_known_angle_arctan_2.
+pose proof theorem_known_angle_arctan_3.
+pose proof theorem_known_angle_arcsin_0.
+pose proof theorem_known_angle_arcsin_1.
+pose proof theorem_known_angle_arcsin_2.
+pose proof theorem_known_angle_arcsin_3.
+pose proof theorem_known_angle_arcsin_4.
+pose proof theorem_known_angle_arccos_0.
+pose proof theorem_known_angle_arccos_1.
+pose proof theorem_known_angle_arccos_2.
+pose proof theorem_known_angle_arccos_3.
+pose proof theorem_known_angle_arccos_4.
+pose proof theorem_arctangent_eq.
+pose proof theorem_arctangent_eq_back.
+pose proof theorem_arcsine_eq.
+pose proof theorem_arcsine_eq_back.
+pose proof theorem_arccosine_eq.
+pose proof theorem_arccosine_eq_back.
+pose proof theorem_arctangent_ne.
+pose proof theorem_arctangent_ne_back.
+pose proof theorem_arcsine_ne.
+pose proof theorem_arcsine_ne_back.
+pose proof theorem_arccosine_ne.
+pose proof theorem_arccosine_ne_back.
+pose proof theorem_arctangent_lt.
+pose proof theorem_arctangent_lt_back.
+pose proof theorem_arcsine_lt.
+pose proof theorem_arcsine_lt_back.
+pose proof theorem_arccosine_lt.
+pose proof theorem_arccosine_lt_back.
+pose proof theorem_arctangent_le.
+pose proof theorem_arctangent_le_back.
+pose proof theorem_arcsine_le.
+pose proof theorem_arcsine_le_back.
+pose proof theorem_arccosine_le.
+pose proof theorem_arccosine_le_back.
+pose proof theorem_arctangent_gt.
+pose proof theorem_arctangent_gt_back.
+pose proof theorem_arcsine_gt.
+pose proof theorem_arcsine_gt_back.
+pose proof theorem_arccosine_gt.
+pose proof theorem_arccosine_gt_back.
+pose proof theorem_arctangent_ge.
+pose proof theorem_arctangent_ge_back.
+pose proof theorem_arcsine_ge.
+pose proof theorem_arcsine_ge_back.
+pose proof theorem_arccosine_ge.
+pose proof theorem_arccosine_ge_back.
+pose proof theorem_congruence.
+pose proof theorem_congruence_of_two.
+exact I.
+Qed.
+
+Print Assumptions everything.
