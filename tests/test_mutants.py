@@ -15,7 +15,7 @@ from symcheck.selftest.statements import Proved, fate, proved, slips
 from symcheck.selftest.trial import Fate
 from symcheck.statement import Role
 
-DECLARATIONS, SAMPLE = 6, 12
+DECLARATIONS, SAMPLE = 5, 8
 PARTS = 8
 PAPERS = papers.load()
 LEAST = {

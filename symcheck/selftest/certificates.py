@@ -12,6 +12,7 @@ from random import Random
 from typing import Any
 
 from symcheck.evidence.checked import certificates
+from symcheck.evidence.judge import lemma
 from symcheck.evidence.record import Record
 from symcheck.proof import digest, fails_without, proof_of
 from symcheck.proof.theorems import conjuncts
@@ -139,13 +140,14 @@ def groups(records: Sequence[Record]) -> list[str]:
     return [f"[[{','.join(own)}],[{','.join(_lemmas(own, named))}]]" for own in (every[k::size] for k in range(size))]
 
 
-def _lemmas(texts: Sequence[str], named: Mapping[str, Sequence[str]]) -> list[str]:
+def _lemmas(own: Sequence[str], named: Mapping[str, Sequence[str]]) -> list[str]:
     """The certificates of the lemmas of certificates, and of the lemmas of these."""
     found: dict[str, None] = {}
-    todo = [*texts]
+    todo = [*own]
     while todo:
         for name in json.loads(todo.pop()).get("lemmas", ()):
-            new = [text for text in named.get(name, ()) if text not in found]
+            texts = named.get(name) or [json.dumps(each) for each in lemma(*name.split(":", 1))[1]]
+            new = [text for text in texts if text not in found]
             found |= dict.fromkeys(new)
             todo += new
     return [*found]

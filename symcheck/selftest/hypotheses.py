@@ -36,7 +36,7 @@ def without(original: Proved, dropped: Hypothesis) -> Fate:
 
 
 def having(original: Proved, added: Hypothesis) -> Fate:
-    """Whether a hypothesis that has nothing to do with a relation is reported as not needed."""
+    """Whether a hypothesis that has nothing to do with a relation is reported as not needed; open if as unknown."""
     context, unit, given, _ = original
     item = replace(context.item, given=(*context.item.given, added))
     try:
@@ -46,7 +46,7 @@ def having(original: Proved, added: Hypothesis) -> Fate:
     if told_of(context, unit, finding) is not Verdict.PROVED:
         return Fate.REJECTED
     told = next(row for row in needs(finding, item, ()) if row["name"] == added.name)
-    return Fate.REJECTED if told["needed"] is False else Fate.ACCEPTED
+    return {False: Fate.REJECTED, None: Fate.OPEN, True: Fate.ACCEPTED}[told["needed"]]
 
 
 def contradicted(original: Proved, contrary: Hypothesis) -> Fate:

@@ -214,7 +214,7 @@ def turned(record: Record) -> Record:
         return record
     other = OTHER[record.verdict]
     spoilt = tuple({**each, "verdict": str(other)} for each in record.certificates)
-    return replace(record, verdict=other, certificates=spoilt, counterexample=None, hypotheses=())
+    return replace(record, verdict=other, certificates=spoilt, counterexample=None)
 
 
 def from_cache(id: str, signed: bool) -> list[Record]:

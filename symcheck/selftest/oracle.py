@@ -5,6 +5,7 @@ from __future__ import annotations
 import random
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from itertools import chain
+from math import prod
 from typing import Any
 
 import mpmath
@@ -16,9 +17,9 @@ from symcheck.statement import Certificate, Formula, Problem, Term
 
 mpmath.mp.dps = 40
 SEED = 20090055
-DRAWS, ENOUGH = 16, 3  # points that are tried, and points where the hypotheses hold
+DRAWS, ENOUGH = 10, 3  # points that are tried, and points where the hypotheses hold
 TOLERANCE = mpmath.mpf(10) ** -25  # of a difference, in proportion to what is compared
-SOLVED, STEPS = mpmath.mpf(10) ** -60, 10  # of Newton's method: the square of what is left, and the steps
+SOLVED, STEPS, LARGE = mpmath.mpf(10) ** -60, 10, 10**9  # of Newton's method: what is left squared, steps, values
 CONSTANTS = {"pi": mpmath.pi, "infinity": mpmath.inf}
 SIGNS: dict[str, Callable[[Any, Any], bool]] = {
     "=": lambda d, small: abs(d) < small,
@@ -180,9 +181,9 @@ class Place:
 
 def _applied(head: str, args: list[Any]) -> Any:
     if head == "+":
-        return mpmath.fsum(args)
+        return sum(args, mpmath.mpf(0))
     if head == "*":
-        return mpmath.fprod(args)
+        return prod(args, start=mpmath.mpf(1))
     if head == "-":
         return -args[0]
     if head == "/":
@@ -329,6 +330,8 @@ def _solve(place: Place, given: list[Formula]) -> None:
     moved = letters[: len(open_)]
 
     def gaps(*values: Any) -> list[Any]:
+        if any(abs(value) > LARGE for value in values):
+            raise ValueError("it goes astray")
         other = Place(place.unfold, place.rng, _free(place) | dict(zip(moved, values, strict=True)))
         return [other.value(left) - other.value(right) for left, right in open_]
 
