@@ -7,7 +7,7 @@ Nothing here judges by itself: certificates are accepted by `symcheck.evidence.c
 from __future__ import annotations
 
 import json
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from typing import Any
 
 from symcheck.evidence.checked import reasons, told
@@ -114,20 +114,21 @@ def problem_of(evidence: Certificate) -> Problem:
     hypotheses = tuple(
         (name, tuple(part for f in formulas for part in conjuncts(frozen(f)))) for name, formulas in assumed.items()
     )
-    hints = tuple(dict.fromkeys(_hints(evidence.get("proof", {}))))
+    hints = tuple(dict.fromkeys(hints_of(evidence.get("proof", {}))))
     return Problem(evidence["id"], frozen(_claim(evidence)), definitions, hypotheses, hints)
-
-
-def _hints(node: Any) -> Iterator[tuple[str, Any]]:
-    if isinstance(node, dict):
-        if "form" in node:
-            yield "form", frozen(node["form"])
-        for name, value in node.get("point", {}).items():
-            yield f"point_{name}", frozen(value)
-    for child in node.values() if isinstance(node, dict) else node if isinstance(node, list) else ():
-        yield from _hints(child)
 
 
 def frozen(value: Any) -> Any:
     """JSON lists as tuples."""
     return tuple(map(frozen, value)) if isinstance(value, list) else value
+
+
+def hints_of(node: Any, read: Callable[[Any], Any] = frozen) -> Iterator[tuple[str, Any]]:
+    """The forms and the points that a proof is made of, for a search that looks for a proof of something like it."""
+    if isinstance(node, dict):
+        if "form" in node:
+            yield "form", read(node["form"])
+        for name, value in node.get("point", {}).items():
+            yield f"point_{name}", read(value)
+    for child in node.values() if isinstance(node, dict) else node if isinstance(node, list) else ():
+        yield from hints_of(child, read)

@@ -15,7 +15,7 @@ from symcheck.evidence import translation
 from symcheck.proof import proof_of
 from symcheck.proof.theorems import conjuncts
 from symcheck.selftest.certificates import DROPPED, TURNED, beside, follows, groups
-from symcheck.selftest.evidence import is_shown
+from symcheck.selftest.evidence import hints_of, is_shown
 from symcheck.selftest.trial import Fate, FaultClass, Trial, mixed
 from symcheck.statement import Problem
 
@@ -194,7 +194,8 @@ def problem_of(certificate: Mapping[str, Any]) -> Problem:
                 reached.add(name)
                 todo.append(terms[name])
     definitions = tuple((name, term) for name, term in terms.items() if name in reached)
-    return Problem(certificate["id"], claim, definitions, hypotheses)
+    hints = tuple(dict.fromkeys(hints_of(certificate.get("proof", {}), searched)))
+    return Problem(certificate["id"], claim, definitions, hypotheses, hints)
 
 
 def _names(value: Any) -> set[str]:
