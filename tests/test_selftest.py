@@ -175,7 +175,7 @@ def test_a_single_false_rejection_or_too_many_accepted_faults_are_no_success() -
 def test_three_engines_agree_about_every_refutation_and_notice_a_wrong_one() -> None:
     found = engines.agreement(records())
     assert found.points > 3
-    assert found.all_three > 2
+    assert found.all_three > 1
     assert found.disagreements == []
     refuted = next(
         each for record in records() for each in certificates.certificates(record) if each["verdict"] == "refuted"

@@ -6,7 +6,7 @@ import re
 from difflib import SequenceMatcher
 
 _LEAF = re.compile(r"<(mi|mn|mo|mtext)\b([^>]*)>([^<]*)</\1>")
-_UNSEEN = "\u2061\u200b\u00a0 ,;.:"  # what may differ and says nothing: function application, spaces, punctuation
+_UNSEEN = "\u2061\u200b\u00a0\u22c5 ,;.:"  # what may differ and says nothing: function application, spaces, dots
 _KIND = re.compile(r'\s(?:class|lspace|rspace|form|fence|stretchy|separator|style)="[^"]*"')
 
 
