@@ -412,18 +412,21 @@ def test_only_what_is_missing_or_damaged_is_computed_again(
     whole = swept(tmp_path, DISTANCES, "whole.zarr")
     partial, log = tmp_path / "out.zarr.partial.zarr", tmp_path / "out.zarr.partial.finished"
     with stopped(tmp_path, monkeypatch, 6):
-        assert journal(tmp_path / "out.zarr") == ["0", "1", "2", "3", "4", "5"]
+        finished = journal(tmp_path / "out.zarr")  # chunks may overtake one another
+        assert len(finished) == 6
+        assert {"1", "2", "3", "4"} < {*finished[:-1]}
         (partial / "r_1/c/1/0").write_bytes((partial / "r_1/c/1/0").read_bytes()[:100])  # cut off
         (partial / "r_2/c/2/0").unlink()  # never came to the disk
         (partial / "r_3/c/3/0").write_bytes((partial / "r_3/c/4/0").read_bytes())  # that of another chunk
         (partial / "r_3/c/9").mkdir(exist_ok=True)
         (partial / "r_3/c/9/0.7d.partial").write_bytes(b"by halves")
-        log.write_bytes(log.read_bytes()[:-3])  # the line of chunk 5 was not written to its end
+        log.write_bytes(log.read_bytes()[:-3])  # the last line was not written to its end
         computed.clear()
         exit_code, said = run(tmp_path, DISTANCES, "out.zarr")
     assert exit_code == 0
     assert "10 chunks, 2 of them from before" in said
-    assert sorted(each["a"].start // 6 for each in computed) == [1, 2, 3, 5, 6, 7, 8, 9]
+    kept = {int(chunk) for chunk in finished[:-1]} - {1, 2, 3}
+    assert sorted(each["a"].start // 6 for each in computed) == sorted({*range(10)} - kept)
     assert opened(tmp_path / "out.zarr").identical(whole)
     assert not [path for path in tmp_path.rglob("*") if "partial" in path.name]
 
