@@ -19,8 +19,7 @@ from rich.table import Table
 from rich.text import Text
 
 from symcheck.codegen.kernel import Kernel
-from symcheck.evidence import translation
-from symcheck.evidence.confirmed import told
+from symcheck.evidence.confirmed import digest_of, told
 from symcheck.evidence.faults import fails_at, without
 from symcheck.evidence.record import Record
 from symcheck.evidence.steps import steps, term
@@ -278,17 +277,17 @@ def _repairs(repair: Mapping[str, Any]) -> str:
 
 def _certificate(out: Console, certificate: Mapping[str, Any], whole: bool) -> None:
     _field(out, "certificate", _digest(certificate))
-    _field(out, "from lemmas", ", ".join(certificate.get("lemmas", ())))
+    _field(out, "from lemmas", ", ".join(dict(certificate.get("lemmas", ()))))
     _field(out, "decides", term(certificate["claim"]) if "claim" in certificate else "")
     _field(out, "proof", "\n".join(steps(certificate["proof"])) if certificate.get("proof") else "")
     if whole:
         print(
-            json.dumps(translation.certificate(certificate), ensure_ascii=False, indent=2, sort_keys=True),
+            json.dumps(certificate, ensure_ascii=False, indent=2, sort_keys=True),
             file=out.file,
         )
 
 
 def _digest(certificate: Mapping[str, Any]) -> str:
     size = len(json.dumps(certificate, ensure_ascii=False, separators=(",", ":")).encode())
-    parts = (certificate.get("id"), certificate.get("verdict"), f"sha256 {certificate.get('digest', 'none')}")
+    parts = (certificate.get("id"), certificate.get("verdict"), f"sha256 {digest_of(certificate)}")
     return ", ".join(str(part) for part in (*parts, f"{size} bytes") if part)

@@ -8,9 +8,10 @@ from functools import lru_cache
 
 from symcheck.checker.algebra import Algebra, exact
 from symcheck.checker.residues import PRIME, Reject, require
-from symcheck.checker.rules import FALSE, LIST, Prover, Step, conjuncts, contrary, fit, paired, sides, truth
+from symcheck.checker.rules import LIST, Prover, Step, fit, paired, truth
 from symcheck.checker.theorems import instance
 from symcheck.core.calculus import Unknown, domain, functions, letters, substituted
+from symcheck.core.formulas import FALSE, conjuncts, contrary, sides
 from symcheck.core.terms import (
     JSON,
     Call,

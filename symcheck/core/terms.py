@@ -21,7 +21,7 @@ Binders bind: their letter means nothing outside of their body, and substitution
 
 from __future__ import annotations
 
-from collections.abc import Sequence, Set
+from collections.abc import Callable, Sequence, Set
 from operator import itemgetter
 
 TYPE_CHECKING = False
@@ -50,7 +50,7 @@ def field(place: int | slice) -> T:  # type: ignore[type-var]
     return property(itemgetter(place))  # type: ignore[return-value]
 
 
-class Node(tuple["Field", ...]):
+class Node(tuple["Term", ...]):
     """A tag and fields; made by `node` or by a `Reader`, so that every node is well-formed."""
 
     __slots__ = ()
@@ -58,6 +58,8 @@ class Node(tuple["Field", ...]):
     bound: tuple[str, ...] = ()  # the letters that a binder binds,
     inside: tuple[Term, ...] = ()  # what stands under it, and
     outside: tuple[Term, ...] = field(slice(1, None))  # all other terms and formulas among the fields
+    terms: tuple[Term, ...] = ()  # of a value, an unknown function or a relation
+    formulas: tuple[Formula, ...] = ()  # of a connective
 
 
 class Value(Node):
@@ -90,7 +92,7 @@ class Binder(Node):
 
 
 class Relation(Node):
-    terms: tuple[Term, Term] = field(slice(1, None))
+    terms: tuple[Term, ...] = field(slice(1, None))
 
 
 class Connective(Node):
@@ -120,6 +122,19 @@ FORMULAS = SHAPES.keys() - ENDS
 def node(tag: str, *fields: Field) -> Node:
     """A node of the class of its tag; for fields that are right already."""
     return tuple.__new__(SHAPES[tag][0], (tag, *fields))
+
+
+PI, INFINITY, MINUS_INFINITY = map(node, ("pi", "infinity", "-infinity"))
+
+
+def mapped(tree: Node, change: Callable[[Term], Term], inside: Callable[[Term], Term] | None = None) -> Node:
+    """The node with all terms or formulas in it changed, those under its bound letters by `inside` if given."""
+    new = *map(inside or change, tree.inside), *map(change, tree.outside)
+    if isinstance(tree, Call):
+        return node(tree.tag, tree.function, tree.orders, *new)
+    if isinstance(tree, Quantified):
+        return node(tree.tag, tree.bound, *new)
+    return node(tree.tag, *new[: len(tree.inside)], *tree.bound, *new[len(tree.inside) :])
 
 
 class Reader:

@@ -22,7 +22,7 @@ _RULES = {
     "witness": "at this point it holds",
 }
 _BRANCHES = {"premises": "premise", "parts": "part", "cases": "case", "then": "then"}
-_TOLD = ("rule", "of", *_BRANCHES)
+_TOLD = ("rule", "of", "with", *_BRANCHES)
 
 
 def term(value: Any) -> str:
@@ -45,7 +45,7 @@ def reference(ref: Any) -> str:
 def steps(proof: Mapping[str, Any], depth: int = 0) -> Iterator[str]:
     """The lines of a proof's rule tree, each indented by its depth; what follows a theorem stands below it."""
     indent = "  " * depth
-    yield indent + (_theorem(*proof["of"]) if "of" in proof else f"{proof['rule']}: {_RULES[proof['rule']]}")
+    yield indent + (_theorem(proof) if "of" in proof else f"{proof['rule']}: {_RULES[proof['rule']]}")
     for key, value in proof.items():
         if key not in _TOLD:
             yield from (f"{indent}  {line}" for line in _detail(key, value))
@@ -59,13 +59,13 @@ def steps(proof: Mapping[str, Any], depth: int = 0) -> Iterator[str]:
             yield from steps(branch, depth + 2)
 
 
-def _theorem(name: str, *given: Any) -> str:
+def _theorem(proof: Mapping[str, Any]) -> str:
     """A theorem with what it is applied to, and what it says."""
-    from symcheck.proof.theorems import THEOREMS  # takes long, and is seldom needed
+    from symcheck.checker.theorems import stated  # takes long, and is seldom needed
 
-    words = (THEOREMS[name].__doc__ or "").split("\n")[0]
-    applied = f" ({'; '.join(map(_number, given))})" if given else ""
-    return f"theorem {name.replace('_', ' ')}{applied}: {words}"
+    given = {name: value["term"] if isinstance(value, Mapping) else value for name, value in proof["with"].items()}
+    applied = f" ({'; '.join(f'{name} = {_number(value)}' for name, value in given.items())})" if given else ""
+    return f"theorem {proof['of'].replace('_', ' ')}{applied}: {stated(proof['of'])}"
 
 
 def point(values: Mapping[str, Any]) -> str:

@@ -27,18 +27,18 @@ _PARAMETERS: Mapping[str, str] = {
 }  # fmt: skip
 
 
-def stated(node: Any) -> JSON:
+def stated(tree: Any) -> JSON:
     """A term or formula of a statement as JSON for the checker: its names are letters, but for pi and infinity."""
-    return term(node, lambda name: [name] if name in ("pi", "infinity") else None)
+    return term(tree, lambda name: [name] if name in ("pi", "infinity") else None)
 
 
-def term(node: Any, meaning: Callable[[str], Any] | None = None) -> JSON:
+def term(tree: Any, meaning: Callable[[str], Any] | None = None) -> JSON:
     """A term of a proof as JSON for the checker; `meaning` says which names are no letters, and what they are."""
-    if isinstance(node, str):
-        return (meaning or value_of)(node) or node
-    if not isinstance(node, (tuple, list)):
-        return node
-    match node:
+    if isinstance(tree, str):
+        return (meaning or value_of)(tree) or tree
+    if not isinstance(tree, (tuple, list)):
+        return tree
+    match tree:
         case ["-", "infinity"]:
             return ["-infinity"]
         case ["diff", body, x, order]:
@@ -49,7 +49,7 @@ def term(node: Any, meaning: Callable[[str], Any] | None = None) -> JSON:
             return [kind, [*bound], term(body, meaning)]
         case ["call", function, orders, *arguments]:
             return ["call", function, [*orders], *(term(each, meaning) for each in arguments)]
-    return [node[0], *(term(each, meaning) for each in node[1:])]
+    return [tree[0], *(term(each, meaning) for each in tree[1:])]
 
 
 def certificate(found: Mapping[str, Any]) -> dict[str, JSON]:
@@ -117,16 +117,16 @@ def proof(found: Proof) -> Proof:
     return {**steps, **({"atoms": atoms} if atoms else {}), **({"positive": positive} if positive else {})}
 
 
-def polynomials(node: Any) -> Iterator[str]:
+def polynomials(tree: Any) -> Iterator[str]:
     """Every polynomial that a proof mentions."""
-    if isinstance(node, dict):
-        yield from node.get("clear", ())
-        yield from (text for _, *factors in node.get("cofactors", ()) for text in factors)
-        yield from (text for text, _ in node.get("factors", ()))
-        for value in node.values():
+    if isinstance(tree, dict):
+        yield from tree.get("clear", ())
+        yield from (text for _, *factors in tree.get("cofactors", ()) for text in factors)
+        yield from (text for text, _ in tree.get("factors", ()))
+        for value in tree.values():
             yield from polynomials(value)
-    elif isinstance(node, list):
-        for value in node:
+    elif isinstance(tree, list):
+        for value in tree:
             yield from polynomials(value)
 
 
@@ -259,31 +259,31 @@ def exactly(value: Any) -> JSON:
     return number(value) if isinstance(value, str) else term(value)
 
 
-def put(node: JSON, values: Mapping[str, JSON]) -> JSON:
+def put(tree: JSON, values: Mapping[str, JSON]) -> JSON:
     """A term with letters replaced by numbers; bound letters are left."""
-    match node:
+    match tree:
         case str():
-            return values.get(node, node)
+            return values.get(tree, tree)
         case [str(kind), body, str(x), *ends] if kind in ("integral", "diverges", "mean"):
             inner = {y: value for y, value in values.items() if y != x}
             return [kind, put(body, inner), x, *(put(end, values) for end in ends)]
         case [kind, *parts]:
             return [kind, *(put(part, values) for part in parts)]
-    return node
+    return tree
 
 
-def renumbered(node: Any, own: int, facts: int) -> Any:
+def renumbered(tree: Any, own: int, facts: int) -> Any:
     """References to facts at a point: its coordinates, what was proved there before, and what a step assumes."""
-    if isinstance(node, dict):
-        return {key: renumbered(value, own, facts) for key, value in node.items()}
-    if isinstance(node, list):
-        match node:
+    if isinstance(tree, dict):
+        return {key: renumbered(value, own, facts) for key, value in tree.items()}
+    if isinstance(tree, list):
+        match tree:
             case ["hyp", "point", int(k)]:
                 return ["point", k] if k < own else ["here", k - own]
             case ["here", int(k)]:
                 return ["here", k + facts]
-        return [renumbered(value, own, facts) for value in node]
-    return node
+        return [renumbered(value, own, facts) for value in tree]
+    return tree
 
 
 def angle(cosine: JSON, sine: JSON) -> JSON:
@@ -294,20 +294,20 @@ def angle(cosine: JSON, sine: JSON) -> JSON:
     return ["*", 2, ["arctan", rational(half)]]
 
 
-def rational(node: JSON) -> JSON:
+def rational(tree: JSON) -> JSON:
     """A term of whole numbers as one fraction, if it is one."""
     try:
-        return number(str(_fraction(node)))
+        return number(str(_fraction(tree)))
     except TypeError:
-        return node
+        return tree
 
 
-def _fraction(node: JSON) -> Fraction:
+def _fraction(tree: JSON) -> Fraction:
     operations: dict[str, Callable[..., Fraction]] = {
         "+": lambda *parts: sum(parts, Fraction(0)), "-": lambda part: -part, "/": lambda top, bottom: top / bottom,
     }  # fmt: skip
-    if isinstance(node, int):
-        return Fraction(node)
-    if node[0] not in operations:
-        raise TypeError(node)
-    return operations[node[0]](*map(_fraction, node[1:]))
+    if isinstance(tree, int):
+        return Fraction(tree)
+    if tree[0] not in operations:
+        raise TypeError(tree)
+    return operations[tree[0]](*map(_fraction, tree[1:]))

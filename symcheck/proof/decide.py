@@ -7,13 +7,14 @@ import re
 from collections.abc import Callable
 from dataclasses import replace
 
+from symcheck.core.formulas import conjuncts, sides
+from symcheck.core.terms import node
 from symcheck.proof.closed import decide_numbers
 from symcheck.proof.counterexample import refute
 from symcheck.proof.knowledge import Knowledge, given_of, ring_of, starting
 from symcheck.proof.mentions import nonzero_terms, references, terms_in, texts_in
 from symcheck.proof.orders import form_on_the_circle
 from symcheck.proof.polynomial import Poly, Ring, Unsupported, function_arguments, unfold, variables
-from symcheck.proof.theorems import conjuncts, sides
 from symcheck.proof.variables import atoms, table
 from symcheck.proof.wellformed import check_terms
 from symcheck.proof.witness import find_witnesses
@@ -126,10 +127,11 @@ def _conditions(
 def _positive(top: Poly, below: tuple[str, ...], known: Knowledge) -> Term | None:
     """A manifestly positive term that is the fraction or its negative, or None."""
     form = form_on_the_circle(top, known) or form_on_the_circle(-top, known)
-    bottoms = [form_on_the_circle(known.ring.text(text), known) for text in below]
-    if form is None or None in bottoms:
+    found = [form_on_the_circle(known.ring.text(text), known) for text in below]
+    bottoms = [bottom for bottom in found if bottom is not None]
+    if form is None or len(bottoms) < len(found):
         return None
-    whole: Term = ("/", form, ("*", 1, *bottoms)) if bottoms else form
+    whole: Term = node("/", form, node("*", 1, *bottoms)) if bottoms else form
     return whole if known.sign(whole)[0] == 2 else None
 
 

@@ -55,7 +55,7 @@ class Proof:
     @property
     def lines(self) -> str:
         """The lemmas it starts from, and the steps of the proof."""
-        lemmas = self.certificate.get("lemmas") or ()
+        lemmas = dict(self.certificate.get("lemmas", ()))
         start = [f"from lemmas: {', '.join(lemmas)}"] if lemmas else []
         proof = self.certificate.get("proof")
         return "\n".join([*start, *(steps(proof) if proof else ())])

@@ -12,7 +12,6 @@ from typing import Any
 from jinja2 import Environment, PackageLoader, StrictUndefined
 from markupsafe import Markup
 
-from symcheck.evidence import translation
 from symcheck.evidence.confirmed import CONFIRMED, confirmed, told
 from symcheck.evidence.faults import Alike, Fault, errata
 from symcheck.evidence.record import Record
@@ -162,7 +161,7 @@ def _proofs(records: Iterable[Record]) -> dict[str, Any]:
     The digest is left out. It follows from the rest, and nothing folds it.
     """
     found = [(record.id, proof) for record in records for proof in entries.proofs(record)]
-    written = [translation.certificate(proof.certificate) for _, proof in found]
+    written = [proof.certificate for _, proof in found]
     keys = sorted({key for each in written for key in each})
     return {
         "of": [id for id, _ in found],
