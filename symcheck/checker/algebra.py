@@ -55,9 +55,9 @@ class Algebra:
                     value = known[t] if type(t) is str and t in known else self.value(t)  # most are letters
                     result = result * value if sign == "*" else result + value
             case "-":
-                result = -self.value(term[1])  # type: ignore[arg-type]
+                result = -self.value(term[1])
             case "sin" | "cos" as name:
-                result = self.turn(term[1])[name == "sin"]  # type: ignore[arg-type]
+                result = self.turn(term[1])[name == "sin"]
             case _:
                 result = self.operation(term)
         if named:

@@ -6,8 +6,8 @@ from collections.abc import Iterator, Mapping, Sequence
 from typing import NamedTuple
 
 from symcheck.checker import theorems
-from symcheck.core.calculus import Lambda, Unknown, substituted
-from symcheck.core.terms import Formula, Malformed, Node, Quantified, Term
+from symcheck.core.calculus import Lambda, Unknown, letters, substituted
+from symcheck.core.terms import Binder, Formula, Malformed, Node, Quantified, Term, mapped, node
 from symcheck.proof.polynomial import unfold
 from symcheck.proof.variables import Unsupported
 from symcheck.statement import Certificate
@@ -89,9 +89,19 @@ def _unfolded(argument: Term | Lambda, definitions: Mapping[str, Term]) -> Term 
 
 
 def _opened(formula: Formula, letter: str) -> Formula:
-    if not isinstance(formula, Quantified):
-        return formula
-    return substituted(formula.body, {formula.bound[0]: letter})
+    """What is said of all or of one, of the letter; integrals and means over it, as those are that it is about."""
+    if isinstance(formula, Quantified):
+        return substituted(formula.body, {formula.bound[0]: letter})
+    opened = _over(formula, letter) if letter else formula
+    assert isinstance(opened, Node)
+    return opened
+
+
+def _over(tree: Term, letter: str) -> Term:
+    """Integrals and means with this letter in place of their own."""
+    if isinstance(tree, Binder) and letter not in letters(tree.body):
+        return node(tree.tag, substituted(tree.body, {tree.letter: letter}), letter, *tree.outside)
+    return mapped(tree, lambda part: _over(part, letter)) if isinstance(tree, Node) else tree
 
 
 def step(instance: Instance, premises: Sequence[Certificate], then: Certificate) -> Certificate:

@@ -16,6 +16,7 @@ from typing import Any
 
 import flint
 
+from symcheck.core.calculus import letters
 from symcheck.core.formulas import conjuncts
 from symcheck.core.terms import PI, RELATIONS, Node, Quantified, Value, mapped, node
 from symcheck.proof.angle_points import refute_about_angles
@@ -308,9 +309,9 @@ class Search:
     def _settle(self, name: str, point: Point) -> bool:
         """The value of an integral or a mean, with its proof."""
         self.tries -= 1
-        numbers = {x: p for x, p in point.items() if not table().stands(x)}
-        defined = tuple((x, term_of(p)) for x, p in numbers.items())
         function = atoms()[name]
+        free = letters(function)  # what is bound in it has no value
+        defined = tuple((x, term_of(p)) for x, p in point.items() if x in free)
         for value in self._possible(function, dict(defined)):
             found = self.prove(Problem(name, node("=", function, value), defined))
             if found is not None and found.proof is not None:

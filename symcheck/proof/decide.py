@@ -126,6 +126,8 @@ def _conditions(
 
 def _positive(top: Poly, below: tuple[str, ...], known: Knowledge) -> Term | None:
     """A manifestly positive term that is the fraction or its negative, or None."""
+    for name, axiom in known.ring.axioms():
+        top = divmod(top, axiom)[1] if name[1] == "sqrt" else top  # a root squared is a number
     form = form_on_the_circle(top, known) or form_on_the_circle(-top, known)
     found = [form_on_the_circle(known.ring.text(text), known) for text in below]
     bottoms = [bottom for bottom in found if bottom is not None]
