@@ -111,6 +111,7 @@ def test_a_vector_that_depends_on_time_has_the_derivatives_of_its_components():
 
 
 REFUSED = {
+    "0^0 = 1": "no value on which all agree",
     "[x] = 1": "the whole part of x, or idle brackets",
     "x^{[2]} = 1": "index, the order of a derivative, or a power",
     "f = 1": r"without its arguments.*depends='x'",
