@@ -6,15 +6,15 @@ import json
 from collections.abc import Iterable, Iterator
 from functools import lru_cache
 
-from symcheck.checker.algebra import Algebra, exact
+from symcheck.checker.algebra import Algebra, Known, exact
 from symcheck.checker.residues import PRIME, Reject, require
-from symcheck.checker.rules import FALSE, LIST, Prover, Step, conjuncts, contrary, fit, paired, sides, truth
-from symcheck.checker.theorems import instance
+from symcheck.checker.rules import FALSE, Prover, Reference, conjuncts, contrary, paired
 from symcheck.core.calculus import Unknown, domain, functions, letters, substituted
 from symcheck.core.terms import (
     JSON,
     Call,
     Connective,
+    Fields,
     Formula,
     Malformed,
     Node,
@@ -23,187 +23,185 @@ from symcheck.core.terms import (
     Relation,
     Term,
     Value,
+    listed,
+    mapped,
     node,
+    raw,
+    text,
 )
 
 MALFORMED = (LookupError, TypeError, ValueError, AttributeError, ArithmeticError, RecursionError, AssertionError)
 
 
-@lru_cache(1024)
-def reader(definitions: str) -> Reader:
-    """A reader that knows the definitions, a JSON text: many certificates have the same ones, read once for all."""
-    found = Reader()
-    for name, term in json.loads(definitions):
-        found.define(fit(str, name), term)
-    return found
+class Context:
+    """Definitions and hypotheses: many certificates have the same ones, which are read and computed once for all."""
+
+    def __init__(self, definitions: JSON, hypotheses: JSON) -> None:
+        self.reader = Reader()
+        for name, term in listed(listed(raw, 2))(definitions):
+            self.reader.define(text(name), term)
+        self.hypotheses: dict[Reference, Formula] = {
+            ("hyp", name, k): formula
+            for name, formulas in mapped(listed(self.reader.formula))(hypotheses).items()
+            for k, formula in enumerate(formulas)
+        }
+        self.assumed = [part for each in self.hypotheses.values() for part in conjuncts(each)]
+        sides = (side for each in self.assumed if isinstance(each, Relation) for side in each.terms)
+        self.shared = [each for each in (*self.reader.names.values(), *self.assumed, *sides) if isinstance(each, Node)]
+        self.known = self.unknown()
+        self.conditions = domain(*self.assumed)
+        self.points: dict[str, tuple[dict[str, Term], Known]] = {}
+
+    def unknown(self) -> Known:
+        """Nothing is known of the values yet."""
+        return {id(each): {} for each in self.shared}
+
+    def point(self, written: str) -> tuple[dict[str, Term], Known]:
+        """The coordinates of a point, a JSON text, and what is known of the values there."""
+        if written not in self.points:
+            values = mapped(self.reader.term)(json.loads(written))
+            for x, number in values.items():
+                closed = (
+                    not letters(number) and not functions(number) and self.reader.letter(x) not in self.reader.names
+                )
+                require(closed, "a coordinate is no number, or of a defined letter: {} = {}", x, number)
+            for each in domain(*values.values(), divisors=True):
+                require(Algebra({}, {}).holds(each), "a coordinate has no value: {} is not so", each)
+            self.points[written] = values, self.unknown()
+        return self.points[written]
+
+
+@lru_cache(4096)
+def context(written: str) -> Context:
+    """The context of definitions and hypotheses, a JSON text."""
+    return Context(*json.loads(written))
 
 
 class Certificate:
     """What is stated, definitions unfolded, and the evidence: a proof with witnesses, or a point."""
 
     def __init__(self, data: JSON) -> None:
-        self.step = step = Step(data)
-        self.id, self.verdict = fit(str, step.take("id")), fit(str, step.take("verdict"))
-        free = step.texts("free")  # defined letters of which lemmas say all that the proof knows
-        definitions = step.lists("definitions", 2)
-        self.whole = reader(json.dumps(definitions))
-        self.reader = reader(json.dumps([each for each in definitions if each[0] not in free])) if free else self.whole
-        require({*free} <= self.whole.names.keys(), "{} are not all defined", free)
-        self.own = {x: self.whole.names[x] for x in free}
-        self.hypotheses = {
-            ("hyp", name, k): self.read(formula)
-            for name, formulas in step.mapping("hypotheses").items()
-            for k, formula in enumerate(fit(LIST, formulas))
-        }
-        self.nonzero = [self.read(["!=", term, 0]) for term in step.items("nonzero")]
-        self.lemmas = [(fit(str, name), self.read(formula)) for name, formula in step.lists("lemmas", 2)]
-        self.claim = self.read(step.take("claim"))
-
-    def read(self, data: JSON) -> Formula:
-        """A formula; no binder binds a letter that stands for something."""
-        found = self.reader.formula(data)
-        same = not self.own or self.unfolded(found) == self.whole.formula(data)
-        require(same, "{} is bound in {}", [*self.own], found)
-        return found
-
-    def unfolded(self, formula: Formula) -> Formula:
-        """The formula with all definitions unfolded."""
-        return substituted(formula, self.own) if self.own else formula
-
-    def assumed(self) -> list[Formula]:
-        """Hypotheses, and what must not vanish, definitions unfolded."""
-        return [part for each in (*self.hypotheses.values(), *self.nonzero) for part in conjuncts(self.unfolded(each))]
+        self.step = step = Fields(data)
+        self.id, self.verdict = step.take("id", text), step.take("verdict", text)
+        self.context = context(json.dumps([step.take("definitions", raw, []), step.take("hypotheses", raw, {})]))
+        read = self.context.reader.formula
+        self.nonzero = [read(["!=", term, 0]) for term in step.take("nonzero", listed(raw), [])]
+        self.lemmas = [(text(name), read(stated)) for name, stated in step.take("lemmas", listed(listed(raw, 2)), [])]
+        self.claim = read(step.take("claim", raw))
+        self.assumed = [*self.context.assumed, *self.nonzero]
 
     def supported(self, proved: Iterable[Certificate]) -> bool:
         """Whether each lemma is part of a statement that is proved under no more than is assumed here.
 
         What a lemma says of a letter holds of what the letter is defined to be here.
         """
-        mean, assumed, names = self.whole.names, self.assumed(), [name for name, _ in self.lemmas]
+        mean, names = self.context.reader.names, [name for name, _ in self.lemmas]
         stated = [
             (lemma.id, part)
             for lemma in proved
-            if lemma.id in names and all(substituted(each, mean) in assumed for each in lemma.assumed())
-            for part in conjuncts(substituted(lemma.unfolded(lemma.claim), mean))
+            if lemma.id in names and all(substituted(each, mean) in self.assumed for each in lemma.assumed)
+            for part in conjuncts(substituted(lemma.claim, mean))
         ]
-        return all((name, self.unfolded(formula)) in stated for name, formula in self.lemmas)
+        return all(lemma in stated for lemma in self.lemmas)
 
     def check(self) -> None:
         """Rejects unless the evidence shows the verdict; lemmas are taken for granted."""
         require(self.verdict in ("proved", "refuted"), "the verdict {}", self.verdict)
-        (self.check_proof if self.verdict == "proved" else self.check_point)()
+        if self.verdict == "proved":
+            self.check_proof()
+            self.check_witnesses()
+        else:
+            self.check_point()
         self.step.end()
 
     def check_proof(self) -> None:
-        """The claim follows, no denominator vanishes, each hypothesis is used, all that is assumed holds somewhere."""
-        prover = Prover(self.reader)
-        for name, formula in self.hypotheses.items():
+        """The claim follows, no denominator vanishes, each hypothesis is used."""
+        prover = Prover(self.context.reader, self.context.known)
+        for name, formula in self.context.hypotheses.items():
             prover.learn(name, formula)
-        for term in sides(self.claim) if self.nonzero else ():
-            prover.value(term)
-        aside = Algebra(self.reader.names)  # what the terms listed are divided by is not the statement's own
-        listed = [formula.outside[0] for formula in self.nonzero]
-        prover.listed = dict(zip(aside.residues(listed), listed, strict=True))
-        prover.tops = {*aside.residues(t.terms[0] for t in listed if isinstance(t, Value) and t.tag == "/")}
-        met = {*prover.algebra.divisors, *self.quantified(self.claim)} if self.nonzero else set()
-        superfluous = prover.listed.keys() - met
-        require(not superfluous, "{} is no denominator of the statement", [prover.listed[v] for v in superfluous])
+        if self.nonzero:
+            self.assume(prover)
         facts = [formula for _, formula in self.lemmas]
         goal = node("=>", node("and", *facts), self.claim) if facts else self.claim
-        prover.prove(goal, self.step.take("proof"))
+        prover.prove(goal, self.step.take("proof", raw))
         prover.finish()
-        require(prover.used >= self.hypotheses.keys() or facts, "a hypothesis is not used")
-        self.check_witnesses()
+        unused = self.context.hypotheses.keys() - prover.used
+        require(not unused or facts, "a hypothesis is not used: {}", unused)
 
-    def quantified(self, formula: Formula, bound: frozenset[str] = frozenset()) -> Iterator[int]:
-        """The values of denominators under quantifiers that are the same for all values of the letters bound there."""
-        if isinstance(formula, Relation) and bound:
-            inner = Algebra(self.reader.names)
+    def assume(self, prover: Prover) -> None:
+        """The terms listed are denominators of the statement, so that they may be assumed not to vanish."""
+        met = {*self.denominators(self.claim, prover.algebra), *prover.algebra.divisors}
+        for k, formula in enumerate(self.nonzero):
+            term = formula.outside[0]
+            value = Algebra(self.context.known).value(term) % PRIME
+            require(value in met, "{} is no denominator of the statement", term)
+            prover.learn(("nonzero", k), formula)
+            if isinstance(term, Value) and term.tag == "/":  # nor does the numerator vanish
+                prover.nonzero.add(prover.value(term.terms[0]))
+
+    def denominators(self, formula: Formula, algebra: Algebra, bound: frozenset[str] = frozenset()) -> Iterator[int]:
+        """The values of denominators; of those under quantifiers, if they are the same for all letters bound there."""
+        if isinstance(formula, Relation):
+            inner = Algebra(algebra.known) if bound else algebra
             inner.residues(formula.terms)
             yield from (v for v, term in inner.divisors.items() if term is not None and not letters(term) & bound)
-        elif not isinstance(formula, Relation):
+        else:
             for part in (*formula.inside, *formula.outside):
                 assert isinstance(part, Node)
-                yield from self.quantified(part, bound.union(formula.bound))
+                yield from self.denominators(part, algebra, bound.union(formula.bound))
 
     def check_witnesses(self) -> None:
         """Everything that is assumed holds somewhere, the premises of each implication too, and all terms have values.
 
         What does so without letters needs no point.
         """
-        assumed, claim = self.assumed(), self.unfolded(self.claim)
-        conditions = domain(*assumed, claim)
+        conditions = dict.fromkeys((*self.context.conditions, *domain(*self.nonzero, self.claim)))
         varying = [each for each in conditions if letters(each) or functions(each)]
         for each in conditions:
-            require(each in varying or truth(each, Algebra({}, {})), "a term has no value, as {} is not so", each)
-        needed = [[*assumed, *premises, *varying] for premises in supposed(claim)]
-        points = self.step.items("witnesses")
+            require(each in varying or Algebra({}, {}).holds(each), "a term has no value, as {} is not so", each)
+        needed = [[*self.assumed, *premises, *varying] for premises in supposed(self.claim)]
+        points = self.step.take("witnesses", listed(raw), [])
         require(points or needed == [[]], "no point where all that is assumed holds")
         for formulas, point in paired(needed, points) if points else ():
-            self.hold(formulas, Step(point))
+            self.hold(formulas, Fields(point))
 
     def check_point(self) -> None:
-        """The hypotheses hold at the point, the claim does not; its sides have the stated values there."""
+        """The hypotheses hold at the point, the claim does not, and what else is shown of the point is so."""
         require(not self.lemmas, "a point needs no lemmas")
-        step = Step(self.step.take("point"))
-        claim, stated = self.unfolded(self.claim), step.items("sides")
-        shown = step.lists("enclosed", 4, "term with digits and two ends")
-        own, another = [*claim.outside] if stated else [], "a side has another value at the point"
-        require(len(own) == len(stated), another)
-        values = [self.valued(*pair) for pair in zip(own, stated, strict=True)]
-        shows = values if "proof" in step.data else []  # where values of functions are proved, they are with the rest
-        at = self.hold([*self.assumed(), contrary(claim), *shows], step, refuting=True)
-        require(shows or all(truth(each, at) for each in values), another)
-        for data, digits, low, high in shown:
-            term = substituted(self.whole.term(data), at.point or {})
-            order = node("<=", self.whole.term(low), term), node("<=", term, self.whole.term(high))
-            lies = instance("enclosure", {"t": term, "digits": self.whole.term(digits)})[1]
-            require(lies == node("and", *order), "{} lies elsewhere", data)
+        step = Fields(self.step.take("point", raw))
+        shown = step.take("shown", listed(self.context.reader.formula), [])
+        self.hold([*self.assumed, contrary(self.claim), *shown], step, refuting=True)
 
-    def valued(self, side: Term, data: JSON) -> Formula:
-        """That a side of the claim has this value; a formula is true or false."""
-        if not isinstance(side, (Relation, Connective, Quantified)):
-            return node("=", side, self.whole.term(data))
-        require(isinstance(data, bool), "{} is no truth value", data)
-        return side if data else contrary(side)
-
-    def hold(self, formulas: list[Formula], step: Step, refuting: bool = False) -> Algebra:
-        """Rejects unless the formulas hold at a point; gives the values there."""
-        read = self.whole
-        values = {read.letter(x): read.term(data) for x, data in step.mapping("values").items()}
-        closed = not any(letters(t) or functions(t) for t in values.values()) and not values.keys() & read.names.keys()
-        require(closed, "a coordinate is no number, or of a defined letter")
-        for each in domain(*values.values(), divisors=True):
-            require(truth(each, Algebra({}, {})), "a coordinate has no value: {} is not so", each)
-        proof = step.data.pop("proof", None)
-        mentioned = set().union(*map(letters, formulas))
-        require(mentioned <= values.keys(), "no value for {}", ", ".join(sorted(mentioned - values.keys())))
-        spoken = {*values} if proof is None else mentioned
-        at = Algebra(read.names, {x: number for x, number in values.items() if x in spoken})  # others are free for use
-        prover = Prover(read, at)
-        for data, value in step.lists("calls", 2):
-            call = read.term(data)
-            known = isinstance(call, Call) and all(map(exact, call.terms))  # two numbers are told apart
-            require(known, "{} is no function at a point", data)
+    def hold(self, formulas: list[Formula], step: Fields, refuting: bool = False) -> None:
+        """Rejects unless the formulas hold at a point: they are computed, or have a proof."""
+        reader, (values, known) = self.context.reader, self.context.point(json.dumps(step.take("values", raw, {})))
+        if computed := "proof" not in step.data:
+            at = Algebra(known, values)
+        else:  # letters that the formulas do not mention are free for use
+            mentioned = set().union(*map(letters, formulas))
+            require(mentioned <= values.keys(), "no value for {}", ", ".join(sorted(mentioned - values.keys())))
+            at = Algebra({}, {x: number for x, number in values.items() if x in mentioned})
+        calls = step.take("calls", listed(listed(reader.term, 2)), [])
+        if calls:
+            at.known = {}
+        prover = Prover(reader, self.context.known, at)
+        for call, value in calls:
+            known_place = isinstance(call, Call) and all(map(exact, call.terms))  # two numbers are told apart
+            require(known_place, "{} is no function at a point", call)
             place = prover.algebra.value(call)
-            require(place not in at.settled, "{} has two values", data)
-            at.settled[place] = at.value(read.term(value)) % PRIME
+            require(place not in at.settled, "{} has two values", call)
+            at.settled[place] = at.value(value) % PRIME
         # a hypothesis about a function speaks of all its values, a point of a few
-        general = set().union(*map(functions, self.hypotheses.values())) if refuting else set()
-        require(not (at.settled and general), "what is assumed of {} is not only so at one point", general)
+        general = set().union(*map(functions, self.context.hypotheses.values())) if calls and refuting else set()
+        require(not general, "what is assumed of {} is not only so at one point", general)
         for k, (x, number) in enumerate(values.items()):
-            if x in spoken and proof is not None:
+            if not computed and x in mentioned:
                 prover.learn(("point", k), node("=", x, number))
-        for each in domain(*formulas, divisors=True) if refuting and proof is not None else ():
-            require(truth(each, at), "a term has no value at the point: {} is not so", each)  # to compute finds values
-            if each.tag == "!=":  # what is not zero at the point may be divided by in all that is proved of it
-                aside = Algebra(read.names)
-                aside.value(node("/", 1, *each.outside[:1]))
-                prover.listed |= {value: term for value, term in aside.divisors.items() if term is not None}
-        prover.prove(node("and", *formulas), {"rule": "compute"} if proof is None else proof)
+        for each in domain(*formulas, divisors=True) if refuting and not computed else ():
+            require(at.holds(each), "a term has no value at the point: {} is not so", each)
+        prover.prove(node("and", *formulas), step.take("proof", raw, {"rule": "compute"}))  # to compute finds values
         prover.finish()
         step.end()
-        return at
 
 
 def supposed(claim: Formula) -> list[list[Formula]]:

@@ -63,11 +63,10 @@ def certificate(found: Mapping[str, Any]) -> dict[str, JSON]:
         "hypotheses": {name: [*map(stated, formulas)] for name, formulas in found["hypotheses"].items()},
     }
     if "point" in found:
-        return {**new, "point": point(found["point"])}
+        return {**new, "point": point(found["point"], claim)}
     if facts := found.get("facts"):
         new["claim"] = claim = claim[2]
         new["definitions"] = [[name, stated(value)] for name, value in found["defined"]]
-        new["free"] = sorted({name for name, _ in found["defined"]} - {name for name, _ in found["definitions"]})
         new["lemmas"] = [[name, stated(formula)] for name, formula in facts]
         for name, formulas in found["under"].items():
             own = new["hypotheses"].setdefault(name, [])
@@ -78,6 +77,8 @@ def certificate(found: Mapping[str, Any]) -> dict[str, JSON]:
             condition(texts, lambda name: atoms.get(name) or value_of(name) or name) for texts in conditions
         ]
     new["proof"] = proof(found["proof"])
+    if free := sorted({name for name, _ in found.get("defined", ())} - {name for name, _ in found["definitions"]}):
+        new["proof"]["atoms"] = {**{name: name for name in free}, **new["proof"].get("atoms", {})}
     if points := [*map(witness, found.get("witnesses", ()))]:
         wanted = len(implications(claim)) or 1
         new["witnesses"] = points * wanted if len(points) == 1 else points
@@ -110,7 +111,7 @@ def value_of(name: str) -> list[Any] | None:
 def proof(found: Proof) -> Proof:
     """A whole proof: its steps, and the terms that stand as letters in its polynomials."""
     stated = {name: term(value) for name, value in found.get("atoms", {}).items()}
-    steps = step(found)
+    steps = step(found, lambda name: stated.get(name) or value_of(name) or name)
     used = {name for text in polynomials(steps) for name in _NAME.findall(text)}
     atoms = {name: value for name in sorted(used) if (value := stated.get(name) or value_of(name))}
     positive = [term(each) for each in found.get("positive", ())]
@@ -120,9 +121,8 @@ def proof(found: Proof) -> Proof:
 def polynomials(node: Any) -> Iterator[str]:
     """Every polynomial that a proof mentions."""
     if isinstance(node, dict):
-        yield from node.get("clear", ())
+        yield from (text for text in node.get("times", ()) if isinstance(text, str))
         yield from (text for _, *factors in node.get("cofactors", ()) for text in factors)
-        yield from (text for text, _ in node.get("factors", ()))
         for value in node.values():
             yield from polynomials(value)
     elif isinstance(node, list):
@@ -130,11 +130,11 @@ def polynomials(node: Any) -> Iterator[str]:
             yield from polynomials(value)
 
 
-def step(found: Proof) -> Proof:
+def step(found: Proof, meaning: Callable[[str], JSON]) -> Proof:
     """One step, with those above it."""
     rule = found["rule"]
     if rule == "theorem":
-        return theorem(found)
+        return theorem(found, meaning)
     new: Proof = {"rule": rule}
     for key, value in found.items():
         match key:
@@ -143,20 +143,25 @@ def step(found: Proof) -> Proof:
             case "point":
                 new[key] = {x: term(each) for x, each in value.items()}
             case "then":
-                new[key] = step(value)
+                new[key] = step(value, meaning)
             case "parts" | "cases":
-                new[key] = [*map(step, value)]
+                new[key] = [step(each, meaning) for each in value]
+            case "factors":
+                new["form"] = ["*", *(["^", polynomial(text, meaning), n] for text, n in value)]
+            case "clear":
+                new["times"] = [*value, *new.get("times", ())]
             case "times":
-                new[key] = [["positive", term(ref[1])] if ref[0] == "positive" else ref for ref in value]
-            case "clear" | "cofactors" | "factors" | "index" | "or":
+                positive = [["positive", term(ref[1])] if ref[0] == "positive" else ref for ref in value]
+                new[key] = [*new.get("times", ()), *positive]
+            case "cofactors" | "index" | "or":
                 new[key] = value
     return new
 
 
-def theorem(found: Proof) -> Proof:
+def theorem(found: Proof, meaning: Callable[[str], JSON]) -> Proof:
     """A theorem with its arguments by name; a premise about all values of a letter is proved for a new one."""
     name, *given = found["of"]
-    premises, then = [*map(step, found["premises"])], step(found["then"])
+    premises, then = [step(each, meaning) for each in found["premises"]], step(found["then"], meaning)
     if name == "have":
         return {"rule": "have", "formula": term(given[0]), "proof": premises[0], "then": then}
     new: Proof = {"rule": "theorem", "of": name, "premises": premises, "then": then}
@@ -215,8 +220,8 @@ def condition(texts: list[str], meaning: Callable[[str], JSON]) -> JSON:
     return ["/", top, below[0] if len(below) == 1 else ["*", *below]] if below else top
 
 
-def point(found: Mapping[str, Any]) -> Proof:
-    """A point, with the proofs that go with it. An angle of rational sine and cosine is twice an arctangent."""
+def point(found: Mapping[str, Any], claim: JSON = None) -> Proof:
+    """A point, with the proofs that go with it, and what else is so there of the claim that fails. An angle of rational sine and cosine is twice an arctangent."""
     given = {x: exactly(value) for x, value in found["values"].items()}
     if constants := given.keys() & {"pi", "infinity"}:
         raise ValueError(f"{', '.join(sorted(constants))} with a value")
@@ -226,10 +231,13 @@ def point(found: Mapping[str, Any]) -> Proof:
     for _ in values:  # coordinates may be given by others
         values = {x: put(value, values) for x, value in values.items()}
     new: Proof = {"values": dict(sorted(values.items()))}
-    if sides := found.get("sides"):
-        new["sides"] = [side == "true" if side in ("true", "false") else exactly(side) for side in sides]
-    if "enclosed" in found:
-        new["enclosed"] = [[term(t), digits, term(low), term(high)] for t, digits, low, high in found["enclosed"]]
+    shown = (
+        [value(side, told) for side, told in zip(claim[1:], found["sides"], strict=True)] if "sides" in found else []
+    )
+    for t, _, low, high in found.get("enclosed", ()):
+        shown.append(["and", ["<=", term(low), term(t)], ["<=", term(t), term(high)]])
+    if shown:
+        new["shown"] = shown
     if calls := found.get("calls"):
         new["calls"] = [
             [["call", name, [*orders], *map(exactly, arguments)], exactly(value)]
@@ -252,6 +260,13 @@ def point(found: Mapping[str, Any]) -> Proof:
         for formula, why, _ in reversed(steps):
             new["proof"] = {"rule": "have", "formula": formula, "proof": why, "then": new["proof"]}
     return new
+
+
+def value(side: JSON, told: Any) -> JSON:
+    """That a side of a claim has a value; a formula is true or false."""
+    if told in ("true", "false"):
+        return side if told == "true" else ["=>", side, ["or"]]
+    return ["=", side, exactly(told)]
 
 
 def exactly(value: Any) -> JSON:
