@@ -47,11 +47,9 @@ class Algebra:
             return term
         if isinstance(term, str):
             return self.letters[term] if term in self.letters else self.letter(term)
-        return self.computed(term) if self.bound or id(term) not in self.known else self.remembered(term)
-
-    def remembered(self, term: Node) -> int:
-        """The value of a shared node, computed once; its divisors are met wherever it stands."""
-        values = self.known[id(term)]
+        if self.bound or id(term) not in self.known:
+            return self.computed(term)
+        values = self.known[id(term)]  # of a shared node: its divisors are met wherever it stands
         if self.scale not in values:
             around, self.divisors = self.divisors, {}
             values[self.scale] = self.computed(term), self.divisors
@@ -120,13 +118,11 @@ class Algebra:
 
     def inverse(self, term: Term) -> int:
         """1 / term, factor by factor (what is shared, as a whole); notes the divisors."""
-        match term:
-            case Value() if id(term) in self.known:
-                pass
-            case Value(tag="*", terms=factors):
-                return prod(map(self.inverse, factors)) % PRIME
-            case Value(tag="^", terms=(base, int(exponent))) if exponent > 0:
-                return self.raised(base, -exponent)
+        if isinstance(term, Value) and id(term) not in self.known:
+            if term.tag == "*":
+                return prod(map(self.inverse, term.terms)) % PRIME
+            if term.tag == "^" and (exponent := term.terms[1]) > 0:  # type: ignore[operator]
+                return self.raised(term.terms[0], -exponent)  # type: ignore[operator]
         value = self.value(term) % PRIME
         self.divisors[value] = self.divisors.get(value) or (term if exact(term) or not self.bound else None)
         if self.point is not None and self.bound:  # nobody asks later
@@ -277,12 +273,11 @@ class Algebra:
 
 def exact(term: Term, roots: bool = True) -> bool:
     """Whether a term is made of whole numbers, and of their roots: its residue tells whether it is zero."""
-    match term:
-        case Value(tag="+" | "*" | "-" | "/" | "^", terms=parts):
-            return all(exact(part, roots) for part in parts)
-        case Value(tag="sqrt", terms=(inner,)):
-            return roots and exact(inner, roots=False)
-    return isinstance(term, int)
+    if not isinstance(term, Node):
+        return isinstance(term, int)
+    if term.tag == "sqrt":
+        return roots and exact(term.outside[0], roots=False)
+    return term.tag in ("+", "*", "-", "/", "^") and all(exact(part, roots) for part in term.outside)
 
 
 def height(term: Term) -> int:

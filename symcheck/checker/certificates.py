@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-import json
+import marshal
 from collections.abc import Iterable, Iterator
 from functools import lru_cache
 
@@ -50,16 +50,16 @@ class Context:
         self.shared = [each for each in (*self.reader.names.values(), *self.assumed, *sides) if isinstance(each, Node)]
         self.known = self.unknown()
         self.conditions = domain(*self.assumed)
-        self.points: dict[str, tuple[dict[str, Term], Known]] = {}
+        self.points: dict[bytes, tuple[dict[str, Term], Known]] = {}
 
     def unknown(self) -> Known:
         """Nothing is known of the values yet."""
         return {id(each): {} for each in self.shared}
 
-    def point(self, written: str) -> tuple[dict[str, Term], Known]:
-        """The coordinates of a point, a JSON text, and what is known of the values there."""
+    def point(self, written: bytes) -> tuple[dict[str, Term], Known]:
+        """The coordinates of a point and what is known of the values there."""
         if written not in self.points:
-            values = mapped(self.reader.term)(json.loads(written))
+            values = mapped(self.reader.term)(marshal.loads(written))
             for x, number in values.items():
                 closed = (
                     not letters(number) and not functions(number) and self.reader.letter(x) not in self.reader.names
@@ -71,35 +71,39 @@ class Context:
         return self.points[written]
 
 
+def key(data: JSON) -> bytes:
+    """Data as a key, the same for the same data alone."""
+    return marshal.dumps(data, 2)
+
+
 @lru_cache(4096)
-def context(written: str) -> Context:
-    """The context of definitions and hypotheses, a JSON text."""
-    return Context(*json.loads(written))
+def context(written: bytes) -> Context:
+    """The context of definitions and hypotheses."""
+    return Context(*marshal.loads(written))
 
 
 class Certificate:
     """What is stated, definitions unfolded, and the evidence: a proof with witnesses, or a point."""
 
-    def __init__(self, data: JSON) -> None:
-        self.step = step = Fields(data)
-        self.id, self.verdict = step.take("id", text), step.take("verdict", text)
-        self.context = context(json.dumps([step.take("definitions", raw, []), step.take("hypotheses", raw, {})]))
+    def __init__(self, step: Fields) -> None:
+        self.step, self.verdict = step, step.take("verdict", text)
+        self.context = context(key([step.take("definitions", raw, []), step.take("hypotheses", raw, {})]))
         read = self.context.reader.formula
         self.nonzero = [read(["!=", term, 0]) for term in step.take("nonzero", listed(raw), [])]
         self.lemmas = [(text(name), read(stated)) for name, stated in step.take("lemmas", listed(listed(raw, 2)), [])]
         self.claim = read(step.take("claim", raw))
         self.assumed = [*self.context.assumed, *self.nonzero]
 
-    def supported(self, proved: Iterable[Certificate]) -> bool:
+    def supported(self, proved: Iterable[tuple[str, Certificate]]) -> bool:
         """Whether each lemma is part of a statement that is proved under no more than is assumed here.
 
         What a lemma says of a letter holds of what the letter is defined to be here.
         """
         mean, names = self.context.reader.names, [name for name, _ in self.lemmas]
         stated = [
-            (lemma.id, part)
-            for lemma in proved
-            if lemma.id in names and all(substituted(each, mean) in self.assumed for each in lemma.assumed)
+            (name, part)
+            for name, lemma in proved
+            if name in names and all(substituted(each, mean) in self.assumed for each in lemma.assumed)
             for part in conjuncts(substituted(lemma.claim, mean))
         ]
         return all(lemma in stated for lemma in self.lemmas)
@@ -174,7 +178,7 @@ class Certificate:
 
     def hold(self, formulas: list[Formula], step: Fields, refuting: bool = False) -> None:
         """Rejects unless the formulas hold at a point: they are computed, or have a proof."""
-        reader, (values, known) = self.context.reader, self.context.point(json.dumps(step.take("values", raw, {})))
+        reader, (values, known) = self.context.reader, self.context.point(key(step.take("values", raw, {})))
         if computed := "proof" not in step.data:
             at = Algebra(known, values)
         else:  # letters that the formulas do not mention are free for use
@@ -218,27 +222,34 @@ def supposed(claim: Formula) -> list[list[Formula]]:
 
 def check_all(certificates: Iterable[JSON]) -> Iterator[str | None]:
     """For each certificate None if it holds, else the reason why it does not; lemmas are looked for among all."""
-    read: list[tuple[Certificate | None, str | None]] = [*map(attempt, certificates)]
-    proved = [each for each, reason in read if each and not reason and each.verdict == "proved"]
-    open_ = [each for each in proved if each.lemmas]
-    held = [each for each in proved if not each.lemmas]
-    while new := [each for each in open_ if each.supported(held)]:
+    checked: dict[bytes, Certificate] = {}
+    read = [attempt(each, checked) for each in certificates]
+    proved = [(name, each) for name, each in read if isinstance(each, Certificate) and each.verdict == "proved"]
+    open_ = [(name, each) for name, each in proved if each.lemmas]
+    held = [(name, each) for name, each in proved if not each.lemmas]
+    while new := [(name, each) for name, each in open_ if each.supported(held)]:
         held += new
         open_ = [each for each in open_ if each not in new]
-    for each, reason in read:
-        yield reason or ("a lemma is not proved, or under other assumptions" if each in open_ else None)
+    for found in read:
+        unproved = "a lemma is not proved, or under other assumptions" if found in open_ else None
+        yield found[1] if isinstance(found[1], str) else unproved
 
 
-def attempt(data: JSON) -> tuple[Certificate | None, str | None]:
-    """The certificate, and the reason why it does not hold, if so."""
+def attempt(data: JSON, checked: dict[bytes, Certificate]) -> tuple[str, Certificate | str]:
+    """A certificate by its id, or the reason why it does not hold; what differs in the id alone is checked once."""
+    name = ""
     try:
-        found = Certificate(data)
-        found.check()
+        step = Fields(data)
+        name, written = step.take("id", text), key(step.data)
+        if written not in checked:
+            found = Certificate(step)
+            found.check()
+            checked[written] = found
     except (Reject, Unknown, Malformed) as error:
-        return None, str(error)
+        return name, str(error)
     except MALFORMED as error:
-        return None, f"malformed ({type(error).__name__}: {error})"
-    return found, None
+        return name, f"malformed ({type(error).__name__}: {error})"
+    return name, checked[written]
 
 
 def check(certificate: JSON) -> str | None:

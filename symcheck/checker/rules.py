@@ -87,7 +87,7 @@ class Prover:
         self.used: set[Reference] = set()
         self.depth = 0  # of the facts "here"
         self.nonzero: set[int] = set()  # values that are not zero whatever a step assumes
-        self.atoms: Callable[[str], int] = POLYNOMIAL  # polynomials
+        self.polynomial = POLYNOMIAL  # their values; see `prove`
 
     def value(self, term: Term) -> int:
         """The residue of a term."""
@@ -140,7 +140,7 @@ class Prover:
         """The value of what is not zero: by a fact, manifestly positive, or a denominator that was met, printed."""
         match data:
             case str():
-                value = self.atoms(data)
+                value = self.polynomial(data)
                 require(value in self.algebra.divisors or value in self.nonzero, "{} is no denominator", data)
                 return value
             case ["positive", term]:
@@ -154,7 +154,7 @@ class Prover:
         for name, *factors in step.take("cofactors", LISTS, []):
             product = self.fact(("=",), name)[1]
             for factor in factors:
-                product *= self.atoms(text(factor))
+                product *= self.polynomial(text(factor))
             value -= product
         require(value % PRIME == 0, "{} is not the combination of facts it is said to be", what)
 
@@ -191,19 +191,20 @@ class Prover:
     def prove(self, goal: Formula, proof: JSON) -> None:
         """Checks one step, and with it the steps above it."""
         step = Fields(proof)
-        kept = self.atoms
-        if atoms := step.take("atoms", mapped(self.reader.term), {}):  # terms that stand as letters in polynomials
-            self.atoms = polynomials({x: self.value(term) for x, term in atoms.items()})
-        if shown := step.take("positive", LIST, []):  # denominators the proof brings in: by what is given alone
+        kept = self.polynomial
+        if "atoms" in step.data:  # terms that stand as letters in polynomials
+            atoms = step.take("atoms", mapped(self.reader.term))
+            self.polynomial = polynomials({x: self.value(term) for x, term in atoms.items()})
+        if "positive" in step.data:  # denominators the proof brings in: by what is given alone
             facts, self.facts = self.facts, {n: fact for n, fact in self.facts.items() if n[0] != "here"}
-            for value in map(self.positive, shown):
+            for value in map(self.positive, step.take("positive", LIST)):
                 self.nonzero |= {value, PRIME - value}
             self.facts = facts
         rule = step.take("rule", text)
         require(rule in RULES, "there is no rule {}", rule)
         RULES[rule](self, goal, step)
         step.end()
-        self.atoms = kept
+        self.polynomial = kept
 
     def identity(self, goal: Formula, step: Fields) -> None:
         """l = r, as l - r is a combination of facts."""
@@ -339,7 +340,8 @@ class Prover:
         known = [(name, gap) for name, (formula, gap) in self.facts.items() if gap and formula.tag in ("!=", *STRICT)]
         for divisor, term in [*self.algebra.divisors.items()]:
             if term is None or not exact(term):
-                by = next((name for name, gap in known if gap == divisor or rational(gap * inverse(divisor))), None)
+                by = next((name for name, gap in known if gap == divisor), None)
+                by = by or next((name for name, gap in known if rational(gap * inverse(divisor))), None)
                 self.used |= {by} if by else set()
                 shown = by or divisor in self.nonzero or self.sign(term or 0) == 2 or self.not_zero_at_point(term or 0)
                 require(shown, "a denominator may be zero: {}", term or "under a binder")

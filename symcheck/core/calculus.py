@@ -7,36 +7,31 @@ from collections.abc import Callable, Iterable, Mapping
 from symcheck.core.terms import Binder, Call, Formula, Malformed, Node, Quantified, T, Term, Value, node
 
 
-def subtrees(*trees: Term) -> Iterable[Term]:
-    """Everything in them that stands under no binder, once: what is defined may stand in many places."""
-    found, todo = dict[int, Term](), [*trees]
+def nodes(*trees: Term) -> Iterable[Node]:
+    """All nodes in them that stand under no binder, once: what is defined may stand in many places."""
+    found, todo = dict[int, Node](), [*trees]
     while todo:
         tree = todo.pop()
-        if id(tree) not in found:
+        if isinstance(tree, Node) and id(tree) not in found:
             found[id(tree)] = tree
-            if isinstance(tree, Node):
-                todo += tree.outside
+            todo += tree.outside
     return found.values()
 
 
 def letters(tree: Term) -> set[str]:
     """The letters that occur free. Names of unknown functions are not among them: see `functions`."""
-    if isinstance(tree, str):
-        return {tree}
-    free = set[str]()
-    for part in subtrees(tree) if isinstance(tree, Node) else ():
-        if isinstance(part, str):
-            free.add(part)
-        elif isinstance(part, Node) and part.bound:
-            free |= letters(part.inside[0]) - {*part.bound}
+    free = {tree} if isinstance(tree, str) else set()
+    for part in nodes(tree):
+        free.update(each for each in part.outside if isinstance(each, str))
+        for body in part.inside:
+            free |= letters(body) - {*part.bound}
     return free
 
 
 def functions(tree: Term) -> set[str]:
     """The names of the unknown functions."""
-    nodes = [part for part in subtrees(tree) if isinstance(part, Node)]
-    found = {part.function for part in nodes if isinstance(part, Call)}
-    return found.union(*(functions(body) for part in nodes for body in part.inside))
+    found = {part.function for part in nodes(tree) if isinstance(part, Call)}
+    return found.union(*(functions(body) for part in nodes(tree) for body in part.inside))
 
 
 Lambda = tuple[tuple[str, ...], "Term"]  # letters, and a term in them
@@ -176,10 +171,9 @@ def domain(*trees: Term, divisors: bool = False) -> list[Formula]:
     Divisors are told on demand: what a proof divides by has to be shown not to vanish anyhow.
     """
     found = dict[Formula, None]()
-    for part in subtrees(*trees):
-        if isinstance(part, Node):
-            if part.tag in DOMAINS:
-                found[DOMAINS[part.tag](part.outside[0])] = None
-            if divisors and (below := divisor(part)) != 1:
-                found[node("!=", below, 0)] = None
+    for part in nodes(*trees):
+        if part[0] in DOMAINS:
+            found[DOMAINS[part.tag](part.outside[0])] = None
+        if divisors and (below := divisor(part)) != 1:
+            found[node("!=", below, 0)] = None
     return [*found]
