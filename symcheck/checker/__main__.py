@@ -28,7 +28,8 @@ NOT_TIED = "Nothing here ties the certificates to what is printed; name generate
 def unique(pairs: list[tuple[str, JSON]]) -> dict[str, JSON]:
     """An object no key of which occurs twice."""
     found = dict(pairs)
-    require(len(found) == len(pairs), "a key occurs twice: {}", [key for key, _ in pairs])
+    if len(found) != len(pairs):
+        raise Reject(f"a key occurs twice: {[key for key, _ in pairs]}")
     return found
 
 

@@ -37,9 +37,7 @@ class Context:
     """Definitions and hypotheses: many certificates have the same ones, which are read and computed once for all."""
 
     def __init__(self, definitions: JSON, hypotheses: JSON) -> None:
-        self.reader = Reader()
-        for name, term in listed(listed(raw, 2))(definitions):
-            self.reader.define(text(name), term)
+        self.reader, known = reader(key(definitions))
         self.hypotheses: dict[Reference, Formula] = {
             ("hyp", name, k): formula
             for name, formulas in mapped(listed(self.reader.formula))(hypotheses).items()
@@ -47,14 +45,9 @@ class Context:
         }
         self.assumed = [part for each in self.hypotheses.values() for part in conjuncts(each)]
         sides = (side for each in self.assumed if isinstance(each, Relation) for side in each.terms)
-        self.shared = [each for each in (*self.reader.names.values(), *self.assumed, *sides) if isinstance(each, Node)]
-        self.known = self.unknown()
+        self.known = known | unknown(*self.assumed, *sides)
         self.conditions = domain(*self.assumed)
         self.points: dict[bytes, tuple[dict[str, Term], Known]] = {}
-
-    def unknown(self) -> Known:
-        """Nothing is known of the values yet."""
-        return {id(each): {} for each in self.shared}
 
     def point(self, written: bytes) -> tuple[dict[str, Term], Known]:
         """The coordinates of a point and what is known of the values there."""
@@ -67,13 +60,27 @@ class Context:
                 require(closed, "a coordinate is no number, or of a defined letter: {} = {}", x, number)
             for each in domain(*values.values(), divisors=True):
                 require(Algebra({}, {}).holds(each), "a coordinate has no value: {} is not so", each)
-            self.points[written] = values, self.unknown()
+            self.points[written] = values, {each: {} for each in self.known}
         return self.points[written]
 
 
 def key(data: JSON) -> bytes:
     """Data as a key, the same for the same data alone."""
     return marshal.dumps(data, 2)
+
+
+def unknown(*trees: Term) -> Known:
+    """Of the values of these nodes nothing is known yet."""
+    return {id(tree): {} for tree in trees if isinstance(tree, Node)}
+
+
+@lru_cache(4096)
+def reader(written: bytes) -> tuple[Reader, Known]:
+    """A reader that knows the definitions, and what is known of their values."""
+    found = Reader()
+    for name, term in listed(listed(raw, 2))(marshal.loads(written)):
+        found.define(text(name), term)
+    return found, unknown(*found.names.values())
 
 
 @lru_cache(4096)
