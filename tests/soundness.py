@@ -248,8 +248,8 @@ class Forger:
             case 1:
                 bases = [[self.letter(), self.rng.choice((1, 1, 2, 0))] for _ in range(self.rng.choice((1, 2)))]
                 return {
-                    "rule": "split", "form": ["*", *(["^", *base] for base in bases)], "cofactors": self.cofactors(facts),
-                    "cases": [more() for _ in bases],
+                    "rule": "split", "form": ["*", *(["^", *base] for base in bases)],
+                    "cofactors": self.cofactors(facts), "cases": [more() for _ in bases],
                 }  # fmt: skip
             case 2:
                 form = ["+", ["^", self.letter(), 2], self.term(1)]

@@ -383,7 +383,7 @@ def test_forged_points_are_rejected() -> None:
     assert forged(lambda c: c["point"]["values"].update(a="u")), "a letter that is another"
     assert forged(lambda c: c["point"]["values"].update(sin_a=1)), "the sine of an angle beside it"
     assert forged(lambda c: c["point"]["values"].update(pi=3)), "a constant"
-    assert forged(lambda c: c["point"]["enclosed"][0].__setitem__(2, ["/", 1951172, 10**6])), "other digits"
+    assert forged(lambda c: c["point"]["enclosed"][0].__setitem__(2, ["/", 1951174, 10**6])), "other digits"
     assert forged(lambda c: c["hypotheses"].update(more=[["<", ["sin", "a"], 0]])), "a hypothesis that is false there"
     assert forged(lambda c: c["hypotheses"].update(more=[["<", "u", 0]])), "a hypothesis about another letter"
     assert forged(lambda c: c.update(claim=["<=", ["/", 1951, 1000], c["claim"][1][2]])), "a claim that is true"

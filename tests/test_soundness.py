@@ -17,7 +17,7 @@ from meaning import Meaning, Smooth
 from symcheck.checker import algebra, theorems
 from symcheck.checker.rules import Prover
 from symcheck.core.calculus import substituted
-from symcheck.core.terms import raw
+from symcheck.core.fields import raw
 
 JSON = Any
 SAMPLE, ALL, PART = 2_500, 1_000_000, 12_500

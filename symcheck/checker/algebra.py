@@ -169,6 +169,8 @@ class Algebra:
         The place belongs to the height, the number of binders below it: so it differs from that of every binder above.
         """
         if term.tag == "diff":
+            for x in letters(term) - self.bound.keys() if self.point is not None else ():
+                self.value(x)  # also of what the derivative is free of
             return self.value(differentiated(term))
         ends = [e.tag if isinstance(e, End) else self.value(e) % PRIME for e in term.outside]
         kept = self.bound, self.letters

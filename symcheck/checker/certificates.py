@@ -10,25 +10,8 @@ from symcheck.checker.algebra import Algebra, Known, exact
 from symcheck.checker.residues import PRIME, Reject, require
 from symcheck.checker.rules import FALSE, Prover, Reference, conjuncts, contrary, paired
 from symcheck.core.calculus import Unknown, domain, functions, letters, substituted
-from symcheck.core.terms import (
-    JSON,
-    Call,
-    Connective,
-    Fields,
-    Formula,
-    Malformed,
-    Node,
-    Quantified,
-    Reader,
-    Relation,
-    Term,
-    Value,
-    listed,
-    mapped,
-    node,
-    raw,
-    text,
-)
+from symcheck.core.fields import Fields, listed, mapped, raw, text
+from symcheck.core.terms import JSON, Connective, Formula, Malformed, Node, Quantified, Reader, Relation, Term, node
 
 MALFORMED = (LookupError, TypeError, ValueError, AttributeError, ArithmeticError, RecursionError, AssertionError)
 
@@ -147,8 +130,8 @@ class Certificate:
             value = Algebra(self.context.known).value(term) % PRIME
             require(value in met, "{} is no denominator of the statement", term)
             prover.learn(("nonzero", k), formula)
-            if isinstance(term, Value) and term.tag == "/":  # nor does the numerator vanish
-                prover.nonzero.add(prover.value(term.terms[0]))
+            if isinstance(term, Node) and term.tag == "/":  # nor does the numerator vanish
+                prover.nonzero.add(prover.value(term.outside[0]))
 
     def denominators(self, formula: Formula, algebra: Algebra, bound: frozenset[str] = frozenset()) -> Iterator[int]:
         """The values of denominators; of those under quantifiers, if they are the same for all letters bound there."""
@@ -170,9 +153,9 @@ class Certificate:
         varying = [each for each in conditions if letters(each) or functions(each)]
         for each in conditions:
             require(each in varying or Algebra({}, {}).holds(each), "a term has no value, as {} is not so", each)
-        needed = [[*self.assumed, *premises, *varying] for premises in supposed(self.claim)]
+        needed = [[*premises, *varying] for premises in supposed(self.claim)]
         points = self.step.take("witnesses", listed(raw), [])
-        require(points or needed == [[]], "no point where all that is assumed holds")
+        require(points or not (self.assumed or needed != [[]]), "no point where all that is assumed holds")
         for formulas, point in paired(needed, points) if points else ():
             self.hold(formulas, Fields(point))
 
@@ -181,14 +164,15 @@ class Certificate:
         require(not self.lemmas, "a point needs no lemmas")
         step = Fields(self.step.take("point", raw))
         shown = step.take("shown", listed(self.context.reader.formula), [])
-        self.hold([*self.assumed, contrary(self.claim), *shown], step, refuting=True)
+        self.hold([contrary(self.claim), *shown], step, refuting=True)
 
-    def hold(self, formulas: list[Formula], step: Fields, refuting: bool = False) -> None:
-        """Rejects unless the formulas hold at a point: they are computed, or have a proof."""
+    def hold(self, more: list[Formula], step: Fields, refuting: bool = False) -> None:
+        """Rejects unless all that is assumed, and more, holds at a point: it is computed, or has a proof."""
+        formulas = [*self.assumed, *more]
         reader, (values, known) = self.context.reader, self.context.point(key(step.take("values", raw, {})))
         if computed := "proof" not in step.data:
             at = Algebra(known, values)
-        else:  # letters that the formulas do not mention are free for use
+        else:  # the letters that are not mentioned are free for use
             mentioned = set().union(*map(letters, formulas))
             require(mentioned <= values.keys(), "no value for {}", ", ".join(sorted(mentioned - values.keys())))
             at = Algebra({}, {x: number for x, number in values.items() if x in mentioned})
@@ -197,8 +181,8 @@ class Certificate:
             at.known = {}
         prover = Prover(reader, self.context.known, at)
         for call, value in calls:
-            known_place = isinstance(call, Call) and all(map(exact, call.terms))  # two numbers are told apart
-            require(known_place, "{} is no function at a point", call)
+            distinct = isinstance(call, Node) and call.tag == "call" and all(map(exact, call.outside))
+            require(distinct, "{} is no function at a point", call)  # what is exact is told apart
             place = prover.algebra.value(call)
             require(place not in at.settled, "{} has two values", call)
             at.settled[place] = at.value(value) % PRIME

@@ -13,23 +13,8 @@ from symcheck.checker.algebra import Algebra, Known, exact
 from symcheck.checker.residues import PRIME, Reject, inverse, polynomials, rational, require
 from symcheck.checker.theorems import Argument, instance
 from symcheck.core.calculus import letters, substituted
-from symcheck.core.terms import (
-    JSON,
-    Connective,
-    Fields,
-    Formula,
-    Quantified,
-    Reader,
-    Relation,
-    T,
-    Term,
-    Value,
-    listed,
-    mapped,
-    node,
-    raw,
-    text,
-)
+from symcheck.core.fields import Fields, listed, mapped, raw, text
+from symcheck.core.terms import JSON, Connective, Formula, Quantified, Reader, Relation, T, Term, Value, node
 
 Reference = tuple[str | int, ...]
 CONTRARY = {"=": "!=", "!=": "=", "<": ">=", "<=": ">", ">": "<=", ">=": "<", "and": "or", "or": "and"}

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from symcheck.core.terms import JSON, listed, mapped, raw, text
+from symcheck.core.fields import listed, mapped, raw, text
+from symcheck.core.terms import JSON
 
 LEDGER = ("as printed", "where it is an equality", "as corrected")  # what is read from the print, or put in its place
 FORMULAS = mapped(listed(raw))

@@ -221,7 +221,10 @@ def condition(texts: list[str], meaning: Callable[[str], JSON]) -> JSON:
 
 
 def point(found: Mapping[str, Any], claim: JSON = None) -> Proof:
-    """A point, with the proofs that go with it, and what else is so there of the claim that fails. An angle of rational sine and cosine is twice an arctangent."""
+    """A point, with the proofs that go with it, and what is shown of the claim there.
+
+    An angle of rational sine and cosine is twice an arctangent.
+    """
     given = {x: exactly(value) for x, value in found["values"].items()}
     if constants := given.keys() & {"pi", "infinity"}:
         raise ValueError(f"{', '.join(sorted(constants))} with a value")
@@ -231,9 +234,9 @@ def point(found: Mapping[str, Any], claim: JSON = None) -> Proof:
     for _ in values:  # coordinates may be given by others
         values = {x: put(value, values) for x, value in values.items()}
     new: Proof = {"values": dict(sorted(values.items()))}
-    shown = (
-        [value(side, told) for side, told in zip(claim[1:], found["sides"], strict=True)] if "sides" in found else []
-    )
+    shown: list[JSON] = []
+    if sides := found.get("sides"):
+        shown += [value(side, told) for side, told in zip(claim[1:], sides, strict=True)]
     for t, _, low, high in found.get("enclosed", ()):
         shown.append(["and", ["<=", term(low), term(t)], ["<=", term(t), term(high)]])
     if shown:
