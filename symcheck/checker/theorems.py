@@ -105,6 +105,12 @@ def theorem(name: str) -> Theorem:
     return Theorem(parameters, premises, _read(after))
 
 
+def stated(name: str) -> str:
+    """What a theorem says: its line in the table, without its name, or a sentence."""
+    rules = {each.__name__: each for each in (congruence, enclosure)}
+    return str(rules[name].__doc__) if name in rules else TABLE[name].partition("): ")[2]
+
+
 SIGNS: dict[type, str] = {
     ast.Add: "+", ast.Mult: "*", ast.Div: "/", ast.Pow: "^", ast.And: "and", ast.Or: "or", ast.Eq: "=",
     ast.NotEq: "!=", ast.Lt: "<", ast.LtE: "<=", ast.Gt: ">", ast.GtE: ">=",
