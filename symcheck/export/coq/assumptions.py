@@ -14,7 +14,7 @@ from symcheck.export.coq.terms import JSON, Definitions, NotExported, Tree, rebu
 
 
 class Known(NamedTuple):
-    """An assumption in force, and its name in Coq; of an order the greater side comes first here."""
+    """An assumption in force, and its name in Coq."""
 
     formula: Formula
     hypothesis: str
@@ -24,24 +24,17 @@ class Known(NamedTuple):
         return self.formula.tag.replace("<", ">") if isinstance(self.formula, Relation) else self.formula.tag
 
     @property
-    def great(self) -> Term:
-        return self._sides[0]
-
-    @property
-    def small(self) -> Term:
-        return self._sides[1]
-
-    @property
-    def difference(self) -> Term:
-        """great - small."""
-        great, small = self._sides
-        return great if small == 0 else node("+", great, node("-", small))
-
-    @property
-    def _sides(self) -> tuple[Term, Term]:
+    def sides(self) -> tuple[Term, Term]:
+        """Of an order the greater side comes first."""
         assert isinstance(self.formula, Relation)
         left, right = self.formula.terms
         return (right, left) if self.formula.tag[0] == "<" else (left, right)
+
+    @property
+    def difference(self) -> Term:
+        """By how much the first side exceeds the second."""
+        great, small = self.sides
+        return great if small == 0 else node("+", great, node("-", small))
 
     @property
     def apart(self) -> str:
@@ -91,9 +84,6 @@ class Assumptions:
     def anew(self, stem: str) -> str:
         self.count += 1
         return f"{stem}{self.count}'"
-
-    def text(self, term: Term) -> str:
-        return spelled(term)
 
     @property
     def algebra(self) -> str:

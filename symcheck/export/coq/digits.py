@@ -13,6 +13,7 @@ from mpmath import mp, mpf
 from symcheck.core.terms import Term, Value, node
 from symcheck.export.coq.printing import ATOM, spelled
 from symcheck.export.coq.terms import NotExported
+from symcheck.export.coq.values import number, shown_ratio, value
 
 if TYPE_CHECKING:
     from symcheck.export.coq.script import Script
@@ -57,12 +58,6 @@ def up(x: Fraction) -> Fraction:
     return -down(-x)
 
 
-def shown(x: Fraction) -> str:
-    """A fraction in brackets."""
-    text = f"{abs(x.numerator)} / {x.denominator}" if x.denominator > 1 else f"{abs(x.numerator)}"
-    return f"(- {text})" if x < 0 else f"({text})"
-
-
 class Enclosure:
     """Encloses terms one after the other; `known` are proofs of letter = number."""
 
@@ -73,8 +68,9 @@ class Enclosure:
         """The enclosure of a term, unfolded and without tangents."""
         match term:
             case int() | Value(tag="/", terms=(int(), int())) | Value(tag="-", terms=(int(),)):
-                value = number(term)
-                return Within(f"(number_in {spelled(term, ATOM)})", value, value)
+                exactly = number(value(term))
+                assert exactly is not None
+                return Within(f"(number_in {spelled(term, ATOM)})", exactly, exactly)
             case Value(tag="pi"):
                 return Within("pi_in", *PI)
             case str() if term in self.known:
@@ -101,10 +97,8 @@ class Enclosure:
         """One lemma; what it asks of fractions is left to the tactic."""
         own = self.script.anew("w")
         proofs = " ".join(each.proof for each in inner)
-        statement = f"within ({text}) {shown(low)} {shown(high)}"
-        self.script.emit(
-            f"assert ({own} : {statement}) by (apply ({lemma} {shown(low)} {shown(high)} {proofs}); fractions)."
-        )
+        ends = f"{shown_ratio(low)} {shown_ratio(high)}"
+        self.script.emit(f"assert ({own} : within ({text}) {ends}) by (apply ({lemma} {ends} {proofs}); fractions).")
         return Within(own, low, high)
 
     def chain(self, sign: str, first: Term, rest: list[Term]) -> Within:
@@ -167,17 +161,6 @@ FUNCTIONS: dict[str, Callable[[Enclosure, Value, Within], Within]] = {
     "arcsin": Enclosure.angle,
     "arccos": Enclosure.angle,
 }
-
-
-def number(term: Term) -> Fraction:
-    """A whole number, a fraction of two, or its negative."""
-    match term:
-        case Value(tag="/", terms=(int(top), int(bottom))):
-            return Fraction(top, bottom)
-        case Value(tag="-", terms=(inner,)):
-            return -number(inner)
-    assert isinstance(term, int)
-    return Fraction(term)
 
 
 def rough(x: Fraction) -> Any:

@@ -4,30 +4,34 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 from fractions import Fraction
+from functools import reduce
 
 from symcheck.checker.algebra import exact
-from symcheck.core.calculus import differentiated
+from symcheck.core.calculus import differentiated, letters
 from symcheck.core.terms import Binder, Call, Node, Term, Value, node
 from symcheck.export.coq.printing import ATOM, name, spelled
 from symcheck.export.coq.signs import Sign, Signs
-from symcheck.export.coq.terms import NotExported, denominators, factors, fraction, letters, product, subterms
-from symcheck.export.coq.values import number, quotient, ratio, turns, value
+from symcheck.export.coq.terms import NotExported, denominators, factors, fraction, product, subterms
+from symcheck.export.coq.values import number, quotient, ratio, shown_ratio, turns, value
 
 OPAQUE = ("sqrt", "pow", "exp", "log", "gamma", "arctan", "arcsin", "arccos")
+ARITHMETIC = ("+", "*", "-", "/", "^", "pi")
 QUARTER = node("/", node("pi"), 2)
 
 
 class Functions(Signs):
     """Facts about functions and denominators."""
 
-    def terms(self, spoken: Iterable[Term]) -> Iterator[Term]:
-        """The terms in what is spoken of that are about letters there are here."""
-        return (t for t in subterms(*spoken) if self.scope.issuperset(letters(t)))
+    def applied(self, spoken: Iterable[Term]) -> Iterator[Node]:
+        """The functions and derivatives in what is spoken of, of letters that there are here."""
+        for term in subterms(*spoken):
+            if isinstance(term, Node) and term.tag not in ARITHMETIC and letters(term) <= self.scope:
+                yield term
 
     def functions(self, spoken: Iterable[Term]) -> None:
         """What is true of sines, cosines and roots of numbers by themselves."""
         angles: dict[str, Term] = {}
-        for term in self.terms(spoken):
+        for term in self.applied(spoken):
             match term:
                 case Value(tag="sin" | "cos", terms=(angle,)):
                     angles.setdefault(spelled(angle, ATOM), angle)
@@ -51,16 +55,14 @@ class Functions(Signs):
 
     def turned(self, shown: str, counts: list[tuple[str, int]], rest: Term) -> None:
         """The addition theorems for an angle."""
-        parts = [name(x) if n > 0 else f"(- {name(x)})" for x, n in counts for _ in range(abs(n))]
-        parts += [spelled(rest, ATOM)] if rest != 0 else []
-        total = " + ".join(parts) or "0"
-        cosine, sine = addition([(f"cos {p}", f"sin {p}") for p in parts])
-        for function, text in (("cos", cosine), ("sin", sine)):
+        parts: list[Term] = [x if n > 0 else node("-", x) for x, n in counts for _ in range(abs(n))]
+        parts += [rest] if rest != 0 else []
+        total = spelled(node("+", *parts) if parts else 0)
+        cosine, sine = reduce(addition, map(circular, parts)) if parts else (1, 0)
+        for function, found in (("cos", cosine), ("sin", sine)):
             own = self.anew("e")
-            text = text.replace("cos (- ", "cos (").replace("sin (- ", "- sin (")
-            self.emit(
-                f"assert ({own} : {function} {shown} = {text}) by (replace {shown} with ({total}) by field; turn)."
-            )
+            by = f"replace {shown} with ({total}) by field; turn"
+            self.emit(f"assert ({own} : {function} {shown} = {spelled(found)}) by ({by}).")
             self.hints.append(own)
 
     def root(self, inner: Term) -> None:
@@ -90,14 +92,14 @@ class Functions(Signs):
     def divisors(self, spoken: Iterable[Term]) -> None:
         """That no denominator is zero: by a premise, by a hypothesis, by a number or by a sign."""
         for divisor in denominators(*spoken):
-            known = isinstance(divisor, int) or not self.scope.issuperset(letters(divisor))
-            if not known and self.text(divisor) not in self.nonzero:
+            known = isinstance(divisor, int) or not letters(divisor) <= self.scope
+            if not known and spelled(divisor) not in self.nonzero:
                 self.divisor(divisor)
 
     def positive(self, terms: Iterable[Term]) -> None:
         """That terms are not zero, as they are manifestly positive."""
         for term in terms:
-            if self.text(term) not in self.nonzero and (found := self.sign(term)) is not None and found.level == 2:
+            if spelled(term) not in self.nonzero and (found := self.sign(term)) is not None and found.level == 2:
                 self.apart(term, f"exact (pos_nz {found.proof})")
 
     def apart(self, term: Term, by: str) -> str:
@@ -108,19 +110,19 @@ class Functions(Signs):
 
     def keep(self, term: Term, own: str) -> None:
         """A denominator that is not zero; and if it is a sum of fractions, its numerator, which `field` asks for."""
-        self.nonzero[self.text(term)] = (own, term)
+        self.nonzero[spelled(term)] = (own, term)
         several = list(factors(term))
         top, below = fraction(term)
         parts = [
-            (each, f"nz_of ({self.text(product([*several[:k], *several[k + 1 :]]))}) {own}); {self.algebra}")
+            (each, f"nz_of ({spelled(product([*several[:k], *several[k + 1 :]]))}) {own}); {self.algebra}")
             for k, each in enumerate(several if len(several) > 1 else ())
         ]
         if below:
-            parts.append((top, f"nz_over (b := {self.text(product(below))}) {own}); [ nonzero | {self.algebra} ]"))
+            parts.append((top, f"nz_over (b := {spelled(product(below))}) {own}); [ nonzero | {self.algebra} ]"))
         for part, by in parts:
-            if not isinstance(part, int) and self.text(part) not in self.nonzero:
+            if not isinstance(part, int) and spelled(part) not in self.nonzero:
                 shown = self.prove_aside(node("!=", part, 0), "n", f"apply ({by}")
-                self.nonzero[self.text(part)] = (shown, part)
+                self.nonzero[spelled(part)] = (shown, part)
 
     def divisor(self, term: Term) -> str | None:
         """A proof that a term is not zero, if one is found."""
@@ -128,19 +130,19 @@ class Functions(Signs):
         known += [(other, own) for own, other in self.nonzero.values()]
         for other, own in known:
             if (k := ratio(other, term)) is not None:
-                return self.apart(term, f"apply (nz_of {ratio_text(k)} {own}); {self.algebra}")
+                return self.apart(term, f"apply (nz_of {shown_ratio(k)} {own}); {self.algebra}")
         for signed, lemma in ((term, "pos_nz"), (node("-", term), "neg_nz")):
             if (found := self.sign(signed)) is not None and found.level == 2:
                 return self.apart(term, f"exact ({lemma} {found.proof})")
         if exact(term) and (square := number(value(node("^", term, 2)))):
-            by = f"intro Z; assert (S : ({self.text(term)}) ^ 2 = 0) by (rewrite Z; ring); "
-            by += f"assert (T : ({self.text(term)}) ^ 2 = {ratio_text(square)}) by ({self.algebra}); lra"
+            by = f"intro Z; assert (S : ({spelled(term)}) ^ 2 = 0) by (rewrite Z; ring); "
+            by += f"assert (T : ({spelled(term)}) ^ 2 = {shown_ratio(square)}) by ({self.algebra}); lra"
             return self.apart(term, by)
         return None
 
     def slopes(self, spoken: Iterable[Term]) -> None:
         """All derivatives, worked out."""
-        found = dict.fromkeys(t for t in self.terms(spoken) if isinstance(t, Binder) and t.tag == "diff")
+        found = dict.fromkeys(t for t in self.applied(spoken) if isinstance(t, Binder) and t.tag == "diff")
         worked: dict[Node, Term] = {slope: self.full(differentiated(slope)) for slope in found}
         self.functions(worked.values())
         if worked:
@@ -154,45 +156,37 @@ class Functions(Signs):
         x, order, place = slope.letter, *slope.outside
         kept, self.divides = self.divides, True
         self.bases(slope.body)
-        own = self.anew("d")
-        goal = spelled(node("=", slope, term))
-        step = f"apply is_derive_unique; unfold Rpower; auto_derive; [ conditions | powers; {self.algebra} ]"
-        if order == 1:
-            self.emit(f"assert ({own} : {goal}) by ({step}).")
-        elif order == 2 and place == x:
+        by = f"apply is_derive_unique; unfold Rpower; auto_derive; [ conditions | powers; {self.algebra} ]"
+        if order == 2 and place == x:
             first = self.full(differentiated(node("diff", slope.body, x, 1, x)))  # type: ignore[arg-type]
             functions = " ".join(f"(fun {name(x)} => {spelled(t)})" for t in (self.nearby(slope.body, x), first))
-            self.emit(f"assert ({own} : {goal}).")
-            self.emit(f"{{ apply (derive_twice {functions}).")
-            self.emit("{ auto_derive; conditions. }")
-            self.emit("{ conditions. }")
             at, positive = self.anew("x"), self.anew("s")
-            self.emit(f"{{ intros {at} {positive}. cbv beta in {positive}. pose proof (pos_nz {positive}). {step}. }}")
-            self.emit(f"{{ {step}. }} }}")
-        else:
+            near = f"intros {at} {positive}; cbv beta in {positive}; pose proof (pos_nz {positive}); {by}"
+            by = f"apply (derive_twice {functions}); [ auto_derive; conditions | conditions | {near} | {by} ]"
+        elif order != 1:
             raise NotExported("a derivative of third order")
-        self.emit(f"rewrite {own} in *.")
+        self.emit(f"rewrite {self.prove_aside(node('=', slope, term), 'd', by)} in *.")
         self.divides = kept
 
     def nearby(self, body: Term, x: str) -> Term:
         """What is positive at the letter and makes the function differentiable: the letter, or the base of a power."""
-        if any(known.great == x and known.small == 0 for known in self.facts(">")):
+        if any(known.sides == (x, 0) for known in self.facts(">")):
             return x
-        return next((base for base in applied(body, "pow") if x in letters(base)), 1)
+        return next((base for base in arguments(body, "pow") if x in letters(base)), 1)
 
     def bases(self, term: Term) -> None:
         """The bases of powers are positive: said once, as `auto_derive` asks for it."""
-        for base in applied(term, "pow", "log", "sqrt"):
+        for base in arguments(term, "pow", "log", "sqrt"):
             found = self.sign(base)
-            if found is not None and found.level == 1 and self.text(base) in self.nonzero:
-                found = Sign(2, f"(nz_pos {found.proof} {self.nonzero[self.text(base)][0]})")
-            if found is not None and found.level == 2 and self.text(base) not in self.settled:
-                self.settled.add(self.text(base))
+            if found is not None and found.level == 1 and spelled(base) in self.nonzero:
+                found = Sign(2, f"(nz_pos {found.proof} {self.nonzero[spelled(base)][0]})")
+            if found is not None and found.level == 2 and spelled(base) not in self.settled:
+                self.settled.add(spelled(base))
                 self.prove_aside(node("<", 0, base), "s", f"exact {found.proof}")
 
     def same_functions(self, spoken: Iterable[Term]) -> None:
         """Functions of equal arguments that are written differently."""
-        for term in self.terms(spoken):
+        for term in self.applied(spoken):
             match term:
                 case Value(tag="pow", terms=(_, exponent)) if (whole := ratio(exponent, 1)) and whole.denominator == 1:
                     raise NotExported("a power whose exponent adds up to a whole number")
@@ -205,21 +199,15 @@ class Functions(Signs):
                 case _:
                     continue
             first = self.seen.setdefault(value(term), term)
-            if self.text(first) != self.text(term) and self.text(term) not in self.settled:
-                self.settled.add(self.text(term))
+            if spelled(first) != spelled(term) and spelled(term) not in self.settled:
+                self.settled.add(spelled(term))
                 by = f"f_equal; {self.algebra}"
                 self.hints.append(self.prove_aside(node("=", term, first), "e", by))
 
 
-def applied(term: Term, *functions: str) -> list[Term]:
+def arguments(term: Term, *functions: str) -> list[Term]:
     """What stands (first) in these functions."""
     return [t.terms[0] for t in subterms(term) if isinstance(t, Value) and t.tag in functions]
-
-
-def ratio_text(k: Fraction) -> str:
-    """A fraction as Coq reads it, in brackets."""
-    sign, k = ("-" if k < 0 else ""), abs(k)
-    return f"({sign}{k.numerator})" if k.denominator == 1 else f"({sign}{k.numerator} / {k.denominator})"
 
 
 def square_part(value: Fraction) -> tuple[Fraction, list[int]]:
@@ -235,11 +223,15 @@ def square_part(value: Fraction) -> tuple[Fraction, list[int]]:
     return Fraction(outer, value.denominator), primes
 
 
-def addition(parts: list[tuple[str, str]]) -> tuple[str, str]:
-    """Cosine and sine of a sum of angles, as texts."""
-    if not parts:
-        return "1", "0"
-    cosine, sine = parts[0]
-    for c, s in parts[1:]:
-        cosine, sine = f"(({cosine}) * {c} - ({sine}) * ({s}))", f"(({sine}) * {c} + ({cosine}) * ({s}))"
-    return cosine, sine
+def circular(angle: Term) -> tuple[Term, Term]:
+    """Cosine and sine of an angle, or of its negative."""
+    if isinstance(angle, Value) and angle.tag == "-":
+        return node("cos", *angle.terms), node("-", node("sin", *angle.terms))
+    return node("cos", angle), node("sin", angle)
+
+
+def addition(one: tuple[Term, Term], other: tuple[Term, Term]) -> tuple[Term, Term]:
+    """Cosine and sine of a sum of two angles."""
+    (c, s), (d, t) = one, other
+    minus = node("-", node("*", s, t))
+    return node("+", node("*", c, d), minus), node("+", node("*", s, d), node("*", c, t))

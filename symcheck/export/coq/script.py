@@ -16,7 +16,7 @@ from symcheck.core import calculus
 from symcheck.core.calculus import substituted
 from symcheck.core.terms import FORMULAS, Connective, Formula, Quantified, Term, Value, node
 from symcheck.export.coq.assumptions import pattern
-from symcheck.export.coq.functions import OPAQUE, Functions, ratio_text
+from symcheck.export.coq.functions import OPAQUE, Functions
 from symcheck.export.coq.printing import name, spelled
 from symcheck.export.coq.terms import (
     JSON,
@@ -30,7 +30,7 @@ from symcheck.export.coq.terms import (
     subterms,
 )
 from symcheck.export.coq.theorems import Application, missing
-from symcheck.export.coq.values import ratio
+from symcheck.export.coq.values import ratio, shown_ratio
 
 BY_CONTRADICTION = {
     "!=": "", "<": "apply Rnot_ge_lt. ", "<=": "apply Rnot_gt_le. ",
@@ -58,7 +58,7 @@ class Script(Functions):
         goal = self.full(statement.conclusion)
         facts = [known.formula for known in self.state.values()]
         spoken: list[Term] = [goal, *facts, *map(self.mentioned, mentioned(proof))]
-        spoken += [known.great for known in self.facts(">")]
+        spoken += [known.sides[0] for known in self.facts(">")]
         self.divides = any(calculus.divisor(each) != 1 or each.tag in ("sqrt", "arctan") for each in nodes(*spoken))
         premises = []
         for divisor in statement.premises:
@@ -125,7 +125,7 @@ class Script(Functions):
         total = "no_facts"
         for known, cofactors, own in reversed(rows):
             cofactor = product([scale // own, *cofactors])
-            single = f"(fact ({self.text(cofactor)}) {known.hypothesis})"
+            single = f"(fact ({spelled(cofactor)}) {known.hypothesis})"
             total = single if total == "no_facts" else f"(and_fact {single} {total})"
         return multiplier, total
 
@@ -137,7 +137,7 @@ class Script(Functions):
     def cleared(self, text: str) -> str:
         """A proof that a polynomial by which the equation is multiplied is not zero."""
         term, _ = polynomial(text, self.atoms)
-        if shown := self.nonzero.get(self.text(term)):
+        if shown := self.nonzero.get(spelled(term)):
             return shown[0]
         if own := self.divisor(term):
             return own
@@ -145,9 +145,9 @@ class Script(Functions):
             if ratio(top, term) is not None:
                 for own, other in list(self.nonzero.values()):
                     if (k := ratio(node("*", other, below), term)) is not None:
-                        inverse = self.text(node("/", 1, below))
-                        return self.apart(term, f"apply (nz_of ({ratio_text(k)} * ({inverse})) {own}); {self.algebra}")
-        raise NotExported(f"the factor {self.text(term)} is not shown to differ from zero")
+                        inverse = spelled(node("/", 1, below))
+                        return self.apart(term, f"apply (nz_of ({shown_ratio(k)} * ({inverse})) {own}); {self.algebra}")
+        raise NotExported(f"the factor {spelled(term)} is not shown to differ from zero")
 
     def prove(self, goal: Formula, proof: Proof) -> None:
         """One node of the proof."""
@@ -176,7 +176,7 @@ class Script(Functions):
         multiplier, total = self.combination(proof)
         sign = found.proof if strict else found.weak
         # the form is written down, as its sign may have been shown of another shape of it
-        lemma = f"{ORDERS[goal.tag]} (f := {self.text(form)})"
+        lemma = f"{ORDERS[goal.tag]} (f := {spelled(form)})"
         self.emit(f"refine ({lemma} {sign} {multiplier} {total} _). {self.algebra}.")
 
     def _implies(self, goal: Formula, proof: Proof) -> None:
@@ -276,7 +276,7 @@ class Script(Functions):
         assert isinstance(goal, Quantified)
         point = {x: self.read(term) for x, term in proof["point"].items()}
         for x in goal.bound:
-            self.emit(f"exists ({self.text(point[x])}).")
+            self.emit(f"exists ({spelled(point[x])}).")
         body = substituted(goal.body, point)
         self.functions([body])
         self.prove(body, proof["then"])

@@ -7,6 +7,7 @@ from typing import NamedTuple
 
 from symcheck.core.terms import Term, Value, node
 from symcheck.export.coq.assumptions import Assumptions
+from symcheck.export.coq.printing import spelled
 from symcheck.export.coq.values import value
 
 
@@ -86,8 +87,8 @@ class Signs(Assumptions):
         above, below = self.sign(top), self.sign(bottom)
         if above is None or below is None:
             return None
-        if above.level == 2 and below.level == 1 and self.text(bottom) in self.nonzero:
-            below = Sign(2, f"(nz_pos {below.proof} {self.nonzero[self.text(bottom)][0]})")
+        if above.level == 2 and below.level == 1 and spelled(bottom) in self.nonzero:
+            below = Sign(2, f"(nz_pos {below.proof} {self.nonzero[spelled(bottom)][0]})")
         if above.level == below.level == 2:
             return Sign(2, f"(div_pp {above.proof} {below.proof})")
         return Sign(1, f"(div_nn {above.weak} {below.weak})")
@@ -97,7 +98,7 @@ class Signs(Assumptions):
         if found is not None:
             kind = "pow_pp" if found.level == 2 else "pow_nn"
             return Sign(found.level, f"({kind} {n} {found.proof})")
-        return Sign(1, f"(pow_even ({self.text(base)}) {n} eq_refl)") if n % 2 == 0 else None
+        return Sign(1, f"(pow_even ({spelled(base)}) {n} eq_refl)") if n % 2 == 0 else None
 
     def _known(self, term: Term) -> Sign | None:
         wanted = value(term)
@@ -105,7 +106,8 @@ class Signs(Assumptions):
             if value(known.difference) != wanted:
                 continue
             level = 3 - len(known.sign)
-            if known.small == 0 and self.text(known.great) == self.text(term):
+            great, small = known.sides
+            if small == 0 and spelled(great) == spelled(term):
                 return Sign(level, known.hypothesis)
             lemma, gap = ("eq_pos", "lt_pos") if level == 2 else ("eq_nn", "le_nn")
             by = f"refine ({lemma} ({gap} {known.hypothesis}) _); {self.algebra}"

@@ -15,8 +15,8 @@ from symcheck.export.coq.terms import (
     Definitions,
     NotExported,
     denominators,
+    in_order,
     is_number,
-    letters,
     nodes,
     subterms,
 )
@@ -122,7 +122,7 @@ def stated(definitions: Definitions, hypotheses: Hypotheses, claim: Formula, div
     defined: list[str] = []
 
     def need(*trees: Term) -> None:
-        for x in letters(*trees):
+        for x in in_order(*trees):
             if x in definitions.terms and x not in defined:
                 need(definitions.terms[x])
                 defined.append(x)
@@ -130,7 +130,7 @@ def stated(definitions: Definitions, hypotheses: Hypotheses, claim: Formula, div
     need(*shown)
     spoken = [*shown, *(definitions.terms[x] for x in defined)]
     premises = tuple(unsettled(definitions, hypotheses, spoken)) if divides else ()
-    return Statement(tuple(letters(*spoken, *defined)), tuple(defined), hypotheses, premises, claim, definitions)
+    return Statement(tuple(in_order(*spoken, *defined)), tuple(defined), hypotheses, premises, claim, definitions)
 
 
 def unsettled(definitions: Definitions, hypotheses: Hypotheses, spoken: list[Term]) -> list[Term]:

@@ -10,6 +10,7 @@ from math import lcm
 from typing import Any, TypeVar
 
 from symcheck.core import calculus
+from symcheck.core.calculus import letters
 from symcheck.core.terms import FORMULAS, Binder, Call, Field, Formula, Node, Quantified, Reader, Term, Value, node
 
 JSON = Any
@@ -38,19 +39,19 @@ def rebuilt(tree: Tree, outside: Callable[[Term], Term], inside: Callable[[Term]
     return tuple.__new__(type(tree), (tree.tag, *fields))
 
 
-def letters(*trees: Term) -> list[str]:
+def in_order(*trees: Term) -> list[str]:
     """The free letters in order of appearance."""
-    return list(dict.fromkeys(x for tree in trees for x in _letters(tree)))
+    return list(dict.fromkeys(x for tree in trees for x in _in_order(tree)))
 
 
-def _letters(tree: Term) -> Iterator[str]:
+def _in_order(tree: Term) -> Iterator[str]:
     match tree:
         case str():
             yield tree
         case Node():
             own = {*tree.bound}.difference(tree.outside)  # a derivative is mostly taken at the letter itself
-            yield from (x for part in tree.inside for x in _letters(part) if x not in own)
-            yield from (x for part in tree.outside for x in _letters(part))
+            yield from (x for part in tree.inside for x in _in_order(part) if x not in own)
+            yield from (x for part in tree.outside for x in _in_order(part))
 
 
 def nodes(*trees: Term) -> Iterator[Node]:

@@ -30,11 +30,7 @@ UNSTATED = {  # theorems without a proof in Theorems.v
     "gamma": "Euler's gamma function is not in Coq's libraries",
     "gamma_values": "Euler's gamma function is not in Coq's libraries",
 }
-MISSING = {  # theorems that are not applied in proofs
-    **{name: reason for name, reason in UNSTATED.items() if name != "enclosure"},
-    "power_rule": "the integral of a power with a letter in the exponent",
-    "intermediate_value": "the intermediate value theorem",
-}
+MISSING = {name: reason for name, reason in UNSTATED.items() if name != "enclosure"}  # those that no proof may apply
 
 
 class Application:

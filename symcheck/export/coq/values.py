@@ -7,6 +7,7 @@ from fractions import Fraction
 from symcheck.checker.algebra import Algebra, Key
 from symcheck.checker.residues import PRIME, inverse, rational
 from symcheck.core.terms import Term, node
+from symcheck.export.coq.printing import ATOM, spelled
 
 
 def value(term: Term) -> int:
@@ -29,6 +30,11 @@ def number(residue: int) -> Fraction | None:
 def quotient(q: Fraction) -> Term:
     """A rational number as a term."""
     return q.numerator if q.denominator == 1 else node("/", q.numerator, q.denominator)
+
+
+def shown_ratio(q: Fraction) -> str:
+    """The same as Coq reads it, in brackets where it needs them."""
+    return spelled(quotient(q), ATOM)
 
 
 def turns(angle: Term) -> tuple[list[tuple[str, int]], Term]:

@@ -5,12 +5,11 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 
-from symcheck.core.calculus import substituted
+from symcheck.core.calculus import letters, substituted
 from symcheck.core.terms import Reader, Term, Value, node
 from symcheck.export.coq.claims import Exported
 from symcheck.export.coq.printing import ATOM, name, spelled
 from symcheck.export.coq.statements import Statement
-from symcheck.export.coq.terms import letters
 from symcheck.export.coq.values import number, quotient, value
 
 HEAD = """Require Import Reals Lra.
@@ -43,10 +42,10 @@ def witnesses(found: Sequence[Exported]) -> tuple[str, dict[str, str]]:
 
 def needed(statement: Statement) -> list[str]:
     """The letters of the hypotheses, and of the definitions behind them."""
-    kept = {*letters(*(f for _, f in statement.hypotheses), *statement.premises)}
+    kept = letters(node("and", *(formula for _, formula in statement.hypotheses), *statement.divided))
     for x in reversed(statement.defined):
         if x in kept:
-            kept |= {*letters(statement.definitions.terms[x])}
+            kept |= letters(statement.definitions.terms[x])
     return [x for x in statement.variables if x in kept]
 
 
@@ -70,7 +69,7 @@ def proofs(each: Exported) -> Iterator[str]:
         angles = {x: circular for x, number in values.items() if (circular := circle(number))}
         values |= {x: x for x in angles}
         terms = {x: substituted(statement.definitions.unfolded(x), values) for x in needed(statement)}
-        if angles.keys() >= {*letters(*terms.values())}:
+        if letters(node("+", *terms.values())) <= angles.keys():
             yield script(terms, {x: angles[x] for x in terms if x in angles})
 
 
