@@ -96,12 +96,6 @@ class Functions(Signs):
             if not known and spelled(divisor) not in self.nonzero:
                 self.divisor(divisor)
 
-    def positive(self, terms: Iterable[Term]) -> None:
-        """That terms are not zero, as they are manifestly positive."""
-        for term in terms:
-            if spelled(term) not in self.nonzero and (found := self.sign(term)) is not None and found.level == 2:
-                self.apart(term, f"exact (pos_nz {found.proof})")
-
     def apart(self, term: Term, by: str) -> str:
         """Proves that a term is not zero, and keeps that."""
         own = self.prove_aside(node("!=", term, 0), "n", by)
@@ -132,8 +126,8 @@ class Functions(Signs):
             if (k := ratio(other, term)) is not None:
                 return self.apart(term, f"apply (nz_of {shown_ratio(k)} {own}); {self.algebra}")
         for signed, lemma in ((term, "pos_nz"), (node("-", term), "neg_nz")):
-            if (found := self.sign(signed)) is not None and found.level == 2:
-                return self.apart(term, f"exact ({lemma} {found.proof})")
+            if proof := self.positive(signed):
+                return self.apart(term, f"exact ({lemma} {proof})")
         if exact(term) and (square := number(value(node("^", term, 2)))):
             by = f"intro Z; assert (S : ({spelled(term)}) ^ 2 = 0) by (rewrite Z; ring); "
             by += f"assert (T : ({spelled(term)}) ^ 2 = {shown_ratio(square)}) by ({self.algebra}); lra"

@@ -108,10 +108,9 @@ class Script(Functions):
         apart = [self.cleared(text) for text in proof.get("clear", ())]
         for data in proof.get("times", ()):
             if data[0] == "positive":
-                found = self.sign(self.read(data[1]))
-                if found is None or found.level < 2:
+                if not (shown := self.positive(self.read(data[1]))):
                     raise NotExported("a factor that is not manifestly positive")
-                apart.append(f"(pos_nz {found.proof})")
+                apart.append(f"(pos_nz {shown})")
             else:
                 apart.append(self.fact(data, ("!=", ">")).apart)
         rows = []
@@ -157,7 +156,9 @@ class Script(Functions):
         kept = self.atoms
         if "atoms" in proof:
             self.atoms = {x: self.read(term) for x, term in proof["atoms"].items()}
-        self.positive(map(self.read, proof.get("positive", ())))
+        for term in map(self.read, proof.get("positive", ())):
+            if spelled(term) not in self.nonzero and (shown := self.positive(term)):
+                self.apart(term, f"exact (pos_nz {shown})")
         rule(goal, proof)
         self.atoms = kept
 

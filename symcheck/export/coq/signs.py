@@ -48,6 +48,11 @@ class Signs(Assumptions):
                 found = None
         return found or self._known(term)
 
+    def positive(self, term: Term) -> str | None:
+        """A proof term of 0 < t, if that is manifest."""
+        found = self.sign(term)
+        return found.proof if found and found.level == 2 else None
+
     def _of_sum(self, parts: Sequence[Term]) -> Sign | None:
         found: Sign | None = None
         for k, part in enumerate(parts):

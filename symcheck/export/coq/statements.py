@@ -149,7 +149,6 @@ def unsettled(definitions: Definitions, hypotheses: Hypotheses, spoken: list[Ter
         term = full(divisor)
         if is_number(term) or any(ratio(each, term) for each in (*gaps, *found.values())):
             continue
-        sign = probe.sign(term)
-        if sign is None or sign.level < 2:
+        if not probe.positive(term):
             found[divisor] = term
     return [*found]
