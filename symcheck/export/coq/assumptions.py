@@ -7,10 +7,10 @@ from contextlib import contextmanager
 from typing import NamedTuple
 
 from symcheck.checker.rules import Reference, reference
-from symcheck.core.terms import Connective, Formula, Node, Relation, Term, node
+from symcheck.core.terms import JSON, Connective, Formula, Node, Relation, Term, node
 from symcheck.export.coq.printing import spelled
 from symcheck.export.coq.statements import Statement
-from symcheck.export.coq.terms import JSON, Definitions, NotExported, Tree, rebuilt, without_tangents
+from symcheck.export.coq.terms import Definitions, NotExported, Tree, rebuilt, without_tangents
 
 
 class Known(NamedTuple):

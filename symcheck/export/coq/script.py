@@ -14,12 +14,11 @@ from math import lcm, prod
 from symcheck.checker.rules import Reference, contrary
 from symcheck.core import calculus
 from symcheck.core.calculus import substituted
-from symcheck.core.terms import FORMULAS, Connective, Formula, Quantified, Term, Value, node
+from symcheck.core.terms import FORMULAS, JSON, Connective, Formula, Quantified, Term, Value, node
 from symcheck.export.coq.assumptions import pattern
 from symcheck.export.coq.functions import OPAQUE, Functions
 from symcheck.export.coq.printing import name, spelled
 from symcheck.export.coq.terms import (
-    JSON,
     Certificate,
     NotExported,
     Proof,
@@ -331,13 +330,13 @@ def mentioned(proof: JSON) -> Iterator[JSON]:
             for each in proof:
                 yield from mentioned(each)
         case dict():
-            for key, value in proof.items():
-                match key, value:
-                    case "form" | "formula", _:
-                        yield value
-                    case "atoms" | "point" | "numbers" | "with", _:
-                        yield from (each["term"] if isinstance(each, dict) else each for each in value.values())
-                    case "positive", _:
-                        yield from value
-                    case _:
-                        yield from mentioned(value)
+            for entry in proof.items():
+                match entry:
+                    case "form" | "formula", data:
+                        yield data
+                    case "positive", list(listed):
+                        yield from listed
+                    case "atoms" | "point" | "numbers" | "with", dict(named):
+                        yield from (data["term"] if isinstance(data, dict) else data for data in named.values())
+                    case _, data:
+                        yield from mentioned(data)

@@ -11,10 +11,22 @@ from typing import Any, TypeVar
 
 from symcheck.core import calculus
 from symcheck.core.calculus import letters
-from symcheck.core.terms import FORMULAS, Binder, Call, Field, Formula, Node, Quantified, Reader, Term, Value, node
+from symcheck.core.terms import (
+    FORMULAS,
+    JSON,
+    Binder,
+    Call,
+    Field,
+    Formula,
+    Node,
+    Quantified,
+    Reader,
+    Term,
+    Value,
+    node,
+)
 
-JSON = Any
-Tree = TypeVar("Tree", bound="int | str | Node")  # a term or formula, and the same kind of thing after a change
+Tree = TypeVar("Tree", bound="int | str | Node")  # a term or formula, which stays one after a change
 Proof = dict[str, Any]  # one step of a proof, with the steps above it
 Certificate = dict[str, Any]
 FACTOR = re.compile(r"(\d+)(?:/(\d+))?|([A-Za-z]\w*)(?:\^(\d+))?", re.ASCII)

@@ -9,10 +9,10 @@ from itertools import groupby
 from typing import TYPE_CHECKING
 
 from symcheck.checker import theorems as table
-from symcheck.core.terms import Term, node
+from symcheck.core.terms import JSON, Term, node
 from symcheck.export.coq.digits import Enclosure
 from symcheck.export.coq.printing import ATOM, IMPLIES, Printer, name, spelled
-from symcheck.export.coq.terms import JSON, Proof
+from symcheck.export.coq.terms import Proof
 
 if TYPE_CHECKING:
     from symcheck.export.coq.script import Script
@@ -38,8 +38,8 @@ class Application:
 
     def __init__(self, script: Script, proof: Proof) -> None:
         self.script, self.name = script, proof["of"]
-        self.terms: dict[str, Term] = {}  # what parameters stand for, in Coq `fun` a letter `=>` such a term
-        self.letters: dict[str, str] = {}
+        self.terms: dict[str, Term] = {}  # what parameters stand for: a number, or the value of a function at a letter
+        self.letters: dict[str, str] = {}  # these letters
         for parameter, data in proof.get("with", {}).items():
             if isinstance(data, dict):
                 self.letters[parameter], data = data["letter"], data["term"]
@@ -100,5 +100,5 @@ def identifier(name: str) -> str:
 def missing(proof: JSON) -> str | None:
     """Why a proof has no form in Coq, if it uses a theorem that is not there."""
     parts = proof if isinstance(proof, list) else proof.values() if isinstance(proof, dict) else ()
-    own = MISSING.get(proof.get("of", "")) if isinstance(proof, dict) else None
+    own = MISSING.get(str(proof.get("of"))) if isinstance(proof, dict) else None
     return own or next(filter(None, map(missing, parts)), None)
