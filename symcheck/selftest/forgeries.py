@@ -144,7 +144,9 @@ def _of_point(path: Path, node: Any, words: str) -> Iterator[Forgery]:
 
 
 def _places(node: Any, path: Path = ()) -> Iterator[tuple[Path, Any]]:
+    """Every part with its path, but for the place of a derivative, which the search takes for the letter itself."""
     yield path, node
+    node = node[:-1] if isinstance(node, list) and node[:1] == ["diff"] else node
     children = node.items() if isinstance(node, dict) else enumerate(node) if isinstance(node, list) else ()
     for key, child in children:
         yield from _places(child, (*path, key))

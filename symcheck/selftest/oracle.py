@@ -123,7 +123,10 @@ class Place:
             return self._exists(*parts)
         if head in SIGNS:
             left, right = (self.value(part) for part in parts)
-            return bool(SIGNS[head](left - right, TOLERANCE * max(1, abs(left), abs(right))))
+            gap, small = left - right, TOLERANCE * max(1, abs(left), abs(right))
+            if head not in ("=", "!=") and 0 < abs(gap) < small:
+                raise ValueError("a sign that cannot be told")
+            return bool(SIGNS[head](gap, small))
         return CONNECTIVES[head]([self.holds(part) for part in parts if head in CONNECTIVES])
 
     def _exists(self, names: tuple[str, ...], body: Formula) -> bool:
