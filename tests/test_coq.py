@@ -17,7 +17,6 @@ from symcheck.core.terms import Reader as Terms
 from symcheck.core.terms import Term, node
 from symcheck.evidence.confirmed import record_all, recorded
 from symcheck.evidence.decide import decide
-from symcheck.evidence.translation import certificate as translated
 from symcheck.export.coq import compile as compiler
 from symcheck.export.coq.claims import Exported
 from symcheck.export.coq.comparison import Point, differences
@@ -184,7 +183,7 @@ UNKNOWN = Problem(
 def certified(problem: Problem) -> dict[str, Any]:
     outcome = combined().decide(problem)
     assert outcome is not None
-    return translated(certificate_of(problem, outcome))
+    return certificate_of(problem, outcome)
 
 
 def test_unknown_functions_are_any_functions() -> None:

@@ -11,7 +11,6 @@ from symcheck.core.calculus import Unknown
 from symcheck.core.terms import Malformed
 from symcheck.evidence.confirmed import asked, digest_of
 from symcheck.evidence.record import Record
-from symcheck.evidence.translation import certificate as translated
 from symcheck.export.coq.composed import composition
 from symcheck.export.coq.script import Script
 from symcheck.export.coq.statements import Statement, statement
@@ -54,7 +53,7 @@ def _of_record(record: Record) -> Iterator[Exported]:
     for corrected, proofs in asked(record):
         for k, found in enumerate(proofs, 1):
             name = f"{stem}{'_corrected' if corrected else ''}{f'_part{k}' if len(proofs) > 1 else ''}"
-            yield Exported(name, record, translated(found), digest_of(found), corrected)
+            yield Exported(name, record, found, digest_of(found), corrected)
 
 
 def _write(each: Exported, by_id: Mapping[str, list[Exported]]) -> None:

@@ -15,11 +15,10 @@ from typing import Any
 
 import mpmath
 
-from symcheck.core.terms import Binder, Call, Connective, Formula, Node, Quantified, Reader, Relation, Term, Value, node
+from symcheck.core.terms import Binder, Call, Connective, Formula, Node, Quantified, Relation, Term, Value, node
 from symcheck.evidence.context import Context, for_letter
 from symcheck.evidence.judge import Unit, equality_claims, units
 from symcheck.evidence.obligation import obligation_of
-from symcheck.evidence.translation import stated
 from symcheck.export.coq.reader import claims
 from symcheck.reading import read
 from symcheck.statement import Role
@@ -124,14 +123,7 @@ def printed(id: str, corrected: bool) -> Iterator[tuple[Context, Formula]]:
     context = Context(obligation.paper, obligation.item)
     unit = next(unit for unit in units(context) if unit.letter == id[len(declared) :])
     context = context.having(letter=unit.letter)
-    formulas = [*map(formula_of, _formulas(context, unit, corrected))]
-    table = {x: Reader().term(stated(term)) for x, term in context.table.items()}
-    yield from ((context.having(table=table), formula) for formula in formulas)
-
-
-def formula_of(printed: Any) -> Formula:
-    """A formula of the print in the checker's form."""
-    return Reader().formula(stated(printed))
+    yield from ((context, formula) for formula in _formulas(context, unit, corrected))
 
 
 def _is_declared(id: str) -> bool:
@@ -173,7 +165,7 @@ def _faults(context: Context, formula: Formula, premises: Sequence[Formula], con
         yield "the conclusion is not what is printed"
     item = context.item
     known = [f for each in (*item.given, *item.needs, *item.equality_given) for f in context.hypothesis(each)[1]]
-    shapes = [at.shape(formula_of(f)) for f in known]
+    shapes = [at.shape(f) for f in known]
     for premise in premises:
         shape = at.shape(premise)
         left, right = premise.terms if isinstance(premise, Relation) else (0, 1)

@@ -7,7 +7,7 @@ from dataclasses import replace
 from functools import reduce
 from typing import TYPE_CHECKING
 
-from symcheck.checker.rules import conjuncts
+from symcheck.core.formulas import conjuncts
 from symcheck.core.terms import Connective, Formula, node
 from symcheck.export.coq.assumptions import pattern
 from symcheck.export.coq.statements import Statement, premise, stated

@@ -11,10 +11,11 @@ from collections.abc import Iterator, Sequence
 from functools import reduce
 from math import lcm, prod
 
-from symcheck.checker.rules import Reference, contrary
+from symcheck.checker.rules import Reference
 from symcheck.core import calculus
 from symcheck.core.calculus import substituted
-from symcheck.core.terms import FORMULAS, JSON, Connective, Formula, Quantified, Term, Value, node
+from symcheck.core.formulas import contrary
+from symcheck.core.terms import FORMULAS, JSON, Connective, Formula, Node, Quantified, Term, Value, node
 from symcheck.export.coq.assumptions import pattern
 from symcheck.export.coq.functions import OPAQUE, Functions
 from symcheck.export.coq.printing import name, spelled
@@ -104,9 +105,11 @@ class Script(Functions):
 
     def combination(self, proof: Proof) -> tuple[str, str]:
         """A proof that the multiplier is not zero, and one that the sum of cofactors times facts is zero."""
-        apart = [self.cleared(text) for text in proof.get("clear", ())]
+        apart = []
         for data in proof.get("times", ()):
-            if data[0] == "positive":
+            if isinstance(data, str):
+                apart.append(self.cleared(data))
+            elif data[0] == "positive":
                 if not (shown := self.positive(self.read(data[1]))):
                     raise NotExported("a factor that is not manifestly positive")
                 apart.append(f"(pos_nz {shown})")
@@ -162,7 +165,7 @@ class Script(Functions):
         self.atoms = kept
 
     def _identity(self, goal: Formula, proof: Proof) -> None:
-        if not proof["cofactors"] and not proof.get("clear") and not proof.get("times"):
+        if not proof["cofactors"] and not proof.get("times"):
             self.emit(f"{self.algebra}.")
             return
         multiplier, total = self.combination(proof)
@@ -226,10 +229,12 @@ class Script(Functions):
             hypothesis = rest
 
     def _split(self, goal: Formula, proof: Proof) -> None:
-        bases = [(self.base(text), exponent) for text, exponent in proof["factors"]]
+        form = self.read(proof["form"])
+        powers = [power for power in form.outside if isinstance(power, Node)] if isinstance(form, Node) else []
+        bases = [(base, exponent) for base, exponent in (power.terms for power in powers) if isinstance(exponent, int)]
         if not bases:
             raise NotExported("a product of nothing")
-        powers = [node("^", *each) for each in bases]
+        self.divides = self.divides or any(isinstance(t, Node) and t.tag == "/" for t in subterms(*powers))
         whole = reduce(lambda rest, power: node("*", power, rest), reversed(powers))
         own = self.combined(node("=", whole, 0), proof, "p")
         for k, ((base, exponent), inner) in enumerate(zip(bases, proof["cases"], strict=True)):
@@ -244,13 +249,6 @@ class Script(Functions):
             with self.inside():
                 self.learn(node("=", base, 0), fact)
                 self.prove(goal, inner)
-
-    def base(self, text: str) -> Term:
-        """A polynomial with its own coefficients."""
-        term, scale = polynomial(text, self.atoms)
-        if scale > 1:
-            self.divides = True
-        return term if scale == 1 else node("/", term, scale)
 
     def _vanish(self, goal: Formula, proof: Proof) -> None:
         form = self.read(proof["form"])

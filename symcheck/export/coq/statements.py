@@ -99,7 +99,7 @@ def folded(line: str) -> Iterable[str]:
 
 def statement(certificate: Certificate) -> Statement:
     """What a certificate of a proof states; what is defined in its lemmas alone stays a letter."""
-    free = certificate.get("free", ())
+    free = {x for x, term in certificate["proof"].get("atoms", {}).items() if x == term}
     definitions = Definitions([(name, term) for name, term in certificate["definitions"] if name not in free])
     hypotheses = tuple(
         (("hyp", label, k), definitions.formula(formula))

@@ -39,11 +39,13 @@ def shown_ratio(q: Fraction) -> str:
 
 def turns(angle: Term) -> tuple[list[tuple[str, int]], Term]:
     """An angle as whole multiples of letters and a rest."""
-    total: dict[Key, Fraction] = {}
-    for key, n, d in Algebra({}).angles(angle, 1, 1):
-        total[key] = total.get(key, Fraction(0)) + Fraction(n, d)
+    total: dict[Key, int] = {}
+    for key, residue in Algebra({}).angles(angle, 1):
+        total[key] = total.get(key, 0) + residue
     whole, rest = list[tuple[str, int]](), list[Term]()
-    for key, times in total.items():
+    for key, residue in total.items():
+        if (times := number(residue)) is None:
+            return [], angle
         match key:
             case "letter", str(x) if times.denominator == 1:
                 whole += [(x, int(times))] if times else []
@@ -51,7 +53,7 @@ def turns(angle: Term) -> tuple[list[tuple[str, int]], Term]:
                 rest.append(node("*", quotient(times), x))
             case ("pi",):
                 rest += [node("*", quotient(times), node("pi"))] if times else []
-            case "number", int(residue) if known := number(residue):
+            case "number", int(own) if known := number(own):
                 rest.append(quotient(known * times))
             case _:
                 return [], angle
