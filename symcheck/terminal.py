@@ -22,7 +22,7 @@ from symcheck.codegen.kernel import Kernel
 from symcheck.evidence.confirmed import digest_of, told
 from symcheck.evidence.faults import fails_at, without
 from symcheck.evidence.record import Record
-from symcheck.evidence.steps import steps, term
+from symcheck.evidence.steps import shown, term
 from symcheck.statement import Group, Paper, Verdict
 
 _STYLES = {Verdict.PROVED: "green", Verdict.REFUTED: "bold red", Verdict.UNDECIDED: "yellow"}
@@ -277,9 +277,8 @@ def _repairs(repair: Mapping[str, Any]) -> str:
 
 def _certificate(out: Console, certificate: Mapping[str, Any], whole: bool) -> None:
     _field(out, "certificate", _digest(certificate))
-    _field(out, "from lemmas", ", ".join(dict(certificate.get("lemmas", ()))))
     _field(out, "decides", term(certificate["claim"]) if "claim" in certificate else "")
-    _field(out, "proof", "\n".join(steps(certificate["proof"])) if certificate.get("proof") else "")
+    _field(out, "proof", "\n".join(shown(certificate)))
     if whole:
         print(
             json.dumps(certificate, ensure_ascii=False, indent=2, sort_keys=True),
