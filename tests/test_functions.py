@@ -7,7 +7,7 @@ from typing import Any
 
 import pytest
 
-from symcheck.core.terms import MINUS_INFINITY, PI, node
+from symcheck.core.terms import INFINITY, MINUS_INFINITY, PI, node
 from symcheck.evidence.checked import reason as check
 from symcheck.proof import certificate, identity
 from symcheck.proof.methods import theorems
@@ -19,8 +19,8 @@ FALL: Term = node(
     "+", node("-", node("/", node("*", 4, "gamma"), node("*", 3, node("^", "alpha", 2)))), node("-", node("/", 2, 3))
 )
 DENSITY: Term = node("*", 8, "C", "a", node("pow", SPREAD, FALL))
-HALF = (0, "infinity")
-WHOLE = (MINUS_INFINITY, "infinity")
+HALF = (0, INFINITY)
+WHOLE = (MINUS_INFINITY, INFINITY)
 LORENTZ: Term = node("+", node("^", "x", 2), node("^", "k", 2))
 NOISE = ("noise", (node(">", "alpha", 0), node(">", "beta", 0)))
 AMPLITUDE = ("amplitude", (node(">", "a", 0),))

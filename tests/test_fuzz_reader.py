@@ -12,7 +12,6 @@ from formula_grammar import GENERATED, formula
 from limits import Hung, little_memory, within_a_second
 
 from symcheck import papers
-from symcheck.core.terms import node
 from symcheck.evidence.obligation import expand
 from symcheck.reading import Notation, lower, read, relations
 from symcheck.statement import SymcheckError
@@ -68,7 +67,7 @@ def made(rng: random.Random, key: str) -> str:
     return text
 
 
-BRACKETS = [("(", ")"), ("{", "}"), (r"\sqrt{", "}"), node("-", ""), (r"\frac{1}{", "}"), ("p^{", "}")]
+BRACKETS = [("(", ")"), ("{", "}"), (r"\sqrt{", "}"), ("-", ""), (r"\frac{1}{", "}"), ("p^{", "}")]
 
 
 def nested(rng: random.Random, key: str) -> str:
