@@ -209,7 +209,7 @@ def test_a_lemma_does_not_speak_of_a_letter_defined_otherwise() -> None:
     lemma = {"id": "p:1", "verdict": "proved", "claim": equation, "definitions": [["J", "x"]]}
     lemma["proof"] = {"rule": "identity", "cofactors": []}
     by = {"rule": "implies", "then": {"rule": "identity", "cofactors": [[["here", 0], "1"]]}}
-    use = {**lemma, "id": "p:2", "free": ["J"], "lemmas": [["p:1", equation]], "proof": by}
+    use = {**lemma, "id": "p:2", "lemmas": [["p:1", equation]], "proof": by}
 
     def fault(changed: dict[str, object], *beside: dict[str, object]) -> str | None:
         *_, answer = check_all([*beside, changed])

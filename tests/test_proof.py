@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Iterable
 from dataclasses import replace
 from typing import Any
 
@@ -74,12 +73,19 @@ class Attentive(Prover):
 
     assumed, idle = 0, list[str]()
 
-    def branch(self, goal: Any, proof: Any, assumed: Iterable[Any] = (), zero: str | None = None) -> None:
-        number = "here", self.depth
+    splits = False  # whether the step that is being checked splits a product
+
+    def prove(self, goal: Any, proof: Any) -> None:
+        self.splits = proof["rule"] == "split"
+        super().prove(goal, proof)
+
+    def branch(self, goal: Any, proof: Any, *assumed: Any) -> None:
+        splits, number = self.splits, ("here", self.depth)
         self.used.discard(number)
-        super().branch(goal, proof, assumed, zero)
-        Attentive.assumed += zero is not None
-        Attentive.idle += [zero] if zero is not None and number not in self.used else []
+        super().branch(goal, proof, *assumed)
+        self.splits = splits
+        Attentive.assumed += splits
+        Attentive.idle += [str(assumed)] if splits and number not in self.used else []
 
 
 @pytest.mark.parametrize("paper", ["mirer2009", "esenkov2006", "poloskov2004"])

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from symcheck.core.terms import PI, node
+from symcheck.core.terms import PI
 from symcheck.reading import Letter, Notation, lower, read, term, to_latex
 from symcheck.statement import SymcheckError
 
@@ -42,24 +42,24 @@ def stated(latex: str, notation: Notation = MOVING) -> tuple[object, ...]:
 
 
 def call(name: str, *arguments: object, orders: tuple[int, ...] | None = None) -> tuple[object, ...]:
-    return node("call", name, orders or (0,) * len(arguments), *arguments)
+    return ("call", name, orders or (0,) * len(arguments), *arguments)
 
 
 R, R1, R2 = (call("r", "t", orders=(n,)) for n in (0, 1, 2))
 READ = {
-    "f(x) - f(y)": node("+", call("f", "x"), node("-", call("f", "y"))),
+    "f(x) - f(y)": ("+", call("f", "x"), ("-", call("f", "y"))),
     "f(x, y)": call("f", "x", "y"),
-    "f(f(x + 1))": call("f", call("f", node("+", "x", 1))),
-    "f^2(x)": node("^", call("f", "x"), 2),
-    "f(x)^2": node("^", call("f", "x"), 2),
+    "f(f(x + 1))": call("f", call("f", ("+", "x", 1))),
+    "f^2(x)": ("^", call("f", "x"), 2),
+    "f(x)^2": ("^", call("f", "x"), 2),
     "f'(x)": call("f", "x", orders=(1,)),
-    "f''(2x)": call("f", node("*", 2, "x"), orders=(2,)),
+    "f''(2x)": call("f", ("*", 2, "x"), orders=(2,)),
     r"\frac{df(x)}{dx}": call("f", "x", orders=(1,)),
     r"\frac{\partial^2 f(x, y)}{\partial x \partial y}": call("f", "x", "y", orders=(1, 1)),
-    r"\frac{d}{dx}(f(x)^2)": node("diff", node("^", call("f", "x"), 2), "x", 1, "x"),
+    r"\frac{d}{dx}(f(x)^2)": ("diff", ("^", call("f", "x"), 2), "x", 1, "x"),
     "r": R,
     "r(t)": R,
-    "r^2(t)": node("^", R, 2),
+    "r^2(t)": ("^", R, 2),
     r"\dot r": R1,
     r"\dot{r}(t)": R1,
     r"\ddot{r}": R2,
@@ -78,20 +78,20 @@ READ = {
     r"\frac{\partial^2 u}{\partial s^2}": call("u", "s", "t", orders=(2, 0)),
     "u(1, t)": call("u", 1, "t"),
     r"\frac{\partial w}{\partial t}": call("w", R, "t", orders=(0, 1)),
-    r"\frac{dw}{dt}": node("diff", call("w", R, "t"), "t", 1, "t"),
-    r"\frac{dU}{dt}": node("diff", call("U", R), "t", 1, "t"),
-    r"\dot r \cdot (t + 1)": node("*", R1, node("+", "t", 1)),
-    r"\int_0^1 r \, dt": node("integral", R, "t", 0, 1),
+    r"\frac{dw}{dt}": ("diff", call("w", R, "t"), "t", 1, "t"),
+    r"\frac{dU}{dt}": ("diff", call("U", R), "t", 1, "t"),
+    r"\dot r \cdot (t + 1)": ("*", R1, ("+", "t", 1)),
+    r"\int_0^1 r \, dt": ("integral", R, "t", 0, 1),
     r"\Psi(\mathbf{v}, 0)": call("Psi", "v_1", "v_2", "v_3", 0),
-    "M(t) + M": node("+", "M", "M"),
-    r"\frac{dN}{dt}": node("diff", "N", "t", 1, "t"),
-    "h(x)": node("*", "h", "x"),
-    "k(x + 1)": node("*", "k", node("+", "x", 1)),
-    r"\sin(\omega)(x + 1)": node("*", node("sin", "omega"), node("+", "x", 1)),
-    r"2 \cdot \frac12": node("*", 2, node("/", 1, 2)),
-    r"2 \frac{x}{2}": node("*", 2, node("/", "x", 2)),
-    r"\dot{V}(0) + V'(0)": node("+", call("V", 0, orders=(1,)), call("V", 0, orders=(1,))),
-    "2^{(x + 1)}": node("pow", 2, node("+", "x", 1)),
+    "M(t) + M": ("+", "M", "M"),
+    r"\frac{dN}{dt}": ("diff", "N", "t", 1, "t"),
+    "h(x)": ("*", "h", "x"),
+    "k(x + 1)": ("*", "k", ("+", "x", 1)),
+    r"\sin(\omega)(x + 1)": ("*", ("sin", "omega"), ("+", "x", 1)),
+    r"2 \cdot \frac12": ("*", 2, ("/", 1, 2)),
+    r"2 \frac{x}{2}": ("*", 2, ("/", "x", 2)),
+    r"\dot{V}(0) + V'(0)": ("+", call("V", 0, orders=(1,)), call("V", 0, orders=(1,))),
+    "2^{(x + 1)}": ("pow", 2, ("+", "x", 1)),
 }
 
 
@@ -104,13 +104,16 @@ def test_what_is_certain_is_read_with_all_its_arguments(latex):
 
 def test_a_vector_that_depends_on_time_has_the_derivatives_of_its_components():
     rates = tuple(call(f"R_{n}", "t", orders=(1,)) for n in (1, 2, 3))
-    assert stated(r"\dot{\mathbf{R}} = 0") == tuple(node("=", rate, 0) for rate in rates)
+    assert stated(r"\dot{\mathbf{R}} = 0") == tuple(("=", rate, 0) for rate in rates)
     assert stated(r"\frac{d\mathbf{R}}{dt} = 0") == stated(r"\dot{\mathbf{R}} = 0")
     rates = tuple(call(f"q_{n}", "t", orders=(1,)) for n in (1, 2, 3))
-    assert stated(r"\dot{\mathbf{Q}} = 0") == tuple(node("=", rate, 0) for rate in rates)
+    assert stated(r"\dot{\mathbf{Q}} = 0") == tuple(("=", rate, 0) for rate in rates)
 
 
 REFUSED = {
+    "0^0 = 1": "no value on which all agree",
+    "[x] = 1": "the whole part of x, or idle brackets",
+    "x^{[2]} = 1": "index, the order of a derivative, or a power",
     "f = 1": r"without its arguments.*depends='x'",
     r"\frac{df}{dx} = 0": "without its arguments",
     r"\frac{dz}{dt} = 0": r"does z depend on t\? declare z with depends='t' if it does, depends='' if it is constant",
@@ -199,10 +202,10 @@ def test_two_readings_are_refused_with_both(latex):
 
 def test_what_a_bracket_or_a_space_behind_an_argument_means_is_said_by_the_notation():
     short, long = (Notation(PLAIN.letters, argument=which) for which in ("short", "long"))
-    assert term(r"\cos a\,x", short) == node("*", node("cos", "a"), "x")
-    assert term(r"\cos a\,x", long) == node("cos", node("*", "a", "x"))
-    assert term(r"\sin\omega(t - x)", short) == node("*", node("sin", "omega"), node("+", "t", node("-", "x")))
-    assert term(r"\sin\omega(t - x)", long) == node("sin", node("*", "omega", node("+", "t", node("-", "x"))))
+    assert term(r"\cos a\,x", short) == ("*", ("cos", "a"), "x")
+    assert term(r"\cos a\,x", long) == ("cos", ("*", "a", "x"))
+    assert term(r"\sin\omega(t - x)", short) == ("*", ("sin", "omega"), ("+", "t", ("-", "x")))
+    assert term(r"\sin\omega(t - x)", long) == ("sin", ("*", "omega", ("+", "t", ("-", "x"))))
     assert short != long != PLAIN
     assert short.extended().argument == "short"
     with pytest.raises(SymcheckError, match="end 'none' of an argument"):
@@ -211,7 +214,7 @@ def test_what_a_bracket_or_a_space_behind_an_argument_means_is_said_by_the_notat
 
 def test_a_superscript_in_brackets_may_be_part_of_a_declared_letter():
     notation = PLAIN.extended(Letter("a^{(2)}"), Letter("x^{(1)}", name="first", indices=1))
-    assert term("a^{(2)} a^2", notation) == node("*", "a2", node("^", "a", 2))
+    assert term("a^{(2)} a^2", notation) == ("*", "a2", ("^", "a", 2))
     assert term("x^{(1)}_3", notation) == "first_3"
     assert read(to_latex(read("a^{(2)} x^{(1)}_3", notation)), notation) == read("a^{(2)} x^{(1)}_3", notation)
 
@@ -221,7 +224,7 @@ SPACES = [r"\quad", r"\qquad", r", \ ", r",\;", ", ", r"; \quad", r"\\"]
 
 @pytest.mark.parametrize("space", SPACES)
 def test_a_wide_space_parts_relations(space):
-    assert stated(f"J = x^2 {space} K = y^2") == (node("=", "J", node("^", "x", 2)), node("=", "K", node("^", "y", 2)))
+    assert stated(f"J = x^2 {space} K = y^2") == (("=", "J", ("^", "x", 2)), ("=", "K", ("^", "y", 2)))
 
 
 @pytest.mark.parametrize("space", [r"\,", r"\;", r"\quad", "~", "&"])
@@ -230,7 +233,7 @@ def test_a_space_beside_a_sign_is_layout(space):
 
 
 def test_columns_of_an_alignment_are_relations():
-    assert stated(r"\begin{aligned} J &= x & K &= y \end{aligned}") == (node("=", "J", "x"), node("=", "K", "y"))
+    assert stated(r"\begin{aligned} J &= x & K &= y \end{aligned}") == (("=", "J", "x"), ("=", "K", "y"))
 
 
 RESERVED = [r"\tanh", r"\to", r"\det", r"\lim", r"\int", r"\sum", r"\times", r"\prod", r"\nabla", r"\forall", r"\quad"]
@@ -317,12 +320,12 @@ def test_letters_that_may_be_numbers_say_whether_they_are():
 
 def test_numbers_among_the_letters_have_their_values():
     notation = PLAIN.extended(Letter("e", number="e"), Letter("i", number="i"), Letter(r"\pi"))
-    assert term("e^x", notation) == node("exp", "x")
-    assert term("2 e", notation) == node("*", 2, node("exp", 1))
-    assert term(r"e^{(x + 1)} \pi", notation) == node("*", node("exp", node("+", "x", 1)), PI)
+    assert term("e^x", notation) == ("exp", "x")
+    assert term("2 e", notation) == ("*", 2, ("exp", 1))
+    assert term(r"e^{(x + 1)} \pi", notation) == ("*", ("exp", ("+", "x", 1)), PI)
     with pytest.raises(SymcheckError, match="imaginary unit"):
         term("2 i", notation)
-    assert term("e^x", PLAIN.extended(Letter("e", name="e"))) == node("pow", "e", "x")
+    assert term("e^x", PLAIN.extended(Letter("e", name="e"))) == ("pow", "e", "x")
     for latex in ("e'", "e'^x"):
         with pytest.raises(SymcheckError, match=r"another letter|no primes"):
             term(latex, notation)
@@ -330,7 +333,7 @@ def test_numbers_among_the_letters_have_their_values():
 
 def test_a_quotient_by_a_letter_d_is_no_derivative():
     notation = Notation([Letter("d"), Letter("x"), Letter("y")])
-    assert term(r"\frac{x}{d y}", notation) == node("/", "x", node("*", "d", "y"))
+    assert term(r"\frac{x}{d y}", notation) == ("/", "x", ("*", "d", "y"))
     for latex in (r"\frac{d y}{d x}", r"\frac{d^2 y}{d x^2}", r"d/(d x)"):
         with pytest.raises(SymcheckError, match="a derivative, or a quotient"):
             term(latex, notation)
@@ -340,7 +343,7 @@ def test_a_dotted_letter_is_not_declared_twice():
     with pytest.raises(SymcheckError, match="this is its derivative"):
         Notation([Letter("t"), Letter("r", depends="t"), Letter(r"\dot{r}")])
     own = Notation([Letter("r"), Letter(r"\dot{r}")])
-    assert term(r"\dot r r", own) == node("*", "dr", "r")
+    assert term(r"\dot r r", own) == ("*", "dr", "r")
 
 
 BAD_DEPENDENCE = [
@@ -380,8 +383,8 @@ def test_a_named_letter_needs_a_definition_where_it_is_differentiated():
 
 def test_a_double_sign_in_a_conclusion_is_an_alternative():
     (formula,) = stated(r"x^2 = y^2 \Leftrightarrow x = \pm y", PLAIN)
-    assert formula[2] == node("or", node("=", "x", "y"), node("=", "x", node("-", "y")))
-    assert stated(r"\pm x = \mp z", PLAIN) == (node("=", "x", node("-", "z")), node("=", node("-", "x"), "z"))
+    assert formula[2] == ("or", ("=", "x", "y"), ("=", "x", ("-", "y")))
+    assert stated(r"\pm x = \mp z", PLAIN) == (("=", "x", ("-", "z")), ("=", ("-", "x"), "z"))
 
 
 def test_one_wide_index_is_not_mistaken_for_two():

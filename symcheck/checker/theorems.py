@@ -89,25 +89,26 @@ def _table() -> dict[str, str]:
     return {line.partition("(")[0]: line for line in lines}
 
 
+TABLE = _table()
+NAMES = tuple(TABLE)
+
+
 @cache
 def theorem(name: str) -> Theorem:
     """The theorem of that name; Malformed if there is none."""
-    if name not in _table():
+    if name not in TABLE:
         raise Malformed(f"there is no theorem {name}")
-    head, _, rest = _table()[name].partition("): ")
+    head, _, rest = TABLE[name].partition("): ")
     parameters = tuple(head.partition("(")[2].replace(",", "").split())
     before, _, after = rest.partition("|- ")
     premises = tuple(_read(text) for text in before.split(";") if text.strip())
     return Theorem(parameters, premises, _read(after))
 
 
-NAMES = tuple(_table())
-
-
 def stated(name: str) -> str:
     """What a theorem says: its line in the table, without its name, or a sentence."""
     rules = {each.__name__: each for each in (congruence, enclosure)}
-    return str(rules[name].__doc__) if name in rules else _table()[name].partition("): ")[2]
+    return str(rules[name].__doc__) if name in rules else TABLE[name].partition("): ")[2]
 
 
 SIGNS: dict[type, str] = {

@@ -23,7 +23,7 @@ from symcheck.statement import Certificate, SymcheckError, Verdict
 from symcheck.writing import put as put_file
 
 SCHEMA = 1
-PROOFS = 2  # the schema of certificates and of the statements they are compared with
+PROOFS = 3  # the schema of certificates and of the statements they are compared with
 DIGITS = 16  # of a digest
 Kernels = tuple[Mapping[str, str], Iterable[Certificate]]  # texts by the names of their files, proofs
 CERTIFICATES = "certificates"

@@ -27,18 +27,18 @@ _PARAMETERS: Mapping[str, str] = {
 }  # fmt: skip
 
 
-def stated(tree: Any) -> JSON:
+def stated(node: Any) -> JSON:
     """A term or formula of a statement as JSON for the checker: its names are letters, but for pi and infinity."""
-    return term(tree, lambda name: [name] if name in ("pi", "infinity") else None)
+    return term(node, lambda name: [name] if name in ("pi", "infinity") else None)
 
 
-def term(tree: Any, meaning: Callable[[str], Any] | None = None) -> JSON:
+def term(node: Any, meaning: Callable[[str], Any] | None = None) -> JSON:
     """A term of a proof as JSON for the checker; `meaning` says which names are no letters, and what they are."""
-    if isinstance(tree, str):
-        return (meaning or value_of)(tree) or tree
-    if not isinstance(tree, (tuple, list)):
-        return tree
-    match tree:
+    if isinstance(node, str):
+        return (meaning or value_of)(node) or node
+    if not isinstance(node, (tuple, list)):
+        return node
+    match node:
         case ["-", "infinity"]:
             return ["-infinity"]
         case ["diff", body, x, order]:
@@ -49,7 +49,7 @@ def term(tree: Any, meaning: Callable[[str], Any] | None = None) -> JSON:
             return [kind, [*bound], term(body, meaning)]
         case ["call", function, orders, *arguments]:
             return ["call", function, [*orders], *(term(each, meaning) for each in arguments)]
-    return [tree[0], *(term(each, meaning) for each in tree[1:])]
+    return [node[0], *(term(each, meaning) for each in node[1:])]
 
 
 def certificate(found: Mapping[str, Any]) -> dict[str, JSON]:
@@ -63,11 +63,10 @@ def certificate(found: Mapping[str, Any]) -> dict[str, JSON]:
         "hypotheses": {name: [*map(stated, formulas)] for name, formulas in found["hypotheses"].items()},
     }
     if "point" in found:
-        return {**new, "point": point(found["point"])}
+        return {**new, "point": point(found["point"], claim)}
     if facts := found.get("facts"):
         new["claim"] = claim = claim[2]
         new["definitions"] = [[name, stated(value)] for name, value in found["defined"]]
-        new["free"] = sorted({name for name, _ in found["defined"]} - {name for name, _ in found["definitions"]})
         new["lemmas"] = [[name, stated(formula)] for name, formula in facts]
         for name, formulas in found["under"].items():
             own = new["hypotheses"].setdefault(name, [])
@@ -78,6 +77,8 @@ def certificate(found: Mapping[str, Any]) -> dict[str, JSON]:
             condition(texts, lambda name: atoms.get(name) or value_of(name) or name) for texts in conditions
         ]
     new["proof"] = proof(found["proof"])
+    if free := sorted({name for name, _ in found.get("defined", ())} - {name for name, _ in found["definitions"]}):
+        new["proof"]["atoms"] = {**{name: name for name in free}, **new["proof"].get("atoms", {})}
     if points := [*map(witness, found.get("witnesses", ()))]:
         wanted = len(implications(claim)) or 1
         new["witnesses"] = points * wanted if len(points) == 1 else points
@@ -110,31 +111,30 @@ def value_of(name: str) -> list[Any] | None:
 def proof(found: Proof) -> Proof:
     """A whole proof: its steps, and the terms that stand as letters in its polynomials."""
     stated = {name: term(value) for name, value in found.get("atoms", {}).items()}
-    steps = step(found)
+    steps = step(found, lambda name: stated.get(name) or value_of(name) or name)
     used = {name for text in polynomials(steps) for name in _NAME.findall(text)}
     atoms = {name: value for name in sorted(used) if (value := stated.get(name) or value_of(name))}
     positive = [term(each) for each in found.get("positive", ())]
     return {**steps, **({"atoms": atoms} if atoms else {}), **({"positive": positive} if positive else {})}
 
 
-def polynomials(tree: Any) -> Iterator[str]:
+def polynomials(node: Any) -> Iterator[str]:
     """Every polynomial that a proof mentions."""
-    if isinstance(tree, dict):
-        yield from tree.get("clear", ())
-        yield from (text for _, *factors in tree.get("cofactors", ()) for text in factors)
-        yield from (text for text, _ in tree.get("factors", ()))
-        for value in tree.values():
+    if isinstance(node, dict):
+        yield from (text for text in node.get("times", ()) if isinstance(text, str))
+        yield from (text for _, *factors in node.get("cofactors", ()) for text in factors)
+        for value in node.values():
             yield from polynomials(value)
-    elif isinstance(tree, list):
-        for value in tree:
+    elif isinstance(node, list):
+        for value in node:
             yield from polynomials(value)
 
 
-def step(found: Proof) -> Proof:
+def step(found: Proof, meaning: Callable[[str], JSON]) -> Proof:
     """One step, with those above it."""
     rule = found["rule"]
     if rule == "theorem":
-        return theorem(found)
+        return theorem(found, meaning)
     new: Proof = {"rule": rule}
     for key, value in found.items():
         match key:
@@ -143,20 +143,25 @@ def step(found: Proof) -> Proof:
             case "point":
                 new[key] = {x: term(each) for x, each in value.items()}
             case "then":
-                new[key] = step(value)
+                new[key] = step(value, meaning)
             case "parts" | "cases":
-                new[key] = [*map(step, value)]
+                new[key] = [step(each, meaning) for each in value]
+            case "factors":
+                new["form"] = ["*", *(["^", polynomial(text, meaning), n] for text, n in value)]
+            case "clear":
+                new["times"] = [*value, *new.get("times", ())]
             case "times":
-                new[key] = [["positive", term(ref[1])] if ref[0] == "positive" else ref for ref in value]
-            case "clear" | "cofactors" | "factors" | "index" | "or":
+                positive = [["positive", term(ref[1])] if ref[0] == "positive" else ref for ref in value]
+                new[key] = [*new.get("times", ()), *positive]
+            case "cofactors" | "index" | "or":
                 new[key] = value
     return new
 
 
-def theorem(found: Proof) -> Proof:
+def theorem(found: Proof, meaning: Callable[[str], JSON]) -> Proof:
     """A theorem with its arguments by name; a premise about all values of a letter is proved for a new one."""
     name, *given = found["of"]
-    premises, then = [*map(step, found["premises"])], step(found["then"])
+    premises, then = [step(each, meaning) for each in found["premises"]], step(found["then"], meaning)
     if name == "have":
         return {"rule": "have", "formula": term(given[0]), "proof": premises[0], "then": then}
     new: Proof = {"rule": "theorem", "of": name, "premises": premises, "then": then}
@@ -215,8 +220,11 @@ def condition(texts: list[str], meaning: Callable[[str], JSON]) -> JSON:
     return ["/", top, below[0] if len(below) == 1 else ["*", *below]] if below else top
 
 
-def point(found: Mapping[str, Any]) -> Proof:
-    """A point, with the proofs that go with it. An angle of rational sine and cosine is twice an arctangent."""
+def point(found: Mapping[str, Any], claim: JSON = None) -> Proof:
+    """A point, with the proofs that go with it, and what is shown of the claim there.
+
+    An angle of rational sine and cosine is twice an arctangent.
+    """
     given = {x: exactly(value) for x, value in found["values"].items()}
     if constants := given.keys() & {"pi", "infinity"}:
         raise ValueError(f"{', '.join(sorted(constants))} with a value")
@@ -226,10 +234,13 @@ def point(found: Mapping[str, Any]) -> Proof:
     for _ in values:  # coordinates may be given by others
         values = {x: put(value, values) for x, value in values.items()}
     new: Proof = {"values": dict(sorted(values.items()))}
+    shown: list[JSON] = []
     if sides := found.get("sides"):
-        new["sides"] = [side == "true" if side in ("true", "false") else exactly(side) for side in sides]
-    if "enclosed" in found:
-        new["enclosed"] = [[term(t), digits, term(low), term(high)] for t, digits, low, high in found["enclosed"]]
+        shown += [value(side, told) for side, told in zip(claim[1:], sides, strict=True)]
+    for t, _, low, high in found.get("enclosed", ()):
+        shown.append(["and", ["<=", term(low), term(t)], ["<=", term(t), term(high)]])
+    if shown:
+        new["shown"] = shown
     if calls := found.get("calls"):
         new["calls"] = [
             [["call", name, [*orders], *map(exactly, arguments)], exactly(value)]
@@ -254,36 +265,43 @@ def point(found: Mapping[str, Any]) -> Proof:
     return new
 
 
+def value(side: JSON, told: Any) -> JSON:
+    """That a side of a claim has a value; a formula is true or false."""
+    if told in ("true", "false"):
+        return side if told == "true" else ["=>", side, ["or"]]
+    return ["=", side, exactly(told)]
+
+
 def exactly(value: Any) -> JSON:
     """A number at a point, written as "2/7" or as a term."""
     return number(value) if isinstance(value, str) else term(value)
 
 
-def put(tree: JSON, values: Mapping[str, JSON]) -> JSON:
+def put(node: JSON, values: Mapping[str, JSON]) -> JSON:
     """A term with letters replaced by numbers; bound letters are left."""
-    match tree:
+    match node:
         case str():
-            return values.get(tree, tree)
+            return values.get(node, node)
         case [str(kind), body, str(x), *ends] if kind in ("integral", "diverges", "mean"):
             inner = {y: value for y, value in values.items() if y != x}
             return [kind, put(body, inner), x, *(put(end, values) for end in ends)]
         case [kind, *parts]:
             return [kind, *(put(part, values) for part in parts)]
-    return tree
+    return node
 
 
-def renumbered(tree: Any, own: int, facts: int) -> Any:
+def renumbered(node: Any, own: int, facts: int) -> Any:
     """References to facts at a point: its coordinates, what was proved there before, and what a step assumes."""
-    if isinstance(tree, dict):
-        return {key: renumbered(value, own, facts) for key, value in tree.items()}
-    if isinstance(tree, list):
-        match tree:
+    if isinstance(node, dict):
+        return {key: renumbered(value, own, facts) for key, value in node.items()}
+    if isinstance(node, list):
+        match node:
             case ["hyp", "point", int(k)]:
                 return ["point", k] if k < own else ["here", k - own]
             case ["here", int(k)]:
                 return ["here", k + facts]
-        return [renumbered(value, own, facts) for value in tree]
-    return tree
+        return [renumbered(value, own, facts) for value in node]
+    return node
 
 
 def angle(cosine: JSON, sine: JSON) -> JSON:
@@ -294,20 +312,20 @@ def angle(cosine: JSON, sine: JSON) -> JSON:
     return ["*", 2, ["arctan", rational(half)]]
 
 
-def rational(tree: JSON) -> JSON:
+def rational(node: JSON) -> JSON:
     """A term of whole numbers as one fraction, if it is one."""
     try:
-        return number(str(_fraction(tree)))
+        return number(str(_fraction(node)))
     except TypeError:
-        return tree
+        return node
 
 
-def _fraction(tree: JSON) -> Fraction:
+def _fraction(node: JSON) -> Fraction:
     operations: dict[str, Callable[..., Fraction]] = {
         "+": lambda *parts: sum(parts, Fraction(0)), "-": lambda part: -part, "/": lambda top, bottom: top / bottom,
     }  # fmt: skip
-    if isinstance(tree, int):
-        return Fraction(tree)
-    if tree[0] not in operations:
-        raise TypeError(tree)
-    return operations[tree[0]](*map(_fraction, tree[1:]))
+    if isinstance(node, int):
+        return Fraction(node)
+    if node[0] not in operations:
+        raise TypeError(node)
+    return operations[node[0]](*map(_fraction, node[1:]))

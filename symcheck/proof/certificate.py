@@ -12,10 +12,10 @@ from typing import Any, NamedTuple
 
 from symcheck.checker.theorems import NAMES, theorem
 from symcheck.core.calculus import substituted
-from symcheck.core.formulas import conjuncts
+from symcheck.core.formulas import FALSE, conjuncts
 from symcheck.core.terms import Formula, Node, Quantified, Term, node
 from symcheck.proof.applied import HAVE, Instance
-from symcheck.proof.mentions import nonzero_terms, terms_in, texts_in
+from symcheck.proof.mentions import nonzero_terms, term_of_text, terms_in, texts_in
 from symcheck.proof.methods import proof_of
 from symcheck.proof.polynomial import subterms
 from symcheck.proof.witness import find_witnesses, implications, with_definitions
@@ -57,7 +57,7 @@ def certificate(problem: Problem, outcome: Outcome, lemmas: Lemmas | None = None
         mentioned: list[Term] = terms_in(proof, dict(problem.definitions))
     else:
         assert outcome.point is not None
-        body = {"point": point(outcome.point)}
+        body = {"point": point(outcome.point, problem.claim)}
         mentioned = []
     names = {*subterms(*with_definitions(dict(problem.definitions), problem.claim, *_formulas(hypotheses), *mentioned))}
     stated: dict[str, Any] = {
@@ -69,6 +69,8 @@ def certificate(problem: Problem, outcome: Outcome, lemmas: Lemmas | None = None
     }
     if lemmas:
         body |= _resting(stated, lemmas)
+        free = {name for name, _ in lemmas.defined} - {name for name, _ in stated["definitions"]}  # the proof knows them by what the lemmas say
+        body["proof"]["atoms"] = {name: name for name in sorted(free)} | body["proof"].get("atoms", {})
     found: Certificate = json.loads(json.dumps({**stated, **body}))
     return found
 
@@ -83,11 +85,9 @@ def _resting(stated: Mapping[str, Any], lemmas: Lemmas) -> dict[str, Any]:
     for name, formulas in lemmas.under:
         own = hypotheses.setdefault(name, [])
         own += [part for formula in formulas for part in conjuncts(formula) if part not in own]
-    known = {name for name, _ in stated["definitions"]}
     return {
         "claim": lemmas.whole.claim,
         "definitions": lemmas.defined,
-        "free": sorted({name for name, _ in lemmas.defined} - known),
         "lemmas": lemmas.facts,
         "hypotheses": hypotheses,
     }
@@ -111,8 +111,8 @@ def witness(found: Certificate) -> dict[str, Any]:
 
 def proof(found: Certificate, kept: Mapping[str, Sequence[int]] | None = None) -> dict[str, Any]:
     """A whole proof, hypotheses counted among those kept, with what its variables stand for."""
-    new = _step(_renumbered(found, kept) if kept is not None else found)
     meant = found.get("atoms", {})
+    new = _step(_renumbered(found, kept) if kept is not None else found, meant)
     used = {name for text in texts_in(new) for name in VARIABLE.findall(text)}
     atoms = {name: meant[name] for name in sorted(used & meant.keys())}
     positive = found.get("positive", ())
@@ -130,15 +130,21 @@ def _renumbered(tree: Any, kept: Mapping[str, Sequence[int]]) -> Any:
     return tree
 
 
-def _step(found: Certificate) -> dict[str, Any]:
+def _step(found: Certificate, meant: Mapping[str, Term]) -> dict[str, Any]:
     """One step, with those above it."""
-    new = {key: value for key, value in found.items() if key not in ("atoms", "given", "nonzero", "positive")}
-    new = {key: value for key, value in new.items() if key != "witnesses"}
-    for key in ("premises", "parts", "cases"):
-        if key in new:
-            new[key] = [*map(_step, new[key])]
-    if "then" in new:
-        new["then"] = _step(new["then"])
+    new: dict[str, Any] = {}
+    for key, value in found.items():
+        match key:
+            case "premises" | "parts" | "cases":
+                new[key] = [_step(each, meant) for each in value]
+            case "then":
+                new[key] = _step(value, meant)
+            case "factors":
+                new["form"] = node("*", *(node("^", term_of_text(text, meant), n) for text, n in value))
+            case "clear" | "times":
+                new["times"] = [*new.get("times", ()), *value]
+            case "rule" | "of" | "form" | "point" | "cofactors" | "index" | "or":
+                new[key] = value
     return new if "of" not in new else _theorem(new["of"], new["premises"], new["then"])
 
 
@@ -164,13 +170,16 @@ def _theorem(instance: Instance, premises: list[Any], then: Any) -> dict[str, An
     return new
 
 
-def point(found: Certificate) -> dict[str, Any]:
-    """A point, with the proofs that go with it."""
+def point(found: Certificate, claim: Formula | None = None) -> dict[str, Any]:
+    """A point, with the proofs that go with it, and what is shown of the claim there."""
     values = dict(found["values"])
     for _ in values:  # coordinates may be given by others
         values = {x: substituted(value, values) for x, value in values.items()}
     new: dict[str, Any] = {"values": dict(sorted(values.items()))}
-    new |= {key: found[key] for key in ("sides", "enclosed", "calls") if key in found}
+    shown = [_valued(*pair) for pair in zip(claim.outside, found.get("sides", ()), strict=False)] if claim else []
+    shown += [node("and", node("<=", low, t), node("<=", t, high)) for t, _, low, high in found.get("enclosed", ())]
+    new |= {"shown": shown} if shown else {}
+    new |= {"calls": found["calls"]} if "calls" in found else {}
     known = [(node("=", substituted(t, values), v), proof(why)) for t, v, why in found.get("functions", ())]
     known += [(fact, proof(why)) for fact, why in found.get("facts", ())]
     last: Any = {"rule": "compute", "values": [["here", k] for k in range(len(known))]}
@@ -186,6 +195,14 @@ def point(found: Certificate) -> dict[str, Any]:
         for formula, why in reversed(steps):
             new["proof"] = {"rule": HAVE, "formula": formula, "proof": why, "then": new["proof"]}
     return new
+
+
+def _valued(side: Term, value: Term) -> Formula:
+    """That a side of a claim has a value there; one that is a formula is true or false."""
+    if not isinstance(value, bool):
+        return node("=", side, value)
+    assert isinstance(side, Node)
+    return side if value else node("=>", side, FALSE)
 
 
 def _shifted(tree: Any, own: int, facts: int) -> Any:

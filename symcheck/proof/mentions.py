@@ -43,7 +43,7 @@ def terms_in(tree: Any, definitions: Mapping[str, Term]) -> list[Any]:
 def texts_in(tree: Any) -> Iterator[str]:
     """The polynomials a proof mentions, as they are printed."""
     if isinstance(tree, dict):
-        yield from tree.get("clear", ())
+        yield from (text for text in (*tree.get("clear", ()), *tree.get("times", ())) if isinstance(text, str))
         yield from (text for _, *texts in tree.get("cofactors", ()) for text in texts)
         yield from (text for text, _ in tree.get("factors", ()))
         yield from (text for texts in tree.get("nonzero", ()) for text in texts)
@@ -57,14 +57,14 @@ def texts_in(tree: Any) -> Iterator[str]:
 def nonzero_terms(proof: Certificate) -> list[Term]:
     """The denominators of a statement about which no hypothesis speaks; one with denominators in it is a fraction."""
     meant = proof.get("atoms", {})
-    return [_fraction(*(_term(text, meant) for text in texts)) for texts in proof.get("nonzero", ())]
+    return [_fraction(*(term_of_text(text, meant) for text in texts)) for texts in proof.get("nonzero", ())]
 
 
 def _fraction(top: Term, *below: Term) -> Term:
     return node("/", top, below[0] if len(below) == 1 else node("*", *below)) if below else top
 
 
-def _term(text: str, meant: Mapping[str, Term]) -> Term:
+def term_of_text(text: str, meant: Mapping[str, Term]) -> Term:
     """A polynomial as it is printed, as a term."""
     addends = [_product(term, meant) for term in text.replace(" - ", " + -").split(" + ")]
     return addends[0] if len(addends) == 1 else node("+", *addends)

@@ -477,6 +477,8 @@ class Lowering:
         if isinstance(exponent, tuple) and exponent[0] == "-" and isinstance(exponent[1], int):
             exponent = -exponent[1]
         base = self.scalar(tree.base, env)
+        if base == 0 and exponent == 0:
+            raise SymcheckError(f"{to_latex(tree)} has no value on which all agree; write 1 if that is meant")
         return node("^", base, exponent) if isinstance(exponent, int) else node("pow", base, exponent)
 
     def of_sqrt(self, tree: Sqrt, env: Env) -> Value:
