@@ -55,6 +55,8 @@ def test_distinct_terms_are_written_differently() -> None:
     [
         (["hyp", "orthogonal", 0], "orthogonal [1]"),
         (["here", 2], "assumption 3"),
+        (["point", 0], "value 1 at the point"),
+        (["nonzero", 1], "denominator 2"),
         (["positive", ["+", "a", 1]], "a + 1 > 0"),
         (["something", "new"], '["something", "new"]'),
     ],
@@ -66,8 +68,8 @@ def test_a_reference_is_told_in_words(ref: list[Any], text: str) -> None:
 def test_every_part_of_a_proof_is_told_once() -> None:
     proof = {
         "rule": "split",
-        "factors": [["FACTOR_1", 2], ["FACTOR_2", 1]],
-        "times": [["here", 0]],
+        "form": ["*", ["^", "FACTOR_1", 2], "FACTOR_2"],
+        "times": [["here", 0], "DENOMINATOR"],
         "cofactors": [[["here", 0], "QUOTIENT"]],
         "cases": [
             {"rule": "nonnegative", "form": ["^", "FORM", 2], "cofactors": []},
@@ -78,6 +80,7 @@ def test_every_part_of_a_proof_is_told_once() -> None:
     for word in (
         "LEMMA",
         "QUOTIENT",
+        "multiplied with: DENOMINATOR",
         "(power 2)",
         "DIVISOR",
         "FACTOR_1",
@@ -97,7 +100,7 @@ def test_a_theorem_is_told_with_its_premises_and_what_follows() -> None:
         "of": "root",
         "with": {"t": ["+", "RADICAND", 1]},
         "premises": [{"rule": "nonnegative", "form": "FORM", "cofactors": []}],
-        "then": {"rule": "identity", "clear": ["DIVISOR"], "cofactors": [[["here", 0], "QUOTIENT", "FACTOR"]]},
+        "then": {"rule": "identity", "times": ["DIVISOR"], "cofactors": [[["here", 0], "QUOTIENT", "FACTOR"]]},
     }
     lines = list(steps.steps(proof))
     assert lines[0] == "theorem root (t = RADICAND + 1): t >= 0 |- sqrt(t) >= 0 and sqrt(t)**2 == t"
@@ -136,12 +139,15 @@ def test_what_is_proved_first_is_told_before_what_follows() -> None:
 
 
 def test_a_counterexample_is_told_with_both_sides() -> None:
-    found = {"values": {"x": ["/", 2, 7], "y": ["sqrt", 3]}, "sides": [1, ["-", ["sqrt", 3]]]}
+    found = {"values": {"x": ["/", 2, 7], "y": ["sqrt", 3]}, "shown": [["=", "x", 1], ["=", "y", ["-", ["sqrt", 3]]]]}
     assert steps.point(found["values"]) == "x = 2/7, y = sqrt(3)"
     assert steps.sides(found) == "the sides are 1 against -sqrt(3)"
-    assert steps.sides({"sides": [True, False]}) == "the sides are true against false"
+    assert (
+        steps.sides({"shown": [["=", "x", "y"], ["=>", ["<", "x", 0], ["or"]]]}) == "the sides are true against false"
+    )
     assert steps.sides({}) == ""
-    digits = {"values": {}, "enclosed": [[["-", ["pi"]], 6, ["/", -3141593, 10**6], ["/", -3141592, 10**6]]]}
+    low, high = ["/", -3141593, 10**6], ["/", -3141592, 10**6]
+    digits = {"values": {}, "shown": [["and", ["<=", low, ["-", ["pi"]]], ["<=", ["-", ["pi"]], high]]]}
     assert steps.sides(digits) == "-pi lies between -3.141593 and -3.141592"
 
 

@@ -44,6 +44,8 @@ def reference(ref: Any) -> str:
             return f"assumption {number + 1}"
         case ["point", number]:
             return f"value {number + 1} at the point"
+        case ["nonzero", number]:
+            return f"denominator {number + 1}"
         case ["positive", form]:
             return f"{term(form)} > 0"
     return json.dumps(ref)
@@ -64,7 +66,8 @@ def steps(proof: Mapping[str, Any], depth: int = 0) -> Iterator[str]:
     yield indent + _rule(proof)
     for key, value in proof.items():
         if key not in _TOLD:
-            yield from (f"{indent}  {line}" for line in _detail(key, value))
+            own = "product" if proof["rule"] == "split" and key == "form" else key
+            yield from (f"{indent}  {line}" for line in _detail(own, value))
     for key, label in _BRANCHES.items():
         branches = proof.get(key, [])
         if key == "then" and proof["rule"] in _FACTS:
@@ -84,7 +87,8 @@ def _rule(proof: Mapping[str, Any]) -> str:
         return f"{rule}: {_RULES[rule]}"
     from symcheck.checker.theorems import stated  # takes long, and is seldom needed
 
-    applied = f" ({'; '.join(f'{name} = {meant}' for name, meant in _applied(proof['with']))})" if proof["with"] else ""
+    given = "; ".join(f"{name} = {meant}" for name, meant in _applied(proof.get("with", {})))
+    applied = f" ({given})" if given else ""
     return f"theorem {proof['of'].replace('_', ' ')}{applied}: {stated(proof['of'])}"
 
 
@@ -153,25 +157,51 @@ def _equal(pairs: Iterable[tuple[str, str]]) -> str:
 
 def sides(counterexample: Mapping[str, Any]) -> str:
     """What is compared at a counterexample: the values of both sides, or the digits of numbers; else the empty text."""
-    if both := counterexample.get("sides"):
+    if both := compared(counterexample):
         return f"the sides are {' against '.join(map(term, both))}"
     if "proof" in counterexample:
         return "the contrary has a proof"
-    shown = counterexample.get("enclosed", ())
-    return ", ".join(f"{term(number)} lies between {term(low)} and {term(high)}" for number, _, low, high in shown)
+    return ", ".join(filter(None, map(_enclosed, counterexample.get("shown", ()))))
+
+
+def compared(counterexample: Mapping[str, Any]) -> list[Any]:
+    """The values of the sides, or whether each part is true; nothing where numbers are compared by their digits."""
+    shown = counterexample.get("shown", ())
+    false = [bool(_contrary(each)) for each in shown]
+    if any(false):  # a part is false wherever there are parts
+        return [not each for each in false]
+    return [each[2] for each in shown if each[0] == "="]
+
+
+def _contrary(formula: Any) -> Any:
+    """What a formula "f implies nothing" denies."""
+    match formula:
+        case ["=>", denied, ["or"]]:
+            return denied
+    return None
+
+
+def _enclosed(formula: Any) -> str:
+    """That a number lies between two others."""
+    match formula:
+        case ["and", ["<=", low, number], ["<=", again, high]] if number == again:
+            return f"{term(number)} lies between {term(low)} and {term(high)}"
+    return ""
 
 
 def _detail(key: str, value: Any) -> Iterator[str]:
     if key == "cofactors":
         yield from (f"+ ({') · ('.join(polys)}) · [{reference(ref)}]" for ref, *polys in value)
     elif key == "times":
-        yield from (f"not zero: {reference(cond)}" for cond in value)
-    elif key == "clear":
-        yield "multiplied with: " + ", ".join(value)
+        if printed := [each for each in value if isinstance(each, str)]:
+            yield f"multiplied with: {', '.join(printed)}"
+        yield from (f"not zero: {reference(each)}" for each in value if not isinstance(each, str))
     elif key == "point":
         yield _equal((name, term(number)) for name, number in value.items())
-    elif key == "factors":
-        yield from (f"factor: {base}" + (f" (power {power})" if power > 1 else "") for base, power in value)
+    elif key == "product":
+        for factor in value[1:]:
+            _, base, power = factor if factor[0] == "^" else ("^", factor, 1)
+            yield f"factor: {term(base)}" + (f" (power {power})" if power > 1 else "")
     elif key == "index":
         yield f"alternative {value + 1}"
     elif key == "or":

@@ -11,7 +11,7 @@ from markupsafe import Markup
 from symcheck.evidence.confirmed import told
 from symcheck.evidence.faults import Fault, without
 from symcheck.evidence.record import Record
-from symcheck.evidence.steps import coordinates, shown, sides, term
+from symcheck.evidence.steps import compared, coordinates, shown, sides, term
 from symcheck.report.formulas import Formulas
 from symcheck.report.sources import Excerpt, Publication
 from symcheck.statement import Certificate
@@ -125,11 +125,10 @@ def _counterexample(found: Mapping[str, Any], parts: bool) -> Counterexample | N
     found = found.get("point", found)
     at = coordinates(found.get("values", {}))
     values = tuple((f"{function} {name}".lstrip(), _value(value)) for function, name, value in at)
-    both = tuple(map(_value, found.get("sides", ())))
+    both = tuple(map(_value, compared(found)))
     names = (f"part {number}" for number in range(1, len(both) + 1)) if parts else ("left side", "right side")
-    compared = tuple(zip(names, both, strict=False))
     told = "" if both else sides(found)
-    return Counterexample(values, compared, told) if values or both or told else None
+    return Counterexample(values, tuple(zip(names, both, strict=False)), told) if values or both or told else None
 
 
 def _value(value: Any) -> str:

@@ -63,7 +63,7 @@ def changes(original: Certificate) -> Iterator[Change]:
             yield from _of_statement(path, value, name)
         elif section == "proof":
             yield from _of_proof(original, path, value, name)
-        elif section == "point" and len(path) == 3 and path[1] in ("values", "sides"):
+        elif section == "point" and len(path) > 2:
             yield from _of_point(path, value, name)
         if section == "hypotheses" and len(path) == 3:
             yield one("hypothesis list", f"{name} dropped", path, DROPPED)
@@ -93,9 +93,10 @@ def _of_proof(original: Certificate, path: Path, value: Any, name: str) -> Itera
 
 
 def _of_point(path: Path, value: Any, name: str) -> Iterator[Change]:
-    if not isinstance(value, bool):
+    if path[1] == "shown" and type(value) is int:
+        yield one("coordinate", f"{name}: {value} + 1", path, value + 1)
+    elif path[1] == "values" and len(path) == 3:
         yield one("coordinate", f"{name}: {value} and 1 more", path, ["+", value, 1])
-    if path[1] == "values":
         yield one("coordinate", f"{name} dropped", path, DROPPED)
 
 

@@ -14,7 +14,7 @@ from symcheck.statement import Certificate
 CLAIM, ASSUMED, DEFINED = "another claim", "other hypotheses", "other definitions"
 SHIFTED, REMOVED, MOVED = "references shifted", "conditions removed", "witnesses removed or moved"
 RELABELLED, PROOF = "verdict relabelled", "another proof"
-CONDITIONS = ("nonzero", "positive", "premises", "clear", "times", "cases", "parts")
+CONDITIONS = ("nonzero", "positive", "premises", "times", "cases", "parts")
 BARE: tuple[dict[str, Any], ...] = (
     {"rule": "identity"},
     {"rule": "absurd"},
