@@ -13,6 +13,7 @@ from typing import Any
 import pytest
 
 from symcheck import checker
+from symcheck.core.terms import node
 from symcheck.evidence import translation
 from symcheck.evidence.checked import reason as check
 from symcheck.evidence.steps import point, sides
@@ -68,7 +69,7 @@ def chain(table: dict[int, str], order: tuple[int, ...], sign: str = r"\leq") ->
 @cache
 def formula(latex: str) -> Formula:
     parts = lower(read(latex, ANGLES), ANGLES)
-    return parts[0] if len(parts) == 1 else ("and", *parts)
+    return parts[0] if len(parts) == 1 else node("and", *parts)
 
 
 def problem(claim: str, *given: str) -> Problem:
@@ -397,7 +398,7 @@ def test_a_theorem_about_angles_is_true_at_random_numbers(name: str) -> None:
     assert met > 100
 
 
-@pytest.mark.parametrize(("function", "size"), [("arctan", 4), ("arcsin", 5), ("arccos", 5)])
+@pytest.mark.parametrize(("function", "size"), [node("arctan", 4), node("arcsin", 5), node("arccos", 5)])
 def test_the_table_of_angles_is_true(function: str, size: int) -> None:
     assert all(holds(THEOREMS["known_angle"](Terms({}), function, k).conclusion, 0) for k in range(-size, size))
     with pytest.raises(IndexError):

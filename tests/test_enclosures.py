@@ -10,6 +10,7 @@ from typing import Any
 import mpmath
 import pytest
 
+from symcheck.core.terms import PI, node
 from symcheck.evidence.checked import reason as check
 from symcheck.proof import certificate, identity, proof_of
 from symcheck.proof.closed import order_of_numbers
@@ -59,7 +60,9 @@ def some_term(rng: random.Random, depth: int) -> Term:
     kind = rng.choice(["+", "*", "/", "-", "^", "sqrt", "sin", "cos", "tan", "arctan", "arcsin", "arccos"])
     if kind in ("+", "*", "/"):
         return (kind, some_term(rng, depth - 1), some_term(rng, rng.randrange(depth)))
-    return ("^", some_term(rng, depth - 1), rng.randrange(-3, 5)) if kind == "^" else (kind, some_term(rng, depth - 1))
+    return (
+        node("^", some_term(rng, depth - 1), rng.randrange(-3, 5)) if kind == "^" else (kind, some_term(rng, depth - 1))
+    )
 
 
 def test_an_enclosure_contains_the_value_of_every_random_term() -> None:
@@ -84,41 +87,41 @@ def test_an_enclosure_contains_the_value_of_every_random_term() -> None:
 @pytest.mark.parametrize("function", ["sin", "cos", "tan", "arctan"])
 def test_functions_are_known_to_forty_digits_on_both_sides_of_zero(function: str) -> None:
     for n in [*range(-40, 41), 10**4]:
-        found, exact = enclosed((function, ("/", n, 7)), nothing), value((function, ("/", n, 7))) * ONE
+        found, exact = enclosed((function, node("/", n, 7)), nothing), value((function, node("/", n, 7))) * ONE
         assert found.low <= exact + 1, n
         assert exact - 1 <= found.high, n
         assert found.high - found.low < 10**-40 * ONE * (1 + abs(exact) / ONE) ** 2, n
 
 
 HOSTILE: list[Term] = [
-    ("/", 1, ("sin", "pi")),
-    ("/", 1, 0),
-    ("^", 0, -1),
-    ("^", ("cos", ("/", "pi", 2)), -2),
-    ("tan", ("/", "pi", 2)),
-    ("/", 1, ("+", ("^", ("sqrt", 2), 2), ("-", 2))),
-    ("sqrt", ("-", 1)),
-    ("sqrt", ("-", ("^", ("sin", 1), 2))),
-    ("arcsin", 2),
-    ("arccos", ("-", ("/", "pi", 3))),
-    ("sin", ("^", 10, 60)),
-    ("sin", ("tan", ("/", ("*", 10**50, "pi"), ("+", 2 * 10**50, 1)))),
-    ("^", ("^", 10, 999), 999),
-    ("^", 2, 10**9),
-    ("arctan", ("^", 10, 700)),
-    ("exp", 1),
-    ("pow", 2, ("/", 1, 2)),
-    ("log", 0),
-    ("gamma", 0),
-    ("mean", ("sin", "x"), "x"),
-    ("diff", ("sin", 1), "x", 1),
+    node("/", 1, node("sin", PI)),
+    node("/", 1, 0),
+    node("^", 0, -1),
+    node("^", node("cos", node("/", PI, 2)), -2),
+    node("tan", node("/", PI, 2)),
+    node("/", 1, node("+", node("^", node("sqrt", 2), 2), node("-", 2))),
+    node("sqrt", node("-", 1)),
+    node("sqrt", node("-", node("^", node("sin", 1), 2))),
+    node("arcsin", 2),
+    node("arccos", node("-", node("/", PI, 3))),
+    node("sin", node("^", 10, 60)),
+    node("sin", node("tan", node("/", node("*", 10**50, PI), node("+", 2 * 10**50, 1)))),
+    node("^", node("^", 10, 999), 999),
+    node("^", 2, 10**9),
+    node("arctan", node("^", 10, 700)),
+    node("exp", 1),
+    node("pow", 2, node("/", 1, 2)),
+    node("log", 0),
+    node("gamma", 0),
+    node("mean", node("sin", "x"), "x"),
+    node("diff", node("sin", 1), "x", 1, "x"),
     "infinity",
     "a",
     "sin_pi",
     ("sin", 1, 2),
     ("/", 1, 2, 3),
-    ("+",),
-    ("^", 2, ("/", 1, 2)),
+    node("+"),
+    node("^", 2, node("/", 1, 2)),
     (),
 ]
 
@@ -131,8 +134,8 @@ def test_what_is_no_number_has_no_enclosure(term: Term) -> None:
 
 def test_decimals_are_rounded_outward() -> None:
     assert between("pi", nothing, 3) == (["/", 3141, 1000], ["/", 3142, 1000])
-    assert between(("-", "pi"), nothing, 0) == (["/", -4, 1], ["/", -3, 1])
-    assert between(("/", 5, 4), nothing, 2) == (["/", 125, 100], ["/", 125, 100])
+    assert between(node("-", PI), nothing, 0) == (["/", -4, 1], ["/", -3, 1])
+    assert between(node("/", 5, 4), nothing, 2) == (["/", 125, 100], ["/", 125, 100])
     for digits in (-1, 41, 10**9):
         with pytest.raises(Unknown):
             between("pi", nothing, digits)
@@ -219,13 +222,13 @@ def test_the_counterexample_shows_the_numbers_that_decide() -> None:
     assert outcome.point is not None
     assert set(outcome.point["values"]) == {"a", "b"}
     ((term, digits, low, high),) = outcome.point["enclosed"]
-    assert (term, digits) == (("*", 4, ("sin", "a"), ("sin", "b")), 6)
+    assert (term, digits) == (node("*", 4, node("sin", "a"), node("sin", "b")), 6)
     assert (low, high) == (["/", 1951173, 10**6], ["/", 1951174, 10**6])
 
 
 def test_a_letter_may_be_defined_instead() -> None:
     for latex, verdict in ((r"2 \sin a = 1.84", Verdict.PROVED), (r"2 \sin a = 1.85", Verdict.REFUTED)):
-        outcome, evidence = decided(problem(latex, (), a=("/", ("*", 67, "pi"), 180)))
+        outcome, evidence = decided(problem(latex, (), a=node("/", node("*", 67, PI), 180)))
         assert outcome.verdict is verdict
         assert evidence is not None
         assert check(evidence) is None
@@ -245,17 +248,17 @@ NEAR = 11071487177940905030170654601785370400  # arctan 2 lies between this and 
 
 
 UNDECIDED = [
-    ("<=", ("arctan", 2), ("/", NEAR + 1, 10**37)),
-    (">", ("arctan", 2), ("/", NEAR + 1, 10**37)),
-    ("!=", ("arctan", 2), ("/", NEAR, 10**37)),
-    ("<", ("/", 1, ("sin", "pi")), 1),
-    (">", ("sqrt", ("-", 1)), 1),
-    ("<", ("tan", ("/", "pi", 2)), 1),
-    ("<", ("sin", ("^", 10, 80)), 2),
-    ("<", 0, ("/", "pi", ("+", ("^", ("sqrt", 5), 2), ("-", 5)))),
-    ("=", ("sin", ("/", "pi", 6)), ("/", 1, 2)),
-    ("=", ("sin", "pi"), 0),
-    ("!=", ("sin", "pi"), 0),
+    node("<=", node("arctan", 2), node("/", NEAR + 1, 10**37)),
+    node(">", node("arctan", 2), node("/", NEAR + 1, 10**37)),
+    node("!=", node("arctan", 2), node("/", NEAR, 10**37)),
+    node("<", node("/", 1, node("sin", PI)), 1),
+    node(">", node("sqrt", node("-", 1)), 1),
+    node("<", node("tan", node("/", PI, 2)), 1),
+    node("<", node("sin", node("^", 10, 80)), 2),
+    node("<", 0, node("/", PI, node("+", node("^", node("sqrt", 5), 2), node("-", 5)))),
+    node("=", node("sin", node("/", PI, 6)), node("/", 1, 2)),
+    node("=", node("sin", PI), 0),
+    node("!=", node("sin", PI), 0),
 ]
 
 
@@ -279,7 +282,7 @@ def test_contradictory_hypotheses_refute_nothing() -> None:
 
 
 def test_an_order_of_numbers_inside_a_larger_proof() -> None:
-    less = ("<", ("arcsin", ("/", ("sqrt", 2), 2)), ("arcsin", ("/", 2, ("sqrt", 7))))
+    less = node("<", node("arcsin", node("/", node("sqrt", 2), 2)), node("arcsin", node("/", 2, node("sqrt", 7))))
     proof = order_of_numbers(less, {})
     assert proof is not None
     assert (
@@ -295,8 +298,8 @@ def test_an_order_of_numbers_inside_a_larger_proof() -> None:
         )
         is None
     )
-    assert order_of_numbers((">", *less[1:]), {}) is None
-    assert order_of_numbers(("<", "a", "pi"), {}) is None
+    assert order_of_numbers(node(">", *less[1:]), {}) is None
+    assert order_of_numbers(node("<", "a", PI), {}) is None
 
 
 # --- forged evidence
@@ -345,7 +348,7 @@ def test_a_proof_by_enclosure_holds_and_its_forgeries_do_not() -> None:
     assert claimed([">", ["sin", "b"], bound], step, given), "another letter"
 
 
-@pytest.mark.parametrize("term", [term for term in HOSTILE if term != ("+",)], ids=str)  # to the checker that is 0
+@pytest.mark.parametrize("term", [term for term in HOSTILE if term != node("+")], ids=str)  # to the checker that is 0
 def test_no_proof_encloses_what_is_no_number(term: Any) -> None:
     low, claim = ["/", -(10**6), 1], [">", term, ["/", -(10**7), 1]]
     step = {**theorem(plain(term), 0), "then": above(plain(term), low, 9 * 10**6)}
@@ -431,8 +434,8 @@ def test_parts_of_a_turn_are_angles_of_their_own() -> None:
 
 
 def test_other_statements_are_not_touched() -> None:
-    assert order_of_numbers(("<", ("/", 1, 3), ("/", 1, 2)), {}) is None
-    rational = Problem("number", ("<", "x", 2), (), (("x", (("=", "x", 1),)),))
+    assert order_of_numbers(node("<", node("/", 1, 3), node("/", 1, 2)), {}) is None
+    rational = Problem("number", node("<", "x", 2), (), (("x", (node("=", "x", 1),)),))
     outcome = proof_of(rational)
     assert outcome is not None
     assert outcome.proof is not None

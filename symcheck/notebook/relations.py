@@ -11,7 +11,7 @@ from typing import Any
 from symcheck.evidence.checked import reasons
 from symcheck.evidence.confirmed import digest_of
 from symcheck.evidence.record import Record
-from symcheck.evidence.steps import steps
+from symcheck.evidence.steps import shown
 from symcheck.notebook.letters import aligned, split
 from symcheck.notebook.records import decided, item, list_rows, records
 from symcheck.notebook.shown import Heading, Math, Part, Prose, Shown, Table, Verbatim
@@ -126,7 +126,7 @@ def proof(id: str) -> Shown:
     for record in records(id):
         parts.append(Heading(f"{title(record)} — {_verdict(record)}"))
         for each in record.certificates:
-            told = list(steps(each["proof"])) if each["verdict"] == Verdict.PROVED else ["refuted at a point"]
+            told = list(shown(each)) or ["refuted at a point"]
             parts += [Verbatim("", "\n".join(_cut(told))), Prose("checker", checked([each]))]
     return Shown(tuple(parts))
 

@@ -7,8 +7,8 @@ import re
 from collections.abc import Callable
 from dataclasses import replace
 
-from symcheck.core.formulas import conjuncts, sides
-from symcheck.core.terms import node
+from symcheck.core.formulas import conjuncts
+from symcheck.core.terms import Node, Relation, node
 from symcheck.proof.closed import decide_numbers
 from symcheck.proof.counterexample import refute
 from symcheck.proof.knowledge import Knowledge, given_of, ring_of, starting
@@ -18,7 +18,7 @@ from symcheck.proof.polynomial import Poly, Ring, Unsupported, function_argument
 from symcheck.proof.variables import atoms, table
 from symcheck.proof.wellformed import check_terms
 from symcheck.proof.witness import find_witnesses
-from symcheck.statement import Certificate, Outcome, Problem, Term, Verdict
+from symcheck.statement import Certificate, Formula, Outcome, Problem, Term, Verdict
 
 VACUOUS = (
     "it follows from what is given, but no point was found at which that holds: hypotheses, premises, "
@@ -79,7 +79,7 @@ def _proved(problem: Problem, ring: Ring, proof: Certificate) -> Outcome | None:
     own = [unfold(term, ring.definitions) for term in terms_in(proof, ring.definitions)]
     if ring.divisors or own or atoms().keys() & set(ring.names):
         stated = [problem.claim, *(f for _, fs in problem.hypotheses for f in fs)]
-        own += [unfold(side, ring.definitions) for formula in stated for side in sides(formula)]
+        own += [unfold(side, ring.definitions) for formula in stated for side in _sides(formula)]
         inner = [t for term in own for bodies in (True, False) for t in function_arguments(term, bodies)]
         names = set(ring.names).union(*map(variables, [*own, *inner]))
         known, before = starting(problem, Ring(names, ring.definitions)), -1
@@ -107,7 +107,7 @@ def _conditions(
     """
     parts = [(name, k, f) for name, fs in problem.hypotheses for k, f in enumerate(p for f in fs for p in conjuncts(f))]
     stated = [problem.claim, *(f for name, k, f in parts if (name, k) in given)]
-    statement = _divisors([side for formula in stated for side in sides(formula)], known.ring)
+    statement = _divisors([side for formula in stated for side in _sides(formula)], known.ring)
     listed: list[list[str]] = []
     positive: list[Term] = []
     for texts, divisor in {**statement, **_divisors(terms_in(proof, known.ring.definitions), known.ring)}.items():
@@ -122,6 +122,13 @@ def _conditions(
         else:
             return None, []
     return listed, positive
+
+
+def _sides(formula: Formula) -> list[Term]:
+    """Both sides of every relation, of those under quantifiers too: what is divided by there may be free of letters."""
+    if isinstance(formula, Relation):
+        return [*formula.terms]
+    return [side for part in (*formula.inside, *formula.outside) if isinstance(part, Node) for side in _sides(part)]
 
 
 def _positive(top: Poly, below: tuple[str, ...], known: Knowledge) -> Term | None:

@@ -156,10 +156,7 @@ def _slot(name: str, data: str) -> str:
 
 
 def _proofs(records: Iterable[Record]) -> dict[str, Any]:
-    """The proofs of a paper field by field: likes beside likes fold into half as much.
-
-    The digest is left out. It follows from the rest, and nothing folds it.
-    """
+    """The proofs of a paper field by field: likes beside likes fold into half as much."""
     found = [(record.id, proof) for record in records for proof in entries.proofs(record)]
     written = [proof.certificate for _, proof in found]
     keys = sorted({key for each in written for key in each})
