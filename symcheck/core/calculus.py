@@ -114,7 +114,7 @@ def _partial(term: Node, k: int) -> Term:
         case Value(tag="-"):
             return -1
         case Value(tag="*", terms=factors):
-            return node("*", *factors[:k], *factors[k + 1 :])
+            return node("*", *factors[:k], *factors[k + 1 :]) if factors[1:] else 1
         case Value(tag="/", terms=(top, bottom)):
             return node("-", node("/", top, node("^", bottom, 2))) if k else node("/", 1, bottom)
         case Value(tag="^", terms=(base, int(n))):
