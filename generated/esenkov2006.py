@@ -134,7 +134,7 @@ def mode_inertia(a_1, chi_1, N_1, out=None):
 
     Accuracy: 4 ulp over the domain.
 
-    Rests on esenkov2006:1.32 (sha256 79c617698491), esenkov2006:B.1 (sha256 b7ab14fb1d83).
+    Rests on esenkov2006:1.32 (sha256 91c691dc84d1), esenkov2006:B.1 (sha256 d62232d82a4e).
     """
     if out is None:
         try:
@@ -180,7 +180,7 @@ def residue_of_a_mode(E_1, lambda_1, omega_0, out=None):
 
     Accuracy: 4 ulp over the domain.
 
-    Rests on esenkov2006:N.3 (sha256 10f423309148), esenkov2006:N.5 (sha256 0bb9e4475793). The forms computed are
+    Rests on esenkov2006:N.3 (sha256 10f423309148), esenkov2006:N.5 (sha256 b88788105c9d). The forms computed are
     proved equal to those shown (sha256 1273b10d4eb2).
     """
     if out is None:
@@ -234,7 +234,7 @@ def characteristic_coefficients(A, C, E_1, lambda_1, omega_0, out=None):
     Accuracy: 4 ulp over the domain. Where terms cancel, the error is in units of the last place of the largest of
     them.
 
-    Rests on esenkov2006:1.32 (sha256 79c617698491), esenkov2006:1.33 (sha256 5dfcf91b92f9). The forms computed
+    Rests on esenkov2006:1.32 (sha256 91c691dc84d1), esenkov2006:1.33 (sha256 5dfcf91b92f9). The forms computed
     are proved equal to those shown (sha256 8d1a6c39f1e8).
     """
     if out is None:
@@ -295,7 +295,7 @@ def discriminant(A, C, E_1, lambda_1, omega_0, out=None):
     operations follow one another.
 
     Rests on esenkov2006:1.33.3a (sha256 85a55af1a21e), esenkov2006:1.33.4 (sha256 eef05166bf2c), esenkov2006:B.2
-    (sha256 1846771b4c5a), esenkov2006:B.6 (sha256 3c4798b8c789). The forms computed are proved equal to those
+    (sha256 1846771b4c5a), esenkov2006:B.6 (sha256 3465e26c0810). The forms computed are proved equal to those
     shown (sha256 69b0e962ebfb).
     """
     if out is None:
@@ -363,7 +363,7 @@ def boundary_of_stability(A, E_1, b_1, out=None):
 
     Rests on esenkov2006:1.34.3 (sha256 d8869e67ad9a), esenkov2006:1.34.5 (sha256 5bd5d83cdfe1), esenkov2006:1.35a
     (sha256 b5ffc014e2a4), esenkov2006:1.35c (sha256 aa7f3e52c939), esenkov2006:B.11 (sha256 742d7c68ca61). The
-    forms computed are proved equal to those shown (sha256 ea7bc447ad9a).
+    forms computed are proved equal to those shown (sha256 c587d73ba2b4).
     """
     if out is None:
         try:
@@ -554,8 +554,8 @@ def greatest_growth_rate(A, E_1, b_1, omega_0, out=None):
 
     Accuracy: 4 ulp over the domain.
 
-    Rests on esenkov2006:B.6 (sha256 3c4798b8c789), esenkov2006:B.7 (sha256 e0d23e2e841f), esenkov2006:B.8 (sha256
-    f2eee0c8f857).
+    Rests on esenkov2006:B.6 (sha256 3465e26c0810), esenkov2006:B.7 (sha256 e0d23e2e841f), esenkov2006:B.8 (sha256
+    274537c8998c).
     """
     if out is None:
         try:
@@ -616,8 +616,8 @@ def frequencies(A, Delta, E_1, b_1, omega_0, out=None):
     (A - E_1); eight operations follow one another.
 
     Rests on esenkov2006:1.33 (sha256 5dfcf91b92f9), esenkov2006:1.34.3 (sha256 d8869e67ad9a), esenkov2006:B.2
-    (sha256 1846771b4c5a), esenkov2006:B.18 (sha256 5565ce29bb9e). The forms computed are proved equal to those
-    shown (sha256 6741cdcea14d).
+    (sha256 1846771b4c5a), esenkov2006:B.18 (sha256 6199de6695fd). The forms computed are proved equal to those
+    shown (sha256 26816138ab42).
     """
     if out is None:
         try:

@@ -1158,7 +1158,7 @@ def rates_of_four_wheels(h_1, h_2, h_3, h_4, a, b, J_x, J_y, J_z, out=None):
     Accuracy: 8 ulp over the domain. Momenta of wheels may cancel: counted in units of the last place of the
     largest h_i e_i.
 
-    Rests on ignatov2005:2.1.2 (sha256 6aba2017cbeb), ignatov2005:2.3 (sha256 55c8ce1d87a1).
+    Rests on ignatov2005:2.1.2 (sha256 6aba2017cbeb), ignatov2005:2.3 (sha256 57003d67dcfa).
     """
     if out is None:
         try:
@@ -1276,7 +1276,7 @@ def rates_of_three_wheels(h_1, h_2, h_3, a, b, J_x, J_y, J_z, out=None):
     Accuracy: 8 ulp over the domain. Momenta of wheels may cancel: counted in units of the last place of the
     largest h_i e_i.
 
-    Rests on ignatov2005:2.2.1 (sha256 a4e05c48da78), ignatov2005:2.3 (sha256 55c8ce1d87a1).
+    Rests on ignatov2005:2.2.1 (sha256 a4e05c48da78), ignatov2005:2.3 (sha256 57003d67dcfa).
     """
     if out is None:
         try:
@@ -1387,7 +1387,7 @@ def rates_of_six_wheels(h_1, h_2, h_3, h_4, h_5, h_6, a, J_x, J_y, J_z, out=None
     Accuracy: 8 ulp over the domain. Momenta of wheels may cancel: counted in units of the last place of the
     largest h_i e_i.
 
-    Rests on ignatov2005:3.1.2 (sha256 8758872a0c67), ignatov2005:2.3 (sha256 55c8ce1d87a1).
+    Rests on ignatov2005:3.1.2 (sha256 8758872a0c67), ignatov2005:2.3 (sha256 57003d67dcfa).
     """
     if out is None:
         try:
@@ -1511,7 +1511,7 @@ def rates_of_five_wheels(h_1, h_2, h_3, h_4, h_5, a, J_x, J_y, J_z, out=None):
     Accuracy: 8 ulp over the domain. Momenta of wheels may cancel: counted in units of the last place of the
     largest h_i e_i.
 
-    Rests on ignatov2005:3.2.1 (sha256 d524ffea3256), ignatov2005:2.3 (sha256 55c8ce1d87a1).
+    Rests on ignatov2005:3.2.1 (sha256 d524ffea3256), ignatov2005:2.3 (sha256 57003d67dcfa).
     """
     if out is None:
         try:
@@ -2195,8 +2195,8 @@ def vertex_distances_of_four_wheels(a, b, out=None):
     Accuracy: 6 ulp over the domain. Tangents of two angles, a root and a quotient are rounded one after the
     other.
 
-    Rests on ignatov2005:2.1.28 (sha256 715fd904bdfb), ignatov2005:2.1.29 (sha256 b8a120513c5b),
-    ignatov2005:2.1.30 (sha256 3c75070bfa02).
+    Rests on ignatov2005:2.1.28 (sha256 0e3240f25813), ignatov2005:2.1.29 (sha256 b8a120513c5b),
+    ignatov2005:2.1.30 (sha256 321b732aa3c2).
     """
     if out is None:
         try:
@@ -2346,9 +2346,9 @@ def vertex_distances_of_six_wheels(a, out=None):
 
     Accuracy: 4 ulp over the domain.
 
-    Rests on ignatov2005:3.1.28 (sha256 4d53221e698e), ignatov2005:3.1.29 (sha256 b625a3443aaa),
-    ignatov2005:3.1.30 (sha256 cc558bae0b6e), ignatov2005:3.1.31 (sha256 6a5b613fca01). The forms computed are
-    proved equal to those shown (sha256 49135cfc7954).
+    Rests on ignatov2005:3.1.28 (sha256 e71ba0437140), ignatov2005:3.1.29 (sha256 4ac033d3c789),
+    ignatov2005:3.1.30 (sha256 fe3592006e51), ignatov2005:3.1.31 (sha256 7c03028b454b). The forms computed are
+    proved equal to those shown (sha256 28df6e492d9b).
     """
     if out is None:
         try:
@@ -2529,8 +2529,8 @@ def face_distances_of_four_wheels(a, b, out=None):
     Accuracy: 5 ulp over the domain. Tangents of two angles, a root and a quotient are rounded one after the
     other.
 
-    Rests on ignatov2005:T3.1 (sha256 7fcd8b168c81), ignatov2005:T3.2 (sha256 8b4ab1d91166), ignatov2005:T3.3
-    (sha256 3aa88ee037bd). The forms computed are proved equal to those shown (sha256 4266e27ccc5a).
+    Rests on ignatov2005:T3.1 (sha256 8efdfa34b18c), ignatov2005:T3.2 (sha256 d75a5ee5e821), ignatov2005:T3.3
+    (sha256 c07cc09dd077). The forms computed are proved equal to those shown (sha256 c0e08f011f03).
     """
     if out is None:
         try:
@@ -2614,8 +2614,8 @@ def face_distances_of_three_wheels(a, b, out=None):
     Accuracy: 5 ulp over the domain. Tangents of two angles, a root and a quotient are rounded one after the
     other.
 
-    Rests on ignatov2005:T5.1 (sha256 94a9f1e3d0cb). The forms computed are proved equal to those shown (sha256
-    df98fcd4db9d).
+    Rests on ignatov2005:T5.1 (sha256 3ea4d48a967e). The forms computed are proved equal to those shown (sha256
+    d8ee80165a63).
     """
     if out is None:
         try:
@@ -2697,8 +2697,8 @@ def face_distances_of_six_wheels(a, out=None):
 
     Accuracy: 4 ulp over the domain.
 
-    Rests on ignatov2005:T8.1 (sha256 caeac5180acd), ignatov2005:T8.3 (sha256 4228125f38ea), ignatov2005:B.28
-    (sha256 472d640787be). The forms computed are proved equal to those shown (sha256 c9c4137efb9d).
+    Rests on ignatov2005:T8.1 (sha256 b14e385314d0), ignatov2005:T8.3 (sha256 4228125f38ea), ignatov2005:B.28
+    (sha256 472d640787be). The forms computed are proved equal to those shown (sha256 686717258b03).
     """
     if out is None:
         try:
@@ -2772,10 +2772,10 @@ def face_distances_of_five_wheels(a, out=None):
 
     Accuracy: 4 ulp over the domain.
 
-    Rests on ignatov2005:T11.1 (sha256 cd30000cce18), ignatov2005:T11.2 (sha256 b37e74c2fad5), ignatov2005:T11.3
-    (sha256 13fcacbf95c8), ignatov2005:T11.4 (sha256 6bbacfa68ac2), ignatov2005:T11.5 (sha256 158f392b4752),
+    Rests on ignatov2005:T11.1 (sha256 4304d5fe37f8), ignatov2005:T11.2 (sha256 158e62cdf51f), ignatov2005:T11.3
+    (sha256 ede2be42c5ac), ignatov2005:T11.4 (sha256 1518d3d3abcf), ignatov2005:T11.5 (sha256 01ed74be6d3d),
     ignatov2005:T11.6 (sha256 1c799063763f). The forms computed are proved equal to those shown (sha256
-    d9849c194918).
+    dfc56dd0e0d8).
     """
     if out is None:
         try:
@@ -2847,7 +2847,7 @@ def volume_of_four_wheels(a, b, out=None):
     in sin^2 a.
 
     Rests on ignatov2005:B.3 (sha256 54617108b327). The forms computed are proved equal to those shown (sha256
-    5dd55bc1c330).
+    36bc28a1963b).
     """
     if out is None:
         try:
@@ -2910,7 +2910,7 @@ def volume_of_three_wheels(a, b, out=None):
     in sin^2 a.
 
     Rests on ignatov2005:B.13 (sha256 aedd01b78464). The forms computed are proved equal to those shown (sha256
-    b486a132b811).
+    a7b89f376227).
     """
     if out is None:
         try:
@@ -2972,7 +2972,7 @@ def volume_of_six_wheels(a, out=None):
     in sin^2 a.
 
     Rests on ignatov2005:B.25 (sha256 afc28669e24e). The forms computed are proved equal to those shown (sha256
-    823e971b1d91).
+    17e4cf272330).
     """
     if out is None:
         try:
@@ -3029,7 +3029,7 @@ def volume_of_five_wheels(a, out=None):
     in sin^2 a.
 
     Rests on ignatov2005:B.35 (sha256 87fe4711f136). The forms computed are proved equal to those shown (sha256
-    a03ba238b212).
+    41c1d7de6bff).
     """
     if out is None:
         try:
@@ -3094,7 +3094,7 @@ def largest_rates_of_four_wheels(a, b, J_x, J_y, J_z, out=None):
     other.
 
     Rests on ignatov2005:2.3.2 (sha256 5e8b7ff65c34), ignatov2005:2.3.3 (sha256 fbeef966f1d7), ignatov2005:2.3.4
-    (sha256 1914201561bb), ignatov2005:2.3 (sha256 55c8ce1d87a1).
+    (sha256 1914201561bb), ignatov2005:2.3 (sha256 57003d67dcfa).
     """
     if out is None:
         try:
@@ -3180,7 +3180,7 @@ def largest_rates_of_six_wheels(a, J_x, J_y, J_z, out=None):
     Accuracy: 4 ulp over the domain.
 
     Rests on ignatov2005:3.2.26 (sha256 32f7d6819c02), ignatov2005:3.2.27 (sha256 2037c978fcea),
-    ignatov2005:3.2.28 (sha256 910d9ae68049), ignatov2005:2.3 (sha256 55c8ce1d87a1).
+    ignatov2005:3.2.28 (sha256 910d9ae68049), ignatov2005:2.3 (sha256 57003d67dcfa).
     """
     if out is None:
         try:
@@ -3261,8 +3261,8 @@ def equal_rates_of_four_wheels(J_x, J_y, J_z, out=None):
     Accuracy: 4 ulp over the domain. If the squares of the moments satisfy the triangle inequalities, no angles
     give a greater rate w_any.
 
-    Rests on ignatov2005:B.16 (sha256 6919002425f0), ignatov2005:B.17 (sha256 0705625cabf5), ignatov2005:B.18
-    (sha256 4ddf394aaf7f), ignatov2005:B.19 (sha256 62df3452cb7a).
+    Rests on ignatov2005:B.16 (sha256 d7a5333dadbc), ignatov2005:B.17 (sha256 0705625cabf5), ignatov2005:B.18
+    (sha256 69a8052e39dc), ignatov2005:B.19 (sha256 b13534e6844f).
     """
     if out is None:
         try:
@@ -3329,7 +3329,7 @@ def equal_rates_of_six_wheels(J_x, J_y, J_z, out=None):
     Accuracy: 5 ulp over the domain. The square root of 3 is rounded too.
 
     Rests on ignatov2005:3.2.26 (sha256 32f7d6819c02), ignatov2005:3.2.27 (sha256 2037c978fcea),
-    ignatov2005:3.2.28 (sha256 910d9ae68049), ignatov2005:3.2.30 (sha256 08e3db34e264).
+    ignatov2005:3.2.28 (sha256 910d9ae68049), ignatov2005:3.2.30 (sha256 70178405b3c5).
     """
     if out is None:
         try:
@@ -3394,7 +3394,7 @@ def best_angles_of_four_wheels(J_x, J_y, J_z, out=None):
 
     Accuracy: 4 ulp over the domain.
 
-    Rests on ignatov2005:B.20 (sha256 01c9c37bbf52), ignatov2005:B.21 (sha256 8527215899f3).
+    Rests on ignatov2005:B.20 (sha256 b8bd7747ff31), ignatov2005:B.21 (sha256 4c0bc2be9001).
     """
     if out is None:
         try:
@@ -3460,7 +3460,7 @@ def best_angle_of_six_wheels(J_y, J_z, out=None):
     Accuracy: 4 ulp over the domain. The other faces have to allow this rate too; for moments of 1000, 1600 and
     800 kg m^2 they do.
 
-    Rests on ignatov2005:B.38 (sha256 a94786f889f4), ignatov2005:B.39 (sha256 1e0982075dde), ignatov2005:B.40
+    Rests on ignatov2005:B.38 (sha256 a94786f889f4), ignatov2005:B.39 (sha256 7f57aa82a899), ignatov2005:B.40
     (sha256 f4e5814fc21d).
     """
     if out is None:

@@ -609,7 +609,7 @@ def product_of_axial_moments(I_1, I_2, I_3, a_11, a_12, a_13, a_21, a_22, a_23, 
     follow one another; its condition number is 9, so that arguments rounded to the nearest double change it by as
     many half units.
 
-    Rests on mirer2009:2.1 (sha256 f244637008a0), mirer2009:2.13.4 (sha256 e9ade4ef247e).
+    Rests on mirer2009:2.1 (sha256 96cb35e8b636), mirer2009:2.13.4 (sha256 e9ade4ef247e).
     """
     if out is None:
         try:
@@ -692,7 +692,7 @@ def sum_of_products(I_1, I_2, I_3, a_11, a_12, a_13, a_21, a_22, a_23, a_31, a_3
     follow one another; its condition number is 7, so that arguments rounded to the nearest double change it by as
     many half units.
 
-    Rests on mirer2009:2.18 (sha256 2ed10468b4ee), mirer2009:2.19.4 (sha256 b8cfa770eb92).
+    Rests on mirer2009:2.18 (sha256 b56edba0ec5c), mirer2009:2.19.4 (sha256 b8cfa770eb92).
     """
     if out is None:
         try:
@@ -803,8 +803,8 @@ def bounds_of_products(I_1, I_2, I_3, out=None):
 
     Accuracy: 9 ulp over the domain. A cube triples the error of the mean moment: its condition number is 3.
 
-    Rests on mirer2009:2.1 (sha256 f244637008a0), mirer2009:2.3.7 (sha256 6c0f22f5748b), mirer2009:2.18 (sha256
-    2ed10468b4ee). The forms computed are proved equal to those shown (sha256 89ad4823d9b6).
+    Rests on mirer2009:2.1 (sha256 96cb35e8b636), mirer2009:2.3.7 (sha256 a4d42e35dcb0), mirer2009:2.18 (sha256
+    b56edba0ec5c). The forms computed are proved equal to those shown (sha256 89ad4823d9b6).
     """
     if out is None:
         try:
@@ -875,7 +875,7 @@ def distances_from_bounds(I_1, I_2, I_3, a_11, a_12, a_13, a_21, a_22, a_23, a_3
     units of the last place of what it were if they did not.
 
     Rests on mirer2009:2.13.4 (sha256 e9ade4ef247e), mirer2009:2.19.4 (sha256 b8cfa770eb92), mirer2009:2.2 (sha256
-    bd6f5850a365), mirer2009:2.1 (sha256 f244637008a0).
+    c8d1ca2b73d8), mirer2009:2.1 (sha256 96cb35e8b636).
     """
     if out is None:
         try:
@@ -1041,7 +1041,7 @@ def bound_at_given_moment(I_1, I_2, I_3, J_2, out=None):
     Accuracy: 8 ulp over the domain. A square doubles the error of the two other moments, which are at least half
     of all three.
 
-    Rests on mirer2009:2.2 (sha256 bd6f5850a365).
+    Rests on mirer2009:2.2 (sha256 c8d1ca2b73d8).
     """
     if out is None:
         try:
@@ -1640,7 +1640,7 @@ def gains_in_proportion(k, I_1, I_2, I_3, a_11, a_12, a_13, a_21, a_22, a_23, a_
 
     Accuracy: 4 ulp over the domain.
 
-    Rests on mirer2009:1.5 (sha256 3b17564964dd), mirer2009:1.8 (sha256 9ce016024551), mirer2009:1.8.1 (sha256
+    Rests on mirer2009:1.5 (sha256 3b17564964dd), mirer2009:1.8 (sha256 940f5957d1cf), mirer2009:1.8.1 (sha256
     6dfe84901600).
     """
     if out is None:
@@ -1717,8 +1717,8 @@ def gain_of_rates(xi, s_1, s_2, s_3, out=None):
     Accuracy: 10 ulp over the domain. Ten operations follow one another in k_excess, none of which cancels. With
     s_1 = s_2 = s_3 = 0, the triple root, k is xi.
 
-    Rests on mirer2009:B.3 (sha256 eedc02432968), mirer2009:B.4 (sha256 0a1e8aa4630c). The forms computed are
-    proved equal to those shown (sha256 a31b2deb6b38).
+    Rests on mirer2009:B.3 (sha256 11825ee30064), mirer2009:B.4 (sha256 269f1a96d135). The forms computed are
+    proved equal to those shown (sha256 5d56f449afb7).
     """
     if out is None:
         try:
@@ -1785,9 +1785,9 @@ def stability_degree_in_pitch(k, I_1, I_3, alpha, out=None):
     Accuracy: 4 ulp over the domain. For I_1 = I_3 and for the pitch 0 the stability degree is k, the greatest
     there is.
 
-    Rests on mirer2009:1.5 (sha256 3b17564964dd), mirer2009:B.2 (sha256 b480db2ce013), mirer2009:B.3 (sha256
-    eedc02432968), mirer2009:B.4 (sha256 0a1e8aa4630c). The forms computed are proved equal to those shown (sha256
-    3a888d53cd01).
+    Rests on mirer2009:1.5 (sha256 3b17564964dd), mirer2009:B.2 (sha256 283b9a75437b), mirer2009:B.3 (sha256
+    11825ee30064), mirer2009:B.4 (sha256 269f1a96d135). The forms computed are proved equal to those shown (sha256
+    4c82a6f9dadb).
     """
     if out is None:
         try:
@@ -1854,7 +1854,7 @@ def equal_moment_pitch(I_1, I_2, I_3, out=None):
     last place of the greatest, pi/4. For I_2 = I_3 it is pi/4 or -pi/4; if all three moments are equal, every
     pitch serves, and there is no number.
 
-    Rests on mirer2009:2.8.1 (sha256 19a49102279d), mirer2009:2.9 (sha256 25756c13bdcf), mirer2009:2.9.2 (sha256
+    Rests on mirer2009:2.8.1 (sha256 19a49102279d), mirer2009:2.9 (sha256 b20d0080930c), mirer2009:2.9.2 (sha256
     1f958d6caea2). The forms computed are proved equal to those shown (sha256 d6a7df8cd518).
     """
     if out is None:

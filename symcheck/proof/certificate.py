@@ -69,9 +69,8 @@ def certificate(problem: Problem, outcome: Outcome, lemmas: Lemmas | None = None
     }
     if lemmas:
         body |= _resting(stated, lemmas)
-        free = {name for name, _ in lemmas.defined} - {
-            name for name, _ in stated["definitions"]
-        }  # the proof knows them by what the lemmas say
+        known = {name for name, _ in stated["definitions"]}  # of others the proof knows what the lemmas say
+        free = {name for name, _ in lemmas.defined} - known
         body["proof"]["atoms"] = {name: name for name in sorted(free)} | body["proof"].get("atoms", {})
     found: Certificate = json.loads(json.dumps({**stated, **body}))
     return found

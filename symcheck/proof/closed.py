@@ -8,7 +8,7 @@ equal, are left to algebra.
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from fractions import Fraction
 from itertools import product
 from typing import Any, NamedTuple
@@ -166,8 +166,16 @@ def refute_at_some(problem: Problem) -> Certificate | None:
     fixed = {side for f in formulas[1:] if f[0] == "=" for side in f[1:] if isinstance(side, str)}
     chosen = [x for x in free if x not in fixed]
     values = sorted(product(range(len(TRIED)), repeat=len(chosen)), key=sum) if 0 < len(chosen) < 4 else []
-    tried = (refute_at(problem, {x: TRIED[k] for x, k in zip(chosen, ks, strict=True)}) for ks in values[:TRIES])
-    return next((point for point in tried if point), None)
+    return refute_at_first(problem, ({x: TRIED[k] for x, k in zip(chosen, ks, strict=True)} for ks in values[:TRIES]))
+
+
+def refute_at_first(problem: Problem, points: Iterable[Mapping[str, Term]]) -> Certificate | None:
+    """The same at the first of many points that refutes the problem; definitions are unfolded once for all of them."""
+    definitions = dict(problem.definitions)
+    hypotheses = tuple((name, tuple(unfold(f, definitions) for f in formulas)) for name, formulas in problem.hypotheses)
+    plain = replace(problem, claim=unfold(problem.claim, definitions), definitions=(), hypotheses=hypotheses)
+    found = next((point for point in points if refute_at(plain, point) is not None), None)
+    return None if found is None else refute_at(problem, found)
 
 
 def refute_at(problem: Problem, chosen: Mapping[str, Term]) -> Certificate | None:

@@ -16,7 +16,7 @@ from symcheck.checker.enclosures import enclosed
 from symcheck.core.calculus import Unknown, domain, substituted
 from symcheck.core.formulas import conjuncts
 from symcheck.core.terms import PI, RELATIONS, Node, node
-from symcheck.proof.closed import TRIED, refute_at
+from symcheck.proof.closed import TRIED, refute_at_first
 from symcheck.proof.counterexample import Point, Search, refute
 from symcheck.proof.polynomial import Poly, alone, fraction, subterms, unfold, with_arguments
 from symcheck.proof.variables import Unsupported, atoms, circle, cosine, sine
@@ -184,12 +184,10 @@ def _by_digits(problem: Problem) -> Certificate | None:
     absurd = replace(problem, claim=node("=", PI, 0))
     fixed = {side for f in said if f[0] == "=" for side in f[1:] if isinstance(side, str)}
     free = sorted({part for part in parts if isinstance(part, str)} - fixed - dict(problem.definitions).keys())
-    for seed in range(TRIALS):
-        rng = random.Random(seed)
-        point = {x: TRIED[0] if seed == 0 else rng.choice(TRIED) for x in free}
-        if (found := refute_at(absurd, point)) is not None:
-            return {"values": found["values"], "enclosed": []}
-    return None
+    draws = [random.Random(seed) for seed in range(TRIALS)]
+    points = ({x: draw.choice(TRIED) if seed else TRIED[0] for x in free} for seed, draw in enumerate(draws))
+    found = refute_at_first(absurd, points)
+    return found and {"values": found["values"], "enclosed": []}
 
 
 def _drawn(problem: Problem, prove: Prover) -> Certificate | None:

@@ -99,7 +99,7 @@ CLASS = FaultClass(
     "hypotheses",
     "hypotheses dropped, added, or contradicting one another, before the audit",
     (DROPPED, ADDED, CONTRADICTORY),
-    share=400,
+    share=120,
     places=places,
     trials=trials,
 )
