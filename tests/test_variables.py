@@ -169,32 +169,38 @@ def call(name: str, *arguments: Term, orders: tuple[int, ...] = ()) -> Term:
 
 SQUARE: Term = node("^", "x", 2)
 FIELD = call("f", "x", "y")
+
+
+def rate(term: Term, x: str) -> Term:
+    return node("diff", term, x, 1, x)
+
+
+BY_FIRST, BY_SECOND = (call("f", "x", node("*", 3, "x"), orders=orders) for orders in ((1, 0), (0, 1)))
 UNKNOWN_FUNCTIONS: dict[str, tuple[Formula, Verdict]] = {
     "equal arguments": (node("=", call("f", node("+", "x", 1)), call("f", node("+", 1, "x"))), Verdict.PROVED),
     "other arguments": (node("=", call("f", "x"), call("f", "y")), Verdict.REFUTED),
-    "arguments said to be equal": (node("=>", node("=", "x", "y"), node("=", call("f", "x"), call("f", "y"))), Verdict.PROVED),
+    "arguments said to be equal": (
+        node("=>", node("=", "x", "y"), node("=", call("f", "x"), call("f", "y"))),
+        Verdict.PROVED,
+    ),
     "arguments exchanged": (node("=", call("f", "x", "y"), call("f", "y", "x")), Verdict.REFUTED),
     "a function of itself": (node("=", call("f", call("f", "x")), call("f", "x")), Verdict.REFUTED),
     "the chain rule": (
-        node("=", node("diff", call("f", SQUARE, "y"), "x", 1, "x"), node("*", 2, "x", call("f", SQUARE, "y", orders=(1, 0)))),
+        node("=", rate(call("f", SQUARE, "y"), "x"), node("*", 2, "x", call("f", SQUARE, "y", orders=(1, 0)))),
         Verdict.PROVED,
     ),
     "the chain rule for both arguments": (
-        node(
-            "=",
-            node("diff", call("f", "x", node("*", 3, "x")), "x", 1, "x"),
-            node("+", call("f", "x", node("*", 3, "x"), orders=(1, 0)), node("*", 3, call("f", "x", node("*", 3, "x"), orders=(0, 1)))),
-        ),
+        node("=", rate(call("f", "x", node("*", 3, "x")), "x"), node("+", BY_FIRST, node("*", 3, BY_SECOND))),
         Verdict.PROVED,
     ),
     "the derivative by another argument": (
-        node("=", node("diff", call("f", "x", "y"), "x", 1, "x"), call("f", "x", "y", orders=(0, 1))),
+        node("=", rate(call("f", "x", "y"), "x"), call("f", "x", "y", orders=(0, 1))),
         Verdict.REFUTED,
     ),
-    "a derivative that is not zero": (node("=", node("diff", call("f", "x"), "x", 1, "x"), 0), Verdict.REFUTED),
-    "a derivative by what it does not depend on": (node("=", node("diff", call("f", "y"), "x", 1, "x"), 0), Verdict.PROVED),
+    "a derivative that is not zero": (node("=", rate(call("f", "x"), "x"), 0), Verdict.REFUTED),
+    "a derivative by what it does not depend on": (node("=", rate(call("f", "y"), "x"), 0), Verdict.PROVED),
     "mixed derivatives": (
-        node("=", node("diff", node("diff", FIELD, "x", 1, "x"), "y", 1, "y"), node("diff", node("diff", FIELD, "y", 1, "y"), "x", 1, "x")),
+        node("=", rate(rate(FIELD, "x"), "y"), rate(rate(FIELD, "y"), "x")),
         Verdict.PROVED,
     ),
     "the root of what is said to be positive": (

@@ -123,7 +123,7 @@ def proof(found: Certificate, kept: Mapping[str, Sequence[int]] | None = None) -
 def _renumbered(tree: Any, kept: Mapping[str, Sequence[int]]) -> Any:
     """The proof with ["hyp", name, k] counted among the kept formulas."""
     if isinstance(tree, dict):
-        return {key: _renumbered(value, kept) for key, value in tree.items()}
+        return {key: _renumbered(value, kept) for key, value in tree.items() if key != "witnesses"}
     if isinstance(tree, list):
         if len(tree) == 3 and tree[0] == "hyp":
             return ["hyp", tree[1], kept[tree[1]].index(tree[2])]
