@@ -175,7 +175,7 @@ UNKNOWN = Problem(
     "toy:1",
     ("=>", (">", call("f", "y"), 2), (">", ("+", call("f", ("+", "x", "x")), call("g", "x", call("f", "y"))),
                                       call("g", "x", call("f", "y")))),
-    (("z", ("*", 2, "x")),),
+    (("z", node("*", 2, "x")),),
     (("given", ((">", call("f", "z"), 0),)),),
 )  # fmt: skip
 
