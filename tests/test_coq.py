@@ -171,13 +171,13 @@ def call(function: str, *arguments: Term, orders: tuple[int, ...] = ()) -> Any:
     return node("call", function, orders or (0,) * len(arguments), *arguments)
 
 
+SECOND = call("g", "x", call("f", "y"))
 UNKNOWN = Problem(
     "toy:1",
-    ("=>", (">", call("f", "y"), 2), (">", ("+", call("f", ("+", "x", "x")), call("g", "x", call("f", "y"))),
-                                      call("g", "x", call("f", "y")))),
+    node("=>", node(">", call("f", "y"), 2), node(">", node("+", call("f", node("+", "x", "x")), SECOND), SECOND)),
     (("z", node("*", 2, "x")),),
-    (("given", ((">", call("f", "z"), 0),)),),
-)  # fmt: skip
+    (("given", (node(">", call("f", "z"), 0),)),),
+)
 
 
 def certified(problem: Problem) -> dict[str, Any]:
