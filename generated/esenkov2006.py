@@ -134,7 +134,7 @@ def mode_inertia(a_1, chi_1, N_1, out=None):
 
     Accuracy: 4 ulp over the domain.
 
-    Rests on esenkov2006:1.32 (sha256 2b2f890930ce), esenkov2006:B.1 (sha256 46a5923ec93a).
+    Rests on esenkov2006:1.32 (sha256 91c691dc84d1), esenkov2006:B.1 (sha256 d62232d82a4e).
     """
     if out is None:
         try:
@@ -180,8 +180,8 @@ def residue_of_a_mode(E_1, lambda_1, omega_0, out=None):
 
     Accuracy: 4 ulp over the domain.
 
-    Rests on esenkov2006:N.3 (sha256 e9d0cba7897e), esenkov2006:N.5 (sha256 d561d21cd207). The forms computed are
-    proved equal to those shown (sha256 01e6baed37ee).
+    Rests on esenkov2006:N.3 (sha256 10f423309148), esenkov2006:N.5 (sha256 b88788105c9d). The forms computed are
+    proved equal to those shown (sha256 1273b10d4eb2).
     """
     if out is None:
         try:
@@ -234,8 +234,8 @@ def characteristic_coefficients(A, C, E_1, lambda_1, omega_0, out=None):
     Accuracy: 4 ulp over the domain. Where terms cancel, the error is in units of the last place of the largest of
     them.
 
-    Rests on esenkov2006:1.32 (sha256 2b2f890930ce), esenkov2006:1.33 (sha256 af8f28ce4e87). The forms computed
-    are proved equal to those shown (sha256 c734ecc813a1).
+    Rests on esenkov2006:1.32 (sha256 91c691dc84d1), esenkov2006:1.33 (sha256 5dfcf91b92f9). The forms computed
+    are proved equal to those shown (sha256 8d1a6c39f1e8).
     """
     if out is None:
         try:
@@ -294,9 +294,9 @@ def discriminant(A, C, E_1, lambda_1, omega_0, out=None):
     place of what it were if nothing cancelled, the square of |C - A| omega_0 + E_1 omega_0 + A |lambda_1|; ten
     operations follow one another.
 
-    Rests on esenkov2006:1.33.3a (sha256 f139c6183c55), esenkov2006:1.33.4 (sha256 05931f5999a0), esenkov2006:B.2
-    (sha256 7f9a06f39baa), esenkov2006:B.6 (sha256 f1f6b0ec5b77). The forms computed are proved equal to those
-    shown (sha256 d5d679bd5b2f).
+    Rests on esenkov2006:1.33.3a (sha256 85a55af1a21e), esenkov2006:1.33.4 (sha256 eef05166bf2c), esenkov2006:B.2
+    (sha256 1846771b4c5a), esenkov2006:B.6 (sha256 3465e26c0810). The forms computed are proved equal to those
+    shown (sha256 69b0e962ebfb).
     """
     if out is None:
         try:
@@ -361,9 +361,9 @@ def boundary_of_stability(A, E_1, b_1, out=None):
     Accuracy: 4 ulp over the domain. The upper end is zero where A b_1 = E_1; its error is in units of the last
     place of the larger of E_1 (1 - b_1) and b_1 (A - E_1).
 
-    Rests on esenkov2006:1.34.3 (sha256 6ce830dd8a10), esenkov2006:1.34.5 (sha256 5083448056d6), esenkov2006:1.35a
-    (sha256 4f4c5ea51ada), esenkov2006:1.35c (sha256 13d5aa4634f7), esenkov2006:B.11 (sha256 a69363a3b050). The
-    forms computed are proved equal to those shown (sha256 f303b2ce4717).
+    Rests on esenkov2006:1.34.3 (sha256 d8869e67ad9a), esenkov2006:1.34.5 (sha256 5bd5d83cdfe1), esenkov2006:1.35a
+    (sha256 b5ffc014e2a4), esenkov2006:1.35c (sha256 aa7f3e52c939), esenkov2006:B.11 (sha256 742d7c68ca61). The
+    forms computed are proved equal to those shown (sha256 c587d73ba2b4).
     """
     if out is None:
         try:
@@ -435,8 +435,8 @@ def width_of_the_unstable_interval(A, E_1, b_1, out=None):
 
     Accuracy: 4 ulp over the domain.
 
-    Rests on esenkov2006:1.34.4 (sha256 04c0f075a1a1), esenkov2006:B.16 (sha256 f921618c6ec9), esenkov2006:B.28
-    (sha256 61c2a4c0e061). The forms computed are proved equal to those shown (sha256 18ee1f9e1b26).
+    Rests on esenkov2006:1.34.4 (sha256 d7e201757da1), esenkov2006:B.16 (sha256 4515d9596d9c), esenkov2006:B.28
+    (sha256 d39dfa450602). The forms computed are proved equal to those shown (sha256 69c2846fab1b).
     """
     if out is None:
         try:
@@ -494,8 +494,8 @@ def critical_frequencies(A, E_1, b_1, omega_0, out=None):
     Accuracy: 4 ulp over the domain. The frequency at the upper end is zero where A b_1 = E_1. Where terms cancel,
     the error is in units of the last place of the largest of them.
 
-    Rests on esenkov2006:B.4 (sha256 657348ae58b0), esenkov2006:B.26 (sha256 1de0cdfd61dc), esenkov2006:B.27
-    (sha256 2c23c7f94256).
+    Rests on esenkov2006:B.4 (sha256 0e6afd49f325), esenkov2006:B.26 (sha256 520e09812ec5), esenkov2006:B.27
+    (sha256 416470da3f23).
     """
     if out is None:
         try:
@@ -554,8 +554,8 @@ def greatest_growth_rate(A, E_1, b_1, omega_0, out=None):
 
     Accuracy: 4 ulp over the domain.
 
-    Rests on esenkov2006:B.6 (sha256 f1f6b0ec5b77), esenkov2006:B.7 (sha256 d4569587bf45), esenkov2006:B.8 (sha256
-    1d0b552ab004).
+    Rests on esenkov2006:B.6 (sha256 3465e26c0810), esenkov2006:B.7 (sha256 e0d23e2e841f), esenkov2006:B.8 (sha256
+    274537c8998c).
     """
     if out is None:
         try:
@@ -615,9 +615,9 @@ def frequencies(A, Delta, E_1, b_1, omega_0, out=None):
     units of the last place of a bound of both, omega_0 / (A - E_1) times the sum of Delta, E_1 (1 - b_1) and b_1
     (A - E_1); eight operations follow one another.
 
-    Rests on esenkov2006:1.33 (sha256 af8f28ce4e87), esenkov2006:1.34.3 (sha256 6ce830dd8a10), esenkov2006:B.2
-    (sha256 7f9a06f39baa), esenkov2006:B.18 (sha256 9c6d98cce656). The forms computed are proved equal to those
-    shown (sha256 c9ab2784cddc).
+    Rests on esenkov2006:1.33 (sha256 5dfcf91b92f9), esenkov2006:1.34.3 (sha256 d8869e67ad9a), esenkov2006:B.2
+    (sha256 1846771b4c5a), esenkov2006:B.18 (sha256 6199de6695fd). The forms computed are proved equal to those
+    shown (sha256 26816138ab42).
     """
     if out is None:
         try:

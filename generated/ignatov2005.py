@@ -556,8 +556,8 @@ def axes_of_four_wheels(a, b, out=None):
     Accuracy: 6 ulp over the domain. Tangents of two angles, a root and a quotient are rounded one after the
     other.
 
-    Rests on ignatov2005:2.0.1 (sha256 f834c7a2f8e1), ignatov2005:2.0.3 (sha256 d3205c84ab44), ignatov2005:2.0.5
-    (sha256 f49cc6f4df91).
+    Rests on ignatov2005:2.0.1 (sha256 4aa675013ce7), ignatov2005:2.0.3 (sha256 1c82bd5484cb), ignatov2005:2.0.5
+    (sha256 22085680dfdc).
     """
     if out is None:
         try:
@@ -663,8 +663,8 @@ def axes_of_six_wheels(a, out=None):
 
     Accuracy: 4 ulp over the domain.
 
-    Rests on ignatov2005:3.0.3 (sha256 7a67431dc6c5), ignatov2005:3.0.5 (sha256 d1789efdd175), ignatov2005:3.0.6
-    (sha256 859001ee8022).
+    Rests on ignatov2005:3.0.3 (sha256 90b688855734), ignatov2005:3.0.5 (sha256 881325f58b02), ignatov2005:3.0.6
+    (sha256 55b7b4360f8d).
     """
     if out is None:
         try:
@@ -747,7 +747,7 @@ def momentum_of_four_wheels(h_1, h_2, h_3, h_4, a, b, out=None):
     Accuracy: 8 ulp over the domain. Momenta of wheels may cancel: counted in units of the last place of the
     largest h_i e_i.
 
-    Rests on ignatov2005:2.1.2 (sha256 657ebd719ec9).
+    Rests on ignatov2005:2.1.2 (sha256 6aba2017cbeb).
     """
     if out is None:
         try:
@@ -850,7 +850,7 @@ def momentum_of_three_wheels(h_1, h_2, h_3, a, b, out=None):
     Accuracy: 8 ulp over the domain. Momenta of wheels may cancel: counted in units of the last place of the
     largest h_i e_i.
 
-    Rests on ignatov2005:2.2.1 (sha256 236d541ef553).
+    Rests on ignatov2005:2.2.1 (sha256 a4e05c48da78).
     """
     if out is None:
         try:
@@ -946,7 +946,7 @@ def momentum_of_six_wheels(h_1, h_2, h_3, h_4, h_5, h_6, a, out=None):
     Accuracy: 8 ulp over the domain. Momenta of wheels may cancel: counted in units of the last place of the
     largest h_i e_i.
 
-    Rests on ignatov2005:3.1.2 (sha256 c4e14026f27d).
+    Rests on ignatov2005:3.1.2 (sha256 8758872a0c67).
     """
     if out is None:
         try:
@@ -1055,7 +1055,7 @@ def momentum_of_five_wheels(h_1, h_2, h_3, h_4, h_5, a, out=None):
     Accuracy: 8 ulp over the domain. Momenta of wheels may cancel: counted in units of the last place of the
     largest h_i e_i.
 
-    Rests on ignatov2005:3.2.1 (sha256 627cc0ca9e03).
+    Rests on ignatov2005:3.2.1 (sha256 d524ffea3256).
     """
     if out is None:
         try:
@@ -1158,7 +1158,7 @@ def rates_of_four_wheels(h_1, h_2, h_3, h_4, a, b, J_x, J_y, J_z, out=None):
     Accuracy: 8 ulp over the domain. Momenta of wheels may cancel: counted in units of the last place of the
     largest h_i e_i.
 
-    Rests on ignatov2005:2.1.2 (sha256 657ebd719ec9), ignatov2005:2.3 (sha256 233596362da2).
+    Rests on ignatov2005:2.1.2 (sha256 6aba2017cbeb), ignatov2005:2.3 (sha256 57003d67dcfa).
     """
     if out is None:
         try:
@@ -1276,7 +1276,7 @@ def rates_of_three_wheels(h_1, h_2, h_3, a, b, J_x, J_y, J_z, out=None):
     Accuracy: 8 ulp over the domain. Momenta of wheels may cancel: counted in units of the last place of the
     largest h_i e_i.
 
-    Rests on ignatov2005:2.2.1 (sha256 236d541ef553), ignatov2005:2.3 (sha256 233596362da2).
+    Rests on ignatov2005:2.2.1 (sha256 a4e05c48da78), ignatov2005:2.3 (sha256 57003d67dcfa).
     """
     if out is None:
         try:
@@ -1387,7 +1387,7 @@ def rates_of_six_wheels(h_1, h_2, h_3, h_4, h_5, h_6, a, J_x, J_y, J_z, out=None
     Accuracy: 8 ulp over the domain. Momenta of wheels may cancel: counted in units of the last place of the
     largest h_i e_i.
 
-    Rests on ignatov2005:3.1.2 (sha256 c4e14026f27d), ignatov2005:2.3 (sha256 233596362da2).
+    Rests on ignatov2005:3.1.2 (sha256 8758872a0c67), ignatov2005:2.3 (sha256 57003d67dcfa).
     """
     if out is None:
         try:
@@ -1511,7 +1511,7 @@ def rates_of_five_wheels(h_1, h_2, h_3, h_4, h_5, a, J_x, J_y, J_z, out=None):
     Accuracy: 8 ulp over the domain. Momenta of wheels may cancel: counted in units of the last place of the
     largest h_i e_i.
 
-    Rests on ignatov2005:3.2.1 (sha256 627cc0ca9e03), ignatov2005:2.3 (sha256 233596362da2).
+    Rests on ignatov2005:3.2.1 (sha256 d524ffea3256), ignatov2005:2.3 (sha256 57003d67dcfa).
     """
     if out is None:
         try:
@@ -1643,9 +1643,9 @@ def vertices_of_four_wheels(a, b, out=None):
     Accuracy: 6 ulp over the domain. Tangents of two angles, a root and a quotient are rounded one after the
     other.
 
-    Rests on ignatov2005:2.1V.1a (sha256 94b8e26f0769), ignatov2005:2.1V.2a (sha256 80579f087ea4),
-    ignatov2005:2.1V.3a (sha256 2257d1e84ce7), ignatov2005:2.1V.4a (sha256 e0b417442b9e), ignatov2005:2.1V.5a
-    (sha256 a62897744444), ignatov2005:2.1V.6a (sha256 9f473c0762c6), ignatov2005:2.1V.7a (sha256 b9c4435a36b9).
+    Rests on ignatov2005:2.1V.1a (sha256 e5b9794d6eff), ignatov2005:2.1V.2a (sha256 a0f1e3a325ab),
+    ignatov2005:2.1V.3a (sha256 f8ec71b5b1e5), ignatov2005:2.1V.4a (sha256 772691a3262a), ignatov2005:2.1V.5a
+    (sha256 5e218eab1ed2), ignatov2005:2.1V.6a (sha256 e3990d37b113), ignatov2005:2.1V.7a (sha256 6699fc74aac7).
     """
     if out is None:
         try:
@@ -1765,8 +1765,8 @@ def vertices_of_three_wheels(a, b, out=None):
     Accuracy: 6 ulp over the domain. Tangents of two angles, a root and a quotient are rounded one after the
     other.
 
-    Rests on ignatov2005:2.2V.1a (sha256 1328905443f8), ignatov2005:2.2V.2a (sha256 4707241dda37),
-    ignatov2005:2.2V.3a (sha256 ff1dc70e4e37), ignatov2005:2.2V.4a (sha256 7594a5d54588).
+    Rests on ignatov2005:2.2V.1a (sha256 2454d33ff5bf), ignatov2005:2.2V.2a (sha256 b7890bffda83),
+    ignatov2005:2.2V.3a (sha256 45c0821bb0e1), ignatov2005:2.2V.4a (sha256 39b18cc074ae).
     """
     if out is None:
         try:
@@ -1924,13 +1924,13 @@ def vertices_of_six_wheels(a, out=None):
 
     Accuracy: 5 ulp over the domain. The square root of 3 and half a sine are rounded too.
 
-    Rests on ignatov2005:3.1V.1a (sha256 8c2b00545e7d), ignatov2005:3.1V.2a (sha256 067fb2bec942),
-    ignatov2005:3.1V.3a (sha256 41535d701c6f), ignatov2005:3.1V.4a (sha256 9476d5b0b3b6), ignatov2005:3.1V.5a
-    (sha256 6cb9a19aaef2), ignatov2005:3.1V.6a (sha256 7e69a3b1a347), ignatov2005:3.1V.7a (sha256 0ee825fe79a4),
-    ignatov2005:3.1V.8a (sha256 aceed7401197), ignatov2005:3.1V.9a (sha256 ec42ed94c49f), ignatov2005:3.1V.10a
-    (sha256 e344545aa6de), ignatov2005:3.1V.11a (sha256 dde03da8c5da), ignatov2005:3.1V.12a (sha256 2d50279ca6bf),
-    ignatov2005:3.1V.13a (sha256 fb3302f065b5), ignatov2005:3.1V.14a (sha256 7bfd21c503a4), ignatov2005:3.1V.15a
-    (sha256 794169dc5b05), ignatov2005:3.1V.16a (sha256 8492d5ba141e).
+    Rests on ignatov2005:3.1V.1a (sha256 b51a3fcf346f), ignatov2005:3.1V.2a (sha256 b0c634dcdde9),
+    ignatov2005:3.1V.3a (sha256 7bb0b8f23c7a), ignatov2005:3.1V.4a (sha256 eee98e1b565b), ignatov2005:3.1V.5a
+    (sha256 f08e36effac0), ignatov2005:3.1V.6a (sha256 5bef380883e6), ignatov2005:3.1V.7a (sha256 1e8ce505359f),
+    ignatov2005:3.1V.8a (sha256 cbda7b1ae859), ignatov2005:3.1V.9a (sha256 17e1fe062dac), ignatov2005:3.1V.10a
+    (sha256 0248272de7aa), ignatov2005:3.1V.11a (sha256 dc8419622b85), ignatov2005:3.1V.12a (sha256 064a71a8217e),
+    ignatov2005:3.1V.13a (sha256 5afc508aa051), ignatov2005:3.1V.14a (sha256 aad84d3eca9d), ignatov2005:3.1V.15a
+    (sha256 ccddd845f704), ignatov2005:3.1V.16a (sha256 1e908cfed76a).
     """
     if out is None:
         try:
@@ -2090,11 +2090,11 @@ def vertices_of_five_wheels(a, out=None):
 
     Accuracy: 5 ulp over the domain. The square root of 3 and half a sine are rounded too.
 
-    Rests on ignatov2005:3.2V.1a (sha256 d0db951b702d), ignatov2005:3.2V.2a (sha256 fe89686584b6),
-    ignatov2005:3.2V.3a (sha256 39d280840367), ignatov2005:3.2V.4a (sha256 64d3045d53d3), ignatov2005:3.2V.5a
-    (sha256 f9756e9d50ef), ignatov2005:3.2V.6a (sha256 d979e17e90aa), ignatov2005:3.2V.7a (sha256 9459dedf6e68),
-    ignatov2005:3.2V.8a (sha256 fd32014c951f), ignatov2005:3.2V.9a (sha256 b9f9209f8293), ignatov2005:3.2V.10a
-    (sha256 e6f228859ccb), ignatov2005:3.2V.11a (sha256 969fdc746efd).
+    Rests on ignatov2005:3.2V.1a (sha256 12fa1ab02a5f), ignatov2005:3.2V.2a (sha256 d8e0ae63d033),
+    ignatov2005:3.2V.3a (sha256 be4a9049023c), ignatov2005:3.2V.4a (sha256 8e45bf74b10b), ignatov2005:3.2V.5a
+    (sha256 ceb89ee8941d), ignatov2005:3.2V.6a (sha256 8c38650a0830), ignatov2005:3.2V.7a (sha256 c2dfe2bca48d),
+    ignatov2005:3.2V.8a (sha256 cf0c32575974), ignatov2005:3.2V.9a (sha256 f8aed7e8d192), ignatov2005:3.2V.10a
+    (sha256 3c61def8ef19), ignatov2005:3.2V.11a (sha256 a185009784ec).
     """
     if out is None:
         try:
@@ -2195,8 +2195,8 @@ def vertex_distances_of_four_wheels(a, b, out=None):
     Accuracy: 6 ulp over the domain. Tangents of two angles, a root and a quotient are rounded one after the
     other.
 
-    Rests on ignatov2005:2.1.28 (sha256 bd2cd189e2df), ignatov2005:2.1.29 (sha256 3e1f87650cb1),
-    ignatov2005:2.1.30 (sha256 26da3182c8fc).
+    Rests on ignatov2005:2.1.28 (sha256 0e3240f25813), ignatov2005:2.1.29 (sha256 b8a120513c5b),
+    ignatov2005:2.1.30 (sha256 321b732aa3c2).
     """
     if out is None:
         try:
@@ -2273,9 +2273,9 @@ def vertex_distances_of_three_wheels(a, b, out=None):
 
     Accuracy: 4 ulp over the domain.
 
-    Rests on ignatov2005:2.2.18 (sha256 5737c60fba94), ignatov2005:2.2.19 (sha256 cffa1447a15d),
-    ignatov2005:2.2.20 (sha256 f4a028f547e1). The forms computed are proved equal to those shown (sha256
-    f520c9c82bc3).
+    Rests on ignatov2005:2.2.18 (sha256 4d77f76651c9), ignatov2005:2.2.19 (sha256 ae7a0b96326a),
+    ignatov2005:2.2.20 (sha256 47427cf2a5e7). The forms computed are proved equal to those shown (sha256
+    e8f94252f227).
     """
     if out is None:
         try:
@@ -2346,9 +2346,9 @@ def vertex_distances_of_six_wheels(a, out=None):
 
     Accuracy: 4 ulp over the domain.
 
-    Rests on ignatov2005:3.1.28 (sha256 7ca73f2407a7), ignatov2005:3.1.29 (sha256 cd61e3fa453a),
-    ignatov2005:3.1.30 (sha256 3ff14fbe7354), ignatov2005:3.1.31 (sha256 45466741b047). The forms computed are
-    proved equal to those shown (sha256 0bd0d880e232).
+    Rests on ignatov2005:3.1.28 (sha256 e71ba0437140), ignatov2005:3.1.29 (sha256 4ac033d3c789),
+    ignatov2005:3.1.30 (sha256 fe3592006e51), ignatov2005:3.1.31 (sha256 7c03028b454b). The forms computed are
+    proved equal to those shown (sha256 28df6e492d9b).
     """
     if out is None:
         try:
@@ -2446,10 +2446,10 @@ def vertex_distances_of_five_wheels(a, out=None):
 
     Accuracy: 4 ulp over the domain.
 
-    Rests on ignatov2005:T10.1 (sha256 0693cf7250ea), ignatov2005:T10.2 (sha256 8dff67d641be), ignatov2005:T10.3
-    (sha256 c671f4440e57), ignatov2005:T10.4 (sha256 7acc94a9ae88), ignatov2005:T10.5 (sha256 4748f790d715),
-    ignatov2005:T10.6 (sha256 fa8b227fd146), ignatov2005:T10.7 (sha256 6a2cd4a3d8fb). The forms computed are
-    proved equal to those shown (sha256 6b611b3313a6).
+    Rests on ignatov2005:T10.1 (sha256 f45e8ab16ef4), ignatov2005:T10.2 (sha256 9e4d6842df20), ignatov2005:T10.3
+    (sha256 2e5029d9e5c6), ignatov2005:T10.4 (sha256 f206aa25b0fb), ignatov2005:T10.5 (sha256 f27ebbf77876),
+    ignatov2005:T10.6 (sha256 34d539ede60a), ignatov2005:T10.7 (sha256 e6db3e604cb0). The forms computed are
+    proved equal to those shown (sha256 7c6a4367933f).
     """
     if out is None:
         try:
@@ -2529,8 +2529,8 @@ def face_distances_of_four_wheels(a, b, out=None):
     Accuracy: 5 ulp over the domain. Tangents of two angles, a root and a quotient are rounded one after the
     other.
 
-    Rests on ignatov2005:T3.1 (sha256 28363ff36a4d), ignatov2005:T3.2 (sha256 a0de382444c2), ignatov2005:T3.3
-    (sha256 1ada6fc8bf90). The forms computed are proved equal to those shown (sha256 ec293f1923fb).
+    Rests on ignatov2005:T3.1 (sha256 8efdfa34b18c), ignatov2005:T3.2 (sha256 d75a5ee5e821), ignatov2005:T3.3
+    (sha256 c07cc09dd077). The forms computed are proved equal to those shown (sha256 c0e08f011f03).
     """
     if out is None:
         try:
@@ -2614,8 +2614,8 @@ def face_distances_of_three_wheels(a, b, out=None):
     Accuracy: 5 ulp over the domain. Tangents of two angles, a root and a quotient are rounded one after the
     other.
 
-    Rests on ignatov2005:T5.1 (sha256 341b8d7fddde). The forms computed are proved equal to those shown (sha256
-    6353fe2cdb3b).
+    Rests on ignatov2005:T5.1 (sha256 3ea4d48a967e). The forms computed are proved equal to those shown (sha256
+    d8ee80165a63).
     """
     if out is None:
         try:
@@ -2697,8 +2697,8 @@ def face_distances_of_six_wheels(a, out=None):
 
     Accuracy: 4 ulp over the domain.
 
-    Rests on ignatov2005:T8.1 (sha256 def2e78861dd), ignatov2005:T8.3 (sha256 d37aa24719f2), ignatov2005:B.28
-    (sha256 2c1e1a48f9f3). The forms computed are proved equal to those shown (sha256 a5187b06298a).
+    Rests on ignatov2005:T8.1 (sha256 b14e385314d0), ignatov2005:T8.3 (sha256 4228125f38ea), ignatov2005:B.28
+    (sha256 472d640787be). The forms computed are proved equal to those shown (sha256 686717258b03).
     """
     if out is None:
         try:
@@ -2772,10 +2772,10 @@ def face_distances_of_five_wheels(a, out=None):
 
     Accuracy: 4 ulp over the domain.
 
-    Rests on ignatov2005:T11.1 (sha256 af1c6220d104), ignatov2005:T11.2 (sha256 70822fc7f52b), ignatov2005:T11.3
-    (sha256 70df6e595ea0), ignatov2005:T11.4 (sha256 2b574146a964), ignatov2005:T11.5 (sha256 c62d7ee494cb),
-    ignatov2005:T11.6 (sha256 78458a0b0ae0). The forms computed are proved equal to those shown (sha256
-    ac2c69c4b170).
+    Rests on ignatov2005:T11.1 (sha256 4304d5fe37f8), ignatov2005:T11.2 (sha256 158e62cdf51f), ignatov2005:T11.3
+    (sha256 ede2be42c5ac), ignatov2005:T11.4 (sha256 1518d3d3abcf), ignatov2005:T11.5 (sha256 01ed74be6d3d),
+    ignatov2005:T11.6 (sha256 1c799063763f). The forms computed are proved equal to those shown (sha256
+    dfc56dd0e0d8).
     """
     if out is None:
         try:
@@ -2846,8 +2846,8 @@ def volume_of_four_wheels(a, b, out=None):
     Accuracy: 8 ulp over the domain. A product of three or five sines and cosines: rounding a tangent counts twice
     in sin^2 a.
 
-    Rests on ignatov2005:B.3 (sha256 c1425766cefa). The forms computed are proved equal to those shown (sha256
-    dedbcbc99d0a).
+    Rests on ignatov2005:B.3 (sha256 54617108b327). The forms computed are proved equal to those shown (sha256
+    36bc28a1963b).
     """
     if out is None:
         try:
@@ -2909,8 +2909,8 @@ def volume_of_three_wheels(a, b, out=None):
     Accuracy: 8 ulp over the domain. A product of three or five sines and cosines: rounding a tangent counts twice
     in sin^2 a.
 
-    Rests on ignatov2005:B.13 (sha256 4db0ac03dd0b). The forms computed are proved equal to those shown (sha256
-    682d9b861fe9).
+    Rests on ignatov2005:B.13 (sha256 aedd01b78464). The forms computed are proved equal to those shown (sha256
+    a7b89f376227).
     """
     if out is None:
         try:
@@ -2971,8 +2971,8 @@ def volume_of_six_wheels(a, out=None):
     Accuracy: 8 ulp over the domain. A product of three or five sines and cosines: rounding a tangent counts twice
     in sin^2 a.
 
-    Rests on ignatov2005:B.25 (sha256 449ce28fca16). The forms computed are proved equal to those shown (sha256
-    1bfd836c36dc).
+    Rests on ignatov2005:B.25 (sha256 afc28669e24e). The forms computed are proved equal to those shown (sha256
+    17e4cf272330).
     """
     if out is None:
         try:
@@ -3028,8 +3028,8 @@ def volume_of_five_wheels(a, out=None):
     Accuracy: 8 ulp over the domain. A product of three or five sines and cosines: rounding a tangent counts twice
     in sin^2 a.
 
-    Rests on ignatov2005:B.35 (sha256 6fdc33d89a33). The forms computed are proved equal to those shown (sha256
-    7aaba26622d6).
+    Rests on ignatov2005:B.35 (sha256 87fe4711f136). The forms computed are proved equal to those shown (sha256
+    41c1d7de6bff).
     """
     if out is None:
         try:
@@ -3093,8 +3093,8 @@ def largest_rates_of_four_wheels(a, b, J_x, J_y, J_z, out=None):
     Accuracy: 6 ulp over the domain. Tangents of two angles, a root and a quotient are rounded one after the
     other.
 
-    Rests on ignatov2005:2.3.2 (sha256 e9ac6a1824d6), ignatov2005:2.3.3 (sha256 076720942c61), ignatov2005:2.3.4
-    (sha256 ae2c229f2fc3), ignatov2005:2.3 (sha256 233596362da2).
+    Rests on ignatov2005:2.3.2 (sha256 5e8b7ff65c34), ignatov2005:2.3.3 (sha256 fbeef966f1d7), ignatov2005:2.3.4
+    (sha256 1914201561bb), ignatov2005:2.3 (sha256 57003d67dcfa).
     """
     if out is None:
         try:
@@ -3179,8 +3179,8 @@ def largest_rates_of_six_wheels(a, J_x, J_y, J_z, out=None):
 
     Accuracy: 4 ulp over the domain.
 
-    Rests on ignatov2005:3.2.26 (sha256 51f1c300400a), ignatov2005:3.2.27 (sha256 1658267d9a6a),
-    ignatov2005:3.2.28 (sha256 87f642530ce1), ignatov2005:2.3 (sha256 233596362da2).
+    Rests on ignatov2005:3.2.26 (sha256 32f7d6819c02), ignatov2005:3.2.27 (sha256 2037c978fcea),
+    ignatov2005:3.2.28 (sha256 910d9ae68049), ignatov2005:2.3 (sha256 57003d67dcfa).
     """
     if out is None:
         try:
@@ -3261,8 +3261,8 @@ def equal_rates_of_four_wheels(J_x, J_y, J_z, out=None):
     Accuracy: 4 ulp over the domain. If the squares of the moments satisfy the triangle inequalities, no angles
     give a greater rate w_any.
 
-    Rests on ignatov2005:B.16 (sha256 390c1dc3e919), ignatov2005:B.17 (sha256 9063349b485c), ignatov2005:B.18
-    (sha256 738f33499d8f), ignatov2005:B.19 (sha256 76977367497d).
+    Rests on ignatov2005:B.16 (sha256 d7a5333dadbc), ignatov2005:B.17 (sha256 0705625cabf5), ignatov2005:B.18
+    (sha256 69a8052e39dc), ignatov2005:B.19 (sha256 b13534e6844f).
     """
     if out is None:
         try:
@@ -3328,8 +3328,8 @@ def equal_rates_of_six_wheels(J_x, J_y, J_z, out=None):
 
     Accuracy: 5 ulp over the domain. The square root of 3 is rounded too.
 
-    Rests on ignatov2005:3.2.26 (sha256 51f1c300400a), ignatov2005:3.2.27 (sha256 1658267d9a6a),
-    ignatov2005:3.2.28 (sha256 87f642530ce1), ignatov2005:3.2.30 (sha256 254422d7305a).
+    Rests on ignatov2005:3.2.26 (sha256 32f7d6819c02), ignatov2005:3.2.27 (sha256 2037c978fcea),
+    ignatov2005:3.2.28 (sha256 910d9ae68049), ignatov2005:3.2.30 (sha256 70178405b3c5).
     """
     if out is None:
         try:
@@ -3394,7 +3394,7 @@ def best_angles_of_four_wheels(J_x, J_y, J_z, out=None):
 
     Accuracy: 4 ulp over the domain.
 
-    Rests on ignatov2005:B.20 (sha256 1522635daa40), ignatov2005:B.21 (sha256 147f60cbcbe6).
+    Rests on ignatov2005:B.20 (sha256 b8bd7747ff31), ignatov2005:B.21 (sha256 4c0bc2be9001).
     """
     if out is None:
         try:
@@ -3460,8 +3460,8 @@ def best_angle_of_six_wheels(J_y, J_z, out=None):
     Accuracy: 4 ulp over the domain. The other faces have to allow this rate too; for moments of 1000, 1600 and
     800 kg m^2 they do.
 
-    Rests on ignatov2005:B.38 (sha256 5de80110a130), ignatov2005:B.39 (sha256 1ae8f8ef3d5c), ignatov2005:B.40
-    (sha256 369d33522dc2).
+    Rests on ignatov2005:B.38 (sha256 a94786f889f4), ignatov2005:B.39 (sha256 7f57aa82a899), ignatov2005:B.40
+    (sha256 f4e5814fc21d).
     """
     if out is None:
         try:

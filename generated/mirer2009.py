@@ -346,10 +346,10 @@ def direction_cosines(alpha, beta, gamma, out=None):
     Accuracy: 6 ulp over the domain. Where terms cancel, the error is in units of the last place of the largest of
     them.
 
-    Rests on mirer2009:2.7.5 (sha256 e6410c210792), mirer2009:2.7.6 (sha256 8f9501bb0db3), mirer2009:2.7.7 (sha256
-    4d82d8c07849), mirer2009:2.7.8 (sha256 0bd93698abee), mirer2009:2.7.9 (sha256 995ceaceddf4), mirer2009:2.7.10
-    (sha256 d1b2fb45f453), mirer2009:2.7.11 (sha256 32d10f5a8f34), mirer2009:2.7.12 (sha256 5d19427a21e7),
-    mirer2009:2.7.13 (sha256 1beb5230fc3a).
+    Rests on mirer2009:2.7.5 (sha256 83a8c2d03ec4), mirer2009:2.7.6 (sha256 8f13ceef2eb7), mirer2009:2.7.7 (sha256
+    7e6c16e705d1), mirer2009:2.7.8 (sha256 4f5a6feccc69), mirer2009:2.7.9 (sha256 ea069919e801), mirer2009:2.7.10
+    (sha256 08a921761314), mirer2009:2.7.11 (sha256 7b8a8163deea), mirer2009:2.7.12 (sha256 aae2b2a25553),
+    mirer2009:2.7.13 (sha256 25956c4dfd04).
     """
     if out is None:
         try:
@@ -441,7 +441,7 @@ def axial_moments(I_1, I_2, I_3, a_11, a_12, a_13, a_21, a_22, a_23, a_31, a_32,
 
     Accuracy: 4 ulp over the domain.
 
-    Rests on mirer2009:2.0.4 (sha256 dddf553f34ba), mirer2009:1.4.1 (sha256 bf993ab6bee0).
+    Rests on mirer2009:2.0.4 (sha256 433ac82c664e), mirer2009:1.4.1 (sha256 5629ced6590c).
     """
     if out is None:
         try:
@@ -523,7 +523,7 @@ def second_order_moments(I_1, I_2, I_3, a_11, a_12, a_13, a_21, a_22, a_23, a_31
 
     Accuracy: 4 ulp over the domain.
 
-    Rests on mirer2009:1.3.2 (sha256 6dc8c8f9a0eb), mirer2009:1.3.3 (sha256 6900aec2ab72).
+    Rests on mirer2009:1.3.2 (sha256 f55f08c0281c), mirer2009:1.3.3 (sha256 5dc933bd040b).
     """
     if out is None:
         try:
@@ -609,7 +609,7 @@ def product_of_axial_moments(I_1, I_2, I_3, a_11, a_12, a_13, a_21, a_22, a_23, 
     follow one another; its condition number is 9, so that arguments rounded to the nearest double change it by as
     many half units.
 
-    Rests on mirer2009:2.1 (sha256 481680e62e25), mirer2009:2.13.4 (sha256 46925a062431).
+    Rests on mirer2009:2.1 (sha256 96cb35e8b636), mirer2009:2.13.4 (sha256 e9ade4ef247e).
     """
     if out is None:
         try:
@@ -692,7 +692,7 @@ def sum_of_products(I_1, I_2, I_3, a_11, a_12, a_13, a_21, a_22, a_23, a_31, a_3
     follow one another; its condition number is 7, so that arguments rounded to the nearest double change it by as
     many half units.
 
-    Rests on mirer2009:2.18 (sha256 3acd7e8a1c47), mirer2009:2.19.4 (sha256 9f6a0d8b5bf6).
+    Rests on mirer2009:2.18 (sha256 b56edba0ec5c), mirer2009:2.19.4 (sha256 b8cfa770eb92).
     """
     if out is None:
         try:
@@ -803,8 +803,8 @@ def bounds_of_products(I_1, I_2, I_3, out=None):
 
     Accuracy: 9 ulp over the domain. A cube triples the error of the mean moment: its condition number is 3.
 
-    Rests on mirer2009:2.1 (sha256 481680e62e25), mirer2009:2.3.7 (sha256 84a2b6083387), mirer2009:2.18 (sha256
-    3acd7e8a1c47). The forms computed are proved equal to those shown (sha256 b8083d423425).
+    Rests on mirer2009:2.1 (sha256 96cb35e8b636), mirer2009:2.3.7 (sha256 a4d42e35dcb0), mirer2009:2.18 (sha256
+    b56edba0ec5c). The forms computed are proved equal to those shown (sha256 89ad4823d9b6).
     """
     if out is None:
         try:
@@ -874,8 +874,8 @@ def distances_from_bounds(I_1, I_2, I_3, a_11, a_12, a_13, a_21, a_22, a_23, a_3
     Within a square J_1 - J_3, the mean moment less J_2, and a product of inertia may cancel; the error is in
     units of the last place of what it were if they did not.
 
-    Rests on mirer2009:2.13.4 (sha256 46925a062431), mirer2009:2.19.4 (sha256 9f6a0d8b5bf6), mirer2009:2.2 (sha256
-    2077836fb78a), mirer2009:2.1 (sha256 481680e62e25).
+    Rests on mirer2009:2.13.4 (sha256 e9ade4ef247e), mirer2009:2.19.4 (sha256 b8cfa770eb92), mirer2009:2.2 (sha256
+    c8d1ca2b73d8), mirer2009:2.1 (sha256 96cb35e8b636).
     """
     if out is None:
         try:
@@ -1041,7 +1041,7 @@ def bound_at_given_moment(I_1, I_2, I_3, J_2, out=None):
     Accuracy: 8 ulp over the domain. A square doubles the error of the two other moments, which are at least half
     of all three.
 
-    Rests on mirer2009:2.2 (sha256 2077836fb78a).
+    Rests on mirer2009:2.2 (sha256 c8d1ca2b73d8).
     """
     if out is None:
         try:
@@ -1104,7 +1104,7 @@ def product_of_two_axial_moments(I_1, I_2, I_3, a_11, a_12, a_13, a_31, a_32, a_
     follow one another; its condition number is 6, so that arguments rounded to the nearest double change it by as
     many half units.
 
-    Rests on mirer2009:2.11.3 (sha256 5997f4471070), mirer2009:2.12 (sha256 c5b7bf4ed7c4).
+    Rests on mirer2009:2.11.3 (sha256 3c51b73d012a), mirer2009:2.12 (sha256 545d295f403b).
     """
     if out is None:
         try:
@@ -1172,7 +1172,7 @@ def product_with_second_moment(I_1, I_2, I_3, a_21, a_22, a_23, out=None):
     follow one another; its condition number is 7, so that arguments rounded to the nearest double change it by as
     many half units.
 
-    Rests on mirer2009:2.12.1 (sha256 99408fe44c03), mirer2009:2.13 (sha256 32b4b2d8f39e).
+    Rests on mirer2009:2.12.1 (sha256 0bd72d06e149), mirer2009:2.13 (sha256 43549f7163b3).
     """
     if out is None:
         try:
@@ -1258,7 +1258,7 @@ def damping_matrix(k_1, k_2, k_3, a_11, a_12, a_13, a_21, a_22, a_23, a_31, a_32
     Accuracy: 4 ulp over the domain. Where terms cancel, the error is in units of the last place of the largest of
     them.
 
-    Rests on mirer2009:1.2.6 (sha256 63f47e241b3b), mirer2009:1.2.12 (sha256 aae14a751a09).
+    Rests on mirer2009:1.2.6 (sha256 6d5ed42cccc0), mirer2009:1.2.12 (sha256 3363a6b3e5b0).
     """
     if out is None:
         try:
@@ -1371,8 +1371,8 @@ def characteristic_coefficients(I_1, I_2, I_3, k_1, k_2, k_3, a_11, a_12, a_13, 
     follow one another; its condition number is 5, so that arguments rounded to the nearest double change it by as
     many half units.
 
-    Rests on mirer2009:1.3 (sha256 79a3e18ce9e2), mirer2009:1.3.2 (sha256 6dc8c8f9a0eb), mirer2009:1.3.3 (sha256
-    6900aec2ab72).
+    Rests on mirer2009:1.3 (sha256 f08642819e8b), mirer2009:1.3.2 (sha256 f55f08c0281c), mirer2009:1.3.3 (sha256
+    5dc933bd040b).
     """
     if out is None:
         try:
@@ -1507,7 +1507,7 @@ def characteristic_coefficients_at_common_ratio(I_1, I_2, I_3, k, a_11, a_12, a_
     follow one another; its condition number is 12, so that arguments rounded to the nearest double change it by
     as many half units.
 
-    Rests on mirer2009:1.5 (sha256 74919c68afb7), mirer2009:1.3.3 (sha256 6900aec2ab72).
+    Rests on mirer2009:1.5 (sha256 3b17564964dd), mirer2009:1.3.3 (sha256 5dc933bd040b).
     """
     if out is None:
         try:
@@ -1640,8 +1640,8 @@ def gains_in_proportion(k, I_1, I_2, I_3, a_11, a_12, a_13, a_21, a_22, a_23, a_
 
     Accuracy: 4 ulp over the domain.
 
-    Rests on mirer2009:1.5 (sha256 74919c68afb7), mirer2009:1.8 (sha256 5633f4d54586), mirer2009:1.8.1 (sha256
-    6e862ebe1d57).
+    Rests on mirer2009:1.5 (sha256 3b17564964dd), mirer2009:1.8 (sha256 940f5957d1cf), mirer2009:1.8.1 (sha256
+    6dfe84901600).
     """
     if out is None:
         try:
@@ -1717,8 +1717,8 @@ def gain_of_rates(xi, s_1, s_2, s_3, out=None):
     Accuracy: 10 ulp over the domain. Ten operations follow one another in k_excess, none of which cancels. With
     s_1 = s_2 = s_3 = 0, the triple root, k is xi.
 
-    Rests on mirer2009:B.3 (sha256 9116102f3cc6), mirer2009:B.4 (sha256 65abeba0d991). The forms computed are
-    proved equal to those shown (sha256 4427721cf03b).
+    Rests on mirer2009:B.3 (sha256 11825ee30064), mirer2009:B.4 (sha256 269f1a96d135). The forms computed are
+    proved equal to those shown (sha256 5d56f449afb7).
     """
     if out is None:
         try:
@@ -1785,9 +1785,9 @@ def stability_degree_in_pitch(k, I_1, I_3, alpha, out=None):
     Accuracy: 4 ulp over the domain. For I_1 = I_3 and for the pitch 0 the stability degree is k, the greatest
     there is.
 
-    Rests on mirer2009:1.5 (sha256 74919c68afb7), mirer2009:B.2 (sha256 cf5b05a75f9e), mirer2009:B.3 (sha256
-    9116102f3cc6), mirer2009:B.4 (sha256 65abeba0d991). The forms computed are proved equal to those shown (sha256
-    d9f73b0da0d5).
+    Rests on mirer2009:1.5 (sha256 3b17564964dd), mirer2009:B.2 (sha256 283b9a75437b), mirer2009:B.3 (sha256
+    11825ee30064), mirer2009:B.4 (sha256 269f1a96d135). The forms computed are proved equal to those shown (sha256
+    4c82a6f9dadb).
     """
     if out is None:
         try:
@@ -1854,8 +1854,8 @@ def equal_moment_pitch(I_1, I_2, I_3, out=None):
     last place of the greatest, pi/4. For I_2 = I_3 it is pi/4 or -pi/4; if all three moments are equal, every
     pitch serves, and there is no number.
 
-    Rests on mirer2009:2.8.1 (sha256 aaacd8f26c8e), mirer2009:2.9 (sha256 4a82a4fd01df), mirer2009:2.9.2 (sha256
-    9ce0dd71ac0b). The forms computed are proved equal to those shown (sha256 5ed6a3d6974c).
+    Rests on mirer2009:2.8.1 (sha256 19a49102279d), mirer2009:2.9 (sha256 b20d0080930c), mirer2009:2.9.2 (sha256
+    1f958d6caea2). The forms computed are proved equal to those shown (sha256 d6a7df8cd518).
     """
     if out is None:
         try:

@@ -301,7 +301,7 @@ def stratonovich_drift(a, psi, Omega, k, varepsilon, d_11, d_12, d_13, d_21, d_2
     Accuracy: 6 ulp over the domain. These are sums with zeros inside the domain: the ulp are those of the largest
     addend.
 
-    Rests on poloskov2004:2.4 (sha256 c36b573056b6), poloskov2004:2.4.2 (sha256 ceeae5ef97fb).
+    Rests on poloskov2004:2.4 (sha256 5d05a5afbfdd), poloskov2004:2.4.2 (sha256 70ba75a388cd).
     """
     if out is None:
         try:
@@ -423,7 +423,7 @@ def noise_intensities(a, psi, Omega, k, varepsilon, g_11, g_12, g_21, g_22, g_13
 
     Accuracy: 5 ulp over the domain. In squares the last place of a sine or cosine counts twice.
 
-    Rests on poloskov2004:2.4.5b (sha256 9f4d27846da7), poloskov2004:2.4.6 (sha256 3c2a5cad14d4).
+    Rests on poloskov2004:2.4.5b (sha256 0fb70605bfb3), poloskov2004:2.4.6 (sha256 a2427fbe7674).
     """
     if out is None:
         try:
@@ -527,7 +527,7 @@ def drift_coefficients(a, psi, Omega, k, varepsilon, d_11, d_12, d_13, d_21, d_2
     Accuracy: 8 ulp over the domain. These are sums with zeros inside the domain: the ulp are those of the largest
     addend.
 
-    Rests on poloskov2004:3.1.2 (sha256 b463a2822912), poloskov2004:3.2.1 (sha256 2836599024ed).
+    Rests on poloskov2004:3.1.2 (sha256 5273a157bf0d), poloskov2004:3.2.1 (sha256 3ac5751244d0).
     """
     if out is None:
         try:
@@ -703,7 +703,7 @@ def diffusion_coefficients(a, psi, Omega, k, varepsilon, g_11, g_12, g_21, g_22,
     Accuracy: 8 ulp over the domain. In fourth powers the last place of a sine or cosine counts four times. K_12
     is a sum with zeros inside the domain: its ulp are those of the largest addend.
 
-    Rests on poloskov2004:3.1.2 (sha256 b463a2822912), poloskov2004:3.2.1 (sha256 2836599024ed).
+    Rests on poloskov2004:3.1.2 (sha256 5273a157bf0d), poloskov2004:3.2.1 (sha256 3ac5751244d0).
     """
     if out is None:
         try:
@@ -821,7 +821,7 @@ def averaged_drift(a, Omega, alpha, beta, gamma, d_12, d_21, d_33, g_13, out=Non
     Accuracy: 4 ulp over the domain. These are sums with zeros inside the domain: the ulp are those of the largest
     addend.
 
-    Rests on poloskov2004:3.2.5 (sha256 87d7ec113821), poloskov2004:3.2.7 (sha256 3baf4d5bad10).
+    Rests on poloskov2004:3.2.5 (sha256 6ac1e8e51fbe), poloskov2004:3.2.7 (sha256 eb0bb4c9799c).
     """
     if out is None:
         try:
@@ -898,8 +898,8 @@ def averaged_diffusion(a, Omega, k, alpha, beta, g_13, g_23, out=None):
 
     Accuracy: 4 ulp over the domain.
 
-    Rests on poloskov2004:3.2.3 (sha256 0da7c19a33fc), poloskov2004:3.2.4 (sha256 5c6348c245df),
-    poloskov2004:3.2.7 (sha256 3baf4d5bad10).
+    Rests on poloskov2004:3.2.3 (sha256 af88768b172f), poloskov2004:3.2.4 (sha256 9a0cec31e26c),
+    poloskov2004:3.2.7 (sha256 eb0bb4c9799c).
     """
     if out is None:
         try:
@@ -967,8 +967,8 @@ def density_of_amplitude(a, alpha, beta, gamma, out=None):
     Accuracy: 8 ulp over the domain. The ulp are those of the value times its condition number, 1 + |kappa_1|
     log(1 + 3 alpha^2 a^2/(4 beta^2)), as the exponent is rounded. For alpha -> 0 it becomes Rayleigh's density.
 
-    Rests on poloskov2004:3.4 (sha256 2e970bbcb932), poloskov2004:3.5 (sha256 731ba9bbb374), poloskov2004:4.0.3
-    (sha256 58c3e6bafa1f), poloskov2004:B.2 (sha256 e465490e2191), poloskov2004:B.3 (sha256 055961a8f92e).
+    Rests on poloskov2004:3.4 (sha256 1151d266f39f), poloskov2004:3.5 (sha256 9b09838828a8), poloskov2004:4.0.3
+    (sha256 c717004439c9), poloskov2004:B.2 (sha256 75e272e9ef26), poloskov2004:B.3 (sha256 4ab1b535ef23).
     """
     if out is None:
         try:
@@ -1048,8 +1048,8 @@ def density_of_frequency(Omega, k, g_13, g_23, d_33, out=None):
     Accuracy: 16 ulp over the domain. The ulp are those of the value times its condition number, 1 + |kappa_2|
     log(1 + g_13^2 Omega^2/(g_23 k)^2), as the exponent is rounded. For g_13 -> 0 it becomes normal.
 
-    Rests on poloskov2004:3.4.2 (sha256 5d8c90db16ae), poloskov2004:3.5.1 (sha256 9696f77f01bb),
-    poloskov2004:4.0.5 (sha256 ac729170c761), poloskov2004:B.5 (sha256 8313f4f3d44e).
+    Rests on poloskov2004:3.4.2 (sha256 6a0fedfb75dc), poloskov2004:3.5.1 (sha256 9ebdaa94d36f),
+    poloskov2004:4.0.5 (sha256 fedbb5637deb), poloskov2004:B.5 (sha256 cbe1a14d6c97).
     """
     if out is None:
         try:
@@ -1124,8 +1124,8 @@ def logarithm_of_constant_of_amplitude(alpha, beta, gamma, out=None):
     Accuracy: 6 ulp over the domain. An error is a relative error of the constant: the ulp are those of 2, of the
     larger addend or of the exponent, whichever is largest.
 
-    Rests on poloskov2004:3.4 (sha256 2e970bbcb932), poloskov2004:3.5 (sha256 731ba9bbb374), poloskov2004:4.0.3
-    (sha256 58c3e6bafa1f), poloskov2004:B.2 (sha256 e465490e2191).
+    Rests on poloskov2004:3.4 (sha256 1151d266f39f), poloskov2004:3.5 (sha256 9b09838828a8), poloskov2004:4.0.3
+    (sha256 c717004439c9), poloskov2004:B.2 (sha256 75e272e9ef26).
     """
     if out is None:
         try:
@@ -1188,8 +1188,8 @@ def logarithm_of_constant_of_frequency(k, g_13, g_23, d_33, out=None):
     Accuracy: 16 ulp over the domain. An error is a relative error of the constant: the ulp are those of 2, of the
     larger addend or of the exponent, whichever is largest.
 
-    Rests on poloskov2004:3.4.2 (sha256 5d8c90db16ae), poloskov2004:3.5.1 (sha256 9696f77f01bb),
-    poloskov2004:4.0.5 (sha256 ac729170c761), poloskov2004:B.5 (sha256 8313f4f3d44e).
+    Rests on poloskov2004:3.4.2 (sha256 6a0fedfb75dc), poloskov2004:3.5.1 (sha256 9ebdaa94d36f),
+    poloskov2004:4.0.5 (sha256 fedbb5637deb), poloskov2004:B.5 (sha256 cbe1a14d6c97).
     """
     if out is None:
         try:
@@ -1249,7 +1249,7 @@ def distribution_of_amplitude(a, alpha, beta, gamma, out=None):
 
     Accuracy: 8 ulp over the domain. The exponent of the power is rounded.
 
-    Rests on poloskov2004:B.3 (sha256 055961a8f92e).
+    Rests on poloskov2004:B.3 (sha256 4ab1b535ef23).
     """
     if out is None:
         try:
@@ -1316,7 +1316,7 @@ def quantile_of_amplitude(q, alpha, beta, gamma, out=None):
     q)|/nu with nu = |kappa_1| - 1. Nearer to gamma = alpha/2, where the density ends to exist, quantiles may be
     infinite.
 
-    Rests on poloskov2004:B.3 (sha256 055961a8f92e), poloskov2004:B.4 (sha256 776ac1938ce6).
+    Rests on poloskov2004:B.3 (sha256 4ab1b535ef23), poloskov2004:B.4 (sha256 62615be373ca).
     """
     if out is None:
         try:
@@ -1392,8 +1392,8 @@ def moment_of_amplitude(m, alpha, beta, gamma, out=None):
     log(1 + m)) nu/(nu - m/2) with nu = |kappa_1| - 1. Beyond the domain the moment is infinite, and the formula
     means nothing.
 
-    Rests on poloskov2004:4.0.9 (sha256 d97b565a9361), poloskov2004:B.2 (sha256 e465490e2191), poloskov2004:B.6
-    (sha256 bdd22da5aefe).
+    Rests on poloskov2004:4.0.9 (sha256 3a73e58c5dd1), poloskov2004:B.2 (sha256 75e272e9ef26), poloskov2004:B.6
+    (sha256 41c46c7cb035).
     """
     if out is None:
         try:
@@ -1466,8 +1466,8 @@ def moment_of_frequency(m, k, g_13, g_23, d_33, out=None):
     log(1 + m)) delta/(delta - m/2) with delta = d_33/g_13^2. Beyond the domain the moment is infinite, and the
     formula means nothing.
 
-    Rests on poloskov2004:4.0.11 (sha256 666019967417), poloskov2004:B.5 (sha256 8313f4f3d44e), poloskov2004:B.7
-    (sha256 ea16c7e7d2f5).
+    Rests on poloskov2004:4.0.11 (sha256 e330cba03040), poloskov2004:B.5 (sha256 cbe1a14d6c97), poloskov2004:B.7
+    (sha256 56d9fc5b6314).
     """
     if out is None:
         try:
@@ -1528,7 +1528,7 @@ def mean_square_of_amplitude(alpha, beta, gamma, out=None):
 
     Accuracy: 4 ulp over the domain. Beyond the domain it is infinite, and the formula means nothing.
 
-    Rests on poloskov2004:4.0.9 (sha256 d97b565a9361), poloskov2004:B.8 (sha256 4068cfb91ea4).
+    Rests on poloskov2004:4.0.9 (sha256 3a73e58c5dd1), poloskov2004:B.8 (sha256 d9698f4ddfc7).
     """
     if out is None:
         try:
@@ -1582,7 +1582,7 @@ def mean_square_of_frequency(k, g_13, g_23, d_33, out=None):
     g_13^2)/|d_33 - g_13^2|, as g_13^2 is rounded. Beyond the domain it is infinite, and the formula means
     nothing.
 
-    Rests on poloskov2004:4.0.11 (sha256 666019967417), poloskov2004:B.8 (sha256 4068cfb91ea4).
+    Rests on poloskov2004:4.0.11 (sha256 e330cba03040), poloskov2004:B.8 (sha256 d9698f4ddfc7).
     """
     if out is None:
         try:
@@ -1634,8 +1634,8 @@ def mode_of_amplitude(alpha, beta, gamma, out=None):
 
     Accuracy: 4 ulp over the domain.
 
-    Rests on poloskov2004:4.0.13 (sha256 6d9dd81c7c60), poloskov2004:4.0.14 (sha256 3e2dc74df09e),
-    poloskov2004:4.0.15 (sha256 471e4ce4d17f).
+    Rests on poloskov2004:4.0.13 (sha256 7089048da9b5), poloskov2004:4.0.14 (sha256 6193d8c6bbde),
+    poloskov2004:4.0.15 (sha256 c8497c4d28b1).
     """
     if out is None:
         try:

@@ -1,25 +1,6 @@
 """The records everything else speaks in: terms, formulas, hypotheses, items, papers, verdicts. No algebra here.
 
-A *term* is a scalar expression as plain nested tuples, ready for JSON:
-
-    int                         an integer; a rational number is ("/", 1, 2)
-    str                         a variable, [A-Za-z][A-Za-z0-9_]*, for example "a_12", "omega_3", "kbar_1", "alpha"
-    ("+", t, ...)  ("*", t, ...)  ("-", t)  ("/", t, u)  ("^", t, n)      n a literal integer
-    ("sin", t)  ("cos", t)  ("tan", t)  ("diff", t, "x", n)
-    ("pow", t, u)                           any exponent; t is positive
-    ("sqrt", t)  ("exp", t)  ("log", t)  ("gamma", t)
-    ("arctan", t)  ("arcsin", t)  ("arccos", t)
-    ("mean", t, "x")                        over one turn of the angle x
-    ("integral", t, "x", u, v)              from u to v; "infinity" and ("-", "infinity") are ends too
-    ("diverges", t, "x", u, v)              0 if that integral has a finite value, else 1
-    ("call", "f", (n1, ..., nk), t1, ..., tk)
-                                            the partial derivative of f of the orders n1, ..., nk (0 or more, one for
-                                            each argument) at the place t1, ..., tk; ("call", "f", (0,), "x") is f(x).
-                                            f is a name as that of a variable, of which nothing else is known; two
-                                            functions with one name have as many arguments
-
-A *formula* is ("=", t, u), also "!=", "<", "<=", ">", ">=", or ("and", f, ...), ("or", f, ...), ("=>", f, g),
-("<=>", f, g), ("exists", ("x", ...), f).
+Terms and formulas are those of `symcheck.core.terms`: numbers, letters and nodes.
 """
 
 from __future__ import annotations
@@ -30,11 +11,12 @@ from enum import StrEnum
 from types import ModuleType
 from typing import TYPE_CHECKING, Any
 
+from symcheck.core.terms import Formula as Formula
+from symcheck.core.terms import Term as Term
+
 if TYPE_CHECKING:
     from symcheck.reading import Notation
 
-Term = int | str | tuple[Any, ...]
-Formula = tuple[Any, ...]
 Certificate = dict[str, Any]
 
 

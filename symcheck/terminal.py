@@ -19,12 +19,11 @@ from rich.table import Table
 from rich.text import Text
 
 from symcheck.codegen.kernel import Kernel
-from symcheck.evidence import translation
-from symcheck.evidence.confirmed import told
+from symcheck.evidence.confirmed import digest_of, told
 from symcheck.evidence.faults import fails_at, without
 from symcheck.evidence.record import Record
-from symcheck.evidence.steps import steps, term
-from symcheck.statement import Group, Paper, Verdict
+from symcheck.evidence.steps import shown, term
+from symcheck.statement import Certificate, Group, Paper, Verdict
 
 _STYLES = {Verdict.PROVED: "green", Verdict.REFUTED: "bold red", Verdict.UNDECIDED: "yellow"}
 _METHOD, _STATEMENT = 28, 20  # columns of the ledger: the method at most, the statement at least
@@ -276,19 +275,18 @@ def _repairs(repair: Mapping[str, Any]) -> str:
     return "\n".join([count.get(len(found), f"{len(found)} single edits repair it"), *found])
 
 
-def _certificate(out: Console, certificate: Mapping[str, Any], whole: bool) -> None:
+def _certificate(out: Console, certificate: Certificate, whole: bool) -> None:
     _field(out, "certificate", _digest(certificate))
-    _field(out, "from lemmas", ", ".join(certificate.get("lemmas", ())))
     _field(out, "decides", term(certificate["claim"]) if "claim" in certificate else "")
-    _field(out, "proof", "\n".join(steps(certificate["proof"])) if certificate.get("proof") else "")
+    _field(out, "proof", "\n".join(shown(certificate)))
     if whole:
         print(
-            json.dumps(translation.certificate(certificate), ensure_ascii=False, indent=2, sort_keys=True),
+            json.dumps(certificate, ensure_ascii=False, indent=2, sort_keys=True),
             file=out.file,
         )
 
 
-def _digest(certificate: Mapping[str, Any]) -> str:
+def _digest(certificate: Certificate) -> str:
     size = len(json.dumps(certificate, ensure_ascii=False, separators=(",", ":")).encode())
-    parts = (certificate.get("id"), certificate.get("verdict"), f"sha256 {certificate.get('digest', 'none')}")
+    parts = (certificate.get("id"), certificate.get("verdict"), f"sha256 {digest_of(certificate)}")
     return ", ".join(str(part) for part in (*parts, f"{size} bytes") if part)

@@ -14,9 +14,12 @@ import subprocess
 import sys
 import time
 from collections.abc import Callable, Iterator
+from pathlib import Path
+from tempfile import TemporaryDirectory
 from typing import Any
 
 from symcheck import kernels
+from symcheck.core.terms import node
 from symcheck.evidence.context import Context
 from symcheck.evidence.executor import Done, Pool
 from symcheck.evidence.judge import units
@@ -29,6 +32,7 @@ from symcheck.statement import Method, Problem, Term, Verdict
 PROOF_SET = ("2.11", "2.12", "2.13", "2.13.1", "2.18", "1.3")
 LINKS = {"2.13.1": "ab"}  # the third link is a misprint, not an identity
 SHORT = 0.1  # seconds that short runs are repeated for
+UNTYPED = "297103a"  # the last commit before terms were typed
 LIMIT = 60.0  # seconds for one statement; a statement that takes longer is counted with this time
 
 
@@ -47,8 +51,8 @@ def problems() -> Iterator[tuple[Method, Problem]]:
 def vanishing(problem: Problem) -> Term:
     """What has to be zero: left minus right, minus the form that an inequality rests on."""
     _, left, right = problem.claim
-    forms = (("-", term) for name, term in problem.hints if name == "form")
-    return unfold(("+", left, ("-", right), *forms), dict(problem.definitions))
+    forms = (node("-", term) for name, term in problem.hints if name == "form")
+    return unfold(node("+", left, node("-", right), *forms), dict(problem.definitions))
 
 
 def cofactors() -> Callable[[], int]:
@@ -132,6 +136,39 @@ def line(what: str, seconds: float, note: str) -> None:
     print(f"{what:<44} {seconds * 1000:>12.2f} ms   {note}")
 
 
+def untyped(folder: Path) -> Callable[[], Any] | None:
+    """The checker before terms were typed, with its certificates of then; None where git does not have it."""
+    names = [f"symcheck/{name}.py" for name in ("__init__", "checker", "theorems", "residues", "enclosures")]
+    try:
+        packed = subprocess.run(
+            ["git", "archive", UNTYPED, *names, "generated/certificates"], check=True, capture_output=True
+        )
+    except (OSError, subprocess.CalledProcessError):
+        return None
+    subprocess.run(["tar", "-x", "-C", str(folder)], input=packed.stdout, check=True)
+    run = "import sys; sys.path.insert(0, sys.argv.pop(1)); from runpy import run_module as run; "
+    run += "run('symcheck.checker', run_name='__main__')"
+    return python("-c", run, str(folder), str(folder / "generated" / "certificates"))
+
+
+def typed_terms() -> None:
+    """What typed terms, witnesses and the comparison with the ledger cost."""
+    with TemporaryDirectory() as folder:
+        before = untyped(Path(folder))
+        if before is None:
+            print(f"what typed terms cost is not measured: git does not have {UNTYPED}")
+            return
+        (start, _), (then, _), (now, _) = interleaved(
+            9, python("-c", "pass"), before, python("-m", "symcheck.checker", str(kernels.folder()))
+        )
+        ratio = (now - start) / (then - start)
+        line(
+            "checker before terms were typed",
+            then - start,
+            f"now it takes {ratio:.2f} times as long, statements included",
+        )
+
+
 def main() -> None:
     """Measure and print."""
     statements = list(problems())
@@ -154,6 +191,7 @@ def main() -> None:
         ratio = (seconds - start) / (imported - start)
         line(f"checker, all certificates {what}", seconds - start, f"{ratio:.2f} times as long as import sympy")
     line("import sympy", imported - start, "")
+    typed_terms()
 
 
 if __name__ == "__main__":

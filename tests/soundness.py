@@ -248,8 +248,8 @@ class Forger:
             case 1:
                 bases = [[self.letter(), self.rng.choice((1, 1, 2, 0))] for _ in range(self.rng.choice((1, 2)))]
                 return {
-                    "rule": "split", "factors": bases, "cofactors": self.cofactors(facts),
-                    "cases": [more() for _ in bases],
+                    "rule": "split", "form": ["*", *(["^", *base] for base in bases)],
+                    "cofactors": self.cofactors(facts), "cases": [more() for _ in bases],
                 }  # fmt: skip
             case 2:
                 form = ["+", ["^", self.letter(), 2], self.term(1)]
@@ -542,8 +542,6 @@ class Forger:
         claim = ["=", t, self.same(unfold(t, unfolded(definitions)) if self.chance(0.5) else t)]
         made = self.proved(claim, IDENTITY)
         made = {**made, "definitions": definitions}
-        if self.chance(0.2):
-            made["free"] = [self.rng.choice(definitions)[0]]
         made["witnesses"] = self.points(made)
         return made
 

@@ -13,6 +13,8 @@ import stand_in
 
 from symcheck import kernels
 from symcheck.checker.theorems import NAMES
+from symcheck.core.terms import Reader as Terms
+from symcheck.core.terms import Term, node
 from symcheck.evidence.confirmed import record_all, recorded
 from symcheck.evidence.decide import decide
 from symcheck.export.coq import compile as compiler
@@ -25,7 +27,7 @@ from symcheck.export.coq.script import Script
 from symcheck.export.coq.statements import statement as stated
 from symcheck.export.coq.terms import NotExported, polynomial
 from symcheck.export.coq.theorems import CONGRUENCE, UNSTATED, identifier, statement
-from symcheck.export.coq.witnesses import HEAD, NONE, coordinates, witnesses
+from symcheck.export.coq.witnesses import HEAD, NONE, circle, witnesses
 from symcheck.proof import certificate as certificate_of
 from symcheck.proof import combined
 from symcheck.statement import Problem
@@ -76,7 +78,7 @@ def names_of(exported: dict[str, str], paper: str) -> dict[str, list[str]]:
 
 @pytest.mark.parametrize("text", FORMULAS)
 def test_formulas_have_as_few_brackets_as_coq_needs(text: str) -> None:
-    assert printed(FORMULAS[text]) == text
+    assert printed(Terms().formula(FORMULAS[text])) == text
 
 
 @pytest.mark.parametrize("text", FORMULAS)
@@ -106,10 +108,8 @@ def test_what_is_written_is_read_back_as_it_was(text: str) -> None:
 
 
 def test_a_polynomial_loses_no_coefficient() -> None:
-    assert polynomial("3/4*a^2*b - c + 2", {}) == (
-        ["+", ["*", 3, ["^", "a", 2], "b"], ["-", ["*", 4, "c"]], 8],
-        4,
-    )
+    found = Terms().term(["+", ["*", 3, ["^", "a", 2], "b"], ["-", ["*", 4, "c"]], 8])
+    assert polynomial("3/4*a^2*b - c + 2", {}) == (found, 4)
 
 
 def test_every_statement_is_the_printed_one(exported: dict[str, str]) -> None:
@@ -167,17 +167,17 @@ def test_a_theorem_is_stated_with_all_its_premises(name: str, stated: str) -> No
     assert " ".join(statement(name).split()) == stated
 
 
-def call(function: str, *arguments: Any, orders: tuple[int, ...] = ()) -> Any:
-    return ("call", function, orders or (0,) * len(arguments), *arguments)
+def call(function: str, *arguments: Term, orders: tuple[int, ...] = ()) -> Any:
+    return node("call", function, orders or (0,) * len(arguments), *arguments)
 
 
+SECOND = call("g", "x", call("f", "y"))
 UNKNOWN = Problem(
     "toy:1",
-    ("=>", (">", call("f", "y"), 2), (">", ("+", call("f", ("+", "x", "x")), call("g", "x", call("f", "y"))),
-                                      call("g", "x", call("f", "y")))),
-    (("z", ("*", 2, "x")),),
-    (("given", ((">", call("f", "z"), 0),)),),
-)  # fmt: skip
+    node("=>", node(">", call("f", "y"), 2), node(">", node("+", call("f", node("+", "x", "x")), SECOND), SECOND)),
+    (("z", node("*", 2, "x")),),
+    (("given", (node(">", call("f", "z"), 0),)),),
+)
 
 
 def certified(problem: Problem) -> dict[str, Any]:
@@ -200,10 +200,16 @@ def test_unknown_functions_are_any_functions() -> None:
 
 
 def test_an_unknown_function_has_one_value_for_equal_arguments_and_others_for_others() -> None:
-    point = Point({"z": ("*", 2, "x")})
+    point = Point({"z": node("*", 2, "x")})
     one, *others = (
         point.value(each, {})
-        for each in (call("f", ("+", "x", "x")), call("f", "z"), call("f", "x"), call("g", "z"), call("f", "z", "z"))
+        for each in (
+            call("f", node("+", "x", "x")),
+            call("f", "z"),
+            call("f", "x"),
+            call("g", "z"),
+            call("f", "z", "z"),
+        )
     )
     assert [abs(one - other) < 1e-12 for other in others] == [True, False, False, False]
 
@@ -228,18 +234,23 @@ def test_every_set_of_hypotheses_has_a_point_that_satisfies_it(exported: dict[st
         assert entry["no witness"] == {}, paper
 
 
-POINT = {"x": "-2/7", "y": ["+", "x", "z"], "z": ["*", 2, ["sqrt", 3]], "sin_a": "3/5", "cos_a": ["/", 4, 5]}
-
-
-def test_coordinates_are_terms_without_other_coordinates() -> None:
-    x, z = ["/", ["-", 2], 7], ["*", 2, ["sqrt", 3]]
-    angle = {"sin_a": ["/", 3, 5], "cos_a": ["/", 4, 5]}
-    assert coordinates(POINT) == {"x": x, "y": ["+", x, z], "z": z, **angle}
+@pytest.mark.parametrize(
+    ("angle", "sine", "cosine"),
+    [
+        (["*", 2, ["arctan", ["/", -1, 3]]], ["/", -3, 5], ["/", 4, 5]),
+        (["*", 2, ["arctan", ["/", ["sqrt", 3], ["+", 1, 2]]]], ["sqrt", 3], 2),
+        (["pi"], 0, -1),
+    ],
+    ids=["rational", "with a root, as written", "pi"],
+)
+def test_an_angle_at_a_point_has_a_sine_and_a_cosine(angle: Any, sine: Any, cosine: Any) -> None:
+    read = Terms().term
+    assert circle(read(angle)) == (read(sine), read(cosine))
 
 
 @pytest.mark.parametrize(
     ("values", "reason"),
-    [({"x": "1", "y": "2"}, None), ({"x": "1"}, NONE), ({"x": "1", "y": ["*", 2, "z"]}, NONE), (None, NONE)],
+    [({"x": 1, "y": 2}, None), ({"x": 1}, NONE), ({"x": 1, "y": ["*", 2, "z"]}, NONE), (None, NONE)],
     ids=["all letters", "one letter less", "by another letter", "no point"],
 )
 def test_a_point_is_taken_from_the_certificate_if_it_tells_all_letters(
@@ -249,7 +260,7 @@ def test_a_point_is_taken_from_the_certificate_if_it_tells_all_letters(
         "definitions": [], "hypotheses": {"given": [["<", "x", "y"]]}, "claim": ["<", ["*", 2, "x"], ["*", 2, "y"]],
         "proof": {}, "witnesses": [{"values": values}] if values else [],
     }  # fmt: skip
-    each = Exported("1", stand_in.decide("toy:1.1")[0], certificate, False, stated(certificate))
+    each = Exported("1", stand_in.decide("toy:1.1")[0], certificate, "", False, stated(certificate))
     text, missing = witnesses([each])
     assert missing == ({"1": reason} if reason else {})
     assert ("exists 1.\nexists 2.\n" in text) == (reason is None)
@@ -324,7 +335,7 @@ def test_coq_confirms_them_on_the_reals_alone(folder: Path) -> None:
 def test_coq_confirms_a_claim_about_unknown_functions(tmp_path: Path) -> None:
     found = certified(UNKNOWN)
     own = stated(found)
-    proof = f"Theorem proof_1 :\n{own.text()}.\nProof.\n{Script(own).write(found['proof'])}\nQed.\n"
+    proof = f"Theorem proof_1 :\n{own.text()}.\nProof.\n{Script(own).write(found)}\nQed.\n"
     (tmp_path / "Symcheck.v").write_text(Path(compiler.__file__).with_name("Symcheck.v").read_text("utf-8"), "utf-8")
     assert compiler.coqc(tmp_path, "Symcheck.v")[0] == 0
     for text, code in ((proof, 0), (proof.replace("f z > 0", "f z >= 0"), 1)):

@@ -6,6 +6,7 @@ from typing import Any
 
 import pytest
 
+from symcheck.core.terms import node
 from symcheck.evidence import steps
 
 TERMS: list[tuple[Any, str]] = [
@@ -22,7 +23,14 @@ TERMS: list[tuple[Any, str]] = [
     (["^", ["^", "a", 2], 3], "(a^2)^3"),
     (["^", ["-", "a"], 2], "(-a)^2"),
     (["sin", ["+", "a", "b"]], "sin(a + b)"),
-    (["diff", "f", "x", 1], "diff(f, x, 1)"),
+    (["diff", "f", "x", 1, "x"], "diff(f, x, 1)"),
+    (["diff", "f", "x", 1, 0], "diff(f, x, 1, 0)"),
+    (["call", "f", [0, 0], "x", "y"], "f(x, y)"),
+    (["call", "f", [1, 0], "x", "y"], "f[1, 0](x, y)"),
+    (["integral", "x", "x", 0, ["infinity"]], "integral(x, x, 0, infinity)"),
+    (["*", 2, ["pi"]], "2*pi"),
+    (["forall", ["c"], [">", "c", 0]], "for all c: c > 0"),
+    (["or"], "false"),
     (["+", "a", ["+", "b", "c"]], "a + (b + c)"),
     (["<=", ["+", "a", "b"], 0], "a + b ≤ 0"),
     (["=>", ["and", ["=", "a", 1], ["!=", "b", 0]], ["or", ["<", "a", "b"], [">", "a", "b"]]],
@@ -47,6 +55,8 @@ def test_distinct_terms_are_written_differently() -> None:
     [
         (["hyp", "orthogonal", 0], "orthogonal [1]"),
         (["here", 2], "assumption 3"),
+        (["point", 0], "value 1 at the point"),
+        (["nonzero", 1], "denominator 2"),
         (["positive", ["+", "a", 1]], "a + 1 > 0"),
         (["something", "new"], '["something", "new"]'),
     ],
@@ -58,18 +68,19 @@ def test_a_reference_is_told_in_words(ref: list[Any], text: str) -> None:
 def test_every_part_of_a_proof_is_told_once() -> None:
     proof = {
         "rule": "split",
-        "factors": [["FACTOR_1", 2], ["FACTOR_2", 1]],
-        "times": [["here", 0]],
+        "form": ["*", ["^", "FACTOR_1", 2], "FACTOR_2"],
+        "times": [["here", 0], "DENOMINATOR"],
         "cofactors": [[["here", 0], "QUOTIENT"]],
-        "nonzero": [["DIVISOR"]],
         "cases": [
             {"rule": "nonnegative", "form": ["^", "FORM", 2], "cofactors": []},
             {"rule": "witness", "point": {"POINT": 1}},
         ],
     }
-    text = "\n".join(steps.steps(proof))
+    text = "\n".join(steps.shown({"proof": proof, "lemmas": [["LEMMA", ["=", 0, 0]]], "nonzero": ["DIVISOR"]}))
     for word in (
+        "LEMMA",
         "QUOTIENT",
+        "multiplied with: DENOMINATOR",
         "(power 2)",
         "DIVISOR",
         "FACTOR_1",
@@ -86,12 +97,13 @@ def test_every_part_of_a_proof_is_told_once() -> None:
 def test_a_theorem_is_told_with_its_premises_and_what_follows() -> None:
     proof = {
         "rule": "theorem",
-        "of": ["root", ["+", "RADICAND", 1]],
+        "of": "root",
+        "with": {"t": ["+", "RADICAND", 1]},
         "premises": [{"rule": "nonnegative", "form": "FORM", "cofactors": []}],
-        "then": {"rule": "identity", "clear": ["DIVISOR"], "cofactors": [[["here", 0], "QUOTIENT", "FACTOR"]]},
+        "then": {"rule": "identity", "times": ["DIVISOR"], "cofactors": [[["here", 0], "QUOTIENT", "FACTOR"]]},
     }
     lines = list(steps.steps(proof))
-    assert lines[0] == "theorem root (RADICAND + 1): The square root of a number that is not negative."
+    assert lines[0] == "theorem root (t = RADICAND + 1): t >= 0 |- sqrt(t) >= 0 and sqrt(t)**2 == t"
     assert [line.strip() for line in lines[1:]] == [
         "premise 1:",
         "nonnegative: the larger side less the smaller is the form, whose sign is plain",
@@ -102,13 +114,57 @@ def test_a_theorem_is_told_with_its_premises_and_what_follows() -> None:
     ]
 
 
+def test_a_function_and_what_exists_are_told_with_their_letters() -> None:
+    proof = {
+        "rule": "theorem",
+        "of": "quarter_turn",
+        "with": {"f": {"letter": "x", "term": ["sin", "x"]}},
+        "letters": ["NEW"],
+        "premises": [{"rule": "every", "letters": ["x"], "then": {"rule": "identity"}}],
+        "then": {"rule": "compute", "values": [["here", 0], ["point", 1]]},
+    }
+    text = "\n".join(steps.steps(proof))
+    assert "theorem quarter turn (f(x) = sin(x)): " in text
+    for words in ("every: ", "with the new letters x", "with the new letters NEW", "compute: "):
+        assert text.count(words) == 1, words
+    assert text.endswith("from assumption 1, value 2 at the point")
+
+
+def test_what_is_proved_first_is_told_before_what_follows() -> None:
+    then = {"rule": "compute"}
+    proof = {"rule": "have", "formula": ["=", "FACT", 1], "proof": {"rule": "identity"}, "then": then}
+    first, *rest = (line.strip() for line in steps.steps(proof))
+    assert first == "first: FACT = 1"
+    assert [line.partition(":")[0] for line in rest] == ["proof", "identity", "compute"]
+
+
 def test_a_counterexample_is_told_with_both_sides() -> None:
-    found = {"values": {"x": "2/7", "y": ["sqrt", 3]}, "sides": ["1", ["-", ["sqrt", 3]]]}
+    found = {"values": {"x": ["/", 2, 7], "y": ["sqrt", 3]}, "shown": [["=", "x", 1], ["=", "y", ["-", ["sqrt", 3]]]]}
     assert steps.point(found["values"]) == "x = 2/7, y = sqrt(3)"
     assert steps.sides(found) == "the sides are 1 against -sqrt(3)"
+    assert (
+        steps.sides({"shown": [["=", "x", "y"], ["=>", ["<", "x", 0], ["or"]]]}) == "the sides are true against false"
+    )
     assert steps.sides({}) == ""
-    digits = {"values": {}, "enclosed": [[["-", "pi"], 6, ["/", -3141593, 10**6], ["/", -3141592, 10**6]]]}
+    low, high = ["/", -3141593, 10**6], ["/", -3141592, 10**6]
+    digits = {"values": {}, "shown": [["and", ["<=", low, ["-", ["pi"]]], ["<=", ["-", ["pi"]], high]]]}
     assert steps.sides(digits) == "-pi lies between -3.141593 and -3.141592"
+
+
+def test_an_angle_is_told_by_its_sine_and_cosine() -> None:
+    third = ["*", 2, ["arctan", ["/", 1, 3]]]
+    assert steps.point({"a": third, "b": ["*", 2, ["arctan", 0]]}) == "sin a = 3/5, cos a = 4/5, sin b = 0, cos b = 1"
+    assert steps.point({"a": ["*", 2, ["arctan", ["sqrt", 2]]]}) == "a = 2*arctan(sqrt(2))"
+
+
+def test_an_angle_that_others_are_made_of_is_told_first() -> None:
+    inner = ["arctan", ["/", 5, 8]]
+    outer = ["arctan", ["/", 2, ["cos", inner]]]
+    values = {"H": ["*", 4, ["cos", outer], ["sin", inner]], "J": 3, "a": outer, "b": inner, "c": inner}
+    told = steps.point(values)
+    assert told == "J = 3, b = arctan(5/8), c = arctan(5/8), a = arctan(2/cos(b)), H = 4*cos(a)*sin(b)"
+    same = node("cos", node("arctan", 2))
+    assert steps.point({"x": same, "y": same}) == "x = cos(arctan(2)), y = cos(arctan(2))"
 
 
 def test_a_decimal_is_shown_as_one() -> None:

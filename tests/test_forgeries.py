@@ -123,7 +123,7 @@ def refutations_of_the_papers() -> list[JSON]:
     found = []
     for path in sorted((ROOT / "generated" / "certificates").glob("*.json")):
         stated = json.loads(path.read_text(encoding="utf-8"))
-        if stated["schema"] == 2:
+        if stated["schema"] == 3:
             found += [made for made in stated["certificates"] if made["verdict"] == "refuted"]
     return found
 
@@ -154,7 +154,7 @@ def test_every_refuted_relation_of_the_papers_with_many_proofs_is_rejected() -> 
 def test_a_key_that_is_there_twice_is_refused(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     from symcheck.checker import __main__ as program
 
-    written = json.dumps({"schema": 2, "certificates": [VALID["a circle"]]})
+    written = json.dumps({"schema": 3, "certificates": [VALID["a circle"]]})
     path = tmp_path / "certificates.json"
     for key, value in (("verdict", "refuted"), ("claim", ["=", 0, 0]), ("proof", {"rule": "identity"})):
         twice = written.replace(f'"{key}":', f'"{key}": {json.dumps(value)}, "{key}":')

@@ -7,97 +7,116 @@ from typing import Any
 
 import pytest
 
+from symcheck.core.terms import INFINITY, MINUS_INFINITY, PI, node
 from symcheck.evidence.checked import reason as check
 from symcheck.proof import certificate, identity
 from symcheck.proof.methods import theorems
 from symcheck.statement import Formula, Problem, Term, Verdict
 
 A: Term = "a"
-SPREAD: Term = ("+", ("*", 3, ("^", "alpha", 2), ("^", "a", 2)), ("*", 4, ("^", "beta", 2)))
-FALL: Term = ("+", ("-", ("/", ("*", 4, "gamma"), ("*", 3, ("^", "alpha", 2)))), ("-", ("/", 2, 3)))
-DENSITY: Term = ("*", 8, "C", "a", ("pow", SPREAD, FALL))
-HALF = (0, "infinity")
-WHOLE = (("-", "infinity"), "infinity")
-LORENTZ: Term = ("+", ("^", "x", 2), ("^", "k", 2))
-NOISE = ("noise", ((">", "alpha", 0), (">", "beta", 0)))
-AMPLITUDE = ("amplitude", ((">", "a", 0),))
-K = ("k", ((">", "k", 0),))
-E_ = ("moments", ((">", "E", 0), (">", "A", "E"), (">=", "b", 0), ("<=", "b", 1)))
-REST: Term = ("+", 1, ("-", "b"))
-GAP: Term = ("+", "A", ("-", "E"))
-DRIFT: Term = ("+", ("*", ("/", 5, 16), "a", ("^", "alpha", 2)), ("/", ("^", "beta", 2), ("*", 4, "a")))
-DIFFUSION: Term = ("+", ("*", ("/", 3, 8), ("^", "a", 2), ("^", "alpha", 2)), ("*", ("/", 1, 2), ("^", "beta", 2)))
-SQUARES: tuple[Term, Term] = (("^", ("sin", "a"), 2), ("^", ("cos", "a"), 2))
-BELOW_FOUR: Term = ("+", 4, ("-", ("*", 3, SQUARES[0])))
-ABOVE_ONE: Term = ("+", 1, ("*", 3, SQUARES[1]))
+SPREAD: Term = node("+", node("*", 3, node("^", "alpha", 2), node("^", "a", 2)), node("*", 4, node("^", "beta", 2)))
+FALL: Term = node(
+    "+", node("-", node("/", node("*", 4, "gamma"), node("*", 3, node("^", "alpha", 2)))), node("-", node("/", 2, 3))
+)
+DENSITY: Term = node("*", 8, "C", "a", node("pow", SPREAD, FALL))
+HALF = (0, INFINITY)
+WHOLE = (MINUS_INFINITY, INFINITY)
+LORENTZ: Term = node("+", node("^", "x", 2), node("^", "k", 2))
+NOISE = ("noise", (node(">", "alpha", 0), node(">", "beta", 0)))
+AMPLITUDE = ("amplitude", (node(">", "a", 0),))
+K = ("k", (node(">", "k", 0),))
+E_ = ("moments", (node(">", "E", 0), node(">", "A", "E"), node(">=", "b", 0), node("<=", "b", 1)))
+REST: Term = node("+", 1, node("-", "b"))
+GAP: Term = node("+", "A", node("-", "E"))
+DRIFT: Term = node(
+    "+", node("*", node("/", 5, 16), "a", node("^", "alpha", 2)), node("/", node("^", "beta", 2), node("*", 4, "a"))
+)
+DIFFUSION: Term = node(
+    "+",
+    node("*", node("/", 3, 8), node("^", "a", 2), node("^", "alpha", 2)),
+    node("*", node("/", 1, 2), node("^", "beta", 2)),
+)
+SQUARES: tuple[Term, Term] = (node("^", node("sin", "a"), 2), node("^", node("cos", "a"), 2))
+BELOW_FOUR: Term = node("+", 4, node("-", node("*", 3, SQUARES[0])))
+ABOVE_ONE: Term = node("+", 1, node("*", 3, SQUARES[1]))
 
 
 def finite(body: Term, x: str, ends: tuple[Term, Term] = HALF) -> Formula:
-    return ("=", ("diverges", body, x, *ends), 0)
+    return node("=", node("diverges", body, x, *ends), 0)
 
 
 def average(value: Term) -> Formula:
-    turning: Term = ("+", ("*", "a", ("^", ("cos", "psi"), 4)), ("*", ("sin", "psi"), ("cos", "psi"), "h"))
-    return ("=", ("mean", turning, "psi"), value)
+    turning: Term = node(
+        "+", node("*", "a", node("^", node("cos", "psi"), 4)), node("*", node("sin", "psi"), node("cos", "psi"), "h")
+    )
+    return node("=", node("mean", turning, "psi"), value)
 
 
 def without_flux(drift: Term) -> Formula:
-    drift = ("+", drift, ("-", ("*", ("/", "a", 2), "gamma")))
-    first: Term = ("*", ("/", 1, 2), ("diff", ("*", DIFFUSION, DENSITY), "a", 1))
-    return ("=", first, ("*", drift, DENSITY))
+    drift = node("+", drift, node("-", node("*", node("/", "a", 2), "gamma")))
+    first: Term = node("*", node("/", 1, 2), node("diff", node("*", DIFFUSION, DENSITY), "a", 1, "a"))
+    return node("=", first, node("*", drift, DENSITY))
 
 
 def normalised(constant: Term) -> Formula:
-    body: Term = ("*", "C", ("pow", LORENTZ, -2))
-    return ("=>", ("=", ("integral", body, "x", *WHOLE), 1), ("=", "C", constant))
+    body: Term = node("*", "C", node("pow", LORENTZ, -2))
+    return node("=>", node("=", node("integral", body, "x", *WHOLE), 1), node("=", "C", constant))
 
 
 def moments(number: int) -> Formula:
-    body: Term = ("*", ("pow", "a", "m"), "a", ("pow", SPREAD, FALL))
-    bound: Term = ("*", ("^", "alpha", 2), ("+", 2, ("*", 3, "m")))
-    return ("<=>", finite(body, "a"), (">", ("*", number, "gamma"), bound))
+    body: Term = node("*", node("pow", "a", "m"), "a", node("pow", SPREAD, FALL))
+    bound: Term = node("*", node("^", "alpha", 2), node("+", 2, node("*", 3, "m")))
+    return node("<=>", finite(body, "a"), node(">", node("*", number, "gamma"), bound))
 
 
 def square(sign: str) -> Formula:
-    first, second = ("sqrt", ("*", "E", REST)), ("sqrt", ("*", "b", GAP))
-    inner: Term = ("+", first, second if sign == "+" else ("-", second))
-    spread: Term = ("+", ("*", "E", REST), ("*", "b", GAP), ("*", 2, ("sqrt", ("*", "E", REST, "b", GAP))))
-    return ("=", spread, ("^", inner, 2))
+    first, second = node("sqrt", node("*", "E", REST)), node("sqrt", node("*", "b", GAP))
+    inner: Term = node("+", first, second if sign == "+" else node("-", second))
+    spread: Term = node(
+        "+", node("*", "E", REST), node("*", "b", GAP), node("*", 2, node("sqrt", node("*", "E", REST, "b", GAP)))
+    )
+    return node("=", spread, node("^", inner, 2))
 
 
 TRUE: dict[str, tuple[Formula, tuple[Any, ...]]] = {
-    "the square of a root": (("=", ("^", ("sqrt", ("*", "E", REST)), 2), ("*", "E", REST)), (E_,)),
+    "the square of a root": (node("=", node("^", node("sqrt", node("*", "E", REST)), 2), node("*", "E", REST)), (E_,)),
     "the square of a sum of roots": (square("+"), (E_,)),
-    "an average": (average(("*", ("/", 3, 8), "a")), ()),
+    "an average": (average(node("*", node("/", 3, 8), "a")), ()),
     "a density without flux": (without_flux(DRIFT), (NOISE, AMPLITUDE)),
-    "which moments are finite": (moments(8), (NOISE, ("order", ((">", "m", 0),)))),
-    "the constant of a density": (normalised(("/", ("*", 2, ("^", "k", 3)), "pi")), (K,)),
-    "an odd moment": (("=", ("integral", ("*", "x", ("pow", LORENTZ, -2)), "x", *WHOLE), 0), (K,)),
-    "no power is integrable": (("!=", ("diverges", ("pow", "x", "n"), "x", *HALF), 0), ()),
-    "the integral of a constant": (("=", ("integral", "c", "x", 1, 4), ("*", 3, "c")), ()),
+    "which moments are finite": (moments(8), (NOISE, ("order", (node(">", "m", 0),)))),
+    "the constant of a density": (normalised(node("/", node("*", 2, node("^", "k", 3)), PI)), (K,)),
+    "an odd moment": (node("=", node("integral", node("*", "x", node("pow", LORENTZ, -2)), "x", *WHOLE), 0), (K,)),
+    "no power is integrable": (node("!=", node("diverges", node("pow", "x", "n"), "x", *HALF), 0), ()),
+    "the integral of a constant": (node("=", node("integral", "c", "x", 1, 4), node("*", 3, "c")), ()),
     "the slope of an exponential": (
-        ("=", ("diff", ("exp", ("*", 2, "x")), "x", 1), ("*", 2, ("exp", ("*", 2, "x")))),
+        node(
+            "=", node("diff", node("exp", node("*", 2, "x")), "x", 1, "x"), node("*", 2, node("exp", node("*", 2, "x")))
+        ),
         (),
     ),
-    "a power is positive": ((">", ("pow", LORENTZ, "n"), 0), (K,)),
-    "a sine is one at most": ((">", BELOW_FOUR, 0), ()),
-    "below a root too": ((">=", ("sqrt", ("/", 3, BELOW_FOUR)), 0), ()),
+    "a power is positive": (node(">", node("pow", LORENTZ, "n"), 0), (K,)),
+    "a sine is one at most": (node(">", BELOW_FOUR, 0), ()),
+    "below a root too": (node(">=", node("sqrt", node("/", 3, BELOW_FOUR)), 0), ()),
     "a root of sine and cosine": (
-        ("=", ("sqrt", ("+", ("*", 4, SQUARES[0]), ("*", 16, SQUARES[1]))), ("*", 2, ("sqrt", ABOVE_ONE))),
+        node(
+            "=",
+            node("sqrt", node("+", node("*", 4, SQUARES[0]), node("*", 16, SQUARES[1]))),
+            node("*", 2, node("sqrt", ABOVE_ONE)),
+        ),
         (),
     ),
-    "roots whose arguments are equal on the circle": (("=", ("sqrt", BELOW_FOUR), ("sqrt", ABOVE_ONE)), ()),
-    "the root of a number": ((">=", ("*", ("sqrt", 3), "b"), 0), (("b", ((">=", "b", 0),)),)),
+    "roots whose arguments are equal on the circle": (node("=", node("sqrt", BELOW_FOUR), node("sqrt", ABOVE_ONE)), ()),
+    "the root of a number": (node(">=", node("*", node("sqrt", 3), "b"), 0), (("b", (node(">=", "b", 0),)),)),
 }
 FALSE: dict[str, tuple[Formula, tuple[Any, ...]]] = {
     "the square of a difference of roots": (square("-"), (E_,)),
-    "another average": (average(("*", ("/", 1, 2), "a")), ()),
-    "a density with flux": (without_flux(("*", 2, DRIFT)), (NOISE, AMPLITUDE)),
-    "other moments": (moments(20), (NOISE, ("order", ((">=", "m", 1),)))),
-    "the integral of another constant": (("=", ("integral", "c", "x", 1, 4), ("*", 4, "c")), ()),
-    "a sine is less than one": ((">", ("+", 3, ("-", ("*", 3, SQUARES[0]))), 0), ()),
-    "roots whose arguments differ": (("=", ("sqrt", BELOW_FOUR), ("sqrt", ("+", 1, SQUARES[1]))), ()),
-    "the root of a number, negative": (("<", ("*", ("sqrt", 3), "b"), 0), (("b", ((">=", "b", 0),)),)),
+    "another average": (average(node("*", node("/", 1, 2), "a")), ()),
+    "a density with flux": (without_flux(node("*", 2, DRIFT)), (NOISE, AMPLITUDE)),
+    "other moments": (moments(20), (NOISE, ("order", (node(">=", "m", 1),)))),
+    "the integral of another constant": (node("=", node("integral", "c", "x", 1, 4), node("*", 4, "c")), ()),
+    "a sine is less than one": (node(">", node("+", 3, node("-", node("*", 3, SQUARES[0]))), 0), ()),
+    "roots whose arguments differ": (node("=", node("sqrt", BELOW_FOUR), node("sqrt", node("+", 1, SQUARES[1]))), ()),
+    "the root of a number, negative": (node("<", node("*", node("sqrt", 3), "b"), 0), (("b", (node(">=", "b", 0),)),)),
 }
 
 
@@ -119,17 +138,20 @@ def test_a_false_statement_about_functions_is_refuted_at_a_point(name: str) -> N
 
 
 NOT_PROVED: dict[str, tuple[Formula, tuple[Any, ...]]] = {
-    "the root of a square without a sign": (("=", ("sqrt", ("^", "x", 2)), "x"), ()),
+    "the root of a square without a sign": (node("=", node("sqrt", node("^", "x", 2)), "x"), ()),
     "the square of a root of something negative": (
-        ("=", ("^", ("sqrt", ("-", ("^", "x", 2))), 2), ("-", ("^", "x", 2))),
+        node("=", node("^", node("sqrt", node("-", node("^", "x", 2))), 2), node("-", node("^", "x", 2))),
         (),
     ),
-    "a power of a sum": (("=", ("pow", ("+", "x", "y"), "n"), ("+", ("pow", "x", "n"), ("pow", "y", "n"))), ()),
-    "a constant of another density": (normalised(("/", ("*", 3, ("^", "k", 3)), "pi")), (K,)),
-    "an even moment": (("=", ("integral", ("pow", LORENTZ, -2), "x", *WHOLE), 0), (K,)),
-    "the order of two functions": (("<", ("exp", "x"), ("exp", ("*", 2, "x"))), ()),
+    "a power of a sum": (
+        node("=", node("pow", node("+", "x", "y"), "n"), node("+", node("pow", "x", "n"), node("pow", "y", "n"))),
+        (),
+    ),
+    "a constant of another density": (normalised(node("/", node("*", 3, node("^", "k", 3)), PI)), (K,)),
+    "an even moment": (node("=", node("integral", node("pow", LORENTZ, -2), "x", *WHOLE), 0), (K,)),
+    "the order of two functions": (node("<", node("exp", "x"), node("exp", node("*", 2, "x"))), ()),
     "an odd moment that need not be finite": (
-        ("=", ("integral", ("*", "x", ("pow", LORENTZ, "n")), "x", *WHOLE), 0),
+        node("=", node("integral", node("*", "x", node("pow", LORENTZ, "n")), "x", *WHOLE), 0),
         (K,),
     ),
 }
@@ -142,8 +164,8 @@ def test_what_no_theorem_says_is_not_proved(name: str) -> None:
 
 
 def test_a_declared_theorem_helps() -> None:
-    claim: Formula = ("=>", ("=", ("^", "x", 2), ("^", "y", 2)), ("=", "x", "y"))
-    signs = ("signs", ((">=", "x", 0), (">=", "y", 0)))
+    claim: Formula = node("=>", node("=", node("^", "x", 2), node("^", "y", 2)), node("=", "x", "y"))
+    signs = ("signs", (node(">=", "x", 0), node(">=", "y", 0)))
     method = theorems(("equal_squares", "x", "y"))
     hints = tuple((name, latex) for name, latex in method.hints)
     problem = Problem("squares", claim, (), (signs,), hints)
@@ -151,9 +173,9 @@ def test_a_declared_theorem_helps() -> None:
 
 
 def test_a_proof_does_not_depend_on_what_was_decided_before() -> None:
-    signs = ("signs", ((">=", "x", 0), (">=", "y", 0)))
-    roots: list[Term] = [("sqrt", ("+", "x", "y")), ("sqrt", ("+", "y", "x"))]
-    problems = [Problem("root", (">=", root, 0), (), (signs,)) for root in roots]
+    signs = ("signs", (node(">=", "x", 0), node(">=", "y", 0)))
+    roots: list[Term] = [node("sqrt", node("+", "x", "y")), node("sqrt", node("+", "y", "x"))]
+    problems = [Problem("root", node(">=", root, 0), (), (signs,)) for root in roots]
     first = [identity.decide(problem).proof for problem in problems]
     again = [identity.decide(problem).proof for problem in reversed(problems)][::-1]
     assert first == again

@@ -4,25 +4,26 @@ from __future__ import annotations
 
 import pytest
 
+from symcheck.core.terms import node
 from symcheck.evidence.checked import reason
 from symcheck.evidence.faults import without
 from symcheck.proof import fails_without, refute
 from symcheck.statement import Formula, Loss, Problem
 
-E = ("sin", "a")
+E = node("sin", "a")
 SHORTER = (("e", E),)
-EXISTS: Formula = ("exists", ("c",), ("and", (">", ("*", "c", "e"), 0), (">", "c", 0)))
-B_POSITIVE = (("b positive", ((">", ("sin", "b"), 0),)),)
+EXISTS: Formula = node("exists", ("c",), node("and", node(">", node("*", "c", "e"), 0), node(">", "c", 0)))
+B_POSITIVE = (("b positive", (node(">", node("sin", "b"), 0),)),)
 
 NEEDED = {
-    "a square of a negative number": (Problem("x", (">", "x", 0)), Loss.TRUTH, "x = "),
-    "a denominator": (Problem("x", ("=", ("/", "x", "x"), 1)), Loss.VALUE, "x = 0: x ≠ 0 is wrong"),
+    "a square of a negative number": (Problem("x", node(">", "x", 0)), Loss.TRUTH, "x = "),
+    "a denominator": (Problem("x", node("=", node("/", "x", "x"), 1)), Loss.VALUE, "x = 0: x ≠ 0 is wrong"),
     "a denominator in a definition": (
-        Problem("x", ("=", ("+", "y", 1), ("+", 1, "y")), (("y", ("/", 1, "x")),)),
+        Problem("x", node("=", node("+", "y", 1), node("+", 1, "y")), (("y", node("/", 1, "x")),)),
         Loss.VALUE,
         "x = 0: x ≠ 0 is wrong",
     ),
-    "a root": (Problem("x", ("=", ("^", ("sqrt", "x"), 2), "x")), Loss.VALUE, "x = -1: x ≥ 0 is wrong"),
+    "a root": (Problem("x", node("=", node("^", node("sqrt", "x"), 2), "x")), Loss.VALUE, "x = -1: x ≥ 0 is wrong"),
     "a direction at a right angle": (Problem("x", EXISTS, SHORTER), Loss.EXISTENCE, "sine_of_a = 0"),
     "a direction while another angle stays": (
         Problem("x", EXISTS, SHORTER, B_POSITIVE),
@@ -30,17 +31,17 @@ NEEDED = {
         "sine_of_a = 0",
     ),
 }
-D: Formula = (
+D: Formula = node(
     ">",
-    (
+    node(
         "+",
-        ("^", "d", 2),
-        ("*", 2, "d", ("+", ("*", "a", "b"), "e", ("*", -2, "e", "b"))),
-        ("^", ("+", ("*", "a", "b"), ("-", "e")), 2),
+        node("^", "d", 2),
+        node("*", 2, "d", node("+", node("*", "a", "b"), "e", node("*", -2, "e", "b"))),
+        node("^", node("+", node("*", "a", "b"), node("-", "e")), 2),
     ),
     0,
 )
-BY_CHANCE = Problem("x", D, (), (("e positive", ((">", "e", 0),)), ("b negative", (("<", "b", 0),))))
+BY_CHANCE = Problem("x", D, (), (("e positive", (node(">", "e", 0),)), ("b negative", (node("<", "b", 0),))))
 
 
 def test_a_point_that_no_search_finds_may_be_drawn() -> None:
@@ -52,10 +53,12 @@ def test_a_point_that_no_search_finds_may_be_drawn() -> None:
 
 
 NOT_KNOWN = {
-    "an identity": Problem("x", ("=", ("+", "x", "x"), ("*", 2, "x"))),
-    "something that exists everywhere": Problem("x", ("exists", ("c",), ("and", (">", "c", E), (">", "c", 0)))),
+    "an identity": Problem("x", node("=", node("+", "x", "x"), node("*", 2, "x"))),
+    "something that exists everywhere": Problem(
+        "x", node("exists", ("c",), node("and", node(">", "c", E), node(">", "c", 0)))
+    ),
     "something whose hypotheses exclude the right angle": Problem(
-        "x", EXISTS, SHORTER, (("a positive", ((">", E, 0),)),)
+        "x", EXISTS, SHORTER, (("a positive", (node(">", E, 0),)),)
     ),
 }
 

@@ -10,6 +10,7 @@ import sympy
 from test_reading_sensitivity import unnoticed
 
 from symcheck import papers
+from symcheck.core.terms import Node, mapped
 from symcheck.evidence.context import Context
 from symcheck.evidence.judge import units
 from symcheck.evidence.obligation import obligation_of
@@ -62,7 +63,7 @@ def test_drift_and_noise_by_finite_differences() -> None:
 def unfolded(term: Term, table: dict[str, Term]) -> Term:
     if isinstance(term, str):
         return unfolded(table[term], table) if term in table else term
-    return (term[0], *(unfolded(part, table) for part in term[1:])) if isinstance(term, tuple) else term
+    return mapped(term, lambda part: unfolded(part, table)) if isinstance(term, Node) else term
 
 
 POINT = {

@@ -4,12 +4,13 @@ from __future__ import annotations
 
 import pytest
 
+from symcheck.core.terms import node
 from symcheck.proof import identity
 from symcheck.reading import Letter, Notation, lower, read
 from symcheck.statement import Problem, Verdict
 
 NOTATION = Notation([Letter("x"), Letter("a")])
-POSITIVE = ("a is positive", ((">", "a", 0),))
+POSITIVE = ("a is positive", (node(">", "a", 0),))
 BASES = (r"\frac{1}{a}", r"\frac{a}{a}", r"\frac{4}{a^2}", r"\frac{x}{a}", r"-\frac{1}{a}", "0", "a - a", "4", "a^2")
 EXPONENTS = (r"\frac14", r"\frac12", r"-\frac14", r"\frac{a}{2}", "a")
 

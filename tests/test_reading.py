@@ -6,6 +6,7 @@ import pytest
 import sympy
 from reading_samples import CHARACTERISTIC, NOTATION, ROTATED, TORQUE
 
+from symcheck.core.terms import INFINITY, MINUS_INFINITY, PI
 from symcheck.reading import Letter, Notation, edits, lower, read, relations, split_tag, term, to_latex, to_sympy
 from symcheck.reading.tree import (
     Chain,
@@ -154,24 +155,24 @@ MEANINGS = {
     r"\cos(Oy_1, Ox_2)": ("cos", "Oy_1_Ox_2"),
     r"|\begin{pmatrix} p & 1 \\ 2 & c \end{pmatrix}|": ("+", ("*", "p", "c"), ("-", 2)),
     r"\left|\begin{array}{cc} p & 1 \\ 2 & c \end{array}\right|": ("+", ("*", "p", "c"), ("-", 2)),
-    r"45^\circ": ("/", ("*", 45, "pi"), 180),
+    r"45^\circ": ("/", ("*", 45, PI), 180),
     r"c^k": ("pow", "c", "k"),
     r"c^{1/2}": ("pow", "c", ("/", 1, 2)),
     r"\sqrt{c + k}": ("sqrt", ("+", "c", "k")),
     r"\exp(-c^2) \ln k": ("*", ("exp", ("-", ("^", "c", 2))), ("log", "k")),
     r"\Gamma(c + 1) \operatorname{arctg} c": ("*", ("gamma", ("+", "c", 1)), ("arctan", "c")),
-    r"\int_0^\infty c^k \, dc": ("integral", ("pow", "c", "k"), "c", 0, "infinity"),
+    r"\int_0^\infty c^k \, dc": ("integral", ("pow", "c", "k"), "c", 0, INFINITY),
     r"\int_{-\infty}^p \int_0^1 c k dc dk": (
         "integral",
         ("integral", ("*", "c", "k"), "c", 0, 1),
         "k",
-        ("-", "infinity"),
+        MINUS_INFINITY,
         "p",
     ),
     r"\langle c \sin \alpha \rangle_{\alpha}": ("mean", ("*", "c", ("sin", "alpha")), "alpha"),
-    r"(c k)''_{ck}": ("diff", ("diff", ("*", "c", "k"), "c", 1), "k", 1),
+    r"(c k)''_{ck}": ("diff", ("diff", ("*", "c", "k"), "c", 1, "c"), "k", 1, "k"),
     r"\sin f_1(c) k": ("*", ("sin", ("call", "f_1", (0,), "c")), "k"),
-    r"\pi": "pi",
+    r"\pi": PI,
 }
 
 
@@ -181,7 +182,7 @@ def test_an_expression_means_one_term(latex):
 
 
 SLASH = {
-    r"1/2\pi": ("/", 1, ("*", 2, "pi")),
+    r"1/2\pi": ("/", 1, ("*", 2, PI)),
     r"-4\gamma^2/3\alpha^2 - 2/3": (
         "+",
         ("-", ("/", ("*", 4, ("^", "gamma", 2)), ("*", 3, ("^", "alpha", 2)))),
@@ -267,9 +268,9 @@ ROUNDED = {
     r"\sin u \approx 1": (("/", 1, 2), SINE, ("/", 3, 2)),
     r"\sin u = 0.92": (("/", 183, 200), SINE, ("/", 37, 40)),
     r"0.92 = \sin u": (("/", 183, 200), SINE, ("/", 37, 40)),
-    r"u \approx 67^\circ": (("/", ("*", 133, "pi"), 360), "u", ("/", ("*", 135, "pi"), 360)),
-    r"u = 54.7^\circ": (("/", ("*", 1093, "pi"), 3600), "u", ("/", ("*", 219, "pi"), 720)),
-    r"u \approx -54.7^\circ": (("/", ("*", -219, "pi"), 720), "u", ("/", ("*", -1093, "pi"), 3600)),
+    r"u \approx 67^\circ": (("/", ("*", 133, PI), 360), "u", ("/", ("*", 135, PI), 360)),
+    r"u = 54.7^\circ": (("/", ("*", 1093, PI), 3600), "u", ("/", ("*", 219, PI), 720)),
+    r"u \approx -54.7^\circ": (("/", ("*", -219, PI), 720), "u", ("/", ("*", -1093, PI), 3600)),
 }
 
 
@@ -281,7 +282,7 @@ def test_a_rounded_number_is_right_to_its_last_printed_digit(latex):
 
 
 def test_only_decimals_are_rounded_and_only_where_that_is_the_habit():
-    assert formulas(r"u = 67^\circ", AXES) == (("=", "u", ("/", ("*", 67, "pi"), 180)),)
+    assert formulas(r"u = 67^\circ", AXES) == (("=", "u", ("/", ("*", 67, PI), 180)),)
     assert formulas("u = 1", AXES) == (("=", "u", 1),)
     assert formulas("0.5 = 0.50", AXES) == (("=", ("/", 5, 10), ("/", 50, 100)),)
     assert formulas("u < 0.5, u = 0.5 v", AXES) == (("<", "u", ("/", 5, 10)), ("=", "u", ("*", ("/", 5, 10), "v")))
@@ -341,7 +342,7 @@ def test_a_double_sign_on_one_side_is_an_alternative_and_on_both_sides_two_claim
 
 def test_convergence_is_a_formula():
     (formula,) = formulas(r"\int_0^\infty c^k \, dc < \infty")
-    assert formula == ("=", ("diverges", ("pow", "c", "k"), "c", 0, "infinity"), 0)
+    assert formula == ("=", ("diverges", ("pow", "c", "k"), "c", 0, INFINITY), 0)
 
 
 def test_letters_in_a_list_share_the_relation():

@@ -9,6 +9,7 @@ import pytest
 import sympy
 from reading_samples import NOTATION
 
+from symcheck.core.terms import node
 from symcheck.reading import from_sympy, term, to_sympy
 from symcheck.statement import SymcheckError
 
@@ -54,7 +55,7 @@ def test_a_term_survives_the_way_to_sympy_and_back(latex):
 
 def test_symbols_are_real_and_named_as_the_variables():
     assert to_sympy("a_12") == sympy.Symbol("a_12", real=True)
-    assert to_sympy(("diff", ("^", "c", 3), "c", 2)) == 6 * sympy.Symbol("c", real=True)
+    assert to_sympy(node("diff", node("^", "c", 3), "c", 2, "c")) == 6 * sympy.Symbol("c", real=True)
 
 
 INEXACT = [sympy.Float("0.5"), sympy.erf(x), sympy.I, sympy.oo, sympy.Integral(x, x)]

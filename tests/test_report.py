@@ -118,11 +118,14 @@ def test_equal_formulas_have_no_mark() -> None:
     assert marked(math, math) == (math, math)
 
 
+POINT = {"values": {"x": ["/", 2, 7]}, "shown": [["=", "x", ["/", 2, 7]], ["=", ["-", "x"], ["/", -2, 7]]]}
+
+
 def test_the_page_says_what_the_records_say() -> None:
     rows = [
         record("1", printed="x = x", uses=("toy:2",)),
         record("2", role=Role.OURS, words="A <b>bold</b> & sentence", used_by=("toy:1",)),
-        wrong("3", "x = -x", "x = x", counterexample={"values": {"x": "2/7"}, "sides": ["2/7", "-2/7"]}),
+        wrong("3", "x = -x", "x = x", counterexample=POINT),
         record("4", role=Role.PREMISE, verdict=None),
     ]
     text = page(rows, TOY)
@@ -184,7 +187,6 @@ def test_certificates_are_folded_whole_but_for_the_digest() -> None:
     certificate = {
         "id": "toy:1",
         "claim": ["=", "x", "x"],
-        "digest": "d",
         "definitions": [],
         "hypotheses": {},
         "verdict": "proved",
@@ -192,16 +194,16 @@ def test_certificates_are_folded_whole_but_for_the_digest() -> None:
     }
     proofs = folded(page([record("1", certificates=(certificate,))], TOY), "toy")
     again = {key: values[0] for key, values in proofs["fields"].items()}
-    assert (proofs["of"], again | {"digest": "d"}) == (["toy:1"], certificate)
+    assert (proofs["of"], again) == (["toy:1"], certificate)
     assert proofs["steps"][0].startswith("identity: ")
 
 
 def test_what_must_not_vanish_is_shown_with_a_proof_that_needs_it() -> None:
-    proof = {"rule": "identity", "cofactors": [], "nonzero": [["c + 1", "k"]]}
+    proof = {"rule": "identity", "cofactors": []}
     shown = {"id": "toy:1", "claim": ["=", "x", "x"], "definitions": [], "hypotheses": {}, "verdict": "proved"}
-    shown |= {"digest": "d", "proof": proof}
+    shown |= {"nonzero": [["/", ["+", "c", 1], "k"]], "proof": proof}
     (claim,) = folded(page([record("1", certificates=(shown,))], TOY), "ledger")["claims"]
-    assert "c + 1 / k ≠ 0" in claim
+    assert "(c + 1)/k ≠ 0" in claim
 
 
 def test_the_self_test_and_the_hypotheses_are_shown() -> None:
@@ -223,8 +225,9 @@ def test_the_self_test_and_the_hypotheses_are_shown() -> None:
 
 
 def test_every_application_of_a_theorem_is_told() -> None:
-    proof = {"of": ["congruence", "pow", [["*", 4, "x"], 2], [["+", "y", 1], 2]], "premises": [], "then": []}
-    assert "4*x, 2; y + 1, 2" in next(steps(proof))
+    given = {"s": ["pow", ["*", 4, "x"], 2], "t": ["pow", ["+", "y", 1], 2]}
+    proof = {"rule": "theorem", "of": "congruence", "with": given, "premises": [], "then": {"rule": "identity"}}
+    assert "(s = pow(4*x, 2); t = pow(y + 1, 2))" in next(steps(proof))
 
 
 def test_a_claim_shows_its_kernels_and_the_cells_that_name_it(tmp_path: Path) -> None:

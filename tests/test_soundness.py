@@ -17,6 +17,7 @@ from meaning import Meaning, Smooth
 from symcheck.checker import algebra, theorems
 from symcheck.checker.rules import Prover
 from symcheck.core.calculus import substituted
+from symcheck.core.fields import raw
 
 JSON = Any
 SAMPLE, ALL, PART = 2_500, 1_000_000, 12_500
@@ -140,7 +141,7 @@ RIGHT = algebra.Algebra.turn
 
 def opened_with_any_letters(self: Prover, formula: Any, step: Any, *beside: Any) -> Any:
     """The body of what is bound with letters of which something may be assumed."""
-    return substituted(formula.body, dict(zip(formula.bound, step.texts("letters"), strict=True)))
+    return substituted(formula.body, dict(zip(formula.bound, step.take("letters", raw), strict=True)))
 
 
 @pytest.mark.parametrize(
@@ -151,7 +152,11 @@ def opened_with_any_letters(self: Prover, formula: Any, step: Any, *beside: Any)
         (theorems, "polynomial_in", lambda term, *atoms: True),
         (Prover, "opened", opened_with_any_letters),
         (Prover, "sign", lambda self, term: 2),
-        (Prover, "combination", lambda self, value, step, what: (step.items("cofactors"), step.items("times"))),
+        (
+            Prover,
+            "combination",
+            lambda self, value, step, what: (step.take("cofactors", raw, []), step.take("times", raw, [])),
+        ),
     ],
 )
 def test_a_fault_of_the_checker_is_found(where: Any, name: str, fault: Any, monkeypatch: pytest.MonkeyPatch) -> None:

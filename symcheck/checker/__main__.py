@@ -18,7 +18,7 @@ from symcheck.checker.residues import Reject, require
 from symcheck.checker.statements import Index
 from symcheck.core.terms import JSON
 
-SCHEMA = 2
+SCHEMA = 3
 TIED = """Each claims what generated/statements lists under its id, with definitions and hypotheses listed there. That
 these lists say what is printed is not checked here: the reader makes them from the printed text, and what a sentence
 means is put in formulas by hand. Statements about hypotheses left out and about kernels are not printed."""
@@ -27,8 +27,10 @@ NOT_TIED = "Nothing here ties the certificates to what is printed; name generate
 
 def unique(pairs: list[tuple[str, JSON]]) -> dict[str, JSON]:
     """An object no key of which occurs twice."""
-    require(len(dict(pairs)) == len(pairs), "a key occurs twice: {}", [key for key, _ in pairs])
-    return dict(pairs)
+    found = dict(pairs)
+    if len(found) != len(pairs):
+        raise Reject(f"a key occurs twice: {[key for key, _ in pairs]}")
+    return found
 
 
 def read(path: str, key: str) -> dict[str, JSON]:

@@ -12,12 +12,16 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Mapping
 from math import prod
 
+from symcheck.checker.enclosures import enclosed
 from symcheck.checker.residues import PRIME, Reject, circle, draw, inverse, rational, require, root, rotation
-from symcheck.core.calculus import differentiated, letters
-from symcheck.core.terms import Binder, Call, End, Node, Term, Value, node
+from symcheck.core.calculus import differentiated, letters, substituted
+from symcheck.core.terms import Binder, Call, Connective, End, Formula, Node, Relation, Term, Value, node
 
 STEEPEST = 1 << 40  # product of nested exponents, multiples of angles and the like; a term has 2^20 nodes at most
+SIGNS = {"=": {0}, "!=": {-1, 1}, "<": {-1}, "<=": {-1, 0}, ">": {1}, ">=": {0, 1}}  # of left - right
 Key = tuple[object, ...]
+Divisors = dict[int, "Term | None"]  # by their values; None for those that stand under a binder
+Known = dict[int, dict[int, tuple[int, Divisors]]]  # of shared nodes, by identity: values, by the exponents around
 PI: Key = ("pi",)
 LETTERS: dict[str, int] = {}  # what was drawn for free letters
 
@@ -29,15 +33,13 @@ class Inexact(Reject):
 class Algebra:
     """Values of terms; notes the divisors it meets. With a point, letters have the values stated there."""
 
-    def __init__(self, shared: Mapping[str, Term], point: Mapping[str, Term] | None = None) -> None:
-        self.point = point
-        self.shared = {id(t): t for t in shared.values() if isinstance(t, Node)}  # what definitions stand for
-        self.known: dict[tuple[int, int], int] = {}  # their values, by how steep they are where they stand
+    def __init__(self, known: Known, point: Mapping[str, Term] | None = None) -> None:
+        self.known, self.point = known, point
         self.letters = LETTERS if point is None else {}  # their values
         self.bound: dict[str, Key] = {}  # what is drawn for bound letters
         self.settled: dict[int, int] = {}  # values of functions at the point, by what is drawn for them
         self.scale = 1  # product of the exponents around
-        self.divisors: dict[int, Term | None] = {}  # by their values; None for those that stand under a binder
+        self.divisors: Divisors = {}  # that were met
 
     def value(self, term: Term) -> int:
         """The value of a term; sums and products are not reduced modulo the prime."""
@@ -45,24 +47,46 @@ class Algebra:
             return term
         if isinstance(term, str):
             return self.letters[term] if term in self.letters else self.letter(term)
-        named = id(term) in self.shared and not self.bound
-        if named and (id(term), self.scale) in self.known:
-            return self.known[id(term), self.scale]
+        if self.bound or id(term) not in self.known:
+            return self.computed(term)
+        values = self.known[id(term)]  # of a shared node: its divisors are met wherever it stands
+        if self.scale not in values:
+            around, self.divisors = self.divisors, {}
+            values[self.scale] = self.computed(term), self.divisors
+            self.divisors = around
+        value, divisors = values[self.scale]
+        self.divisors.update(divisors)
+        return value
+
+    def computed(self, term: Node) -> int:
+        """The value of a node from those of its parts."""
         match term[0]:
             case "+" | "*" as sign:
                 result, known = int(sign == "*"), self.letters
                 for t in term.outside:
                     value = known[t] if type(t) is str and t in known else self.value(t)  # most are letters
                     result = result * value if sign == "*" else result + value
+                return result
             case "-":
-                result = -self.value(term[1])  # type: ignore[arg-type]
+                return -self.value(term.outside[0])
+            case "^":
+                base, exponent = term.outside
+                return self.raised(base, exponent)  # type: ignore[arg-type]
+            case "/":
+                top, bottom = term.outside
+                return self.value(top) * self.inverse(bottom) % PRIME
             case "sin" | "cos" as name:
-                result = self.turn(term[1])[name == "sin"]  # type: ignore[arg-type]
-            case _:
-                result = self.operation(term)
-        if named:
-            self.known[id(term), self.scale] = result
-        return result
+                return self.turn(term.outside[0])[name == "sin"]
+        match term:
+            case Relation():
+                return self.order(term) in SIGNS[term.tag]
+            case Call():
+                return self.settle("call", term.function, term.orders, *self.residues(term.terms))
+            case Binder():
+                return self.binder(term)
+            case Value():
+                return self.function(term)
+        raise AssertionError(term)
 
     def residues(self, terms: Iterable[Term]) -> list[int]:
         return [self.value(t) % PRIME for t in terms]
@@ -77,21 +101,6 @@ class Algebra:
             self.letters[name] = self.value(self.point[name]) % PRIME
             self.bound = kept
         return self.letters[name]
-
-    def operation(self, term: Node) -> int:
-        """The value of a power or quotient, of a function, or of a binder."""
-        match term:
-            case Value(tag="^", terms=(base, int(exponent))):
-                return self.raised(base, exponent)
-            case Value(tag="/", terms=(top, bottom)):
-                return self.value(top) * self.inverse(bottom) % PRIME
-            case Value():
-                return self.function(term)
-            case Call():
-                return self.settle("call", term.function, term.orders, *self.residues(term.terms))
-            case Binder():
-                return self.binder(term)
-        raise AssertionError(term)
 
     def raised(self, base: Term, exponent: int) -> int:
         """The power of a term; of what is divided by, note is taken."""
@@ -108,14 +117,12 @@ class Algebra:
         return scale
 
     def inverse(self, term: Term) -> int:
-        """1 / term, factor by factor (what has a name, as a whole); notes the divisors."""
-        match term:
-            case Value() if id(term) in self.shared:
-                pass
-            case Value(tag="*", terms=factors):
-                return prod(map(self.inverse, factors)) % PRIME
-            case Value(tag="^", terms=(base, int(exponent))) if exponent > 0:
-                return self.raised(base, -exponent)
+        """1 / term, factor by factor (what is shared, as a whole); notes the divisors."""
+        if isinstance(term, Value) and id(term) not in self.known:
+            if term.tag == "*":
+                return prod(map(self.inverse, term.terms)) % PRIME
+            if term.tag == "^" and (exponent := term.terms[1]) > 0:  # type: ignore[operator]
+                return self.raised(term.terms[0], -exponent)  # type: ignore[operator]
         value = self.value(term) % PRIME
         self.divisors[value] = self.divisors.get(value) or (term if exact(term) or not self.bound else None)
         if self.point is not None and self.bound:  # nobody asks later
@@ -162,6 +169,8 @@ class Algebra:
         The place belongs to the height, the number of binders below it: so it differs from that of every binder above.
         """
         if term.tag == "diff":
+            for x in letters(term) - self.bound.keys() if self.point is not None else ():
+                self.value(x)  # also of what the derivative is free of
             return self.value(differentiated(term))
         ends = [e.tag if isinstance(e, End) else self.value(e) % PRIME for e in term.outside]
         kept = self.bound, self.letters
@@ -178,84 +187,99 @@ class Algebra:
         """
         if isinstance(term, str) and self.point is None and term not in self.bound:
             return circle("letter", term)  # as below, and in a fraction of the time
-        total: dict[Key, tuple[int, int]] = {}
-        for key, n, d in self.angles(term, 1, 1):
-            a, b = total.get(key, (0, 1))
-            total[key] = a * d + n * b, b * d
+        total: dict[Key, int] = {}
+        for key, times in self.angles(term, 1):
+            total[key] = total.get(key, 0) + times
         cosine, sine = 1, 0
-        for key, (n, d) in total.items():
-            (c, s), times = self.multiple(key, n, d)
-            require(abs(times) < 1000, "the multiple {} of an angle", times)
-            self.steeper(times)
-            for _ in range(abs(times)):
-                s_ = s if times > 0 else -s
+        for key, times in total.items():
+            (c, s), n = self.multiple(key, times % PRIME)
+            require(abs(n) < 1000, "the multiple {} of an angle", n)
+            self.steeper(n)
+            for _ in range(abs(n)):
+                s_ = s if n > 0 else -s
                 cosine, sine = (cosine * c - sine * s_) % PRIME, (sine * c + cosine * s_) % PRIME
         return cosine, sine
 
-    def multiple(self, key: Key, n: int, d: int) -> tuple[tuple[int, int], int]:
-        """An angle n / d times as whole multiples: ((cos, sin), how many)."""
+    def multiple(self, key: Key, times: int) -> tuple[tuple[int, int], int]:
+        """So many times an angle as whole multiples: ((cos, sin), how many)."""
+        n, d = rational(times) or (times, 0)
         if n == 0:
             return (1, 0), 0
-        if key == PI and 2 * n % d == 0:
+        if key == PI and d in (1, 2):
             return (0, 1), 2 * n // d % 4
-        if key[0] == "arctan" and n % (2 * d) == 0:
+        if key[0] == "arctan" and d == 1 and n % 2 == 0:
             t = key[1]
             assert isinstance(t, int)
-            return rotation(t), n // (2 * d)
+            return rotation(t), n // 2
         self.exactly(False, "a sine or cosine")
-        if n % d == 0 and key != PI:
-            return circle(*key), n // d
-        value = n * draw(*key) * inverse(d) % PRIME
+        if d == 1 and key != PI:
+            return circle(*key), n
+        value = times * draw(*key) % PRIME
         half = min(value, PRIME - value)  # the angle and its contrary go together
         return circle("angle", half), 1 if half == value else -1
 
-    def angles(self, term: Term, n: int, d: int) -> Iterator[tuple[Key, int, int]]:
-        """An angle taken apart into multiples n / d of letters, of pi, of arctangents and of other terms."""
+    def angles(self, term: Term, times: int) -> Iterator[tuple[Key, int]]:
+        """So many times an angle taken apart into multiples of letters, of pi, of arctangents and of other terms."""
         match term:
             case str() if self.point is not None and term not in self.bound:
                 require(term in self.point, "no value for {}", term)
-                yield from self.angles(self.point[term], n, d)
+                yield from self.angles(self.point[term], times)
             case str():
-                yield self.bound.get(term, ("letter", term)), n, d
+                yield self.bound.get(term, ("letter", term)), times
             case Value(tag="+", terms=parts):
                 for part in parts:
-                    yield from self.angles(part, n, d)
+                    yield from self.angles(part, times)
             case Value(tag="-", terms=(inner,)):
-                yield from self.angles(inner, -n, d)
-            case Value(tag="*", terms=factors) if len(rest := [t for t in factors if ratio(t) is None]) == 1:
-                for top, bottom in filter(None, map(ratio, factors)):
-                    n, d = n * top, d * bottom
-                yield from self.angles(rest[0], n, d)
-            case Value(tag="/", terms=(top, int(bottom))) if bottom:
-                yield from self.angles(top, n, d * bottom)
+                yield from self.angles(inner, -times)
+            case Value(tag="*", terms=factors) if len(rest := [t for t in factors if not exact(t, roots=False)]) == 1:
+                numbers = [self.value(t) for t in factors if t is not rest[0]]
+                yield from self.angles(rest[0], times * prod(numbers) % PRIME)
+            case Value(tag="/", terms=(top, bottom)) if exact(bottom, roots=False):
+                yield from self.angles(top, times * self.inverse(bottom) % PRIME)
             case Value(tag="pi"):
-                yield PI, n, d
+                yield PI, times
             case Value(tag="arctan", terms=(t,)) if exact(t):
-                yield ("arctan", self.value(t) % PRIME), n, d
+                yield ("arctan", self.value(t) % PRIME), times
             case _ if value := self.value(term) % PRIME:
-                yield ("number", value), n, d
+                yield ("number", value), times
 
+    def holds(self, formula: Formula) -> bool:
+        """Whether a formula holds where all its letters have values."""
+        if isinstance(formula, Relation):
+            return bool(self.value(formula))
+        if not isinstance(formula, Connective):
+            raise Reject(f"{formula} is not about numbers")
+        parts = [self.holds(part) for part in formula.formulas]
+        if formula.tag in ("and", "or"):
+            return all(parts) if formula.tag == "and" else any(parts)
+        return parts[0] == parts[1] if formula.tag == "<=>" else parts[1] or not parts[0]
 
-def ratio(term: Term) -> tuple[int, int] | None:
-    """(n, d) of a number written as such: n, n/d or its negative."""
-    match term:
-        case int():
-            return term, 1
-        case Value(tag="/", terms=(int(n), int(d))) if d:
-            return n, d
-        case Value(tag="-", terms=(inner,)) if known := ratio(inner):
-            return -known[0], known[1]
-    return None
+    def order(self, relation: Relation) -> int:
+        """The sign of left - right: from the exact difference, or else by interval arithmetic, or 0 by algebra."""
+        left, right = relation.terms
+        kept = self.scale, self.bound, self.letters, self.divisors
+        try:
+            gap = (self.value(left) - self.value(right)) % PRIME
+            number = (gap, 1) if relation.tag in ("=", "!=") else rational(gap)
+            if number:
+                return (number[0] > 0) - (number[0] < 0)
+        except Inexact:
+            self.scale, self.bound, self.letters, self.divisors = kept
+        difference = substituted(node("+", left, node("-", right)), self.point or {})
+        digits = enclosed(difference)
+        if digits.low <= 0 <= digits.high and digits.low < digits.high:
+            require(Algebra({}).value(difference) % PRIME == 0, "too few digits to compare {} and {}", left, right)
+            return 0
+        return (digits.low > 0) - (digits.high < 0)
 
 
 def exact(term: Term, roots: bool = True) -> bool:
     """Whether a term is made of whole numbers, and of their roots: its residue tells whether it is zero."""
-    match term:
-        case Value(tag="+" | "*" | "-" | "/" | "^", terms=parts):
-            return all(exact(part, roots) for part in parts)
-        case Value(tag="sqrt", terms=(inner,)):
-            return roots and exact(inner, roots=False)
-    return isinstance(term, int)
+    if not isinstance(term, Node):
+        return isinstance(term, int)
+    if term.tag == "sqrt":
+        return roots and exact(term.outside[0], roots=False)
+    return term.tag in ("+", "*", "-", "/", "^") and all(exact(part, roots) for part in term.outside)
 
 
 def height(term: Term) -> int:

@@ -59,6 +59,7 @@ def inverse(value: int) -> int:
     return power(value % PRIME, -1, PRIME)
 
 
+@lru_cache(None)
 def rational(value: int) -> tuple[int, int] | None:
     """(n, d) with d > 0 if n/d in lowest terms has this value; None if there are none below HEIGHT."""
     a, b, u, v = PRIME, value % PRIME, 0, 1

@@ -3,40 +3,38 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import NamedTuple
 
-from symcheck.checker.rules import DICT, LIST, fit
+from symcheck.core.fields import by_key, listed, raw, text
 from symcheck.core.terms import JSON
 
 LEDGER = ("as printed", "where it is an equality", "as corrected")  # what is read from the print, or put in its place
+FORMULAS = by_key(listed(raw))
 
 
-class Entry(NamedTuple):
+class Entry:
     """One statement: what it is, the claim, the hypotheses in force and the letters that are defined, by name."""
 
-    what: str
-    claim: JSON
-    hypotheses: list[JSON]
-    defined: list[JSON]
+    def __init__(self, what: JSON, claim: JSON, hypotheses: JSON, defined: JSON) -> None:
+        self.what, self.claim = text(what), claim
+        self.hypotheses, self.defined = listed(text)(hypotheses), listed(text)(defined)
 
 
 class Index:
-    """The statements of a paper by id; every definition and every list of formulas of a hypothesis, by name."""
+    """The statements of a paper by id; all that a definition, and all that a hypothesis may say, by name."""
 
     def __init__(self, data: dict[str, JSON]) -> None:
-        self.definitions, self.hypotheses = fit(DICT, data["definitions"]), fit(DICT, data["hypotheses"])
+        definitions = FORMULAS(data["definitions"])
+        self.definitions = {name: [[term] for term in terms] for name, terms in definitions.items()}
+        self.hypotheses = by_key(listed(listed(raw)))(data["hypotheses"])
         self.entries: dict[str, list[Entry]] = {}
-        for each in fit(LIST, data["statements"]):
-            id, what, claim, hypotheses, defined = fit(LIST, each)
-            entry = Entry(fit(str, what), claim, fit(LIST, hypotheses), fit(LIST, defined))
-            self.entries.setdefault(fit(str, id), []).append(entry)
+        for id, *stated in listed(listed(raw, 5))(data["statements"]):
+            self.entries.setdefault(text(id), []).append(Entry(*stated))
 
     def differences(self, certificates: list[JSON]) -> Iterator[str]:
         """What certificates state that the ledger does not, and what it states without one."""
         open_ = {id: list(entries) for id, entries in self.entries.items()}
-        for each in certificates:
-            stated = fit(DICT, each)
-            id, claim = fit(str, stated["id"]), stated["claim"]
+        for stated in map(by_key(raw), certificates):
+            id, claim = text(stated["id"]), stated["claim"]
             found = [self.faults(stated, entry) for entry in self.entries.get(id, ()) if entry.claim == claim]
             if [] not in found:
                 yield f"{id}: {(found or [['the ledger does not state what this certificate claims']])[0][0]}"
@@ -45,20 +43,19 @@ class Index:
 
     def faults(self, certificate: dict[str, JSON], entry: Entry) -> list[str]:
         """What a certificate assumes that is not in force, or leaves out: a refutation has to keep to all of it."""
-        definitions = [fit(LIST, each) for each in fit(LIST, certificate.get("definitions", []))]
-        given = fit(DICT, certificate.get("hypotheses", {}))
-        lacking = [name for name in entry.hypotheses if name not in given]
-        lacking += [name for name in entry.defined if name not in [each[0] for each in definitions]]
-        faults = [f"{name} is left out of a refutation" for name in lacking if certificate["verdict"] == "refuted"]
+        refuted = certificate["verdict"] == "refuted"
+        defined = {text(name): [term] for name, term in listed(listed(raw, 2))(certificate.get("definitions", []))}
+        given = FORMULAS(certificate.get("hypotheses", {}))
+        lacking = [*({*entry.hypotheses} - given.keys()), *({*entry.defined} - defined.keys())] if refuted else []
+        faults = [f"{name} is left out of a refutation" for name in sorted(lacking)]
         faults += [f"the hypothesis {name} is not in force" for name in given if name not in entry.hypotheses]
-        if entry.what not in LEDGER:
-            return faults
-        for name, term in definitions:
-            if term not in fit(LIST, self.definitions.get(fit(str, name), [])):
-                faults.append(f"{name} is not so defined in the ledger")
-        for name, formulas in given.items():
-            said = [fit(LIST, each) for each in fit(LIST, self.hypotheses.get(name, []))]
-            whole = certificate["verdict"] == "refuted"
-            if not any(formulas == each if whole else all(f in each for f in fit(LIST, formulas)) for each in said):
-                faults.append(f"the hypothesis {name} does not say this in the ledger")
+        if entry.what in LEDGER:
+            for said, own, fault in (
+                (self.definitions, defined, "{} is not so defined in the ledger"),
+                (self.hypotheses, given, "the hypothesis {} does not say this in the ledger"),
+            ):
+                for name, formulas in own.items():  # a proof may do with some of the formulas of a hypothesis
+                    ways = said.get(name, [])
+                    if formulas not in ways and (refuted or not any(all(f in way for f in formulas) for way in ways)):
+                        faults.append(fault.format(name))
         return faults

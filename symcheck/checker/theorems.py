@@ -89,19 +89,31 @@ def _table() -> dict[str, str]:
     return {line.partition("(")[0]: line for line in lines}
 
 
+TABLE = _table()
+NAMES = tuple(TABLE)
+
+
 @cache
 def theorem(name: str) -> Theorem:
     """The theorem of that name; Malformed if there is none."""
-    if name not in _table():
+    if name not in TABLE:
         raise Malformed(f"there is no theorem {name}")
-    head, _, rest = _table()[name].partition("): ")
+    head, _, rest = TABLE[name].partition("): ")
     parameters = tuple(head.partition("(")[2].replace(",", "").split())
     before, _, after = rest.partition("|- ")
     premises = tuple(_read(text) for text in before.split(";") if text.strip())
     return Theorem(parameters, premises, _read(after))
 
 
-NAMES = tuple(_table())
+COMPUTED = {  # those that are functions of what they are applied to
+    "congruence": "s_1 == t_1; ... |- f(s_1, ...) == f(t_1, ...)",
+    "enclosure": "x == number; ... |- low <= t and t <= high, decimals with so many digits",
+}
+
+
+def stated(name: str) -> str:
+    """What a theorem says: its line in the table, without its name."""
+    return COMPUTED.get(name) or TABLE[name].partition("): ")[2]
 
 
 SIGNS: dict[type, str] = {
@@ -185,7 +197,7 @@ def instance(
 
 
 def congruence(given: Mapping[str, Argument]) -> tuple[list[Formula], Formula]:
-    """Equal arguments give equal values of a function: s1 = t1; ... |- f(s1, ...) = f(t1, ...)."""
+    """Equal arguments give equal values of a function."""
     s, t = given.get("s", 0), given.get("t", 0)
     for term in (s, t):
         if not isinstance(term, (Value, Call)) or term.tag in ("+", "*", "-", "/", "^"):

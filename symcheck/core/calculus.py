@@ -2,24 +2,36 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 
 from symcheck.core.terms import Binder, Call, Formula, Malformed, Node, Quantified, T, Term, Value, node
 
 
+def nodes(*trees: Term) -> Iterable[Node]:
+    """All nodes in them that stand under no binder, once: what is defined may stand in many places."""
+    found, todo = dict[int, Node](), [*trees]
+    while todo:
+        tree = todo.pop()
+        if isinstance(tree, Node) and id(tree) not in found:
+            found[id(tree)] = tree
+            todo += tree.outside
+    return found.values()
+
+
 def letters(tree: Term) -> set[str]:
     """The letters that occur free. Names of unknown functions are not among them: see `functions`."""
-    if not isinstance(tree, Node):
-        return {tree} if isinstance(tree, str) else set()
-    found = set[str]().union(*map(letters, tree.outside))
-    return found.union(*map(letters, tree.inside)) - {*tree.bound} | found if tree.bound else found
+    free = {tree} if isinstance(tree, str) else set()
+    for part in nodes(tree):
+        free.update(each for each in part.outside if isinstance(each, str))
+        for body in part.inside:
+            free |= letters(body) - {*part.bound}
+    return free
 
 
 def functions(tree: Term) -> set[str]:
     """The names of the unknown functions."""
-    if not isinstance(tree, Node):
-        return set()
-    return set().union({tree.function} if isinstance(tree, Call) else (), *map(functions, tree.inside + tree.outside))
+    found = {part.function for part in nodes(tree) if isinstance(part, Call)}
+    return found.union(*(functions(body) for part in nodes(tree) for body in part.inside))
 
 
 Lambda = tuple[tuple[str, ...], "Term"]  # letters, and a term in them
@@ -71,64 +83,67 @@ def differentiated(term: Binder) -> Term:
     return rate if place == term.letter else substituted(rate, {term.letter: place})
 
 
+RATES: dict[str, Callable[[Term], Term]] = {  # the derivative of a known function at its argument
+    "sin": lambda t: node("cos", t),
+    "cos": lambda t: node("-", node("sin", t)),
+    "tan": lambda t: node("^", node("cos", t), -2),
+    "exp": lambda t: node("exp", t),
+    "log": lambda t: node("/", 1, t),
+    "sqrt": lambda t: node("/", 1, node("*", 2, node("sqrt", t))),
+    "arctan": lambda t: node("/", 1, node("+", 1, node("^", t, 2))),
+}
+
+
 def derivative(term: Term, x: str) -> Term:
     """The derivative by a letter, all others constant; Unknown for integrals and functions without a rule."""
-    if x not in letters(term):
-        return 0
+    if not isinstance(term, Node):
+        return int(term == x)
+    if isinstance(term, Binder):
+        if term.tag != "diff" and x in letters(term):
+            raise Unknown(f"the derivative of {term!r}")
+        return derivative(differentiated(term), x) if term.tag == "diff" else 0
+    inner = [(k, rate) for k, part in enumerate(term.outside) if (rate := derivative(part, x)) != 0]
+    return node("+", *(_times(_partial(term, k), rate) for k, rate in inner)) if inner else 0
+
+
+def _partial(term: Node, k: int) -> Term:
+    """The derivative by the k-th of the terms of which a node is made."""
     match term:
-        case str():
+        case Value(tag="+"):
             return 1
-        case Value(tag="+" | "-" as sign, terms=parts):
-            return node(sign, *(derivative(part, x) for part in parts))
+        case Value(tag="-"):
+            return -1
         case Value(tag="*", terms=factors):
-            rates = [(k, derivative(part, x)) for k, part in enumerate(factors) if x in letters(part)]
-            return node("+", *(node("*", *factors[:k], rate, *factors[k + 1 :]) for k, rate in rates))
+            return node("*", *factors[:k], *factors[k + 1 :]) if factors[1:] else 1
         case Value(tag="/", terms=(top, bottom)):
-            return derivative(node("*", top, node("^", bottom, -1)), x)
+            return node("-", node("/", top, node("^", bottom, 2))) if k else node("/", 1, bottom)
         case Value(tag="^", terms=(base, int(n))):
-            return node("*", n, node("^", base, n - 1), derivative(base, x))
+            return node("*", n, node("^", base, n - 1))
         case Value(tag="pow", terms=(base, exponent)):  # exp(exponent * log(base))
-            return node("*", term, derivative(node("*", exponent, node("log", base)), x))
-        case Value(terms=(inner,)):
-            return node("*", _outer(term.tag, inner), derivative(inner, x))
+            return node("*", term, node("log", base) if k else node("/", exponent, base))
+        case Value(tag=function, terms=(inner,)) if function in RATES:
+            return RATES[function](inner)
         case Call(function=f, orders=orders, terms=arguments):
-            steps = [tuple(n + (i == k) for i, n in enumerate(orders)) for k in range(len(orders))]
-            chain = zip(steps, [derivative(t, x) for t in arguments], strict=True)
-            return node("+", *(node("*", node("call", f, step, *arguments), rate) for step, rate in chain if rate != 0))
-        case Binder(tag="diff"):
-            return derivative(differentiated(term), x)
+            return node("call", f, tuple(n + (i == k) for i, n in enumerate(orders)), *arguments)
     raise Unknown(f"the derivative of {term!r}")
 
 
-def _outer(function: str, t: Term) -> Term:
-    """The derivative of a known function at its argument."""
-    known = {
-        "sin": node("cos", t),
-        "cos": node("-", node("sin", t)),
-        "tan": node("^", node("cos", t), -2),
-        "exp": node("exp", t),
-        "log": node("/", 1, t),
-        "sqrt": node("/", 1, node("*", 2, node("sqrt", t))),
-        "arctan": node("/", 1, node("+", 1, node("^", t, 2))),
-    }
-    if function not in known:
-        raise Unknown(f"the derivative of {node(function, t)}")
-    return known[function]
+def _times(factor: Term, rate: Term) -> Term:
+    return factor if rate == 1 else rate if factor == 1 else node("*", factor, rate)
 
 
 def polynomial_in(term: Term, *atoms: Term) -> bool:
-    """Whether the term is a polynomial in the atoms (x, or sin x and cos x) over what is free of their letters."""
-    taken = set().union(*map(letters, atoms))
-    if term in atoms or not letters(term) & taken:
-        return True
+    """Whether the term is a polynomial in the atoms (x, or sin x and cos x) over what is free of their letter."""
     match term:
+        case _ if term in atoms:
+            return True
         case Value(tag="+" | "*" | "-", terms=parts):
             return all(polynomial_in(part, *atoms) for part in parts)
         case Value(tag="/", terms=(top, bottom)):
-            return polynomial_in(top, *atoms) and not letters(bottom) & taken
-        case Value(tag="^", terms=(base, int(n))):
-            return n >= 0 and polynomial_in(base, *atoms)
-    return False
+            return polynomial_in(top, *atoms) and not letters(bottom) & letters(atoms[0])
+        case Value(tag="^", terms=(base, int(n))) if n >= 0:
+            return polynomial_in(base, *atoms)
+    return not letters(term) & letters(atoms[0])
 
 
 DOMAINS: dict[str, Callable[[Term], Formula]] = {  # where a function of t has a real value
@@ -155,14 +170,10 @@ def domain(*trees: Term, divisors: bool = False) -> list[Formula]:
 
     Divisors are told on demand: what a proof divides by has to be shown not to vanish anyhow.
     """
-    todo, seen, found = [*trees], set[int](), dict[Formula, None]()
-    while todo:
-        tree = todo.pop()
-        if isinstance(tree, Node) and id(tree) not in seen:  # what is defined may stand in many places
-            seen.add(id(tree))
-            todo += tree.outside
-            if tree.tag in DOMAINS:
-                found[DOMAINS[tree.tag](tree.outside[0])] = None
-            if divisors and (below := divisor(tree)) != 1:
-                found[node("!=", below, 0)] = None
+    found = dict[Formula, None]()
+    for part in nodes(*trees):
+        if part[0] in DOMAINS:
+            found[DOMAINS[part.tag](part.outside[0])] = None
+        if divisors and (below := divisor(part)) != 1:
+            found[node("!=", below, 0)] = None
     return [*found]

@@ -21,7 +21,7 @@ Binders bind: their letter means nothing outside of their body, and substitution
 
 from __future__ import annotations
 
-from collections.abc import Sequence, Set
+from collections.abc import Callable, Sequence, Set
 from operator import itemgetter
 
 TYPE_CHECKING = False
@@ -50,7 +50,7 @@ def field(place: int | slice) -> T:  # type: ignore[type-var]
     return property(itemgetter(place))  # type: ignore[return-value]
 
 
-class Node(tuple["Field", ...]):
+class Node(tuple["Term", ...]):
     """A tag and fields; made by `node` or by a `Reader`, so that every node is well-formed."""
 
     __slots__ = ()
@@ -58,6 +58,8 @@ class Node(tuple["Field", ...]):
     bound: tuple[str, ...] = ()  # the letters that a binder binds,
     inside: tuple[Term, ...] = ()  # what stands under it, and
     outside: tuple[Term, ...] = field(slice(1, None))  # all other terms and formulas among the fields
+    terms: tuple[Term, ...] = ()  # of a value, an unknown function or a relation
+    formulas: tuple[Formula, ...] = ()  # of a connective
 
 
 class Value(Node):
@@ -90,7 +92,7 @@ class Binder(Node):
 
 
 class Relation(Node):
-    terms: tuple[Term, Term] = field(slice(1, None))
+    terms: tuple[Term, ...] = field(slice(1, None))
 
 
 class Connective(Node):
@@ -122,6 +124,19 @@ def node(tag: str, *fields: Field) -> Node:
     return tuple.__new__(SHAPES[tag][0], (tag, *fields))
 
 
+PI, INFINITY, MINUS_INFINITY = map(node, ("pi", "infinity", "-infinity"))
+
+
+def mapped(tree: Node, change: Callable[[Term], Term], inside: Callable[[Term], Term] | None = None) -> Node:
+    """The node with all terms or formulas in it changed, those under its bound letters by `inside` if given."""
+    new = *map(inside or change, tree.inside), *map(change, tree.outside)
+    if isinstance(tree, Call):
+        return node(tree.tag, tree.function, tree.orders, *new)
+    if isinstance(tree, Quantified):
+        return node(tree.tag, tree.bound, *new)
+    return node(tree.tag, *new[: len(tree.inside)], *tree.bound, *new[len(tree.inside) :])
+
+
 class Reader:
     """Reads JSON into nodes; names that are defined are replaced by what they stand for, wherever they are written."""
 
@@ -129,19 +144,17 @@ class Reader:
         self.names: dict[str, Term] = {}
         self.sizes: dict[str, int] = {}
         self.size = 0  # of what is being read, definitions unfolded
-        self.plain: set[JSON] = set()  # letters, as was found out, that are not defined
 
     def define(self, name: str, data: JSON) -> None:
         """One more definition; it may use those before it."""
         if self.letter(name) in self.names:
             raise Malformed(f"{name} is defined twice")
         self.names[name], self.sizes[name] = self.term(data), self.size
-        self.plain.discard(name)
 
     def term(self, data: JSON) -> Term:
         """A term; Malformed if it is none."""
         self.size = 0
-        return self._terms([data])[0]
+        return self._term(data)
 
     def formula(self, data: JSON) -> Formula:
         """A formula; Malformed if it is none."""
@@ -154,7 +167,7 @@ class Reader:
             raise Malformed(f"{bound!r} are no letters")
         own, inner = tuple(map(self.letter, bound)), Reader()
         inner.names = {name: term for name, term in self.names.items() if name not in own}
-        inner.sizes, inner.size = self.sizes, self.size
+        inner.sizes = self.sizes
         return own, inner
 
     @staticmethod
@@ -164,21 +177,15 @@ class Reader:
             raise Malformed(f"{data!r} is no letter")
         return data
 
-    def _terms(self, data: list[JSON], allowed: Set[str] = TERMS) -> list[Term]:
-        plain = self.plain  # most fields are letters: to look them up here saves a tenth of the time
-        return [
-            self._node(each, allowed) if type(each) is list else each if each in plain else self._leaf(each)  # type: ignore[misc]
-            for each in data
-        ]
-
-    def _leaf(self, data: JSON) -> Term:
-        """A number, a letter, or what is defined."""
+    def _term(self, data: JSON, allowed: Set[str] = TERMS) -> Term:
+        """A node, a number, a letter, or what is defined."""
+        if type(data) is list:
+            return self._node(data, allowed)
         if type(data) is int:
             return data
         if type(data) is str and data in self.names:
             self.size += self.sizes[data]
             return self.names[data]
-        self.plain.add(self.letter(data))
         return self.letter(data)
 
     def _node(self, data: JSON, allowed: Set[str]) -> Node:
@@ -188,10 +195,11 @@ class Reader:
         if count is not None and len(data) != 1 + count:
             raise Malformed(f"{tag} with {len(data) - 1} fields")
         fields: Sequence[Field] = ()
+        whole = data[2] if tag == "^" else data[3] if tag == "diff" else 1
+        if type(whole) is not int or (tag == "diff" and not 0 < whole < 9):
+            raise Malformed(f"{whole!r} is no whole number that fits")
         if kind is Value or kind is Relation:
-            if tag == "^" and type(data[2]) is not int:
-                raise Malformed(f"{data[2]!r} is no whole number that fits")
-            fields = self._terms(data[1:])
+            fields = [self._node(each, TERMS) if type(each) is list else self._term(each) for each in data[1:]]
         elif kind is Connective:
             fields = [self._node(each, FORMULAS) for each in data[1:]]
         elif kind is Call:
@@ -199,18 +207,13 @@ class Reader:
             listed = [n for n in orders if type(n) is int and 0 <= n < 9] if isinstance(orders, list) else []
             if not isinstance(orders, list) or not len(listed) == len(orders) == len(arguments):
                 raise Malformed(f"the orders {orders} of the function {name}")
-            fields = [self.letter(name), tuple(listed), *self._terms(arguments)]
-        elif kind is Quantified:
-            own, inner = self.without(data[1])
-            fields = [own, inner._node(data[2], FORMULAS)]
-            self.size = inner.size
-        elif kind is Binder:
-            own, inner = self.without(data[2:3])
-            body = inner._terms(data[1:2])
-            self.size = inner.size
-            if tag == "diff" and not (type(data[3]) is int and 0 < data[3] < 9):
-                raise Malformed(f"{data[3]!r} is no whole number that fits")
-            fields = *body, *own, *self._terms(data[3:], ENDS if tag in ("integral", "diverges") else TERMS)
+            fields = [self.letter(name), tuple(listed), *map(self._term, arguments)]
+        elif kind is Quantified or kind is Binder:
+            own, inner = self.without(data[1] if kind is Quantified else data[2:3])
+            body = inner._node(data[2], FORMULAS) if kind is Quantified else inner._term(data[1])
+            self.size += inner.size
+            ends = ENDS if tag in ("integral", "diverges") else TERMS
+            fields = (own, body) if kind is Quantified else (body, *own, *(self._term(each, ends) for each in data[3:]))
         self.size += len(data)
         if self.size > LARGEST:
             raise Malformed("a term that is too large")

@@ -16,8 +16,6 @@ from types import MappingProxyType
 from typing import TYPE_CHECKING, Any
 
 from symcheck.checker import check_all
-from symcheck.core.terms import JSON
-from symcheck.evidence import translation
 from symcheck.evidence.record import Record
 from symcheck.statement import Certificate, Loss, Reading, Verdict
 
@@ -31,15 +29,7 @@ NOT_ACCEPTED = "the certificate was not accepted"
 
 def reasons(certificates: Sequence[Certificate]) -> list[str | None]:
     """For each certificate None if the checker accepts it, else why not; lemmas are looked for among all of them."""
-    return [*check_all(_translated(each) for each in certificates)]
-
-
-def _translated(certificate: Certificate) -> JSON:
-    """The certificate in the checker's words; what cannot be said so is refused there."""
-    try:
-        return translation.certificate(certificate)
-    except (LookupError, TypeError, ValueError, AttributeError) as error:
-        return f"malformed ({type(error).__name__}: {error})"
+    return [*check_all(certificates)]
 
 
 def _reasons(certificates: Sequence[Certificate]) -> list[str | None]:
@@ -74,7 +64,7 @@ def _with_lemmas(part: Sequence[Certificate], every: Sequence[Certificate]) -> l
     """Some certificates, and behind them those of their lemmas, and of the lemmas of these."""
     found, named, size = list(part), set[str](), -1
     while len(named) > size:
-        size, named = len(named), {name for each in found for name in each.get("lemmas", ())}
+        size, named = len(named), {name for each in found for name, _ in each.get("lemmas", ())}
         found = [*part, *(each for each in every if each.get("id") in named)]
     return found
 
@@ -116,7 +106,7 @@ def _lemmas(records: Iterable[Record], others: Iterable[Record]) -> list[Record]
     """Those of the others on which the records rest, and those on which these rest."""
     known, found, todo = {record.id: record for record in others}, dict[str, Record](), list(records)
     while todo:
-        named = {name for each in certificates(todo.pop()) for name in each.get("lemmas", ())}
+        named = {name for each in certificates(todo.pop()) for name, _ in each.get("lemmas", ())}
         more = {name: known[name] for name in sorted(named & known.keys() - found.keys())}
         found |= more
         todo += more.values()

@@ -8,7 +8,8 @@ from dataclasses import replace
 from functools import cache
 from typing import Any
 
-from symcheck.proof.theorems import conjuncts
+from symcheck.core.formulas import conjuncts
+from symcheck.core.terms import Node, mapped, node
 from symcheck.reading import Notation, from_sympy, lower, read
 from symcheck.statement import Formula, Hypothesis, Item, Method, Paper, Problem, Role, SymcheckError, Term
 
@@ -95,7 +96,7 @@ class Context:
 
     def hint(self, latex: str) -> list[Term]:
         """A hint as one flat sum, for each instance of a free index (one for all if it has none)."""
-        return [("+", *_addends(formula[1])) for formula in self.lower(f"{latex} = 0")]
+        return [node("+", *_addends(formula[1])) for formula in self.lower(f"{latex} = 0")]
 
     def used_definitions(self, *values: Any) -> tuple[tuple[str, Term], ...]:
         """The definitions that the values need, each after those it needs itself."""
@@ -141,10 +142,10 @@ class Context:
 
 def _commuted(term: Any) -> Any:
     """The term with factors and addends in one order, to find equations stated twice (A A^T = 1 is symmetric)."""
-    if not isinstance(term, tuple):
+    if not isinstance(term, Node):
         return term
-    parts = [_commuted(part) for part in term[1:]]
-    return (term[0], *(sorted(parts, key=repr) if term[0] in ("+", "*") else parts))
+    new = mapped(term, _commuted)
+    return node(new.tag, *sorted(new.outside, key=repr)) if new.tag in ("+", "*") else new
 
 
 def _addends(term: Term) -> Iterator[Term]:

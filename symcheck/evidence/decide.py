@@ -86,7 +86,7 @@ def _judged(context: Context, unit: Unit, row: Record) -> Record:
         verdict=finding.verdict,
         reason=finding.reason or row.reason,
         certificates=finding.certificates,
-        counterexample=next((o.point for o in finding.outcomes if o.verdict is Verdict.REFUTED), None),
+        counterexample=next((c["point"] for c in finding.certificates if c["verdict"] == Verdict.REFUTED), None),
     )
     shown = finding
     if erratum:

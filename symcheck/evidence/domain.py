@@ -5,14 +5,15 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import Any
 
+from symcheck.evidence.steps import term
 from symcheck.statement import Certificate, SymcheckError, Verdict
 
 
 def domain(certificates: Iterable[Certificate]) -> dict[str, list[str]]:
     """The hypotheses that proofs use (or that are in force where a lemma is used), and what must not vanish there."""
     proofs = [each for each in certificates if each.get("verdict") == Verdict.PROVED]
-    names = {name for each in proofs for name in (*each.get("hypotheses", {}), *each.get("under", {}))}
-    conditions = {" / ".join(texts) for each in proofs for texts in each.get("proof", {}).get("nonzero", ())}
+    names = {name for each in proofs for name in each.get("hypotheses", {})}
+    conditions = {term(condition) for each in proofs for condition in each.get("nonzero", ())}
     return {"hypotheses": sorted(names), "nonzero": sorted(conditions)}
 
 

@@ -8,6 +8,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import replace
 from typing import Any, NamedTuple
 
+from symcheck.core.terms import node
 from symcheck.evidence.checked import FOR_EQUALITY, reasons
 from symcheck.evidence.context import Context
 from symcheck.evidence.judge import Finding, Unit, judge, lemma
@@ -189,5 +190,5 @@ def _is_empty(finding: Finding) -> bool:
     """Whether an inequality is true only because its sides are equal, always."""
     if finding.verdict is not Verdict.PROVED or any(p.claim[0] not in ("<=", ">=") for p in finding.concrete):
         return False
-    proofs = _proofs(replace(problem, claim=("=", *problem.claim[1:])) for problem in finding.concrete)
+    proofs = _proofs(replace(problem, claim=node("=", *problem.claim[1:])) for problem in finding.concrete)
     return proofs is not None and not any(reasons(proofs))

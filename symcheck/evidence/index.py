@@ -10,7 +10,6 @@ from collections.abc import Iterable, Iterator
 from functools import cache
 from typing import Any
 
-from symcheck.evidence import translation
 from symcheck.evidence.context import Context, for_letter
 from symcheck.evidence.judge import equality_claims, units
 from symcheck.evidence.obligation import DECIDED, expand
@@ -41,11 +40,11 @@ class Index:
             hypotheses = dict(map(hypothesis, given))
             defined = context.used_definitions(claim, *(f for formulas in hypotheses.values() for f in formulas))
             for name, formulas in hypotheses.items():
-                _add(self.hypotheses.setdefault(name, []), [[*map(translation.stated, formulas)]])
+                _add(self.hypotheses.setdefault(name, []), [[*formulas]])
             for name, term in defined:
-                _add(self.definitions.setdefault(name, []), [translation.stated(term)])
+                _add(self.definitions.setdefault(name, []), [term])
             letters = [name for name, _ in defined]
-            self.statements.append([id, what, translation.stated(claim), [*hypotheses], letters])
+            self.statements.append([id, what, claim, [*hypotheses], letters])
 
     def beside(self, records: Iterable[Record], kernels: Iterable[Certificate]) -> None:
         """What else there are certificates of."""
@@ -59,7 +58,7 @@ class Index:
 
     def _beside(self, what: str, certificate: Certificate) -> None:
         letters = [name for name, _ in certificate["definitions"]]
-        claim, given = translation.stated(certificate["claim"]), [*certificate["hypotheses"]]
+        claim, given = certificate["claim"], [*certificate["hypotheses"]]
         _add(self.statements, [[certificate["id"], what, claim, given, letters]])
 
 

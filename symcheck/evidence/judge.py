@@ -2,16 +2,15 @@
 
 from __future__ import annotations
 
-import json
 from collections.abc import Iterable
 from dataclasses import dataclass, replace
 from functools import cache, cached_property
-from typing import Any
 
 from symcheck import papers
+from symcheck.core.formulas import conjuncts, contrary
+from symcheck.core.terms import node
 from symcheck.evidence.context import Context, for_letter
-from symcheck.proof import certificate, combined, proof_of, refute
-from symcheck.proof.theorems import conjuncts, contrary
+from symcheck.proof import Lemmas, certificate, combined, proof_of, refute
 from symcheck.reading import Relation, System, Tree, from_sympy, lower, read, relations, to_latex
 from symcheck.statement import (
     Certificate,
@@ -76,17 +75,9 @@ def _formulas(context: Context, tree: Tree, derived: tuple[Term, ...]) -> tuple[
     if len(formulas) != len(derived) or any(formula[0] != "=" for formula in formulas):
         raise SymcheckError(f"{context.id}: {len(derived)} derived equations cannot be compared with {to_latex(tree)}")
     return tuple(
-        ("=", left if right == 0 else ("+", left, ("-", right)), term)
+        node("=", left if right == 0 else node("+", left, node("-", right)), term)
         for (_, left, right), term in zip(formulas, derived, strict=True)
     )
-
-
-@dataclass(frozen=True)
-class Source:
-    """What a proof may start from: what lemmas say, with the id of each, and definitions of all that is spoken of."""
-
-    facts: tuple[tuple[str, Formula], ...]
-    defined: Definitions
 
 
 @dataclass(frozen=True)
@@ -98,26 +89,20 @@ class Finding:
     outcomes: tuple[Outcome, ...]
     concrete: tuple[Problem, ...]
     lemmas: tuple[str, ...]
-    sources: tuple[Source, ...]
+    sources: tuple[Lemmas, ...]
 
     @cached_property
     def certificates(self) -> tuple[Certificate, ...]:
         """One for each decided instance.
 
-        A proof from lemmas certifies "the lemmas imply the claim"; it names the lemmas, whose own certificates the
-        checker looks for, and the hypotheses in force, which those must not exceed.
+        A proof from lemmas names these, whose own certificates the checker looks for, and what is assumed for them.
         """
-        found = []
-        each = zip(self.problems, self.outcomes, self.concrete, self.sources, strict=True)
-        for problem, outcome, whole, start in each:
-            if outcome.verdict is not Verdict.UNDECIDED:
-                source = {} if problem is whole else self._source(whole, start)
-                certified = certificate(problem, outcome, None if problem is whole else whole)
-                found.append({**certified, **json.loads(json.dumps(source))})
-        return tuple(found)
-
-    def _source(self, whole: Problem, start: Source) -> dict[str, Any]:
-        return {"lemmas": self.lemmas, "facts": start.facts, "defined": start.defined, "under": dict(whole.hypotheses)}
+        each = zip(self.problems, self.outcomes, self.sources, strict=True)
+        return tuple(
+            certificate(problem, outcome, None if problem is start.whole else start)
+            for problem, outcome, start in each
+            if outcome.verdict is not Verdict.UNDECIDED
+        )
 
     @property
     def reason(self) -> str:
@@ -136,7 +121,7 @@ def _find(context: Context, formulas: Iterable[Formula], given: Iterable[Hypothe
         outcome = None
         if premises:
             stated = _all(tuple(formula for _, formula in premises))
-            short = context.abstract().problem(("=>", stated, formulas[n]), given, method, n)
+            short = context.abstract().problem(node("=>", stated, formulas[n]), given, method, n)
             if (outcome := proof_of(short)) is not None:
                 problems[n] = short
         outcomes.append(outcome or method.decide(problem))
@@ -152,10 +137,12 @@ def _find(context: Context, formulas: Iterable[Formula], given: Iterable[Hypothe
     return Finding(verdict, tuple(problems), tuple(outcomes), concrete, lemmas, sources)
 
 
-def _source(context: Context, problem: Problem, premises: tuple[tuple[str, Formula], ...]) -> Source:
+def _source(context: Context, problem: Problem, premises: tuple[tuple[str, Formula], ...]) -> Lemmas:
+    """The lemmas a proof may start from, and of the hypotheses in force those that these are proved under."""
     spoken = [problem.claim, *(f for _, stated in problem.hypotheses for f in stated), *(f for _, f in premises)]
     defined = context.used_definitions(*spoken, *(term for _, term in problem.hints)) if premises else ()
-    return Source(premises, defined)
+    under = {name for id in dict(premises) for each in lemma(*id.split(":", 1))[1] for name in each["hypotheses"]}
+    return Lemmas(premises, problem, tuple(h for h in problem.hypotheses if h[0] in under), defined)
 
 
 def equality_claims(context: Context, unit: Unit, equality: str) -> tuple[Formula, ...]:
@@ -163,13 +150,13 @@ def equality_claims(context: Context, unit: Unit, equality: str) -> tuple[Formul
     where = context.lower(equality)
     paired = len(unit.formulas) == len(where) > 1
     return tuple(
-        ("<=>", ("=", formula[1], formula[2]), where[n] if paired else _all(where))
+        node("<=>", node("=", formula[1], formula[2]), where[n] if paired else _all(where))
         for n, formula in enumerate(unit.formulas)
     )
 
 
 def _all(formulas: tuple[Formula, ...]) -> Formula:
-    return formulas[0] if len(formulas) == 1 else ("and", *formulas)
+    return formulas[0] if len(formulas) == 1 else node("and", *formulas)
 
 
 def judge(context: Context, unit: Unit, given: tuple[Hypothesis, ...], extra: tuple[Hypothesis, ...] = ()) -> Finding:
@@ -214,15 +201,15 @@ def _contradictory(definitions: Definitions, stated: tuple[Formula, ...]) -> boo
 
     Mostly there is a point at which all of them hold, and to find it takes much less than to look for proofs in vain.
     """
-    if refute(Problem("together", ("=", 0, 1), definitions, (("all", stated),))) is not None:
+    if refute(Problem("together", node("=", 0, 1), definitions, (("all", stated),))) is not None:
         return False
 
     def follows(claim: Formula, *left_out: Formula) -> bool:
         rest = tuple(formula for formula in stated if formula not in left_out)
         return proof_of(Problem("contradiction", claim, definitions, (("others", rest),))) is not None
 
-    return follows(("=", 0, 1)) or any(
-        follows(tuple(contrary(formula)), formula) for formula in stated if formula[0] in ("<", "<=", ">", ">=", "!=")
+    return follows(node("=", 0, 1)) or any(
+        follows(contrary(formula), formula) for formula in stated if formula[0] in ("<", "<=", ">", ">=", "!=")
     )
 
 

@@ -8,15 +8,16 @@ from dataclasses import replace
 from importlib import import_module
 from importlib.util import find_spec
 from string import ascii_lowercase
-from typing import Any
 
 from symcheck.codegen.kernel import Kernel
 from symcheck.codegen.program import Program, compiled
 from symcheck.codegen.target import Made
+from symcheck.core.formulas import conjuncts
+from symcheck.core.terms import node
 from symcheck.evidence.checked import NOT_ACCEPTED, reasons
+from symcheck.evidence.confirmed import digest_of
 from symcheck.evidence.record import Record
 from symcheck.proof import certificate, identity
-from symcheck.proof.theorems import conjuncts
 from symcheck.reading import from_sympy, lower, read
 from symcheck.statement import Certificate, Paper, Problem, SymcheckError, Verdict
 
@@ -59,7 +60,7 @@ def equalities(paper: Paper, name: str, kernel: Kernel) -> Iterator[Certificate]
     )
     for output, form in forms.items():
         sides = from_sympy(derived[output]), from_sympy(form)
-        problem = Problem(f"{paper.key}:{name}.{output}", ("=", *sides), (), given)
+        problem = Problem(f"{paper.key}:{name}.{output}", node("=", *sides), (), given)
         squares = tuple((f"theorem.0.equal_squares.{k}", side) for k, side in enumerate(sides))
         outcome = identity.decide(problem)
         if outcome.verdict is Verdict.UNDECIDED:
@@ -90,7 +91,7 @@ def _forms(equal: list[Certificate]) -> str:
     return f"The forms computed are proved equal to those shown ({digest(equal)})." if equal else ""
 
 
-def digest(certificates: Iterable[Mapping[str, Any]]) -> str:
+def digest(certificates: Iterable[Certificate]) -> str:
     """A short name of some certificates: the beginning of the SHA-256 of their digests."""
-    text = " ".join(certificate["digest"] for certificate in certificates)
+    text = " ".join(map(digest_of, certificates))
     return f"sha256 {hashlib.sha256(text.encode()).hexdigest()[:12]}"

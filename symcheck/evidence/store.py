@@ -17,14 +17,13 @@ from typing import Any
 
 from symcheck import papers
 from symcheck.codegen.target import MARK
-from symcheck.evidence import translation
 from symcheck.evidence.checked import certificates
 from symcheck.evidence.record import Record
 from symcheck.statement import Certificate, SymcheckError, Verdict
 from symcheck.writing import put as put_file
 
 SCHEMA = 1
-PROOFS = 2  # the schema of certificates and of the statements they are compared with
+PROOFS = 3  # the schema of certificates and of the statements they are compared with
 DIGITS = 16  # of a digest
 Kernels = tuple[Mapping[str, str], Iterable[Certificate]]  # texts by the names of their files, proofs
 CERTIFICATES = "certificates"
@@ -53,7 +52,7 @@ def files(records: Iterable[Record], kernels: Mapping[str, Kernels] = MappingPro
         texts, equalities = kernels.get(key, ({}, ()))
         equalities = [*equalities]
         proofs = [*(each for row in rows for each in certificates(row)), *equalities]
-        written = dict.fromkeys(line(translation.certificate(each)) for each in proofs)
+        written = dict.fromkeys(line(each) for each in proofs)
         out |= {name: text.encode() for name, text in texts.items()}
         verdicts = (f"{line(row.id)}: {line(_expectation(row))}" for row in rows)
         out[f"{CERTIFICATES}/{key}.json"] = document(key, "certificates", "[]", written, schema=PROOFS)

@@ -6,6 +6,9 @@ import operator as op
 from collections.abc import Iterator, Mapping
 from typing import Any, NamedTuple
 
+from symcheck.core.calculus import substituted
+from symcheck.core.terms import Binder, Node, Reader, Term, mapped, node
+from symcheck.evidence.steps import coordinates
 from symcheck.evidence.steps import term as in_words
 from symcheck.lazy import lazy
 from symcheck.notebook import letters
@@ -18,7 +21,6 @@ _HOLDS = {"=": op.eq, "!=": op.ne, "<": op.lt, "<=": op.le, ">": op.gt, ">=": op
 _SIGNS = {"=": "=", "!=": r"\ne", "<": "<", "<=": r"\le", ">": ">", ">=": r"\ge"}
 _DENIED = {"=": r"\ne", "!=": "=", "<": r"\not<", "<=": r"\not\le", ">": r"\not>", ">=": r"\not\ge"}
 SHORT = 24  # signs of a value that is shown exactly
-_ON_THE_CIRCLE = ("sin", "cos")
 _DIGITS = 30  # of numbers that are compared as decimals; those of a certificate differ in the first six
 
 
@@ -37,19 +39,13 @@ class Evaluation:
 
     def __init__(self, certificate: Certificate, notation: Notation) -> None:
         self._notation = notation
-        self._claim = _tuples(certificate["claim"])
-        self._definitions = {name: _tuples(value) for name, value in certificate["definitions"]}
-        self._functions = {
-            _tuples(each): _tuples(value) for each, value, *_ in certificate["point"].get("functions", ())
-        }
-        self.values = {name: _exact(value) for name, value in certificate["point"]["values"].items()}
-        self._letters = {sp.Symbol(name, real=True): value for name, value in self.values.items()}
-        self._circle = {  # sines and cosines that are given in the place of their angle
-            getattr(sp, function)(sp.Symbol(angle, real=True)): value
-            for name, value in self.values.items()
-            for function, _, angle in [name.partition("_")]
-            if function in _ON_THE_CIRCLE and angle
-        }
+        self._claim = certificate["claim"]
+        self._meaning = Reader()  # of terms in which definitions are unfolded
+        for name, value in certificate["definitions"]:
+            self._meaning.define(name, value)
+        self.values = certificate["point"]["values"]
+        self._letters = {name: Reader().term(value) for name, value in self.values.items()}
+        self._functions = dict(_functions(certificate["point"].get("proof", {})))
 
     def compared(self) -> list[Compared]:
         """The relations that show why the claim is false at the point."""
@@ -94,42 +90,36 @@ class Evaluation:
         exact = difference.is_Rational or sp.simplify(difference) == 0
         number = difference if difference.is_Rational else sp.Integer(0) if exact else sp.N(difference, _DIGITS)
         holds = bool(_HOLDS[head](number, 0))
-        stated = f" {_SIGNS[head]} ".join(letters.expression(_plain(side), self._notation) for side in sides)
+        shown = (letters.expression(_plain(Reader().term(side)), self._notation) for side in sides)
+        stated = f" {_SIGNS[head]} ".join(shown)
         return Compared(stated, _SIGNS[head] if holds else _DENIED[head], left, right, holds)
 
     def _value(self, term: Any) -> Any:
         """The exact value of a term: definitions unfolded, functions with their certified values."""
-        value = to_sympy(self._unfolded(term))
-        if self._circle:
-            value = sp.expand_trig(value).subs(self._circle)
-        while (put := value.subs(self._letters)) != value:  # a letter may be given by others
-            value = put
-        return value
+        at_point = substituted(self._meaning.term(term), self._letters)
+        return sp.expand_trig(to_sympy(self._known(at_point)))
 
-    def _unfolded(self, term: Any) -> Any:
-        if isinstance(term, str):
-            return self._unfolded(self._definitions[term]) if term in self._definitions else term
-        if not isinstance(term, tuple):
-            return term
-        whole = (term[0], *(self._unfolded(part) for part in term[1:]))
-        return self._functions.get(whole, whole)
+    def _known(self, term: Term) -> Term:
+        if term in self._functions:
+            return self._functions[term]
+        return mapped(term, self._known) if isinstance(term, Node) else term
 
 
-def _exact(value: Any) -> Any:
-    """A value of a certificate: a term, or a fraction as text."""
-    return sp.Rational(value) if isinstance(value, str) else to_sympy(_tuples(value))
+def _functions(proof: Certificate) -> Iterator[tuple[Term, Term]]:
+    """The values of functions that are proved first of all at a point."""
+    while proof.get("rule") == "have":
+        sign, *sides = proof["formula"]
+        if sign == "=":
+            function, value = map(Reader().term, sides)
+            yield function, value
+        proof = proof["then"]
 
 
-def _plain(term: Any) -> Any:
+def _plain(term: Term) -> Any:
     """A term as an expression, for display; what SymPy has no word for is a function by its name."""
-    if isinstance(term, tuple) and term[0] == "diverges":
-        body, *bound = term[1:]
-        return sp.Function("diverges")(_plain(("integral", body, *bound)))
+    if isinstance(term, Binder) and term.tag == "diverges":
+        return sp.Function("diverges")(_plain(node("integral", *term[1:])))
     return to_sympy(term)
-
-
-def _tuples(value: Any) -> Any:
-    return tuple(map(_tuples, value)) if isinstance(value, list) else value
 
 
 def number(value: Any) -> str:
@@ -142,11 +132,8 @@ def number(value: Any) -> str:
 
 def point(values: Mapping[str, Any], notation: Notation) -> str:
     """The point as LaTeX, "letter = value"."""
-    return r" \quad ".join(f"{_name(name, notation)} = {sp.latex(value)}" for name, value in values.items())
-
-
-def _name(name: str, notation: Notation) -> str:
-    function, _, rest = name.partition("_")
-    if function in _ON_THE_CIRCLE and rest:
-        return rf"\{function} {letters.letter(rest, notation)}"
-    return letters.letter(name, notation)
+    shown = (
+        (rf"\{function} " if function else "", letters.letter(name, notation), to_sympy(Reader().term(value)))
+        for function, name, value in coordinates(values)
+    )
+    return r" \quad ".join(f"{function}{name} = {sp.latex(value)}" for function, name, value in shown)

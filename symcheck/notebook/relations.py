@@ -9,8 +9,9 @@ from string import ascii_lowercase
 from typing import Any
 
 from symcheck.evidence.checked import reasons
+from symcheck.evidence.confirmed import digest_of
 from symcheck.evidence.record import Record
-from symcheck.evidence.steps import steps
+from symcheck.evidence.steps import shown
 from symcheck.notebook.letters import aligned, split
 from symcheck.notebook.records import decided, item, list_rows, records
 from symcheck.notebook.shown import Heading, Math, Part, Prose, Shown, Table, Verbatim
@@ -113,9 +114,9 @@ def _hypothesis(hypothesis: Mapping[str, Any]) -> str:
 
 def digests(certificates: Sequence[Certificate]) -> str:
     """The first digits of the digests of some certificates, how many there are, and their lemmas."""
-    named = ", ".join(each["digest"][:_DIGEST] for each in certificates[:_FEW])
+    named = ", ".join(digest_of(each)[:_DIGEST] for each in certificates[:_FEW])
     more = f" and {len(certificates) - _FEW} more" if len(certificates) > _FEW else ""
-    lemmas = sorted({lemma for each in certificates for lemma in each.get("lemmas", ())})
+    lemmas = sorted({lemma for each in certificates for lemma, _ in each.get("lemmas", ())})
     return f"sha256 {named}{more}" + (f", from {', '.join(lemmas)}" if lemmas else "")
 
 
@@ -125,7 +126,7 @@ def proof(id: str) -> Shown:
     for record in records(id):
         parts.append(Heading(f"{title(record)} — {_verdict(record)}"))
         for each in record.certificates:
-            told = list(steps(each["proof"])) if each["verdict"] == Verdict.PROVED else ["refuted at a point"]
+            told = list(shown(each)) or ["refuted at a point"]
             parts += [Verbatim("", "\n".join(_cut(told))), Prose("checker", checked([each]))]
     return Shown(tuple(parts))
 
@@ -151,12 +152,13 @@ def checked(certificates: Sequence[Certificate]) -> str:
         return f"a certificate does not hold: {faults[0]}"
     count = len(certificates)
     return (
-        f"certificate {certificates[0]['digest'][:_DIGEST]} holds" if count == 1 else f"all {count} certificates hold"
+        f"certificate {digest_of(certificates[0])[:_DIGEST]} holds" if count == 1 else f"all {count} certificates hold"
     )
 
 
 def _faults(certificate: Certificate) -> Iterator[str]:
-    lemmas = [each for id in certificate.get("lemmas", ()) for record in records(id) for each in record.certificates]
+    named = dict(certificate.get("lemmas", ()))
+    lemmas = [each for id in named for record in records(id) for each in record.certificates]
     yield from filter(None, reasons((certificate, *lemmas)))
 
 

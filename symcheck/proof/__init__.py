@@ -1,6 +1,6 @@
 """Proof methods: untrusted search, exact results, certificates for the checker."""
 
-from symcheck.proof.certificate import certificate, digest
+from symcheck.proof.certificate import Lemmas, certificate
 from symcheck.proof.counterexample import fails_at
 from symcheck.proof.equivalence import equivalent
 from symcheck.proof.methods import (
@@ -18,11 +18,11 @@ from symcheck.proof.methods import (
 from symcheck.proof.necessity import Without, fails_without
 
 __all__ = [
+    "Lemmas",
     "Without",
     "cases",
     "certificate",
     "combined",
-    "digest",
     "equivalent",
     "existence",
     "fails_at",

@@ -8,14 +8,16 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import replace
 from itertools import islice, pairwise
-from typing import Any
 
+from symcheck.checker.enclosures import enclosed
+from symcheck.core.calculus import Unknown
+from symcheck.core.calculus import letters as letters_in
+from symcheck.core.formulas import conjuncts, contrary
+from symcheck.core.terms import PI, Node, Quantified, Value, mapped, node
 from symcheck.proof.angles import KNOWN_ANGLES, KNOWN_SINES, compared, compares_angles, multiple_of_pi
 from symcheck.proof.closed import Numbers, decide_numbers, refute_at
-from symcheck.proof.enclosures import Unknown, enclosed
 from symcheck.proof.knowledge import ring_of
-from symcheck.proof.polynomial import Ring, Unsupported, frozen, subterms, unfold, with_arguments
-from symcheck.proof.theorems import Terms, conjuncts, contrary
+from symcheck.proof.polynomial import Ring, Unsupported, subterms, unfold, with_arguments
 from symcheck.proof.variables import circle
 from symcheck.statement import Certificate, Formula, Outcome, Problem, Term, Verdict
 
@@ -44,18 +46,18 @@ def _points(problem: Problem) -> Iterator[dict[str, Term]]:
     definitions = dict(problem.definitions)
     ring = Ring(with_arguments(ring_of(problem).names), definitions)
     formulas = [unfold(formula, definitions) for formula in (problem.claim, *_stated(problem))]
-    if not compares_angles(ring) or any(part == "exists" for f in formulas for part in subterms(f)):
+    if not compares_angles(ring) or any(isinstance(part, Quantified) for part in subterms(*formulas)):
         return
     ends: Ends = {x: [] for function, x in filter(None, map(circle, ring.names)) if function == "sin"}
     for each in (each for formula in formulas for each in compared(formula, ring)):
         ends.setdefault(each.angle, []).append(each.end)
-    letters = Terms({}).names(("", *formulas)) - {"pi"}
+    letters = _letters(formulas)
     if len(letters) <= MAX_LETTERS and letters <= ends.keys():
         yield from _assigned({}, ends, sorted(letters, key=lambda x: (len(_letters(ends[x])), x)))
 
 
 def _letters(terms: Iterable[Term]) -> set[str]:
-    return Terms({}).names(("", *terms)) - {"pi"}
+    return set().union(*map(letters_in, terms))
 
 
 def _assigned(point: Mapping[str, Term], ends: Ends, letters: list[str]) -> Iterator[dict[str, Term]]:
@@ -72,10 +74,10 @@ def _at(term: Term, point: Mapping[str, Term]) -> Term:
     """A term at the point, with the sines and cosines of well-known angles."""
     known = {multiple_of_pi(multiple): multiple for multiple in KNOWN_SINES}
     match term:
-        case ("sin" | "cos" as function, str(x)) if point.get(x) in known:
+        case Value(tag="sin" | "cos" as function, terms=(str(x),)) if point.get(x) in known:
             return KNOWN_SINES[known[point[x]]][function == "cos"]
-        case (kind, *parts):
-            return (kind, *(_at(part, point) for part in parts))
+        case Node():
+            return mapped(term, lambda part: _at(part, point))
     return point.get(term, term) if isinstance(term, str) else term
 
 
@@ -85,13 +87,13 @@ def _values(ends: list[Term]) -> list[Term]:
     sizes: dict[int, Term] = {}
     for term in (*ends, known[0], known[-1]):
         try:
-            sizes.setdefault(enclosed(term, dict[str, Term]().__getitem__).low >> 20, term)
-        except (Unknown, KeyError):
+            sizes.setdefault(enclosed(term).low >> 20, term)
+        except Unknown:
             continue
     ordered = [term for _, term in sorted(sizes.items())]
-    between: list[Term] = [("/", ("+", low, high), 2) for low, high in pairwise(ordered)]
-    negative: list[Term] = [("-", term) for term in known[1:]]
-    turned: list[Term] = [("+", term, ("*", 2, "pi")) for term in between]
+    between: list[Term] = [node("/", node("+", low, high), 2) for low, high in pairwise(ordered)]
+    negative: list[Term] = [node("-", term) for term in known[1:]]
+    turned: list[Term] = [node("+", term, node("*", 2, PI)) for term in between]
     return list(dict.fromkeys([*ends, *known, *between, *negative, *turned]))
 
 
@@ -114,17 +116,17 @@ def _proved(problem: Problem, point: Mapping[str, Term], prove: Prover) -> Certi
     """Proofs that at the point no denominator vanishes, the hypotheses hold and the claim does not."""
     stated = _stated(problem)
     values = dict(sorted(point.items()))  # facts about the point are numbered in this order
-    there: list[Formula] = [("=", x, value) for x, value in values.items()]
-    facts: list[list[Any]] = []
+    there: list[Formula] = [node("=", x, value) for x, value in values.items()]
+    facts: list[tuple[Formula, Certificate]] = []
     for bottom in dict.fromkeys(part for f in (*stated, problem.claim) for part in _denominators(f)):
-        if (proof := _proof(("!=", bottom, 0), problem, there, prove)) is None:
+        if (proof := _proof(node("!=", bottom, 0), problem, there, prove)) is None:
             return None
-        facts.append([("!=", bottom, 0), proof])
-        there.append(("!=", bottom, 0))
-    goal = frozen(("and", *stated, contrary(problem.claim)))
+        facts.append((node("!=", bottom, 0), proof))
+        there.append(node("!=", bottom, 0))
+    goal = node("and", *stated, contrary(problem.claim))
     proof = _proof(goal, problem, there, prove)
     if proof is None:  # what digits tell need not follow from the theorems that tell the rest
-        told = [[part, known] for part in conjuncts(goal) if (known := _proof(part, problem, there, _by_digits))]
+        told = [(part, known) for part in conjuncts(goal) if (known := _proof(part, problem, there, _by_digits))]
         facts += told
         proof = _proof(goal, problem, [*there, *(part for part, _ in told)], prove) if told else None
     return proof and {"values": values, **({"facts": facts} if facts else {}), "proof": proof}
@@ -152,4 +154,4 @@ def _denominators(formula: Formula) -> Iterator[Term]:
             case ("/", _, bottom) if _letters([bottom]):
                 yield bottom
             case ("tan", angle):
-                yield "cos", angle
+                yield node("cos", angle)

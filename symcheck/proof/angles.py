@@ -11,35 +11,35 @@ from dataclasses import dataclass, replace
 from fractions import Fraction
 from math import prod
 
+from symcheck.core.formulas import conjuncts
+from symcheck.core.terms import PI, RELATIONS, Node, node
+from symcheck.proof.applied import Instance, applied, have, step, theorem_of
 from symcheck.proof.equations import identity_here
 from symcheck.proof.farkas import contradiction, prove_by_contrary
 from symcheck.proof.knowledge import Knowledge, hints_of, ring_of, starting
 from symcheck.proof.orders import number_term, prove_order, term_of
 from symcheck.proof.polynomial import (
-    Instance,
     Ring,
     canonical,
     fraction,
-    theorem_of,
     unfold,
     variables,
     with_arguments,
 )
-from symcheck.proof.theorems import RELATIONS, conjuncts
 from symcheck.proof.variables import atoms, circle, prime, table
 from symcheck.statement import Certificate, Formula, Problem, Term
 
 INVERSE = {"arctan": "arctangent", "arcsin": "arcsine", "arccos": "arccosine"}
 SWAPPED = {"=": "=", "!=": "!=", "<": ">", "<=": ">=", ">": "<", ">=": "<="}
-KNOWN_ANGLES: dict[Fraction, tuple[str, Term]] = {  # by multiples of pi
-    Fraction(0): ("arctan", 0),
-    Fraction(1, 6): ("arctan", ("/", 1, ("sqrt", 3))),
-    Fraction(1, 4): ("arctan", 1),
-    Fraction(1, 3): ("arctan", ("sqrt", 3)),
-    Fraction(1, 2): ("arccos", 0),
+KNOWN_ANGLES: dict[Fraction, Node] = {  # by multiples of pi
+    Fraction(0): node("arctan", 0),
+    Fraction(1, 6): node("arctan", node("/", 1, node("sqrt", 3))),
+    Fraction(1, 4): node("arctan", 1),
+    Fraction(1, 3): node("arctan", node("sqrt", 3)),
+    Fraction(1, 2): node("arccos", 0),
 }
-_HALF: Term = ("/", 1, 2)
-_TWO, _THREE = (("/", ("sqrt", n), 2) for n in (2, 3))
+_HALF: Term = node("/", 1, 2)
+_TWO, _THREE = (node("/", node("sqrt", n), 2) for n in (2, 3))
 _SINES: tuple[tuple[Term, Term], ...] = ((0, 1), (_HALF, _THREE), (_TWO, _TWO), (_THREE, _HALF), (1, 0))
 KNOWN_SINES = dict(zip(KNOWN_ANGLES, _SINES, strict=True))  # and cosines
 Prover = Callable[[Formula, Knowledge], Certificate | None]
@@ -63,9 +63,9 @@ def prove_about_angles(problem: Problem, prove_here: Prover) -> Certificate | No
     found += positive
     names = _names_of((i for each in found for i in (*each.theorems(), each.theorem(1))), definitions)
     whole = Ring(with_arguments({"pi", *ring.names, *names}), definitions)
-    always = [("circle_number",), *_of_atoms(whole)]
+    always = [applied("circle_number"), *_of_atoms(whole)]
     known = starting(problem, Ring({*whole.names, *_names_of(always, definitions)}, definitions))
-    signs: list[Instance] = [("right_half", angle) for angle in angles]
+    signs: list[Instance] = [applied("right_half", angle) for angle in angles]
     signs += [each.theorem(0) for each in positive]
     pending = dict.fromkeys([*always, *_forward(stated, known.ring), *signs])
     return _Prover(prove_here, hints_of(problem)).prove(problem.claim, known, list(pending))
@@ -84,27 +84,29 @@ class Comparison:
     @classmethod
     def with_pi(cls, sign: str, angle: str, multiple: Fraction) -> Comparison:
         """angle ~ multiple pi."""
-        return cls(sign, angle, *KNOWN_ANGLES[multiple], multiple)
+        known = KNOWN_ANGLES[multiple]
+        return cls(sign, angle, known.tag, known.terms[0], multiple)
 
     @property
     def end(self) -> Term:
         """What the angle is compared with."""
-        return (self.function, self.t) if self.multiple is None else multiple_of_pi(self.multiple)
+        return node(self.function, self.t) if self.multiple is None else multiple_of_pi(self.multiple)
 
     def theorem(self, back: int) -> Instance:
         """From the angle to its sine, or back."""
-        return INVERSE[self.function], self.sign, self.angle, self.t, back
+        name = f"{INVERSE[self.function]} {self.sign}{' back' * back}"
+        return applied(name, self.angle, self.t)
 
     def theorems(self) -> Iterator[Instance]:
         """What it says of the sine, and of a well-known angle the cosine itself."""
         yield self.theorem(0)
         if self.sign == "=" and self.multiple is not None:
-            yield "have", ("=", ("cos", self.angle), KNOWN_SINES[self.multiple][1])
+            yield have(node("=", node("cos", self.angle), KNOWN_SINES[self.multiple][1]))
 
 
 def multiple_of_pi(multiple: Fraction) -> Term:
     """An angle as a term."""
-    return ("*", number_term(multiple), "pi") if multiple else 0
+    return node("*", number_term(multiple), PI) if multiple else 0
 
 
 def _comparison(formula: Formula, ring: Ring) -> Comparison | None:
@@ -137,7 +139,7 @@ def compared(formula: Formula, ring: Ring) -> Iterator[Comparison]:
         if (found := _comparison(formula, ring)) is not None:
             yield found
     elif formula[0] != "exists":
-        for part in formula[1:]:
+        for part in formula.formulas:
             yield from compared(part, ring)
 
 
@@ -152,21 +154,21 @@ def _of_atoms(ring: Ring) -> Iterator[Instance]:
     for name in ring.names:
         function, *arguments = atoms().get(name, ("",))
         if (p := prime(name)) is not None:
-            yield "root", p
+            yield applied("root", p)
         elif function == "sqrt":
-            yield "root", *arguments
+            yield applied("root", *arguments)
         elif function in INVERSE:
             yield from _known_angle(function, *arguments)
-            yield "principal_value", function, *arguments
-            yield "first_quadrant", function, *arguments
+            yield applied(f"principal_value_{function}", *arguments)
+            yield applied(f"first_quadrant_{function}", *arguments)
 
 
 def _known_angle(function: str, t: Term) -> Iterator[Instance]:
     """The theorem about arctan t, arcsin t or arccos t, if that is a well-known angle."""
     for number in range(len(KNOWN_ANGLES) - (function == "arctan")):
-        instance = "known_angle", function, number
-        _, (_, known), _ = theorem_of(instance, {}).conclusion
-        if canonical(known) == canonical(t):
+        instance = applied(f"known_angle_{function}_{number}")
+        value = theorem_of(instance, {}).conclusion.terms[0]
+        if isinstance(value, Node) and canonical(value.terms[0]) == canonical(t):
             yield instance
 
 
@@ -209,18 +211,18 @@ class _Prover:
             if premises is not None:
                 rest = [*pending[k + 1 :], *pending[:k]]  # what did not hold so far is tried again last
                 then = self.prove(goal, known.assume(theorem.conclusion), rest)
-                return then and {"rule": "theorem", "of": instance, "premises": premises, "then": then}
+                return then and step(instance, premises, then)
         return self.goal(goal, known, pending)
 
     def goal(self, goal: Formula, known: Knowledge, pending: Sequence[Instance]) -> Certificate | None:
         """By the outermost connective."""
-        kind, *parts = goal
+        kind, parts = goal.tag, goal.formulas
         if kind == "=>":
             more = _forward(conjuncts(parts[0]), known.ring)
             then = self.prove(parts[1], known.assume(parts[0]), [*pending, *more])
             return then and {"rule": "implies", "then": then}
         if kind in ("and", "<=>"):
-            parts = parts if kind == "and" else [("=>", *parts), ("=>", *parts[::-1])]
+            parts = parts if kind == "and" else (node("=>", *parts), node("=>", *parts[::-1]))
             proofs = []
             for part in parts:
                 if (proof := self.goal(part, known, pending)) is None:
@@ -251,12 +253,12 @@ class _Prover:
         if (premises := self.premises(theorem.premises, known)) is None:
             return None
         then = self.relation(goal, known.assume(theorem.conclusion))
-        return then and {"rule": "theorem", "of": instance, "premises": premises, "then": then}
+        return then and step(instance, premises, then)
 
     def relation(self, goal: Formula, known: Knowledge) -> Certificate | None:
         """A relation, by algebra."""
         if goal[0] == "!=":
-            then = contradiction(known.assume(("=", *goal[1:])), goal)
+            then = contradiction(known.assume(node("=", *goal[1:])), goal)
             return {"rule": "implies", "then": then} if then else self.prove_here(goal, known)
         if goal[0] == "=":
             return identity_here(goal, known) or self.by_squares(goal, known) or self.prove_here(goal, known)
@@ -268,22 +270,21 @@ class _Prover:
 
     def without_roots(self, goal: Formula, known: Knowledge) -> Certificate | None:
         """An order of roots by that of their squares."""
-        sign, *sides = goal
-        if not any(_has_roots(unfold(side, known.ring.definitions)) for side in sides):
+        if not any(_has_roots(unfold(side, known.ring.definitions)) for side in goal.terms):
             return None
-        squared = (sign, *(_squared(side, known.ring) for side in sides))
-        proof = None if None in squared else self.relation(squared, known)
+        left, right = (_squared(side, known.ring) for side in goal.terms)
+        if left is None or right is None:
+            return None
+        squared = node(goal.tag, left, right)
+        proof = self.relation(squared, known)
         then = proof and prove_by_contrary(goal, known.assume(squared))
-        return then and {"rule": "theorem", "of": ("have", squared), "premises": [proof], "then": then}
+        return step(have(squared), [proof], then) if proof and then else None
 
     def by_squares(self, goal: Formula, known: Knowledge) -> Certificate | None:
         """Two things that are not negative are equal if their squares are."""
-        theorem = theorem_of(instance := ("equal_squares", *goal[1:]), known.ring.definitions)
+        theorem = theorem_of(instance := applied("equal_squares", *goal[1:]), known.ring.definitions)
         *signs, squares = theorem.premises
-        premises = [identity_here(squares, known)]
-        if premises[0] is None:
-            return None
-        premises = [*(self.relation(sign, known) for sign in signs), *premises]
+        last = identity_here(squares, known)
+        premises = self.premises(signs, known) if last else None
         then = identity_here(goal, replace(known.assume(theorem.conclusion)))
-        found = {"rule": "theorem", "of": instance, "premises": premises, "then": then}
-        return None if None in (*premises, then) else found
+        return step(instance, [*premises, last], then) if premises and last and then else None

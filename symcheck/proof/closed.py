@@ -8,21 +8,25 @@ equal, are left to algebra.
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from fractions import Fraction
 from itertools import product
 from typing import Any, NamedTuple
 
-from symcheck.proof.enclosures import FUNCTIONS, Unknown, between
+from symcheck.checker.enclosures import FUNCTIONS, between
+from symcheck.core.calculus import Unknown, letters
+from symcheck.core.formulas import conjuncts
+from symcheck.core.terms import PI, RELATIONS, Connective, Node, node
+from symcheck.proof.applied import enclosure, step
 from symcheck.proof.orders import number_term
 from symcheck.proof.polynomial import Unsupported, constant, subterms, unfold
-from symcheck.proof.theorems import RELATIONS, Terms, conjuncts
 from symcheck.statement import Certificate, Formula, Outcome, Problem, Term, Verdict
 
 DIGITS = (6, 12, 20, 30)  # as few as tell two numbers apart
 SIGNS = {"=": {0}, "!=": {-1, 1}, "<": {-1}, "<=": {-1, 0}, ">": {1}, ">=": {0, 1}}  # of left - right
-TRIED: tuple[Term, ...] = (1, ("/", 1, 2), ("/", 3, 2), ("/", 1, 4), ("/", 5, 4), 2, 0, ("-", 1), 3)
+TRIED: tuple[Term, ...] = (1, node("/", 1, 2), node("/", 3, 2), node("/", 1, 4), node("/", 5, 4), 2, 0, node("-", 1), 3)
 TRIES = 80
+_EXACT = ("+", "*", "-", "/", "^", "sqrt")
 _IRRATIONAL = FUNCTIONS.keys() - {"-"}
 
 
@@ -52,18 +56,18 @@ class Ends(NamedTuple):
 class Numbers:
     """The letters of a problem that are numbers: what they stand for, and the hypotheses that say so."""
 
-    terms: Terms
+    definitions: dict[str, Term]
     letters: dict[str, Term]
     sources: dict[str, tuple[list[Any], int]]  # a reference, and 1 or -1 for `number = letter`
 
     @classmethod
     def of(cls, problem: Problem, chosen: Mapping[str, Term] | None = None) -> Numbers | None:
         """Beside the letters chosen, those that the problem fixes; None if the claim is about others too."""
-        found = cls(Terms(dict(problem.definitions)), dict(chosen or {}), {})
+        found = cls(dict(problem.definitions), dict(chosen or {}), {})
         stated = [(ref, formula) for ref, formula in _stated(problem) if formula[0] == "="]
         fixable = {side for _, formula in stated for side in formula[1:] if isinstance(side, str)}
         met = {part for part in subterms(problem.claim) if isinstance(part, str)}
-        if not met <= {"pi", *found.letters, *found.terms.definitions, *fixable}:
+        if not met <= {*found.letters, *found.definitions, *fixable}:
             return None
         for _ in stated:  # one may be said in terms of another
             for ref, (_, left, right) in stated:
@@ -73,29 +77,37 @@ class Numbers:
 
     def learn(self, letter: Term, number: Term, source: tuple[list[Any], int]) -> None:
         """One equation, if it says of a letter what number it is."""
-        free = isinstance(letter, str) and letter not in {"pi", *self.letters, *self.terms.definitions}
-        if free and self.terms.names(number) <= {"pi", *self.letters}:
+        free = isinstance(letter, str) and letter not in {*self.letters, *self.definitions}
+        if free and self.names(number) <= self.letters.keys():
             self.letters[str(letter)], self.sources[str(letter)] = number, source
 
-    def rational(self, node: Any) -> bool:
+    def rational(self, tree: Any) -> bool:
         """Whether no function and no pi occurs."""
-        parts = [*subterms(node)]
-        if any(part == "pi" or (isinstance(part, tuple) and part[0] in _IRRATIONAL) for part in parts):
+        parts = [*subterms(tree)]
+        if any(part == PI or (isinstance(part, Node) and part.tag in _IRRATIONAL) for part in parts):
             return False
         return all(self.rational(self.meaning(part)) for part in parts if isinstance(part, str))
 
     def closed(self, formula: Formula) -> bool:
         """Whether a formula speaks of numbers only."""
-        return formula[0] != "exists" and self.terms.names(formula) <= {"pi", *self.letters}
+        return formula.tag != "exists" and self.names(formula) <= self.letters.keys()
+
+    def names(self, tree: Term) -> set[str]:
+        """The letters that a term or formula depends on, definitions unfolded."""
+        return letters(unfold(tree, self.definitions))
+
+    def number(self, term: Term) -> Term:
+        """The number that a term is, as a term without letters."""
+        return unfold(term, {**self.definitions, **self.letters})
 
     def meaning(self, name: str) -> Term:
         """What a letter stands for."""
-        return self.letters[name] if name in self.letters else self.terms.definitions[name]
+        return self.letters[name] if name in self.letters else self.definitions[name]
 
     def ends(self, compared: Compared) -> Ends:
         """Decimals of the term, as few digits as tell it from the bound, or the most there are."""
         for digits in DIGITS:
-            low, high = (Fraction(*end[1:]) for end in between(compared.term, self.meaning, digits))
+            low, high = map(constant, between(self.number(compared.term), digits))
             found = Ends(digits, low, high)
             if found.side(compared.bound) is not None:
                 break
@@ -103,21 +115,23 @@ class Numbers:
 
     def used(self, term: Term) -> list[str]:
         """The letters that a term depends on, also through those."""
-        open_, found = [*self.terms.names(term)], set[str]()
+        open_, found = [*self.names(term)], set[str]()
         while open_:
             if (name := open_.pop()) in self.letters and name not in found:
                 found.add(name)
-                open_ += self.terms.names(self.letters[name])
+                open_ += self.names(self.letters[name])
         return sorted(found)
 
     def truth(self, formula: Formula) -> bool | None:
         """Whether a formula is true, by digits; None if they do not tell."""
-        kind, *parts = formula
+        kind = formula.tag
         if kind in RELATIONS:
             compared = _compared(formula)
             side = self.ends(compared).side(compared.bound)
             return None if side is None else compared.sign * side in SIGNS[kind]
-        known = [self.truth(part) for part in parts]
+        if not isinstance(formula, Connective):
+            return None
+        known = [self.truth(part) for part in formula.formulas]
         if kind == "=>":
             known, kind = [None if known[0] is None else not known[0], known[1]], "or"
         if kind == "<=>":
@@ -144,16 +158,24 @@ def refute_numbers(problem: Problem) -> Certificate | None:
 
 def refute_at_some(problem: Problem) -> Certificate | None:
     """The same where one to three letters are free: a few values of them are tried."""
-    terms = Terms(dict(problem.definitions))
+    definitions = dict(problem.definitions)
     formulas = [problem.claim, *(formula for _, formula in _stated(problem))]
-    if not any(part[0] in _IRRATIONAL for part in subterms(("", *formulas)) if isinstance(part, tuple) and part):
+    if not any(part.tag in _IRRATIONAL for part in subterms(*formulas) if isinstance(part, Node)):
         return None
-    free = sorted(set().union(*map(terms.names, formulas)) - {"pi"})
+    free = sorted(set().union(*(letters(unfold(formula, definitions)) for formula in formulas)))
     fixed = {side for f in formulas[1:] if f[0] == "=" for side in f[1:] if isinstance(side, str)}
     chosen = [x for x in free if x not in fixed]
     values = sorted(product(range(len(TRIED)), repeat=len(chosen)), key=sum) if 0 < len(chosen) < 4 else []
-    tried = (refute_at(problem, {x: TRIED[k] for x, k in zip(chosen, ks, strict=True)}) for ks in values[:TRIES])
-    return next((point for point in tried if point), None)
+    return refute_at_first(problem, ({x: TRIED[k] for x, k in zip(chosen, ks, strict=True)} for ks in values[:TRIES]))
+
+
+def refute_at_first(problem: Problem, points: Iterable[Mapping[str, Term]]) -> Certificate | None:
+    """The same at the first of many points that refutes the problem; definitions are unfolded once for all of them."""
+    definitions = dict(problem.definitions)
+    hypotheses = tuple((name, tuple(unfold(f, definitions) for f in formulas)) for name, formulas in problem.hypotheses)
+    plain = replace(problem, claim=unfold(problem.claim, definitions), definitions=(), hypotheses=hypotheses)
+    found = next((point for point in points if refute_at(plain, point) is not None), None)
+    return None if found is None else refute_at(problem, found)
 
 
 def refute_at(problem: Problem, chosen: Mapping[str, Term]) -> Certificate | None:
@@ -182,7 +204,11 @@ def _compared(goal: Formula) -> Compared:
     left, right = (_rational(side) for side in goal[1:])
     if left is not None:
         return Compared(goal[2], left, -1)
-    return Compared(("+", goal[1], ("-", goal[2])), Fraction(0), 1) if right is None else Compared(goal[1], right, 1)
+    return (
+        Compared(node("+", goal[1], node("-", goal[2])), Fraction(0), 1)
+        if right is None
+        else Compared(goal[1], right, 1)
+    )
 
 
 def _rational(term: Term) -> Fraction | None:
@@ -196,7 +222,7 @@ def _relations(formula: Formula) -> Iterator[Formula]:
     if formula[0] in RELATIONS:
         yield formula
     else:
-        for part in formula[1:]:
+        for part in formula.formulas:
             yield from _relations(part)
 
 
@@ -205,7 +231,7 @@ def _shown(claim: Formula, numbers: Numbers) -> Iterator[list[Any]]:
     false = [_compared(relation) for relation in _relations(claim) if numbers.truth(relation) is False]
     digits = {compared.term: numbers.ends(compared).digits for compared in false}
     for term, places in digits.items():
-        yield [term, places, *between(term, numbers.meaning, places)]
+        yield [term, places, *between(numbers.number(term), places)]
 
 
 # --- proofs
@@ -230,15 +256,15 @@ def _proved(problem: Problem, numbers: Numbers) -> Outcome | None:
     if proof is None:
         return None
     for term, end in reversed(ends.items()):
-        of = ("enclosure", term, end.digits, *(("=", x, numbers.letters[x]) for x in numbers.used(term)))
+        of = enclosure(term, end.digits, {x: numbers.letters[x] for x in numbers.used(term)})
         premises = [_premise(*numbers.sources[x]) for x in numbers.used(term)]
-        proof = {"rule": "theorem", "of": of, "premises": premises, "then": proof}
+        proof = step(of, premises, proof)
     used = sorted({x for term in ends for x in numbers.used(term)})
     given = sorted(numbers.sources[x][0][1:] for x in used)
     divisors = dict.fromkeys(
-        d for t in (*ends, *(numbers.letters[x] for x in used)) for d in _divisors(t, numbers.terms)
+        d for t in (*ends, *(numbers.letters[x] for x in used)) for d in _divisors(t, numbers.definitions)
     )
-    proof = {**proof, "given": given, **_nonzero(divisors, numbers.terms)}
+    proof = {**proof, "given": given, **_nonzero(divisors, numbers.definitions)}
     names = {name for name, _ in given}
     return Outcome(Verdict.PROVED, proof=proof, used=tuple(name for name, _ in problem.hypotheses if name in names))
 
@@ -251,7 +277,7 @@ def _closing(goal: Formula, ends: Mapping[Term, Ends], assumed: int) -> Certific
     """The proof where all numbers are enclosed; so many assumptions are in force."""
     kind = goal[0]
     if kind == "and":
-        parts = [_closing(part, ends, assumed) for part in goal[1:]]
+        parts = [_closing(part, ends, assumed) for part in goal.formulas]
         return None if None in parts else {"rule": "each", "parts": parts}
     if kind not in RELATIONS:
         return None
@@ -262,9 +288,9 @@ def _closing(goal: Formula, ends: Mapping[Term, Ends], assumed: int) -> Certific
         return None
     above = side > 0
     unit = 10 ** ends[term].digits
-    end: Term = ("/", int((low if above else high) * unit), unit)
-    inner: Term = ("+", term, ("-", end)) if above else ("+", end, ("-", term))
-    form = ("+", inner, number_term(low - bound if above else bound - high))
+    end: Term = node("/", int((low if above else high) * unit), unit)
+    inner: Term = node("+", term, node("-", end)) if above else node("+", end, node("-", term))
+    form = node("+", inner, number_term(low - bound if above else bound - high))
     if kind != "!=":
         return {"rule": "nonnegative", "form": form, "cofactors": []}
     cofactor = [["here", assumed], str(sign if above else -sign)]  # that both sides are equal
@@ -272,21 +298,26 @@ def _closing(goal: Formula, ends: Mapping[Term, Ends], assumed: int) -> Certific
     return {"rule": "implies", "then": absurd}
 
 
-def _nonzero(divisors: Iterable[Term], terms: Terms) -> Certificate:
+def _nonzero(divisors: Iterable[Term], definitions: Mapping[str, Term]) -> Certificate:
     """What the statement divides by is listed with its proof, each as a letter that stands for it."""
     texts: dict[str, Term] = {}
-    for k, divisor in enumerate(d for d in divisors if not terms.exact(d)):
-        plain = isinstance(divisor, str) and divisor not in terms.definitions
+    for k, divisor in enumerate(d for d in divisors if not _is_exact(unfold(d, definitions))):
+        plain = isinstance(divisor, str) and divisor not in definitions
         texts[str(divisor) if plain else f"Divisor_{k + 1}"] = divisor
     atoms = {text: divisor for text, divisor in texts.items() if text != divisor}
     return {"nonzero": [[text] for text in sorted(texts)], **({"atoms": atoms} if atoms else {})} if texts else {}
 
 
-def _divisors(term: Any, terms: Terms) -> Iterator[Term]:
+def _is_exact(number: Term) -> bool:
+    """Whether a term is made of whole numbers and roots, so that algebra tells whether it is zero."""
+    return all(isinstance(part, int) or (isinstance(part, Node) and part.tag in _EXACT) for part in subterms(number))
+
+
+def _divisors(term: Any, definitions: Mapping[str, Term]) -> Iterator[Term]:
     """What a term divides by, factor by factor, as the checker meets it."""
-    if isinstance(term, str) and term in terms.definitions:
-        yield from _divisors(terms.definitions[term], terms)
-    if not isinstance(term, tuple):
+    if isinstance(term, str) and term in definitions:
+        yield from _divisors(definitions[term], definitions)
+    if not isinstance(term, Node):
         return
     match term:
         case ("/", _, bottom):
@@ -294,9 +325,9 @@ def _divisors(term: Any, terms: Terms) -> Iterator[Term]:
         case ("^", base, int(n)) if n < 0:
             yield from _factors(base)
         case ("tan", inner):
-            yield "cos", inner
-    for part in term[1:]:
-        yield from _divisors(part, terms)
+            yield node("cos", inner)
+    for part in term.outside:
+        yield from _divisors(part, definitions)
 
 
 def _factors(term: Any) -> Iterator[Term]:

@@ -16,10 +16,13 @@ from typing import Any
 
 import flint
 
+from symcheck.core.calculus import letters
+from symcheck.core.formulas import conjuncts
+from symcheck.core.terms import PI, RELATIONS, Node, Quantified, Value, mapped, node
 from symcheck.proof.angle_points import refute_about_angles
 from symcheck.proof.closed import refute_at, refute_at_some, refute_numbers
 from symcheck.proof.knowledge import ring_of
-from symcheck.proof.orders import term_of
+from symcheck.proof.orders import number_term, term_of
 from symcheck.proof.polynomial import (
     Poly,
     Ratio,
@@ -27,14 +30,13 @@ from symcheck.proof.polynomial import (
     Unsupported,
     alone,
     fraction,
-    frozen,
+    number_of,
     square_free,
     unfold,
     variables,
     with_arguments,
 )
 from symcheck.proof.theorem_search import values_of
-from symcheck.proof.theorems import RELATIONS, conjuncts
 from symcheck.proof.variables import atoms, circle, cosine, prime, sine, table
 from symcheck.statement import Certificate, Formula, Outcome, Problem, Term
 
@@ -64,10 +66,10 @@ def fails_at(problem: Problem, values: Mapping[str, Any]) -> bool:
     try:
         with alone(problem):
             search = Search(problem, problem.claim, lambda _: None)
-            point = {x: search._value(frozen(values[key])) for x in search.free if (key := _key(x)) in values}
+            point = {x: value for x in search.free if (value := search._coordinate(x, values)) is not None}
             return len(point) == len(search.free) and search._evaluate(point) and search._refutes(point)
     except KeyError:  # a function that has no value in the ring, such as arctan 2
-        return refute_at(problem, {name: frozen(value) for name, value in values.items()}) is not None
+        return refute_at(problem, dict(values)) is not None
     except (Unsupported, ZeroDivisionError):
         return False
 
@@ -94,14 +96,14 @@ def _point(problem: Problem, prove: Prover) -> Certificate | None:
     if _quantified(claim):
         return None
     if claim[0] == "<=>":
-        directions = [("=>", claim[1], claim[2]), ("=>", claim[2], claim[1])]
+        directions = [node("=>", claim[1], claim[2]), node("=>", claim[2], claim[1])]
         found = (Search(problem, direction, prove).run() for direction in directions)
         return next((point for point in found if point), None)
     return Search(problem, claim, prove).run()
 
 
 def _quantified(formula: Formula) -> bool:
-    return formula[0] == "exists" or (formula[0] not in RELATIONS and any(_quantified(f) for f in formula[1:]))
+    return isinstance(formula, Quantified) or any(map(_quantified, formula.formulas))
 
 
 @dataclass(frozen=True)
@@ -129,7 +131,7 @@ class Search:
         self.functions = [name for name in functions if name not in self.calls]
         self.formulas = [part for _, fs in problem.hypotheses for f in fs for part in conjuncts(f)]
         if direction[0] == "=>":
-            self.formulas += conjuncts(direction[1])
+            self.formulas += conjuncts(direction.formulas[0])
         self.gaps: dict[Formula, Ratio] = {}
         self.roots = {name: p for name in self.ring.names if (p := prime(name)) is not None}
         self.free = [name for name in self.ring.names if name not in (*self.roots, *self.functions, "pi")]
@@ -180,8 +182,15 @@ class Search:
             return self.ring.number(Fraction(value))
         return self.ring.number(value) if isinstance(value, Fraction | int) else self.ring.poly(value)
 
+    def _coordinate(self, name: str, values: Mapping[str, Term]) -> Poly | None:
+        """The value of a variable at the point of a certificate."""
+        function, x = circle(name) or ("", name)
+        if x not in values:
+            return None
+        return self._side(turn_of(values[x])[function == "sin"] if function else values[x], {})
+
     def _matrix(self, stem: str, names: tuple[str, ...]) -> _Group:
-        own = ("and", *(f for f in self.formulas if self._support(f) <= set(names)))
+        own = node("and", *(f for f in self.formulas if self._support(f) <= set(names)))
         matrices = tuple(_matrix_values())
         key = names, unfold(own, self.ring.definitions)
         if key not in _ALLOWED:  # the same for every statement about matrices of one kind
@@ -225,7 +234,7 @@ class Search:
 
     def _support(self, formula: Formula) -> set[str]:
         if formula[0] not in RELATIONS:
-            return set().union(*(self._support(f) for f in formula[1:]))
+            return set().union(*map(self._support, formula.formulas))
         ratio = self._gap(formula)
         used = ratio.num.degrees()
         return {name for name, degree in zip(self.ring.names, used, strict=True) if degree and name not in self.roots}
@@ -300,11 +309,11 @@ class Search:
     def _settle(self, name: str, point: Point) -> bool:
         """The value of an integral or a mean, with its proof."""
         self.tries -= 1
-        numbers = {x: p for x, p in point.items() if not table().stands(x)}
-        defined = tuple((x, term_of(p)) for x, p in numbers.items())
         function = atoms()[name]
+        free = letters(function)  # what is bound in it has no value
+        defined = tuple((x, term_of(p)) for x, p in point.items() if x in free)
         for value in self._possible(function, dict(defined)):
-            found = self.prove(Problem(name, ("=", function, value), defined))
+            found = self.prove(Problem(name, node("=", function, value), defined))
             if found is not None and found.proof is not None:
                 proof = {key: part for key, part in found.proof.items() if key != "given"}
                 self.settled.append([function, value, proof])
@@ -393,10 +402,10 @@ class Search:
 
     def _truth(self, formula: Formula, point: Point) -> bool:
         kind = formula[0]
-        if kind == "exists":
+        if isinstance(formula, Quantified):
             raise Unsupported("a quantifier inside a statement")
         if kind not in RELATIONS:
-            parts = [self._truth(f, point) for f in formula[1:]]
+            parts = [self._truth(f, point) for f in formula.formulas]
             if kind in ("and", "or"):
                 return all(parts) if kind == "and" else any(parts)
             return parts[0] == parts[1] if kind == "<=>" else parts[1] or not parts[0]
@@ -422,46 +431,37 @@ class Search:
             return False
         return all(self._reduce(self._at(poly, point)) == 0 for poly in axioms)
 
-    def _called(self, point: Point) -> list[tuple[str, tuple[int, ...], tuple[str, ...], list[Any]]]:
-        """What unknown functions are at the point: name, orders, arguments as text, and [arguments, value]."""
-        found = []
-        for call in self.calls:
-            _, name, orders, *terms = atoms()[call]
-            values = [self._side(term, point) for term in terms]
-            found.append((name, orders, tuple(map(str, values)), [values, self._reduce(point[call])]))
-        return found
+    def _called(self, point: Point) -> list[tuple[Node, Poly]]:
+        """What unknown functions are at the point, at the numbers that their arguments are there."""
+        places = (mapped(atoms()[call], lambda term: self._written(self._side(term, point))) for call in self.calls)
+        return [(place, self._reduce(point[call])) for place, call in zip(places, self.calls, strict=True)]
 
     def _consistent(self, point: Point) -> bool:
         """Whether unknown functions have equal values at equal arguments; no others depend on each other."""
-        known: dict[Any, Poly] = {}
-        return all(known.setdefault(tuple(key), each[1]) == each[1] for *key, each in self._called(point))
+        known: dict[Node, Poly] = {}
+        return all(known.setdefault(place, value) == value for place, value in self._called(point))
 
     # display
 
     def _display(self, point: Point) -> Certificate:
         claim = self.problem.claim
         needed = self._needed_names(claim)
-        values = {
-            _key(name): self._written(self._reduce(poly))
-            for name, poly in point.items()
-            if name in needed - atoms().keys()
-        }
-        if claim[0] in RELATIONS:
-            sides = [self._written_side(side, point) for side in claim[1:]]
+        known = {name: self._written(self._reduce(p)) for name, p in point.items() if name in needed - atoms().keys()}
+        values = {name: value for name, value in known.items() if circle(name) is None}
+        values |= {x: angle_of(known[cosine(x)], known[sine(x)]) for _, x in filter(None, map(circle, known))}
+        if claim.tag in RELATIONS:
+            sides = [self._written_side(side, point) for side in claim.terms]
         else:
-            sides = ["true" if self._truth(part, point) else "false" for part in claim[1:]]
+            sides = [self._truth(part, point) for part in claim.formulas]
         functions = {"functions": self.settled} if self.settled else {}
-        called = {
-            repr(key): [*key[:2], [*map(self._written, arguments)], self._written(value)]
-            for *key, (arguments, value) in self._called(point)
-        }
-        calls = {"calls": [*called.values()]} if called else {}
+        called = {place: self._written(value) for place, value in self._called(point)}
+        calls = {"calls": [*called.items()]} if called else {}
         return {"values": values, "sides": sides, **functions, **calls}
 
     def _needed_names(self, claim: Formula) -> set[str]:
         definitions = self.ring.definitions
         nodes = [claim, *(f for _, fs in self.problem.hypotheses for f in fs)]
-        return with_arguments(set().union(*(variables(unfold(node, definitions)) for node in nodes)))
+        return with_arguments(set().union(*(variables(unfold(tree, definitions)) for tree in nodes)))
 
     def _written_side(self, side: Term, point: Point) -> Any:
         """The value of a side; pi may stand in its denominator."""
@@ -472,7 +472,7 @@ class Search:
         if where is None or not any(poly != 0 and poly.degrees()[where] for poly in (top, bottom)):
             return self._written(self._side(side, point))
         common = top.gcd(bottom)
-        return ["/", term_of(divmod(top, common)[0]), term_of(divmod(bottom, common)[0])]
+        return node("/", term_of(divmod(top, common)[0]), term_of(divmod(bottom, common)[0]))
 
     def _side(self, side: Term, point: Point) -> Poly:
         ratio = self.ring.ratio(side)
@@ -482,9 +482,9 @@ class Search:
         return self._quotient(self._reduce(top), self._reduce(bottom))
 
     def _written(self, value: Poly) -> Any:
-        """A rational as "2/7", another number as a term of integers and roots."""
-        if value.is_constant():
-            return str(fraction(value.leading_coefficient())) if value != 0 else "0"
+        """A number as a term of integers and roots."""
+        if value == 0:
+            return 0
         addends = []
         for exponents, coefficient in value.terms():
             number, radicand, turns = fraction(coefficient), 1, 0
@@ -493,14 +493,35 @@ class Search:
                     turns = int(exponent)
                 else:
                     radicand *= self.roots[name] if exponent else 1
-            factors: list[Any] = [number.numerator if number.denominator == 1 else ["/", *number.as_integer_ratio()]]
-            factors += [["sqrt", radicand]] * (radicand > 1) + [["^", "pi", turns]] * (turns > 0)
-            addends.append(["*", *factors] if len(factors) > 1 else factors[0])
-        return addends[0] if len(addends) == 1 else ["+", *addends]
+            factors: list[Any] = [number_term(number)]
+            factors += [node("sqrt", radicand)] * (radicand > 1) + [node("^", PI, turns)] * (turns > 0)
+            addends.append(node("*", *factors) if len(factors) > 1 else factors[0])
+        return addends[0] if len(addends) == 1 else node("+", *addends)
+
+
+def angle_of(cosine: Term, sine: Term) -> Term:
+    """The angle of a point of the unit circle: twice the arctangent of its half."""
+    if cosine == -1:
+        return PI
+    half = node("/", sine, node("+", 1, cosine))
+    number = number_of(half)
+    return node("*", 2, node("arctan", half if number is None else number_term(number)))
+
+
+def turn_of(angle: Term) -> tuple[Term, Term]:
+    """(cosine, sine) of such an angle; KeyError for others."""
+    match angle:
+        case Value(tag="pi"):
+            return -1, 0
+        case Value(tag="*", terms=(2, Value(tag="arctan", terms=(half,)))):
+            square = node("^", half, 2)
+            below = node("+", 1, square)
+            return node("/", node("+", 1, node("-", square)), below), node("/", node("*", 2, half), below)
+    raise KeyError(angle)
 
 
 def _key(name: str) -> str:
-    """The name of a coordinate in a point: "sin_x" for the sine of x."""
+    """The name of a coordinate in a hint: "sin_x" for the sine of x."""
     return "_".join(circle(name) or (name,))
 
 
@@ -550,13 +571,13 @@ def _matrix_values() -> Iterator[Rows]:
     f = Fraction
     seventh: Rows = [[f(x, 7) for x in row] for row in SEVENTHS]  # a rotation; its negative is a reflection
     eye: Rows = [[1, 0, 0], [0, 1, 0], [0, 0, 1]]
-    r2, r3, r6 = ("sqrt", 2), ("sqrt", 3), ("sqrt", 6)
+    r2, r3, r6 = node("sqrt", 2), node("sqrt", 3), node("sqrt", 6)
     surd: Rows = [
-        [("/", 2, r6), ("/", -1, r6), ("/", 1, r6)],
-        [("/", 1, r3), ("/", 1, r3), ("/", -1, r3)],
-        [0, ("/", 1, r2), ("/", 1, r2)],
+        [node("/", 2, r6), node("/", -1, r6), node("/", 1, r6)],
+        [node("/", 1, r3), node("/", 1, r3), node("/", -1, r3)],
+        [0, node("/", 1, r2), node("/", 1, r2)],
     ]
-    half: Rows = [[("/", 1, r2), ("/", 1, r2), 0], [("/", -1, r2), ("/", 1, r2), 0], [0, 0, 1]]
+    half: Rows = [[node("/", 1, r2), node("/", 1, r2), 0], [node("/", -1, r2), node("/", 1, r2), 0], [0, 0, 1]]
     turns: list[Rows] = [
         [[f(3, 5), f(4, 5), 0], [f(-4, 5), f(3, 5), 0], [0, 0, 1]],
         [[1, 0, 0], [0, f(3, 5), f(4, 5)], [0, f(-4, 5), f(3, 5)]],
@@ -592,10 +613,10 @@ _CIRCLE: tuple[tuple[Any, Any], ...] = (
     (Fraction(-4, 5), Fraction(3, 5)),
     (Fraction(3, 5), Fraction(-4, 5)),
     (0, -1),
-    (("/", 1, ("sqrt", 3)), ("/", ("*", ("sqrt", 2), ("sqrt", 3)), 3)),
-    (("/", 1, ("sqrt", 2)), ("/", 1, ("sqrt", 2))),
-    (("/", 1, ("sqrt", 3)), ("/", ("*", -1, ("sqrt", 2), ("sqrt", 3)), 3)),
-    (Fraction(1, 2), ("/", ("sqrt", 3), 2)),
+    (node("/", 1, node("sqrt", 3)), node("/", node("*", node("sqrt", 2), node("sqrt", 3)), 3)),
+    (node("/", 1, node("sqrt", 2)), node("/", 1, node("sqrt", 2))),
+    (node("/", 1, node("sqrt", 3)), node("/", node("*", -1, node("sqrt", 2), node("sqrt", 3)), 3)),
+    (Fraction(1, 2), node("/", node("sqrt", 3), 2)),
 )
 
 _BIG = tuple(random.Random(7).getrandbits(62) for _ in range(12))

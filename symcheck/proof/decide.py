@@ -7,17 +7,18 @@ import re
 from collections.abc import Callable
 from dataclasses import replace
 
+from symcheck.core.formulas import conjuncts
+from symcheck.core.terms import Node, Relation, node
 from symcheck.proof.closed import decide_numbers
 from symcheck.proof.counterexample import refute
 from symcheck.proof.knowledge import Knowledge, given_of, ring_of, starting
 from symcheck.proof.mentions import nonzero_terms, references, terms_in, texts_in
 from symcheck.proof.orders import form_on_the_circle
 from symcheck.proof.polynomial import Poly, Ring, Unsupported, function_arguments, unfold, variables
-from symcheck.proof.theorems import conjuncts, sides
 from symcheck.proof.variables import atoms, table
 from symcheck.proof.wellformed import check_terms
 from symcheck.proof.witness import find_witnesses
-from symcheck.statement import Certificate, Outcome, Problem, Term, Verdict
+from symcheck.statement import Certificate, Formula, Outcome, Problem, Term, Verdict
 
 VACUOUS = (
     "it follows from what is given, but no point was found at which that holds: hypotheses, premises, "
@@ -78,7 +79,7 @@ def _proved(problem: Problem, ring: Ring, proof: Certificate) -> Outcome | None:
     own = [unfold(term, ring.definitions) for term in terms_in(proof, ring.definitions)]
     if ring.divisors or own or atoms().keys() & set(ring.names):
         stated = [problem.claim, *(f for _, fs in problem.hypotheses for f in fs)]
-        own += [unfold(side, ring.definitions) for formula in stated for side in sides(formula)]
+        own += [unfold(side, ring.definitions) for formula in stated for side in _sides(formula)]
         inner = [t for term in own for bodies in (True, False) for t in function_arguments(term, bodies)]
         names = set(ring.names).union(*map(variables, [*own, *inner]))
         known, before = starting(problem, Ring(names, ring.definitions)), -1
@@ -106,7 +107,7 @@ def _conditions(
     """
     parts = [(name, k, f) for name, fs in problem.hypotheses for k, f in enumerate(p for f in fs for p in conjuncts(f))]
     stated = [problem.claim, *(f for name, k, f in parts if (name, k) in given)]
-    statement = _divisors([side for formula in stated for side in sides(formula)], known.ring)
+    statement = _divisors([side for formula in stated for side in _sides(formula)], known.ring)
     listed: list[list[str]] = []
     positive: list[Term] = []
     for texts, divisor in {**statement, **_divisors(terms_in(proof, known.ring.definitions), known.ring)}.items():
@@ -123,13 +124,23 @@ def _conditions(
     return listed, positive
 
 
+def _sides(formula: Formula) -> list[Term]:
+    """Both sides of every relation, of those under quantifiers too: what is divided by there may be free of letters."""
+    if isinstance(formula, Relation):
+        return [*formula.terms]
+    return [side for part in (*formula.inside, *formula.outside) if isinstance(part, Node) for side in _sides(part)]
+
+
 def _positive(top: Poly, below: tuple[str, ...], known: Knowledge) -> Term | None:
     """A manifestly positive term that is the fraction or its negative, or None."""
+    for name, axiom in known.ring.axioms():
+        top = divmod(top, axiom)[1] if name[1] == "sqrt" else top  # a root squared is a number
     form = form_on_the_circle(top, known) or form_on_the_circle(-top, known)
-    bottoms = [form_on_the_circle(known.ring.text(text), known) for text in below]
-    if form is None or None in bottoms:
+    found = [form_on_the_circle(known.ring.text(text), known) for text in below]
+    bottoms = [bottom for bottom in found if bottom is not None]
+    if form is None or len(bottoms) < len(found):
         return None
-    whole: Term = ("/", form, ("*", 1, *bottoms)) if bottoms else form
+    whole: Term = node("/", form, node("*", 1, *bottoms)) if bottoms else form
     return whole if known.sign(whole)[0] == 2 else None
 
 

@@ -31,8 +31,8 @@ def subsets(problem: Problem) -> Iterator[tuple[str, ...]]:
 
 def _signs(formula: Formula) -> set[str]:
     if formula[0] == "and":
-        return set().union(*(_signs(part) for part in formula[1:]))
-    return {formula[0]}
+        return set().union(*map(_signs, formula.formulas))
+    return {formula.tag}
 
 
 def fewest(problem: Problem, ring: Ring, poly: Poly) -> list[Fact] | None:
@@ -65,11 +65,11 @@ def identity_here(goal: Formula, known: Knowledge) -> Certificate | None:
 
 def equations_here(goal: Formula, known: Knowledge) -> Certificate | None:
     """Equations one by one, from everything known at that place."""
-    if goal[0] == "and":
+    if goal.tag == "and":
         parts = []
-        for part in goal[1:]:
+        for part in goal.formulas:
             if (proof := equations_here(part, known)) is None:
                 return None
             parts.append(proof)
         return {"rule": "each", "parts": parts}
-    return identity_here(goal, known) if goal[0] == "=" else None
+    return identity_here(goal, known) if goal.tag == "=" else None

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from dataclasses import replace
 
+from symcheck.core.terms import RELATIONS, Quantified, node
 from symcheck.proof.knowledge import proportional, ring_of, starting
 from symcheck.proof.polynomial import Unsupported, alone
-from symcheck.proof.theorems import RELATIONS
 from symcheck.statement import Formula, Problem
 
 MIRROR = {"<": ">", "<=": ">="}
@@ -17,7 +17,7 @@ def equivalent(f: Formula, g: Formula, problem: Problem) -> bool:
 
     Decided exactly; False if that cannot be seen (Unsupported terms included).
     """
-    both = replace(problem, claim=("and", f, g))
+    both = replace(problem, claim=node("and", f, g))
     with alone(both):
         return f == g or _equivalent(f, g, both)
 
@@ -30,11 +30,11 @@ def _equivalent(f: Formula, g: Formula, problem: Problem) -> bool:
         return False
 
     def same(a: Formula, b: Formula) -> bool:
-        if a[0] not in RELATIONS or b[0] not in RELATIONS:
-            if a[0] != b[0] or len(a) != len(b):
-                return False
-            parts = zip(a[2:], b[2:], strict=True) if a[0] == "exists" else zip(a[1:], b[1:], strict=True)
-            return (a[0] != "exists" or a[1] == b[1]) and all(same(x, y) for x, y in parts)
+        if a.tag not in RELATIONS or b.tag not in RELATIONS:
+            if isinstance(a, Quantified) and isinstance(b, Quantified):
+                return a.tag == b.tag and a.bound == b.bound and same(a.body, b.body)
+            alike = a.tag == b.tag and len(a.formulas) == len(b.formulas) > 0
+            return alike and all(map(same, a.formulas, b.formulas))
         a, b = _larger_first(a), _larger_first(b)
         if a[0] != b[0]:
             return False
@@ -54,4 +54,4 @@ def _equivalent(f: Formula, g: Formula, problem: Problem) -> bool:
 
 
 def _larger_first(formula: Formula) -> Formula:
-    return (MIRROR[formula[0]], formula[2], formula[1]) if formula[0] in MIRROR else formula
+    return node(MIRROR[formula.tag], *formula.terms[::-1]) if formula.tag in MIRROR else formula

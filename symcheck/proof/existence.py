@@ -5,10 +5,13 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from typing import Any
 
+from symcheck.core.calculus import substituted
+from symcheck.core.formulas import conjuncts
+from symcheck.core.terms import Node, Quantified, mapped, node
+from symcheck.proof.applied import applied, of, step
 from symcheck.proof.equations import equations_here, identity_here
 from symcheck.proof.knowledge import Knowledge, ring_of, starting
-from symcheck.proof.polynomial import Ring, parts, rebuilt, subterms, unfold, variables
-from symcheck.proof.theorems import conjuncts
+from symcheck.proof.polynomial import Ring, subterms, unfold, variables
 from symcheck.proof.variables import cosine, table
 from symcheck.statement import Certificate, Formula, Problem, Term
 
@@ -22,12 +25,14 @@ def prove_existence(problem: Problem, ring: Ring, prove_body: Search) -> Certifi
     such a point itself, "exists c, s: c^2 + s^2 = 1 and ...", is read so too.
     """
     point: dict[str, Term] = {name[6:]: value for name, value in problem.hints if name.startswith("point_")}
-    bound, body = problem.claim[1], problem.claim[2]
+    if not isinstance(problem.claim, Quantified):
+        return None
+    bound, body = problem.claim.bound, problem.claim.body
     angle = table().letter(table().fresh("turn"))  # (u, v) = (cos turn, sin turn)
     if not point and len(bound) == 1:
         point = {bound[0]: angle}
     if not point and len(bound) == 2:
-        point = {bound[0]: ("cos", angle), bound[1]: ("sin", angle)}
+        point = {bound[0]: node("cos", angle), bound[1]: node("sin", angle)}
     if set(point) != set(bound):
         return None
     plain = Problem(problem.id, problem.claim, problem.definitions, problem.hypotheses)
@@ -35,9 +40,9 @@ def prove_existence(problem: Problem, ring: Ring, prove_body: Search) -> Certifi
     letters = sorted(name for name in own if not table().stands(name))
     if len(letters) not in (0, 2):
         return None
-    circle: dict[str, Term] = {x: (f, angle) for x, f in zip(letters, ("cos", "sin"), strict=False)}
-    point = {name: substitute(term, circle) for name, term in point.items()}
-    shown = substitute(unfold(body, {n: t for n, t in problem.definitions if n not in point}), point)
+    circle: dict[str, Term] = {x: node(f, angle) for x, f in zip(letters, ("cos", "sin"), strict=False)}
+    point = {name: substituted(term, circle) for name, term in point.items()}
+    shown = substituted(unfold(body, {n: t for n, t in problem.definitions if n not in point}), point)
     known = starting(problem, Ring({*ring.names, *variables(shown)}, ring.definitions))
     if not any(part == angle for term in point.values() for part in subterms(term)):
         return _witness(point, shown, known, prove_body)
@@ -57,28 +62,19 @@ def _turned(
     """The proof with that point; the angle in it is one where the equation holds."""
     if equation[0] != "=" or cosine(angle) not in known.ring.generator:
         return None
-    leading: Term = ("+", equation[1], ("-", equation[2]))
-    quarter = {("cos", angle): ("-", ("sin", angle)), ("sin", angle): ("cos", angle)}
-    premise = identity_here(("=", _further(leading, quarter), ("-", leading)), known)
+    leading: Term = node("+", equation[1], node("-", equation[2]))
+    quarter = {node("cos", angle): node("-", node("sin", angle)), node("sin", angle): node("cos", angle)}
+    premise = identity_here(node("=", _further(leading, quarter), node("-", leading)), known)
     if premise is None or known.ideal().reduce(known.ring.ratio(leading).num) == 0:
         return None
-    then = _witness(point, shown, known.assume(("=", leading, 0)), prove_body)
+    then = _witness(point, shown, known.assume(node("=", leading, 0)), prove_body)
     if then is None:
         return None
-    return {"rule": "theorem", "of": ["quarter_turn", leading, angle], "premises": [premise], "then": then}
+    return step(applied("quarter_turn", of(angle, leading)), [premise], then)
 
 
-def _further(node: Any, quarter: Mapping[Any, Term]) -> Any:
+def _further(tree: Any, quarter: Mapping[Any, Term]) -> Any:
     """The term 90 degrees further."""
-    if node in quarter:
-        return quarter[node]
-    return rebuilt(node, (_further(part, quarter) for part in parts(node))) if isinstance(node, tuple) else node
-
-
-def substitute(node: Formula | Term, values: dict[str, Term]) -> Formula:
-    """The term or formula with variables replaced by terms."""
-    if isinstance(node, str):
-        return values.get(node, node)  # type: ignore[return-value]
-    if not isinstance(node, tuple):
-        return node  # type: ignore[return-value]
-    return rebuilt(node, (substitute(child, values) for child in parts(node)))
+    if tree in quarter:
+        return quarter[tree]
+    return mapped(tree, lambda part: _further(part, quarter)) if isinstance(tree, Node) else tree

@@ -6,11 +6,12 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 
+from symcheck.core.formulas import contrary
+from symcheck.core.terms import node
 from symcheck.proof.equations import written
 from symcheck.proof.knowledge import Knowledge
 from symcheck.proof.orders import number_term, term_of
-from symcheck.proof.polynomial import Poly, fraction, frozen
-from symcheck.proof.theorems import contrary
+from symcheck.proof.polynomial import Poly, fraction
 from symcheck.statement import Certificate, Formula, Term
 
 MAX_COLUMNS = 160
@@ -28,7 +29,7 @@ class _Addend:
 
 def prove_by_contrary(goal: Formula, known: Knowledge, products: bool = True) -> Certificate | None:
     """An order follows if the signs that are known and its contrary do not go together."""
-    then = contradiction(known.assume(frozen(contrary(goal))), goal, products)
+    then = contradiction(known.assume(contrary(goal)), goal, products)
     return None if then is None else {"rule": "implies", "then": then}
 
 
@@ -56,7 +57,7 @@ def _known(known: Knowledge) -> Iterator[_Addend]:
         below = [term_of(poly) for poly, e in known.ring.ratio(sign.term).den.values() for _ in range(e)]
         level = min([sign.level, *(known.sign(term)[0] for term in below)])
         if level:
-            yield _addend(("*", *below, sign.term), level, sign.poly, known)
+            yield _addend(node("*", *below, sign.term), level, sign.poly, known)
 
 
 def _about(addends: list[_Addend], poly: Poly, known: Knowledge) -> list[_Addend]:
@@ -89,14 +90,14 @@ def _squares(addends: Sequence[_Addend], known: Knowledge) -> list[_Addend]:
     for each in addends:
         if len(each.poly) < 2:
             continue
-        found.append(_addend(("^", each.term, 2), each.level, each.poly**2, known))
+        found.append(_addend(node("^", each.term, 2), each.level, each.poly**2, known))
         for exponents, coefficient in each.poly.terms():
             monomial = known.ring.context.from_dict({exponents: -coefficient})
             if coefficient > 0 or monomial.is_constant():
                 continue
             factor = term_of(monomial)
             if level := min(known.sign(factor)[0], each.level):
-                found.append(_addend(("*", factor, each.term), level, monomial * each.poly, known))
+                found.append(_addend(node("*", factor, each.term), level, monomial * each.poly, known))
     return found
 
 
@@ -105,7 +106,7 @@ def _products(addends: Sequence[_Addend], known: Knowledge) -> list[_Addend]:
     letters = [(term_of(g), g, known.sign(term_of(g))[0]) for g in known.ring.generator.values()]
     first = [each for each in addends if len(each.poly) > 1 and each.poly.total_degree() <= 2]
     return [
-        _addend(("*", term, each.term), min(level, each.level), g * each.poly, known)
+        _addend(node("*", term, each.term), min(level, each.level), g * each.poly, known)
         for term, g, level in letters
         if level
         for each in first
@@ -118,8 +119,8 @@ def _combined(addends: Sequence[_Addend], known: Knowledge) -> Certificate | Non
     if found is None:
         return None
     used = [(addends[k], multiple) for k, multiple in found.items()]
-    parts = [each.term if m == 1 else ("*", number_term(m), each.term) for each, m in used]
-    form: Term = parts[0] if len(parts) == 1 else ("+", *parts)
+    parts = [each.term if m == 1 else node("*", number_term(m), each.term) for each, m in used]
+    form: Term = parts[0] if len(parts) == 1 else node("+", *parts)
     cofactors = known.ideal().cofactors(known.ring.ratio(form).num)
     level, given = known.sign(form)
     if cofactors is None or level < 2:

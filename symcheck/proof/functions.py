@@ -12,17 +12,19 @@ from itertools import combinations
 from math import comb, prod
 from typing import Any
 
+from symcheck.core.calculus import Unknown, substituted
+from symcheck.core.terms import INFINITY, MINUS_INFINITY, PI, End, mapped, node
+from symcheck.proof.applied import Instance, applied, congruence, of
 from symcheck.proof.knowledge import Knowledge, proportional
 from symcheck.proof.orders import number_term, term_of
 from symcheck.proof.polynomial import (
-    Instance,
+    BINDING,
     Poly,
     Ratio,
     Ring,
     Unsupported,
     canonical,
     fraction,
-    frozen,
     number_of,
     parts,
     rational,
@@ -30,12 +32,11 @@ from symcheck.proof.polynomial import (
     variables,
     with_arguments,
 )
-from symcheck.proof.theorems import BINDING, Terms, Unknown
 from symcheck.proof.variables import atoms, cosine, sine
 from symcheck.statement import Term
 
-HALF_LINE = (0, "infinity")
-WHOLE_LINE = (("-", "infinity"), "infinity")
+HALF_LINE = (0, INFINITY)
+WHOLE_LINE = (MINUS_INFINITY, INFINITY)
 
 
 def instances(name: str, names: set[str]) -> Iterator[Instance]:
@@ -51,13 +52,13 @@ def instances(name: str, names: set[str]) -> Iterator[Instance]:
 
 def simplified(name: str, known: Knowledge) -> Iterator[Instance]:
     """A function at arguments that the equations in force make simpler."""
-    node = atoms()[name]
-    if node[0] in BINDING:
+    tree = atoms()[name]
+    if tree[0] in BINDING:
         return
-    arguments = parts(node)
+    arguments = parts(tree)
     simpler = tuple(_simplified(term, known) for term in arguments)
     if [*map(canonical, simpler)] != [*map(canonical, arguments)]:
-        yield "congruence", node[:3] if node[0] == "call" else node[0], arguments, simpler
+        yield congruence(tree, mapped(tree, dict(zip(arguments, simpler, strict=True)).__getitem__))
 
 
 def _simplified(term: Term, known: Knowledge) -> Term:
@@ -70,33 +71,33 @@ def _simplified(term: Term, known: Knowledge) -> Term:
 
 
 def _root(arguments: list[Any], others: list[list[Any]]) -> Iterator[Instance]:
-    yield "root", arguments[0]
-    if arguments[0] == "pi":
-        yield "equal_squares", ("sqrt", "pi"), ("gamma", ("/", 1, 2))
+    yield applied("root", arguments[0])
+    if arguments[0] == PI:
+        yield applied("equal_squares", node("sqrt", PI), node("gamma", node("/", 1, 2)))
     radicands = [t for (t,) in (arguments, *others)]
     for s, t in combinations(radicands, 2):
-        if any(canonical(("*", s, t)) == canonical(r) for r in radicands):
-            yield "root_of_product", s, t
+        if any(canonical(node("*", s, t)) == canonical(r) for r in radicands):
+            yield applied("root_of_product", s, t)
 
 
 def _power(arguments: list[Any], others: list[list[Any]]) -> Iterator[Instance]:
     base, exponent = arguments
-    yield "power", base, exponent
+    yield applied("power", base, exponent)
     if number_of(base) == 1:
-        yield "power_of_power", 1, 1, exponent
+        yield applied("power_of_power", 1, 1, exponent)
     elif (half := _square_root(base)) is not None:
-        doubled = number_of(("*", 2, exponent))
-        opposite = [canonical(("*", 2 * sign, exponent)) for sign in (1, -1)]
+        doubled = number_of(node("*", 2, exponent))
+        opposite = [canonical(node("*", 2 * sign, exponent)) for sign in (1, -1)]
         partners = [other for other, more in others if canonical(more) in opposite]
         if (doubled is not None and doubled.denominator == 1) or canonical(half) in map(canonical, partners):
-            yield "power_of_power", half, 2, exponent
+            yield applied("power_of_power", half, 2, exponent)
     for other, more in others:
         if canonical(other) == canonical(base):
-            gap, whole = (number_of(("+", exponent, (sign, more))) for sign in "-+")
+            gap, whole = (number_of(node("+", exponent, other)) for other in (node("-", more), more))
             if gap is not None and gap.denominator == 1:
-                yield "power_of_sum", base, more, int(gap)
+                yield applied("power_of_sum", base, more, int(gap))
             if whole is not None and whole.denominator == 1:
-                yield "power_of_sum", base, exponent, more
+                yield applied("power_of_sum", base, exponent, more)
 
 
 def _square_root(term: Term) -> Term | None:
@@ -119,14 +120,14 @@ def _gamma(arguments: list[Any], others: list[list[Any]]) -> Iterator[Instance]:
     (t,) = arguments
     number = number_of(t)
     if number is not None and number > 1:
-        yield "gamma", number_term(number - 1)
+        yield applied("gamma", number_term(number - 1))
     elif number in (1, Fraction(1, 2)):
-        yield ("gamma_values",)
+        yield applied("gamma_values")
     for (other,) in others:
-        if number is None and number_of(("+", other, ("-", t))) == 1:
-            yield "gamma", t
-        if number is None and number_of(("+", t, ("-", other))) == 1:
-            yield "gamma", other
+        if number is None and number_of(node("+", other, node("-", t))) == 1:
+            yield applied("gamma", t)
+        if number is None and number_of(node("+", t, node("-", other))) == 1:
+            yield applied("gamma", other)
 
 
 def _mean(arguments: list[Any], others: list[list[Any]]) -> Iterator[Instance]:
@@ -146,7 +147,7 @@ def _mean(arguments: list[Any], others: list[list[Any]]) -> Iterator[Instance]:
             elif k > 0:  # 2 Re (a + i b) e^(ikx) = d/dx of 2 (b cos kx + a sin kx) / k
                 turned = ring.turn({x: k})
                 primitive += outside * (turned[0] * rational(2 * imaginary / k) + turned[1] * rational(2 * real / k))
-    yield "mean", body, x, _over(mean, value), _over(primitive, value)
+    yield applied("mean", of(x, body), _over(mean, value), of(x, _over(primitive, value)))
 
 
 def _harmonics(i: int, j: int) -> dict[int, tuple[Fraction, Fraction]]:
@@ -165,26 +166,27 @@ def _harmonics(i: int, j: int) -> dict[int, tuple[Fraction, Fraction]]:
 def _integral(arguments: list[Any], others: list[list[Any]]) -> Iterator[Instance]:
     body, x, *ends = arguments
     if tuple(ends) == WHOLE_LINE:
-        mirrored = canonical(frozen(Terms({}).replaced(body, {x: ("-", x)})))
+        mirrored = canonical(substituted(body, {x: node("-", x)}))
         if mirrored == canonical(body):
-            yield "even", body, x
-        if mirrored == canonical(("-", body)):
-            yield "odd", body, x
-    if not any("infinity" in variables(end) for end in ends):
+            yield applied("even", of(x, body))
+        if mirrored == canonical(node("-", body)):
+            yield applied("odd", of(x, body))
+    if not any(isinstance(end, End) for end in ends):
         if x not in variables(body):
-            yield "constant", body, x, *ends
+            yield applied("constant", body, *ends)
         else:  # c x b^v with b = p x^2 + q is the derivative of c b^(v+1) / (2 p (v + 1))
             c, k, u, r, p, q = _shape(body, x)
-            exponent = ("+", 1, ("-", r))
+            exponent = node("+", 1, node("-", r))
             if (k, u) == (1, 0):
-                outside = ("/", c, ("*", 2, p, exponent))
-                yield "power_rule", body, x, *ends, outside, ("+", ("*", p, ("^", x, 2)), q), exponent
+                outside = node("/", c, node("*", 2, p, exponent))
+                base = node("+", node("*", p, node("^", x, 2)), q)
+                yield applied("power_rule", of(x, body), *ends, outside, of(x, base), exponent)
     if tuple(ends) == HALF_LINE and (power := _pure_power(body, x)) is not None:
-        yield "power_diverges", body, x, *power
+        yield applied("power_diverges", of(x, body), *power)
     if tuple(ends) in (HALF_LINE, WHOLE_LINE):
         shape = _shape(body, x)
-        yield "beta", body, x, *shape
-        yield "beta_diverges", body, x, *shape
+        yield applied("beta", of(x, body), *shape)
+        yield applied("beta_diverges", of(x, body), *shape)
 
 
 def _pure_power(body: Term, x: str) -> tuple[Term, Term] | None:
@@ -198,12 +200,12 @@ def _pure_power(body: Term, x: str) -> tuple[Term, Term] | None:
         if name == x:
             exponents.append(e)
         elif name in atoms() and atoms()[name][0] == "pow" and canonical(atoms()[name][1]) == canonical(x):
-            exponents.append(("*", e, atoms()[name][2]))
+            exponents.append(node("*", e, atoms()[name][2]))
         elif e > 0 and not poly.degrees()[ring.names.index(x)] and x not in with_arguments({name} & set(atoms())):
             outside *= poly**e
         else:
             return None
-    return term_of(outside), ("+", *exponents) if exponents else 0
+    return term_of(outside), node("+", *exponents) if exponents else 0
 
 
 def _shape(body: Term, x: str) -> tuple[Any, ...]:
@@ -220,14 +222,16 @@ def _shape(body: Term, x: str) -> tuple[Any, ...]:
         if name == x:
             power += e
         elif name in atoms() and atoms()[name][0] == "pow" and canonical(atoms()[name][1]) == canonical(x):
-            exponents.append(("*", e, atoms()[name][2]))
-        elif name in atoms() and atoms()[name][0] == "pow" and canonical(atoms()[name][1]) == canonical(("^", x, 2)):
-            exponents.append(("*", 2 * e, atoms()[name][2]))
+            exponents.append(node("*", e, atoms()[name][2]))
+        elif (
+            name in atoms() and atoms()[name][0] == "pow" and canonical(atoms()[name][1]) == canonical(node("^", x, 2))
+        ):
+            exponents.append(node("*", 2 * e, atoms()[name][2]))
         elif name in atoms() and atoms()[name][0] == "pow" and x in variables(atoms()[name][1]):
             if base is not None and canonical(base) != canonical(atoms()[name][1]):
                 raise Unsupported("powers of two bases")
             base = atoms()[name][1]
-            r.append(("*", -e, atoms()[name][2]))
+            r.append(node("*", -e, atoms()[name][2]))
         elif poly.degrees()[ring.names.index(x)]:
             quadratic.append((poly, e))
         elif e > 0:
@@ -246,7 +250,7 @@ def _shape(body: Term, x: str) -> tuple[Any, ...]:
     if power < 0:
         exponents, power = [*exponents, power], 0
     c = _over(outside, Ratio(outside, {"": (inside, 1)}))
-    u, exponent = (("+", *terms) if terms else 0 for terms in (exponents, r))
+    u, exponent = (node("+", *terms) if terms else 0 for terms in (exponents, r))
     return c, power, u, exponent, term_of(p), term_of(q)
 
 
@@ -260,7 +264,6 @@ def _coefficient(ring: Ring, poly: Poly, x: str, k: int) -> Poly:
     return ring.context.from_dict(terms)
 
 
-OF_BOUND = ("mean", "beta", "beta_diverges", "even", "odd", "constant", "power_rule", "power_diverges")
 _ABOUT: dict[str, Callable[[list[Any], list[list[Any]]], Iterator[Instance]]] = {
     "sqrt": _root,
     "pow": _power,
@@ -276,4 +279,4 @@ def _over(top: Poly, value: Ratio) -> Term:
     bottom = prod((poly**exponent for poly, exponent in value.den.values()), start=top**0)
     common = top.gcd(bottom)
     top, bottom = divmod(top, common)[0], divmod(bottom, common)[0]
-    return term_of(top) if bottom == 1 else ("/", term_of(top), term_of(bottom))
+    return term_of(top) if bottom == 1 else node("/", term_of(top), term_of(bottom))

@@ -162,12 +162,12 @@ class Basis:
 
     def _interreduce(self) -> None:
         for position, index in enumerate(self.active):
-            node = self.nodes[index]
-            rest, quotients = self.reduce(node.poly, skip=index)
+            tree = self.nodes[index]
+            rest, quotients = self.reduce(tree.poly, skip=index)
             if quotients:
                 new = len(self.nodes)
-                parents = [(node.poly * 0 + 1, index)] + [(-q, i) for q, i in quotients]
-                self.nodes.append(Node(rest, parents, node.lead))
+                parents = [(tree.poly * 0 + 1, index)] + [(-q, i) for q, i in quotients]
+                self.nodes.append(Node(rest, parents, tree.lead))
                 self.active[position] = new
 
 

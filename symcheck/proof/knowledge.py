@@ -10,9 +10,10 @@ from dataclasses import dataclass, replace
 from fractions import Fraction
 from typing import Any
 
+from symcheck.core.formulas import conjuncts
+from symcheck.core.terms import RELATIONS, node
 from symcheck.proof.ideal import Fact, Ideal, Ref
 from symcheck.proof.polynomial import Poly, Ring, fraction, unfold, variables
-from symcheck.proof.theorems import RELATIONS, conjuncts
 from symcheck.statement import Formula, Problem, Term
 
 MIRROR = {"<": ">", "<=": ">="}
@@ -74,7 +75,7 @@ class Knowledge:
         if sign in ("!=", ">") and not gap.den:
             known = replace(known, conditions=(*known.conditions, (ref, gap.num)))
         if sign in (">", ">="):
-            term = left if right == 0 else ("+", left, ("-", right))
+            term = left if right == 0 else node("+", left, node("-", right))
             one = Sign(ref, term, 1 + (sign == ">"), gap.num)
             known = (
                 replace(known, fractions=(*known.fractions, one))
@@ -177,8 +178,8 @@ def ring_of(problem: Problem) -> Ring:
         *(value for name, value in problem.hints if name.startswith(("form", "point_")) and value != ""),
     ]
     names: set[str] = set()
-    for node in nodes:
-        names |= variables(unfold(node, definitions))
+    for tree in nodes:
+        names |= variables(unfold(tree, definitions))
     return Ring(names, definitions)
 
 

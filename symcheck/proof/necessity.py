@@ -9,12 +9,14 @@ from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
 from typing import Any, NamedTuple
 
+from symcheck.core.calculus import letters
+from symcheck.core.formulas import conjuncts
+from symcheck.core.terms import RELATIONS, Node, Quantified, mapped, node
 from symcheck.proof.angle_points import refute_about_angles
 from symcheck.proof.certificate import certificate
 from symcheck.proof.counterexample import failing
 from symcheck.proof.methods import proof_of, refute
-from symcheck.proof.polynomial import Unsupported, alone, letters_of, parts, rebuilt, subterms
-from symcheck.proof.theorems import RELATIONS, Terms, conjuncts
+from symcheck.proof.polynomial import Unsupported, alone, letters_of, subterms
 from symcheck.proof.variables import Table
 from symcheck.proof.witness import FALSE
 from symcheck.statement import Certificate, Formula, Loss, Outcome, Problem, Term, Verdict
@@ -22,14 +24,15 @@ from symcheck.statement import Certificate, Formula, Loss, Outcome, Problem, Ter
 PLAIN = {"+", "-", "*", "/", "^", "and", "or", "=>", "<=>", *RELATIONS}
 DRAWN, DRAWS = range(-5, 6), 500
 ORDERS = ("<", "<=", ">", ">=")
+TURNS = ("sin", "cos")
 RIGHT_ANGLES = ((0, 1), (1, 0))  # the sine and the cosine of 0 and of 90 degrees
 HAVING_A_VALUE: dict[str, Callable[..., Formula]] = {
-    "/": lambda _, bottom: ("!=", bottom, 0),
-    "sqrt": lambda radicand: (">=", radicand, 0),
-    "log": lambda number: (">", number, 0),
-    "gamma": lambda number: (">", number, 0),
-    "tan": lambda angle: ("!=", ("cos", angle), 0),
-    "pow": lambda base, _: (">", base, 0),
+    "/": lambda _, bottom: node("!=", bottom, 0),
+    "sqrt": lambda radicand: node(">=", radicand, 0),
+    "log": lambda number: node(">", number, 0),
+    "gamma": lambda number: node(">", number, 0),
+    "tan": lambda angle: node("!=", node("cos", angle), 0),
+    "pow": lambda base, _: node(">", base, 0),
 }
 
 
@@ -69,13 +72,13 @@ def _refuted_by_proof(problem: Problem) -> Certificate | None:
 def _refuted_by_chance(problem: Problem) -> Certificate | None:
     """A point whose coordinates are drawn from the small whole numbers; not where there are functions."""
     terms = dict(problem.definitions)
-    stated = ("", problem.claim, *(f for _, formulas in problem.hypotheses for f in formulas), *terms.values())
-    if any(isinstance(node, tuple) and node[0] not in PLAIN for node in subterms(stated) if node is not stated):
+    stated = [problem.claim, *(f for _, formulas in problem.hypotheses for f in formulas), *terms.values()]
+    if any(isinstance(tree, Node) and tree.tag not in PLAIN for tree in subterms(*stated)):
         return None
-    letters = sorted(Terms({}).names(stated) - terms.keys())
+    names = sorted(set().union(*map(letters, stated)) - terms.keys())
     draw, fails = random.Random(problem.id), failing(problem)
     for _ in range(DRAWS if fails else 0):
-        point = {letter: draw.choice(DRAWN) for letter in letters}
+        point = {letter: draw.choice(DRAWN) for letter in names}
         if fails and fails(point):
             return refute(replace(problem, hints=tuple((f"point.{letter}", value) for letter, value in point.items())))
     return None
@@ -86,19 +89,20 @@ def _meaningful(problem: Problem) -> Iterator[Problem]:
     table, stated = dict(problem.definitions), dict[Formula, None]()
     todo: list[Any] = [problem.claim]
     while todo:
-        for node in subterms(todo.pop()):
-            if isinstance(node, str) and node in table:
-                todo.append(table.pop(node))
-            elif isinstance(node, tuple) and node[0] in HAVING_A_VALUE:
-                stated[HAVING_A_VALUE[node[0]](*node[1:])] = None
+        for tree in subterms(todo.pop()):
+            if isinstance(tree, str) and tree in table:
+                todo.append(table.pop(tree))
+            elif isinstance(tree, Node) and tree.tag in HAVING_A_VALUE:
+                stated[HAVING_A_VALUE[tree.tag](*tree.terms)] = None
     for condition in stated:
-        if any(isinstance(node, str) for part in condition[1:] for node in subterms(part)):
+        if any(isinstance(tree, str) for tree in subterms(condition)):
             yield replace(problem, claim=condition)
 
 
 def _none_exists(problem: Problem) -> Certificate | None:
     """The relations, as few as will do, hold together for no values of the bound letters."""
-    relations = list(conjuncts(problem.claim[2]))
+    assert isinstance(problem.claim, Quantified)
+    relations = list(conjuncts(problem.claim.body))
     if _contradictory(problem, relations) is None:
         return None
     for each in tuple(relations):
@@ -111,7 +115,7 @@ def _contradictory(problem: Problem, relations: Sequence[Formula]) -> Certificat
     """The proof that the relations never hold together; one of them has to be an order."""
     if not any(each[0] in ORDERS for each in relations):
         return None
-    failing = replace(problem, claim=("=>", ("and", *relations) if relations[1:] else relations[0], FALSE))
+    failing = replace(problem, claim=node("=>", node("and", *relations) if relations[1:] else relations[0], FALSE))
     proof = proof_of(failing)
     return certificate(failing, proof) if proof else None
 
@@ -121,25 +125,26 @@ def _at_special_angles(problem: Problem) -> Iterator[Problem]:
     hypotheses hold somewhere.
     """
     hypotheses = (formula for _, formulas in problem.hypotheses for formula in formulas)
-    stated = ("", problem.claim, *(term for _, term in problem.definitions), *hypotheses)
-    angles = sorted({node[1] for node in subterms(stated) if _is_of_angle(node)})
+    stated = (problem.claim, *(term for _, term in problem.definitions), *hypotheses)
+    angles = sorted(set().union(*map(_angle_of, subterms(*stated))))
     taken = Table(letters_of(problem))
     for angle in angles:
         for values in RIGHT_ANGLES:
             names = {(f, angle): taken.fresh(f"{word}_of_{angle}") for f, word in (("sin", "sine"), ("cos", "cosine"))}
             special = _renamed(problem, names, dict(zip(names.values(), values, strict=True)))
-            if not problem.hypotheses or refute(replace(special, claim=("=", 0, 1))) is not None:
+            if not problem.hypotheses or refute(replace(special, claim=node("=", 0, 1))) is not None:
                 yield special
 
 
-def _is_of_angle(node: Any) -> bool:
-    return isinstance(node, tuple) and node[0] in ("sin", "cos") and isinstance(node[1], str)
+def _angle_of(term: Term) -> set[str]:
+    """The letter of which this is the sine or cosine, if it is one."""
+    return {x for x in term.terms if isinstance(x, str)} if isinstance(term, Node) and term.tag in TURNS else set()
 
 
 def _renamed(problem: Problem, names: dict[Any, str], values: dict[str, Term]) -> Problem:
     def new(term: Any) -> Any:
-        if isinstance(term, tuple):
-            return names[term] if term in names else rebuilt(term, map(new, parts(term)))
+        if isinstance(term, Node):
+            return names[term] if term in names else mapped(term, new)
         return term
 
     return replace(

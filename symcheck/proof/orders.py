@@ -6,6 +6,7 @@ from collections.abc import Iterator
 from fractions import Fraction
 from math import prod
 
+from symcheck.core.terms import node
 from symcheck.proof.equations import cleared, subsets, written
 from symcheck.proof.knowledge import Knowledge, proportional, starting
 from symcheck.proof.polynomial import Poly, fraction
@@ -15,8 +16,8 @@ from symcheck.statement import Certificate, Formula, Problem, Term
 
 def gap_of(goal: Formula) -> tuple[Term, int]:
     """(larger - smaller, the level its sign must have)."""
-    small, large = (goal[1], goal[2]) if goal[0][0] == "<" else (goal[2], goal[1])
-    return (large if small == 0 else ("+", large, ("-", small))), 1 + (len(goal[0]) == 1)
+    small, large = goal.terms if goal.tag[0] == "<" else goal.terms[::-1]
+    return (large if small == 0 else node("+", large, node("-", small))), 1 + (len(goal.tag) == 1)
 
 
 def prove_order(
@@ -66,30 +67,30 @@ def fraction_form(term: Term, known: Knowledge, top: Poly | None = None) -> Term
         return form
     bottom = prod((poly**exponent for poly, exponent in ratio.den.values()), start=known.ring.number(1))
     below = form_on_the_circle(bottom, known)
-    return form if bottom == 1 else None if below is None else ("/", form, below)
+    return form if bottom == 1 else None if below is None else node("/", form, below)
 
 
 def positive_form(poly: Poly, known: Knowledge) -> Term | None:
     """A manifestly non-negative term equal to the polynomial, or None: factors, expanded sums, known bounds."""
     for bound in known.signs:
         if (multiple := proportional(poly, bound.poly)) is not None and multiple > 0:
-            return bound.term if multiple == 1 else ("*", number_term(multiple), bound.term)
+            return bound.term if multiple == 1 else node("*", number_term(multiple), bound.term)
     unit, factors = poly.factor()
     sign = fraction(unit)
     parts: list[Term] = []
     for factor, exponent in factors:
         if exponent % 2 == 0:
-            parts.append(("^", term_of(factor), int(exponent)))
+            parts.append(node("^", term_of(factor), int(exponent)))
             continue
         form = _factor_form(factor, known)
         if form is None and (form := _factor_form(-factor, known)) is not None:
             sign = -sign
         if form is None:
             return None
-        parts.append(form if exponent == 1 else ("^", form, int(exponent)))
+        parts.append(form if exponent == 1 else node("^", form, int(exponent)))
     if sign < 0:
         return None
-    return ("*", number_term(sign), *parts) if parts else number_term(sign)
+    return node("*", number_term(sign), *parts) if parts else number_term(sign)
 
 
 def form_on_the_circle(poly: Poly, known: Knowledge) -> Term | None:
@@ -120,7 +121,7 @@ def _on_the_circle(poly: Poly) -> Iterator[Poly]:
 
 def number_term(value: Fraction) -> Term:
     """A rational number as a term."""
-    return value.numerator if value.denominator == 1 else ("/", value.numerator, value.denominator)
+    return value.numerator if value.denominator == 1 else node("/", value.numerator, value.denominator)
 
 
 def _factor_form(poly: Poly, known: Knowledge, depth: int = 3) -> Term | None:
@@ -138,9 +139,9 @@ def _factor_form(poly: Poly, known: Knowledge, depth: int = 3) -> Term | None:
             number = number_term(fraction(mine / coefficient))
             rest = poly - bound.poly * (mine / coefficient)
             if rest == 0:
-                return ("*", number, bound.term)
+                return node("*", number, bound.term)
             if (form := _factor_form(rest, known, depth - 1)) is not None:
-                return ("+", ("*", number, bound.term), form)
+                return node("+", node("*", number, bound.term), form)
     return None
 
 
@@ -152,8 +153,8 @@ def term_of(poly: Poly) -> Term:
         value = fraction(coefficient)
         number = number_term(abs(value))
         bases = ((table().term(name), int(e)) for name, e in zip(names, exponents, strict=True) if e)
-        powers: list[Term] = [base if e == 1 else ("^", base, e) for base, e in bases]
+        powers: list[Term] = [base if e == 1 else node("^", base, e) for base, e in bases]
         factors = powers if number == 1 and powers else [number, *powers]
-        term: Term = factors[0] if len(factors) == 1 else ("*", *factors)
-        addends.append(term if value > 0 else ("-", term))
-    return addends[0] if len(addends) == 1 else ("+", *addends) if addends else 0
+        term: Term = factors[0] if len(factors) == 1 else node("*", *factors)
+        addends.append(term if value > 0 else node("-", term))
+    return addends[0] if len(addends) == 1 else node("+", *addends) if addends else 0

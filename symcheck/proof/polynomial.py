@@ -10,19 +10,21 @@ from contextlib import AbstractContextManager
 from dataclasses import dataclass, field
 from fractions import Fraction
 from math import comb, prod
+from operator import is_
 from typing import Any
 
 import flint
 
-from symcheck.proof.theorems import BINDING, OPAQUE, THEOREMS, Terms, Theorem, Unknown
+from symcheck.core.calculus import Unknown, differentiated, substituted
+from symcheck.core.terms import Binder, End, Node, T, Value, mapped, node
 from symcheck.proof.variables import Unsupported as Unsupported
 from symcheck.proof.variables import atoms, circle, cosine, one_problem, prime, sine, table
 from symcheck.statement import Formula, Problem, Term
 
-Instance = tuple[Any, ...]  # the name of a theorem and what it is applied to
 Poly = Any  # flint.fmpq_mpoly, which has no type information
 
-FUNCTIONS = (*OPAQUE, *BINDING, "call")
+BINDING = ("integral", "diverges", "mean")
+FUNCTIONS = ("sqrt", "pow", "log", "exp", "gamma", "arctan", "arcsin", "arccos", *BINDING, "call")
 
 MAX_POWER = 999
 MAX_LENGTH = 200_000  # terms of a power
@@ -47,22 +49,17 @@ def rational(value: Fraction | int) -> Any:
     return flint.fmpq(value.numerator, value.denominator)
 
 
-def parts(node: tuple[Any, ...]) -> tuple[Any, ...]:
-    """What a term or formula is made of: all but its kind, and but the name and the orders of an unknown function."""
-    return node[3 if node[:1] == ("call",) else 1 :]
+def parts(tree: Node) -> tuple[Term, ...]:
+    """The terms or formulas that a term or formula is made of."""
+    return tree.inside + tree.outside
 
 
-def rebuilt(node: tuple[Any, ...], inner: Iterable[Any]) -> tuple[Any, ...]:
-    """The same kind of term or formula, made of other parts."""
-    return (*node[: 3 if node[:1] == ("call",) else 1], *inner)
-
-
-def subterms(node: Any) -> Iterator[Any]:
-    """Every tuple, name and number inside a term or formula, itself included."""
-    yield node
-    if isinstance(node, tuple):
-        for child in parts(node):
-            yield from subterms(child)
+def subterms(*trees: Term) -> Iterator[Term]:
+    """Every term, formula, letter and number inside, the trees themselves included."""
+    for tree in trees:
+        yield tree
+        if isinstance(tree, Node):
+            yield from subterms(*parts(tree))
 
 
 def letters_of(problem: Problem) -> set[str]:
@@ -72,8 +69,8 @@ def letters_of(problem: Problem) -> set[str]:
     return {name for name, _ in problem.definitions} | _names_in((problem.claim, *said))
 
 
-def _names_in(node: Any) -> set[str]:
-    open_, found = [node], set[str]()
+def _names_in(tree: Any) -> set[str]:
+    open_, found = [tree], set[str]()
     while open_:
         part = open_.pop()
         if isinstance(part, tuple):
@@ -88,55 +85,48 @@ def alone(problem: Problem) -> AbstractContextManager[Any]:
     return one_problem(letters_of(problem))
 
 
-def unfold(node: Any, definitions: Mapping[str, Term], active: tuple[str, ...] = ()) -> Any:
-    """The term or formula with every defined name replaced by its definition, recursively."""
-    if isinstance(node, str):
-        if node in active:
-            raise Unsupported(f"the definition of {node} refers to itself")
-        return unfold(definitions[node], definitions, (*active, node)) if node in definitions else node
-    if not isinstance(node, tuple):
-        return node
-    if node[0] == "diff":
-        if node[2] in definitions:
-            raise Unsupported(f"a derivative by {node[2]}, which is not a free variable here")
-        return ("diff", unfold(node[1], definitions, active), node[2], node[3])
-    if node[0] == "exists":
-        inner = {name: term for name, term in definitions.items() if name not in node[1]}
-        return ("exists", node[1], unfold(node[2], inner, active))
-    if node[0] in BINDING:
-        inner = {name: term for name, term in definitions.items() if name != node[2]}
-        ends = (unfold(end, definitions, active) for end in node[3:])
-        return (node[0], unfold(node[1], inner, active), node[2], *ends)
-    return rebuilt(node, (unfold(child, definitions, active) for child in parts(node)))
+def unfold(tree: T, definitions: Mapping[str, Term], active: tuple[str, ...] = ()) -> T:
+    """The term or formula with every defined name replaced by what it abbreviates, recursively.
+
+    What a definition says of a letter that is bound where its name stands is said of the bound one.
+    """
+    return _unfolded(tree, definitions, active)  # type: ignore[return-value, arg-type]
+
+
+def _unfolded(tree: Term, definitions: Mapping[str, Term], active: tuple[str, ...]) -> Term:
+    if isinstance(tree, str):
+        if tree in active:
+            raise Unsupported(f"the definition of {tree} refers to itself")
+        return _unfolded(definitions[tree], definitions, (*active, tree)) if tree in definitions else tree
+    if not isinstance(tree, Node):
+        return tree
+    if not tree.bound:  # most nodes, and most of them stay as they are: this is called a quarter of a million times
+        new = [part if type(part) is int else _unfolded(part, definitions, active) for part in tree.outside]
+        if all(map(is_, new, tree.outside)):
+            return tree
+        start = len(tree) - len(new)
+        return node(tree.tag, *tree[1:start], *new)
+    if tree.tag == "diff" and tree.bound[0] in definitions:
+        raise Unsupported(f"a derivative by {tree.bound[0]}, which is not a free variable here")
+    free = {name: term for name, term in definitions.items() if name not in tree.bound}
+    return mapped(tree, lambda part: _unfolded(part, definitions, active), lambda part: _unfolded(part, free, active))
 
 
 def derivative(term: Term, definitions: Mapping[str, Term]) -> Term:
-    """The term that ("diff", inner, x, order) stands for; the checker takes the same derivatives."""
-    assert isinstance(term, tuple)
+    """The term that a node "diff" stands for; the checker takes the same derivatives."""
+    plain = unfold(term, definitions)
+    assert isinstance(plain, Binder)
     try:
-        found: Term = frozen(Terms(dict(definitions)).derived(*term[1:]))
+        return differentiated(plain)
     except Unknown as error:
         raise Unsupported(str(error)) from error
-    return found
 
 
-def theorem_of(instance: Instance, definitions: Mapping[str, Term]) -> Theorem:
-    """A theorem applied to terms."""
-    try:
-        theorem = THEOREMS[instance[0]](Terms(dict(definitions)), *map(_listed, instance[1:]))
-    except Unknown as error:
-        raise Unsupported(str(error)) from error
-    return Theorem([frozen(premise) for premise in theorem.premises], frozen(theorem.conclusion))
-
-
-def _listed(node: Any) -> Any:
-    """Nested tuples as nested lists, as the checker reads them."""
-    return [*map(_listed, node)] if isinstance(node, tuple) else node
-
-
-def frozen(node: Any) -> Any:
-    """Nested lists as nested tuples."""
-    return tuple(map(frozen, node)) if isinstance(node, (list, tuple)) else node
+def power_of(term: Node) -> tuple[Term, int]:
+    """Base and exponent of a whole power."""
+    base, exponent = term.terms
+    assert isinstance(exponent, int)
+    return base, exponent
 
 
 def constant(term: Term) -> Fraction:
@@ -194,40 +184,41 @@ def square_free(value: Fraction) -> tuple[Fraction, tuple[int, ...]]:
 
 
 def angle(term: Term) -> dict[str, int]:
-    """An integer combination of variables, {name: coefficient}, from the argument of a sine."""
-    if isinstance(term, str):
-        return {term: 1}
-    if isinstance(term, tuple):
-        if term[0] == "-":
-            return {name: -n for name, n in angle(term[1]).items()}
-        if term[0] == "+":
+    """An integer combination of letters, {name: coefficient}, and of quarters of a turn, {"pi": count}."""
+    match term:
+        case 0:
+            return {}
+        case str():
+            return {table().letter(term): 1}
+        case Value(tag="pi"):
+            return {"pi": 2}
+        case Value(tag="-", terms=(inner,)):
+            return {name: -n for name, n in angle(inner).items()}
+        case Value(tag="+", terms=addends):
             total: dict[str, int] = {}
-            for part in term[1:]:
+            for part in addends:
                 for name, n in angle(part).items():
                     total[name] = total.get(name, 0) + n
             return total
-        if term[0] == "*":
-            numbers = [t for t in term[1:] if isinstance(t, int)]
-            rest = [t for t in term[1:] if not isinstance(t, int)]
-            if len(rest) == 1:
-                scale = 1
-                for n in numbers:
-                    scale *= n
-                return {name: scale * n for name, n in angle(rest[0]).items()}
-    if term == 0:
-        return {}
+        case Value(tag="*", terms=factors) if len(rest := [t for t in factors if not isinstance(t, int)]) == 1:
+            scale = prod(t for t in factors if isinstance(t, int))
+            return {name: scale * n for name, n in angle(rest[0]).items()}
+        case Value(tag="/", terms=(top, 2)):
+            turns = angle(top)
+            if all(n % 2 == 0 for n in turns.values()):
+                return {name: n // 2 for name, n in turns.items()}
     raise Unsupported(f"sine or cosine of {term!r}: only whole multiples and sums of variables")
 
 
-def atom(node: Any) -> str | None:
+def atom(tree: Any) -> str | None:
     """The variable that stands for a function of an unfolded term; None for roots of numbers and whole powers.
 
     Terms with the same arguments, as fractions of polynomials, have the same atom.
     """
-    kind, *arguments = node
+    kind, *arguments = tree
     if kind == "call":
         function, orders, *arguments = arguments
-        return table().atom((kind, function, orders, *map(canonical, arguments)), node)
+        return table().atom((kind, function, orders, *map(canonical, arguments)), tree)
     if kind == "pow" and (number := number_of(arguments[1])) is not None and number.denominator == 1:
         return None
     if kind == "sqrt" and number_of(arguments[0]) is not None:
@@ -235,9 +226,9 @@ def atom(node: Any) -> str | None:
     if kind in BINDING:
         body, x, *ends = arguments
         variables(body)  # what does not depend on x has its variable already
-        depth = sum(isinstance(part, tuple) and part[0] in BINDING for part in subterms(body))
-        arguments = [renamed(body, x, f"#{depth}"), *ends]  # a name no letter has
-    return table().atom((kind, *map(canonical, arguments)), node)
+        depth = sum(isinstance(part, Node) and part.tag in BINDING for part in subterms(body))
+        arguments = [substituted(body, {x: f"#{depth}"}), *ends]  # a name no letter has
+    return table().atom((kind, *map(canonical, arguments)), tree)
 
 
 def number_of(term: Term) -> Fraction | None:
@@ -257,17 +248,10 @@ def number_of(term: Term) -> Fraction | None:
     return fraction(quotient.leading_coefficient()) if rest == 0 and quotient.is_constant() else None
 
 
-def renamed(node: Any, old: str, new: str) -> Any:
-    """The term with another name for a variable, except where it is bound again."""
-    if isinstance(node, tuple) and node[:1] and node[0] in BINDING and node[2] == old:
-        return (*node[:3], *(renamed(end, old, new) for end in node[3:]))
-    if isinstance(node, tuple):
-        return rebuilt(node, (renamed(child, old, new) for child in parts(node)))
-    return new if node == old else node
-
-
 def canonical(term: Term) -> str:
     """A text that is the same for terms that are the same fraction of polynomials, by sin^2 + cos^2 = 1 too."""
+    if isinstance(term, End):
+        return term.tag
     texts = table().texts
     if term not in texts:
         texts[term] = _canonical(term)
@@ -288,40 +272,43 @@ def _canonical(term: Term) -> str:
     return f"{top / scale} / {bottom / scale}"
 
 
-def variables(node: Any) -> set[str]:
-    """The polynomial variables an unfolded term or formula needs."""
-    found: set[str] = set()
-    if isinstance(node, str):
-        return {table().letter(node)}
-    if not isinstance(node, tuple):
-        return found
-    if node[0] in ("sin", "cos", "tan"):
-        return {of(table().letter(name)) for name in angle(node[1]) for of in (sine, cosine)}
-    if node[0] in FUNCTIONS and (name := atom(node)):
+def variables(*trees: Term) -> set[str]:
+    """The polynomial variables that unfolded terms or formulas need."""
+    return set().union(*map(_variables, trees))
+
+
+def _variables(tree: Term) -> set[str]:
+    if isinstance(tree, str):
+        return {table().letter(tree)}
+    if not isinstance(tree, Node):
+        return set()
+    kind = tree.tag
+    if kind == "pi":
+        return {kind}
+    if kind in ("sin", "cos", "tan"):
+        return {of(name) for name in angle(tree[1]) if name != "pi" for of in (sine, cosine)}
+    if kind in FUNCTIONS and (name := atom(tree)):
         return {name}
-    if node[0] == "sqrt":
-        return {table().root(p) for p in square_free(_constant(node[1]))[1]}
-    if node[0] == "pow":
-        return variables(node[1])
-    if node[0] == "diff":
-        return variables(derivative(node, {})) | variables(node[1]) | {node[2]}
-    if node[0] == "exists":
-        return set(node[1]) | variables(node[2])
-    for child in parts(node):
-        found |= variables(child)
-    return found
+    if kind == "sqrt":
+        return {table().root(p) for p in square_free(_constant(tree[1]))[1]}
+    if kind == "pow":
+        return _variables(tree[1])
+    if isinstance(tree, Binder):  # a derivative
+        own = variables(tree.body) | {tree.letter} if tree.outside[-1] == tree.letter else set[str]()
+        return variables(derivative(tree, {})) | own
+    return variables(*parts(tree)).union(tree.bound)
 
 
-def function_arguments(node: Any, bodies: bool) -> Iterator[Term]:
+def function_arguments(tree: Term, bodies: bool) -> Iterator[Term]:
     """The bodies of the integrals and means in an unfolded term, or the other arguments of functions outside them."""
-    if not isinstance(node, tuple):
+    if not isinstance(tree, Node):
         return
-    binding = node[0] in BINDING
+    binding = tree.tag in BINDING
     if binding and bodies:
-        yield node[1]
-    elif node[0] in FUNCTIONS and not bodies:
-        yield from node[3:] if binding else parts(node)
-    for part in node[3:] if binding and not bodies else parts(node):
+        yield from tree.inside
+    elif tree.tag in FUNCTIONS and not bodies:
+        yield from (part for part in tree.outside if not isinstance(part, End))
+    for part in tree.outside if binding and not bodies else parts(tree):
         yield from function_arguments(part, bodies)
 
 
@@ -330,9 +317,9 @@ def with_arguments(names: Iterable[str]) -> set[str]:
     found = set(names)
     open_ = sorted(name for name in found if name in atoms())
     while open_:
-        node = atoms()[open_.pop()]
-        bound = turning(node[2]) if node[0] in BINDING else set()
-        inner = {name for part in parts(node) for name in variables(part)} - {*bound, "infinity"}
+        tree = atoms()[open_.pop()]
+        bound = turning(tree.bound[0]) if tree.bound else set()
+        inner = variables(*parts(tree)) - bound
         if bound:  # a function of what is bound is none of the statement, but what else it depends on is
             inner = {other for name in inner for other in (with_arguments({name}) if name in atoms() else {name})}
             inner = {name for name in inner - bound if not (name in atoms() and bound & with_arguments({name}))}
@@ -449,18 +436,21 @@ class Ring:
         if kind == "/":
             return self._product([self.ratio(term[1]), self._inverse(term[2])])
         if kind == "^":
-            return self._power(self.ratio(term[1]) if term[2] >= 0 else self._inverse(term[1]), abs(term[2]))
+            base, exponent = power_of(term)
+            return self._power(self.ratio(base) if exponent >= 0 else self._inverse(base), abs(exponent))
+        if kind == "pi":
+            return Ratio(self.generator[kind])
         if kind in ("sin", "cos"):
             return Ratio(self.turn(angle(unfold(term[1], self.definitions)))[kind == "sin"])
         if kind == "tan":
-            return self.ratio(("/", ("sin", term[1]), ("cos", term[1])))
+            return self.ratio(node("/", node("sin", term[1]), node("cos", term[1])))
         if kind in FUNCTIONS and (name := atom(unfold(term, self.definitions))):
             return Ratio(self.generator[name])
         if kind == "pow":
             whole = number_of(unfold(term[2], self.definitions))
             assert whole is not None
             met = dict(self.divisors)
-            value = self.ratio(("^", term[1], int(whole)))
+            value = self.ratio(node("^", term[1], int(whole)))
             self.divisors = met if self.inside else self.divisors
             return value
         if kind == "sqrt":
@@ -473,8 +463,9 @@ class Ring:
         """1 / term, product by product so that the divisors stay small."""
         if isinstance(term, tuple) and term[0] == "*":
             return self._product([self._inverse(child) for child in term[1:]])
-        if isinstance(term, tuple) and term[0] == "^" and term[2] > 0:
-            return self._power(self._inverse(term[1]), term[2])
+        if isinstance(term, Node) and term.tag == "^" and power_of(term)[1] > 0:
+            base, exponent = power_of(term)
+            return self._power(self._inverse(base), exponent)
         value = self.ratio(term)
         num = self.number(1)
         for poly, exponent in value.den.values():
@@ -552,12 +543,13 @@ class Ring:
         return Ratio(num, den)
 
     def turn(self, combination: Mapping[str, int]) -> tuple[Poly, Poly]:
-        """(cosine, sine) of an integer combination of variables by the addition theorem."""
+        """(cosine, sine) of an integer combination of angles, as `angle` gives it, by the addition theorem."""
         both = self.number(1), self.number(0)
         for name, count in combination.items():
             if abs(count) > MAX_TURNS:
                 raise Unsupported(f"{count} times an angle")
-            c, s = self.generator[cosine(name)], self.generator[sine(name)]
+            quarter = self.number(0), self.number(1)
+            c, s = quarter if name == "pi" else (self.generator[cosine(name)], self.generator[sine(name)])
             s = s if count >= 0 else -s
             for _ in range(abs(count)):
                 both = both[0] * c - both[1] * s, both[1] * c + both[0] * s

@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
+from symcheck.core.terms import RELATIONS, Node, node
 from symcheck.proof.angles import compares_angles, prove_about_angles
 from symcheck.proof.equations import cleared, prove_identity, written
 from symcheck.proof.existence import prove_existence
@@ -13,15 +14,14 @@ from symcheck.proof.groebner import Monomial
 from symcheck.proof.ideal import Fact, Ideal, Ref
 from symcheck.proof.knowledge import Knowledge, hints_of, proportional, starting
 from symcheck.proof.orders import fraction_form, positive_form, prove_order, term_of
-from symcheck.proof.polynomial import Poly, Ring, fraction
+from symcheck.proof.polynomial import Poly, Ring, fraction, power_of
 from symcheck.proof.pruning import without
 from symcheck.proof.theorem_search import has_functions, prove_with_theorems
-from symcheck.proof.theorems import RELATIONS
 from symcheck.proof.variables import prime
 from symcheck.statement import Certificate, Formula, Problem, Term
 
 CONTRARY = {"<": ">=", "<=": ">", ">": "<=", ">=": "<"}
-ABSURD: Formula = ("or",)  # the goal of a contradiction: nothing to choose from
+ABSURD: Formula = node("or")  # the goal of a contradiction: nothing to choose from
 MAX_NODES = 240
 MAX_TERMS = 14
 MAX_DEGREE = 8
@@ -196,16 +196,18 @@ class _Place:
 
     def of_term(self, term: Term) -> list[Fact] | None:
         """Cofactors of a term by its structure: a product is zero as soon as one factor is."""
-        kind, *rest = term if isinstance(term, tuple) else ("",)
+        kind, rest = (term.tag, term.terms) if isinstance(term, Node) else ("", ())
         if kind == "+":
             parts = [self.of_term(t) for t in rest]
             if all(p is not None for p in parts):
                 return merged([f for p in parts for f in p or ()])
-        if kind == "^" and (found := self._multiple(rest[0], ("^", rest[0], rest[1] - 1))) is not None:
-            return found
+        if isinstance(term, Node) and kind == "^":
+            base, exponent = power_of(term)
+            if (found := self._multiple(base, node("^", base, exponent - 1))) is not None:
+                return found
         if kind == "*":
             for k, factor in enumerate(rest):
-                found = self._multiple(factor, ("*", 1, *rest[:k], *rest[k + 1 :]))
+                found = self._multiple(factor, node("*", 1, *rest[:k], *rest[k + 1 :]))
                 if found is not None:
                     return found
         ratio = self.known.ring.ratio(term)
@@ -251,28 +253,28 @@ class _Engine:
 
     def prove(self, goal: Formula, known: Knowledge) -> Certificate | None:
         """A proof of any formula from what is known, by its outermost connective."""
-        kind = goal[0]
+        kind, parts = goal.tag, goal.formulas
         if kind == "and":
-            together = all(part[0] == "=" for part in goal[1:])
+            together = all(part.tag == "=" for part in parts)
             return (self.search(goal, known) if together else None) or self._each(goal, known)
         if kind == "=>":
-            return _wrap("implies", then=self.prove(goal[2], known.assume(goal[1])))
+            return _wrap("implies", then=self.prove(parts[1], known.assume(parts[0])))
         if kind == "<=>":
-            return self._each(("and", ("=>", goal[1], goal[2]), ("=>", goal[2], goal[1])), known)
+            return self._each(node("and", node("=>", *parts), node("=>", *parts[::-1])), known)
         if kind == "!=":
-            return _wrap("implies", then=self.search(ABSURD, known.assume(("=", goal[1], goal[2]))))
+            return _wrap("implies", then=self.search(ABSURD, known.assume(node("=", *goal.terms))))
         if kind in RELATIONS or kind == "or":
             return self.search(goal, known) or (self._contrary(goal, known) if kind in CONTRARY else None)
         return None
 
     def _contrary(self, goal: Formula, known: Knowledge) -> Certificate | None:
         """An order follows if its contrary contradicts a sign that is known."""
-        below = known.assume((CONTRARY[goal[0]], *goal[1:]))
+        below = known.assume(node(CONTRARY[goal.tag], *goal.terms))
         return _wrap("implies", then=_opposite_signs(below))
 
     def _each(self, goal: Formula, known: Knowledge) -> Certificate | None:
         parts = []
-        for part in goal[1:]:
+        for part in goal.formulas:
             if (proof := self.prove(part, known)) is None:
                 return None
             parts.append(proof)
@@ -310,13 +312,13 @@ class _Engine:
         kind = goal[0]
         if kind == "=":
             cofactors = self._through_form(goal, place) or place.cofactors(place.known.ring.difference(goal))
-            clear = cleared(place.known.ring.subtract(*goal[1:]))
+            clear = cleared(place.known.ring.subtract(*goal.terms))
             return None if cofactors is None else {"rule": "identity", **clear, "cofactors": written(cofactors)}
         if kind == "and":
-            parts = [self._direct(part, place) for part in goal[1:]]
+            parts = [self._direct(part, place) for part in goal.formulas]
             return None if any(p is None for p in parts) else {"rule": "each", "parts": parts}
         if kind == "or":
-            for index, part in enumerate(goal[1:]):
+            for index, part in enumerate(goal.formulas):
                 if (proof := self._direct(part, place)) is not None:
                     return {"rule": "choose", "index": index, "then": proof}
         if kind in ("<", "<=", ">", ">="):
@@ -369,7 +371,7 @@ class _Engine:
             if cofactors is None:
                 continue
             given = sorted({item for _, names in signs for item in names})
-            known = place.known.assume(("and", *(("=", addend, 0) for addend in form[1:])))
+            known = place.known.assume(node("and", *(node("=", addend, 0) for addend in form[1:])))
             then = self.search(goal, known, place)
             step = {"form": form, "cofactors": written(cofactors), "given": list(map(list, given))}
             added = range(place.known.count, known.count)
@@ -416,7 +418,7 @@ class _Engine:
             return None, False
         ref, disjunction = known.pending[0]
         cases = []
-        for part in disjunction[1:]:
+        for part in disjunction.formulas:
             inner = replace(known, pending=known.pending[1:]).assume(part)
             if (proof := self.search(goal, inner, place)) is None:
                 return None, True
@@ -452,10 +454,10 @@ def _opposite_signs(known: Knowledge) -> Certificate | None:
             signs=tuple(s for s in known.signs if s is not sign),
             fractions=tuple(s for s in known.fractions if s is not sign),
         )
-        form = fraction_form(("-", sign.term), others)
+        form = fraction_form(node("-", sign.term), others)
         if form is not None and (level := known.sign(form)[0]) and sign.level + level > 2:
             given = sorted(map(list, known.sign(form)[1]))
-            whole: Term = ("+", sign.term, form)
+            whole: Term = node("+", sign.term, form)
             return {"rule": "absurd", "times": [["positive", whole]], "cofactors": [], "given": given}
     return None
 

@@ -6,22 +6,21 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from typing import Any
 
+from symcheck.core.terms import node
+from symcheck.proof.applied import Instance, Theorem, applied, step, theorem_of
 from symcheck.proof.closed import order_of_numbers
 from symcheck.proof.equations import equations_here, identity_here
-from symcheck.proof.functions import OF_BOUND, instances, simplified
+from symcheck.proof.functions import instances, simplified
 from symcheck.proof.knowledge import Knowledge, ring_of, starting
 from symcheck.proof.orders import positive_form, prove_order, term_of
 from symcheck.proof.polynomial import (
-    Instance,
     Ratio,
     Ring,
     fraction,
-    theorem_of,
     unfold,
     variables,
     with_arguments,
 )
-from symcheck.proof.theorems import BINDING, Theorem
 from symcheck.proof.variables import Unsupported, atoms, prime
 from symcheck.statement import Certificate, Formula, Problem, Term
 
@@ -49,7 +48,7 @@ def values_of(term: Term, numbers: Mapping[str, Term]) -> Iterator[Term]:
         return
     plain = unfold(term, numbers)
     name = next(iter(variables(plain)))
-    plan = _Plan.of(Problem("value", ("=", plain, 0)))
+    plan = _Plan.of(Problem("value", node("=", plain, 0)))
     known = _Search(lambda goal, known: None, plan.inner).all_known(plan.known, plan.outer)
     value = known.ideal().reduce(known.ring.generator[name])
     used = {n for n, degree in zip(known.ring.names, value.degrees(), strict=True) if degree} if value != 0 else set()
@@ -74,15 +73,15 @@ class _Plan:
         definitions, own = dict(problem.definitions), ring_of(problem)
         assumed = starting(problem, Ring(with_arguments(own.names), definitions))
         if problem.claim[0] == "=>":
-            assumed = assumed.assume(problem.claim[1])
+            assumed = assumed.assume(problem.claim.formulas[0])
         plan = cls(definitions, set(own.names), assumed)
         for instance in _hinted(problem):
             plan._add(instance, plan.outer)
         plan._collect()
         for p in [p for p in map(prime, sorted(plan.names)) if p is not None]:
-            plan._add(("root", p), plan.outer)
+            plan._add(applied("root", p), plan.outer)
         if "pi" in plan.names:
-            plan._add(("circle_number",), plan.outer)
+            plan._add(applied("circle_number"), plan.outer)
         plan.known = starting(problem, Ring(plan.names, definitions))
         return plan
 
@@ -90,9 +89,9 @@ class _Plan:
         seen: set[str] = set()
         while fresh := sorted(name for name in self.names - seen if name in atoms()):
             seen |= set(fresh)
-            bound = {atoms()[name][2] for name in seen if atoms()[name][0] in BINDING}
+            bound = {x for name in seen for x in atoms()[name].bound}
             for instance in (i for name in fresh for i in self._instances(name)):
-                about = variables(("", *instance[1:])) if instance[0] not in OF_BOUND else set()
+                about = variables(*instance.terms) if not instance.letter else set()
                 kept = (
                     self.inner if with_arguments(about) & bound else self.outer
                 )  # nothing is assumed of what is bound
@@ -120,7 +119,7 @@ def _hinted(problem: Problem) -> list[Instance]:
     for name, value in problem.hints:
         if name.startswith("theorem."):
             found.setdefault(name.rpartition(".")[0], []).append(value)
-    return [(key.rpartition(".")[2], *terms) for key, terms in found.items()]
+    return [applied(key.rpartition(".")[2], *terms) for key, terms in found.items()]
 
 
 @dataclass(frozen=True)
@@ -132,11 +131,11 @@ class _Search:
         self, goal: Formula, known: Knowledge, pending: Sequence[Instance], cases: int = MAX_CASES
     ) -> Certificate | None:
         """Assumptions first, then every theorem whose premises hold, then the goal itself, then a case more."""
-        if goal[0] == "=>":
-            then = self.prove(goal[2], known.assume(goal[1]), pending, cases)
+        if goal.tag == "=>":
+            then = self.prove(goal.formulas[1], known.assume(goal.formulas[0]), pending, cases)
             return None if then is None else {"rule": "implies", "then": then}
         if goal[0] == "<=>":
-            ways = [("=>", goal[1], goal[2]), ("=>", goal[2], goal[1])]
+            ways = [node("=>", goal[1], goal[2]), node("=>", goal[2], goal[1])]
             parts = [self.prove(way, known, pending, cases) for way in ways]
             return None if None in parts else {"rule": "each", "parts": parts}
         for k, instance in enumerate(pending):
@@ -144,8 +143,7 @@ class _Search:
             premises = self._premises(theorem.premises, known)
             if premises is not None:
                 then = self.prove(goal, known.assume(theorem.conclusion), [*pending[:k], *pending[k + 1 :]], cases)
-                step = {"rule": "theorem", "of": instance, "premises": premises, "then": then}
-                return None if then is None else step
+                return None if then is None else step(instance, premises, then)
         found = equations_here(goal, known) or self.prove_here(goal, known)
         return found or (self._by_cases(goal, known, pending, cases) if cases else None)
 
@@ -166,20 +164,20 @@ class _Search:
         return proofs
 
     def _premise(self, formula: Formula, known: Knowledge) -> Certificate | None:
-        kind = formula[0]
+        kind, parts = formula.tag, formula.formulas
         if kind == "=":
             return identity_here(formula, known)
         if kind == "=>":
-            below = known.assume(formula[1])
-            then = self._premise(formula[2], below)
+            below = known.assume(parts[0])
+            then = self._premise(parts[1], below)
             if then is None and self.inner:  # here something is assumed of the bound variable
-                then = _Search(self._premise, ()).prove(formula[2], below, self.inner, 0)
+                then = _Search(self._premise, ()).prove(parts[1], below, self.inner, 0)
             return None if then is None else {"rule": "implies", "then": then}
         if kind == "and":
-            parts = self._premises(formula[1:], known)
-            return None if parts is None else {"rule": "each", "parts": parts}
+            shown = self._premises(parts, known)
+            return None if shown is None else {"rule": "each", "parts": shown}
         if kind == "or":
-            proofs = ((k, self._premise(part, known)) for k, part in enumerate(formula[1:]))
+            proofs = ((k, self._premise(part, known)) for k, part in enumerate(parts))
             return next(({"rule": "choose", "index": k, "then": then} for k, then in proofs if then is not None), None)
         if kind == "!=":
             return self.prove_here(formula, known)
@@ -187,20 +185,19 @@ class _Search:
 
     def _by_cases(self, goal: Formula, known: Knowledge, pending: Sequence[Instance], cases: int) -> Certificate | None:
         """What a theorem about an integral asks for holds, or it does not."""
-        for instance in (each for each in pending if each[0] == "beta"):
+        for instance in (each for each in pending if each.name == "beta"):
             for premise in _theorem(instance, known).premises:
                 if premise[0] != ">" or self._premise(premise, known) is not None:
                     continue
                 t = _deciding(known.ring.ratio(premise[1]), known)
-                if known.sign(t)[0] or known.sign(("-", t))[0]:
+                if known.sign(t)[0] or known.sign(node("-", t))[0]:
                     continue  # a case already, and of no use
                 ref = ["here", known.count]  # of the alternative, which is a fact of its own
-                ways = ((">", t, 0), ("<=", t, 0))
+                ways = (node(">", t, 0), node("<=", t, 0))
                 belows = (replace(known, count=known.count + 1).assume(way) for way in ways)
                 proofs = [self.prove(goal, below, pending, cases - 1) for below in belows]
                 split = {"rule": "cases_or", "or": ref, "cases": proofs}
-                step = {"rule": "theorem", "of": ["dichotomy", t], "premises": [], "then": split}
-                return None if None in proofs else step
+                return None if None in proofs else step(applied("dichotomy", t), [], split)
         return None
 
 

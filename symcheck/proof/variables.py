@@ -11,7 +11,9 @@ from collections.abc import Hashable, Iterable, Iterator, Mapping
 from contextlib import contextmanager
 from typing import Any
 
-from symcheck.proof.theorems import CONSTANTS
+from symcheck.core.terms import PI, Node, Term, node
+
+CONSTANTS = {"pi": PI}  # names that no letter may have: variables that are there in every problem
 
 
 class Unsupported(Exception):
@@ -25,7 +27,7 @@ class Table:
         self.letters = {*letters, *CONSTANTS}
         self.circles: dict[str, tuple[str, str]] = {}  # ("sin", x) or ("cos", x)
         self.primes: dict[str, int] = {}
-        self.atoms: dict[str, tuple[Any, ...]] = {}  # all other functions
+        self.atoms: dict[str, Node] = {}  # all other functions
         self.texts: dict[Any, str] = {}  # canonical forms
         self._names: dict[Hashable, str] = {}
 
@@ -59,23 +61,25 @@ class Table:
             self.primes[name] = prime
         return self._names[prime]
 
-    def atom(self, key: tuple[Hashable, ...], node: tuple[Any, ...]) -> str:
+    def atom(self, key: tuple[Hashable, ...], tree: Node) -> str:
         """The variable of a function with this key: of the first term that had it."""
         if key not in self._names:
-            number = sum(kept[0] == node[0] for kept in self.atoms.values()) + 1
-            name = self._names[key] = self.fresh(f"{node[0].title()}_{number}")
-            self.atoms[name] = node
+            number = sum(kept[0] == tree[0] for kept in self.atoms.values()) + 1
+            name = self._names[key] = self.fresh(f"{tree.tag.title()}_{number}")
+            self.atoms[name] = tree
         return self._names[key]
 
-    def term(self, name: str) -> Any:
+    def term(self, name: str) -> Term:
         """What a variable stands for; a letter for itself."""
         if name in self.primes:
-            return "sqrt", self.primes[name]
-        return self.circles.get(name) or self.atoms.get(name, name)
+            return node("sqrt", self.primes[name])
+        if name in self.circles:
+            return node(*self.circles[name])
+        return (self.atoms | CONSTANTS).get(name, name)
 
     def stands(self, name: str) -> bool:
         """Whether a variable stands for a term, and is no letter."""
-        return name in self.circles or name in self.primes or name in self.atoms
+        return name in self.circles or name in self.primes or name in self.atoms or name in CONSTANTS
 
 
 _TABLES = [Table()]
@@ -96,7 +100,7 @@ def one_problem(letters: Iterable[str]) -> Iterator[Table]:
         _TABLES.pop()
 
 
-def atoms() -> Mapping[str, tuple[Any, ...]]:
+def atoms() -> Mapping[str, Node]:
     """The functions that stand as one variable each."""
     return table().atoms
 

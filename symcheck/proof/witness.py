@@ -12,16 +12,17 @@ from dataclasses import replace
 from fractions import Fraction
 from typing import Any
 
-from symcheck.proof.closed import TRIED, refute_at
+from symcheck.checker.enclosures import enclosed
+from symcheck.core.calculus import Unknown, domain, substituted
+from symcheck.core.formulas import conjuncts
+from symcheck.core.terms import PI, RELATIONS, Node, node
+from symcheck.proof.closed import TRIED, refute_at_first
 from symcheck.proof.counterexample import Point, Search, refute
-from symcheck.proof.enclosures import Unknown, enclosed
-from symcheck.proof.orders import number_term
-from symcheck.proof.polynomial import Poly, alone, fraction, parts, rebuilt, subterms, unfold, with_arguments
-from symcheck.proof.theorems import BINDING, RELATIONS, conjuncts
+from symcheck.proof.polynomial import Poly, alone, fraction, subterms, unfold, with_arguments
 from symcheck.proof.variables import Unsupported, atoms, circle, cosine, sine
 from symcheck.statement import Certificate, Formula, Outcome, Problem, Term
 
-FALSE: Formula = ("=", 0, 1)
+FALSE: Formula = node("=", 0, 1)
 DRAWS = 3000
 TRIALS = 60
 _ARCS = ("arctan", "arcsin", "arccos")
@@ -46,16 +47,6 @@ POSITIVE = tuple(value for value in VALUES if value > 0)
 POOLS: tuple[tuple[Any, ...], ...] = (VALUES[:2], VALUES[:4], VALUES, POSITIVE, (0, 0, 0, 1, -1))
 Prover = Callable[[Problem], Outcome | None]
 Definitions = tuple[tuple[str, Term], ...]
-_DOMAINS: dict[str, Callable[..., Formula]] = {
-    "/": lambda _, bottom: ("!=", bottom, 0),
-    "sqrt": lambda radicand: (">=", radicand, 0),
-    "log": lambda number: (">", number, 0),
-    "gamma": lambda number: (">", number, 0),
-    "tan": lambda angle: ("!=", ("cos", angle), 0),
-    "pow": lambda base, _: (">", base, 0),
-    "arcsin": lambda sine: ("<=", ("^", sine, 2), 1),
-    "arccos": lambda cosine: ("<=", ("^", cosine, 2), 1),
-}
 
 
 def implications(claim: Formula) -> list[Formula]:
@@ -65,9 +56,9 @@ def implications(claim: Formula) -> list[Formula]:
     """
     found: list[Formula] = []
     for part in conjuncts(claim):
-        if part[0] == "=>" and part[2] not in (FALSE, ("or",)):
-            inner = implications(part[2])
-            found += [("and", part[1], further) for further in inner] or [part[1]]
+        if part.tag == "=>" and part.formulas[1] not in (FALSE, node("or")):
+            premise, conclusion = part.formulas
+            found += [node("and", premise, further) for further in implications(conclusion)] or [premise]
     return found
 
 
@@ -98,40 +89,40 @@ def _witness(
 ) -> Certificate | None:
     stated = [part for _, formulas in problem.hypotheses for formula in formulas for part in conjuncts(formula)]
     stated += [part for premise in premises for part in conjuncts(premise)]
-    stated += [("!=", term, 0) for term in nonzero if not _plainly_nonzero(term)]
+    stated += [node("!=", term, 0) for term in nonzero if not _plainly_nonzero(term)]
     definitions = dict(problem.definitions)
     reached = [term for _, term in problem.definitions]
-    conditions = [condition for node in (*stated, *reached) for condition in _domains(node)]
+    conditions = domain(*stated, *reached, divisors=True)
     said = tuple(dict.fromkeys((*stated, *conditions)))
-    meant = tuple(dict.fromkeys((*said, *_domains(problem.claim))))  # that the claim has a value is often plain
+    meant = tuple(
+        dict.fromkeys((*said, *domain(problem.claim, divisors=True)))
+    )  # that the claim has a value is often plain
     if meant != said and (point := _search(problem.definitions, meant, prove)) is not None:
         return point
     point = _witness_of(problem, said, stated, prove)
-    own = [formula for formula in _domains(problem.claim) if formula[0] != "!="]
+    own = domain(problem.claim)
     return point if point is not None and all(_is_met(formula, point, definitions) for formula in own) else None
 
 
 def _is_met(condition: Formula, point: Certificate, definitions: dict[str, Term]) -> bool:
     """Whether digits tell that a condition for a value is met at a point."""
-    kind, left, right = condition
-    values = {x: number_term(Fraction(v)) if isinstance(v, str) else v for x, v in point["values"].items()}
-    for x in [name.removeprefix("sin_") for name in values if name.startswith("sin_")]:
-        sine, cosine = values[f"sin_{x}"], values[f"cos_{x}"]
-        values[x] = "pi" if cosine == -1 else ("*", 2, ("arctan", ("/", sine, ("+", 1, cosine))))
+    left, right = condition.terms
     try:
-        digits = enclosed(unfold(("+", left, ("-", right)), definitions), values.__getitem__)
-    except (Unknown, KeyError, RecursionError):
+        digits = enclosed(substituted(unfold(node("+", left, node("-", right)), definitions), point["values"]))
+    except (Unknown, RecursionError):
         return False
-    return {">": digits.low > 0, ">=": digits.high >= 0, "<=": digits.low <= 0}[kind]
+    return {">": digits.low > 0, ">=": digits.high >= 0, "<=": digits.low <= 0}[condition.tag]
 
 
 def _witness_of(problem: Problem, said: tuple[Formula, ...], stated: list[Formula], prove: Prover) -> Any:
     """A point where all this is so; nothing is asked of the terms of the claim."""
     definitions = dict(problem.definitions)
-    used = {part for formula in said for part in subterms(unfold_names(formula, definitions)) if isinstance(part, str)}
+    used = {
+        part for formula in said for part in subterms(*with_definitions(definitions, formula)) if isinstance(part, str)
+    }
     needed = tuple((x, term) for x, term in problem.definitions if x in used)
-    concluded = problem.claim[2] if problem.claim[0] == "=>" else problem.claim
-    if (point := _search(needed, said, prove)) is not None or concluded[0] != "=" or not stated:
+    concluded = problem.claim.formulas[1] if problem.claim.tag == "=>" else problem.claim
+    if (point := _search(needed, said, prove)) is not None or concluded.tag != "=" or not stated:
         return point
     found = _search(problem.definitions, tuple(dict.fromkeys((*said, concluded))), prove)  # it is proved, so true
     return found or _defining(concluded, problem.definitions, said, prove)
@@ -139,56 +130,35 @@ def _witness_of(problem: Problem, said: tuple[Formula, ...], stated: list[Formul
 
 def _defining(concluded: Formula, definitions: Definitions, said: tuple[Formula, ...], prove: Prover) -> Any:
     """The same where a letter is what it is concluded to be, which may be no combination of roots: 2 / pi."""
-    _, letter, term = concluded
-    term = unfold(term, dict(definitions))
+    letter, said_to_be = concluded.terms
+    term = unfold(said_to_be, dict(definitions))
     names = {part for part in subterms(term) if isinstance(part, str)}
     if not isinstance(letter, str) or letter in {*names, *dict(definitions)}:
         return None
     point = _search((*definitions, (letter, term)), said, prove)
-    if point is None or not names <= {"pi", *point["values"]}:
+    if point is None or not names <= {*point["values"]}:
         return None
-    return {**point, "values": {**point["values"], letter: _at(term, point["values"])}}
-
-
-def _at(term: Any, values: dict[str, Any]) -> Any:
-    """A term with the values of a point in place of its letters."""
-    if isinstance(term, str) and term in values:
-        value = values[term]
-        return number_term(Fraction(value)) if isinstance(value, str) else value
-    return rebuilt(term, (_at(part, values) for part in parts(term))) if isinstance(term, tuple) else term
+    return {**point, "values": {**point["values"], letter: substituted(term, point["values"])}}
 
 
 def _plainly_nonzero(term: Term) -> bool:
     """Whether a term is a number, and its digits say that it is not zero."""
     try:
-        digits = enclosed(term, dict[str, Term]().__getitem__)
-    except (Unknown, KeyError, RecursionError):
+        digits = enclosed(term)
+    except (Unknown, RecursionError):
         return False
     return digits.low > 0 or digits.high < 0
 
 
-def unfold_names(node: Any, definitions: dict[str, Term]) -> tuple[Any, ...]:
-    """A node made of all the parts of a formula and of the definitions it rests on."""
-    open_, seen = [node], set[str]()
-    found: list[Any] = []
+def with_definitions(definitions: Mapping[str, Term], *trees: Term) -> list[Term]:
+    """Terms or formulas, and the definitions they rest on."""
+    open_, seen, found = [*trees], set[str](), list[Term]()
     while open_:
         found.append(part := open_.pop())
         names = {name for name in subterms(part) if isinstance(name, str)} & definitions.keys() - seen
         open_ += [definitions[name] for name in sorted(names)]
         seen |= names
-    return ("", *found)
-
-
-def _domains(node: Any) -> Iterator[Formula]:
-    """What must hold for a term or formula to have a value."""
-    if not isinstance(node, tuple) or node[0] in (*BINDING, "exists"):
-        return
-    if node[0] in _DOMAINS:
-        yield _DOMAINS[node[0]](*node[1:])
-    if node[0] == "^" and node[2] < 0:
-        yield "!=", node[1], 0
-    for part in parts(node):
-        yield from _domains(part)
+    return found
 
 
 _FOUND: dict[Any, Certificate | None] = {}  # the same hypotheses stand in many problems
@@ -208,20 +178,16 @@ def _by_digits(problem: Problem) -> Certificate | None:
     """Where angles are compared: letters that are numbers, and trials for the others, by their digits."""
     said = problem.hypotheses[0][1]
     definitions = dict(problem.definitions)
-    parts = list(subterms(unfold_names(("", *said), definitions)))
-    if not any(part == "pi" or (isinstance(part, tuple) and part[0] in _ARCS) for part in parts):
+    parts = [*subterms(*with_definitions(definitions, *said))]
+    if not any(part == PI or (isinstance(part, Node) and part.tag in _ARCS) for part in parts):
         return None
-    absurd = replace(problem, claim=("=", "pi", 0))
+    absurd = replace(problem, claim=node("=", PI, 0))
     fixed = {side for f in said if f[0] == "=" for side in f[1:] if isinstance(side, str)}
-    free = sorted(
-        {part for part in parts if isinstance(part, str)} - {"pi", ""} - fixed - dict(problem.definitions).keys()
-    )
-    for seed in range(TRIALS):
-        rng = random.Random(seed)
-        point = {x: TRIED[0] if seed == 0 else rng.choice(TRIED) for x in free}
-        if (found := refute_at(absurd, point)) is not None:
-            return {"values": found["values"], "enclosed": []}
-    return None
+    free = sorted({part for part in parts if isinstance(part, str)} - fixed - dict(problem.definitions).keys())
+    draws = [random.Random(seed) for seed in range(TRIALS)]
+    points = ({x: draw.choice(TRIED) if seed else TRIED[0] for x in free} for seed, draw in enumerate(draws))
+    found = refute_at_first(absurd, points)
+    return found and {"values": found["values"], "enclosed": []}
 
 
 def _drawn(problem: Problem, prove: Prover) -> Certificate | None:
@@ -270,10 +236,11 @@ class _Draws(Search):
         """Letters with what they are said to be, where that has functions in it; nothing else depends on them."""
         inside = set().union(*(with_arguments({name}) - {name} for name in self.functions))
         for f in self.formulas:
-            if f[0] == "=" and f[1] in scalars and f[1] not in inside and self._functions_in(f):
-                others = [self._gap(g).num for g in self.formulas if g[0] == "=" and g is not f]
-                if not any(poly.degrees()[self.ring.names.index(f[1])] for poly in others if poly != 0):
-                    yield f[1], f[2]
+            letter, term = f.terms if f.tag == "=" else (0, 0)
+            if isinstance(letter, str) and letter in scalars and letter not in inside and self._functions_in(f):
+                others = [self._gap(g).num for g in self.formulas if g.tag == "=" and g is not f]
+                if not any(poly.degrees()[self.ring.names.index(letter)] for poly in others if poly != 0):
+                    yield letter, term
 
     def _settle(self, name: str, point: Point) -> bool:
         """Gamma functions of small whole numbers only; others are not worth a search."""

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Iterator
 from typing import Any
 
+from symcheck.core.terms import node
 from symcheck.statement import Term
 
 Value = Any  # Term | list[Term] | list[list[Term]]
@@ -47,20 +48,20 @@ def times(a: Term, b: Term) -> Term:
     """A product of components; the zeros and ones that matrices are made of vanish."""
     if a == 0 or b == 0:
         return 0
-    return b if a == 1 else a if b == 1 else ("*", a, b)
+    return b if a == 1 else a if b == 1 else node("*", a, b)
 
 
 def minus(a: Term, b: Term) -> Term:
     """The difference of two components."""
     if b == 0:
         return a
-    return ("-", b) if a == 0 else ("+", a, ("-", b))
+    return node("-", b) if a == 0 else node("+", a, node("-", b))
 
 
 def plus(terms: Iterable[Term]) -> Term:
     """The sum of components."""
     kept = tuple(term for term in terms if term != 0)
-    return ("+", *kept) if len(kept) > 1 else kept[0] if kept else 0
+    return node("+", *kept) if len(kept) > 1 else kept[0] if kept else 0
 
 
 def dot(u: list[Term], v: list[Term]) -> Term:

@@ -454,7 +454,7 @@ class Lexer(tex.Reader):
         number = name is None and base is not None and base.type == "NUMBER"
         if not text or number or (letter is not None and letter.number):
             return
-        shown, inside = name.letter if name is not None else "", text[2:-2].strip("()")
+        shown, inside = name.letter if name is not None else "", text[2:-2].strip("()[]")
         self.fail(
             f"{shown}{text} may be an index, the order of a derivative, or a power: declare {shown or 'a letter '}"
             f"{text}, write primes or a fraction, or write {shown}^{{{inside}}}"

@@ -10,6 +10,8 @@ from collections.abc import Callable, Iterable, Iterator, Mapping
 from functools import lru_cache
 from typing import Any
 
+from symcheck.core.terms import INFINITY, MINUS_INFINITY, PI, Node, node
+from symcheck.core.terms import Call as Applied
 from symcheck.reading.components import Value, det, dot, flat, matmul, minus, says, shape, times, zero, zipped
 from symcheck.reading.notation import TIMES, Letter, Notation, variable
 from symcheck.reading.parser import dependence, read
@@ -192,7 +194,7 @@ class Lowering:
 
     def signed(self, left: Tree, sign: str, right: Tree, env: Env) -> list[Formula]:
         """One link; the double signs in it switch together."""
-        double = [any(isinstance(node, PlusMinus) for _, node in walk(side)) for side in (left, right)]
+        double = [any(isinstance(tree, PlusMinus) for _, tree in walk(side)) for side in (left, right)]
         if not any(double):
             return self.compare(left, sign, right, env)
         upper, lower = (
@@ -205,7 +207,7 @@ class Lowering:
             raise SymcheckError(
                 f"{to_latex(Chain((left, right), (sign,)))}: for one sign, or for both? write a relation for each"
             )
-        return [("or", _and(upper), _and(lower))]
+        return [node("or", _and(upper), _and(lower))]
 
     def compare(self, left: Tree, sign: str, right: Tree, env: Env) -> list[Formula]:
         if sign == r"\in" and isinstance(right, Interval | Pair):
@@ -213,11 +215,11 @@ class Lowering:
             ends = right.ends if isinstance(right, Interval) else "()"
             above, below = ">=" if ends.startswith("[") else ">", "<=" if ends.endswith("]") else "<"
             value = self.scalar(left, env)
-            return [("and", (above, value, low), (below, value, high))]
+            return [node("and", node(above, value, low), node(below, value, high))]
         if sign == "<" and isinstance(right, Infinity) and isinstance(left, Integral):
             integral = self.scalar(left, env)
             assert isinstance(integral, tuple)
-            return [("=", ("diverges", *integral[1:]), 0)]
+            return [node("=", node("diverges", *integral[1:]), 0)]
         if sign not in SIGNS and not (sign == r"\approx" and is_number(right)):
             raise SymcheckError(
                 f"{to_latex(Chain((left, right), (sign,)))}: {sign} has no algebraic form; state it formally"
@@ -227,12 +229,12 @@ class Lowering:
             parts = zip(_parts(left, a), _parts(right, b), flat(a), flat(b), strict=True)
             return [self.rounded(*part, sign=sign) for part in parts]
         if not isinstance(a, list):
-            return [(SIGNS[sign], a, b)]
-        pairs = [(SIGNS[sign], x, y) for x, y in zip(flat(a), flat(b), strict=True)]
+            return [node(SIGNS[sign], a, b)]
+        pairs = [node(SIGNS[sign], x, y) for x, y in zip(flat(a), flat(b), strict=True)]
         if sign == "=" or sign == r"\equiv":
             return pairs
         if sign == r"\ne":
-            return [("or", *pairs)]
+            return [node("or", *pairs)]
         raise SymcheckError(f"{to_latex(left)} {sign} {to_latex(right)} orders vectors; only scalars can be")
 
     def rounded(self, left: Tree, right: Tree, a: Term, b: Term, *, sign: str) -> Formula:
@@ -242,7 +244,7 @@ class Lowering:
         for value, other, number in ((a, left, right), (b, right, left)):
             if is_decimal(number) and not is_number(other):
                 return rounds(value, number)
-        return ("=", a, b)
+        return node("=", a, b)
 
     def _alike(self, a: Value, b: Value, left: Tree, right: Tree) -> tuple[Value, Value]:
         """Both sides in one shape; a printed 0 stands for the zero of any shape."""
@@ -272,20 +274,22 @@ class Lowering:
                 raise SymcheckError(
                     f"{to_latex(tree)} is a numbered list; state formally whether all or one of it holds"
                 )
-            return ("or", *(self.formula(case, env) for _, case in tree.cases))
+            return node("or", *(self.formula(case, env) for _, case in tree.cases))
         if isinstance(tree, And):
             return _and(self.formula(part, env) for part in tree.parts)
         if isinstance(tree, Or):
-            return ("or", *(self.formula(part, env) for part in tree.parts))
+            return node("or", *(self.formula(part, env) for part in tree.parts))
         if isinstance(tree, Implies | Iff):
             sign = "=>" if isinstance(tree, Implies) else "<=>"
-            return (sign, self.formula(tree.left, env), self.formula(tree.right, env))
+            return node(sign, self.formula(tree.left, env), self.formula(tree.right, env))
         if isinstance(tree, Values):
             if Dots() in tree.values:
                 raise SymcheckError(f"{to_latex(tree)}: values that are not written out have no algebraic form")
-            return ("or", *(("=", self.scalar(tree.name, env), self.scalar(value, env)) for value in tree.values))
+            return node(
+                "or", *(node("=", self.scalar(tree.name, env), self.scalar(value, env)) for value in tree.values)
+            )
         if isinstance(tree, Exists):
-            return ("exists", tuple(self.variables(tree.names, env)), self.formula(tree.body, env))
+            return node("exists", tuple(self.variables(tree.names, env)), self.formula(tree.body, env))
         raise SymcheckError(f"{to_latex(tree)} is neither true nor false; a relation is expected")
 
     def variables(self, names: Iterable[Tree], env: Env) -> Iterator[str]:
@@ -319,7 +323,7 @@ class Lowering:
         whole, _, decimals = tree.text.partition(".")
         if not decimals:
             return int(whole)
-        return ("/", int(whole + decimals), 10 ** len(decimals))
+        return node("/", int(whole + decimals), 10 ** len(decimals))
 
     def of_name(self, tree: Name, env: Env) -> Value:
         if _is_index(tree, self.notation):
@@ -364,7 +368,7 @@ class Lowering:
         """A letter that is a number."""
         if letter.number == "i":
             raise SymcheckError(f"{letter.latex} is the imaginary unit; the reader knows real numbers only")
-        return "pi" if letter.number == "pi" else ("exp", 1)
+        return PI if letter.number == "pi" else node("exp", 1)
 
     def instance(self, letter: Letter, stem: str, indices: tuple[int, ...], printed: Name | None = None) -> Term:
         """A variable, or the function it is of the letters that it depends on."""
@@ -374,7 +378,7 @@ class Lowering:
         if not letter.depends or letter.named:
             return name
         arguments = self.arguments(letter, indices)
-        return ("call", name, (0,) * len(arguments), *arguments)
+        return node("call", name, (0,) * len(arguments), *arguments)
 
     def arguments(self, letter: Letter, indices: tuple[int, ...]) -> tuple[Term, ...]:
         """The letters that a letter depends on."""
@@ -437,10 +441,10 @@ class Lowering:
         shapes = {shape(value) for value in values}
         if len(shapes) > 1:
             raise SymcheckError(f"{to_latex(tree)} adds a {says(values[0])} and something else; check the notation")
-        return zipped(lambda *terms: ("+", *terms), values)
+        return zipped(lambda *terms: node("+", *terms), values)
 
     def of_neg(self, tree: Neg, env: Env) -> Value:
-        return zipped(lambda t: ("-", t), [self.value(tree.value, env)])
+        return zipped(lambda t: node("-", t), [self.value(tree.value, env)])
 
     def of_mul(self, tree: Mul, env: Env) -> Value:
         scalars: list[Term] = []
@@ -452,8 +456,8 @@ class Lowering:
             else:
                 product = value if product is None else self.multiplied(product, value, tree)
         if product is None:
-            return ("*", *scalars)
-        return zipped(lambda t: ("*", *scalars, t), [product]) if scalars else product
+            return node("*", *scalars)
+        return zipped(lambda t: node("*", *scalars, t), [product]) if scalars else product
 
     def multiplied(self, a: Value, b: Value, tree: Tree) -> Value:
         if len(shape(a)) != 2 or shape(a)[1] != shape(b)[0]:
@@ -462,24 +466,26 @@ class Lowering:
 
     def of_div(self, tree: Div, env: Env) -> Value:
         bottom = self.scalar(tree.bottom, env)
-        return zipped(lambda t: ("/", t, bottom), [self.value(tree.top, env)])
+        return zipped(lambda t: node("/", t, bottom), [self.value(tree.top, env)])
 
     def of_pow(self, tree: Pow, env: Env) -> Value:
         exponent = self.scalar(tree.exponent, env)
         if isinstance(tree.base, Name) and not tree.base.primes:
             letter = self.notation.find(tree.base.letter, len(tree.base.subscripts))
             if letter is not None and letter.number == "e":
-                return ("exp", exponent)
+                return node("exp", exponent)
         if isinstance(exponent, tuple) and exponent[0] == "-" and isinstance(exponent[1], int):
             exponent = -exponent[1]
         base = self.scalar(tree.base, env)
-        return ("^", base, exponent) if isinstance(exponent, int) else ("pow", base, exponent)
+        if base == 0 and exponent == 0:
+            raise SymcheckError(f"{to_latex(tree)} has no value on which all agree; write 1 if that is meant")
+        return node("^", base, exponent) if isinstance(exponent, int) else node("pow", base, exponent)
 
     def of_sqrt(self, tree: Sqrt, env: Env) -> Value:
-        return ("sqrt", self.scalar(tree.value, env))
+        return node("sqrt", self.scalar(tree.value, env))
 
     def of_degrees(self, tree: Degrees, env: Env) -> Value:
-        return ("/", ("*", self.scalar(tree.value, env), "pi"), 180)
+        return node("/", node("*", self.scalar(tree.value, env), PI), 180)
 
     def of_call(self, tree: Call, env: Env) -> Value:
         if isinstance(tree.function, Name):
@@ -493,14 +499,14 @@ class Lowering:
                     f"{to_latex(tree)} and a letter would both be lowered to {angle}; rename the letter"
                 )
             self.met = {each: at for each, at in self.met.items() if each not in axes}  # they stand in the angle's name
-            return (name, angle)
+            return node(name, angle)
         if len(tree.arguments) == 1 and name:
-            return (name, self.scalar(tree.arguments[0], env))
+            return node(name, self.scalar(tree.arguments[0], env))
         if len(tree.arguments) == 1 and tree.function in _FUNCTIONS:
-            return (_FUNCTIONS[tree.function], self.scalar(tree.arguments[0], env))
+            return node(_FUNCTIONS[tree.function], self.scalar(tree.arguments[0], env))
         if tree.function in ("ctg", "cot") and len(tree.arguments) == 1:
             argument = self.scalar(tree.arguments[0], env)
-            return ("/", ("cos", argument), ("sin", argument))
+            return node("/", node("cos", argument), node("sin", argument))
         raise SymcheckError(f"{to_latex(tree)} has no algebraic form; state it formally")
 
     def applied(self, tree: Call, name: Name, env: Env) -> Value:
@@ -534,7 +540,7 @@ class Lowering:
             raise SymcheckError(f"{to_latex(tree)}: {letter.latex} has another number of arguments elsewhere")
         if not self.inside:
             self.met.setdefault(stem, name)
-        return ("call", stem, orders, *arguments)
+        return node("call", stem, orders, *arguments)
 
     def of_bigsum(self, tree: BigSum, env: Env) -> Value:
         ranges = [self.bounds(tree, index, env) for index in tree.indices]
@@ -544,7 +550,7 @@ class Lowering:
         ]
         if not values:
             raise SymcheckError(f"{to_latex(tree)} is an empty sum; check its bounds")
-        return values[0] if len(values) == 1 else zipped(lambda *terms: ("+", *terms), values)
+        return values[0] if len(values) == 1 else zipped(lambda *terms: node("+", *terms), values)
 
     def bounds(self, tree: BigSum, index: str, env: Env) -> tuple[int, ...]:
         if tree.low is None or tree.high is None:
@@ -623,19 +629,19 @@ class Lowering:
     def of_integral(self, tree: Integral, env: Env) -> Value:
         by, body = self.variable(tree.variable, env), self.scalar(tree.body, env)
         self.refuse_unsaid(body, by, tree)
-        return ("integral", body, by, self.bound(tree.low, env), self.bound(tree.high, env))
+        return node("integral", body, by, self.bound(tree.low, env), self.bound(tree.high, env))
 
     def bound(self, tree: Tree, env: Env) -> Term:
-        """A bound of an integral; infinity is the name "infinity"."""
+        """A bound of an integral; infinity is an end of its own."""
         if isinstance(tree, Infinity):
-            return "infinity"
-        return ("-", "infinity") if tree == Neg(Infinity()) else self.scalar(tree, env)
+            return INFINITY
+        return MINUS_INFINITY if tree == Neg(Infinity()) else self.scalar(tree, env)
 
     def of_mean(self, tree: Mean, env: Env) -> Value:
         phase, body = self.variable(tree.phase, env), self.value(tree.body, env)
         for part in flat(body):
             self.refuse_unsaid(part, phase, tree)
-        return zipped(lambda t: ("mean", t, phase), [body])
+        return zipped(lambda t: node("mean", t, phase), [body])
 
     def of_derivative(self, tree: Derivative, env: Env) -> Value:
         value = self.value(tree.body, env)
@@ -651,26 +657,26 @@ class Lowering:
 
     def slope(self, term: Term, by: str, order: int, tree: Tree, *, partial: bool) -> Term:
         """The derivative of a term; that of a function by one of its arguments is the function of a higher order."""
-        if isinstance(term, tuple) and term[0] == "call":
-            _, name, orders, *arguments = term
+        if isinstance(term, Applied):
+            name, orders, arguments = term.function, term.orders, term.terms
             elsewhere = any(by in _names(argument) for argument in arguments if argument != by)
             if arguments.count(by) == 1 and (partial or not elsewhere):
                 if not partial:
                     self.refuse_unsaid(term, by, tree)
                 k = arguments.index(by)
-                return ("call", name, (*orders[:k], orders[k] + order, *orders[k + 1 :]), *arguments)
+                return node("call", name, (*orders[:k], orders[k] + order, *orders[k + 1 :]), *arguments)
         if partial and _through(term, by):
             raise SymcheckError(
                 f"{to_latex(tree)}: are the functions of {by} held constant, or not? write a total derivative"
             )
         self.refuse_unsaid(term, by, tree, held=partial)
-        return ("diff", term, by, order)
+        return node("diff", term, by, order, by)
 
     def refuse_unsaid(self, term: Term, by: str, tree: Tree, *, held: bool = False) -> None:
         """SymcheckError where it is not said whether a letter depends on a variable; `held`: arguments are constant."""
         for name in dict.fromkeys(_free_names(term, held=held)):
             letter = self.notation.owner(name)
-            if name == by or name in ("pi", "infinity") or (letter and (letter.named or letter.depends is not None)):
+            if name == by or (letter and (letter.named or letter.depends is not None)):
                 continue
             shown = letter.latex if letter else name
             by_letter = self.notation.owner(by)
@@ -680,35 +686,32 @@ class Lowering:
             )
 
 
-def _names(node: Any) -> Iterator[str]:
+def _names(tree: Any) -> Iterator[str]:
     """Every name in a term or in formulas, those of functions too."""
-    if isinstance(node, str):
-        yield node
-    elif isinstance(node, tuple):
-        for part in node:
+    if isinstance(tree, str):
+        yield tree
+    elif isinstance(tree, tuple):
+        for part in tree:
             yield from _names(part)
 
 
-def _free_names(term: Any, *, held: bool) -> Iterator[str]:
+def _free_names(term: Term, *, held: bool) -> Iterator[str]:
     """The variables of a term that no integral binds; with `held` not those that are arguments themselves."""
     if isinstance(term, str):
         yield term
-    elif isinstance(term, tuple):
-        head, *parts = term
-        if head == "call":
-            parts = [part for part in parts[2:] if not (held and isinstance(part, str))]
-        bound = parts[1] if head in ("diff", "integral", "mean", "diverges") else ""
-        for part in parts:
-            yield from (name for name in _free_names(part, held=held) if name != bound)
+    elif isinstance(term, Node):
+        own = [part for part in term.outside if not (held and term.tag == "call" and isinstance(part, str))]
+        for part in (*term.inside, *own):
+            yield from (name for name in _free_names(part, held=held) if name not in term.bound)
 
 
-def _through(term: Any, by: str) -> bool:
+def _through(term: Term, by: str) -> bool:
     """Does a function have an argument that depends on the variable without being it?"""
-    if not isinstance(term, tuple):
+    if not isinstance(term, Node):
         return False
-    if term[0] == "call" and any(part != by and by in _names(part) for part in term[3:]):
+    if isinstance(term, Applied) and any(part != by and by in _names(part) for part in term.terms):
         return True
-    return any(_through(part, by) for part in term[1:])
+    return any(_through(part, by) for part in term.inside + term.outside)
 
 
 def tree_indices(tree: Tree) -> set[str]:
@@ -750,4 +753,4 @@ def _written_out(tree: Tuple) -> Iterator[Tree]:
 
 def _and(formulas: Iterable[Formula]) -> Formula:
     parts = tuple(formulas)
-    return parts[0] if len(parts) == 1 else ("and", *parts)
+    return parts[0] if len(parts) == 1 else node("and", *parts)

@@ -475,7 +475,7 @@ class Builder:
                 raise self.fail(items[0].at, "a differential must be followed by its letter")
             return self.differential(items)
         if len(items) == 1 and items[0].kind in ("group", "atom") and not items[0].postfix:
-            return self.atom(items[0])
+            return self.alone(items[0])
         factors: list[Tree] = []
         k = 0
         dotted = True
@@ -570,7 +570,7 @@ class Builder:
             raise self.fail(item.at, "a number behind a factor is ambiguous")
         if isinstance(item.node, Name):
             return self.applied(items, k)
-        return self.atom(item), k + 1
+        return self.alone(item), k + 1
 
     def integral(self, items: list[Item], k: int) -> Tree:
         r"""`\int_a^b f \, dx`; nothing may stand behind the differential."""
@@ -704,6 +704,13 @@ class Builder:
         if any(label for label, _ in listing.entries) or any(s != "COMMA" for s in listing.separators):
             raise self.fail(listing.at, "only commas may separate what stands in brackets")
         return tuple(self.checked(tree, listing.at, statements=False) for _, tree in listing.entries)
+
+    def alone(self, item: Item) -> Tree:
+        """An atom that is no function's argument: of one letter or number in square brackets the whole part is one."""
+        node = item.node
+        if item.square and isinstance(node, Name | Number) and "_{" not in (shown := to_latex(node)):  # else an entry
+            raise self.fail(item.at, f"[{shown}]: the whole part of {shown}, or idle brackets? leave them out")
+        return self.atom(item)
 
     def atom(self, item: Item) -> Tree:
         """A factor that needs nothing from its right."""

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from fractions import Fraction
 
+from symcheck.core.terms import PI, node
 from symcheck.reading.tree import Degrees, Neg, Number, Tree
 from symcheck.statement import Formula, Term
 
@@ -29,7 +30,7 @@ def rounds(value: Term, tree: Tree) -> Formula:
     half = Fraction(1, 2 * 10 ** len(number.text.partition(".")[2]))
     middle = Fraction(number.text) * (-1 if isinstance(tree, Neg) else 1)
     low, high = (_number(end, degrees=degrees) for end in (middle - half, middle + half))
-    return ("and", ("<=", low, value), ("<=", value, high))
+    return node("and", node("<=", low, value), node("<=", value, high))
 
 
 def _bare(tree: Tree) -> Tree:
@@ -40,6 +41,6 @@ def _bare(tree: Tree) -> Tree:
 
 def _number(value: Fraction, *, degrees: bool) -> Term:
     if degrees:
-        top: Term = ("*", value.numerator, "pi")
-        return ("/", top, 180 * value.denominator)
-    return value.numerator if value.denominator == 1 else ("/", value.numerator, value.denominator)
+        top: Term = node("*", value.numerator, PI)
+        return node("/", top, 180 * value.denominator)
+    return value.numerator if value.denominator == 1 else node("/", value.numerator, value.denominator)

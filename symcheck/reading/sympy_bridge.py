@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
+from symcheck.core.terms import INFINITY, MINUS_INFINITY, PI, Binder, Call, node
 from symcheck.statement import SymcheckError, Term
 
 if TYPE_CHECKING:
@@ -22,22 +23,25 @@ def to_sympy(term: Term) -> Expr:
     if isinstance(term, int):
         return sympy.Integer(term)
     if isinstance(term, str):
-        return {"pi": sympy.pi, "infinity": sympy.oo}.get(term) or sympy.Symbol(term, real=True)
-    operator, arguments = term[0], term[1:]
-    if operator == "call":
-        return _applied(*arguments)
+        return sympy.Symbol(term, real=True)
+    if term in (PI, INFINITY, MINUS_INFINITY):
+        return {PI: sympy.pi, INFINITY: sympy.oo, MINUS_INFINITY: -sympy.oo}[term]
+    operator = term.tag
+    if isinstance(term, Call):
+        return _applied(term.function, term.orders, *term.terms)
+    if isinstance(term, Binder):
+        variable, body = sympy.Symbol(term.letter, real=True), to_sympy(term.body)
+        if operator == "diff":
+            order, place = term.outside
+            slope = _derivative(body, variable, int(str(order)))
+            return slope if place == term.letter else slope.subs(variable, to_sympy(place))
+        if operator == "integral":
+            return sympy.Integral(body, (variable, *map(to_sympy, term.outside)))
+        if operator == "mean":
+            return sympy.Function("mean")(body, variable)
+    values = [to_sympy(argument) for argument in term.terms]
     if operator == "^":
-        return to_sympy(arguments[0]) ** int(arguments[1])
-    if operator == "diff":
-        body, variable, order = arguments
-        return _derivative(to_sympy(body), sympy.Symbol(variable, real=True), order)
-    if operator == "integral":
-        body, variable, *bounds = arguments
-        limits = (sympy.Symbol(variable, real=True), *(to_sympy(bound) for bound in bounds))
-        return sympy.Integral(to_sympy(body), limits)
-    values = [to_sympy(argument) for argument in arguments]
-    if operator == "mean":
-        return sympy.Function("mean")(*values)
+        return values[0] ** values[1]
     if operator == "pow":
         return values[0] ** values[1]
     if operator == "+":
@@ -88,30 +92,30 @@ def from_sympy(expr: Any) -> Term:
     expr = sympy.sympify(expr)
     if isinstance(expr, sympy.Integer):
         value = int(expr)
-        return value if value >= 0 else ("-", -value)
+        return value if value >= 0 else node("-", -value)
     if isinstance(expr, sympy.Rational):
         top: Term = abs(int(expr.p))
-        quotient = ("/", top, int(expr.q))
-        return quotient if expr.p > 0 else ("-", quotient)
+        quotient = node("/", top, int(expr.q))
+        return quotient if expr.p > 0 else node("-", quotient)
     if isinstance(expr, sympy.Symbol):
         return str(expr.name)
     if expr == sympy.pi:
-        return "pi"
+        return PI
     if isinstance(expr, sympy.Derivative | sympy.Subs | AppliedUndef) and (applied := _call(expr)):
         return applied
     if isinstance(expr, sympy.Add):
-        return ("+", *(from_sympy(term) for term in expr.as_ordered_terms()))
+        return node("+", *(from_sympy(term) for term in expr.as_ordered_terms()))
     if isinstance(expr, sympy.Mul):
         return _product(expr)
     if isinstance(expr, sympy.Pow):
         return _power(expr)
     if type(expr).__name__ in _TERMS:
-        return (_TERMS[type(expr).__name__], from_sympy(expr.args[0]))
+        return node(_TERMS[type(expr).__name__], from_sympy(expr.args[0]))
     if type(expr).__name__ == "mean":
-        return ("mean", *(from_sympy(part) for part in expr.args))
+        return node("mean", *(from_sympy(part) for part in expr.args))
     if isinstance(expr, sympy.Integral) and len(expr.limits) == 1 and len(expr.limits[0]) == 3:
         variable, *bounds = expr.limits[0]
-        return ("integral", from_sympy(expr.function), str(variable), *(_bound(bound) for bound in bounds))
+        return node("integral", from_sympy(expr.function), str(variable), *(_bound(bound) for bound in bounds))
     raise SymcheckError(f"{expr} has no exact term; only rational expressions, powers and elementary functions have")
 
 
@@ -131,15 +135,15 @@ def _call(expr: Any) -> Term | None:
     if any(expr.args.count(by) != 1 for by in counts):
         return None
     orders = tuple(counts.get(argument, 0) for argument in expr.args)
-    return ("call", expr.func.__name__, orders, *(from_sympy(argument.xreplace(at)) for argument in expr.args))
+    return node("call", expr.func.__name__, orders, *(from_sympy(argument.xreplace(at)) for argument in expr.args))
 
 
 def _bound(expr: Any) -> Term:
     import sympy
 
     if expr == sympy.oo:
-        return "infinity"
-    return ("-", "infinity") if expr == -sympy.oo else from_sympy(expr)
+        return INFINITY
+    return MINUS_INFINITY if expr == -sympy.oo else from_sympy(expr)
 
 
 def _product(expr: Any) -> Term:
@@ -150,8 +154,8 @@ def _product(expr: Any) -> Term:
         sign, factors[0] = "-", -factors[0]
         factors = [factor for factor in factors if factor != sympy.S.One]
     terms = [from_sympy(factor) for factor in factors]
-    product: Term = terms[0] if len(terms) == 1 else ("*", *terms)
-    return ("-", product) if sign else product
+    product: Term = terms[0] if len(terms) == 1 else node("*", *terms)
+    return node("-", product) if sign else product
 
 
 def _power(expr: Any) -> Term:
@@ -160,13 +164,13 @@ def _power(expr: Any) -> Term:
     base, exponent = expr.args
     if isinstance(exponent, sympy.Integer):
         value = int(exponent)
-        return ("^", from_sympy(base), value) if value > 0 else ("/", 1, _positive_power(base, -value))
+        return node("^", from_sympy(base), value) if value > 0 else node("/", 1, _positive_power(base, -value))
     if isinstance(exponent, sympy.Rational) and exponent.q == 2:
-        root: Term = ("sqrt", from_sympy(base))
-        power: Term = root if abs(exponent.p) == 1 else ("^", root, abs(int(exponent.p)))
-        return power if exponent.p > 0 else ("/", 1, power)
-    return ("pow", from_sympy(base), from_sympy(exponent))
+        root: Term = node("sqrt", from_sympy(base))
+        power: Term = root if abs(exponent.p) == 1 else node("^", root, abs(int(exponent.p)))
+        return power if exponent.p > 0 else node("/", 1, power)
+    return node("pow", from_sympy(base), from_sympy(exponent))
 
 
 def _positive_power(base: Any, exponent: int) -> Term:
-    return from_sympy(base) if exponent == 1 else ("^", from_sympy(base), exponent)
+    return from_sympy(base) if exponent == 1 else node("^", from_sympy(base), exponent)

@@ -157,9 +157,9 @@ def subscript(tokens: list[Tok]) -> str:
 
 
 def superscript(tokens: list[Tok]) -> str | None:
-    """The canonical text of a superscript in brackets, `^{(2)}`; None if it is another one."""
+    """The canonical text of a superscript in brackets, `^{(2)}` or `^{[2]}`; None if it is another one."""
     text = "".join(t.text for t in tokens)
-    closing = text.find(")")
-    if len(text) < 3 or text[0] != "(" or closing != len(text) - 1 or "," in text:
+    pair = {"(": ")", "[": "]"}.get(text[:1])
+    if pair is None or len(text) < 3 or text.find(pair) != len(text) - 1 or "," in text:
         return None
     return f"^{{{text}}}"

@@ -11,7 +11,7 @@ from markupsafe import Markup
 from symcheck.evidence.confirmed import told
 from symcheck.evidence.faults import Fault, without
 from symcheck.evidence.record import Record
-from symcheck.evidence.steps import sides, steps, term
+from symcheck.evidence.steps import compared, coordinates, shown, sides, term
 from symcheck.report.formulas import Formulas
 from symcheck.report.sources import Excerpt, Publication
 from symcheck.statement import Certificate
@@ -54,11 +54,8 @@ class Proof:
 
     @property
     def lines(self) -> str:
-        """The lemmas it starts from, and the steps of the proof."""
-        lemmas = self.certificate.get("lemmas") or ()
-        start = [f"from lemmas: {', '.join(lemmas)}"] if lemmas else []
-        proof = self.certificate.get("proof")
-        return "\n".join([*start, *(steps(proof) if proof else ())])
+        """What the proof starts from, and its steps."""
+        return "\n".join(shown(self.certificate))
 
 
 @dataclass(frozen=True)
@@ -126,16 +123,16 @@ def difference(record: Record, formulas: Formulas, fallback: bool = False) -> tu
 def _counterexample(found: Mapping[str, Any], parts: bool) -> Counterexample | None:
     """What is known of a point; `parts` if truth values of several parts are compared there, not two sides."""
     found = found.get("point", found)
-    values = tuple((name, _value(value)) for name, value in found.get("values", {}).items())
-    both = tuple(map(_value, found.get("sides", ())))
+    at = coordinates(found.get("values", {}))
+    values = tuple((f"{function} {name}".lstrip(), _value(value)) for function, name, value in at)
+    both = tuple(map(_value, compared(found)))
     names = (f"part {number}" for number in range(1, len(both) + 1)) if parts else ("left side", "right side")
-    compared = tuple(zip(names, both, strict=False))
     told = "" if both else sides(found)
-    return Counterexample(values, compared, told) if values or both or told else None
+    return Counterexample(values, tuple(zip(names, both, strict=False)), told) if values or both or told else None
 
 
 def _value(value: Any) -> str:
-    return (term(value) if isinstance(value, list | tuple) else str(value)).replace("-", "−")
+    return term(value).replace("-", "−")
 
 
 def _condition(hypothesis: Mapping[str, Any]) -> Condition:

@@ -12,7 +12,6 @@ from typing import Any
 from jinja2 import Environment, PackageLoader, StrictUndefined
 from markupsafe import Markup
 
-from symcheck.evidence import translation
 from symcheck.evidence.confirmed import CONFIRMED, confirmed, told
 from symcheck.evidence.faults import Alike, Fault, errata
 from symcheck.evidence.record import Record
@@ -157,12 +156,9 @@ def _slot(name: str, data: str) -> str:
 
 
 def _proofs(records: Iterable[Record]) -> dict[str, Any]:
-    """The proofs of a paper field by field: likes beside likes fold into half as much.
-
-    The digest is left out. It follows from the rest, and nothing folds it.
-    """
+    """The proofs of a paper field by field: likes beside likes fold into half as much."""
     found = [(record.id, proof) for record in records for proof in entries.proofs(record)]
-    written = [translation.certificate(proof.certificate) for _, proof in found]
+    written = [proof.certificate for _, proof in found]
     keys = sorted({key for each in written for key in each})
     return {
         "of": [id for id, _ in found],

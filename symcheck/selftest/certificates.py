@@ -6,17 +6,19 @@ import copy
 import json
 import re
 from collections import defaultdict
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
+from itertools import islice
 from random import Random
-from typing import Any
+from typing import Any, NamedTuple
 
+from symcheck.core.formulas import conjuncts
+from symcheck.core.terms import Reader, node
 from symcheck.evidence.checked import certificates
 from symcheck.evidence.judge import lemma
 from symcheck.evidence.record import Record
-from symcheck.proof import digest, fails_without, proof_of
-from symcheck.proof.theorems import conjuncts
-from symcheck.selftest.evidence import holds, is_shown, problem_of
+from symcheck.proof import fails_without, proof_of
+from symcheck.selftest.evidence import MALFORMED, holds, is_shown, problem_of
 from symcheck.selftest.trial import Fate, FaultClass, Trial, mixed
 from symcheck.statement import Certificate, Loss, Problem
 
@@ -24,72 +26,78 @@ STATED = ("claim", "definitions", "hypotheses")
 TURNED = {"<": ">=", "<=": ">", ">": "<=", ">=": "<", "=": "!=", "!=": "="}
 TOGETHER = 40  # certificates that one task goes through
 Path = tuple[Any, ...]
-Change = tuple[str, str, Path, Any]  # kind, words, where, the new value
 DROPPED = object()
 
 
-def changed(original: Certificate, path: Path, value: Any) -> Certificate:
-    """A copy with another value at one place (or without it), and a digest that fits."""
-    edited = copy.deepcopy(original)
-    node: Any = edited
-    for key in path[:-1]:
-        node = node[key]
-    if value is DROPPED:
-        del node[path[-1]]
-    else:
-        node[path[-1]] = value
-    edited["digest"] = digest(edited)
-    return edited
+class Change(NamedTuple):
+    """A change of a certificate: its kind, what it is in words, and new values by place."""
+
+    kind: str
+    words: str
+    values: tuple[tuple[Path, Any], ...]
+
+    def of(self, original: Certificate) -> Certificate:
+        """The changed certificate."""
+        new = copy.deepcopy(original)
+        for path, value in self.values:
+            place: Any = new
+            for key in path[:-1]:
+                place = place[key]
+            if value is not DROPPED:
+                place[path[-1]] = copy.deepcopy(value)
+            elif not isinstance(place, dict) or path[-1] in place:
+                del place[path[-1]]
+        return new
+
+
+def one(kind: str, words: str, path: Path, value: Any) -> Change:
+    """A change at one place."""
+    return Change(kind, words, ((path, value),))
 
 
 def changes(original: Certificate) -> Iterator[Change]:
     """Every number, letter, sign, cofactor, relation, fact, hypothesis and coordinate, each changed alone."""
-    for path, value in _places(original):
+    for path, value in places(original):
         section, name = (path or ("",))[0], "/".join(map(str, path))
         if section in STATED:
             yield from _of_statement(path, value, name)
         elif section == "proof":
             yield from _of_proof(original, path, value, name)
-        elif section == "point" and len(path) > 1 and path[1] in ("values", "sides"):
+        elif section == "point" and len(path) > 2:
             yield from _of_point(path, value, name)
         if section == "hypotheses" and len(path) == 3:
-            yield "hypothesis list", f"{name} dropped", path, DROPPED
+            yield one("hypothesis list", f"{name} dropped", path, DROPPED)
 
 
 def _of_statement(path: Path, value: Any, name: str) -> Iterator[Change]:
     if type(value) is int:
-        yield "coefficient", f"{name}: {value} + 1", path, value + 1
+        yield one("coefficient", f"{name}: {value} + 1", path, value + 1)
     elif isinstance(value, str) and path[-1] == 0 and value in TURNED:
-        yield "relation", f"{name}: {value} -> {TURNED[value]}", path, TURNED[value]
+        yield one("relation", f"{name}: {value} -> {TURNED[value]}", path, TURNED[value])
     elif isinstance(value, str) and path[-1] != 0 and re.fullmatch(r"\w+_\d+", value):
         other = value[:-1] + str(int(value[-1]) % 3 + 1)
-        yield "index", f"{name}: {value} -> {other}", path, other
+        yield one("index", f"{name}: {value} -> {other}", path, other)
 
 
 def _of_proof(original: Certificate, path: Path, value: Any, name: str) -> Iterator[Change]:
-    if type(value) is int and path[-1] != "or":
-        yield "coefficient", f"{name}: {value} + 1", path, value + 1
-    elif isinstance(value, str) and "cofactors" in path and path[-1] != 0 and path[-2] != 0:
-        yield from (("coefficient", f"{name}: {text}", path, text) for text in polynomial_edits(value))
+    if type(value) is int:
+        yield one("coefficient", f"{name}: {value} + 1", path, value + 1)
+    elif isinstance(value, str) and path[-3:-2] == ("cofactors",) and path[-1] != 0:
+        yield from (one("coefficient", f"{name}: {text}", path, text) for text in polynomial_edits(value))
     elif isinstance(value, list) and len(path) >= 2 and path[-2] == "cofactors":
-        yield "hypothesis list", f"{name} dropped", path, DROPPED
+        yield one("hypothesis list", f"{name} dropped", path, DROPPED)
     elif isinstance(value, list) and value[:1] == ["hyp"]:
         for k in range(len(original["hypotheses"][value[1]])):
             if k != value[2]:
-                yield "hypothesis list", f"{name}: {k}", path, ["hyp", value[1], k]
+                yield one("hypothesis list", f"{name}: {k}", path, ["hyp", value[1], k])
 
 
 def _of_point(path: Path, value: Any, name: str) -> Iterator[Change]:
-    if isinstance(value, str) and len(path) == 3 and value not in ("true", "false"):
-        yield "coordinate", f"{name}: {value} and 1 more", path, ["+", _number(value), 1]
-    if len(path) == 3 and path[1] == "values":
-        yield "coordinate", f"{name} dropped", path, DROPPED
-
-
-def _number(text: str) -> Any:
-    """A printed fraction as a term."""
-    top, _, bottom = text.partition("/")
-    return ["/", int(top), int(bottom or 1)]
+    if path[1] == "shown" and type(value) is int:
+        yield one("coordinate", f"{name}: {value} + 1", path, value + 1)
+    elif path[1] == "values" and len(path) == 3:
+        yield one("coordinate", f"{name}: {value} and 1 more", path, ["+", value, 1])
+        yield one("coordinate", f"{name} dropped", path, DROPPED)
 
 
 def polynomial_edits(text: str) -> Iterator[str]:
@@ -101,16 +109,36 @@ def polynomial_edits(text: str) -> Iterator[str]:
     yield text.removeprefix("-") if text.startswith("-") else "-" + text
 
 
-def _places(node: Any, path: Path = ()) -> Iterator[tuple[Path, Any]]:
-    yield path, node
-    children = node.items() if isinstance(node, dict) else enumerate(node) if isinstance(node, list) else ()
+def places(data: Any, path: Path = ()) -> Iterator[tuple[Path, Any]]:
+    """Whatever a certificate is made of, with its place."""
+    yield path, data
+    children = data.items() if isinstance(data, dict) else enumerate(data) if isinstance(data, list) else ()
     for key, child in children:
-        yield from _places(child, (*path, key))
+        yield from places(child, (*path, key))
+
+
+def fate(original: Certificate, edited: Certificate, lemmas: Sequence[Certificate] = ()) -> Fate:
+    """What the checker makes of a changed certificate; one that it accepts is no fault if what it states is shown."""
+    if not holds(edited, lemmas):
+        return Fate.REJECTED
+    try:
+        return Fate.EQUIVALENT if is_so(original, edited) else Fate.ACCEPTED
+    except MALFORMED:
+        return Fate.ACCEPTED  # it states nothing that can be shown
 
 
 def is_so(original: Certificate, edited: Certificate) -> bool:
-    """Whether what an edited certificate states is so, by a decision that owes nothing to its own proof or point."""
-    return follows(problem_of(original), problem_of(edited), edited["verdict"] == original["verdict"] == "refuted")
+    """Whether what is stated is so: it is what the original states, or it is shown without its own proof or point.
+
+    A denominator that is no longer said not to vanish is to be shown not to.
+    """
+    known, problem = problem_of(original), problem_of(edited)
+    refuted = edited["verdict"] == "refuted"
+    if edited["verdict"] != original["verdict"]:
+        return follows(replace(problem, claim=node("=", 0, 1)), problem, refuted)
+    conditions = [term for term in original.get("nonzero", ()) if term not in edited.get("nonzero", ())]
+    open_ = [replace(problem, claim=Reader().formula(["!=", term, 0])) for term in conditions]
+    return all(is_shown(each, proof_of(each)) for each in open_) and follows(known, problem, refuted)
 
 
 def follows(known: Problem, problem: Problem, refuted: bool) -> bool:
@@ -145,17 +173,12 @@ def _lemmas(own: Sequence[str], named: Mapping[str, Sequence[str]]) -> list[str]
     found: dict[str, None] = {}
     todo = [*own]
     while todo:
-        for name in json.loads(todo.pop()).get("lemmas", ()):
+        for name, _ in json.loads(todo.pop()).get("lemmas", ()):
             texts = named.get(name) or [json.dumps(each) for each in lemma(*name.split(":", 1))[1]]
             new = [text for text in texts if text not in found]
             found |= dict.fromkeys(new)
             todo += new
     return [*found]
-
-
-def beside(original: Certificate, lemmas: Sequence[Certificate]) -> list[Certificate]:
-    """Those of the lemmas that a certificate may need; to check none is quicker."""
-    return [*lemmas] if original.get("lemmas") else []
 
 
 def trials(place: str, count: int, rng: Random) -> Iterator[Trial]:
@@ -164,25 +187,31 @@ def trials(place: str, count: int, rng: Random) -> Iterator[Trial]:
     for original in group:
         kept = holds(original, beside(original, lemmas))
         yield Trial("as it is", original["id"], Fate.KEPT if kept else Fate.FALSELY_REJECTED)
+    yield from changed(group, lemmas, changes, count, rng)
+
+
+def changed(
+    group: Sequence[Certificate],
+    lemmas: Sequence[Certificate],
+    listed: Callable[[Certificate], Iterable[Change]],
+    count: int,
+    rng: Random,
+) -> Iterator[Trial]:
+    """So many changes of a group of certificates, of each about as many."""
     for k, original in enumerate(group):
         by_kind: dict[str, list[Change]] = defaultdict(list)
-        for change in changes(original):
-            by_kind[change[0]].append(change)
+        for change in listed(original):
+            by_kind[change.kind].append(change)
         share = count * (k + 1) // len(group) - count * k // len(group)
-        for kind, words, path, value in _first(mixed(by_kind, rng), share):
-            edited = changed(original, path, value)
-            yield Trial(kind, f"{original['id']} {words}", fate(original, edited, beside(original, lemmas)))
+        for change in islice(mixed(by_kind, rng), share):
+            if (edited := change.of(original)) != original:
+                known = beside(original, lemmas)
+                yield Trial(change.kind, f"{original['id']} {change.words}", fate(original, edited, known))
 
 
-def fate(original: Certificate, edited: Certificate, lemmas: Sequence[Certificate] = ()) -> Fate:
-    """What the checker makes of a changed certificate; one that holds is right if what it states is so."""
-    if not holds(edited, lemmas):
-        return Fate.REJECTED
-    return Fate.EQUIVALENT if is_so(original, edited) else Fate.ACCEPTED
-
-
-def _first(drawn: Iterator[Change], count: int) -> Iterator[Change]:
-    return (change for change, _ in zip(drawn, range(count), strict=False))
+def beside(original: Certificate, lemmas: Sequence[Certificate]) -> list[Certificate]:
+    """Those of the lemmas that a certificate may need; to check none is quicker."""
+    return [*lemmas] if original.get("lemmas") else []
 
 
 CLASS = FaultClass(

@@ -16,9 +16,10 @@ from typing import Any
 import flint
 import sympy as sp
 
+from symcheck.core.terms import Connective, Reader, Relation, Value
 from symcheck.evidence.checked import certificates
 from symcheck.evidence.record import Record
-from symcheck.selftest.evidence import frozen, holds
+from symcheck.selftest.evidence import holds
 from symcheck.statement import Certificate, Formula, Term
 
 BITS, DIGITS = 400, 60
@@ -41,41 +42,46 @@ class Engine:
 
     def value(self, term: Term, point: Point, known: dict[str, Any]) -> Any:
         """The value of a term where the letters are these terms; `known` keeps the values of letters."""
-        if isinstance(term, int):
-            return self.number(term)
-        if isinstance(term, str):
-            if term not in known:
-                known[term] = self._letter(term, point, known)
-            return known[term]
-        head, *parts = term
-        if head == "^":
-            return self.value(parts[0], point, known) ** int(parts[1])
-        if head in ("sin", "cos") and f"{head}_{parts[0]}" in point:
-            return self.value(f"{head}_{parts[0]}", point, known)
-        values = [self.value(part, point, known) for part in parts if head in OPERATORS or head in self.functions]
-        if head in OPERATORS:
-            return OPERATORS[head](values)
-        if head not in self.functions or any(value is None for value in values):
-            raise Unknown(head)
-        return self.functions[head](*values)
+        match term:
+            case int():
+                return self.number(term)
+            case str() if term in point:
+                if term not in known:
+                    known[term] = self.value(point[term], point, known)
+                return known[term]
+            case Value(tag="^", terms=(base, int(exponent))):
+                return self.value(base, point, known) ** exponent
+            case Value(tag="sin" | "cos", terms=(str(x),)) if (half := half_angle(point.get(x, 0))) is not None:
+                return self._turned(term.tag, self.value(half, point, known))
+            case Value() if term.tag in OPERATORS:
+                return OPERATORS[term.tag]([self.value(part, point, known) for part in term.terms])
+            case Value() if term.tag in self.functions:
+                return self.functions[term.tag](*(self.value(part, point, known) for part in term.terms))
+        raise Unknown(str(term))
 
-    def _letter(self, name: str, point: Point, known: dict[str, Any]) -> Any:
-        if name in point:
-            return self.value(point[name], point, known)
-        if name in self.functions:
-            return self.functions[name]()
-        raise Unknown(name)
+    def _turned(self, function: str, half: Any) -> Any:
+        """The sine or cosine of an angle, from the tangent of its half."""
+        one = self.number(1)
+        return (2 * half if function == "sin" else one - half * half) / (one + half * half)
 
     def truth(self, formula: Formula, point: Point, known: dict[str, Any]) -> bool | None:
         """Whether a formula holds at the point, None if it cannot tell."""
-        head, *parts = formula
-        if head in RELATIONS:
-            sign = self.sign(self.value(parts[0], point, known) - self.value(parts[1], point, known))
-            return None if sign is None else sign in RELATIONS[head]
-        if head not in CONNECTIVES:
-            raise Unknown(head)
-        truths = [self.truth(part, point, known) for part in parts]
-        return None if None in truths else CONNECTIVES[head](truths)
+        match formula:
+            case Relation(terms=(left, right)):
+                sign = self.sign(self.value(left, point, known) - self.value(right, point, known))
+                return None if sign is None else sign in RELATIONS[formula.tag]
+            case Connective(formulas=parts):
+                truths = [self.truth(part, point, known) for part in parts]
+                return None if None in truths else CONNECTIVES[formula.tag](truths)
+        raise Unknown(formula.tag)
+
+
+def half_angle(value: Term) -> Term | None:
+    """What the tangent of half the angle is, if the angle is written as twice an arctangent."""
+    match value:
+        case Value(tag="*", terms=(2, Value(tag="arctan", terms=(half,)))):
+            return half
+    return None
 
 
 RELATIONS = {"=": {0}, "!=": {-1, 1}, "<": {-1}, "<=": {-1, 0}, ">": {1}, ">=": {0, 1}}
@@ -144,23 +150,16 @@ ENGINES = (
 
 def point_of(evidence: Certificate) -> Point:
     """The coordinates of a refutation as terms, with the definitions that are in force."""
-    values = {name: _coordinate(value) for name, value in evidence["point"]["values"].items()}
-    return {**{name: frozen(term) for name, term in evidence["definitions"]}, **values}
-
-
-def _coordinate(value: Any) -> Term:
-    if isinstance(value, str):
-        return ("/", *Fraction(value).as_integer_ratio())
-    term: Term = frozen(value)
-    return term
+    stated = (*evidence["definitions"], *evidence["point"]["values"].items())
+    return {name: Reader().term(value) for name, value in stated}
 
 
 def refutes(engine: Engine, evidence: Certificate) -> bool | None:
     """Whether an engine finds the hypotheses true and the claim false at the point; None if it has no such numbers."""
-    point, known = point_of(evidence), dict[str, Any]()
+    point, known, read = point_of(evidence), dict[str, Any](), Reader().formula
     try:
-        given = [engine.truth(frozen(f), point, known) for stated in evidence["hypotheses"].values() for f in stated]
-        claim = engine.truth(frozen(evidence["claim"]), point, known)
+        given = [engine.truth(read(f), point, known) for stated in evidence["hypotheses"].values() for f in stated]
+        claim = engine.truth(read(evidence["claim"]), point, known)
     except Unknown:
         return None
     return None if claim is None or None in given else all(given) and not claim

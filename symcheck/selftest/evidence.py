@@ -10,13 +10,15 @@ import json
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from typing import Any
 
+from symcheck.core.calculus import letters
+from symcheck.core.formulas import conjuncts
+from symcheck.core.terms import Node, Reader, node
 from symcheck.evidence.checked import reasons, told
 from symcheck.evidence.context import Context
 from symcheck.evidence.judge import Finding, Unit, lemma
 from symcheck.evidence.record import Record
 from symcheck.proof import certificate
-from symcheck.proof.theorems import conjuncts
-from symcheck.statement import Certificate, Formula, Outcome, Problem, SymcheckError, Verdict
+from symcheck.statement import Certificate, Formula, Outcome, Problem, SymcheckError, Term, Verdict
 
 MALFORMED = (AssertionError, LookupError, TypeError, ValueError, AttributeError, SymcheckError)
 
@@ -67,24 +69,19 @@ def _lemma(name: str, context: Context) -> Record:
 def _lemmas(certificates: Iterable[Certificate]) -> list[str]:
     """The ids of all relations that certificates rest on."""
     found: dict[str, None] = {}
-    todo = [name for each in certificates for name in each.get("lemmas", ())]
+    todo = [name for each in certificates for name, _ in each.get("lemmas", ())]
     while todo:
         if (name := todo.pop()) not in found:
             found[name] = None
-            todo += [more for each in lemma(*name.split(":", 1))[1] for more in each.get("lemmas", ())]
+            todo += [more for each in lemma(*name.split(":", 1))[1] for more, _ in each.get("lemmas", ())]
     return sorted(found)
 
 
 def states(finding: Finding, formulas: Iterable[Formula]) -> bool:
     """Whether the certificates claim just these formulas, and what is claimed beside them: sets of equality."""
-    claims = [_claim(each) for each in finding.certificates]
+    claims = [each["claim"] for each in finding.certificates]
     stated: list[Any] = json.loads(json.dumps([*formulas]))
     return claims[: len(stated)] == stated and len(claims) == len(finding.problems)
-
-
-def _claim(evidence: Certificate) -> Any:
-    """What a certificate says; one that rests on lemmas says that they imply it."""
-    return evidence["claim"][2] if evidence.get("facts") else evidence["claim"]
 
 
 def answered(problem: Problem, outcome: Any) -> Verdict:
@@ -104,31 +101,39 @@ def is_shown(problem: Problem, outcome: Outcome | None) -> bool:
 
 
 def problem_of(evidence: Certificate) -> Problem:
-    """The statement of a certificate as a problem, lemmas not counted; what its proof is made of are hints."""
-    resting = bool(evidence.get("facts"))
-    definitions = tuple((name, frozen(term)) for name, term in evidence["defined" if resting else "definitions"])
-    assumed = {name: [*formulas] for name, formulas in evidence["hypotheses"].items()}
-    for name, formulas in evidence["under"].items() if resting else ():
-        own = assumed.setdefault(name, [])
-        own += [part for part in formulas if part not in own]
+    """What a certificate states, lemmas not counted, with the definitions it reaches; parts of its proof are hints."""
+    read = Reader()
+    claim = read.formula(evidence["claim"])
     hypotheses = tuple(
-        (name, tuple(part for f in formulas for part in conjuncts(frozen(f)))) for name, formulas in assumed.items()
+        (name, tuple(part for formula in formulas for part in conjuncts(read.formula(formula))))
+        for name, formulas in evidence["hypotheses"].items()
     )
-    hints = tuple(dict.fromkeys(hints_of(evidence.get("proof", {}))))
-    return Problem(evidence["id"], frozen(_claim(evidence)), definitions, hypotheses, hints)
+    terms = {name: read.term(term) for name, term in evidence["definitions"]}
+    reached: set[str] = set()
+    todo: list[Term] = [claim, *(formula for _, formulas in hypotheses for formula in formulas)]
+    while todo:
+        new = letters(todo.pop()) & terms.keys() - reached
+        reached |= new
+        todo += [terms[name] for name in new]
+    definitions = tuple((name, term) for name, term in terms.items() if name in reached)
+    return Problem(evidence["id"], claim, definitions, hypotheses, tuple(dict.fromkeys(_hints(evidence.get("proof")))))
 
 
-def frozen(value: Any) -> Any:
-    """JSON lists as tuples."""
-    return tuple(map(frozen, value)) if isinstance(value, list) else value
-
-
-def hints_of(node: Any, read: Callable[[Any], Any] = frozen) -> Iterator[tuple[str, Any]]:
+def _hints(proof: Any) -> Iterator[tuple[str, Any]]:
     """The forms and the points that a proof is made of, for a search that looks for a proof of something like it."""
-    if isinstance(node, dict):
-        if "form" in node:
-            yield "form", read(node["form"])
-        for name, value in node.get("point", {}).items():
-            yield f"point_{name}", read(value)
-    for child in node.values() if isinstance(node, dict) else node if isinstance(node, list) else ():
-        yield from hints_of(child, read)
+    if isinstance(proof, dict):
+        if "form" in proof:
+            yield "form", Reader().term(proof["form"])
+        for name, value in proof.get("point", {}).items():
+            yield f"point_{name}", Reader().term(value)
+    for child in proof.values() if isinstance(proof, dict) else proof if isinstance(proof, list) else ():
+        yield from _hints(child)
+
+
+def relettered(value: Any, new: Callable[[str], str]) -> Any:
+    """A term or formula with other names for its letters and unknown functions."""
+    if isinstance(value, str):
+        return new(value)
+    if isinstance(value, Node):
+        return node(value.tag, *(relettered(part, new) for part in value[1:]))
+    return tuple(relettered(part, new) for part in value) if isinstance(value, tuple) else value

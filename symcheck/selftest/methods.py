@@ -21,8 +21,9 @@ from unittest.mock import patch
 
 from symcheck import papers
 from symcheck.checker.statements import Index as StatementIndex
-from symcheck.core.terms import JSON
-from symcheck.evidence import decide, errata, judge, run, store, translation
+from symcheck.core.calculus import letters
+from symcheck.core.terms import JSON, node
+from symcheck.evidence import decide, errata, judge, run, store
 from symcheck.evidence.cache import FILE, Cache
 from symcheck.evidence.context import Context
 from symcheck.evidence.executor import Serial
@@ -31,14 +32,14 @@ from symcheck.evidence.judge import units
 from symcheck.evidence.obligation import fingerprint, obligation_of
 from symcheck.evidence.record import Record
 from symcheck.proof import Without, certificate, fails_at, identity
-from symcheck.proof.theorems import CONSTANTS, Terms
+from symcheck.proof.polynomial import unfold
 from symcheck.reading import read
 from symcheck.selftest.statements import declared
 from symcheck.selftest.trial import Fate, FaultClass, Trial
-from symcheck.statement import Certificate, Formula, Loss, Outcome, Problem, Role, SymcheckError, Verdict
+from symcheck.statement import Certificate, Loss, Outcome, Problem, Role, SymcheckError, Verdict
 
 PROVED = Outcome(Verdict.PROVED, proof={"rule": "identity", "cofactors": [], "given": []})
-DOUBLE = Problem("double", ("=", ("+", "x", "x"), ("*", 2, "x")))
+DOUBLE = Problem("double", node("=", node("+", "x", "x"), node("*", 2, "x")))
 LIMIT = 60.0  # seconds for one declaration
 MOST = 20_000  # characters of the certificates of a declaration: some proofs hang on longer ones for minutes
 OTHER = {Verdict.PROVED: Verdict.REFUTED, Verdict.REFUTED: Verdict.PROVED}
@@ -52,15 +53,15 @@ def always_yes(problem: Problem) -> Outcome:
 
 def always_no(problem: Problem) -> Outcome:
     """Everything is refuted, at the point where all letters are 1."""
-    stated = ["0", "1"] if len(problem.claim) == 3 else []
-    return Outcome(Verdict.REFUTED, point={"values": dict.fromkeys(_letters(problem), "1"), "sides": stated})
+    stated = [0, 1] if len(problem.claim) == 3 else []
+    return Outcome(Verdict.REFUTED, point={"values": dict.fromkeys(_letters(problem), 1), "sides": stated})
 
 
 def compares_with_itself(problem: Problem) -> Outcome:
     """The left side equals the left side."""
     claim = problem.claim
-    same: Formula = ("=", claim[1], claim[1]) if claim[0] == "=" else ("=", 0, 0)
-    return identity.decide(replace(problem, claim=same))
+    side = claim.terms[0] if claim.tag == "=" else 0
+    return identity.decide(replace(problem, claim=node("=", side, side)))
 
 
 def swallows_exceptions(problem: Problem) -> Outcome:
@@ -113,9 +114,9 @@ RELABELLED, EDITED, SIGNED, READER = "rows relabelled", "cache row edited", "cac
 
 def _letters(problem: Problem) -> list[str]:
     """The letters without a definition."""
-    algebra = Terms(dict(problem.definitions))
+    definitions = dict(problem.definitions)
     formulas = [problem.claim, *(formula for _, stated in problem.hypotheses for formula in stated)]
-    return sorted(set().union(*map(algebra.names, formulas)) - {*CONSTANTS})
+    return sorted(set().union(*(letters(unfold(formula, definitions)) for formula in formulas)))
 
 
 # --- what is taken over
@@ -260,7 +261,7 @@ def fate_of_reading(id: str, share: float, truth: Mapping[str, Verdict]) -> Fate
     except SymcheckError:
         return Fate.REJECTED
     noticed = store.disagreements([record for record in said if record.id in truth], truth, complete=True)
-    shown: list[JSON] = [translation.certificate(each) for record in said for each in record.certificates]
+    shown: list[JSON] = [each for record in said for each in record.certificates]
     names = tuple(f"{record.id}:" for record in said)
     noticed += [line for line in statements.differences(shown) if line.startswith(names)]
     return Fate.REJECTED if noticed else Fate.ACCEPTED

@@ -12,6 +12,7 @@ from random import Random
 from typing import Any, NamedTuple
 
 from symcheck import papers
+from symcheck.core.terms import node
 from symcheck.evidence.context import Context
 from symcheck.evidence.judge import Unit, judge, units
 from symcheck.evidence.obligation import DECIDED, expand
@@ -20,7 +21,7 @@ from symcheck.proof import equivalent
 from symcheck.proof.polynomial import Unsupported, unfold
 from symcheck.reading import Letter, Notation
 from symcheck.reading.notation import variable
-from symcheck.selftest.evidence import told_of
+from symcheck.selftest.evidence import relettered, told_of
 from symcheck.selftest.trial import Fate, FaultClass, Trial, mixed
 from symcheck.statement import Item, Paper, Problem, Role, SymcheckError, Verdict
 
@@ -144,14 +145,12 @@ def _is_alike(said: tuple[Any, ...], says: tuple[Any, ...]) -> bool:
     if len(said) != len(says):
         return False
     pairs = zip(said, says, strict=True)
-    return all(f == g or equivalent(f, g, Problem("both", ("and", f, g))) for f, g in pairs)
+    return all(f == g or equivalent(f, g, Problem("both", node("and", f, g))) for f, g in pairs)
 
 
 def _exchanged(value: Any, names: Mapping[str, str]) -> Any:
     """The same with some variables exchanged."""
-    if isinstance(value, str):
-        return names.get(value, value)
-    return tuple(_exchanged(part, names) for part in value) if isinstance(value, tuple) else value
+    return relettered(value, lambda name: names.get(name, name))
 
 
 @cache

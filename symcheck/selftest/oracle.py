@@ -11,8 +11,20 @@ from typing import Any
 import mpmath
 from scipy.optimize import linprog
 
-from symcheck.proof.theorems import conjuncts
-from symcheck.selftest.evidence import frozen
+from symcheck.core.calculus import letters
+from symcheck.core.formulas import conjuncts
+from symcheck.core.terms import (
+    INFINITY,
+    MINUS_INFINITY,
+    PI,
+    Binder,
+    Call,
+    Connective,
+    Quantified,
+    Reader,
+    Relation,
+    node,
+)
 from symcheck.statement import Certificate, Formula, Problem, Term
 
 mpmath.mp.dps = 40
@@ -20,7 +32,7 @@ SEED = 20090055
 DRAWS, ENOUGH = 10, 3  # points that are tried, and points where the hypotheses hold
 TOLERANCE = mpmath.mpf(10) ** -25  # of a difference, in proportion to what is compared
 SOLVED, STEPS, LARGE = mpmath.mpf(10) ** -60, 10, 10**9  # of Newton's method: what is left squared, steps, values
-CONSTANTS = {"pi": mpmath.pi, "infinity": mpmath.inf}
+CONSTANTS = {PI: mpmath.pi, INFINITY: mpmath.inf, MINUS_INFINITY: -mpmath.inf}
 SIGNS: dict[str, Callable[[Any, Any], bool]] = {
     "=": lambda d, small: abs(d) < small,
     "!=": lambda d, small: abs(d) > small,
@@ -60,15 +72,14 @@ class Place:
         if isinstance(term, int):
             return mpmath.mpf(term)
         if isinstance(term, str):
-            return CONSTANTS[term] if term in CONSTANTS else self._letter(term)
-        head, *rest = term
-        if head == "diff":
-            return self._derivative(*rest)
-        if head in ("mean", "integral", "diverges"):
-            return self._over(head, *rest)
-        if head == "call":
-            return self._call(rest[0], rest[1], [self.value(part) for part in rest[2:]])
-        return _applied(head, [self.value(part) for part in rest])
+            return self._letter(term)
+        if term in CONSTANTS:
+            return CONSTANTS[term]
+        if isinstance(term, Call):
+            return self._call(term.function, term.orders, [self.value(part) for part in term.terms])
+        if isinstance(term, Binder):
+            return self._derivative(term) if term.tag == "diff" else self._mean(term)
+        return _applied(term.tag, [self.value(part) for part in term.outside])
 
     def _letter(self, name: str) -> Any:
         if name not in self.at:
@@ -94,40 +105,43 @@ class Place:
             total += size * mpmath.sin(phase)
         return total
 
-    def _over(self, head: str, body: Term, name: str, *_: Term) -> Any:
+    def _mean(self, term: Binder) -> Any:
         """A mean over one turn of a trigonometric polynomial, for which 64 points are exact; no integral."""
-        if head != "mean":
-            raise KeyError("an integral is not known to 40 digits")
-        self._settle(body, name)
-        return mpmath.fsum(self.inside(name, 2 * mpmath.pi * k / 64).value(body) for k in range(64)) / 64
+        if term.tag != "mean":
+            raise KeyError(f"no {term.tag} is known to 40 digits")
+        self._settle(term)
+        return mpmath.fsum(self.inside(term.letter, 2 * mpmath.pi * k / 64).value(term.body) for k in range(64)) / 64
 
-    def _derivative(self, body: Term, name: str, order: int) -> Any:
-        place = self._letter(name)
-        self._settle(body, name)
+    def _derivative(self, term: Binder) -> Any:
+        order, place = term.outside
+        at = self.value(place)
+        self._settle(term)
 
         def along(x: Any) -> Any:
-            return self.inside(name, x).value(body)
+            return self.inside(term.letter, x).value(term.body)
 
-        return mpmath.diff(along, place, order, h=mpmath.mpf(10) ** -28) if order else along(place)
+        return mpmath.diff(along, at, order, h=mpmath.mpf(10) ** -28)
 
-    def _settle(self, body: Term, name: str) -> None:
+    def _settle(self, term: Binder) -> None:
         """Values for the free letters of a body, that are the same wherever the bound one is."""
-        inner = self.inside(name, mpmath.mpf(1))
-        inner.value(body)
-        self.at |= {x: v for x, v in inner.at.items() if x != name and x not in self.unfold}
+        inner = self.inside(term.letter, mpmath.mpf(1))
+        inner.value(term.body)
+        self.at |= {x: v for x, v in inner.at.items() if x != term.letter and x not in self.unfold}
 
     def holds(self, formula: Formula) -> bool:
         """Whether a formula without quantifiers holds here."""
-        head, *parts = formula
-        if head == "exists":
-            return self._exists(*parts)
-        if head in SIGNS:
-            left, right = (self.value(part) for part in parts)
-            gap, small = left - right, TOLERANCE * max(1, abs(left), abs(right))
-            if head not in ("=", "!=") and 0 < abs(gap) < small:
-                raise ValueError("a sign that cannot be told")
-            return bool(SIGNS[head](gap, small))
-        return CONNECTIVES[head]([self.holds(part) for part in parts if head in CONNECTIVES])
+        match formula:
+            case Relation(terms=sides):
+                left, right = map(self.value, sides)
+                gap, small = left - right, TOLERANCE * max(1, abs(left), abs(right))
+                if formula.tag not in ("=", "!=") and 0 < abs(gap) < small:
+                    raise ValueError("a sign that cannot be told")
+                return bool(SIGNS[formula.tag](gap, small))
+            case Connective(formulas=parts):
+                return CONNECTIVES[formula.tag]([self.holds(part) for part in parts])
+            case Quantified(tag="exists"):
+                return self._exists(formula.bound, formula.body)
+        raise KeyError(formula.tag)
 
     def _exists(self, names: tuple[str, ...], body: Formula) -> bool:
         """Whether linear orders and equations have a common solution; KeyError if they are not linear.
@@ -156,12 +170,15 @@ class Place:
     def _rows(self, names: tuple[str, ...], body: Formula) -> tuple[list[tuple[list[Any], bool]], list[list[Any]]]:
         """[constant, coefficients] of what is not negative (or positive: True), and of what is zero."""
         rows, equal = [], []
-        for head, left, right in conjuncts(body):
+        for part in conjuncts(body):
+            if not isinstance(part, Relation):
+                raise KeyError(part.tag)
+            head, (left, right) = part.tag, part.terms
             larger, smaller = (right, left) if head in ("<", "<=") else (left, right)
-            row = self._affine(names, ("+", larger, ("-", smaller)))
+            row = self._affine(names, node("+", larger, node("-", smaller)))
             if head == "=":
                 equal.append(row)
-            elif head in SIGNS and head != "!=":
+            elif head != "!=":
                 rows.append((row, len(head) == 1))
             else:
                 raise KeyError(head)
@@ -239,22 +256,11 @@ def witnessed(evidence: Iterable[Certificate], rng: random.Random) -> Iterator[d
     """The points of certificates at which all that is assumed holds, as numbers."""
     for each in evidence:
         for point in each.get("witnesses", ()):
-            values = {name: _coordinate(value) for name, value in point["values"].items()}
+            known = Place({}, rng, {})
             try:
-                known = Place(values, rng, {})
-                at = {name: known.value(name) for name in values}
+                yield {name: known.value(Reader().term(value)) for name, value in point["values"].items()}
             except NO_VALUE:
                 continue
-            angles = {name[4:] for name in at if name[:4] in ("sin_", "cos_")}
-            yield at | {x: mpmath.atan2(at[f"sin_{x}"], at[f"cos_{x}"]) for x in angles if f"sin_{x}" in at}
-
-
-def _coordinate(value: Any) -> Term:
-    if isinstance(value, str):
-        top, _, bottom = value.partition("/")
-        return ("/", int(top), int(bottom or 1))
-    term: Term = frozen(value)
-    return term
 
 
 def fails(problem: Problem, evidence: Iterable[Certificate] = ()) -> bool | None:
@@ -271,12 +277,12 @@ def fails(problem: Problem, evidence: Iterable[Certificate] = ()) -> bool | None
 def goals(claim: Formula, given: list[Formula]) -> Iterator[tuple[list[Formula], Formula]]:
     """A claim taken apart: what is assumed, and what has to follow, for each part and each direction."""
     match claim:
-        case ("and", *parts):
+        case Connective(tag="and", formulas=parts):
             for part in parts:
                 yield from goals(part, given)
-        case ("=>", premise, conclusion):
+        case Connective(tag="=>", formulas=(premise, conclusion)):
             yield from goals(conclusion, [*given, premise])
-        case ("<=>", left, right):
+        case Connective(tag="<=>", formulas=(left, right)):
             yield from goals(right, [*given, left])
             yield from goals(left, [*given, right])
         case _:
@@ -305,32 +311,34 @@ def _fails(
 
 def _chosen(formula: Formula, rng: random.Random) -> Formula:
     """A formula with one alternative of each `or`."""
-    if formula[0] == "or":
-        return _chosen(rng.choice(formula[1:]), rng)
-    return ("and", *(_chosen(part, rng) for part in formula[1:])) if formula[0] == "and" else formula
+    if not isinstance(formula, Connective) or formula.tag not in ("and", "or"):
+        return formula
+    if formula.tag == "or":
+        return _chosen(rng.choice(formula.formulas), rng)
+    return node("and", *(_chosen(part, rng) for part in formula.formulas))
 
 
 def _equations(formula: Formula) -> Iterator[tuple[Term, Term]]:
-    if formula[0] == "=":
-        yield formula[1], formula[2]
-    elif formula[0] == "and":
-        for part in formula[1:]:
-            yield from _equations(part)
+    for part in conjuncts(formula):
+        if isinstance(part, Relation) and part.tag == "=":
+            left, right = part.terms
+            yield left, right
 
 
 def _solve(place: Place, given: list[Formula]) -> None:
     """Moves as many letters as there are equations, by Newton's method, to where these hold."""
-    open_ = [pair for formula in given for pair in _equations(formula) if not place.holds(("=", *pair))]
+    open_ = [pair for formula in given for pair in _equations(formula) if not place.holds(node("=", *pair))]
     if not open_:
         return
-    letters = sorted(name for name in _letters(open_, place.unfold) if name in place.at)
-    if len(letters) < len(open_):
+    spoken = set().union(*(_letters(side, place.unfold) for pair in open_ for side in pair))
+    names = sorted(spoken & place.at.keys())
+    if len(names) < len(open_):
         raise KeyError("more equations than letters")
     ordered = [*_letters_of_orders(given, place.unfold)]
-    letters = place.rng.sample(letters, len(letters))
+    names = place.rng.sample(names, len(names))
     if place.rng.random() < 0.7:
-        letters.sort(key=ordered.count)  # others may leave the range where they have to lie
-    moved = letters[: len(open_)]
+        names.sort(key=ordered.count)  # others may leave the range where they have to lie
+    moved = names[: len(open_)]
 
     def gaps(*values: Any) -> list[Any]:
         if any(abs(value) > LARGE for value in values):
@@ -345,19 +353,15 @@ def _solve(place: Place, given: list[Formula]) -> None:
 
 def _letters_of_orders(given: Iterable[Formula], unfold: Mapping[str, Term]) -> Iterator[str]:
     """The letters of everything given but equations, as often as there is such."""
-    for formula in given:
-        if formula[0] == "and":
-            yield from _letters_of_orders(formula[1:], unfold)
-        elif formula[0] != "=":
-            yield from _letters([*formula[1:]], unfold)
+    for formula in (part for each in given for part in conjuncts(each)):
+        if formula.tag != "=":
+            yield from _letters(formula, unfold)
 
 
 def _free(place: Place) -> dict[str, Any]:
     return {name: value for name, value in place.at.items() if name not in place.unfold}
 
 
-def _letters(value: Any, unfold: Mapping[str, Term]) -> set[str]:
-    """The letters in terms, definitions unfolded."""
-    if isinstance(value, str):
-        return _letters(unfold[value], unfold) if value in unfold else {value}
-    return set().union(*(_letters(part, unfold) for part in value)) if isinstance(value, list | tuple) else set()
+def _letters(tree: Term, unfold: Mapping[str, Term]) -> set[str]:
+    """The letters of a term or formula, definitions unfolded."""
+    return set().union(*(_letters(unfold[x], unfold) if x in unfold else {x} for x in letters(tree)))

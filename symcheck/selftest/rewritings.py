@@ -9,68 +9,71 @@ from itertools import islice
 from random import Random
 from typing import Any
 
+from symcheck.core.terms import Node, Value, node
 from symcheck.evidence.judge import judge
-from symcheck.proof.theorems import CONSTANTS
-from symcheck.selftest.evidence import answered, told_of
+from symcheck.selftest.evidence import answered, relettered, told_of
 from symcheck.selftest.statements import Proved, places, proved
 from symcheck.selftest.trial import Fate, FaultClass, Trial, mixed
 from symcheck.statement import Formula, Problem, Term, Verdict
 
 RENAMED = "renamed"
-FIRST = {"exists": 2, "call": 3}  # the first part that is a term or formula
 Rewriting = tuple[str, Proved, int, Formula]
 
 
-def rewritings(value: Any, rng: Random) -> Iterator[tuple[str, Any]]:
+def rewritings(tree: Any, rng: Random) -> Iterator[tuple[str, Any]]:
     """The same formula (or term) with one sum or product in it written otherwise."""
-    if not isinstance(value, tuple):
+    if not isinstance(tree, Node):
         return
-    yield from _here(value, rng)
-    for k, part in enumerate(value):
-        if k >= FIRST.get(value[0], 1):
-            for kind, new in rewritings(part, rng):
-                yield kind, (*value[:k], new, *value[k + 1 :])
+    yield from _here(tree, rng)
+    for k, part in enumerate(tree):
+        for kind, new in rewritings(part, rng):
+            yield kind, node(tree.tag, *tree[1:k], new, *tree[k + 1 :])
 
 
-def _here(value: tuple[Any, ...], rng: Random) -> Iterator[tuple[str, Any]]:
-    head, *parts = value
+def _here(tree: Node, rng: Random) -> Iterator[tuple[str, Node]]:
+    head, parts = tree.tag, tree.outside
     if head in ("+", "*", "and", "or") and len(parts) > 1:
-        yield "reordered", (head, *rng.sample(parts, len(parts)))
+        yield "reordered", node(head, *rng.sample(parts, len(parts)))
     if head == "*":
         yield from (("expanded", new) for new in _multiplied_out(parts))
     if head == "+" and len(parts) > 1:
         yield "factored", _factored(parts)
 
 
-def _multiplied_out(parts: Sequence[Term]) -> Iterator[Term]:
+def _multiplied_out(parts: Sequence[Term]) -> Iterator[Node]:
     for k, part in enumerate(parts):
-        if isinstance(part, tuple) and part[0] == "+":
-            yield ("+", *(("*", *parts[:k], addend, *parts[k + 1 :]) for addend in part[1:]))
+        if isinstance(part, Value) and part.tag == "+":
+            yield node("+", *(node("*", *parts[:k], addend, *parts[k + 1 :]) for addend in part.terms))
 
 
-def _factored(parts: Sequence[Term]) -> Term:
+def _factored(parts: Sequence[Term]) -> Node:
     """The first factor that two addends have in common before a bracket; else a sign before it."""
     for k, first in enumerate(parts):
         for n in range(k):
             shared = next((f for f in _factors(first) if f in _factors(parts[n])), None)
             if shared is not None:
-                both = ("*", shared, ("+", _divided(parts[n], shared), _divided(first, shared)))
+                both = node("*", shared, node("+", _divided(parts[n], shared), _divided(first, shared)))
                 rest = [part for m, part in enumerate(parts) if m not in (k, n)]
-                return ("+", both, *rest) if rest else both
-    return ("-", ("+", *(("-", part) for part in parts)))
+                return node("+", both, *rest) if rest else both
+    return node("-", node("+", *(node("-", part) for part in parts)))
 
 
 def _factors(term: Term) -> tuple[Term, ...]:
-    if isinstance(term, tuple) and term[0] == "-":
-        return _factors(term[1])
-    return term[1:] if isinstance(term, tuple) and term[0] == "*" else ()
+    match term:
+        case Value(tag="-", terms=(inner,)):
+            return _factors(inner)
+        case Value(tag="*", terms=factors):
+            return factors
+    return ()
 
 
-def _divided(term: Any, factor: Term) -> Term:
-    if term[0] == "-":
-        return ("-", _divided(term[1], factor))
-    k = term.index(factor, 1)
-    return ("*", *term[1:k], *term[k + 1 :]) if len(term) > 2 else 1
+def _divided(term: Term, factor: Term) -> Term:
+    """The term without one of its factors."""
+    assert isinstance(term, Value)
+    if term.tag == "-":
+        return node("-", _divided(term.terms[0], factor))
+    k = term.terms.index(factor)
+    return node("*", *term.terms[:k], *term.terms[k + 1 :]) if len(term.terms) > 1 else 1
 
 
 def renamed(problem: Problem) -> Problem:
@@ -82,15 +85,7 @@ def renamed(problem: Problem) -> Problem:
 
 
 def _renamed(value: Any) -> Any:
-    if isinstance(value, str):
-        return value if value in CONSTANTS else f"q{value}"
-    if not isinstance(value, tuple):
-        return value
-    if value[0] == "exists":
-        return ("exists", tuple(map(_renamed, value[1])), _renamed(value[2]))
-    if value[0] == "call":
-        return ("call", _renamed(value[1]), value[2], *map(_renamed, value[3:]))
-    return (value[0], *map(_renamed, value[1:]))
+    return relettered(value, lambda name: f"q{name}")
 
 
 def _renamed_hint(name: str) -> str:

@@ -14,6 +14,7 @@ from itertools import islice, starmap
 from random import Random
 from typing import NamedTuple
 
+from symcheck.core.terms import node
 from symcheck.evidence.context import Context, for_letter
 from symcheck.evidence.judge import Finding, Unit, judge, units
 from symcheck.evidence.obligation import obligation_of
@@ -55,7 +56,7 @@ class Proved(NamedTuple):
         """Both claims, instance by instance, under the hypotheses."""
         method = self.context.method(self.unit.letter)
         for n, pair in enumerate(zip(self.unit.formulas, changed.unit.formulas, strict=True)):
-            yield self.context.problem(("and", *pair), self.given, method, n)
+            yield self.context.problem(node("and", *pair), self.given, method, n)
 
 
 def proved(id: str) -> list[Proved]:

@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from dataclasses import replace
 
+from symcheck.core.formulas import conjuncts
+from symcheck.core.terms import Connective, Quantified, Relation, Value, node
 from symcheck.proof import equivalent, proof_of
-from symcheck.proof.theorems import RELATIONS, conjuncts
 from symcheck.selftest.evidence import is_shown
 from symcheck.selftest.trial import Fate
 from symcheck.statement import Formula, Problem, Term
@@ -45,19 +46,19 @@ class Strength:
             return True
         if asserted:
             return self._by_form(f, g, asserted)
-        return self._by_form(f, g, asserted) or self._shown(("=>", f, g))
+        return self._by_form(f, g, asserted) or self._shown(node("=>", f, g))
 
     def _by_form(self, f: Formula, g: Formula, asserted: bool) -> bool:
-        if asserted and (f[0] == "and" or g[0] == "and"):
+        if asserted and "and" in (f.tag, g.tag):
             return self._parts(conjuncts(f), conjuncts(g))
-        if g[0] == "and":
-            return all(self.entails(f, part, False) for part in g[1:])
-        if f[0] == "and":
-            return any(self.entails(part, g, False) for part in f[1:])
-        if f[0] == "or" and g[0] == "or":
-            return all(any(self.entails(p, q, False) for q in g[1:]) for p in f[1:])
-        if g[0] == "or":
-            return any(self.entails(f, part, False) for part in g[1:])
+        if g.tag == "and":
+            return all(self.entails(f, part, False) for part in g.formulas)
+        if f.tag == "and":
+            return any(self.entails(part, g, False) for part in f.formulas)
+        if f.tag == g.tag == "or":
+            return all(any(self.entails(p, q, False) for q in g.formulas) for p in f.formulas)
+        if g.tag == "or":
+            return any(self.entails(f, part, False) for part in g.formulas)
         return self._directed(f, g, asserted)
 
     def _parts(self, f: list[Formula], g: list[Formula]) -> bool:
@@ -67,35 +68,36 @@ class Strength:
         return all(any(part == other or _is_implied(other, part) for other in f) for part in g)
 
     def _directed(self, f: Formula, g: Formula, asserted: bool) -> bool:
-        if f[0] == "<=>" and g[0] == "<=>":
-            pairs = [*zip(f[1:], g[1:], strict=True)]
+        if f.tag == g.tag == "<=>":
+            pairs = [*zip(f.formulas, g.formulas, strict=True)]
             return asserted or all(self.entails(p, q, False) and self.entails(q, p, False) for p, q in pairs)
-        if f[0] == "<=>":
+        if f.tag == "<=>":
             return any(self.entails(each, g, asserted) for each in _directions(f))
-        if g[0] == "<=>":
+        if g.tag == "<=>":
             return False
-        if f[0] == g[0] == "=>":
-            return self.entails(g[1], f[1], False) and self.entails(f[2], g[2], False)
-        if f[0] == g[0] == "exists":
-            return f[1] == g[1] and self.entails(f[2], g[2], False)
-        if f[0] in RELATIONS and g[0] in RELATIONS:
+        if f.tag == g.tag == "=>":
+            (given, shown), (supposed, wanted) = f.formulas, g.formulas
+            return self.entails(supposed, given, False) and self.entails(shown, wanted, False)
+        if isinstance(f, Quantified) and isinstance(g, Quantified):
+            return f.tag == g.tag and f.bound == g.bound and self.entails(f.body, g.body, False)
+        if isinstance(f, Relation) and isinstance(g, Relation):
             return self._relations(f, g, asserted)
         return False
 
-    def _relations(self, f: Formula, g: Formula, asserted: bool) -> bool:
+    def _relations(self, f: Relation, g: Relation, asserted: bool) -> bool:
         """Without the hypotheses only the signs between the same sides are compared, or two bounds of the same."""
         if not asserted:
             return False
-        if f[0] == g[0] == "=":
+        if f.tag == g.tag == "=":
             return True
         if _is_implied(f, g):
             return True
-        one, two = _smaller_first(f), _smaller_first(g)
-        if one[0][0] == "<" and two[0][0] == "<" and (one[0] == "<" or two[0] == "<="):
-            if one[1] == two[1]:
-                return self._shown(("<=", one[2], two[2]))
-            if one[2] == two[2]:
-                return self._shown(("<=", two[1], one[1]))
+        (sign, left, right), (other, low, high) = _smaller_first(f), _smaller_first(g)
+        if sign[0] == other[0] == "<" and (sign == "<" or other == "<="):
+            if left == low:
+                return self._shown(node("<=", right, high))
+            if right == high:
+                return self._shown(node("<=", low, left))
         return False
 
     def _shown(self, claim: Formula) -> bool:
@@ -106,40 +108,45 @@ class Strength:
 
 def _is_implied(f: Formula, g: Formula) -> bool:
     """Whether a relation follows from another one with the same sides by their signs."""
-    one, two = _smaller_first(f), _smaller_first(g)
-    return two[0] in IMPLIED.get(one[0], ()) and (one[1:] == two[1:] or (one[0] == "=" and one[:0:-1] == two[1:]))
+    if not (isinstance(f, Relation) and isinstance(g, Relation)):
+        return False
+    (sign, *own), (other, *sides) = _smaller_first(f), _smaller_first(g)
+    return other in IMPLIED.get(sign, ()) and (own == sides or (sign == "=" and own[::-1] == sides))
 
 
 def same(f: Formula, g: Formula, problem: Problem) -> bool:
     """Whether two statements are the same by algebra: equations under the hypotheses, orders without them."""
     if f == g:
         return True
-    if f[0] == g[0] == "and" and len(f) == len(g):
-        return all(same(*pair, problem) for pair in zip(f[1:], g[1:], strict=True))
+    if f.tag == g.tag == "and" and len(f) == len(g):
+        return all(same(*pair, problem) for pair in zip(f.formulas, g.formulas, strict=True))
     if is_empty(f) is not is_empty(g):
         return False
-    alone = f[0] in RELATIONS and f[0] != "="
+    alone = isinstance(f, Relation) and f.tag != "="
     return equivalent(f, g, replace(problem, hypotheses=()) if alone else problem)
 
 
 def is_empty(formula: Formula) -> bool:
     """Whether a relation says of something that it is what it is, or compares two numbers that are written out."""
-    if formula[0] == "and":
-        return all(map(is_empty, formula[1:]))
-    return (formula[0] in TRUE_OF_EQUALS and formula[1] == formula[2]) or (
-        formula[0] in RELATIONS and all(map(_is_written_out, formula[1:]))
-    )
+    match formula:
+        case Connective(tag="and", formulas=parts):
+            return all(map(is_empty, parts))
+        case Relation(tag=sign, terms=(left, right)):
+            return (sign in TRUE_OF_EQUALS and left == right) or all(map(_is_written_out, (left, right)))
+    return False
 
 
 def _is_written_out(term: Term) -> bool:
-    if isinstance(term, tuple):
-        return term[0] in ARITHMETIC and all(map(_is_written_out, term[1:]))
+    if isinstance(term, Value):
+        return term.tag in ARITHMETIC and all(map(_is_written_out, term.terms))
     return isinstance(term, int)
 
 
 def _directions(f: Formula) -> tuple[Formula, Formula]:
-    return ("=>", f[1], f[2]), ("=>", f[2], f[1])
+    left, right = f.formulas
+    return node("=>", left, right), node("=>", right, left)
 
 
-def _smaller_first(f: Formula) -> Formula:
-    return (MIRROR[f[0]], f[2], f[1]) if f[0] in MIRROR else f
+def _smaller_first(f: Relation) -> tuple[str, Term, Term]:
+    left, right = f.terms
+    return (MIRROR[f.tag], right, left) if f.tag in MIRROR else (f.tag, left, right)

@@ -214,21 +214,11 @@ Proof. intros _. apply Rpower_plus. Qed.
 Lemma power_of_product {s t u : R} : s > 0 -> t > 0 -> Rpower (s * t) u = Rpower s u * Rpower t u.
 Proof. intros Hs Ht. symmetry. apply Rpower_mult_distr; assumption. Qed.
 
-Lemma power_of_power {b u : R} (n : nat) : b > 0 -> Rpower (b ^ n) u = Rpower b (INR n * u) /\ Rpower 1 u = 1.
-Proof.
-  intros H. split.
-  - rewrite <- (Rpower_pow n b H). apply Rpower_mult.
-  - unfold Rpower. rewrite ln_1, Rmult_0_r. apply exp_0.
-Qed.
-
 Lemma power_inverse {b u y : R} : b > 0 -> u <> 0 -> Rpower b u = y -> b = Rpower y (1 / u).
 Proof.
   intros Hb Hu E. rewrite <- E, Rpower_mult. replace (u * (1 / u)) with 1 by (field; exact Hu).
   symmetry. apply Rpower_1, Hb.
 Qed.
-
-Lemma whole_power {b : R} (n : nat) : b > 0 -> Rpower b (INR n) = b ^ n.
-Proof. intros H. apply Rpower_pow, H. Qed.
 
 Lemma circle_number : PI > 0.
 Proof. exact PI_RGT_0. Qed.
@@ -428,9 +418,6 @@ Qed.
 
 Lemma integral_of_constant (c a b : R) : RInt (fun _ => c) a b = c * (b - a).
 Proof. rewrite RInt_const. unfold scal. simpl. unfold mult. simpl. ring. Qed.
-
-Ltac constant_integral :=
-  match goal with |- ?a = ?b => change (@eq R a b) end; rewrite integral_of_constant; ring.
 
 (* The second derivative, where what makes the first one exist holds on both sides of the point *)
 

@@ -73,6 +73,18 @@ Proof.
   - rewrite IF. reflexivity.
 Qed.
 
+Ltac is_polynomial :=
+  unfold polynomial_in_letter, polynomial_in_circle;
+  repeat match goal with
+  | |- polynomial _ (fun _ => ?c) => apply (polynomial_constant _ c)
+  | |- polynomial _ (fun x => @?f x + @?g x) => apply (polynomial_sum _ f g)
+  | |- polynomial _ (fun x => @?f x * @?g x) => apply (polynomial_product _ f g)
+  | |- polynomial _ (fun x => - @?f x) => apply (polynomial_minus _ f)
+  | |- polynomial _ (fun x => @?f x / ?c) => apply (polynomial_quotient _ f c)
+  | |- polynomial _ (fun x => @?f x ^ ?n) => apply (polynomial_power _ f n)
+  end;
+  apply polynomial_atom; first [reflexivity | left; reflexivity | right; reflexivity].
+
 (* The theorems *)
 
 Theorem theorem_dichotomy :

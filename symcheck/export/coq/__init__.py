@@ -4,7 +4,7 @@ Claims.v    the statements alone, in printed order and shape: the only file to r
 Proofs*.v   a proof of each, made by machine
 Witnesses.v a point for each set of hypotheses, so that none of them says nothing
 Symcheck.v  the lemmas and tactics behind the proofs
-Theorems.v  what the checker takes for granted, proved
+Theorems.v  what the checker takes for granted, proved; the proofs apply it
 """
 
 from __future__ import annotations

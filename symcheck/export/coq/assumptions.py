@@ -4,54 +4,79 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 from contextlib import contextmanager
-from fractions import Fraction
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
-from symcheck.export.coq.arithmetic import without_tangents
-from symcheck.export.coq.printing import ATOM, spelled
+from symcheck.checker.rules import Reference, reference
+from symcheck.core.terms import JSON, Connective, Formula, Node, Relation, Term, node
+from symcheck.export.coq.printing import spelled
 from symcheck.export.coq.statements import Statement
-from symcheck.export.coq.terms import NotExported, rebuilt
-from symcheck.export.coq.values import Values
-from symcheck.proof.theorems import RELATIONS
+from symcheck.export.coq.terms import Definitions, NotExported, Tree, rebuilt, without_tangents
 
 
 class Known(NamedTuple):
-    """An assumption in force: a relation great ~ small (">" and "<" alike), or another formula; and its name in Coq."""
+    """An assumption in force, and its name in Coq."""
 
-    sign: str
-    great: Any
-    small: Any
-    formula: Any
+    formula: Formula
     hypothesis: str
+
+    @property
+    def sign(self) -> str:
+        return self.formula.tag.replace("<", ">") if isinstance(self.formula, Relation) else self.formula.tag
+
+    @property
+    def sides(self) -> tuple[Term, Term]:
+        """Of an order the greater side comes first."""
+        assert isinstance(self.formula, Relation)
+        left, right = self.formula.terms
+        return (right, left) if self.formula.tag[0] == "<" else (left, right)
+
+    @property
+    def difference(self) -> Term:
+        """By how much the first side exceeds the second."""
+        great, small = self.sides
+        return great if small == 0 else node("+", great, node("-", small))
+
+    @property
+    def apart(self) -> str:
+        """A proof that the difference is not zero."""
+        return f"(sub_nz {self.hypothesis})" if self.sign == "!=" else f"(pos_nz (lt_pos {self.hypothesis}))"
 
 
 class Assumptions:
     """The context of a proof that is being written."""
 
     def __init__(self, statement: Statement) -> None:
-        self.statement, self.values = statement, Values()
-        self.rewritten: dict[str, Any] = {}  # text of a term -> what it is rewritten to
+        self.statement = statement
+        self.rewritten: dict[Node, Term] = {}  # what terms are rewritten to
         self.lines: list[str] = []
-        self.state: dict[Any, Known] = {}
+        self.state: dict[Reference, Known] = {}
         self.own = 0  # how many of them are hypotheses
-        self.nonzero: dict[str, tuple[str, Any]] = {}  # text -> name of the fact, term
+        self.nonzero: dict[str, tuple[str, Term]] = {}  # text -> name of the fact, term
         self.hints: list[str] = []
         self.divides = False
         self.count = 0
-        self.atoms: dict[str, Any] = {}
-        self.listed: list[tuple[Any, list[Any]]] = []  # numerators of divisors, and what they are divided by
+        self.atoms: dict[str, Term] = {}
+        self.listed: list[tuple[Term, Term]] = []  # numerators of divisors, and what they are divided by
         self.scope: set[str] = set(statement.variables)  # the letters there are
-        self.seen: dict[int, Any] = {}  # functions by their values, as first met
+        self.seen: dict[int, Term] = {}  # functions by their values, as first met
         self.settled: set[str] = set()  # the functions of which everything is said
 
-    def full(self, node: Any) -> Any:
-        """A term or formula as it stands in Coq after the beginning: unfolded, without tangents and derivatives."""
-        return self.worked(without_tangents(self.statement.definitions.unfolded(node)))
+    @property
+    def definitions(self) -> Definitions:
+        return self.statement.definitions
 
-    def worked(self, node: Any) -> Any:
-        if not self.rewritten or not isinstance(node, list):
-            return node
-        return self.rewritten.get(str(node)) or rebuilt(node, self.worked)
+    def read(self, data: JSON) -> Term:
+        """A term of the proof as it stands in Coq."""
+        return self.full(self.definitions.read(data))
+
+    def full(self, tree: Tree) -> Tree:
+        """A term or formula as it stands in Coq after the beginning: unfolded, without tangents and derivatives."""
+        return self.worked(without_tangents(self.definitions.unfolded(tree)))
+
+    def worked(self, tree: Tree) -> Tree:
+        if isinstance(tree, Node) and tree in self.rewritten:
+            return self.rewritten[tree]  # type: ignore[return-value]
+        return rebuilt(tree, self.worked, self.worked) if self.rewritten else tree
 
     def emit(self, line: str) -> None:
         self.lines.append(line)
@@ -60,18 +85,12 @@ class Assumptions:
         self.count += 1
         return f"{stem}{self.count}'"
 
-    def text(self, term: Any) -> str:
-        return spelled(term)
-
-    def bracketed(self, term: Any) -> str:
-        return spelled(term, ATOM)
-
     @property
     def algebra(self) -> str:
         """The tactic that ends every computation."""
-        hints = f" [{' '.join(self.hints)}]" if self.hints else ""
-        return f"field{hints}; nonzero" if self.divides else f"ring{hints}"
+        return f"field{self.hinted}; nonzero" if self.divides else f"ring{self.hinted}"
 
+    @property
     def hinted(self) -> str:
         return f" [{' '.join(self.hints)}]" if self.hints else ""
 
@@ -80,46 +99,42 @@ class Assumptions:
         self.emit(f"pose proof {proof} as {own}.")
         self.hints.append(own)
 
-    def prove_aside(self, formula: Any, stem: str, by: str) -> str:
+    def prove_aside(self, formula: Formula, stem: str, by: str) -> str:
         """An auxiliary fact with a proof of one line; its name."""
         own = self.anew(stem)
         self.emit(f"assert ({own} : {spelled(formula)}) by ({by}).")
         return own
 
-    def assume(self, formula: Any, reference: Any = None) -> str:
+    def assume(self, formula: Formula, reference: Reference | None = None) -> str:
         """Takes in an assumption, part by part; the pattern that takes it apart in Coq."""
         return self._pattern(self.full(formula), reference)
 
-    def _pattern(self, formula: Any, reference: Any) -> str:
-        if formula[0] == "and":
-            parts = [self._pattern(part, None) for part in formula[1:]]
-            if not parts:
-                return "_"
-            return parts[0] if len(parts) == 1 else f"[{' ['.join(parts[:-1])} {parts[-1]}{']' * (len(parts) - 1)}"
+    def _pattern(self, formula: Formula, reference: Reference | None) -> str:
+        if isinstance(formula, Connective) and formula.tag == "and":
+            return pattern([self._pattern(part, None) for part in formula.formulas])
         own = self.anew("h")
         self.learn(formula, own, reference)
         return own
 
-    def learn(self, formula: Any, own: str, reference: Any = None) -> None:
-        sign, *content = formula
-        great, small = content if sign in RELATIONS else (None, None)
-        if sign in ("<", "<="):
-            sign, great, small = sign.replace("<", ">"), small, great
-        if reference is None:
-            reference = ("here", len(self.state) - self.own)
-        self.state[reference] = Known(sign, great, small, formula, own)
+    def learn(self, formula: Formula, own: str, reference: Reference | None = None) -> None:
+        self.state[reference or ("here", len(self.state) - self.own)] = Known(formula, own)
 
     def emit_later(self) -> None:
         """An assumption a >= b is turned round: 0 <= a - b is what is used of it."""
         for known in self.state.values():
             line = f"apply Rge_le in {known.hypothesis}."
-            if known.formula[0] == ">=" and line not in self.lines:
+            if known.formula.tag == ">=" and line not in self.lines:
                 self.emit(line)
 
-    def fact(self, reference: Any, signs: Iterable[str]) -> Known:
-        known = self.state.get(tuple(reference))
+    def facts(self, *signs: str) -> Iterator[Known]:
+        """The facts with these signs."""
+        return (known for known in self.state.values() if known.sign in signs)
+
+    def fact(self, data: JSON, signs: Iterable[str]) -> Known:
+        """The fact that a proof refers to."""
+        known = self.state.get(reference(data))
         if known is None or known.sign not in signs:
-            raise NotExported(f"the assumption {reference}")
+            raise NotExported(f"the assumption {data}")
         return known
 
     @contextmanager
@@ -131,15 +146,8 @@ class Assumptions:
         self.emit("}")
         self.state, self.nonzero, self.hints, self.scope, self.settled = kept
 
-    def ratio(self, one: Any, other: Any) -> Fraction | None:
-        """one / other, if that is a rational number and not zero."""
-        return self.values.ratio(one, other) or None
 
-    def apart(self, known: Known) -> str:
-        """A proof that the difference of an assumption is not zero."""
-        return f"(sub_nz {known.hypothesis})" if known.sign == "!=" else f"(pos_nz (lt_pos {known.hypothesis}))"
-
-
-def difference(known: Known) -> Any:
-    """great - small."""
-    return known.great if known.small == 0 else ["+", known.great, ["-", known.small]]
+def pattern(parts: list[str]) -> str:
+    """The pattern that takes a conjunction apart."""
+    *front, last = parts or ["_"]
+    return f"[{' ['.join(front)} {last}{']' * len(front)}" if front else last

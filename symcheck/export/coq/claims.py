@@ -5,15 +5,16 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
-from typing import Any
 
-from symcheck.evidence.confirmed import asked
+from symcheck.checker.residues import Reject
+from symcheck.core.calculus import Unknown
+from symcheck.core.terms import Malformed
+from symcheck.evidence.confirmed import asked, digest_of
 from symcheck.evidence.record import Record
 from symcheck.export.coq.composed import composition
 from symcheck.export.coq.script import Script
 from symcheck.export.coq.statements import Statement, statement
-from symcheck.export.coq.terms import NotExported
-from symcheck.statement import Certificate
+from symcheck.export.coq.terms import Certificate, NotExported
 
 
 @dataclass
@@ -23,6 +24,7 @@ class Exported:
     name: str  # of the claim, an identifier
     record: Record
     certificate: Certificate
+    digest: str
     corrected: bool
     statement: Statement | None = None
     text: str = ""
@@ -41,7 +43,7 @@ def exported(records: Iterable[Record]) -> list[Exported]:
     for each in sorted(found, key=lambda each: "lemmas" in each.certificate):
         try:
             _write(each, by_id)
-        except (NotExported, RecursionError) as error:
+        except (NotExported, Reject, Unknown, Malformed, RecursionError) as error:
             each.reason, each.statement = str(error), None
     return found
 
@@ -49,24 +51,19 @@ def exported(records: Iterable[Record]) -> list[Exported]:
 def _of_record(record: Record) -> Iterator[Exported]:
     stem = re.sub(r"\W", "_", record.id.partition(":")[2])
     for corrected, proofs in asked(record):
-        for k, certificate in enumerate(proofs, 1):
-            part = f"_part{k}" if len(proofs) > 1 else ""
-            yield Exported(f"{stem}{'_corrected' if corrected else ''}{part}", record, certificate, corrected)
+        for k, found in enumerate(proofs, 1):
+            name = f"{stem}{'_corrected' if corrected else ''}{f'_part{k}' if len(proofs) > 1 else ''}"
+            yield Exported(name, record, found, digest_of(found), corrected)
 
 
 def _write(each: Exported, by_id: Mapping[str, list[Exported]]) -> None:
-    certificate = each.certificate
-    stated = statement(certificate)
-    script = Script(stated).write(certificate["proof"])
-    if "lemmas" not in certificate:
-        each.statement, each.text, each.script = stated, stated.text(), script
-        return
-    lemmas = [lemma for id in certificate["lemmas"] for lemma in by_id.get(id, ()) if lemma.statement]
-    whole, proof, used = composition(certificate, stated, lemmas, f"step_{each.name}")
-    each.step = f"Lemma step_{each.name} :\n{stated.text()}.\nProof.\n{script}\nQed."
-    each.statement, each.text, each.script, each.after = whole, whole.text(), proof, used
-
-
-def key(certificate: Mapping[str, Any]) -> str:
-    """What says which certificate it is."""
-    return str(certificate["digest"])
+    certificate, own = each.certificate, statement(each.certificate)
+    script = Script(own)
+    each.script = script.write(certificate)
+    if lemmas := certificate.get("lemmas"):
+        step = own.resting_on(script.rests_on())
+        name = f"step_{each.name}"
+        each.step = f"Lemma {name} :\n{step.text()}.\nProof.\n{Script(step).write(certificate)}\nQed."
+        earlier = [lemma for id in dict.fromkeys(id for id, _ in lemmas) for lemma in by_id.get(id, ())]
+        own, each.script, each.after = composition(certificate, step, earlier, name)
+    each.statement, each.text = own, own.text()

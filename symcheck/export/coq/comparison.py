@@ -15,70 +15,61 @@ from typing import Any
 
 import mpmath
 
+from symcheck.core.terms import Binder, Call, Connective, Formula, Node, Quantified, Relation, Term, Value, node
 from symcheck.evidence.context import Context, for_letter
 from symcheck.evidence.judge import Unit, equality_claims, units
 from symcheck.evidence.obligation import obligation_of
 from symcheck.export.coq.reader import claims
-from symcheck.proof.theorems import RELATIONS
 from symcheck.reading import read
-from symcheck.statement import Formula, Role
+from symcheck.statement import Role
 
 DIGITS, TOLERANCE = 60, mpmath.mpf(10) ** -12
-CALLS = {"arctan": "atan", "arcsin": "asin", "arccos": "acos"}
+Number = Any  # of mpmath
+OPERATIONS: dict[str, Callable[..., Number]] = {
+    "pi": lambda: +mpmath.pi, "+": lambda *parts: mpmath.fsum(parts), "*": lambda *parts: mpmath.fprod(parts),
+    "-": lambda part: -part, "/": lambda top, bottom: top / bottom, "^": lambda base, n: base ** int(n),
+    "pow": lambda base, exponent: base**exponent, "arctan": mpmath.atan, "arcsin": mpmath.asin, "arccos": mpmath.acos,
+    **{name: getattr(mpmath, name) for name in ("sin", "cos", "tan", "sqrt", "exp", "log")},
+}  # fmt: skip
 
 
 class Point:
     """The values of terms at one point: a random rational number for each letter, the same in all statements."""
 
-    def __init__(self, unfold: Mapping[str, Any]) -> None:
+    def __init__(self, unfold: Mapping[str, Term]) -> None:
         self.unfold = unfold
-        self.known: dict[str, Any] = {}
+        self.known: dict[str, Number] = {}
 
-    def value(self, term: Any, at: Mapping[str, Any]) -> Any:
+    def value(self, term: Term, at: Mapping[str, Number]) -> Number:
         """The number that a term stands for where some letters have other values than usual."""
         match term:
             case int():
                 return mpmath.mpf(term)
-            case "pi":
-                return mpmath.pi
             case str():
                 return self.letter(term, at)
-            case ("+", *parts):
-                return mpmath.fsum(self.value(part, at) for part in parts)
-            case ("*", *parts):
-                return mpmath.fprod(self.value(part, at) for part in parts)
-            case ("-", inner):
-                return -self.value(inner, at)
-            case ("/", top, bottom):
-                return self.value(top, at) / self.value(bottom, at)
-            case ("^", base, n):
-                return self.value(base, at) ** n
-            case ("pow", base, exponent):
-                return self.value(base, at) ** self.value(exponent, at)
-            case ("diff", (x, body), place, n):
-                return mpmath.diff(self.along(body, x, at), self.value(place, at), n)
-            case ("diff", body, x, n):
-                return mpmath.diff(self.along(body, x, at), self.letter(x, at), n)
-            case ("integral", (x, body), low, high):
-                return mpmath.quad(
-                    self.along(body, x, at), mpmath.linspace(self.value(low, at), self.value(high, at), 9)
-                )
-            case ("integral", body, x, low, high):
-                return self.value(("integral", (x, body), low, high), at)
-            case ("mean", body, x):
-                return mpmath.quad(self.along(body, x, at), mpmath.linspace(0, 2 * mpmath.pi, 9)) / (2 * mpmath.pi)
-            case ("call", function, orders, *arguments) if not any(orders):  # some function, the same in all statements
+            case Binder(tag=tag, body=body, letter=x, outside=rest):
+                return self.bound(tag, lambda value: self.value(body, {**at, x: value}), *rest, at=at)
+            case Call(function=function, orders=orders, terms=arguments) if not any(orders):
+                # some function, the same in all statements
                 values = [self.value(each, at) for each in arguments]
                 weights = [_number(f"{function} {k}") for k in range(len(values))]
                 return mpmath.sin(_number(f"{function} at 0") + mpmath.fdot(weights, values))
-            case (function, inner):
-                return getattr(mpmath, CALLS.get(function, function))(self.value(inner, at))
+            case Value(tag=tag, terms=parts):
+                return OPERATIONS[tag](*(self.value(part, at) for part in parts))
         raise KeyError(str(term))
 
-    def along(self, body: Any, x: str, at: Mapping[str, Any]) -> Callable[[Any], Any]:
-        return lambda value: self.value(body, {**at, x: value})
+    def bound(self, tag: str, body: Callable[[Number], Number], *rest: Term, at: Mapping[str, Number]) -> Number:
+        """A derivative, an integral or a mean."""
+        match tag, *(self.value(each, at) for each in rest):
+            case "diff", order, place:
+                return mpmath.diff(body, place, int(order))
+            case "integral", low, high:
+                return mpmath.quad(body, mpmath.linspace(low, high, 9))
+            case ("mean",):
+                return mpmath.quad(body, mpmath.linspace(0, 2 * mpmath.pi, 9)) / (2 * mpmath.pi)
+        raise KeyError(tag)
 
-    def letter(self, x: str, at: Mapping[str, Any]) -> Any:
+    def letter(self, x: str, at: Mapping[str, Number]) -> Number:
         if x in at:
             return at[x]
         if x in self.unfold:
@@ -89,23 +80,25 @@ class Point:
             return self.known[x]
         return _number(x)
 
-    def shape(self, formula: Any) -> Any:
+    def shape(self, formula: Node) -> Any:
         """The formula with the difference of both sides in the place of each relation."""
-        kind, *parts = formula
-        if kind in RELATIONS:
-            left, right = (self.value(part, {}) for part in parts)
-            return ("<" + kind[1:], right - left) if kind[0] == ">" else (kind, left - right)
-        if kind == "exists":
-            return (kind, sorted(parts[0]), self.shape(parts[1]))
-        inner = [self.shape(part) for part in parts]
-        if kind in ("and", "or"):
-            flat = [each for part in inner for each in (part[1] if part[0] == kind else [part])]
-            return flat[0] if len(flat) == 1 else (kind, flat)
-        return (kind, inner)
+        match formula:
+            case Relation(tag=sign, terms=sides):
+                left, right = (self.value(side, {}) for side in sides)
+                return ("<" + sign[1:], right - left) if sign[0] == ">" else (sign, left - right)
+            case Quantified(tag=kind, bound=own, body=body):
+                return (kind, sorted(own), self.shape(body))
+            case Connective(tag=kind, formulas=parts):
+                inner = [self.shape(part) for part in parts]
+                if kind not in ("and", "or"):
+                    return (kind, inner)
+                flat = [each for part in inner for each in (part[1] if part[0] == kind else [part])]
+                return flat[0] if len(flat) == 1 else (kind, flat)
+        raise KeyError(str(formula))
 
 
 @cache
-def _number(x: str) -> Any:
+def _number(x: str) -> Number:
     rng = random.Random(x)
     return mpmath.mpf(rng.randint(1, 10**4)) / rng.randint(10**3, 10**4)
 
@@ -119,7 +112,7 @@ def same(one: Any, other: Any) -> bool:
     return one == other if isinstance(one, str) or isinstance(other, str) else _near(one, other)
 
 
-def _near(a: Any, b: Any) -> bool:
+def _near(a: Number, b: Number) -> bool:
     return bool(abs(a - b) <= TOLERANCE * (1 + abs(a)))
 
 
@@ -130,8 +123,7 @@ def printed(id: str, corrected: bool) -> Iterator[tuple[Context, Formula]]:
     context = Context(obligation.paper, obligation.item)
     unit = next(unit for unit in units(context) if unit.letter == id[len(declared) :])
     context = context.having(letter=unit.letter)
-    for formula in _formulas(context, unit, corrected):
-        yield context, formula
+    yield from ((context, formula) for formula in _formulas(context, unit, corrected))
 
 
 def _is_declared(id: str) -> bool:
@@ -141,7 +133,7 @@ def _is_declared(id: str) -> bool:
         return False
 
 
-def _formulas(context: Context, unit: Unit, corrected: bool) -> Sequence[Formula]:
+def _formulas(context: Context, unit: Unit, corrected: bool) -> Sequence[Any]:
     erratum = context.item.errata.get(unit.letter)
     if corrected and erratum and erratum.corrected:
         return unit.reworded(context, read(erratum.corrected, context.notation)).formulas
@@ -161,12 +153,14 @@ def differences(text: str, names: Mapping[str, Sequence[str]]) -> Iterator[str]:
             yield from (f"{name}: {fault}" for fault in _faults(context, formula, *stated[name][1:]))
 
 
-def _faults(context: Context, formula: Formula, premises: Sequence[Any], conclusion: Any) -> Iterator[str]:
+def _faults(context: Context, formula: Formula, premises: Sequence[Formula], conclusion: Formula) -> Iterator[str]:
     mpmath.mp.dps = DIGITS
-    at, rest = Point(context.table), formula
+    table: Mapping[str, Any] = context.table
+    at, rest = Point(table), formula
     premises = list(premises)
-    while rest[0] == "=>" and premises:  # these premises are part of what is printed
-        conclusion, rest = ("=>", premises.pop(), conclusion), rest[2]
+    while rest.tag == "=>" and premises:  # these premises are part of what is printed
+        conclusion = node("=>", premises.pop(), conclusion)
+        rest = rest.formulas[1] if isinstance(rest, Connective) else rest
     if not same(at.shape(conclusion), at.shape(formula)):
         yield "the conclusion is not what is printed"
     item = context.item
@@ -174,8 +168,9 @@ def _faults(context: Context, formula: Formula, premises: Sequence[Any], conclus
     shapes = [at.shape(f) for f in known]
     for premise in premises:
         shape = at.shape(premise)
-        defines = shape[0] == "=" and premise[1] in context.table and _near(shape[1], 0)
-        divides = shape[0] == "!=" and premise[2] == 0
+        left, right = premise.terms if isinstance(premise, Relation) else (0, 1)
+        defines = shape[0] == "=" and left in table and _near(shape[1], 0)
+        divides = shape[0] == "!=" and right == 0
         if not (defines or divides or any(same(shape, each) for each in shapes)):
             yield "a premise is neither a hypothesis, nor a definition, nor that a denominator is not zero"
 

@@ -3,90 +3,78 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import TYPE_CHECKING, Any
+from dataclasses import replace
+from functools import reduce
+from typing import TYPE_CHECKING
 
-from symcheck.export.coq.printing import name, printed
-from symcheck.export.coq.statements import Statement, stated
-from symcheck.export.coq.terms import Definitions, NotExported, bound_letters
-from symcheck.proof.theorems import conjuncts
+from symcheck.core.formulas import conjuncts
+from symcheck.core.terms import Connective, Formula, node
+from symcheck.export.coq.assumptions import pattern
+from symcheck.export.coq.statements import Statement, premise, stated
+from symcheck.export.coq.terms import Certificate, Definitions, NotExported, nodes
 
 if TYPE_CHECKING:
     from symcheck.export.coq.claims import Exported
 
 
 def composition(
-    certificate: Any, step: Statement, lemmas: Sequence[Exported], step_name: str
+    certificate: Certificate, step: Statement, lemmas: Sequence[Exported], step_name: str
 ) -> tuple[Statement, str, list[str]]:
     """The statement without the lemmas as premises, its proof, and the names of the lemmas used."""
-    force = [formula for formulas in certificate["under"].values() for formula in formulas]
+    assert isinstance(step.conclusion, Connective)
+    given, claim = step.conclusion.formulas
+    if any(each.bound for each in nodes(claim)):
+        raise NotExported("a letter is bound in a claim that rests on earlier relations")
+    force = [formula for formulas in certificate["hypotheses"].values() for formula in formulas]
     own = dict(certificate["definitions"])
     fitting = [
-        lemma
-        for lemma in lemmas
-        if "lemmas" not in lemma.certificate
-        and all(f in force for formulas in lemma.certificate["hypotheses"].values() for f in formulas)
-        and all(own.get(x, term) == term for x, term in lemma.certificate["definitions"])
+        (each, each.statement)
+        for each in lemmas
+        if each.statement
+        and "lemmas" not in each.certificate
+        and all(f in force for formulas in each.certificate["hypotheses"].values() for f in formulas)
+        and all(own.get(x, term) == term for x, term in each.certificate["definitions"])
     ]
-    used: list[Exported] = []
-    for part in conjuncts(certificate["claim"][1]):
-        source = next((each for each in fitting if part in conjuncts(each.certificate["claim"])), None)
+    used: dict[str, Statement] = {}
+    earlier: Certificate = {}  # what is defined in them
+    for part in conjuncts(given):
+        source = next((pair for pair in fitting if part in conjuncts(pair[1].conclusion)), None)
         if source is None:
             raise NotExported("an earlier relation that it rests on is not confirmed")
-        if source not in used:
-            used.append(source)
-    whole = _statement(certificate, step, used)
-    return whole, _proof(certificate, step, step_name, whole, used), [each.name for each in used]
-
-
-def _statement(certificate: Any, step: Statement, used: Sequence[Exported]) -> Statement:
-    if _binds(certificate["claim"][2]):
-        raise NotExported("a letter is bound in a claim that rests on earlier relations")
-    pairs = {x: term for each in used for x, term in each.certificate["definitions"]} | dict(certificate["definitions"])
-    hypotheses = list(step.hypotheses)
-    premises = list(step.premises)
-    spoken = [certificate["claim"][2]]
-    for each in used:
-        assert each.statement is not None
+        used[source[0].name] = source[1]
+        earlier |= dict(source[0].certificate["definitions"])
+    pairs = [(x, term) for x, term in earlier.items() if x not in own]
+    pairs += [(x, term) for x, term in own.items() if x in earlier or x in step.definitions.terms]
+    hypotheses, premises = list(step.hypotheses), list(step.premises)
+    for each in used.values():
         known = [formula for _, formula in hypotheses]
-        hypotheses += [(reference, f) for reference, f in each.statement.hypotheses if f not in known]
-        premises += [divisor for divisor in each.statement.premises if divisor not in premises]
-        spoken += [each.certificate["claim"]]
-    whole = stated(Definitions([*pairs.items()]), tuple(hypotheses), ["and", *spoken, certificate["claim"][1]], {})
-    return Statement(
-        whole.variables, whole.defined, whole.hypotheses, tuple(premises), certificate["claim"][2], whole.definitions
-    )
+        hypotheses += [(reference, f) for reference, f in each.hypotheses if f not in known]
+        premises += [divisor for divisor in each.premises if divisor not in premises]
+    spoken = node("and", claim, *(each.conclusion for each in used.values()), given)
+    whole = stated(Definitions(pairs), tuple(hypotheses), spoken)
+    whole = replace(whole, premises=tuple(premises), conclusion=claim)
+    return whole, _proof(given, step, step_name, whole, used), [*used]
 
 
-def _binds(node: Any) -> bool:
-    return isinstance(node, list) and (bool(bound_letters(node)) or any(map(_binds, node[1:])))
-
-
-def _proof(certificate: Any, step: Statement, step_name: str, whole: Statement, used: Sequence[Exported]) -> str:
+def _proof(given: Formula, step: Statement, step_name: str, whole: Statement, used: dict[str, Statement]) -> str:
     context: dict[str, str] = {}
     lines = [f"intros {' '.join(whole.names)}."]
     for shown in shown_premises(whole):
         context.setdefault(shown, f"h{len(context)}'")
         lines.append(f"intros {context[shown]}.")
-    facts: dict[str, str] = {}
-    for each in used:
-        assert each.statement is not None
-        pattern = _pattern(each.certificate["claim"], facts)
-        lines.append(
-            f"destruct {_applied(f'proof_{each.name}', each.statement, context)} as {pattern}."
-            if pattern[0] == "["
-            else f"pose proof {_applied(f'proof_{each.name}', each.statement, context)} as {pattern}."
-        )
-    given = _conjunction(certificate["claim"][1], facts)
-    lines.append(f"exact ({_applied(step_name, step, context)} {given}).")
+    facts: dict[Formula, str] = {}
+    for name, each in used.items():
+        names = _pattern(each.conclusion, facts)
+        taken = "destruct" if names[0] == "[" else "pose proof"
+        lines.append(f"{taken} {_applied(f'proof_{name}', each, context)} as {names}.")
+    lines.append(f"exact ({_applied(step_name, step, context)} {_conjunction(given, facts)}).")
     return "\n".join(lines)
 
 
 def shown_premises(statement: Statement) -> list[str]:
     """The premises as texts: definitions, hypotheses, denominators."""
-    shown = statement.definitions.readable
-    texts = [f"{name(x)} = {printed(shown(statement.definitions.terms[x]), 70)}" for x in statement.defined]
-    texts += [printed(shown(formula), 98) for _, formula in statement.hypotheses]
-    return texts + [f"{printed(shown(divisor), 70)} <> 0" for divisor in statement.premises]
+    hypotheses = [formula for _, formula in statement.hypotheses]
+    return [premise(each) for each in (*statement.equations, *hypotheses, *statement.divided)]
 
 
 def _applied(theorem: str, statement: Statement, context: dict[str, str]) -> str:
@@ -97,19 +85,15 @@ def _applied(theorem: str, statement: Statement, context: dict[str, str]) -> str
         raise NotExported(f"an earlier relation needs the premise {premise}") from premise
 
 
-def _pattern(formula: Any, facts: dict[str, str]) -> str:
-    if formula[0] == "and" and len(formula) > 1:
-        parts = [_pattern(part, facts) for part in formula[1:]]
-        return parts[0] if len(parts) == 1 else f"[{' ['.join(parts[:-1])} {parts[-1]}{']' * (len(parts) - 1)}"
+def _pattern(formula: Formula, facts: dict[Formula, str]) -> str:
+    if isinstance(formula, Connective) and formula.tag == "and" and formula.formulas:
+        return pattern([_pattern(part, facts) for part in formula.formulas])
     own = f"f{len(facts)}'"
-    return facts.setdefault(str(formula), own) if str(formula) not in facts else "_"
+    return facts.setdefault(formula, own) if formula not in facts else "_"
 
 
-def _conjunction(formula: Any, facts: dict[str, str]) -> str:
-    if formula[0] == "and":
-        parts = [_conjunction(part, facts) for part in formula[1:]]
-        shown = parts[-1]
-        for part in reversed(parts[:-1]):
-            shown = f"(conj {part} {shown})"
-        return shown
-    return facts[str(formula)]
+def _conjunction(formula: Formula, facts: dict[Formula, str]) -> str:
+    if isinstance(formula, Connective) and formula.tag == "and":
+        *front, last = (_conjunction(part, facts) for part in formula.formulas)
+        return reduce(lambda shown, part: f"(conj {part} {shown})", reversed(front), last)
+    return facts[formula]

@@ -10,8 +10,10 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 from mpmath import mp, mpf
 
+from symcheck.core.terms import Term, Value, node
 from symcheck.export.coq.printing import ATOM, spelled
 from symcheck.export.coq.terms import NotExported
+from symcheck.export.coq.values import number, shown_ratio, value
 
 if TYPE_CHECKING:
     from symcheck.export.coq.script import Script
@@ -56,107 +58,102 @@ def up(x: Fraction) -> Fraction:
     return -down(-x)
 
 
-def shown(x: Fraction) -> str:
-    """A fraction in brackets."""
-    text = f"{abs(x.numerator)} / {x.denominator}" if x.denominator > 1 else f"{abs(x.numerator)}"
-    return f"(- {text})" if x < 0 else f"({text})"
-
-
 class Enclosure:
     """Encloses terms one after the other; `known` are proofs of letter = number."""
 
-    def __init__(self, script: Script, known: Mapping[str, tuple[str, Any]]) -> None:
+    def __init__(self, script: Script, known: Mapping[str, tuple[str, Term]]) -> None:
         self.script, self.known = script, known
 
-    def of(self, term: Any) -> Within:
+    def of(self, term: Term) -> Within:
         """The enclosure of a term, unfolded and without tangents."""
         match term:
-            case int() | ["/", int(), int()] | ["-", int()]:
-                value = number(term)
-                return Within(f"(number_in {spelled(term, ATOM)})", value, value)
-            case "pi":
+            case int() | Value(tag="/", terms=(int(), int())) | Value(tag="-", terms=(int(),)):
+                exactly = number(value(term))
+                assert exactly is not None
+                return Within(f"(number_in {spelled(term, ATOM)})", exactly, exactly)
+            case Value(tag="pi"):
                 return Within("pi_in", *PI)
             case str() if term in self.known:
-                proof, value = self.known[term]
-                inner = self.of(value)
+                proof, meant = self.known[term]
+                inner = self.of(meant)
                 return Within(f"(equal_in {proof} {inner.proof})", inner.low, inner.high)
-            case ["-", inner]:
-                found = self.of(inner)
+            case Value(tag="-", terms=(part,)):
+                found = self.of(part)
                 return Within(f"(minus_in {found.proof})", -found.high, -found.low)
-            case ["+" | "*" as sign, first, *rest]:
+            case Value(tag="+" | "*" as sign, terms=(first, *rest)):
                 return self.chain(sign, first, rest)
-            case ["/", top, bottom]:
-                return self.product("quotient_in", term, self.of(top), self.inverse(bottom))
-            case ["^", base, int(n)] if 0 < n < 9:
-                product = base if n == 1 else ["*", *[base] * n]
+            case Value(tag="/", terms=(top, bottom)):
+                return self.product("quotient_in", spelled(term), self.of(top), self.inverse(bottom))
+            case Value(tag="^", terms=(base, int(n))) if 0 < n < 9:
+                product = base if n == 1 else node("*", *[base] * n)
                 found = self.of(product)
                 by = f"equal_in (s := {spelled(term)}) (t := {spelled(product)}) ltac:(ring) {found.proof}"
                 return Within(f"({by})", found.low, found.high)
-            case [function, inner] if function in FUNCTIONS:
-                return FUNCTIONS[function](self, term, self.of(inner))
+            case Value(tag=function, terms=(part,)) if function in FUNCTIONS:
+                return FUNCTIONS[function](self, term, self.of(part))
         raise NotExported(f"the digits of {spelled(term)}")
 
-    def step(self, lemma: str, term: Any, low: Fraction, high: Fraction, *inner: Within) -> Within:
+    def step(self, lemma: str, text: str, low: Fraction, high: Fraction, *inner: Within) -> Within:
         """One lemma; what it asks of fractions is left to the tactic."""
         own = self.script.anew("w")
         proofs = " ".join(each.proof for each in inner)
-        text = term if isinstance(term, str) else spelled(term)
-        statement = f"within ({text}) {shown(low)} {shown(high)}"
-        self.script.emit(
-            f"assert ({own} : {statement}) by (apply ({lemma} {shown(low)} {shown(high)} {proofs}); fractions)."
-        )
+        ends = f"{shown_ratio(low)} {shown_ratio(high)}"
+        self.script.emit(f"assert ({own} : within ({text}) {ends}) by (apply ({lemma} {ends} {proofs}); fractions).")
         return Within(own, low, high)
 
-    def chain(self, sign: str, first: Any, rest: list[Any]) -> Within:
-        found, so_far = self.of(first), first
+    def chain(self, sign: str, first: Term, rest: list[Term]) -> Within:
+        """A sum or product, part by part."""
+        found, so_far = self.of(first), [first]
         for part in rest:
-            other, so_far = self.of(part), [sign, *(so_far[1:] if so_far is not first else [first]), part]
+            other, so_far = self.of(part), [*so_far, part]
+            text = spelled(node(sign, *so_far))
             if sign == "+":
                 found = self.step(
-                    "sum_in", so_far, down(found.low + other.low), up(found.high + other.high), found, other
+                    "sum_in", text, down(found.low + other.low), up(found.high + other.high), found, other
                 )
             else:
-                found = self.product("product_in", so_far, found, other)
+                found = self.product("product_in", text, found, other)
         return found
 
-    def product(self, lemma: str, term: Any, one: Within, other: Within) -> Within:
+    def product(self, lemma: str, text: str, one: Within, other: Within) -> Within:
         corners = [a * b for a in one[1:] for b in other[1:]]
-        return self.step(lemma, term, down(min(corners)), up(max(corners)), one, other)
+        return self.step(lemma, text, down(min(corners)), up(max(corners)), one, other)
 
-    def inverse(self, term: Any) -> Within:
+    def inverse(self, term: Term) -> Within:
         found = self.of(term)
         if found.low <= 0:
             raise NotExported("the digits of a quotient with a denominator that is not positive")
         text = f"/ {spelled(term, ATOM)}"
         return self.step("inverse_in", text, down(1 / found.high), up(1 / found.low), found)
 
-    def root(self, term: Any, inner: Within) -> Within:
+    def root(self, term: Value, inner: Within) -> Within:
         low, high = (exact(mp.sqrt(rough(max(x, Fraction(0))))) for x in inner[1:])
         margin = Fraction(1, 10**11)
-        return self.step("root_in", term, max(down(low - margin), Fraction(0)), up(high + margin), inner)
+        return self.step("root_in", spelled(term), max(down(low - margin), Fraction(0)), up(high + margin), inner)
 
-    def circular(self, term: Any, inner: Within) -> Within:
+    def circular(self, term: Value, inner: Within) -> Within:
         if inner.low < 0 or inner.high > ACUTE:
             raise NotExported("the digits of a function of an angle that is not between 0 and 89.9 degrees")
-        if term[0] == "sin":
-            return self.step("sine_in", term, down(sine(inner.low, False)), up(sine(inner.high, True)), inner)
-        return self.step("cosine_in", term, down(cosine(inner.high, False)), up(cosine(inner.low, True)), inner)
+        text = spelled(term)
+        if term.tag == "sin":
+            return self.step("sine_in", text, down(sine(inner.low, False)), up(sine(inner.high, True)), inner)
+        return self.step("cosine_in", text, down(cosine(inner.high, False)), up(cosine(inner.low, True)), inner)
 
-    def angle(self, term: Any, inner: Within) -> Within:
+    def angle(self, term: Value, inner: Within) -> Within:
         mp.dps = 30
-        function = {"arctan": mp.atan, "arcsin": mp.asin, "arccos": mp.acos}[term[0]]
-        if inner.low < 0 or (term[0] != "arctan" and inner.high > 1):
+        function = {"arctan": mp.atan, "arcsin": mp.asin, "arccos": mp.acos}[term.tag]
+        if inner.low < 0 or (term.tag != "arctan" and inner.high > 1):
             raise NotExported("the digits of an angle that is not acute")
         ends = sorted(exact(function(rough(x))) for x in inner[1:])
         margin = Fraction(1, 10**10)
         low, high = max(down(ends[0] - margin), Fraction(0)), up(ends[1] + margin)
         if high > ACUTE:
             raise NotExported("the digits of an angle near 90 degrees")
-        return self.step(ANGLES[term[0]], term, low, high, inner)
+        return self.step(ANGLES[term.tag], spelled(term), low, high, inner)
 
 
 ANGLES = {"arctan": "arctangent_in", "arcsin": "arcsine_in", "arccos": "arccosine_in"}
-FUNCTIONS: dict[str, Callable[[Enclosure, Any, Within], Within]] = {
+FUNCTIONS: dict[str, Callable[[Enclosure, Value, Within], Within]] = {
     "sqrt": Enclosure.root,
     "sin": Enclosure.circular,
     "cos": Enclosure.circular,
@@ -166,17 +163,7 @@ FUNCTIONS: dict[str, Callable[[Enclosure, Any, Within], Within]] = {
 }
 
 
-def number(term: Any) -> Fraction:
-    """A whole number or a fraction of two."""
-    match term:
-        case ["/", top, bottom]:
-            return Fraction(top, bottom)
-        case ["-", inner]:
-            return -number(inner)
-    return Fraction(term)
-
-
-def rough(x: Any) -> Any:
+def rough(x: Fraction) -> Any:
     """A fraction with 30 digits."""
     mp.dps = 30
     return mpf(x.numerator) / x.denominator

@@ -51,7 +51,7 @@ def _listed(found: Sequence[Exported]) -> dict[str, Any]:
     out: dict[str, Any] = {}
     for each in found:
         entry = out.setdefault(confirmed.key(each.record, each.corrected), _empty())
-        entry["certificates"].append(confirmed.digest_of(each.certificate))
+        entry["certificates"].append(each.digest)
         if each.statement is None:
             entry["reasons"] = list(dict.fromkeys([*entry["reasons"], each.reason]))
         else:
@@ -130,7 +130,12 @@ def _parts(found: Sequence[Exported]) -> Iterator[list[Exported]]:
 def proofs_file(paper: str, part: Sequence[Exported], places: Mapping[str, str]) -> str:
     """A proof of each claim, and at the end what all of them together assume; lemmas are in `places`."""
     earlier = sorted({places[lemma] for each in part for lemma in each.after if lemma in places})
-    imports = ["Symcheck.Symcheck", "Symcheck.Digits", *(f"Symcheck.{paper}.{name}" for name in ("Claims", *earlier))]
+    imports = [
+        "Symcheck.Symcheck",
+        "Symcheck.Digits",
+        "Symcheck.Theorems",
+        *(f"Symcheck.{paper}.{name}" for name in ("Claims", *earlier)),
+    ]
     lines = ["Require Import Lra.\n" + LIBRARIES + "".join(f"Require Import {name}.\n" for name in imports) + SCOPE]
     shown: dict[str, str] = {}
     for each in part:

@@ -2,27 +2,40 @@
 
 from __future__ import annotations
 
-from typing import Any
+from collections.abc import Iterable, Iterator
+from fractions import Fraction
+from functools import reduce
 
-from symcheck.export.coq.arithmetic import addition, derivative, fraction, product, ratio_text, square_part
-from symcheck.export.coq.assumptions import difference
+from symcheck.checker.algebra import exact
+from symcheck.core.calculus import differentiated, letters
+from symcheck.core.terms import Binder, Call, Node, Term, Value, node
 from symcheck.export.coq.printing import ATOM, name, spelled
 from symcheck.export.coq.signs import Sign, Signs
-from symcheck.export.coq.terms import NotExported, denominators, factors, is_number, letters, subterms
-from symcheck.export.coq.values import OPAQUE, turns
+from symcheck.export.coq.terms import NotExported, denominators, factors, fraction, product, subterms
+from symcheck.export.coq.values import number, quotient, ratio, shown_ratio, turns, value
+
+OPAQUE = ("sqrt", "pow", "exp", "log", "gamma", "arctan", "arcsin", "arccos")
+ARITHMETIC = ("+", "*", "-", "/", "^", "pi")
+QUARTER = node("/", node("pi"), 2)
 
 
 class Functions(Signs):
     """Facts about functions and denominators."""
 
-    def functions(self, spoken: list[Any]) -> None:
+    def applied(self, spoken: Iterable[Term]) -> Iterator[Node]:
+        """The functions and derivatives in what is spoken of, of letters that there are here."""
+        for term in subterms(*spoken):
+            if isinstance(term, Node) and term.tag not in ARITHMETIC and letters(term) <= self.scope:
+                yield term
+
+    def functions(self, spoken: Iterable[Term]) -> None:
         """What is true of sines, cosines and roots of numbers by themselves."""
-        angles: dict[str, Any] = {}
-        for term in (t for each in spoken for t in subterms(each) if self.scope.issuperset(letters(t))):
+        angles: dict[str, Term] = {}
+        for term in self.applied(spoken):
             match term:
-                case ["sin" | "cos", angle]:
+                case Value(tag="sin" | "cos", terms=(angle,)):
                     angles.setdefault(spelled(angle, ATOM), angle)
-                case ["sqrt", inner] if is_number(inner):
+                case Value(tag="sqrt", terms=(inner,)) if exact(inner, roots=False):
                     self.root(inner)
         for angle in list(angles.values()):
             counts, rest = turns(angle)
@@ -35,162 +48,184 @@ class Functions(Signs):
             counts, rest = turns(angle)
             if isinstance(angle, str) or (rest != 0 and not counts):
                 self.hint(f"(circle {shown})")
+                for function in ("cos", "sin") if ratio(angle, QUARTER) == 1 else ():
+                    self.hint(f"(eq_trans (f_equal {function} (ltac:(field) : {shown} = PI / 2)) {function}_PI2)")
             elif counts or rest == 0:
                 self.turned(shown, counts, rest)
 
-    def turned(self, shown: str, counts: list[tuple[str, int]], rest: Any) -> None:
+    def turned(self, shown: str, counts: list[tuple[str, int]], rest: Term) -> None:
         """The addition theorems for an angle."""
-        parts = [name(x) if n > 0 else f"(- {name(x)})" for x, n in counts for _ in range(abs(n))]
-        parts += [spelled(rest, ATOM)] if rest != 0 else []
-        total = " + ".join(parts) or "0"
-        cosine, sine = addition([(f"cos {p}", f"sin {p}") for p in parts])
-        for function, value in (("cos", cosine), ("sin", sine)):
+        parts: list[Term] = [x if n > 0 else node("-", x) for x, n in counts for _ in range(abs(n))]
+        parts += [rest] if rest != 0 else []
+        total = spelled(node("+", *parts) if parts else 0)
+        cosine, sine = reduce(addition, map(circular, parts)) if parts else (1, 0)
+        for function, found in (("cos", cosine), ("sin", sine)):
             own = self.anew("e")
-            value = value.replace("cos (- ", "cos (").replace("sin (- ", "- sin (")
-            self.emit(
-                f"assert ({own} : {function} {shown} = {value}) by (replace {shown} with ({total}) by field; turn)."
-            )
+            by = f"replace {shown} with ({total}) by field; turn"
+            self.emit(f"assert ({own} : {function} {shown} = {spelled(found)}) by ({by}).")
             self.hints.append(own)
 
-    def root(self, number: Any) -> None:
+    def root(self, inner: Term) -> None:
         """The square of the root of a prime number, or the root of another number by those."""
-        shown = spelled(number, ATOM)
+        shown = spelled(inner, ATOM)
         if f"sqrt {shown}" in self.settled:
             return
         self.settled.add(f"sqrt {shown}")
-        if isinstance(number, int) and number > 1 and all(number % p for p in range(2, number)):
+        if isinstance(inner, int) and inner > 1 and all(inner % p for p in range(2, inner)):
             self.hint(f"(root_of_number {shown} ltac:(lra))")
             return
-        value = self.values.rational(self.values.value(["^", ["sqrt", number], 2]))
-        assert value is not None
-        outer, inner = square_part(value)
-        for p in inner:
+        known = number(value(inner))
+        assert known is not None
+        outer, primes = square_part(known)
+        for p in primes:
             self.root(p)
-        product = " * ".join(
-            [
-                f"{outer.numerator} / {outer.denominator}" if outer.denominator > 1 else f"{outer.numerator}",
-                *(f"sqrt {p}" for p in inner),
-            ]
-        )
-        by = f"apply (root_is (t := {shown}) (v := {product})); [ lra | repeat apply mul_nn; try apply sqrt_pos; lra | "
-        own = self.anew("e")
-        self.emit(f"assert ({own} : sqrt {shown} = {product}) by ({by}field{self.hinted()} ]).")
+        found = node("*", quotient(outer), *(node("sqrt", p) for p in primes))
+        sides = "lra | repeat apply mul_nn; try apply sqrt_pos; lra | field"
+        by = f"apply (root_is (t := {shown}) (v := {spelled(found)})); [ {sides}{self.hinted} ]"
+        own = self.prove_aside(node("=", node("sqrt", inner), found), "e", by)
         if outer.denominator > 1:  # `ring` takes polynomials alone as hints
             self.emit(f"rewrite {own} in *.")
-            self.rewritten[str(["sqrt", number])] = [
-                "*",
-                ["/", outer.numerator, outer.denominator],
-                *(["sqrt", p] for p in inner),
-            ]
+            self.rewritten[node("sqrt", inner)] = found
             return
         self.hints.append(own)
 
-    def divisors(self, spoken: list[Any], proof: Any) -> None:
+    def divisors(self, spoken: Iterable[Term]) -> None:
         """That no denominator is zero: by a premise, by a hypothesis, by a number or by a sign."""
-        for divisor in (d for each in spoken for d in denominators(each) if self.scope.issuperset(letters(d))):
-            if not isinstance(divisor, int) and self.text(divisor) not in self.nonzero:
+        for divisor in denominators(*spoken):
+            known = isinstance(divisor, int) or not letters(divisor) <= self.scope
+            if not known and spelled(divisor) not in self.nonzero:
                 self.divisor(divisor)
-        for term in proof.get("positive", ()):
-            term = self.full(term)
-            if self.text(term) not in self.nonzero and (found := self.sign(term)) is not None and found.level == 2:
-                self.keep(term, self.prove_aside(["!=", term, 0], "n", f"exact (pos_nz {found.proof})"))
 
-    def keep(self, term: Any, own: str) -> None:
+    def apart(self, term: Term, by: str) -> str:
+        """Proves that a term is not zero, and keeps that."""
+        own = self.prove_aside(node("!=", term, 0), "n", by)
+        self.keep(term, own)
+        return own
+
+    def keep(self, term: Term, own: str) -> None:
         """A denominator that is not zero; and if it is a sum of fractions, its numerator, which `field` asks for."""
-        self.nonzero[self.text(term)] = (own, term)
+        self.nonzero[spelled(term)] = (own, term)
         several = list(factors(term))
-        for k, each in enumerate(several if len(several) > 1 else ()):
-            if not isinstance(each, int) and self.text(each) not in self.nonzero:
-                rest = product([*several[:k], *several[k + 1 :]])
-                by = f"apply (nz_of ({self.text(rest)}) {own}); {self.algebra}"
-                self.nonzero[self.text(each)] = (self.prove_aside(["!=", each, 0], "n", by), each)
         top, below = fraction(term)
-        if below and not isinstance(top, int) and self.text(top) not in self.nonzero:
-            by = f"apply (nz_over (b := {self.text(product(below))}) {own}); [ nonzero | {self.algebra} ]"
-            self.nonzero[self.text(top)] = (self.prove_aside(["!=", top, 0], "n", by), top)
+        parts = [
+            (each, f"nz_of ({spelled(product([*several[:k], *several[k + 1 :]]))}) {own}); {self.algebra}")
+            for k, each in enumerate(several if len(several) > 1 else ())
+        ]
+        if below:
+            parts.append((top, f"nz_over (b := {spelled(product(below))}) {own}); [ nonzero | {self.algebra} ]"))
+        for part, by in parts:
+            if not isinstance(part, int) and spelled(part) not in self.nonzero:
+                shown = self.prove_aside(node("!=", part, 0), "n", f"apply ({by}")
+                self.nonzero[spelled(part)] = (shown, part)
 
-    def divisor(self, term: Any) -> None:
-        for known in self.state.values():
-            if known.sign in ("!=", ">") and (k := self.ratio(difference(known), term)) is not None:
-                fact = self.apart(known)
-                by = f"apply (nz_of {ratio_text(k)} {fact}); {self.algebra}"
-                self.keep(term, self.prove_aside(["!=", term, 0], "n", by))
-                return
-        for own, other in list(self.nonzero.values()):
-            if (k := self.ratio(other, term)) is not None:
-                self.keep(
-                    term, self.prove_aside(["!=", term, 0], "n", f"apply (nz_of {ratio_text(k)} {own}); {self.algebra}")
-                )
-                return
-        found = self.sign(term)
-        if found is not None and found.level == 2:
-            self.keep(term, self.prove_aside(["!=", term, 0], "n", f"exact (pos_nz {found.proof})"))
-            return
-        found = self.sign(["-", term])
-        if found is not None and found.level == 2:
-            self.keep(term, self.prove_aside(["!=", term, 0], "n", f"exact (neg_nz {found.proof})"))
-            return
-        if is_number(term):
-            square = self.values.rational(self.values.value(["^", term, 2]))
-            if square:
-                by = f"intro Z; assert (S : ({self.text(term)}) ^ 2 = 0) by (rewrite Z; ring); "
-                by += f"assert (T : ({self.text(term)}) ^ 2 = {ratio_text(square)}) by ({self.algebra}); lra"
-                self.keep(term, self.prove_aside(["!=", term, 0], "n", by))
-                return
+    def divisor(self, term: Term) -> str | None:
+        """A proof that a term is not zero, if one is found."""
+        known = [(known.difference, known.apart) for known in self.facts("!=", ">")]
+        known += [(other, own) for own, other in self.nonzero.values()]
+        for other, own in known:
+            if (k := ratio(other, term)) is not None:
+                return self.apart(term, f"apply (nz_of {shown_ratio(k)} {own}); {self.algebra}")
+        for signed, lemma in ((term, "pos_nz"), (node("-", term), "neg_nz")):
+            if proof := self.positive(signed):
+                return self.apart(term, f"exact ({lemma} {proof})")
+        if exact(term) and (square := number(value(node("^", term, 2)))):
+            by = f"intro Z; assert (S : ({spelled(term)}) ^ 2 = 0) by (rewrite Z; ring); "
+            by += f"assert (T : ({spelled(term)}) ^ 2 = {shown_ratio(square)}) by ({self.algebra}); lra"
+            return self.apart(term, by)
+        return None
 
-    def slope(self, slope: Any, term: Any) -> None:
+    def slopes(self, spoken: Iterable[Term]) -> None:
+        """All derivatives, worked out."""
+        found = dict.fromkeys(t for t in self.applied(spoken) if isinstance(t, Binder) and t.tag == "diff")
+        worked: dict[Node, Term] = {slope: self.full(differentiated(slope)) for slope in found}
+        self.functions(worked.values())
+        if worked:
+            self.divisors([*spoken, *worked.values()])
+        for slope in found:
+            self.slope(slope, worked[slope])
+        self.rewritten |= worked
+
+    def slope(self, slope: Binder, term: Term) -> None:
         """A derivative, worked out."""
-        _, body, x, order = slope
+        x, order, place = slope.letter, *slope.outside
         kept, self.divides = self.divides, True
-        self.bases(body)
-        own, step = (
-            self.anew("d"),
-            f"apply is_derive_unique; unfold Rpower; auto_derive; [ conditions | powers; {self.algebra} ]",
-        )
-        if order == 1:
-            self.emit(f"assert ({own} : {spelled(['=', slope, term])}) by ({step}).")
-        elif order == 2:
-            first = self.full(derivative(["diff", body, x, 1]))
-            near = self.nearby(body, x)
-            functions = " ".join(f"(fun {name(x)} => {spelled(t)})" for t in (near, first))
-            self.emit(f"assert ({own} : {spelled(['=', slope, term])}).")
-            self.emit(f"{{ apply (derive_twice {functions}).")
-            self.emit("{ auto_derive; conditions. }")
-            self.emit("{ conditions. }")
+        self.bases(slope.body)
+        by = f"apply is_derive_unique; unfold Rpower; auto_derive; [ conditions | powers; {self.algebra} ]"
+        if order == 2 and place == x:
+            first = self.full(differentiated(node("diff", slope.body, x, 1, x)))  # type: ignore[arg-type]
+            functions = " ".join(f"(fun {name(x)} => {spelled(t)})" for t in (self.nearby(slope.body, x), first))
             at, positive = self.anew("x"), self.anew("s")
-            self.emit(f"{{ intros {at} {positive}. cbv beta in {positive}. pose proof (pos_nz {positive}). {step}. }}")
-            self.emit(f"{{ {step}. }} }}")
-        else:
+            near = f"intros {at} {positive}; cbv beta in {positive}; pose proof (pos_nz {positive}); {by}"
+            by = f"apply (derive_twice {functions}); [ auto_derive; conditions | conditions | {near} | {by} ]"
+        elif order != 1:
             raise NotExported("a derivative of third order")
-        self.emit(f"rewrite {own} in *.")
+        self.emit(f"rewrite {self.prove_aside(node('=', slope, term), 'd', by)} in *.")
         self.divides = kept
 
-    def nearby(self, body: Any, x: str) -> Any:
+    def nearby(self, body: Term, x: str) -> Term:
         """What is positive at the letter and makes the function differentiable: the letter, or the base of a power."""
-        if any(known.sign == ">" and known.great == x and known.small == 0 for known in self.state.values()):
+        if any(known.sides == (x, 0) for known in self.facts(">")):
             return x
-        return next((t[1] for t in subterms(body) if isinstance(t, list) and t[0] == "pow" and x in letters(t[1])), 1)
+        return next((base for base in arguments(body, "pow") if x in letters(base)), 1)
 
-    def bases(self, term: Any) -> None:
+    def bases(self, term: Term) -> None:
         """The bases of powers are positive: said once, as `auto_derive` asks for it."""
-        for base in (t[1] for t in subterms(term) if isinstance(t, list) and t[0] in ("pow", "log", "sqrt")):
+        for base in arguments(term, "pow", "log", "sqrt"):
             found = self.sign(base)
-            if found is not None and found.level == 1 and self.text(base) in self.nonzero:
-                found = Sign(2, f"(nz_pos {found.proof} {self.nonzero[self.text(base)][0]})")
-            if found is not None and found.level == 2 and self.text(base) not in self.settled:
-                self.settled.add(self.text(base))
-                self.prove_aside(["<", 0, base], "s", f"exact {found.proof}")
+            if found is not None and found.level == 1 and spelled(base) in self.nonzero:
+                found = Sign(2, f"(nz_pos {found.proof} {self.nonzero[spelled(base)][0]})")
+            if found is not None and found.level == 2 and spelled(base) not in self.settled:
+                self.settled.add(spelled(base))
+                self.prove_aside(node("<", 0, base), "s", f"exact {found.proof}")
 
-    def same_functions(self, spoken: list[Any]) -> None:
+    def same_functions(self, spoken: Iterable[Term]) -> None:
         """Functions of equal arguments that are written differently."""
-        seen = self.seen
-        for term in (t for each in spoken for t in subterms(each) if self.scope.issuperset(letters(t))):
-            if isinstance(term, list) and term[0] in (*OPAQUE, "call") and not (term[0] == "sqrt" and is_number(term)):
-                value = self.values.value(term)
-                if term[0] == "pow" and (whole := self.ratio(term[2], 1)) is not None and whole.denominator == 1:
+        for term in self.applied(spoken):
+            match term:
+                case Value(tag="pow", terms=(_, exponent)) if (whole := ratio(exponent, 1)) and whole.denominator == 1:
                     raise NotExported("a power whose exponent adds up to a whole number")
-                first = seen.setdefault(value, term)
-                if self.text(first) != self.text(term) and self.text(term) not in self.settled:
-                    self.settled.add(self.text(term))
-                    by = f"f_equal; {self.algebra}"
-                    self.hints.append(self.prove_aside(["=", term, first], "e", by))
+                case Value(tag="sqrt", terms=(inner,)) if exact(inner, roots=False):
+                    continue
+                case Value(tag=tag) if tag in OPAQUE:
+                    pass
+                case Call():
+                    pass
+                case _:
+                    continue
+            first = self.seen.setdefault(value(term), term)
+            if spelled(first) != spelled(term) and spelled(term) not in self.settled:
+                self.settled.add(spelled(term))
+                by = f"f_equal; {self.algebra}"
+                self.hints.append(self.prove_aside(node("=", term, first), "e", by))
+
+
+def arguments(term: Term, *functions: str) -> list[Term]:
+    """What stands (first) in these functions."""
+    return [t.terms[0] for t in subterms(term) if isinstance(t, Value) and t.tag in functions]
+
+
+def square_part(value: Fraction) -> tuple[Fraction, list[int]]:
+    """The root of a positive number: a rational number, and the primes under the roots."""
+    primes: list[int] = []
+    whole, outer, p = value.numerator * value.denominator, 1, 2
+    while whole > 1:
+        while whole % (p * p) == 0:
+            whole, outer = whole // (p * p), outer * p
+        if whole % p == 0:
+            whole, primes = whole // p, [*primes, p]
+        p += 1
+    return Fraction(outer, value.denominator), primes
+
+
+def circular(angle: Term) -> tuple[Term, Term]:
+    """Cosine and sine of an angle, or of its negative."""
+    if isinstance(angle, Value) and angle.tag == "-":
+        return node("cos", *angle.terms), node("-", node("sin", *angle.terms))
+    return node("cos", angle), node("sin", angle)
+
+
+def addition(one: tuple[Term, Term], other: tuple[Term, Term]) -> tuple[Term, Term]:
+    """Cosine and sine of a sum of two angles."""
+    (c, s), (d, t) = one, other
+    minus = node("-", node("*", s, t))
+    return node("+", node("*", c, d), minus), node("+", node("*", s, d), node("*", c, t))

@@ -2,86 +2,22 @@
 
 from __future__ import annotations
 
-from typing import Any
-
+from symcheck.core.terms import Binder, Call, Connective, End, Node, Quantified, Relation, Term, Value
 from symcheck.export.coq.terms import NotExported
 
 RELATIONS = {"=": "=", "!=": "<>", "<": "<", "<=": "<=", ">": ">", ">=": ">="}
-CALLS = {
+FUNCTIONS = {
     "sin": "sin", "cos": "cos", "tan": "tan", "sqrt": "sqrt", "exp": "exp", "log": "ln",
-    "arctan": "atan", "arcsin": "asin", "arccos": "acos", "pow": "Rpower", "powerRZ": "powerRZ", "IZR": "IZR",
+    "arctan": "atan", "arcsin": "asin", "arccos": "acos", "pow": "Rpower",
 }  # fmt: skip
-TAKEN = frozenset(
-    [
-        "as",
-        "at",
-        "cofix",
-        "do",
-        "else",
-        "end",
-        "exists",
-        "exists2",
-        "fix",
-        "for",
-        "forall",
-        "fun",
-        "if",
-        "in",
-        "let",
-        "match",
-        "mod",
-        "return",
-        "then",
-        "using",
-        "where",
-        "with",
-        "by",
-        "Prop",
-        "Set",
-        "Type",
-        "SProp",
-        "R",
-        "Z",
-        "N",
-        "nat",
-        "IZR",
-        "INR",
-        "PI",
-        "sin",
-        "cos",
-        "tan",
-        "sqrt",
-        "exp",
-        "ln",
-        "atan",
-        "asin",
-        "acos",
-        "Rpower",
-        "RInt",
-        "Derive",
-        "Derive_n",
-        "pow",
-        "True",
-        "False",
-        "not",
-        "and",
-        "or",
-    ]
-)
-ATOM, APPLIED, POWER, MINUS, TIMES, PLUS, COMPARED, AND, OR, IFF, IMPLIES, BINDS = (
-    0,
-    10,
-    30,
-    35,
-    40,
-    50,
-    70,
-    80,
-    85,
-    95,
-    99,
-    200,
-)
+TAKEN = frozenset((
+    "as", "at", "by", "cofix", "do", "else", "end", "exists", "exists2", "fix", "for", "forall", "fun", "if", "in",
+    "let", "match", "mod", "return", "then", "using", "where", "with", "Prop", "Set", "Type", "SProp", "R", "Z", "N",
+    "nat", "IZR", "INR", "PI", "sin", "cos", "tan", "sqrt", "exp", "ln", "atan", "asin", "acos", "Rpower", "RInt",
+    "Derive", "Derive_n", "pow", "True", "False", "not", "and", "or",
+))  # fmt: skip
+ATOM, APPLIED, POWER, MINUS, TIMES, PLUS = 0, 10, 30, 35, 40, 50  # levels of Coq's operators
+COMPARED, AND, OR, IFF, IMPLIES, BINDS = 70, 80, 85, 95, 99, 200
 
 
 def name(letter: str) -> str:
@@ -89,94 +25,104 @@ def name(letter: str) -> str:
     return f"{letter}'" if letter in TAKEN else letter
 
 
-def printed(node: Any, level: int = BINDS) -> str:
+def printed(tree: Term, level: int = BINDS) -> str:
     """A term or formula, in brackets if it binds more loosely than the level."""
-    text, own = _printed(node)
-    return text if own <= level else f"({text})"
+    return Printer().text(tree, level)
 
 
-def spelled(node: Any, level: int = BINDS) -> str:
+def spelled(tree: Term, level: int = BINDS) -> str:
     """The same with a - b spelled a + - b, as terms stand in Coq once `Rminus` is unfolded."""
-    return printed(_without_minus(node), level)
+    return Printer(subtracts=False).text(tree, level)
 
 
-def _without_minus(node: Any) -> Any:
-    if not isinstance(node, list):
-        return node
-    parts = [_without_minus(part) for part in node]
-    if parts[:1] == ["+"]:
-        return [
-            "+",
-            parts[1],
-            *(["minus", part[1]] if isinstance(part, list) and part[0] == "-" else part for part in parts[2:]),
-        ]
-    return parts
+class Printer:
+    """Prints terms; some letters may stand for whole numbers."""
 
+    def __init__(self, subtracts: bool = True, whole: tuple[str, ...] = ()) -> None:
+        self.subtracts, self.whole = subtracts, whole
 
-def _printed(node: Any) -> tuple[str, int]:
-    match node:
-        case bool():
-            raise NotExported(f"the term {node!r}")
-        case int():
-            return (str(node), ATOM) if node >= 0 else (f"- {-node}", MINUS)
-        case "pi":
-            return "PI", ATOM
-        case "infinity":
-            raise NotExported("an integral without an end needs Euler's beta function, which the libraries have not")
-        case str():
-            return name(node), ATOM
-        case ["+", first, *rest]:
-            return _sum(first, rest), PLUS
-        case ["-" | "minus", inner]:
-            return f"- {printed(inner, POWER)}", MINUS
-        case ["*", first, *rest]:
-            return " * ".join([printed(first, TIMES), *(printed(t, TIMES - 1) for t in rest)]), TIMES
-        case ["/", top, bottom]:
-            return f"{printed(top, TIMES)} / {printed(bottom, TIMES - 1)}", TIMES
-        case ["^", base, int(n)]:
-            power = f"{printed(base, APPLIED)} ^ {abs(n)}"
-            return (power, POWER) if n >= 0 else (f"/ {power}", MINUS)
-        case ["diff", body, x, 1]:
-            return f"Derive (fun {name(x)} => {printed(body)}) {name(x)}", APPLIED
-        case ["diff", body, x, int(n)]:
-            return f"Derive_n (fun {name(x)} => {printed(body)}) {n} {name(x)}", APPLIED
-        case ["mean", body, x]:
-            return f"RInt (fun {name(x)} => {printed(body)}) 0 (2 * PI) / (2 * PI)", TIMES
-        case ["integral", body, x, low, high]:
-            return f"RInt (fun {name(x)} => {printed(body)}) {printed(low, ATOM)} {printed(high, ATOM)}", APPLIED
-        case ["diverges", *_]:
-            raise NotExported("the convergence of an improper integral is not stated in Coq")
-        case ["gamma", _]:
-            raise NotExported("Euler's gamma function is not in Coq's libraries")
-        case [function, *arguments] if function in CALLS:
-            return " ".join([CALLS[function], *(printed(t, APPLIED - 1) for t in arguments)]), APPLIED
-        case [sign, left, right] if sign in RELATIONS:
-            return f"{printed(left, PLUS)} {RELATIONS[sign]} {printed(right, PLUS)}", COMPARED
-        case ["and" | "or", only]:
-            return _printed(only)
-        case ["and" | "or" as kind, *parts]:
-            own, sign, empty = (AND, r" /\ ", "True") if kind == "and" else (OR, r" \/ ", "False")
-            shown = [*(printed(t, own - 1) for t in parts[:-1]), *(printed(t, own - 1) for t in parts[-1:])]
-            return (sign.join(shown), own) if parts else (empty, ATOM)
-        case ["=>", first, second]:
-            return f"{printed(first, IMPLIES - 1)} -> {printed(second, IMPLIES)}", IMPLIES
-        case ["<=>", first, second]:
-            return f"{printed(first, IFF - 1)} <-> {printed(second, IFF - 1)}", IFF
-        case ["exists" | "forall" as kind, bound, body]:
-            return f"{kind} {' '.join(map(name, bound))} : R, {printed(body)}", BINDS
-        case ["call", function, orders, *arguments]:
-            if any(orders):
-                raise NotExported("a derivative of an unknown function is not stated in Coq")
-            return " ".join([name(function), *(printed(t, APPLIED - 1) for t in arguments)]), APPLIED
-    raise NotExported(f"the term {node!r}")
+    def text(self, tree: Term, level: int = BINDS) -> str:
+        """A term or formula, in brackets if it binds more loosely than the level."""
+        text, own = self._formula(tree) if isinstance(tree, (Relation, Connective, Quantified)) else self._term(tree)
+        return text if own <= level else f"({text})"
 
-
-def _sum(first: Any, rest: list[Any]) -> str:
-    shown = [printed(first, PLUS)]
-    for term in rest:
+    def _term(self, term: Term) -> tuple[str, int]:
         match term:
-            case ["-", inner]:
-                shown.append(f"- {printed(inner, PLUS - 1)}")
-            case _:
-                shown.append(f"+ {printed(term, PLUS - 1)}")
-    return " ".join(shown)
+            case int():
+                return (str(term), ATOM) if term >= 0 else (f"- {-term}", MINUS)
+            case str():
+                return (f"IZR {term}", APPLIED) if term in self.whole else (name(term), ATOM)
+            case Value(tag="pi"):
+                return "PI", ATOM
+            case Value(tag="+", terms=(first, *rest)):
+                return " ".join([self.text(first, PLUS), *map(self._addend, rest)]), PLUS
+            case Value(tag="-", terms=(inner,)):
+                return f"- {self.text(inner, POWER)}", MINUS
+            case Value(tag="*", terms=(first, *rest)):
+                return " * ".join([self.text(first, TIMES), *(self.text(t, TIMES - 1) for t in rest)]), TIMES
+            case Value(tag="/", terms=(top, bottom)):
+                return f"{self.text(top, TIMES)} / {self.text(bottom, TIMES - 1)}", TIMES
+            case Value(tag="^", terms=(base, int(n))):
+                power = f"{self.text(base, APPLIED)} ^ {abs(n)}"
+                return (power, POWER) if n >= 0 else (f"/ {power}", MINUS)
+            case Value(tag="^", terms=(base, str(n))):
+                return f"powerRZ {self.text(base, APPLIED - 1)} {n}", APPLIED
+            case Value(tag=function, terms=arguments) if function in FUNCTIONS:
+                return self._applied(FUNCTIONS[function], *arguments), APPLIED
+            case Call(function=function, orders=orders, terms=arguments) if not any(orders):
+                return self._applied(name(function), *arguments), APPLIED
+            case Binder(body=body, letter=x, outside=rest):
+                return self._binder(term.tag, f"(fun {name(x)} => {self.text(body)})", rest)
+        raise NotExported(reason(term))
+
+    def _addend(self, term: Term) -> str:
+        match term:
+            case Value(tag="-", terms=(inner,)):
+                return f"- {self.text(inner, PLUS - 1)}" if self.subtracts else f"+ - {self.text(inner, POWER)}"
+        return f"+ {self.text(term, PLUS - 1)}"
+
+    def _applied(self, function: str, *arguments: Term) -> str:
+        return " ".join([function, *(self.text(t, APPLIED - 1) for t in arguments)])
+
+    def _binder(self, tag: str, function: str, rest: tuple[Term, ...]) -> tuple[str, int]:
+        match tag, *rest:
+            case "diff", 1, place:
+                return self._applied(f"Derive {function}", place), APPLIED
+            case "diff", order, place:
+                return self._applied(f"Derive_n {function}", order, place), APPLIED
+            case ("mean",):
+                return f"RInt {function} 0 (2 * PI) / (2 * PI)", TIMES
+            case "integral", low, high:
+                return self._applied(f"RInt {function}", low, high), APPLIED
+            case "diverges", *_:
+                raise NotExported("the convergence of an improper integral is not stated in Coq")
+        raise NotExported(f"the binder {tag}")
+
+    def _formula(self, formula: Node) -> tuple[str, int]:
+        match formula:
+            case Relation(tag=sign, terms=(left, right)):
+                return f"{self.text(left, PLUS)} {RELATIONS[sign]} {self.text(right, PLUS)}", COMPARED
+            case Connective(tag="and" | "or", formulas=(only,)):
+                return self._formula(only)
+            case Connective(tag="and" | "or" as kind, formulas=parts):
+                own, sign, empty = (AND, r" /\ ", "True") if kind == "and" else (OR, r" \/ ", "False")
+                return (sign.join(self.text(t, own - 1) for t in parts), own) if parts else (empty, ATOM)
+            case Connective(tag="=>", formulas=(first, second)):
+                return f"{self.text(first, IMPLIES - 1)} -> {self.text(second, IMPLIES)}", IMPLIES
+            case Connective(formulas=(first, second)):
+                return f"{self.text(first, IFF - 1)} <-> {self.text(second, IFF - 1)}", IFF
+            case Quantified(tag=kind, bound=bound, body=body):
+                return f"{kind} {' '.join(map(name, bound))} : R, {self.text(body)}", BINDS
+        raise AssertionError(formula)
+
+
+def reason(term: Term) -> str:
+    """Why a term has no form in Coq."""
+    match term:
+        case End():
+            return "an integral without an end needs Euler's beta function, which the libraries have not"
+        case Value(tag="gamma"):
+            return "Euler's gamma function is not in Coq's libraries"
+        case Call():
+            return "a derivative of an unknown function is not stated in Coq"
+    return f"the term {term!r}"

@@ -4,29 +4,30 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
-from typing import Any
+
+from symcheck.core.terms import Connective, Formula, Node, Quantified, Term, node
 
 TOKEN = re.compile(r"\s*(\(\*|<->|->|=>|<=|>=|<>|/\\|\\/|[A-Za-z_][\w']*|\d+|[()+\-*/^=<>:,.])")
 CLAIM = re.compile(r"^Definition claim_(\w+) : Prop :=\n(.*?)\.\n$", re.DOTALL | re.MULTILINE)
 RELATIONS = {"=": "=", "<>": "!=", "<": "<", "<=": "<=", ">": ">", ">=": ">="}
 UNARY = {"sin": "sin", "cos": "cos", "tan": "tan", "sqrt": "sqrt", "exp": "exp", "ln": "log", "atan": "arctan",
          "asin": "arcsin", "acos": "arccos"}  # fmt: skip
+WORDS = {"True": node("and"), "False": node("or"), "PI": node("pi")}
 
 
-def claims(text: str) -> dict[str, Any]:
+def claims(text: str) -> dict[str, tuple[list[str], list[Formula], Formula]]:
     """By its name each statement of a Claims.v: (letters, premises, conclusion)."""
     return {name: _stated(Reader(body).whole()) for name, body in CLAIM.findall(text)}
 
 
-def _stated(formula: Any) -> tuple[list[str], list[Any], Any]:
-    bound: list[str] = []
-    while formula[0] == "forall":
-        bound += formula[1]
-        formula = formula[2]
-    premises = []
-    while formula[0] == "=>":
-        premises.append(formula[1])
-        formula = formula[2]
+def _stated(formula: Formula) -> tuple[list[str], list[Formula], Formula]:
+    bound, premises = list[str](), list[Formula]()
+    while isinstance(formula, Quantified) and formula.tag == "forall":
+        bound += formula.bound
+        formula = formula.body
+    while isinstance(formula, Connective) and formula.tag == "=>":
+        premise, formula = formula.formulas
+        premises.append(premise)
     return bound, premises, formula
 
 
@@ -59,9 +60,10 @@ class Reader:
         self.at = 0
         self.functions: dict[str, int] = {}  # unknown ones, with the numbers of their arguments
 
-    def whole(self) -> Any:
+    def whole(self) -> Formula:
         formula = self.implication()
         self.take("")
+        assert isinstance(formula, Node)
         return formula
 
     def peek(self) -> str:
@@ -74,7 +76,7 @@ class Reader:
         self.at += 1
         return found
 
-    def implication(self) -> Any:
+    def implication(self) -> Term:
         if self.peek() in ("forall", "exists"):
             kind, names = self.take(), []
             while self.peek() == "(":
@@ -82,12 +84,12 @@ class Reader:
             if self.peek() != ",":
                 names += self.typed()
             self.take(",")
-            return (kind, names, self.implication())
+            return node(kind, tuple(names), self.implication())
         left = self.equivalence()
         if self.peek() != "->":
             return left
         self.take("->")
-        return ("=>", left, self.implication())
+        return node("=>", left, self.implication())
 
     def binders(self) -> list[str]:
         """Letters, or a function, in brackets."""
@@ -107,87 +109,87 @@ class Reader:
             self.functions |= {function: self.functions.get(function, 0) + 1 for function in names}
         return names
 
-    def equivalence(self) -> Any:
+    def equivalence(self) -> Term:
         left = self.disjunction()
         if self.peek() != "<->":
             return left
         self.take("<->")
-        return ("<=>", left, self.disjunction())
+        return node("<=>", left, self.disjunction())
 
-    def disjunction(self) -> Any:
+    def disjunction(self) -> Term:
         left = self.conjunction()
         if self.peek() != "\\/":
             return left
         self.take("\\/")
-        return ("or", left, self.disjunction())
+        return node("or", left, self.disjunction())
 
-    def conjunction(self) -> Any:
+    def conjunction(self) -> Term:
         left = self.relation()
         if self.peek() != "/\\":
             return left
         self.take("/\\")
-        return ("and", left, self.implication() if self.peek() == "exists" else self.conjunction())
+        return node("and", left, self.implication() if self.peek() == "exists" else self.conjunction())
 
-    def relation(self) -> Any:
+    def relation(self) -> Term:
         left = self.sum()
         if self.peek() not in RELATIONS:
             return left
-        return (RELATIONS[self.take()], left, self.sum())
+        return node(RELATIONS[self.take()], left, self.sum())
 
-    def sum(self) -> Any:
+    def sum(self) -> Term:
         total = self.product()
         while self.peek() in ("+", "-"):
             sign, term = self.take(), self.product()
-            total = ("+", total, term if sign == "+" else ("-", term))
+            total = node("+", total, term if sign == "+" else node("-", term))
         return total
 
-    def product(self) -> Any:
+    def product(self) -> Term:
         total = self.signed()
         while self.peek() in ("*", "/"):
-            total = (self.take(), total, self.signed())
+            total = node(self.take(), total, self.signed())
         return total
 
-    def signed(self) -> Any:
+    def signed(self) -> Term:
         match self.peek():
             case "-":
                 self.take()
-                return ("-", self.signed())
+                return node("-", self.signed())
             case "/":
                 self.take()
-                return ("/", 1, self.signed())
+                return node("/", 1, self.signed())
         return self.power()
 
-    def power(self) -> Any:
+    def power(self) -> Term:
         base = self.applied()
         if self.peek() != "^":
             return base
         self.take("^")
-        return ("^", base, int(self.take()))
+        return node("^", base, int(self.take()))
 
-    def applied(self) -> Any:
+    def applied(self) -> Term:
         head = self.peek()
         if head in UNARY:
             self.take()
-            return (UNARY[head], self.atom())
+            return node(UNARY[head], self.atom())
         if head == "Rpower":
             self.take()
-            return ("pow", self.atom(), self.atom())
+            return node("pow", self.atom(), self.atom())
         if head in ("Derive", "Derive_n"):
             self.take()
             x, body = self.function()
             order = int(self.take()) if head == "Derive_n" else 1
-            return ("diff", (x, body), self.atom(), order)
+            return node("diff", body, x, order, self.atom())
         if head == "RInt":
             self.take()
             x, body = self.function()
-            return ("integral", (x, body), self.atom(), self.atom())
+            return node("integral", body, x, self.atom(), self.atom())
         if letter(head) in self.functions:
             function = letter(self.take())
             arguments = [self.atom() for _ in range(self.functions[function])]
-            return ("call", function, (0,) * len(arguments), *arguments)
+            return node("call", function, (0,) * len(arguments), *arguments)
         return self.atom()
 
-    def function(self) -> tuple[str, Any]:
+    def function(self) -> tuple[str, Term]:
         self.take("("), self.take("fun")
         x = letter(self.take())
         self.take("=>")
@@ -195,7 +197,7 @@ class Reader:
         self.take(")")
         return x, body
 
-    def atom(self) -> Any:
+    def atom(self) -> Term:
         found = self.take()
         if found == "(":
             inner = self.implication()
@@ -205,9 +207,7 @@ class Reader:
             return int(found)
         if not re.fullmatch(r"[A-Za-z][\w']*", found):
             raise ValueError(f"{found!r} instead of a letter")
-        return (
-            ("and",) if found == "True" else ("or",) if found == "False" else "pi" if found == "PI" else letter(found)
-        )
+        return WORDS[found] if found in WORDS else letter(found)
 
 
 def letter(name: str) -> str:

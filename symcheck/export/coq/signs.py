@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
-from typing import Any, NamedTuple
+from collections.abc import Sequence
+from typing import NamedTuple
 
-from symcheck.export.coq.assumptions import Assumptions, difference
-from symcheck.export.coq.terms import is_number
+from symcheck.core.terms import Term, Value, node
+from symcheck.export.coq.assumptions import Assumptions
+from symcheck.export.coq.printing import spelled
+from symcheck.export.coq.values import value
 
 
 class Sign(NamedTuple):
@@ -22,30 +25,35 @@ class Sign(NamedTuple):
 class Signs(Assumptions):
     """Signs from what is known."""
 
-    def sign(self, term: Any) -> Sign | None:
+    def sign(self, term: Term) -> Sign | None:
         """A proof that a term is manifestly positive or not negative, found as the checker finds it."""
         match term:
             case int():
                 if term < 0:
                     return None
                 return Sign(2, f"(num_pos {term})") if term else Sign(1, "(Rle_refl 0)")
-            case "pi":
+            case Value(tag="pi"):
                 return Sign(2, "PI_RGT_0")
-            case ["+", *parts]:
+            case Value(tag="+", terms=parts):
                 found = self._of_sum(parts)
-            case ["*", *parts]:
+            case Value(tag="*", terms=parts):
                 found = self._of_product(term, parts)
-            case ["/", top, bottom]:
+            case Value(tag="/", terms=(top, bottom)):
                 found = self._of_quotient(top, bottom)
-            case ["^", base, int(n)] if n > 0:
+            case Value(tag="^", terms=(base, int(n))) if n > 0:
                 found = self._of_power(base, n)
-            case ["sqrt", number] if is_number(number) and isinstance(number, int) and number > 0:
+            case Value(tag="sqrt", terms=(int(number),)) if number > 0:
                 return Sign(2, f"(sqrt_lt_R0 _ (num_pos {number}))")
             case _:
                 found = None
         return found or self._known(term)
 
-    def _of_sum(self, parts: list[Any]) -> Sign | None:
+    def positive(self, term: Term) -> str | None:
+        """A proof term of 0 < t, if that is manifest."""
+        found = self.sign(term)
+        return found.proof if found and found.level == 2 else None
+
+    def _of_sum(self, parts: Sequence[Term]) -> Sign | None:
         found: Sign | None = None
         for k, part in enumerate(parts):
             other = self.sign(part)
@@ -58,10 +66,10 @@ class Signs(Assumptions):
                 found = Sign(max(found.level, other.level), f"(add_{kind} {found.proof} {other.proof})")
         return found
 
-    def _of_product(self, term: Any, parts: list[Any]) -> Sign | None:
+    def _of_product(self, term: Term, parts: Sequence[Term]) -> Sign | None:
         single = [t for k, t in enumerate(parts) if parts.count(t) % 2 and t not in parts[:k]]
         distinct = [t for k, t in enumerate(parts) if t not in parts[:k]]
-        squares = [["^", t, 2] for t in distinct for _ in range(parts.count(t) // 2)]
+        squares: list[Term] = [node("^", t, 2) for t in distinct for _ in range(parts.count(t) // 2)]
         arranged = [*squares, *single] if squares else parts
         found: Sign | None = None
         for part in arranged:
@@ -77,35 +85,36 @@ class Signs(Assumptions):
         if found is None or not squares:
             return found
         kind = "eq_pos" if found.level == 2 else "eq_nn"
-        relation = ["<" if found.level == 2 else "<=", 0, term]
+        relation = node("<" if found.level == 2 else "<=", 0, term)
         return Sign(found.level, self.prove_aside(relation, "s", f"refine ({kind} {found.proof} _); ring"))
 
-    def _of_quotient(self, top: Any, bottom: Any) -> Sign | None:
+    def _of_quotient(self, top: Term, bottom: Term) -> Sign | None:
         above, below = self.sign(top), self.sign(bottom)
         if above is None or below is None:
             return None
-        if above.level == 2 and below.level == 1 and self.text(bottom) in self.nonzero:
-            below = Sign(2, f"(nz_pos {below.proof} {self.nonzero[self.text(bottom)][0]})")
+        if above.level == 2 and below.level == 1 and spelled(bottom) in self.nonzero:
+            below = Sign(2, f"(nz_pos {below.proof} {self.nonzero[spelled(bottom)][0]})")
         if above.level == below.level == 2:
             return Sign(2, f"(div_pp {above.proof} {below.proof})")
         return Sign(1, f"(div_nn {above.weak} {below.weak})")
 
-    def _of_power(self, base: Any, n: int) -> Sign | None:
+    def _of_power(self, base: Term, n: int) -> Sign | None:
         found = self.sign(base)
         if found is not None:
             kind = "pow_pp" if found.level == 2 else "pow_nn"
             return Sign(found.level, f"({kind} {n} {found.proof})")
-        return Sign(1, f"(pow_even ({self.text(base)}) {n} eq_refl)") if n % 2 == 0 else None
+        return Sign(1, f"(pow_even ({spelled(base)}) {n} eq_refl)") if n % 2 == 0 else None
 
-    def _known(self, term: Any) -> Sign | None:
-        value = self.values.value(term)
-        for known in self.state.values():
-            if known.sign not in (">", ">=") or self.values.value(difference(known)) != value:
+    def _known(self, term: Term) -> Sign | None:
+        wanted = value(term)
+        for known in self.facts(">", ">="):
+            if value(known.difference) != wanted:
                 continue
             level = 3 - len(known.sign)
-            if known.small == 0 and self.text(known.great) == self.text(term):
+            great, small = known.sides
+            if small == 0 and spelled(great) == spelled(term):
                 return Sign(level, known.hypothesis)
             lemma, gap = ("eq_pos", "lt_pos") if level == 2 else ("eq_nn", "le_nn")
             by = f"refine ({lemma} ({gap} {known.hypothesis}) _); {self.algebra}"
-            return Sign(level, self.prove_aside(["<" if level == 2 else "<=", 0, term], "s", by))
+            return Sign(level, self.prove_aside(node("<" if level == 2 else "<=", 0, term), "s", by))
         return None

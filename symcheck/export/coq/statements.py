@@ -2,25 +2,28 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Set
 from dataclasses import dataclass
 from itertools import groupby
-from typing import Any
 
-from symcheck.export.coq.printing import name, printed
+from symcheck.checker.rules import Reference
+from symcheck.core.calculus import differentiated
+from symcheck.core.terms import Binder, Call, Formula, Relation, Term, node
+from symcheck.export.coq.printing import IMPLIES, name, printed
 from symcheck.export.coq.terms import (
+    Certificate,
     Definitions,
     NotExported,
     denominators,
-    functions,
+    in_order,
     is_number,
-    letters,
+    nodes,
     subterms,
 )
-from symcheck.export.coq.values import Values
-from symcheck.proof.theorems import Terms
+from symcheck.export.coq.values import ratio
 
 WIDTH = 118
+Hypotheses = tuple[tuple[Reference, Formula], ...]
 
 
 @dataclass(frozen=True)
@@ -29,18 +32,18 @@ class Statement:
 
     variables: tuple[str, ...]
     defined: tuple[str, ...]  # those of the variables that stand for something, in an order to unfold them
-    hypotheses: tuple[tuple[Any, Any], ...]  # reference, formula
-    premises: tuple[Any, ...]  # denominators about which no hypothesis speaks
-    conclusion: Any
+    hypotheses: Hypotheses
+    premises: tuple[Term, ...]  # denominators about which no hypothesis speaks
+    conclusion: Formula
     definitions: Definitions
 
     @property
     def functions(self) -> dict[str, int]:
         """The unknown functions, with the numbers of their arguments."""
         terms = [self.definitions.terms[x] for x in self.defined]
-        said = [*terms, *(f for _, f in self.hypotheses), *self.premises, self.conclusion]
-        met = [*dict.fromkeys(functions(said))]
-        found = dict(met)
+        said = [*terms, *(formula for _, formula in self.hypotheses), *self.premises, self.conclusion]
+        met = dict.fromkeys((each.function, len(each.terms)) for each in nodes(*said) if isinstance(each, Call))
+        found = dict(met.keys())
         if len(found) < len(met) or found.keys() & {*self.variables}:
             raise NotExported("an unknown function has the name of a letter, or two numbers of arguments")
         return found
@@ -50,21 +53,40 @@ class Statement:
         """All that the statement is about, by its names in Coq."""
         return [name(x) for x in (*self.functions, *self.variables)]
 
+    @property
+    def equations(self) -> list[Formula]:
+        """What defined letters stand for."""
+        return [node("=", x, self.definitions.terms[x]) for x in self.defined]
+
+    @property
+    def divided(self) -> list[Formula]:
+        """That the denominators are not zero."""
+        return [node("!=", divisor, 0) for divisor in self.premises]
+
+    def resting_on(self, references: Set[Reference]) -> Statement:
+        """The statement under some of its hypotheses alone."""
+        kept = tuple(each for each in self.hypotheses if each[0] in references)
+        return stated(self.definitions, kept, self.conclusion, bool(self.premises))
+
     def text(self) -> str:
         """As Coq reads it."""
-        shown = self.definitions.readable
-        lines = [f"{name(x)} = {printed(shown(self.definitions.terms[x]), 70)} ->" for x in self.defined]
+        lines = [f"{premise(each)} ->" for each in self.equations]
         for label, group in groupby(self.hypotheses, key=lambda hypothesis: hypothesis[0][1]):
-            lines += [f"(* {label} *)", *(f"{printed(shown(formula), 98)} ->" for _, formula in group)]
+            lines += [f"(* {label} *)", *(f"{premise(formula)} ->" for _, formula in group)]
         lines += ["(* where it is divided by *)"] * bool(self.premises)
-        lines += [f"{printed(shown(divisor), 70)} <> 0 ->" for divisor in self.premises]
-        lines += [printed(shown(self.conclusion), 99)]
+        lines += [f"{premise(each)} ->" for each in self.divided]
+        lines += [printed(self.conclusion, IMPLIES)]
         bound = [f"({name(f)} : {'R -> ' * arity}R)" for f, arity in self.functions.items()]
         shown_letters = " ".join(map(name, self.variables))
         if shown_letters:
             bound.append(f"({shown_letters} : R)" if bound else f"{shown_letters} : R")
         head = [f"forall {' '.join(bound)},"] if bound else []
         return "\n".join(f"  {piece}" for line in [*head, *lines] for piece in folded(line))
+
+
+def premise(formula: Formula) -> str:
+    """What stands before an arrow."""
+    return printed(formula, IMPLIES - 1)
 
 
 def folded(line: str) -> Iterable[str]:
@@ -75,60 +97,58 @@ def folded(line: str) -> Iterable[str]:
     yield line
 
 
-def statement(certificate: Any) -> Statement:
-    """What a certificate of a proof states."""
-    definitions = Definitions(certificate["definitions"])
+def statement(certificate: Certificate) -> Statement:
+    """What a certificate of a proof states; what is defined in its lemmas alone stays a letter."""
+    free = {x for x, term in certificate["proof"].get("atoms", {}).items() if x == term}
+    definitions = Definitions([(name, term) for name, term in certificate["definitions"] if name not in free])
     hypotheses = tuple(
-        (("hyp", label, k), formula)
+        (("hyp", label, k), definitions.formula(formula))
         for label, formulas in certificate["hypotheses"].items()
         for k, formula in enumerate(formulas)
     )
-    return stated(definitions, hypotheses, certificate["claim"], certificate["proof"])
+    return stated(definitions, hypotheses, claimed(certificate, definitions), bool(certificate.get("nonzero")))
 
 
-def stated(definitions: Definitions, hypotheses: tuple[tuple[Any, Any], ...], claim: Any, proof: Any) -> Statement:
+def claimed(certificate: Certificate, definitions: Definitions) -> Formula:
+    """The claim, or that it follows from the lemmas."""
+    claim = definitions.formula(certificate["claim"])
+    lemmas = [definitions.formula(formula) for _, formula in certificate.get("lemmas", ())]
+    return node("=>", node("and", *lemmas), claim) if lemmas else claim
+
+
+def stated(definitions: Definitions, hypotheses: Hypotheses, claim: Formula, divides: bool = False) -> Statement:
     """The statement with the letters that occur in it, definitions in an order in which each uses earlier ones."""
-    shown = [definitions.readable(f) for f in (claim, *(f for _, f in hypotheses))]
+    shown = [claim, *(formula for _, formula in hypotheses)]
     defined: list[str] = []
 
-    def need(node: Any) -> None:
-        for x in letters(node):
+    def need(*trees: Term) -> None:
+        for x in in_order(*trees):
             if x in definitions.terms and x not in defined:
-                need(definitions.readable(definitions.terms[x]))
+                need(definitions.terms[x])
                 defined.append(x)
 
-    need(["and", *shown])
-    spoken = [*shown, *(definitions.readable(definitions.terms[x]) for x in defined)]
-    premises = tuple(unsettled(definitions, hypotheses, spoken, proof))
-    return Statement(
-        tuple(letters(["and", *spoken, *defined])), tuple(defined), hypotheses, premises, claim, definitions
-    )
+    need(*shown)
+    spoken = [*shown, *(definitions.terms[x] for x in defined)]
+    premises = tuple(unsettled(definitions, hypotheses, spoken)) if divides else ()
+    return Statement(tuple(in_order(*spoken, *defined)), tuple(defined), hypotheses, premises, claim, definitions)
 
 
-def unsettled(definitions: Definitions, hypotheses: Any, spoken: list[Any], proof: Any) -> Iterable[Any]:
-    """The denominators of a statement that the certificate lists as assumed not to vanish."""
-    if not proof.get("nonzero"):
-        return
+def unsettled(definitions: Definitions, hypotheses: Hypotheses, spoken: list[Term]) -> list[Term]:
+    """The denominators of a statement that no hypothesis, and no sign, shows not to vanish."""
     from symcheck.export.coq.script import Script
 
-    values, full = Values(), definitions.unfolded
-    slopes = (full(t) for each in spoken for t in subterms(each) if isinstance(t, list) and t[0] == "diff")
-    spoken = [*spoken, *(Terms({}).derived(*slope[1:]) for slope in slopes)]
-    known = [full(f) for _, f in hypotheses if f[0] in ("!=", "<", ">")]
-    gaps = [["+", left, ["-", right]] for _, left, right in known]
-    found: list[Any] = []
-    probe = Script(Statement((), (), hypotheses, (), ["and"], definitions))
+    full = definitions.unfolded
+    slopes = [full(t) for t in subterms(*spoken) if isinstance(t, Binder) and t.tag == "diff"]
+    probe = Script(Statement((), (), hypotheses, (), node("and"), definitions))
     for reference, formula in hypotheses:
         probe.assume(formula, reference)
-    for divisor in (d for each in spoken for d in denominators(each)):
+    known = [full(f) for _, f in hypotheses if f.tag in ("!=", "<", ">")]
+    gaps = [node("+", f.terms[0], node("-", f.terms[1])) for f in known if isinstance(f, Relation)]
+    found: dict[Term, Term] = {}
+    for divisor in denominators(*spoken, *map(differentiated, slopes)):
         term = full(divisor)
-        if (
-            is_number(term)
-            or any(values.ratio(gap, term) for gap in gaps)
-            or any(values.ratio(full(d), term) for d in found)
-        ):
+        if is_number(term) or any(ratio(each, term) for each in (*gaps, *found.values())):
             continue
-        sign = probe.sign(term)
-        if sign is None or sign.level < 2:
-            found.append(divisor)
-    yield from found
+        if not probe.positive(term):
+            found[divisor] = term
+    return [*found]

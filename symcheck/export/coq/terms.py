@@ -1,138 +1,136 @@
-"""Terms and formulas of certificates, taken apart and put together for Coq: unfolded, substituted, searched."""
+"""Terms and formulas taken apart and put together for Coq: read from certificates, unfolded, searched."""
 
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from fractions import Fraction
+from functools import partial
 from math import lcm
-from typing import Any
+from typing import Any, TypeVar
 
-from symcheck.proof.theorems import BINDING, CONSTANTS, RELATIONS
+from symcheck.core import calculus
+from symcheck.core.calculus import letters
+from symcheck.core.terms import (
+    FORMULAS,
+    JSON,
+    Binder,
+    Call,
+    Field,
+    Formula,
+    Node,
+    Quantified,
+    Reader,
+    Term,
+    Value,
+    node,
+)
 
+Tree = TypeVar("Tree", bound="int | str | Node")  # a term or formula, which stays one after a change
+Proof = dict[str, Any]  # one step of a proof, with the steps above it
+Certificate = dict[str, Any]
 FACTOR = re.compile(r"(\d+)(?:/(\d+))?|([A-Za-z]\w*)(?:\^(\d+))?", re.ASCII)
-FUNCTIONS = ("sin", "cos", "tan", "sqrt", "exp", "log", "pow", "gamma", "arctan", "arcsin", "arccos")
 
 
 class NotExported(Exception):
     """The statement or its proof has no form in Coq here; the message says why."""
 
 
-def rebuilt(node: Any, change: Any) -> Any:
-    """The node with its children changed; names of bound letters and orders are children that stay as they are."""
-    if not isinstance(node, list) or not node:
-        return node
-    match node:
-        case ["diff", body, x, order]:
-            return ["diff", change(body), x, order]
-        case ["mean" | "integral" | "diverges" as kind, body, x, *ends]:
-            return [kind, change(body), x, *map(change, ends)]
-        case ["exists", bound, body]:
-            return ["exists", bound, change(body)]
-        case ["call", function, orders, *arguments]:
-            return ["call", function, orders, *map(change, arguments)]
-        case ["^", base, n]:
-            return ["^", change(base), n]
-    return [node[0], *map(change, node[1:])]
+def rebuilt(tree: Tree, outside: Callable[[Term], Term], inside: Callable[[Term], Term]) -> Tree:
+    """A term or formula with its parts changed: those that stand under a binder, and the others."""
+    if not isinstance(tree, Node):
+        return tree
+    fields: Iterable[Field] = map(outside, tree.outside)
+    match tree:
+        case Call():
+            fields = tree.function, tree.orders, *fields
+        case Binder():
+            fields = inside(tree.body), tree.letter, *fields
+        case Quantified():
+            fields = tree.bound, inside(tree.body)
+    return tuple.__new__(type(tree), (tree.tag, *fields))
 
 
-def substituted(node: Any, values: Mapping[str, Any]) -> Any:
-    """The node with letters replaced by terms, where they are not bound."""
-    if isinstance(node, str):
-        return values.get(node, node)
-    bound = bound_letters(node)
-    inner = {x: v for x, v in values.items() if x not in bound} if bound else values
-    return rebuilt(node, lambda child: substituted(child, inner))
-
-
-def bound_letters(node: Any) -> tuple[str, ...]:
-    """The letters a node binds; a derivative is taken at the letter itself, which so stays free as well."""
-    match node:
-        case ["exists", bound, _]:
-            return tuple(bound)
-        case [kind, _, x, *_] if kind in (*BINDING, "diff"):
-            return (x,)
-    return ()
-
-
-def letters(node: Any) -> list[str]:
+def in_order(*trees: Term) -> list[str]:
     """The free letters in order of appearance."""
-    return list(dict.fromkeys(_letters(node)))
+    return list(dict.fromkeys(x for tree in trees for x in _in_order(tree)))
 
 
-def _letters(node: Any) -> Iterator[str]:
-    match node:
+def _in_order(tree: Term) -> Iterator[str]:
+    match tree:
         case str():
-            if node not in CONSTANTS:
-                yield node
-        case ["exists", bound, body]:
-            yield from (x for x in _letters(body) if x not in bound)
-        case ["diff", body, x, _]:
-            yield from _letters(body)
-            yield x
-        case [kind, body, x, *ends] if kind in BINDING:
-            yield from (y for y in _letters(body) if y != x)
-            for end in ends:
-                yield from _letters(end)
-        case ["^", base, _]:
-            yield from _letters(base)
-        case ["call", _, _, *parts] | [str(), *parts]:
-            for part in parts:
-                yield from _letters(part)
+            yield tree
+        case Node():
+            own = {*tree.bound}.difference(tree.outside)  # a derivative is mostly taken at the letter itself
+            yield from (x for part in tree.inside for x in _in_order(part) if x not in own)
+            yield from (x for part in tree.outside for x in _in_order(part))
 
 
-def functions(node: Any) -> Iterator[tuple[str, int]]:
-    """The unknown functions with the numbers of their arguments, again and again."""
-    if isinstance(node, list):
-        if node[:1] == ["call"]:
-            yield node[1], len(node) - 3
-        for part in node:
-            yield from functions(part)
+def nodes(*trees: Term) -> Iterator[Node]:
+    """All nodes, each before its parts, also those under binders."""
+    for tree in trees:
+        if isinstance(tree, Node):
+            yield tree
+            yield from nodes(*tree.inside, *tree.outside)
+
+
+def subterms(*trees: Term) -> Iterator[Term]:
+    """All terms, inner ones first; not those under a binder of terms, where letters mean something else."""
+    for tree in trees:
+        if isinstance(tree, Node) and not isinstance(tree, Binder):
+            yield from subterms(*tree.inside, *tree.outside)
+        if not (isinstance(tree, Node) and tree.tag in FORMULAS):
+            yield tree
 
 
 class Definitions:
-    """What defined letters stand for, and terms in which they are unfolded."""
+    """What defined letters stand for; terms of a certificate in which they stand, and in which they are unfolded."""
 
-    def __init__(self, pairs: list[Any]) -> None:
-        self.terms: dict[str, Any] = {}
-        for name, term in pairs:
-            self.terms[name] = term
-        self.full: dict[str, Any] = {}
+    def __init__(self, pairs: list[tuple[str, JSON]]) -> None:
+        self.terms: dict[str, Term] = {}  # as they are printed
+        self.full: dict[str, Term] = {}  # over free letters alone
+        for name, data in pairs:
+            self.terms[name] = self.read(data)
+            self.full[name] = self.unfolded(self.terms[name])
 
-    def unfolded(self, node: Any) -> Any:
-        """The node over free letters alone."""
-        if isinstance(node, str):
-            if node not in self.terms:
-                return node
-            if node not in self.full:
-                self.full[node] = self.unfolded(self.terms[node])
-            return self.full[node]
-        return rebuilt(node, self.unfolded)
+    def read(self, data: JSON) -> Term:
+        """A term as it is printed: definitions are unfolded only where they depend on a letter bound around them."""
+        return self._unfolded(Reader().term(data))
 
-    def readable(self, node: Any) -> Any:
-        """The node as it is printed: definitions are unfolded only where they depend on a letter bound around them."""
-        bound = bound_letters(node)
-        if bound:
-            node = rebuilt(node, lambda child: self._over(child, set(bound)))
-        return rebuilt(node, self.readable)
+    def formula(self, data: JSON) -> Formula:
+        """A formula as it is printed."""
+        return self._unfolded(Reader().formula(data))
 
-    def _over(self, node: Any, bound: set[str]) -> Any:
-        if isinstance(node, str):
-            depends = node in self.terms and bound & set(letters(self.unfolded(node)))
-            return self._over(self.terms[node], bound) if depends else node
-        return rebuilt(node, lambda child: self._over(child, bound))
+    def unfolded(self, tree: Tree) -> Tree:
+        """A term or formula over free letters alone."""
+        return self._unfolded(tree, everywhere=True)
+
+    def _unfolded(self, tree: Tree, around: frozenset[str] = frozenset(), everywhere: bool = False) -> Tree:
+        meant = self.full.get(tree) if isinstance(tree, str) and tree not in around else None
+        if meant is not None and everywhere:
+            return meant  # type: ignore[return-value]
+        if meant is not None and around.intersection(letters(meant)):
+            return self._unfolded(self.terms[tree], around)  # type: ignore[return-value, index]
+        own = around.union(tree.bound) if isinstance(tree, Node) else around
+        outside, inside = (partial(self._unfolded, around=each, everywhere=everywhere) for each in (around, own))
+        return rebuilt(tree, outside, inside)
 
 
-def polynomial(text: str, atoms: Mapping[str, Any]) -> tuple[Any, int]:
+def is_number(term: Term) -> bool:
+    """Whether there is no letter in a term, and no pi."""
+    return not letters(term) and all(each.tag != "pi" for each in nodes(term))
+
+
+def polynomial(text: str, atoms: Mapping[str, Term]) -> tuple[Term, int]:
     """A polynomial printed in a certificate, times its common denominator, as a term; and that denominator."""
     read = [_monomial(part, atoms) for part in text.replace(" - ", " + -").split(" + ")]
     scale = lcm(*(coefficient.denominator for coefficient, _ in read))
     terms = [_product(int(coefficient * scale), factors) for coefficient, factors in read]
-    return (terms[0] if len(terms) == 1 else ["+", *terms]), scale
+    return (terms[0] if len(terms) == 1 else node("+", *terms)), scale
 
 
-def _monomial(text: str, atoms: Mapping[str, Any]) -> tuple[Fraction, list[Any]]:
-    coefficient, factors = Fraction(-1 if text.startswith("-") else 1), []
+def _monomial(text: str, atoms: Mapping[str, Term]) -> tuple[Fraction, list[Term]]:
+    coefficient, factors = Fraction(-1 if text.startswith("-") else 1), list[Term]()
     for factor in text.removeprefix("-").split("*"):
         found = FACTOR.fullmatch(factor)
         if not found:
@@ -142,65 +140,82 @@ def _monomial(text: str, atoms: Mapping[str, Any]) -> tuple[Fraction, list[Any]]
             coefficient *= Fraction(int(number), int(below or 1))
         else:
             base = atoms.get(name, name)
-            factors.append(["^", base, int(exponent)] if exponent else base)
+            factors.append(node("^", base, int(exponent)) if exponent else base)
     return coefficient, factors
 
 
-def _product(coefficient: int, factors: list[Any]) -> Any:
+def _product(coefficient: int, factors: list[Term]) -> Term:
     if not factors:
         return coefficient
-    body = factors[0] if len(factors) == 1 else ["*", *factors]
-    if coefficient in (1, -1):
-        return body if coefficient == 1 else ["-", body]
-    product = ["*", abs(coefficient), *factors]
-    return product if coefficient > 0 else ["-", product]
+    body = product([abs(coefficient), *factors])
+    return body if coefficient > 0 else node("-", body)
 
 
-def subterms(node: Any) -> Iterator[Any]:
-    """All terms in a term or formula, inner ones first; not those under a binder, where letters mean something else."""
-    if isinstance(node, list):
-        if node[0] in (*BINDING, "diff"):
-            yield node
-            return
-        start = 2 if node[0] == "exists" else 3 if node[0] == "call" else 1
-        children = node[1:2] if node[0] == "^" else node[start:]
-        for child in children:
-            yield from subterms(child)
-    if not (isinstance(node, list) and node[0] in (*RELATIONS, "and", "or", "=>", "<=>", "exists")):
-        yield node
+def product(terms: list[Term]) -> Term:
+    """The product of terms, without ones."""
+    kept = [t for t in terms if t != 1]
+    return 1 if not kept else kept[0] if len(kept) == 1 else node("*", *kept)
 
 
-def factors(term: Any) -> Iterator[Any]:
+def factors(term: Term) -> Iterator[Term]:
     """The factors of a denominator."""
     match term:
-        case ["*", *parts]:
+        case Value(tag="*" | "/" | "-", terms=parts):
             for part in parts:
                 yield from factors(part)
-        case ["^", base, int(n)] if n > 0:
+        case Value(tag="^", terms=(base, int(n))) if n > 0:
             yield from factors(base)
-        case ["-", inner]:
-            yield from factors(inner)
-        case ["/", top, bottom]:
-            yield from factors(top)
-            yield from factors(bottom)
         case _:
             yield term
 
 
-def denominators(node: Any) -> Iterator[Any]:
-    """The factors of all denominators in a term or formula, inner ones first."""
-    for term in subterms(node):
+def denominators(*trees: Term) -> Iterator[Term]:
+    """The factors of all denominators in terms and formulas, inner ones first."""
+    for term in subterms(*trees):
         match term:
-            case ["/", _, bottom]:
-                yield from factors(bottom)
-            case ["^", base, int(n)] if n < 0:
-                yield from factors(base)
-            case ["tan", angle]:
-                yield ["cos", angle]
-            case ["diff", body, *_]:  # taken at the letter itself
+            case Binder(tag="diff", body=body):  # mostly taken at the letter itself
                 yield from denominators(body)
+            case Node() if (divisor := calculus.divisor(term)) != 1:
+                yield from factors(divisor)
 
 
-def is_number(term: Any) -> bool:
-    """Whether it is made of whole numbers and their roots."""
-    return not letters(term) and "'pi'" not in str([term])
+def fraction(term: Term) -> tuple[Term, list[Term]]:
+    """A term as a numerator over factors of a common denominator, put together like `field` does."""
+    match term:
+        case Value(tag="+", terms=parts):
+            read = [fraction(part) for part in parts]
+            common: list[Term] = []
+            for _, below in read:
+                common += [b for b in dict.fromkeys(below) for _ in range(below.count(b) - common.count(b))]
+            return node("+", *(product([top, *without(common, below)]) for top, below in read)), common
+        case Value(tag="-", terms=(inner,)):
+            top, below = fraction(inner)
+            return node("-", top), below
+        case Value(tag="*", terms=parts):
+            read = [fraction(part) for part in parts]
+            return product([top for top, _ in read]), [b for _, below in read for b in below]
+        case Value(tag="/", terms=(above, bottom)):
+            (top, below), (divisor, lifted) = fraction(above), fraction(bottom)
+            return (term, []) if isinstance(divisor, int) else (product([top, *lifted]), [*below, divisor])
+        case Value(tag="^", terms=(base, int(n))) if n > 0:
+            top, below = fraction(base)
+            return node("^", top, n), below * n
+    return term, []
+
+
+def without(terms: list[Term], taken: list[Term]) -> list[Term]:
+    """The terms less some of them, each once."""
+    left = list(terms)
+    for t in taken:
+        left.remove(t)
+    return left
+
+
+def without_tangents(tree: Tree) -> Tree:
+    """tan x = sin x / cos x, as Coq defines it."""
+    term: Term = tree
+    if isinstance(term, Value) and term.tag == "tan":
+        angle = without_tangents(term.terms[0])
+        return node("/", node("sin", angle), node("cos", angle))  # type: ignore[return-value]
+    change: Callable[[Term], Term] = without_tangents
+    return rebuilt(tree, change, change)

@@ -4,13 +4,13 @@ a case."""
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from fractions import Fraction
-from typing import Any
 
+from symcheck.core.calculus import letters, substituted
+from symcheck.core.terms import Reader, Term, Value, node
 from symcheck.export.coq.claims import Exported
-from symcheck.export.coq.printing import name, spelled
+from symcheck.export.coq.printing import ATOM, name, spelled
 from symcheck.export.coq.statements import Statement
-from symcheck.export.coq.terms import letters, substituted
+from symcheck.export.coq.values import number, quotient, value
 
 HEAD = """Require Import Reals Lra.
 From Coquelicot Require Import Coquelicot.
@@ -42,20 +42,20 @@ def witnesses(found: Sequence[Exported]) -> tuple[str, dict[str, str]]:
 
 def needed(statement: Statement) -> list[str]:
     """The letters of the hypotheses, and of the definitions behind them."""
-    kept = set(letters(["and", *(f for _, f in statement.hypotheses), *statement.premises]))
+    kept = letters(node("and", *(formula for _, formula in statement.hypotheses), *statement.divided))
     for x in reversed(statement.defined):
         if x in kept:
-            kept |= set(letters(statement.definitions.readable(statement.definitions.terms[x])))
+            kept |= letters(statement.definitions.terms[x])
     return [x for x in statement.variables if x in kept]
 
 
 def satisfiable(statement: Statement) -> str:
     """exists letters, definitions and hypotheses."""
-    kept, shown = needed(statement), statement.definitions.readable
-    parts: list[Any] = [["=", x, shown(statement.definitions.terms[x])] for x in statement.defined if x in kept]
-    parts += [shown(f) for _, f in statement.hypotheses] + [["!=", shown(d), 0] for d in statement.premises]
+    kept = needed(statement)
+    parts = [equation for x, equation in zip(statement.defined, statement.equations, strict=True) if x in kept]
+    parts += [formula for _, formula in statement.hypotheses] + statement.divided
     head = f"exists {' '.join(map(name, sorted(kept)))} : R,\n  " if kept else ""
-    return f"  {head}{spelled(['and', *parts])}"
+    return f"  {head}{spelled(node('and', *parts))}"
 
 
 def proofs(each: Exported) -> Iterator[str]:
@@ -64,36 +64,37 @@ def proofs(each: Exported) -> Iterator[str]:
     assert statement is not None
     if statement.functions:
         return
-    kept = needed(statement)
     for point in each.certificate.get("witnesses", ()):
-        values = coordinates(point["values"])
-        angles = [x for x in kept if {f"sin_{x}", f"cos_{x}"} <= values.keys()]
-        terms = {x: x if x in angles else substituted(statement.definitions.unfolded(x), values) for x in kept}
-        if set(letters(["+", *terms.values()])) <= {*angles}:
-            yield script(terms, [(x, values[f"sin_{x}"], values[f"cos_{x}"]) for x in angles])
+        values = {x: Reader().term(data) for x, data in point["values"].items()}
+        angles = {x: circular for x, number in values.items() if (circular := circle(number))}
+        values |= {x: x for x in angles}
+        terms = {x: substituted(statement.definitions.unfolded(x), values) for x in needed(statement)}
+        if letters(node("+", *terms.values())) <= angles.keys():
+            yield script(terms, {x: angles[x] for x in terms if x in angles})
 
 
-def script(terms: Mapping[str, Any], angles: Sequence[tuple[str, Any, Any]]) -> str:
+def circle(angle: Term) -> tuple[Term, Term] | None:
+    """Sine and cosine of an angle that is given by the tangent of its half."""
+    match angle:
+        case Value(tag="pi"):
+            return 0, -1
+        case Value(tag="*", terms=(2, Value(tag="arctan", terms=(half,)))):
+            sine, cosine = (number(value(node(function, angle))) for function in ("sin", "cos"))
+            if sine is not None and cosine is not None:
+                return quotient(sine), quotient(cosine)
+            match half:
+                case Value(tag="/", terms=(s, Value(tag="+", terms=(1, c)))):
+                    return s, c
+    return None
+
+
+def script(terms: Mapping[str, Term], angles: Mapping[str, tuple[Term, Term]]) -> str:
     """Letters by their terms; angles by their sines and cosines."""
     lines = [
-        f"destruct (angle_of {spelled(sine, 0)} {spelled(cosine, 0)} ltac:(concrete)) as [{name(x)} [s_{x}' c_{x}']]."
-        for x, sine, cosine in angles
+        f"destruct (angle_of {spelled(sine, ATOM)} {spelled(cosine, ATOM)} ltac:(concrete))"
+        f" as [{name(x)} [s_{x}' c_{x}']]."
+        for x, (sine, cosine) in angles.items()
     ]
-    lines += [f"exists {spelled(term, 0)}." for _, term in sorted(terms.items())]
-    rewrites = [f"rewrite ?sin_2a, ?cos_2a, ?s_{x}', ?c_{x}'" for x, _, _ in angles]
+    lines += [f"exists {spelled(term, ATOM)}." for _, term in sorted(terms.items())]
+    rewrites = [f"rewrite ?sin_2a, ?cos_2a, ?s_{x}', ?c_{x}'" for x in angles]
     return "\n".join([*lines, "; ".join(["repeat split", *rewrites, "concrete"]) + "."])
-
-
-def coordinates(found: Mapping[str, Any]) -> dict[str, Any]:
-    """The values at a point as terms; one may be given by others."""
-    values = {x: number(value) if isinstance(value, str) else value for x, value in found.items()}
-    for _ in values:
-        values = {x: substituted(value, values) for x, value in values.items()}
-    return values
-
-
-def number(text: str) -> Any:
-    """A rational number such as "-2/7" as a term."""
-    value = Fraction(text)
-    top: Any = value.numerator if value >= 0 else ["-", -value.numerator]
-    return top if value.denominator == 1 else ["/", top, value.denominator]
