@@ -91,7 +91,7 @@ class Pool:
         from multiprocessing import forkserver, resource_tracker
 
         context = get_context("forkserver")
-        context.set_forkserver_preload(list(self.preload))
+        context.set_forkserver_preload(["symcheck.evidence.worker", *self.preload])
         resource_tracker.ensure_running()  # before the server: to start it lets interrupts through
         with withheld():
             forkserver.ensure_running()

@@ -156,7 +156,7 @@ async function download(id) {
   const own = proofs.filter((proof) => proof.of === id).map((proof) => proof.certificate);
   const wanted = new Set(own.flatMap((certificate) => (certificate.lemmas ?? []).map(([name]) => name)));
   const lemmas = proofs.map((proof) => proof.certificate).filter((each) => wanted.has(each.id) && !own.includes(each));
-  const url = URL.createObjectURL(new Blob([JSON.stringify({schema: 2, paper, certificates: [...own, ...lemmas]})], {type: "application/json"}));
+  const url = URL.createObjectURL(new Blob([JSON.stringify({schema: 3, paper, certificates: [...own, ...lemmas]})], {type: "application/json"}));
   made("a", {href: url, download: `${id.replace(":", "-")}.json`}).click();
   setTimeout(() => URL.revokeObjectURL(url), 10000);
 }
