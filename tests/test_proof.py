@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 from dataclasses import replace
+from itertools import combinations
 from typing import Any
 
 import pytest
@@ -17,7 +18,7 @@ from symcheck.core.terms import node
 from symcheck.evidence.checked import reason
 from symcheck.evidence.steps import term
 from symcheck.proof import cases, certificate, equivalent, existence, identity, nonnegative
-from symcheck.proof.groebner import Basis, is_basis
+from symcheck.proof.groebner import Basis, lcm
 from symcheck.proof.ideal import Ideal
 from symcheck.proof.knowledge import ring_of, starting
 from symcheck.proof.orders import positive_form
@@ -206,6 +207,20 @@ def test_cofactors_lead_back_to_the_given_relations() -> None:
         assert cofactors is not None
         facts = {str(ref): poly for ref, poly in known.facts}
         assert sum((q * facts[str(ref)] for ref, q in cofactors), ring.number(0)) == goal
+
+
+def is_basis(basis: Basis) -> bool:
+    """Whether all S-polynomials of the basis reduce to zero."""
+    for i, j in combinations(basis.active, 2):
+        a, b = basis.nodes[i], basis.nodes[j]
+        common = lcm(a.lead, b.lead)
+        context: Any = a.poly.context()
+        left, right = (
+            context.from_dict({tuple(c - e for c, e in zip(common, n.lead, strict=True)): 1}) for n in (a, b)
+        )
+        if basis.reduce(left * a.poly - right * b.poly)[0] != 0:
+            return False
+    return True
 
 
 def test_a_groebner_basis_is_one_and_an_extended_ideal_has_the_same_members() -> None:

@@ -1,6 +1,6 @@
 """Angles compared with multiples of pi and with arctan, arcsin, arccos: what that says of their sines, and back.
 
-A comparison such as a < arctan t has a theorem (`symcheck/theorems.py`) that makes it one of sin a with t cos a.
+A theorem of `symcheck/checker/theorems.py` turns a comparison such as a < arctan t into one of sin a with t cos a.
 What is left is algebra: orders by `farkas`, equations by squares or by ideals.
 """
 

@@ -1,7 +1,7 @@
 """Which theorems speak of a function: roots, powers, gamma functions, means and integrals.
 
 A function stands in the ring as one variable, an *atom* (`polynomial.atom`). What is known of it is said by theorems
-that the checker knows (`symcheck/theorems.py`); `theorem_search.py` proves their premises.
+that the checker knows (`symcheck/checker/theorems.py`); `theorem_search.py` proves their premises.
 """
 
 from __future__ import annotations

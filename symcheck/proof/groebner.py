@@ -10,7 +10,6 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field
 from heapq import heappop, heappush
 from itertools import combinations
-from typing import Any
 
 from symcheck.proof.polynomial import Poly
 
@@ -181,17 +180,3 @@ def components(polys: Sequence[Poly]) -> list[list[int]]:
         members = sorted([i for g in touching for i in g[1]] + [index])
         groups.append((support.union(*(g[0] for g in touching)), members))
     return [members for _, members in groups]
-
-
-def is_basis(basis: Basis) -> bool:
-    """Whether all S-polynomials of the basis reduce to zero (a slow check, for tests)."""
-    for i, j in combinations(basis.active, 2):
-        a, b = basis.nodes[i], basis.nodes[j]
-        common = lcm(a.lead, b.lead)
-        context: Any = a.poly.context()
-        left, right = (
-            context.from_dict({tuple(c - e for c, e in zip(common, n.lead, strict=True)): 1}) for n in (a, b)
-        )
-        if basis.reduce(left * a.poly - right * b.poly)[0] != 0:
-            return False
-    return True

@@ -62,11 +62,6 @@ def implications(claim: Formula) -> list[Formula]:
     return found
 
 
-def find_witness(problem: Problem, nonzero: Sequence[Term] = (), prove: Prover = lambda _: None) -> Certificate | None:
-    """The same where one point will do for all implications of the claim."""
-    return _witness(problem, nonzero, implications(problem.claim), prove)
-
-
 def find_witnesses(
     problem: Problem, nonzero: Sequence[Term] = (), prove: Prover = lambda _: None
 ) -> list[Certificate] | None:

@@ -28,12 +28,6 @@ def holds(evidence: Certificate, beside: Sequence[Certificate] = ()) -> bool:
     return reasons([evidence, *beside])[0] is None
 
 
-def all_hold(evidence: Iterable[Certificate], beside: Sequence[Certificate] = ()) -> bool:
-    """Whether there are certificates, and the checker accepts them all."""
-    found = list(evidence)
-    return bool(found) and not any(reasons([*found, *beside])[: len(found)])
-
-
 def told_of(context: Context, unit: Unit, finding: Finding) -> Verdict:
     """What the ledger tells of a finding: its verdict, if the checker accepts the certificates of it."""
     if finding.verdict is Verdict.UNDECIDED:
