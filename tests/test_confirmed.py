@@ -15,12 +15,13 @@ import stand_in
 from click.testing import Result
 
 from symcheck import kernels, papers
-from symcheck.evidence import confirmed, store
-from symcheck.evidence.store import COQ
-from symcheck.numeric import pictures
-from symcheck.report import sources
-from symcheck.report.packing import unpacked
-from symcheck.statement import SymcheckError, Verdict
+from symcheck.coq import confirmed
+from symcheck.core.verdicts import SymcheckError, Verdict
+from symcheck.ledger import store
+from symcheck.ledger.store import COQ
+from symcheck.views import pictures
+from symcheck.views.page import sources
+from symcheck.views.page.packing import unpacked
 
 Run = Callable[..., Result]
 RIGHT, WRONG = (record for number in ("1.1", "1.3") for record in stand_in.decide(f"toy:{number}"))

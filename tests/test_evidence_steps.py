@@ -7,7 +7,7 @@ from typing import Any
 import pytest
 
 from symcheck.core.terms import node
-from symcheck.evidence import steps
+from symcheck.views import steps
 
 TERMS: list[tuple[Any, str]] = [
     (["+", "a", ["-", "b"], "c"], "a - b + c"),

@@ -10,9 +10,9 @@ import pytest
 import stand_in
 
 from symcheck import papers
-from symcheck.evidence import store
-from symcheck.evidence.record import Record
-from symcheck.statement import SymcheckError, Verdict
+from symcheck.core.verdicts import SymcheckError, Verdict
+from symcheck.ledger import store
+from symcheck.ledger.record import Record
 
 RECORDS = [record for number in stand_in.NUMBERS for record in stand_in.decide(f"toy:{number}")]
 EXPECTED = {record.id: record.verdict for record in RECORDS}

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from symcheck.lazy import lazy
+from symcheck.core.lazy import lazy
 
 sp = lazy("sympy")
 

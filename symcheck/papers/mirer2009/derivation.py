@@ -9,7 +9,7 @@ from __future__ import annotations
 from functools import cache
 from typing import Any
 
-from symcheck.lazy import lazy
+from symcheck.core.lazy import lazy
 from symcheck.mechanics import inertia, rotation
 
 sp = lazy("sympy")
