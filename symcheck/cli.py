@@ -251,6 +251,7 @@ def generate(only_check: bool, name: str, output: Path | None, how: How) -> None
     """
     from symcheck import kernels, papers
     from symcheck.audit import kernels as writing
+    from symcheck.audit import outputs
     from symcheck.coq import confirmed
     from symcheck.kernels.codegen.target import target
     from symcheck.ledger import selftested, store
@@ -263,7 +264,7 @@ def generate(only_check: bool, name: str, output: Path | None, how: How) -> None
     made = {key: writing.made(paper, records) for key, paper in papers.load().items()}
     texts = {key: (files(key, of_paper) if of_paper else {}, proofs) for key, (of_paper, proofs) in made.items()}
     if checked_in:
-        contents = store.files(records, texts) | confirmed.files(folder, records) | selftested.files(folder)
+        contents = outputs.files(records, texts) | confirmed.files(folder, records) | selftested.files(folder)
     else:
         contents = {file: text.encode() for of_paper, _ in texts.values() for file, text in of_paper.items()}
     differing = store.differences(folder, contents, alone=checked_in)

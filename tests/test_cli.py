@@ -11,7 +11,7 @@ import stand_in
 from click.testing import Result
 
 from symcheck.cli import cli
-from symcheck.coq.confirmed import digest_of
+from symcheck.ledger.digests import digest_of
 from symcheck.ledger.record import Record
 
 Run = Callable[..., Result]

@@ -18,6 +18,7 @@ from symcheck import kernels, papers
 from symcheck.coq import confirmed
 from symcheck.core.verdicts import SymcheckError, Verdict
 from symcheck.ledger import store
+from symcheck.ledger.digests import digest, digest_of
 from symcheck.ledger.store import COQ
 from symcheck.views import pictures
 from symcheck.views.page import sources
@@ -25,7 +26,7 @@ from symcheck.views.page.packing import unpacked
 
 Run = Callable[..., Result]
 RIGHT, WRONG = (record for number in ("1.1", "1.3") for record in stand_in.decide(f"toy:{number}"))
-D1, D3C = (confirmed.digest([confirmed.digest_of(each)]) for each in (stand_in.CERTIFICATE, stand_in.CORRECTED))
+D1, D3C = (digest([digest_of(each)]) for each in (stand_in.CERTIFICATE, stand_in.CORRECTED))
 STATES = {
     "confirmed": ("", "yes"),
     "not confirmed": ("no integral", "no: no integral"),

@@ -22,7 +22,7 @@ from symcheck.coq.files import files
 from symcheck.coq.printing import printed
 from symcheck.coq.reader import CLAIM, Reader, claims
 from symcheck.coq.script import Script
-from symcheck.coq.statements import statement as stated
+from symcheck.coq.stated import statement as stated
 from symcheck.coq.terms import NotExported, polynomial
 from symcheck.coq.theorems import CONGRUENCE, UNSTATED, identifier, statement
 from symcheck.coq.witnesses import HEAD, NONE, circle, witnesses

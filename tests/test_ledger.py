@@ -18,8 +18,8 @@ from symcheck.audit.obligation import DECIDED, expand
 from symcheck.checker import check_all
 from symcheck.checker.__main__ import main
 from symcheck.core.verdicts import Loss, Origin, Reading, Role, SymcheckError, Verdict
+from symcheck.ledger.digests import line
 from symcheck.ledger.record import Record
-from symcheck.ledger.store import line
 from symcheck.selftest.statements import unguarded
 from symcheck.views.faults import without
 

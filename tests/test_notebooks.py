@@ -15,11 +15,12 @@ from nbformat.v4 import new_code_cell, new_notebook, new_output
 
 from symcheck.cli import cli
 from symcheck.core.verdicts import SymcheckError, Verdict
+from symcheck.core.words import term
 from symcheck.papers import load
 from symcheck.views.notebook import committed, compare, counterexample, letters, records, relations, rules, show, source
 from symcheck.views.notebook.execute import in_kernel, in_process
 from symcheck.views.notebook.shown import Heading, Math, Prose, Shown, Table
-from symcheck.views.steps import compared, term
+from symcheck.views.steps import compared
 
 NAMES = committed.names()
 PAPERS = {name.partition("_")[2]: name for name in NAMES if name.partition("_")[2] in load()}

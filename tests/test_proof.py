@@ -18,6 +18,7 @@ from symcheck.checker.rules import Prover
 from symcheck.core.claims import Method, Problem
 from symcheck.core.terms import node
 from symcheck.core.verdicts import Certificate, Verdict
+from symcheck.core.words import term
 from symcheck.proof import cases, certificate, equivalent, existence, identity, nonnegative
 from symcheck.proof.groebner import Basis, lcm
 from symcheck.proof.ideal import Ideal
@@ -26,7 +27,6 @@ from symcheck.proof.orders import positive_form
 from symcheck.proof.polynomial import Ring, Unsupported, square_free
 from symcheck.proof.pruning import without
 from symcheck.selftest.methods import SABOTEURS
-from symcheck.views.steps import term
 
 BY_ID = {problem.id: problem for problem in (*TRUE, *FALSE)}
 METHODS = (identity, nonnegative(), cases(), existence())

@@ -9,7 +9,7 @@ from __future__ import annotations
 import json
 import os
 import sys
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, replace
 from types import MappingProxyType
@@ -17,6 +17,8 @@ from typing import TYPE_CHECKING, Any
 
 from symcheck.checker import check_all
 from symcheck.core.verdicts import Certificate, Loss, Reading, Verdict
+from symcheck.ledger.certificates import certificates
+from symcheck.ledger.certificates import of_need as _of_need
 from symcheck.ledger.record import Record
 
 if TYPE_CHECKING:
@@ -72,22 +74,6 @@ def _with_lemmas(part: Sequence[Certificate], every: Sequence[Certificate]) -> l
 def _send(sender: Connection, certificates: Sequence[Certificate]) -> None:
     with suppress(KeyboardInterrupt, BrokenPipeError):
         sender.send(reasons(certificates))
-
-
-def certificates(record: Record) -> Iterator[Certificate]:
-    """Every certificate a record rests on: its own, those of what it should be, those of hypotheses left out."""
-    yield from record.certificates
-    yield from (record.erratum or {}).get("certificates") or ()
-    for hypothesis in record.hypotheses:
-        yield from _of_need(hypothesis)
-
-
-def _of_need(hypothesis: Mapping[str, Any]) -> Iterator[Certificate]:
-    """What shows that a hypothesis is needed, or the proofs that do without it."""
-    counterexample = hypothesis.get("counterexample")
-    if isinstance(counterexample, dict) and "claim" in counterexample:
-        yield counterexample
-    yield from hypothesis.get("proofs") or ()
 
 
 Rows = Mapping[str, tuple[Record, ...]]  # by declaration

@@ -10,7 +10,6 @@ from importlib.util import find_spec
 from string import ascii_lowercase
 
 from symcheck.audit.checked import NOT_ACCEPTED, reasons
-from symcheck.coq.confirmed import digest_of
 from symcheck.core.claims import Paper, Problem
 from symcheck.core.formulas import conjuncts
 from symcheck.core.terms import node
@@ -18,6 +17,7 @@ from symcheck.core.verdicts import Certificate, SymcheckError, Verdict
 from symcheck.kernels.codegen.kernel import Kernel
 from symcheck.kernels.codegen.program import Program, compiled
 from symcheck.kernels.codegen.target import Made
+from symcheck.ledger.digests import digest_of
 from symcheck.ledger.record import Record
 from symcheck.proof import certificate, identity
 from symcheck.reading import from_sympy, lower, read

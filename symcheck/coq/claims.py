@@ -8,12 +8,14 @@ from dataclasses import dataclass, field
 
 from symcheck.checker.residues import Reject
 from symcheck.coq.composed import composition
-from symcheck.coq.confirmed import asked, digest_of
+from symcheck.coq.confirmed import asked
 from symcheck.coq.script import Script
-from symcheck.coq.statements import Statement, statement
+from symcheck.coq.stated import resting_on, statement
+from symcheck.coq.statements import Statement
 from symcheck.coq.terms import Certificate, NotExported
 from symcheck.core.calculus import Unknown
 from symcheck.core.terms import Malformed
+from symcheck.ledger.digests import digest_of
 from symcheck.ledger.record import Record
 
 
@@ -61,7 +63,7 @@ def _write(each: Exported, by_id: Mapping[str, list[Exported]]) -> None:
     script = Script(own)
     each.script = script.write(certificate)
     if lemmas := certificate.get("lemmas"):
-        step = own.resting_on(script.rests_on())
+        step = resting_on(own, script.rests_on())
         name = f"step_{each.name}"
         each.step = f"Lemma {name} :\n{step.text()}.\nProof.\n{Script(step).write(certificate)}\nQed."
         earlier = [lemma for id in dict.fromkeys(id for id, _ in lemmas) for lemma in by_id.get(id, ())]

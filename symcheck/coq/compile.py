@@ -23,6 +23,7 @@ from typing import Any
 from symcheck import kernels
 from symcheck.coq import confirmed
 from symcheck.coq.confirmed import Outcome
+from symcheck.ledger.digests import digest
 
 OURS = ("Symcheck.v", "Digits.v", "Theorems.v")
 MANIFEST = "manifest.json"
@@ -124,7 +125,7 @@ def needed(folder: Path, file: str) -> set[str]:
 def _outcome(entry: Mapping[str, Any], paper: str, failed: Mapping[str, str]) -> Outcome:
     broken = [failed[name] for name in entry["claims"] if name in failed]
     broken += [reason for file, reason in failed.items() if file.startswith(f"{paper}/") or file in OURS]
-    return confirmed.digest(entry["certificates"]), "; ".join(dict.fromkeys([*entry["reasons"], *broken]))
+    return digest(entry["certificates"]), "; ".join(dict.fromkeys([*entry["reasons"], *broken]))
 
 
 def summary(outcomes: Mapping[str, Outcome]) -> Iterator[str]:

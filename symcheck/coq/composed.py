@@ -8,7 +8,8 @@ from functools import reduce
 from typing import TYPE_CHECKING
 
 from symcheck.coq.assumptions import pattern
-from symcheck.coq.statements import Statement, premise, stated
+from symcheck.coq.stated import stated
+from symcheck.coq.statements import Statement, premise
 from symcheck.coq.terms import Certificate, Definitions, NotExported, nodes
 from symcheck.core.formulas import conjuncts
 from symcheck.core.terms import Connective, Formula, node

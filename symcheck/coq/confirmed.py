@@ -14,8 +14,9 @@ from pathlib import Path
 from symcheck import kernels
 from symcheck.core.files import put
 from symcheck.core.verdicts import Certificate, SymcheckError, Verdict
+from symcheck.ledger.digests import digest, digest_of, line
 from symcheck.ledger.record import Record
-from symcheck.ledger.store import COQ, SCHEMA, document, line, short_digest
+from symcheck.ledger.store import COQ, SCHEMA, document
 
 CONFIRMED, NOT_TRIED = "yes", "not tried"
 Outcome = tuple[str, str]  # the digest of the certificates, and why Coq does not confirm them, or ""
@@ -33,16 +34,6 @@ def asked(record: Record) -> Iterator[tuple[bool, list[Certificate]]]:
 def key(record: Record, corrected: bool) -> str:
     """By which an outcome is found: "paper:number", or "paper:number, corrected"."""
     return f"{record.id}, corrected" if corrected else record.id
-
-
-def digest(digests: Iterable[str]) -> str:
-    """One digest for several."""
-    return short_digest("\n".join(digests))
-
-
-def digest_of(certificate: Certificate) -> str:
-    """The digest of a certificate, its proof included."""
-    return short_digest(line(certificate))
 
 
 def confirmed(record: Record, folder: Path | None = None) -> dict[str, str]:

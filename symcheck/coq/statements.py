@@ -2,16 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Set
+from collections.abc import Iterable
 from dataclasses import dataclass
 from itertools import groupby
 
 from symcheck.checker.rules import Reference
 from symcheck.coq.printing import IMPLIES, name, printed
-from symcheck.coq.terms import Certificate, Definitions, NotExported, denominators, in_order, is_number, nodes, subterms
-from symcheck.coq.values import ratio
-from symcheck.core.calculus import differentiated
-from symcheck.core.terms import Binder, Call, Formula, Relation, Term, node
+from symcheck.coq.terms import Definitions, NotExported, nodes
+from symcheck.core.terms import Call, Formula, Term, node
 
 WIDTH = 118
 Hypotheses = tuple[tuple[Reference, Formula], ...]
@@ -54,11 +52,6 @@ class Statement:
         """That the denominators are not zero."""
         return [node("!=", divisor, 0) for divisor in self.premises]
 
-    def resting_on(self, references: Set[Reference]) -> Statement:
-        """The statement under some of its hypotheses alone."""
-        kept = tuple(each for each in self.hypotheses if each[0] in references)
-        return stated(self.definitions, kept, self.conclusion, bool(self.premises))
-
     def text(self) -> str:
         """As Coq reads it."""
         lines = [f"{premise(each)} ->" for each in self.equations]
@@ -86,60 +79,3 @@ def folded(line: str) -> Iterable[str]:
         yield line[:at]
         line = "  " + line[at + 1 :]
     yield line
-
-
-def statement(certificate: Certificate) -> Statement:
-    """What a certificate of a proof states; what is defined in its lemmas alone stays a letter."""
-    free = {x for x, term in certificate["proof"].get("atoms", {}).items() if x == term}
-    definitions = Definitions([(name, term) for name, term in certificate["definitions"] if name not in free])
-    hypotheses = tuple(
-        (("hyp", label, k), definitions.formula(formula))
-        for label, formulas in certificate["hypotheses"].items()
-        for k, formula in enumerate(formulas)
-    )
-    return stated(definitions, hypotheses, claimed(certificate, definitions), bool(certificate.get("nonzero")))
-
-
-def claimed(certificate: Certificate, definitions: Definitions) -> Formula:
-    """The claim, or that it follows from the lemmas."""
-    claim = definitions.formula(certificate["claim"])
-    lemmas = [definitions.formula(formula) for _, formula in certificate.get("lemmas", ())]
-    return node("=>", node("and", *lemmas), claim) if lemmas else claim
-
-
-def stated(definitions: Definitions, hypotheses: Hypotheses, claim: Formula, divides: bool = False) -> Statement:
-    """The statement with the letters that occur in it, definitions in an order in which each uses earlier ones."""
-    shown = [claim, *(formula for _, formula in hypotheses)]
-    defined: list[str] = []
-
-    def need(*trees: Term) -> None:
-        for x in in_order(*trees):
-            if x in definitions.terms and x not in defined:
-                need(definitions.terms[x])
-                defined.append(x)
-
-    need(*shown)
-    spoken = [*shown, *(definitions.terms[x] for x in defined)]
-    premises = tuple(unsettled(definitions, hypotheses, spoken)) if divides else ()
-    return Statement(tuple(in_order(*spoken, *defined)), tuple(defined), hypotheses, premises, claim, definitions)
-
-
-def unsettled(definitions: Definitions, hypotheses: Hypotheses, spoken: list[Term]) -> list[Term]:
-    """The denominators of a statement that no hypothesis, and no sign, shows not to vanish."""
-    from symcheck.coq.script import Script
-
-    full = definitions.unfolded
-    slopes = [full(t) for t in subterms(*spoken) if isinstance(t, Binder) and t.tag == "diff"]
-    probe = Script(Statement((), (), hypotheses, (), node("and"), definitions))
-    for reference, formula in hypotheses:
-        probe.assume(formula, reference)
-    known = [full(f) for _, f in hypotheses if f.tag in ("!=", "<", ">")]
-    gaps = [node("+", f.terms[0], node("-", f.terms[1])) for f in known if isinstance(f, Relation)]
-    found: dict[Term, Term] = {}
-    for divisor in denominators(*spoken, *map(differentiated, slopes)):
-        term = full(divisor)
-        if is_number(term) or any(ratio(each, term) for each in (*gaps, *found.values())):
-            continue
-        if not probe.positive(term):
-            found[divisor] = term
-    return [*found]

@@ -6,7 +6,7 @@ from collections.abc import Iterable
 from typing import Any
 
 from symcheck.core.verdicts import Certificate, SymcheckError, Verdict
-from symcheck.views.steps import term
+from symcheck.core.words import term
 
 
 def domain(certificates: Iterable[Certificate]) -> dict[str, list[str]]:

@@ -13,13 +13,13 @@ from pathlib import Path
 from typing import Any
 
 from symcheck import kernels
-from symcheck.audit.checked import certificates
-from symcheck.coq.confirmed import digest, digest_of
 from symcheck.core.files import put
 from symcheck.core.verdicts import SymcheckError
 from symcheck.kernels.codegen.target import MARK
+from symcheck.ledger.certificates import certificates
+from symcheck.ledger.digests import digest, digest_of, line, short_digest
 from symcheck.ledger.record import Record
-from symcheck.ledger.store import SCHEMA, SELFTEST, line, short_digest
+from symcheck.ledger.store import SCHEMA, SELFTEST
 
 
 @dataclass(frozen=True)

@@ -10,22 +10,18 @@ from __future__ import annotations
 import json
 from collections.abc import Iterable, Mapping
 from difflib import unified_diff
-from hashlib import sha256
 from pathlib import Path
 from types import MappingProxyType
 from typing import Any
 
-from symcheck import papers
-from symcheck.audit.checked import certificates
 from symcheck.core.files import put as put_file
-from symcheck.core.verdicts import Certificate, SymcheckError, Verdict
+from symcheck.core.verdicts import SymcheckError, Verdict
 from symcheck.kernels.codegen.target import MARK
+from symcheck.ledger.digests import line, short_digest
 from symcheck.ledger.record import Record
 
 SCHEMA = 1
 PROOFS = 3  # the schema of certificates and of the statements they are compared with
-DIGITS = 16  # of a digest
-Kernels = tuple[Mapping[str, str], Iterable[Certificate]]  # texts by the names of their files, proofs
 CERTIFICATES = "certificates"
 EXPECTED = "expected"
 STATEMENTS = "statements"
@@ -40,35 +36,6 @@ OURS = (
     SELFTEST,
 )  # what `write` may remove
 UNKNOWN = "unknown; no command writes it, so remove it"
-
-
-def files(records: Iterable[Record], kernels: Mapping[str, Kernels] = MappingProxyType({})) -> dict[str, bytes]:
-    """Path inside generated/ -> contents, for every paper that has a record; `kernels` by paper."""
-    of_paper: dict[str, list[Record]] = {}
-    for record in records:
-        of_paper.setdefault(record.paper, []).append(record)
-    out: dict[str, bytes] = {}
-    for key, rows in sorted(of_paper.items()):
-        texts, equalities = kernels.get(key, ({}, ()))
-        equalities = [*equalities]
-        proofs = [*(each for row in rows for each in certificates(row)), *equalities]
-        written = dict.fromkeys(line(each) for each in proofs)
-        out |= {name: text.encode() for name, text in texts.items()}
-        verdicts = (f"{line(row.id)}: {line(_expectation(row))}" for row in rows)
-        out[f"{CERTIFICATES}/{key}.json"] = document(key, "certificates", "[]", written, schema=PROOFS)
-        out[f"{STATEMENTS}/{key}.json"] = _stated(key, rows, equalities)
-        out[f"{EXPECTED}/{key}.json"] = document(key, "items", "{}", verdicts)
-    return out
-
-
-def _stated(key: str, rows: Iterable[Record], equalities: Iterable[Certificate]) -> bytes:
-    """The statements of a paper, read anew."""
-    from symcheck.audit.index import Index  # with all that reads: only who writes files needs it
-
-    index = Index(papers.load()[key])
-    index.beside(rows, equalities)
-    known = {"definitions": index.definitions, "hypotheses": index.hypotheses}
-    return document(key, "statements", "[]", map(line, index.statements), schema=PROOFS, others=known)
 
 
 def write(folder: Path, contents: Mapping[str, bytes]) -> None:
@@ -155,20 +122,6 @@ def _disagreement(record: Record, recorded: Mapping[str, Verdict | None]) -> str
     change = "newly passes" if record.verdict == Verdict.PROVED else "newly fails"
     why = f" ({record.reason})" if record.verdict == Verdict.UNDECIDED and record.reason else ""
     return f"{record.id} {change}: {now}{why}, recorded as {recorded[record.id] or 'claiming nothing'}"
-
-
-def _expectation(record: Record) -> list[str | None]:
-    return [record.verdict, record.reading]
-
-
-def short_digest(text: str) -> str:
-    """Enough to tell apart what nobody makes alike."""
-    return sha256(text.encode()).hexdigest()[:DIGITS]
-
-
-def line(value: Any) -> str:
-    """JSON that depends on the value alone."""
-    return json.dumps(value, sort_keys=True, ensure_ascii=False, separators=(",", ":"))
 
 
 def document(

@@ -12,12 +12,12 @@ from itertools import islice
 from random import Random
 from typing import Any, NamedTuple
 
-from symcheck.audit.checked import certificates
 from symcheck.audit.judge import lemma
 from symcheck.core.claims import Problem
 from symcheck.core.formulas import conjuncts
 from symcheck.core.terms import Reader, node
 from symcheck.core.verdicts import Certificate, Loss
+from symcheck.ledger.certificates import certificates
 from symcheck.ledger.record import Record
 from symcheck.proof import fails_without, proof_of
 from symcheck.selftest.evidence import MALFORMED, holds, is_shown, problem_of

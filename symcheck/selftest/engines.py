@@ -16,9 +16,9 @@ from typing import Any
 import flint
 import sympy as sp
 
-from symcheck.audit.checked import certificates
 from symcheck.core.terms import Connective, Formula, Reader, Relation, Term, Value
 from symcheck.core.verdicts import Certificate
+from symcheck.ledger.certificates import certificates
 from symcheck.ledger.record import Record
 from symcheck.selftest.evidence import holds
 

@@ -9,8 +9,9 @@ from string import ascii_lowercase
 from typing import Any
 
 from symcheck.core.verdicts import Group, Loss
+from symcheck.core.words import term
 from symcheck.ledger.record import Record
-from symcheck.views.steps import point, sides, term
+from symcheck.views.steps import point, sides
 
 _GIVEN = re.compile(r" \(given: .*\)$", re.DOTALL)  # how a record tells conditions behind a corrected formula
 

@@ -18,13 +18,15 @@ from rich.console import Console
 from rich.table import Table
 from rich.text import Text
 
-from symcheck.coq.confirmed import digest_of, told
+from symcheck.coq.confirmed import told
 from symcheck.core.claims import Paper
 from symcheck.core.verdicts import Certificate, Group, Verdict
+from symcheck.core.words import term
 from symcheck.kernels.codegen.kernel import Kernel
+from symcheck.ledger.digests import digest_of
 from symcheck.ledger.record import Record
 from symcheck.views.faults import fails_at, without
-from symcheck.views.steps import shown, term
+from symcheck.views.steps import shown
 
 _STYLES = {Verdict.PROVED: "green", Verdict.REFUTED: "bold red", Verdict.UNDECIDED: "yellow"}
 _METHOD, _STATEMENT = 28, 20  # columns of the ledger: the method at most, the statement at least

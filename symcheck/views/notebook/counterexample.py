@@ -10,10 +10,10 @@ from symcheck.core.calculus import substituted
 from symcheck.core.lazy import lazy
 from symcheck.core.terms import Binder, Node, Reader, Term, mapped, node
 from symcheck.core.verdicts import Certificate, SymcheckError
+from symcheck.core.words import term as in_words
 from symcheck.reading import Notation, to_sympy
 from symcheck.views.notebook import letters
 from symcheck.views.steps import coordinates
-from symcheck.views.steps import term as in_words
 
 sp = lazy("sympy")
 

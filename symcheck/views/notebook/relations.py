@@ -9,8 +9,8 @@ from string import ascii_lowercase
 from typing import Any
 
 from symcheck.audit.checked import reasons
-from symcheck.coq.confirmed import digest_of
 from symcheck.core.verdicts import Certificate, Reading, Verdict
+from symcheck.ledger.digests import digest_of
 from symcheck.ledger.record import Record
 from symcheck.views.notebook.letters import aligned, split
 from symcheck.views.notebook.records import decided, item, list_rows, records

@@ -10,11 +10,12 @@ from markupsafe import Markup
 
 from symcheck.coq.confirmed import told
 from symcheck.core.verdicts import Certificate
+from symcheck.core.words import term
 from symcheck.ledger.record import Record
 from symcheck.views.faults import Fault, without
 from symcheck.views.page.formulas import Formulas
 from symcheck.views.page.sources import Excerpt, Publication
-from symcheck.views.steps import compared, coordinates, shown, sides, term
+from symcheck.views.steps import compared, coordinates, shown, sides
 
 _GIVEN = {"printed": "printed", "added": "not printed, added", "standing": "implied by the subject"}
 _NEEDED = {True: "needed", False: "not needed", None: "need not known"}
