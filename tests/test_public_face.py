@@ -46,6 +46,8 @@ def test_an_unknown_name_is_an_attribute_error() -> None:
         symcheck.chekc  # noqa: B018
 
 
-def test_the_examples_of_the_audit_run() -> None:
+def test_the_examples_of_the_audit_run(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+    monkeypatch.setenv("SYMCHECK_CACHE", str(tmp_path / "cache"))
+    monkeypatch.setenv("XDG_CONFIG_HOME", str(tmp_path / "config"))
     library = import_module("symcheck.audit.library")
     assert doctest.testmod(library) == doctest.TestResults(failed=0, attempted=2)
