@@ -149,7 +149,7 @@ def check(selection: Sequence[str], as_json: bool, verdict: str | None, how: How
     from symcheck.evidence.run import Interrupted
 
     try:
-        records = audit(selection, how)
+        records = audit(selection, how, weigh=as_json)
     except Interrupted as stop:
         _print_ledger(stop.records, as_json, verdict, partial=True)
         raise
@@ -190,7 +190,7 @@ def _show_kernel(out: Any, name: str, how: How) -> None:
         example = f"{name}:NUMBER" if name in keys else near[0] if near else f"{keys[0]}:{name}"
         raise SymcheckError(f"{name!r} is neither of the form PAPER:NUMBER nor a kernel; did you mean {example}?")
     key, kernel = named[name]
-    terminal.kernel(out, key, name, kernel, audit([f"{key}:{number}" for number in kernel.claims], how))
+    terminal.kernel(out, key, name, kernel, audit([f"{key}:{number}" for number in kernel.claims], how, weigh=False))
 
 
 @cli.command()
@@ -204,7 +204,7 @@ def errata(selection: Sequence[str], as_json: bool, how: How) -> None:
     cells of tables, and slips such as a lost prime, in one table for each kind; last what the text does not say as it
     stands, and is read otherwise.
     """
-    records = [record for record in audit(selection, how) if record.corrected]
+    records = [record for record in audit(selection, how, weigh=as_json) if record.corrected]
     if as_json:
         _print_json(records)
         return
@@ -443,8 +443,11 @@ def selftest(as_json: bool, seed: int, faults: int, recording: bool, how: How) -
         raise click.exceptions.Exit(DIFFERS)
 
 
-def audit(selection: Sequence[str], how: How) -> list[Record]:
-    """The records of a selection: from the cache where it has them, else decided in workers, with a progress bar."""
+def audit(selection: Sequence[str], how: How, *, weigh: bool = True) -> list[Record]:
+    """The records of a selection: from the cache where it has them, else decided in workers, with a progress bar.
+
+    Without `weigh` nothing is said about which hypotheses are needed.
+    """
     from symcheck.evidence import decide, run
     from symcheck.evidence.cache import Cache, location
     from symcheck.evidence.executor import Pool, Serial
@@ -468,6 +471,7 @@ def audit(selection: Sequence[str], how: How) -> list[Record]:
                 cache=cache,
                 executor=executor,
                 timeout=how.timeout,
+                weigh=weigh,
                 progress=progress,
             )
     except run.Interrupted as stop:

@@ -15,7 +15,7 @@ from symcheck import kernels, papers
 from symcheck.checker import check_all
 from symcheck.checker.__main__ import main
 from symcheck.evidence.checked import reason, reasons
-from symcheck.evidence.decide import decide
+from symcheck.evidence.decide import decide, weigh
 from symcheck.evidence.faults import without
 from symcheck.evidence.obligation import DECIDED, expand
 from symcheck.evidence.record import Record
@@ -28,7 +28,7 @@ IDS = [obligation.id for paper in papers.load().values() for obligation in expan
 
 @cache
 def records() -> tuple[Record, ...]:
-    return tuple(record for id in IDS for record in decide(id))
+    return tuple(record for id in IDS for record in weigh((id, decide(id))))
 
 
 def claims() -> list[Record]:

@@ -10,8 +10,8 @@ from itertools import islice
 from random import Random
 
 from symcheck import papers
-from symcheck.evidence.errata import needs
 from symcheck.evidence.judge import judge
+from symcheck.evidence.needs import listed, weighed
 from symcheck.evidence.obligation import expand
 from symcheck.reading import System, Tree, read, to_latex
 from symcheck.reading.tree import Chain
@@ -45,8 +45,9 @@ def having(original: Proved, added: Hypothesis) -> Fate:
         return Fate.REJECTED  # it speaks of letters that are unknown here
     if told_of(context, unit, finding) is not Verdict.PROVED:
         return Fate.REJECTED
-    told = next(row for row in needs(finding, item, ()) if row["name"] == added.name)
-    return {False: Fate.REJECTED, None: Fate.OPEN, True: Fate.ACCEPTED}[told["needed"]]
+    proved = [*zip(finding.concrete, finding.certificates, strict=True)]
+    row = next(row for row in listed(item, ()) if row["name"] == added.name)
+    return {False: Fate.REJECTED, None: Fate.OPEN, True: Fate.ACCEPTED}[weighed(row, proved, item)["needed"]]
 
 
 def contradicted(original: Proved, contrary: Hypothesis) -> Fate:
