@@ -69,11 +69,11 @@ browser:
 coq: AFTER := --record
 coq-check: AFTER := --check
 coq coq-check: $(STAMP)
-	$(BIN)/python -m symcheck.export.coq.compile
+	$(BIN)/python -m symcheck.coq.compile
 	rm -rf build/coq
 	$(BIN)/symcheck export --format coq --output build/coq
-	$(BIN)/python -m symcheck.export.coq.comparison build/coq
-	$(BIN)/python -m symcheck.export.coq.compile build/coq --jobs 2 $(AFTER)
+	$(BIN)/python -m symcheck.coq.comparison build/coq
+	$(BIN)/python -m symcheck.coq.compile build/coq --jobs 2 $(AFTER)
 
 install-coq:
 	test -d "$$(coqc -where 2>/dev/null)/user-contrib/Coquelicot" || { apt-get update -qq && apt-get install -y -qq coq libcoq-coquelicot; }

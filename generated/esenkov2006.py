@@ -4,7 +4,7 @@ import math
 
 from numpy import add, divide, multiply, negative, sqrt, subtract, array, ndarray
 
-from symcheck.runtime import DOUBLE, FEW, SMALL, evaluate, evaluate_alike, evaluate_handful
+from symcheck.kernels.runtime import DOUBLE, FEW, SMALL, evaluate, evaluate_alike, evaluate_handful
 
 __all__ = ["boundary_of_stability", "characteristic_coefficients", "critical_frequencies", "discriminant", "frequencies", "greatest_growth_rate", "mode_inertia", "residue_of_a_mode", "width_of_the_unstable_interval"]
 

@@ -4,7 +4,7 @@ import math
 
 from numpy import add, arctan, cos, divide, multiply, negative, power, sin, sqrt, subtract, tan, array, ndarray
 
-from symcheck.runtime import DOUBLE, FEW, SMALL, evaluate, evaluate_alike, evaluate_handful
+from symcheck.kernels.runtime import DOUBLE, FEW, SMALL, evaluate, evaluate_alike, evaluate_handful
 
 __all__ = ["axes_of_four_wheels", "axes_of_six_wheels", "best_angle_of_six_wheels", "best_angles_of_four_wheels", "equal_rates_of_four_wheels", "equal_rates_of_six_wheels", "face_distances_of_five_wheels", "face_distances_of_four_wheels", "face_distances_of_six_wheels", "face_distances_of_three_wheels", "largest_rates_of_four_wheels", "largest_rates_of_six_wheels", "momentum_of_five_wheels", "momentum_of_four_wheels", "momentum_of_six_wheels", "momentum_of_three_wheels", "rates_of_five_wheels", "rates_of_four_wheels", "rates_of_six_wheels", "rates_of_three_wheels", "vertex_distances_of_five_wheels", "vertex_distances_of_four_wheels", "vertex_distances_of_six_wheels", "vertex_distances_of_three_wheels", "vertices_of_five_wheels", "vertices_of_four_wheels", "vertices_of_six_wheels", "vertices_of_three_wheels", "volume_of_five_wheels", "volume_of_four_wheels", "volume_of_six_wheels", "volume_of_three_wheels"]
 

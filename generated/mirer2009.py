@@ -4,7 +4,7 @@ import math
 
 from numpy import add, arctan, cos, divide, multiply, negative, sin, sqrt, subtract, tan, array, ndarray
 
-from symcheck.runtime import DOUBLE, FEW, SMALL, evaluate, evaluate_alike, evaluate_handful
+from symcheck.kernels.runtime import DOUBLE, FEW, SMALL, evaluate, evaluate_alike, evaluate_handful
 
 __all__ = ["axial_moments", "bound_at_given_moment", "bounds_of_products", "characteristic_coefficients", "characteristic_coefficients_at_common_ratio", "damping_matrix", "direction_cosines", "distances_from_bounds", "equal_moment_pitch", "gain_of_rates", "gains_in_proportion", "product_of_axial_moments", "product_of_two_axial_moments", "product_with_second_moment", "second_order_moments", "stability_degree_in_pitch", "sum_of_products"]
 

@@ -4,8 +4,8 @@ import math
 
 from numpy import add, cos, divide, exp, expm1, log, log1p, multiply, negative, power, sin, sqrt, subtract, array, ndarray
 
-from symcheck.ratios import expm1_ratio, gamma_ratio, log1p_ratio
-from symcheck.runtime import DOUBLE, FEW, SMALL, evaluate, evaluate_alike, evaluate_handful
+from symcheck.kernels.ratios import expm1_ratio, gamma_ratio, log1p_ratio
+from symcheck.kernels.runtime import DOUBLE, FEW, SMALL, evaluate, evaluate_alike, evaluate_handful
 
 __all__ = ["averaged_diffusion", "averaged_drift", "density_of_amplitude", "density_of_frequency", "diffusion_coefficients", "distribution_of_amplitude", "drift_coefficients", "logarithm_of_constant_of_amplitude", "logarithm_of_constant_of_frequency", "mean_square_of_amplitude", "mean_square_of_frequency", "mode_of_amplitude", "moment_of_amplitude", "moment_of_frequency", "noise_intensities", "quantile_of_amplitude", "stratonovich_drift"]
 

@@ -1,6 +1,6 @@
 """The entry point: the command `symcheck`, and `python -m symcheck`."""
 
-from symcheck import interrupts
+from symcheck.core import interrupts
 
 
 def main() -> None:

@@ -15,20 +15,20 @@ from typing import TYPE_CHECKING, Any, NoReturn, TypeVar
 import click
 
 from symcheck import __version__
-from symcheck.codegen import target_names
-from symcheck.export import format_names, format_of
-from symcheck.interrupts import INTERRUPTED, leave, raise_from_now_on
-from symcheck.statement import SymcheckError, Verdict
-from symcheck.writing import put
+from symcheck.core.files import put
+from symcheck.core.interrupts import INTERRUPTED, leave, raise_from_now_on
+from symcheck.core.verdicts import SymcheckError, Verdict
+from symcheck.kernels.codegen import target_names
+from symcheck.views.exports import format_names, format_of
 
 if TYPE_CHECKING:
-    from symcheck.evidence.record import Record
+    from symcheck.ledger.record import Record
 
 F = TypeVar("F", bound=Callable[..., Any])
 DIFFERS, BAD_INPUT, BROKEN_PIPE = 1, 2, 141
 MOST_TOLD = 30  # differences that are named one by one
 CHECKED_IN = "numpy"  # the target whose files stand in generated/
-PRELOAD = ("sympy", "flint", "lark", "symcheck.evidence.decide")
+PRELOAD = ("sympy", "flint", "lark", "symcheck.audit.decide")
 
 
 @dataclass(frozen=True)
@@ -146,7 +146,7 @@ def check(selection: Sequence[str], as_json: bool, verdict: str | None, how: How
 
     Without a selection: all papers. `mirer2009:2.1` also means its links 2.1a, 2.1b.
     """
-    from symcheck.evidence.run import Interrupted
+    from symcheck.audit.run import Interrupted
 
     try:
         records = audit(selection, how, weigh=as_json)
@@ -166,7 +166,7 @@ def show(name: str, certificate: bool, how: How) -> None:
 
     Or one kernel: what it computes, how accurately, and the relations on which it rests.
     """
-    from symcheck import terminal
+    from symcheck.views import terminal
 
     out = terminal.console()
     if ":" not in name:
@@ -179,9 +179,9 @@ def show(name: str, certificate: bool, how: How) -> None:
 def _show_kernel(out: Any, name: str, how: How) -> None:
     from difflib import get_close_matches
 
-    from symcheck import terminal
-    from symcheck.evidence import kernels
+    from symcheck.audit import kernels
     from symcheck.papers import load
+    from symcheck.views import terminal
 
     keys = list(load())
     named = {known: (key, kernel) for key in keys for known, kernel in kernels.declared(key).items()}
@@ -208,8 +208,8 @@ def errata(selection: Sequence[str], as_json: bool, how: How) -> None:
     if as_json:
         _print_json(records)
         return
-    from symcheck import terminal
-    from symcheck.statement import Group
+    from symcheck.core.verdicts import Group
+    from symcheck.views import terminal
 
     out = terminal.console()
     terminal.errata(out, records)
@@ -220,9 +220,9 @@ def errata(selection: Sequence[str], as_json: bool, how: How) -> None:
 @cli.command()
 def papers() -> None:
     """List the papers: key, title, source, number of declarations."""
-    from symcheck import terminal
-    from symcheck.evidence import decide
+    from symcheck.audit import decide
     from symcheck.papers import load
+    from symcheck.views import terminal
 
     counts = {key: (paper, Counter(str(o.item.role) for o in decide.expand(paper))) for key, paper in load().items()}
     terminal.papers(terminal.console(), counts)
@@ -250,9 +250,11 @@ def generate(only_check: bool, name: str, output: Path | None, how: How) -> None
     With another target write the kernels for Numba, in C, or for any library of the array API.
     """
     from symcheck import kernels, papers
-    from symcheck.codegen.target import target
-    from symcheck.evidence import confirmed, selftested, store
-    from symcheck.evidence import kernels as writing
+    from symcheck.audit import kernels as writing
+    from symcheck.audit import outputs
+    from symcheck.coq import confirmed
+    from symcheck.kernels.codegen.target import target
+    from symcheck.ledger import selftested, store
 
     checked_in = name == CHECKED_IN
     if checked_in and output:
@@ -262,7 +264,7 @@ def generate(only_check: bool, name: str, output: Path | None, how: How) -> None
     made = {key: writing.made(paper, records) for key, paper in papers.load().items()}
     texts = {key: (files(key, of_paper) if of_paper else {}, proofs) for key, (of_paper, proofs) in made.items()}
     if checked_in:
-        contents = store.files(records, texts) | confirmed.files(folder, records) | selftested.files(folder)
+        contents = outputs.files(records, texts) | confirmed.files(folder, records) | selftested.files(folder)
     else:
         contents = {file: text.encode() for of_paper, _ in texts.values() for file, text in of_paper.items()}
     differing = store.differences(folder, contents, alone=checked_in)
@@ -377,7 +379,7 @@ def sweep(
 @click.option("--write", is_flag=True, help="Accept what comes out: write notebooks/ anew.")
 def notebooks(only: Sequence[str], kernel: bool, write: bool) -> None:
     """Execute the notebooks and compare what they show with what is committed; pictures are not compared."""
-    from symcheck.notebook import committed
+    from symcheck.views.notebook import committed
 
     differing = []
     for name in committed.names(only):
@@ -419,7 +421,7 @@ def selftest(as_json: bool, seed: int, faults: int, recording: bool, how: How) -
     otherwise, which must not be rejected. Exit code 1 if fewer than 99.9 % of the faults were rejected, or anything
     right was.
     """
-    from symcheck.evidence.executor import Pool, Serial
+    from symcheck.audit.executor import Pool, Serial
     from symcheck.selftest.run import classes, run
     from symcheck.selftest.table import show
 
@@ -430,13 +432,13 @@ def selftest(as_json: bool, seed: int, faults: int, recording: bool, how: How) -
     told = result.to_json()
     if recording:
         from symcheck import kernels
-        from symcheck.evidence import selftested
+        from symcheck.ledger import selftested
 
         _say(f"{selftested.record(kernels.folder(), told, records)} written")
     if as_json:
         click.echo(json.dumps(told, ensure_ascii=False, indent=1))
     else:
-        from symcheck.terminal import console
+        from symcheck.views.terminal import console
 
         show(console(), told)
     if not result.is_sound:
@@ -448,9 +450,9 @@ def audit(selection: Sequence[str], how: How, *, weigh: bool = True) -> list[Rec
 
     Without `weigh` nothing is said about which hypotheses are needed.
     """
-    from symcheck.evidence import decide, run
-    from symcheck.evidence.cache import Cache, location
-    from symcheck.evidence.executor import Pool, Serial
+    from symcheck.audit import decide, run
+    from symcheck.audit.cache import Cache, location
+    from symcheck.audit.executor import Pool, Serial
     from symcheck.papers import load
 
     papers = load()
@@ -486,7 +488,7 @@ def _progress(what: str) -> Iterator[Callable[[int, int], None]]:
     if not sys.stderr.isatty():
         yield lambda done, total: None
         return
-    from symcheck.terminal import progress_bar
+    from symcheck.views.terminal import progress_bar
 
     with progress_bar(what) as move:
         yield move
@@ -498,7 +500,7 @@ def _print_ledger(records: Sequence[Record], as_json: bool, verdict: str | None,
     if as_json:
         _print_json(shown, partial)
         return
-    from symcheck import terminal
+    from symcheck.views import terminal
 
     out = terminal.console()
     note = "PARTIAL: interrupted before all relations were decided" if partial else ""
@@ -525,7 +527,7 @@ def _by_paper(records: Sequence[Record]) -> dict[str, list[Record]]:
 def _compare(selection: Sequence[str], records: Sequence[Record], quiet: bool) -> None:
     """Tell how the verdicts differ from those recorded, and exit 1 if they do."""
     from symcheck import kernels
-    from symcheck.evidence import store
+    from symcheck.ledger import store
 
     folder, differing = kernels.folder(), []
     for key, rows in _by_paper(records).items():
@@ -559,10 +561,10 @@ def report(selection: Sequence[str], output: Path, show: bool, how: How) -> None
     claim.
     """
     from symcheck import kernels, papers
-    from symcheck.evidence import selftested
-    from symcheck.numeric import pictures
-    from symcheck.report import sources
-    from symcheck.report.page import Beside, Pictures, page
+    from symcheck.ledger import selftested
+    from symcheck.views import pictures
+    from symcheck.views.page import sources
+    from symcheck.views.page.page import Beside, Pictures, page
 
     records, known = audit(selection, how), papers.load()
     beside = Beside(

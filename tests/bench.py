@@ -19,15 +19,16 @@ from tempfile import TemporaryDirectory
 from typing import Any
 
 from symcheck import kernels
-from symcheck.core.terms import node
-from symcheck.evidence.context import Context
-from symcheck.evidence.executor import Done, Pool
-from symcheck.evidence.judge import units
-from symcheck.evidence.obligation import obligation_of
+from symcheck.audit.context import Context
+from symcheck.audit.executor import Done, Pool
+from symcheck.audit.judge import units
+from symcheck.audit.obligation import obligation_of
+from symcheck.core.claims import Method, Problem
+from symcheck.core.terms import Term, node
+from symcheck.core.verdicts import Verdict
 from symcheck.proof.knowledge import ring_of, starting
 from symcheck.proof.polynomial import unfold
 from symcheck.reading import to_sympy
-from symcheck.statement import Method, Problem, Term, Verdict
 
 PROOF_SET = ("2.11", "2.12", "2.13", "2.13.1", "2.18", "1.3")
 LINKS = {"2.13.1": "ab"}  # the third link is a misprint, not an identity

@@ -28,11 +28,11 @@ from rich import box
 from rich.console import Console
 from rich.table import Table
 
-from symcheck.codegen import c_target
-from symcheck.codegen.kernel import Argument, Kernel, Output
-from symcheck.codegen.program import UNARY, Operation, Program
-from symcheck.codegen.special import RUNTIME
-from symcheck.codegen.target import Made
+from symcheck.kernels.codegen import c_target
+from symcheck.kernels.codegen.kernel import Argument, Kernel, Output
+from symcheck.kernels.codegen.program import UNARY, Operation, Program
+from symcheck.kernels.codegen.special import RUNTIME
+from symcheck.kernels.codegen.target import Made
 
 CORES = len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
 COLUMNS = ((10_000, 1), (1_000_000, 1), (1_000_000, CORES))  # points and threads

@@ -22,7 +22,7 @@ from bench import interleaved
 from kernel_reference import Case, cases, measured, random_points
 
 from symcheck import kernels as generated
-from symcheck.codegen.program import UNARY
+from symcheck.kernels.codegen.program import UNARY
 
 README = Path(__file__).resolve().parent.parent / "README.md"
 SIZES = (0, 1, 10, 100, 1_000, 10_000, 100_000, 1_000_000, 10_000_000)  # 0: Python floats

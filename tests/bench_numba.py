@@ -28,7 +28,7 @@ from kernel_reference import Case, cases
 from rich.console import Console
 from test_numba_target import module, texts
 
-from symcheck.codegen.program import UNARY
+from symcheck.kernels.codegen.program import UNARY
 
 SMALL, LARGE = 10_000, 1_000_000
 ROUNDS, SHORT = 5, 0.001

@@ -14,8 +14,8 @@ from typing import Any
 import numpy as np
 from kernel_reference import Case, cases
 
-from symcheck.codegen import c_target
-from symcheck.codegen.c_text import COMPILE
+from symcheck.kernels.codegen import c_target
+from symcheck.kernels.codegen.c_text import COMPILE
 
 COMPILERS = tuple(name for name in ("gcc", "clang") if shutil.which(name))
 FLAGS = " ".join(COMPILE).split()[1:]  # what the header recommends, less the name of the compiler

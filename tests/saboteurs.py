@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from statements import FALSE
 
+from symcheck.core.claims import Method, Outcome, Problem
+from symcheck.core.verdicts import Verdict
 from symcheck.selftest.evidence import answered
-from symcheck.statement import Method, Outcome, Problem, Verdict
 
 
 def unsound(method: Method) -> list[str]:

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from bench_kernels import README, head, row, with_block
 
 from symcheck import kernels
-from symcheck.evidence.selftested import recorded, rows
+from symcheck.ledger.selftested import recorded, rows
 from symcheck.selftest.table import FATES
 
 NAME = "self-test"

@@ -1,6 +1,6 @@
 """A toy paper and a decider for it, so that the shell is tested without any algebra.
 
-The module has the functions of `symcheck.evidence.decide`. What a declaration does is told by its number.
+The module has the functions of `symcheck.audit.decide`. What a declaration does is told by its number.
 """
 
 from __future__ import annotations
@@ -13,8 +13,9 @@ from dataclasses import dataclass
 from types import ModuleType
 from typing import Any
 
-from symcheck.evidence.record import Record
-from symcheck.statement import Certificate, Item, Origin, Paper, Reading, Role, Section, Verdict
+from symcheck.core.claims import Item, Paper, Section
+from symcheck.core.verdicts import Certificate, Origin, Reading, Role, Verdict
+from symcheck.ledger.record import Record
 
 PROOF = {
     "rule": "each",
@@ -182,13 +183,13 @@ def reasons(certificates: Sequence[Certificate]) -> list[str | None]:
 
 def install(patch: Any = setattr) -> None:
     """Put the toy paper and this decider in the place of the real ones."""
+    import symcheck.audit.checked
     import symcheck.cli
-    import symcheck.evidence.checked
     import symcheck.papers
 
     patch(symcheck.papers, "load", papers)
-    patch(symcheck.evidence, "decide", sys.modules["stand_in"])
-    patch(symcheck.evidence.checked, "reasons", reasons)
+    patch(symcheck.audit, "decide", sys.modules["stand_in"])
+    patch(symcheck.audit.checked, "reasons", reasons)
     patch(symcheck.cli, "PRELOAD", ())
 
 

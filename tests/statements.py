@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from symcheck.core.terms import node
-from symcheck.statement import Formula, Problem, Term
+from symcheck.core.claims import Problem
+from symcheck.core.terms import Formula, Term, node
 
 R = (1, 2, 3)
 

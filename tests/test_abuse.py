@@ -17,14 +17,14 @@ import pytest
 import stand_in
 from click.testing import CliRunner, Result
 
-from symcheck.evidence.cache import FILE, Cache
-from symcheck.evidence.record import Record
+from symcheck.audit.cache import FILE, Cache
+from symcheck.ledger.record import Record
 
 RECORDS = stand_in.decide("toy:1.1")
 WRITER = """
 import sys, stand_in
 from pathlib import Path
-from symcheck.evidence.cache import Cache
+from symcheck.audit.cache import Cache
 said = []
 cache = Cache(Path(sys.argv[1]), said.append)
 records = stand_in.decide("toy:1.1")

@@ -12,15 +12,16 @@ from typing import Any
 
 import pytest
 
+from symcheck.audit.checked import reason as check
 from symcheck.checker.theorems import NAMES, instance
+from symcheck.core.claims import Outcome, Problem
 from symcheck.core.formulas import contrary
-from symcheck.core.terms import RELATIONS, node
-from symcheck.evidence.checked import reason as check
-from symcheck.evidence.steps import point, sides
+from symcheck.core.terms import RELATIONS, Formula, node
+from symcheck.core.verdicts import Certificate, Verdict
 from symcheck.proof import certificate, fails_at, identity
 from symcheck.proof.farkas import positive_relation
 from symcheck.reading import Letter, Notation, lower, read
-from symcheck.statement import Certificate, Formula, Outcome, Problem, Verdict
+from symcheck.views.steps import point, sides
 
 ANGLES = Notation([Letter("a"), Letter("b"), Letter("c"), Letter(r"\pi")])
 COSECANT, SECANT = (rf"\operatorname{{arctg}}\left(\frac{{1}}{{\{f} b}}\right)" for f in ("sin", "cos"))

@@ -35,10 +35,10 @@ from kernel_reference import Case, Truth, cases, crowded_points, in_range, insid
 from mpmath import mp
 from test_kernels import EXTREMES, generator, short, tuple_of, within_or_at_infinity
 
-from symcheck.codegen import array_target
-from symcheck.codegen.program import Operation, Program
-from symcheck.codegen.target import MARK, Made
-from symcheck.statement import SymcheckError
+from symcheck.core.verdicts import SymcheckError
+from symcheck.kernels.codegen import array_target
+from symcheck.kernels.codegen.program import Operation, Program
+from symcheck.kernels.codegen.target import MARK, Made
 
 CASES = cases()
 FEW = 75

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import pytest
 
-from symcheck.evidence.context import Context
-from symcheck.evidence.judge import judge, units
-from symcheck.evidence.obligation import obligation_of
+from symcheck.audit.context import Context
+from symcheck.audit.judge import judge, units
+from symcheck.audit.obligation import obligation_of
+from symcheck.core.verdicts import Verdict
 from symcheck.reading import read
-from symcheck.statement import Verdict
 
 # by the number of the right statement, with the letter of its link
 BAD: dict[str, list[tuple[str, str]]] = {

@@ -18,13 +18,13 @@ from flint import arb, ctx
 from kernel_reference import Case, Truth, cases, crowded_points, in_range, inside, random_points, worst
 from test_kernels import EXTREMES, generator, within_or_at_infinity
 
-from symcheck.codegen import c_target
-from symcheck.codegen.c_functions import CIRCULAR, REACH, written
-from symcheck.codegen.c_text import COMPILE, PARALLEL, SOURCE
-from symcheck.codegen.kernel import Argument, Kernel, Output
-from symcheck.codegen.program import Operation, Program
-from symcheck.codegen.target import MARK, Made
-from symcheck.statement import SymcheckError
+from symcheck.core.verdicts import SymcheckError
+from symcheck.kernels.codegen import c_target
+from symcheck.kernels.codegen.c_functions import CIRCULAR, REACH, written
+from symcheck.kernels.codegen.c_text import COMPILE, PARALLEL, SOURCE
+from symcheck.kernels.codegen.kernel import Argument, Kernel, Output
+from symcheck.kernels.codegen.program import Operation, Program
+from symcheck.kernels.codegen.target import MARK, Made
 
 CASES = cases()
 FEW, MANY, EXTREME = 40, 1000, 200

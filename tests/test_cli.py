@@ -11,8 +11,8 @@ import stand_in
 from click.testing import Result
 
 from symcheck.cli import cli
-from symcheck.evidence.confirmed import digest_of
-from symcheck.evidence.record import Record
+from symcheck.ledger.digests import digest_of
+from symcheck.ledger.record import Record
 
 Run = Callable[..., Result]
 

@@ -8,8 +8,9 @@ from pathlib import Path
 import pytest
 
 from symcheck import papers
+from symcheck.core.claims import Item, Paper
+from symcheck.core.verdicts import Role
 from symcheck.reading import split_tag
-from symcheck.statement import Item, Paper, Role
 
 PAPERS = list(papers.load().values())
 LAYOUT = re.compile(r"\\begin\{aligned\}|\\end\{aligned\}|\\begin\{array\}\{l+\}|\\end\{array\}|\\quad|[\s&.,;]|\\\\")

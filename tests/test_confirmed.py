@@ -15,16 +15,18 @@ import stand_in
 from click.testing import Result
 
 from symcheck import kernels, papers
-from symcheck.evidence import confirmed, store
-from symcheck.evidence.store import COQ
-from symcheck.numeric import pictures
-from symcheck.report import sources
-from symcheck.report.packing import unpacked
-from symcheck.statement import SymcheckError, Verdict
+from symcheck.coq import confirmed
+from symcheck.core.verdicts import SymcheckError, Verdict
+from symcheck.ledger import store
+from symcheck.ledger.digests import digest, digest_of
+from symcheck.ledger.store import COQ
+from symcheck.views import pictures
+from symcheck.views.page import sources
+from symcheck.views.page.packing import unpacked
 
 Run = Callable[..., Result]
 RIGHT, WRONG = (record for number in ("1.1", "1.3") for record in stand_in.decide(f"toy:{number}"))
-D1, D3C = (confirmed.digest([confirmed.digest_of(each)]) for each in (stand_in.CERTIFICATE, stand_in.CORRECTED))
+D1, D3C = (digest([digest_of(each)]) for each in (stand_in.CERTIFICATE, stand_in.CORRECTED))
 STATES = {
     "confirmed": ("", "yes"),
     "not confirmed": ("no integral", "no: no integral"),

@@ -12,25 +12,25 @@ import pytest
 import stand_in
 
 from symcheck import kernels
+from symcheck.audit.decide import decide
 from symcheck.checker.theorems import NAMES
+from symcheck.coq import compile as compiler
+from symcheck.coq.claims import Exported
+from symcheck.coq.comparison import Point, differences
+from symcheck.coq.confirmed import record_all, recorded
+from symcheck.coq.files import files
+from symcheck.coq.printing import printed
+from symcheck.coq.reader import CLAIM, Reader, claims
+from symcheck.coq.script import Script
+from symcheck.coq.stated import statement as stated
+from symcheck.coq.terms import NotExported, polynomial
+from symcheck.coq.theorems import CONGRUENCE, UNSTATED, identifier, statement
+from symcheck.coq.witnesses import HEAD, NONE, circle, witnesses
+from symcheck.core.claims import Problem
 from symcheck.core.terms import Reader as Terms
 from symcheck.core.terms import Term, node
-from symcheck.evidence.confirmed import record_all, recorded
-from symcheck.evidence.decide import decide
-from symcheck.export.coq import compile as compiler
-from symcheck.export.coq.claims import Exported
-from symcheck.export.coq.comparison import Point, differences
-from symcheck.export.coq.files import files
-from symcheck.export.coq.printing import printed
-from symcheck.export.coq.reader import CLAIM, Reader, claims
-from symcheck.export.coq.script import Script
-from symcheck.export.coq.statements import statement as stated
-from symcheck.export.coq.terms import NotExported, polynomial
-from symcheck.export.coq.theorems import CONGRUENCE, UNSTATED, identifier, statement
-from symcheck.export.coq.witnesses import HEAD, NONE, circle, witnesses
 from symcheck.proof import certificate as certificate_of
 from symcheck.proof import combined
-from symcheck.statement import Problem
 
 DECLARED = (
     "mirer2009:2.12", "mirer2009:2.13", "mirer2009:2.1", "mirer2009:2.1.7", "mirer2009:2.13.4", "mirer2009:2.0.5",

@@ -10,15 +10,16 @@ from typing import Any
 import mpmath
 import pytest
 
+from symcheck.audit.checked import reason as check
 from symcheck.checker.enclosures import ONE, between, enclosed
 from symcheck.core.calculus import Unknown
-from symcheck.core.terms import INFINITY, PI, node
-from symcheck.evidence.checked import reason as check
+from symcheck.core.claims import Outcome, Problem
+from symcheck.core.terms import INFINITY, PI, Term, node
+from symcheck.core.verdicts import Certificate, Verdict
 from symcheck.proof import certificate, identity, proof_of
 from symcheck.proof.certificate import proof
 from symcheck.proof.closed import order_of_numbers
 from symcheck.reading import Letter, Notation, lower, read
-from symcheck.statement import Certificate, Outcome, Problem, Term, Verdict
 
 LETTERS = Notation([*map(Letter, ("a", "b", "u")), Letter(r"\pi")], decimals="rounded")
 ANGLES = (r"a = 67^\circ", r"32^\circ = b")

@@ -9,10 +9,10 @@ from fractions import Fraction
 import pytest
 import sympy as sp
 
+from symcheck.core.verdicts import SymcheckError
 from symcheck.mechanics import zonotope
 from symcheck.mechanics.envelope import Family
 from symcheck.papers.ignatov2005 import envelopes
-from symcheck.statement import SymcheckError
 
 a, b = sp.symbols("a b", real=True)
 p, q, r = sp.sin(a) * sp.sin(b), sp.sin(a) * sp.cos(b), sp.cos(a)

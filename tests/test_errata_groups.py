@@ -8,9 +8,9 @@ from dataclasses import replace
 import pytest
 from rich.console import Console
 
-from symcheck import terminal
-from symcheck.evidence.record import Record
-from symcheck.statement import SLIPS, Group, Origin, Reading, Role, Verdict
+from symcheck.core.verdicts import SLIPS, Group, Origin, Reading, Role, Verdict
+from symcheck.ledger.record import Record
+from symcheck.views import terminal
 
 WRONG = Record(
     id="toy:2.1",

@@ -11,8 +11,8 @@ from pathlib import Path
 import pytest
 
 from symcheck import papers
+from symcheck.core.verdicts import Role
 from symcheck.papers.esenkov2006 import derivation
-from symcheck.statement import Role
 
 PAPER = papers.load()["esenkov2006"]
 # what is no formula: Russian words, the heads and ends of pages, references, numbers of sections and formulas

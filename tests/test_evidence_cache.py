@@ -9,8 +9,8 @@ from pathlib import Path
 import pytest
 import stand_in
 
-from symcheck.evidence.cache import FILE, SCHEMA, Cache, location
-from symcheck.evidence.record import Record
+from symcheck.audit.cache import FILE, SCHEMA, Cache, location
+from symcheck.ledger.record import Record
 
 ID = "toy:1.1"
 RECORDS = stand_in.decide(ID)

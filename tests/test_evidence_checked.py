@@ -16,12 +16,12 @@ from typing import Any
 import pytest
 
 from symcheck import papers
-from symcheck.evidence import checked, decide, run
-from symcheck.evidence.cache import FILE, Cache
-from symcheck.evidence.checked import NOT_ACCEPTED, told
-from symcheck.evidence.executor import Serial
-from symcheck.evidence.record import Record
-from symcheck.statement import Verdict
+from symcheck.audit import checked, decide, run
+from symcheck.audit.cache import FILE, Cache
+from symcheck.audit.checked import NOT_ACCEPTED, told
+from symcheck.audit.executor import Serial
+from symcheck.core.verdicts import Verdict
+from symcheck.ledger.record import Record
 
 REFUTED = "poloskov2004:4.0.27"  # with a correction, and a hypothesis that it needs
 PROVED = "poloskov2004:2.1.2"  # with a proof that does without a hypothesis

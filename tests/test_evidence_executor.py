@@ -8,7 +8,7 @@ from pathlib import Path
 
 import pytest
 
-from symcheck.evidence.executor import Crash, Done, Executor, Pool, Serial, Timeout
+from symcheck.audit.executor import Crash, Done, Executor, Pool, Serial, Timeout
 
 EXECUTORS = {"serial": Serial(), "pool of one": Pool(1), "pool of two": Pool(2)}
 

@@ -7,7 +7,8 @@ from typing import Any
 import pytest
 
 from symcheck.core.terms import node
-from symcheck.evidence import steps
+from symcheck.core.words import term
+from symcheck.views import steps
 
 TERMS: list[tuple[Any, str]] = [
     (["+", "a", ["-", "b"], "c"], "a - b + c"),
@@ -42,11 +43,11 @@ TERMS: list[tuple[Any, str]] = [
 
 @pytest.mark.parametrize(("value", "text"), TERMS, ids=[text for _, text in TERMS])
 def test_a_term_is_written_with_the_brackets_it_needs(value: Any, text: str) -> None:
-    assert steps.term(value) == text
+    assert term(value) == text
 
 
 def test_distinct_terms_are_written_differently() -> None:
-    texts = [steps.term(value) for value, _ in TERMS]
+    texts = [term(value) for value, _ in TERMS]
     assert len(set(texts)) == len(texts)
 
 
@@ -168,5 +169,5 @@ def test_an_angle_that_others_are_made_of_is_told_first() -> None:
 
 
 def test_a_decimal_is_shown_as_one() -> None:
-    assert steps.term(["+", "x", ["-", ["/", -51, 10**6]], ["/", 1, 100]]) == "x - (-0.000051) + 1/100"
-    assert steps.term(["/", 12345678, 10**6]) == "12.345678"
+    assert term(["+", "x", ["-", ["/", -51, 10**6]], ["/", 1, 100]]) == "x - (-0.000051) + 1/100"
+    assert term(["/", 12345678, 10**6]) == "12.345678"

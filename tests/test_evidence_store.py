@@ -10,9 +10,10 @@ import pytest
 import stand_in
 
 from symcheck import papers
-from symcheck.evidence import store
-from symcheck.evidence.record import Record
-from symcheck.statement import SymcheckError, Verdict
+from symcheck.audit import outputs
+from symcheck.core.verdicts import SymcheckError, Verdict
+from symcheck.ledger import store
+from symcheck.ledger.record import Record
 
 RECORDS = [record for number in stand_in.NUMBERS for record in stand_in.decide(f"toy:{number}")]
 EXPECTED = {record.id: record.verdict for record in RECORDS}
@@ -25,7 +26,7 @@ def _toy(monkeypatch: pytest.MonkeyPatch) -> None:
 
 @pytest.fixture
 def folder(tmp_path: Path) -> Path:
-    store.write(tmp_path, store.files(RECORDS))
+    store.write(tmp_path, outputs.files(RECORDS))
     return tmp_path
 
 
@@ -45,11 +46,11 @@ def test_the_certificate_file_is_one_object_with_all_certificates_one_per_line(f
 
 def test_times_and_row_order_of_fields_do_not_matter() -> None:
     slower = [replace(record, seconds=record.seconds + 1) for record in RECORDS]
-    assert store.files(slower) == store.files(RECORDS)
+    assert outputs.files(slower) == outputs.files(RECORDS)
 
 
 def test_generating_again_differs_in_nothing(folder: Path) -> None:
-    assert store.differences(folder, store.files(RECORDS)) == []
+    assert store.differences(folder, outputs.files(RECORDS)) == []
 
 
 def test_missing_superfluous_and_changed_files_are_named(folder: Path) -> None:
@@ -57,7 +58,7 @@ def test_missing_superfluous_and_changed_files_are_named(folder: Path) -> None:
     (folder / "expected" / "toy.json").unlink()
     file = folder / "certificates" / "toy.json"
     file.write_text(file.read_text(encoding="utf-8").replace("2*a_11", "3*a_11", 1), encoding="utf-8")
-    assert store.differences(folder, store.files(RECORDS)) == [
+    assert store.differences(folder, outputs.files(RECORDS)) == [
         "certificates/gone.json: superfluous",
         "certificates/toy.json: differs from line 2 on",
         "expected/toy.json: missing",
@@ -66,7 +67,7 @@ def test_missing_superfluous_and_changed_files_are_named(folder: Path) -> None:
 
 def test_writing_removes_the_files_of_papers_that_are_gone_and_leaves_nothing_else(folder: Path) -> None:
     (folder / "expected" / "gone.json").write_text("{}")
-    store.write(folder, store.files(RECORDS))
+    store.write(folder, outputs.files(RECORDS))
     assert sorted(str(f.relative_to(folder)) for f in folder.rglob("*") if f.is_file()) == [
         "certificates/toy.json",
         "expected/toy.json",
@@ -81,7 +82,7 @@ def test_a_failed_write_leaves_the_old_file(folder: Path, monkeypatch: pytest.Mo
     before = (folder / "expected" / "toy.json").read_bytes()
     monkeypatch.setattr(Path, "replace", fail)
     with pytest.raises(SymcheckError, match="No space left"):
-        store.write(folder, store.files(RECORDS[:1]))
+        store.write(folder, outputs.files(RECORDS[:1]))
     assert (folder / "expected" / "toy.json").read_bytes() == before
     assert not list(folder.rglob(".*"))
 

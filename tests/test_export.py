@@ -15,12 +15,13 @@ from typing import Any
 import pytest
 from click.testing import Result
 
-from symcheck import export, papers
-from symcheck.evidence.latex import is_formula
-from symcheck.evidence.obligation import expand
-from symcheck.evidence.record import Record
-from symcheck.export import Format, format_names, format_of
-from symcheck.statement import Origin, Reading, Role, Verdict
+from symcheck import papers
+from symcheck.audit.obligation import expand
+from symcheck.core.verdicts import Origin, Reading, Role, Verdict
+from symcheck.ledger.record import Record
+from symcheck.views import exports as export
+from symcheck.views.exports import Format, format_names, format_of
+from symcheck.views.latex import is_formula
 
 TEXTS = [name for name in format_names() if format_of(name).text]
 

@@ -12,9 +12,9 @@ from formula_grammar import GENERATED, formula
 from limits import Hung, little_memory, within_a_second
 
 from symcheck import papers
-from symcheck.evidence.obligation import expand
+from symcheck.audit.obligation import expand
+from symcheck.core.verdicts import SymcheckError
 from symcheck.reading import Notation, lower, read, relations
-from symcheck.statement import SymcheckError
 
 FEW, MANY = 3_000, 100_000
 CHARACTERS = [*r"{}()[]|\^_'&,;:.=+-/$#%~<>!?@*0123456789abxyzIJ", "\x00", "\n", "\ufeff", "α", "Ж", "𝕏", "²", "\u202e"]

@@ -14,12 +14,12 @@ import sympy
 from sympy.physics.units import convert_to, kilogram, meter, newton, second
 
 from symcheck import papers
-from symcheck.evidence.context import Context
-from symcheck.evidence.obligation import obligation_of
+from symcheck.audit.context import Context
+from symcheck.audit.obligation import obligation_of
+from symcheck.core.verdicts import Origin
 from symcheck.mechanics import zonotope
 from symcheck.papers.ignatov2005 import derivation, sec2, sec3
 from symcheck.reading import to_sympy
-from symcheck.statement import Origin
 
 PAPER = papers.load()["ignatov2005"]
 Vector = tuple[float, float, float]

@@ -11,7 +11,7 @@ from pathlib import Path
 import pytest
 from limits import interruptible
 
-from symcheck import interrupts
+from symcheck.core import interrupts
 
 # Interrupts the whole group of processes, once, when a process of that kind imports a module of that name.
 CUSTOMIZE = """
@@ -37,7 +37,7 @@ sys.meta_path.insert(0, Watch())
 """
 MOMENTS = (
     "command click",
-    "command symcheck.evidence.run",
+    "command symcheck.audit.run",
     "command symcheck.papers.poloskov2004",
     "command pebble",
     "server multiprocessing.forkserver",
@@ -72,7 +72,7 @@ def test_an_early_interrupt_is_one_line(moment: str, tmp_path: Path, root: Path)
 
 
 def run(code: str) -> subprocess.CompletedProcess[str]:
-    head = "import os, signal, sys, time\nfrom symcheck import interrupts\n"
+    head = "import os, signal, sys, time\nfrom symcheck.core import interrupts\n"
     return subprocess.run(
         [sys.executable, "-c", head + code],
         capture_output=True,

@@ -38,15 +38,15 @@ from kernel_reference import (
     worst,
 )
 
-from symcheck import runtime
-from symcheck.codegen.kernel import Argument, Kernel, Output, largest_addend
-from symcheck.codegen.target import MARK
-from symcheck.evidence import kernels as evidence
+from symcheck.audit import kernels as evidence
+from symcheck.core.verdicts import SymcheckError
+from symcheck.kernels import runtime
+from symcheck.kernels.codegen.kernel import Argument, Kernel, Output, largest_addend
+from symcheck.kernels.codegen.target import MARK
+from symcheck.kernels.runtime import BLOCK, SMALL
 from symcheck.papers import load
 from symcheck.proof import certificate
-from symcheck.runtime import BLOCK, SMALL
 from symcheck.selftest.kernel_mutants import CALLED, Forms, Mutant
-from symcheck.statement import SymcheckError
 
 CASES = cases()
 FEW, MANY = 150, 100_000

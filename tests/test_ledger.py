@@ -12,16 +12,16 @@ from pathlib import Path
 import pytest
 
 from symcheck import kernels, papers
+from symcheck.audit.checked import reason, reasons
+from symcheck.audit.decide import decide, weigh
+from symcheck.audit.obligation import DECIDED, expand
 from symcheck.checker import check_all
 from symcheck.checker.__main__ import main
-from symcheck.evidence.checked import reason, reasons
-from symcheck.evidence.decide import decide, weigh
-from symcheck.evidence.faults import without
-from symcheck.evidence.obligation import DECIDED, expand
-from symcheck.evidence.record import Record
-from symcheck.evidence.store import line
+from symcheck.core.verdicts import Loss, Origin, Reading, Role, SymcheckError, Verdict
+from symcheck.ledger.digests import line
+from symcheck.ledger.record import Record
 from symcheck.selftest.statements import unguarded
-from symcheck.statement import Loss, Origin, Reading, Role, SymcheckError, Verdict
+from symcheck.views.faults import without
 
 IDS = [obligation.id for paper in papers.load().values() for obligation in expand(paper)]
 
@@ -174,7 +174,7 @@ def test_a_proof_from_a_lemma_falls_with_the_lemma(outcome: Callable[[dict[str, 
 
 
 def test_a_result_depends_on_the_lemmas_it_may_use(monkeypatch: pytest.MonkeyPatch) -> None:
-    from symcheck.evidence import obligation
+    from symcheck.audit import obligation
     from symcheck.papers.mirer2009 import sec2
 
     def prints() -> dict[str, str]:

@@ -6,11 +6,11 @@ from pathlib import Path
 
 import pytest
 
+from symcheck.core.verdicts import Origin
+from symcheck.papers import listing
 from symcheck.papers.ignatov2005 import derivation, lists
 from symcheck.papers.ignatov2005.listed import Block, Printed
-from symcheck.reading import listing
-from symcheck.reading.listing import Label, Unreadable
-from symcheck.statement import Origin
+from symcheck.papers.listing import Label, Unreadable
 
 PRINTED = [lists.printed_four, lists.printed_three, lists.printed_six, lists.printed_five]
 SECTIONS = [printed.array.section for printed in PRINTED]

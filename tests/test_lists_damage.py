@@ -11,11 +11,12 @@ from functools import cache
 import pytest
 
 from symcheck import papers
-from symcheck.evidence.context import Context
-from symcheck.evidence.judge import judge, units
+from symcheck.audit.context import Context
+from symcheck.audit.judge import judge, units
+from symcheck.core.claims import Item
+from symcheck.core.verdicts import Role, Verdict
 from symcheck.papers.ignatov2005 import lists
 from symcheck.papers.ignatov2005.listed import Block, Declared, Printed, declared
-from symcheck.statement import Item, Role, Verdict
 
 PAPER = papers.load()["ignatov2005"]
 PRINTED = (lists.printed_four, lists.printed_three, lists.printed_six, lists.printed_five)

@@ -9,10 +9,11 @@ from pathlib import Path
 
 import pytest
 
-from symcheck.core.terms import INFINITY, MINUS_INFINITY, PI, node
-from symcheck.evidence.checked import reason as check
+from symcheck.audit.checked import reason as check
+from symcheck.core.claims import Problem
+from symcheck.core.terms import INFINITY, MINUS_INFINITY, PI, Formula, Term, node
+from symcheck.core.verdicts import Verdict
 from symcheck.proof import certificate, identity, proof_of
-from symcheck.statement import Formula, Problem, Term, Verdict
 
 PROOF = Path(__file__).parents[1] / "symcheck" / "proof"
 SIGNS = ("=", "=", "=", "!=", "<", "<=", ">", ">=")

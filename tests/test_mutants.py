@@ -9,11 +9,11 @@ from functools import cache
 import pytest
 
 from symcheck import papers
-from symcheck.evidence.obligation import expand
+from symcheck.audit.obligation import expand
+from symcheck.core.verdicts import Role
 from symcheck.reading import Edit
 from symcheck.selftest.statements import Proved, fate, proved, slips
 from symcheck.selftest.trial import Fate
-from symcheck.statement import Role
 
 DECLARATIONS, SAMPLE = 5, 8
 PARTS = 8

@@ -4,11 +4,12 @@ from __future__ import annotations
 
 import pytest
 
-from symcheck.core.terms import node
-from symcheck.evidence.checked import reason
-from symcheck.evidence.faults import without
+from symcheck.audit.checked import reason
+from symcheck.core.claims import Problem
+from symcheck.core.terms import Formula, node
+from symcheck.core.verdicts import Loss
 from symcheck.proof import fails_without, refute
-from symcheck.statement import Formula, Loss, Problem
+from symcheck.views.faults import without
 
 E = node("sin", "a")
 SHORTER = (("e", E),)

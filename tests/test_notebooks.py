@@ -14,12 +14,13 @@ from click.testing import CliRunner, Result
 from nbformat.v4 import new_code_cell, new_notebook, new_output
 
 from symcheck.cli import cli
-from symcheck.evidence.steps import compared, term
-from symcheck.notebook import committed, compare, counterexample, letters, records, relations, rules, show, source
-from symcheck.notebook.execute import in_kernel, in_process
-from symcheck.notebook.shown import Heading, Math, Prose, Shown, Table
+from symcheck.core.verdicts import SymcheckError, Verdict
+from symcheck.core.words import term
 from symcheck.papers import load
-from symcheck.statement import SymcheckError, Verdict
+from symcheck.views.notebook import committed, compare, counterexample, letters, records, relations, rules, show, source
+from symcheck.views.notebook.execute import in_kernel, in_process
+from symcheck.views.notebook.shown import Heading, Math, Prose, Shown, Table
+from symcheck.views.steps import compared
 
 NAMES = committed.names()
 PAPERS = {name.partition("_")[2]: name for name in NAMES if name.partition("_")[2] in load()}
@@ -125,7 +126,7 @@ def test_a_cell_that_defines_or_computes_is_refused(cell: str, fault: str, tmp_p
 
 
 ALLOWED = (
-    'from symcheck.notebook import show\n\nshow.claim("mirer2009:2.12")',
+    'from symcheck.views.notebook import show\n\nshow.claim("mirer2009:2.12")',
     "from numpy import radians\n\nfour = wheels.four_wheels(*radians([67, 32]))\nshow.numbers(counts=four.counts[-1])",
 )
 
@@ -223,7 +224,7 @@ def a_notebook(*cells: str) -> Any:
     return new_notebook(cells=[new_code_cell(cell, id=f"c-{n}") for n, cell in enumerate(cells)])
 
 
-NUMBERS = "from symcheck.notebook import show\n\nshow.numbers(x=1)"
+NUMBERS = "from symcheck.views.notebook import show\n\nshow.numbers(x=1)"
 
 
 def test_process_and_kernel_fill_in_the_same_outputs(tmp_path: Path) -> None:
@@ -236,7 +237,10 @@ def test_process_and_kernel_fill_in_the_same_outputs(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("cell", "told"),
     [
-        ("from symcheck.notebook import show\nshow.claim('mirer2009:9.99')", "c-0 fails with SymcheckError: mirer2009"),
+        (
+            "from symcheck.views.notebook import show\nshow.claim('mirer2009:9.99')",
+            "c-0 fails with SymcheckError: mirer2009",
+        ),
         ("1", "c-0 ends in a int"),
         ("x = 1", "c-0 shows nothing"),
     ],

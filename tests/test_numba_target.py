@@ -25,10 +25,10 @@ import pytest
 from flint import arb, ctx
 from kernel_reference import Case, Truth, cases, crowded_points, in_range, inside, random_points, worst
 
-from symcheck.codegen import numba_functions, numba_target
-from symcheck.codegen.program import UNARY, Operation, Program
-from symcheck.codegen.target import MARK, Made
-from symcheck.statement import SymcheckError
+from symcheck.core.verdicts import SymcheckError
+from symcheck.kernels.codegen import numba_functions, numba_target
+from symcheck.kernels.codegen.program import UNARY, Operation, Program
+from symcheck.kernels.codegen.target import MARK, Made
 
 numba = pytest.importorskip("numba")
 

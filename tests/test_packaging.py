@@ -17,7 +17,7 @@ from packaging.requirements import Requirement
 from packaging.utils import canonicalize_name
 
 import symcheck
-from symcheck.evidence.obligation import SOURCES
+from symcheck.audit.obligation import SOURCES
 
 PACKAGE, GENERATED = "symcheck/", "generated/"
 
@@ -67,7 +67,7 @@ def test_the_wheel_finds_what_was_generated(wheel: zipfile.ZipFile, tmp_path: Pa
         "import sys, pathlib\n"
         f"sys.path.insert(0, {str(tmp_path)!r})\n"
         "from symcheck import kernels\n"
-        "from symcheck.evidence import store\n"
+        "from symcheck.ledger import store\n"
         "print(kernels.folder())\n"
         "print(sorted(str(file.relative_to(kernels.folder())) for file in kernels.folder().rglob('*.json')))\n"
     )
@@ -149,7 +149,7 @@ def test_pins_satisfy_the_declared_ranges(project: dict[str, Any], root: Path) -
 
 
 def test_a_cached_result_depends_on_every_module_that_makes_it() -> None:
-    program = "import sys, symcheck.evidence.decide; print(*(n for n in sys.modules if n.startswith('symcheck.')))"
+    program = "import sys, symcheck.audit.decide; print(*(n for n in sys.modules if n.startswith('symcheck.')))"
     loaded = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, check=True).stdout.split()
     hashed = {source.removesuffix(".py") for source in SOURCES}
     by_content = {"papers", "lazy"}  # declarations are hashed one by one; lazy only puts imports off

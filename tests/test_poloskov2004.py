@@ -10,13 +10,13 @@ import sympy
 from test_reading_sensitivity import unnoticed
 
 from symcheck import papers
-from symcheck.core.terms import Node, mapped
-from symcheck.evidence.context import Context
-from symcheck.evidence.judge import units
-from symcheck.evidence.obligation import obligation_of
+from symcheck.audit.context import Context
+from symcheck.audit.judge import units
+from symcheck.audit.obligation import obligation_of
+from symcheck.core.terms import Node, Term, mapped
+from symcheck.core.verdicts import Origin, Role
 from symcheck.papers.poloskov2004 import derivation
 from symcheck.reading import Notation, read, to_latex, to_sympy
-from symcheck.statement import Origin, Role, Term
 
 PAPER = papers.load()["poloskov2004"]
 

@@ -4,10 +4,11 @@ from __future__ import annotations
 
 import pytest
 
+from symcheck.core.claims import Problem
 from symcheck.core.terms import node
+from symcheck.core.verdicts import Verdict
 from symcheck.proof import identity
 from symcheck.reading import Letter, Notation, lower, read
-from symcheck.statement import Problem, Verdict
 
 NOTATION = Notation([Letter("x"), Letter("a")])
 POSITIVE = ("a is positive", (node(">", "a", 0),))

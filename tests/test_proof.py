@@ -12,11 +12,13 @@ from saboteurs import unsound
 from statements import DISTINCT, DISTINCT_AS_PRINTED, FALSE, ORTHOGONAL, RIGHT, TRUE, J, L, eq, mul, over, sq, sub
 
 from symcheck import kernels
+from symcheck.audit.checked import reason
 from symcheck.checker import certificates, check
 from symcheck.checker.rules import Prover
+from symcheck.core.claims import Method, Problem
 from symcheck.core.terms import node
-from symcheck.evidence.checked import reason
-from symcheck.evidence.steps import term
+from symcheck.core.verdicts import Certificate, Verdict
+from symcheck.core.words import term
 from symcheck.proof import cases, certificate, equivalent, existence, identity, nonnegative
 from symcheck.proof.groebner import Basis, lcm
 from symcheck.proof.ideal import Ideal
@@ -25,7 +27,6 @@ from symcheck.proof.orders import positive_form
 from symcheck.proof.polynomial import Ring, Unsupported, square_free
 from symcheck.proof.pruning import without
 from symcheck.selftest.methods import SABOTEURS
-from symcheck.statement import Certificate, Method, Problem, Verdict
 
 BY_ID = {problem.id: problem for problem in (*TRUE, *FALSE)}
 METHODS = (identity, nonnegative(), cases(), existence())

@@ -7,6 +7,7 @@ import sympy
 from reading_samples import CHARACTERISTIC, NOTATION, ROTATED, TORQUE
 
 from symcheck.core.terms import INFINITY, MINUS_INFINITY, PI
+from symcheck.core.verdicts import SymcheckError
 from symcheck.reading import Letter, Notation, edits, lower, read, relations, split_tag, term, to_latex, to_sympy
 from symcheck.reading.tree import (
     Chain,
@@ -22,7 +23,6 @@ from symcheck.reading.tree import (
     System,
     Transpose,
 )
-from symcheck.statement import SymcheckError
 
 
 def formulas(latex, notation=NOTATION):

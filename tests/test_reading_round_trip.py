@@ -9,6 +9,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from reading_samples import NOTATION, SAMPLES, displays, formulas_of, inline
 
+from symcheck.core.verdicts import SymcheckError
 from symcheck.reading import Letter, Notation, lower, read, relations, to_latex
 from symcheck.reading.lexer import FUNCTIONS
 from symcheck.reading.tree import (
@@ -52,7 +53,6 @@ from symcheck.reading.tree import (
     Values,
     walk,
 )
-from symcheck.statement import SymcheckError
 
 
 @pytest.mark.parametrize("latex", SAMPLES, ids=str)

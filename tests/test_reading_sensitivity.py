@@ -9,9 +9,9 @@ from pathlib import Path
 import pytest
 from reading_samples import NOTATION, SAMPLES, displays
 
+from symcheck.core.verdicts import SymcheckError
 from symcheck.reading import lower, read, relations, split_tag
 from symcheck.reading.tex import Tok, tokenize
-from symcheck.statement import SymcheckError
 
 LAYOUT = {r"\quad", r"\,", r"\;", "&", r"\\", r"\left", r"\right", ".", ",", ";", r"\cdot"}
 GREEK = {

@@ -10,8 +10,8 @@ import sympy
 from reading_samples import NOTATION
 
 from symcheck.core.terms import node
+from symcheck.core.verdicts import SymcheckError
 from symcheck.reading import from_sympy, term, to_sympy
-from symcheck.statement import SymcheckError
 
 x, y = sympy.symbols("x y", real=True)
 EXPRESSIONS = [

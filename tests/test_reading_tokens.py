@@ -10,10 +10,10 @@ import pytest
 from formula_grammar import GENERATED, formula
 
 from symcheck import papers
-from symcheck.evidence.obligation import expand
+from symcheck.audit.obligation import expand
+from symcheck.core.verdicts import SymcheckError
 from symcheck.reading import Notation, layout, lower, read, relations, split_tag
 from symcheck.reading.tex import Tok, tokenize
-from symcheck.statement import SymcheckError
 
 DIGITS = "0123456789"
 GREEK = (r"\alpha", r"\beta", r"\gamma", r"\psi", r"\theta", r"\omega", r"\Omega", r"\lambda", r"\pi", r"\Delta")

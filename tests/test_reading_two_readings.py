@@ -5,8 +5,8 @@ from __future__ import annotations
 import pytest
 
 from symcheck.core.terms import PI
+from symcheck.core.verdicts import SymcheckError
 from symcheck.reading import Letter, Notation, lower, read, term, to_latex
-from symcheck.statement import SymcheckError
 
 PLAIN = Notation(
     [

@@ -16,22 +16,22 @@ import pytest
 from click.testing import Result
 
 from symcheck import kernels, papers
-from symcheck.evidence.faults import errata
-from symcheck.evidence.latex import is_formula
-from symcheck.evidence.obligation import expand
-from symcheck.evidence.record import Record
-from symcheck.evidence.selftested import evidence
-from symcheck.evidence.steps import steps
-from symcheck.report import sources
-from symcheck.report.difference import marked
-from symcheck.report.graph import graph
-from symcheck.report.marks import marks
-from symcheck.report.packing import unpacked
-from symcheck.report.page import Beside, Pictures, page
-from symcheck.report.plots import colour, coloured, curves, png
-from symcheck.report.sources import Excerpt, Publication
-from symcheck.report.typeset import typeset
-from symcheck.statement import Group, Origin, Reading, Role, SymcheckError, Verdict
+from symcheck.audit.obligation import expand
+from symcheck.core.verdicts import Group, Origin, Reading, Role, SymcheckError, Verdict
+from symcheck.ledger.record import Record
+from symcheck.ledger.selftested import evidence
+from symcheck.views.faults import errata
+from symcheck.views.latex import is_formula
+from symcheck.views.page import sources
+from symcheck.views.page.difference import marked
+from symcheck.views.page.graph import graph
+from symcheck.views.page.marks import marks
+from symcheck.views.page.packing import unpacked
+from symcheck.views.page.page import Beside, Pictures, page
+from symcheck.views.page.plots import colour, coloured, curves, png
+from symcheck.views.page.sources import Excerpt, Publication
+from symcheck.views.page.typeset import typeset
+from symcheck.views.steps import steps
 
 TOY = (Publication("toy", "The toy paper", "toy.txt", {"1": "The only section"}),)
 ROW = r"V_1 : \mathbf{H} = [1, 1, -1] = (0, 0, 1)"
@@ -364,7 +364,7 @@ def test_a_file_that_cannot_be_written_is_told_in_one_line(toy: Path, report: Ca
 
 
 def test_the_data_of_the_pictures_are_finite_and_name_claims_and_lists_that_exist() -> None:
-    from symcheck.numeric import pictures
+    from symcheck.views import pictures
 
     envelopes, densities, stability = pictures.envelopes(), pictures.densities(), pictures.stability()
     json.dumps([envelopes, densities, stability], allow_nan=False)

@@ -160,8 +160,8 @@ def test_a_deep_link_shows_its_claim_typeset_with_its_difference_marked(opened: 
 
 
 def test_a_claim_says_whether_coq_confirms_it_and_the_ledger_finds_those_alike(opened: Callable[..., Page]) -> None:
-    from symcheck.evidence.confirmed import told
-    from symcheck.evidence.decide import decide
+    from symcheck.audit.decide import decide
+    from symcheck.coq.confirmed import told
 
     for id in ("mirer2009:2.12", "mirer2009:2.13.1c"):
         said = next(told(record) for record in decide(id.rstrip("abc")) if record.id == id)

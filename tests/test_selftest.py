@@ -12,12 +12,13 @@ from typing import Any
 import pytest
 
 from symcheck import papers
-from symcheck.evidence import checked, decide
-from symcheck.evidence.domain import domain, refuse_wider
-from symcheck.evidence.executor import Serial
-from symcheck.evidence.judge import judge
-from symcheck.evidence.obligation import expand
-from symcheck.evidence.record import Record
+from symcheck.audit import checked, decide
+from symcheck.audit.executor import Serial
+from symcheck.audit.judge import judge
+from symcheck.audit.obligation import expand
+from symcheck.core.verdicts import SymcheckError, Verdict
+from symcheck.ledger.domain import domain, refuse_wider
+from symcheck.ledger.record import Record
 from symcheck.reading import read
 from symcheck.selftest import certificates, engines, forgeries, hypotheses, kernels, methods, statements
 from symcheck.selftest.arguments import arguments
@@ -27,7 +28,6 @@ from symcheck.selftest.run import Result, classes, run, tasks
 from symcheck.selftest.statements import proved
 from symcheck.selftest.table import FATES
 from symcheck.selftest.trial import Count, Fate, Trial, limits, mixed
-from symcheck.statement import SymcheckError, Verdict
 
 IDS = (
     "mirer2009:2.12",

@@ -13,12 +13,12 @@ import stand_in
 from click.testing import Result as Outcome
 
 from symcheck import kernels
-from symcheck.codegen.target import MARK
-from symcheck.evidence import selftested, store
-from symcheck.evidence.record import Record
+from symcheck.core.verdicts import Role, SymcheckError, Verdict
+from symcheck.kernels.codegen.target import MARK
+from symcheck.ledger import selftested, store
+from symcheck.ledger.record import Record
 from symcheck.selftest.run import Result
 from symcheck.selftest.trial import Count, Fate
-from symcheck.statement import Role, SymcheckError, Verdict
 
 RESULT = Result(
     7, {"signs": {"plus": Count(Counter({Fate.REJECTED: 9, Fate.ACCEPTED: 1}), ["accepted plus: x"])}}

@@ -11,8 +11,8 @@ from pathlib import Path
 import pytest
 
 from symcheck import kernels
+from symcheck.audit.kernels import declared
 from symcheck.checker.theorems import NAMES, stated
-from symcheck.evidence.kernels import declared
 from symcheck.numeric.chunked.kernels import declaration
 from symcheck.numeric.wheels import listed_vertices
 from symcheck.papers import load

@@ -8,12 +8,13 @@ import sys
 
 import pytest
 
-from symcheck.core.terms import INFINITY, node
-from symcheck.evidence.checked import reason
+from symcheck.audit.checked import reason
+from symcheck.core.claims import Problem
+from symcheck.core.terms import INFINITY, Formula, Term, node
+from symcheck.core.verdicts import Verdict
 from symcheck.proof import certificate, equivalent, identity
 from symcheck.proof.polynomial import Ring, Unsupported, alone, letters_of, variables
 from symcheck.proof.variables import Table, atoms, one_problem
-from symcheck.statement import Formula, Problem, Term, Verdict
 
 SHIFTED = [node("sqrt", node("+", "x", number)) for number in (378610, 2312624)]
 
@@ -142,7 +143,7 @@ SCRIPT = """
 import json
 from test_functions import TRUE
 from symcheck.proof import certificate, identity
-from symcheck.statement import Problem
+from symcheck.core.claims import Problem
 for name in ("the square of a sum of roots", "a root of sine and cosine", "a density without flux"):
     problem = Problem(name, TRUE[name][0], (), TRUE[name][1])
     print(json.dumps(certificate(problem, identity.decide(problem))))

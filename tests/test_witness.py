@@ -9,11 +9,12 @@ from typing import Any
 import pytest
 from statements import TRUE, over, sub
 
-from symcheck.core.terms import PI, node
-from symcheck.evidence.checked import reason
+from symcheck.audit.checked import reason
+from symcheck.core.claims import Problem
+from symcheck.core.terms import PI, Formula, Term, node
+from symcheck.core.verdicts import Verdict
 from symcheck.proof import certificate, identity, proof_of
 from symcheck.proof.witness import find_witnesses, implications
-from symcheck.statement import Formula, Problem, Term, Verdict
 
 EQUAL = (("h", (node("=", "x", "y"),)),)
 AND_NOT: tuple[Formula, ...] = (node("=", "x", 1), node("=", "x", 2))

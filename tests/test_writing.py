@@ -13,7 +13,7 @@ import pytest
 from click.testing import CliRunner, Result
 
 from symcheck.cli import cli
-from symcheck.writing import put
+from symcheck.core.files import put
 
 Command = Callable[..., Result]
 FULL = Path("/dev/full")
@@ -124,7 +124,7 @@ def test_what_cannot_be_replaced_leaves_nothing_behind(tmp_path: Path) -> None:
 @pytest.mark.parametrize("mode", ["wb", "ab"])
 def test_the_standard_output_takes_its_turn_in_a_file(mode: str, tmp_path: Path) -> None:
     code = (
-        "from pathlib import Path\nfrom symcheck.writing import put\n"
+        "from pathlib import Path\nfrom symcheck.core.files import put\n"
         "print('before')\nput(Path('/dev/stdout'), b'written\\n')\nprint('after')"
     )
     file = tmp_path / "out"

@@ -16,9 +16,9 @@ import numpy as np
 import pytest
 from scipy.spatial import ConvexHull
 
+from symcheck.core.verdicts import SymcheckError
 from symcheck.mechanics import zonotope
 from symcheck.mechanics.zonotope import Envelope, Signs, Vector, cross, dot, envelope, isometries
-from symcheck.statement import SymcheckError
 
 Axes = list[Vector]
 

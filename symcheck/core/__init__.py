@@ -1,1 +1,1 @@
-"""Terms, formulas and derivatives: what the checker and those who look for proofs have in common."""
+"""What everything else speaks in, on the standard library alone: terms, formulas, declarations, verdicts."""

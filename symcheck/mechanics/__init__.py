@@ -1,0 +1,1 @@
+"""Rotation, inertia and momentum envelopes of rigid bodies, independent of any paper."""

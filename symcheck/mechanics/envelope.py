@@ -12,10 +12,10 @@ from functools import cached_property
 from itertools import combinations, pairwise, product
 from typing import Any
 
-from symcheck.lazy import lazy
+from symcheck.core.lazy import lazy
+from symcheck.core.verdicts import SymcheckError
 from symcheck.mechanics import zonotope
 from symcheck.mechanics.zonotope import Combinatorics, Envelope, Vector
-from symcheck.statement import SymcheckError
 
 sp = lazy("sympy")
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from symcheck.lazy import lazy
+from symcheck.core.lazy import lazy
 
 if TYPE_CHECKING:
     from sympy import Expr, Matrix

@@ -18,7 +18,7 @@ from functools import cmp_to_key
 from itertools import combinations, permutations
 from typing import Any
 
-from symcheck.statement import SymcheckError
+from symcheck.core.verdicts import SymcheckError
 
 Signs = tuple[int, ...]
 Vector = tuple[Any, Any, Any]

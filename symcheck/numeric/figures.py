@@ -19,7 +19,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from symcheck import numeric
-from symcheck.writing import put
+from symcheck.core.files import put
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure

@@ -7,7 +7,7 @@ from collections.abc import Iterator, Mapping
 from functools import cache
 from importlib import import_module
 
-from symcheck.statement import Paper
+from symcheck.core.claims import Paper
 
 
 class Papers(Mapping[str, Paper]):

@@ -6,7 +6,8 @@ import re
 from collections.abc import Sequence
 from typing import Any
 
-from symcheck.statement import Item, Role
+from symcheck.core.claims import Item
+from symcheck.core.verdicts import Role
 
 
 def _item(role: Role, number: str, line: int, printed: str | Sequence[str], fields: dict[str, Any]) -> Item:

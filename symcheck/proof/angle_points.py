@@ -12,14 +12,15 @@ from itertools import islice, pairwise
 from symcheck.checker.enclosures import enclosed
 from symcheck.core.calculus import Unknown
 from symcheck.core.calculus import letters as letters_in
+from symcheck.core.claims import Outcome, Problem
 from symcheck.core.formulas import conjuncts, contrary
-from symcheck.core.terms import PI, Node, Quantified, Value, mapped, node
+from symcheck.core.terms import PI, Formula, Node, Quantified, Term, Value, mapped, node
+from symcheck.core.verdicts import Certificate, Verdict
 from symcheck.proof.angles import KNOWN_ANGLES, KNOWN_SINES, compared, compares_angles, multiple_of_pi
 from symcheck.proof.closed import Numbers, decide_numbers, refute_at
 from symcheck.proof.knowledge import ring_of
 from symcheck.proof.polynomial import Ring, Unsupported, subterms, unfold, with_arguments
 from symcheck.proof.variables import circle
-from symcheck.statement import Certificate, Formula, Outcome, Problem, Term, Verdict
 
 MAX_LETTERS = 3
 MAX_POINTS = 80

@@ -11,8 +11,10 @@ from dataclasses import dataclass, replace
 from fractions import Fraction
 from math import prod
 
+from symcheck.core.claims import Problem
 from symcheck.core.formulas import conjuncts
-from symcheck.core.terms import PI, RELATIONS, Node, node
+from symcheck.core.terms import PI, RELATIONS, Formula, Node, Term, node
+from symcheck.core.verdicts import Certificate
 from symcheck.proof.applied import Instance, applied, have, step, theorem_of
 from symcheck.proof.equations import identity_here
 from symcheck.proof.farkas import contradiction, prove_by_contrary
@@ -27,7 +29,6 @@ from symcheck.proof.polynomial import (
     with_arguments,
 )
 from symcheck.proof.variables import atoms, circle, prime, table
-from symcheck.statement import Certificate, Formula, Problem, Term
 
 INVERSE = {"arctan": "arctangent", "arcsin": "arcsine", "arccos": "arccosine"}
 SWAPPED = {"=": "=", "!=": "!=", "<": ">", "<=": ">=", ">": "<", ">=": "<="}

@@ -8,9 +8,9 @@ from typing import NamedTuple
 from symcheck.checker import theorems
 from symcheck.core.calculus import Lambda, Unknown, letters, substituted
 from symcheck.core.terms import Binder, Formula, Malformed, Node, Quantified, Term, mapped, node
+from symcheck.core.verdicts import Certificate
 from symcheck.proof.polynomial import unfold
 from symcheck.proof.variables import Unsupported
-from symcheck.statement import Certificate
 
 HAVE = "have"  # no theorem, but used as one: what is proved once may be used often
 

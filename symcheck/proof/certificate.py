@@ -12,14 +12,15 @@ from typing import Any, NamedTuple
 
 from symcheck.checker.theorems import NAMES, theorem
 from symcheck.core.calculus import substituted
+from symcheck.core.claims import Outcome, Problem
 from symcheck.core.formulas import FALSE, conjuncts
 from symcheck.core.terms import Formula, Node, Quantified, Term, node
+from symcheck.core.verdicts import Certificate, Verdict
 from symcheck.proof.applied import HAVE, Instance
 from symcheck.proof.mentions import nonzero_terms, term_of_text, terms_in, texts_in
 from symcheck.proof.methods import proof_of
 from symcheck.proof.polynomial import subterms
 from symcheck.proof.witness import find_witnesses, implications, with_definitions
-from symcheck.statement import Certificate, Outcome, Problem, Verdict
 
 VARIABLE = re.compile(r"[A-Za-z]\w*")
 

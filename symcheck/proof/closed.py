@@ -15,12 +15,13 @@ from typing import Any, NamedTuple
 
 from symcheck.checker.enclosures import FUNCTIONS, between
 from symcheck.core.calculus import Unknown, letters
+from symcheck.core.claims import Outcome, Problem
 from symcheck.core.formulas import conjuncts
-from symcheck.core.terms import PI, RELATIONS, Connective, Node, node
+from symcheck.core.terms import PI, RELATIONS, Connective, Formula, Node, Term, node
+from symcheck.core.verdicts import Certificate, Verdict
 from symcheck.proof.applied import enclosure, step
 from symcheck.proof.orders import number_term
 from symcheck.proof.polynomial import Unsupported, constant, subterms, unfold
-from symcheck.statement import Certificate, Formula, Outcome, Problem, Term, Verdict
 
 DIGITS = (6, 12, 20, 30)  # as few as tell two numbers apart
 SIGNS = {"=": {0}, "!=": {-1, 1}, "<": {-1}, "<=": {-1, 0}, ">": {1}, ">=": {0, 1}}  # of left - right

@@ -17,8 +17,10 @@ from typing import Any
 import flint
 
 from symcheck.core.calculus import letters
+from symcheck.core.claims import Outcome, Problem
 from symcheck.core.formulas import conjuncts
-from symcheck.core.terms import PI, RELATIONS, Node, Quantified, Value, mapped, node
+from symcheck.core.terms import PI, RELATIONS, Formula, Node, Quantified, Term, Value, mapped, node
+from symcheck.core.verdicts import Certificate
 from symcheck.proof.angle_points import refute_about_angles
 from symcheck.proof.closed import refute_at, refute_at_some, refute_numbers
 from symcheck.proof.knowledge import ring_of
@@ -38,7 +40,6 @@ from symcheck.proof.polynomial import (
 )
 from symcheck.proof.theorem_search import values_of
 from symcheck.proof.variables import atoms, circle, cosine, prime, sine, table
-from symcheck.statement import Certificate, Formula, Outcome, Problem, Term
 
 Point = dict[str, Poly]
 Prover = Callable[[Problem], Outcome | None]

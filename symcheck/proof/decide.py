@@ -7,8 +7,10 @@ import re
 from collections.abc import Callable
 from dataclasses import replace
 
+from symcheck.core.claims import Outcome, Problem
 from symcheck.core.formulas import conjuncts
-from symcheck.core.terms import Node, Relation, node
+from symcheck.core.terms import Formula, Node, Relation, Term, node
+from symcheck.core.verdicts import Certificate, Verdict
 from symcheck.proof.closed import decide_numbers
 from symcheck.proof.counterexample import refute
 from symcheck.proof.knowledge import Knowledge, given_of, ring_of, starting
@@ -18,7 +20,6 @@ from symcheck.proof.polynomial import Poly, Ring, Unsupported, function_argument
 from symcheck.proof.variables import atoms, table
 from symcheck.proof.wellformed import check_terms
 from symcheck.proof.witness import find_witnesses
-from symcheck.statement import Certificate, Formula, Outcome, Problem, Term, Verdict
 
 VACUOUS = (
     "it follows from what is given, but no point was found at which that holds: hypotheses, premises, "

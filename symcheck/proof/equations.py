@@ -5,10 +5,12 @@ from __future__ import annotations
 from collections.abc import Iterator
 from itertools import combinations
 
+from symcheck.core.claims import Problem
+from symcheck.core.terms import Formula
+from symcheck.core.verdicts import Certificate
 from symcheck.proof.ideal import Fact
 from symcheck.proof.knowledge import Knowledge, starting
 from symcheck.proof.polynomial import Poly, Ratio, Ring
-from symcheck.statement import Certificate, Formula, Problem
 
 
 def written(cofactors: list[Fact]) -> list[list[object]]:

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from symcheck.core.terms import RELATIONS, Quantified, node
+from symcheck.core.claims import Problem
+from symcheck.core.terms import RELATIONS, Formula, Quantified, node
 from symcheck.proof.knowledge import proportional, ring_of, starting
 from symcheck.proof.polynomial import Unsupported, alone
-from symcheck.statement import Formula, Problem
 
 MIRROR = {"<": ">", "<=": ">="}
 

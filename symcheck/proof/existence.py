@@ -6,14 +6,15 @@ from collections.abc import Callable, Mapping
 from typing import Any
 
 from symcheck.core.calculus import substituted
+from symcheck.core.claims import Problem
 from symcheck.core.formulas import conjuncts
-from symcheck.core.terms import Node, Quantified, mapped, node
+from symcheck.core.terms import Formula, Node, Quantified, Term, mapped, node
+from symcheck.core.verdicts import Certificate
 from symcheck.proof.applied import applied, of, step
 from symcheck.proof.equations import equations_here, identity_here
 from symcheck.proof.knowledge import Knowledge, ring_of, starting
 from symcheck.proof.polynomial import Ring, subterms, unfold, variables
 from symcheck.proof.variables import cosine, table
-from symcheck.statement import Certificate, Formula, Problem, Term
 
 Search = Callable[[Formula, Knowledge], Certificate | None]
 

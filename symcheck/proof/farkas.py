@@ -7,12 +7,12 @@ from dataclasses import dataclass
 from fractions import Fraction
 
 from symcheck.core.formulas import contrary
-from symcheck.core.terms import node
+from symcheck.core.terms import Formula, Term, node
+from symcheck.core.verdicts import Certificate
 from symcheck.proof.equations import written
 from symcheck.proof.knowledge import Knowledge
 from symcheck.proof.orders import number_term, term_of
 from symcheck.proof.polynomial import Poly, fraction
-from symcheck.statement import Certificate, Formula, Term
 
 MAX_COLUMNS = 160
 

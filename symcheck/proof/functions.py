@@ -13,7 +13,7 @@ from math import comb, prod
 from typing import Any
 
 from symcheck.core.calculus import Unknown, substituted
-from symcheck.core.terms import INFINITY, MINUS_INFINITY, PI, End, mapped, node
+from symcheck.core.terms import INFINITY, MINUS_INFINITY, PI, End, Term, mapped, node
 from symcheck.proof.applied import Instance, applied, congruence, of
 from symcheck.proof.knowledge import Knowledge, proportional
 from symcheck.proof.orders import number_term, term_of
@@ -33,7 +33,6 @@ from symcheck.proof.polynomial import (
     with_arguments,
 )
 from symcheck.proof.variables import atoms, cosine, sine
-from symcheck.statement import Term
 
 HALF_LINE = (0, INFINITY)
 WHOLE_LINE = (MINUS_INFINITY, INFINITY)

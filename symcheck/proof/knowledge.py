@@ -10,11 +10,11 @@ from dataclasses import dataclass, replace
 from fractions import Fraction
 from typing import Any
 
+from symcheck.core.claims import Problem
 from symcheck.core.formulas import conjuncts
-from symcheck.core.terms import RELATIONS, node
+from symcheck.core.terms import RELATIONS, Formula, Term, node
 from symcheck.proof.ideal import Fact, Ideal, Ref
 from symcheck.proof.polynomial import Poly, Ring, fraction, unfold, variables
-from symcheck.statement import Formula, Problem, Term
 
 MIRROR = {"<": ">", "<=": ">="}
 Given = frozenset[tuple[str, int]]

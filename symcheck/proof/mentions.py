@@ -6,9 +6,9 @@ from collections.abc import Iterator, Mapping
 from typing import Any
 
 from symcheck.core.formulas import sides
-from symcheck.core.terms import node
+from symcheck.core.terms import Term, node
+from symcheck.core.verdicts import Certificate
 from symcheck.proof.applied import theorem_of
-from symcheck.statement import Certificate, Term
 
 
 def references(tree: Any) -> set[tuple[str, int]]:

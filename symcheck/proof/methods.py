@@ -8,6 +8,9 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 
+from symcheck.core.claims import Method, Outcome, Problem
+from symcheck.core.terms import Term
+from symcheck.core.verdicts import Certificate, Verdict
 from symcheck.proof import counterexample, witness
 from symcheck.proof import decide as deciding
 from symcheck.proof.decide import decide
@@ -16,7 +19,6 @@ from symcheck.proof.splitting import prove
 from symcheck.proof.variables import Unsupported
 from symcheck.proof.wellformed import check_terms
 from symcheck.proof.witness import FALSE
-from symcheck.statement import Certificate, Method, Outcome, Problem, Term, Verdict
 
 
 def _decide(problem: Problem) -> Outcome:

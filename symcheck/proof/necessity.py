@@ -10,8 +10,10 @@ from dataclasses import replace
 from typing import Any, NamedTuple
 
 from symcheck.core.calculus import letters
+from symcheck.core.claims import Outcome, Problem
 from symcheck.core.formulas import conjuncts
-from symcheck.core.terms import RELATIONS, Node, Quantified, mapped, node
+from symcheck.core.terms import RELATIONS, Formula, Node, Quantified, Term, mapped, node
+from symcheck.core.verdicts import Certificate, Loss, Verdict
 from symcheck.proof.angle_points import refute_about_angles
 from symcheck.proof.certificate import certificate
 from symcheck.proof.counterexample import failing
@@ -19,7 +21,6 @@ from symcheck.proof.methods import proof_of, refute
 from symcheck.proof.polynomial import Unsupported, alone, letters_of, subterms
 from symcheck.proof.variables import Table
 from symcheck.proof.witness import FALSE
-from symcheck.statement import Certificate, Formula, Loss, Outcome, Problem, Term, Verdict
 
 PLAIN = {"+", "-", "*", "/", "^", "and", "or", "=>", "<=>", *RELATIONS}
 DRAWN, DRAWS = range(-5, 6), 500

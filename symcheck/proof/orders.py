@@ -6,12 +6,13 @@ from collections.abc import Iterator
 from fractions import Fraction
 from math import prod
 
-from symcheck.core.terms import node
+from symcheck.core.claims import Problem
+from symcheck.core.terms import Formula, Term, node
+from symcheck.core.verdicts import Certificate
 from symcheck.proof.equations import cleared, subsets, written
 from symcheck.proof.knowledge import Knowledge, proportional, starting
 from symcheck.proof.polynomial import Poly, fraction
 from symcheck.proof.variables import circle, cosine, sine, table
-from symcheck.statement import Certificate, Formula, Problem, Term
 
 
 def gap_of(goal: Formula) -> tuple[Term, int]:

@@ -16,10 +16,10 @@ from typing import Any
 import flint
 
 from symcheck.core.calculus import Unknown, differentiated, substituted
-from symcheck.core.terms import Binder, End, Node, T, Value, mapped, node
+from symcheck.core.claims import Problem
+from symcheck.core.terms import Binder, End, Formula, Node, T, Term, Value, mapped, node
 from symcheck.proof.variables import Unsupported as Unsupported
 from symcheck.proof.variables import atoms, circle, cosine, one_problem, prime, sine, table
-from symcheck.statement import Formula, Problem, Term
 
 Poly = Any  # flint.fmpq_mpoly, which has no type information
 

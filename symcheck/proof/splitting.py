@@ -6,7 +6,9 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
-from symcheck.core.terms import RELATIONS, Node, node
+from symcheck.core.claims import Problem
+from symcheck.core.terms import RELATIONS, Formula, Node, Term, node
+from symcheck.core.verdicts import Certificate
 from symcheck.proof.angles import compares_angles, prove_about_angles
 from symcheck.proof.equations import cleared, prove_identity, written
 from symcheck.proof.existence import prove_existence
@@ -18,7 +20,6 @@ from symcheck.proof.polynomial import Poly, Ring, fraction, power_of
 from symcheck.proof.pruning import without
 from symcheck.proof.theorem_search import has_functions, prove_with_theorems
 from symcheck.proof.variables import prime
-from symcheck.statement import Certificate, Formula, Problem, Term
 
 CONTRARY = {"<": ">=", "<=": ">", ">": "<=", ">=": "<"}
 ABSURD: Formula = node("or")  # the goal of a contradiction: nothing to choose from

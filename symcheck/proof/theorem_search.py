@@ -6,7 +6,9 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from typing import Any
 
-from symcheck.core.terms import node
+from symcheck.core.claims import Problem
+from symcheck.core.terms import Formula, Term, node
+from symcheck.core.verdicts import Certificate
 from symcheck.proof.applied import Instance, Theorem, applied, step, theorem_of
 from symcheck.proof.closed import order_of_numbers
 from symcheck.proof.equations import equations_here, identity_here
@@ -22,7 +24,6 @@ from symcheck.proof.polynomial import (
     with_arguments,
 )
 from symcheck.proof.variables import Unsupported, atoms, prime
-from symcheck.statement import Certificate, Formula, Problem, Term
 
 Prover = Callable[[Formula, Knowledge], Certificate | None]
 MAX_INSTANCES = 40

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Set
 from typing import Any
 
+from symcheck.core.claims import Problem
 from symcheck.core.terms import (
     ENDS,
     FORMULAS,
@@ -19,7 +20,6 @@ from symcheck.core.terms import (
     Reader,
 )
 from symcheck.proof.variables import CONSTANTS, Unsupported
-from symcheck.statement import Problem
 
 MAX_DEPTH = 200  # of a term: what walks through it is recursive
 MAX_ORDER = 8  # of a derivative, as in the checker

@@ -14,13 +14,14 @@ from typing import Any
 
 from symcheck.checker.enclosures import enclosed
 from symcheck.core.calculus import Unknown, domain, substituted
+from symcheck.core.claims import Outcome, Problem
 from symcheck.core.formulas import conjuncts
-from symcheck.core.terms import PI, RELATIONS, Node, node
+from symcheck.core.terms import PI, RELATIONS, Formula, Node, Term, node
+from symcheck.core.verdicts import Certificate
 from symcheck.proof.closed import TRIED, refute_at_first
 from symcheck.proof.counterexample import Point, Search, refute
 from symcheck.proof.polynomial import Poly, alone, fraction, subterms, unfold, with_arguments
 from symcheck.proof.variables import Unsupported, atoms, circle, cosine, sine
-from symcheck.statement import Certificate, Formula, Outcome, Problem, Term
 
 FALSE: Formula = node("=", 0, 1)
 DRAWS = 3000

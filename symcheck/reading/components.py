@@ -5,8 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Iterator
 from typing import Any
 
-from symcheck.core.terms import node
-from symcheck.statement import Term
+from symcheck.core.terms import Term, node
 
 Value = Any  # Term | list[Term] | list[list[Term]]
 

@@ -1,6 +1,6 @@
 """From the tree as printed to formulas: indices take their values, vectors and matrices their components.
 
-A scalar is lowered to a term (see `symcheck.statement`), a vector to a list of terms, a matrix to a list of rows.
+A scalar is lowered to a term (see `symcheck.core.claims`), a vector to a list of terms, a matrix to a list of rows.
 """
 
 from __future__ import annotations
@@ -10,8 +10,9 @@ from collections.abc import Callable, Iterable, Iterator, Mapping
 from functools import lru_cache
 from typing import Any
 
-from symcheck.core.terms import INFINITY, MINUS_INFINITY, PI, Node, node
+from symcheck.core.terms import INFINITY, MINUS_INFINITY, PI, Formula, Node, Term, node
 from symcheck.core.terms import Call as Applied
+from symcheck.core.verdicts import SymcheckError
 from symcheck.reading.components import Value, det, dot, flat, matmul, minus, says, shape, times, zero, zipped
 from symcheck.reading.notation import TIMES, Letter, Notation, variable
 from symcheck.reading.parser import dependence, read
@@ -60,7 +61,6 @@ from symcheck.reading.tree import (
     walk,
     with_children,
 )
-from symcheck.statement import Formula, SymcheckError, Term
 
 Env = Mapping[str, int]
 

@@ -9,9 +9,9 @@ from dataclasses import dataclass
 from functools import cache
 from typing import Any
 
+from symcheck.core.verdicts import SymcheckError
 from symcheck.reading import tex
 from symcheck.reading.commands import known
-from symcheck.statement import SymcheckError
 
 KINDS = frozenset({"scalar", "vector", "matrix", "function", "index", "differential"})
 SIGNS = frozenset({"", ">= 0", "> 0"})

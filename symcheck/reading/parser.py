@@ -9,6 +9,7 @@ from dataclasses import dataclass
 from functools import lru_cache
 from typing import Any
 
+from symcheck.core.verdicts import SymcheckError
 from symcheck.reading import tex
 from symcheck.reading.grammar import parse
 from symcheck.reading.lexer import Lexer
@@ -59,7 +60,6 @@ from symcheck.reading.tree import (
     children,
     walk,
 )
-from symcheck.statement import SymcheckError
 
 SIMPLE_KINDS = ("scalar", "index", "function")
 _BRACKETS_ARE_IDLE = (Name, Number, Call, Sqrt, Pow, Mul, Div, Derivative, Degrees, Pair)

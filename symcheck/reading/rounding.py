@@ -4,9 +4,8 @@ from __future__ import annotations
 
 from fractions import Fraction
 
-from symcheck.core.terms import PI, node
+from symcheck.core.terms import PI, Formula, Term, node
 from symcheck.reading.tree import Degrees, Neg, Number, Tree
-from symcheck.statement import Formula, Term
 
 
 def is_number(tree: Tree) -> bool:

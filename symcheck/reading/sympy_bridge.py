@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
-from symcheck.core.terms import INFINITY, MINUS_INFINITY, PI, Binder, Call, node
-from symcheck.statement import SymcheckError, Term
+from symcheck.core.terms import INFINITY, MINUS_INFINITY, PI, Binder, Call, Term, node
+from symcheck.core.verdicts import SymcheckError
 
 if TYPE_CHECKING:
     from sympy import Expr

@@ -6,8 +6,8 @@ import re
 from dataclasses import dataclass
 from typing import NoReturn
 
+from symcheck.core.verdicts import SymcheckError
 from symcheck.reading.commands import ACCENTS, LETTER_COMMANDS, ROMAN, STYLES, known
-from symcheck.statement import SymcheckError
 
 _TOKEN = re.compile(r"\\[A-Za-z]+\*?|\\.|\S", re.DOTALL)
 _SPACE = r"(?:\\quad|\\qquad|\\,|\\;|\\:|\\!|\\ |~|\s)"

@@ -12,15 +12,16 @@ from itertools import islice
 from random import Random
 from typing import Any, NamedTuple
 
+from symcheck.audit.judge import lemma
+from symcheck.core.claims import Problem
 from symcheck.core.formulas import conjuncts
 from symcheck.core.terms import Reader, node
-from symcheck.evidence.checked import certificates
-from symcheck.evidence.judge import lemma
-from symcheck.evidence.record import Record
+from symcheck.core.verdicts import Certificate, Loss
+from symcheck.ledger.certificates import certificates
+from symcheck.ledger.record import Record
 from symcheck.proof import fails_without, proof_of
 from symcheck.selftest.evidence import MALFORMED, holds, is_shown, problem_of
 from symcheck.selftest.trial import Fate, FaultClass, Trial, mixed
-from symcheck.statement import Certificate, Loss, Problem
 
 STATED = ("claim", "definitions", "hypotheses")
 TURNED = {"<": ">=", "<=": ">", ">": "<=", ">=": "<", "=": "!=", "!=": "="}

@@ -16,11 +16,11 @@ from typing import Any
 import flint
 import sympy as sp
 
-from symcheck.core.terms import Connective, Reader, Relation, Value
-from symcheck.evidence.checked import certificates
-from symcheck.evidence.record import Record
+from symcheck.core.terms import Connective, Formula, Reader, Relation, Term, Value
+from symcheck.core.verdicts import Certificate
+from symcheck.ledger.certificates import certificates
+from symcheck.ledger.record import Record
 from symcheck.selftest.evidence import holds
-from symcheck.statement import Certificate, Formula, Term
 
 BITS, DIGITS = 400, 60
 NEAR = Fraction(1, 10**50)

@@ -1,7 +1,7 @@
 """The one place where the self-test asks what the ledger would tell, and goes from certificates back to problems.
 
-Nothing here judges by itself: certificates are accepted by `symcheck.evidence.checked.reasons`, and a verdict is what
-`symcheck.evidence.checked.told` leaves of it, as for every row of the ledger.
+Nothing here judges by itself: certificates are accepted by `symcheck.audit.checked.reasons`, and a verdict is what
+`symcheck.audit.checked.told` leaves of it, as for every row of the ledger.
 """
 
 from __future__ import annotations
@@ -10,15 +10,16 @@ import json
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from typing import Any
 
+from symcheck.audit.checked import reasons, told
+from symcheck.audit.context import Context
+from symcheck.audit.judge import Finding, Unit, lemma
 from symcheck.core.calculus import letters
+from symcheck.core.claims import Outcome, Problem
 from symcheck.core.formulas import conjuncts
-from symcheck.core.terms import Node, Reader, node
-from symcheck.evidence.checked import reasons, told
-from symcheck.evidence.context import Context
-from symcheck.evidence.judge import Finding, Unit, lemma
-from symcheck.evidence.record import Record
+from symcheck.core.terms import Formula, Node, Reader, Term, node
+from symcheck.core.verdicts import Certificate, SymcheckError, Verdict
+from symcheck.ledger.record import Record
 from symcheck.proof import certificate
-from symcheck.statement import Certificate, Formula, Outcome, Problem, SymcheckError, Term, Verdict
 
 MALFORMED = (AssertionError, LookupError, TypeError, ValueError, AttributeError, SymcheckError)
 

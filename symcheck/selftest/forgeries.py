@@ -7,9 +7,9 @@ from collections.abc import Iterator
 from random import Random
 from typing import Any
 
+from symcheck.core.verdicts import Certificate
 from symcheck.selftest.certificates import DROPPED, TURNED, Change, Path, changed, groups, one, places
 from symcheck.selftest.trial import FaultClass, Trial
-from symcheck.statement import Certificate
 
 CLAIM, ASSUMED, DEFINED = "another claim", "other hypotheses", "other definitions"
 SHIFTED, REMOVED, MOVED = "references shifted", "conditions removed", "witnesses removed or moved"

@@ -10,15 +10,16 @@ from itertools import islice
 from random import Random
 
 from symcheck import papers
-from symcheck.evidence.judge import judge
-from symcheck.evidence.needs import listed, weighed
-from symcheck.evidence.obligation import expand
+from symcheck.audit.judge import judge
+from symcheck.audit.needs import listed, weighed
+from symcheck.audit.obligation import expand
+from symcheck.core.claims import Hypothesis
+from symcheck.core.verdicts import SymcheckError, Verdict
 from symcheck.reading import System, Tree, read, to_latex
 from symcheck.reading.tree import Chain
 from symcheck.selftest.evidence import states, told_of
 from symcheck.selftest.statements import Proved, places, proved
 from symcheck.selftest.trial import Fate, FaultClass, Trial, mixed
-from symcheck.statement import Hypothesis, SymcheckError, Verdict
 
 CONTRARY = {"=": r"\ne", r"\ne": "=", "<": r"\ge", r"\ge": "<", ">": r"\le", r"\le": ">"}
 DROPPED, ADDED, CONTRADICTORY = "dropped", "added", "contradictory"

@@ -16,9 +16,9 @@ from typing import Any, NamedTuple
 import numpy as np
 import sympy as sp
 
-from symcheck.codegen.expression import MATH
-from symcheck.codegen.program import UNARY
-from symcheck.codegen.special import RUNTIME
+from symcheck.kernels.codegen.expression import MATH
+from symcheck.kernels.codegen.program import UNARY
+from symcheck.kernels.codegen.special import RUNTIME
 from symcheck.selftest.kernel_truth import Case, Truth
 
 BINARY = ("add", "subtract", "multiply", "divide")

@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 import sympy as sp
 
-from symcheck.codegen.kernel import Argument, Kernel
+from symcheck.kernels.codegen.kernel import Argument, Kernel
 
 Columns = tuple[Any, ...]  # an array of doubles for each argument
 

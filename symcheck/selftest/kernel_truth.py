@@ -16,10 +16,10 @@ import numpy as np
 import sympy as sp
 from flint import arb, ctx, fmpq
 
-from symcheck.codegen import numpy_target
-from symcheck.codegen.kernel import Kernel
-from symcheck.codegen.target import Made
-from symcheck.evidence import kernels as evidence
+from symcheck.audit import kernels as evidence
+from symcheck.kernels.codegen import numpy_target
+from symcheck.kernels.codegen.kernel import Kernel
+from symcheck.kernels.codegen.target import Made
 from symcheck.papers import load
 
 PRECISIONS = (256, 1024, 4096, 16384)  # bits: the last are for differences beside 1e-300

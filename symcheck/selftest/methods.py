@@ -20,23 +20,25 @@ from typing import Any
 from unittest.mock import patch
 
 from symcheck import papers
+from symcheck.audit import decide, judge, run
+from symcheck.audit.cache import FILE, Cache
+from symcheck.audit.context import Context
+from symcheck.audit.executor import Serial
+from symcheck.audit.index import Index
+from symcheck.audit.judge import units
+from symcheck.audit.obligation import fingerprint, obligation_of
 from symcheck.checker.statements import Index as StatementIndex
 from symcheck.core.calculus import letters
+from symcheck.core.claims import Outcome, Problem
 from symcheck.core.terms import JSON, node
-from symcheck.evidence import decide, judge, run, store
-from symcheck.evidence.cache import FILE, Cache
-from symcheck.evidence.context import Context
-from symcheck.evidence.executor import Serial
-from symcheck.evidence.index import Index
-from symcheck.evidence.judge import units
-from symcheck.evidence.obligation import fingerprint, obligation_of
-from symcheck.evidence.record import Record
+from symcheck.core.verdicts import Certificate, Role, SymcheckError, Verdict
+from symcheck.ledger import store
+from symcheck.ledger.record import Record
 from symcheck.proof import fails_at, identity
 from symcheck.proof.polynomial import unfold
 from symcheck.reading import read
 from symcheck.selftest.statements import declared
 from symcheck.selftest.trial import Fate, FaultClass, Trial
-from symcheck.statement import Certificate, Outcome, Problem, Role, SymcheckError, Verdict
 
 PROVED = Outcome(Verdict.PROVED, proof={"rule": "identity", "cofactors": [], "given": []})
 DOUBLE = Problem("double", node("=", node("+", "x", "x"), node("*", 2, "x")))

@@ -12,18 +12,19 @@ from random import Random
 from typing import Any, NamedTuple
 
 from symcheck import papers
+from symcheck.audit.context import Context
+from symcheck.audit.judge import Unit, judge, units
+from symcheck.audit.obligation import DECIDED, expand
+from symcheck.core.claims import Item, Paper, Problem
 from symcheck.core.terms import node
-from symcheck.evidence.context import Context
-from symcheck.evidence.judge import Unit, judge, units
-from symcheck.evidence.obligation import DECIDED, expand
-from symcheck.evidence.record import Record
+from symcheck.core.verdicts import Role, SymcheckError, Verdict
+from symcheck.ledger.record import Record
 from symcheck.proof import equivalent
 from symcheck.proof.polynomial import Unsupported, unfold
 from symcheck.reading import Letter, Notation
 from symcheck.reading.notation import variable
 from symcheck.selftest.evidence import relettered, told_of
 from symcheck.selftest.trial import Fate, FaultClass, Trial, mixed
-from symcheck.statement import Item, Paper, Problem, Role, SymcheckError, Verdict
 
 SWAPPED, ASSUMED = "letters swapped", "wrong assumption"
 PIECES = 8  # tasks for each paper

@@ -12,6 +12,7 @@ import mpmath
 from scipy.optimize import linprog
 
 from symcheck.core.calculus import letters
+from symcheck.core.claims import Problem
 from symcheck.core.formulas import conjuncts
 from symcheck.core.terms import (
     INFINITY,
@@ -20,12 +21,14 @@ from symcheck.core.terms import (
     Binder,
     Call,
     Connective,
+    Formula,
     Quantified,
     Reader,
     Relation,
+    Term,
     node,
 )
-from symcheck.statement import Certificate, Formula, Problem, Term
+from symcheck.core.verdicts import Certificate
 
 mpmath.mp.dps = 40
 SEED = 20090055

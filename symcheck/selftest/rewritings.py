@@ -9,12 +9,13 @@ from itertools import islice
 from random import Random
 from typing import Any
 
-from symcheck.core.terms import Node, Value, node
-from symcheck.evidence.judge import judge
+from symcheck.audit.judge import judge
+from symcheck.core.claims import Problem
+from symcheck.core.terms import Formula, Node, Term, Value, node
+from symcheck.core.verdicts import Verdict
 from symcheck.selftest.evidence import answered, relettered, told_of
 from symcheck.selftest.statements import Proved, places, proved
 from symcheck.selftest.trial import Fate, FaultClass, Trial, mixed
-from symcheck.statement import Formula, Problem, Term, Verdict
 
 RENAMED = "renamed"
 Rewriting = tuple[str, Proved, int, Formula]

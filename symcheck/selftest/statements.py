@@ -14,11 +14,13 @@ from itertools import islice, starmap
 from random import Random
 from typing import NamedTuple
 
+from symcheck.audit.context import Context, for_letter
+from symcheck.audit.judge import Finding, Unit, judge, units
+from symcheck.audit.obligation import obligation_of
+from symcheck.core.claims import Erratum, Hypothesis, Problem
 from symcheck.core.terms import node
-from symcheck.evidence.context import Context, for_letter
-from symcheck.evidence.judge import Finding, Unit, judge, units
-from symcheck.evidence.obligation import obligation_of
-from symcheck.evidence.record import Record
+from symcheck.core.verdicts import Role, SymcheckError, Verdict
+from symcheck.ledger.record import Record
 from symcheck.proof import combined, fails_without
 from symcheck.reading import Edit, Tree, edits, lower, read, to_latex
 from symcheck.reading.tree import Add, Number, children, replaced, walk
@@ -29,7 +31,6 @@ from symcheck.selftest.evidence import holds, states, told_of
 from symcheck.selftest.oracle import fails
 from symcheck.selftest.strength import compared, same
 from symcheck.selftest.trial import Fate, FaultClass, Trial, mixed
-from symcheck.statement import Erratum, Hypothesis, Problem, Role, SymcheckError, Verdict
 
 EQUALITY = "equality case"
 RARE = (EQUALITY, "strictness", "bound", "interval end", CONNECTIVE, EQUATED, ARGUMENT)

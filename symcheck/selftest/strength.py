@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from dataclasses import replace
 
+from symcheck.core.claims import Problem
 from symcheck.core.formulas import conjuncts
-from symcheck.core.terms import Connective, Quantified, Relation, Value, node
+from symcheck.core.terms import Connective, Formula, Quantified, Relation, Term, Value, node
 from symcheck.proof import equivalent, proof_of
 from symcheck.selftest.evidence import is_shown
 from symcheck.selftest.trial import Fate
-from symcheck.statement import Formula, Problem, Term
 
 MIRROR = {">": "<", ">=": "<="}
 IMPLIED = {"=": ("<=",), "<": ("<=", "!=")}  # signs between the same sides

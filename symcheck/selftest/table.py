@@ -7,7 +7,7 @@ from typing import Any
 
 from rich.table import Table
 
-from symcheck.evidence.selftested import Row, rows
+from symcheck.ledger.selftested import Row, rows
 
 FATES = ("planted", "rejected", "accepted", "equivalent", "weaker", "stronger", "open")
 COLUMNS = (*FATES, "rejected of those that are faults", "right", "rejected")

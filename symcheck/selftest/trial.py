@@ -10,7 +10,7 @@ from itertools import chain, zip_longest
 from random import Random
 from typing import TypeVar
 
-from symcheck.evidence.record import Record
+from symcheck.ledger.record import Record
 
 T = TypeVar("T")
 

@@ -12,7 +12,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from symcheck.runtime import FEW
+from symcheck.kernels.runtime import FEW
 
 Size = int | Callable[[Mapping[str, Any]], int]
 Axes = tuple[str, ...]

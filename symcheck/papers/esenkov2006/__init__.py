@@ -1,8 +1,8 @@
 """Esenkov 2006: stability of a spinning symmetric body with an ideal liquid, two damaged texts of one derivation."""
 
+from symcheck.core.claims import Paper, Section
 from symcheck.papers.esenkov2006 import beyond, comparison, first_text, modes, second_text
 from symcheck.papers.esenkov2006.notation import notation
-from symcheck.statement import Paper, Section
 
 paper = Paper(
     key="esenkov2006",

@@ -3,13 +3,13 @@
 Square roots appear as letters, u^2 = E_n (1 - b_n), v^2 = b_n (A - E_n), u, v >= 0; (1.35) has them as roots.
 """
 
+from symcheck.core.claims import Hypothesis
 from symcheck.papers.declare import ours
 from symcheck.papers.esenkov2006 import derivation
 from symcheck.papers.esenkov2006.hypotheses import liquid_is_part, liquid_moves
 from symcheck.papers.esenkov2006.notation import root_letters, three_modes
 from symcheck.papers.esenkov2006.second_text import BOUNDARY, DISCRIMINANT, QUADRATIC
 from symcheck.proof import cases, existence, identity, nonnegative
-from symcheck.statement import Hypothesis
 
 LINEAR = r"(\Delta\omega_0 + \omega_0 E_1 - A\lambda_1)"  # coefficient of eta in (1.33)
 MIDDLE = r"(E_n(1 - b_n) + b_n(A - E_n))"  # minus the mean of the two boundaries

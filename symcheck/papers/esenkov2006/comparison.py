@@ -2,12 +2,12 @@
 
 from functools import partial
 
+from symcheck.core.claims import Hypothesis, Item
 from symcheck.papers.declare import ours
 from symcheck.papers.esenkov2006 import derivation, first_text, second_text
 from symcheck.papers.esenkov2006.hypotheses import spinning
 from symcheck.papers.esenkov2006.notation import sign_letters, three_modes
 from symcheck.proof import cases, identity
-from symcheck.statement import Hypothesis, Item
 
 
 def _left(item: Item) -> str:

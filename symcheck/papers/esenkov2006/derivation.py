@@ -9,7 +9,7 @@ from __future__ import annotations
 from functools import cache
 from typing import TYPE_CHECKING
 
-from symcheck.lazy import lazy
+from symcheck.core.lazy import lazy
 from symcheck.mechanics import inertia
 
 if TYPE_CHECKING:

@@ -6,12 +6,13 @@ regard to the other text; `comparison` shows that the two agree.
 
 from functools import partial
 
+from symcheck.core.claims import Erratum, Hypothesis
+from symcheck.core.verdicts import Origin
 from symcheck.papers.declare import claim, definition, premise
 from symcheck.papers.esenkov2006 import derivation
 from symcheck.papers.esenkov2006.hypotheses import liquid_is_part
 from symcheck.papers.esenkov2006.notation import root_letters, sign_letters, three_modes
 from symcheck.proof import existence, identity
-from symcheck.statement import Erratum, Hypothesis, Origin
 
 ONE_MODE = r"A\eta + (C - A)\omega_0 - \eta(\eta - \omega_0)\frac{E_1}{\eta - \lambda_1}"
 QUADRATIC = r"\eta^2(A - E_1) + \eta(\Delta\omega_0 + \omega_0 E_1 - A\lambda_1) - \Delta\omega_0\lambda_1"

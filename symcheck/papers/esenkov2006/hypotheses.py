@@ -1,6 +1,6 @@
 """Conditions the relations are read under, each stated once. None is printed in what is left of the two texts."""
 
-from symcheck.statement import Hypothesis
+from symcheck.core.claims import Hypothesis
 
 spinning = Hypothesis("spinning", "the body spins", r"\omega_0 \ne 0", printed=False)
 liquid_moves = Hypothesis("liquid moves", "the mode carries some inertia", "E_n > 0", printed=False)

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from typing import Any
 
-from symcheck.codegen.kernel import Argument, Kernel, Output, largest_addend
-from symcheck.lazy import lazy
+from symcheck.core.claims import Hypothesis
+from symcheck.core.lazy import lazy
+from symcheck.kernels.codegen.kernel import Argument, Kernel, Output, largest_addend
 from symcheck.papers.esenkov2006 import derivation
 from symcheck.papers.esenkov2006.hypotheses import liquid_is_part, liquid_moves
-from symcheck.statement import Hypothesis
 
 sp = lazy("sympy")
 MOMENT, RATE = "kg m^2", "rad/s"

@@ -9,12 +9,12 @@ Open: with several modes in the band, how long a body must be to be unstable, an
 from functools import partial
 from itertools import combinations
 
+from symcheck.core.claims import Hypothesis
 from symcheck.papers.declare import ours
 from symcheck.papers.esenkov2006 import derivation
 from symcheck.papers.esenkov2006.notation import mode_letters, retaining, weight_letters
 from symcheck.proof import cases, identity, nonnegative
 from symcheck.reading import Letter
-from symcheck.statement import Hypothesis
 
 LEFT_SIDE = r"A\eta + (C - A)\omega_0 - \eta(\eta - \omega_0)\sum_{n=1}^{%d} \frac{E_n}{\eta - \lambda_n}"
 OVER_DISTANCE = r"\sum_{n=1}^3 \frac{%s}{(x - \lambda_n)^2 + y^2}"  # squared distance of x + iy from the pole

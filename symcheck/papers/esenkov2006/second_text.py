@@ -5,6 +5,8 @@ The formulas are read here without regard to the first text; `comparison` shows 
 
 from functools import partial
 
+from symcheck.core.claims import Erratum, Hypothesis
+from symcheck.core.verdicts import Origin
 from symcheck.papers.declare import claim, definition, exclusion, premise
 from symcheck.papers.esenkov2006 import derivation
 from symcheck.papers.esenkov2006.hypotheses import (
@@ -14,7 +16,6 @@ from symcheck.papers.esenkov2006.hypotheses import (
 )
 from symcheck.papers.esenkov2006.notation import root_letters, three_modes
 from symcheck.proof import cases, identity, looking_at, theorems
-from symcheck.statement import Erratum, Hypothesis, Origin
 
 ONE_MODE = r"A\eta + (C - A)\omega_0 - \eta(\eta - \omega_0)\frac{E_1}{\eta - \lambda_1}"
 QUADRATIC = r"\eta^2(A - E_1) + \eta(\Delta\omega_0 + \omega_0 E_1 - A\lambda_1) - \Delta\omega_0\lambda_1"

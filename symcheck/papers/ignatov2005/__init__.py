@@ -1,8 +1,8 @@
 """Ignatov, Davydov, Sazonov 2005: the momentum envelopes of two arrays of reaction wheels."""
 
+from symcheck.core.claims import Paper, Section
 from symcheck.papers.ignatov2005 import beyond, lists, sec1, sec2, sec3
 from symcheck.papers.ignatov2005.notation import notation
-from symcheck.statement import Paper, Section
 
 paper = Paper(
     key="ignatov2005",

@@ -8,12 +8,12 @@ from __future__ import annotations
 
 from itertools import combinations
 
+from symcheck.core.claims import Hypothesis
 from symcheck.papers.declare import ours
 from symcheck.papers.ignatov2005 import derivation, envelopes
 from symcheck.papers.ignatov2005.hypotheses import real_base, real_pyramid
 from symcheck.papers.ignatov2005.notation import four_wheels_beyond, six_wheels_beyond
 from symcheck.proof import cases, combined, identity, nonnegative
-from symcheck.statement import Hypothesis
 
 OPEN_RANGE = [real_pyramid, real_base]
 PQR = r"\sin^2 a \cos a \sin b \cos b"

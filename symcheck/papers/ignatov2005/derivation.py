@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING
 
-from symcheck.lazy import lazy
+from symcheck.core.lazy import lazy
 from symcheck.mechanics.zonotope import Envelope, Signs, chirotope, combinatorics
 from symcheck.reading.notation import variable
 

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from typing import Any
 
-from symcheck.statement import Hypothesis, Origin
+from symcheck.core.claims import Hypothesis
+from symcheck.core.verdicts import Origin
 
 real_pyramid = Hypothesis(
     "0 < a < 90 degrees",

@@ -10,13 +10,13 @@ from dataclasses import dataclass
 from functools import partial
 from typing import Any
 
-from symcheck.codegen.kernel import Argument, Kernel, Output, largest_addend
-from symcheck.lazy import lazy
+from symcheck.core.lazy import lazy
+from symcheck.kernels.codegen.kernel import Argument, Kernel, Output, largest_addend
 from symcheck.papers.ignatov2005 import derivation, lists, sec2, sec3
 from symcheck.papers.ignatov2005.hypotheses import real_base, real_pyramid
 from symcheck.papers.ignatov2005.listed import Printed
 from symcheck.papers.ignatov2005.rows import Array, signs_of
-from symcheck.reading.listing import VertexRow
+from symcheck.papers.listing import VertexRow
 
 sp = lazy("sympy")
 Forms = Callable[[], Mapping[str, Any]]

@@ -8,7 +8,10 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
 
+from symcheck.core.claims import Erratum, Item
+from symcheck.core.verdicts import Origin
 from symcheck.mechanics.zonotope import Signs
+from symcheck.papers import listing
 from symcheck.papers.declare import claim, definition, exclusion
 from symcheck.papers.ignatov2005.origins import Damage, origin_of
 from symcheck.papers.ignatov2005.rows import (
@@ -26,10 +29,8 @@ from symcheck.papers.ignatov2005.rows import (
     shown,
     vector,
 )
+from symcheck.papers.listing import Label, Row, Unreadable
 from symcheck.proof import identity
-from symcheck.reading import listing
-from symcheck.reading.listing import Label, Row, Unreadable
-from symcheck.statement import Erratum, Item, Origin
 
 GRAVEST = ("missing cell", "label", "letter", "function", "coefficient", "number", "sign", "rounding")
 EXPONENTS = {"1": 2, "-1": 0, "u": 1, "v": 1}

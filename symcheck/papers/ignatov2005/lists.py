@@ -1,6 +1,6 @@
 r"""Ignatov 2005: the lists of vertices, edges and faces, and the tables of coordinates, as they stand in the source.
 
-They are read row by row (`symcheck.reading.listing`); what each row states, and the right one where it is wrong, is
+They are read row by row (`symcheck.papers.listing`); what each row states, and the right one where it is wrong, is
 worked out in `rows` and declared in `listed`.
 """
 

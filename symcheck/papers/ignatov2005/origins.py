@@ -12,10 +12,10 @@ from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Any
 
+from symcheck.core.verdicts import Origin
 from symcheck.mechanics.zonotope import opposite
 from symcheck.papers.ignatov2005.rows import labels_of, signs_of
-from symcheck.reading.listing import EdgeRow, FaceRow, Label, Row, TableRow, VertexRow
-from symcheck.statement import Origin
+from symcheck.papers.listing import EdgeRow, FaceRow, Label, Row, TableRow, VertexRow
 
 LEAST = 3  # so many rows damaged in one way make a pattern
 

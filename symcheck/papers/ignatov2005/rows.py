@@ -22,11 +22,12 @@ from functools import cached_property
 from itertools import combinations, product
 from typing import Any
 
+from symcheck.core.claims import Hypothesis, Method
+from symcheck.core.verdicts import SymcheckError
 from symcheck.mechanics.zonotope import Envelope, Signs, envelope, opposite, triple_product
+from symcheck.papers.listing import EdgeRow, FaceRow, Label, Pattern, Row, TableRow, VertexRow
 from symcheck.proof import existence, identity
 from symcheck.reading import Notation
-from symcheck.reading.listing import EdgeRow, FaceRow, Label, Pattern, Row, TableRow, VertexRow
-from symcheck.statement import Hypothesis, Method, SymcheckError
 
 Unit = tuple[Fraction, str, str]  # number, root, function: 1/2, \sqrt{3}, \sin a
 Edges = tuple[tuple[Label, Label], ...]

@@ -10,6 +10,8 @@ import re
 from functools import partial
 from typing import Any
 
+from symcheck.core.claims import Erratum, Hypothesis, Item
+from symcheck.core.verdicts import Origin
 from symcheck.papers.declare import claim, definition, exclusion, ours, premise
 from symcheck.papers.ignatov2005 import derivation
 from symcheck.papers.ignatov2005.hypotheses import (
@@ -31,7 +33,6 @@ from symcheck.papers.ignatov2005.notation import (
     three_of_four,
 )
 from symcheck.proof import cases, identity, nonnegative, theorems
-from symcheck.statement import Erratum, Hypothesis, Item, Origin
 
 AND = r" \land "
 FOUR, THREE = (partial(derivation.momentum_of_wheels, number) for number in (4, 3))

@@ -12,6 +12,8 @@ from functools import partial
 from itertools import combinations
 from typing import Any
 
+from symcheck.core.claims import Erratum, Hypothesis, Item
+from symcheck.core.verdicts import Origin
 from symcheck.papers.declare import claim, definition, exclusion, ours, premise
 from symcheck.papers.ignatov2005 import derivation, envelopes
 from symcheck.papers.ignatov2005.hypotheses import (
@@ -35,7 +37,6 @@ from symcheck.papers.ignatov2005.notation import (
 )
 from symcheck.proof import cases, combined, existence, identity, nonnegative, theorems
 from symcheck.reading import Notation
-from symcheck.statement import Erratum, Hypothesis, Item, Origin
 
 SIX, FIVE = (partial(derivation.momentum_of_six, number) for number in (6, 5))
 WHEELS = (1, 2, 3, 4, 5, 6)

@@ -1,8 +1,8 @@
 """Mirer 2009: extremal relations between the elements of the inertia tensor of a rigid body."""
 
+from symcheck.core.claims import Paper, Section
 from symcheck.papers.mirer2009 import beyond, front, sec1, sec2
 from symcheck.papers.mirer2009.notation import notation
-from symcheck.statement import Paper, Section
 
 paper = Paper(
     key="mirer2009",

@@ -1,12 +1,12 @@
 """Beyond Mirer 2009: the optimality the paper supposes, and the family of equal-moment axes it leaves out."""
 
+from symcheck.core.claims import Hypothesis
 from symcheck.papers.declare import ours
 from symcheck.papers.mirer2009 import derivation
 from symcheck.papers.mirer2009.hypotheses import orthogonal, positive_moments, symmetric_damping
 from symcheck.papers.mirer2009.notation import family_letters, optimum_letters
 from symcheck.papers.mirer2009.sec1 import free_moments, positive_ratio
 from symcheck.proof import cases, identity, nonnegative
-from symcheck.statement import Hypothesis
 
 roots_are_real = ours(
     "B.1",

@@ -1,6 +1,6 @@
 """Conditions the paper's relations are read under, each stated once."""
 
-from symcheck.statement import Hypothesis
+from symcheck.core.claims import Hypothesis
 
 orthogonal = Hypothesis(
     "orthogonal",

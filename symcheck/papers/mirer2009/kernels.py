@@ -6,11 +6,11 @@ from collections.abc import Callable
 from functools import partial
 from typing import Any
 
-from symcheck.codegen.kernel import Argument, Kernel, Output, largest_addend
-from symcheck.lazy import lazy
+from symcheck.core.claims import Hypothesis
+from symcheck.core.lazy import lazy
+from symcheck.kernels.codegen.kernel import Argument, Kernel, Output, largest_addend
 from symcheck.papers.mirer2009 import derivation
 from symcheck.papers.mirer2009.hypotheses import positive_moments
-from symcheck.statement import Hypothesis
 
 sp = lazy("sympy")
 MOMENT, SQUARE, CUBE, RATE = "kg m^2", "kg^2 m^4", "kg^3 m^6", "1/s"

@@ -2,6 +2,8 @@
 
 from functools import partial
 
+from symcheck.core.claims import Erratum, Hypothesis
+from symcheck.core.verdicts import Origin
 from symcheck.papers.declare import body, claim, definition, exclusion, ours, premise
 from symcheck.papers.mirer2009 import derivation
 from symcheck.papers.mirer2009.forms import ALIGNED, PARALLEL, excess_of_product, excess_of_sum
@@ -14,7 +16,6 @@ from symcheck.papers.mirer2009.hypotheses import (
 )
 from symcheck.papers.mirer2009.notation import damping_letters
 from symcheck.proof import cases, identity
-from symcheck.statement import Erratum, Hypothesis, Origin
 
 angular_momentum_law = premise("1.0.1", 45, r"\frac{d\mathbf{K}}{dt} = \mathbf{M}")
 

@@ -1,5 +1,7 @@
 """Mirer 2009, section 2: extremal relations between the moments of inertia about three orthogonal axes."""
 
+from symcheck.core.claims import Erratum, Hypothesis
+from symcheck.core.verdicts import Origin
 from symcheck.papers.declare import body, claim, definition, exclusion, ours, premise
 from symcheck.papers.mirer2009 import derivation
 from symcheck.papers.mirer2009.forms import ALIGNED, PARALLEL, deficit_of_product, excess_of_product, excess_of_sum
@@ -12,7 +14,6 @@ from symcheck.papers.mirer2009.hypotheses import (
 )
 from symcheck.papers.mirer2009.notation import ellipsoid_letters, turned_letters
 from symcheck.proof import cases, existence, identity, nonnegative
-from symcheck.statement import Erratum, Hypothesis, Origin
 
 EQUAL_MOMENTS = r"(J_1 = J_2 = J_3)"
 EQUAL_PRODUCTS = r"(J_1 J_2 J_3 = I_1 I_2 I_3)"

@@ -1,8 +1,8 @@
 """Poloskov 2004: rotation of a rigid body under dissipative and random torques."""
 
+from symcheck.core.claims import Paper, Section
 from symcheck.papers.poloskov2004 import beyond, front, sec1, sec2, sec3, sec4
 from symcheck.papers.poloskov2004.notation import notation
-from symcheck.statement import Paper, Section
 
 paper = Paper(
     key="poloskov2004",

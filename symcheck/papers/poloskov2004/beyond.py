@@ -1,5 +1,6 @@
 """Beyond Poloskov 2004: constants, moments and quantiles in closed form; what averaging needs and neglects."""
 
+from symcheck.core.claims import Hypothesis
 from symcheck.papers.declare import ours
 from symcheck.papers.poloskov2004 import derivation
 from symcheck.papers.poloskov2004.hypotheses import (
@@ -11,7 +12,6 @@ from symcheck.papers.poloskov2004.hypotheses import (
 )
 from symcheck.papers.poloskov2004.notation import full_noise, moment_letters
 from symcheck.proof import cases, identity, theorems
-from symcheck.statement import Hypothesis
 
 frequency_density_exists = Hypothesis("density of Omega exists", "the condition of existence", r"d_{33} > 0")
 finite_amplitude = Hypothesis(

@@ -10,7 +10,7 @@ from __future__ import annotations
 from functools import cache
 from typing import TYPE_CHECKING
 
-from symcheck.lazy import lazy
+from symcheck.core.lazy import lazy
 from symcheck.mechanics import inertia, rotation
 
 if TYPE_CHECKING:
@@ -384,7 +384,8 @@ def drift_and_diffusion() -> dict[str, Expr]:
 @cache
 def _shapes() -> dict[str, Expr]:
     """c_1, c_2 of Delta = Delta(0) (1 + c x^2) for x = a, Omega; nu, delta: the powers but for 1 and 1/2; Delta(0)."""
-    found, values = moment_parameters(), dict[str, Expr]()
+    found = moment_parameters()
+    values: dict[str, Expr] = {}
     for i, (x, power) in enumerate((("a", "nu"), ("Omega", "delta")), 1):
         start = found[f"Delta_{i}"].subs(_symbol(x), 0)
         ratio = sp.cancel((found[f"Delta_{i}"] / start - 1) / _symbol(x) ** 2)

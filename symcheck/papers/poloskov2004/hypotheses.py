@@ -1,6 +1,6 @@
 """Conditions the paper's relations are read under, each stated once."""
 
-from symcheck.statement import Hypothesis
+from symcheck.core.claims import Hypothesis
 
 positive_parameter = Hypothesis("epsilon positive", "epsilon is positive (line 21)", r"\varepsilon > 0")
 positive_k = Hypothesis("k positive", "A > C: k is positive (line 15)", "k > 0")

@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from typing import Any
 
-from symcheck.codegen.kernel import Argument, Kernel, Output, largest_addend
-from symcheck.lazy import lazy
+from symcheck.core.lazy import lazy
+from symcheck.kernels.codegen.kernel import Argument, Kernel, Output, largest_addend
 from symcheck.papers.poloskov2004 import derivation
 
 sp = lazy("sympy")

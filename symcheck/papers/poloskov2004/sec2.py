@@ -1,11 +1,12 @@
 """Poloskov 2004, section 2: amplitude, phase and frequency instead of the angular velocity."""
 
+from symcheck.core.claims import Erratum, Hypothesis
+from symcheck.core.verdicts import Origin
 from symcheck.papers.declare import claim, definition, exclusion, ours, premise
 from symcheck.papers.poloskov2004 import derivation
 from symcheck.papers.poloskov2004.hypotheses import amplitude, positive_k, positive_parameter
 from symcheck.papers.poloskov2004.notation import functions_of_time, six_columns
 from symcheck.proof import cases, identity
-from symcheck.statement import Erratum, Hypothesis, Origin
 
 free_motion = exclusion("2.0.1", 27, r"\varepsilon = 0", reason="names the case that (2.1) solves")
 

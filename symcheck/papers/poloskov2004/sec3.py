@@ -1,5 +1,6 @@
 """Poloskov 2004, section 3: the Fokker-Planck-Kolmogorov (FPK) equation, its average, the stationary densities."""
 
+from symcheck.core.claims import Hypothesis
 from symcheck.papers.declare import claim, definition, exclusion, ours, premise
 from symcheck.papers.poloskov2004 import derivation
 from symcheck.papers.poloskov2004.hypotheses import (
@@ -12,7 +13,6 @@ from symcheck.papers.poloskov2004.hypotheses import (
 )
 from symcheck.papers.poloskov2004.notation import density_by_y
 from symcheck.proof import cases, identity
-from symcheck.statement import Hypothesis
 
 markov_process = premise(
     "3.0.1", 49, words="(a, theta, Omega) is a Markov process with the density p(a, theta, Omega, t)."

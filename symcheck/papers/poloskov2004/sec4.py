@@ -1,5 +1,7 @@
 """Poloskov 2004, section 4: existence, moments and modes of the stationary densities, and a numerical example."""
 
+from symcheck.core.claims import Erratum, Hypothesis
+from symcheck.core.verdicts import Origin
 from symcheck.papers.declare import body, claim, exclusion, ours, premise
 from symcheck.papers.poloskov2004 import derivation
 from symcheck.papers.poloskov2004.hypotheses import (
@@ -13,7 +15,6 @@ from symcheck.papers.poloskov2004.hypotheses import (
 )
 from symcheck.papers.poloskov2004.notation import moment_letters
 from symcheck.proof import cases, identity, theorems
-from symcheck.statement import Erratum, Hypothesis, Origin
 
 TOTAL_1 = r"\int_0^\infty a \Delta_1^{\kappa_1} \, da < \infty"
 TOTAL_2 = r"\int_{-\infty}^\infty \Delta_2^{\kappa_2} \, d\Omega < \infty"

@@ -1,0 +1,230 @@
+"""What is told of a relation is what the checker accepts: every certificate of every row, kept or new, goes through it.
+
+Nobody is believed before: not the provers, not the cache. A verdict whose certificates are not accepted becomes
+undecided, and the same holds for what a correction is said to be, and for whether a hypothesis is needed.
+"""
+
+from __future__ import annotations
+
+import json
+import os
+import sys
+from collections.abc import Iterable, Mapping, Sequence
+from contextlib import suppress
+from dataclasses import dataclass, replace
+from types import MappingProxyType
+from typing import TYPE_CHECKING, Any
+
+from symcheck.checker import check_all
+from symcheck.core.verdicts import Certificate, Loss, Reading, Verdict
+from symcheck.ledger.certificates import certificates
+from symcheck.ledger.certificates import of_need as _of_need
+from symcheck.ledger.record import Record
+
+if TYPE_CHECKING:
+    from multiprocessing.connection import Connection
+
+FOR_EQUALITY = "for the set of equality"  # of a hypothesis that is in force nowhere else
+MANY = 500  # certificates that take longer than it takes to start another process
+STATED = ("name", "words", "states", "given")  # of a hypothesis before it is asked whether it is needed
+NOT_ACCEPTED = "the certificate was not accepted"
+
+
+def reasons(certificates: Sequence[Certificate]) -> list[str | None]:
+    """For each certificate None if the checker accepts it, else why not; lemmas are looked for among all of them."""
+    return [*check_all(certificates)]
+
+
+def _reasons(certificates: Sequence[Certificate]) -> list[str | None]:
+    """The same, where there are many half of them in another process."""
+    if len(certificates) < MANY or not _may_fork():
+        return reasons(certificates)
+    from multiprocessing import get_context
+
+    context = get_context("fork")
+    receiver, sender = context.Pipe(duplex=False)
+    own, other = (_with_lemmas(certificates[k::2], certificates) for k in range(2))
+    helper = context.Process(target=_send, args=(sender, other), daemon=True)
+    helper.start()
+    sender.close()
+    found: list[str | None] = [None] * len(certificates)
+    found[0::2] = reasons(own)[: len(certificates[0::2])]
+    try:
+        told = receiver.recv()
+    except (EOFError, OSError):  # it was killed
+        told = reasons(other)
+    helper.join()
+    found[1::2] = told[: len(certificates[1::2])]
+    return found
+
+
+def _may_fork() -> bool:
+    """On two processors, and where no thread, also of a library, is left behind in the middle of something."""
+    return sys.platform == "linux" and len(os.sched_getaffinity(0)) > 1 and len(os.listdir("/proc/self/task")) == 1
+
+
+def _with_lemmas(part: Sequence[Certificate], every: Sequence[Certificate]) -> list[Certificate]:
+    """Some certificates, and behind them those of their lemmas, and of the lemmas of these."""
+    found, named, size = list(part), set[str](), -1
+    while len(named) > size:
+        size, named = len(named), {name for each in found for name, _ in each.get("lemmas", ())}
+        found = [*part, *(each for each in every if each.get("id") in named)]
+    return found
+
+
+def _send(sender: Connection, certificates: Sequence[Certificate]) -> None:
+    with suppress(KeyboardInterrupt, BrokenPipeError):
+        sender.send(reasons(certificates))
+
+
+Rows = Mapping[str, tuple[Record, ...]]  # by declaration
+
+
+def told(rows: Rows, beside: Rows = MappingProxyType({})) -> dict[str, tuple[Record, ...]]:
+    """The records as they may be told; `beside` are others among whose certificates lemmas are looked for."""
+    records = [record for each in rows.values() for record in each]
+    others = (record for each in beside.values() for record in each)
+    every = [each for record in (*records, *_lemmas(records, others)) for each in certificates(record)]
+    answers = Answers({id(each): reason for each, reason in zip(every, _reasons(every), strict=True)})
+    return {name: tuple(_told(record, answers) for record in each) for name, each in rows.items()}
+
+
+def _lemmas(records: Iterable[Record], others: Iterable[Record]) -> list[Record]:
+    """Those of the others on which the records rest, and those on which these rest."""
+    known, found, todo = {record.id: record for record in others}, dict[str, Record](), list(records)
+    while todo:
+        named = {name for each in certificates(todo.pop()) for name, _ in each.get("lemmas", ())}
+        more = {name: known[name] for name in sorted(named & known.keys() - found.keys())}
+        found |= more
+        todo += more.values()
+    return list(found.values())
+
+
+@dataclass(frozen=True)
+class Answers:
+    """What the checker said of certificates: None where it accepts one, else the reason; by their identity."""
+
+    refusals: Mapping[int, str | None]
+
+    def fault(self, of: str, verdict: Any, own: Sequence[Certificate]) -> str | None:
+        """Why certificates do not show this verdict of the relation `of`; None if they do, or if it needs none."""
+        if verdict not in (Verdict.PROVED, Verdict.REFUTED):
+            return None
+        if verdict not in (said := {each.get("verdict") for each in own}):
+            return "there is none"
+        if verdict == Verdict.PROVED and said != {verdict}:
+            return "one of them says otherwise"
+        if other := [each for each in own if each.get("id") != of]:
+            return f"it is of {other[0].get('id')}"
+        return next((reason for each in own if (reason := self.refusals[id(each)]) is not None), None)
+
+
+def _told(record: Record, answers: Answers) -> Record:
+    """A record without what its certificates do not show."""
+    fault = answers.fault(record.id, record.verdict, record.certificates)
+    if fault is None and record.verdict is Verdict.REFUTED:
+        fault = _other_point(record)
+    shown = replace(record, erratum=_correction(record, answers))
+    if fault is not None:
+        shown = replace(shown, verdict=Verdict.UNDECIDED, reason=_reason(fault), certificates=(), counterexample=None)
+    return replace(shown, hypotheses=tuple(_need(shown, each, answers) for each in record.hypotheses))
+
+
+def _reason(fault: str) -> str:
+    return f"{NOT_ACCEPTED} ({fault})"
+
+
+def _other_point(record: Record) -> str | None:
+    """The counterexample that is shown is that of a certificate."""
+    points = [each.get("point") for each in record.certificates if each.get("verdict") == Verdict.REFUTED]
+    shown = json.loads(json.dumps(record.counterexample))
+    return None if shown in points else "another counterexample is shown"
+
+
+def _correction(record: Record, answers: Answers) -> dict[str, Any] | None:
+    """What is said of the right form; undecided if its certificates do not show it."""
+    erratum = record.erratum
+    if erratum is None:
+        return None
+    fault = answers.fault(record.id, erratum.get("verdict"), erratum.get("certificates") or ())
+    return (
+        erratum
+        if fault is None
+        else {**erratum, "verdict": Verdict.UNDECIDED, "reason": _reason(fault), "certificates": []}
+    )
+
+
+def _need(record: Record, row: dict[str, Any], answers: Answers) -> dict[str, Any]:
+    """Whether a hypothesis is needed; unknown if what is said of it is not shown."""
+    if row.get("needed") is None:
+        shown = not row.get("lost") and not any(_of_need(row))
+    else:
+        try:
+            shown = bool(proofs(record)) and (_is_lost if row["needed"] else _is_needless)(record, row, answers)
+        except (LookupError, TypeError, AttributeError):  # of a malformed certificate
+            shown = False
+    return row if shown else {**row, "needed": None, "lost": "", "counterexample": None, "proofs": []}
+
+
+def _is_lost(record: Record, row: Mapping[str, Any], answers: Answers) -> bool:
+    """Something fails without the hypothesis, or nothing of the kind exists."""
+    if row.get("lost") not in tuple(Loss):
+        return False
+    verdict = Verdict.PROVED if row["lost"] == Loss.EXISTENCE else Verdict.REFUTED
+    shown = list(_of_need(row))
+    free = all(row["name"] not in each["hypotheses"] for each in shown)
+    return bool(shown) and free and answers.fault(record.id, verdict, shown) is None
+
+
+def _is_needless(record: Record, row: Mapping[str, Any], answers: Answers) -> bool:
+    """What is proved does not use the hypothesis, or is proved without it, too."""
+    proofs, name = list(_of_need(row)), row["name"]
+    if any(name in each["hypotheses"] for each in proofs):
+        return False
+    using = [each["claim"] for each in _spoken_of(record, row) if name in each["hypotheses"]]
+    without = [each["claim"] for each in proofs]
+    if not all(claim in without for claim in using):
+        return False
+    return not proofs or answers.fault(record.id, Verdict.PROVED, proofs) is None
+
+
+def unweighed(rows: Rows) -> dict[str, tuple[Record, ...]]:
+    """The records without a word on which hypotheses are needed, and without the certificates of that."""
+    return {
+        name: tuple(replace(r, hypotheses=tuple(map(_stated, r.hypotheses))) for r in each)
+        for name, each in rows.items()
+    }
+
+
+def _stated(row: Mapping[str, Any]) -> dict[str, Any]:
+    return {key: row[key] for key in STATED if key in row}
+
+
+def is_weighed(record: Record) -> bool:
+    """Whether it is known which of the hypotheses are needed, as far as it can be."""
+    return all("needed" in row for row in record.hypotheses)
+
+
+def proofs(record: Record) -> Sequence[Certificate]:
+    """The proofs for which a hypothesis is said to be needed or not: with the hypotheses that the paper forgot."""
+    verdict: object = record.verdict
+    own: Sequence[Certificate] = record.certificates
+    if record.reading is Reading.NEEDS_HYPOTHESIS:
+        repair = record.erratum or {}
+        verdict, own = repair.get("verdict"), repair.get("certificates") or ()
+    return own if verdict == Verdict.PROVED else ()
+
+
+def _spoken_of(record: Record, row: Mapping[str, Any]) -> list[Certificate]:
+    """Of these, the ones of a relation, or of where it is an equality."""
+    own = proofs(record)
+    apart = [each["claim"][0] == "<=>" for each in own]
+    if all(apart) or not any(apart):
+        return [*own]
+    equality = row["given"] == FOR_EQUALITY
+    return [each for each, of in zip(own, apart, strict=True) if of is equality]
+
+
+def reason(certificate: Certificate) -> str | None:
+    """None if the checker accepts a certificate without lemmas, else why not."""
+    return reasons([certificate])[0]

@@ -1,0 +1,162 @@
+"""One declaration with all that is in force in it: notation, definitions, hypotheses, lowered to formulas."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping
+from copy import copy
+from dataclasses import replace
+from functools import cache
+from typing import Any
+
+from symcheck.core.claims import Hypothesis, Item, Method, Paper, Problem
+from symcheck.core.formulas import conjuncts
+from symcheck.core.terms import Formula, Node, Term, mapped, node
+from symcheck.core.verdicts import Role, SymcheckError
+from symcheck.reading import Notation, from_sympy, lower, read
+
+
+def _names(value: Any) -> Iterator[str]:
+    """Every string in a term or formula that may be a variable."""
+    if isinstance(value, str):
+        yield value
+    elif isinstance(value, tuple):
+        for part in value[1:]:
+            yield from _names(part)
+
+
+@cache
+def _definitions(paper: Paper) -> dict[str, Term]:
+    """What each defined letter of a paper stands for, instance by instance."""
+    table: dict[str, Term] = {}
+    for _, _, item in paper.items():
+        if item.role is not Role.DEFINITION or item.opaque:
+            continue
+        tree = read(item.formal or item.printed, item.notation or paper.notation)
+        for formula in lower(tree, item.notation or paper.notation):
+            sign, left, right = formula
+            if sign != "=" or not isinstance(left, str):
+                raise SymcheckError(
+                    f"{paper.key}:{item.number} is no definition of a letter; declare it a premise or opaque"
+                )
+            if table.setdefault(left, right) != right:
+                raise SymcheckError(f"{paper.key}:{item.number} defines {left} a second time and differently")
+    return table
+
+
+@cache
+def _lowered(latex: str, notation: Notation) -> tuple[Formula, ...]:
+    return lower(read(latex, notation), notation)
+
+
+class Context:
+    """Notation, definitions and hypotheses in force in one declaration."""
+
+    def __init__(self, paper: Paper, item: Item) -> None:
+        self.paper, self.item, self.letter = paper, item, ""
+        self.doubted = False  # a counterexample is looked for before a proof
+        self.notation = item.notation or paper.notation
+        derived = item.where() if item.where else {}
+        local = {letter.stem for letter in self.notation.letters} if item.notation else set()
+        shared = {letter.stem for letter in paper.notation.letters if letter in self.notation.letters}
+        redefined = local - shared
+        table = {
+            name: term
+            for name, term in _definitions(paper).items()
+            if not self._is_free(name) and name not in redefined
+        }
+        table |= {name: from_sympy(value) for name, value in derived.items()}
+        self.table = table
+
+    @property
+    def id(self) -> str:
+        return f"{self.paper.key}:{self.item.number}"
+
+    def having(self, **changes: Any) -> Context:
+        """A copy with some attributes changed."""
+        context = copy(self)
+        vars(context).update(changes)
+        return context
+
+    def _is_free(self, name: str) -> bool:
+        return name in self.item.keeping or name.split("_")[0] in self.item.keeping
+
+    def method(self, letter: str) -> Method:
+        """The proof method of one link."""
+        method: Method | None = for_letter(self.item.by, letter)
+        if method is None:
+            raise SymcheckError(f"{self.id}{letter} names no method; add by=...")
+        return method
+
+    def lower(self, latex: str) -> tuple[Formula, ...]:
+        """The formulas of a statement of ours, in the notation in force."""
+        return _lowered(latex, self.notation)
+
+    def hypothesis(self, hypothesis: Hypothesis) -> tuple[str, tuple[Formula, ...]]:
+        parts = [part for formula in self.lower(hypothesis.states) for part in conjuncts(formula)]
+        return hypothesis.name, tuple({repr(_commuted(part)): part for part in reversed(parts)}.values())[::-1]
+
+    def hint(self, latex: str) -> list[Term]:
+        """A hint as one flat sum, for each instance of a free index (one for all if it has none)."""
+        return [node("+", *_addends(formula[1])) for formula in self.lower(f"{latex} = 0")]
+
+    def used_definitions(self, *values: Any) -> tuple[tuple[str, Term], ...]:
+        """The definitions that the values need, each after those it needs itself."""
+        ordered: dict[str, Term] = {}
+
+        def visit(name: str, above: tuple[str, ...]) -> None:
+            if name in ordered or name not in self.table:
+                return
+            if name in above:
+                raise SymcheckError(f"{self.id}: {name} is defined by itself; use keeping=...")
+            for other in _names(("", self.table[name])):
+                visit(other, (*above, name))
+            ordered[name] = self.table[name]
+
+        for name in _names(("", *values)):
+            visit(name, ())
+        return tuple(ordered.items())
+
+    def abstract(self) -> Context:
+        """The same declaration with some defined letters left free, known through earlier relations only."""
+        context = self.having(item=replace(self.item, keeping=self.item.keeping + self.item.free))
+        context.table = {name: term for name, term in self.table.items() if not context._is_free(name)}
+        return context
+
+    def problem(
+        self,
+        formula: Formula,
+        given: Iterable[Hypothesis],
+        method: Method,
+        instance: int = 0,
+    ) -> Problem:
+        """What a method is asked: the formula with the definitions and hypotheses in force."""
+        hypotheses = tuple(self.hypothesis(each) for each in given)
+        lowered = []
+        for name, latex in method.hints:
+            terms = self.hint(latex)
+            lowered.append((name, terms[instance] if len(terms) > 1 else terms[0]))
+        bodies = [part for _, formulas in hypotheses for part in formulas]
+        self.notation.refuse_undefined(self.table, formula, *bodies)
+        definitions = self.used_definitions(formula, *bodies, *(term for _, term in lowered))
+        return Problem(self.id + self.letter, formula, definitions, hypotheses, tuple(lowered))
+
+
+def _commuted(term: Any) -> Any:
+    """The term with factors and addends in one order, to find equations stated twice (A A^T = 1 is symmetric)."""
+    if not isinstance(term, Node):
+        return term
+    new = mapped(term, _commuted)
+    return node(new.tag, *sorted(new.outside, key=repr)) if new.tag in ("+", "*") else new
+
+
+def _addends(term: Term) -> Iterator[Term]:
+    if isinstance(term, tuple) and term[0] == "+":
+        for part in term[1:]:
+            yield from _addends(part)
+    else:
+        yield term
+
+
+def for_letter(value: Any, letter: str) -> Any:
+    """What is declared for one link: the entry of its letter, or the one value for all."""
+    return value.get(letter) if isinstance(value, Mapping) else value

@@ -1,0 +1,83 @@
+"""What the ledger states, read anew from the declarations: with this the checker compares what certificates claim.
+
+Nothing of a proof is used here. What is said of hypotheses that are left out, and of kernels, is no reading of the
+print: it is listed with what it is, from the certificates themselves.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from functools import cache
+from typing import Any
+
+from symcheck.audit.context import Context, for_letter
+from symcheck.audit.judge import equality_claims, units
+from symcheck.audit.obligation import DECIDED, expand
+from symcheck.core.claims import Hypothesis, Paper
+from symcheck.core.terms import Formula
+from symcheck.core.verdicts import Certificate
+from symcheck.ledger.record import Record
+from symcheck.reading import read
+
+Entry = tuple[str, str, Formula, tuple[Hypothesis, ...]]  # id, what it is, the claim, what is in force
+
+
+class Index:
+    """The statements of a paper: id, what each is, claim, names of the hypotheses in force, defined letters.
+
+    Of each name every definition, and every list of formulas of a hypothesis, that is in force somewhere.
+    """
+
+    def __init__(self, paper: Paper) -> None:
+        self.definitions: dict[str, list[Any]] = {}
+        self.hypotheses: dict[str, list[Any]] = {}
+        self.statements: list[list[Any]] = []
+        for obligation in expand(paper):
+            if obligation.item.role in DECIDED:
+                self._read(Context(obligation.paper, obligation.item))
+
+    def _read(self, context: Context) -> None:
+        hypothesis = cache(context.hypothesis)
+        for id, what, claim, given in _claims(context):
+            hypotheses = dict(map(hypothesis, given))
+            defined = context.used_definitions(claim, *(f for formulas in hypotheses.values() for f in formulas))
+            for name, formulas in hypotheses.items():
+                _add(self.hypotheses.setdefault(name, []), [[*formulas]])
+            for name, term in defined:
+                _add(self.definitions.setdefault(name, []), [term])
+            letters = [name for name, _ in defined]
+            self.statements.append([id, what, claim, [*hypotheses], letters])
+
+    def beside(self, records: Iterable[Record], kernels: Iterable[Certificate]) -> None:
+        """What else there are certificates of."""
+        for record in records:
+            for hypothesis in record.hypotheses:
+                for each in (hypothesis.get("counterexample"), *(hypothesis.get("proofs") or ())):
+                    if isinstance(each, dict) and "claim" in each:
+                        self._beside("a hypothesis left out", each)
+        for each in kernels:
+            self._beside("a kernel", each)
+
+    def _beside(self, what: str, certificate: Certificate) -> None:
+        letters = [name for name, _ in certificate["definitions"]]
+        claim, given = certificate["claim"], [*certificate["hypotheses"]]
+        _add(self.statements, [[certificate["id"], what, claim, given, letters]])
+
+
+def _add(known: list[Any], new: Iterable[Any]) -> None:
+    known += [each for each in new if each not in known]
+
+
+def _claims(context: Context) -> Iterator[Entry]:
+    item = context.item
+    for unit in units(context):
+        if unit.letter and unit.letter in item.imposed:
+            continue
+        id, given = f"{context.id}{unit.letter}", item.given
+        yield from ((id, "as printed", formula, given) for formula in unit.formulas)
+        if equality := for_letter(item.equality, unit.letter):
+            claims, attained = equality_claims(context, unit, equality), (*given, *item.equality_given)
+            yield from ((id, "where it is an equality", claim, attained) for claim in claims)
+        if erratum := item.errata.get(unit.letter):
+            right = unit.reworded(context, read(erratum.corrected, context.notation)) if erratum.corrected else unit
+            yield from ((id, "as corrected", formula, (*given, *item.needs)) for formula in right.formulas)

@@ -1,0 +1,98 @@
+"""Kernels and what they rest on: one is written only if its claims, and the equality of its forms, are proved."""
+
+from __future__ import annotations
+
+import hashlib
+from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import replace
+from importlib import import_module
+from importlib.util import find_spec
+from string import ascii_lowercase
+
+from symcheck.audit.checked import NOT_ACCEPTED, reasons
+from symcheck.core.claims import Paper, Problem
+from symcheck.core.formulas import conjuncts
+from symcheck.core.terms import node
+from symcheck.core.verdicts import Certificate, SymcheckError, Verdict
+from symcheck.kernels.codegen.kernel import Kernel
+from symcheck.kernels.codegen.program import Program, compiled
+from symcheck.kernels.codegen.target import Made
+from symcheck.ledger.digests import digest_of
+from symcheck.ledger.record import Record
+from symcheck.proof import certificate, identity
+from symcheck.reading import from_sympy, lower, read
+
+
+def declared(key: str) -> dict[str, Kernel]:
+    """The kernels of a paper by name, in the order of declaration."""
+    name = f"symcheck.papers.{key}.kernels"
+    if find_spec(f"symcheck.papers.{key}") is None or find_spec(name) is None:
+        return {}
+    return {name: value for name, value in vars(import_module(name)).items() if isinstance(value, Kernel)}
+
+
+def programs(kernel: Kernel) -> tuple[Program, Program]:
+    """What is computed for many points, and for few: the accurate forms where there are any."""
+    derived = kernel.derived()
+    outputs = {output.name: derived[output.name] for output in kernel.outputs}
+    outputs |= kernel.accurate() if kernel.accurate else {}
+    angles = [argument.name for argument in kernel.arguments if argument.acute]
+    inputs = [argument.name for argument in kernel.arguments]
+    return compiled(inputs, outputs, angles), compiled(inputs, outputs)
+
+
+def made(paper: Paper, records: Iterable[Record]) -> tuple[dict[str, Made], list[Certificate]]:
+    """The kernels of a paper by name, as targets write them, and the certificates of their accurate forms."""
+    known, kernels, proofs = {record.id: record for record in records}, {}, []
+    for name, kernel in declared(paper.key).items():
+        equal = list(equalities(paper, name, kernel))
+        evidence = f"{_claims(paper, name, kernel, known)} {_forms(equal)}".strip()
+        kernels[name] = Made(kernel, *programs(kernel), evidence)
+        proofs += equal
+    return kernels, proofs
+
+
+def equalities(paper: Paper, name: str, kernel: Kernel) -> Iterator[Certificate]:
+    """The certificates that the accurate forms equal the derived ones."""
+    derived, forms = kernel.derived(), kernel.accurate() if kernel.accurate else {}
+    given = tuple(
+        (each.name, tuple(p for f in lower(read(each.states, paper.notation), paper.notation) for p in conjuncts(f)))
+        for each in kernel.given
+    )
+    for output, form in forms.items():
+        sides = from_sympy(derived[output]), from_sympy(form)
+        problem = Problem(f"{paper.key}:{name}.{output}", node("=", *sides), (), given)
+        squares = tuple((f"theorem.0.equal_squares.{k}", side) for k, side in enumerate(sides))
+        outcome = identity.decide(problem)
+        if outcome.verdict is Verdict.UNDECIDED:
+            outcome = identity.decide(replace(problem, hints=squares))
+        if outcome.verdict is not Verdict.PROVED:
+            why = outcome.reason or outcome.verdict
+            raise SymcheckError(f"{problem.id}: the accurate form is not proved equal to the derived one ({why})")
+        shown = certificate(problem, outcome)
+        if refused := reasons([shown])[0]:
+            raise SymcheckError(f"{problem.id}: {NOT_ACCEPTED} ({refused})")
+        yield shown
+
+
+def _claims(paper: Paper, name: str, kernel: Kernel, known: Mapping[str, Record]) -> str:
+    said = []
+    for number in kernel.claims:
+        id = f"{paper.key}:{number}"
+        links = [record for record in known.values() if record.id == id or record.id.rstrip(ascii_lowercase) == id]
+        wrong = [record for record in links if record.verdict is not Verdict.PROVED]
+        if wrong or not links:
+            state = f"{wrong[0].id}, which is {wrong[0].verdict}" if wrong else f"{id}, which is not declared"
+            raise SymcheckError(f"kernel {name} rests on {state}; only what is proved is generated")
+        said.append(f"{id} ({digest(c for record in links for c in record.certificates)})")
+    return f"Rests on {', '.join(said)}."
+
+
+def _forms(equal: list[Certificate]) -> str:
+    return f"The forms computed are proved equal to those shown ({digest(equal)})." if equal else ""
+
+
+def digest(certificates: Iterable[Certificate]) -> str:
+    """A short name of some certificates: the beginning of the SHA-256 of their digests."""
+    text = " ".join(map(digest_of, certificates))
+    return f"sha256 {hashlib.sha256(text.encode()).hexdigest()[:12]}"

@@ -1,0 +1,115 @@
+"""What there is to decide, and the fingerprint of everything a result depends on. No algebra, no parsing."""
+
+from __future__ import annotations
+
+import hashlib
+from collections.abc import Mapping
+from dataclasses import dataclass, fields, replace
+from functools import cache, partial
+from importlib.metadata import version
+from pathlib import Path
+from typing import Any
+
+from symcheck import papers
+from symcheck.core.claims import Item, Method, Paper, Section
+from symcheck.core.verdicts import Role, SymcheckError
+from symcheck.reading import Notation
+
+LIBRARIES = ("sympy", "python-flint", "lark")
+SOURCES = ("reading", "proof", "mechanics", "audit", "ledger", "checker", "core")
+DECIDED = (Role.CLAIM, Role.OURS)
+
+
+@dataclass(frozen=True)
+class Obligation:
+    """One declaration to decide."""
+
+    id: str
+    paper: Paper
+    section: Section
+    item: Item
+
+
+def expand(paper: Paper) -> tuple[Obligation, ...]:
+    """All declarations of a paper in printed order."""
+    return tuple(
+        Obligation(f"{paper.key}:{item.number}", paper, section, replace(item, name=name))
+        for section, name, item in paper.items()
+    )
+
+
+def obligation_of(id: str) -> Obligation:
+    """The declaration with this id; SymcheckError if there is none."""
+    key, _, _ = id.partition(":")
+    found = _declared(key).get(id)
+    if found is None:
+        raise SymcheckError(f"{id} is not declared; `symcheck check {key} --json` lists the ids")
+    return found
+
+
+@cache
+def _declared(key: str) -> dict[str, Obligation]:
+    paper = papers.load().get(key)
+    return {each.id: each for each in expand(paper)} if paper else {}
+
+
+@cache
+def users(key: str) -> dict[str, tuple[str, ...]]:
+    """By the number of a declaration: the ids of those that refer to it."""
+    found: dict[str, tuple[str, ...]] = {}
+    for each in _declared(key).values():
+        for number in dict.fromkeys(each.item.uses):
+            found[number] = (*found.get(number, ()), each.id)
+    return found
+
+
+@cache
+def _digest_of_sources(key: str) -> str:
+    root = Path(__file__).parents[1]
+    listed = [root / source for source in SOURCES] + [root / "papers" / key / "derivation.py"]
+    files = [f for path in listed for f in (sorted(path.rglob("*")) if path.is_dir() else [path])]
+    digest = hashlib.sha256()
+    for file in files:
+        if file.is_file() and file.suffix != ".pyc":
+            digest.update(file.relative_to(root).as_posix().encode() + b"\0" + file.read_bytes())
+    for library in LIBRARIES:
+        digest.update(f"{library} {version(library)}".encode())
+    return digest.hexdigest()
+
+
+def _plain(value: Any) -> Any:
+    """A value of a declaration as text that depends on its content only."""
+    match value:
+        case Method():
+            return (value.name, value.hints)
+        case Notation():
+            return value.content
+        case Mapping():
+            return sorted((key, _plain(each)) for key, each in value.items())
+        case partial():
+            return (_plain(value.func), value.args)
+        case tuple():
+            return tuple(_plain(each) for each in value)
+        case _ if callable(value):
+            return f"{value.__module__}.{value.__qualname__}"
+    return value
+
+
+def _content(item: Item) -> str:
+    return repr([(f.name, _plain(getattr(item, f.name))) for f in fields(item)])
+
+
+@cache
+def _paper_context(key: str) -> str:
+    paper = papers.load()[key]
+    items = [item for _, _, item in paper.items()]
+    lemmas = {number for item in items for name in item.lemmas for number in (name, name[:-1])}
+    shared = [_content(item) for item in items if item.role is Role.DEFINITION or item.number in lemmas]
+    uses = [(item.number, item.uses) for item in items]
+    return repr((_plain(paper.notation), shared, uses, _digest_of_sources(key)))
+
+
+def fingerprint(obligation: Obligation) -> str:
+    """Hash of all a result depends on: declaration, notation, definitions, lemmas, our sources, library versions."""
+    text = _content(obligation.item) + _paper_context(obligation.paper.key)
+    return hashlib.sha256(text.encode()).hexdigest()

@@ -1,0 +1,47 @@
+"""What an audit leaves below generated/: certificates, what they are to state, and the verdicts expected."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from types import MappingProxyType
+
+from symcheck import papers
+from symcheck.audit.index import Index
+from symcheck.core.verdicts import Certificate
+from symcheck.ledger.certificates import certificates
+from symcheck.ledger.digests import line
+from symcheck.ledger.record import Record
+from symcheck.ledger.store import CERTIFICATES, EXPECTED, PROOFS, STATEMENTS, document
+
+Kernels = tuple[Mapping[str, str], Iterable[Certificate]]  # texts by the names of their files, proofs
+
+
+def files(records: Iterable[Record], kernels: Mapping[str, Kernels] = MappingProxyType({})) -> dict[str, bytes]:
+    """Path inside generated/ -> contents, for every paper that has a record; `kernels` by paper."""
+    of_paper: dict[str, list[Record]] = {}
+    for record in records:
+        of_paper.setdefault(record.paper, []).append(record)
+    out: dict[str, bytes] = {}
+    for key, rows in sorted(of_paper.items()):
+        texts, equalities = kernels.get(key, ({}, ()))
+        equalities = [*equalities]
+        proofs = [*(each for row in rows for each in certificates(row)), *equalities]
+        written = dict.fromkeys(line(each) for each in proofs)
+        out |= {name: text.encode() for name, text in texts.items()}
+        verdicts = (f"{line(row.id)}: {line(_expectation(row))}" for row in rows)
+        out[f"{CERTIFICATES}/{key}.json"] = document(key, "certificates", "[]", written, schema=PROOFS)
+        out[f"{STATEMENTS}/{key}.json"] = _stated(key, rows, equalities)
+        out[f"{EXPECTED}/{key}.json"] = document(key, "items", "{}", verdicts)
+    return out
+
+
+def _stated(key: str, rows: Iterable[Record], equalities: Iterable[Certificate]) -> bytes:
+    """The statements of a paper, read anew."""
+    index = Index(papers.load()[key])
+    index.beside(rows, equalities)
+    known = {"definitions": index.definitions, "hypotheses": index.hypotheses}
+    return document(key, "statements", "[]", map(line, index.statements), schema=PROOFS, others=known)
+
+
+def _expectation(record: Record) -> list[str | None]:
+    return [record.verdict, record.reading]

@@ -1,0 +1,98 @@
+"""What a wrong relation should be: the proof of its correction, and every single edit that repairs it."""
+
+from __future__ import annotations
+
+import difflib
+import re
+from collections.abc import Mapping
+from dataclasses import replace
+from typing import Any
+
+from symcheck.audit.checked import reasons
+from symcheck.audit.context import Context
+from symcheck.audit.judge import Finding, Unit, judge, proofs
+from symcheck.core.claims import Erratum, Item, Method
+from symcheck.core.terms import node
+from symcheck.core.verdicts import SymcheckError, Verdict
+from symcheck.proof import combined, fails_at
+from symcheck.reading import edits, read, to_latex
+
+
+def corrected(context: Context, unit: Unit, erratum: Erratum, printed: Finding) -> dict[str, Any]:
+    """The proof of the corrected form, the edit from the printed one, and every single edit that repairs it.
+
+    A sentence is not searched for edits (its words are ours), nor a relation that is true but empty.
+    """
+    item, edit = context.item, []
+    if erratum.corrected:
+        right = unit.reworded(context, read(erratum.corrected, context.notation))
+        repaired = replace(item, equality="", by=combined(*_methods(item), forms=erratum.forms))
+        finding = judge(context.having(item=repaired), right, item.given, item.needs)
+        edit = _edit(to_latex(unit.tree), to_latex(right.tree))
+    else:
+        finding = judge(context, unit, item.given, item.needs)
+    searched = bool(erratum.corrected) and not (item.formal or item.parts) and printed.verdict is Verdict.REFUTED
+    repairs = _repairs(context, unit, printed) if searched else []
+    return {
+        "verdict": finding.verdict,
+        "reason": finding.reason,
+        "certificates": list(finding.certificates),
+        "edit": edit,
+        "added": [hypothesis.words for hypothesis in item.needs],
+        "repairs": repairs if searched else None,
+        "unique": len(repairs) == 1 if searched else None,
+        "empty": _is_empty(printed),
+        "row": bool(erratum.shown),
+    }
+
+
+def _methods(item: Item) -> list[Method]:
+    return [method for method in (item.by.values() if isinstance(item.by, Mapping) else [item.by]) if method]
+
+
+def _edit(before: str, after: str) -> list[dict[str, str]]:
+    """The places where two LaTeX forms differ, token by token."""
+    tokens = re.compile(r"\\[A-Za-z]+|\\.|\d+|\S")
+    left, right = tokens.findall(before), tokens.findall(after)
+    matcher = difflib.SequenceMatcher(None, left, right, autojunk=False)
+    return [
+        {"printed": " ".join(left[i:j]), "corrected": " ".join(right[k:m])}
+        for kind, i, j, k, m in matcher.get_opcodes()
+        if kind != "equal"
+    ]
+
+
+def _repairs(context: Context, unit: Unit, printed: Finding) -> list[dict[str, str]]:
+    """All single edits of the printed relation that are proved and are not empty.
+
+    An edit that is wrong at the printed relation's own counterexample needs no further thought.
+    """
+    points = [outcome.point["values"] for outcome in printed.outcomes if outcome.point]
+    found = []
+    for edit in edits(unit.tree, context.notation):
+        try:
+            changed = unit.reworded(context, edit.tree)
+            if _is_proved(context, changed, points):
+                found.append({"kind": edit.kind, "edit": edit.description, "relation": to_latex(edit.tree)})
+        except SymcheckError:
+            continue  # an edit that makes no statement repairs nothing
+    return found
+
+
+def _is_proved(context: Context, unit: Unit, points: list[Any]) -> bool:
+    """Whether an edited relation has a proof and is not empty; counterexamples are not looked for."""
+    method, given = context.method(unit.letter), (*context.item.given, *context.item.needs)
+    problems = [context.problem(formula, given, method, n) for n, formula in enumerate(unit.formulas)]
+    if any(fails_at(problem, point) for problem in problems for point in points):
+        return False
+    if any(problem.claim[1] == problem.claim[2] for problem in problems):
+        return False
+    return (found := proofs(problems)) is not None and not any(reasons(found))
+
+
+def _is_empty(finding: Finding) -> bool:
+    """Whether an inequality is true only because its sides are equal, always."""
+    if finding.verdict is not Verdict.PROVED or any(p.claim[0] not in ("<=", ">=") for p in finding.concrete):
+        return False
+    found = proofs(replace(problem, claim=node("=", *problem.claim[1:])) for problem in finding.concrete)
+    return found is not None and not any(reasons(found))

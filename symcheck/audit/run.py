@@ -1,0 +1,264 @@
+"""The audit: which declarations are asked for, what is known of them already, who decides the rest."""
+
+from __future__ import annotations
+
+import gc
+from collections.abc import Callable, Generator, Iterable, Iterator, Mapping, Sequence
+from contextlib import closing, contextmanager
+from dataclasses import replace
+from difflib import get_close_matches
+from string import ascii_lowercase
+from typing import Any, Protocol, TypeVar
+
+from symcheck.audit import checked
+from symcheck.audit.cache import Cache
+from symcheck.audit.executor import Answer, Done, Executor, Timeout
+from symcheck.core.claims import Item, Paper, Section
+from symcheck.core.verdicts import SymcheckError, Verdict
+from symcheck.ledger.record import Record
+
+K = TypeVar("K")
+T = TypeVar("T")
+Progress = Callable[[int, int], None]
+Links = frozenset[str]
+EVERY: Links = frozenset()
+
+
+class Obligation(Protocol):
+    """One declaration to decide: light, no algebra."""
+
+    @property
+    def id(self) -> str: ...
+    @property
+    def paper(self) -> Paper: ...
+    @property
+    def section(self) -> Section: ...
+    @property
+    def item(self) -> Item: ...
+
+
+class Decider(Protocol):
+    """What decides: the module `symcheck.audit.decide`, or a stand-in in a test."""
+
+    def expand(self, paper: Any, /) -> tuple[Any, ...]:
+        """The obligations of a paper in printed order."""
+        ...
+
+    def fingerprint(self, obligation: Any, /) -> str:
+        """A hash of everything the records of a declaration depend on."""
+        ...
+
+    def decide(self, id: str, /) -> tuple[Record, ...]:
+        """The records of one declaration; called in a worker process."""
+        ...
+
+    def weigh(self, declared: tuple[str, Sequence[Record]], /) -> tuple[Record, ...]:
+        """The records with which hypotheses are needed; called in a worker process."""
+        ...
+
+
+class Interrupted(KeyboardInterrupt):
+    """An interrupt, with the records that were decided before it, in printed order."""
+
+    def __init__(self, records: list[Record], told: str = "") -> None:
+        super().__init__(told)
+        self.records = records
+
+
+def audit(
+    selection: Sequence[str],
+    *,
+    papers: Mapping[str, Paper],
+    decide: Decider,
+    cache: Cache,
+    executor: Executor,
+    timeout: float,
+    weigh: bool = True,
+    progress: Progress = lambda done, total: None,
+) -> list[Record]:
+    """The records of the selection in printed order; nothing selected means everything.
+
+    A selection is "paper", "paper:number", "paper:number" with the letter of one link, or "paper:T6" for all rows of a
+    list or table; SymcheckError if it names nothing, with the nearest names. What is decided is in the cache at once,
+    so an interrupted audit loses only what was running, and raises Interrupted. A declaration that is killed or crashes
+    is undecided and not cached. Whatever is told, kept or new, the checker has accepted: of what was kept and is not
+    accepted each declaration is decided again, of what is new the verdict becomes undecided.
+
+    With `weigh` it is also decided which hypotheses are needed, after all verdicts; that takes half as long again.
+    """
+    obligations = _expanded(_papers_named(selection, papers), decide)
+    wanted = select(selection, list(obligations)) if selection else dict.fromkeys(obligations, EVERY)
+    needed = _with_lemmas(wanted, obligations)
+    fingerprints = {id: decide.fingerprint(obligations[id]) for id in needed}
+    with _uncollected():
+        kept = cache.find(fingerprints)
+        kept = kept if weigh else checked.unweighed(kept)
+        records = {id: rows for id, rows in checked.told(kept).items() if rows == kept[id]}
+    if refused := len(kept) - len(records):
+        are = "is" if refused == 1 else "are"
+        cache.say(f"{refused} of the results in the cache {are} not accepted by the checker; deciding again")
+    progress(len(records), len(needed))
+    new: dict[str, tuple[Record, ...]] = {}
+    try:
+        open_ids = [id for id in needed if id not in records]
+        with closing(_answers(executor, decide.decide, open_ids, timeout)) as answers:
+            for id, answer in answers:
+                new[id] = _records(obligations[id], answer)
+                if isinstance(answer, Done):
+                    cache.put(id, fingerprints[id], new[id])
+                progress(len(records) + len(new), len(needed))
+        decided = {id: rows for id, rows in (records | new).items() if weigh and id in wanted}
+        light = [(id, rows) for id, rows in decided.items() if not all(map(checked.is_weighed, rows))]
+        with closing(_answers(executor, decide.weigh, light, timeout)) as weighed:
+            for done, ((id, _), answer) in enumerate(weighed, 1):
+                if isinstance(answer, Done):
+                    new[id] = answer.value
+                    cache.put(id, fingerprints[id], new[id])
+                progress(len(needed) + done, len(needed) + len(light))
+    except KeyboardInterrupt:
+        known = records.keys() | new.keys()
+        whole = {id: rows for id, rows in new.items() if known >= {*_lemmas(id, obligations)}}
+        raise Interrupted(_asked_for(wanted, records | _told(whole, records))) from None
+    for key in {id.partition(":")[0] for id in obligations}:
+        cache.prune(key, obligations)
+    return _asked_for(wanted, records | _told(new, records))
+
+
+@contextmanager
+def _uncollected() -> Iterator[None]:
+    """Nothing is thrown away while certificates are read and checked; to look for it takes as long as to read them."""
+    was_enabled = gc.isenabled()
+    gc.disable()
+    try:
+        yield
+    finally:
+        gc.freeze()  # nor is it later
+        if was_enabled:
+            gc.enable()
+
+
+def _answers(
+    executor: Executor, function: Callable[[K], T], tasks: Sequence[K], timeout: float
+) -> Generator[tuple[K, Answer[T]]]:
+    """The answers in order of completion; where nothing is asked no process is started."""
+    if tasks:
+        with closing(executor.map(function, tasks, timeout)) as answers:
+            yield from answers
+
+
+def _told(new: checked.Rows, records: checked.Rows) -> dict[str, tuple[Record, ...]]:
+    with _uncollected():
+        return checked.told(new, records)
+
+
+def _with_lemmas(wanted: Iterable[str], obligations: Mapping[str, Obligation]) -> list[str]:
+    """The declarations wanted, and behind them those on whose relations they rest, which are not told of."""
+    found = dict.fromkeys(wanted)
+    todo = list(found)
+    while todo:
+        more = [id for id in _lemmas(todo.pop(), obligations) if id not in found]
+        found |= dict.fromkeys(more)
+        todo += more
+    return list(found)
+
+
+def _lemmas(id: str, obligations: Mapping[str, Obligation]) -> list[str]:
+    """The declarations whose relations the proof of one may start from; "2.13.1b" is a link of 2.13.1."""
+    key = id.partition(":")[0]
+    named = ((f"{key}:{number}", f"{key}:{number[:-1]}") for number in obligations[id].item.lemmas)
+    return [
+        next(name for name in names if name in obligations)
+        for names in named
+        if not obligations.keys().isdisjoint(names)
+    ]
+
+
+def _asked_for(wanted: Mapping[str, Links], records: Mapping[str, tuple[Record, ...]]) -> list[Record]:
+    """What is decided of what was asked for, in printed order."""
+    decided = ((id, links) for id, links in wanted.items() if id in records)
+    return _with_later([record for id, links in decided for record in _of_links(records[id], links)])
+
+
+def _with_later(records: list[Record]) -> list[Record]:
+    """Each erratum with what becomes of it later: which relations that rest on it are right, which share the fault.
+
+    Told of the relations at hand only: those that refer to the declaration, and the following links of the same chain.
+    """
+    declared = [record.id.rstrip(ascii_lowercase) for record in records]
+    together = list(zip(declared, records, strict=True))
+    return [replace(r, erratum={**r.erratum, "later": _later(r, together)}) if r.erratum else r for r in records]
+
+
+def _later(wrong: Record, records: list[tuple[str, Record]]) -> list[dict[str, str]]:
+    own = wrong.id.rstrip(ascii_lowercase)
+    resting = (r for id, r in records if own in r.uses or (id == own and r.id > wrong.id))
+    fate = {Verdict.PROVED: "is right", Verdict.REFUTED: "shares the fault or has one of its own"}
+    return [{"id": r.id, "fate": fate[r.verdict]} for r in resting if r.verdict in fate]
+
+
+def select(selection: Iterable[str], ids: Sequence[str]) -> dict[str, Links]:
+    """The selected declarations in printed order, each with the links asked for, EVERY standing for all of them."""
+    chosen: dict[str, Links] = {}
+    for text in selection:
+        for id, links in _matches(text, ids).items():
+            both = (chosen.get(id, links), links)
+            chosen[id] = EVERY if EVERY in both else both[0] | both[1]
+    return {id: chosen[id] for id in ids if id in chosen}
+
+
+def _matches(text: str, ids: Sequence[str]) -> dict[str, Links]:
+    paper, colon, number = text.partition(":")
+    if not colon:
+        return {id: EVERY for id in ids if id.partition(":")[0] == paper}
+    whole = [id for id in ids if id == text or (id.startswith(text) and id[len(text) :].strip(ascii_lowercase) == "")]
+    if not whole or number[-1:].isupper():
+        whole += [id for id in ids if id.startswith(f"{text}.")]
+    if number and whole:
+        return dict.fromkeys(whole, EVERY)
+    if (declared := text.rstrip(ascii_lowercase)) in ids and declared != text:
+        return {declared: frozenset((text,))}
+    near = get_close_matches(text, ids, n=3, cutoff=0.75)
+    hint = f"did you mean {' or '.join(near)}?" if near else f"`symcheck check {paper}` lists what there is"
+    raise SymcheckError(f"{paper} has no relation {number!r}; {hint}")
+
+
+def _papers_named(selection: Iterable[str], papers: Mapping[str, Paper]) -> list[Paper]:
+    keys = [text.partition(":")[0] for text in selection] or list(papers)
+    for key in keys:
+        if key not in papers:
+            near = get_close_matches(key, papers, n=1)
+            hint = f"did you mean {near[0]}?" if near else f"known papers: {', '.join(papers)}"
+            raise SymcheckError(f"there is no paper {key!r}; {hint}")
+    return [papers[key] for key in papers if key in keys]
+
+
+def _expanded(papers: Iterable[Paper], decide: Decider) -> dict[str, Obligation]:
+    return {obligation.id: obligation for paper in papers for obligation in decide.expand(paper)}
+
+
+def _records(obligation: Obligation, answer: Answer[tuple[Record, ...]]) -> tuple[Record, ...]:
+    if isinstance(answer, Done):
+        return answer.value
+    limit = f"not decided within {answer.seconds:g} s" if isinstance(answer, Timeout) else answer.reason
+    item = obligation.item
+    record = Record(
+        id=obligation.id,
+        paper=obligation.paper.key,
+        section=obligation.section.number,
+        line=item.line,
+        role=item.role,
+        name=item.name,
+        printed=" ".join(item.printed),
+        words=item.words,
+        verdict=Verdict.UNDECIDED,
+        reason=limit,
+        uses=tuple(f"{obligation.paper.key}:{number}" for number in item.uses),
+    )
+    return (record,)
+
+
+def _of_links(records: tuple[Record, ...], links: Links) -> tuple[Record, ...]:
+    """All records of a declaration, or those of the links that were asked for."""
+    if unknown := sorted(links - {record.id for record in records}):
+        raise SymcheckError(f"there is no relation {unknown[0]}; there are {', '.join(r.id for r in records)}")
+    return tuple(record for record in records if not links or record.id in links)

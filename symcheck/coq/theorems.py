@@ -1,0 +1,104 @@
+"""The theorems that certificates take for granted (`symcheck/checker/theorems.py`), each proved in Coq.
+
+Theorems.v proves them as they stand in the checker's table; here they are applied, one by one.
+"""
+
+from __future__ import annotations
+
+from itertools import groupby
+from typing import TYPE_CHECKING
+
+from symcheck.checker import theorems as table
+from symcheck.coq.digits import Enclosure
+from symcheck.coq.printing import ATOM, IMPLIES, Printer, name, spelled
+from symcheck.coq.terms import Proof
+from symcheck.core.terms import JSON, Term, node
+
+if TYPE_CHECKING:
+    from symcheck.coq.script import Script
+
+KINDS = {"n": "Z", "f": "R -> R", "g": "R -> R"}  # of parameters
+CONGRUENCE = {"congruence": "st", "congruence of two": "stuv"}  # of functions of one argument, and of two
+ALIKE = {"=": "eq", "!=": "ne", "<": "lt", "<=": "le", ">": "gt", ">=": "ge"}
+UNSTATED = {  # theorems without a proof in Theorems.v
+    "enclosure": "it is computed anew for each number, by the lemmas of Digits.v",
+    "beta": "Euler's beta integral is not in Coq's libraries",
+    "beta_diverges": "the divergence of an improper integral is not stated in Coq",
+    "power_diverges": "the divergence of an improper integral is not stated in Coq",
+    "even": "an improper integral is not stated in Coq",
+    "odd": "an improper integral is not stated in Coq",
+    "gamma": "Euler's gamma function is not in Coq's libraries",
+    "gamma_values": "Euler's gamma function is not in Coq's libraries",
+}
+MISSING = {name: reason for name, reason in UNSTATED.items() if name != "enclosure"}  # those that no proof may apply
+
+
+class Application:
+    """A theorem with what it is applied to: its premises and its conclusion, as they stand in Coq."""
+
+    def __init__(self, script: Script, proof: Proof) -> None:
+        self.script, self.name = script, proof["of"]
+        self.terms: dict[str, Term] = {}  # what parameters stand for: a number, or the value of a function at a letter
+        self.letters: dict[str, str] = {}  # these letters
+        for parameter, data in proof.get("with", {}).items():
+            if isinstance(data, dict):
+                self.letters[parameter], data = data["letter"], data["term"]
+            self.terms[parameter] = script.read(data)
+        self.numbers = {x: script.read(data) for x, data in proof.get("numbers", {}).items()}
+        given = {p: ((self.letters[p],), t) if p in self.letters else t for p, t in self.terms.items()}
+        premises, conclusion = table.instance(self.name, given, self.numbers)
+        self.premises, self.conclusion = [*map(script.full, premises)], script.full(conclusion)
+
+    def by(self, names: list[str]) -> str:
+        """The tactic that proves the conclusion from the premises, which have names."""
+        if self.name == "congruence":
+            return "f_equal; assumption"
+        if self.name == "enclosure":
+            known = {x: (own, self.numbers[x]) for x, own in zip(self.numbers, names, strict=True)}
+            found = Enclosure(self.script, known).of(self.terms["t"])
+            return f"destruct {found.proof} as [low high]; clear - low high; split; lra"
+        arguments = [self.argument(parameter) for parameter in table.theorem(self.name).parameters]
+        smooth = ["ltac:(is_polynomial)"] if self.name in table.SMOOTH else []
+        return f"exact ({' '.join([identifier(self.name), *arguments, *smooth, *names])})"
+
+    def argument(self, parameter: str) -> str:
+        """What stands for a parameter in Coq."""
+        term = self.terms[parameter]
+        if parameter in self.letters:
+            return f"(fun {name(self.letters[parameter])} => {spelled(term)})"
+        return spelled(term, ATOM)
+
+
+def statement(name: str) -> str:
+    """What the checker takes for granted under that name, as Coq reads it."""
+    stated = _congruence(name) if name in CONGRUENCE else table.theorem(name)
+    kinds = KINDS | ({"f": "R -> R -> R"} if name == "congruence of two" else {})
+    groups = groupby(stated.parameters, key=lambda parameter: kinds.get(parameter, "R"))
+    bound = " ".join(f"({' '.join(own)} : {kind})" for kind, own in groups)
+    smooth, *of = table.SMOOTH.get(name, ("",))
+    premises = [f"polynomial_in_{'circle' if of else 'letter'} {smooth}"] if smooth else []
+    text = Printer(whole=("n", "k")).text
+    premises += [text(premise, IMPLIES - 1) for premise in stated.premises]
+    lines = [f"forall {bound},"] if bound else []
+    lines += [*(f"{premise} ->" for premise in premises), text(stated.conclusion)]
+    return "\n".join(f"  {line}" for line in lines)
+
+
+def _congruence(name: str) -> table.Theorem:
+    """It has as many premises as the function has arguments; here they are letters."""
+    letters = CONGRUENCE[name]
+    one, other = (node("call", "f", (0,) * len(own), *own) for own in (letters[::2], letters[1::2]))
+    premises, conclusion = table.congruence({"s": one, "t": other})
+    return table.Theorem(("f", *letters), tuple(premises), conclusion)
+
+
+def identifier(name: str) -> str:
+    """The name of a theorem in Theorems.v."""
+    return "theorem_" + "_".join(ALIKE.get(word, word) for word in name.split())
+
+
+def missing(proof: JSON) -> str | None:
+    """Why a proof has no form in Coq, if it uses a theorem that is not there."""
+    parts = proof if isinstance(proof, list) else proof.values() if isinstance(proof, dict) else ()
+    own = MISSING.get(str(proof.get("of"))) if isinstance(proof, dict) else None
+    return own or next(filter(None, map(missing, parts)), None)

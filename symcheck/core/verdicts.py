@@ -1,0 +1,59 @@
+"""What can be said of a relation and of an erratum, and the error that is told to people."""
+
+from __future__ import annotations
+
+from enum import StrEnum
+from typing import Any
+
+Certificate = dict[str, Any]
+
+
+class SymcheckError(Exception):
+    """Bad input or a damaged file, told in one line that names the input and the way out."""
+
+
+class Loss(StrEnum):
+    """What is lost with a hypothesis."""
+
+    TRUTH = "the relation fails"
+    VALUE = "a term has no value"
+    EXISTENCE = "nothing of the kind exists"
+
+
+class Verdict(StrEnum):
+    PROVED = "proved"
+    REFUTED = "refuted"
+    UNDECIDED = "undecided"
+
+
+class Role(StrEnum):
+    CLAIM = "claim"
+    DEFINITION = "definition"
+    PREMISE = "premise"
+    EXCLUSION = "exclusion"
+    OURS = "ours"
+
+
+class Reading(StrEnum):
+    AS_PRINTED = "as printed"
+    MISPRINT = "misprint"
+    NEEDS_HYPOTHESIS = "needs hypothesis"
+    DAMAGED = "damaged source"
+
+
+class Group(StrEnum):
+    """Errata in the order in which a reviewer wants them."""
+
+    STATEMENT = "formulas and statements"
+    ROW = "list rows and table cells"
+    SLIP = "slips that mislead nobody"
+    DAMAGED = "damaged text, read otherwise"
+
+
+SLIPS = frozenset({"lost prime", "lost letter", "typography", "rounding"})
+
+
+class Origin(StrEnum):
+    PAPER = "paper"
+    OCR = "OCR"
+    UNCERTAIN = "cannot tell"

@@ -1,0 +1,141 @@
+"""A program as a C function of arrays: one loop without branches, which compilers turn into vector instructions.
+
+An argument that is the same at all points is an array too: a stride for each argument would take the loop its vector
+loads. The caller fills a short array once and goes by pieces of its length, which stay in the cache.
+"""
+
+from __future__ import annotations
+
+import re
+import textwrap
+from collections.abc import Iterable, Mapping
+from fractions import Fraction
+
+from symcheck.core.verdicts import SymcheckError
+from symcheck.kernels.codegen.c_functions import CIRCULAR, REACH, written
+from symcheck.kernels.codegen.c_text import HEADER, LOOP, LOOP_AND_REST, PARALLEL, SOURCE, VECTORS
+from symcheck.kernels.codegen.docstring import paragraphs
+from symcheck.kernels.codegen.program import INFIX, UNARY, Operation, Program, Ref, under_root
+from symcheck.kernels.codegen.special import RUNTIME
+from symcheck.kernels.codegen.target import MARK, Made, Target
+
+WORDS_OF_C = re.compile(  # and of the text around a kernel: far, i, libm, n
+    "auto|break|case|char|const|continue|default|do|double|else|enum|extern|far|float|for|goto|i|if|inline|int|libm|long"
+    "|n|register|restrict|return|short|signed|sizeof|static|struct|switch|typedef|union|unsigned|void|volatile|while"
+)
+C_NAMES = {"arctan": "atan", "power": "pow"}  # what C calls otherwise
+VECTOR = ("atan", "exp", "expm1", "log", "log1p", "pow")  # functions of libm that glibc has for vectors too
+WIDTH = 116
+CALLS = "Arguments and results are arrays of n numbers. What is no number gives no number."
+
+
+def files(key: str, kernels: Mapping[str, Made]) -> dict[str, str]:
+    """The header and the source of a paper."""
+    bodies = [source(key, name, made.pointwise) for name, made in kernels.items()]
+    functions = list(written("".join(bodies)))
+    text = "\n".join([*functions, *bodies])
+    vectors = [vector(name) for name in VECTOR if re.search(rf"\b{name}\(", text)]
+    declared = "\n".join(
+        f"{comment(made)}\n{signature(key, name, made.pointwise)};\n" for name, made in kernels.items()
+    )
+    head = [SOURCE.format(key=key, mark=MARK)]
+    if vectors:
+        head.append(VECTORS.format(declarations="\n".join(vectors)))
+    return {
+        f"{key}.h": HEADER.format(key=key, guard=key.upper(), mark=MARK, declarations=declared),
+        f"{key}.c": "\n".join([*head, text]),
+    }
+
+
+TARGET = Target("C99, a header and a source for each paper", files)
+
+
+def vector(name: str) -> str:
+    """The declaration that a function of libm has vector forms."""
+    operands = "double, double" if name == "pow" else "double"
+    return f'__attribute__((simd("notinbranch"))) double {name}({operands});'
+
+
+def signature(key: str, name: str, program: Program, restrict: str = "SYMCHECK_RESTRICT") -> str:
+    """The declaration of a kernel. C has no modules: the key of the paper sets kernels of the same name apart."""
+    return _wrapped(f"void {key}_{name}(", ["size_t n", *_parameters(program, restrict)])
+
+
+def source(key: str, name: str, program: Program) -> str:
+    """The definition: what is computed at one point, in a loop; with angles apart from it, as the rest needs it too."""
+    _refuse_words_of_c(name, program)
+    places = {x: f"{x}[i]" for x in program.inputs}
+    used = {x for operation in program.operations for x in operation.operands} | {*program.outputs.values()}
+    lines = [f"(void){x};" for x in program.inputs if x not in used]
+    lines += [statement(operation, places) for operation in program.operations]
+    lines += [f"out_{x}[i] = {number(y, places)};" for x, y in program.outputs.items()]
+    head = signature(key, name, program, "restrict")
+    angles = dict.fromkeys(number(o.operands[0], places) for o in program.operations if o.function in CIRCULAR)
+    if not angles:
+        return f"{head}\n{{\n{LOOP.format(parallel=PARALLEL, body=_indented(lines, 8))}}}\n"
+    lines.append(f"return {' | '.join(f'(fabs({x}) > {REACH})' for x in angles)};")
+    point = _wrapped(f"static INLINE int {name}_at(", ["size_t i", "int libm", *_parameters(program, "restrict")])
+    near, far = (_call(name, libm, program) for libm in (0, 1))
+    loop = LOOP_AND_REST.format(parallel=PARALLEL, near=near, far=far)
+    return f"{point}\n{{\n{_indented(lines, 4)}\n}}\n\n{head}\n{{\n{loop}}}\n"
+
+
+def _call(name: str, libm: int, program: Program) -> str:
+    arrays = [*program.inputs, *(f"out_{x}" for x in program.outputs)]
+    return textwrap.indent(_wrapped(f"{name}_at(", ["i", str(libm), *arrays]), " " * 12).lstrip()
+
+
+def _parameters(program: Program, restrict: str) -> list[str]:
+    inputs = [f"const double *{restrict} {x}" for x in program.inputs]
+    return inputs + [f"double *{restrict} out_{x}" for x in program.outputs]
+
+
+def statement(operation: Operation, places: Mapping[str, str]) -> str:
+    """One operation as a constant with its name."""
+    operands = [number(x, places) for x in operation.operands]
+    return f"const double {operation.result} = {_expression(operation.function, operands)};"
+
+
+def _expression(function: str, operands: list[str]) -> str:
+    if function in INFIX:
+        return f" {INFIX[function]} ".join(operands)
+    if function == "negative":
+        return f"-{operands[0]}"
+    inside = ", ".join(operands)
+    if function in CIRCULAR:
+        return f"libm ? {function}({inside}) : vector_{function}({inside})"
+    if function not in (*UNARY, *RUNTIME, "power"):
+        raise SymcheckError(f"{function} has no form in C; add it to symcheck/kernels/codegen/c_target.py")
+    return f"{C_NAMES.get(function, function)}({inside})"
+
+
+def number(x: Ref, places: Mapping[str, str]) -> str:
+    """A number as C: `2.0`, `(3.0 / 8.0)`, `sqrt(3.0)`; an argument at its place `a[i]`; another name as it is."""
+    if isinstance(x, Fraction):
+        return f"{x.numerator}.0" if x.denominator == 1 else f"({x.numerator}.0 / {x.denominator}.0)"
+    if (inside := under_root(x)) is not None:
+        return f"sqrt({number(inside, places)})"
+    return "3.141592653589793" if x == "pi" else places.get(x, x)
+
+
+def comment(made: Made) -> str:
+    """What the function is, as a comment."""
+    text = "\n\n".join(each for each in paragraphs(made, CALLS) if each)
+    return f"/** {textwrap.indent(text, '    ').lstrip()} */"
+
+
+def _refuse_words_of_c(name: str, program: Program) -> None:
+    """Names of arguments and results become names in C."""
+    for each in (*program.inputs, *(operation.result for operation in program.operations)):
+        if WORDS_OF_C.fullmatch(each) or each in (*UNARY, *RUNTIME, *C_NAMES.values()):
+            raise SymcheckError(f"kernel {name}: {each} means something else in its C text; give it another name")
+
+
+def _indented(lines: Iterable[str], columns: int) -> str:
+    return textwrap.indent("\n".join(lines), " " * columns)
+
+
+def _wrapped(head: str, items: Iterable[str]) -> str:
+    """A list in parentheses; lines end between its items."""
+    text = f"{head}{', '.join(item.replace(' ', chr(0)) for item in items)})"
+    return textwrap.fill(text, WIDTH, subsequent_indent="    ", break_long_words=False).replace(chr(0), " ")

@@ -1,0 +1,42 @@
+"""A target: the language that kernels are written in. Each module `<name>_target` beside this one declares TARGET."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from importlib import import_module
+
+from symcheck.kernels.codegen import SUFFIX
+from symcheck.kernels.codegen.kernel import Kernel
+from symcheck.kernels.codegen.program import Program
+
+MARK = "Written by `symcheck generate`: what is changed here is lost."
+
+
+@dataclass(frozen=True)
+class Made:
+    """A kernel that may be written, and in words on which claims and proofs it rests.
+
+    program     for many points at once: sines and cosines of acute angles through one tangent
+    pointwise   for few points: each function by its name
+    """
+
+    kernel: Kernel
+    program: Program
+    pointwise: Program
+    evidence: str
+
+
+@dataclass(frozen=True)
+class Target:
+    """files: of the key of a paper and its kernels by name, the text of each file by its name; each bears MARK."""
+
+    says: str
+    files: Callable[[str, Mapping[str, Made]], Mapping[str, str]]
+
+
+def target(name: str) -> Target:
+    """The target of that name."""
+    found = import_module(f"symcheck.kernels.codegen.{name}{SUFFIX}").TARGET
+    assert isinstance(found, Target)
+    return found

@@ -1,0 +1,1 @@
+"""What an audit leaves: a record for each relation, and the files below generated/."""

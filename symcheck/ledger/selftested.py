@@ -1,0 +1,106 @@
+"""What the self-test found: what `symcheck selftest --record` left in generated/selftest.json.
+
+It says of which certificates, verdicts and kernels it is, and has a digest of its own counts: a file that was changed
+by hand is refused.
+"""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from symcheck import kernels
+from symcheck.core.files import put
+from symcheck.core.verdicts import SymcheckError
+from symcheck.kernels.codegen.target import MARK
+from symcheck.ledger.certificates import certificates
+from symcheck.ledger.digests import digest, digest_of, line, short_digest
+from symcheck.ledger.record import Record
+from symcheck.ledger.store import SCHEMA, SELFTEST
+
+
+@dataclass(frozen=True)
+class Row:
+    """The counts of a class of faults, of one kind in it, or of all."""
+
+    name: str
+    is_class: bool
+    counts: Mapping[str, Any]
+
+    @property
+    def rate(self) -> str:
+        """Rejected of those that are faults, in per cent with 95 % limits; empty of none."""
+        found = self.counts["rejected_of_faults"]
+        return f"{100 * found[1]:.2f} % ({100 * found[0]:.2f} to {100 * found[2]:.2f})" if found else ""
+
+
+def rows(result: Mapping[str, Any]) -> list[Row]:
+    """A line for each class, its kinds behind it, and last for all."""
+    found = []
+    for name, counts in result["classes"].items():
+        found.append(Row(name, True, counts))
+        found += [Row(kind, False, each) for kind, each in counts["kinds"].items()]
+    return [*found, Row("all", True, result)]
+
+
+def evidence(records: Iterable[Record], folder: Path | None = None) -> dict[str, str]:
+    """What a self-test is of, in digests: all certificates with their proofs, all verdicts, the kernels in a folder."""
+    rows = list(records)
+    folder = folder or kernels.folder()
+    texts = sorted(file for file in folder.glob("*.py") if MARK in file.read_text(encoding="utf-8"))
+    return {
+        "certificates": digest(sorted(digest_of(each) for row in rows for each in certificates(row))),
+        "ledger": digest(sorted(line([row.id, row.verdict, row.reading]) for row in rows)),
+        "kernels": digest(short_digest(file.read_text(encoding="utf-8")) for file in texts),
+    }
+
+
+def recorded(folder: Path) -> dict[str, Any] | None:
+    """What is recorded, with the digests of its evidence under "evidence"; None if nothing is.
+
+    SymcheckError if it cannot be read, or was changed by hand.
+    """
+    file = folder / SELFTEST
+    try:
+        data: dict[str, Any] = json.loads(file.read_bytes())
+        if data["schema"] != SCHEMA or not data["classes"] or not {**data["evidence"]}:
+            raise ValueError(f"it is not of schema {SCHEMA}")
+        if data["digest"] != _seal(data):
+            raise ValueError("its counts are not those that its digest is of")
+    except FileNotFoundError:
+        return None
+    except (OSError, ValueError, KeyError, TypeError) as error:
+        raise SymcheckError(
+            f"{file} cannot be read ({error}); delete it, or run `symcheck selftest --record`"
+        ) from error
+    return data
+
+
+def _seal(data: Mapping[str, Any]) -> str:
+    return short_digest(line({key: value for key, value in data.items() if key != "digest"}))
+
+
+def files(folder: Path) -> dict[str, bytes]:
+    """What is to stay in `folder`: a result says itself of which evidence it is."""
+    return {SELFTEST: (folder / SELFTEST).read_bytes()} if recorded(folder) else {}
+
+
+def outdated(folder: Path, records: Iterable[Record]) -> list[str]:
+    """A line if what is recorded was found with other evidence than there is now."""
+    if (found := recorded(folder)) is None:
+        return []
+    now = evidence(records, folder)
+    others = [name for name in now if found["evidence"].get(name) != now[name]]
+    return [f"{SELFTEST}: of other {', '.join(others)}; run `symcheck selftest --record`"] if others else []
+
+
+def record(folder: Path, result: Mapping[str, Any], records: Iterable[Record]) -> Path:
+    """Write a result whole; the findings are left out, as the ledger has them."""
+    kept = {key: value for key, value in result.items() if key != "findings"}
+    kept = json.loads(json.dumps({**kept, "evidence": evidence(records, folder)}))
+    text = json.dumps({"digest": _seal(kept), **kept}, ensure_ascii=False, indent=1)
+    put(folder / SELFTEST, f"{text}\n".encode())
+    return folder / SELFTEST

@@ -1,0 +1,75 @@
+"""Steps of a derivation as cells show them: a function is called, what it returns stands beside the printed form."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from functools import partial
+from string import ascii_lowercase
+from typing import Any
+
+from symcheck.audit import kernels
+from symcheck.core.verdicts import SymcheckError
+from symcheck.kernels.codegen.kernel import Kernel
+from symcheck.reading import Notation
+from symcheck.views.notebook import letters
+from symcheck.views.notebook.records import item, notation, paper, recorded, records
+from symcheck.views.notebook.relations import evidence, statement, title, verdicts
+from symcheck.views.notebook.shown import Heading, Math, Part, Prose, Shown
+
+
+def step(derivation: Callable[..., Any], *arguments: Any, only: Sequence[str] = (), beside: str = "") -> Shown:
+    """What a function of a paper's derivation computes, beside the printed relation that is compared with it.
+
+    only    names among the expressions, where there are many
+    beside  the id of a relation
+    """
+    used = notation(beside) if beside else paper(derivation.__module__.split(".")[-2]).notation
+    found = records(beside) if beside else ()
+    compared = list(statement(found, reread=False)) if found else []
+    formulas = [part for part in compared if isinstance(part, Math)]
+    parts: list[Part] = [
+        Heading(f"`derivation.{derivation.__name__}({', '.join(map(repr, arguments))})`"),
+        Prose("", " ".join((derivation.__doc__ or "").split("\n\n")[0].split())),
+        Math("derived", letters.aligned(_rows(derivation(*arguments), only, used))),
+        *formulas,
+        *(part for part in compared if part not in formulas),
+    ]
+    if found:
+        parts += [Heading(f"{title(found[0], whole=len(found) > 1)} — {verdicts(found)}"), *evidence(found)]
+    return Shown(tuple(parts))
+
+
+def derived(id: str, only: Sequence[str] = ()) -> Shown:
+    """The same for the derivation that a relation itself declares; SymcheckError if it declares none."""
+    declared = item(id).where or item(id).equation
+    if declared is None:
+        raise SymcheckError(f"{id} declares no derivation; show it with claim")
+    function, arguments = (declared.func, declared.args) if isinstance(declared, partial) else (declared, ())
+    return step(function, *arguments, only=only, beside=id)
+
+
+def _rows(derived: Any, only: Sequence[str], used: Notation) -> list[str]:
+    if isinstance(derived, Mapping):
+        return letters.equations({name: derived[name] for name in only or derived}, used)
+    return letters.expressions(derived if isinstance(derived, tuple) else (derived,), used)
+
+
+def kernel(key: str, name: str) -> Shown:
+    """What a generated kernel computes, and the relations on which it rests, with their recorded verdicts."""
+    found = kernels.declared(key)[name]
+    derived = found.derived()
+    outputs = {output.name: derived[output.name] for output in found.outputs}
+    parts = (
+        Heading(f"`kernels.load({key!r}).{name}`"),
+        Prose("", found.says),
+        Math("generated from", letters.aligned(letters.equations(outputs, paper(key).notation))),
+        Prose("rests on", ", ".join(_rests(key, found))),
+    )
+    return Shown(parts)
+
+
+def _rests(key: str, found: Kernel) -> Iterator[str]:
+    verdicts = recorded(key)
+    for number in found.claims:
+        links = [id for id in verdicts if f"{key}:{number}" in (id, id.rstrip(ascii_lowercase))]
+        yield f"{key}:{number} ({', '.join(sorted({str(verdicts[id]) for id in links}))})"

@@ -1,0 +1,187 @@
+"""Relations as cells show them: as printed, as read, with verdict, hypotheses, certificates, steps of the proof."""
+
+from __future__ import annotations
+
+import json
+import re
+from collections.abc import Iterator, Mapping, Sequence
+from string import ascii_lowercase
+from typing import Any
+
+from symcheck.audit.checked import reasons
+from symcheck.core.verdicts import Certificate, Reading, Verdict
+from symcheck.ledger.digests import digest_of
+from symcheck.ledger.record import Record
+from symcheck.views.notebook.letters import aligned, split
+from symcheck.views.notebook.records import decided, item, list_rows, records
+from symcheck.views.notebook.shown import Heading, Math, Part, Prose, Shown, Table, Verbatim
+from symcheck.views.steps import shown
+
+_NEEDED = {True: "needed", False: "not needed", None: "need not known"}
+_LINES, _COLUMNS = 30, 150  # of a proof that is shown
+_DIGEST = 12  # digits of a certificate's SHA-256
+_FEW = 3  # certificates that are named
+
+
+def claim(*ids: str) -> Shown:
+    """Relations as printed and as read, with verdict, method, hypotheses and certificates.
+
+    id  "mirer2009:2.12", of one link of a chain "mirer2009:2.1b", or of a premise or definition
+    """
+    return Shown(tuple(part for id in ids for part in _claim(records(id))))
+
+
+def _claim(found: Sequence[Record]) -> Iterator[Part]:
+    first = found[0]
+    yield Heading(f"{title(first, whole=len(found) > 1)} — {verdicts(found)}")
+    if first.words:
+        yield Prose("", first.words)
+    yield from statement(found)
+    yield from evidence(found)
+
+
+def title(record: Record, whole: bool = False) -> str:
+    """Number, name and line of a relation, in Markdown; of the whole chain without the letter of its link."""
+    id = record.id.rstrip(ascii_lowercase) if whole else record.id
+    return f"**({id.partition(':')[2]})** {record.name.replace('_', ' ')}, line {record.line}".replace("  ", " ")
+
+
+def verdicts(found: Sequence[Record]) -> str:
+    """The verdict of each link in Markdown, of links that are alike once."""
+    told: dict[str, list[str]] = {}
+    for record in found:
+        told.setdefault(_verdict(record), []).append(letter(record))
+    if len(told) == 1:
+        return next(iter(told))
+    return "; ".join(f"{', '.join(links)} {said}" for said, links in told.items())
+
+
+def letter(record: Record) -> str:
+    """The letter of a link of a chain, "(b)"; nothing for a relation that stands alone."""
+    link = record.id[len(record.id.rstrip(ascii_lowercase)) :]
+    return f"({link})" if link else ""
+
+
+def _verdict(record: Record) -> str:
+    if record.verdict is None:
+        return f"*{record.role}*"
+    reading = "" if record.reading is Reading.AS_PRINTED else f", {record.reading}"
+    return f"**{record.verdict}** by `{record.method}`{reading}"
+
+
+def statement(found: Sequence[Record], reread: bool = True) -> Iterator[Part]:
+    """The printed form, once for all links, and what was read, where that is not simply the printed form.
+
+    reread  False: not again what can be read in the printed form itself
+    """
+    declaration = item(found[0].id)
+    legible = _is_latex("\n".join(declaration.printed)) or found[0].reading is not Reading.DAMAGED
+    stated = bool(declaration.read_as or declaration.formal or declaration.parts)
+    if declaration.printed and legible:
+        yield from (formula("printed" if n == 0 else "", each) for n, each in enumerate(declaration.printed))
+    elif declaration.printed:
+        yield Verbatim("printed, in the text at hand", "\n".join(declaration.printed))
+    if stated or not declaration.printed or (reread and len(decided(found[0].id)) > 1):
+        label = "read" if declaration.printed else "states"
+        yield from (formula(f"{label} {letter(each)}".strip(), each.read) for each in found if each.read)
+
+
+def _is_latex(printed: str) -> bool:
+    """Whether a damaged text can be typeset all the same: what a scanner left has other letters, and no commands."""
+    return printed.isascii() and bool(re.search(r"\\[A-Za-z]", printed))
+
+
+def formula(label: str, latex: str) -> Math:
+    """A formula without the full stop or comma of its sentence, in several lines if it is long."""
+    lines = split(" ".join(latex.split()).rstrip(",. "))
+    return Math(label, lines[0] if len(lines) == 1 else aligned([f"& {line}" for line in lines]))
+
+
+def evidence(found: Sequence[Record]) -> Iterator[Part]:
+    """The hypotheses, each with where it is given and whether it is needed, and the certificates."""
+    hypotheses = {each["name"]: each for record in found for each in record.hypotheses}
+    if hypotheses:
+        yield Prose("given", "; ".join(map(_hypothesis, hypotheses.values())))
+    certificates = [each for record in found for each in record.certificates]
+    if certificates:
+        yield Prose("certificate", digests(certificates))
+
+
+def _hypothesis(hypothesis: Mapping[str, Any]) -> str:
+    words = hypothesis["words"] or hypothesis["name"]
+    return f"{words} ({hypothesis['given']}, {_NEEDED[hypothesis['needed']]})"
+
+
+def digests(certificates: Sequence[Certificate]) -> str:
+    """The first digits of the digests of some certificates, how many there are, and their lemmas."""
+    named = ", ".join(digest_of(each)[:_DIGEST] for each in certificates[:_FEW])
+    more = f" and {len(certificates) - _FEW} more" if len(certificates) > _FEW else ""
+    lemmas = sorted({lemma for each in certificates for lemma, _ in each.get("lemmas", ())})
+    return f"sha256 {named}{more}" + (f", from {', '.join(lemmas)}" if lemmas else "")
+
+
+def proof(id: str) -> Shown:
+    """The steps of a proof as its certificates have them, and what the independent checker says of each."""
+    parts: list[Part] = []
+    for record in records(id):
+        parts.append(Heading(f"{title(record)} — {_verdict(record)}"))
+        for each in record.certificates:
+            told = list(shown(each)) or ["refuted at a point"]
+            parts += [Verbatim("", "\n".join(_cut(told))), Prose("checker", checked([each]))]
+    return Shown(tuple(parts))
+
+
+def _cut(lines: Sequence[str]) -> Iterator[str]:
+    for line in lines[:_LINES]:
+        yield line if len(line) <= _COLUMNS else f"{line[: _COLUMNS - 1]}…"
+    if len(lines) > _LINES:
+        yield f"… {len(lines) - _LINES} more lines"
+
+
+def certificate(id: str) -> Shown:
+    """The first certificate of a relation as it is stored, in JSON."""
+    [first, *_] = (each for record in records(id) for each in record.certificates)
+    text = json.dumps(first, ensure_ascii=False, indent=1, sort_keys=True)
+    return Shown((Verbatim(first["id"], "\n".join(_cut(text.splitlines()))),))
+
+
+def checked(certificates: Sequence[Certificate]) -> str:
+    """What the checker says of some certificates and of their lemmas, asked now."""
+    faults = [fault for each in certificates for fault in _faults(each)]
+    if faults:
+        return f"a certificate does not hold: {faults[0]}"
+    count = len(certificates)
+    return (
+        f"certificate {digest_of(certificates[0])[:_DIGEST]} holds" if count == 1 else f"all {count} certificates hold"
+    )
+
+
+def _faults(certificate: Certificate) -> Iterator[str]:
+    named = dict(certificate.get("lemmas", ()))
+    lemmas = [each for id in named for record in records(id) for each in record.certificates]
+    yield from filter(None, reasons((certificate, *lemmas)))
+
+
+def rows(id: str, only_wrong: bool = False) -> Shown:
+    """The rows of a list or table, "ignatov2005:2.1V", each as printed with its verdict; or those that are wrong."""
+    told = []
+    for found in list_rows(id):
+        wrong = next((record for record in found if record.corrected), None)
+        if wrong or not only_wrong:
+            told.append(_row(found, wrong))
+    return Shown((Table(("row", "as printed; below it what is right", "verdict", "fault"), tuple(told)),))
+
+
+def _row(found: Sequence[Record], wrong: Record | None) -> tuple[str, ...]:
+    first = found[0]
+    number = first.id.rstrip(ascii_lowercase).rpartition(".")[2]
+    said = {str(record.verdict or record.role) for record in found}
+    verdict = str(Verdict.REFUTED) if Verdict.REFUTED in said else ", ".join(sorted(said))
+    mark = "$" if first.printed else ""
+    texts = [first.printed or first.words, *([wrong.corrected] if wrong else [])]
+    return (
+        number,
+        "\n".join(f"{mark}{' '.join(text.split())}{mark}" for text in texts),
+        verdict,
+        wrong.kind if wrong else "",
+    )

@@ -1,0 +1,100 @@
+"""The dependencies between the claims of a paper as arcs: claims in printed order down a line, an arc for each use."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+from math import log2
+from textwrap import shorten
+
+from symcheck.core.verdicts import Verdict
+from symcheck.ledger.record import Record
+
+STEP, LEFT, WIDEST = 17, 310, 400  # of the drawing, in pixels: between two claims, before the line, the largest arc
+
+LETTERS = 30  # of a name
+
+
+@dataclass(frozen=True)
+class Node:
+    """A declaration, or all rows of a list: those of one name in a section are drawn as one."""
+
+    id: str
+    label: str
+    name: str  # cut short where it is long
+    verdict: str
+    y: int
+
+
+@dataclass(frozen=True)
+class Arc:
+    """What `to` uses: the number of each node, and the curve."""
+
+    used: int
+    by: int
+    path: str
+
+
+@dataclass(frozen=True)
+class Graph:
+    """The drawing of one paper."""
+
+    paper: str
+    nodes: tuple[Node, ...]
+    arcs: tuple[Arc, ...]
+    left: int = LEFT
+
+    @property
+    def height(self) -> int:
+        """In pixels."""
+        return STEP * (len(self.nodes) + 1)
+
+    @property
+    def width(self) -> int:
+        """In pixels."""
+        return LEFT + WIDEST
+
+
+def graph(paper: str, records: Sequence[Record]) -> Graph:
+    """The dependencies between the claims of a paper; claims that use nothing and are not used are left out."""
+    together: dict[tuple[str, str], list[Record]] = {}
+    for record in records:
+        together.setdefault((record.section, record.name or _declaration(record.id)), []).append(record)
+    owner = {name: key for key, members in together.items() for each in members for name in _names(each.id)}
+    pairs = {
+        (owner[used], key)
+        for key, members in together.items()
+        for each in members
+        for used in each.uses
+        if used in owner and owner[used] != key
+    }
+    shown = [key for key in together if any(key in pair for pair in pairs)]
+    place = {key: number for number, key in enumerate(shown)}
+    nodes = tuple(_node(together[key], STEP * (place[key] + 1)) for key in shown)
+    arcs = sorted((place[used], place[by]) for used, by in pairs)
+    return Graph(paper, nodes, tuple(Arc(used, by, _curve(nodes[used].y, nodes[by].y)) for used, by in arcs))
+
+
+def _declaration(id: str) -> str:
+    return re.sub(r"[a-z]+$", "", id)
+
+
+def _names(id: str) -> Iterable[str]:
+    """How a record may be referred to: by its link, or by its declaration."""
+    return id, _declaration(id)
+
+
+def _node(members: Sequence[Record], y: int) -> Node:
+    numbers = [_declaration(each.id).partition(":")[2] for each in members]
+    label = numbers[0] if len(set(numbers)) == 1 else numbers[-1].rpartition(".")[0]
+    verdicts = {each.verdict for each in members}
+    worst = next((each for each in (Verdict.REFUTED, Verdict.UNDECIDED, Verdict.PROVED) if each in verdicts), None)
+    words = shorten(members[0].name.replace("_", " "), LETTERS, placeholder="…")
+    return Node(members[0].id, label, words, worst or members[0].role, y)
+
+
+def _curve(one: int, other: int) -> str:
+    """A curve that bulges the more the farther apart its ends are."""
+    bulge = LEFT + 12 + round(min(WIDEST, 22 * log2(1 + abs(other - one) / STEP) ** 1.45))
+    return f"M{LEFT} {one}C{bulge} {one} {bulge} {other} {LEFT} {other}"

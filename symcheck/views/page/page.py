@@ -1,0 +1,253 @@
+"""The page: templates filled with entries, formulas, pictures; what is large is folded."""
+
+from __future__ import annotations
+
+import re
+from collections import Counter
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass, field
+from importlib.resources import files
+from typing import Any
+
+from jinja2 import Environment, PackageLoader, StrictUndefined
+from markupsafe import Markup
+
+from symcheck.coq.confirmed import CONFIRMED, confirmed, told
+from symcheck.core.verdicts import Group, Role, Verdict
+from symcheck.ledger.record import Record
+from symcheck.ledger.selftested import evidence, rows
+from symcheck.views.faults import Alike, Fault, errata
+from symcheck.views.page import entry as entries
+from symcheck.views.page.entry import Entry
+from symcheck.views.page.formulas import Formulas
+from symcheck.views.page.graph import graph
+from symcheck.views.page.marks import marks
+from symcheck.views.page.packing import address, packed
+from symcheck.views.page.plots import coloured, curves
+from symcheck.views.page.sources import Excerpt, Publication, of_record
+
+ROLES = (Role.DEFINITION, Role.PREMISE, Role.EXCLUSION)  # what claims nothing
+STATES = (*Verdict, *ROLES)
+FONT = "stix-two-math.woff2"
+
+
+@dataclass(frozen=True)
+class Pictures:
+    """What is drawn, as plain lists: see `symcheck.views.pictures`."""
+
+    envelopes: Sequence[Mapping[str, Any]] = ()
+    densities: Sequence[Mapping[str, Any]] = ()
+    stability: Mapping[str, Any] | None = None
+
+
+@dataclass(frozen=True)
+class Beside:
+    """What is shown beside the records: kernels and notebook cells by claim, pictures, the result of the self-test."""
+
+    kernels: Mapping[str, Sequence[Excerpt]] = field(default_factory=dict)
+    cells: Mapping[str, Sequence[Excerpt]] = field(default_factory=dict)
+    pictures: Pictures = field(default_factory=Pictures)
+    selftest: Mapping[str, Any] | None = None
+
+
+class _Numbered:
+    """Texts by number, each once."""
+
+    def __init__(self) -> None:
+        self.numbers: dict[str, int] = {}
+
+    def number(self, text: str | Excerpt) -> int:
+        text = text.text if isinstance(text, Excerpt) else text
+        return self.numbers.setdefault(text, len(self.numbers))
+
+
+@dataclass(frozen=True)
+class _Hypothesis:
+    """What is assumed in a paper, and how many relations need it (True), do not, or may (None)."""
+
+    paper: str
+    words: str
+    needed: Counter[bool | None]
+
+
+@dataclass(frozen=True)
+class _Members:
+    """Faults of one kind as the template shows them: how many records, and the reasons, each once."""
+
+    place: str
+    faults: tuple[Fault, ...]
+    first: Record
+    size: int
+    reasons: tuple[str, ...]
+
+
+def page(records: Sequence[Record], papers: Sequence[Publication], beside: Beside | None = None) -> str:
+    """The audit as one HTML file that needs nothing else.
+
+    records   all records of the papers, in the order of the ledger
+    papers    the papers, in the order in which they are shown
+    beside    kernels, notebook cells and pictures; without it the page has none
+    """
+    beside = beside or Beside()
+    tested = beside.selftest or {}
+    formulas, excerpts, strings = Formulas(entries.texts(records)), _Numbered(), _Numbered()
+    shown = _entries(records, papers, beside)
+    found = [(group, [_members(alike) for alike in each]) for group, each in errata(records)]
+    environment = Environment(
+        loader=PackageLoader(__package__, "templates"),
+        autoescape=True,
+        undefined=StrictUndefined,
+        trim_blocks=True,
+        lstrip_blocks=True,
+    )
+    environment.globals.update(
+        formulas=formulas,
+        excerpts=excerpts,
+        strings=strings,
+        difference=entries.difference,
+        entries=shown,
+    )
+    claim = environment.get_template("claim.html")
+    claims = [claim.render(entry=each) for each in shown.values()]
+    states = [str(each) for each in STATES]
+    graphs = [g for p in papers if (g := graph(p.key, [r for r in records if r.paper == p.key])).nodes]
+    parts = {
+        "publications": [paper for paper in papers if any(each.paper == paper.key for each in records)],
+        "counts": _counts(records),
+        "coq": Counter(said == CONFIRMED for record in records for said in confirmed(record).values()),
+        "table": {paper.key: Counter(_state(r) for r in records if r.paper == paper.key) for paper in papers},
+        "states": states,
+        "errata": found,
+        "selftest": rows(tested) if tested and tested["evidence"] == evidence(records) else [],
+        "recorded": bool(tested),
+        "engines": tested.get("engines"),
+        "hypotheses": _hypotheses(records),
+        "envelopes": beside.pictures.envelopes,
+        "plots": [_plot(each) for each in beside.pictures.densities],
+        "stability": beside.pictures.stability,
+        "map": coloured(beside.pictures.stability) if beside.pictures.stability else None,
+        "graphs": graphs,
+        "font": address("font/woff2", (files(__package__) / "vendor" / FONT).read_bytes()),
+        "style": _asset("style.css"),
+        "script": _asset("page.js") + _asset("polytope.js"),
+    }
+    # The page itself asks for formulas too, so that it is made before they are folded.
+    text = environment.get_template("page.html").render(**parts, folded={"slot": Markup("")})
+    arcs = environment.get_template("graph.html")
+    ledger = {
+        "rows": [_row(record, formulas, strings) for record in records],
+        "claims": claims,
+        "math": formulas.numbered,
+        "strings": list(strings.numbers),
+        "excerpts": list(excerpts.numbers),
+        "roles": [str(role) for role in ROLES],
+    }
+    folded = {
+        "ledger": packed(ledger),
+        "envelopes": packed([{**each, "marks": marks(each, records)} for each in beside.pictures.envelopes]),
+        "graphs": packed([arcs.render(g=each) for each in graphs]),
+        **{paper.key: packed(_proofs(each for each in records if each.paper == paper.key)) for paper in papers},
+    }
+    return text.replace(_slot("slot", ""), "\n".join(_slot(name, data) for name, data in folded.items()))
+
+
+def _slot(name: str, data: str) -> str:
+    return f'<script type="application/octet-stream" id="folded-{name}">{data}</script>'
+
+
+def _proofs(records: Iterable[Record]) -> dict[str, Any]:
+    """The proofs of a paper field by field: likes beside likes fold into half as much."""
+    found = [(record.id, proof) for record in records for proof in entries.proofs(record)]
+    written = [proof.certificate for _, proof in found]
+    keys = sorted({key for each in written for key in each})
+    return {
+        "of": [id for id, _ in found],
+        "steps": [proof.lines for _, proof in found],
+        "fields": {key: [each.get(key) for each in written] for key in keys},
+    }
+
+
+def _entries(records: Sequence[Record], papers: Iterable[Publication], beside: Beside) -> dict[str, Entry]:
+    known = {paper.key: paper for paper in papers}
+    return {
+        record.id: Entry(
+            record,
+            known[record.paper],
+            tuple(of_record(beside.kernels, record.id)),
+            tuple(of_record(beside.cells, record.id)),
+        )
+        for record in records
+    }
+
+
+def _declaration(record: Record) -> str:
+    return re.sub(r"[a-z]+$", "", record.id)
+
+
+def _row(record: Record, formulas: Formulas, strings: _Numbered) -> list[Any]:
+    """What the ledger shows and searches of a record, in the order of HEAD in page.js."""
+    link = record.read if record.id != _declaration(record) or record.group is Group.DAMAGED else ""
+    shown = [formulas.number(text) for text in (link, record.printed, record.read) if text]
+    math = next((number for number in shown if number >= 0), -1)
+    words = "" if link and math >= 0 else record.words or ("" if math >= 0 else record.printed or record.name)
+    searched = (
+        record.words,
+        record.printed,
+        record.read,
+        record.corrected,
+        record.reason,
+        record.name.replace("_", " "),
+    )
+    return [
+        record.id,
+        _state(record),
+        record.kind,
+        record.origin or "",
+        record.section,
+        record.paper,
+        strings.number(told(record)),
+        math,
+        strings.number(words),
+        [strings.number(text) for text in dict.fromkeys(searched) if text],
+    ]
+
+
+def _state(record: Record) -> str:
+    return str(record.verdict or record.role)
+
+
+def _counts(records: Iterable[Record]) -> dict[str, int]:
+    decided = [record for record in records if record.verdict]
+    found = Counter(str(record.verdict) for record in decided)
+    ours = sum(record.role is Role.OURS for record in decided)
+    return {
+        "relations": len(decided),
+        "printed": len(decided) - ours,
+        "ours": ours,
+        **{str(verdict): found[str(verdict)] for verdict in Verdict},
+    }
+
+
+def _hypotheses(records: Iterable[Record]) -> list[_Hypothesis]:
+    """Those that the papers state or imply, where they were left out of a proof; the least needed first."""
+    found: dict[tuple[str, str], Counter[bool | None]] = {}
+    for record in records:
+        for each in record.hypotheses:
+            if record.verdict is Verdict.PROVED and each.get("given") in ("printed", "standing"):
+                found.setdefault((record.paper, each["words"]), Counter())[each["needed"]] += 1
+    return sorted((_Hypothesis(*key, needed) for key, needed in found.items()), key=lambda each: -each.needed[False])
+
+
+def _members(alike: Alike) -> _Members:
+    reasons = dict.fromkeys(fault.first.reason for fault in alike.faults if fault.first.reason)
+    size = sum(len(fault.records) for fault in alike.faults)
+    return _Members(alike.place, alike.faults, alike.first, size, tuple(reasons))
+
+
+def _plot(plot: Mapping[str, Any]) -> dict[str, Any]:
+    axes, paths = curves(plot)
+    return {**plot, "axes": axes, "paths": paths}
+
+
+def _asset(name: str) -> Markup:
+    return Markup((files(__package__) / "templates" / name).read_text(encoding="utf-8"))

@@ -1,0 +1,89 @@
+"""What lies beside the records and shows a claim too: papers, the kernels that rest on it, cells of notebooks."""
+
+from __future__ import annotations
+
+import ast
+import json
+import re
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
+from pathlib import Path
+
+from symcheck.audit import kernels as declared
+from symcheck.core.claims import Paper
+from symcheck.core.verdicts import SymcheckError
+
+_ID = re.compile(r"\b[a-z]+\d{4}:[A-Z]?\d*[\w.]*\w")
+
+
+@dataclass(frozen=True)
+class Excerpt:
+    """A piece of text from a file: a generated function, or a cell of a notebook."""
+
+    name: str
+    place: str
+    text: str
+
+
+@dataclass(frozen=True)
+class Publication:
+    """A paper's title and source, and the titles of its sections by number."""
+
+    key: str
+    title: str
+    source: str
+    sections: Mapping[str, str]
+
+
+def publications(papers: Mapping[str, Paper]) -> tuple[Publication, ...]:
+    """The papers as the page names them."""
+    return tuple(
+        Publication(key, paper.title, paper.source, {each.number: each.title for each in paper.sections})
+        for key, paper in papers.items()
+    )
+
+
+def kernels(papers: Mapping[str, Paper], folder: Path) -> dict[str, list[Excerpt]]:
+    """By claim ("mirer2009:2.12") the functions generated from it, as they stand in `folder`."""
+    found: dict[str, list[Excerpt]] = {}
+    for key in papers:
+        texts = _functions(folder / f"{key}.py")
+        for name, kernel in declared.declared(key).items():
+            for number in kernel.claims if name in texts else ():
+                found.setdefault(f"{key}:{number}", []).append(Excerpt(name, f"generated/{key}.py", texts[name]))
+    return found
+
+
+def cells(folder: Path) -> dict[str, list[Excerpt]]:
+    """By claim the cells of the notebooks of a folder that name it; none if there is no such folder."""
+    found: dict[str, list[Excerpt]] = {}
+    for file in sorted(folder.glob("*.ipynb")):
+        try:
+            notebook = json.loads(file.read_text(encoding="utf-8"))["cells"]
+            texts = ["".join(cell["source"]) for cell in notebook]
+        except (OSError, ValueError, KeyError, TypeError) as error:
+            raise SymcheckError(f"{file} is no notebook that can be read ({error}); mend or remove it") from error
+        for number, text in enumerate(texts, 1):
+            for id in dict.fromkeys(_ID.findall(text)):
+                found.setdefault(id, []).append(Excerpt(file.stem, f"{file.name}, cell {number}", text))
+    return found
+
+
+def of_record(found: Mapping[str, Iterable[Excerpt]], id: str) -> list[Excerpt]:
+    """The excerpts of a claim, or of the chain it is a link of."""
+    return list({excerpt: None for name in (id, re.sub(r"[a-z]+$", "", id)) for excerpt in found.get(name, ())})
+
+
+def _functions(file: Path) -> dict[str, str]:
+    """The public functions of a module: what they say of themselves, and what they compute at a point."""
+    if not file.is_file():
+        return {}
+    text = file.read_text(encoding="utf-8")
+    found = {node.name: node for node in ast.parse(text).body if isinstance(node, ast.FunctionDef)}
+    return {
+        name: "\n\n".join(
+            [ast.get_docstring(node) or "", ast.get_source_segment(text, found.get(f"_{name}", node)) or ""]
+        )
+        for name, node in found.items()
+        if not name.startswith("_")
+    }
