@@ -43,9 +43,9 @@ class Algebra:
 
     def value(self, term: Term) -> int:
         """The value of a term; sums and products are not reduced modulo the prime."""
-        if isinstance(term, int):
+        if type(term) is int:
             return term
-        if isinstance(term, str):
+        if type(term) is str:
             return self.letters[term] if term in self.letters else self.letter(term)
         if self.bound or id(term) not in self.known:
             return self.computed(term)
@@ -61,12 +61,10 @@ class Algebra:
     def computed(self, term: Node) -> int:
         """The value of a node from those of its parts."""
         match term[0]:
-            case "+" | "*" as sign:
-                result, known = int(sign == "*"), self.letters
-                for t in term.outside:
-                    value = known[t] if type(t) is str and t in known else self.value(t)  # most are letters
-                    result = result * value if sign == "*" else result + value
-                return result
+            case "+":
+                return sum(map(self.value, term.outside))
+            case "*":
+                return prod(map(self.value, term.outside))
             case "-":
                 return -self.value(term.outside[0])
             case "^":
