@@ -43,9 +43,9 @@ class Algebra:
 
     def value(self, term: Term) -> int:
         """The value of a term; sums and products are not reduced modulo the prime."""
-        if type(term) is int:
+        if isinstance(term, int):
             return term
-        if type(term) is str:
+        if isinstance(term, str):
             return self.letters[term] if term in self.letters else self.letter(term)
         if self.bound or id(term) not in self.known:
             return self.computed(term)
