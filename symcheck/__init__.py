@@ -1,3 +1,77 @@
-"""symcheck: audits the printed equations of mechanics papers and says of each: proved, refuted or undecided."""
+"""symcheck: audits the printed equations of mechanics papers and says of each: proved, refuted or undecided.
+
+`check`, `errata` and `show` are the audit, `papers.load()` the papers, `kernel` a generated function for arrays; the
+other names declare papers and read records. Each is imported when it is first used.
+"""
+
+TYPE_CHECKING = False  # as in `typing`, whose import would delay every start
+
+if TYPE_CHECKING:
+    from symcheck import papers
+    from symcheck.audit.library import check, errata
+    from symcheck.core.claims import Erratum, Hypothesis, Item, Paper, Section
+    from symcheck.core.verdicts import Group, Origin, Reading, Role, SymcheckError, Verdict
+    from symcheck.ledger.record import Record
+    from symcheck.numeric.chunked.kernels import kernel
+    from symcheck.papers.declare import claim, definition, exclusion, ours, premise
+    from symcheck.reading import Letter, Notation
+    from symcheck.views.show import show
 
 __version__ = "0.1.0"
+
+__all__ = [
+    "Erratum",
+    "Group",
+    "Hypothesis",
+    "Item",
+    "Letter",
+    "Notation",
+    "Origin",
+    "Paper",
+    "Reading",
+    "Record",
+    "Role",
+    "Section",
+    "SymcheckError",
+    "Verdict",
+    "check",
+    "claim",
+    "definition",
+    "errata",
+    "exclusion",
+    "kernel",
+    "ours",
+    "papers",
+    "premise",
+    "show",
+]
+
+_HOMES = {
+    "symcheck.audit.library": ("check", "errata"),
+    "symcheck.core.claims": ("Erratum", "Hypothesis", "Item", "Paper", "Section"),
+    "symcheck.core.verdicts": ("Group", "Origin", "Reading", "Role", "SymcheckError", "Verdict"),
+    "symcheck.ledger.record": ("Record",),
+    "symcheck.numeric.chunked.kernels": ("kernel",),
+    "symcheck.papers.declare": ("claim", "definition", "exclusion", "ours", "premise"),
+    "symcheck.reading": ("Letter", "Notation"),
+    "symcheck.views.show": ("show",),
+}
+
+
+def __getattr__(name: str) -> object:
+    """A public name, imported at its first use."""
+    from importlib import import_module
+
+    home = next((module for module, names in _HOMES.items() if name in names), None)
+    if home:
+        value: object = getattr(import_module(home), name)
+    elif name in __all__:
+        value = import_module(f"{__name__}.{name}")
+    else:
+        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+    globals()[name] = value
+    return value
+
+
+def __dir__() -> list[str]:
+    return [*globals(), *__all__]

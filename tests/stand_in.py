@@ -184,13 +184,13 @@ def reasons(certificates: Sequence[Certificate]) -> list[str | None]:
 def install(patch: Any = setattr) -> None:
     """Put the toy paper and this decider in the place of the real ones."""
     import symcheck.audit.checked
-    import symcheck.cli
+    import symcheck.audit.library
     import symcheck.papers
 
     patch(symcheck.papers, "load", papers)
     patch(symcheck.audit, "decide", sys.modules["stand_in"])
     patch(symcheck.audit.checked, "reasons", reasons)
-    patch(symcheck.cli, "PRELOAD", ())
+    patch(symcheck.audit.library, "PRELOAD", ())
 
 
 if __name__ == "__main__":

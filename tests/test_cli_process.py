@@ -118,7 +118,7 @@ def test_a_warm_check_imports_nothing_heavy(environment: dict[str, str], root: P
     code = (
         "import sys, stand_in, symcheck.cli\n"
         "stand_in.install()\n"
-        "symcheck.cli._compare = lambda *arguments: None\n"
+        "symcheck.cli.check._compare = lambda *arguments: None\n"
         "symcheck.cli.cli(['check', 'toy'], standalone_mode=False)\n"
         f"print({HEAVY})"
     )

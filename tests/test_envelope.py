@@ -8,10 +8,10 @@ from fractions import Fraction
 
 import pytest
 import sympy as sp
+from families import Family
 
 from symcheck.core.verdicts import SymcheckError
 from symcheck.mechanics import zonotope
-from symcheck.mechanics.envelope import Family
 from symcheck.papers.ignatov2005 import envelopes
 
 a, b = sp.symbols("a b", real=True)

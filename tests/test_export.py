@@ -157,7 +157,7 @@ def test_a_format_of_many_files_writes_a_folder(
 ) -> None:
     many = Format("two files", files=lambda records: {"a.v": records[0].id, "b/c.v": "c"})
     monkeypatch.setattr(export, "format_of", lambda _: many)
-    monkeypatch.setattr("symcheck.cli.format_of", lambda _: many)
+    monkeypatch.setattr("symcheck.cli.export.format_of", lambda _: many)
     result = symcheck("export", "--jobs", "0", "--format", "tex", "toy:1.3", "--output", str(toy / "out"))
     assert result.exit_code == 0, result.output
     assert (toy / "out" / "a.v").read_text() == "toy:1.3"

@@ -151,7 +151,6 @@ def test_pins_satisfy_the_declared_ranges(project: dict[str, Any], root: Path) -
 def test_a_cached_result_depends_on_every_module_that_makes_it() -> None:
     program = "import sys, symcheck.audit.decide; print(*(n for n in sys.modules if n.startswith('symcheck.')))"
     loaded = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, check=True).stdout.split()
-    hashed = {source.removesuffix(".py") for source in SOURCES}
-    by_content = {"papers", "lazy"}  # declarations are hashed one by one; lazy only puts imports off
-    assert {name.split(".")[1] for name in loaded} <= hashed | by_content
+    by_content = {"papers"}  # declarations are hashed one by one
+    assert {name.split(".")[1] for name in loaded} <= by_content.union(SOURCES)
     assert all((Path(symcheck.__file__).parent / source).exists() for source in SOURCES)

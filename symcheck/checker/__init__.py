@@ -1,4 +1,6 @@
-"""Re-checks certificates with the standard library alone: this folder, and `symcheck.core`, are what has to be trusted.
+"""Re-checks certificates with the standard library alone.
+
+What has to be trusted is this folder, and the modules `terms`, `formulas`, `calculus` and `fields` of `symcheck.core`.
 
 `python -m symcheck.checker` checks files; `check` and `check_all` check certificates that have been read from JSON.
 """

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field
 from types import ModuleType
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from symcheck.core.terms import Formula, Term
 from symcheck.core.verdicts import Certificate, Origin, Role, SymcheckError, Verdict
@@ -54,7 +54,7 @@ class Problem:
     claim: Formula
     definitions: tuple[tuple[str, Term], ...] = ()
     hypotheses: tuple[tuple[str, tuple[Formula, ...]], ...] = ()
-    hints: tuple[tuple[str, Any], ...] = ()
+    hints: tuple[tuple[str, Term], ...] = ()
 
 
 @dataclass(frozen=True)
@@ -117,8 +117,8 @@ class Item:
     given: tuple[Hypothesis, ...] = ()
     needs: tuple[Hypothesis, ...] = ()
     by: Method | Mapping[str, Method] | None = None
-    where: Callable[[], Mapping[str, Any]] | None = None
-    equation: Callable[[], tuple[Any, ...]] | None = None
+    where: Callable[[], Mapping[str, object]] | None = None
+    equation: Callable[[], tuple[object, ...]] | None = None
     keeping: tuple[str, ...] = ()
     uses: tuple[str, ...] = ()
     lines: Mapping[str, int] = field(default_factory=dict)

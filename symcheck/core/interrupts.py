@@ -11,7 +11,7 @@ import signal
 import sys
 from collections.abc import Iterator
 from contextlib import contextmanager, suppress
-from typing import Any, NoReturn
+from typing import NoReturn
 
 INTERRUPTED = 130
 AGAIN = 0.02  # seconds until an interrupt that was dropped comes again
@@ -64,12 +64,12 @@ def withheld() -> Iterator[None]:
         signal.pthread_sigmask(signal.SIG_SETMASK, before)
 
 
-def _leave(*_: Any) -> None:
+def _leave(*_: object) -> None:
     os.write(2, b"symcheck: interrupted\n")
     os._exit(INTERRUPTED)
 
 
-def _unraisable(dropped: Any) -> None:
+def _unraisable(dropped: sys.UnraisableHookArgs) -> None:
     if not isinstance(dropped.exc_value, KeyboardInterrupt):
         sys.__unraisablehook__(dropped)
         return

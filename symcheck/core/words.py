@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import json
-from typing import Any
+from collections.abc import Sequence
 
 _INFIX = {"*": "*", "/": "/", "^": "^", "and": " and ", "or": " or ", "=>": " ⟹ ", "<=>": " ⟺ "}
 _RELATIONS = {"=": "=", "!=": "≠", "<": "<", "<=": "≤", ">": ">", ">=": "≥"}
@@ -11,12 +11,12 @@ _PRECEDENCE = {"<=>": 0, "=>": 1, "or": 2, "and": 3, "exists": 4, "+": 6, "*": 7
 _ALONE = {"+": 0, "*": 1, "and": "true", "or": "false"}
 
 
-def term(value: Any) -> str:
+def term(value: object) -> str:
     """A term or formula (`symcheck.core.terms`), or a truth value, in one line; JSON lists are as good as nodes."""
     return _written(value, 0)
 
 
-def _written(value: Any, outer: int) -> str:
+def _written(value: object, outer: int) -> str:
     if isinstance(value, str) or type(value) is int:
         return str(value)
     if not isinstance(value, list | tuple) or not value:
@@ -47,12 +47,12 @@ def _written(value: Any, outer: int) -> str:
     return _wrapped(text, level, outer)
 
 
-def _called(name: str, orders: Any, *arguments: Any) -> str:
+def _called(name: str, orders: Sequence[int], *arguments: object) -> str:
     """An unknown function; a derivative of it with the order of each argument."""
     return f"{name}{list(orders) if any(orders) else ''}({', '.join(map(term, arguments))})"
 
 
-def _decimal(top: Any, bottom: Any) -> str:
+def _decimal(top: object, bottom: object) -> str:
     """A fraction with a high power of ten below as a decimal, or the empty text."""
     digits = len(str(bottom)) - 1
     if not isinstance(top, int) or bottom != 10**digits or digits < 6:
@@ -61,7 +61,7 @@ def _decimal(top: Any, bottom: Any) -> str:
     return f"{'-' * (top < 0)}{whole[:-digits]}.{whole[-digits:]}"
 
 
-def _addend(value: Any) -> str:
+def _addend(value: object) -> str:
     if isinstance(value, list | tuple) and value[0] == "-":
         return f" - {_written(value[1], 7)}"
     return f" + {_written(value, 7)}"

@@ -6,9 +6,7 @@ from functools import cache
 from string import ascii_lowercase
 
 from symcheck import kernels, papers
-from symcheck.audit import decide, run
-from symcheck.audit.cache import Cache, location
-from symcheck.audit.executor import Serial
+from symcheck.audit.library import check
 from symcheck.audit.obligation import expand, obligation_of
 from symcheck.core.claims import Erratum, Item, Paper
 from symcheck.core.verdicts import SLIPS, Group, Origin, SymcheckError, Verdict
@@ -59,11 +57,7 @@ def _may_be_serious(item: Item) -> bool:
 
 @cache
 def _audited(ids: tuple[str, ...]) -> tuple[Record, ...]:
-    kept = Cache(location(), lambda said: None)  # what is decided again is no matter for a reader
-    try:
-        return tuple(run.audit(ids, papers=papers.load(), decide=decide, cache=kept, executor=Serial(), timeout=60.0))
-    finally:
-        kept.close()
+    return tuple(check(ids, warn=lambda said: None))  # what is decided again is no matter for a reader
 
 
 def item(id: str) -> Item:

@@ -1,0 +1,80 @@
+"""`symcheck check`: decides, prints the ledger, and compares the verdicts with those recorded."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
+
+import click
+
+from symcheck.cli.errors import DIFFERS, MOST_LINES, say
+from symcheck.cli.options import SELECTION, AuditOptions, audit_options
+from symcheck.cli.records import audited, print_json
+from symcheck.core.verdicts import Verdict
+
+if TYPE_CHECKING:
+    from symcheck.ledger.record import Record
+
+
+@click.command()
+@SELECTION
+@click.option("--json", "as_json", is_flag=True, help="One JSON object with all items instead of the table.")
+@click.option("--verdict", type=click.Choice([str(v) for v in Verdict]), help="Show only rows of this verdict.")
+@audit_options
+def check(selection: Sequence[str], as_json: bool, verdict: str | None, options: AuditOptions) -> None:
+    """Decide the relations and compare the verdicts with those recorded.
+
+    Without a selection: all papers. `mirer2009:2.1` also means its links 2.1a, 2.1b.
+    """
+    from symcheck.audit.run import Interrupted
+
+    try:
+        records = audited(selection, options, weigh=as_json)
+    except Interrupted as stop:
+        _print_ledger(stop.records, as_json, verdict, partial=True)
+        raise
+    _print_ledger(records, as_json, verdict)
+    _compare(selection, records, as_json)
+
+
+def _print_ledger(records: Sequence[Record], as_json: bool, verdict: str | None, partial: bool = False) -> None:
+    """The rows of a verdict; a ledger that is partial says so before and after."""
+    shown = [record for record in records if verdict is None or record.verdict == verdict]
+    if as_json:
+        print_json(shown, partial)
+        return
+    from symcheck.views import terminal
+
+    out = terminal.console()
+    note = "PARTIAL: interrupted before all relations were decided" if partial else ""
+    out.print(note, end="\n" * partial)
+    for key, rows in _by_paper(shown).items():
+        terminal.ledger(out, key, rows)
+    terminal.summary(out, records)
+    out.print(note, end="\n" * partial)
+
+
+def _by_paper(records: Sequence[Record]) -> dict[str, list[Record]]:
+    papers: dict[str, list[Record]] = {}
+    for record in records:
+        papers.setdefault(record.paper, []).append(record)
+    return papers
+
+
+def _compare(selection: Sequence[str], records: Sequence[Record], quiet: bool) -> None:
+    """Tell how the verdicts differ from those recorded, and exit 1 if they do."""
+    from symcheck import kernels
+    from symcheck.ledger import store
+
+    folder, differing = kernels.folder(), []
+    for key, rows in _by_paper(records).items():
+        complete = not selection or key in selection
+        differing += store.disagreements(rows, store.expected(folder, key), complete)
+    for line in differing[:MOST_LINES]:
+        say(line)
+    if len(differing) > MOST_LINES:
+        say(f"and {len(differing) - MOST_LINES} more differences; ask for a smaller selection to see them")
+    if differing:
+        raise click.exceptions.Exit(DIFFERS)
+    if not quiet:
+        click.echo("All verdicts are those recorded.")

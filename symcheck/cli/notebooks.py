@@ -1,0 +1,34 @@
+"""`symcheck notebooks`: executes the notebooks and compares what they show."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import click
+
+from symcheck.cli.errors import DIFFERS, MOST_LINES, needing, say
+from symcheck.cli.records import progress
+
+
+@click.command()
+@click.option("--only", multiple=True, metavar="NAME", help="A notebook, 6_errata, or the beginning of its name.")
+@click.option("--kernel", is_flag=True, help="Run through a Jupyter kernel instead of in this process.")
+@click.option("--write", is_flag=True, help="Accept what comes out: write notebooks/ anew.")
+def notebooks(only: Sequence[str], kernel: bool, write: bool) -> None:
+    """Execute the notebooks and compare what they show with what is committed; pictures are not compared."""
+    from symcheck.views.notebook import committed
+
+    differing = []
+    for name in committed.names(only):
+        with progress(name) as move, needing("notebooks"):
+            found = committed.executed(name, kernel, move)
+        if write:
+            committed.write(name, found)
+        told = committed.differences(name, found)
+        differing += told
+        click.echo(f"{name}: {sum('execution_count' in cell for cell in found.cells)} cells, {len(told)} differ")
+    for line in differing[:MOST_LINES]:
+        say(line)
+    if differing:
+        say("run `symcheck notebooks --write` to accept what is shown now")
+        raise click.exceptions.Exit(DIFFERS)

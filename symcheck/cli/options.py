@@ -1,0 +1,51 @@
+"""Arguments and options that several commands share."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable
+from dataclasses import dataclass
+from functools import wraps
+
+import click
+
+SELECTION = click.argument("selection", nargs=-1, metavar="[PAPER[:NUMBER]]...")
+
+
+@dataclass(frozen=True)
+class AuditOptions:
+    """How a command that needs verdicts gets them."""
+
+    jobs: int
+    timeout: float
+    cache: bool
+
+
+def cores() -> int:
+    """The processors that this process may use."""
+    return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
+
+
+def audit_options(command: Callable[..., None]) -> Callable[..., None]:
+    """Add the options of `AuditOptions` to a command, which receives them as its parameter `options`."""
+
+    @click.option(
+        "--jobs",
+        type=click.IntRange(0),
+        default=cores,
+        show_default="cores",
+        help="Worker processes; 0 decides in this process, without a time limit.",
+    )
+    @click.option(
+        "--timeout",
+        type=click.FloatRange(0, min_open=True),
+        default=60.0,
+        show_default=True,
+        help="Seconds that one declaration may take.",
+    )
+    @click.option("--no-cache", is_flag=True, help="Decide everything anew and keep nothing.")
+    @wraps(command)
+    def with_options(*args: object, jobs: int, timeout: float, no_cache: bool, **kwargs: object) -> None:
+        command(*args, options=AuditOptions(jobs, timeout, not no_cache), **kwargs)
+
+    return with_options

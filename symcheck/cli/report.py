@@ -1,0 +1,52 @@
+"""`symcheck report`: the audit as one page."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from pathlib import Path
+
+import click
+
+from symcheck.cli.errors import writing
+from symcheck.cli.options import SELECTION, AuditOptions, audit_options
+from symcheck.cli.records import audited
+from symcheck.core.files import put
+from symcheck.core.verdicts import SymcheckError
+
+
+@click.command()
+@SELECTION
+@click.option(
+    "--output",
+    type=click.Path(dir_okay=False, readable=False, path_type=Path),
+    default=Path("symcheck-report.html"),
+    show_default=True,
+    help="The file to write.",
+)
+@click.option("--open", "show", is_flag=True, help="Open the file in the browser of this system.")
+@audit_options
+def report(selection: Sequence[str], output: Path, show: bool, options: AuditOptions) -> None:
+    """Write the audit as one page to look at: errata, ledger, certificates, pictures.
+
+    The page needs no network and no server. Notebooks in a folder notebooks/ here are searched for cells that name a
+    claim.
+    """
+    from symcheck import kernels, papers
+    from symcheck.ledger import selftested
+    from symcheck.views import pictures
+    from symcheck.views.page import sources
+    from symcheck.views.page.page import Beside, Pictures, page
+
+    records, known = audited(selection, options), papers.load()
+    beside = Beside(
+        sources.kernels(known, kernels.folder()),
+        sources.cells(Path("notebooks")),
+        Pictures(pictures.envelopes(), pictures.densities(), pictures.stability()),
+        selftested.recorded(kernels.folder()),
+    )
+    text = page(records, sources.publications(known), beside).encode()
+    with writing(output):
+        put(output, text)
+    click.echo(f"{output}: {len(records)} items, {len(text) / 1e6:.2f} MB")
+    if show and click.launch(str(output)) != 0:
+        raise SymcheckError(f"no browser opens {output} here; the file is written")

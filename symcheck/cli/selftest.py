@@ -1,0 +1,48 @@
+"""`symcheck selftest`: plants faults and counts those that go unnoticed."""
+
+from __future__ import annotations
+
+import json
+
+import click
+
+from symcheck.cli.errors import DIFFERS, say
+from symcheck.cli.options import AuditOptions, audit_options
+from symcheck.cli.records import audited, progress
+
+
+@click.command()
+@click.option("--json", "as_json", is_flag=True, help="One JSON object with all counts instead of the table.")
+@click.option("--seed", type=int, default=0, show_default=True, help="The same seed plants the same faults.")
+@click.option("--faults", type=click.IntRange(1), default=21_000, show_default=True, help="About how many to plant.")
+@click.option("--record", "recording", is_flag=True, help="Keep the result in generated/, for the report.")
+@audit_options
+def selftest(as_json: bool, seed: int, faults: int, recording: bool, options: AuditOptions) -> None:
+    """Plant faults and count those that go unnoticed: the error rate of the audit itself.
+
+    In statements, hypotheses, certificates, kernels, notation tables and proof methods; and true statements written
+    otherwise, which must not be rejected. Exit code 1 if fewer than 99.9 % of the faults were rejected, or anything
+    right was.
+    """
+    from symcheck.audit.library import executor
+    from symcheck.selftest.run import classes, run
+    from symcheck.selftest.table import show
+
+    records = audited((), options)
+    modules = [fault_class.places.__module__ for fault_class in classes().values()]
+    with progress("planting faults") as move:
+        result = run(records, executor(options.jobs, modules), faults, seed, move)
+    told = result.to_json()
+    if recording:
+        from symcheck import kernels
+        from symcheck.ledger import selftested
+
+        say(f"{selftested.record(kernels.folder(), told, records)} written")
+    if as_json:
+        click.echo(json.dumps(told, ensure_ascii=False, indent=1))
+    else:
+        from symcheck.views.terminal import console
+
+        show(console(), told)
+    if not result.is_sound:
+        raise click.exceptions.Exit(DIFFERS)

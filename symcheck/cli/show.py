@@ -1,0 +1,22 @@
+"""`symcheck show`: one relation, or one kernel, in full."""
+
+from __future__ import annotations
+
+import click
+
+from symcheck.cli.options import AuditOptions, audit_options
+from symcheck.cli.records import audited
+
+
+@click.command()
+@click.argument("name", metavar="PAPER:NUMBER|KERNEL")
+@click.option("--certificate", is_flag=True, help="Print the whole certificate.")
+@audit_options
+def show(name: str, certificate: bool, options: AuditOptions) -> None:
+    """Show one relation: as printed, as read, hypotheses, steps of the proof, certificate, counterexample, erratum.
+
+    Or one kernel: what it computes, how accurately, and the relations on which it rests.
+    """
+    from symcheck.views.show import show
+
+    show(name, certificate, lambda selection: audited(selection, options))
