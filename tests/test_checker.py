@@ -501,9 +501,9 @@ CORE = {f"symcheck.core.{name}" for name in ("calculus", "fields", "formulas", "
 def imports(path: Path) -> set[str]:
     """The modules that a file imports, those for type checkers left out."""
     tree = ast.parse(path.read_text(encoding="utf-8"))
-    body = (entry for entry in tree.body if not isinstance(entry, ast.If) or ast.unparse(entry.test) != "TYPE_CHECKING")
+    body = (each for each in tree.body if not isinstance(each, ast.If) or ast.unparse(each.test) != "TYPE_CHECKING")
     found: set[str] = set()
-    for node_ in (entry for statement in body for entry in ast.walk(statement)):
+    for node_ in (part for statement in body for part in ast.walk(statement)):
         found |= {node_.module or ""} if isinstance(node_, ast.ImportFrom) else set()
         found |= {alias.name for alias in node_.names} if isinstance(node_, ast.Import) else set()
     return found

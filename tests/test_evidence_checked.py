@@ -29,7 +29,7 @@ EQUALITY = "mirer2009:2.3"  # an inequality with its set of equality
 RESTING = "mirer2009:2.2.1"  # on a lemma
 LEMMA = "mirer2009:2.1.7"
 OTHER = "poloskov2004:2.4.2"
-DECIDED = {id: decide.decide(id) for id in (REFUTED, PROVED, EQUALITY, RESTING, LEMMA, OTHER)}
+DECIDED = {id: decide.weigh((id, decide.decide(id))) for id in (REFUTED, PROVED, EQUALITY, RESTING, LEMMA, OTHER)}
 
 
 @pytest.fixture(autouse=True)
@@ -203,11 +203,10 @@ class Said(list[str]):
     __call__ = list.append
 
 
-def audited(folder: Path, said: Said, decider: Any = decide) -> list[Record]:
-    cache = Cache(folder, said)
+def audited(folder: Path, said: Said, decider: Any = decide, weigh: bool = True) -> list[Record]:
+    cache, ids, known = Cache(folder, said), [REFUTED, PROVED], papers.load()
     try:
-        known = papers.load()
-        return run.audit([REFUTED, PROVED], papers=known, decide=decider, cache=cache, executor=Serial(), timeout=60.0)
+        return run.audit(ids, papers=known, decide=decider, cache=cache, executor=Serial(), timeout=60.0, weigh=weigh)
     finally:
         cache.close()
 
@@ -218,8 +217,28 @@ def deciding(*forged: Record) -> Any:
     return SimpleNamespace(
         expand=decide.expand,
         fingerprint=decide.fingerprint,
+        weigh=decide.weigh,
         decide=lambda id: answers.get(id, DECIDED.get(id) or decide.decide(id)),
     )
+
+
+def test_needs_are_decided_after_the_verdict_when_they_are_asked_for_and_kept(tmp_path: Path) -> None:
+    def asked(decider: Any, weigh: bool) -> list[Record]:
+        return audited(tmp_path, said, decider, weigh)
+
+    def refuse(_: object) -> Any:
+        raise AssertionError("this is known")
+
+    said = Said()
+    bare = asked(SimpleNamespace(**{**vars(decide), "weigh": refuse}), weigh=False)
+    assert any(record.hypotheses for record in bare)
+    assert not any("needed" in row for record in bare for row in record.hypotheses)
+    whole = asked(SimpleNamespace(**{**vars(decide), "decide": refuse}), weigh=True)
+    weighed = {record.id: record.hypotheses for id in (PROVED, REFUTED) for record in DECIDED[id]}
+    assert {record.id: record.hypotheses for record in whole} == weighed
+    nothing = SimpleNamespace(**{**vars(decide), "decide": refuse, "weigh": refuse})
+    assert asked(nothing, weigh=True) == whole
+    assert asked(nothing, weigh=False) == bare
 
 
 ROWS = {

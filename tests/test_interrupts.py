@@ -139,7 +139,7 @@ def test_an_interrupt_that_was_withheld_comes_afterwards() -> None:
 def test_the_exit_code_is_the_same_where_the_interrupt_strikes_in_a_text_that_is_executed() -> None:
     found = run(
         "import symcheck.cli\n"
-        "symcheck.cli.check.audited = lambda *_: exec('signal.raise_signal(signal.SIGINT)')\n"
+        "symcheck.cli.check.audited = lambda *_, **__: exec('signal.raise_signal(signal.SIGINT)')\n"
         "sys.argv[1:] = ['check']\n"
         "symcheck.cli.main()\n"
     )

@@ -13,7 +13,7 @@ import pytest
 
 from symcheck import kernels, papers
 from symcheck.audit.checked import reason, reasons
-from symcheck.audit.decide import decide
+from symcheck.audit.decide import decide, weigh
 from symcheck.audit.obligation import DECIDED, expand
 from symcheck.checker import check_all
 from symcheck.checker.__main__ import main
@@ -28,7 +28,7 @@ IDS = [obligation.id for paper in papers.load().values() for obligation in expan
 
 @cache
 def records() -> tuple[Record, ...]:
-    return tuple(record for id in IDS for record in decide(id))
+    return tuple(record for id in IDS for record in weigh((id, decide(id))))
 
 
 def claims() -> list[Record]:

@@ -26,6 +26,7 @@ if TYPE_CHECKING:
 
 FOR_EQUALITY = "for the set of equality"  # of a hypothesis that is in force nowhere else
 MANY = 500  # certificates that take longer than it takes to start another process
+STATED = ("name", "words", "states", "given")  # of a hypothesis before it is asked whether it is needed
 NOT_ACCEPTED = "the certificate was not accepted"
 
 
@@ -123,11 +124,10 @@ def _told(record: Record, answers: Answers) -> Record:
     fault = answers.fault(record.id, record.verdict, record.certificates)
     if fault is None and record.verdict is Verdict.REFUTED:
         fault = _other_point(record)
-    hypotheses = tuple(_need(record, each, answers) for each in record.hypotheses)
-    changed = replace(record, hypotheses=hypotheses, erratum=_correction(record, answers))
-    if fault is None:
-        return changed
-    return replace(changed, verdict=Verdict.UNDECIDED, reason=_reason(fault), certificates=(), counterexample=None)
+    shown = replace(record, erratum=_correction(record, answers))
+    if fault is not None:
+        shown = replace(shown, verdict=Verdict.UNDECIDED, reason=_reason(fault), certificates=(), counterexample=None)
+    return replace(shown, hypotheses=tuple(_need(shown, each, answers) for each in record.hypotheses))
 
 
 def _reason(fault: str) -> str:
@@ -160,7 +160,7 @@ def _need(record: Record, row: dict[str, Any], answers: Answers) -> dict[str, An
         shown = not row.get("lost") and not any(_of_need(row))
     else:
         try:
-            shown = (_is_lost if row["needed"] else _is_needless)(record, row, answers)
+            shown = bool(proofs(record)) and (_is_lost if row["needed"] else _is_needless)(record, row, answers)
         except (LookupError, TypeError, AttributeError):  # of a malformed certificate
             shown = False
     return row if shown else {**row, "needed": None, "lost": "", "counterexample": None, "proofs": []}
@@ -188,10 +188,36 @@ def _is_needless(record: Record, row: Mapping[str, Any], answers: Answers) -> bo
     return not proofs or answers.fault(record.id, Verdict.PROVED, proofs) is None
 
 
+def unweighed(rows: Rows) -> dict[str, tuple[Record, ...]]:
+    """The records without a word on which hypotheses are needed, and without the certificates of that."""
+    return {
+        name: tuple(replace(r, hypotheses=tuple(map(_stated, r.hypotheses))) for r in each)
+        for name, each in rows.items()
+    }
+
+
+def _stated(row: Mapping[str, Any]) -> dict[str, Any]:
+    return {key: row[key] for key in STATED if key in row}
+
+
+def is_weighed(record: Record) -> bool:
+    """Whether it is known which of the hypotheses are needed, as far as it can be."""
+    return all("needed" in row for row in record.hypotheses)
+
+
+def proofs(record: Record) -> Sequence[Certificate]:
+    """The proofs for which a hypothesis is said to be needed or not: with the hypotheses that the paper forgot."""
+    verdict: object = record.verdict
+    own: Sequence[Certificate] = record.certificates
+    if record.reading is Reading.NEEDS_HYPOTHESIS:
+        repair = record.erratum or {}
+        verdict, own = repair.get("verdict"), repair.get("certificates") or ()
+    return own if verdict == Verdict.PROVED else ()
+
+
 def _spoken_of(record: Record, row: Mapping[str, Any]) -> list[Certificate]:
-    """The proofs for which a hypothesis is said to be needed or not: of a relation, or of where it is an equality."""
-    corrected = record.reading is Reading.NEEDS_HYPOTHESIS
-    own = ((record.erratum or {}).get("certificates") or ()) if corrected else record.certificates
+    """Of these, the ones of a relation, or of where it is an equality."""
+    own = proofs(record)
     apart = [each["claim"][0] == "<=>" for each in own]
     if all(apart) or not any(apart):
         return [*own]

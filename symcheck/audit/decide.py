@@ -3,20 +3,22 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from typing import Any
 
+from symcheck.audit.checked import proofs
 from symcheck.audit.context import Context
-from symcheck.audit.judge import Unit, judge, units
+from symcheck.audit.judge import Unit, judge, problems, units
+from symcheck.audit.needs import Proved, listed, weighed
 from symcheck.audit.obligation import DECIDED, Obligation, expand, fingerprint, obligation_of, users
-from symcheck.audit.repair import corrected, needs
+from symcheck.audit.repair import corrected
 from symcheck.core.verdicts import Origin, Reading, Role, Verdict
 from symcheck.ledger.domain import refuse_wider
 from symcheck.ledger.record import Record
 from symcheck.reading import read, to_latex
 
-__all__ = ["decide", "expand", "fingerprint"]
+__all__ = ["decide", "expand", "fingerprint", "weigh"]
 
 
 def decide(id: str) -> tuple[Record, ...]:
@@ -27,6 +29,23 @@ def decide(id: str) -> tuple[Record, ...]:
     if obligation.item.role in DECIDED:
         return tuple(_claimed(context, base))
     return _stated(context, base)
+
+
+def weigh(declared: tuple[str, Sequence[Record]]) -> tuple[Record, ...]:
+    """The id of a declaration with its records: these, with which hypotheses are needed, and what shows it."""
+    id, records = declared
+    obligation = obligation_of(id)
+    context = Context(obligation.paper, obligation.item)
+    by_id = {id + unit.letter: unit for unit in units(context)} if any(map(proofs, records)) else {}
+    return tuple(_weighed(context, by_id.get(record.id), record) for record in records)
+
+
+def _weighed(context: Context, unit: Unit | None, record: Record) -> Record:
+    item, proved = context.item, list[Proved]()
+    if unit and (shown := proofs(record)):
+        added = item.needs if record.reading is Reading.NEEDS_HYPOTHESIS else ()
+        proved = [*zip(problems(context, unit, (*item.given, *added)), shown, strict=True)]
+    return replace(record, hypotheses=tuple(weighed(row, proved, item) for row in record.hypotheses))
 
 
 def _base(obligation: Obligation) -> Record:
@@ -88,9 +107,8 @@ def _judged(context: Context, unit: Unit, row: Record) -> Record:
         certificates=finding.certificates,
         counterexample=next((c["point"] for c in finding.certificates if c["verdict"] == Verdict.REFUTED), None),
     )
-    shown = finding
     if erratum:
-        right, repair = corrected(context, unit, erratum, finding)
+        repair = corrected(context, unit, erratum, finding)
         misprint = bool(erratum.corrected)
         row = replace(
             row,
@@ -103,10 +121,8 @@ def _judged(context: Context, unit: Unit, row: Record) -> Record:
             or f"{to_latex(unit.tree)} (given: {'; '.join(h.words for h in item.needs)})",
             erratum=repair,
         )
-        if item.needs and not misprint:
-            shown = right
     added = item.needs if erratum and not erratum.corrected else ()
-    row = replace(row, hypotheses=needs(shown, item, added))
+    row = replace(row, hypotheses=tuple(listed(item, added)))
     if row.verdict is Verdict.PROVED:
         refuse_wider(row.id, row.certificates, row.hypotheses)
     return row

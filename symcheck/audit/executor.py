@@ -1,4 +1,4 @@
-"""Runs one function over many ids: in this process, or in worker processes with a time limit that really kills."""
+"""Runs one function over many tasks: in this process, or in worker processes with a time limit that really kills."""
 
 from __future__ import annotations
 
@@ -11,6 +11,7 @@ from typing import Any, Generic, Protocol, TypeVar
 
 from symcheck.core.interrupts import withheld
 
+K = TypeVar("K")
 T = TypeVar("T")
 
 
@@ -41,17 +42,17 @@ Answer = Done[T] | Timeout | Crash
 class Executor(Protocol):
     """What the audit needs of a way to run things."""
 
-    def map(self, function: Callable[[str], T], ids: Iterable[str], timeout: float) -> Generator[tuple[str, Answer[T]]]:
-        """Pairs (id, answer) in order of completion, one for each id; no answer takes more than `timeout` seconds."""
+    def map(self, function: Callable[[K], T], tasks: Iterable[K], timeout: float) -> Generator[tuple[K, Answer[T]]]:
+        """Pairs (task, answer) in order of completion, one per task; no answer takes more than `timeout` seconds."""
         ...
 
 
 class Serial:
-    """One id after the other in this process, without a time limit: for debuggers and tests."""
+    """One task after the other in this process, without a time limit: for debuggers and tests."""
 
-    def map(self, function: Callable[[str], T], ids: Iterable[str], timeout: float) -> Generator[tuple[str, Answer[T]]]:
-        for id in ids:
-            yield id, _attempt(function, id)
+    def map(self, function: Callable[[K], T], tasks: Iterable[K], timeout: float) -> Generator[tuple[K, Answer[T]]]:
+        for task in tasks:
+            yield task, _attempt(function, task)
 
 
 @dataclass(frozen=True)
@@ -67,16 +68,16 @@ class Pool:
     jobs: int
     preload: tuple[str, ...] = ()
 
-    def map(self, function: Callable[[str], T], ids: Iterable[str], timeout: float) -> Generator[tuple[str, Answer[T]]]:
+    def map(self, function: Callable[[K], T], tasks: Iterable[K], timeout: float) -> Generator[tuple[K, Answer[T]]]:
         from concurrent.futures import as_completed
 
         from pebble import ProcessPool
 
-        waiting = list(ids)
+        waiting = list(tasks)
         pool: Any = ProcessPool(max_workers=max(1, min(self.jobs, len(waiting))), context=self._context())
         try:
             with withheld():  # no worker is left half started
-                futures = {pool.schedule(_attempt, args=(function, id), timeout=timeout): id for id in waiting}
+                futures = {pool.schedule(_attempt, args=(function, task), timeout=timeout): task for task in waiting}
             for future in as_completed(futures):
                 yield futures[future], _answer(future, timeout)
         finally:
@@ -119,10 +120,10 @@ def _kill_server() -> None:
             os.kill(pid, signal.SIGKILL)
 
 
-def _attempt(function: Callable[[str], T], id: str) -> Done[T] | Crash:
+def _attempt(function: Callable[[K], T], task: K) -> Done[T] | Crash:
     """The answer of `function`; an exception is told in words, because not every exception survives pickling."""
     try:
-        return Done(function(id))
+        return Done(function(task))
     except Exception as error:
         return Crash(f"{type(error).__name__}: {error}".rstrip(": "))
 

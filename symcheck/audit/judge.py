@@ -98,9 +98,47 @@ class Finding:
         return "; ".join(dict.fromkeys(o.reason for o in self.outcomes if o.reason))
 
 
-def _find(context: Context, formulas: Iterable[Formula], given: Iterable[Hypothesis], method: Method) -> Finding:
-    given, formulas = tuple(given), tuple(formulas)
-    concrete = tuple(context.problem(formula, given, method, n) for n, formula in enumerate(formulas))
+def proofs(problems: Iterable[Problem]) -> tuple[Certificate, ...] | None:
+    """A certificate for each problem, or None if one has no proof."""
+    found = []
+    for problem in problems:
+        if (outcome := proof_of(problem)) is None:
+            return None
+        found.append(certificate(problem, outcome))
+    return tuple(found)
+
+
+Statement = tuple[tuple[Formula, ...], tuple[Hypothesis, ...], Method]
+
+
+def _stated(context: Context, unit: Unit, given: tuple[Hypothesis, ...]) -> Statement:
+    """What one unit claims, under which hypotheses, and the method that shows it."""
+    return unit.formulas, given, context.method(unit.letter)
+
+
+def _attained(context: Context, unit: Unit, given: tuple[Hypothesis, ...]) -> Statement | None:
+    """The same of the set of equality of an inequality, if one is declared."""
+    if not (equality := for_letter(context.item.equality, unit.letter)):
+        return None
+    hypotheses = (*given, *context.item.equality_given)
+    return equality_claims(context, unit, equality), hypotheses, combined(context.method(unit.letter))
+
+
+def _problems(
+    context: Context, formulas: tuple[Formula, ...], given: tuple[Hypothesis, ...], method: Method
+) -> tuple[Problem, ...]:
+    return tuple(context.problem(formula, given, method, n) for n, formula in enumerate(formulas))
+
+
+def problems(context: Context, unit: Unit, given: tuple[Hypothesis, ...]) -> tuple[Problem, ...]:
+    """What there is to prove of one unit: of the relation, and then of its set of equality."""
+    context = context.having(letter=unit.letter)
+    statements = filter(None, (_stated(context, unit, given), _attained(context, unit, given)))
+    return tuple(problem for each in statements for problem in _problems(context, *each))
+
+
+def _find(context: Context, formulas: tuple[Formula, ...], given: tuple[Hypothesis, ...], method: Method) -> Finding:
+    concrete = _problems(context, formulas, given, method)
     problems, outcomes = list(concrete), []
     premises = _premises(context, given)
     for n, problem in enumerate(concrete):
@@ -150,17 +188,15 @@ def _all(formulas: tuple[Formula, ...]) -> Formula:
 
 def judge(context: Context, unit: Unit, given: tuple[Hypothesis, ...], extra: tuple[Hypothesis, ...] = ()) -> Finding:
     """The statement of one unit, an inequality together with its set of equality."""
-    context, item = context.having(letter=unit.letter), context.item
-    method = context.method(unit.letter)
-    finding = _find(context, unit.formulas, (*given, *extra), method)
+    context, given = context.having(letter=unit.letter), (*given, *extra)
+    finding = _find(context, *_stated(context, unit, given))
     if finding.verdict is Verdict.PROVED and any(_is_vacuous(context, each) for each in finding.concrete):
         vacuous = Outcome(Verdict.UNDECIDED, reason="the hypotheses contradict one another, so that anything follows")
         return replace(finding, verdict=vacuous.verdict, outcomes=tuple(vacuous for _ in finding.outcomes))
-    equality = for_letter(item.equality, unit.letter)
-    if not equality or finding.verdict is not Verdict.PROVED:
+    equality = _attained(context, unit, given)
+    if equality is None or finding.verdict is not Verdict.PROVED:
         return finding
-    by = combined(method)
-    attained = _find(context, equality_claims(context, unit, equality), (*given, *extra, *item.equality_given), by)
+    attained = _find(context, *equality)
     verdict = Verdict.PROVED if attained.verdict is Verdict.PROVED else Verdict.UNDECIDED
     outcomes = tuple(
         replace(o, reason=o.reason or "the set of equality is not as declared")

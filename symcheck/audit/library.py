@@ -21,6 +21,7 @@ def check(
     jobs: int = 0,
     timeout: float = 60.0,
     cache: bool = True,
+    weigh: bool = True,
     progress: Progress = lambda done, total: None,
     warn: Callable[[str], None] = warnings.warn,
 ) -> list[Record]:
@@ -38,6 +39,8 @@ def check(
         Seconds that one declaration may take in a worker; after that it is undecided.
     cache
         Whether to use results decided before, and to keep new ones.
+    weigh
+        Whether to decide, too, which hypotheses each proof needs, which takes half as long again.
     progress
         Called with the numbers of declarations that are decided and that are wanted.
     warn
@@ -79,6 +82,7 @@ def check(
             cache=kept,
             executor=executor(jobs, [f"symcheck.papers.{key}" for key in papers]),
             timeout=timeout,
+            weigh=weigh,
             progress=progress,
         )
     finally:
@@ -108,4 +112,4 @@ def errata(selection: Iterable[str] | str = ()) -> list[Record]:
     >>> [record.id for record in errata(["mirer2009:2.12", "mirer2009:2.1.2"])]
     ['mirer2009:2.1.2']
     """
-    return [record for record in check(selection) if record.corrected]
+    return [record for record in check(selection, weigh=False) if record.corrected]

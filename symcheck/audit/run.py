@@ -8,7 +8,7 @@ from contextlib import closing, contextmanager
 from dataclasses import replace
 from difflib import get_close_matches
 from string import ascii_lowercase
-from typing import Any, Protocol
+from typing import Any, Protocol, TypeVar
 
 from symcheck.audit import checked
 from symcheck.audit.cache import Cache
@@ -17,6 +17,8 @@ from symcheck.core.claims import Item, Paper, Section
 from symcheck.core.verdicts import SymcheckError, Verdict
 from symcheck.ledger.record import Record
 
+K = TypeVar("K")
+T = TypeVar("T")
 Progress = Callable[[int, int], None]
 Links = frozenset[str]
 EVERY: Links = frozenset()
@@ -50,6 +52,10 @@ class Decider(Protocol):
         """The records of one declaration; called in a worker process."""
         ...
 
+    def weigh(self, declared: tuple[str, Sequence[Record]], /) -> tuple[Record, ...]:
+        """The records with which hypotheses are needed; called in a worker process."""
+        ...
+
 
 class Interrupted(KeyboardInterrupt):
     """An interrupt, with the records that were decided before it, in printed order."""
@@ -67,6 +73,7 @@ def audit(
     cache: Cache,
     executor: Executor,
     timeout: float,
+    weigh: bool = True,
     progress: Progress = lambda done, total: None,
 ) -> list[Record]:
     """The records of the selection in printed order; nothing selected means everything.
@@ -76,6 +83,8 @@ def audit(
     so an interrupted audit loses only what was running, and raises Interrupted. A declaration that is killed or crashes
     is undecided and not cached. Whatever is told, kept or new, the checker has accepted: of what was kept and is not
     accepted each declaration is decided again, of what is new the verdict becomes undecided.
+
+    With `weigh` it is also decided which hypotheses are needed, after all verdicts; that takes half as long again.
     """
     obligations = _expanded(_papers_named(selection, papers), decide)
     wanted = select(selection, list(obligations)) if selection else dict.fromkeys(obligations, EVERY)
@@ -83,20 +92,29 @@ def audit(
     fingerprints = {id: decide.fingerprint(obligations[id]) for id in needed}
     with _uncollected():
         kept = cache.find(fingerprints)
+        kept = kept if weigh else checked.unweighed(kept)
         records = {id: rows for id, rows in checked.told(kept).items() if rows == kept[id]}
     if refused := len(kept) - len(records):
         are = "is" if refused == 1 else "are"
         cache.say(f"{refused} of the results in the cache {are} not accepted by the checker; deciding again")
     progress(len(records), len(needed))
     new: dict[str, tuple[Record, ...]] = {}
-    open_ids = [id for id in needed if id not in records]
     try:
-        with closing(executor.map(decide.decide, open_ids, timeout) if open_ids else _nothing()) as answers:
+        open_ids = [id for id in needed if id not in records]
+        with closing(_answers(executor, decide.decide, open_ids, timeout)) as answers:
             for id, answer in answers:
                 new[id] = _records(obligations[id], answer)
                 if isinstance(answer, Done):
                     cache.put(id, fingerprints[id], new[id])
                 progress(len(records) + len(new), len(needed))
+        decided = {id: rows for id, rows in (records | new).items() if weigh and id in wanted}
+        light = [(id, rows) for id, rows in decided.items() if not all(map(checked.is_weighed, rows))]
+        with closing(_answers(executor, decide.weigh, light, timeout)) as weighed:
+            for done, ((id, _), answer) in enumerate(weighed, 1):
+                if isinstance(answer, Done):
+                    new[id] = answer.value
+                    cache.put(id, fingerprints[id], new[id])
+                progress(len(needed) + done, len(needed) + len(light))
     except KeyboardInterrupt:
         known = records.keys() | new.keys()
         whole = {id: rows for id, rows in new.items() if known >= {*_lemmas(id, obligations)}}
@@ -119,9 +137,13 @@ def _uncollected() -> Iterator[None]:
             gc.enable()
 
 
-def _nothing() -> Generator[tuple[str, Answer[tuple[Record, ...]]]]:
-    """The answers where nothing is asked, for which no process is started."""
-    yield from ()
+def _answers(
+    executor: Executor, function: Callable[[K], T], tasks: Sequence[K], timeout: float
+) -> Generator[tuple[K, Answer[T]]]:
+    """The answers in order of completion; where nothing is asked no process is started."""
+    if tasks:
+        with closing(executor.map(function, tasks, timeout)) as answers:
+            yield from answers
 
 
 def _told(new: checked.Rows, records: checked.Rows) -> dict[str, tuple[Record, ...]]:

@@ -61,12 +61,10 @@ class Algebra:
     def computed(self, term: Node) -> int:
         """The value of a node from those of its parts."""
         match term[0]:
-            case "+" | "*" as sign:
-                result, known = int(sign == "*"), self.letters
-                for t in term.outside:
-                    value = known[t] if type(t) is str and t in known else self.value(t)  # most are letters
-                    result = result * value if sign == "*" else result + value
-                return result
+            case "+":
+                return sum(map(self.value, term.outside))
+            case "*":
+                return prod(map(self.value, term.outside))
             case "-":
                 return -self.value(term.outside[0])
             case "^":

@@ -29,7 +29,7 @@ def check(selection: Sequence[str], as_json: bool, verdict: str | None, options:
     from symcheck.audit.run import Interrupted
 
     try:
-        records = audited(selection, options)
+        records = audited(selection, options, weigh=as_json)
     except Interrupted as stop:
         _print_ledger(stop.records, as_json, verdict, partial=True)
         raise

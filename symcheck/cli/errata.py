@@ -21,7 +21,7 @@ def errata(selection: Sequence[str], as_json: bool, options: AuditOptions) -> No
     cells of tables, and slips such as a lost prime, in one table for each kind; last what the text does not say as it
     stands, and is read otherwise.
     """
-    records = [record for record in audited(selection, options) if record.corrected]
+    records = [record for record in audited(selection, options, weigh=as_json) if record.corrected]
     if as_json:
         print_json(records)
         return

@@ -17,8 +17,8 @@ if TYPE_CHECKING:
     from symcheck.ledger.record import Record
 
 
-def audited(selection: Iterable[str], options: AuditOptions) -> list[Record]:
-    """The records of a selection; an interrupt tells how far it was."""
+def audited(selection: Iterable[str], options: AuditOptions, *, weigh: bool = True) -> list[Record]:
+    """The records of a selection, with which hypotheses are needed if asked; an interrupt tells how far it was."""
     from symcheck.audit.library import check
     from symcheck.audit.run import Interrupted
 
@@ -36,6 +36,7 @@ def audited(selection: Iterable[str], options: AuditOptions) -> list[Record]:
                 jobs=options.jobs,
                 timeout=options.timeout,
                 cache=options.cache,
+                weigh=weigh,
                 progress=follow,
                 warn=say,
             )

@@ -2,24 +2,27 @@
 
 from __future__ import annotations
 
-from typing import Any
+from typing import TYPE_CHECKING
 
 from symcheck.core.lazy import lazy
+
+if TYPE_CHECKING:
+    from sympy import Expr, Matrix
 
 sp = lazy("sympy")
 
 
-def matrix(letter: str = "a") -> Any:
+def matrix(letter: str = "a") -> Matrix:
     """A 3 x 3 matrix of the real symbols letter_11 .. letter_33, rows first."""
     return sp.Matrix(3, 3, lambda i, j: sp.Symbol(f"{letter}_{i + 1}{j + 1}", real=True))
 
 
-def entries(values: Any, letter: str = "a") -> dict[str, Any]:
+def entries(values: Expr, letter: str = "a") -> dict[str, Expr]:
     """The entries of a 3 x 3 matrix by name, `letter`_11 to `letter`_33."""
     return {f"{letter}_{i + 1}{j + 1}": values[i, j] for i in range(3) for j in range(3)}
 
 
-def elementary(axis: int, angle: Any) -> Any:
+def elementary(axis: int, angle: Expr) -> Matrix:
     """Direction cosines of axes turned by `angle` (radians, right-hand rule) about axis 1, 2 or 3.
 
     Row i holds the turned axis i in the old axes; elementary(3, t) is

@@ -21,17 +21,18 @@ from typing import Any
 from symcheck.core.verdicts import SymcheckError
 
 Signs = tuple[int, ...]
-Vector = tuple[Any, Any, Any]
+Number = Any  # a float, a fraction or an expression of SymPy: what can be added, multiplied and, by `sign`, compared
+Vector = tuple[Number, Number, Number]
 UNIT_VECTORS: tuple[Vector, ...] = ((1, 0, 0), (0, 1, 0), (0, 0, 1))
 EVEN = ((0, 1, 2), (1, 2, 0), (2, 0, 1))
 
 
-def sign(number: Any) -> int:
+def sign(number: Number) -> int:
     """-1, 0 or 1."""
     return int(bool(number > 0)) - int(bool(number < 0))
 
 
-def dot(x: Vector, y: Vector) -> Any:
+def dot(x: Vector, y: Vector) -> Number:
     """(x, y)."""
     return x[0] * y[0] + x[1] * y[1] + x[2] * y[2]
 
@@ -41,7 +42,7 @@ def cross(x: Vector, y: Vector) -> Vector:
     return x[1] * y[2] - x[2] * y[1], x[2] * y[0] - x[0] * y[2], x[0] * y[1] - x[1] * y[0]
 
 
-def scaled(factor: Any, x: Vector) -> Vector:
+def scaled(factor: Number, x: Vector) -> Vector:
     """factor x."""
     return factor * x[0], factor * x[1], factor * x[2]
 
@@ -52,7 +53,7 @@ def added(*vectors: Vector) -> Vector:
     return x, y, z
 
 
-def triple_product(x: Vector, y: Vector, z: Vector) -> Any:
+def triple_product(x: Vector, y: Vector, z: Vector) -> Number:
     """(x, y, z) = (x times y, z)."""
     return dot(cross(x, y), z)
 
@@ -77,7 +78,7 @@ class Chirotope:
         return self.signs.get((i, j, k), 0)
 
 
-def chirotope(axes: Sequence[Vector], sign: Callable[[Any], int] = sign) -> Chirotope:
+def chirotope(axes: Sequence[Vector], sign: Callable[[Number], int] = sign) -> Chirotope:
     """The chirotope of wheel axes, which need not span space. `sign` decides -1, 0 or 1 of a triple product."""
     for count in range(3):
         for added in combinations(UNIT_VECTORS, count):
@@ -241,16 +242,16 @@ class Envelope:
         turn = self.chirotope(i, j, outside) * face[outside - 1]
         return scaled(turn, cross(self.axes[i - 1], self.axes[j - 1]))
 
-    def support(self, face: Signs) -> Any:
+    def support(self, face: Signs) -> Number:
         """(n, H) on a face with that normal n: the sum of |(e_i, e_j, e_k)| over k."""
         return dot(self.normal(face), self.point(face))
 
-    def distance(self, face: Signs, root: Callable[[Any], Any] = math.sqrt) -> Any:
+    def distance(self, face: Signs, root: Callable[[Number], Number] = math.sqrt) -> Number:
         """From the centre to the plane of a face: its support over |e_i times e_j|."""
         normal = self.normal(face)
         return self.support(face) / root(dot(normal, normal))
 
-    def volume(self) -> Any:
+    def volume(self) -> Number:
         """8 times the sum of |(e_i, e_j, e_k)|: the envelope is a sum of parallelepipeds."""
         triples = combinations(range(1, len(self.axes) + 1), 3)
         return 8 * sum(
@@ -259,13 +260,13 @@ class Envelope:
             if self.chirotope(*t)
         )
 
-    def surface(self, root: Callable[[Any], Any] = math.sqrt) -> Any:
+    def surface(self, root: Callable[[Number], Number] = math.sqrt) -> Number:
         """8 times the sum of |e_i times e_j|: every two axes span two opposite rhombi, faces or parts of faces."""
         normals = (cross(*two) for two in combinations(self.axes, 2))
         return 8 * sum(root(dot(normal, normal)) for normal in normals)
 
 
-def envelope(axes: Iterable[Sequence[Any]], sign: Callable[[Any], int] = sign) -> Envelope:
+def envelope(axes: Iterable[Sequence[Number]], sign: Callable[[Number], int] = sign) -> Envelope:
     """The envelope of wheels with these axes.
 
     axes    three exact components for each wheel (int, Fraction, exact SymPy numbers, ...)
@@ -282,7 +283,7 @@ def envelope(axes: Iterable[Sequence[Any]], sign: Callable[[Any], int] = sign) -
     return Envelope(tuple(vectors), chi, combinatorics(chi))
 
 
-def generators(axes: Sequence[Vector], sign: Callable[[Any], int] = sign) -> tuple[Vector, ...]:
+def generators(axes: Sequence[Vector], sign: Callable[[Number], int] = sign) -> tuple[Vector, ...]:
     """The axes with parallel ones added up: half the edges of the envelope."""
     found: list[Vector] = []
     for axis in axes:
@@ -296,7 +297,7 @@ def generators(axes: Sequence[Vector], sign: Callable[[Any], int] = sign) -> tup
     return tuple(found)
 
 
-def isometries(axes: Sequence[Vector], sign: Callable[[Any], int] = sign) -> tuple[tuple[int, ...], ...]:
+def isometries(axes: Sequence[Vector], sign: Callable[[Number], int] = sign) -> tuple[tuple[int, ...], ...]:
     """The isometries that keep the envelope, as signed permutations of its generators.
 
     The entry at generator i is j or -j: e_i goes to e_j or -e_j. They are those that keep every scalar product.
@@ -320,7 +321,7 @@ def isometries(axes: Sequence[Vector], sign: Callable[[Any], int] = sign) -> tup
     return tuple(extended(()))
 
 
-def isometry(axes: Sequence[Vector], images: Sequence[int], sign: Callable[[Any], int] = sign) -> tuple[Vector, ...]:
+def isometry(axes: Sequence[Vector], images: Sequence[int], sign: Callable[[Number], int] = sign) -> tuple[Vector, ...]:
     """The rows of the orthogonal matrix of one of these isometries; the axes have to span space.
 
     It is the sum of e'_i times (e_j x e_k)/(e_i, e_j, e_k), cyclic, over three axes with the images e'_i.

@@ -16,6 +16,8 @@ from symcheck.reading.tree import Name
 if TYPE_CHECKING:
     from lark import Lark
 
+ParseNode = Any  # a Tree of lark, with `data` and `children`, or a Token, whose `value` is a Lexeme
+
 GRAMMAR = r"""
 start: listing
 listing: entry (separator entry)*
@@ -50,7 +52,7 @@ def _lark() -> Lark:
     return Lark(GRAMMAR, parser="lalr", lexer="basic")
 
 
-def parse(source: str, lexemes: list[Lexeme]) -> Any:
+def parse(source: str, lexemes: list[Lexeme]) -> ParseNode:
     """lark's tree of a token list; SymcheckError at the first token that does not fit."""
     from lark import Token, UnexpectedInput
 

@@ -686,7 +686,7 @@ class Lowering:
             )
 
 
-def _names(tree: Any) -> Iterator[str]:
+def _names(tree: object) -> Iterator[str]:
     """Every name in a term or in formulas, those of functions too."""
     if isinstance(tree, str):
         yield tree

@@ -7,7 +7,6 @@ import re
 from collections.abc import Container, Iterable, Iterator
 from dataclasses import dataclass
 from functools import cache
-from typing import Any
 
 from symcheck.core.verdicts import SymcheckError
 from symcheck.reading import tex
@@ -328,7 +327,7 @@ class Notation:
         close = difflib.get_close_matches(latex, [*self._spellings, *self._index], n=1, cutoff=cutoff)
         return close[0] if close else ""
 
-    def refuse_undefined(self, defined: Container[str], *values: Any) -> None:
+    def refuse_undefined(self, defined: Container[str], *values: object) -> None:
         """SymcheckError for a named letter under a derivative, integral or mean that no definition gives a value."""
         for value in values:
             if found := self._undefined(value, defined, inside=False):
@@ -337,7 +336,7 @@ class Notation:
                     "or declare it without named"
                 )
 
-    def _undefined(self, value: Any, defined: Container[str], *, inside: bool) -> str | None:
+    def _undefined(self, value: object, defined: Container[str], *, inside: bool) -> str | None:
         if isinstance(value, str):
             letter = self.owner(value) if inside and value not in defined else None
             return letter.latex if letter and letter.named else None

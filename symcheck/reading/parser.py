@@ -11,7 +11,7 @@ from typing import Any
 
 from symcheck.core.verdicts import SymcheckError
 from symcheck.reading import tex
-from symcheck.reading.grammar import parse
+from symcheck.reading.grammar import ParseNode, parse
 from symcheck.reading.lexer import Lexer
 from symcheck.reading.notation import Letter, Notation
 from symcheck.reading.printing import to_latex
@@ -149,11 +149,11 @@ class Builder:
     def fail(self, at: int, message: str) -> SymcheckError:
         return tex.fault(self.source, at, message)
 
-    def build(self, node: Any) -> Any:
+    def build(self, node: ParseNode) -> Any:
         """The result of one grammar rule."""
         return getattr(self, f"on_{node.data}")(node.children)
 
-    def statement(self, node: Any) -> Tree:
+    def statement(self, node: ParseNode) -> Tree:
         tree = self.checked(self.statement_of(self.build(node.children[0])), 0)
         self.refuse_signs(tree)
         return tree
@@ -172,13 +172,13 @@ class Builder:
 
     # -- lists and statements ------------------------------------------------------------------------------------
 
-    def on_listing(self, nodes: list[Any]) -> Listing:
+    def on_listing(self, nodes: list[ParseNode]) -> Listing:
         entries = [self.build(node) for node in nodes[0::2]]
         separators = [node.children[0] for node in nodes[1::2]]
         wide = [len(node.children) > 1 or node.children[0].value.value != "," for node in nodes[1::2]]
         return Listing(entries, [separator.type for separator in separators], _place(nodes[0]), wide)
 
-    def on_entry(self, nodes: list[Any]) -> tuple[str, Tree]:
+    def on_entry(self, nodes: list[ParseNode]) -> tuple[str, Tree]:
         label = nodes.pop(0).value.value if not hasattr(nodes[0], "data") else ""
         tree = self.checked(self.build(nodes[0]), _place(nodes[0]))
         return label, Located(self.term_of(nodes[0]), self.build(nodes[2])) if len(nodes) > 1 else tree
@@ -366,19 +366,19 @@ class Builder:
 
     # -- logic ---------------------------------------------------------------------------------------------------
 
-    def on_exists(self, nodes: list[Any]) -> Tree:
+    def on_exists(self, nodes: list[ParseNode]) -> Tree:
         if getattr(nodes[-1], "data", "") == "implies":
             at = nodes[0].value.at
             raise self.fail(at, r"does \exists hold for the premise alone or for the whole implication? write brackets")
         names = tuple(node.value.value for node in nodes[1:-1] if node.type == "NAME")
         return Exists(names, self.claim(nodes[-1]))
 
-    def on_iff(self, nodes: list[Any]) -> Tree:
+    def on_iff(self, nodes: list[ParseNode]) -> Tree:
         if "implies" in (nodes[0].data, nodes[2].data):
             raise self.fail(nodes[1].value.at, r"\Leftrightarrow beside \Rightarrow is ambiguous; write brackets")
         return Iff(self.claim(nodes[0]), self.claim(nodes[2]))
 
-    def on_implies(self, nodes: list[Any]) -> Tree:
+    def on_implies(self, nodes: list[ParseNode]) -> Tree:
         if nodes[2].data == "implies":
             raise self.fail(
                 nodes[1].value.at,
@@ -386,24 +386,24 @@ class Builder:
             )
         return Implies(self.claim(nodes[0]), self.claim(nodes[2]))
 
-    def on_either(self, nodes: list[Any]) -> Tree:
+    def on_either(self, nodes: list[ParseNode]) -> Tree:
         return Or(tuple(self.claim(node) for node in nodes[0::2]))
 
-    def on_both(self, nodes: list[Any]) -> Tree:
+    def on_both(self, nodes: list[ParseNode]) -> Tree:
         return And(tuple(self.claim(node) for node in nodes[0::2]))
 
-    def claim(self, node: Any) -> Tree:
+    def claim(self, node: ParseNode) -> Tree:
         """Something true or false."""
         tree: Tree = self.build(node)
         if not isinstance(tree, STATEMENTS):
             raise self.fail(_place(node), "a relation is expected here, not an expression")
         return tree
 
-    def on_chain(self, nodes: list[Any]) -> Tree:
+    def on_chain(self, nodes: list[ParseNode]) -> Tree:
         members = tuple(self.term_of(node) for node in nodes[0::2])
         return Chain(members, tuple(node.value.value for node in nodes[1::2]))
 
-    def term_of(self, node: Any) -> Tree:
+    def term_of(self, node: ParseNode) -> Tree:
         """An expression: neither a relation nor half a derivative."""
         tree: Tree = self.build(node)
         return self.checked(tree, _place(node), statements=False)
@@ -417,7 +417,7 @@ class Builder:
 
     # -- expressions ---------------------------------------------------------------------------------------------
 
-    def on_sum(self, nodes: list[Any]) -> Tree:
+    def on_sum(self, nodes: list[ParseNode]) -> Tree:
         negative = nodes[0].data == "term" if hasattr(nodes[0], "data") else True
         signs = ["PLUS"] if negative and hasattr(nodes[0], "data") else []
         signs += [node.value.value if node.type == "PM" else node.type for node in nodes if not hasattr(node, "data")]
@@ -432,7 +432,7 @@ class Builder:
         signed = tuple(_signed(sign, term) for sign, term in zip(signs, terms, strict=True))
         return signed[0] if len(signed) == 1 else Add(signed)
 
-    def on_term(self, nodes: list[Any]) -> Tree:
+    def on_term(self, nodes: list[ParseNode]) -> Tree:
         left = self.items(nodes[0])
         if len(nodes) == 1:
             return self.product(left)
@@ -462,7 +462,7 @@ class Builder:
                 at, "a derivative, or a quotient by the letter d? write the d elsewhere, or name the letter D"
             )
 
-    def items(self, node: Any) -> list[Item]:
+    def items(self, node: ParseNode) -> list[Item]:
         return [self.build(n) if hasattr(n, "data") else Item("dot", n.value.at) for n in node.children]
 
     def plain(self, items: list[Item]) -> Tree:
@@ -809,7 +809,7 @@ class Builder:
 
     # -- factors -------------------------------------------------------------------------------------------------
 
-    def on_item(self, nodes: list[Any]) -> Item:
+    def on_item(self, nodes: list[ParseNode]) -> Item:
         item: Item = self.build(nodes[0])
         if len(nodes) > 1:
             item.postfix = nodes[1].type
@@ -825,7 +825,7 @@ class Builder:
                 raise self.fail(item.at, "a power of a derivative without its function")
         return item
 
-    def on_primary(self, nodes: list[Any]) -> Item:
+    def on_primary(self, nodes: list[ParseNode]) -> Item:
         head = nodes[0]
         if hasattr(head, "data"):
             return Item("atom", _place(head), MatrixOf(self.rows(nodes, _place(head))))
@@ -834,64 +834,64 @@ class Builder:
         item: Item = make(nodes, at)
         return item
 
-    def from_number(self, nodes: list[Any], at: int) -> Item:
+    def from_number(self, nodes: list[ParseNode], at: int) -> Item:
         return Item("atom", at, Number(nodes[0].value.value))
 
-    def from_name(self, nodes: list[Any], at: int) -> Item:
+    def from_name(self, nodes: list[ParseNode], at: int) -> Item:
         return Item("atom", at, nodes[0].value.value)
 
-    def from_fn(self, nodes: list[Any], at: int) -> Item:
+    def from_fn(self, nodes: list[ParseNode], at: int) -> Item:
         return Item("function", at, name=nodes[0].value.value)
 
-    def from_d(self, nodes: list[Any], at: int) -> Item:
+    def from_d(self, nodes: list[ParseNode], at: int) -> Item:
         return Item("d", at, partial=nodes[0].value.value.letter == r"\partial")
 
-    def from_dots(self, nodes: list[Any], at: int) -> Item:
+    def from_dots(self, nodes: list[ParseNode], at: int) -> Item:
         return Item("atom", at, Dots())
 
-    def from_lpar(self, nodes: list[Any], at: int) -> Item:
+    def from_lpar(self, nodes: list[ParseNode], at: int) -> Item:
         return Item("group", at, listing=self.build(nodes[1]))
 
-    def from_lbra(self, nodes: list[Any], at: int) -> Item:
+    def from_lbra(self, nodes: list[ParseNode], at: int) -> Item:
         return Item("atom", at, self.bracketed(self.build(nodes[1]), "[]"), square=True)
 
-    def from_lhalf(self, nodes: list[Any], at: int) -> Item:
+    def from_lhalf(self, nodes: list[ParseNode], at: int) -> Item:
         return Item("atom", at, self.bracketed(self.build(nodes[1]), nodes[0].value.value))
 
-    def from_infinity(self, nodes: list[Any], at: int) -> Item:
+    def from_infinity(self, nodes: list[ParseNode], at: int) -> Item:
         return Item("atom", at, Infinity())
 
-    def from_langle(self, nodes: list[Any], at: int) -> Item:
+    def from_langle(self, nodes: list[ParseNode], at: int) -> Item:
         return Item("atom", at, Mean(self.term_of(nodes[1]), nodes[2].value.value))
 
-    def from_int(self, nodes: list[Any], at: int) -> Item:
+    def from_int(self, nodes: list[ParseNode], at: int) -> Item:
         return Item("integral", at, bounds=((), self.term_of(nodes[2]), self.term_of(nodes[5])))
 
-    def from_lset(self, nodes: list[Any], at: int) -> Item:
+    def from_lset(self, nodes: list[ParseNode], at: int) -> Item:
         return Item("atom", at, self.bracketed(self.build(nodes[1]), "{}"))
 
-    def from_lbar(self, nodes: list[Any], at: int) -> Item:
+    def from_lbar(self, nodes: list[ParseNode], at: int) -> Item:
         return Item("atom", at, Bars(self.term_of(nodes[1])))
 
-    def from_lnorm(self, nodes: list[Any], at: int) -> Item:
+    def from_lnorm(self, nodes: list[ParseNode], at: int) -> Item:
         return Item("atom", at, ElementsOf(self.term_of(nodes[1])))
 
-    def from_sqrt(self, nodes: list[Any], at: int) -> Item:
+    def from_sqrt(self, nodes: list[ParseNode], at: int) -> Item:
         return Item("fraction", at, Sqrt(self.term_of(nodes[2])))
 
-    def from_diag(self, nodes: list[Any], at: int) -> Item:
+    def from_diag(self, nodes: list[ParseNode], at: int) -> Item:
         return Item("atom", at, Diag(self.entries(self.build(nodes[2]))))
 
-    def from_mbegin(self, nodes: list[Any], at: int) -> Item:
+    def from_mbegin(self, nodes: list[ParseNode], at: int) -> Item:
         return Item("atom", at, MatrixOf(self.rows(nodes, at)))
 
-    def rows(self, nodes: list[Any], at: int) -> tuple[tuple[Tree, ...], ...]:
+    def rows(self, nodes: list[ParseNode], at: int) -> tuple[tuple[Tree, ...], ...]:
         rows = [node.children for node in nodes if hasattr(node, "data")]
         if len({len(row) for row in rows}) > 1:
             raise self.fail(at, "the rows of this matrix differ in length")
         return tuple(tuple(self.term_of(cell) for cell in row[0::2]) for row in rows)
 
-    def from_frac(self, nodes: list[Any], at: int) -> Item:
+    def from_frac(self, nodes: list[ParseNode], at: int) -> Item:
         top, bottom = self.build(nodes[2]), self.build(nodes[5])
         if not isinstance(bottom, Differential):
             top = self.checked(top, at, statements=False)
@@ -906,7 +906,7 @@ class Builder:
             raise self.fail(at, "the orders of this derivative do not agree")
         return Item("operator", at, variables=variables, partial=top.partial)
 
-    def from_sum(self, nodes: list[Any], at: int) -> Item:
+    def from_sum(self, nodes: list[ParseNode], at: int) -> Item:
         listing: Listing = self.build(nodes[2])
         trees = [tree for _, tree in listing.entries]
         high = self.term_of(nodes[5]) if len(nodes) > 4 else None
@@ -931,7 +931,7 @@ def _is_signed(tree: Tree) -> bool:
     return any(isinstance(node, PlusMinus) for _, node in walk(tree))
 
 
-def _place(node: Any) -> int:
+def _place(node: ParseNode) -> int:
     while hasattr(node, "data"):
         node = node.children[0]
     at: int = node.value.at

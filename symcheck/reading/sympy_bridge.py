@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from symcheck.core.terms import INFINITY, MINUS_INFINITY, PI, Binder, Call, Term, node
 from symcheck.core.verdicts import SymcheckError
@@ -74,7 +74,7 @@ def _applied(name: str, orders: tuple[int, ...], *arguments: Term) -> Expr:
     return sympy.Subs(slope, tuple(places), tuple(values))
 
 
-def _derivative(body: Expr, variable: Any, order: int) -> Expr:
+def _derivative(body: Expr, variable: Expr, order: int) -> Expr:
     """The derivative taken, or left standing where the body is a bare name that may depend on the variable."""
     import sympy
 
@@ -84,7 +84,7 @@ def _derivative(body: Expr, variable: Any, order: int) -> Expr:
     return result
 
 
-def from_sympy(expr: Any) -> Term:
+def from_sympy(expr: Expr) -> Term:
     """The term of a SymPy expression; SymcheckError for what has no exact term, such as floats."""
     import sympy
     from sympy.core.function import AppliedUndef
@@ -119,15 +119,15 @@ def from_sympy(expr: Any) -> Term:
     raise SymcheckError(f"{expr} has no exact term; only rational expressions, powers and elementary functions have")
 
 
-def _call(expr: Any) -> Term | None:
+def _call(expr: Expr) -> Term | None:
     """The term of an undefined function, or of its derivatives by its arguments; None for other derivatives."""
     import sympy
     from sympy.core.function import AppliedUndef
 
-    at: dict[Any, Any] = {}
+    at: dict[Expr, Expr] = {}
     if isinstance(expr, sympy.Subs):
         at, expr = dict(zip(expr.variables, expr.point, strict=True)), expr.expr
-    counts: dict[Any, int] = {}
+    counts: dict[Expr, int] = {}
     if isinstance(expr, sympy.Derivative):
         counts, expr = {by: int(order) for by, order in expr.variable_count}, expr.expr
     if not isinstance(expr, AppliedUndef) or expr.func.__name__ == "mean":
@@ -138,7 +138,7 @@ def _call(expr: Any) -> Term | None:
     return node("call", expr.func.__name__, orders, *(from_sympy(argument.xreplace(at)) for argument in expr.args))
 
 
-def _bound(expr: Any) -> Term:
+def _bound(expr: Expr) -> Term:
     import sympy
 
     if expr == sympy.oo:
@@ -146,7 +146,7 @@ def _bound(expr: Any) -> Term:
     return MINUS_INFINITY if expr == -sympy.oo else from_sympy(expr)
 
 
-def _product(expr: Any) -> Term:
+def _product(expr: Expr) -> Term:
     import sympy
 
     sign, factors = "", list(expr.args)
@@ -158,7 +158,7 @@ def _product(expr: Any) -> Term:
     return node("-", product) if sign else product
 
 
-def _power(expr: Any) -> Term:
+def _power(expr: Expr) -> Term:
     import sympy
 
     base, exponent = expr.args
@@ -172,5 +172,5 @@ def _power(expr: Any) -> Term:
     return node("pow", from_sympy(base), from_sympy(exponent))
 
 
-def _positive_power(base: Any, exponent: int) -> Term:
+def _positive_power(base: Expr, exponent: int) -> Term:
     return from_sympy(base) if exponent == 1 else node("^", from_sympy(base), exponent)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass, fields
-from typing import Any, TypeVar
+from typing import TypeVar
 
 T = TypeVar("T", bound="Tree")
 
@@ -287,7 +287,7 @@ def children(tree: Tree) -> tuple[Tree, ...]:
     return tuple(_trees([getattr(tree, f.name) for f in fields(tree)]))  # type: ignore[arg-type]
 
 
-def _trees(value: Any) -> Iterator[Tree]:
+def _trees(value: object) -> Iterator[Tree]:
     if isinstance(value, Tree):
         yield value
     elif isinstance(value, list | tuple):
@@ -299,7 +299,7 @@ def with_children(tree: T, new: tuple[Tree, ...]) -> T:
     """The same node over other children, given in the order of `children`."""
     supply = iter(new)
 
-    def swap(value: Any) -> Any:
+    def swap(value: object) -> object:
         if isinstance(value, Tree):
             return next(supply)
         return tuple(map(swap, value)) if isinstance(value, tuple) else value

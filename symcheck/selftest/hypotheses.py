@@ -11,8 +11,8 @@ from random import Random
 
 from symcheck import papers
 from symcheck.audit.judge import judge
+from symcheck.audit.needs import listed, weighed
 from symcheck.audit.obligation import expand
-from symcheck.audit.repair import needs
 from symcheck.core.claims import Hypothesis
 from symcheck.core.verdicts import SymcheckError, Verdict
 from symcheck.reading import System, Tree, read, to_latex
@@ -46,8 +46,9 @@ def having(original: Proved, added: Hypothesis) -> Fate:
         return Fate.REJECTED  # it speaks of letters that are unknown here
     if told_of(context, unit, finding) is not Verdict.PROVED:
         return Fate.REJECTED
-    told = next(row for row in needs(finding, item, ()) if row["name"] == added.name)
-    return {False: Fate.REJECTED, None: Fate.OPEN, True: Fate.ACCEPTED}[told["needed"]]
+    proved = [*zip(finding.concrete, finding.certificates, strict=True)]
+    row = next(row for row in listed(item, ()) if row["name"] == added.name)
+    return {False: Fate.REJECTED, None: Fate.OPEN, True: Fate.ACCEPTED}[weighed(row, proved, item)["needed"]]
 
 
 def contradicted(original: Proved, contrary: Hypothesis) -> Fate:

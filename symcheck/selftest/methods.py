@@ -21,7 +21,6 @@ from unittest.mock import patch
 
 from symcheck import papers
 from symcheck.audit import decide, judge, run
-from symcheck.audit import repair as errata
 from symcheck.audit.cache import FILE, Cache
 from symcheck.audit.context import Context
 from symcheck.audit.executor import Serial
@@ -32,10 +31,10 @@ from symcheck.checker.statements import Index as StatementIndex
 from symcheck.core.calculus import letters
 from symcheck.core.claims import Outcome, Problem
 from symcheck.core.terms import JSON, node
-from symcheck.core.verdicts import Certificate, Loss, Role, SymcheckError, Verdict
+from symcheck.core.verdicts import Certificate, Role, SymcheckError, Verdict
 from symcheck.ledger import store
 from symcheck.ledger.record import Record
-from symcheck.proof import Without, certificate, fails_at, identity
+from symcheck.proof import fails_at, identity
 from symcheck.proof.polynomial import unfold
 from symcheck.reading import read
 from symcheck.selftest.statements import declared
@@ -142,27 +141,17 @@ def _point(saboteur: Decide, problem: Problem) -> Certificate | None:
     return _answer(saboteur, problem).point
 
 
-def _loss(saboteur: Decide, problem: Problem) -> Without | None:
-    outcome = _answer(saboteur, problem)
-    if outcome.verdict is not Verdict.REFUTED:
-        return None
-    return Without(Loss.TRUTH, certificate(problem, outcome))
-
-
 @contextmanager
 def sabotaged(saboteur: Decide) -> Iterator[None]:
     """All methods and provers of the ledger are the saboteur."""
     method = Context.method
-    answer, proof = partial(_answer, saboteur), partial(_proof, saboteur)
-    point, loss = partial(_point, saboteur), partial(_loss, saboteur)
+    answer, proof, point = partial(_answer, saboteur), partial(_proof, saboteur), partial(_point, saboteur)
     with (
         _forgetful(),
         patch.object(Context, "method", lambda context, letter: replace(method(context, letter), decide=answer)),
         patch.object(judge, "proof_of", proof),
         patch.object(judge, "refute", point),
         patch.object(judge, "_is_vacuous", lambda *_: False),
-        patch.object(errata, "proof_of", proof),
-        patch.object(errata, "fails_without", loss),
     ):
         yield
 
@@ -196,7 +185,8 @@ def told(id: str, folder: Path | None = None, decider: Any = decide) -> list[Rec
     said: list[str] = []
     kept = Cache(folder, said.append)
     try:
-        return run.audit([id], papers=papers.load(), decide=decider, cache=kept, executor=Serial(), timeout=LIMIT)
+        known, serial = papers.load(), Serial()
+        return run.audit([id], papers=known, decide=decider, cache=kept, executor=serial, timeout=LIMIT, weigh=False)
     finally:
         kept.close()
 
@@ -206,6 +196,7 @@ class Relabelling:
 
     expand = staticmethod(decide.expand)
     fingerprint = staticmethod(decide.fingerprint)
+    weigh = staticmethod(decide.weigh)
 
     @staticmethod
     def decide(id: str) -> tuple[Record, ...]:

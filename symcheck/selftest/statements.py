@@ -108,7 +108,7 @@ def fate(original: Proved, edit: Edit) -> Fate:
     compared with the printed one. Not told as proved, it is a fault if it fails somewhere. All else is left open.
     """
     try:
-        changed = _changed(original, edit)
+        changed = with_slip(original, edit)
         if _is_read_alike(original, changed, edit):
             return Fate.ACCEPTED  # the reader drops the slip
         if edit.kind != EQUALITY and says_the_same(original, changed):
@@ -123,7 +123,7 @@ def fate(original: Proved, edit: Edit) -> Fate:
     return Fate.REJECTED if told is Verdict.REFUTED or is_false(original, finding) else Fate.OPEN
 
 
-def _changed(original: Proved, edit: Edit) -> Proved:
+def with_slip(original: Proved, edit: Edit) -> Proved:
     """The relation with a slip, printed and read again."""
     context, unit, given, _ = original
     latex = to_latex(edit.tree)

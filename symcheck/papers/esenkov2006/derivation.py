@@ -7,26 +7,29 @@ oscillator equation for each mode, driven by the angular acceleration. Nothing p
 from __future__ import annotations
 
 from functools import cache
-from typing import Any
+from typing import TYPE_CHECKING
 
 from symcheck.core.lazy import lazy
 from symcheck.mechanics import inertia
+
+if TYPE_CHECKING:
+    from sympy import Expr
 
 sp = lazy("sympy")
 
 CLOCKWISE, ANTICLOCKWISE = -1, 1  # Omega = Omega_x - i Omega_y, Omega = Omega_x + i Omega_y
 
 
-def _real(name: str) -> Any:
+def _real(name: str) -> Expr:
     return sp.Symbol(name, real=True)
 
 
-def _mode(letter: str, n: int) -> Any:
+def _mode(letter: str, n: int) -> Expr:
     return _real(f"{letter}_{n}")
 
 
 @cache
-def momentum_law(sense: int) -> tuple[Any, Any, Any, Any]:
+def momentum_law(sense: int) -> tuple[Expr, Expr, Expr, Expr]:
     """Coefficients (of Omega', i Omega, k', i k) in the linearised law of angular momentum without torque.
 
     The transverse components are joined as Omega = Omega_x + sense i Omega_y; k is the angular momentum of the liquid
@@ -51,14 +54,14 @@ def momentum_law(sense: int) -> tuple[Any, Any, Any, Any]:
     return found[0], found[1], found[2], found[3]
 
 
-def signs_of_the_momentum_law(sense: int) -> dict[str, Any]:
+def signs_of_the_momentum_law(sense: int) -> dict[str, Expr]:
     """The coefficients of i Omega and of i k as g and h."""
     _, spin, _, liquid = momentum_law(sense)
     return {"g": spin, "h": liquid}
 
 
 @cache
-def _amplitude_equation(modes: int, sense: int, direction: int) -> Any:
+def _amplitude_equation(modes: int, sense: int, direction: int) -> Expr:
     """What the law becomes for e^{pt}, p = direction i eta, with the amplitudes of the modes eliminated, divided by
     direction i. Mode n: N_n^2 (S_n' - p_n S_n) + chi_n Omega' = 0 with p_n = direction i lambda_n, k = sum a_n S_n."""
     acceleration, spin, change, liquid = momentum_law(sense)
@@ -73,17 +76,17 @@ def _amplitude_equation(modes: int, sense: int, direction: int) -> Any:
     return sum((sp.factor(sp.simplify(addend / unit)) for addend in sp.Add.make_args(total)), sp.Integer(0))
 
 
-def characteristic_equation(modes: int) -> tuple[Any, ...]:
+def characteristic_equation(modes: int) -> tuple[Expr, ...]:
     """Left side of the characteristic equation for p = i eta, Omega = Omega_x - i Omega_y."""
     return (_amplitude_equation(modes, CLOCKWISE, 1),)
 
 
-def mode_inertias(modes: int = 3) -> dict[str, Any]:
+def mode_inertias(modes: int = 3) -> dict[str, Expr]:
     """E_n = a_n chi_n / N_n^2."""
     return {f"E_{n}": _mode("a", n) * _mode("chi", n) / _mode("N", n) ** 2 for n in range(1, modes + 1)}
 
 
-def anticlockwise_characteristic_equations() -> dict[str, Any]:
+def anticlockwise_characteristic_equations() -> dict[str, Expr]:
     """One mode and Omega = Omega_x + i Omega_y, the convention whose law has i(A - C): F with p = i eta, G with -i eta."""
     forward, backward = (_amplitude_equation(1, ANTICLOCKWISE, direction) for direction in (1, -1))
     return {**mode_inertias(1), "F": forward, "G": backward}
@@ -93,7 +96,7 @@ def anticlockwise_characteristic_equations() -> dict[str, Any]:
 
 
 @cache
-def characteristic_function(modes: int) -> Any:
+def characteristic_function(modes: int) -> Expr:
     """The same left side in E_n."""
     [equation] = characteristic_equation(modes)
     inverse = {_mode("a", n): _mode("E", n) * _mode("N", n) ** 2 / _mode("chi", n) for n in range(1, modes + 1)}
@@ -101,47 +104,47 @@ def characteristic_function(modes: int) -> Any:
 
 
 @cache
-def characteristic_polynomial(modes: int) -> Any:
+def characteristic_polynomial(modes: int) -> Expr:
     """The left side times all eta - lambda_n."""
     product = sp.prod([_real("eta") - _mode("lambda", n) for n in range(1, modes + 1)])
     return sp.expand(sp.cancel(characteristic_function(modes) * product))
 
 
-def quadratic() -> tuple[Any, ...]:
+def quadratic() -> tuple[Expr, ...]:
     """One mode: the polynomial of degree two."""
     return (characteristic_polynomial(1),)
 
 
 @cache
-def discriminant() -> Any:
+def discriminant() -> Expr:
     """Its discriminant in eta."""
     return sp.expand(sp.discriminant(characteristic_polynomial(1), _real("eta")))
 
 
-def stability_boundary() -> tuple[Any, ...]:
+def stability_boundary() -> tuple[Expr, ...]:
     """The discriminant, zero at the boundary of stability."""
     return (discriminant(),)
 
 
-def stability_boundary_by_spin() -> tuple[Any, ...]:
+def stability_boundary_by_spin() -> tuple[Expr, ...]:
     """The discriminant divided by the square of the spin."""
     return (sp.expand(discriminant() / _real("omega_0") ** 2),)
 
 
 @cache
-def boundary_in_delta() -> tuple[Any, ...]:
+def boundary_in_delta() -> tuple[Expr, ...]:
     """The same in Delta = C - A and b_1 = lambda_1 / omega_0."""
     [boundary] = stability_boundary_by_spin()
     values = {_real("C"): _real("A") + _real("Delta"), _real("lambda_1"): _real("b_1") * _real("omega_0")}
     return (sp.expand(boundary.subs(values)),)
 
 
-def discriminant_in_eta() -> dict[str, Any]:
+def discriminant_in_eta() -> dict[str, Expr]:
     """D, the discriminant of the quadratic in eta."""
     return {"D": discriminant()}
 
 
-def discriminant_in_delta() -> dict[str, Any]:
+def discriminant_in_delta() -> dict[str, Expr]:
     """D, the discriminant of the boundary as a quadratic in Delta."""
     return {"D": sp.expand(sp.discriminant(boundary_in_delta()[0], _real("Delta")))}
 
@@ -149,29 +152,29 @@ def discriminant_in_delta() -> dict[str, Any]:
 # --- roots that are not real
 
 
-def _at_complex_frequency(function: Any) -> Any:
+def _at_complex_frequency(function: Expr) -> Expr:
     x, y = _real("x"), _real("y")
     return function.subs(_real("eta"), x + sp.I * y)
 
 
-def quadratic_at_complex_frequency() -> dict[str, Any]:
+def quadratic_at_complex_frequency() -> dict[str, Expr]:
     """Real part u and imaginary part v of the quadratic at x + i y."""
     u, v = sp.expand(_at_complex_frequency(characteristic_polynomial(1))).as_real_imag()
     return {"u": u, "v": v}
 
 
-def _imaginary_part(function: Any) -> Any:
+def _imaginary_part(function: Expr) -> Expr:
     """Imaginary part at x + i y, fraction by fraction."""
     parts = [sp.factor(_at_complex_frequency(addend)) for addend in sp.Add.make_args(function)]
     return sum((sp.factor(sp.im(sp.expand_complex(part))) for part in parts), sp.Integer(0))
 
 
-def imaginary_part(modes: int) -> dict[str, Any]:
+def imaginary_part(modes: int) -> dict[str, Expr]:
     """The imaginary part u of the characteristic function at x + i y."""
     return {"u": _imaginary_part(characteristic_function(modes))}
 
 
-def imaginary_part_of_the_poles(modes: int) -> dict[str, Any]:
+def imaginary_part_of_the_poles(modes: int) -> dict[str, Expr]:
     """The imaginary part v of the characteristic function divided by eta (eta - omega_0)."""
     eta = _real("eta")
     divided = [
@@ -184,19 +187,19 @@ def imaginary_part_of_the_poles(modes: int) -> dict[str, Any]:
 # --- several modes
 
 
-def left_side(modes: int) -> dict[str, Any]:
+def left_side(modes: int) -> dict[str, Expr]:
     """The characteristic function as F."""
     return {"F": characteristic_function(modes)}
 
 
-def values_at_natural_frequencies(modes: int) -> dict[str, Any]:
+def values_at_natural_frequencies(modes: int) -> dict[str, Expr]:
     """P_k, the characteristic polynomial at eta = lambda_k, and its leading coefficient L."""
     polynomial, eta = characteristic_polynomial(modes), _real("eta")
     values = {f"P_{k}": sp.factor(polynomial.subs(eta, _mode("lambda", k))) for k in range(1, modes + 1)}
     return {**values, "L": sp.LC(polynomial, eta)}
 
 
-def minus_residues(modes: int) -> dict[str, Any]:
+def minus_residues(modes: int) -> dict[str, Expr]:
     """R_n, minus the residue of the characteristic function at eta = lambda_n."""
     values = values_at_natural_frequencies(modes)
     return {
@@ -208,7 +211,7 @@ def minus_residues(modes: int) -> dict[str, Any]:
     }
 
 
-def two_neighbouring_poles() -> dict[str, Any]:
+def two_neighbouring_poles() -> dict[str, Expr]:
     """V_k: R_1/(lambda_1 - eta) + R_2/(lambda_2 - eta) + h times (eta - lambda_1)(eta - lambda_2) at eta = lambda_k."""
     eta, first, second = _real("eta"), _mode("lambda", 1), _mode("lambda", 2)
     function = _real("R_1") / (first - eta) + _real("R_2") / (second - eta) + _real("h")
@@ -219,25 +222,25 @@ def two_neighbouring_poles() -> dict[str, Any]:
 # --- one mode, for kernels
 
 
-def characteristic_coefficients() -> dict[str, Any]:
+def characteristic_coefficients() -> dict[str, Expr]:
     """Coefficients c_2, c_1, c_0 of the quadratic in eta."""
     values = sp.Poly(characteristic_polynomial(1), _real("eta")).all_coeffs()
     return {f"c_{power}": value for power, value in zip((2, 1, 0), values, strict=True)}
 
 
-def _root(square: Any, *factors: Any) -> Any:
+def _root(square: Expr, *factors: Expr) -> Expr:
     """The root of something non-negative, with the roots of some of its non-negative factors apart."""
     return sp.prod(map(sp.sqrt, factors)) * sp.sqrt(sp.factor(square / sp.prod(factors)))
 
 
 @cache
-def _boundary_roots() -> tuple[Any, Any]:
+def _boundary_roots() -> tuple[Expr, Expr]:
     """The mean of the roots of the boundary as a quadratic in Delta, and the square of half their difference."""
     one, linear, _ = sp.Poly(boundary_in_delta()[0], _real("Delta")).all_coeffs()
     return -linear / (2 * one), discriminant_in_delta()["D"] / (2 * one) ** 2
 
 
-def boundary_roots() -> dict[str, Any]:
+def boundary_roots() -> dict[str, Expr]:
     """These roots, Delta_1 the greater and Delta_2, and their distance."""
     mean, square = _boundary_roots()
     half = _root(square, _real("E_1"), _real("b_1"), 1 - _real("b_1"))
@@ -245,7 +248,7 @@ def boundary_roots() -> dict[str, Any]:
 
 
 @cache
-def _frequencies() -> tuple[Any, Any, Any]:
+def _frequencies() -> tuple[Expr, Expr, Expr]:
     """In units of the spin: the mean of the two frequencies, and e and b where half their difference is sqrt(b) / e."""
     values = {_real("C"): _real("A") + _real("Delta"), _real("lambda_1"): _real("b_1") * _real("omega_0")}
     two, one, _ = (sp.factor(value.subs(values)) for value in characteristic_coefficients().values())
@@ -253,7 +256,7 @@ def _frequencies() -> tuple[Any, Any, Any]:
     return sp.cancel(-one / (2 * two * _real("omega_0"))), 2 * two, boundary
 
 
-def frequencies() -> dict[str, Any]:
+def frequencies() -> dict[str, Expr]:
     """eta_1 and eta_2, the roots of the quadratic in eta."""
     mean, divisor, boundary = _frequencies()
     half = sp.sqrt(boundary) / divisor
@@ -261,7 +264,7 @@ def frequencies() -> dict[str, Any]:
 
 
 @cache
-def critical_frequencies() -> dict[str, Any]:
+def critical_frequencies() -> dict[str, Expr]:
     """The double frequencies eta_1 at Delta_1 and eta_2 at Delta_2; the greater Delta has the lesser one."""
     delta, spin, (mean, square) = _real("Delta"), _real("omega_0"), _boundary_roots()
     frequency = _frequencies()[0]
@@ -270,7 +273,7 @@ def critical_frequencies() -> dict[str, Any]:
 
 
 @cache
-def greatest_growth_rate() -> dict[str, Any]:
+def greatest_growth_rate() -> dict[str, Expr]:
     """y, the imaginary part of the frequencies midway between Delta_1 and Delta_2, where the boundary is least."""
     _, divisor, boundary = _frequencies()
     least = boundary.subs(_real("Delta"), _boundary_roots()[0])

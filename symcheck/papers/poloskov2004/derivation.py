@@ -8,10 +8,13 @@ those of the lowered statements.
 from __future__ import annotations
 
 from functools import cache
-from typing import Any
+from typing import TYPE_CHECKING
 
 from symcheck.core.lazy import lazy
 from symcheck.mechanics import inertia, rotation
+
+if TYPE_CHECKING:
+    from sympy import Expr, Matrix
 
 sp = lazy("sympy")
 
@@ -19,27 +22,27 @@ AXES = (1, 2, 3)
 NOISES = (1, 2, 3, 4, 5, 6)
 
 
-def _symbol(name: str) -> Any:
+def _symbol(name: str) -> Expr:
     return sp.Symbol(name, real=True)
 
 
-def _symbols(names: str) -> tuple[Any, ...]:
+def _symbols(names: str) -> tuple[Expr, ...]:
     return tuple(_symbol(name) for name in names.split())
 
 
-def _numbered(letter: str, values: Any) -> dict[str, Any]:
+def _numbered(letter: str, values: Expr) -> dict[str, Expr]:
     """The values by name, `letter`_1, `letter`_2, ..."""
     return {f"{letter}_{i}": value for i, value in enumerate(values, 1)}
 
 
-def _vector(letter: str) -> Any:
+def _vector(letter: str) -> Matrix:
     return sp.Matrix([_symbol(f"{letter}_{i}") for i in AXES])
 
 
 # --- equations of motion
 
 
-def gyroscopic_terms() -> dict[str, Any]:
+def gyroscopic_terms() -> dict[str, Expr]:
     """f_1 to f_3 of x' + f = 0, the free motion of a body with moments A, A, C, and k = (A - C)/A."""
     equatorial, polar = _symbols("A C")
     tensor = sp.diag(equatorial, equatorial, polar)
@@ -47,12 +50,12 @@ def gyroscopic_terms() -> dict[str, Any]:
     return {**_numbered("f", tensor.inv() * residual), "k": (equatorial - polar) / equatorial, "B": equatorial}
 
 
-def _gyroscopic() -> Any:
+def _gyroscopic() -> Matrix:
     k, x = _symbol("k"), _vector("x")
     return sp.Matrix([-k * x[1] * x[2], k * x[2] * x[0], 0])
 
 
-def _torques() -> tuple[Any, ...]:
+def _torques() -> tuple[Matrix, ...]:
     """What multiplies 1, xi_1 to xi_3, eta_1 to eta_3 on the right of x' + f = ..."""
     small, x = _symbol("varepsilon"), _vector("x")
     unit = sp.eye(3)
@@ -61,17 +64,17 @@ def _torques() -> tuple[Any, ...]:
     return (-small * rotation.matrix("d") * x, *multiplicative, *additive)
 
 
-def free_motion() -> dict[str, Any]:
+def free_motion() -> dict[str, Expr]:
     """f_1 to f_3 with k for (A - C)/A."""
     return _numbered("f", _gyroscopic())
 
 
-def noises() -> tuple[Any, ...]:
+def noises() -> tuple[Expr, ...]:
     """xi_1 to xi_3, eta_1 to eta_3."""
     return tuple(_symbol(f"{letter}_{i}") for letter in ("xi", "eta") for i in AXES)
 
 
-def equations_of_motion() -> tuple[Any, ...]:
+def equations_of_motion() -> tuple[Expr, ...]:
     """Components of x' + f - (torques and noises), all zero."""
     drift, *columns = _torques()
     torque = sum((noise * column for noise, column in zip(noises(), columns, strict=True)), drift)
@@ -81,7 +84,7 @@ def equations_of_motion() -> tuple[Any, ...]:
 # --- amplitude, phase and frequency
 
 
-def generating_solution() -> dict[str, Any]:
+def generating_solution() -> dict[str, Expr]:
     """Free motion: x_3 = Omega/k, and z = x_1 + i x_2 obeys z' = -i Omega z, so that |z| = a and z = a exp(-i psi)."""
     a, k, frequency, phase = _symbols("a k Omega psi")
     z = a * sp.exp(-sp.I * phase)
@@ -90,7 +93,7 @@ def generating_solution() -> dict[str, Any]:
     return {name: sp.expand_trig(value) for name, value in values.items()}
 
 
-def generating_equations() -> dict[str, Any]:
+def generating_equations() -> dict[str, Expr]:
     """f_1 to f_3 along the generating solution."""
     solution = generating_solution()
     x = sp.Matrix([_symbol(f"xtilde_{i}") for i in AXES])
@@ -98,13 +101,13 @@ def generating_equations() -> dict[str, Any]:
     return {**solution, **_numbered("f", _gyroscopic().subs(along))}
 
 
-def change_of_variables() -> dict[str, Any]:
+def change_of_variables() -> dict[str, Expr]:
     """x_1, x_2, x_3 by amplitude, phase and frequency."""
     a, k, frequency, phase = _symbols("a k Omega psi")
     return _numbered("x", (a * sp.cos(phase), -a * sp.sin(phase), frequency / k))
 
 
-def rates() -> dict[str, Any]:
+def rates() -> dict[str, Expr]:
     """Rates of x_1, x_2, x_3 by those of amplitude, phase and frequency; the phase has the rate Omega + theta'."""
     names = {"a": "da", "psi": "dpsi", "Omega": "dOmega"}
     moving = change_of_variables().values()
@@ -112,14 +115,14 @@ def rates() -> dict[str, Any]:
     return {**_numbered("dx", found), "dpsi": _symbol("Omega") + _symbol("dtheta")}
 
 
-def exact_phase() -> dict[str, Any]:
+def exact_phase() -> dict[str, Expr]:
     """psi = Omega t + theta, and its rate when Omega is not constant."""
     frequency, t, theta, dfrequency, dtheta = _symbols("Omega t theta dOmega dtheta")
     return {"psi": frequency * t + theta, "dpsi": frequency + dfrequency * t + dtheta}
 
 
 @cache
-def _in_new_variables() -> Any:
+def _in_new_variables() -> Matrix:
     """Rates of a, theta, Omega: a column for the drift and one for each noise; the free motion has none.
 
     From x = x(a, psi, Omega) and psi' = Omega + theta' by inverting the Jacobian matrix.
@@ -133,7 +136,7 @@ def _in_new_variables() -> Any:
     return sp.Matrix.hstack(free + inverse * drift, *(inverse * column for column in columns)).applyfunc(sp.expand)
 
 
-def stratonovich_system() -> dict[str, Any]:
+def stratonovich_system() -> dict[str, Expr]:
     """v_1 to v_3 and h_11 to h_36."""
     system = _in_new_variables()
     entries = {f"h_{i}{j}": system[i - 1, j] for i in AXES for j in NOISES}
@@ -141,7 +144,7 @@ def stratonovich_system() -> dict[str, Any]:
 
 
 @cache
-def slow_rates() -> dict[str, Any]:
+def slow_rates() -> dict[str, Expr]:
     """The rates of a, theta, Omega with all noises, by inserting (1.1) into the rates of x; and what v, h, zeta are."""
     a, phase, frequency, k = _symbols("a psi Omega k")
     there = dict(zip(_vector("x"), change_of_variables().values(), strict=True))
@@ -162,17 +165,17 @@ def slow_rates() -> dict[str, Any]:
 # --- the Fokker-Planck-Kolmogorov equation
 
 
-def _generator(function: Any, variables: tuple[Any, ...], drift: Any, noise: Any) -> Any:
+def _generator(function: Expr, variables: tuple[Expr, ...], drift: Matrix, noise: Matrix) -> Expr:
     """v . grad f + (1/2) sum_k (h_k . grad)^2 f: the generator of a system in Stratonovich's sense."""
 
-    def along(vector: Any, value: Any) -> Any:
+    def along(vector: Matrix, value: Expr) -> Expr:
         return sum(vector[i] * sp.diff(value, y) for i, y in enumerate(variables))
 
     squares = (along(noise[:, k], along(noise[:, k], function)) for k in range(noise.cols))
     return along(drift, function) + sum(squares) / 2
 
 
-def _coefficients(variables: tuple[Any, ...], system: Any) -> dict[str, Any]:
+def _coefficients(variables: tuple[Expr, ...], system: Matrix) -> dict[str, Expr]:
     """Drift L y_i and diffusion L(y_i y_j) - y_i L y_j - y_j L y_i of the generator L."""
     drift, noise = system[:, 0], system[:, 1:]
     first = [_generator(y, variables, drift, noise) for y in variables]
@@ -185,7 +188,7 @@ def _coefficients(variables: tuple[Any, ...], system: Any) -> dict[str, Any]:
 
 
 @cache
-def coefficients() -> dict[str, Any]:
+def coefficients() -> dict[str, Expr]:
     """K_1 to K_3 and K_11 to K_33 by a, psi, Omega, where psi = Omega t + theta."""
     a, phase, frequency, t, theta = _symbols("a psi Omega t theta")
     full = {phase: frequency * t + theta}
@@ -194,18 +197,18 @@ def coefficients() -> dict[str, Any]:
 
 
 @cache
-def coefficients_by_y() -> dict[str, Any]:
+def coefficients_by_y() -> dict[str, Expr]:
     """The same, and v and h, with y_1, y_2, y_3 for a, theta, Omega at t = 0, where psi = theta."""
     renamed = dict(zip(_symbols("a psi Omega"), _vector("y"), strict=True))
     both = {**coefficients(), **stratonovich_system()}
     return {name: value.subs(renamed, simultaneous=True) for name, value in both.items()}
 
 
-def _rate(name: str) -> Any:
+def _rate(name: str) -> Expr:
     return sp.expand(coefficients()[name] / _symbol("varepsilon"))
 
 
-def _mean(value: Any) -> Any:
+def _mean(value: Expr) -> Expr:
     """The constant Fourier term of a polynomial in the sine and cosine of the phase."""
     phase = _symbol("psi")
     terms = sp.Poly(sp.expand(value), sp.cos(phase), sp.sin(phase)).terms()
@@ -219,7 +222,7 @@ def _mean(value: Any) -> Any:
     )
 
 
-def averages() -> dict[str, Any]:
+def averages() -> dict[str, Expr]:
     """Kbar: the coefficients / epsilon averaged over the phase, the averages not carried out."""
     average = sp.Function("mean")
     names = [*(f"K_{i}" for i in AXES), *(f"K_{i}{j}" for i in AXES for j in AXES)]
@@ -227,18 +230,18 @@ def averages() -> dict[str, Any]:
 
 
 @cache
-def averaged_coefficients() -> dict[str, Any]:
+def averaged_coefficients() -> dict[str, Expr]:
     """Kbar: the coefficients / epsilon averaged over the phase."""
     names = [*(f"K_{i}" for i in AXES), *(f"K_{i}{j}" for i in AXES for j in AXES)]
     return {name.replace("K", "Kbar"): _mean(_rate(name)) for name in names}
 
 
-def coefficients_and_averages() -> dict[str, Any]:
+def coefficients_and_averages() -> dict[str, Expr]:
     """K and Kbar side by side."""
     return {**coefficients(), **averaged_coefficients()}
 
 
-def mixed_average_of_full_noise() -> dict[str, Any]:
+def mixed_average_of_full_noise() -> dict[str, Expr]:
     """Kbar_12 when the multiplicative noises xi_j act on all axes: sum_j q_ij x_j xi_j in equation i."""
     a, phase = _symbols("a psi")
     x = tuple(change_of_variables().values())
@@ -252,7 +255,7 @@ def mixed_average_of_full_noise() -> dict[str, Any]:
     return {"Kbar_12": sp.Function("mean")(sp.expand(product), phase)}
 
 
-def neglected_terms() -> dict[str, Any]:
+def neglected_terms() -> dict[str, Expr]:
     """K_1, K_2, K_3 / epsilon without their averages."""
     found = {f"K_{i}": sp.expand(_rate(f"K_{i}") - _mean(_rate(f"K_{i}"))) for i in AXES}
     return {**found, "varepsilon": sp.Integer(1)}
@@ -262,7 +265,7 @@ def neglected_terms() -> dict[str, Any]:
 
 
 @cache
-def _shortened_averages() -> dict[str, Any]:
+def _shortened_averages() -> dict[str, Expr]:
     """Kbar with alpha^2 = g_11^2 + g_12^2, beta^2 = g_21^2 + g_22^2, gamma^2 = d_11 + d_22."""
     alpha, beta, gamma = _symbols("alpha beta gamma")
     short = {
@@ -273,13 +276,13 @@ def _shortened_averages() -> dict[str, Any]:
     return {name: sp.factor(sp.expand(value.subs(short))) for name, value in averaged_coefficients().items()}
 
 
-def _logarithmic_derivative(drift: Any, diffusion: Any, variable: Any) -> Any:
+def _logarithmic_derivative(drift: Expr, diffusion: Expr, variable: Expr) -> Expr:
     """p'/p of a density without flux: (K p)'/2 = M p for the diffusion K and the drift M."""
     return sp.together((2 * drift - sp.diff(diffusion, variable)) / diffusion)
 
 
 @cache
-def logarithmic_derivatives() -> tuple[Any, Any]:
+def logarithmic_derivatives() -> tuple[Expr, Expr]:
     """p'/p of the densities of a and Omega."""
     bar, a, frequency = _shortened_averages(), _symbol("a"), _symbol("Omega")
     first = _logarithmic_derivative(bar["Kbar_1"], bar["Kbar_11"], a)
@@ -287,7 +290,7 @@ def logarithmic_derivatives() -> tuple[Any, Any]:
 
 
 @cache
-def exponents() -> dict[str, Any]:
+def exponents() -> dict[str, Expr]:
     """Delta_1 = 8 Kbar_11, Delta_2 = Kbar_33, and the powers they have in the densities.
 
     The density of a is a^r Delta_1^kappa_1 with r the residue of p'/p at a = 0, that of Omega is Delta_2^kappa_2.
@@ -305,7 +308,7 @@ def exponents() -> dict[str, Any]:
 
 
 @cache
-def densities() -> dict[str, Any]:
+def densities() -> dict[str, Expr]:
     """The averaged coefficients and the densities; C_1, C_2 are named such that 8 C_1 and C_2 are their constants."""
     a = _symbol("a")
     amplitude = 8 * _symbol("C_1") * a * _symbol("Delta_1") ** _symbol("kappa_1")
@@ -316,24 +319,24 @@ def densities() -> dict[str, Any]:
 
 
 @cache
-def mode() -> dict[str, Any]:
+def mode() -> dict[str, Expr]:
     """Where the density of a is largest: the positive zero of p'/p."""
     numerator = sp.Poly(sp.numer(sp.together(logarithmic_derivatives()[0])), _symbol("a"))
     square = sp.factor(-numerator.coeff_monomial(1) / numerator.coeff_monomial(_symbol("a") ** 2))
     return {"a_star": sp.sqrt(square.subs(_symbol("beta"), sp.Symbol("beta", positive=True)))}
 
 
-def slope_of_amplitude() -> dict[str, Any]:
+def slope_of_amplitude() -> dict[str, Expr]:
     """Delta_1, and lambda: p'/p of the density of a."""
     return {**exponents(), "lambda": logarithmic_derivatives()[0]}
 
 
-def slope_of_frequency() -> dict[str, Any]:
+def slope_of_frequency() -> dict[str, Expr]:
     """Delta_2, and lambda: p'/p of the density of Omega."""
     return {**exponents(), "lambda": logarithmic_derivatives()[1]}
 
 
-def constant_of_the_example() -> dict[str, Any]:
+def constant_of_the_example() -> dict[str, Expr]:
     """C_2 for d_33 = 3/2, g_13 = g_23 = 1: the reciprocal of the integral of Delta_2^kappa_2."""
     values = {_symbol("d_33"): sp.Rational(3, 2), _symbol("g_13"): 1, _symbol("g_23"): 1}
     found = exponents()
@@ -343,14 +346,14 @@ def constant_of_the_example() -> dict[str, Any]:
     return {"C_2": sp.simplify(1 / integral).subs(k, _symbol("k"))}
 
 
-def moment_parameters() -> dict[str, Any]:
+def moment_parameters() -> dict[str, Expr]:
     """The densities, and nu = -kappa_1 - 1, delta = -kappa_2 - 1/2: how fast they fall."""
     found = densities()
     nu, delta = sp.expand(-found["kappa_1"] - 1), sp.expand(-found["kappa_2"] - sp.Rational(1, 2))
     return {**found, "nu": nu, "delta": delta}
 
 
-def additive_noise_only() -> dict[str, Any]:
+def additive_noise_only() -> dict[str, Expr]:
     """The averaged coefficients of a for alpha = 0."""
     bar = _shortened_averages()
     return {name: sp.expand(bar[name].subs(_symbol("alpha"), 0)) for name in ("Kbar_11", "Kbar_1")}
@@ -359,11 +362,11 @@ def additive_noise_only() -> dict[str, Any]:
 # --- for positive parameters: densities with their constants, distributions, moments
 
 
-def _positive(*names: str) -> dict[Any, Any]:
+def _positive(*names: str) -> dict[Expr, Expr]:
     return {_symbol(name): sp.Symbol(name, positive=True) for name in names}
 
 
-def _over_small_parameter(values: dict[str, Any]) -> dict[str, Any]:
+def _over_small_parameter(values: dict[str, Expr]) -> dict[str, Expr]:
     """Values with epsilon taken out, and the rest by powers of a."""
     small, a = sp.Symbol("varepsilon", positive=True), _symbol("a")
     known = {name: value.subs(_symbol("varepsilon"), small) for name, value in values.items() if value != 0}
@@ -373,15 +376,16 @@ def _over_small_parameter(values: dict[str, Any]) -> dict[str, Any]:
 
 
 @cache
-def drift_and_diffusion() -> dict[str, Any]:
+def drift_and_diffusion() -> dict[str, Expr]:
     """v, h, K_i and K_ij that do not vanish, epsilon taken out."""
     return _over_small_parameter({**stratonovich_system(), **coefficients()})
 
 
 @cache
-def _shapes() -> dict[str, Any]:
+def _shapes() -> dict[str, Expr]:
     """c_1, c_2 of Delta = Delta(0) (1 + c x^2) for x = a, Omega; nu, delta: the powers but for 1 and 1/2; Delta(0)."""
-    found, values = moment_parameters(), dict[str, Any]()
+    found = moment_parameters()
+    values: dict[str, Expr] = {}
     for i, (x, power) in enumerate((("a", "nu"), ("Omega", "delta")), 1):
         start = found[f"Delta_{i}"].subs(_symbol(x), 0)
         ratio = sp.cancel((found[f"Delta_{i}"] / start - 1) / _symbol(x) ** 2)
@@ -390,7 +394,7 @@ def _shapes() -> dict[str, Any]:
     return {name: _differences_of_squares(value.subs(positive)) for name, value in values.items()}
 
 
-def _differences_of_squares(value: Any) -> Any:
+def _differences_of_squares(value: Expr) -> Expr:
     """Factored, with the sign in the difference: (2 gamma - alpha)(2 gamma + alpha), not -(alpha - 2 gamma)(...)."""
     value = sp.factor(value)
     number, rest = value.as_coeff_Mul()
@@ -398,21 +402,21 @@ def _differences_of_squares(value: Any) -> Any:
     return -number * ((-difference) * (rest / difference)) if number < 0 and difference else value
 
 
-def _integral(s: Any, c: Any, r: Any) -> Any:
+def _integral(s: Expr, c: Expr, r: Expr) -> Expr:
     """The integral of x^(s-1) (1 + c x^2)^(-r) over x > 0: Euler's integral of the first kind."""
     return sp.gamma(s / 2) * sp.gamma(r - s / 2) / (2 * c ** (s / 2) * sp.gamma(r))
 
 
-def _with_shapes(value: Any) -> Any:
+def _with_shapes(value: Expr) -> Expr:
     """A formula in c_1, nu, ... by the parameters; it has to be simplified before."""
     return value.subs({sp.Symbol(name, positive=True): shape for name, shape in _shapes().items()}, simultaneous=True)
 
 
-def _shape_letters() -> tuple[Any, ...]:
+def _shape_letters() -> tuple[Expr, ...]:
     return tuple(sp.symbols("c_1 c_2 nu delta start_1 start_2", positive=True))
 
 
-def _weights() -> tuple[Any, Any]:
+def _weights() -> tuple[Expr, Expr]:
     """The integral of a (1 + c_1 a^2)^(-nu-1) over a > 0, and that of (1 + c_2 Omega^2)^(-delta-1/2) over all Omega."""
     first, second, nu, delta, *_ = _shape_letters()
     half = sp.Rational(1, 2)
@@ -420,7 +424,7 @@ def _weights() -> tuple[Any, Any]:
 
 
 @cache
-def normalised_densities() -> dict[str, Any]:
+def normalised_densities() -> dict[str, Expr]:
     """p_s1, p_s3 with integral 1, the exponents less 1 and 1/2 standing apart: the other factor is a simple fraction."""
     first, second, nu, delta, *_ = _shape_letters()
     a, frequency = sp.Symbol("a", positive=True), _symbol("Omega")
@@ -434,7 +438,7 @@ def normalised_densities() -> dict[str, Any]:
 
 
 @cache
-def logarithms_of_constants() -> dict[str, Any]:
+def logarithms_of_constants() -> dict[str, Expr]:
     """log C_1, log C_2 of the constants that make the integrals of 8 C_1 a Delta_1^kappa_1 and C_2 Delta_2^kappa_2 be 1."""
     _, _, nu, delta, start, middle = _shape_letters()
     amplitude, spin = _weights()
@@ -447,7 +451,7 @@ def logarithms_of_constants() -> dict[str, Any]:
 
 
 @cache
-def distribution_of_amplitude() -> dict[str, Any]:
+def distribution_of_amplitude() -> dict[str, Expr]:
     """The distribution function of a, F, and the amplitude a_q at which it is q."""
     c, _, nu, *_ = _shape_letters()
     a, q = sp.symbols("a q", positive=True)
@@ -458,7 +462,7 @@ def distribution_of_amplitude() -> dict[str, Any]:
 
 
 @cache
-def moments() -> dict[str, Any]:
+def moments() -> dict[str, Expr]:
     """The means of a^m and of |Omega|^m."""
     first, second, nu, delta, *_ = _shape_letters()
     m, half = sp.Symbol("m", real=True), sp.Rational(1, 2)
@@ -468,7 +472,7 @@ def moments() -> dict[str, Any]:
 
 
 @cache
-def mean_squares() -> dict[str, Any]:
+def mean_squares() -> dict[str, Expr]:
     """The means of a^2 and Omega^2, as those of 2 x Kbar + Kbar_xx vanish (B.8)."""
     bar, found = _shortened_averages(), {}
     for name, x, i in (("S_a", "a", 1), ("S_Omega", "Omega", 3)):
