@@ -138,8 +138,8 @@ class Prover:
             case Value(tag="^", terms=(base, int(n))) if n > 0:
                 result = self.sign(base) or int(n % 2 == 0)
         value = self.value(term) if result < 2 else 0
-        if result < 2 and exact(term) and (number := rational(value)):
-            return (number[0] >= 0) + (number[0] > 0)
+        if result < 2 and exact(term) and (number := rational(value)) and number[0] >= 0:
+            return 1 + (number[0] > 0)
         if result:
             return result
         for name, (formula, gap) in self.facts.items():

@@ -16,7 +16,7 @@ from typing import Any
 
 import flint
 
-from symcheck.core.calculus import letters
+from symcheck.core.calculus import domain, letters
 from symcheck.core.claims import Outcome, Problem
 from symcheck.core.formulas import conjuncts
 from symcheck.core.terms import PI, RELATIONS, Formula, Node, Quantified, Term, Value, mapped, node
@@ -133,6 +133,8 @@ class Search:
         self.formulas = [part for _, fs in problem.hypotheses for f in fs for part in conjuncts(f)]
         if direction[0] == "=>":
             self.formulas += conjuncts(direction.formulas[0])
+        conditions = domain(problem.claim, *self.formulas)
+        self.conditions = [f for f in conditions if variables(unfold(f, base.definitions)) <= {*self.ring.names}]
         self.gaps: dict[Formula, Ratio] = {}
         self.roots = {name: p for name in self.ring.names if (p := prime(name)) is not None}
         self.free = [name for name in self.ring.names if name not in (*self.roots, *self.functions, "pi")]
@@ -312,6 +314,8 @@ class Search:
         self.tries -= 1
         function = atoms()[name]
         free = letters(function)  # what is bound in it has no value
+        if not free <= point.keys():
+            return False  # an angle, of which a point has sine and cosine alone
         defined = tuple((x, term_of(p)) for x, p in point.items() if x in free)
         for value in self._possible(function, dict(defined)):
             found = self.prove(Problem(name, node("=", function, value), defined))
@@ -430,6 +434,8 @@ class Search:
         axioms = [poly for _, poly in self.ring.axioms() if not poly.is_constant()]
         if any(self._reduce(self._at(d, point)) == 0 for d in divisors) or not self._consistent(point):
             return False
+        if not all(self._truth(formula, point) for formula in self.conditions):
+            return False
         return all(self._reduce(self._at(poly, point)) == 0 for poly in axioms)
 
     def _called(self, point: Point) -> list[tuple[Node, Poly]]:
@@ -450,6 +456,7 @@ class Search:
         known = {name: self._written(self._reduce(p)) for name, p in point.items() if name in needed - atoms().keys()}
         values = {name: value for name, value in known.items() if circle(name) is None}
         values |= {x: angle_of(known[cosine(x)], known[sine(x)]) for _, x in filter(None, map(circle, known))}
+        values |= dict.fromkeys(sorted(self._mentioned() - values.keys()), 1)  # those on which nothing depends
         if claim.tag in RELATIONS:
             sides = [self._written_side(side, point) for side in claim.terms]
         else:
@@ -463,6 +470,16 @@ class Search:
         definitions = self.ring.definitions
         nodes = [claim, *(f for _, fs in self.problem.hypotheses for f in fs)]
         return with_arguments(set().union(*(variables(unfold(tree, definitions)) for tree in nodes)))
+
+    def _mentioned(self) -> set[str]:
+        """The free letters of what is stated, also of those whose value depends on them in name only."""
+        names = set[str]()
+        trees: list[Term] = [self.problem.claim, *self.formulas]
+        for tree in trees:
+            new = letters(tree) - names
+            names |= new
+            trees += [self.ring.definitions[name] for name in sorted(new & self.ring.definitions.keys())]
+        return names - self.ring.definitions.keys()
 
     def _written_side(self, side: Term, point: Point) -> Any:
         """The value of a side; pi may stand in its denominator."""

@@ -18,7 +18,7 @@ from symcheck.proof.mentions import nonzero_terms, references, terms_in, texts_i
 from symcheck.proof.orders import form_on_the_circle
 from symcheck.proof.polynomial import Poly, Ring, Unsupported, function_arguments, unfold, variables
 from symcheck.proof.variables import atoms, table
-from symcheck.proof.wellformed import check_terms
+from symcheck.proof.wellformed import checked
 from symcheck.proof.witness import find_witnesses
 
 VACUOUS = (
@@ -31,7 +31,7 @@ Search = Callable[[Problem, Ring], Certificate | None]
 def decide(problem: Problem, search: Search) -> Outcome:
     """Proved with a rule tree, refuted with a point, or undecided with the reason; no statement raises."""
     try:
-        check_terms(problem)
+        problem = checked(problem)
         outcome = decide_numbers(problem) or _search(problem, search)
         if outcome is not None:
             return outcome if outcome.verdict is Verdict.REFUTED else with_witnesses(problem, outcome, search)

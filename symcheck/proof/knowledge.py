@@ -12,7 +12,7 @@ from typing import Any
 
 from symcheck.core.claims import Problem
 from symcheck.core.formulas import conjuncts
-from symcheck.core.terms import RELATIONS, Formula, Term, node
+from symcheck.core.terms import RELATIONS, Formula, Node, Term, node
 from symcheck.proof.ideal import Fact, Ideal, Ref
 from symcheck.proof.polynomial import Poly, Ring, fraction, unfold, variables
 
@@ -136,6 +136,9 @@ class Knowledge:
         if not self.signs and not self.fractions:
             return 0, NOTHING
         gap = self.ring.ratio(term)
+        if _is_number(term):  # needs no hypothesis
+            number = fraction(gap.num.leading_coefficient()) if gap.num != 0 else 0
+            return (number >= 0) + (number > 0), NOTHING
         for sign in self.fractions if gap.den else self.signs:
             if gap.num == sign.poly and (not gap.den or gap.den == self.ring.ratio(sign.term).den):
                 return sign.level, given_of([sign.ref])
@@ -149,6 +152,13 @@ class Knowledge:
             if proportional(poly, condition) is not None:
                 return [ref]
         return None
+
+
+def _is_number(term: Term) -> bool:
+    """Whether a term is made of whole numbers alone."""
+    if not isinstance(term, Node):
+        return isinstance(term, int)
+    return term.tag in ("+", "*", "-", "/", "^") and all(map(_is_number, term.outside))
 
 
 def given_of(refs: Iterable[Ref]) -> Given:

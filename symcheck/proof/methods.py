@@ -17,7 +17,7 @@ from symcheck.proof.decide import decide
 from symcheck.proof.polynomial import alone
 from symcheck.proof.splitting import prove
 from symcheck.proof.variables import Unsupported
-from symcheck.proof.wellformed import check_terms
+from symcheck.proof.wellformed import checked
 from symcheck.proof.witness import FALSE
 
 
@@ -30,7 +30,7 @@ def refute(problem: Problem) -> Certificate | None:
     """A point where the hypotheses hold and the claim does not, or None; what functions are there is not looked for."""
     with alone(problem):
         try:
-            check_terms(problem)
+            problem = checked(problem)
             return counterexample.refute(problem)
         except (Unsupported, RecursionError, ArithmeticError, ValueError):
             return None
@@ -43,7 +43,7 @@ def proof_of(problem: Problem) -> Outcome | None:
     """
     with alone(problem):
         try:
-            check_terms(problem)
+            problem = checked(problem)
             outcome = deciding.prove(problem, prove)
             if outcome is None or problem.claim == FALSE:
                 return outcome

@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Set
+from dataclasses import replace
 from typing import Any
 
+from symcheck.core.calculus import letters, substituted
 from symcheck.core.claims import Problem
 from symcheck.core.terms import (
     ENDS,
@@ -18,15 +20,18 @@ from symcheck.core.terms import (
     Node,
     Quantified,
     Reader,
+    T,
+    mapped,
+    node,
 )
-from symcheck.proof.variables import CONSTANTS, Unsupported
+from symcheck.proof.variables import CONSTANTS, Unsupported, table
 
 MAX_DEPTH = 200  # of a term: what walks through it is recursive
 MAX_ORDER = 8  # of a derivative, as in the checker
 
 
-def check_terms(problem: Problem) -> None:
-    """Unsupported, with the reason, unless the claim, hypotheses and definitions are terms and formulas."""
+def checked(problem: Problem) -> Problem:
+    """The problem with its letters apart; Unsupported unless claim, hypotheses and definitions are well formed."""
     try:
         for name, term in problem.definitions:
             _letter(name)
@@ -36,6 +41,27 @@ def check_terms(problem: Problem) -> None:
             _check(formula, FORMULAS)
     except Malformed as error:
         raise Unsupported(str(error)) from error
+    return _apart(problem)
+
+
+def _apart(problem: Problem) -> Problem:
+    """The same problem with other letters bound where one is also free: the search tells letters by their names."""
+    defined = dict(problem.definitions)
+    stated = [problem.claim, *(f for _, formulas in problem.hypotheses for f in formulas), *defined.values()]
+    free = set().union(*map(letters, stated), defined)
+
+    def renamed(tree: T) -> T:
+        if not isinstance(tree, Node):
+            return tree
+        new = mapped(tree, renamed)
+        if not isinstance(new, Binder) or new.letter not in free or letters(new.body) & defined.keys():
+            return new  # type: ignore[return-value]
+        name = table().letter(table().fresh(new.letter))
+        return node(new.tag, substituted(new.body, {new.letter: name}), name, *new.outside)  # type: ignore[return-value]
+
+    hypotheses = tuple((name, tuple(map(renamed, formulas))) for name, formulas in problem.hypotheses)
+    definitions = tuple((name, renamed(term)) for name, term in problem.definitions)
+    return replace(problem, claim=renamed(problem.claim), definitions=definitions, hypotheses=hypotheses)
 
 
 def _require(condition: bool, what: str) -> None:
