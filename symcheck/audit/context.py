@@ -10,6 +10,7 @@ from typing import Any
 
 from symcheck.core.claims import Hypothesis, Item, Method, Paper, Problem
 from symcheck.core.formulas import conjuncts
+from symcheck.core.ids import Id
 from symcheck.core.terms import Formula, Node, Term, mapped, node
 from symcheck.core.verdicts import Role, SymcheckError
 from symcheck.reading import Notation, from_sympy, lower, read
@@ -36,10 +37,10 @@ def _definitions(paper: Paper) -> dict[str, Term]:
             sign, left, right = formula
             if sign != "=" or not isinstance(left, str):
                 raise SymcheckError(
-                    f"{paper.key}:{item.number} is no definition of a letter; declare it a premise or opaque"
+                    f"{Id(paper.key, item.number)} is no definition of a letter; declare it a premise or opaque"
                 )
             if table.setdefault(left, right) != right:
-                raise SymcheckError(f"{paper.key}:{item.number} defines {left} a second time and differently")
+                raise SymcheckError(f"{Id(paper.key, item.number)} defines {left} a second time and differently")
     return table
 
 
@@ -69,7 +70,12 @@ class Context:
 
     @property
     def id(self) -> str:
-        return f"{self.paper.key}:{self.item.number}"
+        return str(Id(self.paper.key, self.item.number))
+
+    @property
+    def lemmas(self) -> list[str]:
+        """The ids of the earlier relations that a proof may start from."""
+        return [str(Id.of(self.paper.key, place)) for place in self.item.lemmas]
 
     def having(self, **changes: Any) -> Context:
         """A copy with some attributes changed."""

@@ -13,6 +13,7 @@ from symcheck.audit.judge import Unit, judge, problems, units
 from symcheck.audit.needs import Proved, listed, weighed
 from symcheck.audit.obligation import DECIDED, Obligation, expand, fingerprint, obligation_of, users
 from symcheck.audit.repair import corrected
+from symcheck.core.ids import Id
 from symcheck.core.verdicts import Origin, Reading, Role, Verdict
 from symcheck.ledger.domain import refuse_wider
 from symcheck.ledger.record import Record
@@ -65,7 +66,7 @@ def _base(obligation: Obligation) -> Record:
         words=item.words,
         reason=item.reason,
         **reread,
-        uses=tuple(f"{paper.key}:{number}" for number in item.uses),
+        uses=tuple(str(Id.of(paper.key, place)) for place in item.uses),
         used_by=users(paper.key).get(item.number, ()),
     )
 

@@ -8,8 +8,9 @@ from functools import cache, cached_property
 
 from symcheck import papers
 from symcheck.audit.context import Context, for_letter
-from symcheck.core.claims import Hypothesis, Item, Method, Outcome, Paper, Problem
+from symcheck.core.claims import Hypothesis, Method, Outcome, Problem
 from symcheck.core.formulas import conjuncts, contrary
+from symcheck.core.ids import Id
 from symcheck.core.terms import Formula, Term, node
 from symcheck.core.verdicts import Certificate, SymcheckError, Verdict
 from symcheck.proof import Lemmas, certificate, combined, proof_of, refute
@@ -159,7 +160,7 @@ def _find(context: Context, formulas: tuple[Formula, ...], given: tuple[Hypothes
         verdict = Verdict.PROVED
     else:
         verdict = Verdict.UNDECIDED
-    lemmas = tuple(f"{context.paper.key}:{number}" for number in context.item.lemmas)
+    lemmas = tuple(context.lemmas)
     sources = tuple(_source(context, problem, premises) for problem in concrete)
     return Finding(verdict, tuple(problems), tuple(outcomes), concrete, lemmas, sources)
 
@@ -168,7 +169,7 @@ def _source(context: Context, problem: Problem, premises: tuple[tuple[str, Formu
     """The lemmas a proof may start from, and of the hypotheses in force those that these are proved under."""
     spoken = [problem.claim, *(f for _, stated in problem.hypotheses for f in stated), *(f for _, f in premises)]
     defined = context.used_definitions(*spoken, *(term for _, term in problem.hints)) if premises else ()
-    under = {name for id in dict(premises) for each in lemma(*id.split(":", 1))[1] for name in each["hypotheses"]}
+    under = {name for id in dict(premises) for each in lemma(id)[1] for name in each["hypotheses"]}
     return Lemmas(premises, problem, tuple(h for h in problem.hypotheses if h[0] in under), defined)
 
 
@@ -241,27 +242,21 @@ def _contradictory(definitions: Definitions, stated: tuple[Formula, ...]) -> boo
 # --- earlier relations as lemmas
 
 
-def _letter_of(paper: Paper, number: str) -> tuple[Item, str]:
-    """The declaration of "2.13.1b", and "b"."""
-    items = {item.number: item for _, _, item in paper.items()}
-    for declared, letter in ((number, ""), (number[:-1], number[-1:])):
-        if declared in items:
-            return items[declared], letter
-    raise SymcheckError(f"{paper.key}:{number} is used as a lemma, but not declared")
-
-
 @cache
-def lemma(key: str, number: str) -> tuple[tuple[Formula, ...], tuple[Certificate, ...]]:
+def lemma(name: str) -> tuple[tuple[Formula, ...], tuple[Certificate, ...]]:
     """The formulas of an earlier relation and the certificates that prove them."""
-    paper = papers.load()[key]
-    item, letter = _letter_of(paper, number)
+    id = Id.parse(name)
+    paper = papers.load()[id.paper]
+    item = next((item for _, _, item in paper.items() if item.number == id.number), None)
+    if item is None:
+        raise SymcheckError(f"{id} is used as a lemma, but not declared")
     context = Context(paper, replace(item, equality=""))
-    unit = next((unit for unit in units(context) if unit.letter == letter), None)
+    unit = next((unit for unit in units(context) if unit.letter == id.link), None)
     if unit is None:
-        raise SymcheckError(f"{key}:{number} is used as a lemma, but {key}:{item.number} has no link {letter!r}")
+        raise SymcheckError(f"{id} is used as a lemma, but {id.declaration} has no link {id.link!r}")
     finding = judge(context, unit, item.given)
     if finding.verdict is not Verdict.PROVED:
-        raise SymcheckError(f"{key}:{number} is used as a lemma, but not proved")
+        raise SymcheckError(f"{id} is used as a lemma, but not proved")
     return tuple(part for formula in unit.formulas for part in conjuncts(formula)), finding.certificates
 
 
@@ -269,8 +264,8 @@ def _premises(context: Context, given: Iterable[Hypothesis]) -> tuple[tuple[str,
     """The earlier relations the proof may start from, as far as they are proved under no more than is given."""
     names = {hypothesis.name for hypothesis in given}
     found: list[tuple[str, Formula]] = []
-    for number in context.item.lemmas:
-        formulas, proofs = lemma(context.paper.key, number)
+    for name in context.lemmas:
+        formulas, proofs = lemma(name)
         if all(names >= proof["hypotheses"].keys() for proof in proofs):
-            found += [(f"{context.paper.key}:{number}", formula) for formula in formulas]
+            found += [(name, formula) for formula in formulas]
     return tuple(found)

@@ -7,11 +7,11 @@ from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import replace
 from importlib import import_module
 from importlib.util import find_spec
-from string import ascii_lowercase
 
 from symcheck.audit.checked import NOT_ACCEPTED, reasons
 from symcheck.core.claims import Paper, Problem
 from symcheck.core.formulas import conjuncts
+from symcheck.core.ids import Id
 from symcheck.core.terms import node
 from symcheck.core.verdicts import Certificate, SymcheckError, Verdict
 from symcheck.kernels.codegen.kernel import Kernel
@@ -78,8 +78,8 @@ def equalities(paper: Paper, name: str, kernel: Kernel) -> Iterator[Certificate]
 def _claims(paper: Paper, name: str, kernel: Kernel, known: Mapping[str, Record]) -> str:
     said = []
     for number in kernel.claims:
-        id = f"{paper.key}:{number}"
-        links = [record for record in known.values() if record.id == id or record.id.rstrip(ascii_lowercase) == id]
+        id = Id(paper.key, number)
+        links = [record for record in known.values() if Id.parse(record.id).declaration == id]
         wrong = [record for record in links if record.verdict is not Verdict.PROVED]
         if wrong or not links:
             state = f"{wrong[0].id}, which is {wrong[0].verdict}" if wrong else f"{id}, which is not declared"

@@ -12,6 +12,7 @@ from typing import Any
 
 from symcheck import papers
 from symcheck.core.claims import Item, Method, Paper, Section
+from symcheck.core.ids import Id
 from symcheck.core.verdicts import Role, SymcheckError
 from symcheck.reading import Notation
 
@@ -33,14 +34,14 @@ class Obligation:
 def expand(paper: Paper) -> tuple[Obligation, ...]:
     """All declarations of a paper in printed order."""
     return tuple(
-        Obligation(f"{paper.key}:{item.number}", paper, section, replace(item, name=name))
+        Obligation(str(Id(paper.key, item.number)), paper, section, replace(item, name=name))
         for section, name, item in paper.items()
     )
 
 
 def obligation_of(id: str) -> Obligation:
     """The declaration with this id; SymcheckError if there is none."""
-    key, _, _ = id.partition(":")
+    key = Id.parse(id).paper
     found = _declared(key).get(id)
     if found is None:
         raise SymcheckError(f"{id} is not declared; `symcheck check {key} --json` lists the ids")
@@ -103,7 +104,7 @@ def _content(item: Item) -> str:
 def _paper_context(key: str) -> str:
     paper = papers.load()[key]
     items = [item for _, _, item in paper.items()]
-    lemmas = {number for item in items for name in item.lemmas for number in (name, name[:-1])}
+    lemmas = {Id.of(key, place).number for item in items for place in item.lemmas}
     shared = [_content(item) for item in items if item.role is Role.DEFINITION or item.number in lemmas]
     uses = [(item.number, item.uses) for item in items]
     return repr((_plain(paper.notation), shared, uses, _digest_of_sources(key)))

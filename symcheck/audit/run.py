@@ -7,13 +7,13 @@ from collections.abc import Callable, Generator, Iterable, Iterator, Mapping, Se
 from contextlib import closing, contextmanager
 from dataclasses import replace
 from difflib import get_close_matches
-from string import ascii_lowercase
 from typing import Any, Protocol, TypeVar
 
 from symcheck.audit import checked
 from symcheck.audit.cache import Cache
 from symcheck.audit.executor import Answer, Done, Executor, Timeout
 from symcheck.core.claims import Item, Paper, Section
+from symcheck.core.ids import Id
 from symcheck.core.verdicts import SymcheckError, Verdict
 from symcheck.ledger.record import Record
 
@@ -119,7 +119,7 @@ def audit(
         known = records.keys() | new.keys()
         whole = {id: rows for id, rows in new.items() if known >= {*_lemmas(id, obligations)}}
         raise Interrupted(_asked_for(wanted, records | _told(whole, records))) from None
-    for key in {id.partition(":")[0] for id in obligations}:
+    for key in {Id.parse(id).paper for id in obligations}:
         cache.prune(key, obligations)
     return _asked_for(wanted, records | _told(new, records))
 
@@ -164,13 +164,9 @@ def _with_lemmas(wanted: Iterable[str], obligations: Mapping[str, Obligation]) -
 
 def _lemmas(id: str, obligations: Mapping[str, Obligation]) -> list[str]:
     """The declarations whose relations the proof of one may start from; "2.13.1b" is a link of 2.13.1."""
-    key = id.partition(":")[0]
-    named = ((f"{key}:{number}", f"{key}:{number[:-1]}") for number in obligations[id].item.lemmas)
-    return [
-        next(name for name in names if name in obligations)
-        for names in named
-        if not obligations.keys().isdisjoint(names)
-    ]
+    key = Id.parse(id).paper
+    named = (str(Id.of(key, place).declaration) for place in obligations[id].item.lemmas)
+    return [name for name in named if name in obligations]
 
 
 def _asked_for(wanted: Mapping[str, Links], records: Mapping[str, tuple[Record, ...]]) -> list[Record]:
@@ -184,13 +180,13 @@ def _with_later(records: list[Record]) -> list[Record]:
 
     Told of the relations at hand only: those that refer to the declaration, and the following links of the same chain.
     """
-    declared = [record.id.rstrip(ascii_lowercase) for record in records]
+    declared = [str(Id.parse(record.id).declaration) for record in records]
     together = list(zip(declared, records, strict=True))
     return [replace(r, erratum={**r.erratum, "later": _later(r, together)}) if r.erratum else r for r in records]
 
 
 def _later(wrong: Record, records: list[tuple[str, Record]]) -> list[dict[str, str]]:
-    own = wrong.id.rstrip(ascii_lowercase)
+    own = str(Id.parse(wrong.id).declaration)
     resting = (r for id, r in records if own in r.uses or (id == own and r.id > wrong.id))
     fate = {Verdict.PROVED: "is right", Verdict.REFUTED: "shares the fault or has one of its own"}
     return [{"id": r.id, "fate": fate[r.verdict]} for r in resting if r.verdict in fate]
@@ -207,23 +203,23 @@ def select(selection: Iterable[str], ids: Sequence[str]) -> dict[str, Links]:
 
 
 def _matches(text: str, ids: Sequence[str]) -> dict[str, Links]:
-    paper, colon, number = text.partition(":")
-    if not colon:
-        return {id: EVERY for id in ids if id.partition(":")[0] == paper}
-    whole = [id for id in ids if id == text or (id.startswith(text) and id[len(text) :].strip(ascii_lowercase) == "")]
-    if not whole or number[-1:].isupper():
+    asked = Id.parse(text)
+    if text == asked.paper:
+        return {id: EVERY for id in ids if Id.parse(id).paper == text}
+    whole = [text] if text in ids else []
+    if not whole or asked.place[-1:].isupper():  # a list ends in a capital letter: its rows with it
         whole += [id for id in ids if id.startswith(f"{text}.")]
-    if number and whole:
+    if whole:
         return dict.fromkeys(whole, EVERY)
-    if (declared := text.rstrip(ascii_lowercase)) in ids and declared != text:
+    if (declared := str(asked.declaration)) in ids:
         return {declared: frozenset((text,))}
     near = get_close_matches(text, ids, n=3, cutoff=0.75)
-    hint = f"did you mean {' or '.join(near)}?" if near else f"`symcheck check {paper}` lists what there is"
-    raise SymcheckError(f"{paper} has no relation {number!r}; {hint}")
+    hint = f"did you mean {' or '.join(near)}?" if near else f"`symcheck check {asked.paper}` lists what there is"
+    raise SymcheckError(f"{asked.paper} has no relation {asked.place!r}; {hint}")
 
 
 def _papers_named(selection: Iterable[str], papers: Mapping[str, Paper]) -> list[Paper]:
-    keys = [text.partition(":")[0] for text in selection] or list(papers)
+    keys = [Id.parse(text).paper for text in selection] or list(papers)
     for key in keys:
         if key not in papers:
             near = get_close_matches(key, papers, n=1)
@@ -252,7 +248,7 @@ def _records(obligation: Obligation, answer: Answer[tuple[Record, ...]]) -> tupl
         words=item.words,
         verdict=Verdict.UNDECIDED,
         reason=limit,
-        uses=tuple(f"{obligation.paper.key}:{number}" for number in item.uses),
+        uses=tuple(str(Id.of(obligation.paper.key, place)) for place in item.uses),
     )
     return (record,)
 

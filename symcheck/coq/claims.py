@@ -14,6 +14,7 @@ from symcheck.coq.stated import resting_on, statement
 from symcheck.coq.statements import Statement
 from symcheck.coq.terms import Certificate, NotExported
 from symcheck.core.calculus import Unknown
+from symcheck.core.ids import Id
 from symcheck.core.terms import Malformed
 from symcheck.ledger.digests import digest_of
 from symcheck.ledger.record import Record
@@ -51,7 +52,7 @@ def exported(records: Iterable[Record]) -> list[Exported]:
 
 
 def _of_record(record: Record) -> Iterator[Exported]:
-    stem = re.sub(r"\W", "_", record.id.partition(":")[2])
+    stem = re.sub(r"\W", "_", Id.parse(record.id).place)
     for corrected, proofs in asked(record):
         for k, found in enumerate(proofs, 1):
             name = f"{stem}{'_corrected' if corrected else ''}{f'_part{k}' if len(proofs) > 1 else ''}"

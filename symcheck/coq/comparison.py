@@ -19,8 +19,8 @@ from symcheck.audit.context import Context, for_letter
 from symcheck.audit.judge import Unit, equality_claims, units
 from symcheck.audit.obligation import obligation_of
 from symcheck.coq.reader import claims
+from symcheck.core.ids import Id
 from symcheck.core.terms import Binder, Call, Connective, Formula, Node, Quantified, Relation, Term, Value, node
-from symcheck.core.verdicts import Role
 from symcheck.reading import read
 
 DIGITS, TOLERANCE = 60, mpmath.mpf(10) ** -12
@@ -118,19 +118,12 @@ def _near(a: Number, b: Number) -> bool:
 
 def printed(id: str, corrected: bool) -> Iterator[tuple[Context, Formula]]:
     """The formulas of a printed relation (or of its correction), read anew, each with what is in force there."""
-    declared = id if _is_declared(id) else id[:-1]
-    obligation = obligation_of(declared)
+    asked = Id.parse(id)
+    obligation = obligation_of(str(asked.declaration))
     context = Context(obligation.paper, obligation.item)
-    unit = next(unit for unit in units(context) if unit.letter == id[len(declared) :])
+    unit = next(unit for unit in units(context) if unit.letter == asked.link)
     context = context.having(letter=unit.letter)
     yield from ((context, formula) for formula in _formulas(context, unit, corrected))
-
-
-def _is_declared(id: str) -> bool:
-    try:
-        return obligation_of(id).item.role in (Role.CLAIM, Role.OURS)
-    except Exception:
-        return False
 
 
 def _formulas(context: Context, unit: Unit, corrected: bool) -> Sequence[Any]:

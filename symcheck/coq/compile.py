@@ -23,6 +23,7 @@ from typing import Any
 from symcheck import kernels
 from symcheck.coq import confirmed
 from symcheck.coq.confirmed import Outcome
+from symcheck.core.ids import Id
 from symcheck.ledger.digests import digest
 
 OURS = ("Symcheck.v", "Digits.v", "Theorems.v")
@@ -130,7 +131,7 @@ def _outcome(entry: Mapping[str, Any], paper: str, failed: Mapping[str, str]) ->
 
 def summary(outcomes: Mapping[str, Outcome]) -> Iterator[str]:
     """How many of how many, for each paper, and the reasons for the others."""
-    for paper in dict.fromkeys(id.partition(":")[0] for id in outcomes):
+    for paper in dict.fromkeys(Id.parse(id).paper for id in outcomes):
         reasons = [reason for id, (_, reason) in outcomes.items() if id.startswith(f"{paper}:")]
         yield f"{paper}: {reasons.count('')} of {len(reasons)} proved relations and corrections are confirmed by Coq"
         yield from (f"  {reasons.count(reason)} not: {reason}" for reason in dict.fromkeys(reasons) if reason)

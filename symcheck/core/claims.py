@@ -7,6 +7,7 @@ from dataclasses import dataclass, field
 from types import ModuleType
 from typing import TYPE_CHECKING
 
+from symcheck.core.ids import Id
 from symcheck.core.terms import Formula, Term
 from symcheck.core.verdicts import Certificate, Origin, Role, SymcheckError, Verdict
 
@@ -166,8 +167,12 @@ class Paper:
             for name, item in sorted(declared, key=lambda pair: pair[1].line):
                 if item.number in seen:
                     raise SymcheckError(
-                        f"{self.key}:{item.number} is declared twice, as {seen[item.number]} and {name}; "
+                        f"{Id(self.key, item.number)} is declared twice, as {seen[item.number]} and {name}; "
                         "give one of them another number"
+                    )
+                if Id.of(self.key, item.number).link:
+                    raise SymcheckError(
+                        f"{Id(self.key, item.number)} ends in a small letter, as links do; give it another number"
                     )
                 seen[item.number] = name
                 yield section, name, item

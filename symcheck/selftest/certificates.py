@@ -175,7 +175,7 @@ def _lemmas(own: Sequence[str], named: Mapping[str, Sequence[str]]) -> list[str]
     todo = [*own]
     while todo:
         for name, _ in json.loads(todo.pop()).get("lemmas", ()):
-            texts = named.get(name) or [json.dumps(each) for each in lemma(*name.split(":", 1))[1]]
+            texts = named.get(name) or [json.dumps(each) for each in lemma(name)[1]]
             new = [text for text in texts if text not in found]
             found |= dict.fromkeys(new)
             todo += new

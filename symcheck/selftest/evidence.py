@@ -58,7 +58,7 @@ def _row(
 
 
 def _lemma(name: str, context: Context) -> Record:
-    return _row(name, context, Verdict.PROVED, lemma(*name.split(":", 1))[1])
+    return _row(name, context, Verdict.PROVED, lemma(name)[1])
 
 
 def _lemmas(certificates: Iterable[Certificate]) -> list[str]:
@@ -68,7 +68,7 @@ def _lemmas(certificates: Iterable[Certificate]) -> list[str]:
     while todo:
         if (name := todo.pop()) not in found:
             found[name] = None
-            todo += [more for each in lemma(*name.split(":", 1))[1] for more, _ in each.get("lemmas", ())]
+            todo += [more for each in lemma(name)[1] for more, _ in each.get("lemmas", ())]
     return sorted(found)
 
 

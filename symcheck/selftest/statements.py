@@ -18,6 +18,7 @@ from symcheck.audit.context import Context, for_letter
 from symcheck.audit.judge import Finding, Unit, judge, units
 from symcheck.audit.obligation import obligation_of
 from symcheck.core.claims import Erratum, Hypothesis, Problem
+from symcheck.core.ids import Id
 from symcheck.core.terms import node
 from symcheck.core.verdicts import Role, SymcheckError, Verdict
 from symcheck.ledger.record import Record
@@ -226,8 +227,7 @@ def unguarded(records: Sequence[Record]) -> list[str]:
     found = []
     for record in records:
         claims = [each["claim"] for each in record.certificates]
-        obligation = obligation_of(declared(record))
-        item, letter = obligation.item, record.id.removeprefix(obligation.id)
+        item, letter = obligation_of(declared(record)).item, Id.parse(record.id).link
         if record.verdict is Verdict.PROVED and not record.corrected and claims and claims[0][0] in ("<=", ">="):
             found += [record.id] * (not for_letter(item.equality, letter))
     return found
@@ -235,10 +235,7 @@ def unguarded(records: Sequence[Record]) -> list[str]:
 
 def declared(record: Record) -> str:
     """The id of the declaration that a record is a link of."""
-    try:
-        return obligation_of(record.id).id
-    except SymcheckError:
-        return obligation_of(record.id[:-1]).id
+    return str(Id.parse(record.id).declaration)
 
 
 def trials(place: str, count: int, rng: Random) -> Iterator[Trial]:

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from functools import partial
-from string import ascii_lowercase
 from typing import Any
 
 from symcheck.audit import kernels
+from symcheck.core.ids import Id
 from symcheck.core.verdicts import SymcheckError
 from symcheck.kernels.codegen.kernel import Kernel
 from symcheck.reading import Notation
@@ -71,5 +71,5 @@ def kernel(key: str, name: str) -> Shown:
 def _rests(key: str, found: Kernel) -> Iterator[str]:
     verdicts = recorded(key)
     for number in found.claims:
-        links = [id for id in verdicts if f"{key}:{number}" in (id, id.rstrip(ascii_lowercase))]
-        yield f"{key}:{number} ({', '.join(sorted({str(verdicts[id]) for id in links}))})"
+        links = [id for id in verdicts if Id.parse(id).declaration == Id(key, number)]
+        yield f"{Id(key, number)} ({', '.join(sorted({str(verdicts[id]) for id in links}))})"

@@ -6,6 +6,7 @@ from collections import Counter
 from collections.abc import Iterator
 from typing import Any
 
+from symcheck.core.ids import Id
 from symcheck.core.verdicts import Group, SymcheckError, Verdict
 from symcheck.ledger.record import Record
 from symcheck.views.notebook.counterexample import Evaluation, number, point
@@ -17,7 +18,7 @@ from symcheck.views.notebook.shown import Heading, Math, Part, Prose, Shown, Tab
 def errata(key: str) -> Shown:
     """The serious errata of a paper, wrong formulas and statements: number, line, kind, whose."""
     table = (
-        (record.id.partition(":")[2], str(record.line), record.name.replace("_", " "), record.kind, str(record.origin))
+        (Id.parse(record.id).place, str(record.line), record.name.replace("_", " "), record.kind, str(record.origin))
         for record in serious(key)
     )
     return Shown((Table(("number", "line", "name", "kind", "whose"), tuple(table)),))
@@ -27,7 +28,7 @@ def slips(key: str) -> Shown:
     """How many other relations of a paper have an erratum: rows, cells, slips; by kind, whose, recorded verdict."""
     verdicts = recorded(key)
     counts = Counter(
-        (group, each.kind, str(each.origin), str(verdicts[f"{key}:{item.number}{letter}"]))
+        (group, each.kind, str(each.origin), str(verdicts[str(Id(key, item.number, letter))]))
         for _, item in declared(key)
         for letter, each in item.errata.items()
         if (group := group_of(each)) is not Group.STATEMENT
@@ -45,10 +46,8 @@ def erratum(id: str) -> Shown:
 
 
 def _erratum(record: Record) -> Iterator[Part]:
-    key, _, place = record.id.partition(":")
-    yield Heading(
-        f"**{key} ({place})** {record.name.replace('_', ' ')}, line {record.line} — **{record.verdict}**: {record.kind}"
-    )
+    id, name = Id.parse(record.id), record.name.replace("_", " ")
+    yield Heading(f"**{id.paper} ({id.place})** {name}, line {record.line} — **{record.verdict}**: {record.kind}")
     if record.words:
         yield Prose("", record.words)
     yield from statement([record])

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from functools import cache
-from string import ascii_lowercase
 
 from symcheck import kernels, papers
 from symcheck.audit.library import check
 from symcheck.audit.obligation import expand, obligation_of
 from symcheck.core.claims import Erratum, Item, Paper
+from symcheck.core.ids import Id
 from symcheck.core.verdicts import SLIPS, Group, Origin, SymcheckError, Verdict
 from symcheck.ledger import store
 from symcheck.ledger.record import Record
@@ -17,7 +17,7 @@ from symcheck.reading import Notation
 
 def records(id: str) -> tuple[Record, ...]:
     """The records of a relation, or of all links of a chain; SymcheckError with the nearest id if there is none."""
-    found = tuple(record for record in decided(id) if id in (record.id, record.id.rstrip(ascii_lowercase)))
+    found = tuple(record for record in decided(id) if id in (record.id, _declaration(record.id)))
     if not found:
         raise SymcheckError(f"there is no relation {id}; there are {', '.join(record.id for record in decided(id))}")
     return found
@@ -25,14 +25,18 @@ def records(id: str) -> tuple[Record, ...]:
 
 def decided(id: str) -> tuple[Record, ...]:
     """All records of the declaration to which a relation or a link belongs."""
-    return _audited((id.rstrip(ascii_lowercase),))
+    return _audited((_declaration(id),))
+
+
+def _declaration(id: str) -> str:
+    return str(Id.parse(id).declaration)
 
 
 def list_rows(id: str) -> tuple[tuple[Record, ...], ...]:
     """The records of each row of a list or table, "ignatov2005:2.1V"."""
     rows: dict[str, list[Record]] = {}
     for record in _audited((id,)):
-        rows.setdefault(record.id.rstrip(ascii_lowercase), []).append(record)
+        rows.setdefault(_declaration(record.id), []).append(record)
     return tuple(map(tuple, rows.values()))
 
 
@@ -45,7 +49,7 @@ def group_of(erratum: Erratum) -> Group:
 
 def serious(key: str) -> tuple[Record, ...]:
     """The records of wrong formulas and statements of a paper, in printed order."""
-    found = _audited(tuple(f"{key}:{each.number}" for _, each in declared(key) if _may_be_serious(each)))
+    found = _audited(tuple(str(Id(key, each.number)) for _, each in declared(key) if _may_be_serious(each)))
     return tuple(record for record in found if record.group is Group.STATEMENT)
 
 
@@ -62,7 +66,7 @@ def _audited(ids: tuple[str, ...]) -> tuple[Record, ...]:
 
 def item(id: str) -> Item:
     """The declaration of a relation or of the chain of which it is a link."""
-    return obligation_of(id.rstrip(ascii_lowercase)).item
+    return obligation_of(_declaration(id)).item
 
 
 def paper(key: str) -> Paper:
@@ -72,7 +76,7 @@ def paper(key: str) -> Paper:
 
 def notation(id: str) -> Notation:
     """The letters of a declaration."""
-    return item(id).notation or paper(id.partition(":")[0]).notation
+    return item(id).notation or paper(Id.parse(id).paper).notation
 
 
 def declared(key: str) -> tuple[tuple[str, Item], ...]:

@@ -5,10 +5,10 @@ from __future__ import annotations
 import json
 import re
 from collections.abc import Iterator, Mapping, Sequence
-from string import ascii_lowercase
 from typing import Any
 
 from symcheck.audit.checked import reasons
+from symcheck.core.ids import Id
 from symcheck.core.verdicts import Certificate, Reading, Verdict
 from symcheck.ledger.digests import digest_of
 from symcheck.ledger.record import Record
@@ -42,8 +42,10 @@ def _claim(found: Sequence[Record]) -> Iterator[Part]:
 
 def title(record: Record, whole: bool = False) -> str:
     """Number, name and line of a relation, in Markdown; of the whole chain without the letter of its link."""
-    id = record.id.rstrip(ascii_lowercase) if whole else record.id
-    return f"**({id.partition(':')[2]})** {record.name.replace('_', ' ')}, line {record.line}".replace("  ", " ")
+    id = Id.parse(record.id)
+    return f"**({id.number if whole else id.place})** {record.name.replace('_', ' ')}, line {record.line}".replace(
+        "  ", " "
+    )
 
 
 def verdicts(found: Sequence[Record]) -> str:
@@ -58,7 +60,7 @@ def verdicts(found: Sequence[Record]) -> str:
 
 def letter(record: Record) -> str:
     """The letter of a link of a chain, "(b)"; nothing for a relation that stands alone."""
-    link = record.id[len(record.id.rstrip(ascii_lowercase)) :]
+    link = Id.parse(record.id).link
     return f"({link})" if link else ""
 
 
@@ -174,7 +176,7 @@ def rows(id: str, only_wrong: bool = False) -> Shown:
 
 def _row(found: Sequence[Record], wrong: Record | None) -> tuple[str, ...]:
     first = found[0]
-    number = first.id.rstrip(ascii_lowercase).rpartition(".")[2]
+    number = Id.parse(first.id).row
     said = {str(record.verdict or record.role) for record in found}
     verdict = str(Verdict.REFUTED) if Verdict.REFUTED in said else ", ".join(sorted(said))
     mark = "$" if first.printed else ""
