@@ -23,7 +23,7 @@ from symcheck.audit.context import Context
 from symcheck.audit.executor import Done, Pool
 from symcheck.audit.judge import units
 from symcheck.audit.obligation import obligation_of
-from symcheck.core.claims import Method, Problem
+from symcheck.core.problems import Form, Method, Problem
 from symcheck.core.terms import Term, node
 from symcheck.core.verdicts import Verdict
 from symcheck.proof.knowledge import ring_of, starting
@@ -52,7 +52,7 @@ def problems() -> Iterator[tuple[Method, Problem]]:
 def vanishing(problem: Problem) -> Term:
     """What has to be zero: left minus right, minus the form that an inequality rests on."""
     _, left, right = problem.claim
-    forms = (node("-", term) for name, term in problem.hints if name == "form")
+    forms = (node("-", hint.sum) for hint in problem.hints if isinstance(hint, Form))
     return unfold(node("+", left, node("-", right), *forms), dict(problem.definitions))
 
 

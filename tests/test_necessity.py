@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from symcheck.audit.checked import reason
-from symcheck.core.claims import Problem
+from symcheck.core.problems import Problem
 from symcheck.core.terms import Formula, node
 from symcheck.core.verdicts import Loss
 from symcheck.proof import fails_without, refute

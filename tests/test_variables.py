@@ -9,7 +9,7 @@ import sys
 import pytest
 
 from symcheck.audit.checked import reason
-from symcheck.core.claims import Problem
+from symcheck.core.problems import Problem
 from symcheck.core.terms import INFINITY, Formula, Term, node
 from symcheck.core.verdicts import Verdict
 from symcheck.proof import certificate, equivalent, identity

@@ -8,9 +8,10 @@ from dataclasses import replace
 from functools import cache
 from typing import Any
 
-from symcheck.core.claims import Hypothesis, Item, Method, Paper, Problem
+from symcheck.core.claims import Hypothesis, Item, Paper
 from symcheck.core.formulas import conjuncts
 from symcheck.core.ids import Id
+from symcheck.core.problems import Method, Problem
 from symcheck.core.terms import Formula, Node, Term, mapped, node
 from symcheck.core.verdicts import Role, SymcheckError
 from symcheck.reading import Notation, from_sympy, lower, read
@@ -101,9 +102,10 @@ class Context:
         parts = [part for formula in self.lower(hypothesis.states) for part in conjuncts(formula)]
         return hypothesis.name, tuple({repr(_commuted(part)): part for part in reversed(parts)}.values())[::-1]
 
-    def hint(self, latex: str) -> list[Term]:
-        """A hint as one flat sum, for each instance of a free index (one for all if it has none)."""
-        return [node("+", *_addends(formula[1])) for formula in self.lower(f"{latex} = 0")]
+    def hint(self, latex: str, instance: int) -> Term:
+        """A hint as one flat sum, for an instance of a free index (one for all if it has none)."""
+        found = self.lower(f"{latex} = 0")
+        return node("+", *_addends(found[instance if len(found) > 1 else 0][1]))
 
     def used_definitions(self, *values: Any) -> tuple[tuple[str, Term], ...]:
         """The definitions that the values need, each after those it needs itself."""
@@ -137,14 +139,11 @@ class Context:
     ) -> Problem:
         """What a method is asked: the formula with the definitions and hypotheses in force."""
         hypotheses = tuple(self.hypothesis(each) for each in given)
-        lowered = []
-        for name, latex in method.hints:
-            terms = self.hint(latex)
-            lowered.append((name, terms[instance] if len(terms) > 1 else terms[0]))
+        hints = tuple(hint.mapped(lambda latex: self.hint(latex, instance)) for hint in method.hints)
         bodies = [part for _, formulas in hypotheses for part in formulas]
         self.notation.refuse_undefined(self.table, formula, *bodies)
-        definitions = self.used_definitions(formula, *bodies, *(term for _, term in lowered))
-        return Problem(self.id + self.letter, formula, definitions, hypotheses, tuple(lowered))
+        definitions = self.used_definitions(formula, *bodies, *(term for hint in hints for term in hint.terms))
+        return Problem(self.id + self.letter, formula, definitions, hypotheses, hints)
 
 
 def _commuted(term: Any) -> Any:

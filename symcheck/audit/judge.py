@@ -8,9 +8,10 @@ from functools import cache, cached_property
 
 from symcheck import papers
 from symcheck.audit.context import Context, for_letter
-from symcheck.core.claims import Hypothesis, Method, Outcome, Problem
+from symcheck.core.claims import Hypothesis
 from symcheck.core.formulas import conjuncts, contrary
 from symcheck.core.ids import Id
+from symcheck.core.problems import Method, Outcome, Problem
 from symcheck.core.terms import Formula, Term, node
 from symcheck.core.verdicts import Certificate, SymcheckError, Verdict
 from symcheck.proof import Lemmas, certificate, combined, proof_of, refute
@@ -168,7 +169,9 @@ def _find(context: Context, formulas: tuple[Formula, ...], given: tuple[Hypothes
 def _source(context: Context, problem: Problem, premises: tuple[tuple[str, Formula], ...]) -> Lemmas:
     """The lemmas a proof may start from, and of the hypotheses in force those that these are proved under."""
     spoken = [problem.claim, *(f for _, stated in problem.hypotheses for f in stated), *(f for _, f in premises)]
-    defined = context.used_definitions(*spoken, *(term for _, term in problem.hints)) if premises else ()
+    defined = (
+        context.used_definitions(*spoken, *(term for hint in problem.hints for term in hint.terms)) if premises else ()
+    )
     under = {name for id in dict(premises) for each in lemma(id)[1] for name in each["hypotheses"]}
     return Lemmas(premises, problem, tuple(h for h in problem.hypotheses if h[0] in under), defined)
 

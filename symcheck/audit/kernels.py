@@ -9,9 +9,10 @@ from importlib import import_module
 from importlib.util import find_spec
 
 from symcheck.audit.checked import NOT_ACCEPTED, reasons
-from symcheck.core.claims import Paper, Problem
+from symcheck.core.claims import Paper
 from symcheck.core.formulas import conjuncts
 from symcheck.core.ids import Id
+from symcheck.core.problems import Applied, Problem
 from symcheck.core.terms import node
 from symcheck.core.verdicts import Certificate, SymcheckError, Verdict
 from symcheck.kernels.codegen.kernel import Kernel
@@ -62,10 +63,9 @@ def equalities(paper: Paper, name: str, kernel: Kernel) -> Iterator[Certificate]
     for output, form in forms.items():
         sides = from_sympy(derived[output]), from_sympy(form)
         problem = Problem(f"{paper.key}:{name}.{output}", node("=", *sides), (), given)
-        squares = tuple((f"theorem.0.equal_squares.{k}", side) for k, side in enumerate(sides))
         outcome = identity.decide(problem)
         if outcome.verdict is Verdict.UNDECIDED:
-            outcome = identity.decide(replace(problem, hints=squares))
+            outcome = identity.decide(replace(problem, hints=(Applied("equal_squares", sides),)))
         if outcome.verdict is not Verdict.PROVED:
             why = outcome.reason or outcome.verdict
             raise SymcheckError(f"{problem.id}: the accurate form is not proved equal to the derived one ({why})")

@@ -8,7 +8,8 @@ from typing import Any, NamedTuple
 
 from symcheck.audit.checked import FOR_EQUALITY
 from symcheck.audit.judge import proofs
-from symcheck.core.claims import Hypothesis, Item, Problem
+from symcheck.core.claims import Hypothesis, Item
+from symcheck.core.problems import Problem
 from symcheck.core.verdicts import Certificate, Role
 from symcheck.proof import Without, fails_without
 

@@ -11,8 +11,9 @@ from pathlib import Path
 from typing import Any
 
 from symcheck import papers
-from symcheck.core.claims import Item, Method, Paper, Section
+from symcheck.core.claims import Item, Paper, Section
 from symcheck.core.ids import Id
+from symcheck.core.problems import Method
 from symcheck.core.verdicts import Role, SymcheckError
 from symcheck.reading import Notation
 

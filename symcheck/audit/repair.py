@@ -11,7 +11,8 @@ from typing import Any
 from symcheck.audit.checked import reasons
 from symcheck.audit.context import Context
 from symcheck.audit.judge import Finding, Unit, judge, proofs
-from symcheck.core.claims import Erratum, Item, Method
+from symcheck.core.claims import Erratum, Item
+from symcheck.core.problems import Method
 from symcheck.core.terms import node
 from symcheck.core.verdicts import SymcheckError, Verdict
 from symcheck.proof import combined, fails_at

@@ -8,8 +8,8 @@ from types import ModuleType
 from typing import TYPE_CHECKING
 
 from symcheck.core.ids import Id
-from symcheck.core.terms import Formula, Term
-from symcheck.core.verdicts import Certificate, Origin, Role, SymcheckError, Verdict
+from symcheck.core.problems import Method
+from symcheck.core.verdicts import Origin, Role, SymcheckError
 
 if TYPE_CHECKING:
     from symcheck.reading import Notation
@@ -41,41 +41,6 @@ class Erratum:
     reason: str
     forms: tuple[str, ...] = ()  # hints for the proof of `corrected`
     shown: str = ""
-
-
-@dataclass(frozen=True)
-class Problem:
-    """One lowered formula to decide: everything a proof method may know.
-
-    `definitions` are (name, term) pairs in dependency order, to be unfolded; `hypotheses` maps a name to the
-    formulas it states. `hints` come from the method's declaration and are never trusted.
-    """
-
-    id: str
-    claim: Formula
-    definitions: tuple[tuple[str, Term], ...] = ()
-    hypotheses: tuple[tuple[str, tuple[Formula, ...]], ...] = ()
-    hints: tuple[tuple[str, Term], ...] = ()
-
-
-@dataclass(frozen=True)
-class Outcome:
-    """What a method answers. `proof` is the checker's rule tree; a refutation carries `point` instead."""
-
-    verdict: Verdict
-    proof: Certificate | None = None
-    point: Certificate | None = None
-    used: tuple[str, ...] = ()
-    reason: str = ""
-
-
-@dataclass(frozen=True)
-class Method:
-    """A proof method with the hints of one claim; `decide` never raises on a statement it cannot decide."""
-
-    name: str
-    decide: Callable[[Problem], Outcome]
-    hints: tuple[tuple[str, str], ...] = ()
 
 
 @dataclass(frozen=True, kw_only=True)

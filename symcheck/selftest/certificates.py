@@ -13,8 +13,8 @@ from random import Random
 from typing import Any, NamedTuple
 
 from symcheck.audit.judge import lemma
-from symcheck.core.claims import Problem
 from symcheck.core.formulas import conjuncts
+from symcheck.core.problems import Problem
 from symcheck.core.terms import Reader, node
 from symcheck.core.verdicts import Certificate, Loss
 from symcheck.ledger.certificates import certificates

@@ -14,8 +14,8 @@ from symcheck.audit.checked import reasons, told
 from symcheck.audit.context import Context
 from symcheck.audit.judge import Finding, Unit, lemma
 from symcheck.core.calculus import letters
-from symcheck.core.claims import Outcome, Problem
 from symcheck.core.formulas import conjuncts
+from symcheck.core.problems import Form, Hint, Outcome, Problem, Witness
 from symcheck.core.terms import Formula, Node, Reader, Term, node
 from symcheck.core.verdicts import Certificate, SymcheckError, Verdict
 from symcheck.ledger.record import Record
@@ -114,13 +114,13 @@ def problem_of(evidence: Certificate) -> Problem:
     return Problem(evidence["id"], claim, definitions, hypotheses, tuple(dict.fromkeys(_hints(evidence.get("proof")))))
 
 
-def _hints(proof: Any) -> Iterator[tuple[str, Any]]:
+def _hints(proof: Any) -> Iterator[Hint[Term]]:
     """The forms and the points that a proof is made of, for a search that looks for a proof of something like it."""
     if isinstance(proof, dict):
         if "form" in proof:
-            yield "form", Reader().term(proof["form"])
-        for name, value in proof.get("point", {}).items():
-            yield f"point_{name}", Reader().term(value)
+            yield Form(Reader().term(proof["form"]))
+        if point := proof.get("point"):
+            yield Witness(tuple((letter, Reader().term(value)) for letter, value in point.items()))
     for child in proof.values() if isinstance(proof, dict) else proof if isinstance(proof, list) else ():
         yield from _hints(child)
 

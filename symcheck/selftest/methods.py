@@ -29,7 +29,7 @@ from symcheck.audit.judge import units
 from symcheck.audit.obligation import fingerprint, obligation_of
 from symcheck.checker.statements import Index as StatementIndex
 from symcheck.core.calculus import letters
-from symcheck.core.claims import Outcome, Problem
+from symcheck.core.problems import Outcome, Problem
 from symcheck.core.terms import JSON, node
 from symcheck.core.verdicts import Certificate, Role, SymcheckError, Verdict
 from symcheck.ledger import store

@@ -15,7 +15,8 @@ from symcheck import papers
 from symcheck.audit.context import Context
 from symcheck.audit.judge import Unit, judge, units
 from symcheck.audit.obligation import DECIDED, expand
-from symcheck.core.claims import Item, Paper, Problem
+from symcheck.core.claims import Item, Paper
+from symcheck.core.problems import Problem
 from symcheck.core.terms import node
 from symcheck.core.verdicts import Role, SymcheckError, Verdict
 from symcheck.ledger.record import Record

@@ -12,8 +12,8 @@ import mpmath
 from scipy.optimize import linprog
 
 from symcheck.core.calculus import letters
-from symcheck.core.claims import Problem
 from symcheck.core.formulas import conjuncts
+from symcheck.core.problems import Problem
 from symcheck.core.terms import (
     INFINITY,
     MINUS_INFINITY,

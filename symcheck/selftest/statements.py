@@ -17,8 +17,9 @@ from typing import NamedTuple
 from symcheck.audit.context import Context, for_letter
 from symcheck.audit.judge import Finding, Unit, judge, units
 from symcheck.audit.obligation import obligation_of
-from symcheck.core.claims import Erratum, Hypothesis, Problem
+from symcheck.core.claims import Erratum, Hypothesis
 from symcheck.core.ids import Id
+from symcheck.core.problems import Problem
 from symcheck.core.terms import node
 from symcheck.core.verdicts import Role, SymcheckError, Verdict
 from symcheck.ledger.record import Record

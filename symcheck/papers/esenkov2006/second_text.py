@@ -6,6 +6,7 @@ The formulas are read here without regard to the first text; `comparison` shows 
 from functools import partial
 
 from symcheck.core.claims import Erratum, Hypothesis
+from symcheck.core.problems import Applied
 from symcheck.core.verdicts import Origin
 from symcheck.papers.declare import claim, definition, exclusion, premise
 from symcheck.papers.esenkov2006 import derivation
@@ -261,7 +262,7 @@ roots_by_formula = claim(
     reason="A b_n reads as '^6Й', a minus is lost, the root sign reads as ',j'. Read with one equation for each sign of the root.",
     given=[roots_of_boundary, liquid_moves, liquid_is_part, roots_are_real_numbers],
     keeping=("b",),
-    by=theorems(("equal_squares", r"\Delta_1 - \Delta_2", rf"2 \cdot {RADICAL}")),
+    by=theorems(Applied("equal_squares", (r"\Delta_1 - \Delta_2", rf"2 \cdot {RADICAL}"))),
     uses=["1.34.3", "1.34.4"],
 )
 
@@ -277,9 +278,9 @@ roots_as_squares = claim(
     given=[roots_of_boundary, liquid_moves, liquid_is_part, roots_are_real_numbers],
     keeping=("b",),
     by={
-        "a": theorems(("equal_squares", r"\Delta_1 - \Delta_2", rf"2 \cdot {RADICAL}")),
+        "a": theorems(Applied("equal_squares", (r"\Delta_1 - \Delta_2", rf"2 \cdot {RADICAL}"))),
         "b": looking_at(cases(), A="2", E_1="1", b_1="1/2", Delta_1="0", Delta_2="-2"),
-        "c": theorems(("equal_squares", r"\Delta_1 - \Delta_2", rf"2 \cdot {RADICAL}")),
+        "c": theorems(Applied("equal_squares", (r"\Delta_1 - \Delta_2", rf"2 \cdot {RADICAL}"))),
         "d": cases(),
     },
     uses=["1.34.5"],

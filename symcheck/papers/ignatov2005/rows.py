@@ -22,7 +22,8 @@ from functools import cached_property
 from itertools import combinations, product
 from typing import Any
 
-from symcheck.core.claims import Hypothesis, Method
+from symcheck.core.claims import Hypothesis
+from symcheck.core.problems import Method
 from symcheck.core.verdicts import SymcheckError
 from symcheck.mechanics.zonotope import Envelope, Signs, envelope, opposite, triple_product
 from symcheck.papers.listing import EdgeRow, FaceRow, Label, Pattern, Row, TableRow, VertexRow

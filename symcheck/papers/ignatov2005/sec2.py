@@ -11,6 +11,7 @@ from functools import partial
 from typing import Any
 
 from symcheck.core.claims import Erratum, Hypothesis, Item
+from symcheck.core.problems import Applied
 from symcheck.core.verdicts import Origin
 from symcheck.papers.declare import claim, definition, exclusion, ours, premise
 from symcheck.papers.ignatov2005 import derivation
@@ -453,7 +454,7 @@ distance_of_v6 = claim(
     words="Distance of V_6, V'_6 from the centre.",
     given=OPEN_RANGE,
     where=FIRST_DISTANCES,
-    by=theorems(("equal_squares", "d_2", r"4 \sin a \cos b")),
+    by=theorems(Applied("equal_squares", ("d_2", r"4 \sin a \cos b"))),
     notation=four_wheels,
 )
 

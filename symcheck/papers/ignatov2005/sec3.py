@@ -13,6 +13,7 @@ from itertools import combinations
 from typing import Any
 
 from symcheck.core.claims import Erratum, Hypothesis, Item
+from symcheck.core.problems import Applied
 from symcheck.core.verdicts import Origin
 from symcheck.papers.declare import claim, definition, exclusion, ours, premise
 from symcheck.papers.ignatov2005 import derivation, envelopes
@@ -597,7 +598,7 @@ FACES_OF_P = (
 
 def distance_of_faces(number: str, line: int, distance: str, *faces: int, **fields: Any) -> Item:
     """A cell of a table of faces: the distance r_i of the planes of these F_i, and so of F'_i, from the centre."""
-    method = theorems(*(("equal_squares", f"r_{{{i}}}", distance) for i in faces))
+    method = theorems(*(Applied("equal_squares", (f"r_{{{i}}}", distance)) for i in faces))
     return claim(
         number,
         line,
@@ -634,7 +635,7 @@ table_8 = (
         r"4 \sin 2a \sqrt{\frac{1}{1 + 15 \cos^2 a}}",
         *range(7, 13),
         words="F_7 to F_12 and their opposites: between edges with one in between.",
-        by=theorems(*(("equal_squares", f"r_{{{i}}}", AT_TWO_STEPS) for i in range(7, 13))),
+        by=theorems(*(Applied("equal_squares", (f"r_{{{i}}}", AT_TWO_STEPS)) for i in range(7, 13))),
         errata={
             "": Erratum(
                 all_far(AT_TWO_STEPS, *range(7, 13)),

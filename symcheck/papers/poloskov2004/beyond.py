@@ -1,6 +1,7 @@
 """Beyond Poloskov 2004: constants, moments and quantiles in closed form; what averaging needs and neglects."""
 
 from symcheck.core.claims import Hypothesis
+from symcheck.core.problems import Applied
 from symcheck.papers.declare import ours
 from symcheck.papers.poloskov2004 import derivation
 from symcheck.papers.poloskov2004.hypotheses import (
@@ -60,9 +61,9 @@ distribution_of_amplitude = ours(
     ],
     where=derivation.moment_parameters,
     by=theorems(
-        ("power_of_product", r"4\beta^2", STRETCHED, r"\kappa_1"),
-        ("power_of_sum", STRETCHED, r"-\nu", "-1"),
-        ("power_of_sum", r"4\beta^2", r"\nu", r"\kappa_1"),
+        Applied("power_of_product", (r"4\beta^2", STRETCHED, r"\kappa_1")),
+        Applied("power_of_sum", (STRETCHED, r"-\nu", "-1")),
+        Applied("power_of_sum", (r"4\beta^2", r"\nu", r"\kappa_1")),
     ),
     uses=["B.2"],
     notation=moment_letters,
@@ -81,7 +82,10 @@ quantiles_of_amplitude = ours(
         Hypothesis("probability", "q is a probability", "q > 0, q < 1"),
     ],
     where=derivation.moment_parameters,
-    by=theorems(("power_inverse", STRETCHED, r"-\nu", "1 - q"), ("power_inverse", "1 - q", r"-1/\nu", STRETCHED)),
+    by=theorems(
+        Applied("power_inverse", (STRETCHED, r"-\nu", "1 - q")),
+        Applied("power_inverse", ("1 - q", r"-1/\nu", STRETCHED)),
+    ),
     uses=["B.3"],
     notation=moment_letters,
 )

@@ -1,6 +1,7 @@
 """Poloskov 2004, section 4: existence, moments and modes of the stationary densities, and a numerical example."""
 
 from symcheck.core.claims import Erratum, Hypothesis
+from symcheck.core.problems import Applied
 from symcheck.core.verdicts import Origin
 from symcheck.papers.declare import body, claim, exclusion, ours, premise
 from symcheck.papers.poloskov2004 import derivation
@@ -176,7 +177,7 @@ mode_of_amplitude = claim(
     given=[equatorial_noise],
     where=derivation.mode,
     by=theorems(
-        ("equal_squares", r"\sqrt{\alpha^2 + 8\gamma^2} \sqrt{\frac{\beta^2}{8\gamma^2 + \alpha^2}}", r"\beta")
+        Applied("equal_squares", (r"\sqrt{\alpha^2 + 8\gamma^2} \sqrt{\frac{\beta^2}{8\gamma^2 + \alpha^2}}", r"\beta"))
     ),
     uses=["3.4"],
 )
