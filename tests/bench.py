@@ -19,7 +19,7 @@ from tempfile import TemporaryDirectory
 from typing import Any
 
 from symcheck import kernels
-from symcheck.audit.context import Context
+from symcheck.audit.context import context_of
 from symcheck.audit.executor import Done, Pool
 from symcheck.audit.judge import units
 from symcheck.audit.obligation import obligation_of
@@ -41,12 +41,12 @@ def problems() -> Iterator[tuple[Method, Problem]]:
     """The lowered statements of the proof set, each with its method."""
     for number in PROOF_SET:
         obligation = obligation_of(f"mirer2009:{number}")
-        context, by = Context(obligation.paper, obligation.item), obligation.item.by
+        context = context_of(obligation)
         for unit in units(context):
             if unit.letter in LINKS.get(number, unit.letter):
-                method = by[unit.letter] if isinstance(by, dict) else by
+                method = context.method(unit.letter)
                 for n, formula in enumerate(unit.formulas):
-                    yield method, context.problem(formula, obligation.item.given, method, n)
+                    yield method, context.problem(formula, context.item.statement.given, method, n)
 
 
 def vanishing(problem: Problem) -> Term:

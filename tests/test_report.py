@@ -14,6 +14,7 @@ from typing import Any
 
 import pytest
 from click.testing import Result
+from declarations import states
 
 from symcheck import kernels, papers
 from symcheck.audit.obligation import expand
@@ -80,7 +81,7 @@ def folded(text: str, name: str) -> Any:
 def printed_texts() -> Iterator[str]:
     for paper in papers.load().values():
         for obligation in expand(paper):
-            yield from (*obligation.item.printed, obligation.item.formal, *obligation.item.parts)
+            yield from (*obligation.item.source.printed, *states(obligation.item))
 
 
 def test_every_formula_of_the_papers_is_typeset_and_nothing_else() -> None:

@@ -16,6 +16,7 @@ from symcheck.audit import checked, decide
 from symcheck.audit.executor import Serial
 from symcheck.audit.judge import judge
 from symcheck.audit.obligation import expand
+from symcheck.core.claims import Assertion
 from symcheck.core.verdicts import SymcheckError, Verdict
 from symcheck.ledger.domain import domain, refuse_wider
 from symcheck.ledger.record import Record
@@ -217,7 +218,7 @@ def test_no_inequality_keeps_its_proof_and_its_equality_case_with_another_bound(
         told_of(changed.context, changed.unit, judge(changed.context, changed.unit, changed.given))
         for paper in papers.load().values()
         for each in expand(paper)
-        if each.item.equality
+        if isinstance(each.item, Assertion) and each.item.statement.equality
         for original in proved(each.id)
         if original.equality
         for edit in statements.slips(original)

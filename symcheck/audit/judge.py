@@ -7,8 +7,8 @@ from dataclasses import dataclass, replace
 from functools import cache, cached_property
 
 from symcheck import papers
-from symcheck.audit.context import Context, for_letter
-from symcheck.core.claims import Hypothesis
+from symcheck.audit.context import Context
+from symcheck.core.claims import Assertion, Hypothesis, for_letter
 from symcheck.core.formulas import conjuncts, contrary
 from symcheck.core.ids import Id
 from symcheck.core.problems import Method, Outcome, Problem
@@ -37,12 +37,12 @@ class Unit:
 def units(context: Context) -> list[Unit]:
     """The relations of a declaration: each link of a chain or system, or the whole formal statement."""
     item = context.item
-    if stated := item.parts or ((item.formal,) if item.formal else ()):
-        links = [read(form, context.notation) for form in stated]
+    if item.statement.states:
+        links = [read(form, context.notation) for form in item.statement.states]
     else:
-        links = [_statement(link) for link in relations(read(item.read_as or item.printed, context.notation))]
+        links = [_statement(link) for link in relations(read(item.text, context.notation))]
     letters = [chr(ord("a") + n) for n in range(len(links))] if len(links) > 1 else [""]
-    derived = [from_sympy(value) for value in item.equation()] if item.equation else []
+    derived = [from_sympy(value) for value in equation()] if (equation := item.statement.equation) else []
     found = []
     for letter, link in zip(letters, links, strict=True):
         count = len(lower(link, context.notation)) if derived else 0
@@ -120,9 +120,9 @@ def _stated(context: Context, unit: Unit, given: tuple[Hypothesis, ...]) -> Stat
 
 def _attained(context: Context, unit: Unit, given: tuple[Hypothesis, ...]) -> Statement | None:
     """The same of the set of equality of an inequality, if one is declared."""
-    if not (equality := for_letter(context.item.equality, unit.letter)):
+    if not (equality := for_letter(context.item.statement.equality, unit.letter)):
         return None
-    hypotheses = (*given, *context.item.equality_given)
+    hypotheses = (*given, *context.item.statement.equality_given)
     return equality_claims(context, unit, equality), hypotheses, combined(context.method(unit.letter))
 
 
@@ -251,13 +251,13 @@ def lemma(name: str) -> tuple[tuple[Formula, ...], tuple[Certificate, ...]]:
     id = Id.parse(name)
     paper = papers.load()[id.paper]
     item = next((item for _, _, item in paper.items() if item.number == id.number), None)
-    if item is None:
-        raise SymcheckError(f"{id} is used as a lemma, but not declared")
-    context = Context(paper, replace(item, equality=""))
+    if not isinstance(item, Assertion):
+        raise SymcheckError(f"{id} is used as a lemma, but not claimed")
+    context = Context(paper, item).without_equality()
     unit = next((unit for unit in units(context) if unit.letter == id.link), None)
     if unit is None:
         raise SymcheckError(f"{id} is used as a lemma, but {id.declaration} has no link {id.link!r}")
-    finding = judge(context, unit, item.given)
+    finding = judge(context, unit, item.statement.given)
     if finding.verdict is not Verdict.PROVED:
         raise SymcheckError(f"{id} is used as a lemma, but not proved")
     return tuple(part for formula in unit.formulas for part in conjuncts(formula)), finding.certificates

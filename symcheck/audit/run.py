@@ -12,7 +12,7 @@ from typing import Any, Protocol, TypeVar
 from symcheck.audit import checked
 from symcheck.audit.cache import Cache
 from symcheck.audit.executor import Answer, Done, Executor, Timeout
-from symcheck.core.claims import Item, Paper, Section
+from symcheck.core.claims import Assertion, Declaration, Paper, Section
 from symcheck.core.ids import Id
 from symcheck.core.verdicts import SymcheckError, Verdict
 from symcheck.ledger.record import Record
@@ -34,7 +34,7 @@ class Obligation(Protocol):
     @property
     def section(self) -> Section: ...
     @property
-    def item(self) -> Item: ...
+    def item(self) -> Declaration: ...
 
 
 class Decider(Protocol):
@@ -164,8 +164,9 @@ def _with_lemmas(wanted: Iterable[str], obligations: Mapping[str, Obligation]) -
 
 def _lemmas(id: str, obligations: Mapping[str, Obligation]) -> list[str]:
     """The declarations whose relations the proof of one may start from; "2.13.1b" is a link of 2.13.1."""
-    key = Id.parse(id).paper
-    named = (str(Id.of(key, place).declaration) for place in obligations[id].item.lemmas)
+    key, item = Id.parse(id).paper, obligations[id].item
+    places = item.plan.lemmas if isinstance(item, Assertion) else ()
+    named = (str(Id.of(key, place).declaration) for place in places)
     return [name for name in named if name in obligations]
 
 
@@ -241,11 +242,11 @@ def _records(obligation: Obligation, answer: Answer[tuple[Record, ...]]) -> tupl
         id=obligation.id,
         paper=obligation.paper.key,
         section=obligation.section.number,
-        line=item.line,
+        line=item.source.line,
         role=item.role,
         name=item.name,
-        printed=" ".join(item.printed),
-        words=item.words,
+        printed=" ".join(item.source.printed),
+        words=item.source.words,
         verdict=Verdict.UNDECIDED,
         reason=limit,
         uses=tuple(str(Id.of(obligation.paper.key, place)) for place in item.uses),

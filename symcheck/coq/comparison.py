@@ -15,10 +15,11 @@ from typing import Any
 
 import mpmath
 
-from symcheck.audit.context import Context, for_letter
+from symcheck.audit.context import Context, context_of
 from symcheck.audit.judge import Unit, equality_claims, units
 from symcheck.audit.obligation import obligation_of
 from symcheck.coq.reader import claims
+from symcheck.core.claims import for_letter
 from symcheck.core.ids import Id
 from symcheck.core.terms import Binder, Call, Connective, Formula, Node, Quantified, Relation, Term, Value, node
 from symcheck.reading import read
@@ -119,18 +120,17 @@ def _near(a: Number, b: Number) -> bool:
 def printed(id: str, corrected: bool) -> Iterator[tuple[Context, Formula]]:
     """The formulas of a printed relation (or of its correction), read anew, each with what is in force there."""
     asked = Id.parse(id)
-    obligation = obligation_of(str(asked.declaration))
-    context = Context(obligation.paper, obligation.item)
+    context = context_of(obligation_of(str(asked.declaration)))
     unit = next(unit for unit in units(context) if unit.letter == asked.link)
     context = context.having(letter=unit.letter)
     yield from ((context, formula) for formula in _formulas(context, unit, corrected))
 
 
 def _formulas(context: Context, unit: Unit, corrected: bool) -> Sequence[Any]:
-    erratum = context.item.errata.get(unit.letter)
+    erratum = context.item.erratum(unit.letter)
     if corrected and erratum and erratum.corrected:
         return unit.reworded(context, read(erratum.corrected, context.notation)).formulas
-    equality = for_letter(context.item.equality, unit.letter)
+    equality = for_letter(context.item.statement.equality, unit.letter)
     return (*unit.formulas, *(equality_claims(context, unit, equality) if equality else ()))
 
 
@@ -156,8 +156,7 @@ def _faults(context: Context, formula: Formula, premises: Sequence[Formula], con
         rest = rest.formulas[1] if isinstance(rest, Connective) else rest
     if not same(at.shape(conclusion), at.shape(formula)):
         yield "the conclusion is not what is printed"
-    item = context.item
-    known = [f for each in (*item.given, *item.needs, *item.equality_given) for f in context.hypothesis(each)[1]]
+    known = [f for each in context.item.hypotheses for f in context.hypothesis(each)[1]]
     shapes = [at.shape(f) for f in known]
     for premise in premises:
         shape = at.shape(premise)

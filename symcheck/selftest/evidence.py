@@ -49,7 +49,7 @@ def _row(
         id=id,
         paper=context.paper.key,
         section="",
-        line=item.line,
+        line=item.source.line,
         role=item.role,
         verdict=verdict,
         certificates=tuple(certificates),

@@ -22,7 +22,7 @@ from unittest.mock import patch
 from symcheck import papers
 from symcheck.audit import decide, judge, run
 from symcheck.audit.cache import FILE, Cache
-from symcheck.audit.context import Context
+from symcheck.audit.context import Context, context_of
 from symcheck.audit.executor import Serial
 from symcheck.audit.index import Index
 from symcheck.audit.judge import units
@@ -244,7 +244,7 @@ def fate_of_reading(id: str, share: float, truth: Mapping[str, Verdict]) -> Fate
     a fresh reading states: by this the checker ties them to the print.
     """
     obligation = obligation_of(id)
-    context = Context(obligation.paper, obligation.item)
+    context = context_of(obligation)
     before = [unit.formulas for unit in units(context)]
     statements = _statements(obligation.paper.key)
     try:

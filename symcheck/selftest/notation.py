@@ -14,11 +14,11 @@ from typing import Any, NamedTuple
 from symcheck import papers
 from symcheck.audit.context import Context
 from symcheck.audit.judge import Unit, judge, units
-from symcheck.audit.obligation import DECIDED, expand
-from symcheck.core.claims import Item, Paper
+from symcheck.audit.obligation import expand
+from symcheck.core.claims import Assertion, Ours, Paper, for_letter
 from symcheck.core.problems import Problem
 from symcheck.core.terms import node
-from symcheck.core.verdicts import Role, SymcheckError, Verdict
+from symcheck.core.verdicts import SymcheckError, Verdict
 from symcheck.ledger.record import Record
 from symcheck.proof import equivalent
 from symcheck.proof.polynomial import Unsupported, unfold
@@ -108,7 +108,9 @@ def fate(paper: Paper, fault: Fault) -> Fate:
                 if _is_alike(said, says) or _is_alike(_exchanged(said, fault.exchanged), says):
                     continue
                 changed += 1
-                if told_of(other, after, judge(other, after, other.item.given)) is not verdicts.get(before.letter):
+                if told_of(other, after, judge(other, after, other.item.statement.given)) is not verdicts.get(
+                    before.letter
+                ):
                     return Fate.REJECTED
     except (SymcheckError, Unsupported, ValueError):
         return Fate.REJECTED  # it cannot be read, or the table contradicts itself
@@ -121,21 +123,21 @@ def _means_the_same(context: Context, other: Context, fault: Fault) -> bool:
     return other.table == {_exchanged(x, names): _exchanged(term, names) for x, term in context.table.items()}
 
 
-def _text(item: Item) -> str:
+def _text(item: Assertion) -> str:
     """All LaTeX of a declaration."""
-    given = [hypothesis.states for hypothesis in (*item.given, *item.needs, *item.equality_given)]
-    return str((item.printed, item.formal, item.read_as, item.parts, item.equality, given)).replace("\\\\", "\\")
+    given = [hypothesis.states for hypothesis in item.hypotheses]
+    statement = item.statement
+    return str((item.source.printed, item.text, statement.states, statement.equality, given)).replace("\\\\", "\\")
 
 
-def _item(item: Item, change: Change) -> Item:
+def _item(item: Assertion, change: Change) -> Assertion:
     return replace(item, notation=change(item.notation)) if item.notation else item
 
 
 def _said(context: Context, unit: Unit) -> tuple[Any, ...]:
     """All that a relation states, definitions unfolded: its formulas, what is given, where it is an equality."""
-    item = context.item
-    given = [context.hypothesis(hypothesis) for hypothesis in (*item.given, *item.needs, *item.equality_given)]
-    equality = item.equality.get(unit.letter, "") if isinstance(item.equality, Mapping) else item.equality
+    given = [context.hypothesis(hypothesis) for hypothesis in context.item.hypotheses]
+    equality = for_letter(context.item.statement.equality, unit.letter)
     where = context.lower(equality) if equality else ()
     stated = (*unit.formulas, *where, *(formula for _, formulas in given for formula in formulas))
     definitions = dict(context.used_definitions(*stated))
@@ -156,29 +158,29 @@ def _exchanged(value: Any, names: Mapping[str, str]) -> Any:
 
 
 @cache
-def _decided(paper: Paper) -> tuple[tuple[Item, str, dict[str, Verdict]], ...]:
+def _decided(paper: Paper) -> tuple[tuple[Assertion, str, dict[str, Verdict]], ...]:
     """The declarations without lemmas, each with the verdict of its links; lists, and what is long, come last."""
     found = []
     for obligation in expand(paper):
         item = obligation.item
-        if item.role in DECIDED and not item.lemmas:
+        if isinstance(item, Assertion) and not item.plan.lemmas:
             found.append((item, _text(item), _Verdicts(paper, item)))
     return tuple(
-        sorted(found, key=lambda pair: (bool(pair[0].parts), pair[0].role is Role.OURS, len(repr(pair[0].printed))))
+        sorted(found, key=lambda pair: (len(pair[0].statement.states) > 1, isinstance(pair[0], Ours), len(pair[1])))
     )
 
 
 class _Verdicts(dict[str, Verdict]):
     """By link letter, decided when asked for."""
 
-    def __init__(self, paper: Paper, item: Item) -> None:
+    def __init__(self, paper: Paper, item: Assertion) -> None:
         super().__init__()
         self._context = Context(paper, item)
 
     def get(self, letter: str, default: Any = None) -> Any:
         if letter not in self:
             unit = next(unit for unit in units(self._context) if unit.letter == letter)
-            self[letter] = told_of(self._context, unit, judge(self._context, unit, self._context.item.given))
+            self[letter] = told_of(self._context, unit, judge(self._context, unit, self._context.item.statement.given))
         return self[letter]
 
 

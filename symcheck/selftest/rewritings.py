@@ -104,7 +104,7 @@ def trials(place: str, count: int, rng: Random) -> Iterator[Trial]:
             for kind, new in rewritings(formula, rng):
                 if new != formula:
                     by_kind[kind].append((kind, original, n, new))
-            if not original.context.item.lemmas:
+            if not original.context.item.plan.lemmas:
                 by_kind[RENAMED].append((RENAMED, original, n, formula))
     for kind, original, n, formula in islice(mixed(by_kind, rng), count):
         right = _renaming_is_proved(original, n) if kind == RENAMED else _is_proved(original, n, formula)

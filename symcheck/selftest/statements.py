@@ -7,23 +7,23 @@ the way of the printed text: it is printed, read again and lowered, so that what
 from __future__ import annotations
 
 from collections import defaultdict
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from functools import cache
 from itertools import islice, starmap
 from random import Random
 from typing import NamedTuple
 
-from symcheck.audit.context import Context, for_letter
+from symcheck.audit.context import Context, context_of
 from symcheck.audit.judge import Finding, Unit, judge, units
 from symcheck.audit.obligation import obligation_of
-from symcheck.core.claims import Erratum, Hypothesis
+from symcheck.core.claims import Erratum, Hypothesis, for_letter
 from symcheck.core.ids import Id
 from symcheck.core.problems import Problem
 from symcheck.core.terms import node
 from symcheck.core.verdicts import Role, SymcheckError, Verdict
 from symcheck.ledger.record import Record
-from symcheck.proof import combined, fails_without
+from symcheck.proof import fails_without
 from symcheck.reading import Edit, Tree, edits, lower, read, to_latex
 from symcheck.reading.tree import Add, Number, children, replaced, walk
 from symcheck.selftest.arguments import ARGUMENT, arguments
@@ -53,7 +53,7 @@ class Proved(NamedTuple):
     @property
     def equality(self) -> str:
         """Where the inequality is an equality, as declared."""
-        return str(for_letter(self.context.item.equality, self.unit.letter) or "")
+        return for_letter(self.context.item.statement.equality, self.unit.letter) or ""
 
     def both(self, changed: Proved) -> Iterator[Problem]:
         """Both claims, instance by instance, under the hypotheses."""
@@ -64,14 +64,13 @@ class Proved(NamedTuple):
 
 def proved(id: str) -> list[Proved]:
     """The proved relations of one declaration; of misprinted ones, what is right."""
-    obligation = obligation_of(id)
-    item, found = obligation.item, []
-    context = Context(obligation.paper, item)
+    context, found = context_of(obligation_of(id)), []
     for unit in units(context):
-        if unit.letter and unit.letter in item.imposed:
+        if context.item.statement.imposes(unit.letter):
             continue
-        each = Proved(context, unit, item.given + (item.needs if unit.letter in item.errata else ()))
-        if (erratum := item.errata.get(unit.letter)) and erratum.corrected:
+        erratum = context.item.erratum(unit.letter)
+        each = Proved(context, unit, context.item.statement.given + (erratum.needs if erratum else ()))
+        if erratum and erratum.corrected:
             each = _corrected(each, erratum)
         finding = judge(each.context, each.unit, each.given)
         if finding.verdict is Verdict.PROVED and told_of(each.context, each.unit, finding) is Verdict.PROVED:
@@ -81,9 +80,7 @@ def proved(id: str) -> list[Proved]:
 
 def _corrected(printed: Proved, erratum: Erratum) -> Proved:
     """The relation as it should be, proved with its own hints."""
-    item = printed.context.item
-    methods = [*filter(None, item.by.values() if isinstance(item.by, Mapping) else [item.by])]
-    context = printed.context.having(item=replace(item, equality="", by=combined(*methods, forms=erratum.forms)))
+    context = printed.context.as_corrected(erratum)
     return Proved(context, printed.unit.reworded(context, read(erratum.corrected, context.notation)), printed.given)
 
 
@@ -133,7 +130,8 @@ def with_slip(original: Proved, edit: Edit) -> Proved:
     if edit.kind != EQUALITY:
         return Proved(context, unit.reworded(context, tree), given)
     lower(tree, context.notation)
-    return Proved(context.having(item=replace(context.item, equality={unit.letter: latex})), unit, given)
+    statement = replace(context.item.statement, equality={unit.letter: latex})
+    return Proved(context.having(item=replace(context.item, statement=statement)), unit, given)
 
 
 def _is_read_alike(original: Proved, changed: Proved, edit: Edit) -> bool:
@@ -228,9 +226,9 @@ def unguarded(records: Sequence[Record]) -> list[str]:
     found = []
     for record in records:
         claims = [each["claim"] for each in record.certificates]
-        item, letter = obligation_of(declared(record)).item, Id.parse(record.id).link
         if record.verdict is Verdict.PROVED and not record.corrected and claims and claims[0][0] in ("<=", ">="):
-            found += [record.id] * (not for_letter(item.equality, letter))
+            statement = context_of(obligation_of(declared(record))).item.statement
+            found += [record.id] * (not for_letter(statement.equality, Id.parse(record.id).link))
     return found
 
 

@@ -26,7 +26,7 @@ signs_of_four = ours(
     81,
     words="Each triple product of the axes has one sign over the open range of a and b, so that vertices, edges and faces are the "
     "same for all of them.",
-    parts=tuple(f"{name} = {value} {PQR}" for name, value in envelopes.triples(envelopes.FOUR)),
+    states=tuple(f"{name} = {value} {PQR}" for name, value in envelopes.triples(envelopes.FOUR)),
     by=identity,
     uses=["2.0.4"],
     notation=four_wheels_beyond,
@@ -37,7 +37,7 @@ degenerate_four = ours(
     81,
     words="They vanish, all at once, only where a or b is a multiple of 90 degrees: there P is a rhombus (b = 0, b = 90 or a = 90 "
     "degrees) or a segment (a = 0, or two of these).",
-    parts=tuple(
+    states=tuple(
         rf"{name} = 0 \Leftrightarrow (\sin a = 0 \lor \cos a = 0 \lor \sin b = 0 \lor \cos b = 0)"
         for name, _ in envelopes.triples(envelopes.FOUR)
     ),
@@ -50,7 +50,7 @@ volume_of_four = ours(
     "B.3",
     81,
     words="The volume of P.",
-    formal=rf"{envelopes.volume(envelopes.FOUR)} = 128 {PQR}",
+    states=rf"{envelopes.volume(envelopes.FOUR)} = 128 {PQR}",
     by=identity,
     uses=["B.1"],
     notation=four_wheels_beyond,
@@ -67,7 +67,7 @@ surface_of_four = ours(
     81,
     words="Each pair of axes spans two opposite faces, of the area 4 |e_i x e_j|; by these squares of |e_i x e_j| the surface of P is "
     "32 (sin a cos a + sin a cos b sqrt(1 - sin^2 a cos^2 b) + sin a sin b sqrt(1 - sin^2 a sin^2 b)).",
-    parts=tuple(
+    states=tuple(
         rf"(\mathbf{{e}}_{i} \times \mathbf{{e}}_{j}, \mathbf{{e}}_{i} \times \mathbf{{e}}_{j}) = {value}"
         for i, j, value in (
             (1, 3, ABOUT_XY), (2, 4, ABOUT_XY), (1, 2, ABOUT_XZ), (3, 4, ABOUT_XZ), (1, 4, ABOUT_YZ), (2, 3, ABOUT_YZ),
@@ -90,7 +90,7 @@ largest_volume_of_four = ours(
     "B.5",
     81,
     words="The volume 128 pqr is greatest, 128/(3 sqrt 3), for p = q = r: tg a = sqrt 2 and b = 45 degrees.",
-    formal="(pqr)^2 \\leq \\frac{1}{27}",
+    states="(pqr)^2 \\leq \\frac{1}{27}",
     given=[axes],
     by=nonnegative(
         r"\frac{1}{54} (p^2 - q^2)^2 + \frac{1}{54} (q^2 - r^2)^2 + \frac{1}{54} (r^2 - p^2)^2"
@@ -105,7 +105,7 @@ optimal_angles_of_four = ours(
     "B.6",
     81,
     words="In the angles p^2 = q^2 = r^2 is tg^2 b = 1, tg^2 a = 2.",
-    formal=r"(\sin^2 a \sin^2 b = \sin^2 a \cos^2 b \land \sin^2 a \cos^2 b = \cos^2 a) \Leftrightarrow "
+    states=r"(\sin^2 a \sin^2 b = \sin^2 a \cos^2 b \land \sin^2 a \cos^2 b = \cos^2 a) \Leftrightarrow "
     r"(\sin^2 b = \cos^2 b \land \sin^2 a = 2 \cos^2 a)",
     by=cases(),
     notation=four_wheels_beyond,
@@ -131,7 +131,7 @@ half_spaces_of_four = ours(
     111,
     words="P lies between the planes |H_x|/p + |H_y|/q = 4, |H_x|/p + |H_z|/r = 4 and |H_y|/q + |H_z|/r = 4, one for each face; it "
     "reaches them where two wheels are at their limits (the opposite faces by symmetry).",
-    parts=tuple(rf"({normal}, [h_1, h_2, h_3, h_4]) \leq {value}" for normal, (value, _, _) in HALF_SPACES.items()),
+    states=tuple(rf"({normal}, [h_1, h_2, h_3, h_4]) \leq {value}" for normal, (value, _, _) in HALF_SPACES.items()),
     given=[
         *OPEN_RANGE,
         Hypothesis("limits", "no wheel exceeds its limit", r"-1 \leq h_i, h_i \leq 1"),
@@ -151,7 +151,7 @@ half_spaces_are_enough = ours(
     words="These planes bound P and nothing else does: h + t (1, -1, -1, 1) gives the same H for every t, some t keeps two wheels "
     "within their limits exactly if |h_2 + h_4| <= 2 and so on, that is between two of the planes, and intervals for t of which "
     "every two meet all meet.",
-    parts=(
+    states=(
         "[h_1 + t, h_2 - t, h_3 - t, h_4 + t] = [h_1, h_2, h_3, h_4]",
         *(
             rf"({normal}, [h_1, h_2, h_3, h_4]) = \frac{{1}}{{2}} \cdot {value} "
@@ -177,7 +177,7 @@ largest_ball_in_four = ours(
     "B.9",
     177,
     words="A ball inside P has the radius sqrt(8/3) = 1.633 at most, at the angles of B.6 only.",
-    formal=r"R^2 \leq \frac{8}{3}",
+    states=r"R^2 \leq \frac{8}{3}",
     given=[axes, ball],
     by=combined(
         nonnegative(rf"\frac{{{ROOM} + {SPREAD}}}{{p^2 q^2 + q^2 r^2 + r^2 p^2}}"), forms=[f"{ROOM} + {SPREAD}"]
@@ -191,7 +191,7 @@ distances_of_four = ours(
     "B.10",
     177,
     words="The distances (n, H)/|n| of the three kinds of faces, F_3, F_5 and F_4: 16 p^2 q^2/(p^2 + q^2) and so on, squared.",
-    parts=(
+    states=(
         rf"s_1^2 \sin^2 a = 16 (\sin a \sin b)^2 (\sin a \cos b)^2 ({SQUARE_OF_NORMAL.format(1)})",
         rf"s_2^2 (\sin^2 a \sin^2 b + \cos^2 a) = 16 (\sin a \sin b)^2 \cos^2 a ({SQUARE_OF_NORMAL.format(2)})",
         rf"s_3^2 (\sin^2 a \cos^2 b + \cos^2 a) = 16 (\sin a \cos b)^2 \cos^2 a ({SQUARE_OF_NORMAL.format(3)})",
@@ -217,7 +217,7 @@ largest_ellipsoid_in_four = ours(
     "B.11",
     177,
     words="Of the ellipsoids in P with the semi-axes p A_x, q A_y, r A_z along OX, OY, OZ (B.15) the largest has A_x = A_y = A_z = sqrt 8.",
-    formal=r"(A_x A_y A_z)^2 \leq 512",
+    states=r"(A_x A_y A_z)^2 \leq 512",
     given=[
         Hypothesis(
             "inside",
@@ -235,7 +235,7 @@ roundness_of_four = ours(
     "B.12",
     177,
     words="It fills the part pi sqrt 2/6 = 0.740 of P, whatever the angles are.",
-    parts=(
+    states=(
         r"\frac{4\pi}{3} \cdot \sqrt{512} pqr = \frac{\pi \sqrt{2}}{6} \cdot 128 pqr",
         r"\frac{\pi \sqrt{2}}{6} \approx 0.740",
     ),
@@ -258,7 +258,7 @@ failures_of_four = ours(
     195,
     words="Whichever wheel fails, the volume falls to a quarter (to 32 sin^2 a cos a sin b cos b), and every face that is left comes to "
     "half its distance: what is left of P holds P/2, the inscribed ball is half as large, no angles make it better.",
-    parts=tuple(
+    states=tuple(
         rf"{envelopes.volume(envelopes.FOUR, k)} = \frac{{1}}{{4}} \cdot {envelopes.volume(envelopes.FOUR)} "
         rf"\land {rest(envelopes.FOUR, k)}"
         for k in (1, 2, 3, 4)
@@ -280,7 +280,7 @@ ellipsoid_in_half_space = ours(
     250,
     words="For H on the ellipsoid (1.2), with components J_x w_x u_x and so on, (n, H)^2 is (J_x w_x n_1)^2 + (J_y w_y n_2)^2 + "
     "(J_z w_z n_3)^2 at most, and it is that at one point and the opposite one.",
-    parts=(
+    states=(
         rf"(J_x w_x n_1 u_x + J_y w_y n_2 u_y + J_z w_z n_3 u_z)^2 \leq {EXTENT}",
         rf"(t^2 = {EXTENT} \land t > 0 \land t u_x = J_x w_x n_1 \land t u_y = J_y w_y n_2 \land t u_z = J_z w_z n_3) "
         r"\Rightarrow J_x w_x n_1 u_x + J_y w_y n_2 u_y + J_z w_z n_3 u_z = t",
@@ -312,7 +312,7 @@ condition_for_four = ours(
     250,
     words="So (1.1) holds for the ellipsoid (1.2) exactly if J_x^2 w_x^2/p^2 + J_y^2 w_y^2/q^2 <= 16 and the same for x, z and for y, z: "
     "one condition for each kind of face, F_3, F_5, F_4.",
-    parts=(
+    states=(
         rf"{room(1)} = (2 \sin a \cos a)^2 "
         r"(16 \sin^2 a \sin^2 b \cos^2 b - (J_x w_x)^2 \cos^2 b - (J_y w_y)^2 \sin^2 b)",
         rf"{room(2)} = (2 \sin a \cos b)^2 "
@@ -331,7 +331,7 @@ equal_rates = ours(
     256,
     words="At the vertices on the axes the rates about OX, OY, OZ are equal (p : q : r = J_x : J_y : J_z) for tg b = J_x/J_y and "
     "tg a = sqrt(J_x^2 + J_y^2)/J_z, and only there.",
-    formal=r"(J_y \sin a \sin b = J_x \sin a \cos b \land J_z^2 \sin^2 a \cos^2 b = J_y^2 \cos^2 a) \Leftrightarrow "
+    states=r"(J_y \sin a \sin b = J_x \sin a \cos b \land J_z^2 \sin^2 a \cos^2 b = J_y^2 \cos^2 a) \Leftrightarrow "
     r"(J_y \sin b = J_x \cos b \land J_z^2 \sin^2 a = (J_x^2 + J_y^2) \cos^2 a)",
     given=[real_pyramid, moments],
     by=cases(),
@@ -344,7 +344,7 @@ rate_about_the_axes = ours(
     256,
     words="There the rate about each of the three axes is 4 h_max/sqrt(J_x^2 + J_y^2 + J_z^2): 0.00195 for the moments of the paper, at "
     "b = 32.0 and a = 67.0 degrees.",
-    parts=(
+    states=(
         r"(w J_x = 4p \land w J_y = 4q \land w J_z = 4r) \Rightarrow w^2 (J_x^2 + J_y^2 + J_z^2) = 16",
         r"\frac{4}{\sqrt{1000^2 + 1600^2 + 800^2}} \approx 0.00195",
         r"\arctg \frac{1000}{1600} \approx 32.0^\circ",
@@ -376,7 +376,7 @@ fastest_of_balanced_bodies = ours(
     264,
     words="A rate about every axis, whatever its direction: at the angles of B.16 w = sqrt 8/sqrt(J_x^2 + J_y^2 + J_z^2), and no angles "
     "give more if J_x^2, J_y^2, J_z^2 satisfy the triangle inequalities.",
-    formal=r"w^2 (J_x^2 + J_y^2 + J_z^2) \leq 8",
+    states=r"w^2 (J_x^2 + J_y^2 + J_z^2) \leq 8",
     given=[
         axes,
         moments,
@@ -397,7 +397,7 @@ balanced_bodies_reach_it = ours(
     "B.19",
     264,
     words="At the angles of B.16, whatever the moments are, this w reaches all faces at once.",
-    formal=r"(J_y p = J_x q \land J_z q = J_y r \land w^2 (J_x^2 + J_y^2 + J_z^2) = 8) \Rightarrow ("
+    states=r"(J_y p = J_x q \land J_z q = J_y r \land w^2 (J_x^2 + J_y^2 + J_z^2) = 8) \Rightarrow ("
     + r" \land ".join(f"w^2 (J_{i}^2 {y}^2 + J_{j}^2 {x}^2) = 16 {x}^2 {y}^2" for i, j, x, y in PLANES)
     + ")",
     given=[axes],
@@ -417,7 +417,7 @@ fastest_of_unbalanced_bodies = ours(
     "B.20",
     264,
     words="With S = sqrt(J_x^2 + J_z^2) also w <= 4/(J_y + S) always.",
-    formal=r"w^2 (J_y + S)^2 \leq 16",
+    states=r"w^2 (J_y + S)^2 \leq 16",
     given=[axes, rate_about_any_axis, root_of_moments],
     by=combined(nonnegative(rf"\frac{{{UNBALANCED}}}{{S^2 p^2 q^2 r^2}}"), forms=(UNBALANCED,)),
     equality="w^2 (J_y + S)^2 = 16, J_x^2 r^2 = J_z^2 p^2, J_x^2 q^2 = S J_y p^2, J_z^2 q^2 = S J_y r^2",
@@ -433,7 +433,7 @@ best_angles_of_unbalanced_bodies = ours(
     264,
     words="If J_y >= S, as the moments of the paper have it, this bound is reached, at p^2 = J_x^2/(S (J_y + S)), q^2 = J_y/(J_y + S), "
     "r^2 = J_z^2/(S (J_y + S)): tg b = J_x/sqrt(S J_y), tg a = sqrt(J_x^2 + S J_y)/J_z, not at the angles of the paper.",
-    parts=(
+    states=(
         f"{P2} + {Q2} + {R2} = 1",
         f"{RATE2} (J_x^2 {Q2} + J_y^2 {P2}) = 16 {P2} {Q2}",
         f"{RATE2} (J_z^2 {Q2} + J_y^2 {R2}) = 16 {R2} {Q2}",
@@ -456,7 +456,7 @@ best_angles_in_numbers = ours(
     264,
     words="For the moments of the paper: w = 0.0013886 at b = 34.9 and a = 65.4 degrees, against sqrt 8/sqrt(J_x^2 + J_y^2 + J_z^2) = "
     "0.0013801 at the angles of the paper.",
-    parts=(
+    states=(
         r"1600 > \sqrt{1000^2 + 800^2}",
         r"\frac{4}{1600 + \sqrt{1000^2 + 800^2}} \approx 0.0013886",
         r"\frac{\sqrt{8}}{\sqrt{1000^2 + 1600^2 + 800^2}} \approx 0.0013801",
@@ -478,7 +478,7 @@ signs_of_six = ours(
     289,
     words="Each triple product of the axes has one sign over the open range of a, so that vertices, edges and faces are the same for "
     "all of them.",
-    parts=tuple(
+    states=tuple(
         rf"{name} = \frac{{{value} \sqrt{{3}}}}{{4}} \sin^2 a \cos a" for name, value in envelopes.triples(SIX)
     ),
     where=AXES_OF_SIX,
@@ -490,7 +490,7 @@ degenerate_six = ours(
     "B.24",
     289,
     words="They vanish, all at once, only where a is a multiple of 90 degrees: there P is a segment (a = 0) or a regular hexagon.",
-    formal=r" \land ".join(
+    states=r" \land ".join(
         rf"({name} = 0 \Leftrightarrow (\sin a = 0 \lor \cos a = 0))" for name, _ in envelopes.triples(SIX)
     ),
     where=AXES_OF_SIX,
@@ -502,7 +502,7 @@ volume_of_six = ours(
     "B.25",
     289,
     words="The volume of P.",
-    formal=rf"{envelopes.volume(SIX)} = 144 \sqrt{{3}} \sin^2 a \cos a",
+    states=rf"{envelopes.volume(SIX)} = 144 \sqrt{{3}} \sin^2 a \cos a",
     where=AXES_OF_SIX,
     by=identity,
     uses=["B.23"],
@@ -514,7 +514,7 @@ surface_of_six = ours(
     289,
     words="Each pair of axes spans two opposite faces, of the area 4 |e_i x e_j|; by these squares of |e_i x e_j| the surface of P is "
     "48 sin a (sqrt(1 - sin^2 a/4) + sqrt 3 sqrt(1 - 3 sin^2 a/4) + cos a).",
-    parts=tuple(
+    states=tuple(
         r" \land ".join(
             rf"(\mathbf{{e}}_{i} \times \mathbf{{e}}_{j}, \mathbf{{e}}_{i} \times \mathbf{{e}}_{j}) = {value}"
             for i, j in combinations(range(1, 7), 2)
@@ -535,7 +535,7 @@ largest_volume_of_six = ours(
     "B.27",
     289,
     words="The volume is greatest, 96, for tg a = sqrt 2, as that of four wheels is (B.6).",
-    formal=r"(144 \sqrt{3} \sin^2 a \cos a)^2 \leq 96^2",
+    states=r"(144 \sqrt{3} \sin^2 a \cos a)^2 \leq 96^2",
     by=nonnegative(r"2304 (1 - 3 \cos^2 a)^2 + 6912 \sin^2 a (1 - 3 \cos^2 a)^2"),
     equality=r"3 \cos^2 a = 1",
     uses=["B.25"],
@@ -553,7 +553,7 @@ distances_of_six = ours(
     464,
     words="The squares of the distances (n, H)/|n| of the faces F_6, F_1, F_7, F_8, F_13, F_15: 108 sin^2 a cos^2 a/(3 + cos^2 a), "
     "64 sin^2 a cos^2 a/(1 + 3 cos^2 a) and 12 sin^2 a.",
-    parts=tuple(
+    states=tuple(
         rf"s_{face}^2 {bottom} = {top} ({SQUARE_OF_NORMAL.format(face)})"
         for face, (top, bottom) in enumerate([each for each in DISTANCES_OF_SIX for _ in (1, 2)], 1)
     ),
@@ -566,7 +566,7 @@ nearest_faces_of_six = ours(
     "B.29",
     464,
     words="Nearest are faces of the kind F_1 for cos^2 a up to 21/65, of the kind F_7 from there to 3/7, and of the kind F_13 beyond.",
-    parts=(
+    states=(
         r"\frac{108 \sin^2 a \cos^2 a}{3 + \cos^2 a} \leq \frac{64 \sin^2 a \cos^2 a}{1 + 3 \cos^2 a} "
         r"\Leftrightarrow \cos^2 a \leq \frac{21}{65}",
         r"\frac{64 \sin^2 a \cos^2 a}{1 + 3 \cos^2 a} \leq 12 \sin^2 a \Leftrightarrow \cos^2 a \leq \frac{3}{7}",
@@ -588,7 +588,7 @@ largest_ball_in_six = ours(
     "B.30",
     464,
     words="A ball inside P has the radius 8/3 at most, for tg a = sqrt 2 only: the angle that is best for four wheels too (B.9).",
-    formal=r"R^2 \leq \frac{64}{9}",
+    states=r"R^2 \leq \frac{64}{9}",
     given=[ball_in_six],
     by=combined(nonnegative(rf"\frac{{{ROOM_OF_SIX}}}{{9 (1 + 3 \cos^2 a)}}"), forms=[ROOM_OF_SIX]),
     equality=r"3 \cos^2 a = 1, R^2 (1 + 3 \cos^2 a) = 64 \sin^2 a \cos^2 a",
@@ -600,7 +600,7 @@ largest_ball_fits = ours(
     "B.31",
     464,
     words="That ball is inside P.",
-    formal=r"3 \cos^2 a = 1 \Rightarrow ("
+    states=r"3 \cos^2 a = 1 \Rightarrow ("
     + r" \land ".join(rf"\frac{{64}}{{9}} {bottom} \leq {top}" for top, bottom in DISTANCES_OF_SIX)
     + ")",
     by=cases(),
@@ -626,7 +626,7 @@ largest_ellipsoid_in_six = ours(
     464,
     words="Of the ellipsoids in P with the semi-axes A_x sin a, A_y sin a, A_z cos a along OX, OY, OZ (B.38) the largest has "
     "A_x^2 = A_y^2 = 32/3, A_z^2 = 64/3.",
-    formal=r"(A_x A_y A_z)^2 \leq \frac{65536}{27}",
+    states=r"(A_x A_y A_z)^2 \leq \frac{65536}{27}",
     given=[Hypothesis("inside", "the ellipsoid is inside P", ", ".join(CONDITIONS_OF_SIX))],
     by=nonnegative(
         " + ".join(
@@ -649,7 +649,7 @@ largest_ellipsoid_fits = ours(
     "B.33",
     464,
     words="That ellipsoid is inside P.",
-    formal=r"(A_x^2 = \frac{32}{3} \land A_y^2 = \frac{32}{3} \land A_z^2 = \frac{64}{3}) \Rightarrow ("
+    states=r"(A_x^2 = \frac{32}{3} \land A_y^2 = \frac{32}{3} \land A_z^2 = \frac{64}{3}) \Rightarrow ("
     + r" \land ".join(CONDITIONS_OF_SIX)
     + ")",
     by=cases(),
@@ -661,7 +661,7 @@ roundness_of_six = ours(
     "B.34",
     464,
     words="It fills the part 64 pi/243 = 0.827 of P, whatever the angle is.",
-    parts=(
+    states=(
         r"\frac{4\pi}{3} \cdot \sqrt{\frac{65536}{27}} \sin^2 a \cos a = \frac{64\pi}{243} \cdot 144 \sqrt{3} \sin^2 a \cos a",
         r"\frac{64\pi}{243} \approx 0.827",
     ),
@@ -676,7 +676,7 @@ failures_of_six = ours(
     words="Whichever wheel fails, the volume falls to a half (to 72 sqrt 3 sin^2 a cos a), and the faces that are left come to 5/8, 2/3, "
     "3/4, 5/6 or 7/8 of their distances: what is left of P holds 5/8 of it. It is 5/8 for faces of the kind F_7, so that the inscribed "
     "ball keeps 5/8 of its radius exactly where those are nearest (B.29), as they are at tg a = sqrt 2.",
-    parts=tuple(
+    states=tuple(
         rf"{envelopes.volume(SIX, k)} = \frac{{1}}{{2}} \cdot {envelopes.volume(SIX)} \land {rest(SIX, k)}"
         for k in range(1, 7)
     ),
@@ -691,7 +691,7 @@ less_sensitive_to_failures = ours(
     610,
     words="So six wheels are less sensitive to a failure than four: a half of the volume is left, not a quarter, and a region similar to "
     "P of 5/8 its size, not of 1/2; five wheels at tg a = sqrt 2 still hold the ball of radius 5/3, three hold sqrt(2/3) at most.",
-    parts=(
+    states=(
         r"\frac{1}{2} > \frac{1}{4}",
         r"\frac{5}{8} > \frac{1}{2}",
         r"\frac{5}{8} \cdot \frac{8}{3} = \frac{5}{3}",
@@ -707,7 +707,7 @@ nearer_to_an_ellipsoid = ours(
     610,
     words="And nearer to an ellipsoid: the largest one along the axes fills 64 pi/243 of the region of six wheels, pi sqrt 2/6 of that of "
     "four; no angle changes either.",
-    formal=r"\frac{64\pi}{243} > \frac{\pi \sqrt{2}}{6}",
+    states=r"\frac{64\pi}{243} > \frac{\pi \sqrt{2}}{6}",
     by=cases(),
     uses=["B.12", "B.34"],
     notation=six_wheels_beyond,
@@ -736,7 +736,7 @@ condition_for_six = ours(
     612,
     words="(1.1) holds for the ellipsoid (1.2) exactly if six conditions hold, of the faces F_6, F_1, F_7, F_8, F_13, F_15 (the others "
     "are their mirror images): what is in brackets is not negative.",
-    parts=tuple(
+    states=tuple(
         rf"{room(face)} = {factor} ({number} \sin^2 a \cos^2 a - ({extent}))"
         for face, (number, extent, factor) in enumerate(EXTENTS, 1)
     ),
@@ -752,7 +752,7 @@ fastest_with_six = ours(
     "B.39",
     618,
     words="A rate w about every axis, whatever its direction: by F_8 alone w (2 J_y + J_z) <= 8, reached for tg^2 a = 2 J_y/J_z at most.",
-    formal=r"w^2 (2 J_y + J_z)^2 \leq 64",
+    states=r"w^2 (2 J_y + J_z)^2 \leq 64",
     given=[
         real_pyramid,
         Hypothesis(
@@ -771,7 +771,7 @@ best_angle_of_six = ours(
     "B.40",
     618,
     words="For the moments of the paper all six conditions hold there: w = 0.002 at tg a = 2, a = 63.4 degrees, is the best.",
-    parts=(
+    states=(
         r"(J_x = 1000 \land J_y = 1600 \land J_z = 800 \land w_x = w \land w_y = w \land w_z = w \land w = \frac{1}{500} "
         rf"\land \sin^2 a = 4 \cos^2 a) \Rightarrow ({EXTENTS_FIT})",
         r"\arctg 2 \approx 63.4^\circ",
@@ -788,7 +788,7 @@ rate_at_the_printed_angle = ours(
     "B.41",
     618,
     words="At tg a = 3, the angle of the paper, w is 0.0018974 at most.",
-    formal=r"w^2 \leq \frac{9}{2500000}",
+    states=r"w^2 \leq \frac{9}{2500000}",
     given=[
         Hypothesis("tg a = 3", "the angle of the paper", r"\sin^2 a = 9 \cos^2 a"),
         Hypothesis("F_8", "the condition of the face F_8 (B.38)", rf"{AT_F8} \leq 16 \sin^2 a \cos^2 a"),
@@ -804,7 +804,7 @@ six_against_four = ours(
     618,
     words="It is reached, and still more than four wheels can have at any angles (B.20); at the best angle it is 0.002 (B.40) against "
     "0.0013886 (B.22).",
-    parts=(
+    states=(
         rf"(J_x = 1000 \land J_y = 1600 \land J_z = 800 \land w_x = w \land w_y = w \land w_z = w \land w^2 = \frac{{9}}{{2500000}} "
         rf"\land \sin^2 a = 9 \cos^2 a) \Rightarrow ({EXTENTS_FIT})",
         r"\sqrt{\frac{9}{2500000}} \approx 0.0018974",

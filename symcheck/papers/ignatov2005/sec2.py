@@ -8,12 +8,11 @@ from __future__ import annotations
 
 import re
 from functools import partial
-from typing import Any
 
-from symcheck.core.claims import Erratum, Hypothesis, Item
+from symcheck.core.claims import Claim, Damage, Erratum, Hypothesis
 from symcheck.core.problems import Applied
 from symcheck.core.verdicts import Origin
-from symcheck.papers.declare import claim, definition, exclusion, ours, premise
+from symcheck.papers.declare import Scope, claim, definition, exclusion, ours, premise
 from symcheck.papers.ignatov2005 import derivation
 from symcheck.papers.ignatov2005.hypotheses import (
     EACH,
@@ -48,7 +47,7 @@ axes_along_side_edges = claim(
     62,
     words="The axes are parallel to the side edges of a four-sided pyramid: -e_1, -e_2, e_3, e_4 lead from the corners of a rectangle "
     "with sides along OX and OY to one apex.",
-    parts=(
+    states=(
         r"\mathbf{e}_4 + \mathbf{e}_1 = (2\sin a \sin b, 0, 0)",
         r"\mathbf{e}_3 + \mathbf{e}_2 = (2\sin a \sin b, 0, 0)",
         r"\mathbf{e}_4 - \mathbf{e}_3 = (0, 2\sin a \cos b, 0)",
@@ -67,7 +66,7 @@ axes_are_unit_vectors = claim(
     "2.0.3",
     67,
     words="The e_i are unit vectors.",
-    formal=r"(\mathbf{e}_i, \mathbf{e}_i) = 1",
+    states=r"(\mathbf{e}_i, \mathbf{e}_i) = 1",
     by=identity,
     uses=["2.0.4"],
     notation=four_wheels,
@@ -87,7 +86,7 @@ angle_to_oz = claim(
     "2.0.5",
     71,
     words="a is the angle between the axis of a wheel and OZ (as lines: e_1 and e_2 point downwards).",
-    formal=r"(\mathbf{e}_i, (0, 0, 1))^2 = \cos^2 a",
+    states=r"(\mathbf{e}_i, (0, 0, 1))^2 = \cos^2 a",
     by=identity,
     uses=["2.0.4"],
     notation=four_wheels,
@@ -101,7 +100,7 @@ square_base = claim(
     71,
     r"b = 45^\circ",
     words="For b = 45 degrees, and no other b, the base is a square.",
-    formal=rf"{ALONG_OX} = {ALONG_OY} \Leftrightarrow b = 45^\circ",
+    states=rf"{ALONG_OX} = {ALONG_OY} \Leftrightarrow b = 45^\circ",
     given=[ACUTE],
     by=cases(),
     uses=["2.0.1"],
@@ -113,7 +112,7 @@ base_along_oy = claim(
     71,
     r"0^\circ < b < 45^\circ",
     words="For these b, and no others, the longer side of the base is parallel to OY.",
-    formal=rf"{ALONG_OX} < {ALONG_OY} \Leftrightarrow 0^\circ < b < 45^\circ",
+    states=rf"{ALONG_OX} < {ALONG_OY} \Leftrightarrow 0^\circ < b < 45^\circ",
     given=[ACUTE],
     by=cases(),
     uses=["2.0.1"],
@@ -125,7 +124,7 @@ base_along_ox = claim(
     71,
     r"45^\circ < b < 90^\circ",
     words="For these b, and no others, the longer side of the base is parallel to OX.",
-    formal=rf"{ALONG_OX} > {ALONG_OY} \Leftrightarrow 45^\circ < b < 90^\circ",
+    states=rf"{ALONG_OX} > {ALONG_OY} \Leftrightarrow 45^\circ < b < 90^\circ",
     given=[ACUTE],
     by=cases(),
     uses=["2.0.1"],
@@ -149,7 +148,7 @@ equal_wheels = premise(
     75,
     (r"-h_{\max} \leq h_i \leq h_{\max}", r"h_{\max}"),
     words="The wheels are equal; h_max is the largest momentum of a wheel, one more parameter.",
-    formal=r"-h_{\max} \leq h_i \leq h_{\max}",
+    states=r"-h_{\max} \leq h_i \leq h_{\max}",
     notation=four_wheels_in_spacecraft,
 )
 
@@ -187,7 +186,7 @@ unit_of_momentum = claim(
     79,
     r"h_{\max} = 1",
     words="No generality is lost with h_max = 1: the momenta are those for h_max = 1, times h_max.",
-    formal=r"[h_{\max} h_1, h_{\max} h_2, h_{\max} h_3, h_{\max} h_4] = h_{\max} [h_1, h_2, h_3, h_4]",
+    states=r"[h_{\max} h_1, h_{\max} h_2, h_{\max} h_3, h_{\max} h_4] = h_{\max} [h_1, h_2, h_3, h_4]",
     by=identity,
     uses=["2.1.3"],
     notation=four_wheels_in_spacecraft,
@@ -199,7 +198,7 @@ region_is_convex = claim(
     "2.1.7",
     81,
     words="P is convex: between two of its points lies the H of the momenta between.",
-    parts=(
+    states=(
         r"u[h_1, h_2, h_3, h_4] + (1 - u)[l_1, l_2, l_3, l_4] = "
         r"[uh_1 + (1 - u)l_1, uh_2 + (1 - u)l_2, uh_3 + (1 - u)l_3, uh_4 + (1 - u)l_4]",
         r"(0 \leq u \leq 1 \land -1 \leq h_1 \leq 1 \land -1 \leq l_1 \leq 1) \Rightarrow -1 \leq uh_1 + (1 - u)l_1 \leq 1",
@@ -213,7 +212,7 @@ region_is_symmetric = claim(
     "2.1.8",
     81,
     words="P is symmetric about the origin.",
-    formal=r"[-h_1, -h_2, -h_3, -h_4] = -[h_1, h_2, h_3, h_4]",
+    states=r"[-h_1, -h_2, -h_3, -h_4] = -[h_1, h_2, h_3, h_4]",
     by=identity,
     uses=["2.1.3"],
     notation=four_wheels,
@@ -224,7 +223,7 @@ vertices_take_full_momenta = claim(
     81,
     r"16 = 2^4",
     words="At a vertex every wheel has full momentum, else H is the middle of a segment in P; so there are at most 16 vertices.",
-    parts=(r"[h_1 + u, h_2, h_3, h_4] + [h_1 - u, h_2, h_3, h_4] = 2[h_1, h_2, h_3, h_4]", r"16 = 2^4"),
+    states=(r"[h_1 + u, h_2, h_3, h_4] + [h_1 - u, h_2, h_3, h_4] = 2[h_1, h_2, h_3, h_4]", r"16 = 2^4"),
     by=identity,
     uses=["2.1.3"],
     notation=four_wheels,
@@ -234,7 +233,7 @@ zero_is_inside = claim(
     "2.1.10",
     81,
     words="The combinations 2.1.11 and 2.1.12 lie inside P: no direction c is perpendicular to all axes, so P goes on beyond 0 along each c.",
-    formal=r"(\mathbf{c}, \mathbf{e}_i) = 0 \Rightarrow (c_1 = 0 \land c_2 = 0 \land c_3 = 0)",
+    states=r"(\mathbf{c}, \mathbf{e}_i) = 0 \Rightarrow (c_1 = 0 \land c_2 = 0 \land c_3 = 0)",
     given=OPEN_RANGE,
     by=cases(),
     uses=["2.0.4", "2.1.11", "2.1.12"],
@@ -275,7 +274,7 @@ no_three_axes_in_a_plane = ours(
     83,
     words="No three axes lie in one plane. So each two of the n wheels make a pair of opposite faces, rhombi: there are n(n - 1) faces, "
     "2n(n - 1) edges and, by Euler's formula, n(n - 1) + 2 vertices.",
-    parts=tuple(
+    states=tuple(
         rf"(\mathbf{{e}}_{i}, \mathbf{{e}}_{j} \times \mathbf{{e}}_{k}) \ne 0"
         for i, j, k in ((1, 2, 3), (1, 2, 4), (1, 3, 4), (2, 3, 4))
     ),
@@ -289,7 +288,7 @@ number_of_vertices = claim(
     "2.1.15",
     83,
     words="P has 14 vertices: of the 16 combinations the two zero ones are none, and the others are (list of vertices).",
-    formal=r"2^4 - 2 = 14 \land 4 (4 - 1) + 2 = 14",
+    states=r"2^4 - 2 = 14 \land 4 (4 - 1) + 2 = 14",
     by=cases(),
     uses=["2.1.9", "2.1.10", "2.1.11", "2.1.12", "2.1.14"],
     notation=four_wheels,
@@ -299,7 +298,7 @@ number_of_edges = claim(
     "2.1.16",
     100,
     words="P has 24 edges.",
-    formal=r"2 \cdot 4 (4 - 1) = 24",
+    states=r"2 \cdot 4 (4 - 1) = 24",
     by=identity,
     uses=["2.1.14"],
     notation=four_wheels,
@@ -310,7 +309,7 @@ parameter_of_edges = definition(
     111,
     (r"-1 \leq u \leq 1", "u = -1", "u = 1"),
     words="An edge begins at its first vertex with u = -1 and ends at its last with u = 1.",
-    formal=r"-1 \leq u \leq 1",
+    states=r"-1 \leq u \leq 1",
     opaque=True,
     notation=four_wheels,
 )
@@ -319,7 +318,7 @@ number_of_faces = claim(
     "2.1.18",
     111,
     words="P has 12 faces.",
-    formal=r"4 (4 - 1) = 12",
+    states=r"4 (4 - 1) = 12",
     by=identity,
     uses=["2.1.14"],
     notation=four_wheels,
@@ -367,7 +366,7 @@ half_turns = claim(
     "2.1.23",
     162,
     words="P goes over into itself when turned about OX, OY or OZ by any multiple of pi.",
-    parts=(
+    states=(
         turned(r"\operatorname{diag}(1, -1, -1)", "4, 3, 2, 1"),
         turned(r"\operatorname{diag}(-1, 1, -1)", "-2, -1, -4, -3"),
         turned(r"\operatorname{diag}(-1, -1, 1)", "-3, -4, -1, -2"),
@@ -375,7 +374,7 @@ half_turns = claim(
     by=cases(),
     uses=["2.0.4"],
     notation=four_wheels,
-    **lost_pi(r"n\pi"),
+    damage=lost_pi(r"n\pi"),
 )
 
 quarter_turns = claim(
@@ -383,21 +382,21 @@ quarter_turns = claim(
     162,
     r"b = p/4 = 45^\circ",
     words="For b = pi/4 also when turned about OZ by any multiple of pi/2.",
-    parts=(
+    states=(
         rf"b = \pi/4 \Rightarrow ({turned(QUARTER_TURN, '2, -3, 4, -1')})",
         r"\pi/4 = 45^\circ",
     ),
     by=cases(),
     uses=["2.0.4"],
     notation=four_wheels,
-    **lost_pi(r"b = \pi/4 = 45^\circ, n\pi/2"),
+    damage=lost_pi(r"b = \pi/4 = 45^\circ, n\pi/2"),
 )
 
 planes_of_symmetry = claim(
     "2.1.25",
     162,
     words="The coordinate planes are planes of symmetry of P.",
-    parts=(
+    states=(
         turned(r"\operatorname{diag}(-1, 1, 1)", "-4, -3, -2, -1"),
         turned(r"\operatorname{diag}(1, -1, 1)", "2, 1, 4, 3"),
         turned(r"\operatorname{diag}(1, 1, -1)", "3, 4, 1, 2"),
@@ -413,7 +412,7 @@ edges_of_length_two = claim(
     "2.1.26",
     164,
     words="All edges have the length 2: from u = -1 to u = 1 is 2 e_i.",
-    formal=r"(\mathbf{e}_i - (-\mathbf{e}_i), \mathbf{e}_i - (-\mathbf{e}_i)) = 2^2",
+    states=r"(\mathbf{e}_i - (-\mathbf{e}_i), \mathbf{e}_i - (-\mathbf{e}_i)) = 2^2",
     by=identity,
     uses=["2.0.3", "2.1.17"],
     notation=four_wheels,
@@ -426,7 +425,7 @@ faces_are_rhombi = claim(
     "2.1.27",
     164,
     words="So all faces are rhombi: parallelograms with sides of one length along two axes that are not parallel.",
-    parts=rhombi(PAIRS),
+    states=rhombi(PAIRS),
     given=OPEN_RANGE,
     by=cases(),
     uses=["2.1.26"],
@@ -483,7 +482,7 @@ distance_of_v3_to_v5 = claim(
     "2.1.32",
     164,
     words="V_3, V_4, V_5 and their opposites have the same distance d_4.",
-    parts=tuple(rf"\sqrt{{(\mathbf{{V}}_{i}, \mathbf{{V}}_{i})}} = d_4" for i in (3, 4, 5)),
+    states=tuple(rf"\sqrt{{(\mathbf{{V}}_{i}, \mathbf{{V}}_{i})}} = d_4" for i in (3, 4, 5)),
     where=FIRST_DISTANCES,
     by=identity,
     uses=["2.1.31"],
@@ -495,12 +494,12 @@ two_equal_distances = claim(
     164,
     ("d_1 = d_2", r"b = p/4 = 45^\circ"),
     words="V_1 and V_6 are equally far for b = pi/4, and only then.",
-    parts=(rf"{DISTANCES['d_1']} = {DISTANCES['d_2']} \Leftrightarrow b = \pi/4", r"\pi/4 = 45^\circ"),
+    states=(rf"{DISTANCES['d_1']} = {DISTANCES['d_2']} \Leftrightarrow b = \pi/4", r"\pi/4 = 45^\circ"),
     given=[ACUTE],
     by=cases(),
     uses=["2.1.28", "2.1.29"],
     notation=four_wheels,
-    **lost_pi(r"b = \pi/4 = 45^\circ"),
+    damage=lost_pi(r"b = \pi/4 = 45^\circ"),
 )
 
 three_equal_distances = claim(
@@ -508,7 +507,7 @@ three_equal_distances = claim(
     164,
     ("d_1 = d_2 = d_3", r"a = \arctg \sqrt{2} = 54.7^\circ", r"b = p/4 = 45^\circ"),
     words="V_1, V_6 and V_7 are equally far for a = arctg sqrt 2 and b = pi/4, and only then.",
-    parts=(
+    states=(
         rf"({DISTANCES['d_1']} = {DISTANCES['d_2']} = {DISTANCES['d_3']}) \Leftrightarrow (a = \arctg \sqrt{{2}} \land b = \pi/4)",
         r"\arctg \sqrt{2} = 54.7^\circ",
         r"\pi/4 = 45^\circ",
@@ -517,7 +516,7 @@ three_equal_distances = claim(
     by=cases(),
     uses=["2.1.28", "2.1.29", "2.1.30"],
     notation=four_wheels,
-    **lost_pi(r"a = \arctg \sqrt{2} = 54.7^\circ, b = \pi/4 = 45^\circ"),
+    damage=lost_pi(r"a = \arctg \sqrt{2} = 54.7^\circ, b = \pi/4 = 45^\circ"),
 )
 
 # --- table 2: the order of the distances
@@ -540,26 +539,25 @@ columns_of_table_2 = premise(
     (r"0 \leq b \leq \frac{p}{4}", r"\frac{p}{4} \leq b \leq \frac{p}{2}"),
     words="The two columns of table 2.",
     notation=four_wheels,
-    **lost_pi(r"0 \leq b \leq \frac{\pi}{4}, \frac{\pi}{4} \leq b \leq \frac{\pi}{2}"),
+    damage=lost_pi(r"0 \leq b \leq \frac{\pi}{4}, \frac{\pi}{4} \leq b \leq \frac{\pi}{2}"),
 )
 
 
-def order_of_distances(number: str, line: int, order: str, low: str, high: str, column: Hypothesis) -> Item:
+def order_of_distances(number: str, line: int, order: str, low: str, high: str, column: Hypothesis) -> Claim:
     """A pair of cells: an order of the distances, as printed, and the interval of a in which it holds."""
     interval = rf"{low} \leq a \leq {high}"
-    lost = lost_pi(interval.replace("p}", r"\pi}")) if high == RIGHT_ANGLE else {}
     written_out = re.sub("d_.", lambda distance: DISTANCES[distance[0]], order)
     return claim(
         number,
         line,
         (order, interval),
         words="The order holds for these a, and for no others, wherever the denominator is not zero (T2.7, T2.8).",
-        formal=rf"{written_out} \Leftrightarrow {interval.replace('p}', chr(92) + 'pi}')}",
+        states=rf"{written_out} \Leftrightarrow {interval.replace('p}', chr(92) + 'pi}')}",
         given=[column],
         by=cases(),
         uses=["2.1.28", "2.1.29", "2.1.30"],
         notation=four_wheels,
-        **lost,
+        damage=lost_pi(interval.replace("p}", r"\pi}")) if high == RIGHT_ANGLE else None,
     )
 
 
@@ -577,7 +575,7 @@ order_at_b_zero = ours(
     173,
     words="At the end b = 0 of the left column 1/sin b has no value; with pi/2 for its arctangent, the limit, the table is right: "
     "d_1 <= d_3 <= d_2 holds from a = pi/4 on; d_1 = 0 is reached by d_3 at a = pi/2 only.",
-    parts=(
+    states=(
         r"4 \sin a \sin b \leq 4 \cos a \leq 4 \sin a \cos b \Leftrightarrow \pi/4 \leq a \leq \pi/2",
         r"4 \cos a = 4 \sin a \sin b \Leftrightarrow a = \pi/2",
     ),
@@ -591,7 +589,7 @@ order_at_b_right = ours(
     "T2.8",
     173,
     words="So it is at the end b = pi/2 of the right column, where 1/cos b has no value.",
-    parts=(
+    states=(
         r"4 \sin a \cos b \leq 4 \cos a \leq 4 \sin a \sin b \Leftrightarrow \pi/4 \leq a \leq \pi/2",
         r"4 \cos a = 4 \sin a \cos b \Leftrightarrow a = \pi/2",
     ),
@@ -609,43 +607,43 @@ SECOND = r"\frac{2 \sin 2a \cos b}{\sqrt{1 - \sin^2 a \sin^2 b}}"
 THIRD = r"2 \sin a \sin 2b"
 
 
-def row_of_distances(number: str, line: int, faces: dict[int, str], **fields: Any) -> Item:
+def row_of_distances(scope: Scope, number: str, line: int, faces: dict[int, str], words: str) -> Claim:
     """A row of a table of faces: what is printed is the distance r_i of the plane of F_i and F'_i from the centre."""
-    return claim(
+    return scope.claim(
         number,
         line,
         tuple(faces.values()),
-        parts=tuple(f"r_{i} = {distance}" for i, distance in faces.items()),
+        words=words,
+        states=tuple(f"r_{i} = {distance}" for i, distance in faces.items()),
         given=OPEN_RANGE,
-        by=identity,
-        **fields,
+        uses=["2.0.4"],
     )
 
 
-FOUR_WHEELS = {"where": partial(derivation.distances_of_faces, *FACES_OF_P), "uses": ["2.0.4"], "notation": four_wheels}
+table_3 = Scope(four_wheels, partial(derivation.distances_of_faces, *FACES_OF_P), identity)
 
 first_row_of_table_3 = row_of_distances(
-    "T3.1", 180, {1: FIRST, 2: SECOND, 3: THIRD}, words="Distances of F_1, F_2, F_3 and their opposites.", **FOUR_WHEELS
+    table_3, "T3.1", 180, {1: FIRST, 2: SECOND, 3: THIRD}, "Distances of F_1, F_2, F_3 and their opposites."
 )
 
 second_row_of_table_3 = row_of_distances(
-    "T3.2", 181, {5: FIRST, 4: SECOND}, words="Distances of F_5, F_4 and their opposites.", **FOUR_WHEELS
+    table_3, "T3.2", 181, {5: FIRST, 4: SECOND}, "Distances of F_5, F_4 and their opposites."
 )
 
-missing_cell_of_table_3 = claim(
+missing_cell_of_table_3 = table_3.claim(
     "T3.3",
     181,
     "F_6, F'_6",
     words="Distance of F_6 and F'_6: the cell is empty.",
-    formal=rf"r_6 = {THIRD}",
-    read_as=THIRD,
-    kind="missing cell",
-    origin=Origin.OCR,
-    reason="Its row names the faces and gives no distance. F_6 has the distance of F_3 above it, as F_5 has that of F_1 and F_4 that "
-    "of F_2; one cell for both rows, as in table 8 and twice in table 11, is what the digital text splits and leaves empty.",
+    states=rf"r_6 = {THIRD}",
+    damage=Damage(
+        THIRD,
+        reason="Its row names the faces and gives no distance. F_6 has the distance of F_3 above it, as F_5 has that of F_1 and F_4 that "
+        "of F_2; one cell for both rows, as in table 8 and twice in table 11, is what the digital text splits and leaves empty.",
+        kind="missing cell",
+    ),
     given=OPEN_RANGE,
-    by=identity,
-    **FOUR_WHEELS,
+    uses=["2.0.4"],
 )
 
 
@@ -659,7 +657,7 @@ feet_of_perpendiculars = ours(
     180,
     words="The foot of the perpendicular from the centre lies within each face, on a diagonal: so the distance of its plane is that of "
     "the face (F_1, F_2, F_3; the other faces are these, turned).",
-    parts=(
+    states=(
         foot(r"\mathbf{e}_1 + \mathbf{e}_2", r"\mathbf{e}_3 + \mathbf{e}_4", r"\mathbf{e}_3 - \mathbf{e}_4"),
         foot(r"\mathbf{e}_2 - \mathbf{e}_3", r"\mathbf{e}_4 - \mathbf{e}_1", r"\mathbf{e}_4 + \mathbf{e}_1"),
         foot(r"\mathbf{e}_1 + \mathbf{e}_3", r"\mathbf{e}_2 + \mathbf{e}_4", r"\mathbf{e}_2 - \mathbf{e}_4"),
@@ -680,7 +678,7 @@ wheels_are_alike = claim(
     185,
     words="Without loss of generality the wheel along e_4 fails: the half turns, which leave P as it is, take e_4 to each other axis, "
     "but for its sense.",
-    parts=(
+    states=(
         r"\operatorname{diag}(1, -1, -1) \mathbf{e}_4 = \mathbf{e}_1",
         r"\operatorname{diag}(-1, 1, -1) \mathbf{e}_4 = -\mathbf{e}_3",
         r"\operatorname{diag}(-1, -1, 1) \mathbf{e}_4 = -\mathbf{e}_2",
@@ -731,7 +729,7 @@ limits_of_three = premise(
     195,
     (r"-h_{\max} \leq h_i \leq h_{\max}", r"i = 1, \dots, 3", r"|h_i| \leq 1"),
     words="The limits of the wheels that work; P' is the region of all H with |h_i| <= 1.",
-    formal=EACH,
+    states=EACH,
     notation=three_of_four,
 )
 
@@ -740,7 +738,7 @@ unit_of_momentum_of_three = claim(
     195,
     r"h_{\max} = 1",
     words="Again no generality is lost with h_max = 1.",
-    formal=r"[h_{\max} h_1, h_{\max} h_2, h_{\max} h_3] = h_{\max} [h_1, h_2, h_3]",
+    states=r"[h_{\max} h_1, h_{\max} h_2, h_{\max} h_3] = h_{\max} [h_1, h_2, h_3]",
     by=identity,
     uses=["2.2.2"],
     notation=three_of_four.extended(LIMIT),
@@ -750,7 +748,7 @@ region_is_a_parallelepiped = claim(
     "2.2.5",
     195,
     words="P' is a parallelepiped: the three axes do not lie in one plane, so each H has one h_1, h_2, h_3.",
-    formal=r"(\mathbf{e}_1, \mathbf{e}_2 \times \mathbf{e}_3) \ne 0",
+    states=r"(\mathbf{e}_1, \mathbf{e}_2 \times \mathbf{e}_3) \ne 0",
     given=OPEN_RANGE,
     by=cases(),
     uses=["2.1.14"],
@@ -761,7 +759,7 @@ eight_vertices = claim(
     "2.2.6",
     195,
     words="P' has 8 vertices, as every parallelepiped.",
-    formal="2^3 = 8 \\land 3 (3 - 1) + 2 = 8",
+    states="2^3 = 8 \\land 3 (3 - 1) + 2 = 8",
     by=cases(),
     uses=["2.2.5"],
     notation=three_of_four,
@@ -780,7 +778,7 @@ twelve_edges = claim(
     "2.2.8",
     199,
     words="P' has 12 edges.",
-    formal=r"2 \cdot 3 (3 - 1) = 12",
+    states=r"2 \cdot 3 (3 - 1) = 12",
     by=identity,
     uses=["2.2.5"],
     notation=three_of_four,
@@ -791,7 +789,7 @@ parameter_of_edges_of_three = definition(
     203,
     (r"-1 \leq u \leq 1", "u = -1", "u = 1"),
     words="An edge begins at its first vertex with u = -1 and ends at its last with u = 1.",
-    formal=r"-1 \leq u \leq 1",
+    states=r"-1 \leq u \leq 1",
     opaque=True,
     notation=three_of_four,
 )
@@ -800,7 +798,7 @@ six_faces = claim(
     "2.2.10",
     203,
     words="P' has 6 faces, as every parallelepiped.",
-    formal=r"3 (3 - 1) = 6 \land 8 + 6 - 12 = 2",
+    states=r"3 (3 - 1) = 6 \land 8 + 6 - 12 = 2",
     by=cases(),
     uses=["2.2.5", "2.2.6", "2.2.8"],
     notation=three_of_four,
@@ -863,7 +861,7 @@ edges_that_shrink = claim(
     235,
     EDGES_ALONG_WHEEL_4,
     words="P' is P with these edges shrunk to length zero: they are the edges parallel to e_4.",
-    parts=tuple(shrinks(*ends(edge)) for edge in EDGES_ALONG_WHEEL_4),
+    states=tuple(shrinks(*ends(edge)) for edge in EDGES_ALONG_WHEEL_4),
     by=identity,
     errata={letter: lost_prime(edge, shrinks(*ends(edge))) for letter, edge in zip("abc", PRIMED_EDGES, strict=True)},
     uses=["2.1.17"],
@@ -883,7 +881,7 @@ vertices_at_middles = claim(
     235,
     (r"V_4'", r"V_1'", r"V_3'", "V_4", "V_1", "V_3"),
     words="These vertices of P' (W in the formal statement) are the middles of these edges of P, in this order.",
-    parts=tuple(halves(edge, middle) for edge, middle in zip(EDGES_ALONG_WHEEL_4, MIDDLES, strict=True)),
+    states=tuple(halves(edge, middle) for edge, middle in zip(EDGES_ALONG_WHEEL_4, MIDDLES, strict=True)),
     by=identity,
     errata={
         letter: lost_prime(edge, halves(edge, middle))
@@ -897,7 +895,7 @@ edges_of_three_of_length_two = claim(
     "2.2.16",
     235,
     words="The edges of P' have the length 2.",
-    formal=r"(\mathbf{e}_i - (-\mathbf{e}_i), \mathbf{e}_i - (-\mathbf{e}_i)) = 2^2",
+    states=r"(\mathbf{e}_i - (-\mathbf{e}_i), \mathbf{e}_i - (-\mathbf{e}_i)) = 2^2",
     by=identity,
     uses=["2.0.3", "2.2.9"],
     notation=three_of_four,
@@ -907,7 +905,7 @@ faces_of_three_are_rhombi = claim(
     "2.2.17",
     235,
     words="So all faces of P' are rhombi.",
-    parts=rhombi(((1, 2), (1, 3), (2, 3))),
+    states=rhombi(((1, 2), (1, 3), (2, 3))),
     given=OPEN_RANGE,
     by=cases(),
     uses=["2.2.16"],
@@ -917,7 +915,7 @@ faces_of_three_are_rhombi = claim(
 DISTANCES_OF_THREE = partial(derivation.vertex_distances, "W_1, W_3, W_4, W_2")
 
 
-def distance_of_three(number: str, printed: str, vertices: str) -> Item:
+def distance_of_three(number: str, printed: str, vertices: str) -> Claim:
     """The distance of a pair of vertices of P' from the centre."""
     return claim(
         number,
@@ -942,7 +940,7 @@ two_equal_distances_of_three = claim(
     235,
     ("d_1 = d_2", r"b = p/4 = 45^\circ"),
     words="V_1 and V_3 are equally far for b = pi/4, and only then.",
-    parts=(
+    states=(
         r"d_1^2 - d_2^2 = 8 \sin^2 a (\sin b + \cos b)(\sin b - \cos b)",
         r"\sin b - \cos b = 0 \Leftrightarrow b = \pi/4",
         r"\pi/4 = 45^\circ",
@@ -952,7 +950,7 @@ two_equal_distances_of_three = claim(
     by={"a": identity, "b": cases(), "c": identity},
     uses=["2.2.18", "2.2.19"],
     notation=three_of_four,
-    **lost_pi(r"b = \pi/4 = 45^\circ"),
+    damage=lost_pi(r"b = \pi/4 = 45^\circ"),
 )
 
 three_equal_distances_of_three = claim(
@@ -960,7 +958,7 @@ three_equal_distances_of_three = claim(
     235,
     ("d_1 = d_2 = d_3", r"a = \arctg \sqrt{2} = 54.7^\circ", r"b = p/4 = 45^\circ"),
     words="V_1, V_3 and V_4 are equally far for a = arctg sqrt 2 and b = pi/4, and only then.",
-    parts=(
+    states=(
         r"(d_1 = d_2 \land d_2 = d_3) \Leftrightarrow (a = \arctg \sqrt{2} \land b = \pi/4)",
         r"\arctg \sqrt{2} = 54.7^\circ",
         r"\pi/4 = 45^\circ",
@@ -970,7 +968,7 @@ three_equal_distances_of_three = claim(
     by=cases(),
     uses=["2.2.18", "2.2.19", "2.2.20"],
     notation=three_of_four,
-    **lost_pi(r"a = \arctg \sqrt{2} = 54.7^\circ, b = \pi/4 = 45^\circ"),
+    damage=lost_pi(r"a = \arctg \sqrt{2} = 54.7^\circ, b = \pi/4 = 45^\circ"),
 )
 
 
@@ -983,7 +981,7 @@ order_of_three = claim(
     "2.2.24",
     237,
     words="The distances d_1, d_2, d_3 are ordered as table 2 says, which is of P: their squares differ by half as much.",
-    parts=tuple(
+    states=tuple(
         rf"{one}^2 - {other}^2 = \frac{{1}}{{2}} ({_square(one)} - {_square(other)})"
         for one, other in (("d_1", "d_2"), ("d_2", "d_3"), ("d_3", "d_1"))
     ),
@@ -996,6 +994,7 @@ order_of_three = claim(
 FACES_OF_THREE = ("u, v, 1", "1, u, v", "u, 1, v")
 
 table_5 = row_of_distances(
+    Scope(three_of_four, partial(derivation.distances_of_faces, *FACES_OF_THREE), identity),
     "T5.1",
     244,
     {
@@ -1004,9 +1003,6 @@ table_5 = row_of_distances(
         3: r"\sin a \sin 2b",
     },
     words="Distances of F_1, F_2, F_3 and their opposites.",
-    where=partial(derivation.distances_of_faces, *FACES_OF_THREE),
-    uses=["2.0.4"],
-    notation=three_of_four,
 )
 
 
@@ -1019,7 +1015,7 @@ feet_of_perpendiculars_of_three = ours(
     "2.2.25",
     244,
     words="Here too the foot of the perpendicular lies within each face.",
-    parts=(
+    states=(
         foot_of_three(r"\mathbf{e}_3", r"\mathbf{e}_1 + \mathbf{e}_2", r"\mathbf{e}_1 - \mathbf{e}_2"),
         foot_of_three(r"\mathbf{e}_1", r"\mathbf{e}_2 - \mathbf{e}_3", r"\mathbf{e}_2 + \mathbf{e}_3"),
         foot_of_three(r"\mathbf{e}_2", r"\mathbf{e}_1 + \mathbf{e}_3", r"\mathbf{e}_1 - \mathbf{e}_3"),
@@ -1047,7 +1043,7 @@ moments_of_inertia = premise(
         r"J_z = 800 \text{ кг м}^2",
     ),
     words="The principal central moments of inertia, in kg m^2.",
-    formal="J_x = 1000, J_y = 1600, J_z = 800",
+    states="J_x = 1000, J_y = 1600, J_z = 800",
     notation=four_wheels_in_spacecraft,
 )
 
@@ -1055,7 +1051,7 @@ such_a_body_exists = ours(
     "2.2.28",
     248,
     words="Such a body exists: no moment exceeds the sum of the other two.",
-    formal=r"J_y + J_z \geq J_x \land J_z + J_x \geq J_y \land J_x + J_y \geq J_z",
+    states=r"J_y + J_z \geq J_x \land J_z + J_x \geq J_y \land J_x + J_y \geq J_z",
     given=[SPACECRAFT_MOMENTS],
     by=cases(),
     uses=["2.2.27"],
@@ -1119,7 +1115,7 @@ def _shortage(axis: str) -> str:
     return " + ".join(f"{share} (1 {'-' if sign > 0 else '+'} h_{i})" for i, sign in enumerate(signs, 1))
 
 
-def largest_component(number: str, axis: str) -> Item:
+def largest_component(number: str, axis: str) -> Claim:
     """The largest component along an axis: it is had, and no more."""
     value, _, signs, _ = LARGEST[axis]
     component, _, most = value.partition(" = ")
@@ -1129,7 +1125,7 @@ def largest_component(number: str, axis: str) -> Item:
         256,
         value,
         words=f"The largest {component} that the wheels can have, alone.",
-        parts=(rf"[{', '.join(map(str, signs))}] = {place}", rf"{EACH} \Rightarrow {component} \leq {most}"),
+        states=(rf"[{', '.join(map(str, signs))}] = {place}", rf"{EACH} \Rightarrow {component} \leq {most}"),
         given=OPEN_RANGE,
         where=FOUR,
         by={"a": identity, "b": cases(_shortage(axis))},
@@ -1186,7 +1182,7 @@ angle_b = claim(
     256,
     r"b = \arctg \frac{5}{8} = 32^\circ",
     words="The angle b from it, rounded to whole degrees.",
-    parts=(
+    states=(
         r"\frac{4 \sin a \sin b}{J_x} = \frac{4 \sin a \cos b}{J_y} \Leftrightarrow b = \arctg \frac{5}{8}",
         r"\arctg \frac{5}{8} \approx 32^\circ",
     ),
@@ -1229,7 +1225,7 @@ angle_a = claim(
     260,
     r"a = 67^\circ.",
     words="The angle a from it, rounded to whole degrees, with b exact or rounded.",
-    parts=(
+    states=(
         r"\arctg\left(\frac{2}{\cos\left(\arctg \frac{5}{8}\right)}\right) \approx 67^\circ",
         r"\arctg\left(\frac{2}{\cos 32^\circ}\right) \approx 67^\circ",
     ),
@@ -1243,7 +1239,7 @@ largest_rates = claim(
     262,
     r"w_x = w_y = w_z = 0.002 h_{\max} \text{ кг}^{-1} \text{ м}^{-2}",
     words="The largest rates, in absolute value and for h_max = 1; N m s / (kg m^2) is 1/s, so kg^-1 m^-2 before h_max is right.",
-    parts=tuple(rf"-w_{x} \approx 0.002" for x in "xyz"),
+    states=tuple(rf"-w_{x} \approx 0.002" for x in "xyz"),
     given=[AT_THE_ANGLES, RATES],
     by=identity,
     uses=["2.3", "2.3.2", "2.3.3", "2.3.4", "2.3.6", "2.3.8"],
@@ -1254,7 +1250,7 @@ largest_rates_exactly = ours(
     "2.3.11",
     262,
     words="They are equal, exactly: 1/(50 sqrt 105), or 0.00195 h_max.",
-    parts=(*(rf"-w_{x} = \frac{{1}}{{50 \sqrt{{105}}}}" for x in "xyz"), r"-w_x \approx 0.00195"),
+    states=(*(rf"-w_{x} = \frac{{1}}{{50 \sqrt{{105}}}}" for x in "xyz"), r"-w_x \approx 0.00195"),
     given=[AT_THE_ANGLES, RATES],
     by=identity,
     uses=["2.3.10"],
@@ -1266,7 +1262,7 @@ units_of_the_rates = ours(
     "2.3.12",
     262,
     words="With units: a momentum of so many h_max, over a moment of inertia in kg m^2, leaves kg^-1 m^-2 before h_max.",
-    parts=tuple(
+    states=tuple(
         rf"\frac{{{most} \cdot h_{{\max}}}}{{J_{x}}} = \frac{{{most}}}{{{moment}}} h_{{\max}} \text{{ кг}}^{{-1}} \text{{ м}}^{{-2}}"
         for x, most, moment in zip("xyz", DISTANCES.values(), (1000, 1600, 800), strict=True)
     ),
@@ -1296,7 +1292,7 @@ largest_rate_comes_alone = claim(
     "2.3.13",
     262,
     words="Where one component has its largest value the other two are zero.",
-    parts=tuple(
+    states=tuple(
         where_largest(axis, [f"{other} = 0" for other in others]) for axis, (_, others, _, _) in LARGEST.items()
     ),
     given=OPEN_RANGE,
@@ -1315,7 +1311,7 @@ other_directions = claim(
     264,
     words="In any other direction the largest rate is smaller. Counted in quarters of the largest rate about an axis the components are "
     "these sums (2.3.15); the bound is reached at the six vertices on the axes only (2.3.16).",
-    formal=rf"{SUM_OF_SQUARES} \leq 4^2",
+    states=rf"{SUM_OF_SQUARES} \leq 4^2",
     given=[FULL_MOMENTUM],
     by=nonnegative(rf"{SUM_OF_SHORTAGES} + (h_1 - h_2 - h_3 + h_4)^2"),
     equality=r"h_1^2 = 1, h_2^2 = 1, h_3^2 = 1, h_4^2 = 1, h_1 - h_2 - h_3 + h_4 = 0",
@@ -1327,7 +1323,7 @@ rates_in_quarters = ours(
     "2.3.15",
     264,
     words="At equal largest rates each component, here without its sign, is a quarter of the largest one times the sum in 2.3.14.",
-    parts=(
+    states=(
         r"\frac{H_x}{J_x} = \frac{\sin a \sin b}{J_x} (h_1 + h_2 + h_3 + h_4)",
         r"\frac{H_y}{J_y} = \frac{\sin a \sin b}{J_x} (-h_1 + h_2 - h_3 + h_4)",
         r"\frac{H_z}{J_z} = \frac{\sin a \sin b}{J_x} (-h_1 - h_2 + h_3 + h_4)",
@@ -1343,7 +1339,7 @@ bound_is_reached_on_the_axes = ours(
     "2.3.16",
     264,
     words="Where all wheels have full momentum and h_1 - h_2 - h_3 + h_4 = 0, H lies on an axis.",
-    formal=r"(h_i^2 = 1 \land h_1 - h_2 - h_3 + h_4 = 0) \Rightarrow (H_x H_y = 0 \land H_y H_z = 0 \land H_z H_x = 0)",
+    states=r"(h_i^2 = 1 \land h_1 - h_2 - h_3 + h_4 = 0) \Rightarrow (H_x H_y = 0 \land H_y H_z = 0 \land H_z H_x = 0)",
     where=FOUR,
     by=cases(),
     uses=["2.1.2"],
@@ -1354,7 +1350,7 @@ image_of_the_region = claim(
     "2.3.17",
     264,
     words="The region of the rates is P after a similarity, given by (2.3): lengths along OX and OY change in one ratio.",
-    formal=r"\frac{w_x^2}{H_x^2} = \frac{w_y^2}{H_y^2}",
+    states=r"\frac{w_x^2}{H_x^2} = \frac{w_y^2}{H_y^2}",
     given=[SPACECRAFT_MOMENTS, RATES],
     by=identity,
     uses=["2.3"],
@@ -1375,7 +1371,7 @@ largest_rates_at_vertices = claim(
     "2.3.18",
     264,
     words="The largest rates are had at vertices only: there all wheels have full momentum.",
-    parts=tuple(
+    states=tuple(
         where_largest(axis, [f"h_{i} = {sign}" for i, sign in enumerate(signs, 1)])
         for axis, (_, _, signs, _) in LARGEST.items()
     ),

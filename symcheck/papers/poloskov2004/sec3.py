@@ -1,6 +1,6 @@
 """Poloskov 2004, section 3: the Fokker-Planck-Kolmogorov (FPK) equation, its average, the stationary densities."""
 
-from symcheck.core.claims import Hypothesis
+from symcheck.core.claims import Damage, Hypothesis
 from symcheck.papers.declare import claim, definition, exclusion, ours, premise
 from symcheck.papers.poloskov2004 import derivation
 from symcheck.papers.poloskov2004.hypotheses import (
@@ -64,7 +64,7 @@ every_coefficient_has_epsilon = claim(
     "3.2.1",
     57,
     words="(3.1) has that form: all its coefficients are epsilon times something without epsilon.",
-    formal=r"\frac{\partial}{\partial \varepsilon} \left(\frac{K_i}{\varepsilon}\right) = 0 \land "
+    states=r"\frac{\partial}{\partial \varepsilon} \left(\frac{K_i}{\varepsilon}\right) = 0 \land "
     r"\frac{\partial}{\partial \varepsilon} \left(\frac{K_{ij}}{\varepsilon}\right) = 0",
     given=[positive_parameter, amplitude, positive_k],
     where=derivation.coefficients,
@@ -88,21 +88,23 @@ averaged_equation = premise(
     r"(\bar{K}_{33} p) - \frac{\partial}{\partial a} (\bar{K}_{1p}) - \frac{\partial}{\partial \theta} (\bar{K}_{2p}) "
     r"- \frac{\partial}{\partial \Omega} (\bar{K}_{3p}) \right] \equiv \varepsilon \bar{L} p",
     words="(3.2) averaged over the time it contains explicitly.",
-    read_as=r"\frac{\partial p}{\partial t} = \varepsilon \left[ \frac{1}{2} \frac{\partial^2}{\partial a^2} (\bar{K}_{11} p) "
-    r"+ \frac{1}{2} \frac{\partial^2}{\partial \theta^2} (\bar{K}_{22} p) + \frac{1}{2} \frac{\partial^2}{\partial \Omega^2} "
-    r"(\bar{K}_{33} p) - \frac{\partial}{\partial a} (\bar{K}_1 p) - \frac{\partial}{\partial \theta} (\bar{K}_2 p) "
-    r"- \frac{\partial}{\partial \Omega} (\bar{K}_3 p) \right] \equiv \varepsilon \bar{L} p",
-    kind="letter in the index",
-    reason="Three times the factor p has slipped into the subscript. No letter with the subscript 1p exists, (3.1) and the "
-    "stationary equations have the product, and so have the second derivatives of the same display; a thin space lost "
-    "three times alike is what the OCR does to subscripts. That averaging is admissible is cited [5].",
+    damage=Damage(
+        r"\frac{\partial p}{\partial t} = \varepsilon \left[ \frac{1}{2} \frac{\partial^2}{\partial a^2} (\bar{K}_{11} p) "
+        r"+ \frac{1}{2} \frac{\partial^2}{\partial \theta^2} (\bar{K}_{22} p) + \frac{1}{2} \frac{\partial^2}{\partial \Omega^2} "
+        r"(\bar{K}_{33} p) - \frac{\partial}{\partial a} (\bar{K}_1 p) - \frac{\partial}{\partial \theta} (\bar{K}_2 p) "
+        r"- \frac{\partial}{\partial \Omega} (\bar{K}_3 p) \right] \equiv \varepsilon \bar{L} p",
+        reason="Three times the factor p has slipped into the subscript. No letter with the subscript 1p exists, (3.1) and the "
+        "stationary equations have the product, and so have the second derivatives of the same display; a thin space lost "
+        "three times alike is what the OCR does to subscripts. That averaging is admissible is cited [5].",
+        kind="letter in the index",
+    ),
 )
 
 averaged_mixed_coefficients_vanish = claim(
     "3.2.3",
     63,
     words="No mixed derivative is left: the averages of K_12, K_13, K_23 vanish.",
-    formal=r"\bar{K}_{12} = 0 \land \bar{K}_{13} = 0 \land \bar{K}_{23} = 0 \land \bar{K}_{21} = 0 \land \bar{K}_{31} = 0 "
+    states=r"\bar{K}_{12} = 0 \land \bar{K}_{13} = 0 \land \bar{K}_{23} = 0 \land \bar{K}_{21} = 0 \land \bar{K}_{31} = 0 "
     r"\land \bar{K}_{32} = 0",
     given=[amplitude],
     where=derivation.averages,
@@ -145,7 +147,7 @@ carried_out_averages = ours(
     "3.2.7",
     67,
     words="The averages as the following items use them, carried out.",
-    formal=r"\langle K_1 \rangle_{\psi} = \varepsilon \bar{K}_1 \land \langle K_2 \rangle_{\psi} = \varepsilon \bar{K}_2 \land "
+    states=r"\langle K_1 \rangle_{\psi} = \varepsilon \bar{K}_1 \land \langle K_2 \rangle_{\psi} = \varepsilon \bar{K}_2 \land "
     r"\langle K_3 \rangle_{\psi} = \varepsilon \bar{K}_3 \land \langle K_{11} \rangle_{\psi} = \varepsilon \bar{K}_{11} \land "
     r"\langle K_{22} \rangle_{\psi} = \varepsilon \bar{K}_{22} \land \langle K_{33} \rangle_{\psi} = \varepsilon \bar{K}_{33}",
     given=[amplitude, positive_k],
@@ -162,7 +164,7 @@ coefficients_do_not_depend_on_phase = claim(
     "3.3.1",
     75,
     words="The coefficients of (3.3) do not depend on theta.",
-    formal=r"\frac{\partial \bar{K}_1}{\partial \theta} = 0 \land \frac{\partial \bar{K}_2}{\partial \theta} = 0 \land "
+    states=r"\frac{\partial \bar{K}_1}{\partial \theta} = 0 \land \frac{\partial \bar{K}_2}{\partial \theta} = 0 \land "
     r"\frac{\partial \bar{K}_3}{\partial \theta} = 0 \land \frac{\partial \bar{K}_{11}}{\partial \theta} = 0 \land "
     r"\frac{\partial \bar{K}_{22}}{\partial \theta} = 0 \land \frac{\partial \bar{K}_{33}}{\partial \theta} = 0",
     given=[amplitude],
@@ -176,7 +178,7 @@ coefficients_of_amplitude = claim(
     75,
     (r"\bar{K}_{11} = \bar{K}_{11}(a)", r"\bar{K}_1 = \bar{K}_1(a)"),
     words="Kbar_11 and Kbar_1 depend on a only.",
-    formal=r"\frac{\partial \bar{K}_{11}}{\partial \theta} = 0 \land \frac{\partial \bar{K}_{11}}{\partial \Omega} = 0 \land "
+    states=r"\frac{\partial \bar{K}_{11}}{\partial \theta} = 0 \land \frac{\partial \bar{K}_{11}}{\partial \Omega} = 0 \land "
     r"\frac{\partial \bar{K}_1}{\partial \theta} = 0 \land \frac{\partial \bar{K}_1}{\partial \Omega} = 0",
     given=[amplitude],
     where=derivation.averaged_coefficients,
@@ -189,7 +191,7 @@ coefficients_of_frequency = claim(
     75,
     (r"\bar{K}_{33} = \bar{K}_{33}(\Omega)", r"\bar{K}_3 = \bar{K}_3(\Omega)"),
     words="Kbar_33 and Kbar_3 depend on Omega only.",
-    formal=r"\frac{\partial \bar{K}_{33}}{\partial \theta} = 0 \land \frac{\partial \bar{K}_{33}}{\partial a} = 0 \land "
+    states=r"\frac{\partial \bar{K}_{33}}{\partial \theta} = 0 \land \frac{\partial \bar{K}_{33}}{\partial a} = 0 \land "
     r"\frac{\partial \bar{K}_3}{\partial \theta} = 0 \land \frac{\partial \bar{K}_3}{\partial a} = 0",
     where=derivation.averaged_coefficients,
     by=cases(),
@@ -201,7 +203,7 @@ product_of_densities = claim(
     77,
     r"p_s(a, \theta, \Omega) = p_{s1}(a) p_{s2}(\theta) p_{s3}(\Omega)",
     words="The product of the densities (3.4), uniform, (3.5) solves (3.3).",
-    formal=r"\frac{1}{2} \frac{\partial^2}{\partial a^2} (\bar{K}_{11} p_s) + \frac{1}{2} \frac{\partial^2}{\partial \theta^2} "
+    states=r"\frac{1}{2} \frac{\partial^2}{\partial a^2} (\bar{K}_{11} p_s) + \frac{1}{2} \frac{\partial^2}{\partial \theta^2} "
     r"(\bar{K}_{22} p_s) + \frac{1}{2} \frac{\partial^2}{\partial \Omega^2} (\bar{K}_{33} p_s) - \frac{\partial}{\partial a} "
     r"(\bar{K}_1 p_s) - \frac{\partial}{\partial \theta} (\bar{K}_2 p_s) - \frac{\partial}{\partial \Omega} (\bar{K}_3 p_s) = 0",
     given=[amplitude, equatorial_noise, axial_noise, positive_k],
@@ -224,7 +226,7 @@ uniform_phase = claim(
     79,
     r"p_{s2}(\theta) = 1/2\pi",
     words="The phase is uniform: the constant density on a turn has integral 1.",
-    formal=r"\int_0^{2\pi} p_{s2} \, d\theta = 1 \land p_{s2}(\theta) = 1/2\pi",
+    states=r"\int_0^{2\pi} p_{s2} \, d\theta = 1 \land p_{s2}(\theta) = 1/2\pi",
     where=derivation.densities,
     by=cases(),
     uses=["3.3.1"],
@@ -248,7 +250,7 @@ no_flux = ours(
     "3.3.10",
     81,
     words="They carry no flux: the first integral of either equation vanishes.",
-    formal=r"\frac{1}{2} (\bar{K}_{11} p_{s1})'_a = \bar{K}_1 p_{s1} \land "
+    states=r"\frac{1}{2} (\bar{K}_{11} p_{s1})'_a = \bar{K}_1 p_{s1} \land "
     r"\frac{1}{2} (\bar{K}_{33} p_{s3})'_\Omega = \bar{K}_3 p_{s3}",
     given=[amplitude, equatorial_noise, axial_noise, positive_k],
     where=derivation.densities,

@@ -7,6 +7,7 @@ from functools import partial
 from typing import Any
 
 from symcheck.audit import kernels
+from symcheck.core.claims import Assertion
 from symcheck.core.ids import Id
 from symcheck.core.verdicts import SymcheckError
 from symcheck.kernels.codegen.kernel import Kernel
@@ -41,7 +42,8 @@ def step(derivation: Callable[..., Any], *arguments: Any, only: Sequence[str] = 
 
 def derived(id: str, only: Sequence[str] = ()) -> Shown:
     """The same for the derivation that a relation itself declares; SymcheckError if it declares none."""
-    declared = item(id).where or item(id).equation
+    found = item(id)
+    declared = (found.plan.where or found.statement.equation) if isinstance(found, Assertion) else None
     if declared is None:
         raise SymcheckError(f"{id} declares no derivation; show it with claim")
     function, arguments = (declared.func, declared.args) if isinstance(declared, partial) else (declared, ())

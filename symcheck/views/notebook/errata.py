@@ -6,6 +6,7 @@ from collections import Counter
 from collections.abc import Iterator
 from typing import Any
 
+from symcheck.core.claims import Claim
 from symcheck.core.ids import Id
 from symcheck.core.verdicts import Group, SymcheckError, Verdict
 from symcheck.ledger.record import Record
@@ -30,6 +31,7 @@ def slips(key: str) -> Shown:
     counts = Counter(
         (group, each.kind, str(each.origin), str(verdicts[str(Id(key, item.number, letter))]))
         for _, item in declared(key)
+        if isinstance(item, Claim)
         for letter, each in item.errata.items()
         if (group := group_of(each)) is not Group.STATEMENT
     )

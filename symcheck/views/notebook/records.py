@@ -7,7 +7,7 @@ from functools import cache
 from symcheck import kernels, papers
 from symcheck.audit.library import check
 from symcheck.audit.obligation import expand, obligation_of
-from symcheck.core.claims import Erratum, Item, Paper
+from symcheck.core.claims import Claim, Declaration, Erratum, Paper
 from symcheck.core.ids import Id
 from symcheck.core.verdicts import SLIPS, Group, Origin, SymcheckError, Verdict
 from symcheck.ledger import store
@@ -53,10 +53,11 @@ def serious(key: str) -> tuple[Record, ...]:
     return tuple(record for record in found if record.group is Group.STATEMENT)
 
 
-def _may_be_serious(item: Item) -> bool:
+def _may_be_serious(item: Declaration) -> bool:
     """Whether a printed relation says something else than is right, or says nothing by its author's fault."""
-    groups = map(group_of, item.errata.values())
-    return Group.STATEMENT in groups or bool(item.read_as and item.origin is Origin.PAPER)
+    groups = map(group_of, item.errata.values() if isinstance(item, Claim) else ())
+    damage = item.source.damage
+    return Group.STATEMENT in groups or (damage is not None and damage.origin is Origin.PAPER)
 
 
 @cache
@@ -64,7 +65,7 @@ def _audited(ids: tuple[str, ...]) -> tuple[Record, ...]:
     return tuple(check(ids, warn=lambda said: None))  # what is decided again is no matter for a reader
 
 
-def item(id: str) -> Item:
+def item(id: str) -> Declaration:
     """The declaration of a relation or of the chain of which it is a link."""
     return obligation_of(_declaration(id)).item
 
@@ -79,7 +80,7 @@ def notation(id: str) -> Notation:
     return item(id).notation or paper(Id.parse(id).paper).notation
 
 
-def declared(key: str) -> tuple[tuple[str, Item], ...]:
+def declared(key: str) -> tuple[tuple[str, Declaration], ...]:
     """All declarations of a paper with the titles of their sections, in printed order."""
     return tuple((each.section.title, each.item) for each in expand(paper(key)))
 

@@ -77,14 +77,14 @@ def statement(found: Sequence[Record], reread: bool = True) -> Iterator[Part]:
     reread  False: not again what can be read in the printed form itself
     """
     declaration = item(found[0].id)
-    legible = _is_latex("\n".join(declaration.printed)) or found[0].reading is not Reading.DAMAGED
-    stated = bool(declaration.read_as or declaration.formal or declaration.parts)
-    if declaration.printed and legible:
-        yield from (formula("printed" if n == 0 else "", each) for n, each in enumerate(declaration.printed))
-    elif declaration.printed:
-        yield Verbatim("printed, in the text at hand", "\n".join(declaration.printed))
-    if stated or not declaration.printed or (reread and len(decided(found[0].id)) > 1):
-        label = "read" if declaration.printed else "states"
+    printed = declaration.source.printed
+    legible = _is_latex("\n".join(printed)) or found[0].reading is not Reading.DAMAGED
+    if printed and legible:
+        yield from (formula("printed" if n == 0 else "", each) for n, each in enumerate(printed))
+    elif printed:
+        yield Verbatim("printed, in the text at hand", "\n".join(printed))
+    if declaration.text != printed or not printed or (reread and len(decided(found[0].id)) > 1):
+        label = "read" if printed else "states"
         yield from (formula(f"{label} {letter(each)}".strip(), each.read) for each in found if each.read)
 
 
