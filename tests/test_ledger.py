@@ -182,7 +182,8 @@ def test_a_result_depends_on_the_lemmas_it_may_use(monkeypatch: pytest.MonkeyPat
         return {each.id: obligation.fingerprint(each) for each in expand(papers.load()["mirer2009"])}
 
     before = prints()
-    changed = replace(sec2.product_and_its_excess, formal=r"J_1 J_2 J_3 = I_1 I_2 I_3")
+    lemma = sec2.product_and_its_excess
+    changed = replace(lemma, statement=replace(lemma.statement, states=(r"J_1 J_2 J_3 = I_1 I_2 I_3",)))
     monkeypatch.setattr(sec2, "product_and_its_excess", changed)
     after = prints()
     monkeypatch.undo()

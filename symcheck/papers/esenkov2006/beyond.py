@@ -4,13 +4,14 @@ Square roots appear as letters, u^2 = E_n (1 - b_n), v^2 = b_n (A - E_n), u, v >
 """
 
 from symcheck.core.claims import Hypothesis
-from symcheck.papers.declare import ours
+from symcheck.papers.declare import Scope, ours
 from symcheck.papers.esenkov2006 import derivation
 from symcheck.papers.esenkov2006.hypotheses import liquid_is_part, liquid_moves
 from symcheck.papers.esenkov2006.notation import root_letters, three_modes
 from symcheck.papers.esenkov2006.second_text import BOUNDARY, DISCRIMINANT, QUADRATIC
 from symcheck.proof import cases, existence, identity, nonnegative
 
+of_roots = Scope(root_letters, by=cases())
 LINEAR = r"(\Delta\omega_0 + \omega_0 E_1 - A\lambda_1)"  # coefficient of eta in (1.33)
 MIDDLE = r"(E_n(1 - b_n) + b_n(A - E_n))"  # minus the mean of the two boundaries
 PRODUCT = r"E_n(1 - b_n)b_n(A - E_n)"
@@ -56,7 +57,7 @@ real_root_needs_discriminant = ours(
     keeping=("Delta",),
 )
 
-zero_discriminant_has_a_real_root = ours(
+zero_discriminant_has_a_real_root = of_roots.ours(
     "B.3",
     34,
     words="D > 0, as it is required, is more than real roots need: D = r^2 with r >= 0 is enough, zero included.",
@@ -68,7 +69,6 @@ zero_discriminant_has_a_real_root = ours(
     by=existence(x=rf"\frac{{r - {LINEAR}}}{{2(A - E_1)}}"),
     uses=["B.2"],
     keeping=("Delta",),
-    notation=root_letters,
 )
 
 double_root = ours(
@@ -155,7 +155,7 @@ stable_faster_than_the_spin = ours(
     keeping=("b", "Delta"),
 )
 
-boundary_in_factors = ours(
+boundary_in_factors = of_roots.ours(
     "B.11",
     34,
     words="For 0 <= b_n <= 1 it has the roots -(u - v)^2 and -(u + v)^2: (1.35) with the opposite sign in the square.",
@@ -164,14 +164,13 @@ boundary_in_factors = ours(
     by=identity,
     uses=["1.35"],
     keeping=("b", "Delta"),
-    notation=root_letters,
 )
 
 inside = Hypothesis("inside", "C - A lies between the two boundaries", r"-(u + v)^2 < \Delta, \Delta < -(u - v)^2")
 below = Hypothesis("below", "C - A lies below both boundaries", r"\Delta < -(u + v)^2")
 above = Hypothesis("above", "C - A lies above both boundaries", r"\Delta > -(u - v)^2")
 
-unstable_interval = ours(
+unstable_interval = of_roots.ours(
     "B.12",
     34,
     words="D < 0, instability, between the two.",
@@ -180,10 +179,9 @@ unstable_interval = ours(
     by=nonnegative(r"(\Delta + (u + v)^2)(-(u - v)^2 - \Delta)"),
     uses=["B.11"],
     keeping=("b", "Delta"),
-    notation=root_letters,
 )
 
-stable_below = ours(
+stable_below = of_roots.ours(
     "B.13",
     34,
     words="D > 0 below them, in very long bodies.",
@@ -192,10 +190,9 @@ stable_below = ours(
     by=nonnegative(r"(-(u + v)^2 - \Delta)((-(u + v)^2 - \Delta) + 4uv)"),
     uses=["B.11"],
     keeping=("b", "Delta"),
-    notation=root_letters,
 )
 
-stable_above = ours(
+stable_above = of_roots.ours(
     "B.14",
     34,
     words="D > 0 above them. So D > 0 exactly outside the closed interval, and D = 0 at its ends (B.11).",
@@ -204,7 +201,6 @@ stable_above = ours(
     by=nonnegative(r"(\Delta + (u - v)^2)((\Delta + (u - v)^2) + 4uv)"),
     uses=["B.11"],
     keeping=("b", "Delta"),
-    notation=root_letters,
 )
 
 unstable_interval_without_roots = ours(
@@ -217,16 +213,14 @@ unstable_interval_without_roots = ours(
     keeping=("b", "Delta"),
 )
 
-width = ours(
+width = of_roots.ours(
     "B.16",
     34,
     words="The interval is 4 u v wide, that is 4 sqrt(E_n (1 - b_n) b_n (A - E_n)).",
     states=rf"-(u - v)^2 - (-(u + v)^2) = 4uv \land (4uv)^2 = 16{PRODUCT}",
     given=[roots],
-    by=cases(),
     uses=["B.12"],
     keeping=("b",),
-    notation=root_letters,
 )
 
 width_is_positive = ours(
@@ -252,19 +246,17 @@ flattened_body_is_stable = ours(
     keeping=("b", "Delta"),
 )
 
-boundary_touches_equal_moments = ours(
+boundary_touches_equal_moments = of_roots.ours(
     "B.19",
     34,
     words="The upper end of the interval is C = A exactly when A b_n = E_n.",
     states=r"-(u - v)^2 = 0 \Leftrightarrow Ab_n = E_n",
     given=[roots],
-    by=cases(),
     uses=["B.12"],
     keeping=("b",),
-    notation=root_letters,
 )
 
-lower_end_is_a_body = ours(
+lower_end_is_a_body = of_roots.ours(
     "B.20",
     34,
     words="Every C of the interval is that of a body: at its lower end C = (s - w)^2 >= 0 with s = sqrt(b_n E_n), w = sqrt((1 - b_n)(A - E_n)).",
@@ -280,7 +272,6 @@ lower_end_is_a_body = ours(
     by=identity,
     uses=["B.12"],
     keeping=("b",),
-    notation=root_letters,
 )
 
 value_without_axial_moment = ours(
@@ -349,28 +340,24 @@ def _critical(sign: str, opposite: str) -> str:
     return rf"\Delta = -(u {sign} v)^2 \Rightarrow (A - E_n)({quadratic}) = {root}^2"
 
 
-critical_frequency_above = ours(
+critical_frequency_above = of_roots.ours(
     "B.26",
     34,
     words="At the upper end the double frequency is -omega_0 v (u - v) / (A - E_n).",
     states=_critical("-", "+"),
     given=[roots],
-    by=cases(),
     uses=["B.4", "B.11"],
     keeping=("b", "Delta"),
-    notation=root_letters,
 )
 
-critical_frequency_below = ours(
+critical_frequency_below = of_roots.ours(
     "B.27",
     34,
     words="At the lower end it is omega_0 v (u + v) / (A - E_n).",
     states=_critical("+", "-"),
     given=[roots],
-    by=cases(),
     uses=["B.4", "B.11"],
     keeping=("b", "Delta"),
-    notation=root_letters,
 )
 
 boundaries_by_their_sum = ours(

@@ -10,11 +10,14 @@ from functools import partial
 from itertools import combinations
 
 from symcheck.core.claims import Hypothesis
-from symcheck.papers.declare import ours
+from symcheck.papers.declare import Scope, ours
 from symcheck.papers.esenkov2006 import derivation
 from symcheck.papers.esenkov2006.notation import mode_letters, retaining, weight_letters
 from symcheck.proof import cases, identity, nonnegative
 from symcheck.reading import Letter
+
+modes = Scope(mode_letters, partial(derivation.left_side, 3), identity)
+at_frequencies = Scope(mode_letters, partial(derivation.values_at_natural_frequencies, 3), cases())
 
 LEFT_SIDE = r"A\eta + (C - A)\omega_0 - \eta(\eta - \omega_0)\sum_{n=1}^{%d} \frac{E_n}{\eta - \lambda_n}"
 OVER_DISTANCE = r"\sum_{n=1}^3 \frac{%s}{(x - \lambda_n)^2 + y^2}"  # squared distance of x + iy from the pole
@@ -48,15 +51,12 @@ two_modes = ours(
     notation=retaining(2),
 )
 
-one_more_mode = ours(
+one_more_mode = modes.ours(
     "N.2",
     28,
     words="A further mode adds its own term and changes nothing else.",
     states=rf"F - ({LEFT_SIDE % 2}) = -\eta(\eta - \omega_0)\frac{{E_3}}{{\eta - \lambda_3}}",
-    where=partial(derivation.left_side, 3),
-    by=identity,
     uses=["1.31", "N.1"],
-    notation=mode_letters,
 )
 
 residues = ours(
@@ -70,28 +70,24 @@ residues = ours(
     notation=mode_letters,
 )
 
-partial_fraction = ours(
+partial_fraction = modes.ours(
     "N.4",
     28,
     words="Each term of (1.31), split into a linear function and a pole.",
     states=r"-\eta(\eta - \omega_0)\frac{E_n}{\eta - \lambda_n} = -E_n(\eta + \lambda_n - \omega_0) - "
     r"\frac{E_n\lambda_n(\lambda_n - \omega_0)}{\eta - \lambda_n}",
-    by=identity,
     uses=["N.3"],
-    notation=mode_letters,
 )
 
-band_in_ratios = ours(
+band_in_ratios = modes.ours(
     "N.5",
     28,
     words="Off the band means for each mode what b_n < 0 or b_n > 1 means for one: lambda_n (lambda_n - omega_0) = omega_0^2 b_n (b_n - 1).",
     states=r"\lambda_n(\lambda_n - \omega_0) = \omega_0^2b_n(b_n - 1)",
-    by=identity,
     uses=["1.34.2", "B.9", "B.10"],
-    notation=mode_letters,
 )
 
-values_at_natural_frequencies = ours(
+values_at_natural_frequencies = at_frequencies.ours(
     "N.6",
     28,
     words="The value of the polynomial of degree four at each natural frequency, and its leading coefficient.",
@@ -99,10 +95,7 @@ values_at_natural_frequencies = ours(
     r"P_2 = -E_2\lambda_2(\lambda_2 - \omega_0)(\lambda_2 - \lambda_1)(\lambda_2 - \lambda_3) \land "
     r"P_3 = -E_3\lambda_3(\lambda_3 - \omega_0)(\lambda_3 - \lambda_1)(\lambda_3 - \lambda_2) \land "
     r"L = A - E_1 - E_2 - E_3",
-    where=partial(derivation.values_at_natural_frequencies, 3),
-    by=cases(),
     uses=["1.31"],
-    notation=mode_letters,
 )
 
 two_modes_change_sign = ours(
@@ -124,7 +117,7 @@ two_modes_change_sign = ours(
     notation=mode_letters.extended(Letter("n", kind="index", range=(1, 2))),
 )
 
-sign_pattern = ours(
+sign_pattern = at_frequencies.ours(
     "N.8",
     28,
     words="Three modes off the band: the signs at lambda_1, lambda_2, lambda_3 are -, +, -. The leading coefficient is positive and the degree even, "
@@ -132,14 +125,12 @@ sign_pattern = ours(
     "one below, one above, one between each two neighbouring natural frequencies.",
     states="P_1 < 0, P_2 > 0, P_3 < 0, L > 0",
     given=[moving, parts, off_the_band, in_order],
-    where=partial(derivation.values_at_natural_frequencies, 3),
     by=cases(
         r"E_1(\lambda_1(\lambda_1 - \omega_0))(\lambda_2 - \lambda_1)((\lambda_2 - \lambda_1) + (\lambda_3 - \lambda_2))",
         r"E_2(\lambda_2(\lambda_2 - \omega_0))(\lambda_2 - \lambda_1)(\lambda_3 - \lambda_2)",
         r"E_3(\lambda_3(\lambda_3 - \omega_0))((\lambda_2 - \lambda_1) + (\lambda_3 - \lambda_2))(\lambda_3 - \lambda_2)",
     ),
     uses=["N.6"],
-    notation=mode_letters,
 )
 
 between_two_poles = ours(
@@ -158,29 +149,24 @@ between_two_poles = ours(
     notation=mode_letters,
 )
 
-slope = ours(
+slope = modes.ours(
     "N.10",
     28,
     words="The slope of (1.31) is A - sum E_n plus squares, each mode by itself.",
     states=r"\frac{dF}{d\eta} = A - \sum_{n=1}^3 E_n + \sum_{n=1}^3 \frac{E_n\lambda_n(\lambda_n - \omega_0)}{(\eta - \lambda_n)^2}",
-    where=partial(derivation.left_side, 3),
-    by=identity,
     uses=["N.4"],
-    notation=mode_letters,
 )
 
-increasing = ours(
+increasing = modes.ours(
     "N.11",
     28,
     words="Off the band (1.31) increases between its poles: exactly one root between two neighbouring ones.",
     states=r"\frac{dF}{d\eta} > 0",
     given=[moving, parts, off_the_band],
-    where=partial(derivation.left_side, 3),
     by=nonnegative(
         r"1 \cdot (A - \sum_{n=1}^3 E_n) + \sum_{n=1}^3 \frac{E_n(\lambda_n(\lambda_n - \omega_0))}{(\eta - \lambda_n)^2}"
     ),
     uses=["N.10"],
-    notation=mode_letters,
 )
 
 imaginary_part = ours(
@@ -194,7 +180,7 @@ imaginary_part = ours(
     notation=mode_letters,
 )
 
-roots_are_real = ours(
+roots_are_real = modes.ours(
     "N.13",
     28,
     words="Any number of modes, all off the band, that carry less than A together: y (A - sum E_n + s) = 0 with s >= 0 leaves y = 0. All frequencies are real, "
@@ -203,20 +189,16 @@ roots_are_real = ours(
     given=[parts, Hypothesis("sum", "s is the sum of N.12 over the modes, none of them negative", r"s \ge 0")],
     by=cases(),
     uses=["N.12"],
-    notation=mode_letters,
 )
 
-as_poles = ours(
+as_poles = modes.ours(
     "N.14",
     28,
     words="Divided by eta (eta - omega_0) the left side of (1.31) has poles only: a frequency satisfies "
     "C / (eta - omega_0) = (C - A) / eta + sum E_n / (eta - lambda_n).",
     states=r"F = \eta(\eta - \omega_0)\left(\frac{C}{\eta - \omega_0} - \frac{C - A}{\eta} - "
     r"\sum_{n=1}^3 \frac{E_n}{\eta - \lambda_n}\right)",
-    where=partial(derivation.left_side, 3),
-    by=identity,
     uses=["1.31"],
-    notation=mode_letters,
 )
 
 imaginary_part_of_the_poles = ours(
@@ -262,13 +244,10 @@ instability_needs_a_long_body = ours(
     notation=weight_letters,
 )
 
-mode_at_an_end_of_the_band = ours(
+mode_at_an_end_of_the_band = at_frequencies.ours(
     "N.18",
     28,
     words="A natural frequency at an end of the band, zero or the spin, is itself a frequency of the whole, whatever the other modes.",
     states=r"(\lambda_1 = 0 \lor \lambda_1 = \omega_0) \Rightarrow P_1 = 0",
-    where=partial(derivation.values_at_natural_frequencies, 3),
-    by=cases(),
     uses=["N.6", "B.22", "B.23"],
-    notation=mode_letters,
 )

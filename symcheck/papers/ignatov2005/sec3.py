@@ -10,22 +10,18 @@ from __future__ import annotations
 import re
 from collections.abc import Mapping
 from functools import partial
-from itertools import combinations
 
 from symcheck.core.claims import Claim, Damage, Erratum, Hypothesis, Ours
 from symcheck.core.problems import Applied
 from symcheck.core.verdicts import Origin
-from symcheck.papers.declare import Scope, claim, definition, exclusion, ours, premise
-from symcheck.papers.ignatov2005 import derivation, envelopes
+from symcheck.papers.declare import Scope, exclusion, ours, premise
+from symcheck.papers.ignatov2005 import derivation, envelopes, wheels
 from symcheck.papers.ignatov2005.hypotheses import (
-    EACH,
     MASS,
     RATES,
     SPACECRAFT_MOMENTS,
-    lost_pi,
     real_base,
     real_pyramid,
-    rhombi,
 )
 from symcheck.papers.ignatov2005.notation import (
     five_of_six,
@@ -36,16 +32,12 @@ from symcheck.papers.ignatov2005.notation import (
     six_wheels_in_spacecraft,
     six_wheels_with_units,
 )
+from symcheck.papers.ignatov2005.wheels import five, points, six
 from symcheck.proof import cases, combined, existence, identity, nonnegative, theorems
 from symcheck.reading import Notation
 
-SIX, FIVE = (partial(derivation.momentum_of_six, number) for number in (6, 5))
-WHEELS = (1, 2, 3, 4, 5, 6)
-
-
-def momenta(letter: str = "h", wheels: int = 6) -> str:
-    """[h_1, ..., h_6]"""
-    return "[" + ", ".join(f"{letter}_{i}" for i in WHEELS[:wheels]) + "]"
+both = Scope(six_and_five, derivation.six_axes, cases())
+craft = Scope(six_wheels_in_spacecraft, by=identity)
 
 
 def right_side(printed: str) -> str:
@@ -59,21 +51,11 @@ pyramid = premise(
     "3.0.1", 268, words="The axes of the wheels are parallel to the side edges of a regular six-sided pyramid."
 )
 
-numbers_of_wheels = exclusion(
-    "3.0.2", 273, r"i=1,\dots,6", reason="range of the number of a wheel, used in the notation"
-)
+numbers_of_wheels = six.numbers_of_wheels("3.0.2", 273)
 
-axes_are_unit_vectors = claim(
-    "3.0.3",
-    273,
-    words="The e_i are unit vectors.",
-    states=r"(\mathbf{e}_i, \mathbf{e}_i) = 1",
-    where=derivation.six_axes,
-    by=identity,
-    notation=six_wheels,
-)
+axes_are_unit_vectors = six.unit_vectors("3.0.3", 273)
 
-axes_of_wheels = claim(
+axes_of_wheels = six.claim(
     "3.0.4",
     275,
     r"\begin{aligned} e_1 &= (0, -\sin a, \cos a), & "
@@ -82,8 +64,6 @@ axes_of_wheels = claim(
     r"e_5 &= \left( \frac{\sqrt{3}}{2} \sin a, -\frac{1}{2} \sin a, -\cos a \right), & "
     r"e_6 &= \left( \frac{\sqrt{3}}{2} \sin a, \frac{1}{2} \sin a, -\cos a \right). \end{aligned}",
     words="Edges 60 degrees apart, the first in the plane OYZ; wheels 1 to 3 point up their edges, 4 to 6 down.",
-    where=derivation.six_axes,
-    by=identity,
     uses=["3.0.1"],
     errata={
         "d": Erratum(
@@ -95,54 +75,32 @@ axes_of_wheels = claim(
             "by the author or by the OCR.",
         )
     },
-    notation=six_wheels,
 )
 
-opposite_edges = ours(
+opposite_edges = six.ours(
     "3.0.5",
     275,
     words="With this e_4 neighbouring edges enclose one angle all round, as in a regular pyramid: e_1, e_2, e_3, -e_4, -e_5, -e_6.",
     states=r"(\mathbf{e}_1, \mathbf{e}_2) = (\mathbf{e}_2, \mathbf{e}_3) = -(\mathbf{e}_3, \mathbf{e}_4) = "
     r"(\mathbf{e}_4, \mathbf{e}_5) = (\mathbf{e}_5, \mathbf{e}_6) = -(\mathbf{e}_6, \mathbf{e}_1)",
-    where=derivation.six_axes,
     by=cases(),
     uses=["3.0.4"],
-    notation=six_wheels,
 )
 
-angle_to_oz = claim(
-    "3.0.6",
-    277,
-    words="a is the angle between the axis of a wheel and OZ (as lines: e_4 to e_6 point downwards).",
-    states=r"(\mathbf{e}_i, (0, 0, 1))^2 = \cos^2 a",
-    where=derivation.six_axes,
-    by=identity,
-    uses=["3.0.4"],
-    notation=six_wheels,
-)
+angle_to_oz = six.angle_to_oz("3.0.6", 277, "e_4 to e_6", "3.0.4")
 
 parameter = premise("3.0.7", 277, words="The angle a is the parameter of the system.")
 
-total_momentum = claim(
-    "3.1",
-    279,
-    r"\mathbf{H} = h_1 \mathbf{e}_1 + h_2 \mathbf{e}_2 + h_3 \mathbf{e}_3 + h_4 \mathbf{e}_4 + h_5 \mathbf{e}_5 + h_6 \mathbf{e}_6,",
-    words="The sum of the momenta of the wheels.",
-    where=SIX,
-    by=identity,
-    notation=six_wheels,
-)
+total_momentum = six.total_momentum("3.1", 279)
 
-equal_wheels = premise(
+equal_wheels = six.equal_wheels(
     "3.1.1",
     281,
     (r"-h_{\max} \leq h_i \leq h_{\max}", r"i = 1, \dots, 6", r"h_{\max}"),
-    words="The wheels are equal; h_max is the largest momentum of a wheel, one more parameter.",
-    states=r"-h_{\max} \leq h_i \leq h_{\max}",
-    notation=six_wheels_in_spacecraft,
+    six_wheels_in_spacecraft,
 )
 
-components_of_momentum = claim(
+components_of_momentum = six.claim(
     "3.1.2",
     283,
     (
@@ -150,109 +108,52 @@ components_of_momentum = claim(
         r"H_y = \left( -h_1 - \frac{h_2}{2} + \frac{h_3}{2} - h_4 - \frac{h_5}{2} + \frac{h_6}{2} \right) \sin a,",
         r"H_z = (h_1 + h_2 + h_3 - h_4 - h_5 - h_6) \cos a.",
     ),
-    where=SIX,
-    by=identity,
     lines={"c": 285},
     uses=["3.0.4", "3.1"],
-    notation=six_wheels,
 )
 
-shorthand = claim(
-    "3.1.3",
-    287,
-    r"\mathbf{H} = [h_1, h_2, h_3, h_4, h_5, h_6]",
-    words="Square brackets list the momenta of the wheels: (3.1) in short.",
-    where=SIX,
-    by=identity,
-    uses=["3.1"],
-    notation=six_wheels,
-)
+shorthand = six.shorthand("3.1.3", 287, "3.1", "Square brackets list the momenta of the wheels: ")
 
-round_brackets = exclusion(
-    "3.1.4",
-    287,
-    r"\mathbf{H} = (H_x, H_y, H_z)",
-    reason="round brackets list components, as usual; the notation has them so",
-)
+round_brackets = six.round_brackets("3.1.4", 287)
 
-unit_of_momentum = claim(
-    "3.1.5",
-    287,
-    r"h_{\max} = 1",
-    words="No generality is lost with h_max = 1: the momenta are those for h_max = 1, times h_max.",
-    states="[" + ", ".join(rf"h_{{\max}} h_{i}" for i in WHEELS) + rf"] = h_{{\max}} {momenta()}",
-    where=derivation.six_axes,
-    by=identity,
-    uses=["3.1.3"],
-    notation=six_wheels_in_spacecraft,
-)
+unit_of_momentum = six.unit_of_momentum("3.1.5", 287, "3.1.3", six_wheels_in_spacecraft)
 
-region = premise("3.1.6", 289, r"|h_i| \leq 1", words="P is the region of all H with such h_i.", notation=six_wheels)
+region = six.region_of_momenta("3.1.6", 289)
 
-region_is_convex = claim(
+region_is_convex = six.claim(
     "3.1.7",
     289,
     words="P is convex: between two of its points lies the H of the momenta between, which are no larger (2.1.7b).",
-    states=rf"u{momenta()} + (1 - u){momenta('l')} = [" + ", ".join(f"uh_{i} + (1 - u)l_{i}" for i in WHEELS) + "]",
-    where=derivation.six_axes,
-    by=identity,
+    states=rf"u{six.momenta()} + (1 - u){six.momenta('l')} = " + six.bracket(lambda i: f"uh_{i} + (1 - u)l_{i}"),
     uses=["2.1.7", "3.1.3"],
-    notation=six_wheels,
 )
 
-region_is_symmetric = claim(
-    "3.1.8",
-    289,
-    words="P is symmetric about the origin.",
-    states="[" + ", ".join(f"-h_{i}" for i in WHEELS) + f"] = -{momenta()}",
-    where=derivation.six_axes,
-    by=identity,
-    uses=["3.1.3"],
-    notation=six_wheels,
-)
+region_is_symmetric = six.symmetric_region("3.1.8", 289, "3.1.3")
 
-vertices_take_full_momenta = claim(
-    "3.1.9",
-    289,
-    r"64 = 2^6",
-    words="At a vertex every wheel has full momentum, else H is the middle of a segment in P; so there are at most 64 vertices.",
-    states=(
-        r"[h_1 + u, h_2, h_3, h_4, h_5, h_6] + [h_1 - u, h_2, h_3, h_4, h_5, h_6] = 2[h_1, h_2, h_3, h_4, h_5, h_6]",
-        r"64 = 2^6",
-    ),
-    where=derivation.six_axes,
-    by=identity,
-    uses=["3.1.3"],
-    notation=six_wheels,
-)
+vertices_take_full_momenta = six.full_momenta_at_vertices("3.1.9", 289, "3.1.3")
 
 ZERO = (r"\mathbf{H} = [1, -1, 1, 1, -1, 1]", r"\mathbf{H} = [-1, 1, -1, -1, 1, -1]")
 
-zero_combinations = claim(
+zero_combinations = six.claim(
     "3.1.10",
     289,
     ZERO,
     words="In these two combinations the momenta cancel.",
     states=tuple(f"{right_side(printed)} = 0" for printed in ZERO),
-    where=derivation.six_axes,
-    by=identity,
     uses=["3.0.4", "3.1.3"],
-    notation=six_wheels,
 )
 
-only_two_combinations_vanish = claim(
+only_two_combinations_vanish = six.claim(
     "3.1.11",
     289,
     words="No other combination of full momenta vanishes: there are two.",
-    states=rf"{momenta()} = 0 \Leftrightarrow (h_2 = -h_1 \land h_3 = h_1 \land h_4 = h_1 \land h_5 = -h_1 \land h_6 = h_1)",
+    states=rf"{six.momenta()} = 0 \Leftrightarrow (h_2 = -h_1 \land h_3 = h_1 \land h_4 = h_1 \land h_5 = -h_1 \land h_6 = h_1)",
     given=[
         real_pyramid,
-        Hypothesis("full momenta", "every wheel has full momentum", ", ".join(f"h_{i}^2 = 1" for i in WHEELS)),
+        Hypothesis("full momenta", "every wheel has full momentum", ", ".join(f"h_{i}^2 = 1" for i in six.numbers)),
     ],
-    where=derivation.six_axes,
     by=cases(),
     uses=["3.1.10"],
-    notation=six_wheels,
 )
 
 # half of the combinations that are no vertices, the others being opposite, and smaller momenta with the same sum
@@ -277,108 +178,51 @@ INSIDE = (
 
 def inside(full: str) -> str:
     """Wheels that are all below their limit have the same sum."""
-    return rf"\exists h_i : (-1 < h_i \land h_i < 1 \land {momenta()} = [{full}])"
+    return rf"\exists h_i : (-1 < h_i \land h_i < 1 \land {six.momenta()} = [{full}])"
 
 
-combinations_inside = claim(
+combinations_inside = six.claim(
     "3.1.12",
     289,
     words="30 combinations, these 15 and their opposites, lie inside P: wheels that are all below their limits have the same sum, and "
     "as no direction is perpendicular to all axes (3.1.13), P goes on around it.",
     states=tuple(inside(full) for full, _ in INSIDE),
-    where=derivation.six_axes,
     by={
         letter: existence(**{f"h_{i}": value for i, value in enumerate(smaller.split(", "), 1)})
         for letter, (_, smaller) in zip("abcdefghijklmno", INSIDE, strict=True)
     },
     uses=["3.0.4", "3.1.3"],
-    notation=six_wheels,
 )
 
-no_three_axes_in_a_plane = ours(
-    "3.1.13",
-    289,
-    words="No three axes lie in one plane: P is simple (2.1.14).",
-    states=tuple(
-        rf"(\mathbf{{e}}_{i}, \mathbf{{e}}_{j} \times \mathbf{{e}}_{k}) \ne 0" for i, j, k in combinations(WHEELS, 3)
-    ),
-    given=[real_pyramid],
-    where=derivation.six_axes,
-    by=cases(),
-    uses=["2.1.14", "3.0.4"],
-    notation=six_wheels,
-)
+no_three_axes_in_a_plane = six.no_three_in_a_plane("3.1.13", 289, ": P is simple (2.1.14).", uses=["2.1.14", "3.0.4"])
 
-number_of_vertices = claim(
+number_of_vertices = six.claim(
     "3.1.14",
     289,
     words="The other 32 combinations are the vertices of P (list of vertices).",
     states=r"2^6 - 2 - 30 = 32 \land 6 (6 - 1) + 2 = 32",
     by=cases(),
     uses=["3.1.9", "3.1.11", "3.1.12", "3.1.13"],
-    notation=six_wheels,
 )
 
-pairs_of_vertices = definition(
-    "3.1.15",
-    289,
-    r"i = 1, \dots, 16",
-    words="V'_i lies opposite to V_i: it is -V_i, and so it is written in formal statements.",
-    opaque=True,
-    notation=six_wheels,
-)
+pairs_of_vertices = six.pairs_of_vertices("3.1.15", 289, r"i = 1, \dots, 16")
 
-number_of_edges = claim(
-    "3.1.16",
-    326,
-    words="P has 60 edges.",
-    states=r"2 \cdot 6 (6 - 1) = 60",
-    by=identity,
-    uses=["3.1.13"],
-    notation=six_wheels,
-)
+number_of_edges = six.number_of_edges("3.1.16", 326, "3.1.13")
 
-parameter_of_edges = definition(
-    "3.1.17",
-    365,
-    (r"-1 \leq u \leq 1", "u = -1", "u = 1"),
-    words="An edge begins at its first vertex with u = -1 and ends at its last with u = 1.",
-    states=r"-1 \leq u \leq 1",
-    opaque=True,
-    notation=six_wheels,
-)
+parameter_of_edges = six.parameter_of_edges("3.1.17", 365)
 
-number_of_faces = claim(
-    "3.1.18",
-    365,
-    words="P has 30 faces.",
-    states=r"6 (6 - 1) = 30",
-    by=identity,
-    uses=["3.1.13"],
-    notation=six_wheels,
-)
+number_of_faces = six.number_of_faces("3.1.18", 365, "3.1.13")
 
-pairs_of_faces = definition(
-    "3.1.19",
-    365,
-    r"i = 1, \dots, 15",
-    words="F'_i lies opposite to F_i.",
-    opaque=True,
-    notation=six_wheels,
-)
+pairs_of_faces = six.pairs_of_faces("3.1.19", 365, r"i = 1, \dots, 15")
 
-sense_of_edges = exclusion(
-    "3.1.20", 402, words="V_2 V_1 and V_1 V_2 are one edge, begun at either end.", reason="a convention on names"
-)
+sense_of_edges = six.sense_of_edges("3.1.20", 402)
 
-euler_characteristic = claim(
+euler_characteristic = six.claim(
     "3.1.21",
     402,
     words="32 vertices, 30 faces and 60 edges, as Euler's characteristic wants it.",
     states="32 + 30 - 60 = 2",
-    by=identity,
     uses=["3.1.14", "3.1.16", "3.1.18"],
-    notation=six_wheels,
 )
 
 angle_of_table_6 = exclusion(
@@ -388,89 +232,34 @@ angle_of_table_6 = exclusion(
 # --- 3.1: symmetries
 
 
-def turned(matrix: str, images: str) -> str:
-    """The linear map takes e_1 to e_6 to the vectors given, plus or minus axes, so that P is mapped onto itself."""
-    pairs = zip(WHEELS, images.split(", "), strict=True)
-    return r" \land ".join(rf"{matrix} \mathbf{{e}}_{i} = {image[:-1]}\mathbf{{e}}_{image[-1]}" for i, image in pairs)
-
-
-def half_turn(x: int, y: int, z: int) -> str:
-    """A half turn or a reflection, by the signs of the coordinates."""
-    return rf"\operatorname{{diag}}({x}, {y}, {z})"
-
-
 SIXTH_TURN = (
     r"\begin{pmatrix} \frac{1}{2} & -\frac{\sqrt{3}}{2} & 0 \\ "
     r"\frac{\sqrt{3}}{2} & \frac{1}{2} & 0 \\ 0 & 0 & 1 \end{pmatrix}"
 )
 
-half_turns = claim(
-    "3.1.23",
-    441,
-    words="P goes over into itself when turned about OX, OY or OZ by any multiple of pi.",
-    states=(
-        turned(half_turn(1, -1, -1), "-1, 6, 5, -4, 3, 2"),
-        turned(half_turn(-1, 1, -1), "4, -3, -2, 1, -6, -5"),
-        turned(half_turn(-1, -1, 1), "-4, -5, -6, -1, -2, -3"),
-    ),
-    where=derivation.six_axes,
-    by=cases(),
-    uses=["3.0.4"],
-    notation=six_wheels,
-    damage=lost_pi(r"n\pi"),
+half_turns = six.half_turns(
+    "3.1.23", 441, "3.0.4", "-1, 6, 5, -4, 3, 2", "4, -3, -2, 1, -6, -5", "-4, -5, -6, -1, -2, -3"
 )
 
-planes_of_symmetry = claim(
-    "3.1.24",
-    441,
-    words="The coordinate planes are planes of symmetry of P.",
-    states=(
-        turned(half_turn(-1, 1, 1), "1, -6, -5, 4, -3, -2"),
-        turned(half_turn(1, -1, 1), "-4, 3, 2, -1, 6, 5"),
-        turned(half_turn(1, 1, -1), "4, 5, 6, 1, 2, 3"),
-    ),
-    where=derivation.six_axes,
-    by=cases(),
-    uses=["3.0.4"],
-    notation=six_wheels,
+planes_of_symmetry = six.planes_of_symmetry(
+    "3.1.24", 441, "3.0.4", "1, -6, -5, 4, -3, -2", "-4, 3, 2, -1, 6, 5", "4, 5, 6, 1, 2, 3"
 )
 
-sixth_turns = ours(
+sixth_turns = six.ours(
     "3.1.25",
     441,
     words="The paper leaves out most symmetries: P goes over into itself when turned about OZ by any multiple of pi/3. With the half "
     "turns and reflections these make 24, the symmetries of a regular six-sided prism.",
-    states=turned(SIXTH_TURN, "2, 3, -4, 5, 6, -1"),
-    where=derivation.six_axes,
+    states=six.turned(SIXTH_TURN, "2, 3, -4, 5, 6, -1"),
     by=cases(),
     uses=["3.0.4", "3.1.23", "3.1.24"],
-    notation=six_wheels,
 )
 
 # --- 3.1: distances
 
-edges_of_length_two = claim(
-    "3.1.26",
-    443,
-    words="All edges have the length 2: from u = -1 to u = 1 is 2 e_i.",
-    states=r"(\mathbf{e}_i - (-\mathbf{e}_i), \mathbf{e}_i - (-\mathbf{e}_i)) = 2^2",
-    where=derivation.six_axes,
-    by=identity,
-    uses=["3.0.3", "3.1.17"],
-    notation=six_wheels,
-)
+edges_of_length_two = six.edges_of_length_two("3.1.26", 443, uses=["3.0.3", "3.1.17"])
 
-faces_are_rhombi = claim(
-    "3.1.27",
-    443,
-    words="So all faces are rhombi: parallelograms with sides of one length along two axes that are not parallel.",
-    states=rhombi(tuple(combinations(WHEELS, 2))),
-    given=[real_pyramid],
-    where=derivation.six_axes,
-    by=cases(),
-    uses=["3.1.26"],
-    notation=six_wheels,
-)
+faces_are_rhombi = six.faces_are_rhombi("3.1.27", 443, "3.1.26")
 
 DISTANCES = {"d_1": r"6\cos a", "d_2": r"4\sin a", "d_3": r"2\sqrt{3\cos^2 a + 1}", "d_4": r"2\sqrt{2\sin^2 a + 1}"}
 
@@ -482,16 +271,13 @@ def equally_far(distance: str, *vertices: int) -> tuple[str, ...]:
 
 def distance_of_vertices(number: str, distance: str, *vertices: int, words: str) -> Claim:
     """A printed distance d_k = ... with the vertices that have it."""
-    return claim(
+    return six.claim(
         number,
         443,
         distance,
         words=words,
         states=equally_far(right_side(distance), *vertices),
         given=[real_pyramid],
-        where=derivation.six_axes,
-        by=identity,
-        notation=six_wheels,
     )
 
 
@@ -535,7 +321,7 @@ def order_of_distances(number: str, line: int, order: str, angles: str) -> Claim
         rf"{right_side(exact)} \approx {each}" if "." in each else rf"{exact} \Leftrightarrow a = {each}"
         for each in degrees
     ]
-    return claim(
+    return six.claim(
         number,
         line,
         (order, angles),
@@ -544,7 +330,6 @@ def order_of_distances(number: str, line: int, order: str, angles: str) -> Claim
         given=[QUADRANT],
         by=cases(),
         uses=["3.1.28", "3.1.29", "3.1.30", "3.1.31"],
-        notation=six_wheels,
     )
 
 
@@ -710,29 +495,19 @@ feet_of_perpendiculars = (
 
 # --- 3.2: one wheel failed
 
-any_wheel_may_fail = claim(
+any_wheel_may_fail = six.claim(
     "3.1.32",
     471,
     words="No generality is lost with the failure of wheel 6: a sixth of a turn about OZ takes each axis to the next, but for a sign, "
     "so the region left by another wheel is P' turned.",
-    states=turned(SIXTH_TURN, "2, 3, -4, 5, 6, -1"),
-    where=derivation.six_axes,
+    states=six.turned(SIXTH_TURN, "2, 3, -4, 5, 6, -1"),
     by=cases(),
     uses=["3.1.25"],
-    notation=six_wheels,
 )
 
-momentum_of_five = claim(
-    "3.2",
-    473,
-    r"\mathbf{H} = h_1 \mathbf{e}_1 + h_2 \mathbf{e}_2 + h_3 \mathbf{e}_3 + h_4 \mathbf{e}_4 + h_5 \mathbf{e}_5,",
-    words="The sum of the momenta of the wheels that work.",
-    where=FIVE,
-    by=identity,
-    notation=five_of_six,
-)
+momentum_of_five = five.total_momentum("3.2", 473, "wheels that work")
 
-components_of_five = claim(
+components_of_five = five.claim(
     "3.2.1",
     477,
     (
@@ -740,69 +515,37 @@ components_of_five = claim(
         r"H_y = \left( -h_1 - \frac{h_2}{2} + \frac{h_3}{2} - h_4 - \frac{h_5}{2} \right) \sin a,",
         r"H_z = (h_1 + h_2 + h_3 - h_4 - h_5) \cos a.",
     ),
-    where=FIVE,
-    by=identity,
     lines={"c": 479},
     uses=["3.0.4", "3.2"],
-    notation=five_of_six,
 )
 
-shorthand_of_five = claim(
-    "3.2.2",
-    481,
-    r"\mathbf{H} = [h_1, h_2, h_3, h_4, h_5]",
-    words="(3.2) in short.",
-    where=FIVE,
-    by=identity,
-    uses=["3.2"],
-    notation=five_of_six,
-)
+shorthand_of_five = five.shorthand("3.2.2", 481, "3.2")
 
-equal_wheels_again = premise(
+equal_wheels_again = craft.premise(
     "3.2.3",
     481,
     (r"-h_{\max} \leq h_i \leq h_{\max}", r"i=1, \dots, 5", r"h_{\max} = 1", r"|h_i| \leq 1"),
     words="Limits of the wheels and their unit as before; P' is the region of all H with such h_i.",
     states=r"-h_{\max} \leq h_i \leq h_{\max}",
-    notation=six_wheels_in_spacecraft,
 )
 
-number_of_vertices_of_five = claim(
+number_of_vertices_of_five = five.claim(
     "3.2.4",
     481,
     words="P' has 22 vertices (list of vertices).",
     states="5 (5 - 1) + 2 = 22",
-    by=identity,
     uses=["3.1.13"],
-    notation=five_of_six,
 )
 
-pairs_of_vertices_of_five = definition(
-    "3.2.5",
-    481,
-    r"i=1, \dots, 11",
-    words="V'_i lies opposite to V_i: it is -V_i, and so it is written in formal statements.",
-    opaque=True,
-    notation=five_of_six,
-)
+pairs_of_vertices_of_five = five.pairs_of_vertices("3.2.5", 481, r"i=1, \dots, 11")
 
-region_of_five_is_symmetric = claim(
-    "3.2.6",
-    481,
-    words="P' is symmetric about the origin.",
-    states=f"[-h_1, -h_2, -h_3, -h_4, -h_5] = -{momenta(wheels=5)}",
-    where=derivation.six_axes,
-    by=identity,
-    uses=["3.2.2"],
-    notation=five_of_six,
-)
+region_of_five_is_symmetric = five.symmetric_region("3.2.6", 481, "3.2.2")
 
-number_of_edges_of_five = claim(
+number_of_edges_of_five = five.claim(
     "3.2.7",
     507,
     words="The parallelepiped has 40 edges.",
     states=r"2 \cdot 3 (3 - 1) = 40",
-    by=identity,
     uses=["3.1.13"],
     errata={
         "": Erratum(
@@ -813,41 +556,22 @@ number_of_edges_of_five = claim(
             "section 2.2, where P' is one; the number is right for P'.",
         )
     },
-    notation=five_of_six,
 )
 
-parameter_of_edges_of_five = definition(
-    "3.2.8",
-    526,
-    (r"-1 \leq u \leq 1", "u = -1", "u = 1"),
-    words="An edge begins at its first vertex with u = -1 and ends at its last with u = 1.",
-    states=r"-1 \leq u \leq 1",
-    opaque=True,
-    notation=five_of_six,
-)
+parameter_of_edges_of_five = five.parameter_of_edges("3.2.8", 526)
 
-number_of_faces_of_five = claim(
+number_of_faces_of_five = five.claim(
     "3.2.9",
     526,
     words="P' has 20 faces; with 22 vertices and 40 edges this agrees with Euler's characteristic.",
     states=r"5 (5 - 1) = 20 \land 22 + 20 - 40 = 2",
     by=cases(),
     uses=["3.1.13", "3.2.4", "3.2.7"],
-    notation=five_of_six,
 )
 
-pairs_of_faces_of_five = definition(
-    "3.2.10",
-    526,
-    r"i = 1, \dots, 10",
-    words="F'_i lies opposite to F_i.",
-    opaque=True,
-    notation=five_of_six,
-)
+pairs_of_faces_of_five = five.pairs_of_faces("3.2.10", 526, r"i = 1, \dots, 10")
 
-sense_of_edges_of_five = exclusion(
-    "3.2.11", 554, words="V_2 V_1 and V_1 V_2 are one edge, begun at either end.", reason="a convention on names"
-)
+sense_of_edges_of_five = five.sense_of_edges("3.2.11", 554)
 
 angle_of_table_9 = exclusion(
     "3.2.12", 554, r"\alpha = 72^\circ", reason="the angle of table 9, chosen in section 3.3; alpha is the angle a"
@@ -860,12 +584,6 @@ RIGHT_EDGES = (
     r"V_1'V_7', V_2'V_8', V_6'V_{13}', V_9'V_{15}', V_{12}'V_{16}, V_1V_7, V_2V_8, V_6V_{13}, V_9V_{15}, V_{12}V_{16}'"
 )
 MIDPOINTS = r"V_1', V_2', V_6', V_8', V_{11}', V_1, V_2, V_6, V_8, V_{11}"
-
-
-def points(names: str, letter: str = "V") -> list[str]:
-    """The vertices named in a text, V'_i as -V_i."""
-    found = re.findall(r"V_(\d|\{\d+\})('?)", names)
-    return [("-" if prime else "") + rf"\mathbf{{{letter}}}_{number}" for number, prime in found]
 
 
 def along_wheel_6(edge: str) -> str:
@@ -907,68 +625,41 @@ def repaired(statements: list[str], letter: str, moved: str) -> dict[str, Erratu
     return {**lost, letter: Erratum(moved, "label", Origin.UNCERTAIN, PRIME_MOVED)}
 
 
-edges_that_shrink = claim(
+edges_that_shrink = both.claim(
     "3.2.13",
     586,
     EDGES,
     words="P' is P with these edges shrunk to nothing: they are those along e_6, the axis of the wheel that failed.",
     states=(*map(along_wheel_6, EDGES.split(", ")), differ(EDGES)),
     given=[real_pyramid],
-    where=derivation.six_axes,
-    by=cases(),
     errata=repaired([along_wheel_6(edge) for edge in RIGHT_EDGES.split(", ")], "k", differ(RIGHT_EDGES)),
     uses=["3.0.4", "3.1.3"],
-    notation=six_and_five,
 )
 
-number_of_edges_that_shrink = ours(
+number_of_edges_that_shrink = both.ours(
     "3.2.14",
     586,
     words="There are ten: each wheel has 2 (6 - 1) edges of P, and their ends coincide in pairs, 32 - 10 = 22.",
     states=r"2 (6 - 1) = 10 \land 32 - 10 = 22",
-    by=cases(),
     uses=["3.1.14", "3.2.4", "3.2.13"],
-    notation=six_and_five,
 )
 
 RIGHT_MIDDLES = list(map(is_midpoint, MIDPOINTS.split(", "), RIGHT_EDGES.split(", ")))
 
-midpoints_of_edges = claim(
+midpoints_of_edges = both.claim(
     "3.2.15",
     586,
     (MIDPOINTS, EDGES),
     words="These vertices of P' are the middles of these edges of P, in this order.",
     states=tuple(map(is_midpoint, MIDPOINTS.split(", "), EDGES.split(", "))),
     given=[real_pyramid],
-    where=derivation.six_axes,
-    by=cases(),
     errata=repaired(RIGHT_MIDDLES, "e", RIGHT_MIDDLES[4]),
     uses=["3.2.13"],
-    notation=six_and_five,
 )
 
-edges_of_five_have_length_two = claim(
-    "3.2.16",
-    586,
-    words="The edges of P' have the length 2.",
-    states=r"(\mathbf{e}_i - (-\mathbf{e}_i), \mathbf{e}_i - (-\mathbf{e}_i)) = 2^2",
-    where=derivation.six_axes,
-    by=identity,
-    uses=["3.0.3", "3.2.8"],
-    notation=five_of_six,
-)
+edges_of_five_have_length_two = five.edges_of_length_two("3.2.16", 586, uses=["3.0.3", "3.2.8"])
 
-faces_of_five_are_rhombi = claim(
-    "3.2.17",
-    586,
-    words="So all faces of P' are rhombi.",
-    states=rhombi(tuple(combinations(WHEELS[:5], 2))),
-    given=[real_pyramid],
-    where=derivation.six_axes,
-    by=cases(),
-    uses=["3.2.16"],
-    notation=five_of_six,
-)
+faces_of_five_are_rhombi = five.faces_are_rhombi("3.2.17", 586, "3.2.16")
 
 # --- tables 10 and 11: distances, one wheel failed
 
@@ -976,16 +667,13 @@ faces_of_five_are_rhombi = claim(
 def row_of_table_10(number: str, line: int, vertices: str, distance: str) -> Claim:
     """A row: vertices of P', each with its opposite, and their distance."""
     names = vertices.split(", ")
-    return claim(
+    return five.claim(
         number,
         line,
         (vertices, distance),
         words=f"Distance of {' and '.join(re.sub('[{}]', '', name) for name in names[::2])}, and of their opposites.",
         states=tuple(rf"\sqrt{{({point}, {point})}} = {right_side(distance)}" for point in points(vertices)),
-        where=derivation.six_axes,
-        by=identity,
         uses=["3.0.4"],
-        notation=five_of_six,
     )
 
 
@@ -1132,7 +820,7 @@ volume_left_by_one_of_four = ours(
     notation=four_wheels,
 )
 
-less_sensitive_to_failure = claim(
+less_sensitive_to_failure = six.claim(
     "3.2.19",
     610,
     words="More wheels are less sensitive to a failure: of six wheels, one that fails leaves half of the volume, more than a quarter.",
@@ -1140,10 +828,8 @@ less_sensitive_to_failure = claim(
         rf"{envelopes.volume(envelopes.SIX, 6)} = \frac{{1}}{{2}} \cdot {envelopes.volume(envelopes.SIX)}",
         r"\frac{1}{2} > \frac{1}{4}",
     ),
-    where=derivation.six_axes,
     by=cases(),
     uses=["3.2.18"],
-    notation=six_wheels,
 )
 
 AROUND_FOUR = Hypothesis(
@@ -1191,7 +877,7 @@ def around_ellipsoid(face: str, order: str) -> str:
     return rf"\frac{{27}}{{43}} ({normal}, {SQUARES} ({normal})) {order} ({normal}, {middle})^2"
 
 
-nearer_to_an_ellipsoid = claim(
+nearer_to_an_ellipsoid = six.claim(
     "3.2.21",
     610,
     words="More wheels come nearer to an ellipsoid: for six wheels lambda^2 = 27/43, more than 1/2, with the semi-axes 4 sin a, 4 sin a, "
@@ -1203,7 +889,6 @@ nearer_to_an_ellipsoid = claim(
         r"\frac{27}{43} > \frac{1}{2}",
     ),
     given=[real_pyramid],
-    where=derivation.six_axes,
     by={
         **dict.fromkeys("abdeh", identity),
         "c": nonnegative(r"\frac{5}{36}"),
@@ -1211,7 +896,6 @@ nearer_to_an_ellipsoid = claim(
         "g": nonnegative(r"\frac{336}{43} \cos^2 a \sin^4 a"),
     },
     uses=["3.1.25", "3.2.20"],
-    notation=six_wheels,
 )
 
 wider_control = exclusion(
@@ -1227,25 +911,13 @@ question = exclusion(
     "3.2.23", 612, words="How to place the six wheels and choose the angle a.", reason="asks what 3.3 answers"
 )
 
-moments_of_inertia = premise(
-    "3.2.24",
-    616,
-    (
-        r"J_x = 1000 \text{ кг м}^2",
-        r"J_y = 1600 \text{ кг м}^2",
-        r"J_z = 800 \text{ кг м}^2",
-    ),
-    words="The principal central moments of inertia, in kg m^2, as in section 2.3.",
-    states="J_x = 1000, J_y = 1600, J_z = 800",
-    notation=six_wheels_in_spacecraft,
-)
+moments_of_inertia = wheels.moments_of_inertia(craft, "3.2.24", 616, ", as in section 2.3")
 
-two_equal_rates = premise(
+two_equal_rates = craft.premise(
     "3.2.25",
     616,
     "w_y = w_z",
     words="The condition: the largest rates about OY and OZ are equal. One angle cannot make all three so.",
-    notation=six_wheels_in_spacecraft,
 )
 
 LARGEST = {  # the largest component, the momenta of the wheels, what is missing to it
@@ -1269,32 +941,12 @@ LARGEST = {  # the largest component, the momenta of the wheels, what is missing
 }
 
 
-def largest_component(number: str, axis: str) -> Claim:
-    """The largest component along an axis: it is had, and no more."""
-    value, wheels, missing = LARGEST[axis]
-    component, _, most = value.partition(" = ")
-    place = {"x": f"({most}, 0, 0)", "y": f"(0, {most}, 0)", "z": f"(0, 0, {most})"}[axis]
-    return claim(
-        number,
-        616,
-        value,
-        words=f"The largest {component} that the wheels can have, alone.",
-        states=(f"[{wheels}] = {place}", rf"{EACH} \Rightarrow {component} \leq {most}"),
-        given=[real_pyramid],
-        where=SIX,
-        by={"a": identity, "b": cases(missing)},
-        uses=["3.1.2"],
-        notation=six_wheels,
-    )
-
-
-largest_components = (
-    largest_component("3.2.26", "x"),
-    largest_component("3.2.27", "y"),
-    largest_component("3.2.28", "z"),
+largest_components = tuple(
+    six.largest_component(number, 616, *LARGEST[axis], "3.1.2")
+    for number, axis in (("3.2.26", "x"), ("3.2.27", "y"), ("3.2.28", "z"))
 )
 
-largest_x_at_a_face = ours(
+largest_x_at_a_face = six.ours(
     "3.2.29",
     616,
     words="The largest H_x alone is no vertex, other than with four wheels: it is the middle of the face F_13, where two wheels rest. "
@@ -1303,36 +955,29 @@ largest_x_at_a_face = ours(
         r"\frac{1}{4}(\mathbf{V}_{13} + \mathbf{V}_{14} + (-\mathbf{V}_{10}) + (-\mathbf{V}_{16})) = (2\sqrt{3} \sin a, 0, 0)",
         r"([u, 1, 1, v, 1, 1], (1, 0, 0)) = 2\sqrt{3} \sin a",
     ),
-    where=derivation.six_axes,
-    by=identity,
     uses=["3.2.26"],
-    notation=six_wheels,
 )
 
 TWO_EQUAL_RATES = Hypothesis("equal rates", "the rates about OY and OZ are equal (line 616)", "w_y = w_z")
 LARGEST_MOMENTA = Hypothesis("largest momenta", "3.2.26 to 3.2.28", ", ".join(value for value, *_ in LARGEST.values()))
 
-ratio_of_momenta = claim(
+ratio_of_momenta = craft.claim(
     "3.2.30",
     616,
     r"\frac{H_y}{H_z} = \frac{J_y}{J_z}",
     given=[MASS, RATES, TWO_EQUAL_RATES],
-    by=identity,
     uses=["2.3", "3.2.25"],
-    notation=six_wheels_in_spacecraft,
 )
 
-ratio_of_sides = claim(
+ratio_of_sides = craft.claim(
     "3.2.31",
     618,
     r"\frac{4 \sin a}{6 \cos a} = 2",
     given=[SPACECRAFT_MOMENTS, LARGEST_MOMENTA, RATES, TWO_EQUAL_RATES],
-    by=identity,
     uses=["3.2.24", "3.2.27", "3.2.28", "3.2.30"],
-    notation=six_wheels_in_spacecraft,
 )
 
-angle_a = claim(
+angle_a = craft.claim(
     "3.2.32",
     618,
     r"a = \arctg 3 = 72^\circ",
@@ -1341,26 +986,21 @@ angle_a = claim(
     given=[SPACECRAFT_MOMENTS, Hypothesis("a acute", "a is an acute angle", r"0 < a < \pi/2")],
     by=cases(),
     uses=["3.2.24", "3.2.31"],
-    notation=six_wheels_in_spacecraft,
 )
 
-greater_moment = claim(
+greater_moment = craft.claim(
     "3.2.33",
     618,
     "J_y > J_x",
     given=[SPACECRAFT_MOMENTS],
-    by=identity,
     uses=["3.2.24"],
-    notation=six_wheels_in_spacecraft,
 )
 
-axes_in_oyz = claim(
+axes_in_oyz = six.claim(
     "3.2.34",
     618,
     words="The axes of wheels 1 and 4 lie in the plane OYZ.",
     states=(r"(\mathbf{e}_1, (1, 0, 0)) = 0", r"(\mathbf{e}_4, (1, 0, 0)) = 0"),
-    where=derivation.six_axes,
-    by=identity,
     uses=["3.0.4"],
     damage=Damage(
         r"h_1 \mathbf{e}_1, h_4 \mathbf{e}_4",
@@ -1369,10 +1009,9 @@ axes_in_oyz = claim(
         kind="letter",
         origin=Origin.UNCERTAIN,
     ),
-    notation=six_wheels,
 )
 
-better_turned_so = claim(
+better_turned_so = craft.claim(
     "3.2.35",
     618,
     words="So the wheels are better placed with wheels 1 and 4 in the plane OYZ, as the largest H_y exceeds the largest H_x: with the "
@@ -1385,32 +1024,28 @@ better_turned_so = claim(
     given=[Hypothesis("a acute", "a is an acute angle", r"0 < a < \pi/2")],
     by=cases(),
     uses=["3.2.26", "3.2.27", "3.2.33"],
-    notation=six_wheels_in_spacecraft,
 )
 
 ANGLE = Hypothesis("angle found", "a of 3.2.32", r"a = \arctg 3")
 AT_THE_ANGLE = [SPACECRAFT_MOMENTS, LARGEST_MOMENTA, RATES, ANGLE]
 
-largest_rate_about_ox = claim(
+largest_rate_about_ox = craft.claim(
     "3.2.36",
     618,
     r"w_x = 0.0033h_{\max} \text{ кг}^{-1} \text{ м}^{-2}",
     words="The largest rate about OX, in absolute value and for h_max = 1 (units: 3.2.40).",
     states=r"-w_x \approx 0.0033",
     given=AT_THE_ANGLE,
-    by=identity,
     uses=["2.3", "3.2.26", "3.2.32"],
-    notation=six_wheels_in_spacecraft,
 )
 
-largest_rates_about_oy_and_oz = claim(
+largest_rates_about_oy_and_oz = craft.claim(
     "3.2.37",
     618,
     r"w_y = w_z = 0.0023h_{\max} \text{ кг}^{-1} \text{ м}^{-2}",
     words="The largest rates about OY and OZ, likewise.",
     states=("w_y = w_z", r"-w_z \approx 0.0023"),
     given=AT_THE_ANGLE,
-    by=identity,
     uses=["2.3", "3.2.27", "3.2.28", "3.2.32"],
     errata={
         "b": Erratum(
@@ -1421,10 +1056,9 @@ largest_rates_about_oy_and_oz = claim(
             "longer equal.",
         )
     },
-    notation=six_wheels_in_spacecraft,
 )
 
-largest_rates_exactly = ours(
+largest_rates_exactly = craft.ours(
     "3.2.38",
     618,
     words="Exactly: w_x = 3 sqrt 30/5000 and w_y = w_z = 3 sqrt 10/4000, or 0.00329 and 0.00237; with 72 degrees w_y and w_z "
@@ -1440,7 +1074,6 @@ largest_rates_exactly = ours(
     given=AT_THE_ANGLE,
     by=cases(),
     uses=["3.2.36", "3.2.37"],
-    notation=six_wheels_in_spacecraft,
 )
 
 largest_momentum_of_a_wheel = exclusion("3.2.39", 618, r"h_{\max}", reason="says once more what h_max is (line 281)")

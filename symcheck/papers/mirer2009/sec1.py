@@ -4,7 +4,7 @@ from functools import partial
 
 from symcheck.core.claims import Erratum, Hypothesis
 from symcheck.core.verdicts import Origin
-from symcheck.papers.declare import body, claim, definition, exclusion, ours, premise
+from symcheck.papers.declare import Scope, body, claim, definition, exclusion, ours, premise
 from symcheck.papers.mirer2009 import derivation
 from symcheck.papers.mirer2009.forms import ALIGNED, PARALLEL, excess_of_product, excess_of_sum
 from symcheck.papers.mirer2009.hypotheses import (
@@ -16,6 +16,8 @@ from symcheck.papers.mirer2009.hypotheses import (
 )
 from symcheck.papers.mirer2009.notation import damping_letters
 from symcheck.proof import cases, identity
+
+proportional = Scope(where=derivation.proportional_gains, by=identity)
 
 angular_momentum_law = premise("1.0.1", 45, r"\frac{d\mathbf{K}}{dt} = \mathbf{M}")
 
@@ -296,14 +298,12 @@ common_gain = premise(
     "1.4.4", 119, r"\bar{k}_1 = \bar{k}_2 = \bar{k}_3 = k", words="The same choice; k is the common ratio."
 )
 
-characteristic_equation_in_common_gain = claim(
+characteristic_equation_in_common_gain = proportional.claim(
     "1.5",
     121,
     r"I_1 I_2 I_3 p^3 + k(J_1 L_1 + J_2 L_2 + J_3 L_3) p^2 + (3p + k) k^2 J_1 J_2 J_3 = 0.",
-    where=derivation.proportional_gains,
     keeping=free_moments,
     equation=derivation.characteristic_polynomial_by_axes,
-    by=identity,
     uses=["1.3.3", "1.4", "1.4.4"],
 )
 
@@ -328,36 +328,30 @@ other_system = exclusion(
     reason="refers to other papers, nothing stated here",
 )
 
-triple_root_square_coefficient = claim(
+triple_root_square_coefficient = proportional.claim(
     "1.5.4",
     127,
     r"3\xi I_1 I_2 I_3 = k(J_1 L_1 + J_2 L_2 + J_3 L_3),",
-    where=derivation.proportional_gains,
     keeping=free_moments,
     equation=partial(derivation.triple_root_condition, 2),
-    by=identity,
     uses=["1.3.3", "1.5"],
 )
 
-triple_root_linear_coefficient = claim(
+triple_root_linear_coefficient = proportional.claim(
     "1.5.5",
     129,
     r"3\xi^2 I_1 I_2 I_3 = 3k^2 J_1 J_2 J_3,",
-    where=derivation.proportional_gains,
     keeping=free_moments,
     equation=partial(derivation.triple_root_condition, 1),
-    by=identity,
     uses=["1.3.3", "1.5"],
 )
 
-triple_root_constant_coefficient = claim(
+triple_root_constant_coefficient = proportional.claim(
     "1.5.6",
     131,
     r"\xi^3 I_1 I_2 I_3 = k^3 J_1 J_2 J_3,",
-    where=derivation.proportional_gains,
     keeping=free_moments,
     equation=partial(derivation.triple_root_condition, 0),
-    by=identity,
     uses=["1.3.3", "1.5"],
 )
 

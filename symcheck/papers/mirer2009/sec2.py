@@ -2,7 +2,7 @@
 
 from symcheck.core.claims import Erratum, Hypothesis
 from symcheck.core.verdicts import Origin
-from symcheck.papers.declare import body, claim, definition, exclusion, ours, premise
+from symcheck.papers.declare import Scope, body, claim, definition, exclusion, ours, premise
 from symcheck.papers.mirer2009 import derivation
 from symcheck.papers.mirer2009.forms import ALIGNED, PARALLEL, deficit_of_product, excess_of_product, excess_of_sum
 from symcheck.papers.mirer2009.hypotheses import (
@@ -14,6 +14,10 @@ from symcheck.papers.mirer2009.hypotheses import (
 )
 from symcheck.papers.mirer2009.notation import ellipsoid_letters, turned_letters
 from symcheck.proof import cases, existence, identity, nonnegative
+
+cosines = Scope(where=derivation.direction_cosines, by=identity)
+axial = Scope(where=derivation.axial_moments, by=identity)
+of_mass = Scope(where=derivation.moments_of_a_mass_distribution)
 
 EQUAL_MOMENTS = r"(J_1 = J_2 = J_3)"
 EQUAL_PRODUCTS = r"(J_1 J_2 J_3 = I_1 I_2 I_3)"
@@ -45,7 +49,11 @@ matrix_of_direction_cosines = definition("2.0.2", 153, r"\mathbf{A} = \|a_{ij}\|
 
 direction_cosine = definition("2.0.3", 155, r"a_{ij} = \cos(Oy_i, Ox_j).", opaque=True)
 
-axial_moment = claim("2.0.4", 159, r"J_i = \sum_{k=1}^3 I_k a_{ik}^2.", where=derivation.axial_moments, by=identity)
+axial_moment = axial.claim(
+    "2.0.4",
+    159,
+    r"J_i = \sum_{k=1}^3 I_k a_{ik}^2.",
+)
 
 moments_are_not_negative = ours(
     "2.0.5",
@@ -193,34 +201,31 @@ equality_at_given_moment = claim(
 
 bound_at_given_moment = definition("2.2.2", 187, r"f_1(J_2) = \frac{1}{4} J_2 (3c - J_2)^2.")
 
-interval_of_moments = claim(
+interval_of_moments = of_mass.claim(
     "2.2.3",
     189,
     "[0, 3c/2]",
     words="J_2, the argument of f_1, lies between 0 and 3c/2.",
     states=r"(0 \leq J_2) \land (J_2 \leq 3c/2)",
     given=[orthogonal, mass_distribution],
-    where=derivation.moments_of_a_mass_distribution,
     by=cases(r"P_1 a_{21}^2 + P_2 a_{22}^2 + P_3 a_{23}^2"),
     uses=["2.2.2", "2.3.3"],
 )
 
-triangle_inequalities = claim(
+triangle_inequalities = of_mass.claim(
     "2.2.4",
     191,
     r"I_2 + I_3 \geq I_1, \quad I_3 + I_1 \geq I_2, \quad I_1 + I_2 \geq I_3",
     given=[mass_distribution],
-    where=derivation.moments_of_a_mass_distribution,
     by={"a": nonnegative("2P_1"), "b": nonnegative("2P_2"), "c": nonnegative("2P_3")},
     equality={"a": "P_1 = 0", "b": "P_2 = 0", "c": "P_3 = 0"},
 )
 
-triangle_inequalities_by_trace = claim(
+triangle_inequalities_by_trace = of_mass.claim(
     "2.3",
     195,
     r"I_1 + I_2 + I_3 \geq 2I_i, \quad i = 1, 2, 3.",
     given=[mass_distribution],
-    where=derivation.moments_of_a_mass_distribution,
     by=nonnegative("2P_i"),
     equality="P_i = 0",
     uses=["2.2.4"],
@@ -236,12 +241,11 @@ triangle_forms_are_equivalent = claim(
     uses=["2.2.4", "2.3"],
 )
 
-weighted_triangle_inequality = claim(
+weighted_triangle_inequality = of_mass.claim(
     "2.3.2",
     199,
     r"3c(a_{21}^2 + a_{22}^2 + a_{23}^2) \geq 2J_2",
     given=[mass_distribution],
-    where=derivation.moments_of_a_mass_distribution,
     by=nonnegative(r"2 P_1 a_{21}^2 + 2 P_2 a_{22}^2 + 2 P_3 a_{23}^2"),
     equality=r"P_1 a_{21} = 0, P_2 a_{22} = 0, P_3 a_{23} = 0",
     uses=["2.3", "2.1.6"],
@@ -251,12 +255,11 @@ second_row_is_a_unit_vector = claim(
     "2.3.3", 201, r"a_{21}^2 + a_{22}^2 + a_{23}^2 = 1", given=[orthogonal], by=identity
 )
 
-moment_at_most_three_halves_mean = claim(
+moment_at_most_three_halves_mean = of_mass.claim(
     "2.3.4",
     203,
     r"J_2 \leq \frac{3}{2}c.",
     given=[orthogonal, mass_distribution],
-    where=derivation.moments_of_a_mass_distribution,
     by=nonnegative(r"P_1 a_{21}^2 + P_2 a_{22}^2 + P_3 a_{23}^2"),
     equality=r"P_1 a_{21} = 0, P_2 a_{22} = 0, P_3 a_{23} = 0",
     uses=["2.3.2", "2.3.3"],
@@ -312,12 +315,10 @@ maximum_at_equal_moments = claim(
     uses=["2.3.7"],
 )
 
-equal_moment_conditions = claim(
+equal_moment_conditions = axial.claim(
     "2.4",
     213,
     r"J_i = \sum_{k=1}^3 I_k a_{ik}^2 = c, \quad i = 1, 2, 3,",
-    where=derivation.axial_moments,
-    by=identity,
     imposed="b",
     uses=["2.0.4"],
 )
@@ -335,22 +336,18 @@ two_conditions_suffice = claim(
     free=("J", "L"),
 )
 
-first_condition = claim(
+first_condition = axial.claim(
     "2.5",
     217,
     r"J_1 = I_1 a_{11}^2 + I_2 a_{12}^2 + I_3 a_{13}^2 = c,",
-    where=derivation.axial_moments,
-    by=identity,
     imposed="b",
     uses=["2.4"],
 )
 
-second_condition = claim(
+second_condition = axial.claim(
     "2.6",
     219,
     r"J_2 = I_1 a_{21}^2 + I_2 a_{22}^2 + I_3 a_{23}^2 = c.",
-    where=derivation.axial_moments,
-    by=identity,
     imposed="b",
     uses=["2.4"],
 )
@@ -375,12 +372,11 @@ aircraft_angles = definition(
     "2.7.2", 227, words="Pitch alpha, yaw beta and roll gamma of figure 1 determine the matrix A.", opaque=True
 )
 
-angles_make_rows_orthonormal = claim(
+angles_make_rows_orthonormal = cosines.claim(
     "2.7.3",
     232,
     words="With the three angles the conditions (2.7) hold of themselves.",
     states=body(orthonormal_rows),
-    where=derivation.direction_cosines,
     by=cases(),
     uses=["2.7", "2.7.2"],
 )
@@ -395,55 +391,66 @@ second_row_along_a_diagonal = claim(
     uses=["2.6"],
 )
 
-cosine_11 = claim("2.7.5", 238, r"a_{11} = \cos \alpha \cos \beta,", where=derivation.direction_cosines, by=identity)
+cosine_11 = cosines.claim(
+    "2.7.5",
+    238,
+    r"a_{11} = \cos \alpha \cos \beta,",
+)
 
-cosine_12 = claim(
+cosine_12 = cosines.claim(
     "2.7.6",
     240,
     r"a_{12} = \sin \alpha \sin \gamma - \cos \alpha \sin \beta \cos \gamma,",
-    where=derivation.direction_cosines,
-    by=identity,
 )
 
-cosine_13 = claim(
+cosine_13 = cosines.claim(
     "2.7.7",
     242,
     r"a_{13} = \sin \alpha \cos \gamma + \cos \alpha \sin \beta \sin \gamma,",
-    where=derivation.direction_cosines,
-    by=identity,
 )
 
-cosine_21 = claim("2.7.8", 244, r"a_{21} = \sin \beta,", where=derivation.direction_cosines, by=identity)
+cosine_21 = cosines.claim(
+    "2.7.8",
+    244,
+    r"a_{21} = \sin \beta,",
+)
 
-cosine_22 = claim("2.7.9", 246, r"a_{22} = \cos \beta \cos \gamma,", where=derivation.direction_cosines, by=identity)
+cosine_22 = cosines.claim(
+    "2.7.9",
+    246,
+    r"a_{22} = \cos \beta \cos \gamma,",
+)
 
-cosine_23 = claim("2.7.10", 248, r"a_{23} = -\cos \beta \sin \gamma,", where=derivation.direction_cosines, by=identity)
+cosine_23 = cosines.claim(
+    "2.7.10",
+    248,
+    r"a_{23} = -\cos \beta \sin \gamma,",
+)
 
-cosine_31 = claim("2.7.11", 250, r"a_{31} = -\sin \alpha \cos \beta,", where=derivation.direction_cosines, by=identity)
+cosine_31 = cosines.claim(
+    "2.7.11",
+    250,
+    r"a_{31} = -\sin \alpha \cos \beta,",
+)
 
-cosine_32 = claim(
+cosine_32 = cosines.claim(
     "2.7.12",
     252,
     r"a_{32} = \cos \alpha \sin \gamma + \sin \alpha \sin \beta \cos \gamma,",
-    where=derivation.direction_cosines,
-    by=identity,
 )
 
-cosine_33 = claim(
+cosine_33 = cosines.claim(
     "2.7.13",
     254,
     r"a_{33} = \cos \alpha \cos \gamma - \sin \alpha \sin \beta \sin \gamma,",
-    where=derivation.direction_cosines,
-    by=identity,
 )
 
-angles_of_the_diagonal = claim(
+angles_of_the_diagonal = cosines.claim(
     "2.7.14",
     256,
     (r"\sin^2 \beta = 1/3", r"\sin^2 \gamma = 1/2"),
     words="In the angles, the second row has squares 1/3 exactly when sin^2 beta = 1/3 and sin^2 gamma = 1/2.",
     states=r"(\sin^2 \beta = 1/3 \land \sin^2 \gamma = 1/2) \Leftrightarrow (a_{21}^2 = a_{22}^2 = a_{23}^2 = 1/3)",
-    where=derivation.direction_cosines,
     by=cases(),
     uses=["2.7.4", "2.7.8", "2.7.9", "2.7.10"],
 )
@@ -457,7 +464,7 @@ chosen_values = premise(
 
 chosen_angles = Hypothesis("chosen angles", "the angles beta and gamma of 2.7.15", body(chosen_values))
 
-squares_of_first_row = claim(
+squares_of_first_row = cosines.claim(
     "2.8",
     264,
     (
@@ -466,21 +473,17 @@ squares_of_first_row = claim(
         r"a_{13}^2 = \frac{1}{3} \left(1 - \frac{1}{2} \cos 2\alpha + \frac{\sqrt{3}}{2} \sin 2\alpha \right).",
     ),
     given=[chosen_angles],
-    where=derivation.direction_cosines,
-    by=identity,
     uses=["2.7.5", "2.7.6", "2.7.7", "2.7.15"],
     lines={"b": 266, "c": 268},
 )
 
-equal_moment_equation = claim(
+equal_moment_equation = cosines.claim(
     "2.8.1",
     272,
     r"c + \frac{1}{3} \left(I_1 - \frac{I_2 + I_3}{2} \right) \cos 2\alpha "
     r"- \frac{1}{3} \frac{\sqrt{3}}{2} (I_2 - I_3) \sin 2\alpha = c,",
     given=[chosen_angles],
-    where=derivation.direction_cosines,
     equation=derivation.equal_moment_equation,
-    by=identity,
     uses=["2.5", "2.8"],
 )
 

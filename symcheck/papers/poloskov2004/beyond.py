@@ -2,7 +2,7 @@
 
 from symcheck.core.claims import Hypothesis
 from symcheck.core.problems import Applied
-from symcheck.papers.declare import ours
+from symcheck.papers.declare import Scope, ours
 from symcheck.papers.poloskov2004 import derivation
 from symcheck.papers.poloskov2004.hypotheses import (
     amplitude,
@@ -14,6 +14,8 @@ from symcheck.papers.poloskov2004.hypotheses import (
 from symcheck.papers.poloskov2004.notation import full_noise, moment_letters
 from symcheck.proof import cases, identity, theorems
 
+moments = Scope(moment_letters, derivation.moment_parameters, identity)
+
 frequency_density_exists = Hypothesis("density of Omega exists", "the condition of existence", r"d_{33} > 0")
 finite_amplitude = Hypothesis(
     "moment finite", "the moment of a is finite (4.0.9)", r"8\gamma^2 > \alpha^2 (2 + 3m), m \geq 0"
@@ -22,33 +24,28 @@ finite_frequency = Hypothesis(
     "moment finite", "the moment of Omega is finite (4.0.11)", r"2 d_{33} > m g_{13}^2, m \geq 0"
 )
 
-partial_integral_of_amplitude = ours(
+partial_integral_of_amplitude = moments.ours(
     "B.1",
     85,
     words="The density of a has an elementary integral.",
     states=r"\int_0^q a \Delta_1^{\kappa_1} \, da = \frac{(4\beta^2)^{-\nu} - (3\alpha^2 q^2 + 4\beta^2)^{-\nu}}{6 \alpha^2 \nu}",
     given=[equatorial_noise, amplitude_density_exists, Hypothesis("end", "q is positive", "q > 0")],
-    where=derivation.moment_parameters,
-    by=identity,
     uses=["3.4", "3.5"],
-    notation=moment_letters,
 )
 
-constant_of_amplitude = ours(
+constant_of_amplitude = moments.ours(
     "B.2",
     93,
     words="So the constant is elementary for all parameters: C_1 = (4 gamma^2 - alpha^2)/4 (4 beta^2)^nu.",
     states=r"\int_0^\infty p_{s1} \, da = 1 \Leftrightarrow C_1 = \frac{4\gamma^2 - \alpha^2}{4} (4\beta^2)^{\nu}",
     given=[equatorial_noise, amplitude_density_exists],
-    where=derivation.moment_parameters,
     by=cases(),
     uses=["3.5.2", "B.1"],
-    notation=moment_letters,
 )
 
 STRETCHED = r"1 + \frac{3\alpha^2 a^2}{4\beta^2}"
 
-distribution_of_amplitude = ours(
+distribution_of_amplitude = moments.ours(
     "B.3",
     85,
     words="The distribution function of a is 1 - (1 + 3 alpha^2 a^2 / 4 beta^2)^(-nu).",
@@ -59,17 +56,15 @@ distribution_of_amplitude = ours(
         amplitude_density_exists,
         Hypothesis("constant", "C_1 is that of B.2", r"C_1 = \frac{4\gamma^2 - \alpha^2}{4} (4\beta^2)^{\nu}"),
     ],
-    where=derivation.moment_parameters,
     by=theorems(
         Applied("power_of_product", (r"4\beta^2", STRETCHED, r"\kappa_1")),
         Applied("power_of_sum", (STRETCHED, r"-\nu", "-1")),
         Applied("power_of_sum", (r"4\beta^2", r"\nu", r"\kappa_1")),
     ),
     uses=["B.2"],
-    notation=moment_letters,
 )
 
-quantiles_of_amplitude = ours(
+quantiles_of_amplitude = moments.ours(
     "B.4",
     85,
     words="The quantile a of the probability q in closed form.",
@@ -81,52 +76,42 @@ quantiles_of_amplitude = ours(
         amplitude_density_exists,
         Hypothesis("probability", "q is a probability", "q > 0, q < 1"),
     ],
-    where=derivation.moment_parameters,
     by=theorems(
         Applied("power_inverse", (STRETCHED, r"-\nu", "1 - q")),
         Applied("power_inverse", ("1 - q", r"-1/\nu", STRETCHED)),
     ),
     uses=["B.3"],
-    notation=moment_letters,
 )
 
-constant_of_frequency = ours(
+constant_of_frequency = moments.ours(
     "B.5",
     93,
     words="The other constant: C_2 = g_13 Gamma(delta + 1/2)/(sqrt(pi) Gamma(delta)) (g_23 k)^(2 delta).",
     states=r"\int_{-\infty}^\infty p_{s3} \, d\Omega = 1 \Leftrightarrow "
     r"C_2 = \frac{g_{13} \Gamma(\delta + 1/2)}{\sqrt{\pi} \Gamma(\delta)} (g_{23} k)^{2\delta}",
     given=[axial_noise, positive_k, frequency_density_exists],
-    where=derivation.moment_parameters,
     by=cases(),
     uses=["3.5.2"],
-    notation=moment_letters,
 )
 
-moments_of_amplitude = ours(
+moments_of_amplitude = moments.ours(
     "B.6",
     95,
     words="Every finite moment of a (not yet divided by the integral, B.2).",
     states=r"\int_0^\infty a^m a \Delta_1^{\kappa_1} \, da = \frac{1}{2} (3\alpha^2)^{-1-m/2} (4\beta^2)^{m/2-\nu} "
     r"\frac{\Gamma(1 + m/2) \Gamma(\nu - m/2)}{\Gamma(1 + \nu)}",
     given=[equatorial_noise, finite_amplitude],
-    where=derivation.moment_parameters,
-    by=identity,
     uses=["4.0.9", "B.2"],
-    notation=moment_letters,
 )
 
-moments_of_frequency = ours(
+moments_of_frequency = moments.ours(
     "B.7",
     95,
     words="Every finite absolute moment of Omega (half of it, not yet divided by the integral, B.5).",
     states=r"\int_0^\infty \Omega^m \Delta_2^{\kappa_2} \, d\Omega = \frac{1}{2} g_{13}^{-1-m} (g_{23} k)^{m - 2\delta} "
     r"\frac{\Gamma(m/2 + 1/2) \Gamma(\delta - m/2)}{\Gamma(\delta + 1/2)}",
     given=[axial_noise, positive_k, finite_frequency],
-    where=derivation.moment_parameters,
-    by=identity,
     uses=["4.0.11", "B.5"],
-    notation=moment_letters,
 )
 
 balance_of_squares = ours(

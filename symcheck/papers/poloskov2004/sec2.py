@@ -2,11 +2,13 @@
 
 from symcheck.core.claims import Damage, Erratum, Hypothesis
 from symcheck.core.verdicts import Origin
-from symcheck.papers.declare import claim, definition, exclusion, ours, premise
+from symcheck.papers.declare import Scope, claim, definition, exclusion, premise
 from symcheck.papers.poloskov2004 import derivation
 from symcheck.papers.poloskov2004.hypotheses import amplitude, positive_k, positive_parameter
 from symcheck.papers.poloskov2004.notation import functions_of_time, six_columns
 from symcheck.proof import cases, identity
+
+system = Scope(where=derivation.stratonovich_system, by=identity)
 
 free_motion = exclusion("2.0.1", 27, r"\varepsilon = 0", reason="names the case that (2.1) solves")
 
@@ -150,27 +152,23 @@ drift_vector = definition(
     opaque=True,
 )
 
-drift_of_amplitude = claim(
+drift_of_amplitude = system.claim(
     "2.4.2",
     43,
     V_1,
     words="First component of v.",
     states=rf"v_1 = \varepsilon \left[{V_1}\right]",
     given=[positive_k],
-    where=derivation.stratonovich_system,
-    by=identity,
     uses=["1.0.1", "2.3.1"],
 )
 
-drift_of_phase = claim(
+drift_of_phase = system.claim(
     "2.4.3",
     43,
     V_2,
     words="Second component of v.",
     states=rf"v_2 = \varepsilon \left[{V_2}\right]",
     given=[amplitude, positive_k],
-    where=derivation.stratonovich_system,
-    by=identity,
     uses=["1.0.1", "2.3.1"],
     errata={
         "": Erratum(
@@ -185,15 +183,13 @@ drift_of_phase = claim(
     },
 )
 
-drift_of_frequency = claim(
+drift_of_frequency = system.claim(
     "2.4.4",
     43,
     V_3,
     words="Third component of v.",
     states=rf"v_3 = \varepsilon \left[{V_3}\right]",
     given=[positive_k],
-    where=derivation.stratonovich_system,
-    by=identity,
     uses=["1.0.1", "2.3.1"],
     errata={
         "": Erratum(
@@ -232,13 +228,12 @@ noise_intensities = claim(
     notation=six_columns,
 )
 
-phase_columns_leave_frequency_alone = ours(
+phase_columns_leave_frequency_alone = system.ours(
     "2.4.6",
     45,
     words="The noises of Omega are not those of a and theta: the derivative by Omega through psi = Omega t + theta adds nothing "
     "to the Stratonovich correction.",
     states=r"h_{13} = 0, h_{16} = 0, h_{23} = 0, h_{26} = 0, h_{31} = 0, h_{32} = 0, h_{34} = 0, h_{35} = 0",
-    where=derivation.stratonovich_system,
     by=cases(),
     uses=["2.4.5"],
 )

@@ -1,7 +1,7 @@
 """Poloskov 2004, section 3: the Fokker-Planck-Kolmogorov (FPK) equation, its average, the stationary densities."""
 
 from symcheck.core.claims import Damage, Hypothesis
-from symcheck.papers.declare import claim, definition, exclusion, ours, premise
+from symcheck.papers.declare import Scope, claim, definition, exclusion, ours, premise
 from symcheck.papers.poloskov2004 import derivation
 from symcheck.papers.poloskov2004.hypotheses import (
     abbreviations,
@@ -13,6 +13,9 @@ from symcheck.papers.poloskov2004.hypotheses import (
 )
 from symcheck.papers.poloskov2004.notation import density_by_y
 from symcheck.proof import cases, identity
+
+averaged = Scope(where=derivation.averaged_coefficients, by=cases())
+density = Scope(where=derivation.densities, by=identity)
 
 markov_process = premise(
     "3.0.1", 49, words="(a, theta, Omega) is a Markov process with the density p(a, theta, Omega, t)."
@@ -160,7 +163,7 @@ stationary_equation = premise(
     "3.3", 73, r"\bar{L} p_s = 0", words="Equation of the stationary density, looked for in the first approximation."
 )
 
-coefficients_do_not_depend_on_phase = claim(
+coefficients_do_not_depend_on_phase = averaged.claim(
     "3.3.1",
     75,
     words="The coefficients of (3.3) do not depend on theta.",
@@ -168,12 +171,10 @@ coefficients_do_not_depend_on_phase = claim(
     r"\frac{\partial \bar{K}_3}{\partial \theta} = 0 \land \frac{\partial \bar{K}_{11}}{\partial \theta} = 0 \land "
     r"\frac{\partial \bar{K}_{22}}{\partial \theta} = 0 \land \frac{\partial \bar{K}_{33}}{\partial \theta} = 0",
     given=[amplitude],
-    where=derivation.averaged_coefficients,
-    by=cases(),
     uses=["3.2.4", "3.2.5"],
 )
 
-coefficients_of_amplitude = claim(
+coefficients_of_amplitude = averaged.claim(
     "3.3.2",
     75,
     (r"\bar{K}_{11} = \bar{K}_{11}(a)", r"\bar{K}_1 = \bar{K}_1(a)"),
@@ -181,24 +182,20 @@ coefficients_of_amplitude = claim(
     states=r"\frac{\partial \bar{K}_{11}}{\partial \theta} = 0 \land \frac{\partial \bar{K}_{11}}{\partial \Omega} = 0 \land "
     r"\frac{\partial \bar{K}_1}{\partial \theta} = 0 \land \frac{\partial \bar{K}_1}{\partial \Omega} = 0",
     given=[amplitude],
-    where=derivation.averaged_coefficients,
-    by=cases(),
     uses=["3.2.4", "3.2.5"],
 )
 
-coefficients_of_frequency = claim(
+coefficients_of_frequency = averaged.claim(
     "3.3.3",
     75,
     (r"\bar{K}_{33} = \bar{K}_{33}(\Omega)", r"\bar{K}_3 = \bar{K}_3(\Omega)"),
     words="Kbar_33 and Kbar_3 depend on Omega only.",
     states=r"\frac{\partial \bar{K}_{33}}{\partial \theta} = 0 \land \frac{\partial \bar{K}_{33}}{\partial a} = 0 \land "
     r"\frac{\partial \bar{K}_3}{\partial \theta} = 0 \land \frac{\partial \bar{K}_3}{\partial a} = 0",
-    where=derivation.averaged_coefficients,
-    by=cases(),
     uses=["3.2.4", "3.2.5"],
 )
 
-product_of_densities = claim(
+product_of_densities = density.claim(
     "3.3.4",
     77,
     r"p_s(a, \theta, \Omega) = p_{s1}(a) p_{s2}(\theta) p_{s3}(\Omega)",
@@ -207,8 +204,6 @@ product_of_densities = claim(
     r"(\bar{K}_{22} p_s) + \frac{1}{2} \frac{\partial^2}{\partial \Omega^2} (\bar{K}_{33} p_s) - \frac{\partial}{\partial a} "
     r"(\bar{K}_1 p_s) - \frac{\partial}{\partial \theta} (\bar{K}_2 p_s) - \frac{\partial}{\partial \Omega} (\bar{K}_3 p_s) = 0",
     given=[amplitude, equatorial_noise, axial_noise, positive_k],
-    where=derivation.densities,
-    by=identity,
     uses=["3.2.2", "3.3", "3.3.9", "3.4", "3.5"],
 )
 
@@ -221,39 +216,35 @@ product_is_the_only_solution = premise(
 
 interval_of_phase = exclusion("3.3.6", 79, r"[0, 2\pi]", reason="names the range of theta, see 3.3.8")
 
-uniform_phase = claim(
+uniform_phase = density.claim(
     "3.3.7",
     79,
     r"p_{s2}(\theta) = 1/2\pi",
     words="The phase is uniform: the constant density on a turn has integral 1.",
     states=r"\int_0^{2\pi} p_{s2} \, d\theta = 1 \land p_{s2}(\theta) = 1/2\pi",
-    where=derivation.densities,
     by=cases(),
     uses=["3.3.1"],
 )
 
 range_of_phase = premise("3.3.8", 79, r"\theta \in [0, 2\pi]", words="The phase is taken on one turn.")
 
-stationary_marginal_equations = claim(
+stationary_marginal_equations = density.claim(
     "3.3.9",
     81,
     r"\frac{1}{2} (\bar{K}_{11} p_{s1})''_{aa} - (\bar{K}_1 p_{s1})'_a = 0, \quad "
     r"\frac{1}{2} (\bar{K}_{33} p_{s3})''_{\Omega\Omega} - (\bar{K}_3 p_{s3})'_\Omega = 0",
     words="The densities (3.4), (3.5) satisfy the equations of the marginal densities.",
     given=[amplitude, equatorial_noise, axial_noise, positive_k],
-    where=derivation.densities,
-    by=identity,
     uses=["3.3", "3.3.2", "3.3.3", "3.4", "3.5"],
 )
 
-no_flux = ours(
+no_flux = density.ours(
     "3.3.10",
     81,
     words="They carry no flux: the first integral of either equation vanishes.",
     states=r"\frac{1}{2} (\bar{K}_{11} p_{s1})'_a = \bar{K}_1 p_{s1} \land "
     r"\frac{1}{2} (\bar{K}_{33} p_{s3})'_\Omega = \bar{K}_3 p_{s3}",
     given=[amplitude, equatorial_noise, axial_noise, positive_k],
-    where=derivation.densities,
     by=cases(),
     uses=["3.3.9"],
 )
@@ -266,27 +257,23 @@ flux_is_excluded = premise(
     "non-negative and integrable on the whole half-axis (axis)",
 )
 
-density_of_amplitude = claim(
+density_of_amplitude = density.claim(
     "3.4",
     85,
     r"p_{s1}(a) = 8C_1 a \Delta_1^{\kappa_1}",
     words="The derived density without flux; C_1 is named such that 8 C_1 is its constant.",
     given=[amplitude, equatorial_noise],
-    where=derivation.densities,
-    by=identity,
     uses=["3.2.4", "3.2.5", "3.5"],
 )
 
 range_of_amplitude = premise("3.4.1", 85, r"a \geq 0", words="Range of the amplitude.")
 
-density_of_frequency = claim(
+density_of_frequency = density.claim(
     "3.4.2",
     87,
     r"p_{s3}(\Omega) = C_2 \Delta_2^{\kappa_2}",
     words="The derived density without flux.",
     given=[axial_noise, positive_k],
-    where=derivation.densities,
-    by=identity,
     uses=["3.2.4", "3.2.5", "3.5.1"],
 )
 

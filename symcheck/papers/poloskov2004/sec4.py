@@ -3,7 +3,7 @@
 from symcheck.core.claims import Damage, Erratum, Hypothesis
 from symcheck.core.problems import Applied
 from symcheck.core.verdicts import Origin
-from symcheck.papers.declare import body, claim, exclusion, ours, premise
+from symcheck.papers.declare import Scope, body, claim, exclusion, ours, premise
 from symcheck.papers.poloskov2004 import derivation
 from symcheck.papers.poloskov2004.hypotheses import (
     amplitude,
@@ -16,6 +16,8 @@ from symcheck.papers.poloskov2004.hypotheses import (
 )
 from symcheck.papers.poloskov2004.notation import moment_letters
 from symcheck.proof import cases, identity, theorems
+
+density = Scope(where=derivation.densities, by=cases())
 
 TOTAL_1 = r"\int_0^\infty a \Delta_1^{\kappa_1} \, da < \infty"
 TOTAL_2 = r"\int_{-\infty}^\infty \Delta_2^{\kappa_2} \, d\Omega < \infty"
@@ -37,49 +39,41 @@ only_diagonal_elements_matter = claim(
     uses=["3.2.5", "3.3.9"],
 )
 
-density_of_amplitude_exists = claim(
+density_of_amplitude_exists = density.claim(
     "4.0.2",
     95,
     r"4\gamma^2 > \alpha^2",
     words="The density of a exists only under this condition.",
     states=rf"{TOTAL_1} \Rightarrow 4\gamma^2 > \alpha^2",
     given=[equatorial_noise],
-    where=derivation.densities,
-    by=cases(),
     uses=["3.4", "3.5"],
 )
 
-density_of_amplitude_exists_exactly = ours(
+density_of_amplitude_exists_exactly = density.ours(
     "4.0.3",
     95,
     words="And whenever it holds, as long as there is additive noise (beta > 0).",
     states=rf"{TOTAL_1} \Leftrightarrow 4\gamma^2 > \alpha^2",
     given=[equatorial_noise],
-    where=derivation.densities,
-    by=cases(),
     uses=["4.0.2"],
 )
 
-density_of_frequency_exists = claim(
+density_of_frequency_exists = density.claim(
     "4.0.4",
     95,
     r"d_{33} > 0",
     words="The density of Omega exists only under this condition.",
     states=rf"{TOTAL_2} \Rightarrow d_{{33}} > 0",
     given=[axial_noise, positive_k],
-    where=derivation.densities,
-    by=cases(),
     uses=["3.4.2", "3.5.1"],
 )
 
-density_of_frequency_exists_exactly = ours(
+density_of_frequency_exists_exactly = density.ours(
     "4.0.5",
     95,
     words="And whenever it holds.",
     states=rf"{TOTAL_2} \Leftrightarrow d_{{33}} > 0",
     given=[axial_noise, positive_k],
-    where=derivation.densities,
-    by=cases(),
     uses=["4.0.4"],
 )
 
@@ -95,38 +89,32 @@ dissipation_was_assumed = claim(
 
 orders_of_moments = premise("4.0.7", 95, r"m = 1, 2, \dots", words="Orders of the moments.")
 
-moments_of_amplitude_are_finite = claim(
+moments_of_amplitude_are_finite = density.claim(
     "4.0.8",
     95,
     r"8\gamma^2 > \alpha^2(2 + 3m)",
     words="Then the moment of a of order m is finite.",
     states=rf"8\gamma^2 > \alpha^2(2 + 3m) \Rightarrow {MOMENT_1}",
     given=[equatorial_noise, order],
-    where=derivation.densities,
-    by=cases(),
     uses=["3.4", "3.5"],
 )
 
-moments_of_amplitude_are_finite_only_then = ours(
+moments_of_amplitude_are_finite_only_then = density.ours(
     "4.0.9",
     95,
     words="And only then; for m = 0 the condition is that of existence.",
     states=rf"{MOMENT_1} \Leftrightarrow 8\gamma^2 > \alpha^2(2 + 3m)",
     given=[equatorial_noise, Hypothesis("order", "the order of the moment is not negative", r"m \geq 0")],
-    where=derivation.densities,
-    by=cases(),
     uses=["4.0.8"],
 )
 
-moments_of_frequency_are_finite = claim(
+moments_of_frequency_are_finite = density.claim(
     "4.0.10",
     95,
     "3d_{33} > mg_{13}^2",
     words="Then the (absolute) moment of Omega of order m is finite.",
     states=rf"3d_{{33}} > mg_{{13}}^2 \Rightarrow {MOMENT_2}",
     given=[axial_noise, positive_k, order],
-    where=derivation.densities,
-    by=cases(),
     uses=["3.4.2", "3.5.1"],
     errata={
         "": Erratum(
@@ -140,14 +128,12 @@ moments_of_frequency_are_finite = claim(
     },
 )
 
-moments_of_frequency_are_finite_only_then = ours(
+moments_of_frequency_are_finite_only_then = density.ours(
     "4.0.11",
     95,
     words="The moment of order m of Omega is finite exactly for 2 d_33 > m g_13^2.",
     states=rf"{MOMENT_2} \Leftrightarrow 2d_{{33}} > mg_{{13}}^2",
     given=[axial_noise, positive_k, Hypothesis("order", "the order of the moment is not negative", r"m \geq 0")],
-    where=derivation.densities,
-    by=cases(),
     uses=["4.0.10"],
 )
 
@@ -201,15 +187,13 @@ mode_is_the_stationary_point = ours(
     uses=["4.0.13"],
 )
 
-amplitude_is_unimodal = claim(
+amplitude_is_unimodal = density.claim(
     "4.0.15",
     97,
     words="The density of a rises up to a_* and falls beyond it.",
     states=rf"({SLOPE_1} > 0 \Leftrightarrow {RISING}) \land ({SLOPE_1} = 0 \Leftrightarrow {STATIONARY}) \land "
     rf"({SLOPE_1} < 0 \Leftrightarrow {FALLING})",
     given=[amplitude, equatorial_noise, constants],
-    where=derivation.densities,
-    by=cases(),
     uses=["3.4", "4.0.14"],
 )
 
@@ -225,7 +209,7 @@ slope_of_amplitude = ours(
     notation=moment_letters,
 )
 
-mode_of_frequency = claim(
+mode_of_frequency = density.claim(
     "4.0.17",
     109,
     r"\Omega_* = 0",
@@ -233,8 +217,6 @@ mode_of_frequency = claim(
     states=rf"({SLOPE_2} > 0 \Leftrightarrow \Omega < 0) \land ({SLOPE_2} = 0 \Leftrightarrow \Omega = 0) \land "
     rf"({SLOPE_2} < 0 \Leftrightarrow \Omega > 0)",
     given=[axial_noise, positive_k, dissipation, constants],
-    where=derivation.densities,
-    by=cases(),
     uses=["3.4.2"],
 )
 
@@ -269,7 +251,7 @@ equatorial_values = Hypothesis(
 )
 axial_values = Hypothesis("axial values", "the printed values", body(axial_dissipation, axial_intensities))
 
-constant_of_amplitude = claim(
+constant_of_amplitude = density.claim(
     "4.0.26",
     111,
     "C_1 = 2.25",
@@ -279,19 +261,16 @@ constant_of_amplitude = claim(
         equatorial_noise,
         Hypothesis("normalised", "the integral of the density of a is 1", r"\int_0^\infty p_{s1}(a) \, da = 1"),
     ],
-    where=derivation.densities,
     by=identity,
     uses=["3.4", "3.5", "3.5.2"],
 )
 
-constant_of_frequency_depends_on_k = ours(
+constant_of_frequency_depends_on_k = density.ours(
     "4.0.29",
     111,
     words="At these values the constant depends on k, which the paper does not print.",
     states=r"\int_{-\infty}^\infty p_{s3}(\Omega) \, d\Omega = 1 \Leftrightarrow C_2 = \frac{2k^3}{\pi}",
     given=[axial_values, axial_noise, positive_k],
-    where=derivation.densities,
-    by=cases(),
     uses=["3.4.2", "3.5.1", "3.5.2"],
 )
 
