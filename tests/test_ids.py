@@ -28,6 +28,12 @@ def test_an_id_has_a_paper_a_number_and_a_link(text: str, parts: Id) -> None:
     assert parts.declaration == parts._replace(link="")
 
 
+def test_a_relation_has_its_links() -> None:
+    whole, link = Id.parse("mirer2009:2.13.1"), Id.parse("mirer2009:2.13.1b")
+    assert whole.has("mirer2009:2.13.1") and whole.has("mirer2009:2.13.1b")
+    assert link.has("mirer2009:2.13.1b") and not link.has("mirer2009:2.13.1a")
+
+
 def test_a_row_belongs_to_a_list() -> None:
     assert Id.parse("ignatov2005:2.1V.9a").listing == Id("ignatov2005", "2.1V")
     assert Id.parse("ignatov2005:2.1V.9a").row == "9"

@@ -77,9 +77,9 @@ def equalities(paper: Paper, name: str, kernel: Kernel) -> Iterator[Certificate]
 
 def _claims(paper: Paper, name: str, kernel: Kernel, known: Mapping[str, Record]) -> str:
     said = []
-    for number in kernel.claims:
-        id = Id(paper.key, number)
-        links = [record for record in known.values() if Id.parse(record.id).declaration == id]
+    for place in kernel.claims:
+        id = Id.of(paper.key, place)
+        links = [record for record in known.values() if id.has(record.id)]
         wrong = [record for record in links if record.verdict is not Verdict.PROVED]
         if wrong or not links:
             state = f"{wrong[0].id}, which is {wrong[0].verdict}" if wrong else f"{id}, which is not declared"

@@ -41,6 +41,11 @@ class Id(NamedTuple):
         """The declaration it belongs to."""
         return self._replace(link="")
 
+    def has(self, text: str) -> bool:
+        """Whether a relation, by its id, is this one or a link of it."""
+        other = Id.parse(text)
+        return self in (other, other.declaration)
+
     @property
     def listing(self) -> Id:
         """The list of a row: "ignatov2005:2.1V" of "ignatov2005:2.1V.9a"."""

@@ -73,5 +73,6 @@ def kernel(key: str, name: str) -> Shown:
 def _rests(key: str, found: Kernel) -> Iterator[str]:
     verdicts = recorded(key)
     for number in found.claims:
-        links = [id for id in verdicts if Id.parse(id).declaration == Id(key, number)]
-        yield f"{Id(key, number)} ({', '.join(sorted({str(verdicts[id]) for id in links}))})"
+        rests = Id.of(key, number)
+        links = [id for id in verdicts if rests.has(id)]
+        yield f"{rests} ({', '.join(sorted({str(verdicts[id]) for id in links}))})"
