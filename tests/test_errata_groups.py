@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 import io
-from dataclasses import replace
 
 import pytest
+from msgspec.structs import replace
 from rich.console import Console
+from stand_in import correction
 
 from symcheck.core.verdicts import SLIPS, Group, Origin, Reading, Role, Verdict
 from symcheck.ledger.record import Record
@@ -25,9 +26,9 @@ WRONG = Record(
     origin=Origin.PAPER,
     reason="as the next line has it",
     corrected="x = x",
-    erratum={"verdict": "proved", "row": False},
+    erratum=correction(),
 )
-ROW = replace(WRONG, id="toy:2.1V.3a", printed="V_3 : [1, -1]", corrected="V_3 : [1, 1]", erratum={"row": True})
+ROW = replace(WRONG, id="toy:2.1V.3a", printed="V_3 : [1, -1]", corrected="V_3 : [1, 1]", erratum=correction(row=True))
 GROUPS = {
     Group.STATEMENT: WRONG,
     Group.ROW: ROW,

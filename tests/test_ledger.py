@@ -10,6 +10,7 @@ from functools import cache
 from pathlib import Path
 
 import pytest
+from symcheck.views.faults import without
 
 from symcheck import kernels, papers
 from symcheck.audit.checked import reason, reasons
@@ -21,7 +22,6 @@ from symcheck.core.verdicts import Loss, Origin, Reading, Role, SymcheckError, V
 from symcheck.ledger.digests import line
 from symcheck.ledger.record import Record
 from symcheck.selftest.statements import unguarded
-from symcheck.views.faults import without
 
 IDS = [obligation.id for paper in papers.load().values() for obligation in expand(paper)]
 
@@ -67,12 +67,12 @@ def test_what_is_refuted_or_misprinted_has_an_erratum_and_nothing_else_has_one()
 def test_every_erratum_is_a_whole_bundle() -> None:
     for record in errata():
         assert record.erratum
-        assert record.erratum["verdict"] == Verdict.PROVED, (record.id, record.erratum["reason"])
-        assert record.erratum["certificates"], record.id
+        assert record.erratum.verdict is Verdict.PROVED, (record.id, record.erratum.reason)
+        assert record.erratum.certificates, record.id
         assert all((record.corrected, record.kind, record.reason)), record.id
         assert record.origin in set(Origin), record.id
-        assert record.counterexample or record.erratum["empty"], record.id
-        assert record.erratum["edit"] or record.erratum["added"], record.id
+        assert record.counterexample or record.erratum.empty, record.id
+        assert record.erratum.edit or record.erratum.added, record.id
 
 
 def test_a_counterexample_satisfies_the_hypotheses_and_gives_both_sides() -> None:

@@ -14,13 +14,14 @@ from typing import Any
 
 import pytest
 from click.testing import Result
+from stand_in import correction, hypothesis
+from symcheck.views.faults import errata
 
 from symcheck import kernels, papers
 from symcheck.audit.obligation import expand
 from symcheck.core.verdicts import Group, Origin, Reading, Role, SymcheckError, Verdict
-from symcheck.ledger.record import Record
+from symcheck.ledger.record import Need, Record
 from symcheck.ledger.selftested import evidence
-from symcheck.views.faults import errata
 from symcheck.views.latex import is_formula
 from symcheck.views.page import sources
 from symcheck.views.page.difference import marked
@@ -58,14 +59,7 @@ def wrong(number: str, printed: str, corrected: str, **fields: Any) -> Record:
         "reading": Reading.MISPRINT,
         "kind": "sign",
         "origin": Origin.PAPER,
-        "erratum": {
-            "verdict": "proved",
-            "reason": "",
-            "edit": [],
-            "added": [],
-            "repairs": None,
-            **fields.pop("repair", {}),
-        },
+        "erratum": correction(**fields.pop("repair", {})),
         **fields,
     }
     return record(number, printed=printed, corrected=corrected, **given)
@@ -207,8 +201,7 @@ def test_what_must_not_vanish_is_shown_with_a_proof_that_needs_it() -> None:
 
 
 def test_the_self_test_and_the_hypotheses_are_shown() -> None:
-    given = {"words": "x is positive", "name": "x", "states": "x > 0", "given": "printed", "needed": False}
-    records = [record("1", hypotheses=(given,))]
+    records = [record("1", hypotheses=(hypothesis("x", "x is positive", "printed", Need(needed=False)),))]
     none = page(records, TOY)
     assert "Nothing is recorded" in none
     assert "x is positive" in none.split("Which hypotheses are needed")[1]
