@@ -10,7 +10,6 @@ from functools import cache
 from pathlib import Path
 
 import pytest
-from symcheck.views.faults import without
 
 from symcheck import kernels, papers
 from symcheck.audit.checked import reason, reasons
@@ -22,6 +21,7 @@ from symcheck.core.verdicts import Loss, Origin, Reading, Role, SymcheckError, V
 from symcheck.ledger.digests import line
 from symcheck.ledger.record import Record
 from symcheck.selftest.statements import unguarded
+from symcheck.views.model import condition
 
 IDS = [obligation.id for paper in papers.load().values() for obligation in expand(paper)]
 
@@ -87,12 +87,14 @@ def test_a_counterexample_satisfies_the_hypotheses_and_gives_both_sides() -> Non
 
 
 def test_a_hypothesis_that_is_needed_shows_what_is_lost_without_it() -> None:
-    shown = [h for record in claims() for h in record.hypotheses if h["needed"]]
-    assert {hypothesis["lost"] for hypothesis in shown} == set(Loss)
-    for hypothesis in shown:
-        assert reason(hypothesis["counterexample"]) is None
-        assert without(hypothesis).startswith(hypothesis["lost"])
-    assert not any(h["lost"] for record in claims() for h in record.hypotheses if not h["needed"])
+    weighed = [(row, row.need) for record in claims() for row in record.hypotheses if row.need]
+    shown = [(row, need) for row, need in weighed if need.needed]
+    assert {need.lost for _, need in shown} == set(Loss)
+    for row, need in shown:
+        assert need.counterexample
+        assert reason(need.counterexample) is None
+        assert condition(row).without.startswith(need.lost)
+    assert not any(need.lost for _, need in weighed if not need.needed)
 
 
 def test_every_inequality_that_may_be_an_equality_says_where_and_is_proved_with_that() -> None:

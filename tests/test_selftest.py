@@ -10,6 +10,7 @@ from random import Random
 from typing import Any
 
 import pytest
+from msgspec import structs
 
 from symcheck import papers
 from symcheck.audit import checked, decide
@@ -202,9 +203,9 @@ def test_a_record_that_leaves_a_hypothesis_out_is_refused() -> None:
     narrow = record.domain["hypotheses"][0]  # type: ignore[index]
     told = tuple(hypothesis for hypothesis in record.hypotheses if hypothesis.name != narrow)
     with pytest.raises(SymcheckError, match="which the record leaves out"):
-        replace(record, hypotheses=told).refuse_wider()
+        structs.replace(record, hypotheses=told).refuse_wider()
     with pytest.raises(SymcheckError, match="which the record leaves out"):
-        Record.from_json(replace(record, hypotheses=told).to_json())
+        Record.from_json(structs.replace(record, hypotheses=told).to_json())
 
 
 @pytest.mark.slow

@@ -185,14 +185,12 @@ def _with_later(records: list[Record]) -> list[Record]:
 
     Told of the relations at hand only: those that refer to the declaration, and the following links of the same chain.
     """
-    declared = [record.id.rstrip(ascii_lowercase) for record in records]
-    together = list(zip(declared, records, strict=True))
-    return [replace(r, erratum=replace(r.erratum, later=_later(r, together))) if r.erratum else r for r in records]
+    return [replace(r, erratum=replace(r.erratum, later=_later(r, records))) if r.erratum else r for r in records]
 
 
-def _later(wrong: Record, records: list[tuple[str, Record]]) -> tuple[Later, ...]:
-    own = wrong.id.rstrip(ascii_lowercase)
-    resting = (r for id, r in records if own in r.uses or (id == own and r.id > wrong.id))
+def _later(wrong: Record, records: list[Record]) -> tuple[Later, ...]:
+    own = wrong.declaration
+    resting = (r for r in records if own in r.uses or (r.id > wrong.id and r.declaration == own))
     fate = {Verdict.PROVED: "is right", Verdict.REFUTED: "shares the fault or has one of its own"}
     return tuple(Later(id=r.id, fate=fate[r.verdict]) for r in resting if r.verdict in fate)
 

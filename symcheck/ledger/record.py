@@ -175,7 +175,9 @@ class Record(_Part, frozen=True):
     def to_json(self) -> dict[str, object]:
         """The record as plain JSON data, with what follows from it; "certificate" has one for each lowered formula."""
         data = to_builtins(self)
-        return {**data, "hypotheses": [*map(_flat, data["hypotheses"])], **self._derived()}
+        for row in data["hypotheses"]:
+            row |= row.pop("need") or {}
+        return {**data, **self._derived()}
 
     @classmethod
     def from_json(cls, data: object) -> Record:
@@ -199,13 +201,6 @@ class Record(_Part, frozen=True):
 
 
 _DERIVED = ("counterexample", "group", "domain")  # what is told of a record in JSON, and follows from the others
-
-
-def _flat(row: Mapping[str, object]) -> dict[str, object]:
-    """A row of hypotheses with what is said of its need among its own fields."""
-    row, need = {**row}, row["need"]
-    del row["need"]
-    return row | (need or {})
 
 
 def _nested(row: Mapping[str, object]) -> dict[str, object]:

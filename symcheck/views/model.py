@@ -59,8 +59,13 @@ class Condition:
     words: str
     states: str
     given: str
-    needed: str
+    need: bool | None
     without: str
+
+    @property
+    def needed(self) -> str:
+        """Whether it is needed, in words."""
+        return _NEEDED[self.need]
 
     @property
     def line(self) -> str:
@@ -72,7 +77,7 @@ def condition(row: HypothesisRow) -> Condition:
     """A hypothesis in words."""
     need = row.need.needed if row.need else None
     given = _GIVEN.get(row.given, row.given)
-    return Condition(row.words or row.name, row.states, given, _NEEDED[need], _without(row))
+    return Condition(row.words or row.name, row.states, given, need, _without(row))
 
 
 def _without(row: HypothesisRow) -> str:

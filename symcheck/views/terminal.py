@@ -121,7 +121,7 @@ def _fields(relation: Relation, as_erratum: bool = False) -> Iterator[tuple[str,
     yield "fails at", relation.fails_at
     yield "corrected", record.corrected
     yield "kind", record.kind
-    yield "whose fault", f"{relation.whose}: {record.reason}" if record.origin else ""
+    yield "origin", f"{relation.whose}: {record.reason}" if record.origin else ""
     if erratum:
         yield "edit", "\n".join(f"{before}  →  {after}" for before, after in relation.edits)
         if erratum.edit and relation.repairs:
