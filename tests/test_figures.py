@@ -22,9 +22,7 @@ def rows(name: str) -> list[list[str]]:
 
 
 @pytest.mark.parametrize(("name", "columns"), TABLES.items())
-def test_a_table_has_the_columns_of_the_benchmark_and_a_row_for_each_kernel(
-    name: str, columns: Sequence[str]
-) -> None:
+def test_a_table_has_the_columns_of_the_benchmark_and_a_row_for_each_kernel(name: str, columns: Sequence[str]) -> None:
     first, second, *others = rows(name)
     assert [f"| {' | '.join(line)} |" for line in (first, second)] == head(columns)
     assert [cells[0] for cells in others] == list(cases())

@@ -162,11 +162,6 @@ def test_a_cell_that_is_added_changes_the_ids_of_no_other_section(tmp_path: Path
     assert after == ["one-1", "one-2", "one-3", "two-x-1", "two-x-2"]
 
 
-def test_the_cell_that_shows_a_relation_is_found() -> None:
-    name, id = committed.shown_in()["mirer2009:2.12"]
-    assert any(cell.id == id and "mirer2009:2.12" in cell.source for cell in committed.committed(name).cells)
-
-
 # --- when a notebook is stale
 
 
