@@ -22,8 +22,8 @@ from symcheck.export.coq.claims import Exported
 from symcheck.export.coq.comparison import Point, differences
 from symcheck.export.coq.files import files
 from symcheck.export.coq.printing import printed
-from symcheck.export.coq.reader import CLAIM, Reader, claims
-from symcheck.export.coq.script import Script
+from symcheck.export.coq.reader import CLAIM, claims, formula
+from symcheck.export.coq.script import script
 from symcheck.export.coq.statements import statement as stated
 from symcheck.export.coq.terms import NotExported, polynomial
 from symcheck.export.coq.theorems import CONGRUENCE, UNSTATED, identifier, statement
@@ -104,7 +104,7 @@ def test_what_is_written_is_read_back_as_it_was(text: str) -> None:
                 return (node[0], *map(binary, node[1:]))
         return node
 
-    assert plain(Reader(text).whole()) == binary(FORMULAS[text])
+    assert plain(formula(text)) == binary(FORMULAS[text])
 
 
 def test_a_polynomial_loses_no_coefficient() -> None:
@@ -335,7 +335,7 @@ def test_coq_confirms_them_on_the_reals_alone(folder: Path) -> None:
 def test_coq_confirms_a_claim_about_unknown_functions(tmp_path: Path) -> None:
     found = certified(UNKNOWN)
     own = stated(found)
-    proof = f"Theorem proof_1 :\n{own.text()}.\nProof.\n{Script(own).write(found)}\nQed.\n"
+    proof = f"Theorem proof_1 :\n{own.text()}.\nProof.\n{script(own, found).text}\nQed.\n"
     (tmp_path / "Symcheck.v").write_text(Path(compiler.__file__).with_name("Symcheck.v").read_text("utf-8"), "utf-8")
     assert compiler.coqc(tmp_path, "Symcheck.v")[0] == 0
     for text, code in ((proof, 0), (proof.replace("f z > 0", "f z >= 0"), 1)):

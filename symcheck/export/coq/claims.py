@@ -12,9 +12,10 @@ from symcheck.core.terms import Malformed
 from symcheck.evidence.confirmed import asked, digest_of
 from symcheck.evidence.record import Record
 from symcheck.export.coq.composed import composition
-from symcheck.export.coq.script import Script
+from symcheck.export.coq.script import script
 from symcheck.export.coq.statements import Statement, statement
-from symcheck.export.coq.terms import Certificate, NotExported
+from symcheck.export.coq.terms import NotExported
+from symcheck.statement import Certificate
 
 
 @dataclass
@@ -56,14 +57,14 @@ def _of_record(record: Record) -> Iterator[Exported]:
             yield Exported(name, record, found, digest_of(found), corrected)
 
 
-def _write(each: Exported, by_id: Mapping[str, list[Exported]]) -> None:
-    certificate, own = each.certificate, statement(each.certificate)
-    script = Script(own)
-    each.script = script.write(certificate)
+def _write(claim: Exported, by_id: Mapping[str, list[Exported]]) -> None:
+    certificate, stated = claim.certificate, statement(claim.certificate)
+    proof = script(stated, certificate)
+    claim.script = proof.text
     if lemmas := certificate.get("lemmas"):
-        step = own.resting_on(script.rests_on())
-        name = f"step_{each.name}"
-        each.step = f"Lemma {name} :\n{step.text()}.\nProof.\n{Script(step).write(certificate)}\nQed."
+        step = stated.resting_on(proof.rests_on)
+        name = f"step_{claim.name}"
+        claim.step = f"Lemma {name} :\n{step.text()}.\nProof.\n{script(step, certificate).text}\nQed."
         earlier = [lemma for id in dict.fromkeys(id for id, _ in lemmas) for lemma in by_id.get(id, ())]
-        own, each.script, each.after = composition(certificate, step, earlier, name)
-    each.statement, each.text = own, own.text()
+        stated, claim.script, claim.after = composition(certificate, step, earlier, name)
+    claim.statement, claim.text = stated, stated.text()

@@ -11,7 +11,8 @@ from symcheck.core.formulas import conjuncts
 from symcheck.core.terms import Connective, Formula, node
 from symcheck.export.coq.assumptions import pattern
 from symcheck.export.coq.statements import Statement, premise, stated
-from symcheck.export.coq.terms import Certificate, Definitions, NotExported, nodes
+from symcheck.export.coq.terms import Definitions, NotExported, nodes
+from symcheck.statement import Certificate
 
 if TYPE_CHECKING:
     from symcheck.export.coq.claims import Exported

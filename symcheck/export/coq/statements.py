@@ -9,18 +9,12 @@ from itertools import groupby
 from symcheck.checker.rules import Reference
 from symcheck.core.calculus import differentiated
 from symcheck.core.terms import Binder, Call, Formula, Relation, Term, node
+from symcheck.export.coq.assumptions import State
 from symcheck.export.coq.printing import IMPLIES, name, printed
-from symcheck.export.coq.terms import (
-    Certificate,
-    Definitions,
-    NotExported,
-    denominators,
-    in_order,
-    is_number,
-    nodes,
-    subterms,
-)
+from symcheck.export.coq.signs import positive
+from symcheck.export.coq.terms import Definitions, NotExported, denominators, in_order, is_number, nodes, subterms
 from symcheck.export.coq.values import ratio
+from symcheck.statement import Certificate
 
 WIDTH = 118
 Hypotheses = tuple[tuple[Reference, Formula], ...]
@@ -135,11 +129,9 @@ def stated(definitions: Definitions, hypotheses: Hypotheses, claim: Formula, div
 
 def unsettled(definitions: Definitions, hypotheses: Hypotheses, spoken: list[Term]) -> list[Term]:
     """The denominators of a statement that no hypothesis, and no sign, shows not to vanish."""
-    from symcheck.export.coq.script import Script
-
     full = definitions.unfolded
     slopes = [full(t) for t in subterms(*spoken) if isinstance(t, Binder) and t.tag == "diff"]
-    probe = Script(Statement((), (), hypotheses, (), node("and"), definitions))
+    probe = State(definitions, set())
     for reference, formula in hypotheses:
         probe.assume(formula, reference)
     known = [full(f) for _, f in hypotheses if f.tag in ("!=", "<", ">")]
@@ -149,6 +141,6 @@ def unsettled(definitions: Definitions, hypotheses: Hypotheses, spoken: list[Ter
         term = full(divisor)
         if is_number(term) or any(ratio(each, term) for each in (*gaps, *found.values())):
             continue
-        if not probe.positive(term):
+        if not positive(probe, term):
             found[divisor] = term
     return [*found]
