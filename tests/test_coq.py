@@ -202,7 +202,7 @@ def test_unknown_functions_are_any_functions() -> None:
 def test_an_unknown_function_has_one_value_for_equal_arguments_and_others_for_others() -> None:
     point = Point({"z": node("*", 2, "x")})
     one, *others = (
-        point.value(each, {})
+        point.value(each)
         for each in (
             call("f", node("+", "x", "x")),
             call("f", "z"),

@@ -181,7 +181,7 @@ def test_three_engines_agree_about_every_refutation_and_notice_a_wrong_one() -> 
         each for record in records() for each in certificates.certificates(record) if each["verdict"] == "refuted"
     )
     wrong = certificates.one("", "", ("claim",), ["=", 1, 1]).of(refuted)
-    assert {engines.refutes(engine, wrong) for engine in engines.ENGINES} == {False}
+    assert {engines.refutes(name, wrong) for name in engines.ENGINES} == {False}
 
 
 def test_hypotheses_that_contradict_one_another_prove_nothing() -> None:
