@@ -8,10 +8,10 @@ from bench_kernels import README, head, row, with_block
 
 from symcheck import kernels
 from symcheck.evidence.selftested import recorded, rows
-from symcheck.selftest.table import FATES
+from symcheck.selftest.table import STATUSES
 
 NAME = "self-test"
-COLUMNS = ("planted in", *FATES, "rejected of the faults", "right", "rejected")
+COLUMNS = ("planted in", *STATUSES, "rejected of the faults", "right", "rejected")
 
 
 def table() -> Iterator[str]:
@@ -21,7 +21,7 @@ def table() -> Iterator[str]:
     yield from head(COLUMNS)
     for each in rows(result):
         if each.is_class:
-            counts = [each.counts.get(name, 0) for name in FATES]
+            counts = [each.counts.get(name, 0) for name in STATUSES]
             right = (each.counts["right"], each.counts["false_rejections"])
             yield row([each.name, *map(_number, counts), each.rate, *map(_number, right)])
     engines = result["engines"]

@@ -17,11 +17,11 @@ from symcheck.codegen.target import MARK
 from symcheck.evidence import selftested, store
 from symcheck.evidence.record import Record
 from symcheck.selftest.run import Result
-from symcheck.selftest.trial import Count, Fate
+from symcheck.selftest.trial import Count, Status
 from symcheck.statement import Role, SymcheckError, Verdict
 
 RESULT = Result(
-    7, {"signs": {"plus": Count(Counter({Fate.REJECTED: 9, Fate.ACCEPTED: 1}), ["accepted plus: x"])}}
+    7, {"signs": {"plus": Count(Counter({Status.REJECTED: 9, Status.ACCEPTED: 1}), ["accepted plus: x"])}}
 ).to_json()
 
 

@@ -8,25 +8,23 @@ import re
 from collections import defaultdict
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
-from itertools import islice
 from random import Random
 from typing import Any, NamedTuple
 
 from symcheck.core.formulas import conjuncts
-from symcheck.core.terms import Reader, node
+from symcheck.core.terms import JSON, Reader, node
 from symcheck.evidence.checked import certificates
 from symcheck.evidence.judge import lemma
 from symcheck.evidence.record import Record
 from symcheck.proof import fails_without, proof_of
 from symcheck.selftest.evidence import MALFORMED, holds, is_shown, problem_of
-from symcheck.selftest.trial import Fate, FaultClass, Trial, mixed
+from symcheck.selftest.trial import FaultClass, Status, Trial, drawn
 from symcheck.statement import Certificate, Loss, Problem
 
-STATED = ("claim", "definitions", "hypotheses")
 TURNED = {"<": ">=", "<=": ">", ">": "<=", ">=": "<", "=": "!=", "!=": "="}
 TOGETHER = 40  # certificates that one task goes through
-Path = tuple[Any, ...]
-DROPPED = object()
+Path = tuple[str | int, ...]
+DROPPED: JSON = None  # stands for no new value
 
 
 class Change(NamedTuple):
@@ -34,7 +32,7 @@ class Change(NamedTuple):
 
     kind: str
     words: str
-    values: tuple[tuple[Path, Any], ...]
+    values: tuple[tuple[Path, JSON], ...]
 
     def of(self, original: Certificate) -> Certificate:
         """The changed certificate."""
@@ -50,7 +48,7 @@ class Change(NamedTuple):
         return new
 
 
-def one(kind: str, words: str, path: Path, value: Any) -> Change:
+def one(kind: str, words: str, path: Path, value: JSON) -> Change:
     """A change at one place."""
     return Change(kind, words, ((path, value),))
 
@@ -58,18 +56,19 @@ def one(kind: str, words: str, path: Path, value: Any) -> Change:
 def changes(original: Certificate) -> Iterator[Change]:
     """Every number, letter, sign, cofactor, relation, fact, hypothesis and coordinate, each changed alone."""
     for path, value in places(original):
-        section, name = (path or ("",))[0], "/".join(map(str, path))
-        if section in STATED:
-            yield from _of_statement(path, value, name)
-        elif section == "proof":
-            yield from _of_proof(original, path, value, name)
-        elif section == "point" and len(path) > 2:
-            yield from _of_point(path, value, name)
-        if section == "hypotheses" and len(path) == 3:
-            yield one("hypothesis list", f"{name} dropped", path, DROPPED)
+        name = "/".join(map(str, path))
+        match path:
+            case (("claim" | "definitions" | "hypotheses"), *_):
+                yield from _of_statement(path, value, name)
+                if path[0] == "hypotheses" and len(path) == 3:
+                    yield one("hypothesis list", f"{name} dropped", path, DROPPED)
+            case "proof", *_:
+                yield from _of_proof(original, path, value, name)
+            case "point", _, _, *_:
+                yield from _of_point(path, value, name)
 
 
-def _of_statement(path: Path, value: Any, name: str) -> Iterator[Change]:
+def _of_statement(path: Path, value: JSON, name: str) -> Iterator[Change]:
     if type(value) is int:
         yield one("coefficient", f"{name}: {value} + 1", path, value + 1)
     elif isinstance(value, str) and path[-1] == 0 and value in TURNED:
@@ -79,20 +78,21 @@ def _of_statement(path: Path, value: Any, name: str) -> Iterator[Change]:
         yield one("index", f"{name}: {value} -> {other}", path, other)
 
 
-def _of_proof(original: Certificate, path: Path, value: Any, name: str) -> Iterator[Change]:
-    if type(value) is int:
-        yield one("coefficient", f"{name}: {value} + 1", path, value + 1)
-    elif isinstance(value, str) and path[-3:-2] == ("cofactors",) and path[-1] != 0:
-        yield from (one("coefficient", f"{name}: {text}", path, text) for text in polynomial_edits(value))
-    elif isinstance(value, list) and len(path) >= 2 and path[-2] == "cofactors":
-        yield one("hypothesis list", f"{name} dropped", path, DROPPED)
-    elif isinstance(value, list) and value[:1] == ["hyp"]:
-        for k in range(len(original["hypotheses"][value[1]])):
-            if k != value[2]:
-                yield one("hypothesis list", f"{name}: {k}", path, ["hyp", value[1], k])
+def _of_proof(original: Certificate, path: Path, value: JSON, name: str) -> Iterator[Change]:
+    match value:
+        case str() if path[-3:-2] == ("cofactors",) and path[-1] != 0:
+            yield from (one("coefficient", f"{name}: {text}", path, text) for text in polynomial_edits(value))
+        case list() if len(path) >= 2 and path[-2] == "cofactors":
+            yield one("hypothesis list", f"{name} dropped", path, DROPPED)
+        case ["hyp", str(label), number]:
+            for k in range(len(original["hypotheses"][label])):
+                if k != number:
+                    yield one("hypothesis list", f"{name}: {k}", path, ["hyp", label, k])
+        case int() if type(value) is int:
+            yield one("coefficient", f"{name}: {value} + 1", path, value + 1)
 
 
-def _of_point(path: Path, value: Any, name: str) -> Iterator[Change]:
+def _of_point(path: Path, value: JSON, name: str) -> Iterator[Change]:
     if path[1] == "shown" and type(value) is int:
         yield one("coordinate", f"{name}: {value} + 1", path, value + 1)
     elif path[1] == "values" and len(path) == 3:
@@ -109,22 +109,22 @@ def polynomial_edits(text: str) -> Iterator[str]:
     yield text.removeprefix("-") if text.startswith("-") else "-" + text
 
 
-def places(data: Any, path: Path = ()) -> Iterator[tuple[Path, Any]]:
+def places(data: JSON, path: Path = ()) -> Iterator[tuple[Path, JSON]]:
     """Whatever a certificate is made of, with its place."""
     yield path, data
-    children = data.items() if isinstance(data, dict) else enumerate(data) if isinstance(data, list) else ()
-    for key, child in children:
-        yield from places(child, (*path, key))
+    if isinstance(data, (dict, list)):
+        for key, child in data.items() if isinstance(data, dict) else enumerate(data):
+            yield from places(child, (*path, key))
 
 
-def fate(original: Certificate, edited: Certificate, lemmas: Sequence[Certificate] = ()) -> Fate:
+def status_of(original: Certificate, edited: Certificate, lemmas: Sequence[Certificate] = ()) -> Status:
     """What the checker makes of a changed certificate; one that it accepts is no fault if what it states is shown."""
     if not holds(edited, lemmas):
-        return Fate.REJECTED
+        return Status.REJECTED
     try:
-        return Fate.EQUIVALENT if is_so(original, edited) else Fate.ACCEPTED
+        return Status.EQUIVALENT if is_so(original, edited) else Status.ACCEPTED
     except MALFORMED:
-        return Fate.ACCEPTED  # it states nothing that can be shown
+        return Status.ACCEPTED  # it states nothing that can be shown
 
 
 def is_so(original: Certificate, edited: Certificate) -> bool:
@@ -186,7 +186,7 @@ def trials(place: str, count: int, rng: Random) -> Iterator[Trial]:
     group, lemmas = json.loads(place)
     for original in group:
         kept = holds(original, beside(original, lemmas))
-        yield Trial("as it is", original["id"], Fate.KEPT if kept else Fate.FALSELY_REJECTED)
+        yield Trial("as it is", original["id"], Status.KEPT if kept else Status.FALSELY_REJECTED)
     yield from changed(group, lemmas, changes, count, rng)
 
 
@@ -199,14 +199,12 @@ def changed(
 ) -> Iterator[Trial]:
     """So many changes of a group of certificates, of each about as many."""
     for k, original in enumerate(group):
-        by_kind: dict[str, list[Change]] = defaultdict(list)
-        for change in listed(original):
-            by_kind[change.kind].append(change)
         share = count * (k + 1) // len(group) - count * k // len(group)
-        for change in islice(mixed(by_kind, rng), share):
+        found = ((change.kind, change) for change in listed(original))
+        for kind, change in drawn(found, share, rng):
             if (edited := change.of(original)) != original:
                 known = beside(original, lemmas)
-                yield Trial(change.kind, f"{original['id']} {change.words}", fate(original, edited, known))
+                yield Trial(kind, f"{original['id']} {change.words}", status_of(original, edited, known))
 
 
 def beside(original: Certificate, lemmas: Sequence[Certificate]) -> list[Certificate]:

@@ -23,12 +23,12 @@ from symcheck.statement import Certificate, Formula, Outcome, Problem, SymcheckE
 MALFORMED = (AssertionError, LookupError, TypeError, ValueError, AttributeError, SymcheckError)
 
 
-def holds(evidence: Certificate, beside: Sequence[Certificate] = ()) -> bool:
-    """Whether the checker accepts a certificate, with lemmas among those beside it."""
-    return reasons([evidence, *beside])[0] is None
+def holds(evidence: Certificate, lemmas: Sequence[Certificate] = ()) -> bool:
+    """Whether the checker accepts a certificate; those of its lemmas are among the others."""
+    return reasons([evidence, *lemmas])[0] is None
 
 
-def told_of(context: Context, unit: Unit, finding: Finding) -> Verdict:
+def ledger_verdict(context: Context, unit: Unit, finding: Finding) -> Verdict:
     """What the ledger tells of a finding: its verdict, if the checker accepts the certificates of it."""
     if finding.verdict is Verdict.UNDECIDED:
         return finding.verdict

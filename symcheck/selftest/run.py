@@ -15,7 +15,7 @@ from symcheck.evidence.executor import Crash, Done, Executor, Timeout
 from symcheck.evidence.record import Record
 from symcheck.selftest.engines import Agreement, agreement
 from symcheck.selftest.statements import places, says_more, unguarded
-from symcheck.selftest.trial import Count, Fate, FaultClass, total
+from symcheck.selftest.trial import Count, FaultClass, Status, total
 
 FAULTS = 21_000
 ENOUGH = 0.999  # of the faults must be rejected
@@ -40,9 +40,9 @@ class Result:
     @property
     def is_sound(self) -> bool:
         """Whether enough faults were rejected, nothing right was, all came to an end, and the engines agree."""
-        fates = self.whole.fates
-        enough = fates[Fate.ACCEPTED] <= (1 - ENOUGH) * (fates[Fate.ACCEPTED] + fates[Fate.REJECTED])
-        return enough and not (fates[Fate.FALSELY_REJECTED] or self.unfinished or self.engines.disagreements)
+        statuses = self.whole.statuses
+        enough = statuses[Status.ACCEPTED] <= (1 - ENOUGH) * (statuses[Status.ACCEPTED] + statuses[Status.REJECTED])
+        return enough and not (statuses[Status.FALSELY_REJECTED] or self.unfinished or self.engines.disagreements)
 
     def to_json(self) -> dict[str, object]:
         """The confusion matrix as a whole, by class and by kind."""

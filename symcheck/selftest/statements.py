@@ -6,11 +6,10 @@ the way of the printed text: it is printed, read again and lowered, so that what
 
 from __future__ import annotations
 
-from collections import defaultdict
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from functools import cache
-from itertools import islice, starmap
+from itertools import starmap
 from random import Random
 from typing import NamedTuple
 
@@ -22,13 +21,11 @@ from symcheck.evidence.record import Record
 from symcheck.proof import combined, fails_without
 from symcheck.reading import Edit, Tree, edits, lower, read, to_latex
 from symcheck.reading.tree import Add, Number, children, replaced, walk
-from symcheck.selftest.arguments import ARGUMENT, arguments
-from symcheck.selftest.connectives import CONNECTIVE, EQUATED, connectives, stronger
-from symcheck.selftest.ends import ends
-from symcheck.selftest.evidence import holds, states, told_of
+from symcheck.selftest.evidence import holds, ledger_verdict, states
 from symcheck.selftest.oracle import fails
+from symcheck.selftest.slips import ARGUMENT, CONNECTIVE, EQUATED, arguments, connectives, ends, slips_of, stronger
 from symcheck.selftest.strength import compared, same
-from symcheck.selftest.trial import Fate, FaultClass, Trial, mixed
+from symcheck.selftest.trial import FaultClass, Status, Trial, drawn
 from symcheck.statement import Erratum, Hypothesis, Problem, Role, SymcheckError, Verdict
 
 EQUALITY = "equality case"
@@ -71,7 +68,7 @@ def proved(id: str) -> list[Proved]:
         if (erratum := item.errata.get(unit.letter)) and erratum.corrected:
             each = _corrected(each, erratum)
         finding = judge(each.context, each.unit, each.given)
-        if finding.verdict is Verdict.PROVED and told_of(each.context, each.unit, finding) is Verdict.PROVED:
+        if finding.verdict is Verdict.PROVED and ledger_verdict(each.context, each.unit, finding) is Verdict.PROVED:
             found.append(each._replace(finding=finding))
     return found
 
@@ -91,7 +88,10 @@ def slips(original: Proved) -> Iterator[Edit]:
     """Every single edit of a statement, of its ends, arguments, connectives and equality case; none twice."""
     tree, notation = original.unit.tree, original.context.notation
     seen = {tree}
-    for edit in (*edits(tree, notation), *ends(tree), *arguments(tree), *connectives(tree)):
+    for edit in (
+        *edits(tree, notation),
+        *(edit for kind in (ends, arguments, connectives) for edit in slips_of(kind, tree)),
+    ):
         if edit.tree not in seen:
             seen.add(edit.tree)
             yield edit
@@ -100,7 +100,7 @@ def slips(original: Proved) -> Iterator[Edit]:
             yield Edit(EQUALITY, edit.description, edit.tree)
 
 
-def fate(original: Proved, edit: Edit) -> Fate:
+def status_of(original: Proved, edit: Edit) -> Status:
     """What the ledger makes of a statement with a slip.
 
     Told as proved, it is true, if the certificates claim just this and no point of the oracle contradicts; then it is
@@ -109,17 +109,17 @@ def fate(original: Proved, edit: Edit) -> Fate:
     try:
         changed = _changed(original, edit)
         if _is_read_alike(original, changed, edit):
-            return Fate.ACCEPTED  # the reader drops the slip
+            return Status.ACCEPTED  # the reader drops the slip
         if edit.kind != EQUALITY and says_the_same(original, changed):
-            return Fate.EQUIVALENT
+            return Status.EQUIVALENT
         finding = judge(changed.context.having(doubted=True), changed.unit, changed.given)
     except SymcheckError:
-        return Fate.REJECTED  # it makes no statement
-    told = told_of(changed.context, changed.unit, finding)
+        return Status.REJECTED  # it makes no statement
+    told = ledger_verdict(changed.context, changed.unit, finding)
     if told is Verdict.PROVED:
         true = states(finding, changed.unit.formulas) and not is_false(original, finding)
-        return _strength(original, changed, edit) if true else Fate.ACCEPTED
-    return Fate.REJECTED if told is Verdict.REFUTED or is_false(original, finding) else Fate.OPEN
+        return _strength(original, changed, edit) if true else Status.ACCEPTED
+    return Status.REJECTED if told is Verdict.REFUTED or is_false(original, finding) else Status.OPEN
 
 
 def _changed(original: Proved, edit: Edit) -> Proved:
@@ -185,18 +185,18 @@ def _is_refuted(problem: Problem) -> bool:
     return lost is not None and holds(lost.certificate)
 
 
-def _strength(original: Proved, changed: Proved, edit: Edit) -> Fate:
+def _strength(original: Proved, changed: Proved, edit: Edit) -> Status:
     """How much a true statement says, in the place of another; both sets of equality are just where it is one."""
     if edit.kind == EQUALITY:
-        return Fate.EQUIVALENT
+        return Status.EQUIVALENT
     before, after = original.unit.formulas, changed.unit.formulas
     if len(before) != len(after):  # instances dropped or added
-        return Fate.WEAKER if {*after} <= {*before} else Fate.STRONGER if {*before} <= {*after} else Fate.OPEN
-    fates = {compared(*each) for each in zip(before, after, original.both(changed), strict=True)}
-    for whole in (Fate.EQUIVALENT, Fate.WEAKER, Fate.STRONGER):
-        if fates <= {whole, Fate.EQUIVALENT}:
+        return Status.WEAKER if {*after} <= {*before} else Status.STRONGER if {*before} <= {*after} else Status.OPEN
+    statuses = {compared(*each) for each in zip(before, after, original.both(changed), strict=True)}
+    for whole in (Status.EQUIVALENT, Status.WEAKER, Status.STRONGER):
+        if statuses <= {whole, Status.EQUIVALENT}:
             return whole
-    return Fate.OPEN
+    return Status.OPEN
 
 
 def says_more(id: str) -> list[str]:
@@ -207,8 +207,8 @@ def says_more(id: str) -> list[str]:
     """
     found = []
     for original in _proved(id):
-        for edit in () if original.equality else stronger(original.unit.tree):
-            if fate(original, edit) is Fate.STRONGER:
+        for edit in () if original.equality else slips_of(stronger, original.unit.tree):
+            if status_of(original, edit) is Status.STRONGER:
                 found.append(f"{original.id}: more is true ({edit.description})")
     return found
 
@@ -242,12 +242,9 @@ def declared(record: Record) -> str:
 
 def trials(place: str, count: int, rng: Random) -> Iterator[Trial]:
     """So many slips of the relations of one declaration."""
-    by_kind: dict[str, list[tuple[Proved, Edit]]] = defaultdict(list)
-    for original in _proved(place):
-        for edit in slips(original):
-            by_kind[edit.kind].append((original, edit))
-    for original, edit in islice(mixed(by_kind, rng, RARE), count):
-        yield Trial(edit.kind, f"{original.id} {edit.description}", fate(original, edit))
+    found = ((edit.kind, (original, edit)) for original in _proved(place) for edit in slips(original))
+    for _, (original, edit) in drawn(found, count, rng, RARE):
+        yield Trial(edit.kind, f"{original.id} {edit.description}", status_of(original, edit))
 
 
 CLASS = FaultClass(

@@ -9,8 +9,8 @@ from rich.table import Table
 
 from symcheck.evidence.selftested import Row, rows
 
-FATES = ("planted", "rejected", "accepted", "equivalent", "weaker", "stronger", "open")
-COLUMNS = (*FATES, "rejected of those that are faults", "right", "rejected")
+STATUSES = ("planted", "rejected", "accepted", "equivalent", "weaker", "stronger", "open")
+COLUMNS = (*STATUSES, "rejected of those that are faults", "right", "rejected")
 MOST_TOLD = 20
 
 
@@ -43,7 +43,7 @@ def show(out: Any, result: Mapping[str, Any]) -> None:
 def cells(row: Row) -> list[str]:
     """The cells behind the name."""
     counts = row.counts
-    first = (_number(counts.get(name, 0)) for name in FATES)
+    first = (_number(counts.get(name, 0)) for name in STATUSES)
     return [*first, row.rate, _number(counts["right"]), _number(counts["false_rejections"]) if counts["right"] else ""]
 
 
