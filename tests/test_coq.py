@@ -18,7 +18,7 @@ from symcheck.core.terms import Term, node
 from symcheck.evidence.confirmed import record_all, recorded
 from symcheck.evidence.decide import decide
 from symcheck.export.coq import compile as compiler
-from symcheck.export.coq.claims import Exported
+from symcheck.export.coq.claims import Claim
 from symcheck.export.coq.comparison import Point, differences
 from symcheck.export.coq.files import files
 from symcheck.export.coq.printing import printed
@@ -260,7 +260,7 @@ def test_a_point_is_taken_from_the_certificate_if_it_tells_all_letters(
         "definitions": [], "hypotheses": {"given": [["<", "x", "y"]]}, "claim": ["<", ["*", 2, "x"], ["*", 2, "y"]],
         "proof": {}, "witnesses": [{"values": values}] if values else [],
     }  # fmt: skip
-    each = Exported("1", stand_in.decide("toy:1.1")[0], certificate, "", False, stated(certificate))
+    each = Claim("1", stand_in.decide("toy:1.1")[0], certificate, "", False, stated(certificate))
     text, missing = witnesses([each])
     assert missing == ({"1": reason} if reason else {})
     assert ("exists 1.\nexists 2.\n" in text) == (reason is None)

@@ -6,7 +6,6 @@ this looks for what may have been lost on the way from it to Coq.
 
 from __future__ import annotations
 
-import json
 import sys
 from collections.abc import Iterator, Mapping, Sequence
 from functools import cache
@@ -20,6 +19,7 @@ from symcheck.core.terms import Connective, Formula, Node, Quantified, Relation,
 from symcheck.evidence.context import Context, for_letter
 from symcheck.evidence.judge import Unit, equality_claims, units
 from symcheck.evidence.obligation import obligation_of
+from symcheck.export.coq.files import manifest
 from symcheck.export.coq.reader import claims
 from symcheck.meaning import Meaning, Number, Smooth, Values
 from symcheck.reading import read
@@ -145,10 +145,9 @@ def _faults(context: Context, formula: Formula, premises: Sequence[Formula], con
 def main(arguments: Sequence[str]) -> int:
     """0 all statements are those printed, 1 some are not."""
     folder = Path(arguments[0])
-    manifest = json.loads((folder / "manifest.json").read_text(encoding="utf-8"))
     faults: list[str] = []
     count = 0
-    for paper, entry in manifest.items():
+    for paper, entry in manifest(folder).items():
         names = {id: row["claims"] for id, row in entry["claims"].items() if row["claims"]}
         count += sum(map(len, names.values()))
         faults += differences((folder / paper / "Claims.v").read_text(encoding="utf-8"), names)
