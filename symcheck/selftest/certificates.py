@@ -17,9 +17,9 @@ from symcheck.evidence.checked import certificates
 from symcheck.evidence.judge import lemma
 from symcheck.evidence.record import Record
 from symcheck.proof import fails_without, proof_of
-from symcheck.selftest.evidence import MALFORMED, holds, is_shown, problem_of
+from symcheck.selftest.evidence import MALFORMED, holds, is_shown, problem_of, reached
 from symcheck.selftest.trial import FaultClass, Status, Trial, drawn
-from symcheck.statement import Certificate, Loss, Problem
+from symcheck.statement import Certificate, Formula, Loss, Problem
 
 TURNED = {"<": ">=", "<=": ">", ">": "<=", ">=": "<", "=": "!=", "!=": "="}
 TOGETHER = 40  # certificates that one task goes through
@@ -102,10 +102,10 @@ def _of_point(path: Path, value: JSON, name: str) -> Iterator[Change]:
 
 def polynomial_edits(text: str) -> Iterator[str]:
     """Every number in a printed polynomial raised by one, every sign turned, every variable doubled."""
-    for found in re.finditer(r"(?<![\w_])\d+|(?<=\^)\d+", text):
-        yield text[: found.start()] + str(int(found[0]) + 1) + text[found.end() :]
-    for found in re.finditer(r" ([+-]) ", text):
-        yield text[: found.start(1)] + "+-"[found[1] == "+"] + text[found.end(1) :]
+    for number in re.finditer(r"(?<![\w_])\d+|(?<=\^)\d+", text):
+        yield text[: number.start()] + str(int(number[0]) + 1) + text[number.end() :]
+    for sign in re.finditer(r" ([+-]) ", text):
+        yield text[: sign.start(1)] + "+-"[sign[1] == "+"] + text[sign.end(1) :]
     yield text.removeprefix("-") if text.startswith("-") else "-" + text
 
 
@@ -137,8 +137,13 @@ def is_so(original: Certificate, edited: Certificate) -> bool:
     if edited["verdict"] != original["verdict"]:
         return follows(replace(problem, claim=node("=", 0, 1)), problem, refuted)
     conditions = [term for term in original.get("nonzero", ()) if term not in edited.get("nonzero", ())]
-    open_ = [replace(problem, claim=Reader().formula(["!=", term, 0])) for term in conditions]
-    return all(is_shown(each, proof_of(each)) for each in open_) and follows(known, problem, refuted)
+    claims = (Reader().formula(["!=", term, 0]) for term in conditions)
+    return all(_is_proved(problem, claim) for claim in claims) and follows(known, problem, refuted)
+
+
+def _is_proved(problem: Problem, claim: Formula) -> bool:
+    open_ = replace(problem, claim=claim)
+    return is_shown(open_, proof_of(open_))
 
 
 def follows(known: Problem, problem: Problem, refuted: bool) -> bool:
@@ -147,45 +152,42 @@ def follows(known: Problem, problem: Problem, refuted: bool) -> bool:
     What is known is: the parts of its claim under no less than its hypotheses, or that the claim fails under some of
     them. The rest is put to the provers, whose proofs and points the checker has to accept.
     """
-    given, before = ({f for _, formulas in each.hypotheses for f in formulas} for each in (problem, known))
-    alike = problem.definitions == known.definitions
+    given, before = ({f for _, formulas in p.hypotheses for f in formulas} for p in (problem, known))
+    same_definitions = problem.definitions == known.definitions
     if refuted:
-        weaker = alike and problem.claim == known.claim and given <= before
-        found = None if weaker else fails_without(problem)
-        return weaker or (found is not None and found.loss is Loss.TRUTH and holds(found.certificate))
-    shown = conjuncts(known.claim) if alike and given >= before else []
-    open_ = [replace(problem, claim=part) for part in conjuncts(problem.claim) if part not in shown]
-    return all(is_shown(each, proof_of(each)) for each in open_)
+        if same_definitions and problem.claim == known.claim and given <= before:
+            return True
+        lost = fails_without(problem)
+        return lost is not None and lost.loss is Loss.TRUTH and holds(lost.certificate)
+    shown = conjuncts(known.claim) if same_definitions and given >= before else []
+    return all(_is_proved(problem, part) for part in conjuncts(problem.claim) if part not in shown)
 
 
 def groups(records: Sequence[Record]) -> list[str]:
     """All certificates in groups, each with those of the lemmas that they rest on."""
-    every = list(dict.fromkeys(json.dumps(each) for record in records for each in certificates(record)))
+    every = list(dict.fromkeys(json.dumps(evidence) for record in records for evidence in certificates(record)))
     named: dict[str, list[str]] = defaultdict(list)
     for record in records:
-        named[record.id] += [json.dumps(each) for each in record.certificates]
+        named[record.id] += map(json.dumps, record.certificates)
     size = len(every) // TOGETHER + 1
     return [f"[[{','.join(own)}],[{','.join(_lemmas(own, named))}]]" for own in (every[k::size] for k in range(size))]
 
 
 def _lemmas(own: Sequence[str], named: Mapping[str, Sequence[str]]) -> list[str]:
     """The certificates of the lemmas of certificates, and of the lemmas of these."""
-    found: dict[str, None] = {}
-    todo = [*own]
-    while todo:
-        for name, _ in json.loads(todo.pop()).get("lemmas", ()):
-            texts = named.get(name) or [json.dumps(each) for each in lemma(*name.split(":", 1))[1]]
-            new = [text for text in texts if text not in found]
-            found |= dict.fromkeys(new)
-            todo += new
-    return [*found]
+
+    def lemmas(text: str) -> Iterator[str]:
+        for name, _ in json.loads(text).get("lemmas", ()):
+            yield from named.get(name) or map(json.dumps, lemma(*name.split(":", 1))[1])
+
+    return reached((text for certificate in own for text in lemmas(certificate)), lemmas)
 
 
 def trials(place: str, count: int, rng: Random) -> Iterator[Trial]:
     """Some certificates: each as it is, and so many changes of all of them."""
     group, lemmas = json.loads(place)
     for original in group:
-        kept = holds(original, beside(original, lemmas))
+        kept = holds(original, _needed(original, lemmas))
         yield Trial("as it is", original["id"], Status.KEPT if kept else Status.FALSELY_REJECTED)
     yield from changed(group, lemmas, changes, count, rng)
 
@@ -200,16 +202,15 @@ def changed(
     """So many changes of a group of certificates, of each about as many."""
     for k, original in enumerate(group):
         share = count * (k + 1) // len(group) - count * k // len(group)
-        found = ((change.kind, change) for change in listed(original))
-        for kind, change in drawn(found, share, rng):
+        for kind, change in drawn(((change.kind, change) for change in listed(original)), share, rng):
             if (edited := change.of(original)) != original:
-                known = beside(original, lemmas)
-                yield Trial(kind, f"{original['id']} {change.words}", status_of(original, edited, known))
+                status = status_of(original, edited, _needed(original, lemmas))
+                yield Trial(kind, f"{original['id']} {change.words}", status)
 
 
-def beside(original: Certificate, lemmas: Sequence[Certificate]) -> list[Certificate]:
+def _needed(original: Certificate, lemmas: Sequence[Certificate]) -> Sequence[Certificate]:
     """Those of the lemmas that a certificate may need; to check none is quicker."""
-    return [*lemmas] if original.get("lemmas") else []
+    return lemmas if original.get("lemmas") else ()
 
 
 CLASS = FaultClass(

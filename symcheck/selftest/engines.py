@@ -126,8 +126,8 @@ class Agreement:
         for name, answer in answers.items():
             self.evaluated[name] += answer is not None
         if False in answers.values() or not holds(evidence):
-            told = ", ".join(f"{name}: {answer}" for name, answer in answers.items())
-            self.disagreements.append(f"{evidence['id']} ({told}, checker: {holds(evidence)})")
+            listed = ", ".join(f"{name}: {answer}" for name, answer in answers.items())
+            self.disagreements.append(f"{evidence['id']} ({listed}, checker: {holds(evidence)})")
 
 
 def agreement(records: Iterable[Record]) -> Agreement:

@@ -30,7 +30,7 @@ def without(original: Proved, dropped: Hypothesis) -> Status:
     if ledger_verdict(original.context, original.unit, finding) is not Verdict.PROVED:
         return Status.REJECTED
     shown = states(finding, original.unit.formulas)
-    free = all(dropped.name not in each["hypotheses"] for each in finding.certificates)
+    free = all(dropped.name not in certificate["hypotheses"] for certificate in finding.certificates)
     return Status.EQUIVALENT if shown and free else Status.ACCEPTED
 
 
@@ -44,15 +44,15 @@ def having(original: Proved, added: Hypothesis) -> Status:
         return Status.REJECTED  # it speaks of letters that are unknown here
     if ledger_verdict(context, unit, finding) is not Verdict.PROVED:
         return Status.REJECTED
-    told = next(row for row in needs(finding, item, ()) if row["name"] == added.name)
-    return {False: Status.REJECTED, None: Status.OPEN, True: Status.ACCEPTED}[told["needed"]]
+    row = next(row for row in needs(finding, item, ()) if row["name"] == added.name)
+    return {False: Status.REJECTED, None: Status.OPEN, True: Status.ACCEPTED}[row["needed"]]
 
 
 def contradicted(original: Proved, contrary: Hypothesis) -> Status:
     """Whether a relation is no longer proved when its hypotheses contradict one another, and anything would follow."""
     finding = judge(original.context, original.unit, (*original.given, contrary))
-    told = ledger_verdict(original.context, original.unit, finding)
-    return Status.ACCEPTED if told is Verdict.PROVED else Status.REJECTED
+    verdict = ledger_verdict(original.context, original.unit, finding)
+    return Status.ACCEPTED if verdict is Verdict.PROVED else Status.REJECTED
 
 
 def contrary(original: Proved, hypothesis: Hypothesis) -> Hypothesis | None:
@@ -74,7 +74,7 @@ def _opposite(tree: Tree) -> Tree | None:
 @cache
 def _of_paper(key: str) -> tuple[Hypothesis, ...]:
     """All hypotheses of the claims of a paper."""
-    given = (hypothesis for each in expand(papers.load()[key]) for hypothesis in each.item.given)
+    given = (hypothesis for obligation in expand(papers.load()[key]) for hypothesis in obligation.item.given)
     return tuple(dict.fromkeys(given))
 
 

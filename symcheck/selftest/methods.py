@@ -184,8 +184,7 @@ def _forgetful() -> Iterator[None]:
 
 def audited(id: str, folder: Path | None = None, decider: Any = decide) -> list[Record]:
     """What an audit of one declaration tells, with a cache in this folder."""
-    said: list[str] = []
-    kept = Cache(folder, said.append)
+    kept = Cache(folder, lambda _: None)
     try:
         return run.audit([id], papers=papers.load(), decide=decider, cache=kept, executor=Serial(), timeout=LIMIT)
     finally:
@@ -208,7 +207,7 @@ def turned(record: Record) -> Record:
     if record.verdict not in OTHER:
         return record
     other = OTHER[record.verdict]
-    spoilt = tuple({**each, "verdict": str(other)} for each in record.certificates)
+    spoilt = tuple({**evidence, "verdict": str(other)} for evidence in record.certificates)
     return replace(record, verdict=other, certificates=spoilt, counterexample=None)
 
 
@@ -255,7 +254,7 @@ def _reader_drops(id: str, truth: Truth, rng: Random) -> Status:
     except SymcheckError:
         return Status.REJECTED
     noticed = store.disagreements([record for record in records if record.id in truth], truth, complete=True)
-    shown: list[JSON] = [each for record in records for each in record.certificates]
+    shown: list[JSON] = [evidence for record in records for evidence in record.certificates]
     names = tuple(f"{record.id}:" for record in records)
     noticed += [line for line in statements.differences(shown) if line.startswith(names)]
     return Status.REJECTED if noticed else Status.ACCEPTED

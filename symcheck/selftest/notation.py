@@ -22,7 +22,7 @@ from symcheck.reading import Letter, Notation
 from symcheck.reading.notation import variable
 from symcheck.selftest.evidence import ledger_verdict, relettered
 from symcheck.selftest.trial import FaultClass, Status, Trial, drawn
-from symcheck.statement import Item, Paper, Problem, Role, SymcheckError, Verdict
+from symcheck.statement import Formula, Item, Paper, Problem, Role, SymcheckError, Verdict
 
 SWAPPED, ASSUMED = "letters swapped", "wrong assumption"
 PIECES = 8  # tasks for each paper
@@ -101,8 +101,8 @@ def status_of(paper: Paper, fault: Fault) -> Status:
             if not printed and _means_the_same(context, other, fault):
                 continue
             for before, after in zip(units(context), units(other), strict=True):
-                said, says = _said(context, before), _said(other, after)
-                if _is_alike(said, says) or _is_alike(_exchanged(said, fault.exchanged), says):
+                stated, faulty_stated = _stated(context, before), _stated(other, after)
+                if _is_same(stated, faulty_stated) or _is_same(_exchanged(stated, fault.exchanged), faulty_stated):
                     continue
                 changed += 1
                 if ledger_verdict(other, after, judge(other, after, other.item.given)) is not verdict(before.letter):
@@ -128,22 +128,22 @@ def _item(item: Item, change: Change) -> Item:
     return replace(item, notation=change(item.notation)) if item.notation else item
 
 
-def _said(context: Context, unit: Unit) -> tuple[Any, ...]:
+def _stated(context: Context, unit: Unit) -> tuple[Formula, ...]:
     """All that a relation states, definitions unfolded: its formulas, what is given, where it is an equality."""
     item = context.item
     given = [context.hypothesis(hypothesis) for hypothesis in (*item.given, *item.needs, *item.equality_given)]
     equality = item.equality.get(unit.letter, "") if isinstance(item.equality, Mapping) else item.equality
     where = context.lower(equality) if equality else ()
-    stated = (*unit.formulas, *where, *(formula for _, formulas in given for formula in formulas))
-    definitions = dict(context.used_definitions(*stated))
-    return tuple(unfold(formula, definitions) for formula in stated)
+    formulas = (*unit.formulas, *where, *(formula for _, assumed in given for formula in assumed))
+    definitions = dict(context.used_definitions(*formulas))
+    return tuple(unfold(formula, definitions) for formula in formulas)
 
 
-def _is_alike(said: tuple[Any, ...], says: tuple[Any, ...]) -> bool:
+def _is_same(stated: tuple[Formula, ...], other: tuple[Formula, ...]) -> bool:
     """Whether the statements are the same by algebra, one by one."""
-    if len(said) != len(says):
+    if len(stated) != len(other):
         return False
-    pairs = zip(said, says, strict=True)
+    pairs = zip(stated, other, strict=True)
     return all(f == g or equivalent(f, g, Problem("both", node("and", f, g))) for f, g in pairs)
 
 
@@ -155,13 +155,13 @@ def _exchanged(value: Any, names: Mapping[str, str]) -> Any:
 @cache
 def _decided(paper: Paper) -> tuple[tuple[Item, str, Callable[[str], Verdict]], ...]:
     """The declarations without lemmas, each with the verdict of its links; lists, and what is long, come last."""
-    found = []
+    decided = []
     for obligation in expand(paper):
         item = obligation.item
         if item.role in DECIDED and not item.lemmas:
-            found.append((item, _text(item), cache(partial(_verdict, Context(paper, item)))))
+            decided.append((item, _text(item), cache(partial(_verdict, Context(paper, item)))))
     return tuple(
-        sorted(found, key=lambda pair: (bool(pair[0].parts), pair[0].role is Role.OURS, len(repr(pair[0].printed))))
+        sorted(decided, key=lambda pair: (bool(pair[0].parts), pair[0].role is Role.OURS, len(repr(pair[0].printed))))
     )
 
 
@@ -174,8 +174,8 @@ def trials(place: str, count: int, rng: Random) -> Iterator[Trial]:
     """So many mistakes in the table of one paper."""
     key, _, piece = place.partition("/")
     paper = papers.load()[key]
-    found = (pair for n, pair in enumerate(faults(paper.notation)) if n % PIECES == int(piece))
-    for kind, fault in drawn(found, count, rng):
+    own = (pair for n, pair in enumerate(faults(paper.notation)) if n % PIECES == int(piece))
+    for kind, fault in drawn(own, count, rng):
         yield Trial(kind, f"{key} {fault.words}", status_of(paper, fault))
 
 

@@ -149,8 +149,8 @@ def drawn(problem: Problem, rng: random.Random) -> Values:
 
 def witnessed(evidence: Iterable[Certificate], rng: random.Random) -> Iterator[Values]:
     """The points of certificates at which all that is assumed holds, as numbers."""
-    for each in evidence:
-        for point in each.get("witnesses", ()):
+    for certificate in evidence:
+        for point in certificate.get("witnesses", ()):
             known = Place({}, rng, {})
             try:
                 yield {name: known.value(value) for name, value in point["values"].items()}
@@ -165,8 +165,8 @@ def fails(problem: Problem, evidence: Iterable[Certificate] = ()) -> bool | None
     """
     rng, evidence = random.Random(SEED), [*evidence]
     given = [formula for _, formulas in problem.hypotheses for formula in formulas]
-    found = [_fails(problem, assumed, claim, evidence, rng) for assumed, claim in goals(problem.claim, given)]
-    return True if True in found else None if None in found else False
+    failing = [_fails(problem, assumed, claim, evidence, rng) for assumed, claim in goals(problem.claim, given)]
+    return True if True in failing else None if None in failing else False
 
 
 def goals(claim: Formula, given: list[Formula]) -> Iterator[tuple[list[Formula], Formula]]:
@@ -187,9 +187,9 @@ def goals(claim: Formula, given: list[Formula]) -> Iterator[tuple[list[Formula],
 def _fails(
     problem: Problem, given: list[Formula], claim: Formula, evidence: list[Certificate], rng: random.Random
 ) -> bool | None:
-    unfold, found = dict(problem.definitions), 0
+    definitions, points = dict(problem.definitions), 0
     for at in chain(witnessed(evidence, rng), (drawn(problem, rng) for _ in range(DRAWS))):
-        place = Place(unfold, rng, at)
+        place = Place(definitions, rng, at)
         try:
             _solve(place, [_chosen(formula, rng) for formula in given])
             if not all(place.holds(formula) for formula in given):
@@ -198,10 +198,10 @@ def _fails(
                 return True
         except NO_VALUE:
             continue
-        found += 1
-        if found == ENOUGH:
+        points += 1
+        if points == ENOUGH:
             break
-    return False if found else None
+    return False if points else None
 
 
 def _chosen(formula: Formula, rng: random.Random) -> Formula:
@@ -248,9 +248,9 @@ def _solve(place: Place, given: list[Formula]) -> None:
 
 def _letters_of_orders(given: Iterable[Formula], unfold: Mapping[str, Term]) -> Iterator[str]:
     """The letters of everything given but equations, as often as there is such."""
-    for formula in (part for each in given for part in conjuncts(each)):
-        if formula.tag != "=":
-            yield from _letters(formula, unfold)
+    for part in conjuncts(node("and", *given)):
+        if part.tag != "=":
+            yield from _letters(part, unfold)
 
 
 def _free(place: Place) -> Values:

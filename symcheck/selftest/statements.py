@@ -59,18 +59,18 @@ class Proved(NamedTuple):
 def proved(id: str) -> list[Proved]:
     """The proved relations of one declaration; of misprinted ones, what is right."""
     obligation = obligation_of(id)
-    item, found = obligation.item, []
+    item, relations = obligation.item, []
     context = Context(obligation.paper, item)
     for unit in units(context):
         if unit.letter and unit.letter in item.imposed:
             continue
-        each = Proved(context, unit, item.given + (item.needs if unit.letter in item.errata else ()))
+        relation = Proved(context, unit, item.given + (item.needs if unit.letter in item.errata else ()))
         if (erratum := item.errata.get(unit.letter)) and erratum.corrected:
-            each = _corrected(each, erratum)
-        finding = judge(each.context, each.unit, each.given)
-        if finding.verdict is Verdict.PROVED and ledger_verdict(each.context, each.unit, finding) is Verdict.PROVED:
-            found.append(each._replace(finding=finding))
-    return found
+            relation = _corrected(relation, erratum)
+        finding = judge(relation.context, relation.unit, relation.given)
+        if ledger_verdict(relation.context, relation.unit, finding) is Verdict.PROVED:
+            relations.append(relation._replace(finding=finding))
+    return relations
 
 
 def _corrected(printed: Proved, erratum: Erratum) -> Proved:
@@ -103,8 +103,8 @@ def slips(original: Proved) -> Iterator[Edit]:
 def status_of(original: Proved, edit: Edit) -> Status:
     """What the ledger makes of a statement with a slip.
 
-    Told as proved, it is true, if the certificates claim just this and no point of the oracle contradicts; then it is
-    compared with the printed one. Not told as proved, it is a fault if it fails somewhere. All else is left open.
+    If the ledger calls it proved, it is true if the certificates claim just this and no point of the oracle
+    contradicts; then it is compared with the printed one. Otherwise it is a fault if it fails somewhere, else open.
     """
     try:
         changed = _changed(original, edit)
@@ -115,11 +115,11 @@ def status_of(original: Proved, edit: Edit) -> Status:
         finding = judge(changed.context.having(doubted=True), changed.unit, changed.given)
     except SymcheckError:
         return Status.REJECTED  # it makes no statement
-    told = ledger_verdict(changed.context, changed.unit, finding)
-    if told is Verdict.PROVED:
+    verdict = ledger_verdict(changed.context, changed.unit, finding)
+    if verdict is Verdict.PROVED:
         true = states(finding, changed.unit.formulas) and not is_false(original, finding)
         return _strength(original, changed, edit) if true else Status.ACCEPTED
-    return Status.REJECTED if told is Verdict.REFUTED or is_false(original, finding) else Status.OPEN
+    return Status.REJECTED if verdict is Verdict.REFUTED or is_false(original, finding) else Status.OPEN
 
 
 def _changed(original: Proved, edit: Edit) -> Proved:
@@ -170,13 +170,13 @@ def says_the_same(original: Proved, changed: Proved) -> bool:
 
 def is_false(original: Proved, finding: Finding) -> bool:
     """Whether what is claimed fails somewhere: at an exact point of a certificate, or at one of the oracle."""
-    if any(each["verdict"] == Verdict.REFUTED and holds(each) for each in finding.certificates):
+    if any(evidence["verdict"] == Verdict.REFUTED and holds(evidence) for evidence in finding.certificates):
         return True
     witnesses = original.finding.certificates if original.finding else ()
-    found = [fails(problem, witnesses) for problem in finding.concrete]
-    if finding.verdict is Verdict.PROVED or True in found:
-        return True in found
-    return any(_is_refuted(each) for each, failing in zip(finding.concrete, found, strict=True) if failing is None)
+    failing = [fails(problem, witnesses) for problem in finding.concrete]
+    if finding.verdict is Verdict.PROVED or True in failing:
+        return True in failing
+    return any(_is_refuted(problem) for problem, f in zip(finding.concrete, failing, strict=True) if f is None)
 
 
 def _is_refuted(problem: Problem) -> bool:
@@ -192,7 +192,7 @@ def _strength(original: Proved, changed: Proved, edit: Edit) -> Status:
     before, after = original.unit.formulas, changed.unit.formulas
     if len(before) != len(after):  # instances dropped or added
         return Status.WEAKER if {*after} <= {*before} else Status.STRONGER if {*before} <= {*after} else Status.OPEN
-    statuses = {compared(*each) for each in zip(before, after, original.both(changed), strict=True)}
+    statuses = {compared(*pair) for pair in zip(before, after, original.both(changed), strict=True)}
     for whole in (Status.EQUIVALENT, Status.WEAKER, Status.STRONGER):
         if statuses <= {whole, Status.EQUIVALENT}:
             return whole
@@ -224,7 +224,7 @@ def unguarded(records: Sequence[Record]) -> list[str]:
     """The proved inequalities that may be equalities, without a set where they are; those that are errata left out."""
     found = []
     for record in records:
-        claims = [each["claim"] for each in record.certificates]
+        claims = [evidence["claim"] for evidence in record.certificates]
         obligation = obligation_of(declared(record))
         item, letter = obligation.item, record.id.removeprefix(obligation.id)
         if record.verdict is Verdict.PROVED and not record.corrected and claims and claims[0][0] in ("<=", ">="):
@@ -242,8 +242,8 @@ def declared(record: Record) -> str:
 
 def trials(place: str, count: int, rng: Random) -> Iterator[Trial]:
     """So many slips of the relations of one declaration."""
-    found = ((edit.kind, (original, edit)) for original in _proved(place) for edit in slips(original))
-    for _, (original, edit) in drawn(found, count, rng, RARE):
+    edits = ((edit.kind, (original, edit)) for original in _proved(place) for edit in slips(original))
+    for _, (original, edit) in drawn(edits, count, rng, RARE):
         yield Trial(edit.kind, f"{original.id} {edit.description}", status_of(original, edit))
 
 

@@ -24,9 +24,9 @@ def show(out: Any, result: Mapping[str, Any]) -> None:
         table.add_row(row.name if row.is_class else f"  {row.name}", *cells(row), style="bold" if row.is_class else "")
     out.print(table)
     engines = result["engines"]
-    told = ", ".join(f"{name} {count:,}" for name, count in engines["evaluated"].items())
+    counts = ", ".join(f"{name} {count:,}" for name, count in engines["evaluated"].items())
     out.print(
-        f"{engines['points']:,} refutations, all re-evaluated by the checker; evaluated at their points by: {told}."
+        f"{engines['points']:,} refutations, all re-evaluated by the checker; evaluated at their points by: {counts}."
     )
     out.print(f"{len(engines['disagreements'])} disagreements; {engines['all_three']:,} by all three.")
     out.print(

@@ -104,14 +104,14 @@ class Count:
         }
 
 
-def limits(found: int, of: int) -> list[float] | None:
-    """The rate found/of with its 95 % limits (Clopper and Pearson), as [low, rate, high]; None of nothing."""
+def limits(count: int, of: int) -> list[float] | None:
+    """The rate count/of with its 95 % limits (Clopper and Pearson), as [low, rate, high]; None of nothing."""
     from scipy.stats import binomtest
 
     if not of:
         return None
-    interval = binomtest(found, of).proportion_ci(0.95, method="exact")
-    return [float(interval.low), found / of, float(interval.high)]
+    interval = binomtest(count, of).proportion_ci(0.95, method="exact")
+    return [float(interval.low), count / of, float(interval.high)]
 
 
 def total(counts: Iterable[Count]) -> Count:

@@ -60,7 +60,7 @@ class Point(Meaning):
                 inner = [self.shape(part) for part in parts]
                 if kind not in ("and", "or"):
                     return (kind, inner)
-                flat = [each for part in inner for each in (part[1] if part[0] == kind else [part])]
+                flat = [shape for part in inner for shape in (part[1] if part[0] == kind else [part])]
                 return flat[0] if len(flat) == 1 else (kind, flat)
         raise KeyError(str(formula))
 
@@ -131,14 +131,16 @@ def _faults(context: Context, formula: Formula, premises: Sequence[Formula], con
     if not same(at.shape(conclusion), at.shape(formula)):
         yield "the conclusion is not what is printed"
     item = context.item
-    known = [f for each in (*item.given, *item.needs, *item.equality_given) for f in context.hypothesis(each)[1]]
+    known = [
+        f for hypothesis in (*item.given, *item.needs, *item.equality_given) for f in context.hypothesis(hypothesis)[1]
+    ]
     shapes = [at.shape(f) for f in known]
     for premise in premises:
         shape = at.shape(premise)
         left, right = premise.terms if isinstance(premise, Relation) else (0, 1)
         defines = shape[0] == "=" and left in table and _near(shape[1], 0)
         divides = shape[0] == "!=" and right == 0
-        if not (defines or divides or any(same(shape, each) for each in shapes)):
+        if not (defines or divides or any(same(shape, other) for other in shapes)):
             yield "a premise is neither a hypothesis, nor a definition, nor that a denominator is not zero"
 
 

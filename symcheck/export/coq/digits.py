@@ -94,7 +94,7 @@ class Enclosure:
     def step(self, lemma: str, text: str, low: Fraction, high: Fraction, *inner: Within) -> Within:
         """One lemma; what it asks of fractions is left to the tactic."""
         own = self.state.anew("w")
-        proofs = " ".join(each.proof for each in inner)
+        proofs = " ".join(one.proof for one in inner)
         ends = f"{shown_ratio(low)} {shown_ratio(high)}"
         self.state.emit(f"assert ({own} : within ({text}) {ends}) by (apply ({lemma} {ends} {proofs}); fractions).")
         return Within(own, low, high)

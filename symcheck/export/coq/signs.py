@@ -63,7 +63,7 @@ def _all(state: State, terms: Iterable[Term]) -> list[Sign]:
 
 
 def _sum(one: Sign, other: Sign) -> Sign:
-    kind = "".join("n" if each.level == 1 else "p" for each in (one, other))
+    kind = "".join("n" if sign.level == 1 else "p" for sign in (one, other))
     return Sign(max(one.level, other.level), f"(add_{kind} {one.proof} {other.proof})")
 
 

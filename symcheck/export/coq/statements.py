@@ -35,8 +35,8 @@ class Statement:
     def functions(self) -> dict[str, int]:
         """The unknown functions, with the numbers of their arguments."""
         terms = [self.definitions.terms[x] for x in self.defined]
-        said = [*terms, *(formula for _, formula in self.hypotheses), *self.premises, self.conclusion]
-        met = dict.fromkeys((each.function, len(each.terms)) for each in nodes(*said) if isinstance(each, Call))
+        stated = [*terms, *(formula for _, formula in self.hypotheses), *self.premises, self.conclusion]
+        met = dict.fromkeys((call.function, len(call.terms)) for call in nodes(*stated) if isinstance(call, Call))
         found = dict(met.keys())
         if len(found) < len(met) or found.keys() & {*self.variables}:
             raise NotExported("an unknown function has the name of a letter, or two numbers of arguments")
@@ -59,16 +59,16 @@ class Statement:
 
     def resting_on(self, references: Set[Reference]) -> Statement:
         """The statement under some of its hypotheses alone."""
-        kept = tuple(each for each in self.hypotheses if each[0] in references)
+        kept = tuple((name, formula) for name, formula in self.hypotheses if name in references)
         return stated(self.definitions, kept, self.conclusion, bool(self.premises))
 
     def text(self) -> str:
         """As Coq reads it."""
-        lines = [f"{premise(each)} ->" for each in self.equations]
+        lines = [f"{premise(formula)} ->" for formula in self.equations]
         for label, group in groupby(self.hypotheses, key=lambda hypothesis: hypothesis[0][1]):
             lines += [f"(* {label} *)", *(f"{premise(formula)} ->" for _, formula in group)]
         lines += ["(* where it is divided by *)"] * bool(self.premises)
-        lines += [f"{premise(each)} ->" for each in self.divided]
+        lines += [f"{premise(formula)} ->" for formula in self.divided]
         lines += [printed(self.conclusion, IMPLIES)]
         bound = [f"({name(f)} : {'R -> ' * arity}R)" for f, arity in self.functions.items()]
         shown_letters = " ".join(map(name, self.variables))
@@ -139,7 +139,7 @@ def unsettled(definitions: Definitions, hypotheses: Hypotheses, spoken: list[Ter
     found: dict[Term, Term] = {}
     for divisor in denominators(*spoken, *map(differentiated, slopes)):
         term = full(divisor)
-        if is_number(term) or any(ratio(each, term) for each in (*gaps, *found.values())):
+        if is_number(term) or any(ratio(other, term) for other in (*gaps, *found.values())):
             continue
         if not positive(probe, term):
             found[divisor] = term

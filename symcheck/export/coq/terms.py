@@ -89,7 +89,7 @@ class Definitions:
 
 def is_number(term: Term) -> bool:
     """Whether there is no letter in a term, and no pi."""
-    return not letters(term) and all(each.tag != "pi" for each in nodes(term))
+    return not letters(term) and all(part.tag != "pi" for part in nodes(term))
 
 
 def polynomial(text: str, atoms: Mapping[str, Term]) -> tuple[Term, int]:
