@@ -118,16 +118,19 @@ class Evaluator:
 
 
 def same(left: Number, right: Number) -> bool:
+    """Whether two numbers are equal up to what rounding leaves."""
     return bool(abs(left - right) <= CLOSE * max(1, abs(left), abs(right)))
 
 
 def nonzero(value: Number) -> Number:
+    """The number; NoValue if it is zero."""
     if abs(value) < NIL:
         raise NoValue("a division by zero")
     return value
 
 
 def power(base: Number, exponent: int) -> Number:
+    """A whole power."""
     if abs(exponent) > MOST:
         raise NoValue("an exponent")
     return base**exponent if exponent >= 0 else 1 / nonzero(base) ** -exponent
@@ -144,6 +147,8 @@ def real_power(base: Number, exponent: Number) -> Number:
 
 
 def defined(function: Callable[[Number], Number], where: Callable[[Number], bool]) -> Callable[[Number], Number]:
+    """A function that has values only where that is so."""
+
     def value(t: Number) -> Number:
         if not where(t):
             raise NoValue(function)
@@ -153,6 +158,7 @@ def defined(function: Callable[[Number], Number], where: Callable[[Number], bool
 
 
 def unit(t: Number) -> bool:
+    """Whether a number is the sine of an angle."""
     return bool(abs(t) <= 1)
 
 
