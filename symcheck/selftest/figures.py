@@ -9,12 +9,12 @@ from typing import Any
 
 from symcheck.core.files import put
 from symcheck.ledger.selftested import recorded, rows
-from symcheck.selftest.table import FATES
+from symcheck.selftest.table import STATUSES
 
 FIGURES = "figures.md"
 SELFTEST = "self-test"
 MARKERS = "<!-- {0} -->\n(.*?)\n<!-- end of {0} -->"
-COLUMNS = ("planted in", *FATES, "rejected of the faults", "right", "rejected")
+COLUMNS = ("planted in", *STATUSES, "rejected of the faults", "right", "rejected")
 
 
 def files(folder: Path) -> dict[str, bytes]:
@@ -43,7 +43,7 @@ def selftest_table(result: Mapping[str, Any]) -> Iterator[str]:
     yield from head(COLUMNS)
     for each in rows(result):
         if each.is_class:
-            counts = [each.counts.get(name, 0) for name in FATES]
+            counts = [each.counts.get(name, 0) for name in STATUSES]
             right = (each.counts["right"], each.counts["false_rejections"])
             yield row([each.name, *map(_number, counts), each.rate, *map(_number, right)])
     engines = result["engines"]
