@@ -37,7 +37,7 @@ gates: $(DEV)
 	$(BIN)/mypy --strict symcheck
 	$(BIN)/lint-imports --no-cache
 	$(BIN)/symcheck generate --check --no-cache
-	$(BIN)/python -m symcheck.checker generated
+	$(BIN)/python -m symcheck.checker symcheck/generated
 
 notebooks: $(DEV)
 	$(BIN)/jupyter lab notebooks
@@ -80,7 +80,7 @@ install-coq:
 
 clean:
 	rm -rf $(VENV) $(NEWEST_VENV) kernels-* build dist *.egg-info .mypy_cache .ruff_cache .pytest_cache .import_linter_cache .hypothesis
-	find symcheck generated tests -name __pycache__ -type d -prune -exec rm -rf {} +
+	find symcheck tests -name __pycache__ -type d -prune -exec rm -rf {} +
 
 # The versions are pinned once, in constraints.txt; the build runs with the pinned setuptools of the environment.
 $(STAMP): pyproject.toml constraints.txt

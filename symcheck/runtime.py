@@ -1,24 +1,32 @@
 """How a generated kernel runs: on numbers and a handful of points by `math`, on small arrays at once, else by blocks.
 
-A block stays in the caches of its processor, so that the values between two operations never travel to memory; the
-registers that hold them are kept from call to call, one set for each thread. NumPy and the standard library alone.
+A generated module `<key>.py` has the formulas as functions of floats, each under the decorator `kernel`, with what is
+known of it as data. `_<key>.py` beside it has the same formulas as calls of ufuncs on registers. A block of points
+stays in the caches of its processor, so that the values between two operations never travel to memory; the registers
+are kept from call to call, one set for each thread. NumPy and the standard library alone.
 
 Decision: one thread for a call. Reason: an operation on a block takes microseconds, and two threads that ask for the
 interpreter's lock that often wait for one another longer than they compute (measured: 0 to 20 % gained, except where
 sines prevail). Callers share large work among processes or threads by themselves; each thread has its own registers.
+
+Decision: the test for floats is written out for each kernel, in `_<key>.py`. Reason: a loop over `*arguments` here
+takes 70 ns, and many a formula takes 100.
 """
 
 from __future__ import annotations
 
 import threading
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+from functools import update_wrapper
 from itertools import combinations
 from math import isfinite, prod
 from types import FunctionType
-from typing import Any
+from typing import Any, Protocol
 
 import numpy as np
-from numpy import array
+from numpy import array, ndarray
+from numpy.typing import NDArray
 
 BLOCK = 8192  # elements: 64 kB of doubles
 DOUBLE = np.dtype(np.float64)
@@ -26,22 +34,154 @@ LINE = 64  # bytes of a cache line: registers that begin on one are read twice a
 SMALL = 12288  # elements: up to here a second block costs more time than it saves
 FEW = 200  # elements: up to here sines and cosines cost no more than the tangents that replace them in a block
 
+# What `math` raises where NumPy gives infinity or NaN, and warns.
+UNDEFINED = (ValueError, ZeroDivisionError, OverflowError)
+
+Array = NDArray[np.float64]
+Values = float | NDArray[np.float64 | np.float32 | np.int64 | np.int32]
 Block = Callable[..., Any]
 _local = threading.local()
 
 
-def evaluate(block: Block, registers: int, order: Sequence[int], inputs: Sequence[Any], out: Any) -> Any:
+@dataclass(frozen=True)
+class Argument:
+    """One argument of a kernel: its symbol in the derivation, its meaning, its unit, and the domain the kernel is for.
+
+    low, high   ends of the domain: numbers, names of arguments, or formulas of them ("0", "pi/2"), "" where there is
+                none; `closed` if they belong to it
+    """
+
+    name: str
+    meaning: str
+    unit: str = "1"
+    low: str = ""
+    high: str = ""
+    closed: bool = False
+
+    @property
+    def domain(self) -> str:
+        """The domain in words: "0 < a < pi/2"."""
+        sign = "<=" if self.closed else "<"
+        below = f"{self.low} {sign} " if self.low else ""
+        return (
+            f"{below}{self.name}{f' {sign} {self.high}' if self.high else ''}" if below or self.high else "any number"
+        )
+
+    @property
+    def acute(self) -> bool:
+        """An angle whose sine and cosine are not negative."""
+        return (self.low, self.high) == ("0", "pi/2")
+
+
+@dataclass(frozen=True)
+class Output:
+    """One output of a kernel: its name in the derivation, its meaning, its unit."""
+
+    name: str
+    meaning: str
+    unit: str = "1"
+
+
+@dataclass(frozen=True, kw_only=True)
+class Specification:
+    """What a generated module says of a kernel.
+
+    paper      the key of the paper it comes from
+    says       one sentence
+    ulp        the largest error in units of the last place, over the domain; `condition` says why it exceeds 4
+    degenerate what happens at the ends of the domain
+    claims     the proved relations that it rests on, each with the beginning of the SHA-256 of its certificates
+    forms      the same of the proofs that what is computed equals what was derived, "" where it is the derived form
+    """
+
+    paper: str
+    name: str
+    says: str
+    arguments: tuple[Argument, ...]
+    outputs: tuple[Output, ...]
+    ulp: int
+    condition: str = ""
+    degenerate: str = ""
+    claims: Mapping[str, str]
+    forms: str = ""
+
+
+class KernelFunction(Protocol):
+    """A generated kernel where its name is known only when the program runs; stubs say more of each."""
+
+    __name__: str
+    __doc__: str | None
+    specification: Specification
+
+    def __call__(self, *arguments: Values, out: Any = None, **named: Values) -> Any:
+        """The results at some points."""
+
+
+def kernel(paths: Callable[[Block], Any], specification: Specification) -> Callable[[Block], KernelFunction]:
+    """The decorator of a formula: the function of numbers and arrays that `paths` makes of it, with its data."""
+
+    def decorated(formula: Block) -> KernelFunction:
+        function = update_wrapper(paths(formula), formula)
+        del function.__wrapped__  # whose signature has no `out`
+        function.specification = specification
+        return function
+
+    return decorated
+
+
+def on_arrays(
+    formula: Block, block: Block, registers: int, order: Sequence[int], handful: int = 0, few: Block | None = None
+) -> Callable[[Sequence[Any], Any], Any]:
+    """A kernel of anything but floats alone, of the tuple of its arguments and `out`.
+
+    formula    computes one point, of floats
+    block      computes arrays of one shape; further arguments are arrays for results and for values in between
+    registers  how many of the latter there are
+    order      for each output, which of the block's results it is
+    handful    up to so many points the formula takes less time than the block
+    few        a block that is faster up to FEW points, if there is one
+    """
+    few = few or block
+
+    def call(inputs: Sequence[Any], out: Any) -> Any:
+        first = inputs[0]
+        if out is None and type(first) is ndarray:
+            shape = first.shape
+            for x in inputs:
+                if type(x) is not ndarray or x.dtype is not DOUBLE or x.shape != shape:
+                    break
+            else:
+                size = first.size
+                if size > SMALL:
+                    return _given(_by_blocks(block, registers, order, inputs, None, shape, DOUBLE))
+                if size > handful and shape:
+                    return few(*inputs) if size <= FEW else block(*inputs)
+                if size and shape:
+                    try:
+                        return _by_formula(formula, inputs, order)
+                    except UNDEFINED:
+                        pass
+        return _of_anything(block, registers, order, inputs, out)
+
+    return call
+
+
+def _given(results: Sequence[Any]) -> Any:
+    return results[0] if len(results) == 1 else tuple(results)
+
+
+def _of_anything(block: Block, registers: int, order: Sequence[int], inputs: Sequence[Any], out: Any) -> Any:
     """One call of a kernel on anything that broadcasts: one array of the broadcast shape, or a tuple of them.
 
-    `order` tells for each output which of the block's results it is; those that are the same are one array.
-    float32 if all arrays are, else float64. ValueError if `out` does not fit. NumPy's warnings are the caller's.
+    Results that are the same are one array. float32 if all arrays are, else float64. ValueError if `out` does not fit.
+    NumPy's warnings are the caller's.
     """
     dtype = np.result_type(*inputs)
     if dtype == np.float32:
         block = _single(block)
     else:
         dtype = DOUBLE
-    arrays = [x if type(x) is np.ndarray else np.asarray(x) for x in inputs]
+    arrays = [x if type(x) is ndarray else np.asarray(x) for x in inputs]
     shapes = {x.shape for x in arrays} - {()} or {()}
     shape = np.broadcast_shapes(*shapes) if len(shapes) > 1 else shapes.pop()
     given = None if out is None else fitting(out, len(order), shape, dtype)
@@ -54,7 +194,7 @@ def evaluate(block: Block, registers: int, order: Sequence[int], inputs: Sequenc
             if each is not result:
                 np.copyto(each, result)
         results = given
-    return results[0] if len(order) == 1 else tuple(results)
+    return _given(results)
 
 
 def _at_once(block: Block, arrays: list[Any], shape: tuple[int, ...], dtype: Any) -> Sequence[Any]:
@@ -91,43 +231,27 @@ def _by_blocks(
     return [outputs[k] for k in order]
 
 
-def evaluate_handful(expression: Callable[..., Any], inputs: Sequence[Any], order: Sequence[int] = ()) -> Any:
-    """The same for a handful of points in arrays of doubles of one shape: each point through `math`, as numbers are.
+def _by_formula(formula: Block, inputs: Sequence[Any], order: Sequence[int]) -> Any:
+    """The results at a handful of points in arrays of doubles of one shape: each point through `math`, as numbers are.
 
-    OverflowError where a result is not finite: NumPy is to compute it, and to warn. `order` as above, if any outputs
-    are the same.
+    OverflowError where a result is not finite: NumPy is to compute it, and to warn.
     """
     first = inputs[0]
-    columns: list[Any]
     if first.size == 1:
-        point = expression(*[x.item() for x in inputs])
-        columns = [[point]] if type(point) is float else [[x] for x in point]
+        point = formula(*[x.item() for x in inputs])
+        point = point if type(point) is tuple else (point,)
+        total = sum(point)
+        columns = [[x] for x in point]
     else:
-        flat = inputs if first.ndim == 1 else [x.ravel() for x in inputs]
-        rows = [*map(expression, *[x.tolist() for x in flat])]
-        columns = [rows] if type(rows[0]) is float else [*zip(*rows, strict=True)]
-    if not isfinite(sum(map(sum, columns))):
+        rows = [*map(formula, *[(x if x.ndim == 1 else x.ravel()).tolist() for x in inputs])]
+        columns = [*zip(*rows, strict=True)] if type(rows[0]) is tuple else [rows]
+        total = sum(map(sum, columns))
+    if not isfinite(total):
         raise OverflowError
-    if order:
-        columns = [*dict(zip(order, columns, strict=True)).values()]
-    outputs = [array(column) for column in columns]
+    results = {k: array(column) for k, column in zip(order, columns, strict=True)}
     if first.ndim != 1:
-        outputs = [x.reshape(first.shape) for x in outputs]
-    if order:
-        outputs = [outputs[k] for k in order]
-    return outputs[0] if len(outputs) == 1 else tuple(outputs)
-
-
-def evaluate_alike(block: Block, registers: int, order: Sequence[int], inputs: Sequence[Any]) -> Any:
-    """The same for arrays of doubles that all have one shape."""
-    shape = inputs[0].shape
-    outputs = [np.empty(shape) for _ in range(max(order) + 1)]
-    flat = inputs if len(shape) == 1 else [x.reshape(-1) if x.flags.c_contiguous else None for x in inputs]
-    if any(x is None for x in flat):
-        _run(block, registers, inputs, outputs, shape, DOUBLE)
-    else:
-        _pieces(block, _registers(registers, DOUBLE), [*flat, *(x.reshape(-1) for x in outputs)], outputs[0].size)
-    return outputs[0] if len(order) == 1 else tuple([outputs[k] for k in order])
+        results = {k: x.reshape(first.shape) for k, x in results.items()}
+    return _given([results[k] for k in order])
 
 
 def _single(block: Any) -> Block:

@@ -121,7 +121,7 @@ def test_a_refutation_relabelled_as_proved_is_rejected(name: str) -> None:
 
 def refutations_of_the_papers() -> list[JSON]:
     found = []
-    for path in sorted((ROOT / "generated" / "certificates").glob("*.json")):
+    for path in sorted((ROOT / "symcheck" / "generated" / "certificates").glob("*.json")):
         stated = json.loads(path.read_text(encoding="utf-8"))
         if stated["schema"] == 3:
             found += [made for made in stated["certificates"] if made["verdict"] == "refuted"]

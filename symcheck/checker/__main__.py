@@ -1,6 +1,6 @@
 """`python -m symcheck.checker FOLDER`: checks certificates, and that they state what the ledger states.
 
-FOLDER is generated/, with certificates/ and statements/, or a folder or file of certificates alone: of these is told
+FOLDER is symcheck/generated, with certificates/ and statements/, or a folder or file of certificates alone: of these is told
 that nothing ties them to the print.
 """
 
@@ -46,7 +46,7 @@ def read(path: str, key: str) -> dict[str, JSON]:
 def files(arguments: list[str]) -> list[tuple[str, str | None]]:
     """Each file of certificates, with that of the statements they are compared with, if there is one."""
     found: list[tuple[str, str | None]] = []
-    for folder in arguments or ["generated"]:
+    for folder in arguments or ["symcheck/generated"]:
         indexed = {os.path.basename(path): path for path in sorted(glob(escape(folder) + "/statements/*.json"))}
         inside = sorted(glob(escape(folder) + ("/certificates" if indexed else "") + "/*.json"))
         names = [os.path.basename(path) for path in inside] if indexed else []

@@ -1,17 +1,18 @@
-"""A program as an expression of Python floats: assignments, and what is returned."""
+"""A program as assignments in Python, and what is returned: a value that is used once stands where it is used."""
 
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator, Mapping
 from fractions import Fraction
 
-from symcheck.codegen.program import INFIX, UNARY, Operation, Program, Ref, under_root
+from symcheck.codegen.program import INFIX, Operation, Program, Ref, under_root
 from symcheck.codegen.special import RUNTIME
 
-MATH = {"arctan": "atan", "power": "pow"}  # what `math` calls otherwise
-CALLED = (*UNARY, *RUNTIME, "power")
-LONGEST = 90  # characters of an expression that is not given a name
+MATH = {"arctan": "atan", "power": "pow"}  # names in `math` that differ from NumPy's
+LONGEST = 90  # characters of an expression without a name, so that a line with two of them stays readable
+SUM, PRODUCT, ATOM = range(3)  # how tightly the last operator of an expression binds
+BINDING = {"add": SUM, "subtract": SUM, "multiply": PRODUCT, "divide": PRODUCT, "negative": SUM}
 
 
 def number(x: Ref) -> str:
@@ -28,28 +29,55 @@ def bare(text: str) -> str:
     return text[1:-1] if text[0] == "(" else text
 
 
-def expression_lines(program: Program) -> Iterator[str]:
-    """The program as assignments, and what it returns; what is used once stands where it is used."""
+def called(function: str) -> str:
+    """The name of a function of floats."""
+    return function if function in RUNTIME else f"math.{MATH.get(function, function)}"
+
+
+def joined(operation: Operation, operands: Mapping[Ref, tuple[str, int]], write: Callable[[Ref], str]) -> str:
+    """An operator between its operands, with the brackets that keep the order of operations."""
+    binding = BINDING[operation.function]
+
+    def side(x: Ref, least: int) -> str:
+        text, own = operands.get(x, (write(x), ATOM))
+        return text if own >= least else f"({text})"
+
+    if operation.function == "negative":
+        return f"-{side(operation.operands[0], ATOM)}"
+    left, right = operation.operands
+    return f"{side(left, binding)} {INFIX[operation.function]} {side(right, binding + 1)}"
+
+
+def assignments(
+    program: Program,
+    write: Callable[[Ref], str] = number,
+    call: Callable[[Operation, list[str]], str] = lambda operation, operands: (
+        f"{called(operation.function)}({', '.join(operands)})"
+    ),
+) -> tuple[list[str], list[str]]:
+    """The assignments of a program, and the expressions of its outputs.
+
+    `write` writes a number, `call` the call of a function.
+    """
     used = [x for operation in program.operations for x in operation.operands]
     uses = Counter([*used, *program.outputs.values()])
-    texts: dict[Ref, str] = {}
+    texts: dict[Ref, tuple[str, int]] = {}
+    lines = []
     for operation in program.operations:
-        text = _expression(operation, [texts.get(x, number(x)) for x in operation.operands])
-        if uses[operation.result] > 1 or len(text) > LONGEST:
-            yield f"{operation.result} = {text}"
+        if operation.function in BINDING:
+            text, binding = joined(operation, texts, write), BINDING[operation.function]
         else:
-            texts[operation.result] = text if operation.function in CALLED else f"({text})"
-    yield f"return {', '.join(bare(texts.get(value, number(value))) for value in program.outputs.values())}"
+            operands = [texts[x][0] if x in texts else bare(write(x)) for x in operation.operands]
+            text, binding = call(operation, operands), ATOM
+        if uses[operation.result] > 1 or len(text) > LONGEST:
+            lines.append(f"{operation.result} = {text}")
+        else:
+            texts[operation.result] = text, binding
+    return lines, [texts[x][0] if x in texts else bare(write(x)) for x in program.outputs.values()]
 
 
-def _expression(operation: Operation, operands: list[str]) -> str:
-    if operation.function in INFIX:
-        return f" {INFIX[operation.function]} ".join(operands)
-    if operation.function == "negative":
-        return f"-{operands[0]}"
-    name = (
-        operation.function
-        if operation.function in RUNTIME
-        else f"math.{MATH.get(operation.function, operation.function)}"
-    )
-    return f"{name}({', '.join(map(bare, operands))})"
+def body(program: Program) -> Iterator[str]:
+    """The lines of a function of floats."""
+    lines, results = assignments(program)
+    yield from lines
+    yield f"return {', '.join(results)}"
