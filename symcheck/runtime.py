@@ -130,40 +130,36 @@ def kernel(paths: Callable[[Block], Any], specification: Specification) -> Calla
 
 
 def on_arrays(
-    formula: Block, block: Block, registers: int, order: Sequence[int], handful: int = 0, few: Block | None = None
-) -> Callable[[Sequence[Any], Any], Any]:
-    """A kernel of anything but floats alone, of the tuple of its arguments and `out`.
+    formula: Block, block: Block, registers: int, order: Sequence[int], handful: int
+) -> tuple[Block, Callable[[Sequence[Any], Any], Any]]:
+    """A kernel of arrays of doubles of one shape, and one of the tuple of anything that broadcasts and `out`.
 
     formula    computes one point, of floats
     block      computes arrays of one shape; further arguments are arrays for results and for values in between
     registers  how many of the latter there are
     order      for each output, which of the block's results it is
     handful    up to so many points the formula takes less time than the block
-    few        a block that is faster up to FEW points, if there is one
     """
-    few = few or block
+    distinct = max(order) + 1
+    shared = order if distinct < len(order) else ()
 
-    def call(inputs: Sequence[Any], out: Any) -> Any:
-        first = inputs[0]
-        if out is None and type(first) is ndarray:
-            shape = first.shape
-            for x in inputs:
-                if type(x) is not ndarray or x.dtype is not DOUBLE or x.shape != shape:
-                    break
-            else:
-                size = first.size
-                if size > SMALL:
-                    return _given(_by_blocks(block, registers, order, inputs, None, shape, DOUBLE))
-                if size > handful and shape:
-                    return few(*inputs) if size <= FEW else block(*inputs)
-                if size and shape:
-                    try:
-                        return _by_formula(formula, inputs, order)
-                    except UNDEFINED:
-                        pass
+    def alike(*inputs: Any) -> Any:
+        size = inputs[0].size
+        if size > SMALL:
+            outputs = [np.empty(inputs[0].shape) for _ in range(distinct)]
+            _of_one_shape(block, registers, inputs, outputs)
+            return _given([outputs[k] for k in order])
+        if 0 < size <= handful:
+            try:
+                return _by_formula(formula, inputs, shared)
+            except UNDEFINED:
+                return others(inputs, None)
+        return block(*inputs)
+
+    def others(inputs: Sequence[Any], out: Any) -> Any:
         return _of_anything(block, registers, order, inputs, out)
 
-    return call
+    return alike, others
 
 
 def _given(results: Sequence[Any]) -> Any:
@@ -231,27 +227,43 @@ def _by_blocks(
     return [outputs[k] for k in order]
 
 
-def _by_formula(formula: Block, inputs: Sequence[Any], order: Sequence[int]) -> Any:
+def _of_one_shape(block: Block, registers: int, inputs: Sequence[Any], outputs: list[Any]) -> None:
+    """The results, in `outputs`, of many points in arrays of doubles of one shape."""
+    if all([x.flags.c_contiguous for x in inputs]):
+        flat = [x.reshape(-1) for x in (*inputs, *outputs)]
+        _pieces(block, _registers(registers, DOUBLE), flat, outputs[0].size)
+    else:
+        _run(block, registers, inputs, outputs, outputs[0].shape, DOUBLE)
+
+
+def _by_formula(formula: Block, inputs: Sequence[Any], shared: Sequence[int]) -> Any:
     """The results at a handful of points in arrays of doubles of one shape: each point through `math`, as numbers are.
 
-    OverflowError where a result is not finite: NumPy is to compute it, and to warn.
+    OverflowError where a result is not finite: NumPy is to compute it, and to warn. `shared` tells for each output
+    which result it is, if some are the same.
     """
     first = inputs[0]
     if first.size == 1:
         point = formula(*[x.item() for x in inputs])
-        point = point if type(point) is tuple else (point,)
+        if type(point) is float:
+            point = (point,)
         total = sum(point)
         columns = [[x] for x in point]
     else:
-        rows = [*map(formula, *[(x if x.ndim == 1 else x.ravel()).tolist() for x in inputs])]
-        columns = [*zip(*rows, strict=True)] if type(rows[0]) is tuple else [rows]
+        flat = inputs if first.ndim == 1 else [x.ravel() for x in inputs]
+        rows = [*map(formula, *[x.tolist() for x in flat])]
+        columns = [rows] if type(rows[0]) is float else [*zip(*rows, strict=True)]
         total = sum(map(sum, columns))
     if not isfinite(total):
         raise OverflowError
-    results = {k: array(column) for k, column in zip(order, columns, strict=True)}
+    if shared:
+        columns = [*dict(zip(shared, columns, strict=True)).values()]
+    outputs = [array(column) for column in columns]
     if first.ndim != 1:
-        results = {k: x.reshape(first.shape) for k, x in results.items()}
-    return _given([results[k] for k in order])
+        outputs = [x.reshape(first.shape) for x in outputs]
+    if shared:
+        outputs = [outputs[k] for k in shared]
+    return outputs[0] if len(outputs) == 1 else tuple(outputs)
 
 
 def _single(block: Any) -> Block:

@@ -47,9 +47,9 @@ PATHS = '''"""How the kernels of {key} run on numbers and on arrays. {mark}"""
 
 import math
 
-from numpy import array, {ufuncs}
+from numpy import array, ndarray, {ufuncs}
 
-{special}from symcheck.runtime import UNDEFINED, on_arrays
+{special}from symcheck.runtime import DOUBLE, FEW, SMALL, UNDEFINED, on_arrays
 
 
 {functions}
@@ -168,19 +168,29 @@ def paths(name: str, made: Made) -> Iterator[str]:
     """The texts of one kernel's ways on numbers and arrays: its call, and its blocks."""
     program, few = made.program, made.pointwise.operations != made.program.operations
     inputs = ", ".join(program.inputs)
-    types = " is ".join(f"type({x})" for x in program.inputs)
+    first, fewest = program.inputs[0], handful(made.pointwise)
+    types, dtypes, shapes = (
+        form.join(text.format(x) for x in program.inputs)
+        for form, text in ((" is ", "type({})"), (" is ", "{}.dtype"), (" == ", "{}.shape"))
+    )
     count, _ = block_lines(program, numbers(program))
-    further = f"{count}, ({_order(program)},), {handful(made.pointwise)}{f', _{name}_few' if few else ''}"
+    small = f"_{name}_few" if few else f"_{name}"
+    further = f"{count}, ({_order(program)},), {fewest}"
     yield f"""def {name}(formula):
-    on_others = on_arrays(formula, _{name}, {further})
+    alike, others = on_arrays(formula, _{name}, {further})
 
     def call({inputs}, out=None):
-        if out is None and float is {types}:
-            try:
-                return formula({inputs})
-            except UNDEFINED:
-                pass
-        return on_others(({inputs},), out)
+        if out is None:
+            if float is {types}:
+                try:
+                    return formula({inputs})
+                except UNDEFINED:
+                    pass
+            elif ndarray is {types} and DOUBLE is {dtypes} and () != {shapes}:
+                if {fewest} < {first}.size <= {"FEW" if few else "SMALL"}:
+                    return {small}({inputs})
+                return alike({inputs})
+        return others(({inputs},), out)
 
     return call"""
     if few:

@@ -2,21 +2,26 @@
 
 import math
 
-from numpy import array, add, divide, multiply, negative, sqrt, subtract
+from numpy import array, ndarray, add, divide, multiply, negative, sqrt, subtract
 
-from symcheck.runtime import UNDEFINED, on_arrays
+from symcheck.runtime import DOUBLE, FEW, SMALL, UNDEFINED, on_arrays
 
 
 def mode_inertia(formula):
-    on_others = on_arrays(formula, _mode_inertia, 2, (0,), 0)
+    alike, others = on_arrays(formula, _mode_inertia, 2, (0,), 0)
 
     def call(a_1, chi_1, N_1, out=None):
-        if out is None and float is type(a_1) is type(chi_1) is type(N_1):
-            try:
-                return formula(a_1, chi_1, N_1)
-            except UNDEFINED:
-                pass
-        return on_others((a_1, chi_1, N_1,), out)
+        if out is None:
+            if float is type(a_1) is type(chi_1) is type(N_1):
+                try:
+                    return formula(a_1, chi_1, N_1)
+                except UNDEFINED:
+                    pass
+            elif ndarray is type(a_1) is type(chi_1) is type(N_1) and DOUBLE is a_1.dtype is chi_1.dtype is N_1.dtype and () != a_1.shape == chi_1.shape == N_1.shape:
+                if 0 < a_1.size <= SMALL:
+                    return _mode_inertia(a_1, chi_1, N_1)
+                return alike(a_1, chi_1, N_1)
+        return others((a_1, chi_1, N_1,), out)
 
     return call
 
@@ -29,15 +34,20 @@ def _mode_inertia(a_1, chi_1, N_1, out_E_1=None, r0=None, r1=None):
 
 
 def residue_of_a_mode(formula):
-    on_others = on_arrays(formula, _residue_of_a_mode, 2, (0,), 0)
+    alike, others = on_arrays(formula, _residue_of_a_mode, 2, (0,), 0)
 
     def call(E_1, lambda_1, omega_0, out=None):
-        if out is None and float is type(E_1) is type(lambda_1) is type(omega_0):
-            try:
-                return formula(E_1, lambda_1, omega_0)
-            except UNDEFINED:
-                pass
-        return on_others((E_1, lambda_1, omega_0,), out)
+        if out is None:
+            if float is type(E_1) is type(lambda_1) is type(omega_0):
+                try:
+                    return formula(E_1, lambda_1, omega_0)
+                except UNDEFINED:
+                    pass
+            elif ndarray is type(E_1) is type(lambda_1) is type(omega_0) and DOUBLE is E_1.dtype is lambda_1.dtype is omega_0.dtype and () != E_1.shape == lambda_1.shape == omega_0.shape:
+                if 0 < E_1.size <= SMALL:
+                    return _residue_of_a_mode(E_1, lambda_1, omega_0)
+                return alike(E_1, lambda_1, omega_0)
+        return others((E_1, lambda_1, omega_0,), out)
 
     return call
 
@@ -50,15 +60,20 @@ def _residue_of_a_mode(E_1, lambda_1, omega_0, out_R_1=None, r0=None, r1=None):
 
 
 def characteristic_coefficients(formula):
-    on_others = on_arrays(formula, _characteristic_coefficients, 4, (0, 1, 2,), 1)
+    alike, others = on_arrays(formula, _characteristic_coefficients, 4, (0, 1, 2,), 1)
 
     def call(A, C, E_1, lambda_1, omega_0, out=None):
-        if out is None and float is type(A) is type(C) is type(E_1) is type(lambda_1) is type(omega_0):
-            try:
-                return formula(A, C, E_1, lambda_1, omega_0)
-            except UNDEFINED:
-                pass
-        return on_others((A, C, E_1, lambda_1, omega_0,), out)
+        if out is None:
+            if float is type(A) is type(C) is type(E_1) is type(lambda_1) is type(omega_0):
+                try:
+                    return formula(A, C, E_1, lambda_1, omega_0)
+                except UNDEFINED:
+                    pass
+            elif ndarray is type(A) is type(C) is type(E_1) is type(lambda_1) is type(omega_0) and DOUBLE is A.dtype is C.dtype is E_1.dtype is lambda_1.dtype is omega_0.dtype and () != A.shape == C.shape == E_1.shape == lambda_1.shape == omega_0.shape:
+                if 1 < A.size <= SMALL:
+                    return _characteristic_coefficients(A, C, E_1, lambda_1, omega_0)
+                return alike(A, C, E_1, lambda_1, omega_0)
+        return others((A, C, E_1, lambda_1, omega_0,), out)
 
     return call
 
@@ -77,15 +92,20 @@ def _characteristic_coefficients(A, C, E_1, lambda_1, omega_0, out_c_2=None, out
 
 
 def discriminant(formula):
-    on_others = on_arrays(formula, _discriminant, 4, (0,), 6)
+    alike, others = on_arrays(formula, _discriminant, 4, (0,), 6)
 
     def call(A, C, E_1, lambda_1, omega_0, out=None):
-        if out is None and float is type(A) is type(C) is type(E_1) is type(lambda_1) is type(omega_0):
-            try:
-                return formula(A, C, E_1, lambda_1, omega_0)
-            except UNDEFINED:
-                pass
-        return on_others((A, C, E_1, lambda_1, omega_0,), out)
+        if out is None:
+            if float is type(A) is type(C) is type(E_1) is type(lambda_1) is type(omega_0):
+                try:
+                    return formula(A, C, E_1, lambda_1, omega_0)
+                except UNDEFINED:
+                    pass
+            elif ndarray is type(A) is type(C) is type(E_1) is type(lambda_1) is type(omega_0) and DOUBLE is A.dtype is C.dtype is E_1.dtype is lambda_1.dtype is omega_0.dtype and () != A.shape == C.shape == E_1.shape == lambda_1.shape == omega_0.shape:
+                if 6 < A.size <= SMALL:
+                    return _discriminant(A, C, E_1, lambda_1, omega_0)
+                return alike(A, C, E_1, lambda_1, omega_0)
+        return others((A, C, E_1, lambda_1, omega_0,), out)
 
     return call
 
@@ -110,15 +130,20 @@ def _discriminant(A, C, E_1, lambda_1, omega_0, out_D=None, r0=None, r1=None, r2
 
 
 def boundary_of_stability(formula):
-    on_others = on_arrays(formula, _boundary_of_stability, 6, (0, 1,), 8)
+    alike, others = on_arrays(formula, _boundary_of_stability, 6, (0, 1,), 8)
 
     def call(A, E_1, b_1, out=None):
-        if out is None and float is type(A) is type(E_1) is type(b_1):
-            try:
-                return formula(A, E_1, b_1)
-            except UNDEFINED:
-                pass
-        return on_others((A, E_1, b_1,), out)
+        if out is None:
+            if float is type(A) is type(E_1) is type(b_1):
+                try:
+                    return formula(A, E_1, b_1)
+                except UNDEFINED:
+                    pass
+            elif ndarray is type(A) is type(E_1) is type(b_1) and DOUBLE is A.dtype is E_1.dtype is b_1.dtype and () != A.shape == E_1.shape == b_1.shape:
+                if 8 < A.size <= SMALL:
+                    return _boundary_of_stability(A, E_1, b_1)
+                return alike(A, E_1, b_1)
+        return others((A, E_1, b_1,), out)
 
     return call
 
@@ -149,15 +174,20 @@ def _boundary_of_stability(A, E_1, b_1, out_Delta_1=None, out_Delta_2=None, r0=N
 
 
 def width_of_the_unstable_interval(formula):
-    on_others = on_arrays(formula, _width_of_the_unstable_interval, 4, (0,), 2)
+    alike, others = on_arrays(formula, _width_of_the_unstable_interval, 4, (0,), 2)
 
     def call(A, E_1, b_1, out=None):
-        if out is None and float is type(A) is type(E_1) is type(b_1):
-            try:
-                return formula(A, E_1, b_1)
-            except UNDEFINED:
-                pass
-        return on_others((A, E_1, b_1,), out)
+        if out is None:
+            if float is type(A) is type(E_1) is type(b_1):
+                try:
+                    return formula(A, E_1, b_1)
+                except UNDEFINED:
+                    pass
+            elif ndarray is type(A) is type(E_1) is type(b_1) and DOUBLE is A.dtype is E_1.dtype is b_1.dtype and () != A.shape == E_1.shape == b_1.shape:
+                if 2 < A.size <= SMALL:
+                    return _width_of_the_unstable_interval(A, E_1, b_1)
+                return alike(A, E_1, b_1)
+        return others((A, E_1, b_1,), out)
 
     return call
 
@@ -176,15 +206,20 @@ def _width_of_the_unstable_interval(A, E_1, b_1, out_width=None, r0=None, r1=Non
 
 
 def critical_frequencies(formula):
-    on_others = on_arrays(formula, _critical_frequencies, 3, (0, 1,), 2)
+    alike, others = on_arrays(formula, _critical_frequencies, 3, (0, 1,), 2)
 
     def call(A, E_1, b_1, omega_0, out=None):
-        if out is None and float is type(A) is type(E_1) is type(b_1) is type(omega_0):
-            try:
-                return formula(A, E_1, b_1, omega_0)
-            except UNDEFINED:
-                pass
-        return on_others((A, E_1, b_1, omega_0,), out)
+        if out is None:
+            if float is type(A) is type(E_1) is type(b_1) is type(omega_0):
+                try:
+                    return formula(A, E_1, b_1, omega_0)
+                except UNDEFINED:
+                    pass
+            elif ndarray is type(A) is type(E_1) is type(b_1) is type(omega_0) and DOUBLE is A.dtype is E_1.dtype is b_1.dtype is omega_0.dtype and () != A.shape == E_1.shape == b_1.shape == omega_0.shape:
+                if 2 < A.size <= SMALL:
+                    return _critical_frequencies(A, E_1, b_1, omega_0)
+                return alike(A, E_1, b_1, omega_0)
+        return others((A, E_1, b_1, omega_0,), out)
 
     return call
 
@@ -206,15 +241,20 @@ def _critical_frequencies(A, E_1, b_1, omega_0, out_eta_1=None, out_eta_2=None, 
 
 
 def greatest_growth_rate(formula):
-    on_others = on_arrays(formula, _greatest_growth_rate, 3, (0,), 1)
+    alike, others = on_arrays(formula, _greatest_growth_rate, 3, (0,), 1)
 
     def call(A, E_1, b_1, omega_0, out=None):
-        if out is None and float is type(A) is type(E_1) is type(b_1) is type(omega_0):
-            try:
-                return formula(A, E_1, b_1, omega_0)
-            except UNDEFINED:
-                pass
-        return on_others((A, E_1, b_1, omega_0,), out)
+        if out is None:
+            if float is type(A) is type(E_1) is type(b_1) is type(omega_0):
+                try:
+                    return formula(A, E_1, b_1, omega_0)
+                except UNDEFINED:
+                    pass
+            elif ndarray is type(A) is type(E_1) is type(b_1) is type(omega_0) and DOUBLE is A.dtype is E_1.dtype is b_1.dtype is omega_0.dtype and () != A.shape == E_1.shape == b_1.shape == omega_0.shape:
+                if 1 < A.size <= SMALL:
+                    return _greatest_growth_rate(A, E_1, b_1, omega_0)
+                return alike(A, E_1, b_1, omega_0)
+        return others((A, E_1, b_1, omega_0,), out)
 
     return call
 
@@ -233,15 +273,20 @@ def _greatest_growth_rate(A, E_1, b_1, omega_0, out_y=None, r0=None, r1=None, r2
 
 
 def frequencies(formula):
-    on_others = on_arrays(formula, _frequencies, 4, (0, 1,), 6)
+    alike, others = on_arrays(formula, _frequencies, 4, (0, 1,), 6)
 
     def call(A, Delta, E_1, b_1, omega_0, out=None):
-        if out is None and float is type(A) is type(Delta) is type(E_1) is type(b_1) is type(omega_0):
-            try:
-                return formula(A, Delta, E_1, b_1, omega_0)
-            except UNDEFINED:
-                pass
-        return on_others((A, Delta, E_1, b_1, omega_0,), out)
+        if out is None:
+            if float is type(A) is type(Delta) is type(E_1) is type(b_1) is type(omega_0):
+                try:
+                    return formula(A, Delta, E_1, b_1, omega_0)
+                except UNDEFINED:
+                    pass
+            elif ndarray is type(A) is type(Delta) is type(E_1) is type(b_1) is type(omega_0) and DOUBLE is A.dtype is Delta.dtype is E_1.dtype is b_1.dtype is omega_0.dtype and () != A.shape == Delta.shape == E_1.shape == b_1.shape == omega_0.shape:
+                if 6 < A.size <= SMALL:
+                    return _frequencies(A, Delta, E_1, b_1, omega_0)
+                return alike(A, Delta, E_1, b_1, omega_0)
+        return others((A, Delta, E_1, b_1, omega_0,), out)
 
     return call
 

@@ -2,21 +2,26 @@
 
 import math
 
-from numpy import array, add, arctan, cos, divide, multiply, negative, power, sin, sqrt, subtract, tan
+from numpy import array, ndarray, add, arctan, cos, divide, multiply, negative, power, sin, sqrt, subtract, tan
 
-from symcheck.runtime import UNDEFINED, on_arrays
+from symcheck.runtime import DOUBLE, FEW, SMALL, UNDEFINED, on_arrays
 
 
 def axes_of_four_wheels(formula):
-    on_others = on_arrays(formula, _axes_of_four_wheels, 5, (0, 1, 2, 0, 3, 2, 0, 1, 4, 0, 3, 4,), 0, _axes_of_four_wheels_few)
+    alike, others = on_arrays(formula, _axes_of_four_wheels, 5, (0, 1, 2, 0, 3, 2, 0, 1, 4, 0, 3, 4,), 0)
 
     def call(a, b, out=None):
-        if out is None and float is type(a) is type(b):
-            try:
-                return formula(a, b)
-            except UNDEFINED:
-                pass
-        return on_others((a, b,), out)
+        if out is None:
+            if float is type(a) is type(b):
+                try:
+                    return formula(a, b)
+                except UNDEFINED:
+                    pass
+            elif ndarray is type(a) is type(b) and DOUBLE is a.dtype is b.dtype and () != a.shape == b.shape:
+                if 0 < a.size <= FEW:
+                    return _axes_of_four_wheels_few(a, b)
+                return alike(a, b)
+        return others((a, b,), out)
 
     return call
 
@@ -53,15 +58,20 @@ def _axes_of_four_wheels(a, b, out_e_1x=None, out_e_1y=None, out_e_1z=None, out_
 
 
 def axes_of_six_wheels(formula):
-    on_others = on_arrays(formula, _axes_of_six_wheels, 3, (0, 1, 2, 3, 1, 2, 4, 1, 0, 5, 2, 3, 5, 2, 4, 5,), 0, _axes_of_six_wheels_few)
+    alike, others = on_arrays(formula, _axes_of_six_wheels, 3, (0, 1, 2, 3, 1, 2, 4, 1, 0, 5, 2, 3, 5, 2, 4, 5,), 0)
 
     def call(a, out=None):
-        if out is None and float is type(a):
-            try:
-                return formula(a)
-            except UNDEFINED:
-                pass
-        return on_others((a,), out)
+        if out is None:
+            if float is type(a):
+                try:
+                    return formula(a)
+                except UNDEFINED:
+                    pass
+            elif ndarray is type(a) and DOUBLE is a.dtype and () != a.shape:
+                if 0 < a.size <= FEW:
+                    return _axes_of_six_wheels_few(a)
+                return alike(a)
+        return others((a,), out)
 
     return call
 
@@ -94,15 +104,20 @@ def _axes_of_six_wheels(a, out_e_1y=None, out_e_1z=None, out_e_2x=None, out_e_2y
 
 
 def momentum_of_four_wheels(formula):
-    on_others = on_arrays(formula, _momentum_of_four_wheels, 8, (0, 1, 2,), 4, _momentum_of_four_wheels_few)
+    alike, others = on_arrays(formula, _momentum_of_four_wheels, 8, (0, 1, 2,), 4)
 
     def call(h_1, h_2, h_3, h_4, a, b, out=None):
-        if out is None and float is type(h_1) is type(h_2) is type(h_3) is type(h_4) is type(a) is type(b):
-            try:
-                return formula(h_1, h_2, h_3, h_4, a, b)
-            except UNDEFINED:
-                pass
-        return on_others((h_1, h_2, h_3, h_4, a, b,), out)
+        if out is None:
+            if float is type(h_1) is type(h_2) is type(h_3) is type(h_4) is type(a) is type(b):
+                try:
+                    return formula(h_1, h_2, h_3, h_4, a, b)
+                except UNDEFINED:
+                    pass
+            elif ndarray is type(h_1) is type(h_2) is type(h_3) is type(h_4) is type(a) is type(b) and DOUBLE is h_1.dtype is h_2.dtype is h_3.dtype is h_4.dtype is a.dtype is b.dtype and () != h_1.shape == h_2.shape == h_3.shape == h_4.shape == a.shape == b.shape:
+                if 4 < h_1.size <= FEW:
+                    return _momentum_of_four_wheels_few(h_1, h_2, h_3, h_4, a, b)
+                return alike(h_1, h_2, h_3, h_4, a, b)
+        return others((h_1, h_2, h_3, h_4, a, b,), out)
 
     return call
 
@@ -158,15 +173,20 @@ def _momentum_of_four_wheels(h_1, h_2, h_3, h_4, a, b, out_H_x=None, out_H_y=Non
 
 
 def momentum_of_three_wheels(formula):
-    on_others = on_arrays(formula, _momentum_of_three_wheels, 7, (0, 1, 2,), 2, _momentum_of_three_wheels_few)
+    alike, others = on_arrays(formula, _momentum_of_three_wheels, 7, (0, 1, 2,), 2)
 
     def call(h_1, h_2, h_3, a, b, out=None):
-        if out is None and float is type(h_1) is type(h_2) is type(h_3) is type(a) is type(b):
-            try:
-                return formula(h_1, h_2, h_3, a, b)
-            except UNDEFINED:
-                pass
-        return on_others((h_1, h_2, h_3, a, b,), out)
+        if out is None:
+            if float is type(h_1) is type(h_2) is type(h_3) is type(a) is type(b):
+                try:
+                    return formula(h_1, h_2, h_3, a, b)
+                except UNDEFINED:
+                    pass
+            elif ndarray is type(h_1) is type(h_2) is type(h_3) is type(a) is type(b) and DOUBLE is h_1.dtype is h_2.dtype is h_3.dtype is a.dtype is b.dtype and () != h_1.shape == h_2.shape == h_3.shape == a.shape == b.shape:
+                if 2 < h_1.size <= FEW:
+                    return _momentum_of_three_wheels_few(h_1, h_2, h_3, a, b)
+                return alike(h_1, h_2, h_3, a, b)
+        return others((h_1, h_2, h_3, a, b,), out)
 
     return call
 
@@ -214,15 +234,20 @@ def _momentum_of_three_wheels(h_1, h_2, h_3, a, b, out_H_x=None, out_H_y=None, o
 
 
 def momentum_of_six_wheels(formula):
-    on_others = on_arrays(formula, _momentum_of_six_wheels, 6, (0, 1, 2,), 5, _momentum_of_six_wheels_few)
+    alike, others = on_arrays(formula, _momentum_of_six_wheels, 6, (0, 1, 2,), 5)
 
     def call(h_1, h_2, h_3, h_4, h_5, h_6, a, out=None):
-        if out is None and float is type(h_1) is type(h_2) is type(h_3) is type(h_4) is type(h_5) is type(h_6) is type(a):
-            try:
-                return formula(h_1, h_2, h_3, h_4, h_5, h_6, a)
-            except UNDEFINED:
-                pass
-        return on_others((h_1, h_2, h_3, h_4, h_5, h_6, a,), out)
+        if out is None:
+            if float is type(h_1) is type(h_2) is type(h_3) is type(h_4) is type(h_5) is type(h_6) is type(a):
+                try:
+                    return formula(h_1, h_2, h_3, h_4, h_5, h_6, a)
+                except UNDEFINED:
+                    pass
+            elif ndarray is type(h_1) is type(h_2) is type(h_3) is type(h_4) is type(h_5) is type(h_6) is type(a) and DOUBLE is h_1.dtype is h_2.dtype is h_3.dtype is h_4.dtype is h_5.dtype is h_6.dtype is a.dtype and () != h_1.shape == h_2.shape == h_3.shape == h_4.shape == h_5.shape == h_6.shape == a.shape:
+                if 5 < h_1.size <= FEW:
+                    return _momentum_of_six_wheels_few(h_1, h_2, h_3, h_4, h_5, h_6, a)
+                return alike(h_1, h_2, h_3, h_4, h_5, h_6, a)
+        return others((h_1, h_2, h_3, h_4, h_5, h_6, a,), out)
 
     return call
 
@@ -283,15 +308,20 @@ def _momentum_of_six_wheels(h_1, h_2, h_3, h_4, h_5, h_6, a, out_H_x=None, out_H
 
 
 def momentum_of_five_wheels(formula):
-    on_others = on_arrays(formula, _momentum_of_five_wheels, 5, (0, 1, 2,), 4, _momentum_of_five_wheels_few)
+    alike, others = on_arrays(formula, _momentum_of_five_wheels, 5, (0, 1, 2,), 4)
 
     def call(h_1, h_2, h_3, h_4, h_5, a, out=None):
-        if out is None and float is type(h_1) is type(h_2) is type(h_3) is type(h_4) is type(h_5) is type(a):
-            try:
-                return formula(h_1, h_2, h_3, h_4, h_5, a)
-            except UNDEFINED:
-                pass
-        return on_others((h_1, h_2, h_3, h_4, h_5, a,), out)
+        if out is None:
+            if float is type(h_1) is type(h_2) is type(h_3) is type(h_4) is type(h_5) is type(a):
+                try:
+                    return formula(h_1, h_2, h_3, h_4, h_5, a)
+                except UNDEFINED:
+                    pass
+            elif ndarray is type(h_1) is type(h_2) is type(h_3) is type(h_4) is type(h_5) is type(a) and DOUBLE is h_1.dtype is h_2.dtype is h_3.dtype is h_4.dtype is h_5.dtype is a.dtype and () != h_1.shape == h_2.shape == h_3.shape == h_4.shape == h_5.shape == a.shape:
+                if 4 < h_1.size <= FEW:
+                    return _momentum_of_five_wheels_few(h_1, h_2, h_3, h_4, h_5, a)
+                return alike(h_1, h_2, h_3, h_4, h_5, a)
+        return others((h_1, h_2, h_3, h_4, h_5, a,), out)
 
     return call
 
@@ -344,15 +374,20 @@ def _momentum_of_five_wheels(h_1, h_2, h_3, h_4, h_5, a, out_H_x=None, out_H_y=N
 
 
 def rates_of_four_wheels(formula):
-    on_others = on_arrays(formula, _rates_of_four_wheels, 8, (0, 1, 2,), 6, _rates_of_four_wheels_few)
+    alike, others = on_arrays(formula, _rates_of_four_wheels, 8, (0, 1, 2,), 6)
 
     def call(h_1, h_2, h_3, h_4, a, b, J_x, J_y, J_z, out=None):
-        if out is None and float is type(h_1) is type(h_2) is type(h_3) is type(h_4) is type(a) is type(b) is type(J_x) is type(J_y) is type(J_z):
-            try:
-                return formula(h_1, h_2, h_3, h_4, a, b, J_x, J_y, J_z)
-            except UNDEFINED:
-                pass
-        return on_others((h_1, h_2, h_3, h_4, a, b, J_x, J_y, J_z,), out)
+        if out is None:
+            if float is type(h_1) is type(h_2) is type(h_3) is type(h_4) is type(a) is type(b) is type(J_x) is type(J_y) is type(J_z):
+                try:
+                    return formula(h_1, h_2, h_3, h_4, a, b, J_x, J_y, J_z)
+                except UNDEFINED:
+                    pass
+            elif ndarray is type(h_1) is type(h_2) is type(h_3) is type(h_4) is type(a) is type(b) is type(J_x) is type(J_y) is type(J_z) and DOUBLE is h_1.dtype is h_2.dtype is h_3.dtype is h_4.dtype is a.dtype is b.dtype is J_x.dtype is J_y.dtype is J_z.dtype and () != h_1.shape == h_2.shape == h_3.shape == h_4.shape == a.shape == b.shape == J_x.shape == J_y.shape == J_z.shape:
+                if 6 < h_1.size <= FEW:
+                    return _rates_of_four_wheels_few(h_1, h_2, h_3, h_4, a, b, J_x, J_y, J_z)
+                return alike(h_1, h_2, h_3, h_4, a, b, J_x, J_y, J_z)
+        return others((h_1, h_2, h_3, h_4, a, b, J_x, J_y, J_z,), out)
 
     return call
 
@@ -420,15 +455,20 @@ def _rates_of_four_wheels(h_1, h_2, h_3, h_4, a, b, J_x, J_y, J_z, out_w_x=None,
 
 
 def rates_of_three_wheels(formula):
-    on_others = on_arrays(formula, _rates_of_three_wheels, 7, (0, 1, 2,), 4, _rates_of_three_wheels_few)
+    alike, others = on_arrays(formula, _rates_of_three_wheels, 7, (0, 1, 2,), 4)
 
     def call(h_1, h_2, h_3, a, b, J_x, J_y, J_z, out=None):
-        if out is None and float is type(h_1) is type(h_2) is type(h_3) is type(a) is type(b) is type(J_x) is type(J_y) is type(J_z):
-            try:
-                return formula(h_1, h_2, h_3, a, b, J_x, J_y, J_z)
-            except UNDEFINED:
-                pass
-        return on_others((h_1, h_2, h_3, a, b, J_x, J_y, J_z,), out)
+        if out is None:
+            if float is type(h_1) is type(h_2) is type(h_3) is type(a) is type(b) is type(J_x) is type(J_y) is type(J_z):
+                try:
+                    return formula(h_1, h_2, h_3, a, b, J_x, J_y, J_z)
+                except UNDEFINED:
+                    pass
+            elif ndarray is type(h_1) is type(h_2) is type(h_3) is type(a) is type(b) is type(J_x) is type(J_y) is type(J_z) and DOUBLE is h_1.dtype is h_2.dtype is h_3.dtype is a.dtype is b.dtype is J_x.dtype is J_y.dtype is J_z.dtype and () != h_1.shape == h_2.shape == h_3.shape == a.shape == b.shape == J_x.shape == J_y.shape == J_z.shape:
+                if 4 < h_1.size <= FEW:
+                    return _rates_of_three_wheels_few(h_1, h_2, h_3, a, b, J_x, J_y, J_z)
+                return alike(h_1, h_2, h_3, a, b, J_x, J_y, J_z)
+        return others((h_1, h_2, h_3, a, b, J_x, J_y, J_z,), out)
 
     return call
 
@@ -488,15 +528,20 @@ def _rates_of_three_wheels(h_1, h_2, h_3, a, b, J_x, J_y, J_z, out_w_x=None, out
 
 
 def rates_of_six_wheels(formula):
-    on_others = on_arrays(formula, _rates_of_six_wheels, 6, (0, 1, 2,), 7, _rates_of_six_wheels_few)
+    alike, others = on_arrays(formula, _rates_of_six_wheels, 6, (0, 1, 2,), 7)
 
     def call(h_1, h_2, h_3, h_4, h_5, h_6, a, J_x, J_y, J_z, out=None):
-        if out is None and float is type(h_1) is type(h_2) is type(h_3) is type(h_4) is type(h_5) is type(h_6) is type(a) is type(J_x) is type(J_y) is type(J_z):
-            try:
-                return formula(h_1, h_2, h_3, h_4, h_5, h_6, a, J_x, J_y, J_z)
-            except UNDEFINED:
-                pass
-        return on_others((h_1, h_2, h_3, h_4, h_5, h_6, a, J_x, J_y, J_z,), out)
+        if out is None:
+            if float is type(h_1) is type(h_2) is type(h_3) is type(h_4) is type(h_5) is type(h_6) is type(a) is type(J_x) is type(J_y) is type(J_z):
+                try:
+                    return formula(h_1, h_2, h_3, h_4, h_5, h_6, a, J_x, J_y, J_z)
+                except UNDEFINED:
+                    pass
+            elif ndarray is type(h_1) is type(h_2) is type(h_3) is type(h_4) is type(h_5) is type(h_6) is type(a) is type(J_x) is type(J_y) is type(J_z) and DOUBLE is h_1.dtype is h_2.dtype is h_3.dtype is h_4.dtype is h_5.dtype is h_6.dtype is a.dtype is J_x.dtype is J_y.dtype is J_z.dtype and () != h_1.shape == h_2.shape == h_3.shape == h_4.shape == h_5.shape == h_6.shape == a.shape == J_x.shape == J_y.shape == J_z.shape:
+                if 7 < h_1.size <= FEW:
+                    return _rates_of_six_wheels_few(h_1, h_2, h_3, h_4, h_5, h_6, a, J_x, J_y, J_z)
+                return alike(h_1, h_2, h_3, h_4, h_5, h_6, a, J_x, J_y, J_z)
+        return others((h_1, h_2, h_3, h_4, h_5, h_6, a, J_x, J_y, J_z,), out)
 
     return call
 
@@ -569,15 +614,20 @@ def _rates_of_six_wheels(h_1, h_2, h_3, h_4, h_5, h_6, a, J_x, J_y, J_z, out_w_x
 
 
 def rates_of_five_wheels(formula):
-    on_others = on_arrays(formula, _rates_of_five_wheels, 5, (0, 1, 2,), 6, _rates_of_five_wheels_few)
+    alike, others = on_arrays(formula, _rates_of_five_wheels, 5, (0, 1, 2,), 6)
 
     def call(h_1, h_2, h_3, h_4, h_5, a, J_x, J_y, J_z, out=None):
-        if out is None and float is type(h_1) is type(h_2) is type(h_3) is type(h_4) is type(h_5) is type(a) is type(J_x) is type(J_y) is type(J_z):
-            try:
-                return formula(h_1, h_2, h_3, h_4, h_5, a, J_x, J_y, J_z)
-            except UNDEFINED:
-                pass
-        return on_others((h_1, h_2, h_3, h_4, h_5, a, J_x, J_y, J_z,), out)
+        if out is None:
+            if float is type(h_1) is type(h_2) is type(h_3) is type(h_4) is type(h_5) is type(a) is type(J_x) is type(J_y) is type(J_z):
+                try:
+                    return formula(h_1, h_2, h_3, h_4, h_5, a, J_x, J_y, J_z)
+                except UNDEFINED:
+                    pass
+            elif ndarray is type(h_1) is type(h_2) is type(h_3) is type(h_4) is type(h_5) is type(a) is type(J_x) is type(J_y) is type(J_z) and DOUBLE is h_1.dtype is h_2.dtype is h_3.dtype is h_4.dtype is h_5.dtype is a.dtype is J_x.dtype is J_y.dtype is J_z.dtype and () != h_1.shape == h_2.shape == h_3.shape == h_4.shape == h_5.shape == a.shape == J_x.shape == J_y.shape == J_z.shape:
+                if 6 < h_1.size <= FEW:
+                    return _rates_of_five_wheels_few(h_1, h_2, h_3, h_4, h_5, a, J_x, J_y, J_z)
+                return alike(h_1, h_2, h_3, h_4, h_5, a, J_x, J_y, J_z)
+        return others((h_1, h_2, h_3, h_4, h_5, a, J_x, J_y, J_z,), out)
 
     return call
 
@@ -642,15 +692,20 @@ def _rates_of_five_wheels(h_1, h_2, h_3, h_4, h_5, a, J_x, J_y, J_z, out_w_x=Non
 
 
 def vertices_of_four_wheels(formula):
-    on_others = on_arrays(formula, _vertices_of_four_wheels, 5, (0, 1, 2, 3, 1, 4, 3, 1, 2, 5, 1, 4, 5, 6, 7,), 1, _vertices_of_four_wheels_few)
+    alike, others = on_arrays(formula, _vertices_of_four_wheels, 5, (0, 1, 2, 3, 1, 4, 3, 1, 2, 5, 1, 4, 5, 6, 7,), 1)
 
     def call(a, b, out=None):
-        if out is None and float is type(a) is type(b):
-            try:
-                return formula(a, b)
-            except UNDEFINED:
-                pass
-        return on_others((a, b,), out)
+        if out is None:
+            if float is type(a) is type(b):
+                try:
+                    return formula(a, b)
+                except UNDEFINED:
+                    pass
+            elif ndarray is type(a) is type(b) and DOUBLE is a.dtype is b.dtype and () != a.shape == b.shape:
+                if 1 < a.size <= FEW:
+                    return _vertices_of_four_wheels_few(a, b)
+                return alike(a, b)
+        return others((a, b,), out)
 
     return call
 
@@ -702,15 +757,20 @@ def _vertices_of_four_wheels(a, b, out_V_1x=None, out_V_2x=None, out_V_2y=None, 
 
 
 def vertices_of_three_wheels(formula):
-    on_others = on_arrays(formula, _vertices_of_three_wheels, 5, (0, 1, 2, 3, 4, 5, 3, 6, 5, 3, 4, 7,), 0, _vertices_of_three_wheels_few)
+    alike, others = on_arrays(formula, _vertices_of_three_wheels, 5, (0, 1, 2, 3, 4, 5, 3, 6, 5, 3, 4, 7,), 0)
 
     def call(a, b, out=None):
-        if out is None and float is type(a) is type(b):
-            try:
-                return formula(a, b)
-            except UNDEFINED:
-                pass
-        return on_others((a, b,), out)
+        if out is None:
+            if float is type(a) is type(b):
+                try:
+                    return formula(a, b)
+                except UNDEFINED:
+                    pass
+            elif ndarray is type(a) is type(b) and DOUBLE is a.dtype is b.dtype and () != a.shape == b.shape:
+                if 0 < a.size <= FEW:
+                    return _vertices_of_three_wheels_few(a, b)
+                return alike(a, b)
+        return others((a, b,), out)
 
     return call
 
@@ -757,15 +817,20 @@ def _vertices_of_three_wheels(a, b, out_V_1x=None, out_V_1y=None, out_V_1z=None,
 
 
 def vertices_of_six_wheels(formula):
-    on_others = on_arrays(formula, _vertices_of_six_wheels, 3, (0, 1, 2, 3, 4, 2, 3, 5, 2, 6, 2, 7, 5, 2, 7, 4, 2, 7, 8, 9, 3, 8, 9, 10, 9, 3, 11, 9, 7, 11, 9, 12, 9, 12, 1, 13, 10, 1,), 0, _vertices_of_six_wheels_few)
+    alike, others = on_arrays(formula, _vertices_of_six_wheels, 3, (0, 1, 2, 3, 4, 2, 3, 5, 2, 6, 2, 7, 5, 2, 7, 4, 2, 7, 8, 9, 3, 8, 9, 10, 9, 3, 11, 9, 7, 11, 9, 12, 9, 12, 1, 13, 10, 1,), 0)
 
     def call(a, out=None):
-        if out is None and float is type(a):
-            try:
-                return formula(a)
-            except UNDEFINED:
-                pass
-        return on_others((a,), out)
+        if out is None:
+            if float is type(a):
+                try:
+                    return formula(a)
+                except UNDEFINED:
+                    pass
+            elif ndarray is type(a) and DOUBLE is a.dtype and () != a.shape:
+                if 0 < a.size <= FEW:
+                    return _vertices_of_six_wheels_few(a)
+                return alike(a)
+        return others((a,), out)
 
     return call
 
@@ -816,15 +881,20 @@ def _vertices_of_six_wheels(a, out_V_1z=None, out_V_2y=None, out_V_2z=None, out_
 
 
 def vertices_of_five_wheels(formula):
-    on_others = on_arrays(formula, _vertices_of_five_wheels, 3, (0, 1, 2, 0, 3, 4, 5, 6, 4, 5, 7, 4, 0, 8, 4, 9, 7, 4, 9, 6, 10, 5, 11, 10, 12, 1, 10, 5, 13, 10, 9, 13, 10,), 0, _vertices_of_five_wheels_few)
+    alike, others = on_arrays(formula, _vertices_of_five_wheels, 3, (0, 1, 2, 0, 3, 4, 5, 6, 4, 5, 7, 4, 0, 8, 4, 9, 7, 4, 9, 6, 10, 5, 11, 10, 12, 1, 10, 5, 13, 10, 9, 13, 10,), 0)
 
     def call(a, out=None):
-        if out is None and float is type(a):
-            try:
-                return formula(a)
-            except UNDEFINED:
-                pass
-        return on_others((a,), out)
+        if out is None:
+            if float is type(a):
+                try:
+                    return formula(a)
+                except UNDEFINED:
+                    pass
+            elif ndarray is type(a) and DOUBLE is a.dtype and () != a.shape:
+                if 0 < a.size <= FEW:
+                    return _vertices_of_five_wheels_few(a)
+                return alike(a)
+        return others((a,), out)
 
     return call
 
@@ -875,15 +945,20 @@ def _vertices_of_five_wheels(a, out_V_1x=None, out_V_1y=None, out_V_1z=None, out
 
 
 def vertex_distances_of_four_wheels(formula):
-    on_others = on_arrays(formula, _vertex_distances_of_four_wheels, 4, (0, 1, 2,), 1, _vertex_distances_of_four_wheels_few)
+    alike, others = on_arrays(formula, _vertex_distances_of_four_wheels, 4, (0, 1, 2,), 1)
 
     def call(a, b, out=None):
-        if out is None and float is type(a) is type(b):
-            try:
-                return formula(a, b)
-            except UNDEFINED:
-                pass
-        return on_others((a, b,), out)
+        if out is None:
+            if float is type(a) is type(b):
+                try:
+                    return formula(a, b)
+                except UNDEFINED:
+                    pass
+            elif ndarray is type(a) is type(b) and DOUBLE is a.dtype is b.dtype and () != a.shape == b.shape:
+                if 1 < a.size <= FEW:
+                    return _vertex_distances_of_four_wheels_few(a, b)
+                return alike(a, b)
+        return others((a, b,), out)
 
     return call
 
@@ -919,15 +994,20 @@ def _vertex_distances_of_four_wheels(a, b, out_d_1=None, out_d_2=None, out_d_3=N
 
 
 def vertex_distances_of_three_wheels(formula):
-    on_others = on_arrays(formula, _vertex_distances_of_three_wheels, 4, (0, 1, 2,), 4)
+    alike, others = on_arrays(formula, _vertex_distances_of_three_wheels, 4, (0, 1, 2,), 4)
 
     def call(a, b, out=None):
-        if out is None and float is type(a) is type(b):
-            try:
-                return formula(a, b)
-            except UNDEFINED:
-                pass
-        return on_others((a, b,), out)
+        if out is None:
+            if float is type(a) is type(b):
+                try:
+                    return formula(a, b)
+                except UNDEFINED:
+                    pass
+            elif ndarray is type(a) is type(b) and DOUBLE is a.dtype is b.dtype and () != a.shape == b.shape:
+                if 4 < a.size <= SMALL:
+                    return _vertex_distances_of_three_wheels(a, b)
+                return alike(a, b)
+        return others((a, b,), out)
 
     return call
 
@@ -953,15 +1033,20 @@ def _vertex_distances_of_three_wheels(a, b, out_d_1=None, out_d_2=None, out_d_3=
 
 
 def vertex_distances_of_six_wheels(formula):
-    on_others = on_arrays(formula, _vertex_distances_of_six_wheels, 4, (0, 1, 2, 3,), 3, _vertex_distances_of_six_wheels_few)
+    alike, others = on_arrays(formula, _vertex_distances_of_six_wheels, 4, (0, 1, 2, 3,), 3)
 
     def call(a, out=None):
-        if out is None and float is type(a):
-            try:
-                return formula(a)
-            except UNDEFINED:
-                pass
-        return on_others((a,), out)
+        if out is None:
+            if float is type(a):
+                try:
+                    return formula(a)
+                except UNDEFINED:
+                    pass
+            elif ndarray is type(a) and DOUBLE is a.dtype and () != a.shape:
+                if 3 < a.size <= FEW:
+                    return _vertex_distances_of_six_wheels_few(a)
+                return alike(a)
+        return others((a,), out)
 
     return call
 
@@ -1009,15 +1094,20 @@ def _vertex_distances_of_six_wheels(a, out_d_1=None, out_d_2=None, out_d_3=None,
 
 
 def vertex_distances_of_five_wheels(formula):
-    on_others = on_arrays(formula, _vertex_distances_of_five_wheels, 5, (0, 1, 2, 3, 4, 5, 6,), 4)
+    alike, others = on_arrays(formula, _vertex_distances_of_five_wheels, 5, (0, 1, 2, 3, 4, 5, 6,), 4)
 
     def call(a, out=None):
-        if out is None and float is type(a):
-            try:
-                return formula(a)
-            except UNDEFINED:
-                pass
-        return on_others((a,), out)
+        if out is None:
+            if float is type(a):
+                try:
+                    return formula(a)
+                except UNDEFINED:
+                    pass
+            elif ndarray is type(a) and DOUBLE is a.dtype and () != a.shape:
+                if 4 < a.size <= SMALL:
+                    return _vertex_distances_of_five_wheels(a)
+                return alike(a)
+        return others((a,), out)
 
     return call
 
@@ -1053,15 +1143,20 @@ def _vertex_distances_of_five_wheels(a, out_d_1=None, out_d_2=None, out_d_3=None
 
 
 def face_distances_of_four_wheels(formula):
-    on_others = on_arrays(formula, _face_distances_of_four_wheels, 8, (0, 1, 2,), 9)
+    alike, others = on_arrays(formula, _face_distances_of_four_wheels, 8, (0, 1, 2,), 9)
 
     def call(a, b, out=None):
-        if out is None and float is type(a) is type(b):
-            try:
-                return formula(a, b)
-            except UNDEFINED:
-                pass
-        return on_others((a, b,), out)
+        if out is None:
+            if float is type(a) is type(b):
+                try:
+                    return formula(a, b)
+                except UNDEFINED:
+                    pass
+            elif ndarray is type(a) is type(b) and DOUBLE is a.dtype is b.dtype and () != a.shape == b.shape:
+                if 9 < a.size <= SMALL:
+                    return _face_distances_of_four_wheels(a, b)
+                return alike(a, b)
+        return others((a, b,), out)
 
     return call
 
@@ -1097,15 +1192,20 @@ def _face_distances_of_four_wheels(a, b, out_r_1=None, out_r_2=None, out_r_3=Non
 
 
 def face_distances_of_three_wheels(formula):
-    on_others = on_arrays(formula, _face_distances_of_three_wheels, 8, (0, 1, 2,), 9)
+    alike, others = on_arrays(formula, _face_distances_of_three_wheels, 8, (0, 1, 2,), 9)
 
     def call(a, b, out=None):
-        if out is None and float is type(a) is type(b):
-            try:
-                return formula(a, b)
-            except UNDEFINED:
-                pass
-        return on_others((a, b,), out)
+        if out is None:
+            if float is type(a) is type(b):
+                try:
+                    return formula(a, b)
+                except UNDEFINED:
+                    pass
+            elif ndarray is type(a) is type(b) and DOUBLE is a.dtype is b.dtype and () != a.shape == b.shape:
+                if 9 < a.size <= SMALL:
+                    return _face_distances_of_three_wheels(a, b)
+                return alike(a, b)
+        return others((a, b,), out)
 
     return call
 
@@ -1141,15 +1241,20 @@ def _face_distances_of_three_wheels(a, b, out_r_1=None, out_r_2=None, out_r_3=No
 
 
 def face_distances_of_six_wheels(formula):
-    on_others = on_arrays(formula, _face_distances_of_six_wheels, 4, (0, 1, 2,), 6)
+    alike, others = on_arrays(formula, _face_distances_of_six_wheels, 4, (0, 1, 2,), 6)
 
     def call(a, out=None):
-        if out is None and float is type(a):
-            try:
-                return formula(a)
-            except UNDEFINED:
-                pass
-        return on_others((a,), out)
+        if out is None:
+            if float is type(a):
+                try:
+                    return formula(a)
+                except UNDEFINED:
+                    pass
+            elif ndarray is type(a) and DOUBLE is a.dtype and () != a.shape:
+                if 6 < a.size <= SMALL:
+                    return _face_distances_of_six_wheels(a)
+                return alike(a)
+        return others((a,), out)
 
     return call
 
@@ -1178,15 +1283,20 @@ def _face_distances_of_six_wheels(a, out_r_1=None, out_r_2=None, out_r_3=None, r
 
 
 def face_distances_of_five_wheels(formula):
-    on_others = on_arrays(formula, _face_distances_of_five_wheels, 4, (0, 1, 2, 3, 4, 5,), 3)
+    alike, others = on_arrays(formula, _face_distances_of_five_wheels, 4, (0, 1, 2, 3, 4, 5,), 3)
 
     def call(a, out=None):
-        if out is None and float is type(a):
-            try:
-                return formula(a)
-            except UNDEFINED:
-                pass
-        return on_others((a,), out)
+        if out is None:
+            if float is type(a):
+                try:
+                    return formula(a)
+                except UNDEFINED:
+                    pass
+            elif ndarray is type(a) and DOUBLE is a.dtype and () != a.shape:
+                if 3 < a.size <= SMALL:
+                    return _face_distances_of_five_wheels(a)
+                return alike(a)
+        return others((a,), out)
 
     return call
 
@@ -1218,15 +1328,20 @@ def _face_distances_of_five_wheels(a, out_r_1=None, out_r_2=None, out_r_3=None, 
 
 
 def volume_of_four_wheels(formula):
-    on_others = on_arrays(formula, _volume_of_four_wheels, 5, (0,), 6)
+    alike, others = on_arrays(formula, _volume_of_four_wheels, 5, (0,), 6)
 
     def call(a, b, out=None):
-        if out is None and float is type(a) is type(b):
-            try:
-                return formula(a, b)
-            except UNDEFINED:
-                pass
-        return on_others((a, b,), out)
+        if out is None:
+            if float is type(a) is type(b):
+                try:
+                    return formula(a, b)
+                except UNDEFINED:
+                    pass
+            elif ndarray is type(a) is type(b) and DOUBLE is a.dtype is b.dtype and () != a.shape == b.shape:
+                if 6 < a.size <= SMALL:
+                    return _volume_of_four_wheels(a, b)
+                return alike(a, b)
+        return others((a, b,), out)
 
     return call
 
@@ -1250,15 +1365,20 @@ def _volume_of_four_wheels(a, b, out_volume=None, r0=None, r1=None, r2=None, r3=
 
 
 def volume_of_three_wheels(formula):
-    on_others = on_arrays(formula, _volume_of_three_wheels, 5, (0,), 6)
+    alike, others = on_arrays(formula, _volume_of_three_wheels, 5, (0,), 6)
 
     def call(a, b, out=None):
-        if out is None and float is type(a) is type(b):
-            try:
-                return formula(a, b)
-            except UNDEFINED:
-                pass
-        return on_others((a, b,), out)
+        if out is None:
+            if float is type(a) is type(b):
+                try:
+                    return formula(a, b)
+                except UNDEFINED:
+                    pass
+            elif ndarray is type(a) is type(b) and DOUBLE is a.dtype is b.dtype and () != a.shape == b.shape:
+                if 6 < a.size <= SMALL:
+                    return _volume_of_three_wheels(a, b)
+                return alike(a, b)
+        return others((a, b,), out)
 
     return call
 
@@ -1282,15 +1402,20 @@ def _volume_of_three_wheels(a, b, out_volume=None, r0=None, r1=None, r2=None, r3
 
 
 def volume_of_six_wheels(formula):
-    on_others = on_arrays(formula, _volume_of_six_wheels, 3, (0,), 4)
+    alike, others = on_arrays(formula, _volume_of_six_wheels, 3, (0,), 4)
 
     def call(a, out=None):
-        if out is None and float is type(a):
-            try:
-                return formula(a)
-            except UNDEFINED:
-                pass
-        return on_others((a,), out)
+        if out is None:
+            if float is type(a):
+                try:
+                    return formula(a)
+                except UNDEFINED:
+                    pass
+            elif ndarray is type(a) and DOUBLE is a.dtype and () != a.shape:
+                if 4 < a.size <= SMALL:
+                    return _volume_of_six_wheels(a)
+                return alike(a)
+        return others((a,), out)
 
     return call
 
@@ -1310,15 +1435,20 @@ def _volume_of_six_wheels(a, out_volume=None, r0=None, r1=None, r2=None, n1_3=ar
 
 
 def volume_of_five_wheels(formula):
-    on_others = on_arrays(formula, _volume_of_five_wheels, 3, (0,), 4)
+    alike, others = on_arrays(formula, _volume_of_five_wheels, 3, (0,), 4)
 
     def call(a, out=None):
-        if out is None and float is type(a):
-            try:
-                return formula(a)
-            except UNDEFINED:
-                pass
-        return on_others((a,), out)
+        if out is None:
+            if float is type(a):
+                try:
+                    return formula(a)
+                except UNDEFINED:
+                    pass
+            elif ndarray is type(a) and DOUBLE is a.dtype and () != a.shape:
+                if 4 < a.size <= SMALL:
+                    return _volume_of_five_wheels(a)
+                return alike(a)
+        return others((a,), out)
 
     return call
 
@@ -1338,15 +1468,20 @@ def _volume_of_five_wheels(a, out_volume=None, r0=None, r1=None, r2=None, n1_3=a
 
 
 def largest_rates_of_four_wheels(formula):
-    on_others = on_arrays(formula, _largest_rates_of_four_wheels, 5, (0, 1, 2,), 1, _largest_rates_of_four_wheels_few)
+    alike, others = on_arrays(formula, _largest_rates_of_four_wheels, 5, (0, 1, 2,), 1)
 
     def call(a, b, J_x, J_y, J_z, out=None):
-        if out is None and float is type(a) is type(b) is type(J_x) is type(J_y) is type(J_z):
-            try:
-                return formula(a, b, J_x, J_y, J_z)
-            except UNDEFINED:
-                pass
-        return on_others((a, b, J_x, J_y, J_z,), out)
+        if out is None:
+            if float is type(a) is type(b) is type(J_x) is type(J_y) is type(J_z):
+                try:
+                    return formula(a, b, J_x, J_y, J_z)
+                except UNDEFINED:
+                    pass
+            elif ndarray is type(a) is type(b) is type(J_x) is type(J_y) is type(J_z) and DOUBLE is a.dtype is b.dtype is J_x.dtype is J_y.dtype is J_z.dtype and () != a.shape == b.shape == J_x.shape == J_y.shape == J_z.shape:
+                if 1 < a.size <= FEW:
+                    return _largest_rates_of_four_wheels_few(a, b, J_x, J_y, J_z)
+                return alike(a, b, J_x, J_y, J_z)
+        return others((a, b, J_x, J_y, J_z,), out)
 
     return call
 
@@ -1388,15 +1523,20 @@ def _largest_rates_of_four_wheels(a, b, J_x, J_y, J_z, out_w_x=None, out_w_y=Non
 
 
 def largest_rates_of_six_wheels(formula):
-    on_others = on_arrays(formula, _largest_rates_of_six_wheels, 4, (0, 1, 2,), 1, _largest_rates_of_six_wheels_few)
+    alike, others = on_arrays(formula, _largest_rates_of_six_wheels, 4, (0, 1, 2,), 1)
 
     def call(a, J_x, J_y, J_z, out=None):
-        if out is None and float is type(a) is type(J_x) is type(J_y) is type(J_z):
-            try:
-                return formula(a, J_x, J_y, J_z)
-            except UNDEFINED:
-                pass
-        return on_others((a, J_x, J_y, J_z,), out)
+        if out is None:
+            if float is type(a) is type(J_x) is type(J_y) is type(J_z):
+                try:
+                    return formula(a, J_x, J_y, J_z)
+                except UNDEFINED:
+                    pass
+            elif ndarray is type(a) is type(J_x) is type(J_y) is type(J_z) and DOUBLE is a.dtype is J_x.dtype is J_y.dtype is J_z.dtype and () != a.shape == J_x.shape == J_y.shape == J_z.shape:
+                if 1 < a.size <= FEW:
+                    return _largest_rates_of_six_wheels_few(a, J_x, J_y, J_z)
+                return alike(a, J_x, J_y, J_z)
+        return others((a, J_x, J_y, J_z,), out)
 
     return call
 
@@ -1432,15 +1572,20 @@ def _largest_rates_of_six_wheels(a, J_x, J_y, J_z, out_w_x=None, out_w_y=None, o
 
 
 def equal_rates_of_four_wheels(formula):
-    on_others = on_arrays(formula, _equal_rates_of_four_wheels, 2, (0, 1, 2, 3,), 2)
+    alike, others = on_arrays(formula, _equal_rates_of_four_wheels, 2, (0, 1, 2, 3,), 2)
 
     def call(J_x, J_y, J_z, out=None):
-        if out is None and float is type(J_x) is type(J_y) is type(J_z):
-            try:
-                return formula(J_x, J_y, J_z)
-            except UNDEFINED:
-                pass
-        return on_others((J_x, J_y, J_z,), out)
+        if out is None:
+            if float is type(J_x) is type(J_y) is type(J_z):
+                try:
+                    return formula(J_x, J_y, J_z)
+                except UNDEFINED:
+                    pass
+            elif ndarray is type(J_x) is type(J_y) is type(J_z) and DOUBLE is J_x.dtype is J_y.dtype is J_z.dtype and () != J_x.shape == J_y.shape == J_z.shape:
+                if 2 < J_x.size <= SMALL:
+                    return _equal_rates_of_four_wheels(J_x, J_y, J_z)
+                return alike(J_x, J_y, J_z)
+        return others((J_x, J_y, J_z,), out)
 
     return call
 
@@ -1465,15 +1610,20 @@ def _equal_rates_of_four_wheels(J_x, J_y, J_z, out_a=None, out_b=None, out_w=Non
 
 
 def equal_rates_of_six_wheels(formula):
-    on_others = on_arrays(formula, _equal_rates_of_six_wheels, 2, (0, 1, 2,), 3)
+    alike, others = on_arrays(formula, _equal_rates_of_six_wheels, 2, (0, 1, 2,), 3)
 
     def call(J_x, J_y, J_z, out=None):
-        if out is None and float is type(J_x) is type(J_y) is type(J_z):
-            try:
-                return formula(J_x, J_y, J_z)
-            except UNDEFINED:
-                pass
-        return on_others((J_x, J_y, J_z,), out)
+        if out is None:
+            if float is type(J_x) is type(J_y) is type(J_z):
+                try:
+                    return formula(J_x, J_y, J_z)
+                except UNDEFINED:
+                    pass
+            elif ndarray is type(J_x) is type(J_y) is type(J_z) and DOUBLE is J_x.dtype is J_y.dtype is J_z.dtype and () != J_x.shape == J_y.shape == J_z.shape:
+                if 3 < J_x.size <= SMALL:
+                    return _equal_rates_of_six_wheels(J_x, J_y, J_z)
+                return alike(J_x, J_y, J_z)
+        return others((J_x, J_y, J_z,), out)
 
     return call
 
@@ -1498,15 +1648,20 @@ def _equal_rates_of_six_wheels(J_x, J_y, J_z, out_a=None, out_w_x=None, out_w_y=
 
 
 def best_angles_of_four_wheels(formula):
-    on_others = on_arrays(formula, _best_angles_of_four_wheels, 4, (0, 1, 2,), 4)
+    alike, others = on_arrays(formula, _best_angles_of_four_wheels, 4, (0, 1, 2,), 4)
 
     def call(J_x, J_y, J_z, out=None):
-        if out is None and float is type(J_x) is type(J_y) is type(J_z):
-            try:
-                return formula(J_x, J_y, J_z)
-            except UNDEFINED:
-                pass
-        return on_others((J_x, J_y, J_z,), out)
+        if out is None:
+            if float is type(J_x) is type(J_y) is type(J_z):
+                try:
+                    return formula(J_x, J_y, J_z)
+                except UNDEFINED:
+                    pass
+            elif ndarray is type(J_x) is type(J_y) is type(J_z) and DOUBLE is J_x.dtype is J_y.dtype is J_z.dtype and () != J_x.shape == J_y.shape == J_z.shape:
+                if 4 < J_x.size <= SMALL:
+                    return _best_angles_of_four_wheels(J_x, J_y, J_z)
+                return alike(J_x, J_y, J_z)
+        return others((J_x, J_y, J_z,), out)
 
     return call
 
@@ -1532,15 +1687,20 @@ def _best_angles_of_four_wheels(J_x, J_y, J_z, out_a=None, out_b=None, out_w=Non
 
 
 def best_angle_of_six_wheels(formula):
-    on_others = on_arrays(formula, _best_angle_of_six_wheels, 1, (0, 1,), 1)
+    alike, others = on_arrays(formula, _best_angle_of_six_wheels, 1, (0, 1,), 1)
 
     def call(J_y, J_z, out=None):
-        if out is None and float is type(J_y) is type(J_z):
-            try:
-                return formula(J_y, J_z)
-            except UNDEFINED:
-                pass
-        return on_others((J_y, J_z,), out)
+        if out is None:
+            if float is type(J_y) is type(J_z):
+                try:
+                    return formula(J_y, J_z)
+                except UNDEFINED:
+                    pass
+            elif ndarray is type(J_y) is type(J_z) and DOUBLE is J_y.dtype is J_z.dtype and () != J_y.shape == J_z.shape:
+                if 1 < J_y.size <= SMALL:
+                    return _best_angle_of_six_wheels(J_y, J_z)
+                return alike(J_y, J_z)
+        return others((J_y, J_z,), out)
 
     return call
 

@@ -2,21 +2,26 @@
 
 import math
 
-from numpy import array, add, arctan, cos, divide, multiply, negative, sin, sqrt, subtract, tan
+from numpy import array, ndarray, add, arctan, cos, divide, multiply, negative, sin, sqrt, subtract, tan
 
-from symcheck.runtime import UNDEFINED, on_arrays
+from symcheck.runtime import DOUBLE, FEW, SMALL, UNDEFINED, on_arrays
 
 
 def direction_cosines(formula):
-    on_others = on_arrays(formula, _direction_cosines, 9, (0, 1, 2, 3, 4, 5, 6, 7, 8,), 2)
+    alike, others = on_arrays(formula, _direction_cosines, 9, (0, 1, 2, 3, 4, 5, 6, 7, 8,), 2)
 
     def call(alpha, beta, gamma, out=None):
-        if out is None and float is type(alpha) is type(beta) is type(gamma):
-            try:
-                return formula(alpha, beta, gamma)
-            except UNDEFINED:
-                pass
-        return on_others((alpha, beta, gamma,), out)
+        if out is None:
+            if float is type(alpha) is type(beta) is type(gamma):
+                try:
+                    return formula(alpha, beta, gamma)
+                except UNDEFINED:
+                    pass
+            elif ndarray is type(alpha) is type(beta) is type(gamma) and DOUBLE is alpha.dtype is beta.dtype is gamma.dtype and () != alpha.shape == beta.shape == gamma.shape:
+                if 2 < alpha.size <= SMALL:
+                    return _direction_cosines(alpha, beta, gamma)
+                return alike(alpha, beta, gamma)
+        return others((alpha, beta, gamma,), out)
 
     return call
 
@@ -51,15 +56,20 @@ def _direction_cosines(alpha, beta, gamma, out_a_11=None, out_a_12=None, out_a_1
 
 
 def axial_moments(formula):
-    on_others = on_arrays(formula, _axial_moments, 3, (0, 1, 2,), 5)
+    alike, others = on_arrays(formula, _axial_moments, 3, (0, 1, 2,), 5)
 
     def call(I_1, I_2, I_3, a_11, a_12, a_13, a_21, a_22, a_23, a_31, a_32, a_33, out=None):
-        if out is None and float is type(I_1) is type(I_2) is type(I_3) is type(a_11) is type(a_12) is type(a_13) is type(a_21) is type(a_22) is type(a_23) is type(a_31) is type(a_32) is type(a_33):
-            try:
-                return formula(I_1, I_2, I_3, a_11, a_12, a_13, a_21, a_22, a_23, a_31, a_32, a_33)
-            except UNDEFINED:
-                pass
-        return on_others((I_1, I_2, I_3, a_11, a_12, a_13, a_21, a_22, a_23, a_31, a_32, a_33,), out)
+        if out is None:
+            if float is type(I_1) is type(I_2) is type(I_3) is type(a_11) is type(a_12) is type(a_13) is type(a_21) is type(a_22) is type(a_23) is type(a_31) is type(a_32) is type(a_33):
+                try:
+                    return formula(I_1, I_2, I_3, a_11, a_12, a_13, a_21, a_22, a_23, a_31, a_32, a_33)
+                except UNDEFINED:
+                    pass
+            elif ndarray is type(I_1) is type(I_2) is type(I_3) is type(a_11) is type(a_12) is type(a_13) is type(a_21) is type(a_22) is type(a_23) is type(a_31) is type(a_32) is type(a_33) and DOUBLE is I_1.dtype is I_2.dtype is I_3.dtype is a_11.dtype is a_12.dtype is a_13.dtype is a_21.dtype is a_22.dtype is a_23.dtype is a_31.dtype is a_32.dtype is a_33.dtype and () != I_1.shape == I_2.shape == I_3.shape == a_11.shape == a_12.shape == a_13.shape == a_21.shape == a_22.shape == a_23.shape == a_31.shape == a_32.shape == a_33.shape:
+                if 5 < I_1.size <= SMALL:
+                    return _axial_moments(I_1, I_2, I_3, a_11, a_12, a_13, a_21, a_22, a_23, a_31, a_32, a_33)
+                return alike(I_1, I_2, I_3, a_11, a_12, a_13, a_21, a_22, a_23, a_31, a_32, a_33)
+        return others((I_1, I_2, I_3, a_11, a_12, a_13, a_21, a_22, a_23, a_31, a_32, a_33,), out)
 
     return call
 
@@ -93,15 +103,20 @@ def _axial_moments(I_1, I_2, I_3, a_11, a_12, a_13, a_21, a_22, a_23, a_31, a_32
 
 
 def second_order_moments(formula):
-    on_others = on_arrays(formula, _second_order_moments, 6, (0, 1, 2,), 6)
+    alike, others = on_arrays(formula, _second_order_moments, 6, (0, 1, 2,), 6)
 
     def call(I_1, I_2, I_3, a_11, a_12, a_13, a_21, a_22, a_23, a_31, a_32, a_33, out=None):
-        if out is None and float is type(I_1) is type(I_2) is type(I_3) is type(a_11) is type(a_12) is type(a_13) is type(a_21) is type(a_22) is type(a_23) is type(a_31) is type(a_32) is type(a_33):
-            try:
-                return formula(I_1, I_2, I_3, a_11, a_12, a_13, a_21, a_22, a_23, a_31, a_32, a_33)
-            except UNDEFINED:
-                pass
-        return on_others((I_1, I_2, I_3, a_11, a_12, a_13, a_21, a_22, a_23, a_31, a_32, a_33,), out)
+        if out is None:
+            if float is type(I_1) is type(I_2) is type(I_3) is type(a_11) is type(a_12) is type(a_13) is type(a_21) is type(a_22) is type(a_23) is type(a_31) is type(a_32) is type(a_33):
+                try:
+                    return formula(I_1, I_2, I_3, a_11, a_12, a_13, a_21, a_22, a_23, a_31, a_32, a_33)
+                except UNDEFINED:
+                    pass
+            elif ndarray is type(I_1) is type(I_2) is type(I_3) is type(a_11) is type(a_12) is type(a_13) is type(a_21) is type(a_22) is type(a_23) is type(a_31) is type(a_32) is type(a_33) and DOUBLE is I_1.dtype is I_2.dtype is I_3.dtype is a_11.dtype is a_12.dtype is a_13.dtype is a_21.dtype is a_22.dtype is a_23.dtype is a_31.dtype is a_32.dtype is a_33.dtype and () != I_1.shape == I_2.shape == I_3.shape == a_11.shape == a_12.shape == a_13.shape == a_21.shape == a_22.shape == a_23.shape == a_31.shape == a_32.shape == a_33.shape:
+                if 6 < I_1.size <= SMALL:
+                    return _second_order_moments(I_1, I_2, I_3, a_11, a_12, a_13, a_21, a_22, a_23, a_31, a_32, a_33)
+                return alike(I_1, I_2, I_3, a_11, a_12, a_13, a_21, a_22, a_23, a_31, a_32, a_33)
+        return others((I_1, I_2, I_3, a_11, a_12, a_13, a_21, a_22, a_23, a_31, a_32, a_33,), out)
 
     return call
 
@@ -138,15 +153,20 @@ def _second_order_moments(I_1, I_2, I_3, a_11, a_12, a_13, a_21, a_22, a_23, a_3
 
 
 def product_of_axial_moments(formula):
-    on_others = on_arrays(formula, _product_of_axial_moments, 5, (0,), 8)
+    alike, others = on_arrays(formula, _product_of_axial_moments, 5, (0,), 8)
 
     def call(I_1, I_2, I_3, a_11, a_12, a_13, a_21, a_22, a_23, a_31, a_32, a_33, out=None):
-        if out is None and float is type(I_1) is type(I_2) is type(I_3) is type(a_11) is type(a_12) is type(a_13) is type(a_21) is type(a_22) is type(a_23) is type(a_31) is type(a_32) is type(a_33):
-            try:
-                return formula(I_1, I_2, I_3, a_11, a_12, a_13, a_21, a_22, a_23, a_31, a_32, a_33)
-            except UNDEFINED:
-                pass
-        return on_others((I_1, I_2, I_3, a_11, a_12, a_13, a_21, a_22, a_23, a_31, a_32, a_33,), out)
+        if out is None:
+            if float is type(I_1) is type(I_2) is type(I_3) is type(a_11) is type(a_12) is type(a_13) is type(a_21) is type(a_22) is type(a_23) is type(a_31) is type(a_32) is type(a_33):
+                try:
+                    return formula(I_1, I_2, I_3, a_11, a_12, a_13, a_21, a_22, a_23, a_31, a_32, a_33)
+                except UNDEFINED:
+                    pass
+            elif ndarray is type(I_1) is type(I_2) is type(I_3) is type(a_11) is type(a_12) is type(a_13) is type(a_21) is type(a_22) is type(a_23) is type(a_31) is type(a_32) is type(a_33) and DOUBLE is I_1.dtype is I_2.dtype is I_3.dtype is a_11.dtype is a_12.dtype is a_13.dtype is a_21.dtype is a_22.dtype is a_23.dtype is a_31.dtype is a_32.dtype is a_33.dtype and () != I_1.shape == I_2.shape == I_3.shape == a_11.shape == a_12.shape == a_13.shape == a_21.shape == a_22.shape == a_23.shape == a_31.shape == a_32.shape == a_33.shape:
+                if 8 < I_1.size <= SMALL:
+                    return _product_of_axial_moments(I_1, I_2, I_3, a_11, a_12, a_13, a_21, a_22, a_23, a_31, a_32, a_33)
+                return alike(I_1, I_2, I_3, a_11, a_12, a_13, a_21, a_22, a_23, a_31, a_32, a_33)
+        return others((I_1, I_2, I_3, a_11, a_12, a_13, a_21, a_22, a_23, a_31, a_32, a_33,), out)
 
     return call
 
@@ -182,15 +202,20 @@ def _product_of_axial_moments(I_1, I_2, I_3, a_11, a_12, a_13, a_21, a_22, a_23,
 
 
 def sum_of_products(formula):
-    on_others = on_arrays(formula, _sum_of_products, 15, (0,), 15)
+    alike, others = on_arrays(formula, _sum_of_products, 15, (0,), 15)
 
     def call(I_1, I_2, I_3, a_11, a_12, a_13, a_21, a_22, a_23, a_31, a_32, a_33, out=None):
-        if out is None and float is type(I_1) is type(I_2) is type(I_3) is type(a_11) is type(a_12) is type(a_13) is type(a_21) is type(a_22) is type(a_23) is type(a_31) is type(a_32) is type(a_33):
-            try:
-                return formula(I_1, I_2, I_3, a_11, a_12, a_13, a_21, a_22, a_23, a_31, a_32, a_33)
-            except UNDEFINED:
-                pass
-        return on_others((I_1, I_2, I_3, a_11, a_12, a_13, a_21, a_22, a_23, a_31, a_32, a_33,), out)
+        if out is None:
+            if float is type(I_1) is type(I_2) is type(I_3) is type(a_11) is type(a_12) is type(a_13) is type(a_21) is type(a_22) is type(a_23) is type(a_31) is type(a_32) is type(a_33):
+                try:
+                    return formula(I_1, I_2, I_3, a_11, a_12, a_13, a_21, a_22, a_23, a_31, a_32, a_33)
+                except UNDEFINED:
+                    pass
+            elif ndarray is type(I_1) is type(I_2) is type(I_3) is type(a_11) is type(a_12) is type(a_13) is type(a_21) is type(a_22) is type(a_23) is type(a_31) is type(a_32) is type(a_33) and DOUBLE is I_1.dtype is I_2.dtype is I_3.dtype is a_11.dtype is a_12.dtype is a_13.dtype is a_21.dtype is a_22.dtype is a_23.dtype is a_31.dtype is a_32.dtype is a_33.dtype and () != I_1.shape == I_2.shape == I_3.shape == a_11.shape == a_12.shape == a_13.shape == a_21.shape == a_22.shape == a_23.shape == a_31.shape == a_32.shape == a_33.shape:
+                if 15 < I_1.size <= SMALL:
+                    return _sum_of_products(I_1, I_2, I_3, a_11, a_12, a_13, a_21, a_22, a_23, a_31, a_32, a_33)
+                return alike(I_1, I_2, I_3, a_11, a_12, a_13, a_21, a_22, a_23, a_31, a_32, a_33)
+        return others((I_1, I_2, I_3, a_11, a_12, a_13, a_21, a_22, a_23, a_31, a_32, a_33,), out)
 
     return call
 
@@ -247,15 +272,20 @@ def _sum_of_products(I_1, I_2, I_3, a_11, a_12, a_13, a_21, a_22, a_23, a_31, a_
 
 
 def bounds_of_products(formula):
-    on_others = on_arrays(formula, _bounds_of_products, 2, (0, 1, 2,), 1)
+    alike, others = on_arrays(formula, _bounds_of_products, 2, (0, 1, 2,), 1)
 
     def call(I_1, I_2, I_3, out=None):
-        if out is None and float is type(I_1) is type(I_2) is type(I_3):
-            try:
-                return formula(I_1, I_2, I_3)
-            except UNDEFINED:
-                pass
-        return on_others((I_1, I_2, I_3,), out)
+        if out is None:
+            if float is type(I_1) is type(I_2) is type(I_3):
+                try:
+                    return formula(I_1, I_2, I_3)
+                except UNDEFINED:
+                    pass
+            elif ndarray is type(I_1) is type(I_2) is type(I_3) and DOUBLE is I_1.dtype is I_2.dtype is I_3.dtype and () != I_1.shape == I_2.shape == I_3.shape:
+                if 1 < I_1.size <= SMALL:
+                    return _bounds_of_products(I_1, I_2, I_3)
+                return alike(I_1, I_2, I_3)
+        return others((I_1, I_2, I_3,), out)
 
     return call
 
@@ -273,15 +303,20 @@ def _bounds_of_products(I_1, I_2, I_3, out_f_least=None, out_f_greatest=None, ou
 
 
 def distances_from_bounds(formula):
-    on_others = on_arrays(formula, _distances_from_bounds, 19, (0, 1, 2,), 18)
+    alike, others = on_arrays(formula, _distances_from_bounds, 19, (0, 1, 2,), 18)
 
     def call(I_1, I_2, I_3, a_11, a_12, a_13, a_21, a_22, a_23, a_31, a_32, a_33, out=None):
-        if out is None and float is type(I_1) is type(I_2) is type(I_3) is type(a_11) is type(a_12) is type(a_13) is type(a_21) is type(a_22) is type(a_23) is type(a_31) is type(a_32) is type(a_33):
-            try:
-                return formula(I_1, I_2, I_3, a_11, a_12, a_13, a_21, a_22, a_23, a_31, a_32, a_33)
-            except UNDEFINED:
-                pass
-        return on_others((I_1, I_2, I_3, a_11, a_12, a_13, a_21, a_22, a_23, a_31, a_32, a_33,), out)
+        if out is None:
+            if float is type(I_1) is type(I_2) is type(I_3) is type(a_11) is type(a_12) is type(a_13) is type(a_21) is type(a_22) is type(a_23) is type(a_31) is type(a_32) is type(a_33):
+                try:
+                    return formula(I_1, I_2, I_3, a_11, a_12, a_13, a_21, a_22, a_23, a_31, a_32, a_33)
+                except UNDEFINED:
+                    pass
+            elif ndarray is type(I_1) is type(I_2) is type(I_3) is type(a_11) is type(a_12) is type(a_13) is type(a_21) is type(a_22) is type(a_23) is type(a_31) is type(a_32) is type(a_33) and DOUBLE is I_1.dtype is I_2.dtype is I_3.dtype is a_11.dtype is a_12.dtype is a_13.dtype is a_21.dtype is a_22.dtype is a_23.dtype is a_31.dtype is a_32.dtype is a_33.dtype and () != I_1.shape == I_2.shape == I_3.shape == a_11.shape == a_12.shape == a_13.shape == a_21.shape == a_22.shape == a_23.shape == a_31.shape == a_32.shape == a_33.shape:
+                if 18 < I_1.size <= SMALL:
+                    return _distances_from_bounds(I_1, I_2, I_3, a_11, a_12, a_13, a_21, a_22, a_23, a_31, a_32, a_33)
+                return alike(I_1, I_2, I_3, a_11, a_12, a_13, a_21, a_22, a_23, a_31, a_32, a_33)
+        return others((I_1, I_2, I_3, a_11, a_12, a_13, a_21, a_22, a_23, a_31, a_32, a_33,), out)
 
     return call
 
@@ -381,15 +416,20 @@ def _distances_from_bounds(I_1, I_2, I_3, a_11, a_12, a_13, a_21, a_22, a_23, a_
 
 
 def bound_at_given_moment(formula):
-    on_others = on_arrays(formula, _bound_at_given_moment, 4, (0,), 1)
+    alike, others = on_arrays(formula, _bound_at_given_moment, 4, (0,), 1)
 
     def call(I_1, I_2, I_3, J_2, out=None):
-        if out is None and float is type(I_1) is type(I_2) is type(I_3) is type(J_2):
-            try:
-                return formula(I_1, I_2, I_3, J_2)
-            except UNDEFINED:
-                pass
-        return on_others((I_1, I_2, I_3, J_2,), out)
+        if out is None:
+            if float is type(I_1) is type(I_2) is type(I_3) is type(J_2):
+                try:
+                    return formula(I_1, I_2, I_3, J_2)
+                except UNDEFINED:
+                    pass
+            elif ndarray is type(I_1) is type(I_2) is type(I_3) is type(J_2) and DOUBLE is I_1.dtype is I_2.dtype is I_3.dtype is J_2.dtype and () != I_1.shape == I_2.shape == I_3.shape == J_2.shape:
+                if 1 < I_1.size <= SMALL:
+                    return _bound_at_given_moment(I_1, I_2, I_3, J_2)
+                return alike(I_1, I_2, I_3, J_2)
+        return others((I_1, I_2, I_3, J_2,), out)
 
     return call
 
@@ -408,15 +448,20 @@ def _bound_at_given_moment(I_1, I_2, I_3, J_2, out_f_1=None, r0=None, r1=None, r
 
 
 def product_of_two_axial_moments(formula):
-    on_others = on_arrays(formula, _product_of_two_axial_moments, 4, (0,), 5)
+    alike, others = on_arrays(formula, _product_of_two_axial_moments, 4, (0,), 5)
 
     def call(I_1, I_2, I_3, a_11, a_12, a_13, a_31, a_32, a_33, out=None):
-        if out is None and float is type(I_1) is type(I_2) is type(I_3) is type(a_11) is type(a_12) is type(a_13) is type(a_31) is type(a_32) is type(a_33):
-            try:
-                return formula(I_1, I_2, I_3, a_11, a_12, a_13, a_31, a_32, a_33)
-            except UNDEFINED:
-                pass
-        return on_others((I_1, I_2, I_3, a_11, a_12, a_13, a_31, a_32, a_33,), out)
+        if out is None:
+            if float is type(I_1) is type(I_2) is type(I_3) is type(a_11) is type(a_12) is type(a_13) is type(a_31) is type(a_32) is type(a_33):
+                try:
+                    return formula(I_1, I_2, I_3, a_11, a_12, a_13, a_31, a_32, a_33)
+                except UNDEFINED:
+                    pass
+            elif ndarray is type(I_1) is type(I_2) is type(I_3) is type(a_11) is type(a_12) is type(a_13) is type(a_31) is type(a_32) is type(a_33) and DOUBLE is I_1.dtype is I_2.dtype is I_3.dtype is a_11.dtype is a_12.dtype is a_13.dtype is a_31.dtype is a_32.dtype is a_33.dtype and () != I_1.shape == I_2.shape == I_3.shape == a_11.shape == a_12.shape == a_13.shape == a_31.shape == a_32.shape == a_33.shape:
+                if 5 < I_1.size <= SMALL:
+                    return _product_of_two_axial_moments(I_1, I_2, I_3, a_11, a_12, a_13, a_31, a_32, a_33)
+                return alike(I_1, I_2, I_3, a_11, a_12, a_13, a_31, a_32, a_33)
+        return others((I_1, I_2, I_3, a_11, a_12, a_13, a_31, a_32, a_33,), out)
 
     return call
 
@@ -443,15 +488,20 @@ def _product_of_two_axial_moments(I_1, I_2, I_3, a_11, a_12, a_13, a_31, a_32, a
 
 
 def product_with_second_moment(formula):
-    on_others = on_arrays(formula, _product_with_second_moment, 6, (0,), 6)
+    alike, others = on_arrays(formula, _product_with_second_moment, 6, (0,), 6)
 
     def call(I_1, I_2, I_3, a_21, a_22, a_23, out=None):
-        if out is None and float is type(I_1) is type(I_2) is type(I_3) is type(a_21) is type(a_22) is type(a_23):
-            try:
-                return formula(I_1, I_2, I_3, a_21, a_22, a_23)
-            except UNDEFINED:
-                pass
-        return on_others((I_1, I_2, I_3, a_21, a_22, a_23,), out)
+        if out is None:
+            if float is type(I_1) is type(I_2) is type(I_3) is type(a_21) is type(a_22) is type(a_23):
+                try:
+                    return formula(I_1, I_2, I_3, a_21, a_22, a_23)
+                except UNDEFINED:
+                    pass
+            elif ndarray is type(I_1) is type(I_2) is type(I_3) is type(a_21) is type(a_22) is type(a_23) and DOUBLE is I_1.dtype is I_2.dtype is I_3.dtype is a_21.dtype is a_22.dtype is a_23.dtype and () != I_1.shape == I_2.shape == I_3.shape == a_21.shape == a_22.shape == a_23.shape:
+                if 6 < I_1.size <= SMALL:
+                    return _product_with_second_moment(I_1, I_2, I_3, a_21, a_22, a_23)
+                return alike(I_1, I_2, I_3, a_21, a_22, a_23)
+        return others((I_1, I_2, I_3, a_21, a_22, a_23,), out)
 
     return call
 
@@ -478,15 +528,20 @@ def _product_with_second_moment(I_1, I_2, I_3, a_21, a_22, a_23, out_J_2_L_2=Non
 
 
 def damping_matrix(formula):
-    on_others = on_arrays(formula, _damping_matrix, 6, (0, 1, 2, 3, 4, 5,), 8)
+    alike, others = on_arrays(formula, _damping_matrix, 6, (0, 1, 2, 3, 4, 5,), 8)
 
     def call(k_1, k_2, k_3, a_11, a_12, a_13, a_21, a_22, a_23, a_31, a_32, a_33, out=None):
-        if out is None and float is type(k_1) is type(k_2) is type(k_3) is type(a_11) is type(a_12) is type(a_13) is type(a_21) is type(a_22) is type(a_23) is type(a_31) is type(a_32) is type(a_33):
-            try:
-                return formula(k_1, k_2, k_3, a_11, a_12, a_13, a_21, a_22, a_23, a_31, a_32, a_33)
-            except UNDEFINED:
-                pass
-        return on_others((k_1, k_2, k_3, a_11, a_12, a_13, a_21, a_22, a_23, a_31, a_32, a_33,), out)
+        if out is None:
+            if float is type(k_1) is type(k_2) is type(k_3) is type(a_11) is type(a_12) is type(a_13) is type(a_21) is type(a_22) is type(a_23) is type(a_31) is type(a_32) is type(a_33):
+                try:
+                    return formula(k_1, k_2, k_3, a_11, a_12, a_13, a_21, a_22, a_23, a_31, a_32, a_33)
+                except UNDEFINED:
+                    pass
+            elif ndarray is type(k_1) is type(k_2) is type(k_3) is type(a_11) is type(a_12) is type(a_13) is type(a_21) is type(a_22) is type(a_23) is type(a_31) is type(a_32) is type(a_33) and DOUBLE is k_1.dtype is k_2.dtype is k_3.dtype is a_11.dtype is a_12.dtype is a_13.dtype is a_21.dtype is a_22.dtype is a_23.dtype is a_31.dtype is a_32.dtype is a_33.dtype and () != k_1.shape == k_2.shape == k_3.shape == a_11.shape == a_12.shape == a_13.shape == a_21.shape == a_22.shape == a_23.shape == a_31.shape == a_32.shape == a_33.shape:
+                if 8 < k_1.size <= SMALL:
+                    return _damping_matrix(k_1, k_2, k_3, a_11, a_12, a_13, a_21, a_22, a_23, a_31, a_32, a_33)
+                return alike(k_1, k_2, k_3, a_11, a_12, a_13, a_21, a_22, a_23, a_31, a_32, a_33)
+        return others((k_1, k_2, k_3, a_11, a_12, a_13, a_21, a_22, a_23, a_31, a_32, a_33,), out)
 
     return call
 
@@ -541,15 +596,20 @@ def _damping_matrix(k_1, k_2, k_3, a_11, a_12, a_13, a_21, a_22, a_23, a_31, a_3
 
 
 def characteristic_coefficients(formula):
-    on_others = on_arrays(formula, _characteristic_coefficients, 17, (0, 1, 2, 3,), 12)
+    alike, others = on_arrays(formula, _characteristic_coefficients, 17, (0, 1, 2, 3,), 12)
 
     def call(I_1, I_2, I_3, k_1, k_2, k_3, a_11, a_12, a_13, a_21, a_22, a_23, a_31, a_32, a_33, out=None):
-        if out is None and float is type(I_1) is type(I_2) is type(I_3) is type(k_1) is type(k_2) is type(k_3) is type(a_11) is type(a_12) is type(a_13) is type(a_21) is type(a_22) is type(a_23) is type(a_31) is type(a_32) is type(a_33):
-            try:
-                return formula(I_1, I_2, I_3, k_1, k_2, k_3, a_11, a_12, a_13, a_21, a_22, a_23, a_31, a_32, a_33)
-            except UNDEFINED:
-                pass
-        return on_others((I_1, I_2, I_3, k_1, k_2, k_3, a_11, a_12, a_13, a_21, a_22, a_23, a_31, a_32, a_33,), out)
+        if out is None:
+            if float is type(I_1) is type(I_2) is type(I_3) is type(k_1) is type(k_2) is type(k_3) is type(a_11) is type(a_12) is type(a_13) is type(a_21) is type(a_22) is type(a_23) is type(a_31) is type(a_32) is type(a_33):
+                try:
+                    return formula(I_1, I_2, I_3, k_1, k_2, k_3, a_11, a_12, a_13, a_21, a_22, a_23, a_31, a_32, a_33)
+                except UNDEFINED:
+                    pass
+            elif ndarray is type(I_1) is type(I_2) is type(I_3) is type(k_1) is type(k_2) is type(k_3) is type(a_11) is type(a_12) is type(a_13) is type(a_21) is type(a_22) is type(a_23) is type(a_31) is type(a_32) is type(a_33) and DOUBLE is I_1.dtype is I_2.dtype is I_3.dtype is k_1.dtype is k_2.dtype is k_3.dtype is a_11.dtype is a_12.dtype is a_13.dtype is a_21.dtype is a_22.dtype is a_23.dtype is a_31.dtype is a_32.dtype is a_33.dtype and () != I_1.shape == I_2.shape == I_3.shape == k_1.shape == k_2.shape == k_3.shape == a_11.shape == a_12.shape == a_13.shape == a_21.shape == a_22.shape == a_23.shape == a_31.shape == a_32.shape == a_33.shape:
+                if 12 < I_1.size <= SMALL:
+                    return _characteristic_coefficients(I_1, I_2, I_3, k_1, k_2, k_3, a_11, a_12, a_13, a_21, a_22, a_23, a_31, a_32, a_33)
+                return alike(I_1, I_2, I_3, k_1, k_2, k_3, a_11, a_12, a_13, a_21, a_22, a_23, a_31, a_32, a_33)
+        return others((I_1, I_2, I_3, k_1, k_2, k_3, a_11, a_12, a_13, a_21, a_22, a_23, a_31, a_32, a_33,), out)
 
     return call
 
@@ -616,15 +676,20 @@ def _characteristic_coefficients(I_1, I_2, I_3, k_1, k_2, k_3, a_11, a_12, a_13,
 
 
 def characteristic_coefficients_at_common_ratio(formula):
-    on_others = on_arrays(formula, _characteristic_coefficients_at_common_ratio, 17, (0, 1, 2, 3,), 12)
+    alike, others = on_arrays(formula, _characteristic_coefficients_at_common_ratio, 17, (0, 1, 2, 3,), 12)
 
     def call(I_1, I_2, I_3, k, a_11, a_12, a_13, a_21, a_22, a_23, a_31, a_32, a_33, out=None):
-        if out is None and float is type(I_1) is type(I_2) is type(I_3) is type(k) is type(a_11) is type(a_12) is type(a_13) is type(a_21) is type(a_22) is type(a_23) is type(a_31) is type(a_32) is type(a_33):
-            try:
-                return formula(I_1, I_2, I_3, k, a_11, a_12, a_13, a_21, a_22, a_23, a_31, a_32, a_33)
-            except UNDEFINED:
-                pass
-        return on_others((I_1, I_2, I_3, k, a_11, a_12, a_13, a_21, a_22, a_23, a_31, a_32, a_33,), out)
+        if out is None:
+            if float is type(I_1) is type(I_2) is type(I_3) is type(k) is type(a_11) is type(a_12) is type(a_13) is type(a_21) is type(a_22) is type(a_23) is type(a_31) is type(a_32) is type(a_33):
+                try:
+                    return formula(I_1, I_2, I_3, k, a_11, a_12, a_13, a_21, a_22, a_23, a_31, a_32, a_33)
+                except UNDEFINED:
+                    pass
+            elif ndarray is type(I_1) is type(I_2) is type(I_3) is type(k) is type(a_11) is type(a_12) is type(a_13) is type(a_21) is type(a_22) is type(a_23) is type(a_31) is type(a_32) is type(a_33) and DOUBLE is I_1.dtype is I_2.dtype is I_3.dtype is k.dtype is a_11.dtype is a_12.dtype is a_13.dtype is a_21.dtype is a_22.dtype is a_23.dtype is a_31.dtype is a_32.dtype is a_33.dtype and () != I_1.shape == I_2.shape == I_3.shape == k.shape == a_11.shape == a_12.shape == a_13.shape == a_21.shape == a_22.shape == a_23.shape == a_31.shape == a_32.shape == a_33.shape:
+                if 12 < I_1.size <= SMALL:
+                    return _characteristic_coefficients_at_common_ratio(I_1, I_2, I_3, k, a_11, a_12, a_13, a_21, a_22, a_23, a_31, a_32, a_33)
+                return alike(I_1, I_2, I_3, k, a_11, a_12, a_13, a_21, a_22, a_23, a_31, a_32, a_33)
+        return others((I_1, I_2, I_3, k, a_11, a_12, a_13, a_21, a_22, a_23, a_31, a_32, a_33,), out)
 
     return call
 
@@ -690,15 +755,20 @@ def _characteristic_coefficients_at_common_ratio(I_1, I_2, I_3, k, a_11, a_12, a
 
 
 def gains_in_proportion(formula):
-    on_others = on_arrays(formula, _gains_in_proportion, 3, (0, 1, 2,), 6)
+    alike, others = on_arrays(formula, _gains_in_proportion, 3, (0, 1, 2,), 6)
 
     def call(k, I_1, I_2, I_3, a_11, a_12, a_13, a_21, a_22, a_23, a_31, a_32, a_33, out=None):
-        if out is None and float is type(k) is type(I_1) is type(I_2) is type(I_3) is type(a_11) is type(a_12) is type(a_13) is type(a_21) is type(a_22) is type(a_23) is type(a_31) is type(a_32) is type(a_33):
-            try:
-                return formula(k, I_1, I_2, I_3, a_11, a_12, a_13, a_21, a_22, a_23, a_31, a_32, a_33)
-            except UNDEFINED:
-                pass
-        return on_others((k, I_1, I_2, I_3, a_11, a_12, a_13, a_21, a_22, a_23, a_31, a_32, a_33,), out)
+        if out is None:
+            if float is type(k) is type(I_1) is type(I_2) is type(I_3) is type(a_11) is type(a_12) is type(a_13) is type(a_21) is type(a_22) is type(a_23) is type(a_31) is type(a_32) is type(a_33):
+                try:
+                    return formula(k, I_1, I_2, I_3, a_11, a_12, a_13, a_21, a_22, a_23, a_31, a_32, a_33)
+                except UNDEFINED:
+                    pass
+            elif ndarray is type(k) is type(I_1) is type(I_2) is type(I_3) is type(a_11) is type(a_12) is type(a_13) is type(a_21) is type(a_22) is type(a_23) is type(a_31) is type(a_32) is type(a_33) and DOUBLE is k.dtype is I_1.dtype is I_2.dtype is I_3.dtype is a_11.dtype is a_12.dtype is a_13.dtype is a_21.dtype is a_22.dtype is a_23.dtype is a_31.dtype is a_32.dtype is a_33.dtype and () != k.shape == I_1.shape == I_2.shape == I_3.shape == a_11.shape == a_12.shape == a_13.shape == a_21.shape == a_22.shape == a_23.shape == a_31.shape == a_32.shape == a_33.shape:
+                if 6 < k.size <= SMALL:
+                    return _gains_in_proportion(k, I_1, I_2, I_3, a_11, a_12, a_13, a_21, a_22, a_23, a_31, a_32, a_33)
+                return alike(k, I_1, I_2, I_3, a_11, a_12, a_13, a_21, a_22, a_23, a_31, a_32, a_33)
+        return others((k, I_1, I_2, I_3, a_11, a_12, a_13, a_21, a_22, a_23, a_31, a_32, a_33,), out)
 
     return call
 
@@ -735,15 +805,20 @@ def _gains_in_proportion(k, I_1, I_2, I_3, a_11, a_12, a_13, a_21, a_22, a_23, a
 
 
 def gain_of_rates(formula):
-    on_others = on_arrays(formula, _gain_of_rates, 4, (0, 1,), 5)
+    alike, others = on_arrays(formula, _gain_of_rates, 4, (0, 1,), 5)
 
     def call(xi, s_1, s_2, s_3, out=None):
-        if out is None and float is type(xi) is type(s_1) is type(s_2) is type(s_3):
-            try:
-                return formula(xi, s_1, s_2, s_3)
-            except UNDEFINED:
-                pass
-        return on_others((xi, s_1, s_2, s_3,), out)
+        if out is None:
+            if float is type(xi) is type(s_1) is type(s_2) is type(s_3):
+                try:
+                    return formula(xi, s_1, s_2, s_3)
+                except UNDEFINED:
+                    pass
+            elif ndarray is type(xi) is type(s_1) is type(s_2) is type(s_3) and DOUBLE is xi.dtype is s_1.dtype is s_2.dtype is s_3.dtype and () != xi.shape == s_1.shape == s_2.shape == s_3.shape:
+                if 5 < xi.size <= SMALL:
+                    return _gain_of_rates(xi, s_1, s_2, s_3)
+                return alike(xi, s_1, s_2, s_3)
+        return others((xi, s_1, s_2, s_3,), out)
 
     return call
 
@@ -769,15 +844,20 @@ def _gain_of_rates(xi, s_1, s_2, s_3, out_k=None, out_k_excess=None, r0=None, r1
 
 
 def stability_degree_in_pitch(formula):
-    on_others = on_arrays(formula, _stability_degree_in_pitch, 4, (0,), 6)
+    alike, others = on_arrays(formula, _stability_degree_in_pitch, 4, (0,), 6)
 
     def call(k, I_1, I_3, alpha, out=None):
-        if out is None and float is type(k) is type(I_1) is type(I_3) is type(alpha):
-            try:
-                return formula(k, I_1, I_3, alpha)
-            except UNDEFINED:
-                pass
-        return on_others((k, I_1, I_3, alpha,), out)
+        if out is None:
+            if float is type(k) is type(I_1) is type(I_3) is type(alpha):
+                try:
+                    return formula(k, I_1, I_3, alpha)
+                except UNDEFINED:
+                    pass
+            elif ndarray is type(k) is type(I_1) is type(I_3) is type(alpha) and DOUBLE is k.dtype is I_1.dtype is I_3.dtype is alpha.dtype and () != k.shape == I_1.shape == I_3.shape == alpha.shape:
+                if 6 < k.size <= SMALL:
+                    return _stability_degree_in_pitch(k, I_1, I_3, alpha)
+                return alike(k, I_1, I_3, alpha)
+        return others((k, I_1, I_3, alpha,), out)
 
     return call
 
@@ -802,15 +882,20 @@ def _stability_degree_in_pitch(k, I_1, I_3, alpha, out_xi=None, r0=None, r1=None
 
 
 def equal_moment_pitch(formula):
-    on_others = on_arrays(formula, _equal_moment_pitch, 2, (0,), 2)
+    alike, others = on_arrays(formula, _equal_moment_pitch, 2, (0,), 2)
 
     def call(I_1, I_2, I_3, out=None):
-        if out is None and float is type(I_1) is type(I_2) is type(I_3):
-            try:
-                return formula(I_1, I_2, I_3)
-            except UNDEFINED:
-                pass
-        return on_others((I_1, I_2, I_3,), out)
+        if out is None:
+            if float is type(I_1) is type(I_2) is type(I_3):
+                try:
+                    return formula(I_1, I_2, I_3)
+                except UNDEFINED:
+                    pass
+            elif ndarray is type(I_1) is type(I_2) is type(I_3) and DOUBLE is I_1.dtype is I_2.dtype is I_3.dtype and () != I_1.shape == I_2.shape == I_3.shape:
+                if 2 < I_1.size <= SMALL:
+                    return _equal_moment_pitch(I_1, I_2, I_3)
+                return alike(I_1, I_2, I_3)
+        return others((I_1, I_2, I_3,), out)
 
     return call
 

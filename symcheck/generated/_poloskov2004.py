@@ -2,22 +2,27 @@
 
 import math
 
-from numpy import array, add, cos, divide, exp, expm1, log, log1p, multiply, negative, power, sin, sqrt, subtract
+from numpy import array, ndarray, add, cos, divide, exp, expm1, log, log1p, multiply, negative, power, sin, sqrt, subtract
 
 from symcheck.ratios import expm1_ratio, gamma_ratio, log1p_ratio
-from symcheck.runtime import UNDEFINED, on_arrays
+from symcheck.runtime import DOUBLE, FEW, SMALL, UNDEFINED, on_arrays
 
 
 def stratonovich_drift(formula):
-    on_others = on_arrays(formula, _stratonovich_drift, 10, (0, 1, 2,), 10)
+    alike, others = on_arrays(formula, _stratonovich_drift, 10, (0, 1, 2,), 10)
 
     def call(a, psi, Omega, k, varepsilon, d_11, d_12, d_13, d_21, d_22, d_23, d_31, d_32, d_33, out=None):
-        if out is None and float is type(a) is type(psi) is type(Omega) is type(k) is type(varepsilon) is type(d_11) is type(d_12) is type(d_13) is type(d_21) is type(d_22) is type(d_23) is type(d_31) is type(d_32) is type(d_33):
-            try:
-                return formula(a, psi, Omega, k, varepsilon, d_11, d_12, d_13, d_21, d_22, d_23, d_31, d_32, d_33)
-            except UNDEFINED:
-                pass
-        return on_others((a, psi, Omega, k, varepsilon, d_11, d_12, d_13, d_21, d_22, d_23, d_31, d_32, d_33,), out)
+        if out is None:
+            if float is type(a) is type(psi) is type(Omega) is type(k) is type(varepsilon) is type(d_11) is type(d_12) is type(d_13) is type(d_21) is type(d_22) is type(d_23) is type(d_31) is type(d_32) is type(d_33):
+                try:
+                    return formula(a, psi, Omega, k, varepsilon, d_11, d_12, d_13, d_21, d_22, d_23, d_31, d_32, d_33)
+                except UNDEFINED:
+                    pass
+            elif ndarray is type(a) is type(psi) is type(Omega) is type(k) is type(varepsilon) is type(d_11) is type(d_12) is type(d_13) is type(d_21) is type(d_22) is type(d_23) is type(d_31) is type(d_32) is type(d_33) and DOUBLE is a.dtype is psi.dtype is Omega.dtype is k.dtype is varepsilon.dtype is d_11.dtype is d_12.dtype is d_13.dtype is d_21.dtype is d_22.dtype is d_23.dtype is d_31.dtype is d_32.dtype is d_33.dtype and () != a.shape == psi.shape == Omega.shape == k.shape == varepsilon.shape == d_11.shape == d_12.shape == d_13.shape == d_21.shape == d_22.shape == d_23.shape == d_31.shape == d_32.shape == d_33.shape:
+                if 10 < a.size <= SMALL:
+                    return _stratonovich_drift(a, psi, Omega, k, varepsilon, d_11, d_12, d_13, d_21, d_22, d_23, d_31, d_32, d_33)
+                return alike(a, psi, Omega, k, varepsilon, d_11, d_12, d_13, d_21, d_22, d_23, d_31, d_32, d_33)
+        return others((a, psi, Omega, k, varepsilon, d_11, d_12, d_13, d_21, d_22, d_23, d_31, d_32, d_33,), out)
 
     return call
 
@@ -70,15 +75,20 @@ def _stratonovich_drift(a, psi, Omega, k, varepsilon, d_11, d_12, d_13, d_21, d_
 
 
 def noise_intensities(formula):
-    on_others = on_arrays(formula, _noise_intensities, 9, (0, 1, 2, 3, 4, 5, 6, 7, 8, 9,), 2)
+    alike, others = on_arrays(formula, _noise_intensities, 9, (0, 1, 2, 3, 4, 5, 6, 7, 8, 9,), 2)
 
     def call(a, psi, Omega, k, varepsilon, g_11, g_12, g_21, g_22, g_13, g_23, out=None):
-        if out is None and float is type(a) is type(psi) is type(Omega) is type(k) is type(varepsilon) is type(g_11) is type(g_12) is type(g_21) is type(g_22) is type(g_13) is type(g_23):
-            try:
-                return formula(a, psi, Omega, k, varepsilon, g_11, g_12, g_21, g_22, g_13, g_23)
-            except UNDEFINED:
-                pass
-        return on_others((a, psi, Omega, k, varepsilon, g_11, g_12, g_21, g_22, g_13, g_23,), out)
+        if out is None:
+            if float is type(a) is type(psi) is type(Omega) is type(k) is type(varepsilon) is type(g_11) is type(g_12) is type(g_21) is type(g_22) is type(g_13) is type(g_23):
+                try:
+                    return formula(a, psi, Omega, k, varepsilon, g_11, g_12, g_21, g_22, g_13, g_23)
+                except UNDEFINED:
+                    pass
+            elif ndarray is type(a) is type(psi) is type(Omega) is type(k) is type(varepsilon) is type(g_11) is type(g_12) is type(g_21) is type(g_22) is type(g_13) is type(g_23) and DOUBLE is a.dtype is psi.dtype is Omega.dtype is k.dtype is varepsilon.dtype is g_11.dtype is g_12.dtype is g_21.dtype is g_22.dtype is g_13.dtype is g_23.dtype and () != a.shape == psi.shape == Omega.shape == k.shape == varepsilon.shape == g_11.shape == g_12.shape == g_21.shape == g_22.shape == g_13.shape == g_23.shape:
+                if 2 < a.size <= SMALL:
+                    return _noise_intensities(a, psi, Omega, k, varepsilon, g_11, g_12, g_21, g_22, g_13, g_23)
+                return alike(a, psi, Omega, k, varepsilon, g_11, g_12, g_21, g_22, g_13, g_23)
+        return others((a, psi, Omega, k, varepsilon, g_11, g_12, g_21, g_22, g_13, g_23,), out)
 
     return call
 
@@ -118,15 +128,20 @@ def _noise_intensities(a, psi, Omega, k, varepsilon, g_11, g_12, g_21, g_22, g_1
 
 
 def drift_coefficients(formula):
-    on_others = on_arrays(formula, _drift_coefficients, 23, (0, 1, 2,), 17)
+    alike, others = on_arrays(formula, _drift_coefficients, 23, (0, 1, 2,), 17)
 
     def call(a, psi, Omega, k, varepsilon, d_11, d_12, d_13, d_21, d_22, d_23, d_31, d_32, d_33, g_11, g_12, g_21, g_22, g_13, out=None):
-        if out is None and float is type(a) is type(psi) is type(Omega) is type(k) is type(varepsilon) is type(d_11) is type(d_12) is type(d_13) is type(d_21) is type(d_22) is type(d_23) is type(d_31) is type(d_32) is type(d_33) is type(g_11) is type(g_12) is type(g_21) is type(g_22) is type(g_13):
-            try:
-                return formula(a, psi, Omega, k, varepsilon, d_11, d_12, d_13, d_21, d_22, d_23, d_31, d_32, d_33, g_11, g_12, g_21, g_22, g_13)
-            except UNDEFINED:
-                pass
-        return on_others((a, psi, Omega, k, varepsilon, d_11, d_12, d_13, d_21, d_22, d_23, d_31, d_32, d_33, g_11, g_12, g_21, g_22, g_13,), out)
+        if out is None:
+            if float is type(a) is type(psi) is type(Omega) is type(k) is type(varepsilon) is type(d_11) is type(d_12) is type(d_13) is type(d_21) is type(d_22) is type(d_23) is type(d_31) is type(d_32) is type(d_33) is type(g_11) is type(g_12) is type(g_21) is type(g_22) is type(g_13):
+                try:
+                    return formula(a, psi, Omega, k, varepsilon, d_11, d_12, d_13, d_21, d_22, d_23, d_31, d_32, d_33, g_11, g_12, g_21, g_22, g_13)
+                except UNDEFINED:
+                    pass
+            elif ndarray is type(a) is type(psi) is type(Omega) is type(k) is type(varepsilon) is type(d_11) is type(d_12) is type(d_13) is type(d_21) is type(d_22) is type(d_23) is type(d_31) is type(d_32) is type(d_33) is type(g_11) is type(g_12) is type(g_21) is type(g_22) is type(g_13) and DOUBLE is a.dtype is psi.dtype is Omega.dtype is k.dtype is varepsilon.dtype is d_11.dtype is d_12.dtype is d_13.dtype is d_21.dtype is d_22.dtype is d_23.dtype is d_31.dtype is d_32.dtype is d_33.dtype is g_11.dtype is g_12.dtype is g_21.dtype is g_22.dtype is g_13.dtype and () != a.shape == psi.shape == Omega.shape == k.shape == varepsilon.shape == d_11.shape == d_12.shape == d_13.shape == d_21.shape == d_22.shape == d_23.shape == d_31.shape == d_32.shape == d_33.shape == g_11.shape == g_12.shape == g_21.shape == g_22.shape == g_13.shape:
+                if 17 < a.size <= SMALL:
+                    return _drift_coefficients(a, psi, Omega, k, varepsilon, d_11, d_12, d_13, d_21, d_22, d_23, d_31, d_32, d_33, g_11, g_12, g_21, g_22, g_13)
+                return alike(a, psi, Omega, k, varepsilon, d_11, d_12, d_13, d_21, d_22, d_23, d_31, d_32, d_33, g_11, g_12, g_21, g_22, g_13)
+        return others((a, psi, Omega, k, varepsilon, d_11, d_12, d_13, d_21, d_22, d_23, d_31, d_32, d_33, g_11, g_12, g_21, g_22, g_13,), out)
 
     return call
 
@@ -228,15 +243,20 @@ def _drift_coefficients(a, psi, Omega, k, varepsilon, d_11, d_12, d_13, d_21, d_
 
 
 def diffusion_coefficients(formula):
-    on_others = on_arrays(formula, _diffusion_coefficients, 13, (0, 1, 2, 3,), 11)
+    alike, others = on_arrays(formula, _diffusion_coefficients, 13, (0, 1, 2, 3,), 11)
 
     def call(a, psi, Omega, k, varepsilon, g_11, g_12, g_21, g_22, g_13, g_23, out=None):
-        if out is None and float is type(a) is type(psi) is type(Omega) is type(k) is type(varepsilon) is type(g_11) is type(g_12) is type(g_21) is type(g_22) is type(g_13) is type(g_23):
-            try:
-                return formula(a, psi, Omega, k, varepsilon, g_11, g_12, g_21, g_22, g_13, g_23)
-            except UNDEFINED:
-                pass
-        return on_others((a, psi, Omega, k, varepsilon, g_11, g_12, g_21, g_22, g_13, g_23,), out)
+        if out is None:
+            if float is type(a) is type(psi) is type(Omega) is type(k) is type(varepsilon) is type(g_11) is type(g_12) is type(g_21) is type(g_22) is type(g_13) is type(g_23):
+                try:
+                    return formula(a, psi, Omega, k, varepsilon, g_11, g_12, g_21, g_22, g_13, g_23)
+                except UNDEFINED:
+                    pass
+            elif ndarray is type(a) is type(psi) is type(Omega) is type(k) is type(varepsilon) is type(g_11) is type(g_12) is type(g_21) is type(g_22) is type(g_13) is type(g_23) and DOUBLE is a.dtype is psi.dtype is Omega.dtype is k.dtype is varepsilon.dtype is g_11.dtype is g_12.dtype is g_21.dtype is g_22.dtype is g_13.dtype is g_23.dtype and () != a.shape == psi.shape == Omega.shape == k.shape == varepsilon.shape == g_11.shape == g_12.shape == g_21.shape == g_22.shape == g_13.shape == g_23.shape:
+                if 11 < a.size <= SMALL:
+                    return _diffusion_coefficients(a, psi, Omega, k, varepsilon, g_11, g_12, g_21, g_22, g_13, g_23)
+                return alike(a, psi, Omega, k, varepsilon, g_11, g_12, g_21, g_22, g_13, g_23)
+        return others((a, psi, Omega, k, varepsilon, g_11, g_12, g_21, g_22, g_13, g_23,), out)
 
     return call
 
@@ -294,15 +314,20 @@ def _diffusion_coefficients(a, psi, Omega, k, varepsilon, g_11, g_12, g_21, g_22
 
 
 def averaged_drift(formula):
-    on_others = on_arrays(formula, _averaged_drift, 4, (0, 1, 2,), 5)
+    alike, others = on_arrays(formula, _averaged_drift, 4, (0, 1, 2,), 5)
 
     def call(a, Omega, alpha, beta, gamma, d_12, d_21, d_33, g_13, out=None):
-        if out is None and float is type(a) is type(Omega) is type(alpha) is type(beta) is type(gamma) is type(d_12) is type(d_21) is type(d_33) is type(g_13):
-            try:
-                return formula(a, Omega, alpha, beta, gamma, d_12, d_21, d_33, g_13)
-            except UNDEFINED:
-                pass
-        return on_others((a, Omega, alpha, beta, gamma, d_12, d_21, d_33, g_13,), out)
+        if out is None:
+            if float is type(a) is type(Omega) is type(alpha) is type(beta) is type(gamma) is type(d_12) is type(d_21) is type(d_33) is type(g_13):
+                try:
+                    return formula(a, Omega, alpha, beta, gamma, d_12, d_21, d_33, g_13)
+                except UNDEFINED:
+                    pass
+            elif ndarray is type(a) is type(Omega) is type(alpha) is type(beta) is type(gamma) is type(d_12) is type(d_21) is type(d_33) is type(g_13) and DOUBLE is a.dtype is Omega.dtype is alpha.dtype is beta.dtype is gamma.dtype is d_12.dtype is d_21.dtype is d_33.dtype is g_13.dtype and () != a.shape == Omega.shape == alpha.shape == beta.shape == gamma.shape == d_12.shape == d_21.shape == d_33.shape == g_13.shape:
+                if 5 < a.size <= SMALL:
+                    return _averaged_drift(a, Omega, alpha, beta, gamma, d_12, d_21, d_33, g_13)
+                return alike(a, Omega, alpha, beta, gamma, d_12, d_21, d_33, g_13)
+        return others((a, Omega, alpha, beta, gamma, d_12, d_21, d_33, g_13,), out)
 
     return call
 
@@ -334,15 +359,20 @@ def _averaged_drift(a, Omega, alpha, beta, gamma, d_12, d_21, d_33, g_13, out_Kb
 
 
 def averaged_diffusion(formula):
-    on_others = on_arrays(formula, _averaged_diffusion, 5, (0, 1, 2,), 4)
+    alike, others = on_arrays(formula, _averaged_diffusion, 5, (0, 1, 2,), 4)
 
     def call(a, Omega, k, alpha, beta, g_13, g_23, out=None):
-        if out is None and float is type(a) is type(Omega) is type(k) is type(alpha) is type(beta) is type(g_13) is type(g_23):
-            try:
-                return formula(a, Omega, k, alpha, beta, g_13, g_23)
-            except UNDEFINED:
-                pass
-        return on_others((a, Omega, k, alpha, beta, g_13, g_23,), out)
+        if out is None:
+            if float is type(a) is type(Omega) is type(k) is type(alpha) is type(beta) is type(g_13) is type(g_23):
+                try:
+                    return formula(a, Omega, k, alpha, beta, g_13, g_23)
+                except UNDEFINED:
+                    pass
+            elif ndarray is type(a) is type(Omega) is type(k) is type(alpha) is type(beta) is type(g_13) is type(g_23) and DOUBLE is a.dtype is Omega.dtype is k.dtype is alpha.dtype is beta.dtype is g_13.dtype is g_23.dtype and () != a.shape == Omega.shape == k.shape == alpha.shape == beta.shape == g_13.shape == g_23.shape:
+                if 4 < a.size <= SMALL:
+                    return _averaged_diffusion(a, Omega, k, alpha, beta, g_13, g_23)
+                return alike(a, Omega, k, alpha, beta, g_13, g_23)
+        return others((a, Omega, k, alpha, beta, g_13, g_23,), out)
 
     return call
 
@@ -370,15 +400,20 @@ def _averaged_diffusion(a, Omega, k, alpha, beta, g_13, g_23, out_Kbar_11=None, 
 
 
 def density_of_amplitude(formula):
-    on_others = on_arrays(formula, _density_of_amplitude, 7, (0,), 12)
+    alike, others = on_arrays(formula, _density_of_amplitude, 7, (0,), 12)
 
     def call(a, alpha, beta, gamma, out=None):
-        if out is None and float is type(a) is type(alpha) is type(beta) is type(gamma):
-            try:
-                return formula(a, alpha, beta, gamma)
-            except UNDEFINED:
-                pass
-        return on_others((a, alpha, beta, gamma,), out)
+        if out is None:
+            if float is type(a) is type(alpha) is type(beta) is type(gamma):
+                try:
+                    return formula(a, alpha, beta, gamma)
+                except UNDEFINED:
+                    pass
+            elif ndarray is type(a) is type(alpha) is type(beta) is type(gamma) and DOUBLE is a.dtype is alpha.dtype is beta.dtype is gamma.dtype and () != a.shape == alpha.shape == beta.shape == gamma.shape:
+                if 12 < a.size <= SMALL:
+                    return _density_of_amplitude(a, alpha, beta, gamma)
+                return alike(a, alpha, beta, gamma)
+        return others((a, alpha, beta, gamma,), out)
 
     return call
 
@@ -413,15 +448,20 @@ def _density_of_amplitude(a, alpha, beta, gamma, out_p_s1=None, r0=None, r1=None
 
 
 def density_of_frequency(formula):
-    on_others = on_arrays(formula, _density_of_frequency, 6, (0,), 14)
+    alike, others = on_arrays(formula, _density_of_frequency, 6, (0,), 14)
 
     def call(Omega, k, g_13, g_23, d_33, out=None):
-        if out is None and float is type(Omega) is type(k) is type(g_13) is type(g_23) is type(d_33):
-            try:
-                return formula(Omega, k, g_13, g_23, d_33)
-            except UNDEFINED:
-                pass
-        return on_others((Omega, k, g_13, g_23, d_33,), out)
+        if out is None:
+            if float is type(Omega) is type(k) is type(g_13) is type(g_23) is type(d_33):
+                try:
+                    return formula(Omega, k, g_13, g_23, d_33)
+                except UNDEFINED:
+                    pass
+            elif ndarray is type(Omega) is type(k) is type(g_13) is type(g_23) is type(d_33) and DOUBLE is Omega.dtype is k.dtype is g_13.dtype is g_23.dtype is d_33.dtype and () != Omega.shape == k.shape == g_13.shape == g_23.shape == d_33.shape:
+                if 14 < Omega.size <= SMALL:
+                    return _density_of_frequency(Omega, k, g_13, g_23, d_33)
+                return alike(Omega, k, g_13, g_23, d_33)
+        return others((Omega, k, g_13, g_23, d_33,), out)
 
     return call
 
@@ -454,15 +494,20 @@ def _density_of_frequency(Omega, k, g_13, g_23, d_33, out_p_s3=None, r0=None, r1
 
 
 def logarithm_of_constant_of_amplitude(formula):
-    on_others = on_arrays(formula, _logarithm_of_constant_of_amplitude, 4, (0,), 5)
+    alike, others = on_arrays(formula, _logarithm_of_constant_of_amplitude, 4, (0,), 5)
 
     def call(alpha, beta, gamma, out=None):
-        if out is None and float is type(alpha) is type(beta) is type(gamma):
-            try:
-                return formula(alpha, beta, gamma)
-            except UNDEFINED:
-                pass
-        return on_others((alpha, beta, gamma,), out)
+        if out is None:
+            if float is type(alpha) is type(beta) is type(gamma):
+                try:
+                    return formula(alpha, beta, gamma)
+                except UNDEFINED:
+                    pass
+            elif ndarray is type(alpha) is type(beta) is type(gamma) and DOUBLE is alpha.dtype is beta.dtype is gamma.dtype and () != alpha.shape == beta.shape == gamma.shape:
+                if 5 < alpha.size <= SMALL:
+                    return _logarithm_of_constant_of_amplitude(alpha, beta, gamma)
+                return alike(alpha, beta, gamma)
+        return others((alpha, beta, gamma,), out)
 
     return call
 
@@ -485,15 +530,20 @@ def _logarithm_of_constant_of_amplitude(alpha, beta, gamma, out_log_C_1=None, r0
 
 
 def logarithm_of_constant_of_frequency(formula):
-    on_others = on_arrays(formula, _logarithm_of_constant_of_frequency, 3, (0,), 14)
+    alike, others = on_arrays(formula, _logarithm_of_constant_of_frequency, 3, (0,), 14)
 
     def call(k, g_13, g_23, d_33, out=None):
-        if out is None and float is type(k) is type(g_13) is type(g_23) is type(d_33):
-            try:
-                return formula(k, g_13, g_23, d_33)
-            except UNDEFINED:
-                pass
-        return on_others((k, g_13, g_23, d_33,), out)
+        if out is None:
+            if float is type(k) is type(g_13) is type(g_23) is type(d_33):
+                try:
+                    return formula(k, g_13, g_23, d_33)
+                except UNDEFINED:
+                    pass
+            elif ndarray is type(k) is type(g_13) is type(g_23) is type(d_33) and DOUBLE is k.dtype is g_13.dtype is g_23.dtype is d_33.dtype and () != k.shape == g_13.shape == g_23.shape == d_33.shape:
+                if 14 < k.size <= SMALL:
+                    return _logarithm_of_constant_of_frequency(k, g_13, g_23, d_33)
+                return alike(k, g_13, g_23, d_33)
+        return others((k, g_13, g_23, d_33,), out)
 
     return call
 
@@ -515,15 +565,20 @@ def _logarithm_of_constant_of_frequency(k, g_13, g_23, d_33, out_log_C_2=None, r
 
 
 def distribution_of_amplitude(formula):
-    on_others = on_arrays(formula, _distribution_of_amplitude, 4, (0,), 8)
+    alike, others = on_arrays(formula, _distribution_of_amplitude, 4, (0,), 8)
 
     def call(a, alpha, beta, gamma, out=None):
-        if out is None and float is type(a) is type(alpha) is type(beta) is type(gamma):
-            try:
-                return formula(a, alpha, beta, gamma)
-            except UNDEFINED:
-                pass
-        return on_others((a, alpha, beta, gamma,), out)
+        if out is None:
+            if float is type(a) is type(alpha) is type(beta) is type(gamma):
+                try:
+                    return formula(a, alpha, beta, gamma)
+                except UNDEFINED:
+                    pass
+            elif ndarray is type(a) is type(alpha) is type(beta) is type(gamma) and DOUBLE is a.dtype is alpha.dtype is beta.dtype is gamma.dtype and () != a.shape == alpha.shape == beta.shape == gamma.shape:
+                if 8 < a.size <= SMALL:
+                    return _distribution_of_amplitude(a, alpha, beta, gamma)
+                return alike(a, alpha, beta, gamma)
+        return others((a, alpha, beta, gamma,), out)
 
     return call
 
@@ -549,15 +604,20 @@ def _distribution_of_amplitude(a, alpha, beta, gamma, out_F=None, r0=None, r1=No
 
 
 def quantile_of_amplitude(formula):
-    on_others = on_arrays(formula, _quantile_of_amplitude, 7, (0,), 11)
+    alike, others = on_arrays(formula, _quantile_of_amplitude, 7, (0,), 11)
 
     def call(q, alpha, beta, gamma, out=None):
-        if out is None and float is type(q) is type(alpha) is type(beta) is type(gamma):
-            try:
-                return formula(q, alpha, beta, gamma)
-            except UNDEFINED:
-                pass
-        return on_others((q, alpha, beta, gamma,), out)
+        if out is None:
+            if float is type(q) is type(alpha) is type(beta) is type(gamma):
+                try:
+                    return formula(q, alpha, beta, gamma)
+                except UNDEFINED:
+                    pass
+            elif ndarray is type(q) is type(alpha) is type(beta) is type(gamma) and DOUBLE is q.dtype is alpha.dtype is beta.dtype is gamma.dtype and () != q.shape == alpha.shape == beta.shape == gamma.shape:
+                if 11 < q.size <= SMALL:
+                    return _quantile_of_amplitude(q, alpha, beta, gamma)
+                return alike(q, alpha, beta, gamma)
+        return others((q, alpha, beta, gamma,), out)
 
     return call
 
@@ -590,15 +650,20 @@ def _quantile_of_amplitude(q, alpha, beta, gamma, out_a_q=None, r0=None, r1=None
 
 
 def moment_of_amplitude(formula):
-    on_others = on_arrays(formula, _moment_of_amplitude, 6, (0,), 15)
+    alike, others = on_arrays(formula, _moment_of_amplitude, 6, (0,), 15)
 
     def call(m, alpha, beta, gamma, out=None):
-        if out is None and float is type(m) is type(alpha) is type(beta) is type(gamma):
-            try:
-                return formula(m, alpha, beta, gamma)
-            except UNDEFINED:
-                pass
-        return on_others((m, alpha, beta, gamma,), out)
+        if out is None:
+            if float is type(m) is type(alpha) is type(beta) is type(gamma):
+                try:
+                    return formula(m, alpha, beta, gamma)
+                except UNDEFINED:
+                    pass
+            elif ndarray is type(m) is type(alpha) is type(beta) is type(gamma) and DOUBLE is m.dtype is alpha.dtype is beta.dtype is gamma.dtype and () != m.shape == alpha.shape == beta.shape == gamma.shape:
+                if 15 < m.size <= SMALL:
+                    return _moment_of_amplitude(m, alpha, beta, gamma)
+                return alike(m, alpha, beta, gamma)
+        return others((m, alpha, beta, gamma,), out)
 
     return call
 
@@ -627,15 +692,20 @@ def _moment_of_amplitude(m, alpha, beta, gamma, out_M_a=None, r0=None, r1=None, 
 
 
 def moment_of_frequency(formula):
-    on_others = on_arrays(formula, _moment_of_frequency, 4, (0,), 14)
+    alike, others = on_arrays(formula, _moment_of_frequency, 4, (0,), 14)
 
     def call(m, k, g_13, g_23, d_33, out=None):
-        if out is None and float is type(m) is type(k) is type(g_13) is type(g_23) is type(d_33):
-            try:
-                return formula(m, k, g_13, g_23, d_33)
-            except UNDEFINED:
-                pass
-        return on_others((m, k, g_13, g_23, d_33,), out)
+        if out is None:
+            if float is type(m) is type(k) is type(g_13) is type(g_23) is type(d_33):
+                try:
+                    return formula(m, k, g_13, g_23, d_33)
+                except UNDEFINED:
+                    pass
+            elif ndarray is type(m) is type(k) is type(g_13) is type(g_23) is type(d_33) and DOUBLE is m.dtype is k.dtype is g_13.dtype is g_23.dtype is d_33.dtype and () != m.shape == k.shape == g_13.shape == g_23.shape == d_33.shape:
+                if 14 < m.size <= SMALL:
+                    return _moment_of_frequency(m, k, g_13, g_23, d_33)
+                return alike(m, k, g_13, g_23, d_33)
+        return others((m, k, g_13, g_23, d_33,), out)
 
     return call
 
@@ -659,15 +729,20 @@ def _moment_of_frequency(m, k, g_13, g_23, d_33, out_M_Omega=None, r0=None, r1=N
 
 
 def mean_square_of_amplitude(formula):
-    on_others = on_arrays(formula, _mean_square_of_amplitude, 3, (0,), 1)
+    alike, others = on_arrays(formula, _mean_square_of_amplitude, 3, (0,), 1)
 
     def call(alpha, beta, gamma, out=None):
-        if out is None and float is type(alpha) is type(beta) is type(gamma):
-            try:
-                return formula(alpha, beta, gamma)
-            except UNDEFINED:
-                pass
-        return on_others((alpha, beta, gamma,), out)
+        if out is None:
+            if float is type(alpha) is type(beta) is type(gamma):
+                try:
+                    return formula(alpha, beta, gamma)
+                except UNDEFINED:
+                    pass
+            elif ndarray is type(alpha) is type(beta) is type(gamma) and DOUBLE is alpha.dtype is beta.dtype is gamma.dtype and () != alpha.shape == beta.shape == gamma.shape:
+                if 1 < alpha.size <= SMALL:
+                    return _mean_square_of_amplitude(alpha, beta, gamma)
+                return alike(alpha, beta, gamma)
+        return others((alpha, beta, gamma,), out)
 
     return call
 
@@ -683,15 +758,20 @@ def _mean_square_of_amplitude(alpha, beta, gamma, out_S_a=None, r0=None, r1=None
 
 
 def mean_square_of_frequency(formula):
-    on_others = on_arrays(formula, _mean_square_of_frequency, 3, (0,), 1)
+    alike, others = on_arrays(formula, _mean_square_of_frequency, 3, (0,), 1)
 
     def call(k, g_13, g_23, d_33, out=None):
-        if out is None and float is type(k) is type(g_13) is type(g_23) is type(d_33):
-            try:
-                return formula(k, g_13, g_23, d_33)
-            except UNDEFINED:
-                pass
-        return on_others((k, g_13, g_23, d_33,), out)
+        if out is None:
+            if float is type(k) is type(g_13) is type(g_23) is type(d_33):
+                try:
+                    return formula(k, g_13, g_23, d_33)
+                except UNDEFINED:
+                    pass
+            elif ndarray is type(k) is type(g_13) is type(g_23) is type(d_33) and DOUBLE is k.dtype is g_13.dtype is g_23.dtype is d_33.dtype and () != k.shape == g_13.shape == g_23.shape == d_33.shape:
+                if 1 < k.size <= SMALL:
+                    return _mean_square_of_frequency(k, g_13, g_23, d_33)
+                return alike(k, g_13, g_23, d_33)
+        return others((k, g_13, g_23, d_33,), out)
 
     return call
 
@@ -708,15 +788,20 @@ def _mean_square_of_frequency(k, g_13, g_23, d_33, out_S_Omega=None, r0=None, r1
 
 
 def mode_of_amplitude(formula):
-    on_others = on_arrays(formula, _mode_of_amplitude, 2, (0,), 1)
+    alike, others = on_arrays(formula, _mode_of_amplitude, 2, (0,), 1)
 
     def call(alpha, beta, gamma, out=None):
-        if out is None and float is type(alpha) is type(beta) is type(gamma):
-            try:
-                return formula(alpha, beta, gamma)
-            except UNDEFINED:
-                pass
-        return on_others((alpha, beta, gamma,), out)
+        if out is None:
+            if float is type(alpha) is type(beta) is type(gamma):
+                try:
+                    return formula(alpha, beta, gamma)
+                except UNDEFINED:
+                    pass
+            elif ndarray is type(alpha) is type(beta) is type(gamma) and DOUBLE is alpha.dtype is beta.dtype is gamma.dtype and () != alpha.shape == beta.shape == gamma.shape:
+                if 1 < alpha.size <= SMALL:
+                    return _mode_of_amplitude(alpha, beta, gamma)
+                return alike(alpha, beta, gamma)
+        return others((alpha, beta, gamma,), out)
 
     return call
 
