@@ -113,20 +113,33 @@ class KernelFunction(Protocol):
     __doc__: str | None
     specification: Specification
 
-    def __call__(self, *arguments: Values, out: Any = None, **named: Values) -> Any:
+    def __call__(self, *arguments: Any, **named: Any) -> Any:
         """The results at some points."""
 
 
-def kernel(paths: Callable[[Block], Any], specification: Specification) -> Callable[[Block], KernelFunction]:
+def kernel(paths: Callable[[Block], Any], said: Specification) -> Callable[[Block], KernelFunction]:
     """The decorator of a formula: the function of numbers and arrays that `paths` makes of it, with its data."""
 
     def decorated(formula: Block) -> KernelFunction:
-        function = update_wrapper(paths(formula), formula)
+        function = paths(formula)
+        update_wrapper(function, formula)
         del function.__wrapped__  # whose signature has no `out`
-        function.specification = specification
-        return function
+        function.specification = said
+        kernel: KernelFunction = function
+        return kernel
 
     return decorated
+
+
+def specification(kernel: Callable[..., object]) -> Specification:
+    """What a generated module says of a kernel.
+
+    >>> from symcheck.generated.ignatov2005 import volume_of_three_wheels
+    >>> specification(volume_of_three_wheels).outputs[0].unit
+    'h_max^3'
+    """
+    found: Specification = vars(kernel)["specification"]
+    return found
 
 
 def on_arrays(
@@ -229,7 +242,7 @@ def _by_blocks(
 
 def _of_one_shape(block: Block, registers: int, inputs: Sequence[Any], outputs: list[Any]) -> None:
     """The results, in `outputs`, of many points in arrays of doubles of one shape."""
-    if all([x.flags.c_contiguous for x in inputs]):
+    if all(x.flags.c_contiguous for x in inputs):
         flat = [x.reshape(-1) for x in (*inputs, *outputs)]
         _pieces(block, _registers(registers, DOUBLE), flat, outputs[0].size)
     else:
@@ -248,7 +261,7 @@ def _by_formula(formula: Block, inputs: Sequence[Any], shared: Sequence[int]) ->
         if type(point) is float:
             point = (point,)
         total = sum(point)
-        columns = [[x] for x in point]
+        columns: list[Any] = [[x] for x in point]
     else:
         flat = inputs if first.ndim == 1 else [x.ravel() for x in inputs]
         rows = [*map(formula, *[x.tolist() for x in flat])]

@@ -1,7 +1,7 @@
 """`python -m symcheck.checker FOLDER`: checks certificates, and that they state what the ledger states.
 
-FOLDER is symcheck/generated, with certificates/ and statements/, or a folder or file of certificates alone: of these is told
-that nothing ties them to the print.
+FOLDER is symcheck/generated, with certificates/ and statements/, or a folder or file of certificates alone: of these
+is told that nothing ties them to the print.
 """
 
 from __future__ import annotations

@@ -45,6 +45,7 @@ KERNELS = {{
 '''
 PATHS = '''"""How the kernels of {key} run on numbers and on arrays. {mark}"""
 
+# mypy: ignore-errors
 import math
 
 from numpy import array, ndarray, {ufuncs}
@@ -56,6 +57,7 @@ from numpy import array, ndarray, {ufuncs}
 '''
 STUB = '''"""Types of the kernels of {key}. {mark}"""
 
+# mypy: disable-error-code="overload-overlap"
 from collections.abc import Mapping, Sequence
 from typing import overload
 
@@ -99,14 +101,23 @@ TARGET = Target("NumPy, in symcheck/generated", files)
 
 def formula(key: str, name: str, made: Made) -> str:
     """The text of one kernel: what is known of it, and the function of floats."""
-    kernel, inputs = made.kernel, ", ".join(made.program.inputs)
-    count = len(kernel.outputs)
-    out = OUT.format("Array" if count == 1 else f"{count} arrays")
-    further = {"out": ("ndarray, optional" if count == 1 else "sequence of ndarray, optional", out)}
-    equal = EQUAL if len(distinct(made.program)) < count else ""
-    text = numpydoc(made, KIND, f"{CALLS} {equal}", further, example(kernel, f"symcheck.generated.{key}", name))
+    shown = example(made.kernel, f"symcheck.generated.{key}", name)
+    text = numpydoc(made, KIND, calls(made.program), {"out": out_of(made.program)}, shown)
     lines = "\n".join([docstring(text), *body(made.pointwise)])
+    inputs = ", ".join(made.program.inputs)
     return f"{_decorator(key, name, made)}\ndef {name}({inputs}):\n{textwrap.indent(lines, '    ')}"
+
+
+def calls(program: Program) -> str:
+    """How a kernel is called."""
+    return f"{CALLS} {EQUAL if len(distinct(program)) < len(program.outputs) else ''}"
+
+
+def out_of(program: Program) -> tuple[str, str]:
+    """Type and meaning of the argument `out`."""
+    count = len(program.outputs)
+    kind, arrays = ("ndarray", "Array") if count == 1 else ("sequence of ndarray", f"{count} arrays")
+    return f"{kind}, optional", OUT.format(arrays)
 
 
 def _decorator(key: str, name: str, made: Made) -> str:
@@ -127,12 +138,13 @@ def _decorator(key: str, name: str, made: Made) -> str:
 
 
 def literal(value: object) -> str:
-    """A value as Python, with what differs from the defaults; each member of a tuple or a dictionary on its own line."""
+    """A value as Python, with what differs from the defaults."""
     if isinstance(value, Specification | Argument | Output):
-        stated = [each for each in fields(value) if vars(value)[each.name] != each.default]
+        stated = {each: vars(value)[each.name] for each in fields(value)}
         texts = [
-            f"{'' if each.default is MISSING and not each.kw_only else f'{each.name}='}{literal(vars(value)[each.name])}"
-            for each in stated
+            f"{f'{each.name}=' if each.kw_only or each.default is not MISSING else ''}{literal(given)}"
+            for each, given in stated.items()
+            if given != each.default
         ]
         name = type(value).__name__
         return _bracketed(f"{name}(", texts, ")") if isinstance(value, Specification) else f"{name}({', '.join(texts)})"
@@ -160,7 +172,7 @@ def stub(name: str, made: Made) -> str:
     out = "Array | None" if count == 1 else "Sequence[Array] | None"
     return (
         f"@overload\ndef {name}({takes('float')}) -> {result('float')}: ...\n"
-        f"@overload\ndef {name}({takes('Values')}, out: {out} = None) -> {result('Array')}: ..."
+        f"@overload\ndef {name}({takes('Values')}, *, out: {out} = None) -> {result('Array')}: ..."
     )
 
 

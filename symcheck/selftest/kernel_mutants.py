@@ -60,18 +60,18 @@ class Forms:
 
     def __init__(self, case: Case) -> None:
         self.case = case
-        functions = {node.name: node for node in ast.parse(case.text).body if isinstance(node, ast.FunctionDef)}
-        whole = functions[case.name]
-        (attempt,) = [node for node in ast.walk(whole) if isinstance(node, ast.Try)]
-        (numbers, _) = [node for node in attempt.body if isinstance(node, ast.If)]
-        whole.body = numbers.body  # without arrays, and the way out for what `math` does not take
-        names = {
-            EXPRESSION: f"_{case.name}",
-            CALLED: case.name,
-            IN_PLACE: f"_{case.name}_block",
-            FEW: f"_{case.name}_few",
+        formulas, ways = ({**_functions(ast.parse(text))} for text in case.texts)
+        (call,) = _functions(ways[case.name]).values()
+        (attempt,) = [node for node in ast.walk(call) if isinstance(node, ast.Try)]
+        call.body = attempt.body  # without arrays, and the way out for what `math` does not take
+        formulas[case.name].decorator_list = []
+        trees = {
+            EXPRESSION: formulas[case.name],
+            CALLED: call,
+            IN_PLACE: ways[f"_{case.name}"],
+            FEW: ways.get(f"_{case.name}_few"),
         }
-        self._trees = {form: functions[name] for form, name in names.items() if name in functions}
+        self._trees = {form: tree for form, tree in trees.items() if tree}
         self._inputs = [argument.name for argument in case.kernel.arguments]
         values = list(case.made.program.outputs.values())
         firsts = list(dict.fromkeys(values))
@@ -103,7 +103,7 @@ class Forms:
         inputs = [x.copy() for x in truth.points]
         with np.errstate(all="ignore"):
             try:
-                function = self._compiled(form, UFUNCS | self.case.module)
+                function = self._compiled(form, {**UFUNCS, **self.case.ways, "formula": self.case.function})
                 results = [*self._results(form, function, inputs)]
             except (ArithmeticError, AttributeError, NameError, TypeError, ValueError):
                 return False
@@ -138,7 +138,7 @@ class Forms:
         symbols = [sp.Symbol(argument.name, real=True) for argument in self.case.kernel.arguments]
         space: dict[str, Any] = SYMBOLIC | {"math": _Ufuncs(), "array": lambda x: x}
         if form in (EXPRESSION, CALLED):
-            self._compiled(EXPRESSION, space)
+            space["formula"] = self._compiled(EXPRESSION, space)
             return [_exact(x) for x in _each(self._compiled(form, space)(*symbols))]
         rows = [_Row(sp.Symbol(f"before_{name}")) for name in self._rows(form)]
         written = {name: partial(_written, function) for name, function in SYMBOLIC.items()}
@@ -184,6 +184,11 @@ def _applied(mutant: Mutant) -> Iterator[None]:
         yield
     finally:
         setattr(mutant.node, mutant.field, old)
+
+
+def _functions(tree: ast.Module | ast.FunctionDef) -> dict[str, ast.FunctionDef]:
+    """The functions that are defined in a module or a function, by name."""
+    return {node.name: node for node in tree.body if isinstance(node, ast.FunctionDef)}
 
 
 def _changes(statement: Any, known: list[str]) -> Iterator[tuple[Any, str, Any]]:

@@ -61,20 +61,34 @@ def _sampled(kernel: Kernel, sample: Callable[[Argument, Any, Any], Any]) -> Col
     waiting = list(kernel.arguments)
     while waiting:
         argument = waiting.pop(0)
-        try:
-            low, high = _ends(argument, columns)
-        except NameError:
+        if not all({*_letters(end)} <= columns.keys() for end in (argument.low, argument.high)):
             waiting.append(argument)
             continue
+        low, high = _ends(argument, columns)
         columns[argument.name] = _inside(argument, sample(argument, low, high), low, high)
     return tuple(columns[argument.name] for argument in kernel.arguments)
 
 
 def _ends(argument: Argument, columns: dict[str, Any]) -> tuple[Any, Any]:
     """The ends of a domain, infinite where there is none."""
-    known = {"pi": math.pi, "sqrt": np.sqrt, "abs": np.abs, "max": np.maximum, "min": np.minimum, **columns}
-    low, high = (eval(text, {"__builtins__": {}}, known) if text else None for text in (argument.low, argument.high))
-    return -np.inf if low is None else low, np.inf if high is None else high
+    low, high = (
+        _function(end)(*(columns[letter] for letter in _letters(end))) if end else infinite
+        for end, infinite in ((argument.low, -np.inf), (argument.high, np.inf))
+    )
+    return low, high
+
+
+@cache
+def _letters(end: str) -> list[str]:
+    """The arguments that an end depends on."""
+    return sorted(letter.name for letter in sp.sympify(end).free_symbols) if end else []
+
+
+@cache
+def _function(end: str) -> Callable[..., Any]:
+    """An end as a function of the arguments it depends on."""
+    function: Callable[..., Any] = sp.lambdify(_letters(end), sp.sympify(end), "numpy")
+    return function
 
 
 def _inside(argument: Argument, column: Any, low: Any, high: Any) -> Any:
