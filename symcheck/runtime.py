@@ -136,7 +136,7 @@ def specification(kernel: Callable[..., object]) -> Specification:
 
     >>> from symcheck.generated.ignatov2005 import volume_of_three_wheels
     >>> specification(volume_of_three_wheels).outputs[0].unit
-    'h_max^3'
+    'units of h_max^3'
     """
     found: Specification = vars(kernel)["specification"]
     return found
