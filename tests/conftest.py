@@ -34,7 +34,6 @@ def toy(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> Path:
     """The toy paper instead of the real ones, with a cache and a folder generated/ of its own below the result."""
     import symcheck.kernels
 
-    symcheck.kernels.load("mirer2009")  # the package of kernels is bound once, and not to the toy's folder
     stand_in.install(partial(monkeypatch.setattr, raising=False))  # the decider may not be imported yet
     monkeypatch.setenv("SYMCHECK_CACHE", str(tmp_path / "cache"))
     monkeypatch.setenv("XDG_CONFIG_HOME", str(tmp_path / "config"))

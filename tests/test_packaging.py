@@ -19,7 +19,7 @@ from packaging.utils import canonicalize_name
 import symcheck
 from symcheck.evidence.obligation import SOURCES
 
-PACKAGE, GENERATED = "symcheck/", "generated/"
+PACKAGE = "symcheck/"
 
 
 @pytest.fixture(scope="module")
@@ -57,8 +57,7 @@ def wheel(
 def test_the_wheel_contains_exactly_the_tracked_files(wheel: zipfile.ZipFile, tracked: list[str]) -> None:
     shipped = {name for name in wheel.namelist() if ".dist-info/" not in name}
     package = {name for name in tracked if name.startswith(PACKAGE)}
-    generated = {PACKAGE + name for name in tracked if name.startswith(GENERATED)}
-    assert shipped == package | generated
+    assert shipped == package
 
 
 def test_the_wheel_finds_what_was_generated(wheel: zipfile.ZipFile, tmp_path: Path, root: Path) -> None:
@@ -74,20 +73,18 @@ def test_the_wheel_finds_what_was_generated(wheel: zipfile.ZipFile, tmp_path: Pa
     result = subprocess.run([sys.executable, "-c", code], cwd=tmp_path, capture_output=True, text=True, check=True)
     folder, files = result.stdout.splitlines()
     assert folder == str((tmp_path / "symcheck" / "generated").resolve())
-    assert files == str(sorted(str(f.relative_to(root / "generated")) for f in (root / "generated").rglob("*.json")))
+    generated = root / "symcheck" / "generated"
+    assert files == str(sorted(str(file.relative_to(generated)) for file in generated.rglob("*.json")))
 
 
 def test_every_package_folder_is_listed(project: dict[str, Any], tracked: list[str]) -> None:
     places = {str(PurePosixPath(name).parent) for name in tracked if name.endswith(".py")}
     inside = {place.replace("/", ".") for place in places if f"{place}/".startswith(PACKAGE)}
-    outside = {f"symcheck.{place.replace('/', '.')}" for place in places if f"{place}/".startswith(GENERATED)}
-    assert set(project["tool"]["setuptools"]["packages"]) == inside | outside
+    assert set(project["tool"]["setuptools"]["packages"]) == inside
 
 
 def test_every_package_folder_has_an_init(tracked: list[str]) -> None:
-    sources = [
-        PurePosixPath(name) for name in tracked if name.endswith(".py") and name.startswith((PACKAGE, GENERATED))
-    ]
+    sources = [PurePosixPath(name) for name in tracked if name.endswith(".py") and name.startswith(PACKAGE)]
     assert {file.parent for file in sources} == {file.parent for file in sources if file.name == "__init__.py"}
 
 

@@ -189,6 +189,7 @@ def paths(name: str, made: Made) -> Iterator[str]:
     small = f"_{name}_few" if few else f"_{name}"
     further = f"{count}, ({_order(program)},), {fewest}"
     yield f"""def {name}(formula):
+    \"\"\"The function of numbers and arrays that a formula becomes.\"\"\"
     alike, others = on_arrays(formula, _{name}, {further})
 
     def call({inputs}, out=None):

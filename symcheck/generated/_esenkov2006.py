@@ -9,6 +9,7 @@ from symcheck.runtime import DOUBLE, FEW, SMALL, UNDEFINED, on_arrays
 
 
 def mode_inertia(formula):
+    """The function of numbers and arrays that a formula becomes."""
     alike, others = on_arrays(formula, _mode_inertia, 2, (0,), 0)
 
     def call(a_1, chi_1, N_1, out=None):
@@ -35,6 +36,7 @@ def _mode_inertia(a_1, chi_1, N_1, out_E_1=None, r0=None, r1=None):
 
 
 def residue_of_a_mode(formula):
+    """The function of numbers and arrays that a formula becomes."""
     alike, others = on_arrays(formula, _residue_of_a_mode, 2, (0,), 0)
 
     def call(E_1, lambda_1, omega_0, out=None):
@@ -61,6 +63,7 @@ def _residue_of_a_mode(E_1, lambda_1, omega_0, out_R_1=None, r0=None, r1=None):
 
 
 def characteristic_coefficients(formula):
+    """The function of numbers and arrays that a formula becomes."""
     alike, others = on_arrays(formula, _characteristic_coefficients, 4, (0, 1, 2,), 1)
 
     def call(A, C, E_1, lambda_1, omega_0, out=None):
@@ -93,6 +96,7 @@ def _characteristic_coefficients(A, C, E_1, lambda_1, omega_0, out_c_2=None, out
 
 
 def discriminant(formula):
+    """The function of numbers and arrays that a formula becomes."""
     alike, others = on_arrays(formula, _discriminant, 4, (0,), 6)
 
     def call(A, C, E_1, lambda_1, omega_0, out=None):
@@ -131,6 +135,7 @@ def _discriminant(A, C, E_1, lambda_1, omega_0, out_D=None, r0=None, r1=None, r2
 
 
 def boundary_of_stability(formula):
+    """The function of numbers and arrays that a formula becomes."""
     alike, others = on_arrays(formula, _boundary_of_stability, 6, (0, 1,), 8)
 
     def call(A, E_1, b_1, out=None):
@@ -175,6 +180,7 @@ def _boundary_of_stability(A, E_1, b_1, out_Delta_1=None, out_Delta_2=None, r0=N
 
 
 def width_of_the_unstable_interval(formula):
+    """The function of numbers and arrays that a formula becomes."""
     alike, others = on_arrays(formula, _width_of_the_unstable_interval, 4, (0,), 2)
 
     def call(A, E_1, b_1, out=None):
@@ -207,6 +213,7 @@ def _width_of_the_unstable_interval(A, E_1, b_1, out_width=None, r0=None, r1=Non
 
 
 def critical_frequencies(formula):
+    """The function of numbers and arrays that a formula becomes."""
     alike, others = on_arrays(formula, _critical_frequencies, 3, (0, 1,), 2)
 
     def call(A, E_1, b_1, omega_0, out=None):
@@ -242,6 +249,7 @@ def _critical_frequencies(A, E_1, b_1, omega_0, out_eta_1=None, out_eta_2=None, 
 
 
 def greatest_growth_rate(formula):
+    """The function of numbers and arrays that a formula becomes."""
     alike, others = on_arrays(formula, _greatest_growth_rate, 3, (0,), 1)
 
     def call(A, E_1, b_1, omega_0, out=None):
@@ -274,6 +282,7 @@ def _greatest_growth_rate(A, E_1, b_1, omega_0, out_y=None, r0=None, r1=None, r2
 
 
 def frequencies(formula):
+    """The function of numbers and arrays that a formula becomes."""
     alike, others = on_arrays(formula, _frequencies, 4, (0, 1,), 6)
 
     def call(A, Delta, E_1, b_1, omega_0, out=None):

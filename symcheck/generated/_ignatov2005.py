@@ -9,6 +9,7 @@ from symcheck.runtime import DOUBLE, FEW, SMALL, UNDEFINED, on_arrays
 
 
 def axes_of_four_wheels(formula):
+    """The function of numbers and arrays that a formula becomes."""
     alike, others = on_arrays(formula, _axes_of_four_wheels, 5, (0, 1, 2, 0, 3, 2, 0, 1, 4, 0, 3, 4,), 0)
 
     def call(a, b, out=None):
@@ -59,6 +60,7 @@ def _axes_of_four_wheels(a, b, out_e_1x=None, out_e_1y=None, out_e_1z=None, out_
 
 
 def axes_of_six_wheels(formula):
+    """The function of numbers and arrays that a formula becomes."""
     alike, others = on_arrays(formula, _axes_of_six_wheels, 3, (0, 1, 2, 3, 1, 2, 4, 1, 0, 5, 2, 3, 5, 2, 4, 5,), 0)
 
     def call(a, out=None):
@@ -105,6 +107,7 @@ def _axes_of_six_wheels(a, out_e_1y=None, out_e_1z=None, out_e_2x=None, out_e_2y
 
 
 def momentum_of_four_wheels(formula):
+    """The function of numbers and arrays that a formula becomes."""
     alike, others = on_arrays(formula, _momentum_of_four_wheels, 8, (0, 1, 2,), 4)
 
     def call(h_1, h_2, h_3, h_4, a, b, out=None):
@@ -174,6 +177,7 @@ def _momentum_of_four_wheels(h_1, h_2, h_3, h_4, a, b, out_H_x=None, out_H_y=Non
 
 
 def momentum_of_three_wheels(formula):
+    """The function of numbers and arrays that a formula becomes."""
     alike, others = on_arrays(formula, _momentum_of_three_wheels, 7, (0, 1, 2,), 2)
 
     def call(h_1, h_2, h_3, a, b, out=None):
@@ -235,6 +239,7 @@ def _momentum_of_three_wheels(h_1, h_2, h_3, a, b, out_H_x=None, out_H_y=None, o
 
 
 def momentum_of_six_wheels(formula):
+    """The function of numbers and arrays that a formula becomes."""
     alike, others = on_arrays(formula, _momentum_of_six_wheels, 6, (0, 1, 2,), 5)
 
     def call(h_1, h_2, h_3, h_4, h_5, h_6, a, out=None):
@@ -309,6 +314,7 @@ def _momentum_of_six_wheels(h_1, h_2, h_3, h_4, h_5, h_6, a, out_H_x=None, out_H
 
 
 def momentum_of_five_wheels(formula):
+    """The function of numbers and arrays that a formula becomes."""
     alike, others = on_arrays(formula, _momentum_of_five_wheels, 5, (0, 1, 2,), 4)
 
     def call(h_1, h_2, h_3, h_4, h_5, a, out=None):
@@ -375,6 +381,7 @@ def _momentum_of_five_wheels(h_1, h_2, h_3, h_4, h_5, a, out_H_x=None, out_H_y=N
 
 
 def rates_of_four_wheels(formula):
+    """The function of numbers and arrays that a formula becomes."""
     alike, others = on_arrays(formula, _rates_of_four_wheels, 8, (0, 1, 2,), 6)
 
     def call(h_1, h_2, h_3, h_4, a, b, J_x, J_y, J_z, out=None):
@@ -456,6 +463,7 @@ def _rates_of_four_wheels(h_1, h_2, h_3, h_4, a, b, J_x, J_y, J_z, out_w_x=None,
 
 
 def rates_of_three_wheels(formula):
+    """The function of numbers and arrays that a formula becomes."""
     alike, others = on_arrays(formula, _rates_of_three_wheels, 7, (0, 1, 2,), 4)
 
     def call(h_1, h_2, h_3, a, b, J_x, J_y, J_z, out=None):
@@ -529,6 +537,7 @@ def _rates_of_three_wheels(h_1, h_2, h_3, a, b, J_x, J_y, J_z, out_w_x=None, out
 
 
 def rates_of_six_wheels(formula):
+    """The function of numbers and arrays that a formula becomes."""
     alike, others = on_arrays(formula, _rates_of_six_wheels, 6, (0, 1, 2,), 7)
 
     def call(h_1, h_2, h_3, h_4, h_5, h_6, a, J_x, J_y, J_z, out=None):
@@ -615,6 +624,7 @@ def _rates_of_six_wheels(h_1, h_2, h_3, h_4, h_5, h_6, a, J_x, J_y, J_z, out_w_x
 
 
 def rates_of_five_wheels(formula):
+    """The function of numbers and arrays that a formula becomes."""
     alike, others = on_arrays(formula, _rates_of_five_wheels, 5, (0, 1, 2,), 6)
 
     def call(h_1, h_2, h_3, h_4, h_5, a, J_x, J_y, J_z, out=None):
@@ -693,6 +703,7 @@ def _rates_of_five_wheels(h_1, h_2, h_3, h_4, h_5, a, J_x, J_y, J_z, out_w_x=Non
 
 
 def vertices_of_four_wheels(formula):
+    """The function of numbers and arrays that a formula becomes."""
     alike, others = on_arrays(formula, _vertices_of_four_wheels, 5, (0, 1, 2, 3, 1, 4, 3, 1, 2, 5, 1, 4, 5, 6, 7,), 1)
 
     def call(a, b, out=None):
@@ -758,6 +769,7 @@ def _vertices_of_four_wheels(a, b, out_V_1x=None, out_V_2x=None, out_V_2y=None, 
 
 
 def vertices_of_three_wheels(formula):
+    """The function of numbers and arrays that a formula becomes."""
     alike, others = on_arrays(formula, _vertices_of_three_wheels, 5, (0, 1, 2, 3, 4, 5, 3, 6, 5, 3, 4, 7,), 0)
 
     def call(a, b, out=None):
@@ -818,6 +830,7 @@ def _vertices_of_three_wheels(a, b, out_V_1x=None, out_V_1y=None, out_V_1z=None,
 
 
 def vertices_of_six_wheels(formula):
+    """The function of numbers and arrays that a formula becomes."""
     alike, others = on_arrays(formula, _vertices_of_six_wheels, 3, (0, 1, 2, 3, 4, 2, 3, 5, 2, 6, 2, 7, 5, 2, 7, 4, 2, 7, 8, 9, 3, 8, 9, 10, 9, 3, 11, 9, 7, 11, 9, 12, 9, 12, 1, 13, 10, 1,), 0)
 
     def call(a, out=None):
@@ -882,6 +895,7 @@ def _vertices_of_six_wheels(a, out_V_1z=None, out_V_2y=None, out_V_2z=None, out_
 
 
 def vertices_of_five_wheels(formula):
+    """The function of numbers and arrays that a formula becomes."""
     alike, others = on_arrays(formula, _vertices_of_five_wheels, 3, (0, 1, 2, 0, 3, 4, 5, 6, 4, 5, 7, 4, 0, 8, 4, 9, 7, 4, 9, 6, 10, 5, 11, 10, 12, 1, 10, 5, 13, 10, 9, 13, 10,), 0)
 
     def call(a, out=None):
@@ -946,6 +960,7 @@ def _vertices_of_five_wheels(a, out_V_1x=None, out_V_1y=None, out_V_1z=None, out
 
 
 def vertex_distances_of_four_wheels(formula):
+    """The function of numbers and arrays that a formula becomes."""
     alike, others = on_arrays(formula, _vertex_distances_of_four_wheels, 4, (0, 1, 2,), 1)
 
     def call(a, b, out=None):
@@ -995,6 +1010,7 @@ def _vertex_distances_of_four_wheels(a, b, out_d_1=None, out_d_2=None, out_d_3=N
 
 
 def vertex_distances_of_three_wheels(formula):
+    """The function of numbers and arrays that a formula becomes."""
     alike, others = on_arrays(formula, _vertex_distances_of_three_wheels, 4, (0, 1, 2,), 4)
 
     def call(a, b, out=None):
@@ -1034,6 +1050,7 @@ def _vertex_distances_of_three_wheels(a, b, out_d_1=None, out_d_2=None, out_d_3=
 
 
 def vertex_distances_of_six_wheels(formula):
+    """The function of numbers and arrays that a formula becomes."""
     alike, others = on_arrays(formula, _vertex_distances_of_six_wheels, 4, (0, 1, 2, 3,), 3)
 
     def call(a, out=None):
@@ -1095,6 +1112,7 @@ def _vertex_distances_of_six_wheels(a, out_d_1=None, out_d_2=None, out_d_3=None,
 
 
 def vertex_distances_of_five_wheels(formula):
+    """The function of numbers and arrays that a formula becomes."""
     alike, others = on_arrays(formula, _vertex_distances_of_five_wheels, 5, (0, 1, 2, 3, 4, 5, 6,), 4)
 
     def call(a, out=None):
@@ -1144,6 +1162,7 @@ def _vertex_distances_of_five_wheels(a, out_d_1=None, out_d_2=None, out_d_3=None
 
 
 def face_distances_of_four_wheels(formula):
+    """The function of numbers and arrays that a formula becomes."""
     alike, others = on_arrays(formula, _face_distances_of_four_wheels, 8, (0, 1, 2,), 9)
 
     def call(a, b, out=None):
@@ -1193,6 +1212,7 @@ def _face_distances_of_four_wheels(a, b, out_r_1=None, out_r_2=None, out_r_3=Non
 
 
 def face_distances_of_three_wheels(formula):
+    """The function of numbers and arrays that a formula becomes."""
     alike, others = on_arrays(formula, _face_distances_of_three_wheels, 8, (0, 1, 2,), 9)
 
     def call(a, b, out=None):
@@ -1242,6 +1262,7 @@ def _face_distances_of_three_wheels(a, b, out_r_1=None, out_r_2=None, out_r_3=No
 
 
 def face_distances_of_six_wheels(formula):
+    """The function of numbers and arrays that a formula becomes."""
     alike, others = on_arrays(formula, _face_distances_of_six_wheels, 4, (0, 1, 2,), 6)
 
     def call(a, out=None):
@@ -1284,6 +1305,7 @@ def _face_distances_of_six_wheels(a, out_r_1=None, out_r_2=None, out_r_3=None, r
 
 
 def face_distances_of_five_wheels(formula):
+    """The function of numbers and arrays that a formula becomes."""
     alike, others = on_arrays(formula, _face_distances_of_five_wheels, 4, (0, 1, 2, 3, 4, 5,), 3)
 
     def call(a, out=None):
@@ -1329,6 +1351,7 @@ def _face_distances_of_five_wheels(a, out_r_1=None, out_r_2=None, out_r_3=None, 
 
 
 def volume_of_four_wheels(formula):
+    """The function of numbers and arrays that a formula becomes."""
     alike, others = on_arrays(formula, _volume_of_four_wheels, 5, (0,), 6)
 
     def call(a, b, out=None):
@@ -1366,6 +1389,7 @@ def _volume_of_four_wheels(a, b, out_volume=None, r0=None, r1=None, r2=None, r3=
 
 
 def volume_of_three_wheels(formula):
+    """The function of numbers and arrays that a formula becomes."""
     alike, others = on_arrays(formula, _volume_of_three_wheels, 5, (0,), 6)
 
     def call(a, b, out=None):
@@ -1403,6 +1427,7 @@ def _volume_of_three_wheels(a, b, out_volume=None, r0=None, r1=None, r2=None, r3
 
 
 def volume_of_six_wheels(formula):
+    """The function of numbers and arrays that a formula becomes."""
     alike, others = on_arrays(formula, _volume_of_six_wheels, 3, (0,), 4)
 
     def call(a, out=None):
@@ -1436,6 +1461,7 @@ def _volume_of_six_wheels(a, out_volume=None, r0=None, r1=None, r2=None, n1_3=ar
 
 
 def volume_of_five_wheels(formula):
+    """The function of numbers and arrays that a formula becomes."""
     alike, others = on_arrays(formula, _volume_of_five_wheels, 3, (0,), 4)
 
     def call(a, out=None):
@@ -1469,6 +1495,7 @@ def _volume_of_five_wheels(a, out_volume=None, r0=None, r1=None, r2=None, n1_3=a
 
 
 def largest_rates_of_four_wheels(formula):
+    """The function of numbers and arrays that a formula becomes."""
     alike, others = on_arrays(formula, _largest_rates_of_four_wheels, 5, (0, 1, 2,), 1)
 
     def call(a, b, J_x, J_y, J_z, out=None):
@@ -1524,6 +1551,7 @@ def _largest_rates_of_four_wheels(a, b, J_x, J_y, J_z, out_w_x=None, out_w_y=Non
 
 
 def largest_rates_of_six_wheels(formula):
+    """The function of numbers and arrays that a formula becomes."""
     alike, others = on_arrays(formula, _largest_rates_of_six_wheels, 4, (0, 1, 2,), 1)
 
     def call(a, J_x, J_y, J_z, out=None):
@@ -1573,6 +1601,7 @@ def _largest_rates_of_six_wheels(a, J_x, J_y, J_z, out_w_x=None, out_w_y=None, o
 
 
 def equal_rates_of_four_wheels(formula):
+    """The function of numbers and arrays that a formula becomes."""
     alike, others = on_arrays(formula, _equal_rates_of_four_wheels, 2, (0, 1, 2, 3,), 2)
 
     def call(J_x, J_y, J_z, out=None):
@@ -1611,6 +1640,7 @@ def _equal_rates_of_four_wheels(J_x, J_y, J_z, out_a=None, out_b=None, out_w=Non
 
 
 def equal_rates_of_six_wheels(formula):
+    """The function of numbers and arrays that a formula becomes."""
     alike, others = on_arrays(formula, _equal_rates_of_six_wheels, 2, (0, 1, 2,), 3)
 
     def call(J_x, J_y, J_z, out=None):
@@ -1649,6 +1679,7 @@ def _equal_rates_of_six_wheels(J_x, J_y, J_z, out_a=None, out_w_x=None, out_w_y=
 
 
 def best_angles_of_four_wheels(formula):
+    """The function of numbers and arrays that a formula becomes."""
     alike, others = on_arrays(formula, _best_angles_of_four_wheels, 4, (0, 1, 2,), 4)
 
     def call(J_x, J_y, J_z, out=None):
@@ -1688,6 +1719,7 @@ def _best_angles_of_four_wheels(J_x, J_y, J_z, out_a=None, out_b=None, out_w=Non
 
 
 def best_angle_of_six_wheels(formula):
+    """The function of numbers and arrays that a formula becomes."""
     alike, others = on_arrays(formula, _best_angle_of_six_wheels, 1, (0, 1,), 1)
 
     def call(J_y, J_z, out=None):

@@ -9,6 +9,7 @@ from symcheck.runtime import DOUBLE, FEW, SMALL, UNDEFINED, on_arrays
 
 
 def direction_cosines(formula):
+    """The function of numbers and arrays that a formula becomes."""
     alike, others = on_arrays(formula, _direction_cosines, 9, (0, 1, 2, 3, 4, 5, 6, 7, 8,), 2)
 
     def call(alpha, beta, gamma, out=None):
@@ -57,6 +58,7 @@ def _direction_cosines(alpha, beta, gamma, out_a_11=None, out_a_12=None, out_a_1
 
 
 def axial_moments(formula):
+    """The function of numbers and arrays that a formula becomes."""
     alike, others = on_arrays(formula, _axial_moments, 3, (0, 1, 2,), 5)
 
     def call(I_1, I_2, I_3, a_11, a_12, a_13, a_21, a_22, a_23, a_31, a_32, a_33, out=None):
@@ -104,6 +106,7 @@ def _axial_moments(I_1, I_2, I_3, a_11, a_12, a_13, a_21, a_22, a_23, a_31, a_32
 
 
 def second_order_moments(formula):
+    """The function of numbers and arrays that a formula becomes."""
     alike, others = on_arrays(formula, _second_order_moments, 6, (0, 1, 2,), 6)
 
     def call(I_1, I_2, I_3, a_11, a_12, a_13, a_21, a_22, a_23, a_31, a_32, a_33, out=None):
@@ -154,6 +157,7 @@ def _second_order_moments(I_1, I_2, I_3, a_11, a_12, a_13, a_21, a_22, a_23, a_3
 
 
 def product_of_axial_moments(formula):
+    """The function of numbers and arrays that a formula becomes."""
     alike, others = on_arrays(formula, _product_of_axial_moments, 5, (0,), 8)
 
     def call(I_1, I_2, I_3, a_11, a_12, a_13, a_21, a_22, a_23, a_31, a_32, a_33, out=None):
@@ -203,6 +207,7 @@ def _product_of_axial_moments(I_1, I_2, I_3, a_11, a_12, a_13, a_21, a_22, a_23,
 
 
 def sum_of_products(formula):
+    """The function of numbers and arrays that a formula becomes."""
     alike, others = on_arrays(formula, _sum_of_products, 15, (0,), 15)
 
     def call(I_1, I_2, I_3, a_11, a_12, a_13, a_21, a_22, a_23, a_31, a_32, a_33, out=None):
@@ -273,6 +278,7 @@ def _sum_of_products(I_1, I_2, I_3, a_11, a_12, a_13, a_21, a_22, a_23, a_31, a_
 
 
 def bounds_of_products(formula):
+    """The function of numbers and arrays that a formula becomes."""
     alike, others = on_arrays(formula, _bounds_of_products, 2, (0, 1, 2,), 1)
 
     def call(I_1, I_2, I_3, out=None):
@@ -304,6 +310,7 @@ def _bounds_of_products(I_1, I_2, I_3, out_f_least=None, out_f_greatest=None, ou
 
 
 def distances_from_bounds(formula):
+    """The function of numbers and arrays that a formula becomes."""
     alike, others = on_arrays(formula, _distances_from_bounds, 19, (0, 1, 2,), 18)
 
     def call(I_1, I_2, I_3, a_11, a_12, a_13, a_21, a_22, a_23, a_31, a_32, a_33, out=None):
@@ -417,6 +424,7 @@ def _distances_from_bounds(I_1, I_2, I_3, a_11, a_12, a_13, a_21, a_22, a_23, a_
 
 
 def bound_at_given_moment(formula):
+    """The function of numbers and arrays that a formula becomes."""
     alike, others = on_arrays(formula, _bound_at_given_moment, 4, (0,), 1)
 
     def call(I_1, I_2, I_3, J_2, out=None):
@@ -449,6 +457,7 @@ def _bound_at_given_moment(I_1, I_2, I_3, J_2, out_f_1=None, r0=None, r1=None, r
 
 
 def product_of_two_axial_moments(formula):
+    """The function of numbers and arrays that a formula becomes."""
     alike, others = on_arrays(formula, _product_of_two_axial_moments, 4, (0,), 5)
 
     def call(I_1, I_2, I_3, a_11, a_12, a_13, a_31, a_32, a_33, out=None):
@@ -489,6 +498,7 @@ def _product_of_two_axial_moments(I_1, I_2, I_3, a_11, a_12, a_13, a_31, a_32, a
 
 
 def product_with_second_moment(formula):
+    """The function of numbers and arrays that a formula becomes."""
     alike, others = on_arrays(formula, _product_with_second_moment, 6, (0,), 6)
 
     def call(I_1, I_2, I_3, a_21, a_22, a_23, out=None):
@@ -529,6 +539,7 @@ def _product_with_second_moment(I_1, I_2, I_3, a_21, a_22, a_23, out_J_2_L_2=Non
 
 
 def damping_matrix(formula):
+    """The function of numbers and arrays that a formula becomes."""
     alike, others = on_arrays(formula, _damping_matrix, 6, (0, 1, 2, 3, 4, 5,), 8)
 
     def call(k_1, k_2, k_3, a_11, a_12, a_13, a_21, a_22, a_23, a_31, a_32, a_33, out=None):
@@ -597,6 +608,7 @@ def _damping_matrix(k_1, k_2, k_3, a_11, a_12, a_13, a_21, a_22, a_23, a_31, a_3
 
 
 def characteristic_coefficients(formula):
+    """The function of numbers and arrays that a formula becomes."""
     alike, others = on_arrays(formula, _characteristic_coefficients, 17, (0, 1, 2, 3,), 12)
 
     def call(I_1, I_2, I_3, k_1, k_2, k_3, a_11, a_12, a_13, a_21, a_22, a_23, a_31, a_32, a_33, out=None):
@@ -677,6 +689,7 @@ def _characteristic_coefficients(I_1, I_2, I_3, k_1, k_2, k_3, a_11, a_12, a_13,
 
 
 def characteristic_coefficients_at_common_ratio(formula):
+    """The function of numbers and arrays that a formula becomes."""
     alike, others = on_arrays(formula, _characteristic_coefficients_at_common_ratio, 17, (0, 1, 2, 3,), 12)
 
     def call(I_1, I_2, I_3, k, a_11, a_12, a_13, a_21, a_22, a_23, a_31, a_32, a_33, out=None):
@@ -756,6 +769,7 @@ def _characteristic_coefficients_at_common_ratio(I_1, I_2, I_3, k, a_11, a_12, a
 
 
 def gains_in_proportion(formula):
+    """The function of numbers and arrays that a formula becomes."""
     alike, others = on_arrays(formula, _gains_in_proportion, 3, (0, 1, 2,), 6)
 
     def call(k, I_1, I_2, I_3, a_11, a_12, a_13, a_21, a_22, a_23, a_31, a_32, a_33, out=None):
@@ -806,6 +820,7 @@ def _gains_in_proportion(k, I_1, I_2, I_3, a_11, a_12, a_13, a_21, a_22, a_23, a
 
 
 def gain_of_rates(formula):
+    """The function of numbers and arrays that a formula becomes."""
     alike, others = on_arrays(formula, _gain_of_rates, 4, (0, 1,), 5)
 
     def call(xi, s_1, s_2, s_3, out=None):
@@ -845,6 +860,7 @@ def _gain_of_rates(xi, s_1, s_2, s_3, out_k=None, out_k_excess=None, r0=None, r1
 
 
 def stability_degree_in_pitch(formula):
+    """The function of numbers and arrays that a formula becomes."""
     alike, others = on_arrays(formula, _stability_degree_in_pitch, 4, (0,), 6)
 
     def call(k, I_1, I_3, alpha, out=None):
@@ -883,6 +899,7 @@ def _stability_degree_in_pitch(k, I_1, I_3, alpha, out_xi=None, r0=None, r1=None
 
 
 def equal_moment_pitch(formula):
+    """The function of numbers and arrays that a formula becomes."""
     alike, others = on_arrays(formula, _equal_moment_pitch, 2, (0,), 2)
 
     def call(I_1, I_2, I_3, out=None):

@@ -10,6 +10,7 @@ from symcheck.runtime import DOUBLE, FEW, SMALL, UNDEFINED, on_arrays
 
 
 def stratonovich_drift(formula):
+    """The function of numbers and arrays that a formula becomes."""
     alike, others = on_arrays(formula, _stratonovich_drift, 10, (0, 1, 2,), 10)
 
     def call(a, psi, Omega, k, varepsilon, d_11, d_12, d_13, d_21, d_22, d_23, d_31, d_32, d_33, out=None):
@@ -76,6 +77,7 @@ def _stratonovich_drift(a, psi, Omega, k, varepsilon, d_11, d_12, d_13, d_21, d_
 
 
 def noise_intensities(formula):
+    """The function of numbers and arrays that a formula becomes."""
     alike, others = on_arrays(formula, _noise_intensities, 9, (0, 1, 2, 3, 4, 5, 6, 7, 8, 9,), 2)
 
     def call(a, psi, Omega, k, varepsilon, g_11, g_12, g_21, g_22, g_13, g_23, out=None):
@@ -129,6 +131,7 @@ def _noise_intensities(a, psi, Omega, k, varepsilon, g_11, g_12, g_21, g_22, g_1
 
 
 def drift_coefficients(formula):
+    """The function of numbers and arrays that a formula becomes."""
     alike, others = on_arrays(formula, _drift_coefficients, 23, (0, 1, 2,), 17)
 
     def call(a, psi, Omega, k, varepsilon, d_11, d_12, d_13, d_21, d_22, d_23, d_31, d_32, d_33, g_11, g_12, g_21, g_22, g_13, out=None):
@@ -244,6 +247,7 @@ def _drift_coefficients(a, psi, Omega, k, varepsilon, d_11, d_12, d_13, d_21, d_
 
 
 def diffusion_coefficients(formula):
+    """The function of numbers and arrays that a formula becomes."""
     alike, others = on_arrays(formula, _diffusion_coefficients, 13, (0, 1, 2, 3,), 11)
 
     def call(a, psi, Omega, k, varepsilon, g_11, g_12, g_21, g_22, g_13, g_23, out=None):
@@ -315,6 +319,7 @@ def _diffusion_coefficients(a, psi, Omega, k, varepsilon, g_11, g_12, g_21, g_22
 
 
 def averaged_drift(formula):
+    """The function of numbers and arrays that a formula becomes."""
     alike, others = on_arrays(formula, _averaged_drift, 4, (0, 1, 2,), 5)
 
     def call(a, Omega, alpha, beta, gamma, d_12, d_21, d_33, g_13, out=None):
@@ -360,6 +365,7 @@ def _averaged_drift(a, Omega, alpha, beta, gamma, d_12, d_21, d_33, g_13, out_Kb
 
 
 def averaged_diffusion(formula):
+    """The function of numbers and arrays that a formula becomes."""
     alike, others = on_arrays(formula, _averaged_diffusion, 5, (0, 1, 2,), 4)
 
     def call(a, Omega, k, alpha, beta, g_13, g_23, out=None):
@@ -401,6 +407,7 @@ def _averaged_diffusion(a, Omega, k, alpha, beta, g_13, g_23, out_Kbar_11=None, 
 
 
 def density_of_amplitude(formula):
+    """The function of numbers and arrays that a formula becomes."""
     alike, others = on_arrays(formula, _density_of_amplitude, 7, (0,), 12)
 
     def call(a, alpha, beta, gamma, out=None):
@@ -449,6 +456,7 @@ def _density_of_amplitude(a, alpha, beta, gamma, out_p_s1=None, r0=None, r1=None
 
 
 def density_of_frequency(formula):
+    """The function of numbers and arrays that a formula becomes."""
     alike, others = on_arrays(formula, _density_of_frequency, 6, (0,), 14)
 
     def call(Omega, k, g_13, g_23, d_33, out=None):
@@ -495,6 +503,7 @@ def _density_of_frequency(Omega, k, g_13, g_23, d_33, out_p_s3=None, r0=None, r1
 
 
 def logarithm_of_constant_of_amplitude(formula):
+    """The function of numbers and arrays that a formula becomes."""
     alike, others = on_arrays(formula, _logarithm_of_constant_of_amplitude, 4, (0,), 5)
 
     def call(alpha, beta, gamma, out=None):
@@ -531,6 +540,7 @@ def _logarithm_of_constant_of_amplitude(alpha, beta, gamma, out_log_C_1=None, r0
 
 
 def logarithm_of_constant_of_frequency(formula):
+    """The function of numbers and arrays that a formula becomes."""
     alike, others = on_arrays(formula, _logarithm_of_constant_of_frequency, 3, (0,), 14)
 
     def call(k, g_13, g_23, d_33, out=None):
@@ -566,6 +576,7 @@ def _logarithm_of_constant_of_frequency(k, g_13, g_23, d_33, out_log_C_2=None, r
 
 
 def distribution_of_amplitude(formula):
+    """The function of numbers and arrays that a formula becomes."""
     alike, others = on_arrays(formula, _distribution_of_amplitude, 4, (0,), 8)
 
     def call(a, alpha, beta, gamma, out=None):
@@ -605,6 +616,7 @@ def _distribution_of_amplitude(a, alpha, beta, gamma, out_F=None, r0=None, r1=No
 
 
 def quantile_of_amplitude(formula):
+    """The function of numbers and arrays that a formula becomes."""
     alike, others = on_arrays(formula, _quantile_of_amplitude, 7, (0,), 11)
 
     def call(q, alpha, beta, gamma, out=None):
@@ -651,6 +663,7 @@ def _quantile_of_amplitude(q, alpha, beta, gamma, out_a_q=None, r0=None, r1=None
 
 
 def moment_of_amplitude(formula):
+    """The function of numbers and arrays that a formula becomes."""
     alike, others = on_arrays(formula, _moment_of_amplitude, 6, (0,), 15)
 
     def call(m, alpha, beta, gamma, out=None):
@@ -693,6 +706,7 @@ def _moment_of_amplitude(m, alpha, beta, gamma, out_M_a=None, r0=None, r1=None, 
 
 
 def moment_of_frequency(formula):
+    """The function of numbers and arrays that a formula becomes."""
     alike, others = on_arrays(formula, _moment_of_frequency, 4, (0,), 14)
 
     def call(m, k, g_13, g_23, d_33, out=None):
@@ -730,6 +744,7 @@ def _moment_of_frequency(m, k, g_13, g_23, d_33, out_M_Omega=None, r0=None, r1=N
 
 
 def mean_square_of_amplitude(formula):
+    """The function of numbers and arrays that a formula becomes."""
     alike, others = on_arrays(formula, _mean_square_of_amplitude, 3, (0,), 1)
 
     def call(alpha, beta, gamma, out=None):
@@ -759,6 +774,7 @@ def _mean_square_of_amplitude(alpha, beta, gamma, out_S_a=None, r0=None, r1=None
 
 
 def mean_square_of_frequency(formula):
+    """The function of numbers and arrays that a formula becomes."""
     alike, others = on_arrays(formula, _mean_square_of_frequency, 3, (0,), 1)
 
     def call(k, g_13, g_23, d_33, out=None):
@@ -789,6 +805,7 @@ def _mean_square_of_frequency(k, g_13, g_23, d_33, out_S_Omega=None, r0=None, r1
 
 
 def mode_of_amplitude(formula):
+    """The function of numbers and arrays that a formula becomes."""
     alike, others = on_arrays(formula, _mode_of_amplitude, 2, (0,), 1)
 
     def call(alpha, beta, gamma, out=None):
