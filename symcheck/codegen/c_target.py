@@ -26,7 +26,7 @@ WORDS_OF_C = re.compile(  # and of the text around a kernel: far, i, libm, n
 C_NAMES = {"arctan": "atan", "power": "pow"}  # what C calls otherwise
 VECTOR = ("atan", "exp", "expm1", "log", "log1p", "pow")  # functions of libm that glibc has for vectors too
 WIDTH = 116
-CALLS = "Arguments and results are arrays of n numbers. NaN inputs give NaN outputs."
+CALLS = "n is the number of points; the results go to the arrays that come last. NaN inputs give NaN outputs."
 
 
 def files(key: str, kernels: Mapping[str, Made]) -> dict[str, str]:
@@ -120,7 +120,7 @@ def number(x: Ref, places: Mapping[str, str]) -> str:
 
 def comment(made: Made) -> str:
     """What the function is, as a comment."""
-    text = numpydoc(made, "array of double", CALLS, {"n": ("size_t", "Number of points.")})
+    text = numpydoc(made, "array of n doubles", CALLS)
     return f"/** {textwrap.indent(text, '    ').lstrip()} */"
 
 
