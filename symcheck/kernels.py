@@ -12,7 +12,7 @@ from pathlib import Path
 from types import ModuleType
 
 from symcheck import generated
-from symcheck.runtime import KernelFunction
+from symcheck.specification import KernelFunction
 from symcheck.statement import SymcheckError
 
 

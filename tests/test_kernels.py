@@ -47,8 +47,9 @@ from symcheck.codegen.target import MARK
 from symcheck.evidence import kernels as evidence
 from symcheck.papers import load
 from symcheck.proof import certificate
-from symcheck.runtime import BLOCK, SMALL, specification
+from symcheck.runtime import BLOCK, SMALL
 from symcheck.selftest.kernel_mutants import CALLED, Forms, Mutant
+from symcheck.specification import specification
 from symcheck.statement import SymcheckError
 
 CASES = cases()

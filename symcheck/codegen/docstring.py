@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 from symcheck.codegen.target import Made
 from symcheck.lazy import lazy
-from symcheck.runtime import Argument, Output
+from symcheck.specification import Argument, Output
 
 if TYPE_CHECKING:
     from symcheck.codegen.kernel import Kernel

@@ -7,8 +7,8 @@ from dataclasses import dataclass
 from typing import Any
 
 from symcheck.lazy import lazy
-from symcheck.runtime import Argument as Argument
-from symcheck.runtime import Output as Output
+from symcheck.specification import Argument as Argument
+from symcheck.specification import Output as Output
 from symcheck.statement import Hypothesis, SymcheckError
 
 sp = lazy("sympy")

@@ -16,7 +16,7 @@ from symcheck.codegen.expression import bare, body, number
 from symcheck.codegen.program import Program, Ref, is_number, registers
 from symcheck.codegen.special import RUNTIME
 from symcheck.codegen.target import MARK, Made, Target
-from symcheck.runtime import Argument, Output, Specification
+from symcheck.specification import Argument, Output, Specification
 from symcheck.statement import SymcheckError
 
 KIND = "float or ndarray"
@@ -29,7 +29,8 @@ FORMULAS = '''"""Kernels of {key}. {mark}"""
 import math
 
 {special}from symcheck.generated import _{key} as paths
-from symcheck.runtime import Argument, Output, Specification, kernel
+from symcheck.runtime import kernel
+from symcheck.specification import Argument, Output, Specification
 
 __all__ = [
 {names}
@@ -61,7 +62,8 @@ STUB = '''"""Types of the kernels of {key}. {mark}"""
 from collections.abc import Mapping, Sequence
 from typing import overload
 
-from symcheck.runtime import Array, KernelFunction, Values
+from symcheck.runtime import Array, Values
+from symcheck.specification import KernelFunction
 
 KERNELS: Mapping[str, KernelFunction]
 

@@ -4,7 +4,8 @@
 from collections.abc import Mapping, Sequence
 from typing import overload
 
-from symcheck.runtime import Array, KernelFunction, Values
+from symcheck.runtime import Array, Values
+from symcheck.specification import KernelFunction
 
 KERNELS: Mapping[str, KernelFunction]
 

@@ -3,7 +3,8 @@
 import math
 
 from symcheck.generated import _mirer2009 as paths
-from symcheck.runtime import Argument, Output, Specification, kernel
+from symcheck.runtime import kernel
+from symcheck.specification import Argument, Output, Specification
 
 __all__ = [
     "axial_moments",

@@ -4,7 +4,8 @@ import math
 
 from symcheck.ratios import expm1_ratio, gamma_ratio, log1p_ratio
 from symcheck.generated import _poloskov2004 as paths
-from symcheck.runtime import Argument, Output, Specification, kernel
+from symcheck.runtime import kernel
+from symcheck.specification import Argument, Output, Specification
 
 __all__ = [
     "averaged_diffusion",

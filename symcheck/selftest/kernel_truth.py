@@ -23,7 +23,7 @@ from symcheck.codegen.kernel import Kernel
 from symcheck.codegen.target import Made
 from symcheck.evidence import kernels as evidence
 from symcheck.papers import load
-from symcheck.runtime import KernelFunction
+from symcheck.specification import KernelFunction
 
 PRECISIONS = (256, 1024, 4096, 16384)  # bits: the last are for differences beside 1e-300
 DIGITS = 170  # bits that must be certain: 50 digits and some

@@ -11,7 +11,7 @@ import numpy as np
 
 from symcheck import kernels
 from symcheck.numeric.chunked.arrays import Results, Signature, apply, is_chunked
-from symcheck.runtime import Argument, Output, specification
+from symcheck.specification import Argument, Output, specification
 
 FLOAT = np.dtype(np.float32)
 

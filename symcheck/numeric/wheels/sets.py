@@ -14,7 +14,7 @@ from symcheck.generated import ignatov2005
 from symcheck.numeric.chunked import gufunc
 from symcheck.numeric.chunked.kernels import by_blocks
 from symcheck.numeric.domain import Array, doubles, real, require
-from symcheck.runtime import specification
+from symcheck.specification import specification
 
 VERTICES: dict[int, Callable[..., tuple[float, ...]]] = {
     3: ignatov2005.vertices_of_three_wheels,
