@@ -31,30 +31,14 @@ NOTHING = arb(2) ** -4000  # what is not told from 0 and below this is 0
 
 Columns = tuple[Any, ...]  # an array of doubles for each argument
 
+METHODS = ("atan2", "erf", "erfc", "sin", "cos", "tan", "exp", "log", "atan", "asin", "acos", "gamma")
 FUNCTIONS: dict[str, Callable[..., arb]] = {
-    "Abs": arb.__abs__,
+    **{name: vars(arb)[name] for name in (*METHODS, "sinh", "cosh", "tanh", "asinh", "acosh", "atanh")},
+    "Abs": abs,
     "Max": lambda *balls: reduce(arb.max, balls),
     "Min": lambda *balls: reduce(arb.min, balls),
-    "atan2": arb.atan2,
     "loggamma": arb.lgamma,
     "sign": arb.sgn,
-    "erf": arb.erf,
-    "erfc": arb.erfc,
-    "sin": arb.sin,
-    "cos": arb.cos,
-    "tan": arb.tan,
-    "exp": arb.exp,
-    "log": arb.log,
-    "atan": arb.atan,
-    "asin": arb.asin,
-    "acos": arb.acos,
-    "gamma": arb.gamma,
-    "sinh": arb.sinh,
-    "cosh": arb.cosh,
-    "tanh": arb.tanh,
-    "asinh": arb.asinh,
-    "acosh": arb.acosh,
-    "atanh": arb.atanh,
 }
 
 
