@@ -40,14 +40,18 @@ UNDEFINED = (ValueError, ZeroDivisionError, OverflowError)
 
 Array = NDArray[np.float64]
 Values = float | NDArray[np.float64 | np.float32 | np.int64 | np.int32]
-Block = Callable[..., Any]
+DType = np.dtype[np.float64]  # or of float32, as are the arrays then
+Out = Array | Sequence[Array] | None
+Results = Array | tuple[Array, ...]
+Block = Callable[..., Results]
+Formula = Callable[..., float | tuple[float, ...]]
 _local = threading.local()
 
 
-def kernel(paths: Callable[[Block], Any], said: Specification) -> Callable[[Block], KernelFunction]:
+def kernel(paths: Callable[[Formula], Any], said: Specification) -> Callable[[Formula], KernelFunction]:
     """The decorator of a formula: the function of numbers and arrays that `paths` makes of it, with its data."""
 
-    def decorated(formula: Block) -> KernelFunction:
+    def decorated(formula: Formula) -> KernelFunction:
         function = paths(formula)
         update_wrapper(function, formula)
         del function.__wrapped__  # whose signature has no `out`
@@ -59,8 +63,8 @@ def kernel(paths: Callable[[Block], Any], said: Specification) -> Callable[[Bloc
 
 
 def on_arrays(
-    formula: Block, block: Block, registers: int, order: Sequence[int], handful: int
-) -> tuple[Block, Callable[[Sequence[Any], Any], Any]]:
+    formula: Formula, block: Block, registers: int, order: Sequence[int], handful: int
+) -> tuple[Block, Callable[[Sequence[Array], Out], Results]]:
     """A kernel of arrays of doubles of one shape, and one of the tuple of anything that broadcasts and `out`.
 
     formula    computes one point, of floats
@@ -72,7 +76,7 @@ def on_arrays(
     distinct = max(order) + 1
     shared = order if distinct < len(order) else ()
 
-    def alike(*inputs: Any) -> Any:
+    def alike(*inputs: Array) -> Results:
         size = inputs[0].size
         if size > SMALL:
             outputs = [np.empty(inputs[0].shape) for _ in range(distinct)]
@@ -85,17 +89,17 @@ def on_arrays(
                 return others(inputs, None)
         return block(*inputs)
 
-    def others(inputs: Sequence[Any], out: Any) -> Any:
+    def others(inputs: Sequence[Array], out: Out) -> Results:
         return _of_anything(block, registers, order, inputs, out)
 
     return alike, others
 
 
-def _given(results: Sequence[Any]) -> Any:
+def _given(results: Sequence[Array]) -> Results:
     return results[0] if len(results) == 1 else tuple(results)
 
 
-def _of_anything(block: Block, registers: int, order: Sequence[int], inputs: Sequence[Any], out: Any) -> Any:
+def _of_anything(block: Block, registers: int, order: Sequence[int], inputs: Sequence[Array], out: Out) -> Results:
     """One call of a kernel on anything that broadcasts: one array of the broadcast shape, or a tuple of them.
 
     Results that are the same are one array. float32 if all arrays are, else float64. ValueError if `out` does not fit.
@@ -122,15 +126,15 @@ def _of_anything(block: Block, registers: int, order: Sequence[int], inputs: Seq
     return _given(results)
 
 
-def _at_once(block: Block, arrays: list[Any], shape: tuple[int, ...], dtype: Any) -> Sequence[Any]:
+def _at_once(block: Block, arrays: Sequence[Array], shape: tuple[int, ...], dtype: DType) -> Sequence[Array]:
     """The results in arrays of their own; numbers for numbers."""
     whole = [x if shape and x.shape == shape and x.dtype == dtype else _filled(x, shape or (1,), dtype) for x in arrays]
-    results = block(*whole)
-    results = results if type(results) is tuple else (results,)
+    found = block(*whole)
+    results = found if isinstance(found, tuple) else (found,)
     return results if shape else [x[0] for x in results]
 
 
-def _filled(x: Any, shape: tuple[int, ...], dtype: Any) -> Any:
+def _filled(x: Array, shape: tuple[int, ...], dtype: DType) -> Array:
     whole = np.empty(shape, dtype)
     np.copyto(whole, x, casting="same_kind")
     return whole
@@ -140,11 +144,11 @@ def _by_blocks(
     block: Block,
     registers: int,
     order: Sequence[int],
-    arrays: list[Any],
-    given: list[Any] | None,
+    arrays: Sequence[Array],
+    given: Sequence[Array] | None,
     shape: tuple[int, ...],
-    dtype: Any,
-) -> Sequence[Any]:
+    dtype: DType,
+) -> Sequence[Array]:
     """The results, in the arrays that are given."""
     arrays = [x if x.ndim else x.astype(dtype, casting="same_kind") for x in arrays]
     if given is None:
@@ -156,7 +160,7 @@ def _by_blocks(
     return [outputs[k] for k in order]
 
 
-def _of_one_shape(block: Block, registers: int, inputs: Sequence[Any], outputs: list[Any]) -> None:
+def _of_one_shape(block: Block, registers: int, inputs: Sequence[Array], outputs: Sequence[Array]) -> None:
     """The results, in `outputs`, of many points in arrays of doubles of one shape."""
     if all(x.flags.c_contiguous for x in inputs):
         flat = [x.reshape(-1) for x in (*inputs, *outputs)]
@@ -165,7 +169,7 @@ def _of_one_shape(block: Block, registers: int, inputs: Sequence[Any], outputs: 
         _run(block, registers, inputs, outputs, outputs[0].shape, DOUBLE)
 
 
-def _by_formula(formula: Block, inputs: Sequence[Any], shared: Sequence[int]) -> Any:
+def _by_formula(formula: Formula, inputs: Sequence[Array], shared: Sequence[int]) -> Results:
     """The results at a handful of points in arrays of doubles of one shape: each point through `math`, as numbers are.
 
     OverflowError where a result is not finite: NumPy is to compute it, and to warn. `shared` tells for each output
@@ -173,9 +177,8 @@ def _by_formula(formula: Block, inputs: Sequence[Any], shared: Sequence[int]) ->
     """
     first = inputs[0]
     if first.size == 1:
-        point = formula(*[x.item() for x in inputs])
-        if type(point) is float:
-            point = (point,)
+        found = formula(*[x.item() for x in inputs])
+        point = found if isinstance(found, tuple) else (found,)
         total = sum(point)
         columns: list[Any] = [[x] for x in point]
     else:
@@ -216,7 +219,12 @@ def fitting(out: Any, outputs: int, shape: tuple[int, ...], dtype: Any) -> list[
 
 
 def _run(
-    block: Block, registers: int, arrays: Sequence[Any], outputs: list[Any], shape: tuple[int, ...], dtype: Any
+    block: Block,
+    registers: int,
+    arrays: Sequence[Array],
+    outputs: Sequence[Array],
+    shape: tuple[int, ...],
+    dtype: DType,
 ) -> None:
     everything = (*arrays, *outputs)
     if all(x.shape in (shape, ()) and x.dtype == dtype and x.flags.c_contiguous for x in everything):
@@ -233,15 +241,15 @@ def _run(
             block(*chunk, *(row[: chunk[0].size] for row in rows))
 
 
-def _pieces(block: Block, rows: list[Any], flat: list[Any], size: int) -> None:
+def _pieces(block: Block, rows: Sequence[Array], flat: Sequence[Array], size: int) -> None:
     for first in range(0, size, BLOCK):
         last = min(first + BLOCK, size)
         pieces = flat if last - first == size else [x[first:last] if x.ndim else x for x in flat]
         block(*pieces, *(rows if last - first == BLOCK else [row[: last - first] for row in rows]))
 
 
-def _registers(count: int, dtype: Any) -> list[Any]:
-    kept: dict[Any, list[Any]] = _local.__dict__.setdefault("registers", {})
+def _registers(count: int, dtype: DType) -> list[Array]:
+    kept: dict[DType, list[Array]] = _local.__dict__.setdefault("registers", {})
     rows = kept.setdefault(dtype, [])
     while len(rows) < count:
         memory = np.empty(BLOCK * dtype.itemsize + LINE, np.uint8)
