@@ -39,7 +39,7 @@ HEAD = '''"""Kernels of {key} for Numba. {mark}"""
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from itertools import combinations
 from typing import Any
