@@ -155,7 +155,6 @@ def test_a_ledger_that_believes_its_provers_is_noticed(monkeypatch: pytest.Monke
         Status.EQUIVALENT,
     }
     monkeypatch.setattr(checked, "reasons", lambda certificates: [None for _ in certificates])
-    monkeypatch.setattr(checked, "_other_point", lambda _: None)
     statuses = {trial.kind: trial.status for trial in methods.trials(refuted, everything, Random(0))}
     assert statuses["always yes"] is statuses["cache row signed"] is statuses["rows relabelled"] is Status.ACCEPTED
 
