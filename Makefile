@@ -51,10 +51,9 @@ bench: $(DEV)
 	OPENBLAS_NUM_THREADS=1 $(BIN)/python tests/bench_ensemble.py
 	$(BIN)/python tests/bench_sweep.py
 
-# Plants faults and keeps what becomes of them, for the report and the README.
+# Plants faults and keeps what becomes of them, for the report and generated/figures.md.
 selftest: $(DEV)
 	$(BIN)/symcheck selftest --record
-	$(BIN)/python tests/selftest_table.py
 
 bench-gpu: $(DEV)
 	$(BIN)/symcheck generate --target array --output kernels-array

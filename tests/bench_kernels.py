@@ -1,17 +1,16 @@
 """Kernels against SymPy's `lambdify(cse=True)`, and against 50 digits. Run by `make bench`.
 
-Prints two tables in Markdown: times as fast (medians of interleaved runs), and largest errors. With --readme they
-replace those of the README, where a test keeps them complete.
+Prints two tables in Markdown: times as fast (medians of interleaved runs), and largest errors. With --record they
+replace those of generated/figures.md, where a test keeps them complete.
 """
 
 from __future__ import annotations
 
 import gc
 import os
-import re
 import statistics
 import sys
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator
 from functools import partial
 from pathlib import Path
 from typing import Any
@@ -21,16 +20,15 @@ import sympy as sp
 from bench import interleaved
 from kernel_reference import Case, cases, measured, random_points
 
-from symcheck import kernels as generated
+from symcheck import kernels
 from symcheck.kernels.codegen.program import UNARY
+from symcheck.selftest.figures import head, row, write
 
-README = Path(__file__).resolve().parent.parent / "README.md"
 SIZES = (0, 1, 10, 100, 1_000, 10_000, 100_000, 1_000_000, 10_000_000)  # 0: Python floats
 MILLION = SIZES.index(1_000_000)
 MOST = int(os.environ.get("BENCH_MOST", SIZES[-1]))
 ROUNDS, SHORT = 5, 0.01
 POINTS = 1_000  # different ones, repeated; as many are compared with 50 digits
-MARKERS = "<!-- {0} -->\n(.*?)\n<!-- end of {0} -->"
 SPEED = ("kernel", "functions", "ns a point", "numbers", *(f"{size:,}" for size in SIZES[1:]))
 ACCURACY = ("kernel", "largest error, ulp", "stated", "where")
 
@@ -56,7 +54,7 @@ def values(case: Case, size: int) -> list[Any]:
 
 def ratios(case: Case) -> tuple[int, float, list[float]]:
     """How many roots and functions it has, seconds per point of a million, times as fast as lambdify by size."""
-    ours, theirs = getattr(generated.load(case.paper), case.name), lambdified(case)
+    ours, theirs = case.function, lambdified(case)
     calls = sum(operation.function in UNARY for operation in case.made.program.operations)
     gc.freeze()  # what SymPy made need not be looked through before every run
     found, per_point = [], 0.0
@@ -110,34 +108,12 @@ def accuracy(every: Iterable[Case]) -> Iterator[str]:
         yield row([case.id, f"{found.ulp:.2f}", str(case.kernel.ulp), f"{found.output} at {place}"])
 
 
-def head(names: Sequence[str]) -> list[str]:
-    """The first two lines of a table."""
-    return [row(names), row(["---"] * len(names))]
-
-
-def row(cells: Sequence[str]) -> str:
-    """A line of a table."""
-    return f"| {' | '.join(cells)} |"
-
-
-def block(text: str, name: str) -> str:
-    """What stands between the two markers of that name."""
-    (found,) = re.findall(MARKERS.format(name), text, re.DOTALL)
-    return str(found)
-
-
-def with_block(text: str, name: str, lines: Sequence[str]) -> str:
-    """The text with these lines between the two markers of that name."""
-    first, last = MARKERS.format(name).split("(.*?)")
-    return re.sub(MARKERS.format(name), lambda _: first + "\n".join(lines) + last, text, flags=re.DOTALL)
-
-
 TABLES = {"speed of kernels": speed, "accuracy of kernels": accuracy}
 
 
 def main() -> None:
-    """Measure, print, and with --readme write."""
-    every, text = list(cases().values()), README.read_text(encoding="utf-8")
+    """Measure, print, and with --record write."""
+    every = list(cases().values())
     for name, table in TABLES.items():
         if name not in (os.environ.get("BENCH_ONLY") or name):
             continue
@@ -147,9 +123,8 @@ def main() -> None:
         for line in table(every):
             print(line, flush=True)
             lines.append(line)
-        text = with_block(text, name, lines)
-    if sys.argv[1:] == ["--readme"]:
-        README.write_text(text, encoding="utf-8")
+        if sys.argv[1:] == ["--record"]:
+            write(kernels.folder(), name, lines)
 
 
 if __name__ == "__main__":

@@ -30,8 +30,10 @@ def test_an_id_has_a_paper_a_number_and_a_link(text: str, parts: Id) -> None:
 
 def test_a_relation_has_its_links() -> None:
     whole, link = Id.parse("mirer2009:2.13.1"), Id.parse("mirer2009:2.13.1b")
-    assert whole.has("mirer2009:2.13.1") and whole.has("mirer2009:2.13.1b")
-    assert link.has("mirer2009:2.13.1b") and not link.has("mirer2009:2.13.1a")
+    assert whole.has("mirer2009:2.13.1")
+    assert whole.has("mirer2009:2.13.1b")
+    assert link.has("mirer2009:2.13.1b")
+    assert not link.has("mirer2009:2.13.1a")
 
 
 def test_a_row_belongs_to_a_list() -> None:

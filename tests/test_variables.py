@@ -143,7 +143,7 @@ SCRIPT = """
 import json
 from test_functions import TRUE
 from symcheck.proof import certificate, identity
-from symcheck.core.claims import Problem
+from symcheck.core.problems import Problem
 for name in ("the square of a sum of roots", "a root of sine and cosine", "a density without flux"):
     problem = Problem(name, TRUE[name][0], (), TRUE[name][1])
     print(json.dumps(certificate(problem, identity.decide(problem))))

@@ -1,13 +1,13 @@
 """What Coq says of a record: what `make coq` left in generated/coq, believed of these certificates alone.
 
-The certificates are told by digests of all that is in them. A file has a digest of its own outcomes, too: one that was
+Certificates are identified by digests of their whole text. A file also has a digest of its outcomes: one that was
 changed by hand is refused.
 """
 
 from __future__ import annotations
 
 import json
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping
 from functools import cache
 from pathlib import Path
 
@@ -26,9 +26,8 @@ Outcome = tuple[str, str]  # the digest of the certificates, and why Coq does no
 def asked(record: Record) -> Iterator[tuple[bool, list[Certificate]]]:
     """What Coq is asked to confirm: (False, its certificates) of a proved relation, (True, those) of a correction."""
     own = record.certificates if record.verdict is Verdict.PROVED else ()
-    corrections: Sequence[Certificate] = (record.erratum or {}).get("certificates") or ()
-    for corrected, certificates in ((False, own), (True, corrections)):
-        if proofs := [each for each in certificates if each.get("verdict") == Verdict.PROVED]:
+    for corrected, certificates in ((False, own), (True, record.erratum.certificates if record.erratum else ())):
+        if proofs := [evidence for evidence in certificates if evidence.get("verdict") == Verdict.PROVED]:
             yield corrected, proofs
 
 
@@ -61,7 +60,7 @@ def _current(record: Record) -> Iterator[tuple[str, str]]:
 
 def files(folder: Path, records: Iterable[Record]) -> dict[str, bytes]:
     """What is to stay in `folder` of the recorded outcomes: those of the certificates that there are now."""
-    current = [(record.paper, *each) for record in records for each in _current(record)]
+    current = [(record.paper, *pair) for record in records for pair in _current(record)]
     out: dict[str, bytes] = {}
     for paper in dict.fromkeys(paper for paper, _, _ in current):
         known = recorded(folder, paper)
