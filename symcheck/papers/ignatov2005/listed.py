@@ -29,7 +29,7 @@ from symcheck.papers.ignatov2005.rows import (
     shown,
     vector,
 )
-from symcheck.papers.listing import Label, Row, Unreadable
+from symcheck.papers.listing import EdgeRow, FaceRow, Label, Row, Unreadable, VertexRow
 from symcheck.proof import identity
 
 GRAVEST = ("missing cell", "label", "letter", "function", "coefficient", "number", "sign", "rounding")
@@ -243,20 +243,21 @@ def _missing(listed: Listed, read: Sequence[tuple[Row, Row]]) -> tuple[str, Orig
     return kind_of(faults(*at_fault[0]), origin), origin, reason
 
 
-def _counted(row: Row) -> tuple[Any, ...]:
+def _counted(row: Row) -> tuple[object, object]:
     """What the sums of a list see of a row."""
     return getattr(row, "pattern", ()), getattr(row, "label", None)
 
 
-def _sums(listed: Listed, rows: Sequence[Any]) -> Iterable[Part]:
+def _sums(listed: Listed, read: Sequence[Row]) -> Iterable[Part]:
     """The row numbers as powers, the labels as powers of two letters, the momenta as monomials."""
+    rows = [row for row in read if isinstance(row, VertexRow | EdgeRow | FaceRow)]
     letter, names, lattice = listed.letter, listed.names, listed.array.envelope.combinatorics
-    cells: Mapping[Signs, Any] = {"V": lattice.vertices, "E": lattice.edges, "F": lattice.faces}[letter]
+    cells: Mapping[Signs, object] = {"V": lattice.vertices, "E": lattice.edges, "F": lattice.faces}[letter]
     yield _same((f"l_1^{{{row.number}}}" for row in rows), (f"l_1^{{{k}}}" for k in range(1, len(cells) + 1)))
     if letter != "E":
         known = names.vertices if letter == "V" else names.faces
         every = [Label(letter, index, primed) for index in sorted(known) for primed in (False, True)]
-        yield _same((_power(row.label) for row in rows), map(_power, every))
+        yield _same((_power(row.label) for row in rows if not isinstance(row, EdgeRow)), map(_power, every))
     yield _same((_monomial(row.pattern) for row in rows), (_monomial(pattern_of(signs)) for signs in cells))
     yield from listed.array.no_others(cells)
     if letter != "V":
