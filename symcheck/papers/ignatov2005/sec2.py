@@ -20,6 +20,8 @@ from symcheck.papers.ignatov2005.hypotheses import (
     RATES,
     SPACECRAFT_MOMENTS,
     lost_pi,
+    real_base,
+    real_pyramid,
 )
 from symcheck.papers.ignatov2005.notation import (
     LIMIT,
@@ -32,7 +34,7 @@ from symcheck.papers.ignatov2005.notation import (
 from symcheck.papers.ignatov2005.wheels import AND, four, points, three
 from symcheck.proof import cases, identity, nonnegative, theorems
 
-OPEN_RANGE = four.given
+OPEN_RANGE = [real_pyramid, real_base]
 craft = Scope(four_wheels_in_spacecraft, by=identity)
 FULL_MOMENTUM = Hypothesis("limits", "no wheel exceeds h_max = 1 (line 81)", EACH)
 
@@ -178,6 +180,7 @@ no_three_axes_in_a_plane = four.no_three_in_a_plane(
     83,
     ". So each two of the n wheels make a pair of opposite faces, rhombi: there are n(n - 1) faces, 2n(n - 1) edges and, by "
     "Euler's formula, n(n - 1) + 2 vertices.",
+    given=OPEN_RANGE,
     uses=["2.0.4"],
 )
 
@@ -239,7 +242,7 @@ planes_of_symmetry = four.planes_of_symmetry("2.1.25", 162, "2.0.4", "-4, -3, -2
 
 edges_of_length_two = four.edges_of_length_two("2.1.26", 164, uses=["2.0.3", "2.1.17"])
 
-faces_are_rhombi = four.faces_are_rhombi("2.1.27", 164, "2.1.26")
+faces_are_rhombi = four.faces_are_rhombi("2.1.27", 164, OPEN_RANGE, "2.1.26")
 
 DISTANCES = {"d_1": r"4 \sin a \sin b", "d_2": r"4 \sin a \cos b", "d_3": r"4 \cos a"}
 vertices = Scope(four_wheels, partial(derivation.vertex_distances, "V_1, V_6, V_7, V_2"), identity)
@@ -607,7 +610,7 @@ vertices_at_middles = claim(
 
 edges_of_three_of_length_two = three.edges_of_length_two("2.2.16", 235, uses=["2.0.3", "2.2.9"])
 
-faces_of_three_are_rhombi = three.faces_are_rhombi("2.2.17", 235, "2.2.16")
+faces_of_three_are_rhombi = three.faces_are_rhombi("2.2.17", 235, OPEN_RANGE, "2.2.16")
 
 vertices_of_three = Scope(three_of_four, partial(derivation.vertex_distances, "W_1, W_3, W_4, W_2"), identity)
 
@@ -785,7 +788,9 @@ def _shortage(axis: str) -> str:
 def largest_component(number: str, axis: str) -> Claim:
     """The largest component along an axis."""
     largest, _, signs, _ = LARGEST[axis]
-    return four.largest_component(number, 256, largest, ", ".join(map(str, signs)), _shortage(axis), "2.1.2")
+    return four.largest_component(
+        number, 256, largest, ", ".join(map(str, signs)), _shortage(axis), OPEN_RANGE, "2.1.2"
+    )
 
 
 largest_components = (

@@ -194,7 +194,9 @@ combinations_inside = six.claim(
     uses=["3.0.4", "3.1.3"],
 )
 
-no_three_axes_in_a_plane = six.no_three_in_a_plane("3.1.13", 289, ": P is simple (2.1.14).", uses=["2.1.14", "3.0.4"])
+no_three_axes_in_a_plane = six.no_three_in_a_plane(
+    "3.1.13", 289, ": P is simple (2.1.14).", given=[real_pyramid], uses=["2.1.14", "3.0.4"]
+)
 
 number_of_vertices = six.claim(
     "3.1.14",
@@ -259,7 +261,7 @@ sixth_turns = six.ours(
 
 edges_of_length_two = six.edges_of_length_two("3.1.26", 443, uses=["3.0.3", "3.1.17"])
 
-faces_are_rhombi = six.faces_are_rhombi("3.1.27", 443, "3.1.26")
+faces_are_rhombi = six.faces_are_rhombi("3.1.27", 443, [real_pyramid], "3.1.26")
 
 DISTANCES = {"d_1": r"6\cos a", "d_2": r"4\sin a", "d_3": r"2\sqrt{3\cos^2 a + 1}", "d_4": r"2\sqrt{2\sin^2 a + 1}"}
 
@@ -659,7 +661,7 @@ midpoints_of_edges = both.claim(
 
 edges_of_five_have_length_two = five.edges_of_length_two("3.2.16", 586, uses=["3.0.3", "3.2.8"])
 
-faces_of_five_are_rhombi = five.faces_are_rhombi("3.2.17", 586, "3.2.16")
+faces_of_five_are_rhombi = five.faces_are_rhombi("3.2.17", 586, [real_pyramid], "3.2.16")
 
 # --- tables 10 and 11: distances, one wheel failed
 
@@ -942,7 +944,7 @@ LARGEST = {  # the largest component, the momenta of the wheels, what is missing
 
 
 largest_components = tuple(
-    six.largest_component(number, 616, *LARGEST[axis], "3.1.2")
+    six.largest_component(number, 616, *LARGEST[axis], [real_pyramid], "3.1.2")
     for number, axis in (("3.2.26", "x"), ("3.2.27", "y"), ("3.2.28", "z"))
 )
 

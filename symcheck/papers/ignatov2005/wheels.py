@@ -15,13 +15,13 @@ from itertools import combinations
 from symcheck.core.claims import Claim, Definition, Exclusion, Hypothesis, Ours, Premise
 from symcheck.papers.declare import Scope
 from symcheck.papers.ignatov2005 import derivation
-from symcheck.papers.ignatov2005.hypotheses import EACH, lost_pi, real_base, real_pyramid, rhombi
+from symcheck.papers.ignatov2005.hypotheses import EACH, lost_pi, rhombi
 from symcheck.papers.ignatov2005.notation import five_of_six, four_wheels, six_wheels, three_of_four
 from symcheck.proof import cases, identity
 from symcheck.reading import Notation
 
 AND = r" \land "
-RIGHT_HANDED = {"x": "({}, 0, 0)", "y": "(0, {}, 0)", "z": "(0, 0, {})"}  # a vector along an axis
+ALONG = {"x": "({}, 0, 0)", "y": "(0, {}, 0)", "z": "(0, 0, {})"}  # a vector along an axis
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -30,12 +30,10 @@ class Wheels(Scope):
 
     wheels  how many work
     region  what the paper calls the region of their momenta: P, or P' if one wheel has failed
-    given   the angles for which they are a pyramid
     """
 
     wheels: int
     region: str
-    given: tuple[Hypothesis, ...]
 
     @property
     def numbers(self) -> range:
@@ -158,14 +156,16 @@ class Wheels(Scope):
             uses=[shorthand],
         )
 
-    def no_three_in_a_plane(self, number: str, line: int, words: str, uses: Sequence[str]) -> Ours:
+    def no_three_in_a_plane(
+        self, number: str, line: int, words: str, given: Sequence[Hypothesis], uses: Sequence[str]
+    ) -> Ours:
         triples = combinations(self.numbers, 3)
         return self.ours(
             number,
             line,
             words=f"No three axes lie in one plane{words}",
             states=[rf"(\mathbf{{e}}_{i}, \mathbf{{e}}_{j} \times \mathbf{{e}}_{k}) \ne 0" for i, j, k in triples],
-            given=self.given,
+            given=given,
             by=cases(),
             uses=uses,
         )
@@ -223,14 +223,14 @@ class Wheels(Scope):
             uses=uses,
         )
 
-    def faces_are_rhombi(self, number: str, line: int, edges: str) -> Claim:
+    def faces_are_rhombi(self, number: str, line: int, given: Sequence[Hypothesis], edges: str) -> Claim:
         whole = "So all faces are rhombi: parallelograms with sides of one length along two axes that are not parallel."
         return self.claim(
             number,
             line,
             words=whole if self.region == "P" else f"So all faces of {self.region} are rhombi.",
             states=rhombi(tuple(combinations(self.numbers, 2))),
-            given=self.given,
+            given=given,
             by=cases(),
             uses=[edges],
         )
@@ -267,7 +267,14 @@ class Wheels(Scope):
         )
 
     def largest_component(
-        self, number: str, line: int, largest: str, momenta: str, missing: str, components: str
+        self,
+        number: str,
+        line: int,
+        largest: str,
+        momenta: str,
+        missing: str,
+        given: Sequence[Hypothesis],
+        components: str,
     ) -> Claim:
         """The largest component along an axis, "H_x = 4 \\sin a": the momenta that give it, and what is missing to it."""
         component, most = largest.split(" = ")
@@ -277,10 +284,10 @@ class Wheels(Scope):
             largest,
             words=f"The largest {component} that the wheels can have, alone.",
             states=(
-                f"[{momenta}] = {RIGHT_HANDED[component[-1]].format(most)}",
+                f"[{momenta}] = {ALONG[component[-1]].format(most)}",
                 rf"{EACH} \Rightarrow {component} \leq {most}",
             ),
-            given=self.given,
+            given=given,
             by={"a": identity, "b": cases(missing)},
             uses=[components],
         )
@@ -309,7 +316,6 @@ four = Wheels(
     by=identity,
     wheels=4,
     region="P",
-    given=(real_pyramid, real_base),
 )
 three = replace(four, notation=three_of_four, where=partial(derivation.momentum_of_wheels, 3), wheels=3, region="P'")
 six = Wheels(
@@ -318,6 +324,5 @@ six = Wheels(
     by=identity,
     wheels=6,
     region="P",
-    given=(real_pyramid,),
 )
 five = replace(six, notation=five_of_six, where=partial(derivation.momentum_of_six, 5), wheels=5, region="P'")
