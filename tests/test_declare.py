@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import doctest
 from collections.abc import Callable
 from inspect import Parameter, signature
 from typing import Any
@@ -11,6 +12,7 @@ import pytest
 from symcheck import papers
 from symcheck.core.claims import Declaration, Ours
 from symcheck.core.verdicts import SymcheckError
+from symcheck.papers import declare as vocabulary
 from symcheck.papers.declare import Scope, claim, definition, exclusion, ours, premise
 from symcheck.papers.mirer2009 import derivation
 from symcheck.papers.mirer2009.notation import damping_letters, turned_letters
@@ -74,3 +76,7 @@ def test_nothing_of_ours_is_printed() -> None:
                 assert not item.source.printed
                 assert item.source.words
                 assert item.statement.states
+
+
+def test_the_example_runs() -> None:
+    assert doctest.testmod(vocabulary) == (0, 3)

@@ -1,7 +1,6 @@
 """The vocabulary of a ledger: claim, definition, premise, exclusion, ours; and scopes, which say a thing once for many.
 
 A text is LaTeX, or several pieces of it: of a printed form one for each displayed block, of `states` one for each link.
-What the parameters mean is said in `symcheck.core.claims`.
 """
 
 from __future__ import annotations
@@ -72,7 +71,59 @@ class Scope:
         errata: Mapping[str, Erratum] | None = None,
         notation: Notation | None = None,
     ) -> Claim:
-        """A relation the paper asserts."""
+        """Declare a relation that the paper asserts.
+
+        Parameters
+        ----------
+        number
+            The printed number, or for an unnumbered place the last number before it and a counter: "2.13.1".
+        line
+            1-based line of the source text on which the printed form (or the sentence) begins.
+        printed
+            Verbatim LaTeX, one piece for each displayed block it runs over.
+        words
+            What the paper says in words, in English.
+        damage
+            What to read instead of a printed form that is damaged or says nothing.
+        lines
+            By link letter: the line of a link that begins further on.
+        states
+            LaTeX forms of what is said in words, in a list row or in a table, link by link.
+        given
+            Hypotheses in force where it is printed.
+        equation
+            Gives the derived expressions E of a printed equation l = r; the claim is that l - r is E.
+        imposed
+            Letters of the links that are conditions imposed rather than claims.
+        equality
+            Where an inequality (or each link of it) is an equality, under `given` and `equality_given`.
+        by
+            The proof method with its hints, or one for each link letter; that of the scope if none is named.
+        where
+            Gives derived SymPy expressions by name, in force instead of the paper's own definitions.
+        keeping
+            Defined letters that stay free.
+        lemmas
+            Places of earlier relations that the proof may start from, with the letters `free` not unfolded.
+        uses
+            Places of the relations it refers to.
+        errata
+            By link letter ("" for the only one): what a wrong relation should be.
+        notation
+            Letters that mean something else here.
+
+        Raises
+        ------
+        SymcheckError
+            If neither the claim nor its scope names a proof method.
+
+        Examples
+        --------
+        >>> from symcheck.papers.declare import claim
+        >>> from symcheck.proof import identity
+        >>> claim("2.12", 316, r"\\cos^2 a + \\sin^2 a = 1", by=identity).source.line
+        316
+        """
         return Claim(
             number=number,
             source=Source(line, _pieces(printed), words, damage, lines or {}),
@@ -102,7 +153,12 @@ class Scope:
         uses: Sequence[str] = (),
         notation: Notation | None = None,
     ) -> Ours:
-        """A statement the paper does not print; `line` is the place it belongs to."""
+        """Declare a statement that the paper does not print; `line` is the place it belongs to.
+
+        See Also
+        --------
+        claim : what the parameters mean.
+        """
         return Ours(
             number=number,
             source=Source(line, words=words),
@@ -124,7 +180,17 @@ class Scope:
         opaque: bool = False,
         notation: Notation | None = None,
     ) -> Definition:
-        """What a letter means; unfolded in every claim that contains the letter."""
+        """Declare what a letter means; it is unfolded in every claim that contains the letter.
+
+        Parameters
+        ----------
+        number, line, printed, words, damage, notation
+            As for `claim`.
+        states
+            The LaTeX form of a definition in words.
+        opaque
+            Whether it defines by something outside algebra (an angle between axes), and is not unfolded.
+        """
         source = Source(line, _pieces(printed), words, damage)
         return Definition(
             number=number, source=source, states=states, opaque=opaque, notation=notation or self.notation
@@ -142,12 +208,30 @@ class Scope:
         reason: str = "",
         notation: Notation | None = None,
     ) -> Premise:
-        """What the paper assumes, chooses or cites."""
+        """Declare what the paper assumes, chooses or cites.
+
+        Parameters
+        ----------
+        number, line, printed, words, damage, notation
+            As for `claim`.
+        states
+            The LaTeX form of what is said in words.
+        reason
+            Why it is assumed, where that needs to be said.
+        """
         source = Source(line, _pieces(printed), words, damage)
         return Premise(number=number, source=source, states=states, why=reason, notation=notation or self.notation)
 
     def exclusion(self, number: str, line: int, printed: Text = (), *, words: str = "", reason: str) -> Exclusion:
-        """Something printed that asserts nothing decidable, with the reason."""
+        """Declare that something printed asserts nothing decidable, with the reason.
+
+        Parameters
+        ----------
+        number, line, printed, words
+            As for `claim`.
+        reason
+            Why there is nothing to decide.
+        """
         return Exclusion(number=number, source=Source(line, _pieces(printed), words), why=reason)
 
     def _plan(

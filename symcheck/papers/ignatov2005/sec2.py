@@ -7,6 +7,7 @@ letters in a font of symbols, where p is the place of pi, and the text lost that
 from __future__ import annotations
 
 import re
+from collections.abc import Sequence
 from functools import partial
 
 from symcheck.core.claims import Claim, Damage, Erratum, Hypothesis
@@ -299,20 +300,35 @@ two_equal_distances = four.claim(
     damage=lost_pi(r"b = \pi/4 = 45^\circ"),
 )
 
-three_equal_distances = four.claim(
+
+def three_equal_distances_of(
+    scope: Scope, number: str, line: int, vertices: str, equal: str, uses: Sequence[str]
+) -> Claim:
+    """That three pairs of vertices are equally far for these angles only, with the distances written out."""
+    return scope.claim(
+        number,
+        line,
+        ("d_1 = d_2 = d_3", r"a = \arctg \sqrt{2} = 54.7^\circ", r"b = p/4 = 45^\circ"),
+        words=f"{vertices} are equally far for a = arctg sqrt 2 and b = pi/4, and only then.",
+        states=(
+            rf"({equal}) \Leftrightarrow (a = \arctg \sqrt{{2}} \land b = \pi/4)",
+            r"\arctg \sqrt{2} = 54.7^\circ",
+            r"\pi/4 = 45^\circ",
+        ),
+        given=[ACUTE],
+        by=cases(),
+        uses=uses,
+        damage=lost_pi(r"a = \arctg \sqrt{2} = 54.7^\circ, b = \pi/4 = 45^\circ"),
+    )
+
+
+three_equal_distances = three_equal_distances_of(
+    four,
     "2.1.34",
     164,
-    ("d_1 = d_2 = d_3", r"a = \arctg \sqrt{2} = 54.7^\circ", r"b = p/4 = 45^\circ"),
-    words="V_1, V_6 and V_7 are equally far for a = arctg sqrt 2 and b = pi/4, and only then.",
-    states=(
-        rf"({DISTANCES['d_1']} = {DISTANCES['d_2']} = {DISTANCES['d_3']}) \Leftrightarrow (a = \arctg \sqrt{{2}} \land b = \pi/4)",
-        r"\arctg \sqrt{2} = 54.7^\circ",
-        r"\pi/4 = 45^\circ",
-    ),
-    given=[ACUTE],
-    by=cases(),
+    "V_1, V_6 and V_7",
+    f"{DISTANCES['d_1']} = {DISTANCES['d_2']} = {DISTANCES['d_3']}",
     uses=["2.1.28", "2.1.29", "2.1.30"],
-    damage=lost_pi(r"a = \arctg \sqrt{2} = 54.7^\circ, b = \pi/4 = 45^\circ"),
 )
 
 # --- table 2: the order of the distances
@@ -648,20 +664,13 @@ two_equal_distances_of_three = vertices_of_three.claim(
     damage=lost_pi(r"b = \pi/4 = 45^\circ"),
 )
 
-three_equal_distances_of_three = vertices_of_three.claim(
+three_equal_distances_of_three = three_equal_distances_of(
+    vertices_of_three,
     "2.2.23",
     235,
-    ("d_1 = d_2 = d_3", r"a = \arctg \sqrt{2} = 54.7^\circ", r"b = p/4 = 45^\circ"),
-    words="V_1, V_3 and V_4 are equally far for a = arctg sqrt 2 and b = pi/4, and only then.",
-    states=(
-        r"(d_1 = d_2 \land d_2 = d_3) \Leftrightarrow (a = \arctg \sqrt{2} \land b = \pi/4)",
-        r"\arctg \sqrt{2} = 54.7^\circ",
-        r"\pi/4 = 45^\circ",
-    ),
-    given=[ACUTE],
-    by=cases(),
+    "V_1, V_3 and V_4",
+    r"d_1 = d_2 \land d_2 = d_3",
     uses=["2.2.18", "2.2.19", "2.2.20"],
-    damage=lost_pi(r"a = \arctg \sqrt{2} = 54.7^\circ, b = \pi/4 = 45^\circ"),
 )
 
 
