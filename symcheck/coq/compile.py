@@ -129,7 +129,7 @@ def _outcome(row: Row, paper: str, failed: Mapping[str, str]) -> Outcome:
 def summary(outcomes: Mapping[str, Outcome]) -> Iterator[str]:
     """How many of how many, for each paper, and the reasons for the others."""
     for paper in dict.fromkeys(Id.parse(id).paper for id in outcomes):
-        reasons = [reason for id, (_, reason) in outcomes.items() if id.startswith(f"{paper}:")]
+        reasons = [reason for id, (_, reason) in outcomes.items() if Id.parse(id).paper == paper]
         yield f"{paper}: {reasons.count('')} of {len(reasons)} proved relations and corrections are confirmed by Coq"
         yield from (f"  {reasons.count(reason)} not: {reason}" for reason in dict.fromkeys(reasons) if reason)
 

@@ -74,7 +74,7 @@ def record_all(folder: Path, outcomes: Mapping[str, Outcome]) -> list[Path]:
     """Write the outcomes by `key`, each file whole; what is recorded of other relations stays."""
     written = []
     for paper in dict.fromkeys(Id.parse(name).paper for name in outcomes):
-        own = {name: outcome for name, outcome in outcomes.items() if name.startswith(f"{paper}:")}
+        own = {name: outcome for name, outcome in outcomes.items() if Id.parse(name).paper == paper}
         written.append(folder / _name(paper))
         put(written[-1], _text(paper, _kept(folder, paper) | own))
     return written
