@@ -6,7 +6,6 @@ from collections.abc import Iterable, Iterator
 from copy import copy
 from dataclasses import replace
 from functools import cache
-from typing import Any
 
 from symcheck.audit.obligation import Obligation
 from symcheck.core.claims import Assertion, Definition, Erratum, Hypothesis, Paper, for_letter
@@ -19,7 +18,7 @@ from symcheck.proof import combined
 from symcheck.reading import Notation, from_sympy, lower, read
 
 
-def _names(value: Any) -> Iterator[str]:
+def _names(value: object) -> Iterator[str]:
     """Every string in a term or formula that may be a variable."""
     if isinstance(value, str):
         yield value
@@ -87,10 +86,14 @@ class Context:
         """The ids of the earlier relations that a proof may start from."""
         return [str(Id.of(self.paper.key, place)) for place in self.item.plan.lemmas]
 
-    def having(self, **changes: Any) -> Context:
+    def having(
+        self, *, item: Assertion | None = None, letter: str | None = None, doubted: bool | None = None
+    ) -> Context:
         """A copy with some attributes changed."""
         context = copy(self)
-        vars(context).update(changes)
+        context.item = item or self.item
+        context.letter = self.letter if letter is None else letter
+        context.doubted = self.doubted if doubted is None else doubted
         return context
 
     def _is_free(self, name: str) -> bool:
@@ -116,7 +119,7 @@ class Context:
         found = self.lower(f"{latex} = 0")
         return node("+", *_addends(found[instance if len(found) > 1 else 0][1]))
 
-    def used_definitions(self, *values: Any) -> tuple[tuple[str, Term], ...]:
+    def used_definitions(self, *values: object) -> tuple[tuple[str, Term], ...]:
         """The definitions that the values need, each after those it needs itself."""
         ordered: dict[str, Term] = {}
 
@@ -165,7 +168,7 @@ class Context:
         return Problem(self.id + self.letter, formula, definitions, hypotheses, hints)
 
 
-def _commuted(term: Any) -> Any:
+def _commuted(term: Term) -> Term:
     """The term with factors and addends in one order, to find equations stated twice (A A^T = 1 is symmetric)."""
     if not isinstance(term, Node):
         return term

@@ -4,9 +4,7 @@ from __future__ import annotations
 
 import time
 from collections.abc import Iterator, Sequence
-from typing import Any
 
-from msgspec import convert
 from msgspec.structs import replace
 
 from symcheck.audit.checked import proofs
@@ -18,7 +16,7 @@ from symcheck.audit.repair import corrected
 from symcheck.core.claims import Assertion, Erratum, Hypothesis
 from symcheck.core.ids import Id
 from symcheck.core.verdicts import Origin, Reading, Role
-from symcheck.ledger.record import Correction, Record
+from symcheck.ledger.record import Record
 from symcheck.reading import read, to_latex
 
 __all__ = ["decide", "expand", "fingerprint", "weigh"]
@@ -56,11 +54,7 @@ def _weighed(context: Context, unit: Unit | None, record: Record) -> Record:
 
 def _base(obligation: Obligation) -> Record:
     item, paper = obligation.item, obligation.paper
-    reread: dict[str, Any] = {}
-    if damage := item.source.damage:
-        reading = Reading.MISPRINT if damage.origin is Origin.PAPER else Reading.DAMAGED
-        reread = {"reading": reading, "kind": damage.kind, "origin": damage.origin, "corrected": damage.read_as}
-    return Record(
+    record = Record(
         id=obligation.id,
         paper=paper.key,
         section=obligation.section.number,
@@ -70,10 +64,13 @@ def _base(obligation: Obligation) -> Record:
         printed="\n".join(item.source.printed),
         words=item.source.words,
         reason=item.reason,
-        **reread,
         uses=tuple(str(Id.of(paper.key, place)) for place in item.uses),
         used_by=users(paper.key).get(item.number, ()),
     )
+    if (damage := item.source.damage) is None:
+        return record
+    reading = Reading.MISPRINT if damage.origin is Origin.PAPER else Reading.DAMAGED
+    return replace(record, reading=reading, kind=damage.kind, origin=damage.origin, corrected=damage.read_as)
 
 
 def _claimed(context: Context, base: Record) -> Iterator[Record]:
@@ -85,8 +82,8 @@ def _claimed(context: Context, base: Record) -> Iterator[Record]:
         if len(source.printed) == len(links) > 1:
             row = replace(row, printed=source.printed[place])
         if context.item.statement.imposes(unit.letter):
-            plain: dict[str, Any] = {"reading": Reading.AS_PRINTED, "kind": "", "origin": None, "corrected": ""}
-            yield replace(row, role=Role.PREMISE, reason="a condition imposed here, not a claim", **plain)
+            row = replace(row, role=Role.PREMISE, reason="a condition imposed here, not a claim")
+            yield replace(row, reading=Reading.AS_PRINTED, kind="", origin=None, corrected="")
             continue
         row = replace(_judged(context, unit, row), method=context.method(unit.letter).name)
         yield replace(row, seconds=round(time.perf_counter() - started, 4))
@@ -108,18 +105,17 @@ def _judged(context: Context, unit: Unit, row: Record) -> Record:
         certificates=finding.certificates,
     )
     if erratum:
-        repair = corrected(context, unit, erratum, finding)
         misprint = bool(erratum.corrected)
         row = replace(
             row,
             reading=Reading.MISPRINT if misprint else Reading.NEEDS_HYPOTHESIS,
             kind=erratum.kind,
-            origin=Origin(erratum.origin),
+            origin=erratum.origin,
             reason=erratum.reason,
             corrected=erratum.shown
             or erratum.corrected
             or f"{to_latex(unit.tree)} (given: {'; '.join(h.words for h in erratum.needs)})",
-            erratum=convert(repair, Correction),
+            erratum=corrected(context, unit, erratum, finding),
         )
     row = replace(row, hypotheses=tuple(listed(item, _added(erratum))))
     row.refuse_wider()

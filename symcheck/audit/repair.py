@@ -13,16 +13,17 @@ from symcheck.audit.judge import Finding, Unit, judge, proofs
 from symcheck.core.claims import Erratum, Hypothesis
 from symcheck.core.terms import node
 from symcheck.core.verdicts import SymcheckError, Verdict
+from symcheck.ledger.record import Correction, Edit, Repair
 from symcheck.proof import fails_at
 from symcheck.reading import edits, read, to_latex
 
 
-def corrected(context: Context, unit: Unit, erratum: Erratum, printed: Finding) -> dict[str, Any]:
+def corrected(context: Context, unit: Unit, erratum: Erratum, printed: Finding) -> Correction:
     """The proof of the corrected form, the edit from the printed one, and every single edit that repairs it.
 
     A sentence is not searched for edits (its words are ours), nor a relation that is true but empty.
     """
-    statement, edit = context.item.statement, []
+    statement, edit = context.item.statement, tuple[Edit, ...]()
     if erratum.corrected:
         right = unit.reworded(context, read(erratum.corrected, context.notation))
         finding = judge(context.as_corrected(erratum), right, statement.given, erratum.needs)
@@ -30,33 +31,33 @@ def corrected(context: Context, unit: Unit, erratum: Erratum, printed: Finding) 
     else:
         finding = judge(context, unit, statement.given, erratum.needs)
     searched = bool(erratum.corrected) and not statement.states and printed.verdict is Verdict.REFUTED
-    repairs = _repairs(context, unit, printed, (*statement.given, *erratum.needs)) if searched else []
-    return {
-        "verdict": finding.verdict,
-        "reason": finding.reason,
-        "certificates": list(finding.certificates),
-        "edit": edit,
-        "added": [hypothesis.words for hypothesis in erratum.needs],
-        "repairs": repairs if searched else None,
-        "unique": len(repairs) == 1 if searched else None,
-        "empty": _is_empty(printed),
-        "row": bool(erratum.shown),
-    }
+    repairs = _repairs(context, unit, printed, (*statement.given, *erratum.needs)) if searched else None
+    return Correction(
+        verdict=finding.verdict,
+        reason=finding.reason,
+        certificates=finding.certificates,
+        edit=edit,
+        added=tuple(hypothesis.words for hypothesis in erratum.needs),
+        repairs=repairs,
+        unique=None if repairs is None else len(repairs) == 1,
+        empty=_is_empty(printed),
+        row=bool(erratum.shown),
+    )
 
 
-def _edit(before: str, after: str) -> list[dict[str, str]]:
+def _edit(before: str, after: str) -> tuple[Edit, ...]:
     """The places where two LaTeX forms differ, token by token."""
     tokens = re.compile(r"\\[A-Za-z]+|\\.|\d+|\S")
     left, right = tokens.findall(before), tokens.findall(after)
     matcher = difflib.SequenceMatcher(None, left, right, autojunk=False)
-    return [
-        {"printed": " ".join(left[i:j]), "corrected": " ".join(right[k:m])}
+    return tuple(
+        Edit(printed=" ".join(left[i:j]), corrected=" ".join(right[k:m]))
         for kind, i, j, k, m in matcher.get_opcodes()
         if kind != "equal"
-    ]
+    )
 
 
-def _repairs(context: Context, unit: Unit, printed: Finding, given: tuple[Hypothesis, ...]) -> list[dict[str, str]]:
+def _repairs(context: Context, unit: Unit, printed: Finding, given: tuple[Hypothesis, ...]) -> tuple[Repair, ...]:
     """All single edits of the printed relation that are proved and are not empty.
 
     An edit that is wrong at the printed relation's own counterexample needs no further thought.
@@ -67,10 +68,10 @@ def _repairs(context: Context, unit: Unit, printed: Finding, given: tuple[Hypoth
         try:
             changed = unit.reworded(context, edit.tree)
             if _is_proved(context, changed, given, points):
-                found.append({"kind": edit.kind, "edit": edit.description, "relation": to_latex(edit.tree)})
+                found.append(Repair(kind=edit.kind, edit=edit.description, relation=to_latex(edit.tree)))
         except SymcheckError:
             continue  # an edit that makes no statement repairs nothing
-    return found
+    return tuple(found)
 
 
 def _is_proved(context: Context, unit: Unit, given: tuple[Hypothesis, ...], points: list[Any]) -> bool:
