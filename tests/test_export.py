@@ -14,7 +14,6 @@ from typing import Any
 
 import pytest
 from click.testing import Result
-from declarations import states
 from stand_in import correction
 
 from symcheck import papers
@@ -68,7 +67,7 @@ def declared() -> Iterator[Record]:
                 paper=paper.key,
                 printed="\n".join(each.item.source.printed),
                 words=each.item.source.words,
-                read=next(iter(states(each.item)), ""),
+                read=next(iter(each.item.stated), ""),
                 **fields,
             )
 

@@ -8,7 +8,6 @@ from collections.abc import Callable
 from functools import cache
 
 import pytest
-from declarations import states
 from formula_grammar import GENERATED, formula
 from limits import Hung, little_memory, within_a_second
 
@@ -32,7 +31,7 @@ POSITION = re.compile(r"(column|position|character|at the end|\n *\^| at )")
 def printed(key: str) -> list[str]:
     """Every printed piece of LaTeX of a paper."""
     items = [obligation.item for obligation in expand(papers.load()[key])]
-    return [piece for item in items for piece in (*item.source.printed, *states(item))]
+    return [piece for item in items for piece in (*item.source.printed, *item.stated)]
 
 
 def invented(rng: random.Random, key: str) -> str:

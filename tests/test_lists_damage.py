@@ -9,7 +9,7 @@ from dataclasses import replace
 from functools import cache
 
 import pytest
-from declarations import errata, states
+from declarations import errata
 
 from symcheck import papers
 from symcheck.audit.context import Context
@@ -142,7 +142,7 @@ def is_reported(item: Declaration) -> bool:
 
 def _said(item: Declaration) -> tuple[tuple[str, ...], set[str]]:
     """What a row says, and which of it is wrong."""
-    return states(item), set(errata(item))
+    return item.stated, set(errata(item))
 
 
 def test_every_damage_is_reported_and_changes_nothing_else() -> None:
@@ -174,7 +174,7 @@ def test_rows_whose_labels_are_exchanged_are_both_reported(place: int) -> None:
         new = rows_of(declared(replace(PRINTED[place], vertices=replace(block, text=text))))
         assert all(is_reported(new[item.number]) for item in (one, other))
         old = rows_of(before(place))
-        assert {n for n in old if states(old[n]) != states(new[n])} <= {one.number, other.number}
+        assert {n for n in old if old[n].stated != new[n].stated} <= {one.number, other.number}
 
 
 @pytest.mark.parametrize("printed", PRINTED, ids=lambda printed: printed.array.section)
@@ -186,5 +186,5 @@ def test_a_list_that_lost_a_row_or_has_one_twice_is_reported(printed: Printed) -
         start, end = span(block, item)
         text = block.text[:start] + re.sub(r"V|F", "W", block.text[start:end]) + block.text[end:]
         damaged_list = getattr(declared(replace(printed, **{name: replace(block, text=text)})), name)[0]
-        assert states(damaged_list) != states(whole)
+        assert damaged_list.stated != whole.stated
         assert is_reported(damaged_list)

@@ -37,8 +37,8 @@ class Unit:
 def units(context: Context) -> list[Unit]:
     """The relations of a declaration: each link of a chain or system, or the whole formal statement."""
     item = context.item
-    if item.statement.states:
-        links = [read(form, context.notation) for form in item.statement.states]
+    if item.stated:
+        links = [read(form, context.notation) for form in item.stated]
     else:
         links = [_statement(link) for link in relations(read(item.text, context.notation))]
     letters = [chr(ord("a") + n) for n in range(len(links))] if len(links) > 1 else [""]

@@ -30,7 +30,7 @@ def corrected(context: Context, unit: Unit, erratum: Erratum, printed: Finding) 
         edit = _edit(to_latex(unit.tree), to_latex(right.tree))
     else:
         finding = judge(context, unit, statement.given, erratum.needs)
-    searched = bool(erratum.corrected) and not statement.states and printed.verdict is Verdict.REFUTED
+    searched = bool(erratum.corrected) and not context.item.stated and printed.verdict is Verdict.REFUTED
     repairs = _repairs(context, unit, printed, (*statement.given, *erratum.needs)) if searched else None
     return Correction(
         verdict=finding.verdict,

@@ -154,9 +154,14 @@ class Declaration:
     name: str = ""
 
     @property
+    def stated(self) -> tuple[str, ...]:
+        """LaTeX forms of what is said in words, link by link; without them the printed form is read."""
+        return ()
+
+    @property
     def text(self) -> str | tuple[str, ...]:
         """The LaTeX that is read."""
-        return self.source.text
+        return self.stated or self.source.text
 
     @property
     def reason(self) -> str:
@@ -177,8 +182,8 @@ class Definition(Declaration):
     opaque: bool = False
 
     @property
-    def text(self) -> str | tuple[str, ...]:
-        return self.states or self.source.text
+    def stated(self) -> tuple[str, ...]:
+        return (self.states,) if self.states else ()
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -190,8 +195,8 @@ class Premise(Declaration):
     why: str = ""
 
     @property
-    def text(self) -> str | tuple[str, ...]:
-        return self.states or self.source.text
+    def stated(self) -> tuple[str, ...]:
+        return (self.states,) if self.states else ()
 
     @property
     def reason(self) -> str:
@@ -222,8 +227,8 @@ class Assertion(Declaration):
     plan: Plan
 
     @property
-    def text(self) -> str | tuple[str, ...]:
-        return self.statement.states or self.source.text
+    def stated(self) -> tuple[str, ...]:
+        return self.statement.states
 
     def erratum(self, letter: str) -> Erratum | None:
         """What one link should be, if it is wrong."""

@@ -79,7 +79,7 @@ def statement(found: Sequence[Record], reread: bool = True) -> Iterator[Part]:
         yield from (formula("printed" if n == 0 else "", each) for n, each in enumerate(printed))
     elif printed:
         yield Verbatim("printed, in the text at hand", "\n".join(printed))
-    if declaration.text != printed or not printed or (reread and len(decided(found[0].id)) > 1):
+    if declaration.stated or declaration.source.damage or not printed or (reread and len(decided(found[0].id)) > 1):
         label = "read" if printed else "states"
         yield from (formula(f"{label} {letter(each)}".strip(), each.read) for each in found if each.read)
 
