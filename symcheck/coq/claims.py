@@ -55,7 +55,7 @@ def _of_record(record: Record) -> Iterator[Exported]:
     for corrected, proofs in asked(record):
         for k, found in enumerate(proofs, 1):
             name = f"{stem}{'_corrected' if corrected else ''}{f'_part{k}' if len(proofs) > 1 else ''}"
-            yield Exported(name, record, found, digest_of(found), corrected)
+            yield Exported(name, record, {**found}, digest_of(found), corrected)
 
 
 def _write(each: Exported, by_id: Mapping[str, list[Exported]]) -> None:

@@ -13,10 +13,11 @@ from random import Random
 from typing import Any, NamedTuple
 
 from symcheck.audit.judge import lemma
+from symcheck.core.certificates import Certificate
 from symcheck.core.claims import Problem
 from symcheck.core.formulas import conjuncts
 from symcheck.core.terms import Reader, node
-from symcheck.core.verdicts import Certificate, Loss
+from symcheck.core.verdicts import Loss
 from symcheck.ledger.record import Record
 from symcheck.proof import fails_without, proof_of
 from symcheck.selftest.evidence import MALFORMED, holds, is_shown, problem_of

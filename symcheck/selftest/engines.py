@@ -16,8 +16,8 @@ from typing import Any
 import flint
 import sympy as sp
 
+from symcheck.core.certificates import Certificate
 from symcheck.core.terms import Connective, Formula, Reader, Relation, Term, Value
-from symcheck.core.verdicts import Certificate
 from symcheck.ledger.record import Record
 from symcheck.selftest.evidence import holds
 

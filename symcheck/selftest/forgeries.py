@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from random import Random
 from typing import Any
 
-from symcheck.core.verdicts import Certificate
+from symcheck.core.certificates import Certificate
 from symcheck.selftest.certificates import DROPPED, TURNED, Change, Path, changed, groups, one, places
 from symcheck.selftest.trial import FaultClass, Trial
 

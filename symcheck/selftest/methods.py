@@ -29,9 +29,10 @@ from symcheck.audit.judge import units
 from symcheck.audit.obligation import fingerprint, obligation_of
 from symcheck.checker.statements import Index as StatementIndex
 from symcheck.core.calculus import letters
+from symcheck.core.certificates import Certificate
 from symcheck.core.claims import Outcome, Problem
-from symcheck.core.terms import JSON, node
-from symcheck.core.verdicts import Certificate, Role, SymcheckError, Verdict
+from symcheck.core.terms import node
+from symcheck.core.verdicts import Role, SymcheckError, Verdict
 from symcheck.ledger import store
 from symcheck.ledger.record import Record
 from symcheck.proof import fails_at, identity
@@ -137,7 +138,7 @@ def _proof(saboteur: Decide, problem: Problem) -> Outcome | None:
     return outcome if outcome.verdict is Verdict.PROVED else None
 
 
-def _point(saboteur: Decide, problem: Problem) -> Certificate | None:
+def _point(saboteur: Decide, problem: Problem) -> dict[str, Any] | None:
     return _answer(saboteur, problem).point
 
 
@@ -208,7 +209,7 @@ def turned(record: Record) -> Record:
     if record.verdict not in OTHER:
         return record
     other = OTHER[record.verdict]
-    spoilt = tuple({**each, "verdict": str(other)} for each in record.certificates)
+    spoilt = tuple(Certificate(**{**each, "verdict": str(other)}) for each in record.certificates)
     return replace(record, verdict=other, certificates=spoilt)
 
 
@@ -255,7 +256,7 @@ def fate_of_reading(id: str, share: float, truth: Mapping[str, Verdict]) -> Fate
     except SymcheckError:
         return Fate.REJECTED
     noticed = store.disagreements([record for record in said if record.id in truth], truth, complete=True)
-    shown: list[JSON] = [each for record in said for each in record.certificates]
+    shown = [each for record in said for each in record.certificates]
     names = tuple(f"{record.id}:" for record in said)
     noticed += [line for line in statements.differences(shown) if line.startswith(names)]
     return Fate.REJECTED if noticed else Fate.ACCEPTED

@@ -12,6 +12,7 @@ import mpmath
 from scipy.optimize import linprog
 
 from symcheck.core.calculus import letters
+from symcheck.core.certificates import Certificate
 from symcheck.core.claims import Problem
 from symcheck.core.formulas import conjuncts
 from symcheck.core.terms import (
@@ -28,7 +29,6 @@ from symcheck.core.terms import (
     Term,
     node,
 )
-from symcheck.core.verdicts import Certificate
 
 mpmath.mp.dps = 40
 SEED = 20090055

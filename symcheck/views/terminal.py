@@ -16,8 +16,9 @@ from rich.console import Console
 from rich.table import Table
 from rich.text import Text
 
+from symcheck.core.certificates import Certificate
 from symcheck.core.claims import Paper
-from symcheck.core.verdicts import Certificate, Group, Verdict
+from symcheck.core.verdicts import Group, Verdict
 from symcheck.core.words import term
 from symcheck.kernels.codegen.kernel import Kernel
 from symcheck.ledger.digests import digest_of

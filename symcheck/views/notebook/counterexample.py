@@ -7,9 +7,10 @@ from collections.abc import Iterator, Mapping
 from typing import Any, NamedTuple
 
 from symcheck.core.calculus import substituted
+from symcheck.core.certificates import Certificate
 from symcheck.core.lazy import lazy
 from symcheck.core.terms import Binder, Node, Reader, Term, mapped, node
-from symcheck.core.verdicts import Certificate, SymcheckError
+from symcheck.core.verdicts import SymcheckError
 from symcheck.core.words import term as in_words
 from symcheck.reading import Notation, to_sympy
 from symcheck.views.notebook import letters
@@ -105,7 +106,7 @@ class Evaluation:
         return mapped(term, self._known) if isinstance(term, Node) else term
 
 
-def _functions(proof: Certificate) -> Iterator[tuple[Term, Term]]:
+def _functions(proof: Mapping[str, Any]) -> Iterator[tuple[Term, Term]]:
     """The values of functions that are proved first of all at a point."""
     while proof.get("rule") == "have":
         sign, *sides = proof["formula"]

@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Iterator
 
-from symcheck.core.verdicts import Certificate, Group, SymcheckError
+from symcheck.core.certificates import Certificate
+from symcheck.core.verdicts import Group, SymcheckError
 from symcheck.ledger.record import Record
 from symcheck.views.model import Fault, Relation
 from symcheck.views.notebook.counterexample import Evaluation, number, point

@@ -7,7 +7,8 @@ import re
 from collections.abc import Iterator, Sequence
 
 from symcheck.audit.checked import reasons
-from symcheck.core.verdicts import Certificate, Reading, Verdict
+from symcheck.core.certificates import Certificate
+from symcheck.core.verdicts import Reading, Verdict
 from symcheck.ledger.digests import digest_of
 from symcheck.ledger.record import Record
 from symcheck.views.model import Relation, condition
