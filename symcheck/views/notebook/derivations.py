@@ -17,7 +17,7 @@ from symcheck.views.notebook.relations import evidence, statement, title, verdic
 from symcheck.views.notebook.shown import Heading, Math, Part, Prose, Shown
 
 
-def step(derivation: Callable[..., Any], *arguments: Any, only: Sequence[str] = (), beside: str = "") -> Shown:
+def step(derivation: Callable[..., object], *arguments: object, only: Sequence[str] = (), beside: str = "") -> Shown:
     """What a function of a paper's derivation computes, beside the printed relation that is compared with it.
 
     only    names among the expressions, where there are many

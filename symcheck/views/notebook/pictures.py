@@ -3,12 +3,15 @@
 from __future__ import annotations
 
 from io import BytesIO
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from symcheck.numeric import figures
 from symcheck.views.notebook.shown import Picture, Shown
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
 
 DPI = 90
 
@@ -23,7 +26,7 @@ def drawing(axes: Any, caption: str) -> Shown:
     return _picture(np.ravel(np.array(axes, dtype=object))[0].get_figure(root=True), caption)
 
 
-def _picture(drawn: Any, caption: str) -> Shown:
+def _picture(drawn: Figure, caption: str) -> Shown:
     data = BytesIO()
     drawn.savefig(data, format="png", dpi=DPI, bbox_inches="tight", metadata={"Software": None})
     return Shown((Picture(data.getvalue(), caption),))
