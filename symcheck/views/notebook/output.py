@@ -55,7 +55,7 @@ Part = Heading | Math | Prose | Verbatim | Table | Picture
 
 
 @dataclass(frozen=True)
-class Shown:
+class Output:
     """The parts of one output, in order. Jupyter asks for its `_repr_mimebundle_`."""
 
     parts: tuple[Part, ...]
