@@ -150,7 +150,6 @@ def test_a_ledger_that_believes_its_provers_is_noticed(monkeypatch: pytest.Monke
     everything = len(methods.CLASS.kinds)
     assert {trial.fate for trial in methods.trials(refuted, everything, Random(0))} <= {Fate.REJECTED, Fate.EQUIVALENT}
     monkeypatch.setattr(checked, "reasons", lambda certificates: [None for _ in certificates])
-    monkeypatch.setattr(checked, "_other_point", lambda _: None)
     fates = {trial.kind: trial.fate for trial in methods.trials(refuted, everything, Random(0))}
     assert fates["always yes"] is fates["cache row signed"] is fates["rows relabelled"] is Fate.ACCEPTED
 

@@ -19,6 +19,8 @@ from tempfile import TemporaryDirectory
 from typing import Any
 from unittest.mock import patch
 
+from msgspec import structs
+
 from symcheck import papers
 from symcheck.audit import decide, judge, run
 from symcheck.audit.cache import FILE, Cache
@@ -210,7 +212,7 @@ def turned(record: Record) -> Record:
         return record
     other = OTHER[record.verdict]
     spoilt = tuple(Certificate(**{**each, "verdict": str(other)}) for each in record.certificates)
-    return replace(record, verdict=other, certificates=spoilt)
+    return structs.replace(record, verdict=other, certificates=spoilt)
 
 
 def from_cache(id: str, signed: bool) -> list[Record]:
