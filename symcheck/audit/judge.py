@@ -8,10 +8,11 @@ from functools import cache, cached_property
 
 from symcheck import papers
 from symcheck.audit.context import Context, for_letter
+from symcheck.core.certificates import Certificate
 from symcheck.core.claims import Hypothesis, Item, Method, Outcome, Paper, Problem
 from symcheck.core.formulas import conjuncts, contrary
 from symcheck.core.terms import Formula, Term, node
-from symcheck.core.verdicts import Certificate, SymcheckError, Verdict
+from symcheck.core.verdicts import SymcheckError, Verdict
 from symcheck.proof import Lemmas, certificate, combined, proof_of, refute
 from symcheck.reading import Relation, System, Tree, from_sympy, lower, read, relations, to_latex
 

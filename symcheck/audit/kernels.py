@@ -10,10 +10,11 @@ from importlib.util import find_spec
 from string import ascii_lowercase
 
 from symcheck.audit.checked import NOT_ACCEPTED, reasons
+from symcheck.core.certificates import Certificate
 from symcheck.core.claims import Paper, Problem
 from symcheck.core.formulas import conjuncts
 from symcheck.core.terms import node
-from symcheck.core.verdicts import Certificate, SymcheckError, Verdict
+from symcheck.core.verdicts import SymcheckError, Verdict
 from symcheck.kernels.codegen.kernel import Kernel
 from symcheck.kernels.codegen.program import Program, compiled
 from symcheck.kernels.codegen.target import Made

@@ -212,7 +212,7 @@ def supposed(claim: Formula) -> list[list[Formula]]:
     return [[]]
 
 
-def check_all(certificates: Iterable[JSON]) -> Iterator[str | None]:
+def check_all(certificates: Iterable[object]) -> Iterator[str | None]:
     """For each certificate None if it holds, else the reason why it does not; lemmas are looked for among all."""
     checked: dict[bytes, Certificate] = {}
     read = [attempt(each, checked) for each in certificates]
@@ -227,7 +227,7 @@ def check_all(certificates: Iterable[JSON]) -> Iterator[str | None]:
         yield found[1] if isinstance(found[1], str) else unproved
 
 
-def attempt(data: JSON, checked: dict[bytes, Certificate]) -> tuple[str, Certificate | str]:
+def attempt(data: object, checked: dict[bytes, Certificate]) -> tuple[str, Certificate | str]:
     """A certificate by its id, or the reason why it does not hold; what differs in the id alone is checked once."""
     name = ""
     try:
@@ -244,6 +244,6 @@ def attempt(data: JSON, checked: dict[bytes, Certificate]) -> tuple[str, Certifi
     return name, checked[written]
 
 
-def check(certificate: JSON) -> str | None:
+def check(certificate: object) -> str | None:
     """None if a certificate without lemmas proves (or refutes) its claim, else the reason why it does not."""
     return next(check_all([certificate]))

@@ -11,6 +11,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from typing import Any, NamedTuple
 
 from symcheck.checker.theorems import NAMES, theorem
+from symcheck.core import certificates
 from symcheck.core.calculus import substituted
 from symcheck.core.claims import Outcome, Problem
 from symcheck.core.formulas import FALSE, conjuncts
@@ -34,7 +35,7 @@ class Lemmas(NamedTuple):
     defined: Sequence[tuple[str, Term]]  # all that whole problem and lemmas rest on
 
 
-def certificate(problem: Problem, outcome: Outcome, lemmas: Lemmas | None = None) -> Certificate:
+def certificate(problem: Problem, outcome: Outcome, lemmas: Lemmas | None = None) -> certificates.Certificate:
     """The outcome as JSON data. A proof lists just the hypotheses and definitions it uses, a refutation all hypotheses.
 
     A proof comes with points where all that is assumed holds together, if such are found. With lemmas, the problem
@@ -73,7 +74,7 @@ def certificate(problem: Problem, outcome: Outcome, lemmas: Lemmas | None = None
         known = {name for name, _ in stated["definitions"]}  # of others the proof knows what the lemmas say
         free = {name for name, _ in lemmas.defined} - known
         body["proof"]["atoms"] = {name: name for name in sorted(free)} | body["proof"].get("atoms", {})
-    found: Certificate = json.loads(json.dumps({**stated, **body}))
+    found: certificates.Certificate = json.loads(json.dumps({**stated, **body}))
     return found
 
 

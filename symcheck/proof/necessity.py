@@ -9,6 +9,7 @@ from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
 from typing import Any, NamedTuple
 
+from symcheck.core import certificates
 from symcheck.core.calculus import letters
 from symcheck.core.claims import Outcome, Problem
 from symcheck.core.formulas import conjuncts
@@ -41,7 +42,7 @@ class Without(NamedTuple):
     """What is lost, and the certificate of it: a refutation, or a proof that nothing exists."""
 
     loss: Loss
-    certificate: Certificate
+    certificate: certificates.Certificate
 
 
 def fails_without(problem: Problem) -> Without | None:
@@ -55,7 +56,7 @@ def fails_without(problem: Problem) -> Without | None:
     return Without(Loss.VALUE, without_value) if without_value else None
 
 
-def _refuted(problem: Problem) -> Certificate | None:
+def _refuted(problem: Problem) -> certificates.Certificate | None:
     point = refute(problem) or _refuted_by_proof(problem) or _refuted_by_chance(problem)
     used = tuple(name for name, _ in problem.hypotheses)
     return certificate(problem, Outcome(Verdict.REFUTED, point=point, used=used)) if point else None
@@ -100,7 +101,7 @@ def _meaningful(problem: Problem) -> Iterator[Problem]:
             yield replace(problem, claim=condition)
 
 
-def _none_exists(problem: Problem) -> Certificate | None:
+def _none_exists(problem: Problem) -> certificates.Certificate | None:
     """The relations, as few as will do, hold together for no values of the bound letters."""
     assert isinstance(problem.claim, Quantified)
     relations = list(conjuncts(problem.claim.body))
@@ -112,7 +113,7 @@ def _none_exists(problem: Problem) -> Certificate | None:
     return _contradictory(problem, relations)
 
 
-def _contradictory(problem: Problem, relations: Sequence[Formula]) -> Certificate | None:
+def _contradictory(problem: Problem, relations: Sequence[Formula]) -> certificates.Certificate | None:
     """The proof that the relations never hold together; one of them has to be an order."""
     if not any(each[0] in ORDERS for each in relations):
         return None
