@@ -11,6 +11,7 @@ from typing import Any
 import nbformat
 import pytest
 from click.testing import CliRunner, Result
+from declarations import formulas
 from nbformat.v4 import new_code_cell, new_notebook, new_output
 
 from symcheck.cli import cli
@@ -301,7 +302,7 @@ def test_what_is_right_is_no_erratum() -> None:
 def test_a_long_formula_is_broken_and_loses_nothing(key: str) -> None:
     broken = 0
     for _, item in records.declared(key):
-        for formula in (*item.printed, *item.parts, item.formal, *(each.corrected for each in item.errata.values())):
+        for formula in formulas(item):
             lines = letters.split(formula)
             assert "".join("".join(lines).split()) == "".join(formula.split())
             assert len(lines) == 1 or [line for line in lines if line.count("{") != line.count("}")] == []

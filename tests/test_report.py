@@ -14,6 +14,7 @@ from typing import Any
 import pytest
 import stand_in
 from click.testing import Result
+from declarations import states
 from msgspec.structs import replace
 from stand_in import correction, hypothesis
 
@@ -75,7 +76,7 @@ def folded(text: str, name: str) -> Any:
 def printed_texts() -> Iterator[str]:
     for paper in papers.load().values():
         for obligation in expand(paper):
-            yield from (*obligation.item.printed, obligation.item.formal, *obligation.item.parts)
+            yield from (*obligation.item.source.printed, *states(obligation.item))
 
 
 def test_every_formula_of_the_papers_is_typeset_and_nothing_else() -> None:

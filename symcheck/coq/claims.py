@@ -51,7 +51,7 @@ def claims_of(records: Iterable[Record]) -> list[Claim]:
 
 
 def _of_record(record: Record) -> Iterator[Claim]:
-    stem = re.sub(r"\W", "_", record.id.partition(":")[2])
+    stem = re.sub(r"\W", "_", record.number)
     for corrected, proofs in asked(record):
         for k, certificate in enumerate(proofs, 1):
             name = f"{stem}{'_corrected' if corrected else ''}{f'_part{k}' if len(proofs) > 1 else ''}"

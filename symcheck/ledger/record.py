@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from string import ascii_lowercase
 from typing import TYPE_CHECKING
 
 from msgspec import UNSET, Struct, UnsetType, ValidationError, convert, field, to_builtins
 
+from symcheck.core.ids import Id
 from symcheck.core.verdicts import SLIPS, Group, Origin, Reading, Role, SymcheckError, Verdict
 from symcheck.core.words import term
 
@@ -111,17 +111,17 @@ class Record(_Part, frozen=True):
     @property
     def number(self) -> str:
         """The id without the paper: "2.1V.3a"."""
-        return self.id.partition(":")[2]
+        return Id.parse(self.id).place
 
     @property
     def declaration(self) -> str:
         """The id of the declaration, without the letter of the link."""
-        return self.id.rstrip(ascii_lowercase)
+        return str(Id.parse(self.id).declaration)
 
     @property
     def link(self) -> str:
         """The letter of a link of a chain or system; empty for what stands alone."""
-        return self.id.removeprefix(self.declaration)
+        return Id.parse(self.id).link
 
     @property
     def group(self) -> Group | None:

@@ -13,8 +13,8 @@ from typing import Any, NamedTuple
 from symcheck.checker.theorems import NAMES, theorem
 from symcheck.core import certificates
 from symcheck.core.calculus import substituted
-from symcheck.core.claims import Outcome, Problem
 from symcheck.core.formulas import FALSE, conjuncts
+from symcheck.core.problems import Outcome, Problem
 from symcheck.core.terms import Formula, Node, Quantified, Term, node
 from symcheck.core.verdicts import Certificate, Verdict
 from symcheck.proof.applied import HAVE, Instance

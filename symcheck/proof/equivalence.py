@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from symcheck.core.claims import Problem
+from symcheck.core.problems import Problem
 from symcheck.core.terms import RELATIONS, Formula, Quantified, node
 from symcheck.proof.knowledge import proportional, ring_of, starting
 from symcheck.proof.polynomial import Unsupported, alone

@@ -8,7 +8,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 
-from symcheck.core.claims import Method, Outcome, Problem
+from symcheck.core.problems import Applied, Candidate, Form, Method, Outcome, Problem, Witness
 from symcheck.core.terms import Term
 from symcheck.core.verdicts import Certificate, Verdict
 from symcheck.proof import counterexample, witness
@@ -64,35 +64,32 @@ identity = Method("identity", _decide)
 
 def nonnegative(form: str = "") -> Method:
     """An order l <= r: r - l equals `form` (LaTeX) modulo the hypotheses, and the form is manifestly not negative."""
-    return Method("nonnegative", _decide, (("form", form),) if form else ())
+    return Method("nonnegative", _decide, (Form(form),) if form else ())
 
 
 def cases(*forms: str) -> Method:
     """Logic: implications, equivalences, alternatives, by splitting into cases; forms (LaTeX) are sums that vanish."""
-    return Method("cases", _decide, tuple((f"form{k}", form) for k, form in enumerate(forms)))
+    return Method("cases", _decide, tuple(map(Form, forms)))
 
 
 def existence(**point: str) -> Method:
     """A point (LaTeX values of the bound variables), or a zero between an angle and the angle plus 90 degrees."""
-    return Method("existence", _decide, tuple((f"point_{name}", value) for name, value in point.items()))
+    return Method("existence", _decide, (Witness(tuple(point.items())),) if point else ())
 
 
 def combined(*methods: Method, forms: Sequence[str] = ()) -> Method:
     """All hints of the methods, with further forms."""
     own = [hint for method in methods for hint in method.hints]
-    kept = dict.fromkeys(latex for name, latex in own if not name.startswith(("point", "theorem.")))
-    others = dict.fromkeys(hint for hint in own if hint[0].startswith("theorem."))
-    return Method("cases", _decide, (*cases(*kept, *forms).hints, *others))
+    kept = dict.fromkeys(hint for hint in own if isinstance(hint, Form))
+    applied = dict.fromkeys(hint for hint in own if isinstance(hint, Applied))
+    return Method("cases", _decide, (*kept, *map(Form, forms), *applied))
 
 
 def looking_at(method: Method, **point: str) -> Method:
     """The method, with the values (LaTeX) of a point to try first when a counterexample is looked for."""
-    return replace(method, hints=(*method.hints, *((f"point.{name}", value) for name, value in point.items())))
+    return replace(method, hints=(*method.hints, Candidate(tuple(point.items()))))
 
 
-def theorems(*applied: tuple[str, ...]) -> Method:
-    """Facts about functions: (a theorem, what it is applied to in LaTeX), ... beside those found without help."""
-    hints = [
-        (f"theorem.{k}.{name}.{n}", latex) for k, (name, *parts) in enumerate(applied) for n, latex in enumerate(parts)
-    ]
-    return Method("theorems", _decide, tuple(hints))
+def theorems(*applied: Applied[str]) -> Method:
+    """Facts about functions, besides those that are found without help: theorems applied to LaTeX."""
+    return Method("theorems", _decide, applied)

@@ -11,8 +11,8 @@ from typing import Any, NamedTuple
 
 from symcheck.core import certificates
 from symcheck.core.calculus import letters
-from symcheck.core.claims import Outcome, Problem
 from symcheck.core.formulas import conjuncts
+from symcheck.core.problems import Candidate, Outcome, Problem
 from symcheck.core.terms import RELATIONS, Formula, Node, Quantified, Term, mapped, node
 from symcheck.core.verdicts import Certificate, Loss, Verdict
 from symcheck.proof.angle_points import refute_about_angles
@@ -82,7 +82,7 @@ def _refuted_by_chance(problem: Problem) -> Certificate | None:
     for _ in range(DRAWS if fails else 0):
         point = {letter: draw.choice(DRAWN) for letter in names}
         if fails and fails(point):
-            return refute(replace(problem, hints=tuple((f"point.{letter}", value) for letter, value in point.items())))
+            return refute(replace(problem, hints=(Candidate(tuple(point.items())),)))
     return None
 
 

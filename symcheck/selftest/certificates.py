@@ -13,8 +13,8 @@ from typing import Any, NamedTuple
 
 from symcheck.audit.judge import lemma
 from symcheck.core.certificates import Certificate
-from symcheck.core.claims import Problem
 from symcheck.core.formulas import conjuncts
+from symcheck.core.problems import Problem
 from symcheck.core.terms import Formula, Reader, node
 from symcheck.core.verdicts import Loss
 from symcheck.ledger.record import Record
@@ -179,7 +179,7 @@ def _lemmas(own: Sequence[str], named: Mapping[str, Sequence[str]]) -> list[str]
 
     def lemmas(text: str) -> Iterator[str]:
         for name, _ in json.loads(text).get("lemmas", ()):
-            yield from named.get(name) or map(json.dumps, lemma(*name.split(":", 1))[1])
+            yield from named.get(name) or map(json.dumps, lemma(name)[1])
 
     return reached((text for certificate in own for text in lemmas(certificate)), lemmas)
 

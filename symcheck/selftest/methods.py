@@ -24,7 +24,7 @@ from msgspec import structs
 from symcheck import papers
 from symcheck.audit import decide, judge, run
 from symcheck.audit.cache import FILE, Cache
-from symcheck.audit.context import Context
+from symcheck.audit.context import Context, context_of
 from symcheck.audit.executor import Serial
 from symcheck.audit.index import Index
 from symcheck.audit.judge import units
@@ -32,7 +32,7 @@ from symcheck.audit.obligation import fingerprint, obligation_of
 from symcheck.checker.statements import Index as StatementIndex
 from symcheck.core.calculus import letters
 from symcheck.core.certificates import Certificate
-from symcheck.core.claims import Outcome, Problem
+from symcheck.core.problems import Outcome, Problem
 from symcheck.core.terms import node
 from symcheck.core.verdicts import Role, SymcheckError, Verdict
 from symcheck.ledger import store
@@ -240,7 +240,7 @@ def _reader_drops(id: str, truth: Truth, rng: Random) -> Status:
     a fresh reading states: by this the checker ties them to the print.
     """
     share, obligation = rng.random(), obligation_of(id)
-    context = Context(obligation.paper, obligation.item)
+    context = context_of(obligation)
     before = [unit.formulas for unit in units(context)]
     statements = _statements(obligation.paper.key)
     try:

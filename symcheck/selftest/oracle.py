@@ -13,9 +13,15 @@ from scipy.optimize import linprog
 from symcheck.coq.meaning import Meaning, NoValue, Number, Smooth, Tree, Values
 from symcheck.core.calculus import letters
 from symcheck.core.certificates import Certificate
-from symcheck.core.claims import Problem
 from symcheck.core.formulas import conjuncts
-from symcheck.core.terms import Connective, Formula, Relation, Term, node
+from symcheck.core.problems import Problem
+from symcheck.core.terms import (
+    Connective,
+    Formula,
+    Relation,
+    Term,
+    node,
+)
 
 SEED = 20090055
 DRAWS, ENOUGH = 10, 3  # points that are tried, and points where the hypotheses hold

@@ -226,7 +226,7 @@ class Fault:
     @property
     def number(self) -> str:
         """The number of the first relation, with the letters of the others: "2.1V.8a, b"."""
-        return ", ".join([self.first.record.number, *(each.record.id[-1] for each in self.relations[1:])])
+        return ", ".join([self.first.record.number, *(each.record.link for each in self.relations[1:])])
 
     @property
     def printed(self) -> str:

@@ -4,10 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from functools import partial
-from string import ascii_lowercase
 from typing import Any
 
 from symcheck.audit import kernels
+from symcheck.core.claims import Assertion
+from symcheck.core.ids import Id
 from symcheck.core.verdicts import SymcheckError
 from symcheck.kernels.codegen.kernel import Kernel
 from symcheck.reading import Notation
@@ -41,7 +42,8 @@ def step(derivation: Callable[..., object], *arguments: object, only: Sequence[s
 
 def derived(id: str, only: Sequence[str] = ()) -> Output:
     """The same for the derivation that a relation itself declares; SymcheckError if it declares none."""
-    declared = item(id).where or item(id).equation
+    found = item(id)
+    declared = (found.plan.where or found.statement.equation) if isinstance(found, Assertion) else None
     if declared is None:
         raise SymcheckError(f"{id} declares no derivation; show it with claim")
     function, arguments = (declared.func, declared.args) if isinstance(declared, partial) else (declared, ())
@@ -71,5 +73,6 @@ def kernel(key: str, name: str) -> Output:
 def _rests(key: str, found: Kernel) -> Iterator[str]:
     verdicts = recorded(key)
     for number in found.claims:
-        links = [id for id in verdicts if f"{key}:{number}" in (id, id.rstrip(ascii_lowercase))]
-        yield f"{key}:{number} ({', '.join(sorted({str(verdicts[id]) for id in links}))})"
+        rests = Id.of(key, number)
+        links = [id for id in verdicts if rests.has(id)]
+        yield f"{rests} ({', '.join(sorted({str(verdicts[id]) for id in links}))})"

@@ -6,6 +6,8 @@ from collections import Counter
 from collections.abc import Iterator
 
 from symcheck.core.certificates import Certificate
+from symcheck.core.claims import Claim
+from symcheck.core.ids import Id
 from symcheck.core.verdicts import Group, SymcheckError
 from symcheck.ledger.record import Record
 from symcheck.views.model import Fault, Relation
@@ -28,8 +30,9 @@ def slips(key: str) -> Output:
     """How many other relations of a paper have an erratum: rows, cells, slips; by kind, whose, recorded verdict."""
     verdicts = recorded(key)
     counts = Counter(
-        (group, each.kind, str(each.origin), str(verdicts[f"{key}:{item.number}{letter}"]))
+        (group, each.kind, str(each.origin), str(verdicts[str(Id(key, item.number, letter))]))
         for _, item in declared(key)
+        if isinstance(item, Claim)
         for letter, each in item.errata.items()
         if (group := group_of(each)) is not Group.STATEMENT
     )

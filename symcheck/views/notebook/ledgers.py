@@ -35,7 +35,12 @@ def not_proved(key: str) -> Output:
     for role, words in ((Role.PREMISE, "Assumed"), (Role.EXCLUSION, "Left out, with the reason")):
         found = [item for item in items if item.role is role]
         table = tuple(
-            (item.number, str(item.line), _said(item.words or item.name.replace("_", " ")), _said(item.reason))
+            (
+                item.number,
+                str(item.source.line),
+                _said(item.source.words or item.name.replace("_", " ")),
+                _said(item.reason),
+            )
             for item in found
         )
         parts += [Heading(f"**{words} ({len(found)}):**"), Table(("number", "line", "what", "why"), table)]

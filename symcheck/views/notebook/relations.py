@@ -8,6 +8,7 @@ from collections.abc import Iterator, Sequence
 
 from symcheck.audit.checked import reasons
 from symcheck.core.certificates import Certificate
+from symcheck.core.ids import Id
 from symcheck.core.verdicts import Reading, Verdict
 from symcheck.ledger.digests import digest_of
 from symcheck.ledger.record import Record
@@ -41,8 +42,8 @@ def _claim(found: Sequence[Record]) -> Iterator[Part]:
 
 def title(record: Record, whole: bool = False) -> str:
     """Number, name and line of a relation, in Markdown; of the whole chain without the letter of its link."""
-    number = record.number.removesuffix(record.link) if whole else record.number
-    return f"**({number})** {Relation(record).name}, line {record.line}".replace("  ", " ")
+    id = Id.parse(record.id)
+    return f"**({id.number if whole else id.place})** {Relation(record).name}, line {record.line}".replace("  ", " ")
 
 
 def verdicts(found: Sequence[Record]) -> str:
@@ -73,14 +74,14 @@ def statement(found: Sequence[Record], reread: bool = True) -> Iterator[Part]:
     reread  False: not again what can be read in the printed form itself
     """
     declaration = item(found[0].id)
-    legible = _is_latex("\n".join(declaration.printed)) or found[0].reading is not Reading.DAMAGED
-    stated = bool(declaration.read_as or declaration.formal or declaration.parts)
-    if declaration.printed and legible:
-        yield from (formula("printed" if n == 0 else "", each) for n, each in enumerate(declaration.printed))
-    elif declaration.printed:
-        yield Verbatim("printed, in the text at hand", "\n".join(declaration.printed))
-    if stated or not declaration.printed or (reread and len(decided(found[0].id)) > 1):
-        label = "read" if declaration.printed else "states"
+    printed = declaration.source.printed
+    legible = _is_latex("\n".join(printed)) or found[0].reading is not Reading.DAMAGED
+    if printed and legible:
+        yield from (formula("printed" if n == 0 else "", each) for n, each in enumerate(printed))
+    elif printed:
+        yield Verbatim("printed, in the text at hand", "\n".join(printed))
+    if declaration.text != printed or not printed or (reread and len(decided(found[0].id)) > 1):
+        label = "read" if printed else "states"
         yield from (formula(f"{label} {letter(each)}".strip(), each.read) for each in found if each.read)
 
 
@@ -165,7 +166,7 @@ def rows(id: str, only_wrong: bool = False) -> Output:
 
 def _row(found: Sequence[Record], wrong: Record | None) -> tuple[str, ...]:
     first = found[0]
-    number = first.declaration.rpartition(".")[2]
+    number = Id.parse(first.id).row
     said = {Relation(record).state for record in found}
     verdict = str(Verdict.REFUTED) if Verdict.REFUTED in said else ", ".join(sorted(said))
     mark = "$" if first.printed else ""

@@ -12,6 +12,7 @@ from jinja2 import Environment, PackageLoader, StrictUndefined
 from markupsafe import Markup
 
 from symcheck.coq.confirmed import CONFIRMED, confirmed
+from symcheck.core.ids import Id
 from symcheck.core.verdicts import Group, Role, Verdict
 from symcheck.ledger.record import Record
 from symcheck.ledger.selftested import evidence, rows
@@ -84,6 +85,7 @@ def page(records: Sequence[Record], papers: Sequence[Publication], extras: Extra
         trim_blocks=True,
         lstrip_blocks=True,
     )
+    environment.filters["place"] = lambda id: Id.parse(id).place
     environment.globals |= {
         "formulas": formulas,
         "excerpts": excerpts,
