@@ -42,19 +42,14 @@ gates: $(DEV)
 notebooks: $(DEV)
 	$(BIN)/jupyter lab notebooks
 
+# What they print is recorded in generated/figures.md.
 bench: $(DEV)
-	$(BIN)/python tests/bench.py
-	$(BIN)/python tests/bench_kernels.py
-	$(BIN)/python tests/bench_c.py
-	$(BIN)/python tests/bench_numba.py
-	$(BIN)/python tests/bench_envelope.py
-	OPENBLAS_NUM_THREADS=1 $(BIN)/python tests/bench_ensemble.py
-	$(BIN)/python tests/bench_sweep.py
+	OPENBLAS_NUM_THREADS=1 $(BIN)/python tests/bench_record.py bench_ensemble.py
+	$(BIN)/python tests/bench_record.py bench.py bench_kernels.py bench_c.py bench_numba.py bench_envelope.py bench_sweep.py
 
-# Plants faults and keeps what becomes of them, for the report and the README.
+# Plants faults and keeps what becomes of them, for the report and generated/figures.md.
 selftest: $(DEV)
 	$(BIN)/symcheck selftest --record
-	$(BIN)/python tests/selftest_table.py
 
 bench-gpu: $(DEV)
 	$(BIN)/symcheck generate --target array --output kernels-array

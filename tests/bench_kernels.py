@@ -1,17 +1,15 @@
 """Kernels against SymPy's `lambdify(cse=True)`, and against 50 digits. Run by `make bench`.
 
-Prints two tables in Markdown: times as fast (medians of interleaved runs), and largest errors. With --readme they
-replace those of the README, where a test keeps them complete.
+Prints two tables in Markdown: times as fast (medians of interleaved runs), and largest errors. `make bench` records
+them in generated/figures.md, where a test keeps them complete.
 """
 
 from __future__ import annotations
 
 import gc
 import os
-import re
 import statistics
-import sys
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator
 from functools import partial
 from pathlib import Path
 from typing import Any
@@ -23,14 +21,13 @@ from kernel_reference import Case, cases, measured, random_points
 
 from symcheck import kernels as generated
 from symcheck.kernels.codegen.program import UNARY
+from symcheck.views.figures import cells, table
 
-README = Path(__file__).resolve().parent.parent / "README.md"
 SIZES = (0, 1, 10, 100, 1_000, 10_000, 100_000, 1_000_000, 10_000_000)  # 0: Python floats
 MILLION = SIZES.index(1_000_000)
 MOST = int(os.environ.get("BENCH_MOST", SIZES[-1]))
 ROUNDS, SHORT = 5, 0.01
 POINTS = 1_000  # different ones, repeated; as many are compared with 50 digits
-MARKERS = "<!-- {0} -->\n(.*?)\n<!-- end of {0} -->"
 SPEED = ("kernel", "functions", "ns a point", "numbers", *(f"{size:,}" for size in SIZES[1:]))
 ACCURACY = ("kernel", "largest error, ulp", "stated", "where")
 
@@ -86,14 +83,14 @@ def limits() -> str:
 
 def speed(every: Iterable[Case]) -> Iterator[str]:
     """A table row for each kernel; last what the large sizes come to."""
-    yield from head(SPEED)
+    yield from table(SPEED)
     large: list[float] = []
     small: list[float] = []
     for case in every:
         calls, per_point, found = ratios(case)
         large += found[MILLION:] if calls >= 2 else []
         small += found[1:MILLION]
-        yield row([case.id, str(calls), f"{per_point * 1e9:.1f}", *(f"{ratio:.2f}" for ratio in found)])
+        yield cells([case.id, str(calls), f"{per_point * 1e9:.1f}", *(f"{ratio:.2f}" for ratio in found)])
     yield ""
     mean = statistics.geometric_mean
     if large:
@@ -103,53 +100,31 @@ def speed(every: Iterable[Case]) -> Iterator[str]:
 
 def accuracy(every: Iterable[Case]) -> Iterator[str]:
     """A table row for each kernel."""
-    yield from head(ACCURACY)
+    yield from table(ACCURACY)
     for case in every:
         found = measured(case, POINTS)
         place = ", ".join(f"{name} = {value:.3g}" for name, value in found.point.items())
-        yield row([case.id, f"{found.ulp:.2f}", str(case.kernel.ulp), f"{found.output} at {place}"])
+        yield cells([case.id, f"{found.ulp:.2f}", str(case.kernel.ulp), f"{found.output} at {place}"])
 
 
-def head(names: Sequence[str]) -> list[str]:
-    """The first two lines of a table."""
-    return [row(names), row(["---"] * len(names))]
-
-
-def row(cells: Sequence[str]) -> str:
-    """A line of a table."""
-    return f"| {' | '.join(cells)} |"
-
-
-def block(text: str, name: str) -> str:
-    """What stands between the two markers of that name."""
-    (found,) = re.findall(MARKERS.format(name), text, re.DOTALL)
-    return str(found)
-
-
-def with_block(text: str, name: str, lines: Sequence[str]) -> str:
-    """The text with these lines between the two markers of that name."""
-    first, last = MARKERS.format(name).split("(.*?)")
-    return re.sub(MARKERS.format(name), lambda _: first + "\n".join(lines) + last, text, flags=re.DOTALL)
-
-
-TABLES = {"speed of kernels": speed, "accuracy of kernels": accuracy}
+TABLES = {
+    "Speed: times as fast as SymPy's `lambdify(cse=True)` on so many points": speed,
+    "Accuracy: the largest error found at random points and near degenerate ones": accuracy,
+}
 
 
 def main() -> None:
-    """Measure, print, and with --readme write."""
-    every, text = list(cases().values()), README.read_text(encoding="utf-8")
-    for name, table in TABLES.items():
-        if name not in (os.environ.get("BENCH_ONLY") or name):
+    """Measure and print; $BENCH_ONLY is the beginning of the title of the only table wanted."""
+    every, only = list(cases().values()), os.environ.get("BENCH_ONLY", "")
+    for title, measure in TABLES.items():
+        if not title.lower().startswith(only.lower()):
             continue
-        lines = [limits(), ""] if table is speed else []
-        for line in lines:
-            print(line)
-        for line in table(every):
+        print(f"### {title}\n")
+        if measure is speed:
+            print(f"{limits()}\n")
+        for line in measure(every):
             print(line, flush=True)
-            lines.append(line)
-        text = with_block(text, name, lines)
-    if sys.argv[1:] == ["--readme"]:
-        README.write_text(text, encoding="utf-8")
+        print()
 
 
 if __name__ == "__main__":
