@@ -63,7 +63,8 @@ def test_no_cell_of_a_committed_notebook_holds_mathematics(name: str) -> None:
 
 
 def test_every_notebook_has_a_source() -> None:
-    assert sorted(file.stem for file in committed.folder().glob("*.ipynb")) == NAMES
+    folder = committed.folder()
+    assert sorted(file.relative_to(folder).with_suffix("").as_posix() for file in folder.rglob("*.ipynb")) == NAMES
 
 
 @pytest.mark.parametrize(("key", "name"), PAPERS.items())

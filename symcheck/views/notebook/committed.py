@@ -1,4 +1,7 @@
-"""The notebooks of a checkout: notebooks/<name>.ipynb, each made of notebooks/sources/<name>.md."""
+"""The notebooks of a checkout: notebooks/<name>.ipynb, each made of notebooks/sources/<name>.md.
+
+The name of one in a folder has it in front: "guide/2_add_a_paper".
+"""
 
 from __future__ import annotations
 
@@ -29,7 +32,8 @@ def folder() -> Path:
 
 def names(only: Sequence[str] = ()) -> list[str]:
     """The names of all notebooks in their order, or of those asked for: "6_errata", or its beginning."""
-    known = sorted(file.stem for file in (folder() / "sources").glob("*.md"))
+    sources = folder() / "sources"
+    known = sorted(file.relative_to(sources).with_suffix("").as_posix() for file in sources.rglob("*.md"))
     for each in only:
         if not any(name.startswith(each) for name in known):
             near = get_close_matches(each, known, n=1, cutoff=0)
@@ -56,9 +60,9 @@ def committed(name: str) -> Any:
     try:
         return nbformat.read(file, as_version=4)
     except FileNotFoundError as error:
-        raise SymcheckError(f"notebooks/{file.name} is missing; run `symcheck notebooks --write`") from error
+        raise SymcheckError(f"notebooks/{name}.ipynb is missing; run `symcheck notebooks --write`") from error
     except (ValueError, AttributeError, nbformat.ValidationError) as error:
-        raise SymcheckError(f"notebooks/{file.name} is damaged ({error}); run `symcheck notebooks --write`") from error
+        raise SymcheckError(f"notebooks/{name}.ipynb is damaged ({error}); run `symcheck notebooks --write`") from error
 
 
 def differences(name: str, found: Any) -> list[str]:
