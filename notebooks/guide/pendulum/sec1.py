@@ -8,19 +8,19 @@ from symcheck.proof import identity, nonnegative, theorems
 
 SQUARE = r"\frac{(a - r)^2}{a}"
 
-moment = definition("1", 5, r"I = I_c + m a^2")
+moment = definition("1", 6, r"I = I_c + m a^2")
 
-length = definition("2", 9, r"l = \frac{I}{m a}.")
+length = definition("2", 10, r"l = \frac{I}{m a}.")
 
-centre_of_oscillation = definition("3", 13, r"b = \frac{I_c}{m a}")
+centre_of_oscillation = definition("3", 14, r"b = \frac{I_c}{m a}")
 
-sum_of_distances = claim("4", 17, r"l = a + b.", given=[body], by=identity)
+sum_of_distances = claim("4", 18, r"l = a + b.", given=[body], by=identity)
 
-reversible = claim("5", 21, r"\frac{I_c + m b^2}{m b} = l.", given=[body], by=identity)
+reversible = claim("5", 22, r"\frac{I_c + m b^2}{m b} = l.", given=[body], by=identity)
 
 least_length = claim(
     "6",
-    25,
+    26,
     r"l \ge 3 r.",
     given=[body, gyration, positive_radius],
     by=nonnegative(),
@@ -29,7 +29,7 @@ least_length = claim(
 
 deflection = claim(
     "7",
-    30,
+    31,
     r"\arctan\frac{F}{m g} \le \frac{F}{m g}.",
     given=[pulled],
     by=theorems(("arctangent_below_number", r"\frac{F}{m g}")),
