@@ -10,7 +10,7 @@ PIP := $(BIN)/python -m pip install --quiet --disable-pip-version-check -c const
 NEWEST := python3.13
 NEWEST_VENV := .venv-newest
 
-.PHONY: audit test test-full test-newest quick gates notebooks bench bench-gpu selftest browser coq coq-check install-coq clean
+.PHONY: audit test test-full test-newest quick gates notebooks docs bench bench-gpu selftest browser coq coq-check install-coq clean
 
 audit: $(STAMP)
 	$(BIN)/symcheck check
@@ -41,6 +41,10 @@ gates: $(DEV)
 
 notebooks: $(DEV)
 	$(BIN)/jupyter lab notebooks
+
+# The reference of all public names, from their docstrings; it needs no network, and a warning is an error.
+docs: $(DEV)
+	$(BIN)/python tests/build_docs.py build/docs
 
 # What they print is recorded in generated/figures.md.
 bench: $(DEV)

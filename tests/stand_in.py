@@ -15,7 +15,7 @@ from typing import Any
 
 from symcheck.core.claims import Item, Paper, Section
 from symcheck.core.verdicts import Certificate, Origin, Reading, Role, Verdict
-from symcheck.ledger.record import Record
+from symcheck.ledger.record import Correction, Edit, HypothesisRow, Need, Record, Repair
 
 PROOF = {
     "rule": "each",
@@ -105,16 +105,12 @@ def _records(paper: str, number: str) -> tuple[Record, ...]:
     id = f"{paper}:{number}"
     match number:
         case "1.1":
-            lost = {"lost": "the relation fails", "counterexample": POINT_WITHOUT}
-            given = {"name": "orthogonal", "words": "A is orthogonal", "given": "printed", "needed": True, **lost}
-            added = {"name": "x > 0", "words": "x is positive", "given": "added", "needed": False}
-            needed = {
-                "name": "n",
-                "words": "n is odd",
-                "given": "added",
-                "needed": True,
-                **lost,
-            }
+            lost = Need(needed=True, lost="the relation fails", counterexample=POINT_WITHOUT)
+            hypotheses = (
+                hypothesis("orthogonal", "A is orthogonal", "printed", lost),
+                hypothesis("x > 0", "x is positive", "added", Need(needed=False)),
+                hypothesis("n", "n is odd", "added", lost),
+            )
             return (
                 Record(
                     id=id,
@@ -124,7 +120,7 @@ def _records(paper: str, number: str) -> tuple[Record, ...]:
                     read="a_{11}^2-b",
                     method="ideal",
                     certificates=(CERTIFICATE,),
-                    hypotheses=(given, added, needed),
+                    hypotheses=hypotheses,
                     used_by=("toy:1.3",),
                     **common,
                 ),
@@ -145,18 +141,13 @@ def _records(paper: str, number: str) -> tuple[Record, ...]:
                     kind="sign",
                     origin=Origin.PAPER,
                     reason="the next line has the right sign",
-                    counterexample=POINT,
                     certificates=(REFUTED,),
-                    erratum={
-                        "verdict": "proved",
-                        "reason": "",
-                        "certificates": [CORRECTED],
-                        "edit": [{"printed": "- x", "corrected": "x"}],
-                        "added": [],
-                        "repairs": [{"kind": "sign", "edit": "drop the minus", "relation": "x = x"}],
-                        "unique": True,
-                        "empty": False,
-                    },
+                    erratum=correction(
+                        certificates=(CORRECTED,),
+                        edit=(Edit(printed="- x", corrected="x"),),
+                        repairs=(Repair(kind="sign", edit="drop the minus", relation="x = x"),),
+                        unique=True,
+                    ),
                     **common,
                 ),
             )
@@ -169,6 +160,17 @@ def _records(paper: str, number: str) -> tuple[Record, ...]:
         case "1.5":
             return (Record(id=id, printed="J = 1", **{**common, "role": Role.DEFINITION}),)
     return (Record(id=id, words="filler", **_plain(id), **common),)
+
+
+def hypothesis(name: str, words: str, given: str, need: Need | None) -> HypothesisRow:
+    return HypothesisRow(name=name, words=words, states="", given=given, need=need)
+
+
+def correction(**fields: Any) -> Correction:
+    """What is right, proved, with these fields."""
+    plain: dict[str, Any] = {"verdict": Verdict.PROVED, "reason": "", "certificates": (), "edit": (), "added": ()}
+    plain |= {"repairs": None, "unique": None, "empty": False, "row": False}
+    return Correction(**{**plain, **fields})
 
 
 def _plain(id: str) -> dict[str, Any]:

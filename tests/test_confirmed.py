@@ -6,13 +6,13 @@ import csv
 import io
 import json
 from collections.abc import Callable, Iterator
-from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
 import pytest
 import stand_in
 from click.testing import Result
+from msgspec.structs import replace
 
 from symcheck import kernels, papers
 from symcheck.coq import confirmed

@@ -8,12 +8,12 @@ import sqlite3
 import sys
 from collections.abc import Callable, Mapping
 from copy import deepcopy
-from dataclasses import replace
 from pathlib import Path
 from types import SimpleNamespace
 from typing import Any
 
 import pytest
+from msgspec.structs import replace
 
 from symcheck import papers
 from symcheck.audit import checked, decide, run
@@ -21,7 +21,7 @@ from symcheck.audit.cache import FILE, Cache
 from symcheck.audit.checked import NOT_ACCEPTED, told
 from symcheck.audit.executor import Serial
 from symcheck.core.verdicts import Verdict
-from symcheck.ledger.record import Record
+from symcheck.ledger.record import Need, Record
 
 REFUTED = "poloskov2004:4.0.27"  # with a correction, and a hypothesis that it needs
 PROVED = "poloskov2004:2.1.2"  # with a proof that does without a hypothesis
@@ -59,7 +59,7 @@ def test_a_proof_from_a_lemma_is_accepted_with_the_proof_of_the_lemma_only() -> 
 
 
 def _relabelled(record: Record) -> Record:
-    return replace(record, verdict=Verdict.PROVED, counterexample=None)
+    return replace(record, verdict=Verdict.PROVED)
 
 
 def _bare(record: Record) -> Record:
@@ -81,10 +81,6 @@ def _certificate_relabelled(record: Record) -> Record:
     return replace(record, verdict=Verdict.PROVED, certificates=({**record.certificates[0], "verdict": "proved"},))
 
 
-def _another_point(record: Record) -> Record:
-    return replace(record, counterexample={"values": {"x": "1"}, "sides": ["0", "1"]})
-
-
 def _malformed(record: Record) -> Record:
     return replace(record, certificates=({"id": record.id, "verdict": record.verdict},))
 
@@ -101,7 +97,6 @@ VERDICTS: dict[str, tuple[str, Callable[[Record], Record], str]] = {
     "a certificate of another relation": (PROVED, _of_another, f"it is of {OTHER}"),
     "another claim": (PROVED, _false, "not the combination"),
     "a refutation called a proof": (REFUTED, _certificate_relabelled, "a step without proof"),
-    "another counterexample": (REFUTED, _another_point, "another counterexample is shown"),
     "half a certificate": (PROVED, _malformed, "malformed"),
     "a set of equality that is not shown": (EQUALITY, _equality_spoilt, ""),
 }
@@ -122,22 +117,30 @@ def test_a_verdict_that_its_certificates_do_not_show_is_undecided(
 def test_a_correction_that_its_certificates_do_not_show_is_undecided() -> None:
     record = copied(REFUTED)
     assert record.erratum is not None
-    record.erratum["certificates"][0]["claim"] = ["=", 0, 1]
+    record.erratum.certificates[0]["claim"] = ["=", 0, 1]
     found = told_of(record)
     assert found.verdict is Verdict.REFUTED
     assert found.erratum is not None
-    assert found.erratum["verdict"] == Verdict.UNDECIDED
-    assert found.erratum["reason"].startswith(NOT_ACCEPTED)
-    assert found.erratum["certificates"] == []
+    assert found.erratum.verdict is Verdict.UNDECIDED
+    assert found.erratum.reason.startswith(NOT_ACCEPTED)
+    assert found.erratum.certificates == ()
 
 
 def _changed(record: Record, name: str, **changes: Any) -> Record:
-    rows = tuple({**row, **changes} if row["name"] == name else row for row in record.hypotheses)
+    rows = tuple(
+        replace(row, need=replace(row.need, **changes)) if row.need and row.name == name else row
+        for row in record.hypotheses
+    )
     return replace(record, hypotheses=rows)
 
 
-def _hypothesis(record: Record, needed: bool) -> dict[str, Any]:
-    return next(row for row in record.hypotheses if row["needed"] is needed and (needed or row["proofs"]))
+def _hypothesis(record: Record, needed: bool) -> str:
+    rows = (row for row in record.hypotheses if row.need and row.need.needed is needed)
+    return next(row.name for row in rows if needed or (row.need and row.need.proofs))
+
+
+def _need_told(record: Record, name: str) -> Need | None:
+    return next(row.need for row in told_of(record).hypotheses if row.name == name)
 
 
 @pytest.mark.parametrize(
@@ -155,18 +158,16 @@ def _hypothesis(record: Record, needed: bool) -> dict[str, Any]:
 )
 def test_a_need_that_is_not_shown_is_unknown(changes: dict[str, Any]) -> None:
     record = copied(EQUALITY)
-    name = _hypothesis(record, True)["name"]
-    row = next(row for row in told_of(_changed(record, name, **changes)).hypotheses if row["name"] == name)
-    assert (row["needed"], row["lost"], row["counterexample"]) == (None, "", None)
+    name = _hypothesis(record, True)
+    assert _need_told(_changed(record, name, **changes), name) == Need(needed=None)
 
 
-@pytest.mark.parametrize("changes", [{"proofs": []}, {"needed": True}], ids=str)
+@pytest.mark.parametrize("changes", [{"proofs": ()}, {"needed": True}], ids=str)
 def test_a_hypothesis_is_needless_if_a_proof_does_without_it(changes: dict[str, Any]) -> None:
     record = copied(PROVED)
-    name = _hypothesis(record, False)["name"]
+    name = _hypothesis(record, False)
     assert told_of(record) == record
-    row = next(row for row in told_of(_changed(record, name, **changes)).hypotheses if row["name"] == name)
-    assert (row["needed"], row["proofs"]) == (None, [])
+    assert _need_told(_changed(record, name, **changes), name) == Need(needed=None)
 
 
 @pytest.mark.parametrize("many", [1, 10**6], ids=["two processes", "one process"])
@@ -232,7 +233,7 @@ def test_needs_are_decided_after_the_verdict_when_they_are_asked_for_and_kept(tm
     said = Said()
     bare = asked(SimpleNamespace(**{**vars(decide), "weigh": refuse}), weigh=False)
     assert any(record.hypotheses for record in bare)
-    assert not any("needed" in row for record in bare for row in record.hypotheses)
+    assert not any(row.need for record in bare for row in record.hypotheses)
     whole = asked(SimpleNamespace(**{**vars(decide), "decide": refuse}), weigh=True)
     weighed = {record.id: record.hypotheses for id in (PROVED, REFUTED) for record in DECIDED[id]}
     assert {record.id: record.hypotheses for record in whole} == weighed
@@ -279,7 +280,7 @@ def test_a_row_that_was_signed_is_checked_again_all_the_same(spoil: Callable[[Re
 
 def test_the_cache_of_somebody_else_is_not_believed(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     said = Said()
-    audited(tmp_path, said, deciding(_another_point(copied(REFUTED))))
+    audited(tmp_path, said, deciding(_relabelled(copied(REFUTED))))
     monkeypatch.setenv("XDG_CONFIG_HOME", str(tmp_path / "of another user"))
     assert audited(tmp_path, said, deciding())[1].verdict is Verdict.REFUTED
     assert said == [f"2 results in the cache {tmp_path / FILE} could not be read back; deciding again"]

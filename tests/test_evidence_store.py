@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 import json
-from dataclasses import replace
 from pathlib import Path
 
 import pytest
 import stand_in
+from msgspec.structs import replace
 
 from symcheck import papers
 from symcheck.audit import outputs

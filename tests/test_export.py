@@ -14,6 +14,7 @@ from typing import Any
 
 import pytest
 from click.testing import Result
+from stand_in import correction
 
 from symcheck import papers
 from symcheck.audit.obligation import expand
@@ -38,9 +39,9 @@ def wrong(number: str, printed: str, corrected: str, **fields: Any) -> Record:
 
 LEDGER = (
     record("1", printed=r"a_{11} \le |b|", words="a_11 is less than b | c"),
-    wrong("2", "= x^2", "= -x^2", erratum={"added": ["x is < 1 & odd"]}, reason="100 % #1 {sure} ~ ^"),
-    wrong("3V.1a", "u & v", "v & u", erratum={"row": True}),
-    wrong("3V.1b", "u & v", "v & u", erratum={"row": True}),
+    wrong("2", "= x^2", "= -x^2", erratum=correction(added=("x is < 1 & odd",)), reason="100 % #1 {sure} ~ ^"),
+    wrong("3V.1a", "u & v", "v & u", erratum=correction(row=True)),
+    wrong("3V.1b", "u & v", "v & u", erratum=correction(row=True)),
     record("4", printed="(р = IT}", role=Role.PREMISE, verdict=None),
     record("5", words="-1 + @ = 0"),
 )

@@ -21,7 +21,7 @@ from symcheck.core.verdicts import Loss, Origin, Reading, Role, SymcheckError, V
 from symcheck.ledger.digests import line
 from symcheck.ledger.record import Record
 from symcheck.selftest.statements import unguarded
-from symcheck.views.faults import without
+from symcheck.views.model import condition
 
 IDS = [obligation.id for paper in papers.load().values() for obligation in expand(paper)]
 
@@ -67,12 +67,12 @@ def test_what_is_refuted_or_misprinted_has_an_erratum_and_nothing_else_has_one()
 def test_every_erratum_is_a_whole_bundle() -> None:
     for record in errata():
         assert record.erratum
-        assert record.erratum["verdict"] == Verdict.PROVED, (record.id, record.erratum["reason"])
-        assert record.erratum["certificates"], record.id
+        assert record.erratum.verdict is Verdict.PROVED, (record.id, record.erratum.reason)
+        assert record.erratum.certificates, record.id
         assert all((record.corrected, record.kind, record.reason)), record.id
         assert record.origin in set(Origin), record.id
-        assert record.counterexample or record.erratum["empty"], record.id
-        assert record.erratum["edit"] or record.erratum["added"], record.id
+        assert record.counterexample or record.erratum.empty, record.id
+        assert record.erratum.edit or record.erratum.added, record.id
 
 
 def test_a_counterexample_satisfies_the_hypotheses_and_gives_both_sides() -> None:
@@ -87,12 +87,14 @@ def test_a_counterexample_satisfies_the_hypotheses_and_gives_both_sides() -> Non
 
 
 def test_a_hypothesis_that_is_needed_shows_what_is_lost_without_it() -> None:
-    shown = [h for record in claims() for h in record.hypotheses if h["needed"]]
-    assert {hypothesis["lost"] for hypothesis in shown} == set(Loss)
-    for hypothesis in shown:
-        assert reason(hypothesis["counterexample"]) is None
-        assert without(hypothesis).startswith(hypothesis["lost"])
-    assert not any(h["lost"] for record in claims() for h in record.hypotheses if not h["needed"])
+    weighed = [(row, row.need) for record in claims() for row in record.hypotheses if row.need]
+    shown = [(row, need) for row, need in weighed if need.needed]
+    assert {need.lost for _, need in shown} == set(Loss)
+    for row, need in shown:
+        assert need.counterexample
+        assert reason(need.counterexample) is None
+        assert condition(row).without.startswith(need.lost)
+    assert not any(need.lost for _, need in weighed if not need.needed)
 
 
 def test_every_inequality_that_may_be_an_equality_says_where_and_is_proved_with_that() -> None:

@@ -3,13 +3,15 @@
 from __future__ import annotations
 
 import pytest
+from stand_in import hypothesis
 
 from symcheck.audit.checked import reason
 from symcheck.core.claims import Problem
 from symcheck.core.terms import Formula, node
 from symcheck.core.verdicts import Loss
+from symcheck.ledger.record import Need
 from symcheck.proof import fails_without, refute
-from symcheck.views.faults import without
+from symcheck.views.model import condition
 
 E = node("sin", "a")
 SHORTER = (("e", E),)
@@ -71,7 +73,8 @@ def test_what_is_lost_has_a_certificate_and_is_told(name: str) -> None:
     assert found is not None
     assert found.loss is loss
     assert reason(found.certificate) is None
-    assert told in without({"lost": found.loss, "counterexample": found.certificate})
+    need = Need(needed=True, lost=found.loss, counterexample=found.certificate)
+    assert told in condition(hypothesis("x", "", "printed", need)).without
 
 
 @pytest.mark.parametrize("name", NOT_KNOWN)

@@ -63,8 +63,8 @@ def test_no_cell_of_a_committed_notebook_holds_mathematics(name: str) -> None:
 
 
 def test_every_notebook_has_a_source() -> None:
-    folder = committed.folder()
-    assert sorted(file.relative_to(folder).with_suffix("").as_posix() for file in folder.rglob("*.ipynb")) == NAMES
+    files = [file for file in committed.folder().rglob("*.ipynb") if ".ipynb_checkpoints" not in file.parts]
+    assert sorted(file.relative_to(committed.folder()).with_suffix("").as_posix() for file in files) == NAMES
 
 
 @pytest.mark.parametrize(("key", "name"), PAPERS.items())
@@ -160,11 +160,6 @@ def test_a_cell_that_is_added_changes_the_ids_of_no_other_section(tmp_path: Path
     after = ids(f"# One\n\nWords.\n\n{code}\n{code}\n## Two: $x$\n\n{code}")
     assert before == ["one-1", "one-2", "two-x-1", "two-x-2"]
     assert after == ["one-1", "one-2", "one-3", "two-x-1", "two-x-2"]
-
-
-def test_the_cell_that_shows_a_relation_is_found() -> None:
-    name, id = committed.shown_in()["mirer2009:2.12"]
-    assert any(cell.id == id and "mirer2009:2.12" in cell.source for cell in committed.committed(name).cells)
 
 
 # --- when a notebook is stale

@@ -1,51 +1,20 @@
-"""The README's tables name every kernel; their figures are those of the machine that measured them."""
+"""The README is short, and what it shows is what comes out."""
 
 from __future__ import annotations
 
 import re
-from collections.abc import Sequence
 from pathlib import Path
 
 import pytest
-from bench_kernels import ACCURACY, README, SPEED, block, head, with_block
-from kernel_reference import cases
-from selftest_table import NAME, table
+from click.testing import CliRunner
+from rich.console import Console
 
-TABLES = {"speed of kernels": SPEED, "accuracy of kernels": ACCURACY}
+from symcheck import errata
+from symcheck.cli import cli
+from symcheck.views import terminal
 
-
-def rows(name: str) -> list[list[str]]:
-    """The cells of the table that stands between two markers."""
-    lines = [line for line in block(README.read_text(encoding="utf-8"), name).splitlines() if line.startswith("|")]
-    return [[cell.strip() for cell in line.strip("|").split(" | ")] for line in lines]
-
-
-@pytest.mark.parametrize(("name", "columns"), TABLES.items())
-def test_the_table_in_the_readme_has_the_columns_of_the_benchmark_and_a_row_for_each_kernel(
-    name: str, columns: Sequence[str]
-) -> None:
-    first, second, *others = rows(name)
-    assert [f"| {' | '.join(line)} |" for line in (first, second)] == head(columns)
-    assert [cells[0] for cells in others] == list(cases())
-    assert all(len(cells) == len(columns) for cells in others)
-
-
-def test_errors_in_the_readme_are_below_what_each_kernel_states() -> None:
-    for case, (_, error, stated, _) in zip(cases().values(), rows("accuracy of kernels")[2:], strict=True):
-        assert float(error) <= float(stated) == case.kernel.ulp
-
-
-def test_a_new_table_changes_nothing_beside_it() -> None:
-    text = "y <!-- t -->\ny\n<!-- end of t --> y"
-    assert with_block(text, "t", ["a", r"\1"]) == "y <!-- t -->\na\n\\1\n<!-- end of t --> y"
-
-
-def test_speeds_in_the_readme_are_positive_numbers() -> None:
-    assert all(float(cell) > 0 for cells in rows("speed of kernels")[2:] for cell in cells[2:])
-
-
-def test_the_readme_says_what_the_self_test_found() -> None:
-    assert block(README.read_text(encoding="utf-8"), NAME).splitlines() == list(table())
+README = Path(__file__).resolve().parent.parent / "README.md"
+LONGEST = 10_000  # bytes
 
 
 def example(word: str) -> str:
@@ -66,3 +35,36 @@ def test_the_engineers_example_runs_as_it_is_printed(
     loss = [float(x) for x in re.findall(r"[\d.]+", lines[1])]
     assert {n for n, rate in enumerate(loss, 1) if rate == min(loss)} == {1, 4}
     assert (tmp_path / "envelope.png").read_bytes().startswith(b"\x89PNG")
+
+
+def test_the_readers_own_formulas_are_decided_as_it_is_said(capsys: pytest.CaptureFixture[str]) -> None:
+    exec(example("Notation"), {})
+    assert capsys.readouterr().out.splitlines() == ["proved ", "refuted {'x': 3, 'y': 2}"]
+
+
+def test_the_erratum_is_what_is_printed(tmp_path: Path) -> None:
+    printed = README.read_text(encoding="utf-8")
+    (shown,) = re.findall(r"^```text\n(poloskov2004:.*?)^```", printed, flags=re.DOTALL | re.MULTILINE)
+    with (tmp_path / "out").open("w") as file:
+        terminal.errata(Console(file=file, width=400), errata(["poloskov2004:4.0.27"]))
+    assert " ".join(shown.split()) in " ".join((tmp_path / "out").read_text().split())
+
+
+def test_the_ledger_is_what_the_command_prints(monkeypatch: pytest.MonkeyPatch) -> None:
+    printed = README.read_text(encoding="utf-8")
+    ((command, shown),) = re.findall(r"^```text\n\$ symcheck (.*?)\n(.*?)^```", printed, flags=re.DOTALL | re.MULTILINE)
+    monkeypatch.setenv("COLUMNS", "110")
+    done = CliRunner().invoke(cli, [*command.split(), "--jobs", "0"], prog_name="symcheck")
+    assert done.exit_code == 0, done.output
+    assert without_times(done.stdout) == without_times(shown)
+
+
+def without_times(text: str) -> list[str]:
+    """The lines without what differs from run to run."""
+    return [re.sub(r"\d+\.\d+ s$", "", line).rstrip() for line in text.strip().splitlines()]
+
+
+def test_it_is_short_and_links_to_what_is_there() -> None:
+    text = README.read_text(encoding="utf-8")
+    assert len(text.encode()) <= LONGEST
+    assert all((README.parent / link).is_file() for link in re.findall(r"\]\(([^)]+)\)", text))

@@ -8,20 +8,22 @@ import struct
 import zlib
 from collections import Counter
 from collections.abc import Callable, Iterator
-from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
 import pytest
+import stand_in
 from click.testing import Result
+from msgspec.structs import replace
+from stand_in import correction, hypothesis
 
 from symcheck import kernels, papers
 from symcheck.audit.obligation import expand
 from symcheck.core.verdicts import Group, Origin, Reading, Role, SymcheckError, Verdict
-from symcheck.ledger.record import Record
+from symcheck.ledger.record import Need, Record
 from symcheck.ledger.selftested import evidence
-from symcheck.views.faults import errata
 from symcheck.views.latex import is_formula
+from symcheck.views.model import errata
 from symcheck.views.page import sources
 from symcheck.views.page.difference import marked
 from symcheck.views.page.graph import graph
@@ -58,14 +60,7 @@ def wrong(number: str, printed: str, corrected: str, **fields: Any) -> Record:
         "reading": Reading.MISPRINT,
         "kind": "sign",
         "origin": Origin.PAPER,
-        "erratum": {
-            "verdict": "proved",
-            "reason": "",
-            "edit": [],
-            "added": [],
-            "repairs": None,
-            **fields.pop("repair", {}),
-        },
+        "erratum": correction(**fields.pop("repair", {})),
         **fields,
     }
     return record(number, printed=printed, corrected=corrected, **given)
@@ -122,10 +117,11 @@ POINT = {"values": {"x": ["/", 2, 7]}, "shown": [["=", "x", ["/", 2, 7]], ["=", 
 
 
 def test_the_page_says_what_the_records_say() -> None:
+    refuted = {**stand_in.REFUTED, "id": "toy:3", "point": POINT}
     rows = [
         record("1", printed="x = x", uses=("toy:2",)),
         record("2", role=Role.OURS, words="A <b>bold</b> & sentence", used_by=("toy:1",)),
-        wrong("3", "x = -x", "x = x", counterexample=POINT),
+        wrong("3", "x = -x", "x = x", certificates=(refuted,)),
         record("4", role=Role.PREMISE, verdict=None),
     ]
     text = page(rows, TOY)
@@ -178,9 +174,9 @@ def test_errata_come_first_and_the_serious_ones_before_the_slips() -> None:
 
 def test_faults_of_one_row_are_told_once_with_the_letters_of_its_parts() -> None:
     rows = [wrong(f"1V.8{letter}", "x", "y", repair={"row": True}) for letter in "ab"]
-    [(_, [alike])] = errata(rows)
-    [fault] = alike.faults
-    assert (alike.place, fault.number, len(fault.records)) == ("toy:1V", "1V.8a, b", 2)
+    [(_, [faults])] = errata(rows)
+    [fault] = faults.faults
+    assert (faults.place, fault.number, len(fault.relations)) == ("toy:1V", "1V.8a, b", 2)
 
 
 def test_certificates_are_folded_whole_but_for_the_digest() -> None:
@@ -207,8 +203,7 @@ def test_what_must_not_vanish_is_shown_with_a_proof_that_needs_it() -> None:
 
 
 def test_the_self_test_and_the_hypotheses_are_shown() -> None:
-    given = {"words": "x is positive", "name": "x", "states": "x > 0", "given": "printed", "needed": False}
-    records = [record("1", hypotheses=(given,))]
+    records = [record("1", hypotheses=(hypothesis("x", "x is positive", "printed", Need(needed=False)),))]
     none = page(records, TOY)
     assert "Nothing is recorded" in none
     assert "x is positive" in none.split("Which hypotheses are needed")[1]

@@ -10,6 +10,7 @@ from random import Random
 from typing import Any
 
 import pytest
+from msgspec import structs
 
 from symcheck import papers
 from symcheck.audit import checked, decide
@@ -17,7 +18,6 @@ from symcheck.audit.executor import Serial
 from symcheck.audit.judge import judge
 from symcheck.audit.obligation import expand
 from symcheck.core.verdicts import SymcheckError, Verdict
-from symcheck.ledger.domain import domain, refuse_wider
 from symcheck.ledger.record import Record
 from symcheck.reading import read
 from symcheck.selftest import certificates, engines, forgeries, hypotheses, kernels, methods, statements
@@ -179,9 +179,7 @@ def test_three_engines_agree_about_every_refutation_and_notice_a_wrong_one() -> 
     assert found.points > 3
     assert found.all_three > 1
     assert found.disagreements == []
-    refuted = next(
-        each for record in records() for each in certificates.certificates(record) if each["verdict"] == "refuted"
-    )
+    refuted = next(each for record in records() for each in record.all_certificates() if each["verdict"] == "refuted")
     wrong = certificates.one("", "", ("claim",), ["=", 1, 1]).of(refuted)
     assert {engines.refutes(engine, wrong) for engine in engines.ENGINES} == {False}
 
@@ -196,19 +194,18 @@ def test_hypotheses_that_contradict_one_another_prove_nothing() -> None:
 def test_a_record_tells_the_set_over_which_it_was_shown() -> None:
     for record in records():
         if record.domain is not None:
-            assert record.domain == domain(record.certificates)
-            assert set(record.domain["hypotheses"]) <= {hypothesis["name"] for hypothesis in record.hypotheses}
+            assert set(record.domain["hypotheses"]) <= {hypothesis.name for hypothesis in record.hypotheses}
 
 
 def test_a_record_that_leaves_a_hypothesis_out_is_refused() -> None:
     record = next(each for each in records() if each.domain and each.domain["hypotheses"])
-    refuse_wider(record.id, record.certificates, record.hypotheses)
+    record.refuse_wider()
     narrow = record.domain["hypotheses"][0]  # type: ignore[index]
-    told = tuple(hypothesis for hypothesis in record.hypotheses if hypothesis["name"] != narrow)
+    told = tuple(hypothesis for hypothesis in record.hypotheses if hypothesis.name != narrow)
     with pytest.raises(SymcheckError, match="which the record leaves out"):
-        refuse_wider(record.id, record.certificates, told)
+        structs.replace(record, hypotheses=told).refuse_wider()
     with pytest.raises(SymcheckError, match="which the record leaves out"):
-        Record.from_json(replace(record, hypotheses=told).to_json())
+        Record.from_json(structs.replace(record, hypotheses=told).to_json())
 
 
 @pytest.mark.slow

@@ -6,27 +6,25 @@ undecided, and the same holds for what a correction is said to be, and for wheth
 
 from __future__ import annotations
 
-import json
 import os
 import sys
 from collections.abc import Iterable, Mapping, Sequence
 from contextlib import suppress
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from types import MappingProxyType
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
+
+from msgspec.structs import replace
 
 from symcheck.checker import check_all
 from symcheck.core.verdicts import Certificate, Loss, Reading, Verdict
-from symcheck.ledger.certificates import certificates
-from symcheck.ledger.certificates import of_need as _of_need
-from symcheck.ledger.record import Record
+from symcheck.ledger.record import Correction, HypothesisRow, Need, Record
 
 if TYPE_CHECKING:
     from multiprocessing.connection import Connection
 
 FOR_EQUALITY = "for the set of equality"  # of a hypothesis that is in force nowhere else
 MANY = 500  # certificates that take longer than it takes to start another process
-STATED = ("name", "words", "states", "given")  # of a hypothesis before it is asked whether it is needed
 NOT_ACCEPTED = "the certificate was not accepted"
 
 
@@ -84,7 +82,7 @@ def told(rows: Rows, beside: Rows = MappingProxyType({})) -> dict[str, tuple[Rec
     """The records as they may be told; `beside` are others among whose certificates lemmas are looked for."""
     records = [record for each in rows.values() for record in each]
     others = (record for each in beside.values() for record in each)
-    every = [each for record in (*records, *_lemmas(records, others)) for each in certificates(record)]
+    every = [each for record in (*records, *_lemmas(records, others)) for each in record.all_certificates()]
     answers = Answers({id(each): reason for each, reason in zip(every, _reasons(every), strict=True)})
     return {name: tuple(_told(record, answers) for record in each) for name, each in rows.items()}
 
@@ -93,7 +91,7 @@ def _lemmas(records: Iterable[Record], others: Iterable[Record]) -> list[Record]
     """Those of the others on which the records rest, and those on which these rest."""
     known, found, todo = {record.id: record for record in others}, dict[str, Record](), list(records)
     while todo:
-        named = {name for each in certificates(todo.pop()) for name, _ in each.get("lemmas", ())}
+        named = {name for each in todo.pop().all_certificates() for name, _ in each.get("lemmas", ())}
         more = {name: known[name] for name in sorted(named & known.keys() - found.keys())}
         found |= more
         todo += more.values()
@@ -106,7 +104,7 @@ class Answers:
 
     refusals: Mapping[int, str | None]
 
-    def fault(self, of: str, verdict: Any, own: Sequence[Certificate]) -> str | None:
+    def fault(self, of: str, verdict: Verdict | None, own: Sequence[Certificate]) -> str | None:
         """Why certificates do not show this verdict of the relation `of`; None if they do, or if it needs none."""
         if verdict not in (Verdict.PROVED, Verdict.REFUTED):
             return None
@@ -122,11 +120,9 @@ class Answers:
 def _told(record: Record, answers: Answers) -> Record:
     """A record without what its certificates do not show."""
     fault = answers.fault(record.id, record.verdict, record.certificates)
-    if fault is None and record.verdict is Verdict.REFUTED:
-        fault = _other_point(record)
     shown = replace(record, erratum=_correction(record, answers))
     if fault is not None:
-        shown = replace(shown, verdict=Verdict.UNDECIDED, reason=_reason(fault), certificates=(), counterexample=None)
+        shown = replace(shown, verdict=Verdict.UNDECIDED, reason=_reason(fault), certificates=())
     return replace(shown, hypotheses=tuple(_need(shown, each, answers) for each in record.hypotheses))
 
 
@@ -134,94 +130,75 @@ def _reason(fault: str) -> str:
     return f"{NOT_ACCEPTED} ({fault})"
 
 
-def _other_point(record: Record) -> str | None:
-    """The counterexample that is shown is that of a certificate."""
-    points = [each.get("point") for each in record.certificates if each.get("verdict") == Verdict.REFUTED]
-    shown = json.loads(json.dumps(record.counterexample))
-    return None if shown in points else "another counterexample is shown"
-
-
-def _correction(record: Record, answers: Answers) -> dict[str, Any] | None:
+def _correction(record: Record, answers: Answers) -> Correction | None:
     """What is said of the right form; undecided if its certificates do not show it."""
     erratum = record.erratum
-    if erratum is None:
-        return None
-    fault = answers.fault(record.id, erratum.get("verdict"), erratum.get("certificates") or ())
-    return (
-        erratum
-        if fault is None
-        else {**erratum, "verdict": Verdict.UNDECIDED, "reason": _reason(fault), "certificates": []}
-    )
+    if erratum is None or (fault := answers.fault(record.id, erratum.verdict, erratum.certificates)) is None:
+        return erratum
+    return replace(erratum, verdict=Verdict.UNDECIDED, reason=_reason(fault), certificates=())
 
 
-def _need(record: Record, row: dict[str, Any], answers: Answers) -> dict[str, Any]:
+def _need(record: Record, row: HypothesisRow, answers: Answers) -> HypothesisRow:
     """Whether a hypothesis is needed; unknown if what is said of it is not shown."""
-    if row.get("needed") is None:
-        shown = not row.get("lost") and not any(_of_need(row))
+    need = row.need
+    if need is None:
+        return row
+    if need.needed is None:
+        shown = not need.lost and not need.certificates
     else:
         try:
-            shown = bool(proofs(record)) and (_is_lost if row["needed"] else _is_needless)(record, row, answers)
+            shown = bool(proofs(record)) and (_is_lost if need.needed else _is_needless)(record, row, need, answers)
         except (LookupError, TypeError, AttributeError):  # of a malformed certificate
             shown = False
-    return row if shown else {**row, "needed": None, "lost": "", "counterexample": None, "proofs": []}
+    return row if shown else replace(row, need=Need(needed=None))
 
 
-def _is_lost(record: Record, row: Mapping[str, Any], answers: Answers) -> bool:
+def _is_lost(record: Record, row: HypothesisRow, need: Need, answers: Answers) -> bool:
     """Something fails without the hypothesis, or nothing of the kind exists."""
-    if row.get("lost") not in tuple(Loss):
+    if need.lost not in tuple(Loss):
         return False
-    verdict = Verdict.PROVED if row["lost"] == Loss.EXISTENCE else Verdict.REFUTED
-    shown = list(_of_need(row))
-    free = all(row["name"] not in each["hypotheses"] for each in shown)
-    return bool(shown) and free and answers.fault(record.id, verdict, shown) is None
+    verdict = Verdict.PROVED if need.lost == Loss.EXISTENCE else Verdict.REFUTED
+    free = all(row.name not in each["hypotheses"] for each in need.certificates)
+    return bool(need.certificates) and free and answers.fault(record.id, verdict, need.certificates) is None
 
 
-def _is_needless(record: Record, row: Mapping[str, Any], answers: Answers) -> bool:
+def _is_needless(record: Record, row: HypothesisRow, need: Need, answers: Answers) -> bool:
     """What is proved does not use the hypothesis, or is proved without it, too."""
-    proofs, name = list(_of_need(row)), row["name"]
-    if any(name in each["hypotheses"] for each in proofs):
+    if any(row.name in each["hypotheses"] for each in need.certificates):
         return False
-    using = [each["claim"] for each in _spoken_of(record, row) if name in each["hypotheses"]]
-    without = [each["claim"] for each in proofs]
+    using = [each["claim"] for each in _spoken_of(record, row) if row.name in each["hypotheses"]]
+    without = [each["claim"] for each in need.certificates]
     if not all(claim in without for claim in using):
         return False
-    return not proofs or answers.fault(record.id, Verdict.PROVED, proofs) is None
+    return not without or answers.fault(record.id, Verdict.PROVED, need.certificates) is None
 
 
 def unweighed(rows: Rows) -> dict[str, tuple[Record, ...]]:
     """The records without a word on which hypotheses are needed, and without the certificates of that."""
     return {
-        name: tuple(replace(r, hypotheses=tuple(map(_stated, r.hypotheses))) for r in each)
+        name: tuple(replace(r, hypotheses=tuple(replace(row, need=None) for row in r.hypotheses)) for r in each)
         for name, each in rows.items()
     }
 
 
-def _stated(row: Mapping[str, Any]) -> dict[str, Any]:
-    return {key: row[key] for key in STATED if key in row}
-
-
 def is_weighed(record: Record) -> bool:
     """Whether it is known which of the hypotheses are needed, as far as it can be."""
-    return all("needed" in row for row in record.hypotheses)
+    return all(row.need for row in record.hypotheses)
 
 
 def proofs(record: Record) -> Sequence[Certificate]:
     """The proofs for which a hypothesis is said to be needed or not: with the hypotheses that the paper forgot."""
-    verdict: object = record.verdict
-    own: Sequence[Certificate] = record.certificates
-    if record.reading is Reading.NEEDS_HYPOTHESIS:
-        repair = record.erratum or {}
-        verdict, own = repair.get("verdict"), repair.get("certificates") or ()
-    return own if verdict == Verdict.PROVED else ()
+    of = record.erratum if record.reading is Reading.NEEDS_HYPOTHESIS else record
+    return of.certificates if of and of.verdict is Verdict.PROVED else ()
 
 
-def _spoken_of(record: Record, row: Mapping[str, Any]) -> list[Certificate]:
+def _spoken_of(record: Record, row: HypothesisRow) -> list[Certificate]:
     """Of these, the ones of a relation, or of where it is an equality."""
     own = proofs(record)
     apart = [each["claim"][0] == "<=>" for each in own]
     if all(apart) or not any(apart):
         return [*own]
-    equality = row["given"] == FOR_EQUALITY
+    equality = row.given == FOR_EQUALITY
     return [each for each, of in zip(own, apart, strict=True) if of is equality]
 
 

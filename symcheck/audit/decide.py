@@ -4,18 +4,19 @@ from __future__ import annotations
 
 import time
 from collections.abc import Iterator, Sequence
-from dataclasses import replace
 from typing import Any
+
+from msgspec import convert
+from msgspec.structs import replace
 
 from symcheck.audit.checked import proofs
 from symcheck.audit.context import Context
 from symcheck.audit.judge import Unit, judge, problems, units
-from symcheck.audit.needs import Proved, listed, weighed
+from symcheck.audit.needs import Proved, listed, need
 from symcheck.audit.obligation import DECIDED, Obligation, expand, fingerprint, obligation_of, users
 from symcheck.audit.repair import corrected
-from symcheck.core.verdicts import Origin, Reading, Role, Verdict
-from symcheck.ledger.domain import refuse_wider
-from symcheck.ledger.record import Record
+from symcheck.core.verdicts import Origin, Reading, Role
+from symcheck.ledger.record import Correction, Record
 from symcheck.reading import read, to_latex
 
 __all__ = ["decide", "expand", "fingerprint", "weigh"]
@@ -45,7 +46,7 @@ def _weighed(context: Context, unit: Unit | None, record: Record) -> Record:
     if unit and (shown := proofs(record)):
         added = item.needs if record.reading is Reading.NEEDS_HYPOTHESIS else ()
         proved = [*zip(problems(context, unit, (*item.given, *added)), shown, strict=True)]
-    return replace(record, hypotheses=tuple(weighed(row, proved, item) for row in record.hypotheses))
+    return replace(record, hypotheses=tuple(replace(row, need=need(row, proved, item)) for row in record.hypotheses))
 
 
 def _base(obligation: Obligation) -> Record:
@@ -105,7 +106,6 @@ def _judged(context: Context, unit: Unit, row: Record) -> Record:
         verdict=finding.verdict,
         reason=finding.reason or row.reason,
         certificates=finding.certificates,
-        counterexample=next((c["point"] for c in finding.certificates if c["verdict"] == Verdict.REFUTED), None),
     )
     if erratum:
         repair = corrected(context, unit, erratum, finding)
@@ -119,10 +119,9 @@ def _judged(context: Context, unit: Unit, row: Record) -> Record:
             corrected=erratum.shown
             or erratum.corrected
             or f"{to_latex(unit.tree)} (given: {'; '.join(h.words for h in item.needs)})",
-            erratum=repair,
+            erratum=convert(repair, Correction),
         )
     added = item.needs if erratum and not erratum.corrected else ()
     row = replace(row, hypotheses=tuple(listed(item, added)))
-    if row.verdict is Verdict.PROVED:
-        refuse_wider(row.id, row.certificates, row.hypotheses)
+    row.refuse_wider()
     return row

@@ -52,9 +52,8 @@ class Index:
         """What else there are certificates of."""
         for record in records:
             for hypothesis in record.hypotheses:
-                for each in (hypothesis.get("counterexample"), *(hypothesis.get("proofs") or ())):
-                    if isinstance(each, dict) and "claim" in each:
-                        self._beside("a hypothesis left out", each)
+                for each in hypothesis.need.certificates if hypothesis.need else ():
+                    self._beside("a hypothesis left out", each)
         for each in kernels:
             self._beside("a kernel", each)
 

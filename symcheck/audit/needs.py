@@ -2,28 +2,20 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
-from typing import Any, NamedTuple
 
 from symcheck.audit.checked import FOR_EQUALITY
 from symcheck.audit.judge import proofs
 from symcheck.core.claims import Hypothesis, Item, Problem
 from symcheck.core.verdicts import Certificate, Role
-from symcheck.proof import Without, fails_without
+from symcheck.ledger.record import HypothesisRow, Need
+from symcheck.proof import fails_without
 
 Proved = tuple[Problem, Certificate]
 
 
-class Need(NamedTuple):
-    """Whether a hypothesis is needed, and what shows it: what is lost without it, or proofs that do without it."""
-
-    needed: bool | None
-    lost: Without | None = None
-    proofs: Sequence[Certificate] = ()
-
-
-def listed(item: Item, added: Sequence[Hypothesis]) -> Iterator[dict[str, Any]]:
+def listed(item: Item, added: Sequence[Hypothesis]) -> Iterator[HypothesisRow]:
     """Each hypothesis and where it comes from, without a word on whether it is needed.
 
     Those that are in force only where an inequality is shown to be an equality come last.
@@ -37,8 +29,8 @@ def listed(item: Item, added: Sequence[Hypothesis]) -> Iterator[dict[str, Any]]:
             yield _row(hypothesis, FOR_EQUALITY)
 
 
-def _row(hypothesis: Hypothesis, given: str) -> dict[str, Any]:
-    return {"name": hypothesis.name, "words": hypothesis.words, "states": hypothesis.states, "given": given}
+def _row(hypothesis: Hypothesis, given: str) -> HypothesisRow:
+    return HypothesisRow(name=hypothesis.name, words=hypothesis.words, states=hypothesis.states, given=given)
 
 
 def _source(hypothesis: Hypothesis, item: Item, added: Sequence[Hypothesis]) -> str:
@@ -50,37 +42,25 @@ def _source(hypothesis: Hypothesis, item: Item, added: Sequence[Hypothesis]) -> 
     return "printed" if hypothesis.printed else "standing"
 
 
-def weighed(row: Mapping[str, Any], proved: Sequence[Proved], item: Item) -> dict[str, Any]:
-    """A row of `listed` with whether the hypothesis is needed, what is lost without it, and the certificates of that.
+def need(row: HypothesisRow, proved: Sequence[Proved], item: Item) -> Need:
+    """Left out, does a claim fail (True), or are all proved all the same (False)? A lemma may rest on it (None).
 
     `proved` are the lowered formulas of the relation and of its set of equality, each with its proof; none if the
     relation is not proved.
     """
     apart = [bool(item.equality) and problem.claim[0] == "<=>" for problem, _ in proved]
-    of_equality = row["given"] == FOR_EQUALITY
+    of_equality = row.given == FOR_EQUALITY
     claims = [pair for pair, of in zip(proved, apart, strict=True) if of is of_equality]
-    need = _need(proved, claims, item, row["name"])
-    return {
-        **row,
-        "needed": need.needed,
-        "lost": need.lost.loss if need.lost else "",
-        "counterexample": need.lost.certificate if need.lost else None,
-        "proofs": [*need.proofs],
-    }
-
-
-def _need(proved: Sequence[Proved], claims: Sequence[Proved], item: Item, name: str) -> Need:
-    """Left out, does a claim fail (True), or are all proved all the same (False)? A lemma may rest on it (None)."""
     if not claims:
-        return Need(None)
-    if not any(name in proof["hypotheses"] for _, proof in proved):
-        return Need(False)  # the proof does without it
-    using = [problem for problem, proof in claims if item.lemmas or name in proof["hypotheses"]]
-    without = [replace(problem, hypotheses=tuple(h for h in problem.hypotheses if h[0] != name)) for problem in using]
+        return Need(needed=None)
+    if not any(row.name in proof["hypotheses"] for _, proof in proved):
+        return Need(needed=False)  # the proof does without it
+    using = [problem for problem, proof in claims if item.lemmas or row.name in proof["hypotheses"]]
+    without = [replace(p, hypotheses=tuple(h for h in p.hypotheses if h[0] != row.name)) for p in using]
     if not item.lemmas and all(p.claim[0] == "=" for p in without) and (found := proofs(without)) is not None:
-        return Need(False, proofs=found)
+        return Need(needed=False, proofs=found)
     if (lost := next(filter(None, map(fails_without, without)), None)) is not None:
-        return Need(True, lost)
+        return Need(needed=True, lost=lost.loss, counterexample=lost.certificate)
     if item.lemmas or (found := proofs(without)) is None:
-        return Need(None)
-    return Need(False, proofs=found)
+        return Need(needed=None)
+    return Need(needed=False, proofs=found)

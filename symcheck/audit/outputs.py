@@ -8,7 +8,6 @@ from types import MappingProxyType
 from symcheck import papers
 from symcheck.audit.index import Index
 from symcheck.core.verdicts import Certificate
-from symcheck.ledger.certificates import certificates
 from symcheck.ledger.digests import line
 from symcheck.ledger.record import Record
 from symcheck.ledger.store import CERTIFICATES, EXPECTED, PROOFS, STATEMENTS, document
@@ -25,7 +24,7 @@ def files(records: Iterable[Record], kernels: Mapping[str, Kernels] = MappingPro
     for key, rows in sorted(of_paper.items()):
         texts, equalities = kernels.get(key, ({}, ()))
         equalities = [*equalities]
-        proofs = [*(each for row in rows for each in certificates(row)), *equalities]
+        proofs = [*(each for row in rows for each in row.all_certificates()), *equalities]
         written = dict.fromkeys(line(each) for each in proofs)
         out |= {name: text.encode() for name, text in texts.items()}
         verdicts = (f"{line(row.id)}: {line(_expectation(row))}" for row in rows)

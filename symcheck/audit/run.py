@@ -5,17 +5,18 @@ from __future__ import annotations
 import gc
 from collections.abc import Callable, Generator, Iterable, Iterator, Mapping, Sequence
 from contextlib import closing, contextmanager
-from dataclasses import replace
 from difflib import get_close_matches
 from string import ascii_lowercase
 from typing import Any, Protocol, TypeVar
+
+from msgspec.structs import replace
 
 from symcheck.audit import checked
 from symcheck.audit.cache import Cache
 from symcheck.audit.executor import Answer, Done, Executor, Timeout
 from symcheck.core.claims import Item, Paper, Section
 from symcheck.core.verdicts import SymcheckError, Verdict
-from symcheck.ledger.record import Record
+from symcheck.ledger.record import Later, Record
 
 K = TypeVar("K")
 T = TypeVar("T")
@@ -184,16 +185,14 @@ def _with_later(records: list[Record]) -> list[Record]:
 
     Told of the relations at hand only: those that refer to the declaration, and the following links of the same chain.
     """
-    declared = [record.id.rstrip(ascii_lowercase) for record in records]
-    together = list(zip(declared, records, strict=True))
-    return [replace(r, erratum={**r.erratum, "later": _later(r, together)}) if r.erratum else r for r in records]
+    return [replace(r, erratum=replace(r.erratum, later=_later(r, records))) if r.erratum else r for r in records]
 
 
-def _later(wrong: Record, records: list[tuple[str, Record]]) -> list[dict[str, str]]:
-    own = wrong.id.rstrip(ascii_lowercase)
-    resting = (r for id, r in records if own in r.uses or (id == own and r.id > wrong.id))
+def _later(wrong: Record, records: list[Record]) -> tuple[Later, ...]:
+    own = wrong.declaration
+    resting = (r for r in records if own in r.uses or (r.id > wrong.id and r.declaration == own))
     fate = {Verdict.PROVED: "is right", Verdict.REFUTED: "shares the fault or has one of its own"}
-    return [{"id": r.id, "fate": fate[r.verdict]} for r in resting if r.verdict in fate]
+    return tuple(Later(id=r.id, fate=fate[r.verdict]) for r in resting if r.verdict in fate)
 
 
 def select(selection: Iterable[str], ids: Sequence[str]) -> dict[str, Links]:

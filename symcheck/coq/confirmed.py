@@ -7,7 +7,7 @@ changed by hand is refused.
 from __future__ import annotations
 
 import json
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping
 from functools import cache
 from pathlib import Path
 
@@ -25,8 +25,7 @@ Outcome = tuple[str, str]  # the digest of the certificates, and why Coq does no
 def asked(record: Record) -> Iterator[tuple[bool, list[Certificate]]]:
     """What Coq is asked to confirm: (False, its certificates) of a proved relation, (True, those) of a correction."""
     own = record.certificates if record.verdict is Verdict.PROVED else ()
-    corrections: Sequence[Certificate] = (record.erratum or {}).get("certificates") or ()
-    for corrected, certificates in ((False, own), (True, corrections)):
+    for corrected, certificates in ((False, own), (True, record.erratum.certificates if record.erratum else ())):
         if proofs := [each for each in certificates if each.get("verdict") == Verdict.PROVED]:
             yield corrected, proofs
 

@@ -2,15 +2,81 @@
 
 from __future__ import annotations
 
-from dataclasses import asdict, dataclass, fields
-from typing import Any
+from collections.abc import Iterator, Mapping
+from string import ascii_lowercase
+
+from msgspec import UNSET, Struct, UnsetType, ValidationError, convert, field, to_builtins
 
 from symcheck.core.verdicts import SLIPS, Certificate, Group, Origin, Reading, Role, SymcheckError, Verdict
-from symcheck.ledger.domain import domain, refuse_wider
+from symcheck.core.words import term
 
 
-@dataclass(frozen=True, kw_only=True)
-class Record:
+class _Part(Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
+    """What is read from JSON as it is declared: any other field, or a missing one, is an error."""
+
+
+class Need(_Part, frozen=True):
+    """Whether a proof needs a hypothesis, and what shows it: what is lost without it, or proofs that do without it."""
+
+    needed: bool | None  # None: it is not known
+    lost: str = ""  # a `Loss`
+    counterexample: Certificate | None = None
+    proofs: tuple[Certificate, ...] = ()
+
+    @property
+    def certificates(self) -> list[Certificate]:
+        """Those of all that is said here."""
+        return [*([self.counterexample] if self.counterexample else []), *self.proofs]
+
+
+class HypothesisRow(_Part, frozen=True):
+    """A hypothesis of a relation: where it comes from, and once that is decided whether it is needed."""
+
+    name: str
+    words: str
+    states: str
+    given: str
+    need: Need | None = None
+
+
+class Edit(_Part, frozen=True):
+    """One place where the right form differs from the printed one."""
+
+    printed: str
+    corrected: str
+
+
+class Repair(_Part, frozen=True):
+    """A single edit of the printed relation that makes it true."""
+
+    kind: str
+    edit: str
+    relation: str
+
+
+class Later(_Part, frozen=True):
+    """What becomes of a relation that rests on a wrong one."""
+
+    id: str
+    fate: str
+
+
+class Correction(_Part, frozen=True):
+    """What a wrong relation should be, with the proof of that, and which single edits repair it."""
+
+    verdict: Verdict
+    reason: str
+    certificates: tuple[Certificate, ...]
+    edit: tuple[Edit, ...]
+    added: tuple[str, ...]  # hypotheses in words that the paper forgot
+    repairs: tuple[Repair, ...] | None  # None: they were not searched
+    unique: bool | None
+    empty: bool  # true as printed, but it says nothing
+    row: bool  # of a list row or a table cell, whose correction is the whole row
+    later: tuple[Later, ...] | UnsetType = UNSET
+
+
+class Record(_Part, frozen=True):
     """One relation with its verdict. `id` is "paper:number", with a letter for one link of a chain or system."""
 
     id: str
@@ -27,17 +93,29 @@ class Record:
     kind: str = ""
     origin: Origin | None = None
     reason: str = ""
-    hypotheses: tuple[
-        dict[str, Any], ...
-    ] = ()  # name, words, given ("printed" | "added"), needed (bool | None), lost, counterexample
+    hypotheses: tuple[HypothesisRow, ...] = ()
     method: str = ""
-    certificates: tuple[Certificate, ...] = ()  # one per lowered formula
-    counterexample: Certificate | None = None
+    certificates: tuple[Certificate, ...] = field(default=(), name="certificate")  # one per lowered formula
     corrected: str = ""
-    erratum: dict[str, Any] | None = None  # edit, unique, repairs, certificates of the corrected form, row
+    erratum: Correction | None = None
     uses: tuple[str, ...] = ()
     used_by: tuple[str, ...] = ()
     seconds: float = 0.0
+
+    @property
+    def number(self) -> str:
+        """The id without the paper: "2.1V.3a"."""
+        return self.id.partition(":")[2]
+
+    @property
+    def declaration(self) -> str:
+        """The id of the declaration, without the letter of the link."""
+        return self.id.rstrip(ascii_lowercase)
+
+    @property
+    def link(self) -> str:
+        """The letter of a link of a chain or system; empty for what stands alone."""
+        return self.id.removeprefix(self.declaration)
 
     @property
     def group(self) -> Group | None:
@@ -52,38 +130,80 @@ class Record:
 
     @property
     def domain(self) -> dict[str, list[str]] | None:
-        """Over which set a proved relation was shown: hypotheses by name, and what must not vanish."""
-        return domain(self.certificates) if self.verdict is Verdict.PROVED else None
+        """The set over which a relation is proved, read off its certificates, never off the declaration.
+
+        The hypotheses that proofs use (or that are in force where a lemma is used), and what must not vanish there.
+        """
+        if self.verdict is not Verdict.PROVED:
+            return None
+        proofs = [each for each in self.certificates if each.get("verdict") == Verdict.PROVED]
+        names = {name for each in proofs for name in each.get("hypotheses", {})}
+        conditions = {term(condition) for each in proofs for condition in each.get("nonzero", ())}
+        return {"hypotheses": sorted(names), "nonzero": sorted(conditions)}
+
+    @property
+    def refutation(self) -> Certificate | None:
+        """The first certificate that refutes it."""
+        return next((each for each in self.certificates if each.get("verdict") == Verdict.REFUTED), None)
+
+    @property
+    def counterexample(self) -> Certificate | None:
+        """The point at which it fails."""
+        return (self.refutation or {}).get("point")
 
     @property
     def is_row(self) -> bool:
         """Whether it is an erratum of a list row or a table cell, whose correction is the whole row."""
-        return bool((self.erratum or {}).get("row"))
+        return self.erratum is not None and self.erratum.row
 
-    def to_json(self) -> dict[str, Any]:
-        """The record as plain JSON data, with group and domain; "certificate" has one for each lowered formula."""
-        data = asdict(self)
-        named = {"certificate" if key == "certificates" else key: value for key, value in data.items()}
-        return {**named, "group": self.group, "domain": self.domain}
+    def refuse_wider(self) -> None:
+        """SymcheckError if a proof uses a hypothesis that is not told beside the verdict: it would claim too much."""
+        used = (self.domain or {}).get("hypotheses", ())
+        if missing := set(used) - {hypothesis.name for hypothesis in self.hypotheses}:
+            names = ", ".join(map(repr, sorted(missing)))
+            raise SymcheckError(
+                f"{self.id} is shown under {names}, which the record leaves out; list it in given= or needs="
+            )
+
+    def all_certificates(self) -> Iterator[Certificate]:
+        """Every certificate it rests on: its own, those of what it should be, those of hypotheses left out."""
+        yield from self.certificates
+        yield from self.erratum.certificates if self.erratum else ()
+        for hypothesis in self.hypotheses:
+            yield from hypothesis.need.certificates if hypothesis.need else ()
+
+    def to_json(self) -> dict[str, object]:
+        """The record as plain JSON data, with what follows from it; "certificate" has one for each lowered formula."""
+        data = to_builtins(self)
+        for row in data["hypotheses"]:
+            row |= row.pop("need") or {}
+        return {**data, **self._derived()}
 
     @classmethod
-    def from_json(cls, data: dict[str, Any]) -> Record:
+    def from_json(cls, data: object) -> Record:
         """The inverse of `to_json`; SymcheckError if a field is missing, unknown or of an unknown value."""
         try:
-            values = {"certificates" if key == "certificate" else key: value for key, value in data.items()}
-            values.pop("group", None)  # these follow from the others
-            values.pop("domain", None)
-            if unknown := sorted(set(values) - {f.name for f in fields(cls)}):
-                raise SymcheckError(f"a record has the unknown field {unknown[0]!r}; delete the file and run again")
-            values["role"] = Role(values["role"])
-            values["verdict"] = Verdict(values["verdict"]) if values.get("verdict") else None
-            values["reading"] = Reading(values.get("reading", Reading.AS_PRINTED))
-            values["origin"] = Origin(values["origin"]) if values.get("origin") else None
-            for key in ("hypotheses", "certificates", "uses", "used_by"):
-                values[key] = tuple(values.get(key, ()))
-            record = cls(**values)
-            if record.verdict is Verdict.PROVED:
-                refuse_wider(record.id, record.certificates, record.hypotheses)
-            return record
-        except (KeyError, ValueError, TypeError) as error:
+            nested = convert(data, dict[str, object])
+            nested["hypotheses"] = [*map(_nested, convert(nested.get("hypotheses", ()), list[dict[str, object]]))]
+            told = {name: nested.pop(name) for name in _DERIVED if name in nested}
+            record = convert(nested, cls)
+        except ValidationError as error:
             raise SymcheckError(f"a record cannot be read ({error}); delete the file and run again") from error
+        if wrong := [name for name, value in record._derived().items() if name in told and told[name] != value]:
+            raise SymcheckError(
+                f"{record.id} has another {wrong[0]} than its certificates; delete the file and run again"
+            )
+        record.refuse_wider()
+        return record
+
+    def _derived(self) -> dict[str, object]:
+        return {name: getattr(self, name) for name in _DERIVED}
+
+
+_DERIVED = ("counterexample", "group", "domain")  # what is told of a record in JSON, and follows from the others
+
+
+def _nested(row: Mapping[str, object]) -> dict[str, object]:
+    """A row of hypotheses with what is said of its need apart, if anything is."""
+    need = {name: value for name, value in row.items() if name in Need.__struct_fields__}
+    return {name: value for name, value in row.items() if name not in need} | ({"need": need} if need else {})

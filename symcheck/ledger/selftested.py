@@ -16,7 +16,6 @@ from symcheck import kernels
 from symcheck.core.files import put
 from symcheck.core.verdicts import SymcheckError
 from symcheck.kernels.codegen.target import MARK
-from symcheck.ledger.certificates import certificates
 from symcheck.ledger.digests import digest, digest_of, line, short_digest
 from symcheck.ledger.record import Record
 from symcheck.ledger.store import SCHEMA, SELFTEST
@@ -52,7 +51,7 @@ def evidence(records: Iterable[Record], folder: Path | None = None) -> dict[str,
     folder = folder or kernels.folder()
     texts = sorted(file for file in folder.glob("*.py") if MARK in file.read_text(encoding="utf-8"))
     return {
-        "certificates": digest(sorted(digest_of(each) for row in rows for each in certificates(row))),
+        "certificates": digest(sorted(digest_of(each) for row in rows for each in row.all_certificates())),
         "ledger": digest(sorted(line([row.id, row.verdict, row.reading]) for row in rows)),
         "kernels": digest(short_digest(file.read_text(encoding="utf-8")) for file in texts),
     }

@@ -17,7 +17,6 @@ from symcheck.core.claims import Problem
 from symcheck.core.formulas import conjuncts
 from symcheck.core.terms import Reader, node
 from symcheck.core.verdicts import Certificate, Loss
-from symcheck.ledger.certificates import certificates
 from symcheck.ledger.record import Record
 from symcheck.proof import fails_without, proof_of
 from symcheck.selftest.evidence import MALFORMED, holds, is_shown, problem_of
@@ -161,7 +160,7 @@ def follows(known: Problem, problem: Problem, refuted: bool) -> bool:
 
 def groups(records: Sequence[Record]) -> list[str]:
     """All certificates in groups, each with those of the lemmas that they rest on."""
-    every = list(dict.fromkeys(json.dumps(each) for record in records for each in certificates(record)))
+    every = list(dict.fromkeys(json.dumps(each) for record in records for each in record.all_certificates()))
     named: dict[str, list[str]] = defaultdict(list)
     for record in records:
         named[record.id] += [json.dumps(each) for each in record.certificates]

@@ -18,7 +18,6 @@ import sympy as sp
 
 from symcheck.core.terms import Connective, Formula, Reader, Relation, Term, Value
 from symcheck.core.verdicts import Certificate
-from symcheck.ledger.certificates import certificates
 from symcheck.ledger.record import Record
 from symcheck.selftest.evidence import holds
 
@@ -191,7 +190,7 @@ def agreement(records: Iterable[Record]) -> Agreement:
     result = Agreement()
     with flint.ctx.workprec(BITS):
         for record in records:
-            for each in certificates(record):
+            for each in record.all_certificates():
                 if each["verdict"] == "refuted":
                     result.add(each)
     return result

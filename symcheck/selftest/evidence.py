@@ -34,16 +34,13 @@ def told_of(context: Context, unit: Unit, finding: Finding) -> Verdict:
     if finding.verdict is Verdict.UNDECIDED:
         return finding.verdict
     id, declared = f"{context.id}{unit.letter}", context.id
-    point = next((outcome.point for outcome in finding.outcomes if outcome.verdict is Verdict.REFUTED), None)
-    row = _row(id, context, finding.verdict, finding.certificates, point)
+    row = _row(id, context, finding.verdict, finding.certificates)
     lemmas = {name: (_lemma(name, context),) for name in _lemmas(finding.certificates)}
     ((record,),) = told({declared: (row,)}, lemmas).values()
     return record.verdict or Verdict.UNDECIDED
 
 
-def _row(
-    id: str, context: Context, verdict: Verdict, certificates: Iterable[Certificate], point: Certificate | None = None
-) -> Record:
+def _row(id: str, context: Context, verdict: Verdict, certificates: Iterable[Certificate]) -> Record:
     item = context.item
     return Record(
         id=id,
@@ -53,7 +50,6 @@ def _row(
         role=item.role,
         verdict=verdict,
         certificates=tuple(certificates),
-        counterexample=point,
     )
 
 

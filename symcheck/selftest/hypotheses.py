@@ -11,7 +11,7 @@ from random import Random
 
 from symcheck import papers
 from symcheck.audit.judge import judge
-from symcheck.audit.needs import listed, weighed
+from symcheck.audit.needs import listed, need
 from symcheck.audit.obligation import expand
 from symcheck.core.claims import Hypothesis
 from symcheck.core.verdicts import SymcheckError, Verdict
@@ -47,8 +47,8 @@ def having(original: Proved, added: Hypothesis) -> Fate:
     if told_of(context, unit, finding) is not Verdict.PROVED:
         return Fate.REJECTED
     proved = [*zip(finding.concrete, finding.certificates, strict=True)]
-    row = next(row for row in listed(item, ()) if row["name"] == added.name)
-    return {False: Fate.REJECTED, None: Fate.OPEN, True: Fate.ACCEPTED}[weighed(row, proved, item)["needed"]]
+    row = next(row for row in listed(item, ()) if row.name == added.name)
+    return {False: Fate.REJECTED, None: Fate.OPEN, True: Fate.ACCEPTED}[need(row, proved, item).needed]
 
 
 def contradicted(original: Proved, contrary: Hypothesis) -> Fate:

@@ -209,7 +209,7 @@ def turned(record: Record) -> Record:
         return record
     other = OTHER[record.verdict]
     spoilt = tuple({**each, "verdict": str(other)} for each in record.certificates)
-    return replace(record, verdict=other, certificates=spoilt, counterexample=None)
+    return replace(record, verdict=other, certificates=spoilt)
 
 
 def from_cache(id: str, signed: bool) -> list[Record]:

@@ -126,9 +126,9 @@ def _why(answer: Timeout | Crash) -> str:
 def findings(records: Sequence[Record]) -> list[str]:
     """The hypotheses that a relation is stated with and does not need, and the bounds without a set of equality."""
     told = [
-        f"{record.id} does not need {hypothesis['name']!r}"
+        f"{record.id} does not need {hypothesis.name!r}"
         for record in records
         for hypothesis in record.hypotheses
-        if hypothesis["needed"] is False
+        if hypothesis.need and hypothesis.need.needed is False
     ]
     return told + [f"{id} has no set of equality: a looser bound would pass" for id in unguarded(records)]

@@ -4,12 +4,10 @@ from __future__ import annotations
 
 import json
 import os
-import re
 import sys
 from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
-from string import ascii_lowercase
 from typing import Any
 
 from rich import box
@@ -18,14 +16,14 @@ from rich.console import Console
 from rich.table import Table
 from rich.text import Text
 
-from symcheck.coq.confirmed import told
 from symcheck.core.claims import Paper
 from symcheck.core.verdicts import Certificate, Group, Verdict
 from symcheck.core.words import term
 from symcheck.kernels.codegen.kernel import Kernel
 from symcheck.ledger.digests import digest_of
 from symcheck.ledger.record import Record
-from symcheck.views.faults import fails_at, without
+from symcheck.views import model
+from symcheck.views.model import FaultList, Relation, counted
 from symcheck.views.steps import shown
 
 _STYLES = {Verdict.PROVED: "green", Verdict.REFUTED: "bold red", Verdict.UNDECIDED: "yellow"}
@@ -63,17 +61,10 @@ def ledger(out: Console, paper: str, records: Iterable[Record]) -> None:
     Written line by line: a library's table takes a second to lay out two thousand rows that need no wrapping.
     """
     rows = [("number", "statement", "verdict", "reading", "method", "time")]
-    rows += [
-        (
-            record.id.partition(":")[2],
-            statement(record),
-            record.verdict or record.role,
-            record.reading,
-            record.method,
-            f"{record.seconds:.3f} s" if record.verdict else "",
-        )
-        for record in records
-    ]
+    for relation in map(Relation, records):
+        record = relation.record
+        seconds = f"{record.seconds:.3f} s" if record.verdict else ""
+        rows += [(record.number, statement(relation), relation.state, record.reading, record.method, seconds)]
     widths = [max(map(cell_len, column)) for column in zip(*rows, strict=True)]
     widths[4] = min(widths[4], _METHOD)
     widths[1] = max(out.width - sum(widths[:1] + widths[2:]) - 2 * len(widths), _STATEMENT)
@@ -94,121 +85,101 @@ def _fitted(text: str, width: int) -> str:
     return set_cell_size(text, width) if cell_len(text) <= width else set_cell_size(text, width - 1) + "…"
 
 
-def summary(out: Console, records: Iterable[Record]) -> None:
+def summary(out: Console, records: Sequence[Record]) -> None:
     """How many of each verdict, and how many declarations that claim nothing."""
-    rows = list(records)
-    verdicts = Counter(record.verdict for record in rows if record.verdict)
-    others = Counter(record.role for record in rows if not record.verdict)
-    decided = ", ".join(f"{verdicts[verdict]} {verdict}" for verdict in Verdict)
+    others = Counter(record.role for record in records if not record.verdict)
     rest = "".join(f"; {count} of role {role}" for role, count in sorted(others.items()))
-    out.print(f"{sum(verdicts.values())} relations: {decided}{rest}")
+    out.print(f"{counted(records)}{rest}")
 
 
 def show(out: Console, record: Record, whole_certificate: bool = False) -> None:
     """Everything that is known of one relation."""
-    out.print(Text(f"{record.id}  {record.name.replace('_', ' ')}".rstrip(), style="bold"))
-    _field(out, "verdict", _verdict(record))
-    _field(out, "reading", record.reading)
-    _field(out, "role", f"{record.role}, section {record.section}, line {record.line} of the source")
-    _field(out, "printed", record.printed)
-    _field(out, "words", record.words)
-    _field(out, "read as", record.read)
-    _field(out, "reason", record.reason)
-    for hypothesis in record.hypotheses:
-        _field(out, "hypothesis", _hypothesis(hypothesis))
-    _field(out, "shown where", ", ".join(f"{each} ≠ 0" for each in (record.domain or {}).get("nonzero", ())))
-    _field(out, "method", f"{record.method}, {record.seconds:.3f} s" if record.method else "")
-    _field(out, "uses", ", ".join(record.uses))
-    _field(out, "used by", ", ".join(record.used_by))
-    _counterexample(out, record)
-    _erratum(out, record)
-    _field(out, "Coq confirms", told(record))
+    relation = Relation(record)
+    out.print(Text(relation.title, style="bold"))
+    _print(out, _fields(relation))
     for certificate in record.certificates:
         _certificate(out, certificate, whole_certificate)
+
+
+def _fields(relation: Relation, as_erratum: bool = False) -> Iterator[tuple[str, str | Text]]:
+    """What is known of a relation, each with its label; of one `as_erratum` what is wrong and what is right."""
+    record, erratum = relation.record, relation.record.erratum
+    yield "verdict", _verdict(relation)
+    yield "reading", record.reading
+    yield "role", f"{record.role}, section {record.section}, line {record.line} of the source"
+    yield "printed", record.printed
+    yield "words", record.words
+    yield "read as", record.read
+    if not as_erratum:
+        yield "reason", record.reason
+        for each in relation.conditions:
+            yield "hypothesis", f"{each.line}; without it {each.without}" if each.without else each.line
+        yield "shown where", relation.nonzero
+        yield "method", f"{record.method}, {record.seconds:.3f} s" if record.method else ""
+        yield "uses", ", ".join(record.uses)
+        yield "used by", ", ".join(record.used_by)
+    yield "fails at", relation.fails_at
+    yield "corrected", record.corrected
+    yield "kind", record.kind
+    yield "origin", f"{relation.whose}: {record.reason}" if record.origin else ""
+    if erratum:
+        yield "edit", "\n".join(f"{before}  →  {after}" for before, after in relation.edits)
+        if erratum.edit and relation.repairs:
+            listed = (f"{each.edit}: {each.relation}" for each in erratum.repairs or ())
+            yield "repairs", "\n".join((relation.repairs, *listed))
+        yield "given", "; ".join(relation.added)
+        yield "then", relation.outcome
+        for certificate in erratum.certificates:
+            yield "its proof", _digest(certificate)
+    if not as_erratum:
+        yield "Coq confirms", relation.coq
 
 
 def kernel(out: Console, key: str, name: str, declared: Kernel, records: Iterable[Record]) -> None:
     """What a kernel computes, how accurately, and the relations it rests on, each with its verdict and certificates."""
     shown = declared.derived()
     out.print(Text(f"{name}  generated/{key}.py", style="bold"))
-    _field(out, "says", declared.says)
-    for output in declared.outputs:
-        _field(out, output.name, f"{shown[output.name]}    {output.meaning}, {output.unit}")
-    for argument in declared.arguments:
-        _field(out, f"  {argument.name}", f"{argument.meaning}, {argument.unit}; {argument.domain}")
-    _field(out, "accuracy", " ".join(f"{declared.ulp} ulp. {declared.condition} {declared.degenerate}".split()))
+    accuracy = f"{declared.ulp} ulp. {declared.condition} {declared.degenerate}"
+    fields: list[tuple[str, str | Text]] = [("says", declared.says)]
+    fields += [(each.name, f"{shown[each.name]}    {each.meaning}, {each.unit}") for each in declared.outputs]
+    fields += [(f"  {each.name}", f"{each.meaning}, {each.unit}; {each.domain}") for each in declared.arguments]
+    fields += [("accuracy", " ".join(accuracy.split()))]
     for record in records:
-        _field(out, "rests on", f"{record.id}, line {record.line}: {record.read}")
-        _field(out, "verdict", _verdict(record))
-        for certificate in record.certificates:
-            _field(out, "certificate", _digest(certificate))
+        fields += [("rests on", f"{record.id}, line {record.line}: {record.read}")]
+        fields += [("verdict", _verdict(Relation(record)))]
+        fields += [("certificate", _digest(each)) for each in record.certificates]
+    _print(out, fields)
 
 
-def errata(out: Console, records: Sequence[Record]) -> None:
+def errata(out: Console, records: Iterable[Record]) -> None:
     """What is wrong as printed, the weightiest first: statements in full, rows and slips of one kind in a table."""
-    for group in Group:
-        members = [record for record in records if record.group is group]
-        if not members:
-            continue
-        out.print(Text(f"{group} ({len(members)})".upper(), style="bold cyan"), end="\n\n")
-        if group is Group.STATEMENT:
-            for record in members:
-                _wrong(out, record)
-        else:
-            for alike in _alike(members):
-                _table(out, alike)
+    for group, lists in model.errata(records):
+        count = sum(len(each.relations) for each in lists)
+        out.print(Text(f"{group} ({count})".upper(), style="bold cyan"), end="\n\n")
+        for faults in lists:
+            if group is Group.STATEMENT:
+                for relation in faults.relations:
+                    out.print(Text(relation.title, style="bold"))
+                    _print(out, _fields(relation, as_erratum=True))
+                    out.print()
+            else:
+                _table(out, faults)
 
 
-def _wrong(out: Console, record: Record) -> None:
-    """What is printed, where it fails, what is right, how the two differ."""
-    out.print(Text(f"{record.id}  {record.name.replace('_', ' ')}".rstrip(), style="bold"))
-    _field(out, "verdict", _verdict(record))
-    _field(out, "reading", record.reading)
-    _field(out, "line", str(record.line))
-    _field(out, "printed", record.printed)
-    _field(out, "words", record.words)
-    _field(out, "read as", record.read)
-    _counterexample(out, record)
-    _erratum(out, record)
-    out.print()
-
-
-def _alike(records: Iterable[Record]) -> list[list[Record]]:
-    """Those of one list (or section), kind and origin together."""
-    found: dict[tuple[str | None, ...], list[Record]] = {}
-    for record in records:
-        found.setdefault((_place(record), record.kind, record.origin), []).append(record)
-    return list(found.values())
-
-
-def _place(record: Record) -> str:
-    """The list or table of a row, "ignatov2005:2.1V", or else the paper."""
-    return re.sub(r"(\.\d+)?[a-z]?$", "", record.id) if record.is_row else record.paper
-
-
-def _table(out: Console, records: Sequence[Record]) -> None:
-    """Errata of one kind: where, as printed, what is right. Parts of one row are one line."""
-    first, count = records[0], len(records)
-    out.print(Text(f"{_place(first)}: {first.kind}, {first.origin or 'cannot tell'}", style="bold"))
-    reasons = Counter(record.reason for record in records)
-    (reason, shared), *_ = reasons.most_common(1)
-    common = shared > 1 or count == 1
+def _table(out: Console, faults: FaultList) -> None:
+    """Errata of one kind: where, as printed, what is right, and why where that is not the reason of most of them."""
+    out.print(Text(faults.title, style="bold"))
+    common, *others = faults.reasons or [""]
     if common:
-        out.print(Text(reason), soft_wrap=True)
+        out.print(Text(common), soft_wrap=True)
     table = Table("number", "line", "printed", "correct", box=box.SIMPLE_HEAD, pad_edge=False)
-    if len(reasons) > common:
+    if others:
         table.add_column("why")
-    rows: dict[tuple[str, ...], list[str]] = {}
-    for record in records:
-        # of a statement in several links the one link is shown; a damaged text is read otherwise, so as printed
-        link = "" if record.is_row or record.group is Group.DAMAGED else record.read
-        printed = link or record.printed or record.words
-        why = () if len(reasons) == common else ("" if common and record.reason == reason else record.reason,)
-        number = record.id.rstrip(ascii_lowercase) if record.verdict else record.id
-        key = (number, str(record.line), " ".join(printed.split()), " ".join(record.corrected.split()), *why)
-        rows.setdefault(key, []).append(record.id[len(number) :])
-    for (number, *cells), letters in rows.items():
-        table.add_row(Text(number.partition(":")[2] + ",".join(letters)), *map(Text, cells))
+    for fault in faults.faults:
+        record = fault.first.record
+        cells = [fault.number, str(record.line), fault.printed, fault.correct]
+        why = [record.reason if record.reason != common else ""] if others else []
+        table.add_row(*(Text(" ".join(cell.split())) for cell in (*cells, *why)))
     out.print(table)
 
 
@@ -220,76 +191,32 @@ def papers(out: Console, counts: Mapping[str, tuple[Paper, Counter[str]]]) -> No
     out.print(table)
 
 
-def statement(record: Record) -> str:
-    """What a ledger row says in one line: the link of a chain as read, the printed form, or the words."""
-    link = record.read if record.id[-1].isalpha() else ""
-    return " ".join((link or record.words or record.printed or record.name.replace("_", " ")).split())
+def statement(relation: Relation) -> str:
+    """What a ledger row says in one line: in words rather than in LaTeX, but for the link of a chain."""
+    record = relation.record
+    return " ".join((relation.statement if record.link else record.words or relation.statement).split())
 
 
-def _verdict(record: Record) -> Text:
-    return Text(record.verdict, style=_STYLES[record.verdict]) if record.verdict else Text(record.role, style="dim")
+def _verdict(relation: Relation) -> Text:
+    verdict = relation.record.verdict
+    return Text(relation.state, style=_STYLES[verdict] if verdict else "dim")
 
 
-def _field(out: Console, label: str, value: str | Text) -> None:
-    """A labelled value, whole: a long line is left to the terminal to wrap. Nothing for an empty value."""
-    if not value:
-        return
-    text = value if isinstance(value, Text) else Text(value.replace("\n", "\n" + " " * _INDENT))
-    out.print(Text(label.ljust(_INDENT), style="cyan"), text, sep="", soft_wrap=True)
-
-
-def _hypothesis(hypothesis: Mapping[str, Any]) -> str:
-    needed = {True: "needed", False: "not needed", None: "need not known"}[hypothesis.get("needed")]
-    given = "not printed, added" if hypothesis.get("given") == "added" else hypothesis.get("given", "")
-    words = hypothesis.get("words") or hypothesis.get("name", "")
-    text = f"{words} ({', '.join(filter(None, (given, needed)))})"
-    lost = without(hypothesis)
-    return f"{text}; without it {lost}" if lost else text
-
-
-def _counterexample(out: Console, record: Record) -> None:
-    if record.counterexample:
-        _field(out, "fails at", fails_at(record.counterexample))
-
-
-def _erratum(out: Console, record: Record) -> None:
-    _field(out, "corrected", record.corrected)
-    _field(out, "kind", record.kind)
-    _field(out, "origin", f"{record.origin}: {record.reason}" if record.origin else "")
-    repair = record.erratum or {}
-    _field(
-        out,
-        "edit",
-        "\n".join(f"{e['printed'] or 'nothing'}  →  {e['corrected'] or 'nothing'}" for e in repair.get("edit") or ()),
-    )
-    _field(out, "repairs", _repairs(repair) if record.corrected and repair.get("edit") else "")
-    _field(out, "added", "; ".join(repair.get("added") or ()))
-    _field(out, "then", f"{repair['verdict']} {repair.get('reason', '')}".rstrip() if repair else "")
-    for certificate in repair.get("certificates") or ():
-        _field(out, "its proof", _digest(certificate))
-
-
-def _repairs(repair: Mapping[str, Any]) -> str:
-    """Every single edit of the printed relation that makes it true; empty if they were not searched."""
-    if (repairs := repair.get("repairs")) is None:
-        return ""
-    found = [f"{each['edit']}: {each['relation']}" for each in repairs]
-    count = {0: "no single edit repairs it", 1: "one single edit repairs it"}
-    return "\n".join([count.get(len(found), f"{len(found)} single edits repair it"), *found])
+def _print(out: Console, fields: Iterable[tuple[str, str | Text]]) -> None:
+    """Labelled values, whole: a long line is left to the terminal to wrap. Nothing for an empty value."""
+    for label, value in fields:
+        if value:
+            text = value if isinstance(value, Text) else Text(value.replace("\n", "\n" + " " * _INDENT))
+            out.print(Text(label.ljust(_INDENT), style="cyan"), text, sep="", soft_wrap=True)
 
 
 def _certificate(out: Console, certificate: Certificate, whole: bool) -> None:
-    _field(out, "certificate", _digest(certificate))
-    _field(out, "decides", term(certificate["claim"]) if "claim" in certificate else "")
-    _field(out, "proof", "\n".join(shown(certificate)))
+    fields = {"certificate": _digest(certificate), "decides": term(certificate["claim"])}
+    _print(out, {**fields, "proof": "\n".join(shown(certificate))}.items())
     if whole:
-        print(
-            json.dumps(certificate, ensure_ascii=False, indent=2, sort_keys=True),
-            file=out.file,
-        )
+        print(json.dumps(certificate, ensure_ascii=False, indent=2, sort_keys=True), file=out.file)
 
 
 def _digest(certificate: Certificate) -> str:
     size = len(json.dumps(certificate, ensure_ascii=False, separators=(",", ":")).encode())
-    parts = (certificate.get("id"), certificate.get("verdict"), f"sha256 {digest_of(certificate)}")
-    return ", ".join(str(part) for part in (*parts, f"{size} bytes") if part)
+    return f"{certificate['id']}, {certificate['verdict']}, sha256 {digest_of(certificate)}, {size} bytes"

@@ -6,11 +6,10 @@ import csv
 import io
 from collections.abc import Sequence
 
-from symcheck.coq.confirmed import told
 from symcheck.core.verdicts import Role
 from symcheck.ledger.record import Record
 from symcheck.views.exports import Format
-from symcheck.views.faults import fails_at
+from symcheck.views.model import Relation
 
 MARK = "\ufeff"  # by which a spreadsheet knows the encoding
 FORMULAS = ("=", "+", "-", "@")  # a spreadsheet would compute what begins so; a space before it changes no LaTeX
@@ -27,15 +26,14 @@ def text(records: Sequence[Record]) -> str:
 
 
 def _row(record: Record) -> dict[str, str]:
-    conditions = [each.get("words") or each.get("name", "") for each in record.hypotheses]
-    needed = [words for words, each in zip(conditions, record.hypotheses, strict=True) if each.get("needed")]
+    relation = Relation(record)
     return {
         "id": record.id,
         "paper": record.paper,
         "section": record.section,
         "line": str(record.line),
         "role": record.role,
-        "name": record.name.replace("_", " "),
+        "name": relation.name,
         "verdict": record.verdict or "",
         "reading": record.reading,
         "group": record.group or "",
@@ -46,11 +44,11 @@ def _row(record: Record) -> dict[str, str]:
         "read": record.read,
         "corrected": record.corrected,
         "reason": record.reason,
-        "fails at": fails_at(record.counterexample),
-        "hypotheses": "; ".join(conditions),
-        "needed": "; ".join(needed),
+        "fails at": relation.fails_at,
+        "hypotheses": "; ".join(each.words for each in relation.conditions),
+        "needed": "; ".join(each.words for each in relation.conditions if each.need),
         "method": record.method,
-        "confirmed by Coq": told(record),
+        "confirmed by Coq": relation.coq,
         "uses": " ".join(record.uses),
         "used by": " ".join(record.used_by),
     }

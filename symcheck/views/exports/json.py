@@ -8,15 +8,15 @@ from collections.abc import Sequence
 from symcheck.coq.confirmed import confirmed
 from symcheck.ledger.record import Record
 from symcheck.views.exports import Format
-from symcheck.views.faults import errata
+from symcheck.views.model import errata
 
 
 def text(records: Sequence[Record]) -> str:
     """`{"schema": 1, "items": [...], "errata": {group: [ids]}, "coq": {id: "yes"}}`, items as in `check --json`."""
     items = ",\n".join(json.dumps(record.to_json(), ensure_ascii=False) for record in records)
     found = {
-        str(group): [each.id for alike in members for fault in alike.faults for each in fault.records]
-        for group, members in errata(records)
+        str(group): [each.record.id for faults in lists for each in faults.relations]
+        for group, lists in errata(records)
     }
     coq = json.dumps({name: said for record in records for name, said in confirmed(record).items()})
     return f'{{"schema": 1, "items": [\n{items}\n], "errata": {json.dumps(found)}, "coq": {coq}}}\n'

@@ -3,15 +3,13 @@
 from __future__ import annotations
 
 import re
-from collections import Counter
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from itertools import groupby
 
-from symcheck.core.verdicts import Verdict
 from symcheck.ledger.record import Record
 from symcheck.views.exports import Format
-from symcheck.views.faults import Fault, errata, fails_at, statement
 from symcheck.views.latex import is_formula, standing_alone
+from symcheck.views.model import Fault, Relation, counted, errata
 
 HEAD = r"""\documentclass[10pt,a4paper]{article}
 \usepackage[utf8]{inputenc}
@@ -31,47 +29,37 @@ _ESCAPED = {"\\": r"\textbackslash{}", "^": r"\textasciicircum{}", "~": r"\texta
 
 def text(records: Sequence[Record]) -> str:
     """The document."""
-    body = "\n".join((*_errata(records), *_ledger(records)))
-    found = Counter(record.verdict for record in records if record.verdict)
-    counts = ", ".join(f"{found[each]} {each}" for each in Verdict)
+    title = rf"\section*{{Audit of printed equations}}{counted(records)}."
+    body = "\n".join((title, *_lines(records)))
     letters = "\n".join(
         rf"\DeclareUnicodeCharacter{{{ord(c):04X}}}{{{LATIN.get(c, '?')}}}"
         for c in sorted(set(body))
         if not c.isascii()
     )
-    title = rf"\section*{{Audit of printed equations}}{found.total()} relations: {counts}."
-    return f"{HEAD}{letters}\n\\begin{{document}}\n{title}\n{body}\n\\end{{document}}\n"
+    return f"{HEAD}{letters}\n\\begin{{document}}\n{body}\n\\end{{document}}\n"
 
 
-def _errata(records: Sequence[Record]) -> Iterator[str]:
-    for group, members in errata(records):
+def _lines(records: Sequence[Record]) -> Iterator[str]:
+    for group, lists in errata(records):
         yield rf"\section*{{{str(group).capitalize()}}}"
-        for alike in members:
-            yield from map(_wrong, alike.faults)
-
-
-def _wrong(fault: Fault) -> str:
-    record = fault.first
-    lines = {
-        "words": _plain(record.words) if fault.printed != record.words else "",
-        "printed": _formula(fault.printed, record.line),
-        "correct": _formula(fault.correct, record.line),
-        "given": _plain("; ".join(fault.added)),
-        "fails at": _plain(fails_at(record.counterexample)) if not record.is_row else "",
-        "why": _plain(record.reason),
-    }
-    said = "\n".join(rf"\said{{{label}}}{{{line}}}" for label, line in lines.items() if line)
-    title, kind = _plain(f"{record.paper}:{fault.number}"), _plain(f"{record.kind}, line {record.line}")
-    return f"\\entry{{{title}}}{{{kind}}}\n{said}"
-
-
-def _ledger(records: Iterable[Record]) -> Iterator[str]:
+        yield from (_fault(fault) for each in lists for fault in each.faults)
     for paper, rows in groupby(records, lambda record: record.paper):
         yield rf"\section*{{{paper}}}"
-        for record in rows:
-            said = _formula(statement(record), record.line)
-            number = _plain(record.id.partition(":")[2])
-            yield rf"\said{{\textbf{{{number}}}}}{{\textit{{{record.verdict or record.role}}}\quad {said}}}"
+        for relation in map(Relation, rows):
+            said = _formula(relation.statement, relation.record.line)
+            number = _plain(relation.record.number)
+            yield rf"\said{{\textbf{{{number}}}}}{{\textit{{{relation.state}}}\quad {said}}}"
+
+
+def _fault(fault: Fault) -> str:
+    record = fault.first.record
+    title, kind = _plain(f"{record.paper}:{fault.number}"), _plain(f"{record.kind}, line {record.line}")
+    facts = (
+        rf"\said{{{label}}}{{{_formula(said, record.line) if formula else _plain(said)}}}"
+        for label, said, formula in fault.facts
+        if said
+    )
+    return "\n".join((rf"\entry{{{title}}}{{{kind}}}", *facts))
 
 
 def _formula(text: str, line: int) -> str:

@@ -1,16 +1,11 @@
-"""The notebooks of a checkout: notebooks/<name>.ipynb, each made of notebooks/sources/<name>.md.
-
-The name of one in a folder has it in front: "guide/2_add_a_paper".
-"""
+"""The notebooks of a checkout: notebooks/<name>.ipynb made of notebooks/sources/<name>.md; a name may have a folder."""
 
 from __future__ import annotations
 
-import re
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Sequence
 from difflib import get_close_matches
-from functools import partial
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING
 
 from symcheck.core.files import put
 from symcheck.core.verdicts import SymcheckError
@@ -19,7 +14,8 @@ from symcheck.views.notebook.execute import Progress, in_kernel, in_process
 from symcheck.views.notebook.shown import PNG
 from symcheck.views.notebook.source import notebook
 
-_MENTIONED = re.compile(r'"(\w+:[\w.]+)"')
+if TYPE_CHECKING:
+    from nbformat import NotebookNode
 
 
 def folder() -> Path:
@@ -41,18 +37,17 @@ def names(only: Sequence[str] = ()) -> list[str]:
     return [name for name in known if not only or any(name.startswith(each) for each in only)]
 
 
-def built(name: str) -> Any:
+def built(name: str) -> NotebookNode:
     """A notebook made anew of its source, without outputs."""
     return notebook(folder() / "sources" / f"{name}.md")
 
 
-def executed(name: str, kernel: bool = False, progress: Progress = lambda done, total: None) -> Any:
+def executed(name: str, kernel: bool = False, progress: Progress = lambda done, total: None) -> NotebookNode:
     """A notebook made anew and executed, in this process or through a Jupyter kernel."""
-    run: Callable[..., Any] = partial(in_kernel, folder=folder()) if kernel else in_process
-    return run(built(name), progress=progress)
+    return in_kernel(built(name), folder(), progress) if kernel else in_process(built(name), progress)
 
 
-def committed(name: str) -> Any:
+def committed(name: str) -> NotebookNode:
     """The notebook as it is committed; SymcheckError if there is none or it cannot be read."""
     import nbformat
 
@@ -65,12 +60,12 @@ def committed(name: str) -> Any:
         raise SymcheckError(f"notebooks/{name}.ipynb is damaged ({error}); run `symcheck notebooks --write`") from error
 
 
-def differences(name: str, found: Any) -> list[str]:
+def differences(name: str, found: NotebookNode) -> list[str]:
     """How the notebook that was executed differs from the committed one, one line each."""
     return [f"notebooks/{name}.ipynb: {each}" for each in compare.differences(found, committed(name))]
 
 
-def write(name: str, found: Any) -> None:
+def write(name: str, found: NotebookNode) -> None:
     """Commit what was executed; a picture whose cell shows the same otherwise stays as it was, and no byte changes."""
     import nbformat
 
@@ -81,23 +76,8 @@ def write(name: str, found: Any) -> None:
     put(file, f"{nbformat.writes(found)}\n".encode())
 
 
-def _keep_pictures(found: Any, old: Any) -> None:
+def _keep_pictures(found: NotebookNode, old: NotebookNode) -> None:
     for new, kept in zip(found.cells, old.cells, strict=True):
         for output, before in zip(new.get("outputs", ()), kept.get("outputs", ()), strict=True):
             if PNG in output.data:
                 output.data[PNG] = before.data[PNG]
-
-
-def shown_in() -> dict[str, tuple[str, str]]:
-    """Which cell shows a relation first: its id to the name of the notebook and the id of the cell."""
-    found: dict[str, tuple[str, str]] = {}
-    for name in names():
-        for cell, id in _mentioned(built(name)):
-            found.setdefault(id, (name, cell))
-    return found
-
-
-def _mentioned(made: Any) -> Iterator[tuple[str, str]]:
-    for cell in made.cells:
-        if cell.cell_type == "code":
-            yield from ((cell.id, id) for id in _MENTIONED.findall(cell.source))

@@ -6,15 +6,18 @@ import json
 import math
 import re
 from collections.abc import Iterator
-from typing import Any
+from typing import TYPE_CHECKING
 
 from symcheck.views.notebook.shown import PNG
+
+if TYPE_CHECKING:
+    from nbformat import NotebookNode
 
 TOLERANCE = 2e-5  # relative, of decimals that are shown with six digits
 _DECIMAL = re.compile(r"-?\d+\.\d+(?:e[+-]?\d+)?|-?\d+e[+-]?\d+")
 
 
-def differences(executed: Any, committed: Any) -> Iterator[str]:
+def differences(executed: NotebookNode, committed: NotebookNode) -> Iterator[str]:
     """One line for each cell that was added, left out or changed, or shows something else."""
     now, before = ({cell.id: cell for cell in each.cells} for each in (executed, committed))
     if executed.metadata != committed.metadata:
@@ -30,7 +33,7 @@ def differences(executed: Any, committed: Any) -> Iterator[str]:
             yield f"cell {id} {told}"
 
 
-def _difference(now: Any, before: Any) -> str:
+def _difference(now: NotebookNode, before: NotebookNode) -> str:
     if (now.cell_type, now.source) != (before.cell_type, before.source):
         return "has another source"
     found, kept = ([output.data for output in cell.get("outputs", ())] for cell in (now, before))

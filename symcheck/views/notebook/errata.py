@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Iterator
-from typing import Any
 
-from symcheck.core.verdicts import Group, SymcheckError, Verdict
+from symcheck.core.verdicts import Certificate, Group, SymcheckError
 from symcheck.ledger.record import Record
+from symcheck.views.model import Fault, Relation
 from symcheck.views.notebook.counterexample import Evaluation, number, point
 from symcheck.views.notebook.records import declared, group_of, notation, recorded, records, serious
 from symcheck.views.notebook.relations import checked, digests, formula, statement
@@ -17,8 +17,8 @@ from symcheck.views.notebook.shown import Heading, Math, Part, Prose, Shown, Tab
 def errata(key: str) -> Shown:
     """The serious errata of a paper, wrong formulas and statements: number, line, kind, whose."""
     table = (
-        (record.id.partition(":")[2], str(record.line), record.name.replace("_", " "), record.kind, str(record.origin))
-        for record in serious(key)
+        (each.record.number, str(each.record.line), each.name, each.record.kind, each.whose)
+        for each in map(Relation, serious(key))
     )
     return Shown((Table(("number", "line", "name", "kind", "whose"), tuple(table)),))
 
@@ -45,21 +45,28 @@ def erratum(id: str) -> Shown:
 
 
 def _erratum(record: Record) -> Iterator[Part]:
-    key, _, place = record.id.partition(":")
-    yield Heading(
-        f"**{key} ({place})** {record.name.replace('_', ' ')}, line {record.line} — **{record.verdict}**: {record.kind}"
-    )
+    relation, erratum = Relation(record), record.erratum
+    number = f"**{record.paper} ({record.number})** {relation.name}"
+    yield Heading(f"{number}, line {record.line} — **{record.verdict}**: {record.kind}")
     if record.words:
         yield Prose("", record.words)
     yield from statement([record])
-    refuting = [each for each in record.certificates if each["verdict"] == Verdict.REFUTED]
-    yield from _evaluated(record, refuting[0]) if refuting else _empty(record)
-    yield formula("right", record.corrected.partition(" (given: ")[0])
-    yield from _repair(record.erratum) if record.erratum else _reread(record)
-    yield Prose("whose fault", f"{record.origin}. {record.reason}")
+    if record.refutation:
+        yield from _evaluated(record, record.refutation)
+    elif erratum and erratum.empty:
+        yield Prose("proved, but empty", "as printed both sides are the same, so that it says nothing")
+    yield formula("right", Fault((relation,)).correct)
+    if relation.added:
+        yield Prose("given besides", "; ".join(relation.added))
+    # What says nothing as printed is decided as it must be meant.
+    label, of = ("the right form", erratum) if erratum else ("as it must be meant", record)
+    yield Prose(label, f"{of.verdict}, {digests(of.certificates)}; checker: {checked(of.certificates)}")
+    if relation.repairs:
+        yield Prose("edits of what is printed", relation.repairs)
+    yield Prose("origin", f"{relation.whose}: {record.reason}")
 
 
-def _evaluated(record: Record, certificate: Any) -> Iterator[Part]:
+def _evaluated(record: Record, certificate: Certificate) -> Iterator[Part]:
     letters = notation(record.id)
     evaluation = Evaluation(certificate, letters)
     if evaluation.holds():
@@ -70,25 +77,3 @@ def _evaluated(record: Record, certificate: Any) -> Iterator[Part]:
         yield formula("holds there" if each.holds else "fails there", each.statement)
         yield Math("that is", rf"{number(each.left)} \quad {each.sign} \quad {number(each.right)}")
     yield Prose("checker", f"{checked([certificate])}, so that the printed relation is refuted")
-
-
-def _empty(record: Record) -> Iterator[Part]:
-    if (record.erratum or {}).get("empty"):
-        yield Prose("proved, but empty", "as printed both sides are the same, so that it says nothing")
-
-
-def _reread(record: Record) -> Iterator[Part]:
-    """What says nothing as printed is decided as it must be meant."""
-    yield Prose(
-        "as it must be meant",
-        f"{record.verdict}, {digests(record.certificates)}; checker: {checked(record.certificates)}",
-    )
-
-
-def _repair(repair: dict[str, Any]) -> Iterator[Part]:
-    if repair.get("added"):
-        yield Prose("given besides", "; ".join(repair["added"]))
-    proofs = list(repair["certificates"])
-    yield Prose("the right form", f"{repair['verdict']}, {digests(proofs)}; checker: {checked(proofs)}")
-    if repair.get("repairs") is not None:
-        yield Prose("single edits of what is printed that make it true", str(len(repair["repairs"])))

@@ -5,20 +5,23 @@ from __future__ import annotations
 import ast
 from collections.abc import Callable
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING
 
 from symcheck.core.verdicts import SymcheckError
 from symcheck.views.notebook.shown import Shown
+
+if TYPE_CHECKING:
+    from nbformat import NotebookNode
 
 Progress = Callable[[int, int], None]
 TIMEOUT = 60  # seconds that a cell may take in a kernel
 
 
-def in_process(notebook: Any, progress: Progress = lambda done, total: None) -> Any:
+def in_process(notebook: NotebookNode, progress: Progress = lambda done, total: None) -> NotebookNode:
     """The notebook with the outputs of its cells, run in one namespace; SymcheckError names a cell that fails."""
     from nbformat.v4 import new_output
 
-    namespace: dict[str, Any] = {"__name__": "__main__"}
+    namespace: dict[str, object] = {"__name__": "__main__"}
     cells = [cell for cell in notebook.cells if cell.cell_type == "code"]
     for count, cell in enumerate(cells, 1):
         shown = _run(cell.id, cell.source, namespace)
@@ -28,7 +31,7 @@ def in_process(notebook: Any, progress: Progress = lambda done, total: None) -> 
     return notebook
 
 
-def _run(id: str, source: str, namespace: dict[str, Any]) -> dict[str, str]:
+def _run(id: str, source: str, namespace: dict[str, object]) -> dict[str, str]:
     *statements, last = ast.parse(source).body
     if not isinstance(last, ast.Expr):
         raise SymcheckError(f"cell {id} shows nothing; its last line must be what it shows")
@@ -44,7 +47,7 @@ def _run(id: str, source: str, namespace: dict[str, Any]) -> dict[str, str]:
     return shown._repr_mimebundle_()
 
 
-def in_kernel(notebook: Any, folder: Path, progress: Progress = lambda done, total: None) -> Any:
+def in_kernel(notebook: NotebookNode, folder: Path, progress: Progress = lambda done, total: None) -> NotebookNode:
     """The same through a Jupyter kernel of this Python, which runs in `folder`."""
     from nbclient import NotebookClient
     from nbclient.exceptions import CellExecutionError

@@ -17,7 +17,7 @@ from symcheck.reading import Notation
 
 def records(id: str) -> tuple[Record, ...]:
     """The records of a relation, or of all links of a chain; SymcheckError with the nearest id if there is none."""
-    found = tuple(record for record in decided(id) if id in (record.id, record.id.rstrip(ascii_lowercase)))
+    found = tuple(record for record in decided(id) if id in (record.id, record.declaration))
     if not found:
         raise SymcheckError(f"there is no relation {id}; there are {', '.join(record.id for record in decided(id))}")
     return found
@@ -32,7 +32,7 @@ def list_rows(id: str) -> tuple[tuple[Record, ...], ...]:
     """The records of each row of a list or table, "ignatov2005:2.1V"."""
     rows: dict[str, list[Record]] = {}
     for record in _audited((id,)):
-        rows.setdefault(record.id.rstrip(ascii_lowercase), []).append(record)
+        rows.setdefault(record.declaration, []).append(record)
     return tuple(map(tuple, rows.values()))
 
 

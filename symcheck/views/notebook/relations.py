@@ -4,20 +4,18 @@ from __future__ import annotations
 
 import json
 import re
-from collections.abc import Iterator, Mapping, Sequence
-from string import ascii_lowercase
-from typing import Any
+from collections.abc import Iterator, Sequence
 
 from symcheck.audit.checked import reasons
 from symcheck.core.verdicts import Certificate, Reading, Verdict
 from symcheck.ledger.digests import digest_of
 from symcheck.ledger.record import Record
+from symcheck.views.model import Relation, condition
 from symcheck.views.notebook.letters import aligned, split
 from symcheck.views.notebook.records import decided, item, list_rows, records
 from symcheck.views.notebook.shown import Heading, Math, Part, Prose, Shown, Table, Verbatim
 from symcheck.views.steps import shown
 
-_NEEDED = {True: "needed", False: "not needed", None: "need not known"}
 _LINES, _COLUMNS = 30, 150  # of a proof that is shown
 _DIGEST = 12  # digits of a certificate's SHA-256
 _FEW = 3  # certificates that are named
@@ -42,8 +40,8 @@ def _claim(found: Sequence[Record]) -> Iterator[Part]:
 
 def title(record: Record, whole: bool = False) -> str:
     """Number, name and line of a relation, in Markdown; of the whole chain without the letter of its link."""
-    id = record.id.rstrip(ascii_lowercase) if whole else record.id
-    return f"**({id.partition(':')[2]})** {record.name.replace('_', ' ')}, line {record.line}".replace("  ", " ")
+    number = record.number.removesuffix(record.link) if whole else record.number
+    return f"**({number})** {Relation(record).name}, line {record.line}".replace("  ", " ")
 
 
 def verdicts(found: Sequence[Record]) -> str:
@@ -58,8 +56,7 @@ def verdicts(found: Sequence[Record]) -> str:
 
 def letter(record: Record) -> str:
     """The letter of a link of a chain, "(b)"; nothing for a relation that stands alone."""
-    link = record.id[len(record.id.rstrip(ascii_lowercase)) :]
-    return f"({link})" if link else ""
+    return f"({record.link})" if record.link else ""
 
 
 def _verdict(record: Record) -> str:
@@ -99,17 +96,10 @@ def formula(label: str, latex: str) -> Math:
 
 def evidence(found: Sequence[Record]) -> Iterator[Part]:
     """The hypotheses, each with where it is given and whether it is needed, and the certificates."""
-    hypotheses = {each["name"]: each for record in found for each in record.hypotheses}
-    if hypotheses:
-        yield Prose("given", "; ".join(map(_hypothesis, hypotheses.values())))
-    certificates = [each for record in found for each in record.certificates]
-    if certificates:
+    if rows := {row.name: row for record in found for row in record.hypotheses}:
+        yield Prose("given", "; ".join(condition(row).line for row in rows.values()))
+    if certificates := [each for record in found for each in record.certificates]:
         yield Prose("certificate", digests(certificates))
-
-
-def _hypothesis(hypothesis: Mapping[str, Any]) -> str:
-    words = hypothesis["words"] or hypothesis["name"]
-    return f"{words} ({hypothesis['given']}, {_NEEDED[hypothesis['needed']]})"
 
 
 def digests(certificates: Sequence[Certificate]) -> str:
@@ -174,14 +164,10 @@ def rows(id: str, only_wrong: bool = False) -> Shown:
 
 def _row(found: Sequence[Record], wrong: Record | None) -> tuple[str, ...]:
     first = found[0]
-    number = first.id.rstrip(ascii_lowercase).rpartition(".")[2]
-    said = {str(record.verdict or record.role) for record in found}
+    number = first.declaration.rpartition(".")[2]
+    said = {Relation(record).state for record in found}
     verdict = str(Verdict.REFUTED) if Verdict.REFUTED in said else ", ".join(sorted(said))
     mark = "$" if first.printed else ""
     texts = [first.printed or first.words, *([wrong.corrected] if wrong else [])]
-    return (
-        number,
-        "\n".join(f"{mark}{' '.join(text.split())}{mark}" for text in texts),
-        verdict,
-        wrong.kind if wrong else "",
-    )
+    printed = "\n".join(f"{mark}{' '.join(text.split())}{mark}" for text in texts)
+    return number, printed, verdict, wrong.kind if wrong else ""

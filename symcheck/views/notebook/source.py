@@ -1,4 +1,4 @@
-"""A notebook from its source: Markdown, with the cells of code fenced as python.
+"""A notebook from its source: Markdown, with the cells of code fenced as python, as Jupytext reads it.
 
 Prose begins a new cell at each heading. The id of a cell is its heading in lower case and its number below that
 heading: a cell that is added elsewhere changes no other id.
@@ -8,44 +8,39 @@ from __future__ import annotations
 
 import re
 from collections import Counter
-from collections.abc import Iterator
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING
 
 from symcheck.core.verdicts import SymcheckError
 from symcheck.views.notebook.rules import faults_of_code, faults_of_prose
 
-_FENCE = re.compile(r"^```python\n(.*?)^```$\n?", re.MULTILINE | re.DOTALL)
-_HEADING = re.compile(r"^(?=#{1,6} )", re.MULTILINE)
+if TYPE_CHECKING:
+    from nbformat import NotebookNode
+
+MARKDOWN = {"extension": ".md", "split_at_heading": True}
 METADATA = {
     "kernelspec": {"display_name": "Python 3", "language": "python", "name": "python3"},
     "language_info": {"name": "python"},
 }
 
 
-def notebook(source: Path) -> Any:
+def notebook(source: Path) -> NotebookNode:
     """The notebook of a source, without outputs; SymcheckError for a cell that breaks the rules."""
-    from nbformat.v4 import new_code_cell, new_markdown_cell, new_notebook
+    import jupytext
+    from nbformat import from_dict
 
-    cells, counts, section = [], Counter[str](), "top"
-    for kind, text in pieces(source.read_text(encoding="utf-8")):
-        for fault in (faults_of_code if kind == "code" else faults_of_prose)(text):
-            raise SymcheckError(f"{source.name}: {fault}: {text.splitlines()[0]}")
-        if text.startswith("#"):
-            section = slug(text.splitlines()[0])
+    made = jupytext.reads(source.read_text(encoding="utf-8"), fmt=MARKDOWN)
+    made.metadata, counts, section = from_dict(METADATA), Counter[str](), "top"
+    rules = {"code": faults_of_code, "markdown": faults_of_prose}
+    for cell in made.cells:
+        first = cell.source.partition("\n")[0]
+        for fault in rules[cell.cell_type](cell.source):
+            raise SymcheckError(f"{source.name}: {fault}: {first}")
+        if first.startswith("#"):
+            section = slug(first)
         counts[section] += 1
-        new = new_code_cell if kind == "code" else new_markdown_cell
-        cells.append(new(text, id=f"{section}-{counts[section]}"))
-    return new_notebook(cells=cells, metadata=METADATA)
-
-
-def pieces(text: str) -> Iterator[tuple[str, str]]:
-    """The cells as ("code" or "markdown", text)."""
-    for n, part in enumerate(_FENCE.split(text)):
-        if n % 2:
-            yield "code", part.strip()
-        else:
-            yield from (("markdown", each.strip()) for each in _HEADING.split(part) if each.strip())
+        cell.id = f"{section}-{counts[section]}"
+    return made
 
 
 def slug(heading: str) -> str:

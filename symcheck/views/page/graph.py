@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-import re
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 from math import log2
 from textwrap import shorten
 
 from symcheck.core.verdicts import Verdict
 from symcheck.ledger.record import Record
+from symcheck.views.model import Relation
 
 STEP, LEFT, WIDEST = 17, 310, 400  # of the drawing, in pixels: between two claims, before the line, the largest arc
 
@@ -60,8 +60,8 @@ def graph(paper: str, records: Sequence[Record]) -> Graph:
     """The dependencies between the claims of a paper; claims that use nothing and are not used are left out."""
     together: dict[tuple[str, str], list[Record]] = {}
     for record in records:
-        together.setdefault((record.section, record.name or _declaration(record.id)), []).append(record)
-    owner = {name: key for key, members in together.items() for each in members for name in _names(each.id)}
+        together.setdefault((record.section, record.name or record.declaration), []).append(record)
+    owner = {name: key for key, members in together.items() for each in members for name in (each.id, each.declaration)}
     pairs = {
         (owner[used], key)
         for key, members in together.items()
@@ -76,22 +76,13 @@ def graph(paper: str, records: Sequence[Record]) -> Graph:
     return Graph(paper, nodes, tuple(Arc(used, by, _curve(nodes[used].y, nodes[by].y)) for used, by in arcs))
 
 
-def _declaration(id: str) -> str:
-    return re.sub(r"[a-z]+$", "", id)
-
-
-def _names(id: str) -> Iterable[str]:
-    """How a record may be referred to: by its link, or by its declaration."""
-    return id, _declaration(id)
-
-
 def _node(members: Sequence[Record], y: int) -> Node:
-    numbers = [_declaration(each.id).partition(":")[2] for each in members]
+    numbers = [each.declaration.partition(":")[2] for each in members]
     label = numbers[0] if len(set(numbers)) == 1 else numbers[-1].rpartition(".")[0]
     verdicts = {each.verdict for each in members}
     worst = next((each for each in (Verdict.REFUTED, Verdict.UNDECIDED, Verdict.PROVED) if each in verdicts), None)
-    words = shorten(members[0].name.replace("_", " "), LETTERS, placeholder="…")
-    return Node(members[0].id, label, words, worst or members[0].role, y)
+    first = Relation(members[0])
+    return Node(first.record.id, label, shorten(first.name, LETTERS, placeholder="…"), worst or first.state, y)
 
 
 def _curve(one: int, other: int) -> str:

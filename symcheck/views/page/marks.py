@@ -8,7 +8,7 @@ from typing import Any
 
 from symcheck.core.verdicts import Group
 from symcheck.ledger.record import Record
-from symcheck.views.faults import errata, place
+from symcheck.views.model import errata, place
 
 _MOMENTA = re.compile(r"\\mathbf\{H\}\s*=\s*\[([^\]]*)\]")
 _LABEL = re.compile(r"([VF])(')?_\{?(\d+)\}?(')?")
@@ -26,14 +26,14 @@ def marks(envelope: Mapping[str, Any], records: Iterable[Record]) -> list[dict[s
     found = [
         {
             "cell": cell,
-            "id": fault.first.id,
-            "kind": fault.first.kind,
+            "id": fault.first.record.id,
+            "kind": fault.first.record.kind,
             "slip": group in (Group.SLIP, Group.DAMAGED),
         }
-        for group, members in errata(own)
-        for alike in members
-        for fault in alike.faults
-        if (cell := known.get(_momenta(fault.first)) or known.get(_label(fault.first)))
+        for group, lists in errata(own)
+        for faults in lists
+        for fault in faults.faults
+        if (cell := known.get(_momenta(fault.first.record)) or known.get(_label(fault.first.record)))
     ]
     return list({(each["cell"], each["id"]): each for each in found}.values())
 

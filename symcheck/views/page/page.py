@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections import Counter
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
@@ -12,11 +11,11 @@ from typing import Any
 from jinja2 import Environment, PackageLoader, StrictUndefined
 from markupsafe import Markup
 
-from symcheck.coq.confirmed import CONFIRMED, confirmed, told
+from symcheck.coq.confirmed import CONFIRMED, confirmed
 from symcheck.core.verdicts import Group, Role, Verdict
 from symcheck.ledger.record import Record
 from symcheck.ledger.selftested import evidence, rows
-from symcheck.views.faults import Alike, Fault, errata
+from symcheck.views.model import Relation, errata
 from symcheck.views.page import entry as entries
 from symcheck.views.page.entry import Entry
 from symcheck.views.page.formulas import Formulas
@@ -70,17 +69,6 @@ class _Hypothesis:
     needed: Counter[bool | None]
 
 
-@dataclass(frozen=True)
-class _Members:
-    """Faults of one kind as the template shows them: how many records, and the reasons, each once."""
-
-    place: str
-    faults: tuple[Fault, ...]
-    first: Record
-    size: int
-    reasons: tuple[str, ...]
-
-
 def page(records: Sequence[Record], papers: Sequence[Publication], beside: Beside | None = None) -> str:
     """The audit as one HTML file that needs nothing else.
 
@@ -92,7 +80,6 @@ def page(records: Sequence[Record], papers: Sequence[Publication], beside: Besid
     tested = beside.selftest or {}
     formulas, excerpts, strings = Formulas(entries.texts(records)), _Numbered(), _Numbered()
     shown = _entries(records, papers, beside)
-    found = [(group, [_members(alike) for alike in each]) for group, each in errata(records)]
     environment = Environment(
         loader=PackageLoader(__package__, "templates"),
         autoescape=True,
@@ -115,9 +102,9 @@ def page(records: Sequence[Record], papers: Sequence[Publication], beside: Besid
         "publications": [paper for paper in papers if any(each.paper == paper.key for each in records)],
         "counts": _counts(records),
         "coq": Counter(said == CONFIRMED for record in records for said in confirmed(record).values()),
-        "table": {paper.key: Counter(_state(r) for r in records if r.paper == paper.key) for paper in papers},
+        "table": {paper.key: Counter(Relation(r).state for r in records if r.paper == paper.key) for paper in papers},
         "states": states,
-        "errata": found,
+        "errata": [*errata(records)],
         "selftest": rows(tested) if tested and tested["evidence"] == evidence(records) else [],
         "recorded": bool(tested),
         "engines": tested.get("engines"),
@@ -135,7 +122,7 @@ def page(records: Sequence[Record], papers: Sequence[Publication], beside: Besid
     text = environment.get_template("page.html").render(**parts, folded={"slot": Markup("")})
     arcs = environment.get_template("graph.html")
     ledger = {
-        "rows": [_row(record, formulas, strings) for record in records],
+        "rows": [_row(each, formulas, strings) for each in shown.values()],
         "claims": claims,
         "math": formulas.numbered,
         "strings": list(strings.numbers),
@@ -146,7 +133,7 @@ def page(records: Sequence[Record], papers: Sequence[Publication], beside: Besid
         "ledger": packed(ledger),
         "envelopes": packed([{**each, "marks": marks(each, records)} for each in beside.pictures.envelopes]),
         "graphs": packed([arcs.render(g=each) for each in graphs]),
-        **{paper.key: packed(_proofs(each for each in records if each.paper == paper.key)) for paper in papers},
+        **{paper.key: packed(_proofs(each for each in shown.values() if each.paper is paper)) for paper in papers},
     }
     return text.replace(_slot("slot", ""), "\n".join(_slot(name, data) for name, data in folded.items()))
 
@@ -155,9 +142,9 @@ def _slot(name: str, data: str) -> str:
     return f'<script type="application/octet-stream" id="folded-{name}">{data}</script>'
 
 
-def _proofs(records: Iterable[Record]) -> dict[str, Any]:
+def _proofs(relations: Iterable[Relation]) -> dict[str, Any]:
     """The proofs of a paper field by field: likes beside likes fold into half as much."""
-    found = [(record.id, proof) for record in records for proof in entries.proofs(record)]
+    found = [(each.record.id, proof) for each in relations for proof in each.proofs]
     written = [proof.certificate for _, proof in found]
     keys = sorted({key for each in written for key in each})
     return {
@@ -180,13 +167,10 @@ def _entries(records: Sequence[Record], papers: Iterable[Publication], beside: B
     }
 
 
-def _declaration(record: Record) -> str:
-    return re.sub(r"[a-z]+$", "", record.id)
-
-
-def _row(record: Record, formulas: Formulas, strings: _Numbered) -> list[Any]:
+def _row(relation: Relation, formulas: Formulas, strings: _Numbered) -> list[object]:
     """What the ledger shows and searches of a record, in the order of HEAD in page.js."""
-    link = record.read if record.id != _declaration(record) or record.group is Group.DAMAGED else ""
+    record = relation.record
+    link = record.read if record.link or record.group is Group.DAMAGED else ""
     shown = [formulas.number(text) for text in (link, record.printed, record.read) if text]
     math = next((number for number in shown if number >= 0), -1)
     words = "" if link and math >= 0 else record.words or ("" if math >= 0 else record.printed or record.name)
@@ -196,24 +180,20 @@ def _row(record: Record, formulas: Formulas, strings: _Numbered) -> list[Any]:
         record.read,
         record.corrected,
         record.reason,
-        record.name.replace("_", " "),
+        relation.name,
     )
     return [
         record.id,
-        _state(record),
+        relation.state,
         record.kind,
         record.origin or "",
         record.section,
         record.paper,
-        strings.number(told(record)),
+        strings.number(relation.coq),
         math,
         strings.number(words),
         [strings.number(text) for text in dict.fromkeys(searched) if text],
     ]
-
-
-def _state(record: Record) -> str:
-    return str(record.verdict or record.role)
 
 
 def _counts(records: Iterable[Record]) -> dict[str, int]:
@@ -233,15 +213,9 @@ def _hypotheses(records: Iterable[Record]) -> list[_Hypothesis]:
     found: dict[tuple[str, str], Counter[bool | None]] = {}
     for record in records:
         for each in record.hypotheses:
-            if record.verdict is Verdict.PROVED and each.get("given") in ("printed", "standing"):
-                found.setdefault((record.paper, each["words"]), Counter())[each["needed"]] += 1
+            if record.verdict is Verdict.PROVED and each.given in ("printed", "standing") and each.need:
+                found.setdefault((record.paper, each.words), Counter())[each.need.needed] += 1
     return sorted((_Hypothesis(*key, needed) for key, needed in found.items()), key=lambda each: -each.needed[False])
-
-
-def _members(alike: Alike) -> _Members:
-    reasons = dict.fromkeys(fault.first.reason for fault in alike.faults if fault.first.reason)
-    size = sum(len(fault.records) for fault in alike.faults)
-    return _Members(alike.place, alike.faults, alike.first, size, tuple(reasons))
 
 
 def _plot(plot: Mapping[str, Any]) -> dict[str, Any]:

@@ -1,0 +1,316 @@
+"""What people read of records, worked out once; terminal, page, exports and notebooks only format it.
+
+A relation with its hypotheses, counterexample, correction and proofs; errata in the order in which a reviewer wants
+them, those of one kind together, the parts of one row as one. Nothing is decided here.
+"""
+
+from __future__ import annotations
+
+import re
+from collections import Counter
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from typing import NamedTuple
+
+from symcheck.coq.confirmed import told
+from symcheck.core.verdicts import Certificate, Group, Loss, Origin, Verdict
+from symcheck.core.words import term
+from symcheck.ledger.record import HypothesisRow, Record
+from symcheck.views.steps import compared, coordinates, point, shown, sides
+
+_GIVEN = {"added": "not printed, added", "standing": "implied by the subject"}  # the other sources are in plain words
+_NEEDED = {True: "needed", False: "not needed", None: "need not known"}
+_WHOSE = {Origin.PAPER: "the paper's own", Origin.OCR: "from the digitisation"}
+_REPAIRS = {0: "no single edit repairs it", 1: "one single edit repairs it"}
+_ADDED = re.compile(r" \(given: .*\)$", re.DOTALL)  # how a record tells conditions behind a corrected formula
+_ROW = re.compile(r"(\.\d+)?[a-z]?$")  # the number of a row behind the name of its list, and the letter of a link
+
+
+@dataclass(frozen=True)
+class Counterexample:
+    """The point at which a relation fails: letters with their values, and what is compared there, each named."""
+
+    values: tuple[tuple[str, str], ...]
+    compared: tuple[tuple[str, str], ...]
+    sides: str  # the same in words, or what is known instead of two values
+
+    @property
+    def line(self) -> str:
+        """In one line."""
+        at = ", ".join(f"{name} = {value}" for name, value in self.values)
+        return ", where ".join(filter(None, (at, self.sides)))
+
+
+def counterexample(certificate: Certificate) -> Counterexample:
+    """The point of a refutation."""
+    found = certificate["point"]
+    at = ((f"{function} {name}".lstrip(), term(value)) for function, name, value in coordinates(found["values"]))
+    both = [*map(term, compared(found))]
+    of_parts = certificate["claim"][0] in ("and", "or")
+    names = [f"part {number}" for number in range(1, len(both) + 1)] if of_parts else ["left side", "right side"]
+    return Counterexample(tuple(at), tuple(zip(names, both, strict=False)), sides(found))
+
+
+@dataclass(frozen=True)
+class Condition:
+    """A hypothesis: where it comes from, whether it is needed, and what is lost without it, if that is known."""
+
+    words: str
+    states: str
+    given: str
+    need: bool | None
+    without: str
+
+    @property
+    def needed(self) -> str:
+        """Whether it is needed, in words."""
+        return _NEEDED[self.need]
+
+    @property
+    def line(self) -> str:
+        """In one line, without what is lost."""
+        return f"{self.words} ({self.given}, {self.needed})"
+
+
+def condition(row: HypothesisRow) -> Condition:
+    """A hypothesis in words."""
+    need = row.need.needed if row.need else None
+    given = _GIVEN.get(row.given, row.given)
+    return Condition(row.words or row.name, row.states, given, need, _without(row))
+
+
+def _without(row: HypothesisRow) -> str:
+    """What is lost without a hypothesis, and where: "the relation fails at x = 2"; "" if that is not known."""
+    if not row.need or not row.need.lost or not row.need.counterexample:
+        return ""
+    lost, certificate = row.need.lost, row.need.counterexample
+    if lost == Loss.EXISTENCE:  # at an angle whose sine and cosine are defined as numbers
+        angles = {name: value for name, value in certificate["definitions"] if type(value) is int}
+        return f"{lost} where {point(angles)}"
+    if lost == Loss.VALUE:
+        return f"{lost} at {point(certificate['point']['values'])}: {term(certificate['claim'])} is wrong"
+    return f"{lost} at {counterexample(certificate).line}"
+
+
+@dataclass(frozen=True)
+class Proof:
+    """A certificate with what it is of."""
+
+    of: str
+    certificate: Certificate
+
+    @property
+    def title(self) -> str:
+        """What it is of, and its verdict."""
+        return f"{self.of}, {self.certificate['verdict']}"
+
+    @property
+    def lines(self) -> str:
+        """What the proof starts from, and its steps."""
+        return "\n".join(shown(self.certificate))
+
+
+@dataclass(frozen=True)
+class Relation:
+    """A record as people read it."""
+
+    record: Record
+
+    @property
+    def name(self) -> str:
+        """The name of the declaration in words."""
+        return self.record.name.replace("_", " ")
+
+    @property
+    def title(self) -> str:
+        """Its id and name."""
+        return f"{self.record.id}  {self.name}".rstrip()
+
+    @property
+    def state(self) -> str:
+        """Its verdict, or the role of what claims nothing."""
+        return str(self.record.verdict or self.record.role)
+
+    @property
+    def statement(self) -> str:
+        """What it states: the link of a chain as read, else what is printed, or the words."""
+        record = self.record
+        return (record.read if record.link else "") or record.printed or record.words or self.name
+
+    @cached_property
+    def conditions(self) -> tuple[Condition, ...]:
+        """The hypotheses."""
+        return tuple(map(condition, self.record.hypotheses))
+
+    @cached_property
+    def counterexample(self) -> Counterexample | None:
+        """Where it fails as printed."""
+        return counterexample(self.record.refutation) if self.record.refutation else None
+
+    @property
+    def fails_at(self) -> str:
+        """The same in one line, if there is such a point."""
+        return self.counterexample.line if self.counterexample else ""
+
+    @property
+    def nonzero(self) -> str:
+        """What must not vanish where it is proved."""
+        return ", ".join(f"{each} ≠ 0" for each in (self.record.domain or {}).get("nonzero", ()))
+
+    @property
+    def proofs(self) -> tuple[Proof, ...]:
+        """The certificates of the relation, then those of what it should be."""
+        corrected = self.record.erratum.certificates if self.record.erratum else ()
+        return (
+            *(Proof("as printed", each) for each in self.record.certificates),
+            *(Proof("as corrected", each) for each in corrected),
+        )
+
+    @property
+    def coq(self) -> str:
+        """What Coq says of the proofs."""
+        return told(self.record)
+
+    @property
+    def whose(self) -> str:
+        """Whose the fault is."""
+        return _WHOSE.get(self.record.origin or Origin.UNCERTAIN, "whose it is cannot be told")
+
+    @property
+    def added(self) -> tuple[str, ...]:
+        """The hypotheses that the paper forgot, in words."""
+        return self.record.erratum.added if self.record.erratum else ()
+
+    @property
+    def edits(self) -> list[tuple[str, str]]:
+        """Where the right form differs from the printed one, each place as (before, after)."""
+        edits = self.record.erratum.edit if self.record.erratum else ()
+        return [(each.printed or "nothing", each.corrected or "nothing") for each in edits]
+
+    @property
+    def repairs(self) -> str:
+        """How many single edits of the printed relation make it true; empty if they were not searched."""
+        if not self.record.erratum or self.record.erratum.repairs is None:
+            return ""
+        count = len(self.record.erratum.repairs)
+        return _REPAIRS.get(count, f"{count} single edits repair it")
+
+    @property
+    def outcome(self) -> str:
+        """What was found of the correction."""
+        erratum = self.record.erratum
+        return f"{erratum.verdict} {erratum.reason}".rstrip() if erratum else ""
+
+
+class Fact(NamedTuple):
+    """One labelled thing to say of a fault; a formula in LaTeX, or words."""
+
+    label: str
+    text: str
+    is_formula: bool = False
+
+
+@dataclass(frozen=True)
+class Fault:
+    """What is wrong at one place: one relation, or several parts of a row that are corrected together."""
+
+    relations: tuple[Relation, ...]
+
+    @property
+    def first(self) -> Relation:
+        """The relation that stands for all."""
+        return self.relations[0]
+
+    @property
+    def number(self) -> str:
+        """The number of the first relation, with the letters of the others: "2.1V.8a, b"."""
+        return ", ".join([self.first.record.number, *(each.record.id[-1] for each in self.relations[1:])])
+
+    @property
+    def printed(self) -> str:
+        """The row as printed; of a statement in several links the one link."""
+        record = self.first.record
+        link = "" if record.is_row or record.group is Group.DAMAGED else record.read
+        return link or record.printed or record.words
+
+    @property
+    def correct(self) -> str:
+        """What is right instead, without the hypotheses that it needs."""
+        return _ADDED.sub("", self.first.record.corrected)
+
+    @property
+    def facts(self) -> Iterator[Fact]:
+        """What is printed, where it fails, what is right."""
+        record = self.first.record
+        yield Fact("words", record.words if self.printed != record.words else "")
+        yield Fact("printed", self.printed, True)
+        yield Fact("correct", self.correct, True)
+        yield Fact("given", "; ".join(self.first.added))
+        yield Fact("fails at", "" if record.is_row else self.first.fails_at)
+        yield Fact("why", record.reason)
+
+
+@dataclass(frozen=True)
+class FaultList:
+    """Faults of one place, kind and origin."""
+
+    place: str
+    faults: tuple[Fault, ...]
+
+    @property
+    def first(self) -> Relation:
+        """The relation whose kind and origin all have."""
+        return self.faults[0].first
+
+    @property
+    def title(self) -> str:
+        """Where, what kind, and whose."""
+        return f"{self.place}: {self.first.record.kind}, {self.first.whose}"
+
+    @property
+    def relations(self) -> list[Relation]:
+        """Those of all faults."""
+        return [each for fault in self.faults for each in fault.relations]
+
+    @property
+    def reasons(self) -> list[str]:
+        """The reasons given, that of most relations first."""
+        return [reason for reason, _ in Counter(each.record.reason for each in self.relations).most_common() if reason]
+
+
+def errata(records: Iterable[Record]) -> Iterator[tuple[Group, tuple[FaultList, ...]]]:
+    """The groups that have errata, the weightiest first."""
+    wrong = [Relation(record) for record in records if record.corrected]
+    for group in Group:
+        if members := [each for each in wrong if each.record.group is group]:
+            yield group, tuple(_lists(members))
+
+
+def _lists(relations: Sequence[Relation]) -> Iterator[FaultList]:
+    found: dict[tuple[str, object, object], list[Relation]] = {}
+    for each in relations:
+        found.setdefault((place(each.record), each.record.kind, each.record.origin), []).append(each)
+    for (where, *_), members in found.items():
+        yield FaultList(where, tuple(_faults(members)))
+
+
+def _faults(relations: Iterable[Relation]) -> Iterator[Fault]:
+    rows: dict[tuple[object, ...], list[Relation]] = {}
+    for each in relations:
+        record = each.record
+        row = record.declaration if record.verdict else record.id
+        key = (row, record.line, Fault((each,)).printed, record.corrected, record.reason)
+        rows.setdefault(key, []).append(each)
+    yield from (Fault(tuple(members)) for members in rows.values())
+
+
+def place(record: Record) -> str:
+    """The list or table of a row, "ignatov2005:2.1V", or else the paper."""
+    return _ROW.sub("", record.id) if record.is_row else record.paper
+
+
+def counted(records: Iterable[Record]) -> str:
+    """How many relations have which verdict."""
+    found = Counter(record.verdict for record in records if record.verdict)
+    return f"{found.total()} relations: {', '.join(f'{found[verdict]} {verdict}' for verdict in Verdict)}"
