@@ -9,8 +9,9 @@ import shlex
 import subprocess
 import sys
 from pathlib import Path
-from shutil import copytree, ignore_patterns
-from tempfile import TemporaryDirectory
+from shutil import copytree, ignore_patterns, rmtree
+from tempfile import mkdtemp
+from weakref import finalize
 
 import symcheck
 from symcheck import kernels, papers
@@ -52,8 +53,8 @@ class Checkout:
     """A copy of the package in a temporary folder. Its only paper is the example; nothing is generated there yet."""
 
     def __init__(self) -> None:
-        self._folder = TemporaryDirectory(prefix="symcheck-guide-")
-        self._root = Path(self._folder.name).resolve()
+        self._root = Path(mkdtemp(prefix="symcheck-guide-")).resolve()
+        finalize(self, rmtree, self._root, ignore_errors=True)
         others = ignore_patterns("__pycache__", *papers.load())
         copytree(Path(symcheck.__file__).parent, self._root / "symcheck", ignore=others)
         copytree(_example(), self._root / "symcheck" / "papers" / EXAMPLE, ignore=ignore_patterns("__pycache__"))
