@@ -12,13 +12,15 @@ from pathlib import Path
 
 import click
 import pytest
+import yaml
 
+import symcheck
 from symcheck.cli import cli
 from symcheck.papers import load
 
 ROOT = Path(__file__).resolve().parent.parent
 MODULES = sorted((ROOT / "symcheck").rglob("*.py"))
-GROUND = ("pyproject.toml", "constraints.txt", "Makefile", ".ci/run", "README.md", ".gitignore")
+GROUND = ("pyproject.toml", "constraints.txt", "Makefile", ".ci/run", "README.md", ".gitignore", "CITATION.cff")
 TEXT = {".py", ".md", ".toml", ".txt", ".lark", ".json", ""}
 SHELL = r"^```(?:sh|console)\n(.*?)^```"
 TARGETS = (
@@ -140,3 +142,12 @@ def test_the_contract_between_papers_names_all_papers() -> None:
 
 def test_no_module_is_a_drawer_for_everything() -> None:
     assert {"utils.py", "helpers.py", "misc.py", "common.py"} & {file.name for file in MODULES} == set()
+
+
+def test_what_to_cite_is_this_version() -> None:
+    cited = yaml.safe_load((ROOT / "CITATION.cff").read_text(encoding="utf-8"))
+    project = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]
+    assert (cited["cff-version"], cited["title"], cited["license"]) == ("1.2.0", project["name"], project["license"])
+    assert cited["authors"] == project["authors"]
+    assert cited["version"] == symcheck.__version__
+    assert {"message", "type"} <= cited.keys()
