@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 import re
+import struct
 from pathlib import Path
 
 import pytest
 from click.testing import CliRunner
+from page_picture import CHROMIUM, PICTURE, SIZE, take
 from rich.console import Console
 
 from symcheck import errata
@@ -15,6 +17,14 @@ from symcheck.views import terminal
 
 README = Path(__file__).resolve().parent.parent / "README.md"
 LONGEST = 10_000  # bytes
+LARGEST = 150_000  # bytes of the picture
+
+
+@pytest.fixture(autouse=True)
+def cache_of_its_own(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+    """What the README shows is decided in this run."""
+    monkeypatch.setenv("SYMCHECK_CACHE", str(tmp_path / "cache"))
+    monkeypatch.setenv("XDG_CONFIG_HOME", str(tmp_path / "config"))
 
 
 def example(word: str) -> str:
@@ -68,3 +78,22 @@ def test_it_is_short_and_links_to_what_is_there() -> None:
     text = README.read_text(encoding="utf-8")
     assert len(text.encode()) <= LONGEST
     assert all((README.parent / link).is_file() for link in re.findall(r"\]\(([^)]+)\)", text))
+
+
+def size_of(picture: Path) -> tuple[int, ...]:
+    """The width and height of a PNG file."""
+    data = picture.read_bytes()
+    assert data.startswith(b"\x89PNG")
+    return struct.unpack(">II", data[16:24])
+
+
+def test_the_picture_of_the_page_is_small() -> None:
+    assert size_of(PICTURE) == (SIZE["width"], SIZE["height"])
+    assert PICTURE.stat().st_size < LARGEST
+
+
+@pytest.mark.slow
+@pytest.mark.skipif(not CHROMIUM, reason="no Chromium is found; `make browser` installs it")
+def test_the_picture_of_the_page_can_be_taken_again(tmp_path: Path) -> None:
+    take(tmp_path / "page.png")
+    assert size_of(tmp_path / "page.png") == size_of(PICTURE)
