@@ -106,7 +106,7 @@ def _alone(function: str) -> Made:
         derived=lambda: {"z": function},
         claims=("1",),
     )
-    return Made(kernel, program, program, "")
+    return Made(kernel, program, program)
 
 
 def functions(case: Case) -> int:

@@ -10,15 +10,16 @@ import random
 import sys
 import time
 from collections import Counter
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from typing import Any
 
-from meaning import Meaning, NoValue, Smooth, mpf, unfold, unfolded
+from mpmath import mpf
 
 from symcheck.checker import check_all
 from symcheck.checker.algebra import Algebra
 from symcheck.checker.residues import PRIME, Reject
 from symcheck.checker.theorems import NAMES, instance, theorem
+from symcheck.coq.meaning import BINDERS, Meaning, NoValue, Smooth
 from symcheck.core.calculus import Unknown, differentiated
 from symcheck.core.terms import Malformed, Reader
 
@@ -610,6 +611,31 @@ def plain(node: Any) -> JSON:
 
 def put(node: JSON, x: str, value: JSON) -> JSON:
     return unfold(node, {x: value})
+
+
+def unfold(node: JSON, names: Mapping[str, JSON]) -> JSON:
+    """Names that are defined replaced by their text, but where a binder gives them another meaning."""
+    if isinstance(node, str):
+        return names.get(node, node)
+    if not isinstance(node, list):
+        return node
+    tag = node[0]
+    if tag in BINDERS:
+        inner = {x: text for x, text in names.items() if x != node[2]}
+        return [tag, unfold(node[1], inner), node[2], *(unfold(each, names) for each in node[3:])]
+    if tag in ("exists", "forall"):
+        return [tag, node[1], unfold(node[2], {x: text for x, text in names.items() if x not in node[1]})]
+    if tag == "call":
+        return [*node[:3], *(unfold(each, names) for each in node[3:])]
+    return [tag, *(unfold(each, names) for each in node[1:])]
+
+
+def unfolded(definitions: list[Any]) -> dict[str, JSON]:
+    """The text of every definition, those before it unfolded."""
+    names: dict[str, JSON] = {}
+    for name, text in definitions:
+        names[name] = unfold(text, names)
+    return names
 
 
 def contrary(claim: JSON) -> JSON:

@@ -15,14 +15,14 @@ from symcheck import kernels
 from symcheck.audit.decide import decide
 from symcheck.checker.theorems import NAMES
 from symcheck.coq import compile as compiler
-from symcheck.coq.claims import Exported
+from symcheck.coq.claims import Claim
 from symcheck.coq.comparison import Point, differences
 from symcheck.coq.confirmed import record_all, recorded
 from symcheck.coq.files import files
 from symcheck.coq.printing import printed
-from symcheck.coq.reader import CLAIM, Reader, claims
-from symcheck.coq.script import Script
-from symcheck.coq.stated import statement as stated
+from symcheck.coq.reader import CLAIM, claims, formula
+from symcheck.coq.script import script
+from symcheck.coq.statements import statement as stated
 from symcheck.coq.terms import NotExported, polynomial
 from symcheck.coq.theorems import CONGRUENCE, UNSTATED, identifier, statement
 from symcheck.coq.witnesses import HEAD, NONE, circle, witnesses
@@ -104,7 +104,7 @@ def test_what_is_written_is_read_back_as_it_was(text: str) -> None:
                 return (node[0], *map(binary, node[1:]))
         return node
 
-    assert plain(Reader(text).whole()) == binary(FORMULAS[text])
+    assert plain(formula(text)) == binary(FORMULAS[text])
 
 
 def test_a_polynomial_loses_no_coefficient() -> None:
@@ -202,7 +202,7 @@ def test_unknown_functions_are_any_functions() -> None:
 def test_an_unknown_function_has_one_value_for_equal_arguments_and_others_for_others() -> None:
     point = Point({"z": node("*", 2, "x")})
     one, *others = (
-        point.value(each, {})
+        point.value(each)
         for each in (
             call("f", node("+", "x", "x")),
             call("f", "z"),
@@ -260,7 +260,7 @@ def test_a_point_is_taken_from_the_certificate_if_it_tells_all_letters(
         "definitions": [], "hypotheses": {"given": [["<", "x", "y"]]}, "claim": ["<", ["*", 2, "x"], ["*", 2, "y"]],
         "proof": {}, "witnesses": [{"values": values}] if values else [],
     }  # fmt: skip
-    each = Exported("1", stand_in.decide("toy:1.1")[0], certificate, "", False, stated(certificate))
+    each = Claim("1", stand_in.decide("toy:1.1")[0], certificate, "", False, stated(certificate))
     text, missing = witnesses([each])
     assert missing == ({"1": reason} if reason else {})
     assert ("exists 1.\nexists 2.\n" in text) == (reason is None)
@@ -335,7 +335,7 @@ def test_coq_confirms_them_on_the_reals_alone(folder: Path) -> None:
 def test_coq_confirms_a_claim_about_unknown_functions(tmp_path: Path) -> None:
     found = certified(UNKNOWN)
     own = stated(found)
-    proof = f"Theorem proof_1 :\n{own.text()}.\nProof.\n{Script(own).write(found)}\nQed.\n"
+    proof = f"Theorem proof_1 :\n{own.text()}.\nProof.\n{script(own, found).text}\nQed.\n"
     (tmp_path / "Symcheck.v").write_text(Path(compiler.__file__).with_name("Symcheck.v").read_text("utf-8"), "utf-8")
     assert compiler.coqc(tmp_path, "Symcheck.v")[0] == 0
     for text, code in ((proof, 0), (proof.replace("f z > 0", "f z >= 0"), 1)):

@@ -7,6 +7,9 @@ NumPy computes less accurately, within twice that of its own last place.
 
 from __future__ import annotations
 
+import ast
+import doctest
+import inspect
 import math
 import os
 import random
@@ -34,16 +37,18 @@ from kernel_reference import (
     in_range,
     inside,
     random_points,
-    source,
     worst,
 )
 
+from symcheck import kernels
 from symcheck.audit import kernels as evidence
 from symcheck.core.verdicts import SymcheckError
 from symcheck.kernels import runtime
 from symcheck.kernels.codegen.kernel import Argument, Kernel, Output, largest_addend
+from symcheck.kernels.codegen.special import RUNTIME
 from symcheck.kernels.codegen.target import MARK
 from symcheck.kernels.runtime import BLOCK, SMALL
+from symcheck.kernels.specification import specification
 from symcheck.papers import load
 from symcheck.proof import certificate
 from symcheck.selftest.kernel_mutants import CALLED, Forms, Mutant
@@ -542,7 +547,7 @@ def peak(case: Case, way: str, size: int) -> int:
 
 def test_the_same_text_for_two_hash_seeds() -> None:
     some = [id for key in load() for id in [id for id in CASES if id.startswith(f"{key}:")][:2]]
-    assert set(texts(range(1), some)) == {"".join(source(CASES[id]) for id in some)}
+    assert set(texts(range(1), some)) == {"".join("".join(CASES[id].texts) for id in some)}
 
 
 @pytest.mark.slow
@@ -555,13 +560,13 @@ def test_the_same_text_for_many_hash_seeds() -> None:
 def test_the_same_text_from_another_version_of_python() -> None:
     version = subprocess.run([OTHER, "--version"], capture_output=True, text=True, check=True).stdout
     assert version.split()[1] != sys.version.split()[0]
-    assert texts(range(1), list(CASES), OTHER) == ["".join(map(source, CASES.values()))]
+    assert texts(range(1), list(CASES), OTHER) == ["".join("".join(case.texts) for case in CASES.values())]
 
 
 def texts(seeds: range, ids: list[str], python: str = sys.executable) -> list[str]:
     """The text of some kernels, from an interpreter for each seed, two at a time."""
-    program = "import sys; from kernel_reference import cases, source; " + (
-        "sys.stdout.write(''.join(source(cases()[id]) for id in sys.argv[1:]))"
+    program = "import sys; from kernel_reference import cases; " + (
+        "sys.stdout.write(''.join(''.join(cases()[id].texts) for id in sys.argv[1:]))"
     )
     found = []
     for first in seeds[::2]:
@@ -583,16 +588,78 @@ def texts(seeds: range, ids: list[str], python: str = sys.executable) -> list[st
 
 @every_kernel
 def test_the_text_names_no_version_and_no_place(case: Case) -> None:
-    assert not {np.__version__, sp.__version__, str(Path.home()), str(Path(__file__).parent)} & set(case.text.split())
+    assert not {np.__version__, sp.__version__, str(Path.home()), str(Path(__file__).parent)} & set(
+        "".join(case.texts).split()
+    )
 
 
 @every_kernel
 def test_the_docstring_says_what_goes_in_and_comes_out(case: Case) -> None:
-    text = case.function.__doc__
+    text = inspect.cleandoc(case.function.__doc__ or "")
     assert text.startswith(case.kernel.says)
+    sections = dict(re.findall(r"^(\w+)\n-+\n(.*?)(?=^\w+\n-+\n|\Z)", text, re.DOTALL | re.MULTILINE))
+    assert [*sections] == ["Parameters", "Returns", "Notes", "Examples"]
+    entries = {name: re.findall(r"^(\w+) : (.*)\n    ", sections[name], re.MULTILINE) for name in [*sections][:2]}
+    kind = "float or ndarray"
+    assert entries["Parameters"][:-1] == [(each.name, kind) for each in case.kernel.arguments]
+    assert entries["Returns"] == [(each.name, kind) for each in case.kernel.outputs]
     for each in (*case.kernel.arguments, *case.kernel.outputs):
-        assert f"    {each.name}: {each.meaning}" in text
+        assert each.unit == "1" or f"in {each.unit}" in " ".join(text.split())
     assert f"Accuracy: {case.kernel.ulp} ulp" in text
+
+
+@every_kernel
+def test_the_example_of_a_docstring_is_right(case: Case) -> None:
+    [example] = doctest.DocTestFinder(recurse=False).find(case.function, case.name, globs={})
+    assert doctest.DocTestRunner().run(example) == (0, 2)
+
+
+@every_kernel
+def test_a_generated_module_says_what_the_kernel_declares(case: Case) -> None:
+    said, kernel = specification(case.function), case.kernel
+    assert (said.paper, said.name, said.says, said.ulp) == (case.paper, case.name, kernel.says, kernel.ulp)
+    assert (said.arguments, said.outputs) == (kernel.arguments, kernel.outputs)
+    assert [*said.claims] == [f"{case.paper}:{number}" for number in kernel.claims]
+    assert bool(said.forms) == bool(kernel.accurate)
+
+
+@every_kernel
+def test_the_formula_is_what_numbers_get(case: Case) -> None:
+    """Without the decorator and `math` a formula has no other name than those of its arguments and of `ratios`."""
+    module = ast.parse(case.texts[0])
+    [formula] = [node for node in module.body if isinstance(node, ast.FunctionDef)]
+    names = {node.id for node in ast.walk(formula) if isinstance(node, ast.Name) and isinstance(node.ctx, ast.Load)}
+    assigned = {node.id for node in ast.walk(formula) if isinstance(node, ast.Name) and isinstance(node.ctx, ast.Store)}
+    taken = {each.name for each in case.kernel.arguments}
+    assert names - assigned - taken <= {"math", "kernel", "paths", "Specification", "Argument", "Output", *RUNTIME}
+
+
+def test_stubs_list_the_kernels_with_their_arguments() -> None:
+    for paper in load():
+        stub = ast.parse((kernels.folder() / f"{paper}.pyi").read_text(encoding="utf-8"))
+        listed = [(node.name, node.args) for node in stub.body if isinstance(node, ast.FunctionDef)]
+        assert [name for name, _ in listed[::2]] == [name for name, _ in listed[1::2]] == [*kernels.of_paper(paper)]
+        for name, arguments in listed:
+            said = specification(kernels.find(paper, name))
+            assert [each.arg for each in arguments.args] == [each.name for each in said.arguments]
+
+
+def test_a_renamed_kernel_is_a_type_error(tmp_path: Path) -> None:
+    pytest.importorskip("mypy", reason="mypy is not installed")
+    program = tmp_path / "program.py"
+    program.write_text(
+        "from symcheck.generated import mirer2009\n"
+        "x: float = mirer2009.product_of_axial_moment(1.0)\n"
+        "y: float = mirer2009.bound_at_given_moment(3.0, 2.0, 1.0)\n"
+        "z: float = mirer2009.bound_at_given_moment(3.0, 2.0, 1.0, 2.0)\n",
+        encoding="utf-8",
+    )
+    command = [sys.executable, "-m", "mypy", "--strict", "--cache-dir", str(tmp_path / "cache"), str(program)]
+    root = Path(__file__).parent.parent
+    found = subprocess.run(command, cwd=root, capture_output=True, text=True, timeout=300, check=False)
+    told = [line for line in found.stdout.splitlines() if "error:" in line]
+    assert [line.partition("error: ")[2].split("  [")[1] for line in told] == ["attr-defined]", "call-overload]"]
+    assert 'did you mean "product_of_axial_moments"' in told[0].replace("maybe ", "did you mean ")
 
 
 X = sp.Symbol("x", real=True)

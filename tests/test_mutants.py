@@ -12,8 +12,8 @@ from symcheck import papers
 from symcheck.audit.obligation import expand
 from symcheck.core.verdicts import Role
 from symcheck.reading import Edit
-from symcheck.selftest.statements import Proved, fate, proved, slips
-from symcheck.selftest.trial import Fate
+from symcheck.selftest.statements import Proved, proved, slips, status_of
+from symcheck.selftest.trial import Status
 
 DECLARATIONS, SAMPLE = 5, 8
 PARTS = 8
@@ -40,18 +40,18 @@ def every_slip(key: str) -> list[tuple[Proved, Edit]]:
     return slips_of(decided(key))
 
 
-def run(sample: list[tuple[Proved, Edit]]) -> Counter[Fate]:
-    """Counts by fate; none is accepted."""
-    fates = [(fate(original, edit), f"{original.id} {edit.description}") for original, edit in sample]
-    assert [what for each, what in fates if each is Fate.ACCEPTED] == []
-    return Counter(each for each, _ in fates)
+def run(sample: list[tuple[Proved, Edit]]) -> Counter[Status]:
+    """Counts by status; none is accepted."""
+    statuses = [(status_of(original, edit), f"{original.id} {edit.description}") for original, edit in sample]
+    assert [what for each, what in statuses if each is Status.ACCEPTED] == []
+    return Counter(each for each, _ in statuses)
 
 
 @pytest.mark.parametrize("key", LEAST)
 def test_no_slip_of_a_seeded_sample_is_accepted(key: str) -> None:
     rng = random.Random(55)
     counts = run(rng.sample(slips_of(rng.sample(decided(key), DECLARATIONS)), SAMPLE))
-    assert counts[Fate.REJECTED] >= SAMPLE / 2
+    assert counts[Status.REJECTED] >= SAMPLE / 2
 
 
 def test_every_paper_has_its_slips() -> None:
@@ -64,4 +64,4 @@ def test_every_paper_has_its_slips() -> None:
 def test_no_slip_at_all_is_accepted(key: str, part: int) -> None:
     counts = run(every_slip(key)[part::PARTS])
     print(key, dict(counts))
-    assert counts[Fate.REJECTED] >= LEAST[key] / PARTS
+    assert counts[Status.REJECTED] >= LEAST[key] / PARTS

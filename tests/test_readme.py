@@ -52,7 +52,8 @@ def test_the_readers_own_formulas_are_decided_as_it_is_said(capsys: pytest.Captu
     assert capsys.readouterr().out.splitlines() == ["proved ", "refuted {'x': 3, 'y': 2}"]
 
 
-def test_the_erratum_is_what_is_printed(tmp_path: Path) -> None:
+def test_the_erratum_is_what_is_printed(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("SYMCHECK_CACHE", str(tmp_path / "cache"))
     printed = README.read_text(encoding="utf-8")
     (shown,) = re.findall(r"^```text\n(poloskov2004:.*?)^```", printed, flags=re.DOTALL | re.MULTILINE)
     with (tmp_path / "out").open("w") as file:

@@ -21,13 +21,12 @@ from symcheck.core.verdicts import SymcheckError, Verdict
 from symcheck.ledger.record import Record
 from symcheck.reading import read
 from symcheck.selftest import certificates, engines, forgeries, hypotheses, kernels, methods, statements
-from symcheck.selftest.arguments import arguments
-from symcheck.selftest.connectives import connectives
-from symcheck.selftest.evidence import told_of
+from symcheck.selftest.evidence import ledger_verdict
 from symcheck.selftest.run import Result, classes, run, tasks
+from symcheck.selftest.slips import arguments, connectives, slips_of
 from symcheck.selftest.statements import proved
-from symcheck.selftest.table import FATES
-from symcheck.selftest.trial import Count, Fate, Trial, limits, mixed
+from symcheck.selftest.table import STATUSES
+from symcheck.selftest.trial import Count, Status, Trial, limits, mixed
 
 IDS = (
     "mirer2009:2.12",
@@ -70,11 +69,11 @@ def test_the_same_seed_plants_the_same_and_another_one_something_else() -> None:
 
 def test_the_counts_add_up_in_json() -> None:
     data: Any = json.loads(json.dumps(result().to_json()))
-    for name in (*FATES, "right", "false_rejections"):
+    for name in (*STATUSES, "right", "false_rejections"):
         assert data[name] == sum(each[name] for each in data["classes"].values())
         for each in data["classes"].values():
             assert each[name] == sum(kind[name] for kind in each["kinds"].values())
-    assert data["planted"] == sum(data[name] for name in FATES[1:])
+    assert data["planted"] == sum(data[name] for name in STATUSES[1:])
     assert data["seed"] == 3
 
 
@@ -88,7 +87,7 @@ def test_limits_contain_the_rate_and_shrink_with_the_number() -> None:
 
 
 def test_kinds_take_turns_and_rare_ones_begin() -> None:
-    drawn = list(mixed({"a": ["a"] * 9, "b": ["b"], "c": ["c"] * 9}, Random(0), rare=["b"]))
+    drawn = [member for _, member in mixed({"a": ["a"] * 9, "b": ["b"], "c": ["c"] * 9}, Random(0), rare=["b"])]
     assert drawn[0] == "b"
     assert set(drawn[:3]) == {"a", "b", "c"}
     assert len(drawn) == 19
@@ -97,8 +96,8 @@ def test_kinds_take_turns_and_rare_ones_begin() -> None:
 def test_a_checker_that_holds_everything_true_is_noticed(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(certificates, "holds", lambda certificate, beside=(): True)
     place = json.dumps([[each for record in records() for each in record.certificates], []])
-    fates = [trial.fate for trial in certificates.trials(place, 60, Random(0))]
-    assert Fate.ACCEPTED in fates
+    statuses = [trial.status for trial in certificates.trials(place, 60, Random(0))]
+    assert Status.ACCEPTED in statuses
 
 
 def test_an_audit_that_proves_everything_is_noticed(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -106,72 +105,77 @@ def test_an_audit_that_proves_everything_is_noticed(monkeypatch: pytest.MonkeyPa
     finding = statements.judge(everything.context, everything.unit, everything.given)
     monkeypatch.setattr(statements, "judge", lambda *_: finding)
     monkeypatch.setattr(hypotheses, "judge", lambda *_: finding)
-    assert Fate.ACCEPTED in {trial.fate for trial in statements.trials(IDS[0], 20, Random(0))}
-    assert Fate.ACCEPTED in {trial.fate for trial in hypotheses.trials(IDS[0], 6, Random(0))}
+    assert Status.ACCEPTED in {trial.status for trial in statements.trials(IDS[0], 20, Random(0))}
+    assert Status.ACCEPTED in {trial.status for trial in hypotheses.trials(IDS[0], 6, Random(0))}
 
 
 def test_a_slip_that_the_reader_drops_is_accepted_and_not_equivalent(monkeypatch: pytest.MonkeyPatch) -> None:
     original = proved(IDS[0])[0]
     monkeypatch.setattr(statements, "read", lambda *_: original.unit.tree)
     monkeypatch.setattr(statements.Unit, "reworded", lambda unit, *_: unit)
-    fates = {statements.fate(original, edit) for edit in statements.slips(original) if edit.kind != "equality case"}
-    assert fates == {Fate.ACCEPTED}
+    statuses = {
+        statements.status_of(original, edit) for edit in statements.slips(original) if edit.kind != "equality case"
+    }
+    assert statuses == {Status.ACCEPTED}
 
 
-def test_weaker_and_stronger_statements_have_fates_of_their_own() -> None:
-    def fates(id: str, *words: str) -> list[Fate]:
+def test_weaker_and_stronger_statements_have_a_status_of_their_own() -> None:
+    def statuses(id: str, *words: str) -> list[Status]:
         (original,) = proved(id)
         found = {edit.description: edit for edit in statements.slips(original)}
-        return [statements.fate(original, next(e for text, e in found.items() if word in text)) for word in words]
+        return [statements.status_of(original, next(e for text, e in found.items() if word in text)) for word in words]
 
-    assert fates("mirer2009:2.17", "from left to right only") == [Fate.WEAKER]
-    assert fates("esenkov2006:N.9", r"< -> \le") == [Fate.WEAKER]
-    assert fates("poloskov2004:4.0.10", "both directions") == [Fate.STRONGER]
+    assert statuses("mirer2009:2.17", "from left to right only") == [Status.WEAKER]
+    assert statuses("esenkov2006:N.9", r"< -> \le") == [Status.WEAKER]
+    assert statuses("poloskov2004:4.0.10", "both directions") == [Status.STRONGER]
     assert statements.says_more("poloskov2004:4.0.10")
 
 
 def test_every_kind_of_argument_and_connective_is_changed() -> None:
     notation = proved("poloskov2004:2.4.2")[0].context.notation
-    assert any(edit.kind == "argument" for edit in arguments(read(r"\sin \psi = 0", notation)))
-    kinds = {edit.description.split(" in ")[0] for edit in connectives(read(r"a = 0 \Leftrightarrow k = 0", notation))}
+    assert any(edit.kind == "argument" for edit in slips_of(arguments, read(r"\sin \psi = 0", notation)))
+    equivalence = read(r"a = 0 \Leftrightarrow k = 0", notation)
+    kinds = {edit.description.split(" in ")[0] for edit in slips_of(connectives, equivalence)}
     assert {"from left to right only", "from right to left only"} <= kinds
 
 
 def test_a_checker_that_accepts_all_forged_proofs_is_noticed(monkeypatch: pytest.MonkeyPatch) -> None:
     place = forgeries.CLASS.places(records())[0]
-    honest = Counter(trial.fate for trial in forgeries.trials(place, 40, Random(0)))
-    assert honest[Fate.ACCEPTED] == 0 < honest[Fate.REJECTED]
+    honest = Counter(trial.status for trial in forgeries.trials(place, 40, Random(0)))
+    assert honest[Status.ACCEPTED] == 0 < honest[Status.REJECTED]
     monkeypatch.setattr(certificates, "holds", lambda certificate, beside=(): True)
-    assert Fate.ACCEPTED in {trial.fate for trial in forgeries.trials(place, 40, Random(0))}
+    assert Status.ACCEPTED in {trial.status for trial in forgeries.trials(place, 40, Random(0))}
 
 
 def test_a_ledger_that_believes_its_provers_is_noticed(monkeypatch: pytest.MonkeyPatch) -> None:
     refuted = next(place for place in methods.CLASS.places(records()) if "refuted" in place)
     everything = len(methods.CLASS.kinds)
-    assert {trial.fate for trial in methods.trials(refuted, everything, Random(0))} <= {Fate.REJECTED, Fate.EQUIVALENT}
+    assert {trial.status for trial in methods.trials(refuted, everything, Random(0))} <= {
+        Status.REJECTED,
+        Status.EQUIVALENT,
+    }
     monkeypatch.setattr(checked, "reasons", lambda certificates: [None for _ in certificates])
-    monkeypatch.setattr(checked, "_other_point", lambda _: None)
-    fates = {trial.kind: trial.fate for trial in methods.trials(refuted, everything, Random(0))}
-    assert fates["always yes"] is fates["cache row signed"] is fates["rows relabelled"] is Fate.ACCEPTED
+    statuses = {trial.kind: trial.status for trial in methods.trials(refuted, everything, Random(0))}
+    assert statuses["always yes"] is statuses["cache row signed"] is statuses["rows relabelled"] is Status.ACCEPTED
 
 
 def test_a_comparison_that_is_always_content_is_noticed(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(kernels.Forms, "survives", lambda *_: True)
     place = kernels.CLASS.places(records())[0]
-    assert Fate.ACCEPTED in {trial.fate for trial in kernels.trials(place, 10, Random(0))}
+    assert Status.ACCEPTED in {trial.status for trial in kernels.trials(place, 10, Random(0))}
 
 
 def test_a_single_false_rejection_or_too_many_accepted_faults_are_no_success() -> None:
-    def having(*fates: Fate) -> Result:
+    def having(*statuses: Status) -> Result:
         count = Count()
-        for fate in fates:
-            count.add(Trial("k", "w", fate))
+        for status in statuses:
+            count.add(Trial("k", "w", status))
         return Result(0, {"c": {"k": count}})
 
-    assert having(*[Fate.REJECTED] * 999, Fate.ACCEPTED).is_sound
-    assert not having(*[Fate.REJECTED] * 900, Fate.ACCEPTED).is_sound
-    assert not having(Fate.FALSELY_REJECTED).is_sound
-    assert not replace(having(Fate.REJECTED), unfinished=["x"]).is_sound
+    assert having(*[Status.REJECTED] * 999, Status.ACCEPTED).is_sound
+    assert not having(*[Status.REJECTED] * 900, Status.ACCEPTED).is_sound
+    assert not having(Status.FALSELY_REJECTED).is_sound
+    assert not replace(having(Status.REJECTED), unfinished=["x"]).is_sound
 
 
 def test_three_engines_agree_about_every_refutation_and_notice_a_wrong_one() -> None:
@@ -181,14 +185,14 @@ def test_three_engines_agree_about_every_refutation_and_notice_a_wrong_one() -> 
     assert found.disagreements == []
     refuted = next(each for record in records() for each in record.all_certificates() if each["verdict"] == "refuted")
     wrong = certificates.one("", "", ("claim",), ["=", 1, 1]).of(refuted)
-    assert {engines.refutes(engine, wrong) for engine in engines.ENGINES} == {False}
+    assert {engines.refutes(name, wrong) for name in engines.ENGINES} == {False}
 
 
 def test_hypotheses_that_contradict_one_another_prove_nothing() -> None:
     (original,) = proved("esenkov2006:B.12")
     contraries = [each for h in original.given if (each := hypotheses.contrary(original, h))]
     assert contraries
-    assert {hypotheses.contradicted(original, each) for each in contraries} == {Fate.REJECTED}
+    assert {hypotheses.contradicted(original, each) for each in contraries} == {Status.REJECTED}
 
 
 def test_a_record_tells_the_set_over_which_it_was_shown() -> None:
@@ -211,7 +215,7 @@ def test_a_record_that_leaves_a_hypothesis_out_is_refused() -> None:
 @pytest.mark.slow
 def test_no_inequality_keeps_its_proof_and_its_equality_case_with_another_bound() -> None:
     verdicts = Counter(
-        told_of(changed.context, changed.unit, judge(changed.context, changed.unit, changed.given))
+        ledger_verdict(changed.context, changed.unit, judge(changed.context, changed.unit, changed.given))
         for paper in papers.load().values()
         for each in expand(paper)
         if each.item.equality

@@ -18,11 +18,11 @@ from symcheck.kernels.codegen.target import MARK
 from symcheck.ledger import selftested, store
 from symcheck.ledger.record import Record
 from symcheck.selftest.run import Result
-from symcheck.selftest.trial import Count, Fate
+from symcheck.selftest.trial import Count, Status
 from symcheck.views import figures
 
 RESULT = Result(
-    7, {"signs": {"plus": Count(Counter({Fate.REJECTED: 9, Fate.ACCEPTED: 1}), ["accepted plus: x"])}}
+    7, {"signs": {"plus": Count(Counter({Status.REJECTED: 9, Status.ACCEPTED: 1}), ["accepted plus: x"])}}
 ).to_json()
 
 

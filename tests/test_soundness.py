@@ -12,10 +12,11 @@ from typing import Any
 import pytest
 import soundness
 from forgeries import FORGERIES, by, each, hyp, proved, refuted
-from meaning import Meaning, Smooth
 
 from symcheck.checker import algebra, theorems
 from symcheck.checker.rules import Prover
+from symcheck.coq import meaning
+from symcheck.coq.meaning import Meaning, Smooth
 from symcheck.core.calculus import substituted
 from symcheck.core.fields import raw
 
@@ -173,11 +174,10 @@ def reason(forgery: Any) -> str | None:
 
 
 def test_the_evaluator_shares_nothing_with_the_checker() -> None:
-    folder = Path(__file__).resolve().parent
-    tree = ast.parse((folder / "meaning.py").read_text(encoding="utf-8"))
+    tree = ast.parse(Path(meaning.__file__).read_text(encoding="utf-8"))
     imported = {node.module for node in ast.walk(tree) if isinstance(node, ast.ImportFrom)}
     imported |= {alias.name for node in ast.walk(tree) if isinstance(node, ast.Import) for alias in node.names}
-    assert imported == {"__future__", "collections.abc", "itertools", "mpmath", "typing"}
+    assert imported == {"__future__", "collections.abc", "itertools", "mpmath", "random", "typing"}
 
 
 def test_a_conjunction_is_judged_in_all_its_parts() -> None:

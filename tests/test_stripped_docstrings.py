@@ -2,22 +2,12 @@
 
 from __future__ import annotations
 
-import inspect
 import os
 import subprocess
 import sys
 from pathlib import Path
 
-import pytest
-
-from symcheck import kernels
-from symcheck.audit.kernels import declared
 from symcheck.checker.theorems import NAMES, stated
-from symcheck.numeric.chunked.kernels import declaration
-from symcheck.numeric.wheels import listed_vertices
-from symcheck.papers import load
-
-EVERY = [(paper, name) for paper in load() for name in kernels.load(paper).__all__]
 
 
 def run(root: Path, folder: Path, *arguments: str) -> str:
@@ -27,38 +17,6 @@ def run(root: Path, folder: Path, *arguments: str) -> str:
     )
     assert found.returncode == 0, found.stderr
     return found.stdout
-
-
-@pytest.mark.parametrize(("paper", "name"), EVERY)
-def test_the_module_of_a_kernel_declares_what_the_kernel_does(
-    paper: str, name: str, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    function = getattr(kernels.load(paper), name)
-    monkeypatch.setattr(function, "__doc__", None)
-    found, kernel = declaration(function), declared(paper)[name]
-    for attributes, listed in ((found.arguments, kernel.arguments), (found.results, kernel.outputs)):
-        assert list(attributes) == [each.name for each in listed]
-        assert [each["long_name"] for each in attributes.values()] == [each.meaning for each in listed]
-        assert [each["units"] for each in attributes.values()] == [
-            each.unit.removeprefix("units of ") for each in listed
-        ]
-
-
-def test_every_kernel_is_declared_once() -> None:
-    for paper in load():
-        module = kernels.load(paper)
-        assert sorted(module.DECLARED) == sorted(module.__all__)
-
-
-@pytest.mark.parametrize("doc", [None, "stripped"])
-def test_the_listed_vertices_keep_their_names(doc: str | None, monkeypatch: pytest.MonkeyPatch) -> None:
-    function = kernels.load("ignatov2005").vertices_of_four_wheels
-    expected = listed_vertices(4, 1.0, 0.5)
-    assert list(expected)[:2] == ["V_1", "V_2"]
-    monkeypatch.setattr(function, "__doc__", doc and inspect.cleandoc(function.__doc__))
-    assert {name: place.tolist() for name, place in listed_vertices(4, 1.0, 0.5).items()} == {
-        name: place.tolist() for name, place in expected.items()
-    }
 
 
 def test_what_theorems_say_is_the_same_without_docstrings(root: Path, tmp_path: Path) -> None:

@@ -8,8 +8,10 @@ from typing import Any
 
 import pytest
 import soundness
-from meaning import Meaning, NoValue, Smooth, mp, mpf, unfold
+from mpmath import mp, mpf
+from soundness import unfold
 
+from symcheck.coq.meaning import Meaning, NoValue, Smooth
 from symcheck.core.calculus import Unknown, derivative, differentiated, functions, letters, polynomial_in, substituted
 from symcheck.core.terms import FUNCTIONS, Binder, Call, Malformed, Node, Reader, node
 

@@ -46,8 +46,8 @@ def made(paper: Paper, records: Iterable[Record]) -> tuple[dict[str, Made], list
     known, kernels, proofs = {record.id: record for record in records}, {}, []
     for name, kernel in declared(paper.key).items():
         equal = list(equalities(paper, name, kernel))
-        evidence = f"{_claims(paper, name, kernel, known)} {_forms(equal)}".strip()
-        kernels[name] = Made(kernel, *programs(kernel), evidence)
+        claims = dict(_claims(paper, name, kernel, known))
+        kernels[name] = Made(kernel, *programs(kernel), claims, digest(equal) if equal else "")
         proofs += equal
     return kernels, proofs
 
@@ -75,8 +75,8 @@ def equalities(paper: Paper, name: str, kernel: Kernel) -> Iterator[Certificate]
         yield shown
 
 
-def _claims(paper: Paper, name: str, kernel: Kernel, known: Mapping[str, Record]) -> str:
-    said = []
+def _claims(paper: Paper, name: str, kernel: Kernel, known: Mapping[str, Record]) -> Iterator[tuple[str, str]]:
+    """The relations that a kernel rests on, each with the digest of its certificates."""
     for number in kernel.claims:
         id = f"{paper.key}:{number}"
         links = [record for record in known.values() if record.id == id or record.id.rstrip(ascii_lowercase) == id]
@@ -84,15 +84,10 @@ def _claims(paper: Paper, name: str, kernel: Kernel, known: Mapping[str, Record]
         if wrong or not links:
             state = f"{wrong[0].id}, which is {wrong[0].verdict}" if wrong else f"{id}, which is not declared"
             raise SymcheckError(f"kernel {name} rests on {state}; only what is proved is generated")
-        said.append(f"{id} ({digest(c for record in links for c in record.certificates)})")
-    return f"Rests on {', '.join(said)}."
-
-
-def _forms(equal: list[Certificate]) -> str:
-    return f"The forms computed are proved equal to those shown ({digest(equal)})." if equal else ""
+        yield id, digest(c for record in links for c in record.certificates)
 
 
 def digest(certificates: Iterable[Certificate]) -> str:
     """A short name of some certificates: the beginning of the SHA-256 of their digests."""
     text = " ".join(map(digest_of, certificates))
-    return f"sha256 {hashlib.sha256(text.encode()).hexdigest()[:12]}"
+    return hashlib.sha256(text.encode()).hexdigest()[:12]

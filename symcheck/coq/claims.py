@@ -9,18 +9,18 @@ from dataclasses import dataclass, field
 from symcheck.checker.residues import Reject
 from symcheck.coq.composed import composition
 from symcheck.coq.confirmed import asked
-from symcheck.coq.script import Script
-from symcheck.coq.stated import resting_on, statement
-from symcheck.coq.statements import Statement
-from symcheck.coq.terms import Certificate, NotExported
+from symcheck.coq.script import script
+from symcheck.coq.statements import Statement, statement
+from symcheck.coq.terms import NotExported
 from symcheck.core.calculus import Unknown
 from symcheck.core.terms import Malformed
+from symcheck.core.verdicts import Certificate
 from symcheck.ledger.digests import digest_of
 from symcheck.ledger.record import Record
 
 
 @dataclass
-class Exported:
+class Claim:
     """A statement of Coq with its proof, or the reason why there is none."""
 
     name: str  # of the claim, an identifier
@@ -36,36 +36,36 @@ class Exported:
     after: list[str] = field(default_factory=list)  # the lemmas
 
 
-def exported(records: Iterable[Record]) -> list[Exported]:
+def claims_of(records: Iterable[Record]) -> list[Claim]:
     """All of them in printed order."""
-    found = [each for record in records for each in _of_record(record)]
-    by_id: dict[str, list[Exported]] = {}
-    for each in found:
-        by_id.setdefault(str(each.certificate["id"]), []).append(each)
-    for each in sorted(found, key=lambda each: "lemmas" in each.certificate):
+    claims = [claim for record in records for claim in _of_record(record)]
+    by_id: dict[str, list[Claim]] = {}
+    for claim in claims:
+        by_id.setdefault(str(claim.certificate["id"]), []).append(claim)
+    for claim in sorted(claims, key=lambda claim: "lemmas" in claim.certificate):
         try:
-            _write(each, by_id)
+            _write(claim, by_id)
         except (NotExported, Reject, Unknown, Malformed, RecursionError) as error:
-            each.reason, each.statement = str(error), None
-    return found
+            claim.reason, claim.statement = str(error), None
+    return claims
 
 
-def _of_record(record: Record) -> Iterator[Exported]:
+def _of_record(record: Record) -> Iterator[Claim]:
     stem = re.sub(r"\W", "_", record.id.partition(":")[2])
     for corrected, proofs in asked(record):
-        for k, found in enumerate(proofs, 1):
+        for k, certificate in enumerate(proofs, 1):
             name = f"{stem}{'_corrected' if corrected else ''}{f'_part{k}' if len(proofs) > 1 else ''}"
-            yield Exported(name, record, found, digest_of(found), corrected)
+            yield Claim(name, record, certificate, digest_of(certificate), corrected)
 
 
-def _write(each: Exported, by_id: Mapping[str, list[Exported]]) -> None:
-    certificate, own = each.certificate, statement(each.certificate)
-    script = Script(own)
-    each.script = script.write(certificate)
+def _write(claim: Claim, by_id: Mapping[str, list[Claim]]) -> None:
+    certificate, stated = claim.certificate, statement(claim.certificate)
+    proof = script(stated, certificate)
+    claim.script = proof.text
     if lemmas := certificate.get("lemmas"):
-        step = resting_on(own, script.rests_on())
-        name = f"step_{each.name}"
-        each.step = f"Lemma {name} :\n{step.text()}.\nProof.\n{Script(step).write(certificate)}\nQed."
+        step = stated.resting_on(proof.rests_on)
+        name = f"step_{claim.name}"
+        claim.step = f"Lemma {name} :\n{step.text()}.\nProof.\n{script(step, certificate).text}\nQed."
         earlier = [lemma for id in dict.fromkeys(id for id, _ in lemmas) for lemma in by_id.get(id, ())]
-        own, each.script, each.after = composition(certificate, step, earlier, name)
-    each.statement, each.text = own, own.text()
+        stated, claim.script, claim.after = composition(certificate, step, earlier, name)
+    claim.statement, claim.text = stated, stated.text()

@@ -8,7 +8,6 @@ that does not compile is tried again without the proof at which it stopped, so t
 from __future__ import annotations
 
 import argparse
-import json
 import re
 import shutil
 import subprocess
@@ -18,15 +17,13 @@ from collections.abc import Iterator, Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from itertools import accumulate
 from pathlib import Path
-from typing import Any
 
 from symcheck import kernels
 from symcheck.coq import confirmed
 from symcheck.coq.confirmed import Outcome
+from symcheck.coq.files import OURS, Row, manifest
 from symcheck.ledger.digests import digest
 
-OURS = ("Symcheck.v", "Digits.v", "Theorems.v")
-MANIFEST = "manifest.json"
 MISSING = "coqc is not installed; on Debian: apt-get install coq libcoq-coquelicot"
 NO_COQUELICOT = "the Coq library Coquelicot is not installed; on Debian: apt-get install libcoq-coquelicot"
 STOPPED = re.compile(r"line (\d+), characters.*?\nError:(.*?)(?:\n\n|\Z)", re.DOTALL)
@@ -101,31 +98,31 @@ def checked(folder: Path, file: str, failed: dict[str, str]) -> Iterator[str]:
 
 def confirm(folder: Path, papers: Sequence[str] = (), jobs: int = 1) -> tuple[dict[str, Outcome], list[str]]:
     """Compiles everything, so many files at once; the outcome of each relation, and what went wrong."""
-    manifest = json.loads((folder / MANIFEST).read_text(encoding="utf-8"))
+    entries = manifest(folder)
     failed: dict[str, str] = {}
     out: dict[str, Outcome] = {}
-    chosen = papers or list(manifest)
-    files = [*OURS, *(f"{paper}/{name}.v" for paper in chosen for name in manifest[paper]["files"])]
+    chosen = papers or list(entries)
+    files = [*OURS, *(f"{paper}/{name}.v" for paper in chosen for name in entries[paper]["files"])]
     with ThreadPoolExecutor(jobs) as pool:
         while ready := [file for file in files if not needed(folder, file) & {*files}]:
             for lines in pool.map(lambda file: [*checked(folder, file, failed)], ready):
                 print(*lines, sep="\n", flush=True)
             files = [file for file in files if file not in ready]
     for paper in chosen:
-        out |= {id: _outcome(entry, paper, failed) for id, entry in manifest[paper]["claims"].items()}
+        out |= {id: _outcome(row, paper, failed) for id, row in entries[paper]["claims"].items()}
     return out, [f"{name}: {reason}" for name, reason in failed.items()]
 
 
 def needed(folder: Path, file: str) -> set[str]:
     """The files that a file imports."""
     imported = re.findall(r"^Require Import Symcheck\.([\w.]+)\.$", (folder / file).read_text("utf-8"), re.MULTILINE)
-    return {f"{each.replace('.', '/')}.v" for each in imported}
+    return {f"{name.replace('.', '/')}.v" for name in imported}
 
 
-def _outcome(entry: Mapping[str, Any], paper: str, failed: Mapping[str, str]) -> Outcome:
-    broken = [failed[name] for name in entry["claims"] if name in failed]
+def _outcome(row: Row, paper: str, failed: Mapping[str, str]) -> Outcome:
+    broken = [failed[name] for name in row["claims"] if name in failed]
     broken += [reason for file, reason in failed.items() if file.startswith(f"{paper}/") or file in OURS]
-    return digest(entry["certificates"]), "; ".join(dict.fromkeys([*entry["reasons"], *broken]))
+    return digest(row["certificates"]), "; ".join(dict.fromkeys([*row["reasons"], *broken]))
 
 
 def summary(outcomes: Mapping[str, Outcome]) -> Iterator[str]:
@@ -138,9 +135,9 @@ def summary(outcomes: Mapping[str, Outcome]) -> Iterator[str]:
 
 def unwitnessed(folder: Path, papers: Sequence[str] = ()) -> Iterator[str]:
     """The statements for whose hypotheses no point was found."""
-    manifest = json.loads((folder / MANIFEST).read_text(encoding="utf-8"))
-    for paper in papers or manifest:
-        for reason, names in grouped(manifest[paper]["no witness"]).items():
+    entries = manifest(folder)
+    for paper in papers or entries:
+        for reason, names in grouped(entries[paper]["no witness"]).items():
             yield f"{paper}: {reason}: {', '.join(names)}"
 
 

@@ -8,33 +8,33 @@ from functools import reduce
 from typing import TYPE_CHECKING
 
 from symcheck.coq.assumptions import pattern
-from symcheck.coq.stated import stated
-from symcheck.coq.statements import Statement, premise
-from symcheck.coq.terms import Certificate, Definitions, NotExported, nodes
+from symcheck.coq.statements import Statement, premise, stated
+from symcheck.coq.terms import Definitions, NotExported, nodes
 from symcheck.core.formulas import conjuncts
 from symcheck.core.terms import Connective, Formula, node
+from symcheck.core.verdicts import Certificate
 
 if TYPE_CHECKING:
-    from symcheck.coq.claims import Exported
+    from symcheck.coq.claims import Claim
 
 
 def composition(
-    certificate: Certificate, step: Statement, lemmas: Sequence[Exported], step_name: str
+    certificate: Certificate, step: Statement, lemmas: Sequence[Claim], step_name: str
 ) -> tuple[Statement, str, list[str]]:
     """The statement without the lemmas as premises, its proof, and the names of the lemmas used."""
     assert isinstance(step.conclusion, Connective)
     given, claim = step.conclusion.formulas
-    if any(each.bound for each in nodes(claim)):
+    if any(part.bound for part in nodes(claim)):
         raise NotExported("a letter is bound in a claim that rests on earlier relations")
     force = [formula for formulas in certificate["hypotheses"].values() for formula in formulas]
-    own = dict(certificate["definitions"])
+    defined = dict(certificate["definitions"])
     fitting = [
-        (each, each.statement)
-        for each in lemmas
-        if each.statement
-        and "lemmas" not in each.certificate
-        and all(f in force for formulas in each.certificate["hypotheses"].values() for f in formulas)
-        and all(own.get(x, term) == term for x, term in each.certificate["definitions"])
+        (lemma, lemma.statement)
+        for lemma in lemmas
+        if lemma.statement
+        and "lemmas" not in lemma.certificate
+        and all(f in force for formulas in lemma.certificate["hypotheses"].values() for f in formulas)
+        and all(defined.get(x, term) == term for x, term in lemma.certificate["definitions"])
     ]
     used: dict[str, Statement] = {}
     earlier: Certificate = {}  # what is defined in them
@@ -44,14 +44,14 @@ def composition(
             raise NotExported("an earlier relation that it rests on is not confirmed")
         used[source[0].name] = source[1]
         earlier |= dict(source[0].certificate["definitions"])
-    pairs = [(x, term) for x, term in earlier.items() if x not in own]
-    pairs += [(x, term) for x, term in own.items() if x in earlier or x in step.definitions.terms]
+    pairs = [(x, term) for x, term in earlier.items() if x not in defined]
+    pairs += [(x, term) for x, term in defined.items() if x in earlier or x in step.definitions.terms]
     hypotheses, premises = list(step.hypotheses), list(step.premises)
-    for each in used.values():
+    for lemma in used.values():
         known = [formula for _, formula in hypotheses]
-        hypotheses += [(reference, f) for reference, f in each.hypotheses if f not in known]
-        premises += [divisor for divisor in each.premises if divisor not in premises]
-    spoken = node("and", claim, *(each.conclusion for each in used.values()), given)
+        hypotheses += [(reference, f) for reference, f in lemma.hypotheses if f not in known]
+        premises += [divisor for divisor in lemma.premises if divisor not in premises]
+    spoken = node("and", claim, *(lemma.conclusion for lemma in used.values()), given)
     whole = stated(Definitions(pairs), tuple(hypotheses), spoken)
     whole = replace(whole, premises=tuple(premises), conclusion=claim)
     return whole, _proof(given, step, step_name, whole, used), [*used]
@@ -64,10 +64,10 @@ def _proof(given: Formula, step: Statement, step_name: str, whole: Statement, us
         context.setdefault(shown, f"h{len(context)}'")
         lines.append(f"intros {context[shown]}.")
     facts: dict[Formula, str] = {}
-    for name, each in used.items():
-        names = _pattern(each.conclusion, facts)
-        taken = "destruct" if names[0] == "[" else "pose proof"
-        lines.append(f"{taken} {_applied(f'proof_{name}', each, context)} as {names}.")
+    for name, lemma in used.items():
+        names = _pattern(lemma.conclusion, facts)
+        tactic = "destruct" if names[0] == "[" else "pose proof"
+        lines.append(f"{tactic} {_applied(f'proof_{name}', lemma, context)} as {names}.")
     lines.append(f"exact ({_applied(step_name, step, context)} {_conjunction(given, facts)}).")
     return "\n".join(lines)
 
@@ -75,7 +75,7 @@ def _proof(given: Formula, step: Statement, step_name: str, whole: Statement, us
 def shown_premises(statement: Statement) -> list[str]:
     """The premises as texts: definitions, hypotheses, denominators."""
     hypotheses = [formula for _, formula in statement.hypotheses]
-    return [premise(each) for each in (*statement.equations, *hypotheses, *statement.divided)]
+    return [premise(formula) for formula in (*statement.equations, *hypotheses, *statement.divided)]
 
 
 def _applied(theorem: str, statement: Statement, context: dict[str, str]) -> str:

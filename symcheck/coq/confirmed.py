@@ -1,6 +1,6 @@
 """What Coq says of a record: what `make coq` left in generated/coq, believed of these certificates alone.
 
-The certificates are told by digests of all that is in them. A file has a digest of its own outcomes, too: one that was
+Certificates are identified by digests of their whole text. A file also has a digest of its outcomes: one that was
 changed by hand is refused.
 """
 
@@ -26,7 +26,7 @@ def asked(record: Record) -> Iterator[tuple[bool, list[Certificate]]]:
     """What Coq is asked to confirm: (False, its certificates) of a proved relation, (True, those) of a correction."""
     own = record.certificates if record.verdict is Verdict.PROVED else ()
     for corrected, certificates in ((False, own), (True, record.erratum.certificates if record.erratum else ())):
-        if proofs := [each for each in certificates if each.get("verdict") == Verdict.PROVED]:
+        if proofs := [evidence for evidence in certificates if evidence.get("verdict") == Verdict.PROVED]:
             yield corrected, proofs
 
 
@@ -59,7 +59,7 @@ def _current(record: Record) -> Iterator[tuple[str, str]]:
 
 def files(folder: Path, records: Iterable[Record]) -> dict[str, bytes]:
     """What is to stay in `folder` of the recorded outcomes: those of the certificates that there are now."""
-    current = [(record.paper, *each) for record in records for each in _current(record)]
+    current = [(record.paper, *pair) for record in records for pair in _current(record)]
     out: dict[str, bytes] = {}
     for paper in dict.fromkeys(paper for paper, _, _ in current):
         known = recorded(folder, paper)

@@ -6,17 +6,15 @@ from collections.abc import Callable, Mapping
 from fractions import Fraction
 from functools import reduce
 from math import floor
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import NamedTuple
 
 from mpmath import mp, mpf
 
+from symcheck.coq.assumptions import State
 from symcheck.coq.printing import ATOM, spelled
 from symcheck.coq.terms import NotExported
 from symcheck.coq.values import number, shown_ratio, value
 from symcheck.core.terms import Term, Value, node
-
-if TYPE_CHECKING:
-    from symcheck.coq.script import Script
 
 PLACES = 12  # behind the point, counted from the first digit of a number below 1
 PI = Fraction(31415926535, 10**10), Fraction(31415926536, 10**10)
@@ -37,12 +35,12 @@ def taylor(first: int, terms: int, x: Fraction) -> Fraction:
     return reduce(lambda inner, n: 1 - x * x / (n * (n + 1)) * inner, reversed(steps), Fraction(1))
 
 
-def sine(x: Fraction, above: bool) -> Fraction:
+def sine(x: Fraction, above: bool = False) -> Fraction:
     """Its Taylor polynomial, above or below."""
     return x * taylor(2, 7 + above, x)
 
 
-def cosine(x: Fraction, above: bool) -> Fraction:
+def cosine(x: Fraction, above: bool = False) -> Fraction:
     """Its Taylor polynomial, above or below."""
     return taylor(1, 7 + above, x)
 
@@ -61,8 +59,8 @@ def up(x: Fraction) -> Fraction:
 class Enclosure:
     """Encloses terms one after the other; `known` are proofs of letter = number."""
 
-    def __init__(self, script: Script, known: Mapping[str, tuple[str, Term]]) -> None:
-        self.script, self.known = script, known
+    def __init__(self, state: State, known: Mapping[str, tuple[str, Term]]) -> None:
+        self.state, self.known = state, known
 
     def of(self, term: Term) -> Within:
         """The enclosure of a term, unfolded and without tangents."""
@@ -95,10 +93,10 @@ class Enclosure:
 
     def step(self, lemma: str, text: str, low: Fraction, high: Fraction, *inner: Within) -> Within:
         """One lemma; what it asks of fractions is left to the tactic."""
-        own = self.script.anew("w")
-        proofs = " ".join(each.proof for each in inner)
+        own = self.state.anew("w")
+        proofs = " ".join(one.proof for one in inner)
         ends = f"{shown_ratio(low)} {shown_ratio(high)}"
-        self.script.emit(f"assert ({own} : within ({text}) {ends}) by (apply ({lemma} {ends} {proofs}); fractions).")
+        self.state.emit(f"assert ({own} : within ({text}) {ends}) by (apply ({lemma} {ends} {proofs}); fractions).")
         return Within(own, low, high)
 
     def chain(self, sign: str, first: Term, rest: list[Term]) -> Within:
@@ -127,48 +125,42 @@ class Enclosure:
         return self.step("inverse_in", text, down(1 / found.high), up(1 / found.low), found)
 
     def root(self, term: Value, inner: Within) -> Within:
-        low, high = (exact(mp.sqrt(rough(max(x, Fraction(0))))) for x in inner[1:])
+        low, high = (approximate(mp.sqrt, max(x, Fraction(0))) for x in inner[1:])
         margin = Fraction(1, 10**11)
         return self.step("root_in", spelled(term), max(down(low - margin), Fraction(0)), up(high + margin), inner)
 
     def circular(self, term: Value, inner: Within) -> Within:
         if inner.low < 0 or inner.high > ACUTE:
             raise NotExported("the digits of a function of an angle that is not between 0 and 89.9 degrees")
-        text = spelled(term)
         if term.tag == "sin":
-            return self.step("sine_in", text, down(sine(inner.low, False)), up(sine(inner.high, True)), inner)
-        return self.step("cosine_in", text, down(cosine(inner.high, False)), up(cosine(inner.low, True)), inner)
+            return self.step("sine_in", spelled(term), down(sine(inner.low)), up(sine(inner.high, True)), inner)
+        return self.step("cosine_in", spelled(term), down(cosine(inner.high)), up(cosine(inner.low, True)), inner)
 
     def angle(self, term: Value, inner: Within) -> Within:
-        mp.dps = 30
-        function = {"arctan": mp.atan, "arcsin": mp.asin, "arccos": mp.acos}[term.tag]
+        lemma, function = ANGLES[term.tag]
         if inner.low < 0 or (term.tag != "arctan" and inner.high > 1):
             raise NotExported("the digits of an angle that is not acute")
-        ends = sorted(exact(function(rough(x))) for x in inner[1:])
+        ends = sorted(approximate(function, x) for x in inner[1:])
         margin = Fraction(1, 10**10)
         low, high = max(down(ends[0] - margin), Fraction(0)), up(ends[1] + margin)
         if high > ACUTE:
             raise NotExported("the digits of an angle near 90 degrees")
-        return self.step(ANGLES[term.tag], spelled(term), low, high, inner)
+        return self.step(lemma, spelled(term), low, high, inner)
 
 
-ANGLES = {"arctan": "arctangent_in", "arcsin": "arcsine_in", "arccos": "arccosine_in"}
+ANGLES = {
+    "arctan": ("arctangent_in", mp.atan),
+    "arcsin": ("arcsine_in", mp.asin),
+    "arccos": ("arccosine_in", mp.acos),
+}
 FUNCTIONS: dict[str, Callable[[Enclosure, Value, Within], Within]] = {
     "sqrt": Enclosure.root,
-    "sin": Enclosure.circular,
-    "cos": Enclosure.circular,
-    "arctan": Enclosure.angle,
-    "arcsin": Enclosure.angle,
-    "arccos": Enclosure.angle,
+    **dict.fromkeys(("sin", "cos"), Enclosure.circular),
+    **dict.fromkeys(ANGLES, Enclosure.angle),
 }
 
 
-def rough(x: Fraction) -> Any:
-    """A fraction with 30 digits."""
-    mp.dps = 30
-    return mpf(x.numerator) / x.denominator
-
-
-def exact(x: Any) -> Fraction:
-    """A number as a fraction with 15 places."""
-    return Fraction(int(mp.floor(x * 10**15)), 10**15)
+def approximate(function: Callable[[mpf], mpf], x: Fraction) -> Fraction:
+    """The value of a function with 15 places."""
+    with mp.workdps(30):
+        return Fraction(int(mp.floor(function(mpf(x.numerator) / x.denominator) * 10**15)), 10**15)

@@ -5,85 +5,97 @@ from __future__ import annotations
 import json
 from collections.abc import Iterator, Mapping, Sequence
 from importlib.resources import files as resources
+from pathlib import Path
 from textwrap import fill
-from typing import Any
+from typing import TypedDict
 
 from symcheck.coq import confirmed
-from symcheck.coq.claims import Exported, exported
+from symcheck.coq.claims import Claim, claims_of
 from symcheck.coq.statements import WIDTH
 from symcheck.coq.witnesses import witnesses
 from symcheck.ledger.record import Record
 
 PART = 120_000  # characters of proof scripts in a file: under a minute for Coq
+OURS = ("Symcheck.v", "Digits.v", "Theorems.v")
 LIBRARIES = "Require Import Reals.\nFrom Coquelicot Require Import Coquelicot.\n"
 SCOPE = "Open Scope R_scope.\n"
 MANIFEST = "manifest.json"
 
 
+class Row(TypedDict):
+    """What Coq is asked of a relation: its claims in Coq, the certificates, and reasons if it has no claim."""
+
+    claims: list[str]
+    certificates: list[str]
+    reasons: list[str]
+
+
+Entry = TypedDict("Entry", {"files": list[str], "claims": dict[str, Row], "no witness": dict[str, str]})
+
+
+def manifest(folder: Path) -> dict[str, Entry]:
+    """What was exported to a folder, by paper."""
+    entries: dict[str, Entry] = json.loads((folder / MANIFEST).read_text(encoding="utf-8"))
+    return entries
+
+
 def files(records: Sequence[Record]) -> Mapping[str, str]:
-    """The text of each file by its name: Symcheck.v, a folder per paper, and the manifest."""
+    """The text of each file by its name: the libraries, a folder per paper, and the manifest."""
     papers: dict[str, list[Record]] = {}
     for record in records:
         papers.setdefault(record.paper, []).append(record)
-    own = resources(__package__)
-    out = {name: own.joinpath(name).read_text(encoding="utf-8") for name in ("Symcheck.v", "Digits.v", "Theorems.v")}
-    listed: dict[str, Any] = {}
+    folder = resources(__package__)
+    out = {name: folder.joinpath(name).read_text(encoding="utf-8") for name in OURS}
+    entries: dict[str, Entry] = {}
     for paper, rows in papers.items():
-        found = exported(rows)
+        claims = claims_of(rows)
+        out[f"{paper}/Claims.v"] = claims_file(paper, claims)
+        parts = {f"Proofs{k}": part for k, part in enumerate(_parts(claims), 1)}
         places: dict[str, str] = {}
-        parts = [f"Proofs{k}" for k in range(1, len(list(_parts(found))) + 1)]
-        out[f"{paper}/Claims.v"] = claims_file(paper, found)
-        for name, part in zip(parts, _parts(found), strict=True):
+        for name, part in parts.items():
             out[f"{paper}/{name}.v"] = proofs_file(paper, part, places)
-            places |= {each.name: name for each in part}
-        out[f"{paper}/Witnesses.v"], unwitnessed = witnesses(found)
-        listed[paper] = {
-            "files": ["Claims", *parts, "Witnesses"],
-            "claims": _listed(found),
-            "no witness": unwitnessed,
-        }
-    out[MANIFEST] = json.dumps(listed, indent=1, ensure_ascii=False) + "\n"
+            places |= {claim.name: name for claim in part}
+        out[f"{paper}/Witnesses.v"], missing = witnesses(claims)
+        entries[paper] = {"files": ["Claims", *parts, "Witnesses"], "claims": _rows(claims), "no witness": missing}
+    out[MANIFEST] = json.dumps(entries, indent=1, ensure_ascii=False) + "\n"
     return out
 
 
-def _listed(found: Sequence[Exported]) -> dict[str, Any]:
-    """By the key of what Coq is asked: its claims in Coq, the certificates, and reasons if it has no claim."""
-    out: dict[str, Any] = {}
-    for each in found:
-        entry = out.setdefault(confirmed.key(each.record, each.corrected), _empty())
-        entry["certificates"].append(each.digest)
-        if each.statement is None:
-            entry["reasons"] = list(dict.fromkeys([*entry["reasons"], each.reason]))
-        else:
-            entry["claims"].append(each.name)
-    return out
+def _rows(claims: Sequence[Claim]) -> dict[str, Row]:
+    """By the key of what Coq is asked."""
+    rows: dict[str, Row] = {}
+    for claim in claims:
+        key = confirmed.key(claim.record, claim.corrected)
+        row = rows.setdefault(key, {"claims": [], "certificates": [], "reasons": []})
+        row["certificates"].append(claim.digest)
+        if claim.statement is not None:
+            row["claims"].append(claim.name)
+        elif claim.reason not in row["reasons"]:
+            row["reasons"].append(claim.reason)
+    return rows
 
 
-def _empty() -> dict[str, list[str]]:
-    return {"claims": [], "certificates": [], "reasons": []}
-
-
-def claims_file(paper: str, found: Sequence[Exported]) -> str:
+def claims_file(paper: str, claims: Sequence[Claim]) -> str:
     """The statements in printed order, each below what is printed."""
     lines = [f"(* {paper}: what is confirmed. Made by `symcheck export --format coq`. *)\n", LIBRARIES + SCOPE]
-    seen = ""
-    for each in found:
-        title = f"{each.record.id}{' as corrected' if each.corrected else ''}"
-        if title != seen:
-            lines.append(f"(* {title}\n{printed_form(each)} *)")
-            seen = title
-        if each.statement is None:
-            lines.append(f"(* {each.name} is not stated here: {comment(each.reason)}. *)\n")
+    last = ""
+    for claim in claims:
+        title = f"{claim.record.id}{' as corrected' if claim.corrected else ''}"
+        if title != last:
+            lines.append(f"(* {title}\n{printed_form(claim)} *)")
+            last = title
+        if claim.statement is None:
+            lines.append(f"(* {claim.name} is not stated here: {comment(claim.reason)}. *)\n")
         else:
-            lines.append(f"Definition claim_{each.name} : Prop :=\n{each.text}.\n")
+            lines.append(f"Definition claim_{claim.name} : Prop :=\n{claim.text}.\n")
     return "\n".join(lines)
 
 
-def printed_form(each: Exported) -> str:
+def printed_form(claim: Claim) -> str:
     """What is printed, for a comment."""
-    record = each.record
-    shown = record.corrected if each.corrected else record.printed or record.words
-    texts = [comment(shown), *([f"read as: {comment(record.read)}"] if record.read not in ("", record.printed) else [])]
+    record = claim.record
+    texts = [comment(record.corrected if claim.corrected else record.printed or record.words)]
+    texts += [f"read as: {comment(record.read)}"] if record.read not in ("", record.printed) else []
     return "\n".join(fill(text, WIDTH, initial_indent="   ", subsequent_indent="   ") for text in texts)
 
 
@@ -92,57 +104,55 @@ def comment(text: str) -> str:
     return " ".join(text.split()).replace("(*", "( *").replace("*)", "* )").replace('"', "''")
 
 
-def _ordered(found: Sequence[Exported]) -> Iterator[Exported]:
+def _ordered(claims: Sequence[Claim]) -> list[Claim]:
     """Lemmas before what rests on them, and what is stated twice together, as it is proved once."""
-    by_name = {each.name: each for each in found if each.statement is not None}
-    done: set[str] = set()
-    alike: dict[str, list[Exported]] = {}
-    for each in by_name.values():
-        alike.setdefault(each.text, []).append(each)
+    by_name = {claim.name: claim for claim in claims if claim.statement is not None}
+    by_text: dict[str, list[Claim]] = {}
+    for claim in by_name.values():
+        by_text.setdefault(claim.text, []).append(claim)
+    ordered: dict[str, Claim] = {}
 
-    def visit(each: Exported) -> Iterator[Exported]:
-        if each.name not in done:
-            for lemma in each.after:
-                yield from visit(by_name[lemma])
-            done.add(each.name)
-            yield each
+    def add(claim: Claim) -> None:
+        if claim.name not in ordered:
+            for lemma in claim.after:
+                add(by_name[lemma])
+            ordered[claim.name] = claim
 
-    for each in by_name.values():
-        for same in alike[each.text]:
-            yield from visit(same)
+    for claim in by_name.values():
+        for same in by_text[claim.text]:
+            add(same)
+    return [*ordered.values()]
 
 
-def _parts(found: Sequence[Exported]) -> Iterator[list[Exported]]:
-    part: list[Exported] = []
+def _parts(claims: Sequence[Claim]) -> Iterator[list[Claim]]:
+    part: list[Claim] = []
     size, texts = 0, set()
-    for each in _ordered(found):
-        own = 0 if each.text in texts else len(each.script) + len(each.step)
-        texts.add(each.text)
-        if part and size + own > PART:
+    for claim in _ordered(claims):
+        length = 0 if claim.text in texts else len(claim.script) + len(claim.step)
+        texts.add(claim.text)
+        if part and size + length > PART:
             yield part
             part, size = [], 0
-        part.append(each)
-        size += own
+        part.append(claim)
+        size += length
     if part:
         yield part
 
 
-def proofs_file(paper: str, part: Sequence[Exported], places: Mapping[str, str]) -> str:
+def proofs_file(paper: str, part: Sequence[Claim], places: Mapping[str, str]) -> str:
     """A proof of each claim, and at the end what all of them together assume; lemmas are in `places`."""
-    earlier = sorted({places[lemma] for each in part for lemma in each.after if lemma in places})
-    imports = [
-        "Symcheck.Symcheck",
-        "Symcheck.Digits",
-        "Symcheck.Theorems",
-        *(f"Symcheck.{paper}.{name}" for name in ("Claims", *earlier)),
-    ]
-    lines = ["Require Import Lra.\n" + LIBRARIES + "".join(f"Require Import {name}.\n" for name in imports) + SCOPE]
-    shown: dict[str, str] = {}
-    for each in part:
-        same = shown.setdefault(each.text, each.name)
-        script = f"unfold claim_{each.name}.\n{each.script}" if same == each.name else f"exact proof_{same}."
-        step = f"{each.step}\n\n" if each.step and same == each.name else ""
-        lines.append(f"{step}Theorem proof_{each.name} : claim_{each.name}.\nProof.\n{script}\nQed.\n")
-    used = "\n".join(f"pose proof proof_{each.name}." for each in part)
+    earlier = sorted({places[lemma] for claim in part for lemma in claim.after if lemma in places})
+    modules = [name.removesuffix(".v") for name in OURS]
+    modules += [f"{paper}.{name}" for name in ("Claims", *earlier)]
+    imports = "".join(f"Require Import Symcheck.{name}.\n" for name in modules)
+    lines = [f"Require Import Lra.\n{LIBRARIES}{imports}{SCOPE}"]
+    proved: dict[str, str] = {}
+    for claim in part:
+        same = proved.setdefault(claim.text, claim.name)
+        script, step = f"exact proof_{same}.", ""
+        if same == claim.name:
+            script, step = f"unfold claim_{same}.\n{claim.script}", f"{claim.step}\n\n" if claim.step else ""
+        lines.append(f"{step}Theorem proof_{claim.name} : claim_{claim.name}.\nProof.\n{script}\nQed.\n")
+    used = "\n".join(f"pose proof proof_{claim.name}." for claim in part)
     lines.append(f"Lemma everything : True.\nProof.\n{used}\nexact I.\nQed.\n\nPrint Assumptions everything.\n")
     return "\n".join(lines)

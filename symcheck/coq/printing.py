@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from symcheck.coq.terms import NotExported
-from symcheck.core.terms import Binder, Call, Connective, End, Node, Quantified, Relation, Term, Value
+from dataclasses import dataclass
 
-RELATIONS = {"=": "=", "!=": "<>", "<": "<", "<=": "<=", ">": ">", ">=": ">="}
+from symcheck.coq.terms import NotExported
+from symcheck.core.terms import RELATIONS, Binder, Call, Connective, End, Node, Quantified, Term, Value
+
 FUNCTIONS = {
     "sin": "sin", "cos": "cos", "tan": "tan", "sqrt": "sqrt", "exp": "exp", "log": "ln",
     "arctan": "atan", "arcsin": "asin", "arccos": "acos", "pow": "Rpower",
@@ -18,6 +19,15 @@ TAKEN = frozenset((
 ))  # fmt: skip
 ATOM, APPLIED, POWER, MINUS, TIMES, PLUS = 0, 10, 30, 35, 40, 50  # levels of Coq's operators
 COMPARED, AND, OR, IFF, IMPLIES, BINDS = 70, 80, 85, 95, 99, 200
+
+
+INFIX = {  # the sign, its level, and up to which levels the first operand and the others need no brackets
+    "*": ("*", TIMES, TIMES, TIMES - 1), "/": ("/", TIMES, TIMES, TIMES - 1), "and": ("/\\", AND, AND - 1, AND - 1),
+    "or": ("\\/", OR, OR - 1, OR - 1), "<=>": ("<->", IFF, IFF - 1, IFF - 1),
+    "=>": ("->", IMPLIES, IMPLIES - 1, IMPLIES),
+    **{sign: ("<>" if sign == "!=" else sign, COMPARED, PLUS, PLUS) for sign in RELATIONS},
+}  # fmt: skip
+WORDS = {"pi": "PI", "and": "True", "or": "False"}  # of nodes without parts
 
 
 def name(letter: str) -> str:
@@ -35,45 +45,49 @@ def spelled(tree: Term, level: int = BINDS) -> str:
     return Printer(subtracts=False).text(tree, level)
 
 
+@dataclass(frozen=True)
 class Printer:
-    """Prints terms; some letters may stand for whole numbers."""
+    """Prints terms and formulas; some letters may stand for whole numbers."""
 
-    def __init__(self, subtracts: bool = True, whole: tuple[str, ...] = ()) -> None:
-        self.subtracts, self.whole = subtracts, whole
+    subtracts: bool = True
+    whole: tuple[str, ...] = ()
 
     def text(self, tree: Term, level: int = BINDS) -> str:
         """A term or formula, in brackets if it binds more loosely than the level."""
-        text, own = self._formula(tree) if isinstance(tree, (Relation, Connective, Quantified)) else self._term(tree)
+        text, own = self._with_level(tree)
         return text if own <= level else f"({text})"
 
-    def _term(self, term: Term) -> tuple[str, int]:
-        match term:
+    def _with_level(self, tree: Term) -> tuple[str, int]:
+        match tree:
             case int():
-                return (str(term), ATOM) if term >= 0 else (f"- {-term}", MINUS)
+                return (str(tree), ATOM) if tree >= 0 else (f"- {-tree}", MINUS)
             case str():
-                return (f"IZR {term}", APPLIED) if term in self.whole else (name(term), ATOM)
-            case Value(tag="pi"):
-                return "PI", ATOM
+                return (f"IZR {tree}", APPLIED) if tree in self.whole else (name(tree), ATOM)
             case Value(tag="+", terms=(first, *rest)):
                 return " ".join([self.text(first, PLUS), *map(self._addend, rest)]), PLUS
             case Value(tag="-", terms=(inner,)):
                 return f"- {self.text(inner, POWER)}", MINUS
-            case Value(tag="*", terms=(first, *rest)):
-                return " * ".join([self.text(first, TIMES), *(self.text(t, TIMES - 1) for t in rest)]), TIMES
-            case Value(tag="/", terms=(top, bottom)):
-                return f"{self.text(top, TIMES)} / {self.text(bottom, TIMES - 1)}", TIMES
             case Value(tag="^", terms=(base, int(n))):
                 power = f"{self.text(base, APPLIED)} ^ {abs(n)}"
                 return (power, POWER) if n >= 0 else (f"/ {power}", MINUS)
             case Value(tag="^", terms=(base, str(n))):
-                return f"powerRZ {self.text(base, APPLIED - 1)} {n}", APPLIED
+                return f"{self._applied('powerRZ', base)} {n}", APPLIED
             case Value(tag=function, terms=arguments) if function in FUNCTIONS:
                 return self._applied(FUNCTIONS[function], *arguments), APPLIED
             case Call(function=function, orders=orders, terms=arguments) if not any(orders):
                 return self._applied(name(function), *arguments), APPLIED
-            case Binder(body=body, letter=x, outside=rest):
-                return self._binder(term.tag, f"(fun {name(x)} => {self.text(body)})", rest)
-        raise NotExported(reason(term))
+            case Binder():
+                return self._binder(tree)
+            case Quantified(tag=kind, bound=bound, body=body):
+                return f"{kind} {' '.join(map(name, bound))} : R, {self.text(body)}", BINDS
+            case Connective(tag="and" | "or", formulas=(only,)):
+                return self._with_level(only)
+            case Node(tag=tag, outside=(first, *rest)) if tag in INFIX:
+                sign, level, left, right = INFIX[tag]
+                return f" {sign} ".join([self.text(first, left), *(self.text(part, right) for part in rest)]), level
+            case Node(tag=tag, outside=()) if tag in WORDS:
+                return WORDS[tag], ATOM
+        raise NotExported(reason(tree))
 
     def _addend(self, term: Term) -> str:
         match term:
@@ -84,8 +98,9 @@ class Printer:
     def _applied(self, function: str, *arguments: Term) -> str:
         return " ".join([function, *(self.text(t, APPLIED - 1) for t in arguments)])
 
-    def _binder(self, tag: str, function: str, rest: tuple[Term, ...]) -> tuple[str, int]:
-        match tag, *rest:
+    def _binder(self, term: Binder) -> tuple[str, int]:
+        function = f"(fun {name(term.letter)} => {self.text(term.body)})"
+        match term.tag, *term.outside:
             case "diff", 1, place:
                 return self._applied(f"Derive {function}", place), APPLIED
             case "diff", order, place:
@@ -94,26 +109,7 @@ class Printer:
                 return f"RInt {function} 0 (2 * PI) / (2 * PI)", TIMES
             case "integral", low, high:
                 return self._applied(f"RInt {function}", low, high), APPLIED
-            case "diverges", *_:
-                raise NotExported("the convergence of an improper integral is not stated in Coq")
-        raise NotExported(f"the binder {tag}")
-
-    def _formula(self, formula: Node) -> tuple[str, int]:
-        match formula:
-            case Relation(tag=sign, terms=(left, right)):
-                return f"{self.text(left, PLUS)} {RELATIONS[sign]} {self.text(right, PLUS)}", COMPARED
-            case Connective(tag="and" | "or", formulas=(only,)):
-                return self._formula(only)
-            case Connective(tag="and" | "or" as kind, formulas=parts):
-                own, sign, empty = (AND, r" /\ ", "True") if kind == "and" else (OR, r" \/ ", "False")
-                return (sign.join(self.text(t, own - 1) for t in parts), own) if parts else (empty, ATOM)
-            case Connective(tag="=>", formulas=(first, second)):
-                return f"{self.text(first, IMPLIES - 1)} -> {self.text(second, IMPLIES)}", IMPLIES
-            case Connective(formulas=(first, second)):
-                return f"{self.text(first, IFF - 1)} <-> {self.text(second, IFF - 1)}", IFF
-            case Quantified(tag=kind, bound=bound, body=body):
-                return f"{kind} {' '.join(map(name, bound))} : R, {self.text(body)}", BINDS
-        raise AssertionError(formula)
+        raise NotExported(reason(term))
 
 
 def reason(term: Term) -> str:
@@ -125,4 +121,8 @@ def reason(term: Term) -> str:
             return "Euler's gamma function is not in Coq's libraries"
         case Call():
             return "a derivative of an unknown function is not stated in Coq"
+        case Binder(tag="diverges"):
+            return "the convergence of an improper integral is not stated in Coq"
+        case Binder():
+            return f"the binder {term.tag}"
     return f"the term {term!r}"

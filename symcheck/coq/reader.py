@@ -3,21 +3,52 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from functools import cache
+from typing import NamedTuple
+
+from lark import Lark, Token, Transformer, v_args
 
 from symcheck.core.terms import Connective, Formula, Node, Quantified, Term, node
 
-TOKEN = re.compile(r"\s*(\(\*|<->|->|=>|<=|>=|<>|/\\|\\/|[A-Za-z_][\w']*|\d+|[()+\-*/^=<>:,.])")
 CLAIM = re.compile(r"^Definition claim_(\w+) : Prop :=\n(.*?)\.\n$", re.DOTALL | re.MULTILINE)
-RELATIONS = {"=": "=", "<>": "!=", "<": "<", "<=": "<=", ">": ">", ">=": ">="}
+GRAMMAR = r"""
+?formula: iff | iff "->" formula -> implies | FORALL binders "," formula -> quantified | exists
+?iff: or | or "<->" or -> equivalent
+?or: and | and "\\/" or -> either
+?and: relation | relation "/\\" (and | exists) -> both
+?exists: EXISTS binders "," formula -> quantified
+?relation: sum | sum SIGN sum -> related
+?sum: product | sum "+" product -> plus | sum "-" product -> minus
+?product: signed | product "*" signed -> times | product "/" signed -> over
+?signed: power | "-" signed -> opposite | "/" signed -> inverse
+?power: applied | applied "^" NUMBER -> raised
+?applied: atom | NAME atom+ -> applied
+?atom: NUMBER -> number | NAME -> letter | "(" formula ")" | "(" "fun" NAME "=>" sum ")" -> function
+binders: ("(" typed ")")* typed | ("(" typed ")")+
+typed: NAME+ ":" type
+type: "R" | "R" "->" type -> arrow
+FORALL: "forall"
+EXISTS: "exists"
+SIGN: "=" | "<>" | "<=" | ">=" | "<" | ">"
+NAME: /[A-Za-z]\w*'*/
+NUMBER: /\d+/
+%ignore /\s+/
+"""
 UNARY = {"sin": "sin", "cos": "cos", "tan": "tan", "sqrt": "sqrt", "exp": "exp", "ln": "log", "atan": "arctan",
          "asin": "arcsin", "acos": "arccos"}  # fmt: skip
 WORDS = {"True": node("and"), "False": node("or"), "PI": node("pi")}
 
 
+class Function(NamedTuple):
+    """What "fun x => t" is read as."""
+
+    letter: str
+    body: Term
+
+
 def claims(text: str) -> dict[str, tuple[list[str], list[Formula], Formula]]:
     """By its name each statement of a Claims.v: (letters, premises, conclusion)."""
-    return {name: _stated(Reader(body).whole()) for name, body in CLAIM.findall(text)}
+    return {name: _stated(formula(body)) for name, body in CLAIM.findall(text)}
 
 
 def _stated(formula: Formula) -> tuple[list[str], list[Formula], Formula]:
@@ -31,6 +62,18 @@ def _stated(formula: Formula) -> tuple[list[str], list[Formula], Formula]:
     return bound, premises, formula
 
 
+def formula(text: str) -> Formula:
+    """A statement of Coq as a formula."""
+    result = Nodes().transform(_parser().parse(uncommented(text)))
+    assert isinstance(result, Node)
+    return result
+
+
+@cache
+def _parser() -> Lark:
+    return Lark(GRAMMAR, start="formula", parser="lalr")
+
+
 def uncommented(text: str) -> str:
     """The text without its comments, which may be nested."""
     out, depth = [], 0
@@ -41,175 +84,85 @@ def uncommented(text: str) -> str:
     return "".join(out)
 
 
-def tokens(text: str) -> Iterator[str]:
-    """The words and signs of a formula."""
-    at, text = 0, text.strip()
-    while at < len(text):
-        found = TOKEN.match(text, at)
-        if found is None:
-            raise ValueError(f"unknown text {text[at : at + 20]!r}")
-        yield found[1]
-        at = found.end()
-
-
-class Reader:
-    """One formula, by recursive descent; each method reads what binds at least as tightly as its name says."""
-
-    def __init__(self, text: str) -> None:
-        self.tokens = [*tokens(uncommented(text)), ""]
-        self.at = 0
-        self.functions: dict[str, int] = {}  # unknown ones, with the numbers of their arguments
-
-    def whole(self) -> Formula:
-        formula = self.implication()
-        self.take("")
-        assert isinstance(formula, Node)
-        return formula
-
-    def peek(self) -> str:
-        return self.tokens[self.at]
-
-    def take(self, *expected: str) -> str:
-        found = self.tokens[self.at]
-        if expected and found not in expected:
-            raise ValueError(f"{found!r} instead of {' or '.join(map(repr, expected))}")
-        self.at += 1
-        return found
-
-    def implication(self) -> Term:
-        if self.peek() in ("forall", "exists"):
-            kind, names = self.take(), []
-            while self.peek() == "(":
-                names += self.binders()
-            if self.peek() != ",":
-                names += self.typed()
-            self.take(",")
-            return node(kind, tuple(names), self.implication())
-        left = self.equivalence()
-        if self.peek() != "->":
-            return left
-        self.take("->")
-        return node("=>", left, self.implication())
-
-    def binders(self) -> list[str]:
-        """Letters, or a function, in brackets."""
-        self.take("(")
-        names = self.typed()
-        self.take(")")
-        return names
-
-    def typed(self) -> list[str]:
-        """Letters, or the names of functions, and their type."""
-        names: list[str] = []
-        while self.peek() != ":":
-            names.append(letter(self.take()))
-        self.take(":"), self.take("R")
-        while self.peek() == "->":
-            self.take("->"), self.take("R")
-            self.functions |= {function: self.functions.get(function, 0) + 1 for function in names}
-        return names
-
-    def equivalence(self) -> Term:
-        left = self.disjunction()
-        if self.peek() != "<->":
-            return left
-        self.take("<->")
-        return node("<=>", left, self.disjunction())
-
-    def disjunction(self) -> Term:
-        left = self.conjunction()
-        if self.peek() != "\\/":
-            return left
-        self.take("\\/")
-        return node("or", left, self.disjunction())
-
-    def conjunction(self) -> Term:
-        left = self.relation()
-        if self.peek() != "/\\":
-            return left
-        self.take("/\\")
-        return node("and", left, self.implication() if self.peek() == "exists" else self.conjunction())
-
-    def relation(self) -> Term:
-        left = self.sum()
-        if self.peek() not in RELATIONS:
-            return left
-        return node(RELATIONS[self.take()], left, self.sum())
-
-    def sum(self) -> Term:
-        total = self.product()
-        while self.peek() in ("+", "-"):
-            sign, term = self.take(), self.product()
-            total = node("+", total, term if sign == "+" else node("-", term))
-        return total
-
-    def product(self) -> Term:
-        total = self.signed()
-        while self.peek() in ("*", "/"):
-            total = node(self.take(), total, self.signed())
-        return total
-
-    def signed(self) -> Term:
-        match self.peek():
-            case "-":
-                self.take()
-                return node("-", self.signed())
-            case "/":
-                self.take()
-                return node("/", 1, self.signed())
-        return self.power()
-
-    def power(self) -> Term:
-        base = self.applied()
-        if self.peek() != "^":
-            return base
-        self.take("^")
-        return node("^", base, int(self.take()))
-
-    def applied(self) -> Term:
-        head = self.peek()
-        if head in UNARY:
-            self.take()
-            return node(UNARY[head], self.atom())
-        if head == "Rpower":
-            self.take()
-            return node("pow", self.atom(), self.atom())
-        if head in ("Derive", "Derive_n"):
-            self.take()
-            x, body = self.function()
-            order = int(self.take()) if head == "Derive_n" else 1
-            return node("diff", body, x, order, self.atom())
-        if head == "RInt":
-            self.take()
-            x, body = self.function()
-            return node("integral", body, x, self.atom(), self.atom())
-        if letter(head) in self.functions:
-            function = letter(self.take())
-            arguments = [self.atom() for _ in range(self.functions[function])]
-            return node("call", function, (0,) * len(arguments), *arguments)
-        return self.atom()
-
-    def function(self) -> tuple[str, Term]:
-        self.take("("), self.take("fun")
-        x = letter(self.take())
-        self.take("=>")
-        body = self.sum()
-        self.take(")")
-        return x, body
-
-    def atom(self) -> Term:
-        found = self.take()
-        if found == "(":
-            inner = self.implication()
-            self.take(")")
-            return inner
-        if found.isdigit():
-            return int(found)
-        if not re.fullmatch(r"[A-Za-z][\w']*", found):
-            raise ValueError(f"{found!r} instead of a letter")
-        return WORDS[found] if found in WORDS else letter(found)
-
-
 def letter(name: str) -> str:
     """A letter of a paper; one that means something to Coq is written with a prime."""
     return name.removesuffix("'")
+
+
+def _binary(tag: str) -> staticmethod[[Term, Term], Term]:
+    return staticmethod(lambda left, right: node(tag, left, right))
+
+
+@v_args(inline=True)
+class Nodes(Transformer[Token, Term]):
+    """The node of each rule of the grammar; functions are known from the binders in front of them."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.functions: dict[str, int] = {}  # unknown ones, with the numbers of their arguments
+
+    implies, equivalent, either, both = map(_binary, ("=>", "<=>", "or", "and"))
+    plus, times, over = map(_binary, "+*/")
+
+    def minus(self, left: Term, right: Term) -> Term:
+        return node("+", left, node("-", right))
+
+    def opposite(self, term: Term) -> Term:
+        return node("-", term)
+
+    def inverse(self, term: Term) -> Term:
+        return node("/", 1, term)
+
+    def raised(self, base: Term, exponent: Token) -> Term:
+        return node("^", base, int(exponent))
+
+    def related(self, left: Term, sign: Token, right: Term) -> Term:
+        return node("!=" if sign == "<>" else str(sign), left, right)
+
+    def number(self, digits: Token) -> Term:
+        return int(digits)
+
+    def letter(self, name: Token) -> Term:
+        return WORDS[name] if name in WORDS else letter(name)
+
+    def function(self, x: Token, body: Term) -> Function:
+        return Function(letter(x), body)
+
+    def quantified(self, kind: Token, bound: tuple[str, ...], body: Term) -> Term:
+        return node(str(kind), bound, body)
+
+    def binders(self, *groups: tuple[str, ...]) -> tuple[str, ...]:
+        return sum(groups, ())
+
+    def typed(self, *parts: Token | int) -> tuple[str, ...]:
+        *names, arity = parts
+        own = tuple(letter(str(name)) for name in names)
+        self.functions |= dict.fromkeys(own, int(arity)) if arity else {}
+        return own
+
+    def type(self) -> int:
+        return 0
+
+    def arrow(self, arity: int) -> int:
+        return arity + 1
+
+    def applied(self, name: Token, first: Term | Function, *rest: Term) -> Term:
+        if isinstance(first, Function):
+            return self.bound(name, first, *rest)
+        if name in UNARY and not rest:
+            return node(UNARY[name], first)
+        if name == "Rpower" and len(rest) == 1:
+            return node("pow", first, *rest)
+        if self.functions.get(letter(name)) != 1 + len(rest):
+            raise ValueError(f"{name} is applied to {1 + len(rest)} arguments")
+        return node("call", letter(name), (0,) * (1 + len(rest)), first, *rest)
+
+    def bound(self, name: str, function: Function, *rest: Term) -> Term:
+        match name, *rest:
+            case "Derive", place:
+                return node("diff", function.body, function.letter, 1, place)
+            case "Derive_n", order, place:
+                return node("diff", function.body, function.letter, order, place)
+            case "RInt", low, high:
+                return node("integral", function.body, function.letter, low, high)
+        raise ValueError(f"{name} of a function and {len(rest)} more arguments")

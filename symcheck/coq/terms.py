@@ -3,32 +3,18 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Iterator, Mapping
 from fractions import Fraction
 from functools import partial
 from math import lcm
-from typing import Any, TypeVar
+from typing import TypeVar
 
 from symcheck.core import calculus
 from symcheck.core.calculus import letters
-from symcheck.core.terms import (
-    FORMULAS,
-    JSON,
-    Binder,
-    Call,
-    Field,
-    Formula,
-    Node,
-    Quantified,
-    Reader,
-    Term,
-    Value,
-    node,
-)
+from symcheck.core.terms import FORMULAS, JSON, Binder, Formula, Node, Reader, Term, Value, mapped, node
 
 Tree = TypeVar("Tree", bound="int | str | Node")  # a term or formula, which stays one after a change
-Proof = dict[str, Any]  # one step of a proof, with the steps above it
-Certificate = dict[str, Any]
+# a factor of a printed monomial: 3/4, or x^2
 FACTOR = re.compile(r"(\d+)(?:/(\d+))?|([A-Za-z]\w*)(?:\^(\d+))?", re.ASCII)
 
 
@@ -36,34 +22,17 @@ class NotExported(Exception):
     """The statement or its proof has no form in Coq here; the message says why."""
 
 
-def rebuilt(tree: Tree, outside: Callable[[Term], Term], inside: Callable[[Term], Term]) -> Tree:
-    """A term or formula with its parts changed: those that stand under a binder, and the others."""
-    if not isinstance(tree, Node):
-        return tree
-    fields: Iterable[Field] = map(outside, tree.outside)
-    match tree:
-        case Call():
-            fields = tree.function, tree.orders, *fields
-        case Binder():
-            fields = inside(tree.body), tree.letter, *fields
-        case Quantified():
-            fields = tree.bound, inside(tree.body)
-    return tuple.__new__(type(tree), (tree.tag, *fields))
-
-
 def in_order(*trees: Term) -> list[str]:
     """The free letters in order of appearance."""
-    return list(dict.fromkeys(x for tree in trees for x in _in_order(tree)))
-
-
-def _in_order(tree: Term) -> Iterator[str]:
-    match tree:
-        case str():
-            yield tree
-        case Node():
-            own = {*tree.bound}.difference(tree.outside)  # a derivative is mostly taken at the letter itself
-            yield from (x for part in tree.inside for x in _in_order(part) if x not in own)
-            yield from (x for part in tree.outside for x in _in_order(part))
+    found: dict[str, None] = {}
+    for tree in trees:
+        if isinstance(tree, str):
+            found[tree] = None
+        elif isinstance(tree, Node):
+            bound = {*tree.bound}.difference(tree.outside)  # a derivative is mostly taken at the letter itself
+            found |= dict.fromkeys(x for x in in_order(*tree.inside) if x not in bound)
+            found |= dict.fromkeys(in_order(*tree.outside))
+    return [*found]
 
 
 def nodes(*trees: Term) -> Iterator[Node]:
@@ -111,14 +80,16 @@ class Definitions:
             return meant  # type: ignore[return-value]
         if meant is not None and around.intersection(letters(meant)):
             return self._unfolded(self.terms[tree], around)  # type: ignore[return-value, index]
-        own = around.union(tree.bound) if isinstance(tree, Node) else around
-        outside, inside = (partial(self._unfolded, around=each, everywhere=everywhere) for each in (around, own))
-        return rebuilt(tree, outside, inside)
+        if not isinstance(tree, Node):
+            return tree
+        scopes = around, around.union(tree.bound)
+        outside, inside = (partial(self._unfolded, around=scope, everywhere=everywhere) for scope in scopes)
+        return mapped(tree, outside, inside)  # type: ignore[return-value]
 
 
 def is_number(term: Term) -> bool:
     """Whether there is no letter in a term, and no pi."""
-    return not letters(term) and all(each.tag != "pi" for each in nodes(term))
+    return not letters(term) and all(part.tag != "pi" for part in nodes(term))
 
 
 def polynomial(text: str, atoms: Mapping[str, Term]) -> tuple[Term, int]:
@@ -213,9 +184,9 @@ def without(terms: list[Term], taken: list[Term]) -> list[Term]:
 
 def without_tangents(tree: Tree) -> Tree:
     """tan x = sin x / cos x, as Coq defines it."""
-    term: Term = tree
-    if isinstance(term, Value) and term.tag == "tan":
-        angle = without_tangents(term.terms[0])
-        return node("/", node("sin", angle), node("cos", angle))  # type: ignore[return-value]
-    change: Callable[[Term], Term] = without_tangents
-    return rebuilt(tree, change, change)
+    if not isinstance(tree, Node):
+        return tree
+    whole = mapped(tree, without_tangents)
+    if whole.tag == "tan":
+        return node("/", node("sin", *whole.terms), node("cos", *whole.terms))  # type: ignore[return-value]
+    return whole  # type: ignore[return-value]

@@ -6,16 +6,13 @@ Theorems.v proves them as they stand in the checker's table; here they are appli
 from __future__ import annotations
 
 from itertools import groupby
-from typing import TYPE_CHECKING
 
 from symcheck.checker import theorems as table
+from symcheck.coq.assumptions import State
 from symcheck.coq.digits import Enclosure
 from symcheck.coq.printing import ATOM, IMPLIES, Printer, name, spelled
-from symcheck.coq.terms import Proof
 from symcheck.core.terms import JSON, Term, node
-
-if TYPE_CHECKING:
-    from symcheck.coq.script import Script
+from symcheck.core.verdicts import Certificate
 
 KINDS = {"n": "Z", "f": "R -> R", "g": "R -> R"}  # of parameters
 CONGRUENCE = {"congruence": "st", "congruence of two": "stuv"}  # of functions of one argument, and of two
@@ -36,18 +33,18 @@ MISSING = {name: reason for name, reason in UNSTATED.items() if name != "enclosu
 class Application:
     """A theorem with what it is applied to: its premises and its conclusion, as they stand in Coq."""
 
-    def __init__(self, script: Script, proof: Proof) -> None:
-        self.script, self.name = script, proof["of"]
+    def __init__(self, state: State, proof: Certificate) -> None:
+        self.state, self.name = state, proof["of"]
         self.terms: dict[str, Term] = {}  # what parameters stand for: a number, or the value of a function at a letter
         self.letters: dict[str, str] = {}  # these letters
         for parameter, data in proof.get("with", {}).items():
             if isinstance(data, dict):
                 self.letters[parameter], data = data["letter"], data["term"]
-            self.terms[parameter] = script.read(data)
-        self.numbers = {x: script.read(data) for x, data in proof.get("numbers", {}).items()}
+            self.terms[parameter] = state.read(data)
+        self.numbers = {x: state.read(data) for x, data in proof.get("numbers", {}).items()}
         given = {p: ((self.letters[p],), t) if p in self.letters else t for p, t in self.terms.items()}
         premises, conclusion = table.instance(self.name, given, self.numbers)
-        self.premises, self.conclusion = [*map(script.full, premises)], script.full(conclusion)
+        self.premises, self.conclusion = [*map(state.full, premises)], state.full(conclusion)
 
     def by(self, names: list[str]) -> str:
         """The tactic that proves the conclusion from the premises, which have names."""
@@ -55,7 +52,7 @@ class Application:
             return "f_equal; assumption"
         if self.name == "enclosure":
             known = {x: (own, self.numbers[x]) for x, own in zip(self.numbers, names, strict=True)}
-            found = Enclosure(self.script, known).of(self.terms["t"])
+            found = Enclosure(self.state, known).of(self.terms["t"])
             return f"destruct {found.proof} as [low high]; clear - low high; split; lra"
         arguments = [self.argument(parameter) for parameter in table.theorem(self.name).parameters]
         smooth = ["ltac:(is_polynomial)"] if self.name in table.SMOOTH else []

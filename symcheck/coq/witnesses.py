@@ -1,11 +1,11 @@
-"""For each set of hypotheses the point of a certificate at which it holds, so that no statement is true for want of
+"""For claim set of hypotheses the point of a certificate at which it holds, so that no statement is true for want of
 a case."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 
-from symcheck.coq.claims import Exported
+from symcheck.coq.claims import Claim
 from symcheck.coq.printing import ATOM, name, spelled
 from symcheck.coq.statements import Statement
 from symcheck.coq.values import number, quotient, value
@@ -21,19 +21,19 @@ NONE = "no certificate has a point that satisfies the hypotheses"
 FUNCTIONS = "a certificate tells some values of an unknown function, and no function that has them"
 
 
-def witnesses(found: Sequence[Exported]) -> tuple[str, dict[str, str]]:
+def witnesses(claims: Sequence[Claim]) -> tuple[str, dict[str, str]]:
     """The file, and the claims for whose hypotheses no point is known, with the reason."""
-    sets: dict[str, list[Exported]] = {}
-    for each in found:
-        if each.statement is not None and (each.statement.hypotheses or each.statement.premises):
-            sets.setdefault(satisfiable(each.statement), []).append(each)
+    sets: dict[str, list[Claim]] = {}
+    for claim in claims:
+        if claim.statement is not None and (claim.statement.hypotheses or claim.statement.premises):
+            sets.setdefault(satisfiable(claim.statement), []).append(claim)
     lines = [HEAD]
     missing: dict[str, str] = {}
-    for k, (text, alike) in enumerate(sets.items(), 1):
-        names = [each.name for each in alike]
-        script = next((script for each in alike for script in proofs(each)), None)
+    for k, (text, members) in enumerate(sets.items(), 1):
+        names = [claim.name for claim in members]
+        script = next((script for claim in members for script in proofs(claim)), None)
         if script is None:
-            about = alike[0].statement
+            about = members[0].statement
             missing |= dict.fromkeys(names, FUNCTIONS if about and about.functions else NONE)
         else:
             lines.append(f"(* {' '.join(names)} *)\nLemma witness_{k} :\n{text}.\nProof.\n{script}\nQed.\n")
@@ -58,13 +58,13 @@ def satisfiable(statement: Statement) -> str:
     return f"  {head}{spelled(node('and', *parts))}"
 
 
-def proofs(each: Exported) -> Iterator[str]:
-    """For each point of the certificate that speaks of all letters: the point, and that it satisfies them."""
-    statement = each.statement
+def proofs(claim: Claim) -> Iterator[str]:
+    """For claim point of the certificate that speaks of all letters: the point, and that it satisfies them."""
+    statement = claim.statement
     assert statement is not None
     if statement.functions:
         return
-    for point in each.certificate.get("witnesses", ()):
+    for point in claim.certificate.get("witnesses", ()):
         values = {x: Reader().term(data) for x, data in point["values"].items()}
         angles = {x: circular for x, number in values.items() if (circular := circle(number))}
         values |= {x: x for x in angles}

@@ -1,5 +1,5 @@
 """Kernels: where the generated ones are and how they run; `codegen` writes them."""
 
-from symcheck.kernels.loading import folder, load
+from symcheck.kernels.loading import find, folder, load, of_paper
 
-__all__ = ["folder", "load"]
+__all__ = ["find", "folder", "load", "of_paper"]

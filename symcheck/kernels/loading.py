@@ -1,46 +1,56 @@
-"""Finds generated/ and loads kernels from it: in a wheel, in an editable install and in a bare checkout alike."""
+"""Where generated kernels lie, and those whose name is known only when the program runs.
+
+Others are imported: `from symcheck.generated import mirer2009`.
+"""
 
 from __future__ import annotations
 
-import sys
+from collections.abc import Mapping
+from difflib import get_close_matches
 from importlib import import_module
-from importlib.util import module_from_spec, spec_from_file_location
+from importlib.util import find_spec
 from pathlib import Path
 from types import ModuleType
 
 from symcheck.core.verdicts import SymcheckError
+from symcheck.kernels.specification import KernelFunction
 
 PACKAGE = "symcheck.generated"
 
 
 def folder() -> Path:
-    """The folder generated/: inside the package in a wheel, beside it in a checkout."""
-    here = Path(__file__).resolve().parents[1]
-    for place in (here / "generated", here.parent / "generated"):
-        if (place / "__init__.py").is_file():
-            return place
-    raise SymcheckError(f"no folder generated/ in or beside {here}; install symcheck again or restore the checkout")
+    """The folder generated/, where `symcheck generate` writes: in a wheel, an editable install and a checkout alike."""
+    spec = find_spec(PACKAGE)
+    if spec is None or not spec.submodule_search_locations:
+        raise SymcheckError("there is no folder generated/; install symcheck again or restore the checkout")
+    return Path(spec.submodule_search_locations[0]).resolve()
 
 
 def load(name: str) -> ModuleType:
     """The kernel module symcheck.generated.<name>; SymcheckError if nothing was generated under that name."""
-    _package()
+    module = f"{PACKAGE}.{name}"
     try:
-        return import_module(f"{PACKAGE}.{name}")
+        return import_module(module)
     except ModuleNotFoundError as error:
-        if error.name != f"{PACKAGE}.{name}":
+        if error.name != module:
             raise
         raise SymcheckError(f"no kernels named {name!r} in {folder()}; run `symcheck generate`") from error
 
 
-def _package() -> None:
-    """Bind symcheck.generated to the folder found, however the package was installed."""
-    if PACKAGE in sys.modules:
-        return
-    root = folder()
-    spec = spec_from_file_location(PACKAGE, root / "__init__.py", submodule_search_locations=[str(root)])
-    if spec is None or spec.loader is None:
-        raise SymcheckError(f"{root} cannot be imported; restore its __init__.py")
-    module = module_from_spec(spec)
-    sys.modules[PACKAGE] = module
-    spec.loader.exec_module(module)
+def of_paper(key: str) -> Mapping[str, KernelFunction]:
+    """The kernels of a paper by name."""
+    kernels: Mapping[str, KernelFunction] = vars(load(key))["KERNELS"]
+    return kernels
+
+
+def find(key: str, name: str) -> KernelFunction:
+    """The kernel of that name; SymcheckError names the nearest one.
+
+    >>> round(find("ignatov2005", "volume_of_three_wheels")(0.5, 1.0), 6)
+    2.93465
+    """
+    known = of_paper(key)
+    if name not in known:
+        near = get_close_matches(name, known, n=1, cutoff=0)
+        raise SymcheckError(f"{key} has no kernel {name!r}; did you mean {near[0]!r}?")
+    return known[name]

@@ -1,24 +1,33 @@
 """How a generated kernel runs: on numbers and a handful of points by `math`, on small arrays at once, else by blocks.
 
-A block stays in the caches of its processor, so that the values between two operations never travel to memory; the
-registers that hold them are kept from call to call, one set for each thread. NumPy and the standard library alone.
+A generated module `<key>.py` has the formulas as functions of floats, each under the decorator `kernel`, with what is
+known of it as data. `_<key>.py` beside it has the same formulas as calls of ufuncs on registers. A block of points
+stays in the caches of its processor, so that the values between two operations never travel to memory; the registers
+are kept from call to call, one set for each thread. NumPy and the standard library alone.
 
 Decision: one thread for a call. Reason: an operation on a block takes microseconds, and two threads that ask for the
 interpreter's lock that often wait for one another longer than they compute (measured: 0 to 20 % gained, except where
 sines prevail). Callers share large work among processes or threads by themselves; each thread has its own registers.
+
+Decision: the test for floats is written out for each kernel, in `_<key>.py`. Reason: a loop over `*arguments` here
+takes 70 ns, and many a formula takes 100.
 """
 
 from __future__ import annotations
 
 import threading
 from collections.abc import Callable, Sequence
+from functools import update_wrapper
 from itertools import combinations
 from math import isfinite, prod
 from types import FunctionType
 from typing import Any
 
 import numpy as np
-from numpy import array
+from numpy import array, ndarray
+from numpy.typing import NDArray
+
+from symcheck.kernels.specification import KernelFunction, Specification
 
 BLOCK = 8192  # elements: 64 kB of doubles
 DOUBLE = np.dtype(np.float64)
@@ -26,22 +35,82 @@ LINE = 64  # bytes of a cache line: registers that begin on one are read twice a
 SMALL = 12288  # elements: up to here a second block costs more time than it saves
 FEW = 200  # elements: up to here sines and cosines cost no more than the tangents that replace them in a block
 
-Block = Callable[..., Any]
+# What `math` raises where NumPy gives infinity or NaN, and warns.
+UNDEFINED = (ValueError, ZeroDivisionError, OverflowError)
+
+Array = NDArray[np.float64]
+Values = float | NDArray[np.float64 | np.float32 | np.int64 | np.int32]
+DType = np.dtype[np.float64]  # or of float32, as are the arrays then
+Out = Array | Sequence[Array] | None
+Results = Array | tuple[Array, ...]
+Block = Callable[..., Results]
+Formula = Callable[..., float | tuple[float, ...]]
 _local = threading.local()
 
 
-def evaluate(block: Block, registers: int, order: Sequence[int], inputs: Sequence[Any], out: Any) -> Any:
+def kernel(paths: Callable[[Formula], Any], said: Specification) -> Callable[[Formula], KernelFunction]:
+    """The decorator of a formula: the function of numbers and arrays that `paths` makes of it, with its data."""
+
+    def decorated(formula: Formula) -> KernelFunction:
+        function = paths(formula)
+        update_wrapper(function, formula)
+        del function.__wrapped__  # whose signature has no `out`
+        function.specification = said
+        kernel: KernelFunction = function
+        return kernel
+
+    return decorated
+
+
+def on_arrays(
+    formula: Formula, block: Block, registers: int, order: Sequence[int], handful: int
+) -> tuple[Block, Callable[[Sequence[Array], Out], Results]]:
+    """A kernel of arrays of doubles of one shape, and one of the tuple of anything that broadcasts and `out`.
+
+    formula    computes one point, of floats
+    block      computes arrays of one shape; further arguments are arrays for results and for values in between
+    registers  how many of the latter there are
+    order      for each output, which of the block's results it is
+    handful    up to so many points the formula takes less time than the block
+    """
+    distinct = max(order) + 1
+    shared = order if distinct < len(order) else ()
+
+    def alike(*inputs: Array) -> Results:
+        size = inputs[0].size
+        if size > SMALL:
+            outputs = [np.empty(inputs[0].shape) for _ in range(distinct)]
+            _of_one_shape(block, registers, inputs, outputs)
+            return _given([outputs[k] for k in order])
+        if 0 < size <= handful:
+            try:
+                return _by_formula(formula, inputs, shared)
+            except UNDEFINED:
+                return others(inputs, None)
+        return block(*inputs)
+
+    def others(inputs: Sequence[Array], out: Out) -> Results:
+        return _of_anything(block, registers, order, inputs, out)
+
+    return alike, others
+
+
+def _given(results: Sequence[Array]) -> Results:
+    return results[0] if len(results) == 1 else tuple(results)
+
+
+def _of_anything(block: Block, registers: int, order: Sequence[int], inputs: Sequence[Array], out: Out) -> Results:
     """One call of a kernel on anything that broadcasts: one array of the broadcast shape, or a tuple of them.
 
-    `order` tells for each output which of the block's results it is; those that are the same are one array.
-    float32 if all arrays are, else float64. ValueError if `out` does not fit. NumPy's warnings are the caller's.
+    Results that are the same are one array. float32 if all arrays are, else float64. ValueError if `out` does not fit.
+    NumPy's warnings are the caller's.
     """
     dtype = np.result_type(*inputs)
     if dtype == np.float32:
         block = _single(block)
     else:
         dtype = DOUBLE
-    arrays = [x if type(x) is np.ndarray else np.asarray(x) for x in inputs]
+    arrays = [x if type(x) is ndarray else np.asarray(x) for x in inputs]
     shapes = {x.shape for x in arrays} - {()} or {()}
     shape = np.broadcast_shapes(*shapes) if len(shapes) > 1 else shapes.pop()
     given = None if out is None else fitting(out, len(order), shape, dtype)
@@ -54,18 +123,18 @@ def evaluate(block: Block, registers: int, order: Sequence[int], inputs: Sequenc
             if each is not result:
                 np.copyto(each, result)
         results = given
-    return results[0] if len(order) == 1 else tuple(results)
+    return _given(results)
 
 
-def _at_once(block: Block, arrays: list[Any], shape: tuple[int, ...], dtype: Any) -> Sequence[Any]:
+def _at_once(block: Block, arrays: Sequence[Array], shape: tuple[int, ...], dtype: DType) -> Sequence[Array]:
     """The results in arrays of their own; numbers for numbers."""
     whole = [x if shape and x.shape == shape and x.dtype == dtype else _filled(x, shape or (1,), dtype) for x in arrays]
-    results = block(*whole)
-    results = results if type(results) is tuple else (results,)
+    found = block(*whole)
+    results = found if isinstance(found, tuple) else (found,)
     return results if shape else [x[0] for x in results]
 
 
-def _filled(x: Any, shape: tuple[int, ...], dtype: Any) -> Any:
+def _filled(x: Array, shape: tuple[int, ...], dtype: DType) -> Array:
     whole = np.empty(shape, dtype)
     np.copyto(whole, x, casting="same_kind")
     return whole
@@ -75,11 +144,11 @@ def _by_blocks(
     block: Block,
     registers: int,
     order: Sequence[int],
-    arrays: list[Any],
-    given: list[Any] | None,
+    arrays: Sequence[Array],
+    given: Sequence[Array] | None,
     shape: tuple[int, ...],
-    dtype: Any,
-) -> Sequence[Any]:
+    dtype: DType,
+) -> Sequence[Array]:
     """The results, in the arrays that are given."""
     arrays = [x if x.ndim else x.astype(dtype, casting="same_kind") for x in arrays]
     if given is None:
@@ -91,43 +160,42 @@ def _by_blocks(
     return [outputs[k] for k in order]
 
 
-def evaluate_handful(expression: Callable[..., Any], inputs: Sequence[Any], order: Sequence[int] = ()) -> Any:
-    """The same for a handful of points in arrays of doubles of one shape: each point through `math`, as numbers are.
+def _of_one_shape(block: Block, registers: int, inputs: Sequence[Array], outputs: Sequence[Array]) -> None:
+    """The results, in `outputs`, of many points in arrays of doubles of one shape."""
+    if all(x.flags.c_contiguous for x in inputs):
+        flat = [x.reshape(-1) for x in (*inputs, *outputs)]
+        _pieces(block, _registers(registers, DOUBLE), flat, outputs[0].size)
+    else:
+        _run(block, registers, inputs, outputs, outputs[0].shape, DOUBLE)
 
-    OverflowError where a result is not finite: NumPy is to compute it, and to warn. `order` as above, if any outputs
-    are the same.
+
+def _by_formula(formula: Formula, inputs: Sequence[Array], shared: Sequence[int]) -> Results:
+    """The results at a handful of points in arrays of doubles of one shape: each point through `math`, as numbers are.
+
+    OverflowError where a result is not finite: NumPy is to compute it, and to warn. `shared` tells for each output
+    which result it is, if some are the same.
     """
     first = inputs[0]
-    columns: list[Any]
     if first.size == 1:
-        point = expression(*[x.item() for x in inputs])
-        columns = [[point]] if type(point) is float else [[x] for x in point]
+        found = formula(*[x.item() for x in inputs])
+        point = found if isinstance(found, tuple) else (found,)
+        total = sum(point)
+        columns: list[Any] = [[x] for x in point]
     else:
         flat = inputs if first.ndim == 1 else [x.ravel() for x in inputs]
-        rows = [*map(expression, *[x.tolist() for x in flat])]
+        rows = [*map(formula, *[x.tolist() for x in flat])]
         columns = [rows] if type(rows[0]) is float else [*zip(*rows, strict=True)]
-    if not isfinite(sum(map(sum, columns))):
+        total = sum(map(sum, columns))
+    if not isfinite(total):
         raise OverflowError
-    if order:
-        columns = [*dict(zip(order, columns, strict=True)).values()]
+    if shared:
+        columns = [*dict(zip(shared, columns, strict=True)).values()]
     outputs = [array(column) for column in columns]
     if first.ndim != 1:
         outputs = [x.reshape(first.shape) for x in outputs]
-    if order:
-        outputs = [outputs[k] for k in order]
+    if shared:
+        outputs = [outputs[k] for k in shared]
     return outputs[0] if len(outputs) == 1 else tuple(outputs)
-
-
-def evaluate_alike(block: Block, registers: int, order: Sequence[int], inputs: Sequence[Any]) -> Any:
-    """The same for arrays of doubles that all have one shape."""
-    shape = inputs[0].shape
-    outputs = [np.empty(shape) for _ in range(max(order) + 1)]
-    flat = inputs if len(shape) == 1 else [x.reshape(-1) if x.flags.c_contiguous else None for x in inputs]
-    if any(x is None for x in flat):
-        _run(block, registers, inputs, outputs, shape, DOUBLE)
-    else:
-        _pieces(block, _registers(registers, DOUBLE), [*flat, *(x.reshape(-1) for x in outputs)], outputs[0].size)
-    return outputs[0] if len(order) == 1 else tuple([outputs[k] for k in order])
 
 
 def _single(block: Any) -> Block:
@@ -151,7 +219,12 @@ def fitting(out: Any, outputs: int, shape: tuple[int, ...], dtype: Any) -> list[
 
 
 def _run(
-    block: Block, registers: int, arrays: Sequence[Any], outputs: list[Any], shape: tuple[int, ...], dtype: Any
+    block: Block,
+    registers: int,
+    arrays: Sequence[Array],
+    outputs: Sequence[Array],
+    shape: tuple[int, ...],
+    dtype: DType,
 ) -> None:
     everything = (*arrays, *outputs)
     if all(x.shape in (shape, ()) and x.dtype == dtype and x.flags.c_contiguous for x in everything):
@@ -168,15 +241,15 @@ def _run(
             block(*chunk, *(row[: chunk[0].size] for row in rows))
 
 
-def _pieces(block: Block, rows: list[Any], flat: list[Any], size: int) -> None:
+def _pieces(block: Block, rows: Sequence[Array], flat: Sequence[Array], size: int) -> None:
     for first in range(0, size, BLOCK):
         last = min(first + BLOCK, size)
         pieces = flat if last - first == size else [x[first:last] if x.ndim else x for x in flat]
         block(*pieces, *(rows if last - first == BLOCK else [row[: last - first] for row in rows]))
 
 
-def _registers(count: int, dtype: Any) -> list[Any]:
-    kept: dict[Any, list[Any]] = _local.__dict__.setdefault("registers", {})
+def _registers(count: int, dtype: DType) -> list[Array]:
+    kept: dict[DType, list[Array]] = _local.__dict__.setdefault("registers", {})
     rows = kept.setdefault(dtype, [])
     while len(rows) < count:
         memory = np.empty(BLOCK * dtype.itemsize + LINE, np.uint8)

@@ -29,6 +29,7 @@ COQ = "coq"
 SELFTEST = "selftest.json"
 OURS = (
     "*.py",
+    "*.pyi",
     f"{CERTIFICATES}/*.json",
     f"{EXPECTED}/*.json",
     f"{STATEMENTS}/*.json",
@@ -153,7 +154,7 @@ def _present(folder: Path) -> set[str]:
 def _ours(folder: Path) -> set[str]:
     """Those that `generate` may have written: a module of somebody else has not its mark."""
     found = (file for pattern in OURS for file in folder.glob(pattern))
-    files = (file for file in found if file.suffix != ".py" or MARK.encode() in file.read_bytes())
+    files = (file for file in found if file.suffix not in (".py", ".pyi") or MARK.encode() in file.read_bytes())
     return {file.relative_to(folder).as_posix() for file in files} & _present(folder)
 
 

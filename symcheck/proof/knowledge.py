@@ -136,11 +136,10 @@ class Knowledge:
         if not self.signs and not self.fractions:
             return 0, NOTHING
         gap = self.ring.ratio(term)
-        if _is_number(term):  # needs no hypothesis
-            number = fraction(gap.num.leading_coefficient()) if gap.num != 0 else 0
-            return (number >= 0) + (number > 0), NOTHING
         for sign in self.fractions if gap.den else self.signs:
             if gap.num == sign.poly and (not gap.den or gap.den == self.ring.ratio(sign.term).den):
+                if _is_number(term) and (gap.num == 0 or fraction(gap.num.leading_coefficient()) > 0):
+                    return 1 + (gap.num != 0), NOTHING  # a number needs no hypothesis
                 return sign.level, given_of([sign.ref])
         return 0, NOTHING
 

@@ -8,25 +8,23 @@ import re
 from collections import defaultdict
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
-from itertools import islice
 from random import Random
 from typing import Any, NamedTuple
 
 from symcheck.audit.judge import lemma
 from symcheck.core.claims import Problem
 from symcheck.core.formulas import conjuncts
-from symcheck.core.terms import Reader, node
+from symcheck.core.terms import JSON, Formula, Reader, node
 from symcheck.core.verdicts import Certificate, Loss
 from symcheck.ledger.record import Record
 from symcheck.proof import fails_without, proof_of
-from symcheck.selftest.evidence import MALFORMED, holds, is_shown, problem_of
-from symcheck.selftest.trial import Fate, FaultClass, Trial, mixed
+from symcheck.selftest.evidence import MALFORMED, holds, is_shown, problem_of, reached
+from symcheck.selftest.trial import FaultClass, Status, Trial, drawn
 
-STATED = ("claim", "definitions", "hypotheses")
 TURNED = {"<": ">=", "<=": ">", ">": "<=", ">=": "<", "=": "!=", "!=": "="}
 TOGETHER = 40  # certificates that one task goes through
-Path = tuple[Any, ...]
-DROPPED = object()
+Path = tuple[str | int, ...]
+DROPPED: JSON = None  # stands for no new value
 
 
 class Change(NamedTuple):
@@ -34,7 +32,7 @@ class Change(NamedTuple):
 
     kind: str
     words: str
-    values: tuple[tuple[Path, Any], ...]
+    values: tuple[tuple[Path, JSON], ...]
 
     def of(self, original: Certificate) -> Certificate:
         """The changed certificate."""
@@ -50,7 +48,7 @@ class Change(NamedTuple):
         return new
 
 
-def one(kind: str, words: str, path: Path, value: Any) -> Change:
+def one(kind: str, words: str, path: Path, value: JSON) -> Change:
     """A change at one place."""
     return Change(kind, words, ((path, value),))
 
@@ -58,18 +56,19 @@ def one(kind: str, words: str, path: Path, value: Any) -> Change:
 def changes(original: Certificate) -> Iterator[Change]:
     """Every number, letter, sign, cofactor, relation, fact, hypothesis and coordinate, each changed alone."""
     for path, value in places(original):
-        section, name = (path or ("",))[0], "/".join(map(str, path))
-        if section in STATED:
-            yield from _of_statement(path, value, name)
-        elif section == "proof":
-            yield from _of_proof(original, path, value, name)
-        elif section == "point" and len(path) > 2:
-            yield from _of_point(path, value, name)
-        if section == "hypotheses" and len(path) == 3:
-            yield one("hypothesis list", f"{name} dropped", path, DROPPED)
+        name = "/".join(map(str, path))
+        match path:
+            case (("claim" | "definitions" | "hypotheses"), *_):
+                yield from _of_statement(path, value, name)
+                if path[0] == "hypotheses" and len(path) == 3:
+                    yield one("hypothesis list", f"{name} dropped", path, DROPPED)
+            case "proof", *_:
+                yield from _of_proof(original, path, value, name)
+            case "point", _, _, *_:
+                yield from _of_point(path, value, name)
 
 
-def _of_statement(path: Path, value: Any, name: str) -> Iterator[Change]:
+def _of_statement(path: Path, value: JSON, name: str) -> Iterator[Change]:
     if type(value) is int:
         yield one("coefficient", f"{name}: {value} + 1", path, value + 1)
     elif isinstance(value, str) and path[-1] == 0 and value in TURNED:
@@ -79,20 +78,21 @@ def _of_statement(path: Path, value: Any, name: str) -> Iterator[Change]:
         yield one("index", f"{name}: {value} -> {other}", path, other)
 
 
-def _of_proof(original: Certificate, path: Path, value: Any, name: str) -> Iterator[Change]:
-    if type(value) is int:
-        yield one("coefficient", f"{name}: {value} + 1", path, value + 1)
-    elif isinstance(value, str) and path[-3:-2] == ("cofactors",) and path[-1] != 0:
-        yield from (one("coefficient", f"{name}: {text}", path, text) for text in polynomial_edits(value))
-    elif isinstance(value, list) and len(path) >= 2 and path[-2] == "cofactors":
-        yield one("hypothesis list", f"{name} dropped", path, DROPPED)
-    elif isinstance(value, list) and value[:1] == ["hyp"]:
-        for k in range(len(original["hypotheses"][value[1]])):
-            if k != value[2]:
-                yield one("hypothesis list", f"{name}: {k}", path, ["hyp", value[1], k])
+def _of_proof(original: Certificate, path: Path, value: JSON, name: str) -> Iterator[Change]:
+    match value:
+        case str() if path[-3:-2] == ("cofactors",) and path[-1] != 0:
+            yield from (one("coefficient", f"{name}: {text}", path, text) for text in polynomial_edits(value))
+        case list() if len(path) >= 2 and path[-2] == "cofactors":
+            yield one("hypothesis list", f"{name} dropped", path, DROPPED)
+        case ["hyp", str(label), number]:
+            for k in range(len(original["hypotheses"][label])):
+                if k != number:
+                    yield one("hypothesis list", f"{name}: {k}", path, ["hyp", label, k])
+        case int() if type(value) is int:
+            yield one("coefficient", f"{name}: {value} + 1", path, value + 1)
 
 
-def _of_point(path: Path, value: Any, name: str) -> Iterator[Change]:
+def _of_point(path: Path, value: JSON, name: str) -> Iterator[Change]:
     if path[1] == "shown" and type(value) is int:
         yield one("coordinate", f"{name}: {value} + 1", path, value + 1)
     elif path[1] == "values" and len(path) == 3:
@@ -102,29 +102,29 @@ def _of_point(path: Path, value: Any, name: str) -> Iterator[Change]:
 
 def polynomial_edits(text: str) -> Iterator[str]:
     """Every number in a printed polynomial raised by one, every sign turned, every variable doubled."""
-    for found in re.finditer(r"(?<![\w_])\d+|(?<=\^)\d+", text):
-        yield text[: found.start()] + str(int(found[0]) + 1) + text[found.end() :]
-    for found in re.finditer(r" ([+-]) ", text):
-        yield text[: found.start(1)] + "+-"[found[1] == "+"] + text[found.end(1) :]
+    for number in re.finditer(r"(?<![\w_])\d+|(?<=\^)\d+", text):
+        yield text[: number.start()] + str(int(number[0]) + 1) + text[number.end() :]
+    for sign in re.finditer(r" ([+-]) ", text):
+        yield text[: sign.start(1)] + "+-"[sign[1] == "+"] + text[sign.end(1) :]
     yield text.removeprefix("-") if text.startswith("-") else "-" + text
 
 
-def places(data: Any, path: Path = ()) -> Iterator[tuple[Path, Any]]:
+def places(data: JSON, path: Path = ()) -> Iterator[tuple[Path, JSON]]:
     """Whatever a certificate is made of, with its place."""
     yield path, data
-    children = data.items() if isinstance(data, dict) else enumerate(data) if isinstance(data, list) else ()
-    for key, child in children:
-        yield from places(child, (*path, key))
+    if isinstance(data, (dict, list)):
+        for key, child in data.items() if isinstance(data, dict) else enumerate(data):
+            yield from places(child, (*path, key))
 
 
-def fate(original: Certificate, edited: Certificate, lemmas: Sequence[Certificate] = ()) -> Fate:
+def status_of(original: Certificate, edited: Certificate, lemmas: Sequence[Certificate] = ()) -> Status:
     """What the checker makes of a changed certificate; one that it accepts is no fault if what it states is shown."""
     if not holds(edited, lemmas):
-        return Fate.REJECTED
+        return Status.REJECTED
     try:
-        return Fate.EQUIVALENT if is_so(original, edited) else Fate.ACCEPTED
+        return Status.EQUIVALENT if is_so(original, edited) else Status.ACCEPTED
     except MALFORMED:
-        return Fate.ACCEPTED  # it states nothing that can be shown
+        return Status.ACCEPTED  # it states nothing that can be shown
 
 
 def is_so(original: Certificate, edited: Certificate) -> bool:
@@ -137,8 +137,13 @@ def is_so(original: Certificate, edited: Certificate) -> bool:
     if edited["verdict"] != original["verdict"]:
         return follows(replace(problem, claim=node("=", 0, 1)), problem, refuted)
     conditions = [term for term in original.get("nonzero", ()) if term not in edited.get("nonzero", ())]
-    open_ = [replace(problem, claim=Reader().formula(["!=", term, 0])) for term in conditions]
-    return all(is_shown(each, proof_of(each)) for each in open_) and follows(known, problem, refuted)
+    claims = (Reader().formula(["!=", term, 0]) for term in conditions)
+    return all(_is_proved(problem, claim) for claim in claims) and follows(known, problem, refuted)
+
+
+def _is_proved(problem: Problem, claim: Formula) -> bool:
+    open_ = replace(problem, claim=claim)
+    return is_shown(open_, proof_of(open_))
 
 
 def follows(known: Problem, problem: Problem, refuted: bool) -> bool:
@@ -147,46 +152,43 @@ def follows(known: Problem, problem: Problem, refuted: bool) -> bool:
     What is known is: the parts of its claim under no less than its hypotheses, or that the claim fails under some of
     them. The rest is put to the provers, whose proofs and points the checker has to accept.
     """
-    given, before = ({f for _, formulas in each.hypotheses for f in formulas} for each in (problem, known))
-    alike = problem.definitions == known.definitions
+    given, before = ({f for _, formulas in p.hypotheses for f in formulas} for p in (problem, known))
+    same_definitions = problem.definitions == known.definitions
     if refuted:
-        weaker = alike and problem.claim == known.claim and given <= before
-        found = None if weaker else fails_without(problem)
-        return weaker or (found is not None and found.loss is Loss.TRUTH and holds(found.certificate))
-    shown = conjuncts(known.claim) if alike and given >= before else []
-    open_ = [replace(problem, claim=part) for part in conjuncts(problem.claim) if part not in shown]
-    return all(is_shown(each, proof_of(each)) for each in open_)
+        if same_definitions and problem.claim == known.claim and given <= before:
+            return True
+        lost = fails_without(problem)
+        return lost is not None and lost.loss is Loss.TRUTH and holds(lost.certificate)
+    shown = conjuncts(known.claim) if same_definitions and given >= before else []
+    return all(_is_proved(problem, part) for part in conjuncts(problem.claim) if part not in shown)
 
 
 def groups(records: Sequence[Record]) -> list[str]:
     """All certificates in groups, each with those of the lemmas that they rest on."""
-    every = list(dict.fromkeys(json.dumps(each) for record in records for each in record.all_certificates()))
+    every = list(dict.fromkeys(json.dumps(evidence) for record in records for evidence in record.all_certificates()))
     named: dict[str, list[str]] = defaultdict(list)
     for record in records:
-        named[record.id] += [json.dumps(each) for each in record.certificates]
+        named[record.id] += map(json.dumps, record.certificates)
     size = len(every) // TOGETHER + 1
     return [f"[[{','.join(own)}],[{','.join(_lemmas(own, named))}]]" for own in (every[k::size] for k in range(size))]
 
 
 def _lemmas(own: Sequence[str], named: Mapping[str, Sequence[str]]) -> list[str]:
     """The certificates of the lemmas of certificates, and of the lemmas of these."""
-    found: dict[str, None] = {}
-    todo = [*own]
-    while todo:
-        for name, _ in json.loads(todo.pop()).get("lemmas", ()):
-            texts = named.get(name) or [json.dumps(each) for each in lemma(*name.split(":", 1))[1]]
-            new = [text for text in texts if text not in found]
-            found |= dict.fromkeys(new)
-            todo += new
-    return [*found]
+
+    def lemmas(text: str) -> Iterator[str]:
+        for name, _ in json.loads(text).get("lemmas", ()):
+            yield from named.get(name) or map(json.dumps, lemma(*name.split(":", 1))[1])
+
+    return reached((text for certificate in own for text in lemmas(certificate)), lemmas)
 
 
 def trials(place: str, count: int, rng: Random) -> Iterator[Trial]:
     """Some certificates: each as it is, and so many changes of all of them."""
     group, lemmas = json.loads(place)
     for original in group:
-        kept = holds(original, beside(original, lemmas))
-        yield Trial("as it is", original["id"], Fate.KEPT if kept else Fate.FALSELY_REJECTED)
+        kept = holds(original, _needed(original, lemmas))
+        yield Trial("as it is", original["id"], Status.KEPT if kept else Status.FALSELY_REJECTED)
     yield from changed(group, lemmas, changes, count, rng)
 
 
@@ -199,19 +201,16 @@ def changed(
 ) -> Iterator[Trial]:
     """So many changes of a group of certificates, of each about as many."""
     for k, original in enumerate(group):
-        by_kind: dict[str, list[Change]] = defaultdict(list)
-        for change in listed(original):
-            by_kind[change.kind].append(change)
         share = count * (k + 1) // len(group) - count * k // len(group)
-        for change in islice(mixed(by_kind, rng), share):
+        for kind, change in drawn(((change.kind, change) for change in listed(original)), share, rng):
             if (edited := change.of(original)) != original:
-                known = beside(original, lemmas)
-                yield Trial(change.kind, f"{original['id']} {change.words}", fate(original, edited, known))
+                status = status_of(original, edited, _needed(original, lemmas))
+                yield Trial(kind, f"{original['id']} {change.words}", status)
 
 
-def beside(original: Certificate, lemmas: Sequence[Certificate]) -> list[Certificate]:
+def _needed(original: Certificate, lemmas: Sequence[Certificate]) -> Sequence[Certificate]:
     """Those of the lemmas that a certificate may need; to check none is quicker."""
-    return [*lemmas] if original.get("lemmas") else []
+    return lemmas if original.get("lemmas") else ()
 
 
 CLASS = FaultClass(

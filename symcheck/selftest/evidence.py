@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import json
 from collections.abc import Callable, Iterable, Iterator, Sequence
-from typing import Any
+from typing import Any, TypeVar
 
 from symcheck.audit.checked import reasons, told
 from symcheck.audit.context import Context
@@ -16,20 +16,21 @@ from symcheck.audit.judge import Finding, Unit, lemma
 from symcheck.core.calculus import letters
 from symcheck.core.claims import Outcome, Problem
 from symcheck.core.formulas import conjuncts
-from symcheck.core.terms import Formula, Node, Reader, Term, node
+from symcheck.core.terms import JSON, Formula, Node, Reader, Term, node
 from symcheck.core.verdicts import Certificate, SymcheckError, Verdict
 from symcheck.ledger.record import Record
 from symcheck.proof import certificate
 
+T = TypeVar("T")
 MALFORMED = (AssertionError, LookupError, TypeError, ValueError, AttributeError, SymcheckError)
 
 
-def holds(evidence: Certificate, beside: Sequence[Certificate] = ()) -> bool:
-    """Whether the checker accepts a certificate, with lemmas among those beside it."""
-    return reasons([evidence, *beside])[0] is None
+def holds(evidence: Certificate, lemmas: Sequence[Certificate] = ()) -> bool:
+    """Whether the checker accepts a certificate; those of its lemmas are among the others."""
+    return reasons([evidence, *lemmas])[0] is None
 
 
-def told_of(context: Context, unit: Unit, finding: Finding) -> Verdict:
+def ledger_verdict(context: Context, unit: Unit, finding: Finding) -> Verdict:
     """What the ledger tells of a finding: its verdict, if the checker accepts the certificates of it."""
     if finding.verdict is Verdict.UNDECIDED:
         return finding.verdict
@@ -59,23 +60,32 @@ def _lemma(name: str, context: Context) -> Record:
 
 def _lemmas(certificates: Iterable[Certificate]) -> list[str]:
     """The ids of all relations that certificates rest on."""
-    found: dict[str, None] = {}
-    todo = [name for each in certificates for name, _ in each.get("lemmas", ())]
+
+    def named(certificates: Iterable[Certificate]) -> list[str]:
+        return [name for certificate in certificates for name, _ in certificate.get("lemmas", ())]
+
+    return sorted(reached(named(certificates), lambda name: named(lemma(*name.split(":", 1))[1])))
+
+
+def reached(start: Iterable[T], further: Callable[[T], Iterable[T]]) -> list[T]:
+    """All that a chain of steps leads to, the start included, none twice."""
+    met: dict[T, None] = {}
+    todo = [*start]
     while todo:
-        if (name := todo.pop()) not in found:
-            found[name] = None
-            todo += [more for each in lemma(*name.split(":", 1))[1] for more, _ in each.get("lemmas", ())]
-    return sorted(found)
+        if (one := todo.pop()) not in met:
+            met[one] = None
+            todo += further(one)
+    return [*met]
 
 
 def states(finding: Finding, formulas: Iterable[Formula]) -> bool:
     """Whether the certificates claim just these formulas, and what is claimed beside them: sets of equality."""
-    claims = [each["claim"] for each in finding.certificates]
-    stated: list[Any] = json.loads(json.dumps([*formulas]))
+    claims = [certificate["claim"] for certificate in finding.certificates]
+    stated: list[JSON] = json.loads(json.dumps([*formulas]))
     return claims[: len(stated)] == stated and len(claims) == len(finding.problems)
 
 
-def answered(problem: Problem, outcome: Any) -> Verdict:
+def answered(problem: Problem, outcome: object) -> Verdict:
     """What an answer is worth: its verdict if its certificate holds, else undecided."""
     if not isinstance(outcome, Outcome) or outcome.verdict is Verdict.UNDECIDED:
         return Verdict.UNDECIDED
@@ -100,25 +110,23 @@ def problem_of(evidence: Certificate) -> Problem:
         for name, formulas in evidence["hypotheses"].items()
     )
     terms = {name: read.term(term) for name, term in evidence["definitions"]}
-    reached: set[str] = set()
-    todo: list[Term] = [claim, *(formula for _, formulas in hypotheses for formula in formulas)]
-    while todo:
-        new = letters(todo.pop()) & terms.keys() - reached
-        reached |= new
-        todo += [terms[name] for name in new]
-    definitions = tuple((name, term) for name, term in terms.items() if name in reached)
+    stated = node("and", claim, *(formula for _, formulas in hypotheses for formula in formulas))
+    used = reached(letters(stated) & terms.keys(), lambda name: letters(terms[name]) & terms.keys())
+    definitions = tuple((name, term) for name, term in terms.items() if name in used)
     return Problem(evidence["id"], claim, definitions, hypotheses, tuple(dict.fromkeys(_hints(evidence.get("proof")))))
 
 
-def _hints(proof: Any) -> Iterator[tuple[str, Any]]:
+def _hints(proof: JSON) -> Iterator[tuple[str, Term]]:
     """The forms and the points that a proof is made of, for a search that looks for a proof of something like it."""
     if isinstance(proof, dict):
         if "form" in proof:
             yield "form", Reader().term(proof["form"])
-        for name, value in proof.get("point", {}).items():
+        point = proof.get("point")
+        for name, value in point.items() if isinstance(point, dict) else ():
             yield f"point_{name}", Reader().term(value)
-    for child in proof.values() if isinstance(proof, dict) else proof if isinstance(proof, list) else ():
-        yield from _hints(child)
+    if isinstance(proof, (dict, list)):
+        for child in proof.values() if isinstance(proof, dict) else proof:
+            yield from _hints(child)
 
 
 def relettered(value: Any, new: Callable[[str], str]) -> Any:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections import defaultdict
 from collections.abc import Iterator
 from dataclasses import replace
 from functools import cache
@@ -17,45 +16,45 @@ from symcheck.core.claims import Hypothesis
 from symcheck.core.verdicts import SymcheckError, Verdict
 from symcheck.reading import System, Tree, read, to_latex
 from symcheck.reading.tree import Chain
-from symcheck.selftest.evidence import states, told_of
+from symcheck.selftest.evidence import ledger_verdict, states
 from symcheck.selftest.statements import Proved, places, proved
-from symcheck.selftest.trial import Fate, FaultClass, Trial, mixed
+from symcheck.selftest.trial import FaultClass, Status, Trial, mixed
 
 CONTRARY = {"=": r"\ne", r"\ne": "=", "<": r"\ge", r"\ge": "<", ">": r"\le", r"\le": ">"}
 DROPPED, ADDED, CONTRADICTORY = "dropped", "added", "contradictory"
 OTHERS = 3  # foreign hypotheses that may be added to a relation
 
 
-def without(original: Proved, dropped: Hypothesis) -> Fate:
+def without(original: Proved, dropped: Hypothesis) -> Status:
     """Whether the proof fails without a hypothesis; it is not needed if there is another, accepted and without it."""
     finding = judge(original.context, original.unit, tuple(h for h in original.given if h != dropped))
-    if told_of(original.context, original.unit, finding) is not Verdict.PROVED:
-        return Fate.REJECTED
+    if ledger_verdict(original.context, original.unit, finding) is not Verdict.PROVED:
+        return Status.REJECTED
     shown = states(finding, original.unit.formulas)
-    free = all(dropped.name not in each["hypotheses"] for each in finding.certificates)
-    return Fate.EQUIVALENT if shown and free else Fate.ACCEPTED
+    free = all(dropped.name not in certificate["hypotheses"] for certificate in finding.certificates)
+    return Status.EQUIVALENT if shown and free else Status.ACCEPTED
 
 
-def having(original: Proved, added: Hypothesis) -> Fate:
+def having(original: Proved, added: Hypothesis) -> Status:
     """Whether a hypothesis that has nothing to do with a relation is reported as not needed; open if as unknown."""
     context, unit, given, _ = original
     item = replace(context.item, given=(*context.item.given, added))
     try:
         finding = judge(context.having(item=item), unit, (*given, added))
     except SymcheckError:
-        return Fate.REJECTED  # it speaks of letters that are unknown here
-    if told_of(context, unit, finding) is not Verdict.PROVED:
-        return Fate.REJECTED
+        return Status.REJECTED  # it speaks of letters that are unknown here
+    if ledger_verdict(context, unit, finding) is not Verdict.PROVED:
+        return Status.REJECTED
     proved = [*zip(finding.concrete, finding.certificates, strict=True)]
     row = next(row for row in listed(item, ()) if row.name == added.name)
-    return {False: Fate.REJECTED, None: Fate.OPEN, True: Fate.ACCEPTED}[need(row, proved, item).needed]
+    return {False: Status.REJECTED, None: Status.OPEN, True: Status.ACCEPTED}[need(row, proved, item).needed]
 
 
-def contradicted(original: Proved, contrary: Hypothesis) -> Fate:
+def contradicted(original: Proved, contrary: Hypothesis) -> Status:
     """Whether a relation is no longer proved when its hypotheses contradict one another, and anything would follow."""
     finding = judge(original.context, original.unit, (*original.given, contrary))
-    told = told_of(original.context, original.unit, finding)
-    return Fate.ACCEPTED if told is Verdict.PROVED else Fate.REJECTED
+    verdict = ledger_verdict(original.context, original.unit, finding)
+    return Status.ACCEPTED if verdict is Verdict.PROVED else Status.REJECTED
 
 
 def contrary(original: Proved, hypothesis: Hypothesis) -> Hypothesis | None:
@@ -77,25 +76,25 @@ def _opposite(tree: Tree) -> Tree | None:
 @cache
 def _of_paper(key: str) -> tuple[Hypothesis, ...]:
     """All hypotheses of the claims of a paper."""
-    given = (hypothesis for each in expand(papers.load()[key]) for hypothesis in each.item.given)
+    given = (hypothesis for obligation in expand(papers.load()[key]) for hypothesis in obligation.item.given)
     return tuple(dict.fromkeys(given))
 
 
 def trials(place: str, count: int, rng: Random) -> Iterator[Trial]:
     """So many faults in the hypotheses of one declaration, and the hypotheses as they are."""
-    by_kind: dict[str, list[tuple[str, Proved, Hypothesis]]] = defaultdict(list)
+    by_kind: dict[str, list[tuple[Proved, Hypothesis]]] = {DROPPED: [], ADDED: [], CONTRADICTORY: []}
     for original in proved(place):
-        own = {hypothesis.name for hypothesis in original.given}
-        foreign = [h for h in _of_paper(original.context.paper.key) if h.name not in own]
-        by_kind[DROPPED] += [(DROPPED, original, h) for h in original.given]
-        by_kind[ADDED] += [(ADDED, original, h) for h in rng.sample(foreign, min(OTHERS, len(foreign)))]
+        names = {hypothesis.name for hypothesis in original.given}
+        foreign = [h for h in _of_paper(original.context.paper.key) if h.name not in names]
+        by_kind[DROPPED] += [(original, h) for h in original.given]
+        by_kind[ADDED] += [(original, h) for h in rng.sample(foreign, min(OTHERS, len(foreign)))]
         opposites = (contrary(original, h) for h in original.given)
-        by_kind[CONTRADICTORY] += [(CONTRADICTORY, original, h) for h in opposites if h]
-    for kind, original, hypothesis in islice(mixed(by_kind, rng), count):
-        yield Trial(kind, f"{original.id} {hypothesis.name}", FATES[kind](original, hypothesis))
+        by_kind[CONTRADICTORY] += [(original, h) for h in opposites if h]
+    for kind, (original, hypothesis) in islice(mixed(by_kind, rng), count):
+        yield Trial(kind, f"{original.id} {hypothesis.name}", CHECKS[kind](original, hypothesis))
 
 
-FATES = {DROPPED: without, ADDED: having, CONTRADICTORY: contradicted}
+CHECKS = {DROPPED: without, ADDED: having, CONTRADICTORY: contradicted}
 
 CLASS = FaultClass(
     "hypotheses",

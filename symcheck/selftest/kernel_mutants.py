@@ -11,6 +11,7 @@ import math
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from functools import partial
+from types import SimpleNamespace
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -24,7 +25,12 @@ from symcheck.selftest.kernel_truth import Case, Truth
 BINARY = ("add", "subtract", "multiply", "divide")
 OPERATORS = (ast.Add, ast.Sub, ast.Mult, ast.Div)
 SYMBOLIC: dict[str, Callable[..., Any]] = {
-    **{name: getattr(sp, name) for name in ("sin", "cos", "tan", "exp", "log", "sqrt")},
+    "sin": sp.sin,
+    "cos": sp.cos,
+    "tan": sp.tan,
+    "exp": sp.exp,
+    "log": sp.log,
+    "sqrt": sp.sqrt,
     **{name: sp.Function(name) for name in RUNTIME},
     "arctan": sp.atan,
     "expm1": lambda x: sp.exp(x) - 1,
@@ -37,8 +43,9 @@ SYMBOLIC: dict[str, Callable[..., Any]] = {
     "negative": lambda x: -x,
     "positive": lambda x: x,
 }
+SYMBOLIC_MATH = SimpleNamespace(pi=sp.pi, e=sp.E, **{MATH.get(name, name): x for name, x in SYMBOLIC.items()})
 OF_MATH = {name: function for function, name in MATH.items()}
-UFUNCS = {name: getattr(np, name) for name in SYMBOLIC if hasattr(np, name)}
+UFUNCS = {name: ufunc for name, ufunc in vars(np).items() if name in SYMBOLIC}
 EXPRESSION, CALLED, IN_PLACE, FEW = "expression", "call", "block", "block for few"
 
 
@@ -52,7 +59,7 @@ class Mutant(NamedTuple):
     value: Any
 
     def __str__(self) -> str:
-        return f"{self.form}: {self.line!r} with {_token(getattr(self.node, self.field))} -> {_token(self.value)}"
+        return f"{self.form}: {self.line!r} with {_token(vars(self.node)[self.field])} -> {_token(self.value)}"
 
 
 class Forms:
@@ -60,18 +67,18 @@ class Forms:
 
     def __init__(self, case: Case) -> None:
         self.case = case
-        functions = {node.name: node for node in ast.parse(case.text).body if isinstance(node, ast.FunctionDef)}
-        whole = functions[case.name]
-        (attempt,) = [node for node in ast.walk(whole) if isinstance(node, ast.Try)]
-        (numbers, _) = [node for node in attempt.body if isinstance(node, ast.If)]
-        whole.body = numbers.body  # without arrays, and the way out for what `math` does not take
-        names = {
-            EXPRESSION: f"_{case.name}",
-            CALLED: case.name,
-            IN_PLACE: f"_{case.name}_block",
-            FEW: f"_{case.name}_few",
+        formulas, ways = ({**_functions(ast.parse(text))} for text in case.texts)
+        (call,) = _functions(ways[case.name]).values()
+        (attempt,) = [node for node in ast.walk(call) if isinstance(node, ast.Try)]
+        call.body = attempt.body  # without arrays, and the way out for what `math` does not take
+        formulas[case.name].decorator_list = []
+        trees = {
+            EXPRESSION: formulas[case.name],
+            CALLED: call,
+            IN_PLACE: ways[f"_{case.name}"],
+            FEW: ways.get(f"_{case.name}_few"),
         }
-        self._trees = {form: functions[name] for form, name in names.items() if name in functions}
+        self._trees = {form: tree for form, tree in trees.items() if tree}
         self._inputs = [argument.name for argument in case.kernel.arguments]
         values = list(case.made.program.outputs.values())
         firsts = list(dict.fromkeys(values))
@@ -103,7 +110,7 @@ class Forms:
         inputs = [x.copy() for x in truth.points]
         with np.errstate(all="ignore"):
             try:
-                function = self._compiled(form, UFUNCS | self.case.module)
+                function = self._compiled(form, {**UFUNCS, **self.case.ways, "formula": self.case.function})
                 results = [*self._results(form, function, inputs)]
             except (ArithmeticError, AttributeError, NameError, TypeError, ValueError):
                 return False
@@ -136,9 +143,9 @@ class Forms:
     def _meaning(self, form: str) -> list[Any]:
         """The outputs of one form as expressions of the arguments."""
         symbols = [sp.Symbol(argument.name, real=True) for argument in self.case.kernel.arguments]
-        space: dict[str, Any] = SYMBOLIC | {"math": _Ufuncs(), "array": lambda x: x}
+        space: dict[str, Any] = SYMBOLIC | {"math": SYMBOLIC_MATH, "array": lambda x: x}
         if form in (EXPRESSION, CALLED):
-            self._compiled(EXPRESSION, space)
+            space["formula"] = self._compiled(EXPRESSION, space)
             return [_exact(x) for x in _each(self._compiled(form, space)(*symbols))]
         rows = [_Row(sp.Symbol(f"before_{name}")) for name in self._rows(form)]
         written = {name: partial(_written, function) for name, function in SYMBOLIC.items()}
@@ -147,6 +154,7 @@ class Forms:
 
     def _compiled(self, form: str, space: dict[str, Any]) -> Any:
         tree = self._trees[form]
+        # A mutant is a syntax tree of our own, which nothing but a module runs.
         exec(compile(ast.Module([tree], []), self.case.id, "exec"), space)
         return space[tree.name]
 
@@ -166,24 +174,21 @@ def _written(function: Callable[..., Any], *operands: Any) -> Any:
     return operands[-1]
 
 
-class _Ufuncs:
-    """`math` for symbols."""
-
-    pi, e = sp.pi, sp.E
-
-    def __getattr__(self, name: str) -> Callable[..., Any]:
-        return SYMBOLIC[OF_MATH.get(name, name)]
-
-
 @contextmanager
 def _applied(mutant: Mutant) -> Iterator[None]:
     """The tree with the mutant's token, put back afterwards."""
-    old = getattr(mutant.node, mutant.field)
-    setattr(mutant.node, mutant.field, mutant.value)
+    fields = vars(mutant.node)
+    old = fields[mutant.field]
+    fields[mutant.field] = mutant.value
     try:
         yield
     finally:
-        setattr(mutant.node, mutant.field, old)
+        fields[mutant.field] = old
+
+
+def _functions(tree: ast.Module | ast.FunctionDef) -> dict[str, ast.FunctionDef]:
+    """The functions that are defined in a module or a function, by name."""
+    return {node.name: node for node in tree.body if isinstance(node, ast.FunctionDef)}
 
 
 def _changes(statement: Any, known: list[str]) -> Iterator[tuple[Any, str, Any]]:

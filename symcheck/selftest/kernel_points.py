@@ -5,14 +5,15 @@ from __future__ import annotations
 import math
 from collections.abc import Callable
 from functools import cache
-from typing import Any
 
 import numpy as np
 import sympy as sp
 
 from symcheck.kernels.codegen.kernel import Argument, Kernel
+from symcheck.kernels.runtime import Array
 
-Columns = tuple[Any, ...]  # an array of doubles for each argument
+Columns = tuple[Array, ...]  # an array of doubles for each argument
+End = float | Array  # of a domain: the same at all points, or another argument's
 
 ORDINARY = 3.0  # decades about 1 that random points of an unbounded domain fill
 CROWD = 300  # points crowd a place as closely as 10^-300
@@ -28,7 +29,7 @@ def crowded_points(kernel: Kernel, count: int, rng: np.random.Generator) -> Colu
     names = [argument.name for argument in kernel.arguments]
     columns = dict(zip(names, random_points(kernel, count, rng), strict=True))
 
-    def moved(argument: Argument, low: Any, high: Any) -> Any:
+    def moved(argument: Argument, low: End, high: End) -> Array:
         column, kind = _spread(low, high, count, rng), rng.integers(0, 4, count)
         column = np.where(kind == 2, _beside_an_end(argument, low, high, count, rng), column)
         alike = [each.name for each in kernel.arguments if each.unit == argument.unit and each.name in columns]
@@ -39,7 +40,7 @@ def crowded_points(kernel: Kernel, count: int, rng: np.random.Generator) -> Colu
     return _sampled(kernel, moved)
 
 
-def inside(kernel: Kernel, points: Columns) -> Any:
+def inside(kernel: Kernel, points: Columns) -> Array:
     """Which points lie in the domain."""
     columns = dict(zip((argument.name for argument in kernel.arguments), points, strict=True))
     found = np.ones(points[0].shape, bool)
@@ -55,29 +56,43 @@ def unbounded(kernel: Kernel) -> bool:
     return any(not (argument.low and argument.high) for argument in kernel.arguments)
 
 
-def _sampled(kernel: Kernel, sample: Callable[[Argument, Any, Any], Any]) -> Columns:
+def _sampled(kernel: Kernel, sample: Callable[[Argument, End, End], Array]) -> Columns:
     """A column for each argument; those whose ends are other arguments come after these."""
-    columns: dict[str, Any] = {}
+    columns: dict[str, Array] = {}
     waiting = list(kernel.arguments)
     while waiting:
         argument = waiting.pop(0)
-        try:
-            low, high = _ends(argument, columns)
-        except NameError:
+        if not all({*_letters(end)} <= columns.keys() for end in (argument.low, argument.high)):
             waiting.append(argument)
             continue
+        low, high = _ends(argument, columns)
         columns[argument.name] = _inside(argument, sample(argument, low, high), low, high)
     return tuple(columns[argument.name] for argument in kernel.arguments)
 
 
-def _ends(argument: Argument, columns: dict[str, Any]) -> tuple[Any, Any]:
+def _ends(argument: Argument, columns: dict[str, Array]) -> tuple[End, End]:
     """The ends of a domain, infinite where there is none."""
-    known = {"pi": math.pi, "sqrt": np.sqrt, "abs": np.abs, "max": np.maximum, "min": np.minimum, **columns}
-    low, high = (eval(text, {"__builtins__": {}}, known) if text else None for text in (argument.low, argument.high))
-    return -np.inf if low is None else low, np.inf if high is None else high
+    low, high = (
+        _function(end)(*(columns[letter] for letter in _letters(end))) if end else infinite
+        for end, infinite in ((argument.low, -np.inf), (argument.high, np.inf))
+    )
+    return low, high
 
 
-def _inside(argument: Argument, column: Any, low: Any, high: Any) -> Any:
+@cache
+def _letters(end: str) -> list[str]:
+    """The arguments that an end depends on."""
+    return sorted(letter.name for letter in sp.sympify(end).free_symbols) if end else []
+
+
+@cache
+def _function(end: str) -> Callable[..., End]:
+    """An end as a function of the arguments it depends on."""
+    function: Callable[..., End] = sp.lambdify(_letters(end), sp.sympify(end), "numpy")
+    return function
+
+
+def _inside(argument: Argument, column: Array, low: End, high: End) -> Array:
     """A column, moved into the domain where it is not: an open end itself is not in it, the double below pi/2 is."""
     first, last = low, high
     if not argument.closed:
@@ -86,7 +101,7 @@ def _inside(argument: Argument, column: Any, low: Any, high: Any) -> Any:
     return np.clip(column, first, last)
 
 
-def _next(end: Any, towards: float) -> Any:
+def _next(end: End, towards: float) -> Array:
     """The next number; beside 0 the nearest that crowds it, since closer doubles have fewer digits."""
     return np.where(end == 0, np.copysign(10.0**-CROWD, towards), np.nextafter(end, towards))
 
@@ -100,7 +115,7 @@ def _rounded(end: str) -> int:
     return int(sp.sign(sp.Rational(float(exact)) - exact))
 
 
-def _spread(low: Any, high: Any, count: int, rng: np.random.Generator, decades: float = ORDINARY) -> Any:
+def _spread(low: End, high: End, count: int, rng: np.random.Generator, decades: float = ORDINARY) -> Array:
     """Evenly between two ends, else evenly in the logarithm of the distance from the one end or from zero."""
     far = 10 ** rng.uniform(-decades, decades, count)
     if np.all(np.isfinite(low)) and np.all(np.isfinite(high)):
@@ -110,17 +125,18 @@ def _spread(low: Any, high: Any, count: int, rng: np.random.Generator, decades: 
     return high - far if np.all(np.isfinite(high)) else far * rng.choice([-1, 1], count)
 
 
-def _beside_an_end(argument: Argument, low: Any, high: Any, count: int, rng: np.random.Generator) -> Any:
+def _beside_an_end(argument: Argument, low: End, high: End, count: int, rng: np.random.Generator) -> Array:
     """Close to an end, or to zero where there is none, or to a quarter turn."""
     near = _closely(count, rng)
     if np.isinf(low).all() and np.isinf(high).all():
-        turns = rng.integers(-4, 5, count) if argument.unit == "rad" else 0
-        return turns * (math.pi / 2) + near * rng.choice([-1, 1], count)
+        turns = rng.integers(-4, 5, count) if argument.unit == "rad" else np.zeros(count)
+        beside: Array = turns * (math.pi / 2) + near * rng.choice([-1, 1], count)
+        return beside
     from_low = np.isinf(high) | (rng.random(count) < 0.5) & ~np.isinf(low)
     return np.where(from_low, np.where(np.isinf(low), 0, low) + near, np.where(np.isinf(high), 0, high) - near)
 
 
-def _closely(count: int, rng: np.random.Generator) -> Any:
+def _closely(count: int, rng: np.random.Generator) -> Array:
     """10^-k for k from 1 to 300; half of them within the digits of a double."""
     powers = rng.permutation(np.resize(np.arange(1, CROWD + 1), count))
     return 10.0 ** -np.where(rng.random(count) < 0.5, 1 + powers % 17, powers)

@@ -7,19 +7,22 @@ counted in units of the last place of the value, or of the kernel's `scale` wher
 from __future__ import annotations
 
 import math
+import operator
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from functools import cache
+from functools import cache, reduce
 from typing import Any, NamedTuple
 
 import numpy as np
 import sympy as sp
 from flint import arb, ctx, fmpq
 
+from symcheck import kernels
 from symcheck.audit import kernels as evidence
 from symcheck.kernels.codegen import numpy_target
 from symcheck.kernels.codegen.kernel import Kernel
 from symcheck.kernels.codegen.target import Made
+from symcheck.kernels.specification import KernelFunction
 from symcheck.papers import load
 
 PRECISIONS = (256, 1024, 4096, 16384)  # bits: the last are for differences beside 1e-300
@@ -28,17 +31,14 @@ NOTHING = arb(2) ** -4000  # what is not told from 0 and below this is 0
 
 Columns = tuple[Any, ...]  # an array of doubles for each argument
 
-METHODS = {
-    "Abs": "abs({0})",
-    "Max": "{0}.max({1})",
-    "Min": "{0}.min({1})",
-    "atan2": "arb.atan2({0}, {1})",
-    "loggamma": "{0}.lgamma()",
-    "sign": "{0}.sgn()",
-    "erf": "{0}.erf()",
-    "erfc": "{0}.erfc()",
-    **{name: f"{{0}}.{name}()" for name in ("sin", "cos", "tan", "exp", "log", "atan", "asin", "acos", "gamma")},
-    **{name: f"{{0}}.{name}()" for name in ("sinh", "cosh", "tanh", "asinh", "acosh", "atanh")},
+METHODS = ("atan2", "erf", "erfc", "sin", "cos", "tan", "exp", "log", "atan", "asin", "acos", "gamma")
+FUNCTIONS: dict[str, Callable[..., arb]] = {
+    **{name: vars(arb)[name] for name in (*METHODS, "sinh", "cosh", "tanh", "asinh", "acosh", "atanh")},
+    "Abs": abs,
+    "Max": lambda *balls: reduce(arb.max, balls),
+    "Min": lambda *balls: reduce(arb.min, balls),
+    "loggamma": arb.lgamma,
+    "sign": arb.sgn,
 }
 
 
@@ -46,51 +46,55 @@ class Enclosures:
     """Some expressions of some arguments as a function of balls."""
 
     def __init__(self, names: Sequence[str], expressions: Sequence[Any]) -> None:
-        self._lines: list[str] = []
-        self._places: dict[Any, str] = {sp.pi: "arb.pi()", sp.E: "arb(1).exp()"}
-        self._inputs = {name: f"x{n}" for n, name in enumerate(names)}
-        results = ", ".join([self._place(expression) for expression in expressions])
-        body = "\n    ".join([*self._lines, f"return [{results}]"])
-        space: dict[str, Any] = {"arb": arb, "fmpq": fmpq}
-        exec(f"def function({', '.join(self._inputs.values())}):\n    {body}", space)
-        self._function = space["function"]
+        self._steps: list[tuple[Callable[..., arb], list[int]]] = []
+        self._places: dict[Any, int] = {}
+        self._inputs = {name: n for n, name in enumerate(names)}
+        self._results = [self._place(expression) for expression in expressions]
 
     def __call__(self, point: Sequence[float], enough: Callable[[list[arb]], bool]) -> list[arb]:
         """The values at a point, narrowed until they are enough (or as narrow as it goes)."""
         finite = all(map(math.isfinite, point))
         for bits in PRECISIONS if finite else PRECISIONS[:1]:
             with ctx.workprec(bits):
-                values: list[arb] = self._function(*map(arb, point))
-                if enough(values):
+                values = [arb(x) for x in point]
+                for function, operands in self._steps:
+                    values.append(function(*[values[n] for n in operands]))
+                found = [values[n] for n in self._results]
+                if enough(found):
                     break
-        return values
+        return found
 
-    def _place(self, e: Any) -> str:
-        if e not in self._places:
-            text = self._text(e)
-            self._places[e] = f"v{len(self._places)}"
-            self._lines.append(f"{self._places[e]} = {text}")
-        return self._places[e]
-
-    def _text(self, e: Any) -> str:
+    def _place(self, e: Any) -> int:
+        """Where the value of an expression stands, once all steps to it are taken."""
         if e.is_Symbol:
             return self._inputs[e.name]
-        if e.is_Rational:
-            return f"arb({e.p})" if e.q == 1 else f"arb(fmpq({e.p}, {e.q}))"
-        if e.is_Pow and e.exp.is_Rational and e.exp.q == 2:
-            root = f"{self._place(e.base)}.sqrt()"
-            return root if e.exp == sp.S.Half else f"({root}) ** {e.exp.p}"
-        if e.is_Pow and e.exp.is_Integer:
-            return f"{self._place(e.base)} ** ({e.exp})"
-        operands = [self._place(part) for part in e.args]
-        if e.is_Add or e.is_Mul or e.is_Pow:
-            return (" + " if e.is_Add else " * " if e.is_Mul else " ** ").join(operands)
-        name = e.func.__name__
-        if name in ("Max", "Min"):
-            return f"{operands[0]}" + "".join(f".{name.lower()}({each})" for each in operands[1:])
-        if name not in METHODS:
-            raise NotImplementedError(f"no enclosure of {name}; add it to METHODS")
-        return METHODS[name].format(*operands)
+        if e not in self._places:
+            function, parts = _step(e)
+            operands = [self._place(part) for part in parts]
+            self._places[e] = len(self._inputs) + len(self._steps)
+            self._steps.append((function, operands))
+        return self._places[e]
+
+
+def _step(e: Any) -> tuple[Callable[..., arb], Sequence[Any]]:
+    """The function of balls that computes an expression, and its operands."""
+    if e is sp.pi:
+        return arb.pi, ()
+    if e is sp.E:
+        return lambda: arb(1).exp(), ()
+    if e.is_Rational:
+        return lambda: arb(fmpq(e.p, e.q)), ()
+    if e.is_Pow and e.exp.is_Rational and e.exp.q == 2:
+        return lambda base: base.sqrt() ** int(e.exp.p), (e.base,)
+    if e.is_Pow and e.exp.is_Integer:
+        return lambda base: base ** int(e.exp), (e.base,)
+    if e.is_Add or e.is_Mul or e.is_Pow:
+        sign = operator.add if e.is_Add else operator.mul if e.is_Mul else operator.pow
+        return lambda *balls: reduce(sign, balls), e.args
+    name = e.func.__name__
+    if name not in FUNCTIONS:
+        raise NotImplementedError(f"no enclosure of {name}; add it to FUNCTIONS")
+    return FUNCTIONS[name], e.args
 
 
 class Truth(NamedTuple):
@@ -141,18 +145,18 @@ class Case:
         return _made(self)
 
     @property
-    def text(self) -> str:
-        """The module of this kernel alone."""
-        return numpy_target.files(self.paper, {self.name: self.made})[f"{self.paper}.py"]
+    def texts(self) -> tuple[str, str]:
+        """The formula of this kernel alone and the ways it runs, as text."""
+        return _texts(self)
 
     @property
-    def module(self) -> dict[str, Any]:
-        """What is defined in the generated text: the function, its expression `_name` and its block."""
-        return _module(self)
+    def ways(self) -> dict[str, Any]:
+        """What the generated module of its ways defines: its blocks, and the functions they call."""
+        return vars(kernels.load(f"_{self.paper}"))
 
     @property
-    def function(self) -> Any:
-        return self.module[self.name]
+    def function(self) -> KernelFunction:
+        return kernels.find(self.paper, self.name)
 
     @property
     def derived(self) -> list[Any]:
@@ -172,21 +176,14 @@ def cases() -> dict[str, Case]:
 
 
 @cache
-def source(case: Case) -> str:
-    """The generated text of one kernel, without the evidence it rests on."""
-    return numpy_target.source(case.name, case.made)
-
-
-@cache
 def _made(case: Case) -> Made:
-    return Made(case.kernel, *evidence.programs(case.kernel), "")
+    return Made(case.kernel, *evidence.programs(case.kernel))
 
 
 @cache
-def _module(case: Case) -> dict[str, Any]:
-    space: dict[str, Any] = {"__name__": case.id}
-    exec(compile(case.text, case.id, "exec"), space)
-    return space
+def _texts(case: Case) -> tuple[str, str]:
+    files = numpy_target.files(case.paper, {case.name: case.made})
+    return files[f"{case.paper}.py"], files[f"_{case.paper}.py"]
 
 
 @cache

@@ -15,7 +15,7 @@ from symcheck.ledger.record import Record
 from symcheck.selftest.kernel_mutants import SYMBOLIC, Forms, Mutant
 from symcheck.selftest.kernel_points import crowded_points, random_points
 from symcheck.selftest.kernel_truth import Case, Truth, cases
-from symcheck.selftest.trial import Fate, FaultClass, Trial, mixed
+from symcheck.selftest.trial import FaultClass, Status, Trial, mixed
 
 POINTS = 3  # random ones, and as many beside degenerate places
 
@@ -44,16 +44,16 @@ def trials(place: str, count: int, rng: Random) -> Iterator[Trial]:
     case = cases()[place]
     found, truth, by_kind = _prepared(case)
     for form in found.forms:
-        yield Trial("as it is", f"{place} {form}", Fate.KEPT if found.right(form, truth) else Fate.FALSELY_REJECTED)
-    for mutant in islice(mixed(by_kind, rng), count):
-        yield Trial(kind(mutant), f"{place} {mutant}", fate(found, mutant, truth))
+        yield Trial("as it is", f"{place} {form}", Status.KEPT if found.right(form, truth) else Status.FALSELY_REJECTED)
+    for _, mutant in islice(mixed(by_kind, rng), count):
+        yield Trial(kind(mutant), f"{place} {mutant}", status_of(found, mutant, truth))
 
 
-def fate(found: Forms, mutant: Mutant, truth: Truth) -> Fate:
+def status_of(found: Forms, mutant: Mutant, truth: Truth) -> Status:
     """Whether the values give a mutant away; one with the right values is none if it means the same."""
     if not found.survives(mutant, truth):
-        return Fate.REJECTED
-    return Fate.EQUIVALENT if found.equivalent(mutant) else Fate.ACCEPTED
+        return Status.REJECTED
+    return Status.EQUIVALENT if found.equivalent(mutant) else Status.ACCEPTED
 
 
 def _kernels(records: Sequence[Record]) -> list[str]:

@@ -19,6 +19,8 @@ from tempfile import TemporaryDirectory
 from typing import Any
 from unittest.mock import patch
 
+from msgspec import structs
+
 from symcheck import papers
 from symcheck.audit import decide, judge, run
 from symcheck.audit.cache import FILE, Cache
@@ -38,7 +40,7 @@ from symcheck.proof import fails_at, identity
 from symcheck.proof.polynomial import unfold
 from symcheck.reading import read
 from symcheck.selftest.statements import declared
-from symcheck.selftest.trial import Fate, FaultClass, Trial
+from symcheck.selftest.trial import FaultClass, Status, Trial
 
 PROVED = Outcome(Verdict.PROVED, proof={"rule": "identity", "cofactors": [], "given": []})
 DOUBLE = Problem("double", node("=", node("+", "x", "x"), node("*", 2, "x")))
@@ -46,6 +48,7 @@ LIMIT = 60.0  # seconds for one declaration
 MOST = 20_000  # characters of the certificates of a declaration: some proofs hang on longer ones for minutes
 OTHER = {Verdict.PROVED: Verdict.REFUTED, Verdict.REFUTED: Verdict.PROVED}
 Decide = Callable[[Problem], Outcome]
+Truth = Mapping[str, Verdict]
 
 
 def always_yes(problem: Problem) -> Outcome:
@@ -111,7 +114,6 @@ SABOTEURS: tuple[Decide, ...] = (
     assumes_the_claim,
     proves_another_statement,
 )
-RELABELLED, EDITED, SIGNED, READER = "rows relabelled", "cache row edited", "cache row signed", "reader drops a token"
 
 
 def _letters(problem: Problem) -> list[str]:
@@ -119,9 +121,6 @@ def _letters(problem: Problem) -> list[str]:
     definitions = dict(problem.definitions)
     formulas = [problem.claim, *(formula for _, stated in problem.hypotheses for formula in stated)]
     return sorted(set().union(*(letters(unfold(formula, definitions)) for formula in formulas)))
-
-
-# --- what is taken over
 
 
 def _answer(saboteur: Decide, problem: Problem) -> Outcome:
@@ -177,13 +176,9 @@ def _forgetful() -> Iterator[None]:
         judge.lemma.cache_clear()
 
 
-# --- what the ledger tells
-
-
-def told(id: str, folder: Path | None = None, decider: Any = decide) -> list[Record]:
+def audited(id: str, folder: Path | None = None, decider: Any = decide) -> list[Record]:
     """What an audit of one declaration tells, with a cache in this folder."""
-    said: list[str] = []
-    kept = Cache(folder, said.append)
+    kept = Cache(folder, lambda _: None)
     try:
         known, serial = papers.load(), Serial()
         return run.audit([id], papers=known, decide=decider, cache=kept, executor=serial, timeout=LIMIT, weigh=False)
@@ -208,8 +203,8 @@ def turned(record: Record) -> Record:
     if record.verdict not in OTHER:
         return record
     other = OTHER[record.verdict]
-    spoilt = tuple({**each, "verdict": str(other)} for each in record.certificates)
-    return replace(record, verdict=other, certificates=spoilt)
+    spoilt = tuple({**evidence, "verdict": str(other)} for evidence in record.certificates)
+    return structs.replace(record, verdict=other, certificates=spoilt)
 
 
 def from_cache(id: str, signed: bool) -> list[Record]:
@@ -225,7 +220,7 @@ def from_cache(id: str, signed: bool) -> list[Record]:
             text = json.dumps([record.to_json() for record in false], ensure_ascii=False)
             with closing(sqlite3.connect(folder / FILE)) as connection, connection:
                 connection.execute("UPDATE records SET records = ?", (text,))
-        return told(id, folder)
+        return audited(id, folder)
 
 
 def dropped(latex: str, share: float) -> str:
@@ -237,28 +232,28 @@ def dropped(latex: str, share: float) -> str:
     return latex[: token.start()] + " " + latex[token.end() :]
 
 
-def fate_of_reading(id: str, share: float, truth: Mapping[str, Verdict]) -> Fate:
+def _reader_drops(id: str, truth: Truth, rng: Random) -> Status:
     """What becomes of a declaration that is read without a token, which is layout if it is read alike all the same.
 
     It is noticed if it cannot be read, if the verdict is not the recorded one, or if the certificates do not claim what
     a fresh reading states: by this the checker ties them to the print.
     """
-    obligation = obligation_of(id)
+    share, obligation = rng.random(), obligation_of(id)
     context = Context(obligation.paper, obligation.item)
     before = [unit.formulas for unit in units(context)]
     statements = _statements(obligation.paper.key)
     try:
         with _reading(partial(dropped, share=share)):
             if [unit.formulas for unit in units(context)] == before:
-                return Fate.EQUIVALENT
-            said = told(id)
+                return Status.EQUIVALENT
+            records = audited(id)
     except SymcheckError:
-        return Fate.REJECTED
-    noticed = store.disagreements([record for record in said if record.id in truth], truth, complete=True)
-    shown: list[JSON] = [each for record in said for each in record.certificates]
-    names = tuple(f"{record.id}:" for record in said)
+        return Status.REJECTED
+    noticed = store.disagreements([record for record in records if record.id in truth], truth, complete=True)
+    shown: list[JSON] = [evidence for record in records for evidence in record.certificates]
+    names = tuple(f"{record.id}:" for record in records)
     noticed += [line for line in statements.differences(shown) if line.startswith(names)]
-    return Fate.REJECTED if noticed else Fate.ACCEPTED
+    return Status.REJECTED if noticed else Status.ACCEPTED
 
 
 @cache
@@ -269,19 +264,34 @@ def _statements(key: str) -> StatementIndex:
     return StatementIndex(json.loads(json.dumps(known)))
 
 
-# --- trials
-
-
-def fate(truth: Mapping[str, Verdict], records: Sequence[Record], equal: Fate) -> Fate:
+def status_of(truth: Truth, records: Sequence[Record], equal: Status) -> Status:
     """Of what is told where something else is true: false verdicts are accepted faults."""
-    said = {record.id: record.verdict for record in records}
-    if any(said.get(id) is OTHER[verdict] for id, verdict in truth.items()):
-        return Fate.ACCEPTED
-    return equal if all(said.get(id) is verdict for id, verdict in truth.items()) else Fate.REJECTED
+    verdicts = {record.id: record.verdict for record in records}
+    if any(verdicts.get(id) is OTHER[verdict] for id, verdict in truth.items()):
+        return Status.ACCEPTED
+    return equal if all(verdicts.get(id) is verdict for id, verdict in truth.items()) else Status.REJECTED
 
 
-def _kind(saboteur: Decide) -> str:
-    return saboteur.__name__.replace("_", " ")
+def _by_saboteur(saboteur: Decide, id: str, truth: Truth, rng: Random) -> Status:
+    with sabotaged(saboteur):
+        return status_of(truth, audited(id), Status.EQUIVALENT)  # it happened to be right
+
+
+def _relabelled(id: str, truth: Truth, rng: Random) -> Status:
+    return status_of(truth, audited(id, decider=Relabelling), Status.ACCEPTED)
+
+
+def _cache_row(id: str, truth: Truth, rng: Random, signed: bool) -> Status:
+    return status_of(truth, from_cache(id, signed), Status.REJECTED)  # it was decided anew
+
+
+KINDS: dict[str, Callable[[str, Truth, Random], Status]] = {
+    **{saboteur.__name__.replace("_", " "): partial(_by_saboteur, saboteur) for saboteur in SABOTEURS},
+    "rows relabelled": _relabelled,
+    "cache row edited": partial(_cache_row, signed=False),
+    "cache row signed": partial(_cache_row, signed=True),
+    "reader drops a token": _reader_drops,
+}
 
 
 def _places(records: Sequence[Record]) -> list[str]:
@@ -302,25 +312,15 @@ def _places(records: Sequence[Record]) -> list[str]:
 def trials(place: str, count: int, rng: Random) -> Iterator[Trial]:
     """Each saboteur in the ledger, for one declaration."""
     id, verdicts = json.loads(place)
-    truth = {each: Verdict(verdict) for each, verdict in verdicts.items()}
-    kinds: list[Any] = [*SABOTEURS, RELABELLED, EDITED, SIGNED, READER]
-    for kind in rng.sample(kinds, min(count, len(kinds))):
-        if callable(kind):
-            with sabotaged(kind):
-                said = told(id)
-            yield Trial(_kind(kind), id, fate(truth, said, Fate.EQUIVALENT))  # it happened to be right
-        elif kind == READER:
-            yield Trial(kind, id, fate_of_reading(id, rng.random(), truth))
-        elif kind == RELABELLED:
-            yield Trial(kind, id, fate(truth, told(id, decider=Relabelling), Fate.ACCEPTED))
-        else:
-            yield Trial(kind, id, fate(truth, from_cache(id, kind == SIGNED), Fate.REJECTED))  # it was decided anew
+    truth = {name: Verdict(verdict) for name, verdict in verdicts.items()}
+    for kind in rng.sample([*KINDS], min(count, len(KINDS))):
+        yield Trial(kind, id, KINDS[kind](id, truth, rng))
 
 
 CLASS = FaultClass(
     "saboteurs",
     "sabotaged methods, provers, readers and caches, inside the ledger",
-    (*map(_kind, SABOTEURS), RELABELLED, EDITED, SIGNED, READER),
+    (*KINDS,),
     share=150,
     places=_places,
     trials=trials,

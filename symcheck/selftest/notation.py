@@ -3,11 +3,10 @@
 from __future__ import annotations
 
 import re
-from collections import defaultdict
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from functools import cache, partial
-from itertools import combinations, islice, product
+from itertools import combinations, product
 from random import Random
 from typing import Any, NamedTuple
 
@@ -16,15 +15,15 @@ from symcheck.audit.context import Context
 from symcheck.audit.judge import Unit, judge, units
 from symcheck.audit.obligation import DECIDED, expand
 from symcheck.core.claims import Item, Paper, Problem
-from symcheck.core.terms import node
+from symcheck.core.terms import Formula, node
 from symcheck.core.verdicts import Role, SymcheckError, Verdict
 from symcheck.ledger.record import Record
 from symcheck.proof import equivalent
 from symcheck.proof.polynomial import Unsupported, unfold
 from symcheck.reading import Letter, Notation
 from symcheck.reading.notation import variable
-from symcheck.selftest.evidence import relettered, told_of
-from symcheck.selftest.trial import Fate, FaultClass, Trial, mixed
+from symcheck.selftest.evidence import ledger_verdict, relettered
+from symcheck.selftest.trial import FaultClass, Status, Trial, drawn
 
 SWAPPED, ASSUMED = "letters swapped", "wrong assumption"
 PIECES = 8  # tasks for each paper
@@ -89,7 +88,7 @@ def _relettered(notation: Notation, changes: Mapping[Letter, Letter]) -> Notatio
     return notation.having(*letters)
 
 
-def fate(paper: Paper, fault: Fault) -> Fate:
+def status_of(paper: Paper, fault: Fault) -> Status:
     """Whether the first relation that means something else now has another verdict, or cannot be read.
 
     A fault is none if no statement changes, or if all change as if two variables had exchanged their names throughout.
@@ -97,21 +96,21 @@ def fate(paper: Paper, fault: Fault) -> Fate:
     changed = 0
     try:
         faulty = replace(paper, notation=fault.change(paper.notation))
-        for item, text, verdicts in _decided(paper):
+        for item, text, verdict in _decided(paper):
             context, other = Context(paper, item), Context(faulty, _item(item, fault.change))
             printed = any(letter in text for letter in fault.letters)
             if not printed and _means_the_same(context, other, fault):
                 continue
             for before, after in zip(units(context), units(other), strict=True):
-                said, says = _said(context, before), _said(other, after)
-                if _is_alike(said, says) or _is_alike(_exchanged(said, fault.exchanged), says):
+                stated, faulty_stated = _stated(context, before), _stated(other, after)
+                if _is_same(stated, faulty_stated) or _is_same(_exchanged(stated, fault.exchanged), faulty_stated):
                     continue
                 changed += 1
-                if told_of(other, after, judge(other, after, other.item.given)) is not verdicts.get(before.letter):
-                    return Fate.REJECTED
+                if ledger_verdict(other, after, judge(other, after, other.item.given)) is not verdict(before.letter):
+                    return Status.REJECTED
     except (SymcheckError, Unsupported, ValueError):
-        return Fate.REJECTED  # it cannot be read, or the table contradicts itself
-    return Fate.ACCEPTED if changed else Fate.EQUIVALENT
+        return Status.REJECTED  # it cannot be read, or the table contradicts itself
+    return Status.ACCEPTED if changed else Status.EQUIVALENT
 
 
 def _means_the_same(context: Context, other: Context, fault: Fault) -> bool:
@@ -130,22 +129,22 @@ def _item(item: Item, change: Change) -> Item:
     return replace(item, notation=change(item.notation)) if item.notation else item
 
 
-def _said(context: Context, unit: Unit) -> tuple[Any, ...]:
+def _stated(context: Context, unit: Unit) -> tuple[Formula, ...]:
     """All that a relation states, definitions unfolded: its formulas, what is given, where it is an equality."""
     item = context.item
     given = [context.hypothesis(hypothesis) for hypothesis in (*item.given, *item.needs, *item.equality_given)]
     equality = item.equality.get(unit.letter, "") if isinstance(item.equality, Mapping) else item.equality
     where = context.lower(equality) if equality else ()
-    stated = (*unit.formulas, *where, *(formula for _, formulas in given for formula in formulas))
-    definitions = dict(context.used_definitions(*stated))
-    return tuple(unfold(formula, definitions) for formula in stated)
+    formulas = (*unit.formulas, *where, *(formula for _, assumed in given for formula in assumed))
+    definitions = dict(context.used_definitions(*formulas))
+    return tuple(unfold(formula, definitions) for formula in formulas)
 
 
-def _is_alike(said: tuple[Any, ...], says: tuple[Any, ...]) -> bool:
+def _is_same(stated: tuple[Formula, ...], other: tuple[Formula, ...]) -> bool:
     """Whether the statements are the same by algebra, one by one."""
-    if len(said) != len(says):
+    if len(stated) != len(other):
         return False
-    pairs = zip(said, says, strict=True)
+    pairs = zip(stated, other, strict=True)
     return all(f == g or equivalent(f, g, Problem("both", node("and", f, g))) for f, g in pairs)
 
 
@@ -155,42 +154,30 @@ def _exchanged(value: Any, names: Mapping[str, str]) -> Any:
 
 
 @cache
-def _decided(paper: Paper) -> tuple[tuple[Item, str, dict[str, Verdict]], ...]:
+def _decided(paper: Paper) -> tuple[tuple[Item, str, Callable[[str], Verdict]], ...]:
     """The declarations without lemmas, each with the verdict of its links; lists, and what is long, come last."""
-    found = []
+    decided = []
     for obligation in expand(paper):
         item = obligation.item
         if item.role in DECIDED and not item.lemmas:
-            found.append((item, _text(item), _Verdicts(paper, item)))
+            decided.append((item, _text(item), cache(partial(_verdict, Context(paper, item)))))
     return tuple(
-        sorted(found, key=lambda pair: (bool(pair[0].parts), pair[0].role is Role.OURS, len(repr(pair[0].printed))))
+        sorted(decided, key=lambda pair: (bool(pair[0].parts), pair[0].role is Role.OURS, len(repr(pair[0].printed))))
     )
 
 
-class _Verdicts(dict[str, Verdict]):
-    """By link letter, decided when asked for."""
-
-    def __init__(self, paper: Paper, item: Item) -> None:
-        super().__init__()
-        self._context = Context(paper, item)
-
-    def get(self, letter: str, default: Any = None) -> Any:
-        if letter not in self:
-            unit = next(unit for unit in units(self._context) if unit.letter == letter)
-            self[letter] = told_of(self._context, unit, judge(self._context, unit, self._context.item.given))
-        return self[letter]
+def _verdict(context: Context, letter: str) -> Verdict:
+    unit = next(unit for unit in units(context) if unit.letter == letter)
+    return ledger_verdict(context, unit, judge(context, unit, context.item.given))
 
 
 def trials(place: str, count: int, rng: Random) -> Iterator[Trial]:
     """So many mistakes in the table of one paper."""
     key, _, piece = place.partition("/")
     paper = papers.load()[key]
-    by_kind: dict[str, list[tuple[str, Fault]]] = defaultdict(list)
-    for n, (kind, fault) in enumerate(faults(paper.notation)):
-        if n % PIECES == int(piece):
-            by_kind[kind].append((kind, fault))
-    for kind, fault in islice(mixed(by_kind, rng), count):
-        yield Trial(kind, f"{key} {fault.words}", fate(paper, fault))
+    own = (pair for n, pair in enumerate(faults(paper.notation)) if n % PIECES == int(piece))
+    for kind, fault in drawn(own, count, rng):
+        yield Trial(kind, f"{key} {fault.words}", status_of(paper, fault))
 
 
 def _places(records: Sequence[Record]) -> list[str]:

@@ -2,10 +2,8 @@
 
 from __future__ import annotations
 
-from collections import defaultdict
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
-from itertools import islice
 from random import Random
 from typing import Any
 
@@ -13,12 +11,11 @@ from symcheck.audit.judge import judge
 from symcheck.core.claims import Problem
 from symcheck.core.terms import Formula, Node, Term, Value, node
 from symcheck.core.verdicts import Verdict
-from symcheck.selftest.evidence import answered, relettered, told_of
+from symcheck.selftest.evidence import answered, ledger_verdict, relettered
 from symcheck.selftest.statements import Proved, places, proved
-from symcheck.selftest.trial import Fate, FaultClass, Trial, mixed
+from symcheck.selftest.trial import FaultClass, Status, Trial, drawn
 
 RENAMED = "renamed"
-Rewriting = tuple[str, Proved, int, Formula]
 
 
 def rewritings(tree: Any, rng: Random) -> Iterator[tuple[str, Any]]:
@@ -98,24 +95,24 @@ def _renamed_hint(name: str) -> str:
 
 def trials(place: str, count: int, rng: Random) -> Iterator[Trial]:
     """So many other forms of the relations of one declaration."""
-    by_kind: dict[str, list[Rewriting]] = defaultdict(list)
-    for original in proved(place):
-        for n, formula in enumerate(original.unit.formulas):
-            for kind, new in rewritings(formula, rng):
-                if new != formula:
-                    by_kind[kind].append((kind, original, n, new))
-            if not original.context.item.lemmas:
-                by_kind[RENAMED].append((RENAMED, original, n, formula))
-    for kind, original, n, formula in islice(mixed(by_kind, rng), count):
+    for kind, (original, n, formula) in drawn(_rewritten(proved(place), rng), count, rng):
         right = _renaming_is_proved(original, n) if kind == RENAMED else _is_proved(original, n, formula)
-        yield Trial(kind, f"{original.id} as {formula}", Fate.KEPT if right else Fate.FALSELY_REJECTED)
+        yield Trial(kind, f"{original.id} as {formula}", Status.KEPT if right else Status.FALSELY_REJECTED)
+
+
+def _rewritten(relations: Iterable[Proved], rng: Random) -> Iterator[tuple[str, tuple[Proved, int, Formula]]]:
+    for original in relations:
+        for n, formula in enumerate(original.unit.formulas):
+            yield from ((kind, (original, n, new)) for kind, new in rewritings(formula, rng) if new != formula)
+            if not original.context.item.lemmas:
+                yield RENAMED, (original, n, formula)
 
 
 def _is_proved(original: Proved, n: int, formula: Formula) -> bool:
     context, unit, given, _ = original
     formulas = (*unit.formulas[:n], formula, *unit.formulas[n + 1 :])
     finding = judge(context, replace(unit, formulas=formulas), given)
-    return told_of(context, unit, finding) is Verdict.PROVED
+    return ledger_verdict(context, unit, finding) is Verdict.PROVED
 
 
 def _renaming_is_proved(original: Proved, n: int) -> bool:

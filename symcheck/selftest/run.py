@@ -15,7 +15,7 @@ from symcheck.audit.executor import Crash, Done, Executor, Timeout
 from symcheck.ledger.record import Record
 from symcheck.selftest.engines import Agreement, agreement
 from symcheck.selftest.statements import places, says_more, unguarded
-from symcheck.selftest.trial import Count, Fate, FaultClass, total
+from symcheck.selftest.trial import Count, FaultClass, Status, total
 
 FAULTS = 21_000
 ENOUGH = 0.999  # of the faults must be rejected
@@ -40,14 +40,14 @@ class Result:
     @property
     def is_sound(self) -> bool:
         """Whether enough faults were rejected, nothing right was, all came to an end, and the engines agree."""
-        fates = self.whole.fates
-        enough = fates[Fate.ACCEPTED] <= (1 - ENOUGH) * (fates[Fate.ACCEPTED] + fates[Fate.REJECTED])
-        return enough and not (fates[Fate.FALSELY_REJECTED] or self.unfinished or self.engines.disagreements)
+        statuses = self.whole.statuses
+        enough = statuses[Status.ACCEPTED] <= (1 - ENOUGH) * (statuses[Status.ACCEPTED] + statuses[Status.REJECTED])
+        return enough and not (statuses[Status.FALSELY_REJECTED] or self.unfinished or self.engines.disagreements)
 
     def to_json(self) -> dict[str, object]:
         """The confusion matrix as a whole, by class and by kind."""
         classes = {
-            name: {**total(kinds.values()).to_json(), "kinds": {kind: each.to_json() for kind, each in kinds.items()}}
+            name: {**total(kinds.values()).to_json(), "kinds": {kind: count.to_json() for kind, count in kinds.items()}}
             for name, kinds in self.counts.items()
         }
         whole = self.whole.to_json()
@@ -58,32 +58,32 @@ class Result:
 @cache
 def classes() -> dict[str, FaultClass]:
     """All classes of faults by name: every module of this package that declares a CLASS."""
-    modules = (import_module(f"{selftest.__name__}.{each.name}") for each in iter_modules(selftest.__path__))
-    found = [module.CLASS for module in modules if isinstance(getattr(module, "CLASS", None), FaultClass)]
-    return {each.name: each for each in sorted(found, key=lambda each: -each.share)}
+    modules = (import_module(f"{selftest.__name__}.{module.name}") for module in iter_modules(selftest.__path__))
+    declared = [module.CLASS for module in modules if isinstance(getattr(module, "CLASS", None), FaultClass)]
+    return {fault.name: fault for fault in sorted(declared, key=lambda fault: -fault.share)}
 
 
 def tasks(records: Sequence[Record], faults: int, seed: int) -> list[str]:
     """What the workers do, each task a text: class, number of trials, seed, place. Long ones come first."""
-    found = []
-    for name, each in classes().items():
-        wanted = -(-faults * each.share // 10_000)
-        places = list(each.places(records))
+    texts = []
+    for name, fault in classes().items():
+        wanted = -(-faults * fault.share // 10_000)
+        places = list(fault.places(records))
         Random(f"{seed} {name}").shuffle(places)
         places = places[:wanted]
         for n, place in enumerate(places):
             count = wanted * (n + 1) // len(places) - wanted * n // len(places)
-            found.append(json.dumps([name, count, f"{seed} {name} {n}", place]))
-    return found
+            texts.append(json.dumps([name, count, f"{seed} {name} {n}", place]))
+    return texts
 
 
 def planted(task: str) -> dict[str, Count]:
     """One task, in a worker process: the counts by kind."""
     name, count, seed, place = json.loads(task)
-    found: dict[str, Count] = {}
+    counts: dict[str, Count] = {}
     for trial in classes()[name].trials(place, count, Random(seed)):
-        found.setdefault(trial.kind, Count()).add(trial)
-    return found
+        counts.setdefault(trial.kind, Count()).add(trial)
+    return counts
 
 
 def run(
@@ -95,7 +95,7 @@ def run(
 ) -> Result:
     """Plant about so many faults in what the records speak of; the same seed plants the same ones."""
     todo = tasks(records, faults, seed)
-    result = Result(seed, {name: {kind: Count() for kind in each.kinds} for name, each in classes().items()})
+    result = Result(seed, {name: {kind: Count() for kind in fault.kinds} for name, fault in classes().items()})
     for done, (task, answer) in enumerate(executor.map(planted, todo, TIMEOUT), 1):
         name, _, _, place = json.loads(task)
         if isinstance(answer, Done):
@@ -105,11 +105,11 @@ def run(
             result.unfinished.append(f"{name} {place[:80]}: {_why(answer)}")
         progress(done, len(todo))
     result.findings = findings(records)
-    for place, found in executor.map(says_more, places(records), TIMEOUT):
-        if isinstance(found, Done):
-            result.findings += found.value
+    for place, more in executor.map(says_more, places(records), TIMEOUT):
+        if isinstance(more, Done):
+            result.findings += more.value
         else:
-            result.unfinished.append(f"what says more than {place}: {_why(found)}")
+            result.unfinished.append(f"what says more than {place}: {_why(more)}")
     result.findings.sort()
     for kinds in result.counts.values():
         for count in kinds.values():
@@ -125,10 +125,10 @@ def _why(answer: Timeout | Crash) -> str:
 
 def findings(records: Sequence[Record]) -> list[str]:
     """The hypotheses that a relation is stated with and does not need, and the bounds without a set of equality."""
-    told = [
+    not_needed = [
         f"{record.id} does not need {hypothesis.name!r}"
         for record in records
         for hypothesis in record.hypotheses
         if hypothesis.need and hypothesis.need.needed is False
     ]
-    return told + [f"{id} has no set of equality: a looser bound would pass" for id in unguarded(records)]
+    return not_needed + [f"{id} has no set of equality: a looser bound would pass" for id in unguarded(records)]

@@ -6,11 +6,10 @@ the way of the printed text: it is printed, read again and lowered, so that what
 
 from __future__ import annotations
 
-from collections import defaultdict
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from functools import cache
-from itertools import islice, starmap
+from itertools import starmap
 from random import Random
 from typing import NamedTuple
 
@@ -24,13 +23,11 @@ from symcheck.ledger.record import Record
 from symcheck.proof import combined, fails_without
 from symcheck.reading import Edit, Tree, edits, lower, read, to_latex
 from symcheck.reading.tree import Add, Number, children, replaced, walk
-from symcheck.selftest.arguments import ARGUMENT, arguments
-from symcheck.selftest.connectives import CONNECTIVE, EQUATED, connectives, stronger
-from symcheck.selftest.ends import ends
-from symcheck.selftest.evidence import holds, states, told_of
+from symcheck.selftest.evidence import holds, ledger_verdict, states
 from symcheck.selftest.oracle import fails
+from symcheck.selftest.slips import ARGUMENT, CONNECTIVE, EQUATED, arguments, connectives, ends, slips_of, stronger
 from symcheck.selftest.strength import compared, same
-from symcheck.selftest.trial import Fate, FaultClass, Trial, mixed
+from symcheck.selftest.trial import FaultClass, Status, Trial, drawn
 
 EQUALITY = "equality case"
 RARE = (EQUALITY, "strictness", "bound", "interval end", CONNECTIVE, EQUATED, ARGUMENT)
@@ -63,18 +60,18 @@ class Proved(NamedTuple):
 def proved(id: str) -> list[Proved]:
     """The proved relations of one declaration; of misprinted ones, what is right."""
     obligation = obligation_of(id)
-    item, found = obligation.item, []
+    item, relations = obligation.item, []
     context = Context(obligation.paper, item)
     for unit in units(context):
         if unit.letter and unit.letter in item.imposed:
             continue
-        each = Proved(context, unit, item.given + (item.needs if unit.letter in item.errata else ()))
+        relation = Proved(context, unit, item.given + (item.needs if unit.letter in item.errata else ()))
         if (erratum := item.errata.get(unit.letter)) and erratum.corrected:
-            each = _corrected(each, erratum)
-        finding = judge(each.context, each.unit, each.given)
-        if finding.verdict is Verdict.PROVED and told_of(each.context, each.unit, finding) is Verdict.PROVED:
-            found.append(each._replace(finding=finding))
-    return found
+            relation = _corrected(relation, erratum)
+        finding = judge(relation.context, relation.unit, relation.given)
+        if ledger_verdict(relation.context, relation.unit, finding) is Verdict.PROVED:
+            relations.append(relation._replace(finding=finding))
+    return relations
 
 
 def _corrected(printed: Proved, erratum: Erratum) -> Proved:
@@ -92,7 +89,10 @@ def slips(original: Proved) -> Iterator[Edit]:
     """Every single edit of a statement, of its ends, arguments, connectives and equality case; none twice."""
     tree, notation = original.unit.tree, original.context.notation
     seen = {tree}
-    for edit in (*edits(tree, notation), *ends(tree), *arguments(tree), *connectives(tree)):
+    for edit in (
+        *edits(tree, notation),
+        *(edit for kind in (ends, arguments, connectives) for edit in slips_of(kind, tree)),
+    ):
         if edit.tree not in seen:
             seen.add(edit.tree)
             yield edit
@@ -101,26 +101,26 @@ def slips(original: Proved) -> Iterator[Edit]:
             yield Edit(EQUALITY, edit.description, edit.tree)
 
 
-def fate(original: Proved, edit: Edit) -> Fate:
+def status_of(original: Proved, edit: Edit) -> Status:
     """What the ledger makes of a statement with a slip.
 
-    Told as proved, it is true, if the certificates claim just this and no point of the oracle contradicts; then it is
-    compared with the printed one. Not told as proved, it is a fault if it fails somewhere. All else is left open.
+    If the ledger calls it proved, it is true if the certificates claim just this and no point of the oracle
+    contradicts; then it is compared with the printed one. Otherwise it is a fault if it fails somewhere, else open.
     """
     try:
         changed = with_slip(original, edit)
         if _is_read_alike(original, changed, edit):
-            return Fate.ACCEPTED  # the reader drops the slip
+            return Status.ACCEPTED  # the reader drops the slip
         if edit.kind != EQUALITY and says_the_same(original, changed):
-            return Fate.EQUIVALENT
+            return Status.EQUIVALENT
         finding = judge(changed.context.having(doubted=True), changed.unit, changed.given)
     except SymcheckError:
-        return Fate.REJECTED  # it makes no statement
-    told = told_of(changed.context, changed.unit, finding)
-    if told is Verdict.PROVED:
+        return Status.REJECTED  # it makes no statement
+    verdict = ledger_verdict(changed.context, changed.unit, finding)
+    if verdict is Verdict.PROVED:
         true = states(finding, changed.unit.formulas) and not is_false(original, finding)
-        return _strength(original, changed, edit) if true else Fate.ACCEPTED
-    return Fate.REJECTED if told is Verdict.REFUTED or is_false(original, finding) else Fate.OPEN
+        return _strength(original, changed, edit) if true else Status.ACCEPTED
+    return Status.REJECTED if verdict is Verdict.REFUTED or is_false(original, finding) else Status.OPEN
 
 
 def with_slip(original: Proved, edit: Edit) -> Proved:
@@ -171,13 +171,13 @@ def says_the_same(original: Proved, changed: Proved) -> bool:
 
 def is_false(original: Proved, finding: Finding) -> bool:
     """Whether what is claimed fails somewhere: at an exact point of a certificate, or at one of the oracle."""
-    if any(each["verdict"] == Verdict.REFUTED and holds(each) for each in finding.certificates):
+    if any(evidence["verdict"] == Verdict.REFUTED and holds(evidence) for evidence in finding.certificates):
         return True
     witnesses = original.finding.certificates if original.finding else ()
-    found = [fails(problem, witnesses) for problem in finding.concrete]
-    if finding.verdict is Verdict.PROVED or True in found:
-        return True in found
-    return any(_is_refuted(each) for each, failing in zip(finding.concrete, found, strict=True) if failing is None)
+    failing = [fails(problem, witnesses) for problem in finding.concrete]
+    if finding.verdict is Verdict.PROVED or True in failing:
+        return True in failing
+    return any(_is_refuted(problem) for problem, f in zip(finding.concrete, failing, strict=True) if f is None)
 
 
 def _is_refuted(problem: Problem) -> bool:
@@ -186,18 +186,18 @@ def _is_refuted(problem: Problem) -> bool:
     return lost is not None and holds(lost.certificate)
 
 
-def _strength(original: Proved, changed: Proved, edit: Edit) -> Fate:
+def _strength(original: Proved, changed: Proved, edit: Edit) -> Status:
     """How much a true statement says, in the place of another; both sets of equality are just where it is one."""
     if edit.kind == EQUALITY:
-        return Fate.EQUIVALENT
+        return Status.EQUIVALENT
     before, after = original.unit.formulas, changed.unit.formulas
     if len(before) != len(after):  # instances dropped or added
-        return Fate.WEAKER if {*after} <= {*before} else Fate.STRONGER if {*before} <= {*after} else Fate.OPEN
-    fates = {compared(*each) for each in zip(before, after, original.both(changed), strict=True)}
-    for whole in (Fate.EQUIVALENT, Fate.WEAKER, Fate.STRONGER):
-        if fates <= {whole, Fate.EQUIVALENT}:
+        return Status.WEAKER if {*after} <= {*before} else Status.STRONGER if {*before} <= {*after} else Status.OPEN
+    statuses = {compared(*pair) for pair in zip(before, after, original.both(changed), strict=True)}
+    for whole in (Status.EQUIVALENT, Status.WEAKER, Status.STRONGER):
+        if statuses <= {whole, Status.EQUIVALENT}:
             return whole
-    return Fate.OPEN
+    return Status.OPEN
 
 
 def says_more(id: str) -> list[str]:
@@ -208,8 +208,8 @@ def says_more(id: str) -> list[str]:
     """
     found = []
     for original in _proved(id):
-        for edit in () if original.equality else stronger(original.unit.tree):
-            if fate(original, edit) is Fate.STRONGER:
+        for edit in () if original.equality else slips_of(stronger, original.unit.tree):
+            if status_of(original, edit) is Status.STRONGER:
                 found.append(f"{original.id}: more is true ({edit.description})")
     return found
 
@@ -225,7 +225,7 @@ def unguarded(records: Sequence[Record]) -> list[str]:
     """The proved inequalities that may be equalities, without a set where they are; those that are errata left out."""
     found = []
     for record in records:
-        claims = [each["claim"] for each in record.certificates]
+        claims = [evidence["claim"] for evidence in record.certificates]
         obligation = obligation_of(declared(record))
         item, letter = obligation.item, record.id.removeprefix(obligation.id)
         if record.verdict is Verdict.PROVED and not record.corrected and claims and claims[0][0] in ("<=", ">="):
@@ -243,12 +243,9 @@ def declared(record: Record) -> str:
 
 def trials(place: str, count: int, rng: Random) -> Iterator[Trial]:
     """So many slips of the relations of one declaration."""
-    by_kind: dict[str, list[tuple[Proved, Edit]]] = defaultdict(list)
-    for original in _proved(place):
-        for edit in slips(original):
-            by_kind[edit.kind].append((original, edit))
-    for original, edit in islice(mixed(by_kind, rng, RARE), count):
-        yield Trial(edit.kind, f"{original.id} {edit.description}", fate(original, edit))
+    edits = ((edit.kind, (original, edit)) for original in _proved(place) for edit in slips(original))
+    for _, (original, edit) in drawn(edits, count, rng, RARE):
+        yield Trial(edit.kind, f"{original.id} {edit.description}", status_of(original, edit))
 
 
 CLASS = FaultClass(

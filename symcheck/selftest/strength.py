@@ -9,7 +9,7 @@ from symcheck.core.formulas import conjuncts
 from symcheck.core.terms import Connective, Formula, Quantified, Relation, Term, Value, node
 from symcheck.proof import equivalent, proof_of
 from symcheck.selftest.evidence import is_shown
-from symcheck.selftest.trial import Fate
+from symcheck.selftest.trial import Status
 
 MIRROR = {">": "<", ">=": "<="}
 IMPLIED = {"=": ("<=",), "<": ("<=", "!=")}  # signs between the same sides
@@ -17,12 +17,12 @@ ARITHMETIC = ("+", "-", "*", "/", "^")
 TRUE_OF_EQUALS = ("=", "<=", ">=")
 
 
-def compared(before: Formula, after: Formula, problem: Problem) -> Fate:
+def compared(before: Formula, after: Formula, problem: Problem) -> Status:
     """What a true statement is in the place of another true one, under the hypotheses of a problem."""
     less, more = (Strength(problem).entails(*pair) for pair in ((before, after), (after, before)))
     if less and more:
-        return Fate.EQUIVALENT
-    return Fate.WEAKER if less else Fate.STRONGER if more else Fate.OPEN
+        return Status.EQUIVALENT
+    return Status.WEAKER if less else Status.STRONGER if more else Status.OPEN
 
 
 class Strength:

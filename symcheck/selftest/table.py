@@ -9,8 +9,8 @@ from rich.table import Table
 
 from symcheck.ledger.selftested import Row, rows
 
-FATES = ("planted", "rejected", "accepted", "equivalent", "weaker", "stronger", "open")
-COLUMNS = (*FATES, "rejected of those that are faults", "right", "rejected")
+STATUSES = ("planted", "rejected", "accepted", "equivalent", "weaker", "stronger", "open")
+COLUMNS = (*STATUSES, "rejected of those that are faults", "right", "rejected")
 MOST_TOLD = 20
 
 
@@ -24,9 +24,9 @@ def show(out: Any, result: Mapping[str, Any]) -> None:
         table.add_row(row.name if row.is_class else f"  {row.name}", *cells(row), style="bold" if row.is_class else "")
     out.print(table)
     engines = result["engines"]
-    told = ", ".join(f"{name} {count:,}" for name, count in engines["evaluated"].items())
+    counts = ", ".join(f"{name} {count:,}" for name, count in engines["evaluated"].items())
     out.print(
-        f"{engines['points']:,} refutations, all re-evaluated by the checker; evaluated at their points by: {told}."
+        f"{engines['points']:,} refutations, all re-evaluated by the checker; evaluated at their points by: {counts}."
     )
     out.print(f"{len(engines['disagreements'])} disagreements; {engines['all_three']:,} by all three.")
     out.print(
@@ -43,7 +43,7 @@ def show(out: Any, result: Mapping[str, Any]) -> None:
 def cells(row: Row) -> list[str]:
     """The cells behind the name."""
     counts = row.counts
-    first = (_number(counts.get(name, 0)) for name in FATES)
+    first = (_number(counts.get(name, 0)) for name in STATUSES)
     return [*first, row.rate, _number(counts["right"]), _number(counts["false_rejections"]) if counts["right"] else ""]
 
 

@@ -6,7 +6,7 @@ from collections import Counter
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from enum import StrEnum
-from itertools import chain, zip_longest
+from itertools import chain, islice, zip_longest
 from random import Random
 from typing import TypeVar
 
@@ -15,7 +15,7 @@ from symcheck.ledger.record import Record
 T = TypeVar("T")
 
 
-class Fate(StrEnum):
+class Status(StrEnum):
     """What became of something planted (all but the last two), or of something right."""
 
     REJECTED = "rejected"
@@ -28,21 +28,21 @@ class Fate(StrEnum):
     FALSELY_REJECTED = "falsely rejected"
 
 
-PLANTED = (Fate.REJECTED, Fate.ACCEPTED, Fate.EQUIVALENT, Fate.WEAKER, Fate.STRONGER, Fate.OPEN)
+PLANTED = (Status.REJECTED, Status.ACCEPTED, Status.EQUIVALENT, Status.WEAKER, Status.STRONGER, Status.OPEN)
 
 
 @dataclass(frozen=True)
 class Trial:
-    """One thing planted: of which kind, what it is in words, and its fate."""
+    """One thing planted: of which kind, what it is in words, and its status."""
 
     kind: str
     what: str
-    fate: Fate
+    status: Status
 
     @property
     def is_error(self) -> bool:
         """Whether the audit was wrong: a fault went unnoticed, or something right was rejected."""
-        return self.fate in (Fate.ACCEPTED, Fate.FALSELY_REJECTED)
+        return self.status in (Status.ACCEPTED, Status.FALSELY_REJECTED)
 
 
 @dataclass(frozen=True)
@@ -65,53 +65,53 @@ class FaultClass:
 
 @dataclass
 class Count:
-    """Fates of one kind, and the errors in words."""
+    """How many trials of one kind have each status, and the errors in words."""
 
-    fates: Counter[Fate] = field(default_factory=Counter)
+    statuses: Counter[Status] = field(default_factory=Counter)
     errors: list[str] = field(default_factory=list)
 
     def add(self, trial: Trial) -> None:
         """One trial more."""
-        self.fates[trial.fate] += 1
+        self.statuses[trial.status] += 1
         if trial.is_error:
-            self.errors.append(f"{trial.fate} {trial.kind}: {trial.what}")
+            self.errors.append(f"{trial.status} {trial.kind}: {trial.what}")
 
     def merge(self, other: Count) -> None:
         """All trials of another count more."""
-        self.fates += other.fates
+        self.statuses += other.statuses
         self.errors += other.errors
 
     @property
     def planted(self) -> int:
-        return sum(self.fates[fate] for fate in PLANTED)
+        return sum(self.statuses[status] for status in PLANTED)
 
     @property
     def right(self) -> int:
         """How many right things were shown to the audit."""
-        return self.fates[Fate.KEPT] + self.fates[Fate.FALSELY_REJECTED]
+        return self.statuses[Status.KEPT] + self.statuses[Status.FALSELY_REJECTED]
 
     def to_json(self) -> dict[str, object]:
-        """How many there are of each fate, the rates with their 95 % limits, and the errors in words."""
-        faults = self.fates[Fate.REJECTED] + self.fates[Fate.ACCEPTED]
+        """How many there are of each status, the rates with their 95 % limits, and the errors in words."""
+        faults = self.statuses[Status.REJECTED] + self.statuses[Status.ACCEPTED]
         return {
             "planted": self.planted,
-            **{str(fate): self.fates[fate] for fate in PLANTED},
+            **{str(status): self.statuses[status] for status in PLANTED},
             "right": self.right,
-            "false_rejections": self.fates[Fate.FALSELY_REJECTED],
-            "rejected_of_faults": limits(self.fates[Fate.REJECTED], faults),
-            "false_rejections_of_right": limits(self.fates[Fate.FALSELY_REJECTED], self.right),
+            "false_rejections": self.statuses[Status.FALSELY_REJECTED],
+            "rejected_of_faults": limits(self.statuses[Status.REJECTED], faults),
+            "false_rejections_of_right": limits(self.statuses[Status.FALSELY_REJECTED], self.right),
             "errors": self.errors,
         }
 
 
-def limits(found: int, of: int) -> list[float] | None:
-    """The rate found/of with its 95 % limits (Clopper and Pearson), as [low, rate, high]; None of nothing."""
+def limits(count: int, of: int) -> list[float] | None:
+    """The rate count/of with its 95 % limits (Clopper and Pearson), as [low, rate, high]; None of nothing."""
     from scipy.stats import binomtest
 
     if not of:
         return None
-    interval = binomtest(found, of).proportion_ci(0.95, method="exact")
-    return [float(interval.low), found / of, float(interval.high)]
+    interval = binomtest(count, of).proportion_ci(0.95, method="exact")
+    return [float(interval.low), count / of, float(interval.high)]
 
 
 def total(counts: Iterable[Count]) -> Count:
@@ -122,9 +122,19 @@ def total(counts: Iterable[Count]) -> Count:
     return result
 
 
-def mixed(by_kind: Mapping[str, Sequence[T]], rng: Random, rare: Sequence[str] = ()) -> Iterator[T]:
-    """All members in a random order in which the kinds take turns, rare ones first: a short beginning has them."""
+def drawn(
+    members: Iterable[tuple[str, T]], count: int, rng: Random, rare: Sequence[str] = ()
+) -> Iterator[tuple[str, T]]:
+    """So many members with their kinds, in a random order in which the kinds take turns, rare ones first."""
+    by_kind: dict[str, list[T]] = {}
+    for kind, member in members:
+        by_kind.setdefault(kind, []).append(member)
+    return islice(mixed(by_kind, rng, rare), count)
+
+
+def mixed(by_kind: Mapping[str, Sequence[T]], rng: Random, rare: Sequence[str] = ()) -> Iterator[tuple[str, T]]:
+    """All members with their kinds, in a random order in which the kinds take turns: a short beginning has them all."""
     order = sorted(rng.sample(list(by_kind), len(by_kind)), key=lambda kind: kind not in rare)
-    shuffled = [rng.sample(by_kind[kind], len(by_kind[kind])) for kind in order]
-    rows: Iterable[tuple[T | None, ...]] = zip_longest(*shuffled)
-    return (member for member in chain.from_iterable(rows) if member is not None)
+    shuffled = [[(kind, member) for member in rng.sample(by_kind[kind], len(by_kind[kind]))] for kind in order]
+    rows: Iterable[tuple[tuple[str, T] | None, ...]] = zip_longest(*shuffled)
+    return (pair for pair in chain.from_iterable(rows) if pair is not None)

@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from symcheck import kernels
+from symcheck.generated import poloskov2004
 from symcheck.numeric.domain import Array
 from symcheck.numeric.liquid import boundary_of_stability, stability_map
 from symcheck.numeric.wheels import envelope, four_wheels, listed_vertices, six_wheels, total_momentum
@@ -44,7 +44,6 @@ def densities() -> list[dict[str, Any]]:
     >>> [len(each["curves"]) for each in densities()]
     [3, 3]
     """
-    stationary = kernels.load("poloskov2004")
     amplitude = {
         "title": "Stationary density of the amplitude",
         "source": ["poloskov2004:3.4", "poloskov2004:B.2"],
@@ -57,8 +56,8 @@ def densities() -> list[dict[str, Any]]:
     }
     names = "α = {:.2f}, β = {:.2f}, γ = {:.2f}", "k = {:.1f}, g₁₃ = {:.1f}, g₂₃ = {:.1f}, d₃₃ = {:.1f}"
     return [
-        amplitude | _curves(stationary.density_of_amplitude, np.linspace(0, 3, POINTS), names[0], AMPLITUDES),
-        frequency | _curves(stationary.density_of_frequency, np.linspace(-3, 3, POINTS), names[1], FREQUENCIES),
+        amplitude | _curves(poloskov2004.density_of_amplitude, np.linspace(0, 3, POINTS), names[0], AMPLITUDES),
+        frequency | _curves(poloskov2004.density_of_frequency, np.linspace(-3, 3, POINTS), names[1], FREQUENCIES),
     ]
 
 

@@ -6,22 +6,19 @@ The text is pure and has no branch that depends on values, so that libraries can
 from __future__ import annotations
 
 import textwrap
-from collections import Counter
 from collections.abc import Iterator, Mapping
 
 from symcheck.core.verdicts import SymcheckError
-from symcheck.kernels.codegen.docstring import docstring
-from symcheck.kernels.codegen.expression import bare, number
-from symcheck.kernels.codegen.program import INFIX, UNARY, Operation, Program, Ref
+from symcheck.kernels.codegen.docstring import docstring, numpydoc
+from symcheck.kernels.codegen.expression import assignments, bare, number
+from symcheck.kernels.codegen.program import UNARY, Operation, Program, Ref, is_number
 from symcheck.kernels.codegen.target import MARK, Made, Target
 from symcheck.kernels.ratios import SHIFT, STIRLING, TINY
 
 STANDARD = {"arctan": "atan", "power": "pow"}  # what the standard calls otherwise
-LONGEST = 90  # characters of an expression that is not given a name
-CALLS = """An argument is an array of float32 or float64, or a number; one at least is an array. Its library computes,
-on its device and in its type, or in float64 if there are arrays of both types. Arrays broadcast; each result has the
-broadcast shape; outputs that are equal by formula may be one array. A TypeError names what does not fit. What is no
-number gives no number."""
+CALLS = """At least one argument is an array, of float32 or float64. Its library computes, on its device and in its
+type, or in float64 if there are arrays of both types. Arrays broadcast; each result has the broadcast shape; outputs
+that are equal by formula may be one array. A TypeError names what does not fit. NaN inputs give NaN outputs."""
 
 HEAD = '''"""Kernels of {key} for PyTorch, JAX, CuPy, NumPy and other libraries of the array API standard. {mark}
 
@@ -137,27 +134,21 @@ def source(name: str, made: Made) -> str:
     """The text of one kernel."""
     inputs = made.program.inputs
     pairs = ", ".join(f"{x}={x}" for x in inputs)
-    lines = [docstring(made, CALLS), f"xp, number, {', '.join(inputs)} = _arrays({pairs})", *statements(made.program)]
+    text = docstring(numpydoc(made, "array or float", CALLS))
+    lines = [text, f"xp, number, {', '.join(inputs)} = _arrays({pairs})", *statements(made.program)]
     return f"def {name}({', '.join(inputs)}):\n{textwrap.indent(chr(10).join(lines), '    ')}\n"
 
 
 def statements(program: Program) -> Iterator[str]:
-    """The program as assignments, and what it returns; what is used once stands where it is used.
+    """The program as assignments, and what it returns.
 
-    A library that computes at once can then give the memory of such a value back at once.
+    A library that computes at once can give the memory of a value without a name back at once.
     """
-    operands = [x for operation in program.operations for x in operation.operands]
-    uses = Counter([*operands, *program.outputs.values()])
-    texts: dict[Ref, str] = {x: x for x in program.inputs}
-    for operation in program.operations:
-        text = _text(operation, texts)
-        if uses[operation.result] > 1 or len(text) > LONGEST:
-            yield f"{operation.result} = {bare(text)}"
-            text = operation.result
-        texts[operation.result] = text
+    lines, results = assignments(program, _call, array)
+    yield from lines
     reached, every = dependencies(program), ", ".join(program.inputs)
-    results = [(bare(texts.get(x) or array(x)), reached.get(x, set())) for x in program.outputs.values()]
-    wholes = [text if names >= {*program.inputs} else f"full(xp, {text}, {every})" for text, names in results]
+    pairs = zip(results, program.outputs.values(), strict=True)
+    wholes = [text if reached.get(x, set()) >= {*program.inputs} else f"full(xp, {text}, {every})" for text, x in pairs]
     yield f"return {', '.join(wholes)}"
 
 
@@ -169,16 +160,8 @@ def dependencies(program: Program) -> dict[Ref, set[Ref]]:
     return found
 
 
-def _text(operation: Operation, texts: Mapping[Ref, str]) -> str:
-    """An operator, in parentheses, or a call. Numbers are arrays, except where an operator has an array beside them."""
-    function, sign = operation.function, INFIX.get(operation.function)
-    beside = sign and any(x in texts for x in operation.operands)
-    operands = [texts.get(x) or (number(x) if beside else array(x)) for x in operation.operands]
-    if sign:
-        return f"({f' {sign} '.join(operands)})"
-    if function == "negative":
-        return f"(-{operands[0]})"
-    inside = ", ".join(map(bare, operands))
+def _call(operation: Operation, operands: list[str]) -> str:
+    function, inside = operation.function, ", ".join(operands)
     if function in HELPERS:
         return f"{function}(xp, {inside})"
     if function in (*UNARY, "power"):
@@ -187,5 +170,5 @@ def _text(operation: Operation, texts: Mapping[Ref, str]) -> str:
 
 
 def array(x: Ref) -> str:
-    """A number as an array."""
-    return f"number({bare(number(x))})"
+    """A number as an array; a name as it is."""
+    return f"number({bare(number(x))})" if is_number(x) else str(x)

@@ -14,7 +14,7 @@ from fractions import Fraction
 from symcheck.core.verdicts import SymcheckError
 from symcheck.kernels.codegen.c_functions import CIRCULAR, REACH, written
 from symcheck.kernels.codegen.c_text import HEADER, LOOP, LOOP_AND_REST, PARALLEL, SOURCE, VECTORS
-from symcheck.kernels.codegen.docstring import paragraphs
+from symcheck.kernels.codegen.docstring import numpydoc
 from symcheck.kernels.codegen.program import INFIX, UNARY, Operation, Program, Ref, under_root
 from symcheck.kernels.codegen.special import RUNTIME
 from symcheck.kernels.codegen.target import MARK, Made, Target
@@ -26,7 +26,7 @@ WORDS_OF_C = re.compile(  # and of the text around a kernel: far, i, libm, n
 C_NAMES = {"arctan": "atan", "power": "pow"}  # what C calls otherwise
 VECTOR = ("atan", "exp", "expm1", "log", "log1p", "pow")  # functions of libm that glibc has for vectors too
 WIDTH = 116
-CALLS = "Arguments and results are arrays of n numbers. What is no number gives no number."
+CALLS = "n is the number of points; the results go to the arrays that come last. NaN inputs give NaN outputs."
 
 
 def files(key: str, kernels: Mapping[str, Made]) -> dict[str, str]:
@@ -120,7 +120,7 @@ def number(x: Ref, places: Mapping[str, str]) -> str:
 
 def comment(made: Made) -> str:
     """What the function is, as a comment."""
-    text = "\n\n".join(each for each in paragraphs(made, CALLS) if each)
+    text = numpydoc(made, "array of n doubles", CALLS)
     return f"/** {textwrap.indent(text, '    ').lstrip()} */"
 
 

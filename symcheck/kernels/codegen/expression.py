@@ -1,17 +1,18 @@
-"""A program as an expression of Python floats: assignments, and what is returned."""
+"""A program as assignments in Python, and what is returned: a value that is used once stands where it is used."""
 
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator, Mapping
 from fractions import Fraction
 
-from symcheck.kernels.codegen.program import INFIX, UNARY, Operation, Program, Ref, under_root
+from symcheck.kernels.codegen.program import INFIX, Operation, Program, Ref, is_number, under_root
 from symcheck.kernels.codegen.special import RUNTIME
 
-MATH = {"arctan": "atan", "power": "pow"}  # what `math` calls otherwise
-CALLED = (*UNARY, *RUNTIME, "power")
-LONGEST = 90  # characters of an expression that is not given a name
+MATH = {"arctan": "atan", "power": "pow"}  # names in `math` that differ from NumPy's
+LONGEST = 90  # characters of an expression without a name, so that a line with two of them stays readable
+SUM, PRODUCT, ATOM = range(1, 4)  # how tightly the last operator of an expression binds
+BINDING = {"add": SUM, "subtract": SUM, "multiply": PRODUCT, "divide": PRODUCT, "negative": SUM}
 
 
 def number(x: Ref) -> str:
@@ -28,28 +29,60 @@ def bare(text: str) -> str:
     return text[1:-1] if text[0] == "(" else text
 
 
-def expression_lines(program: Program) -> Iterator[str]:
-    """The program as assignments, and what it returns; what is used once stands where it is used."""
+def call_of_math(operation: Operation, operands: list[str]) -> str:
+    """The call of a function of floats."""
+    function = operation.function
+    name = function if function in RUNTIME else f"math.{MATH.get(function, function)}"
+    return f"{name}({', '.join(operands)})"
+
+
+def assignments(
+    program: Program,
+    call: Callable[[Operation, list[str]], str] = call_of_math,
+    alone: Callable[[Ref], str] = number,
+) -> tuple[list[str], list[str]]:
+    """The assignments of a program, and the expressions of its outputs.
+
+    call   writes the call of a function
+    alone  writes a number that has no value beside it
+    """
     used = [x for operation in program.operations for x in operation.operands]
     uses = Counter([*used, *program.outputs.values()])
-    texts: dict[Ref, str] = {}
+    texts: dict[Ref, tuple[str, int]] = {}
+    lines = []
+
+    def whole(x: Ref) -> str:
+        return texts[x][0] if x in texts else bare(alone(x))
+
     for operation in program.operations:
-        text = _expression(operation, [texts.get(x, number(x)) for x in operation.operands])
-        if uses[operation.result] > 1 or len(text) > LONGEST:
-            yield f"{operation.result} = {text}"
+        if binding := BINDING.get(operation.function):
+            text = _joined(operation, binding, texts, alone if all(map(is_number, operation.operands)) else number)
         else:
-            texts[operation.result] = text if operation.function in CALLED else f"({text})"
-    yield f"return {', '.join(bare(texts.get(value, number(value))) for value in program.outputs.values())}"
+            text, binding = call(operation, [whole(x) for x in operation.operands]), ATOM
+        if uses[operation.result] > 1 or len(text) > LONGEST:
+            lines.append(f"{operation.result} = {text}")
+        else:
+            texts[operation.result] = text, binding
+    return lines, [whole(x) for x in program.outputs.values()]
 
 
-def _expression(operation: Operation, operands: list[str]) -> str:
-    if operation.function in INFIX:
-        return f" {INFIX[operation.function]} ".join(operands)
+def _joined(
+    operation: Operation, binding: int, texts: Mapping[Ref, tuple[str, int]], write: Callable[[Ref], str]
+) -> str:
+    """An operator between its operands, with the brackets that keep the order of operations."""
+
+    def side(x: Ref, least: int) -> str:
+        text, own = texts.get(x, (write(x), ATOM))
+        return text if own >= least else f"({text})"
+
     if operation.function == "negative":
-        return f"-{operands[0]}"
-    name = (
-        operation.function
-        if operation.function in RUNTIME
-        else f"math.{MATH.get(operation.function, operation.function)}"
-    )
-    return f"{name}({', '.join(map(bare, operands))})"
+        return f"-{side(operation.operands[0], ATOM)}"
+    left, right = operation.operands
+    return f"{side(left, binding)} {INFIX[operation.function]} {side(right, binding + 1)}"
+
+
+def body(program: Program) -> Iterator[str]:
+    """The lines of a function of floats."""
+    lines, results = assignments(program)
+    yield from lines
+    yield f"return {', '.join(results)}"

@@ -9,46 +9,10 @@ from typing import Any
 from symcheck.core.claims import Hypothesis
 from symcheck.core.lazy import lazy
 from symcheck.core.verdicts import SymcheckError
+from symcheck.kernels.specification import Argument as Argument
+from symcheck.kernels.specification import Output as Output
 
 sp = lazy("sympy")
-
-
-@dataclass(frozen=True)
-class Argument:
-    """One argument: the symbol of the derivation, its meaning, its unit, and the domain the kernel is meant for.
-
-    low, high   ends of the domain, as Python ("0", "pi/2"), empty where there is none; `closed` if they belong to it
-    """
-
-    name: str
-    meaning: str
-    unit: str = "1"
-    low: str = ""
-    high: str = ""
-    closed: bool = False
-
-    @property
-    def domain(self) -> str:
-        """The domain in words: "0 < a < pi/2"."""
-        sign = "<=" if self.closed else "<"
-        below = f"{self.low} {sign} " if self.low else ""
-        return (
-            f"{below}{self.name}{f' {sign} {self.high}' if self.high else ''}" if below or self.high else "any number"
-        )
-
-    @property
-    def acute(self) -> bool:
-        """An angle whose sine and cosine are not negative."""
-        return (self.low, self.high) == ("0", "pi/2")
-
-
-@dataclass(frozen=True)
-class Output:
-    """One output: its name in the derivation, its meaning, its unit."""
-
-    name: str
-    meaning: str
-    unit: str = "1"
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -8,7 +8,7 @@ polynomials are Chebyshev fits of what is written beside them.
 from __future__ import annotations
 
 import math
-from typing import Any
+from collections.abc import Callable
 
 import numpy as np
 
@@ -23,7 +23,7 @@ SMALLEST, LARGEST = 2.2250738585072014e-308, 1.7976931348623157e308  # with all 
 SHIFT = 9  # from here on seven terms of Stirling's series are enough for doubles
 
 
-def quarters(x: Any) -> Any:
+def quarters(x: float) -> tuple[np.int64, float, float]:
     """n in the last bits of a whole number, y and z with x = n pi/2 + y + z."""
     shifted = (x if abs(x) <= FAR else math.nan) * (2 / math.pi) + ROUND
     n = shifted - ROUND
@@ -34,7 +34,7 @@ def quarters(x: Any) -> Any:
     return np.float64(shifted).view(np.int64), y, (rest - y) - second
 
 
-def sine(y: Any, z: Any) -> Any:
+def sine(y: float, z: float) -> float:
     """What sin(y + z) is more than y, up to pi/4: (sin(sqrt t)/sqrt t - 1)/t."""
     t = y * y
     p = (1.5918115263265974e-10 * t - 2.505113165023518e-08) * t + 2.7557316101617874e-06
@@ -42,7 +42,7 @@ def sine(y: Any, z: Any) -> Any:
     return p * t * y + z * (1.0 - 0.5 * t)
 
 
-def cosine(y: Any, z: Any) -> Any:
+def cosine(y: float, z: float) -> tuple[float, float]:
     """cos(y + z) in two parts, up to pi/4: (cos(sqrt t) - 1 + t/2)/t^2."""
     t = y * y
     p = ((-1.1382623647474604e-11 * t + 2.087614614655861e-09) * t - 2.7557317271145144e-07) * t + 2.480158729876456e-05
@@ -52,7 +52,7 @@ def cosine(y: Any, z: Any) -> Any:
     return large, ((1.0 - large) - half) + (t * p - y * z)
 
 
-def sin(x: Any) -> Any:
+def sin(x: float) -> float:
     """The sine."""
     n, y, z = quarters(x)
     large, small = cosine(y, z)
@@ -61,7 +61,7 @@ def sin(x: Any) -> Any:
     return -value if n & 2 else value
 
 
-def cos(x: Any) -> Any:
+def cos(x: float) -> float:
     """The cosine."""
     n, y, z = quarters(x)
     large, small = cosine(y, z)
@@ -70,14 +70,14 @@ def cos(x: Any) -> Any:
     return -value if (n + 1) & 2 else value
 
 
-def exchanged(one: Any, other: Any, mask: Any) -> Any:
+def exchanged(one: float, other: float, mask: np.int64) -> tuple[float, float]:
     """Both in this order where the mask has no bits, in the other where it has all."""
     first, second = np.float64(one).view(np.int64), np.float64(other).view(np.int64)
     different = (first ^ second) & mask
     return np.int64(first ^ different).view(np.float64), np.int64(second ^ different).view(np.float64)
 
 
-def tan(x: Any) -> Any:
+def tan(x: float) -> float:
     """The tangent: a quotient of two sums, whose remainder corrects it."""
     n, y, z = quarters(x)
     more = sine(y, z)
@@ -92,7 +92,7 @@ def tan(x: Any) -> Any:
     return -value if n & 1 else value
 
 
-def arctan(x: Any) -> Any:
+def arctan(x: float) -> float:
     """The arctangent, up to tan(pi/8) after a turn by 0, pi/4 or pi/2: (arctan(sqrt t)/sqrt t - 1)/t."""
     a = abs(x)
     large, middle = a > 2.414213562373095, a > 0.41421356237309503
@@ -107,7 +107,7 @@ def arctan(x: Any) -> Any:
     return math.copysign(turn + (u + (p + rest)), x)
 
 
-def growth(x: Any) -> Any:
+def growth(x: float) -> tuple[float, float]:
     """g and h with exp x = g + g h, where g is a power of 2: (exp r - 1 - r)/r^2."""
     shifted = (x if abs(x) < 708.0 else math.nan) * (1 / math.log(2)) + ROUND
     n = shifted - ROUND
@@ -122,19 +122,19 @@ def growth(x: Any) -> Any:
     return np.int64(bits).view(np.float64), r + h
 
 
-def exp(x: Any) -> Any:
+def exp(x: float) -> float:
     """The exponential function."""
     g, h = growth(x)
     return g + g * h
 
 
-def expm1(x: Any) -> Any:
+def expm1(x: float) -> float:
     """exp x - 1 without loss of digits at 0."""
     g, h = growth(x)
     return (g - 1.0) + g * h
 
 
-def logarithm(u: Any, f: Any, rest: Any) -> Any:
+def logarithm(u: float, f: float, rest: float) -> float:
     """log(u + rest), where u = 1 + f unless u is far from 1: (log((1 + s)/(1 - s))/s - 2)/s^2, s = f/(2 + f)."""
     shifted = np.float64(u).view(np.int64) - ROOT_HALF
     k = shifted >> 52
@@ -149,12 +149,12 @@ def logarithm(u: Any, f: Any, rest: Any) -> Any:
     return value if SMALLEST <= u <= LARGEST else math.nan  # bits of what is no number are numbers
 
 
-def log(x: Any) -> Any:
+def log(x: float) -> float:
     """The logarithm."""
     return logarithm(x, x - 1.0, 0.0)
 
 
-def log1p(x: Any) -> Any:
+def log1p(x: float) -> float:
     """log(1 + x) without loss of digits at 0."""
     u = 1.0 + x
     rest = (1.0 - (u - x) if x > 1.0 else x - (u - 1.0)) / u
@@ -162,20 +162,20 @@ def log1p(x: Any) -> Any:
     return logarithm(u, x, 0.0 if near else rest)
 
 
-def log1p_ratio(x: Any, log1p: Any) -> Any:
+def log1p_ratio(x: float, log1p: Callable[[float], float]) -> float:
     """log(1 + x)/x for x > -1, continued by 1 at 0 and by a number that is not 0 at infinity."""
     x = LARGEST if x > LARGEST else x
     ratio = log1p(x) / x
     return 1.0 if abs(x) <= TINY else ratio
 
 
-def expm1_ratio(x: Any, expm1: Any) -> Any:
+def expm1_ratio(x: float, expm1: Callable[[float], float]) -> float:
     """(exp(x) - 1)/x, continued by 1 at 0."""
     ratio = expm1(x) / x
     return 1.0 if abs(x) <= TINY else ratio
 
 
-def gamma_ratio(x: Any, h: Any) -> Any:
+def gamma_ratio(x: float, h: float) -> float:
     """Gamma(x + h)/(Gamma(x) x^h) for positive x and x + h: 1 at infinity.
 
     Where one of them is small the functional equation moves both up to where Stirling's series holds.
@@ -192,7 +192,7 @@ def gamma_ratio(x: Any, h: Any) -> Any:
     return value
 
 
-def stirling(x: Any) -> Any:
+def stirling(x: float) -> float:
     """log Gamma(x) less (x - 1/2) log x - x + log(2 pi)/2, for large x."""
     inverse = 1.0 / x
     square, total = inverse * inverse, 1.0 / 156.0

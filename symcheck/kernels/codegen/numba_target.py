@@ -18,28 +18,28 @@ from types import FunctionType, ModuleType
 import numpy as np
 
 from symcheck.core.verdicts import SymcheckError
+from symcheck.kernels import runtime
 from symcheck.kernels.codegen import numba_calls, numba_functions
-from symcheck.kernels.codegen.docstring import docstring
+from symcheck.kernels.codegen.docstring import docstring, numpydoc
 from symcheck.kernels.codegen.expression import number
-from symcheck.kernels.codegen.numpy_target import calls
+from symcheck.kernels.codegen.numpy_target import KIND, calls, out_of
 from symcheck.kernels.codegen.program import INFIX, Operation, Program, Ref
 from symcheck.kernels.codegen.target import MARK, Made, Target
+from symcheck.kernels.runtime import fitting
 
 SINGLE = {"sqrt": "math.sqrt", "power": "math.pow", "gamma_ratio": "gamma_ratio"}  # the same for numbers and in loops
 LIBRARY = {"arctan": "atan"}  # what `math` calls otherwise
 BUILT_ON = {"log1p_ratio": "log1p", "expm1_ratio": "expm1"}
 DOUBLE = ("sin", "cos", "tan", "arctan", "exp", "expm1", "log", "log1p")  # from the C library, and for loops
 BLOCK = 1024  # points after which it is asked whether one of them has no number
-NOTE = (
-    "Numba compiles it when it is first called with a type; functions that Numba compiles may call it on numbers. "
-    "Large arrays are shared among `threads`."
-)
+NOTE = "Numba compiles it when it is first called with a type; functions that Numba compiles may call it on numbers."
+THREADS = ("int, optional", "Number of threads that share large arrays.")
 HEAD = '''"""Kernels of {key} for Numba. {mark}"""
 
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from itertools import combinations
 from typing import Any
@@ -119,15 +119,14 @@ def files(key: str, kernels: Mapping[str, Made]) -> dict[str, str]:
     texts = [source(name, made) for name, made in kernels.items()]
     called = {operation.function for made in kernels.values() for operation in made.pointwise.operations}
     mathematics = _functions(called | {BUILT_ON[name] for name in called & {*BUILT_ON}})
-    fitting = vars(numba_calls)["fitting"]  # that of NumPy kernels
-    calls: list[FunctionType] = [fitting, *_defined(numba_calls).values()]
+    functions = [_defined(runtime)[fitting.__name__], *_defined(numba_calls).values()]
     names = ", ".join(f'"{name}"' for name in sorted(kernels))
     arrays = max(len(made.kernel.arguments) + len(made.kernel.outputs) for made in kernels.values())
-    constants = "\n".join([f"ARRAYS = {arrays}", f"BLOCK = {BLOCK}", *_constants([*mathematics, *calls])])
+    constants = "\n".join([f"ARRAYS = {arrays}", f"BLOCK = {BLOCK}", *_constants([*mathematics, *functions])])
     parts = [
         HEAD.format(key=key, mark=MARK, names=names, constants=constants),
         *(f"@fused\n{inspect.getsource(each)}" for each in mathematics),
-        *map(inspect.getsource, calls),
+        *map(inspect.getsource, functions),
         *texts,
     ]
     return {f"{key}.py": "\n\n".join(parts)}
@@ -166,8 +165,9 @@ def source(name: str, made: Made) -> str:
     library = [f"math.{LIBRARY.get(function, function)}" for function in taken]
     types = " is ".join(f"type({x})" for x in program.inputs)
     found = ", ".join(f"result_{k}" for k in range(len(results)))
+    text = numpydoc(made, KIND, f"{calls(program)} {NOTE}", {"out": out_of(program), "threads": THREADS})
     return f"""def {name}({inputs}, out=None, *, threads=1):
-{textwrap.indent(docstring(made, f"{calls(program)} {NOTE}"), "    ")}
+{textwrap.indent(docstring(text), "    ")}
     if out is None and {types} is float:
         return _{name}_number({inputs})
     return evaluate(_{name}_points, {(*order,)}, ({inputs},), out, threads)

@@ -1,37 +1,73 @@
-"""A program as a NumPy kernel: an expression of numbers, and a block of ufuncs in place for arrays."""
+"""A program as a NumPy kernel: a formula of floats to read and to copy, and beside it a block of ufuncs in place.
+
+`<key>.py` has the formulas and what is known of them, `_<key>.py` how they run on arrays, `<key>.pyi` their types.
+"""
 
 from __future__ import annotations
 
 import re
 import textwrap
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import MISSING, fields
 from fractions import Fraction
 
 from symcheck.core.verdicts import SymcheckError
-from symcheck.kernels.codegen.docstring import docstring
-from symcheck.kernels.codegen.expression import bare, expression_lines, number
-from symcheck.kernels.codegen.kernel import Kernel
+from symcheck.kernels.codegen.docstring import docstring, example, numpydoc
+from symcheck.kernels.codegen.expression import bare, body, number
 from symcheck.kernels.codegen.program import Program, Ref, is_number, registers
 from symcheck.kernels.codegen.special import RUNTIME
 from symcheck.kernels.codegen.target import MARK, Made, Target
+from symcheck.kernels.specification import Argument, Output, Specification
 
-CALLS = """The arguments are numbers or arrays, which broadcast. Numbers give numbers; arrays give float64, or float32
-if all are. `out` takes {} of the broadcast shape and type; a ValueError names what does not fit. What is no number
-gives no number."""
+KIND = "float or ndarray"
+CALLS = """Arguments broadcast. Floats give floats; arrays give float64, or float32 if all of them are. NaN inputs give
+NaN outputs. A ValueError names what does not broadcast, and an `out` that does not fit."""
 EQUAL = "Outputs that are equal by formula are one array, unless `out` is given."
-HEAD = '''"""Kernels of {key}. {mark}"""
+OUT = "{} for the results, of the broadcast shape and type."
+FORMULAS = '''"""Kernels of {key}. {mark}"""
 
 import math
 
-from numpy import {ufuncs}, array, ndarray
+{special}from symcheck.generated import _{key} as paths
+from symcheck.kernels.runtime import kernel
+from symcheck.kernels.specification import Argument, Output, Specification
 
-{special}from symcheck.kernels.runtime import DOUBLE, FEW, SMALL, evaluate, evaluate_alike, evaluate_handful
+__all__ = [
+{names}
+]
 
-__all__ = [{names}]
 
-DECLARED = {{  # name, meaning and unit of the arguments and of the results; docstrings may be stripped
-{declared}
+{functions}
+
+
+KERNELS = {{
+{table}
 }}
+'''
+PATHS = '''"""How the kernels of {key} run on numbers and on arrays. {mark}"""
+
+# mypy: ignore-errors
+import math
+
+from numpy import array, ndarray, {ufuncs}
+
+{special}from symcheck.kernels.runtime import DOUBLE, FEW, SMALL, UNDEFINED, on_arrays
+
+
+{functions}
+'''
+STUB = '''"""Types of the kernels of {key}. {mark}"""
+
+# mypy: disable-error-code="overload-overlap"
+from collections.abc import Mapping, Sequence
+from typing import overload
+
+from symcheck.kernels.runtime import Array, Values
+from symcheck.kernels.specification import KernelFunction
+
+KERNELS: Mapping[str, KernelFunction]
+
+{functions}
 '''
 # Nanoseconds, measured. NumPy: an operation on few points; what it takes longer to write one element over its operand.
 UFUNC, AGAIN = 250, 550
@@ -40,6 +76,156 @@ CALL, TAKEN, PUT, SINGLE = 1100, 75, 330, 450
 # Each point, its operations, arguments and outputs.
 POINT, FLOAT, ARGUMENT, RESULT = 100, 7, 11, 55
 MANY = {"gamma_ratio": (110, 250), "log1p_ratio": (9, 25), "expm1_ratio": (7, 20)}  # operations of NumPy, of `math`
+
+
+def files(key: str, kernels: Mapping[str, Made]) -> dict[str, str]:
+    """The modules of a paper, and the types of its kernels."""
+    programs = [program for made in kernels.values() for program in (made.program, made.pointwise)]
+    used = {operation.function for program in programs for operation in program.operations}
+    ratios = ", ".join(sorted(used & {*RUNTIME}))
+    common = {"key": key, "mark": MARK, "special": f"from symcheck.kernels.ratios import {ratios}\n" if ratios else ""}
+    formulas = "\n\n\n".join(formula(key, name, made) for name, made in kernels.items())
+    names = "\n".join(f'    "{name}",' for name in sorted(kernels))
+    table = "\n".join(f'    "{name}": {name},' for name in kernels)
+    return {
+        f"{key}.py": FORMULAS.format(**common, names=names, functions=formulas, table=table),
+        f"_{key}.py": PATHS.format(
+            **common,
+            ufuncs=", ".join(sorted(used - {*RUNTIME})),
+            functions="\n\n\n".join(text for name, made in kernels.items() for text in paths(name, made)),
+        ),
+        f"{key}.pyi": STUB.format(**common, functions="\n".join(stub(name, made) for name, made in kernels.items())),
+    }
+
+
+TARGET = Target("NumPy, in generated/", files)
+
+
+def formula(key: str, name: str, made: Made) -> str:
+    """The text of one kernel: what is known of it, and the function of floats."""
+    shown = example(made.kernel, f"symcheck.generated.{key}", name)
+    text = numpydoc(made, KIND, calls(made.program), {"out": out_of(made.program)}, shown)
+    lines = "\n".join([docstring(text), *body(made.pointwise)])
+    inputs = ", ".join(made.program.inputs)
+    return f"{_decorator(key, name, made)}\ndef {name}({inputs}):\n{textwrap.indent(lines, '    ')}"
+
+
+def calls(program: Program) -> str:
+    """How a kernel is called."""
+    return f"{CALLS} {EQUAL if len(distinct(program)) < len(program.outputs) else ''}"
+
+
+def out_of(program: Program) -> tuple[str, str]:
+    """Type and meaning of the argument `out`."""
+    count = len(program.outputs)
+    kind, arrays = ("ndarray", "Array") if count == 1 else ("sequence of ndarray", f"{count} arrays")
+    return f"{kind}, optional", OUT.format(arrays)
+
+
+def _decorator(key: str, name: str, made: Made) -> str:
+    kernel = made.kernel
+    said = Specification(
+        paper=key,
+        name=name,
+        says=kernel.says,
+        arguments=kernel.arguments,
+        outputs=kernel.outputs,
+        ulp=kernel.ulp,
+        condition=" ".join(kernel.condition.split()),
+        degenerate=" ".join(kernel.degenerate.split()),
+        claims=made.claims,
+        forms=made.forms,
+    )
+    return f"@kernel(\n    paths.{name},\n{textwrap.indent(literal(said), '    ')},\n)"
+
+
+def literal(value: object) -> str:
+    """A value as Python, with what differs from the defaults."""
+    if isinstance(value, Specification | Argument | Output):
+        stated = {each: vars(value)[each.name] for each in fields(value)}
+        texts = [
+            f"{f'{each.name}=' if each.kw_only or each.default is not MISSING else ''}{literal(given)}"
+            for each, given in stated.items()
+            if given != each.default
+        ]
+        name = type(value).__name__
+        return _bracketed(f"{name}(", texts, ")") if isinstance(value, Specification) else f"{name}({', '.join(texts)})"
+    if isinstance(value, tuple):
+        return _bracketed("(", map(literal, value), ")")
+    if isinstance(value, Mapping):
+        return _bracketed("{", (f"{literal(key)}: {literal(each)}" for key, each in value.items()), "}")
+    return repr(value)
+
+
+def _bracketed(first: str, texts: Iterable[str], last: str) -> str:
+    return f"{first}\n{textwrap.indent(''.join(f'{text},{chr(10)}' for text in texts), '    ')}{last}"
+
+
+def stub(name: str, made: Made) -> str:
+    """The types of one kernel: floats give floats, arrays give arrays."""
+    count = len(made.kernel.outputs)
+
+    def result(kind: str) -> str:
+        return kind if count == 1 else f"tuple[{', '.join([kind] * count)}]"
+
+    def takes(kind: str) -> str:
+        return ", ".join(f"{x}: {kind}" for x in made.program.inputs)
+
+    out = "Array | None" if count == 1 else "Sequence[Array] | None"
+    return (
+        f"@overload\ndef {name}({takes('float')}) -> {result('float')}: ...\n"
+        f"@overload\ndef {name}({takes('Values')}, *, out: {out} = None) -> {result('Array')}: ..."
+    )
+
+
+def paths(name: str, made: Made) -> Iterator[str]:
+    """The texts of one kernel's ways on numbers and arrays: its call, and its blocks."""
+    program, few = made.program, made.pointwise.operations != made.program.operations
+    inputs = ", ".join(program.inputs)
+    first, fewest = program.inputs[0], handful(made.pointwise)
+    types, dtypes, shapes = (
+        form.join(text.format(x) for x in program.inputs)
+        for form, text in ((" is ", "type({})"), (" is ", "{}.dtype"), (" == ", "{}.shape"))
+    )
+    count, _ = block_lines(program, numbers(program))
+    small = f"_{name}_few" if few else f"_{name}"
+    further = f"{count}, ({_order(program)},), {fewest}"
+    yield f"""def {name}(formula):
+    \"\"\"The function of numbers and arrays that a formula becomes.\"\"\"
+    alike, others = on_arrays(formula, _{name}, {further})
+
+    def call({inputs}, out=None):
+        if out is None:
+            if float is {types}:
+                try:
+                    return formula({inputs})
+                except UNDEFINED:
+                    pass
+            elif ndarray is {types} and DOUBLE is {dtypes} and () != {shapes}:
+                if {fewest} < {first}.size <= {"FEW" if few else "SMALL"}:
+                    return {small}({inputs})
+                return alike({inputs})
+        return others(({inputs},), out)
+
+    return call"""
+    if few:
+        yield block(f"{name}_few", made.pointwise)
+    yield block(name, program)
+
+
+def block(name: str, program: Program) -> str:
+    """The text of a block; SymcheckError where a value would be no array, or an argument."""
+    results = {operation.result for operation in program.operations}
+    fixed = [name for name, value in program.outputs.items() if value not in results]
+    fixed += [each.result for each in program.operations if all(map(is_number, each.operands))]
+    if fixed:
+        raise SymcheckError(f"the kernel {name}: {fixed[0]} is an argument or a number; leave it to the caller")
+    used = numbers(program)
+    count, lines = block_lines(program, used)
+    outs = sorted(distinct(program).values(), key=list(program.outputs).index)
+    rows = "".join(f", {row}=None" for row in [*(f"out_{x}" for x in outs), *(f"r{k}" for k in range(count))])
+    taken = "".join(f", {text}=array({bare(number(x))})" for x, text in used.items())
+    return f"def _{name}({', '.join(program.inputs)}{rows}{taken}):\n" + textwrap.indent("\n".join(lines), "    ")
 
 
 def block_lines(program: Program, named: Mapping[Ref, str]) -> tuple[int, list[str]]:
@@ -75,38 +261,6 @@ def distinct(program: Program) -> dict[Ref, str]:
     return {value: name for name, value in reversed(program.outputs.items())}
 
 
-def files(key: str, kernels: Mapping[str, Made]) -> dict[str, str]:
-    """The module of a paper."""
-    texts = [source(name, made) for name, made in kernels.items()]
-    names = ", ".join(f'"{name}"' for name in sorted(kernels))
-    special = ", ".join(name for name in RUNTIME if any(f"{name}(" in text for text in texts))
-    special = f"from symcheck.kernels.ratios import {special}\n" if special else ""
-    used = {x.function for made in kernels.values() for each in (made.program, made.pointwise) for x in each.operations}
-    ufuncs = ", ".join(sorted(used - {*RUNTIME}))
-    declared = "\n".join(declaration(name, made.kernel) for name, made in kernels.items())
-    head = HEAD.format(key=key, mark=MARK, names=names, ufuncs=ufuncs, special=special, declared=declared)
-    return {f"{key}.py": "\n\n".join([head, *texts])}
-
-
-def declaration(name: str, kernel: Kernel) -> str:
-    """What programs are told of a kernel, as an entry of DECLARED."""
-    arguments, results = (
-        textwrap.indent("\n".join(f"{(each.name, each.meaning, each.unit)!r}," for each in column), " " * 8)
-        for column in (kernel.arguments, kernel.outputs)
-    )
-    return textwrap.indent(f"{name!r}: (\n    (\n{arguments}\n    ),\n    (\n{results}\n    ),\n),", "    ")
-
-
-def calls(program: Program) -> str:
-    """How a kernel is called."""
-    count = len(program.outputs)
-    equal = EQUAL if len(distinct(program)) < count else ""
-    return f"{CALLS.format(f'{count} arrays' if count > 1 else 'an array')} {equal}"
-
-
-TARGET = Target("NumPy, in generated/", files)
-
-
 def handful(program: Program) -> int:
     """Up to how many points `math` takes less time for than NumPy."""
     inputs, outputs = len(program.inputs), len(distinct(program))
@@ -127,72 +281,7 @@ def _in_place(program: Program) -> int:
     return count
 
 
-def on_arrays(name: str, made: Made) -> Iterator[str]:
-    """What is called for arrays of doubles of one shape, by their size."""
-    program, inputs = made.program, ", ".join(made.program.inputs)
-    equal = f", ({_order(program)},)" if len(distinct(program)) < len(program.outputs) else ""
-    yield f"size = {program.inputs[0]}.size"
-    if points := handful(made.pointwise):
-        yield f"if 0 < size <= {points}:\n    return evaluate_handful(_{name}, ({inputs},){equal})"
-    if made.pointwise.operations != program.operations:
-        yield f"if size <= FEW:\n    return _{name}_few({inputs})"
-    yield f"if size <= SMALL:\n    return _{name}_block({inputs})"
-    yield f"return evaluate_alike({_block(name, program)})"
-
-
 def _order(program: Program) -> str:
     """For each output, which of the distinct ones it is."""
     firsts = sorted(distinct(program).values(), key=list(program.outputs).index)
     return ", ".join(str(firsts.index(distinct(program)[value])) for value in program.outputs.values())
-
-
-def _block(name: str, program: Program) -> str:
-    count, _ = block_lines(program, numbers(program))
-    return f"_{name}_block, {count}, ({_order(program)},), ({', '.join(program.inputs)},)"
-
-
-def block(name: str, program: Program) -> str:
-    """The text of a block; SymcheckError where a value would be no array, or an argument."""
-    results = {operation.result for operation in program.operations}
-    fixed = [name for name, value in program.outputs.items() if value not in results]
-    fixed += [each.result for each in program.operations if all(map(is_number, each.operands))]
-    if fixed:
-        raise SymcheckError(f"the kernel {name}: {fixed[0]} is an argument or a number; leave it to the caller")
-    used = numbers(program)
-    count, lines = block_lines(program, used)
-    outs = sorted(distinct(program).values(), key=list(program.outputs).index)
-    rows = "".join(f", {row}=None" for row in [*(f"out_{x}" for x in outs), *(f"r{k}" for k in range(count))])
-    taken = "".join(f", {text}=array({bare(number(x))})" for x, text in used.items())
-    return f"def _{name}({', '.join(program.inputs)}{rows}{taken}):\n" + textwrap.indent("\n".join(lines), "    ")
-
-
-def source(name: str, made: Made) -> str:
-    """The text of one kernel."""
-    program = made.program
-    inputs = ", ".join(program.inputs)
-    types = " is ".join(f"type({x})" for x in program.inputs)
-    doubles = " is ".join(f"{x}.dtype" for x in program.inputs)
-    shapes = " == ".join(f"{x}.shape" for x in program.inputs)
-    shapes = f"() != {shapes}"  # arrays without dimensions give numbers
-    blocks = [block(f"{name}_block", program)]
-    if made.pointwise.operations != program.operations:
-        blocks.insert(0, block(f"{name}_few", made.pointwise))
-    return f"""def {name}({inputs}, out=None):
-{textwrap.indent(docstring(made, calls(program)), "    ")}
-    if out is None:
-        try:
-            if float is {types}:
-                return _{name}({inputs})
-            if ndarray is {types} and DOUBLE is {doubles} and {shapes}:
-{textwrap.indent(chr(10).join(on_arrays(name, made)), " " * 16)}
-        except (ValueError, ZeroDivisionError, OverflowError):
-            pass  # NumPy says whether it is infinite or no number
-    return evaluate({_block(name, program)}, out)
-
-
-def _{name}({inputs}):
-{textwrap.indent(chr(10).join(expression_lines(made.pointwise)), "    ")}
-
-
-{(chr(10) * 3).join(blocks)}
-"""

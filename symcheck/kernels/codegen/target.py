@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from importlib import import_module
 
 from symcheck.kernels.codegen import SUFFIX
@@ -15,16 +15,26 @@ MARK = "Written by `symcheck generate`: what is changed here is lost."
 
 @dataclass(frozen=True)
 class Made:
-    """A kernel that may be written, and in words on which claims and proofs it rests.
+    """A kernel that may be written, and on which claims and proofs it rests.
 
     program     for many points at once: sines and cosines of acute angles through one tangent
     pointwise   for few points: each function by its name
+    claims      relations, each with the beginning of the SHA-256 of its certificates
+    forms       the same of the proofs that accurate forms equal the derived ones
     """
 
     kernel: Kernel
     program: Program
     pointwise: Program
-    evidence: str
+    claims: Mapping[str, str] = field(default_factory=dict)
+    forms: str = ""
+
+    @property
+    def evidence(self) -> str:
+        """On which claims and proofs it rests, in words."""
+        rests = f"Rests on {', '.join(f'{id} (sha256 {digest})' for id, digest in self.claims.items())}."
+        equal = f"The forms computed are proved equal to those shown (sha256 {self.forms})."
+        return f"{rests if self.claims else ''} {equal if self.forms else ''}".strip()
 
 
 @dataclass(frozen=True)

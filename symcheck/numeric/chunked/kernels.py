@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import inspect
-import sys
 from collections.abc import Callable, Iterable, Mapping
 from functools import partial, wraps
 from typing import Any, NamedTuple
@@ -11,6 +10,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from symcheck import kernels
+from symcheck.kernels.specification import Argument, Output, specification
 from symcheck.numeric.chunked.arrays import Results, Signature, apply, is_chunked
 
 FLOAT = np.dtype(np.float32)
@@ -24,13 +24,13 @@ class Declaration(NamedTuple):
 
 
 def declaration(kernel: Callable[..., Any]) -> Declaration:
-    """What the module of a kernel declares of it.
+    """What the specification of a kernel says, as attributes of arrays.
 
-    >>> declaration(kernels.load("ignatov2005").volume_of_three_wheels).results["volume"]["units"]
+    >>> declaration(kernels.find("ignatov2005", "volume_of_three_wheels")).results["volume"]["units"]
     'h_max^3'
     """
-    arguments, results = vars(sys.modules[kernel.__module__])["DECLARED"][kernel.__name__]
-    return Declaration(_attributes(arguments), _attributes(results))
+    said = specification(kernel)
+    return Declaration(_attributes(said.arguments), _attributes(said.outputs))
 
 
 def kernel(paper: str, name: str) -> Callable[..., Any]:
@@ -43,7 +43,7 @@ def kernel(paper: str, name: str) -> Callable[..., Any]:
     >>> round(volume(0.5, 1.0), 6)
     2.93465
     """
-    function = getattr(kernels.load(paper), name)
+    function = kernels.find(paper, name)
     declared = declaration(function)
     signature = Signature(((),) * len(declared.arguments), ((),) * len(declared.results))
 
@@ -65,7 +65,7 @@ def by_blocks(paper: str, name: str, /, **arguments: Any) -> Any:
     >>> by_blocks("ignatov2005", "volume_of_four_wheels", a=np.full((2, 1), 0.5), b=np.full(3, 1.0)).shape
     (2, 3)
     """
-    function = getattr(kernels.load(paper), name)
+    function = kernels.find(paper, name)
     shape, dtype = np.broadcast_shapes(*map(np.shape, arguments.values())), _dtype(arguments.values())
     out = tuple(np.empty(shape, dtype) for _ in declaration(function).results)
     return function(**arguments, out=out)
@@ -80,5 +80,5 @@ def _dtype(arguments: Any) -> Any:
     return found if found == FLOAT else np.dtype(np.float64)
 
 
-def _attributes(listed: Iterable[tuple[str, str, str]]) -> dict[str, dict[str, str]]:
-    return {name: {"long_name": meaning, "units": unit.removeprefix("units of ")} for name, meaning, unit in listed}
+def _attributes(listed: Iterable[Argument | Output]) -> dict[str, dict[str, str]]:
+    return {x.name: {"long_name": x.meaning, "units": x.unit.removeprefix("units of ")} for x in listed}

@@ -77,14 +77,14 @@ def symmetric_matrix(name: str, matrix: ArrayLike, source: str = "") -> Array:
     return mean
 
 
-def letters(array: Array, axes: int = 1) -> Array:
+def letters(array: Array, axes: int = 1) -> list[Array]:
     """The components along the last axes, first: a kernel takes each as an argument of its own.
 
-    >>> letters(np.ones((5, 3, 3)), axes=2).shape
-    (9, 5)
+    >>> [letter.shape for letter in letters(np.ones((5, 3, 3)), axes=2)]
+    [(5,), (5,), (5,), (5,), (5,), (5,), (5,), (5,), (5,)]
     """
-    flat = array.reshape(*array.shape[: array.ndim - axes], -1)
-    return np.moveaxis(flat, -1, 0)
+    flat = np.moveaxis(array.reshape(*array.shape[: array.ndim - axes], -1), -1, 0)
+    return [flat[k] for k in range(len(flat))]
 
 
 def side_by_side(outputs: Sequence[Array]) -> Array:

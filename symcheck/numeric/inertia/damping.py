@@ -11,7 +11,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike
 
-from symcheck import kernels
+from symcheck.generated import mirer2009
 from symcheck.numeric.chunked import gufunc
 from symcheck.numeric.domain import Array, real, require
 from symcheck.numeric.inertia.arguments import (
@@ -70,7 +70,7 @@ def gains_in_proportion(ratio: ArrayLike, moments: ArrayLike, axes: ArrayLike) -
     [0.2, 0.3, 0.4]
     """
     arguments = letters(principal_moments(moments)), letters(orthonormal_axes(axes), axes=2)
-    kernel = kernels.load("mirer2009").gains_in_proportion
+    kernel = mirer2009.gains_in_proportion
     return side_by_side(kernel(_ratio(ratio), *arguments[0], *arguments[1]))
 
 
@@ -88,7 +88,7 @@ def damping_matrix(gains: ArrayLike, axes: ArrayLike) -> Array:
     """
     gains = real("gains", gains, (3,))
     require(gains >= 0, "gains", gains, "be zero or positive: a device that damps", "mirer2009:1.0.4")
-    entries = kernels.load("mirer2009").damping_matrix(*letters(gains), *letters(unit_axes(axes), axes=2))
+    entries = mirer2009.damping_matrix(*letters(gains), *letters(unit_axes(axes), axes=2))
     return side_by_side(entries)[..., ROWS]
 
 
@@ -125,7 +125,7 @@ def characteristic_coefficients(moments: ArrayLike, gains: ArrayLike, axes: Arra
     gains = real("gains", gains, (3,))
     require(gains >= 0, "gains", gains, "be zero or positive: a device that damps", "mirer2009:1.0.4")
     arguments = letters(principal_moments(moments)), letters(gains), letters(orthonormal_axes(axes), axes=2)
-    kernel = kernels.load("mirer2009").characteristic_coefficients
+    kernel = mirer2009.characteristic_coefficients
     return side_by_side(kernel(*arguments[0], *arguments[1], *arguments[2]))
 
 
@@ -193,7 +193,7 @@ def harmonic_mean_of_rates(rates: ArrayLike) -> HarmonicMean:
     require(rates > 0, "rates", rates, "be positive", "mirer2009:B.4")
     least = rates.min(axis=-1)
     excess = letters(rates - least[..., None])
-    return HarmonicMean(*kernels.load("mirer2009").gain_of_rates(least, *excess))
+    return HarmonicMean(*mirer2009.gain_of_rates(least, *excess))
 
 
 @gufunc("(),(i),()->()")
@@ -213,7 +213,7 @@ def stability_degree_in_pitch(ratio: ArrayLike, moments: ArrayLike, pitch: Array
     first, _, third = letters(principal_moments(moments))
     arguments = of_one_shape(_ratio(ratio), first, third, real("pitch", pitch))
     with np.errstate(divide="ignore", over="ignore"):  # principal axes: the infinite quotient is meant, and gives k
-        degree: Array = kernels.load("mirer2009").stability_degree_in_pitch(*arguments)
+        degree: Array = mirer2009.stability_degree_in_pitch(*arguments)
     return degree
 
 

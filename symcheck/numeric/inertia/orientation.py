@@ -7,7 +7,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike
 
-from symcheck import kernels
+from symcheck.generated import mirer2009
 from symcheck.numeric.chunked import gufunc
 from symcheck.numeric.domain import Array, real, require
 from symcheck.numeric.inertia.arguments import letters, of_one_shape, orthonormal_axes, principal_moments, side_by_side
@@ -44,7 +44,7 @@ def direction_cosines(pitch: ArrayLike, yaw: ArrayLike, roll: ArrayLike) -> Arra
     [[0.0, 0.0, 1.0], [0.0, 1.0, -0.0], [-1.0, 0.0, 0.0]]
     """
     angles = real("pitch", pitch), real("yaw", yaw), real("roll", roll)
-    cosines = side_by_side(kernels.load("mirer2009").direction_cosines(*angles))
+    cosines = side_by_side(mirer2009.direction_cosines(*angles))
     return cosines.reshape(*cosines.shape[:-1], 3, 3)
 
 
@@ -63,7 +63,7 @@ def attitude_angles(axes: ArrayLike) -> AttitudeAngles:
     """
     axes = orthonormal_axes(axes)
     require(np.linalg.det(axes) > 0, "axes", axes, "be right-handed", "mirer2009:2.17.2")
-    a = letters(axes, axes=2).reshape(3, 3, *axes.shape[:-2])
+    a = np.moveaxis(axes, (-2, -1), (0, 1))
     yaw = np.arctan2(a[1, 0], np.hypot(a[1, 1], a[1, 2]))
     roll = np.arctan2(-a[1, 2], a[1, 1])
     sine, cosine = (a[i, 1] * np.sin(roll) + a[i, 2] * np.cos(roll) for i in (0, 2))
@@ -86,7 +86,7 @@ def equal_moment_angles(moments: ArrayLike) -> AttitudeAngles:
     moments = principal_moments(moments)
     spherical = np.ptp(moments, axis=-1) == 0
     with np.errstate(divide="ignore", invalid="ignore"):  # I_2 = I_3: the infinite tangent is meant
-        pitch = kernels.load("mirer2009").equal_moment_pitch(*letters(moments))
+        pitch = mirer2009.equal_moment_pitch(*letters(moments))
     yaw, roll = np.array(np.arcsin(1 / np.sqrt(3))), np.array(np.pi / 4)
     return AttitudeAngles(*of_one_shape(np.where(spherical, 0.0, pitch), yaw, roll))
 

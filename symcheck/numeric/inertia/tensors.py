@@ -6,12 +6,12 @@ broadcast.
 
 from __future__ import annotations
 
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike
 
-from symcheck import kernels
+from symcheck.generated import mirer2009
 from symcheck.numeric.chunked import gufunc
 from symcheck.numeric.domain import Array, real, require
 from symcheck.numeric.inertia.arguments import (
@@ -155,7 +155,7 @@ def axial_moments(moments: ArrayLike, axes: ArrayLike) -> Array:
     >>> axial_moments([2, 3, 4], [[0.6, 0.8, 0], [-0.8, 0.6, 0], [0, 0, 1]]).round(12).tolist()
     [2.64, 2.36, 4.0]
     """
-    return side_by_side(_kernel("axial_moments", principal_moments(moments), orthonormal_axes(axes)))
+    return side_by_side(mirer2009.axial_moments(*_arguments(principal_moments(moments), orthonormal_axes(axes))))
 
 
 @gufunc("(k),(i,k)->(i)")
@@ -167,7 +167,7 @@ def second_order_moments(moments: ArrayLike, axes: ArrayLike) -> Array:
     >>> second_order_moments([2, 3, 4], np.eye(3)).tolist()
     [12.0, 8.0, 6.0]
     """
-    return side_by_side(_kernel("second_order_moments", principal_moments(moments), orthonormal_axes(axes)))
+    return side_by_side(mirer2009.second_order_moments(*_arguments(principal_moments(moments), orthonormal_axes(axes))))
 
 
 @gufunc("(k),(i,k)->(),(),(),(),()")
@@ -182,8 +182,8 @@ def product_of_axial_moments(moments: ArrayLike, axes: ArrayLike) -> BoundedProd
     [24.9216, 24.0, 27.0, 0.9216, 2.0784]
     """
     moments, axes = principal_moments(moments), orthonormal_axes(axes)
-    excess, deficit, _ = _kernel("distances_from_bounds", moments, axes)
-    value = _kernel("product_of_axial_moments", moments, axes)
+    excess, deficit, _ = mirer2009.distances_from_bounds(*_arguments(moments, axes))
+    value = mirer2009.product_of_axial_moments(*_arguments(moments, axes))
     return BoundedProduct(*of_one_shape(value, *_bounds(moments)[:2], excess, deficit))
 
 
@@ -198,8 +198,8 @@ def sum_of_products(moments: ArrayLike, axes: ArrayLike) -> BoundedSum:
     [73.8432, 72.0, 1.8432]
     """
     moments, axes = principal_moments(moments), orthonormal_axes(axes)
-    _, _, excess = _kernel("distances_from_bounds", moments, axes)
-    return BoundedSum(*of_one_shape(_kernel("sum_of_products", moments, axes), _bounds(moments)[2], excess))
+    _, _, excess = mirer2009.distances_from_bounds(*_arguments(moments, axes))
+    return BoundedSum(*of_one_shape(mirer2009.sum_of_products(*_arguments(moments, axes)), _bounds(moments)[2], excess))
 
 
 @gufunc("(k),()->()")
@@ -220,13 +220,14 @@ def bound_at_given_moment(moments: ArrayLike, moment: ArrayLike) -> Array:
     trace = moments.sum(axis=-1)
     holds = (moment >= 0) & (2 * moment <= trace * (1 + ROUNDING))
     require(holds, "moment", moment, "lie on [0, 3c/2] with c the mean principal moment", "mirer2009:2.3.4")
-    return np.asarray(kernels.load("mirer2009").bound_at_given_moment(*letters(moments), moment))
+    first, second, third = letters(moments)
+    return np.asarray(mirer2009.bound_at_given_moment(first, second, third, moment))
 
 
-def _kernel(name: str, moments: Array, axes: Array) -> Any:
-    return getattr(kernels.load("mirer2009"), name)(*letters(moments), *letters(axes, axes=2))
+def _arguments(moments: Array, axes: Array) -> list[Array]:
+    return [*letters(moments), *letters(axes, axes=2)]
 
 
 def _bounds(moments: Array) -> tuple[Array, Array, Array]:
-    least, greatest, sum_least = kernels.load("mirer2009").bounds_of_products(*letters(moments))
+    least, greatest, sum_least = mirer2009.bounds_of_products(*letters(moments))
     return least, greatest, sum_least

@@ -7,10 +7,8 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from symcheck import kernels
+from symcheck.generated import esenkov2006
 from symcheck.numeric.domain import Array, real, require
-
-_kernels = kernels.load("esenkov2006")
 
 
 class Body(NamedTuple):
@@ -57,7 +55,7 @@ def checked_body(A: ArrayLike, C: ArrayLike, E_n: ArrayLike, lambda_n: ArrayLike
     whole, axial, spin = (np.broadcast_to(value, shape) for value in (whole, axial, spin))
     carried, natural = (np.broadcast_to(value, shape + value.shape[-1:]) for value in (carried, natural))
     with np.errstate(all="ignore"):
-        residue = np.asarray(_kernels.residue_of_a_mode(carried, natural, spin[..., None]))
+        residue = np.asarray(esenkov2006.residue_of_a_mode(carried, natural, spin[..., None]))
     require_finite(residue)
     return Body(whole, axial, carried, natural, spin, residue)
 

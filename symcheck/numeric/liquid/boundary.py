@@ -16,14 +16,13 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from symcheck import kernels
+from symcheck.generated import esenkov2006
 from symcheck.numeric.chunked import gufunc
 from symcheck.numeric.domain import Array, real, require
 from symcheck.numeric.liquid.arguments import Body, broadcast, checked_body, number, require_finite, row
 from symcheck.numeric.liquid.spectrum import growth_rate, stability
 
 EPSILON = np.finfo(np.float64).eps
-_kernels = kernels.load("esenkov2006")
 
 
 class BoundaryOfStability(NamedTuple):
@@ -84,10 +83,10 @@ def boundary_of_stability(
         (ratio >= 0) & (ratio <= 1), "b_1", ratio, "lie in 0 <= b_1 <= 1: elsewhere every body is stable", "B.9, B.10"
     )
     with np.errstate(all="ignore"):
-        upper, lower = _kernels.boundary_of_stability(whole, carried, ratio)
-        width = _kernels.width_of_the_unstable_interval(whole, carried, ratio)
-        at_upper, at_lower = _kernels.critical_frequencies(whole, carried, ratio, spin)
-        rate = np.abs(_kernels.greatest_growth_rate(whole, carried, ratio, spin))
+        upper, lower = esenkov2006.boundary_of_stability(whole, carried, ratio)
+        width = esenkov2006.width_of_the_unstable_interval(whole, carried, ratio)
+        at_upper, at_lower = esenkov2006.critical_frequencies(whole, carried, ratio, spin)
+        rate = np.abs(esenkov2006.greatest_growth_rate(whole, carried, ratio, spin))
     found = np.broadcast_arrays(lower, upper, width, at_lower, at_upper, rate)
     require_finite(found)
     return BoundaryOfStability(*found)

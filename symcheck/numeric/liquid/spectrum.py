@@ -19,12 +19,11 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from symcheck import kernels
+from symcheck.generated import esenkov2006
 from symcheck.numeric.chunked import gufunc
 from symcheck.numeric.domain import Array, real, require
 from symcheck.numeric.liquid.arguments import Body, broadcast, checked_body, require_finite
 
-_kernels = kernels.load("esenkov2006")
 EPSILON = np.finfo(np.float64).eps
 
 
@@ -54,7 +53,7 @@ def mode_inertia(a_n: ArrayLike, chi_n: ArrayLike, N_n: ArrayLike) -> Array:
     broadcast(a_n=moment, chi_n=coupling, N_n=norm)
     require(norm > 0, "N_n", norm, "be positive", "B.1")
     with np.errstate(all="ignore"):
-        carried = np.asarray(_kernels.mode_inertia(moment, coupling, norm))
+        carried = np.asarray(esenkov2006.mode_inertia(moment, coupling, norm))
     require_finite(carried)
     require(carried > 0, "E_n = a_n chi_n / N_n^2", carried, "be positive, as the mode carries inertia", "B.1")
     return carried
@@ -154,8 +153,8 @@ class _Quadratic(NamedTuple):
 
 def _quadratic(body: Body) -> _Quadratic:
     arguments = body.A, body.C, body.E_n[..., 0], body.lambda_n[..., 0], body.omega_0
-    square, linear, constant = map(np.asarray, _kernels.characteristic_coefficients(*arguments))
-    return _Quadratic(square, linear, constant, np.asarray(_kernels.discriminant(*arguments)))
+    square, linear, constant = map(np.asarray, esenkov2006.characteristic_coefficients(*arguments))
+    return _Quadratic(square, linear, constant, np.asarray(esenkov2006.discriminant(*arguments)))
 
 
 def _roots_of_the_quadratic(body: Body) -> NDArray[np.complex128]:

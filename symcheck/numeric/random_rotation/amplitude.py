@@ -13,12 +13,10 @@ from __future__ import annotations
 
 from numpy.typing import ArrayLike
 
-from symcheck import kernels
+from symcheck.generated import poloskov2004
 from symcheck.numeric.chunked import gufunc
 from symcheck.numeric.domain import Array, real, require, shortened
 from symcheck.numeric.random_rotation.checks import equatorial, evaluated, order, probability, somewhere
-
-_kernels = kernels.load("poloskov2004")
 
 
 @gufunc("(),(),(),()->()")
@@ -32,7 +30,7 @@ def density_of_amplitude(a: ArrayLike, alpha: ArrayLike, beta: ArrayLike, gamma:
     >>> density_of_amplitude([0.0, 0.5, 1.0], 1.0, 3**0.5 / 2, 1.0).round(4).tolist()
     [0.0, 0.64, 0.5]
     """
-    return evaluated("density of a", _kernels.density_of_amplitude, _amplitude(a), *equatorial(alpha, beta, gamma))
+    return evaluated("density of a", poloskov2004.density_of_amplitude, _amplitude(a), *equatorial(alpha, beta, gamma))
 
 
 @gufunc("(),(),(),()->()")
@@ -47,7 +45,7 @@ def distribution_of_amplitude(a: ArrayLike, alpha: ArrayLike, beta: ArrayLike, g
     0.5
     """
     values = _amplitude(a), *equatorial(alpha, beta, gamma)
-    return evaluated("distribution of a", _kernels.distribution_of_amplitude, *values)
+    return evaluated("distribution of a", poloskov2004.distribution_of_amplitude, *values)
 
 
 @gufunc("(),(),(),()->()")
@@ -63,7 +61,7 @@ def quantile_of_amplitude(q: ArrayLike, alpha: ArrayLike, beta: ArrayLike, gamma
     1.0
     """
     values = probability(q), *equatorial(alpha, beta, gamma)
-    return evaluated("quantile of a", _kernels.quantile_of_amplitude, *values)
+    return evaluated("quantile of a", poloskov2004.quantile_of_amplitude, *values)
 
 
 @gufunc("(),(),(),()->()")
@@ -83,7 +81,7 @@ def moment_of_amplitude(m: ArrayLike, alpha: ArrayLike, beta: ArrayLike, gamma: 
     somewhere(
         finite, "gamma", dissipation, f"satisfy 8 gamma^2 > alpha^2 (2 + 3 m) for m = {shortened(power)}", "4.0.9"
     )
-    return evaluated("moment of a", _kernels.moment_of_amplitude, power, noise, additive, dissipation)
+    return evaluated("moment of a", poloskov2004.moment_of_amplitude, power, noise, additive, dissipation)
 
 
 @gufunc("(),(),()->()")
@@ -97,7 +95,7 @@ def mean_square_of_amplitude(alpha: ArrayLike, beta: ArrayLike, gamma: ArrayLike
     """
     noise, additive, dissipation = equatorial(alpha, beta, gamma)
     somewhere(dissipation > noise, "gamma", dissipation, "satisfy gamma^2 > alpha^2", "4.0.9 for m = 2")
-    return evaluated("mean square of a", _kernels.mean_square_of_amplitude, noise, additive, dissipation)
+    return evaluated("mean square of a", poloskov2004.mean_square_of_amplitude, noise, additive, dissipation)
 
 
 @gufunc("(),(),()->()")
@@ -109,7 +107,7 @@ def mode_of_amplitude(alpha: ArrayLike, beta: ArrayLike, gamma: ArrayLike) -> Ar
     >>> float(mode_of_amplitude(1.0, 0.75, 1.0))
     0.5
     """
-    return evaluated("mode of a", _kernels.mode_of_amplitude, *equatorial(alpha, beta, gamma))
+    return evaluated("mode of a", poloskov2004.mode_of_amplitude, *equatorial(alpha, beta, gamma))
 
 
 @gufunc("(),(),()->()")
@@ -122,7 +120,7 @@ def logarithm_of_constant_of_amplitude(alpha: ArrayLike, beta: ArrayLike, gamma:
     >>> round(exp(logarithm_of_constant_of_amplitude(1.0, 3**0.5 / 2, 1.0)), 4)
     2.25
     """
-    return evaluated("log C_1", _kernels.logarithm_of_constant_of_amplitude, *equatorial(alpha, beta, gamma))
+    return evaluated("log C_1", poloskov2004.logarithm_of_constant_of_amplitude, *equatorial(alpha, beta, gamma))
 
 
 def _amplitude(a: ArrayLike) -> Array:

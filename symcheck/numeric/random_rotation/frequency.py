@@ -17,12 +17,10 @@ import numpy as np
 from numpy.typing import ArrayLike
 from scipy import special
 
-from symcheck import kernels
+from symcheck.generated import poloskov2004
 from symcheck.numeric.chunked import gufunc
 from symcheck.numeric.domain import Array, real, shortened
 from symcheck.numeric.random_rotation.checks import axial, evaluated, order, probability, somewhere
-
-_kernels = kernels.load("poloskov2004")
 
 
 @gufunc("(),(),(),(),()->()")
@@ -37,7 +35,7 @@ def density_of_frequency(Omega: ArrayLike, k: ArrayLike, g_13: ArrayLike, g_23: 
     [1.061, 0.2653]
     """
     values = real("Omega", Omega), *axial(k, g_13, g_23, d_33)
-    return evaluated("density of Omega", _kernels.density_of_frequency, *values)
+    return evaluated("density of Omega", poloskov2004.density_of_frequency, *values)
 
 
 @gufunc("(),(),(),(),()->()")
@@ -86,7 +84,7 @@ def moment_of_frequency(m: ArrayLike, k: ArrayLike, g_13: ArrayLike, g_23: Array
     power, (ratio, noise, additive, dissipation) = order(m), axial(k, g_13, g_23, d_33)
     finite = 2 * dissipation > power * noise**2
     somewhere(finite, "d_33", dissipation, f"satisfy 2 d_33 > m g_13^2 for m = {shortened(power)}", "4.0.11")
-    return evaluated("moment of Omega", _kernels.moment_of_frequency, power, ratio, noise, additive, dissipation)
+    return evaluated("moment of Omega", poloskov2004.moment_of_frequency, power, ratio, noise, additive, dissipation)
 
 
 @gufunc("(),(),(),()->()")
@@ -100,7 +98,7 @@ def mean_square_of_frequency(k: ArrayLike, g_13: ArrayLike, g_23: ArrayLike, d_3
     """
     ratio, noise, additive, dissipation = axial(k, g_13, g_23, d_33)
     somewhere(dissipation > noise**2, "d_33", dissipation, "satisfy d_33 > g_13^2", "4.0.11 for m = 2")
-    return evaluated("mean square of Omega", _kernels.mean_square_of_frequency, ratio, noise, additive, dissipation)
+    return evaluated("mean square of Omega", poloskov2004.mean_square_of_frequency, ratio, noise, additive, dissipation)
 
 
 @gufunc("(),(),(),()->()")
@@ -125,7 +123,7 @@ def logarithm_of_constant_of_frequency(k: ArrayLike, g_13: ArrayLike, g_23: Arra
     >>> round(exp(logarithm_of_constant_of_frequency(0.6, 1.0, 1.0, 1.5)) * pi, 4)
     0.432
     """
-    return evaluated("log C_2", _kernels.logarithm_of_constant_of_frequency, *axial(k, g_13, g_23, d_33))
+    return evaluated("log C_2", poloskov2004.logarithm_of_constant_of_frequency, *axial(k, g_13, g_23, d_33))
 
 
 def _distribution(Omega: Array, k: Array, g_13: Array, g_23: Array, d_33: Array) -> Array:

@@ -62,7 +62,7 @@ class Swept(NamedTuple):
 def find(name: str) -> Swept:
     """The function of this name, "PART.FUNCTION" or "PAPER.KERNEL"; SweepError that names the nearest one."""
     part, _, function = name.partition(".")
-    if part in _papers() and function in kernels.load(part).__all__:
+    if part in _papers() and function in kernels.of_paper(part):
         return _kernel(part, function)
     if part in _parts():
         found = getattr(import_module(f"symcheck.numeric.{part}"), function, None)
@@ -75,7 +75,7 @@ def find(name: str) -> Swept:
 
 def known() -> set[str]:
     """All names under which `find` has a function."""
-    of_papers = {f"{paper}.{name}" for paper in _papers() for name in kernels.load(paper).__all__}
+    of_papers = {f"{paper}.{name}" for paper in _papers() for name in kernels.of_paper(paper)}
     parts = {part: vars(import_module(f"symcheck.numeric.{part}")) for part in _parts()}
     return of_papers | {f"{part}.{n}" for part, names in parts.items() for n in names if _is_declared(names[n])}
 
@@ -85,7 +85,7 @@ def code() -> str:
     """What results depend on: the sources of the numeric layer and the kernels, and the version of NumPy."""
     digest = blake2b(np.__version__.encode(), digest_size=16)
     here = Path(symcheck.numeric.__file__).parent
-    own = (here.parent / "kernels" / f"{name}.py" for name in ("runtime", "ratios"))
+    own = (here.parent / "kernels" / f"{name}.py" for name in ("runtime", "ratios", "specification"))
     for path in (*sorted(here.rglob("*.py")), *own, *sorted(kernels.folder().glob("*.py"))):
         digest.update(path.name.encode() + path.read_bytes())
     return digest.hexdigest()
@@ -104,7 +104,7 @@ def _parts() -> set[str]:
 
 
 def _kernel(paper: str, name: str) -> Swept:
-    documented = declaration(getattr(kernels.load(paper), name))
+    documented = declaration(kernels.find(paper, name))
     return Swept(
         partial(by_blocks, paper, name),
         dict.fromkeys(documented.arguments, ()),

@@ -14,10 +14,10 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike
 
-from symcheck import kernels
+from symcheck.generated import ignatov2005
 from symcheck.numeric.chunked import gufunc
 from symcheck.numeric.domain import Array, real, require
-from symcheck.numeric.inertia.arguments import principal_moments
+from symcheck.numeric.inertia.arguments import letters, principal_moments
 from symcheck.numeric.wheels.faces import half_spaces
 from symcheck.numeric.wheels.margins import guaranteed_rate
 from symcheck.numeric.wheels.sets import four_wheels, six_wheels
@@ -50,12 +50,13 @@ def best_angles_of_four_wheels(moments: ArrayLike) -> Array:
     swap = WITH_Y[inertia.argmax(axis=-1)]
     x, y, z = (inertia[..., k] for k in range(3))
     swapped = np.take_along_axis(inertia, swap, axis=-1)
-    ratios = np.take_along_axis(_components(*_kernel("best_angles_of_four_wheels", swapped)[:2]), swap, axis=-1)
+    best_a, best_b, *_ = ignatov2005.best_angles_of_four_wheels(*letters(swapped))
+    ratios = np.take_along_axis(_components(best_a, best_b), swap, axis=-1)
     a, b = (
         np.arctan2(np.hypot(ratios[..., 0], ratios[..., 1]), ratios[..., 2]),
         np.arctan2(*np.moveaxis(ratios, -1, 0)[:2]),
     )
-    equal_a, equal_b, *_ = _kernel("equal_rates_of_four_wheels", inertia)
+    equal_a, equal_b, *_ = ignatov2005.equal_rates_of_four_wheels(*letters(inertia))
     one_is_great = 2 * np.maximum(np.maximum(x, y), z) ** 2 >= x * x + y * y + z * z
     return np.stack([np.where(one_is_great, a, equal_a), np.where(one_is_great, b, equal_b)], axis=-1)
 
@@ -70,7 +71,7 @@ def equal_rates_of_four_wheels(moments: ArrayLike) -> Array:
     >>> np.degrees(equal_rates_of_four_wheels([1000, 1600, 800])).round(2)
     array([67.02, 32.01])
     """
-    return np.stack(_kernel("equal_rates_of_four_wheels", principal_moments(moments))[:2], axis=-1)
+    return np.stack(ignatov2005.equal_rates_of_four_wheels(*letters(principal_moments(moments)))[:2], axis=-1)
 
 
 @gufunc("(k)->(angle)", angle=1)
@@ -113,7 +114,8 @@ def equal_rates_of_six_wheels(moments: ArrayLike) -> Array:
     >>> np.degrees(equal_rates_of_six_wheels([1000, 1600, 800])).round(2)
     array([71.57])
     """
-    return np.asarray(_kernel("equal_rates_of_six_wheels", principal_moments(moments))[0])[..., None]
+    angle, *_ = ignatov2005.equal_rates_of_six_wheels(*letters(principal_moments(moments)))
+    return np.asarray(angle)[..., None]
 
 
 def best_parameters(
@@ -155,11 +157,6 @@ def best_parameters(
     options = {"xatol": 1e-10, "fatol": 1e-14}
     refined = minimize(lambda x: float(loss(x)) / scale, found.x, method="Nelder-Mead", bounds=ends, options=options)
     return Optimum(refined.x, -float(loss(refined.x)))
-
-
-def _kernel(name: str, inertia: Array) -> tuple[Array, ...]:
-    found: tuple[Array, ...] = getattr(kernels.load("ignatov2005"), name)(*np.moveaxis(inertia, -1, 0))
-    return found
 
 
 def _components(a: Array, b: Array) -> Array:

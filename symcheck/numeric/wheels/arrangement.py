@@ -2,15 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike
 
-from symcheck import kernels
+from symcheck.generated import ignatov2005
 from symcheck.numeric.domain import Array, real, require
-from symcheck.numeric.inertia.arguments import principal_moments
+from symcheck.numeric.inertia.arguments import letters, principal_moments
 from symcheck.numeric.wheels.angles import (
     best_angle_of_six_wheels,
     best_angles_of_four_wheels,
@@ -88,16 +88,31 @@ def design(
     require(rates_about in CHOICES, "rates_about", rates_about, f"be one of {', '.join(map(repr, CHOICES))}")
     four, six = (choose(inertia) for choose in CHOICES[rates_about])
     return Design(
-        _arrangement(four, four_wheels(four[..., 0], four[..., 1]), "four", inertia, rate, momentum),
-        _arrangement(six, six_wheels(six[..., 0]), "six", inertia, rate, momentum),
+        _arrangement(
+            four,
+            four_wheels(four[..., 0], four[..., 1]),
+            ignatov2005.largest_rates_of_four_wheels(*letters(four), *letters(inertia)),
+            inertia,
+            rate,
+            momentum,
+        ),
+        _arrangement(
+            six,
+            six_wheels(six[..., 0]),
+            ignatov2005.largest_rates_of_six_wheels(*letters(six), *letters(inertia)),
+            inertia,
+            rate,
+            momentum,
+        ),
     )
 
 
-def _arrangement(angles: Array, axes: Array, name: str, inertia: Array, rate: Array, limit: Array) -> Arrangement:
+def _arrangement(
+    angles: Array, axes: Array, rates: Sequence[Array], inertia: Array, rate: Array, limit: Array
+) -> Arrangement:
     limits = np.broadcast_to(limit[..., None], (*limit.shape, axes.shape[-2]))
     whole, left = half_spaces(axes, limits), failures(axes, limits).half_spaces
-    kernel = getattr(kernels.load("ignatov2005"), f"largest_rates_of_{name}_wheels")
-    largest = np.stack(kernel(*np.moveaxis(angles, -1, 0), *np.moveaxis(inertia, -1, 0)), axis=-1) * limit[..., None]
+    largest = np.stack(rates, axis=-1) * limit[..., None]
     one, each = inertia, inertia[..., None, :]
     return Arrangement(
         angles,

@@ -10,11 +10,18 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike
 
-from symcheck import kernels
+from symcheck.generated import ignatov2005
+from symcheck.kernels.specification import specification
 from symcheck.numeric.chunked import gufunc
-from symcheck.numeric.chunked.kernels import by_blocks, declaration
+from symcheck.numeric.chunked.kernels import by_blocks
 from symcheck.numeric.domain import Array, doubles, real, require
 
+VERTICES: dict[int, Callable[..., tuple[float, ...]]] = {
+    3: ignatov2005.vertices_of_three_wheels,
+    4: ignatov2005.vertices_of_four_wheels,
+    5: ignatov2005.vertices_of_five_wheels,
+    6: ignatov2005.vertices_of_six_wheels,
+}
 UNIT = 1e-9  # by how much the square of a unit vector's length may differ from 1
 
 
@@ -196,13 +203,12 @@ def listed_vertices(number: int, *angles: float) -> dict[str, Array]:
     >>> listed_vertices(4, 1.0, 0.5)["V_1"].round(6)
     array([1.613691, 0.      , 0.      ])
     """
-    words = {3: "three", 4: "four", 5: "five", 6: "six"}
-    require(number in words, "number", number, "be 3, 4, 5 or 6")
+    require(number in VERTICES, "number", number, "be 3, 4, 5 or 6")
     count = 2 if number < 5 else 1
     require(len(angles) == count, "angles", angles, f"be {count} for {number} wheels")
-    kernel = getattr(kernels.load("ignatov2005"), f"vertices_of_{words[number]}_wheels")
+    kernel = VERTICES[number]
     values = kernel(*(float(_acute("ab"[k], angle)) for k, angle in enumerate(angles)))
     found: dict[str, Array] = {}
-    for component, value in zip(declaration(kernel).results, values, strict=True):
+    for component, value in zip([each.name for each in specification(kernel).outputs], values, strict=True):
         found.setdefault(component[:-1], np.zeros(3))["xyz".index(component[-1])] = value
     return found | {f"{name}'": -place for name, place in found.items()}

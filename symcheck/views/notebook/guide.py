@@ -55,11 +55,12 @@ class Checkout:
     def __init__(self) -> None:
         self._root = Path(mkdtemp(prefix="symcheck-guide-")).resolve()
         finalize(self, rmtree, self._root, ignore_errors=True)
-        others = ignore_patterns("__pycache__", *papers.load())
+        others = ignore_patterns("__pycache__", "generated", *papers.load())
         copytree(Path(symcheck.__file__).parent, self._root / "symcheck", ignore=others)
         copytree(_example(), self._root / "symcheck" / "papers" / EXAMPLE, ignore=ignore_patterns("__pycache__"))
         (self._root / "generated").mkdir()
         (self._root / "generated" / "__init__.py").write_bytes((kernels.folder() / "__init__.py").read_bytes())
+        (self._root / "symcheck" / "generated").symlink_to(Path("..", "generated"))
 
     def add_theorem(self, file: str) -> Shown:
         """Put the line of a file of the example into the checker's table of theorems."""

@@ -75,15 +75,9 @@ def of_record(found: Mapping[str, Iterable[Excerpt]], id: str) -> list[Excerpt]:
 
 
 def _functions(file: Path) -> dict[str, str]:
-    """The public functions of a module: what they say of themselves, and what they compute at a point."""
+    """The text of the functions of a module: what they say of themselves, and their formulas."""
     if not file.is_file():
         return {}
     text = file.read_text(encoding="utf-8")
-    found = {node.name: node for node in ast.parse(text).body if isinstance(node, ast.FunctionDef)}
-    return {
-        name: "\n\n".join(
-            [ast.get_docstring(node) or "", ast.get_source_segment(text, found.get(f"_{name}", node)) or ""]
-        )
-        for name, node in found.items()
-        if not name.startswith("_")
-    }
+    functions = [node for node in ast.parse(text).body if isinstance(node, ast.FunctionDef)]
+    return {node.name: ast.get_source_segment(text, node) or "" for node in functions}
