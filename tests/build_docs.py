@@ -30,7 +30,6 @@ PACKAGES = (
     "symcheck.numeric.liquid",
     "symcheck.numeric.wheels",
     "symcheck.numeric.figures",
-    "symcheck.numeric.chunked.kernels",
     "symcheck.numeric.sweep",
 )
 SETTINGS = {
