@@ -22,6 +22,14 @@ HEAD = """# Figures
 Written by `make bench` and `make selftest` from `bench.json` and `selftest.json`; not to be edited. `symcheck generate
 --check` compares it with these files.
 """
+SELF_TEST = """\
+`symcheck selftest` plants faults and counts those that go unnoticed: in printed statements (signs, factors, indices,
+exponents, terms, letters, relations, bounds, equality cases, ends of intervals), hypotheses, certificates, kernels and
+notation tables, and by proof methods that always say yes, compare a side with itself, or ignore the domain. A planted
+fault is *equivalent* if it is shown exactly to change nothing; *weaker* and *stronger* statements are true and counted
+apart; *open* means that no evaluation settles it. True statements written otherwise must not be rejected. Brackets hold
+the limits of 95 %.
+"""
 FAULTS = ("planted", "rejected", "accepted", "equivalent", "weaker", "stronger", "open")  # as selftest.json names them
 
 
@@ -39,7 +47,7 @@ class Output:
 
 @dataclass(frozen=True)
 class Bench:
-    """The recorded benchmarks: a summary of (what, figure, when it was kept), and what each script printed."""
+    """The recorded benchmarks: a summary of (what, figure, when it was recorded), and what each script printed."""
 
     machine: str
     summary: tuple[tuple[str, str, str], ...]
@@ -120,8 +128,7 @@ def _self_test(folder: Path) -> Iterator[str]:
     if not result:
         return
     yield from ("", "## How often the audit is wrong", "")
-    yield "Faults planted by the self-test, and what became of them; in brackets the 95 % limits. *Equivalent* changes"
-    yield "were shown to say the same, *weaker* and *stronger* ones to be true; *open* ones are not decided."
+    yield from SELF_TEST.splitlines()
     yield ""
     yield from table(("planted in", *FAULTS, "rejected of the faults", "right", "wrongly rejected"))
     for row in selftested.rows(result):
@@ -138,8 +145,8 @@ def _self_test(folder: Path) -> Iterator[str]:
 
 def _summary(measured: Bench) -> Iterator[str]:
     if measured.summary:
-        yield from ("", "## In short", "", f"Measured on {measured.machine} and kept on the day named.", "")
-        yield from table(("what", "figure", "kept on"))
+        yield from ("", "## In short", "", f"Measured on {measured.machine}, and recorded on the day named.", "")
+        yield from table(("what", "figure", "recorded"))
         yield from map(cells, measured.summary)
 
 
