@@ -213,7 +213,22 @@ def supposed(claim: Formula) -> list[list[Formula]]:
 
 
 def check_all(certificates: Iterable[object]) -> Iterator[str | None]:
-    """For each certificate None if it holds, else the reason why it does not; lemmas are looked for among all."""
+    """Check certificates, whose lemmas are looked for among all of them.
+
+    Parameters
+    ----------
+    certificates
+        Certificates as `json` reads them from a file of ``generated/certificates``.
+
+    Yields
+    ------
+    str or None
+        For each certificate None if it holds, else the reason why it does not.
+
+    See Also
+    --------
+    check : For a single certificate.
+    """
     checked: dict[bytes, Certificate] = {}
     read = [attempt(each, checked) for each in certificates]
     proved = [(name, each) for name, each in read if isinstance(each, Certificate) and each.verdict == "proved"]
@@ -245,5 +260,30 @@ def attempt(data: object, checked: dict[bytes, Certificate]) -> tuple[str, Certi
 
 
 def check(certificate: object) -> str | None:
-    """None if a certificate without lemmas proves (or refutes) its claim, else the reason why it does not."""
+    """Check one certificate, which may use no lemmas.
+
+    Parameters
+    ----------
+    certificate
+        A certificate as `json` reads it, or as `symcheck.proof.certificate` makes it.
+
+    Returns
+    -------
+    str or None
+        None if it proves, or refutes, its claim; else the reason why it does not. No certificate raises.
+
+    See Also
+    --------
+    check_all : For certificates that use one another as lemmas.
+
+    Examples
+    --------
+    >>> square = ["^", ["+", "x", 1], 2]
+    >>> for middle in (2, 3):
+    ...     claim = ["=", square, ["+", ["^", "x", 2], ["*", middle, "x"], 1]]
+    ...     proof = {"rule": "identity", "cofactors": []}
+    ...     print(check({"id": "mine", "claim": claim, "verdict": "proved", "proof": proof}))
+    None
+    left - right is not the combination of facts it is said to be
+    """
     return next(check_all([certificate]))

@@ -27,21 +27,52 @@ VARIABLE = re.compile(r"[A-Za-z]\w*")
 
 
 class Lemmas(NamedTuple):
-    """Relations from which a statement is proved, as (id, formula), and the statement itself."""
+    """Relations from which a statement is proved, and the statement itself.
+
+    Parameters
+    ----------
+    facts
+        The relations, each as (id, formula).
+    whole
+        The statement.
+    under
+        The hypotheses under which the lemmas are proved, by name.
+    defined
+        All definitions on which the statement and the lemmas rest.
+    """
 
     facts: Sequence[tuple[str, Formula]]
     whole: Problem
-    under: Sequence[tuple[str, Sequence[Formula]]]  # the hypotheses that the lemmas are proved under
-    defined: Sequence[tuple[str, Term]]  # all that whole problem and lemmas rest on
+    under: Sequence[tuple[str, Sequence[Formula]]]
+    defined: Sequence[tuple[str, Term]]
 
 
 def certificate(problem: Problem, outcome: Outcome, lemmas: Lemmas | None = None) -> certificates.Certificate:
-    """The outcome as JSON data. A proof lists just the hypotheses and definitions it uses, a refutation all hypotheses.
+    """Write what a method found as JSON data that the checker reads.
 
-    A proof comes with points where all that is assumed holds together, if such are found. With lemmas, the problem
-    is that these imply the claim.
+    Parameters
+    ----------
+    problem
+        What was decided. With lemmas, that these imply the claim.
+    outcome
+        What the method said of it.
+    lemmas
+        The relations from which the proof starts.
 
-    ValueError for an undecided outcome: it has no certificate.
+    Returns
+    -------
+    dict
+        The certificate. A proof lists only the hypotheses and definitions that it uses, with points where all that is
+        assumed holds together; a refutation lists all hypotheses.
+
+    Raises
+    ------
+    ValueError
+        If the outcome is undecided.
+
+    See Also
+    --------
+    symcheck.checker.check : Whether a certificate holds.
     """
     if outcome.verdict is Verdict.UNDECIDED:
         raise ValueError(f"{problem.id} is undecided: there is nothing to certify")

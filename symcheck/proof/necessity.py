@@ -39,14 +39,33 @@ HAVING_A_VALUE: dict[str, Callable[..., Formula]] = {
 
 
 class Without(NamedTuple):
-    """What is lost, and the certificate of it: a refutation, or a proof that nothing exists."""
+    """What is lost without a hypothesis.
+
+    Parameters
+    ----------
+    loss
+        Truth, a value, or existence.
+    certificate
+        A refutation, or a proof that nothing exists.
+    """
 
     loss: Loss
     certificate: certificates.Certificate
 
 
 def fails_without(problem: Problem) -> Without | None:
-    """Why a problem, from which a hypothesis was left out, needs it; None if no reason was found."""
+    """Find out what a problem has lost with a hypothesis.
+
+    Parameters
+    ----------
+    problem
+        The problem without the hypothesis.
+
+    Returns
+    -------
+    Without or None
+        What is lost, with a certificate; None if nothing was found to be.
+    """
     if problem.claim[0] == "exists":
         none = next(filter(None, map(_none_exists, _at_special_angles(problem))), None)
         return Without(Loss.EXISTENCE, none) if none else None
