@@ -21,6 +21,7 @@ from symcheck.views.notebook.output import Output, Verbatim
 
 EXAMPLE = "pendulum"
 WIDTH = "110"  # columns of what commands print
+COLOURED = ("FORCE_COLOR", "CLICOLOR_FORCE", "TTY_COMPATIBLE")  # which a Jupyter kernel sets
 SECONDS = 120  # that a command may take
 _TIMES = re.compile(r"[ ,]+(?:\d+\.\d+ s|time)$", re.MULTILINE)  # differ from run to run, at the end of a line
 _SPACES = re.compile(r" +$", re.MULTILINE)  # that fill the lines of tables
@@ -76,7 +77,8 @@ class Checkout:
         program, *arguments = shlex.split(command)
         started = [sys.executable, *(["-m", "symcheck"] if program == "symcheck" else []), *arguments]
         places = {"SYMCHECK_CACHE": "cache", "XDG_CONFIG_HOME": "config"}
-        environment = {**os.environ, **{name: str(self._root / place) for name, place in places.items()}}
+        environment = {name: value for name, value in os.environ.items() if name not in COLOURED}
+        environment |= {name: str(self._root / place) for name, place in places.items()}
         environment |= {"PYTHONPATH": str(self._root), "COLUMNS": WIDTH, "PYTHONDONTWRITEBYTECODE": "1"}
         done = subprocess.run(
             started, cwd=self._root, env=environment, capture_output=True, text=True, check=False, timeout=SECONDS
