@@ -29,7 +29,7 @@ def test_every_printed_form_of_the_example_stands_on_its_line(example: Paper) ->
     lines = (committed.folder() / "guide" / EXAMPLE / example.source).read_text(encoding="utf-8").splitlines()
     declared = [item for _, _, item in example.items()]
     assert [item.number for item in declared] == re.findall(r"\\tag\{(\d)\}", "\n".join(lines))
-    assert [item.number for item in declared if item.printed[0] not in lines[item.line - 1]] == []
+    assert [item.number for item in declared if item.source.printed[0] not in lines[item.source.line - 1]] == []
 
 
 def test_a_declaration_that_is_not_there_is_named() -> None:

@@ -1,6 +1,7 @@
 """The compound pendulum, in printed order."""
 
 from symcheck.core.claims import Erratum
+from symcheck.core.problems import Applied
 from symcheck.core.verdicts import Origin
 from symcheck.papers.declare import claim, definition
 from symcheck.papers.pendulum.hypotheses import body, gyration, positive_radius, pulled
@@ -32,5 +33,5 @@ deflection = claim(
     31,
     r"\arctan\frac{F}{m g} \le \frac{F}{m g}.",
     given=[pulled],
-    by=theorems(("arctangent_below_number", r"\frac{F}{m g}")),
+    by=theorems(Applied("arctangent_below_number", (r"\frac{F}{m g}",))),
 )
