@@ -8,6 +8,7 @@ from collections.abc import Callable
 from functools import cache
 
 import pytest
+from declarations import states
 from formula_grammar import GENERATED, formula
 from limits import Hung, little_memory, within_a_second
 
@@ -31,7 +32,7 @@ POSITION = re.compile(r"(column|position|character|at the end|\n *\^| at )")
 def printed(key: str) -> list[str]:
     """Every printed piece of LaTeX of a paper."""
     items = [obligation.item for obligation in expand(papers.load()[key])]
-    return [piece for item in items for piece in (*item.printed, *item.parts, item.formal) if piece]
+    return [piece for item in items for piece in (*item.source.printed, *states(item))]
 
 
 def invented(rng: random.Random, key: str) -> str:

@@ -12,8 +12,8 @@ from itertools import islice, pairwise
 from symcheck.checker.enclosures import enclosed
 from symcheck.core.calculus import Unknown
 from symcheck.core.calculus import letters as letters_in
-from symcheck.core.claims import Outcome, Problem
 from symcheck.core.formulas import conjuncts, contrary
+from symcheck.core.problems import Outcome, Problem
 from symcheck.core.terms import PI, Formula, Node, Quantified, Term, Value, mapped, node
 from symcheck.core.verdicts import Certificate, Verdict
 from symcheck.proof.angles import KNOWN_ANGLES, KNOWN_SINES, compared, compares_angles, multiple_of_pi

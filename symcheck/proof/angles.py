@@ -11,8 +11,8 @@ from dataclasses import dataclass, replace
 from fractions import Fraction
 from math import prod
 
-from symcheck.core.claims import Problem
 from symcheck.core.formulas import conjuncts
+from symcheck.core.problems import Problem
 from symcheck.core.terms import PI, RELATIONS, Formula, Node, Term, node
 from symcheck.core.verdicts import Certificate
 from symcheck.proof.applied import Instance, applied, have, step, theorem_of

@@ -15,8 +15,8 @@ from typing import Any, NamedTuple
 
 from symcheck.checker.enclosures import FUNCTIONS, between
 from symcheck.core.calculus import Unknown, letters
-from symcheck.core.claims import Outcome, Problem
 from symcheck.core.formulas import conjuncts
+from symcheck.core.problems import Outcome, Problem
 from symcheck.core.terms import PI, RELATIONS, Connective, Formula, Node, Term, node
 from symcheck.core.verdicts import Certificate, Verdict
 from symcheck.proof.applied import enclosure, step

@@ -7,8 +7,8 @@ import re
 from collections.abc import Callable
 from dataclasses import replace
 
-from symcheck.core.claims import Outcome, Problem
 from symcheck.core.formulas import conjuncts
+from symcheck.core.problems import Outcome, Problem
 from symcheck.core.terms import Formula, Node, Relation, Term, node
 from symcheck.core.verdicts import Certificate, Verdict
 from symcheck.proof.closed import decide_numbers

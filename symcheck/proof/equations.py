@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from itertools import combinations
 
-from symcheck.core.claims import Problem
+from symcheck.core.problems import Problem
 from symcheck.core.terms import Formula
 from symcheck.core.verdicts import Certificate
 from symcheck.proof.ideal import Fact

@@ -6,8 +6,8 @@ from collections.abc import Callable, Mapping
 from typing import Any
 
 from symcheck.core.calculus import substituted
-from symcheck.core.claims import Problem
 from symcheck.core.formulas import conjuncts
+from symcheck.core.problems import Problem, Witness
 from symcheck.core.terms import Formula, Node, Quantified, Term, mapped, node
 from symcheck.core.verdicts import Certificate
 from symcheck.proof.applied import applied, of, step
@@ -25,7 +25,7 @@ def prove_existence(problem: Problem, ring: Ring, prove_body: Search) -> Certifi
     A point may contain two letters of its own, such as u and v: some point (u, v) of the unit circle. A claim about
     such a point itself, "exists c, s: c^2 + s^2 = 1 and ...", is read so too.
     """
-    point: dict[str, Term] = {name[6:]: value for name, value in problem.hints if name.startswith("point_")}
+    point = dict(pair for hint in problem.hints if isinstance(hint, Witness) for pair in hint.values)
     if not isinstance(problem.claim, Quantified):
         return None
     bound, body = problem.claim.bound, problem.claim.body

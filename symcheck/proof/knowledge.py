@@ -10,8 +10,8 @@ from dataclasses import dataclass, replace
 from fractions import Fraction
 from typing import Any
 
-from symcheck.core.claims import Problem
 from symcheck.core.formulas import conjuncts
+from symcheck.core.problems import Form, Problem, Witness
 from symcheck.core.terms import RELATIONS, Formula, Node, Term, node
 from symcheck.proof.ideal import Fact, Ideal, Ref
 from symcheck.proof.polynomial import Poly, Ring, fraction, unfold, variables
@@ -175,7 +175,7 @@ def proportional(a: Poly, b: Poly) -> Fraction | None:
 
 def hints_of(problem: Problem) -> list[Term]:
     """The hinted terms (forms) of a problem, in order."""
-    return [value for name, value in problem.hints if name.startswith("form") and value != ""]
+    return [hint.sum for hint in problem.hints if isinstance(hint, Form)]
 
 
 def ring_of(problem: Problem) -> Ring:
@@ -184,7 +184,7 @@ def ring_of(problem: Problem) -> Ring:
     nodes = [
         problem.claim,
         *(f for _, formulas in problem.hypotheses for f in formulas),
-        *(value for name, value in problem.hints if name.startswith(("form", "point_")) and value != ""),
+        *(term for hint in problem.hints if isinstance(hint, Form | Witness) for term in hint.terms),
     ]
     names: set[str] = set()
     for tree in nodes:

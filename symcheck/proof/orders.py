@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from fractions import Fraction
 from math import prod
 
-from symcheck.core.claims import Problem
+from symcheck.core.problems import Problem
 from symcheck.core.terms import Formula, Term, node
 from symcheck.core.verdicts import Certificate
 from symcheck.proof.equations import cleared, subsets, written

@@ -16,7 +16,7 @@ from typing import Any
 import flint
 
 from symcheck.core.calculus import Unknown, differentiated, substituted
-from symcheck.core.claims import Problem
+from symcheck.core.problems import Problem
 from symcheck.core.terms import Binder, End, Formula, Node, T, Term, Value, mapped, node
 from symcheck.proof.variables import Unsupported as Unsupported
 from symcheck.proof.variables import atoms, circle, cosine, one_problem, prime, sine, table
@@ -65,7 +65,7 @@ def subterms(*trees: Term) -> Iterator[Term]:
 def letters_of(problem: Problem) -> set[str]:
     """Every name in a problem, also of what is bound there and of what is defined."""
     said: list[Any] = [formula for _, formulas in problem.hypotheses for formula in formulas]
-    said += [term for _, term in problem.definitions] + [value for _, value in problem.hints]
+    said += [term for _, term in problem.definitions] + [term for hint in problem.hints for term in hint.terms]
     return {name for name, _ in problem.definitions} | _names_in((problem.claim, *said))
 
 

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
-from symcheck.core.claims import Problem
+from symcheck.core.problems import Problem
 from symcheck.core.terms import RELATIONS, Formula, Node, Term, node
 from symcheck.core.verdicts import Certificate
 from symcheck.proof.angles import compares_angles, prove_about_angles

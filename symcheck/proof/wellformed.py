@@ -7,7 +7,7 @@ from dataclasses import replace
 from typing import Any
 
 from symcheck.core.calculus import letters, substituted
-from symcheck.core.claims import Problem
+from symcheck.core.problems import Problem
 from symcheck.core.terms import (
     ENDS,
     FORMULAS,

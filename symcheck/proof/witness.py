@@ -14,8 +14,8 @@ from typing import Any
 
 from symcheck.checker.enclosures import enclosed
 from symcheck.core.calculus import Unknown, domain, substituted
-from symcheck.core.claims import Outcome, Problem
 from symcheck.core.formulas import conjuncts
+from symcheck.core.problems import Outcome, Problem
 from symcheck.core.terms import PI, RELATIONS, Formula, Node, Term, node
 from symcheck.core.verdicts import Certificate
 from symcheck.proof.closed import TRIED, refute_at_first
