@@ -20,7 +20,7 @@ from symcheck.core.words import term
 from symcheck.papers import load
 from symcheck.views.notebook import committed, compare, counterexample, letters, records, relations, rules, show, source
 from symcheck.views.notebook.execute import in_kernel, in_process
-from symcheck.views.notebook.shown import Heading, Math, Prose, Shown, Table
+from symcheck.views.notebook.output import Heading, Math, Output, Prose, Table
 from symcheck.views.steps import compared
 
 NAMES = committed.names()
@@ -319,7 +319,7 @@ def test_letters_are_those_of_the_paper() -> None:
 
 
 def test_words_are_shown_as_they_are_written() -> None:
-    bundle = Shown(
+    bundle = Output(
         (Heading("**a**"), Prose("given", "x_1 * y < 2$"), Table(("p|q",), (("$|x|$",), ("a|b\nc",))), Math("m", "x"))
     )
     found = bundle._repr_mimebundle_()

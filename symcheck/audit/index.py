@@ -13,9 +13,9 @@ from typing import Any
 from symcheck.audit.context import Context
 from symcheck.audit.judge import equality_claims, units
 from symcheck.audit.obligation import expand
+from symcheck.core.certificates import Certificate
 from symcheck.core.claims import Assertion, Hypothesis, Paper, for_letter
 from symcheck.core.terms import Formula
-from symcheck.core.verdicts import Certificate
 from symcheck.ledger.record import Record
 from symcheck.reading import read
 

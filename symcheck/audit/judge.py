@@ -8,12 +8,13 @@ from functools import cache, cached_property
 
 from symcheck import papers
 from symcheck.audit.context import Context
+from symcheck.core.certificates import Certificate
 from symcheck.core.claims import Assertion, Hypothesis, for_letter
 from symcheck.core.formulas import conjuncts, contrary
 from symcheck.core.ids import Id
 from symcheck.core.problems import Method, Outcome, Problem
 from symcheck.core.terms import Formula, Term, node
-from symcheck.core.verdicts import Certificate, SymcheckError, Verdict
+from symcheck.core.verdicts import SymcheckError, Verdict
 from symcheck.proof import Lemmas, certificate, combined, proof_of, refute
 from symcheck.reading import Relation, System, Tree, from_sympy, lower, read, relations, to_latex
 

@@ -9,12 +9,13 @@ from importlib import import_module
 from importlib.util import find_spec
 
 from symcheck.audit.checked import NOT_ACCEPTED, reasons
+from symcheck.core.certificates import Certificate
 from symcheck.core.claims import Paper
 from symcheck.core.formulas import conjuncts
 from symcheck.core.ids import Id
 from symcheck.core.problems import Applied, Problem
 from symcheck.core.terms import node
-from symcheck.core.verdicts import Certificate, SymcheckError, Verdict
+from symcheck.core.verdicts import SymcheckError, Verdict
 from symcheck.kernels.codegen.kernel import Kernel
 from symcheck.kernels.codegen.program import Program, compiled
 from symcheck.kernels.codegen.target import Made

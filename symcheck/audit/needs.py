@@ -7,9 +7,9 @@ from dataclasses import replace
 
 from symcheck.audit.checked import FOR_EQUALITY
 from symcheck.audit.judge import proofs
+from symcheck.core.certificates import Certificate
 from symcheck.core.claims import Assertion, Hypothesis, Ours
 from symcheck.core.problems import Problem
-from symcheck.core.verdicts import Certificate
 from symcheck.ledger.record import HypothesisRow, Need
 from symcheck.proof import fails_without
 

@@ -55,7 +55,7 @@ def _of_record(record: Record) -> Iterator[Claim]:
     for corrected, proofs in asked(record):
         for k, certificate in enumerate(proofs, 1):
             name = f"{stem}{'_corrected' if corrected else ''}{f'_part{k}' if len(proofs) > 1 else ''}"
-            yield Claim(name, record, certificate, digest_of(certificate), corrected)
+            yield Claim(name, record, {**certificate}, digest_of(certificate), corrected)
 
 
 def _write(claim: Claim, by_id: Mapping[str, list[Claim]]) -> None:

@@ -12,9 +12,10 @@ from functools import cache
 from pathlib import Path
 
 from symcheck import kernels
+from symcheck.core.certificates import Certificate
 from symcheck.core.files import put
 from symcheck.core.ids import Id
-from symcheck.core.verdicts import Certificate, SymcheckError, Verdict
+from symcheck.core.verdicts import SymcheckError, Verdict
 from symcheck.ledger.digests import digest, digest_of, line
 from symcheck.ledger.record import Record
 from symcheck.ledger.store import COQ, SCHEMA, document

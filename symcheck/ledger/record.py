@@ -3,12 +3,18 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
+from typing import TYPE_CHECKING
 
 from msgspec import UNSET, Struct, UnsetType, ValidationError, convert, field, to_builtins
 
 from symcheck.core.ids import Id
-from symcheck.core.verdicts import SLIPS, Certificate, Group, Origin, Reading, Role, SymcheckError, Verdict
+from symcheck.core.verdicts import SLIPS, Group, Origin, Reading, Role, SymcheckError, Verdict
 from symcheck.core.words import term
+
+if TYPE_CHECKING:
+    from symcheck.core.certificates import Certificate, Point
+else:
+    Certificate = dict  # the fields of a certificate are left to the checker, which is strict and says what is wrong
 
 
 class _Part(Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
@@ -147,9 +153,9 @@ class Record(_Part, frozen=True):
         return next((each for each in self.certificates if each.get("verdict") == Verdict.REFUTED), None)
 
     @property
-    def counterexample(self) -> Certificate | None:
+    def counterexample(self) -> Point | None:
         """The point at which it fails."""
-        return (self.refutation or {}).get("point")
+        return self.refutation.get("point") if self.refutation else None
 
     @property
     def is_row(self) -> bool:

@@ -11,6 +11,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from typing import Any, NamedTuple
 
 from symcheck.checker.theorems import NAMES, theorem
+from symcheck.core import certificates
 from symcheck.core.calculus import substituted
 from symcheck.core.formulas import FALSE, conjuncts
 from symcheck.core.problems import Outcome, Problem
@@ -26,21 +27,52 @@ VARIABLE = re.compile(r"[A-Za-z]\w*")
 
 
 class Lemmas(NamedTuple):
-    """Relations from which a statement is proved, as (id, formula), and the statement itself."""
+    """Relations from which a statement is proved, and the statement itself.
+
+    Parameters
+    ----------
+    facts
+        The relations, each as (id, formula).
+    whole
+        The statement.
+    under
+        The hypotheses under which the lemmas are proved, by name.
+    defined
+        All definitions on which the statement and the lemmas rest.
+    """
 
     facts: Sequence[tuple[str, Formula]]
     whole: Problem
-    under: Sequence[tuple[str, Sequence[Formula]]]  # the hypotheses that the lemmas are proved under
-    defined: Sequence[tuple[str, Term]]  # all that whole problem and lemmas rest on
+    under: Sequence[tuple[str, Sequence[Formula]]]
+    defined: Sequence[tuple[str, Term]]
 
 
-def certificate(problem: Problem, outcome: Outcome, lemmas: Lemmas | None = None) -> Certificate:
-    """The outcome as JSON data. A proof lists just the hypotheses and definitions it uses, a refutation all hypotheses.
+def certificate(problem: Problem, outcome: Outcome, lemmas: Lemmas | None = None) -> certificates.Certificate:
+    """Write what a method found as JSON data that the checker reads.
 
-    A proof comes with points where all that is assumed holds together, if such are found. With lemmas, the problem
-    is that these imply the claim.
+    Parameters
+    ----------
+    problem
+        What was decided. With lemmas, that these imply the claim.
+    outcome
+        What the method said of it.
+    lemmas
+        The relations from which the proof starts.
 
-    ValueError for an undecided outcome: it has no certificate.
+    Returns
+    -------
+    dict
+        The certificate. A proof lists only the hypotheses and definitions that it uses, with points where all that is
+        assumed holds together; a refutation lists all hypotheses.
+
+    Raises
+    ------
+    ValueError
+        If the outcome is undecided.
+
+    See Also
+    --------
+    symcheck.checker.check : Whether a certificate holds.
     """
     if outcome.verdict is Verdict.UNDECIDED:
         raise ValueError(f"{problem.id} is undecided: there is nothing to certify")
@@ -73,7 +105,7 @@ def certificate(problem: Problem, outcome: Outcome, lemmas: Lemmas | None = None
         known = {name for name, _ in stated["definitions"]}  # of others the proof knows what the lemmas say
         free = {name for name, _ in lemmas.defined} - known
         body["proof"]["atoms"] = {name: name for name in sorted(free)} | body["proof"].get("atoms", {})
-    found: Certificate = json.loads(json.dumps({**stated, **body}))
+    found: certificates.Certificate = json.loads(json.dumps({**stated, **body}))
     return found
 
 

@@ -63,7 +63,20 @@ def refute(problem: Problem, prove: Prover = lambda _: None) -> Certificate | No
 
 
 def fails_at(problem: Problem, values: Mapping[str, Any]) -> bool:
-    """Whether the hypotheses hold at a point, with the values of a certificate, and the claim does not."""
+    """Tell whether the hypotheses hold at a point and the claim does not.
+
+    Parameters
+    ----------
+    problem
+        Hypotheses and claim.
+    values
+        The values of the letters, as in a certificate.
+
+    Returns
+    -------
+    bool
+        True if the point refutes the claim.
+    """
     try:
         with alone(problem):
             search = Search(problem, problem.claim, lambda _: None)

@@ -13,9 +13,20 @@ MIRROR = {"<": ">", "<=": ">="}
 
 
 def equivalent(f: Formula, g: Formula, problem: Problem) -> bool:
-    """Whether two formulas say the same: sides equal modulo the hypotheses, or differences equal up to a constant.
+    """Tell whether two formulas say the same under some hypotheses.
 
-    Decided exactly; False if that cannot be seen (Unsupported terms included).
+    Parameters
+    ----------
+    f, g
+        The formulas.
+    problem
+        Hypotheses and definitions in force.
+
+    Returns
+    -------
+    bool
+        True if both sides are equal modulo the hypotheses, or the differences of the sides up to a constant; False
+        also if that cannot be seen.
     """
     both = replace(problem, claim=node("and", f, g))
     with alone(both):

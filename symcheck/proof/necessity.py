@@ -9,6 +9,7 @@ from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
 from typing import Any, NamedTuple
 
+from symcheck.core import certificates
 from symcheck.core.calculus import letters
 from symcheck.core.formulas import conjuncts
 from symcheck.core.problems import Candidate, Outcome, Problem
@@ -38,14 +39,33 @@ HAVING_A_VALUE: dict[str, Callable[..., Formula]] = {
 
 
 class Without(NamedTuple):
-    """What is lost, and the certificate of it: a refutation, or a proof that nothing exists."""
+    """What is lost without a hypothesis.
+
+    Parameters
+    ----------
+    loss
+        Truth, a value, or existence.
+    certificate
+        A refutation, or a proof that nothing exists.
+    """
 
     loss: Loss
-    certificate: Certificate
+    certificate: certificates.Certificate
 
 
 def fails_without(problem: Problem) -> Without | None:
-    """Why a problem, from which a hypothesis was left out, needs it; None if no reason was found."""
+    """Find out what a problem has lost with a hypothesis.
+
+    Parameters
+    ----------
+    problem
+        The problem without the hypothesis.
+
+    Returns
+    -------
+    Without or None
+        What is lost, with a certificate; None if nothing was found to be.
+    """
     if problem.claim[0] == "exists":
         none = next(filter(None, map(_none_exists, _at_special_angles(problem))), None)
         return Without(Loss.EXISTENCE, none) if none else None
@@ -55,7 +75,7 @@ def fails_without(problem: Problem) -> Without | None:
     return Without(Loss.VALUE, without_value) if without_value else None
 
 
-def _refuted(problem: Problem) -> Certificate | None:
+def _refuted(problem: Problem) -> certificates.Certificate | None:
     point = refute(problem) or _refuted_by_proof(problem) or _refuted_by_chance(problem)
     used = tuple(name for name, _ in problem.hypotheses)
     return certificate(problem, Outcome(Verdict.REFUTED, point=point, used=used)) if point else None
@@ -100,7 +120,7 @@ def _meaningful(problem: Problem) -> Iterator[Problem]:
             yield replace(problem, claim=condition)
 
 
-def _none_exists(problem: Problem) -> Certificate | None:
+def _none_exists(problem: Problem) -> certificates.Certificate | None:
     """The relations, as few as will do, hold together for no values of the bound letters."""
     assert isinstance(problem.claim, Quantified)
     relations = list(conjuncts(problem.claim.body))
@@ -112,7 +132,7 @@ def _none_exists(problem: Problem) -> Certificate | None:
     return _contradictory(problem, relations)
 
 
-def _contradictory(problem: Problem, relations: Sequence[Formula]) -> Certificate | None:
+def _contradictory(problem: Problem, relations: Sequence[Formula]) -> certificates.Certificate | None:
     """The proof that the relations never hold together; one of them has to be an order."""
     if not any(each[0] in ORDERS for each in relations):
         return None

@@ -14,10 +14,11 @@ from symcheck.audit.checked import reasons, told
 from symcheck.audit.context import Context
 from symcheck.audit.judge import Finding, Unit, lemma
 from symcheck.core.calculus import letters
+from symcheck.core.certificates import Certificate
 from symcheck.core.formulas import conjuncts
 from symcheck.core.problems import Form, Hint, Outcome, Problem, Witness
 from symcheck.core.terms import JSON, Formula, Node, Reader, Term, node
-from symcheck.core.verdicts import Certificate, SymcheckError, Verdict
+from symcheck.core.verdicts import SymcheckError, Verdict
 from symcheck.ledger.record import Record
 from symcheck.proof import certificate
 

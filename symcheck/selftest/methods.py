@@ -31,9 +31,10 @@ from symcheck.audit.judge import units
 from symcheck.audit.obligation import fingerprint, obligation_of
 from symcheck.checker.statements import Index as StatementIndex
 from symcheck.core.calculus import letters
+from symcheck.core.certificates import Certificate
 from symcheck.core.problems import Outcome, Problem
-from symcheck.core.terms import JSON, node
-from symcheck.core.verdicts import Certificate, Role, SymcheckError, Verdict
+from symcheck.core.terms import node
+from symcheck.core.verdicts import Role, SymcheckError, Verdict
 from symcheck.ledger import store
 from symcheck.ledger.record import Record
 from symcheck.proof import fails_at, identity
@@ -136,7 +137,7 @@ def _proof(saboteur: Decide, problem: Problem) -> Outcome | None:
     return outcome if outcome.verdict is Verdict.PROVED else None
 
 
-def _point(saboteur: Decide, problem: Problem) -> Certificate | None:
+def _point(saboteur: Decide, problem: Problem) -> dict[str, Any] | None:
     return _answer(saboteur, problem).point
 
 
@@ -203,7 +204,7 @@ def turned(record: Record) -> Record:
     if record.verdict not in OTHER:
         return record
     other = OTHER[record.verdict]
-    spoilt = tuple({**evidence, "verdict": str(other)} for evidence in record.certificates)
+    spoilt = tuple(Certificate(**{**evidence, "verdict": str(other)}) for evidence in record.certificates)
     return structs.replace(record, verdict=other, certificates=spoilt)
 
 
@@ -250,7 +251,7 @@ def _reader_drops(id: str, truth: Truth, rng: Random) -> Status:
     except SymcheckError:
         return Status.REJECTED
     noticed = store.disagreements([record for record in records if record.id in truth], truth, complete=True)
-    shown: list[JSON] = [evidence for record in records for evidence in record.certificates]
+    shown = [evidence for record in records for evidence in record.certificates]
     names = tuple(f"{record.id}:" for record in records)
     noticed += [line for line in statements.differences(shown) if line.startswith(names)]
     return Status.REJECTED if noticed else Status.ACCEPTED

@@ -14,7 +14,8 @@ from functools import cached_property
 from typing import NamedTuple
 
 from symcheck.coq.confirmed import told
-from symcheck.core.verdicts import Certificate, Group, Loss, Origin, Verdict
+from symcheck.core.certificates import Certificate
+from symcheck.core.verdicts import Group, Loss, Origin, Verdict
 from symcheck.core.words import term
 from symcheck.ledger.record import HypothesisRow, Record
 from symcheck.views.steps import compared, coordinates, point, shown, sides

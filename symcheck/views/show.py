@@ -33,7 +33,7 @@ def show(name: str, certificate: bool = False, records: Callable[[Iterable[str]]
 
     See Also
     --------
-    symcheck.check : the same as records.
+    symcheck.check : The same as records.
     """
     out = terminal.console()
     if ":" in name:

@@ -7,14 +7,15 @@ import re
 from collections.abc import Iterator, Sequence
 
 from symcheck.audit.checked import reasons
+from symcheck.core.certificates import Certificate
 from symcheck.core.ids import Id
-from symcheck.core.verdicts import Certificate, Reading, Verdict
+from symcheck.core.verdicts import Reading, Verdict
 from symcheck.ledger.digests import digest_of
 from symcheck.ledger.record import Record
 from symcheck.views.model import Relation, condition
 from symcheck.views.notebook.letters import aligned, split
+from symcheck.views.notebook.output import Heading, Math, Output, Part, Prose, Table, Verbatim
 from symcheck.views.notebook.records import decided, item, list_rows, records
-from symcheck.views.notebook.shown import Heading, Math, Part, Prose, Shown, Table, Verbatim
 from symcheck.views.steps import shown
 
 _LINES, _COLUMNS = 30, 150  # of a proof that is shown
@@ -22,12 +23,12 @@ _DIGEST = 12  # digits of a certificate's SHA-256
 _FEW = 3  # certificates that are named
 
 
-def claim(*ids: str) -> Shown:
+def claim(*ids: str) -> Output:
     """Relations as printed and as read, with verdict, method, hypotheses and certificates.
 
     id  "mirer2009:2.12", of one link of a chain "mirer2009:2.1b", or of a premise or definition
     """
-    return Shown(tuple(part for id in ids for part in _claim(records(id))))
+    return Output(tuple(part for id in ids for part in _claim(records(id))))
 
 
 def _claim(found: Sequence[Record]) -> Iterator[Part]:
@@ -111,7 +112,7 @@ def digests(certificates: Sequence[Certificate]) -> str:
     return f"sha256 {named}{more}" + (f", from {', '.join(lemmas)}" if lemmas else "")
 
 
-def proof(id: str) -> Shown:
+def proof(id: str) -> Output:
     """The steps of a proof as its certificates have them, and what the independent checker says of each."""
     parts: list[Part] = []
     for record in records(id):
@@ -119,7 +120,7 @@ def proof(id: str) -> Shown:
         for each in record.certificates:
             told = list(shown(each)) or ["refuted at a point"]
             parts += [Verbatim("", "\n".join(_cut(told))), Prose("checker", checked([each]))]
-    return Shown(tuple(parts))
+    return Output(tuple(parts))
 
 
 def _cut(lines: Sequence[str]) -> Iterator[str]:
@@ -129,11 +130,11 @@ def _cut(lines: Sequence[str]) -> Iterator[str]:
         yield f"… {len(lines) - _LINES} more lines"
 
 
-def certificate(id: str) -> Shown:
+def certificate(id: str) -> Output:
     """The first certificate of a relation as it is stored, in JSON."""
     [first, *_] = (each for record in records(id) for each in record.certificates)
     text = json.dumps(first, ensure_ascii=False, indent=1, sort_keys=True)
-    return Shown((Verbatim(first["id"], "\n".join(_cut(text.splitlines()))),))
+    return Output((Verbatim(first["id"], "\n".join(_cut(text.splitlines()))),))
 
 
 def checked(certificates: Sequence[Certificate]) -> str:
@@ -153,14 +154,14 @@ def _faults(certificate: Certificate) -> Iterator[str]:
     yield from filter(None, reasons((certificate, *lemmas)))
 
 
-def rows(id: str, only_wrong: bool = False) -> Shown:
+def rows(id: str, only_wrong: bool = False) -> Output:
     """The rows of a list or table, "ignatov2005:2.1V", each as printed with its verdict; or those that are wrong."""
     told = []
     for found in list_rows(id):
         wrong = next((record for record in found if record.corrected), None)
         if wrong or not only_wrong:
             told.append(_row(found, wrong))
-    return Shown((Table(("row", "as printed; below it what is right", "verdict", "fault"), tuple(told)),))
+    return Output((Table(("row", "as printed; below it what is right", "verdict", "fault"), tuple(told)),))
 
 
 def _row(found: Sequence[Record], wrong: Record | None) -> tuple[str, ...]:
