@@ -118,7 +118,7 @@ def _partial(term: Node, k: int) -> Term:
         case Value(tag="/", terms=(top, bottom)):
             return node("-", node("/", top, node("^", bottom, 2))) if k else node("/", 1, bottom)
         case Value(tag="^", terms=(base, int(n))):
-            return node("*", n, node("^", base, n - 1))
+            return node("*", n, node("^", base, n - 1)) if n not in (0, 1) else n
         case Value(tag="pow", terms=(base, exponent)):  # exp(exponent * log(base))
             return node("*", term, node("log", base) if k else node("/", exponent, base))
         case Value(tag=function, terms=(inner,)) if function in RATES:

@@ -28,7 +28,7 @@ SIGNS = {"=": {0}, "!=": {-1, 1}, "<": {-1}, "<=": {-1, 0}, ">": {1}, ">=": {0, 
 TRIED: tuple[Term, ...] = (1, node("/", 1, 2), node("/", 3, 2), node("/", 1, 4), node("/", 5, 4), 2, 0, node("-", 1), 3)
 TRIES = 80
 _EXACT = ("+", "*", "-", "/", "^", "sqrt")
-_IRRATIONAL = FUNCTIONS.keys() - {"-"}
+_IRRATIONAL = FUNCTIONS.keys() - {"-"} | {"pow", "integral", "sum", "product", "diff"}
 
 
 class Compared(NamedTuple):

@@ -5,9 +5,14 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Iterator
 from typing import Any
 
-from symcheck.core.terms import Term, node
+from symcheck.core.terms import Term
+from symcheck.reading.complexes import Complex, added, multiplied, negative
 
-Value = Any  # Term | list[Term] | list[list[Term]]
+Value = Any  # Term | Complex, or a list of them, or a list of rows
+
+
+class Row(list[Any]):
+    """The components of a transposed vector."""
 
 
 def shape(value: Value) -> tuple[int, ...]:
@@ -19,6 +24,8 @@ def shape(value: Value) -> tuple[int, ...]:
 
 def says(value: Value) -> str:
     """The shape in a word."""
+    if isinstance(value, Complex):
+        return "complex number"
     return ("scalar", "vector", "matrix")[len(shape(value))]
 
 
@@ -40,27 +47,27 @@ def zipped(build: Callable[..., Term], values: list[Value]) -> Value:
     """Component by component."""
     if not isinstance(values[0], list):
         return build(*values)
-    return [zipped(build, list(parts)) for parts in zip(*values, strict=True)]
+    return type(values[0])(zipped(build, list(parts)) for parts in zip(*values, strict=True))
 
 
-def times(a: Term, b: Term) -> Term:
+def times(a: Value, b: Value) -> Value:
     """A product of components; the zeros and ones that matrices are made of vanish."""
     if a == 0 or b == 0:
         return 0
-    return b if a == 1 else a if b == 1 else node("*", a, b)
+    return b if a == 1 else a if b == 1 else multiplied(a, b)
 
 
-def minus(a: Term, b: Term) -> Term:
+def minus(a: Value, b: Value) -> Value:
     """The difference of two components."""
     if b == 0:
         return a
-    return node("-", b) if a == 0 else node("+", a, node("-", b))
+    return negative(b) if a == 0 else added(a, negative(b))
 
 
-def plus(terms: Iterable[Term]) -> Term:
+def plus(terms: Iterable[Value]) -> Value:
     """The sum of components."""
     kept = tuple(term for term in terms if term != 0)
-    return node("+", *kept) if len(kept) > 1 else kept[0] if kept else 0
+    return added(*kept) if len(kept) > 1 else kept[0] if kept else 0
 
 
 def dot(u: list[Term], v: list[Term]) -> Term:
@@ -69,12 +76,22 @@ def dot(u: list[Term], v: list[Term]) -> Term:
 
 
 def matmul(a: Value, b: Value) -> Value:
-    """Matrix times matrix or vector; the shapes must fit."""
+    """Matrix times matrix or vector, a transposed vector times either, or a vector times one; the shapes must fit."""
     right = shape(b)
+    if isinstance(a, Row):
+        return dot(a, b) if len(right) == 1 else Row(dot(a, list(column)) for column in zip(*b, strict=True))
+    if isinstance(b, Row):
+        return [[times(x, y) for y in b] for x in a]
     if len(right) == 1:
         return [dot(row, b) for row in a]
     columns = [list(column) for column in zip(*b, strict=True)]
     return [[dot(row, column) for column in columns] for row in a]
+
+
+def skew(v: list[Term]) -> list[list[Term]]:
+    """The matrix whose product with a vector is the cross product of v with it."""
+    x, y, z = v
+    return [[0, minus(0, z), y], [z, 0, minus(0, x)], [minus(0, y), x, 0]]
 
 
 def det(rows: list[list[Term]]) -> Term:

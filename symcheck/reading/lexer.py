@@ -9,11 +9,11 @@ from typing import Any, NoReturn
 
 from symcheck.reading import tex
 from symcheck.reading.commands import ROMAN, known
+from symcheck.reading.functions import NAMES
 from symcheck.reading.notation import Notation, undotted
 from symcheck.reading.tree import Name
 
-_TRIGONOMETRIC = {"sin", "cos", "tan", "tg", "cot", "ctg", "arcsin", "arccos", "arctan", "arctg"}
-FUNCTIONS = frozenset(_TRIGONOMETRIC | {"max", "min", "ln", "log", "exp", "Gamma", "tr", "rank", "sign"})
+FUNCTIONS = NAMES
 THIN = frozenset([r"\,", r"\!", r"\displaystyle", r"\limits", r"\nolimits"])
 THICK = frozenset([r"\;", r"\:", "\\ ", "~"])
 WIDE = frozenset([r"\quad", r"\qquad", r"\hfill"])
@@ -34,11 +34,13 @@ LOGIC = {
     r"\land": "AND", r"\wedge": "AND", r"\lor": "OR", r"\vee": "OR", r"\Rightarrow": "IMPLIES", r"\implies": "IMPLIES",
     r"\Leftrightarrow": "IFF", r"\iff": "IFF", r"\exists": "EXISTS",
 }  # fmt: skip
+TAKING = {r"\sqrt": ("SQRT", 1), **dict.fromkeys((r"\frac", r"\dfrac", r"\tfrac"), ("FRAC", 2))}  # TeX arguments
+TAKING |= dict.fromkeys((r"\binom", r"\dbinom", r"\tbinom"), ("BINOMIAL", 2))
 OPEN = {"(": "LPAR", "[": "LBRA", r"\{": "LSET", r"\lbrace": "LSET"}
 CLOSE = {")": "RPAR", "]": "RBRA", r"\}": "RSET", r"\rbrace": "RSET"}
 PARTNER = {
     "RPAR": "LPAR", "RBRA": "LBRA", "RSET": "LSET", "RB": "LB", "RBAR": "LBAR", "RNORM": "LNORM", "MEND": "MBEGIN",
-    "RANGLE": "LANGLE", "RHALF": "LHALF",
+    "RANGLE": "LANGLE", "RHALF": "LHALF", "RLIST": "LLIST",
 }  # fmt: skip
 SIMPLE = {
     "+": "PLUS", "-": "MINUS", "/": "SLASH", r"\cdot": "CDOT", r"\times": "TIMES", ",": "COMMA", ";": "SEMI",
@@ -118,11 +120,17 @@ class Lexer(tex.Reader):
         return bool(before) and (before[-1].type, before[-1].value) == ("REL", r"\in")
 
     def mean_ends(self) -> None:
-        r"""`\rangle_\psi`: the end of an average, with the phase."""
+        r"""`\rangle_\psi`: the end of an average, with the phase; without a phase, of a list or a scalar product."""
         at = self.at()
         self.i += 1
         if self.peek() != "_":
-            self.fail("an average needs the letter it is taken over", at)
+            opening = self.open[-1] if self.open else None
+            between = self.out[self.out.index(opening) :] if opening in self.out else []
+            if opening is None or opening.type != "LANGLE" or not any(each.type == "COMMA" for each in between):
+                self.fail("an average needs the letter it is taken over", at)
+            self.out[self.out.index(opening)] = self.open[-1] = Lexeme("LLIST", opening.value, opening.at)
+            self.emit("RLIST", r"\rangle", at)
+            return
         self.i += 1
         place = self.at()
         word = tex.spelled("".join(f"{tok.text} " for tok in self.group()))
@@ -135,6 +143,8 @@ class Lexer(tex.Reader):
         text, at = self.peek(), self.at()
         if text in SPACES:
             self.space()
+        elif self.notation.wholes and self.whole():
+            return
         elif text.isdigit() and text.isascii():
             self.number()
         elif text in SIZES:
@@ -145,12 +155,15 @@ class Lexer(tex.Reader):
             self.cell()
         elif text in ("|", r"\|", r"\Vert"):
             self.bar()
-        elif text in (r"\frac", r"\dfrac", r"\tfrac", r"\sqrt"):
+        elif text in TAKING:
             self.i += 1
+            kind, count = TAKING[text]
             if text == r"\sqrt" and self.peek() == "[":
-                self.fail("only square roots can be read")
-            self.emit("SQRT" if text == r"\sqrt" else "FRAC", text, at)
-            for _ in range(1 if text == r"\sqrt" else 2):
+                self.emit("ROOT", text, at)
+                self.order()
+            else:
+                self.emit(kind, text, at)
+            for _ in range(count):
                 self.argument()
         elif text in (r"\sum", r"\int"):
             self.bounded("SUM" if text == r"\sum" else "INT")
@@ -160,7 +173,7 @@ class Lexer(tex.Reader):
             self.refuse_bracketed()
             self.script()
         elif text == "_":
-            self.fail("a subscript without a letter before it")
+            self.evaluated(at)
         elif text == "." and self.sentence_ends():
             self.i += 1
         elif text in OPEN or text in CLOSE:
@@ -250,6 +263,18 @@ class Lexer(tex.Reader):
         if len(self.environments) != environments or len(self.lefts) != lefts:
             self.fail("unbalanced environment in an argument", at)
         self.emit("RB", "}", at)
+
+    def order(self) -> None:
+        """The order of a root, in square brackets, as a TeX argument."""
+        at = self.at()
+        self.emit("LB", "[", at)
+        self.i += 1
+        while self.peek() not in ("]", ""):
+            self.step()
+        if not self.peek():
+            self.fail("unbalanced bracket: this one is never closed", at)
+        self.i += 1
+        self.emit("RB", "]", at)
 
     def length(self) -> int:
         """The number of TeX tokens of the next argument, braces included."""
@@ -355,10 +380,27 @@ class Lexer(tex.Reader):
         if "_" not in bounds and kind == "SUM":
             self.fail("a sum without an index", at)
         if len(bounds) < 2 and kind == "INT":
-            self.fail("an integral without bounds", at)
+            if bounds:
+                self.fail("an integral with one bound", at)
+            self.emit("ANTI", r"\int", at)
+            return
         self.emit(kind, r"\sum" if kind == "SUM" else r"\int", at)
         self.out += bounds["_"] + bounds.get("^", [])
         self.bounds = len(self.out)
+
+    def evaluated(self, at: int) -> None:
+        r"""The place at which what is in brackets, or before a bar, is taken: `_{t=0}^1`."""
+        if self.last() != "RBRA" and not (self.out and self.out[-1].type == "RPLACE"):
+            self.fail("a subscript without a letter before it")
+        self.i += 1
+        mark = len(self.out)
+        self.emit("AT", "_", at)
+        self.argument()
+        if not any(lexeme.value == "=" for lexeme in self.out[mark:]):
+            self.fail("a subscript without a letter before it", at)
+        if self.peek() == "^":
+            self.i += 1
+            self.argument()
 
     def script(self) -> None:
         """An exponent, a transposition, a degree sign or primes behind a bracket."""
@@ -431,6 +473,16 @@ class Lexer(tex.Reader):
                 self.i += len(word)
                 return word
         return ""
+
+    def whole(self) -> bool:
+        """A declared name that is printed with several tokens, such as `E[\\rho]`; the longest that begins here."""
+        for tokens, spelling in self.notation.wholes:
+            if all(self.peek(k) == text for k, text in enumerate(tokens)):
+                at = self.at()
+                self.i += len(tokens)
+                self.emit("NAME", Name(spelling, (), self.primes()), at)
+                return True
+        return False
 
     def bracketed(self) -> str:
         """The superscript in brackets that stands here, `^{(2)}`, or the empty text."""

@@ -8,22 +8,45 @@ from __future__ import annotations
 import itertools
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from functools import lru_cache
+from math import comb, factorial
 from typing import Any
 
+from symcheck.core.calculus import substituted
 from symcheck.core.terms import INFINITY, MINUS_INFINITY, PI, Formula, Node, Term, node
 from symcheck.core.terms import Call as Applied
 from symcheck.core.verdicts import SymcheckError
-from symcheck.reading.components import Value, det, dot, flat, matmul, minus, says, shape, times, zero, zipped
+from symcheck.reading.complexes import UNIT, Complex, Number, added, divided, modulus, multiplied, negative, parts, raised
+from symcheck.reading.complexes import applied as applied_complex
+from symcheck.reading.components import (
+    Row,
+    Value,
+    det,
+    dot,
+    flat,
+    matmul,
+    minus,
+    plus,
+    says,
+    shape,
+    skew,
+    times,
+    zero,
+    zipped,
+)
+from symcheck.reading.functions import SPELLED, applied
 from symcheck.reading.notation import TIMES, Letter, Notation, variable
 from symcheck.reading.parser import dependence, read
 from symcheck.reading.printing import to_latex
 from symcheck.reading.relations import Relation, relations
 from symcheck.reading.rounding import is_decimal, is_number, rounds
+from symcheck.reading import tree as tree_of
 from symcheck.reading.tree import (
     Add,
     And,
+    Antiderivative,
     Bars,
     BigSum,
+    Binomial,
     Call,
     CaseList,
     Chain,
@@ -34,6 +57,7 @@ from symcheck.reading.tree import (
     Div,
     Dots,
     ElementsOf,
+    Evaluated,
     Exists,
     Iff,
     Implies,
@@ -45,12 +69,13 @@ from symcheck.reading.tree import (
     Mul,
     Name,
     Neg,
-    Number,
+    Norm,
     Or,
     Pair,
     PlusMinus,
     Pow,
     Qualifier,
+    Root,
     Sqrt,
     System,
     Transpose,
@@ -65,9 +90,6 @@ from symcheck.reading.tree import (
 Env = Mapping[str, int]
 
 SIGNS = {"=": "=", r"\equiv": "=", r"\ne": "!=", "<": "<", r"\le": "<=", ">": ">", r"\ge": ">="}
-_TRIGONOMETRIC = {"sin": "sin", "cos": "cos", "tan": "tan", "tg": "tan"}
-_FUNCTIONS = {"exp": "exp", "ln": "log", "Gamma": "gamma"}
-_FUNCTIONS |= {"arctan": "arctan", "arctg": "arctan", "arcsin": "arcsin", "arccos": "arccos"}
 
 
 def lower(item: Relation | Tree, notation: Notation) -> tuple[Formula, ...]:
@@ -189,6 +211,11 @@ def _components(letter: Letter, notation: Notation) -> Tree:
     return read(letter.components, notation)
 
 
+@lru_cache(maxsize=512)
+def _vector(letter: Letter, notation: Notation) -> Tree:
+    return read(letter.skew, notation)
+
+
 class Lowering:
     """The evaluator: `env` gives the indices their values."""
 
@@ -264,6 +291,8 @@ class Lowering:
         return [node("or", _and(upper), _and(lower))]
 
     def compare(self, left: Tree, sign: str, right: Tree, env: Env) -> list[Formula]:
+        if any(isinstance(part, Antiderivative) for side in (left, right) for _, part in walk(side)):
+            return self.primitive(left, sign, right, env)
         if sign == r"\in" and isinstance(right, Interval | Pair):
             low, high = (self.scalar(end, env) for end in children(right))
             ends = right.ends if isinstance(right, Interval) else "()"
@@ -282,14 +311,21 @@ class Lowering:
         if sign == r"\approx" or (sign == "=" and self.notation.decimals == "rounded"):
             parts = zip(_parts(left, a), _parts(right, b), flat(a), flat(b), strict=True)
             return [self.rounded(*part, sign=sign) for part in parts]
-        if not isinstance(a, list):
+        if not isinstance(a, list) and not isinstance(a, Complex) and not isinstance(b, Complex):
             return [node(SIGNS[sign], a, b)]
-        pairs = [node(SIGNS[sign], x, y) for x, y in zip(flat(a), flat(b), strict=True)]
+        pairs = [node(SIGNS[sign], *pair) for x, y in zip(flat(a), flat(b), strict=True) for pair in self.equated(x, y)]
         if sign == "=" or sign == r"\equiv":
             return pairs
         if sign == r"\ne":
             return [node("or", *pairs)]
         raise SymcheckError(f"{to_latex(left)} {sign} {to_latex(right)} orders vectors; only scalars can be")
+
+    def equated(self, a: Number, b: Number) -> Iterator[tuple[Term, Term]]:
+        """Two numbers that are compared, or their real and imaginary parts."""
+        if isinstance(a, Complex) or isinstance(b, Complex):
+            yield from zip(parts(a), parts(b), strict=True)
+        else:
+            yield a, b
 
     def rounded(self, left: Tree, right: Tree, a: Term, b: Term, *, sign: str) -> Formula:
         """An equality with a printed number, on whichever side; two numbers and whole ones are compared exactly."""
@@ -302,10 +338,10 @@ class Lowering:
 
     def _alike(self, a: Value, b: Value, left: Tree, right: Tree) -> tuple[Value, Value]:
         """Both sides in one shape; a printed 0 stands for the zero of any shape."""
-        if shape(a) != shape(b):
-            if left == Number("0"):
+        if shape(a) != shape(b) or isinstance(a, Row) != isinstance(b, Row):
+            if left == tree_of.Number("0"):
                 return zero(b), b
-            if right == Number("0"):
+            if right == tree_of.Number("0"):
                 return a, zero(a)
             raise SymcheckError(
                 f"{to_latex(left)} ({says(a)}) and {to_latex(right)} ({says(b)}) do not compare; check the notation"
@@ -360,10 +396,17 @@ class Lowering:
 
     def scalar(self, tree: Tree, env: Env) -> Term:
         """The term of a scalar expression."""
+        value = self.complex(tree, env)
+        if isinstance(value, Complex):
+            raise SymcheckError(f"{to_latex(tree)} is a complex number; a real one is expected here")
+        return value
+
+    def complex(self, tree: Tree, env: Env) -> Number:
+        """The number, real or complex, of a scalar expression."""
         value: Value = self.value(tree, env)
         if isinstance(value, list):
             raise SymcheckError(f"{to_latex(tree)} is a {says(value)}; a scalar is expected here")
-        result: Term = value
+        result: Number = value
         return result
 
     def value(self, tree: Tree, env: Env) -> Value:
@@ -373,7 +416,7 @@ class Lowering:
             raise SymcheckError(f"{to_latex(tree)} has no algebraic form; state it formally")
         return method(tree, env)
 
-    def of_number(self, tree: Number, env: Env) -> Value:
+    def of_number(self, tree: tree_of.Number, env: Env) -> Value:
         whole, _, decimals = tree.text.partition(".")
         if not decimals:
             return int(whole)
@@ -418,10 +461,10 @@ class Lowering:
                 raise SymcheckError(f"index {value} in {to_latex(tree)} is outside the range of {letter.latex}")
         return indices
 
-    def number(self, letter: Letter) -> Term:
+    def number(self, letter: Letter) -> Number:
         """A letter that is a number."""
         if letter.number == "i":
-            raise SymcheckError(f"{letter.latex} is the imaginary unit; the reader knows real numbers only")
+            return UNIT
         return PI if letter.number == "pi" else node("exp", 1)
 
     def instance(self, letter: Letter, stem: str, indices: tuple[int, ...], printed: Name | None = None) -> Term:
@@ -485,58 +528,129 @@ class Lowering:
             value = self.value(_components(letter, self.notation), env)
             self.inside = self.inside[:-1]
             return value
-        places = range(1, 4)
-        if letter.kind == "vector":
-            return [self.instance(letter, stem, (*indices, k)) for k in places]
-        return [[self.instance(letter, stem, (*indices, k, m)) for m in places] for k in places]
+        if letter.skew:
+            return skew(self.value(_vector(letter, self.notation), {}))
+        rows, *columns = letter.places
+        if not columns:
+            return [self.instance(letter, stem, (*indices, k)) for k in rows]
+        return [[self.instance(letter, stem, (*indices, k, m)) for m in columns[0]] for k in rows]
 
     def of_add(self, tree: Add, env: Env) -> Value:
         values = [self.value(term, env) for term in tree.terms]
         shapes = {shape(value) for value in values}
         if len(shapes) > 1:
             raise SymcheckError(f"{to_latex(tree)} adds a {says(values[0])} and something else; check the notation")
-        return zipped(lambda *terms: node("+", *terms), values)
+        return zipped(added, values)
 
     def of_neg(self, tree: Neg, env: Env) -> Value:
-        return zipped(lambda t: node("-", t), [self.value(tree.value, env)])
+        return zipped(negative, [self.value(tree.value, env)])
 
     def of_mul(self, tree: Mul, env: Env) -> Value:
-        scalars: list[Term] = []
+        scalars: list[Number] = []
         product: Value = None
-        for factor in tree.factors:
+        for k, factor in enumerate(tree.factors):
             value = self.value(factor, env)
-            if not isinstance(value, list):
+            if isinstance(value, list):
+                product = value if product is None else self.multiplied(product, value, tree, dotted=k in tree.dotted)
+            if not isinstance(value if product is None else product, list):
+                scalars.append(value if product is None else product)
+                product = None
+            elif not isinstance(value, list):
                 scalars.append(value)
-            else:
-                product = value if product is None else self.multiplied(product, value, tree)
         if product is None:
-            return node("*", *scalars)
-        return zipped(lambda t: node("*", *scalars, t), [product]) if scalars else product
+            return multiplied(*scalars)
+        return zipped(lambda t: multiplied(*scalars, t), [product]) if scalars else product
 
-    def multiplied(self, a: Value, b: Value, tree: Tree) -> Value:
+    def multiplied(self, a: Value, b: Value, tree: Tree, *, dotted: bool = False) -> Value:
+        if isinstance(a, Row) or isinstance(b, Row) or dotted:
+            fits = shape(a)[:1] == shape(b)[:1] and not (isinstance(a, Row) and isinstance(b, Row))
+            outer = isinstance(b, Row) and len(shape(a)) == 1
+            if not (fits or outer) or (isinstance(b, Row) and not outer):
+                raise SymcheckError(f"{to_latex(tree)}: a {says(a)} before a {says(b)} is no product; check the notation")
+            return dot(a, b) if dotted and len(shape(a)) == len(shape(b)) == 1 else matmul(a, b)
         if len(shape(a)) != 2 or shape(a)[1] != shape(b)[0]:
             raise SymcheckError(f"{to_latex(tree)}: a {says(a)} before a {says(b)} is no product; check the notation")
         return matmul(a, b)
 
     def of_div(self, tree: Div, env: Env) -> Value:
-        bottom = self.scalar(tree.bottom, env)
-        return zipped(lambda t: node("/", t, bottom), [self.value(tree.top, env)])
+        bottom = self.complex(tree.bottom, env)
+        return zipped(lambda t: divided(t, bottom), [self.value(tree.top, env)])
 
     def of_pow(self, tree: Pow, env: Env) -> Value:
-        exponent = self.scalar(tree.exponent, env)
+        exponent = self.complex(tree.exponent, env)
         if isinstance(tree.base, Name) and not tree.base.primes:
             letter = self.notation.find(tree.base.letter, len(tree.base.subscripts))
             if letter is not None and letter.number == "e":
-                return node("exp", exponent)
+                return function_of("exp", exponent)
         if isinstance(exponent, tuple) and exponent[0] == "-" and isinstance(exponent[1], int):
             exponent = -exponent[1]
-        base = self.scalar(tree.base, env)
+        base = self.complex(tree.base, env)
         if base == 0 and exponent == 0:
             raise SymcheckError(f"{to_latex(tree)} has no value on which all agree; write 1 if that is meant")
+        if isinstance(base, Complex):
+            return raised(base, exponent)
+        if isinstance(exponent, Complex):
+            return function_of("exp", multiplied(exponent, node("log", base)))
         return node("^", base, exponent) if isinstance(exponent, int) else node("pow", base, exponent)
 
     def of_sqrt(self, tree: Sqrt, env: Env) -> Value:
         return node("sqrt", self.scalar(tree.value, env))
+
+    def of_root(self, tree: Root, env: Env) -> Value:
+        value, order = self.scalar(tree.value, env), self.scalar(tree.order, env)
+        if order == 2:
+            return node("sqrt", value)
+        if isinstance(order, int) and order % 2:
+            raise SymcheckError(f"{to_latex(tree)}: a root of odd order is not read; write a power of a positive number")
+        return node("pow", value, node("/", 1, order))
+
+    def of_binomial(self, tree: Binomial, env: Env) -> Value:
+        top, bottom = self.scalar(tree.top, env), self.scalar(tree.bottom, env)
+        if not isinstance(bottom, int) or bottom < 0:
+            raise SymcheckError(f"{to_latex(tree)}: the lower number of a binomial coefficient must be a whole number")
+        if isinstance(top, int) and top >= 0:
+            return comb(top, bottom)
+        factors = [node("+", top, node("-", k)) if k else top for k in range(bottom)]
+        return node("/", node("*", *factors), factorial(bottom)) if factors else 1
+
+    def of_norm(self, tree: Norm, env: Env) -> Value:
+        value = self.value(tree.value, env)
+        if len(shape(value)) > 1:
+            raise SymcheckError(f"{to_latex(tree)}: which norm of a matrix? write it out")
+        return modulus(value) if isinstance(value, Complex) else length(value)
+
+    def of_evaluated(self, tree: Evaluated, env: Env) -> Value:
+        value, by = self.value(tree.body, env), self.variable(tree.variable, env)
+        ends = [self.scalar(end, env) for end in (tree.high, tree.low) if end is not None]
+        at = [zipped(lambda t, end=end: substituted(t, {by: end}), [value]) for end in ends]
+        return at[0] if len(at) == 1 else zipped(lambda high, low: added(high, negative(low)), at)
+
+    def primitive(self, left: Tree, sign: str, right: Tree, env: Env) -> list[Formula]:
+        """An equation with integrals without bounds: both sides have one derivative."""
+        found = [node for side in (left, right) for _, node in walk(side) if isinstance(node, Antiderivative)]
+        variables = {self.variable(node.variable, env) for node in found}
+        if sign != "=" or len(variables) != 1:
+            raise SymcheckError(f"{to_latex(Chain((left, right), (sign,)))}: an integral without bounds stands in equations")
+        (by,) = variables
+        return [node("=", self.rate(left, by, env), self.rate(right, by, env))]
+
+    def rate(self, tree: Tree, by: str, env: Env) -> Term:
+        """The derivative of a sum in which integrals without bounds are addends."""
+        match tree:
+            case Antiderivative():
+                return self.scalar(tree.body, env)
+            case Neg(value=value):
+                return node("-", self.rate(value, by, env))
+            case Add(terms=terms):
+                return node("+", *(self.rate(each, by, env) for each in terms))
+            case Mul(factors=(*factors, Antiderivative() as last)):
+                constant = [self.scalar(factor, env) for factor in factors]
+                if any(by in _names(each) for each in constant):
+                    raise SymcheckError(f"{to_latex(tree)}: a factor before this integral depends on its letter")
+                return node("*", *constant, self.scalar(last.body, env))
+        if any(isinstance(part, Antiderivative) for _, part in walk(tree)):
+            raise SymcheckError(f"{to_latex(tree)}: an integral without bounds is an addend of an equation")
+        return self.slope(self.scalar(tree, env), by, 1, tree, partial=False)
 
     def of_degrees(self, tree: Degrees, env: Env) -> Value:
         return node("/", node("*", self.scalar(tree.value, env), PI), 180)
@@ -544,7 +658,8 @@ class Lowering:
     def of_call(self, tree: Call, env: Env) -> Value:
         if isinstance(tree.function, Name):
             return self.applied(tree, tree.function, env) if tree.arguments else self.value(tree.function, env)
-        name = _TRIGONOMETRIC.get(tree.function)
+        name = SPELLED.get(tree.function, tree.function)
+        name = name if name in ("sin", "cos", "tan") else ""
         if len(tree.arguments) == 2 and name and all(isinstance(a, Name) for a in tree.arguments):
             axes = [str(self.scalar(a, env)) for a in tree.arguments]
             angle = "_".join(axes)
@@ -554,13 +669,12 @@ class Lowering:
                 )
             self.met = {each: at for each, at in self.met.items() if each not in axes}  # they stand in the angle's name
             return node(name, angle)
-        if len(tree.arguments) == 1 and name:
-            return node(name, self.scalar(tree.arguments[0], env))
-        if len(tree.arguments) == 1 and tree.function in _FUNCTIONS:
-            return node(_FUNCTIONS[tree.function], self.scalar(tree.arguments[0], env))
-        if tree.function in ("ctg", "cot") and len(tree.arguments) == 1:
-            argument = self.scalar(tree.arguments[0], env)
-            return node("/", node("cos", argument), node("sin", argument))
+        if len(tree.arguments) == 1:
+            value = self.value(tree.arguments[0], env)
+            if tree.function in OPERATIONS:
+                return OPERATIONS[tree.function](tree, value)
+            if not isinstance(value, list) and (found := function_of(tree.function, value)) is not None:
+                return found
         raise SymcheckError(f"{to_latex(tree)} has no algebraic form; state it formally")
 
     def applied(self, tree: Call, name: Name, env: Env) -> Value:
@@ -604,7 +718,7 @@ class Lowering:
         ]
         if not values:
             raise SymcheckError(f"{to_latex(tree)} is an empty sum; check its bounds")
-        return values[0] if len(values) == 1 else zipped(lambda *terms: node("+", *terms), values)
+        return values[0] if len(values) == 1 else zipped(added, values)
 
     def bounds(self, tree: BigSum, index: str, env: Env) -> tuple[int, ...]:
         if tree.low is None or tree.high is None:
@@ -640,6 +754,8 @@ class Lowering:
 
     def of_cross(self, tree: Cross, env: Env) -> Value:
         u, v = self.value(tree.left, env), self.value(tree.right, env)
+        if not isinstance(u, list) and not isinstance(v, list):
+            return multiplied(u, v)
         if shape(u) != (3,) or shape(v) != (3,):
             raise SymcheckError(f"{to_latex(tree)} is a cross product of two vectors only; check the notation")
         return [minus(times(u[p], v[q]), times(u[q], v[p])) for p, q in ((1, 2), (2, 0), (0, 1))]
@@ -647,7 +763,7 @@ class Lowering:
     def of_transpose(self, tree: Transpose, env: Env) -> Value:
         value = self.value(tree.value, env)
         if len(shape(value)) == 1 and not isinstance(tree.value, Tuple):
-            raise SymcheckError(f"{to_latex(tree)}: a vector is neither row nor column; leave out the transposition")
+            return list(value) if isinstance(value, Row) else Row(value)
         if not isinstance(value, list):
             raise SymcheckError(f"{to_latex(tree)} transposes a scalar; declare T as a letter if it is an exponent")
         return [list(row) for row in zip(*value, strict=True)] if len(shape(value)) == 2 else value
@@ -662,10 +778,11 @@ class Lowering:
 
     def of_bars(self, tree: Bars, env: Env) -> Value:
         value = self.value(tree.value, env)
-        size = shape(value)
-        if len(size) != 2 or size[0] != size[1]:
-            raise SymcheckError(f"{to_latex(tree)}: only the determinant of a square matrix has an algebraic form")
-        return det(value)
+        if isinstance(value, Complex):
+            return modulus(value)
+        if len(shape(value)) < 2:
+            return length(value)
+        return determinant(tree, value)
 
     def of_elementsof(self, tree: ElementsOf, env: Env) -> Value:
         inner = [index for index in free_indices(tree.value, self.notation) if index in tree_indices(tree.value)]
@@ -738,6 +855,40 @@ class Lowering:
                 f"{to_latex(tree)}: does {shown} depend on {by}? declare {shown} with "
                 f"depends={(by_letter.latex if by_letter else by)!r} if it does, depends='' if it is constant"
             )
+
+
+def function_of(name: str, value: Number) -> Number | None:
+    """A function by its printed name at a number; None if it has no algebraic form."""
+    return applied_complex(name, value) if isinstance(value, Complex) else applied(name, value)
+
+
+def length(value: Value) -> Term:
+    """The absolute value of a number, the length of a vector."""
+    return node("sqrt", dot(value, value) if isinstance(value, list) else node("^", value, 2))
+
+
+def determinant(tree: Tree, value: Value) -> Value:
+    """The determinant of a square matrix."""
+    size = shape(value)
+    if len(size) != 2 or size[0] != size[1]:
+        raise SymcheckError(f"{to_latex(tree)}: only a square matrix has a determinant")
+    return det(value)
+
+
+def _trace(tree: Tree, value: Value) -> Value:
+    size = shape(value)
+    if len(size) != 2 or size[0] != size[1]:
+        raise SymcheckError(f"{to_latex(tree)}: only a square matrix has a trace")
+    return plus(value[k][k] for k in range(size[0]))
+
+
+def _part(k: int) -> Callable[[Tree, Value], Value]:
+    return lambda tree, value: zipped(lambda t: parts(t)[k], [value])
+
+
+OPERATIONS: dict[str, Callable[[Tree, Value], Value]] = {  # functions of matrices, and parts of complex numbers
+    "det": determinant, "tr": _trace, "Tr": _trace, "Re": _part(0), "Im": _part(1),
+}  # fmt: skip
 
 
 def _names(tree: object) -> Iterator[str]:

@@ -21,8 +21,10 @@ from symcheck.reading.tree import (
     STATEMENTS,
     Add,
     And,
+    Antiderivative,
     Bars,
     BigSum,
+    Binomial,
     Call,
     CaseList,
     Chain,
@@ -33,6 +35,7 @@ from symcheck.reading.tree import (
     Div,
     Dots,
     ElementsOf,
+    Evaluated,
     Exists,
     Iff,
     Implies,
@@ -45,12 +48,14 @@ from symcheck.reading.tree import (
     Mul,
     Name,
     Neg,
+    Norm,
     Number,
     Or,
     Pair,
     PlusMinus,
     Pow,
     Qualifier,
+    Root,
     Sqrt,
     System,
     Transpose,
@@ -502,6 +507,7 @@ class Builder:
         if len(items) == 1 and items[0].kind in ("group", "atom") and not items[0].postfix:
             return self.alone(items[0])
         factors: list[Tree] = []
+        dots: list[int] = []
         k = 0
         dotted = True
         while k < len(items):
@@ -510,13 +516,15 @@ class Builder:
                 if dotted or k + 1 == len(items):
                     raise self.fail(item.at, r"\cdot must stand between two factors")
                 dotted, k = True, k + 1
+                dots.append(len(factors))
                 continue
             node, after = self.factor(items, k, dotted=dotted)
             factors.append(self.checked(node, item.at, statements=False))
             self.refuse_product(item, factors[-1], items[after:], alone=after == k + 1)
             k = after
             dotted = False
-        return factors[0] if len(factors) == 1 else Mul(tuple(factors))
+        vectors = tuple(k for k in dots if self.is_vector(factors[k - 1]) and self.is_vector(factors[k]))
+        return factors[0] if len(factors) == 1 else Mul(tuple(factors), vectors)
 
     def refuse_product(self, item: Item, node: Tree, rest: list[Item], *, alone: bool) -> None:
         """What stands behind a factor without a sign must be a factor without a doubt."""
@@ -565,7 +573,7 @@ class Builder:
         return any(isinstance(call.function, Name) and self.kind(call.function) == "function" for call in calls)
 
     def is_vector(self, tree: Tree) -> bool:
-        return any(isinstance(node, Name) and self.kind(node) == "vector" for _, node in walk(tree))
+        return any(isinstance(node, Tuple | Name) and self.kind(node) == "vector" for _, node in walk(tree))
 
     def in_brackets(self, item: Item) -> bool:
         return item.kind == "group" or item.square
@@ -582,14 +590,14 @@ class Builder:
             if k + 1 == len(items) or items[k + 1].kind == "dot" or item.bounds is None:
                 raise self.fail(item.at, "a sum of nothing")
             return BigSum(*item.bounds, self.plain(items[k + 1 :])), len(items)
-        if item.kind == "integral":
+        if item.kind in ("integral", "antiderivative"):
             return self.integral(items, k), len(items)
         if item.kind == "operator":
             if k + 2 != len(items) or items[k + 1].kind not in ("group", "atom"):
                 raise self.fail(item.at, "what this operator applies to is ambiguous; put it in brackets")
             body, variables, partial = self.plain(items[k + 1 :]), item.variables, item.partial
             return Derivative(body, variables, partial), len(items)
-        if item.kind == "d":
+        if item.kind in ("d", "d fraction"):
             raise self.fail(item.at, "a differential outside of a derivative")
         if isinstance(item.node, Number) and not dotted:
             raise self.fail(item.at, "a number behind a factor is ambiguous")
@@ -601,22 +609,38 @@ class Builder:
         r"""`\int_a^b f \, dx`; nothing may stand behind the differential."""
         sign, depth, end = items[k], 1, k + 1
         while end < len(items) and depth:
-            depth += {"integral": 1, "d": -1}.get(items[end].kind, 0)
+            depth += {"integral": 1, "antiderivative": 1, "d": -1, "d fraction": -1}.get(items[end].kind, 0)
             end += 1
+        if not depth and items[end - 1].kind == "d fraction":
+            fraction = items[end - 1]
+            if end < len(items):
+                raise self.fail(items[end].at, "does this belong to the integral? put the integral in brackets")
+            assert fraction.node is not None
+            return self.integrated(sign, [*items[k + 1 : end - 1], Item("fraction", fraction.at, fraction.node)], fraction.letters[0])
         if depth or end >= len(items) or items[end].kind != "atom" or items[end].postfix or items[end - 1].power:
             raise self.fail(sign.at, "this integral does not say what it is taken over")
         if items[end - 1].partial:
             raise self.fail(items[end - 1].at, "an integral is taken over dx, not over a partial differential")
         if end + 1 < len(items):
             raise self.fail(items[end + 1].at, "does this belong to the integral? put the integral in brackets")
-        if end - 1 == k + 1 or sign.bounds is None:
+        return self.integrated(sign, items[k + 1 : end - 1], self.atom(items[end]))
+
+    def integrated(self, sign: Item, body: list[Item], variable: Tree) -> Tree:
+        """The integral of a product over a letter, with bounds or without."""
+        if not body and sign.kind == "integral":
             raise self.fail(sign.at, "an integral of nothing")
+        integrand = self.plain(body) if body else Number("1")
+        if sign.kind == "antiderivative":
+            return Antiderivative(integrand, variable)
+        assert sign.bounds is not None
         _, low, high = sign.bounds
         assert low is not None
         assert high is not None
-        return Integral(self.plain(items[k + 1 : end - 1]), self.atom(items[end]), low, high)
+        return Integral(integrand, variable, low, high)
 
-    def kind(self, name: Name) -> str:
+    def kind(self, name: Name | Tuple) -> str:
+        if isinstance(name, Tuple):
+            return "vector"
         letter = self.notation.find(name.letter, len(name.subscripts))
         return letter.kind if letter else "index"
 
@@ -838,8 +862,10 @@ class Builder:
         item: Item = self.build(nodes[0])
         if len(nodes) > 1:
             item.postfix = nodes[1].type
-            if item.kind in ("sum", "integral") or (item.kind in ("function", "operator") and item.postfix != "CARET"):
+            if item.kind in ("sum", "integral", "antiderivative") or (item.kind in ("function", "operator") and item.postfix != "CARET"):
                 raise self.fail(nodes[1].value.at, "this cannot stand here")
+        if item.postfix == "AT":
+            return Item("atom", item.at, self.evaluated(item, nodes))
         if item.postfix == "PRIMES":
             item.letters = nodes[1].value.value
         if item.postfix == "CARET":
@@ -849,6 +875,17 @@ class Builder:
             elif item.kind == "operator":
                 raise self.fail(item.at, "a power of a derivative without its function")
         return item
+
+    def evaluated(self, item: Item, nodes: list[ParseNode]) -> Tree:
+        """What is in brackets at a place, or the difference of its values at two places."""
+        place = self.build(nodes[3])
+        if not isinstance(place, Chain) or place.signs != ("=",) or not isinstance(place.members[0], Name):
+            raise self.fail(item.at, "the place at which this is taken cannot be read")
+        item.postfix = ""
+        variable, low = place.members
+        if len(nodes) > 5:
+            return Evaluated(self.atom(item), variable, low, self.term_of(nodes[6]))
+        return Evaluated(self.atom(item), variable, None, low)
 
     def on_primary(self, nodes: list[ParseNode]) -> Item:
         head = nodes[0]
@@ -899,7 +936,21 @@ class Builder:
         return Item("atom", at, Bars(self.term_of(nodes[1])))
 
     def from_lnorm(self, nodes: list[ParseNode], at: int) -> Item:
-        return Item("atom", at, ElementsOf(self.term_of(nodes[1])))
+        value = self.term_of(nodes[1])
+        return Item("atom", at, ElementsOf(value) if self.is_entry(value) else Norm(value))
+
+    def from_root(self, nodes: list[ParseNode], at: int) -> Item:
+        return Item("fraction", at, Root(self.term_of(nodes[5]), self.term_of(nodes[2])))
+
+    def from_binomial(self, nodes: list[ParseNode], at: int) -> Item:
+        return Item("fraction", at, Binomial(self.term_of(nodes[2]), self.term_of(nodes[5])))
+
+    def from_llist(self, nodes: list[ParseNode], at: int) -> Item:
+        items = self.entries(self.build(nodes[1]))
+        return Item("atom", at, Tuple(items, "()") if len(items) != 2 else Pair(*items))
+
+    def from_anti(self, nodes: list[ParseNode], at: int) -> Item:
+        return Item("antiderivative", at)
 
     def from_sqrt(self, nodes: list[ParseNode], at: int) -> Item:
         return Item("fraction", at, Sqrt(self.term_of(nodes[2])))
@@ -918,6 +969,10 @@ class Builder:
 
     def from_frac(self, nodes: list[ParseNode], at: int) -> Item:
         top, bottom = self.build(nodes[2]), self.build(nodes[5])
+        if isinstance(top, Differential) and not isinstance(bottom, Differential) and top.order == 1 and len(top.body) == 1:
+            below = self.checked(bottom, at, statements=False)
+            if isinstance(top.body[0], Name) and not top.partial:
+                return Item("d fraction", at, Div(Number("1"), below), letters=(top.body[0],))
         if not isinstance(bottom, Differential):
             top = self.checked(top, at, statements=False)
             self.refuse_quotient(top, bottom, at)

@@ -1,0 +1,229 @@
+"""From the strings of a question to problems for the provers: letters inferred, definitions and conditions told apart."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass
+
+from symcheck.core.calculus import Lambda, domain, functions, letters
+from symcheck.core.problems import Problem
+from symcheck.core.terms import Binder, Call, Formula, Node, Quantified, T, Term, mapped, node
+from symcheck.core.verdicts import SymcheckError
+from symcheck.reading import Notation, Tree, lower, read, tex, to_latex
+from symcheck.reading.inference import Inference, canonical, inferred
+from symcheck.reading.lowering import Lowering
+from symcheck.reading.occurrences import occurrences
+from symcheck.reading.tree import Chain
+
+_MEMBER = re.compile(r"^(.+?)\s*\\in\s*(.+)$", re.DOTALL)
+_SETS = {"R": "", "Z": "integer", "N": "integer", "Q": "", "C": "complex"}
+_SET = re.compile(r"^\\mathbb\s*\{?([RZNQC])\}?\s*(?:_\{?\s*(>\s*0|\\geq?\s*0|\+)\s*\}?)?\s*(?:\^\s*\{?([^{}]*)\}?)?$")
+DEFINED = "defined"  # the name of the condition that every printed term has a value
+
+
+@dataclass(frozen=True)
+class Asked:
+    """What a user asks: everything is LaTeX."""
+
+    relation: str
+    where: tuple[str, ...] = ()
+    given: tuple[str, ...] = ()
+    letters: tuple[tuple[str, str], ...] = ()
+
+
+@dataclass(frozen=True)
+class Reading:
+    """One way to understand a question."""
+
+    inference: Inference
+    tree: Tree
+    problems: tuple[Problem, ...]
+    stated: Mapping[str, str]  # definitions and conditions as printed, by their names in the problems
+
+
+def members(given: Iterable[str], said: Mapping[str, str]) -> tuple[list[str], dict[str, str]]:
+    r"""The conditions that are formulas, and what the others, such as `n \in \mathbb{Z}_{>0}`, say of letters."""
+    conditions, phrases = list[str](), dict(said)
+    for condition in given:
+        match = _MEMBER.match(condition.strip())
+        kind = _SET.match(match[2].strip()) if match else None
+        if not match or not kind:
+            conditions.append(condition)
+            continue
+        latex, (which, part, size) = match[1], kind.groups()
+        if which == "C":
+            raise SymcheckError(f"{condition}: complex letters are not read yet; write real and imaginary parts")
+        if size:
+            phrases.setdefault(latex, f"real {_size(size, condition)}")
+        elif _SETS[which]:
+            phrases.setdefault(latex, _SETS[which])
+        if part and ">" in part:
+            conditions.append(f"{latex} > 0")
+        elif part or which == "N":
+            conditions.append(rf"{latex} \ge 0")
+    return conditions, phrases
+
+
+def _size(text: str, condition: str) -> str:
+    found = re.fullmatch(r"\s*(\d+)\s*(?:\\times\s*(\d+))?\s*", text)
+    if not found:
+        raise SymcheckError(f"{condition}: vectors and matrices of an unknown size are not read yet; give it a number")
+    return " ".join(n for n in found.groups() if n)
+
+
+def sides(latex: str) -> tuple[str, str] | None:
+    """Both sides of an equation with one sign, brackets and environments minded."""
+    depth, places = 0, []
+    for tok in tex.tokenize(latex):
+        depth += tok.text in ("{", "(", "[", r"\{", r"\begin")
+        depth -= tok.text in ("}", ")", "]", r"\}", r"\end")
+        if tok.text == "=" and depth == 0:
+            places.append(tok.at)
+    return (latex[: places[0]].strip(), latex[places[0] + 1 :].strip()) if len(places) == 1 else None
+
+
+def definitions(where: Sequence[str]) -> tuple[dict[str, tuple[str, tuple[str, ...], str]], list[str]]:
+    """Equations solved for a letter, as (left side, its arguments, right side) by the letter, and all others."""
+    found: dict[str, tuple[str, tuple[str, ...], str]] = {}
+    others = []
+    for equation in where:
+        if (parts := sides(equation)) is None or (head := _head(parts[0])) is None:
+            others.append(equation)
+            continue
+        name, arguments = head
+        used = {canonical_of(place) for place in occurrences(parts[1])}
+        if name in found or name in used:
+            others.append(equation)
+        else:
+            found[name] = (parts[0], arguments, parts[1])
+    return found, others
+
+
+def canonical_of(place: object) -> str:
+    """The spelling of a letter at one place, with its subscript."""
+    return place.word + (tex.subscript([tex.Tok(t, 0) for t in place.subscript]) if place.subscript else "")  # type: ignore[attr-defined]
+
+
+def _head(left: str) -> tuple[str, tuple[str, ...]] | None:
+    """The letter that is defined, with its arguments, if the left side is nothing else."""
+    places = [place for place in occurrences(left) if place.role != "subscript"]
+    if not places or places[0].dots or places[0].primes or places[0].superscript:
+        return None
+    first, rest = places[0], places[1:]
+    if first.arguments is None:
+        whole = canonical(left) if not rest else None
+        return (canonical_of(first), ()) if whole and not re.search(r"[-+*/^\[\]()|]|\\(frac|sqrt|dot)", left) else None
+    if [place.word for place in rest] != [*first.arguments] or not left.rstrip().endswith(")"):
+        return None
+    return canonical_of(first), first.arguments
+
+
+def readings(asked: Asked) -> list[Reading]:
+    """All readings that make sense; SymcheckError with the reason of the first if none does."""
+    conditions, said = members(asked.given, dict(asked.letters))
+    defined, equations = definitions(asked.where)
+    formulas = [asked.relation, *asked.where, *conditions]
+    heads = {name: arguments for name, (_, arguments, _) in defined.items()}
+    found, errors = [], []
+    for inference in inferred(formulas, said, heads):
+        try:
+            found.append(_reading(asked, inference, defined, equations, conditions))
+        except SymcheckError as error:
+            errors.append(error)
+    if not found:
+        raise errors[0]
+    return found
+
+
+def _reading(
+    asked: Asked,
+    inference: Inference,
+    defined: Mapping[str, tuple[str, tuple[str, ...], str]],
+    equations: Sequence[str],
+    conditions: Sequence[str],
+) -> Reading:
+    notation = inference.notation
+    tree = read(asked.relation, notation)
+    claims = lower(tree, notation)
+    stated: dict[str, str] = {}
+    hypotheses: list[tuple[str, tuple[Formula, ...]]] = []
+    terms: dict[str, Term] = {}
+    lambdas: dict[str, Lambda] = {}
+    for left, arguments, right in defined.values():
+        equation = read(f"{left} = {right}", notation)
+        assert isinstance(equation, Chain)
+        for formula in lower(equation, notation):
+            name, value = formula[1], formula[2]
+            if isinstance(name, Call) and arguments and all(isinstance(x, str) for x in name.terms):
+                lambdas[name.function] = (tuple(str(x) for x in name.terms), value)
+            elif isinstance(name, str) and name not in terms:
+                terms[name] = value
+            else:
+                hypotheses.append((_named(stated, f"{left} = {right}"), (formula,)))
+    for text in (*equations, *conditions):
+        hypotheses.append((_named(stated, text), lower(read(text, notation), notation)))
+    order = _ordered(terms, lambdas)
+    claims = tuple(unfolded(claim, order) for claim in claims)
+    hypotheses = [(name, tuple(unfolded(f, order) for f in formulas)) for name, formulas in hypotheses]
+    unfolding = tuple((name, unfolded(terms[name], order)) for name in _sorted(terms))
+    whole = [*claims, *(f for _, fs in hypotheses for f in fs), *(term for _, term in unfolding)]
+    valued = tuple(each for each in domain(*whole) if letters(each) or functions(each))
+    if valued:
+        hypotheses.append((DEFINED, valued))
+    problems = tuple(
+        Problem(f"question{n or ''}", claim, unfolding, tuple(hypotheses)) for n, claim in enumerate(claims)
+    )
+    return Reading(inference, tree, problems, stated)
+
+
+def _named(stated: dict[str, str], text: str) -> str:
+    name = f"h{len(stated) + 1}"
+    stated[name] = text
+    return name
+
+
+def _ordered(terms: Mapping[str, Term], lambdas: Mapping[str, Lambda]) -> dict[str, Lambda]:
+    """Functions whose definitions use no others that come later."""
+    found: dict[str, Lambda] = {}
+    todo = dict(lambdas)
+    while todo:
+        ready = [name for name, (_, body) in todo.items() if not functions(body) & todo.keys()]
+        if not ready:
+            raise SymcheckError(f"the definitions of {', '.join(todo)} go in a circle; give one of them as a condition")
+        for name in ready:
+            own, body = todo.pop(name)
+            found[name] = (own, unfolded(body, found))
+    return found
+
+
+def _sorted(terms: Mapping[str, Term]) -> list[str]:
+    """Names in an order in which each definition uses those before it."""
+    found: list[str] = []
+    todo = dict(terms)
+    while todo:
+        ready = [name for name, term in todo.items() if not letters(term) & todo.keys()]
+        if not ready:
+            raise SymcheckError(f"the definitions of {', '.join(todo)} go in a circle; give one of them as a condition")
+        found += ready
+        for name in ready:
+            del todo[name]
+    return found
+
+
+def unfolded(tree: T, defined: Mapping[str, Lambda]) -> T:
+    """The same with functions replaced by what they are defined to be; a derivative of one is that of its term."""
+    if not isinstance(tree, Node) or not defined:
+        return tree
+    new = mapped(tree, lambda part: unfolded(part, defined))
+    if not isinstance(new, Call) or new.function not in defined:
+        return new  # type: ignore[return-value]
+    own, body = defined[new.function]
+    arguments = new.terms
+    fresh = [f"{x}_at{k}" for k, x in enumerate(own)]
+    from symcheck.core.calculus import substituted
+
+    value: Term = substituted(body, dict(zip(own, fresh, strict=True)))
+    for x, order in zip(fresh, new.orders, strict=True):
+        value = node("diff", value, x, order, x) if order else value
+    return substituted(value, dict(zip(fresh, arguments, strict=True)))  # type: ignore[return-value]

@@ -1,0 +1,346 @@
+"""What the letters of formulas mean where nobody has declared them: inferred from what is done with them, and why.
+
+Where two readings are possible there are several inferences, each a whole notation; nothing is chosen silently.
+"""
+
+from __future__ import annotations
+
+import itertools
+import re
+from collections import defaultdict
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field, replace
+
+from symcheck.core.verdicts import SymcheckError
+from symcheck.reading import tex
+from symcheck.reading.notation import VALUE, Letter, Notation, instances
+from symcheck.reading.occurrences import Occurrence, occurrences, words
+
+MAX_READINGS = 8  # of one question: three letters with two readings each; more are refused
+_STYLED = re.compile(r"\\(mathbf|boldsymbol|bm|pmb|vec|overrightarrow)\{")
+_TYPICAL = frozenset("fghFGH") | {r"\phi", r"\psi", r"\varphi", r"\Phi", r"\Psi", r"\Theta", r"\Gamma"}
+_SIZES = re.compile(r"^(?:\{)?(\w+)(?:\\times(\w+))?(?:\})?$")
+
+
+@dataclass(frozen=True, slots=True)
+class Guess:
+    """What one letter is taken for.
+
+    Parameters
+    ----------
+    letter
+        Its declaration.
+    taken
+        What that means, in words.
+    why
+        The evidence.
+    """
+
+    letter: Letter
+    taken: str
+    why: str
+
+
+@dataclass(frozen=True, slots=True)
+class Inference:
+    """One reading of a set of formulas: the notation, what each letter is taken for, and what was chosen.
+
+    Parameters
+    ----------
+    notation
+        All letters.
+    guesses
+        One for each letter, in order of appearance.
+    choices
+        What distinguishes this reading from the others; nothing if it is the only one.
+    """
+
+    notation: Notation
+    guesses: tuple[Guess, ...]
+    choices: tuple[str, ...] = ()
+
+
+@dataclass(slots=True)
+class Evidence:
+    """All places of one letter, and what is said of it."""
+
+    spelling: str
+    places: list[Occurrence] = field(default_factory=list)
+    indices: int = 0
+    values: set[int] = field(default_factory=set)
+    said: str = ""
+    index: bool = False
+
+    @property
+    def dotted(self) -> bool:
+        return any(place.dots for place in self.places)
+
+    @property
+    def arguments(self) -> list[tuple[str, ...]]:
+        return [place.arguments for place in self.places if place.arguments is not None]
+
+    @property
+    def bare(self) -> bool:
+        """Does it stand anywhere without brackets behind it?"""
+        return any(place.arguments is None and place.role != "subscript" for place in self.places)
+
+    @property
+    def by(self) -> list[str]:
+        """The letters by which it, or something in which it stands, is differentiated."""
+        return list(dict.fromkeys(x for place in self.places for x in place.by))
+
+
+def inferred(formulas: Sequence[str], said: Mapping[str, str], defined: Mapping[str, tuple[str, ...]]) -> list[Inference]:
+    r"""All readings of formulas that share their letters.
+
+    Parameters
+    ----------
+    formulas
+        Printed LaTeX.
+    said
+        Phrases about letters: "scalar", "vector", "matrix", "function of x, y", "depends on t", "integer", "index",
+        "differential", "imaginary unit", "skew matrix of \omega", "real^3", "real^{m \times n}", "SO(3)".
+    defined
+        Letters that an equation defines, with the letters of which they are functions there: ("x", "y") where it is
+        printed as f(x, y) = ..., nothing where it is f = ....
+
+    Returns
+    -------
+    list of Inference
+        At least one.
+
+    Raises
+    ------
+    SymcheckError
+        If a phrase is not understood, or there are too many readings.
+    """
+    evidence = gathered(formulas, said)
+    _complete(evidence)
+    options = [[*_options(each, evidence, defined)] for each in evidence.values()]
+    count = 1
+    for each in options:
+        count *= len(each)
+    if count > MAX_READINGS:
+        several = ", ".join(o[0].letter.latex for o in options if len(o) > 1)
+        raise SymcheckError(f"{count} readings are possible; say what these letters are: {several}")
+    found = []
+    for chosen in itertools.product(*options):
+        choices = tuple(f"{g.letter.latex}: {g.taken}" for g, each in zip(chosen, options, strict=True) if len(each) > 1)
+        found.append(Inference(_notation(chosen), chosen, choices))
+    return found
+
+
+def gathered(formulas: Sequence[str], said: Mapping[str, str]) -> dict[str, Evidence]:
+    """All letters with their places; those below a sum and those said to be are indices."""
+    places = [place for formula in formulas for place in occurrences(formula)]
+    index = {place.word for place in places if place.role == "index"}
+    index |= {canonical(latex) for latex, phrase in said.items() if phrase == "index"}
+    families = {p.word for p in places if p.subscript is not None and index.intersection(words(p.subscript))}
+    phrases = {canonical(latex): phrase for latex, phrase in said.items()}
+    found: dict[str, Evidence] = {}
+    for place in places:
+        if place.role == "subscript":
+            continue
+        tokens, spelling = words(place.subscript), place.word
+        family = place.word in families and bool(tokens) and all(t in index or t.isdigit() for t in tokens)
+        if tokens and not family:
+            spelling += tex.subscript([tex.Tok(text, 0) for text in place.subscript or ()])
+        key = f"{spelling} {len(tokens)}" if family else spelling
+        own = found.setdefault(key, Evidence(spelling, indices=len(tokens) if family else 0))
+        own.places.append(place)
+        own.values |= {int(t) for t in tokens if t.isdigit()} if family else set()
+        own.said = phrases.get(spelling, "")
+        own.index = spelling in index and not tokens
+    return found
+
+
+def _complete(evidence: dict[str, Evidence]) -> None:
+    """Letters that are meant without being printed: the time, where there are dots, and the d of differentials."""
+    if any(each.dotted for each in evidence.values()) and not {"t", r"\tau"} & evidence.keys():
+        evidence["t"] = Evidence("t", [Occurrence("t")])
+    used = any(p.role == "variable" or (p.role == "derived" and p.before == "d") for e in evidence.values() for p in e.places)
+    if used and "d" not in evidence:
+        evidence["d"] = Evidence("d", [Occurrence("d")], said="differential")
+
+
+def canonical(latex: str) -> str:
+    """The spelling of a letter as evidence is kept."""
+    found = occurrences(latex)
+    if not found:
+        return latex
+    place = found[0]
+    return place.word + (tex.subscript([tex.Tok(t, 0) for t in place.subscript]) if place.subscript else "")
+
+
+def _options(of: Evidence, every: Mapping[str, Evidence], defined: Mapping[str, tuple[str, ...]]) -> Iterator[Guess]:
+    """All that a letter may be."""
+    latex = of.spelling
+    if of.said:
+        yield _as_said(of, every)
+        return
+    if of.index:
+        yield Guess(Letter(latex, kind="index", name=_plain(latex)), "an index", "a sum runs over it")
+        return
+    if number := _number(of):
+        yield from number
+        return
+    variables = defined.get(latex)
+    simple = _common_arguments(of)
+    if variables:
+        letters = ", ".join(variables)
+        yield Guess(_letter(of, kind="function", depends=letters), f"a function of {letters}", "it is defined as one")
+    elif of.arguments and not of.bare and (simple or not _is_sum(of)):
+        depends = ", ".join(simple) if simple else None
+        yield Guess(_letter(of, kind="function", depends=depends), "a function", "it stands before its arguments only")
+    elif of.arguments and simple and _varies(of):
+        yield Guess(_letter(of, depends=", ".join(simple)), f"a function of {', '.join(simple)}", "it stands before them")
+    elif of.arguments and not of.bare:
+        product = Guess(_letter(of, depends=""), "a number", "it stands before brackets with a sum")
+        function = Guess(_letter(of, kind="function"), "a function", "it stands before brackets only")
+        yield from (function, product) if latex in _TYPICAL else (product, function)
+    elif of.dotted or _is_derived(of):
+        yield from _dependent(of, every, latex in defined)
+    elif _STYLED.match(latex):
+        yield from _styled(of)
+    else:
+        yield Guess(_letter(of, depends=""), "a real number", "nothing else is done with it")
+
+
+def _as_said(of: Evidence, every: Mapping[str, Evidence]) -> Guess:
+    """A letter of which something is said."""
+    phrase, why = of.said, "it is said to be"
+    if phrase in ("scalar", "integer"):
+        return Guess(_letter(of, depends=""), "a real number" if phrase == "scalar" else "a whole number", why)
+    if phrase == "index":
+        return Guess(Letter(of.spelling, kind="index", name=_plain(of.spelling)), "an index", why)
+    if phrase == "differential":
+        return Guess(Letter(of.spelling, kind="differential"), "the sign of a differential", why)
+    if phrase == "imaginary unit":
+        return Guess(Letter(of.spelling, number="i"), "the imaginary unit", why)
+    depends = _time(every) if of.dotted else ""
+    if phrase in ("vector", "matrix"):
+        return Guess(_letter(of, kind=phrase, depends=depends), f"a {phrase}", why)
+    if match := re.fullmatch(r"(function of|depends on) (.+)", phrase):
+        kind = "function" if match[1] == "function of" else "scalar"
+        return Guess(_letter(of, kind=kind, depends=match[2]), f"a function of {match[2]}", why)
+    if match := re.fullmatch(r"skew matrix of (.+)", phrase):
+        return Guess(_letter(of, kind="matrix", skew=match[1]), f"the skew matrix of {match[1]}", why)
+    if match := re.fullmatch(r"real (\d+)(?: (\d+))?", phrase):
+        size = tuple(int(n) for n in match.groups() if n)
+        kind = "vector" if len(size) == 1 else "matrix"
+        return Guess(_letter(of, kind=kind, size=size, depends=depends), f"a {kind}", why)
+    raise SymcheckError(
+        f"{of.spelling} is said to be {phrase!r}, which is not understood; say scalar, vector, matrix, integer, index, "
+        "function of x, depends on t, differential, imaginary unit or skew matrix of a vector"
+    )
+
+
+def _number(of: Evidence) -> list[Guess]:
+    """What e, i, j and pi may be."""
+    latex = of.spelling
+    if latex == r"\pi":
+        return [Guess(Letter(latex, number="pi"), "the number pi", "so it is written")]
+    if latex in ("e", r"\text{e}"):
+        euler = Guess(Letter(latex, number="e"), "Euler's number", "it is raised to a power")
+        letter = Guess(_letter(of, depends="", name="e_letter"), "a real number", "it stands without an exponent")
+        powers = [place.superscript for place in of.places]
+        if latex != "e" or all(power and not "".join(power).isdigit() for power in powers):
+            return [euler]
+        return [letter] if not any(powers) else [euler, letter]
+    if latex in ("i", "j", r"\text{i}", r"\text{j}"):
+        unit = Guess(Letter(latex, number="i"), "the imaginary unit", "so it is written")
+        letter = Guess(_letter(of, depends="", name=_plain(latex)), "a real number", "it is a letter like others")
+        return [unit] if latex[0] == "\\" else [unit, letter]
+    return []
+
+
+def _common_arguments(of: Evidence) -> tuple[str, ...]:
+    """The letters that stand in brackets behind it wherever there are any: (x, t)."""
+    found = {args for args in of.arguments}
+    if len(found) != 1:
+        return ()
+    (args,) = found
+    return args if all(tex.spelled(arg) is not None for arg in args) else ()
+
+
+def _is_sum(of: Evidence) -> bool:
+    """Is what stands in brackets behind it a sum, and nothing but one?"""
+    return all(len(args) == 1 and re.search(r"(?<!^)[+-]", args[0].replace(" ", "")) for args in of.arguments)
+
+
+def _varies(of: Evidence) -> bool:
+    return all(place.dots or place.primes or place.arguments is not None for place in of.places) or bool(
+        of.dotted or any(place.role == "derived" for place in of.places)
+    )
+
+
+def _is_derived(of: Evidence) -> bool:
+    return any(place.role == "derived" and of.spelling not in place.by for place in of.places)
+
+
+def _time(every: Mapping[str, Evidence]) -> str:
+    return "t" if "t" in every or r"\tau" not in every else r"\tau"
+
+
+def _dependent(of: Evidence, every: Mapping[str, Evidence], named: bool) -> Iterator[Guess]:
+    """A letter with dots, or one in a derivative."""
+    on = [_time(every)] if of.dotted else []
+    on += [x for x in of.by if x not in on and x != of.spelling]
+    words = ", ".join(on)
+    kind = "vector" if _STYLED.match(of.spelling) and not of.spelling[-2].isupper() else "scalar"
+    direct = of.dotted or any(place.role == "derived" and place.before in ("d", r"\partial") for place in of.places)
+    within = any(x in every and _stands_in_body(every[x]) for x in on)
+    varying = Guess(_letter(of, kind=kind, depends=words, named=named), f"a function of {words}", "it is differentiated")
+    constant = Guess(_letter(of, kind=kind, depends=""), "constant", "it has no dot, and the other letter stands beside it")
+    if direct or named:
+        yield varying
+    elif within:
+        yield constant
+    else:
+        yield varying
+        yield constant
+
+
+def _stands_in_body(of: Evidence) -> bool:
+    return any(place.role == "derived" for place in of.places)
+
+
+def _styled(of: Evidence) -> Iterator[Guess]:
+    """A bold letter, or one with an arrow."""
+    vector = Guess(_letter(of, kind="vector", depends=""), "a vector", "it is bold, or has an arrow")
+    matrix = Guess(_letter(of, kind="matrix", depends=""), "a matrix", "it is bold and capital")
+    inner = of.spelling.rpartition("{")[2].rstrip("}")
+    if not (inner[:1].isupper() or inner[1:2].isupper()) or r"\vec" in of.spelling:
+        yield vector
+    else:
+        yield matrix
+        yield vector
+
+
+def _letter(of: Evidence, **given: object) -> Letter:
+    values = tuple(range(min(of.values, default=1), max(of.values, default=3) + 1))
+    given.setdefault("name", _plain(of.spelling))
+    return Letter(of.spelling, indices=of.indices, range=values, **given)  # type: ignore[arg-type]
+
+
+def _plain(latex: str) -> str:
+    return re.sub(r"[^A-Za-z0-9]+", "_", re.sub(r"\\(mathbf|boldsymbol|bm|text|mathrm)\b", "", latex)).strip("_") or "x"
+
+
+def _notation(guesses: Iterable[Guess]) -> Notation:
+    """The notation of these letters; no two are lowered to one variable."""
+    taken: set[str] = set()
+    found = []
+    for guess in guesses:
+        letter = guess.letter
+        if letter.kind not in ("index", "differential") and not letter.number:
+            names = (f"{letter.stem}{'' if n == 0 else f'v{n}'}" for n in itertools.count())
+            letter = next(
+                new
+                for name in names
+                for new in [replace(letter, name=name)]
+                if not any(x in taken or VALUE.fullmatch(x) for x, _ in instances(new))
+            )
+            taken |= {x for x, _ in instances(letter)}
+        found.append(letter)
+    return Notation(found, slash="", argument="")
