@@ -6,19 +6,19 @@ import re
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 
-from symcheck.core.calculus import Lambda, domain, functions, letters
+from symcheck.core.calculus import domain, functions, letters
 from symcheck.core.problems import Problem
-from symcheck.core.terms import Binder, Call, Formula, Node, Quantified, T, Term, mapped, node
+from symcheck.core.terms import Formula, Term
 from symcheck.core.verdicts import SymcheckError
-from symcheck.reading import Notation, Tree, lower, read, tex, to_latex
+from symcheck.reading import Notation, Tree, lower, read, tex
 from symcheck.reading.inference import Inference, canonical, inferred
-from symcheck.reading.lowering import Lowering
 from symcheck.reading.occurrences import occurrences
-from symcheck.reading.tree import Chain
+from symcheck.reading.parser import dependence
 
 _MEMBER = re.compile(r"^(.+?)\s*\\in\s*(.+)$", re.DOTALL)
 _SETS = {"R": "", "Z": "integer", "N": "integer", "Q": "", "C": "complex"}
 _SET = re.compile(r"^\\mathbb\s*\{?([RZNQC])\}?\s*(?:_\{?\s*(>\s*0|\\geq?\s*0|\+)\s*\}?)?\s*(?:\^\s*\{?([^{}]*)\}?)?$")
+Definitions = Mapping[str, tuple[str, tuple[str, ...], str]]  # left side, arguments and right side, by the letter
 DEFINED = "defined"  # the name of the condition that every printed term has a value
 
 
@@ -139,34 +139,29 @@ def readings(asked: Asked) -> list[Reading]:
 def _reading(
     asked: Asked,
     inference: Inference,
-    defined: Mapping[str, tuple[str, tuple[str, ...], str]],
+    defined: Definitions,
     equations: Sequence[str],
     conditions: Sequence[str],
 ) -> Reading:
     notation = inference.notation
+    functions_ = functions_of(defined, notation)
     tree = read(asked.relation, notation)
-    claims = lower(tree, notation)
+    claims = lower(tree, notation, functions_)
     stated: dict[str, str] = {}
     hypotheses: list[tuple[str, tuple[Formula, ...]]] = []
     terms: dict[str, Term] = {}
-    lambdas: dict[str, Lambda] = {}
-    for left, arguments, right in defined.values():
-        equation = read(f"{left} = {right}", notation)
-        assert isinstance(equation, Chain)
-        for formula in lower(equation, notation):
-            name, value = formula[1], formula[2]
-            if isinstance(name, Call) and arguments and all(isinstance(x, str) for x in name.terms):
-                lambdas[name.function] = (tuple(str(x) for x in name.terms), value)
-            elif isinstance(name, str) and name not in terms:
-                terms[name] = value
+    for name, (left, _, right) in defined.items():
+        if name in functions_:
+            continue
+        for formula in lower(read(f"{left} = {right}", notation), notation, functions_):
+            head, value = formula[1], formula[2]
+            if isinstance(head, str) and head not in terms:
+                terms[head] = value
             else:
                 hypotheses.append((_named(stated, f"{left} = {right}"), (formula,)))
     for text in (*equations, *conditions):
-        hypotheses.append((_named(stated, text), lower(read(text, notation), notation)))
-    order = _ordered(terms, lambdas)
-    claims = tuple(unfolded(claim, order) for claim in claims)
-    hypotheses = [(name, tuple(unfolded(f, order) for f in formulas)) for name, formulas in hypotheses]
-    unfolding = tuple((name, unfolded(terms[name], order)) for name in _sorted(terms))
+        hypotheses.append((_named(stated, text), lower(read(text, notation), notation, functions_)))
+    unfolding = tuple((name, terms[name]) for name in _sorted(terms))
     whole = [*claims, *(f for _, fs in hypotheses for f in fs), *(term for _, term in unfolding)]
     valued = tuple(each for each in domain(*whole) if letters(each) or functions(each))
     if valued:
@@ -177,24 +172,23 @@ def _reading(
     return Reading(inference, tree, problems, stated)
 
 
+def functions_of(defined: Definitions, notation: Notation) -> dict[str, tuple[tuple[Tree, ...], Tree]]:
+    """The definitions of functions: f(x) = ..., or f = ... where f is one of x."""
+    found = {}
+    for name, (left, arguments, right) in defined.items():
+        letter = notation.find(name, 0)
+        if letter is None or not letter.applies or letter.named:
+            continue
+        own = tuple(read(each, notation) for each in arguments) if arguments else dependence(letter, notation)
+        if own:
+            found[name] = own, read(right, notation)
+    return found
+
+
 def _named(stated: dict[str, str], text: str) -> str:
     name = f"h{len(stated) + 1}"
     stated[name] = text
     return name
-
-
-def _ordered(terms: Mapping[str, Term], lambdas: Mapping[str, Lambda]) -> dict[str, Lambda]:
-    """Functions whose definitions use no others that come later."""
-    found: dict[str, Lambda] = {}
-    todo = dict(lambdas)
-    while todo:
-        ready = [name for name, (_, body) in todo.items() if not functions(body) & todo.keys()]
-        if not ready:
-            raise SymcheckError(f"the definitions of {', '.join(todo)} go in a circle; give one of them as a condition")
-        for name in ready:
-            own, body = todo.pop(name)
-            found[name] = (own, unfolded(body, found))
-    return found
 
 
 def _sorted(terms: Mapping[str, Term]) -> list[str]:
@@ -209,21 +203,3 @@ def _sorted(terms: Mapping[str, Term]) -> list[str]:
         for name in ready:
             del todo[name]
     return found
-
-
-def unfolded(tree: T, defined: Mapping[str, Lambda]) -> T:
-    """The same with functions replaced by what they are defined to be; a derivative of one is that of its term."""
-    if not isinstance(tree, Node) or not defined:
-        return tree
-    new = mapped(tree, lambda part: unfolded(part, defined))
-    if not isinstance(new, Call) or new.function not in defined:
-        return new  # type: ignore[return-value]
-    own, body = defined[new.function]
-    arguments = new.terms
-    fresh = [f"{x}_at{k}" for k, x in enumerate(own)]
-    from symcheck.core.calculus import substituted
-
-    value: Term = substituted(body, dict(zip(own, fresh, strict=True)))
-    for x, order in zip(fresh, new.orders, strict=True):
-        value = node("diff", value, x, order, x) if order else value
-    return substituted(value, dict(zip(fresh, arguments, strict=True)))  # type: ignore[return-value]

@@ -70,6 +70,7 @@ class Evidence:
     values: set[int] = field(default_factory=set)
     said: str = ""
     index: bool = False
+    whole: bool = False
 
     @property
     def dotted(self) -> bool:
@@ -132,11 +133,12 @@ def inferred(formulas: Sequence[str], said: Mapping[str, str], defined: Mapping[
 
 def gathered(formulas: Sequence[str], said: Mapping[str, str]) -> dict[str, Evidence]:
     """All letters with their places; those below a sum and those said to be are indices."""
-    places = [place for formula in formulas for place in occurrences(formula)]
+    wholes = names_of_several_tokens(formulas, said)
+    places = [place for formula in formulas for place in occurrences(formula, wholes)]
     index = {place.word for place in places if place.role == "index"}
     index |= {canonical(latex) for latex, phrase in said.items() if phrase == "index"}
     families = {p.word for p in places if p.subscript is not None and index.intersection(words(p.subscript))}
-    phrases = {canonical(latex): phrase for latex, phrase in said.items()}
+    phrases = {latex if latex in wholes else canonical(latex): phrase for latex, phrase in said.items()}
     found: dict[str, Evidence] = {}
     for place in places:
         if place.role == "subscript":
@@ -151,7 +153,29 @@ def gathered(formulas: Sequence[str], said: Mapping[str, str]) -> dict[str, Evid
         own.values |= {int(t) for t in tokens if t.isdigit()} if family else set()
         own.said = phrases.get(spelling, "")
         own.index = spelling in index and not tokens
+        own.whole = spelling in wholes
     return found
+
+
+_DIFFERENCE = re.compile(r"\\(Delta|delta)\s*(\\(?:mathbf|bm|boldsymbol|vec|dot|hat|bar)\s*\{[^{}]*\}|\\?[A-Za-z]+)")
+
+
+def names_of_several_tokens(formulas: Sequence[str], said: Mapping[str, str]) -> list[str]:
+    r"""Names printed with several tokens: those of which something is said, and differences such as `\Delta x`."""
+    found = [latex for latex in said if not _is_letter(latex)]
+    for formula in formulas:
+        for match in _DIFFERENCE.finditer(formula):
+            letter = match[2] if match[2].startswith("\\") else match[2][0]
+            if tex.spelled(letter) is not None:
+                found.append(f"\\{match[1]} {letter}")
+    return list(dict.fromkeys(found))
+
+
+def _is_letter(latex: str) -> bool:
+    """Is this one letter, with a subscript at most?"""
+    places = [place for place in occurrences(latex) if place.role != "subscript"]
+    plain = bool(places) and places[0].superscript is None and places[0].arguments is None
+    return len(places) == 1 and plain and not re.search(r"[\[\](|]|\\l?floor", latex)
 
 
 def _complete(evidence: dict[str, Evidence]) -> None:
@@ -161,6 +185,11 @@ def _complete(evidence: dict[str, Evidence]) -> None:
     used = any(p.role == "variable" or (p.role == "derived" and p.before == "d") for e in evidence.values() for p in e.places)
     if used and "d" not in evidence:
         evidence["d"] = Evidence("d", [Occurrence("d")], said="differential")
+    for each in [*evidence.values()]:
+        if each.said.startswith("skew matrix of "):
+            name = canonical(each.said.removeprefix("skew matrix of "))
+            own = evidence.setdefault(name, Evidence(name, [Occurrence(name)]))
+            own.said = own.said or "vector"
 
 
 def canonical(latex: str) -> str:
@@ -250,7 +279,7 @@ def _number(of: Evidence) -> list[Guess]:
     if latex in ("i", "j", r"\text{i}", r"\text{j}"):
         unit = Guess(Letter(latex, number="i"), "the imaginary unit", "so it is written")
         letter = Guess(_letter(of, depends="", name=_plain(latex)), "a real number", "it is a letter like others")
-        return [unit] if latex[0] == "\\" else [unit, letter]
+        return [unit] if latex[0] == "\\" or any(place.exponent for place in of.places) else [unit, letter]
     return []
 
 
@@ -320,11 +349,12 @@ def _styled(of: Evidence) -> Iterator[Guess]:
 def _letter(of: Evidence, **given: object) -> Letter:
     values = tuple(range(min(of.values, default=1), max(of.values, default=3) + 1))
     given.setdefault("name", _plain(of.spelling))
-    return Letter(of.spelling, indices=of.indices, range=values, **given)  # type: ignore[arg-type]
+    return Letter(of.spelling, indices=of.indices, range=values, whole=of.whole, **given)  # type: ignore[arg-type]
 
 
 def _plain(latex: str) -> str:
-    return re.sub(r"[^A-Za-z0-9]+", "_", re.sub(r"\\(mathbf|boldsymbol|bm|text|mathrm)\b", "", latex)).strip("_") or "x"
+    name = re.sub(r"[^A-Za-z0-9]+", "_", re.sub(r"\\(mathbf|boldsymbol|bm|text|mathrm)\b", "", latex)).strip("_")
+    return name if name[:1].isalpha() else f"x{name}"
 
 
 def _notation(guesses: Iterable[Guess]) -> Notation:

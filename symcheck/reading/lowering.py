@@ -9,6 +9,7 @@ import itertools
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from functools import lru_cache
 from math import comb, factorial
+from types import MappingProxyType
 from typing import Any
 
 from symcheck.core.calculus import substituted
@@ -92,7 +93,10 @@ Env = Mapping[str, int]
 SIGNS = {"=": "=", r"\equiv": "=", r"\ne": "!=", "<": "<", r"\le": "<=", ">": ">", r"\ge": ">="}
 
 
-def lower(item: Relation | Tree, notation: Notation) -> tuple[Formula, ...]:
+Defined = Mapping[str, tuple[tuple[Tree, ...], Tree]]  # the letters of functions, their arguments, and what they are
+
+
+def lower(item: Relation | Tree, notation: Notation, defined: Defined = MappingProxyType({})) -> tuple[Formula, ...]:
     r"""Turn a printed relation, or all relations of a statement, into formulas.
 
     Parameters
@@ -101,6 +105,8 @@ def lower(item: Relation | Tree, notation: Notation) -> tuple[Formula, ...]:
         The relation or the statement.
     notation
         What the letters mean.
+    defined
+        Functions that stand for expressions in their arguments: (arguments, expression) by their letter.
 
     Returns
     -------
@@ -122,7 +128,7 @@ def lower(item: Relation | Tree, notation: Notation) -> tuple[Formula, ...]:
     found = (item,) if isinstance(item, Relation) else relations(item)
     if not found:
         raise SymcheckError(f"{to_latex(item)} states no relation" if isinstance(item, Tree) else "no relation")
-    lowering = Lowering(notation)
+    lowering = Lowering(notation, defined)
     return tuple(formula for relation in found for formula in lowering.whole(relation))
 
 
@@ -219,8 +225,9 @@ def _vector(letter: Letter, notation: Notation) -> Tree:
 class Lowering:
     """The evaluator: `env` gives the indices their values."""
 
-    def __init__(self, notation: Notation) -> None:
-        self.notation = notation
+    def __init__(self, notation: Notation, defined: Defined = MappingProxyType({})) -> None:
+        self.notation, self.defined = notation, defined
+        self.standing: dict[Name, Value] = {}  # what the arguments of a defined function stand for
         self.met: dict[str, Name] = {}  # variables of letters that are printed, with one place
         self.arities: dict[str, int] = {}  # how many arguments each function has
         self.inside: tuple[str, ...] = ()  # letters whose components or dependence are being written out
@@ -423,6 +430,8 @@ class Lowering:
         return node("/", int(whole + decimals), 10 ** len(decimals))
 
     def of_name(self, tree: Name, env: Env) -> Value:
+        if tree in self.standing:
+            return self.standing[tree]
         if _is_index(tree, self.notation):
             return self.index(tree.letter, env)
         if not tree.subscripts and tree.letter in env and self.notation.index(tree.letter) is not None:
@@ -657,6 +666,9 @@ class Lowering:
 
     def of_call(self, tree: Call, env: Env) -> Value:
         if isinstance(tree.function, Name):
+            if not tree.arguments and tree.function.letter in self.defined:
+                own, _ = self.defined[tree.function.letter]
+                return self.put(tree.function, [self.value(each, env) for each in own], tree, env)
             return self.applied(tree, tree.function, env) if tree.arguments else self.value(tree.function, env)
         name = SPELLED.get(tree.function, tree.function)
         name = name if name in ("sin", "cos", "tan") else ""
@@ -671,6 +683,10 @@ class Lowering:
             return node(name, angle)
         if len(tree.arguments) == 1:
             value = self.value(tree.arguments[0], env)
+            if tree.function == "log" and not isinstance(value, list):
+                if not self.notation.log:
+                    raise SymcheckError(f"{to_latex(tree)}: to the base e, or 10? say log='e' or '10', or write \\ln or \\lg")
+                return function_of("ln" if self.notation.log == "e" else "lg", value)
             if tree.function in OPERATIONS:
                 return OPERATIONS[tree.function](tree, value)
             if not isinstance(value, list) and (found := function_of(tree.function, value)) is not None:
@@ -680,6 +696,8 @@ class Lowering:
     def applied(self, tree: Call, name: Name, env: Env) -> Value:
         """A function of the notation with its arguments."""
         letter, met = self.notation.letter(name.letter, len(name.subscripts)), dict(self.met)
+        if name.letter in self.defined and not name.subscripts:
+            return self.put(name, [self.value(argument, env) for argument in tree.arguments], tree, env)
         arguments = tuple(t for argument in tree.arguments for t in flat(self.value(argument, env)))
         indices = self.places(name, letter, env)
         declared = self.arguments(letter, indices) if letter.depends else None
@@ -709,6 +727,26 @@ class Lowering:
         if not self.inside:
             self.met.setdefault(stem, name)
         return node("call", stem, orders, *arguments)
+
+    def put(self, name: Name, values: list[Value], tree: Tree, env: Env) -> Value:
+        """A defined function, or its derivative, at its arguments."""
+        own, body = self.defined[name.letter]
+        if len(own) != len(values):
+            raise SymcheckError(f"{to_latex(tree)}: {name.letter} is a function of {len(own)} letters")
+        order = name.primes + name.dots
+        if order and (len(own) != 1 or isinstance(values[0], list | Complex)):
+            raise SymcheckError(f"{to_latex(tree)}: by which argument? write the derivative as a fraction")
+        kept, inside = self.standing, self.inside
+        if name.letter in inside:
+            raise SymcheckError(f"{to_latex(tree)}: {name.letter} is defined by itself")
+        self.inside = (*inside, name.letter)
+        self.standing = {} if order else {x: v for x, v in zip(own, values, strict=True) if isinstance(x, Name)}
+        value = self.value(body, env)
+        if order:
+            by = self.variable(own[0], env)
+            value = zipped(lambda t: node("diff", t, by, order, values[0]), [value])
+        self.standing, self.inside = kept, inside
+        return value
 
     def of_bigsum(self, tree: BigSum, env: Env) -> Value:
         ranges = [self.bounds(tree, index, env) for index in tree.indices]

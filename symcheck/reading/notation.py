@@ -17,6 +17,8 @@ SIGNS = frozenset({"", ">= 0", "> 0"})
 SLASHES = frozenset({"", "denominator"})
 DECIMALS = frozenset({"", "rounded"})
 ARGUMENTS = frozenset({"", "short", "long"})
+INVERSES = frozenset({"", "function", "power"})
+LOGARITHMS = frozenset({"", "e", "10"})
 DOTS = {r"\dot": 1, r"\ddot": 2, r"\dddot": 3}
 TIMES = ("t", r"\tau")
 _NUMBERS = {"e": "e", r"\text{e}": "e", "i": "i", r"\text{i}": "i", r"\text{j}": "i", r"\pi": "pi"}
@@ -245,6 +247,10 @@ class Notation:
         Where the argument of a function printed without brackets ends, if a space or brackets follow. "" refuses it as
         ambiguous. "short" ends it before them: `\cos a\,x` is (cos a) x, and `\sin\omega(t - x)` is
         (sin omega)(t - x). "long" ends it behind them: cos(a x) and sin(omega (t - x)).
+    inverse
+        What `\sin^{-1} x` is: with "function" the arcsine of x, with "power" 1/sin x. "" refuses it as ambiguous.
+    log
+        The base of `\log`: "e" or "10". "" refuses it as ambiguous.
 
     Raises
     ------
@@ -270,16 +276,22 @@ class Notation:
         bracket: str = "",
         decimals: str = "",
         argument: str = "",
+        inverse: str = "",
+        log: str = "",
     ) -> None:
         if slash not in SLASHES:
             raise SymcheckError(f"unknown meaning {slash!r} of a slash; choose '' or 'denominator'")
         if decimals not in DECIMALS:
             raise SymcheckError(f"unknown meaning {decimals!r} of decimals; choose '' or 'rounded'")
+        if inverse not in INVERSES:
+            raise SymcheckError(f"unknown meaning {inverse!r} of a power -1 of a function; choose '', 'function' or 'power'")
+        if log not in LOGARITHMS:
+            raise SymcheckError(f"unknown base {log!r} of a logarithm; choose '', 'e' or '10'")
         if argument not in ARGUMENTS:
             raise SymcheckError(f"unknown end {argument!r} of an argument; choose '', 'short' or 'long'")
         self.letters, self.slash, self.bracket, self.decimals = tuple(letters), slash, bracket, decimals
-        self.argument = argument
-        self.content = (self.letters, slash, bracket, decimals, argument)  # all that distinguishes two notations
+        self.argument, self.inverse, self.log = argument, inverse, log
+        self.content = (self.letters, slash, bracket, decimals, argument, inverse, log)  # all that distinguishes two notations
         self._hash = hash(self.content)
         self._letters: dict[tuple[str, int], Letter] = {}
         self._index: dict[str, Letter] = {}
@@ -342,10 +354,7 @@ class Notation:
         return self._hash
 
     def __repr__(self) -> str:
-        habits = (
-            f"slash={self.slash!r}, bracket={self.bracket!r}, decimals={self.decimals!r}, argument={self.argument!r}"
-        )
-        return f"Notation({list(self.letters)!r}, {habits})"
+        return f"Notation({list(self.letters)!r}, {', '.join(f'{k}={v!r}' for k, v in self.habits.items())})"
 
     def extended(self, *letters: Letter) -> Notation:
         """A copy in which these letters are added, or stand for others of the same spelling and number of indices."""
@@ -358,8 +367,12 @@ class Notation:
 
     def having(self, *letters: Letter) -> Notation:
         """The same habits with these letters and no others."""
-        habits = {"slash": self.slash, "bracket": self.bracket, "decimals": self.decimals, "argument": self.argument}
-        return Notation(letters, **habits)
+        return Notation(letters, **self.habits)
+
+    @property
+    def habits(self) -> dict[str, str]:
+        """All that a notation says beside its letters."""
+        return dict(zip(("slash", "bracket", "decimals", "argument", "inverse", "log"), self.content[1:], strict=True))
 
     def find(self, latex: str, indices: int) -> Letter | None:
         """The letter of this canonical spelling with so many indices."""

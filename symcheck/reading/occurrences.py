@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 
 from symcheck.reading import tex
 from symcheck.reading.commands import ROMAN, known
@@ -46,6 +46,7 @@ class Occurrence:
     before: str = ""
     after: str = ""
     by: tuple[str, ...] = ()  # the letters below the derivative under which it stands
+    exponent: bool = False  # does it stand in an exponent of e?
 
 
 @dataclass(slots=True)
@@ -55,22 +56,39 @@ class Scope:
     role: str = ""
     by: tuple[str, ...] = ()
     integral: bool = False
-    variables: list[str] = field(default_factory=list)
+    exponent: bool = False
 
 
-def occurrences(source: str) -> list[Occurrence]:
-    """All letters of a formula, in printed order; what cannot be a letter is passed over."""
-    return [*Scan(source).run(Scope())]
+def occurrences(source: str, wholes: Sequence[str] = ()) -> list[Occurrence]:
+    """All letters of a formula, in printed order; what cannot be a letter is passed over.
+
+    `wholes` are names that are printed with several tokens.
+    """
+    return [*Scan(source, wholes).run(Scope())]
 
 
 class Scan(tex.Reader):
     """Walks over the tokens of a formula; nothing is refused that the reader itself will refuse better."""
 
+    def __init__(self, source: str, wholes: Sequence[str] = ()) -> None:
+        super().__init__(source)
+        self.wholes = sorted(((tuple(t.text for t in tex.tokenize(w)), w) for w in wholes), key=lambda pair: -len(pair[0]))
+
+    def whole(self) -> str:
+        """The name of several tokens that begins here; "" if none does."""
+        for tokens, spelling in self.wholes:
+            if all(self.peek(k) == text for k, text in enumerate(tokens)):
+                self.i += len(tokens)
+                return spelling
+        return ""
+
     def run(self, scope: Scope, stop: int | None = None) -> Iterator[Occurrence]:
         stop = len(self.toks) if stop is None else stop
         while self.i < stop:
             text = self.peek()
-            if text in (r"\begin", r"\end"):
+            if self.wholes and (name := self.whole()):
+                yield Occurrence(name, role=scope.role, by=scope.by)
+            elif text in (r"\begin", r"\end"):
                 self.environment()
             elif text in SIGNED_SUMS:
                 yield from self.bounded(scope)
@@ -110,7 +128,7 @@ class Scan(tex.Reader):
 
     def script(self, scope: Scope, role: str) -> Iterator[Occurrence]:
         self.i += 1
-        yield from self.inside(Scope(role, scope.by))
+        yield from self.inside(Scope(role, scope.by, exponent=scope.exponent))
 
     def bounded(self, scope: Scope) -> Iterator[Occurrence]:
         """A sum or product: the letters below it, before a sign of relation, are its indices."""
@@ -120,14 +138,14 @@ class Scan(tex.Reader):
             self.i += 1
             if not below:
                 if self.peek(-1) == "^":
-                    yield from self.inside(Scope(scope.role, scope.by))
+                    yield from self.inside(Scope(scope.role, scope.by, exponent=scope.exponent))
                 continue
             start = self.i
             tokens = self.group()
             end, self.i = self.i, start + (self.peek_at(start) == "{")
             signs = [k for k, tok in enumerate(tokens) if tok.text in ("=", r"\in")]
             yield from self.run(Scope("index", scope.by), self.i + (signs[0] if signs else len(tokens)))
-            yield from self.run(Scope(scope.role, scope.by), end)
+            yield from self.run(Scope(scope.role, scope.by, exponent=scope.exponent), end)
             self.i = end
 
     def peek_at(self, place: int) -> str:
@@ -223,13 +241,14 @@ class Scan(tex.Reader):
                 primes += len(tokens)
                 continue
             end, self.i = self.i, place
-            inner += self.inside(Scope("subscript" if mark == "_" else scope.role, scope.by))
+            power = mark == "^" and word in ("e", r"\text{e}")
+            inner += self.inside(Scope("subscript" if mark == "_" else scope.role, scope.by, exponent=power or scope.exponent))
             self.i = end
             scripts[mark] = tokens
         arguments = self.arguments()
         after = next((tok.text for tok in self.toks[self.i :] if tok.text not in SPACES | SIZES), "")
         yield Occurrence(
-            word, dots, primes, scripts.get("_"), scripts.get("^"), arguments, scope.role, before, after, scope.by
+            word, dots, primes, scripts.get("_"), scripts.get("^"), arguments, scope.role, before, after, scope.by, scope.exponent
         )
         yield from inner
 

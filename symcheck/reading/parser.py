@@ -11,6 +11,7 @@ from typing import Any
 
 from symcheck.core.verdicts import SymcheckError
 from symcheck.reading import tex
+from symcheck.reading.functions import INVERSES
 from symcheck.reading.grammar import ParseNode, parse
 from symcheck.reading.lexer import Lexer
 from symcheck.reading.notation import Letter, Notation
@@ -479,7 +480,8 @@ class Builder:
         below = self.notation.slash == "denominator" and all(item.kind == "atom" for item in right)
         if len(right) > 1 and not isinstance(bottom, Call) and not below:
             raise self.fail(at, "a slash before several factors is ambiguous")
-        if any(item.kind in ("sum", "integral") for item in left + right) or _ends_bare(left):
+        bare = _ends_bare(left) and right[0].kind != "function"
+        if any(item.kind in ("sum", "integral") for item in left + right) or bare:
             raise self.fail(at, "a slash behind a sum or a function without brackets is ambiguous")
         return Div(self.checked(top, at, statements=False), self.checked(bottom, at, statements=False))
 
@@ -593,7 +595,10 @@ class Builder:
         if item.kind in ("integral", "antiderivative"):
             return self.integral(items, k), len(items)
         if item.kind == "operator":
-            if k + 2 != len(items) or items[k + 1].kind not in ("group", "atom"):
+            alone = k + 2 == len(items) and items[k + 1].kind in ("group", "atom", "fraction")
+            if not alone and k + 1 < len(items) and items[k + 1].kind == "function":
+                alone = self.call(items, k + 1)[1] == len(items)
+            if not alone:
                 raise self.fail(item.at, "what this operator applies to is ambiguous; put it in brackets")
             body, variables, partial = self.plain(items[k + 1 :]), item.variables, item.partial
             return Derivative(body, variables, partial), len(items)
@@ -697,6 +702,10 @@ class Builder:
             if k < len(items) and self.simple(items[k]):
                 raise self.fail(items[k].at, f"does this factor belong to the argument of {head.name}?")
             return self.powered(head, (argument,)), k
+        if k < len(items) and isinstance(items[k].node, Bars | Norm | MatrixOf) and not items[k].postfix:
+            if k + 1 < len(items) and (self.simple(items[k + 1]) or self.in_brackets(items[k + 1])):
+                raise self.fail(items[k + 1].at, f"does this factor belong to the argument of {head.name}?")
+            return self.powered(head, (self.atom(items[k]),)), k + 1
         start = k
         while k < len(items) and self.simple(items[k]):
             item = items[k]
@@ -744,7 +753,10 @@ class Builder:
         if head.power is None:
             return call
         if isinstance(head.power, Neg):
-            raise self.fail(head.at, f"the inverse function of {head.name}, or its reciprocal? write one or the other")
+            inverse = INVERSES.get(head.name)
+            if inverse is None or head.power != Neg(Number("1")) or not self.notation.inverse:
+                raise self.fail(head.at, f"the inverse function of {head.name}, or its reciprocal? write one or the other")
+            return Call(inverse, arguments) if self.notation.inverse == "function" else Pow(call, head.power)
         return Pow(call, head.power)
 
     def entries(self, listing: Listing | None) -> tuple[Tree, ...]:
