@@ -171,7 +171,10 @@ def enclosed(term: Term, at: Place = ()) -> Interval:
         case Value(tag="^", terms=(base, int(n))):
             return enclosed(base, at) ** n
         case Value(tag="pow", terms=(base, exponent)):
-            return exponential(enclosed(exponent, at) * logarithm(enclosed(base, at)))
+            power = enclosed(exponent, at)
+            if power.low == power.high and power.low % ONE == 0:
+                return enclosed(base, at) ** (power.low >> PLACES)
+            return exponential(power * logarithm(enclosed(base, at)))
         case Value(tag="+" | "*" as sign, terms=(first, *rest)):
             values = (enclosed(part, at) for part in rest)
             return reduce(Interval.__add__ if sign == "+" else Interval.__mul__, values, enclosed(first, at))

@@ -11,8 +11,11 @@ from symcheck.core.terms import Relation
 from symcheck.core.verdicts import SymcheckError, Verdict
 from symcheck.proof import certificate, identity
 from symcheck.question.answer import Answer, Status
-from symcheck.question.prepare import Asked, Reading, readings
+from symcheck.question.prepare import Asked, Reading, readings, sizes
 from symcheck.reading import to_latex
+
+
+SIZES = (1, 2, 3)  # one is found to be false for a small one, if at all
 
 
 def decide(
@@ -23,11 +26,17 @@ def decide(
 ) -> Answer:
     started = time.perf_counter()
     asked = Asked(relation, _several(where), _several(given), tuple((letters or {}).items()))
+    from dataclasses import replace
+
     try:
         found = [(reading, _decided(reading, asked)) for reading in readings(asked)]
     except SymcheckError as error:
-        return Answer(Status.UNREADABLE, reason=str(error), seconds=time.perf_counter() - started)
-    from dataclasses import replace
+        found, fault = [], str(error)
+    if not found or all(answer.verdict is Status.UNDECIDED for _, answer in found):
+        if at := _of_some_size(asked):
+            return replace(at, seconds=time.perf_counter() - started)
+    if not found:
+        return Answer(Status.UNREADABLE, reason=fault, seconds=time.perf_counter() - started)
 
     verdicts = {answer.verdict for _, answer in found}
     seconds = time.perf_counter() - started
@@ -35,6 +44,25 @@ def decide(
         return replace(found[0][1], seconds=seconds)
     shown = "; ".join(f"{', '.join(r.inference.choices)}: {a.verdict}" for r, a in found)
     return Answer(Status.AMBIGUOUS, reading=" | ".join(a.reading for _, a in found), reason=shown, seconds=seconds)
+
+
+def _of_some_size(asked: Asked) -> Answer | None:
+    """Refuted for one number of components or addends; else undecided, where it can be read for one."""
+    from dataclasses import replace
+
+    letters, answers = sizes(asked), []
+    for size in SIZES if letters else ():
+        try:
+            answers = [_decided(reading, asked) for reading in readings(asked, size)]
+        except SymcheckError:
+            continue
+        shown = ", ".join(f"{letter} = {size}" for letter in letters)
+        if all(answer.verdict is Status.REFUTED for answer in answers):
+            point = {**dict.fromkeys(letters, str(size)), **answers[0].counterexample}
+            return replace(answers[0], counterexample=point)
+    if not answers:
+        return None
+    return replace(answers[0], verdict=Status.UNDECIDED, certificate=(), reason=f"decided for {shown} only, not for all")
 
 
 def _several(texts: Iterable[str] | str) -> tuple[str, ...]:

@@ -11,7 +11,7 @@ from symcheck.core.problems import Problem
 from symcheck.core.terms import Formula, Term
 from symcheck.core.verdicts import SymcheckError
 from symcheck.reading import Notation, Tree, lower, read, tex
-from symcheck.reading.inference import Inference, canonical, inferred
+from symcheck.reading.inference import Inference, canonical, inferred, spelling
 from symcheck.reading.occurrences import occurrences
 from symcheck.reading.parser import dependence
 
@@ -19,6 +19,7 @@ _MEMBER = re.compile(r"^(.+?)\s*\\in\s*(.+)$", re.DOTALL)
 _SETS = {"R": "", "Z": "integer", "N": "integer", "Q": "", "C": "complex"}
 _SET = re.compile(r"^\\mathbb\s*\{?([RZNQC])\}?\s*(?:_\{?\s*(>\s*0|\\geq?\s*0|\+)\s*\}?)?\s*(?:\^\s*\{?([^{}]*)\}?)?$")
 Definitions = Mapping[str, tuple[str, tuple[str, ...], str]]  # left side, arguments and right side, by the letter
+_SIZE_OF = re.compile(r"\\mathbb\s*\{?R\}?\s*\^\s*\{?\s*([A-Za-z])\s*(?:\\times\s*([A-Za-z]))?")
 DEFINED = "defined"  # the name of the condition that every printed term has a value
 
 
@@ -42,11 +43,23 @@ class Reading:
     stated: Mapping[str, str]  # definitions and conditions as printed, by their names in the problems
 
 
+def sizes(asked: Asked) -> list[str]:
+    """The letters that say how many components or addends there are."""
+    found = [part for text in asked.given for m in [_SIZE_OF.search(text)] if m for part in m.groups() if part]
+    for text in (asked.relation, *asked.where):
+        found += [place.arguments[1] for place in occurrences(text) if place.role == "index" and place.arguments]
+    return [each for each in dict.fromkeys(found) if tex.spelled(each) is not None and each != r"\infty"]
+
+
 def members(given: Iterable[str], said: Mapping[str, str]) -> tuple[list[str], dict[str, str]]:
     r"""The conditions that are formulas, and what the others, such as `n \in \mathbb{Z}_{>0}`, say of letters."""
     conditions, phrases = list[str](), dict(said)
     for condition in given:
         match = _MEMBER.match(condition.strip())
+        if match and re.fullmatch(r"(?:\\(?:mathrm|operatorname|text)\s*\{)?SO\}?\s*\(\s*3\s*\)", match[2].strip()):
+            phrases[match[1]] = "rotation"
+            conditions += [rf"{match[1]}^T {match[1]} = \operatorname{{diag}}(1, 1, 1)", rf"\det({match[1]}) = 1"]
+            continue
         kind = _SET.match(match[2].strip()) if match else None
         if not match or not kind:
             conditions.append(condition)
@@ -55,7 +68,7 @@ def members(given: Iterable[str], said: Mapping[str, str]) -> tuple[list[str], d
         if which == "C":
             raise SymcheckError(f"{condition}: complex letters are not read yet; write real and imaginary parts")
         if size:
-            phrases.setdefault(latex, f"real {_size(size, condition)}")
+            phrases[latex] = f"real {_size(size, condition, said)}"
         elif _SETS[which]:
             phrases.setdefault(latex, _SETS[which])
         if part and ">" in part:
@@ -65,11 +78,12 @@ def members(given: Iterable[str], said: Mapping[str, str]) -> tuple[list[str], d
     return conditions, phrases
 
 
-def _size(text: str, condition: str) -> str:
-    found = re.fullmatch(r"\s*(\d+)\s*(?:\\times\s*(\d+))?\s*", text)
-    if not found:
-        raise SymcheckError(f"{condition}: vectors and matrices of an unknown size are not read yet; give it a number")
-    return " ".join(n for n in found.groups() if n)
+def _size(text: str, condition: str, said: Mapping[str, str]) -> str:
+    found = re.fullmatch(r"\s*(\S+?)\s*(?:\\times\s*(\S+?))?\s*", text)
+    numbers = [said.get(n, n).removeprefix("the number ") for n in found.groups() if n] if found else []
+    if not numbers or not all(n.isdigit() for n in numbers):
+        raise SymcheckError(f"{condition}: nothing can be said of vectors and matrices of all sizes at once")
+    return " ".join(numbers)
 
 
 def sides(latex: str) -> tuple[str, str] | None:
@@ -92,17 +106,12 @@ def definitions(where: Sequence[str]) -> tuple[dict[str, tuple[str, tuple[str, .
             others.append(equation)
             continue
         name, arguments = head
-        used = {canonical_of(place) for place in occurrences(parts[1])}
+        used = {spelling(place) for place in occurrences(parts[1])}
         if name in found or name in used:
             others.append(equation)
         else:
             found[name] = (parts[0], arguments, parts[1])
     return found, others
-
-
-def canonical_of(place: object) -> str:
-    """The spelling of a letter at one place, with its subscript."""
-    return place.word + (tex.subscript([tex.Tok(t, 0) for t in place.subscript]) if place.subscript else "")  # type: ignore[attr-defined]
 
 
 def _head(left: str) -> tuple[str, tuple[str, ...]] | None:
@@ -113,15 +122,20 @@ def _head(left: str) -> tuple[str, tuple[str, ...]] | None:
     first, rest = places[0], places[1:]
     if first.arguments is None:
         whole = canonical(left) if not rest else None
-        return (canonical_of(first), ()) if whole and not re.search(r"[-+*/^\[\]()|]|\\(frac|sqrt|dot)", left) else None
+        return (spelling(first), ()) if whole and not re.search(r"[-+*/^\[\]()|]|\\(frac|sqrt|dot)", left) else None
     if [place.word for place in rest] != [*first.arguments] or not left.rstrip().endswith(")"):
         return None
-    return canonical_of(first), first.arguments
+    return spelling(first), first.arguments
 
 
-def readings(asked: Asked) -> list[Reading]:
-    """All readings that make sense; SymcheckError with the reason of the first if none does."""
-    conditions, said = members(asked.given, dict(asked.letters))
+def readings(asked: Asked, size: int = 0) -> list[Reading]:
+    """All readings that make sense; SymcheckError with the reason of the first if none does.
+
+    With a size the letters that say how many components or addends there are stand for it.
+    """
+    fixed = {letter: f"the number {size}" for letter in sizes(asked)} if size else {}
+    conditions, said = members(asked.given, {**dict(asked.letters), **fixed})
+    said |= fixed
     defined, equations = definitions(asked.where)
     formulas = [asked.relation, *asked.where, *conditions]
     heads = {name: arguments for name, (_, arguments, _) in defined.items()}

@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Iterator
 from typing import Any
 
-from symcheck.core.terms import Term
-from symcheck.reading.complexes import Complex, added, multiplied, negative
+from symcheck.core.terms import Term, node
+from symcheck.reading.complexes import Complex, added, divided, multiplied, negative
 
 Value = Any  # Term | Complex, or a list of them, or a list of rows
 
@@ -86,6 +86,62 @@ def matmul(a: Value, b: Value) -> Value:
         return [dot(row, b) for row in a]
     columns = [list(column) for column in zip(*b, strict=True)]
     return [[dot(row, column) for column in columns] for row in a]
+
+
+def identity(size: int) -> list[list[Term]]:
+    """The identity matrix."""
+    return [[int(k == m) for m in range(size)] for k in range(size)]
+
+
+def inverse(rows: list[list[Term]]) -> Value:
+    """The inverse of a square matrix: its adjugate divided by its determinant."""
+    size, whole = len(rows), det(rows)
+    if size == 1:
+        return [[divided(1, whole)]]
+
+    def minor(k: int, m: int) -> Value:
+        found = det([[x for n, x in enumerate(row) if n != m] for j, row in enumerate(rows) if j != k])
+        return minus(0, found) if (k + m) % 2 else found
+
+    return [[divided(minor(m, k), whole) for m in range(size)] for k in range(size)]
+
+
+def power(rows: Value, exponent: int) -> Value:
+    """A whole power of a square matrix."""
+    base = rows if exponent >= 0 else inverse(rows)
+    result: Value = identity(len(rows))
+    for n in range(abs(exponent)):
+        result = matmul(result, base) if n else base
+    return result
+
+
+def rotation(rows: Value) -> Value | None:
+    """The exponential of a skew-symmetric matrix of two or three rows; None for another one."""
+    size = len(rows)
+    if size not in (2, 3) or any(_signed(rows[k][k])[1] != 0 for k in range(size)):
+        return None
+    if any(_signed(rows[k][m]) != _signed(minus(0, rows[m][k])) for k in range(size) for m in range(k)):
+        return None
+    if size == 2:
+        angle = rows[1][0]
+        c, s = node("cos", angle), node("sin", angle)
+        return [[c, node("-", s)], [s, c]]
+    x, y, z = rows[2][1], rows[0][2], rows[1][0]
+    square = plus(node("^", t, 2) for t in (x, y, z))
+    angle = node("sqrt", square)
+    first, second = node("/", node("sin", angle), angle), node("/", plus([1, node("-", node("cos", angle))]), square)
+    turned = matmul(rows, rows)
+    return [
+        [plus([int(k == m), times(first, rows[k][m]), times(second, turned[k][m])]) for m in range(3)] for k in range(3)
+    ]
+
+
+def _signed(t: Term) -> tuple[int, Term]:
+    """A sign, and what stands behind all its signs."""
+    sign = 1
+    while isinstance(t, tuple) and t.tag == "-":
+        sign, t = -sign, t.terms[0]
+    return sign, t
 
 
 def skew(v: list[Term]) -> list[list[Term]]:

@@ -13,6 +13,7 @@ from dataclasses import dataclass, field, replace
 
 from symcheck.core.verdicts import SymcheckError
 from symcheck.reading import tex
+from symcheck.reading.commands import known
 from symcheck.reading.notation import VALUE, Letter, Notation, instances
 from symcheck.reading.occurrences import Occurrence, occurrences, words
 
@@ -71,6 +72,7 @@ class Evidence:
     said: str = ""
     index: bool = False
     whole: bool = False
+    running: bool = False
 
     @property
     def dotted(self) -> bool:
@@ -134,26 +136,33 @@ def inferred(formulas: Sequence[str], said: Mapping[str, str], defined: Mapping[
 def gathered(formulas: Sequence[str], said: Mapping[str, str]) -> dict[str, Evidence]:
     """All letters with their places; those below a sum and those said to be are indices."""
     wholes = names_of_several_tokens(formulas, said)
-    places = [place for formula in formulas for place in occurrences(formula, wholes)]
+    places = [place for formula in formulas for place in _paired(occurrences(formula, wholes))]
     index = {place.word for place in places if place.role == "index"}
     index |= {canonical(latex) for latex, phrase in said.items() if phrase == "index"}
+    ends = {place.word: place.arguments for place in places if place.role == "index" and place.arguments}
     families = {p.word for p in places if p.subscript is not None and index.intersection(words(p.subscript))}
     phrases = {latex if latex in wholes else canonical(latex): phrase for latex, phrase in said.items()}
     found: dict[str, Evidence] = {}
     for place in places:
         if place.role == "subscript":
             continue
-        tokens, spelling = words(place.subscript), place.word
+        tokens, latex = words(place.subscript), place.word
         family = place.word in families and bool(tokens) and all(t in index or t.isdigit() for t in tokens)
         if tokens and not family:
-            spelling += tex.subscript([tex.Tok(text, 0) for text in place.subscript or ()])
-        key = f"{spelling} {len(tokens)}" if family else spelling
-        own = found.setdefault(key, Evidence(spelling, indices=len(tokens) if family else 0))
+            latex += tex.subscript([tex.Tok(text, 0) for text in place.subscript or ()])
+        key = f"{latex} {len(tokens)}" if family else latex
+        own = found.setdefault(key, Evidence(latex, indices=len(tokens) if family else 0))
         own.places.append(place)
         own.values |= {int(t) for t in tokens if t.isdigit()} if family else set()
-        own.said = phrases.get(spelling, "")
-        own.index = spelling in index and not tokens
-        own.whole = spelling in wholes
+        own.said = phrases.get(latex, "")
+        own.index = latex in index and not tokens
+        own.whole = latex in wholes
+        for low, high in (ends.get(t, ("", "")) for t in tokens) if family else ():
+            low, high = (phrases.get(end, "").removeprefix("the number ") or end for end in (low, high))
+            if low.isdigit() and high.isdigit():
+                own.values |= {int(low), int(high)}
+            elif high:
+                own.running = True
     return found
 
 
@@ -173,9 +182,18 @@ def names_of_several_tokens(formulas: Sequence[str], said: Mapping[str, str]) ->
 
 def _is_letter(latex: str) -> bool:
     """Is this one letter, with a subscript at most?"""
-    places = [place for place in occurrences(latex) if place.role != "subscript"]
-    plain = bool(places) and places[0].superscript is None and places[0].arguments is None
-    return len(places) == 1 and plain and not re.search(r"[\[\](|]|\\l?floor", latex)
+    reader = tex.Reader(latex)
+    if not tex.is_letter(reader.peek()):
+        return False
+    try:
+        word = reader.spelling()
+        while reader.peek() in ("'", "_"):
+            mark, reader.i = reader.peek(), reader.i + 1
+            if mark == "_":
+                reader.group()
+    except SymcheckError:
+        return False
+    return reader.i == len(reader.toks) and not (known(word) and word != r"\Gamma")
 
 
 def _complete(evidence: dict[str, Evidence]) -> None:
@@ -192,13 +210,28 @@ def _complete(evidence: dict[str, Evidence]) -> None:
             own.said = own.said or "vector"
 
 
+def _paired(places: Sequence[Occurrence]) -> list[Occurrence]:
+    """The same, each with the letters beside it behind a dot or a cross."""
+    found = list(places)
+    own = [k for k, place in enumerate(places) if place.role != "subscript"]
+    for k, m in itertools.pairwise(own):
+        if places[k].after in (r"\cdot", r"\times") and places[m].before == places[k].after:
+            found[k] = replace(found[k], beside=(*found[k].beside, spelling(places[m])))
+            found[m] = replace(found[m], beside=(*found[m].beside, spelling(places[k])))
+    return found
+
+
+def spelling(place: Occurrence) -> str:
+    """The spelling of the letter at one place, with its subscript."""
+    return place.word + (tex.subscript([tex.Tok(t, 0) for t in place.subscript]) if place.subscript else "")
+
+
 def canonical(latex: str) -> str:
     """The spelling of a letter as evidence is kept."""
     found = occurrences(latex)
     if not found:
         return latex
-    place = found[0]
-    return place.word + (tex.subscript([tex.Tok(t, 0) for t in place.subscript]) if place.subscript else "")
+    return spelling(found[0])
 
 
 def _options(of: Evidence, every: Mapping[str, Evidence], defined: Mapping[str, tuple[str, ...]]) -> Iterator[Guess]:
@@ -229,17 +262,51 @@ def _options(of: Evidence, every: Mapping[str, Evidence], defined: Mapping[str, 
         yield from (function, product) if latex in _TYPICAL else (product, function)
     elif of.dotted or _is_derived(of):
         yield from _dependent(of, every, latex in defined)
+    elif latex in _IDENTITIES and (size := _matrix_size(every)):
+        yield Guess(_letter(of, kind="matrix", size=(size, size), identity=True), "the identity", "it stands beside matrices")
     elif _STYLED.match(latex):
         yield from _styled(of)
+    elif _beside_vectors(of, every):
+        yield Guess(_letter(of, kind="vector", depends=""), "a vector", "it is multiplied by one")
     else:
         yield Guess(_letter(of, depends=""), "a real number", "nothing else is done with it")
+
+
+_IDENTITIES = frozenset({"I", r"\mathbf{I}", r"\bm{I}", r"\boldsymbol{I}", r"\mathbb{I}", r"\mathbf{1}"})
+
+
+def _matrix_size(every: Mapping[str, Evidence]) -> int:
+    """The number of rows of the matrices of which something is said, or that are capital and bold; 0 without any."""
+    for each in every.values():
+        if each.spelling in _IDENTITIES:
+            continue
+        if match := re.fullmatch(r"real (\d+) (\d+)", each.said):
+            return int(match[1])
+        if each.said.startswith(("matrix", "skew matrix")):
+            return 3
+    return 0
+
+
+def _beside_vectors(of: Evidence, every: Mapping[str, Evidence]) -> bool:
+    """Does a dot or a cross stand between it and a vector, or is it the length of something with a hat?"""
+    def is_vector(spelling: str) -> bool:
+        each = every.get(spelling)
+        styled = _STYLED.match(spelling) is not None and not spelling[-2].isupper()
+        return each is not None and (styled or each.said == "vector" or re.fullmatch(r"real \d+", each.said) is not None)
+
+    beside = {x for place in of.places for x in place.beside}
+    accented = re.match(r"\\(hat|widehat|vec)\{", of.spelling) is not None
+    return any(map(is_vector, beside)) or (accented and any(p.before in ("|", r"\|") and p.after in ("|", r"\|") for p in of.places))
 
 
 def _as_said(of: Evidence, every: Mapping[str, Evidence]) -> Guess:
     """A letter of which something is said."""
     phrase, why = of.said, "it is said to be"
     if phrase in ("scalar", "integer"):
-        return Guess(_letter(of, depends=""), "a real number" if phrase == "scalar" else "a whole number", why)
+        whole = phrase == "integer"
+        return Guess(_letter(of, depends="", integer=whole), "a whole number" if whole else "a real number", why)
+    if match := re.fullmatch(r"the number (\d+)", phrase):
+        return Guess(Letter(of.spelling, value=int(match[1]), name=_plain(of.spelling)), phrase, why)
     if phrase == "index":
         return Guess(Letter(of.spelling, kind="index", name=_plain(of.spelling)), "an index", why)
     if phrase == "differential":
@@ -252,6 +319,8 @@ def _as_said(of: Evidence, every: Mapping[str, Evidence]) -> Guess:
     if match := re.fullmatch(r"(function of|depends on) (.+)", phrase):
         kind = "function" if match[1] == "function of" else "scalar"
         return Guess(_letter(of, kind=kind, depends=match[2]), f"a function of {match[2]}", why)
+    if phrase == "rotation":
+        return Guess(_letter(of, kind="matrix", depends=depends), "a rotation matrix", why)
     if match := re.fullmatch(r"skew matrix of (.+)", phrase):
         return Guess(_letter(of, kind="matrix", skew=match[1]), f"the skew matrix of {match[1]}", why)
     if match := re.fullmatch(r"real (\d+)(?: (\d+))?", phrase):
@@ -349,7 +418,7 @@ def _styled(of: Evidence) -> Iterator[Guess]:
 def _letter(of: Evidence, **given: object) -> Letter:
     values = tuple(range(min(of.values, default=1), max(of.values, default=3) + 1))
     given.setdefault("name", _plain(of.spelling))
-    return Letter(of.spelling, indices=of.indices, range=values, whole=of.whole, **given)  # type: ignore[arg-type]
+    return Letter(of.spelling, indices=of.indices, range=values, whole=of.whole, running=of.running, **given)  # type: ignore[arg-type]
 
 
 def _plain(latex: str) -> str:

@@ -413,12 +413,19 @@ class Lexer(tex.Reader):
         if inside == [r"\circ"]:
             self.group()
             self.emit("DEGREE", None, at)
-        elif inside in (["T"], [r"\top"]) and not self.notation.knows("T"):
+        elif inside in (["T"], [r"\top"], [r"\intercal"]) and self.transposes():
             self.group()
             self.emit("TRANSPOSE", None, at)
         else:
             self.emit("CARET", "^", at)
             self.argument()
+
+    def transposes(self) -> bool:
+        """Is this T the sign of a transposed matrix, and no exponent?"""
+        base = next((lexeme for lexeme in reversed(self.out) if lexeme.type != "GAP"), None)
+        name = base.value if base is not None and base.type == "NAME" else None
+        letter = self.notation.find(name.letter, len(name.subscripts)) if name is not None else None
+        return not self.notation.knows("T") or (letter is not None and letter.kind in ("vector", "matrix"))
 
     def primed(self, at: int) -> tuple[Name, ...]:
         """The letters by which primes behind a bracket differentiate: `(...)''_{aa}`."""

@@ -24,9 +24,12 @@ from symcheck.reading.components import (
     det,
     dot,
     flat,
+    identity,
     matmul,
     minus,
     plus,
+    power,
+    rotation,
     says,
     shape,
     skew,
@@ -88,7 +91,7 @@ from symcheck.reading.tree import (
     with_children,
 )
 
-Env = Mapping[str, int]
+Env = Mapping[str, Term]  # the values of indices; a letter where a sum cannot be written out
 
 SIGNS = {"=": "=", r"\equiv": "=", r"\ne": "!=", "<": "<", r"\le": "<=", ">": ">", r"\ge": ">="}
 
@@ -449,6 +452,8 @@ class Lowering:
                 "depends='x' for a function of x, depends='' if the prime makes another letter"
             )
         indices = self.places(tree, letter, env)
+        if letter.value is not None and not tree.primes:
+            return letter.value
         if letter.number:
             if tree.primes:
                 raise SymcheckError(f"{to_latex(tree)}: a number has no primes")
@@ -465,7 +470,9 @@ class Lowering:
     def places(self, tree: Name, letter: Letter, env: Env) -> tuple[int, ...]:
         """The values of the indices of a letter."""
         indices = tuple(self.index(s, env) for s in tree.subscripts)
-        for value in indices:
+        for value in indices if not letter.running else ():
+            if not isinstance(value, int):
+                raise SymcheckError(f"{to_latex(tree)}: the sum over its index cannot be written out")
             if value not in letter.range:
                 raise SymcheckError(f"index {value} in {to_latex(tree)} is outside the range of {letter.latex}")
         return indices
@@ -478,9 +485,11 @@ class Lowering:
 
     def instance(self, letter: Letter, stem: str, indices: tuple[int, ...], printed: Name | None = None) -> Term:
         """A variable, or the function it is of the letters that it depends on."""
-        name = variable(stem, indices)
+        name = stem if letter.running else variable(stem, indices)
         if printed is not None and not self.inside:
             self.met.setdefault(name, printed)
+        if letter.running:
+            return node("call", name, (0,) * len(indices), *indices)
         if not letter.depends or letter.named:
             return name
         arguments = self.arguments(letter, indices)
@@ -521,7 +530,7 @@ class Lowering:
             raise SymcheckError(f"{to_latex(tree)} is no variable; a derivative, an integral or a mean is taken by one")
         return found
 
-    def index(self, index: int | str, env: Env) -> int:
+    def index(self, index: int | str, env: Env) -> Term:
         if isinstance(index, int):
             return index
         if index not in env:
@@ -537,6 +546,8 @@ class Lowering:
             value = self.value(_components(letter, self.notation), env)
             self.inside = self.inside[:-1]
             return value
+        if letter.identity:
+            return identity(letter.places[0][-1])
         if letter.skew:
             return skew(self.value(_vector(letter, self.notation), {}))
         rows, *columns = letter.places
@@ -586,14 +597,21 @@ class Lowering:
         return zipped(lambda t: divided(t, bottom), [self.value(tree.top, env)])
 
     def of_pow(self, tree: Pow, env: Env) -> Value:
-        exponent = self.complex(tree.exponent, env)
+        exponent = self.value(tree.exponent, env)
         if isinstance(tree.base, Name) and not tree.base.primes:
             letter = self.notation.find(tree.base.letter, len(tree.base.subscripts))
             if letter is not None and letter.number == "e":
-                return function_of("exp", exponent)
+                return self.exponential(tree, exponent)
+        if isinstance(exponent, list):
+            raise SymcheckError(f"{to_latex(tree)}: the exponent is a {says(exponent)}")
         if isinstance(exponent, tuple) and exponent[0] == "-" and isinstance(exponent[1], int):
             exponent = -exponent[1]
-        base = self.complex(tree.base, env)
+        base = self.value(tree.base, env)
+        if isinstance(base, list):
+            return self.matrix_power(tree, base, exponent)
+        if base == -1 or base == node("-", 1):
+            if self.is_whole(tree.exponent) and not isinstance(exponent, int):
+                return node("cos", node("*", PI, exponent))
         if base == 0 and exponent == 0:
             raise SymcheckError(f"{to_latex(tree)} has no value on which all agree; write 1 if that is meant")
         if isinstance(base, Complex):
@@ -601,6 +619,31 @@ class Lowering:
         if isinstance(exponent, Complex):
             return function_of("exp", multiplied(exponent, node("log", base)))
         return node("^", base, exponent) if isinstance(exponent, int) else node("pow", base, exponent)
+
+    def exponential(self, tree: Tree, exponent: Value) -> Value:
+        """e to a number, or to a skew-symmetric matrix."""
+        if isinstance(exponent, list):
+            turned = rotation(exponent) if len(shape(exponent)) == 2 and len(exponent) == len(exponent[0]) else None
+            if turned is None:
+                raise SymcheckError(f"{to_latex(tree)}: only the exponential of a skew-symmetric matrix is read")
+            return turned
+        return function_of("exp", exponent)
+
+    def matrix_power(self, tree: Tree, base: Value, exponent: Value) -> Value:
+        size = shape(base)
+        if len(size) != 2 or size[0] != size[1] or not isinstance(exponent, int):
+            if len(size) == 1 and exponent == 2:
+                raise SymcheckError(f"{to_latex(tree)}: the square of a vector; write its scalar product or its length")
+            raise SymcheckError(f"{to_latex(tree)}: only a whole power of a square matrix is read")
+        return power(base, exponent)
+
+    def is_whole(self, tree: Tree) -> bool:
+        """Is this made of whole numbers alone?"""
+        if isinstance(tree, Name):
+            letter = self.notation.find(tree.letter, len(tree.subscripts))
+            return _is_index(tree, self.notation) or (letter is not None and letter.integer)
+        whole = isinstance(tree, tree_of.Number) and tree.text.isdigit()
+        return whole or (isinstance(tree, Add | Neg | Mul) and all(map(self.is_whole, children(tree))))
 
     def of_sqrt(self, tree: Sqrt, env: Env) -> Value:
         return node("sqrt", self.scalar(tree.value, env))
@@ -630,6 +673,8 @@ class Lowering:
 
     def of_evaluated(self, tree: Evaluated, env: Env) -> Value:
         value, by = self.value(tree.body, env), self.variable(tree.variable, env)
+        if not self.inside:
+            self.met.pop(by, None)
         ends = [self.scalar(end, env) for end in (tree.high, tree.low) if end is not None]
         at = [zipped(lambda t, end=end: substituted(t, {by: end}), [value]) for end in ends]
         return at[0] if len(at) == 1 else zipped(lambda high, low: added(high, negative(low)), at)
@@ -689,6 +734,8 @@ class Lowering:
                 return function_of("ln" if self.notation.log == "e" else "lg", value)
             if tree.function in OPERATIONS:
                 return OPERATIONS[tree.function](tree, value)
+            if tree.function == "exp" and isinstance(value, list):
+                return self.exponential(tree, value)
             if not isinstance(value, list) and (found := function_of(tree.function, value)) is not None:
                 return found
         raise SymcheckError(f"{to_latex(tree)} has no algebraic form; state it formally")
@@ -749,6 +796,8 @@ class Lowering:
         return value
 
     def of_bigsum(self, tree: BigSum, env: Env) -> Value:
+        if (ends := self.ends(tree, env)) is not None:
+            return self.series(tree, *ends, env)
         ranges = [self.bounds(tree, index, env) for index in tree.indices]
         values = [
             self.value(tree.body, {**env, **dict(zip(tree.indices, at, strict=True))})
@@ -757,6 +806,22 @@ class Lowering:
         if not values:
             raise SymcheckError(f"{to_latex(tree)} is an empty sum; check its bounds")
         return values[0] if len(values) == 1 else zipped(added, values)
+
+    def ends(self, tree: BigSum, env: Env) -> tuple[Term, Term] | None:
+        """The bounds of a sum that cannot be written out."""
+        if tree.low is None or tree.high is None or len(tree.indices) != 1:
+            return None
+        low, high = self.scalar(tree.low, env), self.bound(tree.high, env)
+        return None if isinstance(low, int) and isinstance(high, int) else (low, high)
+
+    def series(self, tree: BigSum, low: Term, high: Term, env: Env) -> Value:
+        """A sum up to a letter, or to infinity; its index is a letter in the body."""
+        (index,) = tree.indices
+        letter = self.notation.index(index)
+        if letter is None:
+            raise SymcheckError(f"{index} is not an index; declare it as one in the notation")
+        body = self.value(tree.body, {**env, index: letter.stem})
+        return zipped(lambda *t: _series(letter.stem, low, high, *t), [body])
 
     def bounds(self, tree: BigSum, index: str, env: Env) -> tuple[int, ...]:
         if tree.low is None or tree.high is None:
@@ -927,6 +992,12 @@ def _part(k: int) -> Callable[[Tree, Value], Value]:
 OPERATIONS: dict[str, Callable[[Tree, Value], Value]] = {  # functions of matrices, and parts of complex numbers
     "det": determinant, "tr": _trace, "Tr": _trace, "Re": _part(0), "Im": _part(1),
 }  # fmt: skip
+
+
+def _series(index: str, low: Term, high: Term, body: Value) -> Value:
+    if isinstance(body, Complex):
+        return Complex(*(node("sum", part, index, low, high) if part != 0 else 0 for part in parts(body)))
+    return node("sum", body, index, low, high)
 
 
 def _names(tree: object) -> Iterator[str]:

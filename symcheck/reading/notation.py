@@ -71,6 +71,14 @@ class Letter:
         "e", "i" or "pi" for a letter that is this number.
     size
         The number of components of a vector, (n,), or of rows and columns of a matrix; 3 of each by default.
+    integer
+        Whether it is a whole number.
+    value
+        The whole number for which it stands, where a statement is looked at for one size.
+    running
+        Whether its indices run up to a letter: then it is a function of them.
+    identity
+        Whether this matrix is the identity.
     whole
         Whether the spelling is one name though it is printed with several tokens: `E[\rho]`, `\Delta h`, `f^c`.
     skew
@@ -106,6 +114,10 @@ class Letter:
     size: tuple[int, ...] = ()
     skew: str = ""
     whole: bool = False
+    integer: bool = False
+    value: int | None = None
+    running: bool = False
+    identity: bool = False
 
     def __post_init__(self) -> None:
         if self.kind not in KINDS:
@@ -220,7 +232,10 @@ def instances(letter: Letter) -> Iterator[tuple[str, tuple[int, ...]]]:
     """All variables and functions this letter is lowered to, each with its indices."""
     if letter.kind in ("differential", "index") or letter.components is not None or letter.number:
         return
-    if letter.skew:
+    if letter.skew or letter.identity or letter.value is not None:
+        return
+    if letter.running:
+        yield letter.stem, ()
         return
     for indices in itertools.product(*[letter.range] * letter.indices, *letter.places):
         yield variable(letter.stem, indices), indices

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from symcheck.reading import tex
 from symcheck.reading.commands import ROMAN, known
@@ -12,6 +12,7 @@ from symcheck.reading.notation import undotted
 
 SIGNED_SUMS = frozenset({r"\sum", r"\prod"})
 FRACTIONS = frozenset({r"\frac", r"\dfrac", r"\tfrac"})
+TRANSPOSED = frozenset({("T",), (r"\top",), (r"\intercal",)})  # superscripts that transpose a matrix
 DIFFERENTIALS = frozenset({"d", r"\partial", r"\text{d}"})
 
 
@@ -46,6 +47,7 @@ class Occurrence:
     before: str = ""
     after: str = ""
     by: tuple[str, ...] = ()  # the letters below the derivative under which it stands
+    beside: tuple[str, ...] = ()  # letters behind a dot or a cross before it or behind it
     exponent: bool = False  # does it stand in an exponent of e?
 
 
@@ -144,9 +146,20 @@ class Scan(tex.Reader):
             tokens = self.group()
             end, self.i = self.i, start + (self.peek_at(start) == "{")
             signs = [k for k, tok in enumerate(tokens) if tok.text in ("=", r"\in")]
-            yield from self.run(Scope("index", scope.by), self.i + (signs[0] if signs else len(tokens)))
+            ends = ("".join(tok.text for tok in tokens[signs[0] + 1 :]) if signs else "", self.above(end))
+            for index in self.run(Scope("index", scope.by), self.i + (signs[0] if signs else len(tokens))):
+                yield replace(index, arguments=ends)
             yield from self.run(Scope(scope.role, scope.by, exponent=scope.exponent), end)
             self.i = end
+
+    def above(self, place: int) -> str:
+        """The upper bound that stands here, as text."""
+        if self.peek_at(place) != "^":
+            return ""
+        kept, self.i = self.i, place + 1
+        text = "".join(tok.text for tok in self.group()) if self.i < len(self.toks) else ""
+        self.i = kept
+        return text
 
     def peek_at(self, place: int) -> str:
         return self.toks[place].text if place < len(self.toks) else ""
@@ -237,6 +250,8 @@ class Scan(tex.Reader):
                 continue
             place = self.i
             tokens = tuple(tok.text for tok in self.group()) if self.i < len(self.toks) else ()
+            if mark == "^" and tuple(words(tokens)) in TRANSPOSED:
+                continue
             if mark == "^" and tokens and set(tokens) <= {"'", r"\prime"}:
                 primes += len(tokens)
                 continue
@@ -248,7 +263,7 @@ class Scan(tex.Reader):
         arguments = self.arguments()
         after = next((tok.text for tok in self.toks[self.i :] if tok.text not in SPACES | SIZES), "")
         yield Occurrence(
-            word, dots, primes, scripts.get("_"), scripts.get("^"), arguments, scope.role, before, after, scope.by, scope.exponent
+            word, dots, primes, scripts.get("_"), scripts.get("^"), arguments, scope.role, before, after, scope.by, exponent=scope.exponent
         )
         yield from inner
 
