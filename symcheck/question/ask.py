@@ -25,15 +25,16 @@ def decide(
     letters: Mapping[str, str] | None = None,
 ) -> Answer:
     started = time.perf_counter()
-    asked = Asked(relation, _several(where), _several(given), tuple((letters or {}).items()))
     from dataclasses import replace
 
+    asked = None
     try:
+        asked = Asked(relation, _several(where), _several(given), tuple((letters or {}).items()))
         found = [(reading, _decided(reading, asked)) for reading in readings(asked)]
     except SymcheckError as error:
         found, fault = [], str(error)
     if not found or all(answer.verdict is Status.UNDECIDED for _, answer in found):
-        if at := _of_some_size(asked):
+        if asked and (at := _of_some_size(asked)):
             return replace(at, seconds=time.perf_counter() - started)
     if not found:
         return Answer(Status.UNREADABLE, reason=fault, seconds=time.perf_counter() - started)

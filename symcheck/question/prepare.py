@@ -20,6 +20,7 @@ _SETS = {"R": "", "Z": "integer", "N": "integer", "Q": "", "C": "complex"}
 _SET = re.compile(r"^\\mathbb\s*\{?([RZNQC])\}?\s*(?:_\{?\s*(>\s*0|\\geq?\s*0|\+)\s*\}?)?\s*(?:\^\s*\{?([^{}]*)\}?)?$")
 Definitions = Mapping[str, tuple[str, tuple[str, ...], str]]  # left side, arguments and right side, by the letter
 _SIZE_OF = re.compile(r"\\mathbb\s*\{?R\}?\s*\^\s*\{?\s*([A-Za-z])\s*(?:\\times\s*([A-Za-z]))?")
+LONGEST = 20_000  # characters; the longest display of the corpora has a tenth of it
 DEFINED = "defined"  # the name of the condition that every printed term has a value
 
 
@@ -31,6 +32,13 @@ class Asked:
     where: tuple[str, ...] = ()
     given: tuple[str, ...] = ()
     letters: tuple[tuple[str, str], ...] = ()
+
+    def __post_init__(self) -> None:
+        for text in (self.relation, *self.where, *self.given):
+            if len(text) > LONGEST:
+                raise SymcheckError(f"{text[:40]}... has {len(text)} characters; more than {LONGEST} are no formula")
+            if strange := [k for k, c in enumerate(text) if not c.isprintable() and not c.isspace()]:
+                raise SymcheckError(f"a control character stands at character {strange[0] + 1} of {text[:40]!r}; remove it")
 
 
 @dataclass(frozen=True)
