@@ -19,7 +19,7 @@ from symcheck.core.formulas import contrary
 from symcheck.core.terms import RELATIONS, Formula, node
 from symcheck.core.verdicts import Certificate, Verdict
 from symcheck.proof import certificate, fails_at, identity
-from symcheck.proof.farkas import positive_relation
+from symcheck.proof.algebra.simplex import positive_relation
 from symcheck.reading import Letter, Notation, lower, read
 from symcheck.views.steps import point, sides
 

@@ -17,8 +17,9 @@ from symcheck.core.claims import Outcome, Problem
 from symcheck.core.terms import INFINITY, PI, Term, node
 from symcheck.core.verdicts import Certificate, Verdict
 from symcheck.proof import certificate, identity, proof_of
-from symcheck.proof.certificate import proof
-from symcheck.proof.closed import order_of_numbers
+from symcheck.proof.rules.enclosure import order_of_numbers
+from symcheck.proof.rules.nonnegative import Nonnegative
+from symcheck.proof.rules.step import written
 from symcheck.reading import Letter, Notation, lower, read
 
 LETTERS = Notation([*map(Letter, ("a", "b", "u")), Letter(r"\pi")], decimals="rounded")
@@ -289,7 +290,7 @@ def test_an_order_of_numbers_inside_a_larger_proof() -> None:
     less = node("<", node("arcsin", node("/", node("sqrt", 2), 2)), node("arcsin", node("/", 2, node("sqrt", 7))))
     found = order_of_numbers(less, {})
     assert found is not None
-    assert claimed(less, proof(found)) is None
+    assert claimed(less, json.loads(written(found))) is None
     assert order_of_numbers(node(">", *less[1:]), {}) is None
     assert order_of_numbers(node("<", "a", PI), {}) is None
 
@@ -424,4 +425,4 @@ def test_other_statements_are_not_touched() -> None:
     outcome = proof_of(rational)
     assert outcome is not None
     assert outcome.proof is not None
-    assert outcome.proof["rule"] == "nonnegative"
+    assert isinstance(outcome.proof.step.step, Nonnegative)

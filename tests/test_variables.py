@@ -13,8 +13,8 @@ from symcheck.core.claims import Problem
 from symcheck.core.terms import INFINITY, Formula, Term, node
 from symcheck.core.verdicts import Verdict
 from symcheck.proof import certificate, equivalent, identity
-from symcheck.proof.polynomial import Ring, Unsupported, alone, letters_of, variables
-from symcheck.proof.variables import Table, atoms, one_problem
+from symcheck.proof.algebra.polynomial import Ring, Unsupported, alone, letters_of, variables
+from symcheck.proof.algebra.variables import Table, atoms, one_problem
 
 SHIFTED = [node("sqrt", node("+", "x", number)) for number in (378610, 2312624)]
 

@@ -8,9 +8,11 @@ from types import ModuleType
 from typing import TYPE_CHECKING
 
 from symcheck.core.terms import Formula, Term
-from symcheck.core.verdicts import Certificate, Origin, Role, SymcheckError, Verdict
+from symcheck.core.verdicts import Origin, Role, SymcheckError, Verdict
 
 if TYPE_CHECKING:
+    from symcheck.proof.rules.compute import Point
+    from symcheck.proof.rules.proof import Proof
     from symcheck.reading import Notation
 
 
@@ -59,11 +61,11 @@ class Problem:
 
 @dataclass(frozen=True)
 class Outcome:
-    """What a method answers. `proof` is the checker's rule tree; a refutation carries `point` instead."""
+    """What a method answers: with a proof, a point of a refutation, or a reason."""
 
     verdict: Verdict
-    proof: Certificate | None = None
-    point: Certificate | None = None
+    proof: Proof | None = None
+    point: Point | None = None
     used: tuple[str, ...] = ()
     reason: str = ""
 
