@@ -127,7 +127,7 @@ def test_an_order_does_not_hold_at_the_end_of_its_interval(number: int) -> None:
         outcome, _ = decided(order, closed)
         assert outcome.verdict is Verdict.REFUTED
         assert outcome.point is not None
-        assert outcome.point["values"]["a"] == formula(f"a = {LIMITS[k]}")[2]  # nowhere else
+        assert outcome.point.values["a"] == formula(f"a = {LIMITS[k]}")[2]  # nowhere else
 
 
 BOTH = rf"{D[1]} = {D[2]} \land {D[2]} = {D[3]}"

@@ -21,10 +21,10 @@ from symcheck.core.verdicts import Certificate, Verdict
 from symcheck.core.words import term
 from symcheck.proof import cases, certificate, equivalent, existence, identity, nonnegative
 from symcheck.proof.algebra.facts import Assumed, Hypothesis
+from symcheck.proof.algebra.forms import positive_form
 from symcheck.proof.algebra.groebner import Basis, lcm
 from symcheck.proof.algebra.ideal import Ideal
 from symcheck.proof.algebra.knowledge import ring_of, starting
-from symcheck.proof.algebra.forms import positive_form
 from symcheck.proof.algebra.polynomial import Ring, Unsupported, square_free
 from symcheck.proof.rules.each import Each
 from symcheck.proof.rules.identity import Identity

@@ -31,7 +31,7 @@ from symcheck.checker.statements import Index as StatementIndex
 from symcheck.core.calculus import letters
 from symcheck.core.claims import Outcome, Problem
 from symcheck.core.terms import JSON, node
-from symcheck.core.verdicts import Certificate, Role, SymcheckError, Verdict
+from symcheck.core.verdicts import Role, SymcheckError, Verdict
 from symcheck.ledger import store
 from symcheck.ledger.record import Record
 from symcheck.proof import fails_at, identity

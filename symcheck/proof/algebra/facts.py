@@ -78,6 +78,8 @@ class Positive(Signed):
 
 Nonzero = Reference | Positive
 Fact = tuple[Reference, Poly]  # also a cofactor: of the fact, the polynomial to multiply it with
+
+
 def by_construction(ring: Ring) -> list[Fact]:
     """The axioms of a ring as facts."""
     return [(Axiom(variable), poly) for variable, poly in ring.axioms().items()]

@@ -180,5 +180,3 @@ def is_square_minus_number(poly: Poly) -> bool:
 
 def _short(poly: Poly) -> bool:
     return len(poly) <= MAX_TERMS and poly.total_degree() <= MAX_DEGREE
-
-

@@ -573,7 +573,7 @@ class Ring:
         return result
 
     def axioms(self) -> dict[str, Poly]:
-        """What holds of sines, with their cosines, and of roots by construction: by variable, a polynomial that is zero."""
+        """By variable, a polynomial that is zero by construction: of sines, with their cosines, and of roots."""
         found: dict[str, Poly] = {}
         for name in self.names:
             function, x = circle(name) or ("", "")

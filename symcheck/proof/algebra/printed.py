@@ -19,8 +19,6 @@ def _product(text: str) -> Term:
     for factor in text.split("*"):
         name, _, exponent = factor.partition("^")
         top, _, bottom = name.partition("/")
-        number: Term = (
-            node("/", int(top), int(bottom)) if bottom else int(top) if top.isdigit() else table().term(name)
-        )
+        number: Term = node("/", int(top), int(bottom)) if bottom else int(top) if top.isdigit() else table().term(name)
         factors.append(node("^", number, int(exponent)) if exponent else number)
     return factors[0] if len(factors) == 1 else node("*", *factors)

@@ -40,13 +40,14 @@ def vanishing(product: Product, cofactors: Iterable[Fact]) -> Absurd:
 
 
 def absurd_at(place: Place) -> Absurd | None:
-    """One, or a condition of which it is known that it is not zero, vanishes at a place of a search."""
+    """One, or something that is not zero by a condition, vanishes at a place of a search."""
     if (proof := opposite_signs(place.known)) is not None:
         return proof
-    nothing: tuple[Nonzero, ...] = ()
-    for times, poly in [(nothing, place.known.ring.number(1)), *(((ref,), poly) for ref, poly in place.known.conditions)]:
+    if (cofactors := place.cofactors(place.known.ring.number(1))) is not None:
+        return Absurd((), combination(cofactors))
+    for ref, poly in place.known.conditions:
         if (cofactors := place.cofactors(poly)) is not None:
-            return Absurd(times, combination(cofactors))
+            return Absurd((ref,), combination(cofactors))
     return None
 
 

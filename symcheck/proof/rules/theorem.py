@@ -15,7 +15,6 @@ from symcheck.proof.algebra.variables import Unsupported
 from symcheck.proof.rules.every import Every
 from symcheck.proof.rules.step import Step
 
-
 ENCLOSURE = "enclosure"
 
 

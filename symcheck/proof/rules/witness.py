@@ -58,7 +58,7 @@ def prove_existence(problem: Problem, ring: Ring, prove_body: Prove) -> Step | N
     known = starting(problem, Ring({*ring.names, *variables(shown)}, ring.definitions))
     if not any(part == angle for term in point.values() for part in subterms(term)):
         return _witness(point, shown, known, prove_body)
-    turns = (_turned(point, shown, known, equation, angle, prove_body) for equation in conjuncts(shown))
+    turns = (_at_zero(point, shown, known, equation, angle, prove_body) for equation in conjuncts(shown))
     return next(filter(None, turns), None)
 
 
@@ -68,7 +68,7 @@ def _witness(point: Mapping[str, Term], shown: Formula, known: Knowledge, prove_
     return None if then is None else Witness(point, then)
 
 
-def _turned(
+def _at_zero(
     point: Mapping[str, Term], shown: Formula, known: Knowledge, equation: Formula, angle: str, prove_body: Prove
 ) -> Step | None:
     """The proof with that point; the angle in it is one where the equation holds."""
@@ -76,8 +76,9 @@ def _turned(
         return None
     left, right = equation.terms
     leading: Term = node("+", left, node("-", right))
-    quarter: dict[Term, Term] = {node("cos", angle): node("-", node("sin", angle)), node("sin", angle): node("cos", angle)}
-    premise = identity_here(node("=", _further(leading, quarter), node("-", leading)), known)
+    sin, cos = node("sin", angle), node("cos", angle)
+    further: dict[Term, Term] = {cos: node("-", sin), sin: cos}
+    premise = identity_here(node("=", _turned(leading, further), node("-", leading)), known)
     if premise is None or known.ideal().reduce(known.ring.ratio(leading).num) == 0:
         return None
     then = _witness(point, shown, known.assume(node("=", leading, 0)), prove_body)
@@ -86,8 +87,8 @@ def _turned(
     return applied("quarter_turn", of(angle, leading)).step([premise], then)
 
 
-def _further(term: Term, quarter: Mapping[Term, Term]) -> Term:
+def _turned(term: Term, further: Mapping[Term, Term]) -> Term:
     """The term 90 degrees further."""
-    if term in quarter:
-        return quarter[term]
-    return mapped(term, lambda part: _further(part, quarter)) if isinstance(term, Node) else term
+    if term in further:
+        return further[term]
+    return mapped(term, lambda part: _turned(part, further)) if isinstance(term, Node) else term

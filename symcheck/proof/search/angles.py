@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
+from functools import partial
 from math import prod
 
 from symcheck.core.claims import Problem
@@ -223,18 +224,14 @@ class _Prover:
 
     def goal(self, goal: Formula, known: Knowledge, pending: Sequence[Usable]) -> Step | None:
         """By the outermost connective."""
-
-        def part(goal: Formula, known: Knowledge) -> Step | None:
-            return self.goal(goal, known, pending)
-
         match goal.tag:
             case "=>":
                 more = [*pending, *_forward(conjuncts(goal.formulas[0]), known.ring)]
-                return implication(goal, known, lambda goal, below: self.prove(goal, below, more))
+                return implication(goal, known, partial(self.prove, pending=more))
             case "and" | "<=>":
-                return all_of(goal, known, part)
+                return all_of(goal, known, partial(self.goal, pending=pending))
             case "or":
-                return first_of(goal, known, part)
+                return first_of(goal, known, partial(self.goal, pending=pending))
         return self.relation(goal, known) or self.by_sine(goal, known) if goal.tag in RELATIONS else None
 
     def by_sine(self, goal: Formula, known: Knowledge) -> Step | None:

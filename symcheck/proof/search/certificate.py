@@ -1,4 +1,4 @@
-"""Certificates: what a decided statement claims, what it rests on, and the proof or the point, as the checker reads it."""
+"""Certificates: what a decided statement claims, what it rests on, and the proof or the point."""
 
 from __future__ import annotations
 

@@ -14,13 +14,13 @@ from symcheck.core.claims import Outcome, Problem
 from symcheck.core.formulas import conjuncts
 from symcheck.core.terms import RELATIONS, Formula, Node, Quantified, Term, mapped, node
 from symcheck.core.verdicts import Certificate, Loss, Verdict
+from symcheck.proof.algebra.polynomial import Unsupported, alone, letters_of, subterms
+from symcheck.proof.algebra.variables import Table
 from symcheck.proof.rules.compute import Point
 from symcheck.proof.search.angle_points import refute_about_angles
 from symcheck.proof.search.certificate import certificate
 from symcheck.proof.search.counterexample import failing
 from symcheck.proof.search.methods import proof_of, refute, whole_proof
-from symcheck.proof.algebra.polynomial import Unsupported, alone, letters_of, subterms
-from symcheck.proof.algebra.variables import Table
 from symcheck.proof.search.witnesses import FALSE
 
 PLAIN = {"+", "-", "*", "/", "^", "and", "or", "=>", "<=>", *RELATIONS}

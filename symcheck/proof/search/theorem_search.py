@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
+from functools import partial
 from typing import Any
 
 from symcheck.core.claims import Problem
@@ -137,14 +138,9 @@ class _Search:
         self, goal: Formula, known: Knowledge, pending: Sequence[Instance], cases: int = MAX_CASES
     ) -> Step | None:
         """Assumptions first, then every theorem whose premises hold, then the goal itself, then a case more."""
-
-        def below(goal: Formula, known: Knowledge) -> Step | None:
-            return self.prove(goal, known, pending, cases)
-
-        if goal.tag == "=>":
-            return implication(goal, known, below)
-        if goal.tag == "<=>":
-            return all_of(goal, known, below)
+        if goal.tag in ("=>", "<=>"):
+            below = partial(self.prove, pending=pending, cases=cases)
+            return (implication if goal.tag == "=>" else all_of)(goal, known, below)
         for k, instance in enumerate(pending):
             theorem = _said(instance, known)
             premises = self._premises(theorem.premises, known)
@@ -196,8 +192,8 @@ class _Search:
                 if known.sign(t)[0] or known.sign(node("-", t))[0]:
                     continue  # a case already, and of no use
                 ways, below = (node(">", t, 0), node("<=", t, 0)), replace(known, count=known.count + 1)
-                prove = lambda goal, known: self.prove(goal, known, pending, cases - 1)  # noqa: E731
-                split = in_cases(goal, Assumed(known.count), ways, below, prove)  # the alternative is a fact too
+                alternative = Assumed(known.count)
+                split = in_cases(goal, alternative, ways, below, partial(self.prove, pending=pending, cases=cases - 1))
                 return split and applied("dichotomy", t).step([], split)
         return None
 

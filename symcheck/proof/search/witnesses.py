@@ -81,9 +81,7 @@ def find_witnesses(
     return found if len(found) == len(each) else None
 
 
-def _witness(
-    problem: Problem, nonzero: Sequence[Term], premises: Sequence[Formula], prove: Prover
-) -> Point | None:
+def _witness(problem: Problem, nonzero: Sequence[Term], premises: Sequence[Formula], prove: Prover) -> Point | None:
     stated = [part for _, formulas in problem.hypotheses for formula in formulas for part in conjuncts(formula)]
     stated += [part for premise in premises for part in conjuncts(premise)]
     stated += [node("!=", term, 0) for term in nonzero if not _plainly_nonzero(term)]
