@@ -7,7 +7,7 @@ from fractions import Fraction
 
 from symcheck.core.terms import Term, node
 from symcheck.proof.algebra.knowledge import Knowledge, proportional
-from symcheck.proof.algebra.polynomial import Poly, fraction
+from symcheck.proof.algebra.polynomial import Poly, by_powers, fraction
 from symcheck.proof.algebra.variables import circle, cosine, sine, table
 
 MAX_BOUNDS = 3  # subtracted one after the other: each is tried at every addend, so the work grows as their power
@@ -55,20 +55,18 @@ def form_on_the_circle(poly: Poly, known: Knowledge) -> Term | None:
 
 def _on_the_circle(poly: Poly) -> Iterator[Poly]:
     """The polynomial with the squares of all sines, or of all cosines, replaced by those of the others."""
-    names = poly.context().names()
-    angles = [x for function, x in filter(None, map(circle, names)) if function == "sin" and cosine(x) in names]
+    context = poly.context()
+    generators = dict(zip(context.names(), context.gens(), strict=True))
+    angles = [
+        x for function, x in filter(None, map(circle, generators)) if function == "sin" and cosine(x) in generators
+    ]
     for old, new in ((sine, cosine), (cosine, sine)):
         turned = poly
         for x in angles:
-            square, other = names.index(old(x)), poly.context().gen(names.index(new(x)))
-            if turned.degrees()[square] < 2:
-                continue
-            terms: dict[int, Poly] = {}
-            for exponents, coefficient in turned.terms():
-                half, odd = divmod(int(exponents[square]), 2)
-                rest = tuple(odd if k == square else int(e) for k, e in enumerate(exponents))
-                terms[half] = terms.get(half, 0) + poly.context().from_dict({rest: coefficient})
-            turned = sum((part * (1 - other**2) ** half for half, part in terms.items()), start=poly * 0)
+            powers = by_powers(turned, old(x))
+            if max(powers, default=0) > 1:
+                square, single = 1 - generators[new(x)] ** 2, generators[old(x)]
+                turned = sum((c * square ** (n // 2) * single ** (n % 2) for n, c in powers.items()), start=poly * 0)
         if turned != poly:
             yield turned
 

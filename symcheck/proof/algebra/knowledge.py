@@ -167,7 +167,7 @@ def ring_of(problem: Problem) -> Ring:
     definitions = dict(problem.definitions)
     nodes = [
         problem.claim,
-        *(f for _, formulas in problem.hypotheses for f in formulas),
+        *(formula for _, formula in stated(problem)),
         *(value for name, value in problem.hints if name.startswith(("form", "point_")) and value != ""),
     ]
     names: set[str] = set()
@@ -176,11 +176,16 @@ def ring_of(problem: Problem) -> Ring:
     return Ring(names, definitions)
 
 
+def stated(problem: Problem) -> list[tuple[Hypothesis, Formula]]:
+    """The conjuncts of every hypothesis, with their references."""
+    parts = ((name, [part for f in formulas for part in conjuncts(f)]) for name, formulas in problem.hypotheses)
+    return [(Hypothesis(name, k), formula) for name, formulas in parts for k, formula in enumerate(formulas)]
+
+
 def starting(problem: Problem, ring: Ring, names: Sequence[str] | None = None) -> Knowledge:
     """What the hypotheses (all, or the named ones) say."""
     known = Knowledge(ring)
-    for name, formulas in problem.hypotheses:
-        if names is None or name in names:
-            for k, formula in enumerate(part for f in formulas for part in conjuncts(f)):
-                known = known.learn(Hypothesis(name, k), formula)
+    for ref, formula in stated(problem):
+        if names is None or ref.name in names:
+            known = known.learn(ref, formula)
     return known

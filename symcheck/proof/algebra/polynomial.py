@@ -49,6 +49,23 @@ def rational(value: Fraction | int) -> Any:
     return flint.fmpq(value.numerator, value.denominator)
 
 
+def occurring(poly: Poly) -> set[str]:
+    """The variables of a polynomial."""
+    pairs = zip(poly.context().names(), poly.degrees(), strict=True) if poly != 0 else ()
+    return {name for name, degree in pairs if degree}
+
+
+def by_powers(poly: Poly, x: str) -> dict[int, Poly]:
+    """The coefficients of a polynomial in one variable, by its powers."""
+    context = poly.context()
+    where, powers = context.names().index(x), dict[int, Poly]()
+    for exponents, coefficient in poly.terms():
+        others = {tuple(0 if k == where else int(e) for k, e in enumerate(exponents)): coefficient}
+        power = int(exponents[where])
+        powers[power] = powers.get(power, 0) + context.from_dict(others)
+    return powers
+
+
 def parts(tree: Node) -> tuple[Term, ...]:
     """The terms or formulas that a term or formula is made of."""
     return tree.inside + tree.outside
@@ -488,7 +505,7 @@ class Ring:
             return Ratio(num / divisor.leading_coefficient())
         if (unit := self._unit_inverse(divisor)) is not None:
             return Ratio(num * unit)
-        if any(degree for name, degree in zip(self.names, divisor.degrees(), strict=True) if prime(name) is None):
+        if any(prime(name) is None for name in occurring(divisor)):
             self.divisors[str(divisor), *value.divisors()] = divisor
         return Ratio(num, {str(divisor): (divisor, 1)})
 

@@ -15,7 +15,7 @@ from symcheck.proof.algebra.facts import Assumed, Fact, Nonzero, Positive, by_co
 from symcheck.proof.algebra.forms import fraction_form, number_term, term_of
 from symcheck.proof.algebra.knowledge import Knowledge
 from symcheck.proof.algebra.place import Place
-from symcheck.proof.algebra.polynomial import Poly, fraction
+from symcheck.proof.algebra.polynomial import Poly, fraction, occurring
 from symcheck.proof.algebra.products import Product
 from symcheck.proof.algebra.simplex import Column, positive_relation
 from symcheck.proof.rules.implies import Implies
@@ -112,22 +112,18 @@ def _known(known: Knowledge) -> Iterator[_Addend]:
 
 def _about(addends: list[_Addend], poly: Poly, known: Knowledge) -> list[_Addend]:
     """Those connected with a polynomial by their variables; of equal ones the strictest."""
-    links = [_places(fact) for _, fact in (*known.facts, *by_construction(known.ring))]
-    links += [_places(addend.poly) for addend in addends]
-    reached, before = _places(poly), -1
+    links = [occurring(fact) for _, fact in (*known.facts, *by_construction(known.ring))]
+    links += [occurring(addend.poly) for addend in addends]
+    reached, before = occurring(poly), -1
     while len(reached) > before:
         before = len(reached)
         reached = reached.union(*(link for link in links if link & reached))
     chosen: dict[str, _Addend] = {}
     for addend in addends:
         text = str(addend.normal)
-        if _places(addend.poly) <= reached and (text not in chosen or chosen[text].level < addend.level):
+        if occurring(addend.poly) <= reached and (text not in chosen or chosen[text].level < addend.level):
             chosen[text] = addend
     return list(chosen.values())
-
-
-def _places(poly: Poly) -> set[int]:
-    return {k for k, degree in enumerate(poly.degrees()) if degree} if poly != 0 else set()
 
 
 def _addend(term: Term, level: int, poly: Poly, known: Knowledge) -> _Addend:

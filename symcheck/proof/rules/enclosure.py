@@ -14,10 +14,10 @@ from typing import NamedTuple
 from symcheck.checker.enclosures import FUNCTIONS, between
 from symcheck.core.calculus import Unknown, letters
 from symcheck.core.claims import Problem
-from symcheck.core.formulas import conjuncts
 from symcheck.core.terms import PI, RELATIONS, Connective, Formula, Node, Term, Value, node
 from symcheck.proof.algebra.facts import NOTHING, Assumed, Hypothesis, Positive, Signed
 from symcheck.proof.algebra.forms import number_term
+from symcheck.proof.algebra.knowledge import stated
 from symcheck.proof.algebra.polynomial import Unsupported, constant, subterms, unfold
 from symcheck.proof.rules.absurd import Absurd
 from symcheck.proof.rules.each import Each
@@ -142,12 +142,6 @@ class Numbers:
             return None if None in known else known[0] == known[1]
         decisive = kind == "or"
         return decisive if decisive in known else None if None in known else not decisive
-
-
-def stated(problem: Problem) -> list[tuple[Hypothesis, Formula]]:
-    """Every hypothesis with its reference."""
-    parts = ((name, [part for f in formulas for part in conjuncts(f)]) for name, formulas in problem.hypotheses)
-    return [(Hypothesis(name, k), formula) for name, formulas in parts for k, formula in enumerate(formulas)]
 
 
 def compared(relation: Formula) -> Compared:

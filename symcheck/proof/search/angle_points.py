@@ -15,7 +15,7 @@ from symcheck.core.calculus import letters as letters_in
 from symcheck.core.claims import Problem
 from symcheck.core.formulas import conjuncts, contrary
 from symcheck.core.terms import PI, Formula, Node, Quantified, Term, Value, mapped, node
-from symcheck.proof.algebra.knowledge import ring_of
+from symcheck.proof.algebra.knowledge import ring_of, stated
 from symcheck.proof.algebra.polynomial import Ring, Unsupported, subterms, unfold, with_arguments
 from symcheck.proof.algebra.variables import circle
 from symcheck.proof.rules.compute import AT_POINT, Point
@@ -49,7 +49,9 @@ def _points(problem: Problem) -> Iterator[dict[str, Term]]:
     """Values for all letters, if all of them are angles: first of those whose ends depend on no others."""
     definitions = dict(problem.definitions)
     ring = Ring(with_arguments(ring_of(problem).names), definitions)
-    formulas = [unfold(formula, definitions) for formula in (problem.claim, *_stated(problem))]
+    formulas = [
+        unfold(formula, definitions) for formula in (problem.claim, *(formula for _, formula in stated(problem)))
+    ]
     if not compares_angles(ring) or any(isinstance(part, Quantified) for part in subterms(*formulas)):
         return
     ends: Ends = {x: [] for function, x in filter(None, map(circle, ring.names)) if function == "sin"}
@@ -101,33 +103,29 @@ def _values(ends: list[Term]) -> list[Term]:
     return list(dict.fromkeys([*ends, *known, *between, *negative, *turned]))
 
 
-def _stated(problem: Problem) -> list[Formula]:
-    return [part for _, formulas in problem.hypotheses for formula in formulas for part in conjuncts(formula)]
-
-
 def _may_refute(problem: Problem, point: Mapping[str, Term]) -> bool:
     """Whether digits do not exclude it."""
     try:
         numbers = Numbers.of(problem, point)
         if numbers is None or numbers.truth(problem.claim):
             return False
-        return not any(numbers.truth(formula) is False for formula in _stated(problem))
+        return not any(numbers.truth(formula) is False for _, formula in stated(problem))
     except (Unknown, Unsupported, RecursionError):
         return False
 
 
 def _proved(problem: Problem, point: Mapping[str, Term], prove: Prover) -> Point | None:
     """Proofs that at the point no denominator vanishes, the hypotheses hold and the claim does not."""
-    stated = _stated(problem)
+    given = [formula for _, formula in stated(problem)]
     values = dict(sorted(point.items()))  # facts about the point are numbered in this order
     there: list[Formula] = [node("=", x, value) for x, value in values.items()]
     facts: list[tuple[Formula, Step]] = []
-    for bottom in dict.fromkeys(part for f in (*stated, problem.claim) for part in _denominators(f)):
+    for bottom in dict.fromkeys(part for f in (*given, problem.claim) for part in _denominators(f)):
         if (proof := _proof(node("!=", bottom, 0), problem, there, prove)) is None:
             return None
         facts.append((node("!=", bottom, 0), proof))
         there.append(node("!=", bottom, 0))
-    goal = node("and", *stated, contrary(problem.claim))
+    goal = node("and", *given, contrary(problem.claim))
     proof = _proof(goal, problem, there, prove)
     if proof is None:  # what digits tell need not follow from the theorems that tell the rest
         parts = ((part, _proof(part, problem, there, prove_numbers)) for part in conjuncts(goal))

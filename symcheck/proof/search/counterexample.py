@@ -21,15 +21,17 @@ from symcheck.core.claims import Problem
 from symcheck.core.formulas import conjuncts
 from symcheck.core.terms import PI, RELATIONS, Formula, Node, Quantified, Term, Value, mapped, node
 from symcheck.proof.algebra.forms import number_term, term_of
-from symcheck.proof.algebra.knowledge import ring_of
+from symcheck.proof.algebra.knowledge import ring_of, stated
 from symcheck.proof.algebra.polynomial import (
     Poly,
     Ratio,
     Ring,
     Unsupported,
     alone,
+    by_powers,
     fraction,
     number_of,
+    occurring,
     square_free,
     unfold,
     variables,
@@ -132,7 +134,7 @@ class Search:
         functions = sorted((name for name in self.ring.names if name in atoms()), key=lambda n: len(str(atoms()[n])))
         self.calls = [name for name in functions if atoms()[name][0] == "call"]  # their values are free
         self.functions = [name for name in functions if name not in self.calls]
-        self.formulas = [part for _, fs in problem.hypotheses for f in fs for part in conjuncts(f)]
+        self.formulas = [formula for _, formula in stated(problem)]
         if direction[0] == "=>":
             self.formulas += conjuncts(direction.formulas[0])
         conditions = domain(problem.claim, *self.formulas)
@@ -240,9 +242,7 @@ class Search:
     def _support(self, formula: Formula) -> set[str]:
         if formula[0] not in RELATIONS:
             return set().union(*map(self._support, formula.formulas))
-        ratio = self._gap(formula)
-        used = ratio.num.degrees()
-        return {name for name, degree in zip(self.ring.names, used, strict=True) if degree and name not in self.roots}
+        return occurring(self._gap(formula).num) - self.roots.keys()
 
     def _solve(self, fixed: Assignment, scalars: Sequence[str]) -> list[tuple[str, Poly, Poly]] | None:
         """Steps (x, a, b) meaning x = -b / a, in order of solution, from the equations at fixed matrices and angles."""
@@ -252,9 +252,10 @@ class Search:
         while open_:
             open_.sort(key=len)
             equation = open_.pop(0)
-            choice = next((x for x in reversed(scalars) if equation.degrees()[self.ring.names.index(x)] == 1), None)
+            degrees = dict(zip(self.ring.names, equation.degrees(), strict=True))
+            choice = next((x for x in reversed(scalars) if degrees[x] == 1), None)
             if choice is None:
-                if all(equation.degrees()[self.ring.names.index(x)] == 0 for x in scalars):
+                if not any(degrees[x] for x in scalars):
                     return None
                 continue
             slope = equation.derivative(choice)
@@ -265,14 +266,9 @@ class Search:
         return steps[::-1]
 
     def _eliminate(self, poly: Poly, x: str, slope: Poly, rest: Poly) -> Poly:
-        where, degree = self.ring.names.index(x), poly.degrees()[self.ring.names.index(x)]
-        total = self.ring.number(0)
-        for exponents, coefficient in poly.terms():
-            power = int(exponents[where])
-            others = tuple(0 if k == where else int(e) for k, e in enumerate(exponents))
-            total += (
-                self.ring.context.from_dict({others: coefficient}) * (-rest) ** power * slope ** int(degree - power)
-            )
+        powers, total = by_powers(poly, x), self.ring.number(0)
+        for power, coefficient in powers.items():
+            total += coefficient * (-rest) ** power * slope ** (max(powers) - power)
         return total
 
     def _complete(self, point: Assignment, steps: Sequence[tuple[str, Poly, Poly]]) -> bool:
@@ -289,8 +285,7 @@ class Search:
         return True
 
     def _functions_in(self, formula: Formula) -> bool:
-        degrees = self._gap(formula).num.degrees()
-        return any(degrees[self.ring.names.index(name)] for name in self.functions)
+        return not occurring(self._gap(formula).num).isdisjoint(self.functions)
 
     def _evaluate(self, point: Assignment) -> bool:
         """Gives roots and powers their values, the innermost first; False if one of them is no combination of roots."""
@@ -361,7 +356,7 @@ class Search:
     def _quotient(self, top: Poly, bottom: Poly) -> Poly:
         """top / bottom for combinations of roots, by conjugates."""
         for name in self.roots:
-            if bottom.degrees()[self.ring.names.index(name)]:
+            if name in occurring(bottom):
                 conjugate = self._at(bottom, {name: -self.ring.generator[name]})
                 top, bottom = self._reduce(top * conjugate), self._reduce(bottom * conjugate)
         if not bottom.is_constant() or bottom == 0:
@@ -465,7 +460,7 @@ class Search:
 
     def _needed_names(self, claim: Formula) -> set[str]:
         definitions = self.ring.definitions
-        nodes = [claim, *(f for _, fs in self.problem.hypotheses for f in fs)]
+        nodes = [claim, *(formula for _, formula in stated(self.problem))]
         return with_arguments(set().union(*(variables(unfold(tree, definitions)) for tree in nodes)))
 
     def _mentioned(self) -> set[str]:
@@ -482,8 +477,7 @@ class Search:
         """The value of a side; pi may stand in its denominator."""
         ratio = self.ring.ratio(side)
         top, bottom = (self._reduce(self._at(poly, point)) for poly in (ratio.num, ratio.bottom()))
-        where = self.ring.names.index("pi") if "pi" in self.ring.generator else None
-        if where is None or not any(poly != 0 and poly.degrees()[where] for poly in (top, bottom)):
+        if "pi" not in occurring(top) | occurring(bottom):
             return self._written(self._side(side, point))
         common = top.gcd(bottom)
         return node("/", term_of(divmod(top, common)[0]), term_of(divmod(bottom, common)[0]))

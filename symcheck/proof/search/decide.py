@@ -7,12 +7,11 @@ from collections.abc import Callable, Iterable
 from dataclasses import replace
 
 from symcheck.core.claims import Outcome, Problem
-from symcheck.core.formulas import conjuncts
 from symcheck.core.terms import Formula, Node, Relation, Term, node
 from symcheck.core.verdicts import Verdict
-from symcheck.proof.algebra.facts import Grounds, Hypothesis
+from symcheck.proof.algebra.facts import Grounds
 from symcheck.proof.algebra.forms import form_on_the_circle
-from symcheck.proof.algebra.knowledge import Knowledge, hypotheses_of, ring_of, starting
+from symcheck.proof.algebra.knowledge import Knowledge, hypotheses_of, ring_of, starting, stated
 from symcheck.proof.algebra.polynomial import Poly, Ring, Unsupported, function_arguments, unfold, variables
 from symcheck.proof.algebra.printed import term_of_text
 from symcheck.proof.algebra.variables import atoms, prime, table
@@ -92,8 +91,8 @@ def _completed(problem: Problem, ring: Ring, step: Step) -> Proof | None:
     positive: list[Term] = []
     own = [unfold(term, ring.definitions) for term in mentioned(step, ring.definitions)]
     if ring.divisors or own or atoms().keys() & set(ring.names):
-        stated = [problem.claim, *(f for _, fs in problem.hypotheses for f in fs)]
-        own += [unfold(side, ring.definitions) for formula in stated for side in _sides(formula)]
+        formulas = [problem.claim, *(formula for _, formula in stated(problem))]
+        own += [unfold(side, ring.definitions) for formula in formulas for side in _sides(formula)]
         inner = [t for term in own for bodies in (True, False) for t in function_arguments(term, bodies)]
         names = set(ring.names).union(*map(variables, [*own, *inner]))
         known, before = starting(problem, Ring(names, ring.definitions)), -1
@@ -123,9 +122,8 @@ def _conditions(
 
     A denominator that contains others is written as its numerator and those others. Hypotheses are added to the given.
     """
-    parts = [(name, k, f) for name, fs in problem.hypotheses for k, f in enumerate(p for f in fs for p in conjuncts(f))]
-    stated = [problem.claim, *(f for name, k, f in parts if Hypothesis(name, k) in given)]
-    statement = _divisors([side for formula in stated for side in _sides(formula)], known.ring)
+    formulas = [problem.claim, *(formula for ref, formula in stated(problem) if ref in given)]
+    statement = _divisors([side for formula in formulas for side in _sides(formula)], known.ring)
     nonzero: list[tuple[str, ...]] = []
     positive: list[Term] = []
     for texts, divisor in {**statement, **_divisors(mentioned(step, known.ring.definitions), known.ring)}.items():

@@ -22,9 +22,11 @@ from symcheck.proof.algebra.polynomial import (
     Ratio,
     Ring,
     Unsupported,
+    by_powers,
     canonical,
     fraction,
     number_of,
+    occurring,
     parts,
     rational,
     square_free,
@@ -200,7 +202,7 @@ def _pure_power(body: Term, x: str) -> tuple[Term, Term] | None:
             exponents.append(e)
         elif name in atoms() and atoms()[name][0] == "pow" and canonical(atoms()[name][1]) == canonical(x):
             exponents.append(node("*", e, atoms()[name][2]))
-        elif e > 0 and not poly.degrees()[ring.names.index(x)] and x not in with_arguments({name} & set(atoms())):
+        elif e > 0 and x not in occurring(poly) and x not in with_arguments({name} & set(atoms())):
             outside *= poly**e
         else:
             return None
@@ -231,7 +233,7 @@ def _shape(body: Term, x: str) -> tuple[Any, ...]:
                 raise Unsupported("powers of two bases")
             base = atoms()[name][1]
             r.append(node("*", -e, atoms()[name][2]))
-        elif poly.degrees()[ring.names.index(x)]:
+        elif x in occurring(poly):
             quadratic.append((poly, e))
         elif e > 0:
             outside *= poly**e
@@ -243,24 +245,14 @@ def _shape(body: Term, x: str) -> tuple[Any, ...]:
             raise Unsupported("two factors that depend on the variable")
         r.append(-e)
         outside *= rational(scale**e)
-    p, zero, q = (_coefficient(ring, base_poly, x, k) for k in (2, 1, 0))
-    if zero != 0 or base_poly.degrees()[ring.names.index(x)] != 2:
+    powers = by_powers(base_poly, x)
+    if not {2} <= powers.keys() <= {0, 2}:
         raise Unsupported(f"not a power of p {x}^2 + q")
     if power < 0:
         exponents, power = [*exponents, power], 0
     c = _over(outside, Ratio(outside, {"": (inside, 1)}))
     u, exponent = (node("+", *terms) if terms else 0 for terms in (exponents, r))
-    return c, power, u, exponent, term_of(p), term_of(q)
-
-
-def _coefficient(ring: Ring, poly: Poly, x: str, k: int) -> Poly:
-    where = ring.names.index(x)
-    terms = {
-        tuple(0 if n == where else int(e) for n, e in enumerate(exponents)): coefficient
-        for exponents, coefficient in poly.terms()
-        if exponents[where] == k
-    }
-    return ring.context.from_dict(terms)
+    return c, power, u, exponent, term_of(powers[2]), term_of(powers.get(0, ring.number(0)))
 
 
 _ABOUT: dict[str, Callable[[list[Any], list[list[Any]]], Iterator[Instance]]] = {

@@ -10,9 +10,10 @@ from symcheck.checker.enclosures import between
 from symcheck.core.calculus import Unknown, letters
 from symcheck.core.claims import Problem
 from symcheck.core.terms import Formula, Node, Term, node
+from symcheck.proof.algebra.knowledge import stated
 from symcheck.proof.algebra.polynomial import Unsupported, subterms, unfold
 from symcheck.proof.rules.compute import Point
-from symcheck.proof.rules.enclosure import IRRATIONAL, Numbers, compared, relations, stated
+from symcheck.proof.rules.enclosure import IRRATIONAL, Numbers, compared, relations
 
 TRIED: tuple[Term, ...] = (1, node("/", 1, 2), node("/", 3, 2), node("/", 1, 4), node("/", 5, 4), 2, 0, node("-", 1), 3)
 TRIES = 80  # points, each with a proof by digits: some seconds

@@ -16,6 +16,7 @@ from symcheck.proof.algebra.polynomial import (
     Ratio,
     Ring,
     fraction,
+    occurring,
     unfold,
     variables,
     with_arguments,
@@ -58,8 +59,7 @@ def values_of(term: Term, numbers: Mapping[str, Term]) -> Iterator[Term]:
     plan = _Plan.of(Problem("value", node("=", plain, 0)))
     known = _Search(lambda goal, known: None, plan.inner).all_known(plan.known, plan.outer)
     value = known.ideal().reduce(known.ring.generator[name])
-    used = {n for n, degree in zip(known.ring.names, value.degrees(), strict=True) if degree} if value != 0 else set()
-    if all(n == "pi" or prime(n) for n in used):
+    if all(n == "pi" or prime(n) for n in occurring(value)):
         yield term_of(value)
 
 

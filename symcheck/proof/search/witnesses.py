@@ -17,7 +17,17 @@ from symcheck.core.calculus import Unknown, domain, substituted
 from symcheck.core.claims import Problem
 from symcheck.core.formulas import conjuncts
 from symcheck.core.terms import PI, RELATIONS, Formula, Node, Term, node
-from symcheck.proof.algebra.polynomial import Poly, alone, fraction, subterms, unfold, with_arguments
+from symcheck.proof.algebra.knowledge import stated
+from symcheck.proof.algebra.polynomial import (
+    Poly,
+    alone,
+    by_powers,
+    fraction,
+    occurring,
+    subterms,
+    unfold,
+    with_arguments,
+)
 from symcheck.proof.algebra.variables import Unsupported, atoms, circle, cosine, sine
 from symcheck.proof.rules.compute import Point
 from symcheck.proof.rules.proof import Proof
@@ -82,19 +92,19 @@ def find_witnesses(
 
 
 def _witness(problem: Problem, nonzero: Sequence[Term], premises: Sequence[Formula], prove: Prover) -> Point | None:
-    stated = [part for _, formulas in problem.hypotheses for formula in formulas for part in conjuncts(formula)]
-    stated += [part for premise in premises for part in conjuncts(premise)]
-    stated += [node("!=", term, 0) for term in nonzero if not _plainly_nonzero(term)]
+    given = [formula for _, formula in stated(problem)]
+    given += [part for premise in premises for part in conjuncts(premise)]
+    given += [node("!=", term, 0) for term in nonzero if not _plainly_nonzero(term)]
     definitions = dict(problem.definitions)
     reached = [term for _, term in problem.definitions]
-    conditions = domain(*stated, *reached, divisors=True)
-    said = tuple(dict.fromkeys((*stated, *conditions)))
+    conditions = domain(*given, *reached, divisors=True)
+    said = tuple(dict.fromkeys((*given, *conditions)))
     meant = tuple(
         dict.fromkeys((*said, *domain(problem.claim, divisors=True)))
     )  # that the claim has a value is often plain
     if meant != said and (point := _search(problem.definitions, meant, prove)) is not None:
         return point
-    point = _witness_of(problem, said, stated, prove)
+    point = _witness_of(problem, said, given, prove)
     own = domain(problem.claim)
     return point if point is not None and all(_is_met(formula, point, definitions) for formula in own) else None
 
@@ -109,7 +119,7 @@ def _is_met(condition: Formula, point: Point, definitions: dict[str, Term]) -> b
     return {">": digits.low > 0, ">=": digits.high >= 0, "<=": digits.low <= 0}[condition.tag]
 
 
-def _witness_of(problem: Problem, said: tuple[Formula, ...], stated: list[Formula], prove: Prover) -> Point | None:
+def _witness_of(problem: Problem, said: tuple[Formula, ...], given: list[Formula], prove: Prover) -> Point | None:
     """A point where all this is so; nothing is asked of the terms of the claim."""
     definitions = dict(problem.definitions)
     used = {
@@ -117,7 +127,7 @@ def _witness_of(problem: Problem, said: tuple[Formula, ...], stated: list[Formul
     }
     needed = tuple((x, term) for x, term in problem.definitions if x in used)
     concluded = problem.claim.formulas[1] if problem.claim.tag == "=>" else problem.claim
-    if (point := _search(needed, said, prove)) is not None or concluded.tag != "=" or not stated:
+    if (point := _search(needed, said, prove)) is not None or concluded.tag != "=" or not given:
         return point
     found = _search(problem.definitions, tuple(dict.fromkeys((*said, concluded))), prove)  # it is proved, so true
     return found or _defining(concluded, problem.definitions, said, prove)
@@ -233,7 +243,7 @@ class _Draws(Search):
             letter, term = f.terms if f.tag == "=" else (0, 0)
             if isinstance(letter, str) and letter in scalars and letter not in inside and self._functions_in(f):
                 others = [self._gap(g).num for g in self.formulas if g.tag == "=" and g is not f]
-                if not any(poly.degrees()[self.ring.names.index(letter)] for poly in others if poly != 0):
+                if letter not in set().union(*map(occurring, others)):
                     yield letter, term
 
     def _settle(self, name: str, point: Assignment) -> bool:
@@ -265,10 +275,8 @@ class _Draws(Search):
 
     def _number_times(self, poly: Poly, x: str) -> bool:
         """Whether a polynomial is a number times x, plus what does not depend on x."""
-        if poly.degrees()[self.ring.names.index(x)] != 1:
-            return False
-        used = zip(self.ring.names, poly.derivative(x).degrees(), strict=True)
-        return all(name in self.roots for name, degree in used if degree)
+        powers = by_powers(poly, x)
+        return max(powers) == 1 and occurring(powers[1]) <= self.roots.keys()
 
     def _draw(
         self, rng: random.Random, point: Assignment, left: list[str], equations: Sequence[Poly], values: Sequence[Any]
@@ -307,7 +315,7 @@ class _Draws(Search):
             return rng.choice(choices) if choices else None
         s, c = sine(name), cosine(name)
         poly = divmod(poly, self.ring.generator[s] ** 2 + self.ring.generator[c] ** 2 - 1)[1]
-        square, other = (s, c) if poly.degrees()[self.ring.names.index(s)] < 2 else (c, s)
+        square, other = (s, c) if max(by_powers(poly, s), default=0) < 2 else (c, s)
         slope = poly.derivative(square)  # poly = rest + slope * square
         rest = poly - slope * self.ring.generator[square]
         if slope == 0:
@@ -332,20 +340,15 @@ class _Draws(Search):
 
     def _unknown(self, poly: Poly) -> list[str]:
         """The variables of a polynomial that are no roots of numbers."""
-        used = zip(self.ring.names, poly.degrees(), strict=True)
-        return [name for name, degree in used if degree and name not in self.roots and name != "pi"]
+        used = occurring(poly) - self.roots.keys() - {"pi"}
+        return [name for name in self.ring.names if name in used]
 
     def _zero(self, poly: Poly, x: str, sign: int) -> Poly | None:
         """A zero of a polynomial of degree one or two in x alone."""
-        where = self.ring.names.index(x)
-        powers = [self.ring.number(0) for _ in range(3)]
-        for exponents, coefficient in poly.terms():
-            degree = int(exponents[where])
-            if degree > 2:
-                return None
-            rest = tuple(0 if k == where else int(e) for k, e in enumerate(exponents))
-            powers[degree] += self.ring.context.from_dict({rest: coefficient})
-        c, b, a = powers
+        powers = by_powers(poly, x)
+        if max(powers, default=0) > 2:
+            return None
+        c, b, a = (powers.get(degree, self.ring.number(0)) for degree in range(3))
         try:
             if a == 0:
                 quotient, rest = divmod(-c, b)
