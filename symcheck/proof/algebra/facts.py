@@ -5,7 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 
 from symcheck.core.terms import Term
-from symcheck.proof.algebra.polynomial import Poly, Ring
+from symcheck.proof.algebra.flint import Poly
+from symcheck.proof.algebra.polynomial import Ring
 
 
 @dataclass(frozen=True)

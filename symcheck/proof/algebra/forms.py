@@ -6,8 +6,8 @@ from collections.abc import Iterator
 from fractions import Fraction
 
 from symcheck.core.terms import Term, node
+from symcheck.proof.algebra.flint import Poly, by_powers, fraction
 from symcheck.proof.algebra.knowledge import Knowledge, proportional
-from symcheck.proof.algebra.polynomial import Poly, by_powers, fraction
 from symcheck.proof.algebra.variables import circle, cosine, sine, table
 
 MAX_BOUNDS = 3  # subtracted one after the other: each is tried at every addend, so the work grows as their power

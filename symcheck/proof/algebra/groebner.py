@@ -11,7 +11,7 @@ from dataclasses import dataclass, field
 from heapq import heappop, heappush
 from itertools import combinations
 
-from symcheck.proof.algebra.polynomial import Poly
+from symcheck.proof.algebra.flint import Poly
 
 Monomial = tuple[int, ...]
 LONG = 10  # terms: the S-polynomial of longer polynomials counts for several

@@ -9,13 +9,14 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from fractions import Fraction
 from functools import lru_cache
 
-import flint
-
+from symcheck.proof.algebra import flint
 from symcheck.proof.algebra.facts import Fact, by_construction
+from symcheck.proof.algebra.flint import Poly
 from symcheck.proof.algebra.groebner import PAIRS, Basis, components
-from symcheck.proof.algebra.polynomial import Poly, Ring
+from symcheck.proof.algebra.polynomial import Ring
 
 Cofactors = dict[int, Poly]  # by the number of the fact
 Text = tuple[tuple[tuple[int, ...], tuple[int, int]], ...]
@@ -27,8 +28,8 @@ def _text(poly: Poly, support: list[int]) -> Text:
 
 @lru_cache(maxsize=256)
 def _basis(names: tuple[str, ...], polys: tuple[Text, ...], pairs: int) -> Basis:
-    context = flint.fmpq_mpoly_ctx.get(list(names), flint.Ordering.degrevlex)
-    return Basis([context.from_dict({e: flint.fmpq(*c) for e, c in poly}) for poly in polys], pairs)
+    context = flint.context(names)
+    return Basis([context.from_dict({e: flint.rational(Fraction(*c)) for e, c in poly}) for poly in polys], pairs)
 
 
 def add_product(total: Cofactors, where: int, product: Poly) -> None:

@@ -13,8 +13,9 @@ from symcheck.core.claims import Problem
 from symcheck.core.formulas import conjuncts
 from symcheck.core.terms import RELATIONS, Formula, Node, Term, Value, node
 from symcheck.proof.algebra.facts import NOTHING, Assumed, Fact, Grounds, Hypothesis, Reference, by_construction
+from symcheck.proof.algebra.flint import Poly, fraction
 from symcheck.proof.algebra.ideal import Ideal
-from symcheck.proof.algebra.polynomial import Poly, Ring, fraction, unfold, variables
+from symcheck.proof.algebra.polynomial import Ring, unfold, variables
 
 MIRROR = {"<": ">", "<=": ">="}
 

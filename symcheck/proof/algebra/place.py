@@ -6,10 +6,11 @@ from collections.abc import Sequence
 
 from symcheck.core.terms import Term, Value, node
 from symcheck.proof.algebra.facts import Fact, by_construction, merged
+from symcheck.proof.algebra.flint import Poly
 from symcheck.proof.algebra.groebner import Monomial
 from symcheck.proof.algebra.ideal import Ideal
 from symcheck.proof.algebra.knowledge import Knowledge
-from symcheck.proof.algebra.polynomial import Poly, power_of
+from symcheck.proof.algebra.polynomial import power_of
 from symcheck.proof.algebra.products import Product
 
 # what is longer or higher makes a Groebner basis of the facts grow without end

@@ -13,15 +13,12 @@ from math import comb, prod
 from operator import is_
 from typing import Any
 
-import flint
-
 from symcheck.core.calculus import Unknown, differentiated, substituted
 from symcheck.core.claims import Problem
 from symcheck.core.terms import Binder, End, Formula, Node, T, Term, Value, mapped, node
+from symcheck.proof.algebra.flint import Poly, Rational, context, fraction, occurring, rational
 from symcheck.proof.algebra.variables import Unsupported as Unsupported
 from symcheck.proof.algebra.variables import atoms, circle, cosine, one_problem, prime, sine, table
-
-Poly = Any  # flint.fmpq_mpoly, which has no type information
 
 BINDING = ("integral", "diverges", "mean")
 FUNCTIONS = ("sqrt", "pow", "log", "exp", "gamma", "arctan", "arcsin", "arccos", *BINDING, "call")
@@ -34,36 +31,8 @@ MAX_TURNS = 99
 MAX_PRIME = 43  # of the roots the checker knows
 
 
-def fraction(value: Any) -> Fraction:
-    """A flint rational as a standard one."""
-    return Fraction(int(value.p), int(value.q))
-
-
-def _bits(value: Any) -> int:
+def _bits(value: Rational) -> int:
     return max(int(value.p).bit_length(), int(value.q).bit_length())
-
-
-def rational(value: Fraction | int) -> Any:
-    """A standard rational as a flint one."""
-    value = Fraction(value)
-    return flint.fmpq(value.numerator, value.denominator)
-
-
-def occurring(poly: Poly) -> set[str]:
-    """The variables of a polynomial."""
-    pairs = zip(poly.context().names(), poly.degrees(), strict=True) if poly != 0 else ()
-    return {name for name, degree in pairs if degree}
-
-
-def by_powers(poly: Poly, x: str) -> dict[int, Poly]:
-    """The coefficients of a polynomial in one variable, by its powers."""
-    context = poly.context()
-    where, powers = context.names().index(x), dict[int, Poly]()
-    for exponents, coefficient in poly.terms():
-        others = {tuple(0 if k == where else int(e) for k, e in enumerate(exponents)): coefficient}
-        power = int(exponents[where])
-        powers[power] = powers.get(power, 0) + context.from_dict(others)
-    return powers
 
 
 def parts(tree: Node) -> tuple[Term, ...]:
@@ -384,7 +353,7 @@ class Ring:
         known |= {of(x) for x in angles for of in (sine, cosine)}
         self.names = tuple(sorted(known, key=_rank))
         self.definitions = dict(definitions or {})
-        self.context = flint.fmpq_mpoly_ctx.get(list(self.names), flint.Ordering.degrevlex)
+        self.context = context(self.names)
         self.generator: dict[str, Poly] = dict(zip(self.names, self.context.gens(), strict=True))
         self.inside = False  # under an integral, where the base of a power is positive: no side condition
         self.divisors: dict[tuple[str, ...], Poly] = {}  # by numerator and the denominators inside

@@ -5,9 +5,9 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from symcheck.proof.algebra.facts import Fact, Nonzero, Positive, Reference
+from symcheck.proof.algebra.flint import Poly
 from symcheck.proof.algebra.forms import positive_form
 from symcheck.proof.algebra.knowledge import Knowledge, proportional
-from symcheck.proof.algebra.polynomial import Poly
 
 
 @dataclass(frozen=True)

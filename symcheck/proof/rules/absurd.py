@@ -12,10 +12,10 @@ from typing import ClassVar
 from symcheck.core.formulas import contrary
 from symcheck.core.terms import Formula, Term, node
 from symcheck.proof.algebra.facts import Assumed, Fact, Nonzero, Positive, by_construction
+from symcheck.proof.algebra.flint import Poly, fraction, occurring
 from symcheck.proof.algebra.forms import fraction_form, number_term, term_of
 from symcheck.proof.algebra.knowledge import Knowledge
 from symcheck.proof.algebra.place import Place
-from symcheck.proof.algebra.polynomial import Poly, fraction, occurring
 from symcheck.proof.algebra.products import Product
 from symcheck.proof.algebra.simplex import Column, positive_relation
 from symcheck.proof.rules.implies import Implies

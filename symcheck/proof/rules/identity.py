@@ -9,9 +9,10 @@ from typing import ClassVar
 from symcheck.core.claims import Problem
 from symcheck.core.terms import Formula
 from symcheck.proof.algebra.facts import Fact, merged
+from symcheck.proof.algebra.flint import Poly
 from symcheck.proof.algebra.knowledge import Knowledge, proportional, starting
 from symcheck.proof.algebra.place import Place
-from symcheck.proof.algebra.polynomial import Poly, Ring
+from symcheck.proof.algebra.polynomial import Ring
 from symcheck.proof.rules.each import all_of
 from symcheck.proof.rules.step import Cofactor, Factor, Step, cleared, combination
 

@@ -9,9 +9,9 @@ from typing import ClassVar
 from symcheck.core.claims import Problem
 from symcheck.core.terms import Formula, Term, node
 from symcheck.proof.algebra.facts import Fact, Signed
+from symcheck.proof.algebra.flint import Poly
 from symcheck.proof.algebra.forms import fraction_form
 from symcheck.proof.algebra.knowledge import Knowledge
-from symcheck.proof.algebra.polynomial import Poly
 from symcheck.proof.rules.identity import fewest
 from symcheck.proof.rules.step import Cofactor, Factor, Step, cleared, combination
 

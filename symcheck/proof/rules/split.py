@@ -8,8 +8,8 @@ from typing import ClassVar
 
 from symcheck.core.terms import Formula, Term, node
 from symcheck.proof.algebra.facts import Fact, Nonzero
+from symcheck.proof.algebra.flint import Poly
 from symcheck.proof.algebra.place import Place
-from symcheck.proof.algebra.polynomial import Poly
 from symcheck.proof.algebra.printed import term_of_text
 from symcheck.proof.algebra.products import Product
 from symcheck.proof.rules.absurd import vanishing

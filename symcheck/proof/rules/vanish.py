@@ -8,9 +8,9 @@ from typing import ClassVar
 
 from symcheck.core.terms import Formula, Term, Value, node
 from symcheck.proof.algebra.facts import NOTHING, Signed
+from symcheck.proof.algebra.flint import Poly, fraction
 from symcheck.proof.algebra.forms import term_of
 from symcheck.proof.algebra.place import MAX_TERMS, Place
-from symcheck.proof.algebra.polynomial import Poly, fraction
 from symcheck.proof.algebra.products import Product
 from symcheck.proof.rules.step import Attempt, Cofactor, Search, Step, combination
 

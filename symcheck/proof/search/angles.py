@@ -15,16 +15,10 @@ from math import prod
 from symcheck.core.claims import Problem
 from symcheck.core.formulas import conjuncts
 from symcheck.core.terms import PI, RELATIONS, Formula, Node, Term, node
+from symcheck.proof.algebra.flint import fraction
 from symcheck.proof.algebra.forms import number_term, term_of
 from symcheck.proof.algebra.knowledge import Knowledge, hints_of, ring_of, starting, stated
-from symcheck.proof.algebra.polynomial import (
-    Ring,
-    canonical,
-    fraction,
-    unfold,
-    variables,
-    with_arguments,
-)
+from symcheck.proof.algebra.polynomial import Ring, canonical, unfold, variables, with_arguments
 from symcheck.proof.algebra.variables import atoms, circle, prime, table
 from symcheck.proof.rules.absurd import contradiction, contrary_signs
 from symcheck.proof.rules.choose import first_of

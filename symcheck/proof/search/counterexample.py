@@ -20,18 +20,15 @@ from symcheck.core.calculus import domain, letters
 from symcheck.core.claims import Problem
 from symcheck.core.formulas import conjuncts
 from symcheck.core.terms import PI, RELATIONS, Formula, Node, Quantified, Term, Value, mapped, node
+from symcheck.proof.algebra.flint import Poly, by_powers, fraction, occurring
 from symcheck.proof.algebra.forms import number_term, term_of
 from symcheck.proof.algebra.knowledge import ring_of, stated
 from symcheck.proof.algebra.polynomial import (
-    Poly,
     Ratio,
     Ring,
     Unsupported,
     alone,
-    by_powers,
-    fraction,
     number_of,
-    occurring,
     square_free,
     unfold,
     variables,
@@ -377,7 +374,7 @@ class Search:
         """The value where only rational numbers enter, much faster than by substitution; else None."""
         values = []
         for name, degree in zip(self.ring.names, poly.degrees(), strict=True):
-            value: Poly = point.get(name) if degree else 0
+            value = point.get(name) if degree else self.ring.number(0)
             if value is None or not (value == 0 or value.is_constant()):
                 return None
             values.append(value.leading_coefficient() if value != 0 else flint.fmpq(0))

@@ -10,9 +10,10 @@ from symcheck.core.claims import Outcome, Problem
 from symcheck.core.terms import Formula, Node, Relation, Term, node
 from symcheck.core.verdicts import Verdict
 from symcheck.proof.algebra.facts import Grounds
+from symcheck.proof.algebra.flint import Poly
 from symcheck.proof.algebra.forms import form_on_the_circle
 from symcheck.proof.algebra.knowledge import Knowledge, hypotheses_of, ring_of, starting, stated
-from symcheck.proof.algebra.polynomial import Poly, Ring, Unsupported, function_arguments, unfold, variables
+from symcheck.proof.algebra.polynomial import Ring, Unsupported, function_arguments, unfold, variables
 from symcheck.proof.algebra.printed import term_of_text
 from symcheck.proof.algebra.variables import atoms, prime, table
 from symcheck.proof.rules.enclosure import prove_numbers

@@ -14,21 +14,17 @@ from typing import Any
 
 from symcheck.core.calculus import Unknown, substituted
 from symcheck.core.terms import INFINITY, MINUS_INFINITY, PI, End, Term, mapped, node
+from symcheck.proof.algebra.flint import Poly, by_powers, fraction, occurring, rational
 from symcheck.proof.algebra.forms import number_term, term_of
 from symcheck.proof.algebra.knowledge import Knowledge, proportional
 from symcheck.proof.algebra.polynomial import (
     BINDING,
-    Poly,
     Ratio,
     Ring,
     Unsupported,
-    by_powers,
     canonical,
-    fraction,
     number_of,
-    occurring,
     parts,
-    rational,
     square_free,
     variables,
     with_arguments,

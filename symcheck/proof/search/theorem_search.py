@@ -10,17 +10,10 @@ from typing import Any
 from symcheck.core.claims import Problem
 from symcheck.core.terms import Formula, Term, node
 from symcheck.proof.algebra.facts import Assumed
+from symcheck.proof.algebra.flint import fraction, occurring
 from symcheck.proof.algebra.forms import positive_form, term_of
 from symcheck.proof.algebra.knowledge import Knowledge, ring_of, starting
-from symcheck.proof.algebra.polynomial import (
-    Ratio,
-    Ring,
-    fraction,
-    occurring,
-    unfold,
-    variables,
-    with_arguments,
-)
+from symcheck.proof.algebra.polynomial import Ratio, Ring, unfold, variables, with_arguments
 from symcheck.proof.algebra.variables import Unsupported, atoms, prime
 from symcheck.proof.rules.cases_or import in_cases
 from symcheck.proof.rules.choose import first_of

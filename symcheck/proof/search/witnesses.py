@@ -17,17 +17,9 @@ from symcheck.core.calculus import Unknown, domain, substituted
 from symcheck.core.claims import Problem
 from symcheck.core.formulas import conjuncts
 from symcheck.core.terms import PI, RELATIONS, Formula, Node, Term, node
+from symcheck.proof.algebra.flint import Poly, by_powers, fraction, occurring
 from symcheck.proof.algebra.knowledge import stated
-from symcheck.proof.algebra.polynomial import (
-    Poly,
-    alone,
-    by_powers,
-    fraction,
-    occurring,
-    subterms,
-    unfold,
-    with_arguments,
-)
+from symcheck.proof.algebra.polynomial import alone, subterms, unfold, with_arguments
 from symcheck.proof.algebra.variables import Unsupported, atoms, circle, cosine, sine
 from symcheck.proof.rules.compute import Point
 from symcheck.proof.rules.proof import Proof
