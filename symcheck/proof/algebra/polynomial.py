@@ -15,10 +15,10 @@ from typing import Any
 
 from symcheck.core.calculus import Unknown, differentiated, substituted
 from symcheck.core.claims import Problem
-from symcheck.core.terms import Binder, End, Formula, Node, T, Term, Value, mapped, node
+from symcheck.core.terms import Binder, Call, End, Formula, Node, T, Term, Value, mapped, node
 from symcheck.proof.algebra.flint import Poly, Rational, context, fraction, occurring, rational
+from symcheck.proof.algebra.variables import Table, atoms, circle, cosine, one_problem, prime, sine, table
 from symcheck.proof.algebra.variables import Unsupported as Unsupported
-from symcheck.proof.algebra.variables import atoms, circle, cosine, one_problem, prime, sine, table
 
 BINDING = ("integral", "diverges", "mean")
 FUNCTIONS = ("sqrt", "pow", "log", "exp", "gamma", "arctan", "arcsin", "arccos", *BINDING, "call")
@@ -50,12 +50,12 @@ def subterms(*trees: Term) -> Iterator[Term]:
 
 def letters_of(problem: Problem) -> set[str]:
     """Every name in a problem, also of what is bound there and of what is defined."""
-    said: list[Any] = [formula for _, formulas in problem.hypotheses for formula in formulas]
+    said: list[Term] = [formula for _, formulas in problem.hypotheses for formula in formulas]
     said += [term for _, term in problem.definitions] + [value for _, value in problem.hints]
     return {name for name, _ in problem.definitions} | _names_in((problem.claim, *said))
 
 
-def _names_in(tree: Any) -> set[str]:
+def _names_in(tree: object) -> set[str]:
     open_, found = [tree], set[str]()
     while open_:
         part = open_.pop()
@@ -66,7 +66,7 @@ def _names_in(tree: Any) -> set[str]:
     return found
 
 
-def alone(problem: Problem) -> AbstractContextManager[Any]:
+def alone(problem: Problem) -> AbstractContextManager[Table]:
     """A table of variables for this problem alone."""
     return one_problem(letters_of(problem))
 
@@ -196,25 +196,25 @@ def angle(term: Term) -> dict[str, int]:
     raise Unsupported(f"sine or cosine of {term!r}: only whole multiples and sums of variables")
 
 
-def atom(tree: Any) -> str | None:
+def atom(tree: Node) -> str | None:
     """The variable that stands for a function of an unfolded term; None for roots of numbers and whole powers.
 
     Terms with the same arguments, as fractions of polynomials, have the same atom.
     """
-    kind, *arguments = tree
-    if kind == "call":
-        function, orders, *arguments = arguments
-        return table().atom((kind, function, orders, *map(canonical, arguments)), tree)
-    if kind == "pow" and (number := number_of(arguments[1])) is not None and number.denominator == 1:
-        return None
-    if kind == "sqrt" and number_of(arguments[0]) is not None:
-        return None
-    if kind in BINDING:
-        body, x, *ends = arguments
-        variables(body)  # what does not depend on x has its variable already
-        depth = sum(isinstance(part, Node) and part.tag in BINDING for part in subterms(body))
-        arguments = [substituted(body, {x: f"#{depth}"}), *ends]  # a name no letter has
-    return table().atom((kind, *map(canonical, arguments)), tree)
+    match tree:
+        case Call():
+            return table().atom((*tree[:3], *map(canonical, tree.terms)), tree)
+        case Value(tag="pow", terms=(_, exponent)):
+            if (number := number_of(exponent)) is not None and number.denominator == 1:
+                return None
+        case Value(tag="sqrt", terms=(radicand,)) if number_of(radicand) is not None:
+            return None
+    arguments = parts(tree)
+    if isinstance(tree, Binder):
+        variables(tree.body)  # what does not depend on its letter has its variable already
+        depth = sum(isinstance(part, Node) and part.tag in BINDING for part in subterms(tree.body))
+        arguments = (substituted(tree.body, {tree.letter: f"#{depth}"}), *tree.outside)  # a name no letter has
+    return table().atom((tree.tag, *map(canonical, arguments)), tree)
 
 
 def number_of(term: Term) -> Fraction | None:

@@ -9,7 +9,6 @@ from __future__ import annotations
 
 from collections.abc import Hashable, Iterable, Iterator, Mapping
 from contextlib import contextmanager
-from typing import Any
 
 from symcheck.core.terms import PI, Node, Term, node
 
@@ -28,7 +27,7 @@ class Table:
         self.circles: dict[str, tuple[str, str]] = {}  # ("sin", x) or ("cos", x)
         self.primes: dict[str, int] = {}
         self.atoms: dict[str, Node] = {}  # all other functions
-        self.texts: dict[Any, str] = {}  # canonical forms
+        self.texts: dict[Term, str] = {}  # canonical forms
         self._names: dict[Hashable, str] = {}
 
     def letter(self, name: str) -> str:

@@ -12,15 +12,12 @@ from dataclasses import dataclass
 from fractions import Fraction
 from itertools import islice, permutations, product
 from math import isqrt, prod
-from typing import Any
-
-import flint
 
 from symcheck.core.calculus import domain, letters
 from symcheck.core.claims import Problem
 from symcheck.core.formulas import conjuncts
 from symcheck.core.terms import PI, RELATIONS, Formula, Node, Quantified, Term, Value, mapped, node
-from symcheck.proof.algebra.flint import Poly, by_powers, fraction, occurring
+from symcheck.proof.algebra.flint import Poly, Rational, by_powers, fraction, occurring, rational
 from symcheck.proof.algebra.forms import number_term, term_of
 from symcheck.proof.algebra.knowledge import ring_of, stated
 from symcheck.proof.algebra.polynomial import (
@@ -44,7 +41,8 @@ from symcheck.proof.search.theorem_search import values_of
 
 Assignment = dict[str, Poly]
 Prover = Callable[[Problem], Proof | None]
-Rows = Sequence[Sequence[Any]]
+Rows = Sequence[Sequence[Term | Fraction]]
+ZERO = rational(0)
 TRIES = 400
 FUNCTION_TRIES = 12
 MAX_POWER = 40
@@ -63,7 +61,7 @@ def refute(problem: Problem, prove: Prover = lambda _: None) -> Point | None:
         return None
 
 
-def fails_at(problem: Problem, values: Mapping[str, Any]) -> bool:
+def fails_at(problem: Problem, values: Mapping[str, Term]) -> bool:
     """Whether the hypotheses hold at a point, with the values of a certificate, and the claim does not."""
     try:
         with alone(problem):
@@ -181,7 +179,7 @@ class Search:
                 if self._complete(point, steps) and self._evaluate(point):
                     yield point
 
-    def _value(self, value: Any) -> Poly:
+    def _value(self, value: Term | Fraction) -> Poly:
         if isinstance(value, str):
             return self.ring.number(Fraction(value))
         return self.ring.number(value) if isinstance(value, Fraction | int) else self.ring.poly(value)
@@ -370,14 +368,15 @@ class Search:
             return 1 if value.leading_coefficient() > 0 else -1
         return self._sign_of_roots(value)
 
-    def _rational(self, poly: Poly, point: Assignment) -> Any:
+    def _rational(self, poly: Poly, point: Assignment) -> Rational | None:
         """The value where only rational numbers enter, much faster than by substitution; else None."""
-        values = []
-        for name, degree in zip(self.ring.names, poly.degrees(), strict=True):
-            value = point.get(name) if degree else self.ring.number(0)
-            if value is None or not (value == 0 or value.is_constant()):
+        values = [ZERO] * len(self.ring.names)
+        for k, degree in enumerate(poly.degrees()):
+            if not degree or (value := point.get(self.ring.names[k])) == 0:
+                continue
+            if value is None or not value.is_constant():
                 return None
-            values.append(value.leading_coefficient() if value != 0 else flint.fmpq(0))
+            values[k] = value.leading_coefficient()
         return poly(*values)
 
     def _sign_of_roots(self, value: Poly) -> int:
@@ -470,7 +469,7 @@ class Search:
             trees += [self.ring.definitions[name] for name in sorted(new & self.ring.definitions.keys())]
         return names - self.ring.definitions.keys()
 
-    def _written_side(self, side: Term, point: Assignment) -> Any:
+    def _written_side(self, side: Term, point: Assignment) -> Term:
         """The value of a side; pi may stand in its denominator."""
         ratio = self.ring.ratio(side)
         top, bottom = (self._reduce(self._at(poly, point)) for poly in (ratio.num, ratio.bottom()))
@@ -486,11 +485,11 @@ class Search:
             bottom *= self._at(divisor, point) ** exponent
         return self._quotient(self._reduce(top), self._reduce(bottom))
 
-    def _written(self, value: Poly) -> Any:
+    def _written(self, value: Poly) -> Term:
         """A number as a term of integers and roots."""
         if value == 0:
             return 0
-        addends = []
+        addends: list[Term] = []
         for exponents, coefficient in value.terms():
             number, radicand, turns = fraction(coefficient), 1, 0
             for name, exponent in zip(self.ring.names, exponents, strict=True):
@@ -498,7 +497,7 @@ class Search:
                     turns = int(exponent)
                 else:
                     radicand *= self.roots[name] if exponent else 1
-            factors: list[Any] = [number_term(number)]
+            factors: list[Term] = [number_term(number)]
             factors += [node("sqrt", radicand)] * (radicand > 1) + [node("^", PI, turns)] * (turns > 0)
             addends.append(node("*", *factors) if len(factors) > 1 else factors[0])
         return addends[0] if len(addends) == 1 else node("+", *addends)
@@ -574,7 +573,7 @@ _ALLOWED: dict[tuple[tuple[str, ...], Formula], list[int]] = {}
 def _matrix_values() -> Iterator[Rows]:
     """Rotations, reflections and other matrices, small ones first."""
     f = Fraction
-    seventh: Rows = [[f(x, 7) for x in row] for row in SEVENTHS]  # a rotation; its negative is a reflection
+    seventh = [[f(x, 7) for x in row] for row in SEVENTHS]  # a rotation; its negative is a reflection
     eye: Rows = [[1, 0, 0], [0, 1, 0], [0, 0, 1]]
     r2, r3, r6 = node("sqrt", 2), node("sqrt", 3), node("sqrt", 6)
     surd: Rows = [
@@ -609,7 +608,7 @@ def _matrix_values() -> Iterator[Rows]:
     yield from (_cayley(seed) for seed in (1, 2))
 
 
-_CIRCLE: tuple[tuple[Any, Any], ...] = (
+_CIRCLE: tuple[tuple[Term | Fraction, Term | Fraction], ...] = (
     (Fraction(3, 5), Fraction(4, 5)),
     (Fraction(5, 13), Fraction(12, 13)),
     (Fraction(8, 17), Fraction(15, 17)),
@@ -625,7 +624,7 @@ _CIRCLE: tuple[tuple[Any, Any], ...] = (
 )
 
 _BIG = tuple(random.Random(7).getrandbits(62) for _ in range(12))
-_PATTERNS: tuple[tuple[Any, ...], ...] = (
+_PATTERNS: tuple[tuple[int | Fraction, ...], ...] = (
     (1, 2, 3),
     (),
     (2, 1, 3, 5, 7, 11),

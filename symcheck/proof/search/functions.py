@@ -6,14 +6,13 @@ that the checker knows (`symcheck/checker/theorems.py`); `theorem_search` proves
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from fractions import Fraction
 from itertools import combinations
 from math import comb, prod
-from typing import Any
 
 from symcheck.core.calculus import Unknown, substituted
-from symcheck.core.terms import INFINITY, MINUS_INFINITY, PI, End, Term, mapped, node
+from symcheck.core.terms import INFINITY, MINUS_INFINITY, PI, Binder, End, Node, Term, mapped, node
 from symcheck.proof.algebra.flint import Poly, by_powers, fraction, occurring, rational
 from symcheck.proof.algebra.forms import number_term, term_of
 from symcheck.proof.algebra.knowledge import Knowledge, proportional
@@ -38,11 +37,11 @@ WHOLE_LINE = (MINUS_INFINITY, INFINITY)
 
 def instances(name: str, names: set[str]) -> Iterator[Instance]:
     """The theorems about an atom, and about it together with other atoms."""
-    kind, *arguments = atoms()[name]
+    tree = atoms()[name]
     others = [atoms()[other] for other in sorted(names) if other in atoms() and other != name]
     try:
-        if kind in _ABOUT:
-            yield from _ABOUT[kind](arguments, [rest for k, *rest in others if k == kind])
+        if tree.tag in _ABOUT:
+            yield from _ABOUT[tree.tag](tree, [other for other in others if other.tag == tree.tag])
     except (Unsupported, Unknown):
         return
 
@@ -67,28 +66,29 @@ def _simplified(term: Term, known: Knowledge) -> Term:
     return _over(ideal.reduce(value.num), Ratio(value.num, den))
 
 
-def _root(arguments: list[Any], others: list[list[Any]]) -> Iterator[Instance]:
-    yield applied("root", arguments[0])
-    if arguments[0] == PI:
+def _root(tree: Node, others: Sequence[Node]) -> Iterator[Instance]:
+    yield applied("root", *tree.terms)
+    if tree.terms == (PI,):
         yield applied("equal_squares", node("sqrt", PI), node("gamma", node("/", 1, 2)))
-    radicands = [t for (t,) in (arguments, *others)]
+    radicands = [radicand for root in (tree, *others) for radicand in root.terms]
     for s, t in combinations(radicands, 2):
         if any(canonical(node("*", s, t)) == canonical(r) for r in radicands):
             yield applied("root_of_product", s, t)
 
 
-def _power(arguments: list[Any], others: list[list[Any]]) -> Iterator[Instance]:
-    base, exponent = arguments
+def _power(tree: Node, others: Sequence[Node]) -> Iterator[Instance]:
+    base, exponent = tree.terms
+    powers = [power.terms for power in others]
     yield applied("power", base, exponent)
     if number_of(base) == 1:
         yield applied("power_of_power", 1, 1, exponent)
     elif (half := _square_root(base)) is not None:
         doubled = number_of(node("*", 2, exponent))
         opposite = [canonical(node("*", 2 * sign, exponent)) for sign in (1, -1)]
-        partners = [other for other, more in others if canonical(more) in opposite]
+        partners = [other for other, more in powers if canonical(more) in opposite]
         if (doubled is not None and doubled.denominator == 1) or canonical(half) in map(canonical, partners):
             yield applied("power_of_power", half, 2, exponent)
-    for other, more in others:
+    for other, more in powers:
         if canonical(other) == canonical(base):
             gap, whole = (number_of(node("+", exponent, other)) for other in (node("-", more), more))
             if gap is not None and gap.denominator == 1:
@@ -113,23 +113,24 @@ def _square_root(term: Term) -> Term | None:
     return term_of(prod(bases, start=value.num**0 * rational(outside)))
 
 
-def _gamma(arguments: list[Any], others: list[list[Any]]) -> Iterator[Instance]:
-    (t,) = arguments
+def _gamma(tree: Node, others: Sequence[Node]) -> Iterator[Instance]:
+    (t,) = tree.terms
     number = number_of(t)
     if number is not None and number > 1:
         yield applied("gamma", number_term(number - 1))
     elif number in (1, Fraction(1, 2)):
         yield applied("gamma_values")
-    for (other,) in others:
+    for (other,) in (gamma.terms for gamma in others):
         if number is None and number_of(node("+", other, node("-", t))) == 1:
             yield applied("gamma", t)
         if number is None and number_of(node("+", t, node("-", other))) == 1:
             yield applied("gamma", other)
 
 
-def _mean(arguments: list[Any], others: list[list[Any]]) -> Iterator[Instance]:
+def _mean(tree: Node, others: Sequence[Node]) -> Iterator[Instance]:
     """The constant Fourier coefficient, and the integral of the rest."""
-    body, x = arguments
+    assert isinstance(tree, Binder)
+    body, x = tree.body, tree.letter
     ring = Ring({*variables(body), sine(x), cosine(x)})
     value = ring.ratio(body)
     s, c = ring.names.index(sine(x)), ring.names.index(cosine(x))
@@ -160,9 +161,10 @@ def _harmonics(i: int, j: int) -> dict[int, tuple[Fraction, Fraction]]:
     return found
 
 
-def _integral(arguments: list[Any], others: list[list[Any]]) -> Iterator[Instance]:
-    body, x, *ends = arguments
-    if tuple(ends) == WHOLE_LINE:
+def _integral(tree: Node, others: Sequence[Node]) -> Iterator[Instance]:
+    assert isinstance(tree, Binder)
+    body, x, ends = tree.body, tree.letter, tree.outside
+    if ends == WHOLE_LINE:
         mirrored = canonical(substituted(body, {x: node("-", x)}))
         if mirrored == canonical(body):
             yield applied("even", of(x, body))
@@ -178,9 +180,9 @@ def _integral(arguments: list[Any], others: list[list[Any]]) -> Iterator[Instanc
                 outside = node("/", c, node("*", 2, p, exponent))
                 base = node("+", node("*", p, node("^", x, 2)), q)
                 yield applied("power_rule", of(x, body), *ends, outside, of(x, base), exponent)
-    if tuple(ends) == HALF_LINE and (power := _pure_power(body, x)) is not None:
+    if ends == HALF_LINE and (power := _pure_power(body, x)) is not None:
         yield applied("power_diverges", of(x, body), *power)
-    if tuple(ends) in (HALF_LINE, WHOLE_LINE):
+    if ends in (HALF_LINE, WHOLE_LINE):
         shape = _shape(body, x)
         yield applied("beta", of(x, body), *shape)
         yield applied("beta_diverges", of(x, body), *shape)
@@ -205,7 +207,7 @@ def _pure_power(body: Term, x: str) -> tuple[Term, Term] | None:
     return term_of(outside), node("+", *exponents) if exponents else 0
 
 
-def _shape(body: Term, x: str) -> tuple[Any, ...]:
+def _shape(body: Term, x: str) -> tuple[Term, int, Term, Term, Term, Term]:
     """(c, k, u, r, p, q) with body = c x^(k+u) (p x^2 + q)^(-r); Unsupported if it has another shape."""
     ring = Ring(with_arguments({*variables(body), x}))
     value = ring.ratio(body)
@@ -251,7 +253,7 @@ def _shape(body: Term, x: str) -> tuple[Any, ...]:
     return c, power, u, exponent, term_of(powers[2]), term_of(powers.get(0, ring.number(0)))
 
 
-_ABOUT: dict[str, Callable[[list[Any], list[list[Any]]], Iterator[Instance]]] = {
+_ABOUT: dict[str, Callable[[Node, Sequence[Node]], Iterator[Instance]]] = {
     "sqrt": _root,
     "pow": _power,
     "gamma": _gamma,

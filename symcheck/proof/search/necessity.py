@@ -5,9 +5,9 @@ has no value. Each is a certificate of its own.
 from __future__ import annotations
 
 import random
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import replace
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 from symcheck.core.calculus import letters
 from symcheck.core.claims import Outcome, Problem
@@ -26,7 +26,7 @@ from symcheck.proof.search.witnesses import FALSE
 PLAIN = {"+", "-", "*", "/", "^", "and", "or", "=>", "<=>", *RELATIONS}
 DRAWN, DRAWS = range(-5, 6), 500
 ORDERS = ("<", "<=", ">", ">=")
-TURNS = ("sin", "cos")
+TURNS = {"sin": "sine", "cos": "cosine"}
 RIGHT_ANGLES = ((0, 1), (1, 0))  # the sine and the cosine of 0 and of 90 degrees
 HAVING_A_VALUE: dict[str, Callable[..., Formula]] = {
     "/": lambda _, bottom: node("!=", bottom, 0),
@@ -89,7 +89,7 @@ def _refuted_by_chance(problem: Problem) -> Point | None:
 def _meaningful(problem: Problem) -> Iterator[Problem]:
     """What must hold for terms of the claim to have values, each to be refuted."""
     table, stated = dict(problem.definitions), dict[Formula, None]()
-    todo: list[Any] = [problem.claim]
+    todo: list[Term] = [problem.claim]
     while todo:
         for tree in subterms(todo.pop()):
             if isinstance(tree, str) and tree in table:
@@ -107,15 +107,15 @@ def _none_exists(problem: Problem) -> Certificate | None:
     relations = list(conjuncts(problem.claim.body))
     if _contradictory(problem, relations) is None:
         return None
-    for each in tuple(relations):
-        rest = [other for other in relations if other != each]
+    for relation in tuple(relations):
+        rest = [other for other in relations if other != relation]
         relations = relations if _contradictory(problem, rest) is None else rest
     return _contradictory(problem, relations)
 
 
 def _contradictory(problem: Problem, relations: Sequence[Formula]) -> Certificate | None:
     """The proof that the relations never hold together; one of them has to be an order."""
-    if not any(each[0] in ORDERS for each in relations):
+    if not any(relation.tag in ORDERS for relation in relations):
         return None
     failing = replace(problem, claim=node("=>", node("and", *relations) if relations[1:] else relations[0], FALSE))
     proof = proof_of(failing)
@@ -132,7 +132,7 @@ def _at_special_angles(problem: Problem) -> Iterator[Problem]:
     taken = Table(letters_of(problem))
     for angle in angles:
         for values in RIGHT_ANGLES:
-            names = {(f, angle): taken.fresh(f"{word}_of_{angle}") for f, word in (("sin", "sine"), ("cos", "cosine"))}
+            names: dict[Term, str] = {node(f, angle): taken.fresh(f"{word}_of_{angle}") for f, word in TURNS.items()}
             special = _renamed(problem, names, dict(zip(names.values(), values, strict=True)))
             if not problem.hypotheses or refute(replace(special, claim=node("=", 0, 1))) is not None:
                 yield special
@@ -143,16 +143,16 @@ def _angle_of(term: Term) -> set[str]:
     return {x for x in term.terms if isinstance(x, str)} if isinstance(term, Node) and term.tag in TURNS else set()
 
 
-def _renamed(problem: Problem, names: dict[Any, str], values: dict[str, Term]) -> Problem:
-    def new(term: Any) -> Any:
-        if isinstance(term, Node):
-            return names[term] if term in names else mapped(term, new)
-        return term
+def _renamed(problem: Problem, names: Mapping[Term, str], values: Mapping[str, Term]) -> Problem:
+    def new(term: Term) -> Term:
+        return names[term] if term in names else mapped(term, new) if isinstance(term, Node) else term
 
     return replace(
         problem,
-        claim=new(problem.claim),
+        claim=mapped(problem.claim, new),
         definitions=(*values.items(), *((name, new(term)) for name, term in problem.definitions)),
-        hypotheses=tuple((name, tuple(map(new, formulas))) for name, formulas in problem.hypotheses),
+        hypotheses=tuple(
+            (name, tuple(mapped(formula, new) for formula in formulas)) for name, formulas in problem.hypotheses
+        ),
         hints=(),
     )

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Set
 from dataclasses import replace
-from typing import Any
 
 from symcheck.core.calculus import letters, substituted
 from symcheck.core.claims import Problem
@@ -69,16 +68,17 @@ def _require(condition: bool, what: str) -> None:
         raise Unsupported(what)
 
 
-def _letter(name: Any) -> None:
+def _letter(name: str) -> None:
     _require(Reader.letter(name) not in CONSTANTS, f"{name!r} is no name of a letter")
 
 
-def _check(tree: Any, allowed: Set[str], depth: int = 0) -> None:
+def _check(tree: object, allowed: Set[str], depth: int = 0) -> None:
     if isinstance(tree, str):
         _letter(tree)
     if type(tree) is int or isinstance(tree, str):
         return
-    _require(isinstance(tree, Node) and depth < MAX_DEPTH, f"{tree!r:.80} is no term")
+    if not isinstance(tree, Node) or depth >= MAX_DEPTH:
+        raise Unsupported(f"{tree!r:.80} is no term")
     kind, count = SHAPES[tree.tag]
     _require(tree.tag in allowed and type(tree) is kind, f"{tree!r:.80} is no {_WORDS[allowed is FORMULAS]}")
     _require(count in (None, len(tree) - 1), f"the term {tree.tag!r} of {len(tree) - 1} parts is not known")

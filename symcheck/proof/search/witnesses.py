@@ -10,7 +10,6 @@ import random
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from fractions import Fraction
-from typing import Any
 
 from symcheck.checker.enclosures import enclosed
 from symcheck.core.calculus import Unknown, domain, substituted
@@ -30,25 +29,16 @@ FALSE: Formula = node("=", 0, 1)
 DRAWS = 3000
 TRIALS = 60
 _ARCS = ("arctan", "arcsin", "arccos")
-VALUES: tuple[int | Fraction, ...] = (
-    1,
-    -1,
-    0,
-    2,
-    3,
-    4,
-    5,
-    -2,
-    -3,
-    -4,
-    -5,
+Pool = tuple[int | Fraction, ...]
+VALUES: Pool = (
+    *(1, -1, 0, *range(2, 6), *range(-2, -6, -1)),
     *(
         Fraction(n, d)
         for n, d in ((1, 2), (1, 3), (2, 3), (1, 4), (3, 4), (3, 5), (4, 5), (2, 7), (3, 7), (6, 7), (1, 10), (-1, 2))
     ),
 )
 POSITIVE = tuple(value for value in VALUES if value > 0)
-POOLS: tuple[tuple[Any, ...], ...] = (VALUES[:2], VALUES[:4], VALUES, POSITIVE, (0, 0, 0, 1, -1))
+POOLS: tuple[Pool, ...] = (VALUES[:2], VALUES[:4], VALUES, POSITIVE, (0, 0, 0, 1, -1))
 Prover = Callable[[Problem], Proof | None]
 Definitions = tuple[tuple[str, Term], ...]
 
@@ -271,7 +261,12 @@ class _Draws(Search):
         return max(powers) == 1 and occurring(powers[1]) <= self.roots.keys()
 
     def _draw(
-        self, rng: random.Random, point: Assignment, left: list[str], equations: Sequence[Poly], values: Sequence[Any]
+        self,
+        rng: random.Random,
+        point: Assignment,
+        left: list[str],
+        equations: Sequence[Poly],
+        values: Pool,
     ) -> bool:
         """Gives letters and angles values, in a random order; False if an equation has no root."""
         left = rng.sample(left, len(left))
@@ -296,7 +291,7 @@ class _Draws(Search):
         """The letters of a polynomial; an angle in place of its sine and cosine."""
         return {(circle(name) or ("", name))[1] for name in self._unknown(poly)}
 
-    def _fixed(self, rng: random.Random, name: str, poly: Poly | None, values: Sequence[Any]) -> Assignment | None:
+    def _fixed(self, rng: random.Random, name: str, poly: Poly | None, values: Pool) -> Assignment | None:
         """A letter or an angle with a value drawn, or the one that an equation says it has."""
         sign = rng.choice((1, -1))
         if name in self.free:
