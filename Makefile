@@ -10,7 +10,7 @@ PIP := $(BIN)/python -m pip install --quiet --disable-pip-version-check -c const
 NEWEST := python3.13
 NEWEST_VENV := .venv-newest
 
-.PHONY: audit test test-full test-newest quick gates notebooks bench bench-gpu selftest browser coq coq-check install-coq clean
+.PHONY: audit test test-full test-newest quick gates notebooks docs bench bench-gpu selftest browser coq coq-check install-coq clean
 
 audit: $(STAMP)
 	$(BIN)/symcheck check
@@ -42,14 +42,14 @@ gates: $(DEV)
 notebooks: $(DEV)
 	$(BIN)/jupyter lab notebooks
 
+# The reference of all public names, from their docstrings; it needs no network, and a warning is an error.
+docs: $(DEV)
+	$(BIN)/python tests/build_docs.py build/docs
+
+# What they print is recorded in generated/figures.md.
 bench: $(DEV)
-	$(BIN)/python tests/bench.py
-	$(BIN)/python tests/bench_kernels.py
-	$(BIN)/python tests/bench_c.py
-	$(BIN)/python tests/bench_numba.py
-	$(BIN)/python tests/bench_envelope.py
-	OPENBLAS_NUM_THREADS=1 $(BIN)/python tests/bench_ensemble.py
-	$(BIN)/python tests/bench_sweep.py
+	OPENBLAS_NUM_THREADS=1 $(BIN)/python tests/bench_record.py bench_ensemble.py
+	$(BIN)/python tests/bench_record.py bench.py bench_kernels.py bench_c.py bench_numba.py bench_envelope.py bench_sweep.py
 
 # Plants faults and keeps what becomes of them, for the report and generated/figures.md.
 selftest: $(DEV)

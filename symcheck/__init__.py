@@ -9,7 +9,7 @@ TYPE_CHECKING = False  # as in `typing`, whose import would delay every start
 if TYPE_CHECKING:
     from symcheck import papers
     from symcheck.audit.library import check, errata
-    from symcheck.core.claims import Erratum, Hypothesis, Item, Paper, Section
+    from symcheck.core.claims import Declaration, Erratum, Hypothesis, Paper, Section
     from symcheck.core.verdicts import Group, Origin, Reading, Role, SymcheckError, Verdict
     from symcheck.ledger.record import Record
     from symcheck.numeric.chunked.kernels import kernel
@@ -20,10 +20,10 @@ if TYPE_CHECKING:
 __version__ = "0.1.0"
 
 __all__ = [
+    "Declaration",
     "Erratum",
     "Group",
     "Hypothesis",
-    "Item",
     "Letter",
     "Notation",
     "Origin",
@@ -48,7 +48,7 @@ __all__ = [
 
 _HOMES = {
     "symcheck.audit.library": ("check", "errata"),
-    "symcheck.core.claims": ("Erratum", "Hypothesis", "Item", "Paper", "Section"),
+    "symcheck.core.claims": ("Declaration", "Erratum", "Hypothesis", "Paper", "Section"),
     "symcheck.core.verdicts": ("Group", "Origin", "Reading", "Role", "SymcheckError", "Verdict"),
     "symcheck.ledger.record": ("Record",),
     "symcheck.numeric.chunked.kernels": ("kernel",),

@@ -19,11 +19,11 @@ from tempfile import TemporaryDirectory
 from typing import Any
 
 from symcheck import kernels
-from symcheck.audit.context import Context
+from symcheck.audit.context import context_of
 from symcheck.audit.executor import Done, Pool
 from symcheck.audit.judge import units
 from symcheck.audit.obligation import obligation_of
-from symcheck.core.claims import Method, Problem
+from symcheck.core.problems import Form, Method, Problem
 from symcheck.core.terms import Term, node
 from symcheck.core.verdicts import Verdict
 from symcheck.proof.algebra.knowledge import ring_of, starting
@@ -41,18 +41,18 @@ def problems() -> Iterator[tuple[Method, Problem]]:
     """The lowered statements of the proof set, each with its method."""
     for number in PROOF_SET:
         obligation = obligation_of(f"mirer2009:{number}")
-        context, by = Context(obligation.paper, obligation.item), obligation.item.by
+        context = context_of(obligation)
         for unit in units(context):
             if unit.letter in LINKS.get(number, unit.letter):
-                method = by[unit.letter] if isinstance(by, dict) else by
+                method = context.method(unit.letter)
                 for n, formula in enumerate(unit.formulas):
-                    yield method, context.problem(formula, obligation.item.given, method, n)
+                    yield method, context.problem(formula, context.item.statement.given, method, n)
 
 
 def vanishing(problem: Problem) -> Term:
     """What has to be zero: left minus right, minus the form that an inequality rests on."""
     _, left, right = problem.claim
-    forms = (node("-", term) for name, term in problem.hints if name == "form")
+    forms = (node("-", hint.sum) for hint in problem.hints if isinstance(hint, Form))
     return unfold(node("+", left, node("-", right), *forms), dict(problem.definitions))
 
 

@@ -1,7 +1,7 @@
 """Kernels against SymPy's `lambdify(cse=True)`, and against 50 digits. Run by `make bench`.
 
-Prints two tables in Markdown: times as fast (medians of interleaved runs), and largest errors. With --record they
-replace those of generated/figures.md, where a test keeps them complete.
+Prints two tables in Markdown: times as fast (medians of interleaved runs), and largest errors. `make bench` records
+them in generated/figures.md, where a test keeps them complete.
 """
 
 from __future__ import annotations
@@ -9,7 +9,6 @@ from __future__ import annotations
 import gc
 import os
 import statistics
-import sys
 from collections.abc import Callable, Iterable, Iterator
 from functools import partial
 from pathlib import Path
@@ -20,9 +19,8 @@ import sympy as sp
 from bench import interleaved
 from kernel_reference import Case, cases, measured, random_points
 
-from symcheck import kernels
 from symcheck.kernels.codegen.program import UNARY
-from symcheck.selftest.figures import head, row, write
+from symcheck.views.figures import cells, table
 
 SIZES = (0, 1, 10, 100, 1_000, 10_000, 100_000, 1_000_000, 10_000_000)  # 0: Python floats
 MILLION = SIZES.index(1_000_000)
@@ -84,14 +82,14 @@ def limits() -> str:
 
 def speed(every: Iterable[Case]) -> Iterator[str]:
     """A table row for each kernel; last what the large sizes come to."""
-    yield from head(SPEED)
+    yield from table(SPEED)
     large: list[float] = []
     small: list[float] = []
     for case in every:
         calls, per_point, found = ratios(case)
         large += found[MILLION:] if calls >= 2 else []
         small += found[1:MILLION]
-        yield row([case.id, str(calls), f"{per_point * 1e9:.1f}", *(f"{ratio:.2f}" for ratio in found)])
+        yield cells([case.id, str(calls), f"{per_point * 1e9:.1f}", *(f"{ratio:.2f}" for ratio in found)])
     yield ""
     mean = statistics.geometric_mean
     if large:
@@ -101,30 +99,31 @@ def speed(every: Iterable[Case]) -> Iterator[str]:
 
 def accuracy(every: Iterable[Case]) -> Iterator[str]:
     """A table row for each kernel."""
-    yield from head(ACCURACY)
+    yield from table(ACCURACY)
     for case in every:
         found = measured(case, POINTS)
         place = ", ".join(f"{name} = {value:.3g}" for name, value in found.point.items())
-        yield row([case.id, f"{found.ulp:.2f}", str(case.kernel.ulp), f"{found.output} at {place}"])
+        yield cells([case.id, f"{found.ulp:.2f}", str(case.kernel.ulp), f"{found.output} at {place}"])
 
 
-TABLES = {"speed of kernels": speed, "accuracy of kernels": accuracy}
+TABLES = {
+    "Speed: times as fast as SymPy's `lambdify(cse=True)` on so many points": speed,
+    "Accuracy: the largest error found at random points and near degenerate ones": accuracy,
+}
 
 
 def main() -> None:
-    """Measure, print, and with --record write."""
-    every = list(cases().values())
-    for name, table in TABLES.items():
-        if name not in (os.environ.get("BENCH_ONLY") or name):
+    """Measure and print; $BENCH_ONLY is the beginning of the title of the only table wanted."""
+    every, only = list(cases().values()), os.environ.get("BENCH_ONLY", "")
+    for title, measure in TABLES.items():
+        if not title.lower().startswith(only.lower()):
             continue
-        lines = [limits(), ""] if table is speed else []
-        for line in lines:
-            print(line)
-        for line in table(every):
+        print(f"### {title}\n")
+        if measure is speed:
+            print(f"{limits()}\n")
+        for line in measure(every):
             print(line, flush=True)
-            lines.append(line)
-        if sys.argv[1:] == ["--record"]:
-            write(kernels.folder(), name, lines)
+        print()
 
 
 if __name__ == "__main__":

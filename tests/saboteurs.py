@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from statements import FALSE
 
-from symcheck.core.claims import Method, Outcome, Problem
+from symcheck.core.problems import Method, Outcome, Problem
 from symcheck.core.verdicts import Verdict
 from symcheck.selftest.evidence import answered
 

@@ -13,7 +13,8 @@ from dataclasses import dataclass
 from types import ModuleType
 from typing import Any
 
-from symcheck.core.claims import Item, Paper, Section
+from symcheck.core.claims import Claim, Declaration, Definition, Paper, Plan, Section, Source, Statement
+from symcheck.core.problems import Method, Outcome
 from symcheck.core.verdicts import Certificate, Origin, Reading, Role, Verdict
 from symcheck.ledger.record import Correction, Edit, HypothesisRow, Need, Record, Repair
 
@@ -49,11 +50,17 @@ class Obligation:
     id: str
     paper: Paper
     section: Section
-    item: Item
+    item: Declaration
 
 
-def _item(number: str, role: Role = Role.CLAIM) -> Item:
-    return Item(number=number, role=role, line=10)
+METHOD = Method("none", lambda problem: Outcome(Verdict.UNDECIDED))
+
+
+def _item(number: str, role: Role = Role.CLAIM) -> Declaration:
+    source = Source(10)
+    if role is Role.DEFINITION:
+        return Definition(number=number, source=source)
+    return Claim(number=number, source=source, statement=Statement(), plan=Plan(METHOD))
 
 
 NUMBERS = {

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from symcheck.core.claims import Problem
+from symcheck.core.problems import Form, Problem, Witness
 from symcheck.core.terms import Formula, Term, node
 
 R = (1, 2, 3)
@@ -156,7 +156,7 @@ GAINS = ("gains", (node(">", "k", 0), node(">", "I", 0), node(">", "J", 0)))
 cos2, sin2 = cos(mul(2, A)), sin(mul(2, A))
 
 
-def _family() -> tuple[tuple[str, Term], ...]:
+def _family() -> tuple[Witness[Term]]:
     first = (over(2, node("sqrt", 6)), over(-1, node("sqrt", 6)), over(1, node("sqrt", 6)))
     second = (over(1, node("sqrt", 3)), over(1, node("sqrt", 3)), over(-1, node("sqrt", 3)))
     third = (0, over(1, node("sqrt", 2)), over(1, node("sqrt", 2)))
@@ -165,7 +165,7 @@ def _family() -> tuple[tuple[str, Term], ...]:
         values[a(1, j + 1)] = add(mul("u", first[j]), mul("v", third[j]))
         values[a(2, j + 1)] = second[j]
         values[a(3, j + 1)] = sub(mul("u", third[j]), mul("v", first[j]))
-    return tuple((f"point_{name}", value) for name, value in values.items())
+    return (Witness(tuple(values.items())),)
 
 
 TRUE = (
@@ -200,37 +200,35 @@ TRUE = (
         KBAR,
     ),
     Problem("sum of moments", eq(add("J_1", "J_2", "J_3"), mul(3, "c")), J + MEAN, (ORTHOGONAL,)),
-    Problem("2.10", node("<=", product_i, product_j), J, (ORTHOGONAL, NON_NEGATIVE), (("form", excess),)),
-    Problem(
-        "2.18", node(">=", sum_jl, mul(3, product_i)), J + L, (ORTHOGONAL, NON_NEGATIVE), (("form", excess_of_sum),)
-    ),
+    Problem("2.10", node("<=", product_i, product_j), J, (ORTHOGONAL, NON_NEGATIVE), (Form(excess),)),
+    Problem("2.18", node(">=", sum_jl, mul(3, product_i)), J + L, (ORTHOGONAL, NON_NEGATIVE), (Form(excess_of_sum),)),
     Problem(
         "2.1 right",
         node("<=", product_j, node("^", "c", 3)),
         J + MEAN,
         (ORTHOGONAL, NON_NEGATIVE),
-        (("form", deficit),),
+        (Form(deficit),),
     ),
     Problem(
         "domain of f_1",
         node("<=", "J_2", over(mul(3, "c"), 2)),
         J + MEAN,
         (ORTHOGONAL, TRIANGLE),
-        (("form", slack_of_domain),),
+        (Form(slack_of_domain),),
     ),
     Problem(
         "six cases",
         node("<=>", eq(product_j, product_i), six_cases),
         J,
         (ORTHOGONAL, POSITIVE, DISTINCT),
-        (("form0", excess),),
+        (Form(excess),),
     ),
     Problem(
         "2.20",
         node("<=>", eq(sum_jl, mul(3, product_i)), parallel),
         J + L,
         (ORTHOGONAL, POSITIVE, DISTINCT),
-        (("form0", excess_of_sum),),
+        (Form(excess_of_sum),),
     ),
     Problem("2.20 to 2.17", node("=>", parallel, six_cases), (), (ORTHOGONAL,)),
     Problem(
@@ -238,7 +236,7 @@ TRUE = (
         node("<=>", eq(product_j, node("^", "c", 3)), equal_moments),
         J + MEAN,
         (ORTHOGONAL, POSITIVE),
-        (("form0", deficit),),
+        (Form(deficit),),
     ),
     Problem(
         "two of three", node("=>", all_of(eq("J_1", "c"), eq("J_2", "c")), eq("J_3", "c")), J + MEAN, (ORTHOGONAL,)
@@ -290,7 +288,7 @@ TRUE = (
             all_of(eq(add(sq("u"), sq("v")), 1), eq(over(mul("u", "v"), "d"), over(mul("u", "v"), node("-", "e")))),
         ),
     ),
-    Problem("a root of x^2 = 2", node("exists", ("x",), eq(sq("x"), 2)), (), (), (("point_x", node("sqrt", 2)),)),
+    Problem("a root of x^2 = 2", node("exists", ("x",), eq(sq("x"), 2)), (), (), (Witness((("x", node("sqrt", 2)),)),)),
 )
 
 FALSE = (
@@ -305,15 +303,15 @@ FALSE = (
     Problem("2.13 without orthogonality", eq(mul("J_2", mixed), add(product_i, *gaps(2))), J, ()),
     Problem("2.13 with a term dropped", eq(mul("J_2", mixed), add(product_i, *gaps(2)[1:])), J, (ORTHOGONAL,)),
     Problem("printed end of the expansion", node(">", product_j, product_j), J, (ORTHOGONAL, NON_NEGATIVE)),
-    Problem("2.10 turned", node(">=", product_i, product_j), J, (ORTHOGONAL, NON_NEGATIVE), (("form", excess),)),
-    Problem("2.10 strict", node("<", product_i, product_j), J, (ORTHOGONAL, NON_NEGATIVE), (("form", excess),)),
-    Problem("2.10 with negative moments", node("<=", product_i, product_j), J, (ORTHOGONAL,), (("form", excess),)),
+    Problem("2.10 turned", node(">=", product_i, product_j), J, (ORTHOGONAL, NON_NEGATIVE), (Form(excess),)),
+    Problem("2.10 strict", node("<", product_i, product_j), J, (ORTHOGONAL, NON_NEGATIVE), (Form(excess),)),
+    Problem("2.10 with negative moments", node("<=", product_i, product_j), J, (ORTHOGONAL,), (Form(excess),)),
     Problem(
         "2.18 too strong",
         node(">=", sum_jl, mul(4, product_i)),
         J + L,
         (ORTHOGONAL, POSITIVE),
-        (("form", excess_of_sum),),
+        (Form(excess_of_sum),),
     ),
     Problem(
         "left equality for equal moments",
@@ -332,7 +330,7 @@ FALSE = (
         node("=>", eq(product_j, product_i), six_cases),
         J,
         (ORTHOGONAL, POSITIVE, DISTINCT_AS_PRINTED),
-        (("form0", excess),),
+        (Form(excess),),
     ),
     Problem(
         "2.20 with a zero moment",

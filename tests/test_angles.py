@@ -14,8 +14,8 @@ import pytest
 
 from symcheck.audit.checked import reason as check
 from symcheck.checker.theorems import NAMES, instance
-from symcheck.core.claims import Outcome, Problem
 from symcheck.core.formulas import contrary
+from symcheck.core.problems import Outcome, Problem
 from symcheck.core.terms import RELATIONS, Formula, node
 from symcheck.core.verdicts import Certificate, Verdict
 from symcheck.proof import certificate, fails_at, identity

@@ -4,9 +4,10 @@ from __future__ import annotations
 
 import pytest
 
-from symcheck.audit.context import Context
+from symcheck.audit.context import context_of
 from symcheck.audit.judge import judge, units
 from symcheck.audit.obligation import obligation_of
+from symcheck.core.ids import Id
 from symcheck.core.verdicts import Verdict
 from symcheck.reading import read
 
@@ -146,11 +147,11 @@ CASES = [(paper, number, latex) for paper, rows in BAD.items() for number, latex
 
 @pytest.mark.parametrize(("paper", "number", "latex"), CASES, ids=[f"{paper}:{number}" for paper, number, _ in CASES])
 def test_a_wrong_statement_in_the_place_of_a_right_one_is_not_proved(paper: str, number: str, latex: str) -> None:
-    obligation = obligation_of(f"{paper}:{number.rstrip('abcdefghijk')}")
-    context = Context(obligation.paper, obligation.item)
-    letter = number[-1] if number[-1].isalpha() else ""
-    (unit,) = (each for each in units(context) if each.letter == letter)
-    given = (*obligation.item.given, *obligation.item.needs)
+    id = Id.of(paper, number)
+    context = context_of(obligation_of(str(id.declaration)))
+    (unit,) = (each for each in units(context) if each.letter == id.link)
+    erratum = context.item.erratum(id.link)
+    given = (*context.item.statement.given, *(erratum.needs if erratum else ()))
     assert judge(context, unit, given).verdict is Verdict.PROVED
     wrong = unit.reworded(context, read(latex, context.notation))
     assert judge(context, wrong, given).verdict is not Verdict.PROVED

@@ -8,8 +8,7 @@ from pathlib import Path
 import pytest
 
 from symcheck import papers
-from symcheck.core.claims import Item, Paper
-from symcheck.core.verdicts import Role
+from symcheck.core.claims import Declaration, Exclusion, Paper
 from symcheck.reading import split_tag
 
 PAPERS = list(papers.load().values())
@@ -31,8 +30,8 @@ def inline(text: str) -> list[tuple[int, str]]:
     return [(without[: m.start()].count("\n") + 1, m[1]) for m in re.finditer(r"\$([^$]+)\$", without)]
 
 
-def printed_items(paper: Paper) -> list[Item]:
-    return [item for _, _, item in paper.items() if item.printed]
+def printed_items(paper: Paper) -> list[Declaration]:
+    return [item for _, _, item in paper.items() if item.source.printed]
 
 
 @pytest.fixture(params=PAPERS, ids=lambda paper: paper.key)
@@ -46,7 +45,7 @@ def source(paper: Paper, sources: Path) -> str:
 
 
 def test_every_displayed_block_is_covered_to_the_last_character(paper: Paper, source: str) -> None:
-    pieces = [squeezed(piece) for item in printed_items(paper) for piece in item.printed]
+    pieces = [squeezed(piece) for item in printed_items(paper) for piece in item.source.printed]
     for line, block in blocks(source):
         rest = squeezed(split_tag(block)[0])
         for piece in sorted(set(pieces), key=len, reverse=True):
@@ -55,7 +54,7 @@ def test_every_displayed_block_is_covered_to_the_last_character(paper: Paper, so
 
 
 def test_every_inline_relation_is_declared(paper: Paper, source: str) -> None:
-    pieces = {squeezed(piece) for item in printed_items(paper) for piece in item.printed}
+    pieces = {squeezed(piece) for item in printed_items(paper) for piece in item.source.printed}
     missing = [
         (line, text) for line, text in inline(source) if RELATION_SIGN.search(text) and squeezed(text) not in pieces
     ]
@@ -65,16 +64,16 @@ def test_every_inline_relation_is_declared(paper: Paper, source: str) -> None:
 def test_every_printed_string_stands_in_the_source_on_its_line(paper: Paper, source: str) -> None:
     lines = source.split("\n")
     for item in printed_items(paper):
-        rest = squeezed("\n".join(lines[item.line - 1 :]))
-        for piece in item.printed:
+        rest = squeezed("\n".join(lines[item.source.line - 1 :]))
+        for piece in item.source.printed:
             assert squeezed(piece) in rest, f"{item.number}: {piece}"
-        first = squeezed(item.printed[0])
-        assert first not in squeezed("\n".join(lines[item.line :])) or first in squeezed(lines[item.line - 1]), (
-            item.number
-        )
-        head = squeezed(lines[item.line - 1])
+        first = squeezed(item.source.printed[0])
+        assert first not in squeezed("\n".join(lines[item.source.line :])) or first in squeezed(
+            lines[item.source.line - 1]
+        ), item.number
+        head = squeezed(lines[item.source.line - 1])
         assert first in head or (head.lstrip("$") and first.startswith(head.lstrip("$"))), (
-            f"{item.number}: line {item.line}"
+            f"{item.number}: line {item.source.line}"
         )
 
 
@@ -84,7 +83,9 @@ def test_a_printed_tag_is_the_number_of_its_declaration(paper: Paper, source: st
     for _, block in blocks(source):
         body, tag = split_tag(block)
         if tag:
-            owners = [n for n, item in numbers.items() if any(squeezed(p) in squeezed(body) for p in item.printed)]
+            owners = [
+                n for n, item in numbers.items() if any(squeezed(p) in squeezed(body) for p in item.source.printed)
+            ]
             assert tag in owners, f"({tag}) is declared as {owners}"
     assert tags or not blocks(source)
 
@@ -99,6 +100,6 @@ def test_the_printed_numbering_has_no_gap(paper: Paper) -> None:
 
 def test_every_exclusion_and_premise_in_words_says_why(paper: Paper) -> None:
     for _, _, item in paper.items():
-        if item.role is Role.EXCLUSION:
+        if isinstance(item, Exclusion):
             assert item.reason, item.number
-        assert item.printed or item.words, item.number
+        assert item.source.printed or item.source.words, item.number

@@ -26,7 +26,7 @@ from symcheck.coq.statements import statement as stated
 from symcheck.coq.terms import NotExported, polynomial
 from symcheck.coq.theorems import CONGRUENCE, UNSTATED, identifier, statement
 from symcheck.coq.witnesses import HEAD, NONE, circle, witnesses
-from symcheck.core.claims import Problem
+from symcheck.core.problems import Problem
 from symcheck.core.terms import Reader as Terms
 from symcheck.core.terms import Term, node
 from symcheck.proof import certificate as certificate_of

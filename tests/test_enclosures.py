@@ -13,7 +13,7 @@ import pytest
 from symcheck.audit.checked import reason as check
 from symcheck.checker.enclosures import ONE, between, enclosed
 from symcheck.core.calculus import Unknown
-from symcheck.core.claims import Outcome, Problem
+from symcheck.core.problems import Outcome, Problem
 from symcheck.core.terms import INFINITY, PI, Term, node
 from symcheck.core.verdicts import Certificate, Verdict
 from symcheck.proof import certificate, identity, proof_of

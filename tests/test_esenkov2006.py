@@ -9,9 +9,10 @@ import re
 from pathlib import Path
 
 import pytest
+from declarations import errata
 
 from symcheck import papers
-from symcheck.core.verdicts import Role
+from symcheck.core.claims import Exclusion
 from symcheck.papers.esenkov2006 import derivation
 
 PAPER = papers.load()["esenkov2006"]
@@ -24,7 +25,7 @@ PROSE = re.compile(
 
 def test_every_character_that_is_no_prose_belongs_to_a_declaration(sources: Path) -> None:
     text = re.sub(r"\s+", " ", (sources / PAPER.source).read_text(encoding="utf-8"))
-    pieces = {re.sub(r"\s+", " ", piece) for _, _, item in PAPER.items() for piece in item.printed}
+    pieces = {re.sub(r"\s+", " ", piece) for _, _, item in PAPER.items() for piece in item.source.printed}
     for piece in sorted(pieces, key=len, reverse=True):
         assert piece in text
         text = text.replace(piece, " ")
@@ -33,9 +34,9 @@ def test_every_character_that_is_no_prose_belongs_to_a_declaration(sources: Path
 
 def test_what_is_damaged_says_why_it_is_read_so() -> None:
     for _, _, item in PAPER.items():
-        if item.printed and item.role is not Role.EXCLUSION:
-            assert item.read_as or item.formal, item.number
-            assert item.reason or item.errata, item.number
+        if item.source.printed and not isinstance(item, Exclusion):
+            assert item.text != item.source.printed, item.number
+            assert item.reason or errata(item), item.number
 
 
 def growth(a: float, delta: float, spin: float, inertia: float, natural: float) -> float:

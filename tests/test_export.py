@@ -57,13 +57,17 @@ def declared() -> Iterator[Record]:
     """Every declaration of the papers, undecided."""
     for paper in papers.load().values():
         for each in expand(paper):
-            fields: dict[str, Any] = {"section": each.section.number, "line": each.item.line, "role": each.item.role}
+            fields: dict[str, Any] = {
+                "section": each.section.number,
+                "line": each.item.source.line,
+                "role": each.item.role,
+            }
             yield Record(
                 id=each.id,
                 paper=paper.key,
-                printed="\n".join(each.item.printed),
-                words=each.item.words,
-                read=each.item.formal,
+                printed="\n".join(each.item.source.printed),
+                words=each.item.source.words,
+                read=next(iter(each.item.stated), ""),
                 **fields,
             )
 

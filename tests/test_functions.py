@@ -8,7 +8,7 @@ from typing import Any
 import pytest
 
 from symcheck.audit.checked import reason as check
-from symcheck.core.claims import Problem
+from symcheck.core.problems import Applied, Problem
 from symcheck.core.terms import INFINITY, MINUS_INFINITY, PI, Formula, Term, node
 from symcheck.core.verdicts import Verdict
 from symcheck.proof import certificate, identity
@@ -167,9 +167,8 @@ def test_what_no_theorem_says_is_not_proved(name: str) -> None:
 def test_a_declared_theorem_helps() -> None:
     claim: Formula = node("=>", node("=", node("^", "x", 2), node("^", "y", 2)), node("=", "x", "y"))
     signs = ("signs", (node(">=", "x", 0), node(">=", "y", 0)))
-    method = theorems(("equal_squares", "x", "y"))
-    hints = tuple((name, latex) for name, latex in method.hints)
-    problem = Problem("squares", claim, (), (signs,), hints)
+    method = theorems(Applied("equal_squares", ("x", "y")))
+    problem = Problem("squares", claim, (), (signs,), tuple(hint.mapped(str) for hint in method.hints))
     assert identity.decide(problem).verdict is Verdict.PROVED
 
 

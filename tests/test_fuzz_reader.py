@@ -31,7 +31,7 @@ POSITION = re.compile(r"(column|position|character|at the end|\n *\^| at )")
 def printed(key: str) -> list[str]:
     """Every printed piece of LaTeX of a paper."""
     items = [obligation.item for obligation in expand(papers.load()[key])]
-    return [piece for item in items for piece in (*item.printed, *item.parts, item.formal) if piece]
+    return [piece for item in items for piece in (*item.source.printed, *item.stated)]
 
 
 def invented(rng: random.Random, key: str) -> str:

@@ -11,10 +11,11 @@ from fractions import Fraction
 
 import pytest
 import sympy
+from declarations import errata
 from sympy.physics.units import convert_to, kilogram, meter, newton, second
 
 from symcheck import papers
-from symcheck.audit.context import Context
+from symcheck.audit.context import context_of
 from symcheck.audit.obligation import obligation_of
 from symcheck.core.verdicts import Origin
 from symcheck.mechanics import zonotope
@@ -28,12 +29,14 @@ Vector = tuple[float, float, float]
 def faults(section: str) -> dict[str, str]:
     """The kinds of the errata of a section, by number and letter."""
     items = [item for found, _, item in PAPER.items() if found.number == section]
-    return {item.number + letter: erratum.kind for item in items for letter, erratum in item.errata.items()}
+    return {item.number + letter: erratum.kind for item in items for letter, erratum in errata(item).items()}
 
 
 def damaged(section: str) -> dict[str, str]:
     """What is read as something else in a section, by number: the kind of the damage."""
-    return {item.number: item.kind for found, _, item in PAPER.items() if found.number == section and item.read_as}
+    return {
+        item.number: d.kind for found, _, item in PAPER.items() if found.number == section and (d := item.source.damage)
+    }
 
 
 # --- section 2: four wheels
@@ -68,11 +71,13 @@ def test_the_errors_of_section_2_are_these() -> None:
     }
     lost = ["2.1.23", "2.1.24", "2.1.33", "2.1.34", "T2.0", "T2.5", "T2.6", "2.2.22", "2.2.23"]
     assert damaged("2") == {**dict.fromkeys(lost, "lost letter"), "T3.3": "missing cell"}
-    assert all(item.origin is Origin.OCR for found, _, item in PAPER.items() if found.number == "2" and item.read_as)
+    assert all(
+        d.origin is Origin.OCR for found, _, item in PAPER.items() if found.number == "2" and (d := item.source.damage)
+    )
 
 
 def test_the_axes_are_those_of_the_definition() -> None:
-    context = Context(PAPER, obligation_of("ignatov2005:2.0.3").item)
+    context = context_of(obligation_of("ignatov2005:2.0.3"))
     at = {sympy.Symbol("a", real=True): 0.7, sympy.Symbol("b", real=True): 0.4}
     for number, axis in enumerate(four_axes(0.7, 0.4), 1):
         printed = [float(to_sympy(context.table[f"e_{number}{k}"]).subs(at)) for k in (1, 2, 3)]

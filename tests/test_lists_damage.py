@@ -9,12 +9,13 @@ from dataclasses import replace
 from functools import cache
 
 import pytest
+from declarations import errata
 
 from symcheck import papers
 from symcheck.audit.context import Context
 from symcheck.audit.judge import judge, units
-from symcheck.core.claims import Item
-from symcheck.core.verdicts import Role, Verdict
+from symcheck.core.claims import Assertion, Declaration
+from symcheck.core.verdicts import Verdict
 from symcheck.papers.ignatov2005 import lists
 from symcheck.papers.ignatov2005.listed import Block, Declared, Printed, declared
 
@@ -97,15 +98,15 @@ def before(place: int) -> Declared:
     return declared(PRINTED[place])
 
 
-def rows_of(found: Declared) -> dict[str, Item]:
+def rows_of(found: Declared) -> dict[str, Declaration]:
     every = (item for name in LISTS for item in getattr(found, name))
     return {item.number: item for item in every if "." in item.number[2:] or item.number.startswith("T")}
 
 
-def span(block: Block, item: Item) -> tuple[int, int]:
+def span(block: Block, item: Declaration) -> tuple[int, int]:
     """Where a row stands in its block."""
-    start = end = block.text.index(item.printed[0])
-    for piece in item.printed:
+    start = end = block.text.index(item.source.printed[0])
+    for piece in item.source.printed:
         end = block.text.index(piece, end) + len(piece)
     return start, end
 
@@ -114,7 +115,7 @@ def damaged(rng: random.Random) -> tuple[int, Printed, str, str]:
     """A place, what is printed there after one edit, the row's number and how it reads now."""
     while True:
         place, name = rng.randrange(len(PRINTED)), rng.choice(LISTS)
-        right = [item for item in getattr(before(place), name) if item.printed and not item.errata]
+        right = [item for item in getattr(before(place), name) if item.source.printed and not errata(item)]
         if not right:  # section 2.2 prints no face right
             continue
         item = rng.choice(right)
@@ -126,16 +127,22 @@ def damaged(rng: random.Random) -> tuple[int, Printed, str, str]:
             return place, replace(PRINTED[place], **{name: replace(block, text=text)}), item.number, row
 
 
-def is_reported(item: Item) -> bool:
+def is_reported(item: Declaration) -> bool:
     """Whether a row is refuted, or cannot be read."""
-    if item.role is Role.EXCLUSION:
+    if not isinstance(item, Assertion):
         return bool(item.reason)
     context = Context(PAPER, item)
-    doubted = sorted(units(context), key=lambda unit: unit.letter not in item.errata)
+    doubted = sorted(units(context), key=lambda unit: unit.letter not in errata(item))
     return any(
-        judge(context.having(doubted=unit.letter in item.errata), unit, item.given).verdict is Verdict.REFUTED
+        judge(context.having(doubted=unit.letter in errata(item)), unit, item.statement.given).verdict
+        is Verdict.REFUTED
         for unit in doubted
     )
+
+
+def _said(item: Declaration) -> tuple[tuple[str, ...], set[str]]:
+    """What a row says, and which of it is wrong."""
+    return item.stated, set(errata(item))
 
 
 def test_every_damage_is_reported_and_changes_nothing_else() -> None:
@@ -146,7 +153,7 @@ def test_every_damage_is_reported_and_changes_nothing_else() -> None:
         new = rows_of(found)
         assert found.names == before(place).names, f"{number}: {row}"
         assert new.keys() == old.keys(), f"{number}: {row}"
-        changed = {n for n in old if (old[n].parts, old[n].errata.keys()) != (new[n].parts, new[n].errata.keys())}
+        changed = {n for n in old if _said(old[n]) != _said(new[n])}
         assert changed <= {number}, f"{number}: {row}"
         assert is_reported(new[number]), f"{number}: {row}"
         kinds.add(number[3] if number[0] != "T" else "T")
@@ -156,7 +163,7 @@ def test_every_damage_is_reported_and_changes_nothing_else() -> None:
 @pytest.mark.parametrize("place", range(len(PRINTED)))
 def test_rows_whose_labels_are_exchanged_are_both_reported(place: int) -> None:
     rng, block = random.Random(SEED), PRINTED[place].vertices
-    right = [item for item in before(place).vertices if item.printed and not item.errata]
+    right = [item for item in before(place).vertices if item.source.printed and not errata(item)]
     for _ in range(5):
         one, other = sorted(rng.sample(right, 2), key=lambda item: span(block, item))
         text, spans = block.text, [span(block, item) for item in (one, other)]
@@ -167,7 +174,7 @@ def test_rows_whose_labels_are_exchanged_are_both_reported(place: int) -> None:
         new = rows_of(declared(replace(PRINTED[place], vertices=replace(block, text=text))))
         assert all(is_reported(new[item.number]) for item in (one, other))
         old = rows_of(before(place))
-        assert {n for n in old if old[n].parts != new[n].parts} <= {one.number, other.number}
+        assert {n for n in old if old[n].stated != new[n].stated} <= {one.number, other.number}
 
 
 @pytest.mark.parametrize("printed", PRINTED, ids=lambda printed: printed.array.section)
@@ -179,5 +186,5 @@ def test_a_list_that_lost_a_row_or_has_one_twice_is_reported(printed: Printed) -
         start, end = span(block, item)
         text = block.text[:start] + re.sub(r"V|F", "W", block.text[start:end]) + block.text[end:]
         damaged_list = getattr(declared(replace(printed, **{name: replace(block, text=text)})), name)[0]
-        assert damaged_list.parts != whole.parts
+        assert damaged_list.stated != whole.stated
         assert is_reported(damaged_list)

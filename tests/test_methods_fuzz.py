@@ -10,7 +10,7 @@ from pathlib import Path
 import pytest
 
 from symcheck.audit.checked import reason as check
-from symcheck.core.claims import Problem
+from symcheck.core.problems import Problem
 from symcheck.core.terms import INFINITY, MINUS_INFINITY, PI, Formula, Term, node
 from symcheck.core.verdicts import Verdict
 from symcheck.proof import certificate, identity, proof_of

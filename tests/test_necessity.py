@@ -6,7 +6,7 @@ import pytest
 from stand_in import hypothesis
 
 from symcheck.audit.checked import reason
-from symcheck.core.claims import Problem
+from symcheck.core.problems import Problem
 from symcheck.core.terms import Formula, node
 from symcheck.core.verdicts import Loss
 from symcheck.ledger.record import Need

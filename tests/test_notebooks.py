@@ -11,6 +11,7 @@ from typing import Any
 import nbformat
 import pytest
 from click.testing import CliRunner, Result
+from declarations import formulas
 from nbformat.v4 import new_code_cell, new_notebook, new_output
 
 from symcheck.cli import cli
@@ -19,7 +20,7 @@ from symcheck.core.words import term
 from symcheck.papers import load
 from symcheck.views.notebook import committed, compare, counterexample, letters, records, relations, rules, show, source
 from symcheck.views.notebook.execute import in_kernel, in_process
-from symcheck.views.notebook.shown import Heading, Math, Prose, Shown, Table
+from symcheck.views.notebook.output import Heading, Math, Output, Prose, Table
 from symcheck.views.steps import compared
 
 NAMES = committed.names()
@@ -301,7 +302,7 @@ def test_what_is_right_is_no_erratum() -> None:
 def test_a_long_formula_is_broken_and_loses_nothing(key: str) -> None:
     broken = 0
     for _, item in records.declared(key):
-        for formula in (*item.printed, *item.parts, item.formal, *(each.corrected for each in item.errata.values())):
+        for formula in formulas(item):
             lines = letters.split(formula)
             assert "".join("".join(lines).split()) == "".join(formula.split())
             assert len(lines) == 1 or [line for line in lines if line.count("{") != line.count("}")] == []
@@ -318,7 +319,7 @@ def test_letters_are_those_of_the_paper() -> None:
 
 
 def test_words_are_shown_as_they_are_written() -> None:
-    bundle = Shown(
+    bundle = Output(
         (Heading("**a**"), Prose("given", "x_1 * y < 2$"), Table(("p|q",), (("$|x|$",), ("a|b\nc",))), Math("m", "x"))
     )
     found = bundle._repr_mimebundle_()

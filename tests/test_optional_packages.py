@@ -61,7 +61,7 @@ NEEDS = {
     ("plot", "liquid-frequencies"): "matplotlib is not installed; run `pip install 'symcheck[plots]'`",
     ("sweep", "spec.toml", "--out", "out.nc"): "a sweep needs xarray, zarr, filelock, dask, h5netcdf, h5py; "
     "run `pip install 'symcheck[sweep]'`",
-    ("notebooks", "--only", "1"): "nbformat is not installed; run `pip install 'symcheck[notebooks]'`",
+    ("notebooks", "--only", "1"): "jupytext is not installed; run `pip install 'symcheck[notebooks]'`",
 }
 
 

@@ -7,14 +7,15 @@ import random
 
 import pytest
 import sympy
+from declarations import errata
 from test_reading_sensitivity import unnoticed
 
 from symcheck import papers
-from symcheck.audit.context import Context
+from symcheck.audit.context import context_of
 from symcheck.audit.judge import units
 from symcheck.audit.obligation import obligation_of
 from symcheck.core.terms import Node, Term, mapped
-from symcheck.core.verdicts import Origin, Role
+from symcheck.core.verdicts import Origin
 from symcheck.papers.poloskov2004 import derivation
 from symcheck.reading import Notation, read, to_latex, to_sympy
 
@@ -23,16 +24,16 @@ PAPER = papers.load()["poloskov2004"]
 
 def test_the_errors_of_the_paper_are_these() -> None:
     items = [item for _, _, item in PAPER.items()]
-    assert {item.number: item.errata[""].kind for item in items if item.errata} == {
+    assert {item.number: errata(item)[""].kind for item in items if errata(item)} == {
         "2.3.2": "dots lost",
         "2.4.3": "bracket too long",
         "2.4.4": "wrong sign",
         "4.0.10": "wrong number",
         "4.0.27": "missing hypothesis",
     }
-    assert {item.number for item in items if item.read_as} == {"2.4.5", "3.2.2", "4.0.13"}
-    assert all(item.reason for item in items if item.read_as)
-    assert {erratum.origin for item in items for erratum in item.errata.values()} <= set(Origin)
+    assert {item.number for item in items if item.source.damage} == {"2.4.5", "3.2.2", "4.0.13"}
+    assert all(item.reason for item in items if item.source.damage)
+    assert {erratum.origin for item in items for erratum in errata(item).values()} <= set(Origin)
 
 
 def test_drift_and_noise_by_finite_differences() -> None:
@@ -75,7 +76,7 @@ POINT_SYMBOLS = {sympy.Symbol(name, real=True): value for name, value in POINT.i
 
 @pytest.mark.parametrize("number", ["B.1", "B.6", "B.7"])
 def test_a_closed_integral_agrees_with_quadrature(number: str) -> None:
-    context = Context(PAPER, obligation_of(f"poloskov2004:{number}").item)
+    context = context_of(obligation_of(f"poloskov2004:{number}"))
     (unit,) = units(context)
     ((_, left, right),) = unit.formulas
     sides = [to_sympy(unfolded(side, context.table)).subs(POINT_SYMBOLS) for side in (left, right)]
@@ -84,7 +85,7 @@ def test_a_closed_integral_agrees_with_quadrature(number: str) -> None:
 
 @pytest.mark.parametrize(("number", "density", "constant"), [("B.2", "p_s1", "C_1"), ("B.5", "p_s3", "C_2")])
 def test_a_constant_of_normalisation_makes_the_integral_one(number: str, density: str, constant: str) -> None:
-    context = Context(PAPER, obligation_of(f"poloskov2004:{number}").item)
+    context = context_of(obligation_of(f"poloskov2004:{number}"))
     (unit,) = units(context)
     ((_, (_, integral, one), (_, name, value)),) = unit.formulas
     assert (one, name) == (1, constant)
@@ -98,7 +99,7 @@ def test_the_printed_constants_follow_from_the_printed_values_and_k() -> None:
     printed = {"alpha": 1, "beta": sympy.sqrt(3) / 2, "gamma": 1, "g_13": 1, "g_23": 1, "d_33": sympy.Rational(3, 2)}
     values = {}
     for number, constant in (("B.2", "C_1"), ("B.5", "C_2")):
-        context = Context(PAPER, obligation_of(f"poloskov2004:{number}").item)
+        context = context_of(obligation_of(f"poloskov2004:{number}"))
         exact = to_sympy(unfolded(units(context)[0].formulas[0][2][2], context.table))
         values[constant] = sympy.simplify(exact.subs({sympy.Symbol(n, real=True): v for n, v in printed.items()}))
     assert values["C_1"] == sympy.Rational(9, 4)
@@ -112,10 +113,8 @@ def read_items() -> list[tuple[str, Notation]]:
     """Everything of the ledger that is read: what is printed, or what is read in its place, and what is stated."""
     found = []
     for _, _, item in PAPER.items():
-        if item.role is not Role.EXCLUSION:
-            notation = item.notation or PAPER.notation
-            latex = item.formal or item.read_as or r" \\ ".join(item.printed)
-            found += [(latex, notation)] if latex else []
+        latex = item.text if isinstance(item.text, str) else r" \\ ".join(item.text)
+        found += [(latex, item.notation or PAPER.notation)] if latex else []
     return found
 
 
@@ -130,8 +129,8 @@ def test_whatever_is_read_survives_printing() -> None:
 def test_no_change_of_a_printed_formula_goes_unnoticed() -> None:
     total = 0
     for _, _, item in PAPER.items():
-        if item.printed and not item.read_as and not item.formal and item.role is not Role.EXCLUSION:
-            missed, count = unnoticed(item.printed, item.notation or PAPER.notation)
+        if item.text and item.text == item.source.printed:
+            missed, count = unnoticed(item.source.printed, item.notation or PAPER.notation)
             assert missed == [], item.number
             total += count
     assert total > 2000

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from symcheck.core.claims import Problem
+from symcheck.core.problems import Problem
 from symcheck.core.terms import node
 from symcheck.core.verdicts import Verdict
 from symcheck.proof import identity

@@ -15,7 +15,7 @@ from symcheck import kernels
 from symcheck.audit.checked import reason
 from symcheck.checker import certificates, check
 from symcheck.checker.rules import Prover
-from symcheck.core.claims import Method, Problem
+from symcheck.core.problems import Form, Method, Problem, Witness
 from symcheck.core.terms import node
 from symcheck.core.verdicts import Certificate, Verdict
 from symcheck.core.words import term
@@ -143,7 +143,7 @@ def test_denominators_become_side_conditions() -> None:
 
 
 def test_a_wrong_form_leaves_a_true_order_undecided() -> None:
-    problem = replace(BY_ID["2.10"], hints=(("form", mul("I_1", sq("a_11"))),))
+    problem = replace(BY_ID["2.10"], hints=(Form(mul("I_1", sq("a_11"))),))
     assert identity.decide(problem).verdict is Verdict.UNDECIDED
 
 
@@ -274,7 +274,7 @@ def test_definitions_that_are_not_used_are_not_listed() -> None:
 
 def test_a_witness_divides_by_nothing_that_may_be_zero() -> None:
     claim = node("exists", ("x",), eq(node("+", mul("a", "x"), "b"), 0))
-    line = Problem("a zero", claim, hints=(("point_x", over(node("-", "b"), "a")),))
+    line = Problem("a zero", claim, hints=(Witness((("x", over(node("-", "b"), "a")),)),))
     assert identity.decide(line).verdict is not Verdict.PROVED
     sloped = replace(line, hypotheses=(("a", (node("!=", "a", 0),)),))
     assert identity.decide(sloped).verdict is Verdict.PROVED

@@ -12,14 +12,17 @@ from pathlib import Path
 
 import click
 import pytest
+import yaml
 
+import symcheck
 from symcheck.cli import cli
 from symcheck.papers import load
 
 ROOT = Path(__file__).resolve().parent.parent
 MODULES = sorted((ROOT / "symcheck").rglob("*.py"))
-GROUND = ("pyproject.toml", "constraints.txt", "Makefile", ".ci/run", "README.md", ".gitignore")
+GROUND = ("pyproject.toml", "constraints.txt", "Makefile", ".ci/run", "README.md", ".gitignore", "CITATION.cff")
 TEXT = {".py", ".md", ".toml", ".txt", ".lark", ".json", ""}
+SHELL = r"^```(?:sh|console)\n(.*?)^```"
 TARGETS = (
     "audit",
     "test",
@@ -28,6 +31,7 @@ TARGETS = (
     "bench",
     "bench-gpu",
     "browser",
+    "docs",
     "notebooks",
     "selftest",
     "coq",
@@ -44,10 +48,11 @@ def tracked() -> list[Path]:
     return [ROOT / name for name in listed if (ROOT / name).is_file() and Path(name).suffix in TEXT]
 
 
-def commands_of_the_readme() -> list[str]:
-    """Each line of the README's shell blocks, without the comment behind it."""
-    text = (ROOT / "README.md").read_text(encoding="utf-8")
-    blocks = re.findall(r"^```sh\n(.*?)^```", text, flags=re.DOTALL | re.MULTILINE)
+def documented_commands() -> list[str]:
+    """Each line of the shell blocks of the README and of the guide."""
+    files = [ROOT / "README.md", *sorted((ROOT / "notebooks" / "sources" / "guide").glob("*.md"))]
+    texts = [file.read_text(encoding="utf-8") for file in files]
+    blocks = [block for text in texts for block in re.findall(SHELL, text, flags=re.DOTALL | re.MULTILINE)]
     return [line for block in blocks for line in block.splitlines() if line.strip()]
 
 
@@ -55,12 +60,12 @@ def make_targets() -> set[str]:
     return set(re.findall(r"^([a-z][a-z-]*):", (ROOT / "Makefile").read_text(encoding="utf-8"), flags=re.MULTILINE))
 
 
-def test_the_readme_names_the_two_commands() -> None:
-    assert {"make audit", "make test"} <= {line.split("#")[0].strip() for line in commands_of_the_readme()}
+def test_the_two_commands_are_documented() -> None:
+    assert {"make audit", "make test"} <= {line.split("#")[0].strip() for line in documented_commands()}
 
 
-@pytest.mark.parametrize("line", commands_of_the_readme())
-def test_each_command_of_the_readme_exists(line: str) -> None:
+@pytest.mark.parametrize("line", documented_commands())
+def test_each_documented_command_exists(line: str) -> None:
     words = shlex.split(line, comments=True)
     match words:
         case ["make", *targets]:
@@ -137,3 +142,12 @@ def test_the_contract_between_papers_names_all_papers() -> None:
 
 def test_no_module_is_a_drawer_for_everything() -> None:
     assert {"utils.py", "helpers.py", "misc.py", "common.py"} & {file.name for file in MODULES} == set()
+
+
+def test_what_to_cite_is_this_version() -> None:
+    cited = yaml.safe_load((ROOT / "CITATION.cff").read_text(encoding="utf-8"))
+    project = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]
+    assert (cited["cff-version"], cited["title"], cited["license"]) == ("1.2.0", project["name"], project["license"])
+    assert cited["authors"] == project["authors"]
+    assert cited["version"] == symcheck.__version__
+    assert {"message", "type"} <= cited.keys()

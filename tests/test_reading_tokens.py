@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from functools import cache
 
 import pytest
+from declarations import formulas, hypotheses
 from formula_grammar import GENERATED, formula
 
 from symcheck import papers
@@ -103,9 +104,9 @@ def accepted(key: str) -> tuple[tuple[str, Notation], ...]:
     paper = papers.load()[key]
     for item in (obligation.item for obligation in expand(paper)):
         notation = item.notation or paper.notation
-        given = [each.states for each in (*item.given, *item.needs, *item.equality_given)]
-        printed = r" \\ ".join(split_tag(piece)[0] for piece in item.printed)
-        texts = [printed, item.formal, item.read_as, *item.parts, *given, *(e.corrected for e in item.errata.values())]
+        given = [each.states for each in hypotheses(item)]
+        printed = r" \\ ".join(split_tag(piece)[0] for piece in item.source.printed)
+        texts = [printed, *formulas(item)[len(item.source.printed) :], *given]
         found |= dict.fromkeys((text, notation) for text in texts if text)
     return tuple(found)
 

@@ -3,16 +3,28 @@
 from __future__ import annotations
 
 import re
+import struct
 from pathlib import Path
 
 import pytest
+from click.testing import CliRunner
+from page_picture import CHROMIUM, PICTURE, SIZE, take
 from rich.console import Console
 
 from symcheck import errata
+from symcheck.cli import cli
 from symcheck.views import terminal
 
 README = Path(__file__).resolve().parent.parent / "README.md"
 LONGEST = 10_000  # bytes
+LARGEST = 150_000  # bytes of the picture
+
+
+@pytest.fixture(autouse=True)
+def cache_of_its_own(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+    """What the README shows is decided in this run."""
+    monkeypatch.setenv("SYMCHECK_CACHE", str(tmp_path / "cache"))
+    monkeypatch.setenv("XDG_CONFIG_HOME", str(tmp_path / "config"))
 
 
 def example(word: str) -> str:
@@ -40,15 +52,49 @@ def test_the_readers_own_formulas_are_decided_as_it_is_said(capsys: pytest.Captu
     assert capsys.readouterr().out.splitlines() == ["proved ", "refuted {'x': 3, 'y': 2}"]
 
 
-def test_the_erratum_is_what_is_printed(tmp_path: Path) -> None:
+def test_the_erratum_is_what_is_printed(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("SYMCHECK_CACHE", str(tmp_path / "cache"))
     printed = README.read_text(encoding="utf-8")
-    (shown,) = re.findall(r"^```\n(poloskov2004:.*?)^```", printed, flags=re.DOTALL | re.MULTILINE)
+    (shown,) = re.findall(r"^```text\n(poloskov2004:.*?)^```", printed, flags=re.DOTALL | re.MULTILINE)
     with (tmp_path / "out").open("w") as file:
         terminal.errata(Console(file=file, width=400), errata(["poloskov2004:4.0.27"]))
     assert " ".join(shown.split()) in " ".join((tmp_path / "out").read_text().split())
+
+
+def test_the_ledger_is_what_the_command_prints(monkeypatch: pytest.MonkeyPatch) -> None:
+    printed = README.read_text(encoding="utf-8")
+    ((command, shown),) = re.findall(r"^```text\n\$ symcheck (.*?)\n(.*?)^```", printed, flags=re.DOTALL | re.MULTILINE)
+    monkeypatch.setenv("COLUMNS", "110")
+    done = CliRunner().invoke(cli, [*command.split(), "--jobs", "0"], prog_name="symcheck")
+    assert done.exit_code == 0, done.output
+    assert without_times(done.stdout) == without_times(shown)
+
+
+def without_times(text: str) -> list[str]:
+    """The lines without what differs from run to run."""
+    return [re.sub(r"\d+\.\d+ s$", "", line).rstrip() for line in text.strip().splitlines()]
 
 
 def test_it_is_short_and_links_to_what_is_there() -> None:
     text = README.read_text(encoding="utf-8")
     assert len(text.encode()) <= LONGEST
     assert all((README.parent / link).is_file() for link in re.findall(r"\]\(([^)]+)\)", text))
+
+
+def size_of(picture: Path) -> tuple[int, ...]:
+    """The width and height of a PNG file."""
+    data = picture.read_bytes()
+    assert data.startswith(b"\x89PNG")
+    return struct.unpack(">II", data[16:24])
+
+
+def test_the_picture_of_the_page_is_small() -> None:
+    assert size_of(PICTURE) == (SIZE["width"], SIZE["height"])
+    assert PICTURE.stat().st_size < LARGEST
+
+
+@pytest.mark.slow
+@pytest.mark.skipif(not CHROMIUM, reason="no Chromium is found; `make browser` installs it")
+def test_the_picture_of_the_page_can_be_taken_again(tmp_path: Path) -> None:
+    take(tmp_path / "page.png")
+    assert size_of(tmp_path / "page.png") == size_of(PICTURE)

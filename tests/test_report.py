@@ -29,7 +29,7 @@ from symcheck.views.page.difference import marked
 from symcheck.views.page.graph import graph
 from symcheck.views.page.marks import marks
 from symcheck.views.page.packing import unpacked
-from symcheck.views.page.page import Beside, Pictures, page
+from symcheck.views.page.page import Extras, page
 from symcheck.views.page.plots import colour, coloured, curves, png
 from symcheck.views.page.sources import Excerpt, Publication
 from symcheck.views.page.typeset import typeset
@@ -75,7 +75,7 @@ def folded(text: str, name: str) -> Any:
 def printed_texts() -> Iterator[str]:
     for paper in papers.load().values():
         for obligation in expand(paper):
-            yield from (*obligation.item.printed, obligation.item.formal, *obligation.item.parts)
+            yield from (*obligation.item.source.printed, *obligation.item.stated)
 
 
 def test_every_formula_of_the_papers_is_typeset_and_nothing_else() -> None:
@@ -211,10 +211,10 @@ def test_the_self_test_and_the_hypotheses_are_shown() -> None:
     counts["rejected_of_faults"] = [0.3, 0.8, 1.0]  # type: ignore[assignment]
     engines = {"points": 3, "evaluated": {"flint": 3}, "all_three": 3, "disagreements": []}
     found = {**counts, "classes": {"signs": {**counts, "kinds": {}}}, "engines": engines, "evidence": "other"}
-    other = page(records, TOY, Beside(selftest=found))
+    other = page(records, TOY, Extras(selftest=found))
     assert "80.00 %" not in other
     assert "found with other certificates, verdicts or kernels than those shown here" in other
-    current = page(records, TOY, Beside(selftest={**found, "evidence": evidence(records)}))
+    current = page(records, TOY, Extras(selftest={**found, "evidence": evidence(records)}))
     assert "80.00 % (30.00 to 100.00)" in current
     assert "done with the certificates shown here" in current
 
@@ -230,10 +230,10 @@ def test_a_claim_shows_its_kernels_and_the_cells_that_name_it(tmp_path: Path) ->
     (tmp_path / "tour.ipynb").write_text(json.dumps({"cells": [{"source": "# A tour"}, cell]}), encoding="utf-8")
     found = sources.cells(tmp_path)
     assert found == {"toy2004:1": [Excerpt("tour", "tour.ipynb, cell 2", "# toy2004:1 at work\nmoments(1.0)")]}
-    beside = Beside(
+    extras = Extras(
         {"toy:1": [Excerpt("moments", "generated/toy.py", "def moments(): ...")]}, {"toy:1": found["toy2004:1"]}
     )
-    ledger = folded(page([record("1a"), record("2")], TOY, beside), "ledger")
+    ledger = folded(page([record("1a"), record("2")], TOY, extras), "ledger")
     assert "moments" in ledger["claims"][0]
     assert "tour.ipynb, cell 2" in ledger["claims"][0]
     assert "moments" not in ledger["claims"][1]
@@ -327,7 +327,7 @@ def test_pictures_are_in_the_page_with_words_for_those_who_do_not_see_them() -> 
     plot = {"title": "Map", "source": ["toy:1"], "across": "x", "up": "y", "x": [0, 1], "y": [0, 1]}
     plot |= {"growth": [[0, 1]], "boundary": [[0, 0], [1, 1]]}
     rows = [record("1"), wrong("1V.1b", "x", ROW, repair={"row": True})]
-    text = page(rows, TOY, Beside(pictures=Pictures([ENVELOPE], [density], plot)))
+    text = page(rows, TOY, Extras(envelopes=[ENVELOPE], densities=[density], stability=plot))
     assert 'aria-label="Density: p against a; α = 1"' in text
     assert "Map: growth rate over x and y" in text
     [envelope] = folded(text, "envelopes")

@@ -17,6 +17,7 @@ from symcheck.audit import checked, decide
 from symcheck.audit.executor import Serial
 from symcheck.audit.judge import judge
 from symcheck.audit.obligation import expand
+from symcheck.core.claims import Assertion
 from symcheck.core.verdicts import SymcheckError, Verdict
 from symcheck.ledger.record import Record
 from symcheck.reading import read
@@ -155,7 +156,6 @@ def test_a_ledger_that_believes_its_provers_is_noticed(monkeypatch: pytest.Monke
         Status.EQUIVALENT,
     }
     monkeypatch.setattr(checked, "reasons", lambda certificates: [None for _ in certificates])
-    monkeypatch.setattr(checked, "_other_point", lambda _: None)
     statuses = {trial.kind: trial.status for trial in methods.trials(refuted, everything, Random(0))}
     assert statuses["always yes"] is statuses["cache row signed"] is statuses["rows relabelled"] is Status.ACCEPTED
 
@@ -219,7 +219,7 @@ def test_no_inequality_keeps_its_proof_and_its_equality_case_with_another_bound(
         ledger_verdict(changed.context, changed.unit, judge(changed.context, changed.unit, changed.given))
         for paper in papers.load().values()
         for each in expand(paper)
-        if each.item.equality
+        if isinstance(each.item, Assertion) and each.item.statement.equality
         for original in proved(each.id)
         if original.equality
         for edit in statements.slips(original)

@@ -19,6 +19,7 @@ from symcheck.ledger import selftested, store
 from symcheck.ledger.record import Record
 from symcheck.selftest.run import Result
 from symcheck.selftest.trial import Count, Status
+from symcheck.views import figures
 
 RESULT = Result(
     7, {"signs": {"plus": Count(Counter({Status.REJECTED: 9, Status.ACCEPTED: 1}), ["accepted plus: x"])}}
@@ -78,6 +79,7 @@ def test_generate_names_what_the_self_test_was_not_done_with(symcheck: Callable[
     known = [record for number in stand_in.NUMBERS for record in stand_in.decide(f"toy:{number}")]
     known += stand_in.decide("other:1")
     selftested.record(folder, RESULT, known)
+    figures.write(folder)
     assert symcheck("generate", "--check").exit_code == 0
     selftested.record(folder, RESULT, known[:-1])
     found = symcheck("generate", "--check")

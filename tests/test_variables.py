@@ -9,7 +9,7 @@ import sys
 import pytest
 
 from symcheck.audit.checked import reason
-from symcheck.core.claims import Problem
+from symcheck.core.problems import Problem
 from symcheck.core.terms import INFINITY, Formula, Term, node
 from symcheck.core.verdicts import Verdict
 from symcheck.proof import certificate, equivalent, identity
@@ -143,7 +143,7 @@ SCRIPT = """
 import json
 from test_functions import TRUE
 from symcheck.proof import certificate, identity
-from symcheck.core.claims import Problem
+from symcheck.core.problems import Problem
 for name in ("the square of a sum of roots", "a root of sine and cosine", "a density without flux"):
     problem = Problem(name, TRUE[name][0], (), TRUE[name][1])
     print(json.dumps(certificate(problem, identity.decide(problem))))

@@ -10,7 +10,7 @@ import pytest
 from statements import TRUE, over, sub
 
 from symcheck.audit.checked import reason
-from symcheck.core.claims import Problem
+from symcheck.core.problems import Problem
 from symcheck.core.terms import PI, Formula, Term, node
 from symcheck.core.verdicts import Verdict
 from symcheck.proof import certificate, identity, proof_of

@@ -17,6 +17,7 @@ from collections.abc import Callable, Iterable, Mapping
 from contextlib import closing
 from pathlib import Path
 
+from symcheck.core.ids import Id
 from symcheck.core.verdicts import SymcheckError
 from symcheck.ledger.record import Record
 
@@ -105,7 +106,7 @@ class Cache:
             return
         try:
             stored = {row[0] for row in self._connection.execute("SELECT id FROM records")}
-            gone = {id for id in stored if id.partition(":")[0] == paper} - set(ids)
+            gone = {id for id in stored if Id.parse(id).paper == paper} - set(ids)
             with self._connection:
                 self._connection.executemany("DELETE FROM records WHERE id = ?", [(id,) for id in sorted(gone)])
         except sqlite3.Error as error:

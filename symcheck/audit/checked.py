@@ -17,7 +17,8 @@ from typing import TYPE_CHECKING
 from msgspec.structs import replace
 
 from symcheck.checker import check_all
-from symcheck.core.verdicts import Certificate, Loss, Reading, Verdict
+from symcheck.core.certificates import Certificate
+from symcheck.core.verdicts import Loss, Reading, Verdict
 from symcheck.ledger.record import Correction, HypothesisRow, Need, Record
 
 if TYPE_CHECKING:

@@ -4,19 +4,19 @@ from __future__ import annotations
 
 import time
 from collections.abc import Iterator, Sequence
-from typing import Any
 
-from msgspec import convert
 from msgspec.structs import replace
 
 from symcheck.audit.checked import proofs
 from symcheck.audit.context import Context
 from symcheck.audit.judge import Unit, judge, problems, units
 from symcheck.audit.needs import Proved, listed, need
-from symcheck.audit.obligation import DECIDED, Obligation, expand, fingerprint, obligation_of, users
+from symcheck.audit.obligation import Obligation, expand, fingerprint, obligation_of, users
 from symcheck.audit.repair import corrected
+from symcheck.core.claims import Assertion, Erratum, Hypothesis
+from symcheck.core.ids import Id
 from symcheck.core.verdicts import Origin, Reading, Role
-from symcheck.ledger.record import Correction, Record
+from symcheck.ledger.record import Record
 from symcheck.reading import read, to_latex
 
 __all__ = ["decide", "expand", "fingerprint", "weigh"]
@@ -25,17 +25,20 @@ __all__ = ["decide", "expand", "fingerprint", "weigh"]
 def decide(id: str) -> tuple[Record, ...]:
     """The records of one declaration: one for each relation it prints."""
     obligation = obligation_of(id)
-    context = Context(obligation.paper, obligation.item)
-    base = _base(obligation)
-    if obligation.item.role in DECIDED:
-        return tuple(_claimed(context, base))
-    return _stated(context, base)
+    paper, item, base = obligation.paper, obligation.item, _base(obligation)
+    if isinstance(item, Assertion):
+        return tuple(_claimed(Context(paper, item), base))
+    if not item.text:
+        return (base,)
+    return (replace(base, read=to_latex(read(item.text, item.notation or paper.notation))),)
 
 
 def weigh(declared: tuple[str, Sequence[Record]]) -> tuple[Record, ...]:
     """The id of a declaration with its records: these, with which hypotheses are needed, and what shows it."""
     id, records = declared
     obligation = obligation_of(id)
+    if not isinstance(obligation.item, Assertion):
+        return tuple(records)
     context = Context(obligation.paper, obligation.item)
     by_id = {id + unit.letter: unit for unit in units(context)} if any(map(proofs, records)) else {}
     return tuple(_weighed(context, by_id.get(record.id), record) for record in records)
@@ -44,63 +47,57 @@ def weigh(declared: tuple[str, Sequence[Record]]) -> tuple[Record, ...]:
 def _weighed(context: Context, unit: Unit | None, record: Record) -> Record:
     item, proved = context.item, list[Proved]()
     if unit and (shown := proofs(record)):
-        added = item.needs if record.reading is Reading.NEEDS_HYPOTHESIS else ()
-        proved = [*zip(problems(context, unit, (*item.given, *added)), shown, strict=True)]
+        given = (*item.statement.given, *_added(item.erratum(unit.letter)))
+        proved = [*zip(problems(context, unit, given), shown, strict=True)]
     return replace(record, hypotheses=tuple(replace(row, need=need(row, proved, item)) for row in record.hypotheses))
 
 
 def _base(obligation: Obligation) -> Record:
     item, paper = obligation.item, obligation.paper
-    reread: dict[str, Any] = {}
-    if item.read_as:
-        reading = Reading.MISPRINT if item.origin is Origin.PAPER else Reading.DAMAGED
-        reread = {"reading": reading, "kind": item.kind, "origin": item.origin, "corrected": item.read_as}
-    return Record(
+    record = Record(
         id=obligation.id,
         paper=paper.key,
         section=obligation.section.number,
-        line=item.line,
+        line=item.source.line,
         role=item.role,
         name=item.name,
-        printed="\n".join(item.printed),
-        words=item.words,
+        printed="\n".join(item.source.printed),
+        words=item.source.words,
         reason=item.reason,
-        **reread,
-        uses=tuple(f"{paper.key}:{number}" for number in item.uses),
+        uses=tuple(str(Id.of(paper.key, place)) for place in item.uses),
         used_by=users(paper.key).get(item.number, ()),
     )
-
-
-def _stated(context: Context, base: Record) -> tuple[Record, ...]:
-    """A definition, premise or exclusion: it is read, where it can be, but claims nothing."""
-    item = context.item
-    text = item.formal or item.read_as or item.printed
-    if not text or item.role is Role.EXCLUSION:
-        return (base,)
-    return (replace(base, read=to_latex(read(text, context.notation))),)
+    if (damage := item.source.damage) is None:
+        return record
+    reading = Reading.MISPRINT if damage.origin is Origin.PAPER else Reading.DAMAGED
+    return replace(record, reading=reading, kind=damage.kind, origin=damage.origin, corrected=damage.read_as)
 
 
 def _claimed(context: Context, base: Record) -> Iterator[Record]:
-    item, links = context.item, units(context)
+    source, links = context.item.source, units(context)
     for place, unit in enumerate(links):
         started = time.perf_counter()
-        row = replace(
-            base, id=base.id + unit.letter, read=to_latex(unit.tree), line=item.lines.get(unit.letter, item.line)
-        )
-        if len(item.printed) == len(links) > 1:
-            row = replace(row, printed=item.printed[place])
-        if unit.letter and unit.letter in item.imposed:
-            plain: dict[str, Any] = {"reading": Reading.AS_PRINTED, "kind": "", "origin": None, "corrected": ""}
-            yield replace(row, role=Role.PREMISE, reason="a condition imposed here, not a claim", **plain)
+        line = source.lines.get(unit.letter, source.line)
+        row = replace(base, id=base.id + unit.letter, read=to_latex(unit.tree), line=line)
+        if len(source.printed) == len(links) > 1:
+            row = replace(row, printed=source.printed[place])
+        if context.item.statement.imposes(unit.letter):
+            row = replace(row, role=Role.PREMISE, reason="a condition imposed here, not a claim")
+            yield replace(row, reading=Reading.AS_PRINTED, kind="", origin=None, corrected="")
             continue
         row = replace(_judged(context, unit, row), method=context.method(unit.letter).name)
         yield replace(row, seconds=round(time.perf_counter() - started, 4))
 
 
+def _added(erratum: Erratum | None) -> tuple[Hypothesis, ...]:
+    """The hypotheses under which a relation is proved, though the paper forgot them."""
+    return erratum.needs if erratum and not erratum.corrected else ()
+
+
 def _judged(context: Context, unit: Unit, row: Record) -> Record:
     item = context.item
-    erratum = item.errata.get(unit.letter)
-    finding = judge(context.having(doubted=erratum is not None), unit, item.given)
+    erratum = item.erratum(unit.letter)
+    finding = judge(context.having(doubted=erratum is not None), unit, item.statement.given)
     row = replace(
         row,
         verdict=finding.verdict,
@@ -108,20 +105,18 @@ def _judged(context: Context, unit: Unit, row: Record) -> Record:
         certificates=finding.certificates,
     )
     if erratum:
-        repair = corrected(context, unit, erratum, finding)
         misprint = bool(erratum.corrected)
         row = replace(
             row,
             reading=Reading.MISPRINT if misprint else Reading.NEEDS_HYPOTHESIS,
             kind=erratum.kind,
-            origin=Origin(erratum.origin),
+            origin=erratum.origin,
             reason=erratum.reason,
             corrected=erratum.shown
             or erratum.corrected
-            or f"{to_latex(unit.tree)} (given: {'; '.join(h.words for h in item.needs)})",
-            erratum=convert(repair, Correction),
+            or f"{to_latex(unit.tree)} (given: {'; '.join(h.words for h in erratum.needs)})",
+            erratum=corrected(context, unit, erratum, finding),
         )
-    added = item.needs if erratum and not erratum.corrected else ()
-    row = replace(row, hypotheses=tuple(listed(item, added)))
+    row = replace(row, hypotheses=tuple(listed(item, _added(erratum))))
     row.refuse_wider()
     return row

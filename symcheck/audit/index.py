@@ -10,12 +10,12 @@ from collections.abc import Iterable, Iterator
 from functools import cache
 from typing import Any
 
-from symcheck.audit.context import Context, for_letter
+from symcheck.audit.context import Context
 from symcheck.audit.judge import equality_claims, units
-from symcheck.audit.obligation import DECIDED, expand
-from symcheck.core.claims import Hypothesis, Paper
+from symcheck.audit.obligation import expand
+from symcheck.core.certificates import Certificate
+from symcheck.core.claims import Assertion, Hypothesis, Paper, for_letter
 from symcheck.core.terms import Formula
-from symcheck.core.verdicts import Certificate
 from symcheck.ledger.record import Record
 from symcheck.reading import read
 
@@ -33,7 +33,7 @@ class Index:
         self.hypotheses: dict[str, list[Any]] = {}
         self.statements: list[list[Any]] = []
         for obligation in expand(paper):
-            if obligation.item.role in DECIDED:
+            if isinstance(obligation.item, Assertion):
                 self._read(Context(obligation.paper, obligation.item))
 
     def _read(self, context: Context) -> None:
@@ -68,15 +68,15 @@ def _add(known: list[Any], new: Iterable[Any]) -> None:
 
 
 def _claims(context: Context) -> Iterator[Entry]:
-    item = context.item
+    statement = context.item.statement
     for unit in units(context):
-        if unit.letter and unit.letter in item.imposed:
+        if statement.imposes(unit.letter):
             continue
-        id, given = f"{context.id}{unit.letter}", item.given
+        id, given = f"{context.id}{unit.letter}", statement.given
         yield from ((id, "as printed", formula, given) for formula in unit.formulas)
-        if equality := for_letter(item.equality, unit.letter):
-            claims, attained = equality_claims(context, unit, equality), (*given, *item.equality_given)
+        if equality := for_letter(statement.equality, unit.letter):
+            claims, attained = equality_claims(context, unit, equality), (*given, *statement.equality_given)
             yield from ((id, "where it is an equality", claim, attained) for claim in claims)
-        if erratum := item.errata.get(unit.letter):
+        if erratum := context.item.erratum(unit.letter):
             right = unit.reworded(context, read(erratum.corrected, context.notation)) if erratum.corrected else unit
-            yield from ((id, "as corrected", formula, (*given, *item.needs)) for formula in right.formulas)
+            yield from ((id, "as corrected", formula, (*given, *erratum.needs)) for formula in right.formulas)

@@ -7,11 +7,14 @@ from dataclasses import dataclass, replace
 from functools import cache, cached_property
 
 from symcheck import papers
-from symcheck.audit.context import Context, for_letter
-from symcheck.core.claims import Hypothesis, Item, Method, Outcome, Paper, Problem
+from symcheck.audit.context import Context
+from symcheck.core.certificates import Certificate
+from symcheck.core.claims import Assertion, Hypothesis, for_letter
 from symcheck.core.formulas import conjuncts, contrary
+from symcheck.core.ids import Id
+from symcheck.core.problems import Method, Outcome, Problem
 from symcheck.core.terms import Formula, Term, node
-from symcheck.core.verdicts import Certificate, SymcheckError, Verdict
+from symcheck.core.verdicts import SymcheckError, Verdict
 from symcheck.proof import Lemmas, certificate, combined, proof_of, refute
 from symcheck.reading import Relation, System, Tree, from_sympy, lower, read, relations, to_latex
 
@@ -35,12 +38,12 @@ class Unit:
 def units(context: Context) -> list[Unit]:
     """The relations of a declaration: each link of a chain or system, or the whole formal statement."""
     item = context.item
-    if stated := item.parts or ((item.formal,) if item.formal else ()):
-        links = [read(form, context.notation) for form in stated]
+    if item.stated:
+        links = [read(form, context.notation) for form in item.stated]
     else:
-        links = [_statement(link) for link in relations(read(item.read_as or item.printed, context.notation))]
+        links = [_statement(link) for link in relations(read(item.text, context.notation))]
     letters = [chr(ord("a") + n) for n in range(len(links))] if len(links) > 1 else [""]
-    derived = [from_sympy(value) for value in item.equation()] if item.equation else []
+    derived = [from_sympy(value) for value in equation()] if (equation := item.statement.equation) else []
     found = []
     for letter, link in zip(letters, links, strict=True):
         count = len(lower(link, context.notation)) if derived else 0
@@ -118,9 +121,9 @@ def _stated(context: Context, unit: Unit, given: tuple[Hypothesis, ...]) -> Stat
 
 def _attained(context: Context, unit: Unit, given: tuple[Hypothesis, ...]) -> Statement | None:
     """The same of the set of equality of an inequality, if one is declared."""
-    if not (equality := for_letter(context.item.equality, unit.letter)):
+    if not (equality := for_letter(context.item.statement.equality, unit.letter)):
         return None
-    hypotheses = (*given, *context.item.equality_given)
+    hypotheses = (*given, *context.item.statement.equality_given)
     return equality_claims(context, unit, equality), hypotheses, combined(context.method(unit.letter))
 
 
@@ -159,7 +162,7 @@ def _find(context: Context, formulas: tuple[Formula, ...], given: tuple[Hypothes
         verdict = Verdict.PROVED
     else:
         verdict = Verdict.UNDECIDED
-    lemmas = tuple(f"{context.paper.key}:{number}" for number in context.item.lemmas)
+    lemmas = tuple(context.lemmas)
     sources = tuple(_source(context, problem, premises) for problem in concrete)
     return Finding(verdict, tuple(problems), tuple(outcomes), concrete, lemmas, sources)
 
@@ -167,8 +170,10 @@ def _find(context: Context, formulas: tuple[Formula, ...], given: tuple[Hypothes
 def _source(context: Context, problem: Problem, premises: tuple[tuple[str, Formula], ...]) -> Lemmas:
     """The lemmas a proof may start from, and of the hypotheses in force those that these are proved under."""
     spoken = [problem.claim, *(f for _, stated in problem.hypotheses for f in stated), *(f for _, f in premises)]
-    defined = context.used_definitions(*spoken, *(term for _, term in problem.hints)) if premises else ()
-    under = {name for id in dict(premises) for each in lemma(*id.split(":", 1))[1] for name in each["hypotheses"]}
+    defined = (
+        context.used_definitions(*spoken, *(term for hint in problem.hints for term in hint.terms)) if premises else ()
+    )
+    under = {name for id in dict(premises) for each in lemma(id)[1] for name in each["hypotheses"]}
     return Lemmas(premises, problem, tuple(h for h in problem.hypotheses if h[0] in under), defined)
 
 
@@ -241,27 +246,21 @@ def _contradictory(definitions: Definitions, stated: tuple[Formula, ...]) -> boo
 # --- earlier relations as lemmas
 
 
-def _letter_of(paper: Paper, number: str) -> tuple[Item, str]:
-    """The declaration of "2.13.1b", and "b"."""
-    items = {item.number: item for _, _, item in paper.items()}
-    for declared, letter in ((number, ""), (number[:-1], number[-1:])):
-        if declared in items:
-            return items[declared], letter
-    raise SymcheckError(f"{paper.key}:{number} is used as a lemma, but not declared")
-
-
 @cache
-def lemma(key: str, number: str) -> tuple[tuple[Formula, ...], tuple[Certificate, ...]]:
+def lemma(name: str) -> tuple[tuple[Formula, ...], tuple[Certificate, ...]]:
     """The formulas of an earlier relation and the certificates that prove them."""
-    paper = papers.load()[key]
-    item, letter = _letter_of(paper, number)
-    context = Context(paper, replace(item, equality=""))
-    unit = next((unit for unit in units(context) if unit.letter == letter), None)
+    id = Id.parse(name)
+    paper = papers.load()[id.paper]
+    item = next((item for _, _, item in paper.items() if item.number == id.number), None)
+    if not isinstance(item, Assertion):
+        raise SymcheckError(f"{id} is used as a lemma, but not claimed")
+    context = Context(paper, item).without_equality()
+    unit = next((unit for unit in units(context) if unit.letter == id.link), None)
     if unit is None:
-        raise SymcheckError(f"{key}:{number} is used as a lemma, but {key}:{item.number} has no link {letter!r}")
-    finding = judge(context, unit, item.given)
+        raise SymcheckError(f"{id} is used as a lemma, but {id.declaration} has no link {id.link!r}")
+    finding = judge(context, unit, item.statement.given)
     if finding.verdict is not Verdict.PROVED:
-        raise SymcheckError(f"{key}:{number} is used as a lemma, but not proved")
+        raise SymcheckError(f"{id} is used as a lemma, but not proved")
     return tuple(part for formula in unit.formulas for part in conjuncts(formula)), finding.certificates
 
 
@@ -269,8 +268,8 @@ def _premises(context: Context, given: Iterable[Hypothesis]) -> tuple[tuple[str,
     """The earlier relations the proof may start from, as far as they are proved under no more than is given."""
     names = {hypothesis.name for hypothesis in given}
     found: list[tuple[str, Formula]] = []
-    for number in context.item.lemmas:
-        formulas, proofs = lemma(context.paper.key, number)
+    for name in context.lemmas:
+        formulas, proofs = lemma(name)
         if all(names >= proof["hypotheses"].keys() for proof in proofs):
-            found += [(f"{context.paper.key}:{number}", formula) for formula in formulas]
+            found += [(name, formula) for formula in formulas]
     return tuple(found)

@@ -7,13 +7,15 @@ from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import replace
 from importlib import import_module
 from importlib.util import find_spec
-from string import ascii_lowercase
 
 from symcheck.audit.checked import NOT_ACCEPTED, reasons
-from symcheck.core.claims import Paper, Problem
+from symcheck.core.certificates import Certificate
+from symcheck.core.claims import Paper
 from symcheck.core.formulas import conjuncts
+from symcheck.core.ids import Id
+from symcheck.core.problems import Applied, Problem
 from symcheck.core.terms import node
-from symcheck.core.verdicts import Certificate, SymcheckError, Verdict
+from symcheck.core.verdicts import SymcheckError, Verdict
 from symcheck.kernels.codegen.kernel import Kernel
 from symcheck.kernels.codegen.program import Program, compiled
 from symcheck.kernels.codegen.target import Made
@@ -62,10 +64,9 @@ def equalities(paper: Paper, name: str, kernel: Kernel) -> Iterator[Certificate]
     for output, form in forms.items():
         sides = from_sympy(derived[output]), from_sympy(form)
         problem = Problem(f"{paper.key}:{name}.{output}", node("=", *sides), (), given)
-        squares = tuple((f"theorem.0.equal_squares.{k}", side) for k, side in enumerate(sides))
         outcome = identity.decide(problem)
         if outcome.verdict is Verdict.UNDECIDED:
-            outcome = identity.decide(replace(problem, hints=squares))
+            outcome = identity.decide(replace(problem, hints=(Applied("equal_squares", sides),)))
         if outcome.verdict is not Verdict.PROVED:
             why = outcome.reason or outcome.verdict
             raise SymcheckError(f"{problem.id}: the accurate form is not proved equal to the derived one ({why})")
@@ -77,14 +78,14 @@ def equalities(paper: Paper, name: str, kernel: Kernel) -> Iterator[Certificate]
 
 def _claims(paper: Paper, name: str, kernel: Kernel, known: Mapping[str, Record]) -> Iterator[tuple[str, str]]:
     """The relations that a kernel rests on, each with the digest of its certificates."""
-    for number in kernel.claims:
-        id = f"{paper.key}:{number}"
-        links = [record for record in known.values() if record.id == id or record.id.rstrip(ascii_lowercase) == id]
+    for place in kernel.claims:
+        id = Id.of(paper.key, place)
+        links = [record for record in known.values() if id.has(record.id)]
         wrong = [record for record in links if record.verdict is not Verdict.PROVED]
         if wrong or not links:
             state = f"{wrong[0].id}, which is {wrong[0].verdict}" if wrong else f"{id}, which is not declared"
             raise SymcheckError(f"kernel {name} rests on {state}; only what is proved is generated")
-        yield id, digest(c for record in links for c in record.certificates)
+        yield str(id), digest(c for record in links for c in record.certificates)
 
 
 def digest(certificates: Iterable[Certificate]) -> str:

@@ -60,8 +60,8 @@ def check(
 
     See Also
     --------
-    errata : the records of what is wrong as printed.
-    show : a relation in full, as text.
+    errata : The records of what is wrong as printed.
+    show : A relation in full, as text.
 
     Examples
     --------

@@ -4,20 +4,21 @@ from __future__ import annotations
 
 import hashlib
 from collections.abc import Mapping
-from dataclasses import dataclass, fields, replace
+from dataclasses import dataclass, fields, is_dataclass, replace
 from functools import cache, partial
 from importlib.metadata import version
 from pathlib import Path
 from typing import Any
 
 from symcheck import papers
-from symcheck.core.claims import Item, Method, Paper, Section
-from symcheck.core.verdicts import Role, SymcheckError
+from symcheck.core.claims import Assertion, Declaration, Definition, Paper, Section
+from symcheck.core.ids import Id
+from symcheck.core.problems import Method
+from symcheck.core.verdicts import SymcheckError
 from symcheck.reading import Notation
 
 LIBRARIES = ("sympy", "python-flint", "lark")
 SOURCES = ("reading", "proof", "mechanics", "audit", "ledger", "checker", "core")
-DECIDED = (Role.CLAIM, Role.OURS)
 
 
 @dataclass(frozen=True)
@@ -27,20 +28,20 @@ class Obligation:
     id: str
     paper: Paper
     section: Section
-    item: Item
+    item: Declaration
 
 
 def expand(paper: Paper) -> tuple[Obligation, ...]:
     """All declarations of a paper in printed order."""
     return tuple(
-        Obligation(f"{paper.key}:{item.number}", paper, section, replace(item, name=name))
+        Obligation(str(Id(paper.key, item.number)), paper, section, replace(item, name=name))
         for section, name, item in paper.items()
     )
 
 
 def obligation_of(id: str) -> Obligation:
     """The declaration with this id; SymcheckError if there is none."""
-    key, _, _ = id.partition(":")
+    key = Id.parse(id).paper
     found = _declared(key).get(id)
     if found is None:
         raise SymcheckError(f"{id} is not declared; `symcheck check {key} --json` lists the ids")
@@ -90,21 +91,23 @@ def _plain(value: Any) -> Any:
             return (_plain(value.func), value.args)
         case tuple():
             return tuple(_plain(each) for each in value)
+        case _ if is_dataclass(value):
+            return (type(value).__name__, [(f.name, _plain(getattr(value, f.name))) for f in fields(value)])
         case _ if callable(value):
             return f"{value.__module__}.{value.__qualname__}"
     return value
 
 
-def _content(item: Item) -> str:
-    return repr([(f.name, _plain(getattr(item, f.name))) for f in fields(item)])
+def _content(item: Declaration) -> str:
+    return repr(_plain(item))
 
 
 @cache
 def _paper_context(key: str) -> str:
     paper = papers.load()[key]
     items = [item for _, _, item in paper.items()]
-    lemmas = {number for item in items for name in item.lemmas for number in (name, name[:-1])}
-    shared = [_content(item) for item in items if item.role is Role.DEFINITION or item.number in lemmas]
+    lemmas = {Id.of(key, p).number for item in items if isinstance(item, Assertion) for p in item.plan.lemmas}
+    shared = [_content(item) for item in items if isinstance(item, Definition) or item.number in lemmas]
     uses = [(item.number, item.uses) for item in items]
     return repr((_plain(paper.notation), shared, uses, _digest_of_sources(key)))
 

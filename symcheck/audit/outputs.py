@@ -7,7 +7,7 @@ from types import MappingProxyType
 
 from symcheck import papers
 from symcheck.audit.index import Index
-from symcheck.core.verdicts import Certificate
+from symcheck.core.certificates import Certificate
 from symcheck.ledger.digests import line
 from symcheck.ledger.record import Record
 from symcheck.ledger.store import CERTIFICATES, EXPECTED, PROOFS, STATEMENTS, document

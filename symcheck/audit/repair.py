@@ -4,65 +4,60 @@ from __future__ import annotations
 
 import difflib
 import re
-from collections.abc import Mapping
 from dataclasses import replace
 from typing import Any
 
 from symcheck.audit.checked import reasons
 from symcheck.audit.context import Context
 from symcheck.audit.judge import Finding, Unit, judge, proofs
-from symcheck.core.claims import Erratum, Item, Method
+from symcheck.core.claims import Erratum, Hypothesis
 from symcheck.core.terms import node
 from symcheck.core.verdicts import SymcheckError, Verdict
-from symcheck.proof import combined, fails_at
+from symcheck.ledger.record import Correction, Edit, Repair
+from symcheck.proof import fails_at
 from symcheck.reading import edits, read, to_latex
 
 
-def corrected(context: Context, unit: Unit, erratum: Erratum, printed: Finding) -> dict[str, Any]:
+def corrected(context: Context, unit: Unit, erratum: Erratum, printed: Finding) -> Correction:
     """The proof of the corrected form, the edit from the printed one, and every single edit that repairs it.
 
     A sentence is not searched for edits (its words are ours), nor a relation that is true but empty.
     """
-    item, edit = context.item, []
+    statement, edit = context.item.statement, tuple[Edit, ...]()
     if erratum.corrected:
         right = unit.reworded(context, read(erratum.corrected, context.notation))
-        repaired = replace(item, equality="", by=combined(*_methods(item), forms=erratum.forms))
-        finding = judge(context.having(item=repaired), right, item.given, item.needs)
+        finding = judge(context.as_corrected(erratum), right, statement.given, erratum.needs)
         edit = _edit(to_latex(unit.tree), to_latex(right.tree))
     else:
-        finding = judge(context, unit, item.given, item.needs)
-    searched = bool(erratum.corrected) and not (item.formal or item.parts) and printed.verdict is Verdict.REFUTED
-    repairs = _repairs(context, unit, printed) if searched else []
-    return {
-        "verdict": finding.verdict,
-        "reason": finding.reason,
-        "certificates": list(finding.certificates),
-        "edit": edit,
-        "added": [hypothesis.words for hypothesis in item.needs],
-        "repairs": repairs if searched else None,
-        "unique": len(repairs) == 1 if searched else None,
-        "empty": _is_empty(printed),
-        "row": bool(erratum.shown),
-    }
+        finding = judge(context, unit, statement.given, erratum.needs)
+    searched = bool(erratum.corrected) and not context.item.stated and printed.verdict is Verdict.REFUTED
+    repairs = _repairs(context, unit, printed, (*statement.given, *erratum.needs)) if searched else None
+    return Correction(
+        verdict=finding.verdict,
+        reason=finding.reason,
+        certificates=finding.certificates,
+        edit=edit,
+        added=tuple(hypothesis.words for hypothesis in erratum.needs),
+        repairs=repairs,
+        unique=None if repairs is None else len(repairs) == 1,
+        empty=_is_empty(printed),
+        row=bool(erratum.shown),
+    )
 
 
-def _methods(item: Item) -> list[Method]:
-    return [method for method in (item.by.values() if isinstance(item.by, Mapping) else [item.by]) if method]
-
-
-def _edit(before: str, after: str) -> list[dict[str, str]]:
+def _edit(before: str, after: str) -> tuple[Edit, ...]:
     """The places where two LaTeX forms differ, token by token."""
     tokens = re.compile(r"\\[A-Za-z]+|\\.|\d+|\S")
     left, right = tokens.findall(before), tokens.findall(after)
     matcher = difflib.SequenceMatcher(None, left, right, autojunk=False)
-    return [
-        {"printed": " ".join(left[i:j]), "corrected": " ".join(right[k:m])}
+    return tuple(
+        Edit(printed=" ".join(left[i:j]), corrected=" ".join(right[k:m]))
         for kind, i, j, k, m in matcher.get_opcodes()
         if kind != "equal"
-    ]
+    )
 
 
-def _repairs(context: Context, unit: Unit, printed: Finding) -> list[dict[str, str]]:
+def _repairs(context: Context, unit: Unit, printed: Finding, given: tuple[Hypothesis, ...]) -> tuple[Repair, ...]:
     """All single edits of the printed relation that are proved and are not empty.
 
     An edit that is wrong at the printed relation's own counterexample needs no further thought.
@@ -72,16 +67,16 @@ def _repairs(context: Context, unit: Unit, printed: Finding) -> list[dict[str, s
     for edit in edits(unit.tree, context.notation):
         try:
             changed = unit.reworded(context, edit.tree)
-            if _is_proved(context, changed, points):
-                found.append({"kind": edit.kind, "edit": edit.description, "relation": to_latex(edit.tree)})
+            if _is_proved(context, changed, given, points):
+                found.append(Repair(kind=edit.kind, edit=edit.description, relation=to_latex(edit.tree)))
         except SymcheckError:
             continue  # an edit that makes no statement repairs nothing
-    return found
+    return tuple(found)
 
 
-def _is_proved(context: Context, unit: Unit, points: list[Any]) -> bool:
+def _is_proved(context: Context, unit: Unit, given: tuple[Hypothesis, ...], points: list[Any]) -> bool:
     """Whether an edited relation has a proof and is not empty; counterexamples are not looked for."""
-    method, given = context.method(unit.letter), (*context.item.given, *context.item.needs)
+    method = context.method(unit.letter)
     problems = [context.problem(formula, given, method, n) for n, formula in enumerate(unit.formulas)]
     if any(fails_at(problem, point) for problem in problems for point in points):
         return False

@@ -6,7 +6,6 @@ import gc
 from collections.abc import Callable, Generator, Iterable, Iterator, Mapping, Sequence
 from contextlib import closing, contextmanager
 from difflib import get_close_matches
-from string import ascii_lowercase
 from typing import Any, Protocol, TypeVar
 
 from msgspec.structs import replace
@@ -14,7 +13,8 @@ from msgspec.structs import replace
 from symcheck.audit import checked
 from symcheck.audit.cache import Cache
 from symcheck.audit.executor import Answer, Done, Executor, Timeout
-from symcheck.core.claims import Item, Paper, Section
+from symcheck.core.claims import Assertion, Declaration, Paper, Section
+from symcheck.core.ids import Id
 from symcheck.core.verdicts import SymcheckError, Verdict
 from symcheck.ledger.record import Later, Record
 
@@ -35,7 +35,7 @@ class Obligation(Protocol):
     @property
     def section(self) -> Section: ...
     @property
-    def item(self) -> Item: ...
+    def item(self) -> Declaration: ...
 
 
 class Decider(Protocol):
@@ -120,7 +120,7 @@ def audit(
         known = records.keys() | new.keys()
         whole = {id: rows for id, rows in new.items() if known >= {*_lemmas(id, obligations)}}
         raise Interrupted(_asked_for(wanted, records | _told(whole, records))) from None
-    for key in {id.partition(":")[0] for id in obligations}:
+    for key in {Id.parse(id).paper for id in obligations}:
         cache.prune(key, obligations)
     return _asked_for(wanted, records | _told(new, records))
 
@@ -165,13 +165,10 @@ def _with_lemmas(wanted: Iterable[str], obligations: Mapping[str, Obligation]) -
 
 def _lemmas(id: str, obligations: Mapping[str, Obligation]) -> list[str]:
     """The declarations whose relations the proof of one may start from; "2.13.1b" is a link of 2.13.1."""
-    key = id.partition(":")[0]
-    named = ((f"{key}:{number}", f"{key}:{number[:-1]}") for number in obligations[id].item.lemmas)
-    return [
-        next(name for name in names if name in obligations)
-        for names in named
-        if not obligations.keys().isdisjoint(names)
-    ]
+    key, item = Id.parse(id).paper, obligations[id].item
+    places = item.plan.lemmas if isinstance(item, Assertion) else ()
+    named = (str(Id.of(key, place).declaration) for place in places)
+    return [name for name in named if name in obligations]
 
 
 def _asked_for(wanted: Mapping[str, Links], records: Mapping[str, tuple[Record, ...]]) -> list[Record]:
@@ -206,23 +203,23 @@ def select(selection: Iterable[str], ids: Sequence[str]) -> dict[str, Links]:
 
 
 def _matches(text: str, ids: Sequence[str]) -> dict[str, Links]:
-    paper, colon, number = text.partition(":")
-    if not colon:
-        return {id: EVERY for id in ids if id.partition(":")[0] == paper}
-    whole = [id for id in ids if id == text or (id.startswith(text) and id[len(text) :].strip(ascii_lowercase) == "")]
-    if not whole or number[-1:].isupper():
+    asked = Id.parse(text)
+    if text == asked.paper:
+        return {id: EVERY for id in ids if Id.parse(id).paper == text}
+    whole = [text] if text in ids else []
+    if not whole or asked.place[-1:].isupper():  # a list ends in a capital letter: its rows with it
         whole += [id for id in ids if id.startswith(f"{text}.")]
-    if number and whole:
+    if whole:
         return dict.fromkeys(whole, EVERY)
-    if (declared := text.rstrip(ascii_lowercase)) in ids and declared != text:
+    if (declared := str(asked.declaration)) in ids:
         return {declared: frozenset((text,))}
     near = get_close_matches(text, ids, n=3, cutoff=0.75)
-    hint = f"did you mean {' or '.join(near)}?" if near else f"`symcheck check {paper}` lists what there is"
-    raise SymcheckError(f"{paper} has no relation {number!r}; {hint}")
+    hint = f"did you mean {' or '.join(near)}?" if near else f"`symcheck check {asked.paper}` lists what there is"
+    raise SymcheckError(f"{asked.paper} has no relation {asked.place!r}; {hint}")
 
 
 def _papers_named(selection: Iterable[str], papers: Mapping[str, Paper]) -> list[Paper]:
-    keys = [text.partition(":")[0] for text in selection] or list(papers)
+    keys = [Id.parse(text).paper for text in selection] or list(papers)
     for key in keys:
         if key not in papers:
             near = get_close_matches(key, papers, n=1)
@@ -244,14 +241,14 @@ def _records(obligation: Obligation, answer: Answer[tuple[Record, ...]]) -> tupl
         id=obligation.id,
         paper=obligation.paper.key,
         section=obligation.section.number,
-        line=item.line,
+        line=item.source.line,
         role=item.role,
         name=item.name,
-        printed=" ".join(item.printed),
-        words=item.words,
+        printed=" ".join(item.source.printed),
+        words=item.source.words,
         verdict=Verdict.UNDECIDED,
         reason=limit,
-        uses=tuple(f"{obligation.paper.key}:{number}" for number in item.uses),
+        uses=tuple(str(Id.of(obligation.paper.key, place)) for place in item.uses),
     )
     return (record,)
 

@@ -212,8 +212,23 @@ def supposed(claim: Formula) -> list[list[Formula]]:
     return [[]]
 
 
-def check_all(certificates: Iterable[JSON]) -> Iterator[str | None]:
-    """For each certificate None if it holds, else the reason why it does not; lemmas are looked for among all."""
+def check_all(certificates: Iterable[object]) -> Iterator[str | None]:
+    """Check certificates, whose lemmas are looked for among all of them.
+
+    Parameters
+    ----------
+    certificates
+        Certificates as `json` reads them from a file of ``generated/certificates``.
+
+    Yields
+    ------
+    str or None
+        For each certificate None if it holds, else the reason why it does not.
+
+    See Also
+    --------
+    check : For a single certificate.
+    """
     checked: dict[bytes, Certificate] = {}
     read = [attempt(each, checked) for each in certificates]
     proved = [(name, each) for name, each in read if isinstance(each, Certificate) and each.verdict == "proved"]
@@ -227,7 +242,7 @@ def check_all(certificates: Iterable[JSON]) -> Iterator[str | None]:
         yield found[1] if isinstance(found[1], str) else unproved
 
 
-def attempt(data: JSON, checked: dict[bytes, Certificate]) -> tuple[str, Certificate | str]:
+def attempt(data: object, checked: dict[bytes, Certificate]) -> tuple[str, Certificate | str]:
     """A certificate by its id, or the reason why it does not hold; what differs in the id alone is checked once."""
     name = ""
     try:
@@ -244,6 +259,31 @@ def attempt(data: JSON, checked: dict[bytes, Certificate]) -> tuple[str, Certifi
     return name, checked[written]
 
 
-def check(certificate: JSON) -> str | None:
-    """None if a certificate without lemmas proves (or refutes) its claim, else the reason why it does not."""
+def check(certificate: object) -> str | None:
+    """Check one certificate, which may use no lemmas.
+
+    Parameters
+    ----------
+    certificate
+        A certificate as `json` reads it, or as `symcheck.proof.certificate` makes it.
+
+    Returns
+    -------
+    str or None
+        None if it proves, or refutes, its claim; else the reason why it does not. No certificate raises.
+
+    See Also
+    --------
+    check_all : For certificates that use one another as lemmas.
+
+    Examples
+    --------
+    >>> square = ["^", ["+", "x", 1], 2]
+    >>> for middle in (2, 3):
+    ...     claim = ["=", square, ["+", ["^", "x", 2], ["*", middle, "x"], 1]]
+    ...     proof = {"rule": "identity", "cofactors": []}
+    ...     print(check({"id": "mine", "claim": claim, "verdict": "proved", "proof": proof}))
+    None
+    left - right is not the combination of facts it is said to be
+    """
     return next(check_all([certificate]))

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 
 from symcheck.core.fields import by_key, listed, raw, text
 from symcheck.core.terms import JSON
@@ -30,7 +30,7 @@ class Index:
         for id, *stated in listed(listed(raw, 5))(data["statements"]):
             self.entries.setdefault(text(id), []).append(Entry(*stated))
 
-    def differences(self, certificates: list[JSON]) -> Iterator[str]:
+    def differences(self, certificates: Iterable[object]) -> Iterator[str]:
         """What certificates state that the ledger does not, and what it states without one."""
         open_ = {id: list(entries) for id, entries in self.entries.items()}
         for stated in map(by_key(raw), certificates):

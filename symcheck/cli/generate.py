@@ -42,7 +42,7 @@ def generate(only_check: bool, name: str, output: Path | None, options: AuditOpt
     from symcheck.coq import confirmed
     from symcheck.kernels.codegen.target import target
     from symcheck.ledger import selftested, store
-    from symcheck.selftest import figures
+    from symcheck.views import figures
 
     checked_in = name == CHECKED_IN
     if checked_in and output:
@@ -52,8 +52,8 @@ def generate(only_check: bool, name: str, output: Path | None, options: AuditOpt
     made = {key: writing.made(paper, records) for key, paper in papers.load().items()}
     texts = {key: (files(key, of_paper) if of_paper else {}, proofs) for key, (of_paper, proofs) in made.items()}
     if checked_in:
-        kept = confirmed.files(folder, records) | selftested.files(folder) | figures.files(folder)
-        contents = outputs.files(records, texts) | kept
+        recorded = confirmed.files(folder, records) | selftested.files(folder) | figures.files(folder)
+        contents = outputs.files(records, texts) | recorded
     else:
         contents = {file: text.encode() for of_paper, _ in texts.values() for file, text in of_paper.items()}
     differing = store.differences(folder, contents, alone=checked_in)

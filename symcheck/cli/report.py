@@ -35,16 +35,18 @@ def report(selection: Sequence[str], output: Path, show: bool, options: AuditOpt
     from symcheck.ledger import selftested
     from symcheck.views import pictures
     from symcheck.views.page import sources
-    from symcheck.views.page.page import Beside, Pictures, page
+    from symcheck.views.page.page import Extras, page
 
     records, known = audited(selection, options), papers.load()
-    beside = Beside(
+    extras = Extras(
         sources.kernels(known, kernels.folder()),
         sources.cells(Path("notebooks")),
-        Pictures(pictures.envelopes(), pictures.densities(), pictures.stability()),
+        pictures.envelopes(),
+        pictures.densities(),
+        pictures.stability(),
         selftested.recorded(kernels.folder()),
     )
-    text = page(records, sources.publications(known), beside).encode()
+    text = page(records, sources.publications(known), extras).encode()
     with writing(output):
         put(output, text)
     click.echo(f"{output}: {len(records)} items, {len(text) / 1e6:.2f} MB")

@@ -36,11 +36,10 @@ def selftest(as_json: bool, seed: int, faults: int, recording: bool, options: Au
     if recording:
         from symcheck import kernels
         from symcheck.ledger import selftested
-        from symcheck.selftest import figures
+        from symcheck.views import figures
 
-        folder = kernels.folder()
-        say(f"{selftested.record(folder, told, records)} written")
-        figures.renew(folder)
+        say(f"{selftested.record(kernels.folder(), told, records)} written")
+        figures.write(kernels.folder())
     if as_json:
         click.echo(json.dumps(told, ensure_ascii=False, indent=1))
     else:

@@ -11,10 +11,9 @@ from symcheck.coq.composed import composition
 from symcheck.coq.confirmed import asked
 from symcheck.coq.script import script
 from symcheck.coq.statements import Statement, statement
-from symcheck.coq.terms import NotExported
+from symcheck.coq.terms import Certificate, NotExported
 from symcheck.core.calculus import Unknown
 from symcheck.core.terms import Malformed
-from symcheck.core.verdicts import Certificate
 from symcheck.ledger.digests import digest_of
 from symcheck.ledger.record import Record
 
@@ -51,11 +50,11 @@ def claims_of(records: Iterable[Record]) -> list[Claim]:
 
 
 def _of_record(record: Record) -> Iterator[Claim]:
-    stem = re.sub(r"\W", "_", record.id.partition(":")[2])
+    stem = re.sub(r"\W", "_", record.number)
     for corrected, proofs in asked(record):
         for k, certificate in enumerate(proofs, 1):
             name = f"{stem}{'_corrected' if corrected else ''}{f'_part{k}' if len(proofs) > 1 else ''}"
-            yield Claim(name, record, certificate, digest_of(certificate), corrected)
+            yield Claim(name, record, {**certificate}, digest_of(certificate), corrected)
 
 
 def _write(claim: Claim, by_id: Mapping[str, list[Claim]]) -> None:

@@ -15,14 +15,15 @@ from typing import Any
 
 from mpmath import mp, mpf
 
-from symcheck.audit.context import Context, for_letter
+from symcheck.audit.context import Context, context_of
 from symcheck.audit.judge import Unit, equality_claims, units
 from symcheck.audit.obligation import obligation_of
 from symcheck.coq.files import manifest
 from symcheck.coq.meaning import Meaning, Number, Smooth, Values
 from symcheck.coq.reader import claims
+from symcheck.core.claims import for_letter
+from symcheck.core.ids import Id
 from symcheck.core.terms import Connective, Formula, Node, Quantified, Relation, Term, node
-from symcheck.core.verdicts import Role
 from symcheck.reading import read
 
 TOLERANCE = mpf(10) ** -12
@@ -86,26 +87,18 @@ def _near(a: Number, b: Number) -> bool:
 
 def printed(id: str, corrected: bool) -> Iterator[tuple[Context, Formula]]:
     """The formulas of a printed relation (or of its correction), read anew, each with what is in force there."""
-    declared = id if _is_declared(id) else id[:-1]
-    obligation = obligation_of(declared)
-    context = Context(obligation.paper, obligation.item)
-    unit = next(unit for unit in units(context) if unit.letter == id[len(declared) :])
+    asked = Id.parse(id)
+    context = context_of(obligation_of(str(asked.declaration)))
+    unit = next(unit for unit in units(context) if unit.letter == asked.link)
     context = context.having(letter=unit.letter)
     yield from ((context, formula) for formula in _formulas(context, unit, corrected))
 
 
-def _is_declared(id: str) -> bool:
-    try:
-        return obligation_of(id).item.role in (Role.CLAIM, Role.OURS)
-    except Exception:
-        return False
-
-
 def _formulas(context: Context, unit: Unit, corrected: bool) -> Sequence[Any]:
-    erratum = context.item.errata.get(unit.letter)
+    erratum = context.item.erratum(unit.letter)
     if corrected and erratum and erratum.corrected:
         return unit.reworded(context, read(erratum.corrected, context.notation)).formulas
-    equality = for_letter(context.item.equality, unit.letter)
+    equality = for_letter(context.item.statement.equality, unit.letter)
     return (*unit.formulas, *(equality_claims(context, unit, equality) if equality else ()))
 
 
@@ -130,10 +123,7 @@ def _faults(context: Context, formula: Formula, premises: Sequence[Formula], con
         rest = rest.formulas[1] if isinstance(rest, Connective) else rest
     if not same(at.shape(conclusion), at.shape(formula)):
         yield "the conclusion is not what is printed"
-    item = context.item
-    known = [
-        f for hypothesis in (*item.given, *item.needs, *item.equality_given) for f in context.hypothesis(hypothesis)[1]
-    ]
+    known = [f for each in context.item.hypotheses for f in context.hypothesis(each)[1]]
     shapes = [at.shape(f) for f in known]
     for premise in premises:
         shape = at.shape(premise)

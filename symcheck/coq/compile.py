@@ -22,6 +22,7 @@ from symcheck import kernels
 from symcheck.coq import confirmed
 from symcheck.coq.confirmed import Outcome
 from symcheck.coq.files import OURS, Row, manifest
+from symcheck.core.ids import Id
 from symcheck.ledger.digests import digest
 
 MISSING = "coqc is not installed; on Debian: apt-get install coq libcoq-coquelicot"
@@ -127,8 +128,8 @@ def _outcome(row: Row, paper: str, failed: Mapping[str, str]) -> Outcome:
 
 def summary(outcomes: Mapping[str, Outcome]) -> Iterator[str]:
     """How many of how many, for each paper, and the reasons for the others."""
-    for paper in dict.fromkeys(id.partition(":")[0] for id in outcomes):
-        reasons = [reason for id, (_, reason) in outcomes.items() if id.startswith(f"{paper}:")]
+    for paper in dict.fromkeys(Id.parse(id).paper for id in outcomes):
+        reasons = [reason for id, (_, reason) in outcomes.items() if Id.parse(id).paper == paper]
         yield f"{paper}: {reasons.count('')} of {len(reasons)} proved relations and corrections are confirmed by Coq"
         yield from (f"  {reasons.count(reason)} not: {reason}" for reason in dict.fromkeys(reasons) if reason)
 

@@ -12,8 +12,10 @@ from functools import cache
 from pathlib import Path
 
 from symcheck import kernels
+from symcheck.core.certificates import Certificate
 from symcheck.core.files import put
-from symcheck.core.verdicts import Certificate, SymcheckError, Verdict
+from symcheck.core.ids import Id
+from symcheck.core.verdicts import SymcheckError, Verdict
 from symcheck.ledger.digests import digest, digest_of, line
 from symcheck.ledger.record import Record
 from symcheck.ledger.store import COQ, SCHEMA, document
@@ -72,8 +74,8 @@ def files(folder: Path, records: Iterable[Record]) -> dict[str, bytes]:
 def record_all(folder: Path, outcomes: Mapping[str, Outcome]) -> list[Path]:
     """Write the outcomes by `key`, each file whole; what is recorded of other relations stays."""
     written = []
-    for paper in dict.fromkeys(name.partition(":")[0] for name in outcomes):
-        own = {name: outcome for name, outcome in outcomes.items() if name.startswith(f"{paper}:")}
+    for paper in dict.fromkeys(Id.parse(name).paper for name in outcomes):
+        own = {name: outcome for name, outcome in outcomes.items() if Id.parse(name).paper == paper}
         written.append(folder / _name(paper))
         put(written[-1], _text(paper, _kept(folder, paper) | own))
     return written
@@ -98,7 +100,7 @@ def lost(folder: Path, outcomes: Mapping[str, Outcome], papers: Iterable[str] = 
 
 def unrecorded(folder: Path, outcomes: Mapping[str, Outcome]) -> int:
     """How many of these outcomes are recorded otherwise, of other certificates, or not at all."""
-    papers = {name.partition(":")[0] for name in outcomes}
+    papers = {Id.parse(name).paper for name in outcomes}
     known = {name: outcome for paper in papers for name, outcome in recorded(folder, paper).items()}
     return sum(known.get(name) != outcome for name, outcome in outcomes.items())
 

@@ -1,19 +1,27 @@
-"""What a paper declares, and what a proof method is asked and answers: plain records, no algebra."""
+"""What a paper declares: where it stands, what it says, how it is shown, and what is wrong with it. No algebra."""
 
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field
 from types import ModuleType
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, ClassVar, TypeAlias, TypeVar
 
-from symcheck.core.terms import Formula, Term
-from symcheck.core.verdicts import Origin, Role, SymcheckError, Verdict
+from symcheck.core.ids import Id
+from symcheck.core.problems import Method
+from symcheck.core.verdicts import Origin, Role, SymcheckError
 
 if TYPE_CHECKING:
-    from symcheck.proof.rules.compute import Point
-    from symcheck.proof.rules.proof import Proof
     from symcheck.reading import Notation
+
+T = TypeVar("T", str, Method)
+Derived: TypeAlias = Callable[[], Mapping[str, object]]
+Equations: TypeAlias = Callable[[], tuple[object, ...]]
+
+
+def for_letter(value: T | Mapping[str, T], letter: str) -> T | None:
+    """What is declared for one link: the entry of its letter, or the one value for all."""
+    return value.get(letter) if isinstance(value, Mapping) else value
 
 
 @dataclass(frozen=True)
@@ -30,109 +38,229 @@ class Hypothesis:
 
 
 @dataclass(frozen=True)
+class Damage:
+    """Printed text that is damaged or says nothing: what to read instead, why, and whose fault it is."""
+
+    read_as: str
+    reason: str
+    kind: str = "damaged text"
+    origin: Origin = Origin.OCR
+
+
+@dataclass(frozen=True)
 class Erratum:
     """What a wrong relation should be. The machine proves `corrected`; only kind, origin and reason are human.
 
-    `shown` is what to print instead, where that is more than the statement: a whole row of a list.
+    corrected  the right form in LaTeX; empty if the relation is right under the hypotheses that it `needs`
+    needs      hypotheses that the paper forgot
+    forms      hints for the proof of `corrected`
+    shown      what to print instead, where that is more than the statement: a whole row of a list
     """
 
     corrected: str
     kind: str
     origin: Origin
     reason: str
-    forms: tuple[str, ...] = ()  # hints for the proof of `corrected`
+    forms: tuple[str, ...] = ()
     shown: str = ""
+    needs: tuple[Hypothesis, ...] = ()
 
 
 @dataclass(frozen=True)
-class Problem:
-    """One lowered formula to decide: everything a proof method may know.
+class Source:
+    """Where a declaration stands in the paper, or belongs if it is ours.
 
-    `definitions` are (name, term) pairs in dependency order, to be unfolded; `hypotheses` maps a name to the
-    formulas it states. `hints` come from the method's declaration and are never trusted.
+    line     1-based line of the source text the printed form (or the sentence) begins on
+    printed  verbatim LaTeX, one piece per displayed block it runs over
+    words    what the paper says in words, in our English
+    damage   what to read instead of the printed form
+    lines    by link letter: the line of a link that begins further on
     """
 
-    id: str
-    claim: Formula
-    definitions: tuple[tuple[str, Term], ...] = ()
-    hypotheses: tuple[tuple[str, tuple[Formula, ...]], ...] = ()
-    hints: tuple[tuple[str, Term], ...] = ()
-
-
-@dataclass(frozen=True)
-class Outcome:
-    """What a method answers: with a proof, a point of a refutation, or a reason."""
-
-    verdict: Verdict
-    proof: Proof | None = None
-    point: Point | None = None
-    used: tuple[str, ...] = ()
-    reason: str = ""
-
-
-@dataclass(frozen=True)
-class Method:
-    """A proof method with the hints of one claim; `decide` never raises on a statement it cannot decide."""
-
-    name: str
-    decide: Callable[[Problem], Outcome]
-    hints: tuple[tuple[str, str], ...] = ()
-
-
-@dataclass(frozen=True, kw_only=True)
-class Item:
-    """One declaration of a paper's ledger: what is printed, what is given, how it is shown.
-
-    number    the printed number, or for an unnumbered place the last number before it and a counter: "2.13.1"
-    line      1-based line of the source text the printed form (or the sentence) begins on
-    printed   verbatim LaTeX, one piece per displayed block it runs over
-    words     what the paper says in words, in our English; `formal` is its LaTeX form, read by the same reader
-    parts     what a list row, table row or sentence says that is several statements: their LaTeX forms, link by link
-    read_as   the LaTeX to read where the printed text is damaged or says nothing, with the `reason`, the `kind` of the
-              fault and whose it is (`origin`)
-    given     hypotheses in force where it is printed; `needs` those the paper forgot
-    by        the proof method, or one for each link letter
-    where     names and their derived SymPy expressions, in force instead of the paper's own definitions
-    equation  derived expressions E for a printed equation l = r: the claim is that l - r is E
-    keeping   defined letters (variable stems) that stay free in this claim
-    uses      numbers of the items this one refers to
-    lines     by link letter: the line of a link that begins further on
-    lemmas    numbers of earlier relations ("2.13.1b") the proof may start from, with the letters `free` not unfolded
-    imposed   letters of the links that are conditions imposed rather than claims ("b" of "2.5b")
-    opaque    a definition by something outside algebra (an angle between axes): it is not unfolded
-    equality  for an inequality (or each link letter): where it is an equality, under given and `equality_given`
-    errata    by link letter ("" for the only one): what the wrong relation should be
-    notation  letters that mean something else here
-    """
-
-    number: str
-    role: Role
     line: int
     printed: tuple[str, ...] = ()
     words: str = ""
-    formal: str = ""
-    parts: tuple[str, ...] = ()
-    read_as: str = ""
-    reason: str = ""
-    kind: str = "damaged text"
-    origin: Origin = Origin.OCR
-    given: tuple[Hypothesis, ...] = ()
-    needs: tuple[Hypothesis, ...] = ()
-    by: Method | Mapping[str, Method] | None = None
-    where: Callable[[], Mapping[str, object]] | None = None
-    equation: Callable[[], tuple[object, ...]] | None = None
-    keeping: tuple[str, ...] = ()
-    uses: tuple[str, ...] = ()
+    damage: Damage | None = None
     lines: Mapping[str, int] = field(default_factory=dict)
-    lemmas: tuple[str, ...] = ()
-    free: tuple[str, ...] = ()
+
+    @property
+    def text(self) -> str | tuple[str, ...]:
+        """What is read."""
+        return self.damage.read_as if self.damage else self.printed
+
+
+@dataclass(frozen=True)
+class Statement:
+    """What is claimed.
+
+    states          LaTeX forms of what is said in words, in a list row or in a table, link by link; without them the
+                    printed form is read
+    given           hypotheses in force where it is printed
+    equation        derived expressions E for a printed equation l = r: the claim is that l - r is E
+    imposed         letters of the links that are conditions imposed rather than claims ("b" of "2.5b")
+    equality        for an inequality (or each link letter): where it is an equality, under given and `equality_given`
+    equality_given  hypotheses in force only there
+    """
+
+    states: tuple[str, ...] = ()
+    given: tuple[Hypothesis, ...] = ()
+    equation: Equations | None = None
     imposed: str = ""
-    opaque: bool = False
     equality: str | Mapping[str, str] = ""
     equality_given: tuple[Hypothesis, ...] = ()
-    errata: Mapping[str, Erratum] = field(default_factory=dict)
+
+    def imposes(self, letter: str) -> bool:
+        """Whether a link is a condition imposed."""
+        return letter != "" and letter in self.imposed
+
+
+@dataclass(frozen=True)
+class Plan:
+    """How it is shown.
+
+    by       the proof method with its hints, or one for each link letter
+    where    names and their derived SymPy expressions, in force instead of the paper's own definitions
+    keeping  defined letters (variable stems) that stay free
+    lemmas   places of earlier relations ("2.13.1b") that the proof may start from, with the letters `free` not unfolded
+    """
+
+    by: Method | Mapping[str, Method]
+    where: Derived | None = None
+    keeping: tuple[str, ...] = ()
+    lemmas: tuple[str, ...] = ()
+    free: tuple[str, ...] = ()
+
+    @property
+    def methods(self) -> tuple[Method, ...]:
+        """All methods, link by link."""
+        return tuple(self.by.values()) if isinstance(self.by, Mapping) else (self.by,)
+
+
+@dataclass(frozen=True, kw_only=True)
+class Declaration:
+    """Anything declared of a paper.
+
+    number    the printed number, or for an unnumbered place the last number before it and a counter: "2.13.1"
+    uses      places of the relations it refers to
+    notation  letters that mean something else here
+    name      the variable it is bound to
+    """
+
+    role: ClassVar[Role]
+    number: str
+    source: Source
+    uses: tuple[str, ...] = ()
     notation: Notation | None = None
     name: str = ""
+
+    @property
+    def stated(self) -> tuple[str, ...]:
+        """LaTeX forms of what is said in words, link by link; without them the printed form is read."""
+        return ()
+
+    @property
+    def text(self) -> str | tuple[str, ...]:
+        """The LaTeX that is read."""
+        return self.stated or self.source.text
+
+    @property
+    def reason(self) -> str:
+        """Why it is read, assumed or left out as it is."""
+        return self.source.damage.reason if self.source.damage else ""
+
+
+@dataclass(frozen=True, kw_only=True)
+class Definition(Declaration):
+    """What a letter means; unfolded wherever the letter stands.
+
+    states  the LaTeX form of a definition in words
+    opaque  whether it defines by something outside algebra (an angle between axes), and is not unfolded
+    """
+
+    role = Role.DEFINITION
+    states: str = ""
+    opaque: bool = False
+
+    @property
+    def stated(self) -> tuple[str, ...]:
+        return (self.states,) if self.states else ()
+
+
+@dataclass(frozen=True, kw_only=True)
+class Premise(Declaration):
+    """What the paper assumes, chooses or cites; `states` is the LaTeX form of what is said in words."""
+
+    role = Role.PREMISE
+    states: str = ""
+    why: str = ""
+
+    @property
+    def stated(self) -> tuple[str, ...]:
+        return (self.states,) if self.states else ()
+
+    @property
+    def reason(self) -> str:
+        return self.why or super().reason
+
+
+@dataclass(frozen=True, kw_only=True)
+class Exclusion(Declaration):
+    """Something printed that asserts nothing decidable."""
+
+    role = Role.EXCLUSION
+    why: str
+
+    @property
+    def text(self) -> str | tuple[str, ...]:
+        return ""
+
+    @property
+    def reason(self) -> str:
+        return self.why
+
+
+@dataclass(frozen=True, kw_only=True)
+class Assertion(Declaration):
+    """What there is to decide."""
+
+    statement: Statement
+    plan: Plan
+
+    @property
+    def stated(self) -> tuple[str, ...]:
+        return self.statement.states
+
+    def erratum(self, letter: str) -> Erratum | None:
+        """What one link should be, if it is wrong."""
+        return None
+
+    @property
+    def hypotheses(self) -> tuple[Hypothesis, ...]:
+        """All it speaks of: those given, those the paper forgot, those of its sets of equality."""
+        return (*self.statement.given, *self.statement.equality_given)
+
+
+@dataclass(frozen=True, kw_only=True)
+class Claim(Assertion):
+    """A relation the paper asserts; `errata` are by link letter, "" for the only one."""
+
+    role = Role.CLAIM
+    errata: Mapping[str, Erratum] = field(default_factory=dict)
+
+    def erratum(self, letter: str) -> Erratum | None:
+        return self.errata.get(letter)
+
+    @property
+    def hypotheses(self) -> tuple[Hypothesis, ...]:
+        needs = (hypothesis for erratum in self.errata.values() for hypothesis in erratum.needs)
+        return (*self.statement.given, *needs, *self.statement.equality_given)
+
+
+@dataclass(frozen=True, kw_only=True)
+class Ours(Assertion):
+    """A statement the paper does not print."""
+
+    role = Role.OURS
 
 
 @dataclass(frozen=True)
@@ -155,7 +283,7 @@ class Paper:
     sections: tuple[Section, ...]
     excerpt: bool = False  # only some pages are there, so that the printed numbers begin anywhere
 
-    def items(self) -> Iterator[tuple[Section, str, Item]]:
+    def items(self) -> Iterator[tuple[Section, str, Declaration]]:
         """Every declaration in printed order (by line), with the section and the variable it is bound to."""
         seen: dict[str, str] = {}
         for section in self.sections:
@@ -163,13 +291,17 @@ class Paper:
                 (name, item)
                 for name, bound in vars(section.module).items()
                 for item in (bound if isinstance(bound, tuple) else (bound,))
-                if isinstance(item, Item)
+                if isinstance(item, Declaration)
             ]
-            for name, item in sorted(declared, key=lambda pair: pair[1].line):
+            for name, item in sorted(declared, key=lambda pair: pair[1].source.line):
                 if item.number in seen:
                     raise SymcheckError(
-                        f"{self.key}:{item.number} is declared twice, as {seen[item.number]} and {name}; "
+                        f"{Id(self.key, item.number)} is declared twice, as {seen[item.number]} and {name}; "
                         "give one of them another number"
+                    )
+                if Id.of(self.key, item.number).link:
+                    raise SymcheckError(
+                        f"{Id(self.key, item.number)} ends in a small letter, as links do; give it another number"
                     )
                 seen[item.number] = name
                 yield section, name, item

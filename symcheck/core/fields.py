@@ -25,10 +25,10 @@ def listed(read: Callable[[JSON], T], count: int | None = None) -> Callable[[JSO
     return reads
 
 
-def by_key(read: Callable[[JSON], T]) -> Callable[[JSON], dict[str, T]]:
+def by_key(read: Callable[[JSON], T]) -> Callable[[object], dict[str, T]]:
     """What reads an object, each value of which is read so."""
 
-    def reads(data: JSON) -> dict[str, T]:
+    def reads(data: object) -> dict[str, T]:
         if type(data) is not dict:
             raise Malformed(f"{str(data)[:200]} is no object")
         return {text(key): read(value) for key, value in data.items()}
@@ -44,10 +44,10 @@ def raw(data: JSON) -> JSON:
 class Fields:
     """The fields of an object, such as a step of a proof; what is taken out of it must be all there is."""
 
-    def __init__(self, data: JSON) -> None:
+    def __init__(self, data: object) -> None:
         if type(data) is not dict:
             raise Malformed(f"{str(data)[:200]} is no step of a proof")
-        self.data = {**data}
+        self.data: dict[str, JSON] = {**data}
 
     def take(self, key: str, read: Callable[[JSON], T], *absent: JSON) -> T:
         """A field as it is to be read; if it is not there, what is said for that case."""

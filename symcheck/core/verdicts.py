@@ -3,9 +3,6 @@
 from __future__ import annotations
 
 from enum import StrEnum
-from typing import Any
-
-Certificate = dict[str, Any]
 
 
 class SymcheckError(Exception):
@@ -21,12 +18,16 @@ class Loss(StrEnum):
 
 
 class Verdict(StrEnum):
+    """What the machine says of a relation: proved, refuted, or neither."""
+
     PROVED = "proved"
     REFUTED = "refuted"
     UNDECIDED = "undecided"
 
 
 class Role(StrEnum):
+    """What a declaration is in a ledger. Claims and our own statements are decided; the others claim nothing."""
+
     CLAIM = "claim"
     DEFINITION = "definition"
     PREMISE = "premise"
@@ -35,6 +36,8 @@ class Role(StrEnum):
 
 
 class Reading(StrEnum):
+    """How a person reads a printed relation that is not simply right."""
+
     AS_PRINTED = "as printed"
     MISPRINT = "misprint"
     NEEDS_HYPOTHESIS = "needs hypothesis"
@@ -54,6 +57,8 @@ SLIPS = frozenset({"lost prime", "lost letter", "typography", "rounding"})
 
 
 class Origin(StrEnum):
+    """Whose fault an error is: the paper's, the digitisation's, or nobody can tell."""
+
     PAPER = "paper"
     OCR = "OCR"
     UNCERTAIN = "cannot tell"

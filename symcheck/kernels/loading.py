@@ -19,7 +19,18 @@ PACKAGE = "symcheck.generated"
 
 
 def folder() -> Path:
-    """The folder generated/, where `symcheck generate` writes: in a wheel, an editable install and a checkout alike."""
+    """Find the folder generated/, where `symcheck generate` writes.
+
+    Returns
+    -------
+    pathlib.Path
+        The folder: in a wheel, an editable install and a checkout alike.
+
+    Raises
+    ------
+    SymcheckError
+        If there is none.
+    """
     spec = find_spec(PACKAGE)
     if spec is None or not spec.submodule_search_locations:
         raise SymcheckError("there is no folder generated/; install symcheck again or restore the checkout")
@@ -27,7 +38,23 @@ def folder() -> Path:
 
 
 def load(name: str) -> ModuleType:
-    """The kernel module symcheck.generated.<name>; SymcheckError if nothing was generated under that name."""
+    """Import the kernels of a paper whose key is known only when the program runs.
+
+    Parameters
+    ----------
+    name
+        The key of the paper, such as "ignatov2005".
+
+    Returns
+    -------
+    module
+        `symcheck.generated.<name>`.
+
+    Raises
+    ------
+    SymcheckError
+        If nothing was generated under that name.
+    """
     module = f"{PACKAGE}.{name}"
     try:
         return import_module(module)
@@ -38,14 +65,57 @@ def load(name: str) -> ModuleType:
 
 
 def of_paper(key: str) -> Mapping[str, KernelFunction]:
-    """The kernels of a paper by name."""
+    """List the kernels of a paper.
+
+    Parameters
+    ----------
+    key
+        The key of the paper.
+
+    Returns
+    -------
+    mapping of str to KernelFunction
+        The kernels by name.
+
+    Raises
+    ------
+    SymcheckError
+        If nothing was generated for the paper.
+
+    See Also
+    --------
+    find : A single kernel.
+    """
     kernels: Mapping[str, KernelFunction] = vars(load(key))["KERNELS"]
     return kernels
 
 
 def find(key: str, name: str) -> KernelFunction:
-    """The kernel of that name; SymcheckError names the nearest one.
+    """Find a kernel by name.
 
+    Parameters
+    ----------
+    key
+        The key of the paper.
+    name
+        The name of the kernel, as `symcheck show` takes it.
+
+    Returns
+    -------
+    KernelFunction
+        The kernel, for numbers and NumPy arrays.
+
+    Raises
+    ------
+    SymcheckError
+        If there is no such kernel; the message has the nearest name.
+
+    See Also
+    --------
+    symcheck.kernel : The same for chunked and labelled arrays too.
+
+    Examples
+    --------
     >>> round(find("ignatov2005", "volume_of_three_wheels")(0.5, 1.0), 6)
     2.93465
     """

@@ -5,9 +5,8 @@ from __future__ import annotations
 import json
 from collections.abc import Iterable
 from hashlib import sha256
-from typing import Any
 
-from symcheck.core.verdicts import Certificate
+from symcheck.core.certificates import Certificate
 
 DIGITS = 16  # of a digest: enough to tell apart what nobody makes alike
 
@@ -17,7 +16,7 @@ def short_digest(text: str) -> str:
     return sha256(text.encode()).hexdigest()[:DIGITS]
 
 
-def line(value: Any) -> str:
+def line(value: object) -> str:
     """JSON that depends on the value alone."""
     return json.dumps(value, sort_keys=True, ensure_ascii=False, separators=(",", ":"))
 

@@ -3,12 +3,18 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from string import ascii_lowercase
+from typing import TYPE_CHECKING
 
 from msgspec import UNSET, Struct, UnsetType, ValidationError, convert, field, to_builtins
 
-from symcheck.core.verdicts import SLIPS, Certificate, Group, Origin, Reading, Role, SymcheckError, Verdict
+from symcheck.core.ids import Id
+from symcheck.core.verdicts import SLIPS, Group, Origin, Reading, Role, SymcheckError, Verdict
 from symcheck.core.words import term
+
+if TYPE_CHECKING:
+    from symcheck.core.certificates import Certificate, Point
+else:
+    Certificate = dict  # the fields of a certificate are left to the checker, which is strict and says what is wrong
 
 
 class _Part(Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
@@ -105,17 +111,17 @@ class Record(_Part, frozen=True):
     @property
     def number(self) -> str:
         """The id without the paper: "2.1V.3a"."""
-        return self.id.partition(":")[2]
+        return Id.parse(self.id).place
 
     @property
     def declaration(self) -> str:
         """The id of the declaration, without the letter of the link."""
-        return self.id.rstrip(ascii_lowercase)
+        return str(Id.parse(self.id).declaration)
 
     @property
     def link(self) -> str:
         """The letter of a link of a chain or system; empty for what stands alone."""
-        return self.id.removeprefix(self.declaration)
+        return Id.parse(self.id).link
 
     @property
     def group(self) -> Group | None:
@@ -147,9 +153,9 @@ class Record(_Part, frozen=True):
         return next((each for each in self.certificates if each.get("verdict") == Verdict.REFUTED), None)
 
     @property
-    def counterexample(self) -> Certificate | None:
+    def counterexample(self) -> Point | None:
         """The point at which it fails."""
-        return (self.refutation or {}).get("point")
+        return self.refutation.get("point") if self.refutation else None
 
     @property
     def is_row(self) -> bool:

@@ -7,15 +7,15 @@ certificates, see `symcheck.coq.confirmed`, and what the self-test found, see `s
 
 from __future__ import annotations
 
-import json
 from collections.abc import Iterable, Mapping
 from difflib import unified_diff
 from pathlib import Path
 from types import MappingProxyType
-from typing import Any
+
+import msgspec
 
 from symcheck.core.files import put as put_file
-from symcheck.core.verdicts import SymcheckError, Verdict
+from symcheck.core.verdicts import Reading, SymcheckError, Verdict
 from symcheck.kernels.codegen.target import MARK
 from symcheck.ledger.digests import line, short_digest
 from symcheck.ledger.record import Record
@@ -41,27 +41,25 @@ UNKNOWN = "unknown; no command writes it, so remove it"
 
 def write(folder: Path, contents: Mapping[str, bytes]) -> None:
     """Make `folder` hold exactly these of our files; each appears whole or not at all. Unknown files are left alone."""
-    try:
-        for name, data in contents.items():
-            put_file(folder / name, data)
-        for name in sorted(_ours(folder) - set(contents)):
-            (folder / name).unlink()
-    except OSError as error:
-        raise SymcheckError(f"{folder} cannot be written ({error.strerror}); generate in a checkout") from error
+    _write(folder, contents, _ours(folder) - set(contents), "generate in a checkout")
 
 
 def put(folder: Path, contents: Mapping[str, bytes]) -> None:
     """Write these files, each whole, to a folder of the user's, where everything else is left as it is."""
-    foreign = [
-        file for name in contents if (file := folder / name).is_file() and MARK.encode() not in file.read_bytes()
-    ]
-    if foreign:
+    present = (folder / name for name in contents if (folder / name).is_file())
+    if foreign := [file for file in present if MARK.encode() not in file.read_bytes()]:
         raise SymcheckError(f"{foreign[0]} was not written by `symcheck generate`; choose another folder with --output")
+    _write(folder, contents, (), "choose another with --output")
+
+
+def _write(folder: Path, contents: Mapping[str, bytes], gone: Iterable[str], advice: str) -> None:
     try:
         for name, data in contents.items():
             put_file(folder / name, data)
+        for name in gone:
+            (folder / name).unlink()
     except OSError as error:
-        raise SymcheckError(f"{folder} cannot be written ({error.strerror}); choose another with --output") from error
+        raise SymcheckError(f"{folder} cannot be written ({error.strerror}); {advice}") from error
 
 
 def differences(folder: Path, contents: Mapping[str, bytes], alone: bool = True) -> list[str]:
@@ -94,16 +92,24 @@ def expected(folder: Path, paper: str) -> dict[str, Verdict | None]:
     """The recorded verdict of each id of a paper, None for what claims nothing; empty if nothing was recorded."""
     file = folder / EXPECTED / f"{paper}.json"
     try:
-        data = json.loads(file.read_bytes())
-        if data["schema"] != SCHEMA or data["paper"] != paper:
-            raise ValueError(f"it is not of schema {SCHEMA} and paper {paper}")
-        return {id: Verdict(verdict) if verdict else None for id, (verdict, _reading) in data["items"].items()}
+        data = msgspec.json.decode(file.read_bytes(), type=_Expected)
+        if (data.schema, data.paper) != (SCHEMA, paper):
+            raise msgspec.DecodeError(f"it is not of schema {SCHEMA} and paper {paper}")
     except FileNotFoundError:
         return {}
     except OSError as error:
         raise SymcheckError(f"{file} cannot be read ({error.strerror})") from error
-    except (ValueError, KeyError, TypeError, AttributeError) as error:
+    except msgspec.DecodeError as error:
         raise SymcheckError(f"{file} is damaged ({error}); run `symcheck generate` to write it anew") from error
+    return {id: verdict for id, (verdict, _) in data.items.items()}
+
+
+class _Expected(msgspec.Struct, forbid_unknown_fields=True):
+    """What is recorded of a paper: verdict and reading by id."""
+
+    schema: int
+    paper: str
+    items: dict[str, tuple[Verdict | None, Reading]]
 
 
 def disagreements(records: Iterable[Record], recorded: Mapping[str, Verdict | None], complete: bool) -> list[str]:
@@ -132,7 +138,7 @@ def document(
     lines: Iterable[str],
     sealed: bool = False,
     schema: int = SCHEMA,
-    others: Mapping[str, Any] = MappingProxyType({}),
+    others: Mapping[str, object] = MappingProxyType({}),
 ) -> bytes:
     """A file of a paper: one JSON object, its members under `name` between `brackets`, a line for each.
 

@@ -13,20 +13,59 @@ sp = lazy("sympy")
 
 
 def matrix(letter: str = "a") -> Matrix:
-    """A 3 x 3 matrix of the real symbols letter_11 .. letter_33, rows first."""
+    """Build a matrix of symbols, such as direction cosines.
+
+    Parameters
+    ----------
+    letter
+        The stem of the symbols.
+
+    Returns
+    -------
+    sympy.Matrix
+        The real symbols letter_11 to letter_33, 3 x 3, rows first.
+    """
     return sp.Matrix(3, 3, lambda i, j: sp.Symbol(f"{letter}_{i + 1}{j + 1}", real=True))
 
 
 def entries(values: Expr, letter: str = "a") -> dict[str, Expr]:
-    """The entries of a 3 x 3 matrix by name, `letter`_11 to `letter`_33."""
+    """Name the entries of a matrix.
+
+    Parameters
+    ----------
+    values
+        A 3 x 3 matrix.
+    letter
+        The stem of the names.
+
+    Returns
+    -------
+    dict of str to sympy.Expr
+        The entries by their names letter_11 to letter_33.
+    """
     return {f"{letter}_{i + 1}{j + 1}": values[i, j] for i in range(3) for j in range(3)}
 
 
 def elementary(axis: int, angle: Expr) -> Matrix:
-    """Direction cosines of axes turned by `angle` (radians, right-hand rule) about axis 1, 2 or 3.
+    """Build the direction cosines of axes turned about one of them.
 
-    Row i holds the turned axis i in the old axes; elementary(3, t) is
-    [[cos t, sin t, 0], [-sin t, cos t, 0], [0, 0, 1]].
+    Parameters
+    ----------
+    axis
+        1, 2 or 3.
+    angle
+        The angle in radians, by the right-hand rule.
+
+    Returns
+    -------
+    sympy.Matrix
+        Row i holds the turned axis i in the old axes, 3 x 3.
+
+    Examples
+    --------
+    >>> from sympy import Symbol
+    >>> elementary(3, Symbol("t")).tolist()
+    [[cos(t), sin(t), 0], [-sin(t), cos(t), 0], [0, 0, 1]]
     """
     c, s = sp.cos(angle), sp.sin(angle)
     j, k = axis % 3, (axis + 1) % 3

@@ -20,6 +20,8 @@ from typing import Any
 
 from symcheck.core.verdicts import SymcheckError
 
+__all__ = ["Chirotope", "Combinatorics", "Envelope", "chirotope", "combinatorics", "envelope", "isometries", "isometry"]
+
 Signs = tuple[int, ...]
 Number = Any  # a float, a fraction or an expression of SymPy: what can be added, multiplied and, by `sign`, compared
 Vector = tuple[Number, Number, Number]
@@ -65,9 +67,17 @@ def opposite(signs: Signs) -> Signs:
 
 @dataclass(frozen=True)
 class Chirotope:
-    """The sign of (e_i, e_j, e_k) for every three of `size` axes that span space.
+    """The signs of the triple products (e_i, e_j, e_k) of axes that span space.
 
-    The first `wheels` axes are those of wheels; where these do not span space, others complete them, whose h is 1.
+    Parameters
+    ----------
+    wheels
+        How many axes, the first ones, are those of wheels. If these do not span space, others complete them, whose
+        momentum is at its limit.
+    size
+        How many axes there are.
+    signs
+        The sign -1, 0 or 1 for every three different axes, in any order.
     """
 
     wheels: int
@@ -79,7 +89,25 @@ class Chirotope:
 
 
 def chirotope(axes: Sequence[Vector], sign: Callable[[Number], int] = sign) -> Chirotope:
-    """The chirotope of wheel axes, which need not span space. `sign` decides -1, 0 or 1 of a triple product."""
+    """Find the signs of all triple products of wheel axes, which need not span space.
+
+    Parameters
+    ----------
+    axes
+        Three exact components for each wheel.
+    sign
+        How the sign -1, 0 or 1 of a number is decided.
+
+    Returns
+    -------
+    Chirotope
+        The signs.
+
+    Raises
+    ------
+    SymcheckError
+        If no axis differs from zero.
+    """
     for count in range(3):
         for added in combinations(UNIT_VECTORS, count):
             complete = (*axes, *added)
@@ -103,13 +131,20 @@ def _antisymmetric(signs: Mapping[tuple[int, int, int], int]) -> dict[tuple[int,
 
 @dataclass(frozen=True)
 class Combinatorics:
-    """Vertices, edges and faces by their sign vectors.
-
-    vertices  the directions of the outgoing edges: k for e_k, -k for -e_k (of parallel wheels the first)
-    edges     the two ends: the first has the free wheel (of parallel ones the first) at -1, the last at 1
-    faces     the vertices in a cycle, counterclockwise from outside
+    """Vertices, edges and faces of an envelope by their sign vectors.
 
     Axes in one plane give a polygon, which is one face; axes on one line a segment, without a face.
+
+    Parameters
+    ----------
+    wheels
+        The number of wheels.
+    vertices
+        For each vertex the directions of the outgoing edges: k for e_k, -k for -e_k (of parallel wheels the first).
+    edges
+        For each edge its two ends: the first has the free wheel (of parallel ones the first) at -1, the last at 1.
+    faces
+        For each face its vertices in a cycle, counterclockwise from outside.
     """
 
     wheels: int
@@ -145,7 +180,18 @@ class Combinatorics:
 
 
 def combinatorics(chi: Chirotope) -> Combinatorics:
-    """The face lattice of an envelope, from the signs of triple products."""
+    """Build the face lattice of an envelope.
+
+    Parameters
+    ----------
+    chi
+        The signs of the triple products of the axes.
+
+    Returns
+    -------
+    Combinatorics
+        Vertices, edges and faces.
+    """
     found = {signs: _cycle(chi, plane, signs) for plane, signs in _planes(chi)}
     sides = {
         tuple(s if s == t else 0 for s, t in zip(one, other, strict=True)): sorted((one, other))
@@ -224,7 +270,17 @@ def _cycle(chi: Chirotope, plane: Sequence[int], face: Signs) -> tuple[Signs, ..
 
 @dataclass(frozen=True)
 class Envelope:
-    """An envelope with its metric. Nothing here decides a sign: the chirotope has them all."""
+    """An envelope with its metric. Nothing here decides a sign: the chirotope has them all.
+
+    Parameters
+    ----------
+    axes
+        The axes of the wheels, three exact components each.
+    chirotope
+        The signs of their triple products.
+    combinatorics
+        Vertices, edges and faces.
+    """
 
     axes: tuple[Vector, ...]
     chirotope: Chirotope
@@ -267,11 +323,33 @@ class Envelope:
 
 
 def envelope(axes: Iterable[Sequence[Number]], sign: Callable[[Number], int] = sign) -> Envelope:
-    """The envelope of wheels with these axes.
+    """Build the momentum envelope of wheels, exactly.
 
-    axes    three exact components for each wheel (int, Fraction, exact SymPy numbers, ...)
-    sign    how the sign of a triple product is decided
-    Raises SymcheckError if an axis is zero or does not have three components, or if there is none.
+    Parameters
+    ----------
+    axes
+        Three exact components for each wheel: int, Fraction, exact numbers of SymPy.
+    sign
+        How the sign -1, 0 or 1 of a number is decided.
+
+    Returns
+    -------
+    Envelope
+        The envelope for wheels with the limit 1.
+
+    Raises
+    ------
+    SymcheckError
+        If an axis does not have three components, or no axis differs from zero.
+
+    See Also
+    --------
+    symcheck.numeric.wheels.envelope : The same for floating-point numbers and any limits.
+
+    Examples
+    --------
+    >>> envelope([(1, 0, 0), (0, 1, 0), (0, 0, 1), (1, 1, 1)]).combinatorics.counts
+    (14, 24, 12)
     """
     vectors = []
     for number, axis in enumerate(axes, 1):
@@ -298,10 +376,25 @@ def generators(axes: Sequence[Vector], sign: Callable[[Number], int] = sign) -> 
 
 
 def isometries(axes: Sequence[Vector], sign: Callable[[Number], int] = sign) -> tuple[tuple[int, ...], ...]:
-    """The isometries that keep the envelope, as signed permutations of its generators.
+    """Find the isometries that keep an envelope.
 
-    The entry at generator i is j or -j: e_i goes to e_j or -e_j. They are those that keep every scalar product.
-    Isometries that are the same on all axes (across a plane of axes) are counted once.
+    Parameters
+    ----------
+    axes
+        The axes of the wheels.
+    sign
+        How the sign -1, 0 or 1 of a number is decided.
+
+    Returns
+    -------
+    tuple of tuple of int
+        Signed permutations of the generators: the entry at generator i is j or -j if e_i goes to e_j or -e_j. They are
+        those that keep every scalar product. Isometries that are equal on all axes (across a plane of axes) are
+        counted once.
+
+    See Also
+    --------
+    isometry : The matrix of one of them.
     """
     edges = generators(axes, sign)
     gram = [[dot(x, y) for y in edges] for x in edges]
@@ -322,9 +415,34 @@ def isometries(axes: Sequence[Vector], sign: Callable[[Number], int] = sign) -> 
 
 
 def isometry(axes: Sequence[Vector], images: Sequence[int], sign: Callable[[Number], int] = sign) -> tuple[Vector, ...]:
-    """The rows of the orthogonal matrix of one of these isometries; the axes have to span space.
+    """Compute the orthogonal matrix of an isometry.
 
-    It is the sum of e'_i times (e_j x e_k)/(e_i, e_j, e_k), cyclic, over three axes with the images e'_i.
+    Parameters
+    ----------
+    axes
+        The axes of the wheels, which have to span space.
+    images
+        The isometry as a signed permutation.
+    sign
+        How the sign -1, 0 or 1 of a number is decided.
+
+    Returns
+    -------
+    tuple of tuple
+        The rows of the matrix.
+
+    Raises
+    ------
+    SymcheckError
+        If the axes lie in a plane, so that the isometry is not unique.
+
+    See Also
+    --------
+    isometries : All signed permutations.
+
+    Notes
+    -----
+    The matrix is the sum of e'_i times (e_j x e_k)/(e_i, e_j, e_k), cyclic, over three axes with the images e'_i.
     """
     edges = generators(axes, sign)
     turned = [scaled(1 if image > 0 else -1, edges[abs(image) - 1]) for image in images]

@@ -1,54 +1,269 @@
-"""The vocabulary of a ledger: claim, definition, premise, exclusion, ours."""
+"""The vocabulary of a ledger: claim, definition, premise, exclusion, ours; and scopes, which say a thing once for many.
+
+A text is LaTeX, or several pieces of it: of a printed form one for each displayed block, of `states` one for each link.
+"""
 
 from __future__ import annotations
 
 import re
-from collections.abc import Sequence
-from typing import Any
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import TypeAlias
 
-from symcheck.core.claims import Item
-from symcheck.core.verdicts import Role
+from symcheck.core.claims import (
+    Claim,
+    Damage,
+    Declaration,
+    Definition,
+    Derived,
+    Equations,
+    Erratum,
+    Exclusion,
+    Hypothesis,
+    Ours,
+    Plan,
+    Premise,
+    Source,
+    Statement,
+)
+from symcheck.core.problems import Method
+from symcheck.core.verdicts import SymcheckError
+from symcheck.reading import Notation
 
-
-def _item(role: Role, number: str, line: int, printed: str | Sequence[str], fields: dict[str, Any]) -> Item:
-    pieces = (printed,) if isinstance(printed, str) else tuple(printed)
-    for name in ("given", "needs", "equality_given", "uses", "lemmas", "free"):
-        if name in fields:
-            fields[name] = tuple(fields[name])
-    return Item(number=number, role=role, line=line, printed=tuple(p for p in pieces if p), **fields)
-
-
-def claim(number: str, line: int, printed: str | Sequence[str] = (), **fields: Any) -> Item:
-    """A relation the paper asserts."""
-    return _item(Role.CLAIM, number, line, printed, fields)
-
-
-def definition(number: str, line: int, printed: str | Sequence[str] = (), **fields: Any) -> Item:
-    """What a letter means; unfolded in every claim that contains the letter."""
-    return _item(Role.DEFINITION, number, line, printed, fields)
-
-
-def premise(number: str, line: int, printed: str | Sequence[str] = (), **fields: Any) -> Item:
-    """What the paper assumes, chooses or cites."""
-    return _item(Role.PREMISE, number, line, printed, fields)
+Text: TypeAlias = str | Sequence[str]
+Methods: TypeAlias = Method | Mapping[str, Method]
 
 
-def exclusion(number: str, line: int, printed: str | Sequence[str] = (), *, reason: str, **fields: Any) -> Item:
-    """Something printed that asserts nothing decidable, with the reason."""
-    return _item(Role.EXCLUSION, number, line, printed, {**fields, "reason": reason})
+@dataclass(frozen=True)
+class Scope:
+    """What is in force in a run of declarations, unless one of them says otherwise.
+
+    notation  letters that mean something else than in the rest of the paper
+    where     names and their derived expressions, in force instead of the paper's own definitions
+    by        the proof method
+    """
+
+    notation: Notation | None = None
+    where: Derived | None = None
+    by: Methods | None = None
+
+    def claim(
+        self,
+        number: str,
+        line: int,
+        printed: Text = (),
+        *,
+        words: str = "",
+        damage: Damage | None = None,
+        lines: Mapping[str, int] | None = None,
+        states: Text = (),
+        given: Sequence[Hypothesis] = (),
+        equation: Equations | None = None,
+        imposed: str = "",
+        equality: str | Mapping[str, str] = "",
+        equality_given: Sequence[Hypothesis] = (),
+        by: Methods | None = None,
+        where: Derived | None = None,
+        keeping: Sequence[str] = (),
+        lemmas: Sequence[str] = (),
+        free: Sequence[str] = (),
+        uses: Sequence[str] = (),
+        errata: Mapping[str, Erratum] | None = None,
+        notation: Notation | None = None,
+    ) -> Claim:
+        """Declare a relation that the paper asserts.
+
+        Parameters
+        ----------
+        number
+            The printed number, or for an unnumbered place the last number before it and a counter: "2.13.1".
+        line
+            1-based line of the source text on which the printed form (or the sentence) begins.
+        printed
+            Verbatim LaTeX, one piece for each displayed block it runs over.
+        words
+            What the paper says in words, in English.
+        damage
+            What to read instead of a printed form that is damaged or says nothing.
+        lines
+            By link letter: the line of a link that begins further on.
+        states
+            LaTeX forms of what is said in words, in a list row or in a table, link by link.
+        given
+            Hypotheses in force where it is printed.
+        equation
+            Gives the derived expressions E of a printed equation l = r; the claim is that l - r is E.
+        imposed
+            Letters of the links that are conditions imposed rather than claims.
+        equality
+            Where an inequality (or each link of it) is an equality, under `given` and `equality_given`.
+        by
+            The proof method with its hints, or one for each link letter; that of the scope if none is named.
+        where
+            Gives derived SymPy expressions by name, in force instead of the paper's own definitions.
+        keeping
+            Defined letters that stay free.
+        lemmas
+            Places of earlier relations that the proof may start from, with the letters `free` not unfolded.
+        uses
+            Places of the relations it refers to.
+        errata
+            By link letter ("" for the only one): what a wrong relation should be.
+        notation
+            Letters that mean something else here.
+
+        Raises
+        ------
+        SymcheckError
+            If neither the claim nor its scope names a proof method.
+
+        Examples
+        --------
+        >>> from symcheck.papers.declare import claim
+        >>> from symcheck.proof import identity
+        >>> claim("2.12", 316, r"\\cos^2 a + \\sin^2 a = 1", by=identity).source.line
+        316
+        """
+        return Claim(
+            number=number,
+            source=Source(line, _pieces(printed), words, damage, lines or {}),
+            statement=Statement(_pieces(states), tuple(given), equation, imposed, equality, tuple(equality_given)),
+            plan=self._plan(number, by, where, keeping, lemmas, free),
+            errata=errata or {},
+            uses=tuple(uses),
+            notation=notation or self.notation,
+        )
+
+    def ours(
+        self,
+        number: str,
+        line: int,
+        *,
+        words: str,
+        states: Text,
+        given: Sequence[Hypothesis] = (),
+        equation: Equations | None = None,
+        equality: str | Mapping[str, str] = "",
+        equality_given: Sequence[Hypothesis] = (),
+        by: Methods | None = None,
+        where: Derived | None = None,
+        keeping: Sequence[str] = (),
+        lemmas: Sequence[str] = (),
+        free: Sequence[str] = (),
+        uses: Sequence[str] = (),
+        notation: Notation | None = None,
+    ) -> Ours:
+        """Declare a statement that the paper does not print; `line` is the place it belongs to.
+
+        See Also
+        --------
+        claim : what the parameters mean.
+        """
+        return Ours(
+            number=number,
+            source=Source(line, words=words),
+            statement=Statement(_pieces(states), tuple(given), equation, "", equality, tuple(equality_given)),
+            plan=self._plan(number, by, where, keeping, lemmas, free),
+            uses=tuple(uses),
+            notation=notation or self.notation,
+        )
+
+    def definition(
+        self,
+        number: str,
+        line: int,
+        printed: Text = (),
+        *,
+        words: str = "",
+        states: str = "",
+        damage: Damage | None = None,
+        opaque: bool = False,
+        notation: Notation | None = None,
+    ) -> Definition:
+        """Declare what a letter means; it is unfolded in every claim that contains the letter.
+
+        Parameters
+        ----------
+        number, line, printed, words, damage, notation
+            As for `claim`.
+        states
+            The LaTeX form of a definition in words.
+        opaque
+            Whether it defines by something outside algebra (an angle between axes), and is not unfolded.
+        """
+        source = Source(line, _pieces(printed), words, damage)
+        return Definition(
+            number=number, source=source, states=states, opaque=opaque, notation=notation or self.notation
+        )
+
+    def premise(
+        self,
+        number: str,
+        line: int,
+        printed: Text = (),
+        *,
+        words: str = "",
+        states: str = "",
+        damage: Damage | None = None,
+        reason: str = "",
+        notation: Notation | None = None,
+    ) -> Premise:
+        """Declare what the paper assumes, chooses or cites.
+
+        Parameters
+        ----------
+        number, line, printed, words, damage, notation
+            As for `claim`.
+        states
+            The LaTeX form of what is said in words.
+        reason
+            Why it is assumed, where that needs to be said.
+        """
+        source = Source(line, _pieces(printed), words, damage)
+        return Premise(number=number, source=source, states=states, why=reason, notation=notation or self.notation)
+
+    def exclusion(self, number: str, line: int, printed: Text = (), *, words: str = "", reason: str) -> Exclusion:
+        """Declare that something printed asserts nothing decidable, with the reason.
+
+        Parameters
+        ----------
+        number, line, printed, words
+            As for `claim`.
+        reason
+            Why there is nothing to decide.
+        """
+        return Exclusion(number=number, source=Source(line, _pieces(printed), words), why=reason)
+
+    def _plan(
+        self,
+        number: str,
+        by: Methods | None,
+        where: Derived | None,
+        keeping: Sequence[str],
+        lemmas: Sequence[str],
+        free: Sequence[str],
+    ) -> Plan:
+        methods = by or self.by
+        if methods is None:
+            raise SymcheckError(f"{number} names no proof method; add by=...")
+        return Plan(methods, where or self.where, tuple(keeping), tuple(lemmas), tuple(free))
 
 
-def ours(number: str, line: int, **fields: Any) -> Item:
-    """A statement the paper does not print; `line` is the place it belongs to."""
-    return _item(Role.OURS, number, line, (), fields)
+_paper = Scope()
+claim, ours = _paper.claim, _paper.ours
+definition, premise, exclusion = _paper.definition, _paper.premise, _paper.exclusion
 
 
-def body(*items: Item | str) -> str:
+def _pieces(text: Text) -> tuple[str, ...]:
+    return tuple(piece for piece in ((text,) if isinstance(text, str) else text) if piece)
+
+
+def body(*items: Declaration | str) -> str:
     """The printed relations of several items as one conjunction, for a statement that refers to them.
 
     Numbered cases, printed `1). ...; 2). ...`, become a disjunction.
     """
-    return r" \land ".join(_body(item if isinstance(item, str) else " ".join(item.printed)) for item in items)
+    return r" \land ".join(_body(item if isinstance(item, str) else " ".join(item.source.printed)) for item in items)
 
 
 def _body(latex: str) -> str:

@@ -42,7 +42,17 @@ _SINGLE_TERMED = (Chain, Tuple, MatrixOf, Diag)
 
 @dataclass(frozen=True, slots=True)
 class Edit:
-    """One edit: its kind, what it does in words, and the statement it makes."""
+    """One edit of a printed statement.
+
+    Parameters
+    ----------
+    kind
+        One of "sign", "index", "exponent", "factor", "number", "term", "letter", "relation".
+    description
+        What it does, in words.
+    tree
+        The statement after the edit.
+    """
 
     kind: str
     description: str
@@ -53,10 +63,21 @@ Local = tuple[str, str, Tree]
 
 
 def edits(tree: Tree, notation: Notation | None = None) -> Iterator[Edit]:
-    """All single edits in a fixed order, no tree twice and never the tree itself.
+    """Generate what a slip of the pen could have made of a printed statement.
 
-    With a notation the indices run over the range of their letter (otherwise 1, 2, 3) and only letters of one kind are
-    exchanged. An edited statement need not make sense: lowering it may be an error.
+    Parameters
+    ----------
+    tree
+        The statement.
+    notation
+        With a notation the indices run over the range of their letter (otherwise 1, 2, 3), and only letters of one
+        kind are exchanged.
+
+    Yields
+    ------
+    Edit
+        Each single edit in a fixed order, no tree twice and never the tree itself. An edited statement need not make
+        sense: lowering it may be an error.
     """
     seen = {tree}
     for path, node, above in _places(tree):

@@ -650,10 +650,18 @@ def _says(lexemes: Iterable[Lexeme], into: Collection[str]) -> bool:
 
 
 def layout(source: str) -> set[int]:
-    """The places of the tokens of a formula that are layout.
+    """Find the tokens of a formula that are layout.
 
-    Those of LAYOUT, the names and columns of environments, one of two equal signs on both sides of a line break, and
-    the transposition of a list in brackets, which prints a column as a row.
+    Parameters
+    ----------
+    source
+        The printed LaTeX.
+
+    Returns
+    -------
+    set of int
+        The places of the tokens of `LAYOUT`, of the names and columns of environments, of one of two equal signs on
+        both sides of a line break, and of the transposition of a list in brackets, which prints a column as a row.
     """
     tokens = tex.tokenize(source)
     found = {tok.at for tok in tokens if tok.text in LAYOUT}

@@ -71,13 +71,31 @@ _FUNCTIONS |= {"arctan": "arctan", "arctg": "arctan", "arcsin": "arcsin", "arcco
 
 
 def lower(item: Relation | Tree, notation: Notation) -> tuple[Formula, ...]:
-    """The formulas of a relation, or of all relations of a statement, in printed order.
+    r"""Turn a printed relation, or all relations of a statement, into formulas.
 
-    One formula for each value of the free indices (the first index that occurs varies slowest) and for each component
-    of a vector or matrix (by rows). `\\pm` on one side of an equality says that one of the signs holds, on both sides
-    that both hold, each with the upper or the lower signs throughout. In a list of cases or a logical formula a free
-    index of one relation means all its values. Errors: SymcheckError for what has no algebraic form, shapes that do
-    not fit, misused indices.
+    Parameters
+    ----------
+    item
+        The relation or the statement.
+    notation
+        What the letters mean.
+
+    Returns
+    -------
+    tuple of Formula
+        In printed order, a formula for each value of the free indices (the first index that occurs varies slowest) and
+        for each component of a vector or matrix (by rows).
+
+    Raises
+    ------
+    SymcheckError
+        If something has no algebraic form, shapes do not fit, or an index is misused.
+
+    Notes
+    -----
+    `\pm` on one side of an equality says that one of the signs holds; on both sides that both hold, each with the upper
+    or the lower signs throughout. In a list of cases or a logical formula a free index of one relation means all its
+    values.
     """
     found = (item,) if isinstance(item, Relation) else relations(item)
     if not found:
@@ -87,7 +105,25 @@ def lower(item: Relation | Tree, notation: Notation) -> tuple[Formula, ...]:
 
 
 def term(latex: str, notation: Notation) -> Term:
-    """A scalar expression without free indices, read and lowered to a term."""
+    """Read a scalar expression, and turn it into a term.
+
+    Parameters
+    ----------
+    latex
+        The expression, without free indices.
+    notation
+        What the letters mean.
+
+    Returns
+    -------
+    Term
+        The term.
+
+    Raises
+    ------
+    SymcheckError
+        If it is a relation or has a free index.
+    """
     tree = read(latex, notation)
     if relations(tree):
         raise SymcheckError(f"{latex} is a relation; an expression is expected")
@@ -97,7 +133,25 @@ def term(latex: str, notation: Notation) -> Term:
 
 
 def free_indices(tree: Tree, notation: Notation) -> tuple[str, ...]:
-    """The indices no sum binds, in order of appearance; SymcheckError if a bound index is also used outside its sum."""
+    """List the indices that no sum binds.
+
+    Parameters
+    ----------
+    tree
+        A printed formula.
+    notation
+        What the letters mean.
+
+    Returns
+    -------
+    tuple of str
+        The free indices in order of appearance.
+
+    Raises
+    ------
+    SymcheckError
+        If a bound index is also used outside its sum.
+    """
     bound: set[str] = set()
     free = list(dict.fromkeys(_free(tree, notation, frozenset(), bound)))
     if both := [index for index in free if index in bound]:

@@ -35,21 +35,51 @@ _SUFFIXES = {
 class Letter:
     r"""One printed letter, without its indices: `I`, `\omega`, `\bar{k}`, `\mathbf{e}`, `Ox`, `f_1`, `a^{(2)}`.
 
-    name        stem of its variables in lowered terms; by default `\dot{\omega}` -> "domega", `\bar{k}` -> "kbar"
-    indices     number of index positions; `k` and `k_i` are two letters
-    kind        "scalar", "vector", "matrix", "function" (of other letters), "index", "differential" (as in dx)
-    range       the values of an index letter, or of each index of this letter
-    sign        "", ">= 0" or "> 0"
-    components  of a vector or matrix, or of a function with such values: any LaTeX of that shape in the same notation,
-                in which i, j (in this order) stand for the letter's own indices: `(a_{i1}, a_{i2}, a_{i3})`,
-                `\|a_{ij}\|`, `\operatorname{diag}(I_1, I_2, I_3)`; without it they are variables with one more index
-                (a matrix: two)
-    depends     the letters it is a function of: "t", "x, t", `\mathbf{y}, t`; "" if it is constant. Then `r` is r(t)
-                and `\dot{r}`, `r'`, `\frac{dr}{dt}` are its derivatives. Where nothing is said, it cannot stand in a
-                derivative, an integral or a mean by another letter
-    named       its value is known by its name: `r` and `r(t)` are lowered to the variable r, for which a definition
-                puts the expression that says how it depends on others; no other arguments are allowed
-    number      "e", "i" or "pi" for a letter that is this number
+    Parameters
+    ----------
+    latex
+        The letter as printed.
+    name
+        Stem of its variables in lowered terms; by default `\dot{\omega}` gives "domega" and `\bar{k}` "kbar".
+    indices
+        Number of index positions; `k` and `k_i` are two letters.
+    kind
+        "scalar", "vector", "matrix", "function" (of other letters), "index", or "differential" (as in dx).
+    range
+        The values of an index letter, or of each index of this letter.
+    meaning
+        What it stands for, in words.
+    unit
+        Its unit.
+    sign
+        "", ">= 0" or "> 0".
+    components
+        Of a vector or matrix, or of a function with such values: any LaTeX of that shape in the same notation, in
+        which i, j (in this order) stand for the letter's own indices: `(a_{i1}, a_{i2}, a_{i3})`, `\|a_{ij}\|`,
+        `\operatorname{diag}(I_1, I_2, I_3)`. Without it they are variables with one more index (a matrix: two).
+    depends
+        The letters of which it is a function: "t", "x, t", `\mathbf{y}, t`; "" if it is constant. Then `r` is r(t),
+        and `\dot{r}`, `r'`, `\frac{dr}{dt}` are its derivatives. A letter for which nothing is said cannot stand in a
+        derivative, an integral or a mean by another letter.
+    named
+        Whether its value is known by its name: `r` and `r(t)` are lowered to the variable r, for which a definition
+        puts the expression that says how it depends on others. No other arguments are allowed then.
+    number
+        "e", "i" or "pi" for a letter that is this number.
+
+    Raises
+    ------
+    SymcheckError
+        If what is said of the letter does not fit together; the message has the way out.
+
+    See Also
+    --------
+    Notation : All letters of a paper.
+
+    Examples
+    --------
+    >>> Letter("I", indices=1, meaning="principal moments of inertia", unit="kg m^2").stem
+    'I'
     """
 
     latex: str
@@ -173,18 +203,41 @@ def _instances(letter: Letter) -> Iterator[tuple[str, tuple[int, ...]]]:
 
 
 class Notation:
-    """A paper's letters and habits. Immutable; `extended` gives a changed copy.
+    r"""All letters of a paper, and its habits. Immutable.
 
-    slash     what a slash before several factors means: "" is refused as ambiguous; "denominator": `1/2\\pi` is
-              1/(2 pi). Physicists print it so, programmers mean (1/2) pi; only the paper itself can tell, by its other
-              formulas. Brackets behind the slash, `1/2(a + b)`, stay refused.
-    bracket   the vectors e_i, by their letter `\\mathbf{e}`, that a list in square brackets combines: `[u, 1, -1]`
-              is u e_1 + e_2 - e_3; "": such a list is a vector of components, as one in round brackets is
-    decimals  what an equality with a decimal number says: "" that both are equal, "rounded" that it is so to the last
-              printed digit, as behind `\\approx`; whole numbers are exact
-    argument  where the argument of a function printed without brackets ends, if a space or brackets follow: "" is
-              refused as ambiguous; "short": before them, `\\cos a\\,x` is (cos a) x and `\\sin\\omega(t - x)` is
-              (sin omega)(t - x); "long": behind them, as cos(a x) and sin(omega (t - x))
+    Parameters
+    ----------
+    letters
+        The letters.
+    slash
+        What a slash before several factors means. "" refuses it as ambiguous; with "denominator" `1/2\pi` is
+        1/(2 pi), as physicists print it, and not (1/2) pi, as programmers mean it. Only the paper itself can tell, by
+        its other formulas. Brackets behind the slash, `1/2(a + b)`, stay refused.
+    bracket
+        The vectors e_i, by their letter `\mathbf{e}`, that a list in square brackets combines: `[u, 1, -1]` is
+        u e_1 + e_2 - e_3. With "" such a list is a vector of components, as one in round brackets is.
+    decimals
+        What an equality with a decimal number says: with "" that both sides are equal, with "rounded" that they are to
+        the last printed digit, as behind `\approx`. Whole numbers are exact.
+    argument
+        Where the argument of a function printed without brackets ends, if a space or brackets follow. "" refuses it as
+        ambiguous. "short" ends it before them: `\cos a\,x` is (cos a) x, and `\sin\omega(t - x)` is
+        (sin omega)(t - x). "long" ends it behind them: cos(a x) and sin(omega (t - x)).
+
+    Raises
+    ------
+    SymcheckError
+        If a letter is declared twice, or two letters would be lowered to one variable.
+
+    See Also
+    --------
+    Letter : One letter.
+
+    Examples
+    --------
+    >>> letters = Notation([Letter("x"), Letter("y")])
+    >>> letters.extended(Letter("z")).letter("z").stem
+    'z'
     """
 
     def __init__(

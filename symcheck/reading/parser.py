@@ -108,10 +108,35 @@ class Item:
 
 
 def read(latex: str | Sequence[str], notation: Notation) -> Tree:
-    """The tree of a printed formula, nothing evaluated.
+    r"""Read a printed formula; nothing is evaluated.
 
-    A sequence is one display continued over several blocks. Tags and the punctuation at the end are dropped.
-    Errors: SymcheckError naming the place for an unknown letter, an unbalanced bracket or an ambiguous form.
+    Parameters
+    ----------
+    latex
+        The printed LaTeX; a sequence is one display continued over several blocks. Tags and the punctuation at the end
+        are dropped.
+    notation
+        What the letters mean.
+
+    Returns
+    -------
+    Tree
+        The formula as printed.
+
+    Raises
+    ------
+    SymcheckError
+        If a letter is unknown, a bracket is not closed, or the form has two readings; the message names the place.
+
+    See Also
+    --------
+    lower : From the tree to formulas.
+
+    Examples
+    --------
+    >>> from symcheck.reading import Letter, Notation, to_latex
+    >>> to_latex(read(r"\dfrac{a}{2}=b, \quad (1.2)", Notation([Letter("a"), Letter("b")])))
+    '\\frac{a}{2} = b'
     """
     pieces = [latex] if isinstance(latex, str) else list(latex)
     source = r" \\ ".join(tex.split_tag(piece)[0] for piece in pieces)

@@ -61,7 +61,18 @@ _CONNECTIVE = {And: r" \land ", Or: r" \lor ", Implies: r" \Rightarrow ", Iff: r
 
 
 def to_latex(tree: Tree) -> str:
-    """LaTeX that reads as this tree, with no more brackets than needed."""
+    """Print a tree.
+
+    Parameters
+    ----------
+    tree
+        What was read.
+
+    Returns
+    -------
+    str
+        LaTeX that reads as this tree, with no more brackets than needed.
+    """
     return _print(tree, LIST)
 
 

@@ -11,7 +11,15 @@ from symcheck.reading.tree import LOGIC, CaseList, Chain, Located, Qualifier, Sy
 
 @dataclass(frozen=True, slots=True)
 class Relation:
-    """One thing that is true or false: a link of a chain (two members), a list of cases, or a logical formula."""
+    """One thing that is true or false: a link of a chain (two members), a list of cases, or a logical formula.
+
+    Parameters
+    ----------
+    tree
+        The relation.
+    qualifiers
+        What is printed beside it, such as the values of an index.
+    """
 
     tree: Tree
     qualifiers: tuple[Qualifier, ...] = ()
@@ -42,7 +50,18 @@ class Relation:
 
 
 def relations(tree: Tree) -> tuple[Relation, ...]:
-    """The relations of a statement in printed order; expressions standing alone give none."""
+    """Take a printed statement apart.
+
+    Parameters
+    ----------
+    tree
+        The statement.
+
+    Returns
+    -------
+    tuple of Relation
+        Its relations in printed order, one for each link of each chain; expressions standing alone give none.
+    """
     return tuple(_relations(tree, ()))
 
 

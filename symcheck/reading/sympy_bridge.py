@@ -17,7 +17,22 @@ _TERMS = {sympy_name: name for name, sympy_name in _FUNCTIONS.items()}
 
 
 def to_sympy(term: Term) -> Expr:
-    """The SymPy expression of a term over real symbols; SymPy evaluates it as it always does."""
+    """Turn a term into an expression of SymPy.
+
+    Parameters
+    ----------
+    term
+        The term.
+
+    Returns
+    -------
+    sympy.Expr
+        The expression over real symbols, which SymPy evaluates as it always does.
+
+    See Also
+    --------
+    from_sympy : The other way.
+    """
     import sympy
 
     if isinstance(term, int):
@@ -85,7 +100,27 @@ def _derivative(body: Expr, variable: Expr, order: int) -> Expr:
 
 
 def from_sympy(expr: Expr) -> Term:
-    """The term of a SymPy expression; SymcheckError for what has no exact term, such as floats."""
+    """Turn an expression of SymPy into a term.
+
+    Parameters
+    ----------
+    expr
+        The expression.
+
+    Returns
+    -------
+    Term
+        The term.
+
+    Raises
+    ------
+    SymcheckError
+        If there is no exact term, as for floating-point numbers.
+
+    See Also
+    --------
+    to_sympy : The other way.
+    """
     import sympy
     from sympy.core.function import AppliedUndef
 

@@ -37,9 +37,22 @@ def fault(source: str, at: int, message: str) -> SymcheckError:
 
 
 def split_tag(latex: str) -> tuple[str, str | None]:
-    r"""The formula without its printed number, and the number: `x = 1, \quad (2.7)` -> (`x = 1`, "2.7").
+    r"""Split a displayed formula from its printed number.
 
-    Also takes `\tag{2.7}`; a full stop, comma or semicolon at the end is dropped.
+    Parameters
+    ----------
+    latex
+        The formula, with a number such as ``(2.7)`` or ``\tag{2.7}`` at the end, or without one.
+
+    Returns
+    -------
+    tuple of str
+        The formula, without a full stop, comma or semicolon at the end, and the number or None.
+
+    Examples
+    --------
+    >>> split_tag(r"x = 1, \quad (2.7)")
+    ('x = 1', '2.7')
     """
     tag = None
     body = latex

@@ -226,7 +226,15 @@ class Values(Tree):
 
 @dataclass(frozen=True, slots=True)
 class System(Tree):
-    """Several statements, or several expressions, side by side, with the qualifiers that hold for all of them."""
+    """Several statements, or several expressions, side by side.
+
+    Parameters
+    ----------
+    parts
+        The statements or expressions.
+    qualifiers
+        What holds for all of them.
+    """
 
     parts: tuple[Tree, ...]
     qualifiers: tuple[Qualifier, ...] = ()
@@ -265,6 +273,14 @@ class Implies(Tree):
 
 @dataclass(frozen=True, slots=True)
 class Iff(Tree):
+    """Two statements of which each implies the other.
+
+    Parameters
+    ----------
+    left, right
+        The statements.
+    """
+
     left: Tree
     right: Tree
 

@@ -12,10 +12,11 @@ from random import Random
 from typing import Any, NamedTuple
 
 from symcheck.audit.judge import lemma
-from symcheck.core.claims import Problem
+from symcheck.core.certificates import Certificate
 from symcheck.core.formulas import conjuncts
-from symcheck.core.terms import JSON, Formula, Reader, node
-from symcheck.core.verdicts import Certificate, Loss
+from symcheck.core.problems import Problem
+from symcheck.core.terms import Formula, Reader, node
+from symcheck.core.verdicts import Loss
 from symcheck.ledger.record import Record
 from symcheck.proof import fails_without, proof_of
 from symcheck.selftest.evidence import MALFORMED, holds, is_shown, problem_of, reached
@@ -24,7 +25,7 @@ from symcheck.selftest.trial import FaultClass, Status, Trial, drawn
 TURNED = {"<": ">=", "<=": ">", ">": "<=", ">=": "<", "=": "!=", "!=": "="}
 TOGETHER = 40  # certificates that one task goes through
 Path = tuple[str | int, ...]
-DROPPED: JSON = None  # stands for no new value
+DROPPED: object = None  # stands for no new value
 
 
 class Change(NamedTuple):
@@ -32,7 +33,7 @@ class Change(NamedTuple):
 
     kind: str
     words: str
-    values: tuple[tuple[Path, JSON], ...]
+    values: tuple[tuple[Path, object], ...]
 
     def of(self, original: Certificate) -> Certificate:
         """The changed certificate."""
@@ -48,7 +49,7 @@ class Change(NamedTuple):
         return new
 
 
-def one(kind: str, words: str, path: Path, value: JSON) -> Change:
+def one(kind: str, words: str, path: Path, value: object) -> Change:
     """A change at one place."""
     return Change(kind, words, ((path, value),))
 
@@ -68,7 +69,7 @@ def changes(original: Certificate) -> Iterator[Change]:
                 yield from _of_point(path, value, name)
 
 
-def _of_statement(path: Path, value: JSON, name: str) -> Iterator[Change]:
+def _of_statement(path: Path, value: object, name: str) -> Iterator[Change]:
     if type(value) is int:
         yield one("coefficient", f"{name}: {value} + 1", path, value + 1)
     elif isinstance(value, str) and path[-1] == 0 and value in TURNED:
@@ -78,7 +79,7 @@ def _of_statement(path: Path, value: JSON, name: str) -> Iterator[Change]:
         yield one("index", f"{name}: {value} -> {other}", path, other)
 
 
-def _of_proof(original: Certificate, path: Path, value: JSON, name: str) -> Iterator[Change]:
+def _of_proof(original: Certificate, path: Path, value: object, name: str) -> Iterator[Change]:
     match value:
         case str() if path[-3:-2] == ("cofactors",) and path[-1] != 0:
             yield from (one("coefficient", f"{name}: {text}", path, text) for text in polynomial_edits(value))
@@ -92,7 +93,7 @@ def _of_proof(original: Certificate, path: Path, value: JSON, name: str) -> Iter
             yield one("coefficient", f"{name}: {value} + 1", path, value + 1)
 
 
-def _of_point(path: Path, value: JSON, name: str) -> Iterator[Change]:
+def _of_point(path: Path, value: object, name: str) -> Iterator[Change]:
     if path[1] == "shown" and type(value) is int:
         yield one("coordinate", f"{name}: {value} + 1", path, value + 1)
     elif path[1] == "values" and len(path) == 3:
@@ -109,7 +110,7 @@ def polynomial_edits(text: str) -> Iterator[str]:
     yield text.removeprefix("-") if text.startswith("-") else "-" + text
 
 
-def places(data: JSON, path: Path = ()) -> Iterator[tuple[Path, JSON]]:
+def places(data: object, path: Path = ()) -> Iterator[tuple[Path, object]]:
     """Whatever a certificate is made of, with its place."""
     yield path, data
     if isinstance(data, (dict, list)):
@@ -178,7 +179,7 @@ def _lemmas(own: Sequence[str], named: Mapping[str, Sequence[str]]) -> list[str]
 
     def lemmas(text: str) -> Iterator[str]:
         for name, _ in json.loads(text).get("lemmas", ()):
-            yield from named.get(name) or map(json.dumps, lemma(*name.split(":", 1))[1])
+            yield from named.get(name) or map(json.dumps, lemma(name)[1])
 
     return reached((text for certificate in own for text in lemmas(certificate)), lemmas)
 

@@ -15,7 +15,7 @@ from operator import add, mul, neg, truediv
 import flint
 
 from symcheck.coq.meaning import Evaluator, Meaning, NoValue, Number, Tree, Values
-from symcheck.core.verdicts import Certificate
+from symcheck.core.certificates import Certificate
 from symcheck.ledger.record import Record
 from symcheck.selftest.evidence import holds
 

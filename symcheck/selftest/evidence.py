@@ -14,10 +14,11 @@ from symcheck.audit.checked import reasons, told
 from symcheck.audit.context import Context
 from symcheck.audit.judge import Finding, Unit, lemma
 from symcheck.core.calculus import letters
-from symcheck.core.claims import Outcome, Problem
+from symcheck.core.certificates import Certificate
 from symcheck.core.formulas import conjuncts
+from symcheck.core.problems import Form, Hint, Outcome, Problem, Witness
 from symcheck.core.terms import JSON, Formula, Node, Reader, Term, node
-from symcheck.core.verdicts import Certificate, SymcheckError, Verdict
+from symcheck.core.verdicts import SymcheckError, Verdict
 from symcheck.ledger.record import Record
 from symcheck.proof import certificate
 
@@ -47,7 +48,7 @@ def _row(id: str, context: Context, verdict: Verdict, certificates: Iterable[Cer
         id=id,
         paper=context.paper.key,
         section="",
-        line=item.line,
+        line=item.source.line,
         role=item.role,
         verdict=verdict,
         certificates=tuple(certificates),
@@ -55,7 +56,7 @@ def _row(id: str, context: Context, verdict: Verdict, certificates: Iterable[Cer
 
 
 def _lemma(name: str, context: Context) -> Record:
-    return _row(name, context, Verdict.PROVED, lemma(*name.split(":", 1))[1])
+    return _row(name, context, Verdict.PROVED, lemma(name)[1])
 
 
 def _lemmas(certificates: Iterable[Certificate]) -> list[str]:
@@ -64,7 +65,7 @@ def _lemmas(certificates: Iterable[Certificate]) -> list[str]:
     def named(certificates: Iterable[Certificate]) -> list[str]:
         return [name for certificate in certificates for name, _ in certificate.get("lemmas", ())]
 
-    return sorted(reached(named(certificates), lambda name: named(lemma(*name.split(":", 1))[1])))
+    return sorted(reached(named(certificates), lambda name: named(lemma(name)[1])))
 
 
 def reached(start: Iterable[T], further: Callable[[T], Iterable[T]]) -> list[T]:
@@ -116,14 +117,14 @@ def problem_of(evidence: Certificate) -> Problem:
     return Problem(evidence["id"], claim, definitions, hypotheses, tuple(dict.fromkeys(_hints(evidence.get("proof")))))
 
 
-def _hints(proof: JSON) -> Iterator[tuple[str, Term]]:
+def _hints(proof: JSON) -> Iterator[Hint[Term]]:
     """The forms and the points that a proof is made of, for a search that looks for a proof of something like it."""
     if isinstance(proof, dict):
         if "form" in proof:
-            yield "form", Reader().term(proof["form"])
+            yield Form(Reader().term(proof["form"]))
         point = proof.get("point")
-        for name, value in point.items() if isinstance(point, dict) else ():
-            yield f"point_{name}", Reader().term(value)
+        if isinstance(point, dict):
+            yield Witness(tuple((letter, Reader().term(value)) for letter, value in point.items()))
     if isinstance(proof, (dict, list)):
         for child in proof.values() if isinstance(proof, dict) else proof:
             yield from _hints(child)

@@ -6,8 +6,8 @@ import json
 from collections.abc import Iterator
 from random import Random
 
+from symcheck.core.certificates import Certificate
 from symcheck.core.terms import JSON
-from symcheck.core.verdicts import Certificate
 from symcheck.selftest.certificates import DROPPED, TURNED, Change, Path, changed, groups, one, places
 from symcheck.selftest.trial import FaultClass, Trial
 
@@ -22,7 +22,7 @@ BARE: tuple[dict[str, JSON], ...] = (
     {"rule": "absurd", "cofactors": [["here", 0], "1"]},
     {"rule": "implies", "then": {"rule": "absurd", "cofactors": [[["here", 0], "1"]]}},
 )
-NOTHING: JSON = ["=", 0, 1]
+NOTHING = ["=", 0, 1]
 
 
 def forgeries(original: Certificate, donor: Certificate) -> Iterator[Change]:
@@ -60,13 +60,13 @@ def _whole(original: Certificate, donor: Certificate) -> Iterator[Change]:
     other = "refuted" if original["verdict"] == "proved" else "proved"
     label = (("verdict",), other)
     yield Change(RELABELLED, other, (label,))
-    without: tuple[tuple[Path, JSON], ...] = tuple(((key,), DROPPED) for key in ("proof", "point", "witnesses"))
+    without: tuple[tuple[Path, object], ...] = tuple(((key,), DROPPED) for key in ("proof", "point", "witnesses"))
     if other == "proved":
         shows = [donor["proof"]] if "proof" in donor else []
-        values: JSON = {"values": original["point"]["values"]}
+        values = {"values": original["point"]["values"]}
         for proof in (*BARE, *shows, original["point"].get("proof", BARE[0])):
             for points in ([], [values]):
-                new: tuple[tuple[Path, JSON], ...] = ((("proof",), proof), (("witnesses",), points))
+                new: tuple[tuple[Path, object], ...] = ((("proof",), proof), (("witnesses",), points))
                 yield Change(RELABELLED, f"proved by {proof['rule']}", (*without, label, *new))
         return
     for point in (*original.get("witnesses", ()), *([donor["point"]] if "point" in donor else ())):
@@ -78,7 +78,7 @@ def _whole(original: Certificate, donor: Certificate) -> Iterator[Change]:
         yield one(MOVED, "of another", ("witnesses",), donor.get("witnesses", [{"values": {}}]))
 
 
-def _stated(kind: str, path: Path, node: JSON, words: str) -> Iterator[Change]:
+def _stated(kind: str, path: Path, node: object, words: str) -> Iterator[Change]:
     """Other numbers, signs, letters, and members of what is stated."""
     if type(node) is int and path[-1] != 0:
         yield one(kind, f"{words}: {node} -> {node + 1}", path, node + 1)
@@ -91,7 +91,7 @@ def _stated(kind: str, path: Path, node: JSON, words: str) -> Iterator[Change]:
         yield one(kind, f"{words}: the last of {node[0]} dropped", path, node[:-1])
 
 
-def _of_proof(path: Path, node: JSON, words: str) -> Iterator[Change]:
+def _of_proof(path: Path, node: object, words: str) -> Iterator[Change]:
     match node:
         case ["hyp", _, int(k)] | [("here" | "point"), int(k)]:
             for new in (k - 1, k + 1):
@@ -104,7 +104,7 @@ def _of_proof(path: Path, node: JSON, words: str) -> Iterator[Change]:
         yield one(REMOVED, f"{words} dropped", path, DROPPED)
 
 
-def _of_point(path: Path, node: JSON, words: str) -> Iterator[Change]:
+def _of_point(path: Path, node: object, words: str) -> Iterator[Change]:
     if path[0] == "witnesses" and len(path) == 2:
         yield one(MOVED, f"{words} removed", path, DROPPED)
     if len(path) >= 2 and path[-2] == "values":
@@ -113,8 +113,8 @@ def _of_point(path: Path, node: JSON, words: str) -> Iterator[Change]:
         yield one(MOVED, f"{words} is infinite", path, ["infinity"])
 
 
-def _formula_of(certificate: Certificate) -> JSON:
-    formulas: list[JSON] = [formula for stated in certificate["hypotheses"].values() for formula in stated]
+def _formula_of(certificate: Certificate) -> object:
+    formulas = [formula for stated in certificate["hypotheses"].values() for formula in stated]
     return formulas[0] if formulas else certificate["claim"]
 
 

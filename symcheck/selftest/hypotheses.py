@@ -12,7 +12,7 @@ from symcheck import papers
 from symcheck.audit.judge import judge
 from symcheck.audit.needs import listed, need
 from symcheck.audit.obligation import expand
-from symcheck.core.claims import Hypothesis
+from symcheck.core.claims import Assertion, Hypothesis
 from symcheck.core.verdicts import SymcheckError, Verdict
 from symcheck.reading import System, Tree, read, to_latex
 from symcheck.reading.tree import Chain
@@ -38,7 +38,8 @@ def without(original: Proved, dropped: Hypothesis) -> Status:
 def having(original: Proved, added: Hypothesis) -> Status:
     """Whether a hypothesis that has nothing to do with a relation is reported as not needed; open if as unknown."""
     context, unit, given, _ = original
-    item = replace(context.item, given=(*context.item.given, added))
+    statement = replace(context.item.statement, given=(*context.item.statement.given, added))
+    item = replace(context.item, statement=statement)
     try:
         finding = judge(context.having(item=item), unit, (*given, added))
     except SymcheckError:
@@ -76,7 +77,8 @@ def _opposite(tree: Tree) -> Tree | None:
 @cache
 def _of_paper(key: str) -> tuple[Hypothesis, ...]:
     """All hypotheses of the claims of a paper."""
-    given = (hypothesis for obligation in expand(papers.load()[key]) for hypothesis in obligation.item.given)
+    claims = (each.item for each in expand(papers.load()[key]))
+    given = (h for item in claims if isinstance(item, Assertion) for h in item.statement.given)
     return tuple(dict.fromkeys(given))
 
 

@@ -19,18 +19,21 @@ from tempfile import TemporaryDirectory
 from typing import Any
 from unittest.mock import patch
 
+from msgspec import structs
+
 from symcheck import papers
 from symcheck.audit import decide, judge, run
 from symcheck.audit.cache import FILE, Cache
-from symcheck.audit.context import Context
+from symcheck.audit.context import Context, context_of
 from symcheck.audit.executor import Serial
 from symcheck.audit.index import Index
 from symcheck.audit.judge import units
 from symcheck.audit.obligation import fingerprint, obligation_of
 from symcheck.checker.statements import Index as StatementIndex
 from symcheck.core.calculus import letters
-from symcheck.core.claims import Outcome, Problem
-from symcheck.core.terms import JSON, node
+from symcheck.core.certificates import Certificate
+from symcheck.core.problems import Outcome, Problem
+from symcheck.core.terms import node
 from symcheck.core.verdicts import Role, SymcheckError, Verdict
 from symcheck.ledger import store
 from symcheck.ledger.record import Record
@@ -205,8 +208,8 @@ def turned(record: Record) -> Record:
     if record.verdict not in OTHER:
         return record
     other = OTHER[record.verdict]
-    spoilt = tuple({**evidence, "verdict": str(other)} for evidence in record.certificates)
-    return replace(record, verdict=other, certificates=spoilt)
+    spoilt = tuple(Certificate(**{**evidence, "verdict": str(other)}) for evidence in record.certificates)
+    return structs.replace(record, verdict=other, certificates=spoilt)
 
 
 def from_cache(id: str, signed: bool) -> list[Record]:
@@ -241,7 +244,7 @@ def _reader_drops(id: str, truth: Truth, rng: Random) -> Status:
     a fresh reading states: by this the checker ties them to the print.
     """
     share, obligation = rng.random(), obligation_of(id)
-    context = Context(obligation.paper, obligation.item)
+    context = context_of(obligation)
     before = [unit.formulas for unit in units(context)]
     statements = _statements(obligation.paper.key)
     try:
@@ -252,7 +255,7 @@ def _reader_drops(id: str, truth: Truth, rng: Random) -> Status:
     except SymcheckError:
         return Status.REJECTED
     noticed = store.disagreements([record for record in records if record.id in truth], truth, complete=True)
-    shown: list[JSON] = [evidence for record in records for evidence in record.certificates]
+    shown = [evidence for record in records for evidence in record.certificates]
     names = tuple(f"{record.id}:" for record in records)
     noticed += [line for line in statements.differences(shown) if line.startswith(names)]
     return Status.REJECTED if noticed else Status.ACCEPTED

@@ -13,10 +13,11 @@ from typing import Any, NamedTuple
 from symcheck import papers
 from symcheck.audit.context import Context
 from symcheck.audit.judge import Unit, judge, units
-from symcheck.audit.obligation import DECIDED, expand
-from symcheck.core.claims import Item, Paper, Problem
+from symcheck.audit.obligation import expand
+from symcheck.core.claims import Assertion, Ours, Paper, for_letter
+from symcheck.core.problems import Problem
 from symcheck.core.terms import Formula, node
-from symcheck.core.verdicts import Role, SymcheckError, Verdict
+from symcheck.core.verdicts import SymcheckError, Verdict
 from symcheck.ledger.record import Record
 from symcheck.proof import equivalent
 from symcheck.proof.algebra.polynomial import Unsupported, unfold
@@ -106,7 +107,8 @@ def status_of(paper: Paper, fault: Fault) -> Status:
                 if _is_same(stated, faulty_stated) or _is_same(_exchanged(stated, fault.exchanged), faulty_stated):
                     continue
                 changed += 1
-                if ledger_verdict(other, after, judge(other, after, other.item.given)) is not verdict(before.letter):
+                judged = judge(other, after, other.item.statement.given)
+                if ledger_verdict(other, after, judged) is not verdict(before.letter):
                     return Status.REJECTED
     except (SymcheckError, Unsupported, ValueError):
         return Status.REJECTED  # it cannot be read, or the table contradicts itself
@@ -119,21 +121,21 @@ def _means_the_same(context: Context, other: Context, fault: Fault) -> bool:
     return other.table == {_exchanged(x, names): _exchanged(term, names) for x, term in context.table.items()}
 
 
-def _text(item: Item) -> str:
+def _text(item: Assertion) -> str:
     """All LaTeX of a declaration."""
-    given = [hypothesis.states for hypothesis in (*item.given, *item.needs, *item.equality_given)]
-    return str((item.printed, item.formal, item.read_as, item.parts, item.equality, given)).replace("\\\\", "\\")
+    given = [hypothesis.states for hypothesis in item.hypotheses]
+    statement = item.statement
+    return str((item.source.printed, item.text, statement.states, statement.equality, given)).replace("\\\\", "\\")
 
 
-def _item(item: Item, change: Change) -> Item:
+def _item(item: Assertion, change: Change) -> Assertion:
     return replace(item, notation=change(item.notation)) if item.notation else item
 
 
 def _stated(context: Context, unit: Unit) -> tuple[Formula, ...]:
     """All that a relation states, definitions unfolded: its formulas, what is given, where it is an equality."""
-    item = context.item
-    given = [context.hypothesis(hypothesis) for hypothesis in (*item.given, *item.needs, *item.equality_given)]
-    equality = item.equality.get(unit.letter, "") if isinstance(item.equality, Mapping) else item.equality
+    given = [context.hypothesis(hypothesis) for hypothesis in context.item.hypotheses]
+    equality = for_letter(context.item.statement.equality, unit.letter)
     where = context.lower(equality) if equality else ()
     formulas = (*unit.formulas, *where, *(formula for _, assumed in given for formula in assumed))
     definitions = dict(context.used_definitions(*formulas))
@@ -154,21 +156,21 @@ def _exchanged(value: Any, names: Mapping[str, str]) -> Any:
 
 
 @cache
-def _decided(paper: Paper) -> tuple[tuple[Item, str, Callable[[str], Verdict]], ...]:
+def _decided(paper: Paper) -> tuple[tuple[Assertion, str, Callable[[str], Verdict]], ...]:
     """The declarations without lemmas, each with the verdict of its links; lists, and what is long, come last."""
     decided = []
     for obligation in expand(paper):
         item = obligation.item
-        if item.role in DECIDED and not item.lemmas:
+        if isinstance(item, Assertion) and not item.plan.lemmas:
             decided.append((item, _text(item), cache(partial(_verdict, Context(paper, item)))))
     return tuple(
-        sorted(decided, key=lambda pair: (bool(pair[0].parts), pair[0].role is Role.OURS, len(repr(pair[0].printed))))
+        sorted(decided, key=lambda pair: (len(pair[0].statement.states) > 1, isinstance(pair[0], Ours), len(pair[1])))
     )
 
 
 def _verdict(context: Context, letter: str) -> Verdict:
     unit = next(unit for unit in units(context) if unit.letter == letter)
-    return ledger_verdict(context, unit, judge(context, unit, context.item.given))
+    return ledger_verdict(context, unit, judge(context, unit, context.item.statement.given))
 
 
 def trials(place: str, count: int, rng: Random) -> Iterator[Trial]:

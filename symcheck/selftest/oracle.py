@@ -12,10 +12,16 @@ from scipy.optimize import linprog
 
 from symcheck.coq.meaning import Meaning, NoValue, Number, Smooth, Tree, Values
 from symcheck.core.calculus import letters
-from symcheck.core.claims import Problem
+from symcheck.core.certificates import Certificate
 from symcheck.core.formulas import conjuncts
-from symcheck.core.terms import Connective, Formula, Relation, Term, node
-from symcheck.core.verdicts import Certificate
+from symcheck.core.problems import Problem
+from symcheck.core.terms import (
+    Connective,
+    Formula,
+    Relation,
+    Term,
+    node,
+)
 
 SEED = 20090055
 DRAWS, ENOUGH = 10, 3  # points that are tried, and points where the hypotheses hold
@@ -35,7 +41,7 @@ class Place(Meaning):
         super().__init__(Smooth(random.Random(SEED)), definitions)
         self.rng, self.at = rng, dict(at)
 
-    def value(self, term: Term) -> Number:
+    def value(self, term: object) -> Number:
         """The number a term stands for; one of NO_VALUE is raised if it has none."""
         return self.term(term, self.at)
 

@@ -8,7 +8,7 @@ from random import Random
 from typing import Any
 
 from symcheck.audit.judge import judge
-from symcheck.core.claims import Problem
+from symcheck.core.problems import Candidate, Hint, Problem, Witness
 from symcheck.core.terms import Formula, Node, Term, Value, node
 from symcheck.core.verdicts import Verdict
 from symcheck.selftest.evidence import answered, ledger_verdict, relettered
@@ -76,7 +76,7 @@ def _divided(term: Term, factor: Term) -> Term:
 
 def renamed(problem: Problem) -> Problem:
     """The same problem with another name for each letter: a "q" before it."""
-    hints = tuple((_renamed_hint(name), _renamed(value)) for name, value in problem.hints)
+    hints = tuple(map(_renamed_hint, problem.hints))
     hypotheses = tuple((name, tuple(map(_renamed, formulas))) for name, formulas in problem.hypotheses)
     definitions = tuple((_renamed(name), _renamed(term)) for name, term in problem.definitions)
     return Problem(problem.id, _renamed(problem.claim), definitions, hypotheses, hints)
@@ -86,11 +86,11 @@ def _renamed(value: Any) -> Any:
     return relettered(value, lambda name: f"q{name}")
 
 
-def _renamed_hint(name: str) -> str:
-    for prefix in ("point_", "point."):
-        if name.startswith(prefix):
-            return f"{prefix}{_renamed(name.removeprefix(prefix))}"
-    return name
+def _renamed_hint(hint: Hint[Term]) -> Hint[Term]:
+    new: Hint[Term] = hint.mapped(_renamed)
+    if isinstance(new, Witness | Candidate):
+        return replace(new, values=tuple((_renamed(letter), value) for letter, value in new.values))
+    return new
 
 
 def trials(place: str, count: int, rng: Random) -> Iterator[Trial]:
@@ -104,7 +104,7 @@ def _rewritten(relations: Iterable[Proved], rng: Random) -> Iterator[tuple[str, 
     for original in relations:
         for n, formula in enumerate(original.unit.formulas):
             yield from ((kind, (original, n, new)) for kind, new in rewritings(formula, rng) if new != formula)
-            if not original.context.item.lemmas:
+            if not original.context.item.plan.lemmas:
                 yield RENAMED, (original, n, formula)
 
 

@@ -6,21 +6,23 @@ the way of the printed text: it is printed, read again and lowered, so that what
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from functools import cache
 from itertools import starmap
 from random import Random
 from typing import NamedTuple
 
-from symcheck.audit.context import Context, for_letter
+from symcheck.audit.context import Context, context_of
 from symcheck.audit.judge import Finding, Unit, judge, units
 from symcheck.audit.obligation import obligation_of
-from symcheck.core.claims import Erratum, Hypothesis, Problem
+from symcheck.core.claims import Erratum, Hypothesis, for_letter
+from symcheck.core.ids import Id
+from symcheck.core.problems import Problem
 from symcheck.core.terms import node
 from symcheck.core.verdicts import Role, SymcheckError, Verdict
 from symcheck.ledger.record import Record
-from symcheck.proof import combined, fails_without
+from symcheck.proof import fails_without
 from symcheck.reading import Edit, Tree, edits, lower, read, to_latex
 from symcheck.reading.tree import Add, Number, children, replaced, walk
 from symcheck.selftest.evidence import holds, ledger_verdict, states
@@ -48,7 +50,7 @@ class Proved(NamedTuple):
     @property
     def equality(self) -> str:
         """Where the inequality is an equality, as declared."""
-        return str(for_letter(self.context.item.equality, self.unit.letter) or "")
+        return for_letter(self.context.item.statement.equality, self.unit.letter) or ""
 
     def both(self, changed: Proved) -> Iterator[Problem]:
         """Both claims, instance by instance, under the hypotheses."""
@@ -59,14 +61,13 @@ class Proved(NamedTuple):
 
 def proved(id: str) -> list[Proved]:
     """The proved relations of one declaration; of misprinted ones, what is right."""
-    obligation = obligation_of(id)
-    item, relations = obligation.item, []
-    context = Context(obligation.paper, item)
+    context, relations = context_of(obligation_of(id)), []
     for unit in units(context):
-        if unit.letter and unit.letter in item.imposed:
+        if context.item.statement.imposes(unit.letter):
             continue
-        relation = Proved(context, unit, item.given + (item.needs if unit.letter in item.errata else ()))
-        if (erratum := item.errata.get(unit.letter)) and erratum.corrected:
+        erratum = context.item.erratum(unit.letter)
+        relation = Proved(context, unit, context.item.statement.given + (erratum.needs if erratum else ()))
+        if erratum and erratum.corrected:
             relation = _corrected(relation, erratum)
         finding = judge(relation.context, relation.unit, relation.given)
         if ledger_verdict(relation.context, relation.unit, finding) is Verdict.PROVED:
@@ -76,9 +77,7 @@ def proved(id: str) -> list[Proved]:
 
 def _corrected(printed: Proved, erratum: Erratum) -> Proved:
     """The relation as it should be, proved with its own hints."""
-    item = printed.context.item
-    methods = [*filter(None, item.by.values() if isinstance(item.by, Mapping) else [item.by])]
-    context = printed.context.having(item=replace(item, equality="", by=combined(*methods, forms=erratum.forms)))
+    context = printed.context.as_corrected(erratum)
     return Proved(context, printed.unit.reworded(context, read(erratum.corrected, context.notation)), printed.given)
 
 
@@ -131,7 +130,8 @@ def with_slip(original: Proved, edit: Edit) -> Proved:
     if edit.kind != EQUALITY:
         return Proved(context, unit.reworded(context, tree), given)
     lower(tree, context.notation)
-    return Proved(context.having(item=replace(context.item, equality={unit.letter: latex})), unit, given)
+    statement = replace(context.item.statement, equality={unit.letter: latex})
+    return Proved(context.having(item=replace(context.item, statement=statement)), unit, given)
 
 
 def _is_read_alike(original: Proved, changed: Proved, edit: Edit) -> bool:
@@ -226,19 +226,15 @@ def unguarded(records: Sequence[Record]) -> list[str]:
     found = []
     for record in records:
         claims = [evidence["claim"] for evidence in record.certificates]
-        obligation = obligation_of(declared(record))
-        item, letter = obligation.item, record.id.removeprefix(obligation.id)
         if record.verdict is Verdict.PROVED and not record.corrected and claims and claims[0][0] in ("<=", ">="):
-            found += [record.id] * (not for_letter(item.equality, letter))
+            statement = context_of(obligation_of(declared(record))).item.statement
+            found += [record.id] * (not for_letter(statement.equality, Id.parse(record.id).link))
     return found
 
 
 def declared(record: Record) -> str:
     """The id of the declaration that a record is a link of."""
-    try:
-        return obligation_of(record.id).id
-    except SymcheckError:
-        return obligation_of(record.id[:-1]).id
+    return str(Id.parse(record.id).declaration)
 
 
 def trials(place: str, count: int, rng: Random) -> Iterator[Trial]:

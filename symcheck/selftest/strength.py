@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from symcheck.core.claims import Problem
 from symcheck.core.formulas import conjuncts
+from symcheck.core.problems import Problem
 from symcheck.core.terms import Connective, Formula, Quantified, Relation, Term, Value, node
 from symcheck.proof import equivalent, proof_of
 from symcheck.selftest.evidence import is_shown

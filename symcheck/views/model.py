@@ -14,7 +14,8 @@ from functools import cached_property
 from typing import NamedTuple
 
 from symcheck.coq.confirmed import told
-from symcheck.core.verdicts import Certificate, Group, Loss, Origin, Verdict
+from symcheck.core.certificates import Certificate
+from symcheck.core.verdicts import Group, Loss, Origin, Verdict
 from symcheck.core.words import term
 from symcheck.ledger.record import HypothesisRow, Record
 from symcheck.views.steps import compared, coordinates, point, shown, sides
@@ -225,7 +226,7 @@ class Fault:
     @property
     def number(self) -> str:
         """The number of the first relation, with the letters of the others: "2.1V.8a, b"."""
-        return ", ".join([self.first.record.number, *(each.record.id[-1] for each in self.relations[1:])])
+        return ", ".join([self.first.record.number, *(each.record.link for each in self.relations[1:])])
 
     @property
     def printed(self) -> str:

@@ -7,6 +7,7 @@ from difflib import get_close_matches
 
 from symcheck.audit import kernels
 from symcheck.audit.library import check
+from symcheck.core.ids import Id
 from symcheck.core.verdicts import SymcheckError
 from symcheck.ledger.record import Record
 from symcheck.papers import load
@@ -32,7 +33,7 @@ def show(name: str, certificate: bool = False, records: Callable[[Iterable[str]]
 
     See Also
     --------
-    symcheck.check : the same as records.
+    symcheck.check : The same as records.
     """
     out = terminal.console()
     if ":" in name:
@@ -46,4 +47,4 @@ def show(name: str, certificate: bool = False, records: Callable[[Iterable[str]]
         example = f"{name}:NUMBER" if name in keys else near[0] if near else f"{keys[0]}:{name}"
         raise SymcheckError(f"{name!r} is neither of the form PAPER:NUMBER nor a kernel; did you mean {example}?")
     key, kernel = named[name]
-    terminal.kernel(out, key, name, kernel, records([f"{key}:{number}" for number in kernel.claims]))
+    terminal.kernel(out, key, name, kernel, records([str(Id.of(key, place)) for place in kernel.claims]))

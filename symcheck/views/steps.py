@@ -7,6 +7,8 @@ from collections.abc import Iterable, Iterator, Mapping
 from fractions import Fraction
 from typing import Any
 
+from symcheck.core.certificates import Certificate, Point
+from symcheck.core.terms import JSON
 from symcheck.core.words import term
 
 _RULES = {
@@ -28,23 +30,23 @@ _FACTS = ("theorem", "have")  # rules that make one more fact known; what follow
 _TOLD = ("rule", "of", "with", "formula", *_BRANCHES)
 
 
-def reference(ref: Any) -> str:
+def reference(ref: object) -> str:
     """A fact in words: a hypothesis, a coordinate of a point, or what was added on the way."""
     match ref:
-        case ["hyp", name, number]:
+        case ["hyp", name, int(number)]:
             return f"{name} [{number + 1}]"
-        case ["here", number]:
+        case ["here", int(number)]:
             return f"assumption {number + 1}"
-        case ["point", number]:
+        case ["point", int(number)]:
             return f"value {number + 1} at the point"
-        case ["nonzero", number]:
+        case ["nonzero", int(number)]:
             return f"denominator {number + 1}"
         case ["positive", form]:
             return f"{term(form)} > 0"
     return json.dumps(ref)
 
 
-def shown(certificate: Mapping[str, Any]) -> Iterator[str]:
+def shown(certificate: Certificate) -> Iterator[str]:
     """The lemmas that a proof starts from, what must not vanish, and its steps; nothing of a refutation."""
     if lemmas := dict(certificate.get("lemmas", ())):
         yield f"from lemmas: {', '.join(lemmas)}"
@@ -94,12 +96,12 @@ def _applied(given: Mapping[str, Any]) -> Iterator[tuple[str, str]]:
             yield name, term(value)
 
 
-def point(values: Mapping[str, Any]) -> str:
+def point(values: Mapping[str, JSON]) -> str:
     """A point as "name = value, ..."."""
     return _equal((f"{function} {name}".lstrip(), term(value)) for function, name, value in coordinates(values))
 
 
-def coordinates(values: Mapping[str, Any]) -> Iterator[tuple[str, str, Any]]:
+def coordinates(values: Mapping[str, JSON]) -> Iterator[tuple[str, str, JSON]]:
     """A point as people read it: "" (or "sin", "cos"), a letter, and its value there (or that of its sine or cosine).
 
     An angle whose sine and cosine are rational is told by these. An angle that other values are made of comes before
@@ -114,7 +116,7 @@ def coordinates(values: Mapping[str, Any]) -> Iterator[tuple[str, str, Any]]:
             yield "", name, _by_letters(values[name], {x: angle for x, angle in angles.items() if x != name})
 
 
-def _half(value: Any) -> Fraction | None:
+def _half(value: object) -> Fraction | None:
     """The rational tangent of half an angle, as such an angle is written in a certificate."""
     match value:
         case ["*", 2, ["arctan", int(t)]]:
@@ -124,20 +126,20 @@ def _half(value: Any) -> Fraction | None:
     return None
 
 
-def _number(value: Fraction) -> Any:
+def _number(value: Fraction) -> JSON:
     return value.numerator if value.denominator == 1 else ["/", value.numerator, value.denominator]
 
 
-def _has_angle(value: Any) -> bool:
+def _has_angle(value: object) -> bool:
     parts = value if isinstance(value, list | tuple) else ()
     return any(str(part).startswith("arc") or _has_angle(part) for part in parts)
 
 
-def _depth(value: Any) -> int:
+def _depth(value: object) -> int:
     return 1 + max(map(_depth, value), default=0) if isinstance(value, list | tuple) else 0
 
 
-def _by_letters(value: Any, known: Mapping[str, Any]) -> Any:
+def _by_letters(value: JSON, known: Mapping[str, JSON]) -> JSON:
     """A value, in which letters stand for what they are known to be."""
     if not isinstance(value, list | tuple):
         return value
@@ -148,7 +150,7 @@ def _equal(pairs: Iterable[tuple[str, str]]) -> str:
     return ", ".join(f"{name} = {value}" for name, value in pairs)
 
 
-def sides(counterexample: Mapping[str, Any]) -> str:
+def sides(counterexample: Point) -> str:
     """What is compared at a counterexample: the values of both sides, or the digits of numbers; else the empty text."""
     if both := compared(counterexample):
         return f"the sides are {' against '.join(map(term, both))}"
@@ -157,7 +159,7 @@ def sides(counterexample: Mapping[str, Any]) -> str:
     return ", ".join(filter(None, map(_enclosed, counterexample.get("shown", ()))))
 
 
-def compared(counterexample: Mapping[str, Any]) -> list[Any]:
+def compared(counterexample: Point) -> list[object]:
     """The values of the sides, or whether each part is true; nothing where numbers are compared by their digits."""
     shown = counterexample.get("shown", ())
     false = [bool(_contrary(each)) for each in shown]
@@ -166,7 +168,7 @@ def compared(counterexample: Mapping[str, Any]) -> list[Any]:
     return [each[2] for each in shown if each[0] == "="]
 
 
-def _contrary(formula: Any) -> Any:
+def _contrary(formula: object) -> object:
     """What a formula "f implies nothing" denies."""
     match formula:
         case ["=>", denied, ["or"]]:
@@ -174,7 +176,7 @@ def _contrary(formula: Any) -> Any:
     return None
 
 
-def _enclosed(formula: Any) -> str:
+def _enclosed(formula: object) -> str:
     """That a number lies between two others."""
     match formula:
         case ["and", ["<=", low, number], ["<=", again, high]] if number == again:

@@ -6,9 +6,8 @@ import json
 import os
 import sys
 from collections import Counter
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
-from typing import Any
 
 from rich import box
 from rich.cells import cell_len, set_cell_size
@@ -16,8 +15,9 @@ from rich.console import Console
 from rich.table import Table
 from rich.text import Text
 
+from symcheck.core.certificates import Certificate
 from symcheck.core.claims import Paper
-from symcheck.core.verdicts import Certificate, Group, Verdict
+from symcheck.core.verdicts import Group, Verdict
 from symcheck.core.words import term
 from symcheck.kernels.codegen.kernel import Kernel
 from symcheck.ledger.digests import digest_of
@@ -45,7 +45,7 @@ def console() -> Console:
 
 
 @contextmanager
-def progress_bar(what: str) -> Iterator[Any]:
+def progress_bar(what: str) -> Iterator[Callable[[int, int], None]]:
     """A function (done, total) that moves a progress bar on standard error."""
     from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeElapsedColumn
 

@@ -67,26 +67,43 @@ def stability(A: ArrayLike, C: ArrayLike, E_n: ArrayLike, lambda_n: ArrayLike, o
 
         A eta + (C - A) omega_0 - eta (eta - omega_0) sum_n E_n/(eta - lambda_n) = 0.
 
-    A         transverse moment of inertia, with the liquid at rest, kg m^2; shape (...), positive
-    C         axial moment of inertia, kg m^2; (...), positive
-    E_n       moments of inertia that the modes carry, kg m^2; (..., N), positive, together less than A
-    lambda_n  natural frequencies of the modes, rad/s; (..., N)
-    omega_0   spin, rad/s; (...), positive
+    Parameters
+    ----------
+    A
+        Transverse moment of inertia, with the liquid at rest, kg m^2; shape (...), positive.
+    C
+        Axial moment of inertia, kg m^2; (...), positive.
+    E_n
+        Moments of inertia that the modes carry, kg m^2; (..., N), positive, together less than A.
+    lambda_n
+        Natural frequencies of the modes, rad/s; (..., N).
+    omega_0
+        Spin, rad/s; (...), positive.
 
-    Returns a Stability:
-    frequencies  eta in rad/s, complex, (..., N + 1), by real and then imaginary part; the conjugate of one is one too
-    growth_rate  max |Im eta| in 1/s, (...)
-    stable       (...): with one mode the discriminant of (1.33) is positive, with several all frequencies are real. On
-                 the boundary a frequency is double and the motion grows like t (B.5): one mode asks for more than real
-                 frequencies, as the paper does; with several rounding decides there.
+    Returns
+    -------
+    Stability
+        ``frequencies``: eta in rad/s, complex, (..., N + 1), sorted by real, then imaginary part; in conjugate pairs.
+        ``growth_rate``: max |Im eta| in 1/s, (...).
+        ``stable``, (...): with one mode the discriminant of (1.33) is positive, with several all frequencies are real.
+        On the boundary a frequency is double and the motion grows like t (B.5): one mode asks for more than real
+        frequencies, as the paper does; with several modes rounding decides there.
 
-    ValueError names an argument that does not fit.
+    Raises
+    ------
+    ValueError
+        If an argument does not fit; the message names it.
+
+    Notes
+    -----
     Accuracy: as if the entries of the matrix above, and for one mode the coefficients of (1.33), had errors of a few
     units in the last place of the greatest; that is as much for frequencies apart, and its square root, 1e-8, for
     double ones. Frequencies that are proved to be real are so exactly. With several modes an imaginary part that
     rounding alone can give to a real frequency, N + 1 units in the last place of the matrix's norm, is taken for 0.
     Source: (1.31), (1.33), 1.33.3; proved to be real off the band and for C >= A: N.13, N.17.
 
+    Examples
+    --------
     >>> found = stability(A=1.0, C=[0.5, 1.5], E_n=[0.2], lambda_n=[0.5], omega_0=1.0)
     >>> found.frequencies.round(6).tolist()
     [[(0.5-0.25j), (0.5+0.25j)], [(-0.697822+0j), (0.447822+0j)]]

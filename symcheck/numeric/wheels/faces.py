@@ -66,18 +66,38 @@ def half_spaces(
 ) -> HalfSpaces:
     """The half-spaces of the momentum envelope: n = e_i x e_j/|e_i x e_j| and d = sum_k h_k |n . e_k|, i < j.
 
-    axes      (..., n, 3), unit vectors e_i that span space
-    limits    numbers or (..., n), h_i, in N m s; 0 for a wheel that has failed
-    bias      numbers or (..., n), b_i, in N m s
-    complete  True adds the three coordinate axes with the limit 0, so that axes that do not span space (one wheel,
-              or all in a plane) are described too: as a polygon or a segment, with the distance 0 across it
-    engine    "numpy", or "numba" (needs Numba), which gives the same to rounding, faster, and compiles at its first use
+    Parameters
+    ----------
+    axes
+        Unit vectors e_i that span space; shape (..., n, 3).
+    limits
+        Numbers or (..., n), h_i, in N m s; 0 for a wheel that has failed.
+    bias
+        Numbers or (..., n), b_i, in N m s.
+    complete
+        True adds the three coordinate axes with the limit 0, so that axes that do not span space (one wheel, or all in
+        a plane) are described too: as a polygon or a segment, with the distance 0 across it.
+    engine
+        "numpy", or "numba" (needs Numba), which gives the same to rounding, faster, and compiles at its first use.
 
-    Returns normals (..., p, 3), distances (..., p), p = n(n - 1)/2, centre (..., 3). ValueError if axes do not span
-    space and are not completed. Each half-space is exact to rounding whatever the axes are, for d is computed
+    Returns
+    -------
+    HalfSpaces
+        Normals (..., p, 3), distances (..., p) with p = n(n - 1)/2, centre (..., 3).
+
+    Raises
+    ------
+    ValueError
+        If axes do not span space and are not completed.
+
+    Notes
+    -----
+    Each half-space is exact to rounding whatever the axes are, for d is computed
     with the normal that is returned; axes at an angle below 1e-12 count as parallel. The time grows with n^3: for more
     than some hundred wheels in one set use `envelope`. Source: tables 3, 5, 8, 11.
 
+    Examples
+    --------
     >>> half_spaces(np.eye(3), [1, 2, 3]).distances
     array([3., 2., 1.])
     """

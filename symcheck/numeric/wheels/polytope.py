@@ -85,15 +85,36 @@ def envelope(
 ) -> Envelope:
     """The envelope of the momenta h_1 e_1 + ... + h_n e_n, b_i - h_i,max <= h_i <= b_i + h_i,max.
 
-    axes       (n, 3), unit vectors e_i, any number of them in any position
-    limits     a number or (n,), h_i,max, in N m s; a wheel with the limit 0 does not count
-    bias       a number or (n,), b_i, in N m s
-    tolerance  the angle in rad below which axes are parallel, or a third lies in the plane of two as seen along one
-               of them; greater for axes that are given with few digits
+    Parameters
+    ----------
+    axes
+        Unit vectors e_i, any number of them in any position; shape (n, 3).
+    limits
+        A number or (n,), h_i,max, in N m s; a wheel with the limit 0 does not count.
+    bias
+        A number or (n,), b_i, in N m s.
+    tolerance
+        The angle in rad below which axes are parallel, or a third lies in the plane of two as seen along one of them;
+        greater for axes that are given with few digits.
 
-    Takes O(n^2 log n) operations and n^2 numbers. ValueError for anything but one set of wheels; ArithmeticError, from
-    vertices, edges and faces, if axes near the tolerance make faces that do not fit together. Source: (2.1), (3.1).
+    Returns
+    -------
+    Envelope
+        Its vertices, edges and faces are computed when first asked for, in O(n^2 log n) operations and n^2 numbers.
 
+    Raises
+    ------
+    ValueError
+        For anything but one set of wheels.
+    ArithmeticError
+        From vertices, edges and faces, if axes near the tolerance make faces that do not fit together.
+
+    Notes
+    -----
+    Source: (2.1), (3.1).
+
+    Examples
+    --------
     >>> envelope(np.eye(3)).counts
     (8, 12, 6)
     >>> envelope([[1, 0, 0], [0, 1, 0], [0.6, 0.8, 0]]).dimension

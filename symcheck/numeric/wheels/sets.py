@@ -193,13 +193,30 @@ def volume(axes: ArrayLike, limits: ArrayLike = 1.0) -> Array:
 def listed_vertices(number: int, *angles: float) -> dict[str, Array]:
     """The vertices that the paper lists, by their names "V_1", "V_1'", ..., from the kernels `vertices_of_..._wheels`.
 
-    number  of wheels that work: 4 of the four-sided pyramid, 3 of it without wheel 4; 6 of the six-sided one, 5 of it
-            without wheel 6
-    angles  a and b of the four-sided pyramid, a of the six-sided one, in rad
+    Parameters
+    ----------
+    number
+        How many wheels work: 4 of the four-sided pyramid, 3 of it without wheel 4; 6 of the six-sided one, 5 of it
+        without wheel 6.
+    *angles
+        The angles a and b of the four-sided pyramid, a of the six-sided one, in rad.
 
-    Returns the vertices, shape (3,), for limits of 1 N m s. ValueError for another number, or angles that do not fit.
-    The names are those that the kernel declares. Source: the lists of sections 2.1, 2.2, 3.1, 3.2.
+    Returns
+    -------
+    dict
+        The vertices, shape (3,), for limits of 1 N m s, by the names that the kernel declares.
 
+    Raises
+    ------
+    ValueError
+        For another number, or angles that do not fit.
+
+    Notes
+    -----
+    Source: the lists of sections 2.1, 2.2, 3.1, 3.2.
+
+    Examples
+    --------
     >>> listed_vertices(4, 1.0, 0.5)["V_1"].round(6)
     array([1.613691, 0.      , 0.      ])
     """

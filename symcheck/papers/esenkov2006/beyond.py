@@ -4,13 +4,14 @@ Square roots appear as letters, u^2 = E_n (1 - b_n), v^2 = b_n (A - E_n), u, v >
 """
 
 from symcheck.core.claims import Hypothesis
-from symcheck.papers.declare import ours
+from symcheck.papers.declare import Scope, ours
 from symcheck.papers.esenkov2006 import derivation
 from symcheck.papers.esenkov2006.hypotheses import liquid_is_part, liquid_moves
 from symcheck.papers.esenkov2006.notation import root_letters, three_modes
 from symcheck.papers.esenkov2006.second_text import BOUNDARY, DISCRIMINANT, QUADRATIC
 from symcheck.proof import cases, existence, identity, nonnegative
 
+of_roots = Scope(root_letters, by=cases())
 LINEAR = r"(\Delta\omega_0 + \omega_0 E_1 - A\lambda_1)"  # coefficient of eta in (1.33)
 MIDDLE = r"(E_n(1 - b_n) + b_n(A - E_n))"  # minus the mean of the two boundaries
 PRODUCT = r"E_n(1 - b_n)b_n(A - E_n)"
@@ -38,7 +39,7 @@ inertia_of_a_mode = ours(
     "B.1",
     10,
     words="A mode's moment of inertia rho chi_n^2 / N_n^2 is positive.",
-    formal="E_n > 0",
+    states="E_n > 0",
     given=[density, coupled],
     where=derivation.mode_inertias,
     by=nonnegative(r"\frac{\rho\chi_n^2}{N_n^2}"),
@@ -50,17 +51,17 @@ real_root_needs_discriminant = ours(
     "B.2",
     34,
     words="A real root needs D >= 0: then D is the square of the derivative there.",
-    formal=rf"{QUADRATIC} = 0 \Rightarrow {DISCRIMINANT} = (2(A - E_1)\eta + {LINEAR})^2",
+    states=rf"{QUADRATIC} = 0 \Rightarrow {DISCRIMINANT} = (2(A - E_1)\eta + {LINEAR})^2",
     by=cases(),
     uses=["1.33", "1.33.3"],
     keeping=("Delta",),
 )
 
-zero_discriminant_has_a_real_root = ours(
+zero_discriminant_has_a_real_root = of_roots.ours(
     "B.3",
     34,
     words="D > 0, as it is required, is more than real roots need: D = r^2 with r >= 0 is enough, zero included.",
-    formal=rf"\exists x: {QUADRATIC.replace(chr(92) + 'eta', 'x')} = 0",
+    states=rf"\exists x: {QUADRATIC.replace(chr(92) + 'eta', 'x')} = 0",
     given=[
         Hypothesis("discriminant not negative", "D = r^2 with r >= 0", rf"{DISCRIMINANT} = r^2, r \ge 0"),
         two_coefficients,
@@ -68,14 +69,13 @@ zero_discriminant_has_a_real_root = ours(
     by=existence(x=rf"\frac{{r - {LINEAR}}}{{2(A - E_1)}}"),
     uses=["B.2"],
     keeping=("Delta",),
-    notation=root_letters,
 )
 
 double_root = ours(
     "B.4",
     34,
     words="At D = 0 the root is double.",
-    formal=rf"4(A - E_1)({QUADRATIC}) = (2(A - E_1)\eta + {LINEAR})^2",
+    states=rf"4(A - E_1)({QUADRATIC}) = (2(A - E_1)\eta + {LINEAR})^2",
     given=[double],
     by=identity,
     uses=["B.2"],
@@ -88,7 +88,7 @@ growth_at_the_double_root = ours(
     words="There the motion still grows, like t: the matrix of the amplitudes, with entries a_n (eta - omega_0) and chi_n eta outside its "
     "diagonal, would vanish only without spin, so it has rank one and a Jordan block. D > 0 is right for stability, though the roots "
     "are real at D = 0 too.",
-    formal=r"(a_n(\eta - \omega_0) = 0 \land \chi_n\eta = 0) \Rightarrow \omega_0 = 0",
+    states=r"(a_n(\eta - \omega_0) = 0 \land \chi_n\eta = 0) \Rightarrow \omega_0 = 0",
     given=[density, coupled],
     by=cases(),
     uses=["B.4", "2.1.2"],
@@ -98,7 +98,7 @@ complex_pair = ours(
     "B.6",
     34,
     words="If D = -r^2 < 0 the roots are x + iy, x - iy with y = r / (2 (A - E_n)): one of them grows.",
-    formal=r"u = 0 \land v = 0",
+    states=r"u = 0 \land v = 0",
     given=[
         Hypothesis(
             "negative discriminant",
@@ -117,7 +117,7 @@ boundary_as_difference = ours(
     "B.7",
     34,
     words="The square completed in 1.34.3.",
-    formal=rf"{BOUNDARY} = (\Delta + {MIDDLE})^2 - 4{PRODUCT}",
+    states=rf"{BOUNDARY} = (\Delta + {MIDDLE})^2 - 4{PRODUCT}",
     by=identity,
     uses=["1.34.3", "1.34.4"],
     keeping=("b", "Delta"),
@@ -127,7 +127,7 @@ discriminant_by_boundary = ours(
     "B.8",
     34,
     words="D has the sign of the left side of 1.34.3.",
-    formal=rf"{DISCRIMINANT} = \omega_0^2({BOUNDARY})",
+    states=rf"{DISCRIMINANT} = \omega_0^2({BOUNDARY})",
     by=identity,
     uses=["1.33.3", "1.34.3"],
     keeping=("Delta",),
@@ -137,7 +137,7 @@ stable_against_the_spin = ours(
     "B.9",
     34,
     words="If b_n < 0 the frequencies are real and distinct for every C - A.",
-    formal=rf"{BOUNDARY} > 0",
+    states=rf"{BOUNDARY} > 0",
     given=[liquid_moves, liquid_is_part, against_the_spin],
     by=nonnegative(rf"(\Delta + {MIDDLE})^2 + 4E_n(-b_n)(1 + (-b_n))(A - E_n)"),
     uses=["B.7", "B.8"],
@@ -148,92 +148,86 @@ stable_faster_than_the_spin = ours(
     "B.10",
     34,
     words="So they are if b_n > 1.",
-    formal=rf"{BOUNDARY} > 0",
+    states=rf"{BOUNDARY} > 0",
     given=[liquid_moves, liquid_is_part, faster_than_the_spin],
     by=nonnegative(rf"(\Delta + {MIDDLE})^2 + 4E_n((b_n - 1) + 1)(b_n - 1)(A - E_n)"),
     uses=["B.7", "B.8"],
     keeping=("b", "Delta"),
 )
 
-boundary_in_factors = ours(
+boundary_in_factors = of_roots.ours(
     "B.11",
     34,
     words="For 0 <= b_n <= 1 it has the roots -(u - v)^2 and -(u + v)^2: (1.35) with the opposite sign in the square.",
-    formal=rf"{BOUNDARY} = (\Delta + (u - v)^2)(\Delta + (u + v)^2)",
+    states=rf"{BOUNDARY} = (\Delta + (u - v)^2)(\Delta + (u + v)^2)",
     given=[roots],
     by=identity,
     uses=["1.35"],
     keeping=("b", "Delta"),
-    notation=root_letters,
 )
 
 inside = Hypothesis("inside", "C - A lies between the two boundaries", r"-(u + v)^2 < \Delta, \Delta < -(u - v)^2")
 below = Hypothesis("below", "C - A lies below both boundaries", r"\Delta < -(u + v)^2")
 above = Hypothesis("above", "C - A lies above both boundaries", r"\Delta > -(u - v)^2")
 
-unstable_interval = ours(
+unstable_interval = of_roots.ours(
     "B.12",
     34,
     words="D < 0, instability, between the two.",
-    formal=rf"{BOUNDARY} < 0",
+    states=rf"{BOUNDARY} < 0",
     given=[roots, inside],
     by=nonnegative(r"(\Delta + (u + v)^2)(-(u - v)^2 - \Delta)"),
     uses=["B.11"],
     keeping=("b", "Delta"),
-    notation=root_letters,
 )
 
-stable_below = ours(
+stable_below = of_roots.ours(
     "B.13",
     34,
     words="D > 0 below them, in very long bodies.",
-    formal=rf"{BOUNDARY} > 0",
+    states=rf"{BOUNDARY} > 0",
     given=[roots, below],
     by=nonnegative(r"(-(u + v)^2 - \Delta)((-(u + v)^2 - \Delta) + 4uv)"),
     uses=["B.11"],
     keeping=("b", "Delta"),
-    notation=root_letters,
 )
 
-stable_above = ours(
+stable_above = of_roots.ours(
     "B.14",
     34,
     words="D > 0 above them. So D > 0 exactly outside the closed interval, and D = 0 at its ends (B.11).",
-    formal=rf"{BOUNDARY} > 0",
+    states=rf"{BOUNDARY} > 0",
     given=[roots, above],
     by=nonnegative(r"(\Delta + (u - v)^2)((\Delta + (u - v)^2) + 4uv)"),
     uses=["B.11"],
     keeping=("b", "Delta"),
-    notation=root_letters,
 )
 
 unstable_interval_without_roots = ours(
     "B.15",
     34,
     words="The same without square roots: the distance of C - A from the middle, squared, is below 4 E_n (1 - b_n) b_n (A - E_n).",
-    formal=rf"{BOUNDARY} < 0 \Leftrightarrow (\Delta + {MIDDLE})^2 < 4{PRODUCT}",
+    states=rf"{BOUNDARY} < 0 \Leftrightarrow (\Delta + {MIDDLE})^2 < 4{PRODUCT}",
     by=cases(),
     uses=["B.7"],
     keeping=("b", "Delta"),
 )
 
-width = ours(
+width = of_roots.ours(
     "B.16",
     34,
     words="The interval is 4 u v wide, that is 4 sqrt(E_n (1 - b_n) b_n (A - E_n)).",
-    formal=rf"-(u - v)^2 - (-(u + v)^2) = 4uv \land (4uv)^2 = 16{PRODUCT}",
+    states=rf"-(u - v)^2 - (-(u + v)^2) = 4uv \land (4uv)^2 = 16{PRODUCT}",
     given=[roots],
-    by=cases(),
     uses=["B.12"],
     keeping=("b",),
-    notation=root_letters,
 )
 
 width_is_positive = ours(
     "B.17",
     34,
     words="It is not empty for 0 < b_n < 1.",
-    formal=rf"{PRODUCT} > 0",
+    states=rf"{PRODUCT} > 0",
     given=[liquid_moves, liquid_is_part, resonant],
     by=nonnegative(PRODUCT),
     uses=["B.16"],
@@ -244,7 +238,7 @@ flattened_body_is_stable = ours(
     "B.18",
     34,
     words="Instability needs C < A: with 0 <= b_n <= 1 and C >= A the left side of 1.34.3, and D with it, is not negative.",
-    formal=rf"{BOUNDARY} \ge 0",
+    states=rf"{BOUNDARY} \ge 0",
     given=[liquid_moves, liquid_is_part, resonant_or_at_an_end, Hypothesis("flattened", "C >= A", r"\Delta \ge 0")],
     by=nonnegative(r"\Delta^2 + 2\Delta(b_n(A - E_n) + E_n(1 - b_n)) + (Ab_n - E_n)^2"),
     equality=r"\Delta = 0, Ab_n = E_n",
@@ -252,23 +246,21 @@ flattened_body_is_stable = ours(
     keeping=("b", "Delta"),
 )
 
-boundary_touches_equal_moments = ours(
+boundary_touches_equal_moments = of_roots.ours(
     "B.19",
     34,
     words="The upper end of the interval is C = A exactly when A b_n = E_n.",
-    formal=r"-(u - v)^2 = 0 \Leftrightarrow Ab_n = E_n",
+    states=r"-(u - v)^2 = 0 \Leftrightarrow Ab_n = E_n",
     given=[roots],
-    by=cases(),
     uses=["B.12"],
     keeping=("b",),
-    notation=root_letters,
 )
 
-lower_end_is_a_body = ours(
+lower_end_is_a_body = of_roots.ours(
     "B.20",
     34,
     words="Every C of the interval is that of a body: at its lower end C = (s - w)^2 >= 0 with s = sqrt(b_n E_n), w = sqrt((1 - b_n)(A - E_n)).",
-    formal=r"A - (u + v)^2 = (s - w)^2",
+    states=r"A - (u + v)^2 = (s - w)^2",
     given=[
         roots,
         Hypothesis(
@@ -280,14 +272,13 @@ lower_end_is_a_body = ours(
     by=identity,
     uses=["B.12"],
     keeping=("b",),
-    notation=root_letters,
 )
 
 value_without_axial_moment = ours(
     "B.21",
     34,
     words="The same without square roots: at C = 0 the left side of 1.34.3 is a square.",
-    formal=rf"\Delta = -A \Rightarrow {BOUNDARY} = (A(1 - b_n) - E_n)^2",
+    states=rf"\Delta = -A \Rightarrow {BOUNDARY} = (A(1 - b_n) - E_n)^2",
     by=cases(),
     uses=["1.34.3"],
     keeping=("b", "Delta"),
@@ -297,7 +288,7 @@ mode_at_rest = ours(
     "B.22",
     34,
     words="At b_n = 0 the interval shrinks to C - A = -E_n; one frequency is zero, the other -(Delta + E_n) omega_0 / (A - E_n).",
-    formal=rf"b_n = 0 \Rightarrow ({BOUNDARY} = (\Delta + E_n)^2 \land "
+    states=rf"b_n = 0 \Rightarrow ({BOUNDARY} = (\Delta + E_n)^2 \land "
     rf"{QUADRATIC.replace('lambda_1', 'lambda_n')} = \eta((A - E_n)\eta + (\Delta + E_n)\omega_0))".replace(
         r"\lambda_n", r"b_n\omega_0"
     ),
@@ -310,7 +301,7 @@ mode_at_the_spin = ours(
     "B.23",
     34,
     words="At b_n = 1 it shrinks to C - A = -(A - E_n), C = E_n; one frequency is omega_0, the other -Delta omega_0 / (A - E_n).",
-    formal=rf"b_n = 1 \Rightarrow ({BOUNDARY} = (\Delta + A - E_n)^2 \land "
+    states=rf"b_n = 1 \Rightarrow ({BOUNDARY} = (\Delta + A - E_n)^2 \land "
     rf"{QUADRATIC.replace('lambda_1', 'lambda_n')} = (\eta - \omega_0)((A - E_n)\eta + \Delta\omega_0))".replace(
         r"\lambda_n", r"b_n\omega_0"
     ),
@@ -323,7 +314,7 @@ mode_is_everything = ours(
     "B.24",
     34,
     words="At A = E_n it shrinks to C - A = -E_n (1 - b_n), and (1.33) is of first degree: one frequency has gone to infinity.",
-    formal=rf"A = E_n \Rightarrow ({BOUNDARY} = (\Delta + E_n(1 - b_n))^2 \land "
+    states=rf"A = E_n \Rightarrow ({BOUNDARY} = (\Delta + E_n(1 - b_n))^2 \land "
     rf"{QUADRATIC} = \omega_0((\Delta + E_n(1 - b_n))\eta - \Delta b_n\omega_0))".replace(r"\lambda_1", r"b_n\omega_0"),
     by=cases(),
     uses=["1.33", "1.34.3"],
@@ -334,7 +325,7 @@ more_than_the_body = ours(
     "B.25",
     34,
     words="That the mode is part of the body matters: with E_n > A the roles are exchanged, and 0 < b_n < 1 is stable for every C - A.",
-    formal=rf"{BOUNDARY} > 0",
+    states=rf"{BOUNDARY} > 0",
     given=[liquid_moves, resonant, Hypothesis("more than the body", "E_n > A", "E_n > A")],
     by=nonnegative(rf"(\Delta + {MIDDLE})^2 + 4E_n(1 - b_n)b_n(E_n - A)"),
     uses=["B.7"],
@@ -349,35 +340,31 @@ def _critical(sign: str, opposite: str) -> str:
     return rf"\Delta = -(u {sign} v)^2 \Rightarrow (A - E_n)({quadratic}) = {root}^2"
 
 
-critical_frequency_above = ours(
+critical_frequency_above = of_roots.ours(
     "B.26",
     34,
     words="At the upper end the double frequency is -omega_0 v (u - v) / (A - E_n).",
-    formal=_critical("-", "+"),
+    states=_critical("-", "+"),
     given=[roots],
-    by=cases(),
     uses=["B.4", "B.11"],
     keeping=("b", "Delta"),
-    notation=root_letters,
 )
 
-critical_frequency_below = ours(
+critical_frequency_below = of_roots.ours(
     "B.27",
     34,
     words="At the lower end it is omega_0 v (u + v) / (A - E_n).",
-    formal=_critical("+", "-"),
+    states=_critical("+", "-"),
     given=[roots],
-    by=cases(),
     uses=["B.4", "B.11"],
     keeping=("b", "Delta"),
-    notation=root_letters,
 )
 
 boundaries_by_their_sum = ours(
     "B.28",
     34,
     words="The width once more from the coefficients of 1.34.3.",
-    formal=rf"(\Delta_1 - \Delta_2)^2 = 16{PRODUCT}",
+    states=rf"(\Delta_1 - \Delta_2)^2 = 16{PRODUCT}",
     given=[
         Hypothesis(
             "roots of the boundary",
@@ -395,7 +382,7 @@ value_at_the_natural_frequency = ours(
     34,
     words="At the natural frequency the left side of (1.33) is below zero off the band, while it grows without bound on both sides: "
     "one frequency on each side. With several modes this is N.6 to N.8.",
-    formal=rf"\eta = \lambda_1 \Rightarrow {QUADRATIC} = -E_1\lambda_1(\lambda_1 - \omega_0)",
+    states=rf"\eta = \lambda_1 \Rightarrow {QUADRATIC} = -E_1\lambda_1(\lambda_1 - \omega_0)",
     by=cases(),
     uses=["1.33"],
 )

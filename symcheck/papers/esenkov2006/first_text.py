@@ -6,7 +6,7 @@ regard to the other text; `comparison` shows that the two agree.
 
 from functools import partial
 
-from symcheck.core.claims import Erratum, Hypothesis
+from symcheck.core.claims import Damage, Erratum, Hypothesis
 from symcheck.core.verdicts import Origin
 from symcheck.papers.declare import claim, definition, premise
 from symcheck.papers.esenkov2006 import derivation
@@ -37,8 +37,11 @@ joined_components = premise(
     ("Q = iQy = p i q", "М = М х iM у"),
     words="The transverse components are joined into complex numbers. The letter p is an angular velocity here, and the "
     "exponent of the motion two lines further on.",
-    read_as=r"\Omega = \Omega_x - i\Omega_y = p - iq, M = M_x - iM_y",
-    reason=LOST_MINUS + "With a plus the law of angular momentum has i(A - C) and + i omega_0 (C.2), as (2.1) prints.",
+    damage=Damage(
+        r"\Omega = \Omega_x - i\Omega_y = p - iq, M = M_x - iM_y",
+        reason=LOST_MINUS
+        + "With a plus the law of angular momentum has i(A - C) and + i omega_0 (C.2), as (2.1) prints.",
+    ),
 )
 
 angular_momentum_of_a_mode = definition(
@@ -46,9 +49,11 @@ angular_momentum_of_a_mode = definition(
     10,
     "ап = р хп",
     words="The angular momentum of a mode per unit amplitude is the density times its coupling chi_n.",
-    formal=r"a_n = \rho \chi_n",
-    read_as=r"a_n = \rho \chi_n",
-    reason="p for rho and x for chi, as the Latin letters look; the density makes a_n chi_n / N_n^2 a moment of inertia.",
+    states=r"a_n = \rho \chi_n",
+    damage=Damage(
+        r"a_n = \rho \chi_n",
+        reason="p for rho and x for chi, as the Latin letters look; the density makes a_n chi_n / N_n^2 a moment of inertia.",
+    ),
     notation=three_modes,
 )
 
@@ -57,8 +62,7 @@ no_torque = premise(
     11,
     "М=0",
     words="The motion without torque is considered.",
-    read_as="M = 0",
-    reason="a Cyrillic letter for M",
+    damage=Damage("M = 0", reason="a Cyrillic letter for M"),
 )
 
 main_term = premise(
@@ -66,8 +70,7 @@ main_term = premise(
     12,
     "(я=1)",
     words="In a first approximation one main term of the infinite sum is kept, n = 1.",
-    read_as="n = 1",
-    reason="the italic n of the other text's (n = 1), read as a Cyrillic letter",
+    damage=Damage("n = 1", reason="the italic n of the other text's (n = 1), read as a Cyrillic letter"),
 )
 
 frequencies = claim(
@@ -76,7 +79,7 @@ frequencies = claim(
     "(р = IT}, р„ = /Л„)",
     words="With p = i eta and p_n = i lambda_n the system (2.1), as its signs are printed, has the characteristic "
     "equation (2.3) in the frequencies.",
-    formal=rf"F = {ONE_MODE}",
+    states=rf"F = {ONE_MODE}",
     where=derivation.anticlockwise_characteristic_equations,
     by=identity,
     uses=["2.1", "2.3"],
@@ -100,9 +103,11 @@ characteristic_equation = claim(
     12,
     "I п п",
     words="The characteristic equation with the sum over all modes; nothing but a few strokes is left of it.",
-    read_as=r"A\eta + (C - A)\omega_0 - \eta(\eta - \omega_0)\sum_n \frac{E_n}{\eta - \lambda_n} = 0",
-    reason="The next sentence keeps one term of its infinite sum, and that equation, (2.3), is left in both texts. Read "
-    "here with three modes; each further mode adds one more term (N.2).",
+    damage=Damage(
+        r"A\eta + (C - A)\omega_0 - \eta(\eta - \omega_0)\sum_n \frac{E_n}{\eta - \lambda_n} = 0",
+        reason="The next sentence keeps one term of its infinite sum, and that equation, (2.3), is left in both texts. Read "
+        "here with three modes; each further mode adds one more term (N.2).",
+    ),
     equation=partial(derivation.characteristic_equation, 3),
     where=derivation.mode_inertias,
     by=identity,
@@ -116,18 +121,19 @@ system = premise(
     ("А й + i(A С)сойО.", "+ а„(Sn+ici)aSn) = M(t)"),
     words="The law of angular momentum of the body with its liquid. The equation of the modes is lost: N_n^2 (S_n' - p_n S_n) "
     "+ chi_n Omega' = 0 is what gives the fraction of (2.3).",
-    read_as=r"A\dot{\Omega} + i(A - C)\omega_0\Omega + \sum_n a_n(\dot{S}_n + i\omega_0 S_n) = M(t)",
-    reason="A dot over Omega reads as a short i, omega_0 as 'co' and 'ici)a'; a minus is lost in (A C). The order A - C and the plus "
-    "before i omega_0 are legible; the other text has C - A.",
+    damage=Damage(
+        r"A\dot{\Omega} + i(A - C)\omega_0\Omega + \sum_n a_n(\dot{S}_n + i\omega_0 S_n) = M(t)",
+        reason="A dot over Omega reads as a short i, omega_0 as 'co' and 'ici)a'; a minus is lost in (A C). The order A - C and the plus "
+        "before i omega_0 are legible; the other text has C - A.",
+    ),
 )
 
 delta = definition(
     "2.3.1",
     13,
     "(А = С А)",
-    formal=r"\Delta = C - A",
-    read_as=r"\Delta = C - A",
-    reason="Delta reads as A; the other text has it with its minus (1.32.1).",
+    states=r"\Delta = C - A",
+    damage=Damage(r"\Delta = C - A", reason="Delta reads as A; the other text has it with its minus (1.32.1)."),
 )
 
 real_roots_are_required = claim(
@@ -135,7 +141,7 @@ real_roots_are_required = claim(
     13,
     words="For stability the roots must be real, and a positive discriminant makes them so: with r = sqrt D there are two real "
     "roots, and they differ.",
-    formal=rf"\exists x, y: ({QUADRATIC.replace(chr(92) + 'eta', 'x')} = 0 \land "
+    states=rf"\exists x, y: ({QUADRATIC.replace(chr(92) + 'eta', 'x')} = 0 \land "
     rf"{QUADRATIC.replace(chr(92) + 'eta', 'y')} = 0 \land x \ne y)",
     given=[
         Hypothesis("positive discriminant", "D = r^2 with r > 0", rf"{DISCRIMINANT} = r^2, r > 0"),
@@ -155,9 +161,11 @@ one_mode = claim(
     14,
     ("£ Atj+(C-A)co0-т](г}-щ)— '— =0.", "i i \\"),
     words="The characteristic equation with one mode.",
-    read_as=rf"{ONE_MODE} = 0",
-    reason="eta reads as tj, т], г} and omega_0 as co0, щ; the fraction is lost but for its bar (the first sign may be the sum of (2.2)). The other text keeps its "
-    "denominator, eta - lambda_1; multiplied by it the equation is the quadratic 2.3.2, whose coefficients give the numerator E_1.",
+    damage=Damage(
+        rf"{ONE_MODE} = 0",
+        reason="eta reads as tj, т], г} and omega_0 as co0, щ; the fraction is lost but for its bar (the first sign may be the sum of (2.2)). The other text keeps its "
+        "denominator, eta - lambda_1; multiplied by it the equation is the quadratic 2.3.2, whose coefficients give the numerator E_1.",
+    ),
     equation=partial(derivation.characteristic_equation, 1),
     where=partial(derivation.mode_inertias, 1),
     by=identity,
@@ -169,9 +177,11 @@ quadratic = claim(
     15,
     "r f ( A E {) + ^ ( A cOq -Д Л ,)-А <у0/11= 0",
     words="The same multiplied by eta - lambda_1.",
-    read_as=rf"{QUADRATIC} = 0",
-    reason="eta^2 reads as 'r f', Delta as A, A lambda_1 as 'Д Л ,'. The term omega_0 E_1 is missing in the bracket, where there is a gap; it "
-    "stands in the square of D on the same line, and in (1.33) of the other text.",
+    damage=Damage(
+        rf"{QUADRATIC} = 0",
+        reason="eta^2 reads as 'r f', Delta as A, A lambda_1 as 'Д Л ,'. The term omega_0 E_1 is missing in the bracket, where there is a gap; it "
+        "stands in the square of D on the same line, and in (1.33) of the other text.",
+    ),
     equation=derivation.quadratic,
     by=identity,
     uses=["2.3", "2.3.1"],
@@ -182,9 +192,11 @@ discriminant = claim(
     15,
     "D = (Aco0+o)QEnАлпУ + 4(A En)Ай)0Лп>0",
     words="Its discriminant, required to be positive. The mode is called n here, 1 in the quadratic: it is the one that is kept.",
-    read_as=rf"D = {DISCRIMINANT} > 0",
-    reason="Delta omega_0 reads as Aco0 and Ай)0, omega_0 E_n as 'o)QEn', the closing square as У; the minus signs are lost. The other text has "
-    "the same and its expansion (1.34.2) besides.",
+    damage=Damage(
+        rf"D = {DISCRIMINANT} > 0",
+        reason="Delta omega_0 reads as Aco0 and Ай)0, omega_0 E_n as 'o)QEn', the closing square as У; the minus signs are lost. The other text has "
+        "the same and its expansion (1.34.2) besides.",
+    ),
     where=derivation.discriminant_in_eta,
     imposed="b",
     by=identity,

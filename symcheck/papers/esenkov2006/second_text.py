@@ -5,7 +5,8 @@ The formulas are read here without regard to the first text; `comparison` shows 
 
 from functools import partial
 
-from symcheck.core.claims import Erratum, Hypothesis
+from symcheck.core.claims import Damage, Erratum, Hypothesis
+from symcheck.core.problems import Applied
 from symcheck.core.verdicts import Origin
 from symcheck.papers.declare import claim, definition, exclusion, premise
 from symcheck.papers.esenkov2006 import derivation
@@ -58,9 +59,11 @@ system = premise(
     ("АО.", "+ / (С А)"),
     words="The law of angular momentum of the body with its liquid; only its first two terms are left. The equation of the modes "
     "is lost: N_n^2 (S_n' - p_n S_n) + chi_n Omega' = 0 is what gives the fraction of (1.32).",
-    read_as=r"A\dot{\Omega} + i(C - A)\omega_0\Omega + \sum_n a_n(\dot{S}_n - i\omega_0 S_n) = M",
-    reason="The first terms are the other text's (2.1), but for C - A in the place of A - C; the law of angular momentum has C - A and "
-    "- i omega_0 for Omega_x - i Omega_y (C.1), and eta - omega_0 in (1.32) demands them.",
+    damage=Damage(
+        r"A\dot{\Omega} + i(C - A)\omega_0\Omega + \sum_n a_n(\dot{S}_n - i\omega_0 S_n) = M",
+        reason="The first terms are the other text's (2.1), but for C - A in the place of A - C; the law of angular momentum has C - A and "
+        "- i omega_0 for Omega_x - i Omega_y (C.1), and eta - omega_0 in (1.32) demands them.",
+    ),
 )
 
 no_torque = premise(
@@ -68,8 +71,7 @@ no_torque = premise(
     28,
     "М = 0",
     words="The motion without torque is considered.",
-    read_as="M = 0",
-    reason="a Cyrillic letter for M",
+    damage=Damage("M = 0", reason="a Cyrillic letter for M"),
 )
 
 frequencies = premise(
@@ -77,8 +79,10 @@ frequencies = premise(
     28,
     "(p = iq, р„= Ц,)",
     words="The exponents are written as frequencies.",
-    read_as=r"p = i\eta, p_n = i\lambda_n",
-    reason="eta reads as q; i lambda_n as one letter; with these the system is in real frequencies, as (1.32) is.",
+    damage=Damage(
+        r"p = i\eta, p_n = i\lambda_n",
+        reason="eta reads as q; i lambda_n as one letter; with these the system is in real frequencies, as (1.32) is.",
+    ),
 )
 
 characteristic_equation = claim(
@@ -86,9 +90,11 @@ characteristic_equation = claim(
     28,
     "(1.31)",
     words="The characteristic equation with the sum over all modes; only its number is left.",
-    read_as=r"A\eta + (C - A)\omega_0 - \eta(\eta - \omega_0)\sum_n \frac{E_n}{\eta - \lambda_n} = 0",
-    reason="The next sentence keeps one term of its infinite sum, and that equation, (1.32), is left in both texts. Read here with "
-    "three modes; each further mode adds one more term (N.2).",
+    damage=Damage(
+        r"A\eta + (C - A)\omega_0 - \eta(\eta - \omega_0)\sum_n \frac{E_n}{\eta - \lambda_n} = 0",
+        reason="The next sentence keeps one term of its infinite sum, and that equation, (1.32), is left in both texts. Read here with "
+        "three modes; each further mode adds one more term (N.2).",
+    ),
     equation=partial(derivation.characteristic_equation, 3),
     where=derivation.mode_inertias,
     by=identity,
@@ -101,8 +107,7 @@ main_term = premise(
     28,
     "(п = 1)",
     words="In a first approximation one main term of the infinite sum is kept, n = 1.",
-    read_as="n = 1",
-    reason="a Cyrillic letter for n",
+    damage=Damage("n = 1", reason="a Cyrillic letter for n"),
 )
 
 one_mode = claim(
@@ -110,9 +115,11 @@ one_mode = claim(
     33,
     "Arj + (C-A)co0-Tj(}i-(t}0) (П~\\) = 0.",
     words="The characteristic equation with one mode.",
-    read_as=rf"{ONE_MODE} = 0",
-    reason="eta reads as rj, Tj, }i and omega_0 as co0, (t}0. The numerator is lost, of the denominator eta - lambda_1 "
-    "'(П~\\)' is left; multiplied by it the equation is (1.33), whose coefficients give the numerator E_1.",
+    damage=Damage(
+        rf"{ONE_MODE} = 0",
+        reason="eta reads as rj, Tj, }i and omega_0 as co0, (t}0. The numerator is lost, of the denominator eta - lambda_1 "
+        "'(П~\\)' is left; multiplied by it the equation is (1.33), whose coefficients give the numerator E_1.",
+    ),
     equation=partial(derivation.characteristic_equation, 1),
     where=partial(derivation.mode_inertias, 1),
     by=identity,
@@ -120,7 +127,11 @@ one_mode = claim(
 )
 
 delta = definition(
-    "1.32.1", 34, "(Д = С-А)", formal=r"\Delta = C - A", read_as=r"\Delta = C - A", reason="a Cyrillic letter for Delta"
+    "1.32.1",
+    34,
+    "(Д = С-А)",
+    states=r"\Delta = C - A",
+    damage=Damage(r"\Delta = C - A", reason="a Cyrillic letter for Delta"),
 )
 
 quadratic = claim(
@@ -128,8 +139,10 @@ quadratic = claim(
     34,
     "772(Л-£,) + ^(Дй?0 + й?0£, ЛЛ,)-Д<уой1 =0",
     words="The same multiplied by eta - lambda_1.",
-    read_as=rf"{QUADRATIC} = 0",
-    reason="eta reads as 77 and ^, omega_0 as й?0 and <уо, E_1 as '£,', A lambda_1 as 'ЛЛ,', lambda_1 at the end as й1; one minus is lost.",
+    damage=Damage(
+        rf"{QUADRATIC} = 0",
+        reason="eta reads as 77 and ^, omega_0 as й?0 and <уо, E_1 as '£,', A lambda_1 as 'ЛЛ,', lambda_1 at the end as й1; one minus is lost.",
+    ),
     equation=derivation.quadratic,
     by=identity,
     uses=["1.32", "1.32.1"],
@@ -139,7 +152,7 @@ roots_must_be_real = claim(
     "1.33.1",
     34,
     words="For stability the roots must be real: with x + iy also x - iy is a root, and e^{pt} grows for one of them unless y = 0.",
-    formal=r"(u = 0 \land v = 0) \Rightarrow ((A - E_1)(x^2 - y^2) + (\Delta\omega_0 + \omega_0 E_1 - A\lambda_1)x - "
+    states=r"(u = 0 \land v = 0) \Rightarrow ((A - E_1)(x^2 - y^2) + (\Delta\omega_0 + \omega_0 E_1 - A\lambda_1)x - "
     r"\Delta\omega_0\lambda_1 = 0 \land 2(A - E_1)x(-y) + (\Delta\omega_0 + \omega_0 E_1 - A\lambda_1)(-y) = 0)",
     where=derivation.quadratic_at_complex_frequency,
     by=cases(),
@@ -151,7 +164,7 @@ positive_discriminant_suffices = claim(
     "1.33.2",
     34,
     words="A positive discriminant makes them so: no root x + iy has y other than zero.",
-    formal=r"(u = 0 \land v = 0) \Rightarrow y = 0",
+    states=r"(u = 0 \land v = 0) \Rightarrow y = 0",
     given=[Hypothesis("positive discriminant", "D > 0", rf"{DISCRIMINANT} > 0")],
     where=derivation.quadratic_at_complex_frequency,
     by=cases(rf"4(A - E_1)^2y^2 + 1 \cdot ({DISCRIMINANT})"),
@@ -164,8 +177,9 @@ discriminant = claim(
     34,
     "D = (Дй?0 + а0Е„ ААп)2 +4(ЛЕп)&б)0Лп > 0",
     words="Its discriminant, required to be positive. The mode is called n from here on, 1 in (1.33): it is the one that is kept.",
-    read_as=rf"D = {DISCRIMINANT} > 0",
-    reason="Delta reads as Д and &, omega_0 as й?0, а0, б)0; the minus signs are lost.",
+    damage=Damage(
+        rf"D = {DISCRIMINANT} > 0", reason="Delta reads as Д and &, omega_0 as й?0, а0, б)0; the minus signs are lost."
+    ),
     where=derivation.discriminant_in_eta,
     imposed="b",
     by=identity,
@@ -177,8 +191,7 @@ boundary = claim(
     34,
     "(Д <у0 +а)0Ел-ААп)2+4(А-Е„) Д <у0Л„ = 0",
     words="At the boundary of stability the discriminant is zero.",
-    read_as=rf"{DISCRIMINANT} = 0",
-    reason="the discriminant once more, here with its minus signs",
+    damage=Damage(rf"{DISCRIMINANT} = 0", reason="the discriminant once more, here with its minus signs"),
     equation=derivation.stability_boundary,
     by=identity,
     uses=["1.33.3"],
@@ -189,9 +202,11 @@ boundary_by_spin = claim(
     34,
     ("(д + £+ 4(Я-£)Д—= 0", "I ыо)"),
     words="The same divided by omega_0^2.",
-    read_as=r"\left(\Delta + E_n - A\frac{\lambda_n}{\omega_0}\right)^2 + 4(A - E_n)\Delta\frac{\lambda_n}{\omega_0} = 0",
-    reason="Both fractions are lost but for a bar and an omega_0 ('ыо'), so are the square and the indices. It is the line before divided "
-    "by omega_0^2, and with b_n for the fractions it expands to the next.",
+    damage=Damage(
+        r"\left(\Delta + E_n - A\frac{\lambda_n}{\omega_0}\right)^2 + 4(A - E_n)\Delta\frac{\lambda_n}{\omega_0} = 0",
+        reason="Both fractions are lost but for a bar and an omega_0 ('ыо'), so are the square and the indices. It is the line before divided "
+        "by omega_0^2, and with b_n for the fractions it expands to the next.",
+    ),
     equation=derivation.stability_boundary_by_spin,
     by=identity,
     uses=["1.33.4"],
@@ -201,7 +216,7 @@ boundaries_agree = claim(
     "1.34.1",
     34,
     words="Both equations have the same solutions.",
-    formal=rf"{DISCRIMINANT} = 0 \Leftrightarrow "
+    states=rf"{DISCRIMINANT} = 0 \Leftrightarrow "
     r"\left(\Delta + E_n - A\frac{\lambda_n}{\omega_0}\right)^2 + 4(A - E_n)\Delta\frac{\lambda_n}{\omega_0} = 0",
     keeping=("Delta",),
     by=cases(),
@@ -213,9 +228,11 @@ frequency_ratio = definition(
     34,
     ("—=Ь„", "<у0"),
     words="The natural frequency of the mode in units of the spin.",
-    formal=r"b_n = \frac{\lambda_n}{\omega_0}",
-    read_as=r"b_n = \frac{\lambda_n}{\omega_0}",
-    reason="A fraction bar with omega_0 (as '<у0', a few words on) below; (1.34) becomes 1.34.3 with it.",
+    states=r"b_n = \frac{\lambda_n}{\omega_0}",
+    damage=Damage(
+        r"b_n = \frac{\lambda_n}{\omega_0}",
+        reason="A fraction bar with omega_0 (as '<у0', a few words on) below; (1.34) becomes 1.34.3 with it.",
+    ),
     notation=three_modes,
 )
 
@@ -224,9 +241,11 @@ boundary_in_delta = claim(
     34,
     "Д2 + Д (2АЬп + 2£„ 4Е„Ь„) + (Я £„ )2 = 0",
     words="A quadratic equation in Delta.",
-    read_as=rf"{BOUNDARY} = 0",
-    reason="In the last square b_n and the minus are lost: the next line has 4(A b_n - E_n)^2 in its place, as 4 times the "
-    "constant term. With A - E_n the equation would not follow from (1.34).",
+    damage=Damage(
+        rf"{BOUNDARY} = 0",
+        reason="In the last square b_n and the minus are lost: the next line has 4(A b_n - E_n)^2 in its place, as 4 times the "
+        "constant term. With A - E_n the equation would not follow from (1.34).",
+    ),
     equation=derivation.boundary_in_delta,
     keeping=("b", "Delta"),
     by=identity,
@@ -238,8 +257,10 @@ discriminant_of_boundary = claim(
     34,
     "D = 4 (Е„ + ЬпА 2ЕпЬп)2 -4(АЬп-Еп}2 = 16£л (1 )6„ (Я £„)",
     words="Its discriminant; the letter D stands for another one here than at 1.33.3.",
-    read_as=r"D = 4(E_n + b_nA - 2E_nb_n)^2 - 4(Ab_n - E_n)^2 = 16E_n(1 - b_n)b_n(A - E_n)",
-    reason="b_n reads as Ь and 6; in '(1 )' a minus and b_n are lost, which the radicand in (1.35) has.",
+    damage=Damage(
+        r"D = 4(E_n + b_nA - 2E_nb_n)^2 - 4(Ab_n - E_n)^2 = 16E_n(1 - b_n)b_n(A - E_n)",
+        reason="b_n reads as Ь and 6; in '(1 )' a minus and b_n are lost, which the radicand in (1.35) has.",
+    ),
     where=derivation.discriminant_in_delta,
     keeping=("b", "Delta"),
     by=identity,
@@ -257,11 +278,13 @@ roots_by_formula = claim(
     34,
     "Д12 = -(^6Й + £„ 2ЕпЪ„) ± 2,jEn (\\-Ьп)Ь„(А-Е„)",
     words="Its roots.",
-    read_as=rf"\Delta_1 = -(Ab_n + E_n - 2E_nb_n) + {RADICAL}, \Delta_2 = -(Ab_n + E_n - 2E_nb_n) - {RADICAL}",
-    reason="A b_n reads as '^6Й', a minus is lost, the root sign reads as ',j'. Read with one equation for each sign of the root.",
+    damage=Damage(
+        rf"\Delta_1 = -(Ab_n + E_n - 2E_nb_n) + {RADICAL}, \Delta_2 = -(Ab_n + E_n - 2E_nb_n) - {RADICAL}",
+        reason="A b_n reads as '^6Й', a minus is lost, the root sign reads as ',j'. Read with one equation for each sign of the root.",
+    ),
     given=[roots_of_boundary, liquid_moves, liquid_is_part, roots_are_real_numbers],
     keeping=("b",),
-    by=theorems(("equal_squares", r"\Delta_1 - \Delta_2", rf"2 \cdot {RADICAL}")),
+    by=theorems(Applied("equal_squares", (r"\Delta_1 - \Delta_2", rf"2 \cdot {RADICAL}"))),
     uses=["1.34.3", "1.34.4"],
 )
 
@@ -270,16 +293,18 @@ roots_as_squares = claim(
     34,
     "^2=-En(\\-bn)-b„(A-En)±2.jEn(\\-b„)=-(yjEn(\\-bn) + yjbn(A-En^2",
     words="The same with the radicand split, and as a square.",
-    read_as=rf"\Delta_1 = -E_n(1 - b_n) - b_n(A - E_n) + {RADICAL} = -(\sqrt{{E_n(1 - b_n)}} + \sqrt{{b_n(A - E_n)}})^2, "
-    rf"\Delta_2 = -E_n(1 - b_n) - b_n(A - E_n) - {RADICAL} = -(\sqrt{{E_n(1 - b_n)}} + \sqrt{{b_n(A - E_n)}})^2",
-    reason="Delta_{1,2} reads as '^2', the root sign as '.j' and 'yj'; b_n (A - E_n) is lost in the radicand, which the form before has. "
-    "Read with one equation for each sign of the root.",
+    damage=Damage(
+        rf"\Delta_1 = -E_n(1 - b_n) - b_n(A - E_n) + {RADICAL} = -(\sqrt{{E_n(1 - b_n)}} + \sqrt{{b_n(A - E_n)}})^2, "
+        rf"\Delta_2 = -E_n(1 - b_n) - b_n(A - E_n) - {RADICAL} = -(\sqrt{{E_n(1 - b_n)}} + \sqrt{{b_n(A - E_n)}})^2",
+        reason="Delta_{1,2} reads as '^2', the root sign as '.j' and 'yj'; b_n (A - E_n) is lost in the radicand, which the form before has. "
+        "Read with one equation for each sign of the root.",
+    ),
     given=[roots_of_boundary, liquid_moves, liquid_is_part, roots_are_real_numbers],
     keeping=("b",),
     by={
-        "a": theorems(("equal_squares", r"\Delta_1 - \Delta_2", rf"2 \cdot {RADICAL}")),
+        "a": theorems(Applied("equal_squares", (r"\Delta_1 - \Delta_2", rf"2 \cdot {RADICAL}"))),
         "b": looking_at(cases(), A="2", E_1="1", b_1="1/2", Delta_1="0", Delta_2="-2"),
-        "c": theorems(("equal_squares", r"\Delta_1 - \Delta_2", rf"2 \cdot {RADICAL}")),
+        "c": theorems(Applied("equal_squares", (r"\Delta_1 - \Delta_2", rf"2 \cdot {RADICAL}"))),
         "d": cases(),
     },
     uses=["1.34.5"],

@@ -9,51 +9,51 @@ from __future__ import annotations
 from itertools import combinations
 
 from symcheck.core.claims import Hypothesis
-from symcheck.papers.declare import ours
+from symcheck.papers.declare import Scope
 from symcheck.papers.ignatov2005 import derivation, envelopes
 from symcheck.papers.ignatov2005.hypotheses import real_base, real_pyramid
 from symcheck.papers.ignatov2005.notation import four_wheels_beyond, six_wheels_beyond
 from symcheck.proof import cases, combined, identity, nonnegative
 
+four = Scope(four_wheels_beyond, by=cases())
+four_faces = Scope(four_wheels_beyond, derivation.faces_of_four, identity)
+six = Scope(six_wheels_beyond, derivation.six_axes, cases())
+six_faces = Scope(six_wheels_beyond, derivation.faces_of_six, identity)
 OPEN_RANGE = [real_pyramid, real_base]
 PQR = r"\sin^2 a \cos a \sin b \cos b"
 SQUARE_OF_NORMAL = "n_{{{0}1}}^2 + n_{{{0}2}}^2 + n_{{{0}3}}^2"
 
 # --- four wheels
 
-signs_of_four = ours(
+signs_of_four = four.ours(
     "B.1",
     81,
     words="Each triple product of the axes has one sign over the open range of a and b, so that vertices, edges and faces are the "
     "same for all of them.",
-    parts=tuple(f"{name} = {value} {PQR}" for name, value in envelopes.triples(envelopes.FOUR)),
+    states=tuple(f"{name} = {value} {PQR}" for name, value in envelopes.triples(envelopes.FOUR)),
     by=identity,
     uses=["2.0.4"],
-    notation=four_wheels_beyond,
 )
 
-degenerate_four = ours(
+degenerate_four = four.ours(
     "B.2",
     81,
     words="They vanish, all at once, only where a or b is a multiple of 90 degrees: there P is a rhombus (b = 0, b = 90 or a = 90 "
     "degrees) or a segment (a = 0, or two of these).",
-    parts=tuple(
+    states=tuple(
         rf"{name} = 0 \Leftrightarrow (\sin a = 0 \lor \cos a = 0 \lor \sin b = 0 \lor \cos b = 0)"
         for name, _ in envelopes.triples(envelopes.FOUR)
     ),
-    by=cases(),
     uses=["2.0.4"],
-    notation=four_wheels_beyond,
 )
 
-volume_of_four = ours(
+volume_of_four = four.ours(
     "B.3",
     81,
     words="The volume of P.",
-    formal=rf"{envelopes.volume(envelopes.FOUR)} = 128 {PQR}",
+    states=rf"{envelopes.volume(envelopes.FOUR)} = 128 {PQR}",
     by=identity,
     uses=["B.1"],
-    notation=four_wheels_beyond,
 )
 
 ABOUT_XY, ABOUT_XZ, ABOUT_YZ = (
@@ -62,12 +62,12 @@ ABOUT_XY, ABOUT_XZ, ABOUT_YZ = (
     r"(2 \sin a \sin b)^2 (1 - \sin^2 a \sin^2 b)",
 )
 
-surface_of_four = ours(
+surface_of_four = four.ours(
     "B.4",
     81,
     words="Each pair of axes spans two opposite faces, of the area 4 |e_i x e_j|; by these squares of |e_i x e_j| the surface of P is "
     "32 (sin a cos a + sin a cos b sqrt(1 - sin^2 a cos^2 b) + sin a sin b sqrt(1 - sin^2 a sin^2 b)).",
-    parts=tuple(
+    states=tuple(
         rf"(\mathbf{{e}}_{i} \times \mathbf{{e}}_{j}, \mathbf{{e}}_{i} \times \mathbf{{e}}_{j}) = {value}"
         for i, j, value in (
             (1, 3, ABOUT_XY), (2, 4, ABOUT_XY), (1, 2, ABOUT_XZ), (3, 4, ABOUT_XZ), (1, 4, ABOUT_YZ), (2, 3, ABOUT_YZ),
@@ -75,7 +75,7 @@ surface_of_four = ours(
     ),
     by=identity,
     uses=["2.0.4"],
-    notation=four_wheels_beyond,
+    
 )  # fmt: skip
 
 axes = Hypothesis(
@@ -86,11 +86,11 @@ axes = Hypothesis(
 moments = Hypothesis("moments", "moments of inertia are positive", "J_x > 0, J_y > 0, J_z > 0", printed=False)
 EQUAL_COMPONENTS = "p = q, q = r"
 
-largest_volume_of_four = ours(
+largest_volume_of_four = four.ours(
     "B.5",
     81,
     words="The volume 128 pqr is greatest, 128/(3 sqrt 3), for p = q = r: tg a = sqrt 2 and b = 45 degrees.",
-    formal="(pqr)^2 \\leq \\frac{1}{27}",
+    states="(pqr)^2 \\leq \\frac{1}{27}",
     given=[axes],
     by=nonnegative(
         r"\frac{1}{54} (p^2 - q^2)^2 + \frac{1}{54} (q^2 - r^2)^2 + \frac{1}{54} (r^2 - p^2)^2"
@@ -98,17 +98,14 @@ largest_volume_of_four = ours(
     ),
     equality=EQUAL_COMPONENTS,
     uses=["B.3"],
-    notation=four_wheels_beyond,
 )
 
-optimal_angles_of_four = ours(
+optimal_angles_of_four = four.ours(
     "B.6",
     81,
     words="In the angles p^2 = q^2 = r^2 is tg^2 b = 1, tg^2 a = 2.",
-    formal=r"(\sin^2 a \sin^2 b = \sin^2 a \cos^2 b \land \sin^2 a \cos^2 b = \cos^2 a) \Leftrightarrow "
+    states=r"(\sin^2 a \sin^2 b = \sin^2 a \cos^2 b \land \sin^2 a \cos^2 b = \cos^2 a) \Leftrightarrow "
     r"(\sin^2 b = \cos^2 b \land \sin^2 a = 2 \cos^2 a)",
-    by=cases(),
-    notation=four_wheels_beyond,
 )
 HALF_SPACES = {  # of a face: a normal, its product with H at the face, the wheels at the limit 1 and at the limit -1
     r"(\cos b, \sin b, 0)": (r"4 \sin a \sin b \cos b", (2, 4), ()),
@@ -126,12 +123,12 @@ def _excess(value: str, upper: tuple[int, ...], lower: tuple[int, ...]) -> str:
     return " + ".join(rf"\frac{{1}}{{2}} \cdot {value} {term}" for term in terms)
 
 
-half_spaces_of_four = ours(
+half_spaces_of_four = four.ours(
     "B.7",
     111,
     words="P lies between the planes |H_x|/p + |H_y|/q = 4, |H_x|/p + |H_z|/r = 4 and |H_y|/q + |H_z|/r = 4, one for each face; it "
     "reaches them where two wheels are at their limits (the opposite faces by symmetry).",
-    parts=tuple(rf"({normal}, [h_1, h_2, h_3, h_4]) \leq {value}" for normal, (value, _, _) in HALF_SPACES.items()),
+    states=tuple(rf"({normal}, [h_1, h_2, h_3, h_4]) \leq {value}" for normal, (value, _, _) in HALF_SPACES.items()),
     given=[
         *OPEN_RANGE,
         Hypothesis("limits", "no wheel exceeds its limit", r"-1 \leq h_i, h_i \leq 1"),
@@ -142,16 +139,15 @@ half_spaces_of_four = ours(
         for letter, (_, upper, lower) in zip("abcdef", HALF_SPACES.values(), strict=True)
     },
     uses=["2.0.4", "2.1.3"],
-    notation=four_wheels_beyond,
 )
 
-half_spaces_are_enough = ours(
+half_spaces_are_enough = four.ours(
     "B.8",
     111,
     words="These planes bound P and nothing else does: h + t (1, -1, -1, 1) gives the same H for every t, some t keeps two wheels "
     "within their limits exactly if |h_2 + h_4| <= 2 and so on, that is between two of the planes, and intervals for t of which "
     "every two meet all meet.",
-    parts=(
+    states=(
         "[h_1 + t, h_2 - t, h_3 - t, h_4 + t] = [h_1, h_2, h_3, h_4]",
         *(
             rf"({normal}, [h_1, h_2, h_3, h_4]) = \frac{{1}}{{2}} \cdot {value} "
@@ -161,7 +157,6 @@ half_spaces_are_enough = ours(
     ),
     by=identity,
     uses=["B.7"],
-    notation=four_wheels_beyond,
 )
 
 NORMAL_FACES = (("p", "q", "r"), ("p", "r", "q"), ("q", "r", "p"))
@@ -173,33 +168,29 @@ ball = Hypothesis(
 ROOM = " + ".join(rf"\frac{{1}}{{2}} {z}^2 (16 {x}^2 {y}^2 - R^2 ({x}^2 + {y}^2))" for x, y, z in NORMAL_FACES)
 SPREAD = " + ".join(rf"\frac{{8}}{{3}} {z}^2 ({x}^2 - {y}^2)^2" for x, y, z in NORMAL_FACES)
 
-largest_ball_in_four = ours(
+largest_ball_in_four = four.ours(
     "B.9",
     177,
     words="A ball inside P has the radius sqrt(8/3) = 1.633 at most, at the angles of B.6 only.",
-    formal=r"R^2 \leq \frac{8}{3}",
+    states=r"R^2 \leq \frac{8}{3}",
     given=[axes, ball],
     by=combined(
         nonnegative(rf"\frac{{{ROOM} + {SPREAD}}}{{p^2 q^2 + q^2 r^2 + r^2 p^2}}"), forms=[f"{ROOM} + {SPREAD}"]
     ),
     equality=f"{EQUAL_COMPONENTS}, R^2 (p^2 + q^2) = 16 p^2 q^2",
     uses=["B.7"],
-    notation=four_wheels_beyond,
 )
 
-distances_of_four = ours(
+distances_of_four = four_faces.ours(
     "B.10",
     177,
     words="The distances (n, H)/|n| of the three kinds of faces, F_3, F_5 and F_4: 16 p^2 q^2/(p^2 + q^2) and so on, squared.",
-    parts=(
+    states=(
         rf"s_1^2 \sin^2 a = 16 (\sin a \sin b)^2 (\sin a \cos b)^2 ({SQUARE_OF_NORMAL.format(1)})",
         rf"s_2^2 (\sin^2 a \sin^2 b + \cos^2 a) = 16 (\sin a \sin b)^2 \cos^2 a ({SQUARE_OF_NORMAL.format(2)})",
         rf"s_3^2 (\sin^2 a \cos^2 b + \cos^2 a) = 16 (\sin a \cos b)^2 \cos^2 a ({SQUARE_OF_NORMAL.format(3)})",
     ),
-    where=derivation.faces_of_four,
-    by=identity,
     uses=["2.0.4"],
-    notation=four_wheels_beyond,
 )
 
 PRODUCT_BOUND = " + ".join(
@@ -213,11 +204,11 @@ PRODUCT_BOUND = " + ".join(
     )
 )
 
-largest_ellipsoid_in_four = ours(
+largest_ellipsoid_in_four = four.ours(
     "B.11",
     177,
     words="Of the ellipsoids in P with the semi-axes p A_x, q A_y, r A_z along OX, OY, OZ (B.15) the largest has A_x = A_y = A_z = sqrt 8.",
-    formal=r"(A_x A_y A_z)^2 \leq 512",
+    states=r"(A_x A_y A_z)^2 \leq 512",
     given=[
         Hypothesis(
             "inside",
@@ -228,20 +219,17 @@ largest_ellipsoid_in_four = ours(
     by=nonnegative(PRODUCT_BOUND),
     equality="A_x^2 = 8, A_y^2 = 8, A_z^2 = 8",
     uses=["B.15"],
-    notation=four_wheels_beyond,
 )
 
-roundness_of_four = ours(
+roundness_of_four = four.ours(
     "B.12",
     177,
     words="It fills the part pi sqrt 2/6 = 0.740 of P, whatever the angles are.",
-    parts=(
+    states=(
         r"\frac{4\pi}{3} \cdot \sqrt{512} pqr = \frac{\pi \sqrt{2}}{6} \cdot 128 pqr",
         r"\frac{\pi \sqrt{2}}{6} \approx 0.740",
     ),
-    by=cases(),
     uses=["B.3", "B.11"],
-    notation=four_wheels_beyond,
 )
 
 
@@ -253,19 +241,17 @@ def rest(axes: tuple[tuple[int, int, int], ...], failed: int) -> str:
     )
 
 
-failures_of_four = ours(
+failures_of_four = four.ours(
     "B.13",
     195,
     words="Whichever wheel fails, the volume falls to a quarter (to 32 sin^2 a cos a sin b cos b), and every face that is left comes to "
     "half its distance: what is left of P holds P/2, the inscribed ball is half as large, no angles make it better.",
-    parts=tuple(
+    states=tuple(
         rf"{envelopes.volume(envelopes.FOUR, k)} = \frac{{1}}{{4}} \cdot {envelopes.volume(envelopes.FOUR)} "
         rf"\land {rest(envelopes.FOUR, k)}"
         for k in (1, 2, 3, 4)
     ),
-    by=cases(),
     uses=["B.1", "B.3"],
-    notation=four_wheels_beyond,
 )
 
 ELLIPSOID = Hypothesis(
@@ -275,12 +261,12 @@ ELLIPSOID = Hypothesis(
 )
 EXTENT = "(J_x w_x n_1)^2 + (J_y w_y n_2)^2 + (J_z w_z n_3)^2"
 
-ellipsoid_in_half_space = ours(
+ellipsoid_in_half_space = four.ours(
     "B.14",
     250,
     words="For H on the ellipsoid (1.2), with components J_x w_x u_x and so on, (n, H)^2 is (J_x w_x n_1)^2 + (J_y w_y n_2)^2 + "
     "(J_z w_z n_3)^2 at most, and it is that at one point and the opposite one.",
-    parts=(
+    states=(
         rf"(J_x w_x n_1 u_x + J_y w_y n_2 u_y + J_z w_z n_3 u_z)^2 \leq {EXTENT}",
         rf"(t^2 = {EXTENT} \land t > 0 \land t u_x = J_x w_x n_1 \land t u_y = J_y w_y n_2 \land t u_z = J_z w_z n_3) "
         r"\Rightarrow J_x w_x n_1 u_x + J_y w_y n_2 u_y + J_z w_z n_3 u_z = t",
@@ -297,7 +283,6 @@ ellipsoid_in_half_space = ours(
         "a": "J_x w_x n_1 u_y = J_y w_y n_2 u_x, J_y w_y n_2 u_z = J_z w_z n_3 u_y, J_z w_z n_3 u_x = J_x w_x n_1 u_z"
     },
     uses=["1.2"],
-    notation=four_wheels_beyond,
 )
 
 
@@ -307,12 +292,12 @@ def room(face: int) -> str:
     return f"s_{face}^2 - {' - '.join(terms)}"
 
 
-condition_for_four = ours(
+condition_for_four = four_faces.ours(
     "B.15",
     250,
     words="So (1.1) holds for the ellipsoid (1.2) exactly if J_x^2 w_x^2/p^2 + J_y^2 w_y^2/q^2 <= 16 and the same for x, z and for y, z: "
     "one condition for each kind of face, F_3, F_5, F_4.",
-    parts=(
+    states=(
         rf"{room(1)} = (2 \sin a \cos a)^2 "
         r"(16 \sin^2 a \sin^2 b \cos^2 b - (J_x w_x)^2 \cos^2 b - (J_y w_y)^2 \sin^2 b)",
         rf"{room(2)} = (2 \sin a \cos b)^2 "
@@ -320,40 +305,33 @@ condition_for_four = ours(
         rf"{room(3)} = (2 \sin a \sin b)^2 "
         r"(16 \sin^2 a \cos^2 a \cos^2 b - (J_y w_y)^2 \cos^2 a - (J_z w_z)^2 \sin^2 a \cos^2 b)",
     ),
-    where=derivation.faces_of_four,
-    by=identity,
     uses=["B.14", "1.1"],
-    notation=four_wheels_beyond,
 )
 
-equal_rates = ours(
+equal_rates = four.ours(
     "B.16",
     256,
     words="At the vertices on the axes the rates about OX, OY, OZ are equal (p : q : r = J_x : J_y : J_z) for tg b = J_x/J_y and "
     "tg a = sqrt(J_x^2 + J_y^2)/J_z, and only there.",
-    formal=r"(J_y \sin a \sin b = J_x \sin a \cos b \land J_z^2 \sin^2 a \cos^2 b = J_y^2 \cos^2 a) \Leftrightarrow "
+    states=r"(J_y \sin a \sin b = J_x \sin a \cos b \land J_z^2 \sin^2 a \cos^2 b = J_y^2 \cos^2 a) \Leftrightarrow "
     r"(J_y \sin b = J_x \cos b \land J_z^2 \sin^2 a = (J_x^2 + J_y^2) \cos^2 a)",
     given=[real_pyramid, moments],
-    by=cases(),
     uses=["2.3"],
-    notation=four_wheels_beyond,
 )
 
-rate_about_the_axes = ours(
+rate_about_the_axes = four.ours(
     "B.17",
     256,
     words="There the rate about each of the three axes is 4 h_max/sqrt(J_x^2 + J_y^2 + J_z^2): 0.00195 for the moments of the paper, at "
     "b = 32.0 and a = 67.0 degrees.",
-    parts=(
+    states=(
         r"(w J_x = 4p \land w J_y = 4q \land w J_z = 4r) \Rightarrow w^2 (J_x^2 + J_y^2 + J_z^2) = 16",
         r"\frac{4}{\sqrt{1000^2 + 1600^2 + 800^2}} \approx 0.00195",
         r"\arctg \frac{1000}{1600} \approx 32.0^\circ",
         r"\tan^2 66.95^\circ < \frac{1000^2 + 1600^2}{800^2} < \tan^2 67.05^\circ",
     ),
     given=[axes],
-    by=cases(),
     uses=["B.16"],
-    notation=four_wheels_beyond,
 )
 
 PLANES = (("x", "y", "p", "q"), ("x", "z", "p", "r"), ("y", "z", "q", "r"))
@@ -371,12 +349,12 @@ BALANCED = " + ".join(
     for (i, j, x, y), k, z in zip(PLANES, "zyx", "rqp", strict=True)
 )
 
-fastest_of_balanced_bodies = ours(
+fastest_of_balanced_bodies = four.ours(
     "B.18",
     264,
     words="A rate about every axis, whatever its direction: at the angles of B.16 w = sqrt 8/sqrt(J_x^2 + J_y^2 + J_z^2), and no angles "
     "give more if J_x^2, J_y^2, J_z^2 satisfy the triangle inequalities.",
-    formal=r"w^2 (J_x^2 + J_y^2 + J_z^2) \leq 8",
+    states=r"w^2 (J_x^2 + J_y^2 + J_z^2) \leq 8",
     given=[
         axes,
         moments,
@@ -390,20 +368,17 @@ fastest_of_balanced_bodies = ours(
     by=combined(nonnegative(rf"\frac{{{BALANCED}}}{{2 p^2 q^2 r^2 (J_x^2 + J_y^2 + J_z^2)}}"), forms=(BALANCED,)),
     equality="w^2 (J_x^2 + J_y^2 + J_z^2) = 8, J_x^2 q^2 = J_y^2 p^2, J_x^2 r^2 = J_z^2 p^2",
     uses=["B.15"],
-    notation=four_wheels_beyond,
 )
 
-balanced_bodies_reach_it = ours(
+balanced_bodies_reach_it = four.ours(
     "B.19",
     264,
     words="At the angles of B.16, whatever the moments are, this w reaches all faces at once.",
-    formal=r"(J_y p = J_x q \land J_z q = J_y r \land w^2 (J_x^2 + J_y^2 + J_z^2) = 8) \Rightarrow ("
+    states=r"(J_y p = J_x q \land J_z q = J_y r \land w^2 (J_x^2 + J_y^2 + J_z^2) = 8) \Rightarrow ("
     + r" \land ".join(f"w^2 (J_{i}^2 {y}^2 + J_{j}^2 {x}^2) = 16 {x}^2 {y}^2" for i, j, x, y in PLANES)
     + ")",
     given=[axes],
-    by=cases(),
     uses=["B.15"],
-    notation=four_wheels_beyond,
 )
 
 root_of_moments = Hypothesis("S", "S is the square root of J_x^2 + J_z^2", "S > 0, S^2 = J_x^2 + J_z^2")
@@ -413,27 +388,26 @@ UNBALANCED = (
     "+ w^2 (J_x^2 r^2 - J_z^2 p^2)^2 q^2 + w^2 (J_x^2 q^2 - S J_y p^2)^2 r^2 + w^2 (J_z^2 q^2 - S J_y r^2)^2 p^2"
 )
 
-fastest_of_unbalanced_bodies = ours(
+fastest_of_unbalanced_bodies = four.ours(
     "B.20",
     264,
     words="With S = sqrt(J_x^2 + J_z^2) also w <= 4/(J_y + S) always.",
-    formal=r"w^2 (J_y + S)^2 \leq 16",
+    states=r"w^2 (J_y + S)^2 \leq 16",
     given=[axes, rate_about_any_axis, root_of_moments],
     by=combined(nonnegative(rf"\frac{{{UNBALANCED}}}{{S^2 p^2 q^2 r^2}}"), forms=(UNBALANCED,)),
     equality="w^2 (J_y + S)^2 = 16, J_x^2 r^2 = J_z^2 p^2, J_x^2 q^2 = S J_y p^2, J_z^2 q^2 = S J_y r^2",
     uses=["B.15"],
-    notation=four_wheels_beyond,
 )
 
 P2, Q2, R2 = r"\frac{J_x^2}{S (J_y + S)}", r"\frac{J_y}{J_y + S}", r"\frac{J_z^2}{S (J_y + S)}"
 RATE2 = r"\frac{16}{(J_y + S)^2}"
 
-best_angles_of_unbalanced_bodies = ours(
+best_angles_of_unbalanced_bodies = four.ours(
     "B.21",
     264,
     words="If J_y >= S, as the moments of the paper have it, this bound is reached, at p^2 = J_x^2/(S (J_y + S)), q^2 = J_y/(J_y + S), "
     "r^2 = J_z^2/(S (J_y + S)): tg b = J_x/sqrt(S J_y), tg a = sqrt(J_x^2 + S J_y)/J_z, not at the angles of the paper.",
-    parts=(
+    states=(
         f"{P2} + {Q2} + {R2} = 1",
         f"{RATE2} (J_x^2 {Q2} + J_y^2 {P2}) = 16 {P2} {Q2}",
         f"{RATE2} (J_z^2 {Q2} + J_y^2 {R2}) = 16 {R2} {Q2}",
@@ -448,73 +422,62 @@ best_angles_of_unbalanced_bodies = ours(
     },
     equality={"d": "J_y = S"},
     uses=["B.15", "B.20"],
-    notation=four_wheels_beyond,
 )
 
-best_angles_in_numbers = ours(
+best_angles_in_numbers = four.ours(
     "B.22",
     264,
     words="For the moments of the paper: w = 0.0013886 at b = 34.9 and a = 65.4 degrees, against sqrt 8/sqrt(J_x^2 + J_y^2 + J_z^2) = "
     "0.0013801 at the angles of the paper.",
-    parts=(
+    states=(
         r"1600 > \sqrt{1000^2 + 800^2}",
         r"\frac{4}{1600 + \sqrt{1000^2 + 800^2}} \approx 0.0013886",
         r"\frac{\sqrt{8}}{\sqrt{1000^2 + 1600^2 + 800^2}} \approx 0.0013801",
         r"\tan^2 34.85^\circ < \frac{1000^2}{1600 \sqrt{1000^2 + 800^2}} < \tan^2 34.95^\circ",
         r"\tan^2 65.35^\circ < \frac{1000^2 + 1600 \sqrt{1000^2 + 800^2}}{800^2} < \tan^2 65.45^\circ",
     ),
-    by=cases(),
     uses=["B.18", "B.21"],
-    notation=four_wheels_beyond,
 )
 
 # --- six wheels
 
 SIX = envelopes.SIX
-AXES_OF_SIX = derivation.six_axes
 
-signs_of_six = ours(
+signs_of_six = six.ours(
     "B.23",
     289,
     words="Each triple product of the axes has one sign over the open range of a, so that vertices, edges and faces are the same for "
     "all of them.",
-    parts=tuple(
+    states=tuple(
         rf"{name} = \frac{{{value} \sqrt{{3}}}}{{4}} \sin^2 a \cos a" for name, value in envelopes.triples(SIX)
     ),
-    where=AXES_OF_SIX,
     by=identity,
-    notation=six_wheels_beyond,
 )
 
-degenerate_six = ours(
+degenerate_six = six.ours(
     "B.24",
     289,
     words="They vanish, all at once, only where a is a multiple of 90 degrees: there P is a segment (a = 0) or a regular hexagon.",
-    formal=r" \land ".join(
+    states=r" \land ".join(
         rf"({name} = 0 \Leftrightarrow (\sin a = 0 \lor \cos a = 0))" for name, _ in envelopes.triples(SIX)
     ),
-    where=AXES_OF_SIX,
-    by=cases(),
-    notation=six_wheels_beyond,
 )
 
-volume_of_six = ours(
+volume_of_six = six.ours(
     "B.25",
     289,
     words="The volume of P.",
-    formal=rf"{envelopes.volume(SIX)} = 144 \sqrt{{3}} \sin^2 a \cos a",
-    where=AXES_OF_SIX,
+    states=rf"{envelopes.volume(SIX)} = 144 \sqrt{{3}} \sin^2 a \cos a",
     by=identity,
     uses=["B.23"],
-    notation=six_wheels_beyond,
 )
 
-surface_of_six = ours(
+surface_of_six = six.ours(
     "B.26",
     289,
     words="Each pair of axes spans two opposite faces, of the area 4 |e_i x e_j|; by these squares of |e_i x e_j| the surface of P is "
     "48 sin a (sqrt(1 - sin^2 a/4) + sqrt 3 sqrt(1 - 3 sin^2 a/4) + cos a).",
-    parts=tuple(
+    states=tuple(
         r" \land ".join(
             rf"(\mathbf{{e}}_{i} \times \mathbf{{e}}_{j}, \mathbf{{e}}_{i} \times \mathbf{{e}}_{j}) = {value}"
             for i, j in combinations(range(1, 7), 2)
@@ -526,20 +489,16 @@ surface_of_six = ours(
             (3, r"4 \sin^2 a \cos^2 a"),
         )
     ),
-    where=AXES_OF_SIX,
-    by=cases(),
-    notation=six_wheels_beyond,
 )
 
-largest_volume_of_six = ours(
+largest_volume_of_six = six.ours(
     "B.27",
     289,
     words="The volume is greatest, 96, for tg a = sqrt 2, as that of four wheels is (B.6).",
-    formal=r"(144 \sqrt{3} \sin^2 a \cos a)^2 \leq 96^2",
+    states=r"(144 \sqrt{3} \sin^2 a \cos a)^2 \leq 96^2",
     by=nonnegative(r"2304 (1 - 3 \cos^2 a)^2 + 6912 \sin^2 a (1 - 3 \cos^2 a)^2"),
     equality=r"3 \cos^2 a = 1",
     uses=["B.25"],
-    notation=six_wheels_beyond,
 )
 
 DISTANCES_OF_SIX = (  # of the kinds of faces F_1, F_7, F_13: (top, bottom) of the square of the distance
@@ -548,33 +507,28 @@ DISTANCES_OF_SIX = (  # of the kinds of faces F_1, F_7, F_13: (top, bottom) of t
     (r"12 \sin^2 a", ""),
 )
 
-distances_of_six = ours(
+distances_of_six = six_faces.ours(
     "B.28",
     464,
     words="The squares of the distances (n, H)/|n| of the faces F_6, F_1, F_7, F_8, F_13, F_15: 108 sin^2 a cos^2 a/(3 + cos^2 a), "
     "64 sin^2 a cos^2 a/(1 + 3 cos^2 a) and 12 sin^2 a.",
-    parts=tuple(
+    states=tuple(
         rf"s_{face}^2 {bottom} = {top} ({SQUARE_OF_NORMAL.format(face)})"
         for face, (top, bottom) in enumerate([each for each in DISTANCES_OF_SIX for _ in (1, 2)], 1)
     ),
-    where=derivation.faces_of_six,
-    by=identity,
-    notation=six_wheels_beyond,
 )
 
-nearest_faces_of_six = ours(
+nearest_faces_of_six = six.ours(
     "B.29",
     464,
     words="Nearest are faces of the kind F_1 for cos^2 a up to 21/65, of the kind F_7 from there to 3/7, and of the kind F_13 beyond.",
-    parts=(
+    states=(
         r"\frac{108 \sin^2 a \cos^2 a}{3 + \cos^2 a} \leq \frac{64 \sin^2 a \cos^2 a}{1 + 3 \cos^2 a} "
         r"\Leftrightarrow \cos^2 a \leq \frac{21}{65}",
         r"\frac{64 \sin^2 a \cos^2 a}{1 + 3 \cos^2 a} \leq 12 \sin^2 a \Leftrightarrow \cos^2 a \leq \frac{3}{7}",
     ),
     given=[real_pyramid],
-    by=cases(),
     uses=["B.28"],
-    notation=six_wheels_beyond,
 )
 
 ball_in_six = Hypothesis(
@@ -584,28 +538,25 @@ ball_in_six = Hypothesis(
 )
 ROOM_OF_SIX = r"9 (64 \sin^2 a \cos^2 a - R^2 (1 + 3 \cos^2 a)) + 64 (1 - 3 \cos^2 a)^2"
 
-largest_ball_in_six = ours(
+largest_ball_in_six = six.ours(
     "B.30",
     464,
     words="A ball inside P has the radius 8/3 at most, for tg a = sqrt 2 only: the angle that is best for four wheels too (B.9).",
-    formal=r"R^2 \leq \frac{64}{9}",
+    states=r"R^2 \leq \frac{64}{9}",
     given=[ball_in_six],
     by=combined(nonnegative(rf"\frac{{{ROOM_OF_SIX}}}{{9 (1 + 3 \cos^2 a)}}"), forms=[ROOM_OF_SIX]),
     equality=r"3 \cos^2 a = 1, R^2 (1 + 3 \cos^2 a) = 64 \sin^2 a \cos^2 a",
     uses=["B.28"],
-    notation=six_wheels_beyond,
 )
 
-largest_ball_fits = ours(
+largest_ball_fits = six.ours(
     "B.31",
     464,
     words="That ball is inside P.",
-    formal=r"3 \cos^2 a = 1 \Rightarrow ("
+    states=r"3 \cos^2 a = 1 \Rightarrow ("
     + r" \land ".join(rf"\frac{{64}}{{9}} {bottom} \leq {top}" for top, bottom in DISTANCES_OF_SIX)
     + ")",
-    by=cases(),
     uses=["B.30"],
-    notation=six_wheels_beyond,
 )
 
 SLACK = (r"(64 - 3 A_x^2 - A_y^2 - A_z^2)", r"(64 - 4 A_y^2 - A_z^2)")  # of the faces F_7 and F_8
@@ -621,12 +572,12 @@ CONDITIONS_OF_SIX = (  # of an ellipsoid with semi-axes A_x sin a, A_y sin a, A_
     r"\frac{1}{4} A_x^2 + \frac{3}{4} A_y^2 \leq 12",
 )
 
-largest_ellipsoid_in_six = ours(
+largest_ellipsoid_in_six = six.ours(
     "B.32",
     464,
     words="Of the ellipsoids in P with the semi-axes A_x sin a, A_y sin a, A_z cos a along OX, OY, OZ (B.38) the largest has "
     "A_x^2 = A_y^2 = 32/3, A_z^2 = 64/3.",
-    formal=r"(A_x A_y A_z)^2 \leq \frac{65536}{27}",
+    states=r"(A_x A_y A_z)^2 \leq \frac{65536}{27}",
     given=[Hypothesis("inside", "the ellipsoid is inside P", ", ".join(CONDITIONS_OF_SIX))],
     by=nonnegative(
         " + ".join(
@@ -642,75 +593,63 @@ largest_ellipsoid_in_six = ours(
     ),
     equality=r"A_x^2 = \frac{32}{3}, A_y^2 = \frac{32}{3}, A_z^2 = \frac{64}{3}",
     uses=["B.38"],
-    notation=six_wheels_beyond,
 )
 
-largest_ellipsoid_fits = ours(
+largest_ellipsoid_fits = six.ours(
     "B.33",
     464,
     words="That ellipsoid is inside P.",
-    formal=r"(A_x^2 = \frac{32}{3} \land A_y^2 = \frac{32}{3} \land A_z^2 = \frac{64}{3}) \Rightarrow ("
+    states=r"(A_x^2 = \frac{32}{3} \land A_y^2 = \frac{32}{3} \land A_z^2 = \frac{64}{3}) \Rightarrow ("
     + r" \land ".join(CONDITIONS_OF_SIX)
     + ")",
-    by=cases(),
     uses=["B.32"],
-    notation=six_wheels_beyond,
 )
 
-roundness_of_six = ours(
+roundness_of_six = six.ours(
     "B.34",
     464,
     words="It fills the part 64 pi/243 = 0.827 of P, whatever the angle is.",
-    parts=(
+    states=(
         r"\frac{4\pi}{3} \cdot \sqrt{\frac{65536}{27}} \sin^2 a \cos a = \frac{64\pi}{243} \cdot 144 \sqrt{3} \sin^2 a \cos a",
         r"\frac{64\pi}{243} \approx 0.827",
     ),
-    by=cases(),
     uses=["B.25", "B.32"],
-    notation=six_wheels_beyond,
 )
 
-failures_of_six = ours(
+failures_of_six = six.ours(
     "B.35",
     481,
     words="Whichever wheel fails, the volume falls to a half (to 72 sqrt 3 sin^2 a cos a), and the faces that are left come to 5/8, 2/3, "
     "3/4, 5/6 or 7/8 of their distances: what is left of P holds 5/8 of it. It is 5/8 for faces of the kind F_7, so that the inscribed "
     "ball keeps 5/8 of its radius exactly where those are nearest (B.29), as they are at tg a = sqrt 2.",
-    parts=tuple(
+    states=tuple(
         rf"{envelopes.volume(SIX, k)} = \frac{{1}}{{2}} \cdot {envelopes.volume(SIX)} \land {rest(SIX, k)}"
         for k in range(1, 7)
     ),
-    where=AXES_OF_SIX,
-    by=cases(),
     uses=["B.23", "B.25"],
-    notation=six_wheels_beyond,
 )
 
-less_sensitive_to_failures = ours(
+less_sensitive_to_failures = six.ours(
     "B.36",
     610,
     words="So six wheels are less sensitive to a failure than four: a half of the volume is left, not a quarter, and a region similar to "
     "P of 5/8 its size, not of 1/2; five wheels at tg a = sqrt 2 still hold the ball of radius 5/3, three hold sqrt(2/3) at most.",
-    parts=(
+    states=(
         r"\frac{1}{2} > \frac{1}{4}",
         r"\frac{5}{8} > \frac{1}{2}",
         r"\frac{5}{8} \cdot \frac{8}{3} = \frac{5}{3}",
         r"\frac{1}{2} \sqrt{\frac{8}{3}} = \sqrt{\frac{2}{3}}",
     ),
-    by=cases(),
     uses=["B.9", "B.13", "B.30", "B.35"],
-    notation=six_wheels_beyond,
 )
 
-nearer_to_an_ellipsoid = ours(
+nearer_to_an_ellipsoid = six.ours(
     "B.37",
     610,
     words="And nearer to an ellipsoid: the largest one along the axes fills 64 pi/243 of the region of six wheels, pi sqrt 2/6 of that of "
     "four; no angle changes either.",
-    formal=r"\frac{64\pi}{243} > \frac{\pi \sqrt{2}}{6}",
-    by=cases(),
+    states=r"\frac{64\pi}{243} > \frac{\pi \sqrt{2}}{6}",
     uses=["B.12", "B.34"],
-    notation=six_wheels_beyond,
 )
 
 
@@ -731,28 +670,25 @@ EXTENTS = (  # what has to be no greater than the number times sin^2 a cos^2 a, 
 )
 EXTENTS_FIT = r" \land ".join(rf"{extent} \leq {number} \sin^2 a \cos^2 a" for number, extent, _ in EXTENTS)
 
-condition_for_six = ours(
+condition_for_six = six_faces.ours(
     "B.38",
     612,
     words="(1.1) holds for the ellipsoid (1.2) exactly if six conditions hold, of the faces F_6, F_1, F_7, F_8, F_13, F_15 (the others "
     "are their mirror images): what is in brackets is not negative.",
-    parts=tuple(
+    states=tuple(
         rf"{room(face)} = {factor} ({number} \sin^2 a \cos^2 a - ({extent}))"
         for face, (number, extent, factor) in enumerate(EXTENTS, 1)
     ),
-    where=derivation.faces_of_six,
-    by=identity,
     uses=["B.14", "B.28", "1.1"],
-    notation=six_wheels_beyond,
 )
 BINDING = r"(16 \sin^2 a \cos^2 a - w^2 (J_y^2 \cos^2 a + \frac{1}{4} J_z^2 \sin^2 a))"
 FASTEST = rf"4 {BINDING} + w^2 (2 J_y \cos^2 a - J_z \sin^2 a)^2"
 
-fastest_with_six = ours(
+fastest_with_six = six.ours(
     "B.39",
     618,
     words="A rate w about every axis, whatever its direction: by F_8 alone w (2 J_y + J_z) <= 8, reached for tg^2 a = 2 J_y/J_z at most.",
-    formal=r"w^2 (2 J_y + J_z)^2 \leq 64",
+    states=r"w^2 (2 J_y + J_z)^2 \leq 64",
     given=[
         real_pyramid,
         Hypothesis(
@@ -764,31 +700,28 @@ fastest_with_six = ours(
     by=combined(nonnegative(rf"\frac{{{FASTEST}}}{{\sin^2 a \cos^2 a}}"), forms=[FASTEST]),
     equality=r"2 J_y \cos^2 a = J_z \sin^2 a, w^2 (2 J_y + J_z)^2 = 64",
     uses=["B.38"],
-    notation=six_wheels_beyond,
 )
 
-best_angle_of_six = ours(
+best_angle_of_six = six.ours(
     "B.40",
     618,
     words="For the moments of the paper all six conditions hold there: w = 0.002 at tg a = 2, a = 63.4 degrees, is the best.",
-    parts=(
+    states=(
         r"(J_x = 1000 \land J_y = 1600 \land J_z = 800 \land w_x = w \land w_y = w \land w_z = w \land w = \frac{1}{500} "
         rf"\land \sin^2 a = 4 \cos^2 a) \Rightarrow ({EXTENTS_FIT})",
         r"\arctg 2 \approx 63.4^\circ",
         r"\frac{8}{2 \cdot 1600 + 800} = 0.002",
     ),
-    by=cases(),
     uses=["B.39"],
-    notation=six_wheels_beyond,
 )
 
 AT_F8 = r"w^2 (1600^2 \cos^2 a + \frac{1}{4} \cdot 800^2 \sin^2 a)"
 
-rate_at_the_printed_angle = ours(
+rate_at_the_printed_angle = six.ours(
     "B.41",
     618,
     words="At tg a = 3, the angle of the paper, w is 0.0018974 at most.",
-    formal=r"w^2 \leq \frac{9}{2500000}",
+    states=r"w^2 \leq \frac{9}{2500000}",
     given=[
         Hypothesis("tg a = 3", "the angle of the paper", r"\sin^2 a = 9 \cos^2 a"),
         Hypothesis("F_8", "the condition of the face F_8 (B.38)", rf"{AT_F8} \leq 16 \sin^2 a \cos^2 a"),
@@ -796,21 +729,18 @@ rate_at_the_printed_angle = ours(
     by=nonnegative(rf"\frac{{1}}{{400000}} (16 \sin^2 a \cos^2 a - {AT_F8})"),
     equality=rf"{AT_F8} = 16 \sin^2 a \cos^2 a",
     uses=["B.38"],
-    notation=six_wheels_beyond,
 )
 
-six_against_four = ours(
+six_against_four = six.ours(
     "B.42",
     618,
     words="It is reached, and still more than four wheels can have at any angles (B.20); at the best angle it is 0.002 (B.40) against "
     "0.0013886 (B.22).",
-    parts=(
+    states=(
         rf"(J_x = 1000 \land J_y = 1600 \land J_z = 800 \land w_x = w \land w_y = w \land w_z = w \land w^2 = \frac{{9}}{{2500000}} "
         rf"\land \sin^2 a = 9 \cos^2 a) \Rightarrow ({EXTENTS_FIT})",
         r"\sqrt{\frac{9}{2500000}} \approx 0.0018974",
         r"\sqrt{\frac{9}{2500000}} > \frac{4}{1600 + \sqrt{1000^2 + 800^2}}",
     ),
-    by=cases(),
     uses=["B.20", "B.41"],
-    notation=six_wheels_beyond,
 )

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
 
-from symcheck.core.claims import Erratum, Item
+from symcheck.core.claims import Claim, Declaration, Definition, Erratum
 from symcheck.core.verdicts import Origin
 from symcheck.mechanics.zonotope import Signs
 from symcheck.papers import listing
@@ -29,7 +29,7 @@ from symcheck.papers.ignatov2005.rows import (
     shown,
     vector,
 )
-from symcheck.papers.listing import Label, Row, Unreadable
+from symcheck.papers.listing import EdgeRow, FaceRow, Label, Row, Unreadable, VertexRow
 from symcheck.proof import identity
 
 GRAVEST = ("missing cell", "label", "letter", "function", "coefficient", "number", "sign", "rounding")
@@ -103,11 +103,11 @@ def _unreadable(row: Row, fault: str) -> Unreadable:
 class Declared:
     """The declarations of one array of wheels, list by list; `names` defines its vertices."""
 
-    names: Item
-    vertices: tuple[Item, ...]
-    edges: tuple[Item, ...]
-    faces: tuple[Item, ...]
-    table: tuple[Item, ...]
+    names: Definition
+    vertices: tuple[Declaration, ...]
+    edges: tuple[Declaration, ...]
+    faces: tuple[Declaration, ...]
+    table: tuple[Declaration, ...]
 
 
 @dataclass(frozen=True)
@@ -150,7 +150,7 @@ def _with_known_labels(row: Row, names: Names) -> Row:
     return row
 
 
-def _definition(array: Array, names: Names, line: int) -> Item:
+def _definition(array: Array, names: Names, line: int) -> Definition:
     """What the labels of the vertices mean."""
     each = (
         rf"{vector(Label('V', index, False))} = {bracket(signs)}" for index, signs in sorted(names.vertices.items())
@@ -159,7 +159,7 @@ def _definition(array: Array, names: Names, line: int) -> Item:
         f"{array.section}V.0",
         line,
         words="What the labels of the vertices mean, by most of the rows that use them; V'_i is opposite to V_i.",
-        formal=r", \quad ".join(each),
+        states=r", \quad ".join(each),
         notation=array.notation,
     )
 
@@ -167,7 +167,7 @@ def _definition(array: Array, names: Names, line: int) -> Item:
 # --- one row
 
 
-def _row(listed: Listed, row: Row, right: Row | None) -> Item:
+def _row(listed: Listed, row: Row, right: Row | None) -> Declaration:
     """The declaration of one row; where it is wrong, with the row that is right."""
     array, names, number = listed.array, listed.names, f"{listed.number}.{row.number}"
     if isinstance(row, Unreadable) or right is None:
@@ -185,7 +185,7 @@ def _row(listed: Listed, row: Row, right: Row | None) -> Item:
         row.line,
         row.printed,
         words=SAYS[listed.letter],
-        parts=tuple(part.states for part in stated),
+        states=tuple(part.states for part in stated),
         by={chr(FIRST_LETTER + k): part.by for k, part in enumerate(stated)},
         given=array.given if listed.letter != "T" else (),
         errata=errata,
@@ -205,7 +205,7 @@ def kind_of(found: Sequence[str], origin: Origin) -> str:
 # --- a list as a whole
 
 
-def _whole(listed: Listed) -> Item:
+def _whole(listed: Listed) -> Claim:
     """That a list is complete: sums with one monomial for each row."""
     read = [(row, right) for row, right in listed.pairs if right is not None]
     stated, wanted = ([*_sums(listed, [pair[k] for pair in read])] for k in (0, 1))
@@ -224,7 +224,7 @@ def _whole(listed: Listed) -> Item:
         listed.number,
         min(row.line for row, _ in listed.pairs),
         words=WHOLE[listed.letter],
-        parts=tuple(part.states for part in stated),
+        states=tuple(part.states for part in stated),
         by=identity,
         errata=errata,
         notation=listed.array.notation,
@@ -243,20 +243,21 @@ def _missing(listed: Listed, read: Sequence[tuple[Row, Row]]) -> tuple[str, Orig
     return kind_of(faults(*at_fault[0]), origin), origin, reason
 
 
-def _counted(row: Row) -> tuple[Any, ...]:
+def _counted(row: Row) -> tuple[object, object]:
     """What the sums of a list see of a row."""
     return getattr(row, "pattern", ()), getattr(row, "label", None)
 
 
-def _sums(listed: Listed, rows: Sequence[Any]) -> Iterable[Part]:
+def _sums(listed: Listed, read: Sequence[Row]) -> Iterable[Part]:
     """The row numbers as powers, the labels as powers of two letters, the momenta as monomials."""
+    rows = [row for row in read if isinstance(row, VertexRow | EdgeRow | FaceRow)]
     letter, names, lattice = listed.letter, listed.names, listed.array.envelope.combinatorics
-    cells: Mapping[Signs, Any] = {"V": lattice.vertices, "E": lattice.edges, "F": lattice.faces}[letter]
+    cells: Mapping[Signs, object] = {"V": lattice.vertices, "E": lattice.edges, "F": lattice.faces}[letter]
     yield _same((f"l_1^{{{row.number}}}" for row in rows), (f"l_1^{{{k}}}" for k in range(1, len(cells) + 1)))
     if letter != "E":
         known = names.vertices if letter == "V" else names.faces
         every = [Label(letter, index, primed) for index in sorted(known) for primed in (False, True)]
-        yield _same((_power(row.label) for row in rows), map(_power, every))
+        yield _same((_power(row.label) for row in rows if not isinstance(row, EdgeRow)), map(_power, every))
     yield _same((_monomial(row.pattern) for row in rows), (_monomial(pattern_of(signs)) for signs in cells))
     yield from listed.array.no_others(cells)
     if letter != "V":

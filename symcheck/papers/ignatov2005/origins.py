@@ -7,10 +7,9 @@ became `V_3 V'_6`. And whoever made a mistake in writing made it again in the ro
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Sequence
+from collections.abc import Sequence, Set
 from dataclasses import dataclass, replace
 from functools import cached_property
-from typing import Any
 
 from symcheck.core.verdicts import Origin
 from symcheck.mechanics.zonotope import opposite
@@ -24,7 +23,7 @@ LEAST = 3  # so many rows damaged in one way make a pattern
 class Damage:
     """The rows of a list, each with the right one, and what is damaged in the same way all over it."""
 
-    pairs: tuple[tuple[Any, Any], ...]
+    pairs: tuple[tuple[Row, Row], ...]
 
     @cached_property
     def primes(self) -> str:
@@ -46,17 +45,20 @@ class Damage:
     @cached_property
     def primed_ends(self) -> list[int]:
         """The rows of edges whose last label has a prime too many."""
-        return [row.number for row, right in self.pairs if row.last.primed and row.last == right.last.opposite]
+        edges = [(a, b) for a, b in self.pairs if isinstance(a, EdgeRow) and isinstance(b, EdgeRow)]
+        return [row.number for row, right in edges if row.last.primed and row.last == right.last.opposite]
 
     def with_the_same_number(self, row: TableRow, right: TableRow) -> int:
         """How many rows of a table have a wrong number of the same size as this one."""
-        return sum(bool(_wrong_numbers(*pair) & _wrong_numbers(row, right)) for pair in self.pairs)
+        rows = [(a, b) for a, b in self.pairs if isinstance(a, TableRow) and isinstance(b, TableRow)]
+        return sum(bool(_wrong_numbers(*pair) & _wrong_numbers(row, right)) for pair in rows)
 
     def twin(self, row: Row, right: Row) -> int | None:
         """The number of the row of what lies opposite, if it has the same fault."""
         trace = _trace(row, right)
         for other, its_right in self.pairs if trace else ():
-            opposed = signs_of(its_right.pattern) == opposite(signs_of(getattr(right, "pattern", ())))
+            patterns = [signs_of(getattr(each, "pattern", ())) for each in (its_right, right)]
+            opposed = patterns[0] == opposite(patterns[1])
             if opposed and trace & _trace(other, its_right):
                 return int(other.number)
         return None
@@ -123,7 +125,7 @@ def _is_primed_too_often(row: FaceRow, right: FaceRow) -> bool:
     return added and all(sum(labels[k] == labels[m] for m in wrong) == 2 for k in wrong)
 
 
-def _trace(row: Row, right: Row) -> set[Any]:
+def _trace(row: Row, right: Row) -> Set[object]:
     """What a fault has in common with that of the opposite row: places, wheels, numbers; first primes are restored."""
     match row, right:
         case VertexRow(), VertexRow():
@@ -136,11 +138,11 @@ def _trace(row: Row, right: Row) -> set[Any]:
     return set()
 
 
-def _differing(found: Sequence[str], wanted: Sequence[str]) -> set[Any]:
+def _differing(found: Sequence[str], wanted: Sequence[str]) -> Set[object]:
     return {(len(wanted), k) for k, (a, b) in enumerate(zip(found, wanted, strict=False)) if a != b}
 
 
-def _differing_labels(found: Sequence[Label], wanted: Sequence[Label]) -> set[Any]:
+def _differing_labels(found: Sequence[Label], wanted: Sequence[Label]) -> Set[object]:
     pairs = enumerate(zip(found, wanted, strict=False))
     return {(k, a.index, b.index, a.primed == b.primed) for k, (a, b) in pairs if a != b}
 

@@ -15,14 +15,14 @@ from __future__ import annotations
 import math
 import re
 from collections import Counter, defaultdict
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from functools import cached_property
 from itertools import combinations, product
-from typing import Any
 
-from symcheck.core.claims import Hypothesis, Method
+from symcheck.core.claims import Derived, Hypothesis
+from symcheck.core.problems import Method
 from symcheck.core.verdicts import SymcheckError
 from symcheck.mechanics.zonotope import Envelope, Signs, envelope, opposite, triple_product
 from symcheck.papers.listing import EdgeRow, FaceRow, Label, Pattern, Row, TableRow, VertexRow
@@ -57,7 +57,7 @@ class Array:
     notation: Notation
     given: tuple[Hypothesis, ...]
     angles: Mapping[str, int]  # of the table, in degrees
-    where: Callable[[], Mapping[str, Any]] | None = None
+    where: Derived | None = None
 
     @cached_property
     def envelope(self) -> Envelope:
@@ -102,7 +102,7 @@ class Array:
         }
         return Part(rf"\exists c_1, c_2, c_3 : ({AND.join(orders)})", holds, existence(**point))
 
-    def no_others(self, cells: Mapping[Signs, Any]) -> Iterator[Part]:
+    def no_others(self, cells: Mapping[Signs, object]) -> Iterator[Part]:
         """That sign vectors with as many free wheels, but not among these, are no vertex, edge or face.
 
         By combinations of axes, one of each opposite two: where the c_k e_k add up to zero and no c_k has the sign that

@@ -72,7 +72,7 @@ semi_axes_of_the_ellipsoid = ours(
     50,
     words="A turn about one axis alone, at the largest rate and with zero total momentum, takes a momentum at an end of an axis of "
     "the ellipsoid: its semi-axes are J_X w_X, J_Y w_Y, J_Z w_Z.",
-    parts=(_on_the_ellipsoid("X", "Y", "Z"), _on_the_ellipsoid("Y", "Z", "X"), _on_the_ellipsoid("Z", "X", "Y")),
+    states=(_on_the_ellipsoid("X", "Y", "Z"), _on_the_ellipsoid("Y", "Z", "X"), _on_the_ellipsoid("Z", "X", "Y")),
     by=cases(),
     uses=["1.2"],
     notation=requirements,

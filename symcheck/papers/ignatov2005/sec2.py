@@ -7,13 +7,14 @@ letters in a font of symbols, where p is the place of pi, and the text lost that
 from __future__ import annotations
 
 import re
+from collections.abc import Sequence
 from functools import partial
-from typing import Any
 
-from symcheck.core.claims import Erratum, Hypothesis, Item
+from symcheck.core.claims import Claim, Damage, Erratum, Hypothesis
+from symcheck.core.problems import Applied
 from symcheck.core.verdicts import Origin
-from symcheck.papers.declare import claim, definition, exclusion, ours, premise
-from symcheck.papers.ignatov2005 import derivation
+from symcheck.papers.declare import Scope, claim, exclusion, ours, premise
+from symcheck.papers.ignatov2005 import derivation, wheels
 from symcheck.papers.ignatov2005.hypotheses import (
     EACH,
     MASS,
@@ -22,7 +23,6 @@ from symcheck.papers.ignatov2005.hypotheses import (
     lost_pi,
     real_base,
     real_pyramid,
-    rhombi,
 )
 from symcheck.papers.ignatov2005.notation import (
     LIMIT,
@@ -32,319 +32,184 @@ from symcheck.papers.ignatov2005.notation import (
     four_wheels_with_units,
     three_of_four,
 )
+from symcheck.papers.ignatov2005.wheels import AND, four, points, three
 from symcheck.proof import cases, identity, nonnegative, theorems
 
-AND = r" \land "
-FOUR, THREE = (partial(derivation.momentum_of_wheels, number) for number in (4, 3))
 OPEN_RANGE = [real_pyramid, real_base]
+craft = Scope(four_wheels_in_spacecraft, by=identity)
 FULL_MOMENTUM = Hypothesis("limits", "no wheel exceeds h_max = 1 (line 81)", EACH)
 
 
 # --- 2.1: the axes, the momentum, its region
 
-axes_along_side_edges = claim(
+axes_along_side_edges = four.claim(
     "2.0.1",
     62,
     words="The axes are parallel to the side edges of a four-sided pyramid: -e_1, -e_2, e_3, e_4 lead from the corners of a rectangle "
     "with sides along OX and OY to one apex.",
-    parts=(
+    states=(
         r"\mathbf{e}_4 + \mathbf{e}_1 = (2\sin a \sin b, 0, 0)",
         r"\mathbf{e}_3 + \mathbf{e}_2 = (2\sin a \sin b, 0, 0)",
         r"\mathbf{e}_4 - \mathbf{e}_3 = (0, 2\sin a \cos b, 0)",
         r"\mathbf{e}_2 - \mathbf{e}_1 = (0, 2\sin a \cos b, 0)",
     ),
-    by=identity,
     uses=["2.0.4"],
-    notation=four_wheels,
 )
 
-numbers_of_wheels = exclusion(
-    "2.0.2", 67, r"i=1,\dots,4", reason="range of the number of a wheel, used in the notation"
-)
+numbers_of_wheels = four.numbers_of_wheels("2.0.2", 67)
 
-axes_are_unit_vectors = claim(
-    "2.0.3",
-    67,
-    words="The e_i are unit vectors.",
-    formal=r"(\mathbf{e}_i, \mathbf{e}_i) = 1",
-    by=identity,
-    uses=["2.0.4"],
-    notation=four_wheels,
-)
+axes_are_unit_vectors = four.unit_vectors("2.0.3", 67, uses=["2.0.4"])
 
-axes_of_wheels = definition(
+axes_of_wheels = four.definition(
     "2.0.4",
     69,
     r"\begin{aligned}\mathbf{e}_1 &= (\sin a \sin b, -\sin a \cos b, -\cos a), & "
     r"\mathbf{e}_2 &= (\sin a \sin b, \sin a \cos b, -\cos a), \\ "
     r"\mathbf{e}_3 &= (\sin a \sin b, -\sin a \cos b, \cos a), & "
     r"\mathbf{e}_4 &= (\sin a \sin b, \sin a \cos b, \cos a).\end{aligned}",
-    notation=four_wheels,
 )
 
-angle_to_oz = claim(
-    "2.0.5",
-    71,
-    words="a is the angle between the axis of a wheel and OZ (as lines: e_1 and e_2 point downwards).",
-    formal=r"(\mathbf{e}_i, (0, 0, 1))^2 = \cos^2 a",
-    by=identity,
-    uses=["2.0.4"],
-    notation=four_wheels,
-)
+angle_to_oz = four.angle_to_oz("2.0.5", 71, "e_1 and e_2", "2.0.4")
 
 ALONG_OX, ALONG_OY = r"2\sin a \sin b", r"2\sin a \cos b"  # the sides of the base (2.0.1)
 ACUTE = Hypothesis("a and b acute", "both angles are acute", r"0 < a < \pi/2, 0 < b < \pi/2")
 
-square_base = claim(
+square_base = four.claim(
     "2.0.6",
     71,
     r"b = 45^\circ",
     words="For b = 45 degrees, and no other b, the base is a square.",
-    formal=rf"{ALONG_OX} = {ALONG_OY} \Leftrightarrow b = 45^\circ",
+    states=rf"{ALONG_OX} = {ALONG_OY} \Leftrightarrow b = 45^\circ",
     given=[ACUTE],
     by=cases(),
     uses=["2.0.1"],
-    notation=four_wheels,
 )
 
-base_along_oy = claim(
+base_along_oy = four.claim(
     "2.0.7",
     71,
     r"0^\circ < b < 45^\circ",
     words="For these b, and no others, the longer side of the base is parallel to OY.",
-    formal=rf"{ALONG_OX} < {ALONG_OY} \Leftrightarrow 0^\circ < b < 45^\circ",
+    states=rf"{ALONG_OX} < {ALONG_OY} \Leftrightarrow 0^\circ < b < 45^\circ",
     given=[ACUTE],
     by=cases(),
     uses=["2.0.1"],
-    notation=four_wheels,
 )
 
-base_along_ox = claim(
+base_along_ox = four.claim(
     "2.0.8",
     71,
     r"45^\circ < b < 90^\circ",
     words="For these b, and no others, the longer side of the base is parallel to OX.",
-    formal=rf"{ALONG_OX} > {ALONG_OY} \Leftrightarrow 45^\circ < b < 90^\circ",
+    states=rf"{ALONG_OX} > {ALONG_OY} \Leftrightarrow 45^\circ < b < 90^\circ",
     given=[ACUTE],
     by=cases(),
     uses=["2.0.1"],
-    notation=four_wheels,
 )
 
 parameters = premise("2.0.9", 71, words="The angles a and b are the parameters of the system.")
 
-total_momentum = claim(
-    "2.1",
-    73,
-    r"\mathbf{H} = h_1 \mathbf{e}_1 + h_2 \mathbf{e}_2 + h_3 \mathbf{e}_3 + h_4 \mathbf{e}_4,",
-    words="The sum of the momenta of the wheels.",
-    where=FOUR,
-    by=identity,
-    notation=four_wheels,
+total_momentum = four.total_momentum("2.1", 73)
+
+equal_wheels = four.equal_wheels(
+    "2.1.1", 75, (r"-h_{\max} \leq h_i \leq h_{\max}", r"h_{\max}"), four_wheels_in_spacecraft
 )
 
-equal_wheels = premise(
-    "2.1.1",
-    75,
-    (r"-h_{\max} \leq h_i \leq h_{\max}", r"h_{\max}"),
-    words="The wheels are equal; h_max is the largest momentum of a wheel, one more parameter.",
-    formal=r"-h_{\max} \leq h_i \leq h_{\max}",
-    notation=four_wheels_in_spacecraft,
-)
-
-components_of_momentum = claim(
+components_of_momentum = four.claim(
     "2.1.2",
     77,
     r"\begin{aligned}H_x &= (h_1 + h_2 + h_3 + h_4) \sin a \sin b, & H_y &= (-h_1 + h_2 - h_3 + h_4) \sin a \cos b, \\ "
     r"H_z &= (-h_1 - h_2 + h_3 + h_4) \cos a.\end{aligned}",
-    where=FOUR,
-    by=identity,
     uses=["2.0.4", "2.1"],
-    notation=four_wheels,
 )
 
-shorthand = claim(
-    "2.1.3",
-    79,
-    r"\mathbf{H} = [h_1, h_2, h_3, h_4]",
-    words="Square brackets list the momenta of the wheels: (2.1) in short.",
-    where=FOUR,
-    by=identity,
-    uses=["2.1"],
-    notation=four_wheels,
-)
+shorthand = four.shorthand("2.1.3", 79, "2.1", "Square brackets list the momenta of the wheels: ")
 
-round_brackets = exclusion(
-    "2.1.4",
-    79,
-    r"\mathbf{H} = (H_x, H_y, H_z)",
-    reason="round brackets list components, as usual; the notation has them so",
-)
+round_brackets = four.round_brackets("2.1.4", 79)
 
-unit_of_momentum = claim(
-    "2.1.5",
-    79,
-    r"h_{\max} = 1",
-    words="No generality is lost with h_max = 1: the momenta are those for h_max = 1, times h_max.",
-    formal=r"[h_{\max} h_1, h_{\max} h_2, h_{\max} h_3, h_{\max} h_4] = h_{\max} [h_1, h_2, h_3, h_4]",
-    by=identity,
-    uses=["2.1.3"],
-    notation=four_wheels_in_spacecraft,
-)
+unit_of_momentum = four.unit_of_momentum("2.1.5", 79, "2.1.3", four_wheels_in_spacecraft)
 
-region = premise("2.1.6", 81, r"|h_i| \leq 1", words="P is the region of all H with such h_i.", notation=four_wheels)
+region = four.region_of_momenta("2.1.6", 81)
 
-region_is_convex = claim(
+region_is_convex = four.claim(
     "2.1.7",
     81,
     words="P is convex: between two of its points lies the H of the momenta between.",
-    parts=(
+    states=(
         r"u[h_1, h_2, h_3, h_4] + (1 - u)[l_1, l_2, l_3, l_4] = "
         r"[uh_1 + (1 - u)l_1, uh_2 + (1 - u)l_2, uh_3 + (1 - u)l_3, uh_4 + (1 - u)l_4]",
         r"(0 \leq u \leq 1 \land -1 \leq h_1 \leq 1 \land -1 \leq l_1 \leq 1) \Rightarrow -1 \leq uh_1 + (1 - u)l_1 \leq 1",
     ),
     by={"a": identity, "b": cases("u(1 + h_1) + (1 - u)(1 + l_1)", "u(1 - h_1) + (1 - u)(1 - l_1)")},
     uses=["2.1.3"],
-    notation=four_wheels,
 )
 
-region_is_symmetric = claim(
-    "2.1.8",
-    81,
-    words="P is symmetric about the origin.",
-    formal=r"[-h_1, -h_2, -h_3, -h_4] = -[h_1, h_2, h_3, h_4]",
-    by=identity,
-    uses=["2.1.3"],
-    notation=four_wheels,
-)
+region_is_symmetric = four.symmetric_region("2.1.8", 81, "2.1.3")
 
-vertices_take_full_momenta = claim(
-    "2.1.9",
-    81,
-    r"16 = 2^4",
-    words="At a vertex every wheel has full momentum, else H is the middle of a segment in P; so there are at most 16 vertices.",
-    parts=(r"[h_1 + u, h_2, h_3, h_4] + [h_1 - u, h_2, h_3, h_4] = 2[h_1, h_2, h_3, h_4]", r"16 = 2^4"),
-    by=identity,
-    uses=["2.1.3"],
-    notation=four_wheels,
-)
+vertices_take_full_momenta = four.full_momenta_at_vertices("2.1.9", 81, "2.1.3")
 
-zero_is_inside = claim(
+zero_is_inside = four.claim(
     "2.1.10",
     81,
     words="The combinations 2.1.11 and 2.1.12 lie inside P: no direction c is perpendicular to all axes, so P goes on beyond 0 along each c.",
-    formal=r"(\mathbf{c}, \mathbf{e}_i) = 0 \Rightarrow (c_1 = 0 \land c_2 = 0 \land c_3 = 0)",
+    states=r"(\mathbf{c}, \mathbf{e}_i) = 0 \Rightarrow (c_1 = 0 \land c_2 = 0 \land c_3 = 0)",
     given=OPEN_RANGE,
     by=cases(),
     uses=["2.0.4", "2.1.11", "2.1.12"],
-    notation=four_wheels,
 )
 
-first_zero_combination = claim(
+first_zero_combination = four.claim(
     "2.1.11",
     83,
     r"\mathbf{H} = [1, -1, -1, 1] = (0, 0, 0)",
-    by=identity,
     imposed="a",
     uses=["2.0.4", "2.1.3"],
-    notation=four_wheels,
 )
 
-second_zero_combination = claim(
+second_zero_combination = four.claim(
     "2.1.12",
     83,
     r"\mathbf{H} = [-1, 1, 1, -1] = (0, 0, 0)",
-    by=identity,
     imposed="a",
     uses=["2.0.4", "2.1.3"],
-    notation=four_wheels,
 )
 
-pairs_of_vertices = definition(
-    "2.1.13",
-    83,
-    r"i = 1, \dots, 7",
-    words="V'_i lies opposite to V_i: it is -V_i, and so it is written in formal statements.",
-    opaque=True,
-    notation=four_wheels,
-)
+pairs_of_vertices = four.pairs_of_vertices("2.1.13", 83, r"i = 1, \dots, 7")
 
-no_three_axes_in_a_plane = ours(
+no_three_axes_in_a_plane = four.no_three_in_a_plane(
     "2.1.14",
     83,
-    words="No three axes lie in one plane. So each two of the n wheels make a pair of opposite faces, rhombi: there are n(n - 1) faces, "
-    "2n(n - 1) edges and, by Euler's formula, n(n - 1) + 2 vertices.",
-    parts=tuple(
-        rf"(\mathbf{{e}}_{i}, \mathbf{{e}}_{j} \times \mathbf{{e}}_{k}) \ne 0"
-        for i, j, k in ((1, 2, 3), (1, 2, 4), (1, 3, 4), (2, 3, 4))
-    ),
+    ". So each two of the n wheels make a pair of opposite faces, rhombi: there are n(n - 1) faces, 2n(n - 1) edges and, by "
+    "Euler's formula, n(n - 1) + 2 vertices.",
     given=OPEN_RANGE,
-    by=cases(),
     uses=["2.0.4"],
-    notation=four_wheels,
 )
 
-number_of_vertices = claim(
+number_of_vertices = four.claim(
     "2.1.15",
     83,
     words="P has 14 vertices: of the 16 combinations the two zero ones are none, and the others are (list of vertices).",
-    formal=r"2^4 - 2 = 14 \land 4 (4 - 1) + 2 = 14",
+    states=r"2^4 - 2 = 14 \land 4 (4 - 1) + 2 = 14",
     by=cases(),
     uses=["2.1.9", "2.1.10", "2.1.11", "2.1.12", "2.1.14"],
-    notation=four_wheels,
 )
 
-number_of_edges = claim(
-    "2.1.16",
-    100,
-    words="P has 24 edges.",
-    formal=r"2 \cdot 4 (4 - 1) = 24",
-    by=identity,
-    uses=["2.1.14"],
-    notation=four_wheels,
-)
+number_of_edges = four.number_of_edges("2.1.16", 100, "2.1.14")
 
-parameter_of_edges = definition(
-    "2.1.17",
-    111,
-    (r"-1 \leq u \leq 1", "u = -1", "u = 1"),
-    words="An edge begins at its first vertex with u = -1 and ends at its last with u = 1.",
-    formal=r"-1 \leq u \leq 1",
-    opaque=True,
-    notation=four_wheels,
-)
+parameter_of_edges = four.parameter_of_edges("2.1.17", 111)
 
-number_of_faces = claim(
-    "2.1.18",
-    111,
-    words="P has 12 faces.",
-    formal=r"4 (4 - 1) = 12",
-    by=identity,
-    uses=["2.1.14"],
-    notation=four_wheels,
-)
+number_of_faces = four.number_of_faces("2.1.18", 111, "2.1.14")
 
-pairs_of_faces = definition(
-    "2.1.19",
-    111,
-    r"i = 1, \dots, 6",
-    words="F'_i lies opposite to F_i.",
-    opaque=True,
-    notation=four_wheels,
-)
+pairs_of_faces = four.pairs_of_faces("2.1.19", 111, r"i = 1, \dots, 6")
 
-sense_of_edges = exclusion(
-    "2.1.20", 128, words="V_2 V_1 and V_1 V_2 are one edge, begun at either end.", reason="a convention on names"
-)
+sense_of_edges = four.sense_of_edges("2.1.20", 128)
 
-euler_characteristic = claim(
+euler_characteristic = four.claim(
     "2.1.21",
     128,
     "14 + 12 - 24 = 2",
     words="Vertices and faces less edges, as for every convex polyhedron.",
-    by=identity,
     uses=["2.1.15", "2.1.16", "2.1.18"],
-    notation=four_wheels,
 )
 
 angles_of_table_1 = exclusion(
@@ -354,169 +219,116 @@ angles_of_table_1 = exclusion(
 # --- 2.1: symmetries
 
 
-def turned(matrix: str, images: str) -> str:
-    """The linear map takes e_1 to e_4 to the vectors given, plus or minus axes, so that P is mapped onto itself."""
-    pairs = zip((1, 2, 3, 4), images.split(", "), strict=True)
-    return AND.join(rf"{matrix} \mathbf{{e}}_{i} = {image[:-1]}\mathbf{{e}}_{image[-1]}" for i, image in pairs)
-
-
 QUARTER_TURN = r"\begin{pmatrix} 0 & -1 & 0 \\ 1 & 0 & 0 \\ 0 & 0 & 1 \end{pmatrix}"  # about OZ
 
-half_turns = claim(
-    "2.1.23",
-    162,
-    words="P goes over into itself when turned about OX, OY or OZ by any multiple of pi.",
-    parts=(
-        turned(r"\operatorname{diag}(1, -1, -1)", "4, 3, 2, 1"),
-        turned(r"\operatorname{diag}(-1, 1, -1)", "-2, -1, -4, -3"),
-        turned(r"\operatorname{diag}(-1, -1, 1)", "-3, -4, -1, -2"),
-    ),
-    by=cases(),
-    uses=["2.0.4"],
-    notation=four_wheels,
-    **lost_pi(r"n\pi"),
-)
+half_turns = four.half_turns("2.1.23", 162, "2.0.4", "4, 3, 2, 1", "-2, -1, -4, -3", "-3, -4, -1, -2")
 
-quarter_turns = claim(
+quarter_turns = four.claim(
     "2.1.24",
     162,
     r"b = p/4 = 45^\circ",
     words="For b = pi/4 also when turned about OZ by any multiple of pi/2.",
-    parts=(
-        rf"b = \pi/4 \Rightarrow ({turned(QUARTER_TURN, '2, -3, 4, -1')})",
+    states=(
+        rf"b = \pi/4 \Rightarrow ({four.turned(QUARTER_TURN, '2, -3, 4, -1')})",
         r"\pi/4 = 45^\circ",
     ),
     by=cases(),
     uses=["2.0.4"],
-    notation=four_wheels,
-    **lost_pi(r"b = \pi/4 = 45^\circ, n\pi/2"),
+    damage=lost_pi(r"b = \pi/4 = 45^\circ, n\pi/2"),
 )
 
-planes_of_symmetry = claim(
-    "2.1.25",
-    162,
-    words="The coordinate planes are planes of symmetry of P.",
-    parts=(
-        turned(r"\operatorname{diag}(-1, 1, 1)", "-4, -3, -2, -1"),
-        turned(r"\operatorname{diag}(1, -1, 1)", "2, 1, 4, 3"),
-        turned(r"\operatorname{diag}(1, 1, -1)", "3, 4, 1, 2"),
-    ),
-    by=cases(),
-    uses=["2.0.4"],
-    notation=four_wheels,
-)
+planes_of_symmetry = four.planes_of_symmetry("2.1.25", 162, "2.0.4", "-4, -3, -2, -1", "2, 1, 4, 3", "3, 4, 1, 2")
 
 # --- 2.1: distances
 
-edges_of_length_two = claim(
-    "2.1.26",
-    164,
-    words="All edges have the length 2: from u = -1 to u = 1 is 2 e_i.",
-    formal=r"(\mathbf{e}_i - (-\mathbf{e}_i), \mathbf{e}_i - (-\mathbf{e}_i)) = 2^2",
-    by=identity,
-    uses=["2.0.3", "2.1.17"],
-    notation=four_wheels,
-)
+edges_of_length_two = four.edges_of_length_two("2.1.26", 164, uses=["2.0.3", "2.1.17"])
 
-PAIRS = ((1, 2), (1, 3), (1, 4), (2, 3), (2, 4), (3, 4))
-
-
-faces_are_rhombi = claim(
-    "2.1.27",
-    164,
-    words="So all faces are rhombi: parallelograms with sides of one length along two axes that are not parallel.",
-    parts=rhombi(PAIRS),
-    given=OPEN_RANGE,
-    by=cases(),
-    uses=["2.1.26"],
-    notation=four_wheels,
-)
+faces_are_rhombi = four.faces_are_rhombi("2.1.27", 164, OPEN_RANGE, "2.1.26")
 
 DISTANCES = {"d_1": r"4 \sin a \sin b", "d_2": r"4 \sin a \cos b", "d_3": r"4 \cos a"}
-FIRST_DISTANCES = partial(derivation.vertex_distances, "V_1, V_6, V_7, V_2")
+vertices = Scope(four_wheels, partial(derivation.vertex_distances, "V_1, V_6, V_7, V_2"), identity)
 
-distance_of_v1 = claim(
+distance_of_v1 = vertices.claim(
     "2.1.28",
     164,
     r"d_1 = 4 \sin a \sin b",
     words="Distance of V_1, V'_1 from the centre.",
     given=OPEN_RANGE,
-    where=FIRST_DISTANCES,
-    by=identity,
-    notation=four_wheels,
 )
 
-distance_of_v6 = claim(
+distance_of_v6 = vertices.claim(
     "2.1.29",
     164,
     r"d_2 = 4 \sin a \cos b",
     words="Distance of V_6, V'_6 from the centre.",
     given=OPEN_RANGE,
-    where=FIRST_DISTANCES,
-    by=theorems(("equal_squares", "d_2", r"4 \sin a \cos b")),
-    notation=four_wheels,
+    by=theorems(Applied("equal_squares", ("d_2", r"4 \sin a \cos b"))),
 )
 
-distance_of_v7 = claim(
+distance_of_v7 = vertices.claim(
     "2.1.30",
     164,
     r"d_3 = 4 \cos a",
     words="Distance of V_7, V'_7 from the centre.",
     given=OPEN_RANGE,
-    where=FIRST_DISTANCES,
-    by=identity,
-    notation=four_wheels,
 )
 
-distance_of_v2 = claim(
+distance_of_v2 = vertices.claim(
     "2.1.31",
     164,
     "d_4 = 2",
     words="Distance of V_2, V'_2 from the centre.",
-    where=FIRST_DISTANCES,
-    by=identity,
-    notation=four_wheels,
 )
 
-distance_of_v3_to_v5 = claim(
+distance_of_v3_to_v5 = vertices.claim(
     "2.1.32",
     164,
     words="V_3, V_4, V_5 and their opposites have the same distance d_4.",
-    parts=tuple(rf"\sqrt{{(\mathbf{{V}}_{i}, \mathbf{{V}}_{i})}} = d_4" for i in (3, 4, 5)),
-    where=FIRST_DISTANCES,
-    by=identity,
+    states=tuple(rf"\sqrt{{(\mathbf{{V}}_{i}, \mathbf{{V}}_{i})}} = d_4" for i in (3, 4, 5)),
     uses=["2.1.31"],
-    notation=four_wheels,
 )
 
-two_equal_distances = claim(
+two_equal_distances = four.claim(
     "2.1.33",
     164,
     ("d_1 = d_2", r"b = p/4 = 45^\circ"),
     words="V_1 and V_6 are equally far for b = pi/4, and only then.",
-    parts=(rf"{DISTANCES['d_1']} = {DISTANCES['d_2']} \Leftrightarrow b = \pi/4", r"\pi/4 = 45^\circ"),
+    states=(rf"{DISTANCES['d_1']} = {DISTANCES['d_2']} \Leftrightarrow b = \pi/4", r"\pi/4 = 45^\circ"),
     given=[ACUTE],
     by=cases(),
     uses=["2.1.28", "2.1.29"],
-    notation=four_wheels,
-    **lost_pi(r"b = \pi/4 = 45^\circ"),
+    damage=lost_pi(r"b = \pi/4 = 45^\circ"),
 )
 
-three_equal_distances = claim(
+
+def three_equal_distances_of(
+    scope: Scope, number: str, line: int, vertices: str, equal: str, uses: Sequence[str]
+) -> Claim:
+    """That three pairs of vertices are equally far for these angles only, with the distances written out."""
+    return scope.claim(
+        number,
+        line,
+        ("d_1 = d_2 = d_3", r"a = \arctg \sqrt{2} = 54.7^\circ", r"b = p/4 = 45^\circ"),
+        words=f"{vertices} are equally far for a = arctg sqrt 2 and b = pi/4, and only then.",
+        states=(
+            rf"({equal}) \Leftrightarrow (a = \arctg \sqrt{{2}} \land b = \pi/4)",
+            r"\arctg \sqrt{2} = 54.7^\circ",
+            r"\pi/4 = 45^\circ",
+        ),
+        given=[ACUTE],
+        by=cases(),
+        uses=uses,
+        damage=lost_pi(r"a = \arctg \sqrt{2} = 54.7^\circ, b = \pi/4 = 45^\circ"),
+    )
+
+
+three_equal_distances = three_equal_distances_of(
+    four,
     "2.1.34",
     164,
-    ("d_1 = d_2 = d_3", r"a = \arctg \sqrt{2} = 54.7^\circ", r"b = p/4 = 45^\circ"),
-    words="V_1, V_6 and V_7 are equally far for a = arctg sqrt 2 and b = pi/4, and only then.",
-    parts=(
-        rf"({DISTANCES['d_1']} = {DISTANCES['d_2']} = {DISTANCES['d_3']}) \Leftrightarrow (a = \arctg \sqrt{{2}} \land b = \pi/4)",
-        r"\arctg \sqrt{2} = 54.7^\circ",
-        r"\pi/4 = 45^\circ",
-    ),
-    given=[ACUTE],
-    by=cases(),
+    "V_1, V_6 and V_7",
+    f"{DISTANCES['d_1']} = {DISTANCES['d_2']} = {DISTANCES['d_3']}",
     uses=["2.1.28", "2.1.29", "2.1.30"],
-    notation=four_wheels,
-    **lost_pi(r"a = \arctg \sqrt{2} = 54.7^\circ, b = \pi/4 = 45^\circ"),
 )
 
 # --- table 2: the order of the distances
@@ -533,32 +345,29 @@ SECANT, COSECANT, RIGHT_ANGLE = (
     r"\frac{p}{2}",
 )
 
-columns_of_table_2 = premise(
+columns_of_table_2 = four.premise(
     "T2.0",
     170,
     (r"0 \leq b \leq \frac{p}{4}", r"\frac{p}{4} \leq b \leq \frac{p}{2}"),
     words="The two columns of table 2.",
-    notation=four_wheels,
-    **lost_pi(r"0 \leq b \leq \frac{\pi}{4}, \frac{\pi}{4} \leq b \leq \frac{\pi}{2}"),
+    damage=lost_pi(r"0 \leq b \leq \frac{\pi}{4}, \frac{\pi}{4} \leq b \leq \frac{\pi}{2}"),
 )
 
 
-def order_of_distances(number: str, line: int, order: str, low: str, high: str, column: Hypothesis) -> Item:
+def order_of_distances(number: str, line: int, order: str, low: str, high: str, column: Hypothesis) -> Claim:
     """A pair of cells: an order of the distances, as printed, and the interval of a in which it holds."""
     interval = rf"{low} \leq a \leq {high}"
-    lost = lost_pi(interval.replace("p}", r"\pi}")) if high == RIGHT_ANGLE else {}
     written_out = re.sub("d_.", lambda distance: DISTANCES[distance[0]], order)
-    return claim(
+    return four.claim(
         number,
         line,
         (order, interval),
         words="The order holds for these a, and for no others, wherever the denominator is not zero (T2.7, T2.8).",
-        formal=rf"{written_out} \Leftrightarrow {interval.replace('p}', chr(92) + 'pi}')}",
+        states=rf"{written_out} \Leftrightarrow {interval.replace('p}', chr(92) + 'pi}')}",
         given=[column],
         by=cases(),
         uses=["2.1.28", "2.1.29", "2.1.30"],
-        notation=four_wheels,
-        **lost,
+        damage=lost_pi(interval.replace("p}", r"\pi}")) if high == RIGHT_ANGLE else None,
     )
 
 
@@ -571,33 +380,31 @@ table_2 = (
     order_of_distances("T2.6", 173, r"d_3 \leq d_2 \leq d_1", SECANT, RIGHT_ANGLE, RIGHT_COLUMN),
 )
 
-order_at_b_zero = ours(
+order_at_b_zero = four.ours(
     "T2.7",
     173,
     words="At the end b = 0 of the left column 1/sin b has no value; with pi/2 for its arctangent, the limit, the table is right: "
     "d_1 <= d_3 <= d_2 holds from a = pi/4 on; d_1 = 0 is reached by d_3 at a = pi/2 only.",
-    parts=(
+    states=(
         r"4 \sin a \sin b \leq 4 \cos a \leq 4 \sin a \cos b \Leftrightarrow \pi/4 \leq a \leq \pi/2",
         r"4 \cos a = 4 \sin a \sin b \Leftrightarrow a = \pi/2",
     ),
     given=[Hypothesis("b zero", "b = 0, and a from 0 to pi/2", rf"b = 0, {QUADRANT}")],
     by=cases(),
     uses=["T2.3", "T2.5"],
-    notation=four_wheels,
 )
 
-order_at_b_right = ours(
+order_at_b_right = four.ours(
     "T2.8",
     173,
     words="So it is at the end b = pi/2 of the right column, where 1/cos b has no value.",
-    parts=(
+    states=(
         r"4 \sin a \cos b \leq 4 \cos a \leq 4 \sin a \sin b \Leftrightarrow \pi/4 \leq a \leq \pi/2",
         r"4 \cos a = 4 \sin a \cos b \Leftrightarrow a = \pi/2",
     ),
     given=[Hypothesis("b right", "b = pi/2, and a from 0 to pi/2", rf"b = \pi/2, {QUADRANT}")],
     by=cases(),
     uses=["T2.4", "T2.6"],
-    notation=four_wheels,
 )
 
 # --- table 3: the distances of the faces
@@ -608,43 +415,43 @@ SECOND = r"\frac{2 \sin 2a \cos b}{\sqrt{1 - \sin^2 a \sin^2 b}}"
 THIRD = r"2 \sin a \sin 2b"
 
 
-def row_of_distances(number: str, line: int, faces: dict[int, str], **fields: Any) -> Item:
+def row_of_distances(scope: Scope, number: str, line: int, faces: dict[int, str], words: str) -> Claim:
     """A row of a table of faces: what is printed is the distance r_i of the plane of F_i and F'_i from the centre."""
-    return claim(
+    return scope.claim(
         number,
         line,
         tuple(faces.values()),
-        parts=tuple(f"r_{i} = {distance}" for i, distance in faces.items()),
+        words=words,
+        states=tuple(f"r_{i} = {distance}" for i, distance in faces.items()),
         given=OPEN_RANGE,
-        by=identity,
-        **fields,
+        uses=["2.0.4"],
     )
 
 
-FOUR_WHEELS = {"where": partial(derivation.distances_of_faces, *FACES_OF_P), "uses": ["2.0.4"], "notation": four_wheels}
+table_3 = Scope(four_wheels, partial(derivation.distances_of_faces, *FACES_OF_P), identity)
 
 first_row_of_table_3 = row_of_distances(
-    "T3.1", 180, {1: FIRST, 2: SECOND, 3: THIRD}, words="Distances of F_1, F_2, F_3 and their opposites.", **FOUR_WHEELS
+    table_3, "T3.1", 180, {1: FIRST, 2: SECOND, 3: THIRD}, "Distances of F_1, F_2, F_3 and their opposites."
 )
 
 second_row_of_table_3 = row_of_distances(
-    "T3.2", 181, {5: FIRST, 4: SECOND}, words="Distances of F_5, F_4 and their opposites.", **FOUR_WHEELS
+    table_3, "T3.2", 181, {5: FIRST, 4: SECOND}, "Distances of F_5, F_4 and their opposites."
 )
 
-missing_cell_of_table_3 = claim(
+missing_cell_of_table_3 = table_3.claim(
     "T3.3",
     181,
     "F_6, F'_6",
     words="Distance of F_6 and F'_6: the cell is empty.",
-    formal=rf"r_6 = {THIRD}",
-    read_as=THIRD,
-    kind="missing cell",
-    origin=Origin.OCR,
-    reason="Its row names the faces and gives no distance. F_6 has the distance of F_3 above it, as F_5 has that of F_1 and F_4 that "
-    "of F_2; one cell for both rows, as in table 8 and twice in table 11, is what the digital text splits and leaves empty.",
+    states=rf"r_6 = {THIRD}",
+    damage=Damage(
+        THIRD,
+        reason="Its row names the faces and gives no distance. F_6 has the distance of F_3 above it, as F_5 has that of F_1 and F_4 that "
+        "of F_2; one cell for both rows, as in table 8 and twice in table 11, is what the digital text splits and leaves empty.",
+        kind="missing cell",
+    ),
     given=OPEN_RANGE,
-    by=identity,
-    **FOUR_WHEELS,
+    uses=["2.0.4"],
 )
 
 
@@ -653,12 +460,12 @@ def foot(middle: str, along: str, across: str) -> str:
     return rf"({middle}, {across}) = 0 \land ({middle}, {along})^2 \leq ({along}, {along})^2"
 
 
-feet_of_perpendiculars = ours(
+feet_of_perpendiculars = four.ours(
     "2.1.35",
     180,
     words="The foot of the perpendicular from the centre lies within each face, on a diagonal: so the distance of its plane is that of "
     "the face (F_1, F_2, F_3; the other faces are these, turned).",
-    parts=(
+    states=(
         foot(r"\mathbf{e}_1 + \mathbf{e}_2", r"\mathbf{e}_3 + \mathbf{e}_4", r"\mathbf{e}_3 - \mathbf{e}_4"),
         foot(r"\mathbf{e}_2 - \mathbf{e}_3", r"\mathbf{e}_4 - \mathbf{e}_1", r"\mathbf{e}_4 + \mathbf{e}_1"),
         foot(r"\mathbf{e}_1 + \mathbf{e}_3", r"\mathbf{e}_2 + \mathbf{e}_4", r"\mathbf{e}_2 - \mathbf{e}_4"),
@@ -669,149 +476,87 @@ feet_of_perpendiculars = ours(
         r"(8\sin^2 a \sin b \cos b)^2",
     ),
     uses=["2.1.23", "T3.1", "T3.2", "T3.3"],
-    notation=four_wheels,
 )
 
 # --- 2.2: one wheel fails
 
-wheels_are_alike = claim(
+wheels_are_alike = four.claim(
     "2.1.36",
     185,
     words="Without loss of generality the wheel along e_4 fails: the half turns, which leave P as it is, take e_4 to each other axis, "
     "but for its sense.",
-    parts=(
+    states=(
         r"\operatorname{diag}(1, -1, -1) \mathbf{e}_4 = \mathbf{e}_1",
         r"\operatorname{diag}(-1, 1, -1) \mathbf{e}_4 = -\mathbf{e}_3",
         r"\operatorname{diag}(-1, -1, 1) \mathbf{e}_4 = -\mathbf{e}_2",
     ),
-    by=identity,
     uses=["2.1.23"],
-    notation=four_wheels,
 )
 
-momentum_without_wheel_4 = claim(
-    "2.2",
-    187,
-    r"\mathbf{H} = h_1 \mathbf{e}_1 + h_2 \mathbf{e}_2 + h_3 \mathbf{e}_3,",
-    words="The sum of the momenta of the three wheels that work.",
-    where=THREE,
-    by=identity,
-    uses=["2.1"],
-    notation=three_of_four,
-)
+momentum_without_wheel_4 = three.total_momentum("2.2", 187, "three wheels that work", uses=["2.1"])
 
-components_without_wheel_4 = claim(
+components_without_wheel_4 = three.claim(
     "2.2.1",
     191,
     (
         r"H_x = (h_1 + h_2 + h_3) \sin a \sin b, \quad H_y = (-h_1 + h_2 - h_3) \sin a \cos b;",
         r"H_z = (-h_1 - h_2 + h_3) \cos a.",
     ),
-    where=THREE,
-    by=identity,
     uses=["2.0.4", "2.2"],
     lines={"c": 193},
-    notation=three_of_four,
 )
 
-shorthand_of_three = claim(
-    "2.2.2",
-    195,
-    r"\mathbf{H} = [h_1, h_2, h_3]",
-    words="(2.2) in short.",
-    where=THREE,
-    by=identity,
-    uses=["2.2"],
-    notation=three_of_four,
-)
+shorthand_of_three = three.shorthand("2.2.2", 195, "2.2")
 
-limits_of_three = premise(
+limits_of_three = three.premise(
     "2.2.3",
     195,
     (r"-h_{\max} \leq h_i \leq h_{\max}", r"i = 1, \dots, 3", r"|h_i| \leq 1"),
     words="The limits of the wheels that work; P' is the region of all H with |h_i| <= 1.",
-    formal=EACH,
-    notation=three_of_four,
+    states=EACH,
 )
 
-unit_of_momentum_of_three = claim(
-    "2.2.4",
-    195,
-    r"h_{\max} = 1",
-    words="Again no generality is lost with h_max = 1.",
-    formal=r"[h_{\max} h_1, h_{\max} h_2, h_{\max} h_3] = h_{\max} [h_1, h_2, h_3]",
-    by=identity,
-    uses=["2.2.2"],
-    notation=three_of_four.extended(LIMIT),
+unit_of_momentum_of_three = three.unit_of_momentum(
+    "2.2.4", 195, "2.2.2", three_of_four.extended(LIMIT), "Again no generality is lost with h_max = 1."
 )
 
-region_is_a_parallelepiped = claim(
+region_is_a_parallelepiped = three.claim(
     "2.2.5",
     195,
     words="P' is a parallelepiped: the three axes do not lie in one plane, so each H has one h_1, h_2, h_3.",
-    formal=r"(\mathbf{e}_1, \mathbf{e}_2 \times \mathbf{e}_3) \ne 0",
+    states=r"(\mathbf{e}_1, \mathbf{e}_2 \times \mathbf{e}_3) \ne 0",
     given=OPEN_RANGE,
     by=cases(),
     uses=["2.1.14"],
-    notation=three_of_four,
 )
 
-eight_vertices = claim(
+eight_vertices = three.claim(
     "2.2.6",
     195,
     words="P' has 8 vertices, as every parallelepiped.",
-    formal="2^3 = 8 \\land 3 (3 - 1) + 2 = 8",
+    states="2^3 = 8 \\land 3 (3 - 1) + 2 = 8",
     by=cases(),
     uses=["2.2.5"],
-    notation=three_of_four,
 )
 
-pairs_of_vertices_of_three = definition(
-    "2.2.7",
-    195,
-    r"i = 1, \dots, 4",
-    words="V'_i lies opposite to V_i.",
-    opaque=True,
-    notation=three_of_four,
-)
+pairs_of_vertices_of_three = three.pairs_of_vertices("2.2.7", 195, r"i = 1, \dots, 4", ".")
 
-twelve_edges = claim(
-    "2.2.8",
-    199,
-    words="P' has 12 edges.",
-    formal=r"2 \cdot 3 (3 - 1) = 12",
-    by=identity,
-    uses=["2.2.5"],
-    notation=three_of_four,
-)
+twelve_edges = three.number_of_edges("2.2.8", 199, "2.2.5")
 
-parameter_of_edges_of_three = definition(
-    "2.2.9",
-    203,
-    (r"-1 \leq u \leq 1", "u = -1", "u = 1"),
-    words="An edge begins at its first vertex with u = -1 and ends at its last with u = 1.",
-    formal=r"-1 \leq u \leq 1",
-    opaque=True,
-    notation=three_of_four,
-)
+parameter_of_edges_of_three = three.parameter_of_edges("2.2.9", 203)
 
-six_faces = claim(
+six_faces = three.claim(
     "2.2.10",
     203,
     words="P' has 6 faces, as every parallelepiped.",
-    formal=r"3 (3 - 1) = 6 \land 8 + 6 - 12 = 2",
+    states=r"3 (3 - 1) = 6 \land 8 + 6 - 12 = 2",
     by=cases(),
     uses=["2.2.5", "2.2.6", "2.2.8"],
-    notation=three_of_four,
 )
 
-pairs_of_faces_of_three = definition(
-    "2.2.11", 203, "i = 1, 2, 3", words="F'_i lies opposite to F_i.", opaque=True, notation=three_of_four
-)
+pairs_of_faces_of_three = three.pairs_of_faces("2.2.11", 203, "i = 1, 2, 3")
 
-sense_of_edges_of_three = exclusion(
-    "2.2.12", 211, words="V_2 V_1 and V_1 V_2 are one edge, begun at either end.", reason="a convention on names"
-)
+sense_of_edges_of_three = three.sense_of_edges("2.2.12", 211)
 
 angles_of_table_4 = exclusion(
     "2.2.13", 211, (r"a = 67^\circ", r"b = 32^\circ"), reason="the angles of table 4, those of table 1"
@@ -833,11 +578,6 @@ def _subtracted(vertex: str) -> str:
     return f"({vertex})" if vertex.startswith("-") else vertex
 
 
-def vertex(name: str, letter: str = "V") -> str:
-    """V_4 or V_4', as it is written in formal statements."""
-    return ("-" if name.endswith("'") else "") + rf"\mathbf{{{letter}}}_{name.strip('V_' + chr(39))}"
-
-
 def lost_prime(edge: str, corrected: str) -> Erratum:
     """The erratum of an edge that should read so."""
     return Erratum(
@@ -851,30 +591,22 @@ PRIMED_EDGES = ("V_4'V_7'", "V_1'V_5'", "V_3'V_6'")
 MIDDLES = ("V_4'", "V_1'", "V_3'", "V_4", "V_1", "V_3")
 
 
-def ends(edge: str) -> tuple[str, str]:
-    """The first and the last vertex of an edge, as they are written in formal statements."""
-    first, last = re.findall(r"V_\d'?", edge)
-    return vertex(first), vertex(last)
-
-
-edges_that_shrink = claim(
+edges_that_shrink = four.claim(
     "2.2.14",
     235,
     EDGES_ALONG_WHEEL_4,
     words="P' is P with these edges shrunk to length zero: they are the edges parallel to e_4.",
-    parts=tuple(shrinks(*ends(edge)) for edge in EDGES_ALONG_WHEEL_4),
-    by=identity,
-    errata={letter: lost_prime(edge, shrinks(*ends(edge))) for letter, edge in zip("abc", PRIMED_EDGES, strict=True)},
+    states=tuple(shrinks(*points(edge)) for edge in EDGES_ALONG_WHEEL_4),
+    errata={letter: lost_prime(edge, shrinks(*points(edge))) for letter, edge in zip("abc", PRIMED_EDGES, strict=True)},
     uses=["2.1.17"],
-    notation=four_wheels,
 )
 
 
 def halves(edge: str, middle: str) -> str:
     """The vertex of P' is the middle of the edge of P."""
-    first, last = ends(edge)
+    (first, last), (place,) = points(edge), points(middle, "W")
     sign = "" if last.startswith("-") else "+"
-    return rf"{vertex(middle, 'W')} = \frac{{1}}{{2}} ({first} {sign} {last})"
+    return rf"{place} = \frac{{1}}{{2}} ({first} {sign} {last})"
 
 
 vertices_at_middles = claim(
@@ -882,7 +614,7 @@ vertices_at_middles = claim(
     235,
     (r"V_4'", r"V_1'", r"V_3'", "V_4", "V_1", "V_3"),
     words="These vertices of P' (W in the formal statement) are the middles of these edges of P, in this order.",
-    parts=tuple(halves(edge, middle) for edge, middle in zip(EDGES_ALONG_WHEEL_4, MIDDLES, strict=True)),
+    states=tuple(halves(edge, middle) for edge, middle in zip(EDGES_ALONG_WHEEL_4, MIDDLES, strict=True)),
     by=identity,
     errata={
         letter: lost_prime(edge, halves(edge, middle))
@@ -892,40 +624,20 @@ vertices_at_middles = claim(
     notation=four_and_three,
 )
 
-edges_of_three_of_length_two = claim(
-    "2.2.16",
-    235,
-    words="The edges of P' have the length 2.",
-    formal=r"(\mathbf{e}_i - (-\mathbf{e}_i), \mathbf{e}_i - (-\mathbf{e}_i)) = 2^2",
-    by=identity,
-    uses=["2.0.3", "2.2.9"],
-    notation=three_of_four,
-)
+edges_of_three_of_length_two = three.edges_of_length_two("2.2.16", 235, uses=["2.0.3", "2.2.9"])
 
-faces_of_three_are_rhombi = claim(
-    "2.2.17",
-    235,
-    words="So all faces of P' are rhombi.",
-    parts=rhombi(((1, 2), (1, 3), (2, 3))),
-    given=OPEN_RANGE,
-    by=cases(),
-    uses=["2.2.16"],
-    notation=three_of_four,
-)
+faces_of_three_are_rhombi = three.faces_are_rhombi("2.2.17", 235, OPEN_RANGE, "2.2.16")
 
-DISTANCES_OF_THREE = partial(derivation.vertex_distances, "W_1, W_3, W_4, W_2")
+vertices_of_three = Scope(three_of_four, partial(derivation.vertex_distances, "W_1, W_3, W_4, W_2"), identity)
 
 
-def distance_of_three(number: str, printed: str, vertices: str) -> Item:
+def distance_of_three(number: str, printed: str, vertices: str) -> Claim:
     """The distance of a pair of vertices of P' from the centre."""
-    return claim(
+    return vertices_of_three.claim(
         number,
         235,
         printed,
         words=f"Distance of {vertices} from the centre.",
-        where=DISTANCES_OF_THREE,
-        by=identity,
-        notation=three_of_four,
     )
 
 
@@ -936,40 +648,29 @@ distances_of_three = (
     distance_of_three("2.2.21", "d_4 = 1", "V_2, V'_2"),
 )
 
-two_equal_distances_of_three = claim(
+two_equal_distances_of_three = vertices_of_three.claim(
     "2.2.22",
     235,
     ("d_1 = d_2", r"b = p/4 = 45^\circ"),
     words="V_1 and V_3 are equally far for b = pi/4, and only then.",
-    parts=(
+    states=(
         r"d_1^2 - d_2^2 = 8 \sin^2 a (\sin b + \cos b)(\sin b - \cos b)",
         r"\sin b - \cos b = 0 \Leftrightarrow b = \pi/4",
         r"\pi/4 = 45^\circ",
     ),
     given=[ACUTE],
-    where=DISTANCES_OF_THREE,
     by={"a": identity, "b": cases(), "c": identity},
     uses=["2.2.18", "2.2.19"],
-    notation=three_of_four,
-    **lost_pi(r"b = \pi/4 = 45^\circ"),
+    damage=lost_pi(r"b = \pi/4 = 45^\circ"),
 )
 
-three_equal_distances_of_three = claim(
+three_equal_distances_of_three = three_equal_distances_of(
+    vertices_of_three,
     "2.2.23",
     235,
-    ("d_1 = d_2 = d_3", r"a = \arctg \sqrt{2} = 54.7^\circ", r"b = p/4 = 45^\circ"),
-    words="V_1, V_3 and V_4 are equally far for a = arctg sqrt 2 and b = pi/4, and only then.",
-    parts=(
-        r"(d_1 = d_2 \land d_2 = d_3) \Leftrightarrow (a = \arctg \sqrt{2} \land b = \pi/4)",
-        r"\arctg \sqrt{2} = 54.7^\circ",
-        r"\pi/4 = 45^\circ",
-    ),
-    given=[ACUTE],
-    where=DISTANCES_OF_THREE,
-    by=cases(),
+    "V_1, V_3 and V_4",
+    r"d_1 = d_2 \land d_2 = d_3",
     uses=["2.2.18", "2.2.19", "2.2.20"],
-    notation=three_of_four,
-    **lost_pi(r"a = \arctg \sqrt{2} = 54.7^\circ, b = \pi/4 = 45^\circ"),
 )
 
 
@@ -978,23 +679,21 @@ def _square(distance: str) -> str:
     return rf"({DISTANCES[distance]})^2"
 
 
-order_of_three = claim(
+order_of_three = vertices_of_three.claim(
     "2.2.24",
     237,
     words="The distances d_1, d_2, d_3 are ordered as table 2 says, which is of P: their squares differ by half as much.",
-    parts=tuple(
+    states=tuple(
         rf"{one}^2 - {other}^2 = \frac{{1}}{{2}} ({_square(one)} - {_square(other)})"
         for one, other in (("d_1", "d_2"), ("d_2", "d_3"), ("d_3", "d_1"))
     ),
-    where=DISTANCES_OF_THREE,
-    by=identity,
     uses=["T2.1", "T2.2", "T2.3", "T2.4", "T2.5", "T2.6"],
-    notation=three_of_four,
 )
 
 FACES_OF_THREE = ("u, v, 1", "1, u, v", "u, 1, v")
 
 table_5 = row_of_distances(
+    Scope(three_of_four, partial(derivation.distances_of_faces, *FACES_OF_THREE), identity),
     "T5.1",
     244,
     {
@@ -1003,9 +702,6 @@ table_5 = row_of_distances(
         3: r"\sin a \sin 2b",
     },
     words="Distances of F_1, F_2, F_3 and their opposites.",
-    where=partial(derivation.distances_of_faces, *FACES_OF_THREE),
-    uses=["2.0.4"],
-    notation=three_of_four,
 )
 
 
@@ -1014,81 +710,62 @@ def foot_of_three(middle: str, along: str, across: str) -> str:
     return rf"2 ({middle}, {across}) = ({across}, {across}) \land (2 ({middle}, {along}))^2 \leq ({along}, {along})^2"
 
 
-feet_of_perpendiculars_of_three = ours(
+feet_of_perpendiculars_of_three = three.ours(
     "2.2.25",
     244,
     words="Here too the foot of the perpendicular lies within each face.",
-    parts=(
+    states=(
         foot_of_three(r"\mathbf{e}_3", r"\mathbf{e}_1 + \mathbf{e}_2", r"\mathbf{e}_1 - \mathbf{e}_2"),
         foot_of_three(r"\mathbf{e}_1", r"\mathbf{e}_2 - \mathbf{e}_3", r"\mathbf{e}_2 + \mathbf{e}_3"),
         foot_of_three(r"\mathbf{e}_2", r"\mathbf{e}_1 + \mathbf{e}_3", r"\mathbf{e}_1 - \mathbf{e}_3"),
     ),
     by=cases(),
     uses=["T5.1"],
-    notation=three_of_four,
 )
 
 # --- 2.3: the spacecraft
 
-equal_rates_wanted = premise(
+equal_rates_wanted = craft.premise(
     "2.2.26",
     246,
     words="The largest rates about OX, OY and OZ are to be equal (lines 246 and 248).",
-    notation=four_wheels_in_spacecraft,
 )
 
-moments_of_inertia = premise(
-    "2.2.27",
-    248,
-    (
-        r"J_x = 1000 \text{ кг м}^2",
-        r"J_y = 1600 \text{ кг м}^2",
-        r"J_z = 800 \text{ кг м}^2",
-    ),
-    words="The principal central moments of inertia, in kg m^2.",
-    formal="J_x = 1000, J_y = 1600, J_z = 800",
-    notation=four_wheels_in_spacecraft,
-)
+moments_of_inertia = wheels.moments_of_inertia(craft, "2.2.27", 248, "")
 
-such_a_body_exists = ours(
+such_a_body_exists = craft.ours(
     "2.2.28",
     248,
     words="Such a body exists: no moment exceeds the sum of the other two.",
-    formal=r"J_y + J_z \geq J_x \land J_z + J_x \geq J_y \land J_x + J_y \geq J_z",
+    states=r"J_y + J_z \geq J_x \land J_z + J_x \geq J_y \land J_x + J_y \geq J_z",
     given=[SPACECRAFT_MOMENTS],
     by=cases(),
     uses=["2.2.27"],
-    notation=four_wheels_in_spacecraft,
 )
 
-body_at_rest = premise(
+body_at_rest = craft.premise(
     "2.2.29",
     248,
     words="The total angular momentum of body and wheels is zero; w is the absolute rate of the body, H the own momentum of the wheels.",
-    notation=four_wheels_in_spacecraft,
 )
 
-no_angular_momentum = claim(
+no_angular_momentum = craft.claim(
     "2.2.30",
     250,
     r"J_x w_x + H_x = 0, \quad J_y w_y + H_y = 0, \quad J_z w_z + H_z = 0.",
     words="Its components in the principal axes.",
     equation=derivation.angular_momentum,
-    by=identity,
     uses=["2.2.29"],
-    notation=four_wheels_in_spacecraft,
 )
 
 AT_REST = Hypothesis("no angular momentum", "2.2.30", r"J_x w_x + H_x = 0, J_y w_y + H_y = 0, J_z w_z + H_z = 0")
 
-rates = claim(
+rates = craft.claim(
     "2.3",
     254,
     r"w_x = -\frac{H_x}{J_x}, \quad w_y = -\frac{H_y}{J_y}, \quad w_z = -\frac{H_z}{J_z}.",
     given=[AT_REST, MASS],
-    by=identity,
     uses=["2.2.30"],
-    notation=four_wheels_in_spacecraft,
 )
 
 EQUAL_RATES = Hypothesis(
@@ -1097,12 +774,11 @@ EQUAL_RATES = Hypothesis(
     r"4 J_y \sin a \sin b = 4 J_x \sin a \cos b, 4 J_z \sin a \cos b = 4 J_y \cos a, 4 J_x \cos a = 4 J_z \sin a \sin b",
 )
 
-equal_rates = premise(
+equal_rates = craft.premise(
     "2.3.1",
     256,
     "w_x = w_y = w_z",
     words="The condition: the largest rates are equal.",
-    notation=four_wheels_in_spacecraft,
 )
 
 LARGEST = {  # the largest component, its value, who is zero beside it, the momenta of the wheels, what is missing to it
@@ -1118,22 +794,11 @@ def _shortage(axis: str) -> str:
     return " + ".join(f"{share} (1 {'-' if sign > 0 else '+'} h_{i})" for i, sign in enumerate(signs, 1))
 
 
-def largest_component(number: str, axis: str) -> Item:
-    """The largest component along an axis: it is had, and no more."""
-    value, _, signs, _ = LARGEST[axis]
-    component, _, most = value.partition(" = ")
-    place = {"x": rf"({most}, 0, 0)", "y": rf"(0, {most}, 0)", "z": rf"(0, 0, {most})"}[axis]
-    return claim(
-        number,
-        256,
-        value,
-        words=f"The largest {component} that the wheels can have, alone.",
-        parts=(rf"[{', '.join(map(str, signs))}] = {place}", rf"{EACH} \Rightarrow {component} \leq {most}"),
-        given=OPEN_RANGE,
-        where=FOUR,
-        by={"a": identity, "b": cases(_shortage(axis))},
-        uses=["2.1.2"],
-        notation=four_wheels,
+def largest_component(number: str, axis: str) -> Claim:
+    """The largest component along an axis."""
+    largest, _, signs, _ = LARGEST[axis]
+    return four.largest_component(
+        number, 256, largest, ", ".join(map(str, signs)), _shortage(axis), OPEN_RANGE, "2.1.2"
     )
 
 
@@ -1154,12 +819,11 @@ COMMA = (
     "dot that stands here in both ratios multiplies what should be equal. A comma at the foot of a fraction was read as a dot."
 )
 
-ratio_of_x_and_y = claim(
+ratio_of_x_and_y = craft.claim(
     "2.3.5",
     256,
     r"\frac{H_x}{J_x} = \frac{J_y}{J_x} \cdot \frac{4 \sin a \sin b}{4 \sin a \cos b} = \frac{5}{8}",
     given=[AT_THE_ANGLES],
-    by=identity,
     uses=["2.2.27", "2.3.1", "2.3.2", "2.3.3"],
     errata={
         "a": Erratum(
@@ -1177,87 +841,75 @@ ratio_of_x_and_y = claim(
             COMMA,
         ),
     },
-    notation=four_wheels_in_spacecraft,
 )
 
-angle_b = claim(
+angle_b = craft.claim(
     "2.3.6",
     256,
     r"b = \arctg \frac{5}{8} = 32^\circ",
     words="The angle b from it, rounded to whole degrees.",
-    parts=(
+    states=(
         r"\frac{4 \sin a \sin b}{J_x} = \frac{4 \sin a \cos b}{J_y} \Leftrightarrow b = \arctg \frac{5}{8}",
         r"\arctg \frac{5}{8} \approx 32^\circ",
     ),
     given=[SPACECRAFT_MOMENTS, ACUTE],
     by=cases(),
     uses=["2.3.1", "2.3.5"],
-    notation=four_wheels_in_spacecraft,
 )
 
-ratio_of_y_and_z = claim(
+ratio_of_y_and_z = craft.claim(
     "2.3.7",
     258,
     r"\frac{H_y}{H_z} = \frac{J_y}{J_z} \cdot \frac{4 \sin a \cos b}{4 \cos a} = 2",
     given=[AT_THE_ANGLES],
-    by=identity,
     uses=["2.2.27", "2.3.1", "2.3.3", "2.3.4"],
     errata={
         "a": Erratum(r"\frac{H_y}{H_z} = \frac{J_y}{J_z}", "typography", Origin.OCR, COMMA),
         "b": Erratum(r"\frac{4 \sin a \cos b}{4 \cos a} = 2", "typography", Origin.OCR, COMMA),
     },
-    notation=four_wheels_in_spacecraft,
 )
 
 EQUAL_RATES_OF_Y_AND_Z = Hypothesis(
     "equal rates of y and z", "the largest rates about OY and OZ are equal", r"4 J_z \sin a \cos b = 4 J_y \cos a"
 )
 
-tangent_of_a = claim(
+tangent_of_a = craft.claim(
     "2.3.8",
     260,
     r"\operatorname{tg} a = \frac{2}{\cos b}",
     given=[*OPEN_RANGE, SPACECRAFT_MOMENTS, EQUAL_RATES_OF_Y_AND_Z],
-    by=identity,
     uses=["2.3.1", "2.3.7"],
-    notation=four_wheels_in_spacecraft,
 )
 
-angle_a = claim(
+angle_a = craft.claim(
     "2.3.9",
     260,
     r"a = 67^\circ.",
     words="The angle a from it, rounded to whole degrees, with b exact or rounded.",
-    parts=(
+    states=(
         r"\arctg\left(\frac{2}{\cos\left(\arctg \frac{5}{8}\right)}\right) \approx 67^\circ",
         r"\arctg\left(\frac{2}{\cos 32^\circ}\right) \approx 67^\circ",
     ),
-    by=identity,
     uses=["2.3.6", "2.3.8"],
-    notation=four_wheels_in_spacecraft,
 )
 
-largest_rates = claim(
+largest_rates = craft.claim(
     "2.3.10",
     262,
     r"w_x = w_y = w_z = 0.002 h_{\max} \text{ кг}^{-1} \text{ м}^{-2}",
     words="The largest rates, in absolute value and for h_max = 1; N m s / (kg m^2) is 1/s, so kg^-1 m^-2 before h_max is right.",
-    parts=tuple(rf"-w_{x} \approx 0.002" for x in "xyz"),
+    states=tuple(rf"-w_{x} \approx 0.002" for x in "xyz"),
     given=[AT_THE_ANGLES, RATES],
-    by=identity,
     uses=["2.3", "2.3.2", "2.3.3", "2.3.4", "2.3.6", "2.3.8"],
-    notation=four_wheels_in_spacecraft,
 )
 
-largest_rates_exactly = ours(
+largest_rates_exactly = craft.ours(
     "2.3.11",
     262,
     words="They are equal, exactly: 1/(50 sqrt 105), or 0.00195 h_max.",
-    parts=(*(rf"-w_{x} = \frac{{1}}{{50 \sqrt{{105}}}}" for x in "xyz"), r"-w_x \approx 0.00195"),
+    states=(*(rf"-w_{x} = \frac{{1}}{{50 \sqrt{{105}}}}" for x in "xyz"), r"-w_x \approx 0.00195"),
     given=[AT_THE_ANGLES, RATES],
-    by=identity,
     uses=["2.3.10"],
-    notation=four_wheels_in_spacecraft,
 )
 
 
@@ -1265,7 +917,7 @@ units_of_the_rates = ours(
     "2.3.12",
     262,
     words="With units: a momentum of so many h_max, over a moment of inertia in kg m^2, leaves kg^-1 m^-2 before h_max.",
-    parts=tuple(
+    states=tuple(
         rf"\frac{{{most} \cdot h_{{\max}}}}{{J_{x}}} = \frac{{{most}}}{{{moment}}} h_{{\max}} \text{{ кг}}^{{-1}} \text{{ м}}^{{-2}}"
         for x, most, moment in zip("xyz", DISTANCES.values(), (1000, 1600, 800), strict=True)
     ),
@@ -1291,71 +943,65 @@ def where_largest(axis: str, then: list[str]) -> str:
     return rf"({EACH} \land {value}) \Rightarrow ({AND.join(then)})"
 
 
-largest_rate_comes_alone = claim(
+largest_rate_comes_alone = four.claim(
     "2.3.13",
     262,
     words="Where one component has its largest value the other two are zero.",
-    parts=tuple(
+    states=tuple(
         where_largest(axis, [f"{other} = 0" for other in others]) for axis, (_, others, _, _) in LARGEST.items()
     ),
     given=OPEN_RANGE,
-    where=FOUR,
     by={letter: cases(_shortage(axis)) for letter, axis in zip("abc", LARGEST, strict=True)},
     uses=["2.3.2", "2.3.3", "2.3.4"],
-    notation=four_wheels,
 )
 
 SUM_OF_SHORTAGES = r"4 (1 - h_1)(1 + h_1) + 4 (1 - h_2)(1 + h_2) + 4 (1 - h_3)(1 + h_3) + 4 (1 - h_4)(1 + h_4)"
 
 SUM_OF_SQUARES = r"(h_1 + h_2 + h_3 + h_4)^2 + (-h_1 + h_2 - h_3 + h_4)^2 + (-h_1 - h_2 + h_3 + h_4)^2"
 
-other_directions = claim(
+other_directions = craft.claim(
     "2.3.14",
     264,
     words="In any other direction the largest rate is smaller. Counted in quarters of the largest rate about an axis the components are "
     "these sums (2.3.15); the bound is reached at the six vertices on the axes only (2.3.16).",
-    formal=rf"{SUM_OF_SQUARES} \leq 4^2",
+    states=rf"{SUM_OF_SQUARES} \leq 4^2",
     given=[FULL_MOMENTUM],
     by=nonnegative(rf"{SUM_OF_SHORTAGES} + (h_1 - h_2 - h_3 + h_4)^2"),
     equality=r"h_1^2 = 1, h_2^2 = 1, h_3^2 = 1, h_4^2 = 1, h_1 - h_2 - h_3 + h_4 = 0",
     uses=["2.3.15", "2.3.16"],
-    notation=four_wheels_in_spacecraft,
 )
 
 rates_in_quarters = ours(
     "2.3.15",
     264,
     words="At equal largest rates each component, here without its sign, is a quarter of the largest one times the sum in 2.3.14.",
-    parts=(
+    states=(
         r"\frac{H_x}{J_x} = \frac{\sin a \sin b}{J_x} (h_1 + h_2 + h_3 + h_4)",
         r"\frac{H_y}{J_y} = \frac{\sin a \sin b}{J_x} (-h_1 + h_2 - h_3 + h_4)",
         r"\frac{H_z}{J_z} = \frac{\sin a \sin b}{J_x} (-h_1 - h_2 + h_3 + h_4)",
     ),
     given=[EQUAL_RATES],
-    where=FOUR,
+    where=four.where,
     by=identity,
     uses=["2.3", "2.3.1", "2.3.2", "2.3.3", "2.3.4"],
     notation=four_wheels_in_spacecraft,
 )
 
-bound_is_reached_on_the_axes = ours(
+bound_is_reached_on_the_axes = four.ours(
     "2.3.16",
     264,
     words="Where all wheels have full momentum and h_1 - h_2 - h_3 + h_4 = 0, H lies on an axis.",
-    formal=r"(h_i^2 = 1 \land h_1 - h_2 - h_3 + h_4 = 0) \Rightarrow (H_x H_y = 0 \land H_y H_z = 0 \land H_z H_x = 0)",
-    where=FOUR,
+    states=r"(h_i^2 = 1 \land h_1 - h_2 - h_3 + h_4 = 0) \Rightarrow (H_x H_y = 0 \land H_y H_z = 0 \land H_z H_x = 0)",
     by=cases(),
     uses=["2.1.2"],
-    notation=four_wheels,
 )
 
-image_of_the_region = claim(
+image_of_the_region = craft.claim(
     "2.3.17",
     264,
     words="The region of the rates is P after a similarity, given by (2.3): lengths along OX and OY change in one ratio.",
-    formal=r"\frac{w_x^2}{H_x^2} = \frac{w_y^2}{H_y^2}",
+    states=r"\frac{w_x^2}{H_x^2} = \frac{w_y^2}{H_y^2}",
     given=[SPACECRAFT_MOMENTS, RATES],
-    by=identity,
     uses=["2.3"],
     errata={
         "": Erratum(
@@ -1367,20 +1013,17 @@ image_of_the_region = claim(
             "1600 and 800. What follows needs only that it is affine: vertices go over into vertices.",
         )
     },
-    notation=four_wheels_in_spacecraft,
 )
 
-largest_rates_at_vertices = claim(
+largest_rates_at_vertices = four.claim(
     "2.3.18",
     264,
     words="The largest rates are had at vertices only: there all wheels have full momentum.",
-    parts=tuple(
+    states=tuple(
         where_largest(axis, [f"h_{i} = {sign}" for i, sign in enumerate(signs, 1)])
         for axis, (_, _, signs, _) in LARGEST.items()
     ),
     given=OPEN_RANGE,
-    where=FOUR,
     by={letter: cases(_shortage(axis)) for letter, axis in zip("abc", LARGEST, strict=True)},
     uses=["2.3.13"],
-    notation=four_wheels,
 )

@@ -8,23 +8,20 @@ where both polyhedra are spoken of.
 from __future__ import annotations
 
 import re
+from collections.abc import Mapping
 from functools import partial
-from itertools import combinations
-from typing import Any
 
-from symcheck.core.claims import Erratum, Hypothesis, Item
+from symcheck.core.claims import Claim, Damage, Erratum, Hypothesis, Ours
+from symcheck.core.problems import Applied
 from symcheck.core.verdicts import Origin
-from symcheck.papers.declare import claim, definition, exclusion, ours, premise
-from symcheck.papers.ignatov2005 import derivation, envelopes
+from symcheck.papers.declare import Scope, exclusion, ours, premise
+from symcheck.papers.ignatov2005 import derivation, envelopes, wheels
 from symcheck.papers.ignatov2005.hypotheses import (
-    EACH,
     MASS,
     RATES,
     SPACECRAFT_MOMENTS,
-    lost_pi,
     real_base,
     real_pyramid,
-    rhombi,
 )
 from symcheck.papers.ignatov2005.notation import (
     five_of_six,
@@ -35,16 +32,12 @@ from symcheck.papers.ignatov2005.notation import (
     six_wheels_in_spacecraft,
     six_wheels_with_units,
 )
+from symcheck.papers.ignatov2005.wheels import five, points, six
 from symcheck.proof import cases, combined, existence, identity, nonnegative, theorems
 from symcheck.reading import Notation
 
-SIX, FIVE = (partial(derivation.momentum_of_six, number) for number in (6, 5))
-WHEELS = (1, 2, 3, 4, 5, 6)
-
-
-def momenta(letter: str = "h", wheels: int = 6) -> str:
-    """[h_1, ..., h_6]"""
-    return "[" + ", ".join(f"{letter}_{i}" for i in WHEELS[:wheels]) + "]"
+both = Scope(six_and_five, derivation.six_axes, cases())
+craft = Scope(six_wheels_in_spacecraft, by=identity)
 
 
 def right_side(printed: str) -> str:
@@ -58,21 +51,11 @@ pyramid = premise(
     "3.0.1", 268, words="The axes of the wheels are parallel to the side edges of a regular six-sided pyramid."
 )
 
-numbers_of_wheels = exclusion(
-    "3.0.2", 273, r"i=1,\dots,6", reason="range of the number of a wheel, used in the notation"
-)
+numbers_of_wheels = six.numbers_of_wheels("3.0.2", 273)
 
-axes_are_unit_vectors = claim(
-    "3.0.3",
-    273,
-    words="The e_i are unit vectors.",
-    formal=r"(\mathbf{e}_i, \mathbf{e}_i) = 1",
-    where=derivation.six_axes,
-    by=identity,
-    notation=six_wheels,
-)
+axes_are_unit_vectors = six.unit_vectors("3.0.3", 273)
 
-axes_of_wheels = claim(
+axes_of_wheels = six.claim(
     "3.0.4",
     275,
     r"\begin{aligned} e_1 &= (0, -\sin a, \cos a), & "
@@ -81,8 +64,6 @@ axes_of_wheels = claim(
     r"e_5 &= \left( \frac{\sqrt{3}}{2} \sin a, -\frac{1}{2} \sin a, -\cos a \right), & "
     r"e_6 &= \left( \frac{\sqrt{3}}{2} \sin a, \frac{1}{2} \sin a, -\cos a \right). \end{aligned}",
     words="Edges 60 degrees apart, the first in the plane OYZ; wheels 1 to 3 point up their edges, 4 to 6 down.",
-    where=derivation.six_axes,
-    by=identity,
     uses=["3.0.1"],
     errata={
         "d": Erratum(
@@ -94,54 +75,32 @@ axes_of_wheels = claim(
             "by the author or by the OCR.",
         )
     },
-    notation=six_wheels,
 )
 
-opposite_edges = ours(
+opposite_edges = six.ours(
     "3.0.5",
     275,
     words="With this e_4 neighbouring edges enclose one angle all round, as in a regular pyramid: e_1, e_2, e_3, -e_4, -e_5, -e_6.",
-    formal=r"(\mathbf{e}_1, \mathbf{e}_2) = (\mathbf{e}_2, \mathbf{e}_3) = -(\mathbf{e}_3, \mathbf{e}_4) = "
+    states=r"(\mathbf{e}_1, \mathbf{e}_2) = (\mathbf{e}_2, \mathbf{e}_3) = -(\mathbf{e}_3, \mathbf{e}_4) = "
     r"(\mathbf{e}_4, \mathbf{e}_5) = (\mathbf{e}_5, \mathbf{e}_6) = -(\mathbf{e}_6, \mathbf{e}_1)",
-    where=derivation.six_axes,
     by=cases(),
     uses=["3.0.4"],
-    notation=six_wheels,
 )
 
-angle_to_oz = claim(
-    "3.0.6",
-    277,
-    words="a is the angle between the axis of a wheel and OZ (as lines: e_4 to e_6 point downwards).",
-    formal=r"(\mathbf{e}_i, (0, 0, 1))^2 = \cos^2 a",
-    where=derivation.six_axes,
-    by=identity,
-    uses=["3.0.4"],
-    notation=six_wheels,
-)
+angle_to_oz = six.angle_to_oz("3.0.6", 277, "e_4 to e_6", "3.0.4")
 
 parameter = premise("3.0.7", 277, words="The angle a is the parameter of the system.")
 
-total_momentum = claim(
-    "3.1",
-    279,
-    r"\mathbf{H} = h_1 \mathbf{e}_1 + h_2 \mathbf{e}_2 + h_3 \mathbf{e}_3 + h_4 \mathbf{e}_4 + h_5 \mathbf{e}_5 + h_6 \mathbf{e}_6,",
-    words="The sum of the momenta of the wheels.",
-    where=SIX,
-    by=identity,
-    notation=six_wheels,
-)
+total_momentum = six.total_momentum("3.1", 279)
 
-equal_wheels = premise(
+equal_wheels = six.equal_wheels(
     "3.1.1",
     281,
     (r"-h_{\max} \leq h_i \leq h_{\max}", r"i = 1, \dots, 6", r"h_{\max}"),
-    words="The wheels are equal; h_max is the largest momentum of a wheel, one more parameter.",
-    formal=r"-h_{\max} \leq h_i \leq h_{\max}",
-    notation=six_wheels_in_spacecraft,
+    six_wheels_in_spacecraft,
 )
 
-components_of_momentum = claim(
+components_of_momentum = six.claim(
     "3.1.2",
     283,
     (
@@ -149,109 +108,52 @@ components_of_momentum = claim(
         r"H_y = \left( -h_1 - \frac{h_2}{2} + \frac{h_3}{2} - h_4 - \frac{h_5}{2} + \frac{h_6}{2} \right) \sin a,",
         r"H_z = (h_1 + h_2 + h_3 - h_4 - h_5 - h_6) \cos a.",
     ),
-    where=SIX,
-    by=identity,
     lines={"c": 285},
     uses=["3.0.4", "3.1"],
-    notation=six_wheels,
 )
 
-shorthand = claim(
-    "3.1.3",
-    287,
-    r"\mathbf{H} = [h_1, h_2, h_3, h_4, h_5, h_6]",
-    words="Square brackets list the momenta of the wheels: (3.1) in short.",
-    where=SIX,
-    by=identity,
-    uses=["3.1"],
-    notation=six_wheels,
-)
+shorthand = six.shorthand("3.1.3", 287, "3.1", "Square brackets list the momenta of the wheels: ")
 
-round_brackets = exclusion(
-    "3.1.4",
-    287,
-    r"\mathbf{H} = (H_x, H_y, H_z)",
-    reason="round brackets list components, as usual; the notation has them so",
-)
+round_brackets = six.round_brackets("3.1.4", 287)
 
-unit_of_momentum = claim(
-    "3.1.5",
-    287,
-    r"h_{\max} = 1",
-    words="No generality is lost with h_max = 1: the momenta are those for h_max = 1, times h_max.",
-    formal="[" + ", ".join(rf"h_{{\max}} h_{i}" for i in WHEELS) + rf"] = h_{{\max}} {momenta()}",
-    where=derivation.six_axes,
-    by=identity,
-    uses=["3.1.3"],
-    notation=six_wheels_in_spacecraft,
-)
+unit_of_momentum = six.unit_of_momentum("3.1.5", 287, "3.1.3", six_wheels_in_spacecraft)
 
-region = premise("3.1.6", 289, r"|h_i| \leq 1", words="P is the region of all H with such h_i.", notation=six_wheels)
+region = six.region_of_momenta("3.1.6", 289)
 
-region_is_convex = claim(
+region_is_convex = six.claim(
     "3.1.7",
     289,
     words="P is convex: between two of its points lies the H of the momenta between, which are no larger (2.1.7b).",
-    formal=rf"u{momenta()} + (1 - u){momenta('l')} = [" + ", ".join(f"uh_{i} + (1 - u)l_{i}" for i in WHEELS) + "]",
-    where=derivation.six_axes,
-    by=identity,
+    states=rf"u{six.momenta()} + (1 - u){six.momenta('l')} = " + six.bracket(lambda i: f"uh_{i} + (1 - u)l_{i}"),
     uses=["2.1.7", "3.1.3"],
-    notation=six_wheels,
 )
 
-region_is_symmetric = claim(
-    "3.1.8",
-    289,
-    words="P is symmetric about the origin.",
-    formal="[" + ", ".join(f"-h_{i}" for i in WHEELS) + f"] = -{momenta()}",
-    where=derivation.six_axes,
-    by=identity,
-    uses=["3.1.3"],
-    notation=six_wheels,
-)
+region_is_symmetric = six.symmetric_region("3.1.8", 289, "3.1.3")
 
-vertices_take_full_momenta = claim(
-    "3.1.9",
-    289,
-    r"64 = 2^6",
-    words="At a vertex every wheel has full momentum, else H is the middle of a segment in P; so there are at most 64 vertices.",
-    parts=(
-        r"[h_1 + u, h_2, h_3, h_4, h_5, h_6] + [h_1 - u, h_2, h_3, h_4, h_5, h_6] = 2[h_1, h_2, h_3, h_4, h_5, h_6]",
-        r"64 = 2^6",
-    ),
-    where=derivation.six_axes,
-    by=identity,
-    uses=["3.1.3"],
-    notation=six_wheels,
-)
+vertices_take_full_momenta = six.full_momenta_at_vertices("3.1.9", 289, "3.1.3")
 
 ZERO = (r"\mathbf{H} = [1, -1, 1, 1, -1, 1]", r"\mathbf{H} = [-1, 1, -1, -1, 1, -1]")
 
-zero_combinations = claim(
+zero_combinations = six.claim(
     "3.1.10",
     289,
     ZERO,
     words="In these two combinations the momenta cancel.",
-    parts=tuple(f"{right_side(printed)} = 0" for printed in ZERO),
-    where=derivation.six_axes,
-    by=identity,
+    states=tuple(f"{right_side(printed)} = 0" for printed in ZERO),
     uses=["3.0.4", "3.1.3"],
-    notation=six_wheels,
 )
 
-only_two_combinations_vanish = claim(
+only_two_combinations_vanish = six.claim(
     "3.1.11",
     289,
     words="No other combination of full momenta vanishes: there are two.",
-    formal=rf"{momenta()} = 0 \Leftrightarrow (h_2 = -h_1 \land h_3 = h_1 \land h_4 = h_1 \land h_5 = -h_1 \land h_6 = h_1)",
+    states=rf"{six.momenta()} = 0 \Leftrightarrow (h_2 = -h_1 \land h_3 = h_1 \land h_4 = h_1 \land h_5 = -h_1 \land h_6 = h_1)",
     given=[
         real_pyramid,
-        Hypothesis("full momenta", "every wheel has full momentum", ", ".join(f"h_{i}^2 = 1" for i in WHEELS)),
+        Hypothesis("full momenta", "every wheel has full momentum", ", ".join(f"h_{i}^2 = 1" for i in six.numbers)),
     ],
-    where=derivation.six_axes,
     by=cases(),
     uses=["3.1.10"],
-    notation=six_wheels,
 )
 
 # half of the combinations that are no vertices, the others being opposite, and smaller momenta with the same sum
@@ -276,108 +178,53 @@ INSIDE = (
 
 def inside(full: str) -> str:
     """Wheels that are all below their limit have the same sum."""
-    return rf"\exists h_i : (-1 < h_i \land h_i < 1 \land {momenta()} = [{full}])"
+    return rf"\exists h_i : (-1 < h_i \land h_i < 1 \land {six.momenta()} = [{full}])"
 
 
-combinations_inside = claim(
+combinations_inside = six.claim(
     "3.1.12",
     289,
     words="30 combinations, these 15 and their opposites, lie inside P: wheels that are all below their limits have the same sum, and "
     "as no direction is perpendicular to all axes (3.1.13), P goes on around it.",
-    parts=tuple(inside(full) for full, _ in INSIDE),
-    where=derivation.six_axes,
+    states=tuple(inside(full) for full, _ in INSIDE),
     by={
         letter: existence(**{f"h_{i}": value for i, value in enumerate(smaller.split(", "), 1)})
         for letter, (_, smaller) in zip("abcdefghijklmno", INSIDE, strict=True)
     },
     uses=["3.0.4", "3.1.3"],
-    notation=six_wheels,
 )
 
-no_three_axes_in_a_plane = ours(
-    "3.1.13",
-    289,
-    words="No three axes lie in one plane: P is simple (2.1.14).",
-    parts=tuple(
-        rf"(\mathbf{{e}}_{i}, \mathbf{{e}}_{j} \times \mathbf{{e}}_{k}) \ne 0" for i, j, k in combinations(WHEELS, 3)
-    ),
-    given=[real_pyramid],
-    where=derivation.six_axes,
-    by=cases(),
-    uses=["2.1.14", "3.0.4"],
-    notation=six_wheels,
+no_three_axes_in_a_plane = six.no_three_in_a_plane(
+    "3.1.13", 289, ": P is simple (2.1.14).", given=[real_pyramid], uses=["2.1.14", "3.0.4"]
 )
 
-number_of_vertices = claim(
+number_of_vertices = six.claim(
     "3.1.14",
     289,
     words="The other 32 combinations are the vertices of P (list of vertices).",
-    formal=r"2^6 - 2 - 30 = 32 \land 6 (6 - 1) + 2 = 32",
+    states=r"2^6 - 2 - 30 = 32 \land 6 (6 - 1) + 2 = 32",
     by=cases(),
     uses=["3.1.9", "3.1.11", "3.1.12", "3.1.13"],
-    notation=six_wheels,
 )
 
-pairs_of_vertices = definition(
-    "3.1.15",
-    289,
-    r"i = 1, \dots, 16",
-    words="V'_i lies opposite to V_i: it is -V_i, and so it is written in formal statements.",
-    opaque=True,
-    notation=six_wheels,
-)
+pairs_of_vertices = six.pairs_of_vertices("3.1.15", 289, r"i = 1, \dots, 16")
 
-number_of_edges = claim(
-    "3.1.16",
-    326,
-    words="P has 60 edges.",
-    formal=r"2 \cdot 6 (6 - 1) = 60",
-    by=identity,
-    uses=["3.1.13"],
-    notation=six_wheels,
-)
+number_of_edges = six.number_of_edges("3.1.16", 326, "3.1.13")
 
-parameter_of_edges = definition(
-    "3.1.17",
-    365,
-    (r"-1 \leq u \leq 1", "u = -1", "u = 1"),
-    words="An edge begins at its first vertex with u = -1 and ends at its last with u = 1.",
-    formal=r"-1 \leq u \leq 1",
-    opaque=True,
-    notation=six_wheels,
-)
+parameter_of_edges = six.parameter_of_edges("3.1.17", 365)
 
-number_of_faces = claim(
-    "3.1.18",
-    365,
-    words="P has 30 faces.",
-    formal=r"6 (6 - 1) = 30",
-    by=identity,
-    uses=["3.1.13"],
-    notation=six_wheels,
-)
+number_of_faces = six.number_of_faces("3.1.18", 365, "3.1.13")
 
-pairs_of_faces = definition(
-    "3.1.19",
-    365,
-    r"i = 1, \dots, 15",
-    words="F'_i lies opposite to F_i.",
-    opaque=True,
-    notation=six_wheels,
-)
+pairs_of_faces = six.pairs_of_faces("3.1.19", 365, r"i = 1, \dots, 15")
 
-sense_of_edges = exclusion(
-    "3.1.20", 402, words="V_2 V_1 and V_1 V_2 are one edge, begun at either end.", reason="a convention on names"
-)
+sense_of_edges = six.sense_of_edges("3.1.20", 402)
 
-euler_characteristic = claim(
+euler_characteristic = six.claim(
     "3.1.21",
     402,
     words="32 vertices, 30 faces and 60 edges, as Euler's characteristic wants it.",
-    formal="32 + 30 - 60 = 2",
-    by=identity,
+    states="32 + 30 - 60 = 2",
     uses=["3.1.14", "3.1.16", "3.1.18"],
-    notation=six_wheels,
 )
 
 angle_of_table_6 = exclusion(
@@ -387,89 +234,34 @@ angle_of_table_6 = exclusion(
 # --- 3.1: symmetries
 
 
-def turned(matrix: str, images: str) -> str:
-    """The linear map takes e_1 to e_6 to the vectors given, plus or minus axes, so that P is mapped onto itself."""
-    pairs = zip(WHEELS, images.split(", "), strict=True)
-    return r" \land ".join(rf"{matrix} \mathbf{{e}}_{i} = {image[:-1]}\mathbf{{e}}_{image[-1]}" for i, image in pairs)
-
-
-def half_turn(x: int, y: int, z: int) -> str:
-    """A half turn or a reflection, by the signs of the coordinates."""
-    return rf"\operatorname{{diag}}({x}, {y}, {z})"
-
-
 SIXTH_TURN = (
     r"\begin{pmatrix} \frac{1}{2} & -\frac{\sqrt{3}}{2} & 0 \\ "
     r"\frac{\sqrt{3}}{2} & \frac{1}{2} & 0 \\ 0 & 0 & 1 \end{pmatrix}"
 )
 
-half_turns = claim(
-    "3.1.23",
-    441,
-    words="P goes over into itself when turned about OX, OY or OZ by any multiple of pi.",
-    parts=(
-        turned(half_turn(1, -1, -1), "-1, 6, 5, -4, 3, 2"),
-        turned(half_turn(-1, 1, -1), "4, -3, -2, 1, -6, -5"),
-        turned(half_turn(-1, -1, 1), "-4, -5, -6, -1, -2, -3"),
-    ),
-    where=derivation.six_axes,
-    by=cases(),
-    uses=["3.0.4"],
-    notation=six_wheels,
-    **lost_pi(r"n\pi"),
+half_turns = six.half_turns(
+    "3.1.23", 441, "3.0.4", "-1, 6, 5, -4, 3, 2", "4, -3, -2, 1, -6, -5", "-4, -5, -6, -1, -2, -3"
 )
 
-planes_of_symmetry = claim(
-    "3.1.24",
-    441,
-    words="The coordinate planes are planes of symmetry of P.",
-    parts=(
-        turned(half_turn(-1, 1, 1), "1, -6, -5, 4, -3, -2"),
-        turned(half_turn(1, -1, 1), "-4, 3, 2, -1, 6, 5"),
-        turned(half_turn(1, 1, -1), "4, 5, 6, 1, 2, 3"),
-    ),
-    where=derivation.six_axes,
-    by=cases(),
-    uses=["3.0.4"],
-    notation=six_wheels,
+planes_of_symmetry = six.planes_of_symmetry(
+    "3.1.24", 441, "3.0.4", "1, -6, -5, 4, -3, -2", "-4, 3, 2, -1, 6, 5", "4, 5, 6, 1, 2, 3"
 )
 
-sixth_turns = ours(
+sixth_turns = six.ours(
     "3.1.25",
     441,
     words="The paper leaves out most symmetries: P goes over into itself when turned about OZ by any multiple of pi/3. With the half "
     "turns and reflections these make 24, the symmetries of a regular six-sided prism.",
-    formal=turned(SIXTH_TURN, "2, 3, -4, 5, 6, -1"),
-    where=derivation.six_axes,
+    states=six.turned(SIXTH_TURN, "2, 3, -4, 5, 6, -1"),
     by=cases(),
     uses=["3.0.4", "3.1.23", "3.1.24"],
-    notation=six_wheels,
 )
 
 # --- 3.1: distances
 
-edges_of_length_two = claim(
-    "3.1.26",
-    443,
-    words="All edges have the length 2: from u = -1 to u = 1 is 2 e_i.",
-    formal=r"(\mathbf{e}_i - (-\mathbf{e}_i), \mathbf{e}_i - (-\mathbf{e}_i)) = 2^2",
-    where=derivation.six_axes,
-    by=identity,
-    uses=["3.0.3", "3.1.17"],
-    notation=six_wheels,
-)
+edges_of_length_two = six.edges_of_length_two("3.1.26", 443, uses=["3.0.3", "3.1.17"])
 
-faces_are_rhombi = claim(
-    "3.1.27",
-    443,
-    words="So all faces are rhombi: parallelograms with sides of one length along two axes that are not parallel.",
-    parts=rhombi(tuple(combinations(WHEELS, 2))),
-    given=[real_pyramid],
-    where=derivation.six_axes,
-    by=cases(),
-    uses=["3.1.26"],
-    notation=six_wheels,
-)
+faces_are_rhombi = six.faces_are_rhombi("3.1.27", 443, [real_pyramid], "3.1.26")
 
 DISTANCES = {"d_1": r"6\cos a", "d_2": r"4\sin a", "d_3": r"2\sqrt{3\cos^2 a + 1}", "d_4": r"2\sqrt{2\sin^2 a + 1}"}
 
@@ -479,52 +271,42 @@ def equally_far(distance: str, *vertices: int) -> tuple[str, ...]:
     return tuple(rf"\sqrt{{(\mathbf{{V}}_{{{i}}}, \mathbf{{V}}_{{{i}}})}} = {distance}" for i in vertices)
 
 
-def distance_of_vertices(number: str, line: int, distance: str, *vertices: int, **fields: Any) -> Item:
+def distance_of_vertices(number: str, distance: str, *vertices: int, words: str) -> Claim:
     """A printed distance d_k = ... with the vertices that have it."""
-    return claim(
+    return six.claim(
         number,
-        line,
+        443,
         distance,
-        parts=equally_far(right_side(distance), *vertices),
+        words=words,
+        states=equally_far(right_side(distance), *vertices),
         given=[real_pyramid],
-        where=derivation.six_axes,
-        by=identity,
-        **fields,
     )
 
 
 distances_of_vertices = (
     distance_of_vertices(
         "3.1.28",
-        443,
         rf"d_1 = {DISTANCES['d_1']}",
         1,
         words="Distance of V_1, V'_1 from the centre.",
-        notation=six_wheels,
     ),
     distance_of_vertices(
         "3.1.29",
-        443,
         rf"d_2 = {DISTANCES['d_2']}",
         *(14, 15, 16),
         words="Distance of V_14, V_15, V_16 and their opposites.",
-        notation=six_wheels,
     ),
     distance_of_vertices(
         "3.1.30",
-        443,
         rf"d_3 = {DISTANCES['d_3']}",
         *range(2, 8),
         words="Distance of V_2 to V_7 and their opposites.",
-        notation=six_wheels,
     ),
     distance_of_vertices(
         "3.1.31",
-        443,
         rf"d_4 = {DISTANCES['d_4']}",
         *range(8, 14),
         words="Distance of V_8 to V_13 and their opposites.",
-        notation=six_wheels,
     ),
 )
 
@@ -533,7 +315,7 @@ distances_of_vertices = (
 QUADRANT = Hypothesis("0 to 90 degrees", "a lies between 0 and pi/2, as in the table", r"0 \leq a \leq \pi/2")
 
 
-def order_of_distances(number: str, line: int, order: str, angles: str) -> Item:
+def order_of_distances(number: str, line: int, order: str, angles: str) -> Claim:
     """A row: an order of the distances, and the angles at which it holds, with their value in degrees."""
     written_out = re.sub("d_.", lambda distance: DISTANCES[distance[0]], order)
     exact, *degrees = re.split(r" (?:=|\\approx) (?=[\d.]+\^\\circ)", angles)
@@ -541,16 +323,15 @@ def order_of_distances(number: str, line: int, order: str, angles: str) -> Item:
         rf"{right_side(exact)} \approx {each}" if "." in each else rf"{exact} \Leftrightarrow a = {each}"
         for each in degrees
     ]
-    return claim(
+    return six.claim(
         number,
         line,
         (order, angles),
         words="The order holds for these a, and for no others.",
-        parts=(rf"{written_out} \Leftrightarrow {exact}", *value),
+        states=(rf"{written_out} \Leftrightarrow {exact}", *value),
         given=[QUADRANT],
         by=cases(),
         uses=["3.1.28", "3.1.29", "3.1.30", "3.1.31"],
-        notation=six_wheels,
     )
 
 
@@ -595,16 +376,28 @@ FACES_OF_P = (
 )
 
 
-def distance_of_faces(number: str, line: int, distance: str, *faces: int, **fields: Any) -> Item:
+def distance_of_faces(
+    scope: Scope,
+    number: str,
+    line: int,
+    distance: str,
+    *faces: int,
+    words: str,
+    right: str = "",
+    errata: Mapping[str, Erratum] | None = None,
+    damage: Damage | None = None,
+) -> Claim:
     """A cell of a table of faces: the distance r_i of the planes of these F_i, and so of F'_i, from the centre."""
-    method = theorems(*(("equal_squares", f"r_{{{i}}}", distance) for i in faces))
-    return claim(
+    return scope.claim(
         number,
         line,
         distance,
-        formal=all_far(distance, *faces),
+        words=words,
+        damage=damage,
+        states=all_far(distance, *faces),
         given=[real_pyramid],
-        **{"by": method, **fields},
+        by=theorems(*(Applied("equal_squares", (f"r_{{{i}}}", right or distance)) for i in faces)),
+        errata=errata,
     )
 
 
@@ -613,28 +406,26 @@ def all_far(distance: str, *faces: int) -> str:
     return r" \land ".join(f"r_{{{i}}} = {distance}" for i in faces)
 
 
-ALL_WHEELS: dict[str, Any] = {
-    "where": partial(derivation.distances_of_faces_of_six, *FACES_OF_P),
-    "notation": six_wheels,
-}
+ALL_WHEELS = Scope(six_wheels, partial(derivation.distances_of_faces_of_six, *FACES_OF_P))
 AT_TWO_STEPS = r"4 \sin 2a \sqrt{\frac{1}{1 + 3 \cos^2 a}}"
 
 table_8 = (
     distance_of_faces(
+        ALL_WHEELS,
         "T8.1",
         467,
         r"3 \sin 2a \sqrt{\frac{3}{3 + \cos^2 a}}",
         *range(1, 7),
         words="F_1 to F_6 and their opposites: between neighbouring edges of the pyramid.",
-        **ALL_WHEELS,
     ),
     distance_of_faces(
+        ALL_WHEELS,
         "T8.2",
         467,
         r"4 \sin 2a \sqrt{\frac{1}{1 + 15 \cos^2 a}}",
         *range(7, 13),
         words="F_7 to F_12 and their opposites: between edges with one in between.",
-        by=theorems(*(("equal_squares", f"r_{{{i}}}", AT_TWO_STEPS) for i in range(7, 13))),
+        right=AT_TWO_STEPS,
         errata={
             "": Erratum(
                 all_far(AT_TWO_STEPS, *range(7, 13)),
@@ -645,20 +436,19 @@ table_8 = (
                 "72 degrees by 27 percent. A 15 for a 3 is hardly the OCR's, but nothing excludes it.",
             )
         },
-        **ALL_WHEELS,
     ),
     distance_of_faces(
+        ALL_WHEELS,
         "T8.3",
         467,
         r"2\sqrt{3} \sin a",
         *range(13, 16),
         words="F_13 to F_15 and their opposites: between opposite edges, across OX and at 60 degrees to it.",
-        **ALL_WHEELS,
     ),
 )
 
 
-def foot_within(number: str, line: int, face: str, words: str, notation: Notation, **angles: str) -> Item:
+def foot_within(number: str, line: int, face: str, words: str, notation: Notation, **angles: str) -> Ours:
     """The foot of the perpendicular from the centre, and for which a its u and its v are those of a point of the face.
 
     Without a condition on a it is one that no edge contains.
@@ -673,7 +463,7 @@ def foot_within(number: str, line: int, face: str, words: str, notation: Notatio
         number,
         line,
         words=words,
-        parts=(*across, *within),
+        states=(*across, *within),
         given=[real_pyramid],
         where=partial(derivation.foot_of_perpendicular, face),
         by=cases(),
@@ -707,29 +497,19 @@ feet_of_perpendiculars = (
 
 # --- 3.2: one wheel failed
 
-any_wheel_may_fail = claim(
+any_wheel_may_fail = six.claim(
     "3.1.32",
     471,
     words="No generality is lost with the failure of wheel 6: a sixth of a turn about OZ takes each axis to the next, but for a sign, "
     "so the region left by another wheel is P' turned.",
-    formal=turned(SIXTH_TURN, "2, 3, -4, 5, 6, -1"),
-    where=derivation.six_axes,
+    states=six.turned(SIXTH_TURN, "2, 3, -4, 5, 6, -1"),
     by=cases(),
     uses=["3.1.25"],
-    notation=six_wheels,
 )
 
-momentum_of_five = claim(
-    "3.2",
-    473,
-    r"\mathbf{H} = h_1 \mathbf{e}_1 + h_2 \mathbf{e}_2 + h_3 \mathbf{e}_3 + h_4 \mathbf{e}_4 + h_5 \mathbf{e}_5,",
-    words="The sum of the momenta of the wheels that work.",
-    where=FIVE,
-    by=identity,
-    notation=five_of_six,
-)
+momentum_of_five = five.total_momentum("3.2", 473, "wheels that work")
 
-components_of_five = claim(
+components_of_five = five.claim(
     "3.2.1",
     477,
     (
@@ -737,69 +517,37 @@ components_of_five = claim(
         r"H_y = \left( -h_1 - \frac{h_2}{2} + \frac{h_3}{2} - h_4 - \frac{h_5}{2} \right) \sin a,",
         r"H_z = (h_1 + h_2 + h_3 - h_4 - h_5) \cos a.",
     ),
-    where=FIVE,
-    by=identity,
     lines={"c": 479},
     uses=["3.0.4", "3.2"],
-    notation=five_of_six,
 )
 
-shorthand_of_five = claim(
-    "3.2.2",
-    481,
-    r"\mathbf{H} = [h_1, h_2, h_3, h_4, h_5]",
-    words="(3.2) in short.",
-    where=FIVE,
-    by=identity,
-    uses=["3.2"],
-    notation=five_of_six,
-)
+shorthand_of_five = five.shorthand("3.2.2", 481, "3.2")
 
-equal_wheels_again = premise(
+equal_wheels_again = craft.premise(
     "3.2.3",
     481,
     (r"-h_{\max} \leq h_i \leq h_{\max}", r"i=1, \dots, 5", r"h_{\max} = 1", r"|h_i| \leq 1"),
     words="Limits of the wheels and their unit as before; P' is the region of all H with such h_i.",
-    formal=r"-h_{\max} \leq h_i \leq h_{\max}",
-    notation=six_wheels_in_spacecraft,
+    states=r"-h_{\max} \leq h_i \leq h_{\max}",
 )
 
-number_of_vertices_of_five = claim(
+number_of_vertices_of_five = five.claim(
     "3.2.4",
     481,
     words="P' has 22 vertices (list of vertices).",
-    formal="5 (5 - 1) + 2 = 22",
-    by=identity,
+    states="5 (5 - 1) + 2 = 22",
     uses=["3.1.13"],
-    notation=five_of_six,
 )
 
-pairs_of_vertices_of_five = definition(
-    "3.2.5",
-    481,
-    r"i=1, \dots, 11",
-    words="V'_i lies opposite to V_i: it is -V_i, and so it is written in formal statements.",
-    opaque=True,
-    notation=five_of_six,
-)
+pairs_of_vertices_of_five = five.pairs_of_vertices("3.2.5", 481, r"i=1, \dots, 11")
 
-region_of_five_is_symmetric = claim(
-    "3.2.6",
-    481,
-    words="P' is symmetric about the origin.",
-    formal=f"[-h_1, -h_2, -h_3, -h_4, -h_5] = -{momenta(wheels=5)}",
-    where=derivation.six_axes,
-    by=identity,
-    uses=["3.2.2"],
-    notation=five_of_six,
-)
+region_of_five_is_symmetric = five.symmetric_region("3.2.6", 481, "3.2.2")
 
-number_of_edges_of_five = claim(
+number_of_edges_of_five = five.claim(
     "3.2.7",
     507,
     words="The parallelepiped has 40 edges.",
-    formal=r"2 \cdot 3 (3 - 1) = 40",
-    by=identity,
+    states=r"2 \cdot 3 (3 - 1) = 40",
     uses=["3.1.13"],
     errata={
         "": Erratum(
@@ -810,41 +558,22 @@ number_of_edges_of_five = claim(
             "section 2.2, where P' is one; the number is right for P'.",
         )
     },
-    notation=five_of_six,
 )
 
-parameter_of_edges_of_five = definition(
-    "3.2.8",
-    526,
-    (r"-1 \leq u \leq 1", "u = -1", "u = 1"),
-    words="An edge begins at its first vertex with u = -1 and ends at its last with u = 1.",
-    formal=r"-1 \leq u \leq 1",
-    opaque=True,
-    notation=five_of_six,
-)
+parameter_of_edges_of_five = five.parameter_of_edges("3.2.8", 526)
 
-number_of_faces_of_five = claim(
+number_of_faces_of_five = five.claim(
     "3.2.9",
     526,
     words="P' has 20 faces; with 22 vertices and 40 edges this agrees with Euler's characteristic.",
-    formal=r"5 (5 - 1) = 20 \land 22 + 20 - 40 = 2",
+    states=r"5 (5 - 1) = 20 \land 22 + 20 - 40 = 2",
     by=cases(),
     uses=["3.1.13", "3.2.4", "3.2.7"],
-    notation=five_of_six,
 )
 
-pairs_of_faces_of_five = definition(
-    "3.2.10",
-    526,
-    r"i = 1, \dots, 10",
-    words="F'_i lies opposite to F_i.",
-    opaque=True,
-    notation=five_of_six,
-)
+pairs_of_faces_of_five = five.pairs_of_faces("3.2.10", 526, r"i = 1, \dots, 10")
 
-sense_of_edges_of_five = exclusion(
-    "3.2.11", 554, words="V_2 V_1 and V_1 V_2 are one edge, begun at either end.", reason="a convention on names"
-)
+sense_of_edges_of_five = five.sense_of_edges("3.2.11", 554)
 
 angle_of_table_9 = exclusion(
     "3.2.12", 554, r"\alpha = 72^\circ", reason="the angle of table 9, chosen in section 3.3; alpha is the angle a"
@@ -857,12 +586,6 @@ RIGHT_EDGES = (
     r"V_1'V_7', V_2'V_8', V_6'V_{13}', V_9'V_{15}', V_{12}'V_{16}, V_1V_7, V_2V_8, V_6V_{13}, V_9V_{15}, V_{12}V_{16}'"
 )
 MIDPOINTS = r"V_1', V_2', V_6', V_8', V_{11}', V_1, V_2, V_6, V_8, V_{11}"
-
-
-def points(names: str, letter: str = "V") -> list[str]:
-    """The vertices named in a text, V'_i as -V_i."""
-    found = re.findall(r"V_(\d|\{\d+\})('?)", names)
-    return [("-" if prime else "") + rf"\mathbf{{{letter}}}_{number}" for number, prime in found]
 
 
 def along_wheel_6(edge: str) -> str:
@@ -904,85 +627,55 @@ def repaired(statements: list[str], letter: str, moved: str) -> dict[str, Erratu
     return {**lost, letter: Erratum(moved, "label", Origin.UNCERTAIN, PRIME_MOVED)}
 
 
-edges_that_shrink = claim(
+edges_that_shrink = both.claim(
     "3.2.13",
     586,
     EDGES,
     words="P' is P with these edges shrunk to nothing: they are those along e_6, the axis of the wheel that failed.",
-    parts=(*map(along_wheel_6, EDGES.split(", ")), differ(EDGES)),
+    states=(*map(along_wheel_6, EDGES.split(", ")), differ(EDGES)),
     given=[real_pyramid],
-    where=derivation.six_axes,
-    by=cases(),
     errata=repaired([along_wheel_6(edge) for edge in RIGHT_EDGES.split(", ")], "k", differ(RIGHT_EDGES)),
     uses=["3.0.4", "3.1.3"],
-    notation=six_and_five,
 )
 
-number_of_edges_that_shrink = ours(
+number_of_edges_that_shrink = both.ours(
     "3.2.14",
     586,
     words="There are ten: each wheel has 2 (6 - 1) edges of P, and their ends coincide in pairs, 32 - 10 = 22.",
-    formal=r"2 (6 - 1) = 10 \land 32 - 10 = 22",
-    by=cases(),
+    states=r"2 (6 - 1) = 10 \land 32 - 10 = 22",
     uses=["3.1.14", "3.2.4", "3.2.13"],
-    notation=six_and_five,
 )
 
 RIGHT_MIDDLES = list(map(is_midpoint, MIDPOINTS.split(", "), RIGHT_EDGES.split(", ")))
 
-midpoints_of_edges = claim(
+midpoints_of_edges = both.claim(
     "3.2.15",
     586,
     (MIDPOINTS, EDGES),
     words="These vertices of P' are the middles of these edges of P, in this order.",
-    parts=tuple(map(is_midpoint, MIDPOINTS.split(", "), EDGES.split(", "))),
+    states=tuple(map(is_midpoint, MIDPOINTS.split(", "), EDGES.split(", "))),
     given=[real_pyramid],
-    where=derivation.six_axes,
-    by=cases(),
     errata=repaired(RIGHT_MIDDLES, "e", RIGHT_MIDDLES[4]),
     uses=["3.2.13"],
-    notation=six_and_five,
 )
 
-edges_of_five_have_length_two = claim(
-    "3.2.16",
-    586,
-    words="The edges of P' have the length 2.",
-    formal=r"(\mathbf{e}_i - (-\mathbf{e}_i), \mathbf{e}_i - (-\mathbf{e}_i)) = 2^2",
-    where=derivation.six_axes,
-    by=identity,
-    uses=["3.0.3", "3.2.8"],
-    notation=five_of_six,
-)
+edges_of_five_have_length_two = five.edges_of_length_two("3.2.16", 586, uses=["3.0.3", "3.2.8"])
 
-faces_of_five_are_rhombi = claim(
-    "3.2.17",
-    586,
-    words="So all faces of P' are rhombi.",
-    parts=rhombi(tuple(combinations(WHEELS[:5], 2))),
-    given=[real_pyramid],
-    where=derivation.six_axes,
-    by=cases(),
-    uses=["3.2.16"],
-    notation=five_of_six,
-)
+faces_of_five_are_rhombi = five.faces_are_rhombi("3.2.17", 586, [real_pyramid], "3.2.16")
 
 # --- tables 10 and 11: distances, one wheel failed
 
 
-def row_of_table_10(number: str, line: int, vertices: str, distance: str) -> Item:
+def row_of_table_10(number: str, line: int, vertices: str, distance: str) -> Claim:
     """A row: vertices of P', each with its opposite, and their distance."""
     names = vertices.split(", ")
-    return claim(
+    return five.claim(
         number,
         line,
         (vertices, distance),
         words=f"Distance of {' and '.join(re.sub('[{}]', '', name) for name in names[::2])}, and of their opposites.",
-        parts=tuple(rf"\sqrt{{({point}, {point})}} = {right_side(distance)}" for point in points(vertices)),
-        where=derivation.six_axes,
-        by=identity,
+        states=tuple(rf"\sqrt{{({point}, {point})}} = {right_side(distance)}" for point in points(vertices)),
         uses=["3.0.4"],
-        notation=five_of_six,
     )
 
 
@@ -1008,65 +701,64 @@ FACES_OF_FIVE = (
     "u, 1, 1, v, 1",
     "-1, u, 1, -1, v",
 )
-FIVE_WHEELS: dict[str, Any] = {
-    "where": partial(derivation.distances_of_faces_of_six, *FACES_OF_FIVE),
-    "notation": five_of_six,
-}
+FIVE_WHEELS = Scope(five_of_six, partial(derivation.distances_of_faces_of_six, *FACES_OF_FIVE))
 
 table_11 = (
     distance_of_faces(
+        FIVE_WHEELS,
         "T11.1",
         604,
         r"\frac{7}{2}\sin 2a\sqrt{\frac{1}{4-3\sin^2 a}}",
         1,
         words="F_1 and its opposite.",
-        **FIVE_WHEELS,
     ),
     distance_of_faces(
+        FIVE_WHEELS,
         "T11.2",
         604,
         r"\frac{5}{2}\sin 2a\sqrt{\frac{3}{4-\sin^2 a}}",
         *(2, 5),
         words="F_2 and its opposite; F_5 is nowhere in the table.",
-        read_as="F_2, F_2', F_5, F_5'",
-        kind="missing cell",
-        origin=Origin.UNCERTAIN,
-        reason="The table is to give the distance of each face, but has none for F_5 and F'_5, which are as far as F_2. The other faces "
-        "across neighbouring edges, F_3 and F_4, and F_9 and F_10 share a cell of this column too; of cells that span two rows the "
-        "digital text leaves one empty, and it may as well have dropped a row.",
-        **FIVE_WHEELS,
+        damage=Damage(
+            "F_2, F_2', F_5, F_5'",
+            reason="The table is to give the distance of each face, but has none for F_5 and F'_5, which are as far as F_2. The other faces "
+            "across neighbouring edges, F_3 and F_4, and F_9 and F_10 share a cell of this column too; of cells that span two rows the "
+            "digital text leaves one empty, and it may as well have dropped a row.",
+            kind="missing cell",
+            origin=Origin.UNCERTAIN,
+        ),
     ),
     distance_of_faces(
+        FIVE_WHEELS,
         "T11.3",
         605,
         r"3\sin 2a\sqrt{\frac{1}{4-3\sin^2 a}}",
         *(6, 8),
         words="F_6, F_8 and their opposites; the cell spans both rows.",
-        **FIVE_WHEELS,
     ),
     distance_of_faces(
+        FIVE_WHEELS,
         "T11.4",
         605,
         r"2\sin 2a\sqrt{\frac{3}{4-\sin^2 a}}",
         *(3, 4),
         words="F_3, F_4 and their opposites; the cell spans both rows.",
-        **FIVE_WHEELS,
     ),
     distance_of_faces(
+        FIVE_WHEELS,
         "T11.5",
         607,
         r"\frac{5}{2}\sin 2a\sqrt{\frac{1}{4-3\sin^2 a}}",
         7,
         words="F_7 and its opposite.",
-        **FIVE_WHEELS,
     ),
     distance_of_faces(
+        FIVE_WHEELS,
         "T11.6",
         607,
         r"\frac{3\sqrt{3}}{2}\sin a",
         *(9, 10),
         words="F_9, F_10 and their opposites; the cell spans both rows.",
-        **FIVE_WHEELS,
     ),
 )
 
@@ -1124,24 +816,22 @@ volume_left_by_one_of_four = ours(
     "3.2.18",
     610,
     words="Of four wheels, one that fails leaves a quarter of the volume.",
-    formal=rf"{envelopes.volume(envelopes.FOUR, 4)} = \frac{{1}}{{4}} \cdot {envelopes.volume(envelopes.FOUR)}",
+    states=rf"{envelopes.volume(envelopes.FOUR, 4)} = \frac{{1}}{{4}} \cdot {envelopes.volume(envelopes.FOUR)}",
     by=identity,
     uses=["2.0.4"],
     notation=four_wheels,
 )
 
-less_sensitive_to_failure = claim(
+less_sensitive_to_failure = six.claim(
     "3.2.19",
     610,
     words="More wheels are less sensitive to a failure: of six wheels, one that fails leaves half of the volume, more than a quarter.",
-    parts=(
+    states=(
         rf"{envelopes.volume(envelopes.SIX, 6)} = \frac{{1}}{{2}} \cdot {envelopes.volume(envelopes.SIX)}",
         r"\frac{1}{2} > \frac{1}{4}",
     ),
-    where=derivation.six_axes,
     by=cases(),
     uses=["3.2.18"],
-    notation=six_wheels,
 )
 
 AROUND_FOUR = Hypothesis(
@@ -1163,7 +853,7 @@ four_wheels_and_ellipsoids = ours(
     610,
     words="How near P is to an ellipsoid: let P lie in an ellipsoid with axes along OX, OY, OZ, and the ellipsoid lambda times as large "
     "in P. For four wheels lambda^2 is 1/2 at most, at all angles.",
-    formal=r"\lambda^2 \leq \frac{1}{2}",
+    states=r"\lambda^2 \leq \frac{1}{2}",
     given=[real_pyramid, real_base, AROUND_FOUR, IN_FOUR],
     by=combined(nonnegative(rf"\frac{{{ROOM}}}{{32 (\sin a \cos a \sin b)^2}}"), forms=[ROOM]),
     equality=r"\lambda^2 (A_x^2 \cos^2 a + A_z^2 \sin^2 a \sin^2 b) = (4 \sin a \cos a \sin b)^2, "
@@ -1189,19 +879,18 @@ def around_ellipsoid(face: str, order: str) -> str:
     return rf"\frac{{27}}{{43}} ({normal}, {SQUARES} ({normal})) {order} ({normal}, {middle})^2"
 
 
-nearer_to_an_ellipsoid = claim(
+nearer_to_an_ellipsoid = six.claim(
     "3.2.21",
     610,
     words="More wheels come nearer to an ellipsoid: for six wheels lambda^2 = 27/43, more than 1/2, with the semi-axes 4 sin a, 4 sin a, "
     "6 cos a (the other vertices and faces by sixth turns and opposites).",
-    parts=(
+    states=(
         *(against_ellipsoid(vertex, order) for vertex, order in ((1, "="), (2, "<"), (8, "<"), (14, "="))),
         around_ellipsoid(FACES_OF_P[0], "="),
         *(around_ellipsoid(face, "<") for face in (FACES_OF_P[6], FACES_OF_P[12])),
         r"\frac{27}{43} > \frac{1}{2}",
     ),
     given=[real_pyramid],
-    where=derivation.six_axes,
     by={
         **dict.fromkeys("abdeh", identity),
         "c": nonnegative(r"\frac{5}{36}"),
@@ -1209,7 +898,6 @@ nearer_to_an_ellipsoid = claim(
         "g": nonnegative(r"\frac{336}{43} \cos^2 a \sin^4 a"),
     },
     uses=["3.1.25", "3.2.20"],
-    notation=six_wheels,
 )
 
 wider_control = exclusion(
@@ -1225,25 +913,13 @@ question = exclusion(
     "3.2.23", 612, words="How to place the six wheels and choose the angle a.", reason="asks what 3.3 answers"
 )
 
-moments_of_inertia = premise(
-    "3.2.24",
-    616,
-    (
-        r"J_x = 1000 \text{ кг м}^2",
-        r"J_y = 1600 \text{ кг м}^2",
-        r"J_z = 800 \text{ кг м}^2",
-    ),
-    words="The principal central moments of inertia, in kg m^2, as in section 2.3.",
-    formal="J_x = 1000, J_y = 1600, J_z = 800",
-    notation=six_wheels_in_spacecraft,
-)
+moments_of_inertia = wheels.moments_of_inertia(craft, "3.2.24", 616, ", as in section 2.3")
 
-two_equal_rates = premise(
+two_equal_rates = craft.premise(
     "3.2.25",
     616,
     "w_y = w_z",
     words="The condition: the largest rates about OY and OZ are equal. One angle cannot make all three so.",
-    notation=six_wheels_in_spacecraft,
 )
 
 LARGEST = {  # the largest component, the momenta of the wheels, what is missing to it
@@ -1267,113 +943,82 @@ LARGEST = {  # the largest component, the momenta of the wheels, what is missing
 }
 
 
-def largest_component(number: str, axis: str) -> Item:
-    """The largest component along an axis: it is had, and no more."""
-    value, wheels, missing = LARGEST[axis]
-    component, _, most = value.partition(" = ")
-    place = {"x": f"({most}, 0, 0)", "y": f"(0, {most}, 0)", "z": f"(0, 0, {most})"}[axis]
-    return claim(
-        number,
-        616,
-        value,
-        words=f"The largest {component} that the wheels can have, alone.",
-        parts=(f"[{wheels}] = {place}", rf"{EACH} \Rightarrow {component} \leq {most}"),
-        given=[real_pyramid],
-        where=SIX,
-        by={"a": identity, "b": cases(missing)},
-        uses=["3.1.2"],
-        notation=six_wheels,
-    )
-
-
-largest_components = (
-    largest_component("3.2.26", "x"),
-    largest_component("3.2.27", "y"),
-    largest_component("3.2.28", "z"),
+largest_components = tuple(
+    six.largest_component(number, 616, *LARGEST[axis], [real_pyramid], "3.1.2")
+    for number, axis in (("3.2.26", "x"), ("3.2.27", "y"), ("3.2.28", "z"))
 )
 
-largest_x_at_a_face = ours(
+largest_x_at_a_face = six.ours(
     "3.2.29",
     616,
     words="The largest H_x alone is no vertex, other than with four wheels: it is the middle of the face F_13, where two wheels rest. "
     "All of this face has the largest H_x, so that the other components need not be zero with it.",
-    parts=(
+    states=(
         r"\frac{1}{4}(\mathbf{V}_{13} + \mathbf{V}_{14} + (-\mathbf{V}_{10}) + (-\mathbf{V}_{16})) = (2\sqrt{3} \sin a, 0, 0)",
         r"([u, 1, 1, v, 1, 1], (1, 0, 0)) = 2\sqrt{3} \sin a",
     ),
-    where=derivation.six_axes,
-    by=identity,
     uses=["3.2.26"],
-    notation=six_wheels,
 )
 
 TWO_EQUAL_RATES = Hypothesis("equal rates", "the rates about OY and OZ are equal (line 616)", "w_y = w_z")
 LARGEST_MOMENTA = Hypothesis("largest momenta", "3.2.26 to 3.2.28", ", ".join(value for value, *_ in LARGEST.values()))
 
-ratio_of_momenta = claim(
+ratio_of_momenta = craft.claim(
     "3.2.30",
     616,
     r"\frac{H_y}{H_z} = \frac{J_y}{J_z}",
     given=[MASS, RATES, TWO_EQUAL_RATES],
-    by=identity,
     uses=["2.3", "3.2.25"],
-    notation=six_wheels_in_spacecraft,
 )
 
-ratio_of_sides = claim(
+ratio_of_sides = craft.claim(
     "3.2.31",
     618,
     r"\frac{4 \sin a}{6 \cos a} = 2",
     given=[SPACECRAFT_MOMENTS, LARGEST_MOMENTA, RATES, TWO_EQUAL_RATES],
-    by=identity,
     uses=["3.2.24", "3.2.27", "3.2.28", "3.2.30"],
-    notation=six_wheels_in_spacecraft,
 )
 
-angle_a = claim(
+angle_a = craft.claim(
     "3.2.32",
     618,
     r"a = \arctg 3 = 72^\circ",
     words="The angle a from it, rounded to whole degrees.",
-    parts=(r"\frac{4 \sin a}{J_y} = \frac{6 \cos a}{J_z} \Leftrightarrow a = \arctg 3", r"\arctg 3 \approx 72^\circ"),
+    states=(r"\frac{4 \sin a}{J_y} = \frac{6 \cos a}{J_z} \Leftrightarrow a = \arctg 3", r"\arctg 3 \approx 72^\circ"),
     given=[SPACECRAFT_MOMENTS, Hypothesis("a acute", "a is an acute angle", r"0 < a < \pi/2")],
     by=cases(),
     uses=["3.2.24", "3.2.31"],
-    notation=six_wheels_in_spacecraft,
 )
 
-greater_moment = claim(
+greater_moment = craft.claim(
     "3.2.33",
     618,
     "J_y > J_x",
     given=[SPACECRAFT_MOMENTS],
-    by=identity,
     uses=["3.2.24"],
-    notation=six_wheels_in_spacecraft,
 )
 
-axes_in_oyz = claim(
+axes_in_oyz = six.claim(
     "3.2.34",
     618,
     words="The axes of wheels 1 and 4 lie in the plane OYZ.",
-    parts=(r"(\mathbf{e}_1, (1, 0, 0)) = 0", r"(\mathbf{e}_4, (1, 0, 0)) = 0"),
-    where=derivation.six_axes,
-    by=identity,
+    states=(r"(\mathbf{e}_1, (1, 0, 0)) = 0", r"(\mathbf{e}_4, (1, 0, 0)) = 0"),
     uses=["3.0.4"],
-    read_as=r"h_1 \mathbf{e}_1, h_4 \mathbf{e}_4",
-    kind="letter",
-    origin=Origin.UNCERTAIN,
-    reason="The paper speaks of the vectors h_1 and h_4; h_i is a number (line 281), the vectors are h_i e_i. The author may have "
-    "written h for e, or bold type was lost.",
-    notation=six_wheels,
+    damage=Damage(
+        r"h_1 \mathbf{e}_1, h_4 \mathbf{e}_4",
+        reason="The paper speaks of the vectors h_1 and h_4; h_i is a number (line 281), the vectors are h_i e_i. The author may have "
+        "written h for e, or bold type was lost.",
+        kind="letter",
+        origin=Origin.UNCERTAIN,
+    ),
 )
 
-better_turned_so = claim(
+better_turned_so = craft.claim(
     "3.2.35",
     618,
     words="So the wheels are better placed with wheels 1 and 4 in the plane OYZ, as the largest H_y exceeds the largest H_x: with the "
     "pyramid turned by a quarter about OZ, and a chosen for w_y = w_z again, these two rates are smaller, and so is the smallest.",
-    parts=(
+    states=(
         r"4 \sin a > 2\sqrt{3} \sin a",
         r"\frac{2\sqrt{3} \sin a}{1600} = \frac{6 \cos a}{800} \Leftrightarrow a = \arctg(2\sqrt{3})",
         r"\frac{2\sqrt{3} \sin(\arctg(2\sqrt{3}))}{1600} < \frac{4 \sin(\arctg 3)}{1600} < \frac{2\sqrt{3} \sin(\arctg 3)}{1000}",
@@ -1381,32 +1026,28 @@ better_turned_so = claim(
     given=[Hypothesis("a acute", "a is an acute angle", r"0 < a < \pi/2")],
     by=cases(),
     uses=["3.2.26", "3.2.27", "3.2.33"],
-    notation=six_wheels_in_spacecraft,
 )
 
 ANGLE = Hypothesis("angle found", "a of 3.2.32", r"a = \arctg 3")
 AT_THE_ANGLE = [SPACECRAFT_MOMENTS, LARGEST_MOMENTA, RATES, ANGLE]
 
-largest_rate_about_ox = claim(
+largest_rate_about_ox = craft.claim(
     "3.2.36",
     618,
     r"w_x = 0.0033h_{\max} \text{ кг}^{-1} \text{ м}^{-2}",
     words="The largest rate about OX, in absolute value and for h_max = 1 (units: 3.2.40).",
-    formal=r"-w_x \approx 0.0033",
+    states=r"-w_x \approx 0.0033",
     given=AT_THE_ANGLE,
-    by=identity,
     uses=["2.3", "3.2.26", "3.2.32"],
-    notation=six_wheels_in_spacecraft,
 )
 
-largest_rates_about_oy_and_oz = claim(
+largest_rates_about_oy_and_oz = craft.claim(
     "3.2.37",
     618,
     r"w_y = w_z = 0.0023h_{\max} \text{ кг}^{-1} \text{ м}^{-2}",
     words="The largest rates about OY and OZ, likewise.",
-    parts=("w_y = w_z", r"-w_z \approx 0.0023"),
+    states=("w_y = w_z", r"-w_z \approx 0.0023"),
     given=AT_THE_ANGLE,
-    by=identity,
     uses=["2.3", "3.2.27", "3.2.28", "3.2.32"],
     errata={
         "b": Erratum(
@@ -1417,15 +1058,14 @@ largest_rates_about_oy_and_oz = claim(
             "longer equal.",
         )
     },
-    notation=six_wheels_in_spacecraft,
 )
 
-largest_rates_exactly = ours(
+largest_rates_exactly = craft.ours(
     "3.2.38",
     618,
     words="Exactly: w_x = 3 sqrt 30/5000 and w_y = w_z = 3 sqrt 10/4000, or 0.00329 and 0.00237; with 72 degrees w_y and w_z "
     "come out as 0.00238 and 0.00232.",
-    parts=(
+    states=(
         r"\frac{2\sqrt{3} \sin a}{1000} = \frac{3 \sqrt{30}}{5000}",
         r"\frac{4 \sin a}{1600} = \frac{6 \cos a}{800} = \frac{3 \sqrt{10}}{4000}",
         r"-w_x \approx 0.00329",
@@ -1436,7 +1076,6 @@ largest_rates_exactly = ours(
     given=AT_THE_ANGLE,
     by=cases(),
     uses=["3.2.36", "3.2.37"],
-    notation=six_wheels_in_spacecraft,
 )
 
 largest_momentum_of_a_wheel = exclusion("3.2.39", 618, r"h_{\max}", reason="says once more what h_max is (line 281)")
@@ -1452,7 +1091,7 @@ units_of_the_rates = ours(
     "3.2.40",
     618,
     words="The factors before h_max with their units: H/J for a momentum of so many h_max has the unit kg^-1 m^-2.",
-    parts=(
+    states=(
         r"\frac{2\sqrt{3} \sin a \cdot h_{\max}}{J_x} = \frac{2\sqrt{3} \sin a}{1000} h_{\max} \text{ кг}^{-1} \text{ м}^{-2}",
         r"\frac{4 \sin a \cdot h_{\max}}{J_y} = \frac{4 \sin a}{1600} h_{\max} \text{ кг}^{-1} \text{ м}^{-2}",
         r"\frac{6 \cos a \cdot h_{\max}}{J_z} = \frac{6 \cos a}{800} h_{\max} \text{ кг}^{-1} \text{ м}^{-2}",

@@ -12,7 +12,7 @@ roots_are_real = ours(
     "B.1",
     125,
     words="If (I p + m) z = 0 with p = sigma + i tau and z = x + i y, then tau (x^T I x + y^T I y) = 0.",
-    formal=r"\sum_{i=1}^3 x_i v_i - \sum_{i=1}^3 y_i u_i = \tau \sum_{i=1}^3 I_i (x_i^2 + y_i^2)",
+    states=r"\sum_{i=1}^3 x_i v_i - \sum_{i=1}^3 y_i u_i = \tau \sum_{i=1}^3 I_i (x_i^2 + y_i^2)",
     given=[symmetric_damping],
     where=derivation.eigenvector_residual,
     keeping=("m",),
@@ -24,7 +24,7 @@ imaginary_part_vanishes = ours(
     "B.2",
     125,
     words="Hence every root of (1.5) is real.",
-    formal=r"(\tau \sum_{i=1}^3 I_i (x_i^2 + y_i^2) = 0 \land \sum_{i=1}^3 (x_i^2 + y_i^2) = 1) \Rightarrow \tau = 0",
+    states=r"(\tau \sum_{i=1}^3 I_i (x_i^2 + y_i^2) = 0 \land \sum_{i=1}^3 (x_i^2 + y_i^2) = 1) \Rightarrow \tau = 0",
     given=[positive_moments],
     by=cases(r"\sum_{i=1}^3 I_i (x_i^2 + y_i^2)"),
     uses=["B.1"],
@@ -35,7 +35,7 @@ harmonic_mean_of_rates = ours(
     "B.3",
     125,
     words="The harmonic mean of the three damping rates lambda_i (roots -lambda_i of (1.5)) is k, whatever the axes.",
-    formal=r"\frac{1}{\lambda_1} + \frac{1}{\lambda_2} + \frac{1}{\lambda_3} = \frac{3}{k}",
+    states=r"\frac{1}{\lambda_1} + \frac{1}{\lambda_2} + \frac{1}{\lambda_3} = \frac{3}{k}",
     given=[
         Hypothesis(
             "rates",
@@ -57,7 +57,7 @@ stability_degree_at_most_gain = ours(
     "B.4",
     125,
     words="So for gains k_i = k J_i the stability degree xi, the least rate, is at most k; it is k only at the triple root.",
-    formal=r"\xi \le k",
+    states=r"\xi \le k",
     given=[
         Hypothesis(
             "least rate",
@@ -91,7 +91,7 @@ squares_of_equal_moment_axes = ours(
     "B.5",
     225,
     words="About each axis of an equal-moment triple a_ij^2 - 1/3 is proportional to (I_2 - I_3, I_3 - I_1, I_1 - I_2).",
-    formal=r"(a_{i1}^2 - 1/3)(I_3 - I_1) = (a_{i2}^2 - 1/3)(I_2 - I_3), "
+    states=r"(a_{i1}^2 - 1/3)(I_3 - I_1) = (a_{i2}^2 - 1/3)(I_2 - I_3), "
     r"(a_{i2}^2 - 1/3)(I_1 - I_2) = (a_{i3}^2 - 1/3)(I_3 - I_1), "
     r"(a_{i3}^2 - 1/3)(I_2 - I_3) = (a_{i1}^2 - 1/3)(I_1 - I_2)",
     given=[unit_axes, Hypothesis("equal moments", "J_1 = J_2 = J_3 = c", EQUAL_MOMENTS)],
@@ -104,7 +104,7 @@ parameter_of_the_first_axis = ours(
     225,
     words="Conversely an axis with squares 1/3 + t (I_2 - I_3), 1/3 + t (I_3 - I_1), 1/3 + t (I_1 - I_2) is a unit vector and has "
     "the moment c, for every t that makes them non-negative.",
-    formal=r"(a_{11}^2 = 1/3 + t(I_2 - I_3), a_{12}^2 = 1/3 + t(I_3 - I_1), a_{13}^2 = 1/3 + t(I_1 - I_2)) \Rightarrow "
+    states=r"(a_{11}^2 = 1/3 + t(I_2 - I_3), a_{12}^2 = 1/3 + t(I_3 - I_1), a_{13}^2 = 1/3 + t(I_1 - I_2)) \Rightarrow "
     r"(a_{11}^2 + a_{12}^2 + a_{13}^2 = 1, J_1 = c)",
     by=cases(),
     uses=["B.5"],
@@ -115,7 +115,7 @@ plane_across_the_first_axis = ours(
     "B.7",
     225,
     words="With g_i = d_i a_1i and h = e_1 x g, both across e_1, the second axis is G e_2 = u g + v h.",
-    formal=r"G a_{2i} = u g_i + v h_i",
+    states=r"G a_{2i} = u g_i + v h_i",
     given=[two_axes, first_axis_on_the_cone, deviations],
     where=derivation.second_axis_components,
     keeping=("c",),
@@ -127,7 +127,7 @@ second_moment_in_the_plane = ours(
     "B.8",
     225,
     words="Its moment is G^2 (J_2 - c) = (u^2 - v^2) d_1 d_2 d_3 + 2 u v W.",
-    formal=rf"G^2 (J_2 - c) = {DISCRIMINANT}",
+    states=rf"G^2 (J_2 - c) = {DISCRIMINANT}",
     given=[two_axes, first_axis_on_the_cone, deviations],
     where=derivation.second_axis_components,
     keeping=("c",),
@@ -144,7 +144,7 @@ plane_never_degenerates = ours(
     "B.9",
     225,
     words="If no principal moment is the mean, g never vanishes, so that u and v are components along true directions.",
-    formal=r"G \neq 0",
+    states=r"G \neq 0",
     given=[orthogonal, no_moment_is_the_mean],
     where=derivation.second_axis_components,
     keeping=("c",),
@@ -158,12 +158,12 @@ family_is_complete = ours(
     225,
     words="If no principal moment is the mean, the triples with equal moments are exactly those with e_1 on the cone and "
     "tan 2 theta = -d_1 d_2 d_3 / W for the angle theta of e_2 in the plane of g and h: for each e_1 four turns of one triple.",
-    formal=rf"(J_2 = c \land J_3 = c) \Leftrightarrow {DISCRIMINANT} = 0",
+    states=rf"(J_2 = c \land J_3 = c) \Leftrightarrow {DISCRIMINANT} = 0",
     given=[
         first_axis_on_the_cone,
         Hypothesis("trace", "relation 2.1.7", r"J_1 + J_2 + J_3 = 3c"),
-        Hypothesis("second moment", "relation B.8", second_moment_in_the_plane.formal),
-        Hypothesis("plane", "relation B.9", plane_never_degenerates.formal),
+        Hypothesis("second moment", "relation B.8", second_moment_in_the_plane.statement.states[0]),
+        Hypothesis("plane", "relation B.9", plane_never_degenerates.statement.states[0]),
     ],
     keeping=("J", "c"),
     by=cases(),
@@ -184,7 +184,7 @@ closed_form_is_orthonormal = ours(
     225,
     words="The closed form: e_1 as in B.6, e_2 = (u g + v h)/r with u^2 + v^2 = 1 and r^2 = G, e_3 = e_1 x e_2, are orthonormal and "
     "right-handed.",
-    formal=r"\mathbf{A}\mathbf{A}^T = \mathbf{U} \land |\mathbf{A}| = 1",
+    states=r"\mathbf{A}\mathbf{A}^T = \mathbf{U} \land |\mathbf{A}| = 1",
     given=[first_axis, circle, length],
     where=derivation.equal_moment_family,
     keeping=("c",),
@@ -198,7 +198,7 @@ closed_form_of_the_family = ours(
     225,
     words="Its moments are c, c + F/G and c - F/G with F = (u^2 - v^2) d_1 d_2 d_3 + 2 u v W: all equal exactly when F = 0, that is for "
     "tan 2 theta = -d_1 d_2 d_3 / W.",
-    formal=rf"J_1 = c \land J_2 = c + \frac{{{DISCRIMINANT}}}{{r^2}} \land J_3 = c - \frac{{{DISCRIMINANT}}}{{r^2}}",
+    states=rf"J_1 = c \land J_2 = c + \frac{{{DISCRIMINANT}}}{{r^2}} \land J_3 = c - \frac{{{DISCRIMINANT}}}{{r^2}}",
     given=[first_axis, circle, length],
     where=derivation.equal_moment_family,
     keeping=("c",),
@@ -212,7 +212,7 @@ exceptional_branch = ours(
     225,
     words="Left out by B.10 only if a principal moment is the mean. Then there is more: for d = (1, -1, 0) and e_1 = (1, 1, 0)/sqrt 2 "
     "every right angle turn of e_2, e_3 about e_1 gives equal moments.",
-    formal=r"J_1 = J_2 = J_3",
+    states=r"J_1 = J_2 = J_3",
     given=[circle],
     where=derivation.exceptional_family,
     by=identity,

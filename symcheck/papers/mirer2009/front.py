@@ -9,7 +9,7 @@ product_minimal_in_principal_axes = claim(
     "0.1",
     25,
     words="The product of the moments of inertia about three orthogonal axes is least when these are principal axes.",
-    formal=r"(J_1 J_2 J_3 \ge I_1 I_2 I_3) \land "
+    states=r"(J_1 J_2 J_3 \ge I_1 I_2 I_3) \land "
     rf"({ALIGNED} \Rightarrow J_1 J_2 J_3 = I_1 I_2 I_3)",
     given=[orthogonal, non_negative_moments],
     by=cases(excess_of_product),

@@ -4,7 +4,7 @@ from functools import partial
 
 from symcheck.core.claims import Erratum, Hypothesis
 from symcheck.core.verdicts import Origin
-from symcheck.papers.declare import body, claim, definition, exclusion, ours, premise
+from symcheck.papers.declare import Scope, body, claim, definition, exclusion, ours, premise
 from symcheck.papers.mirer2009 import derivation
 from symcheck.papers.mirer2009.forms import ALIGNED, PARALLEL, excess_of_product, excess_of_sum
 from symcheck.papers.mirer2009.hypotheses import (
@@ -16,6 +16,8 @@ from symcheck.papers.mirer2009.hypotheses import (
 )
 from symcheck.papers.mirer2009.notation import damping_letters
 from symcheck.proof import cases, identity
+
+proportional = Scope(where=derivation.proportional_gains, by=identity)
 
 angular_momentum_law = premise("1.0.1", 45, r"\frac{d\mathbf{K}}{dt} = \mathbf{M}")
 
@@ -61,7 +63,7 @@ principal_unit_vectors = definition(
     "1.2.1.1",
     63,
     words="E_1, E_2, E_3 are the unit vectors of the principal axes.",
-    formal=", ".join(rf"\delta_{{{i}{j}}} = {int(i == j)}" for i in (1, 2, 3) for j in (1, 2, 3)),
+    states=", ".join(rf"\delta_{{{i}{j}}} = {int(i == j)}" for i in (1, 2, 3) for j in (1, 2, 3)),
 )
 
 direction_cosines_of_devices = definition("1.2.2", 65, r"(\mathbf{e}_i, \mathbf{E}_j) = a_{ij}", opaque=True)
@@ -110,7 +112,7 @@ torque_is_linear = claim(
 )
 
 damping_matrix_is_symmetric = claim(
-    "1.2.6", 75, words="The matrix m is symmetric.", formal=r"m_{ij} = m_{ji}", by=identity, uses=["1.2.4"]
+    "1.2.6", 75, words="The matrix m is symmetric.", states=r"m_{ij} = m_{ji}", by=identity, uses=["1.2.4"]
 )
 
 spectral_theorem = premise(
@@ -135,7 +137,7 @@ orthogonal_devices_suffice = claim(
     81,
     words="Three devices along arbitrary axes act like three devices along orthogonal axes: S^T B S is the damping matrix "
     "of devices along the rows of S with gains b_11, b_22, b_33.",
-    formal=r"n_{ij} = b_{11}s_{1j}s_{1i} + b_{22}s_{2j}s_{2i} + b_{33}s_{3j}s_{3i}",
+    states=r"n_{ij} = b_{11}s_{1j}s_{1i} + b_{22}s_{2j}s_{2i} + b_{33}s_{3j}s_{3i}",
     where=derivation.spectral_damping_entries,
     by=identity,
     uses=["1.2.4", "1.2.7"],
@@ -146,7 +148,7 @@ right_handed_choice = ours(
     "1.2.10",
     81,
     words="The orthogonal axes may be taken right-handed: -S gives the same damping matrix as S.",
-    formal=r"q_{ij} = n_{ij}",
+    states=r"q_{ij} = n_{ij}",
     where=derivation.mirrored_damping_entries,
     by=identity,
     notation=damping_letters,
@@ -168,7 +170,7 @@ trivial_solution = claim(
     89,
     r"\omega_1 = \omega_2 = \omega_3 = 0,",
     words="Rest is a solution of (1.2).",
-    formal=r"(\omega_1 = \omega_2 = \omega_3 = 0 \land \dot{\omega}_1 = \dot{\omega}_2 = \dot{\omega}_3 = 0) \Rightarrow \rho_i = 0",
+    states=r"(\omega_1 = \omega_2 = \omega_3 = 0 \land \dot{\omega}_1 = \dot{\omega}_2 = \dot{\omega}_3 = 0) \Rightarrow \rho_i = 0",
     where=derivation.residual,
     by=cases(),
     uses=["1.2"],
@@ -238,7 +240,7 @@ characteristic_polynomial_by_axes = ours(
     "1.3.2",
     107,
     words="In J_i and L_i the left side of (1.3) is I_1 I_2 I_3 p^3 + sum k_i L_i p^2 + (k_1 k_2 J_3 + ...) p + k_1 k_2 k_3.",
-    formal=r"I_1 I_2 I_3 p^3 + (k_1 L_1 + k_2 L_2 + k_3 L_3) p^2 + (k_1 k_2 J_3 + k_2 k_3 J_1 + k_3 k_1 J_2) p + k_1 k_2 k_3 = 0",
+    states=r"I_1 I_2 I_3 p^3 + (k_1 L_1 + k_2 L_2 + k_3 L_3) p^2 + (k_1 k_2 J_3 + k_2 k_3 J_1 + k_3 k_1 J_2) p + k_1 k_2 k_3 = 0",
     given=[orthogonal],
     equation=derivation.characteristic_polynomial,
     by=identity,
@@ -249,7 +251,7 @@ characteristic_polynomial_by_minors = ours(
     "1.3.3",
     107,
     words="It is what Cauchy-Binet gives: gains of some axes times minors of I p left to the others.",
-    formal=characteristic_polynomial_by_axes.formal,
+    states=characteristic_polynomial_by_axes.statement.states,
     equation=derivation.characteristic_polynomial_by_axes,
     keeping=free_moments,
     by=identity,
@@ -273,7 +275,7 @@ moment_about_device_axis = claim(
     "1.4.1",
     113,
     words="J_i is the moment of inertia of the body about the axis e_i.",
-    formal=r"J_i = (\mathbf{e}_i, \mathbf{I}\mathbf{e}_i)",
+    states=r"J_i = (\mathbf{e}_i, \mathbf{I}\mathbf{e}_i)",
     by=identity,
     uses=["1.3.1"],
 )
@@ -296,14 +298,12 @@ common_gain = premise(
     "1.4.4", 119, r"\bar{k}_1 = \bar{k}_2 = \bar{k}_3 = k", words="The same choice; k is the common ratio."
 )
 
-characteristic_equation_in_common_gain = claim(
+characteristic_equation_in_common_gain = proportional.claim(
     "1.5",
     121,
     r"I_1 I_2 I_3 p^3 + k(J_1 L_1 + J_2 L_2 + J_3 L_3) p^2 + (3p + k) k^2 J_1 J_2 J_3 = 0.",
-    where=derivation.proportional_gains,
     keeping=free_moments,
     equation=derivation.characteristic_polynomial_by_axes,
-    by=identity,
     uses=["1.3.3", "1.4", "1.4.4"],
 )
 
@@ -328,36 +328,30 @@ other_system = exclusion(
     reason="refers to other papers, nothing stated here",
 )
 
-triple_root_square_coefficient = claim(
+triple_root_square_coefficient = proportional.claim(
     "1.5.4",
     127,
     r"3\xi I_1 I_2 I_3 = k(J_1 L_1 + J_2 L_2 + J_3 L_3),",
-    where=derivation.proportional_gains,
     keeping=free_moments,
     equation=partial(derivation.triple_root_condition, 2),
-    by=identity,
     uses=["1.3.3", "1.5"],
 )
 
-triple_root_linear_coefficient = claim(
+triple_root_linear_coefficient = proportional.claim(
     "1.5.5",
     129,
     r"3\xi^2 I_1 I_2 I_3 = 3k^2 J_1 J_2 J_3,",
-    where=derivation.proportional_gains,
     keeping=free_moments,
     equation=partial(derivation.triple_root_condition, 1),
-    by=identity,
     uses=["1.3.3", "1.5"],
 )
 
-triple_root_constant_coefficient = claim(
+triple_root_constant_coefficient = proportional.claim(
     "1.5.6",
     131,
     r"\xi^3 I_1 I_2 I_3 = k^3 J_1 J_2 J_3,",
-    where=derivation.proportional_gains,
     keeping=free_moments,
     equation=partial(derivation.triple_root_condition, 0),
-    by=identity,
     uses=["1.3.3", "1.5"],
 )
 
@@ -410,7 +404,7 @@ triple_root_conditions_are_equivalent = ours(
     "1.8.1",
     139,
     words="Conversely, (1.6) to (1.8) make p = -k a triple root of (1.5).",
-    formal=rf"{body(product_at_triple_root, sum_at_triple_root, gain_at_triple_root)} \Rightarrow ({triple_root.states})",
+    states=rf"{body(product_at_triple_root, sum_at_triple_root, gain_at_triple_root)} \Rightarrow ({triple_root.states})",
     keeping=free_moments,
     by=cases(),
     uses=["1.6", "1.7", "1.8"],
@@ -427,9 +421,8 @@ equalities_only_for_parallel_axes = claim(
     "1.8.3",
     141,
     words="(1.6) and (1.7) hold only if the damping axes are parallel to the principal axes.",
-    formal=rf"{body(product_at_triple_root, sum_at_triple_root)} \Rightarrow {PARALLEL}",
+    states=rf"{body(product_at_triple_root, sum_at_triple_root)} \Rightarrow {PARALLEL}",
     given=[orthogonal, positive_moments],
-    needs=[distinct_moments],
     by=cases(excess_of_sum),
     uses=["1.6", "1.7", "2.17", "2.20"],
     errata={
@@ -439,6 +432,7 @@ equalities_only_for_parallel_axes = claim(
             Origin.PAPER,
             "With two equal moments every axis in their plane serves, so parallelism to the chosen principal axes does not "
             "follow; it follows when the moments are pairwise distinct.",
+            needs=(distinct_moments,),
         )
     },
     lemmas=["2.19.4"],
@@ -449,7 +443,7 @@ order_of_axes_does_not_matter = claim(
     "1.8.4",
     141,
     words="Which damping axis is parallel to which principal axis does not matter: (1.6), (1.7) hold for each order.",
-    formal=rf"{ALIGNED} \Rightarrow ({body(product_at_triple_root, sum_at_triple_root)})",
+    states=rf"{ALIGNED} \Rightarrow ({body(product_at_triple_root, sum_at_triple_root)})",
     given=[orthogonal],
     by=cases(excess_of_product, excess_of_sum),
     uses=["1.6", "1.7"],

@@ -2,7 +2,7 @@
 
 from symcheck.core.claims import Erratum, Hypothesis
 from symcheck.core.verdicts import Origin
-from symcheck.papers.declare import body, claim, definition, exclusion, ours, premise
+from symcheck.papers.declare import Scope, body, claim, definition, exclusion, ours, premise
 from symcheck.papers.mirer2009 import derivation
 from symcheck.papers.mirer2009.forms import ALIGNED, PARALLEL, deficit_of_product, excess_of_product, excess_of_sum
 from symcheck.papers.mirer2009.hypotheses import (
@@ -14,6 +14,10 @@ from symcheck.papers.mirer2009.hypotheses import (
 )
 from symcheck.papers.mirer2009.notation import ellipsoid_letters, turned_letters
 from symcheck.proof import cases, existence, identity, nonnegative
+
+cosines = Scope(where=derivation.direction_cosines, by=identity)
+axial = Scope(where=derivation.axial_moments, by=identity)
+of_mass = Scope(where=derivation.moments_of_a_mass_distribution)
 
 EQUAL_MOMENTS = r"(J_1 = J_2 = J_3)"
 EQUAL_PRODUCTS = r"(J_1 J_2 J_3 = I_1 I_2 I_3)"
@@ -45,13 +49,17 @@ matrix_of_direction_cosines = definition("2.0.2", 153, r"\mathbf{A} = \|a_{ij}\|
 
 direction_cosine = definition("2.0.3", 155, r"a_{ij} = \cos(Oy_i, Ox_j).", opaque=True)
 
-axial_moment = claim("2.0.4", 159, r"J_i = \sum_{k=1}^3 I_k a_{ik}^2.", where=derivation.axial_moments, by=identity)
+axial_moment = axial.claim(
+    "2.0.4",
+    159,
+    r"J_i = \sum_{k=1}^3 I_k a_{ik}^2.",
+)
 
 moments_are_not_negative = ours(
     "2.0.5",
     159,
     words="No J_i is negative.",
-    formal=r"(J_1 \geq 0) \land (J_2 \geq 0) \land (J_3 \geq 0)",
+    states=r"(J_1 \geq 0) \land (J_2 \geq 0) \land (J_3 \geq 0)",
     given=[non_negative_moments],
     by=cases(),
     uses=["2.0.4"],
@@ -61,7 +69,7 @@ moments_are_positive = ours(
     "2.0.6",
     159,
     words="Every J_i is positive if the principal moments are.",
-    formal=r"(J_1 \geq 0) \land (J_2 \geq 0) \land (J_3 \geq 0) \land (J_1 \neq 0) \land (J_2 \neq 0) \land (J_3 \neq 0)",
+    states=r"(J_1 \geq 0) \land (J_2 \geq 0) \land (J_3 \geq 0) \land (J_1 \neq 0) \land (J_2 \neq 0) \land (J_3 \neq 0)",
     given=[orthogonal, positive_moments],
     by=cases(
         "I_1 a_{11}^2 + I_2 a_{12}^2 + I_3 a_{13}^2",
@@ -88,9 +96,8 @@ equality_on_the_right = claim(
     "2.1.1",
     167,
     words="The right equality of (2.1) is attained only if each axis x_i is collinear with an axis y_j.",
-    formal=rf"J_1 J_2 J_3 = {CUBE_OF_MEAN} \Rightarrow {PARALLEL}",
+    states=rf"J_1 J_2 J_3 = {CUBE_OF_MEAN} \Rightarrow {PARALLEL}",
     given=[orthogonal, positive_moments],
-    needs=[distinct_moments],
     by=cases(excess_of_product),
     uses=["2.1"],
     errata={
@@ -100,6 +107,7 @@ equality_on_the_right = claim(
             Origin.PAPER,
             "The sentence exchanges the two sides: collinear axes give the left equality, the minimum (2.10), (2.17); the "
             "right one, the maximum, belongs to equal moments (line 209). Moreover 'only' needs pairwise distinct moments.",
+            needs=(distinct_moments,),
         )
     },
     lemmas=["2.13.4", "2.0.5", "2.0.6"],
@@ -111,7 +119,7 @@ equality_on_the_left = claim(
     167,
     "J_1 = J_2 = J_3",
     words="The left equality of (2.1) holds at J_1 = J_2 = J_3.",
-    formal=rf"{EQUAL_MOMENTS} \Rightarrow {EQUAL_PRODUCTS}",
+    states=rf"{EQUAL_MOMENTS} \Rightarrow {EQUAL_PRODUCTS}",
     given=[orthogonal, positive_moments],
     by=cases(deficit_of_product),
     uses=["2.1"],
@@ -131,7 +139,7 @@ order_of_axes_is_irrelevant = claim(
     "2.1.3",
     167,
     words="For collinear axes the order in which axes y_j fall on axes x_i does not matter: the product is I_1 I_2 I_3.",
-    formal=rf"{ALIGNED} \Rightarrow {EQUAL_PRODUCTS}",
+    states=rf"{ALIGNED} \Rightarrow {EQUAL_PRODUCTS}",
     given=[orthogonal],
     by=cases(excess_of_product),
     uses=["2.1"],
@@ -183,7 +191,7 @@ equality_at_given_moment = claim(
     183,
     "J_1 = J_3",
     words="(2.2) is an equality at J_1 = J_3.",
-    formal=r"J_1 = J_3 \Rightarrow f = \frac{1}{4} J_2 (3c - J_2)^2",
+    states=r"J_1 = J_3 \Rightarrow f = \frac{1}{4} J_2 (3c - J_2)^2",
     given=[orthogonal],
     by=cases(),
     uses=["2.2"],
@@ -193,34 +201,31 @@ equality_at_given_moment = claim(
 
 bound_at_given_moment = definition("2.2.2", 187, r"f_1(J_2) = \frac{1}{4} J_2 (3c - J_2)^2.")
 
-interval_of_moments = claim(
+interval_of_moments = of_mass.claim(
     "2.2.3",
     189,
     "[0, 3c/2]",
     words="J_2, the argument of f_1, lies between 0 and 3c/2.",
-    formal=r"(0 \leq J_2) \land (J_2 \leq 3c/2)",
+    states=r"(0 \leq J_2) \land (J_2 \leq 3c/2)",
     given=[orthogonal, mass_distribution],
-    where=derivation.moments_of_a_mass_distribution,
     by=cases(r"P_1 a_{21}^2 + P_2 a_{22}^2 + P_3 a_{23}^2"),
     uses=["2.2.2", "2.3.3"],
 )
 
-triangle_inequalities = claim(
+triangle_inequalities = of_mass.claim(
     "2.2.4",
     191,
     r"I_2 + I_3 \geq I_1, \quad I_3 + I_1 \geq I_2, \quad I_1 + I_2 \geq I_3",
     given=[mass_distribution],
-    where=derivation.moments_of_a_mass_distribution,
     by={"a": nonnegative("2P_1"), "b": nonnegative("2P_2"), "c": nonnegative("2P_3")},
     equality={"a": "P_1 = 0", "b": "P_2 = 0", "c": "P_3 = 0"},
 )
 
-triangle_inequalities_by_trace = claim(
+triangle_inequalities_by_trace = of_mass.claim(
     "2.3",
     195,
     r"I_1 + I_2 + I_3 \geq 2I_i, \quad i = 1, 2, 3.",
     given=[mass_distribution],
-    where=derivation.moments_of_a_mass_distribution,
     by=nonnegative("2P_i"),
     equality="P_i = 0",
     uses=["2.2.4"],
@@ -230,18 +235,17 @@ triangle_forms_are_equivalent = claim(
     "2.3.1",
     193,
     words="The inequalities (2.3) are equivalent to the triangle inequalities 2.2.4.",
-    formal=r"I_1 + I_2 + I_3 - 2 I_1 = I_2 + I_3 - I_1, I_1 + I_2 + I_3 - 2 I_2 = I_3 + I_1 - I_2, "
+    states=r"I_1 + I_2 + I_3 - 2 I_1 = I_2 + I_3 - I_1, I_1 + I_2 + I_3 - 2 I_2 = I_3 + I_1 - I_2, "
     r"I_1 + I_2 + I_3 - 2 I_3 = I_1 + I_2 - I_3",
     by=cases(),
     uses=["2.2.4", "2.3"],
 )
 
-weighted_triangle_inequality = claim(
+weighted_triangle_inequality = of_mass.claim(
     "2.3.2",
     199,
     r"3c(a_{21}^2 + a_{22}^2 + a_{23}^2) \geq 2J_2",
     given=[mass_distribution],
-    where=derivation.moments_of_a_mass_distribution,
     by=nonnegative(r"2 P_1 a_{21}^2 + 2 P_2 a_{22}^2 + 2 P_3 a_{23}^2"),
     equality=r"P_1 a_{21} = 0, P_2 a_{22} = 0, P_3 a_{23} = 0",
     uses=["2.3", "2.1.6"],
@@ -251,12 +255,11 @@ second_row_is_a_unit_vector = claim(
     "2.3.3", 201, r"a_{21}^2 + a_{22}^2 + a_{23}^2 = 1", given=[orthogonal], by=identity
 )
 
-moment_at_most_three_halves_mean = claim(
+moment_at_most_three_halves_mean = of_mass.claim(
     "2.3.4",
     203,
     r"J_2 \leq \frac{3}{2}c.",
     given=[orthogonal, mass_distribution],
-    where=derivation.moments_of_a_mass_distribution,
     by=nonnegative(r"P_1 a_{21}^2 + P_2 a_{22}^2 + P_3 a_{23}^2"),
     equality=r"P_1 a_{21} = 0, P_2 a_{22} = 0, P_3 a_{23} = 0",
     uses=["2.3.2", "2.3.3"],
@@ -279,7 +282,7 @@ maximum_of_bound = claim(
     209,
     (r"\max f_1", "J_2 = c"),
     words="f_1 is largest at J_2 = c, and only there, with the value c^3.",
-    formal=r"(f_1 \leq c^3) \land (f_1 = c^3 \Leftrightarrow J_2 = c)",
+    states=r"(f_1 \leq c^3) \land (f_1 = c^3 \Leftrightarrow J_2 = c)",
     given=[on_the_interval, positive_mean],
     keeping=("J", "c"),
     by=cases(r"\frac{1}{4} (c - J_2)^2 ((3c/2 - J_2) + 5c/2)"),
@@ -291,7 +294,7 @@ maximum_of_product = claim(
     209,
     r"\max f = c^3",
     words="The largest value of f is c^3; that it is attained is 2.9.4.",
-    formal=r"f \leq c^3",
+    states=r"f \leq c^3",
     given=[orthogonal, non_negative_moments],
     by=nonnegative(deficit_of_product),
     equality=EQUAL_MOMENTS,
@@ -306,18 +309,16 @@ maximum_at_equal_moments = claim(
     209,
     "J_1 = J_2 = J_3 = c",
     words="The value c^3 is reached when all three moments are c.",
-    formal=r"J_1 = J_2 = J_3 = c \Rightarrow f = c^3",
+    states=r"J_1 = J_2 = J_3 = c \Rightarrow f = c^3",
     by=cases(),
     keeping=("J", "c"),
     uses=["2.3.7"],
 )
 
-equal_moment_conditions = claim(
+equal_moment_conditions = axial.claim(
     "2.4",
     213,
     r"J_i = \sum_{k=1}^3 I_k a_{ik}^2 = c, \quad i = 1, 2, 3,",
-    where=derivation.axial_moments,
-    by=identity,
     imposed="b",
     uses=["2.0.4"],
 )
@@ -326,7 +327,7 @@ two_conditions_suffice = claim(
     "2.4.1",
     215,
     words="Of the three conditions (2.4) any two imply the third.",
-    formal=r"(J_1 = c \land J_2 = c \Rightarrow J_3 = c) \land (J_2 = c \land J_3 = c \Rightarrow J_1 = c) \land "
+    states=r"(J_1 = c \land J_2 = c \Rightarrow J_3 = c) \land (J_2 = c \land J_3 = c \Rightarrow J_1 = c) \land "
     r"(J_3 = c \land J_1 = c \Rightarrow J_2 = c)",
     given=[orthogonal],
     by=cases(),
@@ -335,22 +336,18 @@ two_conditions_suffice = claim(
     free=("J", "L"),
 )
 
-first_condition = claim(
+first_condition = axial.claim(
     "2.5",
     217,
     r"J_1 = I_1 a_{11}^2 + I_2 a_{12}^2 + I_3 a_{13}^2 = c,",
-    where=derivation.axial_moments,
-    by=identity,
     imposed="b",
     uses=["2.4"],
 )
 
-second_condition = claim(
+second_condition = axial.claim(
     "2.6",
     219,
     r"J_2 = I_1 a_{21}^2 + I_2 a_{22}^2 + I_3 a_{23}^2 = c.",
-    where=derivation.axial_moments,
-    by=identity,
     imposed="b",
     uses=["2.4"],
 )
@@ -375,12 +372,11 @@ aircraft_angles = definition(
     "2.7.2", 227, words="Pitch alpha, yaw beta and roll gamma of figure 1 determine the matrix A.", opaque=True
 )
 
-angles_make_rows_orthonormal = claim(
+angles_make_rows_orthonormal = cosines.claim(
     "2.7.3",
     232,
     words="With the three angles the conditions (2.7) hold of themselves.",
-    formal=body(orthonormal_rows),
-    where=derivation.direction_cosines,
+    states=body(orthonormal_rows),
     by=cases(),
     uses=["2.7", "2.7.2"],
 )
@@ -390,60 +386,71 @@ second_row_along_a_diagonal = claim(
     234,
     r"a_{21}^2 = a_{22}^2 = a_{23}^2 = 1/3",
     words="(2.6) holds when the squares of the second row are 1/3 each.",
-    formal=r"a_{21}^2 = a_{22}^2 = a_{23}^2 = 1/3 \Rightarrow J_2 = c",
+    states=r"a_{21}^2 = a_{22}^2 = a_{23}^2 = 1/3 \Rightarrow J_2 = c",
     by=cases(),
     uses=["2.6"],
 )
 
-cosine_11 = claim("2.7.5", 238, r"a_{11} = \cos \alpha \cos \beta,", where=derivation.direction_cosines, by=identity)
+cosine_11 = cosines.claim(
+    "2.7.5",
+    238,
+    r"a_{11} = \cos \alpha \cos \beta,",
+)
 
-cosine_12 = claim(
+cosine_12 = cosines.claim(
     "2.7.6",
     240,
     r"a_{12} = \sin \alpha \sin \gamma - \cos \alpha \sin \beta \cos \gamma,",
-    where=derivation.direction_cosines,
-    by=identity,
 )
 
-cosine_13 = claim(
+cosine_13 = cosines.claim(
     "2.7.7",
     242,
     r"a_{13} = \sin \alpha \cos \gamma + \cos \alpha \sin \beta \sin \gamma,",
-    where=derivation.direction_cosines,
-    by=identity,
 )
 
-cosine_21 = claim("2.7.8", 244, r"a_{21} = \sin \beta,", where=derivation.direction_cosines, by=identity)
+cosine_21 = cosines.claim(
+    "2.7.8",
+    244,
+    r"a_{21} = \sin \beta,",
+)
 
-cosine_22 = claim("2.7.9", 246, r"a_{22} = \cos \beta \cos \gamma,", where=derivation.direction_cosines, by=identity)
+cosine_22 = cosines.claim(
+    "2.7.9",
+    246,
+    r"a_{22} = \cos \beta \cos \gamma,",
+)
 
-cosine_23 = claim("2.7.10", 248, r"a_{23} = -\cos \beta \sin \gamma,", where=derivation.direction_cosines, by=identity)
+cosine_23 = cosines.claim(
+    "2.7.10",
+    248,
+    r"a_{23} = -\cos \beta \sin \gamma,",
+)
 
-cosine_31 = claim("2.7.11", 250, r"a_{31} = -\sin \alpha \cos \beta,", where=derivation.direction_cosines, by=identity)
+cosine_31 = cosines.claim(
+    "2.7.11",
+    250,
+    r"a_{31} = -\sin \alpha \cos \beta,",
+)
 
-cosine_32 = claim(
+cosine_32 = cosines.claim(
     "2.7.12",
     252,
     r"a_{32} = \cos \alpha \sin \gamma + \sin \alpha \sin \beta \cos \gamma,",
-    where=derivation.direction_cosines,
-    by=identity,
 )
 
-cosine_33 = claim(
+cosine_33 = cosines.claim(
     "2.7.13",
     254,
     r"a_{33} = \cos \alpha \cos \gamma - \sin \alpha \sin \beta \sin \gamma,",
-    where=derivation.direction_cosines,
-    by=identity,
 )
 
-angles_of_the_diagonal = claim(
+angles_of_the_diagonal = cosines.claim(
     "2.7.14",
     256,
     (r"\sin^2 \beta = 1/3", r"\sin^2 \gamma = 1/2"),
     words="In the angles, the second row has squares 1/3 exactly when sin^2 beta = 1/3 and sin^2 gamma = 1/2.",
-    formal=r"(\sin^2 \beta = 1/3 \land \sin^2 \gamma = 1/2) \Leftrightarrow (a_{21}^2 = a_{22}^2 = a_{23}^2 = 1/3)",
-    where=derivation.direction_cosines,
+    states=r"(\sin^2 \beta = 1/3 \land \sin^2 \gamma = 1/2) \Leftrightarrow (a_{21}^2 = a_{22}^2 = a_{23}^2 = 1/3)",
     by=cases(),
     uses=["2.7.4", "2.7.8", "2.7.9", "2.7.10"],
 )
@@ -457,7 +464,7 @@ chosen_values = premise(
 
 chosen_angles = Hypothesis("chosen angles", "the angles beta and gamma of 2.7.15", body(chosen_values))
 
-squares_of_first_row = claim(
+squares_of_first_row = cosines.claim(
     "2.8",
     264,
     (
@@ -466,21 +473,17 @@ squares_of_first_row = claim(
         r"a_{13}^2 = \frac{1}{3} \left(1 - \frac{1}{2} \cos 2\alpha + \frac{\sqrt{3}}{2} \sin 2\alpha \right).",
     ),
     given=[chosen_angles],
-    where=derivation.direction_cosines,
-    by=identity,
     uses=["2.7.5", "2.7.6", "2.7.7", "2.7.15"],
     lines={"b": 266, "c": 268},
 )
 
-equal_moment_equation = claim(
+equal_moment_equation = cosines.claim(
     "2.8.1",
     272,
     r"c + \frac{1}{3} \left(I_1 - \frac{I_2 + I_3}{2} \right) \cos 2\alpha "
     r"- \frac{1}{3} \frac{\sqrt{3}}{2} (I_2 - I_3) \sin 2\alpha = c,",
     given=[chosen_angles],
-    where=derivation.direction_cosines,
     equation=derivation.equal_moment_equation,
-    by=identity,
     uses=["2.5", "2.8"],
 )
 
@@ -505,9 +508,8 @@ two_equal_moments = claim(
     278,
     ("I_2 = I_3", r"\cos 2\alpha = 0"),
     words="When I_2 = I_3, relation 2.8.1 says cos 2 alpha = 0.",
-    formal=r"I_2 = I_3 \Rightarrow \cos 2\alpha = 0",
+    states=r"I_2 = I_3 \Rightarrow \cos 2\alpha = 0",
     given=[first_moment_is_the_mean, positive_moments],
-    needs=[Hypothesis("I_1, I_2 distinct", "I_1 differs from I_2 = I_3", r"I_1 \neq I_2")],
     by=cases(),
     uses=["2.8.1", "2.9"],
     errata={
@@ -517,6 +519,7 @@ two_equal_moments = claim(
             Origin.PAPER,
             "When all three moments are equal, 2.8.1 holds for every alpha and cos 2 alpha need not vanish. The choice "
             "alpha = pi/4 remains right (2.9.2), so the existence proof is not harmed.",
+            needs=(Hypothesis("I_1, I_2 distinct", "I_1 differs from I_2 = I_3", r"I_1 \neq I_2"),),
         )
     },
 )
@@ -526,7 +529,7 @@ pitch_of_two_equal_moments = claim(
     278,
     r"\alpha = \pi/4",
     words="When I_2 = I_3, alpha = pi/4 (sin alpha = cos alpha) satisfies 2.8.1.",
-    formal=rf"(I_2 = I_3 \land \sin \alpha = \cos \alpha) \Rightarrow {body(equal_moment_equation)}",
+    states=rf"(I_2 = I_3 \land \sin \alpha = \cos \alpha) \Rightarrow {body(equal_moment_equation)}",
     by=cases(),
     uses=["2.8.1"],
 )
@@ -541,7 +544,7 @@ equal_moments_are_possible = claim(
     r"J_1 = J_2 = J_3 = \frac{1}{3}(I_1 + I_2 + I_3).",
     words="For every body there are axes about which all three moments are equal (turned about the diagonal (1, 1, -1) by "
     "an angle of cosine u and sine v).",
-    formal=r"\exists u, v : (u^2 + v^2 = 1 \land J_1 = J_2 = J_3 = \frac{1}{3}(I_1 + I_2 + I_3))",
+    states=r"\exists u, v : (u^2 + v^2 = 1 \land J_1 = J_2 = J_3 = \frac{1}{3}(I_1 + I_2 + I_3))",
     where=derivation.turned_about_the_diagonal,
     by=existence(),
     uses=["2.4", "2.7.4", "2.9"],
@@ -552,7 +555,7 @@ turned_axes_are_orthonormal = ours(
     "2.9.5",
     282,
     words="The axes of 2.9.4 are orthonormal and right-handed.",
-    formal=r"\mathbf{A}\mathbf{A}^T = \mathbf{U} \land |\mathbf{A}| = 1",
+    states=r"\mathbf{A}\mathbf{A}^T = \mathbf{U} \land |\mathbf{A}| = 1",
     given=[Hypothesis("circle", "u and v are a cosine and a sine", "u^2 + v^2 = 1")],
     where=derivation.turned_about_the_diagonal,
     by=cases(),
@@ -564,7 +567,7 @@ form_of_the_ellipsoid = ours(
     284,
     words="At the distance d along the axis y_i the form x_1^2/a^2 + x_2^2/b^2 + x_3^2/c^2 of the ellipsoid is J_i d^2, with "
     "1/a^2, 1/b^2, 1/c^2 for the principal moments.",
-    formal=r"\left(\frac{a_{i1} d}{a}\right)^2 + \left(\frac{a_{i2} d}{b}\right)^2 + \left(\frac{a_{i3} d}{c}\right)^2 = J_i d^2",
+    states=r"\left(\frac{a_{i1} d}{a}\right)^2 + \left(\frac{a_{i2} d}{b}\right)^2 + \left(\frac{a_{i3} d}{c}\right)^2 = J_i d^2",
     given=[Hypothesis("semi-axes", "the semi-axes are positive", "a > 0, b > 0, c > 0", printed=False)],
     where=derivation.reciprocal_squares,
     by=identity,
@@ -598,7 +601,7 @@ ellipsoid_axes_exist = claim(
     284,
     words="Every ellipsoid with semi-axes a, b, c has orthogonal axes through its centre that meet it at equal distances: "
     "2.9.4 for I_1 = 1/a^2, I_2 = 1/b^2, I_3 = 1/c^2, without triangle inequalities.",
-    formal=r"\exists u, v : (u^2 + v^2 = 1 \land J_1 = J_2 = J_3)",
+    states=r"\exists u, v : (u^2 + v^2 = 1 \land J_1 = J_2 = J_3)",
     given=[Hypothesis("semi-axes", "the semi-axes are positive", "a > 0, b > 0, c > 0", printed=False)],
     where=derivation.ellipsoid_moments,
     by=existence(),
@@ -725,7 +728,7 @@ product_and_its_excess = ours(
     "2.13.4",
     336,
     words="The same expansion with J_2 for the sum it stands for.",
-    formal=rf"J_1 J_2 J_3 = I_1 I_2 I_3 + {excess_of_product}",
+    states=rf"J_1 J_2 J_3 = I_1 I_2 I_3 + {excess_of_product}",
     given=[orthogonal],
     by=identity,
     uses=["2.13.1"],
@@ -735,7 +738,7 @@ equality_conditions_suffice = claim(
     "2.13.2",
     342,
     words="The inequality f >= I_1 I_2 I_3 is an equality when (2.14) and (2.15) hold together.",
-    formal=rf"{LOWER_EQUALITY} \Rightarrow (f = I_1 I_2 I_3)",
+    states=rf"{LOWER_EQUALITY} \Rightarrow (f = I_1 I_2 I_3)",
     given=[orthogonal],
     by=cases(excess_of_product),
     uses=["2.13.1", "2.14", "2.15"],
@@ -747,7 +750,7 @@ equality_conditions_are_necessary = ours(
     "2.13.3",
     342,
     words="For pairwise distinct positive moments it is an equality only then.",
-    formal=rf"(f = I_1 I_2 I_3) \Leftrightarrow ({LOWER_EQUALITY})",
+    states=rf"(f = I_1 I_2 I_3) \Leftrightarrow ({LOWER_EQUALITY})",
     given=[orthogonal, positive_moments, distinct_moments],
     by=cases(excess_of_product),
     uses=["2.13.1", "2.14", "2.15"],
@@ -782,9 +785,8 @@ six_cases = claim(
     354,
     PRINTED_CASES,
     words="With (2.14) to (2.16) and I_1 != I_2 != I_3, equality in (2.10) holds exactly in six cases.",
-    formal=rf"(f = I_1 I_2 I_3) \Leftrightarrow ({SIX_CASES})",
+    states=rf"(f = I_1 I_2 I_3) \Leftrightarrow ({SIX_CASES})",
     given=[orthogonal, positive_moments, chain_as_printed],
-    needs=[Hypothesis("I_1, I_3 distinct", "I_3 differs from I_1", r"I_3 \neq I_1")],
     by=cases(excess_of_product),
     uses=["2.10", "2.14", "2.15", "2.16", "2.16.1"],
     errata={
@@ -794,6 +796,7 @@ six_cases = claim(
             Origin.PAPER,
             "The chain I_1 != I_2 != I_3 does not exclude I_1 = I_3, and then any turn about axis 2 gives equality too. "
             "What is meant, and enough, is that the three moments are pairwise distinct.",
+            needs=(Hypothesis("I_1, I_3 distinct", "I_3 differs from I_1", r"I_3 \neq I_1"),),
         )
     },
     lemmas=["2.13.4", "2.0.5", "2.0.6"],
@@ -804,7 +807,7 @@ six_cases_are_collinear_axes = claim(
     "2.17.1",
     360,
     words="In all cases (2.17) each axis y_i is collinear with an axis x_k.",
-    formal=rf"({SIX_CASES}) \Rightarrow {PARALLEL}",
+    states=rf"({SIX_CASES}) \Rightarrow {PARALLEL}",
     given=[orthogonal],
     by=cases(),
     uses=["2.17"],
@@ -816,7 +819,7 @@ right_handed_cases = claim(
     r"|\mathbf{A}| = 1",
     words="Of the matrices (2.17) those of right-handed axes satisfy |A| = 1, and a selection is needed: orthogonality alone "
     "leaves |A| = 1 or -1.",
-    formal=r"|\mathbf{A}|^2 = 1",
+    states=r"|\mathbf{A}|^2 = 1",
     given=[orthogonal],
     by=identity,
     uses=["2.17"],
@@ -863,7 +866,7 @@ sum_and_its_excess = ours(
     "2.19.4",
     382,
     words="The same expansion as one sum over the rows.",
-    formal=rf"J_1 L_1 + J_2 L_2 + J_3 L_3 = 3 I_1 I_2 I_3 + {excess_of_sum}",
+    states=rf"J_1 L_1 + J_2 L_2 + J_3 L_3 = 3 I_1 I_2 I_3 + {excess_of_sum}",
     given=[orthogonal],
     by=identity,
     uses=["2.19.1"],
@@ -880,7 +883,7 @@ row_conditions_suffice = claim(
     "2.19.2",
     384,
     words="(2.18) is an equality when all conditions (2.20) hold.",
-    formal=rf"{body(conditions_on_all_rows)} \Rightarrow {EQUAL_SUMS}",
+    states=rf"{body(conditions_on_all_rows)} \Rightarrow {EQUAL_SUMS}",
     given=[orthogonal],
     by=cases(excess_of_sum),
     uses=["2.18", "2.20"],
@@ -892,7 +895,7 @@ row_conditions_are_necessary = ours(
     "2.19.3",
     384,
     words="For pairwise distinct positive moments it is an equality only then.",
-    formal=rf"{EQUAL_SUMS} \Leftrightarrow {body(conditions_on_all_rows)}",
+    states=rf"{EQUAL_SUMS} \Leftrightarrow {body(conditions_on_all_rows)}",
     given=[orthogonal, positive_moments, distinct_moments],
     by=cases(excess_of_sum),
     uses=["2.18", "2.20"],
@@ -904,7 +907,7 @@ row_conditions_are_the_six_cases = claim(
     "2.20.1",
     388,
     words="(2.20) holds only in the cases (2.17).",
-    formal=rf"{body(conditions_on_all_rows)} \Rightarrow ({SIX_CASES})",
+    states=rf"{body(conditions_on_all_rows)} \Rightarrow ({SIX_CASES})",
     given=[orthogonal],
     by=cases(),
     uses=["2.17", "2.20"],

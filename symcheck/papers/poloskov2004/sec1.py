@@ -17,7 +17,7 @@ derivation_starts_here = ours(
     "1.0.2",
     13,
     words="What is derived below starts from these equations as printed.",
-    formal=body(equations_of_motion),
+    states=body(equations_of_motion),
     equation=derivation.equations_of_motion,
     where=derivation.free_motion,
     by=identity,
@@ -63,10 +63,10 @@ dynamic_symmetry = premise(
     21,
     "A = B, C",
     words="A, B, C are the principal central moments of inertia, of which two are equal.",
-    formal="A = B",
+    states="A = B",
 )
 
-small_parameter = premise("1.1.6", 21, words="epsilon is small and positive.", formal=r"\varepsilon > 0")
+small_parameter = premise("1.1.6", 21, words="epsilon is small and positive.", states=r"\varepsilon > 0")
 
 dissipation_matrix = premise(
     "1.1.7", 21, r"\mathbf{D} = [d_{ij}]", words="D is a 3 x 3 matrix whose elements are all positive."

@@ -1,12 +1,14 @@
 """Poloskov 2004, section 2: amplitude, phase and frequency instead of the angular velocity."""
 
-from symcheck.core.claims import Erratum, Hypothesis
+from symcheck.core.claims import Damage, Erratum, Hypothesis
 from symcheck.core.verdicts import Origin
-from symcheck.papers.declare import claim, definition, exclusion, ours, premise
+from symcheck.papers.declare import Scope, claim, definition, exclusion, premise
 from symcheck.papers.poloskov2004 import derivation
 from symcheck.papers.poloskov2004.hypotheses import amplitude, positive_k, positive_parameter
 from symcheck.papers.poloskov2004.notation import functions_of_time, six_columns
 from symcheck.proof import cases, identity
+
+system = Scope(where=derivation.stratonovich_system, by=identity)
 
 free_motion = exclusion("2.0.1", 27, r"\varepsilon = 0", reason="names the case that (2.1) solves")
 
@@ -34,7 +36,7 @@ generating_solution_solves = claim(
     "2.1.2",
     27,
     words="For epsilon = 0 it solves x' + f = 0; along it time enters by the phase alone, and psi' = Omega.",
-    formal=r"\Omega \frac{\partial \tilde{x}_i}{\partial \psi} + f_i = 0",
+    states=r"\Omega \frac{\partial \tilde{x}_i}{\partial \psi} + f_i = 0",
     given=[positive_k],
     where=derivation.generating_equations,
     by=identity,
@@ -54,7 +56,7 @@ slow_change = claim(
     "2.1.5",
     31,
     words="a, Omega, theta change slowly: their drift and diffusion vanish with epsilon.",
-    formal=r"\varepsilon = 0 \Rightarrow (K_i = 0 \land K_{ij} = 0)",
+    states=r"\varepsilon = 0 \Rightarrow (K_i = 0 \land K_{ij} = 0)",
     given=[amplitude, positive_k],
     where=derivation.coefficients,
     by=cases(),
@@ -150,27 +152,23 @@ drift_vector = definition(
     opaque=True,
 )
 
-drift_of_amplitude = claim(
+drift_of_amplitude = system.claim(
     "2.4.2",
     43,
     V_1,
     words="First component of v.",
-    formal=rf"v_1 = \varepsilon \left[{V_1}\right]",
+    states=rf"v_1 = \varepsilon \left[{V_1}\right]",
     given=[positive_k],
-    where=derivation.stratonovich_system,
-    by=identity,
     uses=["1.0.1", "2.3.1"],
 )
 
-drift_of_phase = claim(
+drift_of_phase = system.claim(
     "2.4.3",
     43,
     V_2,
     words="Second component of v.",
-    formal=rf"v_2 = \varepsilon \left[{V_2}\right]",
+    states=rf"v_2 = \varepsilon \left[{V_2}\right]",
     given=[amplitude, positive_k],
-    where=derivation.stratonovich_system,
-    by=identity,
     uses=["1.0.1", "2.3.1"],
     errata={
         "": Erratum(
@@ -185,15 +183,13 @@ drift_of_phase = claim(
     },
 )
 
-drift_of_frequency = claim(
+drift_of_frequency = system.claim(
     "2.4.4",
     43,
     V_3,
     words="Third component of v.",
-    formal=rf"v_3 = \varepsilon \left[{V_3}\right]",
+    states=rf"v_3 = \varepsilon \left[{V_3}\right]",
     given=[positive_k],
-    where=derivation.stratonovich_system,
-    by=identity,
     uses=["1.0.1", "2.3.1"],
     errata={
         "": Erratum(
@@ -214,14 +210,16 @@ noise_intensities = claim(
     r"-\cos\psi\sin\psi & \cos\psi\sin\psi & 0 & -\frac{1}{a}\sin\psi & -\frac{1}{a}\cos\psi & 0 \\ "
     r"0 & 0 & \Omega & 0 & 0 & k \end{bmatrix} \mathbf{g}_*",
     words="The matrix of the noise intensities, all 18 entries.",
-    read_as=r"\mathbf{H} = [h_{ij}] \equiv \sqrt{\varepsilon} \begin{bmatrix} a\cos^2\psi & a\sin^2\psi & 0 & \cos\psi & -\sin\psi & 0 \\ "
-    r"-\cos\psi\sin\psi & \cos\psi\sin\psi & 0 & -\frac{1}{a}\sin\psi & -\frac{1}{a}\cos\psi & 0 \\ "
-    r"0 & 0 & \Omega & 0 & 0 & k \end{bmatrix} \operatorname{diag}(g_{11}, g_{12}, g_{13}, g_{21}, g_{22}, g_{23})",
-    kind="vector for a diagonal matrix",
-    origin=Origin.PAPER,
-    reason="As printed a 3 x 6 matrix times the column g_* is a column of three, which H is not. Column j of H belongs to the "
-    "noise zeta_j and carries its intensity: g_* stands for diag(g_11, ..., g_23). That g_* is printed as a column twice, "
-    "here and in the next display, speaks for the author.",
+    damage=Damage(
+        r"\mathbf{H} = [h_{ij}] \equiv \sqrt{\varepsilon} \begin{bmatrix} a\cos^2\psi & a\sin^2\psi & 0 & \cos\psi & -\sin\psi & 0 \\ "
+        r"-\cos\psi\sin\psi & \cos\psi\sin\psi & 0 & -\frac{1}{a}\sin\psi & -\frac{1}{a}\cos\psi & 0 \\ "
+        r"0 & 0 & \Omega & 0 & 0 & k \end{bmatrix} \operatorname{diag}(g_{11}, g_{12}, g_{13}, g_{21}, g_{22}, g_{23})",
+        reason="As printed a 3 x 6 matrix times the column g_* is a column of three, which H is not. Column j of H belongs to the "
+        "noise zeta_j and carries its intensity: g_* stands for diag(g_11, ..., g_23). That g_* is printed as a column twice, "
+        "here and in the next display, speaks for the author.",
+        kind="vector for a diagonal matrix",
+        origin=Origin.PAPER,
+    ),
     given=[amplitude, positive_k, positive_parameter],
     where=derivation.stratonovich_system,
     by=identity,
@@ -230,13 +228,12 @@ noise_intensities = claim(
     notation=six_columns,
 )
 
-phase_columns_leave_frequency_alone = ours(
+phase_columns_leave_frequency_alone = system.ours(
     "2.4.6",
     45,
     words="The noises of Omega are not those of a and theta: the derivative by Omega through psi = Omega t + theta adds nothing "
     "to the Stratonovich correction.",
-    formal=r"h_{13} = 0, h_{16} = 0, h_{23} = 0, h_{26} = 0, h_{31} = 0, h_{32} = 0, h_{34} = 0, h_{35} = 0",
-    where=derivation.stratonovich_system,
+    states=r"h_{13} = 0, h_{16} = 0, h_{23} = 0, h_{26} = 0, h_{31} = 0, h_{32} = 0, h_{34} = 0, h_{35} = 0",
     by=cases(),
     uses=["2.4.5"],
 )

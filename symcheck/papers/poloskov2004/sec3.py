@@ -1,7 +1,7 @@
 """Poloskov 2004, section 3: the Fokker-Planck-Kolmogorov (FPK) equation, its average, the stationary densities."""
 
-from symcheck.core.claims import Hypothesis
-from symcheck.papers.declare import claim, definition, exclusion, ours, premise
+from symcheck.core.claims import Damage, Hypothesis
+from symcheck.papers.declare import Scope, claim, definition, exclusion, ours, premise
 from symcheck.papers.poloskov2004 import derivation
 from symcheck.papers.poloskov2004.hypotheses import (
     abbreviations,
@@ -13,6 +13,9 @@ from symcheck.papers.poloskov2004.hypotheses import (
 )
 from symcheck.papers.poloskov2004.notation import density_by_y
 from symcheck.proof import cases, identity
+
+averaged = Scope(where=derivation.averaged_coefficients, by=cases())
+density = Scope(where=derivation.densities, by=identity)
 
 markov_process = premise(
     "3.0.1", 49, words="(a, theta, Omega) is a Markov process with the density p(a, theta, Omega, t)."
@@ -64,7 +67,7 @@ every_coefficient_has_epsilon = claim(
     "3.2.1",
     57,
     words="(3.1) has that form: all its coefficients are epsilon times something without epsilon.",
-    formal=r"\frac{\partial}{\partial \varepsilon} \left(\frac{K_i}{\varepsilon}\right) = 0 \land "
+    states=r"\frac{\partial}{\partial \varepsilon} \left(\frac{K_i}{\varepsilon}\right) = 0 \land "
     r"\frac{\partial}{\partial \varepsilon} \left(\frac{K_{ij}}{\varepsilon}\right) = 0",
     given=[positive_parameter, amplitude, positive_k],
     where=derivation.coefficients,
@@ -88,21 +91,23 @@ averaged_equation = premise(
     r"(\bar{K}_{33} p) - \frac{\partial}{\partial a} (\bar{K}_{1p}) - \frac{\partial}{\partial \theta} (\bar{K}_{2p}) "
     r"- \frac{\partial}{\partial \Omega} (\bar{K}_{3p}) \right] \equiv \varepsilon \bar{L} p",
     words="(3.2) averaged over the time it contains explicitly.",
-    read_as=r"\frac{\partial p}{\partial t} = \varepsilon \left[ \frac{1}{2} \frac{\partial^2}{\partial a^2} (\bar{K}_{11} p) "
-    r"+ \frac{1}{2} \frac{\partial^2}{\partial \theta^2} (\bar{K}_{22} p) + \frac{1}{2} \frac{\partial^2}{\partial \Omega^2} "
-    r"(\bar{K}_{33} p) - \frac{\partial}{\partial a} (\bar{K}_1 p) - \frac{\partial}{\partial \theta} (\bar{K}_2 p) "
-    r"- \frac{\partial}{\partial \Omega} (\bar{K}_3 p) \right] \equiv \varepsilon \bar{L} p",
-    kind="letter in the index",
-    reason="Three times the factor p has slipped into the subscript. No letter with the subscript 1p exists, (3.1) and the "
-    "stationary equations have the product, and so have the second derivatives of the same display; a thin space lost "
-    "three times alike is what the OCR does to subscripts. That averaging is admissible is cited [5].",
+    damage=Damage(
+        r"\frac{\partial p}{\partial t} = \varepsilon \left[ \frac{1}{2} \frac{\partial^2}{\partial a^2} (\bar{K}_{11} p) "
+        r"+ \frac{1}{2} \frac{\partial^2}{\partial \theta^2} (\bar{K}_{22} p) + \frac{1}{2} \frac{\partial^2}{\partial \Omega^2} "
+        r"(\bar{K}_{33} p) - \frac{\partial}{\partial a} (\bar{K}_1 p) - \frac{\partial}{\partial \theta} (\bar{K}_2 p) "
+        r"- \frac{\partial}{\partial \Omega} (\bar{K}_3 p) \right] \equiv \varepsilon \bar{L} p",
+        reason="Three times the factor p has slipped into the subscript. No letter with the subscript 1p exists, (3.1) and the "
+        "stationary equations have the product, and so have the second derivatives of the same display; a thin space lost "
+        "three times alike is what the OCR does to subscripts. That averaging is admissible is cited [5].",
+        kind="letter in the index",
+    ),
 )
 
 averaged_mixed_coefficients_vanish = claim(
     "3.2.3",
     63,
     words="No mixed derivative is left: the averages of K_12, K_13, K_23 vanish.",
-    formal=r"\bar{K}_{12} = 0 \land \bar{K}_{13} = 0 \land \bar{K}_{23} = 0 \land \bar{K}_{21} = 0 \land \bar{K}_{31} = 0 "
+    states=r"\bar{K}_{12} = 0 \land \bar{K}_{13} = 0 \land \bar{K}_{23} = 0 \land \bar{K}_{21} = 0 \land \bar{K}_{31} = 0 "
     r"\land \bar{K}_{32} = 0",
     given=[amplitude],
     where=derivation.averages,
@@ -145,7 +150,7 @@ carried_out_averages = ours(
     "3.2.7",
     67,
     words="The averages as the following items use them, carried out.",
-    formal=r"\langle K_1 \rangle_{\psi} = \varepsilon \bar{K}_1 \land \langle K_2 \rangle_{\psi} = \varepsilon \bar{K}_2 \land "
+    states=r"\langle K_1 \rangle_{\psi} = \varepsilon \bar{K}_1 \land \langle K_2 \rangle_{\psi} = \varepsilon \bar{K}_2 \land "
     r"\langle K_3 \rangle_{\psi} = \varepsilon \bar{K}_3 \land \langle K_{11} \rangle_{\psi} = \varepsilon \bar{K}_{11} \land "
     r"\langle K_{22} \rangle_{\psi} = \varepsilon \bar{K}_{22} \land \langle K_{33} \rangle_{\psi} = \varepsilon \bar{K}_{33}",
     given=[amplitude, positive_k],
@@ -158,55 +163,47 @@ stationary_equation = premise(
     "3.3", 73, r"\bar{L} p_s = 0", words="Equation of the stationary density, looked for in the first approximation."
 )
 
-coefficients_do_not_depend_on_phase = claim(
+coefficients_do_not_depend_on_phase = averaged.claim(
     "3.3.1",
     75,
     words="The coefficients of (3.3) do not depend on theta.",
-    formal=r"\frac{\partial \bar{K}_1}{\partial \theta} = 0 \land \frac{\partial \bar{K}_2}{\partial \theta} = 0 \land "
+    states=r"\frac{\partial \bar{K}_1}{\partial \theta} = 0 \land \frac{\partial \bar{K}_2}{\partial \theta} = 0 \land "
     r"\frac{\partial \bar{K}_3}{\partial \theta} = 0 \land \frac{\partial \bar{K}_{11}}{\partial \theta} = 0 \land "
     r"\frac{\partial \bar{K}_{22}}{\partial \theta} = 0 \land \frac{\partial \bar{K}_{33}}{\partial \theta} = 0",
     given=[amplitude],
-    where=derivation.averaged_coefficients,
-    by=cases(),
     uses=["3.2.4", "3.2.5"],
 )
 
-coefficients_of_amplitude = claim(
+coefficients_of_amplitude = averaged.claim(
     "3.3.2",
     75,
     (r"\bar{K}_{11} = \bar{K}_{11}(a)", r"\bar{K}_1 = \bar{K}_1(a)"),
     words="Kbar_11 and Kbar_1 depend on a only.",
-    formal=r"\frac{\partial \bar{K}_{11}}{\partial \theta} = 0 \land \frac{\partial \bar{K}_{11}}{\partial \Omega} = 0 \land "
+    states=r"\frac{\partial \bar{K}_{11}}{\partial \theta} = 0 \land \frac{\partial \bar{K}_{11}}{\partial \Omega} = 0 \land "
     r"\frac{\partial \bar{K}_1}{\partial \theta} = 0 \land \frac{\partial \bar{K}_1}{\partial \Omega} = 0",
     given=[amplitude],
-    where=derivation.averaged_coefficients,
-    by=cases(),
     uses=["3.2.4", "3.2.5"],
 )
 
-coefficients_of_frequency = claim(
+coefficients_of_frequency = averaged.claim(
     "3.3.3",
     75,
     (r"\bar{K}_{33} = \bar{K}_{33}(\Omega)", r"\bar{K}_3 = \bar{K}_3(\Omega)"),
     words="Kbar_33 and Kbar_3 depend on Omega only.",
-    formal=r"\frac{\partial \bar{K}_{33}}{\partial \theta} = 0 \land \frac{\partial \bar{K}_{33}}{\partial a} = 0 \land "
+    states=r"\frac{\partial \bar{K}_{33}}{\partial \theta} = 0 \land \frac{\partial \bar{K}_{33}}{\partial a} = 0 \land "
     r"\frac{\partial \bar{K}_3}{\partial \theta} = 0 \land \frac{\partial \bar{K}_3}{\partial a} = 0",
-    where=derivation.averaged_coefficients,
-    by=cases(),
     uses=["3.2.4", "3.2.5"],
 )
 
-product_of_densities = claim(
+product_of_densities = density.claim(
     "3.3.4",
     77,
     r"p_s(a, \theta, \Omega) = p_{s1}(a) p_{s2}(\theta) p_{s3}(\Omega)",
     words="The product of the densities (3.4), uniform, (3.5) solves (3.3).",
-    formal=r"\frac{1}{2} \frac{\partial^2}{\partial a^2} (\bar{K}_{11} p_s) + \frac{1}{2} \frac{\partial^2}{\partial \theta^2} "
+    states=r"\frac{1}{2} \frac{\partial^2}{\partial a^2} (\bar{K}_{11} p_s) + \frac{1}{2} \frac{\partial^2}{\partial \theta^2} "
     r"(\bar{K}_{22} p_s) + \frac{1}{2} \frac{\partial^2}{\partial \Omega^2} (\bar{K}_{33} p_s) - \frac{\partial}{\partial a} "
     r"(\bar{K}_1 p_s) - \frac{\partial}{\partial \theta} (\bar{K}_2 p_s) - \frac{\partial}{\partial \Omega} (\bar{K}_3 p_s) = 0",
     given=[amplitude, equatorial_noise, axial_noise, positive_k],
-    where=derivation.densities,
-    by=identity,
     uses=["3.2.2", "3.3", "3.3.9", "3.4", "3.5"],
 )
 
@@ -219,39 +216,35 @@ product_is_the_only_solution = premise(
 
 interval_of_phase = exclusion("3.3.6", 79, r"[0, 2\pi]", reason="names the range of theta, see 3.3.8")
 
-uniform_phase = claim(
+uniform_phase = density.claim(
     "3.3.7",
     79,
     r"p_{s2}(\theta) = 1/2\pi",
     words="The phase is uniform: the constant density on a turn has integral 1.",
-    formal=r"\int_0^{2\pi} p_{s2} \, d\theta = 1 \land p_{s2}(\theta) = 1/2\pi",
-    where=derivation.densities,
+    states=r"\int_0^{2\pi} p_{s2} \, d\theta = 1 \land p_{s2}(\theta) = 1/2\pi",
     by=cases(),
     uses=["3.3.1"],
 )
 
 range_of_phase = premise("3.3.8", 79, r"\theta \in [0, 2\pi]", words="The phase is taken on one turn.")
 
-stationary_marginal_equations = claim(
+stationary_marginal_equations = density.claim(
     "3.3.9",
     81,
     r"\frac{1}{2} (\bar{K}_{11} p_{s1})''_{aa} - (\bar{K}_1 p_{s1})'_a = 0, \quad "
     r"\frac{1}{2} (\bar{K}_{33} p_{s3})''_{\Omega\Omega} - (\bar{K}_3 p_{s3})'_\Omega = 0",
     words="The densities (3.4), (3.5) satisfy the equations of the marginal densities.",
     given=[amplitude, equatorial_noise, axial_noise, positive_k],
-    where=derivation.densities,
-    by=identity,
     uses=["3.3", "3.3.2", "3.3.3", "3.4", "3.5"],
 )
 
-no_flux = ours(
+no_flux = density.ours(
     "3.3.10",
     81,
     words="They carry no flux: the first integral of either equation vanishes.",
-    formal=r"\frac{1}{2} (\bar{K}_{11} p_{s1})'_a = \bar{K}_1 p_{s1} \land "
+    states=r"\frac{1}{2} (\bar{K}_{11} p_{s1})'_a = \bar{K}_1 p_{s1} \land "
     r"\frac{1}{2} (\bar{K}_{33} p_{s3})'_\Omega = \bar{K}_3 p_{s3}",
     given=[amplitude, equatorial_noise, axial_noise, positive_k],
-    where=derivation.densities,
     by=cases(),
     uses=["3.3.9"],
 )
@@ -264,27 +257,23 @@ flux_is_excluded = premise(
     "non-negative and integrable on the whole half-axis (axis)",
 )
 
-density_of_amplitude = claim(
+density_of_amplitude = density.claim(
     "3.4",
     85,
     r"p_{s1}(a) = 8C_1 a \Delta_1^{\kappa_1}",
     words="The derived density without flux; C_1 is named such that 8 C_1 is its constant.",
     given=[amplitude, equatorial_noise],
-    where=derivation.densities,
-    by=identity,
     uses=["3.2.4", "3.2.5", "3.5"],
 )
 
 range_of_amplitude = premise("3.4.1", 85, r"a \geq 0", words="Range of the amplitude.")
 
-density_of_frequency = claim(
+density_of_frequency = density.claim(
     "3.4.2",
     87,
     r"p_{s3}(\Omega) = C_2 \Delta_2^{\kappa_2}",
     words="The derived density without flux.",
     given=[axial_noise, positive_k],
-    where=derivation.densities,
-    by=identity,
     uses=["3.2.4", "3.2.5", "3.5.1"],
 )
 

@@ -1,8 +1,9 @@
 """Poloskov 2004, section 4: existence, moments and modes of the stationary densities, and a numerical example."""
 
-from symcheck.core.claims import Erratum, Hypothesis
+from symcheck.core.claims import Damage, Erratum, Hypothesis
+from symcheck.core.problems import Applied
 from symcheck.core.verdicts import Origin
-from symcheck.papers.declare import body, claim, exclusion, ours, premise
+from symcheck.papers.declare import Scope, body, claim, exclusion, ours, premise
 from symcheck.papers.poloskov2004 import derivation
 from symcheck.papers.poloskov2004.hypotheses import (
     amplitude,
@@ -16,6 +17,8 @@ from symcheck.papers.poloskov2004.hypotheses import (
 from symcheck.papers.poloskov2004.notation import moment_letters
 from symcheck.proof import cases, identity, theorems
 
+density = Scope(where=derivation.densities, by=cases())
+
 TOTAL_1 = r"\int_0^\infty a \Delta_1^{\kappa_1} \, da < \infty"
 TOTAL_2 = r"\int_{-\infty}^\infty \Delta_2^{\kappa_2} \, d\Omega < \infty"
 MOMENT_1 = r"\int_0^\infty a^m a \Delta_1^{\kappa_1} \, da < \infty"
@@ -27,7 +30,7 @@ only_diagonal_elements_matter = claim(
     "4.0.1",
     95,
     words="In the first approximation of D only the diagonal elements influence the densities of a and Omega.",
-    formal=r" \land ".join(
+    states=r" \land ".join(
         rf"\frac{{\partial \bar{{K}}_{i}}}{{\partial d_{{{entry}}}}} = 0" for i in (1, 3) for entry in OFF_DIAGONAL
     ),
     given=[amplitude],
@@ -36,49 +39,41 @@ only_diagonal_elements_matter = claim(
     uses=["3.2.5", "3.3.9"],
 )
 
-density_of_amplitude_exists = claim(
+density_of_amplitude_exists = density.claim(
     "4.0.2",
     95,
     r"4\gamma^2 > \alpha^2",
     words="The density of a exists only under this condition.",
-    formal=rf"{TOTAL_1} \Rightarrow 4\gamma^2 > \alpha^2",
+    states=rf"{TOTAL_1} \Rightarrow 4\gamma^2 > \alpha^2",
     given=[equatorial_noise],
-    where=derivation.densities,
-    by=cases(),
     uses=["3.4", "3.5"],
 )
 
-density_of_amplitude_exists_exactly = ours(
+density_of_amplitude_exists_exactly = density.ours(
     "4.0.3",
     95,
     words="And whenever it holds, as long as there is additive noise (beta > 0).",
-    formal=rf"{TOTAL_1} \Leftrightarrow 4\gamma^2 > \alpha^2",
+    states=rf"{TOTAL_1} \Leftrightarrow 4\gamma^2 > \alpha^2",
     given=[equatorial_noise],
-    where=derivation.densities,
-    by=cases(),
     uses=["4.0.2"],
 )
 
-density_of_frequency_exists = claim(
+density_of_frequency_exists = density.claim(
     "4.0.4",
     95,
     r"d_{33} > 0",
     words="The density of Omega exists only under this condition.",
-    formal=rf"{TOTAL_2} \Rightarrow d_{{33}} > 0",
+    states=rf"{TOTAL_2} \Rightarrow d_{{33}} > 0",
     given=[axial_noise, positive_k],
-    where=derivation.densities,
-    by=cases(),
     uses=["3.4.2", "3.5.1"],
 )
 
-density_of_frequency_exists_exactly = ours(
+density_of_frequency_exists_exactly = density.ours(
     "4.0.5",
     95,
     words="And whenever it holds.",
-    formal=rf"{TOTAL_2} \Leftrightarrow d_{{33}} > 0",
+    states=rf"{TOTAL_2} \Leftrightarrow d_{{33}} > 0",
     given=[axial_noise, positive_k],
-    where=derivation.densities,
-    by=cases(),
     uses=["4.0.4"],
 )
 
@@ -86,7 +81,7 @@ dissipation_was_assumed = claim(
     "4.0.6",
     95,
     words="The latter was assumed when the problem was posed: D has positive elements.",
-    formal=r"d_{33} > 0",
+    states=r"d_{33} > 0",
     given=[dissipation],
     by=cases(),
     uses=["1.1.7"],
@@ -94,38 +89,32 @@ dissipation_was_assumed = claim(
 
 orders_of_moments = premise("4.0.7", 95, r"m = 1, 2, \dots", words="Orders of the moments.")
 
-moments_of_amplitude_are_finite = claim(
+moments_of_amplitude_are_finite = density.claim(
     "4.0.8",
     95,
     r"8\gamma^2 > \alpha^2(2 + 3m)",
     words="Then the moment of a of order m is finite.",
-    formal=rf"8\gamma^2 > \alpha^2(2 + 3m) \Rightarrow {MOMENT_1}",
+    states=rf"8\gamma^2 > \alpha^2(2 + 3m) \Rightarrow {MOMENT_1}",
     given=[equatorial_noise, order],
-    where=derivation.densities,
-    by=cases(),
     uses=["3.4", "3.5"],
 )
 
-moments_of_amplitude_are_finite_only_then = ours(
+moments_of_amplitude_are_finite_only_then = density.ours(
     "4.0.9",
     95,
     words="And only then; for m = 0 the condition is that of existence.",
-    formal=rf"{MOMENT_1} \Leftrightarrow 8\gamma^2 > \alpha^2(2 + 3m)",
+    states=rf"{MOMENT_1} \Leftrightarrow 8\gamma^2 > \alpha^2(2 + 3m)",
     given=[equatorial_noise, Hypothesis("order", "the order of the moment is not negative", r"m \geq 0")],
-    where=derivation.densities,
-    by=cases(),
     uses=["4.0.8"],
 )
 
-moments_of_frequency_are_finite = claim(
+moments_of_frequency_are_finite = density.claim(
     "4.0.10",
     95,
     "3d_{33} > mg_{13}^2",
     words="Then the (absolute) moment of Omega of order m is finite.",
-    formal=rf"3d_{{33}} > mg_{{13}}^2 \Rightarrow {MOMENT_2}",
+    states=rf"3d_{{33}} > mg_{{13}}^2 \Rightarrow {MOMENT_2}",
     given=[axial_noise, positive_k, order],
-    where=derivation.densities,
-    by=cases(),
     uses=["3.4.2", "3.5.1"],
     errata={
         "": Erratum(
@@ -139,14 +128,12 @@ moments_of_frequency_are_finite = claim(
     },
 )
 
-moments_of_frequency_are_finite_only_then = ours(
+moments_of_frequency_are_finite_only_then = density.ours(
     "4.0.11",
     95,
     words="The moment of order m of Omega is finite exactly for 2 d_33 > m g_13^2.",
-    formal=rf"{MOMENT_2} \Leftrightarrow 2d_{{33}} > mg_{{13}}^2",
+    states=rf"{MOMENT_2} \Leftrightarrow 2d_{{33}} > mg_{{13}}^2",
     given=[axial_noise, positive_k, Hypothesis("order", "the order of the moment is not negative", r"m \geq 0")],
-    where=derivation.densities,
-    by=cases(),
     uses=["4.0.10"],
 )
 
@@ -154,7 +141,7 @@ odd_moments_vanish = claim(
     "4.0.12",
     95,
     words="All odd moments of the density (3.5) are zero (order m = 2n + 1, where finite).",
-    formal=r"2d_{33} > (2n + 1) g_{13}^2 \Rightarrow "
+    states=r"2d_{33} > (2n + 1) g_{13}^2 \Rightarrow "
     r"\int_{-\infty}^\infty \Omega (\Omega^2)^n \Delta_2^{\kappa_2} \, d\Omega = 0",
     given=[axial_noise, positive_k, Hypothesis("n", "n is not negative", r"n \geq 0")],
     where=derivation.densities,
@@ -168,15 +155,17 @@ mode_of_amplitude = claim(
     99,
     r"\alpha_* = 2 \sqrt{\frac{\beta^2}{8\gamma^2 + \alpha^2}}",
     words="The mode of a.",
-    read_as=r"a_* = 2 \sqrt{\frac{\beta^2}{8\gamma^2 + \alpha^2}}",
-    kind="one letter for another",
-    origin=Origin.UNCERTAIN,
-    reason="The point is a value of the amplitude a, as Omega_* is one of Omega, and the parameter alpha stands on the right; "
-    "the OCR takes an italic a for alpha, or the author did.",
+    damage=Damage(
+        r"a_* = 2 \sqrt{\frac{\beta^2}{8\gamma^2 + \alpha^2}}",
+        reason="The point is a value of the amplitude a, as Omega_* is one of Omega, and the parameter alpha stands on the right; "
+        "the OCR takes an italic a for alpha, or the author did.",
+        kind="one letter for another",
+        origin=Origin.UNCERTAIN,
+    ),
     given=[equatorial_noise],
     where=derivation.mode,
     by=theorems(
-        ("equal_squares", r"\sqrt{\alpha^2 + 8\gamma^2} \sqrt{\frac{\beta^2}{8\gamma^2 + \alpha^2}}", r"\beta")
+        Applied("equal_squares", (r"\sqrt{\alpha^2 + 8\gamma^2} \sqrt{\frac{\beta^2}{8\gamma^2 + \alpha^2}}", r"\beta"))
     ),
     uses=["3.4"],
 )
@@ -191,22 +180,20 @@ mode_is_the_stationary_point = ours(
     "4.0.14",
     99,
     words="The mode without a root.",
-    formal=r"(8\gamma^2 + \alpha^2) a_*^2 = 4\beta^2",
+    states=r"(8\gamma^2 + \alpha^2) a_*^2 = 4\beta^2",
     given=[equatorial_noise],
     where=derivation.mode,
     by=identity,
     uses=["4.0.13"],
 )
 
-amplitude_is_unimodal = claim(
+amplitude_is_unimodal = density.claim(
     "4.0.15",
     97,
     words="The density of a rises up to a_* and falls beyond it.",
-    formal=rf"({SLOPE_1} > 0 \Leftrightarrow {RISING}) \land ({SLOPE_1} = 0 \Leftrightarrow {STATIONARY}) \land "
+    states=rf"({SLOPE_1} > 0 \Leftrightarrow {RISING}) \land ({SLOPE_1} = 0 \Leftrightarrow {STATIONARY}) \land "
     rf"({SLOPE_1} < 0 \Leftrightarrow {FALLING})",
     given=[amplitude, equatorial_noise, constants],
-    where=derivation.densities,
-    by=cases(),
     uses=["3.4", "4.0.14"],
 )
 
@@ -214,7 +201,7 @@ slope_of_amplitude = ours(
     "4.0.16",
     97,
     words="Its logarithmic derivative lambda has the sign of 4 beta^2 - (8 gamma^2 + alpha^2) a^2.",
-    formal=r"\lambda a \Delta_1 = 4\beta^2 - (8\gamma^2 + \alpha^2) a^2 \land \Delta_1 > 0",
+    states=r"\lambda a \Delta_1 = 4\beta^2 - (8\gamma^2 + \alpha^2) a^2 \land \Delta_1 > 0",
     given=[amplitude, equatorial_noise],
     where=derivation.slope_of_amplitude,
     by=cases(),
@@ -222,16 +209,14 @@ slope_of_amplitude = ours(
     notation=moment_letters,
 )
 
-mode_of_frequency = claim(
+mode_of_frequency = density.claim(
     "4.0.17",
     109,
     r"\Omega_* = 0",
     words="The density of Omega rises up to Omega = 0 and falls beyond it.",
-    formal=rf"({SLOPE_2} > 0 \Leftrightarrow \Omega < 0) \land ({SLOPE_2} = 0 \Leftrightarrow \Omega = 0) \land "
+    states=rf"({SLOPE_2} > 0 \Leftrightarrow \Omega < 0) \land ({SLOPE_2} = 0 \Leftrightarrow \Omega = 0) \land "
     rf"({SLOPE_2} < 0 \Leftrightarrow \Omega > 0)",
     given=[axial_noise, positive_k, dissipation, constants],
-    where=derivation.densities,
-    by=cases(),
     uses=["3.4.2"],
 )
 
@@ -239,7 +224,7 @@ slope_of_frequency = ours(
     "4.0.18",
     109,
     words="Its logarithmic derivative lambda has the sign of -Omega.",
-    formal=r"\lambda \Delta_2 = -(2d_{33} + g_{13}^2) \Omega \land \Delta_2 > 0",
+    states=r"\lambda \Delta_2 = -(2d_{33} + g_{13}^2) \Omega \land \Delta_2 > 0",
     given=[axial_noise, positive_k],
     where=derivation.slope_of_frequency,
     by=cases(),
@@ -266,7 +251,7 @@ equatorial_values = Hypothesis(
 )
 axial_values = Hypothesis("axial values", "the printed values", body(axial_dissipation, axial_intensities))
 
-constant_of_amplitude = claim(
+constant_of_amplitude = density.claim(
     "4.0.26",
     111,
     "C_1 = 2.25",
@@ -276,19 +261,16 @@ constant_of_amplitude = claim(
         equatorial_noise,
         Hypothesis("normalised", "the integral of the density of a is 1", r"\int_0^\infty p_{s1}(a) \, da = 1"),
     ],
-    where=derivation.densities,
     by=identity,
     uses=["3.4", "3.5", "3.5.2"],
 )
 
-constant_of_frequency_depends_on_k = ours(
+constant_of_frequency_depends_on_k = density.ours(
     "4.0.29",
     111,
     words="At these values the constant depends on k, which the paper does not print.",
-    formal=r"\int_{-\infty}^\infty p_{s3}(\Omega) \, d\Omega = 1 \Leftrightarrow C_2 = \frac{2k^3}{\pi}",
+    states=r"\int_{-\infty}^\infty p_{s3}(\Omega) \, d\Omega = 1 \Leftrightarrow C_2 = \frac{2k^3}{\pi}",
     given=[axial_values, axial_noise, positive_k],
-    where=derivation.densities,
-    by=cases(),
     uses=["3.4.2", "3.5.1", "3.5.2"],
 )
 
@@ -298,7 +280,6 @@ constant_of_frequency = claim(
     r"C_2 = 54/125\pi",
     words="At these values the density of Omega has this constant.",
     given=[positive_k],
-    needs=[Hypothesis("k", "k = 3/5", "k = 3/5")],
     where=derivation.constant_of_the_example,
     by=identity,
     uses=["4.0.29"],
@@ -309,6 +290,7 @@ constant_of_frequency = claim(
             Origin.PAPER,
             "The constant is 2 k^3/pi: it depends on k, which the paper does not print. 54/(125 pi) belongs to k = 3/5 and to no "
             "other k. No other printed quantity of the example needs k.",
+            needs=(Hypothesis("k", "k = 3/5", "k = 3/5"),),
         )
     },
 )

@@ -9,8 +9,8 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
 
-from symcheck.core.claims import Problem
 from symcheck.core.formulas import conjuncts
+from symcheck.core.problems import Form, Problem, Witness
 from symcheck.core.terms import RELATIONS, Formula, Node, Term, Value, node
 from symcheck.proof.algebra.facts import NOTHING, Assumed, Fact, Grounds, Hypothesis, Reference, by_construction
 from symcheck.proof.algebra.flint import Poly, fraction
@@ -160,7 +160,7 @@ def proportional(a: Poly, b: Poly) -> Fraction | None:
 
 def hints_of(problem: Problem) -> list[Term]:
     """The hinted terms (forms) of a problem, in order."""
-    return [value for name, value in problem.hints if name.startswith("form") and value != ""]
+    return [hint.sum for hint in problem.hints if isinstance(hint, Form)]
 
 
 def ring_of(problem: Problem) -> Ring:
@@ -169,7 +169,7 @@ def ring_of(problem: Problem) -> Ring:
     nodes = [
         problem.claim,
         *(formula for _, formula in stated(problem)),
-        *(value for name, value in problem.hints if name.startswith(("form", "point_")) and value != ""),
+        *(term for hint in problem.hints if isinstance(hint, Form | Witness) for term in hint.terms),
     ]
     names: set[str] = set()
     for tree in nodes:

@@ -14,7 +14,7 @@ from operator import is_
 from typing import Any
 
 from symcheck.core.calculus import Unknown, differentiated, substituted
-from symcheck.core.claims import Problem
+from symcheck.core.problems import Problem
 from symcheck.core.terms import Binder, Call, End, Formula, Node, T, Term, Value, mapped, node
 from symcheck.proof.algebra.flint import Poly, Rational, context, fraction, occurring, rational
 from symcheck.proof.algebra.variables import Table, atoms, circle, cosine, one_problem, prime, sine, table
@@ -51,7 +51,7 @@ def subterms(*trees: Term) -> Iterator[Term]:
 def letters_of(problem: Problem) -> set[str]:
     """Every name in a problem, also of what is bound there and of what is defined."""
     said: list[Term] = [formula for _, formulas in problem.hypotheses for formula in formulas]
-    said += [term for _, term in problem.definitions] + [value for _, value in problem.hints]
+    said += [term for _, term in problem.definitions] + [term for hint in problem.hints for term in hint.terms]
     return {name for name, _ in problem.definitions} | _names_in((problem.claim, *said))
 
 

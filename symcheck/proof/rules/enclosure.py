@@ -13,7 +13,7 @@ from typing import NamedTuple
 
 from symcheck.checker.enclosures import FUNCTIONS, between
 from symcheck.core.calculus import Unknown, letters
-from symcheck.core.claims import Problem
+from symcheck.core.problems import Problem
 from symcheck.core.terms import PI, RELATIONS, Connective, Formula, Node, Term, Value, node
 from symcheck.proof.algebra.facts import NOTHING, Assumed, Hypothesis, Positive, Signed
 from symcheck.proof.algebra.forms import number_term

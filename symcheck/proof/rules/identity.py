@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from itertools import combinations
 from typing import ClassVar
 
-from symcheck.core.claims import Problem
+from symcheck.core.problems import Problem
 from symcheck.core.terms import Formula
 from symcheck.proof.algebra.facts import Fact, merged
 from symcheck.proof.algebra.flint import Poly

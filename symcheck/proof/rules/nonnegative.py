@@ -6,7 +6,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from typing import ClassVar
 
-from symcheck.core.claims import Problem
+from symcheck.core.problems import Problem
 from symcheck.core.terms import Formula, Term, node
 from symcheck.proof.algebra.facts import Fact, Signed
 from symcheck.proof.algebra.flint import Poly

@@ -7,8 +7,9 @@ from dataclasses import dataclass
 from typing import ClassVar
 
 from symcheck.core.calculus import substituted
-from symcheck.core.claims import Problem
 from symcheck.core.formulas import conjuncts
+from symcheck.core.problems import Problem
+from symcheck.core.problems import Witness as Hinted
 from symcheck.core.terms import Formula, Node, Quantified, Term, mapped, node
 from symcheck.proof.algebra.knowledge import Knowledge, ring_of, starting
 from symcheck.proof.algebra.polynomial import Ring, subterms, unfold, variables
@@ -36,7 +37,7 @@ def prove_existence(problem: Problem, ring: Ring, prove_body: Prove) -> Step | N
     A point may contain two letters of its own, such as u and v: some point (u, v) of the unit circle. A claim about
     such a point itself, "exists c, s: c^2 + s^2 = 1 and ...", is read so too.
     """
-    point: dict[str, Term] = {name[6:]: value for name, value in problem.hints if name.startswith("point_")}
+    point = dict(pair for hint in problem.hints if isinstance(hint, Hinted) for pair in hint.values)
     if not isinstance(problem.claim, Quantified):
         return None
     bound, body = problem.claim.bound, problem.claim.body

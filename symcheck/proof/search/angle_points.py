@@ -12,8 +12,8 @@ from itertools import islice, pairwise
 from symcheck.checker.enclosures import enclosed
 from symcheck.core.calculus import Unknown
 from symcheck.core.calculus import letters as letters_in
-from symcheck.core.claims import Problem
 from symcheck.core.formulas import conjuncts, contrary
+from symcheck.core.problems import Problem
 from symcheck.core.terms import PI, Formula, Node, Quantified, Term, Value, mapped, node
 from symcheck.proof.algebra.knowledge import ring_of, stated
 from symcheck.proof.algebra.polynomial import Ring, Unsupported, subterms, unfold, with_arguments

@@ -12,8 +12,8 @@ from fractions import Fraction
 from functools import partial
 from math import prod
 
-from symcheck.core.claims import Problem
 from symcheck.core.formulas import conjuncts
+from symcheck.core.problems import Problem
 from symcheck.core.terms import PI, RELATIONS, Formula, Node, Term, node
 from symcheck.proof.algebra.flint import fraction
 from symcheck.proof.algebra.forms import number_term, term_of

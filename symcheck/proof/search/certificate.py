@@ -6,10 +6,11 @@ import json
 from collections.abc import Iterable, Mapping, Sequence
 from typing import NamedTuple
 
-from symcheck.core.claims import Outcome, Problem
+from symcheck.core.certificates import Certificate
 from symcheck.core.formulas import conjuncts
-from symcheck.core.terms import Formula, Term
-from symcheck.core.verdicts import Certificate, Verdict
+from symcheck.core.problems import Outcome, Problem
+from symcheck.core.terms import JSON, Formula, Term
+from symcheck.core.verdicts import Verdict
 from symcheck.proof.algebra.facts import Hypothesis, Reference
 from symcheck.proof.algebra.polynomial import subterms
 from symcheck.proof.rules.proof import Proof
@@ -19,21 +20,52 @@ from symcheck.proof.search.witnesses import find_witnesses, implications, with_d
 
 
 class Lemmas(NamedTuple):
-    """Relations from which a statement is proved, as (id, formula), and the statement itself."""
+    """Relations from which a statement is proved, and the statement itself.
+
+    Parameters
+    ----------
+    facts
+        The relations, each as (id, formula).
+    whole
+        The statement.
+    under
+        The hypotheses under which the lemmas are proved, by name.
+    defined
+        All definitions on which the statement and the lemmas rest.
+    """
 
     facts: Sequence[tuple[str, Formula]]
     whole: Problem
-    under: Sequence[tuple[str, Sequence[Formula]]]  # the hypotheses that the lemmas are proved under
-    defined: Sequence[tuple[str, Term]]  # all that whole problem and lemmas rest on
+    under: Sequence[tuple[str, Sequence[Formula]]]
+    defined: Sequence[tuple[str, Term]]
 
 
 def certificate(problem: Problem, outcome: Outcome, lemmas: Lemmas | None = None) -> Certificate:
-    """The outcome as JSON data. A proof lists just the hypotheses and definitions it uses, a refutation all hypotheses.
+    """Write what a method found as JSON data that the checker reads.
 
-    A proof comes with points where all that is assumed holds together, if such are found. With lemmas, the problem
-    is that these imply the claim.
+    Parameters
+    ----------
+    problem
+        What was decided. With lemmas, that these imply the claim.
+    outcome
+        What the method said of it.
+    lemmas
+        The relations from which the proof starts.
 
-    ValueError for an undecided outcome: it has no certificate.
+    Returns
+    -------
+    dict
+        The certificate. A proof lists only the hypotheses and definitions that it uses, with points where all that is
+        assumed holds together; a refutation lists all hypotheses.
+
+    Raises
+    ------
+    ValueError
+        If the outcome is undecided.
+
+    See Also
+    --------
+    symcheck.checker.check : Whether a certificate holds.
     """
     if outcome.verdict is Verdict.UNDECIDED:
         raise ValueError(f"{problem.id} is undecided: there is nothing to certify")
@@ -63,7 +95,9 @@ def certificate(problem: Problem, outcome: Outcome, lemmas: Lemmas | None = None
     plain: Certificate = json.loads(written(whole | body | ({"lemmas": lemmas.facts} if lemmas else {})))
     if lemmas:  # of definitions that it does not use the proof knows what the lemmas say
         free = {name for name, _ in lemmas.defined} - {name for name, _ in definitions}
-        plain["proof"]["atoms"] = {name: name for name in sorted(free)} | plain["proof"].get("atoms", {})
+        atoms = plain["proof"].get("atoms")
+        named: dict[str, JSON] = {name: name for name in sorted(free)}
+        plain["proof"]["atoms"] = named | (atoms if isinstance(atoms, dict) else {})
     return plain
 
 

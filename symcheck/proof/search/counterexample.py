@@ -14,8 +14,8 @@ from itertools import islice, permutations, product
 from math import isqrt, prod
 
 from symcheck.core.calculus import domain, letters
-from symcheck.core.claims import Problem
 from symcheck.core.formulas import conjuncts
+from symcheck.core.problems import Candidate, Problem
 from symcheck.core.terms import PI, RELATIONS, Formula, Node, Quantified, Term, Value, mapped, node
 from symcheck.proof.algebra.flint import Poly, Rational, by_powers, fraction, occurring, rational
 from symcheck.proof.algebra.forms import number_term, term_of
@@ -62,7 +62,20 @@ def refute(problem: Problem, prove: Prover = lambda _: None) -> Point | None:
 
 
 def fails_at(problem: Problem, values: Mapping[str, Term]) -> bool:
-    """Whether the hypotheses hold at a point, with the values of a certificate, and the claim does not."""
+    """Tell whether the hypotheses hold at a point and the claim does not.
+
+    Parameters
+    ----------
+    problem
+        Hypotheses and claim.
+    values
+        The values of the letters, as in a certificate.
+
+    Returns
+    -------
+    bool
+        True if the point refutes the claim.
+    """
     try:
         with alone(problem):
             search = Search(problem, problem.claim, lambda _: None)
@@ -156,7 +169,7 @@ class Search:
     # candidates
 
     def _candidates(self, angles: Sequence[str]) -> Iterator[Assignment]:
-        hinted = {name[6:]: value for name, value in self.problem.hints if name.startswith("point.")}
+        hinted = dict(pair for hint in self.problem.hints if isinstance(hint, Candidate) for pair in hint.values)
         letters = [name for name in self.free if not table().stands(name)]
         groups = [self._matrix(stem, names) for stem, names in _matrices(letters)]
         groups += [self._angle(x, k) for k, x in enumerate(angles)]

@@ -6,7 +6,7 @@ import re
 from collections.abc import Callable, Iterable
 from dataclasses import replace
 
-from symcheck.core.claims import Outcome, Problem
+from symcheck.core.problems import Outcome, Problem
 from symcheck.core.terms import Formula, Node, Relation, Term, node
 from symcheck.core.verdicts import Verdict
 from symcheck.proof.algebra.facts import Grounds

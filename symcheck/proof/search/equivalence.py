@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from symcheck.core.claims import Problem
+from symcheck.core.problems import Problem
 from symcheck.core.terms import RELATIONS, Formula, Quantified, node
 from symcheck.proof.algebra.knowledge import proportional, ring_of, starting
 from symcheck.proof.algebra.polynomial import Unsupported, alone
@@ -13,9 +13,20 @@ MIRROR = {"<": ">", "<=": ">="}
 
 
 def equivalent(f: Formula, g: Formula, problem: Problem) -> bool:
-    """Whether two formulas say the same: sides equal modulo the hypotheses, or differences equal up to a constant.
+    """Tell whether two formulas say the same under some hypotheses.
 
-    Decided exactly; False if that cannot be seen (Unsupported terms included).
+    Parameters
+    ----------
+    f, g
+        The formulas.
+    problem
+        Hypotheses and definitions in force.
+
+    Returns
+    -------
+    bool
+        True if both sides are equal modulo the hypotheses, or the differences of the sides up to a constant; False
+        also if that cannot be seen.
     """
     both = replace(problem, claim=node("and", f, g))
     with alone(both):

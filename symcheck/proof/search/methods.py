@@ -8,7 +8,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 
-from symcheck.core.claims import Method, Outcome, Problem
+from symcheck.core.problems import Applied, Candidate, Form, Method, Outcome, Problem, Witness
 from symcheck.core.terms import Term
 from symcheck.proof.algebra.polynomial import alone
 from symcheck.proof.algebra.variables import Unsupported
@@ -28,7 +28,22 @@ def _decide(problem: Problem) -> Outcome:
 
 
 def refute(problem: Problem) -> Point | None:
-    """A point where the hypotheses hold and the claim does not, or None; what functions are there is not looked for."""
+    """Look for an exact point where the hypotheses hold and the claim does not.
+
+    Parameters
+    ----------
+    problem
+        What to refute. Values of functions at a point are not looked for.
+
+    Returns
+    -------
+    Point or None
+        The values of the letters, with both sides of the claim; None if no point was found.
+
+    See Also
+    --------
+    proof_of : A proof, without a search for a counterexample.
+    """
     with alone(problem):
         try:
             problem = checked(problem)
@@ -38,9 +53,22 @@ def refute(problem: Problem) -> Point | None:
 
 
 def whole_proof(problem: Problem) -> Proof | None:
-    """A proof, or None; unlike a method it looks for no counterexample.
+    """Look for a proof, and for no counterexample.
 
-    What it rests on holds at some point, except where "0 = 1" is proved: that its hypotheses contradict one another.
+    Parameters
+    ----------
+    problem
+        What to prove.
+
+    Returns
+    -------
+    Outcome or None
+        The proof; None if none was found.
+
+    Notes
+    -----
+    What a proof rests on holds at some point, except where ``0 = 1`` is proved: that the hypotheses contradict one
+    another.
     """
     with alone(problem):
         try:
@@ -60,7 +88,20 @@ def proof_of(problem: Problem) -> Outcome | None:
 
 
 def find_witnesses(problem: Problem, nonzero: Sequence[Term] = ()) -> list[Point] | None:
-    """Points at which all that a statement rests on holds (`witnesses.py`); what functions are there is proved."""
+    """Find points at which everything that a statement rests on holds.
+
+    Parameters
+    ----------
+    problem
+        The statement. What its functions are at a point is proved.
+    nonzero
+        Terms that must not vanish there either.
+
+    Returns
+    -------
+    list of Point or None
+        A point for each set of conditions; None if one of them has none.
+    """
     with alone(problem):
         return witnesses.find_witnesses(problem, nonzero, lambda inner: deciding.prove(inner, prove))
 
@@ -69,36 +110,113 @@ identity = Method("identity", _decide)
 
 
 def nonnegative(form: str = "") -> Method:
-    """An order l <= r: r - l equals `form` (LaTeX) modulo the hypotheses, and the form is manifestly not negative."""
-    return Method("nonnegative", _decide, (("form", form),) if form else ())
+    """Return the method for an order, with a form of the difference that is manifestly not negative.
+
+    Parameters
+    ----------
+    form
+        The larger side less the smaller one, modulo the hypotheses, as LaTeX; a sum of squares, for instance. Without
+        a form the search looks for one.
+
+    Returns
+    -------
+    Method
+        For the parameter `by` of a claim.
+
+    See Also
+    --------
+    cases : For statements that combine several orders.
+    """
+    return Method("nonnegative", _decide, (Form(form),) if form else ())
 
 
 def cases(*forms: str) -> Method:
-    """Logic: implications, equivalences, alternatives, by splitting into cases; forms (LaTeX) are sums that vanish."""
-    return Method("cases", _decide, tuple((f"form{k}", form) for k, form in enumerate(forms)))
+    """Return the method for implications, equivalences and alternatives, which splits into cases.
+
+    Parameters
+    ----------
+    *forms
+        Sums that vanish, as LaTeX.
+
+    Returns
+    -------
+    Method
+        For the parameter `by` of a claim.
+    """
+    return Method("cases", _decide, tuple(map(Form, forms)))
 
 
 def existence(**point: str) -> Method:
-    """A point (LaTeX values of the bound variables), or a zero between an angle and the angle plus 90 degrees."""
-    return Method("existence", _decide, tuple((f"point_{name}", value) for name, value in point.items()))
+    """Return the method for a statement that something exists.
+
+    Parameters
+    ----------
+    **point
+        The values of the bound letters, as LaTeX. Without them the search looks for a zero between an angle and the
+        angle plus 90 degrees.
+
+    Returns
+    -------
+    Method
+        For the parameter `by` of a claim.
+    """
+    return Method("existence", _decide, (Witness(tuple(point.items())),) if point else ())
 
 
 def combined(*methods: Method, forms: Sequence[str] = ()) -> Method:
-    """All hints of the methods, with further forms."""
+    """Return a method with the hints of several ones.
+
+    Parameters
+    ----------
+    *methods
+        The methods whose hints are wanted.
+    forms
+        Further sums that vanish, as LaTeX.
+
+    Returns
+    -------
+    Method
+        For the parameter `by` of a claim.
+    """
     own = [hint for method in methods for hint in method.hints]
-    kept = dict.fromkeys(latex for name, latex in own if not name.startswith(("point", "theorem.")))
-    others = dict.fromkeys(hint for hint in own if hint[0].startswith("theorem."))
-    return Method("cases", _decide, (*cases(*kept, *forms).hints, *others))
+    kept = dict.fromkeys(hint for hint in own if isinstance(hint, Form))
+    applied = dict.fromkeys(hint for hint in own if isinstance(hint, Applied))
+    return Method("cases", _decide, (*kept, *map(Form, forms), *applied))
 
 
 def looking_at(method: Method, **point: str) -> Method:
-    """The method, with the values (LaTeX) of a point to try first when a counterexample is looked for."""
-    return replace(method, hints=(*method.hints, *((f"point.{name}", value) for name, value in point.items())))
+    """Return a method that tries a point first when it looks for a counterexample.
+
+    Parameters
+    ----------
+    method
+        The method.
+    **point
+        The values of the letters there, as LaTeX.
+
+    Returns
+    -------
+    Method
+        For the parameter `by` of a claim.
+    """
+    return replace(method, hints=(*method.hints, Candidate(tuple(point.items()))))
 
 
-def theorems(*applied: tuple[str, ...]) -> Method:
-    """Facts about functions: (a theorem, what it is applied to in LaTeX), ... beside those found without help."""
-    hints = [
-        (f"theorem.{k}.{name}.{n}", latex) for k, (name, *parts) in enumerate(applied) for n, latex in enumerate(parts)
-    ]
-    return Method("theorems", _decide, tuple(hints))
+def theorems(*applied: Applied[str]) -> Method:
+    """Return the method for statements about functions, which applies theorems of the checker's table.
+
+    Parameters
+    ----------
+    *applied
+        Theorems, each with the terms to which it is applied, as LaTeX. Many theorems are found without help.
+
+    Returns
+    -------
+    Method
+        For the parameter `by` of a claim.
+
+    Notes
+    -----
+    The table is `symcheck.checker.theorems`. The premises of a theorem are proved like everything else.
+    """
+    return Method("theorems", _decide, applied)

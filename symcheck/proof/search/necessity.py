@@ -9,11 +9,12 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from typing import NamedTuple
 
+from symcheck.core import certificates
 from symcheck.core.calculus import letters
-from symcheck.core.claims import Outcome, Problem
 from symcheck.core.formulas import conjuncts
+from symcheck.core.problems import Candidate, Outcome, Problem
 from symcheck.core.terms import RELATIONS, Formula, Node, Quantified, Term, mapped, node
-from symcheck.core.verdicts import Certificate, Loss, Verdict
+from symcheck.core.verdicts import Loss, Verdict
 from symcheck.proof.algebra.polynomial import Unsupported, alone, letters_of, subterms
 from symcheck.proof.algebra.variables import Table
 from symcheck.proof.rules.compute import Point
@@ -39,14 +40,33 @@ HAVING_A_VALUE: dict[str, Callable[..., Formula]] = {
 
 
 class Without(NamedTuple):
-    """What is lost, and the certificate of it: a refutation, or a proof that nothing exists."""
+    """What is lost without a hypothesis.
+
+    Parameters
+    ----------
+    loss
+        Truth, a value, or existence.
+    certificate
+        A refutation, or a proof that nothing exists.
+    """
 
     loss: Loss
-    certificate: Certificate
+    certificate: certificates.Certificate
 
 
 def fails_without(problem: Problem) -> Without | None:
-    """Why a problem, from which a hypothesis was left out, needs it; None if no reason was found."""
+    """Find out what a problem has lost with a hypothesis.
+
+    Parameters
+    ----------
+    problem
+        The problem without the hypothesis.
+
+    Returns
+    -------
+    Without or None
+        What is lost, with a certificate; None if nothing was found to be.
+    """
     if problem.claim[0] == "exists":
         none = next(filter(None, map(_none_exists, _at_special_angles(problem))), None)
         return Without(Loss.EXISTENCE, none) if none else None
@@ -56,7 +76,7 @@ def fails_without(problem: Problem) -> Without | None:
     return Without(Loss.VALUE, without_value) if without_value else None
 
 
-def _refuted(problem: Problem) -> Certificate | None:
+def _refuted(problem: Problem) -> certificates.Certificate | None:
     point = refute(problem) or _refuted_by_proof(problem) or _refuted_by_chance(problem)
     used = tuple(name for name, _ in problem.hypotheses)
     return certificate(problem, Outcome(Verdict.REFUTED, point=point, used=used)) if point else None
@@ -82,7 +102,7 @@ def _refuted_by_chance(problem: Problem) -> Point | None:
     for _ in range(DRAWS if fails else 0):
         point = {letter: draw.choice(DRAWN) for letter in names}
         if fails and fails(point):
-            return refute(replace(problem, hints=tuple((f"point.{letter}", value) for letter, value in point.items())))
+            return refute(replace(problem, hints=(Candidate(tuple(point.items())),)))
     return None
 
 
@@ -101,7 +121,7 @@ def _meaningful(problem: Problem) -> Iterator[Problem]:
             yield replace(problem, claim=condition)
 
 
-def _none_exists(problem: Problem) -> Certificate | None:
+def _none_exists(problem: Problem) -> certificates.Certificate | None:
     """The relations, as few as will do, hold together for no values of the bound letters."""
     assert isinstance(problem.claim, Quantified)
     relations = list(conjuncts(problem.claim.body))
@@ -113,7 +133,7 @@ def _none_exists(problem: Problem) -> Certificate | None:
     return _contradictory(problem, relations)
 
 
-def _contradictory(problem: Problem, relations: Sequence[Formula]) -> Certificate | None:
+def _contradictory(problem: Problem, relations: Sequence[Formula]) -> certificates.Certificate | None:
     """The proof that the relations never hold together; one of them has to be an order."""
     if not any(relation.tag in ORDERS for relation in relations):
         return None

@@ -8,7 +8,7 @@ from itertools import product
 
 from symcheck.checker.enclosures import between
 from symcheck.core.calculus import Unknown, letters
-from symcheck.core.claims import Problem
+from symcheck.core.problems import Problem
 from symcheck.core.terms import Formula, Node, Term, node
 from symcheck.proof.algebra.knowledge import stated
 from symcheck.proof.algebra.polynomial import Unsupported, subterms, unfold

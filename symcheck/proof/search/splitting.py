@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 
-from symcheck.core.claims import Problem
+from symcheck.core.problems import Problem
 from symcheck.core.terms import RELATIONS, Formula, Term
 from symcheck.proof.algebra.knowledge import Knowledge, hints_of, starting
 from symcheck.proof.algebra.place import Place

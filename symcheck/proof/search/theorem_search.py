@@ -5,9 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import partial
-from typing import Any
 
-from symcheck.core.claims import Problem
+from symcheck.core.problems import Applied, Problem
 from symcheck.core.terms import Formula, Term, node
 from symcheck.proof.algebra.facts import Assumed
 from symcheck.proof.algebra.flint import fraction, occurring
@@ -115,11 +114,7 @@ class _Plan:
 
 def _hinted(problem: Problem) -> list[Instance]:
     """The theorems that the declaration names."""
-    found: dict[str, list[Any]] = {}
-    for name, value in problem.hints:
-        if name.startswith("theorem."):
-            found.setdefault(name.rpartition(".")[0], []).append(value)
-    return [applied(key.rpartition(".")[2], *terms) for key, terms in found.items()]
+    return [applied(hint.theorem, *hint.terms) for hint in problem.hints if isinstance(hint, Applied)]
 
 
 @dataclass(frozen=True)

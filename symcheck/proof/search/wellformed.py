@@ -6,7 +6,7 @@ from collections.abc import Set
 from dataclasses import replace
 
 from symcheck.core.calculus import letters, substituted
-from symcheck.core.claims import Problem
+from symcheck.core.problems import Problem
 from symcheck.core.terms import (
     ENDS,
     FORMULAS,

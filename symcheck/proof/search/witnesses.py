@@ -13,8 +13,8 @@ from fractions import Fraction
 
 from symcheck.checker.enclosures import enclosed
 from symcheck.core.calculus import Unknown, domain, substituted
-from symcheck.core.claims import Problem
 from symcheck.core.formulas import conjuncts
+from symcheck.core.problems import Problem
 from symcheck.core.terms import PI, RELATIONS, Formula, Node, Term, node
 from symcheck.proof.algebra.flint import Poly, by_powers, fraction, occurring
 from symcheck.proof.algebra.knowledge import stated

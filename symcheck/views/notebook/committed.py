@@ -11,7 +11,7 @@ from symcheck.core.files import put
 from symcheck.core.verdicts import SymcheckError
 from symcheck.views.notebook import compare
 from symcheck.views.notebook.execute import Progress, in_kernel, in_process
-from symcheck.views.notebook.shown import PNG
+from symcheck.views.notebook.output import PNG
 from symcheck.views.notebook.source import notebook
 
 if TYPE_CHECKING:

@@ -8,7 +8,7 @@ import re
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from symcheck.views.notebook.shown import PNG
+from symcheck.views.notebook.output import PNG
 
 if TYPE_CHECKING:
     from nbformat import NotebookNode

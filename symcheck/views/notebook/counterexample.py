@@ -4,16 +4,20 @@ from __future__ import annotations
 
 import operator as op
 from collections.abc import Iterator, Mapping
-from typing import Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from symcheck.core.calculus import substituted
+from symcheck.core.certificates import Certificate
 from symcheck.core.lazy import lazy
-from symcheck.core.terms import Binder, Node, Reader, Term, mapped, node
-from symcheck.core.verdicts import Certificate, SymcheckError
+from symcheck.core.terms import JSON, Binder, Node, Reader, Term, mapped, node
+from symcheck.core.verdicts import SymcheckError
 from symcheck.core.words import term as in_words
 from symcheck.reading import Notation, to_sympy
 from symcheck.views.notebook import letters
 from symcheck.views.steps import coordinates
+
+if TYPE_CHECKING:
+    from sympy import Expr
 
 sp = lazy("sympy")
 
@@ -29,8 +33,8 @@ class Compared(NamedTuple):
 
     statement: str
     sign: str
-    left: Any
-    right: Any
+    left: Expr
+    right: Expr
     holds: bool
 
 
@@ -94,7 +98,7 @@ class Evaluation:
         stated = f" {_SIGNS[head]} ".join(shown)
         return Compared(stated, _SIGNS[head] if holds else _DENIED[head], left, right, holds)
 
-    def _value(self, term: Any) -> Any:
+    def _value(self, term: JSON) -> Expr:
         """The exact value of a term: definitions unfolded, functions with their certified values."""
         at_point = substituted(self._meaning.term(term), self._letters)
         return sp.expand_trig(to_sympy(self._known(at_point)))
@@ -105,7 +109,7 @@ class Evaluation:
         return mapped(term, self._known) if isinstance(term, Node) else term
 
 
-def _functions(proof: Certificate) -> Iterator[tuple[Term, Term]]:
+def _functions(proof: Mapping[str, Any]) -> Iterator[tuple[Term, Term]]:
     """The values of functions that are proved first of all at a point."""
     while proof.get("rule") == "have":
         sign, *sides = proof["formula"]
@@ -115,14 +119,14 @@ def _functions(proof: Certificate) -> Iterator[tuple[Term, Term]]:
         proof = proof["then"]
 
 
-def _plain(term: Term) -> Any:
+def _plain(term: Term) -> Expr:
     """A term as an expression, for display; what SymPy has no word for is a function by its name."""
     if isinstance(term, Binder) and term.tag == "diverges":
         return sp.Function("diverges")(_plain(node("integral", *term[1:])))
     return to_sympy(term)
 
 
-def number(value: Any) -> str:
+def number(value: Expr) -> str:
     """A value as LaTeX: exact where it is short, else six digits of it."""
     exact: str = sp.latex(value)
     if letters.width(exact) <= SHORT and not value.has(sp.Float):
@@ -130,7 +134,7 @@ def number(value: Any) -> str:
     return rf"{sp.latex(sp.N(value, 6))}\ldots"
 
 
-def point(values: Mapping[str, Any], notation: Notation) -> str:
+def point(values: Mapping[str, JSON], notation: Notation) -> str:
     """The point as LaTeX, "letter = value"."""
     shown = (
         (rf"\{function} " if function else "", letters.letter(name, notation), to_sympy(Reader().term(value)))

@@ -4,20 +4,21 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from functools import partial
-from string import ascii_lowercase
 from typing import Any
 
 from symcheck.audit import kernels
+from symcheck.core.claims import Assertion
+from symcheck.core.ids import Id
 from symcheck.core.verdicts import SymcheckError
 from symcheck.kernels.codegen.kernel import Kernel
 from symcheck.reading import Notation
 from symcheck.views.notebook import letters
+from symcheck.views.notebook.output import Heading, Math, Output, Part, Prose
 from symcheck.views.notebook.records import item, notation, paper, recorded, records
 from symcheck.views.notebook.relations import evidence, statement, title, verdicts
-from symcheck.views.notebook.shown import Heading, Math, Part, Prose, Shown
 
 
-def step(derivation: Callable[..., Any], *arguments: Any, only: Sequence[str] = (), beside: str = "") -> Shown:
+def step(derivation: Callable[..., object], *arguments: object, only: Sequence[str] = (), beside: str = "") -> Output:
     """What a function of a paper's derivation computes, beside the printed relation that is compared with it.
 
     only    names among the expressions, where there are many
@@ -36,12 +37,13 @@ def step(derivation: Callable[..., Any], *arguments: Any, only: Sequence[str] = 
     ]
     if found:
         parts += [Heading(f"{title(found[0], whole=len(found) > 1)} — {verdicts(found)}"), *evidence(found)]
-    return Shown(tuple(parts))
+    return Output(tuple(parts))
 
 
-def derived(id: str, only: Sequence[str] = ()) -> Shown:
+def derived(id: str, only: Sequence[str] = ()) -> Output:
     """The same for the derivation that a relation itself declares; SymcheckError if it declares none."""
-    declared = item(id).where or item(id).equation
+    found = item(id)
+    declared = (found.plan.where or found.statement.equation) if isinstance(found, Assertion) else None
     if declared is None:
         raise SymcheckError(f"{id} declares no derivation; show it with claim")
     function, arguments = (declared.func, declared.args) if isinstance(declared, partial) else (declared, ())
@@ -54,7 +56,7 @@ def _rows(derived: Any, only: Sequence[str], used: Notation) -> list[str]:
     return letters.expressions(derived if isinstance(derived, tuple) else (derived,), used)
 
 
-def kernel(key: str, name: str) -> Shown:
+def kernel(key: str, name: str) -> Output:
     """What a generated kernel computes, and the relations on which it rests, with their recorded verdicts."""
     found = kernels.declared(key)[name]
     derived = found.derived()
@@ -65,11 +67,12 @@ def kernel(key: str, name: str) -> Shown:
         Math("generated from", letters.aligned(letters.equations(outputs, paper(key).notation))),
         Prose("rests on", ", ".join(_rests(key, found))),
     )
-    return Shown(parts)
+    return Output(parts)
 
 
 def _rests(key: str, found: Kernel) -> Iterator[str]:
     verdicts = recorded(key)
     for number in found.claims:
-        links = [id for id in verdicts if f"{key}:{number}" in (id, id.rstrip(ascii_lowercase))]
-        yield f"{key}:{number} ({', '.join(sorted({str(verdicts[id]) for id in links}))})"
+        rests = Id.of(key, number)
+        links = [id for id in verdicts if rests.has(id)]
+        yield f"{rests} ({', '.join(sorted({str(verdicts[id]) for id in links}))})"

@@ -5,43 +5,47 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Iterator
 
-from symcheck.core.verdicts import Certificate, Group, SymcheckError
+from symcheck.core.certificates import Certificate
+from symcheck.core.claims import Claim
+from symcheck.core.ids import Id
+from symcheck.core.verdicts import Group, SymcheckError
 from symcheck.ledger.record import Record
 from symcheck.views.model import Fault, Relation
 from symcheck.views.notebook.counterexample import Evaluation, number, point
+from symcheck.views.notebook.output import Heading, Math, Output, Part, Prose, Table
 from symcheck.views.notebook.records import declared, group_of, notation, recorded, records, serious
 from symcheck.views.notebook.relations import checked, digests, formula, statement
-from symcheck.views.notebook.shown import Heading, Math, Part, Prose, Shown, Table
 
 
-def errata(key: str) -> Shown:
+def errata(key: str) -> Output:
     """The serious errata of a paper, wrong formulas and statements: number, line, kind, whose."""
     table = (
         (each.record.number, str(each.record.line), each.name, each.record.kind, each.whose)
         for each in map(Relation, serious(key))
     )
-    return Shown((Table(("number", "line", "name", "kind", "whose"), tuple(table)),))
+    return Output((Table(("number", "line", "name", "kind", "whose"), tuple(table)),))
 
 
-def slips(key: str) -> Shown:
+def slips(key: str) -> Output:
     """How many other relations of a paper have an erratum: rows, cells, slips; by kind, whose, recorded verdict."""
     verdicts = recorded(key)
     counts = Counter(
-        (group, each.kind, str(each.origin), str(verdicts[f"{key}:{item.number}{letter}"]))
+        (group, each.kind, str(each.origin), str(verdicts[str(Id(key, item.number, letter))]))
         for _, item in declared(key)
+        if isinstance(item, Claim)
         for letter, each in item.errata.items()
         if (group := group_of(each)) is not Group.STATEMENT
     )
     table = tuple((*told, str(count)) for told, count in sorted(counts.items()))
-    return Shown((Table(("group", "kind", "whose", "verdict", "relations"), table),))
+    return Output((Table(("group", "kind", "whose", "verdict", "relations"), table),))
 
 
-def erratum(id: str) -> Shown:
+def erratum(id: str) -> Output:
     """A wrong relation: as printed, both sides at an exact point, the right form with its proof, whose the fault is."""
     [record] = records(id)
     if not record.corrected:
         raise SymcheckError(f"{id} is no erratum; `symcheck errata` lists them")
-    return Shown(tuple(_erratum(record)))
+    return Output(tuple(_erratum(record)))
 
 
 def _erratum(record: Record) -> Iterator[Part]:

@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from symcheck.core.verdicts import SymcheckError
-from symcheck.views.notebook.shown import Shown
+from symcheck.views.notebook.output import Output
 
 if TYPE_CHECKING:
     from nbformat import NotebookNode
@@ -40,7 +40,7 @@ def _run(id: str, source: str, namespace: dict[str, object]) -> dict[str, str]:
         shown = eval(compile(ast.Expression(last.value), f"<{id}>", "eval"), namespace)
     except Exception as error:
         raise SymcheckError(f"cell {id} fails with {type(error).__name__}: {error}") from error
-    if not isinstance(shown, Shown):
+    if not isinstance(shown, Output):
         raise SymcheckError(
             f"cell {id} ends in a {type(shown).__name__}; end it in a call of symcheck.views.notebook.show"
         )

@@ -5,29 +5,29 @@ from __future__ import annotations
 from collections import Counter
 
 from symcheck.core.verdicts import Role, Verdict
+from symcheck.views.notebook.output import Heading, Output, Part, Table
 from symcheck.views.notebook.records import declared, paper, recorded
-from symcheck.views.notebook.shown import Heading, Part, Shown, Table
 
 
-def ledger(*keys: str) -> Shown:
+def ledger(*keys: str) -> Output:
     """How many relations of each paper have which recorded verdict, and how many declarations claim nothing."""
     table = []
     for key in keys:
         counts = Counter(recorded(key).values())
         table.append((key, *(str(counts[verdict]) for verdict in Verdict), str(counts[None])))
-    return Shown((Table(("paper", *Verdict, "claim nothing"), tuple(table)),))
+    return Output((Table(("paper", *Verdict, "claim nothing"), tuple(table)),))
 
 
-def contents(key: str) -> Shown:
+def contents(key: str) -> Output:
     """The sections of a paper, with the number of declarations of each role."""
     counts: dict[str, Counter[Role]] = {}
     for title, item in declared(key):
         counts.setdefault(title, Counter())[item.role] += 1
     told = ((title, ", ".join(f"{n} {role}" for role, n in roles.items())) for title, roles in counts.items())
-    return Shown((Heading(f"**{paper(key).title}**"), Table(("section", "declarations"), tuple(told))))
+    return Output((Heading(f"**{paper(key).title}**"), Table(("section", "declarations"), tuple(told))))
 
 
-def not_proved(key: str) -> Shown:
+def not_proved(key: str) -> Output:
     """What is not decided: relations without a verdict, exclusions with their reasons, premises that are assumed."""
     undecided = [id for id, verdict in recorded(key).items() if verdict is Verdict.UNDECIDED]
     items = [item for _, item in declared(key)]
@@ -35,11 +35,16 @@ def not_proved(key: str) -> Shown:
     for role, words in ((Role.PREMISE, "Assumed"), (Role.EXCLUSION, "Left out, with the reason")):
         found = [item for item in items if item.role is role]
         table = tuple(
-            (item.number, str(item.line), _said(item.words or item.name.replace("_", " ")), _said(item.reason))
+            (
+                item.number,
+                str(item.source.line),
+                _said(item.source.words or item.name.replace("_", " ")),
+                _said(item.reason),
+            )
             for item in found
         )
         parts += [Heading(f"**{words} ({len(found)}):**"), Table(("number", "line", "what", "why"), table)]
-    return Shown(tuple(parts))
+    return Output(tuple(parts))
 
 
 def _said(words: str) -> str:

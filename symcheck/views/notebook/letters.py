@@ -3,12 +3,15 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from itertools import pairwise
-from typing import Any
+from typing import TYPE_CHECKING
 
 from symcheck.core.lazy import lazy
 from symcheck.reading import Notation
+
+if TYPE_CHECKING:
+    from sympy import Expr
 
 sp = lazy("sympy")
 
@@ -40,14 +43,14 @@ def letter(name: str, notation: Notation) -> str:
     return spelled
 
 
-def expression(value: Any, notation: Notation) -> str:
+def expression(value: Expr, notation: Notation) -> str:
     """A SymPy expression as LaTeX in these letters."""
     names = {symbol: letter(symbol.name, notation) for symbol in value.free_symbols}
     text: str = sp.latex(value, symbol_names=names, fold_func_brackets=True, inv_trig_style="full")
     return text
 
 
-def lines(value: Any, notation: Notation) -> list[str]:
+def lines(value: Expr, notation: Notation) -> list[str]:
     """The same in lines, cut if there are very many."""
     broken = split(expression(value, notation))
     return (
@@ -99,7 +102,7 @@ def width(latex: str) -> int:
     return len(re.sub(r"\\[A-Za-z]+", "x", bare))
 
 
-def equations(values: Mapping[str, Any], notation: Notation) -> list[str]:
+def equations(values: Mapping[str, Expr], notation: Notation) -> list[str]:
     """Rows "name & = expression" of an aligned display."""
     return [
         row
@@ -108,7 +111,7 @@ def equations(values: Mapping[str, Any], notation: Notation) -> list[str]:
     ]
 
 
-def expressions(values: Any, notation: Notation) -> list[str]:
+def expressions(values: Iterable[Expr], notation: Notation) -> list[str]:
     """Rows of an aligned display without names."""
     return [row for value in values for row in _rows("& ", lines(sp.sympify(value), notation))]
 

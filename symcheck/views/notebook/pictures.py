@@ -3,27 +3,30 @@
 from __future__ import annotations
 
 from io import BytesIO
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from symcheck.numeric import figures
-from symcheck.views.notebook.shown import Picture, Shown
+from symcheck.views.notebook.output import Output, Picture
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
 
 DPI = 90
 
 
-def figure(name: str) -> Shown:
+def figure(name: str) -> Output:
     """A figure of the numeric layer by its name, as `symcheck plot` lists them."""
     return _picture(figures.figure(name), figures.summary(name))
 
 
-def drawing(axes: Any, caption: str) -> Shown:
+def drawing(axes: Any, caption: str) -> Output:
     """What a function of the numeric layer has drawn: its axes, or an array of them."""
     return _picture(np.ravel(np.array(axes, dtype=object))[0].get_figure(root=True), caption)
 
 
-def _picture(drawn: Any, caption: str) -> Shown:
+def _picture(drawn: Figure, caption: str) -> Output:
     data = BytesIO()
     drawn.savefig(data, format="png", dpi=DPI, bbox_inches="tight", metadata={"Software": None})
-    return Shown((Picture(data.getvalue(), caption),))
+    return Output((Picture(data.getvalue(), caption),))

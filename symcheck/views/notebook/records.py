@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from functools import cache
-from string import ascii_lowercase
 
 from symcheck import kernels, papers
 from symcheck.audit.library import check
 from symcheck.audit.obligation import expand, obligation_of
-from symcheck.core.claims import Erratum, Item, Paper
+from symcheck.core.claims import Claim, Declaration, Erratum, Paper
+from symcheck.core.ids import Id
 from symcheck.core.verdicts import SLIPS, Group, Origin, SymcheckError, Verdict
 from symcheck.ledger import store
 from symcheck.ledger.record import Record
@@ -25,7 +25,11 @@ def records(id: str) -> tuple[Record, ...]:
 
 def decided(id: str) -> tuple[Record, ...]:
     """All records of the declaration to which a relation or a link belongs."""
-    return _audited((id.rstrip(ascii_lowercase),))
+    return _audited((_declaration(id),))
+
+
+def _declaration(id: str) -> str:
+    return str(Id.parse(id).declaration)
 
 
 def list_rows(id: str) -> tuple[tuple[Record, ...], ...]:
@@ -45,14 +49,15 @@ def group_of(erratum: Erratum) -> Group:
 
 def serious(key: str) -> tuple[Record, ...]:
     """The records of wrong formulas and statements of a paper, in printed order."""
-    found = _audited(tuple(f"{key}:{each.number}" for _, each in declared(key) if _may_be_serious(each)))
+    found = _audited(tuple(str(Id(key, each.number)) for _, each in declared(key) if _may_be_serious(each)))
     return tuple(record for record in found if record.group is Group.STATEMENT)
 
 
-def _may_be_serious(item: Item) -> bool:
+def _may_be_serious(item: Declaration) -> bool:
     """Whether a printed relation says something else than is right, or says nothing by its author's fault."""
-    groups = map(group_of, item.errata.values())
-    return Group.STATEMENT in groups or bool(item.read_as and item.origin is Origin.PAPER)
+    groups = map(group_of, item.errata.values() if isinstance(item, Claim) else ())
+    damage = item.source.damage
+    return Group.STATEMENT in groups or (damage is not None and damage.origin is Origin.PAPER)
 
 
 @cache
@@ -60,9 +65,9 @@ def _audited(ids: tuple[str, ...]) -> tuple[Record, ...]:
     return tuple(check(ids, warn=lambda said: None))  # what is decided again is no matter for a reader
 
 
-def item(id: str) -> Item:
+def item(id: str) -> Declaration:
     """The declaration of a relation or of the chain of which it is a link."""
-    return obligation_of(id.rstrip(ascii_lowercase)).item
+    return obligation_of(_declaration(id)).item
 
 
 def paper(key: str) -> Paper:
@@ -72,10 +77,10 @@ def paper(key: str) -> Paper:
 
 def notation(id: str) -> Notation:
     """The letters of a declaration."""
-    return item(id).notation or paper(id.partition(":")[0]).notation
+    return item(id).notation or paper(Id.parse(id).paper).notation
 
 
-def declared(key: str) -> tuple[tuple[str, Item], ...]:
+def declared(key: str) -> tuple[tuple[str, Declaration], ...]:
     """All declarations of a paper with the titles of their sections, in printed order."""
     return tuple((each.section.title, each.item) for each in expand(paper(key)))
 

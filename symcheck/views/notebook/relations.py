@@ -7,13 +7,15 @@ import re
 from collections.abc import Iterator, Sequence
 
 from symcheck.audit.checked import reasons
-from symcheck.core.verdicts import Certificate, Reading, Verdict
+from symcheck.core.certificates import Certificate
+from symcheck.core.ids import Id
+from symcheck.core.verdicts import Reading, Verdict
 from symcheck.ledger.digests import digest_of
 from symcheck.ledger.record import Record
 from symcheck.views.model import Relation, condition
 from symcheck.views.notebook.letters import aligned, split
+from symcheck.views.notebook.output import Heading, Math, Output, Part, Prose, Table, Verbatim
 from symcheck.views.notebook.records import decided, item, list_rows, records
-from symcheck.views.notebook.shown import Heading, Math, Part, Prose, Shown, Table, Verbatim
 from symcheck.views.steps import shown
 
 _LINES, _COLUMNS = 30, 150  # of a proof that is shown
@@ -21,12 +23,12 @@ _DIGEST = 12  # digits of a certificate's SHA-256
 _FEW = 3  # certificates that are named
 
 
-def claim(*ids: str) -> Shown:
+def claim(*ids: str) -> Output:
     """Relations as printed and as read, with verdict, method, hypotheses and certificates.
 
     id  "mirer2009:2.12", of one link of a chain "mirer2009:2.1b", or of a premise or definition
     """
-    return Shown(tuple(part for id in ids for part in _claim(records(id))))
+    return Output(tuple(part for id in ids for part in _claim(records(id))))
 
 
 def _claim(found: Sequence[Record]) -> Iterator[Part]:
@@ -40,8 +42,8 @@ def _claim(found: Sequence[Record]) -> Iterator[Part]:
 
 def title(record: Record, whole: bool = False) -> str:
     """Number, name and line of a relation, in Markdown; of the whole chain without the letter of its link."""
-    number = record.number.removesuffix(record.link) if whole else record.number
-    return f"**({number})** {Relation(record).name}, line {record.line}".replace("  ", " ")
+    id = Id.parse(record.id)
+    return f"**({id.number if whole else id.place})** {Relation(record).name}, line {record.line}".replace("  ", " ")
 
 
 def verdicts(found: Sequence[Record]) -> str:
@@ -72,14 +74,14 @@ def statement(found: Sequence[Record], reread: bool = True) -> Iterator[Part]:
     reread  False: not again what can be read in the printed form itself
     """
     declaration = item(found[0].id)
-    legible = _is_latex("\n".join(declaration.printed)) or found[0].reading is not Reading.DAMAGED
-    stated = bool(declaration.read_as or declaration.formal or declaration.parts)
-    if declaration.printed and legible:
-        yield from (formula("printed" if n == 0 else "", each) for n, each in enumerate(declaration.printed))
-    elif declaration.printed:
-        yield Verbatim("printed, in the text at hand", "\n".join(declaration.printed))
-    if stated or not declaration.printed or (reread and len(decided(found[0].id)) > 1):
-        label = "read" if declaration.printed else "states"
+    printed = declaration.source.printed
+    legible = _is_latex("\n".join(printed)) or found[0].reading is not Reading.DAMAGED
+    if printed and legible:
+        yield from (formula("printed" if n == 0 else "", each) for n, each in enumerate(printed))
+    elif printed:
+        yield Verbatim("printed, in the text at hand", "\n".join(printed))
+    if declaration.stated or declaration.source.damage or not printed or (reread and len(decided(found[0].id)) > 1):
+        label = "read" if printed else "states"
         yield from (formula(f"{label} {letter(each)}".strip(), each.read) for each in found if each.read)
 
 
@@ -110,7 +112,7 @@ def digests(certificates: Sequence[Certificate]) -> str:
     return f"sha256 {named}{more}" + (f", from {', '.join(lemmas)}" if lemmas else "")
 
 
-def proof(id: str) -> Shown:
+def proof(id: str) -> Output:
     """The steps of a proof as its certificates have them, and what the independent checker says of each."""
     parts: list[Part] = []
     for record in records(id):
@@ -118,7 +120,7 @@ def proof(id: str) -> Shown:
         for each in record.certificates:
             told = list(shown(each)) or ["refuted at a point"]
             parts += [Verbatim("", "\n".join(_cut(told))), Prose("checker", checked([each]))]
-    return Shown(tuple(parts))
+    return Output(tuple(parts))
 
 
 def _cut(lines: Sequence[str]) -> Iterator[str]:
@@ -128,11 +130,11 @@ def _cut(lines: Sequence[str]) -> Iterator[str]:
         yield f"… {len(lines) - _LINES} more lines"
 
 
-def certificate(id: str) -> Shown:
+def certificate(id: str) -> Output:
     """The first certificate of a relation as it is stored, in JSON."""
     [first, *_] = (each for record in records(id) for each in record.certificates)
     text = json.dumps(first, ensure_ascii=False, indent=1, sort_keys=True)
-    return Shown((Verbatim(first["id"], "\n".join(_cut(text.splitlines()))),))
+    return Output((Verbatim(first["id"], "\n".join(_cut(text.splitlines()))),))
 
 
 def checked(certificates: Sequence[Certificate]) -> str:
@@ -152,19 +154,19 @@ def _faults(certificate: Certificate) -> Iterator[str]:
     yield from filter(None, reasons((certificate, *lemmas)))
 
 
-def rows(id: str, only_wrong: bool = False) -> Shown:
+def rows(id: str, only_wrong: bool = False) -> Output:
     """The rows of a list or table, "ignatov2005:2.1V", each as printed with its verdict; or those that are wrong."""
     told = []
     for found in list_rows(id):
         wrong = next((record for record in found if record.corrected), None)
         if wrong or not only_wrong:
             told.append(_row(found, wrong))
-    return Shown((Table(("row", "as printed; below it what is right", "verdict", "fault"), tuple(told)),))
+    return Output((Table(("row", "as printed; below it what is right", "verdict", "fault"), tuple(told)),))
 
 
 def _row(found: Sequence[Record], wrong: Record | None) -> tuple[str, ...]:
     first = found[0]
-    number = first.declaration.rpartition(".")[2]
+    number = Id.parse(first.id).row
     said = {Relation(record).state for record in found}
     verdict = str(Verdict.REFUTED) if Verdict.REFUTED in said else ", ".join(sorted(said))
     mark = "$" if first.printed else ""

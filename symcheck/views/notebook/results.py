@@ -2,37 +2,37 @@
 
 from __future__ import annotations
 
-from typing import Any
+from typing import NamedTuple
 
 import numpy as np
 
-from symcheck.views.notebook.shown import Shown, Table
+from symcheck.views.notebook.output import Output, Table
 
 DIGITS = 6
 NOUGHT = 1e-12  # below it a number is rounding
 
 
-def numbers(unit: str = "", **values: Any) -> Shown:
+def numbers(unit: str = "", **values: object) -> Output:
     """Results by name, all in one unit; underscores of names are shown as spaces."""
     head = ("", unit or "value")
-    return Shown((Table(head, tuple((name.replace("_", " "), _text(value)) for name, value in values.items())),))
+    return Output((Table(head, tuple((name.replace("_", " "), _text(value)) for name, value in values.items())),))
 
 
-def fields(result: Any, **units: str) -> Shown:
+def fields(result: NamedTuple, **units: str) -> Output:
     """The fields of a named tuple with these units, or all fields."""
     chosen = units or dict.fromkeys(result._fields, "")
     told = tuple((name.replace("_", " "), _text(getattr(result, name)), unit) for name, unit in chosen.items())
-    return Shown((Table(("", "value", "unit"), told),))
+    return Output((Table(("", "value", "unit"), told),))
 
 
-def _text(value: Any) -> str:
+def _text(value: object) -> str:
     if isinstance(value, str):
         return value
     array = np.asarray(value)
     return f"[{', '.join(map(_text, array))}]" if array.ndim else _number(array.item())
 
 
-def _number(value: Any) -> str:
+def _number(value: complex) -> str:
     if isinstance(value, bool | int):
         return str(value)
     if isinstance(value, complex):

@@ -17,7 +17,6 @@ from symcheck.views.notebook.rules import faults_of_code, faults_of_prose
 if TYPE_CHECKING:
     from nbformat import NotebookNode
 
-GUIDE = "guide"  # pages about the program, whose cells may show any code
 MARKDOWN = {"extension": ".md", "split_at_heading": True}
 METADATA = {
     "kernelspec": {"display_name": "Python 3", "language": "python", "name": "python3"},
@@ -32,10 +31,10 @@ def notebook(source: Path) -> NotebookNode:
 
     made = jupytext.reads(source.read_text(encoding="utf-8"), fmt=MARKDOWN)
     made.metadata, counts, section = from_dict(METADATA), Counter[str](), "top"
-    rules = {} if source.parent.name == GUIDE else {"code": faults_of_code, "markdown": faults_of_prose}
+    rules = {"code": faults_of_code, "markdown": faults_of_prose}
     for cell in made.cells:
         first = cell.source.partition("\n")[0]
-        for fault in rules[cell.cell_type](cell.source) if rules else ():
+        for fault in rules[cell.cell_type](cell.source):
             raise SymcheckError(f"{source.name}: {fault}: {first}")
         if first.startswith("#"):
             section = slug(first)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 
 from markupsafe import Markup
@@ -18,8 +18,8 @@ class Entry(Relation):
     """A record with all that stands beside it."""
 
     paper: Publication
-    kernels: tuple[Excerpt, ...]
-    cells: tuple[Excerpt, ...]
+    kernels: Sequence[Excerpt]
+    cells: Sequence[Excerpt]
 
     @property
     def section(self) -> str:

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from math import log2
 from textwrap import shorten
 
+from symcheck.core.ids import Id
 from symcheck.core.verdicts import Verdict
 from symcheck.ledger.record import Record
 from symcheck.views.model import Relation
@@ -77,8 +78,8 @@ def graph(paper: str, records: Sequence[Record]) -> Graph:
 
 
 def _node(members: Sequence[Record], y: int) -> Node:
-    numbers = [each.declaration.partition(":")[2] for each in members]
-    label = numbers[0] if len(set(numbers)) == 1 else numbers[-1].rpartition(".")[0]
+    ids = [Id.parse(each.id) for each in members]
+    label = ids[0].number if len({id.number for id in ids}) == 1 else ids[-1].listing.number
     verdicts = {each.verdict for each in members}
     worst = next((each for each in (Verdict.REFUTED, Verdict.UNDECIDED, Verdict.PROVED) if each in verdicts), None)
     first = Relation(members[0])

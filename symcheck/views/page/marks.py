@@ -6,6 +6,7 @@ import re
 from collections.abc import Iterable, Mapping
 from typing import Any
 
+from symcheck.core.ids import Id
 from symcheck.core.verdicts import Group
 from symcheck.ledger.record import Record
 from symcheck.views.model import errata, place
@@ -40,7 +41,7 @@ def marks(envelope: Mapping[str, Any], records: Iterable[Record]) -> list[dict[s
 
 def place_of_row(record: Record) -> str:
     """The list or table that a record of a row belongs to, whether it is corrected as a row or as a statement."""
-    return place(record) if record.is_row else re.sub(r"\.\d+[a-z]*$", "", record.id)
+    return place(record) if record.is_row else str(Id.parse(record.id).listing)
 
 
 def _momenta(record: Record) -> str:

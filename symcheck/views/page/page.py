@@ -12,6 +12,7 @@ from jinja2 import Environment, PackageLoader, StrictUndefined
 from markupsafe import Markup
 
 from symcheck.coq.confirmed import CONFIRMED, confirmed
+from symcheck.core.ids import Id
 from symcheck.core.verdicts import Group, Role, Verdict
 from symcheck.ledger.record import Record
 from symcheck.ledger.selftested import evidence, rows
@@ -31,21 +32,17 @@ FONT = "stix-two-math.woff2"
 
 
 @dataclass(frozen=True)
-class Pictures:
-    """What is drawn, as plain lists: see `symcheck.views.pictures`."""
+class Extras:
+    """What the page shows apart from the records.
 
-    envelopes: Sequence[Mapping[str, Any]] = ()
-    densities: Sequence[Mapping[str, Any]] = ()
-    stability: Mapping[str, Any] | None = None
-
-
-@dataclass(frozen=True)
-class Beside:
-    """What is shown beside the records: kernels and notebook cells by claim, pictures, the result of the self-test."""
+    Kernels and notebook cells by claim, pictures as `symcheck.views.pictures` has them, the result of the self-test.
+    """
 
     kernels: Mapping[str, Sequence[Excerpt]] = field(default_factory=dict)
     cells: Mapping[str, Sequence[Excerpt]] = field(default_factory=dict)
-    pictures: Pictures = field(default_factory=Pictures)
+    envelopes: Sequence[Mapping[str, Any]] = ()
+    densities: Sequence[Mapping[str, Any]] = ()
+    stability: Mapping[str, Any] | None = None
     selftest: Mapping[str, Any] | None = None
 
 
@@ -69,17 +66,18 @@ class _Hypothesis:
     needed: Counter[bool | None]
 
 
-def page(records: Sequence[Record], papers: Sequence[Publication], beside: Beside | None = None) -> str:
-    """The audit as one HTML file that needs nothing else.
-
-    records   all records of the papers, in the order of the ledger
-    papers    the papers, in the order in which they are shown
-    beside    kernels, notebook cells and pictures; without it the page has none
-    """
-    beside = beside or Beside()
-    tested = beside.selftest or {}
+def page(records: Sequence[Record], papers: Sequence[Publication], extras: Extras | None = None) -> str:
+    """The audit as one HTML file that needs nothing else: records and papers in the order in which they are shown."""
+    extras = extras or Extras()
+    tested = extras.selftest or {}
     formulas, excerpts, strings = Formulas(entries.texts(records)), _Numbered(), _Numbered()
-    shown = _entries(records, papers, beside)
+    known = {paper.key: paper for paper in papers}
+    shown = {
+        each.id: Entry(
+            each, known[each.paper], *(of_record(found, each.id) for found in (extras.kernels, extras.cells))
+        )
+        for each in records
+    }
     environment = Environment(
         loader=PackageLoader(__package__, "templates"),
         autoescape=True,
@@ -87,32 +85,32 @@ def page(records: Sequence[Record], papers: Sequence[Publication], beside: Besid
         trim_blocks=True,
         lstrip_blocks=True,
     )
-    environment.globals.update(
-        formulas=formulas,
-        excerpts=excerpts,
-        strings=strings,
-        difference=entries.difference,
-        entries=shown,
-    )
+    environment.filters["place"] = lambda id: Id.parse(id).place
+    environment.globals |= {
+        "formulas": formulas,
+        "excerpts": excerpts,
+        "strings": strings,
+        "difference": entries.difference,
+        "entries": shown,
+    }
     claim = environment.get_template("claim.html")
     claims = [claim.render(entry=each) for each in shown.values()]
-    states = [str(each) for each in STATES]
     graphs = [g for p in papers if (g := graph(p.key, [r for r in records if r.paper == p.key])).nodes]
     parts = {
         "publications": [paper for paper in papers if any(each.paper == paper.key for each in records)],
         "counts": _counts(records),
         "coq": Counter(said == CONFIRMED for record in records for said in confirmed(record).values()),
         "table": {paper.key: Counter(Relation(r).state for r in records if r.paper == paper.key) for paper in papers},
-        "states": states,
+        "states": [str(each) for each in STATES],
         "errata": [*errata(records)],
         "selftest": rows(tested) if tested and tested["evidence"] == evidence(records) else [],
         "recorded": bool(tested),
         "engines": tested.get("engines"),
         "hypotheses": _hypotheses(records),
-        "envelopes": beside.pictures.envelopes,
-        "plots": [_plot(each) for each in beside.pictures.densities],
-        "stability": beside.pictures.stability,
-        "map": coloured(beside.pictures.stability) if beside.pictures.stability else None,
+        "envelopes": extras.envelopes,
+        "plots": [_plot(each) for each in extras.densities],
+        "stability": extras.stability,
+        "map": coloured(extras.stability) if extras.stability else None,
         "graphs": graphs,
         "font": address("font/woff2", (files(__package__) / "vendor" / FONT).read_bytes()),
         "style": _asset("style.css"),
@@ -131,7 +129,7 @@ def page(records: Sequence[Record], papers: Sequence[Publication], beside: Besid
     }
     folded = {
         "ledger": packed(ledger),
-        "envelopes": packed([{**each, "marks": marks(each, records)} for each in beside.pictures.envelopes]),
+        "envelopes": packed([{**each, "marks": marks(each, records)} for each in extras.envelopes]),
         "graphs": packed([arcs.render(g=each) for each in graphs]),
         **{paper.key: packed(_proofs(each for each in shown.values() if each.paper is paper)) for paper in papers},
     }
@@ -154,19 +152,6 @@ def _proofs(relations: Iterable[Relation]) -> dict[str, Any]:
     }
 
 
-def _entries(records: Sequence[Record], papers: Iterable[Publication], beside: Beside) -> dict[str, Entry]:
-    known = {paper.key: paper for paper in papers}
-    return {
-        record.id: Entry(
-            record,
-            known[record.paper],
-            tuple(of_record(beside.kernels, record.id)),
-            tuple(of_record(beside.cells, record.id)),
-        )
-        for record in records
-    }
-
-
 def _row(relation: Relation, formulas: Formulas, strings: _Numbered) -> list[object]:
     """What the ledger shows and searches of a record, in the order of HEAD in page.js."""
     record = relation.record
@@ -174,14 +159,7 @@ def _row(relation: Relation, formulas: Formulas, strings: _Numbered) -> list[obj
     shown = [formulas.number(text) for text in (link, record.printed, record.read) if text]
     math = next((number for number in shown if number >= 0), -1)
     words = "" if link and math >= 0 else record.words or ("" if math >= 0 else record.printed or record.name)
-    searched = (
-        record.words,
-        record.printed,
-        record.read,
-        record.corrected,
-        record.reason,
-        relation.name,
-    )
+    searched = (record.words, record.printed, record.read, record.corrected, record.reason, relation.name)
     return [
         record.id,
         relation.state,

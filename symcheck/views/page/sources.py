@@ -11,6 +11,7 @@ from pathlib import Path
 
 from symcheck.audit import kernels as declared
 from symcheck.core.claims import Paper
+from symcheck.core.ids import Id
 from symcheck.core.verdicts import SymcheckError
 
 _ID = re.compile(r"\b[a-z]+\d{4}:[A-Z]?\d*[\w.]*\w")
@@ -50,7 +51,7 @@ def kernels(papers: Mapping[str, Paper], folder: Path) -> dict[str, list[Excerpt
         texts = _functions(folder / f"{key}.py")
         for name, kernel in declared.declared(key).items():
             for number in kernel.claims if name in texts else ():
-                found.setdefault(f"{key}:{number}", []).append(Excerpt(name, f"generated/{key}.py", texts[name]))
+                found.setdefault(str(Id(key, number)), []).append(Excerpt(name, f"generated/{key}.py", texts[name]))
     return found
 
 
@@ -71,7 +72,7 @@ def cells(folder: Path) -> dict[str, list[Excerpt]]:
 
 def of_record(found: Mapping[str, Iterable[Excerpt]], id: str) -> list[Excerpt]:
     """The excerpts of a claim, or of the chain it is a link of."""
-    return list({excerpt: None for name in (id, re.sub(r"[a-z]+$", "", id)) for excerpt in found.get(name, ())})
+    return list({excerpt: None for name in (id, str(Id.parse(id).declaration)) for excerpt in found.get(name, ())})
 
 
 def _functions(file: Path) -> dict[str, str]:

@@ -7,6 +7,12 @@ const made = (tag, properties = {}, ...children) => {
   return element;
 };
 
+// The parts of the id of a relation, "mirer2009:2.13.1b": its paper, its place there, and the id without the link.
+function partsOf(id) {
+  const [paper, place] = id.split(":");
+  return {paper, place, whole: id.replace(/[a-z]+$/, "")};
+}
+
 // What is folded into this file: deflated JSON in base 85, with a slash for the digit that a page must not hold.
 const DIGITS = new Uint8Array(128);
 [..."0123456789ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz!#$%&()*+-;/=>?@^_`{|}~"].forEach((digit, value) => { DIGITS[digit.charCodeAt(0)] = value; });
@@ -84,7 +90,7 @@ function makeLedger() {
     }
     if (entry.words) said.append(made("span", {className: entry.math >= 0 ? "words prose" : "prose", textContent: entry.words}));
     const badge = made("span", {className: `badge ${entry.role ? "role" : entry.state}`, textContent: entry.state});
-    entry.row = made("li", {}, made("a", {href: `#${entry.id}`, textContent: entry.id.split(":")[1]}), said,
+    entry.row = made("li", {}, made("a", {href: `#${entry.id}`, textContent: partsOf(entry.id).place}), said,
       made("div", {className: "end"}, badge, entry.kind ? made("div", {textContent: entry.kind}) : ""));
     lists.get(entry.paper).append(entry.row);
   }
@@ -129,7 +135,7 @@ function showClaim(id) {
   one("#view-claim").replaceChildren(pager, body);
   const parts = entries.filter((entry) => entry.whole === byId.get(id).whole);
   one(".siblings", body).append(...parts.length < 2 ? [] : ["Parts: ", ...parts.map((entry) =>
-    made("a", {href: `#${entry.id}`, textContent: entry.id.split(":")[1], ariaCurrent: entry.id === id ? "page" : null}))]);
+    made("a", {href: `#${entry.id}`, textContent: partsOf(entry.id).place, ariaCurrent: entry.id === id ? "page" : null}))]);
   if (byId.get(id).coq) one(".facts", body).append(" ", made("span", {textContent: `confirmed by Coq: ${byId.get(id).coq}`}));
   setFormulas(body);
   all("[data-s]", body).forEach((place) => { place.textContent = data.strings[place.dataset.s]; });
@@ -146,13 +152,13 @@ async function proofsOf(paper) {
     certificate: Object.fromEntries(Object.entries(fields).map(([name, values]) => [name, values[k]]).filter(([, value]) => value !== null))}));
 }
 async function showProof(fold, id, n) {
-  const {steps, certificate} = (await proofsOf(id.split(":")[0])).filter((proof) => proof.of === id)[n];
+  const {steps, certificate} = (await proofsOf(partsOf(id).paper)).filter((proof) => proof.of === id)[n];
   const shown = (title, text) => text ? [made("h4", {textContent: title}), made("pre", {textContent: text, tabIndex: 0})] : [];
   const lines = Object.entries(certificate).map(([name, value]) => ` ${JSON.stringify(name)}: ${JSON.stringify(value)}`);
   fold.append(...shown("Derivation", steps), ...shown("Certificate", `{\n${lines.join(",\n")}\n}`));
 }
 async function download(id) {
-  const paper = id.split(":")[0], proofs = await proofsOf(paper);
+  const {paper} = partsOf(id), proofs = await proofsOf(paper);
   const own = proofs.filter((proof) => proof.of === id).map((proof) => proof.certificate);
   const wanted = new Set(own.flatMap((certificate) => (certificate.lemmas ?? []).map(([name]) => name)));
   const lemmas = proofs.map((proof) => proof.certificate).filter((each) => wanted.has(each.id) && !own.includes(each));
@@ -209,7 +215,7 @@ function light(event) {
   data = await unfold("ledger");
   entries = data.rows.map((row, number) => {
     const entry = Object.fromEntries(HEAD.map((name, k) => [name, row[k]]));
-    return {...entry, words: data.strings[entry.words], coq: data.strings[entry.coq], number, whole: entry.id.replace(/[a-z]+$/, ""), role: data.roles.includes(entry.state),
+    return {...entry, words: data.strings[entry.words], coq: data.strings[entry.coq], number, whole: partsOf(entry.id).whole, role: data.roles.includes(entry.state),
       text: plain([entry.id, data.strings[entry.words], ...row[HEAD.length].map((k) => data.strings[k])].join("\n"))};
   });
   byId = new Map(entries.map((entry) => [entry.id, entry]));

@@ -108,7 +108,7 @@
       item.className = mark.slip ? "slip" : "";
       dot.className = "dot";
       link.href = `#${mark.id}`;
-      link.textContent = mark.id.split(":")[1];
+      link.textContent = partsOf(mark.id).place;
       item.append(dot, `${cellName(mark.cell)}: ${mark.kind}, `, link);
       for (const name of ["pointerenter", "focusin"]) item.addEventListener(name, () => { lit = mark.cell; draw(); });
       for (const name of ["pointerleave", "focusout"]) item.addEventListener(name, () => { lit = ""; draw(); });

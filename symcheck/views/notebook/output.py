@@ -18,27 +18,21 @@ class Heading:
 
 
 @dataclass(frozen=True)
-class Math:
+class _Labelled:
+    label: str
+    text: str
+
+
+class Math(_Labelled):
     """Formulas in LaTeX with their labels; consecutive ones stand side by side in one display."""
 
-    label: str
-    latex: str
 
-
-@dataclass(frozen=True)
-class Prose:
+class Prose(_Labelled):
     """A labelled sentence, as plain text."""
 
-    label: str
-    text: str
 
-
-@dataclass(frozen=True)
-class Verbatim:
+class Verbatim(_Labelled):
     """Lines that are shown as they are."""
-
-    label: str
-    text: str
 
 
 @dataclass(frozen=True)
@@ -61,7 +55,7 @@ Part = Heading | Math | Prose | Verbatim | Table | Picture
 
 
 @dataclass(frozen=True)
-class Shown:
+class Output:
     """The parts of one output, in order. Jupyter asks for its `_repr_mimebundle_`."""
 
     parts: tuple[Part, ...]
@@ -73,7 +67,7 @@ class Shown:
                 PNG: base64.b64encode(pictures[0].png).decode(),
                 PLAIN: "\n".join(map(_plain, self.parts)),
             }
-        latex = [part.latex for part in self.parts if isinstance(part, Math)]
+        latex = [part.text for part in self.parts if isinstance(part, Math)]
         texts = {MARKDOWN: "\n\n".join(_markdown(self.parts)), PLAIN: "\n".join(map(_plain, self.parts))}
         return {**texts, LATEX: "\n".join(rf"\[{each}\]" for each in latex)} if latex else texts
 
@@ -85,7 +79,7 @@ def _plain(part: Part) -> str:
     match part:
         case Heading(text) | Picture(_, text):
             return text
-        case Math(label, text) | Prose(label, text) | Verbatim(label, text):
+        case _Labelled(label, text):
             return f"{label}: {text}" if label else text
         case Table(head, rows):
             return "\n".join(" | ".join(row) for row in (head, *rows))
@@ -106,7 +100,7 @@ def _markdown(parts: Sequence[Part]) -> Iterator[str]:
 
 def _display(formulas: Sequence[Math]) -> str:
     """One array, as a formula of the line: a displayed one would stand in the middle of the page."""
-    rows = (rf"\textsf{{{each.label}}} & \displaystyle {each.latex}" for each in formulas)
+    rows = (rf"\textsf{{{each.label}}} & \displaystyle {each.text}" for each in formulas)
     return r"$\begin{array}{ll}" + r" \\[6pt] ".join(rows) + r"\end{array}$"
 
 
