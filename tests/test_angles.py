@@ -14,10 +14,11 @@ import pytest
 
 from symcheck.audit.checked import reason as check
 from symcheck.checker.theorems import NAMES, instance
+from symcheck.core.certificates import Certificate
 from symcheck.core.formulas import contrary
 from symcheck.core.problems import Outcome, Problem
 from symcheck.core.terms import RELATIONS, Formula, node
-from symcheck.core.verdicts import Certificate, Verdict
+from symcheck.core.verdicts import Verdict
 from symcheck.proof import certificate, fails_at, identity
 from symcheck.proof.algebra.simplex import positive_relation
 from symcheck.reading import Letter, Notation, lower, read

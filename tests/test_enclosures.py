@@ -13,9 +13,10 @@ import pytest
 from symcheck.audit.checked import reason as check
 from symcheck.checker.enclosures import ONE, between, enclosed
 from symcheck.core.calculus import Unknown
+from symcheck.core.certificates import Certificate
 from symcheck.core.problems import Outcome, Problem
 from symcheck.core.terms import INFINITY, PI, Term, node
-from symcheck.core.verdicts import Certificate, Verdict
+from symcheck.core.verdicts import Verdict
 from symcheck.proof import certificate, identity, proof_of
 from symcheck.proof.rules.enclosure import order_of_numbers
 from symcheck.proof.rules.nonnegative import Nonnegative

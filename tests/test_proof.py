@@ -15,9 +15,10 @@ from symcheck import kernels
 from symcheck.audit.checked import reason
 from symcheck.checker import certificates, check
 from symcheck.checker.rules import Prover
+from symcheck.core.certificates import Certificate
 from symcheck.core.problems import Form, Method, Problem, Witness
 from symcheck.core.terms import node
-from symcheck.core.verdicts import Certificate, Verdict
+from symcheck.core.verdicts import Verdict
 from symcheck.core.words import term
 from symcheck.proof import cases, certificate, equivalent, existence, identity, nonnegative
 from symcheck.proof.algebra.facts import Assumed, Hypothesis

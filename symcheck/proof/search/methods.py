@@ -53,6 +53,19 @@ def refute(problem: Problem) -> Point | None:
 
 
 def whole_proof(problem: Problem) -> Proof | None:
+    """The proof alone, or None; see `proof_of`."""
+    with alone(problem):
+        try:
+            problem = checked(problem)
+            proof = deciding.prove(problem, prove)
+            if proof is None or problem.claim == FALSE:
+                return proof
+            return deciding.with_witnesses(problem, proof, prove)
+        except (Unsupported, RecursionError, ArithmeticError, ValueError):
+            return None
+
+
+def proof_of(problem: Problem) -> Outcome | None:
     """Look for a proof, and for no counterexample.
 
     Parameters
@@ -70,19 +83,6 @@ def whole_proof(problem: Problem) -> Proof | None:
     What a proof rests on holds at some point, except where ``0 = 1`` is proved: that the hypotheses contradict one
     another.
     """
-    with alone(problem):
-        try:
-            problem = checked(problem)
-            proof = deciding.prove(problem, prove)
-            if proof is None or problem.claim == FALSE:
-                return proof
-            return deciding.with_witnesses(problem, proof, prove)
-        except (Unsupported, RecursionError, ArithmeticError, ValueError):
-            return None
-
-
-def proof_of(problem: Problem) -> Outcome | None:
-    """The outcome of such a proof, or None."""
     proof = whole_proof(problem)
     return None if proof is None else deciding.proved(problem, proof)
 
