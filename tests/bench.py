@@ -26,8 +26,8 @@ from symcheck.audit.obligation import obligation_of
 from symcheck.core.problems import Form, Method, Problem
 from symcheck.core.terms import Term, node
 from symcheck.core.verdicts import Verdict
-from symcheck.proof.knowledge import ring_of, starting
-from symcheck.proof.polynomial import unfold
+from symcheck.proof.algebra.knowledge import ring_of, starting
+from symcheck.proof.algebra.polynomial import unfold
 from symcheck.reading import to_sympy
 
 PROOF_SET = ("2.11", "2.12", "2.13", "2.13.1", "2.18", "1.3")

@@ -13,9 +13,10 @@ from dataclasses import dataclass
 from types import ModuleType
 from typing import Any
 
+from symcheck.core.certificates import Certificate
 from symcheck.core.claims import Claim, Declaration, Definition, Paper, Plan, Section, Source, Statement
 from symcheck.core.problems import Method, Outcome
-from symcheck.core.verdicts import Certificate, Origin, Reading, Role, Verdict
+from symcheck.core.verdicts import Origin, Reading, Role, Verdict
 from symcheck.ledger.record import Correction, Edit, HypothesisRow, Need, Record, Repair
 
 PROOF = {

@@ -14,12 +14,13 @@ import pytest
 
 from symcheck.audit.checked import reason as check
 from symcheck.checker.theorems import NAMES, instance
+from symcheck.core.certificates import Certificate
 from symcheck.core.formulas import contrary
 from symcheck.core.problems import Outcome, Problem
 from symcheck.core.terms import RELATIONS, Formula, node
-from symcheck.core.verdicts import Certificate, Verdict
+from symcheck.core.verdicts import Verdict
 from symcheck.proof import certificate, fails_at, identity
-from symcheck.proof.farkas import positive_relation
+from symcheck.proof.algebra.simplex import positive_relation
 from symcheck.reading import Letter, Notation, lower, read
 from symcheck.views.steps import point, sides
 
@@ -127,7 +128,7 @@ def test_an_order_does_not_hold_at_the_end_of_its_interval(number: int) -> None:
         outcome, _ = decided(order, closed)
         assert outcome.verdict is Verdict.REFUTED
         assert outcome.point is not None
-        assert outcome.point["values"]["a"] == formula(f"a = {LIMITS[k]}")[2]  # nowhere else
+        assert outcome.point.values["a"] == formula(f"a = {LIMITS[k]}")[2]  # nowhere else
 
 
 BOTH = rf"{D[1]} = {D[2]} \land {D[2]} = {D[3]}"

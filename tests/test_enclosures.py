@@ -13,12 +13,14 @@ import pytest
 from symcheck.audit.checked import reason as check
 from symcheck.checker.enclosures import ONE, between, enclosed
 from symcheck.core.calculus import Unknown
+from symcheck.core.certificates import Certificate
 from symcheck.core.problems import Outcome, Problem
 from symcheck.core.terms import INFINITY, PI, Term, node
-from symcheck.core.verdicts import Certificate, Verdict
+from symcheck.core.verdicts import Verdict
 from symcheck.proof import certificate, identity, proof_of
-from symcheck.proof.certificate import proof
-from symcheck.proof.closed import order_of_numbers
+from symcheck.proof.rules.enclosure import order_of_numbers
+from symcheck.proof.rules.nonnegative import Nonnegative
+from symcheck.proof.rules.step import written
 from symcheck.reading import Letter, Notation, lower, read
 
 LETTERS = Notation([*map(Letter, ("a", "b", "u")), Letter(r"\pi")], decimals="rounded")
@@ -218,9 +220,9 @@ def test_a_false_statement_about_numbers_is_refuted(latex: str, given: tuple[str
 def test_the_counterexample_shows_the_numbers_that_decide() -> None:
     outcome, _ = decided(problem(r"4 \sin a \sin b \approx 1.952"))
     assert outcome.point is not None
-    assert set(outcome.point["values"]) == {"a", "b"}
-    ((term, digits, low, high),) = outcome.point["enclosed"]
-    assert (term, digits) == (node("*", 4, node("sin", "a"), node("sin", "b")), 6)
+    assert set(outcome.point.values) == {"a", "b"}
+    ((term, low, high),) = outcome.point.enclosed
+    assert term == node("*", 4, node("sin", "a"), node("sin", "b"))
     assert (low, high) == (node("/", 1951173, 10**6), node("/", 1951174, 10**6))
 
 
@@ -289,7 +291,7 @@ def test_an_order_of_numbers_inside_a_larger_proof() -> None:
     less = node("<", node("arcsin", node("/", node("sqrt", 2), 2)), node("arcsin", node("/", 2, node("sqrt", 7))))
     found = order_of_numbers(less, {})
     assert found is not None
-    assert claimed(less, proof(found)) is None
+    assert claimed(less, json.loads(written(found))) is None
     assert order_of_numbers(node(">", *less[1:]), {}) is None
     assert order_of_numbers(node("<", "a", PI), {}) is None
 
@@ -424,4 +426,4 @@ def test_other_statements_are_not_touched() -> None:
     outcome = proof_of(rational)
     assert outcome is not None
     assert outcome.proof is not None
-    assert outcome.proof["rule"] == "nonnegative"
+    assert isinstance(outcome.proof.step.step, Nonnegative)

@@ -12,7 +12,7 @@ from symcheck.core.problems import Applied, Problem
 from symcheck.core.terms import INFINITY, MINUS_INFINITY, PI, Formula, Term, node
 from symcheck.core.verdicts import Verdict
 from symcheck.proof import certificate, identity
-from symcheck.proof.methods import theorems
+from symcheck.proof.search.methods import theorems
 
 A: Term = "a"
 SPREAD: Term = node("+", node("*", 3, node("^", "alpha", 2), node("^", "a", 2)), node("*", 4, node("^", "beta", 2)))

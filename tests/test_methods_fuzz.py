@@ -181,7 +181,7 @@ def test_deep_terms_are_undecided() -> None:
     assert identity.decide(Problem("deep", node("=", term, "x"))).verdict is Verdict.UNDECIDED
 
 
-@pytest.mark.parametrize("file", sorted(PROOF.glob("*.py")), ids=lambda file: file.stem)
+@pytest.mark.parametrize("file", sorted(PROOF.rglob("*.py")), ids=lambda file: file.stem)
 def test_the_provers_use_nothing_of_the_checker_but_theorems_and_digits(file: Path) -> None:
     nodes = [*ast.walk(ast.parse(file.read_text(encoding="utf-8")))]
     imported = [f"{node.module}.{a.name}" for node in nodes if isinstance(node, ast.ImportFrom) for a in node.names]

@@ -15,17 +15,21 @@ from symcheck import kernels
 from symcheck.audit.checked import reason
 from symcheck.checker import certificates, check
 from symcheck.checker.rules import Prover
+from symcheck.core.certificates import Certificate
 from symcheck.core.problems import Form, Method, Problem, Witness
 from symcheck.core.terms import node
-from symcheck.core.verdicts import Certificate, Verdict
+from symcheck.core.verdicts import Verdict
 from symcheck.core.words import term
 from symcheck.proof import cases, certificate, equivalent, existence, identity, nonnegative
-from symcheck.proof.groebner import Basis, lcm
-from symcheck.proof.ideal import Ideal
-from symcheck.proof.knowledge import ring_of, starting
-from symcheck.proof.orders import positive_form
-from symcheck.proof.polynomial import Ring, Unsupported, square_free
-from symcheck.proof.pruning import without
+from symcheck.proof.algebra.facts import Assumed, Hypothesis
+from symcheck.proof.algebra.forms import positive_form
+from symcheck.proof.algebra.groebner import Basis, lcm
+from symcheck.proof.algebra.ideal import Ideal
+from symcheck.proof.algebra.knowledge import ring_of, starting
+from symcheck.proof.algebra.polynomial import Ring, Unsupported, square_free
+from symcheck.proof.rules.each import Each
+from symcheck.proof.rules.identity import Identity
+from symcheck.proof.rules.step import Cofactor
 from symcheck.selftest.methods import SABOTEURS
 
 BY_ID = {problem.id: problem for problem in (*TRUE, *FALSE)}
@@ -104,19 +108,19 @@ def test_every_case_of_a_proof_uses_what_it_assumes(paper: str, monkeypatch: pyt
 
 
 def test_a_proof_does_without_an_assumption_that_it_does_not_refer_to() -> None:
-    proof = {"rule": "identity", "times": [["here", 4]], "cofactors": [[["here", 1], "x"], [["hyp", "h", 0], "2"]]}
-    shorter = {**proof, "times": [["here", 2]]}
-    assert without(proof, [2, 3]) == shorter
-    assert without(proof, [5]) == proof
-    assert without(proof, [1]) is None
-    assert without({"rule": "each", "parts": [shorter, proof]}, [4]) is None
+    cofactors = (Cofactor(Assumed(1), ("x",)), Cofactor(Hypothesis("h", 0), ("2",)))
+    proof, shorter = (Identity((Assumed(number),), cofactors) for number in (4, 2))
+    assert proof.without([2, 3]) == shorter
+    assert proof.without([5]) == proof
+    assert proof.without([1]) is None
+    assert Each((shorter, proof)).without([4]) is None
 
 
 def test_pairwise_distinct_is_more_than_the_printed_chain() -> None:
     assert len(DISTINCT[1]) == len(DISTINCT_AS_PRINTED[1]) + 1
-    values = identity.decide(BY_ID["six cases as printed"]).point
-    assert values is not None
-    assert values["values"]["I_1"] == values["values"]["I_3"]
+    point = identity.decide(BY_ID["six cases as printed"]).point
+    assert point is not None
+    assert point.values["I_1"] == point.values["I_3"]
 
 
 def test_a_displayed_point_is_small() -> None:
@@ -206,8 +210,8 @@ def test_cofactors_lead_back_to_the_given_relations() -> None:
         goal = ring.difference(problem.claim)
         cofactors = known.ideal().cofactors(goal)
         assert cofactors is not None
-        facts = {str(ref): poly for ref, poly in known.facts}
-        assert sum((q * facts[str(ref)] for ref, q in cofactors), ring.number(0)) == goal
+        facts = dict(known.facts)
+        assert sum((q * facts[ref] for ref, q in cofactors), ring.number(0)) == goal
 
 
 def is_basis(basis: Basis) -> bool:
@@ -229,7 +233,7 @@ def test_a_groebner_basis_is_one_and_an_extended_ideal_has_the_same_members() ->
     x, y, z = (ring.generator[name] for name in "xyz")
     polys = [x * y - z, y**2 - x, x**2 - y * z]
     assert is_basis(Basis(polys))
-    facts = [(["here", k], poly) for k, poly in enumerate(polys)]
+    facts = [(Assumed(k), poly) for k, poly in enumerate(polys)]
     whole, grown = Ideal(ring, facts), Ideal(ring, facts[:1]).extended(facts[1:])
     assert {str(p) for p in whole.polys()} == {str(p) for p in grown.polys()}
     member = x**3 - z * y**2 + polys[0] * (x + z)
@@ -241,7 +245,7 @@ def test_a_cut_off_basis_says_so() -> None:
     ring = Ring(("x", "y", "z"))
     x, y, z = (ring.generator[name] for name in "xyz")
     assert not Ideal(
-        ring, [(["here", k], p) for k, p in enumerate((x**2 * y - z, x * y**2 - z, x * z - y))], pairs=1
+        ring, [(Assumed(k), p) for k, p in enumerate((x**2 * y - z, x * y**2 - z, x * z - y))], pairs=1
     ).complete
 
 

@@ -14,7 +14,7 @@ from symcheck.core.problems import Problem
 from symcheck.core.terms import PI, Formula, Term, node
 from symcheck.core.verdicts import Verdict
 from symcheck.proof import certificate, identity, proof_of
-from symcheck.proof.witness import find_witnesses, implications
+from symcheck.proof.search.witnesses import find_witnesses, implications
 
 EQUAL = (("h", (node("=", "x", "y"),)),)
 AND_NOT: tuple[Formula, ...] = (node("=", "x", 1), node("=", "x", 2))
@@ -75,7 +75,7 @@ def test_each_implication_has_a_case_of_its_own() -> None:
     problem = Problem("two", node("and", *ways))
     found = find_witnesses(problem)
     assert found is not None
-    assert [point["values"]["x"] for point in found] == [1, 2]
+    assert [point.values["x"] for point in found] == [1, 2]
     assert implications(node("=>", node("=", "x", 1), ways[0])) == [node("and", node("=", "x", 1), node("=", "x", 1))]
 
 
@@ -146,8 +146,8 @@ def test_at_a_witness_everything_holds(problem: Problem) -> None:
 def test_angles_that_are_compared_have_witnesses_by_their_digits() -> None:
     acute = ("acute", (node("<", 0, "a"), node("<", "a", over(PI, 2)), node("=", "b", node("arctan", over(5, 8)))))
     (point,) = find_witnesses(Problem("angles", node("=", "a", "a"), (), (acute,))) or ()
-    assert point["values"]["b"] == node("arctan", over(5, 8))
-    assert 0 < value(point["values"]["a"], {}) < math.pi / 2
+    assert point.values["b"] == node("arctan", over(5, 8))
+    assert 0 < value(point.values["a"], {}) < math.pi / 2
 
 
 def test_an_integral_at_a_witness_has_a_proof() -> None:

@@ -62,7 +62,7 @@ def _repairs(context: Context, unit: Unit, printed: Finding, given: tuple[Hypoth
 
     An edit that is wrong at the printed relation's own counterexample needs no further thought.
     """
-    points = [outcome.point["values"] for outcome in printed.outcomes if outcome.point]
+    points = [outcome.point.values for outcome in printed.outcomes if outcome.point]
     found = []
     for edit in edits(unit.tree, context.notation):
         try:

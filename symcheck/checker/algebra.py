@@ -135,6 +135,8 @@ class Algebra:
         inner = term.terms[0]
         if name == "tan" and isinstance(inner, Value) and inner.tag == "arctan":
             return self.value(inner.terms[0])
+        if name == "exp":
+            return self.exponential(inner)
         if name == "tan":
             return self.turn(inner)[1] * self.inverse(node("cos", inner)) % PRIME
         values = self.residues(term.terms)
@@ -198,6 +200,26 @@ class Algebra:
                 cosine, sine = (cosine * c - sine * s_) % PRIME, (sine * c + cosine * s_) % PRIME
         return cosine, sine
 
+    def exponential(self, term: Term) -> int:
+        """e to a sum is the product of its powers: whole powers of e to letters, to pi and to other terms."""
+        total: dict[Key, int] = {}
+        for key, times in self.angles(term, 1):
+            total[key] = total.get(key, 0) + times
+        product = 1
+        for key, times in total.items():
+            n, d = rational(times % PRIME) or (1, 0)
+            if n == 0:
+                continue
+            self.exactly(False, "e to a number")
+            if d == 1 and abs(n) < 1000:
+                self.steeper(n)
+                product = product * pow(draw("exp", *key), n, PRIME) % PRIME
+            else:
+                value = times * draw(*key) % PRIME
+                half = min(value, PRIME - value)  # e to a number and to its contrary are inverse
+                product = product * pow(draw("exp", half), 1 if half == value else -1, PRIME) % PRIME
+        return product
+
     def multiple(self, key: Key, times: int) -> tuple[tuple[int, int], int]:
         """So many times an angle as whole multiples: ((cos, sin), how many)."""
         n, d = rational(times) or (times, 0)
@@ -229,17 +251,27 @@ class Algebra:
                     yield from self.angles(part, times)
             case Value(tag="-", terms=(inner,)):
                 yield from self.angles(inner, -times)
-            case Value(tag="*", terms=factors) if len(rest := [t for t in factors if not exact(t, roots=False)]) == 1:
-                numbers = [self.value(t) for t in factors if t is not rest[0]]
-                yield from self.angles(rest[0], times * prod(numbers) % PRIME)
+            case Value(tag="*", terms=factors) if rest := [t for t in factors if not exact(t, roots=False)]:
+                numbers = [self.value(t) for t in factors if exact(t, roots=False)]
+                if len(rest) == 1:
+                    yield from self.angles(rest[0], times * prod(numbers) % PRIME)
+                else:
+                    yield from self.other(prod(map(self.value, rest)) % PRIME, times * prod(numbers) % PRIME)
             case Value(tag="/", terms=(top, bottom)) if exact(bottom, roots=False):
                 yield from self.angles(top, times * self.inverse(bottom) % PRIME)
             case Value(tag="pi"):
                 yield PI, times
             case Value(tag="arctan", terms=(t,)) if exact(t):
                 yield ("arctan", self.value(t) % PRIME), times
-            case _ if value := self.value(term) % PRIME:
-                yield ("number", value), times
+            case _:
+                yield from self.other(self.value(term) % PRIME, times)
+
+    @staticmethod
+    def other(value: int, times: int) -> Iterator[tuple[Key, int]]:
+        """So many times a number that is no letter; it and its contrary go together."""
+        if value:
+            half = min(value, PRIME - value)
+            yield ("number", half), times if half == value else -times
 
     def holds(self, formula: Formula) -> bool:
         """Whether a formula holds where all its letters have values."""

@@ -11,10 +11,9 @@ from symcheck.coq.composed import composition
 from symcheck.coq.confirmed import asked
 from symcheck.coq.script import script
 from symcheck.coq.statements import Statement, statement
-from symcheck.coq.terms import NotExported
+from symcheck.coq.terms import Certificate, NotExported
 from symcheck.core.calculus import Unknown
 from symcheck.core.terms import Malformed
-from symcheck.core.verdicts import Certificate
 from symcheck.ledger.digests import digest_of
 from symcheck.ledger.record import Record
 

@@ -9,10 +9,9 @@ from typing import TYPE_CHECKING
 
 from symcheck.coq.assumptions import pattern
 from symcheck.coq.statements import Statement, premise, stated
-from symcheck.coq.terms import Definitions, NotExported, nodes
+from symcheck.coq.terms import Certificate, Definitions, NotExported, nodes
 from symcheck.core.formulas import conjuncts
 from symcheck.core.terms import Connective, Formula, node
-from symcheck.core.verdicts import Certificate
 
 if TYPE_CHECKING:
     from symcheck.coq.claims import Claim

@@ -27,14 +27,13 @@ from symcheck.coq.functions import (
 from symcheck.coq.printing import name, spelled
 from symcheck.coq.signs import positive, sign
 from symcheck.coq.statements import Statement
-from symcheck.coq.terms import NotExported, denominators, nodes, polynomial, product, subterms
+from symcheck.coq.terms import Certificate, NotExported, denominators, nodes, polynomial, product, subterms
 from symcheck.coq.theorems import Application, missing
 from symcheck.coq.values import ratio, shown_ratio
 from symcheck.core import calculus
 from symcheck.core.calculus import substituted
 from symcheck.core.formulas import FALSE, contrary
 from symcheck.core.terms import FORMULAS, JSON, Connective, Formula, Node, Quantified, Term, Value, node
-from symcheck.core.verdicts import Certificate
 
 BY_CONTRADICTION = {
     "!=": "", "<": "apply Rnot_ge_lt. ", "<=": "apply Rnot_gt_le. ",

@@ -10,11 +10,10 @@ from symcheck.checker.rules import Reference
 from symcheck.coq.assumptions import State
 from symcheck.coq.printing import IMPLIES, name, printed
 from symcheck.coq.signs import positive
-from symcheck.coq.terms import Definitions, NotExported, denominators, in_order, is_number, nodes, subterms
+from symcheck.coq.terms import Certificate, Definitions, NotExported, denominators, in_order, is_number, nodes, subterms
 from symcheck.coq.values import ratio
 from symcheck.core.calculus import differentiated
 from symcheck.core.terms import Binder, Call, Formula, Relation, Term, node
-from symcheck.core.verdicts import Certificate
 
 WIDTH = 118
 Hypotheses = tuple[tuple[Reference, Formula], ...]

@@ -7,11 +7,13 @@ from collections.abc import Iterator, Mapping
 from fractions import Fraction
 from functools import partial
 from math import lcm
-from typing import TypeVar
+from typing import Any, TypeVar
 
 from symcheck.core import calculus
 from symcheck.core.calculus import letters
 from symcheck.core.terms import FORMULAS, JSON, Binder, Formula, Node, Reader, Term, Value, mapped, node
+
+Certificate = dict[str, Any]  # a part of one, as JSON data
 
 Tree = TypeVar("Tree", bound="int | str | Node")  # a term or formula, which stays one after a change
 # a factor of a printed monomial: 3/4, or x^2

@@ -11,8 +11,8 @@ from symcheck.checker import theorems as table
 from symcheck.coq.assumptions import State
 from symcheck.coq.digits import Enclosure
 from symcheck.coq.printing import ATOM, IMPLIES, Printer, name, spelled
+from symcheck.coq.terms import Certificate
 from symcheck.core.terms import JSON, Term, node
-from symcheck.core.verdicts import Certificate
 
 KINDS = {"n": "Z", "f": "R -> R", "g": "R -> R"}  # of parameters
 CONGRUENCE = {"congruence": "st", "congruence of two": "stuv"}  # of functions of one argument, and of two

@@ -7,10 +7,14 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from typing import Generic, TypeAlias, TypeVar
+from typing import TYPE_CHECKING, Generic, TypeAlias, TypeVar
 
 from symcheck.core.terms import Formula, Term
-from symcheck.core.verdicts import Certificate, Verdict
+from symcheck.core.verdicts import Verdict
+
+if TYPE_CHECKING:
+    from symcheck.proof.rules.compute import Point
+    from symcheck.proof.rules.proof import Proof
 
 L = TypeVar("L")
 M = TypeVar("M")
@@ -89,11 +93,11 @@ class Problem:
 
 @dataclass(frozen=True)
 class Outcome:
-    """What a method answers. `proof` is the checker's rule tree; a refutation carries `point` instead."""
+    """What a method answers: with a proof, a point of a refutation, or a reason."""
 
     verdict: Verdict
-    proof: Certificate | None = None
-    point: Certificate | None = None
+    proof: Proof | None = None
+    point: Point | None = None
     used: tuple[str, ...] = ()
     reason: str = ""
 

@@ -3,9 +3,6 @@
 from __future__ import annotations
 
 from enum import StrEnum
-from typing import Any
-
-Certificate = dict[str, Any]
 
 
 class SymcheckError(Exception):

@@ -1,9 +1,9 @@
 """Proof methods: untrusted search, exact results, certificates for the checker."""
 
-from symcheck.proof.certificate import Lemmas, certificate
-from symcheck.proof.counterexample import fails_at
-from symcheck.proof.equivalence import equivalent
-from symcheck.proof.methods import (
+from symcheck.proof.search.certificate import Lemmas, certificate
+from symcheck.proof.search.counterexample import fails_at
+from symcheck.proof.search.equivalence import equivalent
+from symcheck.proof.search.methods import (
     cases,
     combined,
     existence,
@@ -15,7 +15,7 @@ from symcheck.proof.methods import (
     refute,
     theorems,
 )
-from symcheck.proof.necessity import Without, fails_without
+from symcheck.proof.search.necessity import Without, fails_without
 
 __all__ = [
     "Lemmas",

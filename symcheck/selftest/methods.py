@@ -38,12 +38,16 @@ from symcheck.core.verdicts import Role, SymcheckError, Verdict
 from symcheck.ledger import store
 from symcheck.ledger.record import Record
 from symcheck.proof import fails_at, identity
-from symcheck.proof.polynomial import unfold
+from symcheck.proof.algebra.polynomial import unfold
+from symcheck.proof.rules.compute import Point
+from symcheck.proof.rules.identity import Identity
+from symcheck.proof.rules.proof import Proof
+from symcheck.proof.rules.step import Whole
 from symcheck.reading import read
 from symcheck.selftest.statements import declared
 from symcheck.selftest.trial import FaultClass, Status, Trial
 
-PROVED = Outcome(Verdict.PROVED, proof={"rule": "identity", "cofactors": [], "given": []})
+PROVED = Outcome(Verdict.PROVED, proof=Proof(Whole(Identity())))
 DOUBLE = Problem("double", node("=", node("+", "x", "x"), node("*", 2, "x")))
 LIMIT = 60.0  # seconds for one declaration
 MOST = 20_000  # characters of the certificates of a declaration: some proofs hang on longer ones for minutes
@@ -59,8 +63,8 @@ def always_yes(problem: Problem) -> Outcome:
 
 def always_no(problem: Problem) -> Outcome:
     """Everything is refuted, at the point where all letters are 1."""
-    stated = [0, 1] if len(problem.claim) == 3 else []
-    return Outcome(Verdict.REFUTED, point={"values": dict.fromkeys(_letters(problem), 1), "sides": stated})
+    stated = (0, 1) if len(problem.claim) == 3 else ()
+    return Outcome(Verdict.REFUTED, point=Point(dict.fromkeys(_letters(problem), 1), stated))
 
 
 def compares_with_itself(problem: Problem) -> Outcome:
@@ -137,7 +141,7 @@ def _proof(saboteur: Decide, problem: Problem) -> Outcome | None:
     return outcome if outcome.verdict is Verdict.PROVED else None
 
 
-def _point(saboteur: Decide, problem: Problem) -> dict[str, Any] | None:
+def _point(saboteur: Decide, problem: Problem) -> Point | None:
     return _answer(saboteur, problem).point
 
 

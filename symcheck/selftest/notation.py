@@ -20,7 +20,7 @@ from symcheck.core.terms import Formula, node
 from symcheck.core.verdicts import SymcheckError, Verdict
 from symcheck.ledger.record import Record
 from symcheck.proof import equivalent
-from symcheck.proof.polynomial import Unsupported, unfold
+from symcheck.proof.algebra.polynomial import Unsupported, unfold
 from symcheck.reading import Letter, Notation
 from symcheck.reading.notation import variable
 from symcheck.selftest.evidence import ledger_verdict, relettered

@@ -1,0 +1,112 @@
+"""Terms that are manifestly positive or not negative, found for polynomials and fractions; polynomials as terms."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from fractions import Fraction
+
+from symcheck.core.terms import Term, node
+from symcheck.proof.algebra.flint import Poly, by_powers, fraction
+from symcheck.proof.algebra.knowledge import Knowledge, proportional
+from symcheck.proof.algebra.variables import circle, cosine, sine, table
+
+MAX_BOUNDS = 3  # subtracted one after the other: each is tried at every addend, so the work grows as their power
+
+
+def fraction_form(term: Term, known: Knowledge, top: Poly | None = None) -> Term | None:
+    """A manifestly non-negative term equal to a fraction (its numerator may be given in another form), or None."""
+    ratio = known.ring.ratio(term)
+    form = form_on_the_circle(ratio.num if top is None else top, known)
+    if form is None or not ratio.den:
+        return form
+    bottom = ratio.bottom()
+    below = form_on_the_circle(bottom, known)
+    return form if bottom == 1 else None if below is None else node("/", form, below)
+
+
+def positive_form(poly: Poly, known: Knowledge) -> Term | None:
+    """A manifestly non-negative term equal to the polynomial, or None: factors, expanded sums, known bounds."""
+    for bound in known.signs:
+        if (multiple := proportional(poly, bound.poly)) is not None and multiple > 0:
+            return bound.term if multiple == 1 else node("*", number_term(multiple), bound.term)
+    unit, factors = poly.factor()
+    sign = fraction(unit)
+    parts: list[Term] = []
+    for factor, exponent in factors:
+        if exponent % 2 == 0:
+            parts.append(node("^", term_of(factor), int(exponent)))
+            continue
+        form = _factor_form(factor, known)
+        if form is None and (form := _factor_form(-factor, known)) is not None:
+            sign = -sign
+        if form is None:
+            return None
+        parts.append(form if exponent == 1 else node("^", form, int(exponent)))
+    if sign < 0:
+        return None
+    return node("*", number_term(sign), *parts) if parts else number_term(sign)
+
+
+def form_on_the_circle(poly: Poly, known: Knowledge) -> Term | None:
+    """The same, as sin^2 + cos^2 = 1 allows: 1 + 3 cos^2 a for 4 - 3 sin^2 a."""
+    forms = (positive_form(written, known) for written in (poly, *_on_the_circle(poly)))
+    return next((form for form in forms if form is not None), None)
+
+
+def _on_the_circle(poly: Poly) -> Iterator[Poly]:
+    """The polynomial with the squares of all sines, or of all cosines, replaced by those of the others."""
+    context = poly.context()
+    generators = dict(zip(context.names(), context.gens(), strict=True))
+    angles = [
+        x for function, x in filter(None, map(circle, generators)) if function == "sin" and cosine(x) in generators
+    ]
+    for old, new in ((sine, cosine), (cosine, sine)):
+        turned = poly
+        for x in angles:
+            powers = by_powers(turned, old(x))
+            if max(powers, default=0) > 1:
+                square, single = 1 - generators[new(x)] ** 2, generators[old(x)]
+                turned = sum((c * square ** (n // 2) * single ** (n % 2) for n, c in powers.items()), start=poly * 0)
+        if turned != poly:
+            yield turned
+
+
+def number_term(value: Fraction) -> Term:
+    """A rational number as a term."""
+    return value.numerator if value.denominator == 1 else node("/", value.numerator, value.denominator)
+
+
+def _factor_form(poly: Poly, known: Knowledge, depth: int = MAX_BOUNDS) -> Term | None:
+    """The polynomial as a sum of non-negative addends and positive multiples of known bounds."""
+    term = term_of(poly)
+    if known.sign(term)[0]:
+        return term
+    if depth == 0:
+        return None
+    for bound in known.signs:
+        for exponents, coefficient in bound.poly.terms():
+            mine = poly[exponents]
+            if mine * coefficient <= 0 or len(bound.poly) == 1:
+                continue
+            number = number_term(fraction(mine / coefficient))
+            rest = poly - bound.poly * (mine / coefficient)
+            if rest == 0:
+                return node("*", number, bound.term)
+            if (form := _factor_form(rest, known, depth - 1)) is not None:
+                return node("+", node("*", number, bound.term), form)
+    return None
+
+
+def term_of(poly: Poly) -> Term:
+    """A polynomial as a term, expanded; even powers stay visible."""
+    names = poly.context().names()
+    addends: list[Term] = []
+    for exponents, coefficient in poly.terms():
+        value = fraction(coefficient)
+        number = number_term(abs(value))
+        bases = ((table().term(name), int(e)) for name, e in zip(names, exponents, strict=True) if e)
+        powers: list[Term] = [base if e == 1 else node("^", base, e) for base, e in bases]
+        factors = powers if number == 1 and powers else [number, *powers]
+        term: Term = factors[0] if len(factors) == 1 else node("*", *factors)
+        addends.append(term if value > 0 else node("-", term))
+    return addends[0] if len(addends) == 1 else node("+", *addends) if addends else 0

@@ -1,0 +1,154 @@
+"""Counterexamples where angles are compared: at the ends of the intervals, half way between them, at well-known angles.
+
+What digits cannot tell, such as that the tangent of arctan t is t, has a proof.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from dataclasses import replace
+from itertools import islice, pairwise
+
+from symcheck.checker.enclosures import enclosed
+from symcheck.core.calculus import Unknown
+from symcheck.core.calculus import letters as letters_in
+from symcheck.core.formulas import conjuncts, contrary
+from symcheck.core.problems import Problem
+from symcheck.core.terms import PI, Formula, Node, Quantified, Term, Value, mapped, node
+from symcheck.proof.algebra.knowledge import ring_of, stated
+from symcheck.proof.algebra.polynomial import Ring, Unsupported, subterms, unfold, with_arguments
+from symcheck.proof.algebra.variables import circle
+from symcheck.proof.rules.compute import AT_POINT, Point
+from symcheck.proof.rules.enclosure import Numbers, prove_numbers
+from symcheck.proof.rules.proof import Proof
+from symcheck.proof.rules.step import Step
+from symcheck.proof.search.angles import KNOWN_ANGLES, KNOWN_SINES, compared, compares_angles, multiple_of_pi
+from symcheck.proof.search.number_points import refute_at
+
+MAX_LETTERS = 3
+MAX_POINTS = 80
+MAX_PROOFS = 8
+Ends = dict[str, list[Term]]  # by angle: what it is compared with
+Prover = Callable[[Problem], Proof | None]
+
+
+def refute_about_angles(problem: Problem, prove: Prover) -> Point | None:
+    """A point where the hypotheses hold and the claim does not, by digits or by a proof; None if none was found."""
+    proofs = 0
+    for point in islice(_points(problem), MAX_POINTS):
+        if (found := refute_at(problem, point)) is not None:
+            return found
+        if proofs < MAX_PROOFS and _may_refute(problem, point):
+            proofs += 1
+            if (found := _proved(problem, point, prove)) is not None:
+                return found
+    return None
+
+
+def _points(problem: Problem) -> Iterator[dict[str, Term]]:
+    """Values for all letters, if all of them are angles: first of those whose ends depend on no others."""
+    definitions = dict(problem.definitions)
+    ring = Ring(with_arguments(ring_of(problem).names), definitions)
+    formulas = [
+        unfold(formula, definitions) for formula in (problem.claim, *(formula for _, formula in stated(problem)))
+    ]
+    if not compares_angles(ring) or any(isinstance(part, Quantified) for part in subterms(*formulas)):
+        return
+    ends: Ends = {x: [] for function, x in filter(None, map(circle, ring.names)) if function == "sin"}
+    for pair in (pair for formula in formulas for pair in compared(formula, ring)):
+        ends.setdefault(pair.angle, []).append(pair.end)
+    letters = _letters(formulas)
+    if len(letters) <= MAX_LETTERS and letters <= ends.keys():
+        yield from _assigned({}, ends, sorted(letters, key=lambda x: (len(_letters(ends[x])), x)))
+
+
+def _letters(terms: Iterable[Term]) -> set[str]:
+    return set().union(*map(letters_in, terms))
+
+
+def _assigned(point: Mapping[str, Term], ends: Ends, letters: list[str]) -> Iterator[dict[str, Term]]:
+    """The point with values for the other letters too."""
+    if not letters:
+        yield dict(point)
+        return
+    closed = [end for end in (_at(end, point) for end in ends[letters[0]]) if not _letters([end])]
+    for value in _values(closed):
+        yield from _assigned({**point, letters[0]: value}, ends, letters[1:])
+
+
+def _at(term: Term, point: Mapping[str, Term]) -> Term:
+    """A term at the point, with the sines and cosines of well-known angles."""
+    known = {multiple_of_pi(multiple): multiple for multiple in KNOWN_SINES}
+    match term:
+        case Value(tag="sin" | "cos" as function, terms=(str(x),)) if point.get(x) in known:
+            return KNOWN_SINES[known[point[x]]][function == "cos"]
+        case Node():
+            return mapped(term, lambda part: _at(part, point))
+    return point.get(term, term) if isinstance(term, str) else term
+
+
+def _values(ends: list[Term]) -> list[Term]:
+    """The ends of intervals, angles half way between them, well-known angles; last negative ones and a turn more."""
+    known: list[Term] = [multiple_of_pi(multiple) for multiple in KNOWN_ANGLES]
+    sizes: dict[int, Term] = {}
+    for term in (*ends, known[0], known[-1]):
+        try:
+            sizes.setdefault(enclosed(term).low >> 20, term)
+        except Unknown:
+            continue
+    ordered = [term for _, term in sorted(sizes.items())]
+    between: list[Term] = [node("/", node("+", low, high), 2) for low, high in pairwise(ordered)]
+    negative: list[Term] = [node("-", term) for term in known[1:]]
+    turned: list[Term] = [node("+", term, node("*", 2, PI)) for term in between]
+    return list(dict.fromkeys([*ends, *known, *between, *negative, *turned]))
+
+
+def _may_refute(problem: Problem, point: Mapping[str, Term]) -> bool:
+    """Whether digits do not exclude it."""
+    try:
+        numbers = Numbers.of(problem, point)
+        if numbers is None or numbers.truth(problem.claim):
+            return False
+        return not any(numbers.truth(formula) is False for _, formula in stated(problem))
+    except (Unknown, Unsupported, RecursionError):
+        return False
+
+
+def _proved(problem: Problem, point: Mapping[str, Term], prove: Prover) -> Point | None:
+    """Proofs that at the point no denominator vanishes, the hypotheses hold and the claim does not."""
+    given = [formula for _, formula in stated(problem)]
+    values = dict(sorted(point.items()))  # facts about the point are numbered in this order
+    there: list[Formula] = [node("=", x, value) for x, value in values.items()]
+    facts: list[tuple[Formula, Step]] = []
+    for bottom in dict.fromkeys(part for f in (*given, problem.claim) for part in _denominators(f)):
+        if (proof := _proof(node("!=", bottom, 0), problem, there, prove)) is None:
+            return None
+        facts.append((node("!=", bottom, 0), proof))
+        there.append(node("!=", bottom, 0))
+    goal = node("and", *given, contrary(problem.claim))
+    proof = _proof(goal, problem, there, prove)
+    if proof is None:  # what digits tell need not follow from the theorems that tell the rest
+        parts = ((part, _proof(part, problem, there, prove_numbers)) for part in conjuncts(goal))
+        told = [(part, known) for part, known in parts if known is not None]
+        facts += told
+        proof = _proof(goal, problem, [*there, *(part for part, _ in told)], prove) if told else None
+    return None if proof is None else Point(values, facts=tuple(facts), proof=proof)
+
+
+def _proof(claim: Formula, problem: Problem, there: list[Formula], prove: Prover) -> Step | None:
+    """The proof of something at the point, without any condition."""
+    try:
+        proof = prove(replace(problem, claim=claim, hypotheses=((AT_POINT, tuple(there)),), hints=()))
+    except Unsupported:
+        return None
+    return None if proof is None or proof.nonzero else proof.step
+
+
+def _denominators(formula: Formula) -> Iterator[Term]:
+    """What a formula divides by, as far as it depends on letters."""
+    for part in subterms(formula):
+        match part:
+            case ("/", _, bottom) if _letters([bottom]):
+                yield bottom
+            case ("tan", angle):
+                yield node("cos", angle)

@@ -1,0 +1,174 @@
+"""What every method does: look for a proof; failing that, for an exact counterexample; failing that, say why."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Iterable
+from dataclasses import replace
+
+from symcheck.core.problems import Outcome, Problem
+from symcheck.core.terms import Formula, Node, Relation, Term, node
+from symcheck.core.verdicts import Verdict
+from symcheck.proof.algebra.facts import Grounds
+from symcheck.proof.algebra.flint import Poly
+from symcheck.proof.algebra.forms import form_on_the_circle
+from symcheck.proof.algebra.knowledge import Knowledge, hypotheses_of, ring_of, starting, stated
+from symcheck.proof.algebra.polynomial import Ring, Unsupported, function_arguments, unfold, variables
+from symcheck.proof.algebra.printed import term_of_text
+from symcheck.proof.algebra.variables import atoms, prime, table
+from symcheck.proof.rules.enclosure import prove_numbers
+from symcheck.proof.rules.proof import Proof
+from symcheck.proof.rules.step import Step, Whole, mentioned, printed, written
+from symcheck.proof.search.counterexample import refute
+from symcheck.proof.search.number_points import refute_numbers
+from symcheck.proof.search.wellformed import checked
+from symcheck.proof.search.witnesses import find_witnesses
+
+VACUOUS = (
+    "it follows from what is given, but no point was found at which that holds: hypotheses, premises, "
+    "and that no denominator is zero"
+)
+Search = Callable[[Problem, Ring], Step | None]
+Divisors = dict[tuple[str, ...], Poly]  # by numerator and the denominators inside, printed
+
+
+def decide(problem: Problem, search: Search) -> Outcome:
+    """Proved with steps, refuted with a point, or undecided with the reason; no statement raises."""
+    try:
+        problem = checked(problem)
+        point = refute_numbers(problem)
+        if point is None:
+            if (proof := prove_numbers(problem) or _search(problem, search)) is not None:
+                complete = with_witnesses(problem, proof, search)
+                return proved(problem, complete) if complete else Outcome(Verdict.UNDECIDED, reason=VACUOUS)
+            point = refute(problem, lambda inner: prove(inner, search))
+            written(point and point.certificate())  # a number may be too long to be written
+    except Unsupported as error:
+        return Outcome(Verdict.UNDECIDED, reason=str(error))
+    except (RecursionError, ArithmeticError, ValueError) as error:
+        return Outcome(Verdict.UNDECIDED, reason=f"a limit of the search was reached ({type(error).__name__})")
+    if point is not None:
+        return Outcome(Verdict.REFUTED, point=point, used=tuple(name for name, _ in problem.hypotheses))
+    return Outcome(
+        Verdict.UNDECIDED, reason="neither a proof nor a counterexample was found within the limits of the search"
+    )
+
+
+def proved(problem: Problem, proof: Proof) -> Outcome:
+    """The outcome, with the hypotheses that are used."""
+    given = {hypothesis.name for hypothesis in proof.given}
+    return Outcome(Verdict.PROVED, proof=proof, used=tuple(name for name, _ in problem.hypotheses if name in given))
+
+
+def with_witnesses(problem: Problem, proof: Proof, search: Search) -> Proof | None:
+    """The proof with points at which all it rests on holds together; None if none was found."""
+    points = find_witnesses(problem, proof.nonzero, lambda inner: prove(inner, search))
+    if points is None:
+        return None
+    written([proof.step, *(point.certificate() for point in points)])
+    return replace(proof, witnesses=tuple(points))
+
+
+def prove(problem: Problem, search: Search) -> Proof | None:
+    """A proof, or None; no counterexample is looked for. Unsupported for terms that have no place in a ring."""
+    if (proof := prove_numbers(problem)) is not None:
+        return proof
+    return None if refute_numbers(problem) else _search(problem, search)
+
+
+def _search(problem: Problem, search: Search) -> Proof | None:
+    ring = ring_of(problem)
+    step = search(problem, ring)
+    return None if step is None else _completed(problem, ring, step)
+
+
+def _completed(problem: Problem, ring: Ring, step: Step) -> Proof | None:
+    """The proof with what it rests on, and the denominators' side conditions.
+
+    None if the proof divides by something that the statement does not divide by and that is not known to be non-zero.
+    """
+    given = hypotheses_of(step.references)
+    nonzero: list[tuple[str, ...]] = []
+    positive: list[Term] = []
+    own = [unfold(term, ring.definitions) for term in mentioned(step, ring.definitions)]
+    if ring.divisors or own or atoms().keys() & set(ring.names):
+        formulas = [problem.claim, *(formula for _, formula in stated(problem))]
+        own += [unfold(side, ring.definitions) for formula in formulas for side in _sides(formula)]
+        inner = [t for term in own for bodies in (True, False) for t in function_arguments(term, bodies)]
+        names = set(ring.names).union(*map(variables, [*own, *inner]))
+        known, before = starting(problem, Ring(names, ring.definitions)), -1
+        while len(given) > before:  # a hypothesis that is used has denominators of its own
+            before = len(given)
+            conditions = _conditions(problem, step, known, given)
+            if conditions is None:
+                return None
+            nonzero, positive, given = conditions
+    names = {name for text in printed(step) for name in re.findall(r"\w+", text)}
+    meant = {name: table().term(name) for name in sorted(names) if table().stands(name)}
+    return Proof(Whole(step, meant, tuple(positive)), given, tuple(_fraction(*texts) for texts in sorted(nonzero)))
+
+
+def _fraction(top: str, *below: str) -> Term:
+    """A denominator; one with denominators in it is a fraction."""
+    numerator, *bottoms = map(term_of_text, (top, *below))
+    if not bottoms:
+        return numerator
+    return node("/", numerator, bottoms[0] if len(bottoms) == 1 else node("*", *bottoms))
+
+
+def _conditions(
+    problem: Problem, step: Step, known: Knowledge, given: Grounds
+) -> tuple[list[tuple[str, ...]], list[Term], Grounds] | None:
+    """(denominators of the statement about which no hypothesis speaks, the proof's own as positive terms, hypotheses).
+
+    A denominator that contains others is written as its numerator and those others. Hypotheses are added to the given.
+    """
+    formulas = [problem.claim, *(formula for ref, formula in stated(problem) if ref in given)]
+    statement = _divisors([side for formula in formulas for side in _sides(formula)], known.ring)
+    nonzero: list[tuple[str, ...]] = []
+    positive: list[Term] = []
+    for texts, divisor in {**statement, **_divisors(mentioned(step, known.ring.definitions), known.ring)}.items():
+        refs = known.nonzero(divisor) if len(texts) == 1 else None
+        if refs is not None:
+            given |= hypotheses_of(refs)
+        elif texts in statement:
+            nonzero.append(texts)
+        elif (form := _positive(divisor, texts[1:], known)) is not None:
+            given |= known.sign(form)[1]
+            positive += [form, form.terms[0]] if len(texts) > 1 and isinstance(form, Node) else [form]
+        else:
+            return None
+    return nonzero, positive, given
+
+
+def _sides(formula: Formula) -> list[Term]:
+    """Both sides of every relation, of those under quantifiers too: what is divided by there may be free of letters."""
+    if isinstance(formula, Relation):
+        return [*formula.terms]
+    return [side for part in (*formula.inside, *formula.outside) if isinstance(part, Node) for side in _sides(part)]
+
+
+def _positive(top: Poly, below: tuple[str, ...], known: Knowledge) -> Term | None:
+    """A manifestly positive term that is the fraction or its negative, or None."""
+    for variable, axiom in known.ring.axioms().items():
+        top = divmod(top, axiom)[1] if prime(variable) else top  # a root squared is a number
+    form = form_on_the_circle(top, known) or form_on_the_circle(-top, known)
+    bottoms = [form_on_the_circle(known.ring.text(text), known) for text in below]
+    known_bottoms = [bottom for bottom in bottoms if bottom is not None]
+    if form is None or len(known_bottoms) < len(bottoms):
+        return None
+    whole: Term = node("/", form, node("*", 1, *known_bottoms)) if bottoms else form
+    return whole if known.sign(whole)[0] == 2 else None
+
+
+def _divisors(terms: Iterable[Term], ring: Ring) -> Divisors:
+    """The denominators met in the terms, also in the arguments of functions."""
+    outside, inside = (Ring(ring.names, ring.definitions) for _ in range(2))
+    inside.inside = True
+    for term in terms:
+        plain = unfold(term, ring.definitions)
+        for part in (term, *function_arguments(plain, bodies=False)):
+            outside.ratio(part)
+        for part in function_arguments(plain, bodies=True):
+            inside.ratio(part)
+    return {**outside.divisors, **inside.divisors}

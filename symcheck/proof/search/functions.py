@@ -1,0 +1,271 @@
+"""Which theorems speak of a function: roots, powers, gamma functions, means and integrals.
+
+A function stands in the ring as one variable, an *atom* (`polynomial.atom`). What is known of it is said by theorems
+that the checker knows (`symcheck/checker/theorems.py`); `theorem_search` proves their premises.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Sequence
+from fractions import Fraction
+from itertools import combinations
+from math import comb, prod
+
+from symcheck.core.calculus import Unknown, substituted
+from symcheck.core.terms import INFINITY, MINUS_INFINITY, PI, Binder, End, Node, Term, mapped, node
+from symcheck.proof.algebra.flint import Poly, by_powers, fraction, occurring, rational
+from symcheck.proof.algebra.forms import number_term, term_of
+from symcheck.proof.algebra.knowledge import Knowledge, proportional
+from symcheck.proof.algebra.polynomial import (
+    BINDING,
+    Ratio,
+    Ring,
+    Unsupported,
+    canonical,
+    number_of,
+    parts,
+    square_free,
+    variables,
+    with_arguments,
+)
+from symcheck.proof.algebra.variables import atoms, cosine, sine
+from symcheck.proof.rules.theorem import Instance, applied, congruence, of
+
+HALF_LINE = (0, INFINITY)
+WHOLE_LINE = (MINUS_INFINITY, INFINITY)
+
+
+def instances(name: str, names: set[str]) -> Iterator[Instance]:
+    """The theorems about an atom, and about it together with other atoms."""
+    tree = atoms()[name]
+    others = [atoms()[other] for other in sorted(names) if other in atoms() and other != name]
+    try:
+        if tree.tag in _ABOUT:
+            yield from _ABOUT[tree.tag](tree, [other for other in others if other.tag == tree.tag])
+    except (Unsupported, Unknown):
+        return
+
+
+def simplified(name: str, known: Knowledge) -> Iterator[Instance]:
+    """A function at arguments that the equations in force make simpler."""
+    tree = atoms()[name]
+    if tree[0] in BINDING:
+        return
+    arguments = parts(tree)
+    simpler = tuple(_simplified(term, known) for term in arguments)
+    if [*map(canonical, simpler)] != [*map(canonical, arguments)]:
+        yield congruence(tree, mapped(tree, dict(zip(arguments, simpler, strict=True)).__getitem__))
+
+
+def _simplified(term: Term, known: Knowledge) -> Term:
+    """The term with numerator and denominator in normal form."""
+    if not variables(term) <= set(known.ring.names):
+        return term
+    value, ideal = known.ring.ratio(term), known.ideal()
+    den = {text: (ideal.reduce(poly**exponent), 1) for text, (poly, exponent) in value.den.items()}
+    return _over(ideal.reduce(value.num), Ratio(value.num, den))
+
+
+def _root(tree: Node, others: Sequence[Node]) -> Iterator[Instance]:
+    yield applied("root", *tree.terms)
+    if tree.terms == (PI,):
+        yield applied("equal_squares", node("sqrt", PI), node("gamma", node("/", 1, 2)))
+    radicands = [radicand for root in (tree, *others) for radicand in root.terms]
+    for s, t in combinations(radicands, 2):
+        if any(canonical(node("*", s, t)) == canonical(r) for r in radicands):
+            yield applied("root_of_product", s, t)
+
+
+def _power(tree: Node, others: Sequence[Node]) -> Iterator[Instance]:
+    base, exponent = tree.terms
+    powers = [power.terms for power in others]
+    yield applied("power", base, exponent)
+    if number_of(base) == 1:
+        yield applied("power_of_power", 1, 1, exponent)
+    elif (half := _square_root(base)) is not None:
+        doubled = number_of(node("*", 2, exponent))
+        opposite = [canonical(node("*", 2 * sign, exponent)) for sign in (1, -1)]
+        partners = [other for other, more in powers if canonical(more) in opposite]
+        if (doubled is not None and doubled.denominator == 1) or canonical(half) in map(canonical, partners):
+            yield applied("power_of_power", half, 2, exponent)
+    for other, more in powers:
+        if canonical(other) == canonical(base):
+            gap, whole = (number_of(node("+", exponent, other)) for other in (node("-", more), more))
+            if gap is not None and gap.denominator == 1:
+                yield applied("power_of_sum", base, more, int(gap))
+            if whole is not None and whole.denominator == 1:
+                yield applied("power_of_sum", base, exponent, more)
+
+
+def _square_root(term: Term) -> Term | None:
+    """A term whose square is the polynomial, or None."""
+    value = Ring(variables(term)).ratio(term)
+    if value.num == 0 or value.den:
+        return None
+    unit, factors = value.num.factor()
+    number = fraction(unit)
+    if number <= 0 or not (factors or value.num == 1):
+        return None
+    outside, primes = square_free(number)
+    if primes or any(exponent % 2 for _, exponent in factors):
+        return None
+    bases = (poly ** (exponent // 2) for poly, exponent in factors)
+    return term_of(prod(bases, start=value.num**0 * rational(outside)))
+
+
+def _gamma(tree: Node, others: Sequence[Node]) -> Iterator[Instance]:
+    (t,) = tree.terms
+    number = number_of(t)
+    if number is not None and number > 1:
+        yield applied("gamma", number_term(number - 1))
+    elif number in (1, Fraction(1, 2)):
+        yield applied("gamma_values")
+    for (other,) in (gamma.terms for gamma in others):
+        if number is None and number_of(node("+", other, node("-", t))) == 1:
+            yield applied("gamma", t)
+        if number is None and number_of(node("+", t, node("-", other))) == 1:
+            yield applied("gamma", other)
+
+
+def _mean(tree: Node, others: Sequence[Node]) -> Iterator[Instance]:
+    """The constant Fourier coefficient, and the integral of the rest."""
+    assert isinstance(tree, Binder)
+    body, x = tree.body, tree.letter
+    ring = Ring({*variables(body), sine(x), cosine(x)})
+    value = ring.ratio(body)
+    s, c = ring.names.index(sine(x)), ring.names.index(cosine(x))
+    mean, primitive = ring.number(0), ring.number(0)
+    for exponents, coefficient in value.num.terms():
+        i, j = int(exponents[c]), int(exponents[s])
+        others_ = tuple(0 if k in (s, c) else int(e) for k, e in enumerate(exponents))
+        outside = ring.context.from_dict({others_: coefficient})
+        for k, (real, imaginary) in _harmonics(i, j).items():
+            if k == 0:
+                mean += outside * rational(real)
+            elif k > 0:  # 2 Re (a + i b) e^(ikx) = d/dx of 2 (b cos kx + a sin kx) / k
+                turned = ring.turn({x: k})
+                primitive += outside * (turned[0] * rational(2 * imaginary / k) + turned[1] * rational(2 * real / k))
+    yield applied("mean", of(x, body), _over(mean, value), of(x, _over(primitive, value)))
+
+
+def _harmonics(i: int, j: int) -> dict[int, tuple[Fraction, Fraction]]:
+    """cos^i sin^j as sum of (a + i b) e^(ikx), by k >= 0."""
+    found: dict[int, tuple[Fraction, Fraction]] = {}
+    turn = ((1, 0), (0, -1), (-1, 0), (0, 1))[j % 4]  # (1 / i)^j
+    for a in range(i + 1):
+        for b in range(j + 1):
+            k = i - 2 * a + j - 2 * b
+            size = Fraction(comb(i, a) * comb(j, b) * (-1) ** b, 2 ** (i + j))
+            real, imaginary = found.get(k, (Fraction(0), Fraction(0)))
+            found[k] = real + size * turn[0], imaginary + size * turn[1]
+    return found
+
+
+def _integral(tree: Node, others: Sequence[Node]) -> Iterator[Instance]:
+    assert isinstance(tree, Binder)
+    body, x, ends = tree.body, tree.letter, tree.outside
+    if ends == WHOLE_LINE:
+        mirrored = canonical(substituted(body, {x: node("-", x)}))
+        if mirrored == canonical(body):
+            yield applied("even", of(x, body))
+        if mirrored == canonical(node("-", body)):
+            yield applied("odd", of(x, body))
+    if not any(isinstance(end, End) for end in ends):
+        if x not in variables(body):
+            yield applied("constant", body, *ends)
+        else:  # c x b^v with b = p x^2 + q is the derivative of c b^(v+1) / (2 p (v + 1))
+            c, k, u, r, p, q = _shape(body, x)
+            exponent = node("+", 1, node("-", r))
+            if (k, u) == (1, 0):
+                outside = node("/", c, node("*", 2, p, exponent))
+                base = node("+", node("*", p, node("^", x, 2)), q)
+                yield applied("power_rule", of(x, body), *ends, outside, of(x, base), exponent)
+    if ends == HALF_LINE and (power := _pure_power(body, x)) is not None:
+        yield applied("power_diverges", of(x, body), *power)
+    if ends in (HALF_LINE, WHOLE_LINE):
+        shape = _shape(body, x)
+        yield applied("beta", of(x, body), *shape)
+        yield applied("beta_diverges", of(x, body), *shape)
+
+
+def _pure_power(body: Term, x: str) -> tuple[Term, Term] | None:
+    """(c, u) with body = c x^u, or None."""
+    ring = Ring(with_arguments({*variables(body), x}))
+    value = ring.ratio(body)
+    unit, factors = value.num.factor()
+    outside, exponents = ring.number(fraction(unit)), list[Term]()
+    for poly, e in (*((poly, int(e)) for poly, e in factors), *((poly, -e) for poly, e in value.den.values())):
+        name = str(poly)
+        if name == x:
+            exponents.append(e)
+        elif name in atoms() and atoms()[name][0] == "pow" and canonical(atoms()[name][1]) == canonical(x):
+            exponents.append(node("*", e, atoms()[name][2]))
+        elif e > 0 and x not in occurring(poly) and x not in with_arguments({name} & set(atoms())):
+            outside *= poly**e
+        else:
+            return None
+    return term_of(outside), node("+", *exponents) if exponents else 0
+
+
+def _shape(body: Term, x: str) -> tuple[Term, int, Term, Term, Term, Term]:
+    """(c, k, u, r, p, q) with body = c x^(k+u) (p x^2 + q)^(-r); Unsupported if it has another shape."""
+    ring = Ring(with_arguments({*variables(body), x}))
+    value = ring.ratio(body)
+    unit, factors = value.num.factor()
+    parts = [*((poly, int(e)) for poly, e in factors), *((poly, -e) for poly, e in value.den.values())]
+    outside, inside = ring.number(fraction(unit)), ring.number(1)
+    power, exponents, base, r = 0, list[Term](), None, list[Term]()
+    quadratic: list[tuple[Poly, int]] = []
+    for poly, e in parts:
+        name = str(poly)
+        if name == x:
+            power += e
+        elif name in atoms() and atoms()[name][0] == "pow" and canonical(atoms()[name][1]) == canonical(x):
+            exponents.append(node("*", e, atoms()[name][2]))
+        elif (
+            name in atoms() and atoms()[name][0] == "pow" and canonical(atoms()[name][1]) == canonical(node("^", x, 2))
+        ):
+            exponents.append(node("*", 2 * e, atoms()[name][2]))
+        elif name in atoms() and atoms()[name][0] == "pow" and x in variables(atoms()[name][1]):
+            if base is not None and canonical(base) != canonical(atoms()[name][1]):
+                raise Unsupported("powers of two bases")
+            base = atoms()[name][1]
+            r.append(node("*", -e, atoms()[name][2]))
+        elif x in occurring(poly):
+            quadratic.append((poly, e))
+        elif e > 0:
+            outside *= poly**e
+        else:
+            inside *= poly**-e
+    base_poly = ring.poly(base) if base is not None else quadratic[0][0] if quadratic else ring.number(1)
+    for poly, e in quadratic:
+        if (scale := proportional(poly, base_poly)) is None:
+            raise Unsupported("two factors that depend on the variable")
+        r.append(-e)
+        outside *= rational(scale**e)
+    powers = by_powers(base_poly, x)
+    if not {2} <= powers.keys() <= {0, 2}:
+        raise Unsupported(f"not a power of p {x}^2 + q")
+    if power < 0:
+        exponents, power = [*exponents, power], 0
+    c = _over(outside, Ratio(outside, {"": (inside, 1)}))
+    u, exponent = (node("+", *terms) if terms else 0 for terms in (exponents, r))
+    return c, power, u, exponent, term_of(powers[2]), term_of(powers.get(0, ring.number(0)))
+
+
+_ABOUT: dict[str, Callable[[Node, Sequence[Node]], Iterator[Instance]]] = {
+    "sqrt": _root,
+    "pow": _power,
+    "gamma": _gamma,
+    "mean": _mean,
+    "integral": _integral,
+    "diverges": _integral,
+}
+
+
+def _over(top: Poly, value: Ratio) -> Term:
+    """The term of a polynomial over the denominator of a value, in lowest terms."""
+    bottom = value.bottom()
+    common = top.gcd(bottom)
+    top, bottom = divmod(top, common)[0], divmod(bottom, common)[0]
+    return term_of(top) if bottom == 1 else node("/", term_of(top), term_of(bottom))

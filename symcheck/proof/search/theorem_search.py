@@ -1,0 +1,200 @@
+"""Statements about functions, proved by theorems: those whose premises can be proved, then what follows from them."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, field, replace
+from functools import partial
+
+from symcheck.core.problems import Applied, Problem
+from symcheck.core.terms import Formula, Term, node
+from symcheck.proof.algebra.facts import Assumed
+from symcheck.proof.algebra.flint import fraction, occurring
+from symcheck.proof.algebra.forms import positive_form, term_of
+from symcheck.proof.algebra.knowledge import Knowledge, ring_of, starting
+from symcheck.proof.algebra.polynomial import Ratio, Ring, unfold, variables, with_arguments
+from symcheck.proof.algebra.variables import Unsupported, atoms, prime
+from symcheck.proof.rules.cases_or import in_cases
+from symcheck.proof.rules.choose import first_of
+from symcheck.proof.rules.each import all_of, prove_all
+from symcheck.proof.rules.enclosure import order_of_numbers
+from symcheck.proof.rules.identity import equations_here, identity_here
+from symcheck.proof.rules.implies import implication
+from symcheck.proof.rules.nonnegative import prove_order
+from symcheck.proof.rules.step import Prove, Step
+from symcheck.proof.rules.theorem import Instance, Said, applied
+from symcheck.proof.search.functions import instances, simplified
+
+MAX_INSTANCES = 40
+MAX_CASES = 4
+
+
+def has_functions(ring: Ring) -> bool:
+    """Whether atoms are among the variables."""
+    return any(name in atoms() for name in ring.names)
+
+
+def prove_with_theorems(problem: Problem, prove_here: Prove) -> Step | None:
+    """A proof of a statement about functions; `prove_here` finishes it when no theorem is left to apply."""
+    plan = _Plan.of(problem)
+    return _Search(prove_here, plan.inner).prove(problem.claim, plan.known, plan.outer)
+
+
+def values_of(term: Term, numbers: Mapping[str, Term]) -> Iterator[Term]:
+    """What a function may be where letters have these numbers; each is still to be proved."""
+    assert isinstance(term, tuple)
+    if term[0] == "diverges":
+        yield from (0, 1)
+        return
+    plain = unfold(term, numbers)
+    name = next(iter(variables(plain)))
+    plan = _Plan.of(Problem("value", node("=", plain, 0)))
+    known = _Search(lambda goal, known: None, plan.inner).all_known(plan.known, plan.outer)
+    value = known.ideal().reduce(known.ring.generator[name])
+    if all(n == "pi" or prime(n) for n in occurring(value)):
+        yield term_of(value)
+
+
+@dataclass
+class _Plan:
+    """The theorems about the functions of a statement: `outer` ones, and `inner` ones that speak of bound variables."""
+
+    definitions: Mapping[str, Term]
+    names: set[str]
+    assumed: Knowledge
+    outer: list[Instance] = field(default_factory=list)
+    inner: list[Instance] = field(default_factory=list)
+    known: Knowledge = field(init=False)
+
+    @classmethod
+    def of(cls, problem: Problem) -> _Plan:
+        """All theorems that may help."""
+        definitions, own = dict(problem.definitions), ring_of(problem)
+        assumed = starting(problem, Ring(with_arguments(own.names), definitions))
+        if problem.claim[0] == "=>":
+            assumed = assumed.assume(problem.claim.formulas[0])
+        plan = cls(definitions, set(own.names), assumed)
+        for instance in _hinted(problem):
+            plan._add(instance, plan.outer)
+        plan._collect()
+        for p in [p for p in map(prime, sorted(plan.names)) if p is not None]:
+            plan._add(applied("root", p), plan.outer)
+        if "pi" in plan.names:
+            plan._add(applied("circle_number"), plan.outer)
+        plan.known = starting(problem, Ring(plan.names, definitions))
+        return plan
+
+    def _collect(self) -> None:
+        seen: set[str] = set()
+        while fresh := sorted(name for name in self.names - seen if name in atoms()):
+            seen |= set(fresh)
+            bound = {x for name in seen for x in atoms()[name].bound}
+            for instance in (i for name in fresh for i in self._instances(name)):
+                about = variables(*instance.terms) if not instance.letter else set()
+                kept = (
+                    self.inner if with_arguments(about) & bound else self.outer
+                )  # nothing is assumed of what is bound
+                if instance not in kept and len(kept) < MAX_INSTANCES:
+                    self._add(instance, kept)
+
+    def _instances(self, name: str) -> Iterator[Instance]:
+        yield from simplified(name, self.assumed)
+        yield from instances(name, self.names)
+
+    def _add(self, instance: Instance, kept: list[Instance]) -> None:
+        try:
+            theorem = instance.said(self.definitions)
+            said = (unfold(formula, self.definitions) for formula in (*theorem.premises, theorem.conclusion))
+            needed = set().union(*map(variables, said))
+        except Unsupported:
+            return
+        kept.append(instance)
+        self.names |= needed
+
+
+def _hinted(problem: Problem) -> list[Instance]:
+    """The theorems that the declaration names."""
+    return [applied(hint.theorem, *hint.terms) for hint in problem.hints if isinstance(hint, Applied)]
+
+
+@dataclass(frozen=True)
+class _Search:
+    prove_here: Prove
+    inner: Sequence[Instance]
+
+    def prove(
+        self, goal: Formula, known: Knowledge, pending: Sequence[Instance], cases: int = MAX_CASES
+    ) -> Step | None:
+        """Assumptions first, then every theorem whose premises hold, then the goal itself, then a case more."""
+        if goal.tag in ("=>", "<=>"):
+            below = partial(self.prove, pending=pending, cases=cases)
+            return (implication if goal.tag == "=>" else all_of)(goal, known, below)
+        for k, instance in enumerate(pending):
+            theorem = _said(instance, known)
+            premises = self._premises(theorem.premises, known)
+            if premises is not None:
+                then = self.prove(goal, known.assume(theorem.conclusion), [*pending[:k], *pending[k + 1 :]], cases)
+                return None if then is None else instance.step(premises, then)
+        proof = equations_here(goal, known) or self.prove_here(goal, known)
+        return proof or (self._by_cases(goal, known, pending, cases) if cases else None)
+
+    def all_known(self, known: Knowledge, pending: Sequence[Instance]) -> Knowledge:
+        """What all theorems say whose premises hold."""
+        for instance in pending:
+            theorem = _said(instance, known)
+            if self._premises(theorem.premises, known) is not None:
+                known = known.assume(theorem.conclusion)
+        return known
+
+    def _premises(self, formulas: Sequence[Formula], known: Knowledge) -> tuple[Step, ...] | None:
+        return prove_all(formulas, known, self._premise)
+
+    def _premise(self, formula: Formula, known: Knowledge) -> Step | None:
+        match formula.tag:
+            case "=":
+                return identity_here(formula, known)
+            case "=>":
+                return implication(formula, known, self._conclusion)
+            case "and":
+                return all_of(formula, known, self._premise)
+            case "or":
+                return first_of(formula, known, self._premise)
+            case "!=":
+                return self.prove_here(formula, known)
+        return prove_order(formula, known) or order_of_numbers(formula, known.ring.definitions)
+
+    def _conclusion(self, formula: Formula, known: Knowledge) -> Step | None:
+        """What a premise says under an assumption about a bound variable, where theorems may speak of that."""
+        proof = self._premise(formula, known)
+        if proof is None and self.inner:
+            return _Search(self._premise, ()).prove(formula, known, self.inner, 0)
+        return proof
+
+    def _by_cases(self, goal: Formula, known: Knowledge, pending: Sequence[Instance], cases: int) -> Step | None:
+        """What a theorem about an integral asks for holds, or it does not."""
+        for instance in (other for other in pending if other.name == "beta"):
+            for premise in _said(instance, known).premises:
+                if premise.tag != ">" or self._premise(premise, known) is not None:
+                    continue
+                t = _deciding(known.ring.ratio(premise.terms[0]), known)
+                if known.sign(t)[0] or known.sign(node("-", t))[0]:
+                    continue  # a case already, and of no use
+                ways, below = (node(">", t, 0), node("<=", t, 0)), replace(known, count=known.count + 1)
+                alternative = Assumed(known.count)
+                split = in_cases(goal, alternative, ways, below, partial(self.prove, pending=pending, cases=cases - 1))
+                return split and applied("dichotomy", t).step([], split)
+        return None
+
+
+def _said(instance: Instance, known: Knowledge) -> Said:
+    return known.ring.remembered(("theorem", instance), lambda: instance.said(known.ring.definitions))
+
+
+def _deciding(value: Ratio, known: Knowledge) -> Term:
+    """The factors of a fraction whose signs are not known, as a term that has its sign."""
+    unit, factors = value.num.factor()
+    rest = known.ring.number(1 if fraction(unit) > 0 else -1)
+    for poly, exponent in factors:
+        if positive_form(poly, known) is None and exponent % 2:
+            rest *= poly
+    return term_of(rest)
