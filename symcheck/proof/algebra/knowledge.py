@@ -100,6 +100,8 @@ class Knowledge:
     def _sign_of_value(self, term: Value) -> tuple[int, Grounds]:
         kind, parts = term.tag, term.terms
         match kind, parts:
+            case "exp", _:
+                return 2, NOTHING
             case "+", _:
                 signs = [self.sign(t) for t in parts]
                 level = max(sign for sign, _ in signs) if all(sign for sign, _ in signs) else 0

@@ -31,7 +31,7 @@ from symcheck.proof.rules.theorem import enclosure
 DIGITS = (6, 12, 20, 30)  # as few as tell two numbers apart
 SIGNS = {"=": {0}, "!=": {-1, 1}, "<": {-1}, "<=": {-1, 0}, ">": {1}, ">=": {0, 1}}  # of left - right
 _EXACT = ("+", "*", "-", "/", "^", "sqrt")
-IRRATIONAL = FUNCTIONS.keys() - {"-"}
+IRRATIONAL = FUNCTIONS.keys() - {"-"} | {"pow", "integral", "sum", "product", "diff"}
 
 
 class Compared(NamedTuple):
@@ -70,7 +70,7 @@ class Numbers:
         found = cls(dict(problem.definitions), dict(chosen or {}), {})
         equations = [(ref, formula.terms) for ref, formula in stated(problem) if formula.tag == "="]
         fixable = {side for _, sides in equations for side in sides if isinstance(side, str)}
-        met = {part for part in subterms(problem.claim) if isinstance(part, str)}
+        met = letters(problem.claim)
         if not met <= {*found.letters, *found.definitions, *fixable}:
             return None
         for _ in equations:  # one may be said in terms of another

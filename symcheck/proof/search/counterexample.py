@@ -10,6 +10,7 @@ import random
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
+from functools import partial
 from itertools import islice, permutations, product
 from math import isqrt, prod
 
@@ -54,11 +55,14 @@ def refute(problem: Problem, prove: Prover = lambda _: None) -> Point | None:
 
     What functions such as integrals are at the point is proved.
     """
-    try:
-        point = refute_numbers(problem) or _point(problem, prove) or refute_at_some(problem)
-        return point or refute_about_angles(problem, prove)
-    except Unsupported:
-        return None
+    ways = (refute_numbers, partial(_point, prove=prove), refute_at_some, partial(refute_about_angles, prove=prove))
+    for way in ways:
+        try:
+            if (point := way(problem)) is not None:
+                return point
+        except Unsupported:
+            continue
+    return None
 
 
 def fails_at(problem: Problem, values: Mapping[str, Term]) -> bool:
@@ -156,6 +160,8 @@ class Search:
     def run(self) -> Point | None:
         """The first candidate that stands the exact test."""
         angles = {turn[1] for turn in map(circle, self.free) if turn is not None}
+        if table().angles.keys() & angles or table().exponentials.keys() & {*self.free}:
+            return None  # their values follow from those of letters
         if angles & {*self.free, "pi"} or len({*map(_key, self.free)}) < len(self.free):
             return None
         for point in self._candidates(sorted(angles)):
