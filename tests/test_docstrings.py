@@ -25,10 +25,6 @@ LEFT_OUT = {
     "SS05",  # a verb in the infinitive: it takes every first word that ends in s, as Moments, for a wrong one
 }
 CHECKS = set(ERROR_MSGS) - LEFT_OUT
-OTHER_FORM = {  # packages whose docstrings give shapes, units, errors and sources in a form of their own
-    "symcheck",
-    *(f"symcheck.numeric.{name}" for name in ("figures", "inertia", "liquid", "random_rotation", "sweep", "wheels")),
-}
 PARAMETERS = {"PR01", "PR02", "PR03"}
 
 
@@ -43,7 +39,7 @@ def public(package: str) -> Iterator[tuple[str, object]]:
             yield f"{package}.{name}", found
 
 
-OBJECTS = dict(pair for package in PACKAGES if package not in OTHER_FORM for pair in public(package))
+OBJECTS = dict(pair for package in PACKAGES for pair in public(package))
 MODULES = sorted({found.__module__ for found in OBJECTS.values()})
 
 

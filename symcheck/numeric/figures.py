@@ -28,8 +28,20 @@ UNDATED: dict[str, dict[str, None]] = {".png": {}, ".pdf": {"CreationDate": None
 
 
 def figures() -> dict[str, Callable[[], Any]]:
-    """All figures by name, in the order of the names. ValueError where two modules give one name to different figures.
+    """All figures by name.
 
+    Returns
+    -------
+    dict
+        Functions without parameters that draw a figure, in the order of their names.
+
+    Raises
+    ------
+    ValueError
+        If two modules give one name to different figures.
+
+    Examples
+    --------
     >>> [name for name in figures() if name.startswith("liquid")]
     ['liquid-frequencies', 'liquid-stability-map', 'liquid-stability-map-of-two-modes']
     """
@@ -43,8 +55,25 @@ def figures() -> dict[str, Callable[[], Any]]:
 
 
 def summary(name: str) -> str:
-    """What the figure of that name shows, in one line; ValueError suggests the nearest name.
+    """What the figure of that name shows, in one line.
 
+    Parameters
+    ----------
+    name
+        Name of a figure, one of `figures`.
+
+    Returns
+    -------
+    str
+        The first line of the docstring of the function that draws it.
+
+    Raises
+    ------
+    ValueError
+        If there is no such figure; the message suggests the nearest name.
+
+    Examples
+    --------
     >>> summary("liquid-frequencies")
     'Frequencies and growth rate of a body with two modes of its liquid, against C - A.'
     """
@@ -52,8 +81,25 @@ def summary(name: str) -> str:
 
 
 def figure(name: str) -> Figure:
-    """The figure of that name, drawn anew; ValueError suggests the nearest name.
+    """The figure of that name, drawn anew.
 
+    Parameters
+    ----------
+    name
+        Name of a figure, one of `figures`.
+
+    Returns
+    -------
+    Figure
+        Matplotlib's figure.
+
+    Raises
+    ------
+    ValueError
+        If there is no such figure; the message suggests the nearest name.
+
+    Examples
+    --------
     >>> len(figure("liquid-frequencies").axes)
     2
     """
@@ -66,8 +112,28 @@ def draw(name: str, output: Path | str) -> Path:
 
     The file appears when it is whole, in the place of one of that name; a pipe or a device gets the bytes, which are
     the same each time.
-    ValueError if there is no such figure, or the file's ending is another; OSError if it cannot be written.
 
+    Parameters
+    ----------
+    name
+        Name of a figure, one of `figures`.
+    output
+        Path of a .png, .pdf or .svg file.
+
+    Returns
+    -------
+    Path
+        The path that was written.
+
+    Raises
+    ------
+    ValueError
+        If there is no such figure, or the file's ending is another.
+    OSError
+        If it cannot be written.
+
+    Examples
+    --------
     >>> import tempfile
     >>> with tempfile.TemporaryDirectory() as folder:
     ...     draw("liquid-frequencies", Path(folder) / "frequencies.svg").name

@@ -36,9 +36,25 @@ def declaration(kernel: Callable[..., Any]) -> Declaration:
 def kernel(paper: str, name: str) -> Callable[..., Any]:
     """The kernel of this name for NumPy arrays and numbers, dask arrays and DataArrays alike.
 
-    Chunks go through the kernel's blocks whatever their size, so that results are those of `out=`, and of plain calls
-    with arrays of more than 512 elements, to the last bit. DataArrays get the units of the kernel's declaration.
+    Parameters
+    ----------
+    paper
+        Key of the paper, as "ignatov2005".
+    name
+        Name of the kernel.
 
+    Returns
+    -------
+    callable
+        The kernel; DataArrays get the units of its declaration.
+
+    Notes
+    -----
+    Chunks go through the kernel's blocks whatever their size, so that results are those of `out=`, and of plain calls
+    with arrays of more than 512 elements, to the last bit.
+
+    Examples
+    --------
     >>> volume = kernel("ignatov2005", "volume_of_three_wheels")
     >>> round(volume(0.5, 1.0), 6)
     2.93465

@@ -38,8 +38,27 @@ def plot_attitude_angles(
     """Draw figure 1: axes y, principal axes x, and the arcs of pitch alpha, yaw beta and roll gamma, in rad.
 
     Each arc is the path of a principal axis in one of the three turns from y: of x_1 in the first two, of x_2 in the
-    third. ValueError if an angle is no finite number; `ax`, if given, must be three-dimensional.
+    third.
 
+    Parameters
+    ----------
+    pitch, yaw, roll
+        Angles alpha, beta and gamma, rad.
+    ax
+        Three-dimensional Axes to draw in; by default those of a new figure.
+
+    Returns
+    -------
+    Axes
+        The Axes.
+
+    Raises
+    ------
+    ValueError
+        If an angle is not a finite number.
+
+    Examples
+    --------
     >>> plot_attitude_angles().get_zlabel()
     'along $y_3$'
     """
@@ -63,10 +82,25 @@ def plot_attitude_angles(
 def plot_equal_moment_axes(moments: ArrayLike = BODY, ax: Axes | None = None) -> Axes:
     """Draw the curves on the unit sphere along which the axes of equal moments move, and the paper's triple (2.9).
 
-    moments  principal moments of inertia, shape (3,), kg m^2
+    Parameters
+    ----------
+    moments
+        Principal moments of inertia, kg m^2; shape (3,).
+    ax
+        Three-dimensional Axes to draw in; by default those of a new figure.
 
-    ValueError if a moment is not positive; `ax`, if given, must be three-dimensional.
+    Returns
+    -------
+    Axes
+        The Axes.
 
+    Raises
+    ------
+    ValueError
+        If a moment is not positive.
+
+    Examples
+    --------
     >>> plot_equal_moment_axes([2, 3, 4.5]).get_xlabel()
     'along $x_1$'
     """
@@ -85,11 +119,27 @@ def plot_equal_moment_axes(moments: ArrayLike = BODY, ax: Axes | None = None) ->
 def plot_bound_of_product(moments: ArrayLike = BODY, axes: ArrayLike | None = None, ax: Axes | None = None) -> Axes:
     """Draw f_1, the greatest product J_1 J_2 J_3 for each J_2 on [0, 3c/2], with its maximum c^3 and the least product.
 
-    moments  principal moments of inertia, shape (3,), kg m^2
-    axes     orientations whose products are marked, shape (n, 3, 3); without them, some that cover all angles evenly
+    Parameters
+    ----------
+    moments
+        Principal moments of inertia, kg m^2; shape (3,).
+    axes
+        Orientations whose products are marked; shape (n, 3, 3). By default some that cover all angles evenly.
+    ax
+        Axes to draw in; by default those of a new figure.
 
-    ValueError as of `bound_at_given_moment` and `product_of_axial_moments`.
+    Returns
+    -------
+    Axes
+        The Axes.
 
+    Raises
+    ------
+    ValueError
+        As `bound_at_given_moment` and `product_of_axial_moments` do.
+
+    Examples
+    --------
     >>> plot_bound_of_product([2, 3, 4]).get_xlabel()
     '$J_2$, kg m$^2$'
     """
@@ -117,14 +167,35 @@ def plot_free_decay(
 ) -> Axes:
     """Draw how the rotation decays, as sqrt(T/T_0), between the fastest and the slowest decay that the roots allow.
 
-    moments  principal moments of inertia, shape (3,), kg m^2
-    damping  damping matrix, shape (3, 3), N m s/rad; without it that of gains 0.1 J_i along the axes of figure 1
-    rate     angular rate at the first time, shape (3,), rad/s
-    times    increasing times, shape (n,), s
+    Parameters
+    ----------
+    moments
+        Principal moments of inertia, kg m^2; shape (3,).
+    damping
+        Damping matrix, N m s/rad; shape (3, 3). By default that of gains 0.1 J_i along the axes of figure 1.
+    rate
+        Angular rate at the first time, rad/s; shape (3,).
+    times
+        Increasing times, s; shape (n,).
+    ax
+        Axes to draw in; by default those of a new figure.
 
+    Returns
+    -------
+    Axes
+        The Axes.
+
+    Raises
+    ------
+    ValueError, FloatingPointError
+        As `free_decay` does.
+
+    Notes
+    -----
     The legend gives the stability degree and the decay rate measured over the last quarter of the times.
-    Errors are those of `free_decay`.
 
+    Examples
+    --------
     >>> plot_free_decay().get_yscale()
     'log'
     """
@@ -151,11 +222,27 @@ def plot_damping_over_pitch(
 ) -> Axes:
     """Draw the stability degree of gains k J_i, in units of k, over the pitch and the ratio of the moments I_1, I_3.
 
-    ratios  increasing I_1/I_3, shape (n,)
-    pitch   increasing alpha, shape (m,), rad
+    Parameters
+    ----------
+    ratios
+        Increasing ratios I_1/I_3; shape (n,).
+    pitch
+        Increasing angles alpha, rad; shape (m,).
+    ax
+        Axes to draw in; by default those of a new figure.
 
-    ValueError if a ratio is not positive.
+    Returns
+    -------
+    Axes
+        The Axes.
 
+    Raises
+    ------
+    ValueError
+        If a ratio is not positive.
+
+    Examples
+    --------
     >>> plot_damping_over_pitch().get_xlabel()
     'pitch, degrees'
     """

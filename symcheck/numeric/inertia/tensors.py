@@ -30,9 +30,15 @@ ROUNDING = 8 * np.finfo(np.float64).eps  # of the sum of three moments
 class PrincipalInertia(NamedTuple):
     """Principal moments of inertia and principal axes.
 
-    moments  ascending, shape (..., 3), kg m^2
-    axes     right-handed, row i is principal axis i in the axes of the tensor, shape (..., 3, 3)
+    Parameters
+    ----------
+    moments
+        Principal moments, ascending, kg m^2; shape (..., 3).
+    axes
+        Right-handed principal axes as rows, in the axes of the tensor; shape (..., 3, 3).
 
+    Examples
+    --------
     >>> moments, axes = PrincipalInertia(np.array([2.0, 3.0, 4.0]), np.eye(3))
     """
 
@@ -43,12 +49,21 @@ class PrincipalInertia(NamedTuple):
 class BoundedProduct(NamedTuple):
     """A product f = J_1 J_2 J_3 of axial moments between its bounds (2.1), each of shape (...), kg^3 m^6.
 
-    value     f
-    least     I_1 I_2 I_3, about principal axes
-    greatest  ((I_1 + I_2 + I_3)/3)^3, about axes of equal moments
-    excess    f - least, without cancellation (mirer2009:2.13.4)
-    deficit   greatest - f, without cancellation (the proof of mirer2009:2.1b)
+    Parameters
+    ----------
+    value
+        The product f.
+    least
+        The bound I_1 I_2 I_3, attained by principal axes.
+    greatest
+        The bound ((I_1 + I_2 + I_3)/3)^3, attained by axes of equal moments.
+    excess
+        Difference f - least, without cancellation (mirer2009:2.13.4).
+    deficit
+        Difference greatest - f, without cancellation (the proof of mirer2009:2.1b).
 
+    Examples
+    --------
     >>> float(product_of_axial_moments([2, 3, 4], np.eye(3)).greatest)
     27.0
     """
@@ -63,10 +78,17 @@ class BoundedProduct(NamedTuple):
 class BoundedSum(NamedTuple):
     """A sum S = J_1 L_1 + J_2 L_2 + J_3 L_3 above its bound (2.18), each of shape (...), kg^3 m^6.
 
-    value   S
-    least   3 I_1 I_2 I_3, about principal axes
-    excess  S - least, without cancellation (mirer2009:2.19.4)
+    Parameters
+    ----------
+    value
+        The sum S.
+    least
+        The bound 3 I_1 I_2 I_3, attained by principal axes.
+    excess
+        Difference S - least, without cancellation (mirer2009:2.19.4).
 
+    Examples
+    --------
     >>> float(sum_of_products([2, 3, 4], np.eye(3)).excess)
     0.0
     """
@@ -80,11 +102,28 @@ class BoundedSum(NamedTuple):
 def principal_inertia(tensor: ArrayLike) -> PrincipalInertia:
     """Principal moments and principal axes of an inertia tensor: T = A^T diag(I_1, I_2, I_3) A.
 
-    tensor  inertia tensor, shape (..., 3, 3), kg m^2
+    Parameters
+    ----------
+    tensor
+        Inertia tensor, kg m^2; shape (..., 3, 3).
 
+    Returns
+    -------
+    PrincipalInertia
+        Moments in ascending order, and right-handed axes.
+
+    Raises
+    ------
+    ValueError
+        If the tensor is not symmetric.
+
+    Notes
+    -----
     The axes are those of LAPACK, the third turned so that they are right-handed; where moments coincide every
-    orthonormal choice is right, and one is returned. ValueError if the tensor is not symmetric.
+    orthonormal choice is right, and one is returned.
 
+    Examples
+    --------
     >>> moments, axes = principal_inertia([[3, 1, 0], [1, 3, 0], [0, 0, 5]])
     >>> moments.round(12).tolist()
     [2.0, 4.0, 5.0]
@@ -94,13 +133,27 @@ def principal_inertia(tensor: ArrayLike) -> PrincipalInertia:
 
 @gufunc("(k),(k,i)->(i,column)", column=3)
 def inertia_tensor(moments: ArrayLike, axes: ArrayLike) -> Array:
-    """The inertia tensor A^T diag(I_1, I_2, I_3) A, shape (..., 3, 3), kg m^2: the inverse of `principal_inertia`.
+    """The inertia tensor A^T diag(I_1, I_2, I_3) A: the inverse of `principal_inertia`.
 
-    moments  principal moments of inertia, shape (..., 3), kg m^2
-    axes     principal axes as rows, shape (..., 3, 3)
+    Parameters
+    ----------
+    moments
+        Principal moments of inertia, kg m^2; shape (..., 3).
+    axes
+        Principal axes as rows; shape (..., 3, 3).
 
-    ValueError if a moment is not positive or the axes are not orthonormal.
+    Returns
+    -------
+    ndarray
+        Shape (..., 3, 3), kg m^2.
 
+    Raises
+    ------
+    ValueError
+        If a moment is not positive or the axes are not orthonormal.
+
+    Examples
+    --------
     >>> inertia_tensor([2, 3, 4], [[0, 1, 0], [-1, 0, 0], [0, 0, 1]]).diagonal().tolist()
     [3.0, 2.0, 4.0]
     """
@@ -110,13 +163,25 @@ def inertia_tensor(moments: ArrayLike, axes: ArrayLike) -> Array:
 
 @gufunc("(i)->(i)")
 def triangle_slack(moments: ArrayLike) -> Array:
-    """By how much the triangle inequalities (2.3) hold: I_1 + I_2 + I_3 - 2 I_i, shape (..., 3), kg m^2.
+    """By how much the triangle inequalities (2.3) hold: I_1 + I_2 + I_3 - 2 I_i.
 
-    moments  principal moments of inertia, shape (..., 3), kg m^2
+    Parameters
+    ----------
+    moments
+        Principal moments of inertia, kg m^2; shape (..., 3).
 
-    Negative where no distribution of mass has these moments, zero for i where all mass lies in the plane across
-    axis i.
+    Returns
+    -------
+    ndarray
+        Shape (..., 3), kg m^2: negative where no distribution of mass has these moments, zero for i where all mass lies
+        in the plane across axis i.
 
+    Notes
+    -----
+    Source: mirer2009:2.3.
+
+    Examples
+    --------
     >>> triangle_slack([1, 2, 4]).tolist()
     [5.0, 3.0, -1.0]
     """
@@ -126,12 +191,25 @@ def triangle_slack(moments: ArrayLike) -> Array:
 
 @gufunc("(i)->(i)")
 def second_moments_of_mass(moments: ArrayLike) -> Array:
-    """The integrals P_i of x_i^2 over the mass from I_1 = P_2 + P_3 and cyclic, shape (..., 3), kg m^2.
+    """The integrals P_i of x_i^2 over the mass from I_1 = P_2 + P_3 and cyclic.
 
-    moments  principal moments of inertia, shape (..., 3), kg m^2; those of a rod, one of them zero, are welcome
+    Parameters
+    ----------
+    moments
+        Principal moments of inertia, kg m^2; shape (..., 3). One may be 0, as for a rod.
 
-    ValueError if the triangle inequalities (2.3) fail by more than the rounding of the moments.
+    Returns
+    -------
+    ndarray
+        Shape (..., 3), kg m^2.
 
+    Raises
+    ------
+    ValueError
+        If the triangle inequalities (2.3) fail by more than the rounding of the moments.
+
+    Examples
+    --------
     >>> second_moments_of_mass([3, 4, 5]).tolist()
     [3.0, 2.0, 1.0]
     """
@@ -145,13 +223,31 @@ def second_moments_of_mass(moments: ArrayLike) -> Array:
 
 @gufunc("(k),(i,k)->(i)")
 def axial_moments(moments: ArrayLike, axes: ArrayLike) -> Array:
-    """Moments of inertia about three axes: J_i = I_1 a_i1^2 + I_2 a_i2^2 + I_3 a_i3^2, shape (..., 3), kg m^2.
+    """Moments of inertia about three axes: J_i = I_1 a_i1^2 + I_2 a_i2^2 + I_3 a_i3^2.
 
-    moments  principal moments of inertia, shape (..., 3), kg m^2
-    axes     orthonormal axes as rows, shape (..., 3, 3)
+    Parameters
+    ----------
+    moments
+        Principal moments of inertia, kg m^2; shape (..., 3).
+    axes
+        Orthonormal axes as rows; shape (..., 3, 3).
 
-    ValueError if a moment is not positive or the axes are not orthonormal. Source: mirer2009:2.0.4.
+    Returns
+    -------
+    ndarray
+        Moments J_i, kg m^2; shape (..., 3).
 
+    Raises
+    ------
+    ValueError
+        If a moment is not positive or the axes are not orthonormal.
+
+    Notes
+    -----
+    Source: mirer2009:2.0.4.
+
+    Examples
+    --------
     >>> axial_moments([2, 3, 4], [[0.6, 0.8, 0], [-0.8, 0.6, 0], [0, 0, 1]]).round(12).tolist()
     [2.64, 2.36, 4.0]
     """
@@ -160,10 +256,31 @@ def axial_moments(moments: ArrayLike, axes: ArrayLike) -> Array:
 
 @gufunc("(k),(i,k)->(i)")
 def second_order_moments(moments: ArrayLike, axes: ArrayLike) -> Array:
-    """The forms L_i = I_2 I_3 a_i1^2 + I_3 I_1 a_i2^2 + I_1 I_2 a_i3^2, shape (..., 3), kg^2 m^4.
+    """The forms L_i = I_2 I_3 a_i1^2 + I_3 I_1 a_i2^2 + I_1 I_2 a_i3^2.
 
-    Parameters and errors are those of `axial_moments`. Source: mirer2009:2.19.
+    Parameters
+    ----------
+    moments
+        Principal moments of inertia, kg m^2; shape (..., 3).
+    axes
+        Orthonormal axes as rows; shape (..., 3, 3).
 
+    Returns
+    -------
+    ndarray
+        Forms L_i, kg^2 m^4; shape (..., 3).
+
+    Raises
+    ------
+    ValueError
+        If a moment is not positive or the axes are not orthonormal.
+
+    Notes
+    -----
+    Source: mirer2009:2.19.
+
+    Examples
+    --------
     >>> second_order_moments([2, 3, 4], np.eye(3)).tolist()
     [12.0, 8.0, 6.0]
     """
@@ -174,9 +291,30 @@ def second_order_moments(moments: ArrayLike, axes: ArrayLike) -> Array:
 def product_of_axial_moments(moments: ArrayLike, axes: ArrayLike) -> BoundedProduct:
     """The product f = J_1 J_2 J_3 with I_1 I_2 I_3 <= f <= ((I_1 + I_2 + I_3)/3)^3 and both distances.
 
-    Parameters and errors are those of `axial_moments`. Excess and deficit are sums of squares with positive factors:
-    never negative, and exact to rounding even where f comes close to a bound. Source: mirer2009:2.1.
+    Parameters
+    ----------
+    moments
+        Principal moments of inertia, kg m^2; shape (..., 3).
+    axes
+        Orthonormal axes as rows; shape (..., 3, 3).
 
+    Returns
+    -------
+    BoundedProduct
+        The product, its bounds, and its distances from them.
+
+    Raises
+    ------
+    ValueError
+        If a moment is not positive or the axes are not orthonormal.
+
+    Notes
+    -----
+    Excess and deficit are sums of squares with positive factors: never negative, and exact to rounding even where f
+    comes close to a bound. Source: mirer2009:2.1.
+
+    Examples
+    --------
     >>> f = product_of_axial_moments([2, 3, 4], [[0.6, 0.8, 0], [-0.8, 0.6, 0], [0, 0, 1]])
     >>> np.round(f, 10).tolist()
     [24.9216, 24.0, 27.0, 0.9216, 2.0784]
@@ -191,8 +329,29 @@ def product_of_axial_moments(moments: ArrayLike, axes: ArrayLike) -> BoundedProd
 def sum_of_products(moments: ArrayLike, axes: ArrayLike) -> BoundedSum:
     """The sum S = J_1 L_1 + J_2 L_2 + J_3 L_3 with S >= 3 I_1 I_2 I_3 and the distance from this bound.
 
-    Parameters and errors are those of `axial_moments`. Source: mirer2009:2.18.
+    Parameters
+    ----------
+    moments
+        Principal moments of inertia, kg m^2; shape (..., 3).
+    axes
+        Orthonormal axes as rows; shape (..., 3, 3).
 
+    Returns
+    -------
+    BoundedSum
+        The sum, its bound, and its distance from it.
+
+    Raises
+    ------
+    ValueError
+        If a moment is not positive or the axes are not orthonormal.
+
+    Notes
+    -----
+    Source: mirer2009:2.18.
+
+    Examples
+    --------
     >>> s = sum_of_products([2, 3, 4], [[0.6, 0.8, 0], [-0.8, 0.6, 0], [0, 0, 1]])
     >>> np.round(s, 10).tolist()
     [73.8432, 72.0, 1.8432]
@@ -204,14 +363,31 @@ def sum_of_products(moments: ArrayLike, axes: ArrayLike) -> BoundedSum:
 
 @gufunc("(k),()->()")
 def bound_at_given_moment(moments: ArrayLike, moment: ArrayLike) -> Array:
-    """The greatest product J_1 J_2 J_3 for a given J_2: f_1 = J_2 (3c - J_2)^2/4, shape (...), kg^3 m^6.
+    """The greatest product J_1 J_2 J_3 for a given J_2: f_1 = J_2 (3c - J_2)^2/4.
 
-    moments  principal moments of inertia, shape (..., 3), kg m^2; c is their mean
-    moment   J_2, shape (...), kg m^2
+    Parameters
+    ----------
+    moments
+        Principal moments of inertia, kg m^2; shape (..., 3). Their mean is c.
+    moment
+        Moment J_2, kg m^2; shape (...).
 
-    ValueError if a moment is not positive, the triangle inequalities (2.3) fail, or J_2 is outside [0, 3c/2].
+    Returns
+    -------
+    ndarray
+        Shape (...), kg^3 m^6.
+
+    Raises
+    ------
+    ValueError
+        If a moment is not positive, the triangle inequalities (2.3) fail, or J_2 is outside [0, 3c/2].
+
+    Notes
+    -----
     Source: mirer2009:2.2.2.
 
+    Examples
+    --------
     >>> bound_at_given_moment([2, 3, 4], [0, 3, 4.5]).tolist()
     [0.0, 27.0, 22.78125]
     """

@@ -20,12 +20,30 @@ MOMENT = "C − A, kg m²"
 def plot_stability_map(found: StabilityMap, ax: Axes | None = None) -> Axes:
     """The growth rate as colour over C - A and the first mode's natural frequency, with the boundary of stability.
 
-    found  a StabilityMap whose Delta and b_1 rise, from `stability_map`
-    ax     the Axes to draw in; a figure of its own without
+    Parameters
+    ----------
+    found
+        Result of `stability_map` whose Delta and b_1 increase.
+    ax
+        Axes to draw in; by default those of a new figure.
 
-    Returns the Axes, with C - A in kg m^2 and lambda_1/omega_0; a colour bar tells the growth rate in 1/s. White is
-    stable. The boundary is that of `unstable_intervals`, for one mode (1.35). ValueError where an axis does not rise.
+    Returns
+    -------
+    Axes
+        The Axes.
 
+    Raises
+    ------
+    ValueError
+        If an axis of the map does not increase.
+
+    Notes
+    -----
+    A colour bar gives the growth rate; white is stable. The boundary is that of `unstable_intervals`, for one mode
+    (1.35).
+
+    Examples
+    --------
     >>> found = stability_map(1.0, [0.2], np.linspace(-0.99, 0.2, 40), np.linspace(-0.2, 1.2, 30))
     >>> plot_stability_map(found).get_xlabel()
     'C − A, kg m²'
@@ -53,13 +71,37 @@ def plot_frequencies(
 ) -> Any:
     """The frequencies against C - A, above, and below them the growth rate.
 
-    A, E_n, lambda_n, omega_0  as for `unstable_intervals`
-    Delta                      C - A, kg m^2, rising and greater than -A; shape (p,)
-    axes                       two Axes to draw in; a figure of its own without
+    Parameters
+    ----------
+    A
+        Transverse moment of inertia with the liquid at rest, kg m^2; positive.
+    E_n
+        Moments of inertia that the modes carry, kg m^2; shape (N,), positive, together less than A.
+    lambda_n
+        Natural frequencies of the modes, rad/s; shape (N,).
+    omega_0
+        Spin, rad/s; positive.
+    Delta
+        Values of C - A, kg m^2; shape (p,), increasing and greater than -A.
+    axes
+        Two Axes to draw in; by default those of a new figure.
 
-    Returns the two Axes in an array. Where two frequencies are a conjugate pair their real part is drawn in red.
-    ValueError names an argument that does not fit. Source: (1.31).
+    Returns
+    -------
+    ndarray
+        Two Axes.
 
+    Raises
+    ------
+    ValueError
+        If an argument does not fit; the message names it.
+
+    Notes
+    -----
+    Where two frequencies are a conjugate pair their real part is drawn in red. Source: (1.31).
+
+    Examples
+    --------
     >>> upper, lower = plot_frequencies(1.0, [0.2], [0.5], 1.0, np.linspace(-0.99, 0.5, 40))
     >>> upper.get_ylabel(), lower.get_ylabel()
     ('frequency η, rad/s', 'growth rate, 1/s')

@@ -28,24 +28,52 @@ EPSILON = np.finfo(np.float64).eps
 
 
 class Stability(NamedTuple):
-    """Frequencies, and what they mean for the body; see `stability`."""
+    """Frequencies of a body with liquid, and what they mean for it; see `stability`.
 
-    frequencies: NDArray[np.complex128]  # (..., N + 1), rad/s
-    growth_rate: Array  # (...), 1/s
-    stable: NDArray[np.bool_]  # (...)
+    Parameters
+    ----------
+    frequencies
+        Frequencies, rad/s; shape (..., N + 1).
+    growth_rate
+        Growth rate, 1/s; shape (...).
+    stable
+        Whether no motion grows; shape (...).
+    """
+
+    frequencies: NDArray[np.complex128]
+    growth_rate: Array
+    stable: NDArray[np.bool_]
 
 
 @gufunc("(),(),()->()")
 def mode_inertia(a_n: ArrayLike, chi_n: ArrayLike, N_n: ArrayLike) -> Array:
     """The moment of inertia that a mode of the liquid carries, E_n = a_n chi_n / N_n^2.
 
-    a_n    angular momentum of the liquid for the amplitude 1 of the mode, kg m; any shape
-    chi_n  coupling of the mode to the turning body, m^4; its amplitude is counted so that a_n chi_n > 0
-    N_n    norm of the mode, m^(3/2); positive
+    Parameters
+    ----------
+    a_n
+        Angular momentum of the liquid for the amplitude 1 of the mode, kg m; any shape.
+    chi_n
+        Coupling of the mode to the turning body, m^4; its amplitude is counted so that a_n chi_n > 0.
+    N_n
+        Norm of the mode, m^(3/2); positive.
 
-    Returns E_n in kg m^2, of the broadcast shape. ValueError where a number is not finite, N_n is not positive, or a
-    mode carries nothing (B.1). Source: (1.32), with the equation of the modes before it.
+    Returns
+    -------
+    ndarray
+        Moment of inertia E_n, kg m^2, of the broadcast shape.
 
+    Raises
+    ------
+    ValueError
+        If a number is not finite, N_n is not positive, or a mode carries nothing (B.1).
+
+    Notes
+    -----
+    Source: (1.32), with the equation of the modes before it.
+
+    Examples
+    --------
     >>> mode_inertia([3.0, 1.0], 0.5, 2.0).tolist()
     [0.375, 0.125]
     """
@@ -70,15 +98,15 @@ def stability(A: ArrayLike, C: ArrayLike, E_n: ArrayLike, lambda_n: ArrayLike, o
     Parameters
     ----------
     A
-        Transverse moment of inertia, with the liquid at rest, kg m^2; shape (...), positive.
+        Transverse moment of inertia with the liquid at rest, kg m^2; shape (...), positive.
     C
-        Axial moment of inertia, kg m^2; (...), positive.
+        Axial moment of inertia, kg m^2; shape (...), positive.
     E_n
-        Moments of inertia that the modes carry, kg m^2; (..., N), positive, together less than A.
+        Moments of inertia that the modes carry, kg m^2; shape (..., N), positive, together less than A.
     lambda_n
-        Natural frequencies of the modes, rad/s; (..., N).
+        Natural frequencies of the modes, rad/s; shape (..., N).
     omega_0
-        Spin, rad/s; (...), positive.
+        Spin, rad/s; shape (...), positive.
 
     Returns
     -------
@@ -124,8 +152,37 @@ def stability(A: ArrayLike, C: ArrayLike, E_n: ArrayLike, lambda_n: ArrayLike, o
 def frequencies(
     A: ArrayLike, C: ArrayLike, E_n: ArrayLike, lambda_n: ArrayLike, omega_0: ArrayLike
 ) -> NDArray[np.complex128]:
-    """The frequencies eta in rad/s alone, shape (..., N + 1): all else is said at `stability`.
+    """The frequencies eta alone.
 
+    Parameters
+    ----------
+    A
+        Transverse moment of inertia with the liquid at rest, kg m^2; shape (...), positive.
+    C
+        Axial moment of inertia, kg m^2; shape (...), positive.
+    E_n
+        Moments of inertia that the modes carry, kg m^2; shape (..., N), positive, together less than A.
+    lambda_n
+        Natural frequencies of the modes, rad/s; shape (..., N).
+    omega_0
+        Spin, rad/s; shape (...), positive.
+
+    Returns
+    -------
+    ndarray
+        Frequencies eta, rad/s; shape (..., N + 1).
+
+    Raises
+    ------
+    ValueError
+        As `stability` does.
+
+    Notes
+    -----
+    Accuracy and sources are those of `stability`.
+
+    Examples
+    --------
     >>> frequencies(A=1.0, C=0.5, E_n=[0.2, 0.1], lambda_n=[0.5, -1.0], omega_0=1.0).round(6).tolist()
     [(-1.188412+0j), (0.487063-0.251576j), (0.487063+0.251576j)]
     """
@@ -134,8 +191,37 @@ def frequencies(
 
 @gufunc("(),(),(n),(n),()->()")
 def growth_rate(A: ArrayLike, C: ArrayLike, E_n: ArrayLike, lambda_n: ArrayLike, omega_0: ArrayLike) -> Array:
-    """The rate max |Im eta| at which the fastest motion grows, in 1/s, shape (...): all else is said at `stability`.
+    """The rate max |Im eta| at which the fastest motion grows.
 
+    Parameters
+    ----------
+    A
+        Transverse moment of inertia with the liquid at rest, kg m^2; shape (...), positive.
+    C
+        Axial moment of inertia, kg m^2; shape (...), positive.
+    E_n
+        Moments of inertia that the modes carry, kg m^2; shape (..., N), positive, together less than A.
+    lambda_n
+        Natural frequencies of the modes, rad/s; shape (..., N).
+    omega_0
+        Spin, rad/s; shape (...), positive.
+
+    Returns
+    -------
+    ndarray
+        Shape (...), 1/s.
+
+    Raises
+    ------
+    ValueError
+        As `stability` does.
+
+    Notes
+    -----
+    Accuracy and sources are those of `stability`.
+
+    Examples
+    --------
     >>> growth_rate(A=1.0, C=[0.4, 0.5, 1.5], E_n=[0.2], lambda_n=[0.5], omega_0=1.0).round(6).tolist()
     [0.242061, 0.25, 0.0]
     """
@@ -144,8 +230,37 @@ def growth_rate(A: ArrayLike, C: ArrayLike, E_n: ArrayLike, lambda_n: ArrayLike,
 
 @gufunc("(),(),(n),(n),()->()")
 def is_stable(A: ArrayLike, C: ArrayLike, E_n: ArrayLike, lambda_n: ArrayLike, omega_0: ArrayLike) -> NDArray[np.bool_]:
-    """Whether no motion grows, shape (...): all else is said at `stability`.
+    """Whether no motion grows.
 
+    Parameters
+    ----------
+    A
+        Transverse moment of inertia with the liquid at rest, kg m^2; shape (...), positive.
+    C
+        Axial moment of inertia, kg m^2; shape (...), positive.
+    E_n
+        Moments of inertia that the modes carry, kg m^2; shape (..., N), positive, together less than A.
+    lambda_n
+        Natural frequencies of the modes, rad/s; shape (..., N).
+    omega_0
+        Spin, rad/s; shape (...), positive.
+
+    Returns
+    -------
+    ndarray
+        Shape (...).
+
+    Raises
+    ------
+    ValueError
+        As `stability` does.
+
+    Notes
+    -----
+    Accuracy and sources are those of `stability`.
+
+    Examples
+    --------
     >>> is_stable(A=1.0, C=[0.5, 1.5], E_n=[0.2], lambda_n=[0.5], omega_0=1.0).tolist()
     [False, True]
     """

@@ -23,10 +23,33 @@ from symcheck.numeric.random_rotation.checks import equatorial, evaluated, order
 def density_of_amplitude(a: ArrayLike, alpha: ArrayLike, beta: ArrayLike, gamma: ArrayLike) -> Array:
     """The stationary density of the amplitude, p(a) = 8 C_1 a (3 alpha^2 a^2 + 4 beta^2)^kappa_1.
 
-    a  amplitude, rad/s; not negative
+    Parameters
+    ----------
+    a
+        Amplitude, rad/s; not negative.
+    alpha
+        Multiplicative noise, s^(-1/2); positive.
+    beta
+        Additive noise, rad s^(-3/2); positive.
+    gamma
+        Dissipation, s^(-1/2); 2 gamma > alpha.
 
-    Returns p in s/rad. ValueError where a < 0 or no density exists. Source: (3.4), (3.5), B.2.
+    Returns
+    -------
+    ndarray
+        Density, s/rad.
 
+    Raises
+    ------
+    ValueError
+        If a < 0 or no stationary density exists.
+
+    Notes
+    -----
+    Source: (3.4), (3.5), B.2.
+
+    Examples
+    --------
     >>> density_of_amplitude([0.0, 0.5, 1.0], 1.0, 3**0.5 / 2, 1.0).round(4).tolist()
     [0.0, 0.64, 0.5]
     """
@@ -37,10 +60,33 @@ def density_of_amplitude(a: ArrayLike, alpha: ArrayLike, beta: ArrayLike, gamma:
 def distribution_of_amplitude(a: ArrayLike, alpha: ArrayLike, beta: ArrayLike, gamma: ArrayLike) -> Array:
     """The probability that the amplitude is at most a, F = 1 - (1 + 3 alpha^2 a^2/(4 beta^2))^(kappa_1 + 1).
 
-    a  amplitude, rad/s; not negative
+    Parameters
+    ----------
+    a
+        Amplitude, rad/s; not negative.
+    alpha
+        Multiplicative noise, s^(-1/2); positive.
+    beta
+        Additive noise, rad s^(-3/2); positive.
+    gamma
+        Dissipation, s^(-1/2); 2 gamma > alpha.
 
-    Returns F. ValueError where a < 0 or no density exists. Source: B.3.
+    Returns
+    -------
+    ndarray
+        Probability.
 
+    Raises
+    ------
+    ValueError
+        If a < 0 or no stationary density exists.
+
+    Notes
+    -----
+    Source: B.3.
+
+    Examples
+    --------
     >>> float(distribution_of_amplitude(1.0, 1.0, 3**0.5 / 2, 1.0).round(4))
     0.5
     """
@@ -52,11 +98,34 @@ def distribution_of_amplitude(a: ArrayLike, alpha: ArrayLike, beta: ArrayLike, g
 def quantile_of_amplitude(q: ArrayLike, alpha: ArrayLike, beta: ArrayLike, gamma: ArrayLike) -> Array:
     """The amplitude that is exceeded with the probability 1 - q.
 
-    q  probability, 0 < q < 1
+    Parameters
+    ----------
+    q
+        Probability, 0 < q < 1.
+    alpha
+        Multiplicative noise, s^(-1/2); positive.
+    beta
+        Additive noise, rad s^(-3/2); positive.
+    gamma
+        Dissipation, s^(-1/2); 2 gamma > alpha.
 
-    Returns a in rad/s. ValueError where q is no such probability, no density exists, or the quantile exceeds all
-    doubles (near 4 gamma^2 = alpha^2). Source: B.4.
+    Returns
+    -------
+    ndarray
+        Amplitude, rad/s.
 
+    Raises
+    ------
+    ValueError
+        If q is not such a probability, no stationary density exists, or the quantile exceeds all doubles (near 4
+        gamma^2 = alpha^2).
+
+    Notes
+    -----
+    Source: B.4.
+
+    Examples
+    --------
     >>> float(quantile_of_amplitude(0.5, 1.0, 3**0.5 / 2, 1.0).round(4))
     1.0
     """
@@ -68,11 +137,33 @@ def quantile_of_amplitude(q: ArrayLike, alpha: ArrayLike, beta: ArrayLike, gamma
 def moment_of_amplitude(m: ArrayLike, alpha: ArrayLike, beta: ArrayLike, gamma: ArrayLike) -> Array:
     """The mean of a^m.
 
-    m  order, any real number that is not negative; accuracy is shown up to 8
+    Parameters
+    ----------
+    m
+        Order, any real number that is not negative; accuracy is shown up to 8.
+    alpha
+        Multiplicative noise, s^(-1/2); positive.
+    beta
+        Additive noise, rad s^(-3/2); positive.
+    gamma
+        Dissipation, s^(-1/2); 2 gamma > alpha.
 
-    Returns the moment in (rad/s)^m. ValueError where it is infinite: 8 gamma^2 > alpha^2 (2 + 3 m) has to hold.
+    Returns
+    -------
+    ndarray
+        Moment, (rad/s)^m.
+
+    Raises
+    ------
+    ValueError
+        If the moment is infinite: 8 gamma^2 > alpha^2 (2 + 3 m) has to hold.
+
+    Notes
+    -----
     Source: 4.0.9, B.6.
 
+    Examples
+    --------
     >>> moment_of_amplitude([0, 1], 1.0, 3**0.5 / 2, 1.5).round(4).tolist()
     [1.0, 0.6375]
     """
@@ -88,8 +179,31 @@ def moment_of_amplitude(m: ArrayLike, alpha: ArrayLike, beta: ArrayLike, gamma: 
 def mean_square_of_amplitude(alpha: ArrayLike, beta: ArrayLike, gamma: ArrayLike) -> Array:
     """The mean of a^2, beta^2/(gamma^2 - alpha^2).
 
-    Returns it in rad^2/s^2. ValueError where it is infinite: gamma > alpha has to hold. Source: 4.0.9, B.8.
+    Parameters
+    ----------
+    alpha
+        Multiplicative noise, s^(-1/2); positive.
+    beta
+        Additive noise, rad s^(-3/2); positive.
+    gamma
+        Dissipation, s^(-1/2); 2 gamma > alpha.
 
+    Returns
+    -------
+    ndarray
+        Mean square, rad^2/s^2.
+
+    Raises
+    ------
+    ValueError
+        If it is infinite: gamma > alpha has to hold.
+
+    Notes
+    -----
+    Source: 4.0.9, B.8.
+
+    Examples
+    --------
     >>> float(mean_square_of_amplitude(1.0, 2.0, 3.0))
     0.5
     """
@@ -102,8 +216,31 @@ def mean_square_of_amplitude(alpha: ArrayLike, beta: ArrayLike, gamma: ArrayLike
 def mode_of_amplitude(alpha: ArrayLike, beta: ArrayLike, gamma: ArrayLike) -> Array:
     """The most probable amplitude, 2 beta/sqrt(8 gamma^2 + alpha^2).
 
-    Returns it in rad/s. ValueError where no density exists. Source: 4.0.13.
+    Parameters
+    ----------
+    alpha
+        Multiplicative noise, s^(-1/2); positive.
+    beta
+        Additive noise, rad s^(-3/2); positive.
+    gamma
+        Dissipation, s^(-1/2); 2 gamma > alpha.
 
+    Returns
+    -------
+    ndarray
+        Amplitude, rad/s.
+
+    Raises
+    ------
+    ValueError
+        If a stationary density does not exist.
+
+    Notes
+    -----
+    Source: 4.0.13.
+
+    Examples
+    --------
     >>> float(mode_of_amplitude(1.0, 0.75, 1.0))
     0.5
     """
@@ -114,8 +251,31 @@ def mode_of_amplitude(alpha: ArrayLike, beta: ArrayLike, gamma: ArrayLike) -> Ar
 def logarithm_of_constant_of_amplitude(alpha: ArrayLike, beta: ArrayLike, gamma: ArrayLike) -> Array:
     """The logarithm of C_1 in p(a) = 8 C_1 a (3 alpha^2 a^2 + 4 beta^2)^kappa_1; the constant itself may be no double.
 
-    Returns log C_1. ValueError where no density exists. Source: (3.4), B.2.
+    Parameters
+    ----------
+    alpha
+        Multiplicative noise, s^(-1/2); positive.
+    beta
+        Additive noise, rad s^(-3/2); positive.
+    gamma
+        Dissipation, s^(-1/2); 2 gamma > alpha.
 
+    Returns
+    -------
+    ndarray
+        Logarithm of C_1.
+
+    Raises
+    ------
+    ValueError
+        If a stationary density does not exist.
+
+    Notes
+    -----
+    Source: (3.4), B.2.
+
+    Examples
+    --------
     >>> from math import exp
     >>> round(exp(logarithm_of_constant_of_amplitude(1.0, 3**0.5 / 2, 1.0)), 4)
     2.25

@@ -27,9 +27,15 @@ ENGINES = ("numpy", "numba")  # <engine>_engine.py, which needs the package of t
 class Ensemble(NamedTuple):
     """Recorded sample paths.
 
-    time              s, shape (records,)
-    angular_velocity  x in principal axes, rad/s, shape (records, paths, 3)
+    Parameters
+    ----------
+    time
+        Times, s; shape (records,).
+    angular_velocity
+        Angular velocities x in principal axes, rad/s; shape (records, paths, 3).
 
+    Examples
+    --------
     >>> Ensemble(np.array([2.0]), np.array([[[1.0, 0.0, 3.0]]])).angular_velocity.shape
     (1, 1, 3)
     """
@@ -53,19 +59,47 @@ def simulate(
 ) -> Ensemble:
     """Sample paths of system (1.1) with independent noises, from time 0 on.
 
-    torques  coefficients of the system
-    start    angular velocities at time 0, rad/s, shape (paths, 3)
-    step     s; g_1j^2 epsilon step must not exceed 0.04
-    steps    number of steps
-    seed     of the noises, a whole number from 0 on
-    every    record after every so many steps, by default at the end only; `steps` must be a multiple of it
-    first    number of the first path: an ensemble in pieces is the same ensemble
-    workers  threads
-    engine   "numpy", or "numba" (needs Numba), which gives the same paths to rounding
+    Parameters
+    ----------
+    torques
+        Coefficients of the system.
+    start
+        Angular velocities at time 0, rad/s; shape (paths, 3).
+    step
+        Time step, s; g_1j^2 epsilon step must not exceed 0.04.
+    steps
+        Number of steps.
+    seed
+        Seed of the noises, an integer from 0 on.
+    every
+        Number of steps between records, a divisor of `steps`; by default only the end is recorded.
+    first
+        Number of the first path: an ensemble in pieces is the same ensemble.
+    workers
+        Number of threads.
+    engine
+        "numpy", or "numba" (needs Numba), which gives the same paths to rounding.
 
-    Returns an `Ensemble`. ValueError names what does not fit, ImportError says if Numba is missing, FloatingPointError
-    if a path leaves the finite numbers. Source: (1.1), 1.1.10.
+    Returns
+    -------
+    Ensemble
+        Recorded times and angular velocities.
 
+    Raises
+    ------
+    ValueError
+        If an argument does not fit; the message names it.
+    ImportError
+        If Numba is missing.
+    FloatingPointError
+        If a path leaves the finite numbers.
+
+    Notes
+    -----
+    Source: (1.1), 1.1.10.
+
+    Examples
+    --------
     >>> D = [[1, 0.3, 0.2], [0.2, 0.5, 0.1], [0.2, 0.1, 0.9]]
     >>> torques = RandomTorques(0.01, 0.6, D, g_1=[0.6, 0.8, 0.7], g_2=[1, 0, 1])
     >>> start = [[1.0, 0.0, 2.0]] * 1000

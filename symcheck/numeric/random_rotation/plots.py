@@ -21,12 +21,31 @@ POINTS, BINS = 401, 60
 def plot_amplitude(alpha: float, beta: float, gamma: float, *, sample: ArrayLike | None = None, ax: Any = None) -> Any:
     """The stationary density of the amplitude, over the histogram of a sample if one is given (figure 1).
 
-    alpha, beta, gamma  as in `density_of_amplitude`, numbers
-    sample              amplitudes in rad/s, any shape
-    ax                  Matplotlib's axes to draw on; without them a new figure is made
+    Parameters
+    ----------
+    alpha, beta, gamma
+        Parameters of `density_of_amplitude`; one number each.
+    sample
+        Amplitudes, rad/s, of any shape, drawn as a histogram.
+    ax
+        Axes to draw in; by default those of a new figure.
 
-    Returns the axes. ValueError where no density exists, or a parameter is no number. Source: (3.4), 4.0.20.
+    Returns
+    -------
+    Axes
+        The Axes.
 
+    Raises
+    ------
+    ValueError
+        If no stationary density exists, or a parameter is not one number.
+
+    Notes
+    -----
+    Source: (3.4), 4.0.20.
+
+    Examples
+    --------
     >>> plot_amplitude(1.0, 0.75**0.5, 1.0).get_xlabel()
     'amplitude a, rad/s'
     """
@@ -41,12 +60,31 @@ def plot_frequency(
 ) -> Any:
     """The stationary density of the frequency, over the histogram of a sample if one is given (figure 2).
 
-    k, g_13, g_23, d_33  as in `density_of_frequency`, numbers
-    sample               frequencies in rad/s, any shape
-    ax                   Matplotlib's axes to draw on; without them a new figure is made
+    Parameters
+    ----------
+    k, g_13, g_23, d_33
+        Parameters of `density_of_frequency`; one number each.
+    sample
+        Frequencies, rad/s, of any shape, drawn as a histogram.
+    ax
+        Axes to draw in; by default those of a new figure.
 
-    Returns the axes. ValueError where no density exists, or a parameter is no number. Source: (3.5), 4.0.20.
+    Returns
+    -------
+    Axes
+        The Axes.
 
+    Raises
+    ------
+    ValueError
+        If no stationary density exists, or a parameter is not one number.
+
+    Notes
+    -----
+    Source: (3.5), 4.0.20.
+
+    Examples
+    --------
     >>> plot_frequency(0.6, 1.0, 1.0, 1.5).get_ylabel()
     'density, s/rad'
     """
@@ -59,13 +97,33 @@ def plot_frequency(
 def plot_paths(ensemble: Ensemble, k: float, *, paths: int = 5, axes: Any = None) -> Any:
     """Amplitude and frequency of the first sample paths against time.
 
-    ensemble  from `simulate` with `every`
-    k         (A - C)/A, a number
-    paths     how many
-    axes      two of Matplotlib's axes; without them a new figure is made
+    Parameters
+    ----------
+    ensemble
+        Result of `simulate` with `every`.
+    k
+        Ratio (A - C)/A of the moments of inertia; one number.
+    paths
+        Number of paths.
+    axes
+        Two Axes to draw in; by default those of a new figure.
 
-    Returns the two axes. ValueError if k does not fit. Source: (2.3).
+    Returns
+    -------
+    ndarray
+        Two Axes.
 
+    Raises
+    ------
+    ValueError
+        If k is not positive.
+
+    Notes
+    -----
+    Source: (2.3).
+
+    Examples
+    --------
     >>> from symcheck.numeric.random_rotation import RandomTorques, simulate
     >>> D = [[1, 0.3, 0.2], [0.2, 0.5, 0.1], [0.2, 0.1, 0.9]]
     >>> torques = RandomTorques(0.01, 0.6, D, g_1=[0.6, 0.8, 0.7], g_2=[1, 0, 1])

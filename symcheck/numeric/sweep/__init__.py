@@ -55,15 +55,39 @@ def sweep(
 ) -> str:
     """Run a sweep, or go on with one that was stopped, and say what was done.
 
-    spec       the TOML file
-    out        FILE.zarr or FILE.nc; it appears when all is done, until then the sweep is in OUT.partial.zarr
-    scheduler  address of a dask.distributed scheduler; threads of this process without one
-    threads    how many
-    chunks     points of a chunk along the axes named; as many as fit in `memory` bytes of results along others
-    patience   seconds to wait for the scheduler and for workers
-    progress   is told how many chunks are done, of how many
+    Parameters
+    ----------
+    spec
+        The TOML file.
+    out
+        Path FILE.zarr or FILE.nc; it appears when all is done, until then the sweep is in OUT.partial.zarr.
+    scheduler
+        Address of a dask.distributed scheduler; by default threads of this process compute.
+    threads
+        Number of threads.
+    chunks
+        Points of a chunk along the axes named; along others as many as fit in `memory`.
+    memory
+        Bytes of results in a chunk.
+    patience
+        Seconds to wait for the scheduler and for workers.
+    progress
+        Called with the number of chunks done and that of all chunks.
 
-    SweepError says in one line what does not fit, or what keeps it from going on; KeyboardInterrupt says what is kept.
+    Returns
+    -------
+    str
+        One line that says what was done.
+
+    Raises
+    ------
+    SweepError
+        One line that says what does not fit, or what keeps it from going on.
+    KeyboardInterrupt
+        With a message that says what is kept.
+
+    Notes
+    -----
     Values do not depend on chunks, threads or workers, as long as these have processors of one kind.
     """
     out = _place(out)

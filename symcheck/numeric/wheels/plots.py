@@ -28,10 +28,29 @@ Names = Mapping[str, ArrayLike]
 def plot_axes(axes: ArrayLike, ax: Axes | None = None) -> Axes:
     """Draw the axes of wheels as unit vectors e_1, ..., e_n from one point: figures 1 and 6.
 
-    axes  (n, 3), unit vectors
+    Parameters
+    ----------
+    axes
+        Unit vectors; shape (n, 3).
+    ax
+        Axes to draw in; by default those of a new figure.
 
-    Returns the Axes, in space. ValueError if the axes are not unit vectors. Source: figures 1, 6.
+    Returns
+    -------
+    Axes
+        The Axes.
 
+    Raises
+    ------
+    ValueError
+        If the axes are not unit vectors.
+
+    Notes
+    -----
+    Source: figures 1 and 6.
+
+    Examples
+    --------
     >>> from symcheck.numeric.wheels import six_wheels
     >>> plot_axes(six_wheels(1.0)).get_zlabel()
     'Z'
@@ -51,11 +70,31 @@ def plot_axes(axes: ArrayLike, ax: Axes | None = None) -> Axes:
 def plot_envelope(found: Envelope, names: Names | None = None, ax: Axes | None = None) -> Axes:
     """Draw a momentum envelope in space, with the names of the vertices that are seen: figures 2, 4, 7, 10.
 
-    found  the envelope
-    names  places, shape (3,), by name: "V_1"; without it the vertices are numbered as in `found.vertices`
+    Parameters
+    ----------
+    found
+        The envelope.
+    names
+        Places, shape (3,), by name, as "V_1"; by default the vertices are numbered.
+    ax
+        Axes to draw in; by default those of a new figure.
 
-    Returns the Axes, in space. ValueError if a name stands for no vertex. Source: figures 2, 4, 7, 10.
+    Returns
+    -------
+    Axes
+        The Axes.
 
+    Raises
+    ------
+    ValueError
+        If a name stands for no vertex.
+
+    Notes
+    -----
+    Source: figures 2, 4, 7, 10.
+
+    Examples
+    --------
     >>> from symcheck.numeric.wheels import four_wheels
     >>> plot_envelope(envelope(four_wheels(1.0, 0.5))).get_xlabel()
     '$H_x$, N m s'
@@ -81,12 +120,33 @@ def plot_envelope(found: Envelope, names: Names | None = None, ax: Axes | None =
 def plot_projection(found: Envelope, plane: str = "XY", names: Names | None = None, ax: Axes | None = None) -> Axes:
     """Draw the projection of a momentum envelope on a coordinate plane, with the names of what is seen: figures 9, 12.
 
-    found  the envelope
-    plane  "XY", "XZ" or "YZ": across, then up; the viewer is where these turn counterclockwise
-    names  as in `plot_envelope`; an empty mapping leaves the names out
+    Parameters
+    ----------
+    found
+        The envelope.
+    plane
+        Plane "XY", "XZ" or "YZ": across, then up; the viewer is where these turn counterclockwise.
+    names
+        Places, shape (3,), by name; an empty mapping leaves the names out.
+    ax
+        Axes to draw in; by default those of a new figure.
 
-    Returns the Axes. ValueError for another plane or a name that stands for no vertex. Source: figures 9, 12.
+    Returns
+    -------
+    Axes
+        The Axes.
 
+    Raises
+    ------
+    ValueError
+        If the plane is another, or a name stands for no vertex.
+
+    Notes
+    -----
+    Source: figures 9, 12.
+
+    Examples
+    --------
     >>> from symcheck.numeric.wheels import four_wheels
     >>> plot_projection(envelope(four_wheels(1.0, 0.5)), "YZ").get_xlabel()
     '$H_y$, N m s'
@@ -108,8 +168,27 @@ def plot_projection(found: Envelope, plane: str = "XY", names: Names | None = No
 def plot_projections(found: Envelope, names: Names | None = None, axes: Any = None) -> Any:
     """Draw the three projections of a momentum envelope on the coordinate planes: figures 3, 5, 8, 11.
 
-    Parameters and errors are those of `plot_projection`; axes: an array of three Axes. Returns these.
+    Parameters
+    ----------
+    found
+        The envelope.
+    names
+        Places, shape (3,), by name; an empty mapping leaves the names out.
+    axes
+        Three Axes to draw in; by default those of a new figure.
 
+    Returns
+    -------
+    ndarray
+        Three Axes.
+
+    Raises
+    ------
+    ValueError
+        If a name stands for no vertex.
+
+    Examples
+    --------
     >>> [ax.get_ylabel() for ax in plot_projections(envelope(np.eye(3)))]
     ['$H_y$, N m s', '$H_z$, N m s', '$H_z$, N m s']
     """
@@ -122,12 +201,31 @@ def plot_projections(found: Envelope, names: Names | None = None, axes: Any = No
 def plot_failures(axes: ArrayLike, limits: ArrayLike = 1.0, plane: str = "XY") -> Any:
     """Draw what is left of an envelope after the failure of each wheel, in projection, inside the whole envelope.
 
-    axes    (n, 3), unit vectors
-    limits  a number or (n,), h_max of the wheels, in N m s
-    plane   as in `plot_projection`
+    Parameters
+    ----------
+    axes
+        Unit vectors; shape (n, 3).
+    limits
+        Largest momenta of the wheels, N m s; a number or shape (n,).
+    plane
+        Plane, as in `plot_projection`.
 
-    Returns an array of n Axes. ValueError as in `envelope`. Source: sections 2.2, 3.2.
+    Returns
+    -------
+    ndarray
+        One Axes for each wheel.
 
+    Raises
+    ------
+    ValueError
+        As `envelope` does.
+
+    Notes
+    -----
+    Source: sections 2.2, 3.2.
+
+    Examples
+    --------
     >>> plot_failures(np.eye(3))[2].get_title()
     'without wheel 3'
     """

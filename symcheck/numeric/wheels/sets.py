@@ -28,9 +28,14 @@ UNIT = 1e-9  # by how much the square of a unit vector's length may differ from 
 class Wheels(NamedTuple):
     """Wheels with momenta b_i - h_i <= h <= b_i + h_i along unit axes e_i; n of them in each set.
 
-    axes    (..., n, 3), in the body's principal axes
-    limits  (..., n), the largest absolute values h_i of the wheels' momenta, in N m s; 0 for a wheel that has failed
-    bias    (..., n), the momenta b_i about which they lie, in N m s
+    Parameters
+    ----------
+    axes
+        Unit vectors e_i in the body's principal axes; shape (..., n, 3).
+    limits
+        Largest absolute values h_i of the momenta, N m s; shape (..., n). A wheel that has failed has 0.
+    bias
+        Momenta b_i about which they lie, N m s; shape (..., n).
     """
 
     axes: Array
@@ -48,13 +53,31 @@ class Wheels(NamedTuple):
 def wheels_of(axes: ArrayLike, limits: ArrayLike = 1.0, bias: ArrayLike = 0.0) -> Wheels:
     """The wheels with these axes, limits and biases, checked and broadcast against each other.
 
-    axes    (..., n, 3), unit vectors e_i
-    limits  numbers or (..., n), h_i >= 0, in N m s
-    bias    numbers or (..., n), b_i, in N m s
+    Parameters
+    ----------
+    axes
+        Unit vectors e_i; shape (..., n, 3).
+    limits
+        Largest momenta h_i >= 0, N m s; a number or shape (..., n).
+    bias
+        Momenta b_i about which the wheels work, N m s; a number or shape (..., n).
 
-    ValueError if an axis is not of unit length, a limit is negative or the shapes do not fit.
+    Returns
+    -------
+    Wheels
+        The wheels, with arrays of one leading shape.
+
+    Raises
+    ------
+    ValueError
+        If an axis is not of unit length, a limit is negative or the shapes do not fit.
+
+    Notes
+    -----
     Source: (2.1), there with equal limits and without bias.
 
+    Examples
+    --------
     >>> wheels_of([[1, 0, 0], [0, 1, 0]], 2.0).limits
     array([2., 2.])
     """
@@ -113,11 +136,29 @@ def _common_shape(axes: Array, limits: Array, bias: Array) -> tuple[int, ...]:
 def four_wheels(a: ArrayLike, b: ArrayLike) -> Array:
     """The axes of wheels along the side edges of a four-sided pyramid, from the kernel `axes_of_four_wheels`.
 
-    a  (...), angle between the axis of a wheel and OZ, in rad, 0 < a < pi/2
-    b  (...), angle of the side edges in the plane OXY, in rad, 0 < b < pi/2
+    Parameters
+    ----------
+    a
+        Angle between the axis of a wheel and OZ, rad; shape (...), 0 < a < pi/2.
+    b
+        Angle of the side edges in the plane OXY, rad; shape (...), 0 < b < pi/2.
 
-    Returns (..., 4, 3). ValueError outside these ranges. Source: the unit vectors before (2.1).
+    Returns
+    -------
+    ndarray
+        Axes of the wheels; shape (..., 4, 3).
 
+    Raises
+    ------
+    ValueError
+        If an angle is outside its range.
+
+    Notes
+    -----
+    Source: the unit vectors before (2.1).
+
+    Examples
+    --------
     >>> four_wheels(np.arctan(np.sqrt(2)), np.pi / 4)[3].round(6)
     array([0.57735, 0.57735, 0.57735])
     """
@@ -129,10 +170,27 @@ def four_wheels(a: ArrayLike, b: ArrayLike) -> Array:
 def six_wheels(a: ArrayLike) -> Array:
     """The axes of wheels along the side edges of a regular six-sided pyramid, from the kernel `axes_of_six_wheels`.
 
-    a  (...), angle between the axis of a wheel and OZ, in rad, 0 < a < pi/2
+    Parameters
+    ----------
+    a
+        Angle between the axis of a wheel and OZ, rad; shape (...), 0 < a < pi/2.
 
-    Returns (..., 6, 3). ValueError outside this range. Source: the unit vectors before (3.1).
+    Returns
+    -------
+    ndarray
+        Axes of the wheels; shape (..., 6, 3).
 
+    Raises
+    ------
+    ValueError
+        If the angle is outside its range.
+
+    Notes
+    -----
+    Source: the unit vectors before (3.1).
+
+    Examples
+    --------
     >>> six_wheels(np.pi / 6)[1].round(6)
     array([ 0.433013, -0.25    ,  0.866025])
     """
@@ -156,11 +214,29 @@ def _rows(components: tuple[Array, ...]) -> Array:
 def total_momentum(axes: ArrayLike, momenta: ArrayLike) -> Array:
     """The momentum of all wheels together, H = h_1 e_1 + ... + h_n e_n.
 
-    axes     (..., n, 3), unit vectors e_i
-    momenta  (..., n), h_i, in N m s
+    Parameters
+    ----------
+    axes
+        Unit vectors e_i; shape (..., n, 3).
+    momenta
+        Momenta h_i, N m s; shape (..., n).
 
-    Returns (..., 3), in N m s. ValueError if the shapes do not fit. Source: (2.1).
+    Returns
+    -------
+    ndarray
+        Momentum H, N m s; shape (..., 3).
 
+    Raises
+    ------
+    ValueError
+        If an axis is not of unit length or the shapes do not fit.
+
+    Notes
+    -----
+    Source: (2.1).
+
+    Examples
+    --------
     >>> total_momentum([[1, 0, 0], [0, 0.6, 0.8]], [2, 5])
     array([2., 3., 4.])
     """
@@ -171,12 +247,29 @@ def total_momentum(axes: ArrayLike, momenta: ArrayLike) -> Array:
 def volume(axes: ArrayLike, limits: ArrayLike = 1.0) -> Array:
     """The volume of the momentum envelope, 8 times the sum of h_i h_j h_k |(e_i, e_j, e_k)| over i < j < k.
 
-    axes    (..., n, 3), unit vectors e_i
-    limits  numbers or (..., n), h_i, in N m s
+    Parameters
+    ----------
+    axes
+        Unit vectors e_i; shape (..., n, 3).
+    limits
+        Largest momenta h_i, N m s; a number or shape (..., n).
 
-    Returns (...), in (N m s)^3; 0 for axes in a plane. Source: the lists of section 2.1; the
-    paper's configurations have the kernels `volume_of_four_wheels` and others.
+    Returns
+    -------
+    ndarray
+        Volume, (N m s)^3; shape (...). It is 0 for axes in a plane.
 
+    Raises
+    ------
+    ValueError
+        As `wheels_of` does.
+
+    Notes
+    -----
+    Source: the lists of section 2.1; the paper's configurations have the kernels `volume_of_four_wheels` and others.
+
+    Examples
+    --------
     >>> float(volume(np.eye(3), 2.0))
     64.0
     """
