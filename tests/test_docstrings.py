@@ -51,6 +51,13 @@ def test_a_public_docstring_is_valid(name: str) -> None:
     assert [(code, told) for code, told in errors if code in chosen] == []
 
 
+def test_every_public_function_of_numbers_has_an_example() -> None:
+    packages = [package for package in PACKAGES if package.startswith("symcheck.numeric.") and "sweep" not in package]
+    functions = {name: f for package in packages for name, f in public(package) if inspect.isroutine(f)}
+    assert [name for name, function in functions.items() if ">>> " not in (inspect.getdoc(function) or "")] == []
+    assert functions
+
+
 @pytest.mark.parametrize("module", MODULES)
 def test_the_examples_of_public_docstrings_run(module: str, monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
     monkeypatch.setenv("SYMCHECK_CACHE", str(tmp_path / "cache"))

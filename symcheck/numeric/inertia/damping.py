@@ -12,15 +12,15 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from symcheck.generated import mirer2009
+from symcheck.numeric.arrays import eigensystem, letters, of_one_shape
 from symcheck.numeric.chunked import gufunc
-from symcheck.numeric.domain import Array, real, require
-from symcheck.numeric.inertia.arguments import (
-    eigensystem,
-    letters,
-    of_one_shape,
+from symcheck.numeric.domain import (
+    Array,
+    not_negative,
     orthonormal_axes,
+    positive,
     principal_moments,
-    side_by_side,
+    real,
     symmetric_matrix,
     unit_axes,
 )
@@ -100,9 +100,8 @@ def gains_in_proportion(ratio: ArrayLike, moments: ArrayLike, axes: ArrayLike) -
     >>> gains_in_proportion(0.1, [2, 3, 4], np.eye(3)).round(12).tolist()
     [0.2, 0.3, 0.4]
     """
-    arguments = letters(principal_moments(moments)), letters(orthonormal_axes(axes), axes=2)
-    kernel = mirer2009.gains_in_proportion
-    return side_by_side(kernel(_ratio(ratio), *arguments[0], *arguments[1]))
+    values = _ratio(ratio), *letters(principal_moments(moments)), *letters(orthonormal_axes(axes), axes=2)
+    return np.stack(mirer2009.gains_in_proportion(*values), axis=-1)
 
 
 @gufunc("(i),(i,k)->(k,column)", column=3)
@@ -135,10 +134,8 @@ def damping_matrix(gains: ArrayLike, axes: ArrayLike) -> Array:
     >>> damping_matrix([5, 0, 0], [[0.6, 0.8, 0], [0, 1, 0], [0, 0, 1]]).round(12).tolist()
     [[1.8, 2.4, 0.0], [2.4, 3.2, 0.0], [0.0, 0.0, 0.0]]
     """
-    gains = real("gains", gains, (3,))
-    require(gains >= 0, "gains", gains, "be zero or positive: a device that damps", "mirer2009:1.0.4")
-    entries = mirer2009.damping_matrix(*letters(gains), *letters(unit_axes(axes), axes=2))
-    return side_by_side(entries)[..., ROWS]
+    values = letters(_gains(gains)), letters(unit_axes(axes, "mirer2009:1.0.2", 3), axes=2)
+    return np.stack(mirer2009.damping_matrix(*values[0], *values[1]), axis=-1)[..., ROWS]
 
 
 @gufunc("(i,j)->(i),(i,j)")
@@ -206,11 +203,8 @@ def characteristic_coefficients(moments: ArrayLike, gains: ArrayLike, axes: Arra
     >>> characteristic_coefficients([1, 2, 3], [1, 2, 3], np.eye(3)).tolist()
     [6.0, 18.0, 18.0, 6.0]
     """
-    gains = real("gains", gains, (3,))
-    require(gains >= 0, "gains", gains, "be zero or positive: a device that damps", "mirer2009:1.0.4")
-    arguments = letters(principal_moments(moments)), letters(gains), letters(orthonormal_axes(axes), axes=2)
-    kernel = mirer2009.characteristic_coefficients
-    return side_by_side(kernel(*arguments[0], *arguments[1], *arguments[2]))
+    arguments = letters(principal_moments(moments)), letters(_gains(gains)), letters(orthonormal_axes(axes), axes=2)
+    return np.stack(mirer2009.characteristic_coefficients(*arguments[0], *arguments[1], *arguments[2]), axis=-1)
 
 
 @gufunc("(i),(i,j)->(i)")
@@ -345,8 +339,7 @@ def harmonic_mean_of_rates(rates: ArrayLike) -> HarmonicMean:
     >>> np.round(harmonic_mean_of_rates([1, 2, 2]), 12).tolist()
     [1.5, 0.5]
     """
-    rates = real("rates", rates, (3,))
-    require(rates > 0, "rates", rates, "be positive", "mirer2009:B.4")
+    rates = positive("rates", rates, "mirer2009:B.4", (3,))
     least = rates.min(axis=-1)
     excess = letters(rates - least[..., None])
     return HarmonicMean(*mirer2009.gain_of_rates(least, *excess))
@@ -392,6 +385,8 @@ def stability_degree_in_pitch(ratio: ArrayLike, moments: ArrayLike, pitch: Array
 
 
 def _ratio(value: ArrayLike, name: str = "ratio") -> Array:
-    ratio = real(name, value)
-    require(ratio > 0, name, ratio, "be positive", "mirer2009:1.8")
-    return ratio
+    return positive(name, value, "mirer2009:1.8")
+
+
+def _gains(value: ArrayLike) -> Array:
+    return not_negative("gains", value, "mirer2009:1.0.4: a device damps", (3,))

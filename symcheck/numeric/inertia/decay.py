@@ -13,8 +13,7 @@ from numpy.typing import ArrayLike
 from scipy.integrate import solve_ivp
 
 from symcheck.numeric.chunked import gufunc, pointwise
-from symcheck.numeric.domain import Array, real, require
-from symcheck.numeric.inertia.arguments import principal_moments, symmetric_matrix
+from symcheck.numeric.domain import Array, increasing, positive, principal_moments, real, require, symmetric_matrix
 from symcheck.numeric.inertia.damping import characteristic_roots
 
 FINEST = 100 * np.finfo(np.float64).eps  # the least relative tolerance that SciPy takes
@@ -103,7 +102,7 @@ def free_decay(
     [1.0, 1.0, 1.0, 1.0, 1.0]
     """
     moments, damping = principal_moments(moments), symmetric_matrix("damping", damping, "mirer2009:1.2.6")
-    rate, times = real("rate", rate, (3,)), _increasing(times)
+    rate, times = real("rate", rate, (3,)), increasing("times", times)
     roots = characteristic_roots(moments, damping)
     require(
         roots[..., -1] <= np.abs(roots).max(axis=-1) * FINEST,
@@ -112,7 +111,7 @@ def free_decay(
         "amplify no rotation",
         "mirer2009:1.1",
     )
-    require(real("tolerance", tolerance) > 0, "tolerance", tolerance, "be positive")
+    positive("tolerance", tolerance)
     shape = np.broadcast_shapes(moments.shape[:-1], damping.shape[:-2], rate.shape[:-1])
     start = np.broadcast_to(rate, (*shape, 3))
     # SciPy bounds the error of all bodies together, by its mean square: each is to keep within it by itself.
@@ -195,9 +194,8 @@ def decay_rate(times: ArrayLike, energy: ArrayLike) -> Array:
     >>> round(float(decay_rate([0, 1, 2], [1.0, np.exp(-0.6), np.exp(-1.2)])), 12)
     0.3
     """
-    times = _increasing(times)
-    energy = real("energy", energy, (times.size,))
-    require(energy > 0, "energy", energy, "be positive: nothing that is left can be measured")
+    times = increasing("times", times)
+    energy = positive("energy", energy, "else there is nothing to measure", (times.size,))
     rate: Array = np.log(energy[..., 0] / energy[..., -1]) / (2 * np.ptp(times))
     return rate
 
@@ -206,11 +204,3 @@ def _acceleration(moments: Array, damping: Array, rate: Array) -> Array:
     torque = np.einsum("...ij,...j->...i", damping, rate) + np.cross(rate, moments * rate)
     acceleration: Array = -torque / moments
     return acceleration
-
-
-def _increasing(times: ArrayLike) -> Array:
-    array = real("times", times, (None,))
-    require(
-        array.ndim == 1 and array.size > 1 and (np.diff(array) > 0).all(), "times", array, "be two or more, increasing"
-    )
-    return array

@@ -8,9 +8,9 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from symcheck.generated import mirer2009
+from symcheck.numeric.arrays import letters, of_one_shape
 from symcheck.numeric.chunked import gufunc
-from symcheck.numeric.domain import Array, real, require
-from symcheck.numeric.inertia.arguments import letters, of_one_shape, orthonormal_axes, principal_moments, side_by_side
+from symcheck.numeric.domain import Array, orthonormal_axes, principal_moments, real, require
 
 TINY = 1e-100  # beside an axis about which the moment is the mean g is small, and has a direction; upon it, none
 
@@ -67,7 +67,7 @@ def direction_cosines(pitch: ArrayLike, yaw: ArrayLike, roll: ArrayLike) -> Arra
     [[0.0, 0.0, 1.0], [0.0, 1.0, -0.0], [-1.0, 0.0, 0.0]]
     """
     angles = real("pitch", pitch), real("yaw", yaw), real("roll", roll)
-    cosines = side_by_side(mirer2009.direction_cosines(*angles))
+    cosines = np.stack(mirer2009.direction_cosines(*angles), axis=-1)
     return cosines.reshape(*cosines.shape[:-1], 3, 3)
 
 

@@ -10,8 +10,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import ArrayLike
 
-from symcheck.numeric.domain import Array, real, require
-from symcheck.numeric.inertia.arguments import principal_moments
+from symcheck.numeric.domain import Array, positive, principal_moments, real
 from symcheck.numeric.inertia.damping import (
     characteristic_roots,
     damping_matrix,
@@ -246,8 +245,7 @@ def plot_damping_over_pitch(
     >>> plot_damping_over_pitch().get_xlabel()
     'pitch, degrees'
     """
-    ratios, pitch = real("ratios", ratios, (None,)), real("pitch", pitch, (None,))
-    require(ratios > 0, "ratios", ratios, "be positive", "mirer2009:2.0.6")
+    ratios, pitch = positive("ratios", ratios, "mirer2009:2.0.6", (None,)), real("pitch", pitch, (None,))
     moments = np.stack([ratios, ratios, np.ones_like(ratios)], axis=-1)
     degree = stability_degree_in_pitch(1.0, moments[:, None], pitch)
     drawn = _axes(ax)

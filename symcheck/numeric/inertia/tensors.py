@@ -12,19 +12,19 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from symcheck.generated import mirer2009
+from symcheck.numeric.arrays import eigensystem, letters, of_one_shape
 from symcheck.numeric.chunked import gufunc
-from symcheck.numeric.domain import Array, real, require
-from symcheck.numeric.inertia.arguments import (
-    eigensystem,
-    letters,
-    of_one_shape,
+from symcheck.numeric.domain import (
+    ROUNDING,
+    Array,
+    moments_of_a_mass,
     orthonormal_axes,
     principal_moments,
-    side_by_side,
+    real,
+    require,
+    slack_of,
     symmetric_matrix,
 )
-
-ROUNDING = 8 * np.finfo(np.float64).eps  # of the sum of three moments
 
 
 class PrincipalInertia(NamedTuple):
@@ -185,8 +185,7 @@ def triangle_slack(moments: ArrayLike) -> Array:
     >>> triangle_slack([1, 2, 4]).tolist()
     [5.0, 3.0, -1.0]
     """
-    array = real("moments", moments, (3,))
-    return np.roll(array, -1, axis=-1) + np.roll(array, -2, axis=-1) - array
+    return slack_of(real("moments", moments, (3,)))
 
 
 @gufunc("(i)->(i)")
@@ -213,12 +212,7 @@ def second_moments_of_mass(moments: ArrayLike) -> Array:
     >>> second_moments_of_mass([3, 4, 5]).tolist()
     [3.0, 2.0, 1.0]
     """
-    array = real("moments", moments, (3,))
-    slack = triangle_slack(array)
-    allowed = -ROUNDING * np.abs(array).sum(axis=-1, keepdims=True)
-    holds = (slack >= allowed).all(axis=-1)
-    require(holds, "moments", array, "satisfy the triangle inequalities I_1 + I_2 + I_3 >= 2 I_i", "mirer2009:2.3")
-    return np.maximum(slack, 0) / 2
+    return np.maximum(moments_of_a_mass(moments)[1], 0) / 2
 
 
 @gufunc("(k),(i,k)->(i)")
@@ -251,7 +245,7 @@ def axial_moments(moments: ArrayLike, axes: ArrayLike) -> Array:
     >>> axial_moments([2, 3, 4], [[0.6, 0.8, 0], [-0.8, 0.6, 0], [0, 0, 1]]).round(12).tolist()
     [2.64, 2.36, 4.0]
     """
-    return side_by_side(mirer2009.axial_moments(*_arguments(principal_moments(moments), orthonormal_axes(axes))))
+    return np.stack(mirer2009.axial_moments(*_arguments(moments, axes)), axis=-1)
 
 
 @gufunc("(k),(i,k)->(i)")
@@ -284,7 +278,7 @@ def second_order_moments(moments: ArrayLike, axes: ArrayLike) -> Array:
     >>> second_order_moments([2, 3, 4], np.eye(3)).tolist()
     [12.0, 8.0, 6.0]
     """
-    return side_by_side(mirer2009.second_order_moments(*_arguments(principal_moments(moments), orthonormal_axes(axes))))
+    return np.stack(mirer2009.second_order_moments(*_arguments(moments, axes)), axis=-1)
 
 
 @gufunc("(k),(i,k)->(),(),(),(),()")
@@ -319,10 +313,12 @@ def product_of_axial_moments(moments: ArrayLike, axes: ArrayLike) -> BoundedProd
     >>> np.round(f, 10).tolist()
     [24.9216, 24.0, 27.0, 0.9216, 2.0784]
     """
-    moments, axes = principal_moments(moments), orthonormal_axes(axes)
-    excess, deficit, _ = mirer2009.distances_from_bounds(*_arguments(moments, axes))
-    value = mirer2009.product_of_axial_moments(*_arguments(moments, axes))
-    return BoundedProduct(*of_one_shape(value, *_bounds(moments)[:2], excess, deficit))
+    arguments = _arguments(moments, axes)
+    excess, deficit, _ = mirer2009.distances_from_bounds(*arguments)
+    least, greatest, _ = mirer2009.bounds_of_products(*arguments[:3])
+    return BoundedProduct(
+        *of_one_shape(mirer2009.product_of_axial_moments(*arguments), least, greatest, excess, deficit)
+    )
 
 
 @gufunc("(k),(i,k)->(),(),()")
@@ -356,9 +352,10 @@ def sum_of_products(moments: ArrayLike, axes: ArrayLike) -> BoundedSum:
     >>> np.round(s, 10).tolist()
     [73.8432, 72.0, 1.8432]
     """
-    moments, axes = principal_moments(moments), orthonormal_axes(axes)
-    _, _, excess = mirer2009.distances_from_bounds(*_arguments(moments, axes))
-    return BoundedSum(*of_one_shape(mirer2009.sum_of_products(*_arguments(moments, axes)), _bounds(moments)[2], excess))
+    arguments = _arguments(moments, axes)
+    *_, excess = mirer2009.distances_from_bounds(*arguments)
+    *_, least = mirer2009.bounds_of_products(*arguments[:3])
+    return BoundedSum(*of_one_shape(mirer2009.sum_of_products(*arguments), least, excess))
 
 
 @gufunc("(k),()->()")
@@ -392,7 +389,7 @@ def bound_at_given_moment(moments: ArrayLike, moment: ArrayLike) -> Array:
     [0.0, 27.0, 22.78125]
     """
     moments, moment = principal_moments(moments), real("moment", moment)
-    second_moments_of_mass(moments)
+    moments_of_a_mass(moments)
     trace = moments.sum(axis=-1)
     holds = (moment >= 0) & (2 * moment <= trace * (1 + ROUNDING))
     require(holds, "moment", moment, "lie on [0, 3c/2] with c the mean principal moment", "mirer2009:2.3.4")
@@ -400,10 +397,6 @@ def bound_at_given_moment(moments: ArrayLike, moment: ArrayLike) -> Array:
     return np.asarray(mirer2009.bound_at_given_moment(first, second, third, moment))
 
 
-def _arguments(moments: Array, axes: Array) -> list[Array]:
-    return [*letters(moments), *letters(axes, axes=2)]
-
-
-def _bounds(moments: Array) -> tuple[Array, Array, Array]:
-    least, greatest, sum_least = mirer2009.bounds_of_products(*letters(moments))
-    return least, greatest, sum_least
+def _arguments(moments: ArrayLike, axes: ArrayLike) -> list[Array]:
+    """I_1, I_2, I_3, a_11, ..., a_33."""
+    return [*letters(principal_moments(moments)), *letters(orthonormal_axes(axes), axes=2)]

@@ -18,8 +18,8 @@ from numpy.typing import ArrayLike, NDArray
 
 from symcheck.generated import esenkov2006
 from symcheck.numeric.chunked import gufunc
-from symcheck.numeric.domain import Array, real, require
-from symcheck.numeric.liquid.arguments import Body, broadcast, checked_body, number, require_finite, row
+from symcheck.numeric.domain import Array, common_shape, exact, finite, number, positive, real, require
+from symcheck.numeric.liquid.body import Body, checked_body
 from symcheck.numeric.liquid.spectrum import growth_rate, stability
 
 EPSILON = np.finfo(np.float64).eps
@@ -129,11 +129,10 @@ def boundary_of_stability(
     >>> found.greatest_growth_rate.round(6).tolist()
     [0.25, 0.0]
     """
-    whole, carried, ratio, spin = real("A", A), real("E_1", E_1), real("b_1", b_1), real("omega_0", omega_0)
-    for name, value in (("A", whole), ("E_1", carried), ("omega_0", spin)):
-        require(value > 0, name, value, "be positive", "1.35")
-    broadcast(A=whole, E_1=carried, b_1=ratio, omega_0=spin)
-    require(carried < whole, "E_1", carried + 0 * whole, "be less than A, as the liquid is a part of the body", "B.25")
+    whole, carried, spin = positive("A", A, "1.35"), positive("E_1", E_1, "1.35"), positive("omega_0", omega_0, "1.35")
+    ratio = real("b_1", b_1)
+    common_shape(A=whole, E_1=carried, b_1=ratio, omega_0=spin)
+    require(carried < whole, "E_1", carried, "be less than A, as the liquid is a part of the body", "B.25")
     require(
         (ratio >= 0) & (ratio <= 1), "b_1", ratio, "lie in 0 <= b_1 <= 1: elsewhere every body is stable", "B.9, B.10"
     )
@@ -142,9 +141,8 @@ def boundary_of_stability(
         width = esenkov2006.width_of_the_unstable_interval(whole, carried, ratio)
         at_upper, at_lower = esenkov2006.critical_frequencies(whole, carried, ratio, spin)
         rate = np.abs(esenkov2006.greatest_growth_rate(whole, carried, ratio, spin))
-    found = np.broadcast_arrays(lower, upper, width, at_lower, at_upper, rate)
-    require_finite(found)
-    return BoundaryOfStability(*found)
+    parts = np.broadcast_arrays(lower, upper, width, at_lower, at_upper, rate)
+    return BoundaryOfStability(*(finite("a result", part) for part in parts))
 
 
 def unstable_intervals(A: float, E_n: ArrayLike, lambda_n: ArrayLike, omega_0: float) -> Array:
@@ -186,7 +184,7 @@ def unstable_intervals(A: float, E_n: ArrayLike, lambda_n: ArrayLike, omega_0: f
     [[-0.836951, -0.765987], [-0.284947, -0.125982]]
     """
     whole, spin = number("A", A), number("omega_0", omega_0)
-    body = checked_body(whole, whole, row("E_n", E_n), row("lambda_n", lambda_n), spin)
+    body = checked_body(whole, whole, exact("E_n", E_n, (None,)), exact("lambda_n", lambda_n, (None,)), spin)
     least = -whole * (1 - EPSILON)  # C is positive, and where C >= A the body is stable (N.17)
     critical = np.unique(np.clip(_critical_moments(body), least, 0))
     middles = whole + (critical[1:] + critical[:-1]) / 2
@@ -242,8 +240,12 @@ def stability_map(
     >>> found.stable.tolist()
     [[True, False, True], [True, True, True]]
     """
-    whole, spin, carried = number("A", A), number("omega_0", omega_0), row("E_n", E_n)
-    columns, rows, others = row("Delta", Delta), row("b_1", b_1), real("further_b", further_b, (carried.size - 1,))
+    whole, spin, carried = number("A", A), number("omega_0", omega_0), exact("E_n", E_n, (None,))
+    columns, rows, others = (
+        exact("Delta", Delta, (None,)),
+        exact("b_1", b_1, (None,)),
+        real("further_b", further_b, (carried.size - 1,)),
+    )
     require(columns > -whole, "Delta", columns, f"be greater than -A = {-whole}, as C = A + Delta is positive", "N.17")
     ratios = np.column_stack([rows, np.tile(others, (rows.size, 1))])
     _, rates, stable = stability(whole, whole + columns, carried, spin * ratios[:, None], spin)

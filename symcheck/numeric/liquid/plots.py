@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import ArrayLike
 
-from symcheck.numeric.domain import Array, require
+from symcheck.numeric.domain import Array, increasing
 from symcheck.numeric.liquid.boundary import StabilityMap, stability_map, unstable_intervals
 from symcheck.numeric.liquid.spectrum import stability
 
@@ -48,8 +48,8 @@ def plot_stability_map(found: StabilityMap, ax: Axes | None = None) -> Axes:
     >>> plot_stability_map(found).get_xlabel()
     'C − A, kg m²'
     """
-    for name, values in (("Delta", found.Delta), ("b_1", found.b_1)):
-        require(np.diff(values) > 0, f"{name} - the value before", np.diff(values), "be positive: a map's axes rise")
+    increasing("Delta", found.Delta)
+    increasing("b_1", found.b_1)
     ax = _single() if ax is None else ax
     growing = np.ma.masked_equal(found.growth_rate, 0)
     mesh = ax.pcolormesh(found.Delta, found.b_1, growing, cmap="YlOrRd", vmin=0, shading="nearest", rasterized=True)
@@ -106,8 +106,7 @@ def plot_frequencies(
     >>> upper.get_ylabel(), lower.get_ylabel()
     ('frequency η, rad/s', 'growth rate, 1/s')
     """
-    moments = np.asarray(Delta, np.float64)
-    require(np.diff(moments) > 0, "Delta - the value before", np.diff(moments), "be positive: the axis rises")
+    moments = increasing("Delta", Delta)
     found = stability(A, A + moments, E_n, lambda_n, omega_0)
     upper, lower = axes = _pair() if axes is None else np.asarray(axes)
     paired = np.where(found.frequencies.imag != 0, found.frequencies.real, np.nan)

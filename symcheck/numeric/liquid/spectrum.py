@@ -21,8 +21,8 @@ from numpy.typing import ArrayLike, NDArray
 
 from symcheck.generated import esenkov2006
 from symcheck.numeric.chunked import gufunc
-from symcheck.numeric.domain import Array, real, require
-from symcheck.numeric.liquid.arguments import Body, broadcast, checked_body, require_finite
+from symcheck.numeric.domain import Array, common_shape, evaluated, finite, positive, real, require
+from symcheck.numeric.liquid.body import Body, checked_body
 
 EPSILON = np.finfo(np.float64).eps
 
@@ -77,12 +77,9 @@ def mode_inertia(a_n: ArrayLike, chi_n: ArrayLike, N_n: ArrayLike) -> Array:
     >>> mode_inertia([3.0, 1.0], 0.5, 2.0).tolist()
     [0.375, 0.125]
     """
-    moment, coupling, norm = real("a_n", a_n), real("chi_n", chi_n), real("N_n", N_n)
-    broadcast(a_n=moment, chi_n=coupling, N_n=norm)
-    require(norm > 0, "N_n", norm, "be positive", "B.1")
-    with np.errstate(all="ignore"):
-        carried = np.asarray(esenkov2006.mode_inertia(moment, coupling, norm))
-    require_finite(carried)
+    moment, coupling, norm = real("a_n", a_n), real("chi_n", chi_n), positive("N_n", N_n, "B.1")
+    common_shape(a_n=moment, chi_n=coupling, N_n=norm)
+    carried = np.asarray(evaluated("E_n", esenkov2006.mode_inertia, moment, coupling, norm))
     require(carried > 0, "E_n = a_n chi_n / N_n^2", carried, "be positive, as the mode carries inertia", "B.1")
     return carried
 
@@ -141,8 +138,7 @@ def stability(A: ArrayLike, C: ArrayLike, E_n: ArrayLike, lambda_n: ArrayLike, o
     body = checked_body(A, C, E_n, lambda_n, omega_0)
     with np.errstate(all="ignore"):
         found = _roots_of_the_quadratic(body) if _is_one_mode(body) else _eigenvalues(body)
-        require_finite(found)
-        found = np.sort(found, axis=-1)
+        found = np.sort(finite("a frequency", found), axis=-1)
         rate = np.abs(found.imag).max(-1)
         stable = _quadratic(body).discriminant > 0 if _is_one_mode(body) else rate == 0
     return Stability(found, np.asarray(rate), np.asarray(stable))
@@ -306,7 +302,7 @@ def _roots_of_the_quadratic(body: Body) -> NDArray[np.complex128]:
 def _eigenvalues(body: Body) -> NDArray[np.complex128]:
     """Those of symmetric matrices apart: they are real, and take half the time."""
     matrix, symmetric = _arrowhead(body), body.off_the_band
-    require_finite(matrix)
+    finite("the matrix of the modes", matrix)
     found = np.empty(matrix.shape[:-1], np.complex128)
     found[symmetric] = np.linalg.eigvalsh(matrix[symmetric])
     found[~symmetric] = np.linalg.eigvals(matrix[~symmetric])

@@ -15,8 +15,7 @@ from numpy.typing import ArrayLike
 
 from symcheck.generated import poloskov2004
 from symcheck.numeric.chunked import gufunc
-from symcheck.numeric.domain import Array, real, require, shortened
-from symcheck.numeric.random_rotation.checks import equatorial, evaluated, order, probability, somewhere
+from symcheck.numeric.domain import Array, equatorial, evaluated, not_negative, probability, require, shortened
 
 
 @gufunc("(),(),(),()->()")
@@ -53,7 +52,12 @@ def density_of_amplitude(a: ArrayLike, alpha: ArrayLike, beta: ArrayLike, gamma:
     >>> density_of_amplitude([0.0, 0.5, 1.0], 1.0, 3**0.5 / 2, 1.0).round(4).tolist()
     [0.0, 0.64, 0.5]
     """
-    return evaluated("density of a", poloskov2004.density_of_amplitude, _amplitude(a), *equatorial(alpha, beta, gamma))
+    return evaluated(
+        "density of a",
+        poloskov2004.density_of_amplitude,
+        not_negative("a", a, "(3.4)"),
+        *equatorial(alpha, beta, gamma),
+    )
 
 
 @gufunc("(),(),(),()->()")
@@ -90,7 +94,7 @@ def distribution_of_amplitude(a: ArrayLike, alpha: ArrayLike, beta: ArrayLike, g
     >>> float(distribution_of_amplitude(1.0, 1.0, 3**0.5 / 2, 1.0).round(4))
     0.5
     """
-    values = _amplitude(a), *equatorial(alpha, beta, gamma)
+    values = not_negative("a", a, "(3.4)"), *equatorial(alpha, beta, gamma)
     return evaluated("distribution of a", poloskov2004.distribution_of_amplitude, *values)
 
 
@@ -129,7 +133,7 @@ def quantile_of_amplitude(q: ArrayLike, alpha: ArrayLike, beta: ArrayLike, gamma
     >>> float(quantile_of_amplitude(0.5, 1.0, 3**0.5 / 2, 1.0).round(4))
     1.0
     """
-    values = probability(q), *equatorial(alpha, beta, gamma)
+    values = probability("q", q), *equatorial(alpha, beta, gamma)
     return evaluated("quantile of a", poloskov2004.quantile_of_amplitude, *values)
 
 
@@ -167,11 +171,9 @@ def moment_of_amplitude(m: ArrayLike, alpha: ArrayLike, beta: ArrayLike, gamma: 
     >>> moment_of_amplitude([0, 1], 1.0, 3**0.5 / 2, 1.5).round(4).tolist()
     [1.0, 0.6375]
     """
-    power, (noise, additive, dissipation) = order(m), equatorial(alpha, beta, gamma)
+    power, (noise, additive, dissipation) = not_negative("m", m, "4.0.9, 4.0.11"), equatorial(alpha, beta, gamma)
     finite = 8 * dissipation**2 > noise**2 * (2 + 3 * power)
-    somewhere(
-        finite, "gamma", dissipation, f"satisfy 8 gamma^2 > alpha^2 (2 + 3 m) for m = {shortened(power)}", "4.0.9"
-    )
+    require(finite, "gamma", dissipation, f"satisfy 8 gamma^2 > alpha^2 (2 + 3 m) for m = {shortened(power)}", "4.0.9")
     return evaluated("moment of a", poloskov2004.moment_of_amplitude, power, noise, additive, dissipation)
 
 
@@ -208,7 +210,7 @@ def mean_square_of_amplitude(alpha: ArrayLike, beta: ArrayLike, gamma: ArrayLike
     0.5
     """
     noise, additive, dissipation = equatorial(alpha, beta, gamma)
-    somewhere(dissipation > noise, "gamma", dissipation, "satisfy gamma^2 > alpha^2", "4.0.9 for m = 2")
+    require(dissipation > noise, "gamma", dissipation, "satisfy gamma^2 > alpha^2", "4.0.9 for m = 2")
     return evaluated("mean square of a", poloskov2004.mean_square_of_amplitude, noise, additive, dissipation)
 
 
@@ -281,9 +283,3 @@ def logarithm_of_constant_of_amplitude(alpha: ArrayLike, beta: ArrayLike, gamma:
     2.25
     """
     return evaluated("log C_1", poloskov2004.logarithm_of_constant_of_amplitude, *equatorial(alpha, beta, gamma))
-
-
-def _amplitude(a: ArrayLike) -> Array:
-    array = real("a", a)
-    require(array >= 0, "a", array, "not be negative", "(3.4)")
-    return array

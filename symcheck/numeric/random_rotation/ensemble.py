@@ -14,7 +14,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from symcheck.numeric.chunked import pointwise
-from symcheck.numeric.domain import Array, engine_module, real, require
+from symcheck.numeric.domain import Array, engine_module, exact, one_of, require, whole
 from symcheck.numeric.random_rotation.scheme import scheme
 from symcheck.numeric.random_rotation.torques import RandomTorques
 
@@ -112,8 +112,7 @@ def simulate(
     """
     every = whole("every", whole("steps", steps, 1) if every is None else every, 1)
     require(steps % every == 0, "steps", steps, f"be a multiple of every = {every}")
-    velocities = real("start", start, (None, 3))
-    require(velocities.ndim == 2, "start.shape", velocities.shape, "be (paths, 3)")
+    velocities = exact("start", start, (None, 3))
     state, before = _in_lanes(velocities, whole("first", first, 0))
     generators = _generators(whole("seed", seed, 0), first // LANES, state.shape[1])
     records = np.empty((steps // every, *state.shape))
@@ -126,13 +125,6 @@ def simulate(
         raise FloatingPointError(f"a path is no longer finite; take a shorter step than {step}, or see whether D damps")
     time = np.array([float(step) * every * (n + 1) for n in range(len(records))])
     return Ensemble(time, np.moveaxis(paths, 1, 2))
-
-
-def whole(name: str, value: Any, least: int) -> int:
-    """The value; ValueError if it is not a whole number from `least` on."""
-    fits = isinstance(value, (int, np.integer)) and not isinstance(value, bool) and value >= least
-    require(fits, name, value, f"be a whole number from {least} on")
-    return int(value)
 
 
 def _in_lanes(start: Array, first: int) -> tuple[Array, int]:
@@ -168,5 +160,5 @@ def _record(
 
 def _advance(engine: str) -> Any:
     """The function that advances a state; see `numpy_engine.advance`."""
-    require(engine in ENGINES, "engine", engine, f"be one of {', '.join(ENGINES)}")
+    one_of("engine", engine, ENGINES)
     return engine_module(engine, f"symcheck.numeric.random_rotation.{engine}_engine").advance

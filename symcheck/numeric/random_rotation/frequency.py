@@ -19,8 +19,7 @@ from scipy import special
 
 from symcheck.generated import poloskov2004
 from symcheck.numeric.chunked import gufunc
-from symcheck.numeric.domain import Array, real, shortened
-from symcheck.numeric.random_rotation.checks import axial, evaluated, order, probability, somewhere
+from symcheck.numeric.domain import Array, axial, evaluated, not_negative, probability, real, require, shortened
 
 
 @gufunc("(),(),(),(),()->()")
@@ -141,7 +140,7 @@ def quantile_of_frequency(q: ArrayLike, k: ArrayLike, g_13: ArrayLike, g_23: Arr
     >>> quantile_of_frequency([0.1, 0.5], 0.6, 1.0, 1.0, 1.5).round(4).tolist()
     [-0.5673, 0.0]
     """
-    return evaluated("quantile of Omega", _quantile, probability(q), *axial(k, g_13, g_23, d_33))
+    return evaluated("quantile of Omega", _quantile, probability("q", q), *axial(k, g_13, g_23, d_33))
 
 
 @gufunc("(),(),(),(),()->()")
@@ -180,9 +179,9 @@ def moment_of_frequency(m: ArrayLike, k: ArrayLike, g_13: ArrayLike, g_23: Array
     >>> moment_of_frequency([0, 1, 2], 0.6, 1.0, 1.0, 1.5).round(4).tolist()
     [1.0, 0.382, 0.36]
     """
-    power, (ratio, noise, additive, dissipation) = order(m), axial(k, g_13, g_23, d_33)
+    power, (ratio, noise, additive, dissipation) = not_negative("m", m, "4.0.9, 4.0.11"), axial(k, g_13, g_23, d_33)
     finite = 2 * dissipation > power * noise**2
-    somewhere(finite, "d_33", dissipation, f"satisfy 2 d_33 > m g_13^2 for m = {shortened(power)}", "4.0.11")
+    require(finite, "d_33", dissipation, f"satisfy 2 d_33 > m g_13^2 for m = {shortened(power)}", "4.0.11")
     return evaluated("moment of Omega", poloskov2004.moment_of_frequency, power, ratio, noise, additive, dissipation)
 
 
@@ -221,7 +220,7 @@ def mean_square_of_frequency(k: ArrayLike, g_13: ArrayLike, g_23: ArrayLike, d_3
     1.0
     """
     ratio, noise, additive, dissipation = axial(k, g_13, g_23, d_33)
-    somewhere(dissipation > noise**2, "d_33", dissipation, "satisfy d_33 > g_13^2", "4.0.11 for m = 2")
+    require(dissipation > noise**2, "d_33", dissipation, "satisfy d_33 > g_13^2", "4.0.11 for m = 2")
     return evaluated("mean square of Omega", poloskov2004.mean_square_of_frequency, ratio, noise, additive, dissipation)
 
 

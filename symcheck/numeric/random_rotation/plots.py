@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
-from symcheck.numeric.domain import Array, real, require
+from symcheck.numeric.domain import Array, number, real, require
 from symcheck.numeric.random_rotation.amplitude import density_of_amplitude, quantile_of_amplitude
 from symcheck.numeric.random_rotation.ensemble import Ensemble
 from symcheck.numeric.random_rotation.frequency import density_of_frequency, quantile_of_frequency
@@ -49,7 +49,7 @@ def plot_amplitude(alpha: float, beta: float, gamma: float, *, sample: ArrayLike
     >>> plot_amplitude(1.0, 0.75**0.5, 1.0).get_xlabel()
     'amplitude a, rad/s'
     """
-    parameters = _numbers(alpha=alpha, beta=beta, gamma=gamma)
+    parameters = number("alpha", alpha), number("beta", beta), number("gamma", gamma)
     end = quantile_of_amplitude(1 - TAIL, *parameters)
     grid = np.linspace(0, end, POINTS)
     return _density(ax, density_of_amplitude, grid, parameters, sample, "amplitude a, rad/s", "(3.4)")
@@ -88,7 +88,7 @@ def plot_frequency(
     >>> plot_frequency(0.6, 1.0, 1.0, 1.5).get_ylabel()
     'density, s/rad'
     """
-    parameters = _numbers(k=k, g_13=g_13, g_23=g_23, d_33=d_33)
+    parameters = number("k", k), number("g_13", g_13), number("g_23", g_23), number("d_33", d_33)
     end = quantile_of_frequency(1 - TAIL, *parameters)
     grid = np.linspace(-end, end, POINTS)
     return _density(ax, density_of_frequency, grid, parameters, sample, "frequency Ω, rad/s", "(3.5)")
@@ -166,12 +166,6 @@ def _histogram(ax: Any, sample: Array, grid: Array) -> None:
     require(sample.size > 0, "sample", sample, "hold at least one value")
     counts, edges = np.histogram(sample, np.linspace(grid[0], grid[-1], BINS + 1))
     ax.stairs(counts / sample.size / np.diff(edges), edges, fill=True, alpha=0.35, label=f"{sample.size:,} samples")
-
-
-def _numbers(**values: float) -> tuple[float, ...]:
-    for name, value in values.items():
-        require(real(name, value).ndim == 0, name, value, "be one number: a picture shows one density")
-    return tuple(float(value) for value in values.values())
 
 
 def _figure() -> Any:

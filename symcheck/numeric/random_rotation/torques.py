@@ -8,8 +8,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from symcheck.numeric.chunked import pointwise
-from symcheck.numeric.domain import Array, real, require
-from symcheck.numeric.random_rotation.checks import positive
+from symcheck.numeric.domain import Array, exact, positive, require
 
 
 @pointwise("(),(),(i,j),(i),(i)->()")
@@ -92,7 +91,6 @@ class RandomTorques:
 
 def _fixed(name: str, value: ArrayLike, shape: tuple[int, ...]) -> Array:
     """The value as an array of just this shape that nobody can change."""
-    array = real(name, value, shape).copy()
-    require(array.shape == shape, f"{name}.shape", array.shape, f"be {shape}: one body at a time", "(1.1)")
+    array = exact(name, value, shape).copy()
     array.flags.writeable = False
     return array

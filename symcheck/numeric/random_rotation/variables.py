@@ -8,10 +8,8 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from symcheck.numeric.chunked import gufunc, pointwise
-from symcheck.numeric.domain import Array, real, require
+from symcheck.numeric.domain import Array, not_negative, positive, real, whole
 from symcheck.numeric.random_rotation.amplitude import quantile_of_amplitude
-from symcheck.numeric.random_rotation.checks import positive
-from symcheck.numeric.random_rotation.ensemble import whole
 from symcheck.numeric.random_rotation.frequency import quantile_of_frequency
 from symcheck.numeric.random_rotation.torques import RandomTorques
 
@@ -104,8 +102,7 @@ def angular_velocity(a: ArrayLike, psi: ArrayLike, Omega: ArrayLike, k: ArrayLik
     >>> angular_velocity(2.0, 0.0, 3.0, 0.6).tolist()
     [2.0, -0.0, 5.0]
     """
-    amplitude, phase = real("a", a), real("psi", psi)
-    require(amplitude >= 0, "a", amplitude, "not be negative", "(2.3)")
+    amplitude, phase = not_negative("a", a, "(2.3)"), real("psi", psi)
     parts = amplitude * np.cos(phase), -amplitude * np.sin(phase), real("Omega", Omega) / positive("k", k, "(1.1)")
     return np.stack(np.broadcast_arrays(*parts), axis=-1)
 

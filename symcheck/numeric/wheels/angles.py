@@ -15,9 +15,9 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from symcheck.generated import ignatov2005
+from symcheck.numeric.arrays import letters
 from symcheck.numeric.chunked import gufunc
-from symcheck.numeric.domain import Array, real, require
-from symcheck.numeric.inertia.arguments import letters, principal_moments
+from symcheck.numeric.domain import Array, exact, principal_moments, require
 from symcheck.numeric.wheels.faces import half_spaces
 from symcheck.numeric.wheels.margins import guaranteed_rate
 from symcheck.numeric.wheels.sets import four_wheels, six_wheels
@@ -239,9 +239,8 @@ def best_parameters(
     """
     from scipy.optimize import differential_evolution, minimize
 
-    ends, inertia = real("bounds", np.asarray(bounds), (None, 2)), real("moments", moments, (3,))
+    ends, inertia = exact("bounds", bounds, (None, 2)), exact("moments", moments, (3,))
     require(ends[:, 0] < ends[:, 1], "bounds", ends, "begin below their end")
-    require(inertia.ndim == 1, "moments", inertia, "be those of one body")
 
     def loss(parameters: Array) -> Array:
         return -guaranteed_rate(half_spaces(configuration(*parameters), limits, complete=True), inertia)

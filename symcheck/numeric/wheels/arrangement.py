@@ -9,8 +9,8 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from symcheck.generated import ignatov2005
-from symcheck.numeric.domain import Array, real, require
-from symcheck.numeric.inertia.arguments import letters, principal_moments
+from symcheck.numeric.arrays import letters
+from symcheck.numeric.domain import Array, moments_of_a_mass, not_negative, one_of, principal_moments
 from symcheck.numeric.wheels.angles import (
     best_angle_of_six_wheels,
     best_angles_of_four_wheels,
@@ -112,16 +112,10 @@ def design(
     >>> found.six.rate_after_failure.round(5)
     array([0.00625, 0.0075 , 0.0075 , 0.00625, 0.0075 , 0.0075 ])
     """
-    inertia, rate, momentum = (
-        principal_moments(moments),
-        real("required_rates", required_rates, (3,)),
-        real("limit", limit),
-    )
-    of_a_body = 2 * inertia.max(axis=-1) <= inertia.sum(axis=-1) * (1 + 1e-12)
-    require(of_a_body, "moments", inertia, "satisfy the triangle inequalities, as those of a body do: J_1 <= J_2 + J_3")
-    require(rate >= 0, "required_rates", rate, "not be negative", "(1.2)")
-    require(momentum >= 0, "limit", momentum, "not be negative", "(2.1)")
-    require(rates_about in CHOICES, "rates_about", rates_about, f"be one of {', '.join(map(repr, CHOICES))}")
+    inertia, rate = principal_moments(moments), not_negative("required_rates", required_rates, "(1.2)", (3,))
+    momentum = not_negative("limit", limit, "(2.1)")
+    moments_of_a_mass(inertia)
+    one_of("rates_about", rates_about, CHOICES)
     four, six = (choose(inertia) for choose in CHOICES[rates_about])
     return Design(
         _arrangement(

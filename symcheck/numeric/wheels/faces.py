@@ -17,12 +17,11 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from symcheck.numeric.chunked import gufunc
-from symcheck.numeric.domain import Array, engine_module, require
+from symcheck.numeric.domain import Array, engine_module, one_of, require, whole
 from symcheck.numeric.wheels.sets import Wheels, wheels_of
 
 PARALLEL = 1e-12  # sine of an angle below which two axes are one
 ENGINES = ("numpy", "numba")
-ONE_OF_ENGINES = f"be one of {', '.join(ENGINES)}"
 SPANS = "span space, or have complete=True"
 BLOCK = 8192  # numbers in a register: 64 kB stay in the cache
 
@@ -177,7 +176,7 @@ def _operands(count: int) -> NDArray[np.intp]:
 
 def _found(wheels: Wheels, keep: bool, engine: str) -> tuple[Array, Array]:
     """Normals (m, 3, p), or less if they are not kept, and distances (m, p) of all m sets."""
-    require(engine in ENGINES, "engine", engine, ONE_OF_ENGINES)
+    one_of("engine", engine, ENGINES)
     count = wheels.limits.shape[-1]
     require(count > 2, "axes", wheels.axes, SPANS, "(2.1)")
     axes, limits = wheels.axes.reshape(-1, count, 3), wheels.limits.reshape(-1, count)
@@ -293,8 +292,7 @@ def failures(axes: ArrayLike, limits: ArrayLike = 1.0, bias: ArrayLike = 0.0, *,
     """
     wheels = wheels_of(axes, limits, bias)
     number = wheels.limits.shape[-1]
-    require(count in range(number + 1), "count", count, f"be a whole number from 0 to {number}")
-    cases = np.array(list(combinations(range(number), count)), np.intp)
+    cases = np.array(list(combinations(range(number), whole("count", count, 0, number))), np.intp)
     works = np.ones((len(cases), number))
     np.put_along_axis(works, cases, 0, axis=1)
     left = (wheels.axes[..., None, :, :], works * wheels.limits[..., None, :], works * wheels.bias[..., None, :])

@@ -14,8 +14,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from symcheck.numeric.chunked import gufunc
-from symcheck.numeric.domain import Array, real, require
-from symcheck.numeric.inertia.arguments import orthonormal_axes, principal_moments
+from symcheck.numeric.domain import Array, not_negative, orthonormal_axes, principal_moments, real, require
 from symcheck.numeric.wheels.faces import HalfSpaces
 
 NONE = 1e-12  # of a length of 1: a vector that lies in a plane to rounding does not leave it
@@ -296,8 +295,7 @@ def _blocks(half_spaces: HalfSpaces, lead: tuple[int, ...]) -> list[slice]:
 
 def _reach(semi_axes: ArrayLike, axes: ArrayLike | None) -> Array:
     """The rows s_i u_i, shape (..., 3, 3)."""
-    lengths = real("semi_axes", semi_axes, (3,))
-    require(lengths >= 0, "semi_axes", lengths, "not be negative", "(1.2)")
+    lengths = not_negative("semi_axes", semi_axes, "(1.2)", (3,))
     directions = np.eye(3) if axes is None else orthonormal_axes(axes)
     return lengths[..., None] * directions
 

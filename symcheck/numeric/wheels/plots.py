@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from symcheck.numeric.domain import Array, require
+from symcheck.numeric.domain import Array, one_of, require
 from symcheck.numeric.wheels.polytope import Envelope, envelope
 from symcheck.numeric.wheels.sets import wheels_of
 
@@ -245,7 +245,7 @@ DASHED: dict[str, Any] = {"color": "0.6", "linewidth": 0.7, "linestyle": "--"}
 
 
 def _directions(plane: str) -> tuple[int, int]:
-    require(plane in PLANES, "plane", plane, f"be one of {', '.join(PLANES)}")
+    one_of("plane", plane, PLANES)
     return PLANES[plane]
 
 

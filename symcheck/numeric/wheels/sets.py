@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from functools import lru_cache
-from math import pi
 from typing import NamedTuple
 
 import numpy as np
@@ -14,7 +13,7 @@ from symcheck.generated import ignatov2005
 from symcheck.kernels.specification import specification
 from symcheck.numeric.chunked import gufunc
 from symcheck.numeric.chunked.kernels import by_blocks
-from symcheck.numeric.domain import Array, doubles, real, require
+from symcheck.numeric.domain import Array, acute, common_shape, not_negative, one_of, real, require, unit_axes
 
 VERTICES: dict[int, Callable[..., tuple[float, ...]]] = {
     3: ignatov2005.vertices_of_three_wheels,
@@ -22,7 +21,6 @@ VERTICES: dict[int, Callable[..., tuple[float, ...]]] = {
     5: ignatov2005.vertices_of_five_wheels,
     6: ignatov2005.vertices_of_six_wheels,
 }
-UNIT = 1e-9  # by how much the square of a unit vector's length may differ from 1
 
 
 class Wheels(NamedTuple):
@@ -81,16 +79,12 @@ def wheels_of(axes: ArrayLike, limits: ArrayLike = 1.0, bias: ArrayLike = 0.0) -
     >>> wheels_of([[1, 0, 0], [0, 1, 0]], 2.0).limits
     array([2., 2.])
     """
-    axes = doubles("axes", axes, (None, 3))
+    axes = unit_axes(axes, "(2.1)")
     count = axes.shape[-2]
     require(count > 0, "axes", axes.shape, "have one wheel at least")
-    square = np.einsum("...k,...k->...", axes, axes)
-    square -= 1
-    np.abs(square, out=square)
-    require(square <= UNIT, "axes", axes, "be finite and have the length 1; divide it by its length", "(2.1)")
     limits, bias = _of_wheels(_limits, limits, count), _of_wheels(_bias, bias, count)
-    if not square.shape == limits.shape == bias.shape:  # most calls need no broadcasting, which takes longer than this
-        shape = _common_shape(axes, limits, bias)
+    if not axes.shape[:-1] == limits.shape == bias.shape:  # most calls need no broadcasting, which takes longer
+        shape = common_shape(axes=axes[..., 0], limits=limits, bias=bias)
         axes, limits, bias = (np.broadcast_to(*each) for each in ((axes, (*shape, 3)), (limits, shape), (bias, shape)))
     return Wheels(axes, limits, bias)
 
@@ -108,28 +102,17 @@ def _of_all(checked: Callable[[ArrayLike, int], Array], value: float, count: int
 
 
 def _limits(value: ArrayLike, count: int) -> Array:
-    array = _of_each("limits", value, count)
-    require(array >= 0, "limits", array, "not be negative; a limit of 0 stands for a failed wheel", "(2.1)")
-    return array
+    return _of_each("limits", not_negative("limits", value, "(2.1); a limit of 0 stands for a failed wheel"), count)
 
 
 def _bias(value: ArrayLike, count: int) -> Array:
-    return _of_each("bias", value, count)
+    return _of_each("bias", real("bias", value), count)
 
 
-def _of_each(name: str, value: ArrayLike, count: int) -> Array:
-    array = real(name, value)
+def _of_each(name: str, array: Array, count: int) -> Array:
     if array.ndim and array.shape[-1] != count:
         raise ValueError(f"{name} has shape {array.shape}; its last axis must have the {count} wheels of axes")
     return array
-
-
-def _common_shape(axes: Array, limits: Array, bias: Array) -> tuple[int, ...]:
-    try:
-        return np.broadcast_shapes(axes.shape[:-1], limits.shape, bias.shape)
-    except ValueError:
-        shapes = f"axes {axes.shape}, limits {limits.shape}, bias {bias.shape}"
-        raise ValueError(f"{shapes}: the leading axes must broadcast against each other") from None
 
 
 @gufunc("(),()->(wheel,axis)", wheel=4, axis=3)
@@ -162,7 +145,7 @@ def four_wheels(a: ArrayLike, b: ArrayLike) -> Array:
     >>> four_wheels(np.arctan(np.sqrt(2)), np.pi / 4)[3].round(6)
     array([0.57735, 0.57735, 0.57735])
     """
-    found = by_blocks("ignatov2005", "axes_of_four_wheels", a=_acute("a", a), b=_acute("b", b))
+    found = by_blocks("ignatov2005", "axes_of_four_wheels", a=acute("a", a), b=acute("b", b))
     return _rows(found)
 
 
@@ -194,15 +177,9 @@ def six_wheels(a: ArrayLike) -> Array:
     >>> six_wheels(np.pi / 6)[1].round(6)
     array([ 0.433013, -0.25    ,  0.866025])
     """
-    found = by_blocks("ignatov2005", "axes_of_six_wheels", a=_acute("a", a))
+    found = by_blocks("ignatov2005", "axes_of_six_wheels", a=acute("a", a))
     zero = np.zeros_like(found[0])  # e_1x and e_4x, which the kernel leaves out
     return _rows((zero, *found[:8], zero, *found[8:]))
-
-
-def _acute(name: str, angle: ArrayLike) -> Array:
-    value = real(name, angle)
-    require((value > 0) & (value < pi / 2), name, value, "lie between 0 and pi/2", "tables 2 and 7")
-    return value
 
 
 def _rows(components: tuple[Array, ...]) -> Array:
@@ -313,11 +290,11 @@ def listed_vertices(number: int, *angles: float) -> dict[str, Array]:
     >>> listed_vertices(4, 1.0, 0.5)["V_1"].round(6)
     array([1.613691, 0.      , 0.      ])
     """
-    require(number in VERTICES, "number", number, "be 3, 4, 5 or 6")
+    one_of("number", number, VERTICES)
     count = 2 if number < 5 else 1
     require(len(angles) == count, "angles", angles, f"be {count} for {number} wheels")
     kernel = VERTICES[number]
-    values = kernel(*(float(_acute("ab"[k], angle)) for k, angle in enumerate(angles)))
+    values = kernel(*(float(acute("ab"[k], angle)) for k, angle in enumerate(angles)))
     found: dict[str, Array] = {}
     for component, value in zip([each.name for each in specification(kernel).outputs], values, strict=True):
         found.setdefault(component[:-1], np.zeros(3))["xyz".index(component[-1])] = value
