@@ -404,7 +404,8 @@ def test_the_compiled_rotation_is_right_after_many_turns() -> None:
 
 def test_a_missing_numba_is_told_with_the_way_out(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setitem(sys.modules, "numba", None)
-    monkeypatch.delitem(sys.modules, "symcheck.numeric.random_rotation.numba_engine", raising=False)
+    for module in ("compiled", "random_rotation.numba_engine"):
+        monkeypatch.delitem(sys.modules, f"symcheck.numeric.{module}", raising=False)
     with pytest.raises(ImportError, match="engine='numba' needs numba: pip install numba, or leave engine='numpy'"):
         simulated(engine="numba")
 

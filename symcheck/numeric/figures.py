@@ -14,7 +14,7 @@ from difflib import get_close_matches
 from importlib import import_module
 from io import BytesIO
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -27,7 +27,7 @@ if TYPE_CHECKING:
 UNDATED: dict[str, dict[str, None]] = {".png": {}, ".pdf": {"CreationDate": None}, ".svg": {"Date": None}}
 
 
-def figures() -> dict[str, Callable[[], Any]]:
+def figures() -> dict[str, Callable[[], object]]:
     """All figures by name.
 
     Returns
@@ -45,7 +45,7 @@ def figures() -> dict[str, Callable[[], Any]]:
     >>> [name for name in figures() if name.startswith("liquid")]
     ['liquid-frequencies', 'liquid-stability-map', 'liquid-stability-map-of-two-modes']
     """
-    found: dict[str, tuple[str, Callable[[], Any]]] = {}
+    found: dict[str, tuple[str, Callable[[], object]]] = {}
     for module in pkgutil.walk_packages(numeric.__path__, f"{numeric.__name__}."):
         for name, function in _declared(module.name).items():
             owner, known = found.setdefault(name, (module.name, function))
@@ -153,10 +153,10 @@ def draw(name: str, output: Path | str) -> Path:
     return path
 
 
-def _declared(module: str) -> dict[str, Callable[[], Any]]:
+def _declared(module: str) -> dict[str, Callable[[], object]]:
     """The figures of a module; none if it needs a library that is not installed, as optional ones may not be."""
     try:
-        declared: dict[str, Callable[[], Any]] = getattr(import_module(module), "FIGURES", {})
+        declared: dict[str, Callable[[], object]] = getattr(import_module(module), "FIGURES", {})
     except ModuleNotFoundError as error:
         if (error.name or "").partition(".")[0] == __package__.partition(".")[0]:
             raise
@@ -164,7 +164,7 @@ def _declared(module: str) -> dict[str, Callable[[], Any]]:
     return declared
 
 
-def _function(name: str) -> Callable[[], Any]:
+def _function(name: str) -> Callable[[], object]:
     known = figures()
     if name not in known:
         near = get_close_matches(name, known, n=1, cutoff=0)

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
 
 from symcheck.numeric.domain import Array, increasing
+from symcheck.numeric.drawing import Figures, Panels, new_figure
 from symcheck.numeric.liquid.boundary import StabilityMap, stability_map, unstable_intervals
 from symcheck.numeric.liquid.spectrum import stability
 
@@ -50,7 +51,7 @@ def plot_stability_map(found: StabilityMap, ax: Axes | None = None) -> Axes:
     """
     increasing("Delta", found.Delta)
     increasing("b_1", found.b_1)
-    ax = _single() if ax is None else ax
+    ax = new_figure((7, 5)).subplots() if ax is None else ax
     growing = np.ma.masked_equal(found.growth_rate, 0)
     mesh = ax.pcolormesh(found.Delta, found.b_1, growing, cmap="YlOrRd", vmin=0, shading="nearest", rasterized=True)
     ax.figure.colorbar(mesh, ax=ax, label="growth rate, 1/s")
@@ -67,8 +68,8 @@ def plot_stability_map(found: StabilityMap, ax: Axes | None = None) -> Axes:
 
 
 def plot_frequencies(
-    A: float, E_n: ArrayLike, lambda_n: ArrayLike, omega_0: float, Delta: ArrayLike, axes: Any = None
-) -> Any:
+    A: float, E_n: ArrayLike, lambda_n: ArrayLike, omega_0: float, Delta: ArrayLike, axes: Panels | None = None
+) -> Panels:
     """The frequencies against C - A, above, and below them the growth rate.
 
     Parameters
@@ -108,7 +109,8 @@ def plot_frequencies(
     """
     moments = increasing("Delta", Delta)
     found = stability(A, A + moments, E_n, lambda_n, omega_0)
-    upper, lower = axes = _pair() if axes is None else np.asarray(axes)
+    panels = _pair() if axes is None else np.asarray(axes)
+    upper, lower = panels
     paired = np.where(found.frequencies.imag != 0, found.frequencies.real, np.nan)
     upper.plot(moments, found.frequencies.real, color="black", linewidth=1.2, label=_once("real", found.frequencies))
     upper.plot(moments, paired, color="tab:red", linewidth=2.5, label=_once("real part of a pair", paired))
@@ -119,7 +121,7 @@ def plot_frequencies(
     lower.set(xlabel=MOMENT, ylabel="growth rate, 1/s")
     upper.set_xlabel("")
     upper.legend(loc="best")
-    return axes
+    return panels
 
 
 def _ends(found: StabilityMap) -> Array:
@@ -129,21 +131,14 @@ def _ends(found: StabilityMap) -> Array:
     return np.column_stack([np.concatenate(ends), np.repeat(found.b_1, [each.size for each in ends])])
 
 
-def _once(label: str, columns: Any) -> list[str]:
+def _once(label: str, columns: NDArray[np.generic]) -> list[str]:
     """The label for the first of several curves."""
     return [label, *["_"] * (columns.shape[-1] - 1)]
 
 
-def _single() -> Axes:
-    from matplotlib.figure import Figure
-
-    return Figure(figsize=(7, 5), layout="constrained").subplots()
-
-
-def _pair() -> Any:
-    from matplotlib.figure import Figure
-
-    return Figure(figsize=(7, 6), layout="constrained").subplots(2, sharex=True, height_ratios=(2, 1))
+def _pair() -> Panels:
+    panels: Panels = new_figure((7, 6)).subplots(2, sharex=True, height_ratios=(2, 1))
+    return panels
 
 
 def _map_of_one_mode() -> Axes:
@@ -157,12 +152,12 @@ def _map_of_two_modes() -> Axes:
     return plot_stability_map(stability_map(1.0, [0.2, 0.02], moments, ratios, further_b=[0.7]))
 
 
-def _frequencies() -> Any:
+def _frequencies() -> Panels:
     """Frequencies and growth rate of a body with two modes of its liquid, against C - A."""
     return plot_frequencies(1.0, [0.1, 0.02], [0.3, 0.7], 1.0, np.linspace(-0.999, 0.4, 1500))
 
 
-FIGURES = {
+FIGURES: Figures = {
     "liquid-stability-map": _map_of_one_mode,
     "liquid-stability-map-of-two-modes": _map_of_two_modes,
     "liquid-frequencies": _frequencies,

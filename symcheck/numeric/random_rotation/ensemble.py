@@ -6,21 +6,23 @@ depends on the seed and its number alone, not on how many are computed together,
 
 from __future__ import annotations
 
+from collections.abc import Callable, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from functools import partial
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from symcheck.numeric.chunked import pointwise
 from symcheck.numeric.domain import Array, engine_module, exact, one_of, require, whole
-from symcheck.numeric.random_rotation.scheme import scheme
+from symcheck.numeric.random_rotation.scheme import Scheme, scheme
 from symcheck.numeric.random_rotation.torques import RandomTorques
 
 LANES = 256  # paths that share a generator
 TOGETHER = 40  # streams at most that are advanced together: what a step needs of 10,240 paths stays in the cache
 FEWEST = 16  # streams of a piece that is made for another worker: with fewer, NumPy's threads wait for one another
+Advance = Callable[[Array, Sequence[np.random.Generator], int], None]
 ENGINES = ("numpy", "numba")  # <engine>_engine.py, which needs the package of that name
 
 
@@ -149,7 +151,7 @@ def _generators(seed: int, first: int, count: int) -> list[np.random.Generator]:
 
 
 def _record(
-    advance: Any, every: int, records: Array, state: Array, generators: list[np.random.Generator], mine: slice
+    advance: Advance, every: int, records: Array, state: Array, generators: list[np.random.Generator], mine: slice
 ) -> None:
     """Advance some of the streams to the end, and write their part of each record."""
     part = np.ascontiguousarray(state[:, mine])
@@ -158,7 +160,9 @@ def _record(
         record[:, mine] = part
 
 
-def _advance(engine: str) -> Any:
+def _advance(engine: str) -> Callable[[Scheme, Array, Sequence[np.random.Generator], int], None]:
     """The function that advances a state; see `numpy_engine.advance`."""
     one_of("engine", engine, ENGINES)
-    return engine_module(engine, f"symcheck.numeric.random_rotation.{engine}_engine").advance
+    advance: Callable[[Scheme, Array, Sequence[np.random.Generator], int], None]
+    advance = engine_module(engine, f"symcheck.numeric.random_rotation.{engine}_engine").advance
+    return advance

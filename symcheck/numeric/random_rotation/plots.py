@@ -3,22 +3,28 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from symcheck.numeric.domain import Array, number, real, require
+from symcheck.numeric.drawing import Panels, new_figure
 from symcheck.numeric.random_rotation.amplitude import density_of_amplitude, quantile_of_amplitude
 from symcheck.numeric.random_rotation.ensemble import Ensemble
 from symcheck.numeric.random_rotation.frequency import density_of_frequency, quantile_of_frequency
 from symcheck.numeric.random_rotation.variables import amplitude_phase_frequency
 
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
 TAIL = 0.002  # probability that a picture leaves out at each end
 POINTS, BINS = 401, 60
 
 
-def plot_amplitude(alpha: float, beta: float, gamma: float, *, sample: ArrayLike | None = None, ax: Any = None) -> Any:
+def plot_amplitude(
+    alpha: float, beta: float, gamma: float, *, sample: ArrayLike | None = None, ax: Axes | None = None
+) -> Axes:
     """The stationary density of the amplitude, over the histogram of a sample if one is given (figure 1).
 
     Parameters
@@ -56,8 +62,8 @@ def plot_amplitude(alpha: float, beta: float, gamma: float, *, sample: ArrayLike
 
 
 def plot_frequency(
-    k: float, g_13: float, g_23: float, d_33: float, *, sample: ArrayLike | None = None, ax: Any = None
-) -> Any:
+    k: float, g_13: float, g_23: float, d_33: float, *, sample: ArrayLike | None = None, ax: Axes | None = None
+) -> Axes:
     """The stationary density of the frequency, over the histogram of a sample if one is given (figure 2).
 
     Parameters
@@ -94,7 +100,7 @@ def plot_frequency(
     return _density(ax, density_of_frequency, grid, parameters, sample, "frequency Ω, rad/s", "(3.5)")
 
 
-def plot_paths(ensemble: Ensemble, k: float, *, paths: int = 5, axes: Any = None) -> Any:
+def plot_paths(ensemble: Ensemble, k: float, *, paths: int = 5, axes: Panels | None = None) -> Panels:
     """Amplitude and frequency of the first sample paths against time.
 
     Parameters
@@ -131,7 +137,7 @@ def plot_paths(ensemble: Ensemble, k: float, *, paths: int = 5, axes: Any = None
     >>> len(plot_paths(ensemble, torques.k)[0].lines)
     3
     """
-    axes = _figure().subplots(2, 1, sharex=True) if axes is None else axes
+    axes = new_figure().subplots(2, 1, sharex=True) if axes is None else axes
     found = amplitude_phase_frequency(ensemble.angular_velocity[:, :paths], k)
     for ax, values, label in zip(
         axes, (found.a, found.Omega), ("amplitude a, rad/s", "frequency Ω, rad/s"), strict=True
@@ -143,15 +149,15 @@ def plot_paths(ensemble: Ensemble, k: float, *, paths: int = 5, axes: Any = None
 
 
 def _density(
-    ax: Any,
+    ax: Axes | None,
     density: Callable[..., Array],
     grid: Array,
     parameters: tuple[float, ...],
     sample: ArrayLike | None,
     label: str,
     source: str,
-) -> Any:
-    ax = _figure().subplots() if ax is None else ax
+) -> Axes:
+    ax = new_figure().subplots() if ax is None else ax
     if sample is not None:
         _histogram(ax, real("sample", sample).ravel(), grid)
     ax.plot(grid, density(grid, *parameters), label=f"stationary density {source}")
@@ -161,14 +167,8 @@ def _density(
     return ax
 
 
-def _histogram(ax: Any, sample: Array, grid: Array) -> None:
+def _histogram(ax: Axes, sample: Array, grid: Array) -> None:
     """Normalised by the whole sample, also by what lies beyond the picture."""
     require(sample.size > 0, "sample", sample, "hold at least one value")
     counts, edges = np.histogram(sample, np.linspace(grid[0], grid[-1], BINS + 1))
     ax.stairs(counts / sample.size / np.diff(edges), edges, fill=True, alpha=0.35, label=f"{sample.size:,} samples")
-
-
-def _figure() -> Any:
-    from matplotlib.figure import Figure
-
-    return Figure(layout="constrained")

@@ -11,7 +11,7 @@ from collections.abc import Mapping
 from functools import lru_cache
 from itertools import combinations
 from math import comb
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -60,7 +60,7 @@ class Failures(NamedTuple):
     half_spaces: HalfSpaces
 
 
-def _number_of_pairs(size: Mapping[str, Any]) -> int:
+def _number_of_pairs(size: Mapping[str, int]) -> int:
     return comb(size["n"] + 3 * bool(size.get("complete")), 2)
 
 

@@ -7,25 +7,29 @@ from __future__ import annotations
 
 import re
 from collections.abc import Mapping
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from symcheck.numeric.domain import Array, one_of, require
+from symcheck.numeric.drawing import Line, Panels, new_figure
 from symcheck.numeric.wheels.polytope import Envelope, envelope
 from symcheck.numeric.wheels.sets import wheels_of
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
+    from mpl_toolkits.mplot3d import Axes3D
 
 SIDE = 1e-9  # of a unit normal: a face that is seen edgewise is not seen
 PLANES = {"XY": (0, 1), "XZ": (0, 2), "YZ": (1, 2)}
 INDEX, SUBSCRIPT = r"_(\d+)", r"_{\1}"
 Names = Mapping[str, ArrayLike]
+SOLID = Line(color="black", linewidth=1.0, linestyle="-")
+DASHED = Line(color="0.6", linewidth=0.7, linestyle="--")
 
 
-def plot_axes(axes: ArrayLike, ax: Axes | None = None) -> Axes:
+def plot_axes(axes: ArrayLike, ax: Axes3D | None = None) -> Axes3D:
     """Draw the axes of wheels as unit vectors e_1, ..., e_n from one point: figures 1 and 6.
 
     Parameters
@@ -64,10 +68,10 @@ def plot_axes(axes: ArrayLike, ax: Axes | None = None) -> Axes:
     reach = 1.1 * max(1e-3, np.abs(units).max())
     drawn.locator_params(nbins=5)
     drawn.set(xlabel="X", ylabel="Y", zlabel="Z", **{f"{k}lim": (-reach, reach) for k in "xyz"}, aspect="equal")
-    return _same(drawn)
+    return drawn
 
 
-def plot_envelope(found: Envelope, names: Names | None = None, ax: Axes | None = None) -> Axes:
+def plot_envelope(found: Envelope, names: Names | None = None, ax: Axes3D | None = None) -> Axes3D:
     """Draw a momentum envelope in space, with the names of the vertices that are seen: figures 2, 4, 7, 10.
 
     Parameters
@@ -114,7 +118,7 @@ def plot_envelope(found: Envelope, names: Names | None = None, ax: Axes | None =
         drawn.text(*place, name, fontsize=11)
     drawn.locator_params(nbins=5)
     drawn.set(**{f"{k}label": f"$H_{k}$, N m s" for k in "xyz"}, aspect="equal")
-    return _same(drawn)
+    return drawn
 
 
 def plot_projection(found: Envelope, plane: str = "XY", names: Names | None = None, ax: Axes | None = None) -> Axes:
@@ -153,7 +157,7 @@ def plot_projection(found: Envelope, plane: str = "XY", names: Names | None = No
     """
     across, up = _directions(plane)
     view = np.cross(np.eye(3)[across], np.eye(3)[up])
-    drawn: Any = _figure(1)[0] if ax is None else ax
+    drawn: Axes = _figure(1)[0] if ax is None else ax
     seen, hidden = _edges(found, view)
     for ends, style in ((hidden, DASHED), (seen, SOLID)):
         for line in ends:
@@ -162,10 +166,10 @@ def plot_projection(found: Envelope, plane: str = "XY", names: Names | None = No
         drawn.annotate(name, place, xytext=(3, 3), textcoords="offset points", fontsize=10)
     drawn.margins(0.12)
     drawn.set(xlabel=f"$H_{'xyz'[across]}$, N m s", ylabel=f"$H_{'xyz'[up]}$, N m s", aspect="equal")
-    return _same(drawn)
+    return drawn
 
 
-def plot_projections(found: Envelope, names: Names | None = None, axes: Any = None) -> Any:
+def plot_projections(found: Envelope, names: Names | None = None, axes: Panels | None = None) -> Panels:
     """Draw the three projections of a momentum envelope on the coordinate planes: figures 3, 5, 8, 11.
 
     Parameters
@@ -192,13 +196,13 @@ def plot_projections(found: Envelope, names: Names | None = None, axes: Any = No
     >>> [ax.get_ylabel() for ax in plot_projections(envelope(np.eye(3)))]
     ['$H_y$, N m s', '$H_z$, N m s', '$H_z$, N m s']
     """
-    axes = _figure(3) if axes is None else np.asarray(axes)
-    for plane, ax in zip(PLANES, axes.flat, strict=True):
+    panels = _figure(3) if axes is None else np.asarray(axes)
+    for plane, ax in zip(PLANES, panels.flat, strict=True):
         plot_projection(found, plane, names, ax)
-    return axes
+    return panels
 
 
-def plot_failures(axes: ArrayLike, limits: ArrayLike = 1.0, plane: str = "XY") -> Any:
+def plot_failures(axes: ArrayLike, limits: ArrayLike = 1.0, plane: str = "XY") -> Panels:
     """Draw what is left of an envelope after the failure of each wheel, in projection, inside the whole envelope.
 
     Parameters
@@ -238,10 +242,6 @@ def plot_failures(axes: ArrayLike, limits: ArrayLike = 1.0, plane: str = "XY") -
         left = envelope(units, np.where(np.arange(len(units)) == number, 0, working))
         plot_projection(left, plane, {}, ax).set_title(f"without wheel {number + 1}")
     return panels
-
-
-SOLID: dict[str, Any] = {"color": "black", "linewidth": 1.0}
-DASHED: dict[str, Any] = {"color": "0.6", "linewidth": 0.7, "linestyle": "--"}
 
 
 def _directions(plane: str) -> tuple[int, int]:
@@ -300,30 +300,19 @@ def _merged(labels: list[tuple[Array, str]], across: int, up: int) -> list[tuple
     return [(place, ", ".join(names)) for place, names in found.items()]
 
 
-def _towards_the_viewer(ax: Any) -> Array:
+def _towards_the_viewer(ax: Axes3D) -> Array:
     height, azimuth = np.radians(ax.elev), np.radians(ax.azim)
     return np.array([np.cos(height) * np.cos(azimuth), np.cos(height) * np.sin(azimuth), np.sin(height)])
 
 
-def _in_space(ax: Axes | None) -> Any:
-    if ax is not None:
-        return ax
-    from matplotlib.figure import Figure
-
-    return Figure(figsize=(7, 6)).add_subplot(projection="3d", elev=22, azim=28)
+def _in_space(ax: Axes3D | None) -> Axes3D:
+    return new_figure((7, 6), layout=None).add_subplot(projection="3d", elev=22, azim=28) if ax is None else ax
 
 
-def _figure(count: int) -> Any:
-    from matplotlib.figure import Figure
-
+def _figure(count: int) -> Panels:
     columns = min(count, 3)
     rows = -(-count // columns)
-    panels = Figure(figsize=(4.5 * columns, 4.5 * rows), layout="constrained").subplots(rows, columns, squeeze=False)
+    panels = new_figure((4.5 * columns, 4.5 * rows)).subplots(rows, columns, squeeze=False)
     for spare in panels.flat[count:]:
         spare.remove()
     return panels.flat[:count]
-
-
-def _same(ax: Any) -> Axes:
-    drawn: Axes = ax
-    return drawn
