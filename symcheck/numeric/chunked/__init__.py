@@ -62,8 +62,9 @@ def gufunc(signature: str, **sizes: Size) -> Callable[[F], F]:
         def dispatching(*args: object, **kwargs: object) -> object:
             if not is_chunked(*args, *kwargs.values()):
                 return function(*args, **kwargs)
-            arguments = inspect.signature(function).bind(*args, **kwargs).arguments
-            return apply(dispatching, arguments, declared, results_of(function))
+            bound = inspect.signature(function).bind(*args, **kwargs)
+            bound.apply_defaults()
+            return apply(dispatching, bound.arguments, declared, results_of(function))
 
         dispatching.signature = declared  # type: ignore[attr-defined]
         return dispatching  # type: ignore[return-value]
