@@ -255,8 +255,8 @@ def _plain(value: object) -> object:
     return value.item() if isinstance(value, np.ndarray | np.generic) and value.ndim == 0 else value
 
 
-def _differs(asked: int | None, length: int) -> bool:
-    return asked is not None and asked != length
+def _differs(required: int | None, length: int) -> bool:
+    return required is not None and required != length
 
 
 def _words(shape: Shape) -> str:

@@ -1,4 +1,4 @@
-"""All figures of the numeric layer, found without a registry: a module that has some says so in its own `FIGURES`,
+"""All figures of the numeric layer, without a registry: a module that has some lists them in `FIGURES`,
 
     FIGURES = {"name": function}
 
@@ -45,13 +45,13 @@ def figures() -> dict[str, Callable[[], object]]:
     >>> [name for name in figures() if name.startswith("liquid")]
     ['liquid-frequencies', 'liquid-stability-map', 'liquid-stability-map-of-two-modes']
     """
-    found: dict[str, tuple[str, Callable[[], object]]] = {}
+    declared: dict[str, tuple[str, Callable[[], object]]] = {}
     for module in pkgutil.walk_packages(numeric.__path__, f"{numeric.__name__}."):
         for name, function in _declared(module.name).items():
-            owner, known = found.setdefault(name, (module.name, function))
+            owner, known = declared.setdefault(name, (module.name, function))
             if known is not function:
                 raise ValueError(f"{owner} and {module.name} both have a figure {name!r}; rename one of them")
-    return {name: found[name][1] for name in sorted(found)}
+    return {name: declared[name][1] for name in sorted(declared)}
 
 
 def summary(name: str) -> str:

@@ -30,8 +30,8 @@ def declaration(kernel: Function) -> Declaration:
     >>> declaration(kernels.find("ignatov2005", "volume_of_three_wheels")).results["volume"]["units"]
     'h_max^3'
     """
-    said = specification(kernel)
-    return Declaration(_attributes(said.arguments), _attributes(said.outputs))
+    declared = specification(kernel)
+    return Declaration(_attributes(declared.arguments), _attributes(declared.outputs))
 
 
 def kernel(paper: str, name: str) -> Function:

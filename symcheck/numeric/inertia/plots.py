@@ -1,6 +1,6 @@
 """Figures of Mirer's paper and of what follows from it. Matplotlib is imported only when one is drawn.
 
-Each function draws into `ax`, or into a figure of its own, and returns the axes; `axes.figure.savefig(...)` keeps it.
+Each function draws into `ax`, or into a new figure, and returns the axes; `axes.figure.savefig(...)` keeps it.
 """
 
 from __future__ import annotations

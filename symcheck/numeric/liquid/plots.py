@@ -18,12 +18,12 @@ if TYPE_CHECKING:
 MOMENT = "C − A, kg m²"
 
 
-def plot_stability_map(found: StabilityMap, ax: Axes | None = None) -> Axes:
+def plot_stability_map(result: StabilityMap, ax: Axes | None = None) -> Axes:
     """The growth rate as colour over C - A and the first mode's natural frequency, with the boundary of stability.
 
     Parameters
     ----------
-    found
+    result
         Result of `stability_map` whose Delta and b_1 increase.
     ax
         Axes to draw in; by default those of a new figure.
@@ -45,24 +45,24 @@ def plot_stability_map(found: StabilityMap, ax: Axes | None = None) -> Axes:
 
     Examples
     --------
-    >>> found = stability_map(1.0, [0.2], np.linspace(-0.99, 0.2, 40), np.linspace(-0.2, 1.2, 30))
-    >>> plot_stability_map(found).get_xlabel()
+    >>> result = stability_map(1.0, [0.2], np.linspace(-0.99, 0.2, 40), np.linspace(-0.2, 1.2, 30))
+    >>> plot_stability_map(result).get_xlabel()
     'C − A, kg m²'
     """
-    increasing("Delta", found.Delta)
-    increasing("b_1", found.b_1)
+    increasing("Delta", result.Delta)
+    increasing("b_1", result.b_1)
     ax = new_figure((7, 5)).subplots() if ax is None else ax
-    growing = np.ma.masked_equal(found.growth_rate, 0)
-    mesh = ax.pcolormesh(found.Delta, found.b_1, growing, cmap="YlOrRd", vmin=0, shading="nearest", rasterized=True)
+    growing = np.ma.masked_equal(result.growth_rate, 0)
+    mesh = ax.pcolormesh(result.Delta, result.b_1, growing, cmap="YlOrRd", vmin=0, shading="nearest", rasterized=True)
     ax.figure.colorbar(mesh, ax=ax, label="growth rate, 1/s")
-    ax.plot(*_ends(found).T, "k.", markersize=2, label="boundary of stability")
+    ax.plot(*_ends(result).T, "k.", markersize=2, label="boundary of stability")
     ax.axvline(0, color="0.6", linewidth=0.8, linestyle=":")
     ax.set(
         xlabel=MOMENT,
         ylabel="natural frequency of the first mode / spin, $b_1$",
         title="Stability of a body with liquid",
     )
-    ax.set(xlim=found.Delta[[0, -1]], ylim=found.b_1[[0, -1]])
+    ax.set(xlim=result.Delta[[0, -1]], ylim=result.b_1[[0, -1]])
     ax.legend(loc="upper right")
     return ax
 
@@ -108,15 +108,17 @@ def plot_frequencies(
     ('frequency η, rad/s', 'growth rate, 1/s')
     """
     moments = increasing("Delta", Delta)
-    found = stability(A, A + moments, E_n, lambda_n, omega_0)
+    spectrum = stability(A, A + moments, E_n, lambda_n, omega_0)
     panels = _pair() if axes is None else np.asarray(axes)
     upper, lower = panels
-    paired = np.where(found.frequencies.imag != 0, found.frequencies.real, np.nan)
-    upper.plot(moments, found.frequencies.real, color="black", linewidth=1.2, label=_once("real", found.frequencies))
+    paired = np.where(spectrum.frequencies.imag != 0, spectrum.frequencies.real, np.nan)
+    upper.plot(
+        moments, spectrum.frequencies.real, color="black", linewidth=1.2, label=_once("real", spectrum.frequencies)
+    )
     upper.plot(moments, paired, color="tab:red", linewidth=2.5, label=_once("real part of a pair", paired))
     for natural in np.atleast_1d(lambda_n):
         upper.axhline(natural, color="0.6", linewidth=0.8, linestyle=":")
-    lower.plot(moments, found.growth_rate, color="tab:red")
+    lower.plot(moments, spectrum.growth_rate, color="tab:red")
     upper.set(ylabel="frequency η, rad/s", title="Frequencies of a body with liquid (dotted: those of the modes)")
     lower.set(xlabel=MOMENT, ylabel="growth rate, 1/s")
     upper.set_xlabel("")
@@ -124,11 +126,11 @@ def plot_frequencies(
     return panels
 
 
-def _ends(found: StabilityMap) -> Array:
+def _ends(result: StabilityMap) -> Array:
     """Points (C - A, b_1) of the boundary of stability, shape (points, 2)."""
-    rows = [np.append(ratio, found.further_b) * found.omega_0 for ratio in found.b_1]
-    ends = [unstable_intervals(found.A, found.E_n, natural, found.omega_0).ravel() for natural in rows]
-    return np.column_stack([np.concatenate(ends), np.repeat(found.b_1, [each.size for each in ends])])
+    rows = [np.append(ratio, result.further_b) * result.omega_0 for ratio in result.b_1]
+    ends = [unstable_intervals(result.A, result.E_n, natural, result.omega_0).ravel() for natural in rows]
+    return np.column_stack([np.concatenate(ends), np.repeat(result.b_1, [row.size for row in ends])])
 
 
 def _once(label: str, columns: NDArray[np.generic]) -> list[str]:

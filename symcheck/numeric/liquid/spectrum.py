@@ -137,11 +137,11 @@ def stability(A: ArrayLike, C: ArrayLike, E_n: ArrayLike, lambda_n: ArrayLike, o
     """
     body = checked_body(A, C, E_n, lambda_n, omega_0)
     with np.errstate(all="ignore"):
-        found = _roots_of_the_quadratic(body) if _is_one_mode(body) else _eigenvalues(body)
-        found = np.sort(finite("a frequency", found), axis=-1)
-        rate = np.abs(found.imag).max(-1)
+        eta = _roots_of_the_quadratic(body) if _is_one_mode(body) else _eigenvalues(body)
+        eta = np.sort(finite("a frequency", eta), axis=-1)
+        rate = np.abs(eta.imag).max(-1)
         stable = _quadratic(body).discriminant > 0 if _is_one_mode(body) else rate == 0
-    return Stability(found, np.asarray(rate), np.asarray(stable))
+    return Stability(eta, np.asarray(rate), np.asarray(stable))
 
 
 @gufunc("(),(),(n),(n),()->(frequency)", frequency=lambda size: size["n"] + 1)
@@ -152,16 +152,8 @@ def frequencies(
 
     Parameters
     ----------
-    A
-        Transverse moment of inertia with the liquid at rest, kg m^2; shape (...), positive.
-    C
-        Axial moment of inertia, kg m^2; shape (...), positive.
-    E_n
-        Moments of inertia that the modes carry, kg m^2; shape (..., N), positive, together less than A.
-    lambda_n
-        Natural frequencies of the modes, rad/s; shape (..., N).
-    omega_0
-        Spin, rad/s; shape (...), positive.
+    A, C, E_n, lambda_n, omega_0
+        As for `stability`.
 
     Returns
     -------
@@ -191,16 +183,8 @@ def growth_rate(A: ArrayLike, C: ArrayLike, E_n: ArrayLike, lambda_n: ArrayLike,
 
     Parameters
     ----------
-    A
-        Transverse moment of inertia with the liquid at rest, kg m^2; shape (...), positive.
-    C
-        Axial moment of inertia, kg m^2; shape (...), positive.
-    E_n
-        Moments of inertia that the modes carry, kg m^2; shape (..., N), positive, together less than A.
-    lambda_n
-        Natural frequencies of the modes, rad/s; shape (..., N).
-    omega_0
-        Spin, rad/s; shape (...), positive.
+    A, C, E_n, lambda_n, omega_0
+        As for `stability`.
 
     Returns
     -------
@@ -230,16 +214,8 @@ def is_stable(A: ArrayLike, C: ArrayLike, E_n: ArrayLike, lambda_n: ArrayLike, o
 
     Parameters
     ----------
-    A
-        Transverse moment of inertia with the liquid at rest, kg m^2; shape (...), positive.
-    C
-        Axial moment of inertia, kg m^2; shape (...), positive.
-    E_n
-        Moments of inertia that the modes carry, kg m^2; shape (..., N), positive, together less than A.
-    lambda_n
-        Natural frequencies of the modes, rad/s; shape (..., N).
-    omega_0
-        Spin, rad/s; shape (...), positive.
+    A, C, E_n, lambda_n, omega_0
+        As for `stability`.
 
     Returns
     -------
@@ -293,7 +269,7 @@ def _roots_of_the_quadratic(body: Body) -> NDArray[np.complex128]:
     lesser = np.divide(constant, greater, out=np.zeros_like(greater), where=greater != 0)
     pair = (1j * np.sqrt(np.maximum(-discriminant, 0)) - linear) / (2 * square)
     two_real, conjugates = (greater / square, lesser), (pair, pair.conj())
-    return np.stack([np.where(discriminant < 0, *each) for each in zip(conjugates, two_real, strict=True)], -1)
+    return np.stack([np.where(discriminant < 0, *roots) for roots in zip(conjugates, two_real, strict=True)], -1)
 
 
 # --- several modes
@@ -303,12 +279,12 @@ def _eigenvalues(body: Body) -> NDArray[np.complex128]:
     """Those of symmetric matrices apart: they are real, and take half the time."""
     matrix, symmetric = _arrowhead(body), body.off_the_band
     finite("the matrix of the modes", matrix)
-    found = np.empty(matrix.shape[:-1], np.complex128)
-    found[symmetric] = np.linalg.eigvalsh(matrix[symmetric])
-    found[~symmetric] = np.linalg.eigvals(matrix[~symmetric])
+    eta = np.empty(matrix.shape[:-1], np.complex128)
+    eta[symmetric] = np.linalg.eigvalsh(matrix[symmetric])
+    eta[~symmetric] = np.linalg.eigvals(matrix[~symmetric])
     rounding = matrix.shape[-1] * EPSILON * np.linalg.norm(matrix, axis=(-2, -1))
-    found.imag[(np.abs(found.imag) <= rounding[..., None]) | body.not_long[..., None]] = 0
-    return found
+    eta.imag[(np.abs(eta.imag) <= rounding[..., None]) | body.not_long[..., None]] = 0
+    return eta
 
 
 def _arrowhead(body: Body) -> Array:

@@ -1,6 +1,6 @@
 """The stationary law of the amplitude a = sqrt(x_1^2 + x_2^2), (3.4): density, distribution, quantiles, moments, mode.
 
-Everywhere, with the body's dissipation d_ij and noise intensities g_ij of (1.1):
+With the body's dissipation d_ij and noise intensities g_ij of (1.1):
 
     alpha  multiplicative noise, alpha^2 = g_11^2 + g_12^2, s^(-1/2); positive
     beta   additive noise, beta^2 = g_21^2 + g_22^2, rad s^(-3/2); positive
@@ -26,12 +26,8 @@ def density_of_amplitude(a: ArrayLike, alpha: ArrayLike, beta: ArrayLike, gamma:
     ----------
     a
         Amplitude, rad/s; not negative.
-    alpha
-        Multiplicative noise, s^(-1/2); positive.
-    beta
-        Additive noise, rad s^(-3/2); positive.
-    gamma
-        Dissipation, s^(-1/2); 2 gamma > alpha.
+    alpha, beta, gamma
+        Multiplicative noise, s^(-1/2), additive noise, rad s^(-3/2), dissipation, s^(-1/2); positive, 2 gamma > alpha.
 
     Returns
     -------
@@ -68,12 +64,8 @@ def distribution_of_amplitude(a: ArrayLike, alpha: ArrayLike, beta: ArrayLike, g
     ----------
     a
         Amplitude, rad/s; not negative.
-    alpha
-        Multiplicative noise, s^(-1/2); positive.
-    beta
-        Additive noise, rad s^(-3/2); positive.
-    gamma
-        Dissipation, s^(-1/2); 2 gamma > alpha.
+    alpha, beta, gamma
+        Multiplicative noise, s^(-1/2), additive noise, rad s^(-3/2), dissipation, s^(-1/2); positive, 2 gamma > alpha.
 
     Returns
     -------
@@ -106,12 +98,8 @@ def quantile_of_amplitude(q: ArrayLike, alpha: ArrayLike, beta: ArrayLike, gamma
     ----------
     q
         Probability, 0 < q < 1.
-    alpha
-        Multiplicative noise, s^(-1/2); positive.
-    beta
-        Additive noise, rad s^(-3/2); positive.
-    gamma
-        Dissipation, s^(-1/2); 2 gamma > alpha.
+    alpha, beta, gamma
+        Multiplicative noise, s^(-1/2), additive noise, rad s^(-3/2), dissipation, s^(-1/2); positive, 2 gamma > alpha.
 
     Returns
     -------
@@ -145,12 +133,8 @@ def moment_of_amplitude(m: ArrayLike, alpha: ArrayLike, beta: ArrayLike, gamma: 
     ----------
     m
         Order, any real number that is not negative; accuracy is shown up to 8.
-    alpha
-        Multiplicative noise, s^(-1/2); positive.
-    beta
-        Additive noise, rad s^(-3/2); positive.
-    gamma
-        Dissipation, s^(-1/2); 2 gamma > alpha.
+    alpha, beta, gamma
+        Multiplicative noise, s^(-1/2), additive noise, rad s^(-3/2), dissipation, s^(-1/2); positive, 2 gamma > alpha.
 
     Returns
     -------
@@ -183,12 +167,8 @@ def mean_square_of_amplitude(alpha: ArrayLike, beta: ArrayLike, gamma: ArrayLike
 
     Parameters
     ----------
-    alpha
-        Multiplicative noise, s^(-1/2); positive.
-    beta
-        Additive noise, rad s^(-3/2); positive.
-    gamma
-        Dissipation, s^(-1/2); 2 gamma > alpha.
+    alpha, beta, gamma
+        Multiplicative noise, s^(-1/2), additive noise, rad s^(-3/2), dissipation, s^(-1/2); positive, 2 gamma > alpha.
 
     Returns
     -------
@@ -220,12 +200,8 @@ def mode_of_amplitude(alpha: ArrayLike, beta: ArrayLike, gamma: ArrayLike) -> Ar
 
     Parameters
     ----------
-    alpha
-        Multiplicative noise, s^(-1/2); positive.
-    beta
-        Additive noise, rad s^(-3/2); positive.
-    gamma
-        Dissipation, s^(-1/2); 2 gamma > alpha.
+    alpha, beta, gamma
+        Multiplicative noise, s^(-1/2), additive noise, rad s^(-3/2), dissipation, s^(-1/2); positive, 2 gamma > alpha.
 
     Returns
     -------
@@ -255,12 +231,8 @@ def logarithm_of_constant_of_amplitude(alpha: ArrayLike, beta: ArrayLike, gamma:
 
     Parameters
     ----------
-    alpha
-        Multiplicative noise, s^(-1/2); positive.
-    beta
-        Additive noise, rad s^(-3/2); positive.
-    gamma
-        Dissipation, s^(-1/2); 2 gamma > alpha.
+    alpha, beta, gamma
+        Multiplicative noise, s^(-1/2), additive noise, rad s^(-3/2), dissipation, s^(-1/2); positive, 2 gamma > alpha.
 
     Returns
     -------

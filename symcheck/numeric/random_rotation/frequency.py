@@ -30,14 +30,9 @@ def density_of_frequency(Omega: ArrayLike, k: ArrayLike, g_13: ArrayLike, g_23: 
     ----------
     Omega
         Frequency, rad/s.
-    k
-        Ratio (A - C)/A of the moments of inertia; positive.
-    g_13
-        Multiplicative noise of the polar axis, s^(-1/2); positive.
-    g_23
-        Additive noise of the polar axis, rad s^(-3/2); positive.
-    d_33
-        Dissipation about the polar axis, 1/s; positive.
+    k, g_13, g_23, d_33
+        Ratio (A - C)/A of the moments of inertia; multiplicative noise, s^(-1/2), additive noise, rad s^(-3/2), and
+        dissipation, 1/s, of the polar axis; positive.
 
     Returns
     -------
@@ -72,14 +67,9 @@ def distribution_of_frequency(
     ----------
     Omega
         Frequency, rad/s.
-    k
-        Ratio (A - C)/A of the moments of inertia; positive.
-    g_13
-        Multiplicative noise of the polar axis, s^(-1/2); positive.
-    g_23
-        Additive noise of the polar axis, rad s^(-3/2); positive.
-    d_33
-        Dissipation about the polar axis, 1/s; positive.
+    k, g_13, g_23, d_33
+        Ratio (A - C)/A of the moments of inertia; multiplicative noise, s^(-1/2), additive noise, rad s^(-3/2), and
+        dissipation, 1/s, of the polar axis; positive.
 
     Returns
     -------
@@ -111,14 +101,9 @@ def quantile_of_frequency(q: ArrayLike, k: ArrayLike, g_13: ArrayLike, g_23: Arr
     ----------
     q
         Probability, 0 < q < 1.
-    k
-        Ratio (A - C)/A of the moments of inertia; positive.
-    g_13
-        Multiplicative noise of the polar axis, s^(-1/2); positive.
-    g_23
-        Additive noise of the polar axis, rad s^(-3/2); positive.
-    d_33
-        Dissipation about the polar axis, 1/s; positive.
+    k, g_13, g_23, d_33
+        Ratio (A - C)/A of the moments of inertia; multiplicative noise, s^(-1/2), additive noise, rad s^(-3/2), and
+        dissipation, 1/s, of the polar axis; positive.
 
     Returns
     -------
@@ -151,14 +136,9 @@ def moment_of_frequency(m: ArrayLike, k: ArrayLike, g_13: ArrayLike, g_23: Array
     ----------
     m
         Order, any real number that is not negative; accuracy is shown up to 8.
-    k
-        Ratio (A - C)/A of the moments of inertia; positive.
-    g_13
-        Multiplicative noise of the polar axis, s^(-1/2); positive.
-    g_23
-        Additive noise of the polar axis, rad s^(-3/2); positive.
-    d_33
-        Dissipation about the polar axis, 1/s; positive.
+    k, g_13, g_23, d_33
+        Ratio (A - C)/A of the moments of inertia; multiplicative noise, s^(-1/2), additive noise, rad s^(-3/2), and
+        dissipation, 1/s, of the polar axis; positive.
 
     Returns
     -------
@@ -191,14 +171,9 @@ def mean_square_of_frequency(k: ArrayLike, g_13: ArrayLike, g_23: ArrayLike, d_3
 
     Parameters
     ----------
-    k
-        Ratio (A - C)/A of the moments of inertia; positive.
-    g_13
-        Multiplicative noise of the polar axis, s^(-1/2); positive.
-    g_23
-        Additive noise of the polar axis, rad s^(-3/2); positive.
-    d_33
-        Dissipation about the polar axis, 1/s; positive.
+    k, g_13, g_23, d_33
+        Ratio (A - C)/A of the moments of inertia; multiplicative noise, s^(-1/2), additive noise, rad s^(-3/2), and
+        dissipation, 1/s, of the polar axis; positive.
 
     Returns
     -------
@@ -230,14 +205,9 @@ def mode_of_frequency(k: ArrayLike, g_13: ArrayLike, g_23: ArrayLike, d_33: Arra
 
     Parameters
     ----------
-    k
-        Ratio (A - C)/A of the moments of inertia; positive.
-    g_13
-        Multiplicative noise of the polar axis, s^(-1/2); positive.
-    g_23
-        Additive noise of the polar axis, rad s^(-3/2); positive.
-    d_33
-        Dissipation about the polar axis, 1/s; positive.
+    k, g_13, g_23, d_33
+        Ratio (A - C)/A of the moments of inertia; multiplicative noise, s^(-1/2), additive noise, rad s^(-3/2), and
+        dissipation, 1/s, of the polar axis; positive.
 
     Returns
     -------
@@ -267,14 +237,9 @@ def logarithm_of_constant_of_frequency(k: ArrayLike, g_13: ArrayLike, g_23: Arra
 
     Parameters
     ----------
-    k
-        Ratio (A - C)/A of the moments of inertia; positive.
-    g_13
-        Multiplicative noise of the polar axis, s^(-1/2); positive.
-    g_23
-        Additive noise of the polar axis, rad s^(-3/2); positive.
-    d_33
-        Dissipation about the polar axis, 1/s; positive.
+    k, g_13, g_23, d_33
+        Ratio (A - C)/A of the moments of inertia; multiplicative noise, s^(-1/2), additive noise, rad s^(-3/2), and
+        dissipation, 1/s, of the polar axis; positive.
 
     Returns
     -------

@@ -138,9 +138,9 @@ def plot_paths(ensemble: Ensemble, k: float, *, paths: int = 5, axes: Panels | N
     3
     """
     axes = new_figure().subplots(2, 1, sharex=True) if axes is None else axes
-    found = amplitude_phase_frequency(ensemble.angular_velocity[:, :paths], k)
+    rotation = amplitude_phase_frequency(ensemble.angular_velocity[:, :paths], k)
     for ax, values, label in zip(
-        axes, (found.a, found.Omega), ("amplitude a, rad/s", "frequency Ω, rad/s"), strict=True
+        axes, (rotation.a, rotation.Omega), ("amplitude a, rad/s", "frequency Ω, rad/s"), strict=True
     ):
         ax.plot(ensemble.time, values, linewidth=0.8)
         ax.set_ylabel(label)

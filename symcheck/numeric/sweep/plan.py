@@ -61,7 +61,7 @@ class Plan(NamedTuple):
         return array.expand_dims(missing).transpose(*part, ...)
 
     def _free(self, name: str) -> str:
-        """The name, or one like it that is no axis of the sweep."""
+        """The name, with an underscore if an axis of the sweep has it."""
         return name if name not in self.sizes else f"{name}_"
 
 
@@ -72,7 +72,7 @@ def read(path: Path) -> str:
     except OSError as error:
         raise SweepError(f"{path} cannot be read: {error.strerror}") from None
     except (ValueError, TypeError) as error:
-        raise SweepError(f"{path} is no sweep in TOML: {error}") from None
+        raise SweepError(f"{path} is not a sweep in TOML: {error}") from None
 
 
 def plan(text: str) -> Plan:
@@ -159,7 +159,7 @@ class _Reader:
         if not own or _depth(value) > len(own):
             return self.along(_numbers(value, len(own) + 1, where), own, where, name, attributes)
         parts = [
-            self.value(each, own[1:], f"{where}[{k}]", f"{name}_{k}", attributes) for k, each in enumerate(value, 1)
+            self.value(item, own[1:], f"{where}[{k}]", f"{name}_{k}", attributes) for k, item in enumerate(value, 1)
         ]
         return lambda part: xarray.apply_ufunc(
             lambda *arrays: np.stack(np.broadcast_arrays(*arrays), axis=-len(own)),
@@ -190,9 +190,9 @@ class _Reader:
         """Independent random numbers, one for each realization."""
         if not isinstance(given, list) or len(given) != 2:
             raise SweepError(f"{where}.{distribution} must be [{', '.join(names)}]")
-        first, second = (number(f"{where}.{name}", each) for each, name in zip(given, names, strict=True))
+        first, second = (number(f"{where}.{name}", item) for item, name in zip(given, names, strict=True))
         if second < (0 if distribution == "normal" else first):
-            raise SweepError(f"{where}.{distribution} = {given} is no distribution: {names[1]} is too small")
+            raise SweepError(f"{where}.{distribution} = {given} is not a distribution: {names[1]} is too small")
         source = self._random()
 
         def block(number: int) -> Array:
@@ -267,7 +267,7 @@ def _point_by_point(swept: Swept, values: Mapping[str, object], part: Part, rand
     cores = {name: core or () for name, core in swept.arguments.items() if name in values}
     fixed = {name: value for name, value in values.items() if name not in cores}
     places: list[xarray.DataArray] = []
-    if swept.is_ensemble:  # each point has noises of its own
+    if swept.is_ensemble:  # each point has its own noises
         for name, core in cores.items():
             if REALIZATION in getattr(values[name], "dims", ()) and REALIZATION not in core:
                 raise SweepError(f"{name} must not differ between realizations: all of them have it in common")
@@ -320,12 +320,12 @@ def _numbers(value: Sequence[object], depth: int, where: str) -> NDArray[np.gene
     """A nested list of just this depth as an array."""
     flat = value
     for _ in range(depth - 1):
-        lengths = {len(each) if isinstance(each, list) else 0 for each in flat}
+        lengths = {len(item) if isinstance(item, list) else 0 for item in flat}
         if len(lengths) > 1 or 0 in lengths:
             raise SweepError(f"{where} must be a list of arrays of one shape")
-        flat = [each for row in flat if isinstance(row, list) for each in row]
-    for each in flat:
-        number(where, each, f", or {FORMS}")
+        flat = [item for row in flat if isinstance(row, list) for item in row]
+    for item in flat:
+        number(where, item, f", or {FORMS}")
     return np.array(value)
 
 

@@ -5,7 +5,7 @@ share a file system, and a chunk that is computed twice does no harm. A chunk co
 journal that has the digest of its values: a chunk that was cut off, damaged or exchanged does not have it and is
 computed again. OUT itself appears at once, by renaming.
 
-What is found there may be anybody's: it is opened as Zarr of format 3 alone (older ones may run code when they are
+The folder may be anybody's: it is opened as Zarr of format 3 alone (older ones may run code when they are
 decoded), and refused in one line unless it is laid out as the sweep that is asked for.
 """
 
@@ -32,7 +32,7 @@ from symcheck.numeric.sweep.functions import SweepError
 from symcheck.numeric.sweep.plan import Plan
 
 COMPRESSION = BloscCodec(cname="lz4", clevel=1, shuffle="shuffle")  # takes no longer than to write without any
-IDENTITY = "symcheck_sweep"  # attribute with what the sweep was asked for
+IDENTITY = "symcheck_sweep"  # attribute with the `Identity` of the sweep
 LINE = re.compile(r"^(\d+) (\d+) ([0-9a-f]{32})$", re.MULTILINE)  # chunk, values that are not finite, digest
 DIGITS = 32  # of a digest: 128 bits
 AS_ZARR = {"engine": "zarr", "consolidated": False, "zarr_format": 3}
@@ -40,7 +40,7 @@ Values = Mapping[str, NDArray[np.generic]]
 
 
 class Identity(msgspec.Struct):
-    """What a sweep was asked for: its specification, the code, and the lengths of its chunks."""
+    """The specification of a sweep, the code that computes it, and the lengths of its chunks."""
 
     spec: dict[str, object]
     code: str
@@ -73,7 +73,7 @@ class Store:
         return True
 
     def begun(self) -> Identity | None:
-        """What the sweep that is on its way here was asked for; None if there is none."""
+        """The identity of the sweep that has begun here, if any."""
         if not self.partial.exists():
             return None
         with self._foreign("a"):
@@ -104,7 +104,7 @@ class Store:
             if there != _layout(plan, results, identity):
                 raise ValueError("its arrays have other shapes, chunks or types")
             steps = {axis: range(0, size, identity.chunks[axis]) for axis, size in plan.sizes.items()}
-        ends = {axis: [slice(k, min(k + each.step, each.stop)) for k in each] for axis, each in steps.items()}
+        ends = {axis: [slice(k, min(k + step.step, step.stop)) for k in step] for axis, step in steps.items()}
         self.parts = [dict(zip(steps, places, strict=True)) for places in product(*ends.values())]
         text = self.journal.read_text(encoding="utf-8", errors="replace") if self.journal.exists() else ""
         for number, not_finite, digest in re.findall(LINE, text):
@@ -126,7 +126,7 @@ class Store:
         return f"{len(self.done)} of {len(self.parts)} chunks are done and kept; the same command goes on from there"
 
     def finish(self) -> None:
-        """Make it the file that was asked for, whole or not at all."""
+        """Make it the file OUT, whole or not at all."""
         with writing(self.out):
             for left in self.partial.rglob("*.partial"):  # of chunks whose writing was cut off
                 left.unlink()
@@ -200,6 +200,6 @@ def _digest(values: Values) -> str:
 
 
 def _sync() -> None:
-    """Have the system write what it still holds back, where it can be told to."""
+    """Flush the buffers of the system, where it can be done."""
     if hasattr(os, "sync"):
         os.sync()

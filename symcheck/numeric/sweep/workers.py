@@ -86,7 +86,7 @@ def cluster(address: str, patience: float) -> Iterator[Workers]:
     from distributed import Client
     from distributed.scheduler import KilledWorker
 
-    for library in ("distributed", "tornado"):  # what goes wrong is told by the error
+    for library in ("distributed", "tornado"):  # the error says what goes wrong
         logging.getLogger(library).setLevel(logging.CRITICAL)
     try:
         client = Client(address, timeout=patience, set_as_default=False)

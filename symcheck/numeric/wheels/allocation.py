@@ -134,8 +134,8 @@ def allocate_least_squares(
     works = wheels.limits > 0
     momenta = np.zeros((*offset.shape[:-1], len(works)))
     if works.any():
-        found = [_nearest(wheels.axes[works], wheels.limits[works], each) for each in offset.reshape(-1, 3)]
-        momenta[..., works] = np.reshape(found, (*offset.shape[:-1], np.count_nonzero(works)))
+        nearest = [_nearest(wheels.axes[works], wheels.limits[works], target) for target in offset.reshape(-1, 3)]
+        momenta[..., works] = np.reshape(nearest, (*offset.shape[:-1], np.count_nonzero(works)))
     return Allocation(momenta + wheels.bias, _load(momenta, wheels.limits))
 
 

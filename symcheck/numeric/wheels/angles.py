@@ -1,8 +1,8 @@
 """The angles at which wheels do most for a body with given moments of inertia.
 
-The paper asks for equal largest rates about the principal axes (`equal_rates_...`); here also for the greatest rate
-that is had about every axis, whatever its direction: in closed form or to rounding for the paper's two configurations
-(`best_...`), by a search for any other (`best_parameters`).
+The paper asks for equal largest rates about the principal axes (`equal_rates_...`). The greatest rate that is reached
+about every axis, whatever its direction, is here in closed form or to rounding for the paper's two configurations
+(`best_...`), and by a search for any other (`best_parameters`).
 """
 
 from __future__ import annotations
@@ -246,11 +246,11 @@ def best_parameters(
         return -guaranteed_rate(half_spaces(configuration(*parameters), limits, complete=True), inertia)
 
     scale = -float(loss(ends.mean(axis=1))) or 1.0
-    found = differential_evolution(
+    searched = differential_evolution(
         lambda parameters: loss(parameters) / scale, ends, rng=seed, vectorized=True, updating="deferred", polish=False
     )
     options = {"xatol": 1e-10, "fatol": 1e-14}
-    refined = minimize(lambda x: float(loss(x)) / scale, found.x, method="Nelder-Mead", bounds=ends, options=options)
+    refined = minimize(lambda x: float(loss(x)) / scale, searched.x, method="Nelder-Mead", bounds=ends, options=options)
     return Optimum(refined.x, -float(loss(refined.x)))
 
 

@@ -143,13 +143,13 @@ def _arrangement(
     limits = np.broadcast_to(limit[..., None], (*limit.shape, axes.shape[-2]))
     whole, left = half_spaces(axes, limits), failures(axes, limits).half_spaces
     largest = np.stack(rates, axis=-1) * limit[..., None]
-    one, each = inertia, inertia[..., None, :]
+    of_each_case = inertia[..., None, :]
     return Arrangement(
         angles,
         axes,
         largest,
-        guaranteed_rate(whole, one),
-        ellipsoid_margin(whole, one * rate),
-        guaranteed_rate(left, each),
-        ellipsoid_margin(left, each * rate[..., None, :]),
+        guaranteed_rate(whole, inertia),
+        ellipsoid_margin(whole, inertia * rate),
+        guaranteed_rate(left, of_each_case),
+        ellipsoid_margin(left, of_each_case * rate[..., None, :]),
     )

@@ -169,7 +169,7 @@ def _completed(wheels: Wheels) -> Wheels:
 @lru_cache
 def _operands(count: int) -> NDArray[np.intp]:
     """Which numbers of a set's axes, in a row, give e_i x e_j = u v - w z: u and w, v and z, (2, 2, 3, p)."""
-    first, second = (3 * each for each in np.triu_indices(count, 1))
+    first, second = (3 * index for index in np.triu_indices(count, 1))
     after, before = np.array([[[1], [2], [0]], [[2], [0], [1]]])
     return np.array([[first + after, first + before], [second + before, second + after]])
 

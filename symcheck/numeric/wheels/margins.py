@@ -259,7 +259,7 @@ def guaranteed_rate(half_spaces: HalfSpaces, moments: ArrayLike) -> Array:
 def _least(half_spaces: HalfSpaces, lead: tuple[int, ...], value: Value) -> Array:
     """The least value over all half-spaces, some at a time."""
     values = (_of(half_spaces, block, value) for block in _blocks(half_spaces, lead))
-    return np.asarray(reduce(np.minimum, (each.min(axis=-1, initial=np.inf) for each in values)))
+    return np.asarray(reduce(np.minimum, (part.min(axis=-1, initial=np.inf) for part in values)))
 
 
 def _least_quotient(half_spaces: HalfSpaces, lead: tuple[int, ...], room: Value, reach: Value) -> Array:
@@ -269,7 +269,7 @@ def _least_quotient(half_spaces: HalfSpaces, lead: tuple[int, ...], room: Value,
     """
     blocks = _blocks(half_spaces, lead)
     reaches = (_of(half_spaces, block, reach) for block in blocks)
-    greatest = reduce(np.maximum, (each.max(axis=-1, initial=0) for each in reaches))[..., None]
+    greatest = reduce(np.maximum, (part.max(axis=-1, initial=0) for part in reaches))[..., None]
 
     def quotient(n: Array, d: Array, c: Array) -> Array:
         towards = reach(n, d, c)

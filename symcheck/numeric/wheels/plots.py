@@ -14,7 +14,8 @@ from numpy.typing import ArrayLike, NDArray
 
 from symcheck.numeric.domain import Array, one_of, require
 from symcheck.numeric.drawing import Line, Panels, new_figure
-from symcheck.numeric.wheels.polytope import Envelope, envelope
+from symcheck.numeric.wheels import polytope
+from symcheck.numeric.wheels.polytope import Envelope
 from symcheck.numeric.wheels.sets import wheels_of
 
 if TYPE_CHECKING:
@@ -71,12 +72,12 @@ def plot_axes(axes: ArrayLike, ax: Axes3D | None = None) -> Axes3D:
     return drawn
 
 
-def plot_envelope(found: Envelope, names: Names | None = None, ax: Axes3D | None = None) -> Axes3D:
+def plot_envelope(envelope: Envelope, names: Names | None = None, ax: Axes3D | None = None) -> Axes3D:
     """Draw a momentum envelope in space, with the names of the vertices that are seen: figures 2, 4, 7, 10.
 
     Parameters
     ----------
-    found
+    envelope
         The envelope.
     names
         Places, shape (3,), by name, as "V_1"; by default the vertices are numbered.
@@ -99,34 +100,34 @@ def plot_envelope(found: Envelope, names: Names | None = None, ax: Axes3D | None
 
     Examples
     --------
-    >>> from symcheck.numeric.wheels import four_wheels
+    >>> from symcheck.numeric.wheels import envelope, four_wheels
     >>> plot_envelope(envelope(four_wheels(1.0, 0.5))).get_xlabel()
     '$H_x$, N m s'
     """
     drawn = _in_space(ax)
     view = _towards_the_viewer(drawn)
-    seen, hidden = _edges(found, view)
+    seen, hidden = _edges(envelope, view)
     for ends, style in ((hidden, DASHED), (seen, SOLID)):
         for line in ends:
             drawn.plot(*line.T, **style)
-    if found.dimension > 1:
+    if envelope.dimension > 1:
         from mpl_toolkits.mplot3d.art3d import Poly3DCollection
 
-        shown = [found.face(int(k)) for k in np.flatnonzero(_in_front(found, view))]
+        shown = [envelope.face(int(k)) for k in np.flatnonzero(_in_front(envelope, view))]
         drawn.add_collection3d(Poly3DCollection(shown, facecolor="tab:blue", alpha=0.15))
-    for place, name in _labels(found, view, names):
+    for place, name in _labels(envelope, view, names):
         drawn.text(*place, name, fontsize=11)
     drawn.locator_params(nbins=5)
     drawn.set(**{f"{k}label": f"$H_{k}$, N m s" for k in "xyz"}, aspect="equal")
     return drawn
 
 
-def plot_projection(found: Envelope, plane: str = "XY", names: Names | None = None, ax: Axes | None = None) -> Axes:
+def plot_projection(envelope: Envelope, plane: str = "XY", names: Names | None = None, ax: Axes | None = None) -> Axes:
     """Draw the projection of a momentum envelope on a coordinate plane, with the names of what is seen: figures 9, 12.
 
     Parameters
     ----------
-    found
+    envelope
         The envelope.
     plane
         Plane "XY", "XZ" or "YZ": across, then up; the viewer is where these turn counterclockwise.
@@ -151,30 +152,30 @@ def plot_projection(found: Envelope, plane: str = "XY", names: Names | None = No
 
     Examples
     --------
-    >>> from symcheck.numeric.wheels import four_wheels
+    >>> from symcheck.numeric.wheels import envelope, four_wheels
     >>> plot_projection(envelope(four_wheels(1.0, 0.5)), "YZ").get_xlabel()
     '$H_y$, N m s'
     """
     across, up = _directions(plane)
     view = np.cross(np.eye(3)[across], np.eye(3)[up])
     drawn: Axes = _figure(1)[0] if ax is None else ax
-    seen, hidden = _edges(found, view)
+    seen, hidden = _edges(envelope, view)
     for ends, style in ((hidden, DASHED), (seen, SOLID)):
         for line in ends:
             drawn.plot(line[:, across], line[:, up], **style)
-    for place, name in _merged(_labels(found, view, names), across, up):
+    for place, name in _merged(_labels(envelope, view, names), across, up):
         drawn.annotate(name, place, xytext=(3, 3), textcoords="offset points", fontsize=10)
     drawn.margins(0.12)
     drawn.set(xlabel=f"$H_{'xyz'[across]}$, N m s", ylabel=f"$H_{'xyz'[up]}$, N m s", aspect="equal")
     return drawn
 
 
-def plot_projections(found: Envelope, names: Names | None = None, axes: Panels | None = None) -> Panels:
+def plot_projections(envelope: Envelope, names: Names | None = None, axes: Panels | None = None) -> Panels:
     """Draw the three projections of a momentum envelope on the coordinate planes: figures 3, 5, 8, 11.
 
     Parameters
     ----------
-    found
+    envelope
         The envelope.
     names
         Places, shape (3,), by name; an empty mapping leaves the names out.
@@ -193,12 +194,13 @@ def plot_projections(found: Envelope, names: Names | None = None, axes: Panels |
 
     Examples
     --------
+    >>> from symcheck.numeric.wheels import envelope
     >>> [ax.get_ylabel() for ax in plot_projections(envelope(np.eye(3)))]
     ['$H_y$, N m s', '$H_z$, N m s', '$H_z$, N m s']
     """
     panels = _figure(3) if axes is None else np.asarray(axes)
     for plane, ax in zip(PLANES, panels.flat, strict=True):
-        plot_projection(found, plane, names, ax)
+        plot_projection(envelope, plane, names, ax)
     return panels
 
 
@@ -233,13 +235,13 @@ def plot_failures(axes: ArrayLike, limits: ArrayLike = 1.0, plane: str = "XY") -
     >>> plot_failures(np.eye(3))[2].get_title()
     'without wheel 3'
     """
-    whole = envelope(axes, limits)
+    whole = polytope.envelope(axes, limits)
     units, working, _ = whole.wheels
     panels, (across, up) = _figure(len(units)), _directions(plane)
     for number, ax in enumerate(panels.flat):
         for line in whole.vertices[whole.edges]:
             ax.plot(line[:, across], line[:, up], color="0.8", linewidth=0.6)
-        left = envelope(units, np.where(np.arange(len(units)) == number, 0, working))
+        left = polytope.envelope(units, np.where(np.arange(len(units)) == number, 0, working))
         plot_projection(left, plane, {}, ax).set_title(f"without wheel {number + 1}")
     return panels
 
@@ -249,55 +251,55 @@ def _directions(plane: str) -> tuple[int, int]:
     return PLANES[plane]
 
 
-def _in_front(found: Envelope, view: Array) -> NDArray[np.bool_]:
+def _in_front(envelope: Envelope, view: Array) -> NDArray[np.bool_]:
     """Whether each face is seen from that direction; all of something flat is."""
-    if found.dimension < 3:
-        return np.ones(found.counts[2], bool)
-    towards = found.half_spaces.normals @ view
+    if envelope.dimension < 3:
+        return np.ones(envelope.counts[2], bool)
+    towards = envelope.half_spaces.normals @ view
     return np.concatenate([towards, -towards]) > SIDE
 
 
-def _corners_in_front(found: Envelope, view: Array) -> tuple[NDArray[np.intp], NDArray[np.intp]]:
+def _corners_in_front(envelope: Envelope, view: Array) -> tuple[NDArray[np.intp], NDArray[np.intp]]:
     """The numbers of the vertices of the faces that are seen, and their next ones."""
-    corners, begins = found.faces
+    corners, begins = envelope.faces
     after = np.append(corners[1:], 0)
     after[begins[1:] - 1] = corners[begins[:-1]]
-    seen = np.repeat(_in_front(found, view), np.diff(begins))
+    seen = np.repeat(_in_front(envelope, view), np.diff(begins))
     return corners[seen], after[seen]
 
 
-def _edges(found: Envelope, view: Array) -> tuple[Array, Array]:
+def _edges(envelope: Envelope, view: Array) -> tuple[Array, Array]:
     """The ends of the edges that are seen and of those that are not, shape (edges, 2, 3)."""
-    places = found.vertices[found.edges]
-    if found.dimension < 3:
+    places = envelope.vertices[envelope.edges]
+    if envelope.dimension < 3:
         return places, places[:0]
-    one, other = _corners_in_front(found, view)
-    count = len(found.vertices)
-    seen = np.isin(found.edges @ [count, 1], np.minimum(one, other) * count + np.maximum(one, other))
+    one, other = _corners_in_front(envelope, view)
+    count = len(envelope.vertices)
+    seen = np.isin(envelope.edges @ [count, 1], np.minimum(one, other) * count + np.maximum(one, other))
     return places[seen], places[~seen]
 
 
-def _labels(found: Envelope, view: Array, names: Names | None) -> list[tuple[Array, str]]:
+def _labels(envelope: Envelope, view: Array, names: Names | None) -> list[tuple[Array, str]]:
     """The vertices that are seen, with their names."""
     if names is None:
-        names = {f"{number}": place for number, place in enumerate(found.vertices)}
-    seen = np.arange(len(found.vertices)) if found.dimension < 3 else _corners_in_front(found, view)[0]
-    size = 1 + np.abs(found.vertices).max()
+        names = {f"{number}": place for number, place in enumerate(envelope.vertices)}
+    seen = np.arange(len(envelope.vertices)) if envelope.dimension < 3 else _corners_in_front(envelope, view)[0]
+    size = 1 + np.abs(envelope.vertices).max()
     labels = []
     for name, place in names.items():
-        distance = np.linalg.norm(found.vertices - np.asarray(place), axis=1)
+        distance = np.linalg.norm(envelope.vertices - np.asarray(place), axis=1)
         require(distance.min() <= SIDE * size, f"names[{name!r}]", place, "be a vertex of the envelope")
         if distance.argmin() in seen:
-            labels.append((found.vertices[distance.argmin()], f"${re.sub(INDEX, SUBSCRIPT, name)}$"))
+            labels.append((envelope.vertices[distance.argmin()], f"${re.sub(INDEX, SUBSCRIPT, name)}$"))
     return labels
 
 
 def _merged(labels: list[tuple[Array, str]], across: int, up: int) -> list[tuple[tuple[float, float], str]]:
     """One label for all vertices at one place of the projection."""
-    found: dict[tuple[float, float], list[str]] = {}
+    merged: dict[tuple[float, float], list[str]] = {}
     for place, name in labels:
-        found.setdefault((round(float(place[across]), 9), round(float(place[up]), 9)), []).append(name)
-    return [(place, ", ".join(names)) for place, names in found.items()]
+        merged.setdefault((round(float(place[across]), 9), round(float(place[up]), 9)), []).append(name)
+    return [(place, ", ".join(names)) for place, names in merged.items()]
 
 
 def _towards_the_viewer(ax: Axes3D) -> Array:

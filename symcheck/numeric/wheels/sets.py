@@ -85,7 +85,8 @@ def wheels_of(axes: ArrayLike, limits: ArrayLike = 1.0, bias: ArrayLike = 0.0) -
     limits, bias = _of_wheels(_limits, limits, count), _of_wheels(_bias, bias, count)
     if not axes.shape[:-1] == limits.shape == bias.shape:  # most calls need no broadcasting, which takes longer
         shape = common_shape(axes=axes[..., 0], limits=limits, bias=bias)
-        axes, limits, bias = (np.broadcast_to(*each) for each in ((axes, (*shape, 3)), (limits, shape), (bias, shape)))
+        axes = np.broadcast_to(axes, (*shape, 3))
+        limits, bias = np.broadcast_to(limits, shape), np.broadcast_to(bias, shape)
     return Wheels(axes, limits, bias)
 
 
@@ -145,8 +146,7 @@ def four_wheels(a: ArrayLike, b: ArrayLike) -> Array:
     >>> four_wheels(np.arctan(np.sqrt(2)), np.pi / 4)[3].round(6)
     array([0.57735, 0.57735, 0.57735])
     """
-    found = by_blocks("ignatov2005", "axes_of_four_wheels", a=acute("a", a), b=acute("b", b))
-    return _rows(found)
+    return _rows(by_blocks("ignatov2005", "axes_of_four_wheels", a=acute("a", a), b=acute("b", b)))
 
 
 @gufunc("()->(wheel,axis)", wheel=6, axis=3)
@@ -177,9 +177,9 @@ def six_wheels(a: ArrayLike) -> Array:
     >>> six_wheels(np.pi / 6)[1].round(6)
     array([ 0.433013, -0.25    ,  0.866025])
     """
-    found = by_blocks("ignatov2005", "axes_of_six_wheels", a=acute("a", a))
-    zero = np.zeros_like(found[0])  # e_1x and e_4x, which the kernel leaves out
-    return _rows((zero, *found[:8], zero, *found[8:]))
+    parts = by_blocks("ignatov2005", "axes_of_six_wheels", a=acute("a", a))
+    zero = np.zeros_like(parts[0])  # e_1x and e_4x, which the kernel leaves out
+    return _rows((zero, *parts[:8], zero, *parts[8:]))
 
 
 def _rows(components: tuple[Array, ...]) -> Array:
@@ -295,7 +295,7 @@ def listed_vertices(number: int, *angles: float) -> dict[str, Array]:
     require(len(angles) == count, "angles", angles, f"be {count} for {number} wheels")
     kernel = VERTICES[number]
     values = kernel(*(float(acute("ab"[k], angle)) for k, angle in enumerate(angles)))
-    found: dict[str, Array] = {}
-    for component, value in zip([each.name for each in specification(kernel).outputs], values, strict=True):
-        found.setdefault(component[:-1], np.zeros(3))["xyz".index(component[-1])] = value
-    return found | {f"{name}'": -place for name, place in found.items()}
+    vertices: dict[str, Array] = {}
+    for component, value in zip([output.name for output in specification(kernel).outputs], values, strict=True):
+        vertices.setdefault(component[:-1], np.zeros(3))["xyz".index(component[-1])] = value
+    return vertices | {f"{name}'": -place for name, place in vertices.items()}
