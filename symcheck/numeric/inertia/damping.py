@@ -249,10 +249,8 @@ def stability_degree(moments: ArrayLike, damping: ArrayLike) -> Array:
 
     Parameters
     ----------
-    moments
-        Principal moments of inertia, kg m^2; shape (..., 3).
-    damping
-        Damping matrix in principal axes, N m s/rad; shape (..., 3, 3).
+    moments, damping
+        As for `characteristic_roots`.
 
     Returns
     -------

@@ -254,10 +254,8 @@ def second_order_moments(moments: ArrayLike, axes: ArrayLike) -> Array:
 
     Parameters
     ----------
-    moments
-        Principal moments of inertia, kg m^2; shape (..., 3).
-    axes
-        Orthonormal axes as rows; shape (..., 3, 3).
+    moments, axes
+        As for `axial_moments`.
 
     Returns
     -------
@@ -287,10 +285,8 @@ def product_of_axial_moments(moments: ArrayLike, axes: ArrayLike) -> BoundedProd
 
     Parameters
     ----------
-    moments
-        Principal moments of inertia, kg m^2; shape (..., 3).
-    axes
-        Orthonormal axes as rows; shape (..., 3, 3).
+    moments, axes
+        As for `axial_moments`.
 
     Returns
     -------
@@ -327,10 +323,8 @@ def sum_of_products(moments: ArrayLike, axes: ArrayLike) -> BoundedSum:
 
     Parameters
     ----------
-    moments
-        Principal moments of inertia, kg m^2; shape (..., 3).
-    axes
-        Orthonormal axes as rows; shape (..., 3, 3).
+    moments, axes
+        As for `axial_moments`.
 
     Returns
     -------

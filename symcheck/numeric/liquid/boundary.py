@@ -205,10 +205,8 @@ def stability_map(
 
     Parameters
     ----------
-    A
-        Transverse moment of inertia with the liquid at rest, kg m^2; positive.
-    E_n
-        Moments of inertia that the modes carry, kg m^2; shape (N,), positive, together less than A.
+    A, E_n
+        As for `unstable_intervals`.
     Delta
         Values of C - A, kg m^2; shape (p,), greater than -A.
     b_1

@@ -74,14 +74,8 @@ def plot_frequencies(
 
     Parameters
     ----------
-    A
-        Transverse moment of inertia with the liquid at rest, kg m^2; positive.
-    E_n
-        Moments of inertia that the modes carry, kg m^2; shape (N,), positive, together less than A.
-    lambda_n
-        Natural frequencies of the modes, rad/s; shape (N,).
-    omega_0
-        Spin, rad/s; positive.
+    A, E_n, lambda_n, omega_0
+        As for `unstable_intervals`.
     Delta
         Values of C - A, kg m^2; shape (p,), increasing and greater than -A.
     axes

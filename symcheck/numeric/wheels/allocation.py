@@ -101,14 +101,8 @@ def allocate_least_squares(
 
     Parameters
     ----------
-    axes
-        Unit vectors e_i; shape (n, 3).
-    demand
-        Demanded momentum H, N m s; shape (..., 3).
-    limits
-        Largest momenta h_i,max, N m s; a number or shape (n,). A wheel with 0 does not take part.
-    bias
-        Momenta b_i about which the wheels work, N m s; a number or shape (n,).
+    axes, demand, limits, bias
+        As for `allocate`.
 
     Returns
     -------

@@ -123,12 +123,8 @@ def face_distances(axes: ArrayLike, limits: ArrayLike = 1.0, *, engine: str = "n
 
     Parameters
     ----------
-    axes
-        Unit vectors e_i; shape (..., n, 3).
-    limits
-        Largest momenta of the wheels, N m s; a number or shape (..., n). A wheel that has failed has 0.
-    engine
-        "numpy", or "numba" (needs Numba), which gives the same to rounding.
+    axes, limits, engine
+        As for `half_spaces`.
 
     Returns
     -------
@@ -260,12 +256,8 @@ def failures(axes: ArrayLike, limits: ArrayLike = 1.0, bias: ArrayLike = 0.0, *,
 
     Parameters
     ----------
-    axes
-        Unit vectors e_i; shape (..., n, 3).
-    limits
-        Largest momenta of the wheels, N m s; a number or shape (..., n). A wheel that has failed has 0.
-    bias
-        Momenta b_i about which the wheels work, N m s; a number or shape (..., n).
+    axes, limits, bias
+        As for `half_spaces`.
     count
         Number of wheels that fail at once, from 0 to n.
 

@@ -104,10 +104,8 @@ def ellipsoid_scale(half_spaces: HalfSpaces, semi_axes: ArrayLike, axes: ArrayLi
     ----------
     half_spaces
         Half-spaces of envelopes that contain the origin.
-    semi_axes
-        Lengths s_k of the semi-axes, N m s; shape (..., 3), not negative. For the ellipsoid (1.2) s_k = J_k w_k.
-    axes
-        Directions of the semi-axes as rows; shape (..., 3, 3). By default OX, OY, OZ.
+    semi_axes, axes
+        As for `ellipsoid_margin`.
 
     Returns
     -------
@@ -228,10 +226,8 @@ def guaranteed_rate(half_spaces: HalfSpaces, moments: ArrayLike) -> Array:
 
     Parameters
     ----------
-    half_spaces
-        Half-spaces of one envelope, or of many.
-    moments
-        Principal moments of inertia J_x, J_y, J_z, kg m^2; shape (..., 3).
+    half_spaces, moments
+        As for `rates`.
 
     Returns
     -------

@@ -175,10 +175,8 @@ def plot_projections(envelope: Envelope, names: Names | None = None, axes: Panel
 
     Parameters
     ----------
-    envelope
-        The envelope.
-    names
-        Places, shape (3,), by name; an empty mapping leaves the names out.
+    envelope, names
+        As for `plot_projection`.
     axes
         Three Axes to draw in; by default those of a new figure.
 
@@ -209,10 +207,8 @@ def plot_failures(axes: ArrayLike, limits: ArrayLike = 1.0, plane: str = "XY") -
 
     Parameters
     ----------
-    axes
-        Unit vectors; shape (n, 3).
-    limits
-        Largest momenta of the wheels, N m s; a number or shape (n,).
+    axes, limits
+        As for `envelope`.
     plane
         Plane, as in `plot_projection`.
 

@@ -226,10 +226,8 @@ def volume(axes: ArrayLike, limits: ArrayLike = 1.0) -> Array:
 
     Parameters
     ----------
-    axes
-        Unit vectors e_i; shape (..., n, 3).
-    limits
-        Largest momenta h_i, N m s; a number or shape (..., n).
+    axes, limits
+        As for `wheels_of`.
 
     Returns
     -------
