@@ -17,7 +17,7 @@ from symcheck.numeric.domain import Array, increasing, positive, principal_momen
 from symcheck.numeric.inertia.damping import characteristic_roots
 
 FINEST = 100 * np.finfo(np.float64).eps  # the least relative tolerance that SciPy takes
-SMALLEST = np.finfo(np.float64).tiny
+SMALLEST = np.finfo(np.float64).tiny  # of an absolute tolerance: SciPy divides by it, also for a body at rest
 
 
 @gufunc("(i),(i,j),(i)->(i)")

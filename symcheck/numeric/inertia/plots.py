@@ -29,7 +29,7 @@ if TYPE_CHECKING:
 
 BODY = (2.0, 3.0, 4.5)  # kg m^2, for figures that are drawn without an example of one's own
 ANGLES = (0.7, 0.6, 0.5)  # rad
-SWEEP = np.linspace(0, 1, 201)
+SWEEP = np.linspace(0, 1, 201)  # so many points that curves look smooth
 
 
 def plot_attitude_angles(

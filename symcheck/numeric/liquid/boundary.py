@@ -20,9 +20,7 @@ from symcheck.generated import esenkov2006
 from symcheck.numeric.chunked import gufunc
 from symcheck.numeric.domain import Array, common_shape, exact, finite, number, positive, real, require
 from symcheck.numeric.liquid.body import Body, checked_body
-from symcheck.numeric.liquid.spectrum import growth_rate, stability
-
-EPSILON = np.finfo(np.float64).eps
+from symcheck.numeric.liquid.spectrum import EPSILON, growth_rate, stability
 
 
 class BoundaryOfStability(NamedTuple):

@@ -24,7 +24,7 @@ from symcheck.numeric.chunked import gufunc
 from symcheck.numeric.domain import Array, common_shape, evaluated, finite, positive, real, require
 from symcheck.numeric.liquid.body import Body, checked_body
 
-EPSILON = np.finfo(np.float64).eps
+EPSILON = np.finfo(np.float64).eps  # what rounding may give to a real frequency is a multiple of it
 
 
 class Stability(NamedTuple):

@@ -19,7 +19,7 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
 TAIL = 0.002  # probability that a picture leaves out at each end
-POINTS, BINS = 401, 60
+POINTS, BINS = 401, 60  # of a curve that looks smooth; of a histogram of some 10,000 samples
 
 
 def plot_amplitude(

@@ -35,7 +35,7 @@ COMPRESSION = BloscCodec(cname="lz4", clevel=1, shuffle="shuffle")  # takes no l
 IDENTITY = "symcheck_sweep"  # attribute with the `Identity` of the sweep
 LINE = re.compile(r"^(\d+) (\d+) ([0-9a-f]{32})$", re.MULTILINE)  # chunk, values that are not finite, digest
 DIGITS = 32  # of a digest: 128 bits
-AS_ZARR = {"engine": "zarr", "consolidated": False, "zarr_format": 3}
+AS_ZARR = {"engine": "zarr", "consolidated": False, "zarr_format": 3}  # no other format, no second copy of metadata
 Values = Mapping[str, NDArray[np.generic]]
 
 

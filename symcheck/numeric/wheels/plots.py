@@ -24,7 +24,7 @@ if TYPE_CHECKING:
 
 SIDE = 1e-9  # of a unit normal: a face that is seen edgewise is not seen
 PLANES = {"XY": (0, 1), "XZ": (0, 2), "YZ": (1, 2)}
-INDEX, SUBSCRIPT = r"_(\d+)", r"_{\1}"
+INDEX, SUBSCRIPT = r"_(\d+)", r"_{\1}"  # TeX lowers all digits of an index only if they stand in braces
 Names = Mapping[str, ArrayLike]
 SOLID = Line(color="black", linewidth=1.0, linestyle="-")
 DASHED = Line(color="0.6", linewidth=0.7, linestyle="--")
