@@ -132,7 +132,7 @@ def _prepare(text: str, swept: Plan, store: Store, asked: Mapping[str, int], mem
         raise SweepError(f"{is_complex[0]} is complex, and netCDF has no complex numbers; take --out FILE.zarr")
     begun = store.begun()
     if begun is None:
-        lengths = _lengths(swept.sizes, asked, memory // sum(array.nbytes for array in results.values()))
+        lengths = _lengths(swept.sizes, asked, memory // max(1, sum(array.nbytes for array in results.values())))
         identity = Identity(json.loads(text), code(), lengths)
         store.begin(swept, results, identity)
     else:
