@@ -122,7 +122,7 @@ def growth() -> None:
     for count in SIZES:
         axes = random_axes(count)
         rounds = 3 if count < 1000 else 2
-        [bounds] = least(lambda: wheels.envelope(axes), rounds=rounds)  # noqa: B023
+        [bounds] = least(lambda: wheels.envelope(axes).half_spaces, rounds=rounds)  # noqa: B023
         [whole] = least(lambda: wheels.envelope(axes).counts, rounds=rounds)  # noqa: B023
         unit = bounds / (count**2 * math.log2(count)) * 1e9
         faces = 2 * len(wheels.envelope(axes).half_spaces.distances)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import shutil
 import tempfile
 import timeit
@@ -13,8 +14,8 @@ from symcheck.numeric.chunked import gufunc
 from symcheck.numeric.sweep import store as sweep_store
 from symcheck.numeric.sweep import sweep
 from symcheck.numeric.sweep import workers as sweep_workers
-from symcheck.numeric.sweep.chunks import chunks_of
-from symcheck.numeric.sweep.spec import plan, read
+from symcheck.numeric.sweep.functions import code
+from symcheck.numeric.sweep.plan import plan, read
 
 SPEC = """
 function = "ignatov2005.face_distances_of_four_wheels"
@@ -32,7 +33,7 @@ def main() -> None:
         (folder / "sweep.toml").write_text(SPEC)
         text = read(folder / "sweep.toml")
         swept = plan(text)
-        whole = {axis: slice(0, each.size) for axis, each in swept.axes.items()}
+        whole = {axis: slice(0, size) for axis, size in swept.sizes.items()}
         points = 4_000_000
         computing = min(timeit.repeat(lambda: swept.compute(whole), number=1, repeat=REPEAT))
         print(f"computing alone, in one piece  {1e9 * computing / points:6.1f} ns/point")
@@ -58,16 +59,15 @@ def _run(folder: Path, threads: int) -> None:
 def _taken_up(folder: Path, text: str) -> None:
     """Half of a sweep is written by the first call, and read by all."""
     store, swept = sweep_store.Store(folder / "half.zarr"), plan(text)
-    results = swept.results()
-    chunks = chunks_of(swept, results, {}, 32e6)
+    results, identity = swept.first(), sweep_store.Identity(json.loads(text), code(), {"a": 400, "b": 2000})
     if store.begun() is None:
-        store.begin(swept, results, chunks, {})
-        store.open(results)
-        for number in range(chunks.count):
-            slices = chunks.slices(number)
-            store.write(number, slices, sweep_workers.plan(text).compute(slices))
-    store.open(results)
-    assert len(store.finished(chunks)) == chunks.count
+        store.begin(swept, results, identity)
+        store.open(swept, results, identity)
+        for number, part in enumerate(store.parts):
+            store.write(number, sweep_workers.compute(text, code(), part))
+    else:
+        store.open(swept, results, identity)
+    assert len(store.done) == len(store.parts)
 
 
 if __name__ == "__main__":

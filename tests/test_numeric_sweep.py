@@ -129,7 +129,7 @@ def opened(path: Path) -> Any:
 def journal(path: Path) -> list[str]:
     """The chunks that count as finished."""
     file = path.with_name(f"{path.name}.partial.finished")
-    return [line.split()[0] for line in file.read_text().splitlines()] if file.exists() else []
+    return [line.split()[0] for line in file.read_text().split("\n") if line] if file.exists() else []
 
 
 @pytest.fixture
@@ -243,7 +243,7 @@ def test_values_that_are_not_finite_are_counted(tmp_path: Path) -> None:
     count = sum(int((~np.isfinite(array)).sum()) for array in found.data_vars.values())
     assert exit_code == 0
     assert count > 0
-    assert said.endswith(f"{count} values are infinite or no number\n")
+    assert said.endswith(f"{count} values are infinite or not a number\n")
 
 
 def test_constant_vectors_stay_vectors_for_functions_of_one_set(tmp_path: Path) -> None:
@@ -261,14 +261,14 @@ demand = [0.5, {{ start = -1.0, stop = 1.0, count = 5 }}, 0.0]
 # --- what is no sweep
 
 ERRORS = {
-    "no TOML": ("function =", "is no sweep in TOML"),
+    "no TOML": ("function =", "is not a sweep in TOML"),
     "no function": ("[parameters]\na = 1", 'a sweep has function = "..." and a table'),
     "no parameters": ('function = "liquid.growth_rate"', 'a sweep has function = "..." and a table'),
-    "date": (DISTANCES + "c = 1979-05-27", "is no sweep in TOML"),
+    "date": (DISTANCES + "c = 1979-05-27", "is not a sweep in TOML"),
     "key": ("realisations = 1\n" + DISTANCES, "the sweep has no 'realisations'; did you mean 'realizations'"),
     "function": (DISTANCES.replace("four", "fuor"), "did you mean 'ignatov2005.face_distances_of_four_wheels'"),
     "function of no array": (DISTANCES.replace("ignatov2005.face", "liquid.growth"), "did you mean"),
-    "module": (DISTANCES.replace("ignatov2005.face_distances_of_four_wheels", "os.system"), "none that can be swept"),
+    "module": (DISTANCES.replace("ignatov2005.face_distances_of_four_wheels", "os.system"), "cannot be swept"),
     "parameter": (GROWTH.replace("omega_0", "omega0"), "has no parameter omega0; did you mean 'omega_0'"),
     "missing": (DISTANCES.replace("b =", "#"), "needs b"),
     "text": (DISTANCES.replace("{ start = 0.1, stop = 1.5, count = 60 }", '"x"'), "a = 'x' must be a finite number"),
@@ -299,7 +299,7 @@ ERRORS = {
     "own seed": (ENSEMBLE.replace("step = 2.0", "step = 2.0\nseed = 1"), "seed is given by the sweep"),
     "no ensemble": (re.sub("(seed|realizations) = .*", "", ENSEMBLE), "what is random needs a seed"),
     "not random": ("seed = 1\nrealizations = 2\n" + DISTANCES, "nothing is random"),
-    "distribution": (TOLERANCES.replace("0.01", "-0.01"), "a.normal = [0.9, -0.01] is no distribution"),
+    "distribution": (TOLERANCES.replace("0.01", "-0.01"), "a.normal = [0.9, -0.01] is not a distribution"),
     "distribution of one": (TOLERANCES.replace("[0.9, 0.01]", "0.9"), "a.normal must be [mean, deviation]"),
     "failures": (FAILURES.replace("[[], [0], [0, 2]]", "[0]"), "must be a list of lists of wheels"),
     "wheel": (FAILURES.replace("[0, 2]", "[4]"), "wheel 4; the wheels are counted from 0 to 3"),

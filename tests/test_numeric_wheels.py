@@ -2,12 +2,10 @@
 
 from __future__ import annotations
 
-import doctest
 import subprocess
 import sys
 from collections import Counter
 from collections.abc import Callable
-from importlib import import_module
 from itertools import combinations, product
 from typing import Any
 
@@ -26,13 +24,6 @@ from symcheck.numeric.wheels import figures
 from symcheck.papers.ignatov2005 import derivation
 
 KERNELS = kernels.load("ignatov2005")
-MODULES = tuple(
-    f"symcheck.numeric.wheels{part}"
-    for part in (
-        "", ".allocation", ".angles", ".arrangement", ".polytope", ".figures", ".faces", ".lattice", ".margins",
-        ".planes", ".plots", ".sets",
-    )
-)  # fmt: skip
 quick = settings(max_examples=40, deadline=None)
 
 Whole = list[tuple[int, int, int]]
@@ -527,7 +518,7 @@ UNFIT: dict[str, tuple[Callable[[], Any], str]] = {
     "choice": (lambda: wheels.design(BODY, SLOW, rates_about="all"), "rates_about = .*'all'.*every axis"),
     "out of the plane": (lambda: wheels.allocate([[1, 0, 0], [0, 1, 0]], [0, 0, 1]), "demand.*plane or line"),
     "not a number": (lambda: wheels.allocate(np.eye(3), [0, np.nan, 1]), r"demand\[1\] = .*nan.*finite"),
-    "number": (lambda: wheels.listed_vertices(7, 1.0), "number = .*7.*3, 4, 5 or 6"),
+    "number": (lambda: wheels.listed_vertices(7, 1.0), "number = 7 must be one of 3, 4, 5, 6"),
     "angles": (lambda: wheels.listed_vertices(6, 1.0, 1.0), "angles.*1 for 6 wheels"),
     "bounds": (lambda: wheels.best_parameters(wheels.six_wheels, [(1.0, 0.5)], BODY), "bounds.*below their end"),
     "engine": (lambda: wheels.half_spaces(np.eye(3), engine="c"), "engine = .*'c'.* numpy, numba"),
@@ -540,14 +531,6 @@ UNFIT: dict[str, tuple[Callable[[], Any], str]] = {
 def test_what_does_not_fit_is_named(call: Callable[[], Any], words: str) -> None:
     with pytest.raises(ValueError, match=words):
         call()
-
-
-def test_examples_hold_and_every_public_function_has_one() -> None:
-    for name in MODULES:
-        failed, _ = doctest.testmod(import_module(name))
-        assert failed == 0, name
-    functions = [getattr(wheels, name) for name in wheels.__all__ if name[0].islower()]
-    assert [each.__name__ for each in functions if ">>>" not in (each.__doc__ or "")] == []
 
 
 def test_numbers_need_no_algebra() -> None:

@@ -106,7 +106,8 @@ def test_a_sweep_with_an_engine_that_is_missing_is_one_line(tmp_path: Path, monk
     from symcheck.cli import cli
 
     monkeypatch.setitem(sys.modules, "numba", None)
-    monkeypatch.delitem(sys.modules, "symcheck.numeric.wheels.numba_engine", raising=False)
+    for module in ("compiled", "wheels.numba_engine"):
+        monkeypatch.delitem(sys.modules, f"symcheck.numeric.{module}", raising=False)
     spec = tmp_path / "spec.toml"
     spec.write_text(
         'function = "wheels.face_distances"\n[parameters]\nengine = "numba"\nlimits = 1.0\n'

@@ -428,17 +428,17 @@ VALID: dict[str, Any] = {
 @pytest.mark.parametrize(
     ("change", "message"),
     [
-        ({"step": 0.0}, r"step is 0\.0; it has to be a positive number"),
-        ({"step": float("nan")}, "step is nan"),
-        ({"start": 1.0}, "start has to hold finite numbers, components first"),
-        ({"start": [1.0, float("inf")]}, "start has to hold finite numbers"),
-        ({"start": [1.0, 2j]}, "start is not an array of real numbers"),
-        ({"start": [[1.0], [2.0, 3.0]]}, "start is not an array of real numbers"),
-        ({"start": ["a"]}, "start is not an array of real numbers"),
+        ({"step": 0.0}, r"step = .*0\.0.* must be positive"),
+        ({"step": float("nan")}, "step = .*nan"),
+        ({"start": 1.0}, "start = .* must have components first"),
+        ({"start": [1.0, float("inf")]}, r"start\[1\] = .*inf.* must be finite"),
+        ({"start": [1.0, 2j]}, "start = .* is not an array of real numbers"),
+        ({"start": [[1.0], [2.0, 3.0]]}, "start = .* is not an array of real numbers"),
+        ({"start": ["a"]}, "start = .* is not an array of real numbers"),
         ({"drift": lambda x: x[0]}, r"drift returns the shape \(3,\) for states of the shape \(2, 3\)"),
         ({"diffusion": lambda x, dw: dw[:1]}, r"diffusion returns the shape \(1, 3\) for states of the shape \(2, 3\)"),
         ({"flow": lambda x, t: x.T}, r"flow returns the shape \(3, 2\) for states of the shape \(2, 3\)"),
-        ({"every": 0}, "every is 0"),
+        ({"every": 0}, "every = 0"),
         ({"every": 3}, "there are 4 increments; a positive multiple of every = 3 is needed"),
         ({"increments": []}, "there are 0 increments"),
     ],
@@ -448,7 +448,7 @@ def test_bad_input_is_told(change: dict[str, Any], message: str) -> None:
         stratonovich_paths(**{**VALID, **change})
 
 
-@pytest.mark.parametrize(("step", "steps", "message"), [(-1.0, 5, "step is -1.0"), (0.1, 0, "steps is 0")])
+@pytest.mark.parametrize(("step", "steps", "message"), [(-1.0, 5, "step = .*-1.0"), (0.1, 0, "steps = 0")])
 def test_bad_increments_are_told_at_once(step: float, steps: int, message: str) -> None:
     with pytest.raises(ValueError, match=message):
         wiener_increments(np.random.default_rng(0), step, steps, (1,))

@@ -26,9 +26,18 @@ def for_letter(value: T | Mapping[str, T], letter: str) -> T | None:
 
 @dataclass(frozen=True)
 class Hypothesis:
-    """A named condition; `states` is LaTeX in the paper's notation, read by the same reader as the claims.
+    """A named condition.
 
-    `printed` is False for a condition that the paper never states but that its subject implies (a body has mass).
+    Parameters
+    ----------
+    name
+        Name by which records refer to it.
+    words
+        The condition in words.
+    states
+        LaTeX in the paper's notation, read by the same reader as the claims.
+    printed
+        False for a condition that the paper never states but that its subject implies (a body has mass).
     """
 
     name: str
@@ -51,10 +60,22 @@ class Damage:
 class Erratum:
     """What a wrong relation should be. The machine proves `corrected`; only kind, origin and reason are human.
 
-    corrected  the right form in LaTeX; empty if the relation is right under the hypotheses that it `needs`
-    needs      hypotheses that the paper forgot
-    forms      hints for the proof of `corrected`
-    shown      what to print instead, where that is more than the statement: a whole row of a list
+    Parameters
+    ----------
+    corrected
+        The right form in LaTeX; empty if the relation is right under the hypotheses that it `needs`.
+    kind
+        Kind of the error, as "sign".
+    origin
+        Whose fault it is.
+    reason
+        Why the relation is wrong.
+    forms
+        Hints for the proof of `corrected`.
+    shown
+        What to print instead, where that is more than the statement: a whole row of a list.
+    needs
+        Hypotheses that the paper forgot.
     """
 
     corrected: str
@@ -140,10 +161,18 @@ class Plan:
 class Declaration:
     """Anything declared of a paper.
 
-    number    the printed number, or for an unnumbered place the last number before it and a counter: "2.13.1"
-    uses      places of the relations it refers to
-    notation  letters that mean something else here
-    name      the variable it is bound to
+    Parameters
+    ----------
+    number
+        The printed number, or for an unnumbered place the last number before it and a counter: "2.13.1".
+    source
+        Where it stands in the paper.
+    uses
+        Places of the relations it refers to.
+    notation
+        Letters that mean something else here.
+    name
+        The variable it is bound to.
     """
 
     role: ClassVar[Role]
@@ -265,7 +294,17 @@ class Ours(Assertion):
 
 @dataclass(frozen=True)
 class Section:
-    """A section of a paper: the module that declares its items, in printed order."""
+    """A section of a paper.
+
+    Parameters
+    ----------
+    number
+        The printed number.
+    title
+        The title in English.
+    module
+        The module that declares its items, in printed order.
+    """
 
     number: str
     title: str
@@ -274,14 +313,30 @@ class Section:
 
 @dataclass(frozen=True)
 class Paper:
-    """A paper: its notation and its sections. A number may be declared only once."""
+    """A paper: its notation and its sections. A number may be declared only once.
+
+    Parameters
+    ----------
+    key
+        Author and year, as "mirer2009": the first part of every id.
+    title
+        Authors, title and year.
+    source
+        Name of the file with the text of the paper.
+    notation
+        What its letters mean.
+    sections
+        Its sections in printed order.
+    excerpt
+        Whether only some pages are there, so that the printed numbers begin anywhere.
+    """
 
     key: str
     title: str
     source: str
     notation: Notation
     sections: tuple[Section, ...]
-    excerpt: bool = False  # only some pages are there, so that the printed numbers begin anywhere
+    excerpt: bool = False
 
     def items(self) -> Iterator[tuple[Section, str, Declaration]]:
         """Every declaration in printed order (by line), with the section and the variable it is bound to."""

@@ -83,7 +83,37 @@ class Correction(_Part, frozen=True):
 
 
 class Record(_Part, frozen=True):
-    """One relation with its verdict. `id` is "paper:number", with a letter for one link of a chain or system."""
+    """One relation with its verdict.
+
+    Parameters
+    ----------
+    id
+        Place of the relation, "paper:number", with a letter for one link of a chain or system.
+    paper, section, line, role
+        Where it stands in the paper, and as what.
+    name
+        The variable it is bound to.
+    printed, words, read
+        The printed LaTeX, what the paper says in words, and the parsed form printed back as LaTeX.
+    verdict
+        None for a definition, premise or exclusion, which claims nothing.
+    reading
+        Whether it was read as printed.
+    kind, origin, reason
+        What is wrong, whose fault it is, and why; the reason also of what is assumed or left out.
+    hypotheses
+        Hypotheses in force where it is printed.
+    method
+        The proof method.
+    certificates
+        One for each lowered formula.
+    corrected, erratum
+        What it should be, and the proof of that.
+    uses, used_by
+        Relations it refers to, and those that refer to it.
+    seconds
+        Time that it took to decide.
+    """
 
     id: str
     paper: str
@@ -93,15 +123,15 @@ class Record(_Part, frozen=True):
     name: str = ""
     printed: str = ""
     words: str = ""
-    read: str = ""  # the parsed form, printed back as LaTeX
-    verdict: Verdict | None = None  # None: a definition, premise or exclusion, which claims nothing
+    read: str = ""
+    verdict: Verdict | None = None
     reading: Reading = Reading.AS_PRINTED
     kind: str = ""
     origin: Origin | None = None
     reason: str = ""
     hypotheses: tuple[HypothesisRow, ...] = ()
     method: str = ""
-    certificates: tuple[Certificate, ...] = field(default=(), name="certificate")  # one per lowered formula
+    certificates: tuple[Certificate, ...] = field(default=(), name="certificate")
     corrected: str = ""
     erratum: Correction | None = None
     uses: tuple[str, ...] = ()

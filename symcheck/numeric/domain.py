@@ -1,71 +1,221 @@
-"""What an argument may be: every public function of the numeric layer says by these what does not fit.
+"""What an argument may be: the one place where the numeric layer checks what it is given.
 
-An error names the argument, the value and the condition, with the equation it comes from; no value that is not finite
-comes in, so that none comes out unseen.
+An error names the argument, the value and the condition, with the equation it comes from; a value that is not finite
+does not get in, so that none gets out unseen.
 """
 
 from __future__ import annotations
 
+from collections.abc import Callable, Collection
 from importlib import import_module
-from typing import Any
+from types import ModuleType
+from typing import TypeVar
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 Array = NDArray[np.float64]
+Result = TypeVar("Result", Array, NDArray[np.complex128])
+Truth = bool | np.bool_ | NDArray[np.bool_]
+Shape = tuple[int | None, ...]  # lengths of last axes, None for any length
+
+TOLERANCE = 1e-9  # relative: a matrix that was written with ten digits still passes
+LARGEST = 1e100  # a moment: the product of three is a double
+ROUNDING = 8 * np.finfo(np.float64).eps  # of the sum of three moments
+SHOWN = 100  # characters of a value in an error, which stays on one line
 
 
-def real(name: str, value: ArrayLike, shape: tuple[int | None, ...] = ()) -> Array:
-    """The value as an array of doubles whose last axes have this shape, None for any length.
+# --- numbers
 
-    ValueError if it is not an array of finite real numbers, or its last axes are others.
-    """
+
+def real(name: str, value: ArrayLike, shape: Shape = ()) -> Array:
+    """The value as an array of finite doubles with these last axes."""
     array = doubles(name, value, shape)
     require(np.isfinite(array), name, array, "be finite")
     return array
 
 
-def doubles(name: str, value: ArrayLike, shape: tuple[int | None, ...] = ()) -> Array:
-    """`real` for a caller whose own condition no NaN and no infinity satisfies: these pass here."""
+def doubles(name: str, value: ArrayLike, shape: Shape = ()) -> Array:
+    """As `real`, for a caller whose own condition excludes NaN and infinity."""
     try:
         array = np.asarray(value)
         if array.dtype.kind not in "iuf":
             raise TypeError
         array = array.astype(np.float64, copy=False)
     except (TypeError, ValueError):
-        raise ValueError(f"{name} = {shortened(value)} is no array of real numbers") from None
+        raise ValueError(f"{name} = {shortened(value)} is not an array of real numbers") from None
     last = array.shape[array.ndim - len(shape) :]
     if last != shape and (len(last) < len(shape) or any(map(_differs, shape, last))):
-        words = ", ".join("n" if asked is None else str(asked) for asked in shape)
-        raise ValueError(f"{name} has shape {array.shape}; its last axes must be ({words})")
+        raise ValueError(f"{name} has shape {array.shape}; its last axes must be ({_words(shape)})")
     return array
 
 
-def _differs(asked: int | None, found: int) -> bool:
-    return asked is not None and asked != found
+def exact(name: str, value: ArrayLike, shape: Shape) -> Array:
+    """As `real`, without leading axes: one set of parameters."""
+    array = real(name, value, shape)
+    require(array.ndim == len(shape), f"{name}.shape", array.shape, f"be ({_words(shape)}); call once for each set")
+    return array
 
 
-def require(holds: Any, name: str, value: Any, condition: str, source: str = "") -> None:
-    """ValueError naming the first value for which `holds` is not true: "I = ... must ... (source)"."""
-    if np.count_nonzero(holds) == holds.size if isinstance(holds, np.ndarray) else holds:  # all() takes twice as long
-        return
-    holds = np.asarray(holds)
-    value = np.asarray(value)
-    place = tuple(int(k) for k in np.argwhere(~holds)[0])
-    shown = value[place] if value.ndim >= len(place) and value.shape[: len(place)] == holds.shape else value
-    where = f"{name}[{', '.join(map(str, place))}]" if place and value.ndim else name
-    raise ValueError(f"{where} = {shortened(shown)} must {condition}{f' ({source})' if source else ''}")
+def number(name: str, value: object, otherwise: str = "") -> float:
+    """One finite number."""
+    plain = _plain(value)
+    if isinstance(plain, int | float) and not isinstance(plain, bool) and abs(plain) <= np.finfo(np.float64).max:
+        return float(plain)
+    raise ValueError(f"{name} = {shortened(value)} must be a finite number{otherwise}")
 
 
-def shortened(value: Any) -> str:
-    """A value on one line."""
-    value = value.item() if isinstance(value, np.generic) else value
-    text = np.array2string(value, precision=6, threshold=12) if isinstance(value, np.ndarray) else repr(value)
-    text = " ".join(text.split())
-    return text if len(text) <= 100 else f"{text[:97]}..."
+def whole(name: str, value: object, least: int, most: float = np.inf) -> int:
+    """One integer within these bounds."""
+    if isinstance(value, (int, np.integer)) and not isinstance(value, bool) and least <= value <= most:
+        return int(value)
+    bounds = f"from {least} on" if most == np.inf else f"from {least} to {most:g}"
+    raise ValueError(f"{name} = {shortened(value)} must be a whole number {bounds}")
 
 
-def engine_module(engine: str, module: str) -> Any:
+def positive(name: str, value: ArrayLike, source: str = "", shape: Shape = ()) -> Array:
+    """As `real`, all greater than 0."""
+    array = real(name, value, shape)
+    require(array > 0, name, array, "be positive", source)
+    return array
+
+
+def not_negative(name: str, value: ArrayLike, source: str = "", shape: Shape = ()) -> Array:
+    """As `real`, all at least 0."""
+    array = real(name, value, shape)
+    require(array >= 0, name, array, "not be negative", source)
+    return array
+
+
+def increasing(name: str, value: ArrayLike) -> Array:
+    """Two or more numbers along one axis, each greater than the one before."""
+    array = exact(name, value, (None,))
+    require(array.size > 1 and bool((np.diff(array) > 0).all()), name, array, "be two or more, increasing")
+    return array
+
+
+def probability(name: str, value: ArrayLike) -> Array:
+    """As `real`, strictly between 0 and 1."""
+    array = real(name, value)
+    require((array > 0) & (array < 1), name, array, "lie between 0 and 1, both excluded")
+    return array
+
+
+def acute(name: str, angle: ArrayLike) -> Array:
+    """As `real`, strictly between 0 and pi/2."""
+    array = real(name, angle)
+    require((array > 0) & (array < np.pi / 2), name, array, "lie between 0 and pi/2", "tables 2 and 7")
+    return array
+
+
+# --- bodies and axes
+
+
+def principal_moments(moments: ArrayLike) -> Array:
+    """Principal moments of inertia, shape (..., 3), so near to 1 that a product of three is a double."""
+    array = positive("moments", moments, "mirer2009:2.0.6", (3,))
+    within = (array > 1 / LARGEST) & (array < LARGEST)
+    bounds = f"lie between {1 / LARGEST:g} and {LARGEST:g}; take another unit"
+    require(within, "moments", array, bounds, "mirer2009:2.1")
+    return array
+
+
+def slack_of(moments: Array) -> Array:
+    """By how much the triangle inequalities hold: I_1 + I_2 + I_3 - 2 I_i."""
+    return np.asarray(np.roll(moments, -1, axis=-1) + np.roll(moments, -2, axis=-1) - moments)
+
+
+def moments_of_a_mass(moments: ArrayLike) -> tuple[Array, Array]:
+    """Moments of inertia that some distribution of mass has, a rod or a plate included, and their `slack_of`."""
+    array = real("moments", moments, (3,))
+    slack = slack_of(array)
+    allowed = -ROUNDING * np.abs(array).sum(axis=-1, keepdims=True)
+    holds = (slack >= allowed).all(axis=-1)
+    require(holds, "moments", array, "satisfy the triangle inequalities I_1 + I_2 + I_3 >= 2 I_i", "mirer2009:2.3")
+    return array, slack
+
+
+def orthonormal_axes(axes: ArrayLike) -> Array:
+    """Three orthonormal axes as rows, shape (..., 3, 3)."""
+    array = real("axes", axes, (3, 3))
+    products = array @ array.swapaxes(-1, -2)
+    holds = (np.abs(products - np.eye(3)) <= TOLERANCE).all(axis=(-1, -2))
+    require(holds, "axes", array, "have orthonormal rows", "mirer2009:2.7")
+    return array
+
+
+def unit_axes(axes: ArrayLike, source: str, count: int | None = None) -> Array:
+    """Unit vectors as rows, shape (..., count, 3)."""
+    array = doubles("axes", axes, (count, 3))
+    square = np.einsum("...k,...k->...", array, array)
+    square -= 1
+    np.abs(square, out=square)
+    require(square <= TOLERANCE, "axes", array, "be finite and have the length 1; divide it by its length", source)
+    return array
+
+
+def symmetric_matrix(name: str, matrix: ArrayLike, source: str = "") -> Array:
+    """A symmetric matrix, shape (..., 3, 3), with the roundings of its two halves averaged."""
+    array = real(name, matrix, (3, 3))
+    mirrored = array.swapaxes(-1, -2)
+    largest = np.abs(array).max(axis=(-1, -2), keepdims=True)
+    holds = (np.abs(array - mirrored) <= TOLERANCE * largest).all(axis=(-1, -2))
+    require(holds, name, array, "be symmetric", source)
+    return np.asarray((array + mirrored) / 2)
+
+
+# --- stationary laws of the randomly driven rotation
+
+
+def equatorial(alpha: ArrayLike, beta: ArrayLike, gamma: ArrayLike) -> tuple[Array, Array, Array]:
+    """alpha, beta, gamma, for which the amplitude has a stationary density."""
+    noise = positive("alpha", alpha, "(3.5); without multiplicative noise the density is Rayleigh's, B.10")
+    additive = positive("beta", beta, "4.0.3; without additive noise nothing is stationary, B.11")
+    dissipation = positive("gamma", gamma, "1.1.7")
+    require(2 * dissipation > noise, "gamma", dissipation, "satisfy 4 gamma^2 > alpha^2", "4.0.3")
+    return noise, additive, dissipation
+
+
+def axial(k: ArrayLike, g_13: ArrayLike, g_23: ArrayLike, d_33: ArrayLike) -> tuple[Array, Array, Array, Array]:
+    """k, g_13, g_23, d_33, for which the frequency has a stationary density."""
+    return (
+        positive("k", k, "(1.1)"),
+        positive("g_13", g_13, "(3.5); without multiplicative noise the density is normal"),
+        positive("g_23", g_23, "4.0.5; without additive noise nothing is stationary"),
+        positive("d_33", d_33, "4.0.5"),
+    )
+
+
+# --- shapes, choices and results
+
+
+def common_shape(**arrays: Array) -> tuple[int, ...]:
+    """The shape to which the arrays broadcast."""
+    try:
+        return np.broadcast_shapes(*(array.shape for array in arrays.values()))
+    except ValueError:
+        shapes = ", ".join(f"{name} {array.shape}" for name, array in arrays.items())
+        raise ValueError(f"the leading axes of {shapes} must broadcast to one shape") from None
+
+
+def one_of(name: str, value: object, choices: Collection[object]) -> None:
+    """One of some values."""
+    require(value in choices, name, value, f"be one of {', '.join(map(str, choices))}")
+
+
+def evaluated(what: str, function: Callable[..., Array], *values: Array) -> Array:
+    """What the function gives, if that is finite."""
+    with np.errstate(all="ignore"):
+        return finite(what, function(*values))
+
+
+def finite(what: str, result: Result) -> Result:
+    """A result that has not left the range of doubles."""
+    require(np.isfinite(result), what, result, "be a finite double; take arguments of moderate size in other units")
+    return result
+
+
+def engine_module(engine: str, module: str) -> ModuleType:
     """The module of an engine that needs a library of the same name; ImportError says if that is missing."""
     try:
         return import_module(module)
@@ -75,3 +225,39 @@ def engine_module(engine: str, module: str) -> Any:
         raise ImportError(
             f"engine={engine!r} needs {engine}: pip install {engine}, or leave engine='numpy'", name=engine
         ) from error
+
+
+# --- how an error is put
+
+
+def require(holds: Truth, name: str, value: object, condition: str, source: str = "") -> None:
+    """ValueError naming the first value for which `holds` is not true: "I = ... must ... (source)"."""
+    if np.count_nonzero(holds) == holds.size if isinstance(holds, np.ndarray) else holds:  # all() takes twice as long
+        return
+    shape, array = np.shape(holds), np.asarray(value)
+    place = tuple(int(k) for k in np.argwhere(~np.asarray(holds))[0])
+    if array.shape[: len(shape)] != shape and array.ndim <= len(shape):  # a condition on several arguments
+        array = np.broadcast_to(array, shape)
+    shown = array[place] if array.shape[: len(shape)] == shape and place else value
+    where = f"{name}[{', '.join(map(str, place))}]" if place and array.ndim else name
+    raise ValueError(f"{where} = {shortened(shown)} must {condition}{f' ({source})' if source else ''}")
+
+
+def shortened(value: object) -> str:
+    """A value on one line."""
+    value = _plain(value)
+    text = np.array2string(value, precision=6, threshold=12) if isinstance(value, np.ndarray) else repr(value)
+    text = " ".join(text.split())
+    return text if len(text) <= SHOWN else f"{text[: SHOWN - 3]}..."
+
+
+def _plain(value: object) -> object:
+    return value.item() if isinstance(value, np.ndarray | np.generic) and value.ndim == 0 else value
+
+
+def _differs(required: int | None, length: int) -> bool:
+    return required is not None and required != length
+
+
+def _words(shape: Shape) -> str:
+    return ", ".join("n" if length is None else str(length) for length in shape)

@@ -1,4 +1,4 @@
-"""All figures of the numeric layer, found without a registry: a module that has some says so in its own `FIGURES`,
+"""All figures of the numeric layer, without a registry: a module that has some lists them in `FIGURES`,
 
     FIGURES = {"name": function}
 
@@ -14,7 +14,7 @@ from difflib import get_close_matches
 from importlib import import_module
 from io import BytesIO
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -27,24 +27,53 @@ if TYPE_CHECKING:
 UNDATED: dict[str, dict[str, None]] = {".png": {}, ".pdf": {"CreationDate": None}, ".svg": {"Date": None}}
 
 
-def figures() -> dict[str, Callable[[], Any]]:
-    """All figures by name, in the order of the names. ValueError where two modules give one name to different figures.
+def figures() -> dict[str, Callable[[], object]]:
+    """All figures by name.
 
+    Returns
+    -------
+    dict
+        Functions without parameters that draw a figure, in the order of their names.
+
+    Raises
+    ------
+    ValueError
+        If two modules give one name to different figures.
+
+    Examples
+    --------
     >>> [name for name in figures() if name.startswith("liquid")]
     ['liquid-frequencies', 'liquid-stability-map', 'liquid-stability-map-of-two-modes']
     """
-    found: dict[str, tuple[str, Callable[[], Any]]] = {}
+    declared: dict[str, tuple[str, Callable[[], object]]] = {}
     for module in pkgutil.walk_packages(numeric.__path__, f"{numeric.__name__}."):
         for name, function in _declared(module.name).items():
-            owner, known = found.setdefault(name, (module.name, function))
+            owner, known = declared.setdefault(name, (module.name, function))
             if known is not function:
                 raise ValueError(f"{owner} and {module.name} both have a figure {name!r}; rename one of them")
-    return {name: found[name][1] for name in sorted(found)}
+    return {name: declared[name][1] for name in sorted(declared)}
 
 
 def summary(name: str) -> str:
-    """What the figure of that name shows, in one line; ValueError suggests the nearest name.
+    """What the figure of that name shows, in one line.
 
+    Parameters
+    ----------
+    name
+        Name of a figure, one of `figures`.
+
+    Returns
+    -------
+    str
+        The first line of the docstring of the function that draws it.
+
+    Raises
+    ------
+    ValueError
+        If there is no such figure; the message suggests the nearest name.
+
+    Examples
+    --------
     >>> summary("liquid-frequencies")
     'Frequencies and growth rate of a body with two modes of its liquid, against C - A.'
     """
@@ -52,8 +81,25 @@ def summary(name: str) -> str:
 
 
 def figure(name: str) -> Figure:
-    """The figure of that name, drawn anew; ValueError suggests the nearest name.
+    """The figure of that name, drawn anew.
 
+    Parameters
+    ----------
+    name
+        Name of a figure, one of `figures`.
+
+    Returns
+    -------
+    Figure
+        Matplotlib's figure.
+
+    Raises
+    ------
+    ValueError
+        If there is no such figure; the message suggests the nearest name.
+
+    Examples
+    --------
     >>> len(figure("liquid-frequencies").axes)
     2
     """
@@ -66,8 +112,28 @@ def draw(name: str, output: Path | str) -> Path:
 
     The file appears when it is whole, in the place of one of that name; a pipe or a device gets the bytes, which are
     the same each time.
-    ValueError if there is no such figure, or the file's ending is another; OSError if it cannot be written.
 
+    Parameters
+    ----------
+    name
+        Name of a figure, one of `figures`.
+    output
+        Path of a .png, .pdf or .svg file.
+
+    Returns
+    -------
+    Path
+        The path that was written.
+
+    Raises
+    ------
+    ValueError
+        If there is no such figure, or the file's ending is another.
+    OSError
+        If it cannot be written.
+
+    Examples
+    --------
     >>> import tempfile
     >>> with tempfile.TemporaryDirectory() as folder:
     ...     draw("liquid-frequencies", Path(folder) / "frequencies.svg").name
@@ -87,10 +153,10 @@ def draw(name: str, output: Path | str) -> Path:
     return path
 
 
-def _declared(module: str) -> dict[str, Callable[[], Any]]:
+def _declared(module: str) -> dict[str, Callable[[], object]]:
     """The figures of a module; none if it needs a library that is not installed, as optional ones may not be."""
     try:
-        declared: dict[str, Callable[[], Any]] = getattr(import_module(module), "FIGURES", {})
+        declared: dict[str, Callable[[], object]] = getattr(import_module(module), "FIGURES", {})
     except ModuleNotFoundError as error:
         if (error.name or "").partition(".")[0] == __package__.partition(".")[0]:
             raise
@@ -98,7 +164,7 @@ def _declared(module: str) -> dict[str, Callable[[], Any]]:
     return declared
 
 
-def _function(name: str) -> Callable[[], Any]:
+def _function(name: str) -> Callable[[], object]:
     known = figures()
     if name not in known:
         near = get_close_matches(name, known, n=1, cutoff=0)

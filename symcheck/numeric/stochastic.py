@@ -10,12 +10,13 @@ It is not for: adaptive steps, or a strong order above 1/2 with noises that do n
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator
-from math import isfinite, sqrt
+from math import sqrt
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
-Array = NDArray[np.float64]
+from symcheck.numeric.domain import Array, positive, real, require, whole
+
 Drift = Callable[[Array], Array]
 Diffusion = Callable[[Array, Array], Array]
 Flow = Callable[[Array, float], Array]
@@ -27,10 +28,8 @@ def wiener_increments(rng: np.random.Generator, step: float, steps: int, shape: 
     `shape` is that of one increment, noises first: (noises, paths). Yields `steps` arrays of normal numbers with
     mean 0 and variance `step`. ValueError if the step is not a positive number or there are no steps.
     """
-    deviation = sqrt(_positive(step))
-    if steps < 1:
-        raise ValueError(f"steps is {steps}; at least one step is needed")
-    return (deviation * rng.standard_normal(shape) for _ in range(steps))
+    deviation = sqrt(positive("step", step))
+    return (deviation * rng.standard_normal(shape) for _ in range(whole("steps", steps, 1)))
 
 
 def heun_step(drift: Drift, diffusion: Diffusion, state: Array, step: float, increment: Array) -> Array:
@@ -77,10 +76,10 @@ def stratonovich_paths(
     ValueError where an argument is unfit or a function returns another shape than that of `start`;
     FloatingPointError where a path leaves the finite numbers.
     """
-    state = _real("start", start)
-    half = _positive(step) / 2
-    if every < 1:
-        raise ValueError(f"every is {every}; a state can be recorded after 1 step at the earliest")
+    state = real("start", start)
+    require(state.ndim > 0, "start", state, "have components first")
+    half = float(positive("step", step)) / 2
+    whole("every", every, 1)
     records: list[Array] = []
     done = 0
     for done, increment in enumerate(increments, 1):
@@ -97,23 +96,6 @@ def stratonovich_paths(
     if done == 0 or done % every:
         raise ValueError(f"there are {done} increments; a positive multiple of every = {every} is needed")
     return np.stack(records)
-
-
-def _positive(step: float) -> float:
-    if not (isfinite(step) and step > 0):
-        raise ValueError(f"step is {step}; it has to be a positive number")
-    return step
-
-
-def _real(name: str, values: ArrayLike) -> Array:
-    try:
-        array = np.asarray(values)
-        real = array.astype(np.float64, casting="safe")
-    except (TypeError, ValueError):
-        raise ValueError(f"{name} is not an array of real numbers") from None
-    if real.ndim == 0 or not np.isfinite(real).all():
-        raise ValueError(f"{name} has to hold finite numbers, components first")
-    return real
 
 
 def _like(state: Array, name: str, value: Array) -> Array:

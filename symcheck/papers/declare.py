@@ -97,6 +97,8 @@ class Scope:
             Letters of the links that are conditions imposed rather than claims.
         equality
             Where an inequality (or each link of it) is an equality, under `given` and `equality_given`.
+        equality_given
+            Hypotheses in force only there.
         by
             The proof method with its hints, or one for each link letter; that of the scope if none is named.
         where
@@ -104,7 +106,9 @@ class Scope:
         keeping
             Defined letters that stay free.
         lemmas
-            Places of earlier relations that the proof may start from, with the letters `free` not unfolded.
+            Places of earlier relations that the proof may start from.
+        free
+            Defined letters that are not unfolded in the lemmas.
         uses
             Places of the relations it refers to.
         errata
@@ -153,11 +157,25 @@ class Scope:
         uses: Sequence[str] = (),
         notation: Notation | None = None,
     ) -> Ours:
-        """Declare a statement that the paper does not print; `line` is the place it belongs to.
+        """Declare a statement that the paper does not print.
+
+        Parameters
+        ----------
+        number
+            As for `claim`.
+        line
+            The line of the source text that it belongs to.
+        words, states, given, equation, equality, equality_given, by, where, keeping, lemmas, free, uses, notation
+            As for `claim`.
+
+        Raises
+        ------
+        SymcheckError
+            If neither the statement nor its scope names a proof method.
 
         See Also
         --------
-        claim : what the parameters mean.
+        claim : A relation that the paper asserts.
         """
         return Ours(
             number=number,
@@ -184,12 +202,16 @@ class Scope:
 
         Parameters
         ----------
-        number, line, printed, words, damage, notation
+        number, line, printed, words
             As for `claim`.
         states
             The LaTeX form of a definition in words.
+        damage
+            As for `claim`.
         opaque
             Whether it defines by something outside algebra (an angle between axes), and is not unfolded.
+        notation
+            As for `claim`.
         """
         source = Source(line, _pieces(printed), words, damage)
         return Definition(
@@ -212,12 +234,16 @@ class Scope:
 
         Parameters
         ----------
-        number, line, printed, words, damage, notation
+        number, line, printed, words
             As for `claim`.
         states
             The LaTeX form of what is said in words.
+        damage
+            As for `claim`.
         reason
             Why it is assumed, where that needs to be said.
+        notation
+            As for `claim`.
         """
         source = Source(line, _pieces(printed), words, damage)
         return Premise(number=number, source=source, states=states, why=reason, notation=notation or self.notation)

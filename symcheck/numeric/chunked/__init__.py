@@ -11,13 +11,13 @@ import re
 from collections.abc import Callable
 from functools import wraps
 from itertools import chain
-from typing import Any, TypeVar, get_args, get_type_hints
+from typing import TypeVar, get_args, get_type_hints
 
 import numpy as np
 
-from symcheck.numeric.chunked.arrays import Axes, Results, Signature, Size, apply, is_chunked
+from symcheck.numeric.chunked.arrays import Axes, Function, Results, Signature, Size, apply, is_chunked
 
-F = TypeVar("F", bound=Callable[..., Any])
+F = TypeVar("F", bound=Function)
 
 
 def signature_of(text: str, **sizes: Size) -> Signature:
@@ -59,11 +59,12 @@ def gufunc(signature: str, **sizes: Size) -> Callable[[F], F]:
 
     def decorate(function: F) -> F:
         @wraps(function)
-        def dispatching(*args: Any, **kwargs: Any) -> Any:
+        def dispatching(*args: object, **kwargs: object) -> object:
             if not is_chunked(*args, *kwargs.values()):
                 return function(*args, **kwargs)
-            arguments = inspect.signature(function).bind(*args, **kwargs).arguments
-            return apply(dispatching, arguments, declared, results_of(function))
+            bound = inspect.signature(function).bind(*args, **kwargs)
+            bound.apply_defaults()
+            return apply(dispatching, bound.arguments, declared, results_of(function))
 
         dispatching.signature = declared  # type: ignore[attr-defined]
         return dispatching  # type: ignore[return-value]
@@ -92,7 +93,7 @@ def pointwise(signature: str) -> Callable[[F], F]:
     return decorate
 
 
-def results_of(function: Callable[..., Any]) -> Results:
+def results_of(function: Function) -> Results:
     """By the annotations: those of a NamedTuple's fields, or one array under the name of the function.
 
     >>> results_of(signature_of).names
@@ -106,7 +107,7 @@ def results_of(function: Callable[..., Any]) -> Results:
     return Results(kind._fields, [_dtype(hints[name]) for name in kind._fields], [{}] * len(kind._fields), kind)
 
 
-def _dtype(annotation: Any) -> Any:
+def _dtype(annotation: object) -> np.dtype[np.generic]:
     """That of NDArray[...]; doubles where an annotation does not say."""
     of_array = get_args(annotation)[1:]
     return np.dtype(get_args(of_array[0])[0] if of_array else np.float64)

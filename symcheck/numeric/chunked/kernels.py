@@ -3,15 +3,16 @@
 from __future__ import annotations
 
 import inspect
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Iterable, Mapping
 from functools import partial, wraps
 from typing import Any, NamedTuple
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from symcheck import kernels
 from symcheck.kernels.specification import Argument, Output, specification
-from symcheck.numeric.chunked.arrays import Results, Signature, apply, is_chunked
+from symcheck.numeric.chunked.arrays import Function, Leaf, Results, Signature, apply, is_chunked
 
 FLOAT = np.dtype(np.float32)
 
@@ -23,22 +24,38 @@ class Declaration(NamedTuple):
     results: Mapping[str, Mapping[str, str]]
 
 
-def declaration(kernel: Callable[..., Any]) -> Declaration:
+def declaration(kernel: Function) -> Declaration:
     """What the specification of a kernel says, as attributes of arrays.
 
     >>> declaration(kernels.find("ignatov2005", "volume_of_three_wheels")).results["volume"]["units"]
     'h_max^3'
     """
-    said = specification(kernel)
-    return Declaration(_attributes(said.arguments), _attributes(said.outputs))
+    declared = specification(kernel)
+    return Declaration(_attributes(declared.arguments), _attributes(declared.outputs))
 
 
-def kernel(paper: str, name: str) -> Callable[..., Any]:
+def kernel(paper: str, name: str) -> Function:
     """The kernel of this name for NumPy arrays and numbers, dask arrays and DataArrays alike.
 
-    Chunks go through the kernel's blocks whatever their size, so that results are those of `out=`, and of plain calls
-    with arrays of more than 512 elements, to the last bit. DataArrays get the units of the kernel's declaration.
+    Parameters
+    ----------
+    paper
+        Key of the paper, as "ignatov2005".
+    name
+        Name of the kernel.
 
+    Returns
+    -------
+    callable
+        The kernel; DataArrays get the units of its declaration.
+
+    Notes
+    -----
+    Chunks go through the kernel's blocks whatever their size, so that results are those of `out=`, and of plain calls
+    with arrays of more than 512 elements, to the last bit.
+
+    Examples
+    --------
     >>> volume = kernel("ignatov2005", "volume_of_three_wheels")
     >>> round(volume(0.5, 1.0), 6)
     2.93465
@@ -48,7 +65,7 @@ def kernel(paper: str, name: str) -> Callable[..., Any]:
     signature = Signature(((),) * len(declared.arguments), ((),) * len(declared.results))
 
     @wraps(function)
-    def dispatching(*args: Any, **kwargs: Any) -> Any:
+    def dispatching(*args: Leaf, **kwargs: Leaf) -> object:
         if not is_chunked(*args, *kwargs.values()):
             return function(*args, **kwargs)
         arguments = inspect.signature(function).bind(*args, **kwargs).arguments
@@ -59,7 +76,7 @@ def kernel(paper: str, name: str) -> Callable[..., Any]:
     return dispatching
 
 
-def by_blocks(paper: str, name: str, /, **arguments: Any) -> Any:
+def by_blocks(paper: str, name: str, /, **arguments: ArrayLike) -> Any:
     """The kernel of this name on arrays or numbers that broadcast, as with `out=`: the same bits for few and for many.
 
     >>> by_blocks("ignatov2005", "volume_of_four_wheels", a=np.full((2, 1), 0.5), b=np.full(3, 1.0)).shape
@@ -71,13 +88,13 @@ def by_blocks(paper: str, name: str, /, **arguments: Any) -> Any:
     return function(**arguments, out=out)
 
 
-def _together(*results: Any) -> Any:
+def _together(*results: object) -> object:
     return results if len(results) > 1 else results[0]
 
 
-def _dtype(arguments: Any) -> Any:
-    found = np.result_type(*(getattr(x, "dtype", x) for x in arguments))
-    return found if found == FLOAT else np.dtype(np.float64)
+def _dtype(arguments: Iterable[Leaf]) -> np.dtype[np.generic]:
+    common = np.result_type(*(getattr(x, "dtype", x) for x in arguments))
+    return common if common == FLOAT else np.dtype(np.float64)
 
 
 def _attributes(listed: Iterable[Argument | Output]) -> dict[str, dict[str, str]]:

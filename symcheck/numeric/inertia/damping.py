@@ -12,15 +12,15 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from symcheck.generated import mirer2009
+from symcheck.numeric.arrays import eigensystem, letters, of_one_shape
 from symcheck.numeric.chunked import gufunc
-from symcheck.numeric.domain import Array, real, require
-from symcheck.numeric.inertia.arguments import (
-    eigensystem,
-    letters,
-    of_one_shape,
+from symcheck.numeric.domain import (
+    Array,
+    not_negative,
     orthonormal_axes,
+    positive,
     principal_moments,
-    side_by_side,
+    real,
     symmetric_matrix,
     unit_axes,
 )
@@ -31,9 +31,15 @@ ROWS = ((0, 1, 2), (1, 3, 4), (2, 4, 5))  # of a symmetric matrix in its entries
 class Devices(NamedTuple):
     """Three damping devices.
 
-    gains  shape (..., 3), N m s/rad
-    axes   row i is the axis of device i in principal axes, shape (..., 3, 3)
+    Parameters
+    ----------
+    gains
+        Gains, N m s/rad; shape (..., 3).
+    axes
+        Axes of the devices as rows, in principal axes; shape (..., 3, 3).
 
+    Examples
+    --------
     >>> damping_matrix(*Devices(np.array([1.0, 2.0, 3.0]), np.eye(3))).diagonal().tolist()
     [1.0, 2.0, 3.0]
     """
@@ -45,9 +51,15 @@ class Devices(NamedTuple):
 class HarmonicMean(NamedTuple):
     """The harmonic mean of three damping rates and how far it is above the least, each of shape (...), 1/s.
 
-    mean    for gains k J_i it is k, whatever the axes: the greatest stability degree (mirer2009:B.3)
-    excess  the mean less the least rate, without cancellation: what the axes lose (mirer2009:B.4)
+    Parameters
+    ----------
+    mean
+        The harmonic mean. For gains k J_i it is k, whatever the axes: the greatest stability degree (mirer2009:B.3).
+    excess
+        The mean less the least rate, without cancellation: what the axes lose (mirer2009:B.4).
 
+    Examples
+    --------
     >>> float(harmonic_mean_of_rates([1, 1, 1]).excess)
     0.0
     """
@@ -58,49 +70,99 @@ class HarmonicMean(NamedTuple):
 
 @gufunc("(),(k),(i,k)->(i)")
 def gains_in_proportion(ratio: ArrayLike, moments: ArrayLike, axes: ArrayLike) -> Array:
-    """Gains in proportion to the moments of inertia about the devices' axes: k_i = k J_i, shape (..., 3), N m s/rad.
+    """Gains in proportion to the moments of inertia about the devices' axes: k_i = k J_i.
 
-    ratio    k, shape (...), 1/s
-    moments  principal moments of inertia, shape (..., 3), kg m^2
-    axes     orthonormal axes as rows, shape (..., 3, 3)
+    Parameters
+    ----------
+    ratio
+        Ratio k of gain to moment, 1/s; shape (...).
+    moments
+        Principal moments of inertia, kg m^2; shape (..., 3).
+    axes
+        Orthonormal axes as rows; shape (..., 3, 3).
 
-    ValueError if the ratio or a moment is not positive or the axes are not orthonormal. Source: mirer2009:1.4.3.
+    Returns
+    -------
+    ndarray
+        Gains k_i, N m s/rad; shape (..., 3).
 
+    Raises
+    ------
+    ValueError
+        If the ratio or a moment is not positive or the axes are not orthonormal.
+
+    Notes
+    -----
+    Source: mirer2009:1.4.3.
+
+    Examples
+    --------
     >>> gains_in_proportion(0.1, [2, 3, 4], np.eye(3)).round(12).tolist()
     [0.2, 0.3, 0.4]
     """
-    arguments = letters(principal_moments(moments)), letters(orthonormal_axes(axes), axes=2)
-    kernel = mirer2009.gains_in_proportion
-    return side_by_side(kernel(_ratio(ratio), *arguments[0], *arguments[1]))
+    values = _ratio(ratio), *letters(principal_moments(moments)), *letters(orthonormal_axes(axes), axes=2)
+    return np.stack(mirer2009.gains_in_proportion(*values), axis=-1)
 
 
 @gufunc("(i),(i,k)->(k,column)", column=3)
 def damping_matrix(gains: ArrayLike, axes: ArrayLike) -> Array:
-    """The damping matrix of three devices, m_is = sum of k_j a_js a_ji over j, shape (..., 3, 3), N m s/rad.
+    """The damping matrix of three devices, m_is = sum of k_j a_js a_ji over j.
 
-    gains  k_i, shape (..., 3), N m s/rad; zero for a device that is switched off
-    axes   axes of the devices as rows, unit vectors that need not be orthogonal, shape (..., 3, 3)
+    Parameters
+    ----------
+    gains
+        Gains k_i, N m s/rad; shape (..., 3). A device that is switched off has 0.
+    axes
+        Axes of the devices as rows, unit vectors that need not be orthogonal; shape (..., 3, 3).
 
-    ValueError if a gain is negative or a row is not a unit vector. Source: mirer2009:1.2.4.
+    Returns
+    -------
+    ndarray
+        Shape (..., 3, 3), N m s/rad.
 
+    Raises
+    ------
+    ValueError
+        If a gain is negative or a row is not a unit vector.
+
+    Notes
+    -----
+    Source: mirer2009:1.2.4.
+
+    Examples
+    --------
     >>> damping_matrix([5, 0, 0], [[0.6, 0.8, 0], [0, 1, 0], [0, 0, 1]]).round(12).tolist()
     [[1.8, 2.4, 0.0], [2.4, 3.2, 0.0], [0.0, 0.0, 0.0]]
     """
-    gains = real("gains", gains, (3,))
-    require(gains >= 0, "gains", gains, "be zero or positive: a device that damps", "mirer2009:1.0.4")
-    entries = mirer2009.damping_matrix(*letters(gains), *letters(unit_axes(axes), axes=2))
-    return side_by_side(entries)[..., ROWS]
+    values = letters(_gains(gains)), letters(unit_axes(axes, "mirer2009:1.0.2", 3), axes=2)
+    return np.stack(mirer2009.damping_matrix(*values[0], *values[1]), axis=-1)[..., ROWS]
 
 
 @gufunc("(i,j)->(i),(i,j)")
 def orthogonal_devices(damping: ArrayLike) -> Devices:
     """Three devices along orthogonal axes with a given damping matrix: m = S^T B S, gains b_ii along the rows of S.
 
-    damping  damping matrix, of devices along whatever axes, shape (..., 3, 3), N m s/rad
+    Parameters
+    ----------
+    damping
+        Damping matrix of devices along any axes, N m s/rad; shape (..., 3, 3).
 
-    Gains in ascending order, axes right-handed. ValueError if the matrix is not symmetric.
+    Returns
+    -------
+    Devices
+        Gains in ascending order, along right-handed axes.
+
+    Raises
+    ------
+    ValueError
+        If the matrix is not symmetric.
+
+    Notes
+    -----
     Source: mirer2009:1.2.7 to 1.2.10.
 
+    Examples
+    --------
     >>> gains, axes = orthogonal_devices(damping_matrix([1, 1, 2], [[1, 0, 0], [0.6, 0.8, 0], [0, 0, 1]]))
     >>> gains.round(12).tolist()
     [0.4, 1.6, 2.0]
@@ -110,35 +172,69 @@ def orthogonal_devices(damping: ArrayLike) -> Devices:
 
 @gufunc("(k),(i),(i,k)->(coefficient)", coefficient=4)
 def characteristic_coefficients(moments: ArrayLike, gains: ArrayLike, axes: ArrayLike) -> Array:
-    """Coefficients of the characteristic equation (1.3), of p^3 first, shape (..., 4), kg^3 m^6/s^0 to kg^3 m^6/s^3.
+    """Coefficients of the characteristic equation (1.3).
 
-    moments  principal moments of inertia, shape (..., 3), kg m^2
-    gains    k_i, shape (..., 3), N m s/rad
-    axes     orthonormal axes as rows, shape (..., 3, 3)
+    Parameters
+    ----------
+    moments
+        Principal moments of inertia, kg m^2; shape (..., 3).
+    gains
+        Gains k_i, N m s/rad; shape (..., 3), not negative.
+    axes
+        Orthonormal axes as rows; shape (..., 3, 3).
 
-    ValueError if a moment is not positive, a gain is negative or the axes are not orthonormal. For the roots call
-    `characteristic_roots`: the optimum is a triple root, which from coefficients is known to a third of the digits.
+    Returns
+    -------
+    ndarray
+        Coefficients, of p^3 first, kg^3 m^6/s^0 to kg^3 m^6/s^3; shape (..., 4).
 
+    Raises
+    ------
+    ValueError
+        If a moment is not positive, a gain is negative or the axes are not orthonormal.
+
+    Notes
+    -----
+    For the roots call `characteristic_roots`: the optimum is a triple root, which coefficients give to a third of the
+    digits. Source: mirer2009:1.3.
+
+    Examples
+    --------
     >>> characteristic_coefficients([1, 2, 3], [1, 2, 3], np.eye(3)).tolist()
     [6.0, 18.0, 18.0, 6.0]
     """
-    gains = real("gains", gains, (3,))
-    require(gains >= 0, "gains", gains, "be zero or positive: a device that damps", "mirer2009:1.0.4")
-    arguments = letters(principal_moments(moments)), letters(gains), letters(orthonormal_axes(axes), axes=2)
-    kernel = mirer2009.characteristic_coefficients
-    return side_by_side(kernel(*arguments[0], *arguments[1], *arguments[2]))
+    arguments = letters(principal_moments(moments)), letters(_gains(gains)), letters(orthonormal_axes(axes), axes=2)
+    return np.stack(mirer2009.characteristic_coefficients(*arguments[0], *arguments[1], *arguments[2]), axis=-1)
 
 
 @gufunc("(i),(i,j)->(i)")
 def characteristic_roots(moments: ArrayLike, damping: ArrayLike) -> Array:
-    """The roots p of det(I p + m) = 0 in ascending order, shape (..., 3), 1/s: all real (mirer2009:B.2).
+    """The roots p of det(I p + m) = 0, all real (mirer2009:B.2).
 
-    moments  principal moments of inertia, shape (..., 3), kg m^2
-    damping  damping matrix in principal axes, shape (..., 3, 3), N m s/rad
+    Parameters
+    ----------
+    moments
+        Principal moments of inertia, kg m^2; shape (..., 3).
+    damping
+        Damping matrix in principal axes, N m s/rad; shape (..., 3, 3).
 
+    Returns
+    -------
+    ndarray
+        Roots in ascending order, 1/s; shape (..., 3).
+
+    Raises
+    ------
+    ValueError
+        If a moment is not positive or the matrix is not symmetric.
+
+    Notes
+    -----
     They are the eigenvalues of -m_ij/sqrt(I_i I_j), right to rounding of the largest, at a triple root as elsewhere.
-    ValueError if a moment is not positive or the matrix is not symmetric. Source: mirer2009:1.2.17.
+    Source: mirer2009:1.2.17.
 
+    Examples
+    --------
     >>> characteristic_roots([2, 3, 4], np.diag([1.0, 3.0, 2.0])).round(12).tolist()
     [-1.0, -0.5, -0.5]
     """
@@ -149,11 +245,29 @@ def characteristic_roots(moments: ArrayLike, damping: ArrayLike) -> Array:
 
 @gufunc("(i),(i,j)->()")
 def stability_degree(moments: ArrayLike, damping: ArrayLike) -> Array:
-    """The stability degree xi: minus the characteristic root nearest to zero, shape (...), 1/s.
+    """The stability degree xi: minus the characteristic root nearest to zero.
 
-    Parameters and errors are those of `characteristic_roots`. It is the least damping rate, negative if the rotation
-    is not damped. Source: mirer2009:1.2.14.
+    Parameters
+    ----------
+    moments, damping
+        As for `characteristic_roots`.
 
+    Returns
+    -------
+    ndarray
+        Shape (...), 1/s; negative if the rotation is not damped.
+
+    Raises
+    ------
+    ValueError
+        If a moment is not positive or the matrix is not symmetric.
+
+    Notes
+    -----
+    It is the least damping rate. Source: mirer2009:1.2.14.
+
+    Examples
+    --------
     >>> float(stability_degree([2, 3, 4], np.diag([1.0, 3.0, 2.0])).round(12))
     0.5
     """
@@ -164,12 +278,29 @@ def stability_degree(moments: ArrayLike, damping: ArrayLike) -> Array:
 def optimal_devices(moments: ArrayLike, degree: ArrayLike) -> Devices:
     """Devices with a given stability degree xi and the least gain ratio: k_i = xi I_i along the principal axes.
 
-    moments  principal moments of inertia, shape (..., 3), kg m^2
-    degree   xi, shape (...), 1/s
+    Parameters
+    ----------
+    moments
+        Principal moments of inertia, kg m^2; shape (..., 3).
+    degree
+        Stability degree xi, 1/s; shape (...).
 
-    For gains k J_i the degree is at most k (mirer2009:B.4), and here it is k. ValueError if a moment or the degree is
-    not positive. Source: mirer2009:1.8, 1.8.1.
+    Returns
+    -------
+    Devices
+        The gains, and the principal axes.
 
+    Raises
+    ------
+    ValueError
+        If a moment or the degree is not positive.
+
+    Notes
+    -----
+    For gains k J_i the degree is at most k (mirer2009:B.4), and here it is k. Source: mirer2009:1.8, 1.8.1.
+
+    Examples
+    --------
     >>> gains, axes = optimal_devices([2, 3, 4], 0.1)
     >>> float(stability_degree([2, 3, 4], damping_matrix(gains, axes)).round(12))
     0.1
@@ -182,15 +313,31 @@ def optimal_devices(moments: ArrayLike, degree: ArrayLike) -> Devices:
 def harmonic_mean_of_rates(rates: ArrayLike) -> HarmonicMean:
     """The harmonic mean of three damping rates, which for gains k J_i is k, and its excess over the least rate.
 
-    rates  minus the characteristic roots, in any order, shape (..., 3), 1/s
+    Parameters
+    ----------
+    rates
+        Damping rates (the characteristic roots with the opposite sign), 1/s, in any order; shape (..., 3).
 
-    ValueError if a rate is not positive. Source: mirer2009:B.3, B.4.
+    Returns
+    -------
+    HarmonicMean
+        The mean and its excess over the least rate.
 
+    Raises
+    ------
+    ValueError
+        If a rate is not positive.
+
+    Notes
+    -----
+    Source: mirer2009:B.3, B.4.
+
+    Examples
+    --------
     >>> np.round(harmonic_mean_of_rates([1, 2, 2]), 12).tolist()
     [1.5, 0.5]
     """
-    rates = real("rates", rates, (3,))
-    require(rates > 0, "rates", rates, "be positive", "mirer2009:B.4")
+    rates = positive("rates", rates, "mirer2009:B.4", (3,))
     least = rates.min(axis=-1)
     excess = letters(rates - least[..., None])
     return HarmonicMean(*mirer2009.gain_of_rates(least, *excess))
@@ -198,15 +345,33 @@ def harmonic_mean_of_rates(rates: ArrayLike) -> HarmonicMean:
 
 @gufunc("(),(i),()->()")
 def stability_degree_in_pitch(ratio: ArrayLike, moments: ArrayLike, pitch: ArrayLike) -> Array:
-    """The stability degree of gains k J_i along axes turned by the pitch alone, in closed form, shape (...), 1/s.
+    """The stability degree of gains k J_i along axes turned by the pitch alone, in closed form.
 
-    ratio    k, shape (...), 1/s
-    moments  principal moments of inertia, shape (..., 3), kg m^2; the second, about which is turned, does not matter
-    pitch    alpha, any angle, shape (...), rad
+    Parameters
+    ----------
+    ratio
+        Ratio k of gain to moment, 1/s; shape (...).
+    moments
+        Principal moments of inertia, kg m^2; shape (..., 3). The second does not matter.
+    pitch
+        Angle alpha, rad; shape (...).
 
-    It is k where the axes are principal or I_1 = I_3, and least at 45 degrees. ValueError if the ratio or a moment is
-    not positive. Source: mirer2009:1.5, B.2 to B.4.
+    Returns
+    -------
+    ndarray
+        Shape (...), 1/s.
 
+    Raises
+    ------
+    ValueError
+        If the ratio or a moment is not positive.
+
+    Notes
+    -----
+    It is k where the axes are principal or I_1 = I_3, and least at 45 degrees. Source: mirer2009:1.5, B.2 to B.4.
+
+    Examples
+    --------
     >>> stability_degree_in_pitch(1.0, [1, 2, 3], [0.0, np.pi / 4, np.pi / 2]).round(12).tolist()
     [1.0, 0.666666666667, 1.0]
     """
@@ -218,6 +383,8 @@ def stability_degree_in_pitch(ratio: ArrayLike, moments: ArrayLike, pitch: Array
 
 
 def _ratio(value: ArrayLike, name: str = "ratio") -> Array:
-    ratio = real(name, value)
-    require(ratio > 0, name, ratio, "be positive", "mirer2009:1.8")
-    return ratio
+    return positive(name, value, "mirer2009:1.8")
+
+
+def _gains(value: ArrayLike) -> Array:
+    return not_negative("gains", value, "mirer2009:1.0.4: a device damps", (3,))

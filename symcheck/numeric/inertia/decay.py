@@ -13,24 +13,42 @@ from numpy.typing import ArrayLike
 from scipy.integrate import solve_ivp
 
 from symcheck.numeric.chunked import gufunc, pointwise
-from symcheck.numeric.domain import Array, real, require
-from symcheck.numeric.inertia.arguments import principal_moments, symmetric_matrix
+from symcheck.numeric.domain import Array, increasing, positive, principal_moments, real, require, symmetric_matrix
 from symcheck.numeric.inertia.damping import characteristic_roots
 
 FINEST = 100 * np.finfo(np.float64).eps  # the least relative tolerance that SciPy takes
-SMALLEST = np.finfo(np.float64).tiny
+SMALLEST = np.finfo(np.float64).tiny  # of an absolute tolerance: SciPy divides by it, also for a body at rest
 
 
 @gufunc("(i),(i,j),(i)->(i)")
 def angular_acceleration(moments: ArrayLike, damping: ArrayLike, rate: ArrayLike) -> Array:
-    """The rate of change of the angular rate: I dw/dt = -m w - w x I w, shape (..., 3), rad/s^2.
+    """Acceleration of the rotation: I dw/dt = -m w - w x I w.
 
-    moments  principal moments of inertia, shape (..., 3), kg m^2
-    damping  damping matrix in principal axes, shape (..., 3, 3), N m s/rad
-    rate     angular rate w in principal axes, shape (..., 3), rad/s
+    Parameters
+    ----------
+    moments
+        Principal moments of inertia, kg m^2; shape (..., 3).
+    damping
+        Damping matrix in principal axes, N m s/rad; shape (..., 3, 3).
+    rate
+        Angular rate w in principal axes, rad/s; shape (..., 3).
 
-    ValueError if a moment is not positive or the matrix is not symmetric. Source: mirer2009:1.1.
+    Returns
+    -------
+    ndarray
+        Shape (..., 3), rad/s^2.
 
+    Raises
+    ------
+    ValueError
+        If a moment is not positive or the matrix is not symmetric.
+
+    Notes
+    -----
+    Source: mirer2009:1.1.
+
+    Examples
+    --------
     >>> angular_acceleration([2, 3, 4], np.zeros((3, 3)), [1, 2, 3]).tolist()
     [-3.0, 2.0, -0.5]
     """
@@ -42,17 +60,41 @@ def angular_acceleration(moments: ArrayLike, damping: ArrayLike, rate: ArrayLike
 def free_decay(
     moments: ArrayLike, damping: ArrayLike, rate: ArrayLike, times: ArrayLike, tolerance: float = 1e-11
 ) -> Array:
-    """The angular rate of a damped body in time: equation (1.1) integrated, shape (..., n, 3), rad/s.
+    """The angular rate of a damped body in time: equation (1.1) integrated.
 
-    moments    principal moments of inertia, shape (..., 3), kg m^2
-    damping    damping matrix in principal axes, shape (..., 3, 3), N m s/rad
-    rate       angular rate at the first time, in principal axes, shape (..., 3), rad/s
-    times      increasing times, the same for all bodies, shape (n,), s
-    tolerance  of each step, relative to the rate, or to what the slowest mode leaves of it at the end if that is more
+    Parameters
+    ----------
+    moments
+        Principal moments of inertia, kg m^2; shape (..., 3).
+    damping
+        Damping matrix in principal axes, N m s/rad; shape (..., 3, 3).
+    rate
+        Angular rate at the first time, in principal axes, rad/s; shape (..., 3).
+    times
+        Increasing times, s, the same for all bodies; shape (n,).
+    tolerance
+        Tolerance of each step, relative to the rate, or to what the slowest mode leaves of it at the end if that is
+        more.
 
-    ValueError if a moment or the tolerance is not positive, the matrix is not symmetric or amplifies a rotation, or
-    the times do not increase; FloatingPointError if the integration does not reach the last time.
+    Returns
+    -------
+    ndarray
+        Angular rates, rad/s; shape (..., n, 3).
 
+    Raises
+    ------
+    ValueError
+        If a moment or the tolerance is not positive, the matrix is not symmetric or amplifies a rotation, or the times
+        do not increase.
+    FloatingPointError
+        If the integration does not reach the last time.
+
+    Notes
+    -----
+    Source: mirer2009:1.1.
+
+    Examples
+    --------
     >>> times = np.linspace(0, 10, 5)
     >>> rates = free_decay([2, 3, 4], np.diag([0.2, 0.3, 0.4]), [0.1, 0.2, 0.3], times)
     >>> energy = kinetic_energy([2, 3, 4], rates)
@@ -60,7 +102,7 @@ def free_decay(
     [1.0, 1.0, 1.0, 1.0, 1.0]
     """
     moments, damping = principal_moments(moments), symmetric_matrix("damping", damping, "mirer2009:1.2.6")
-    rate, times = real("rate", rate, (3,)), _increasing(times)
+    rate, times = real("rate", rate, (3,)), increasing("times", times)
     roots = characteristic_roots(moments, damping)
     require(
         roots[..., -1] <= np.abs(roots).max(axis=-1) * FINEST,
@@ -69,7 +111,7 @@ def free_decay(
         "amplify no rotation",
         "mirer2009:1.1",
     )
-    require(real("tolerance", tolerance) > 0, "tolerance", tolerance, "be positive")
+    positive("tolerance", tolerance)
     shape = np.broadcast_shapes(moments.shape[:-1], damping.shape[:-2], rate.shape[:-1])
     start = np.broadcast_to(rate, (*shape, 3))
     # SciPy bounds the error of all bodies together, by its mean square: each is to keep within it by itself.
@@ -93,13 +135,27 @@ def free_decay(
 
 @gufunc("(i),(time,i)->(time)")
 def kinetic_energy(moments: ArrayLike, rates: ArrayLike) -> Array:
-    """The kinetic energy of rotation (I_1 w_1^2 + I_2 w_2^2 + I_3 w_3^2)/2 at each time, shape (..., n), J.
+    """The kinetic energy of rotation (I_1 w_1^2 + I_2 w_2^2 + I_3 w_3^2)/2 at each time.
 
-    moments  principal moments of inertia, shape (..., 3), kg m^2
-    rates    angular rates in principal axes, shape (..., n, 3), rad/s
+    Parameters
+    ----------
+    moments
+        Principal moments of inertia, kg m^2; shape (..., 3).
+    rates
+        Angular rates in principal axes, rad/s; shape (..., n, 3).
 
-    ValueError if a moment is not positive.
+    Returns
+    -------
+    ndarray
+        Kinetic energy, J; shape (..., n).
 
+    Raises
+    ------
+    ValueError
+        If a moment is not positive.
+
+    Examples
+    --------
     >>> kinetic_energy([2, 3, 4], [[1, 0, 0], [0, 2, 1]]).tolist()
     [1.0, 8.0]
     """
@@ -109,21 +165,37 @@ def kinetic_energy(moments: ArrayLike, rates: ArrayLike) -> Array:
 
 @gufunc("(time),(time)->()")
 def decay_rate(times: ArrayLike, energy: ArrayLike) -> Array:
-    """The measured decay rate, log(T_first/T_last)/2 over the time between: mean rate of the angular rate, (...), 1/s.
+    """The measured decay rate of the angular rate, log(T_first/T_last)/2 over the time between.
 
-    times   increasing times, shape (n,), s
-    energy  kinetic energy T at these times, shape (..., n), J
+    Parameters
+    ----------
+    times
+        Increasing times, s; shape (n,).
+    energy
+        Kinetic energy at these times, J; shape (..., n).
 
-    From (1.1) dT/dt = -w^T m w, so that every decay rate lies between the least and the greatest damping rate, not
-    only for small w; over late times it tends to the stability degree unless the slowest mode is missing.
-    ValueError if the times do not increase or an energy is not positive.
+    Returns
+    -------
+    ndarray
+        Shape (...), 1/s.
 
+    Raises
+    ------
+    ValueError
+        If the times do not increase or an energy is not positive.
+
+    Notes
+    -----
+    From (1.1) dT/dt = -w^T m w, so that every decay rate lies between the least and the greatest damping rate, not only
+    for small w; over late times it tends to the stability degree unless the slowest mode is missing.
+
+    Examples
+    --------
     >>> round(float(decay_rate([0, 1, 2], [1.0, np.exp(-0.6), np.exp(-1.2)])), 12)
     0.3
     """
-    times = _increasing(times)
-    energy = real("energy", energy, (times.size,))
-    require(energy > 0, "energy", energy, "be positive: nothing that is left can be measured")
+    times = increasing("times", times)
+    energy = positive("energy", energy, "else there is nothing to measure", (times.size,))
     rate: Array = np.log(energy[..., 0] / energy[..., -1]) / (2 * np.ptp(times))
     return rate
 
@@ -132,11 +204,3 @@ def _acceleration(moments: Array, damping: Array, rate: Array) -> Array:
     torque = np.einsum("...ij,...j->...i", damping, rate) + np.cross(rate, moments * rate)
     acceleration: Array = -torque / moments
     return acceleration
-
-
-def _increasing(times: ArrayLike) -> Array:
-    array = real("times", times, (None,))
-    require(
-        array.ndim == 1 and array.size > 1 and (np.diff(array) > 0).all(), "times", array, "be two or more, increasing"
-    )
-    return array

@@ -8,9 +8,9 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from symcheck.generated import mirer2009
+from symcheck.numeric.arrays import letters, of_one_shape
 from symcheck.numeric.chunked import gufunc
-from symcheck.numeric.domain import Array, real, require
-from symcheck.numeric.inertia.arguments import letters, of_one_shape, orthonormal_axes, principal_moments, side_by_side
+from symcheck.numeric.domain import Array, orthonormal_axes, principal_moments, real, require
 
 TINY = 1e-100  # beside an axis about which the moment is the mean g is small, and has a direction; upon it, none
 
@@ -18,10 +18,17 @@ TINY = 1e-100  # beside an axis about which the moment is the mean g is small, a
 class AttitudeAngles(NamedTuple):
     """Pitch, yaw and roll: the turns that take given axes y to the principal axes x, each of shape (...), rad.
 
-    pitch  alpha, the first turn, about axis 2
-    yaw    beta, the second turn, about axis 3 as the first has left it
-    roll   gamma, the third turn, about axis 1 as the second has left it
+    Parameters
+    ----------
+    pitch
+        Angle alpha of the first turn, about axis 2.
+    yaw
+        Angle beta of the second turn, about axis 3 as the first has left it.
+    roll
+        Angle gamma of the third turn, about axis 1 as the second has left it.
 
+    Examples
+    --------
     >>> direction_cosines(*AttitudeAngles(pitch=0.1, yaw=0.2, roll=0.3)).shape
     (3, 3)
     """
@@ -35,16 +42,32 @@ class AttitudeAngles(NamedTuple):
 def direction_cosines(pitch: ArrayLike, yaw: ArrayLike, roll: ArrayLike) -> Array:
     """The axes y from which attitude angles turn to the principal axes x: a_ij is the cosine between y_i and x_j.
 
-    pitch, yaw, roll  alpha, beta, gamma, each of shape (...), rad
+    Parameters
+    ----------
+    pitch, yaw, roll
+        Angles alpha, beta and gamma, rad; each of shape (...).
 
-    Returns the axes as rows, shape (..., 3, 3): right-handed and orthonormal. ValueError if an angle is no finite
-    number. Source: mirer2009:2.7.5 to 2.7.13.
+    Returns
+    -------
+    ndarray
+        Right-handed orthonormal axes as rows; shape (..., 3, 3).
 
+    Raises
+    ------
+    ValueError
+        If an angle is not a finite number.
+
+    Notes
+    -----
+    Source: mirer2009:2.7.5 to 2.7.13.
+
+    Examples
+    --------
     >>> direction_cosines(np.pi / 2, 0, 0).round(12).tolist()
     [[0.0, 0.0, 1.0], [0.0, 1.0, -0.0], [-1.0, 0.0, 0.0]]
     """
     angles = real("pitch", pitch), real("yaw", yaw), real("roll", roll)
-    cosines = side_by_side(mirer2009.direction_cosines(*angles))
+    cosines = np.stack(mirer2009.direction_cosines(*angles), axis=-1)
     return cosines.reshape(*cosines.shape[:-1], 3, 3)
 
 
@@ -52,12 +75,28 @@ def direction_cosines(pitch: ArrayLike, yaw: ArrayLike, roll: ArrayLike) -> Arra
 def attitude_angles(axes: ArrayLike) -> AttitudeAngles:
     """Pitch, yaw and roll of given axes, the inverse of `direction_cosines`.
 
-    axes  right-handed orthonormal axes as rows, shape (..., 3, 3)
+    Parameters
+    ----------
+    axes
+        Right-handed orthonormal axes as rows; shape (..., 3, 3).
 
-    The yaw lies on [-pi/2, pi/2], pitch and roll on [-pi, pi]. At a yaw of 90 degrees either way pitch and roll turn
-    about one line: the roll is then what rounding makes of it, and the pitch fits it, so that the angles always give
-    the axes back. ValueError if the axes are not orthonormal and right-handed.
+    Returns
+    -------
+    AttitudeAngles
+        Yaw from -pi/2 to pi/2, pitch and roll from -pi to pi.
 
+    Raises
+    ------
+    ValueError
+        If the axes are not orthonormal and right-handed.
+
+    Notes
+    -----
+    At a yaw of 90 degrees either way pitch and roll turn about one line: the roll is then what rounding makes of it,
+    and the pitch fits it, so that the angles always give the axes back. Source: mirer2009:2.7.
+
+    Examples
+    --------
     >>> np.round(attitude_angles(direction_cosines(0.1, 0.2, 0.3)), 12).tolist()
     [0.1, 0.2, 0.3]
     """
@@ -74,12 +113,28 @@ def attitude_angles(axes: ArrayLike) -> AttitudeAngles:
 def equal_moment_angles(moments: ArrayLike) -> AttitudeAngles:
     """The attitude angles of the paper at which all three axial moments are equal to the mean moment.
 
-    moments  principal moments of inertia, shape (..., 3), kg m^2
+    Parameters
+    ----------
+    moments
+        Principal moments of inertia, kg m^2; shape (..., 3).
 
+    Returns
+    -------
+    AttitudeAngles
+        Angles, rad; each of shape (...).
+
+    Raises
+    ------
+    ValueError
+        If a moment is not positive.
+
+    Notes
+    -----
     The yaw is arcsin(1/sqrt 3), the roll pi/4, and tan 2 alpha = sqrt 3 (I_1 - c)/(I_2 - I_3), with the pitch pi/4 or
-    -pi/4 where I_2 = I_3, and 0 where all moments are equal and every pitch serves. ValueError if a moment is not
-    positive. Source: mirer2009:2.9, 2.9.2.
+    -pi/4 where I_2 = I_3, and 0 where all moments are equal and every pitch serves. Source: mirer2009:2.9, 2.9.2.
 
+    Examples
+    --------
     >>> np.round(equal_moment_angles([2, 3, 4]), 6).tolist()
     [0.523599, 0.61548, 0.785398]
     """
@@ -97,26 +152,42 @@ def equal_moment_axes(
 ) -> Array:
     """The one-parameter family of axes about which all three moments of inertia are equal.
 
-    moments        principal moments of inertia, shape (..., 3), kg m^2
-    phase          where on the cone J_1 = c the first axis is: an angle about the axis of the cone, shape (...), rad
-    quarter_turns  right angles by which the other two are turned about the first, integers, shape (...)
-    nappe          1 or -1: the nappe of the cone that the first axis is on, shape (...)
+    Parameters
+    ----------
+    moments
+        Principal moments of inertia, kg m^2; shape (..., 3).
+    phase
+        Angle about the axis of the cone J_1 = c that gives the place of the first axis on it, rad; shape (...).
+    quarter_turns
+        Number of right angles by which the other two axes are turned about the first; shape (...).
+    nappe
+        Nappe of the cone that has the first axis, 1 or -1; shape (...).
 
-    Returns right-handed axes as rows, shape (..., 3, 3).
+    Returns
+    -------
+    ndarray
+        Right-handed axes as rows; shape (..., 3, 3).
 
-    The cone is that about the principal axis n whose moment is farthest from the mean c; with l, m the next two and
-    d_i = I_i - c the first axis has the components
+    Raises
+    ------
+    ValueError
+        If a moment is not positive, a number of quarter turns is not an integer, or the nappe is not 1 or -1.
+
+    Notes
+    -----
+    The cone is that about the principal axis n whose moment is farthest from the mean c; with l, m the next two and d_i
+    = I_i - c the first axis has the components
 
         a_1l = sqrt(d_n/(d_n - d_l)) cos(phase),  a_1m = sqrt(d_n/(d_n - d_m)) sin(phase),  a_1n = nappe sqrt(...),
 
-    whose squares are the 1/3 + t (I_2 - I_3), ... of mirer2009:B.6. The second is at the angle theta with
-    tan 2 theta = -d_1 d_2 d_3/W from g = (d_1 a_11, d_2 a_12, d_3 a_13) (B.12); up to the quarter turns nothing else
-    serves (B.10), and phase, nappe and four quarter turns give every right-handed triple once. Only if a principal
-    moment is the mean are there more (B.13): the same triples with their rows moved on cyclically. If all three are
-    equal every triple serves; those of the body with the deviations (1, 1, -2) are returned.
+    whose squares are the 1/3 + t (I_2 - I_3), ... of mirer2009:B.6. The second is at the angle theta with tan 2 theta =
+    -d_1 d_2 d_3/W from g = (d_1 a_11, d_2 a_12, d_3 a_13) (B.12); up to the quarter turns nothing else serves (B.10),
+    and phase, nappe and four quarter turns give every right-handed triple once. Only if a principal moment is the mean
+    are there more (B.13): the same triples with their rows moved on cyclically. If all three are equal every triple
+    serves; those of the body with the deviations (1, 1, -2) are returned.
 
-    ValueError if a moment is not positive, the quarter turns are no integers, or the nappe is not 1 or -1.
-
+    Examples
+    --------
     >>> from symcheck.numeric.inertia.tensors import axial_moments
     >>> axial_moments([2, 3, 4.5], equal_moment_axes([2, 3, 4.5], [0.0, 0.7])).round(12).tolist()
     [[3.166666666667, 3.166666666667, 3.166666666667], [3.166666666667, 3.166666666667, 3.166666666667]]

@@ -1,17 +1,17 @@
 """Figures of Mirer's paper and of what follows from it. Matplotlib is imported only when one is drawn.
 
-Each function draws into `ax`, or into a figure of its own, and returns the axes; `axes.figure.savefig(...)` keeps it.
+Each function draws into `ax`, or into a new figure, and returns the axes; `axes.figure.savefig(...)` keeps it.
 """
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import ArrayLike
 
-from symcheck.numeric.domain import Array, real, require
-from symcheck.numeric.inertia.arguments import principal_moments
+from symcheck.numeric.domain import Array, positive, principal_moments, real
+from symcheck.numeric.drawing import Figures, new_figure
 from symcheck.numeric.inertia.damping import (
     characteristic_roots,
     damping_matrix,
@@ -25,25 +25,44 @@ from symcheck.numeric.inertia.tensors import axial_moments, bound_at_given_momen
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
+    from mpl_toolkits.mplot3d import Axes3D
 
 BODY = (2.0, 3.0, 4.5)  # kg m^2, for figures that are drawn without an example of one's own
 ANGLES = (0.7, 0.6, 0.5)  # rad
-SWEEP = np.linspace(0, 1, 201)
-SPACE = {"projection": "3d"}
+SWEEP = np.linspace(0, 1, 201)  # so many points that curves look smooth
 
 
 def plot_attitude_angles(
-    pitch: float = ANGLES[0], yaw: float = ANGLES[1], roll: float = ANGLES[2], ax: Axes | None = None
-) -> Axes:
+    pitch: float = ANGLES[0], yaw: float = ANGLES[1], roll: float = ANGLES[2], ax: Axes3D | None = None
+) -> Axes3D:
     """Draw figure 1: axes y, principal axes x, and the arcs of pitch alpha, yaw beta and roll gamma, in rad.
 
     Each arc is the path of a principal axis in one of the three turns from y: of x_1 in the first two, of x_2 in the
-    third. ValueError if an angle is no finite number; `ax`, if given, must be three-dimensional.
+    third.
 
+    Parameters
+    ----------
+    pitch, yaw, roll
+        Angles alpha, beta and gamma, rad.
+    ax
+        Three-dimensional Axes to draw in; by default those of a new figure.
+
+    Returns
+    -------
+    Axes
+        The Axes.
+
+    Raises
+    ------
+    ValueError
+        If an angle is not a finite number.
+
+    Examples
+    --------
     >>> plot_attitude_angles().get_zlabel()
     'along $y_3$'
     """
-    drawn = _axes(ax, **SPACE)
+    drawn = _space(ax)
     for letter, axes, colour in (("y", np.eye(3), "0.4"), ("x", direction_cosines(pitch, yaw, roll).T, "C0")):
         for number, axis in enumerate(axes, 1):
             drawn.plot(*np.outer(axis, [0, 1.2]), color=colour)
@@ -60,18 +79,33 @@ def plot_attitude_angles(
     return _in_space(drawn, "y", least=-0.6)
 
 
-def plot_equal_moment_axes(moments: ArrayLike = BODY, ax: Axes | None = None) -> Axes:
+def plot_equal_moment_axes(moments: ArrayLike = BODY, ax: Axes3D | None = None) -> Axes3D:
     """Draw the curves on the unit sphere along which the axes of equal moments move, and the paper's triple (2.9).
 
-    moments  principal moments of inertia, shape (3,), kg m^2
+    Parameters
+    ----------
+    moments
+        Principal moments of inertia, kg m^2; shape (3,).
+    ax
+        Three-dimensional Axes to draw in; by default those of a new figure.
 
-    ValueError if a moment is not positive; `ax`, if given, must be three-dimensional.
+    Returns
+    -------
+    Axes
+        The Axes.
 
+    Raises
+    ------
+    ValueError
+        If a moment is not positive.
+
+    Examples
+    --------
     >>> plot_equal_moment_axes([2, 3, 4.5]).get_xlabel()
     'along $x_1$'
     """
     moments = real("moments", moments, (3,))
-    drawn = _axes(ax, **SPACE)
+    drawn = _space(ax)
     for nappe, label in ((1, "axes of equal moments"), (-1, None)):
         curve = equal_moment_axes(moments, 2 * np.pi * SWEEP, nappe=nappe)[:, 0]
         drawn.plot(*curve.T, color="C0", label=label)
@@ -85,11 +119,27 @@ def plot_equal_moment_axes(moments: ArrayLike = BODY, ax: Axes | None = None) ->
 def plot_bound_of_product(moments: ArrayLike = BODY, axes: ArrayLike | None = None, ax: Axes | None = None) -> Axes:
     """Draw f_1, the greatest product J_1 J_2 J_3 for each J_2 on [0, 3c/2], with its maximum c^3 and the least product.
 
-    moments  principal moments of inertia, shape (3,), kg m^2
-    axes     orientations whose products are marked, shape (n, 3, 3); without them, some that cover all angles evenly
+    Parameters
+    ----------
+    moments
+        Principal moments of inertia, kg m^2; shape (3,).
+    axes
+        Orientations whose products are marked; shape (n, 3, 3). By default some that cover all angles evenly.
+    ax
+        Axes to draw in; by default those of a new figure.
 
-    ValueError as of `bound_at_given_moment` and `product_of_axial_moments`.
+    Returns
+    -------
+    Axes
+        The Axes.
 
+    Raises
+    ------
+    ValueError
+        As `bound_at_given_moment` and `product_of_axial_moments` do.
+
+    Examples
+    --------
     >>> plot_bound_of_product([2, 3, 4]).get_xlabel()
     '$J_2$, kg m$^2$'
     """
@@ -97,7 +147,7 @@ def plot_bound_of_product(moments: ArrayLike = BODY, axes: ArrayLike | None = No
     mean = moments.mean()
     given = 1.5 * mean * SWEEP
     product = product_of_axial_moments(moments, axes)
-    drawn = _axes(ax)
+    drawn = new_figure().add_subplot() if ax is None else ax
     drawn.plot(given, bound_at_given_moment(moments, given), label="$f_1(J_2)$")
     drawn.plot(
         axial_moments(moments, axes)[..., 1], product.value, ".", markersize=3, label="$J_1 J_2 J_3$ of some axes"
@@ -117,14 +167,35 @@ def plot_free_decay(
 ) -> Axes:
     """Draw how the rotation decays, as sqrt(T/T_0), between the fastest and the slowest decay that the roots allow.
 
-    moments  principal moments of inertia, shape (3,), kg m^2
-    damping  damping matrix, shape (3, 3), N m s/rad; without it that of gains 0.1 J_i along the axes of figure 1
-    rate     angular rate at the first time, shape (3,), rad/s
-    times    increasing times, shape (n,), s
+    Parameters
+    ----------
+    moments
+        Principal moments of inertia, kg m^2; shape (3,).
+    damping
+        Damping matrix, N m s/rad; shape (3, 3). By default that of gains 0.1 J_i along the axes of figure 1.
+    rate
+        Angular rate at the first time, rad/s; shape (3,).
+    times
+        Increasing times, s; shape (n,).
+    ax
+        Axes to draw in; by default those of a new figure.
 
+    Returns
+    -------
+    Axes
+        The Axes.
+
+    Raises
+    ------
+    ValueError, FloatingPointError
+        As `free_decay` does.
+
+    Notes
+    -----
     The legend gives the stability degree and the decay rate measured over the last quarter of the times.
-    Errors are those of `free_decay`.
 
+    Examples
+    --------
     >>> plot_free_decay().get_yscale()
     'log'
     """
@@ -135,7 +206,7 @@ def plot_free_decay(
     late = times.size - max(times.size // 4, 2)
     measured = decay_rate(times[late:], energy[late:])
     greatest, degree = -characteristic_roots(moments, damping)[0], stability_degree(moments, damping)
-    drawn = _axes(ax)
+    drawn = new_figure().add_subplot() if ax is None else ax
     drawn.plot(times, np.sqrt(energy / energy[0]), label=f"integrated; at the end {measured:.6g} 1/s")
     for value, style, name in ((degree, "--", "stability degree"), (greatest, ":", "greatest damping rate")):
         drawn.plot(times, np.exp(-value * (times - times[0])), style, label=f"{name} {value:.6g} 1/s")
@@ -151,26 +222,41 @@ def plot_damping_over_pitch(
 ) -> Axes:
     """Draw the stability degree of gains k J_i, in units of k, over the pitch and the ratio of the moments I_1, I_3.
 
-    ratios  increasing I_1/I_3, shape (n,)
-    pitch   increasing alpha, shape (m,), rad
+    Parameters
+    ----------
+    ratios
+        Increasing ratios I_1/I_3; shape (n,).
+    pitch
+        Increasing angles alpha, rad; shape (m,).
+    ax
+        Axes to draw in; by default those of a new figure.
 
-    ValueError if a ratio is not positive.
+    Returns
+    -------
+    Axes
+        The Axes.
 
+    Raises
+    ------
+    ValueError
+        If a ratio is not positive.
+
+    Examples
+    --------
     >>> plot_damping_over_pitch().get_xlabel()
     'pitch, degrees'
     """
-    ratios, pitch = real("ratios", ratios, (None,)), real("pitch", pitch, (None,))
-    require(ratios > 0, "ratios", ratios, "be positive", "mirer2009:2.0.6")
+    ratios, pitch = positive("ratios", ratios, "mirer2009:2.0.6", (None,)), real("pitch", pitch, (None,))
     moments = np.stack([ratios, ratios, np.ones_like(ratios)], axis=-1)
     degree = stability_degree_in_pitch(1.0, moments[:, None], pitch)
-    drawn = _axes(ax)
+    drawn = new_figure().add_subplot() if ax is None else ax
     levels = drawn.contourf(np.rad2deg(pitch), ratios, degree, levels=np.linspace(0.5, 1, 21))
     drawn.figure.colorbar(levels, ax=drawn, label=r"stability degree $\xi/k$")
     drawn.set_yscale("log")
     return _labelled(drawn, "pitch, degrees", "$I_1/I_3$")
 
 
-FIGURES = {
+FIGURES: Figures = {
     "attitude-angles": plot_attitude_angles,
     "bound-of-product": plot_bound_of_product,
     "damping-over-pitch": plot_damping_over_pitch,
@@ -179,26 +265,20 @@ FIGURES = {
 }
 
 
-def _axes(ax: Axes | None, **options: Any) -> Any:
-    if ax is not None:
-        return ax
-    from matplotlib.figure import Figure
-
-    return Figure(layout="constrained").add_subplot(**options)
+def _space(ax: Axes3D | None) -> Axes3D:
+    return new_figure().add_subplot(projection="3d") if ax is None else ax
 
 
-def _labelled(ax: Any, across: str, up: str) -> Axes:
+def _labelled(ax: Axes, across: str, up: str) -> Axes:
     ax.set(xlabel=across, ylabel=up)
-    labelled: Axes = ax
-    return labelled
+    return ax
 
 
-def _in_space(ax: Any, frame: str, least: float = -1.2) -> Axes:
+def _in_space(ax: Axes3D, frame: str, least: float = -1.2) -> Axes3D:
     """A cube that holds the unit vectors, with its directions named."""
     ax.set(**{f"{axis}label": f"along ${frame}_{i}$" for i, axis in enumerate("xyz", 1)}, aspect="equal")
     ax.set(**{f"{axis}ticks": (-1, 0, 1) for axis in "xyz"}, **{f"{axis}lim": (least, 1.2) for axis in "xyz"})
-    cube: Axes = ax
-    return cube
+    return ax
 
 
 def _orientations() -> Array:

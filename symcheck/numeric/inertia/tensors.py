@@ -12,27 +12,33 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from symcheck.generated import mirer2009
+from symcheck.numeric.arrays import eigensystem, letters, of_one_shape
 from symcheck.numeric.chunked import gufunc
-from symcheck.numeric.domain import Array, real, require
-from symcheck.numeric.inertia.arguments import (
-    eigensystem,
-    letters,
-    of_one_shape,
+from symcheck.numeric.domain import (
+    ROUNDING,
+    Array,
+    moments_of_a_mass,
     orthonormal_axes,
     principal_moments,
-    side_by_side,
+    real,
+    require,
+    slack_of,
     symmetric_matrix,
 )
-
-ROUNDING = 8 * np.finfo(np.float64).eps  # of the sum of three moments
 
 
 class PrincipalInertia(NamedTuple):
     """Principal moments of inertia and principal axes.
 
-    moments  ascending, shape (..., 3), kg m^2
-    axes     right-handed, row i is principal axis i in the axes of the tensor, shape (..., 3, 3)
+    Parameters
+    ----------
+    moments
+        Principal moments, ascending, kg m^2; shape (..., 3).
+    axes
+        Right-handed principal axes as rows, in the axes of the tensor; shape (..., 3, 3).
 
+    Examples
+    --------
     >>> moments, axes = PrincipalInertia(np.array([2.0, 3.0, 4.0]), np.eye(3))
     """
 
@@ -43,12 +49,21 @@ class PrincipalInertia(NamedTuple):
 class BoundedProduct(NamedTuple):
     """A product f = J_1 J_2 J_3 of axial moments between its bounds (2.1), each of shape (...), kg^3 m^6.
 
-    value     f
-    least     I_1 I_2 I_3, about principal axes
-    greatest  ((I_1 + I_2 + I_3)/3)^3, about axes of equal moments
-    excess    f - least, without cancellation (mirer2009:2.13.4)
-    deficit   greatest - f, without cancellation (the proof of mirer2009:2.1b)
+    Parameters
+    ----------
+    value
+        The product f.
+    least
+        The bound I_1 I_2 I_3, attained by principal axes.
+    greatest
+        The bound ((I_1 + I_2 + I_3)/3)^3, attained by axes of equal moments.
+    excess
+        Difference f - least, without cancellation (mirer2009:2.13.4).
+    deficit
+        Difference greatest - f, without cancellation (the proof of mirer2009:2.1b).
 
+    Examples
+    --------
     >>> float(product_of_axial_moments([2, 3, 4], np.eye(3)).greatest)
     27.0
     """
@@ -63,10 +78,17 @@ class BoundedProduct(NamedTuple):
 class BoundedSum(NamedTuple):
     """A sum S = J_1 L_1 + J_2 L_2 + J_3 L_3 above its bound (2.18), each of shape (...), kg^3 m^6.
 
-    value   S
-    least   3 I_1 I_2 I_3, about principal axes
-    excess  S - least, without cancellation (mirer2009:2.19.4)
+    Parameters
+    ----------
+    value
+        The sum S.
+    least
+        The bound 3 I_1 I_2 I_3, attained by principal axes.
+    excess
+        Difference S - least, without cancellation (mirer2009:2.19.4).
 
+    Examples
+    --------
     >>> float(sum_of_products([2, 3, 4], np.eye(3)).excess)
     0.0
     """
@@ -80,11 +102,28 @@ class BoundedSum(NamedTuple):
 def principal_inertia(tensor: ArrayLike) -> PrincipalInertia:
     """Principal moments and principal axes of an inertia tensor: T = A^T diag(I_1, I_2, I_3) A.
 
-    tensor  inertia tensor, shape (..., 3, 3), kg m^2
+    Parameters
+    ----------
+    tensor
+        Inertia tensor, kg m^2; shape (..., 3, 3).
 
+    Returns
+    -------
+    PrincipalInertia
+        Moments in ascending order, and right-handed axes.
+
+    Raises
+    ------
+    ValueError
+        If the tensor is not symmetric.
+
+    Notes
+    -----
     The axes are those of LAPACK, the third turned so that they are right-handed; where moments coincide every
-    orthonormal choice is right, and one is returned. ValueError if the tensor is not symmetric.
+    orthonormal choice is right, and one is returned.
 
+    Examples
+    --------
     >>> moments, axes = principal_inertia([[3, 1, 0], [1, 3, 0], [0, 0, 5]])
     >>> moments.round(12).tolist()
     [2.0, 4.0, 5.0]
@@ -94,13 +133,27 @@ def principal_inertia(tensor: ArrayLike) -> PrincipalInertia:
 
 @gufunc("(k),(k,i)->(i,column)", column=3)
 def inertia_tensor(moments: ArrayLike, axes: ArrayLike) -> Array:
-    """The inertia tensor A^T diag(I_1, I_2, I_3) A, shape (..., 3, 3), kg m^2: the inverse of `principal_inertia`.
+    """The inertia tensor A^T diag(I_1, I_2, I_3) A: the inverse of `principal_inertia`.
 
-    moments  principal moments of inertia, shape (..., 3), kg m^2
-    axes     principal axes as rows, shape (..., 3, 3)
+    Parameters
+    ----------
+    moments
+        Principal moments of inertia, kg m^2; shape (..., 3).
+    axes
+        Principal axes as rows; shape (..., 3, 3).
 
-    ValueError if a moment is not positive or the axes are not orthonormal.
+    Returns
+    -------
+    ndarray
+        Shape (..., 3, 3), kg m^2.
 
+    Raises
+    ------
+    ValueError
+        If a moment is not positive or the axes are not orthonormal.
+
+    Examples
+    --------
     >>> inertia_tensor([2, 3, 4], [[0, 1, 0], [-1, 0, 0], [0, 0, 1]]).diagonal().tolist()
     [3.0, 2.0, 4.0]
     """
@@ -110,113 +163,227 @@ def inertia_tensor(moments: ArrayLike, axes: ArrayLike) -> Array:
 
 @gufunc("(i)->(i)")
 def triangle_slack(moments: ArrayLike) -> Array:
-    """By how much the triangle inequalities (2.3) hold: I_1 + I_2 + I_3 - 2 I_i, shape (..., 3), kg m^2.
+    """By how much the triangle inequalities (2.3) hold: I_1 + I_2 + I_3 - 2 I_i.
 
-    moments  principal moments of inertia, shape (..., 3), kg m^2
+    Parameters
+    ----------
+    moments
+        Principal moments of inertia, kg m^2; shape (..., 3).
 
-    Negative where no distribution of mass has these moments, zero for i where all mass lies in the plane across
-    axis i.
+    Returns
+    -------
+    ndarray
+        Shape (..., 3), kg m^2: negative where no distribution of mass has these moments, zero for i where all mass lies
+        in the plane across axis i.
 
+    Notes
+    -----
+    Source: mirer2009:2.3.
+
+    Examples
+    --------
     >>> triangle_slack([1, 2, 4]).tolist()
     [5.0, 3.0, -1.0]
     """
-    array = real("moments", moments, (3,))
-    return np.roll(array, -1, axis=-1) + np.roll(array, -2, axis=-1) - array
+    return slack_of(real("moments", moments, (3,)))
 
 
 @gufunc("(i)->(i)")
 def second_moments_of_mass(moments: ArrayLike) -> Array:
-    """The integrals P_i of x_i^2 over the mass from I_1 = P_2 + P_3 and cyclic, shape (..., 3), kg m^2.
+    """The integrals P_i of x_i^2 over the mass from I_1 = P_2 + P_3 and cyclic.
 
-    moments  principal moments of inertia, shape (..., 3), kg m^2; those of a rod, one of them zero, are welcome
+    Parameters
+    ----------
+    moments
+        Principal moments of inertia, kg m^2; shape (..., 3). One may be 0, as for a rod.
 
-    ValueError if the triangle inequalities (2.3) fail by more than the rounding of the moments.
+    Returns
+    -------
+    ndarray
+        Shape (..., 3), kg m^2.
 
+    Raises
+    ------
+    ValueError
+        If the triangle inequalities (2.3) fail by more than the rounding of the moments.
+
+    Examples
+    --------
     >>> second_moments_of_mass([3, 4, 5]).tolist()
     [3.0, 2.0, 1.0]
     """
-    array = real("moments", moments, (3,))
-    slack = triangle_slack(array)
-    allowed = -ROUNDING * np.abs(array).sum(axis=-1, keepdims=True)
-    holds = (slack >= allowed).all(axis=-1)
-    require(holds, "moments", array, "satisfy the triangle inequalities I_1 + I_2 + I_3 >= 2 I_i", "mirer2009:2.3")
-    return np.maximum(slack, 0) / 2
+    return np.maximum(moments_of_a_mass(moments)[1], 0) / 2
 
 
 @gufunc("(k),(i,k)->(i)")
 def axial_moments(moments: ArrayLike, axes: ArrayLike) -> Array:
-    """Moments of inertia about three axes: J_i = I_1 a_i1^2 + I_2 a_i2^2 + I_3 a_i3^2, shape (..., 3), kg m^2.
+    """Moments of inertia about three axes: J_i = I_1 a_i1^2 + I_2 a_i2^2 + I_3 a_i3^2.
 
-    moments  principal moments of inertia, shape (..., 3), kg m^2
-    axes     orthonormal axes as rows, shape (..., 3, 3)
+    Parameters
+    ----------
+    moments
+        Principal moments of inertia, kg m^2; shape (..., 3).
+    axes
+        Orthonormal axes as rows; shape (..., 3, 3).
 
-    ValueError if a moment is not positive or the axes are not orthonormal. Source: mirer2009:2.0.4.
+    Returns
+    -------
+    ndarray
+        Moments J_i, kg m^2; shape (..., 3).
 
+    Raises
+    ------
+    ValueError
+        If a moment is not positive or the axes are not orthonormal.
+
+    Notes
+    -----
+    Source: mirer2009:2.0.4.
+
+    Examples
+    --------
     >>> axial_moments([2, 3, 4], [[0.6, 0.8, 0], [-0.8, 0.6, 0], [0, 0, 1]]).round(12).tolist()
     [2.64, 2.36, 4.0]
     """
-    return side_by_side(mirer2009.axial_moments(*_arguments(principal_moments(moments), orthonormal_axes(axes))))
+    return np.stack(mirer2009.axial_moments(*_arguments(moments, axes)), axis=-1)
 
 
 @gufunc("(k),(i,k)->(i)")
 def second_order_moments(moments: ArrayLike, axes: ArrayLike) -> Array:
-    """The forms L_i = I_2 I_3 a_i1^2 + I_3 I_1 a_i2^2 + I_1 I_2 a_i3^2, shape (..., 3), kg^2 m^4.
+    """The forms L_i = I_2 I_3 a_i1^2 + I_3 I_1 a_i2^2 + I_1 I_2 a_i3^2.
 
-    Parameters and errors are those of `axial_moments`. Source: mirer2009:2.19.
+    Parameters
+    ----------
+    moments, axes
+        As for `axial_moments`.
 
+    Returns
+    -------
+    ndarray
+        Forms L_i, kg^2 m^4; shape (..., 3).
+
+    Raises
+    ------
+    ValueError
+        If a moment is not positive or the axes are not orthonormal.
+
+    Notes
+    -----
+    Source: mirer2009:2.19.
+
+    Examples
+    --------
     >>> second_order_moments([2, 3, 4], np.eye(3)).tolist()
     [12.0, 8.0, 6.0]
     """
-    return side_by_side(mirer2009.second_order_moments(*_arguments(principal_moments(moments), orthonormal_axes(axes))))
+    return np.stack(mirer2009.second_order_moments(*_arguments(moments, axes)), axis=-1)
 
 
 @gufunc("(k),(i,k)->(),(),(),(),()")
 def product_of_axial_moments(moments: ArrayLike, axes: ArrayLike) -> BoundedProduct:
     """The product f = J_1 J_2 J_3 with I_1 I_2 I_3 <= f <= ((I_1 + I_2 + I_3)/3)^3 and both distances.
 
-    Parameters and errors are those of `axial_moments`. Excess and deficit are sums of squares with positive factors:
-    never negative, and exact to rounding even where f comes close to a bound. Source: mirer2009:2.1.
+    Parameters
+    ----------
+    moments, axes
+        As for `axial_moments`.
 
+    Returns
+    -------
+    BoundedProduct
+        The product, its bounds, and its distances from them.
+
+    Raises
+    ------
+    ValueError
+        If a moment is not positive or the axes are not orthonormal.
+
+    Notes
+    -----
+    Excess and deficit are sums of squares with positive factors: never negative, and exact to rounding even where f
+    comes close to a bound. Source: mirer2009:2.1.
+
+    Examples
+    --------
     >>> f = product_of_axial_moments([2, 3, 4], [[0.6, 0.8, 0], [-0.8, 0.6, 0], [0, 0, 1]])
     >>> np.round(f, 10).tolist()
     [24.9216, 24.0, 27.0, 0.9216, 2.0784]
     """
-    moments, axes = principal_moments(moments), orthonormal_axes(axes)
-    excess, deficit, _ = mirer2009.distances_from_bounds(*_arguments(moments, axes))
-    value = mirer2009.product_of_axial_moments(*_arguments(moments, axes))
-    return BoundedProduct(*of_one_shape(value, *_bounds(moments)[:2], excess, deficit))
+    arguments = _arguments(moments, axes)
+    excess, deficit, _ = mirer2009.distances_from_bounds(*arguments)
+    least, greatest, _ = mirer2009.bounds_of_products(*arguments[:3])
+    return BoundedProduct(
+        *of_one_shape(mirer2009.product_of_axial_moments(*arguments), least, greatest, excess, deficit)
+    )
 
 
 @gufunc("(k),(i,k)->(),(),()")
 def sum_of_products(moments: ArrayLike, axes: ArrayLike) -> BoundedSum:
     """The sum S = J_1 L_1 + J_2 L_2 + J_3 L_3 with S >= 3 I_1 I_2 I_3 and the distance from this bound.
 
-    Parameters and errors are those of `axial_moments`. Source: mirer2009:2.18.
+    Parameters
+    ----------
+    moments, axes
+        As for `axial_moments`.
 
+    Returns
+    -------
+    BoundedSum
+        The sum, its bound, and its distance from it.
+
+    Raises
+    ------
+    ValueError
+        If a moment is not positive or the axes are not orthonormal.
+
+    Notes
+    -----
+    Source: mirer2009:2.18.
+
+    Examples
+    --------
     >>> s = sum_of_products([2, 3, 4], [[0.6, 0.8, 0], [-0.8, 0.6, 0], [0, 0, 1]])
     >>> np.round(s, 10).tolist()
     [73.8432, 72.0, 1.8432]
     """
-    moments, axes = principal_moments(moments), orthonormal_axes(axes)
-    _, _, excess = mirer2009.distances_from_bounds(*_arguments(moments, axes))
-    return BoundedSum(*of_one_shape(mirer2009.sum_of_products(*_arguments(moments, axes)), _bounds(moments)[2], excess))
+    arguments = _arguments(moments, axes)
+    *_, excess = mirer2009.distances_from_bounds(*arguments)
+    *_, least = mirer2009.bounds_of_products(*arguments[:3])
+    return BoundedSum(*of_one_shape(mirer2009.sum_of_products(*arguments), least, excess))
 
 
 @gufunc("(k),()->()")
 def bound_at_given_moment(moments: ArrayLike, moment: ArrayLike) -> Array:
-    """The greatest product J_1 J_2 J_3 for a given J_2: f_1 = J_2 (3c - J_2)^2/4, shape (...), kg^3 m^6.
+    """The greatest product J_1 J_2 J_3 for a given J_2: f_1 = J_2 (3c - J_2)^2/4.
 
-    moments  principal moments of inertia, shape (..., 3), kg m^2; c is their mean
-    moment   J_2, shape (...), kg m^2
+    Parameters
+    ----------
+    moments
+        Principal moments of inertia, kg m^2; shape (..., 3). Their mean is c.
+    moment
+        Moment J_2, kg m^2; shape (...).
 
-    ValueError if a moment is not positive, the triangle inequalities (2.3) fail, or J_2 is outside [0, 3c/2].
+    Returns
+    -------
+    ndarray
+        Shape (...), kg^3 m^6.
+
+    Raises
+    ------
+    ValueError
+        If a moment is not positive, the triangle inequalities (2.3) fail, or J_2 is outside [0, 3c/2].
+
+    Notes
+    -----
     Source: mirer2009:2.2.2.
 
+    Examples
+    --------
     >>> bound_at_given_moment([2, 3, 4], [0, 3, 4.5]).tolist()
     [0.0, 27.0, 22.78125]
     """
     moments, moment = principal_moments(moments), real("moment", moment)
-    second_moments_of_mass(moments)
+    moments_of_a_mass(moments)
     trace = moments.sum(axis=-1)
     holds = (moment >= 0) & (2 * moment <= trace * (1 + ROUNDING))
     require(holds, "moment", moment, "lie on [0, 3c/2] with c the mean principal moment", "mirer2009:2.3.4")
@@ -224,10 +391,6 @@ def bound_at_given_moment(moments: ArrayLike, moment: ArrayLike) -> Array:
     return np.asarray(mirer2009.bound_at_given_moment(first, second, third, moment))
 
 
-def _arguments(moments: Array, axes: Array) -> list[Array]:
-    return [*letters(moments), *letters(axes, axes=2)]
-
-
-def _bounds(moments: Array) -> tuple[Array, Array, Array]:
-    least, greatest, sum_least = mirer2009.bounds_of_products(*letters(moments))
-    return least, greatest, sum_least
+def _arguments(moments: ArrayLike, axes: ArrayLike) -> list[Array]:
+    """I_1, I_2, I_3, a_11, ..., a_33."""
+    return [*letters(principal_moments(moments)), *letters(orthonormal_axes(axes), axes=2)]

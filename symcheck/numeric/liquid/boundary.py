@@ -18,67 +18,119 @@ from numpy.typing import ArrayLike, NDArray
 
 from symcheck.generated import esenkov2006
 from symcheck.numeric.chunked import gufunc
-from symcheck.numeric.domain import Array, real, require
-from symcheck.numeric.liquid.arguments import Body, broadcast, checked_body, number, require_finite, row
-from symcheck.numeric.liquid.spectrum import growth_rate, stability
-
-EPSILON = np.finfo(np.float64).eps
+from symcheck.numeric.domain import Array, common_shape, exact, finite, number, positive, real, require
+from symcheck.numeric.liquid.body import Body, checked_body
+from symcheck.numeric.liquid.spectrum import EPSILON, growth_rate, stability
 
 
 class BoundaryOfStability(NamedTuple):
-    """The interval of C - A in which a body with one mode is unstable; all arrays have the broadcast shape (...)."""
+    """The interval of C - A in which a body with one mode is unstable; all arrays have one shape (...).
 
-    lower: Array  # Delta_2, kg m^2
-    upper: Array  # Delta_1, kg m^2
-    width: Array  # upper less lower, without cancellation, kg m^2
-    lower_frequency: Array  # the double frequency at the lower end, rad/s
-    upper_frequency: Array  # at the upper end, rad/s
-    greatest_growth_rate: Array  # midway between the ends, 1/s
+    Parameters
+    ----------
+    lower
+        Lower end Delta_2, kg m^2.
+    upper
+        Upper end Delta_1, kg m^2.
+    width
+        Upper less lower end, without cancellation, kg m^2.
+    lower_frequency
+        Double frequency at the lower end, rad/s.
+    upper_frequency
+        Double frequency at the upper end, rad/s.
+    greatest_growth_rate
+        Growth rate midway between the ends, 1/s.
+    """
+
+    lower: Array
+    upper: Array
+    width: Array
+    lower_frequency: Array
+    upper_frequency: Array
+    greatest_growth_rate: Array
 
 
 @dataclass(frozen=True, eq=False)
 class StabilityMap:
-    """Growth rate and stability over C - A and the frequency of one mode."""
+    """Growth rate and stability over C - A and the frequency of one mode.
 
-    A: float  # transverse moment of inertia, kg m^2
-    E_n: Array  # (N,) moments of inertia of the modes, kg m^2
-    Delta: Array  # (p,) C - A, kg m^2
-    b_1: Array  # (q,) natural frequency of the first mode, divided by the spin
-    further_b: Array  # (N - 1,) those of the other modes
-    omega_0: float  # spin, rad/s
-    growth_rate: Array  # (q, p) 1/s
-    stable: NDArray[np.bool_]  # (q, p)
+    Parameters
+    ----------
+    A
+        Transverse moment of inertia, kg m^2.
+    E_n
+        Moments of inertia of the modes, kg m^2; shape (N,).
+    Delta
+        Values of C - A, kg m^2; shape (p,).
+    b_1
+        Natural frequency of the first mode, divided by the spin; shape (q,).
+    further_b
+        Natural frequencies of the other modes, divided by the spin; shape (N - 1,).
+    omega_0
+        Spin, rad/s.
+    growth_rate
+        Growth rate, 1/s; shape (q, p).
+    stable
+        Whether no motion grows; shape (q, p).
+    """
+
+    A: float
+    E_n: Array
+    Delta: Array
+    b_1: Array
+    further_b: Array
+    omega_0: float
+    growth_rate: Array
+    stable: NDArray[np.bool_]
 
 
 @gufunc("(),(),(),()->(),(),(),(),(),()")
 def boundary_of_stability(
     A: ArrayLike, E_1: ArrayLike, b_1: ArrayLike, omega_0: ArrayLike = 1.0
 ) -> BoundaryOfStability:
-    """The two values of C - A between which a body with one mode is unstable, with what happens there,
+    """The two values of C - A between which a body with one mode is unstable, with what happens there.
 
         Delta_(1,2) = -(sqrt(E_1 (1 - b_1)) -+ sqrt(b_1 (A - E_1)))^2.
 
-    A        transverse moment of inertia, with the liquid at rest, kg m^2; shape (...), positive
-    E_1      moment of inertia that the mode carries, kg m^2; (...), 0 < E_1 < A
-    b_1      natural frequency of the mode, divided by the spin; (...), 0 <= b_1 <= 1
-    omega_0  spin, rad/s; (...), positive
+    Parameters
+    ----------
+    A
+        Transverse moment of inertia with the liquid at rest, kg m^2; shape (...), positive.
+    E_1
+        Moment of inertia that the mode carries, kg m^2; shape (...), 0 < E_1 < A.
+    b_1
+        Natural frequency of the mode, divided by the spin; shape (...), 0 <= b_1 <= 1.
+    omega_0
+        Spin, rad/s; shape (...), positive.
 
-    Returns a BoundaryOfStability. ValueError names an argument that does not fit: outside 0 <= b_1 <= 1 every body is
-    stable and there is no boundary (B.9, B.10). At 0 and 1 the interval is a point (B.22, B.23).
-    Accuracy: that of the kernels, 4 ulp of the greater of E_1 (1 - b_1) and b_1 (A - E_1).
-    Source: (1.35) with its sign corrected, B.11, B.16, B.26, B.27.
+    Returns
+    -------
+    BoundaryOfStability
+        The ends of the interval, and what happens there.
 
+    Raises
+    ------
+    ValueError
+        If an argument does not fit; the message names it. Outside 0 <= b_1 <= 1 every body is stable and there is no
+        boundary (B.9, B.10).
+
+    Notes
+    -----
+    Accuracy: that of the kernels, 4 ulp of the greater of E_1 (1 - b_1) and b_1 (A - E_1). Source: (1.35) with its sign
+    corrected, B.11, B.16, B.26, B.27.
+
+    Examples
+    --------
     >>> found = boundary_of_stability(A=1.0, E_1=0.2, b_1=[0.5, 1.0])
     >>> found.lower.round(6).tolist(), found.upper.round(6).tolist()
     ([-0.9, -0.8], [-0.1, -0.8])
     >>> found.greatest_growth_rate.round(6).tolist()
     [0.25, 0.0]
     """
-    whole, carried, ratio, spin = real("A", A), real("E_1", E_1), real("b_1", b_1), real("omega_0", omega_0)
-    for name, value in (("A", whole), ("E_1", carried), ("omega_0", spin)):
-        require(value > 0, name, value, "be positive", "1.35")
-    broadcast(A=whole, E_1=carried, b_1=ratio, omega_0=spin)
-    require(carried < whole, "E_1", carried + 0 * whole, "be less than A, as the liquid is a part of the body", "B.25")
+    whole, carried, spin = positive("A", A, "1.35"), positive("E_1", E_1, "1.35"), positive("omega_0", omega_0, "1.35")
+    ratio = real("b_1", b_1)
+    common_shape(A=whole, E_1=carried, b_1=ratio, omega_0=spin)
+    require(carried < whole, "E_1", carried, "be less than A, as the liquid is a part of the body", "B.25")
     require(
         (ratio >= 0) & (ratio <= 1), "b_1", ratio, "lie in 0 <= b_1 <= 1: elsewhere every body is stable", "B.9, B.10"
     )
@@ -87,32 +139,50 @@ def boundary_of_stability(
         width = esenkov2006.width_of_the_unstable_interval(whole, carried, ratio)
         at_upper, at_lower = esenkov2006.critical_frequencies(whole, carried, ratio, spin)
         rate = np.abs(esenkov2006.greatest_growth_rate(whole, carried, ratio, spin))
-    found = np.broadcast_arrays(lower, upper, width, at_lower, at_upper, rate)
-    require_finite(found)
-    return BoundaryOfStability(*found)
+    parts = np.broadcast_arrays(lower, upper, width, at_lower, at_upper, rate)
+    return BoundaryOfStability(*(finite("a result", part) for part in parts))
 
 
 def unstable_intervals(A: float, E_n: ArrayLike, lambda_n: ArrayLike, omega_0: float) -> Array:
     """All intervals of C - A in which a body with N modes is unstable, in rising order, those that overlap as one.
 
-    A         transverse moment of inertia, with the liquid at rest, kg m^2; positive
-    E_n       moments of inertia that the modes carry, kg m^2; shape (N,), positive, together less than A
-    lambda_n  natural frequencies of the modes, rad/s; (N,)
-    omega_0   spin, rad/s; positive
+    Parameters
+    ----------
+    A
+        Transverse moment of inertia with the liquid at rest, kg m^2; positive.
+    E_n
+        Moments of inertia that the modes carry, kg m^2; shape (N,), positive, together less than A.
+    lambda_n
+        Natural frequencies of the modes, rad/s; shape (N,).
+    omega_0
+        Spin, rad/s; positive.
 
-    Returns their ends in kg m^2, shape (m, 2), with 0 <= m <= N; m is 0 where no natural frequency lies between zero
-    and the spin (N.13). One set of parameters at a time, as m depends on it.
-    ValueError names an argument that does not fit. Accuracy: that of eigenvalues of a matrix of 2 N rows. Missing are
-    intervals that are points (a mode at zero or at the spin, N.18) or in which the growth rate is lost in rounding.
+    Returns
+    -------
+    ndarray
+        Ends of the intervals, kg m^2; shape (m, 2), 0 <= m <= N. There are none where no natural frequency lies between
+        zero and the spin (N.13).
+
+    Raises
+    ------
+    ValueError
+        If an argument does not fit; the message names it.
+
+    Notes
+    -----
+    One set of parameters at a time, as m depends on it. Accuracy: that of eigenvalues of a matrix of 2 N rows. Missing
+    are intervals that are points (a mode at zero or at the spin, N.18) or in which the growth rate is lost in rounding.
     Source: (1.31), N.4, N.10; N.17 for their place below zero.
 
+    Examples
+    --------
     >>> unstable_intervals(A=1.0, E_n=[0.2], lambda_n=[0.5], omega_0=1.0).round(6).tolist()
     [[-0.9, -0.1]]
     >>> unstable_intervals(A=1.0, E_n=[0.01, 0.002], lambda_n=[0.2, 0.8], omega_0=1.0).round(6).tolist()
     [[-0.836951, -0.765987], [-0.284947, -0.125982]]
     """
     whole, spin = number("A", A), number("omega_0", omega_0)
-    body = checked_body(whole, whole, row("E_n", E_n), row("lambda_n", lambda_n), spin)
+    body = checked_body(whole, whole, exact("E_n", E_n, (None,)), exact("lambda_n", lambda_n, (None,)), spin)
     least = -whole * (1 - EPSILON)  # C is positive, and where C >= A the body is stable (N.17)
     critical = np.unique(np.clip(_critical_moments(body), least, 0))
     middles = whole + (critical[1:] + critical[:-1]) / 2
@@ -131,24 +201,47 @@ def stability_map(
 ) -> StabilityMap:
     """Growth rate and stability of a body with N modes over C - A and the frequency of its first mode.
 
-    A          transverse moment of inertia, with the liquid at rest, kg m^2; positive
-    E_n        moments of inertia that the modes carry, kg m^2; shape (N,), positive, together less than A
-    Delta      C - A, kg m^2; (p,), greater than -A
-    b_1        natural frequency of the first mode, divided by the spin; (q,)
-    omega_0    spin, rad/s; positive
-    further_b  natural frequencies of the other modes, divided by the spin; (N - 1,)
+    Parameters
+    ----------
+    A, E_n
+        As for `unstable_intervals`.
+    Delta
+        Values of C - A, kg m^2; shape (p,), greater than -A.
+    b_1
+        Natural frequency of the first mode, divided by the spin; shape (q,).
+    omega_0
+        Spin, rad/s; positive.
+    further_b
+        Natural frequencies of the other modes, divided by the spin; shape (N - 1,).
 
-    Returns a StabilityMap with fields of shape (q, p). ValueError names an argument that does not fit.
+    Returns
+    -------
+    StabilityMap
+        Growth rate and stability, of shape (q, p).
+
+    Raises
+    ------
+    ValueError
+        If an argument does not fit; the message names it.
+
+    Notes
+    -----
     Accuracy and sources are those of `growth_rate` and `is_stable`.
 
+    Examples
+    --------
     >>> found = stability_map(1.0, [0.2], Delta=[-0.95, -0.5, 0.5], b_1=[0.5, 1.5])
     >>> found.growth_rate.round(6).tolist()
     [[0.0, 0.25, 0.0], [0.0, 0.0, 0.0]]
     >>> found.stable.tolist()
     [[True, False, True], [True, True, True]]
     """
-    whole, spin, carried = number("A", A), number("omega_0", omega_0), row("E_n", E_n)
-    columns, rows, others = row("Delta", Delta), row("b_1", b_1), real("further_b", further_b, (carried.size - 1,))
+    whole, spin, carried = number("A", A), number("omega_0", omega_0), exact("E_n", E_n, (None,))
+    columns, rows, others = (
+        exact("Delta", Delta, (None,)),
+        exact("b_1", b_1, (None,)),
+        real("further_b", further_b, (carried.size - 1,)),
+    )
     require(columns > -whole, "Delta", columns, f"be greater than -A = {-whole}, as C = A + Delta is positive", "N.17")
     ratios = np.column_stack([rows, np.tile(others, (rows.size, 1))])
     _, rates, stable = stability(whole, whole + columns, carried, spin * ratios[:, None], spin)

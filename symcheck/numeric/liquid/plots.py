@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
 
-from symcheck.numeric.domain import Array, require
+from symcheck.numeric.domain import Array, increasing
+from symcheck.numeric.drawing import Figures, Panels, new_figure
 from symcheck.numeric.liquid.boundary import StabilityMap, stability_map, unstable_intervals
 from symcheck.numeric.liquid.spectrum import stability
 
@@ -17,92 +18,123 @@ if TYPE_CHECKING:
 MOMENT = "C − A, kg m²"
 
 
-def plot_stability_map(found: StabilityMap, ax: Axes | None = None) -> Axes:
+def plot_stability_map(result: StabilityMap, ax: Axes | None = None) -> Axes:
     """The growth rate as colour over C - A and the first mode's natural frequency, with the boundary of stability.
 
-    found  a StabilityMap whose Delta and b_1 rise, from `stability_map`
-    ax     the Axes to draw in; a figure of its own without
+    Parameters
+    ----------
+    result
+        Result of `stability_map` whose Delta and b_1 increase.
+    ax
+        Axes to draw in; by default those of a new figure.
 
-    Returns the Axes, with C - A in kg m^2 and lambda_1/omega_0; a colour bar tells the growth rate in 1/s. White is
-    stable. The boundary is that of `unstable_intervals`, for one mode (1.35). ValueError where an axis does not rise.
+    Returns
+    -------
+    Axes
+        The Axes.
 
-    >>> found = stability_map(1.0, [0.2], np.linspace(-0.99, 0.2, 40), np.linspace(-0.2, 1.2, 30))
-    >>> plot_stability_map(found).get_xlabel()
+    Raises
+    ------
+    ValueError
+        If an axis of the map does not increase.
+
+    Notes
+    -----
+    A colour bar gives the growth rate; white is stable. The boundary is that of `unstable_intervals`, for one mode
+    (1.35).
+
+    Examples
+    --------
+    >>> result = stability_map(1.0, [0.2], np.linspace(-0.99, 0.2, 40), np.linspace(-0.2, 1.2, 30))
+    >>> plot_stability_map(result).get_xlabel()
     'C − A, kg m²'
     """
-    for name, values in (("Delta", found.Delta), ("b_1", found.b_1)):
-        require(np.diff(values) > 0, f"{name} - the value before", np.diff(values), "be positive: a map's axes rise")
-    ax = _single() if ax is None else ax
-    growing = np.ma.masked_equal(found.growth_rate, 0)
-    mesh = ax.pcolormesh(found.Delta, found.b_1, growing, cmap="YlOrRd", vmin=0, shading="nearest", rasterized=True)
+    increasing("Delta", result.Delta)
+    increasing("b_1", result.b_1)
+    ax = new_figure((7, 5)).subplots() if ax is None else ax
+    growing = np.ma.masked_equal(result.growth_rate, 0)
+    mesh = ax.pcolormesh(result.Delta, result.b_1, growing, cmap="YlOrRd", vmin=0, shading="nearest", rasterized=True)
     ax.figure.colorbar(mesh, ax=ax, label="growth rate, 1/s")
-    ax.plot(*_ends(found).T, "k.", markersize=2, label="boundary of stability")
+    ax.plot(*_ends(result).T, "k.", markersize=2, label="boundary of stability")
     ax.axvline(0, color="0.6", linewidth=0.8, linestyle=":")
     ax.set(
         xlabel=MOMENT,
         ylabel="natural frequency of the first mode / spin, $b_1$",
         title="Stability of a body with liquid",
     )
-    ax.set(xlim=found.Delta[[0, -1]], ylim=found.b_1[[0, -1]])
+    ax.set(xlim=result.Delta[[0, -1]], ylim=result.b_1[[0, -1]])
     ax.legend(loc="upper right")
     return ax
 
 
 def plot_frequencies(
-    A: float, E_n: ArrayLike, lambda_n: ArrayLike, omega_0: float, Delta: ArrayLike, axes: Any = None
-) -> Any:
+    A: float, E_n: ArrayLike, lambda_n: ArrayLike, omega_0: float, Delta: ArrayLike, axes: Panels | None = None
+) -> Panels:
     """The frequencies against C - A, above, and below them the growth rate.
 
-    A, E_n, lambda_n, omega_0  as for `unstable_intervals`
-    Delta                      C - A, kg m^2, rising and greater than -A; shape (p,)
-    axes                       two Axes to draw in; a figure of its own without
+    Parameters
+    ----------
+    A, E_n, lambda_n, omega_0
+        As for `unstable_intervals`.
+    Delta
+        Values of C - A, kg m^2; shape (p,), increasing and greater than -A.
+    axes
+        Two Axes to draw in; by default those of a new figure.
 
-    Returns the two Axes in an array. Where two frequencies are a conjugate pair their real part is drawn in red.
-    ValueError names an argument that does not fit. Source: (1.31).
+    Returns
+    -------
+    ndarray
+        Two Axes.
 
+    Raises
+    ------
+    ValueError
+        If an argument does not fit; the message names it.
+
+    Notes
+    -----
+    Where two frequencies are a conjugate pair their real part is drawn in red. Source: (1.31).
+
+    Examples
+    --------
     >>> upper, lower = plot_frequencies(1.0, [0.2], [0.5], 1.0, np.linspace(-0.99, 0.5, 40))
     >>> upper.get_ylabel(), lower.get_ylabel()
     ('frequency η, rad/s', 'growth rate, 1/s')
     """
-    moments = np.asarray(Delta, np.float64)
-    require(np.diff(moments) > 0, "Delta - the value before", np.diff(moments), "be positive: the axis rises")
-    found = stability(A, A + moments, E_n, lambda_n, omega_0)
-    upper, lower = axes = _pair() if axes is None else np.asarray(axes)
-    paired = np.where(found.frequencies.imag != 0, found.frequencies.real, np.nan)
-    upper.plot(moments, found.frequencies.real, color="black", linewidth=1.2, label=_once("real", found.frequencies))
+    moments = increasing("Delta", Delta)
+    spectrum = stability(A, A + moments, E_n, lambda_n, omega_0)
+    panels = _pair() if axes is None else np.asarray(axes)
+    upper, lower = panels
+    paired = np.where(spectrum.frequencies.imag != 0, spectrum.frequencies.real, np.nan)
+    upper.plot(
+        moments, spectrum.frequencies.real, color="black", linewidth=1.2, label=_once("real", spectrum.frequencies)
+    )
     upper.plot(moments, paired, color="tab:red", linewidth=2.5, label=_once("real part of a pair", paired))
     for natural in np.atleast_1d(lambda_n):
         upper.axhline(natural, color="0.6", linewidth=0.8, linestyle=":")
-    lower.plot(moments, found.growth_rate, color="tab:red")
+    lower.plot(moments, spectrum.growth_rate, color="tab:red")
     upper.set(ylabel="frequency η, rad/s", title="Frequencies of a body with liquid (dotted: those of the modes)")
     lower.set(xlabel=MOMENT, ylabel="growth rate, 1/s")
     upper.set_xlabel("")
     upper.legend(loc="best")
-    return axes
+    return panels
 
 
-def _ends(found: StabilityMap) -> Array:
+def _ends(result: StabilityMap) -> Array:
     """Points (C - A, b_1) of the boundary of stability, shape (points, 2)."""
-    rows = [np.append(ratio, found.further_b) * found.omega_0 for ratio in found.b_1]
-    ends = [unstable_intervals(found.A, found.E_n, natural, found.omega_0).ravel() for natural in rows]
-    return np.column_stack([np.concatenate(ends), np.repeat(found.b_1, [each.size for each in ends])])
+    rows = [np.append(ratio, result.further_b) * result.omega_0 for ratio in result.b_1]
+    ends = [unstable_intervals(result.A, result.E_n, natural, result.omega_0).ravel() for natural in rows]
+    return np.column_stack([np.concatenate(ends), np.repeat(result.b_1, [row.size for row in ends])])
 
 
-def _once(label: str, columns: Any) -> list[str]:
+def _once(label: str, columns: NDArray[np.generic]) -> list[str]:
     """The label for the first of several curves."""
     return [label, *["_"] * (columns.shape[-1] - 1)]
 
 
-def _single() -> Axes:
-    from matplotlib.figure import Figure
-
-    return Figure(figsize=(7, 5), layout="constrained").subplots()
-
-
-def _pair() -> Any:
-    from matplotlib.figure import Figure
-
-    return Figure(figsize=(7, 6), layout="constrained").subplots(2, sharex=True, height_ratios=(2, 1))
+def _pair() -> Panels:
+    panels: Panels = new_figure((7, 6)).subplots(2, sharex=True, height_ratios=(2, 1))
+    return panels
 
 
 def _map_of_one_mode() -> Axes:
@@ -116,12 +148,12 @@ def _map_of_two_modes() -> Axes:
     return plot_stability_map(stability_map(1.0, [0.2, 0.02], moments, ratios, further_b=[0.7]))
 
 
-def _frequencies() -> Any:
+def _frequencies() -> Panels:
     """Frequencies and growth rate of a body with two modes of its liquid, against C - A."""
     return plot_frequencies(1.0, [0.1, 0.02], [0.3, 0.7], 1.0, np.linspace(-0.999, 0.4, 1500))
 
 
-FIGURES = {
+FIGURES: Figures = {
     "liquid-stability-map": _map_of_one_mode,
     "liquid-stability-map-of-two-modes": _map_of_two_modes,
     "liquid-frequencies": _frequencies,

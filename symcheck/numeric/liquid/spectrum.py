@@ -21,40 +21,65 @@ from numpy.typing import ArrayLike, NDArray
 
 from symcheck.generated import esenkov2006
 from symcheck.numeric.chunked import gufunc
-from symcheck.numeric.domain import Array, real, require
-from symcheck.numeric.liquid.arguments import Body, broadcast, checked_body, require_finite
+from symcheck.numeric.domain import Array, common_shape, evaluated, finite, positive, real, require
+from symcheck.numeric.liquid.body import Body, checked_body
 
-EPSILON = np.finfo(np.float64).eps
+EPSILON = np.finfo(np.float64).eps  # what rounding may give to a real frequency is a multiple of it
 
 
 class Stability(NamedTuple):
-    """Frequencies, and what they mean for the body; see `stability`."""
+    """Frequencies of a body with liquid, and what they mean for it; see `stability`.
 
-    frequencies: NDArray[np.complex128]  # (..., N + 1), rad/s
-    growth_rate: Array  # (...), 1/s
-    stable: NDArray[np.bool_]  # (...)
+    Parameters
+    ----------
+    frequencies
+        Frequencies, rad/s; shape (..., N + 1).
+    growth_rate
+        Growth rate, 1/s; shape (...).
+    stable
+        Whether no motion grows; shape (...).
+    """
+
+    frequencies: NDArray[np.complex128]
+    growth_rate: Array
+    stable: NDArray[np.bool_]
 
 
 @gufunc("(),(),()->()")
 def mode_inertia(a_n: ArrayLike, chi_n: ArrayLike, N_n: ArrayLike) -> Array:
     """The moment of inertia that a mode of the liquid carries, E_n = a_n chi_n / N_n^2.
 
-    a_n    angular momentum of the liquid for the amplitude 1 of the mode, kg m; any shape
-    chi_n  coupling of the mode to the turning body, m^4; its amplitude is counted so that a_n chi_n > 0
-    N_n    norm of the mode, m^(3/2); positive
+    Parameters
+    ----------
+    a_n
+        Angular momentum of the liquid for the amplitude 1 of the mode, kg m; any shape.
+    chi_n
+        Coupling of the mode to the turning body, m^4; its amplitude is counted so that a_n chi_n > 0.
+    N_n
+        Norm of the mode, m^(3/2); positive.
 
-    Returns E_n in kg m^2, of the broadcast shape. ValueError where a number is not finite, N_n is not positive, or a
-    mode carries nothing (B.1). Source: (1.32), with the equation of the modes before it.
+    Returns
+    -------
+    ndarray
+        Moment of inertia E_n, kg m^2, of the broadcast shape.
 
+    Raises
+    ------
+    ValueError
+        If a number is not finite, N_n is not positive, or a mode carries nothing (B.1).
+
+    Notes
+    -----
+    Source: (1.32), with the equation of the modes before it.
+
+    Examples
+    --------
     >>> mode_inertia([3.0, 1.0], 0.5, 2.0).tolist()
     [0.375, 0.125]
     """
-    moment, coupling, norm = real("a_n", a_n), real("chi_n", chi_n), real("N_n", N_n)
-    broadcast(a_n=moment, chi_n=coupling, N_n=norm)
-    require(norm > 0, "N_n", norm, "be positive", "B.1")
-    with np.errstate(all="ignore"):
-        carried = np.asarray(esenkov2006.mode_inertia(moment, coupling, norm))
-    require_finite(carried)
+    moment, coupling, norm = real("a_n", a_n), real("chi_n", chi_n), positive("N_n", N_n, "B.1")
+    common_shape(a_n=moment, chi_n=coupling, N_n=norm)
+    carried = np.asarray(evaluated("E_n", esenkov2006.mode_inertia, moment, coupling, norm))
     require(carried > 0, "E_n = a_n chi_n / N_n^2", carried, "be positive, as the mode carries inertia", "B.1")
     return carried
 
@@ -70,15 +95,15 @@ def stability(A: ArrayLike, C: ArrayLike, E_n: ArrayLike, lambda_n: ArrayLike, o
     Parameters
     ----------
     A
-        Transverse moment of inertia, with the liquid at rest, kg m^2; shape (...), positive.
+        Transverse moment of inertia with the liquid at rest, kg m^2; shape (...), positive.
     C
-        Axial moment of inertia, kg m^2; (...), positive.
+        Axial moment of inertia, kg m^2; shape (...), positive.
     E_n
-        Moments of inertia that the modes carry, kg m^2; (..., N), positive, together less than A.
+        Moments of inertia that the modes carry, kg m^2; shape (..., N), positive, together less than A.
     lambda_n
-        Natural frequencies of the modes, rad/s; (..., N).
+        Natural frequencies of the modes, rad/s; shape (..., N).
     omega_0
-        Spin, rad/s; (...), positive.
+        Spin, rad/s; shape (...), positive.
 
     Returns
     -------
@@ -112,20 +137,40 @@ def stability(A: ArrayLike, C: ArrayLike, E_n: ArrayLike, lambda_n: ArrayLike, o
     """
     body = checked_body(A, C, E_n, lambda_n, omega_0)
     with np.errstate(all="ignore"):
-        found = _roots_of_the_quadratic(body) if _is_one_mode(body) else _eigenvalues(body)
-        require_finite(found)
-        found = np.sort(found, axis=-1)
-        rate = np.abs(found.imag).max(-1)
+        eta = _roots_of_the_quadratic(body) if _is_one_mode(body) else _eigenvalues(body)
+        eta = np.sort(finite("a frequency", eta), axis=-1)
+        rate = np.abs(eta.imag).max(-1)
         stable = _quadratic(body).discriminant > 0 if _is_one_mode(body) else rate == 0
-    return Stability(found, np.asarray(rate), np.asarray(stable))
+    return Stability(eta, np.asarray(rate), np.asarray(stable))
 
 
 @gufunc("(),(),(n),(n),()->(frequency)", frequency=lambda size: size["n"] + 1)
 def frequencies(
     A: ArrayLike, C: ArrayLike, E_n: ArrayLike, lambda_n: ArrayLike, omega_0: ArrayLike
 ) -> NDArray[np.complex128]:
-    """The frequencies eta in rad/s alone, shape (..., N + 1): all else is said at `stability`.
+    """The frequencies eta alone.
 
+    Parameters
+    ----------
+    A, C, E_n, lambda_n, omega_0
+        As for `stability`.
+
+    Returns
+    -------
+    ndarray
+        Frequencies eta, rad/s; shape (..., N + 1).
+
+    Raises
+    ------
+    ValueError
+        As `stability` does.
+
+    Notes
+    -----
+    Accuracy and sources are those of `stability`.
+
+    Examples
+    --------
     >>> frequencies(A=1.0, C=0.5, E_n=[0.2, 0.1], lambda_n=[0.5, -1.0], omega_0=1.0).round(6).tolist()
     [(-1.188412+0j), (0.487063-0.251576j), (0.487063+0.251576j)]
     """
@@ -134,8 +179,29 @@ def frequencies(
 
 @gufunc("(),(),(n),(n),()->()")
 def growth_rate(A: ArrayLike, C: ArrayLike, E_n: ArrayLike, lambda_n: ArrayLike, omega_0: ArrayLike) -> Array:
-    """The rate max |Im eta| at which the fastest motion grows, in 1/s, shape (...): all else is said at `stability`.
+    """The rate max |Im eta| at which the fastest motion grows.
 
+    Parameters
+    ----------
+    A, C, E_n, lambda_n, omega_0
+        As for `stability`.
+
+    Returns
+    -------
+    ndarray
+        Shape (...), 1/s.
+
+    Raises
+    ------
+    ValueError
+        As `stability` does.
+
+    Notes
+    -----
+    Accuracy and sources are those of `stability`.
+
+    Examples
+    --------
     >>> growth_rate(A=1.0, C=[0.4, 0.5, 1.5], E_n=[0.2], lambda_n=[0.5], omega_0=1.0).round(6).tolist()
     [0.242061, 0.25, 0.0]
     """
@@ -144,8 +210,29 @@ def growth_rate(A: ArrayLike, C: ArrayLike, E_n: ArrayLike, lambda_n: ArrayLike,
 
 @gufunc("(),(),(n),(n),()->()")
 def is_stable(A: ArrayLike, C: ArrayLike, E_n: ArrayLike, lambda_n: ArrayLike, omega_0: ArrayLike) -> NDArray[np.bool_]:
-    """Whether no motion grows, shape (...): all else is said at `stability`.
+    """Whether no motion grows.
 
+    Parameters
+    ----------
+    A, C, E_n, lambda_n, omega_0
+        As for `stability`.
+
+    Returns
+    -------
+    ndarray
+        Shape (...).
+
+    Raises
+    ------
+    ValueError
+        As `stability` does.
+
+    Notes
+    -----
+    Accuracy and sources are those of `stability`.
+
+    Examples
+    --------
     >>> is_stable(A=1.0, C=[0.5, 1.5], E_n=[0.2], lambda_n=[0.5], omega_0=1.0).tolist()
     [False, True]
     """
@@ -182,7 +269,7 @@ def _roots_of_the_quadratic(body: Body) -> NDArray[np.complex128]:
     lesser = np.divide(constant, greater, out=np.zeros_like(greater), where=greater != 0)
     pair = (1j * np.sqrt(np.maximum(-discriminant, 0)) - linear) / (2 * square)
     two_real, conjugates = (greater / square, lesser), (pair, pair.conj())
-    return np.stack([np.where(discriminant < 0, *each) for each in zip(conjugates, two_real, strict=True)], -1)
+    return np.stack([np.where(discriminant < 0, *roots) for roots in zip(conjugates, two_real, strict=True)], -1)
 
 
 # --- several modes
@@ -191,13 +278,13 @@ def _roots_of_the_quadratic(body: Body) -> NDArray[np.complex128]:
 def _eigenvalues(body: Body) -> NDArray[np.complex128]:
     """Those of symmetric matrices apart: they are real, and take half the time."""
     matrix, symmetric = _arrowhead(body), body.off_the_band
-    require_finite(matrix)
-    found = np.empty(matrix.shape[:-1], np.complex128)
-    found[symmetric] = np.linalg.eigvalsh(matrix[symmetric])
-    found[~symmetric] = np.linalg.eigvals(matrix[~symmetric])
+    finite("the matrix of the modes", matrix)
+    eta = np.empty(matrix.shape[:-1], np.complex128)
+    eta[symmetric] = np.linalg.eigvalsh(matrix[symmetric])
+    eta[~symmetric] = np.linalg.eigvals(matrix[~symmetric])
     rounding = matrix.shape[-1] * EPSILON * np.linalg.norm(matrix, axis=(-2, -1))
-    found.imag[(np.abs(found.imag) <= rounding[..., None]) | body.not_long[..., None]] = 0
-    return found
+    eta.imag[(np.abs(eta.imag) <= rounding[..., None]) | body.not_long[..., None]] = 0
+    return eta
 
 
 def _arrowhead(body: Body) -> Array:

@@ -1,6 +1,6 @@
 """The stationary law of the amplitude a = sqrt(x_1^2 + x_2^2), (3.4): density, distribution, quantiles, moments, mode.
 
-Everywhere, with the body's dissipation d_ij and noise intensities g_ij of (1.1):
+With the body's dissipation d_ij and noise intensities g_ij of (1.1):
 
     alpha  multiplicative noise, alpha^2 = g_11^2 + g_12^2, s^(-1/2); positive
     beta   additive noise, beta^2 = g_21^2 + g_22^2, rad s^(-3/2); positive
@@ -15,36 +15,78 @@ from numpy.typing import ArrayLike
 
 from symcheck.generated import poloskov2004
 from symcheck.numeric.chunked import gufunc
-from symcheck.numeric.domain import Array, real, require, shortened
-from symcheck.numeric.random_rotation.checks import equatorial, evaluated, order, probability, somewhere
+from symcheck.numeric.domain import Array, equatorial, evaluated, not_negative, probability, require, shortened
 
 
 @gufunc("(),(),(),()->()")
 def density_of_amplitude(a: ArrayLike, alpha: ArrayLike, beta: ArrayLike, gamma: ArrayLike) -> Array:
     """The stationary density of the amplitude, p(a) = 8 C_1 a (3 alpha^2 a^2 + 4 beta^2)^kappa_1.
 
-    a  amplitude, rad/s; not negative
+    Parameters
+    ----------
+    a
+        Amplitude, rad/s; not negative.
+    alpha, beta, gamma
+        Multiplicative noise, s^(-1/2), additive noise, rad s^(-3/2), dissipation, s^(-1/2); positive, 2 gamma > alpha.
 
-    Returns p in s/rad. ValueError where a < 0 or no density exists. Source: (3.4), (3.5), B.2.
+    Returns
+    -------
+    ndarray
+        Density, s/rad.
 
+    Raises
+    ------
+    ValueError
+        If a < 0 or no stationary density exists.
+
+    Notes
+    -----
+    Source: (3.4), (3.5), B.2.
+
+    Examples
+    --------
     >>> density_of_amplitude([0.0, 0.5, 1.0], 1.0, 3**0.5 / 2, 1.0).round(4).tolist()
     [0.0, 0.64, 0.5]
     """
-    return evaluated("density of a", poloskov2004.density_of_amplitude, _amplitude(a), *equatorial(alpha, beta, gamma))
+    return evaluated(
+        "density of a",
+        poloskov2004.density_of_amplitude,
+        not_negative("a", a, "(3.4)"),
+        *equatorial(alpha, beta, gamma),
+    )
 
 
 @gufunc("(),(),(),()->()")
 def distribution_of_amplitude(a: ArrayLike, alpha: ArrayLike, beta: ArrayLike, gamma: ArrayLike) -> Array:
     """The probability that the amplitude is at most a, F = 1 - (1 + 3 alpha^2 a^2/(4 beta^2))^(kappa_1 + 1).
 
-    a  amplitude, rad/s; not negative
+    Parameters
+    ----------
+    a
+        Amplitude, rad/s; not negative.
+    alpha, beta, gamma
+        Multiplicative noise, s^(-1/2), additive noise, rad s^(-3/2), dissipation, s^(-1/2); positive, 2 gamma > alpha.
 
-    Returns F. ValueError where a < 0 or no density exists. Source: B.3.
+    Returns
+    -------
+    ndarray
+        Probability.
 
+    Raises
+    ------
+    ValueError
+        If a < 0 or no stationary density exists.
+
+    Notes
+    -----
+    Source: B.3.
+
+    Examples
+    --------
     >>> float(distribution_of_amplitude(1.0, 1.0, 3**0.5 / 2, 1.0).round(4))
     0.5
     """
-    values = _amplitude(a), *equatorial(alpha, beta, gamma)
+    values = not_negative("a", a, "(3.4)"), *equatorial(alpha, beta, gamma)
     return evaluated("distribution of a", poloskov2004.distribution_of_amplitude, *values)
 
 
@@ -52,15 +94,34 @@ def distribution_of_amplitude(a: ArrayLike, alpha: ArrayLike, beta: ArrayLike, g
 def quantile_of_amplitude(q: ArrayLike, alpha: ArrayLike, beta: ArrayLike, gamma: ArrayLike) -> Array:
     """The amplitude that is exceeded with the probability 1 - q.
 
-    q  probability, 0 < q < 1
+    Parameters
+    ----------
+    q
+        Probability, 0 < q < 1.
+    alpha, beta, gamma
+        Multiplicative noise, s^(-1/2), additive noise, rad s^(-3/2), dissipation, s^(-1/2); positive, 2 gamma > alpha.
 
-    Returns a in rad/s. ValueError where q is no such probability, no density exists, or the quantile exceeds all
-    doubles (near 4 gamma^2 = alpha^2). Source: B.4.
+    Returns
+    -------
+    ndarray
+        Amplitude, rad/s.
 
+    Raises
+    ------
+    ValueError
+        If q is not such a probability, no stationary density exists, or the quantile exceeds all doubles (near 4
+        gamma^2 = alpha^2).
+
+    Notes
+    -----
+    Source: B.4.
+
+    Examples
+    --------
     >>> float(quantile_of_amplitude(0.5, 1.0, 3**0.5 / 2, 1.0).round(4))
     1.0
     """
-    values = probability(q), *equatorial(alpha, beta, gamma)
+    values = probability("q", q), *equatorial(alpha, beta, gamma)
     return evaluated("quantile of a", poloskov2004.quantile_of_amplitude, *values)
 
 
@@ -68,19 +129,35 @@ def quantile_of_amplitude(q: ArrayLike, alpha: ArrayLike, beta: ArrayLike, gamma
 def moment_of_amplitude(m: ArrayLike, alpha: ArrayLike, beta: ArrayLike, gamma: ArrayLike) -> Array:
     """The mean of a^m.
 
-    m  order, any real number that is not negative; accuracy is shown up to 8
+    Parameters
+    ----------
+    m
+        Order, any real number that is not negative; accuracy is shown up to 8.
+    alpha, beta, gamma
+        Multiplicative noise, s^(-1/2), additive noise, rad s^(-3/2), dissipation, s^(-1/2); positive, 2 gamma > alpha.
 
-    Returns the moment in (rad/s)^m. ValueError where it is infinite: 8 gamma^2 > alpha^2 (2 + 3 m) has to hold.
+    Returns
+    -------
+    ndarray
+        Moment, (rad/s)^m.
+
+    Raises
+    ------
+    ValueError
+        If the moment is infinite: 8 gamma^2 > alpha^2 (2 + 3 m) has to hold.
+
+    Notes
+    -----
     Source: 4.0.9, B.6.
 
+    Examples
+    --------
     >>> moment_of_amplitude([0, 1], 1.0, 3**0.5 / 2, 1.5).round(4).tolist()
     [1.0, 0.6375]
     """
-    power, (noise, additive, dissipation) = order(m), equatorial(alpha, beta, gamma)
+    power, (noise, additive, dissipation) = not_negative("m", m, "4.0.9, 4.0.11"), equatorial(alpha, beta, gamma)
     finite = 8 * dissipation**2 > noise**2 * (2 + 3 * power)
-    somewhere(
-        finite, "gamma", dissipation, f"satisfy 8 gamma^2 > alpha^2 (2 + 3 m) for m = {shortened(power)}", "4.0.9"
-    )
+    require(finite, "gamma", dissipation, f"satisfy 8 gamma^2 > alpha^2 (2 + 3 m) for m = {shortened(power)}", "4.0.9")
     return evaluated("moment of a", poloskov2004.moment_of_amplitude, power, noise, additive, dissipation)
 
 
@@ -88,13 +165,32 @@ def moment_of_amplitude(m: ArrayLike, alpha: ArrayLike, beta: ArrayLike, gamma: 
 def mean_square_of_amplitude(alpha: ArrayLike, beta: ArrayLike, gamma: ArrayLike) -> Array:
     """The mean of a^2, beta^2/(gamma^2 - alpha^2).
 
-    Returns it in rad^2/s^2. ValueError where it is infinite: gamma > alpha has to hold. Source: 4.0.9, B.8.
+    Parameters
+    ----------
+    alpha, beta, gamma
+        Multiplicative noise, s^(-1/2), additive noise, rad s^(-3/2), dissipation, s^(-1/2); positive, 2 gamma > alpha.
 
+    Returns
+    -------
+    ndarray
+        Mean square, rad^2/s^2.
+
+    Raises
+    ------
+    ValueError
+        If it is infinite: gamma > alpha has to hold.
+
+    Notes
+    -----
+    Source: 4.0.9, B.8.
+
+    Examples
+    --------
     >>> float(mean_square_of_amplitude(1.0, 2.0, 3.0))
     0.5
     """
     noise, additive, dissipation = equatorial(alpha, beta, gamma)
-    somewhere(dissipation > noise, "gamma", dissipation, "satisfy gamma^2 > alpha^2", "4.0.9 for m = 2")
+    require(dissipation > noise, "gamma", dissipation, "satisfy gamma^2 > alpha^2", "4.0.9 for m = 2")
     return evaluated("mean square of a", poloskov2004.mean_square_of_amplitude, noise, additive, dissipation)
 
 
@@ -102,8 +198,27 @@ def mean_square_of_amplitude(alpha: ArrayLike, beta: ArrayLike, gamma: ArrayLike
 def mode_of_amplitude(alpha: ArrayLike, beta: ArrayLike, gamma: ArrayLike) -> Array:
     """The most probable amplitude, 2 beta/sqrt(8 gamma^2 + alpha^2).
 
-    Returns it in rad/s. ValueError where no density exists. Source: 4.0.13.
+    Parameters
+    ----------
+    alpha, beta, gamma
+        Multiplicative noise, s^(-1/2), additive noise, rad s^(-3/2), dissipation, s^(-1/2); positive, 2 gamma > alpha.
 
+    Returns
+    -------
+    ndarray
+        Amplitude, rad/s.
+
+    Raises
+    ------
+    ValueError
+        If a stationary density does not exist.
+
+    Notes
+    -----
+    Source: 4.0.13.
+
+    Examples
+    --------
     >>> float(mode_of_amplitude(1.0, 0.75, 1.0))
     0.5
     """
@@ -114,16 +229,29 @@ def mode_of_amplitude(alpha: ArrayLike, beta: ArrayLike, gamma: ArrayLike) -> Ar
 def logarithm_of_constant_of_amplitude(alpha: ArrayLike, beta: ArrayLike, gamma: ArrayLike) -> Array:
     """The logarithm of C_1 in p(a) = 8 C_1 a (3 alpha^2 a^2 + 4 beta^2)^kappa_1; the constant itself may be no double.
 
-    Returns log C_1. ValueError where no density exists. Source: (3.4), B.2.
+    Parameters
+    ----------
+    alpha, beta, gamma
+        Multiplicative noise, s^(-1/2), additive noise, rad s^(-3/2), dissipation, s^(-1/2); positive, 2 gamma > alpha.
 
+    Returns
+    -------
+    ndarray
+        Logarithm of C_1.
+
+    Raises
+    ------
+    ValueError
+        If a stationary density does not exist.
+
+    Notes
+    -----
+    Source: (3.4), B.2.
+
+    Examples
+    --------
     >>> from math import exp
     >>> round(exp(logarithm_of_constant_of_amplitude(1.0, 3**0.5 / 2, 1.0)), 4)
     2.25
     """
     return evaluated("log C_1", poloskov2004.logarithm_of_constant_of_amplitude, *equatorial(alpha, beta, gamma))
-
-
-def _amplitude(a: ArrayLike) -> Array:
-    array = real("a", a)
-    require(array >= 0, "a", array, "not be negative", "(3.4)")
-    return array

@@ -6,30 +6,38 @@ depends on the seed and its number alone, not on how many are computed together,
 
 from __future__ import annotations
 
+from collections.abc import Callable, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from functools import partial
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from symcheck.numeric.chunked import pointwise
-from symcheck.numeric.domain import Array, engine_module, real, require
-from symcheck.numeric.random_rotation.scheme import scheme
+from symcheck.numeric.domain import Array, engine_module, exact, one_of, require, whole
+from symcheck.numeric.random_rotation.scheme import Scheme, scheme
 from symcheck.numeric.random_rotation.torques import RandomTorques
 
 LANES = 256  # paths that share a generator
 TOGETHER = 40  # streams at most that are advanced together: what a step needs of 10,240 paths stays in the cache
 FEWEST = 16  # streams of a piece that is made for another worker: with fewer, NumPy's threads wait for one another
+Advance = Callable[[Array, Sequence[np.random.Generator], int], None]
 ENGINES = ("numpy", "numba")  # <engine>_engine.py, which needs the package of that name
 
 
 class Ensemble(NamedTuple):
     """Recorded sample paths.
 
-    time              s, shape (records,)
-    angular_velocity  x in principal axes, rad/s, shape (records, paths, 3)
+    Parameters
+    ----------
+    time
+        Times, s; shape (records,).
+    angular_velocity
+        Angular velocities x in principal axes, rad/s; shape (records, paths, 3).
 
+    Examples
+    --------
     >>> Ensemble(np.array([2.0]), np.array([[[1.0, 0.0, 3.0]]])).angular_velocity.shape
     (1, 1, 3)
     """
@@ -53,19 +61,47 @@ def simulate(
 ) -> Ensemble:
     """Sample paths of system (1.1) with independent noises, from time 0 on.
 
-    torques  coefficients of the system
-    start    angular velocities at time 0, rad/s, shape (paths, 3)
-    step     s; g_1j^2 epsilon step must not exceed 0.04
-    steps    number of steps
-    seed     of the noises, a whole number from 0 on
-    every    record after every so many steps, by default at the end only; `steps` must be a multiple of it
-    first    number of the first path: an ensemble in pieces is the same ensemble
-    workers  threads
-    engine   "numpy", or "numba" (needs Numba), which gives the same paths to rounding
+    Parameters
+    ----------
+    torques
+        Coefficients of the system.
+    start
+        Angular velocities at time 0, rad/s; shape (paths, 3).
+    step
+        Time step, s; g_1j^2 epsilon step must not exceed 0.04.
+    steps
+        Number of steps.
+    seed
+        Seed of the noises, an integer from 0 on.
+    every
+        Number of steps between records, a divisor of `steps`; by default only the end is recorded.
+    first
+        Number of the first path: an ensemble in pieces is the same ensemble.
+    workers
+        Number of threads.
+    engine
+        "numpy", or "numba" (needs Numba), which gives the same paths to rounding.
 
-    Returns an `Ensemble`. ValueError names what does not fit, ImportError says if Numba is missing, FloatingPointError
-    if a path leaves the finite numbers. Source: (1.1), 1.1.10.
+    Returns
+    -------
+    Ensemble
+        Recorded times and angular velocities.
 
+    Raises
+    ------
+    ValueError
+        If an argument does not fit; the message names it.
+    ImportError
+        If Numba is missing.
+    FloatingPointError
+        If a path leaves the finite numbers.
+
+    Notes
+    -----
+    Source: (1.1), 1.1.10.
+
+    Examples
+    --------
     >>> D = [[1, 0.3, 0.2], [0.2, 0.5, 0.1], [0.2, 0.1, 0.9]]
     >>> torques = RandomTorques(0.01, 0.6, D, g_1=[0.6, 0.8, 0.7], g_2=[1, 0, 1])
     >>> start = [[1.0, 0.0, 2.0]] * 1000
@@ -78,8 +114,7 @@ def simulate(
     """
     every = whole("every", whole("steps", steps, 1) if every is None else every, 1)
     require(steps % every == 0, "steps", steps, f"be a multiple of every = {every}")
-    velocities = real("start", start, (None, 3))
-    require(velocities.ndim == 2, "start.shape", velocities.shape, "be (paths, 3)")
+    velocities = exact("start", start, (None, 3))
     state, before = _in_lanes(velocities, whole("first", first, 0))
     generators = _generators(whole("seed", seed, 0), first // LANES, state.shape[1])
     records = np.empty((steps // every, *state.shape))
@@ -92,13 +127,6 @@ def simulate(
         raise FloatingPointError(f"a path is no longer finite; take a shorter step than {step}, or see whether D damps")
     time = np.array([float(step) * every * (n + 1) for n in range(len(records))])
     return Ensemble(time, np.moveaxis(paths, 1, 2))
-
-
-def whole(name: str, value: Any, least: int) -> int:
-    """The value; ValueError if it is not a whole number from `least` on."""
-    fits = isinstance(value, (int, np.integer)) and not isinstance(value, bool) and value >= least
-    require(fits, name, value, f"be a whole number from {least} on")
-    return int(value)
 
 
 def _in_lanes(start: Array, first: int) -> tuple[Array, int]:
@@ -123,7 +151,7 @@ def _generators(seed: int, first: int, count: int) -> list[np.random.Generator]:
 
 
 def _record(
-    advance: Any, every: int, records: Array, state: Array, generators: list[np.random.Generator], mine: slice
+    advance: Advance, every: int, records: Array, state: Array, generators: list[np.random.Generator], mine: slice
 ) -> None:
     """Advance some of the streams to the end, and write their part of each record."""
     part = np.ascontiguousarray(state[:, mine])
@@ -132,7 +160,9 @@ def _record(
         record[:, mine] = part
 
 
-def _advance(engine: str) -> Any:
+def _advance(engine: str) -> Callable[[Scheme, Array, Sequence[np.random.Generator], int], None]:
     """The function that advances a state; see `numpy_engine.advance`."""
-    require(engine in ENGINES, "engine", engine, f"be one of {', '.join(ENGINES)}")
-    return engine_module(engine, f"symcheck.numeric.random_rotation.{engine}_engine").advance
+    one_of("engine", engine, ENGINES)
+    advance: Callable[[Scheme, Array, Sequence[np.random.Generator], int], None]
+    advance = engine_module(engine, f"symcheck.numeric.random_rotation.{engine}_engine").advance
+    return advance

@@ -19,18 +19,37 @@ from scipy import special
 
 from symcheck.generated import poloskov2004
 from symcheck.numeric.chunked import gufunc
-from symcheck.numeric.domain import Array, real, shortened
-from symcheck.numeric.random_rotation.checks import axial, evaluated, order, probability, somewhere
+from symcheck.numeric.domain import Array, axial, evaluated, not_negative, probability, real, require, shortened
 
 
 @gufunc("(),(),(),(),()->()")
 def density_of_frequency(Omega: ArrayLike, k: ArrayLike, g_13: ArrayLike, g_23: ArrayLike, d_33: ArrayLike) -> Array:
     """The stationary density of the frequency, p(Omega) = C_2 (g_13^2 Omega^2 + g_23^2 k^2)^kappa_2.
 
-    Omega  frequency, rad/s
+    Parameters
+    ----------
+    Omega
+        Frequency, rad/s.
+    k, g_13, g_23, d_33
+        Ratio (A - C)/A of the moments of inertia; multiplicative noise, s^(-1/2), additive noise, rad s^(-3/2), and
+        dissipation, 1/s, of the polar axis; positive.
 
-    Returns p in s/rad. ValueError where no density exists. Source: (3.5), B.5.
+    Returns
+    -------
+    ndarray
+        Density, s/rad.
 
+    Raises
+    ------
+    ValueError
+        If a stationary density does not exist.
+
+    Notes
+    -----
+    Source: (3.5), B.5.
+
+    Examples
+    --------
     >>> density_of_frequency([0.0, 0.6], 0.6, 1.0, 1.0, 1.5).round(4).tolist()
     [1.061, 0.2653]
     """
@@ -44,10 +63,30 @@ def distribution_of_frequency(
 ) -> Array:
     """The probability that the frequency is at most Omega: that of Student's t = Omega sqrt(2 d_33)/(g_23 k).
 
-    Omega  frequency, rad/s
+    Parameters
+    ----------
+    Omega
+        Frequency, rad/s.
+    k, g_13, g_23, d_33
+        Ratio (A - C)/A of the moments of inertia; multiplicative noise, s^(-1/2), additive noise, rad s^(-3/2), and
+        dissipation, 1/s, of the polar axis; positive.
 
-    Returns F; small values keep their relative accuracy. ValueError where no density exists. Source: (3.5).
+    Returns
+    -------
+    ndarray
+        Probability; small values keep their relative accuracy.
 
+    Raises
+    ------
+    ValueError
+        If a stationary density does not exist.
+
+    Notes
+    -----
+    Source: (3.5).
+
+    Examples
+    --------
     >>> float(distribution_of_frequency(0.6 / 3**0.5, 0.6, 1.0, 1.0, 1.5).round(4))
     0.8045
     """
@@ -58,32 +97,71 @@ def distribution_of_frequency(
 def quantile_of_frequency(q: ArrayLike, k: ArrayLike, g_13: ArrayLike, g_23: ArrayLike, d_33: ArrayLike) -> Array:
     """The frequency that is exceeded with the probability 1 - q.
 
-    q  probability, 0 < q < 1
+    Parameters
+    ----------
+    q
+        Probability, 0 < q < 1.
+    k, g_13, g_23, d_33
+        Ratio (A - C)/A of the moments of inertia; multiplicative noise, s^(-1/2), additive noise, rad s^(-3/2), and
+        dissipation, 1/s, of the polar axis; positive.
 
-    Returns Omega in rad/s. ValueError where q is no such probability, no density exists, or |Omega| exceeds
-    1e153 g_23 k/g_13 (small d_33/g_13^2). Source: (3.5).
+    Returns
+    -------
+    ndarray
+        Frequency, rad/s.
 
+    Raises
+    ------
+    ValueError
+        If q is not such a probability, no stationary density exists, or |Omega| exceeds 1e153 g_23 k/g_13 (small
+        d_33/g_13^2).
+
+    Notes
+    -----
+    Source: (3.5).
+
+    Examples
+    --------
     >>> quantile_of_frequency([0.1, 0.5], 0.6, 1.0, 1.0, 1.5).round(4).tolist()
     [-0.5673, 0.0]
     """
-    return evaluated("quantile of Omega", _quantile, probability(q), *axial(k, g_13, g_23, d_33))
+    return evaluated("quantile of Omega", _quantile, probability("q", q), *axial(k, g_13, g_23, d_33))
 
 
 @gufunc("(),(),(),(),()->()")
 def moment_of_frequency(m: ArrayLike, k: ArrayLike, g_13: ArrayLike, g_23: ArrayLike, d_33: ArrayLike) -> Array:
     """The mean of |Omega|^m; those of Omega^m are the same for even m, and 0 for odd m.
 
-    m  order, any real number that is not negative; accuracy is shown up to 8
+    Parameters
+    ----------
+    m
+        Order, any real number that is not negative; accuracy is shown up to 8.
+    k, g_13, g_23, d_33
+        Ratio (A - C)/A of the moments of inertia; multiplicative noise, s^(-1/2), additive noise, rad s^(-3/2), and
+        dissipation, 1/s, of the polar axis; positive.
 
-    Returns the absolute moment in (rad/s)^m. ValueError where it is infinite: 2 d_33 > m g_13^2 has to hold, and the
-    printed 3 d_33 > m g_13^2 is not enough. Source: 4.0.11, B.7.
+    Returns
+    -------
+    ndarray
+        Absolute moment, (rad/s)^m.
 
+    Raises
+    ------
+    ValueError
+        If the moment is infinite: 2 d_33 > m g_13^2 has to hold, and the printed 3 d_33 > m g_13^2 is not enough.
+
+    Notes
+    -----
+    Source: 4.0.11, B.7.
+
+    Examples
+    --------
     >>> moment_of_frequency([0, 1, 2], 0.6, 1.0, 1.0, 1.5).round(4).tolist()
     [1.0, 0.382, 0.36]
     """
-    power, (ratio, noise, additive, dissipation) = order(m), axial(k, g_13, g_23, d_33)
+    power, (ratio, noise, additive, dissipation) = not_negative("m", m, "4.0.9, 4.0.11"), axial(k, g_13, g_23, d_33)
     finite = 2 * dissipation > power * noise**2
-    somewhere(finite, "d_33", dissipation, f"satisfy 2 d_33 > m g_13^2 for m = {shortened(power)}", "4.0.11")
+    require(finite, "d_33", dissipation, f"satisfy 2 d_33 > m g_13^2 for m = {shortened(power)}", "4.0.11")
     return evaluated("moment of Omega", poloskov2004.moment_of_frequency, power, ratio, noise, additive, dissipation)
 
 
@@ -91,13 +169,33 @@ def moment_of_frequency(m: ArrayLike, k: ArrayLike, g_13: ArrayLike, g_23: Array
 def mean_square_of_frequency(k: ArrayLike, g_13: ArrayLike, g_23: ArrayLike, d_33: ArrayLike) -> Array:
     """The mean of Omega^2, g_23^2 k^2/(2 d_33 - 2 g_13^2).
 
-    Returns it in rad^2/s^2. ValueError where it is infinite: d_33 > g_13^2 has to hold. Source: 4.0.11, B.8.
+    Parameters
+    ----------
+    k, g_13, g_23, d_33
+        Ratio (A - C)/A of the moments of inertia; multiplicative noise, s^(-1/2), additive noise, rad s^(-3/2), and
+        dissipation, 1/s, of the polar axis; positive.
 
+    Returns
+    -------
+    ndarray
+        Mean square, rad^2/s^2.
+
+    Raises
+    ------
+    ValueError
+        If it is infinite: d_33 > g_13^2 has to hold.
+
+    Notes
+    -----
+    Source: 4.0.11, B.8.
+
+    Examples
+    --------
     >>> float(mean_square_of_frequency(0.5, 1.0, 2.0, 1.5))
     1.0
     """
     ratio, noise, additive, dissipation = axial(k, g_13, g_23, d_33)
-    somewhere(dissipation > noise**2, "d_33", dissipation, "satisfy d_33 > g_13^2", "4.0.11 for m = 2")
+    require(dissipation > noise**2, "d_33", dissipation, "satisfy d_33 > g_13^2", "4.0.11 for m = 2")
     return evaluated("mean square of Omega", poloskov2004.mean_square_of_frequency, ratio, noise, additive, dissipation)
 
 
@@ -105,8 +203,28 @@ def mean_square_of_frequency(k: ArrayLike, g_13: ArrayLike, g_23: ArrayLike, d_3
 def mode_of_frequency(k: ArrayLike, g_13: ArrayLike, g_23: ArrayLike, d_33: ArrayLike) -> Array:
     """The most probable frequency, 0 for all parameters.
 
-    Returns 0 rad/s in the broadcast shape. ValueError where no density exists. Source: 4.0.17.
+    Parameters
+    ----------
+    k, g_13, g_23, d_33
+        Ratio (A - C)/A of the moments of inertia; multiplicative noise, s^(-1/2), additive noise, rad s^(-3/2), and
+        dissipation, 1/s, of the polar axis; positive.
 
+    Returns
+    -------
+    ndarray
+        Zeros, rad/s, of the broadcast shape.
+
+    Raises
+    ------
+    ValueError
+        If a stationary density does not exist.
+
+    Notes
+    -----
+    Source: 4.0.17.
+
+    Examples
+    --------
     >>> mode_of_frequency([0.5, 0.6], 1.0, 1.0, 1.5).tolist()
     [0.0, 0.0]
     """
@@ -117,8 +235,28 @@ def mode_of_frequency(k: ArrayLike, g_13: ArrayLike, g_23: ArrayLike, d_33: Arra
 def logarithm_of_constant_of_frequency(k: ArrayLike, g_13: ArrayLike, g_23: ArrayLike, d_33: ArrayLike) -> Array:
     """The logarithm of C_2 in p(Omega) = C_2 (g_13^2 Omega^2 + g_23^2 k^2)^kappa_2; the constant may be no double.
 
-    Returns log C_2. ValueError where no density exists. Source: (3.5), B.5.
+    Parameters
+    ----------
+    k, g_13, g_23, d_33
+        Ratio (A - C)/A of the moments of inertia; multiplicative noise, s^(-1/2), additive noise, rad s^(-3/2), and
+        dissipation, 1/s, of the polar axis; positive.
 
+    Returns
+    -------
+    ndarray
+        Logarithm of C_2.
+
+    Raises
+    ------
+    ValueError
+        If a stationary density does not exist.
+
+    Notes
+    -----
+    Source: (3.5), B.5.
+
+    Examples
+    --------
     >>> from math import exp, pi
     >>> round(exp(logarithm_of_constant_of_frequency(0.6, 1.0, 1.0, 1.5)) * pi, 4)
     0.432

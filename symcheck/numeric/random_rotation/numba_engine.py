@@ -8,26 +8,17 @@ the C library, which take longer than all the rest of a step but the normal numb
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from math import sqrt
-from typing import Any, ParamSpec, TypeVar, cast
 
-import numba
 import numpy as np
 
+from symcheck.numeric.compiled import compiled
 from symcheck.numeric.domain import Array
 from symcheck.numeric.random_rotation.scheme import Scheme
 
-P = ParamSpec("P")
-T = TypeVar("T")
 TURN = float.fromhex("0x1.921fb544p+2")  # 2 pi to 33 bits: times a number of turns it is exact
 REST_OF_TURN = 2.430840202602477e-10  # 2 pi less TURN
-
-
-def compiled(function: Callable[P, T]) -> Callable[P, T]:
-    """Compiled without the interpreter's lock, without checks of division, and with fused products and sums."""
-    options: Any = {"nogil": True, "cache": True, "error_model": "numpy", "fastmath": {"contract"}}
-    return cast(Callable[P, T], numba.njit(**options)(function))
 
 
 def advance(scheme: Scheme, state: Array, generators: Sequence[np.random.Generator], steps: int) -> None:
@@ -39,7 +30,9 @@ def advance(scheme: Scheme, state: Array, generators: Sequence[np.random.Generat
 
 
 @compiled
-def _advance(x: Array, generator: Any, steps: int, half: float, matrix: Array, noise: Array, offset: Array) -> None:
+def _advance(
+    x: Array, generator: np.random.Generator, steps: int, half: float, matrix: Array, noise: Array, offset: Array
+) -> None:
     numbers = np.empty_like(x)
     rotate(x, half)
     for done in range(steps):

@@ -21,7 +21,7 @@ def advance(scheme: Scheme, state: Array, generators: Sequence[np.random.Generat
     """Advance the state, shape (3, streams, paths of each), in place; stream j takes its numbers from generator j."""
     x, numbers = state.reshape(3, -1), _numbers(state, steps)
     wide, narrow = [np.empty_like(state) for _ in range(3)], [np.empty(x.shape[1]) for _ in range(3)]
-    with np.errstate(over="ignore", invalid="ignore"):  # what is not finite is told at the end
+    with np.errstate(over="ignore", invalid="ignore"):  # paths that are not finite are reported at the end
         _rotate(x, scheme.half_angle / 2, *narrow)
         for done in range(steps):
             if done % AHEAD == 0:

@@ -21,8 +21,7 @@ from typing import NamedTuple
 import numpy as np
 from scipy.linalg import expm
 
-from symcheck.numeric.domain import Array, require
-from symcheck.numeric.random_rotation.checks import positive
+from symcheck.numeric.domain import Array, positive, require
 from symcheck.numeric.random_rotation.torques import RandomTorques
 
 COARSEST = 0.04  # g_1j^2 epsilon h: up to here v/2 stays below 1 for ten standard deviations

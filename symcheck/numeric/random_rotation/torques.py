@@ -8,8 +8,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from symcheck.numeric.chunked import pointwise
-from symcheck.numeric.domain import Array, real, require
-from symcheck.numeric.random_rotation.checks import positive
+from symcheck.numeric.domain import Array, exact, positive, require
 
 
 @pointwise("(),(),(i,j),(i),(i)->()")
@@ -17,15 +16,32 @@ from symcheck.numeric.random_rotation.checks import positive
 class RandomTorques:
     """System (1.1), x' + f(x) = -epsilon D x + sqrt(epsilon) (G_1 xi + G_2 eta), in Stratonovich's sense.
 
-    varepsilon  size of the torques, a number; positive
-    k           (A - C)/A of the moments of inertia A, A, C, a number; 0 < k < 1
-    d           coefficients of dissipation D, shape (3, 3), 1/s
-    g_1         intensities of the multiplicative noises, G_1 = diag(g_1j x_j), shape (3,), s^(-1/2); not negative
-    g_2         intensities of the additive noises, G_2 = diag(g_2j), shape (3,), rad s^(-3/2); not negative
+    Parameters
+    ----------
+    varepsilon
+        Size of the torques; one positive number.
+    k
+        Ratio (A - C)/A of the moments of inertia A, A, C; one number, 0 < k < 1.
+    d
+        Coefficients of dissipation D, 1/s; shape (3, 3).
+    g_1
+        Intensities of the multiplicative noises, G_1 = diag(g_1j x_j), s^(-1/2); shape (3,), not negative.
+    g_2
+        Intensities of the additive noises, G_2 = diag(g_2j), rad s^(-3/2); shape (3,), not negative.
 
-    f(x) = (-k x_2 x_3, k x_3 x_1, 0), and x is the angular velocity in principal axes, the third the axis of symmetry.
-    ValueError names what does not fit. Whether a stationary law exists is a question of `amplitude` and `frequency`.
+    Raises
+    ------
+    ValueError
+        If a number, a shape or a sign is wrong. Whether a stationary law exists is a question of `amplitude` and
+        `frequency`.
 
+    Notes
+    -----
+    Here f(x) = (-k x_2 x_3, k x_3 x_1, 0), and x is the angular velocity in principal axes, the third the axis of
+    symmetry. Source: (1.1).
+
+    Examples
+    --------
     >>> D = [[1, 0.3, 0.2], [0.2, 0.5, 0.1], [0.2, 0.1, 0.9]]
     >>> torques = RandomTorques(0.01, 0.6, D, g_1=[0.6, 0.8, 0.7], g_2=[1, 0, 1])
     >>> [float(value) for value in torques.amplitude]
@@ -75,7 +91,6 @@ class RandomTorques:
 
 def _fixed(name: str, value: ArrayLike, shape: tuple[int, ...]) -> Array:
     """The value as an array of just this shape that nobody can change."""
-    array = real(name, value, shape).copy()
-    require(array.shape == shape, f"{name}.shape", array.shape, f"be {shape}: one body at a time", "(1.1)")
+    array = exact(name, value, shape).copy()
     array.flags.writeable = False
     return array

@@ -8,17 +8,26 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from symcheck.numeric.chunked import gufunc, pointwise
-from symcheck.numeric.domain import Array, real, require
+from symcheck.numeric.domain import Array, not_negative, positive, real, whole
 from symcheck.numeric.random_rotation.amplitude import quantile_of_amplitude
-from symcheck.numeric.random_rotation.checks import positive
-from symcheck.numeric.random_rotation.ensemble import whole
 from symcheck.numeric.random_rotation.frequency import quantile_of_frequency
 from symcheck.numeric.random_rotation.torques import RandomTorques
 
 
 class Rotation(NamedTuple):
-    """Amplitude a in rad/s, phase psi in rad within [-pi, pi], frequency Omega in rad/s; one shape.
+    """Amplitude, phase and frequency of rotations, of one shape.
 
+    Parameters
+    ----------
+    a
+        Amplitude, rad/s.
+    psi
+        Phase, rad, from -pi to pi.
+    Omega
+        Frequency, rad/s.
+
+    Examples
+    --------
     >>> float(amplitude_phase_frequency([3.0, 4.0, 5.0], 0.6).a)
     5.0
     """
@@ -30,14 +39,31 @@ class Rotation(NamedTuple):
 
 @gufunc("(i),()->(),(),()")
 def amplitude_phase_frequency(x: ArrayLike, k: ArrayLike) -> Rotation:
-    """a = sqrt(x_1^2 + x_2^2), psi with tan psi = -x_2/x_1, Omega = k x_3.
+    """Amplitude a = sqrt(x_1^2 + x_2^2), phase psi with tan psi = -x_2/x_1, frequency Omega = k x_3.
 
-    x  angular velocity in principal axes, rad/s, shape (..., 3)
-    k  (A - C)/A, a number; positive
+    Parameters
+    ----------
+    x
+        Angular velocity in principal axes, rad/s; shape (..., 3).
+    k
+        Ratio (A - C)/A of the moments of inertia; positive.
 
-    Returns a `Rotation` of the broadcast shape; the phase of a = 0 is 0. ValueError names what does not fit.
+    Returns
+    -------
+    Rotation
+        Amplitude, phase and frequency of the broadcast shape; the phase of a = 0 is 0.
+
+    Raises
+    ------
+    ValueError
+        If an argument is not a number of its range; the message names it.
+
+    Notes
+    -----
     Source: (2.3).
 
+    Examples
+    --------
     >>> [float(value) for value in amplitude_phase_frequency([0.0, -2.0, 5.0], 0.6)]
     [2.0, 1.5707963267948966, 3.0]
     """
@@ -48,18 +74,35 @@ def amplitude_phase_frequency(x: ArrayLike, k: ArrayLike) -> Rotation:
 
 @gufunc("(),(),(),()->(axis)", axis=3)
 def angular_velocity(a: ArrayLike, psi: ArrayLike, Omega: ArrayLike, k: ArrayLike) -> Array:
-    """x = (a cos psi, -a sin psi, Omega/k).
+    """Angular velocity x = (a cos psi, -a sin psi, Omega/k).
 
-    a, psi, Omega  amplitude in rad/s, not negative; phase in rad; frequency in rad/s
-    k              (A - C)/A, a number; positive
+    Parameters
+    ----------
+    a, psi, Omega
+        Amplitude in rad/s, not negative; phase in rad; frequency in rad/s.
+    k
+        Ratio (A - C)/A of the moments of inertia; positive.
 
-    Returns x in rad/s, shape (..., 3). ValueError names what does not fit. Source: (2.2).
+    Returns
+    -------
+    ndarray
+        Angular velocity x, rad/s; shape (..., 3).
 
+    Raises
+    ------
+    ValueError
+        If an argument is not a number of its range; the message names it.
+
+    Notes
+    -----
+    Source: (2.2).
+
+    Examples
+    --------
     >>> angular_velocity(2.0, 0.0, 3.0, 0.6).tolist()
     [2.0, -0.0, 5.0]
     """
-    amplitude, phase = real("a", a), real("psi", psi)
-    require(amplitude >= 0, "a", amplitude, "not be negative", "(2.3)")
+    amplitude, phase = not_negative("a", a, "(2.3)"), real("psi", psi)
     parts = amplitude * np.cos(phase), -amplitude * np.sin(phase), real("Omega", Omega) / positive("k", k, "(1.1)")
     return np.stack(np.broadcast_arrays(*parts), axis=-1)
 
@@ -68,14 +111,33 @@ def angular_velocity(a: ArrayLike, psi: ArrayLike, Omega: ArrayLike, k: ArrayLik
 def stationary_sample(torques: RandomTorques, paths: int, *, seed: int, first: int = 0) -> Array:
     """Independent angular velocities with the stationary law of the averaged system.
 
-    torques  coefficients of the system
-    paths    how many
-    seed     a whole number from 0 on; another one than that of the noises
-    first    number of the first: a sample in pieces is the same sample
+    Parameters
+    ----------
+    torques
+        Coefficients of the system.
+    paths
+        Number of angular velocities.
+    seed
+        Seed, an integer from 0 on, different from that of the noises.
+    first
+        Number of the first: a sample in pieces is the same sample.
 
-    Amplitude and frequency by their quantiles, the phase uniform on a turn. Returns x in rad/s, shape (paths, 3).
-    ValueError where no stationary law exists, or a number does not fit. Source: (2.2), (3.4), (3.5), B.4.
+    Returns
+    -------
+    ndarray
+        Angular velocities x, rad/s; shape (paths, 3).
 
+    Raises
+    ------
+    ValueError
+        If no stationary law exists, or a number does not fit.
+
+    Notes
+    -----
+    Amplitude and frequency by their quantiles, the phase uniform on a turn. Source: (2.2), (3.4), (3.5), B.4.
+
+    Examples
+    --------
     >>> D = [[1, 0.3, 0.2], [0.2, 0.5, 0.1], [0.2, 0.1, 0.9]]
     >>> torques = RandomTorques(0.01, 0.6, D, g_1=[0.6, 0.8, 0.7], g_2=[1, 0, 1])
     >>> sample = stationary_sample(torques, 5, seed=1)

@@ -1,6 +1,6 @@
 """Sweeps: a function on the outer product of its parameters, in chunks, on threads or a cluster, to a file.
 
-The sweep is told by a TOML file:
+A TOML file describes the sweep:
 
     function = "liquid.growth_rate"
 
@@ -20,20 +20,18 @@ from __future__ import annotations
 
 import json
 import os
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Mapping
 from concurrent.futures import ThreadPoolExecutor
-from contextlib import contextmanager, suppress
-from dataclasses import replace
+from contextlib import suppress
 from importlib.util import find_spec
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from symcheck.numeric.sweep.functions import SweepError, code
 
 if TYPE_CHECKING:
-    from symcheck.numeric.sweep.chunks import Chunks
-    from symcheck.numeric.sweep.spec import Plan
-    from symcheck.numeric.sweep.store import Store
+    from symcheck.numeric.sweep.plan import Plan
+    from symcheck.numeric.sweep.store import Identity, Store
     from symcheck.numeric.sweep.workers import Workers
 
 __all__ = ["SweepError", "sweep"]
@@ -55,132 +53,148 @@ def sweep(
 ) -> str:
     """Run a sweep, or go on with one that was stopped, and say what was done.
 
-    spec       the TOML file
-    out        FILE.zarr or FILE.nc; it appears when all is done, until then the sweep is in OUT.partial.zarr
-    scheduler  address of a dask.distributed scheduler; threads of this process without one
-    threads    how many
-    chunks     points of a chunk along the axes named; as many as fit in `memory` bytes of results along others
-    patience   seconds to wait for the scheduler and for workers
-    progress   is told how many chunks are done, of how many
+    Parameters
+    ----------
+    spec
+        The TOML file.
+    out
+        Path FILE.zarr or FILE.nc; it appears when all is done, until then the sweep is in OUT.partial.zarr.
+    scheduler
+        Address of a dask.distributed scheduler; by default threads of this process compute.
+    threads
+        Number of threads.
+    chunks
+        Points of a chunk along the axes named; along others as many as fit in `memory`.
+    memory
+        Bytes of results in a chunk.
+    patience
+        Seconds to wait for the scheduler and for workers.
+    progress
+        Called with the number of chunks done and that of all chunks.
 
-    SweepError says in one line what does not fit, or what keeps it from going on; KeyboardInterrupt says what is kept.
+    Returns
+    -------
+    str
+        One line that says what was done.
+
+    Raises
+    ------
+    SweepError
+        One line that says what does not fit, or what keeps it from going on.
+    KeyboardInterrupt
+        With a message that says what is kept.
+
+    Notes
+    -----
     Values do not depend on chunks, threads or workers, as long as these have processors of one kind.
     """
-    out = _place(out)
     _require(out, scheduler)
     from filelock import FileLock, Timeout
 
-    from symcheck.numeric.sweep.spec import plan, read
-    from symcheck.numeric.sweep.store import Store
+    from symcheck.numeric.sweep.plan import plan, read
+    from symcheck.numeric.sweep.store import Store, writing
     from symcheck.numeric.sweep.workers import cluster
     from symcheck.numeric.sweep.workers import threads as local
 
-    text, store = read(spec), Store(out)
-    lock = FileLock(out.with_name(f"{out.name}.lock"), timeout=0)
-    try:
-        with lock, _removed(Path(lock.lock_file)):
+    text, store = read(spec), Store(Path(os.path.realpath(out)) if out.is_symlink() else out)
+    lock = FileLock(store.out.with_name(f"{store.out.name}.lock"), timeout=0)
+    with writing(store.out):
+        try:
+            lock.acquire()
+        except Timeout:
+            raise SweepError(f"another sweep is writing {store.out}; wait for it, or name another --out") from None
+        try:
             swept = plan(text)
             if store.is_finished(json.loads(text)):
-                return f"{out} is finished already; nothing was computed"
-            layout = _prepared(text, swept, store, chunks or {}, memory)
+                return f"{store.out} is finished already; nothing was computed"
+            _prepare(text, swept, store, chunks or {}, memory)
             with cluster(scheduler, patience) if scheduler else local(threads) as workers:
-                return _compute(text, swept, store, layout, workers, progress)
-    except Timeout:
-        raise SweepError(f"another sweep is writing {out}; wait for it, or name another --out") from None
-    except OSError as error:
-        raise SweepError(f"{out} cannot be written: {error.strerror or error}") from None
+                return _compute(text, swept, store, workers, progress)
+        finally:
+            with suppress(OSError):  # where the system lets an open file be removed
+                Path(lock.lock_file).unlink()
+            lock.release()
 
 
-@contextmanager
-def _removed(path: Path) -> Iterator[None]:
-    """Leave no file there, where the system lets it be removed while it is open."""
-    try:
-        yield
-    finally:
-        with suppress(OSError):
-            path.unlink()
-
-
-def _prepared(text: str, swept: Plan, store: Store, asked: Mapping[str, int], memory: float) -> Chunks:
+def _prepare(text: str, swept: Plan, store: Store, asked: Mapping[str, int], memory: float) -> None:
     """Lay the sweep out, or take up the one that was begun."""
-    from symcheck.numeric.sweep.chunks import chunks_of
+    from symcheck.numeric.sweep.store import Identity
 
+    for name, length in asked.items():
+        if name not in swept.sizes:
+            raise SweepError(f"--chunk {name}={length}: the axes of the sweep are {', '.join(swept.sizes)}")
     try:
-        results = swept.results()
+        results = swept.first()
     except (ValueError, ArithmeticError, MemoryError, TypeError, ImportError) as error:
         raise SweepError(_reason(swept, error)) from None
-    is_complex = [name for name, each in results.items() if each.dtype.kind == "c"]
+    is_complex = [name for name, array in results.items() if array.dtype.kind == "c"]
     if is_complex and store.out.suffix == ".nc":
         raise SweepError(f"{is_complex[0]} is complex, and netCDF has no complex numbers; take --out FILE.zarr")
-    begun, chunks = store.begun(), chunks_of(swept, results, asked, memory)
+    begun = store.begun()
     if begun is None:
-        store.begin(swept, results, chunks, {"spec": json.loads(text), "code": code(), "chunks": chunks.lengths})
+        lengths = _lengths(swept.sizes, asked, memory // max(1, sum(array.nbytes for array in results.values())))
+        identity = Identity(json.loads(text), code(), lengths)
+        store.begin(swept, results, identity)
     else:
-        _require_same(begun, text, store)
-        chunks = replace(chunks, lengths=begun["chunks"])
-        if asked.items() - begun["chunks"].items():
-            raise SweepError(
-                f"the sweep was begun with chunks {begun['chunks']}; leave --chunk out, or remove {store.partial}"
-            )
-    store.open(results, chunks)
-    return chunks
+        _require_same(begun, json.loads(text), asked, store)
+        identity = begun
+    store.open(swept, results, identity)
 
 
-def _require_same(begun: Mapping[str, Any], text: str, store: Store) -> None:
+def _lengths(sizes: dict[str, int], asked: Mapping[str, int], room: float) -> dict[str, int]:
+    """Chunks of the lengths asked for, else as long as this many points have room, the last axes first."""
+    lengths: dict[str, int] = {}
+    for axis, size in reversed(sizes.items()):
+        lengths[axis] = asked.get(axis, max(1, min(size, int(room))))
+        room //= lengths[axis]
+    return {axis: lengths[axis] for axis in sizes}
+
+
+def _require_same(begun: Identity, spec: Mapping[str, object], asked: Mapping[str, int], store: Store) -> None:
     """The sweep that was begun is the one that is asked for."""
-    asked = json.loads(text)
     there = f"remove {store.partial} to begin anew, or name another --out"
-    if begun["spec"] != asked:
-        names = sorted(name for name in {*begun["spec"], *asked} if begun["spec"].get(name) != asked.get(name))
+    if begun.spec != spec:
+        names = sorted(name for name in {*begun.spec, *spec} if begun.spec.get(name) != spec.get(name))
         raise SweepError(f"{store.partial} is the beginning of another sweep ({', '.join(names)} differ); {there}")
-    if begun["code"] != code():
+    if begun.code != code():
         raise SweepError(f"{store.partial} was begun with another version of symcheck or NumPy; {there}")
+    if asked.items() - begun.chunks.items():
+        raise SweepError(
+            f"the sweep was begun with chunks {begun.chunks}; leave --chunk out, or remove {store.partial}"
+        )
 
 
-def _compute(text: str, swept: Plan, store: Store, chunks: Chunks, workers: Workers, progress: Progress) -> str:
+def _compute(text: str, swept: Plan, store: Store, workers: Workers, progress: Progress) -> str:
     """Compute the chunks that are missing and finish."""
     from symcheck.numeric.sweep.workers import compute
 
-    done = store.finished(chunks)
-    kept = len(done)
-    calls = ((k, (text, code(), chunks.slices(k))) for k in range(chunks.count) if k not in done)
-    progress(kept, chunks.count)
+    kept, count = len(store.done), len(store.parts)
+    calls = ((k, (text, code(), part)) for k, part in enumerate(store.parts) if k not in store.done)
+    progress(kept, count)
     try:
         with ThreadPoolExecutor(1) as writer:  # Ctrl-C does not cut off what another thread is writing
             for number, values in workers.completed(compute, calls):
-                done[number] = writer.submit(store.write, number, chunks.slices(number), values).result()
-                progress(len(done), chunks.count)
+                writer.submit(store.write, number, values).result()
+                progress(len(store.done), count)
         store.finish()
     except KeyboardInterrupt:
-        raise KeyboardInterrupt(f"; {_said(store, chunks)}") from None
+        raise KeyboardInterrupt(f"; {store.progress()}") from None
     except (ValueError, ArithmeticError, MemoryError, ImportError) as error:
-        raise SweepError(f"{_reason(swept, error)}; {_said(store, chunks)}") from None
-    return _summary(store.out, chunks, kept, sum(done.values()))
-
-
-def _said(store: Store, chunks: Chunks) -> str:
-    return f"{store.count()} of {chunks.count} chunks are done and kept; the same command goes on from there"
+        raise SweepError(f"{_reason(swept, error)}; {store.progress()}") from None
+    shape = " x ".join(f"{name} {size}" for name, size in swept.sizes.items())
+    summary = f"{store.out}: {shape}, {count} chunks, {kept} of them from before"
+    not_finite = sum(store.done.values())
+    return f"{summary}; {not_finite} values are infinite or not a number" if not_finite else summary
 
 
 def _reason(swept: Plan, error: Exception) -> str:
     return str(error) if isinstance(error, SweepError) else f"{swept.function}: {error or type(error).__name__}"
 
 
-def _summary(out: Path, chunks: Chunks, kept: int, not_finite: int) -> str:
-    shape = " x ".join(f"{name} {size}" for name, size in chunks.sizes.items())
-    lines = f"{out}: {shape}, {chunks.count} chunks, {kept} of them from before"
-    return f"{lines}; {not_finite} values are infinite or no number" if not_finite else lines
-
-
-def _place(out: Path) -> Path:
-    """Where the file really is, if that is a link to it."""
-    if out.exists() and not (out.is_file() or out.is_dir()):
-        raise SweepError(f"--out {out} is a device or a pipe; name a file, in which parts can be sought")
-    return Path(os.path.realpath(out)) if out.is_symlink() else out
-
-
 def _require(out: Path, scheduler: str | None) -> None:
     """The file can be written, and the packages for it are installed."""
+    if out.exists() and not (out.is_file() or out.is_dir()):
+        raise SweepError(f"--out {out} is a device or a pipe; name a file, in which parts can be sought")
     if out.suffix not in NEEDED:
         raise SweepError(f"--out {out} must end with .zarr or .nc")
     if not out.absolute().parent.is_dir():

@@ -4,24 +4,25 @@ from __future__ import annotations
 
 import inspect
 import pkgutil
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from difflib import get_close_matches
-from functools import cache, partial
+from functools import cache
 from hashlib import blake2b
 from importlib import import_module
 from pathlib import Path
-from typing import Any, NamedTuple, get_type_hints
+from typing import NamedTuple, get_type_hints
 
 import numpy as np
 
 import symcheck.numeric
 from symcheck import kernels
 from symcheck.numeric.chunked import results_of
-from symcheck.numeric.chunked.arrays import Axes, Signature
-from symcheck.numeric.chunked.kernels import by_blocks, declaration
+from symcheck.numeric.chunked.arrays import Axes, Function, Signature
+from symcheck.numeric.chunked.kernels import declaration, kernel
 
 OF_ENSEMBLE = {"seed", "first", "paths"}  # arguments that a sweep gives by itself
 REALIZATION = "realization"
+ALIKE = 0.4  # of a function's name: "liquid.growth" still suggests "liquid.growth_rate"
 
 
 class SweepError(ValueError):
@@ -33,19 +34,17 @@ class Swept(NamedTuple):
 
     call         the function, of arguments by name
     arguments    last axes of its array arguments; None where it takes the result of another function
-    others       names of further arguments
-    of_ensemble  names of those that a sweep gives by itself
+    others       names of further arguments, with those that a sweep gives by itself
     required     names of arguments without a default
     outputs      last axes of its results
     names        those of its results, None where it gives an object
-    attributes   units and meaning of arguments and of results
+    attributes   units and meaning of arguments
     elementwise  whether it broadcasts; otherwise it is called once for each set of arguments
     """
 
-    call: Callable[..., Any]
+    call: Function
     arguments: Mapping[str, Axes | None]
     others: frozenset[str]
-    of_ensemble: frozenset[str]
     required: frozenset[str]
     outputs: Sequence[Axes]
     names: Sequence[str] | None
@@ -61,23 +60,23 @@ class Swept(NamedTuple):
 @cache
 def find(name: str) -> Swept:
     """The function of this name, "PART.FUNCTION" or "PAPER.KERNEL"; SweepError that names the nearest one."""
+    if name not in known():
+        hint = nearest(name, sorted(known(), key=len), 'name one like "liquid.growth_rate"', ALIKE)
+        raise SweepError(f"function = {name!r} cannot be swept; {hint}")
     part, _, function = name.partition(".")
-    if part in _papers() and function in kernels.of_paper(part):
+    if part in _papers():
         return _kernel(part, function)
-    if part in _parts():
-        found = getattr(import_module(f"symcheck.numeric.{part}"), function, None)
-        if _is_declared(found):
-            return _declared(found)
-    near = get_close_matches(name, sorted(known(), key=len), n=1, cutoff=0.4)
-    hint = f"did you mean {near[0]!r}?" if near else 'name one like "liquid.growth_rate"'
-    raise SweepError(f"function = {name!r} is none that can be swept; {hint}")
+    return _declared(getattr(import_module(f"symcheck.numeric.{part}"), function))
 
 
-def known() -> set[str]:
+@cache
+def known() -> frozenset[str]:
     """All names under which `find` has a function."""
     of_papers = {f"{paper}.{name}" for paper in _papers() for name in kernels.of_paper(paper)}
-    parts = {part: vars(import_module(f"symcheck.numeric.{part}")) for part in _parts()}
-    return of_papers | {f"{part}.{n}" for part, names in parts.items() for n in names if _is_declared(names[n])}
+    parts = [part.name for part in pkgutil.iter_modules(symcheck.numeric.__path__) if part.ispkg]
+    modules = {part: vars(import_module(f"symcheck.numeric.{part}")) for part in parts}
+    declared = (f"{part}.{name}" for part, names in modules.items() for name in names if _is_declared(names[name]))
+    return frozenset({*of_papers, *declared})
 
 
 @cache
@@ -91,7 +90,13 @@ def code() -> str:
     return digest.hexdigest()
 
 
-def _is_declared(value: Any) -> bool:
+def nearest(name: str, choices: Collection[str], otherwise: str, alike: float = 0.6) -> str:
+    """A question after the nearest of the choices, or something else where none is near."""
+    near = get_close_matches(name, choices, n=1, cutoff=alike)
+    return f"did you mean {near[0]!r}?" if near else otherwise
+
+
+def _is_declared(value: object) -> bool:
     return isinstance(getattr(value, "signature", None), Signature)
 
 
@@ -99,45 +104,29 @@ def _papers() -> set[str]:
     return {path.stem for path in kernels.folder().glob("[a-z]*.py")}
 
 
-def _parts() -> set[str]:
-    return {module.name for module in pkgutil.iter_modules(symcheck.numeric.__path__) if module.ispkg}
-
-
 def _kernel(paper: str, name: str) -> Swept:
-    documented = declaration(kernels.find(paper, name))
-    return Swept(
-        partial(by_blocks, paper, name),
-        dict.fromkeys(documented.arguments, ()),
-        frozenset(),
-        frozenset(),
-        frozenset(documented.arguments),
-        ((),) * len(documented.results),
-        tuple(documented.results),
-        {**documented.arguments, **documented.results},
-        elementwise=True,
-    )
+    declared = declaration(kernels.find(paper, name))
+    names = frozenset(declared.arguments)
+    cores: dict[str, Axes | None] = dict.fromkeys(declared.arguments, ())
+    outputs = ((),) * len(declared.results)
+    call = kernel(paper, name)
+    return Swept(call, cores, frozenset(), names, outputs, [*declared.results], declared.arguments, elementwise=True)
 
 
-def _declared(function: Any) -> Swept:
-    plain = inspect.unwrap(function)
+def _declared(function: Callable[..., object]) -> Swept:
+    plain: Function = inspect.unwrap(function)
+    signature: Signature = getattr(function, "signature")  # noqa: B009
     parameters = inspect.signature(plain).parameters
-    hints = get_type_hints(plain.__init__ if inspect.isclass(plain) else plain)
-    arrays = dict(_array_arguments(iter(function.signature.inputs), parameters, hints))
-    return Swept(
-        function,
-        arrays,
-        frozenset(parameters) - frozenset(arrays) - OF_ENSEMBLE,
-        frozenset(parameters) & OF_ENSEMBLE,
-        frozenset(name for name, each in parameters.items() if each.default is each.empty) - OF_ENSEMBLE,
-        function.signature.outputs,
-        None if inspect.isclass(plain) else results_of(plain).names,
-        {},
-        elementwise=plain is not function,
-    )
+    hints = get_type_hints(getattr(plain, "__init__") if inspect.isclass(plain) else plain)  # noqa: B009
+    arrays = dict(_array_arguments(iter(signature.inputs), parameters, hints))
+    required = frozenset(name for name, parameter in parameters.items() if parameter.default is parameter.empty)
+    names = None if inspect.isclass(plain) else results_of(plain).names
+    others = frozenset(parameters) - frozenset(arrays)
+    return Swept(function, arrays, others, required, signature.outputs, names, {}, elementwise=plain is not function)
 
 
 def _array_arguments(
-    axes: Iterator[Axes], parameters: Mapping[str, Any], hints: Mapping[str, Any]
+    axes: Iterator[Axes], parameters: Collection[str], hints: Mapping[str, object]
 ) -> Iterator[tuple[str, Axes | None]]:
     """The signature's axes, dealt out to the first parameters; a NamedTuple takes those of its fields."""
     for name, core in zip(parameters, axes, strict=False):

@@ -2,39 +2,49 @@
 
 Decision: one process writes, that of the sweep itself; workers send what they have computed. Reason: they need not
 share a file system, and a chunk that is computed twice does no harm. A chunk counts as finished by a line in a
-journal that has the digest of its values: what was written by halves, or damaged, does not have it and is computed
-again. OUT itself appears at once, by renaming.
+journal that has the digest of its values: a chunk that was cut off, damaged or exchanged does not have it and is
+computed again. OUT itself appears at once, by renaming.
 
-What is found there may be anybody's: it is opened as Zarr of format 3 alone (older ones may run code when they are
-decoded), and refused in one line unless it is laid out as the sweep is that is asked for.
+The folder may be anybody's: it is opened as Zarr of format 3 alone (older ones may run code when they are
+decoded), and refused in one line unless it is laid out as the sweep that is asked for.
 """
 
 from __future__ import annotations
 
-import json
 import os
 import re
 import shutil
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 from hashlib import sha256
+from itertools import product
 from pathlib import Path
-from typing import Any
+from typing import Annotated
 
+import msgspec
 import numpy as np
 import xarray
 import zarr
+from numpy.typing import NDArray
 from zarr.codecs import BloscCodec
 
-from symcheck.numeric.sweep.chunks import Chunks
 from symcheck.numeric.sweep.functions import SweepError
-from symcheck.numeric.sweep.spec import Plan, Result
+from symcheck.numeric.sweep.plan import Plan
 
 COMPRESSION = BloscCodec(cname="lz4", clevel=1, shuffle="shuffle")  # takes no longer than to write without any
-IDENTITY = "symcheck_sweep"  # attribute with what the sweep was asked for
-FORMAT = 3  # of Zarr
-AS_ZARR: Mapping[str, Any] = {"engine": "zarr", "consolidated": False, "zarr_format": FORMAT}
-LINE = re.compile(r"\d+ [0-9a-f]{32} \d+")
+IDENTITY = "symcheck_sweep"  # attribute with the `Identity` of the sweep
+LINE = re.compile(r"^(\d+) (\d+) ([0-9a-f]{32})$", re.MULTILINE)  # chunk, values that are not finite, digest
+DIGITS = 32  # of a digest: 128 bits
+AS_ZARR = {"engine": "zarr", "consolidated": False, "zarr_format": 3}  # no other format, no second copy of metadata
+Values = Mapping[str, NDArray[np.generic]]
+
+
+class Identity(msgspec.Struct):
+    """The specification of a sweep, the code that computes it, and the lengths of its chunks."""
+
+    spec: dict[str, object]
+    code: str
+    chunks: dict[str, Annotated[int, msgspec.Meta(gt=0)]]
 
 
 class Store:
@@ -44,99 +54,80 @@ class Store:
         self.out = out
         self.partial = out.with_name(f"{out.name}.partial.zarr")
         self.journal = out.with_name(f"{out.name}.partial.finished")
-        self.arrays: dict[str, Any] = {}
+        self.arrays: dict[str, zarr.Array] = {}
+        self.parts: list[dict[str, slice]] = []
+        self.done: dict[int, int] = {}  # chunks, with how many of their values are not finite
 
-    def is_finished(self, spec: Any) -> bool:
+    def is_finished(self, spec: Mapping[str, object]) -> bool:
         """Whether the file is there and is this sweep; SweepError if it is something else."""
         if not self.out.exists():
             return False
-        how = {"engine": "h5netcdf"} if self.out.suffix == ".nc" else AS_ZARR
+        options = {"engine": "h5netcdf"} if self.out.suffix == ".nc" else AS_ZARR
         try:
-            with xarray.open_dataset(self.out, **how) as found:
-                is_this = json.loads(found.attrs[IDENTITY])["spec"] == spec
+            with xarray.open_dataset(self.out, **options) as there:
+                is_this = _identity(there.attrs).spec == spec
         except Exception:  # whatever the libraries raise of a foreign file
             is_this = False
         if not is_this:
             raise SweepError(f"{self.out} exists and is not this sweep; remove it, or name another --out")
         return True
 
-    def begun(self) -> dict[str, Any] | None:
-        """What the sweep that is on its way here was asked for; None if there is none."""
+    def begun(self) -> Identity | None:
+        """The identity of the sweep that has begun here, if any."""
         if not self.partial.exists():
             return None
-        try:
-            attributes = zarr.open_group(self.partial, mode="r", zarr_format=FORMAT, use_consolidated=False).attrs
-            return _identity(json.loads(str(attributes[IDENTITY])))
-        except Exception as error:  # whatever Zarr raises of a foreign folder
-            raise SweepError(
-                f"{self.partial} is not the beginning of a sweep ({_in_a_line(error)}); remove it"
-            ) from None
+        with self._foreign("a"):
+            return _identity(self._group().attrs)
 
-    def begin(self, plan: Plan, results: Mapping[str, Result], chunks: Chunks, identity: Mapping[str, Any]) -> None:
+    def begin(self, plan: Plan, results: Mapping[str, xarray.DataArray], identity: Identity) -> None:
         """Lay out all arrays, with coordinates, units and nothing in them."""
         new = self.partial.with_name(f"{self.partial.name}.new")
-        with _writing(self.partial):
+        attributes = {"title": plan.function, IDENTITY: msgspec.json.encode(identity).decode()}
+        with writing(self.partial):
             shutil.rmtree(new, ignore_errors=True)
             self.journal.unlink(missing_ok=True)
-            _coordinates(plan, identity).to_zarr(new, zarr_format=FORMAT, consolidated=False)
-            group = zarr.open_group(new, mode="r+", zarr_format=FORMAT)
-            for name, result in results.items():
-                shape, lengths = _layout(result, chunks)
-                group.create_array(
-                    name,
-                    shape=shape,
-                    chunks=lengths,
-                    dtype=result.dtype,
-                    compressors=COMPRESSION,
-                    fill_value=np.zeros((), result.dtype)[()],
-                    dimension_names=[*chunks.sizes, *result.axes],
-                    attributes=dict(result.attributes),
-                )
+            empty = xarray.Dataset(coords=plan.coordinates, attrs=attributes)
+            empty.to_zarr(new, consolidated=False, zarr_format=3)
+            group = zarr.open_group(new, mode="r+", zarr_format=3)
+            for name, (shape, chunks, dtype) in _layout(plan, results, identity).items():
+                dims, units = results[name].dims, results[name].attrs
+                options = {"compressors": COMPRESSION, "dimension_names": dims, "attributes": units}
+                group.create_array(name, shape=shape, chunks=chunks, dtype=dtype, **options)
             new.rename(self.partial)
 
-    def open(self, results: Mapping[str, Result], chunks: Chunks) -> None:
-        """Take up the arrays of these results; SweepError if they are laid out otherwise."""
-        try:
-            group = zarr.open_group(self.partial, mode="r+", zarr_format=FORMAT, use_consolidated=False)
+    def open(self, plan: Plan, results: Mapping[str, xarray.DataArray], identity: Identity) -> None:
+        """Take up what is there of these results; SweepError if it is laid out otherwise."""
+        with self._foreign("this"):
+            group = self._group("r+")
             self.arrays = {name: group[name] for name in results}
-            found = {name: (each.shape, each.chunks, each.dtype) for name, each in self.arrays.items()}
-            asked = {name: (*_layout(each, chunks), np.dtype(each.dtype)) for name, each in results.items()}
-            if found != asked:
+            there = {name: (array.shape, array.chunks, array.dtype) for name, array in self.arrays.items()}
+            if there != _layout(plan, results, identity):
                 raise ValueError("its arrays have other shapes, chunks or types")
-        except Exception as error:  # whatever Zarr raises of a foreign folder
-            raise SweepError(
-                f"{self.partial} is not the beginning of this sweep ({_in_a_line(error)}); remove it"
-            ) from None
+            steps = {axis: range(0, size, identity.chunks[axis]) for axis, size in plan.sizes.items()}
+        ends = {axis: [slice(k, min(k + step.step, step.stop)) for k in step] for axis, step in steps.items()}
+        self.parts = [dict(zip(steps, places, strict=True)) for places in product(*ends.values())]
+        text = self.journal.read_text(encoding="utf-8", errors="replace") if self.journal.exists() else ""
+        for number, not_finite, digest in re.findall(LINE, text):
+            if int(number) < len(self.parts) and _digest(self._read(self.parts[int(number)])) == digest:
+                self.done[int(number)] = int(not_finite)
 
-    def finished(self, chunks: Chunks) -> dict[int, int]:
-        """The chunks that are there as they were written, each with how many of its values are not finite."""
-        kept = {}
-        for line in self._lines():
-            number, digest, not_finite = line.split()
-            if int(number) < chunks.count and _digest(self._read(chunks.slices(int(number)))) == digest:
-                kept[int(number)] = int(not_finite)
-        with _writing(self.partial):
-            text = "".join(f"{line}\n" for line in self._lines() if int(line.split()[0]) in kept)
-            _replace(self.journal, text)
-        return kept
-
-    def write(self, number: int, slices: Mapping[str, slice], values: Mapping[str, Any]) -> int:
-        """Write a chunk, and then the line by which it counts; how many of its values are not finite."""
-        not_finite = sum(int(np.count_nonzero(~np.isfinite(each))) for each in values.values())
-        with _writing(self.partial):
-            for name, each in values.items():
-                self.arrays[name][tuple(slices.values())] = each
+    def write(self, number: int, values: Values) -> None:
+        """Write a chunk, and then the line by which it counts."""
+        not_finite = sum(int(np.count_nonzero(~np.isfinite(array))) for array in values.values())
+        with writing(self.partial):
+            for name, array in values.items():
+                self.arrays[name][tuple(self.parts[number].values())] = array
             with open(self.journal, "ab", buffering=0) as journal:
-                journal.write(f"{number} {_digest(values)} {not_finite}\n".encode())
-        return not_finite
+                journal.write(f"\n{number} {not_finite} {_digest(values)}\n".encode())  # the last may be cut off
+        self.done[number] = not_finite
 
-    def count(self) -> int:
-        """How many chunks count as finished."""
-        return len(self._lines())
+    def progress(self) -> str:
+        """How far it is, for whoever has to start it again."""
+        return f"{len(self.done)} of {len(self.parts)} chunks are done and kept; the same command goes on from there"
 
     def finish(self) -> None:
-        """Make it the file that was asked for, whole or not at all."""
-        with _writing(self.out):
+        """Make it the file OUT, whole or not at all."""
+        with writing(self.out):
             for left in self.partial.rglob("*.partial"):  # of chunks whose writing was cut off
                 left.unlink()
             if self.out.suffix == ".nc":
@@ -147,79 +138,68 @@ class Store:
                 self.partial.rename(self.out)
             self.journal.unlink(missing_ok=True)
 
-    def _lines(self) -> list[str]:
-        """Whole lines of the journal."""
-        try:
-            text = self.journal.read_text(encoding="utf-8", errors="replace")
-        except FileNotFoundError:
-            return []
-        return [line for line in text[: text.rfind("\n") + 1].splitlines() if LINE.fullmatch(line)]
+    def _group(self, mode: str = "r") -> zarr.Group:
+        return zarr.open_group(self.partial, mode=mode, zarr_format=3, use_consolidated=False)
 
-    def _read(self, slices: Mapping[str, slice]) -> dict[str, Any]:
+    def _read(self, part: Mapping[str, slice]) -> Values:
         try:
-            return {name: array[tuple(slices.values())] for name, array in self.arrays.items()}
+            return {name: np.asarray(array[tuple(part.values())]) for name, array in self.arrays.items()}
         except (OSError, ValueError, RuntimeError):  # what is there cannot be decoded
             return {}
 
-
-def _identity(found: Any) -> dict[str, Any]:
-    """What a sweep was asked for, if it is of that form."""
-    of_form = isinstance(found, dict) and isinstance(found.get("spec"), dict) and isinstance(found.get("code"), str)
-    lengths = found.get("chunks") if of_form else None
-    if not isinstance(lengths, dict) or not all(type(each) is int and each > 0 for each in lengths.values()):
-        raise ValueError("it does not say of which sweep")
-    return {**found}
-
-
-def _layout(result: Result, chunks: Chunks) -> tuple[tuple[int, ...], tuple[int, ...]]:
-    """The shape of an array of results, and that of its chunks."""
-    own = result.axes.values()
-    shape = (*chunks.sizes.values(), *own)
-    return shape, (*(chunks.lengths[name] for name in chunks.sizes), *(max(1, length) for length in own))
-
-
-def _in_a_line(error: Exception) -> str:
-    return " ".join(str(error).split()) or type(error).__name__
-
-
-def _coordinates(plan: Plan, identity: Mapping[str, Any]) -> xarray.Dataset:
-    coordinates: dict[str, Any] = {name: (name, axis.coordinates, axis.attributes) for name, axis in plan.axes.items()}
-    further = {name: array for axis in plan.axes.values() for name, array in axis.further.items()}
-    return xarray.Dataset(
-        coords={**coordinates, **further}, attrs={"title": plan.function, IDENTITY: json.dumps(identity)}
-    )
-
-
-def _to_netcdf(partial: Path, out: Path) -> None:
-    new = out.with_name(f"{out.name}.new")
-    with xarray.open_dataset(partial, **AS_ZARR, chunks={}) as found:
-        found.to_netcdf(new, engine="h5netcdf")
-    _sync()
-    new.replace(out)
-
-
-def _digest(values: Mapping[str, Any]) -> str:
-    digest = sha256()
-    for each in values.values():
-        digest.update(np.ascontiguousarray(each).view(np.uint8).data)
-    return digest.hexdigest()[:32]
-
-
-def _replace(path: Path, text: str) -> None:
-    new = path.with_name(f"{path.name}.new")
-    new.write_text(text, encoding="utf-8")
-    new.replace(path)
-
-
-def _sync() -> None:
-    """Have the system write what it still holds back, where it can be told to."""
-    if hasattr(os, "sync"):
-        os.sync()
+    @contextmanager
+    def _foreign(self, which: str) -> Iterator[None]:
+        try:
+            yield
+        except Exception as error:  # whatever Zarr raises of a foreign folder
+            reason = " ".join(str(error).split()) or type(error).__name__
+            raise SweepError(f"{self.partial} is not the beginning of {which} sweep ({reason}); remove it") from None
 
 
 @contextmanager
-def _writing(path: Path) -> Iterator[None]:
+def writing(path: Path) -> Iterator[None]:
+    """SweepError in place of an error of the file system."""
     try:
         yield
     except OSError as error:
         raise SweepError(f"{path} cannot be written: {error.strerror or error}") from None
+
+
+def _identity(attributes: Mapping[str, str]) -> Identity:
+    return msgspec.json.decode(attributes[IDENTITY], type=Identity)
+
+
+def _layout(
+    plan: Plan, results: Mapping[str, xarray.DataArray], identity: Identity
+) -> dict[str, tuple[tuple[int, ...], tuple[int, ...], np.dtype[np.generic]]]:
+    """The shape of each array of results, that of its chunks, and its type."""
+    sizes = {name: {**array.sizes, **plan.sizes} for name, array in results.items()}
+    return {
+        name: (
+            tuple(sizes[name][dim] for dim in array.dims),
+            tuple(max(1, identity.chunks.get(dim, sizes[name][dim])) for dim in array.dims),
+            array.dtype,
+        )
+        for name, array in results.items()
+    }
+
+
+def _to_netcdf(partial: Path, out: Path) -> None:
+    new = out.with_name(f"{out.name}.new")
+    with xarray.open_dataset(partial, **AS_ZARR, chunks={}) as whole:
+        whole.to_netcdf(new, engine="h5netcdf")
+    _sync()
+    new.replace(out)
+
+
+def _digest(values: Values) -> str:
+    digest = sha256()
+    for array in values.values():
+        digest.update(np.ascontiguousarray(array).view(np.uint8).data)
+    return digest.hexdigest()[:DIGITS]
+
+
+def _sync() -> None:
+    """Flush the buffers of the system, where it can be done."""
+    if hasattr(os, "sync"):
+        os.sync()

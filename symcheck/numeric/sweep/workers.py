@@ -9,12 +9,17 @@ from contextlib import contextmanager
 from functools import lru_cache
 from itertools import islice
 from types import MappingProxyType
-from typing import Any, NamedTuple
+from typing import NamedTuple, TypeVar
+
+import numpy as np
+from numpy.typing import NDArray
 
 from symcheck.numeric.sweep.functions import SweepError, code
-from symcheck.numeric.sweep.spec import Plan, plan
+from symcheck.numeric.sweep.plan import Plan, plan
 
+T = TypeVar("T")
 AHEAD = 2  # chunks that wait for each thread: few, for a worker that dies makes all that it was given suspect
+PLANS = 4  # sweeps whose plans a worker keeps: several commands may share a cluster
 
 
 class Workers(NamedTuple):
@@ -31,9 +36,11 @@ class Workers(NamedTuple):
     check: Callable[[], None] = lambda: None
     fatal: Mapping[type[BaseException], str] = MappingProxyType({})
 
-    def completed(self, function: Callable[..., Any], calls: Iterable[tuple[int, Any]]) -> Iterator[tuple[int, Any]]:
+    def completed(
+        self, function: Callable[..., T], calls: Iterable[tuple[int, tuple[object, ...]]]
+    ) -> Iterator[tuple[int, T]]:
         """What the function gives for each call, in the order in which they are ready."""
-        waiting, pending = iter(calls), dict[Future[Any], int]()
+        waiting, pending = iter(calls), dict[Future[T], int]()
         try:
             while True:
                 for number, arguments in islice(waiting, self.window - len(pending)):
@@ -44,28 +51,24 @@ class Workers(NamedTuple):
                 if not done:
                     self.check()
                 for future in done:
-                    yield pending.pop(future), self._result(future)
+                    yield pending.pop(future), future.result()
+        except tuple(self.fatal) as error:
+            raise SweepError(next(words for kind, words in self.fatal.items() if isinstance(error, kind))) from None
         finally:
             for future in pending:
                 future.cancel()
 
-    def _result(self, future: Future[Any]) -> Any:
-        try:
-            return future.result()
-        except tuple(self.fatal) as error:
-            raise SweepError(next(words for kind, words in self.fatal.items() if isinstance(error, kind))) from None
 
-
-def compute(text: str, version: str, slices: dict[str, slice]) -> dict[str, Any]:
-    """One chunk of the sweep that the JSON tells, wherever this runs."""
+def compute(text: str, version: str, part: Mapping[str, slice]) -> dict[str, NDArray[np.generic]]:
+    """One chunk of the sweep that the JSON describes, wherever this runs."""
     if version != code():
         raise SweepError(
             "a worker has another version of symcheck or NumPy than this process; install the same on both"
         )
-    return _plan(text).compute(slices)
+    return {name: np.ascontiguousarray(array) for name, array in _plan(text).compute(part).items()}
 
 
-@lru_cache(maxsize=4)
+@lru_cache(maxsize=PLANS)
 def _plan(text: str) -> Plan:
     return plan(text)
 
@@ -83,7 +86,7 @@ def cluster(address: str, patience: float) -> Iterator[Workers]:
     from distributed import Client
     from distributed.scheduler import KilledWorker
 
-    for library in ("distributed", "tornado"):  # what goes wrong is told by the error
+    for library in ("distributed", "tornado"):  # the error says what goes wrong
         logging.getLogger(library).setLevel(logging.CRITICAL)
     try:
         client = Client(address, timeout=patience, set_as_default=False)
@@ -91,12 +94,8 @@ def cluster(address: str, patience: float) -> Iterator[Workers]:
         reason = "" if isinstance(error, TimeoutError) else f" ({error})"
         raise SweepError(f"no scheduler answers at {address} within {patience:g} s{reason}") from None
 
-    def workers() -> dict[str, Any]:
-        found: dict[str, Any] = client.scheduler_info(n_workers=-1)["workers"]
-        return found
-
     def check() -> None:
-        if not workers():
+        if not client.nthreads():
             raise SweepError(f"the scheduler at {address} has no workers; start one with `dask worker {address}`")
 
     fatal = {
@@ -108,5 +107,5 @@ def cluster(address: str, patience: float) -> Iterator[Workers]:
             client.wait_for_workers(1, timeout=patience)
         except TimeoutError:
             check()
-        count = sum(worker["nthreads"] for worker in workers().values())
+        count = sum(client.nthreads().values())
         yield Workers(client.get_executor(pure=False), AHEAD * count, patience, check, fatal)

@@ -28,8 +28,12 @@ SLIGHT = 1e-6  # weight of the loads against the missing momentum: 1e-12 of its 
 class Allocation(NamedTuple):
     """Momenta of the wheels.
 
-    momenta  (..., n), h_i, in N m s
-    load     (...), the greatest |h_i - b_i|/h_i,max
+    Parameters
+    ----------
+    momenta
+        Momenta h_i, N m s; shape (..., n).
+    load
+        Greatest |h_i - b_i|/h_i,max; shape (...).
     """
 
     momenta: Array
@@ -40,15 +44,34 @@ class Allocation(NamedTuple):
 def allocate(axes: ArrayLike, demand: ArrayLike, limits: ArrayLike = 1.0, bias: ArrayLike = 0.0) -> Allocation:
     """The momenta with h_1 e_1 + ... + h_n e_n = H whose greatest load max_i |h_i - b_i|/h_i,max is least.
 
-    axes    (n, 3), unit vectors e_i
-    demand  (..., 3), H, in N m s
-    limits  a number or (n,), h_i,max, in N m s; a wheel with the limit 0 does not take part
-    bias    a number or (n,), b_i, in N m s
+    Parameters
+    ----------
+    axes
+        Unit vectors e_i; shape (n, 3).
+    demand
+        Demanded momentum H, N m s; shape (..., 3).
+    limits
+        Largest momenta h_i,max, N m s; a number or shape (n,). A wheel with 0 does not take part.
+    bias
+        Momenta b_i about which the wheels work, N m s; a number or shape (n,).
 
-    Returns momenta (..., n) and load (...): 1 or less exactly if H is in the envelope; the momenta of a greater load
-    are the best ones too, but no wheel has them. Of all best momenta those are returned whose other loads are least
-    in turn. ValueError if no momenta at all give H: axes in a plane and H out of it. Source: (2.1), condition (1.1).
+    Returns
+    -------
+    Allocation
+        Momenta and load. The load is at most 1 exactly if H is in the envelope; the momenta of a greater load are the
+        best ones too, but no wheel has them.
 
+    Raises
+    ------
+    ValueError
+        If no momenta give H: the axes lie in a plane and H does not.
+
+    Notes
+    -----
+    Of all best momenta those are returned whose other loads are least in turn. Source: (2.1), condition (1.1).
+
+    Examples
+    --------
     >>> allocate(np.eye(3), [0.5, -2, 0])
     Allocation(momenta=array([ 0.5, -2. ,  0. ]), load=array(2.))
     """
@@ -74,11 +97,30 @@ def allocate_least_squares(
 
         |h_1 e_1 + ... + h_n e_n - H|^2 + 1e-12 h^2 sum_i ((h_i - b_i)/h_i,max)^2 is least, h the greatest limit
 
-    Parameters are those of `allocate`. Returns momenta (..., n) and load (...), not above 1 but for rounding: H outside
-    the envelope is replaced by the nearest momentum that the wheels have. To 1e-9 of the limits. One demand at a time
-    (`scipy.optimize.lsq_linear`), some 0.1 ms each. ValueError if the arguments are unfit. Source:
-    (2.1), condition (1.1).
+    H outside the envelope is replaced by the nearest momentum that the wheels have.
 
+    Parameters
+    ----------
+    axes, demand, limits, bias
+        As for `allocate`.
+
+    Returns
+    -------
+    Allocation
+        Momenta and load, at most 1 but for rounding.
+
+    Raises
+    ------
+    ValueError
+        If an argument does not fit; the message names it.
+
+    Notes
+    -----
+    One demand at a time (`scipy.optimize.lsq_linear`), some 0.1 ms each, to 1e-9 of the limits. Source: (2.1),
+    condition (1.1).
+
+    Examples
+    --------
     >>> allocate_least_squares(np.eye(3), [0.5, -2, 0]).momenta.round(6)
     array([ 0.5, -1. ,  0. ])
     """
@@ -86,8 +128,8 @@ def allocate_least_squares(
     works = wheels.limits > 0
     momenta = np.zeros((*offset.shape[:-1], len(works)))
     if works.any():
-        found = [_nearest(wheels.axes[works], wheels.limits[works], each) for each in offset.reshape(-1, 3)]
-        momenta[..., works] = np.reshape(found, (*offset.shape[:-1], np.count_nonzero(works)))
+        nearest = [_nearest(wheels.axes[works], wheels.limits[works], target) for target in offset.reshape(-1, 3)]
+        momenta[..., works] = np.reshape(nearest, (*offset.shape[:-1], np.count_nonzero(works)))
     return Allocation(momenta + wheels.bias, _load(momenta, wheels.limits))
 
 

@@ -1,8 +1,8 @@
 """The angles at which wheels do most for a body with given moments of inertia.
 
-The paper asks for equal largest rates about the principal axes (`equal_rates_...`); here also for the greatest rate
-that is had about every axis, whatever its direction: in closed form or to rounding for the paper's two configurations
-(`best_...`), by a search for any other (`best_parameters`).
+The paper asks for equal largest rates about the principal axes (`equal_rates_...`). The greatest rate that is reached
+about every axis, whatever its direction, is here in closed form or to rounding for the paper's two configurations
+(`best_...`), and by a search for any other (`best_parameters`).
 """
 
 from __future__ import annotations
@@ -15,9 +15,9 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from symcheck.generated import ignatov2005
+from symcheck.numeric.arrays import letters
 from symcheck.numeric.chunked import gufunc
-from symcheck.numeric.domain import Array, real, require
-from symcheck.numeric.inertia.arguments import letters, principal_moments
+from symcheck.numeric.domain import Array, exact, principal_moments, require
 from symcheck.numeric.wheels.faces import half_spaces
 from symcheck.numeric.wheels.margins import guaranteed_rate
 from symcheck.numeric.wheels.sets import four_wheels, six_wheels
@@ -27,7 +27,15 @@ HALVINGS, AROUND = 64, 20.0  # of the interval for log tg^2 a, which goes so far
 
 
 class Optimum(NamedTuple):
-    """Parameters of a configuration, shape (k,), and the rate that it guarantees with them, in rad/s."""
+    """The best parameters of a configuration of wheels.
+
+    Parameters
+    ----------
+    parameters
+        Parameters of the configuration; shape (k,).
+    rate
+        Angular rate that it guarantees with them, rad/s.
+    """
 
     parameters: Array
     rate: float
@@ -35,14 +43,31 @@ class Optimum(NamedTuple):
 
 @gufunc("(k)->(angle)", angle=2)
 def best_angles_of_four_wheels(moments: ArrayLike) -> Array:
-    """The angles a, b of four wheels with the greatest rate that is had about every axis.
+    """The angles a, b of four wheels with the greatest rate that is reached about every axis.
 
-    moments  (..., 3), the principal moments of inertia J_x, J_y, J_z, in kg m^2
+    Parameters
+    ----------
+    moments
+        Principal moments of inertia J_x, J_y, J_z, kg m^2; shape (..., 3).
 
-    Returns (..., 2), in rad. Where the squares of the moments satisfy the triangle inequalities the kernel
-    `equal_rates_of_four_wheels` has them, elsewhere `best_angles_of_four_wheels`, with the axis of the greatest moment
-    in the place of OY. ValueError if a moment is not positive. Source: B.16 to B.21.
+    Returns
+    -------
+    ndarray
+        Angles a and b, rad; shape (..., 2).
 
+    Raises
+    ------
+    ValueError
+        If a moment is not positive.
+
+    Notes
+    -----
+    Where the squares of the moments satisfy the triangle inequalities the kernel `equal_rates_of_four_wheels` gives
+    them, elsewhere `best_angles_of_four_wheels`, with the axis of the greatest moment in the place of OY. Source: B.16
+    to B.21.
+
+    Examples
+    --------
     >>> np.degrees(best_angles_of_four_wheels([1000, 1600, 800])).round(2)
     array([65.38, 34.94])
     """
@@ -65,9 +90,27 @@ def best_angles_of_four_wheels(moments: ArrayLike) -> Array:
 def equal_rates_of_four_wheels(moments: ArrayLike) -> Array:
     """The angles a, b of four wheels with which the largest rates about OX, OY and OZ are equal: the paper's choice.
 
-    Parameters and errors are those of `best_angles_of_four_wheels`. Returns (..., 2), in rad, from the kernel of this
-    name. Source: section 2.3.
+    Parameters
+    ----------
+    moments
+        Principal moments of inertia J_x, J_y, J_z, kg m^2; shape (..., 3).
 
+    Returns
+    -------
+    ndarray
+        Angles a and b, rad; shape (..., 2).
+
+    Raises
+    ------
+    ValueError
+        If a moment is not positive.
+
+    Notes
+    -----
+    From the kernel of this name. Source: section 2.3.
+
+    Examples
+    --------
     >>> np.degrees(equal_rates_of_four_wheels([1000, 1600, 800])).round(2)
     array([67.02, 32.01])
     """
@@ -76,16 +119,31 @@ def equal_rates_of_four_wheels(moments: ArrayLike) -> Array:
 
 @gufunc("(k)->(angle)", angle=1)
 def best_angle_of_six_wheels(moments: ArrayLike) -> Array:
-    """The angle a of six wheels with the greatest rate that is had about every axis.
+    """The angle a of six wheels with the greatest rate that is reached about every axis.
 
-    moments  (..., 3), the principal moments of inertia J_x, J_y, J_z, in kg m^2
+    Parameters
+    ----------
+    moments
+        Principal moments of inertia J_x, J_y, J_z, kg m^2; shape (..., 3).
 
+    Returns
+    -------
+    ndarray
+        Angle a to rounding, rad; shape (..., 1).
+
+    Raises
+    ------
+    ValueError
+        If a moment is not positive.
+
+    Notes
+    -----
     Each face allows the rate w with 1/w^2 = A (1 + 1/t) + B (1 + t), t = tg^2 a, where A and B come from its half-space
     at one angle; the greatest of these is convex in t, and its least value is found by halving an interval for log t.
-    Where the face F_8 alone binds, the kernel `best_angle_of_six_wheels` has it in closed form.
+    Where the face F_8 alone binds, the kernel `best_angle_of_six_wheels` has it in closed form. Source: B.38 to B.40.
 
-    Returns (..., 1), in rad, to rounding. ValueError if a moment is not positive. Source: B.38 to B.40.
-
+    Examples
+    --------
     >>> np.degrees(best_angle_of_six_wheels([1000, 1600, 800])).round(2)
     array([63.43])
     """
@@ -108,9 +166,27 @@ def best_angle_of_six_wheels(moments: ArrayLike) -> Array:
 def equal_rates_of_six_wheels(moments: ArrayLike) -> Array:
     """The angle a of six wheels with which the largest rates about OY and OZ are equal: the paper's choice.
 
-    Parameters and errors are those of `best_angle_of_six_wheels`. Returns (..., 1), in rad, from the kernel of this
-    name. Source: section 3.3.
+    Parameters
+    ----------
+    moments
+        Principal moments of inertia J_x, J_y, J_z, kg m^2; shape (..., 3).
 
+    Returns
+    -------
+    ndarray
+        Angle a, rad; shape (..., 1).
+
+    Raises
+    ------
+    ValueError
+        If a moment is not positive.
+
+    Notes
+    -----
+    From the kernel of this name. Source: section 3.3.
+
+    Examples
+    --------
     >>> np.degrees(equal_rates_of_six_wheels([1000, 1600, 800])).round(2)
     array([71.57])
     """
@@ -126,36 +202,55 @@ def best_parameters(
     *,
     seed: int = 2005,
 ) -> Optimum:
-    """The parameters of any configuration of wheels with the greatest rate that is had about every axis.
+    """The parameters of any configuration of wheels with the greatest rate that is reached about every axis.
 
-    configuration  (k arrays (...)) -> axes (..., n, 3), such as `four_wheels`
-    bounds         the least and the greatest value of each of the k parameters
-    moments        (3,), the principal moments of inertia J_x, J_y, J_z, in kg m^2
-    limits         a number or (n,), h_max of the wheels, in N m s
-    seed           of the random search
+    Parameters
+    ----------
+    configuration
+        Function of k arrays (...) that returns axes (..., n, 3), such as `four_wheels`.
+    bounds
+        Least and greatest value of each of the k parameters.
+    moments
+        Principal moments of inertia J_x, J_y, J_z, kg m^2; shape (3,).
+    limits
+        Largest momenta of the wheels, N m s; a number or shape (n,).
+    seed
+        Seed of the random search.
 
+    Returns
+    -------
+    Optimum
+        The parameters, and the rate that they guarantee.
+
+    Raises
+    ------
+    ValueError
+        If an argument does not fit; the message names it.
+
+    Notes
+    -----
     A global search (`scipy.optimize.differential_evolution`, whole generations at once), refined without derivatives:
-    the rate has edges where the binding face changes. No proof that the maximum is global. ValueError if an argument is
-    unfit. Source: (1.1), (2.3).
+    the rate has edges where the binding face changes. No proof that the maximum is global. Source: (1.1), (2.3).
 
+    Examples
+    --------
     >>> best_parameters(six_wheels, [(0.1, 1.5)], [1000, 1600, 800]).parameters.round(4)
     array([1.1071])
     """
     from scipy.optimize import differential_evolution, minimize
 
-    ends, inertia = real("bounds", np.asarray(bounds), (None, 2)), real("moments", moments, (3,))
+    ends, inertia = exact("bounds", bounds, (None, 2)), exact("moments", moments, (3,))
     require(ends[:, 0] < ends[:, 1], "bounds", ends, "begin below their end")
-    require(inertia.ndim == 1, "moments", inertia, "be those of one body")
 
     def loss(parameters: Array) -> Array:
         return -guaranteed_rate(half_spaces(configuration(*parameters), limits, complete=True), inertia)
 
     scale = -float(loss(ends.mean(axis=1))) or 1.0
-    found = differential_evolution(
+    searched = differential_evolution(
         lambda parameters: loss(parameters) / scale, ends, rng=seed, vectorized=True, updating="deferred", polish=False
     )
     options = {"xatol": 1e-10, "fatol": 1e-14}
-    refined = minimize(lambda x: float(loss(x)) / scale, found.x, method="Nelder-Mead", bounds=ends, options=options)
+    refined = minimize(lambda x: float(loss(x)) / scale, searched.x, method="Nelder-Mead", bounds=ends, options=options)
     return Optimum(refined.x, -float(loss(refined.x)))
 
 

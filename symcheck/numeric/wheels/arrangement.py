@@ -9,8 +9,8 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from symcheck.generated import ignatov2005
-from symcheck.numeric.domain import Array, real, require
-from symcheck.numeric.inertia.arguments import letters, principal_moments
+from symcheck.numeric.arrays import letters
+from symcheck.numeric.domain import Array, moments_of_a_mass, not_negative, one_of, principal_moments
 from symcheck.numeric.wheels.angles import (
     best_angle_of_six_wheels,
     best_angles_of_four_wheels,
@@ -23,15 +23,24 @@ from symcheck.numeric.wheels.sets import four_wheels, six_wheels
 
 
 class Arrangement(NamedTuple):
-    """n wheels with their angles for a body, and what rates they give it.
+    """Wheels with their angles for a body, and what rates they give it; n wheels with k angles.
 
-    angles                 (..., k), in rad: a and b of four wheels, a of six
-    axes                   (..., n, 3)
-    largest_rates          (..., 3), the largest rates about OX, OY and OZ alone, in rad/s
-    guaranteed_rate        (...), the largest rate that is had about every axis, in rad/s
-    margin                 (...), of the required ellipsoid (1.2), in N m s; (1.1) holds if it is not negative
-    rate_after_failure     (..., n), guaranteed_rate after the failure of each wheel
-    margin_after_failure   (..., n), margin after the failure of each wheel
+    Parameters
+    ----------
+    angles
+        Angles a and b of four wheels, a of six, rad; shape (..., k).
+    axes
+        Axes of the wheels; shape (..., n, 3).
+    largest_rates
+        Largest rates about OX, OY and OZ alone, rad/s; shape (..., 3).
+    guaranteed_rate
+        Largest rate that is reached about every axis, rad/s; shape (...).
+    margin
+        Margin of the required ellipsoid (1.2), N m s; shape (...). Condition (1.1) holds if it is not negative.
+    rate_after_failure
+        Guaranteed rate after the failure of each wheel, rad/s; shape (..., n).
+    margin_after_failure
+        Margin after the failure of each wheel, N m s; shape (..., n).
     """
 
     angles: Array
@@ -44,7 +53,15 @@ class Arrangement(NamedTuple):
 
 
 class Design(NamedTuple):
-    """The paper's two configurations for one body."""
+    """The paper's two configurations for one body.
+
+    Parameters
+    ----------
+    four
+        The four-sided pyramid.
+    six
+        The six-sided pyramid.
+    """
 
     four: Arrangement
     six: Arrangement
@@ -62,30 +79,43 @@ def design(
 ) -> Design:
     """The paper's two configurations for a body, with their angles, rates and margins, with all wheels and without one.
 
-    moments         (..., 3), the principal moments of inertia J_x, J_y, J_z, in kg m^2
-    required_rates  (..., 3), w_x, w_y, w_z of the ellipsoid (1.2), in rad/s
-    limit           (...), h_max of every wheel, in N m s
-    rates_about     what the angles make great: the rate about "every axis", or equal ones about the "principal axes"
+    Parameters
+    ----------
+    moments
+        Principal moments of inertia J_x, J_y, J_z, kg m^2; shape (..., 3).
+    required_rates
+        Rates w_x, w_y, w_z of the ellipsoid (1.2), rad/s; shape (..., 3).
+    limit
+        Largest momentum h_max of every wheel, N m s; shape (...).
+    rates_about
+        What the angles maximise: the rate about "every axis", or equal rates about the "principal axes".
 
-    ValueError if moments are not those of a body, rates or the limit are negative, or the choice is another.
+    Returns
+    -------
+    Design
+        The four and the six wheels.
+
+    Raises
+    ------
+    ValueError
+        If the moments are not those of a body, rates or the limit are negative, or the choice is another.
+
+    Notes
+    -----
     Source: (1.1), (1.2), sections 2.3 and 3.3.
 
+    Examples
+    --------
     >>> found = design([1000, 1600, 800], [0.005, 0.005, 0.005], limit=5)
     >>> found.four.margin.round(3), found.six.margin.round(3)
     (np.float64(2.035), np.float64(6.325))
     >>> found.six.rate_after_failure.round(5)
     array([0.00625, 0.0075 , 0.0075 , 0.00625, 0.0075 , 0.0075 ])
     """
-    inertia, rate, momentum = (
-        principal_moments(moments),
-        real("required_rates", required_rates, (3,)),
-        real("limit", limit),
-    )
-    of_a_body = 2 * inertia.max(axis=-1) <= inertia.sum(axis=-1) * (1 + 1e-12)
-    require(of_a_body, "moments", inertia, "satisfy the triangle inequalities, as those of a body do: J_1 <= J_2 + J_3")
-    require(rate >= 0, "required_rates", rate, "not be negative", "(1.2)")
-    require(momentum >= 0, "limit", momentum, "not be negative", "(2.1)")
-    require(rates_about in CHOICES, "rates_about", rates_about, f"be one of {', '.join(map(repr, CHOICES))}")
+    inertia, rate = principal_moments(moments), not_negative("required_rates", required_rates, "(1.2)", (3,))
+    momentum = not_negative("limit", limit, "(2.1)")
+    moments_of_a_mass(inertia)
+    one_of("rates_about", rates_about, CHOICES)
     four, six = (choose(inertia) for choose in CHOICES[rates_about])
     return Design(
         _arrangement(
@@ -113,13 +143,13 @@ def _arrangement(
     limits = np.broadcast_to(limit[..., None], (*limit.shape, axes.shape[-2]))
     whole, left = half_spaces(axes, limits), failures(axes, limits).half_spaces
     largest = np.stack(rates, axis=-1) * limit[..., None]
-    one, each = inertia, inertia[..., None, :]
+    of_each_case = inertia[..., None, :]
     return Arrangement(
         angles,
         axes,
         largest,
-        guaranteed_rate(whole, one),
-        ellipsoid_margin(whole, one * rate),
-        guaranteed_rate(left, each),
-        ellipsoid_margin(left, each * rate[..., None, :]),
+        guaranteed_rate(whole, inertia),
+        ellipsoid_margin(whole, inertia * rate),
+        guaranteed_rate(left, of_each_case),
+        ellipsoid_margin(left, of_each_case * rate[..., None, :]),
     )

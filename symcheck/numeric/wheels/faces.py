@@ -11,18 +11,17 @@ from collections.abc import Mapping
 from functools import lru_cache
 from itertools import combinations
 from math import comb
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from symcheck.numeric.chunked import gufunc
-from symcheck.numeric.domain import Array, engine_module, require
+from symcheck.numeric.domain import Array, engine_module, one_of, require, whole
 from symcheck.numeric.wheels.sets import Wheels, wheels_of
 
 PARALLEL = 1e-12  # sine of an angle below which two axes are one
 ENGINES = ("numpy", "numba")
-ONE_OF_ENGINES = f"be one of {', '.join(ENGINES)}"
 SPANS = "span space, or have complete=True"
 BLOCK = 8192  # numbers in a register: 64 kB stay in the cache
 
@@ -30,9 +29,15 @@ BLOCK = 8192  # numbers in a register: 64 kB stay in the cache
 class HalfSpaces(NamedTuple):
     """The polytope |n_j . (H - c)| <= d_j, symmetric about c.
 
-    normals    (..., p, 3), the n_j, of unit length
-    distances  (..., p), the d_j from the centre; infinite, with the normal 0, where two axes are parallel
-    centre     (..., 3), c
+    Parameters
+    ----------
+    normals
+        Unit vectors n_j; shape (..., p, 3).
+    distances
+        Distances d_j from the centre; shape (..., p). Where two axes are parallel the distance is infinite and the
+        normal 0.
+    centre
+        Centre c; shape (..., 3).
     """
 
     normals: Array
@@ -43,15 +48,19 @@ class HalfSpaces(NamedTuple):
 class Failures(NamedTuple):
     """What is left when some wheels have failed.
 
-    wheels       (f, k), the k wheels that have failed, counted from 0, in each of the f cases
-    half_spaces  those of every case: normals (..., f, p, 3), distances (..., f, p), centre (..., f, 3)
+    Parameters
+    ----------
+    wheels
+        The k wheels that have failed, counted from 0, in each of the f cases; shape (f, k).
+    half_spaces
+        Half-spaces of every case: normals (..., f, p, 3), distances (..., f, p), centre (..., f, 3).
     """
 
     wheels: NDArray[np.intp]
     half_spaces: HalfSpaces
 
 
-def _number_of_pairs(size: Mapping[str, Any]) -> int:
+def _number_of_pairs(size: Mapping[str, int]) -> int:
     return comb(size["n"] + 3 * bool(size.get("complete")), 2)
 
 
@@ -71,9 +80,9 @@ def half_spaces(
     axes
         Unit vectors e_i that span space; shape (..., n, 3).
     limits
-        Numbers or (..., n), h_i, in N m s; 0 for a wheel that has failed.
+        Largest momenta h_i, N m s; a number or shape (..., n). A wheel that has failed has 0.
     bias
-        Numbers or (..., n), b_i, in N m s.
+        Momenta b_i about which the wheels work, N m s; a number or shape (..., n).
     complete
         True adds the three coordinate axes with the limit 0, so that axes that do not span space (one wheel, or all in
         a plane) are described too: as a polygon or a segment, with the distance 0 across it.
@@ -92,9 +101,9 @@ def half_spaces(
 
     Notes
     -----
-    Each half-space is exact to rounding whatever the axes are, for d is computed
-    with the normal that is returned; axes at an angle below 1e-12 count as parallel. The time grows with n^3: for more
-    than some hundred wheels in one set use `envelope`. Source: tables 3, 5, 8, 11.
+    Each half-space is exact to rounding whatever the axes are, as d is computed with the normal that is returned; axes
+    at an angle below 1e-12 count as parallel. The time grows with n^3: for more than some hundred wheels in one set use
+    `envelope`. Source: tables 3, 5, 8, 11.
 
     Examples
     --------
@@ -112,10 +121,28 @@ def half_spaces(
 def face_distances(axes: ArrayLike, limits: ArrayLike = 1.0, *, engine: str = "numpy") -> Array:
     """The distances of `half_spaces` alone, d = sum_k h_k |(e_i, e_j, e_k)|/|e_i x e_j|, in less memory.
 
-    Parameters and errors are those of `half_spaces`. Returns (..., n(n - 1)/2), in N m s, from the centre, in the order
-    of the pairs (1, 2), (1, 3), ..., (2, 3), ...; the least is the radius of the largest ball in the envelope.
+    Parameters
+    ----------
+    axes, limits, engine
+        As for `half_spaces`.
+
+    Returns
+    -------
+    ndarray
+        Distances from the centre, N m s, of the pairs (1, 2), (1, 3), ..., (2, 3), ...; shape (..., p), p = n(n - 1)/2.
+        The least is the radius of the largest ball in the envelope.
+
+    Raises
+    ------
+    ValueError
+        If the axes do not span space.
+
+    Notes
+    -----
     Source: tables 3, 5, 8, 11; the paper's configurations have the kernels `face_distances_of_four_wheels` and others.
 
+    Examples
+    --------
     >>> from symcheck.numeric.wheels import six_wheels
     >>> face_distances(six_wheels(np.arctan(3))).min().round(6)
     np.float64(1.77073)
@@ -138,14 +165,14 @@ def _completed(wheels: Wheels) -> Wheels:
 @lru_cache
 def _operands(count: int) -> NDArray[np.intp]:
     """Which numbers of a set's axes, in a row, give e_i x e_j = u v - w z: u and w, v and z, (2, 2, 3, p)."""
-    first, second = (3 * each for each in np.triu_indices(count, 1))
+    first, second = (3 * index for index in np.triu_indices(count, 1))
     after, before = np.array([[[1], [2], [0]], [[2], [0], [1]]])
     return np.array([[first + after, first + before], [second + before, second + after]])
 
 
 def _found(wheels: Wheels, keep: bool, engine: str) -> tuple[Array, Array]:
     """Normals (m, 3, p), or less if they are not kept, and distances (m, p) of all m sets."""
-    require(engine in ENGINES, "engine", engine, ONE_OF_ENGINES)
+    one_of("engine", engine, ENGINES)
     count = wheels.limits.shape[-1]
     require(count > 2, "axes", wheels.axes, SPANS, "(2.1)")
     axes, limits = wheels.axes.reshape(-1, count, 3), wheels.limits.reshape(-1, count)
@@ -224,12 +251,32 @@ def _span(axes: Array) -> NDArray[np.bool_]:
 def failures(axes: ArrayLike, limits: ArrayLike = 1.0, bias: ArrayLike = 0.0, *, count: int = 1) -> Failures:
     """The envelopes that are left after every failure of `count` wheels at once.
 
-    A wheel that has failed has the momentum 0; its limit and bias become 0. What is left is described
-    exactly, also where it is flat.
+    A wheel that has failed has the momentum 0; its limit and bias become 0. What is left is described exactly, also
+    where it is flat.
 
-    Parameters and errors are those of `half_spaces`; count is a whole number from 0 to n. Returns the C(n, count) cases
-    in lexicographic order, as the axis before the last. Source: sections 2.2 and 3.2.
+    Parameters
+    ----------
+    axes, limits, bias
+        As for `half_spaces`.
+    count
+        Number of wheels that fail at once, from 0 to n.
 
+    Returns
+    -------
+    Failures
+        The C(n, count) cases in lexicographic order, as the axis before the last.
+
+    Raises
+    ------
+    ValueError
+        If the count is not an integer from 0 to n.
+
+    Notes
+    -----
+    Source: sections 2.2 and 3.2.
+
+    Examples
+    --------
     >>> failures(np.eye(3), count=2).half_spaces.distances
     array([[1., 0., 0.],
            [0., 1., 0.],
@@ -237,8 +284,7 @@ def failures(axes: ArrayLike, limits: ArrayLike = 1.0, bias: ArrayLike = 0.0, *,
     """
     wheels = wheels_of(axes, limits, bias)
     number = wheels.limits.shape[-1]
-    require(count in range(number + 1), "count", count, f"be a whole number from 0 to {number}")
-    cases = np.array(list(combinations(range(number), count)), np.intp)
+    cases = np.array(list(combinations(range(number), whole("count", count, 0, number))), np.intp)
     works = np.ones((len(cases), number))
     np.put_along_axis(works, cases, 0, axis=1)
     left = (wheels.axes[..., None, :, :], works * wheels.limits[..., None, :], works * wheels.bias[..., None, :])

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import Any
 
 import numpy as np
 
 from symcheck.numeric.domain import Array
+from symcheck.numeric.drawing import Figures
 from symcheck.numeric.wheels.plots import plot_axes, plot_envelope, plot_failures, plot_projection, plot_projections
 from symcheck.numeric.wheels.polytope import envelope
 from symcheck.numeric.wheels.sets import four_wheels, listed_vertices, six_wheels
@@ -21,37 +21,37 @@ def _axes(working: int) -> Array:
     return (four_wheels(*FOUR) if working < 5 else six_wheels(*SIX))[:working]
 
 
-def _drawing(plot: Callable[..., Any], words: str, working: int, figure: int) -> Callable[[], Any]:
+def _drawing(plot: Callable[..., object], words: str, working: int, figure: int) -> Callable[[], object]:
     """The function that draws the envelope of so many working wheels, its vertices named as in the paper."""
 
-    def draw() -> Any:
+    def draw() -> object:
         return plot(envelope(_axes(working)), names=listed_vertices(working, *(FOUR if working < 5 else SIX)))
 
     draw.__doc__ = f"{words} of the momentum envelope of {WORDS[working]}: figure {figure}."
     return draw
 
 
-def _four_axes() -> Any:
+def _four_axes() -> object:
     """The axes of four wheels along the side edges of a four-sided pyramid: figure 1."""
     return plot_axes(_axes(4))
 
 
-def _six_axes() -> Any:
+def _six_axes() -> object:
     """The axes of six wheels along the side edges of a regular six-sided pyramid: figure 6."""
     return plot_axes(_axes(6))
 
 
-def _four_failures() -> Any:
+def _four_failures() -> object:
     """The momentum envelope of four wheels after the failure of each of them, inside that of all four."""
     return plot_failures(_axes(4))
 
 
-def _six_failures() -> Any:
+def _six_failures() -> object:
     """The momentum envelope of six wheels after the failure of each of them, inside that of all six."""
     return plot_failures(_axes(6))
 
 
-FIGURES: dict[str, Callable[[], Any]] = {
+FIGURES: Figures = {
     "wheels-four-axes": _four_axes,
     "wheels-four-envelope": _drawing(plot_envelope, "View", 4, 2),
     "wheels-four-projections": _drawing(plot_projections, "Projections", 4, 3),

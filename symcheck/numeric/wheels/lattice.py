@@ -1,6 +1,6 @@
 """Vertices, edges and faces of one momentum envelope, with what meets what.
 
-A vertex is told by the sum of random 64-bit labels of its wheels, each with the sign of the wheel's momentum: equal
+A vertex is known by the sum of random 64-bit labels of its wheels, each with the sign of the wheel's momentum: equal
 sums, equal vertices. Of two different ones the sums are equal with a probability of 2^-64. Every edge is checked to be
 in two faces, and Euler's formula to hold.
 """
@@ -40,9 +40,9 @@ def lattice(directions: Directions, planes: Planes) -> Lattice:
 
     ArithmeticError if they do not fit together.
     """
-    found = _flat(directions) if directions.rank < 2 else _solid(directions, planes)
-    _fit(len(found.vertices) - len(found.edges) + len(found.begins) - 1 == EULER[directions.rank])
-    return found
+    whole = _flat(directions) if directions.rank < 2 else _solid(directions, planes)
+    _fit(len(whole.vertices) - len(whole.edges) + len(whole.begins) - 1 == EULER[directions.rank])
+    return whole
 
 
 def _fit(together: bool) -> None:

@@ -14,8 +14,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from symcheck.numeric.chunked import gufunc
-from symcheck.numeric.domain import Array, real, require
-from symcheck.numeric.inertia.arguments import orthonormal_axes, principal_moments
+from symcheck.numeric.domain import Array, not_negative, orthonormal_axes, principal_moments, real, require
 from symcheck.numeric.wheels.faces import HalfSpaces
 
 NONE = 1e-12  # of a length of 1: a vector that lies in a plane to rounding does not leave it
@@ -27,12 +26,30 @@ Value = Callable[[Array, Array, Array], Array]  # of some half-spaces, from thei
 def margin(half_spaces: HalfSpaces, point: ArrayLike) -> Array:
     """How far a point is from the nearest plane, min_j (d_j - |n_j . (H - c)|): positive inside, negative outside.
 
-    half_spaces  normals (..., p, 3), distances (..., p), centre (..., 3)
-    point        (..., 3), H, in N m s
+    Parameters
+    ----------
+    half_spaces
+        Half-spaces of one envelope, or of many.
+    point
+        Momentum H, N m s; shape (..., 3).
 
-    Returns (...), in N m s: inside, the distance from the boundary; outside, a lower bound of it with the sign changed.
-    ValueError if the point is not three finite numbers. Source: condition (1.1) for one momentum.
+    Returns
+    -------
+    ndarray
+        Margin, N m s; shape (...). Inside it is the distance from the boundary; outside, a lower bound of that with the
+        sign changed.
 
+    Raises
+    ------
+    ValueError
+        If the point is not three finite numbers.
+
+    Notes
+    -----
+    Source: condition (1.1) for one momentum.
+
+    Examples
+    --------
     >>> from symcheck.numeric.wheels import half_spaces
     >>> margin(half_spaces(np.eye(3)), [[0.75, 0, 0], [2, 0, 0]])
     array([ 0.25, -1.  ])
@@ -45,13 +62,32 @@ def margin(half_spaces: HalfSpaces, point: ArrayLike) -> Array:
 def ellipsoid_margin(half_spaces: HalfSpaces, semi_axes: ArrayLike, axes: ArrayLike | None = None) -> Array:
     """How far an ellipsoid about the origin stays from the nearest plane, min_j (d_j - |n_j . c| - |S n_j|).
 
-    half_spaces  normals (..., p, 3), distances (..., p), centre (..., 3)
-    semi_axes    (..., 3), S = diag(s_1, s_2, s_3) >= 0, in N m s; s_k = J_k w_k for the ellipsoid (1.2)
-    axes         (..., 3, 3), row i is the direction of semi-axis i; without it they are OX, OY, OZ
+    Parameters
+    ----------
+    half_spaces
+        Half-spaces of one envelope, or of many.
+    semi_axes
+        Lengths s_k of the semi-axes, S = diag(s_1, s_2, s_3), N m s; shape (..., 3), not negative. For the ellipsoid
+        (1.2) s_k = J_k w_k.
+    axes
+        Directions of the semi-axes as rows; shape (..., 3, 3). By default OX, OY, OZ.
 
-    Returns (...), in N m s; condition (1.1) holds exactly if it is not negative. ValueError if a semi-axis is negative
-    or the axes are not orthonormal. Source: (1.1), (1.2).
+    Returns
+    -------
+    ndarray
+        Margin, N m s; shape (...). Condition (1.1) holds exactly if it is not negative.
 
+    Raises
+    ------
+    ValueError
+        If a semi-axis is negative or the axes are not orthonormal.
+
+    Notes
+    -----
+    Source: (1.1), (1.2).
+
+    Examples
+    --------
     >>> from symcheck.numeric.wheels import half_spaces
     >>> ellipsoid_margin(half_spaces(np.eye(3)), [0.5, 0.75, 0.25])
     array(0.25)
@@ -64,9 +100,30 @@ def ellipsoid_margin(half_spaces: HalfSpaces, semi_axes: ArrayLike, axes: ArrayL
 def ellipsoid_scale(half_spaces: HalfSpaces, semi_axes: ArrayLike, axes: ArrayLike | None = None) -> Array:
     """By what factor an ellipsoid about the origin can grow inside the envelope, min_j (d_j - |n_j . c|)/|S n_j|.
 
-    Parameters and errors are those of `ellipsoid_margin`, and the origin must not lie outside. Returns (...), without
-    unit: 1 or more exactly if condition (1.1) holds; infinite if the ellipsoid is a point. Source: (1.1), (1.2).
+    Parameters
+    ----------
+    half_spaces
+        Half-spaces of envelopes that contain the origin.
+    semi_axes, axes
+        As for `ellipsoid_margin`.
 
+    Returns
+    -------
+    ndarray
+        Factor; shape (...). Condition (1.1) holds exactly if it is 1 or more; it is infinite if the ellipsoid is a
+        point.
+
+    Raises
+    ------
+    ValueError
+        As `ellipsoid_margin` does, and if the origin lies outside.
+
+    Notes
+    -----
+    Source: (1.1), (1.2).
+
+    Examples
+    --------
     >>> from symcheck.numeric.wheels import half_spaces
     >>> ellipsoid_scale(half_spaces(np.eye(3)), [0.5, 0.8, 0.25])
     array(1.25)
@@ -82,13 +139,29 @@ def largest_momentum(half_spaces: HalfSpaces, direction: ArrayLike) -> Array:
 
         t = min_j (d_j +- n_j . c)/|n_j . u|, the sign that of n_j . u
 
-    half_spaces  normals (..., p, 3), distances (..., p), centre (..., 3); the origin must not lie outside
-    direction    (..., 3), of any length but 0
+    Parameters
+    ----------
+    half_spaces
+        Half-spaces of envelopes that contain the origin.
+    direction
+        Direction u, of any length but 0; shape (..., 3).
 
-    Returns (...), in N m s; 0 in a direction that leaves the plane or line of a flat envelope. ValueError if the
-    direction is 0 or the origin lies outside. For half-spaces of `rates` it is the largest angular rate about u.
-    Source: (2.1), (3.1).
+    Returns
+    -------
+    ndarray
+        Momentum, N m s; shape (...). It is 0 in a direction that leaves the plane or line of a flat envelope.
 
+    Raises
+    ------
+    ValueError
+        If the direction is 0 or the origin lies outside.
+
+    Notes
+    -----
+    For half-spaces of `rates` it is the largest angular rate about u. Source: (2.1), (3.1).
+
+    Examples
+    --------
     >>> from symcheck.numeric.wheels import half_spaces
     >>> largest_momentum(half_spaces(np.eye(3)), [[1, 0, 0], [1, 1, 0]]).round(6)
     array([1.      , 1.414214])
@@ -112,12 +185,29 @@ def largest_momentum(half_spaces: HalfSpaces, direction: ArrayLike) -> Array:
 def rates(half_spaces: HalfSpaces, moments: ArrayLike) -> HalfSpaces:
     """The half-spaces of the angular rates w = -H/J that the momenta H give a body whose total momentum is zero.
 
-    half_spaces  normals (..., p, 3), distances (..., p), centre (..., 3), of momenta in N m s
-    moments      (..., 3), the principal moments of inertia J_x, J_y, J_z, in kg m^2
+    Parameters
+    ----------
+    half_spaces
+        Half-spaces of one envelope, or of many.
+    moments
+        Principal moments of inertia J_x, J_y, J_z, kg m^2; shape (..., 3).
 
-    Returns normals (..., p, 3) along J n_j, distances (..., p), d_j/|J n_j|, in rad/s, and the centre -c/J.
-    ValueError if a moment is not positive. Source: (2.3).
+    Returns
+    -------
+    HalfSpaces
+        Normals along J n_j, distances d_j/|J n_j|, rad/s, and the centre -c/J.
 
+    Raises
+    ------
+    ValueError
+        If a moment is not positive.
+
+    Notes
+    -----
+    Source: (2.3).
+
+    Examples
+    --------
     >>> from symcheck.numeric.wheels import half_spaces
     >>> rates(half_spaces(np.eye(3)), [1, 2, 4]).distances
     array([0.25, 0.5 , 1.  ])
@@ -132,11 +222,29 @@ def rates(half_spaces: HalfSpaces, moments: ArrayLike) -> HalfSpaces:
 
 @gufunc("(p,axis),(p),(axis),(axis)->()")
 def guaranteed_rate(half_spaces: HalfSpaces, moments: ArrayLike) -> Array:
-    """The largest angular rate that is had about every axis: the radius of the largest ball in `rates`.
+    """The largest angular rate that is reached about every axis: the radius of the largest ball in `rates`.
 
-    Parameters are those of `rates`. Returns (...), in rad/s; negative if not even the rate 0 is had. ValueError if a
-    moment is not positive. Source: (1.1) for w_x = w_y = w_z and (2.3).
+    Parameters
+    ----------
+    half_spaces, moments
+        As for `rates`.
 
+    Returns
+    -------
+    ndarray
+        Angular rate, rad/s; shape (...). It is negative if not even the rate 0 is reached.
+
+    Raises
+    ------
+    ValueError
+        If a moment is not positive.
+
+    Notes
+    -----
+    Source: (1.1) for w_x = w_y = w_z and (2.3).
+
+    Examples
+    --------
     >>> from symcheck.numeric.wheels import half_spaces
     >>> guaranteed_rate(half_spaces(np.eye(3)), [1, 2, 4])
     array(0.25)
@@ -147,7 +255,7 @@ def guaranteed_rate(half_spaces: HalfSpaces, moments: ArrayLike) -> Array:
 def _least(half_spaces: HalfSpaces, lead: tuple[int, ...], value: Value) -> Array:
     """The least value over all half-spaces, some at a time."""
     values = (_of(half_spaces, block, value) for block in _blocks(half_spaces, lead))
-    return np.asarray(reduce(np.minimum, (each.min(axis=-1, initial=np.inf) for each in values)))
+    return np.asarray(reduce(np.minimum, (part.min(axis=-1, initial=np.inf) for part in values)))
 
 
 def _least_quotient(half_spaces: HalfSpaces, lead: tuple[int, ...], room: Value, reach: Value) -> Array:
@@ -157,7 +265,7 @@ def _least_quotient(half_spaces: HalfSpaces, lead: tuple[int, ...], room: Value,
     """
     blocks = _blocks(half_spaces, lead)
     reaches = (_of(half_spaces, block, reach) for block in blocks)
-    greatest = reduce(np.maximum, (each.max(axis=-1, initial=0) for each in reaches))[..., None]
+    greatest = reduce(np.maximum, (part.max(axis=-1, initial=0) for part in reaches))[..., None]
 
     def quotient(n: Array, d: Array, c: Array) -> Array:
         towards = reach(n, d, c)
@@ -183,8 +291,7 @@ def _blocks(half_spaces: HalfSpaces, lead: tuple[int, ...]) -> list[slice]:
 
 def _reach(semi_axes: ArrayLike, axes: ArrayLike | None) -> Array:
     """The rows s_i u_i, shape (..., 3, 3)."""
-    lengths = real("semi_axes", semi_axes, (3,))
-    require(lengths >= 0, "semi_axes", lengths, "not be negative", "(1.2)")
+    lengths = not_negative("semi_axes", semi_axes, "(1.2)", (3,))
     directions = np.eye(3) if axes is None else orthonormal_axes(axes)
     return lengths[..., None] * directions
 

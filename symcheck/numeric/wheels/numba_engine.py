@@ -2,25 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from math import comb, inf, sqrt
-from typing import Any, ParamSpec, TypeVar, cast
 
-import numba
 import numpy as np
 from numpy.typing import NDArray
 
+from symcheck.numeric.compiled import compiled
 from symcheck.numeric.domain import Array
 
-P = ParamSpec("P")
-T = TypeVar("T")
 LANES = 16  # the pairs of a set are filled up to a multiple of these, so that loops are all vector instructions
-
-
-def compiled(function: Callable[P, T]) -> Callable[P, T]:
-    """Compiled without the interpreter's lock, with fused products and sums; kept for the next process."""
-    options: Any = {"nogil": True, "cache": True, "error_model": "numpy", "fastmath": {"contract"}}
-    return cast(Callable[P, T], numba.njit(**options)(function))
 
 
 def of_pairs(axes: Array, limits: Array, keep: bool, parallel: float) -> tuple[Array, Array, NDArray[np.bool_]]:

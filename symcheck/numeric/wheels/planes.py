@@ -88,13 +88,13 @@ def missing(units: Array, tolerance: float) -> tuple[int, Array]:
 
 def planes(directions: Directions, tolerance: float) -> Planes:
     """All faces; axes whose angles about a third differ by `tolerance` at most, in rad, lie in one plane with it."""
-    found = Planes(*(np.concatenate(column) for column in zip(*_belts(directions, tolerance), strict=True)))
-    sizes = found.ends - found.begins
+    faces = Planes(*(np.concatenate(column) for column in zip(*_belts(directions, tolerance), strict=True)))
+    sizes = faces.ends - faces.begins
     if sizes.min() == sizes.max():
-        return found
+        return faces
     by_size = np.argsort(sizes, kind="stable")
-    first = {name: getattr(found, name)[by_size] for name in ("normals", "distances", "owners", "begins", "ends")}
-    return found._replace(**first)
+    first = {name: getattr(faces, name)[by_size] for name in ("normals", "distances", "owners", "begins", "ends")}
+    return faces._replace(**first)
 
 
 def _belts(directions: Directions, tolerance: float) -> Iterator[tuple[NDArray[np.generic], ...]]:
@@ -107,14 +107,14 @@ def _belts(directions: Directions, tolerance: float) -> Iterator[tuple[NDArray[n
         across, up = _frames(units[owners])
         x, y = across @ units.T, up @ units.T
         order, turned, angle = _sorted(x, y, owners, tolerance)
-        x, y = (np.where(turned, -v, v) for v in (np.take_along_axis(each, order, axis=1) for each in (x, y)))
+        x, y = (np.where(turned, -v, v) for v in (np.take_along_axis(c, order, axis=1) for c in (x, y)))
         row, begin, end, starts = _groups(angle, tolerance)
         mine = np.minimum.reduceat(order.ravel(), starts) > owners[row]
         towards = _sides(x, y, starts)[:, mine]
         row, begin, end = row[mine], begin[mine], end[mine]
         normals = towards[0][:, None] * up[row] - towards[1][:, None] * across[row]
         length = lengths[order]
-        beyond_x, beyond_y = (beyond(running(length * each), row, begin, end) for each in (x, y))
+        beyond_x, beyond_y = (beyond(running(length * c), row, begin, end) for c in (x, y))
         distances = towards[0] * beyond_y - towards[1] * beyond_x
         yield normals, distances, owners[row], begin, end, order, turned
 
@@ -150,7 +150,7 @@ def _groups(angle: Array, tolerance: float) -> tuple[Index, Index, Index, Index]
 
 def _sides(x: Array, y: Array, starts: Index) -> Array:
     """Unit vectors (2, groups) towards each group: along the sum of its axes; those near the owner count least."""
-    sums = np.stack([np.add.reduceat(each.ravel(), starts) for each in (x, y)])
+    sums = np.stack([np.add.reduceat(c.ravel(), starts) for c in (x, y)])
     return np.asarray(sums / np.hypot(*sums))
 
 

@@ -7,31 +7,55 @@ from __future__ import annotations
 
 import re
 from collections.abc import Mapping
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from symcheck.numeric.domain import Array, require
-from symcheck.numeric.wheels.polytope import Envelope, envelope
+from symcheck.numeric.domain import Array, one_of, require
+from symcheck.numeric.drawing import Line, Panels, new_figure
+from symcheck.numeric.wheels import polytope
+from symcheck.numeric.wheels.polytope import Envelope
 from symcheck.numeric.wheels.sets import wheels_of
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
+    from mpl_toolkits.mplot3d import Axes3D
 
 SIDE = 1e-9  # of a unit normal: a face that is seen edgewise is not seen
 PLANES = {"XY": (0, 1), "XZ": (0, 2), "YZ": (1, 2)}
-INDEX, SUBSCRIPT = r"_(\d+)", r"_{\1}"
+INDEX, SUBSCRIPT = r"_(\d+)", r"_{\1}"  # TeX lowers all digits of an index only if they stand in braces
 Names = Mapping[str, ArrayLike]
+SOLID = Line(color="black", linewidth=1.0, linestyle="-")
+DASHED = Line(color="0.6", linewidth=0.7, linestyle="--")
 
 
-def plot_axes(axes: ArrayLike, ax: Axes | None = None) -> Axes:
+def plot_axes(axes: ArrayLike, ax: Axes3D | None = None) -> Axes3D:
     """Draw the axes of wheels as unit vectors e_1, ..., e_n from one point: figures 1 and 6.
 
-    axes  (n, 3), unit vectors
+    Parameters
+    ----------
+    axes
+        Unit vectors; shape (n, 3).
+    ax
+        Axes to draw in; by default those of a new figure.
 
-    Returns the Axes, in space. ValueError if the axes are not unit vectors. Source: figures 1, 6.
+    Returns
+    -------
+    Axes
+        The Axes.
 
+    Raises
+    ------
+    ValueError
+        If the axes are not unit vectors.
+
+    Notes
+    -----
+    Source: figures 1 and 6.
+
+    Examples
+    --------
     >>> from symcheck.numeric.wheels import six_wheels
     >>> plot_axes(six_wheels(1.0)).get_zlabel()
     'Z'
@@ -45,187 +69,248 @@ def plot_axes(axes: ArrayLike, ax: Axes | None = None) -> Axes:
     reach = 1.1 * max(1e-3, np.abs(units).max())
     drawn.locator_params(nbins=5)
     drawn.set(xlabel="X", ylabel="Y", zlabel="Z", **{f"{k}lim": (-reach, reach) for k in "xyz"}, aspect="equal")
-    return _same(drawn)
+    return drawn
 
 
-def plot_envelope(found: Envelope, names: Names | None = None, ax: Axes | None = None) -> Axes:
+def plot_envelope(envelope: Envelope, names: Names | None = None, ax: Axes3D | None = None) -> Axes3D:
     """Draw a momentum envelope in space, with the names of the vertices that are seen: figures 2, 4, 7, 10.
 
-    found  the envelope
-    names  places, shape (3,), by name: "V_1"; without it the vertices are numbered as in `found.vertices`
+    Parameters
+    ----------
+    envelope
+        The envelope.
+    names
+        Places, shape (3,), by name, as "V_1"; by default the vertices are numbered.
+    ax
+        Axes to draw in; by default those of a new figure.
 
-    Returns the Axes, in space. ValueError if a name stands for no vertex. Source: figures 2, 4, 7, 10.
+    Returns
+    -------
+    Axes
+        The Axes.
 
-    >>> from symcheck.numeric.wheels import four_wheels
+    Raises
+    ------
+    ValueError
+        If a name stands for no vertex.
+
+    Notes
+    -----
+    Source: figures 2, 4, 7, 10.
+
+    Examples
+    --------
+    >>> from symcheck.numeric.wheels import envelope, four_wheels
     >>> plot_envelope(envelope(four_wheels(1.0, 0.5))).get_xlabel()
     '$H_x$, N m s'
     """
     drawn = _in_space(ax)
     view = _towards_the_viewer(drawn)
-    seen, hidden = _edges(found, view)
+    seen, hidden = _edges(envelope, view)
     for ends, style in ((hidden, DASHED), (seen, SOLID)):
         for line in ends:
             drawn.plot(*line.T, **style)
-    if found.dimension > 1:
+    if envelope.dimension > 1:
         from mpl_toolkits.mplot3d.art3d import Poly3DCollection
 
-        shown = [found.face(int(k)) for k in np.flatnonzero(_in_front(found, view))]
+        shown = [envelope.face(int(k)) for k in np.flatnonzero(_in_front(envelope, view))]
         drawn.add_collection3d(Poly3DCollection(shown, facecolor="tab:blue", alpha=0.15))
-    for place, name in _labels(found, view, names):
+    for place, name in _labels(envelope, view, names):
         drawn.text(*place, name, fontsize=11)
     drawn.locator_params(nbins=5)
     drawn.set(**{f"{k}label": f"$H_{k}$, N m s" for k in "xyz"}, aspect="equal")
-    return _same(drawn)
+    return drawn
 
 
-def plot_projection(found: Envelope, plane: str = "XY", names: Names | None = None, ax: Axes | None = None) -> Axes:
+def plot_projection(envelope: Envelope, plane: str = "XY", names: Names | None = None, ax: Axes | None = None) -> Axes:
     """Draw the projection of a momentum envelope on a coordinate plane, with the names of what is seen: figures 9, 12.
 
-    found  the envelope
-    plane  "XY", "XZ" or "YZ": across, then up; the viewer is where these turn counterclockwise
-    names  as in `plot_envelope`; an empty mapping leaves the names out
+    Parameters
+    ----------
+    envelope
+        The envelope.
+    plane
+        Plane "XY", "XZ" or "YZ": across, then up; the viewer is where these turn counterclockwise.
+    names
+        Places, shape (3,), by name; an empty mapping leaves the names out.
+    ax
+        Axes to draw in; by default those of a new figure.
 
-    Returns the Axes. ValueError for another plane or a name that stands for no vertex. Source: figures 9, 12.
+    Returns
+    -------
+    Axes
+        The Axes.
 
-    >>> from symcheck.numeric.wheels import four_wheels
+    Raises
+    ------
+    ValueError
+        If the plane is another, or a name stands for no vertex.
+
+    Notes
+    -----
+    Source: figures 9, 12.
+
+    Examples
+    --------
+    >>> from symcheck.numeric.wheels import envelope, four_wheels
     >>> plot_projection(envelope(four_wheels(1.0, 0.5)), "YZ").get_xlabel()
     '$H_y$, N m s'
     """
     across, up = _directions(plane)
     view = np.cross(np.eye(3)[across], np.eye(3)[up])
-    drawn: Any = _figure(1)[0] if ax is None else ax
-    seen, hidden = _edges(found, view)
+    drawn: Axes = _figure(1)[0] if ax is None else ax
+    seen, hidden = _edges(envelope, view)
     for ends, style in ((hidden, DASHED), (seen, SOLID)):
         for line in ends:
             drawn.plot(line[:, across], line[:, up], **style)
-    for place, name in _merged(_labels(found, view, names), across, up):
+    for place, name in _merged(_labels(envelope, view, names), across, up):
         drawn.annotate(name, place, xytext=(3, 3), textcoords="offset points", fontsize=10)
     drawn.margins(0.12)
     drawn.set(xlabel=f"$H_{'xyz'[across]}$, N m s", ylabel=f"$H_{'xyz'[up]}$, N m s", aspect="equal")
-    return _same(drawn)
+    return drawn
 
 
-def plot_projections(found: Envelope, names: Names | None = None, axes: Any = None) -> Any:
+def plot_projections(envelope: Envelope, names: Names | None = None, axes: Panels | None = None) -> Panels:
     """Draw the three projections of a momentum envelope on the coordinate planes: figures 3, 5, 8, 11.
 
-    Parameters and errors are those of `plot_projection`; axes: an array of three Axes. Returns these.
+    Parameters
+    ----------
+    envelope, names
+        As for `plot_projection`.
+    axes
+        Three Axes to draw in; by default those of a new figure.
 
+    Returns
+    -------
+    ndarray
+        Three Axes.
+
+    Raises
+    ------
+    ValueError
+        If a name stands for no vertex.
+
+    Examples
+    --------
+    >>> from symcheck.numeric.wheels import envelope
     >>> [ax.get_ylabel() for ax in plot_projections(envelope(np.eye(3)))]
     ['$H_y$, N m s', '$H_z$, N m s', '$H_z$, N m s']
     """
-    axes = _figure(3) if axes is None else np.asarray(axes)
-    for plane, ax in zip(PLANES, axes.flat, strict=True):
-        plot_projection(found, plane, names, ax)
-    return axes
+    panels = _figure(3) if axes is None else np.asarray(axes)
+    for plane, ax in zip(PLANES, panels.flat, strict=True):
+        plot_projection(envelope, plane, names, ax)
+    return panels
 
 
-def plot_failures(axes: ArrayLike, limits: ArrayLike = 1.0, plane: str = "XY") -> Any:
+def plot_failures(axes: ArrayLike, limits: ArrayLike = 1.0, plane: str = "XY") -> Panels:
     """Draw what is left of an envelope after the failure of each wheel, in projection, inside the whole envelope.
 
-    axes    (n, 3), unit vectors
-    limits  a number or (n,), h_max of the wheels, in N m s
-    plane   as in `plot_projection`
+    Parameters
+    ----------
+    axes, limits
+        As for `envelope`.
+    plane
+        Plane, as in `plot_projection`.
 
-    Returns an array of n Axes. ValueError as in `envelope`. Source: sections 2.2, 3.2.
+    Returns
+    -------
+    ndarray
+        One Axes for each wheel.
 
+    Raises
+    ------
+    ValueError
+        As `envelope` does.
+
+    Notes
+    -----
+    Source: sections 2.2, 3.2.
+
+    Examples
+    --------
     >>> plot_failures(np.eye(3))[2].get_title()
     'without wheel 3'
     """
-    whole = envelope(axes, limits)
+    whole = polytope.envelope(axes, limits)
     units, working, _ = whole.wheels
     panels, (across, up) = _figure(len(units)), _directions(plane)
     for number, ax in enumerate(panels.flat):
         for line in whole.vertices[whole.edges]:
             ax.plot(line[:, across], line[:, up], color="0.8", linewidth=0.6)
-        left = envelope(units, np.where(np.arange(len(units)) == number, 0, working))
+        left = polytope.envelope(units, np.where(np.arange(len(units)) == number, 0, working))
         plot_projection(left, plane, {}, ax).set_title(f"without wheel {number + 1}")
     return panels
 
 
-SOLID: dict[str, Any] = {"color": "black", "linewidth": 1.0}
-DASHED: dict[str, Any] = {"color": "0.6", "linewidth": 0.7, "linestyle": "--"}
-
-
 def _directions(plane: str) -> tuple[int, int]:
-    require(plane in PLANES, "plane", plane, f"be one of {', '.join(PLANES)}")
+    one_of("plane", plane, PLANES)
     return PLANES[plane]
 
 
-def _in_front(found: Envelope, view: Array) -> NDArray[np.bool_]:
+def _in_front(envelope: Envelope, view: Array) -> NDArray[np.bool_]:
     """Whether each face is seen from that direction; all of something flat is."""
-    if found.dimension < 3:
-        return np.ones(found.counts[2], bool)
-    towards = found.half_spaces.normals @ view
+    if envelope.dimension < 3:
+        return np.ones(envelope.counts[2], bool)
+    towards = envelope.half_spaces.normals @ view
     return np.concatenate([towards, -towards]) > SIDE
 
 
-def _corners_in_front(found: Envelope, view: Array) -> tuple[NDArray[np.intp], NDArray[np.intp]]:
+def _corners_in_front(envelope: Envelope, view: Array) -> tuple[NDArray[np.intp], NDArray[np.intp]]:
     """The numbers of the vertices of the faces that are seen, and their next ones."""
-    corners, begins = found.faces
+    corners, begins = envelope.faces
     after = np.append(corners[1:], 0)
     after[begins[1:] - 1] = corners[begins[:-1]]
-    seen = np.repeat(_in_front(found, view), np.diff(begins))
+    seen = np.repeat(_in_front(envelope, view), np.diff(begins))
     return corners[seen], after[seen]
 
 
-def _edges(found: Envelope, view: Array) -> tuple[Array, Array]:
+def _edges(envelope: Envelope, view: Array) -> tuple[Array, Array]:
     """The ends of the edges that are seen and of those that are not, shape (edges, 2, 3)."""
-    places = found.vertices[found.edges]
-    if found.dimension < 3:
+    places = envelope.vertices[envelope.edges]
+    if envelope.dimension < 3:
         return places, places[:0]
-    one, other = _corners_in_front(found, view)
-    count = len(found.vertices)
-    seen = np.isin(found.edges @ [count, 1], np.minimum(one, other) * count + np.maximum(one, other))
+    one, other = _corners_in_front(envelope, view)
+    count = len(envelope.vertices)
+    seen = np.isin(envelope.edges @ [count, 1], np.minimum(one, other) * count + np.maximum(one, other))
     return places[seen], places[~seen]
 
 
-def _labels(found: Envelope, view: Array, names: Names | None) -> list[tuple[Array, str]]:
+def _labels(envelope: Envelope, view: Array, names: Names | None) -> list[tuple[Array, str]]:
     """The vertices that are seen, with their names."""
     if names is None:
-        names = {f"{number}": place for number, place in enumerate(found.vertices)}
-    seen = np.arange(len(found.vertices)) if found.dimension < 3 else _corners_in_front(found, view)[0]
-    size = 1 + np.abs(found.vertices).max()
+        names = {f"{number}": place for number, place in enumerate(envelope.vertices)}
+    seen = np.arange(len(envelope.vertices)) if envelope.dimension < 3 else _corners_in_front(envelope, view)[0]
+    size = 1 + np.abs(envelope.vertices).max()
     labels = []
     for name, place in names.items():
-        distance = np.linalg.norm(found.vertices - np.asarray(place), axis=1)
+        distance = np.linalg.norm(envelope.vertices - np.asarray(place), axis=1)
         require(distance.min() <= SIDE * size, f"names[{name!r}]", place, "be a vertex of the envelope")
         if distance.argmin() in seen:
-            labels.append((found.vertices[distance.argmin()], f"${re.sub(INDEX, SUBSCRIPT, name)}$"))
+            labels.append((envelope.vertices[distance.argmin()], f"${re.sub(INDEX, SUBSCRIPT, name)}$"))
     return labels
 
 
 def _merged(labels: list[tuple[Array, str]], across: int, up: int) -> list[tuple[tuple[float, float], str]]:
     """One label for all vertices at one place of the projection."""
-    found: dict[tuple[float, float], list[str]] = {}
+    merged: dict[tuple[float, float], list[str]] = {}
     for place, name in labels:
-        found.setdefault((round(float(place[across]), 9), round(float(place[up]), 9)), []).append(name)
-    return [(place, ", ".join(names)) for place, names in found.items()]
+        merged.setdefault((round(float(place[across]), 9), round(float(place[up]), 9)), []).append(name)
+    return [(place, ", ".join(names)) for place, names in merged.items()]
 
 
-def _towards_the_viewer(ax: Any) -> Array:
+def _towards_the_viewer(ax: Axes3D) -> Array:
     height, azimuth = np.radians(ax.elev), np.radians(ax.azim)
     return np.array([np.cos(height) * np.cos(azimuth), np.cos(height) * np.sin(azimuth), np.sin(height)])
 
 
-def _in_space(ax: Axes | None) -> Any:
-    if ax is not None:
-        return ax
-    from matplotlib.figure import Figure
-
-    return Figure(figsize=(7, 6)).add_subplot(projection="3d", elev=22, azim=28)
+def _in_space(ax: Axes3D | None) -> Axes3D:
+    return new_figure((7, 6), layout=None).add_subplot(projection="3d", elev=22, azim=28) if ax is None else ax
 
 
-def _figure(count: int) -> Any:
-    from matplotlib.figure import Figure
-
+def _figure(count: int) -> Panels:
     columns = min(count, 3)
     rows = -(-count // columns)
-    panels = Figure(figsize=(4.5 * columns, 4.5 * rows), layout="constrained").subplots(rows, columns, squeeze=False)
+    panels = new_figure((4.5 * columns, 4.5 * rows)).subplots(rows, columns, squeeze=False)
     for spare in panels.flat[count:]:
         spare.remove()
     return panels.flat[:count]
-
-
-def _same(ax: Any) -> Axes:
-    drawn: Axes = ax
-    return drawn

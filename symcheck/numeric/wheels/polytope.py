@@ -25,14 +25,28 @@ TOLERANCE = 1e-11  # rad
 class Envelope:
     """The momentum envelope of one set of n wheels: v vertices, e edges, f faces, p pairs of opposite half-spaces.
 
-    wheels  the wheels: axes (n, 3), limits (n,), bias (n,)
+    Parameters
+    ----------
+    wheels
+        One set of wheels: axes (n, 3), limits (n,), bias (n,).
+    tolerance
+        Angle, rad, below which axes are parallel, or a third lies in the plane of two as seen along one of them.
 
+    Notes
+    -----
     Vertices, edges and faces are found when they are first asked for.
     """
 
     wheels: Wheels
-    _directions: Directions
-    _planes: Planes
+    tolerance: float
+
+    @cached_property
+    def _directions(self) -> Directions:
+        return merged(self.wheels.axes, self.wheels.limits, self.tolerance)
+
+    @cached_property
+    def _planes(self) -> Planes:
+        return planes(self._directions, self.tolerance)
 
     @property
     def dimension(self) -> int:
@@ -90,9 +104,9 @@ def envelope(
     axes
         Unit vectors e_i, any number of them in any position; shape (n, 3).
     limits
-        A number or (n,), h_i,max, in N m s; a wheel with the limit 0 does not count.
+        Largest momenta h_i,max, N m s; a number or shape (n,). A wheel with 0 does not count.
     bias
-        A number or (n,), b_i, in N m s.
+        Momenta b_i about which the wheels work, N m s; a number or shape (n,).
     tolerance
         The angle in rad below which axes are parallel, or a third lies in the plane of two as seen along one of them;
         greater for axes that are given with few digits.
@@ -123,5 +137,4 @@ def envelope(
     wheels = wheels_of(axes, limits, bias)
     require(wheels.limits.ndim == 1, "axes", wheels.axes.shape, "be one set of wheels; half_spaces takes many", "(2.1)")
     require(0 < tolerance < 1, "tolerance", tolerance, "lie between 0 and 1 rad")
-    directions = merged(wheels.axes, wheels.limits, tolerance)
-    return Envelope(wheels, directions, planes(directions, tolerance))
+    return Envelope(wheels, tolerance)

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from functools import lru_cache
-from math import pi
 from typing import NamedTuple
 
 import numpy as np
@@ -14,7 +13,7 @@ from symcheck.generated import ignatov2005
 from symcheck.kernels.specification import specification
 from symcheck.numeric.chunked import gufunc
 from symcheck.numeric.chunked.kernels import by_blocks
-from symcheck.numeric.domain import Array, doubles, real, require
+from symcheck.numeric.domain import Array, acute, common_shape, not_negative, one_of, real, require, unit_axes
 
 VERTICES: dict[int, Callable[..., tuple[float, ...]]] = {
     3: ignatov2005.vertices_of_three_wheels,
@@ -22,15 +21,19 @@ VERTICES: dict[int, Callable[..., tuple[float, ...]]] = {
     5: ignatov2005.vertices_of_five_wheels,
     6: ignatov2005.vertices_of_six_wheels,
 }
-UNIT = 1e-9  # by how much the square of a unit vector's length may differ from 1
 
 
 class Wheels(NamedTuple):
     """Wheels with momenta b_i - h_i <= h <= b_i + h_i along unit axes e_i; n of them in each set.
 
-    axes    (..., n, 3), in the body's principal axes
-    limits  (..., n), the largest absolute values h_i of the wheels' momenta, in N m s; 0 for a wheel that has failed
-    bias    (..., n), the momenta b_i about which they lie, in N m s
+    Parameters
+    ----------
+    axes
+        Unit vectors e_i in the body's principal axes; shape (..., n, 3).
+    limits
+        Largest absolute values h_i of the momenta, N m s; shape (..., n). A wheel that has failed has 0.
+    bias
+        Momenta b_i about which they lie, N m s; shape (..., n).
     """
 
     axes: Array
@@ -48,27 +51,42 @@ class Wheels(NamedTuple):
 def wheels_of(axes: ArrayLike, limits: ArrayLike = 1.0, bias: ArrayLike = 0.0) -> Wheels:
     """The wheels with these axes, limits and biases, checked and broadcast against each other.
 
-    axes    (..., n, 3), unit vectors e_i
-    limits  numbers or (..., n), h_i >= 0, in N m s
-    bias    numbers or (..., n), b_i, in N m s
+    Parameters
+    ----------
+    axes
+        Unit vectors e_i; shape (..., n, 3).
+    limits
+        Largest momenta h_i >= 0, N m s; a number or shape (..., n).
+    bias
+        Momenta b_i about which the wheels work, N m s; a number or shape (..., n).
 
-    ValueError if an axis is not of unit length, a limit is negative or the shapes do not fit.
+    Returns
+    -------
+    Wheels
+        The wheels, with arrays of one leading shape.
+
+    Raises
+    ------
+    ValueError
+        If an axis is not of unit length, a limit is negative or the shapes do not fit.
+
+    Notes
+    -----
     Source: (2.1), there with equal limits and without bias.
 
+    Examples
+    --------
     >>> wheels_of([[1, 0, 0], [0, 1, 0]], 2.0).limits
     array([2., 2.])
     """
-    axes = doubles("axes", axes, (None, 3))
+    axes = unit_axes(axes, "(2.1)")
     count = axes.shape[-2]
     require(count > 0, "axes", axes.shape, "have one wheel at least")
-    square = np.einsum("...k,...k->...", axes, axes)
-    square -= 1
-    np.abs(square, out=square)
-    require(square <= UNIT, "axes", axes, "be finite and have the length 1; divide it by its length", "(2.1)")
     limits, bias = _of_wheels(_limits, limits, count), _of_wheels(_bias, bias, count)
-    if not square.shape == limits.shape == bias.shape:  # most calls need no broadcasting, which takes longer than this
-        shape = _common_shape(axes, limits, bias)
-        axes, limits, bias = (np.broadcast_to(*each) for each in ((axes, (*shape, 3)), (limits, shape), (bias, shape)))
+    if not axes.shape[:-1] == limits.shape == bias.shape:  # most calls need no broadcasting, which takes longer
+        shape = common_shape(axes=axes[..., 0], limits=limits, bias=bias)
+        axes = np.broadcast_to(axes, (*shape, 3))
+        limits, bias = np.broadcast_to(limits, shape), np.broadcast_to(bias, shape)
     return Wheels(axes, limits, bias)
 
 
@@ -85,66 +103,83 @@ def _of_all(checked: Callable[[ArrayLike, int], Array], value: float, count: int
 
 
 def _limits(value: ArrayLike, count: int) -> Array:
-    array = _of_each("limits", value, count)
-    require(array >= 0, "limits", array, "not be negative; a limit of 0 stands for a failed wheel", "(2.1)")
-    return array
+    return _of_each("limits", not_negative("limits", value, "(2.1); a limit of 0 stands for a failed wheel"), count)
 
 
 def _bias(value: ArrayLike, count: int) -> Array:
-    return _of_each("bias", value, count)
+    return _of_each("bias", real("bias", value), count)
 
 
-def _of_each(name: str, value: ArrayLike, count: int) -> Array:
-    array = real(name, value)
+def _of_each(name: str, array: Array, count: int) -> Array:
     if array.ndim and array.shape[-1] != count:
         raise ValueError(f"{name} has shape {array.shape}; its last axis must have the {count} wheels of axes")
     return array
-
-
-def _common_shape(axes: Array, limits: Array, bias: Array) -> tuple[int, ...]:
-    try:
-        return np.broadcast_shapes(axes.shape[:-1], limits.shape, bias.shape)
-    except ValueError:
-        shapes = f"axes {axes.shape}, limits {limits.shape}, bias {bias.shape}"
-        raise ValueError(f"{shapes}: the leading axes must broadcast against each other") from None
 
 
 @gufunc("(),()->(wheel,axis)", wheel=4, axis=3)
 def four_wheels(a: ArrayLike, b: ArrayLike) -> Array:
     """The axes of wheels along the side edges of a four-sided pyramid, from the kernel `axes_of_four_wheels`.
 
-    a  (...), angle between the axis of a wheel and OZ, in rad, 0 < a < pi/2
-    b  (...), angle of the side edges in the plane OXY, in rad, 0 < b < pi/2
+    Parameters
+    ----------
+    a
+        Angle between the axis of a wheel and OZ, rad; shape (...), 0 < a < pi/2.
+    b
+        Angle of the side edges in the plane OXY, rad; shape (...), 0 < b < pi/2.
 
-    Returns (..., 4, 3). ValueError outside these ranges. Source: the unit vectors before (2.1).
+    Returns
+    -------
+    ndarray
+        Axes of the wheels; shape (..., 4, 3).
 
+    Raises
+    ------
+    ValueError
+        If an angle is outside its range.
+
+    Notes
+    -----
+    Source: the unit vectors before (2.1).
+
+    Examples
+    --------
     >>> four_wheels(np.arctan(np.sqrt(2)), np.pi / 4)[3].round(6)
     array([0.57735, 0.57735, 0.57735])
     """
-    found = by_blocks("ignatov2005", "axes_of_four_wheels", a=_acute("a", a), b=_acute("b", b))
-    return _rows(found)
+    return _rows(by_blocks("ignatov2005", "axes_of_four_wheels", a=acute("a", a), b=acute("b", b)))
 
 
 @gufunc("()->(wheel,axis)", wheel=6, axis=3)
 def six_wheels(a: ArrayLike) -> Array:
     """The axes of wheels along the side edges of a regular six-sided pyramid, from the kernel `axes_of_six_wheels`.
 
-    a  (...), angle between the axis of a wheel and OZ, in rad, 0 < a < pi/2
+    Parameters
+    ----------
+    a
+        Angle between the axis of a wheel and OZ, rad; shape (...), 0 < a < pi/2.
 
-    Returns (..., 6, 3). ValueError outside this range. Source: the unit vectors before (3.1).
+    Returns
+    -------
+    ndarray
+        Axes of the wheels; shape (..., 6, 3).
 
+    Raises
+    ------
+    ValueError
+        If the angle is outside its range.
+
+    Notes
+    -----
+    Source: the unit vectors before (3.1).
+
+    Examples
+    --------
     >>> six_wheels(np.pi / 6)[1].round(6)
     array([ 0.433013, -0.25    ,  0.866025])
     """
-    found = by_blocks("ignatov2005", "axes_of_six_wheels", a=_acute("a", a))
-    zero = np.zeros_like(found[0])  # e_1x and e_4x, which the kernel leaves out
-    return _rows((zero, *found[:8], zero, *found[8:]))
-
-
-def _acute(name: str, angle: ArrayLike) -> Array:
-    value = real(name, angle)
-    require((value > 0) & (value < pi / 2), name, value, "lie between 0 and pi/2", "tables 2 and 7")
-    return value
+    parts = by_blocks("ignatov2005", "axes_of_six_wheels", a=acute("a", a))
+    zero = np.zeros_like(parts[0])  # e_1x and e_4x, which the kernel leaves out
+    return _rows((zero, *parts[:8], zero, *parts[8:]))
 
 
 def _rows(components: tuple[Array, ...]) -> Array:
@@ -156,11 +191,29 @@ def _rows(components: tuple[Array, ...]) -> Array:
 def total_momentum(axes: ArrayLike, momenta: ArrayLike) -> Array:
     """The momentum of all wheels together, H = h_1 e_1 + ... + h_n e_n.
 
-    axes     (..., n, 3), unit vectors e_i
-    momenta  (..., n), h_i, in N m s
+    Parameters
+    ----------
+    axes
+        Unit vectors e_i; shape (..., n, 3).
+    momenta
+        Momenta h_i, N m s; shape (..., n).
 
-    Returns (..., 3), in N m s. ValueError if the shapes do not fit. Source: (2.1).
+    Returns
+    -------
+    ndarray
+        Momentum H, N m s; shape (..., 3).
 
+    Raises
+    ------
+    ValueError
+        If an axis is not of unit length or the shapes do not fit.
+
+    Notes
+    -----
+    Source: (2.1).
+
+    Examples
+    --------
     >>> total_momentum([[1, 0, 0], [0, 0.6, 0.8]], [2, 5])
     array([2., 3., 4.])
     """
@@ -171,12 +224,27 @@ def total_momentum(axes: ArrayLike, momenta: ArrayLike) -> Array:
 def volume(axes: ArrayLike, limits: ArrayLike = 1.0) -> Array:
     """The volume of the momentum envelope, 8 times the sum of h_i h_j h_k |(e_i, e_j, e_k)| over i < j < k.
 
-    axes    (..., n, 3), unit vectors e_i
-    limits  numbers or (..., n), h_i, in N m s
+    Parameters
+    ----------
+    axes, limits
+        As for `wheels_of`.
 
-    Returns (...), in (N m s)^3; 0 for axes in a plane. Source: the lists of section 2.1; the
-    paper's configurations have the kernels `volume_of_four_wheels` and others.
+    Returns
+    -------
+    ndarray
+        Volume, (N m s)^3; shape (...). It is 0 for axes in a plane.
 
+    Raises
+    ------
+    ValueError
+        As `wheels_of` does.
+
+    Notes
+    -----
+    Source: the lists of section 2.1; the paper's configurations have the kernels `volume_of_four_wheels` and others.
+
+    Examples
+    --------
     >>> float(volume(np.eye(3), 2.0))
     64.0
     """
@@ -220,12 +288,12 @@ def listed_vertices(number: int, *angles: float) -> dict[str, Array]:
     >>> listed_vertices(4, 1.0, 0.5)["V_1"].round(6)
     array([1.613691, 0.      , 0.      ])
     """
-    require(number in VERTICES, "number", number, "be 3, 4, 5 or 6")
+    one_of("number", number, VERTICES)
     count = 2 if number < 5 else 1
     require(len(angles) == count, "angles", angles, f"be {count} for {number} wheels")
     kernel = VERTICES[number]
-    values = kernel(*(float(_acute("ab"[k], angle)) for k, angle in enumerate(angles)))
-    found: dict[str, Array] = {}
-    for component, value in zip([each.name for each in specification(kernel).outputs], values, strict=True):
-        found.setdefault(component[:-1], np.zeros(3))["xyz".index(component[-1])] = value
-    return found | {f"{name}'": -place for name, place in found.items()}
+    values = kernel(*(float(acute("ab"[k], angle)) for k, angle in enumerate(angles)))
+    vertices: dict[str, Array] = {}
+    for component, value in zip([output.name for output in specification(kernel).outputs], values, strict=True):
+        vertices.setdefault(component[:-1], np.zeros(3))["xyz".index(component[-1])] = value
+    return vertices | {f"{name}'": -place for name, place in vertices.items()}

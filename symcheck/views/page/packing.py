@@ -1,7 +1,7 @@
 """What is folded: JSON, deflated and written as text, unfolded by the browser's own DecompressionStream.
 
-Written in base 85, a sixteenth shorter than in base 64. One of its digits is "<", which must not stand in a page: "/"
-stands for it.
+Two characters hold 13 bits, the lowest first: 91 printable characters are left without "<", "&" and the backslash, and
+91^2 > 2^13. That is a thirteenth shorter than in base 64.
 """
 
 from __future__ import annotations
@@ -13,16 +13,37 @@ from typing import Any
 
 from markupsafe import Markup
 
+DIGITS = "".join(chr(code) for code in range(33, 127) if chr(code) not in "<&\\")
+BITS = 13
+PAIRS = [DIGITS[n % 91] + DIGITS[n // 91] for n in range(1 << BITS)]
+CHUNK = BITS * 100  # bytes, which make 800 whole pairs: no number gets long
+
 
 def packed(data: object) -> Markup:
-    """The data as deflated JSON in base 85, for the text of a <script>, which needs no escapes."""
+    """The data as deflated JSON, for the text of a <script>, which needs no escapes."""
     text = json.dumps(data, ensure_ascii=False, separators=(",", ":"))
-    return Markup(base64.b85encode(zlib.compress(text.encode(), 9)).decode().replace("<", "/"))
+    deflated = zlib.compress(text.encode(), 9)
+    parts = []
+    for start in range(0, len(deflated), CHUNK):
+        part = deflated[start : start + CHUNK]
+        number = int.from_bytes(part, "little")
+        for _ in range(-(-8 * len(part) // BITS)):
+            parts.append(PAIRS[number & (1 << BITS) - 1])
+            number >>= BITS
+    surplus = BITS * len(parts) // 8 - len(deflated)  # a byte of zeros, which a single digit tells to leave out
+    return Markup("".join(parts) + DIGITS[0] * surplus)
 
 
 def unpacked(text: str) -> Any:
-    """The inverse of `packed`."""
-    return json.loads(zlib.decompress(base64.b85decode(text.replace("/", "<"))))
+    """The inverse of `packed`; zeros behind the end are left alone."""
+    values = {digit: value for value, digit in enumerate(DIGITS)}
+    number, found = 0, bytearray()
+    for k in range(0, len(text) & ~1, 2):
+        number |= (values[text[k]] + 91 * values[text[k + 1]]) << BITS * (k // 2 % 8)
+        if k // 2 % 8 == 7 or k + 2 == len(text) & ~1:
+            found += number.to_bytes(BITS, "little")
+            number = 0
+    return json.loads(zlib.decompressobj().decompress(bytes(found)))
 
 
 def address(kind: str, data: bytes) -> Markup:

@@ -15,6 +15,8 @@ from symcheck.core.ids import Id
 from symcheck.core.verdicts import SymcheckError
 
 _ID = re.compile(r"\b[a-z]+\d{4}:[A-Z]?\d*[\w.]*\w")
+# what every generated docstring says alike, and its example: the file itself has them
+_ALIKE = re.compile(r'    out : ndarray, optional\n.*?\n(?=\n)|\n    Arguments broadcast\..*?(?=    """)', re.DOTALL)
 
 
 @dataclass(frozen=True)
@@ -76,9 +78,9 @@ def of_record(found: Mapping[str, Iterable[Excerpt]], id: str) -> list[Excerpt]:
 
 
 def _functions(file: Path) -> dict[str, str]:
-    """The text of the functions of a module: what they say of themselves, and their formulas."""
+    """The text of the functions of a module, without what their docstrings say alike."""
     if not file.is_file():
         return {}
     text = file.read_text(encoding="utf-8")
     functions = [node for node in ast.parse(text).body if isinstance(node, ast.FunctionDef)]
-    return {node.name: ast.get_source_segment(text, node) or "" for node in functions}
+    return {node.name: _ALIKE.sub("", ast.get_source_segment(text, node) or "") for node in functions}

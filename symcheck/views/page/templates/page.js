@@ -13,17 +13,18 @@ function partsOf(id) {
   return {paper, place, whole: id.replace(/[a-z]+$/, "")};
 }
 
-// What is folded into this file: deflated JSON in base 85, with a slash for the digit that a page must not hold.
+// What is folded into this file: deflated JSON, 13 bits in two characters, the lowest first. A single one at the end
+// says that the last byte is none.
 const DIGITS = new Uint8Array(128);
-[..."0123456789ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz!#$%&()*+-;/=>?@^_`{|}~"].forEach((digit, value) => { DIGITS[digit.charCodeAt(0)] = value; });
+for (let code = 33, value = 0; code < 127; code++) if (!"<&\\".includes(String.fromCharCode(code))) DIGITS[code] = value++;
 function bytesOf(text) {
-  const bytes = new DataView(new ArrayBuffer(4 * Math.ceil(text.length / 5)));
-  for (let k = 0; k < text.length; k += 5) {
-    let value = 0;
-    for (let n = k; n < k + 5; n++) value = 85 * value + (n < text.length ? DIGITS[text.charCodeAt(n)] : 84);
-    bytes.setUint32(4 * k / 5, value);
+  const surplus = text.length % 2, bytes = new Uint8Array(Math.floor(13 * (text.length - surplus) / 16) - surplus);
+  let bits = 0, count = 0, place = 0;
+  for (let k = 0; k + 1 < text.length; k += 2) {
+    bits |= (DIGITS[text.charCodeAt(k)] + 91 * DIGITS[text.charCodeAt(k + 1)]) << count;
+    for (count += 13; count >= 8; count -= 8, bits >>>= 8) bytes[place++] = bits;
   }
-  return bytes.buffer.slice(0, Math.floor(4 * text.length / 5));
+  return bytes;
 }
 const unfolded = {};
 function unfold(name) {

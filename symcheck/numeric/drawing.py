@@ -1,0 +1,31 @@
+"""Figures without a display. Matplotlib is imported only when one is drawn."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import TYPE_CHECKING, Any, Literal, TypedDict
+
+from numpy.typing import NDArray
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+Panels = NDArray[Any]  # of Axes; NumPy has no other type for an array of objects
+Figures = dict[str, Callable[[], object]]  # each draws a Figure, Axes or several
+
+
+class Line(TypedDict):
+    """How a line is drawn."""
+
+    color: str
+    linewidth: float
+    linestyle: str
+
+
+def new_figure(
+    size: tuple[float, float] | None = None, layout: Literal["constrained"] | None = "constrained"
+) -> Figure:
+    """A figure that is on no screen and that no window keeps."""
+    from matplotlib.figure import Figure
+
+    return Figure(figsize=size, layout=layout)
