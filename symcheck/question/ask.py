@@ -4,17 +4,22 @@ from __future__ import annotations
 
 import time
 from collections.abc import Iterable, Mapping
+from dataclasses import replace
 
 from symcheck.checker import check
-from symcheck.core.calculus import letters
-from symcheck.core.terms import Relation
+from symcheck.core.certificates import Certificate
+from symcheck.core.problems import Problem
 from symcheck.core.verdicts import SymcheckError, Verdict
 from symcheck.proof import certificate, identity
+from symcheck.question import jets
 from symcheck.question.answer import Answer, Status
+from symcheck.question.limit import OutOfTime, limited
 from symcheck.question.prepare import Asked, Reading, readings, sizes
 from symcheck.reading import to_latex
 
 
+LIMIT = 6.0  # seconds for one component of a relation; nearly all that are found at all are found in one
+TOTAL = 15.0  # seconds for all of them
 SIZES = (1, 2, 3)  # one is found to be false for a small one, if at all
 
 
@@ -25,14 +30,16 @@ def decide(
     letters: Mapping[str, str] | None = None,
 ) -> Answer:
     started = time.perf_counter()
-    from dataclasses import replace
-
     asked = None
     try:
         asked = Asked(relation, _several(where), _several(given), tuple((letters or {}).items()))
-        found = [(reading, _decided(reading, asked)) for reading in readings(asked)]
+        with limited(TOTAL):
+            found = [(reading, _decided(reading, asked)) for reading in readings(asked)]
     except SymcheckError as error:
         found, fault = [], str(error)
+    except OutOfTime:
+        reason = f"the search was not over after {TOTAL:g} s"
+        return Answer(Status.UNDECIDED, reason=reason, seconds=time.perf_counter() - started)
     if not found or all(answer.verdict is Status.UNDECIDED for _, answer in found):
         if asked and (at := _of_some_size(asked)):
             return replace(at, seconds=time.perf_counter() - started)
@@ -49,8 +56,6 @@ def decide(
 
 def _of_some_size(asked: Asked) -> Answer | None:
     """Refuted for one number of components or addends; else undecided, where it can be read for one."""
-    from dataclasses import replace
-
     letters, answers = sizes(asked), []
     for size in SIZES if letters else ():
         try:
@@ -73,22 +78,36 @@ def _several(texts: Iterable[str] | str) -> tuple[str, ...]:
 def _decided(reading: Reading, asked: Asked) -> Answer:
     shown = {g.letter.latex: f"{g.taken} ({g.why})" for g in reading.inference.guesses}
     base = Answer(Status.UNDECIDED, to_latex(reading.tree), shown)
-    from dataclasses import replace
-
     certificates, status, reasons = [], Status.PROVED, []
     for problem in reading.problems:
-        outcome = identity.decide(problem)
-        if outcome.verdict is Verdict.UNDECIDED:
+        verdict, made, reason = _decided_one(problem)
+        if made is None:
             status = Status.UNDECIDED
-            reasons.append(outcome.reason)
-            continue
-        made = certificate(problem, outcome)
-        if (fault := check(made)) is not None:
-            status = Status.UNDECIDED
-            reasons.append(f"the certificate was not accepted ({fault})")
+            reasons.append(reason)
             continue
         certificates.append(made)
-        if outcome.verdict is Verdict.REFUTED:
+        if verdict is Verdict.REFUTED:
             point = {x: str(v) for x, v in made["point"]["values"].items()}
             return replace(base, verdict=Status.REFUTED, counterexample=point, certificate=(made,))
     return replace(base, verdict=status, certificate=tuple(certificates), reason="; ".join(dict.fromkeys(reasons)))
+
+
+def _decided_one(problem: Problem) -> tuple[Verdict, Certificate | None, str]:
+    """The verdict with its certificate, or why there is none; about numbers first, where it can be put so."""
+    reasons = []
+    for way in (jets.of, lambda whole: jets.Jets(whole, True)):
+        try:
+            with limited(LIMIT):
+                if (numbers := way(problem)) is None:
+                    continue
+                outcome = identity.decide(numbers.problem)
+                if outcome.verdict is Verdict.UNDECIDED or (outcome.verdict is Verdict.REFUTED and not numbers.refutes):
+                    reasons.append(outcome.reason or "no functions are known that have the values of a counterexample")
+                    continue
+                made = certificate(numbers.problem, outcome)
+                if (fault := check(made)) is None:
+                    return outcome.verdict, made, ""
+                reasons.append(f"the certificate was not accepted ({fault})")
+        except OutOfTime:
+            reasons.append(f"the search was not over after {LIMIT:g} s")
+    return Verdict.UNDECIDED, None, reasons[-1]

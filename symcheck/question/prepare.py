@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from math import lcm
 
 from symcheck.core.calculus import domain, functions, letters
 from symcheck.core.problems import Problem
-from symcheck.core.terms import Formula, Term
+from symcheck.core.terms import Binder, Formula, Node, Term, Value, node
 from symcheck.core.verdicts import SymcheckError
 from symcheck.reading import Notation, Tree, lower, read, tex
 from symcheck.reading.inference import Inference, canonical, inferred, spelling
@@ -183,6 +184,8 @@ def _reading(
                 hypotheses.append((_named(stated, f"{left} = {right}"), (formula,)))
     for text in (*equations, *conditions):
         hypotheses.append((_named(stated, text), lower(read(text, notation), notation, functions_)))
+    turned = parted_angles([*claims, *(f for _, fs in hypotheses for f in fs), *terms.values()], terms)
+    terms |= turned
     unfolding = tuple((name, terms[name]) for name in _sorted(terms))
     whole = [*claims, *(f for _, fs in hypotheses for f in fs), *(term for _, term in unfolding)]
     valued = tuple(each for each in domain(*whole) if letters(each) or functions(each))
@@ -192,6 +195,31 @@ def _reading(
         Problem(f"question{n or ''}", claim, unfolding, tuple(hypotheses)) for n, claim in enumerate(claims)
     )
     return Reading(inference, tree, problems, stated)
+
+
+def parted_angles(trees: Iterable[Term], defined: Mapping[str, Term]) -> dict[str, Term]:
+    """Letters of which parts such as x/2 stand under a sine or cosine, as multiples of new letters."""
+    parts: dict[str, int] = {}
+    for tree in trees:
+        for x, d in _parts(tree, angle=False):
+            parts[x] = lcm(parts.get(x, 1), d)
+    return {x: node("*", d, f"{x}_part") for x, d in parts.items() if d > 1 and x not in defined}
+
+
+def _parts(tree: Term, *, angle: bool) -> Iterator[tuple[str, int]]:
+    """The letters under a sine or cosine that are divided by whole numbers, with these; bound ones are left alone."""
+    match tree:
+        case Value(tag="/", terms=(str(x), int(d))) if angle and d > 0:
+            yield x, d
+        case Value(tag="/", terms=(Value(tag="*", terms=(*_, str(x))), int(d))) if angle and d > 0:
+            yield x, d
+        case Value(tag="*", terms=(Value(tag="/", terms=(int(), int(d))), str(x))) if angle and d > 0:
+            yield x, d
+        case Node(bound=()):
+            for part in tree.outside:
+                yield from _parts(part, angle=angle or tree.tag in ("sin", "cos", "tan"))
+        case Binder(tag="diff"):
+            return
 
 
 def functions_of(defined: Definitions, notation: Notation) -> dict[str, tuple[tuple[Tree, ...], Tree]]:

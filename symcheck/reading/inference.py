@@ -246,6 +246,12 @@ def _options(of: Evidence, every: Mapping[str, Evidence], defined: Mapping[str, 
     if number := _number(of):
         yield from number
         return
+    base, _, below = latex.partition("_")
+    parts = below.strip("{}")
+    if of.arguments and defined.get(base) and parts and set(parts) <= set(defined[base]):
+        function = _letter(of, kind="function", partial=(base, *parts))
+        yield Guess(function, f"the derivative of {base} by {', '.join(parts)}", f"{base} is a function of these")
+        return
     variables = defined.get(latex)
     simple = _common_arguments(of)
     if variables:

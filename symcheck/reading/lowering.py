@@ -6,7 +6,7 @@ A scalar is lowered to a term (see `symcheck.core.claims`), a vector to a list o
 from __future__ import annotations
 
 import itertools
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from functools import lru_cache
 from math import comb, factorial
 from types import MappingProxyType
@@ -743,6 +743,9 @@ class Lowering:
     def applied(self, tree: Call, name: Name, env: Env) -> Value:
         """A function of the notation with its arguments."""
         letter, met = self.notation.letter(name.letter, len(name.subscripts)), dict(self.met)
+        if letter.partial:
+            function, *by = letter.partial
+            return self.put(Name(function), [self.value(argument, env) for argument in tree.arguments], tree, env, by)
         if name.letter in self.defined and not name.subscripts:
             return self.put(name, [self.value(argument, env) for argument in tree.arguments], tree, env)
         arguments = tuple(t for argument in tree.arguments for t in flat(self.value(argument, env)))
@@ -775,12 +778,14 @@ class Lowering:
             self.met.setdefault(stem, name)
         return node("call", stem, orders, *arguments)
 
-    def put(self, name: Name, values: list[Value], tree: Tree, env: Env) -> Value:
-        """A defined function, or its derivative, at its arguments."""
+    def put(self, name: Name, values: list[Value], tree: Tree, env: Env, by: Sequence[str] = ()) -> Value:
+        """A defined function, or its derivative, also by some of its letters, at its arguments."""
         own, body = self.defined[name.letter]
         if len(own) != len(values):
             raise SymcheckError(f"{to_latex(tree)}: {name.letter} is a function of {len(own)} letters")
         order = name.primes + name.dots
+        if by:
+            return self.partial(name.letter, values, tree, env, by)
         if order and (len(own) != 1 or isinstance(values[0], list | Complex)):
             raise SymcheckError(f"{to_latex(tree)}: by which argument? write the derivative as a fraction")
         kept, inside = self.standing, self.inside
@@ -794,6 +799,18 @@ class Lowering:
             value = zipped(lambda t: node("diff", t, by, order, values[0]), [value])
         self.standing, self.inside = kept, inside
         return value
+
+    def partial(self, function: str, values: list[Value], tree: Tree, env: Env, by: Sequence[str]) -> Value:
+        """A partial derivative of a defined function at its arguments."""
+        own, body = self.defined[function]
+        names = [self.variable(each, env) for each in own]
+        value = self.value(body, env)
+        for letter in by:
+            x = self.variable(read(letter, self.notation), env)
+            value = zipped(lambda t, x=x: node("diff", t, x, 1, x), [value])
+        if any(isinstance(each, list | Complex) for each in values):
+            raise SymcheckError(f"{to_latex(tree)}: a partial derivative at numbers only")
+        return zipped(lambda t: substituted(t, dict(zip(names, values, strict=True))), [value])
 
     def of_bigsum(self, tree: BigSum, env: Env) -> Value:
         if (ends := self.ends(tree, env)) is not None:

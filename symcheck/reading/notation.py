@@ -79,6 +79,8 @@ class Letter:
         Whether its indices run up to a letter: then it is a function of them.
     identity
         Whether this matrix is the identity.
+    partial
+        For a letter such as f_{xy}, a derivative of a function: that function, and the letters by which it is taken.
     whole
         Whether the spelling is one name though it is printed with several tokens: `E[\rho]`, `\Delta h`, `f^c`.
     skew
@@ -118,6 +120,7 @@ class Letter:
     value: int | None = None
     running: bool = False
     identity: bool = False
+    partial: tuple[str, ...] = ()
 
     def __post_init__(self) -> None:
         if self.kind not in KINDS:

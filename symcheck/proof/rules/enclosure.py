@@ -12,7 +12,7 @@ from fractions import Fraction
 from typing import NamedTuple
 
 from symcheck.checker.enclosures import FUNCTIONS, between
-from symcheck.core.calculus import Unknown, letters
+from symcheck.core.calculus import Unknown, letters, substituted
 from symcheck.core.problems import Problem
 from symcheck.core.terms import PI, RELATIONS, Connective, Formula, Node, Term, Value, node
 from symcheck.proof.algebra.facts import NOTHING, Assumed, Hypothesis, Positive, Signed
@@ -102,7 +102,10 @@ class Numbers:
 
     def number(self, term: Term) -> Term:
         """The number that a term is, as a term without letters."""
-        return unfold(term, {**self.definitions, **self.letters})
+        plain = unfold(term, self.definitions)
+        while used := letters(plain) & self.letters.keys():
+            plain = substituted(plain, {x: unfold(self.letters[x], self.definitions) for x in used})
+        return plain
 
     def meaning(self, name: str) -> Term:
         """What a letter stands for."""
