@@ -105,10 +105,12 @@ def _unreadable(row: Row, fault: str) -> Unreadable:
 class Declared:
     """The declarations of one array of wheels, list by list.
 
+    section  the section that the lists stand in
     names    what the labels mean
     defined  the same as definitions, of the vertices and of the middles of the faces
     """
 
+    section: str
     names: Names
     defined: tuple[Definition, ...]
     vertices: tuple[Declaration, ...]
@@ -151,7 +153,7 @@ def declared(printed: Printed) -> Declared:
         listed = Listed(array, names, number, letter, tuple(zip(known, rights, strict=True)))
         whole = [_whole(listed)] if letter != "T" else []
         found[letter] = (*whole, *(_row(listed, row, right) for row, right in listed.pairs))
-    return Declared(names, defined, found["V"], found["E"], found["F"], found["T"])
+    return Declared(array.section, names, defined, found["V"], found["E"], found["F"], found["T"])
 
 
 def _with_known_labels(row: Row, names: Names) -> Row:
@@ -263,12 +265,12 @@ def _sums(listed: Listed, read: Sequence[Row]) -> Iterable[Part]:
     rows = [row for row in read if isinstance(row, VertexRow | EdgeRow | FaceRow)]
     letter, names, lattice = listed.letter, listed.names, listed.array.envelope.combinatorics
     cells: Mapping[Signs, object] = {"V": lattice.vertices, "E": lattice.edges, "F": lattice.faces}[letter]
-    yield _each_once("l_1", [row.number for row in rows], len(cells))
+    yield each_once("l_1", [row.number for row in rows], len(cells))
     if letter != "E":
         labels = [row.label for row in rows if not isinstance(row, EdgeRow)]
         known = len(names.vertices if letter == "V" else names.faces)
         plain, primed = (
-            _each_once(f"l_{1 + prime}", [label.index for label in labels if label.primed == prime], known)
+            each_once(f"l_{1 + prime}", [label.index for label in labels if label.primed == prime], known)
             for prime in (False, True)
         )
         yield Part(plain.states + AND + primed.states, plain.holds and primed.holds)
@@ -285,7 +287,7 @@ def _sums(listed: Listed, read: Sequence[Row]) -> Iterable[Part]:
         yield Part(f"{len(rows)} = {count}", len(rows) == len(cells))
 
 
-def _each_once(letter: str, numbers: Sequence[int], count: int) -> Part:
+def each_once(letter: str, numbers: Sequence[int], count: int) -> Part:
     """That the numbers are 1 to `count`, each there once: a geometric series, (l - 1)(l + l^2 + ...) = l^(n + 1) - l."""
     powers = " + ".join(f"{letter}^{{{number}}}" for number in numbers)
     series = f"({letter} - 1)({powers or 0}) = {letter}^{{{count + 1}}} - {letter}"

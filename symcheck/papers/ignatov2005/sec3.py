@@ -9,13 +9,16 @@ from __future__ import annotations
 
 import re
 from collections.abc import Mapping
+from dataclasses import replace
 from functools import partial
+from typing import Any
 
 from symcheck.core.claims import Claim, Damage, Erratum, Hypothesis, Ours
 from symcheck.core.problems import Applied
 from symcheck.core.verdicts import Origin
-from symcheck.papers.declare import Scope, exclusion, ours, premise
-from symcheck.papers.ignatov2005 import derivation, envelopes, wheels
+from symcheck.papers import listing
+from symcheck.papers.declare import Scope, Text, exclusion, ours, premise
+from symcheck.papers.ignatov2005 import derivation, envelopes, named, wheels
 from symcheck.papers.ignatov2005.hypotheses import (
     MASS,
     RATES,
@@ -23,6 +26,8 @@ from symcheck.papers.ignatov2005.hypotheses import (
     real_base,
     real_pyramid,
 )
+from symcheck.papers.ignatov2005.lists import of_five, of_six
+from symcheck.papers.ignatov2005.named import Named
 from symcheck.papers.ignatov2005.notation import (
     five_of_six,
     four_wheels,
@@ -32,7 +37,7 @@ from symcheck.papers.ignatov2005.notation import (
     six_wheels_in_spacecraft,
     six_wheels_with_units,
 )
-from symcheck.papers.ignatov2005.wheels import five, points, six
+from symcheck.papers.ignatov2005.wheels import AND, five, points, six
 from symcheck.proof import cases, combined, existence, identity, nonnegative, theorems
 from symcheck.reading import Notation
 
@@ -266,48 +271,28 @@ faces_are_rhombi = six.faces_are_rhombi("3.1.27", 443, [real_pyramid], "3.1.26")
 DISTANCES = {"d_1": r"6\cos a", "d_2": r"4\sin a", "d_3": r"2\sqrt{3\cos^2 a + 1}", "d_4": r"2\sqrt{2\sin^2 a + 1}"}
 
 
-def equally_far(distance: str, *vertices: int) -> tuple[str, ...]:
-    """Each of these vertices, and so the opposite one, is that far from the centre."""
-    return tuple(rf"\sqrt{{(\mathbf{{V}}_{{{i}}}, \mathbf{{V}}_{{{i}}})}} = {distance}" for i in vertices)
+NAMED_OF_SIX = named.in_sentence(named.VERTICES_OF_SIX)
 
 
-def distance_of_vertices(number: str, distance: str, *vertices: int, words: str) -> Claim:
-    """A printed distance d_k = ... with the vertices that have it."""
-    return six.claim(
+def all_equally_far(scope: Scope, number: str, far: Named, printed: Text, **further: Any) -> Claim:
+    """All these vertices have the distance that is printed for them."""
+    return scope.claim(
         number,
-        443,
-        distance,
-        words=words,
-        states=equally_far(right_side(distance), *vertices),
-        given=[real_pyramid],
+        far.line,
+        printed,
+        words=f"Distance of {far.words} from the centre.",
+        states=AND.join(rf"\sqrt{{({point}, {point})}} = {right_side(far.distance)}" for point in named.points(far)),
+        **further,
     )
 
 
-distances_of_vertices = (
-    distance_of_vertices(
-        "3.1.28",
-        rf"d_1 = {DISTANCES['d_1']}",
-        1,
-        words="Distance of V_1, V'_1 from the centre.",
-    ),
-    distance_of_vertices(
-        "3.1.29",
-        rf"d_2 = {DISTANCES['d_2']}",
-        *(14, 15, 16),
-        words="Distance of V_14, V_15, V_16 and their opposites.",
-    ),
-    distance_of_vertices(
-        "3.1.30",
-        rf"d_3 = {DISTANCES['d_3']}",
-        *range(2, 8),
-        words="Distance of V_2 to V_7 and their opposites.",
-    ),
-    distance_of_vertices(
-        "3.1.31",
-        rf"d_4 = {DISTANCES['d_4']}",
-        *range(8, 14),
-        words="Distance of V_8 to V_13 and their opposites.",
-    ),
+distances_of_vertices = tuple(
+    all_equally_far(six, number, far, far.distance, given=[real_pyramid])
+    for number, far in zip(("3.1.28", "3.1.29", "3.1.30", "3.1.31"), NAMED_OF_SIX, strict=True)
+)
+
+vertices_with_a_distance = named.every_one_once(
+    "3.1.33", of_six, NAMED_OF_SIX, "Each vertex is named with one of these distances, once.", six_wheels
 )
 
 # --- table 7: the order of the distances
@@ -357,32 +342,16 @@ table_7 = (
 
 # --- table 8: the distances of the faces
 
-FACES_OF_P = (
-    "u, 1, 1, -1, -1, v",
-    "u, v, 1, -1, -1, -1",
-    "1, u, v, -1, -1, -1",
-    "1, 1, u, v, -1, -1",
-    "1, 1, 1, u, v, -1",
-    "1, 1, 1, -1, u, v",
-    "u, 1, 1, -1, v, 1",
-    "-1, u, 1, -1, -1, v",
-    "u, -1, v, -1, -1, -1",
-    "1, u, -1, v, -1, -1",
-    "1, 1, u, 1, v, -1",
-    "1, 1, 1, u, 1, v",
-    "u, 1, 1, v, 1, 1",
-    "-1, u, 1, -1, v, 1",
-    "-1, -1, u, -1, -1, v",
-)
+FACES_OF_P = named.faces(of_six)
+NAMED_IN_TABLE_8 = named.in_rows(named.TABLE_8)
 
 
 def distance_of_faces(
     scope: Scope,
     number: str,
-    line: int,
-    distance: str,
-    *faces: int,
-    words: str,
+    far: Named,
+    *,
+    words: str = "",
     right: str = "",
     errata: Mapping[str, Erratum] | None = None,
     damage: Damage | None = None,
@@ -390,13 +359,13 @@ def distance_of_faces(
     """A cell of a table of faces: the distance r_i of the planes of these F_i, and so of F'_i, from the centre."""
     return scope.claim(
         number,
-        line,
-        distance,
-        words=words,
+        far.line,
+        (*far.printed, far.distance),
+        words=f"{far.words}{words}.",
         damage=damage,
-        states=all_far(distance, *faces),
+        states=all_far(far.distance, *far.indices),
         given=[real_pyramid],
-        by=theorems(*(Applied("equal_squares", (f"r_{{{i}}}", right or distance)) for i in faces)),
+        by=theorems(*(Applied("equal_squares", (f"r_{{{i}}}", right or far.distance)) for i in far.indices)),
         errata=errata,
     )
 
@@ -409,26 +378,23 @@ def all_far(distance: str, *faces: int) -> str:
 ALL_WHEELS = Scope(six_wheels, partial(derivation.distances_of_faces_of_six, *FACES_OF_P))
 AT_TWO_STEPS = r"4 \sin 2a \sqrt{\frac{1}{1 + 3 \cos^2 a}}"
 
+faces_of_table_8 = named.every_one_once(
+    "T8.0", of_six, NAMED_IN_TABLE_8, "Each face is in the table, once.", six_wheels
+)
+
+NEIGHBOURS, TWO_APART, ACROSS = NAMED_IN_TABLE_8
+
 table_8 = (
-    distance_of_faces(
-        ALL_WHEELS,
-        "T8.1",
-        467,
-        r"3 \sin 2a \sqrt{\frac{3}{3 + \cos^2 a}}",
-        *range(1, 7),
-        words="F_1 to F_6 and their opposites: between neighbouring edges of the pyramid.",
-    ),
+    distance_of_faces(ALL_WHEELS, "T8.1", NEIGHBOURS, words=": between neighbouring edges of the pyramid"),
     distance_of_faces(
         ALL_WHEELS,
         "T8.2",
-        467,
-        r"4 \sin 2a \sqrt{\frac{1}{1 + 15 \cos^2 a}}",
-        *range(7, 13),
-        words="F_7 to F_12 and their opposites: between edges with one in between.",
+        TWO_APART,
+        words=": between edges with one in between",
         right=AT_TWO_STEPS,
         errata={
             "": Erratum(
-                all_far(AT_TWO_STEPS, *range(7, 13)),
+                all_far(AT_TWO_STEPS, *TWO_APART.indices),
                 "coefficient",
                 Origin.UNCERTAIN,
                 "The normal of the plane of two edges 120 degrees apart has the square 3/4 sin^2 a (1 + 3 cos^2 a). The same root in "
@@ -437,14 +403,7 @@ table_8 = (
             )
         },
     ),
-    distance_of_faces(
-        ALL_WHEELS,
-        "T8.3",
-        467,
-        r"2\sqrt{3} \sin a",
-        *range(13, 16),
-        words="F_13 to F_15 and their opposites: between opposite edges, across OX and at 60 degrees to it.",
-    ),
+    distance_of_faces(ALL_WHEELS, "T8.3", ACROSS, words=": between opposite edges, across OX and at 60 degrees to it"),
 )
 
 
@@ -666,61 +625,48 @@ faces_of_five_are_rhombi = five.faces_are_rhombi("3.2.17", 586, [real_pyramid], 
 # --- tables 10 and 11: distances, one wheel failed
 
 
-def row_of_table_10(number: str, line: int, vertices: str, distance: str) -> Claim:
-    """A row: vertices of P', each with its opposite, and their distance."""
-    names = vertices.split(", ")
-    return five.claim(
-        number,
-        line,
-        (vertices, distance),
-        words=f"Distance of {' and '.join(re.sub('[{}]', '', name) for name in names[::2])}, and of their opposites.",
-        states=tuple(rf"\sqrt{{({point}, {point})}} = {right_side(distance)}" for point in points(vertices)),
-        uses=["3.0.4"],
-    )
+NAMED_IN_TABLE_10 = named.in_columns(named.TABLE_10)
 
-
-table_10 = (
-    row_of_table_10("T10.1", 591, "V_1, V_1'", r"d_1 = \sqrt{24\cos^2 a + 1}"),
-    row_of_table_10("T10.2", 592, "V_2, V_2', V_6, V_6'", r"d_2 = \sqrt{2\cos^2 a + 7}"),
-    row_of_table_10("T10.3", 593, "V_3, V_3', V_5, V_5'", r"d_3 = \sqrt{6\cos^2 a + 3}"),
-    row_of_table_10("T10.4", 594, "V_4, V_4'", r"d_4 = \sqrt{8\cos^2 a + 1}"),
-    row_of_table_10("T10.5", 595, "V_7, V_7'", r"d_5 = \sqrt{8\sin^2 a + 1}"),
-    row_of_table_10("T10.6", 596, "V_8, V_8', V_{11}, V_{11}'", r"d_6 = \sqrt{12\sin^2 a + 1}"),
-    row_of_table_10("T10.7", 597, "V_9, V_9', V_{10}, V_{10}'", r"d_7 = \sqrt{6\sin^2 a + 1}"),
+table_10 = tuple(
+    all_equally_far(five, f"T10.{row}", far, (*far.printed, far.distance), uses=["3.0.4"])
+    for row, far in enumerate(NAMED_IN_TABLE_10, 1)
 )
 
-FACES_OF_FIVE = (
-    "u, 1, 1, -1, v",
-    "u, v, 1, -1, -1",
-    "1, u, v, -1, -1",
-    "1, 1, u, v, -1",
-    "1, 1, 1, u, v",
-    "u, -1, v, -1, -1",
-    "1, u, -1, v, -1",
-    "1, 1, u, 1, v",
-    "u, 1, 1, v, 1",
-    "-1, u, 1, -1, v",
+vertices_of_table_10 = named.every_one_once(
+    "T10.0", of_five, NAMED_IN_TABLE_10, "Each vertex of P' is in the table, once.", five_of_six
 )
+
+FACES_OF_FIVE = named.faces(of_five)
 FIVE_WHEELS = Scope(five_of_six, partial(derivation.distances_of_faces_of_six, *FACES_OF_FIVE))
 
+_cells = named.in_columns(named.TABLE_11)
+MISSING_IN_TABLE_11 = "F_2, F_2', F_5, F_5'"  # what the cell should name that names F_2 and its opposite
+IN_TABLE_11 = (
+    _cells[0],
+    replace(_cells[1], labels=listing.labels(MISSING_IN_TABLE_11, _cells[1].line)),
+    named.together(_cells[2], _cells[4]),
+    named.together(_cells[3], _cells[5]),
+    _cells[6],
+    named.together(_cells[7], _cells[8]),
+)
+
+faces_of_table_11 = named.every_one_once(
+    "T11.0",
+    of_five,
+    IN_TABLE_11,
+    "Each face of P' is in the table, once, with F_5 and its opposite as T11.2 reads it.",
+    five_of_six,
+)
+
 table_11 = (
-    distance_of_faces(
-        FIVE_WHEELS,
-        "T11.1",
-        604,
-        r"\frac{7}{2}\sin 2a\sqrt{\frac{1}{4-3\sin^2 a}}",
-        1,
-        words="F_1 and its opposite.",
-    ),
+    distance_of_faces(FIVE_WHEELS, "T11.1", IN_TABLE_11[0]),
     distance_of_faces(
         FIVE_WHEELS,
         "T11.2",
-        604,
-        r"\frac{5}{2}\sin 2a\sqrt{\frac{3}{4-\sin^2 a}}",
-        *(2, 5),
-        words="F_2 and its opposite; F_5 is nowhere in the table.",
+        IN_TABLE_11[1],
+        words="; F_5 is nowhere in the table",
         damage=Damage(
-            "F_2, F_2', F_5, F_5'",
+            MISSING_IN_TABLE_11,
             reason="The table is to give the distance of each face, but has none for F_5 and F'_5, which are as far as F_2. The other faces "
             "across neighbouring edges, F_3 and F_4, and F_9 and F_10 share a cell of this column too; of cells that span two rows the "
             "digital text leaves one empty, and it may as well have dropped a row.",
@@ -728,38 +674,10 @@ table_11 = (
             origin=Origin.UNCERTAIN,
         ),
     ),
-    distance_of_faces(
-        FIVE_WHEELS,
-        "T11.3",
-        605,
-        r"3\sin 2a\sqrt{\frac{1}{4-3\sin^2 a}}",
-        *(6, 8),
-        words="F_6, F_8 and their opposites; the cell spans both rows.",
-    ),
-    distance_of_faces(
-        FIVE_WHEELS,
-        "T11.4",
-        605,
-        r"2\sin 2a\sqrt{\frac{3}{4-\sin^2 a}}",
-        *(3, 4),
-        words="F_3, F_4 and their opposites; the cell spans both rows.",
-    ),
-    distance_of_faces(
-        FIVE_WHEELS,
-        "T11.5",
-        607,
-        r"\frac{5}{2}\sin 2a\sqrt{\frac{1}{4-3\sin^2 a}}",
-        7,
-        words="F_7 and its opposite.",
-    ),
-    distance_of_faces(
-        FIVE_WHEELS,
-        "T11.6",
-        607,
-        r"\frac{3\sqrt{3}}{2}\sin a",
-        *(9, 10),
-        words="F_9, F_10 and their opposites; the cell spans both rows.",
-    ),
+    distance_of_faces(FIVE_WHEELS, "T11.3", IN_TABLE_11[2], words="; the cell spans both rows"),
+    distance_of_faces(FIVE_WHEELS, "T11.4", IN_TABLE_11[3], words="; the cell spans both rows"),
+    distance_of_faces(FIVE_WHEELS, "T11.5", IN_TABLE_11[4]),
+    distance_of_faces(FIVE_WHEELS, "T11.6", IN_TABLE_11[5], words="; the cell spans both rows"),
 )
 
 feet_of_perpendiculars_of_five = (
