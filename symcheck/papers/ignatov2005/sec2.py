@@ -35,7 +35,7 @@ from symcheck.papers.ignatov2005.notation import (
     four_wheels_with_units,
     three_of_four,
 )
-from symcheck.papers.ignatov2005.wheels import AND, four, points, three
+from symcheck.papers.ignatov2005.wheels import AND, CORNERS, four, points, three
 from symcheck.proof import cases, identity, nonnegative, theorems
 from symcheck.reading import Notation
 
@@ -189,20 +189,18 @@ no_three_axes_in_a_plane = four.no_three_in_a_plane(
     uses=["2.0.4"],
 )
 
-number_of_vertices = four.claim(
+number_of_vertices = four.number_of_vertices(
     "2.1.15",
     83,
-    words="P has 14 vertices: of the 16 combinations the two zero ones are none, and the others are (list of vertices).",
-    states=r"2^4 - 2 = 14 \land 4 (4 - 1) + 2 = 14",
-    by=cases(),
-    uses=["2.1.9", "2.1.10", "2.1.11", "2.1.12", "2.1.14"],
+    f": of the 16 combinations the two zero ones are none, and the others are (list of vertices). {CORNERS}.",
+    *("2.1.9", "2.1.10", "2.1.11", "2.1.12", "2.1.14", "2.1V"),
 )
 
-number_of_edges = four.number_of_edges("2.1.16", 100, "2.1.14")
+number_of_edges = four.number_of_edges("2.1.16", 100, "2.1.14", "2.1E")
 
 parameter_of_edges = four.parameter_of_edges("2.1.17", 111)
 
-number_of_faces = four.number_of_faces("2.1.18", 111, "2.1.14")
+number_of_faces = four.number_of_faces("2.1.18", 111, "", "2.1.14", "2.1F")
 
 pairs_of_faces = four.pairs_of_faces("2.1.19", 111, r"i = 1, \dots, 6")
 
@@ -539,29 +537,21 @@ region_is_a_parallelepiped = three.claim(
     uses=["2.1.14"],
 )
 
-eight_vertices = three.claim(
+eight_vertices = three.number_of_vertices(
     "2.2.6",
     195,
-    words="P' has 8 vertices, as every parallelepiped.",
-    states="2^3 = 8 \\land 3 (3 - 1) + 2 = 8",
-    by=cases(),
-    uses=["2.2.5"],
+    ", as every parallelepiped: the three axes are not in a plane, and all combinations are.",
+    "2.2.5",
+    "2.2V",
 )
 
 pairs_of_vertices_of_three = three.pairs_of_vertices("2.2.7", 195, r"i = 1, \dots, 4", ".")
 
-twelve_edges = three.number_of_edges("2.2.8", 199, "2.2.5")
+twelve_edges = three.number_of_edges("2.2.8", 199, "2.2.5", "2.2E")
 
 parameter_of_edges_of_three = three.parameter_of_edges("2.2.9", 203)
 
-six_faces = three.claim(
-    "2.2.10",
-    203,
-    words="P' has 6 faces, as every parallelepiped.",
-    states=r"3 (3 - 1) = 6 \land 8 + 6 - 12 = 2",
-    by=cases(),
-    uses=["2.2.5", "2.2.6", "2.2.8"],
-)
+six_faces = three.number_of_faces("2.2.10", 203, ", as every parallelepiped", "2.2.5", "2.2F")
 
 pairs_of_faces_of_three = three.pairs_of_faces("2.2.11", 203, "i = 1, 2, 3")
 

@@ -37,7 +37,7 @@ from symcheck.papers.ignatov2005.notation import (
     six_wheels_in_spacecraft,
     six_wheels_with_units,
 )
-from symcheck.papers.ignatov2005.wheels import AND, five, points, six
+from symcheck.papers.ignatov2005.wheels import AND, CORNERS, five, points, six
 from symcheck.proof import cases, combined, existence, identity, nonnegative, theorems
 from symcheck.reading import Notation
 
@@ -203,33 +203,31 @@ no_three_axes_in_a_plane = six.no_three_in_a_plane(
     "3.1.13", 289, ": P is simple (2.1.14).", given=[real_pyramid], uses=["2.1.14", "3.0.4"]
 )
 
-number_of_vertices = six.claim(
+number_of_vertices = six.number_of_vertices(
     "3.1.14",
     289,
-    words="The other 32 combinations are the vertices of P (list of vertices).",
-    states=r"2^6 - 2 - 30 = 32 \land 6 (6 - 1) + 2 = 32",
-    by=cases(),
-    uses=["3.1.9", "3.1.11", "3.1.12", "3.1.13"],
+    f": of the 64 combinations 2 vanish and 30 lie inside, the others are (list of vertices). {CORNERS}.",
+    *("3.1.9", "3.1.11", "3.1.12", "3.1.13", "3.1V"),
 )
 
 pairs_of_vertices = six.pairs_of_vertices("3.1.15", 289, r"i = 1, \dots, 16")
 
-number_of_edges = six.number_of_edges("3.1.16", 326, "3.1.13")
+number_of_edges = six.number_of_edges("3.1.16", 326, "3.1.13", "3.1E")
 
 parameter_of_edges = six.parameter_of_edges("3.1.17", 365)
 
-number_of_faces = six.number_of_faces("3.1.18", 365, "3.1.13")
+number_of_faces = six.number_of_faces("3.1.18", 365, "", "3.1.13", "3.1F")
 
 pairs_of_faces = six.pairs_of_faces("3.1.19", 365, r"i = 1, \dots, 15")
 
 sense_of_edges = six.sense_of_edges("3.1.20", 402)
 
-euler_characteristic = six.claim(
+euler_characteristic = six.counted(
     "3.1.21",
     402,
-    words="32 vertices, 30 faces and 60 edges, as Euler's characteristic wants it.",
-    states="32 + 30 - 60 = 2",
-    uses=["3.1.14", "3.1.16", "3.1.18"],
+    "So there are 32 vertices, 30 faces and 60 edges, as Euler's formula wants it (3.1.14, 3.1.16, 3.1.18).",
+    rf"{six.on_no_side}2^6 - 32 = 32 \land 6 (6 - 1) = 30 \land 2 \cdot 6 (6 - 1) = 60 \land 32 + 30 - 60 = 2",
+    *("3.1.14", "3.1.16", "3.1.18"),
 )
 
 angle_of_table_6 = exclusion(
@@ -490,13 +488,7 @@ equal_wheels_again = craft.premise(
     states=r"-h_{\max} \leq h_i \leq h_{\max}",
 )
 
-number_of_vertices_of_five = five.claim(
-    "3.2.4",
-    481,
-    words="P' has 22 vertices (list of vertices).",
-    states="5 (5 - 1) + 2 = 22",
-    uses=["3.1.13"],
-)
+number_of_vertices_of_five = five.number_of_vertices("3.2.4", 481, f" (list of vertices). {CORNERS}.", "3.1.13", "3.2V")
 
 pairs_of_vertices_of_five = five.pairs_of_vertices("3.2.5", 481, r"i=1, \dots, 11")
 
@@ -507,27 +499,24 @@ number_of_edges_of_five = five.claim(
     507,
     words="The parallelepiped has 40 edges.",
     states=r"2 \cdot 3 (3 - 1) = 40",
-    uses=["3.1.13"],
+    uses=["3.1.13", "3.2.42"],
     errata={
         "": Erratum(
             r"2 \cdot 5 (5 - 1) = 40",
             "wrong claim",
             Origin.PAPER,
             "A parallelepiped has 12 edges, and P' is none: five wheels span it. The word was left over from the same sentence in "
-            "section 2.2, where P' is one; the number is right for P'.",
+            "section 2.2, where P' is one; the number is right for P' (3.2.42).",
         )
     },
 )
 
+edges_of_five_counted = five.edges_counted("3.2.42", 507, "3.1.13", "3.2E")
+
 parameter_of_edges_of_five = five.parameter_of_edges("3.2.8", 526)
 
-number_of_faces_of_five = five.claim(
-    "3.2.9",
-    526,
-    words="P' has 20 faces; with 22 vertices and 40 edges this agrees with Euler's characteristic.",
-    states=r"5 (5 - 1) = 20 \land 22 + 20 - 40 = 2",
-    by=cases(),
-    uses=["3.1.13", "3.2.4", "3.2.7"],
+number_of_faces_of_five = five.number_of_faces(
+    "3.2.9", 526, "; with 22 vertices and 40 edges this agrees with Euler's formula", "3.2.4", "3.2.42", "3.2F"
 )
 
 pairs_of_faces_of_five = five.pairs_of_faces("3.2.10", 526, r"i = 1, \dots, 10")
