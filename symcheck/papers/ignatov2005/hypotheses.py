@@ -16,6 +16,10 @@ real_base = Hypothesis(
     r"\sin b > 0, \cos b > 0",
 )
 
+# the same of the angles themselves, where their values matter
+acute_a = Hypothesis("a acute", "a is an acute angle", r"0 < a < \pi/2", printed=False)
+acute_b = Hypothesis("b acute", "b is an acute angle (line 71)", r"0 < b < \pi/2")
+
 EACH = r"-1 \leq h_i \leq 1"  # the wheels in units of h_max
 SPACECRAFT_MOMENTS = Hypothesis("spacecraft", "the moments of inertia of line 248", "J_x = 1000, J_y = 1600, J_z = 800")
 MASS = Hypothesis("moments positive", "the body has mass", "J_x > 0, J_y > 0, J_z > 0", printed=False)

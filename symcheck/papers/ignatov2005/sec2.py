@@ -21,6 +21,8 @@ from symcheck.papers.ignatov2005.hypotheses import (
     MASS,
     RATES,
     SPACECRAFT_MOMENTS,
+    acute_a,
+    acute_b,
     lost_pi,
     real_base,
     real_pyramid,
@@ -76,7 +78,7 @@ axes_of_wheels = four.definition(
 angle_to_oz = four.angle_to_oz("2.0.5", 71, "e_1 and e_2", "2.0.4")
 
 ALONG_OX, ALONG_OY = r"2\sin a \sin b", r"2\sin a \cos b"  # the sides of the base (2.0.1)
-ACUTE = Hypothesis("a and b acute", "both angles are acute", r"0 < a < \pi/2, 0 < b < \pi/2")
+ACUTE = [acute_a, acute_b]
 
 square_base = four.claim(
     "2.0.6",
@@ -84,7 +86,7 @@ square_base = four.claim(
     r"b = 45^\circ",
     words="For b = 45 degrees, and no other b, the base is a square.",
     states=rf"{ALONG_OX} = {ALONG_OY} \Leftrightarrow b = 45^\circ",
-    given=[ACUTE],
+    given=ACUTE,
     by=cases(),
     uses=["2.0.1"],
 )
@@ -95,7 +97,7 @@ base_along_oy = four.claim(
     r"0^\circ < b < 45^\circ",
     words="For these b, and no others, the longer side of the base is parallel to OY.",
     states=rf"{ALONG_OX} < {ALONG_OY} \Leftrightarrow 0^\circ < b < 45^\circ",
-    given=[ACUTE],
+    given=ACUTE,
     by=cases(),
     uses=["2.0.1"],
 )
@@ -106,7 +108,7 @@ base_along_ox = four.claim(
     r"45^\circ < b < 90^\circ",
     words="For these b, and no others, the longer side of the base is parallel to OX.",
     states=rf"{ALONG_OX} > {ALONG_OY} \Leftrightarrow 45^\circ < b < 90^\circ",
-    given=[ACUTE],
+    given=ACUTE,
     by=cases(),
     uses=["2.0.1"],
 )
@@ -302,7 +304,7 @@ two_equal_distances = four.claim(
     ("d_1 = d_2", r"b = p/4 = 45^\circ"),
     words="V_1 and V_6 are equally far for b = pi/4, and only then.",
     states=(rf"{DISTANCES['d_1']} = {DISTANCES['d_2']} \Leftrightarrow b = \pi/4", r"\pi/4 = 45^\circ"),
-    given=[ACUTE],
+    given=ACUTE,
     by=cases(),
     uses=["2.1.28", "2.1.29"],
     damage=lost_pi(r"b = \pi/4 = 45^\circ"),
@@ -323,7 +325,7 @@ def three_equal_distances_of(
             r"\arctg \sqrt{2} = 54.7^\circ",
             r"\pi/4 = 45^\circ",
         ),
-        given=[ACUTE],
+        given=ACUTE,
         by=cases(),
         uses=uses,
         damage=lost_pi(r"a = \arctg \sqrt{2} = 54.7^\circ, b = \pi/4 = 45^\circ"),
@@ -649,7 +651,7 @@ two_equal_distances_of_three = vertices_of_three.claim(
         r"\sin b - \cos b = 0 \Leftrightarrow b = \pi/4",
         r"\pi/4 = 45^\circ",
     ),
-    given=[ACUTE],
+    given=ACUTE,
     by={"a": identity, "b": cases(), "c": identity},
     uses=["2.2.18", "2.2.19"],
     damage=lost_pi(r"b = \pi/4 = 45^\circ"),
@@ -840,7 +842,7 @@ angle_b = craft.claim(
         r"\frac{4 \sin a \sin b}{J_x} = \frac{4 \sin a \cos b}{J_y} \Leftrightarrow b = \arctg \frac{5}{8}",
         r"\arctg \frac{5}{8} \approx 32^\circ",
     ),
-    given=[SPACECRAFT_MOMENTS, ACUTE],
+    given=[SPACECRAFT_MOMENTS, *ACUTE],
     by=cases(),
     uses=["2.3.1", "2.3.5"],
 )

@@ -23,6 +23,7 @@ from symcheck.papers.ignatov2005.hypotheses import (
     MASS,
     RATES,
     SPACECRAFT_MOMENTS,
+    acute_a,
     real_base,
     real_pyramid,
 )
@@ -892,7 +893,7 @@ angle_a = craft.claim(
     r"a = \arctg 3 = 72^\circ",
     words="The angle a from it, rounded to whole degrees.",
     states=(r"\frac{4 \sin a}{J_y} = \frac{6 \cos a}{J_z} \Leftrightarrow a = \arctg 3", r"\arctg 3 \approx 72^\circ"),
-    given=[SPACECRAFT_MOMENTS, Hypothesis("a acute", "a is an acute angle", r"0 < a < \pi/2")],
+    given=[SPACECRAFT_MOMENTS, acute_a],
     by=cases(),
     uses=["3.2.24", "3.2.31"],
 )
@@ -930,7 +931,7 @@ better_turned_so = craft.claim(
         r"\frac{2\sqrt{3} \sin a}{1600} = \frac{6 \cos a}{800} \Leftrightarrow a = \arctg(2\sqrt{3})",
         r"\frac{2\sqrt{3} \sin(\arctg(2\sqrt{3}))}{1600} < \frac{4 \sin(\arctg 3)}{1600} < \frac{2\sqrt{3} \sin(\arctg 3)}{1000}",
     ),
-    given=[Hypothesis("a acute", "a is an acute angle", r"0 < a < \pi/2")],
+    given=[acute_a],
     by=cases(),
     uses=["3.2.26", "3.2.27", "3.2.33"],
 )

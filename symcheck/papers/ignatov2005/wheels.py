@@ -214,7 +214,8 @@ class Wheels(Scope):
     def triple_products(self) -> str:
         """Each triple product of the axes in positive units, for all angles of the range: their signs make P what it is."""
         products = (
-            f"{product} = {value} \\cdot {' '.join(self.unit).strip()}" for product, value in envelopes.triples(self.array.axes)
+            f"{product} = {value} \\cdot {' '.join(self.unit).strip()}"
+            for product, value in envelopes.triples(self.array.axes)
         )
         return AND.join((*products, f"{self.unit[-1]} > 0"))
 
