@@ -26,13 +26,14 @@ MASS = Hypothesis("moments positive", "the body has mass", "J_x > 0, J_y > 0, J_
 RATES = Hypothesis("rates", "(2.3)", r"w_x = -\frac{H_x}{J_x}, w_y = -\frac{H_y}{J_y}, w_z = -\frac{H_z}{J_z}")
 
 
-def lost_pi(read_as: str) -> Damage:
-    """How a printed p is read, and why."""
+def lost_pi(read_as: str, links: str = "") -> Damage:
+    """How a printed p is read, and why; in which links it stands, if not in all."""
     return Damage(
         read_as,
         "p stands for pi throughout the prose and table 2, as 45 degrees beside p/4 shows: the Greek letter was set in a "
         "font of symbols, where p is its place, and the digital text lost the font.",
         kind="lost letter",
+        links=links,
     )
 
 

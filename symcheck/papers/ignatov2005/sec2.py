@@ -9,6 +9,7 @@ from __future__ import annotations
 import re
 from collections.abc import Sequence
 from functools import partial
+from itertools import combinations
 from typing import Any
 
 from symcheck.core.claims import Claim, Damage, Erratum, Hypothesis
@@ -38,7 +39,7 @@ from symcheck.papers.ignatov2005.notation import (
     three_of_four,
 )
 from symcheck.papers.ignatov2005.wheels import AND, CORNERS, four, points, three
-from symcheck.proof import cases, identity, nonnegative, theorems
+from symcheck.proof import cases, identity, theorems
 from symcheck.reading import Notation
 
 OPEN_RANGE = [real_pyramid, real_base]
@@ -307,7 +308,7 @@ two_equal_distances = four.claim(
     given=ACUTE,
     by=cases(),
     uses=["2.1.28", "2.1.29"],
-    damage=lost_pi(r"b = \pi/4 = 45^\circ"),
+    damage=lost_pi(r"b = \pi/4 = 45^\circ", "b"),
 )
 
 
@@ -322,13 +323,13 @@ def three_equal_distances_of(
         words=f"{vertices} are equally far for a = arctg sqrt 2 and b = pi/4, and only then.",
         states=(
             rf"({equal}) \Leftrightarrow (a = \arctg \sqrt{{2}} \land b = \pi/4)",
-            r"\arctg \sqrt{2} = 54.7^\circ",
+            r"\arctg \sqrt{2} \approx 54.7^\circ",
             r"\pi/4 = 45^\circ",
         ),
         given=ACUTE,
         by=cases(),
         uses=uses,
-        damage=lost_pi(r"a = \arctg \sqrt{2} = 54.7^\circ, b = \pi/4 = 45^\circ"),
+        damage=lost_pi(r"b = \pi/4 = 45^\circ", "c"),
     )
 
 
@@ -581,9 +582,7 @@ def _subtracted(vertex: str) -> str:
 
 def lost_prime(edge: str, corrected: str) -> Erratum:
     """The erratum of an edge that should read so."""
-    return Erratum(
-        corrected, "lost prime", Origin.OCR, f"It should read {edge.replace('V', ' V').strip()}. {LOST_PRIME}"
-    )
+    return Erratum(corrected, "lost prime", Origin.OCR, LOST_PRIME, shown=edge)
 
 
 # as printed, and what the first three should be
@@ -613,8 +612,8 @@ def halves(edge: str, middle: str) -> str:
 vertices_at_middles = claim(
     "2.2.15",
     235,
-    (r"V_4'", r"V_1'", r"V_3'", "V_4", "V_1", "V_3"),
-    words="These vertices of P' (W in the formal statement) are the middles of these edges of P, in this order.",
+    EDGES_ALONG_WHEEL_4,
+    words=f"The vertices {', '.join(MIDDLES)} of P' (W in the formal statement) are the middles of these edges of P, in this order.",
     states=tuple(halves(edge, middle) for edge, middle in zip(EDGES_ALONG_WHEEL_4, MIDDLES, strict=True)),
     by=identity,
     errata={
@@ -654,7 +653,7 @@ two_equal_distances_of_three = vertices_of_three.claim(
     given=ACUTE,
     by={"a": identity, "b": cases(), "c": identity},
     uses=["2.2.18", "2.2.19"],
-    damage=lost_pi(r"b = \pi/4 = 45^\circ"),
+    damage=lost_pi(r"b = \pi/4 = 45^\circ", "bc"),
 )
 
 three_equal_distances_of_three = three_equal_distances_of(
@@ -947,17 +946,18 @@ largest_rate_comes_alone = four.claim(
 
 SUM_OF_SHORTAGES = r"4 (1 - h_1)(1 + h_1) + 4 (1 - h_2)(1 + h_2) + 4 (1 - h_3)(1 + h_3) + 4 (1 - h_4)(1 + h_4)"
 
-SUM_OF_SQUARES = r"(h_1 + h_2 + h_3 + h_4)^2 + (-h_1 + h_2 - h_3 + h_4)^2 + (-h_1 - h_2 + h_3 + h_4)^2"
+IN_QUARTERS = ("(h_1 + h_2 + h_3 + h_4)", "(-h_1 + h_2 - h_3 + h_4)", "(-h_1 - h_2 + h_3 + h_4)")
+SUM_OF_SQUARES = " + ".join(f"{component}^2" for component in IN_QUARTERS)
+ON_AN_AXIS = AND.join(f"{one} {other} = 0" for one, other in combinations(IN_QUARTERS, 2))
 
 other_directions = craft.claim(
     "2.3.14",
     264,
     words="In any other direction the largest rate is smaller. Counted in quarters of the largest rate about an axis the components are "
-    "these sums (2.3.15); the bound is reached at the six vertices on the axes only (2.3.16).",
-    states=rf"{SUM_OF_SQUARES} \leq 4^2",
+    "these sums (2.3.15): no rate is greater, and one as great is about an axis, two of its components being zero.",
+    states=rf"{SUM_OF_SQUARES} \leq 4^2 \land ({SUM_OF_SQUARES} = 4^2 \Rightarrow ({ON_AN_AXIS}))",
     given=[FULL_MOMENTUM],
-    by=nonnegative(rf"{SUM_OF_SHORTAGES} + (h_1 - h_2 - h_3 + h_4)^2"),
-    equality=r"h_1^2 = 1, h_2^2 = 1, h_3^2 = 1, h_4^2 = 1, h_1 - h_2 - h_3 + h_4 = 0",
+    by=cases(rf"{SUM_OF_SHORTAGES} + (h_1 - h_2 - h_3 + h_4)^2"),
     uses=["2.3.15", "2.3.16"],
 )
 

@@ -8,7 +8,7 @@ where both polyhedra are spoken of.
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from functools import partial
 from typing import Any
@@ -560,30 +560,39 @@ PRIME_MOVED = (
 )
 
 
-def differ(edges: str) -> str:
-    """The fifth edge, which has the damaged prime, is not the tenth: its middle is elsewhere."""
-    fifth, tenth = (" + ".join(f"({end})" for end in points(edges.split(", ")[k])) for k in (4, 9))
-    gap = f"{fifth} - ({tenth})"
-    return f"({gap}, {gap}) > 0"
+def is_there(edge: str, edges: str) -> str:
+    """One of the edges of a list has the ends of this one, whichever comes first."""
+
+    def ends(named: str) -> str:
+        return " + ".join(f"({end})" for end in points(named))
+
+    return r" \lor ".join(f"{ends(listed)} = {ends(edge)}" for listed in edges.split(", "))
 
 
-def repaired(statements: list[str], letter: str, moved: str) -> dict[str, Erratum]:
-    """The errata of the first four statements, with lost primes, and of the one that speaks of the fifth edge."""
+def repaired(statements: list[str], **others: Erratum) -> dict[str, Erratum]:
+    """The errata of the first four statements, with lost primes, and others."""
+    edges = RIGHT_EDGES.split(", ")
     lost = {
-        each: Erratum(statement, "lost prime", Origin.OCR, PRIMES_LOST)
-        for each, statement in zip("abcd", statements, strict=False)
+        letter: Erratum(statement, "lost prime", Origin.OCR, PRIMES_LOST, shown=edge)
+        for letter, statement, edge in zip("abcd", statements, edges, strict=False)
     }
-    return {**lost, letter: Erratum(moved, "label", Origin.UNCERTAIN, PRIME_MOVED)}
+    return {**lost, **others}
 
+
+LEFT_OUT = RIGHT_EDGES.split(", ")[4]
 
 edges_that_shrink = both.claim(
     "3.2.13",
     586,
-    EDGES,
-    words="P' is P with these edges shrunk to nothing: they are those along e_6, the axis of the wheel that failed.",
-    states=(*map(along_wheel_6, EDGES.split(", ")), differ(EDGES)),
+    (*EDGES.split(", "), EDGES),
+    words="P' is P with these edges shrunk to nothing: just these are along e_6, the axis of the wheel that failed. (k) Just these: the "
+    "edge along e_6 that ends in V_16 is one of them.",
+    states=(*map(along_wheel_6, EDGES.split(", ")), is_there(LEFT_OUT, EDGES)),
     given=[real_pyramid],
-    errata=repaired([along_wheel_6(edge) for edge in RIGHT_EDGES.split(", ")], "k", differ(RIGHT_EDGES)),
+    errata=repaired(
+        [along_wheel_6(edge) for edge in RIGHT_EDGES.split(", ")],
+        k=Erratum(is_there(LEFT_OUT, RIGHT_EDGES), "label", Origin.UNCERTAIN, PRIME_MOVED, shown=RIGHT_EDGES),
+    ),
     uses=["3.0.4", "3.1.3"],
 )
 
@@ -600,11 +609,11 @@ RIGHT_MIDDLES = list(map(is_midpoint, MIDPOINTS.split(", "), RIGHT_EDGES.split("
 midpoints_of_edges = both.claim(
     "3.2.15",
     586,
-    (MIDPOINTS, EDGES),
-    words="These vertices of P' are the middles of these edges of P, in this order.",
+    EDGES.split(", "),
+    words=f"The vertices {MIDPOINTS} of P' are the middles of these edges of P, in this order.",
     states=tuple(map(is_midpoint, MIDPOINTS.split(", "), EDGES.split(", "))),
     given=[real_pyramid],
-    errata=repaired(RIGHT_MIDDLES, "e", RIGHT_MIDDLES[4]),
+    errata=repaired(RIGHT_MIDDLES, e=Erratum(RIGHT_MIDDLES[4], "label", Origin.UNCERTAIN, PRIME_MOVED, shown=LEFT_OUT)),
     uses=["3.2.13"],
 )
 
@@ -730,16 +739,21 @@ volume_left_by_one_of_four = ours(
     notation=four_wheels,
 )
 
-less_sensitive_to_failure = six.claim(
+volume_left_by_one_of_six = six.ours(
+    "3.2.43",
+    610,
+    words="Of six wheels, one that fails leaves half of it.",
+    states=rf"{envelopes.volume(envelopes.SIX, 6)} = \frac{{1}}{{2}} \cdot {envelopes.volume(envelopes.SIX)}",
+    by=cases(),
+    uses=["3.0.4"],
+)
+
+less_sensitive_to_failure = exclusion(
     "3.2.19",
     610,
-    words="More wheels are less sensitive to a failure: of six wheels, one that fails leaves half of the volume, more than a quarter.",
-    states=(
-        rf"{envelopes.volume(envelopes.SIX, 6)} = \frac{{1}}{{2}} \cdot {envelopes.volume(envelopes.SIX)}",
-        r"\frac{1}{2} > \frac{1}{4}",
-    ),
-    by=cases(),
-    uses=["3.2.18"],
+    words="More wheels are less sensitive to a failure.",
+    reason="the paper prints no measure of sensitivity. All that we know of are in its favour: the volume left is a half, not a quarter "
+    "(3.2.18, 3.2.43), and a region similar to the whole that is left is 5/8, not a half, of its size (B.13, B.35)",
 )
 
 AROUND_FOUR = Hypothesis(
@@ -770,32 +784,46 @@ four_wheels_and_ellipsoids = ours(
     notation=four_wheels_and_ellipsoid,
 )
 
-SQUARES = r"\operatorname{diag}(16\sin^2 a, 16\sin^2 a, 36\cos^2 a)"
-RECIPROCALS = r"\operatorname{diag}(\frac{1}{16\sin^2 a}, \frac{1}{16\sin^2 a}, \frac{1}{36\cos^2 a})"
+
+def against_ellipsoid(vertex: int, axes: Sequence[str], order: str) -> str:
+    """The vertex lies on the ellipsoid with these semi-axes, squared ("="), or within it ("<")."""
+    entries = ", ".join(rf"\frac{{1}}{{{axis}}}" for axis in axes)
+    reciprocals = rf"\operatorname{{diag}}({entries})"
+    return rf"(\mathbf{{V}}_{{{vertex}}}, {reciprocals} \mathbf{{V}}_{{{vertex}}}) {order} 1"
 
 
-def against_ellipsoid(vertex: int, order: str) -> str:
-    """The vertex lies on the ellipsoid with the semi-axes 4 sin a, 4 sin a, 6 cos a ("="), or within it ("<")."""
-    return rf"(\mathbf{{V}}_{{{vertex}}}, {RECIPROCALS} \mathbf{{V}}_{{{vertex}}}) {order} 1"
-
-
-def around_ellipsoid(face: str, order: str) -> str:
-    """The plane of the face touches that ellipsoid, made smaller by the factor sqrt(27/43) ("="), or misses it ("<")."""
+def around_ellipsoid(face: str, axes: Sequence[str], ratio: str, order: str) -> str:
+    """The plane of the face touches that ellipsoid, made smaller by this ratio, squared ("="), or misses it ("<")."""
     places = face.split(", ")
     normal = " \\times ".join(rf"\mathbf{{e}}_{places.index(free) + 1}" for free in "uv")
     middle = f"[{face}]".replace("u", "0").replace("v", "0")
-    return rf"\frac{{27}}{{43}} ({normal}, {SQUARES} ({normal})) {order} ({normal}, {middle})^2"
+    squares = rf"\operatorname{{diag}}({', '.join(axes)})"
+    return rf"{ratio} ({normal}, {squares} ({normal})) {order} ({normal}, {middle})^2"
 
 
-nearer_to_an_ellipsoid = six.claim(
+nearer_to_an_ellipsoid = exclusion(
     "3.2.21",
     610,
-    words="More wheels come nearer to an ellipsoid: for six wheels lambda^2 = 27/43, more than 1/2, with the semi-axes 4 sin a, 4 sin a, "
-    "6 cos a (the other vertices and faces by sixth turns and opposites).",
+    words="More wheels have a region nearer to an ellipsoid.",
+    reason="the paper prints no measure of nearness, and the order depends on it. With the ellipsoid that suits each region best six "
+    "wheels are nearer: lambda = 0.792 against 0.707 (3.2.20, 3.2.44). With the ellipsoid that the paper itself asks for, (1.2) with "
+    "equal largest rates, and the moments of inertia and angles of sections 2.3 and 3.3, they are farther: 0.543 against 0.707 "
+    "(3.2.45, 3.2.46)",
+)
+
+BEST_OF_SIX, RATIO_OF_SIX = (r"16\sin^2 a", r"16\sin^2 a", r"36\cos^2 a"), r"\frac{27}{43}"
+
+six_wheels_and_the_best_ellipsoid = six.ours(
+    "3.2.44",
+    610,
+    words="With the ellipsoid that suits them six wheels are nearer: lambda^2 = 27/43, more than 1/2, with the semi-axes 4 sin a, "
+    "4 sin a, 6 cos a (the other vertices and faces by sixth turns and opposites).",
     states=(
-        *(against_ellipsoid(vertex, order) for vertex, order in ((1, "="), (2, "<"), (8, "<"), (14, "="))),
-        around_ellipsoid(FACES_OF_P[0], "="),
-        *(around_ellipsoid(face, "<") for face in (FACES_OF_P[6], FACES_OF_P[12])),
+        *(against_ellipsoid(vertex, BEST_OF_SIX, order) for vertex, order in ((1, "="), (2, "<"), (8, "<"), (14, "="))),
+        *(
+            around_ellipsoid(FACES_OF_P[face], BEST_OF_SIX, RATIO_OF_SIX, order)
+            for face, order in ((0, "="), (6, "<"), (12, "<"))
+        ),
         r"\frac{27}{43} > \frac{1}{2}",
     ),
     given=[real_pyramid],
@@ -806,6 +834,46 @@ nearer_to_an_ellipsoid = six.claim(
         "g": nonnegative(r"\frac{336}{43} \cos^2 a \sin^4 a"),
     },
     uses=["3.1.25", "3.2.20"],
+)
+
+TANGENT_3 = Hypothesis("tg a = 3", "the angle of section 3.3", r"\sin^2 a = 9 \cos^2 a")
+LEAST_AROUND_SIX = r"\frac{1953}{160000000}"  # (2 sqrt 3 sin a/1000)^2 + (2 sin a/1600)^2
+AS_MOMENTS = tuple(rf"{LEAST_AROUND_SIX} \cdot {moment}^2" for moment in (1000, 1600, 800))
+
+six_wheels_and_the_ellipsoid_asked_for = six.ours(
+    "3.2.45",
+    610,
+    words="With the ellipsoid (1.2) for equal largest rates w about all axes six wheels are farther from it than four: at tg a = 3 the "
+    "least one around P has w^2 = 1953/160000000 (the other vertices by reflections), the largest in P 9/2500000 (B.41, B.42), so that "
+    "lambda^2 is 64/217.",
+    states=(
+        *(against_ellipsoid(vertex, AS_MOMENTS, "=" if vertex == 14 else "<") for vertex in (1, 2, 3, 8, 10, 14, 15)),
+        rf"\frac{{9}}{{2500000}} = \frac{{64}}{{217}} \cdot {LEAST_AROUND_SIX}",
+        r"\frac{64}{217} < \frac{1}{2}",
+        r"\sqrt{\frac{64}{217}} \approx 0.543",
+    ),
+    given=[TANGENT_3],
+    by=cases(),
+    uses=["1.2", "3.2.46", "B.41", "B.42"],
+)
+
+BOX = (r"(4 \sin a \sin b)^2", r"(4 \sin a \cos b)^2", r"(4 \cos a)^2")
+
+four_wheels_and_the_ellipsoid_asked_for = ours(
+    "3.2.46",
+    610,
+    words="Four wheels reach the most that they can, lambda^2 = 1/2, with the semi-axes 4 sin a sin b, 4 sin a cos b, 4 cos a; at the "
+    "angles of section 2.3 they are as the moments of inertia, and this is the ellipsoid for equal largest rates (2.3.11).",
+    states=(
+        *(against_ellipsoid(vertex, BOX, order) for vertex, order in ((1, "="), (6, "="), (7, "="), (2, "<"))),
+        *(around_ellipsoid(face, BOX, r"\frac{1}{2}", "=") for face in ("1, 1, u, v", "u, 1, -1, v", "1, u, 1, v")),
+        r"\sqrt{\frac{1}{2}} \approx 0.707",
+        r"\sqrt{\frac{27}{43}} \approx 0.792",
+    ),
+    given=[real_pyramid, real_base],
+    by=cases(),
+    uses=["2.3.11", "3.2.20", "3.2.44"],
+    notation=four_wheels,
 )
 
 wider_control = exclusion(
