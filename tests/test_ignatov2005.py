@@ -99,6 +99,12 @@ def test_a_claim_that_needs_a_condition_of_ours_is_marked_by_it() -> None:
     }
 
 
+def test_no_repair_is_a_fraction_that_cancels() -> None:
+    first = decide("ignatov2005:2.3.5")[0]
+    assert first.erratum is not None
+    assert first.erratum.repairs == ()
+
+
 def test_the_order_of_both_regions_depends_on_the_ellipsoid() -> None:
     """3.2.21: with the ellipsoid that suits each best six wheels are nearer, with the one for equal rates four."""
 
@@ -203,6 +209,7 @@ def test_the_errors_of_section_3_are_these() -> None:
     assert faults("3") == {
         "3.0.4d": "sign",
         "T8.2": "coefficient",
+        **dict.fromkeys(("T8.7", "T8.8", *(f"T11.{n}" for n in range(13, 18))), "missing hypothesis"),
         "3.2.7": "wrong claim",
         **{f"3.2.{item}{letter}": "lost prime" for item in (13, 15) for letter in "abcd"},
         "3.2.13k": "label",
@@ -210,7 +217,9 @@ def test_the_errors_of_section_3_are_these() -> None:
         "3.2.37b": "rounding",
     }
     assert damaged("3") == {
+        "3.1.22": "one letter for another",
         "3.1.23": "lost letter",
+        "3.2.12": "one letter for another",
         "T11.2": "missing cell",
         "3.2.34": "letter",
     }
@@ -312,6 +321,35 @@ def test_no_round_ellipsoid_is_nearer_to_six_wheels() -> None:
         across, along = 4 * math.sin(a), 6 * math.cos(a)
         assert nearness(across, along, envelope) == pytest.approx(27 / 43)
         assert max(nearness(across, along * k / 100, envelope) for k in range(50, 200)) <= 27 / 43 + 1e-12
+
+
+def to_the_face(face: str, axes: list[Vector], steps: int = 200) -> float:
+    """From the centre to the nearest point of a face, on a grid."""
+
+    def momenta(u: float, v: float) -> tuple[float, ...]:
+        return tuple({"u": u, "v": v}.get(h) or (0.0 if h in "uv" else float(h)) for h in face.split(", "))
+
+    grid = [2 * k / steps - 1 for k in range(steps + 1)]
+    return min(math.hypot(*combined(momenta(u, v), axes)) for u in grid for v in grid)
+
+
+@pytest.mark.parametrize(
+    ("face", "plane", "nearest"),
+    [
+        (sec3.FACES_OF_P[0], 1.736, 1.736),
+        (sec3.FACES_OF_P[6], 2.073, 2.269),
+        (sec3.FACES_OF_FIVE[0], 1.814, 1.814),
+        (sec3.FACES_OF_FIVE[1], 1.447, 1.558),
+        (sec3.FACES_OF_FIVE[2], 1.157, 1.157),
+        (sec3.FACES_OF_FIVE[5], 1.555, 1.868),
+        (sec3.FACES_OF_FIVE[6], 1.296, 1.328),
+    ],
+)
+def test_a_face_may_be_farther_than_its_plane_at_72_degrees(face: str, plane: float, nearest: float) -> None:
+    axes = six_axes(math.radians(72))[: face.count(",") + 1]
+    signs = tuple(0 if sign in "uv" else int(sign) for sign in face.split(", "))
+    assert zonotope.envelope(axes, roughly).distance(signs) == pytest.approx(plane, abs=1e-3)
+    assert to_the_face(face, axes) == pytest.approx(nearest, abs=2e-3)
 
 
 def test_the_largest_rates_of_six_wheels() -> None:

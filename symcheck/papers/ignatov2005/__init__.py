@@ -1,7 +1,7 @@
 """Ignatov, Davydov, Sazonov 2005: the momentum envelopes of two arrays of reaction wheels."""
 
 from symcheck.core.claims import Paper, Section
-from symcheck.papers.ignatov2005 import beyond, lists, sec1, sec2, sec3, standing
+from symcheck.papers.ignatov2005 import beyond, drawings, lists, sec1, sec2, sec3, standing
 from symcheck.papers.ignatov2005.notation import notation
 
 paper = Paper(
@@ -16,6 +16,7 @@ paper = Paper(
         Section("2", "Four-sided pyramid", sec2),
         Section("3", "Six-sided pyramid", sec3),
         Section("L", "Lists and tables of coordinates", lists),
+        Section("D", "Figures, and letters that change their meaning", drawings),
         Section("B", "Beyond the paper", beyond),
     ),
 )

@@ -15,7 +15,7 @@ from typing import Any
 from symcheck.core.claims import Claim, Damage, Erratum, Hypothesis
 from symcheck.core.problems import Applied
 from symcheck.core.verdicts import Origin
-from symcheck.papers.declare import Scope, claim, exclusion, ours, premise
+from symcheck.papers.declare import Scope, claim, ours, premise
 from symcheck.papers.ignatov2005 import derivation, named, wheels
 from symcheck.papers.ignatov2005.hypotheses import (
     EACH,
@@ -217,8 +217,14 @@ euler_characteristic = four.claim(
     uses=["2.1.15", "2.1.16", "2.1.18"],
 )
 
-angles_of_table_1 = exclusion(
-    "2.1.22", 128, (r"a = 67^\circ", r"b = 32^\circ"), reason="the angles of table 1, chosen in section 2.3"
+ANGLES = (r"a = 67^\circ", r"b = 32^\circ")
+
+angles_of_table_1 = four.premise(
+    "2.1.22",
+    128,
+    ANGLES,
+    words="The angles of table 1, chosen in section 2.3 (2.3.6, 2.3.9).",
+    states=", ".join(ANGLES),
 )
 
 # --- 2.1: symmetries
@@ -560,8 +566,8 @@ pairs_of_faces_of_three = three.pairs_of_faces("2.2.11", 203, "i = 1, 2, 3")
 
 sense_of_edges_of_three = three.sense_of_edges("2.2.12", 211)
 
-angles_of_table_4 = exclusion(
-    "2.2.13", 211, (r"a = 67^\circ", r"b = 32^\circ"), reason="the angles of table 4, those of table 1"
+angles_of_table_4 = four.premise(
+    "2.2.13", 211, ANGLES, words="The angles of table 4, those of table 1.", states=", ".join(ANGLES)
 )
 
 LOST_PRIME = (

@@ -13,7 +13,7 @@ from dataclasses import replace
 from functools import partial
 from typing import Any
 
-from symcheck.core.claims import Claim, Damage, Erratum, Hypothesis, Ours
+from symcheck.core.claims import Claim, Damage, Erratum, Hypothesis, Ours, Premise
 from symcheck.core.problems import Applied
 from symcheck.core.verdicts import Origin
 from symcheck.papers import listing
@@ -30,6 +30,7 @@ from symcheck.papers.ignatov2005.hypotheses import (
 from symcheck.papers.ignatov2005.lists import of_five, of_six
 from symcheck.papers.ignatov2005.named import Named
 from symcheck.papers.ignatov2005.notation import (
+    LIMIT,
     five_of_six,
     four_wheels,
     four_wheels_and_ellipsoid,
@@ -231,9 +232,24 @@ euler_characteristic = six.counted(
     *("3.1.14", "3.1.16", "3.1.18"),
 )
 
-angle_of_table_6 = exclusion(
-    "3.1.22", 404, r"\alpha = 72^\circ", reason="the angle of table 6, chosen in section 3.3; alpha is the angle a"
-)
+
+def angle_of_a_table(number: str, line: int, table: int) -> Premise:
+    """The angle is a, and alpha here."""
+    return six.premise(
+        number,
+        line,
+        r"\alpha = 72^\circ",
+        words=f"The angle of table {table}, chosen in section 3.3 (3.2.32).",
+        damage=Damage(
+            r"a = 72^\circ",
+            "The angle is defined as a (line 277), and is a wherever else it is printed; alpha is no letter of this paper. The original has "
+            "Greek letters where the digital text has a, b, p and w, and the digital text kept this one: either letter is meant for the other.",
+            kind="one letter for another",
+        ),
+    )
+
+
+angle_of_table_6 = angle_of_a_table("3.1.22", 404, 6)
 
 # --- 3.1: symmetries
 
@@ -360,7 +376,7 @@ def distance_of_faces(
         number,
         far.line,
         (*far.printed, far.distance),
-        words=f"{far.words}{words}.",
+        words=f"Distance of the planes of {far.words}{words}.",
         damage=damage,
         states=all_far(far.distance, *far.indices),
         given=[real_pyramid],
@@ -406,6 +422,11 @@ table_8 = (
 )
 
 
+def far_scope(face: str, notation: Notation) -> Scope:
+    """With u and v at the foot of the perpendicular to a face."""
+    return Scope(notation, partial(derivation.foot_of_perpendicular, face), cases())
+
+
 def foot_within(number: str, line: int, face: str, words: str, notation: Notation, **angles: str) -> Ours:
     """The foot of the perpendicular from the centre, and for which a its u and its v are those of a point of the face.
 
@@ -417,16 +438,8 @@ def foot_within(number: str, line: int, face: str, words: str, notation: Notatio
         rf"-1 \leq {free} \leq 1 \Leftrightarrow {angles[free]}" if free in angles else f"-1 < {free} < 1"
         for free in "uv"
     ]
-    return ours(
-        number,
-        line,
-        words=words,
-        states=(*across, *within),
-        given=[real_pyramid],
-        where=partial(derivation.foot_of_perpendicular, face),
-        by=cases(),
-        uses=["3.0.4"],
-        notation=notation,
+    return far_scope(face, notation).ours(
+        number, line, words=words, states=(*across, *within), given=[real_pyramid], uses=["3.0.4"]
     )
 
 
@@ -435,7 +448,7 @@ feet_of_perpendiculars = (
         "T8.4",
         467,
         FACES_OF_P[0],
-        "The distances are those of the planes. For F_1 to F_6 the foot of the perpendicular lies within the face, and the face is as "
+        "For F_1 to F_6 the foot of the perpendicular lies within the face, and the face is as "
         "far as its plane, from tg^2 a = 2/3 on.",
         six_wheels,
         u=r"2 \cos^2 a \leq 3 \sin^2 a",
@@ -451,6 +464,50 @@ feet_of_perpendiculars = (
         v=r"\sin^2 a \leq 4 \cos^2 a",
     ),
     foot_within("T8.6", 467, FACES_OF_P[12], "For F_13 to F_15 always: it is the middle of the face.", six_wheels),
+)
+
+
+def as_far_as_its_plane(
+    number: str, far: Named, face: str, notation: Notation, needs: Hypothesis | None = None, at_72_degrees: str = ""
+) -> Claim:
+    """That a face is as far as its plane: the foot of the perpendicular lies within it."""
+    reason = (
+        "The table promises the distance of each face and gives that of its plane. They are one where the foot of the perpendicular from the "
+        f"centre lies within the face, and for no other angles; elsewhere the face is farther{at_72_degrees}."
+    )
+    return far_scope(face, notation).claim(
+        number,
+        far.line,
+        words=f"This is the distance of the faces {far.words} themselves, not of their planes only.",
+        states=r"-1 \leq u \leq 1 \land -1 \leq v \leq 1",
+        given=[real_pyramid],
+        errata={"": Erratum("", "missing hypothesis", Origin.PAPER, reason, needs=(needs,))} if needs else {},
+        uses=["3.0.4"],
+    )
+
+
+def angles(words: str, states: str) -> Hypothesis:
+    """The angles for which faces are as far as their planes."""
+    return Hypothesis("foot in the face", words, states)
+
+
+faces_of_table_8_as_far_as_their_planes = (
+    as_far_as_its_plane(
+        "T8.7",
+        NEIGHBOURS,
+        FACES_OF_P[0],
+        six_wheels,
+        angles("tg^2 a is 2/3 at least: a is 39.2 degrees or more", r"2 \cos^2 a \leq 3 \sin^2 a"),
+    ),
+    as_far_as_its_plane(
+        "T8.8",
+        TWO_APART,
+        FACES_OF_P[6],
+        six_wheels,
+        angles("tg a is 2 at most: a is 63.4 degrees or less", r"\sin^2 a \leq 4 \cos^2 a"),
+        ", at the 72 degrees of section 3.3 2.269 and not 2.073 (with the right coefficient, T8.2)",
+    ),
+    as_far_as_its_plane("T8.9", ACROSS, FACES_OF_P[12], six_wheels),
 )
 
 # --- 3.2: one wheel failed
@@ -484,9 +541,13 @@ shorthand_of_five = five.shorthand("3.2.2", 481, "3.2")
 equal_wheels_again = craft.premise(
     "3.2.3",
     481,
-    (r"-h_{\max} \leq h_i \leq h_{\max}", r"i=1, \dots, 5", r"h_{\max} = 1", r"|h_i| \leq 1"),
-    words="Limits of the wheels and their unit as before; P' is the region of all H with such h_i.",
+    (r"-h_{\max} \leq h_i \leq h_{\max}", r"i=1, \dots, 5", r"|h_i| \leq 1"),
+    words="The limits of the wheels that work; P' is the region of all H with |h_i| <= 1.",
     states=r"-h_{\max} \leq h_i \leq h_{\max}",
+)
+
+unit_of_momentum_of_five = five.unit_of_momentum(
+    "3.2.47", 481, "3.2.2", five_of_six.extended(LIMIT), "Again no generality is lost with h_max = 1."
 )
 
 number_of_vertices_of_five = five.number_of_vertices("3.2.4", 481, f" (list of vertices). {CORNERS}.", "3.1.13", "3.2V")
@@ -524,9 +585,7 @@ pairs_of_faces_of_five = five.pairs_of_faces("3.2.10", 526, r"i = 1, \dots, 10")
 
 sense_of_edges_of_five = five.sense_of_edges("3.2.11", 554)
 
-angle_of_table_9 = exclusion(
-    "3.2.12", 554, r"\alpha = 72^\circ", reason="the angle of table 9, chosen in section 3.3; alpha is the angle a"
-)
+angle_of_table_9 = angle_of_a_table("3.2.12", 554, 9)
 
 # --- 3.2: from P to P'
 
@@ -684,7 +743,7 @@ feet_of_perpendiculars_of_five = (
         "T11.7",
         604,
         FACES_OF_FIVE[0],
-        "These distances too are those of the planes. The foot of the perpendicular lies within F_1 for tg^2 a from 2/3 to 10.",
+        "The foot of the perpendicular lies within F_1 for tg^2 a from 2/3 to 10.",
         five_of_six,
         u=r"(2 \cos^2 a \leq 3 \sin^2 a \land \sin^2 a \leq 10 \cos^2 a)",
         v=r"(2 \cos^2 a \leq 3 \sin^2 a \land \sin^2 a \leq 10 \cos^2 a)",
@@ -725,6 +784,38 @@ feet_of_perpendiculars_of_five = (
         v=r"\sin^2 a \leq 6 \cos^2 a",
     ),
     foot_within("T11.12", 607, FACES_OF_FIVE[8], "Within F_9, and so F_10, always.", five_of_six),
+)
+
+faces_of_table_11_as_far_as_their_planes = tuple(
+    as_far_as_its_plane(f"T11.{number}", far, FACES_OF_FIVE[far.indices[0] - 1], five_of_six, needs, at_72_degrees)
+    for number, far, (needs, at_72_degrees) in zip(
+        range(13, 19),
+        IN_TABLE_11,
+        (
+            (
+                angles(
+                    "tg^2 a lies between 2/3 and 10: a between 39.2 and 72.5 degrees",
+                    r"2 \cos^2 a \leq 3 \sin^2 a, \sin^2 a \leq 10 \cos^2 a",
+                ),
+                "",
+            ),
+            (
+                angles("tg^2 a = 2, where it is a corner: a is 54.7 degrees", r"\sin^2 a = 2 \cos^2 a"),
+                ", at 72 degrees 1.558 and not 1.447",
+            ),
+            (
+                angles("tg^2 a is 2 at most: a is 54.7 degrees or less", r"\sin^2 a \leq 2 \cos^2 a"),
+                ", at 72 degrees 1.868 and not 1.555",
+            ),
+            (angles("tg^2 a is 4/3 at least: a is 49.1 degrees or more", r"4 \cos^2 a \leq 3 \sin^2 a"), ""),
+            (
+                angles("tg^2 a is 6 at most: a is 67.8 degrees or less", r"\sin^2 a \leq 6 \cos^2 a"),
+                ", at 72 degrees 1.328 and not 1.296",
+            ),
+            (None, ""),
+        ),
+        strict=True,
+    )
 )
 
 # --- the closing comparison
