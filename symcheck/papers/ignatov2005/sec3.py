@@ -478,7 +478,8 @@ def as_far_as_its_plane(
     return far_scope(face, notation).claim(
         number,
         far.line,
-        words=f"This is the distance of the faces {far.words} themselves, not of their planes only.",
+        words=f"This is the distance of the faces {far.words} themselves, not of their planes only: the foot of the "
+        "perpendicular, at these u and v of the face, lies within it.",
         states=r"-1 \leq u \leq 1 \land -1 \leq v \leq 1",
         given=[real_pyramid],
         errata={"": Erratum("", "missing hypothesis", Origin.PAPER, reason, needs=(needs,))} if needs else {},
@@ -505,7 +506,7 @@ faces_of_table_8_as_far_as_their_planes = (
         FACES_OF_P[6],
         six_wheels,
         angles("tg a is 2 at most: a is 63.4 degrees or less", r"\sin^2 a \leq 4 \cos^2 a"),
-        ", at the 72 degrees of section 3.3 2.269 and not 2.073 (with the right coefficient, T8.2)",
+        ", at the 72 degrees of section 3.3 2.268 and not 2.073 (with the right coefficient, T8.2)",
     ),
     as_far_as_its_plane("T8.9", ACROSS, FACES_OF_P[12], six_wheels),
 )
