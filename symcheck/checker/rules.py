@@ -9,13 +9,13 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Sequence
 
-from symcheck.checker.algebra import Algebra, Divisors, Known, exact
+from symcheck.checker.algebra import Algebra, Divisors, Known, exact, height
 from symcheck.checker.residues import PRIME, Reject, inverse, polynomials, rational, require
 from symcheck.checker.theorems import Argument, instance
 from symcheck.core.calculus import letters, substituted
 from symcheck.core.fields import Fields, by_key, listed, raw, text
 from symcheck.core.formulas import FALSE, conjuncts, contrary
-from symcheck.core.terms import JSON, Connective, Formula, Quantified, Reader, Relation, T, Term, Value, node
+from symcheck.core.terms import JSON, Binder, Connective, Formula, Quantified, Reader, Relation, T, Term, Value, node
 
 Reference = tuple[str | int, ...]
 STRICT, ORDERS = ("<", ">"), ("<", ">", "<=", ">=")
@@ -143,7 +143,7 @@ class Prover:
             case Value(tag="/", terms=(top, bottom)):
                 result = min(self.sign(top), 2 * bool(self.sign(bottom)))
             case Value(tag="^", terms=(base, int(n))) if n > 0:
-                result = self.sign(base) or int(n % 2 == 0)
+                result = self.sign(base) or (n % 2 == 0 and 1 + self.is_known(self.value(base)))
         value = self.value(term) if result < 2 else 0
         if result < 2 and exact(term) and (number := rational(value)) and number[0] >= 0:
             return 1 + (number[0] > 0)
@@ -260,9 +260,20 @@ class Prover:
         premises, conclusion = instance(name, given, {self.reader.letter(x): t for x, t in numbers.items()})
         for premise, proof in paired(premises, step.take("premises", LIST)):
             self.branch(premise, proof)
+        if name == "antiderivative":
+            self.met(conclusion)
         if isinstance(conclusion, Quantified):
             conclusion = self.opened(conclusion, step, goal)
         self.branch(goal, step.take("then", raw), conclusion)
+
+    def met(self, conclusion: Formula) -> None:
+        """What an integrand divides by is not zero between the ends: its premises were proved there."""
+        integral, _ = conclusion.outside
+        around, self.algebra.divisors = self.algebra.divisors, {}
+        self.value(integral)
+        if isinstance(integral, Binder) and height(integral) == 1:
+            self.nonzero |= {value for value, term in self.algebra.divisors.items() if term is None}
+        self.algebra.divisors = around
 
     def argument(self, data: JSON) -> Argument:
         """What a theorem is applied to: a term, or {"letter": x, "term": t} for a term in a letter."""
@@ -312,6 +323,8 @@ class Prover:
     def is_known(self, divisor: int) -> bool:
         """Whether a fact that is in force says that a value is not zero."""
         known = [(name, gap) for name, (formula, gap) in self.facts.items() if gap and formula.tag in ("!=", *STRICT)]
+        if not divisor:
+            return False
         by = next((name for name, gap in known if gap == divisor), None)
         by = by or next((name for name, gap in known if rational(gap * inverse(divisor))), None)
         self.used |= {by} if by else set()

@@ -15,8 +15,8 @@ from types import MappingProxyType
 from typing import NamedTuple
 
 from symcheck.checker.enclosures import between
-from symcheck.core.calculus import Lambda, polynomial_in, substituted
-from symcheck.core.terms import RELATIONS, Call, Formula, Malformed, Node, Term, Value, node
+from symcheck.core.calculus import Lambda, polynomial_in, regular, substituted
+from symcheck.core.terms import RELATIONS, Call, Formula, Malformed, Node, Quantified, Term, Value, node
 
 QUADRANTS = "-(pi/2) <= a; a <= pi/2"  # from -90 to 90 degrees
 S = "(k + u + 1)"  # an integrand of the shape below is like x**(S - 1) near 0 and like x**(S - 1 - 2*r) far away
@@ -49,6 +49,13 @@ quarter_turn(f): forall(x, f(x + pi/2) == -f(x)) |- exists(x, f(x) == 0)
 intermediate_value(f, s, t): s < t; f(s) * f(t) < 0 |- exists(x, s < x and x < t and f(x) == 0)
 constant(c, s, t): |- integral(c, x, s, t) == c * (t - s)
 power_rule(f, s, t, c, g, u): s <= t; forall(x, implies(s <= x and x <= t, g(x) > 0 and f(x) == diff(c * pow(g(x), u), x))) |- integral(f(x), x, s, t) == c * pow(g(t), u) - c * pow(g(s), u)
+antiderivative(f, g, s, t): s <= t; forall(x, implies(s <= x and x <= t, f(x) == diff(g(x), x))) |- integral(f(x), x, s, t) == g(t) - g(s)
+exp_of_log(t): t > 0 |- exp(log(t)) == t
+log_of_one(): |- log(1) == 0
+log_of_exp(t): |- log(exp(t)) == t
+log_of_product(s, t): s > 0; t > 0 |- log(s * t) == log(s) + log(t)
+log_of_power(t, u): t > 0 |- log(pow(t, u)) == u * log(t)
+power_as_exp(b, u): b > 0 |- pow(b, u) == exp(u * log(b))
 power_diverges(f, c, u): c != 0; forall(x, implies(x > 0, f(x) == c * pow(x, u))) |- diverges(f(x), {HALF}) == 1
 beta(f, c, k, u, r, p, q): p > 0; q > 0; {S} > 0; 2*r - {S} > 0; {SHAPE} |- diverges(f(x), {HALF}) == 0 and {EULER} * gamma(r - {S}/2) and gamma(r) > 0 and gamma({S}/2) > 0 and gamma(r - {S}/2) > 0 and pow(p, -({S}/2)) > 0 and pow(q, -(r - {S}/2)) > 0
 beta_diverges(f, c, k, u, r, p, q): p > 0; q > 0; c != 0; {S} <= 0 or 2*r - {S} <= 0; {SHAPE} |- diverges(f(x), {HALF}) == 1
@@ -191,9 +198,23 @@ def instance(
         atoms: list[Term] = [node(each, x) for each in of] or [x]
         if not polynomial_in(body, *atoms):
             raise Malformed(f"{body!r} is no polynomial in {' and '.join(of)} {x}")
+    if name == "antiderivative":  # what it is the derivative of is smooth all the way
+        return antiderivative(lambdas["f"], lambdas["g"], terms["s"], terms["t"])
     stated = theorem(name)
     premises = [substituted(premise, terms, lambdas) for premise in stated.premises]
     return premises, substituted(stated.conclusion, terms, lambdas)
+
+
+def antiderivative(f: Lambda, g: Lambda, s: Term, t: Term) -> tuple[list[Formula], Formula]:
+    """The theorem of that name: all the way from s to t, g is smooth, and has the derivative f where it is."""
+    stated = theorem("antiderivative")
+    ordered, derived = (substituted(each, {"s": s, "t": t}, {"f": f, "g": g}) for each in stated.premises)
+    assert isinstance(derived, Quantified)
+    (way, equal), (x,) = derived.body.formulas, derived.bound
+    smooth = regular(substituted(g[1], {g[0][0]: x}))
+    last = node("forall", (x,), node("=>", node("and", *way.formulas, *smooth), equal))
+    premises = [node("forall", (x,), node("=>", way, each)) for each in smooth]
+    return [ordered, *premises, last], substituted(stated.conclusion, {"s": s, "t": t}, {"f": f, "g": g})
 
 
 def congruence(given: Mapping[str, Argument]) -> tuple[list[Formula], Formula]:

@@ -165,6 +165,21 @@ def divisor(term: Node) -> Term:
     return 1
 
 
+def regular(term: Term) -> list[Formula]:
+    """What must be so lest a term fail to be smooth at a place; Malformed for one with binders."""
+    found = dict[Formula, None]()
+    for part in nodes(term):
+        if not isinstance(part, Value | Call):
+            raise Malformed(f"{part!r} may not be smooth")
+        if part.tag in ("sqrt", "log", "gamma", "pow"):
+            found[node(">", part.outside[0], 0)] = None
+        if part.tag in ("arcsin", "arccos"):
+            found[node("<", node("^", part.outside[0], 2), 1)] = None
+        if (below := divisor(part)) != 1:
+            found[node("!=", below, 0)] = None
+    return [*found]
+
+
 def domain(*trees: Term, divisors: bool = False) -> list[Formula]:
     """What must be so lest a part of the terms or formulas that stands under no binder have no real value.
 

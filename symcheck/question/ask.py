@@ -12,6 +12,7 @@ from symcheck.core.problems import Problem
 from symcheck.core.verdicts import SymcheckError, Verdict
 from symcheck.proof import certificate, identity
 from symcheck.question import jets
+from symcheck.question.antiderivatives import hinted
 from symcheck.question.answer import Answer, Status
 from symcheck.question.limit import OutOfTime, limited
 from symcheck.question.prepare import Asked, Reading, readings, sizes
@@ -100,7 +101,7 @@ def _decided_one(problem: Problem) -> tuple[Verdict, Certificate | None, str]:
             with limited(LIMIT):
                 if (numbers := way(problem)) is None:
                     continue
-                outcome = identity.decide(numbers.problem)
+                outcome = identity.decide(hinted(numbers.problem))
                 if outcome.verdict is Verdict.UNDECIDED or (outcome.verdict is Verdict.REFUTED and not numbers.refutes):
                     reasons.append(outcome.reason or "no functions are known that have the values of a counterexample")
                     continue

@@ -9,7 +9,7 @@ from math import lcm
 
 from symcheck.core.calculus import domain, functions, letters
 from symcheck.core.problems import Problem
-from symcheck.core.terms import Binder, Formula, Node, Term, Value, node
+from symcheck.core.terms import Binder, Formula, Node, T, Term, Value, mapped, node
 from symcheck.core.verdicts import SymcheckError
 from symcheck.reading import Notation, Tree, lower, read, tex
 from symcheck.reading.inference import Inference, canonical, inferred, spelling
@@ -184,6 +184,9 @@ def _reading(
                 hypotheses.append((_named(stated, f"{left} = {right}"), (formula,)))
     for text in (*equations, *conditions):
         hypotheses.append((_named(stated, text), lower(read(text, notation), notation, functions_)))
+    claims = tuple(map(rooted, claims))
+    hypotheses = [(name, tuple(map(rooted, formulas))) for name, formulas in hypotheses]
+    terms = {name: rooted(term) for name, term in terms.items()}
     turned = parted_angles([*claims, *(f for _, fs in hypotheses for f in fs), *terms.values()], terms)
     terms |= turned
     unfolding = tuple((name, terms[name]) for name in _sorted(terms))
@@ -195,6 +198,17 @@ def _reading(
         Problem(f"question{n or ''}", claim, unfolding, tuple(hypotheses)) for n, claim in enumerate(claims)
     )
     return Reading(inference, tree, problems, stated)
+
+
+def rooted(tree: T) -> T:
+    """The same with powers of halves as powers of roots."""
+    if not isinstance(tree, Node):
+        return tree
+    new = mapped(tree, rooted)
+    match new:
+        case Value(tag="pow", terms=(base, Value(tag="/", terms=(int(n), 2)))):
+            return node("sqrt", base) if n == 1 else node("^", node("sqrt", base), n)  # type: ignore[return-value]
+    return new  # type: ignore[return-value]
 
 
 def parted_angles(trees: Iterable[Term], defined: Mapping[str, Term]) -> dict[str, Term]:

@@ -93,6 +93,12 @@ class Evidence:
         return list(dict.fromkeys(x for place in self.places for x in place.by))
 
 
+HABITS = {  # what a sign may mean of which a formula itself does not say which, by what shows that it stands there
+    "log": (re.compile(r"\\log(?![a-zA-Z])(?!\s*_)"), ("e", "10")),
+    "inverse": (re.compile(r"\\(?:sin|cos|tan|sinh|cosh|tanh)\s*\^\s*\{\s*-\s*1\s*\}"), ("function", "power")),
+}
+
+
 def inferred(formulas: Sequence[str], said: Mapping[str, str], defined: Mapping[str, tuple[str, ...]]) -> list[Inference]:
     r"""All readings of formulas that share their letters.
 
@@ -120,16 +126,23 @@ def inferred(formulas: Sequence[str], said: Mapping[str, str], defined: Mapping[
     evidence = gathered(formulas, said)
     _complete(evidence)
     options = [[*_options(each, evidence, defined)] for each in evidence.values()]
+    habits = [
+        [(name, value) for value in values]
+        for name, (pattern, values) in HABITS.items()
+        if any(map(pattern.search, formulas))
+    ]
     count = 1
-    for each in options:
+    for each in (*options, *habits):
         count *= len(each)
     if count > MAX_READINGS:
-        several = ", ".join(o[0].letter.latex for o in options if len(o) > 1)
-        raise SymcheckError(f"{count} readings are possible; say what these letters are: {several}")
+        several = ", ".join([o[0].letter.latex for o in options if len(o) > 1] + [h[0][0] for h in habits])
+        raise SymcheckError(f"{count} readings are possible; say what these are: {several}")
     found = []
     for chosen in itertools.product(*options):
         choices = tuple(f"{g.letter.latex}: {g.taken}" for g, each in zip(chosen, options, strict=True) if len(each) > 1)
-        found.append(Inference(_notation(chosen), chosen, choices))
+        for meaning in itertools.product(*habits):
+            notation = _notation(chosen, **dict(meaning))
+            found.append(Inference(notation, chosen, (*choices, *(f"{name}={value}" for name, value in meaning))))
     return found
 
 
@@ -350,7 +363,7 @@ def _number(of: Evidence) -> list[Guess]:
         powers = [place.superscript for place in of.places]
         if latex != "e" or all(power and not "".join(power).isdigit() for power in powers):
             return [euler]
-        return [letter] if not any(powers) else [euler, letter]
+        return [euler, letter]
     if latex in ("i", "j", r"\text{i}", r"\text{j}"):
         unit = Guess(Letter(latex, number="i"), "the imaginary unit", "so it is written")
         letter = Guess(_letter(of, depends="", name=_plain(latex)), "a real number", "it is a letter like others")
@@ -432,7 +445,7 @@ def _plain(latex: str) -> str:
     return name if name[:1].isalpha() else f"x{name}"
 
 
-def _notation(guesses: Iterable[Guess]) -> Notation:
+def _notation(guesses: Iterable[Guess], **habits: str) -> Notation:
     """The notation of these letters; no two are lowered to one variable."""
     taken: set[str] = set()
     found = []
@@ -448,4 +461,4 @@ def _notation(guesses: Iterable[Guess]) -> Notation:
             )
             taken |= {x for x, _ in instances(letter)}
         found.append(letter)
-    return Notation(found, slash="", argument="")
+    return Notation(found, **habits)

@@ -709,7 +709,7 @@ class Builder:
         start = k
         while k < len(items) and self.simple(items[k]):
             item = items[k]
-            if item.postfix and item.postfix != "DEGREE":
+            if item.postfix and item.postfix != "DEGREE" and not (k == start and self.is_euler(item)):
                 raise self.fail(item.at, f"does this power belong to {head.name} or to its argument?")
             if k > start and isinstance(item.node, Number):
                 raise self.fail(item.at, "a number behind a factor is ambiguous")
@@ -728,6 +728,12 @@ class Builder:
                 factors += (self.atom(items[k]),)
                 k += 1
         return self.powered(head, (factors[0] if len(factors) == 1 else Mul(factors),)), k
+
+    def is_euler(self, item: Item) -> bool:
+        """Is this Euler's number with its exponent?"""
+        name = item.node
+        letter = self.notation.find(name.letter, len(name.subscripts)) if isinstance(name, Name) else None
+        return letter is not None and letter.number == "e" and item.postfix == "CARET"
 
     def continues(self, item: Item) -> bool:
         """Could this factor belong to an argument without brackets before it?"""

@@ -118,7 +118,11 @@ class Knowledge:
                 return min(above, 2 * bool(below)), first | second
             case "^", (base, int(exponent)) if exponent > 0:
                 level, grounds = self.sign(base)
-                return (level, grounds) if level else (int(exponent % 2 == 0), NOTHING)
+                if level or exponent % 2:
+                    return level, grounds
+                value = self.ring.ratio(base)
+                refs = None if value.den else self.nonzero(value.num)
+                return (1, NOTHING) if refs is None else (2, hypotheses_of(refs))
         return 0, NOTHING
 
     def _bound(self, term: Term) -> tuple[int, Grounds]:

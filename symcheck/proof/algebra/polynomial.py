@@ -357,6 +357,7 @@ def function_arguments(tree: Term, bodies: bool) -> Iterator[Term]:
 def with_arguments(names: Iterable[str]) -> set[str]:
     """The variables, and those that the arguments of the functions among them need."""
     found = set(names)
+    found |= variables(*(part for name in found for part in beneath(name)))
     open_ = sorted(name for name in found if name in atoms())
     while open_:
         tree = atoms()[open_.pop()]
@@ -368,6 +369,14 @@ def with_arguments(names: Iterable[str]) -> set[str]:
         open_ += sorted(name for name in inner - found if name in atoms())
         found |= inner
     return found
+
+
+def beneath(name: str) -> tuple[Term, ...]:
+    """What is no letter and stands under an exponential, a sine or a cosine."""
+    if name in table().exponentials:
+        return table().exponentials[name][1].terms
+    turn = circle(name)
+    return (table().angles[turn[1]],) if turn and turn[1] in table().angles else ()
 
 
 def turning(x: str) -> set[str]:

@@ -12,7 +12,7 @@ from symcheck.proof.algebra.facts import Assumed
 from symcheck.proof.algebra.flint import fraction, occurring
 from symcheck.proof.algebra.forms import positive_form, term_of
 from symcheck.proof.algebra.knowledge import Knowledge, ring_of, starting
-from symcheck.proof.algebra.polynomial import Ratio, Ring, unfold, variables, with_arguments
+from symcheck.proof.algebra.polynomial import Ratio, Ring, beneath, unfold, variables, with_arguments
 from symcheck.proof.algebra.variables import Unsupported, atoms, prime
 from symcheck.proof.rules.cases_or import in_cases
 from symcheck.proof.rules.choose import first_of
@@ -73,7 +73,8 @@ class _Plan:
         assumed = starting(problem, Ring(with_arguments(own.names), definitions))
         if problem.claim[0] == "=>":
             assumed = assumed.assume(problem.claim.formulas[0])
-        plan = cls(definitions, set(own.names), assumed)
+        inner = variables(*(part for name in own.names for part in beneath(name)))
+        plan = cls(definitions, {*own.names, *inner}, assumed)
         for instance in _hinted(problem):
             plan._add(instance, plan.outer)
         plan._collect()
@@ -114,7 +115,7 @@ class _Plan:
 
 def _hinted(problem: Problem) -> list[Instance]:
     """The theorems that the declaration names."""
-    return [applied(hint.theorem, *hint.terms) for hint in problem.hints if isinstance(hint, Applied)]
+    return [applied(hint.theorem, *hint.functions, *hint.terms) for hint in problem.hints if isinstance(hint, Applied)]
 
 
 @dataclass(frozen=True)
