@@ -13,9 +13,9 @@ if TYPE_CHECKING:
     from symcheck.core.verdicts import Group, Origin, Reading, Role, SymcheckError, Verdict
     from symcheck.ledger.record import Record
     from symcheck.numeric.chunked.kernels import kernel
+    from symcheck.papers.declare import claim, definition, exclusion, ours, premise
     from symcheck.question.answer import Answer
     from symcheck.question.ask import decide
-    from symcheck.papers.declare import claim, definition, exclusion, ours, premise
     from symcheck.reading import Letter, Notation
     from symcheck.views.show import show
 

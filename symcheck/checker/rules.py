@@ -318,7 +318,11 @@ class Prover:
         for divisor, term in [*self.algebra.divisors.items()]:
             if term is None or not exact(term):
                 shown = self.is_known(divisor) or divisor in self.nonzero or self.sign(term or 0) == 2
-                require(shown or self.not_zero_at_point(term or 0), "a denominator may be zero: {}", term or "under a binder")
+                require(
+                    shown or self.not_zero_at_point(term or 0),
+                    "a denominator may be zero: {}",
+                    term or "under a binder",
+                )
 
     def is_known(self, divisor: int) -> bool:
         """Whether a fact that is in force says that a value is not zero."""

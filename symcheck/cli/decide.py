@@ -19,15 +19,39 @@ UNDECIDED = 3
 
 @click.command()
 @click.argument("relation", required=False)
-@click.option("--where", multiple=True, metavar="LATEX", help="A definition or an earlier equation; any number of them.")
-@click.option("--given", multiple=True, metavar="LATEX", help="A condition, or several with commas; any number of them.")
-@click.option("--letter", "said", multiple=True, metavar="LETTER=WHAT", help=r"What a letter is: 'f=function of x', '\omega=vector'.")
-@click.option("--batch", type=click.Path(path_type=Path, allow_dash=True), help="A file of records, one JSON object a line; - for standard input.")
+@click.option(
+    "--where", multiple=True, metavar="LATEX", help="A definition or an earlier equation; any number of them."
+)
+@click.option(
+    "--given", multiple=True, metavar="LATEX", help="A condition, or several with commas; any number of them."
+)
+@click.option(
+    "--letter",
+    "said",
+    multiple=True,
+    metavar="LETTER=WHAT",
+    help=r"What a letter is: 'f=function of x', '\omega=vector'.",
+)
+@click.option(
+    "--batch",
+    type=click.Path(path_type=Path, allow_dash=True),
+    help="A file of records, one JSON object a line; - for standard input.",
+)
 @click.option("--json", "as_json", is_flag=True, help="Print JSON: one object, or one a line for a batch.")
-@click.option("--output", type=click.Path(dir_okay=False, path_type=Path), help="Write the answers of a batch to a file.")
+@click.option(
+    "--output", type=click.Path(dir_okay=False, path_type=Path), help="Write the answers of a batch to a file."
+)
 @click.option("--resume", is_flag=True, help="Go on where the file of --output ends.")
-@click.option("--jobs", type=click.IntRange(1), default=cores, show_default="cores", help="Worker processes of a batch.")
-@click.option("--timeout", type=click.FloatRange(0, min_open=True), default=20.0, show_default=True, help="Seconds for each formula.")
+@click.option(
+    "--jobs", type=click.IntRange(1), default=cores, show_default="cores", help="Worker processes of a batch."
+)
+@click.option(
+    "--timeout",
+    type=click.FloatRange(0, min_open=True),
+    default=20.0,
+    show_default=True,
+    help="Seconds for each formula.",
+)
 def decide(
     relation: str | None,
     where: tuple[str, ...],
@@ -43,8 +67,8 @@ def decide(
     r"""Decide one formula, in LaTeX, without a paper and without declarations.
 
     What the letters are is inferred from what is done with them, and shown. Exit codes: 0 proved, 1 refuted, 3 neither,
-    2 bad input. A record of a batch is {"id": ..., "relation": LaTeX, "where": [...], "given": [...], "letters": {...}};
-    its answer has the same id.
+    2 bad input. A record of a batch is {"id": ..., "relation": LaTeX, "where": [...], "given": [...],
+    "letters": {...}}; its answer has the same id.
     """
     if (relation is None) == (batch is None):
         raise click.UsageError("give one relation, or --batch with a file")
@@ -111,7 +135,10 @@ def _batch(file: Path, as_json: bool, output: Path | None, resume: bool, jobs: i
         click.echo(err=True)
     faults = sum(bool(record.fault) for record in todo)
     said = ", ".join(f"{count} {verdict}" for verdict, count in sorted(verdicts.items()))
-    say(f"{len(todo)} records: {said or 'nothing to do'}" + (f"; {faults} could not be read as records" if faults else ""))
+    say(
+        f"{len(todo)} records: {said or 'nothing to do'}"
+        + (f"; {faults} could not be read as records" if faults else "")
+    )
     raise click.exceptions.Exit(BAD_INPUT if faults else 0)
 
 

@@ -42,7 +42,16 @@ def _hint(integral: Binder) -> Applied[Term] | None:
             if found.has(sympy.Integral, sympy.Piecewise):
                 return None
             primitive = from_sympy(found)
-    except (SymcheckError, OutOfTime, ArithmeticError, ValueError, TypeError, AttributeError, NotImplementedError, RecursionError):
+    except (
+        SymcheckError,
+        OutOfTime,
+        ArithmeticError,
+        ValueError,
+        TypeError,
+        AttributeError,
+        NotImplementedError,
+        RecursionError,
+    ):
         return None
     own = (integral.letter,)
     return Applied("antiderivative", tuple(integral.outside), ((own, integral.body), (own, primitive)))

@@ -12,12 +12,11 @@ from symcheck.core.problems import Problem
 from symcheck.core.verdicts import SymcheckError, Verdict
 from symcheck.proof import certificate, identity
 from symcheck.question import jets
-from symcheck.question.antiderivatives import hinted
 from symcheck.question.answer import Answer, Status
+from symcheck.question.antiderivatives import hinted
 from symcheck.question.limit import OutOfTime, limited
 from symcheck.question.prepare import Asked, Reading, readings, sizes
 from symcheck.reading import to_latex
-
 
 LIMIT = 6.0  # seconds for one component of a relation; nearly all that are found at all are found in one
 TOTAL = 15.0  # seconds for all of them
@@ -41,9 +40,9 @@ def decide(
     except OutOfTime:
         reason = f"the search was not over after {TOTAL:g} s"
         return Answer(Status.UNDECIDED, reason=reason, seconds=time.perf_counter() - started)
-    if not found or all(answer.verdict is Status.UNDECIDED for _, answer in found):
-        if asked and (at := _of_some_size(asked)):
-            return replace(at, seconds=time.perf_counter() - started)
+    open_ = all(answer.verdict is Status.UNDECIDED for _, answer in found)
+    if open_ and asked and (at := _of_some_size(asked)):
+        return replace(at, seconds=time.perf_counter() - started)
     if not found:
         return Answer(Status.UNREADABLE, reason=fault, seconds=time.perf_counter() - started)
 
@@ -69,7 +68,9 @@ def _of_some_size(asked: Asked) -> Answer | None:
             return replace(answers[0], counterexample=point)
     if not answers:
         return None
-    return replace(answers[0], verdict=Status.UNDECIDED, certificate=(), reason=f"decided for {shown} only, not for all")
+    return replace(
+        answers[0], verdict=Status.UNDECIDED, certificate=(), reason=f"decided for {shown} only, not for all"
+    )
 
 
 def _several(texts: Iterable[str] | str) -> tuple[str, ...]:

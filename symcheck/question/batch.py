@@ -40,10 +40,15 @@ def _asked(number: int, text: str) -> Asked:
     except (ValueError, RecursionError) as error:
         return Asked(number, "", {}, f"line {number} is no JSON ({error})")
     if not isinstance(data, dict):
-        return Asked(number, "", {}, f"line {number} is no JSON object; write {{\"relation\": ...}}")
+        return Asked(number, "", {}, f'line {number} is no JSON object; write {{"relation": ...}}')
     id = str(data.get("id", number))
     if isinstance(missing := data.get("relation"), str) is False:
-        return Asked(number, id, {}, f"line {number} has no relation" if missing is None else f"line {number}: relation is no text")
+        return Asked(
+            number,
+            id,
+            {},
+            f"line {number} has no relation" if missing is None else f"line {number}: relation is no text",
+        )
     if unknown := sorted(data.keys() - KEYS):
         return Asked(number, id, {}, f"line {number}: unknown key {unknown[0]}; the keys are {', '.join(sorted(KEYS))}")
     question = {key: data[key] for key in KEYS - {"id"} if key in data}
@@ -98,7 +103,9 @@ def resumed(records: Sequence[Asked], written: Iterable[str]) -> int:
         try:
             id = json.loads(text)["id"]
         except (ValueError, TypeError, KeyError) as error:
-            raise SymcheckError(f"line {number + 1} of the file to resume is no answer; choose another with --output") from error
+            raise SymcheckError(
+                f"line {number + 1} of the file to resume is no answer; choose another with --output"
+            ) from error
         if number >= len(records) or records[number].id != id:
             raise SymcheckError("the file to resume holds answers to other records; choose another with --output")
         count += 1

@@ -1,7 +1,7 @@
 """Unknown functions of one letter at one place: there, their values and derivatives are numbers like others.
 
-What is proved of all numbers holds of these. What fails for some numbers fails for functions too, if functions with these
-values exist for which all conditions hold along the whole way: a condition is then an equation that gives the highest
+What is proved of all numbers holds of these. What fails for some numbers fails for functions too, if functions with
+these values exist for which all conditions hold along the whole way: a condition is then an equation that gives the highest
 derivative of a function, which by the theorem of Picard and Lindeloef has a solution, or it has no function in it.
 """
 
@@ -71,7 +71,8 @@ def _expanded(problem: Problem) -> Problem:
             return tree
         if isinstance(tree, Binder) and tree.tag == "diff":
             body = substituted(tree.body, {name: term for name, term in meant.items() if name != tree.letter})
-            return rate(differentiated(node("diff", rate(body), tree.letter, *tree.outside)))  # type: ignore[arg-type]
+            slope = node("diff", rate(body), tree.letter, *tree.outside)
+            return rate(differentiated(slope))  # type: ignore[return-value, arg-type]
         return mapped(tree, rate)  # type: ignore[return-value]
 
     for name, term in problem.definitions:
@@ -106,11 +107,15 @@ def _solved(problem: Problem, jets: dict[str, Call]) -> Jets:
             function = jets[name].function
             tops[function] = max(tops.get(function, 0), orders[name])
     said = letters(substituted(problem.claim, known)) & jets.keys()
-    if any(orders[name] > tops.get(jets[name].function, 8) for name in said) or any(len(c.orders) > 1 for c in jets.values()):
+    if any(orders[name] > tops.get(jets[name].function, 8) for name in said) or any(
+        len(c.orders) > 1 for c in jets.values()
+    ):
         return Jets(problem, not open_)
     leading: list[Formula] = []
     while open_:
-        chosen = next(((f, x) for f in sorted(open_, key=str, reverse=False) for x in _tops(f, jets, tops, orders)), None)
+        chosen = next(
+            ((f, x) for f in sorted(open_, key=str, reverse=False) for x in _tops(f, jets, tops, orders)), None
+        )
         if chosen is None:
             return Jets(problem, False)
         formula, x = chosen

@@ -1,4 +1,4 @@
-"""From the strings of a question to problems for the provers: letters inferred, definitions and conditions told apart."""
+"""From the strings of a question to problems for the provers: definitions and conditions told apart."""
 
 from __future__ import annotations
 
@@ -39,7 +39,9 @@ class Asked:
             if len(text) > LONGEST:
                 raise SymcheckError(f"{text[:40]}... has {len(text)} characters; more than {LONGEST} are no formula")
             if strange := [k for k, c in enumerate(text) if not c.isprintable() and not c.isspace()]:
-                raise SymcheckError(f"a control character stands at character {strange[0] + 1} of {text[:40]!r}; remove it")
+                raise SymcheckError(
+                    f"a control character stands at character {strange[0] + 1} of {text[:40]!r}; remove it"
+                )
 
 
 @dataclass(frozen=True)
@@ -142,7 +144,7 @@ def readings(asked: Asked, size: int = 0) -> list[Reading]:
 
     With a size the letters that say how many components or addends there are stand for it.
     """
-    fixed = {letter: f"the number {size}" for letter in sizes(asked)} if size else {}
+    fixed = dict.fromkeys(sizes(asked), f"the number {size}") if size else {}
     conditions, said = members(asked.given, {**dict(asked.letters), **fixed})
     said |= fixed
     defined, equations = definitions(asked.where)
@@ -239,7 +241,7 @@ def _parts(tree: Term, *, angle: bool) -> Iterator[tuple[str, int]]:
 def functions_of(defined: Definitions, notation: Notation) -> dict[str, tuple[tuple[Tree, ...], Tree]]:
     """The definitions of functions: f(x) = ..., or f = ... where f is one of x."""
     found = {}
-    for name, (left, arguments, right) in defined.items():
+    for name, (_, arguments, right) in defined.items():
         letter = notation.find(name, 0)
         if letter is None or not letter.applies or letter.named:
             continue

@@ -92,7 +92,9 @@ def divided(top: Number, bottom: Number) -> Number:
 def raised(base: Complex, exponent: Number) -> Number:
     """A whole power."""
     if not isinstance(exponent, int):
-        raise SymcheckError("a power of a complex number that is not whole has several values; write exp of a logarithm")
+        raise SymcheckError(
+            "a power of a complex number that is not whole has several values; write exp of a logarithm"
+        )
     if exponent == 0:
         return 1
     power = reduce(_product, [base] * abs(exponent))

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from typing import Any
 
 from symcheck.core.terms import Term, node
-from symcheck.reading.complexes import Complex, added, divided, multiplied, negative
+from symcheck.reading.complexes import Complex, Number, added, divided, multiplied, negative
 
 Value = Any  # Term | Complex, or a list of them, or a list of rows
 
@@ -43,7 +43,7 @@ def flat(value: Value) -> Iterator[Term]:
         yield value
 
 
-def zipped(build: Callable[..., Term], values: list[Value]) -> Value:
+def zipped(build: Callable[..., Number], values: list[Value]) -> Value:
     """Component by component."""
     if not isinstance(values[0], list):
         return build(*values)
@@ -70,7 +70,7 @@ def plus(terms: Iterable[Value]) -> Value:
     return added(*kept) if len(kept) > 1 else kept[0] if kept else 0
 
 
-def dot(u: list[Term], v: list[Term]) -> Term:
+def dot(u: Sequence[Number], v: Sequence[Number]) -> Value:
     """The scalar product."""
     return plus(times(a, b) for a, b in zip(u, v, strict=True))
 

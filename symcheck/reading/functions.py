@@ -63,3 +63,9 @@ def applied(name: str, t: Term) -> Term | None:
     """The term that a function of this name is at t; None if it has no algebraic form."""
     built = REAL.get(SPELLED.get(name, name))
     return built(t) if built else None
+
+
+COMMANDS = NAMES & {  # those that TeX has a command for
+    "sin", "cos", "tan", "cot", "sec", "csc", "arcsin", "arccos", "arctan", "sinh", "cosh", "tanh", "coth", "exp", "ln",
+    "log", "lg", "det", "max", "min", "Gamma",
+}  # fmt: skip

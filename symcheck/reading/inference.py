@@ -7,7 +7,6 @@ from __future__ import annotations
 
 import itertools
 import re
-from collections import defaultdict
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 
@@ -99,7 +98,9 @@ HABITS = {  # what a sign may mean of which a formula itself does not say which,
 }
 
 
-def inferred(formulas: Sequence[str], said: Mapping[str, str], defined: Mapping[str, tuple[str, ...]]) -> list[Inference]:
+def inferred(
+    formulas: Sequence[str], said: Mapping[str, str], defined: Mapping[str, tuple[str, ...]]
+) -> list[Inference]:
     r"""All readings of formulas that share their letters.
 
     Parameters
@@ -132,14 +133,16 @@ def inferred(formulas: Sequence[str], said: Mapping[str, str], defined: Mapping[
         if any(map(pattern.search, formulas))
     ]
     count = 1
-    for each in (*options, *habits):
-        count *= len(each)
+    for size in (*map(len, options), *map(len, habits)):
+        count *= size
     if count > MAX_READINGS:
         several = ", ".join([o[0].letter.latex for o in options if len(o) > 1] + [h[0][0] for h in habits])
         raise SymcheckError(f"{count} readings are possible; say what these are: {several}")
     found = []
     for chosen in itertools.product(*options):
-        choices = tuple(f"{g.letter.latex}: {g.taken}" for g, each in zip(chosen, options, strict=True) if len(each) > 1)
+        choices = tuple(
+            f"{g.letter.latex}: {g.taken}" for g, each in zip(chosen, options, strict=True) if len(each) > 1
+        )
         for meaning in itertools.product(*habits):
             notation = _notation(chosen, **dict(meaning))
             found.append(Inference(notation, chosen, (*choices, *(f"{name}={value}" for name, value in meaning))))
@@ -213,7 +216,9 @@ def _complete(evidence: dict[str, Evidence]) -> None:
     """Letters that are meant without being printed: the time, where there are dots, and the d of differentials."""
     if any(each.dotted for each in evidence.values()) and not {"t", r"\tau"} & evidence.keys():
         evidence["t"] = Evidence("t", [Occurrence("t")])
-    used = any(p.role == "variable" or (p.role == "derived" and p.before == "d") for e in evidence.values() for p in e.places)
+    used = any(
+        p.role == "variable" or (p.role == "derived" and p.before == "d") for e in evidence.values() for p in e.places
+    )
     if used and "d" not in evidence:
         evidence["d"] = Evidence("d", [Occurrence("d")], said="differential")
     for each in [*evidence.values()]:
@@ -262,19 +267,21 @@ def _options(of: Evidence, every: Mapping[str, Evidence], defined: Mapping[str, 
     base, _, below = latex.partition("_")
     parts = below.strip("{}")
     if of.arguments and defined.get(base) and parts and set(parts) <= set(defined[base]):
-        function = _letter(of, kind="function", partial=(base, *parts))
-        yield Guess(function, f"the derivative of {base} by {', '.join(parts)}", f"{base} is a function of these")
+        derived = _letter(of, kind="function", partial=(base, *parts))
+        yield Guess(derived, f"the derivative of {base} by {', '.join(parts)}", f"{base} is a function of these")
         return
     variables = defined.get(latex)
     simple = _common_arguments(of)
     if variables:
         letters = ", ".join(variables)
         yield Guess(_letter(of, kind="function", depends=letters), f"a function of {letters}", "it is defined as one")
-    elif of.arguments and not of.bare and (simple or not _is_sum(of)):
+    elif of.arguments and not of.bare and (simple or not _may_be_factor(of)):
         depends = ", ".join(simple) if simple else None
         yield Guess(_letter(of, kind="function", depends=depends), "a function", "it stands before its arguments only")
     elif of.arguments and simple and _varies(of):
-        yield Guess(_letter(of, depends=", ".join(simple)), f"a function of {', '.join(simple)}", "it stands before them")
+        yield Guess(
+            _letter(of, depends=", ".join(simple)), f"a function of {', '.join(simple)}", "it stands before them"
+        )
     elif of.arguments and not of.bare:
         product = Guess(_letter(of, depends=""), "a number", "it stands before brackets with a sum")
         function = Guess(_letter(of, kind="function"), "a function", "it stands before brackets only")
@@ -282,7 +289,9 @@ def _options(of: Evidence, every: Mapping[str, Evidence], defined: Mapping[str, 
     elif of.dotted or _is_derived(of):
         yield from _dependent(of, every, latex in defined)
     elif latex in _IDENTITIES and (size := _matrix_size(every)):
-        yield Guess(_letter(of, kind="matrix", size=(size, size), identity=True), "the identity", "it stands beside matrices")
+        yield Guess(
+            _letter(of, kind="matrix", size=(size, size), identity=True), "the identity", "it stands beside matrices"
+        )
     elif _STYLED.match(latex):
         yield from _styled(of)
     elif _beside_vectors(of, every):
@@ -308,14 +317,19 @@ def _matrix_size(every: Mapping[str, Evidence]) -> int:
 
 def _beside_vectors(of: Evidence, every: Mapping[str, Evidence]) -> bool:
     """Does a dot or a cross stand between it and a vector, or is it the length of something with a hat?"""
+
     def is_vector(spelling: str) -> bool:
         each = every.get(spelling)
         styled = _STYLED.match(spelling) is not None and not spelling[-2].isupper()
-        return each is not None and (styled or each.said == "vector" or re.fullmatch(r"real \d+", each.said) is not None)
+        return each is not None and (
+            styled or each.said == "vector" or re.fullmatch(r"real \d+", each.said) is not None
+        )
 
     beside = {x for place in of.places for x in place.beside}
     accented = re.match(r"\\(hat|widehat|vec)\{", of.spelling) is not None
-    return any(map(is_vector, beside)) or (accented and any(p.before in ("|", r"\|") and p.after in ("|", r"\|") for p in of.places))
+    return any(map(is_vector, beside)) or (
+        accented and any(p.before in ("|", r"\|") and p.after in ("|", r"\|") for p in of.places)
+    )
 
 
 def _as_said(of: Evidence, every: Mapping[str, Evidence]) -> Guess:
@@ -366,8 +380,8 @@ def _number(of: Evidence) -> list[Guess]:
         return [euler, letter]
     if latex in ("i", "j", r"\text{i}", r"\text{j}"):
         unit = Guess(Letter(latex, number="i"), "the imaginary unit", "so it is written")
-        letter = Guess(_letter(of, depends="", name=_plain(latex)), "a real number", "it is a letter like others")
-        return [unit] if latex[0] == "\\" or any(place.exponent for place in of.places) else [unit, letter]
+        plain = Guess(_letter(of, depends="", name=_plain(latex)), "a real number", "it is a letter like others")
+        return [unit] if latex[0] == "\\" or any(place.exponent for place in of.places) else [unit, plain]
     return []
 
 
@@ -380,9 +394,9 @@ def _common_arguments(of: Evidence) -> tuple[str, ...]:
     return args if all(tex.spelled(arg) is not None for arg in args) else ()
 
 
-def _is_sum(of: Evidence) -> bool:
-    """Is what stands in brackets behind it a sum, and nothing but one?"""
-    return all(len(args) == 1 and re.search(r"(?<!^)[+-]", args[0].replace(" ", "")) for args in of.arguments)
+def _may_be_factor(of: Evidence) -> bool:
+    """Could it be multiplied with what stands in brackets behind it, a sum or a product?"""
+    return all(len(args) == 1 and len(args[0].split()) > 1 for args in of.arguments)
 
 
 def _varies(of: Evidence) -> bool:
@@ -407,8 +421,12 @@ def _dependent(of: Evidence, every: Mapping[str, Evidence], named: bool) -> Iter
     kind = "vector" if _STYLED.match(of.spelling) and not of.spelling[-2].isupper() else "scalar"
     direct = of.dotted or any(place.role == "derived" and place.before in ("d", r"\partial") for place in of.places)
     within = any(x in every and _stands_in_body(every[x]) for x in on)
-    varying = Guess(_letter(of, kind=kind, depends=words, named=named), f"a function of {words}", "it is differentiated")
-    constant = Guess(_letter(of, kind=kind, depends=""), "constant", "it has no dot, and the other letter stands beside it")
+    varying = Guess(
+        _letter(of, kind=kind, depends=words, named=named), f"a function of {words}", "it is differentiated"
+    )
+    constant = Guess(
+        _letter(of, kind=kind, depends=""), "constant", "it has no dot, and the other letter stands beside it"
+    )
     if direct or named:
         yield varying
     elif within:

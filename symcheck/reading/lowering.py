@@ -16,7 +16,19 @@ from symcheck.core.calculus import substituted
 from symcheck.core.terms import INFINITY, MINUS_INFINITY, PI, Formula, Node, Term, node
 from symcheck.core.terms import Call as Applied
 from symcheck.core.verdicts import SymcheckError
-from symcheck.reading.complexes import UNIT, Complex, Number, added, divided, modulus, multiplied, negative, parts, raised
+from symcheck.reading import tree as tree_of
+from symcheck.reading.complexes import (
+    UNIT,
+    Complex,
+    Number,
+    added,
+    divided,
+    modulus,
+    multiplied,
+    negative,
+    parts,
+    raised,
+)
 from symcheck.reading.complexes import applied as applied_complex
 from symcheck.reading.components import (
     Row,
@@ -43,7 +55,6 @@ from symcheck.reading.parser import dependence, read
 from symcheck.reading.printing import to_latex
 from symcheck.reading.relations import Relation, relations
 from symcheck.reading.rounding import is_decimal, is_number, rounds
-from symcheck.reading import tree as tree_of
 from symcheck.reading.tree import (
     Add,
     And,
@@ -451,6 +462,8 @@ class Lowering:
                 f"{to_latex(tree)}: the derivative of {letter.latex}, or another letter? declare {letter.latex} with "
                 "depends='x' for a function of x, depends='' if the prime makes another letter"
             )
+        if letter.running:
+            return self.running(letter, tree, env)
         indices = self.places(tree, letter, env)
         if letter.value is not None and not tree.primes:
             return letter.value
@@ -469,13 +482,15 @@ class Lowering:
 
     def places(self, tree: Name, letter: Letter, env: Env) -> tuple[int, ...]:
         """The values of the indices of a letter."""
-        indices = tuple(self.index(s, env) for s in tree.subscripts)
-        for value in indices if not letter.running else ():
+        indices = []
+        for subscript in tree.subscripts:
+            value = self.index(subscript, env)
             if not isinstance(value, int):
                 raise SymcheckError(f"{to_latex(tree)}: the sum over its index cannot be written out")
             if value not in letter.range:
                 raise SymcheckError(f"index {value} in {to_latex(tree)} is outside the range of {letter.latex}")
-        return indices
+            indices.append(value)
+        return tuple(indices)
 
     def number(self, letter: Letter) -> Number:
         """A letter that is a number."""
@@ -483,13 +498,20 @@ class Lowering:
             return UNIT
         return PI if letter.number == "pi" else node("exp", 1)
 
+    def running(self, letter: Letter, tree: Name, env: Env) -> Term:
+        """A letter whose indices run up to a letter: a function of them."""
+        if letter.kind != "scalar" or tree.primes or tree.dots:
+            raise SymcheckError(f"{to_latex(tree)}: only numbers have indices that run up to a letter")
+        if not self.inside:
+            self.met.setdefault(letter.stem, tree)
+        indices = [self.index(subscript, env) for subscript in tree.subscripts]
+        return node("call", letter.stem, (0,) * len(indices), *indices)
+
     def instance(self, letter: Letter, stem: str, indices: tuple[int, ...], printed: Name | None = None) -> Term:
         """A variable, or the function it is of the letters that it depends on."""
-        name = stem if letter.running else variable(stem, indices)
+        name = variable(stem, indices)
         if printed is not None and not self.inside:
             self.met.setdefault(name, printed)
-        if letter.running:
-            return node("call", name, (0,) * len(indices), *indices)
         if not letter.depends or letter.named:
             return name
         arguments = self.arguments(letter, indices)
@@ -586,7 +608,9 @@ class Lowering:
             fits = shape(a)[:1] == shape(b)[:1] and not (isinstance(a, Row) and isinstance(b, Row))
             outer = isinstance(b, Row) and len(shape(a)) == 1
             if not (fits or outer) or (isinstance(b, Row) and not outer):
-                raise SymcheckError(f"{to_latex(tree)}: a {says(a)} before a {says(b)} is no product; check the notation")
+                raise SymcheckError(
+                    f"{to_latex(tree)}: a {says(a)} before a {says(b)} is no product; check the notation"
+                )
             return dot(a, b) if dotted and len(shape(a)) == len(shape(b)) == 1 else matmul(a, b)
         if len(shape(a)) != 2 or shape(a)[1] != shape(b)[0]:
             raise SymcheckError(f"{to_latex(tree)}: a {says(a)} before a {says(b)} is no product; check the notation")
@@ -653,7 +677,9 @@ class Lowering:
         if order == 2:
             return node("sqrt", value)
         if isinstance(order, int) and order % 2:
-            raise SymcheckError(f"{to_latex(tree)}: a root of odd order is not read; write a power of a positive number")
+            raise SymcheckError(
+                f"{to_latex(tree)}: a root of odd order is not read; write a power of a positive number"
+            )
         return node("pow", value, node("/", 1, order))
 
     def of_binomial(self, tree: Binomial, env: Env) -> Value:
@@ -684,7 +710,9 @@ class Lowering:
         found = [node for side in (left, right) for _, node in walk(side) if isinstance(node, Antiderivative)]
         variables = {self.variable(node.variable, env) for node in found}
         if sign != "=" or len(variables) != 1:
-            raise SymcheckError(f"{to_latex(Chain((left, right), (sign,)))}: an integral without bounds stands in equations")
+            raise SymcheckError(
+                f"{to_latex(Chain((left, right), (sign,)))}: an integral without bounds stands in equations"
+            )
         (by,) = variables
         return [node("=", self.rate(left, by, env), self.rate(right, by, env))]
 
@@ -730,7 +758,9 @@ class Lowering:
             value = self.value(tree.arguments[0], env)
             if tree.function == "log" and not isinstance(value, list):
                 if not self.notation.log:
-                    raise SymcheckError(f"{to_latex(tree)}: to the base e, or 10? say log='e' or '10', or write \\ln or \\lg")
+                    raise SymcheckError(
+                        f"{to_latex(tree)}: to the base e, or 10? say log='e' or '10', or write \\ln or \\lg"
+                    )
                 return function_of("ln" if self.notation.log == "e" else "lg", value)
             if tree.function in OPERATIONS:
                 return OPERATIONS[tree.function](tree, value)

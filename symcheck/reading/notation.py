@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import itertools
 import re
-from collections.abc import Container, Iterable, Iterator
+from collections.abc import Container, Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from functools import cache
 
@@ -165,10 +165,10 @@ class Letter:
         return SymcheckError(f"letter {self.latex}: {message}")
 
     @property
-    def places(self) -> tuple[range, ...]:
+    def places(self) -> tuple[Sequence[int], ...]:
         """The values of the indices of its components."""
         size = self.size or {"vector": (3,), "matrix": (3, 3)}.get(self.kind, ())
-        return tuple(range(1, n + 1) for n in size)
+        return tuple([*itertools.islice(itertools.count(1), n)] for n in size)
 
     @property
     def stem(self) -> str:
@@ -302,14 +302,24 @@ class Notation:
         if decimals not in DECIMALS:
             raise SymcheckError(f"unknown meaning {decimals!r} of decimals; choose '' or 'rounded'")
         if inverse not in INVERSES:
-            raise SymcheckError(f"unknown meaning {inverse!r} of a power -1 of a function; choose '', 'function' or 'power'")
+            raise SymcheckError(
+                f"unknown meaning {inverse!r} of a power -1 of a function; choose '', 'function' or 'power'"
+            )
         if log not in LOGARITHMS:
             raise SymcheckError(f"unknown base {log!r} of a logarithm; choose '', 'e' or '10'")
         if argument not in ARGUMENTS:
             raise SymcheckError(f"unknown end {argument!r} of an argument; choose '', 'short' or 'long'")
         self.letters, self.slash, self.bracket, self.decimals = tuple(letters), slash, bracket, decimals
         self.argument, self.inverse, self.log = argument, inverse, log
-        self.content = (self.letters, slash, bracket, decimals, argument, inverse, log)  # all that distinguishes two notations
+        self.content = (
+            self.letters,
+            slash,
+            bracket,
+            decimals,
+            argument,
+            inverse,
+            log,
+        )  # all that distinguishes two notations
         self._hash = hash(self.content)
         self._letters: dict[tuple[str, int], Letter] = {}
         self._index: dict[str, Letter] = {}
@@ -329,7 +339,11 @@ class Notation:
         if bracket and self.letter(bracket, 1).kind != "vector":
             raise SymcheckError(f"brackets cannot combine {bracket}; declare it as a vector with one index")
         self.wholes = tuple(
-            sorted(((tuple(t.text for t in tex.tokenize(x.latex)), x.latex) for x in self.letters if x.whole), reverse=True, key=lambda pair: len(pair[0]))
+            sorted(
+                ((tuple(t.text for t in tex.tokenize(x.latex)), x.latex) for x in self.letters if x.whole),
+                reverse=True,
+                key=lambda pair: len(pair[0]),
+            )
         )
         self.words = tuple(sorted({k for k, _ in self._letters if len(k) > 1 and k.isalpha()}, key=len, reverse=True))
 

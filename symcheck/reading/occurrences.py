@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 
+from symcheck.core.verdicts import SymcheckError
 from symcheck.reading import tex
 from symcheck.reading.commands import ROMAN, known
 from symcheck.reading.lexer import CLOSE, FUNCTIONS, OPEN, SIZES, SPACES
@@ -74,7 +75,9 @@ class Scan(tex.Reader):
 
     def __init__(self, source: str, wholes: Sequence[str] = ()) -> None:
         super().__init__(source)
-        self.wholes = sorted(((tuple(t.text for t in tex.tokenize(w)), w) for w in wholes), key=lambda pair: -len(pair[0]))
+        self.wholes = sorted(
+            ((tuple(t.text for t in tex.tokenize(w)), w) for w in wholes), key=lambda pair: -len(pair[0])
+        )
 
     def whole(self) -> str:
         """The name of several tokens that begins here; "" if none does."""
@@ -185,7 +188,7 @@ class Scan(tex.Reader):
             yield from self.inside(scope)
             yield from self.inside(scope)
             return
-        variables = [each for each in self.differentials(middle, end, "variable")]
+        variables = list(self.differentials(middle, end, "variable"))
         by = tuple(each.word for each in variables)
         yield from variables
         yield from self.differentials(start, middle, "derived", by)
@@ -203,7 +206,9 @@ class Scan(tex.Reader):
                 if self.peek() == "^":
                     self.i += 1
                     self.group()
-            elif text in (r"\mathrm", r"\text") and "".join(t.text for t in self.toks[self.i + 1 : self.i + 4]) == "{d}":
+            elif (
+                text in (r"\mathrm", r"\text") and "".join(t.text for t in self.toks[self.i + 1 : self.i + 4]) == "{d}"
+            ):
                 self.i += 4
             elif tex.is_letter(text) and text not in FUNCTIONS_SPELLED:
                 yield from self.letter(Scope(role, by))
@@ -236,7 +241,7 @@ class Scan(tex.Reader):
         start = self.i
         try:
             word, dots = undotted(self.spelling())
-        except tex.SymcheckError:
+        except SymcheckError:
             self.i = start + 1
             return
         if word.removeprefix(r"\text{").removesuffix("}") in FUNCTIONS or known(word):
@@ -257,13 +262,25 @@ class Scan(tex.Reader):
                 continue
             end, self.i = self.i, place
             power = mark == "^" and word in ("e", r"\text{e}")
-            inner += self.inside(Scope("subscript" if mark == "_" else scope.role, scope.by, exponent=power or scope.exponent))
+            inner += self.inside(
+                Scope("subscript" if mark == "_" else scope.role, scope.by, exponent=power or scope.exponent)
+            )
             self.i = end
             scripts[mark] = tokens
         arguments = self.arguments()
         after = next((tok.text for tok in self.toks[self.i :] if tok.text not in SPACES | SIZES), "")
         yield Occurrence(
-            word, dots, primes, scripts.get("_"), scripts.get("^"), arguments, scope.role, before, after, scope.by, exponent=scope.exponent
+            word,
+            dots,
+            primes,
+            scripts.get("_"),
+            scripts.get("^"),
+            arguments,
+            scope.role,
+            before,
+            after,
+            scope.by,
+            exponent=scope.exponent,
         )
         yield from inner
 

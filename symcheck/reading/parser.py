@@ -621,7 +621,9 @@ class Builder:
             if end < len(items):
                 raise self.fail(items[end].at, "does this belong to the integral? put the integral in brackets")
             assert fraction.node is not None
-            return self.integrated(sign, [*items[k + 1 : end - 1], Item("fraction", fraction.at, fraction.node)], fraction.letters[0])
+            return self.integrated(
+                sign, [*items[k + 1 : end - 1], Item("fraction", fraction.at, fraction.node)], fraction.letters[0]
+            )
         if depth or end >= len(items) or items[end].kind != "atom" or items[end].postfix or items[end - 1].power:
             raise self.fail(sign.at, "this integral does not say what it is taken over")
         if items[end - 1].partial:
@@ -761,7 +763,9 @@ class Builder:
         if isinstance(head.power, Neg):
             inverse = INVERSES.get(head.name)
             if inverse is None or head.power != Neg(Number("1")) or not self.notation.inverse:
-                raise self.fail(head.at, f"the inverse function of {head.name}, or its reciprocal? write one or the other")
+                raise self.fail(
+                    head.at, f"the inverse function of {head.name}, or its reciprocal? write one or the other"
+                )
             return Call(inverse, arguments) if self.notation.inverse == "function" else Pow(call, head.power)
         return Pow(call, head.power)
 
@@ -880,7 +884,9 @@ class Builder:
         item: Item = self.build(nodes[0])
         if len(nodes) > 1:
             item.postfix = nodes[1].type
-            if item.kind in ("sum", "integral", "antiderivative") or (item.kind in ("function", "operator") and item.postfix != "CARET"):
+            if item.kind in ("sum", "integral", "antiderivative") or (
+                item.kind in ("function", "operator") and item.postfix != "CARET"
+            ):
                 raise self.fail(nodes[1].value.at, "this cannot stand here")
         if item.postfix == "AT":
             return Item("atom", item.at, self.evaluated(item, nodes))
@@ -987,7 +993,12 @@ class Builder:
 
     def from_frac(self, nodes: list[ParseNode], at: int) -> Item:
         top, bottom = self.build(nodes[2]), self.build(nodes[5])
-        if isinstance(top, Differential) and not isinstance(bottom, Differential) and top.order == 1 and len(top.body) == 1:
+        if (
+            isinstance(top, Differential)
+            and not isinstance(bottom, Differential)
+            and top.order == 1
+            and len(top.body) == 1
+        ):
             below = self.checked(bottom, at, statements=False)
             if isinstance(top.body[0], Name) and not top.partial:
                 return Item("d fraction", at, Div(Number("1"), below), letters=(top.body[0],))

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any
 
+from symcheck.reading.functions import COMMANDS
 from symcheck.reading.tree import (
     BRACKETED,
     Add,
@@ -58,8 +59,8 @@ LIST, IMPLIES, OR, AND, CHAIN, SUM, TERM, PRODUCT, FACTOR, ATOM = range(10)
 _LEVEL: dict[type[Tree], int] = {
     System: LIST, CaseList: LIST, Located: LIST, Exists: LIST, Qualifier: LIST, Values: LIST, Iff: LIST,
     Implies: IMPLIES, Or: OR, And: AND, Chain: CHAIN, Add: SUM, Neg: SUM, PlusMinus: SUM, Cross: TERM, Mul: PRODUCT,
-    BigSum: PRODUCT, Integral: PRODUCT, Antiderivative: PRODUCT, Call: FACTOR, Pow: FACTOR, Transpose: FACTOR, Degrees: FACTOR,
-    Derivative: FACTOR, Div: FACTOR,
+    BigSum: PRODUCT, Integral: PRODUCT, Antiderivative: PRODUCT, Call: FACTOR, Pow: FACTOR, Transpose: FACTOR,
+    Degrees: FACTOR, Derivative: FACTOR, Div: FACTOR,
 }  # fmt: skip
 _BRACKETS = (r"\left(", "(", "[")
 _CONNECTIVE = {And: r" \land ", Or: r" \lor ", Implies: r" \Rightarrow ", Iff: r" \Leftrightarrow "}
@@ -202,15 +203,10 @@ def _call(tree: Call, power: str = "") -> str:
     inside = ", ".join(_print(a, SUM) for a in tree.arguments)
     if isinstance(tree.function, Name):
         return f"{_name(tree.function)}({inside})" if tree.arguments else _name(tree.function)
-    head = tree.function if tree.function in _COMMANDS else rf"operatorname{{{tree.function}}}"
+    head = tree.function if tree.function in COMMANDS else rf"operatorname{{{tree.function}}}"
     if _is_bare(tree):
         return rf"\{head}{power} {inside}"
     return rf"\{head}{power}\left({inside}\right)"
-
-
-_COMMANDS = frozenset(
-    "sin cos tan cot sec csc arcsin arccos arctan sinh cosh tanh coth exp ln log lg det max min Gamma".split()
-)
 
 
 def _pow(tree: Pow) -> str:

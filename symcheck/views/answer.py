@@ -24,9 +24,13 @@ def text(answer: Answer) -> str:
     lines += [f"  {'there' if n == 0 else '':15} {value}" for n, value in enumerate(answer.values)]
     if answer.used:
         lines.append(f"  rests on        {'; '.join(answer.used)}")
-    lines += [f"  {'true would be' if n == 0 else '':15} {repair['relation']}" for n, repair in enumerate(answer.repairs)]
+    lines += [
+        f"  {'true would be' if n == 0 else '':15} {repair['relation']}" for n, repair in enumerate(answer.repairs)
+    ]
     if answer.certificate:
-        lines.append(f"  evidence        {len(answer.certificate)} certificate(s), accepted by the checker; --json prints them")
+        lines.append(
+            f"  evidence        {len(answer.certificate)} certificate(s), accepted by the checker; --json prints them"
+        )
     lines.append(f"  {answer.seconds:.2f} s")
     return "\n".join(lines)
 

@@ -6,11 +6,11 @@ import re
 from collections.abc import Callable, Iterable
 from dataclasses import replace
 
+from symcheck.core.calculus import letters
 from symcheck.core.problems import Outcome, Problem
 from symcheck.core.terms import Formula, Node, Relation, Term, node
 from symcheck.core.verdicts import Verdict
 from symcheck.proof.algebra.facts import Grounds
-from symcheck.core.calculus import letters
 from symcheck.proof.algebra.flint import Poly, occurring
 from symcheck.proof.algebra.forms import form_on_the_circle
 from symcheck.proof.algebra.knowledge import Knowledge, hypotheses_of, ring_of, starting, stated

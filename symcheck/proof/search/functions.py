@@ -11,8 +11,8 @@ from fractions import Fraction
 from itertools import combinations
 from math import comb, prod
 
-from symcheck.core.calculus import Unknown, substituted
 from symcheck.checker.theorems import KNOWN, theorem
+from symcheck.core.calculus import Unknown, substituted
 from symcheck.core.terms import INFINITY, MINUS_INFINITY, PI, Binder, End, Node, Relation, Term, mapped, node
 from symcheck.proof.algebra.flint import Poly, by_powers, fraction, occurring, rational
 from symcheck.proof.algebra.forms import number_term, term_of
