@@ -15,6 +15,7 @@ from symcheck.question import jets
 from symcheck.question.answer import Answer, Status
 from symcheck.question.antiderivatives import hinted
 from symcheck.question.limit import OutOfTime, limited
+from symcheck.question.repairs import repairs
 from symcheck.question.prepare import Asked, Reading, readings, sizes
 from symcheck.reading import to_latex
 
@@ -59,7 +60,7 @@ def _of_some_size(asked: Asked) -> Answer | None:
     letters, answers = sizes(asked), []
     for size in SIZES if letters else ():
         try:
-            answers = [_decided(reading, asked) for reading in readings(asked, size)]
+            answers = [_decided(reading, asked, wanted=False) for reading in readings(asked, size)]
         except SymcheckError:
             continue
         shown = ", ".join(f"{letter} = {size}" for letter in letters)
@@ -77,7 +78,7 @@ def _several(texts: Iterable[str] | str) -> tuple[str, ...]:
     return (texts,) if isinstance(texts, str) else tuple(texts)
 
 
-def _decided(reading: Reading, asked: Asked) -> Answer:
+def _decided(reading: Reading, asked: Asked, wanted: bool = True) -> Answer:
     shown = {g.letter.latex: f"{g.taken} ({g.why})" for g in reading.inference.guesses}
     base = Answer(Status.UNDECIDED, to_latex(reading.tree), shown)
     certificates, status, reasons = [], Status.PROVED, []
@@ -90,7 +91,8 @@ def _decided(reading: Reading, asked: Asked) -> Answer:
         certificates.append(made)
         if verdict is Verdict.REFUTED:
             point = {x: str(v) for x, v in made["point"]["values"].items()}
-            return replace(base, verdict=Status.REFUTED, counterexample=point, certificate=(made,))
+            found = repairs(reading, made["point"]["values"]) if wanted else ()
+            return replace(base, verdict=Status.REFUTED, counterexample=point, certificate=(made,), repairs=found)
     return replace(base, verdict=status, certificate=tuple(certificates), reason="; ".join(dict.fromkeys(reasons)))
 
 

@@ -15,6 +15,7 @@ from symcheck.reading import Notation, Tree, lower, read, tex
 from symcheck.reading.inference import Inference, canonical, inferred, spelling
 from symcheck.reading.occurrences import occurrences
 from symcheck.reading.parser import dependence
+from symcheck.reading.surface import plain, with_plain_differentials
 
 _MEMBER = re.compile(r"^(.+?)\s*\\in\s*(.+)$", re.DOTALL)
 _SETS = {"R": "", "Z": "integer", "N": "integer", "Q": "", "C": "complex"}
@@ -52,6 +53,17 @@ class Reading:
     tree: Tree
     problems: tuple[Problem, ...]
     stated: Mapping[str, str]  # definitions and conditions as printed, by their names in the problems
+    source: tuple[Asked, Inference, Definitions, Sequence[str], Sequence[str]]
+
+
+def plainly(asked: Asked) -> Asked:
+    """The same without what is layout alone."""
+
+    def made(text: str) -> str:
+        return with_plain_differentials(plain(text))
+
+    said = tuple((made(letter), phrase) for letter, phrase in asked.letters)
+    return Asked(made(asked.relation), tuple(map(made, asked.where)), tuple(map(made, asked.given)), said)
 
 
 def sizes(asked: Asked) -> list[str]:
@@ -167,10 +179,11 @@ def _reading(
     defined: Definitions,
     equations: Sequence[str],
     conditions: Sequence[str],
+    tree: Tree | None = None,
 ) -> Reading:
     notation = inference.notation
     functions_ = functions_of(defined, notation)
-    tree = read(asked.relation, notation)
+    tree = tree or read(asked.relation, notation)
     claims = lower(tree, notation, functions_)
     stated: dict[str, str] = {}
     hypotheses: list[tuple[str, tuple[Formula, ...]]] = []
@@ -199,7 +212,12 @@ def _reading(
     problems = tuple(
         Problem(f"question{n or ''}", claim, unfolding, tuple(hypotheses)) for n, claim in enumerate(claims)
     )
-    return Reading(inference, tree, problems, stated)
+    return Reading(inference, tree, problems, stated, (asked, inference, defined, equations, conditions))
+
+
+def worded(reading: Reading, tree: Tree) -> tuple[Problem, ...]:
+    """The problems with another relation in the place of the one that was asked about."""
+    return _reading(*reading.source, tree).problems
 
 
 def rooted(tree: T) -> T:
