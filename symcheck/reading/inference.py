@@ -12,7 +12,8 @@ from dataclasses import dataclass, field, replace
 
 from symcheck.core.verdicts import SymcheckError
 from symcheck.reading import tex
-from symcheck.reading.commands import known
+from symcheck.reading.commands import ACCENTS, ROMAN, STYLES, known
+from symcheck.reading.lexer import SPACES
 from symcheck.reading.notation import VALUE, Letter, Notation, instances
 from symcheck.reading.occurrences import Occurrence, occurrences, words
 
@@ -189,11 +190,58 @@ def names_of_several_tokens(formulas: Sequence[str], said: Mapping[str, str]) ->
     r"""Names printed with several tokens: those of which something is said, and differences such as `\Delta x`."""
     found = [latex for latex in said if not _is_letter(latex)]
     for formula in formulas:
+        found += _labelled(formula)
         for match in _DIFFERENCE.finditer(formula):
             letter = match[2] if match[2].startswith("\\") else match[2][0]
             if tex.spelled(letter) is not None:
                 found.append(f"\\{match[1]} {letter}")
     return list(dict.fromkeys(found))
+
+
+_SIGNS = frozenset({"*", "+", "-", r"\star", r"\dagger", r"\ddagger", r"\sharp", r"\flat"})
+
+
+def _labelled(formula: str) -> Iterator[str]:
+    r"""Letters with a superscript that is no power: `x^*`, `x_i^{(k)}`, `v^{\text{max}}`; and `[P]`, `[BN]`, matrices in brackets."""
+    reader = tex.Reader(formula)
+    toks = reader.toks
+    while reader.i < len(toks):
+        start, text = reader.i, reader.peek()
+        if text == "[" and (end := _bracketed(toks, start)):
+            yield " ".join(tok.text for tok in toks[start:end])
+            reader.i = end
+            continue
+        if not tex.is_letter(text):
+            reader.i += 1
+            continue
+        try:
+            word, label = reader.spelling(), False
+            while not known(word) and reader.peek() in ("_", "^"):
+                mark, reader.i = reader.peek(), reader.i + 1
+                inside = [tok.text for tok in reader.group() if tok.text not in SPACES]
+                label = label or (mark == "^" and _is_label(inside))
+            if label:
+                yield " ".join(tok.text for tok in toks[start : reader.i])
+        except SymcheckError:
+            reader.i = max(reader.i, start + 1)
+
+
+def _is_label(inside: Sequence[str]) -> bool:
+    """Is a superscript a sign, a number in brackets or a word, so that it is no power?"""
+    bracketed = len(inside) > 2 and (inside[0], inside[-1]) in {("(", ")"), ("[", "]")}
+    word = bool(inside) and inside[0] in ROMAN and "".join(inside[1:]).strip("{}") != "T"
+    return (len(inside) == 1 and inside[0] in _SIGNS) or bracketed or word
+
+
+def _bracketed(toks: Sequence[tex.Tok], start: int) -> int:
+    """Where a matrix in brackets ends that begins here: one letter with its scripts, or two capitals; 0 if there is none."""
+    end = next((k for k in range(start, len(toks)) if toks[k].text == "]"), 0)
+    inner = [tok.text for tok in toks[start + 1 : end]]
+    pair = len(inner) == 2 and all(len(text) == 1 and text.isupper() for text in inner)
+    styled = bool(inner) and (inner[0].isalpha() and inner[0].isupper() or inner[0] in STYLES | ACCENTS)
+    if not end or not (pair or (styled and _is_letter(" ".join(inner)))):
+        return 0
+    return end + 1
 
 
 def _is_letter(latex: str) -> bool:
@@ -288,6 +336,8 @@ def _options(of: Evidence, every: Mapping[str, Evidence], defined: Mapping[str, 
         yield from (function, product) if latex in _TYPICAL else (product, function)
     elif of.dotted or _is_derived(of):
         yield from _dependent(of, every, latex in defined)
+    elif of.whole and latex.startswith("["):
+        yield Guess(_letter(of, kind="matrix", depends=""), "a matrix", "it stands in brackets")
     elif latex in _IDENTITIES and (size := _matrix_size(every)):
         yield Guess(
             _letter(of, kind="matrix", size=(size, size), identity=True), "the identity", "it stands beside matrices"

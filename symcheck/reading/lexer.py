@@ -29,6 +29,11 @@ RELATIONS = {
     "=": "=", "<": "<", ">": ">", r"\lt": "<", r"\gt": ">", r"\ne": r"\ne", r"\neq": r"\ne",
     r"\le": r"\le", r"\leq": r"\le", r"\leqslant": r"\le", r"\ge": r"\ge", r"\geq": r"\ge", r"\geqslant": r"\ge",
     r"\in": r"\in", r"\subset": r"\subset", r"\approx": r"\approx", r"\equiv": r"\equiv",
+    **{sign: sign for sign in (
+        r"\to", r"\rightarrow", r"\leftarrow", r"\longrightarrow", r"\mapsto", r"\sim", r"\propto", r"\simeq", r"\cong",
+        r"\ll", r"\gg", r"\subseteq", r"\supset", r"\perp", r"\parallel", r"\notin", r"\prec", r"\succ", r"\doteq",
+        r"\leftrightarrow", r"\lesssim", r"\gtrsim", r"\preceq", r"\succeq", r"\asymp",
+    )},
 }  # fmt: skip
 LOGIC = {
     r"\land": "AND", r"\wedge": "AND", r"\lor": "OR", r"\vee": "OR", r"\Rightarrow": "IMPLIES", r"\implies": "IMPLIES",

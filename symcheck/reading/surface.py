@@ -60,7 +60,7 @@ def plain(source: str) -> str:
         return source
     if rest != len(tokens):
         return source
-    return _printed(_made_plain(parts))
+    return _DEFINES.sub("=", _printed(_made_plain(parts)))
 
 
 def _with_numbers(source: str) -> list[str]:
@@ -107,7 +107,19 @@ def _groups(tokens: Sequence[str], start: int, inside: bool = False) -> tuple[li
 
 def _made_plain(parts: list[Part]) -> list[Part]:
     """One level of braces, those within first."""
-    parts = _over(parts)
+    return _scripts_in_order(_made_plain_here(_over(parts)))
+
+
+def _scripts_in_order(parts: list[Part]) -> list[Part]:
+    """Below before above, where a letter has both."""
+    found = list(parts)
+    for k in range(len(found) - 3):
+        if found[k] == "^" and found[k + 2] == "_" and isinstance(found[k + 1], Group) and isinstance(found[k + 3], Group):
+            found[k : k + 4] = [*found[k + 2 : k + 4], *found[k : k + 2]]
+    return found
+
+
+def _made_plain_here(parts: list[Part]) -> list[Part]:
     found: list[Part] = []
     k = 0
     while k < len(parts):
@@ -256,6 +268,7 @@ def _texts(parts: Sequence[Part]) -> Iterator[str]:
             yield part
 
 
+_DEFINES = re.compile(r"(?<!:) : =(?! =)|= :(?!\s*[=:])")  # `:=`, and the same from right to left
 Change = Callable[[str], str]
 _DIFFERENTIAL = re.compile(r"\\(?:mathrm|text|operatorname|rm)\s*\{\s*d\s*\}(?=\s*(?:[A-Za-z\\^]))")
 
