@@ -211,6 +211,15 @@ def _labelled(formula: str) -> Iterator[str]:
             yield " ".join(tok.text for tok in toks[start:end])
             reader.i = end
             continue
+        if text == r"\prescript":
+            reader.i += 1
+            for _ in range(3):
+                reader.group()
+            while reader.peek() == "_" or (reader.peek() == "^" and reader.peek(2) != "T"):
+                reader.i += 1
+                reader.group()
+            yield " ".join(tok.text for tok in toks[start : reader.i])
+            continue
         if not tex.is_letter(text):
             reader.i += 1
             continue
@@ -336,6 +345,9 @@ def _options(of: Evidence, every: Mapping[str, Evidence], defined: Mapping[str, 
         yield from (function, product) if latex in _TYPICAL else (product, function)
     elif of.dotted or _is_derived(of):
         yield from _dependent(of, every, latex in defined)
+    elif of.whole and latex.startswith(r"\prescript"):
+        kind = "matrix" if re.search(r"\{ (?:\\\w+ \{ )?[A-Z]", latex.split("} {")[-1]) else "vector"
+        yield Guess(_letter(of, kind=kind, depends=""), f"a {kind}", "a frame stands at its left")
     elif of.whole and latex.startswith("["):
         yield Guess(_letter(of, kind="matrix", depends=""), "a matrix", "it stands in brackets")
     elif latex in _IDENTITIES and (size := _matrix_size(every)):

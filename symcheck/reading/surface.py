@@ -107,7 +107,47 @@ def _groups(tokens: Sequence[str], start: int, inside: bool = False) -> tuple[li
 
 def _made_plain(parts: list[Part]) -> list[Part]:
     """One level of braces, those within first."""
-    return _scripts_in_order(_made_plain_here(_over(parts)))
+    return _scripts_in_order(_scripts_at_the_left(_made_plain_here(_over(parts))))
+
+
+_SPACES = frozenset({r"\,", r"\!", r"\;", r"\:", "\\ ", "~"})
+_NO_BASE = frozenset("+-=<>(,;|&[/") | {"", r"\cdot", r"\times", r"\left", r"\big", r"\Big", r"\\", r"\quad", r"\qquad", r"\frac"}
+
+
+def _scripts_at_the_left(parts: list[Part]) -> list[Part]:
+    r"""`{}^A x` as `\prescript{A}{}{x}`: scripts behind nothing belong to the letter that follows."""
+    found: list[Part] = []
+    k = 0
+    while k < len(parts):
+        empty = isinstance(parts[k], Group) and not parts[k].parts  # type: ignore[union-attr]
+        start = k + 1 if empty else k
+        before = next((p for p in reversed(found) if not (isinstance(p, str) and p in _SPACES)), "")
+        bare = isinstance(before, str) and before in _NO_BASE
+        if start < len(parts) and parts[start] in ("^", "_") and (empty or bare):
+            scripts: dict[Part, Part] = {}
+            m = start
+            while m + 1 < len(parts) and parts[m] in ("^", "_") and str(parts[m]) not in scripts:
+                scripts[str(parts[m])] = parts[m + 1]  # type: ignore[index]
+                m += 2
+            while m < len(parts) and isinstance(parts[m], str) and parts[m] in _SPACES:
+                m += 1
+            letter, end = _letter_here(parts, m)
+            if letter:
+                found += [r"\prescript", scripts.get("^", Group([])), scripts.get("_", Group([])), Group(letter)]  # type: ignore[call-overload]
+                k = end
+                continue
+        found.append(parts[k])
+        k += 1
+    return found
+
+
+def _letter_here(parts: list[Part], k: int) -> tuple[list[Part], int]:
+    """The letter that begins here, with its style and accents."""
+    if k >= len(parts) or not isinstance(parts[k], str) or not tex.is_letter(str(parts[k])):
+        return [], k
+    if parts[k] in STYLES | ACCENTS | ROMAN and k + 1 < len(parts):
+        return parts[k : k + 2], k + 2
+    return parts[k : k + 1], k + 1
 
 
 def _scripts_in_order(parts: list[Part]) -> list[Part]:
