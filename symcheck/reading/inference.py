@@ -246,11 +246,16 @@ def _bracketed(toks: Sequence[tex.Tok], start: int) -> int:
     """Where a matrix in brackets ends that begins here: one letter with its scripts, or two capitals; 0 if there is none."""
     end = next((k for k in range(start, len(toks)) if toks[k].text == "]"), 0)
     inner = [tok.text for tok in toks[start + 1 : end]]
-    pair = len(inner) == 2 and all(len(text) == 1 and text.isupper() for text in inner)
+    letters = [text for text in inner if text not in ("_", "{", "}") and not text.isdigit()]
+    pair = len(letters) == 2 and all(len(text) == 1 and text.isupper() for text in letters)
     styled = bool(inner) and (inner[0].isalpha() and inner[0].isupper() or inner[0] in STYLES | ACCENTS)
     if not end or not (pair or (styled and _is_letter(" ".join(inner)))):
         return 0
-    return end + 1
+    reader = tex.Reader(" ".join(tok.text for tok in toks[end + 1 :]))
+    while reader.peek() == "_":  # the scripts of the name
+        reader.i += 1
+        reader.group()
+    return end + 1 + reader.i
 
 
 def _is_letter(latex: str) -> bool:

@@ -671,6 +671,12 @@ class Lexer(tex.Reader):
                 self.fail("does this space part two things, or two factors? write a comma, or no space", lexeme.at)
         self.out = out
 
+    def relates(self, first: Lexeme) -> bool:
+        """Does the line that begins here state a relation of its own, so that it may be none of the line before?"""
+        k = self.out.index(first)
+        end = next((m for m in range(k, len(self.out)) if self.out[m].type == "NEWLINE"), len(self.out))
+        return any(lexeme.type == "REL" for lexeme in self.out[k:end])
+
     def joined(self) -> list[Lexeme]:
         """Line breaks settled: a sign repeated over a break is one sign; one after a comma or at an end is layout."""
         self.parted()
@@ -687,7 +693,7 @@ class Lexer(tex.Reader):
                         pending = None
                         continue
                 elif before.type not in _BREAKS and before.type not in PARTNER.values():
-                    if lexeme.type in {"PLUS", "MINUS", "PM"}:
+                    if lexeme.type in {"PLUS", "MINUS", "PM"} and self.relates(lexeme):
                         self.fail("a line begins with a sign that the line before does not end with", lexeme.at)
                     if lexeme.type not in _OPERATORS | _BREAKS and lexeme.type not in PARTNER:
                         out.append(pending)

@@ -23,7 +23,7 @@ SAME = {  # other spellings
     r"\textrm": r"\text", r"\mbox": r"\text", r"\textnormal": r"\text", r"\mathop": "", r"\mathrel": "", r"\mathbin": "",
     r"\mathord": "", r"\ensuremath": "", r"\boxed": "", r"\smash": "", r"\coloneqq": "=", r"\triangleq": "=",
     r"\overrightarrow": r"\vec", r"\mathbfit": r"\mathbf", r"\textbf": r"\mathbf", r"\mathit": "", r"\mathnormal": "",
-    r"\boldmath": r"\mathbf", r"\symbf": r"\mathbf", r"\enspace": r"\ ", r"\thinspace": r"\,", r"\medspace": r"\:",
+    r"\boldmath": r"\mathbf", r"\textit": "", r"\textsf": r"\mathsf", r"\texttt": r"\text", r"\symbf": r"\mathbf", r"\enspace": r"\ ", r"\thinspace": r"\,", r"\medspace": r"\:",
     r"\thickspace": r"\;", r"\negthinspace": r"\!", r"\lbrack": "[", r"\rbrack": "]", r"\wedge": r"\wedge",
     r"\leqq": r"\le", r"\geqq": r"\ge", r"\neq": r"\ne", r"\operatorname*": r"\operatorname", r"\dag": r"\dagger",
     r"\ast": "*", r"\prime": r"\prime", r"\lgroup": "(", r"\rgroup": ")", r"\bold": r"\mathbf", r"\mathbfcal": r"\mathcal",
@@ -60,7 +60,10 @@ def plain(source: str) -> str:
         return source
     if rest != len(tokens):
         return source
-    return _DEFINES.sub("=", _printed(_made_plain(parts)))
+    text = _DEFINES.sub("=", _printed(_made_plain(parts)))
+    for pattern, sign in WORDS:
+        text = pattern.sub(sign, text)
+    return text
 
 
 def _with_numbers(source: str) -> list[str]:
@@ -111,7 +114,18 @@ def _made_plain(parts: list[Part]) -> list[Part]:
 
 
 _SPACES = frozenset({r"\,", r"\!", r"\;", r"\:", "\\ ", "~"})
-_NO_BASE = frozenset("+-=<>(,;|&[/") | {"", r"\cdot", r"\times", r"\left", r"\big", r"\Big", r"\\", r"\quad", r"\qquad", r"\frac"}
+_NO_BASE = frozenset("+-=<>(,;|&[/") | {
+    "",
+    r"\cdot",
+    r"\times",
+    r"\left",
+    r"\big",
+    r"\Big",
+    r"\\",
+    r"\quad",
+    r"\qquad",
+    r"\frac",
+}
 
 
 def _scripts_at_the_left(parts: list[Part]) -> list[Part]:
@@ -154,7 +168,12 @@ def _scripts_in_order(parts: list[Part]) -> list[Part]:
     """Below before above, where a letter has both."""
     found = list(parts)
     for k in range(len(found) - 3):
-        if found[k] == "^" and found[k + 2] == "_" and isinstance(found[k + 1], Group) and isinstance(found[k + 3], Group):
+        if (
+            found[k] == "^"
+            and found[k + 2] == "_"
+            and isinstance(found[k + 1], Group)
+            and isinstance(found[k + 3], Group)
+        ):
             found[k : k + 4] = [*found[k + 2 : k + 4], *found[k : k + 2]]
     return found
 
@@ -194,6 +213,8 @@ def _made_plain_here(parts: list[Part]) -> list[Part]:
                 if k < len(parts):
                     taken, k = _argument(parts, k, raw=part in (r"\begin", r"\end", r"\tag"))
                     found.append(taken)
+            if part in ACCENTS and isinstance(found[-1], Group):
+                found[-1:] = _accented(found[-1].parts)
             if part == r"\begin" and isinstance(found[-1], Group) and "".join(map(str, found[-1].parts)) == "array":
                 if k < len(parts) and isinstance(parts[k], Group):
                     found.append(parts[k])  # its columns
@@ -203,6 +224,16 @@ def _made_plain_here(parts: list[Part]) -> list[Part]:
                 found.append(part)
             k += 1
     return found
+
+
+def _accented(inner: list[Part]) -> list[Part]:
+    """The letter under an accent, with its scripts behind the accent."""
+    letter, end = _letter_here(inner, 0)
+    rest = inner[end:]
+    scripts = all(rest[k] in ("^", "_") and isinstance(rest[k + 1], Group) for k in range(0, len(rest) - 1, 2))
+    if letter and rest and len(rest) % 2 == 0 and scripts:
+        return [Group(letter), *rest]
+    return [Group(inner)]
 
 
 def _is_switch(command: str) -> bool:
@@ -308,6 +339,14 @@ def _texts(parts: Sequence[Part]) -> Iterator[str]:
             yield part
 
 
+_QUADS = r"(?:\\q?quad|\\[,;: ]|,)*\s*"
+WORDS = tuple(  # that part relations: what stands behind them holds as well, or says for which values
+    (re.compile(rf"(?:{_QUADS} )?\\(?:text|mathrm) {{ \s*(?:{words})\s* }}(?: {_QUADS})?"), rf" {sign} ")
+    for words, sign in (
+        ("a n d|w h e r e|w i t h|f o r|f o r a l l", r", \\quad"),
+        ("o r", r"\\lor"),
+    )
+)
 _DEFINES = re.compile(r"(?<!:) : =(?! =)|= :(?!\s*[=:])")  # `:=`, and the same from right to left
 Change = Callable[[str], str]
 _DIFFERENTIAL = re.compile(r"\\(?:mathrm|text|operatorname|rm)\s*\{\s*d\s*\}(?=\s*(?:[A-Za-z\\^]))")
