@@ -183,18 +183,11 @@ def gathered(formulas: Sequence[str], said: Mapping[str, str]) -> dict[str, Evid
     return found
 
 
-_DIFFERENCE = re.compile(r"\\(Delta|delta)\s*(\\(?:mathbf|bm|boldsymbol|vec|dot|hat|bar)\s*\{[^{}]*\}|\\?[A-Za-z]+)")
-
-
 def names_of_several_tokens(formulas: Sequence[str], said: Mapping[str, str]) -> list[str]:
     r"""Names printed with several tokens: those of which something is said, and differences such as `\Delta x`."""
     found = [latex for latex in said if not _is_letter(latex)]
     for formula in formulas:
         found += _labelled(formula)
-        for match in _DIFFERENCE.finditer(formula):
-            letter = match[2] if match[2].startswith("\\") else match[2][0]
-            if tex.spelled(letter) is not None:
-                found.append(f"\\{match[1]} {letter}")
     return list(dict.fromkeys(found))
 
 
@@ -219,6 +212,17 @@ def _labelled(formula: str) -> Iterator[str]:
                 reader.i += 1
                 reader.group()
             yield " ".join(tok.text for tok in toks[start : reader.i])
+            continue
+        if text in (r"\Delta", r"\delta") and tex.is_letter(reader.peek(1)) and not known(reader.peek(1)):
+            try:
+                reader.i += 1
+                reader.spelling()
+                while reader.peek() == "_":
+                    reader.i += 1
+                    reader.group()
+                yield " ".join(tok.text for tok in toks[start : reader.i])
+            except SymcheckError:
+                reader.i = start + 1
             continue
         if not tex.is_letter(text):
             reader.i += 1

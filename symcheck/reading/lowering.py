@@ -13,7 +13,7 @@ from types import MappingProxyType
 from typing import Any
 
 from symcheck.core.calculus import substituted
-from symcheck.core.terms import INFINITY, MINUS_INFINITY, PI, Formula, Node, Term, node
+from symcheck.core.terms import INFINITY, MINUS_INFINITY, PI, Formula, Node, Term, mapped, node
 from symcheck.core.terms import Call as Applied
 from symcheck.core.verdicts import SymcheckError
 from symcheck.reading import tree as tree_of
@@ -967,8 +967,25 @@ class Lowering:
     def of_derivative(self, tree: Derivative, env: Env) -> Value:
         value = self.value(tree.body, env)
         for variable_tree, order in tree.variables:
-            value = self.derived(value, self.variable(variable_tree, env), order, tree, partial=tree.partial)
+            by = self.scalar(variable_tree, env)
+            if isinstance(by, Applied):
+                value = zipped(lambda t, by=by, order=order: self.by_function(t, by, order, tree), [value])
+            else:
+                value = self.derived(value, self.variable(variable_tree, env), order, tree, partial=tree.partial)
         return value
+
+    def by_function(self, term: Term, by: Applied, order: int, tree: Derivative) -> Term:
+        """The partial derivative by the value of a function, or of its rate, which stands as a letter of its own."""
+        letter = "_".join([by.function, "at", *map(str, by.orders)])
+
+        def put(part: Term) -> Term:
+            if part == by:
+                return letter
+            return mapped(part, put) if isinstance(part, Node) else part
+
+        if isinstance(term, Applied) and term != by and by.function != term.function:
+            raise SymcheckError(f"{to_latex(tree)}: how does {term.function} depend on {by.function}? write it out")
+        return node("diff", put(term), letter, order, by)
 
     def derived(self, value: Value, by: str, order: int, tree: Tree, *, partial: bool = False) -> Value:
         """The derivative of a scalar, or of each component, by a variable."""

@@ -873,6 +873,8 @@ class Builder:
         found = []
         for tree in bottom.body:
             name, order = (tree.base, self.order(tree.exponent, at)) if isinstance(tree, Pow) else (tree, 1)
+            if isinstance(name, Call) and not name.arguments and bottom.partial:
+                name = name.function
             if not isinstance(name, Name):
                 raise self.fail(at, "a derivative is taken by a letter that depends on no other")
             found.append((name, order))

@@ -25,7 +25,7 @@ SAME = {  # other spellings
     r"\overrightarrow": r"\vec", r"\mathbfit": r"\mathbf", r"\textbf": r"\mathbf", r"\mathit": "", r"\mathnormal": "",
     r"\boldmath": r"\mathbf", r"\textit": "", r"\textsf": r"\mathsf", r"\texttt": r"\text", r"\symbf": r"\mathbf", r"\enspace": r"\ ", r"\thinspace": r"\,", r"\medspace": r"\:",
     r"\thickspace": r"\;", r"\negthinspace": r"\!", r"\lbrack": "[", r"\rbrack": "]", r"\wedge": r"\wedge",
-    r"\leqq": r"\le", r"\geqq": r"\ge", r"\neq": r"\ne", r"\operatorname*": r"\operatorname", r"\dag": r"\dagger",
+    r"\leqq": r"\le", r"\gets": r"\leftarrow", r"\iff": r"\iff", r"\longleftarrow": r"\leftarrow", r"\geqq": r"\ge", r"\neq": r"\ne", r"\operatorname*": r"\operatorname", r"\dag": r"\dagger",
     r"\ast": "*", r"\prime": r"\prime", r"\lgroup": "(", r"\rgroup": ")", r"\bold": r"\mathbf", r"\mathbfcal": r"\mathcal",
 }  # fmt: skip
 NOTHING = {  # layout, with the number of arguments that go with it
@@ -213,8 +213,9 @@ def _made_plain_here(parts: list[Part]) -> list[Part]:
                 if k < len(parts):
                     taken, k = _argument(parts, k, raw=part in (r"\begin", r"\end", r"\tag"))
                     found.append(taken)
-            if part in ACCENTS and isinstance(found[-1], Group):
-                found[-1:] = _accented(found[-1].parts)
+            if part in ACCENTS | STYLES and isinstance(found[-1], Group):
+                inner = found.pop().parts
+                found[-1:] = _over_letters(part, inner)
             if part == r"\begin" and isinstance(found[-1], Group) and "".join(map(str, found[-1].parts)) == "array":
                 if k < len(parts) and isinstance(parts[k], Group):
                     found.append(parts[k])  # its columns
@@ -226,14 +227,16 @@ def _made_plain_here(parts: list[Part]) -> list[Part]:
     return found
 
 
-def _accented(inner: list[Part]) -> list[Part]:
-    """The letter under an accent, with its scripts behind the accent."""
+def _over_letters(command: str, inner: list[Part]) -> list[Part]:
+    """An accent or a style over a letter with scripts, which stand behind it; a style over several letters is of each."""
     letter, end = _letter_here(inner, 0)
     rest = inner[end:]
     scripts = all(rest[k] in ("^", "_") and isinstance(rest[k + 1], Group) for k in range(0, len(rest) - 1, 2))
     if letter and rest and len(rest) % 2 == 0 and scripts:
-        return [Group(letter), *rest]
-    return [Group(inner)]
+        return [command, Group(letter), *rest]
+    if command in STYLES and len(inner) > 1 and all(isinstance(part, str) and tex.is_letter(part) for part in inner):
+        return [each for part in inner for each in (command, Group([part]))]
+    return [command, Group(inner)]
 
 
 def _is_switch(command: str) -> bool:
