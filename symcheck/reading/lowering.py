@@ -74,6 +74,7 @@ from symcheck.reading.tree import (
     ElementsOf,
     Evaluated,
     Exists,
+    Factorial,
     Iff,
     Implies,
     Infinity,
@@ -102,6 +103,7 @@ from symcheck.reading.tree import (
     with_children,
 )
 
+MAX_FACTORIAL = 1000  # its digits fill a page
 Env = Mapping[str, Term]  # the values of indices; a letter where a sum cannot be written out
 
 SIGNS = {"=": "=", r"\equiv": "=", r"\ne": "!=", "<": "<", r"\le": "<=", ">": ">", r"\ge": ">="}
@@ -690,6 +692,14 @@ class Lowering:
             return comb(top, bottom)
         factors = [node("+", top, node("-", k)) if k else top for k in range(bottom)]
         return node("/", node("*", *factors), factorial(bottom)) if factors else 1
+
+    def of_factorial(self, tree: Factorial, env: Env) -> Value:
+        value = self.scalar(tree.value, env)
+        if isinstance(value, int):
+            if not 0 <= value <= MAX_FACTORIAL:
+                raise SymcheckError(f"{to_latex(tree)}: only of whole numbers from 0 to {MAX_FACTORIAL}")
+            return factorial(value)
+        return node("gamma", node("+", value, 1))
 
     def of_norm(self, tree: Norm, env: Env) -> Value:
         value = self.value(tree.value, env)

@@ -201,7 +201,10 @@ class Scan(tex.Reader):
         self.i = start + (self.peek_at(start) == "{")
         while self.i < end:
             text = self.peek()
-            if text in ("d", r"\partial"):
+            before = self.peek(-1) if self.i else ""
+            if self.wholes and (name := self.whole()):
+                yield Occurrence(name, role=role, by=by, before=before)
+            elif text in ("d", r"\partial"):
                 self.i += 1
                 if self.peek() == "^":
                     self.i += 1

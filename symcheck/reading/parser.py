@@ -38,6 +38,7 @@ from symcheck.reading.tree import (
     ElementsOf,
     Evaluated,
     Exists,
+    Factorial,
     Iff,
     Implies,
     Infinity,
@@ -884,6 +885,10 @@ class Builder:
 
     def on_item(self, nodes: list[ParseNode]) -> Item:
         item: Item = self.build(nodes[0])
+        if len(nodes) > 1 and nodes[1].type == "BANG":
+            if item.kind not in ("atom", "group", "fraction"):
+                raise self.fail(nodes[1].value.at, "a factorial of what?")
+            item, nodes = Item("fraction", item.at, Factorial(self.atom(item))), [nodes[0], *nodes[2:]]
         if len(nodes) > 1:
             item.postfix = nodes[1].type
             if item.kind in ("sum", "integral", "antiderivative") or (

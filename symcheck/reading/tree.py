@@ -104,6 +104,13 @@ class Binomial(Tree):
 
 
 @dataclass(frozen=True, slots=True)
+class Factorial(Tree):
+    """`n!`."""
+
+    value: Tree
+
+
+@dataclass(frozen=True, slots=True)
 class Degrees(Tree):
     r"""An angle in degrees, `45^\circ`."""
 
