@@ -24,6 +24,9 @@ SIZES = frozenset(
 ENVIRONMENTS = frozenset(
     {"aligned", "align", "align*", "array", "split", "cases", "gathered", "gather", "equation", "multline"}
 )
+VALUES = "values by cases"  # the environment of that kind
+CONDITIONS = frozenset({"if", "for", "when", "where", "as", "in", "on", "at"})
+OTHERWISE = frozenset({"otherwise", "else", "elsewhere"})
 MATRICES = frozenset({"pmatrix", "bmatrix", "matrix", "Bmatrix", "smallmatrix"})
 RELATIONS = {
     "=": "=", "<": "<", ">": ">", r"\lt": "<", r"\gt": ">", r"\ne": r"\ne", r"\neq": r"\ne",
@@ -45,7 +48,7 @@ OPEN = {"(": "LPAR", "[": "LBRA", r"\{": "LSET", r"\lbrace": "LSET"}
 CLOSE = {")": "RPAR", "]": "RBRA", r"\}": "RSET", r"\rbrace": "RSET"}
 PARTNER = {
     "RPAR": "LPAR", "RBRA": "LBRA", "RSET": "LSET", "RB": "LB", "RBAR": "LBAR", "RNORM": "LNORM", "MEND": "MBEGIN",
-    "RANGLE": "LANGLE", "RHALF": "LHALF", "RLIST": "LLIST",
+    "RANGLE": "LANGLE", "RHALF": "LHALF", "RLIST": "LLIST", "CEND": "CBEGIN",
 }  # fmt: skip
 SIMPLE = {
     "+": "PLUS", "-": "MINUS", "/": "SLASH", r"\cdot": "CDOT", r"\times": "TIMES", ",": "COMMA", ";": "SEMI",
@@ -148,7 +151,7 @@ class Lexer(tex.Reader):
         text, at = self.peek(), self.at()
         if text in SPACES:
             self.space()
-        elif self.notation.wholes and self.whole():
+        elif (self.notation.wholes and self.whole()) or self.condition():
             return
         elif text.isdigit() and text.isascii():
             self.number()
@@ -315,6 +318,21 @@ class Lexer(tex.Reader):
             opening = not (self.open and self.open[-1].type == f"L{kind}" and self.last() in _ENDS)
         self.emit(f"{'L' if opening else 'R'}{kind}", text, at)
 
+    def condition(self) -> bool:
+        """A word before a condition in a list of values, which is layout, or the one that stands for the rest."""
+        if not self.environments or self.environments[-1][0] != VALUES or self.peek() not in ROMAN:
+            return False
+        start, at = self.i, self.at()
+        self.i += 1
+        word = "".join(tok.text for tok in self.group()).strip(",.:~").lower()
+        if word in CONDITIONS:
+            return True
+        if word in OTHERWISE:
+            self.emit("OTHERWISE", word, at)
+            return True
+        self.i = start
+        return False
+
     def environment(self) -> None:
         r"""`aligned` and its kin are layout; matrices keep their cells. An array in brackets is a matrix."""
         begin, at = self.peek() == r"\begin", self.at()
@@ -324,7 +342,9 @@ class Lexer(tex.Reader):
             self.fail(f"unknown environment {name}", at)
         if begin:
             if name == "cases" and self.last() in _OPERATORS:
-                self.fail("a value given by cases cannot be read; state one implication for each case", at)
+                self.environments.append((VALUES, at))
+                self.emit("CBEGIN", name, at)
+                return
             if name == "array":
                 self.group()
                 inside = self.last() in {"LPAR", "LBRA", "LBAR", "LNORM"}
@@ -334,6 +354,11 @@ class Lexer(tex.Reader):
                 self.emit("MBEGIN", name, at)
             return
         opened = self.environments.pop()[0] if self.environments else ""
+        if opened == VALUES and name == "cases":
+            while self.out and self.out[-1].type in ("GAP", "ROW"):
+                self.out.pop()
+            self.emit("CEND", name, at)
+            return
         if opened.removesuffix(" matrix") != name:
             self.fail(rf"\end{{{name}}} does not match \begin{{{opened}}}", at)
         if opened not in ENVIRONMENTS:

@@ -13,6 +13,7 @@ from types import MappingProxyType
 from typing import Any
 
 from symcheck.core.calculus import substituted
+from symcheck.core.formulas import contrary
 from symcheck.core.terms import INFINITY, MINUS_INFINITY, PI, Formula, Node, Term, mapped, node
 from symcheck.core.terms import Call as Applied
 from symcheck.core.verdicts import SymcheckError
@@ -88,6 +89,7 @@ from symcheck.reading.tree import (
     Norm,
     Or,
     Pair,
+    Piecewise,
     PlusMinus,
     Pow,
     Qualifier,
@@ -314,6 +316,8 @@ class Lowering:
         return [node("or", _and(upper), _and(lower))]
 
     def compare(self, left: Tree, sign: str, right: Tree, env: Env) -> list[Formula]:
+        if found := [part for side in (left, right) for _, part in walk(side) if isinstance(part, Piecewise)]:
+            return [self.by_cases(found[0], left, sign, right, env)]
         if any(isinstance(part, Antiderivative) for side in (left, right) for _, part in walk(side)):
             return self.primitive(left, sign, right, env)
         if sign == r"\in" and isinstance(right, Interval | Pair):
@@ -715,6 +719,18 @@ class Lowering:
         at = [zipped(lambda t, end=end: substituted(t, {by: end}), [value]) for end in ends]
         return at[0] if len(at) == 1 else zipped(lambda high, low: added(high, negative(low)), at)
 
+    def by_cases(self, values: Piecewise, left: Tree, sign: str, right: Tree, env: Env) -> Formula:
+        """A relation with a value by cases: it holds with each value where its condition does."""
+        before: list[Formula] = []
+        parts: list[Formula] = []
+        for value, where in values.cases:
+            sides = [_put(side, values, value) for side in (left, right)]
+            stated = _and(self.compare(sides[0], sign, sides[1], env))
+            holds = self.formula(where, env) if where is not None else _and(map(contrary, before))
+            before.append(holds)
+            parts.append(node("=>", holds, stated))
+        return _and(parts)
+
     def primitive(self, left: Tree, sign: str, right: Tree, env: Env) -> list[Formula]:
         """An equation with integrals without bounds: both sides have one derivative."""
         found = [node for side in (left, right) for _, node in walk(side) if isinstance(node, Antiderivative)]
@@ -1066,6 +1082,13 @@ def _part(k: int) -> Callable[[Tree, Value], Value]:
 OPERATIONS: dict[str, Callable[[Tree, Value], Value]] = {  # functions of matrices, and parts of complex numbers
     "det": determinant, "tr": _trace, "Tr": _trace, "Re": _part(0), "Im": _part(1),
 }  # fmt: skip
+
+
+def _put(tree: Tree, old: Tree, new: Tree) -> Tree:
+    """The tree with another in the place of one that stands in it."""
+    if tree == old:
+        return new
+    return with_children(tree, tuple(_put(child, old, new) for child in children(tree)))
 
 
 def _series(index: str, low: Term, high: Term, body: Value) -> Value:

@@ -54,6 +54,7 @@ from symcheck.reading.tree import (
     Number,
     Or,
     Pair,
+    Piecewise,
     PlusMinus,
     Pow,
     Qualifier,
@@ -991,6 +992,20 @@ class Builder:
 
     def from_mbegin(self, nodes: list[ParseNode], at: int) -> Item:
         return Item("atom", at, MatrixOf(self.rows(nodes, at)))
+
+    def from_cbegin(self, nodes: list[ParseNode], at: int) -> Item:
+        cases = [self.case(node.children) for node in nodes if hasattr(node, "data")]
+        if any(condition is None for _, condition in cases[:-1]):
+            raise self.fail(at, "what holds otherwise must be the last case")
+        return Item("atom", at, Piecewise(tuple(cases)))
+
+    def case(self, nodes: list[ParseNode]) -> tuple[Tree, Tree | None]:
+        """A value and where it holds."""
+        value, *rest = [node for node in nodes if hasattr(node, "data")]
+        if not rest:
+            return self.term_of(value), None
+        condition: Tree = self.claim(rest[0])
+        return self.term_of(value), condition
 
     def rows(self, nodes: list[ParseNode], at: int) -> tuple[tuple[Tree, ...], ...]:
         rows = [node.children for node in nodes if hasattr(node, "data")]

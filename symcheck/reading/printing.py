@@ -42,6 +42,7 @@ from symcheck.reading.tree import (
     Number,
     Or,
     Pair,
+    Piecewise,
     PlusMinus,
     Pow,
     Qualifier,
@@ -241,6 +242,14 @@ def _integral(tree: Integral) -> str:
     return rf"\int{bounds} {_print(tree.body, PRODUCT)} \, d{_print(tree.variable, ATOM)}"
 
 
+def _piecewise(tree: Piecewise) -> str:
+    rows = [
+        rf"{_print(value, SUM)} & {_print(where, CHAIN) if where is not None else chr(92) + 'text{otherwise}'}"
+        for value, where in tree.cases
+    ]
+    return rf"\begin{{cases}} {(' ' + chr(92) * 2 + ' ').join(rows)} \end{{cases}}"
+
+
 def _evaluated(tree: Evaluated) -> str:
     body = rf"\left[{_print(tree.body, SUM)}\right]_{{{_print(tree.variable, ATOM)} = "
     if tree.low is None:
@@ -336,6 +345,7 @@ _PRINTERS: dict[type[Tree], Callable[[Any], str]] = {
     Norm: lambda t: rf"\left\|{_print(t.value, SUM)}\right\|",
     Antiderivative: lambda t: rf"\int {_print(t.body, PRODUCT)} \, d{_print(t.variable, ATOM)}",
     Evaluated: _evaluated,
+    Piecewise: _piecewise,
     Factorial: lambda t: f"{_base(t.value)}!",
     Degrees: lambda t: rf"{_print(t.value, ATOM)}^\circ",
     BigSum: _sum,

@@ -104,6 +104,13 @@ class Binomial(Tree):
 
 
 @dataclass(frozen=True, slots=True)
+class Piecewise(Tree):
+    r"""`\begin{cases} a & x < 0 \\ b & x > 0 \end{cases}`; the last condition is None for "otherwise"."""
+
+    cases: tuple[tuple[Tree, Tree | None], ...]
+
+
+@dataclass(frozen=True, slots=True)
 class Factorial(Tree):
     """`n!`."""
 
