@@ -473,14 +473,9 @@ class Search:
         return with_arguments(set().union(*(variables(unfold(tree, definitions)) for tree in nodes)))
 
     def _mentioned(self) -> set[str]:
-        """The free letters of what is stated, also of those whose value depends on them in name only."""
-        names = set[str]()
-        trees: list[Term] = [self.problem.claim, *self.formulas]
-        for tree in trees:
-            new = letters(tree) - names
-            names |= new
-            trees += [self.ring.definitions[name] for name in sorted(new & self.ring.definitions.keys())]
-        return names - self.ring.definitions.keys()
+        """The free letters of what is stated, also those whose value changes nothing."""
+        stated = self.problem.claim, *self.formulas
+        return set().union(*(letters(unfold(formula, self.ring.definitions)) for formula in stated))
 
     def _written_side(self, side: Term, point: Assignment) -> Term:
         """The value of a side; pi may stand in its denominator."""
