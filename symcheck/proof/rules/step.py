@@ -56,7 +56,7 @@ class Step:
         return {"rule": self.rule, **{name: part for name, part in named.items() if part or name not in self.optional}}
 
     def speaks_of(self, definitions: Mapping[str, Term]) -> Iterable[Term]:
-        """Terms that the step mentions, beside signed ones."""
+        """Terms that the step mentions, in addition to signed ones."""
         return ()
 
     @cached_property

@@ -46,7 +46,7 @@ KNOWN_SINES = dict(zip(KNOWN_ANGLES, _SINES, strict=True))  # and cosines
 
 
 def compares_angles(ring: Ring) -> bool:
-    """Whether angles stand beside their sines, or inverse functions occur."""
+    """Whether angles occur together with their sines, or inverse functions occur."""
     names = with_arguments(ring.names)
     arcs = any(name in atoms() and atoms()[name][0] in INVERSE for name in names)
     return arcs or ("pi" in names and any(turn is not None and turn[1] in names for turn in map(circle, names)))

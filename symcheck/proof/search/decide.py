@@ -28,6 +28,7 @@ VACUOUS = (
     "it follows from what is given, but no point was found at which that holds: hypotheses, premises, "
     "and that no denominator is zero"
 )
+_NAMES = re.compile(r"\w+")  # variables in a printed polynomial, and numbers, which stand for nothing
 Search = Callable[[Problem, Ring], Step | None]
 Divisors = dict[tuple[str, ...], Poly]  # by numerator and the denominators inside, printed
 
@@ -102,7 +103,7 @@ def _completed(problem: Problem, ring: Ring, step: Step) -> Proof | None:
             if conditions is None:
                 return None
             nonzero, positive, given = conditions
-    names = {name for text in printed(step) for name in re.findall(r"\w+", text)}
+    names = {name for text in printed(step) for name in _NAMES.findall(text)}
     meant = {name: table().term(name) for name in sorted(names) if table().stands(name)}
     return Proof(Whole(step, meant, tuple(positive)), given, tuple(_fraction(*texts) for texts in sorted(nonzero)))
 
