@@ -1,6 +1,6 @@
 """Terms as exact fractions of polynomials over a ring made for one problem (python-flint, degrevlex order).
 
-Sines, cosines, roots of primes and other functions are variables of their own (`variables.py`).
+Sines, cosines, roots of primes and other functions are further variables (`variables.py`).
 """
 
 from __future__ import annotations

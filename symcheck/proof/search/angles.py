@@ -1,7 +1,7 @@
 """Angles compared with multiples of pi and with arctan, arcsin, arccos: what that says of their sines, and back.
 
 A theorem of `symcheck/checker/theorems.py` turns a comparison such as a < arctan t into one of sin a with t cos a.
-What is left is algebra: orders by `farkas`, equations by squares or by ideals.
+What is left is algebra: orders by contradictions among signs (`absurd`), equations by squares or by ideals.
 """
 
 from __future__ import annotations
