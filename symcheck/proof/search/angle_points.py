@@ -27,7 +27,7 @@ from symcheck.proof.search.number_points import refute_at
 
 MAX_LETTERS = 3  # each has some twenty values: with more letters no point would be reached in which all are changed
 MAX_POINTS = 80  # of which the papers need 16
-MAX_PROOFS = 8  # of some seconds each, of which the papers need two
+MAX_PROOFS = 8  # of some seconds each, of which the papers need three
 SAME = 20  # bits: ends of intervals that differ in fewer (of 160) are the same angle
 Ends = dict[str, list[Term]]  # by angle: what it is compared with
 
