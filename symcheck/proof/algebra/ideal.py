@@ -26,7 +26,7 @@ def _text(poly: Poly, support: list[int]) -> Text:
     return tuple((tuple(int(e[k]) for k in support), (int(c.p), int(c.q))) for e, c in poly.terms())
 
 
-@lru_cache(maxsize=256)
+@lru_cache(maxsize=256)  # statements that follow one another share hypotheses
 def _basis(names: tuple[str, ...], polys: tuple[Text, ...], pairs: int) -> Basis:
     context = flint.context(names)
     return Basis([context.from_dict({e: flint.rational(Fraction(*c)) for e, c in poly}) for poly in polys], pairs)

@@ -77,7 +77,7 @@ class Table:
         return (self.atoms | CONSTANTS).get(name, name)
 
     def stands(self, name: str) -> bool:
-        """Whether a variable stands for a term, and is no letter."""
+        """Whether a variable stands for a term and not for a letter."""
         return name in self.circles or name in self.primes or name in self.atoms or name in CONSTANTS
 
 
@@ -91,7 +91,7 @@ def table() -> Table:
 
 @contextmanager
 def one_problem(letters: Iterable[str]) -> Iterator[Table]:
-    """A table of its own while one problem with these letters is looked at."""
+    """A new table while one problem with these letters is looked at."""
     _TABLES.append(Table(letters))
     try:
         yield _TABLES[-1]

@@ -66,7 +66,7 @@ class Numbers:
 
     @classmethod
     def of(cls, problem: Problem, chosen: Mapping[str, Term] | None = None) -> Numbers | None:
-        """Beside the letters chosen, those that the problem fixes; None if the claim is about others too."""
+        """The letters chosen and those that the problem fixes; None if the claim is about others too."""
         found = cls(dict(problem.definitions), dict(chosen or {}), {})
         equations = [(ref, formula.terms) for ref, formula in stated(problem) if formula.tag == "="]
         fixable = {side for _, sides in equations for side in sides if isinstance(side, str)}

@@ -25,9 +25,10 @@ from symcheck.proof.rules.step import Step
 from symcheck.proof.search.angles import KNOWN_ANGLES, KNOWN_SINES, compared, compares_angles, multiple_of_pi
 from symcheck.proof.search.number_points import refute_at
 
-MAX_LETTERS = 3
-MAX_POINTS = 80
-MAX_PROOFS = 8
+MAX_LETTERS = 3  # each has some twenty values: with more letters no point would be reached in which all are changed
+MAX_POINTS = 80  # of which the papers need 16
+MAX_PROOFS = 8  # of some seconds each, of which the papers need three
+SAME = 20  # bits: ends of intervals that differ in fewer (of 160) are the same angle
 Ends = dict[str, list[Term]]  # by angle: what it is compared with
 
 
@@ -90,7 +91,7 @@ def _values(ends: list[Term]) -> list[Term]:
     sizes: dict[int, Term] = {}
     for term in (*ends, known[0], known[-1]):
         try:
-            sizes.setdefault(enclosed(term).low >> 20, term)
+            sizes.setdefault(enclosed(term).low >> SAME, term)
         except Unknown:
             continue
     ordered = [term for _, term in sorted(sizes.items())]

@@ -1,7 +1,7 @@
 """Angles compared with multiples of pi and with arctan, arcsin, arccos: what that says of their sines, and back.
 
 A theorem of `symcheck/checker/theorems.py` turns a comparison such as a < arctan t into one of sin a with t cos a.
-What is left is algebra: orders by `farkas`, equations by squares or by ideals.
+What is left is algebra: orders by contradictions among signs (`absurd`), equations by squares or by ideals.
 """
 
 from __future__ import annotations
@@ -46,7 +46,7 @@ KNOWN_SINES = dict(zip(KNOWN_ANGLES, _SINES, strict=True))  # and cosines
 
 
 def compares_angles(ring: Ring) -> bool:
-    """Whether angles stand beside their sines, or inverse functions occur."""
+    """Whether angles occur together with their sines, or inverse functions occur."""
     names = with_arguments(ring.names)
     arcs = any(name in atoms() and atoms()[name][0] in INVERSE for name in names)
     return arcs or ("pi" in names and any(turn is not None and turn[1] in names for turn in map(circle, names)))

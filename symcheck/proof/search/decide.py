@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterable
+from collections.abc import Iterable
 from dataclasses import replace
 
 from symcheck.core.problems import Outcome, Problem
@@ -19,6 +19,7 @@ from symcheck.proof.algebra.variables import atoms, prime, table
 from symcheck.proof.rules.enclosure import prove_numbers
 from symcheck.proof.rules.proof import Proof
 from symcheck.proof.rules.step import Step, Whole, mentioned, printed, written
+from symcheck.proof.search import splitting
 from symcheck.proof.search.counterexample import refute
 from symcheck.proof.search.number_points import refute_numbers
 from symcheck.proof.search.wellformed import checked
@@ -28,20 +29,20 @@ VACUOUS = (
     "it follows from what is given, but no point was found at which that holds: hypotheses, premises, "
     "and that no denominator is zero"
 )
-Search = Callable[[Problem, Ring], Step | None]
+_NAMES = re.compile(r"\w+")  # variables in a printed polynomial, and numbers, which stand for nothing
 Divisors = dict[tuple[str, ...], Poly]  # by numerator and the denominators inside, printed
 
 
-def decide(problem: Problem, search: Search) -> Outcome:
+def decide(problem: Problem) -> Outcome:
     """Proved with steps, refuted with a point, or undecided with the reason; no statement raises."""
     try:
         problem = checked(problem)
         point = refute_numbers(problem)
         if point is None:
-            if (proof := prove_numbers(problem) or _search(problem, search)) is not None:
-                complete = with_witnesses(problem, proof, search)
+            if (proof := prove_numbers(problem) or _by_steps(problem)) is not None:
+                complete = with_witnesses(problem, proof)
                 return proved(problem, complete) if complete else Outcome(Verdict.UNDECIDED, reason=VACUOUS)
-            point = refute(problem, lambda inner: prove(inner, search))
+            point = refute(problem, prove)
             written(point and point.certificate())  # a number may be too long to be written
     except Unsupported as error:
         return Outcome(Verdict.UNDECIDED, reason=str(error))
@@ -60,25 +61,25 @@ def proved(problem: Problem, proof: Proof) -> Outcome:
     return Outcome(Verdict.PROVED, proof=proof, used=tuple(name for name, _ in problem.hypotheses if name in given))
 
 
-def with_witnesses(problem: Problem, proof: Proof, search: Search) -> Proof | None:
+def with_witnesses(problem: Problem, proof: Proof) -> Proof | None:
     """The proof with points at which all it rests on holds together; None if none was found."""
-    points = find_witnesses(problem, proof.nonzero, lambda inner: prove(inner, search))
+    points = find_witnesses(problem, proof.nonzero, prove)
     if points is None:
         return None
     written([proof.step, *(point.certificate() for point in points)])
     return replace(proof, witnesses=tuple(points))
 
 
-def prove(problem: Problem, search: Search) -> Proof | None:
+def prove(problem: Problem) -> Proof | None:
     """A proof, or None; no counterexample is looked for. Unsupported for terms that have no place in a ring."""
     if (proof := prove_numbers(problem)) is not None:
         return proof
-    return None if refute_numbers(problem) else _search(problem, search)
+    return None if refute_numbers(problem) else _by_steps(problem)
 
 
-def _search(problem: Problem, search: Search) -> Proof | None:
+def _by_steps(problem: Problem) -> Proof | None:
     ring = ring_of(problem)
-    step = search(problem, ring)
+    step = splitting.prove(problem, ring)
     return None if step is None else _completed(problem, ring, step)
 
 
@@ -102,7 +103,7 @@ def _completed(problem: Problem, ring: Ring, step: Step) -> Proof | None:
             if conditions is None:
                 return None
             nonzero, positive, given = conditions
-    names = {name for text in printed(step) for name in re.findall(r"\w+", text)}
+    names = {name for text in printed(step) for name in _NAMES.findall(text)}
     meant = {name: table().term(name) for name in sorted(names) if table().stands(name)}
     return Proof(Whole(step, meant, tuple(positive)), given, tuple(_fraction(*texts) for texts in sorted(nonzero)))
 

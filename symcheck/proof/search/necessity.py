@@ -26,7 +26,8 @@ from symcheck.proof.search.methods import proof_of, refute, whole_proof
 from symcheck.proof.search.witnesses import ZERO_IS_ONE
 
 PLAIN = {"+", "-", "*", "/", "^", "and", "or", "=>", "<=>", *RELATIONS}
-DRAWN, DRAWS = range(-5, 6), 500
+DRAWN = range(-5, 6)  # for each letter: small numbers make equations hold by chance
+DRAWS = 500  # points: those of the papers are among the first 453
 TURNS = {"sin": "sine", "cos": "cosine"}
 RIGHT_ANGLES = ((0, 1), (1, 0))  # the sine and the cosine of 0 and of 90 degrees
 HAVING_A_VALUE: dict[str, Callable[..., Formula]] = {

@@ -25,7 +25,7 @@ from symcheck.proof.search.angles import compares_angles, prove_about_angles
 from symcheck.proof.search.theorem_search import has_functions, prove_with_theorems
 
 MAX_NODES = 240  # places of one search: proofs of the ledger need fewer, and failures cost seconds
-LONG_PROOF = 1500  # characters
+LONG_PROOF = 1500  # characters of a proof that `close` leaves for later
 
 
 def prove(problem: Problem, ring: Ring) -> Step | None:

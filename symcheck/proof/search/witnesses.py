@@ -22,14 +22,15 @@ from symcheck.proof.algebra.polynomial import alone, subterms, unfold, with_argu
 from symcheck.proof.algebra.variables import Unsupported, atoms, circle, cosine, sine
 from symcheck.proof.rules.compute import Point
 from symcheck.proof.rules.proof import Prover
-from symcheck.proof.search.counterexample import Assignment, Search, refute
+from symcheck.proof.search.counterexample import Assignment, Search, Solved, refute
 from symcheck.proof.search.number_points import TRIED, refute_at_first
 
 ZERO_IS_ONE: Formula = node("=", 0, 1)
-DRAWS = 3000
-TRIALS = 60
+DRAWS = 3000  # points: the papers' witnesses are among the first 1,900
+TRIALS = 60  # points evaluated by digits, of which the papers need two
 _ARCS = ("arctan", "arcsin", "arccos")
 Pool = tuple[int | Fraction, ...]
+# numbers that a reader can follow, small ones first
 VALUES: Pool = (
     *(1, -1, 0, *range(2, 6), *range(-2, -6, -1)),
     *(
@@ -38,6 +39,7 @@ VALUES: Pool = (
     ),
 )
 POSITIVE = tuple(value for value in VALUES if value > 0)
+# in turn: few values solve what has many equations, zeros what has many letters
 POOLS: tuple[Pool, ...] = (VALUES[:2], VALUES[:4], VALUES, POSITIVE, (0, 0, 0, 1, -1))
 Definitions = tuple[tuple[str, Term], ...]
 
@@ -189,10 +191,9 @@ class _Draws(Search):
 
     def _candidates(self, angles: Sequence[str]) -> Iterator[Assignment]:
         scalars = [name for name in self.free if circle(name) is None]
-        equations = [self._gap(f).num for f in self.formulas if f[0] == "=" and not self._functions_in(f)]
         if any(self._impossible(formula) for formula in self.formulas):
             return
-        steps, equations = self._eliminated([poly for poly in equations if poly != 0], scalars)
+        steps, equations = self._eliminated([poly for poly in self._equations() if poly != 0], scalars)
         last = dict(self._said_by_functions(scalars))
         left = [name for name in scalars if name not in last and name not in [x for x, _, _ in steps]]
         for seed in range(DRAWS):
@@ -236,11 +237,9 @@ class _Draws(Search):
                 return False
         return super()._settle(name, point)
 
-    def _eliminated(
-        self, equations: list[Poly], scalars: Sequence[str]
-    ) -> tuple[list[tuple[str, Poly, Poly]], list[Poly]]:
-        """Steps (x, a, b) meaning x = -b / a with numbers a, in order of solution, and the other equations."""
-        steps: list[tuple[str, Poly, Poly]] = []
+    def _eliminated(self, equations: list[Poly], scalars: Sequence[str]) -> tuple[list[Solved], list[Poly]]:
+        """What can be solved without division by letters, in order of solution, and the other equations."""
+        steps: list[Solved] = []
         while True:
             found = next(
                 ((p, x) for p in sorted(equations, key=len) for x in scalars if self._number_times(p, x)), None
@@ -248,11 +247,8 @@ class _Draws(Search):
             if found is None:
                 return steps[::-1], equations
             equation, x = found
-            slope = equation.derivative(x)
-            rest = equation - slope * self.ring.generator[x]
-            steps.append((x, slope, rest))
-            others = (self._reduce(self._eliminate(p, x, slope, rest)) for p in equations if p is not equation)
-            equations = [poly for poly in others if poly != 0]
+            steps.append(self._linear(equation, x))
+            equations = self._eliminated_from([p for p in equations if p is not equation], steps[-1])
 
     def _number_times(self, poly: Poly, x: str) -> bool:
         """Whether a polynomial is a number times x, plus what does not depend on x."""
@@ -302,8 +298,7 @@ class _Draws(Search):
         s, c = sine(name), cosine(name)
         poly = divmod(poly, self.ring.generator[s] ** 2 + self.ring.generator[c] ** 2 - 1)[1]
         square, other = (s, c) if max(by_powers(poly, s), default=0) < 2 else (c, s)
-        slope = poly.derivative(square)  # poly = rest + slope * square
-        rest = poly - slope * self.ring.generator[square]
+        _, slope, rest = self._linear(poly, square)
         if slope == 0:
             found = self._zero(rest, other, sign)
             return None if found is None else self._on_circle(other, found, square, rng.choice((1, -1)))
