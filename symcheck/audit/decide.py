@@ -119,4 +119,12 @@ def _judged(context: Context, unit: Unit, row: Record) -> Record:
         )
     row = replace(row, hypotheses=tuple(listed(item, _added(erratum))))
     row.refuse_wider()
+    if row.reading is Reading.AS_PRINTED and _is_standing(row):
+        row = replace(row, reading=Reading.STANDING)
     return row
+
+
+def _is_standing(row: Record) -> bool:
+    """Whether the proof uses a condition that the paper does not print."""
+    standing = {hypothesis.name for hypothesis in row.hypotheses if hypothesis.given == "standing"}
+    return not standing.isdisjoint((row.domain or {}).get("hypotheses", ()))

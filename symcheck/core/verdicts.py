@@ -39,6 +39,7 @@ class Reading(StrEnum):
     """How a person reads a printed relation that is not simply right."""
 
     AS_PRINTED = "as printed"
+    STANDING = "standing condition"
     MISPRINT = "misprint"
     NEEDS_HYPOTHESIS = "needs hypothesis"
     DAMAGED = "damaged source"
