@@ -2,7 +2,7 @@
 
 from functools import partial
 
-from symcheck.core.claims import Erratum, Hypothesis
+from symcheck.core.claims import Damage, Erratum, Hypothesis
 from symcheck.core.verdicts import Origin
 from symcheck.papers.declare import Scope, body, claim, definition, exclusion, ours, premise
 from symcheck.papers.mirer2009 import derivation
@@ -10,12 +10,14 @@ from symcheck.papers.mirer2009.forms import ALIGNED, PARALLEL, excess_of_product
 from symcheck.papers.mirer2009.hypotheses import (
     distinct_moments,
     orthogonal,
+    positive_axial_moments,
     positive_moments,
+    positive_ratio,
     right_handed,
     symmetric_damping,
 )
-from symcheck.papers.mirer2009.notation import damping_letters
-from symcheck.proof import cases, identity
+from symcheck.papers.mirer2009.notation import damping_letters, torque_letters
+from symcheck.proof import cases, identity, nonnegative
 
 proportional = Scope(where=derivation.proportional_gains, by=identity)
 
@@ -280,11 +282,24 @@ moment_about_device_axis = claim(
     uses=["1.3.1"],
 )
 
-larger_moment_larger_torque = exclusion(
+larger_moment_larger_torque = claim(
     "1.4.2",
     113,
-    words="The larger J_i, the larger the torque along that axis should be (set in bold there, a vector's letter).",
-    reason="design advice, no relation; it motivates 1.4.3",
+    r"\mathbf{M}_i",
+    words="The larger J_i, the larger the torque along that axis must be: an angular acceleration w about e_i takes the torque J_i w "
+    "along e_i (a), so that of two axes the one of the larger moment takes the larger torque (b).",
+    states=(r"(\mathbf{e}_i, w\mathbf{I}\mathbf{e}_i) = J_i w", "J_1 w > J_2 w"),
+    damage=Damage(
+        "M_i",
+        "M_i is set in bold, as a vector; it is the scalar torque of device i (lines 51 and 53), and the index is that of J_i. "
+        "The author or the OCR may have done it.",
+        kind="typography",
+        origin=Origin.UNCERTAIN,
+    ),
+    given=[Hypothesis("larger moment", "J_1 is larger than J_2, and w is positive", r"J_1 > J_2 \land w > 0")],
+    by={"a": identity, "b": nonnegative("(J_1 - J_2)w")},
+    uses=["1.4.1"],
+    notation=torque_letters,
 )
 
 gains_in_proportion = premise(
@@ -360,16 +375,6 @@ triple_root = Hypothesis(
     "(1.5) has the triple root p = -xi: relations 1.5.4 to 1.5.6",
     body(triple_root_square_coefficient, triple_root_linear_coefficient, triple_root_constant_coefficient),
 )
-positive_ratio = Hypothesis(
-    "gain positive", "the common gain ratio k is positive: the devices damp", r"k > 0", printed=False
-)
-positive_axial_moments = Hypothesis(
-    "moments about the axes positive",
-    "no moment about an axis e_i is zero",
-    r"J_1 > 0, J_2 > 0, J_3 > 0",
-    printed=False,
-)
-
 product_at_triple_root = claim(
     "1.6",
     135,
