@@ -8,12 +8,11 @@ from functools import partial
 from symcheck.core.claims import Declaration, Hypothesis
 from symcheck.papers.declare import ours
 from symcheck.papers.esenkov2006 import derivation, first_text, second_text
-from symcheck.papers.esenkov2006.hypotheses import spinning
+from symcheck.papers.esenkov2006.hypotheses import body_has_mass, spinning
 from symcheck.papers.esenkov2006.notation import comparison_letters, notation, sign_letters, three_modes
 from symcheck.proof import cases, identity
 from symcheck.reading import Letter
 
-body_has_mass = Hypothesis("body has mass", "A is positive", "A > 0", printed=False)
 all_positive = Hypothesis(
     "general values",
     "no factor of what is lost is zero: A, E_n, omega_0, lambda_n are positive",
