@@ -95,6 +95,8 @@ class Record(_Part, frozen=True):
         The variable it is bound to.
     printed, words, read
         The printed LaTeX, what the paper says in words, and the parsed form printed back as LaTeX.
+    place
+        The first and last word of the sentence that `words` puts in English, and its line.
     verdict
         None for a definition, premise or exclusion, which claims nothing.
     reading
@@ -123,6 +125,7 @@ class Record(_Part, frozen=True):
     name: str = ""
     printed: str = ""
     words: str = ""
+    place: str = ""
     read: str = ""
     verdict: Verdict | None = None
     reading: Reading = Reading.AS_PRINTED

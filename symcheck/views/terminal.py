@@ -109,6 +109,7 @@ def _fields(relation: Relation, as_erratum: bool = False) -> Iterator[tuple[str,
     yield "role", f"{record.role}, section {record.section}, line {record.line} of the source"
     yield "printed", record.printed
     yield "words", record.words
+    yield "stands on", record.place
     yield "read as", record.read
     if not as_erratum:
         yield "reason", record.reason
