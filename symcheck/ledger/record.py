@@ -79,6 +79,8 @@ class Correction(_Part, frozen=True):
     unique: bool | None
     empty: bool  # true as printed, but it says nothing
     row: bool  # of a list row or a table cell, whose correction is the whole row
+    summary: str = ""  # one sentence for the authors
+    instead: str = ""  # what to print instead, for the authors
     later: tuple[Later, ...] | UnsetType = UNSET
 
 

@@ -105,6 +105,9 @@ frequencies = claim(
             "third: all that follows rests on it. The other text speaks for (2.1): it agrees in all else, and it has C - A in this place "
             "(1.0.6). But both signs of (2.1) are legible, and the OCR loses minus signs before letters, so that a minus may be "
             "lost in the substitution; what the author wrote cannot be told.",
+            summary=r"(2.1), the substitution $p = i\eta$, $p_n = i\lambda_n$ and (2.3) contradict each other; one of the first two "
+            "is to be changed.",
+            instead=r"either $i(C - A)$ and $-i\omega_0$ in (2.1), or $p = -i\eta$, $p_n = -i\lambda_n$",
         )
     },
 )

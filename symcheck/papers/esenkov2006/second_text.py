@@ -339,6 +339,8 @@ roots_as_squares = claim(
             "With the plus that is printed both signs of the root would give one Delta, the one of the minus sign. The root with the plus "
             "is minus the square of the difference: the sign in the square is the opposite of the one before the root. The OCR may "
             "have read such a double sign as a plus, though it kept both double signs before.",
+            summary=r"The sign in the square is the opposite of the one before the root; with the plus both would give one $\Delta$.",
+            instead=r"$\Delta_{1,2} = \dots = -\left(\sqrt{E_n(1 - b_n)} \mp \sqrt{b_n(A - E_n)}\right)^2$",
         )
     },
 )

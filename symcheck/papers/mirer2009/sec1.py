@@ -88,6 +88,8 @@ torque_by_damping_matrix = claim(
             "M_i was introduced (1.0.2, 1.0.4) as the torque of device i along e_i; here the same letter stands for the "
             "component of M along the principal axis E_i. The two differ unless the axes e_i are the principal axes; "
             "the component needs a letter of its own (written mu_i here).",
+            summary=r"$M_i$ is the torque of device $i$ along $\mathbf{e}_i$ in lines 51 and 53, and here the component of "
+            r"$\mathbf{M}$ along $\mathbf{E}_i$, which needs another letter.",
         ),
         "d": Erratum(
             r"-\sum_{j=1}^3 k_j \left(\sum_{s=1}^3 \omega_s a_{js} \right) a_{ji} = "
@@ -96,12 +98,14 @@ torque_by_damping_matrix = claim(
             Origin.UNCERTAIN,
             "omega_s stands twice, before and inside the inner sum; m_is, defined by that inner sum two lines below, "
             "has it without omega_s. Nothing in the text tells whether the author or the OCR repeated it.",
+            summary=r"The factor $\omega_s$ stands twice, before the inner sum and in it; the one in the inner sum must go.",
         ),
         "e": Erratum(
             r"-\sum_{s=1}^3 \omega_s \sum_{j=1}^3 k_j a_{js} a_{ji} = -\sum_{s=1}^3 m_{is} \omega_s",
             "extra factor",
             Origin.UNCERTAIN,
             "The same repeated omega_s, seen from the other side of the chain.",
+            summary=r"The same repeated $\omega_s$, on the left of the next equality sign.",
         ),
     },
     lines={"e": 69},
@@ -437,6 +441,8 @@ equalities_only_for_parallel_axes = claim(
             Origin.PAPER,
             "With two equal moments every axis in their plane serves, so parallelism to the chosen principal axes does not "
             "follow; it follows when the moments are pairwise distinct.",
+            summary="With two equal moments every axis in their plane serves; it is true for pairwise distinct moments.",
+            instead="the same, if the three principal moments of inertia are pairwise distinct",
             needs=(distinct_moments,),
         )
     },

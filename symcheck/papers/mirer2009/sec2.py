@@ -111,6 +111,10 @@ equality_on_the_right = claim(
             Origin.PAPER,
             "The sentence exchanges the two sides: collinear axes give the left equality, the minimum (2.10), (2.17); the "
             "right one, the maximum, belongs to equal moments (line 209). Moreover 'only' needs pairwise distinct moments.",
+            summary="Left and right are exchanged: collinear axes give the left equality, the minimum, and they alone do so if "
+            "the moments are pairwise distinct.",
+            instead=r"the left equality is attained only for collinear axes $Ox_i$ and $Oy_j$, if $I_1, I_2, I_3$ are pairwise "
+            "distinct",
             needs=(distinct_moments,),
         )
     },
@@ -133,6 +137,9 @@ equality_on_the_left = claim(
             "left and right exchanged",
             Origin.PAPER,
             "The other half of the exchange: J_1 = J_2 = J_3 is where the right equality holds, as the proof says itself.",
+            summary="The other half of the exchange: equal moments give the right equality, the maximum, as the proof says "
+            "(line 209).",
+            instead="the right equality holds for $J_1 = J_2 = J_3$",
         )
     },
     lemmas=["2.1.7a"],
@@ -538,6 +545,9 @@ two_equal_moments = claim(
             Origin.PAPER,
             "When all three moments are equal, 2.8.1 holds for every alpha and cos 2 alpha need not vanish. The choice "
             "alpha = pi/4 remains right (2.9.2), so the existence proof is not harmed.",
+            summary=r"If all three moments are equal every $\alpha$ serves, and $\cos 2\alpha$ need not vanish; the choice "
+            r"$\alpha = \pi/4$ is right in any case.",
+            instead=r"if $I_2 = I_3 \neq I_1$, then $\cos 2\alpha = 0$",
             needs=(Hypothesis("I_1, I_2 distinct", "I_1 differs from I_2 = I_3", r"I_1 \neq I_2"),),
         )
     },
@@ -746,6 +756,8 @@ expansion_of_product = claim(
             "it (2.13.2) and (2.10), which it is to prove, need I_1 I_2 I_3 on the right; J for I may be the author's or the "
             "OCR's.",
             forms=(excess_of_product,),
+            summary=r"At the end of the chain stands $I_1 I_2 I_3$: with $J_1 J_2 J_3$ both sides are the same.",
+            instead=r"$f = J_1 J_2 J_3 = \dots \geq I_1 I_2 I_3$",
         )
     },
 )
@@ -822,6 +834,8 @@ six_cases = claim(
             Origin.PAPER,
             "The chain I_1 != I_2 != I_3 does not exclude I_1 = I_3, and then any turn about axis 2 gives equality too. "
             "What is meant, and enough, is that the three moments are pairwise distinct.",
+            summary=r"$I_1 \neq I_2 \neq I_3$ does not exclude $I_1 = I_3$, and then every turn about axis 2 gives equality.",
+            instead=r"the same, if $I_1, I_2, I_3$ are pairwise distinct",
             needs=(Hypothesis("I_1, I_3 distinct", "I_3 differs from I_1", r"I_3 \neq I_1"),),
         )
     },

@@ -151,6 +151,8 @@ rate_of_phase = claim(
             "above, is psi' = Omega + theta', where the exact psi' has the further term Omega' t. Restoring the time, "
             "psi = Omega t + theta, would make it a definition that (2.1) has given already and that is exact. Whether the "
             "author or the OCR lost the dots cannot be told; the OCR keeps all other dots of the page.",
+            summary=r"A frequency is added to an angle; what is used two lines above, and holds up to terms of the order "
+            r"$\varepsilon$, is the relation between the rates.",
         )
     },
 )
@@ -213,6 +215,7 @@ drift_of_phase = system.claim(
             "The outer bracket swallows three terms that must not carry the factor Omega/(ak); as printed their dimension "
             "is wrong, and the average of v_2 would not be the printed Kbar_2. The printed bracket pair is balanced, so it "
             "is no bracket dropped; the author or the OCR may have doubled it.",
+            summary=r"The outer bracket is too long: only the first two terms have the factor $\Omega/(ak)$.",
         )
     },
 )
@@ -233,6 +236,7 @@ drift_of_frequency = system.claim(
             "Both terms of the bracket have the wrong sign: v_3 is -k times row 3 of D times x, where x_2 = -a sin psi. The "
             "bracket has the signs of that of v_1, which a plus stands before; the sign before ak or those inside are a "
             "slip of the author's, or a plus was read as a minus. The average of v_3 is not touched.",
+            summary=r"Both terms in the inner bracket have the wrong sign, as $x_1 = a\cos\psi$ and $x_2 = -a\sin\psi$.",
         )
     },
 )

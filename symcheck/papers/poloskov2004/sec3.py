@@ -94,6 +94,9 @@ averaging_needs_a_fast_phase = claim(
             "as slow as a, theta, Omega. The density (3.5) is largest there. That this strip may be left out in the first "
             "approximation is not said.",
             needs=(Hypothesis("phase turns", "Omega is not zero", r"\Omega \ne 0"),),
+            summary=r"The average over the time is the one over a turn of the phase only for $\Omega \neq 0$; near $\Omega = 0$, "
+            "where the density of the frequency is largest, the step needs a reason.",
+            instead=r"the same for $\Omega \neq 0$, and a word on why $|\Omega| \sim \varepsilon$ may be left out",
         )
     },
 )
