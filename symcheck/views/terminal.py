@@ -106,8 +106,8 @@ def _fields(relation: Relation, as_erratum: bool = False) -> Iterator[tuple[str,
     """What is known of a relation, each with its label; of one `as_erratum` what is wrong and what is right."""
     record, erratum = relation.record, relation.record.erratum
     if erratum:
-        yield "in short", erratum.summary
-        yield "to print", erratum.instead
+        yield "in short", erratum.summary.replace("$", "")
+        yield "to print", erratum.instead.replace("$", "")
     yield "verdict", _verdict(relation)
     yield "reading", record.reading
     yield "role", f"{record.role}, section {record.section}, line {record.line} of the source"
