@@ -114,7 +114,7 @@ BAD: dict[str, list[tuple[str, str]]] = {
             r"\exists h_i : (-1 < h_i \land h_i < 1 \land [h_1, h_2, h_3, h_4, h_5, h_6] = [1, 1, 1, -1, -1, -1])",
         ),
         ("3.1.23c", r"\operatorname{diag}(-1, -1, 1) \mathbf{e}_1 = \mathbf{e}_4"),
-        ("3.1.30a", r"\sqrt{(\mathbf{V}_2, \mathbf{V}_2)} = 2\sqrt{3\sin^2 a + 1}"),
+        ("3.1.30", r"\sqrt{(\mathbf{V}_2, \mathbf{V}_2)} = 2\sqrt{3\sin^2 a + 1}"),
         (
             "T7.1",
             r"4\sin a < 2\sqrt{2\sin^2 a + 1} < 2\sqrt{3\cos^2 a + 1} < 6\cos a \Leftrightarrow 0^\circ \leq a \leq \arcsin \frac{\sqrt{2}}{2}",
@@ -131,7 +131,7 @@ BAD: dict[str, list[tuple[str, str]]] = {
             r"-\mathbf{V}_8 - (\mathbf{V}_1) = 2\mathbf{e}_6 \lor \mathbf{V}_1 - (-\mathbf{V}_8) = 2\mathbf{e}_6",
         ),
         ("3.2.15f", r"\mathbf{W}_1 = (\mathbf{V}_1 + \mathbf{V}_6)/2"),
-        ("T10.5a", r"\sqrt{(\mathbf{V}_7, \mathbf{V}_7)} = \sqrt{8\cos^2 a + 1}"),
+        ("T10.5", r"\sqrt{(\mathbf{V}_7, \mathbf{V}_7)} = \sqrt{8\cos^2 a + 1}"),
         (
             "T11.2",
             r"r_2 = \frac{5}{2}\sin 2a\sqrt{\frac{3}{4-\sin^2 a}} \land r_5 = 2\sin 2a\sqrt{\frac{3}{4-\sin^2 a}}",

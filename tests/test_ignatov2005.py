@@ -16,8 +16,10 @@ from sympy.physics.units import convert_to, kilogram, meter, newton, second
 
 from symcheck import papers
 from symcheck.audit.context import context_of
+from symcheck.audit.decide import decide
 from symcheck.audit.obligation import obligation_of
-from symcheck.core.verdicts import Origin
+from symcheck.core.claims import Claim, Premise
+from symcheck.core.verdicts import Origin, Reading
 from symcheck.mechanics import zonotope
 from symcheck.papers.ignatov2005 import derivation, sec2, sec3
 from symcheck.reading import to_sympy
@@ -74,6 +76,55 @@ def test_the_errors_of_section_2_are_these() -> None:
     assert all(
         d.origin is Origin.OCR for found, _, item in PAPER.items() if found.number == "2" and (d := item.source.damage)
     )
+
+
+def test_every_condition_that_is_not_printed_is_said_once_and_never_called_printed() -> None:
+    standing = {item.states for found, _, item in PAPER.items() if found.number == "S" and isinstance(item, Premise)}
+    given = [h for _, _, item in PAPER.items() if isinstance(item, Claim) for h in item.hypotheses]
+    assert {h.states for h in given if not h.printed} == standing
+    assert not [h.name for h in given if h.printed and h.states in standing]
+
+
+def test_a_claim_that_needs_a_condition_of_ours_is_marked_by_it() -> None:
+    readings = {
+        record.id: record.reading
+        for number in ("2.1.28", "2.1.31", "2.1.33")
+        for record in decide(f"ignatov2005:{number}")
+    }
+    assert readings == {
+        "ignatov2005:2.1.28": Reading.STANDING,
+        "ignatov2005:2.1.31": Reading.AS_PRINTED,
+        "ignatov2005:2.1.33a": Reading.STANDING,  # the lost letter is in the other link
+        "ignatov2005:2.1.33b": Reading.DAMAGED,
+    }
+
+
+def test_no_repair_is_a_fraction_that_cancels() -> None:
+    first = decide("ignatov2005:2.3.5")[0]
+    assert first.erratum is not None
+    assert first.erratum.repairs == ()
+
+
+def test_the_order_of_both_regions_depends_on_the_ellipsoid() -> None:
+    """3.2.21: with the ellipsoid that suits each best six wheels are nearer, with the one for equal rates four."""
+
+    def nearness(axes: list[Vector], semi_axes: Vector) -> float:
+        envelope = zonotope.envelope(axes, roughly)
+        outside = max(
+            sum((x / s) ** 2 for x, s in zip(envelope.point(v), semi_axes, strict=True))
+            for v in envelope.combinatorics.vertices
+        )
+        inside = min(
+            envelope.support(f) ** 2 / sum((n * s) ** 2 for n, s in zip(envelope.normal(f), semi_axes, strict=True))
+            for f in envelope.combinatorics.faces
+        )
+        return math.sqrt(inside / outside)
+
+    b = math.atan(5 / 8)
+    four, six = four_axes(math.atan(2 / math.cos(b)), b), six_axes(math.atan(3))
+    assert nearness(four, (1000, 1600, 800)) == pytest.approx(math.sqrt(1 / 2))
+    assert nearness(six, (1000, 1600, 800)) == pytest.approx(math.sqrt(64 / 217))
+    assert nearness(six, (4 * 3, 4 * 3, 6)) == pytest.approx(math.sqrt(27 / 43))
 
 
 def test_the_axes_are_those_of_the_definition() -> None:
@@ -158,6 +209,7 @@ def test_the_errors_of_section_3_are_these() -> None:
     assert faults("3") == {
         "3.0.4d": "sign",
         "T8.2": "coefficient",
+        **dict.fromkeys(("T8.7", "T8.8", *(f"T11.{n}" for n in range(13, 18))), "missing hypothesis"),
         "3.2.7": "wrong claim",
         **{f"3.2.{item}{letter}": "lost prime" for item in (13, 15) for letter in "abcd"},
         "3.2.13k": "label",
@@ -165,7 +217,9 @@ def test_the_errors_of_section_3_are_these() -> None:
         "3.2.37b": "rounding",
     }
     assert damaged("3") == {
+        "3.1.22": "one letter for another",
         "3.1.23": "lost letter",
+        "3.2.12": "one letter for another",
         "T11.2": "missing cell",
         "3.2.34": "letter",
     }
@@ -250,7 +304,7 @@ def test_the_edges_along_wheel_6_are_those_of_the_corrected_sentence() -> None:
 
 
 def test_no_round_ellipsoid_is_nearer_to_six_wheels() -> None:
-    """The best of all spheroids about OZ has lambda^2 = 27/43, as the one of 3.2.21."""
+    """The best of all spheroids about OZ has lambda^2 = 27/43, as the one of 3.2.44."""
 
     def nearness(across: float, along: float, envelope: zonotope.Envelope) -> float:
         """lambda^2 for the spheroid with these semi-axes, made large enough to hold the envelope."""
@@ -267,6 +321,35 @@ def test_no_round_ellipsoid_is_nearer_to_six_wheels() -> None:
         across, along = 4 * math.sin(a), 6 * math.cos(a)
         assert nearness(across, along, envelope) == pytest.approx(27 / 43)
         assert max(nearness(across, along * k / 100, envelope) for k in range(50, 200)) <= 27 / 43 + 1e-12
+
+
+def to_the_face(face: str, axes: list[Vector], steps: int = 200) -> float:
+    """From the centre to the nearest point of a face, on a grid."""
+
+    def momenta(u: float, v: float) -> tuple[float, ...]:
+        return tuple({"u": u, "v": v}.get(h) or (0.0 if h in "uv" else float(h)) for h in face.split(", "))
+
+    grid = [2 * k / steps - 1 for k in range(steps + 1)]
+    return min(math.hypot(*combined(momenta(u, v), axes)) for u in grid for v in grid)
+
+
+@pytest.mark.parametrize(
+    ("face", "plane", "nearest"),
+    [
+        (sec3.FACES_OF_P[0], 1.736, 1.736),
+        (sec3.FACES_OF_P[6], 2.073, 2.268),
+        (sec3.FACES_OF_FIVE[0], 1.814, 1.814),
+        (sec3.FACES_OF_FIVE[1], 1.447, 1.558),
+        (sec3.FACES_OF_FIVE[2], 1.157, 1.157),
+        (sec3.FACES_OF_FIVE[5], 1.555, 1.868),
+        (sec3.FACES_OF_FIVE[6], 1.296, 1.328),
+    ],
+)
+def test_a_face_may_be_farther_than_its_plane_at_72_degrees(face: str, plane: float, nearest: float) -> None:
+    axes = six_axes(math.radians(72))[: face.count(",") + 1]
+    signs = tuple(0 if sign in "uv" else int(sign) for sign in face.split(", "))
+    assert zonotope.envelope(axes, roughly).distance(signs) == pytest.approx(plane, abs=1e-3)
+    assert to_the_face(face, axes) == pytest.approx(nearest, abs=1e-3)
 
 
 def test_the_largest_rates_of_six_wheels() -> None:

@@ -23,6 +23,7 @@ PAPER = papers.load()["ignatov2005"]
 PRINTED = (lists.printed_four, lists.printed_three, lists.printed_six, lists.printed_five)
 LISTS = ("vertices", "edges", "faces", "table")
 LABEL = re.compile(r"V(?:'?_(?:\{\d+\}|\d+)'?)")
+FACE = re.compile(r"F'?_\{?(\d+)\}?'?")
 SIGNED = re.compile(
     r"(?<=[\[,])\s*-?1(?=\s*[,\]])"  # momenta
     r"|-?\\mathbf\{e\}_\d"  # directions
@@ -86,11 +87,19 @@ def change_a_digit(text: str, rng: random.Random) -> str | None:
     return text[: cell.start()] + value + text[cell.end() :]
 
 
+def rename_the_face(text: str, rng: random.Random) -> str | None:
+    """The label of a face, another one that is there in every list."""
+    match = FACE.search(text)
+    if match is None:
+        return None
+    return text[: match.start()] + f"F_{rng.choice([n for n in '123' if n != match[1]])}" + text[match.end() :]
+
+
 def meaning(label: str) -> tuple[bool, str]:
     return "'" in label, re.sub(r"\D", "", label)
 
 
-KINDS: tuple[Edit, ...] = (drop_a_prime, flip_a_sign, swap_two_labels, change_a_digit)
+KINDS: tuple[Edit, ...] = (drop_a_prime, flip_a_sign, swap_two_labels, change_a_digit, rename_the_face)
 
 
 @cache
@@ -158,6 +167,16 @@ def test_every_damage_is_reported_and_changes_nothing_else() -> None:
         assert is_reported(new[number]), f"{number}: {row}"
         kinds.add(number[3] if number[0] != "T" else "T")
     assert kinds == set("VEFT")
+
+
+def test_each_part_of_a_row_fails_with_some_damage() -> None:
+    rng, failed = random.Random(SEED), set()
+    for _ in range(EDITS):
+        _, printed, number, _ = damaged(rng)
+        row = rows_of(declared(printed))[number]
+        failed |= {(number[3] if number[0] != "T" else "T", letter) for letter in errata(row)}
+    parts = {"V": "abcd", "E": "abc", "F": "abcd", "T": "abc"}
+    assert failed == {(kind, letter) for kind, letters in parts.items() for letter in letters}
 
 
 @pytest.mark.parametrize("place", range(len(PRINTED)))

@@ -88,12 +88,18 @@ def _claimed(context: Context, base: Record) -> Iterator[Record]:
         row = replace(base, id=base.id + unit.letter, read=to_latex(unit.tree), line=line)
         if len(source.printed) == len(links) > 1:
             row = replace(row, printed=source.printed[place])
+        if source.damage and source.damage.spares(unit.letter):
+            row = _undamaged(row)
         if context.item.statement.imposes(unit.letter):
-            row = replace(row, role=Role.PREMISE, reason="a condition imposed here, not a claim")
-            yield replace(row, reading=Reading.AS_PRINTED, kind="", origin=None, corrected="")
+            yield replace(_undamaged(row), role=Role.PREMISE, reason="a condition imposed here, not a claim")
             continue
         row = replace(_judged(context, unit, row), method=context.method(unit.letter).name)
         yield replace(row, seconds=round(time.perf_counter() - started, 4))
+
+
+def _undamaged(row: Record) -> Record:
+    """A link of which nothing is to be read otherwise."""
+    return replace(row, reading=Reading.AS_PRINTED, kind="", origin=None, corrected="", reason="")
 
 
 def _added(erratum: Erratum | None) -> tuple[Hypothesis, ...]:

@@ -15,7 +15,8 @@ from symcheck.core.terms import node
 from symcheck.core.verdicts import SymcheckError, Verdict
 from symcheck.ledger.record import Correction, Edit, Repair
 from symcheck.proof import fails_at
-from symcheck.reading import edits, read, to_latex
+from symcheck.reading import Tree, edits, read, to_latex
+from symcheck.reading.tree import Div, walk
 
 
 def corrected(context: Context, unit: Unit, erratum: Erratum, printed: Finding) -> Correction:
@@ -67,6 +68,8 @@ def _repairs(context: Context, unit: Unit, printed: Finding, given: tuple[Hypoth
     points = [outcome.point.values for outcome in printed.outcomes if outcome.point]
     found = []
     for edit in edits(unit.tree, context.notation):
+        if _cancels(edit.tree) and not _cancels(unit.tree):
+            continue  # nobody writes J_x/J_x
         try:
             changed = unit.reworded(context, edit.tree)
             if _is_proved(context, changed, given, points):
@@ -74,6 +77,11 @@ def _repairs(context: Context, unit: Unit, printed: Finding, given: tuple[Hypoth
         except SymcheckError:
             continue  # an edit that makes no statement repairs nothing
     return tuple(found)
+
+
+def _cancels(tree: Tree) -> bool:
+    """Whether some fraction has the same above and below."""
+    return any(isinstance(node, Div) and node.top == node.bottom for _, node in walk(tree))
 
 
 def _is_proved(context: Context, unit: Unit, given: tuple[Hypothesis, ...], points: list[Any]) -> bool:

@@ -48,12 +48,20 @@ class Hypothesis:
 
 @dataclass(frozen=True)
 class Damage:
-    """Printed text that is damaged or says nothing: what to read instead, why, and whose fault it is."""
+    """Printed text that is damaged or says nothing: what to read instead, why, and whose fault it is.
+
+    `links` are the letters of the links that are damaged, where others are not.
+    """
 
     read_as: str
     reason: str
     kind: str = "damaged text"
     origin: Origin = Origin.OCR
+    links: str = ""
+
+    def spares(self, letter: str) -> bool:
+        """Whether a link is not damaged."""
+        return letter not in self.links if self.links else False
 
 
 @dataclass(frozen=True)

@@ -130,6 +130,16 @@ def table(block: str, line: int) -> tuple[TableRow | Unreadable, ...]:
     return tuple(found)
 
 
+def labels(text: str, line: int) -> tuple[Label, ...]:
+    """Labels with commas between them, `F_1, F'_1`; SymcheckError with the place of what is none."""
+    reader, found = _Reader(text, 0, len(text), line), list[Label]()
+    while reader.at < reader.end:
+        found.append(reader.label("[VF]"))
+        reader.take(",|$", "a comma between labels")
+        reader.skip()
+    return tuple(found)
+
+
 R = TypeVar("R", bound=Row)
 
 
@@ -161,9 +171,9 @@ class _Reader:
         raise SymcheckError(f"line {line}, column {column}: {what} is expected, not {found!r}; compare the source")
 
     def label(self, letter: str) -> Label:
-        """`V'_3`, `V_3'` or `V_{16}`."""
+        """`V'_3`, `V_3'` or `V_{16}`; `letter` is V, F, or either."""
         what = f"a label {letter}_i"
-        self.take(letter, what)
+        letter = self.take(letter, what)[0]
         match = self.take(_LABEL, what)
         if match[1] and match[4]:
             self.fail("one prime")

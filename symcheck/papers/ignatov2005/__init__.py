@@ -1,7 +1,7 @@
 """Ignatov, Davydov, Sazonov 2005: the momentum envelopes of two arrays of reaction wheels."""
 
 from symcheck.core.claims import Paper, Section
-from symcheck.papers.ignatov2005 import beyond, lists, sec1, sec2, sec3
+from symcheck.papers.ignatov2005 import beyond, drawings, lists, sec1, sec2, sec3, standing
 from symcheck.papers.ignatov2005.notation import notation
 
 paper = Paper(
@@ -11,10 +11,12 @@ paper = Paper(
     source="004_745ca85746c95545.txt",
     notation=notation,
     sections=(
+        Section("S", "Standing conditions, not printed", standing),
         Section("1", "Actuators", sec1),
         Section("2", "Four-sided pyramid", sec2),
         Section("3", "Six-sided pyramid", sec3),
         Section("L", "Lists and tables of coordinates", lists),
+        Section("D", "Figures, and letters that change their meaning", drawings),
         Section("B", "Beyond the paper", beyond),
     ),
 )

@@ -710,7 +710,7 @@ best_angle_of_six = six.ours(
         r"(J_x = 1000 \land J_y = 1600 \land J_z = 800 \land w_x = w \land w_y = w \land w_z = w \land w = \frac{1}{500} "
         rf"\land \sin^2 a = 4 \cos^2 a) \Rightarrow ({EXTENTS_FIT})",
         r"\arctg 2 \approx 63.4^\circ",
-        r"\frac{8}{2 \cdot 1600 + 800} = 0.002",
+        r"\frac{8}{2 \cdot 1600 + 800} = \frac{1}{500}",
     ),
     uses=["B.39"],
 )

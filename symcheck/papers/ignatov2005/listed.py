@@ -6,6 +6,7 @@ from collections import Counter
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
+from itertools import combinations
 from typing import Any
 
 from symcheck.core.claims import Claim, Declaration, Definition, Erratum
@@ -15,6 +16,7 @@ from symcheck.papers import listing
 from symcheck.papers.declare import claim, definition, exclusion
 from symcheck.papers.ignatov2005.origins import Damage, origin_of
 from symcheck.papers.ignatov2005.rows import (
+    AND,
     PRIMES,
     Array,
     Names,
@@ -39,19 +41,19 @@ SAYS = {
     "V": "(a) These momenta have these coordinates. (b) They are those of the vertex of this name. (c) It is a vertex. "
     "(d) Along the directions the other ends of its edges are reached, 2 away, and there are no more edges.",
     "E": "(a) u = -1 gives the first vertex, (b) u = 1 the last. (c) It is an edge.",
-    "F": "(a) The edges close to a cycle. (b) They are the sides of the face that is parametrised. (c) It is a face. "
-    "(d) It is the one of this name; F' is opposite to F.",
-    "T": "The coordinates of this vertex, rounded.",
+    "F": "(a) Each edge is 2 long, along one of the two free axes. (b) They begin at the corners of the face that is "
+    "parametrised, one after the other. (c) It is a face. (d) It is the one of this name; F' is opposite to F.",
+    "T": "The coordinates of this vertex at the angles of the table, rounded.",
 }
 WHOLE = {
-    "V": "(a) The rows are numbered without a gap. (b) Each label is there once. (c) Each vertex is there once. (d) No other "
-    "momenta +-1 are those of a vertex, as a combination of the axes with their signs vanishes.",
-    "E": "(a) The rows are numbered without a gap. (b) Each edge is there once. Then: no other momenta, one of them free, are an "
-    "edge, as a combination of the axes with their signs vanishes; there are as many as Euler's formula asks for, all faces "
-    "having four sides.",
-    "F": "(a) The rows are numbered without a gap. (b) Each label is there once. (c) Each face is there once. Then: no other "
-    "momenta, two of them free, are a face, as a combination of the axes with their signs vanishes; there are as many as "
-    "Euler's formula asks for, all having four sides.",
+    "V": "(a) The rows are numbered without a gap. (b) Each label is there once. (c) The momenta of the rows and those of no "
+    "vertex are all combinations of +-1, each once. (d) Of no vertex: a combination of the axes with their signs vanishes.",
+    "E": "(a) The rows are numbered without a gap. (b) The momenta of the rows and those of no edge are all momenta with one "
+    "wheel free, each once. Then: those are of no edge, as a combination of the axes with their signs vanishes; there are as "
+    "many edges as Euler's formula asks for, all faces having four sides.",
+    "F": "(a) The rows are numbered without a gap. (b) Each label is there once. (c) The momenta of the rows and those of no "
+    "face are all momenta with two wheels free, each once. Then: those are of no face, as a combination of the axes with "
+    "their signs vanishes; there are as many faces as Euler's formula asks for, all having four sides.",
 }
 
 
@@ -101,9 +103,16 @@ def _unreadable(row: Row, fault: str) -> Unreadable:
 
 @dataclass(frozen=True)
 class Declared:
-    """The declarations of one array of wheels, list by list; `names` defines its vertices."""
+    """The declarations of one array of wheels, list by list.
 
-    names: Definition
+    section  the section that the lists stand in
+    names    what the labels mean
+    defined  the same as definitions, of the vertices and of the middles of the faces
+    """
+
+    section: str
+    names: Names
+    defined: tuple[Definition, ...]
     vertices: tuple[Declaration, ...]
     edges: tuple[Declaration, ...]
     faces: tuple[Declaration, ...]
@@ -130,7 +139,12 @@ def declared(printed: Printed) -> Declared:
     """All declarations of an array of wheels."""
     array, read = printed.array, printed.read()
     names = settled(array, *([r for r in read[x] if not isinstance(r, Unreadable)] for x in "VEFT"))
-    defined = _definition(array, names, printed.vertices.line)
+    defined = (
+        _definition(array, "V", names.vertices, printed.vertices.line, "the vertices"),
+        _definition(
+            array, "F", names.faces, printed.faces.line, "the faces (in a statement F_i is the middle of the face)"
+        ),
+    )
     found = {}
     for letter, each in read.items():
         known = [_with_known_labels(row, names) for row in each]
@@ -139,7 +153,7 @@ def declared(printed: Printed) -> Declared:
         listed = Listed(array, names, number, letter, tuple(zip(known, rights, strict=True)))
         whole = [_whole(listed)] if letter != "T" else []
         found[letter] = (*whole, *(_row(listed, row, right) for row, right in listed.pairs))
-    return Declared(defined, found["V"], found["E"], found["F"], found["T"])
+    return Declared(array.section, names, defined, found["V"], found["E"], found["F"], found["T"])
 
 
 def _with_known_labels(row: Row, names: Names) -> Row:
@@ -150,15 +164,13 @@ def _with_known_labels(row: Row, names: Names) -> Row:
     return row
 
 
-def _definition(array: Array, names: Names, line: int) -> Definition:
-    """What the labels of the vertices mean."""
-    each = (
-        rf"{vector(Label('V', index, False))} = {bracket(signs)}" for index, signs in sorted(names.vertices.items())
-    )
+def _definition(array: Array, letter: str, known: Mapping[int, Signs], line: int, words: str) -> Definition:
+    """What the labels of one kind mean."""
+    each = (rf"{vector(Label(letter, index, False))} = {bracket(signs)}" for index, signs in sorted(known.items()))
     return definition(
-        f"{array.section}V.0",
+        f"{array.section}{letter}.0",
         line,
-        words="What the labels of the vertices mean, by most of the rows that use them; V'_i is opposite to V_i.",
+        words=f"What the labels of {words} mean, by most of the rows that use them; {letter}'_i is opposite to {letter}_i.",
         states=r", \quad ".join(each),
         notation=array.notation,
     )
@@ -187,9 +199,9 @@ def _row(listed: Listed, row: Row, right: Row | None) -> Declaration:
         words=SAYS[listed.letter],
         states=tuple(part.states for part in stated),
         by={chr(FIRST_LETTER + k): part.by for k, part in enumerate(stated)},
-        given=array.given if listed.letter != "T" else (),
+        given=array.given if listed.letter != "T" else (array.table,),
         errata=errata,
-        uses=[f"{array.section}V.0"],
+        uses=[f"{array.section}V.0", *([f"{array.section}F.0"] if listed.letter == "F" else [])],
         notation=array.notation,
         where=array.where,
     )
@@ -253,29 +265,44 @@ def _sums(listed: Listed, read: Sequence[Row]) -> Iterable[Part]:
     rows = [row for row in read if isinstance(row, VertexRow | EdgeRow | FaceRow)]
     letter, names, lattice = listed.letter, listed.names, listed.array.envelope.combinatorics
     cells: Mapping[Signs, object] = {"V": lattice.vertices, "E": lattice.edges, "F": lattice.faces}[letter]
-    yield _same((f"l_1^{{{row.number}}}" for row in rows), (f"l_1^{{{k}}}" for k in range(1, len(cells) + 1)))
+    yield each_once("l_1", [row.number for row in rows], len(cells))
     if letter != "E":
-        known = names.vertices if letter == "V" else names.faces
-        every = [Label(letter, index, primed) for index in sorted(known) for primed in (False, True)]
-        yield _same((_power(row.label) for row in rows if not isinstance(row, EdgeRow)), map(_power, every))
-    yield _same((_monomial(row.pattern) for row in rows), (_monomial(pattern_of(signs)) for signs in cells))
+        labels = [row.label for row in rows if not isinstance(row, EdgeRow)]
+        known = len(names.vertices if letter == "V" else names.faces)
+        plain, primed = (
+            each_once(f"l_{1 + prime}", [label.index for label in labels if label.primed == prime], known)
+            for prime in (False, True)
+        )
+        yield Part(plain.states + AND + primed.states, plain.holds and primed.holds)
+    free = next(iter(cells)).count(0)
+    others = (signs for signs in listed.array.combinations(free) if signs not in cells)
+    stated = [*(row.pattern for row in rows), *map(pattern_of, others)]
+    yield Part(
+        f"{' + '.join(map(_monomial, stated))} = {_all_monomials(len(listed.array.axes), free)}",
+        Counter(row.pattern for row in rows) == Counter(map(pattern_of, cells)),
+    )
     yield from listed.array.no_others(cells)
     if letter != "V":
         count = f"2 \\cdot {len(lattice.vertices)} - 4" if letter == "E" else f"{len(lattice.vertices)} - 2"
         yield Part(f"{len(rows)} = {count}", len(rows) == len(cells))
 
 
-def _same(printed: Iterable[str], wanted: Iterable[str]) -> Part:
-    """That two sums have the same addends."""
-    left, right = list(printed), list(wanted)
-    return Part(f"{' + '.join(left)} = {' + '.join(right)}", Counter(left) == Counter(right))
-
-
-def _power(label: Label) -> str:
-    return f"l_{1 + label.primed}^{{{label.index}}}"
+def each_once(letter: str, numbers: Sequence[int], count: int) -> Part:
+    """That the numbers are 1 to `count`, each there once: a geometric series, (l - 1)(l + l^2 + ...) = l^(n + 1) - l."""
+    powers = " + ".join(f"{letter}^{{{number}}}" for number in numbers)
+    series = f"({letter} - 1)({powers or 0}) = {letter}^{{{count + 1}}} - {letter}"
+    return Part(series, sorted(numbers) == [*range(1, count + 1)])
 
 
 def _monomial(pattern: Sequence[str]) -> str:
     """l_k squared for a wheel at 1, l_k for one that is free."""
     exponents = [EXPONENTS[entry] for entry in pattern]
     return " ".join(f"l_{k}^{{{n}}}" for k, n in enumerate(exponents, 1) if n) or "1"
+
+
+def _all_monomials(wheels: int, free: int) -> str:
+    """The sum of the monomials of all momenta with so many wheels free, each other one at -1 or 1."""
+    every = range(1, wheels + 1)
+    return " + ".join(
+        " ".join(f"l_{k}" if k in chosen else f"(1 + l_{k}^2)" for k in every) for chosen in combinations(every, free)
+    )

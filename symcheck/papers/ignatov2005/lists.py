@@ -7,6 +7,7 @@ worked out in `rows` and declared in `listed`.
 from fractions import Fraction
 from functools import cache
 
+from symcheck.core.claims import Hypothesis
 from symcheck.papers.ignatov2005 import derivation
 from symcheck.papers.ignatov2005.hypotheses import real_base, real_pyramid
 from symcheck.papers.ignatov2005.listed import Block, Printed, declared
@@ -24,12 +25,16 @@ SIX_UNITS = ((HALF, r"\sqrt{3}", r"\sin a"), (HALF, "", r"\sin a"), (ONE, "", r"
 SIX_NORMALS = (r"\frac{2\sqrt{3}}{3} \cos a", r"2 \cos a", r"\sin a")
 six_axes = cache(derivation.six_axes)
 
-four = Array("2.1", FOUR_AXES, FOUR_UNITS, FOUR_NORMALS, four_wheels, (real_pyramid, real_base), {"a": 67, "b": 32})
-three = Array(
-    "2.2", FOUR_AXES[:3], FOUR_UNITS, FOUR_NORMALS, three_of_four, (real_pyramid, real_base), {"a": 67, "b": 32}
+ANGLES_OF_FOUR = Hypothesis(
+    "angles of the table", "a = 67 and b = 32 degrees (lines 128, 211)", r"a = 67^\circ, b = 32^\circ"
 )
-six = Array("3.1", SIX_AXES, SIX_UNITS, SIX_NORMALS, six_wheels, (real_pyramid,), {"a": 72}, six_axes)
-five = Array("3.2", SIX_AXES[:5], SIX_UNITS, SIX_NORMALS, five_of_six, (real_pyramid,), {"a": 72}, six_axes)
+ANGLE_OF_SIX = Hypothesis("angle of the table", "a = 72 degrees (lines 404, 554)", r"a = 72^\circ")
+OPEN_RANGE = (real_pyramid, real_base)
+
+four = Array("2.1", FOUR_AXES, FOUR_UNITS, FOUR_NORMALS, four_wheels, OPEN_RANGE, ANGLES_OF_FOUR)
+three = Array("2.2", FOUR_AXES[:3], FOUR_UNITS, FOUR_NORMALS, three_of_four, OPEN_RANGE, ANGLES_OF_FOUR)
+six = Array("3.1", SIX_AXES, SIX_UNITS, SIX_NORMALS, six_wheels, (real_pyramid,), ANGLE_OF_SIX, six_axes)
+five = Array("3.2", SIX_AXES[:5], SIX_UNITS, SIX_NORMALS, five_of_six, (real_pyramid,), ANGLE_OF_SIX, six_axes)
 
 # --- 2.1
 
@@ -99,12 +104,12 @@ $V'_1$	-1.951	0	0""",
 )
 
 printed_four = Printed(four, VERTICES_OF_FOUR, EDGES_OF_FOUR, FACES_OF_FOUR, TABLE_1, 1)
-_of_four = declared(printed_four)
-names_of_four = _of_four.names
-vertices_of_four = _of_four.vertices
-edges_of_four = _of_four.edges
-faces_of_four = _of_four.faces
-table_1 = _of_four.table
+of_four = declared(printed_four)
+names_of_four = of_four.defined
+vertices_of_four = of_four.vertices
+edges_of_four = of_four.edges
+faces_of_four = of_four.faces
+table_1 = of_four.table
 
 # --- 2.2
 
@@ -141,12 +146,12 @@ $V'_1$	-1.463	0.781	0.391""",
 )
 
 printed_three = Printed(three, VERTICES_OF_THREE, EDGES_OF_THREE, FACES_OF_THREE, TABLE_4, 4)
-_of_three = declared(printed_three)
-names_of_three = _of_three.names
-vertices_of_three = _of_three.vertices
-edges_of_three = _of_three.edges
-faces_of_three = _of_three.faces
-table_4 = _of_three.table
+of_three = declared(printed_three)
+names_of_three = of_three.defined
+vertices_of_three = of_three.vertices
+edges_of_three = of_three.edges
+faces_of_three = of_three.faces
+table_4 = of_three.table
 
 # --- 3.1
 
@@ -276,12 +281,12 @@ $V_{16}$	-3.294	1.902	0	$V'_{16}$	3.294	-1.902	0""",
 )
 
 printed_six = Printed(six, VERTICES_OF_SIX, EDGES_OF_SIX, FACES_OF_SIX, TABLE_6, 6)
-_of_six = declared(printed_six)
-names_of_six = _of_six.names
-vertices_of_six = _of_six.vertices
-edges_of_six = _of_six.edges
-faces_of_six = _of_six.faces
-table_6 = _of_six.table
+of_six = declared(printed_six)
+names_of_six = of_six.defined
+vertices_of_six = of_six.vertices
+edges_of_six = of_six.edges
+faces_of_six = of_six.faces
+table_6 = of_six.table
 
 # --- 3.2
 
@@ -375,9 +380,9 @@ $V_{11}$	2.471	-2.378	0.309	$V_{11}'$	-2.471	2.378	-0.309""",
 )
 
 printed_five = Printed(five, VERTICES_OF_FIVE, EDGES_OF_FIVE, FACES_OF_FIVE, TABLE_9, 9)
-_of_five = declared(printed_five)
-names_of_five = _of_five.names
-vertices_of_five = _of_five.vertices
-edges_of_five = _of_five.edges
-faces_of_five = _of_five.faces
-table_9 = _of_five.table
+of_five = declared(printed_five)
+names_of_five = of_five.defined
+vertices_of_five = of_five.vertices
+edges_of_five = of_five.edges
+faces_of_five = of_five.faces
+table_9 = of_five.table

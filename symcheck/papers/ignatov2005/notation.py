@@ -33,14 +33,26 @@ notation = Notation(
 )
 
 
-def configuration(axes: str, vertices: str, wheels: int = 6, pairs: int = 16) -> Notation:
-    """The letters of one configuration: the stems of its axes and of its vertices V_i and V'_i = -V_i, their numbers."""
-    each, of_pairs = WHEELS[:wheels], VERTICES[:pairs]
+def configuration(axes: str, vertices: str, faces: str, wheels: int = 6, pairs: int = 16) -> Notation:
+    """The letters of one configuration: the stems of its axes, vertices and middles of faces, and their numbers.
+
+    V'_i is -V_i, and the middle of F'_i is -F_i.
+    """
+    each, of_pairs, of_faces = WHEELS[:wheels], VERTICES[:pairs], VERTICES[: wheels * (wheels - 1) // 2]
     return notation.extended(
         Letter("i", kind="index", range=each),
         Letter("h", indices=1, range=each, meaning="angular momentum of wheel i, in units of h_max", unit=MOMENTUM),
         Letter(r"\mathbf{e}", name=axes, kind="vector", indices=1, range=each, meaning="unit vector of wheel i"),
         Letter(r"\mathbf{V}", name=vertices, kind="vector", indices=1, range=of_pairs, meaning="vertex", unit=MOMENTUM),
+        Letter(
+            r"\mathbf{F}",
+            name=faces,
+            kind="vector",
+            indices=1,
+            range=of_faces,
+            meaning="middle of a face",
+            unit=MOMENTUM,
+        ),
     )
 
 
@@ -60,8 +72,8 @@ SPACECRAFT = (
 )
 UNITS = (Letter(r"\text{ кг}", name="kilogram", meaning="kg"), Letter(r"\text{ м}", name="metre", meaning="m"))
 
-four_wheels = configuration("e", "V", 4, 7).extended(FACE, *TOTAL)  # section 2.1
-three_of_four = configuration("e", "W", 3, 4).extended(FACE, *TOTAL)  # section 2.2
+four_wheels = configuration("e", "V", "F", 4, 7).extended(FACE, *TOTAL)  # section 2.1
+three_of_four = configuration("e", "W", "K", 3, 4).extended(FACE, *TOTAL)  # section 2.2
 four_and_three = four_wheels.extended(  # both at once: the vertices of section 2.2 are written W_i
     Letter(
         r"\mathbf{W}", kind="vector", indices=1, range=(1, 2, 3, 4), meaning="vertex, one wheel failed", unit=MOMENTUM
@@ -83,8 +95,8 @@ requirements = notation.extended(
 _THIN = Letter(
     "e", kind="vector", indices=1, range=WHEELS, components=r"\mathbf{e}_i", meaning="unit vector of wheel i"
 )
-six_wheels = configuration("g", "X").extended(FACE, *TOTAL, _THIN)  # section 3.1
-five_of_six = configuration("g", "Y", 5, 11).extended(FACE, *TOTAL)  # section 3.2
+six_wheels = configuration("g", "X", "M").extended(FACE, *TOTAL, _THIN)  # section 3.1
+five_of_six = configuration("g", "Y", "N", 5, 11).extended(FACE, *TOTAL)  # section 3.2
 six_and_five = six_wheels.extended(  # both at once: the vertices of section 3.2 are written W_i
     Letter(
         r"\mathbf{W}", name="Y", kind="vector", indices=1, range=VERTICES[:11], meaning="vertex, one wheel failed",

@@ -24,7 +24,7 @@ from itertools import combinations, product
 from symcheck.core.claims import Derived, Hypothesis
 from symcheck.core.problems import Method
 from symcheck.core.verdicts import SymcheckError
-from symcheck.mechanics.zonotope import Envelope, Signs, envelope, opposite, triple_product
+from symcheck.mechanics.zonotope import UNIT_VECTORS, Envelope, Signs, envelope, opposite, triple_product
 from symcheck.papers.listing import EdgeRow, FaceRow, Label, Pattern, Row, TableRow, VertexRow
 from symcheck.proof import existence, identity
 from symcheck.reading import Notation
@@ -56,7 +56,7 @@ class Array:
     normals: tuple[str, str, str]
     notation: Notation
     given: tuple[Hypothesis, ...]
-    angles: Mapping[str, int]  # of the table, in degrees
+    table: Hypothesis  # the angles of the table of coordinates
     where: Derived | None = None
 
     @cached_property
@@ -74,6 +74,11 @@ class Array:
         """The components of H, as the paper prints them."""
         return tuple(_multiple(n, *unit) for n, unit in zip(self.envelope.point(signs), self.units, strict=True))
 
+    @cached_property
+    def angles(self) -> dict[str, int]:
+        """The angles of the table of coordinates, in degrees."""
+        return {angle: int(degrees) for angle, degrees in re.findall(r"(\w) = (\d+)\^\\circ", self.table.states)}
+
     def values(self, signs: Signs) -> tuple[float, ...]:
         """The components of H at the angles of the table."""
         found = []
@@ -84,10 +89,6 @@ class Array:
             ]
             found.append(n * float(number) * (math.sqrt(3) if root else 1) * math.prod(factors))
         return tuple(found)
-
-    def at_angles(self, coordinate: str) -> str:
-        """A coordinate with the angles of the table."""
-        return re.sub(r"(\\(?:sin|cos)) (\w)", lambda m: rf"{m[1]} {self.angles[m[2]]}^\circ", coordinate)
 
     def touching(self, signs: Signs) -> Part:
         """That some plane touches the envelope where the wheels are so, free where 0 stands, and nowhere else."""
@@ -102,6 +103,10 @@ class Array:
         }
         return Part(rf"\exists c_1, c_2, c_3 : ({AND.join(orders)})", holds, existence(**point))
 
+    def combinations(self, free: int) -> Iterator[Signs]:
+        """All sign vectors with so many wheels free."""
+        return (h for h in product((1, 0, -1), repeat=len(self.axes)) if h.count(0) == free)
+
     def no_others(self, cells: Mapping[Signs, object]) -> Iterator[Part]:
         """That sign vectors with as many free wheels, but not among these, are no vertex, edge or face.
 
@@ -109,8 +114,7 @@ class Array:
         h_k has not, no plane has all h_k e_k on one side. The wheels that are free do not matter.
         """
         free = next(iter(cells)).count(0)
-        every = (h for h in product((1, 0, -1), repeat=len(self.axes)) if h.count(0) == free and h not in cells)
-        others = [h for h in every if next(filter(None, h)) == 1]
+        others = [h for h in self.combinations(free) if h not in cells and next(filter(None, h)) == 1]
         found = (
             next((c for c in self.circuits if all(n * s >= 0 for n, s in zip(c, h, strict=True))), ()) for h in others
         )
@@ -394,9 +398,15 @@ def _is_slip(cell: str, right: str) -> bool:
 
 
 def vector(label: Label) -> str:
-    """A vertex in a statement; V'_i is -V_i."""
+    """A vertex, or the middle of a face, in a statement; V'_i is -V_i."""
     index = f"{{{label.index}}}" if label.index > 9 else f"{label.index}"
-    return rf"{'-' * label.primed}\mathbf{{V}}_{index}"
+    return rf"{'-' * label.primed}\mathbf{{{label.letter}}}_{index}"
+
+
+def _between(first: Label, last: Label) -> str:
+    """From one vertex to another."""
+    begin = f"({vector(first)})" if first.primed else vector(first)
+    return f"{vector(last)} - {begin}"
 
 
 def bracket(entries: Sequence[object]) -> str:
@@ -424,7 +434,7 @@ def parts(array: Array, names: Names, row: Row, right: Row) -> tuple[Part, ...]:
 
 
 def _is_at(names: Names, signs: Signs, label: Label) -> Part:
-    """That the wheels have these momenta at a vertex."""
+    """That the wheels have these momenta at a vertex, or in the middle of a face."""
     return Part(f"{bracket(signs)} = {vector(label)}", names.signs(label) == signs)
 
 
@@ -464,35 +474,37 @@ def _paired(
 
 
 def _parts_of_face(array: Array, names: Names, row: FaceRow, right: FaceRow) -> tuple[Part, ...]:
-    begins, ends = ([edge[k] for edge in row.edges] for k in (0, 1))
-    after = [*begins[1:], begins[0]]
-    closed = AND.join(f"{vector(end)} = {vector(begin)}" for end, begin in zip(ends, after, strict=True))
     free = [k for k, entry in enumerate(right.pattern) if entry in ("u", "v")]
     corners = [[names.signs(begin)[k] for k in free] for begin, _ in right.edges]
+    begins = (begin for begin, _ in row.edges)
     at_corners = [_is_at(names, signs_of(row.pattern, *uv), begin) for uv, begin in zip(corners, begins, strict=False)]
     return (
-        Part(closed, ends == after),
+        _sides(array, names, row, right),
         Part(AND.join(part.states for part in at_corners), all(part.holds for part in at_corners)),
         array.touching(signs_of(row.pattern)),
-        _is_named(names, row),
+        _is_at(names, signs_of(row.pattern), row.label),
     )
 
 
-def _is_named(names: Names, row: FaceRow) -> Part:
-    """That this is the face of that name, F'_i being opposite to F_i."""
-    known = names.faces.get(row.label.index, ())
-    meant = bracket(pattern_of(known))
-    if row.label.primed:
-        meant = "-" + meant.replace("u", "-u").replace("v", "-v")
-    return Part(f"{bracket(row.pattern)} = {meant}", row.pattern == pattern_of(names.signs(row.label)))
+def _sides(array: Array, names: Names, row: FaceRow, right: FaceRow) -> Part:
+    """That each pair of labels is a side of the face: its ends are 2 apart, along one of the two free axes."""
+    found, holds = [], len(row.edges) == len(right.edges)
+    for (first, last), ends in zip(row.edges, right.edges, strict=False):
+        begin, end = map(names.signs, ends)
+        ((turn, wheel),) = ((t, k) for k, (s, t) in enumerate(zip(begin, end, strict=True), 1) if s != t)
+        found.append(rf"{_between(first, last)} = {'-' * (turn < 0)}2\mathbf{{e}}_{wheel}")
+        gap = (x - y for x, y in zip(*(array.envelope.point(names.signs(v)) for v in (last, first)), strict=True))
+        holds = holds and tuple(gap) == tuple(2 * turn * x for x in array.axes[wheel - 1])
+    if len(row.edges) != len(right.edges):
+        found.append(f"{len(row.edges)} = {len(right.edges)}")
+    return Part(AND.join(found), holds)
 
 
 def _parts_of_cells(array: Array, names: Names, row: TableRow) -> tuple[Part, ...]:
-    signs = names.signs(row.label)
     found = []
-    for (_, cell), coordinate, value in zip(row.cells, array.coordinates(signs), array.values(signs), strict=True):
+    for along, (_, cell), value in zip(UNIT_VECTORS, row.cells, array.values(names.signs(row.label)), strict=True):
         sign = r"\approx" if "." in cell else "="
-        found.append(Part(f"{array.at_angles(coordinate)} {sign} {cell}", _rounds(value, cell)))
+        found.append(Part(f"({vector(row.label)}, {along}) {sign} {cell}", _rounds(value, cell)))
     return tuple(found)
 
 

@@ -9,21 +9,27 @@ from __future__ import annotations
 import re
 from collections.abc import Sequence
 from functools import partial
+from itertools import combinations
+from typing import Any
 
 from symcheck.core.claims import Claim, Damage, Erratum, Hypothesis
 from symcheck.core.problems import Applied
 from symcheck.core.verdicts import Origin
-from symcheck.papers.declare import Scope, claim, exclusion, ours, premise
-from symcheck.papers.ignatov2005 import derivation, wheels
+from symcheck.papers.declare import Scope, claim, ours, premise
+from symcheck.papers.ignatov2005 import derivation, named, wheels
 from symcheck.papers.ignatov2005.hypotheses import (
     EACH,
     MASS,
     RATES,
     SPACECRAFT_MOMENTS,
+    acute_a,
+    acute_b,
     lost_pi,
     real_base,
     real_pyramid,
 )
+from symcheck.papers.ignatov2005.lists import of_four, of_three
+from symcheck.papers.ignatov2005.named import Named
 from symcheck.papers.ignatov2005.notation import (
     LIMIT,
     four_and_three,
@@ -32,8 +38,9 @@ from symcheck.papers.ignatov2005.notation import (
     four_wheels_with_units,
     three_of_four,
 )
-from symcheck.papers.ignatov2005.wheels import AND, four, points, three
-from symcheck.proof import cases, identity, nonnegative, theorems
+from symcheck.papers.ignatov2005.wheels import AND, CORNERS, four, points, three
+from symcheck.proof import cases, identity, theorems
+from symcheck.reading import Notation
 
 OPEN_RANGE = [real_pyramid, real_base]
 craft = Scope(four_wheels_in_spacecraft, by=identity)
@@ -72,7 +79,7 @@ axes_of_wheels = four.definition(
 angle_to_oz = four.angle_to_oz("2.0.5", 71, "e_1 and e_2", "2.0.4")
 
 ALONG_OX, ALONG_OY = r"2\sin a \sin b", r"2\sin a \cos b"  # the sides of the base (2.0.1)
-ACUTE = Hypothesis("a and b acute", "both angles are acute", r"0 < a < \pi/2, 0 < b < \pi/2")
+ACUTE = [acute_a, acute_b]
 
 square_base = four.claim(
     "2.0.6",
@@ -80,7 +87,7 @@ square_base = four.claim(
     r"b = 45^\circ",
     words="For b = 45 degrees, and no other b, the base is a square.",
     states=rf"{ALONG_OX} = {ALONG_OY} \Leftrightarrow b = 45^\circ",
-    given=[ACUTE],
+    given=ACUTE,
     by=cases(),
     uses=["2.0.1"],
 )
@@ -91,7 +98,7 @@ base_along_oy = four.claim(
     r"0^\circ < b < 45^\circ",
     words="For these b, and no others, the longer side of the base is parallel to OY.",
     states=rf"{ALONG_OX} < {ALONG_OY} \Leftrightarrow 0^\circ < b < 45^\circ",
-    given=[ACUTE],
+    given=ACUTE,
     by=cases(),
     uses=["2.0.1"],
 )
@@ -102,7 +109,7 @@ base_along_ox = four.claim(
     r"45^\circ < b < 90^\circ",
     words="For these b, and no others, the longer side of the base is parallel to OX.",
     states=rf"{ALONG_OX} > {ALONG_OY} \Leftrightarrow 45^\circ < b < 90^\circ",
-    given=[ACUTE],
+    given=ACUTE,
     by=cases(),
     uses=["2.0.1"],
 )
@@ -185,20 +192,18 @@ no_three_axes_in_a_plane = four.no_three_in_a_plane(
     uses=["2.0.4"],
 )
 
-number_of_vertices = four.claim(
+number_of_vertices = four.number_of_vertices(
     "2.1.15",
     83,
-    words="P has 14 vertices: of the 16 combinations the two zero ones are none, and the others are (list of vertices).",
-    states=r"2^4 - 2 = 14 \land 4 (4 - 1) + 2 = 14",
-    by=cases(),
-    uses=["2.1.9", "2.1.10", "2.1.11", "2.1.12", "2.1.14"],
+    f": of the 16 combinations the two zero ones are none, and the others are (list of vertices). {CORNERS}.",
+    *("2.1.9", "2.1.10", "2.1.11", "2.1.12", "2.1.14", "2.1V"),
 )
 
-number_of_edges = four.number_of_edges("2.1.16", 100, "2.1.14")
+number_of_edges = four.number_of_edges("2.1.16", 100, "2.1.14", "2.1E")
 
 parameter_of_edges = four.parameter_of_edges("2.1.17", 111)
 
-number_of_faces = four.number_of_faces("2.1.18", 111, "2.1.14")
+number_of_faces = four.number_of_faces("2.1.18", 111, "", "2.1.14", "2.1F")
 
 pairs_of_faces = four.pairs_of_faces("2.1.19", 111, r"i = 1, \dots, 6")
 
@@ -212,8 +217,14 @@ euler_characteristic = four.claim(
     uses=["2.1.15", "2.1.16", "2.1.18"],
 )
 
-angles_of_table_1 = exclusion(
-    "2.1.22", 128, (r"a = 67^\circ", r"b = 32^\circ"), reason="the angles of table 1, chosen in section 2.3"
+ANGLES = (r"a = 67^\circ", r"b = 32^\circ")
+
+angles_of_table_1 = four.premise(
+    "2.1.22",
+    128,
+    ANGLES,
+    words="The angles of table 1, chosen in section 2.3 (2.3.6, 2.3.9).",
+    states=", ".join(ANGLES),
 )
 
 # --- 2.1: symmetries
@@ -246,46 +257,52 @@ edges_of_length_two = four.edges_of_length_two("2.1.26", 164, uses=["2.0.3", "2.
 faces_are_rhombi = four.faces_are_rhombi("2.1.27", 164, OPEN_RANGE, "2.1.26")
 
 DISTANCES = {"d_1": r"4 \sin a \sin b", "d_2": r"4 \sin a \cos b", "d_3": r"4 \cos a"}
-vertices = Scope(four_wheels, partial(derivation.vertex_distances, "V_1, V_6, V_7, V_2"), identity)
+NAMED_OF_FOUR = named.in_sentence(named.VERTICES_OF_FOUR)
 
-distance_of_v1 = vertices.claim(
-    "2.1.28",
-    164,
-    r"d_1 = 4 \sin a \sin b",
-    words="Distance of V_1, V'_1 from the centre.",
-    given=OPEN_RANGE,
-)
 
-distance_of_v6 = vertices.claim(
+def vertices_named(notation: Notation, stem: str, far: Sequence[Named]) -> Scope:
+    """With d_1, d_2, ... for the distances of the vertices that are named first with them."""
+    each = ", ".join(f"{stem}_{group.labels[0].index}" for group in far)
+    return Scope(notation, partial(derivation.vertex_distances, each), identity)
+
+
+vertices = vertices_named(four_wheels, "V", NAMED_OF_FOUR)
+
+
+def distance_of_vertices(scope: Scope, number: str, far: Named, **further: Any) -> Claim:
+    """A printed distance d_k = ... of the first of the vertices named with it."""
+    return scope.claim(number, far.line, far.distance, words=f"Distance of {far.words} from the centre.", **further)
+
+
+def equally_far(scope: Scope, number: str, letter: str, named: Sequence[Named]) -> tuple[Claim, ...]:
+    """That the others of the vertices named with d_k have this distance too, if there are any."""
+    states = tuple(
+        rf"\sqrt{{(\mathbf{{{letter}}}_{i}, \mathbf{{{letter}}}_{i})}} = d_{k}"
+        for k, far in enumerate(named, 1)
+        for i in far.indices[1:]
+    )
+    words = "The others of the vertices named with a distance, and their opposites, have it too."
+    return (scope.claim(number, named[0].line, words=words, states=states, uses=["2.1.31"]),) if states else ()
+
+
+distance_of_v1 = distance_of_vertices(vertices, "2.1.28", NAMED_OF_FOUR[0], given=OPEN_RANGE)
+
+distance_of_v6 = distance_of_vertices(
+    vertices,
     "2.1.29",
-    164,
-    r"d_2 = 4 \sin a \cos b",
-    words="Distance of V_6, V'_6 from the centre.",
+    NAMED_OF_FOUR[1],
     given=OPEN_RANGE,
     by=theorems(Applied("equal_squares", ("d_2", r"4 \sin a \cos b"))),
 )
 
-distance_of_v7 = vertices.claim(
-    "2.1.30",
-    164,
-    r"d_3 = 4 \cos a",
-    words="Distance of V_7, V'_7 from the centre.",
-    given=OPEN_RANGE,
-)
+distance_of_v7 = distance_of_vertices(vertices, "2.1.30", NAMED_OF_FOUR[2], given=OPEN_RANGE)
 
-distance_of_v2 = vertices.claim(
-    "2.1.31",
-    164,
-    "d_4 = 2",
-    words="Distance of V_2, V'_2 from the centre.",
-)
+distance_of_v2 = distance_of_vertices(vertices, "2.1.31", NAMED_OF_FOUR[3])
 
-distance_of_v3_to_v5 = vertices.claim(
-    "2.1.32",
-    164,
-    words="V_3, V_4, V_5 and their opposites have the same distance d_4.",
-    states=tuple(rf"\sqrt{{(\mathbf{{V}}_{i}, \mathbf{{V}}_{i})}} = d_4" for i in (3, 4, 5)),
-    uses=["2.1.31"],
+distance_of_v3_to_v5 = equally_far(vertices, "2.1.32", "V", NAMED_OF_FOUR)
+
+vertices_with_a_distance = named.every_one_once(
+    "2.1.37", of_four, NAMED_OF_FOUR, "Each vertex is named with one of these distances, once.", four_wheels
 )
 
 two_equal_distances = four.claim(
@@ -294,10 +311,10 @@ two_equal_distances = four.claim(
     ("d_1 = d_2", r"b = p/4 = 45^\circ"),
     words="V_1 and V_6 are equally far for b = pi/4, and only then.",
     states=(rf"{DISTANCES['d_1']} = {DISTANCES['d_2']} \Leftrightarrow b = \pi/4", r"\pi/4 = 45^\circ"),
-    given=[ACUTE],
+    given=ACUTE,
     by=cases(),
     uses=["2.1.28", "2.1.29"],
-    damage=lost_pi(r"b = \pi/4 = 45^\circ"),
+    damage=lost_pi(r"b = \pi/4 = 45^\circ", "b"),
 )
 
 
@@ -312,13 +329,13 @@ def three_equal_distances_of(
         words=f"{vertices} are equally far for a = arctg sqrt 2 and b = pi/4, and only then.",
         states=(
             rf"({equal}) \Leftrightarrow (a = \arctg \sqrt{{2}} \land b = \pi/4)",
-            r"\arctg \sqrt{2} = 54.7^\circ",
+            r"\arctg \sqrt{2} \approx 54.7^\circ",
             r"\pi/4 = 45^\circ",
         ),
-        given=[ACUTE],
+        given=ACUTE,
         by=cases(),
         uses=uses,
-        damage=lost_pi(r"a = \arctg \sqrt{2} = 54.7^\circ, b = \pi/4 = 45^\circ"),
+        damage=lost_pi(r"b = \pi/4 = 45^\circ", "c"),
     )
 
 
@@ -409,43 +426,42 @@ order_at_b_right = four.ours(
 
 # --- table 3: the distances of the faces
 
-FACES_OF_P = ("1, 1, u, v", "u, 1, -1, v", "1, u, 1, v", "1, u, v, -1", "u, v, 1, 1", "u, 1, v, 1")
-FIRST = r"\frac{2 \sin 2a \sin b}{\sqrt{1 - \sin^2 a \cos^2 b}}"
-SECOND = r"\frac{2 \sin 2a \cos b}{\sqrt{1 - \sin^2 a \sin^2 b}}"
-THIRD = r"2 \sin a \sin 2b"
+FACES_OF_P = named.faces(of_four)
 
 
-def row_of_distances(scope: Scope, number: str, line: int, faces: dict[int, str], words: str) -> Claim:
+def row_of_distances(scope: Scope, number: str, row: Sequence[Named]) -> Claim:
     """A row of a table of faces: what is printed is the distance r_i of the plane of F_i and F'_i from the centre."""
     return scope.claim(
         number,
-        line,
-        tuple(faces.values()),
-        words=words,
-        states=tuple(f"r_{i} = {distance}" for i, distance in faces.items()),
+        row[0].line,
+        tuple(each.distance for each in row),
+        words=f"Distances of {'; of '.join(each.words for each in row)}.",
+        states=tuple(AND.join(f"r_{i} = {each.distance}" for i in each.indices) for each in row),
         given=OPEN_RANGE,
         uses=["2.0.4"],
     )
 
 
 table_3 = Scope(four_wheels, partial(derivation.distances_of_faces, *FACES_OF_P), identity)
+NAMED_IN_TABLE_3 = named.in_columns(named.TABLE_3)
+ABOVE_THE_EMPTY_CELL, EMPTY_CELL = NAMED_IN_TABLE_3[2], NAMED_IN_TABLE_3[5]
 
-first_row_of_table_3 = row_of_distances(
-    table_3, "T3.1", 180, {1: FIRST, 2: SECOND, 3: THIRD}, "Distances of F_1, F_2, F_3 and their opposites."
+faces_of_table_3 = named.every_one_once(
+    "T3.0", of_four, NAMED_IN_TABLE_3, "Each face is in the table, once.", four_wheels
 )
 
-second_row_of_table_3 = row_of_distances(
-    table_3, "T3.2", 181, {5: FIRST, 4: SECOND}, "Distances of F_5, F_4 and their opposites."
-)
+first_row_of_table_3 = row_of_distances(table_3, "T3.1", NAMED_IN_TABLE_3[:3])
+
+second_row_of_table_3 = row_of_distances(table_3, "T3.2", NAMED_IN_TABLE_3[3:5])
 
 missing_cell_of_table_3 = table_3.claim(
     "T3.3",
     181,
-    "F_6, F'_6",
-    words="Distance of F_6 and F'_6: the cell is empty.",
-    states=rf"r_6 = {THIRD}",
+    EMPTY_CELL.printed,
+    words=f"Distance of {EMPTY_CELL.words}: the cell is empty.",
+    states=AND.join(f"r_{i} = {ABOVE_THE_EMPTY_CELL.distance}" for i in EMPTY_CELL.indices),
     damage=Damage(
-        THIRD,
+        ABOVE_THE_EMPTY_CELL.distance,
         reason="Its row names the faces and gives no distance. F_6 has the distance of F_3 above it, as F_5 has that of F_1 and F_4 that "
         "of F_2; one cell for both rows, as in table 8 and twice in table 11, is what the digital text splits and leaves empty.",
         kind="missing cell",
@@ -530,36 +546,28 @@ region_is_a_parallelepiped = three.claim(
     uses=["2.1.14"],
 )
 
-eight_vertices = three.claim(
+eight_vertices = three.number_of_vertices(
     "2.2.6",
     195,
-    words="P' has 8 vertices, as every parallelepiped.",
-    states="2^3 = 8 \\land 3 (3 - 1) + 2 = 8",
-    by=cases(),
-    uses=["2.2.5"],
+    ", as every parallelepiped: the three axes are not in a plane, and all combinations are.",
+    "2.2.5",
+    "2.2V",
 )
 
 pairs_of_vertices_of_three = three.pairs_of_vertices("2.2.7", 195, r"i = 1, \dots, 4", ".")
 
-twelve_edges = three.number_of_edges("2.2.8", 199, "2.2.5")
+twelve_edges = three.number_of_edges("2.2.8", 199, "2.2.5", "2.2E")
 
 parameter_of_edges_of_three = three.parameter_of_edges("2.2.9", 203)
 
-six_faces = three.claim(
-    "2.2.10",
-    203,
-    words="P' has 6 faces, as every parallelepiped.",
-    states=r"3 (3 - 1) = 6 \land 8 + 6 - 12 = 2",
-    by=cases(),
-    uses=["2.2.5", "2.2.6", "2.2.8"],
-)
+six_faces = three.number_of_faces("2.2.10", 203, ", as every parallelepiped", "2.2.5", "2.2F")
 
 pairs_of_faces_of_three = three.pairs_of_faces("2.2.11", 203, "i = 1, 2, 3")
 
 sense_of_edges_of_three = three.sense_of_edges("2.2.12", 211)
 
-angles_of_table_4 = exclusion(
-    "2.2.13", 211, (r"a = 67^\circ", r"b = 32^\circ"), reason="the angles of table 4, those of table 1"
+angles_of_table_4 = four.premise(
+    "2.2.13", 211, ANGLES, words="The angles of table 4, those of table 1.", states=", ".join(ANGLES)
 )
 
 LOST_PRIME = (
@@ -580,9 +588,7 @@ def _subtracted(vertex: str) -> str:
 
 def lost_prime(edge: str, corrected: str) -> Erratum:
     """The erratum of an edge that should read so."""
-    return Erratum(
-        corrected, "lost prime", Origin.OCR, f"It should read {edge.replace('V', ' V').strip()}. {LOST_PRIME}"
-    )
+    return Erratum(corrected, "lost prime", Origin.OCR, LOST_PRIME, shown=edge)
 
 
 # as printed, and what the first three should be
@@ -612,8 +618,8 @@ def halves(edge: str, middle: str) -> str:
 vertices_at_middles = claim(
     "2.2.15",
     235,
-    (r"V_4'", r"V_1'", r"V_3'", "V_4", "V_1", "V_3"),
-    words="These vertices of P' (W in the formal statement) are the middles of these edges of P, in this order.",
+    EDGES_ALONG_WHEEL_4,
+    words=f"The vertices {', '.join(MIDDLES)} of P' (W in the formal statement) are the middles of these edges of P, in this order.",
     states=tuple(halves(edge, middle) for edge, middle in zip(EDGES_ALONG_WHEEL_4, MIDDLES, strict=True)),
     by=identity,
     errata={
@@ -628,24 +634,16 @@ edges_of_three_of_length_two = three.edges_of_length_two("2.2.16", 235, uses=["2
 
 faces_of_three_are_rhombi = three.faces_are_rhombi("2.2.17", 235, OPEN_RANGE, "2.2.16")
 
-vertices_of_three = Scope(three_of_four, partial(derivation.vertex_distances, "W_1, W_3, W_4, W_2"), identity)
+NAMED_OF_THREE = named.in_sentence(named.VERTICES_OF_THREE)
+vertices_of_three = vertices_named(three_of_four, "W", NAMED_OF_THREE)
 
+distances_of_three = tuple(
+    distance_of_vertices(vertices_of_three, number, each)
+    for number, each in zip(("2.2.18", "2.2.19", "2.2.20", "2.2.21"), NAMED_OF_THREE, strict=True)
+)
 
-def distance_of_three(number: str, printed: str, vertices: str) -> Claim:
-    """The distance of a pair of vertices of P' from the centre."""
-    return vertices_of_three.claim(
-        number,
-        235,
-        printed,
-        words=f"Distance of {vertices} from the centre.",
-    )
-
-
-distances_of_three = (
-    distance_of_three("2.2.18", r"d_1 = \sqrt{8\sin^2 a \sin^2 b + 1}", "V_1, V'_1"),
-    distance_of_three("2.2.19", r"d_2 = \sqrt{8\sin^2 a \cos^2 b + 1}", "V_3, V'_3"),
-    distance_of_three("2.2.20", r"d_3 = \sqrt{8\cos^2 a + 1}", "V_4, V'_4"),
-    distance_of_three("2.2.21", "d_4 = 1", "V_2, V'_2"),
+vertices_of_three_with_a_distance = named.every_one_once(
+    "2.2.31", of_three, NAMED_OF_THREE, "Each vertex of P' is named with one of these distances, once.", three_of_four
 )
 
 two_equal_distances_of_three = vertices_of_three.claim(
@@ -658,10 +656,10 @@ two_equal_distances_of_three = vertices_of_three.claim(
         r"\sin b - \cos b = 0 \Leftrightarrow b = \pi/4",
         r"\pi/4 = 45^\circ",
     ),
-    given=[ACUTE],
+    given=ACUTE,
     by={"a": identity, "b": cases(), "c": identity},
     uses=["2.2.18", "2.2.19"],
-    damage=lost_pi(r"b = \pi/4 = 45^\circ"),
+    damage=lost_pi(r"b = \pi/4 = 45^\circ", "bc"),
 )
 
 three_equal_distances_of_three = three_equal_distances_of(
@@ -690,18 +688,15 @@ order_of_three = vertices_of_three.claim(
     uses=["T2.1", "T2.2", "T2.3", "T2.4", "T2.5", "T2.6"],
 )
 
-FACES_OF_THREE = ("u, v, 1", "1, u, v", "u, 1, v")
+FACES_OF_THREE = named.faces(of_three)
+NAMED_IN_TABLE_5 = named.in_columns(named.TABLE_5)
+
+faces_of_table_5 = named.every_one_once(
+    "T5.0", of_three, NAMED_IN_TABLE_5, "Each face of P' is in the table, once.", three_of_four
+)
 
 table_5 = row_of_distances(
-    Scope(three_of_four, partial(derivation.distances_of_faces, *FACES_OF_THREE), identity),
-    "T5.1",
-    244,
-    {
-        1: r"\frac{\sin 2a \sin b}{\sqrt{1 - \sin^2 a \cos^2 b}}",
-        2: r"\frac{\sin 2a \cos b}{\sqrt{1 - \sin^2 a \sin^2 b}}",
-        3: r"\sin a \sin 2b",
-    },
-    words="Distances of F_1, F_2, F_3 and their opposites.",
+    Scope(three_of_four, partial(derivation.distances_of_faces, *FACES_OF_THREE), identity), "T5.1", NAMED_IN_TABLE_5
 )
 
 
@@ -852,7 +847,7 @@ angle_b = craft.claim(
         r"\frac{4 \sin a \sin b}{J_x} = \frac{4 \sin a \cos b}{J_y} \Leftrightarrow b = \arctg \frac{5}{8}",
         r"\arctg \frac{5}{8} \approx 32^\circ",
     ),
-    given=[SPACECRAFT_MOMENTS, ACUTE],
+    given=[SPACECRAFT_MOMENTS, *ACUTE],
     by=cases(),
     uses=["2.3.1", "2.3.5"],
 )
@@ -957,17 +952,18 @@ largest_rate_comes_alone = four.claim(
 
 SUM_OF_SHORTAGES = r"4 (1 - h_1)(1 + h_1) + 4 (1 - h_2)(1 + h_2) + 4 (1 - h_3)(1 + h_3) + 4 (1 - h_4)(1 + h_4)"
 
-SUM_OF_SQUARES = r"(h_1 + h_2 + h_3 + h_4)^2 + (-h_1 + h_2 - h_3 + h_4)^2 + (-h_1 - h_2 + h_3 + h_4)^2"
+IN_QUARTERS = ("(h_1 + h_2 + h_3 + h_4)", "(-h_1 + h_2 - h_3 + h_4)", "(-h_1 - h_2 + h_3 + h_4)")
+SUM_OF_SQUARES = " + ".join(f"{component}^2" for component in IN_QUARTERS)
+ON_AN_AXIS = AND.join(f"{one} {other} = 0" for one, other in combinations(IN_QUARTERS, 2))
 
 other_directions = craft.claim(
     "2.3.14",
     264,
     words="In any other direction the largest rate is smaller. Counted in quarters of the largest rate about an axis the components are "
-    "these sums (2.3.15); the bound is reached at the six vertices on the axes only (2.3.16).",
-    states=rf"{SUM_OF_SQUARES} \leq 4^2",
+    "these sums (2.3.15): no rate is greater, and one as great is about an axis, two of its components being zero.",
+    states=rf"{SUM_OF_SQUARES} \leq 4^2 \land ({SUM_OF_SQUARES} = 4^2 \Rightarrow ({ON_AN_AXIS}))",
     given=[FULL_MOMENTUM],
-    by=nonnegative(rf"{SUM_OF_SHORTAGES} + (h_1 - h_2 - h_3 + h_4)^2"),
-    equality=r"h_1^2 = 1, h_2^2 = 1, h_3^2 = 1, h_4^2 = 1, h_1 - h_2 - h_3 + h_4 = 0",
+    by=cases(rf"{SUM_OF_SHORTAGES} + (h_1 - h_2 - h_3 + h_4)^2"),
     uses=["2.3.15", "2.3.16"],
 )
 

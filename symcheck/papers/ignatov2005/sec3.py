@@ -8,22 +8,29 @@ where both polyhedra are spoken of.
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
 from functools import partial
+from typing import Any
 
-from symcheck.core.claims import Claim, Damage, Erratum, Hypothesis, Ours
+from symcheck.core.claims import Claim, Damage, Erratum, Hypothesis, Ours, Premise
 from symcheck.core.problems import Applied
 from symcheck.core.verdicts import Origin
-from symcheck.papers.declare import Scope, exclusion, ours, premise
-from symcheck.papers.ignatov2005 import derivation, envelopes, wheels
+from symcheck.papers import listing
+from symcheck.papers.declare import Scope, Text, exclusion, ours, premise
+from symcheck.papers.ignatov2005 import derivation, envelopes, named, wheels
 from symcheck.papers.ignatov2005.hypotheses import (
     MASS,
     RATES,
     SPACECRAFT_MOMENTS,
+    acute_a,
     real_base,
     real_pyramid,
 )
+from symcheck.papers.ignatov2005.lists import of_five, of_six
+from symcheck.papers.ignatov2005.named import Named
 from symcheck.papers.ignatov2005.notation import (
+    LIMIT,
     five_of_six,
     four_wheels,
     four_wheels_and_ellipsoid,
@@ -32,7 +39,7 @@ from symcheck.papers.ignatov2005.notation import (
     six_wheels_in_spacecraft,
     six_wheels_with_units,
 )
-from symcheck.papers.ignatov2005.wheels import five, points, six
+from symcheck.papers.ignatov2005.wheels import AND, CORNERS, five, points, six
 from symcheck.proof import cases, combined, existence, identity, nonnegative, theorems
 from symcheck.reading import Notation
 
@@ -198,38 +205,51 @@ no_three_axes_in_a_plane = six.no_three_in_a_plane(
     "3.1.13", 289, ": P is simple (2.1.14).", given=[real_pyramid], uses=["2.1.14", "3.0.4"]
 )
 
-number_of_vertices = six.claim(
+number_of_vertices = six.number_of_vertices(
     "3.1.14",
     289,
-    words="The other 32 combinations are the vertices of P (list of vertices).",
-    states=r"2^6 - 2 - 30 = 32 \land 6 (6 - 1) + 2 = 32",
-    by=cases(),
-    uses=["3.1.9", "3.1.11", "3.1.12", "3.1.13"],
+    f": of the 64 combinations 2 vanish and 30 lie inside, the others are (list of vertices). {CORNERS}.",
+    *("3.1.9", "3.1.11", "3.1.12", "3.1.13", "3.1V"),
 )
 
 pairs_of_vertices = six.pairs_of_vertices("3.1.15", 289, r"i = 1, \dots, 16")
 
-number_of_edges = six.number_of_edges("3.1.16", 326, "3.1.13")
+number_of_edges = six.number_of_edges("3.1.16", 326, "3.1.13", "3.1E")
 
 parameter_of_edges = six.parameter_of_edges("3.1.17", 365)
 
-number_of_faces = six.number_of_faces("3.1.18", 365, "3.1.13")
+number_of_faces = six.number_of_faces("3.1.18", 365, "", "3.1.13", "3.1F")
 
 pairs_of_faces = six.pairs_of_faces("3.1.19", 365, r"i = 1, \dots, 15")
 
 sense_of_edges = six.sense_of_edges("3.1.20", 402)
 
-euler_characteristic = six.claim(
+euler_characteristic = six.counted(
     "3.1.21",
     402,
-    words="32 vertices, 30 faces and 60 edges, as Euler's characteristic wants it.",
-    states="32 + 30 - 60 = 2",
-    uses=["3.1.14", "3.1.16", "3.1.18"],
+    "So there are 32 vertices, 30 faces and 60 edges, as Euler's formula wants it (3.1.14, 3.1.16, 3.1.18).",
+    rf"{six.on_no_side}2^6 - 32 = 32 \land 6 (6 - 1) = 30 \land 2 \cdot 6 (6 - 1) = 60 \land 32 + 30 - 60 = 2",
+    *("3.1.14", "3.1.16", "3.1.18"),
 )
 
-angle_of_table_6 = exclusion(
-    "3.1.22", 404, r"\alpha = 72^\circ", reason="the angle of table 6, chosen in section 3.3; alpha is the angle a"
-)
+
+def angle_of_a_table(number: str, line: int, table: int) -> Premise:
+    """The angle is a, and alpha here."""
+    return six.premise(
+        number,
+        line,
+        r"\alpha = 72^\circ",
+        words=f"The angle of table {table}, chosen in section 3.3 (3.2.32).",
+        damage=Damage(
+            r"a = 72^\circ",
+            "The angle is defined as a (line 277), and is a wherever else it is printed; alpha is no letter of this paper. The original has "
+            "Greek letters where the digital text has a, b, p and w, and the digital text kept this one: either letter is meant for the other.",
+            kind="one letter for another",
+        ),
+    )
+
+
+angle_of_table_6 = angle_of_a_table("3.1.22", 404, 6)
 
 # --- 3.1: symmetries
 
@@ -266,48 +286,28 @@ faces_are_rhombi = six.faces_are_rhombi("3.1.27", 443, [real_pyramid], "3.1.26")
 DISTANCES = {"d_1": r"6\cos a", "d_2": r"4\sin a", "d_3": r"2\sqrt{3\cos^2 a + 1}", "d_4": r"2\sqrt{2\sin^2 a + 1}"}
 
 
-def equally_far(distance: str, *vertices: int) -> tuple[str, ...]:
-    """Each of these vertices, and so the opposite one, is that far from the centre."""
-    return tuple(rf"\sqrt{{(\mathbf{{V}}_{{{i}}}, \mathbf{{V}}_{{{i}}})}} = {distance}" for i in vertices)
+NAMED_OF_SIX = named.in_sentence(named.VERTICES_OF_SIX)
 
 
-def distance_of_vertices(number: str, distance: str, *vertices: int, words: str) -> Claim:
-    """A printed distance d_k = ... with the vertices that have it."""
-    return six.claim(
+def all_equally_far(scope: Scope, number: str, far: Named, printed: Text, **further: Any) -> Claim:
+    """All these vertices have the distance that is printed for them."""
+    return scope.claim(
         number,
-        443,
-        distance,
-        words=words,
-        states=equally_far(right_side(distance), *vertices),
-        given=[real_pyramid],
+        far.line,
+        printed,
+        words=f"Distance of {far.words} from the centre.",
+        states=AND.join(rf"\sqrt{{({point}, {point})}} = {right_side(far.distance)}" for point in named.points(far)),
+        **further,
     )
 
 
-distances_of_vertices = (
-    distance_of_vertices(
-        "3.1.28",
-        rf"d_1 = {DISTANCES['d_1']}",
-        1,
-        words="Distance of V_1, V'_1 from the centre.",
-    ),
-    distance_of_vertices(
-        "3.1.29",
-        rf"d_2 = {DISTANCES['d_2']}",
-        *(14, 15, 16),
-        words="Distance of V_14, V_15, V_16 and their opposites.",
-    ),
-    distance_of_vertices(
-        "3.1.30",
-        rf"d_3 = {DISTANCES['d_3']}",
-        *range(2, 8),
-        words="Distance of V_2 to V_7 and their opposites.",
-    ),
-    distance_of_vertices(
-        "3.1.31",
-        rf"d_4 = {DISTANCES['d_4']}",
-        *range(8, 14),
-        words="Distance of V_8 to V_13 and their opposites.",
-    ),
+distances_of_vertices = tuple(
+    all_equally_far(six, number, far, far.distance, given=[real_pyramid])
+    for number, far in zip(("3.1.28", "3.1.29", "3.1.30", "3.1.31"), NAMED_OF_SIX, strict=True)
+)
+
+vertices_with_a_distance = named.every_one_once(
+    "3.1.33", of_six, NAMED_OF_SIX, "Each vertex is named with one of these distances, once.", six_wheels
 )
 
 # --- table 7: the order of the distances
@@ -357,32 +357,16 @@ table_7 = (
 
 # --- table 8: the distances of the faces
 
-FACES_OF_P = (
-    "u, 1, 1, -1, -1, v",
-    "u, v, 1, -1, -1, -1",
-    "1, u, v, -1, -1, -1",
-    "1, 1, u, v, -1, -1",
-    "1, 1, 1, u, v, -1",
-    "1, 1, 1, -1, u, v",
-    "u, 1, 1, -1, v, 1",
-    "-1, u, 1, -1, -1, v",
-    "u, -1, v, -1, -1, -1",
-    "1, u, -1, v, -1, -1",
-    "1, 1, u, 1, v, -1",
-    "1, 1, 1, u, 1, v",
-    "u, 1, 1, v, 1, 1",
-    "-1, u, 1, -1, v, 1",
-    "-1, -1, u, -1, -1, v",
-)
+FACES_OF_P = named.faces(of_six)
+NAMED_IN_TABLE_8 = named.in_rows(named.TABLE_8)
 
 
 def distance_of_faces(
     scope: Scope,
     number: str,
-    line: int,
-    distance: str,
-    *faces: int,
-    words: str,
+    far: Named,
+    *,
+    words: str = "",
     right: str = "",
     errata: Mapping[str, Erratum] | None = None,
     damage: Damage | None = None,
@@ -390,13 +374,13 @@ def distance_of_faces(
     """A cell of a table of faces: the distance r_i of the planes of these F_i, and so of F'_i, from the centre."""
     return scope.claim(
         number,
-        line,
-        distance,
-        words=words,
+        far.line,
+        (*far.printed, far.distance),
+        words=f"Distance of the planes of {far.words}{words}.",
         damage=damage,
-        states=all_far(distance, *faces),
+        states=all_far(far.distance, *far.indices),
         given=[real_pyramid],
-        by=theorems(*(Applied("equal_squares", (f"r_{{{i}}}", right or distance)) for i in faces)),
+        by=theorems(*(Applied("equal_squares", (f"r_{{{i}}}", right or far.distance)) for i in far.indices)),
         errata=errata,
     )
 
@@ -409,26 +393,23 @@ def all_far(distance: str, *faces: int) -> str:
 ALL_WHEELS = Scope(six_wheels, partial(derivation.distances_of_faces_of_six, *FACES_OF_P))
 AT_TWO_STEPS = r"4 \sin 2a \sqrt{\frac{1}{1 + 3 \cos^2 a}}"
 
+faces_of_table_8 = named.every_one_once(
+    "T8.0", of_six, NAMED_IN_TABLE_8, "Each face is in the table, once.", six_wheels
+)
+
+NEIGHBOURS, TWO_APART, ACROSS = NAMED_IN_TABLE_8
+
 table_8 = (
-    distance_of_faces(
-        ALL_WHEELS,
-        "T8.1",
-        467,
-        r"3 \sin 2a \sqrt{\frac{3}{3 + \cos^2 a}}",
-        *range(1, 7),
-        words="F_1 to F_6 and their opposites: between neighbouring edges of the pyramid.",
-    ),
+    distance_of_faces(ALL_WHEELS, "T8.1", NEIGHBOURS, words=": between neighbouring edges of the pyramid"),
     distance_of_faces(
         ALL_WHEELS,
         "T8.2",
-        467,
-        r"4 \sin 2a \sqrt{\frac{1}{1 + 15 \cos^2 a}}",
-        *range(7, 13),
-        words="F_7 to F_12 and their opposites: between edges with one in between.",
+        TWO_APART,
+        words=": between edges with one in between",
         right=AT_TWO_STEPS,
         errata={
             "": Erratum(
-                all_far(AT_TWO_STEPS, *range(7, 13)),
+                all_far(AT_TWO_STEPS, *TWO_APART.indices),
                 "coefficient",
                 Origin.UNCERTAIN,
                 "The normal of the plane of two edges 120 degrees apart has the square 3/4 sin^2 a (1 + 3 cos^2 a). The same root in "
@@ -437,15 +418,13 @@ table_8 = (
             )
         },
     ),
-    distance_of_faces(
-        ALL_WHEELS,
-        "T8.3",
-        467,
-        r"2\sqrt{3} \sin a",
-        *range(13, 16),
-        words="F_13 to F_15 and their opposites: between opposite edges, across OX and at 60 degrees to it.",
-    ),
+    distance_of_faces(ALL_WHEELS, "T8.3", ACROSS, words=": between opposite edges, across OX and at 60 degrees to it"),
 )
+
+
+def far_scope(face: str, notation: Notation) -> Scope:
+    """With u and v at the foot of the perpendicular to a face."""
+    return Scope(notation, partial(derivation.foot_of_perpendicular, face), cases())
 
 
 def foot_within(number: str, line: int, face: str, words: str, notation: Notation, **angles: str) -> Ours:
@@ -459,16 +438,8 @@ def foot_within(number: str, line: int, face: str, words: str, notation: Notatio
         rf"-1 \leq {free} \leq 1 \Leftrightarrow {angles[free]}" if free in angles else f"-1 < {free} < 1"
         for free in "uv"
     ]
-    return ours(
-        number,
-        line,
-        words=words,
-        states=(*across, *within),
-        given=[real_pyramid],
-        where=partial(derivation.foot_of_perpendicular, face),
-        by=cases(),
-        uses=["3.0.4"],
-        notation=notation,
+    return far_scope(face, notation).ours(
+        number, line, words=words, states=(*across, *within), given=[real_pyramid], uses=["3.0.4"]
     )
 
 
@@ -477,7 +448,7 @@ feet_of_perpendiculars = (
         "T8.4",
         467,
         FACES_OF_P[0],
-        "The distances are those of the planes. For F_1 to F_6 the foot of the perpendicular lies within the face, and the face is as "
+        "For F_1 to F_6 the foot of the perpendicular lies within the face, and the face is as "
         "far as its plane, from tg^2 a = 2/3 on.",
         six_wheels,
         u=r"2 \cos^2 a \leq 3 \sin^2 a",
@@ -493,6 +464,51 @@ feet_of_perpendiculars = (
         v=r"\sin^2 a \leq 4 \cos^2 a",
     ),
     foot_within("T8.6", 467, FACES_OF_P[12], "For F_13 to F_15 always: it is the middle of the face.", six_wheels),
+)
+
+
+def as_far_as_its_plane(
+    number: str, far: Named, face: str, notation: Notation, needs: Hypothesis | None = None, at_72_degrees: str = ""
+) -> Claim:
+    """That a face is as far as its plane: the foot of the perpendicular lies within it."""
+    reason = (
+        "The table promises the distance of each face and gives that of its plane. They are one where the foot of the perpendicular from the "
+        f"centre lies within the face, and for no other angles; elsewhere the face is farther{at_72_degrees}."
+    )
+    return far_scope(face, notation).claim(
+        number,
+        far.line,
+        words=f"This is the distance of the faces {far.words} themselves, not of their planes only: the foot of the "
+        "perpendicular, at these u and v of the face, lies within it.",
+        states=r"-1 \leq u \leq 1 \land -1 \leq v \leq 1",
+        given=[real_pyramid],
+        errata={"": Erratum("", "missing hypothesis", Origin.PAPER, reason, needs=(needs,))} if needs else {},
+        uses=["3.0.4"],
+    )
+
+
+def angles(words: str, states: str) -> Hypothesis:
+    """The angles for which faces are as far as their planes."""
+    return Hypothesis("foot in the face", words, states)
+
+
+faces_of_table_8_as_far_as_their_planes = (
+    as_far_as_its_plane(
+        "T8.7",
+        NEIGHBOURS,
+        FACES_OF_P[0],
+        six_wheels,
+        angles("tg^2 a is 2/3 at least: a is 39.2 degrees or more", r"2 \cos^2 a \leq 3 \sin^2 a"),
+    ),
+    as_far_as_its_plane(
+        "T8.8",
+        TWO_APART,
+        FACES_OF_P[6],
+        six_wheels,
+        angles("tg a is 2 at most: a is 63.4 degrees or less", r"\sin^2 a \leq 4 \cos^2 a"),
+        ", at the 72 degrees of section 3.3 2.268 and not 2.073 (with the right coefficient, T8.2)",
+    ),
+    as_far_as_its_plane("T8.9", ACROSS, FACES_OF_P[12], six_wheels),
 )
 
 # --- 3.2: one wheel failed
@@ -526,18 +542,16 @@ shorthand_of_five = five.shorthand("3.2.2", 481, "3.2")
 equal_wheels_again = craft.premise(
     "3.2.3",
     481,
-    (r"-h_{\max} \leq h_i \leq h_{\max}", r"i=1, \dots, 5", r"h_{\max} = 1", r"|h_i| \leq 1"),
-    words="Limits of the wheels and their unit as before; P' is the region of all H with such h_i.",
+    (r"-h_{\max} \leq h_i \leq h_{\max}", r"i=1, \dots, 5", r"|h_i| \leq 1"),
+    words="The limits of the wheels that work; P' is the region of all H with |h_i| <= 1.",
     states=r"-h_{\max} \leq h_i \leq h_{\max}",
 )
 
-number_of_vertices_of_five = five.claim(
-    "3.2.4",
-    481,
-    words="P' has 22 vertices (list of vertices).",
-    states="5 (5 - 1) + 2 = 22",
-    uses=["3.1.13"],
+unit_of_momentum_of_five = five.unit_of_momentum(
+    "3.2.47", 481, "3.2.2", five_of_six.extended(LIMIT), "Again no generality is lost with h_max = 1."
 )
+
+number_of_vertices_of_five = five.number_of_vertices("3.2.4", 481, f" (list of vertices). {CORNERS}.", "3.1.13", "3.2V")
 
 pairs_of_vertices_of_five = five.pairs_of_vertices("3.2.5", 481, r"i=1, \dots, 11")
 
@@ -548,36 +562,31 @@ number_of_edges_of_five = five.claim(
     507,
     words="The parallelepiped has 40 edges.",
     states=r"2 \cdot 3 (3 - 1) = 40",
-    uses=["3.1.13"],
+    uses=["3.1.13", "3.2.42"],
     errata={
         "": Erratum(
             r"2 \cdot 5 (5 - 1) = 40",
             "wrong claim",
             Origin.PAPER,
             "A parallelepiped has 12 edges, and P' is none: five wheels span it. The word was left over from the same sentence in "
-            "section 2.2, where P' is one; the number is right for P'.",
+            "section 2.2, where P' is one; the number is right for P' (3.2.42).",
         )
     },
 )
 
+edges_of_five_counted = five.edges_counted("3.2.42", 507, "3.1.13", "3.2E")
+
 parameter_of_edges_of_five = five.parameter_of_edges("3.2.8", 526)
 
-number_of_faces_of_five = five.claim(
-    "3.2.9",
-    526,
-    words="P' has 20 faces; with 22 vertices and 40 edges this agrees with Euler's characteristic.",
-    states=r"5 (5 - 1) = 20 \land 22 + 20 - 40 = 2",
-    by=cases(),
-    uses=["3.1.13", "3.2.4", "3.2.7"],
+number_of_faces_of_five = five.number_of_faces(
+    "3.2.9", 526, "; with 22 vertices and 40 edges this agrees with Euler's formula", "3.2.4", "3.2.42", "3.2F"
 )
 
 pairs_of_faces_of_five = five.pairs_of_faces("3.2.10", 526, r"i = 1, \dots, 10")
 
 sense_of_edges_of_five = five.sense_of_edges("3.2.11", 554)
 
-angle_of_table_9 = exclusion(
-    "3.2.12", 554, r"\alpha = 72^\circ", reason="the angle of table 9, chosen in section 3.3; alpha is the angle a"
-)
+angle_of_table_9 = angle_of_a_table("3.2.12", 554, 9)
 
 # --- 3.2: from P to P'
 
@@ -611,30 +620,39 @@ PRIME_MOVED = (
 )
 
 
-def differ(edges: str) -> str:
-    """The fifth edge, which has the damaged prime, is not the tenth: its middle is elsewhere."""
-    fifth, tenth = (" + ".join(f"({end})" for end in points(edges.split(", ")[k])) for k in (4, 9))
-    gap = f"{fifth} - ({tenth})"
-    return f"({gap}, {gap}) > 0"
+def is_there(edge: str, edges: str) -> str:
+    """One of the edges of a list has the ends of this one, whichever comes first."""
+
+    def ends(named: str) -> str:
+        return " + ".join(f"({end})" for end in points(named))
+
+    return r" \lor ".join(f"{ends(listed)} = {ends(edge)}" for listed in edges.split(", "))
 
 
-def repaired(statements: list[str], letter: str, moved: str) -> dict[str, Erratum]:
-    """The errata of the first four statements, with lost primes, and of the one that speaks of the fifth edge."""
+def repaired(statements: list[str], **others: Erratum) -> dict[str, Erratum]:
+    """The errata of the first four statements, with lost primes, and others."""
+    edges = RIGHT_EDGES.split(", ")
     lost = {
-        each: Erratum(statement, "lost prime", Origin.OCR, PRIMES_LOST)
-        for each, statement in zip("abcd", statements, strict=False)
+        letter: Erratum(statement, "lost prime", Origin.OCR, PRIMES_LOST, shown=edge)
+        for letter, statement, edge in zip("abcd", statements, edges, strict=False)
     }
-    return {**lost, letter: Erratum(moved, "label", Origin.UNCERTAIN, PRIME_MOVED)}
+    return {**lost, **others}
 
+
+LEFT_OUT = RIGHT_EDGES.split(", ")[4]
 
 edges_that_shrink = both.claim(
     "3.2.13",
     586,
-    EDGES,
-    words="P' is P with these edges shrunk to nothing: they are those along e_6, the axis of the wheel that failed.",
-    states=(*map(along_wheel_6, EDGES.split(", ")), differ(EDGES)),
+    (*EDGES.split(", "), EDGES),
+    words="P' is P with these edges shrunk to nothing: just these are along e_6, the axis of the wheel that failed. (k) Just these: the "
+    "edge along e_6 that ends in V_16 is one of them.",
+    states=(*map(along_wheel_6, EDGES.split(", ")), is_there(LEFT_OUT, EDGES)),
     given=[real_pyramid],
-    errata=repaired([along_wheel_6(edge) for edge in RIGHT_EDGES.split(", ")], "k", differ(RIGHT_EDGES)),
+    errata=repaired(
+        [along_wheel_6(edge) for edge in RIGHT_EDGES.split(", ")],
+        k=Erratum(is_there(LEFT_OUT, RIGHT_EDGES), "label", Origin.UNCERTAIN, PRIME_MOVED, shown=RIGHT_EDGES),
+    ),
     uses=["3.0.4", "3.1.3"],
 )
 
@@ -651,11 +669,11 @@ RIGHT_MIDDLES = list(map(is_midpoint, MIDPOINTS.split(", "), RIGHT_EDGES.split("
 midpoints_of_edges = both.claim(
     "3.2.15",
     586,
-    (MIDPOINTS, EDGES),
-    words="These vertices of P' are the middles of these edges of P, in this order.",
+    EDGES.split(", "),
+    words=f"The vertices {MIDPOINTS} of P' are the middles of these edges of P, in this order.",
     states=tuple(map(is_midpoint, MIDPOINTS.split(", "), EDGES.split(", "))),
     given=[real_pyramid],
-    errata=repaired(RIGHT_MIDDLES, "e", RIGHT_MIDDLES[4]),
+    errata=repaired(RIGHT_MIDDLES, e=Erratum(RIGHT_MIDDLES[4], "label", Origin.UNCERTAIN, PRIME_MOVED, shown=LEFT_OUT)),
     uses=["3.2.13"],
 )
 
@@ -666,61 +684,48 @@ faces_of_five_are_rhombi = five.faces_are_rhombi("3.2.17", 586, [real_pyramid], 
 # --- tables 10 and 11: distances, one wheel failed
 
 
-def row_of_table_10(number: str, line: int, vertices: str, distance: str) -> Claim:
-    """A row: vertices of P', each with its opposite, and their distance."""
-    names = vertices.split(", ")
-    return five.claim(
-        number,
-        line,
-        (vertices, distance),
-        words=f"Distance of {' and '.join(re.sub('[{}]', '', name) for name in names[::2])}, and of their opposites.",
-        states=tuple(rf"\sqrt{{({point}, {point})}} = {right_side(distance)}" for point in points(vertices)),
-        uses=["3.0.4"],
-    )
+NAMED_IN_TABLE_10 = named.in_columns(named.TABLE_10)
 
-
-table_10 = (
-    row_of_table_10("T10.1", 591, "V_1, V_1'", r"d_1 = \sqrt{24\cos^2 a + 1}"),
-    row_of_table_10("T10.2", 592, "V_2, V_2', V_6, V_6'", r"d_2 = \sqrt{2\cos^2 a + 7}"),
-    row_of_table_10("T10.3", 593, "V_3, V_3', V_5, V_5'", r"d_3 = \sqrt{6\cos^2 a + 3}"),
-    row_of_table_10("T10.4", 594, "V_4, V_4'", r"d_4 = \sqrt{8\cos^2 a + 1}"),
-    row_of_table_10("T10.5", 595, "V_7, V_7'", r"d_5 = \sqrt{8\sin^2 a + 1}"),
-    row_of_table_10("T10.6", 596, "V_8, V_8', V_{11}, V_{11}'", r"d_6 = \sqrt{12\sin^2 a + 1}"),
-    row_of_table_10("T10.7", 597, "V_9, V_9', V_{10}, V_{10}'", r"d_7 = \sqrt{6\sin^2 a + 1}"),
+table_10 = tuple(
+    all_equally_far(five, f"T10.{row}", far, (*far.printed, far.distance), uses=["3.0.4"])
+    for row, far in enumerate(NAMED_IN_TABLE_10, 1)
 )
 
-FACES_OF_FIVE = (
-    "u, 1, 1, -1, v",
-    "u, v, 1, -1, -1",
-    "1, u, v, -1, -1",
-    "1, 1, u, v, -1",
-    "1, 1, 1, u, v",
-    "u, -1, v, -1, -1",
-    "1, u, -1, v, -1",
-    "1, 1, u, 1, v",
-    "u, 1, 1, v, 1",
-    "-1, u, 1, -1, v",
+vertices_of_table_10 = named.every_one_once(
+    "T10.0", of_five, NAMED_IN_TABLE_10, "Each vertex of P' is in the table, once.", five_of_six
 )
+
+FACES_OF_FIVE = named.faces(of_five)
 FIVE_WHEELS = Scope(five_of_six, partial(derivation.distances_of_faces_of_six, *FACES_OF_FIVE))
 
+_cells = named.in_columns(named.TABLE_11)
+MISSING_IN_TABLE_11 = "F_2, F_2', F_5, F_5'"  # what the cell should name that names F_2 and its opposite
+IN_TABLE_11 = (
+    _cells[0],
+    replace(_cells[1], labels=listing.labels(MISSING_IN_TABLE_11, _cells[1].line)),
+    named.together(_cells[2], _cells[4]),
+    named.together(_cells[3], _cells[5]),
+    _cells[6],
+    named.together(_cells[7], _cells[8]),
+)
+
+faces_of_table_11 = named.every_one_once(
+    "T11.0",
+    of_five,
+    IN_TABLE_11,
+    "Each face of P' is in the table, once, with F_5 and its opposite as T11.2 reads it.",
+    five_of_six,
+)
+
 table_11 = (
-    distance_of_faces(
-        FIVE_WHEELS,
-        "T11.1",
-        604,
-        r"\frac{7}{2}\sin 2a\sqrt{\frac{1}{4-3\sin^2 a}}",
-        1,
-        words="F_1 and its opposite.",
-    ),
+    distance_of_faces(FIVE_WHEELS, "T11.1", IN_TABLE_11[0]),
     distance_of_faces(
         FIVE_WHEELS,
         "T11.2",
-        604,
-        r"\frac{5}{2}\sin 2a\sqrt{\frac{3}{4-\sin^2 a}}",
-        *(2, 5),
-        words="F_2 and its opposite; F_5 is nowhere in the table.",
+        IN_TABLE_11[1],
+        words="; F_5 is nowhere in the table",
         damage=Damage(
-            "F_2, F_2', F_5, F_5'",
+            MISSING_IN_TABLE_11,
             reason="The table is to give the distance of each face, but has none for F_5 and F'_5, which are as far as F_2. The other faces "
             "across neighbouring edges, F_3 and F_4, and F_9 and F_10 share a cell of this column too; of cells that span two rows the "
             "digital text leaves one empty, and it may as well have dropped a row.",
@@ -728,38 +733,10 @@ table_11 = (
             origin=Origin.UNCERTAIN,
         ),
     ),
-    distance_of_faces(
-        FIVE_WHEELS,
-        "T11.3",
-        605,
-        r"3\sin 2a\sqrt{\frac{1}{4-3\sin^2 a}}",
-        *(6, 8),
-        words="F_6, F_8 and their opposites; the cell spans both rows.",
-    ),
-    distance_of_faces(
-        FIVE_WHEELS,
-        "T11.4",
-        605,
-        r"2\sin 2a\sqrt{\frac{3}{4-\sin^2 a}}",
-        *(3, 4),
-        words="F_3, F_4 and their opposites; the cell spans both rows.",
-    ),
-    distance_of_faces(
-        FIVE_WHEELS,
-        "T11.5",
-        607,
-        r"\frac{5}{2}\sin 2a\sqrt{\frac{1}{4-3\sin^2 a}}",
-        7,
-        words="F_7 and its opposite.",
-    ),
-    distance_of_faces(
-        FIVE_WHEELS,
-        "T11.6",
-        607,
-        r"\frac{3\sqrt{3}}{2}\sin a",
-        *(9, 10),
-        words="F_9, F_10 and their opposites; the cell spans both rows.",
-    ),
+    distance_of_faces(FIVE_WHEELS, "T11.3", IN_TABLE_11[2], words="; the cell spans both rows"),
+    distance_of_faces(FIVE_WHEELS, "T11.4", IN_TABLE_11[3], words="; the cell spans both rows"),
+    distance_of_faces(FIVE_WHEELS, "T11.5", IN_TABLE_11[4]),
+    distance_of_faces(FIVE_WHEELS, "T11.6", IN_TABLE_11[5], words="; the cell spans both rows"),
 )
 
 feet_of_perpendiculars_of_five = (
@@ -767,7 +744,7 @@ feet_of_perpendiculars_of_five = (
         "T11.7",
         604,
         FACES_OF_FIVE[0],
-        "These distances too are those of the planes. The foot of the perpendicular lies within F_1 for tg^2 a from 2/3 to 10.",
+        "The foot of the perpendicular lies within F_1 for tg^2 a from 2/3 to 10.",
         five_of_six,
         u=r"(2 \cos^2 a \leq 3 \sin^2 a \land \sin^2 a \leq 10 \cos^2 a)",
         v=r"(2 \cos^2 a \leq 3 \sin^2 a \land \sin^2 a \leq 10 \cos^2 a)",
@@ -810,6 +787,38 @@ feet_of_perpendiculars_of_five = (
     foot_within("T11.12", 607, FACES_OF_FIVE[8], "Within F_9, and so F_10, always.", five_of_six),
 )
 
+faces_of_table_11_as_far_as_their_planes = tuple(
+    as_far_as_its_plane(f"T11.{number}", far, FACES_OF_FIVE[far.indices[0] - 1], five_of_six, needs, at_72_degrees)
+    for number, far, (needs, at_72_degrees) in zip(
+        range(13, 19),
+        IN_TABLE_11,
+        (
+            (
+                angles(
+                    "tg^2 a lies between 2/3 and 10: a between 39.2 and 72.5 degrees",
+                    r"2 \cos^2 a \leq 3 \sin^2 a, \sin^2 a \leq 10 \cos^2 a",
+                ),
+                "",
+            ),
+            (
+                angles("tg^2 a = 2, where it is a corner: a is 54.7 degrees", r"\sin^2 a = 2 \cos^2 a"),
+                ", at 72 degrees 1.558 and not 1.447",
+            ),
+            (
+                angles("tg^2 a is 2 at most: a is 54.7 degrees or less", r"\sin^2 a \leq 2 \cos^2 a"),
+                ", at 72 degrees 1.868 and not 1.555",
+            ),
+            (angles("tg^2 a is 4/3 at least: a is 49.1 degrees or more", r"4 \cos^2 a \leq 3 \sin^2 a"), ""),
+            (
+                angles("tg^2 a is 6 at most: a is 67.8 degrees or less", r"\sin^2 a \leq 6 \cos^2 a"),
+                ", at 72 degrees 1.328 and not 1.296",
+            ),
+            (None, ""),
+        ),
+        strict=True,
+    )
+)
+
 # --- the closing comparison
 
 volume_left_by_one_of_four = ours(
@@ -822,16 +831,21 @@ volume_left_by_one_of_four = ours(
     notation=four_wheels,
 )
 
-less_sensitive_to_failure = six.claim(
+volume_left_by_one_of_six = six.ours(
+    "3.2.43",
+    610,
+    words="Of six wheels, one that fails leaves half of it.",
+    states=rf"{envelopes.volume(envelopes.SIX, 6)} = \frac{{1}}{{2}} \cdot {envelopes.volume(envelopes.SIX)}",
+    by=cases(),
+    uses=["3.0.4"],
+)
+
+less_sensitive_to_failure = exclusion(
     "3.2.19",
     610,
-    words="More wheels are less sensitive to a failure: of six wheels, one that fails leaves half of the volume, more than a quarter.",
-    states=(
-        rf"{envelopes.volume(envelopes.SIX, 6)} = \frac{{1}}{{2}} \cdot {envelopes.volume(envelopes.SIX)}",
-        r"\frac{1}{2} > \frac{1}{4}",
-    ),
-    by=cases(),
-    uses=["3.2.18"],
+    words="More wheels are less sensitive to a failure.",
+    reason="the paper prints no measure of sensitivity. All that we know of are in its favour: the volume left is a half, not a quarter "
+    "(3.2.18, 3.2.43), and a region similar to the whole that is left is 5/8, not a half, of its size (B.13, B.35)",
 )
 
 AROUND_FOUR = Hypothesis(
@@ -862,32 +876,46 @@ four_wheels_and_ellipsoids = ours(
     notation=four_wheels_and_ellipsoid,
 )
 
-SQUARES = r"\operatorname{diag}(16\sin^2 a, 16\sin^2 a, 36\cos^2 a)"
-RECIPROCALS = r"\operatorname{diag}(\frac{1}{16\sin^2 a}, \frac{1}{16\sin^2 a}, \frac{1}{36\cos^2 a})"
+
+def against_ellipsoid(vertex: int, axes: Sequence[str], order: str) -> str:
+    """The vertex lies on the ellipsoid with these semi-axes, squared ("="), or within it ("<")."""
+    entries = ", ".join(rf"\frac{{1}}{{{axis}}}" for axis in axes)
+    reciprocals = rf"\operatorname{{diag}}({entries})"
+    return rf"(\mathbf{{V}}_{{{vertex}}}, {reciprocals} \mathbf{{V}}_{{{vertex}}}) {order} 1"
 
 
-def against_ellipsoid(vertex: int, order: str) -> str:
-    """The vertex lies on the ellipsoid with the semi-axes 4 sin a, 4 sin a, 6 cos a ("="), or within it ("<")."""
-    return rf"(\mathbf{{V}}_{{{vertex}}}, {RECIPROCALS} \mathbf{{V}}_{{{vertex}}}) {order} 1"
-
-
-def around_ellipsoid(face: str, order: str) -> str:
-    """The plane of the face touches that ellipsoid, made smaller by the factor sqrt(27/43) ("="), or misses it ("<")."""
+def around_ellipsoid(face: str, axes: Sequence[str], ratio: str, order: str) -> str:
+    """The plane of the face touches that ellipsoid, made smaller by this ratio, squared ("="), or misses it ("<")."""
     places = face.split(", ")
     normal = " \\times ".join(rf"\mathbf{{e}}_{places.index(free) + 1}" for free in "uv")
     middle = f"[{face}]".replace("u", "0").replace("v", "0")
-    return rf"\frac{{27}}{{43}} ({normal}, {SQUARES} ({normal})) {order} ({normal}, {middle})^2"
+    squares = rf"\operatorname{{diag}}({', '.join(axes)})"
+    return rf"{ratio} ({normal}, {squares} ({normal})) {order} ({normal}, {middle})^2"
 
 
-nearer_to_an_ellipsoid = six.claim(
+nearer_to_an_ellipsoid = exclusion(
     "3.2.21",
     610,
-    words="More wheels come nearer to an ellipsoid: for six wheels lambda^2 = 27/43, more than 1/2, with the semi-axes 4 sin a, 4 sin a, "
-    "6 cos a (the other vertices and faces by sixth turns and opposites).",
+    words="More wheels have a region nearer to an ellipsoid.",
+    reason="the paper prints no measure of nearness, and the order depends on it. With the ellipsoid that suits each region best six "
+    "wheels are nearer: lambda = 0.792 against 0.707 (3.2.20, 3.2.44). With the ellipsoid that the paper itself asks for, (1.2) with "
+    "equal largest rates, and the moments of inertia and angles of sections 2.3 and 3.3, they are farther: 0.543 against 0.707 "
+    "(3.2.45, 3.2.46)",
+)
+
+BEST_OF_SIX, RATIO_OF_SIX = (r"16\sin^2 a", r"16\sin^2 a", r"36\cos^2 a"), r"\frac{27}{43}"
+
+six_wheels_and_the_best_ellipsoid = six.ours(
+    "3.2.44",
+    610,
+    words="With the ellipsoid that suits them six wheels are nearer: lambda^2 = 27/43, more than 1/2, with the semi-axes 4 sin a, "
+    "4 sin a, 6 cos a (the other vertices and faces by sixth turns and opposites).",
     states=(
-        *(against_ellipsoid(vertex, order) for vertex, order in ((1, "="), (2, "<"), (8, "<"), (14, "="))),
-        around_ellipsoid(FACES_OF_P[0], "="),
-        *(around_ellipsoid(face, "<") for face in (FACES_OF_P[6], FACES_OF_P[12])),
+        *(against_ellipsoid(vertex, BEST_OF_SIX, order) for vertex, order in ((1, "="), (2, "<"), (8, "<"), (14, "="))),
+        *(
+            around_ellipsoid(FACES_OF_P[face], BEST_OF_SIX, RATIO_OF_SIX, order)
+            for face, order in ((0, "="), (6, "<"), (12, "<"))
+        ),
         r"\frac{27}{43} > \frac{1}{2}",
     ),
     given=[real_pyramid],
@@ -898,6 +926,46 @@ nearer_to_an_ellipsoid = six.claim(
         "g": nonnegative(r"\frac{336}{43} \cos^2 a \sin^4 a"),
     },
     uses=["3.1.25", "3.2.20"],
+)
+
+TANGENT_3 = Hypothesis("tg a = 3", "the angle of section 3.3", r"\sin^2 a = 9 \cos^2 a")
+LEAST_AROUND_SIX = r"\frac{1953}{160000000}"  # (2 sqrt 3 sin a/1000)^2 + (2 sin a/1600)^2
+AS_MOMENTS = tuple(rf"{LEAST_AROUND_SIX} \cdot {moment}^2" for moment in (1000, 1600, 800))
+
+six_wheels_and_the_ellipsoid_asked_for = six.ours(
+    "3.2.45",
+    610,
+    words="With the ellipsoid (1.2) for equal largest rates w about all axes six wheels are farther from it than four: at tg a = 3 the "
+    "least one around P has w^2 = 1953/160000000 (the other vertices by reflections), the largest in P 9/2500000 (B.41, B.42), so that "
+    "lambda^2 is 64/217.",
+    states=(
+        *(against_ellipsoid(vertex, AS_MOMENTS, "=" if vertex == 14 else "<") for vertex in (1, 2, 3, 8, 10, 14, 15)),
+        rf"\frac{{9}}{{2500000}} = \frac{{64}}{{217}} \cdot {LEAST_AROUND_SIX}",
+        r"\frac{64}{217} < \frac{1}{2}",
+        r"\sqrt{\frac{64}{217}} \approx 0.543",
+    ),
+    given=[TANGENT_3],
+    by=cases(),
+    uses=["1.2", "3.2.46", "B.41", "B.42"],
+)
+
+BOX = (r"(4 \sin a \sin b)^2", r"(4 \sin a \cos b)^2", r"(4 \cos a)^2")
+
+four_wheels_and_the_ellipsoid_asked_for = ours(
+    "3.2.46",
+    610,
+    words="Four wheels reach the most that they can, lambda^2 = 1/2, with the semi-axes 4 sin a sin b, 4 sin a cos b, 4 cos a; at the "
+    "angles of section 2.3 they are as the moments of inertia, and this is the ellipsoid for equal largest rates (2.3.11).",
+    states=(
+        *(against_ellipsoid(vertex, BOX, order) for vertex, order in ((1, "="), (6, "="), (7, "="), (2, "<"))),
+        *(around_ellipsoid(face, BOX, r"\frac{1}{2}", "=") for face in ("1, 1, u, v", "u, 1, -1, v", "1, u, 1, v")),
+        r"\sqrt{\frac{1}{2}} \approx 0.707",
+        r"\sqrt{\frac{27}{43}} \approx 0.792",
+    ),
+    given=[real_pyramid, real_base],
+    by=cases(),
+    uses=["2.3.11", "3.2.20", "3.2.44"],
+    notation=four_wheels,
 )
 
 wider_control = exclusion(
@@ -985,7 +1053,7 @@ angle_a = craft.claim(
     r"a = \arctg 3 = 72^\circ",
     words="The angle a from it, rounded to whole degrees.",
     states=(r"\frac{4 \sin a}{J_y} = \frac{6 \cos a}{J_z} \Leftrightarrow a = \arctg 3", r"\arctg 3 \approx 72^\circ"),
-    given=[SPACECRAFT_MOMENTS, Hypothesis("a acute", "a is an acute angle", r"0 < a < \pi/2")],
+    given=[SPACECRAFT_MOMENTS, acute_a],
     by=cases(),
     uses=["3.2.24", "3.2.31"],
 )
@@ -1023,7 +1091,7 @@ better_turned_so = craft.claim(
         r"\frac{2\sqrt{3} \sin a}{1600} = \frac{6 \cos a}{800} \Leftrightarrow a = \arctg(2\sqrt{3})",
         r"\frac{2\sqrt{3} \sin(\arctg(2\sqrt{3}))}{1600} < \frac{4 \sin(\arctg 3)}{1600} < \frac{2\sqrt{3} \sin(\arctg 3)}{1000}",
     ),
-    given=[Hypothesis("a acute", "a is an acute angle", r"0 < a < \pi/2")],
+    given=[acute_a],
     by=cases(),
     uses=["3.2.26", "3.2.27", "3.2.33"],
 )

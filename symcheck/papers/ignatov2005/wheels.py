@@ -14,13 +14,26 @@ from itertools import combinations
 
 from symcheck.core.claims import Claim, Definition, Exclusion, Hypothesis, Ours, Premise
 from symcheck.papers.declare import Scope
-from symcheck.papers.ignatov2005 import derivation
+from symcheck.papers.ignatov2005 import derivation, envelopes, lists
 from symcheck.papers.ignatov2005.hypotheses import EACH, lost_pi, rhombi
 from symcheck.papers.ignatov2005.notation import five_of_six, four_wheels, six_wheels, three_of_four
+from symcheck.papers.ignatov2005.rows import Array
 from symcheck.proof import cases, identity
 from symcheck.reading import Notation
 
 AND = r" \land "
+OUTLINE = (
+    "No three axes lie in a plane, so that seen along any of the n axes the n - 1 others are not parallel: the outline has "
+    "2 (n - 1) corners, and each is an edge along that axis."
+)
+PAIRS = (
+    "No three of the n axes lie in a plane, so that each two span two opposite faces, on which the other wheels have the signs "
+    "of these triple products and of the opposite ones."
+)
+CORNERS = (
+    "As a combination of axes with the signs of the other momenta vanishes, no plane has all of them on one side; all that are "
+    "left are corners of faces, by the signs of the triple products"
+)
 ALONG = {"x": "({}, 0, 0)", "y": "(0, {}, 0)", "z": "(0, 0, {})"}  # a vector along an axis
 
 
@@ -29,10 +42,14 @@ class Wheels(Scope):
     """The first wheels of a pyramid, as a scope: their axes and H are in force.
 
     wheels  how many work
+    array   their axes in whole numbers
+    unit    of their triple products: a number, and what is positive for all angles of the range
     region  what the paper calls the region of their momenta: P, or P' if one wheel has failed
     """
 
     wheels: int
+    array: Array
+    unit: tuple[str, str]
     region: str
 
     @property
@@ -181,16 +198,6 @@ class Wheels(Scope):
     ) -> Definition:
         return self.definition(number, line, printed, words=f"V'_i lies opposite to V_i{words}", opaque=True)
 
-    def number_of_edges(self, number: str, line: int, simple: str) -> Claim:
-        n = self.wheels
-        return self.claim(
-            number,
-            line,
-            words=f"{self.region} has {2 * n * (n - 1)} edges.",
-            states=rf"2 \cdot {n} ({n} - 1) = {2 * n * (n - 1)}",
-            uses=[simple],
-        )
-
     def parameter_of_edges(self, number: str, line: int) -> Definition:
         return self.definition(
             number,
@@ -201,10 +208,63 @@ class Wheels(Scope):
             opaque=True,
         )
 
-    def number_of_faces(self, number: str, line: int, simple: str) -> Claim:
+    # --- how many there are
+
+    @property
+    def triple_products(self) -> str:
+        """Each triple product of the axes in positive units, for all angles of the range: their signs make P what it is."""
+        products = (
+            f"{product} = {value} \\cdot {' '.join(self.unit).strip()}"
+            for product, value in envelopes.triples(self.array.axes)
+        )
+        return AND.join((*products, f"{self.unit[-1]} > 0"))
+
+    @property
+    def on_no_side(self) -> str:
+        """Combinations of the axes that vanish, so that of other momenta +-1 than those of vertices no plane touches P."""
+        parts = self.array.no_others(self.array.envelope.combinatorics.vertices)
+        return "".join(part.states + AND for part in parts)
+
+    def counted(self, number: str, line: int, words: str, count: str, *uses: str) -> Claim:
+        """A number of vertices, edges or faces, from the triple products."""
+        states = f"{self.triple_products}{AND}{count}"
+        return self.claim(number, line, words=words, states=states, given=self.array.given, by=cases(), uses=uses)
+
+    def number_of_vertices(self, number: str, line: int, words: str, *uses: str) -> Claim:
+        every, found = 2**self.wheels, len(self.array.envelope.combinatorics.vertices)
+        return self.counted(
+            number,
+            line,
+            f"{self.region} has {found} vertices{words}",
+            f"{self.on_no_side}2^{self.wheels} - {every - found} = {found}",
+            *uses,
+        )
+
+    @property
+    def _edges(self) -> tuple[str, str]:
+        """How many edges there are, in words and as arithmetic."""
         n = self.wheels
-        words = f"{self.region} has {n * (n - 1)} faces."
-        return self.claim(number, line, words=words, states=f"{n} ({n} - 1) = {n * (n - 1)}", uses=[simple])
+        edges = 2 * n * (n - 1)
+        return f"{self.region} has {edges} edges. {OUTLINE}", rf"2 \cdot {n} ({n} - 1) = {edges}"
+
+    def number_of_edges(self, number: str, line: int, *uses: str) -> Claim:
+        return self.counted(number, line, *self._edges, *uses)
+
+    def edges_counted(self, number: str, line: int, *uses: str) -> Ours:
+        """The same where the paper says something else."""
+        words, count = self._edges
+        states = f"{self.triple_products}{AND}{count}"
+        return self.ours(number, line, words=words, states=states, given=self.array.given, by=cases(), uses=uses)
+
+    def number_of_faces(self, number: str, line: int, words: str, *uses: str) -> Claim:
+        n = self.wheels
+        return self.counted(
+            number,
+            line,
+            f"{self.region} has {n * (n - 1)} faces{words}. {PAIRS}",
+            f"{n} ({n} - 1) = {n * (n - 1)}",
+            *uses,
+        )
 
     def pairs_of_faces(self, number: str, line: int, printed: str) -> Definition:
         return self.definition(number, line, printed, words="F'_i lies opposite to F_i.", opaque=True)
@@ -315,14 +375,27 @@ four = Wheels(
     where=partial(derivation.momentum_of_wheels, 4),
     by=identity,
     wheels=4,
+    array=lists.four,
+    unit=("", r"\sin^2 a \cos a \sin b \cos b"),
     region="P",
 )
-three = replace(four, notation=three_of_four, where=partial(derivation.momentum_of_wheels, 3), wheels=3, region="P'")
+three = replace(
+    four,
+    notation=three_of_four,
+    where=partial(derivation.momentum_of_wheels, 3),
+    wheels=3,
+    array=lists.three,
+    region="P'",
+)
 six = Wheels(
     notation=six_wheels,
     where=partial(derivation.momentum_of_six, 6),
     by=identity,
     wheels=6,
+    array=lists.six,
+    unit=(r"\frac{\sqrt{3}}{4}", r"\sin^2 a \cos a"),
     region="P",
 )
-five = replace(six, notation=five_of_six, where=partial(derivation.momentum_of_six, 5), wheels=5, region="P'")
+five = replace(
+    six, notation=five_of_six, where=partial(derivation.momentum_of_six, 5), wheels=5, array=lists.five, region="P'"
+)

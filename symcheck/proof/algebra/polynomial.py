@@ -384,19 +384,6 @@ class Ring:
             terms[tuple(moved)] = coefficient
         return self.context.from_dict(terms)
 
-    def text(self, text: str) -> Poly:
-        """A polynomial as it is printed."""
-        total = self.number(0)
-        for term in text.replace(" - ", " + -").split(" + "):
-            product = self.number(-1 if term.startswith("-") else 1)
-            for factor in term.removeprefix("-").split("*"):
-                name, _, exponent = factor.partition("^")
-                product *= (
-                    self.number(Fraction(factor)) if factor[0].isdigit() else self.generator[name] ** int(exponent or 1)
-                )
-            total += product
-        return total
-
     def difference(self, relation: Formula) -> Poly:
         """The numerator of left - right of a relation."""
         return self.subtract(relation[1], relation[2]).num

@@ -17,7 +17,7 @@ from symcheck.core.problems import Problem
 from symcheck.core.terms import PI, RELATIONS, Connective, Formula, Node, Term, Value, node
 from symcheck.proof.algebra.facts import NOTHING, Assumed, Hypothesis, Positive, Signed
 from symcheck.proof.algebra.forms import number_term
-from symcheck.proof.algebra.knowledge import stated
+from symcheck.proof.algebra.knowledge import ORDERS, stated
 from symcheck.proof.algebra.polynomial import Unsupported, constant, subterms, unfold
 from symcheck.proof.rules.absurd import Absurd
 from symcheck.proof.rules.each import Each
@@ -180,7 +180,7 @@ def prove_numbers(problem: Problem) -> Proof | None:
 
 def order_of_numbers(goal: Formula, definitions: Mapping[str, Term]) -> Step | None:
     """The proof of an order of numbers inside a larger proof, or None."""
-    if goal.tag not in ("<", "<=", ">", ">="):
+    if goal.tag not in ORDERS:
         return None
     proof = prove_numbers(Problem("", goal, tuple(definitions.items())))
     return None if proof is None else proof.step.step

@@ -19,7 +19,7 @@ from symcheck.core.problems import Candidate, Problem
 from symcheck.core.terms import PI, RELATIONS, Formula, Node, Quantified, Term, Value, mapped, node
 from symcheck.proof.algebra.flint import Poly, Rational, by_powers, fraction, occurring, rational
 from symcheck.proof.algebra.forms import number_term, term_of
-from symcheck.proof.algebra.knowledge import ring_of, stated
+from symcheck.proof.algebra.knowledge import formulas_of, ring_of, stated
 from symcheck.proof.algebra.polynomial import (
     Ratio,
     Ring,
@@ -27,20 +27,20 @@ from symcheck.proof.algebra.polynomial import (
     alone,
     number_of,
     square_free,
+    subterms,
     unfold,
     variables,
     with_arguments,
 )
 from symcheck.proof.algebra.variables import atoms, circle, cosine, prime, sine, table
 from symcheck.proof.rules.compute import Point
-from symcheck.proof.rules.proof import Proof
+from symcheck.proof.rules.proof import Prover
 from symcheck.proof.rules.step import Step
 from symcheck.proof.search.angle_points import refute_about_angles
 from symcheck.proof.search.number_points import refute_at, refute_at_some, refute_numbers
 from symcheck.proof.search.theorem_search import values_of
 
 Assignment = dict[str, Poly]
-Prover = Callable[[Problem], Proof | None]
 Rows = Sequence[Sequence[Term | Fraction]]
 ZERO = rational(0)
 TRIES = 400
@@ -106,17 +106,13 @@ def failing(problem: Problem) -> Callable[[Mapping[str, int]], bool] | None:
 
 def _point(problem: Problem, prove: Prover) -> Point | None:
     claim = problem.claim
-    if _quantified(claim):
+    if any(isinstance(part, Quantified) for part in subterms(claim)):
         return None
     if claim[0] == "<=>":
         directions = [node("=>", claim[1], claim[2]), node("=>", claim[2], claim[1])]
         points = (Search(problem, direction, prove).run() for direction in directions)
         return next((point for point in points if point), None)
     return Search(problem, claim, prove).run()
-
-
-def _quantified(formula: Formula) -> bool:
-    return isinstance(formula, Quantified) or any(map(_quantified, formula.formulas))
 
 
 @dataclass(frozen=True)
@@ -457,7 +453,7 @@ class Search:
 
     def _display(self, point: Assignment) -> Point:
         claim = self.problem.claim
-        needed = self._needed_names(claim)
+        needed = self._needed_names()
         known = {name: self._written(self._reduce(p)) for name, p in point.items() if name in needed - atoms().keys()}
         values = {name: value for name, value in known.items() if circle(name) is None}
         values |= {x: angle_of(known[cosine(x)], known[sine(x)]) for _, x in filter(None, map(circle, known))}
@@ -467,20 +463,14 @@ class Search:
         called: dict[Term, Term] = {place: self._written(value) for place, value in self._called(point)}
         return Point(values, tuple(sides), tuple(called.items()), tuple(self.settled))
 
-    def _needed_names(self, claim: Formula) -> set[str]:
+    def _needed_names(self) -> set[str]:
         definitions = self.ring.definitions
-        nodes = [claim, *(formula for _, formula in stated(self.problem))]
-        return with_arguments(set().union(*(variables(unfold(tree, definitions)) for tree in nodes)))
+        return with_arguments(variables(*(unfold(formula, definitions) for formula in formulas_of(self.problem))))
 
     def _mentioned(self) -> set[str]:
-        """The free letters of what is stated, also of those whose value depends on them in name only."""
-        names = set[str]()
-        trees: list[Term] = [self.problem.claim, *self.formulas]
-        for tree in trees:
-            new = letters(tree) - names
-            names |= new
-            trees += [self.ring.definitions[name] for name in sorted(new & self.ring.definitions.keys())]
-        return names - self.ring.definitions.keys()
+        """The free letters of what is stated, also those whose value changes nothing."""
+        stated = self.problem.claim, *self.formulas
+        return set().union(*(letters(unfold(formula, self.ring.definitions)) for formula in stated))
 
     def _written_side(self, side: Term, point: Assignment) -> Term:
         """The value of a side; pi may stand in its denominator."""

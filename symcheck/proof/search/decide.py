@@ -12,7 +12,7 @@ from symcheck.core.verdicts import Verdict
 from symcheck.proof.algebra.facts import Grounds
 from symcheck.proof.algebra.flint import Poly
 from symcheck.proof.algebra.forms import form_on_the_circle
-from symcheck.proof.algebra.knowledge import Knowledge, hypotheses_of, ring_of, starting, stated
+from symcheck.proof.algebra.knowledge import Knowledge, formulas_of, hypotheses_of, ring_of, starting, stated
 from symcheck.proof.algebra.polynomial import Ring, Unsupported, function_arguments, unfold, variables
 from symcheck.proof.algebra.printed import term_of_text
 from symcheck.proof.algebra.variables import atoms, prime, table
@@ -92,8 +92,7 @@ def _completed(problem: Problem, ring: Ring, step: Step) -> Proof | None:
     positive: list[Term] = []
     own = [unfold(term, ring.definitions) for term in mentioned(step, ring.definitions)]
     if ring.divisors or own or atoms().keys() & set(ring.names):
-        formulas = [problem.claim, *(formula for _, formula in stated(problem))]
-        own += [unfold(side, ring.definitions) for formula in formulas for side in _sides(formula)]
+        own += [unfold(side, ring.definitions) for formula in formulas_of(problem) for side in _sides(formula)]
         inner = [t for term in own for bodies in (True, False) for t in function_arguments(term, bodies)]
         names = set(ring.names).union(*map(variables, [*own, *inner]))
         known, before = starting(problem, Ring(names, ring.definitions)), -1
@@ -153,7 +152,7 @@ def _positive(top: Poly, below: tuple[str, ...], known: Knowledge) -> Term | Non
     for variable, axiom in known.ring.axioms().items():
         top = divmod(top, axiom)[1] if prime(variable) else top  # a root squared is a number
     form = form_on_the_circle(top, known) or form_on_the_circle(-top, known)
-    bottoms = [form_on_the_circle(known.ring.text(text), known) for text in below]
+    bottoms = [form_on_the_circle(known.ring.poly(term_of_text(text)), known) for text in below]
     known_bottoms = [bottom for bottom in bottoms if bottom is not None]
     if form is None or len(known_bottoms) < len(bottoms):
         return None

@@ -19,7 +19,7 @@ from symcheck.proof.search import decide as deciding
 from symcheck.proof.search.decide import decide
 from symcheck.proof.search.splitting import prove
 from symcheck.proof.search.wellformed import checked
-from symcheck.proof.search.witnesses import FALSE
+from symcheck.proof.search.witnesses import ZERO_IS_ONE
 
 
 def _decide(problem: Problem) -> Outcome:
@@ -58,7 +58,7 @@ def whole_proof(problem: Problem) -> Proof | None:
         try:
             problem = checked(problem)
             proof = deciding.prove(problem, prove)
-            if proof is None or problem.claim == FALSE:
+            if proof is None or problem.claim == ZERO_IS_ONE:
                 return proof
             return deciding.with_witnesses(problem, proof, prove)
         except (Unsupported, RecursionError, ArithmeticError, ValueError):

@@ -23,6 +23,7 @@ from symcheck.core.terms import (
     mapped,
     node,
 )
+from symcheck.proof.algebra.knowledge import formulas_of
 from symcheck.proof.algebra.variables import CONSTANTS, Unsupported, table
 
 MAX_DEPTH = 200  # of a term: what walks through it is recursive
@@ -46,8 +47,7 @@ def checked(problem: Problem) -> Problem:
 def _apart(problem: Problem) -> Problem:
     """The same problem with other letters bound where one is also free: the search tells letters by their names."""
     defined = dict(problem.definitions)
-    stated = [problem.claim, *(f for _, formulas in problem.hypotheses for f in formulas), *defined.values()]
-    free = set().union(*map(letters, stated), defined)
+    free = set().union(*map(letters, (*formulas_of(problem), *defined.values())), defined)
 
     def renamed(tree: T) -> T:
         if not isinstance(tree, Node):

@@ -7,7 +7,7 @@ A witness is a counterexample to "0 = 1", and is found as one: its form is that 
 from __future__ import annotations
 
 import random
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from fractions import Fraction
 
@@ -21,11 +21,11 @@ from symcheck.proof.algebra.knowledge import stated
 from symcheck.proof.algebra.polynomial import alone, subterms, unfold, with_arguments
 from symcheck.proof.algebra.variables import Unsupported, atoms, circle, cosine, sine
 from symcheck.proof.rules.compute import Point
-from symcheck.proof.rules.proof import Proof
+from symcheck.proof.rules.proof import Prover
 from symcheck.proof.search.counterexample import Assignment, Search, refute
 from symcheck.proof.search.number_points import TRIED, refute_at_first
 
-FALSE: Formula = node("=", 0, 1)
+ZERO_IS_ONE: Formula = node("=", 0, 1)
 DRAWS = 3000
 TRIALS = 60
 _ARCS = ("arctan", "arcsin", "arccos")
@@ -39,7 +39,6 @@ VALUES: Pool = (
 )
 POSITIVE = tuple(value for value in VALUES if value > 0)
 POOLS: tuple[Pool, ...] = (VALUES[:2], VALUES[:4], VALUES, POSITIVE, (0, 0, 0, 1, -1))
-Prover = Callable[[Problem], Proof | None]
 Definitions = tuple[tuple[str, Term], ...]
 
 
@@ -50,7 +49,7 @@ def implications(claim: Formula) -> list[Formula]:
     """
     found: list[Formula] = []
     for part in conjuncts(claim):
-        if part.tag == "=>" and part.formulas[1] not in (FALSE, node("or")):
+        if part.tag == "=>" and part.formulas[1] not in (ZERO_IS_ONE, node("or")):
             premise, conclusion = part.formulas
             found += [node("and", premise, further) for further in implications(conclusion)] or [premise]
     return found
@@ -154,7 +153,7 @@ _FOUND: dict[tuple[Definitions, tuple[Formula, ...]], Point | None] = {}  # the 
 def _search(definitions: Definitions, said: tuple[Formula, ...], prove: Prover) -> Point | None:
     key = definitions, said
     if key not in _FOUND:
-        problem = Problem("witness", FALSE, definitions, (("said", said),))
+        problem = Problem("witness", ZERO_IS_ONE, definitions, (("said", said),))
         with alone(problem):
             point = _by_digits(problem) or refute(problem, prove) or _drawn(problem, prove)
         _FOUND[key] = point and point.where()
@@ -178,7 +177,7 @@ def _by_digits(problem: Problem) -> Point | None:
 
 def _drawn(problem: Problem, prove: Prover) -> Point | None:
     try:
-        return _Draws(problem, FALSE, prove).run()
+        return _Draws(problem, ZERO_IS_ONE, prove).run()
     except Unsupported:
         return None
 
