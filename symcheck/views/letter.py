@@ -322,12 +322,12 @@ def _latex_lines(found: Letter) -> Iterator[str]:
 STYLE = """@page{size:A4;margin:22mm}
 body{font:11pt/1.45 Georgia,'Times New Roman',serif;max-width:46em;margin:2em auto;padding:0 1em;color:#111}
 h1{font-size:1.35em}h2{font-size:1.1em;margin-top:2em}li{margin:0 0 1.2em;break-inside:avoid}
-p{margin:.3em 0}.display{display:block;overflow-x:auto;margin:.4em 0}
+p{margin:.3em 0}.display{display:block;overflow-x:auto;overflow-y:hidden;padding:.3em 0}
 details{font-size:.88em;color:#333}summary{cursor:pointer}
 table{border-collapse:collapse;font-size:.85em}
 th,td{border-top:1px solid #999;padding:.3em .5em;text-align:left;vertical-align:top}
 thead{display:table-header-group}tr{break-inside:avoid}
-@media print{body{margin:0;max-width:none}
+@media print{body{margin:0;max-width:none}.display{overflow:visible;font-size:.85em}
 details::details-content{content-visibility:visible;display:block}summary{list-style:none}}"""
 
 
