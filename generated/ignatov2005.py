@@ -1843,10 +1843,10 @@ def vertex_distances_of_three_wheels(a, b):
         ),
         ulp=4,
         claims={
-            'ignatov2005:3.1.28': 'e71ba0437140',
-            'ignatov2005:3.1.29': '4ac033d3c789',
-            'ignatov2005:3.1.30': 'fe3592006e51',
-            'ignatov2005:3.1.31': '7c03028b454b',
+            'ignatov2005:3.1.28': '12102fa02278',
+            'ignatov2005:3.1.29': '05d47c77242f',
+            'ignatov2005:3.1.30': 'dc0a623feb52',
+            'ignatov2005:3.1.31': '196586fd34c2',
         },
         forms='28df6e492d9b',
     ),
@@ -1886,8 +1886,8 @@ def vertex_distances_of_six_wheels(a):
     Arguments broadcast. Floats give floats; arrays give float64, or float32 if all of them are. NaN inputs give
     NaN outputs. A ValueError names what does not broadcast, and an `out` that does not fit.
 
-    Rests on ignatov2005:3.1.28 (sha256 e71ba0437140), ignatov2005:3.1.29 (sha256 4ac033d3c789),
-    ignatov2005:3.1.30 (sha256 fe3592006e51), ignatov2005:3.1.31 (sha256 7c03028b454b). The forms computed are
+    Rests on ignatov2005:3.1.28 (sha256 12102fa02278), ignatov2005:3.1.29 (sha256 05d47c77242f),
+    ignatov2005:3.1.30 (sha256 dc0a623feb52), ignatov2005:3.1.31 (sha256 196586fd34c2). The forms computed are
     proved equal to those shown (sha256 28df6e492d9b).
 
     Examples
@@ -1922,13 +1922,13 @@ def vertex_distances_of_six_wheels(a):
         ),
         ulp=4,
         claims={
-            'ignatov2005:T10.1': 'f45e8ab16ef4',
-            'ignatov2005:T10.2': '9e4d6842df20',
-            'ignatov2005:T10.3': '2e5029d9e5c6',
-            'ignatov2005:T10.4': 'f206aa25b0fb',
-            'ignatov2005:T10.5': 'f27ebbf77876',
-            'ignatov2005:T10.6': '34d539ede60a',
-            'ignatov2005:T10.7': 'e6db3e604cb0',
+            'ignatov2005:T10.1': 'a66d84adc0ff',
+            'ignatov2005:T10.2': '77030a88722f',
+            'ignatov2005:T10.3': '38b313e59b78',
+            'ignatov2005:T10.4': '64c442074569',
+            'ignatov2005:T10.5': 'aefc26a40abb',
+            'ignatov2005:T10.6': 'd2b1bc5ab521',
+            'ignatov2005:T10.7': '1ce2e65fcc46',
         },
         forms='7c6a4367933f',
     ),
@@ -1977,9 +1977,9 @@ def vertex_distances_of_five_wheels(a):
     Arguments broadcast. Floats give floats; arrays give float64, or float32 if all of them are. NaN inputs give
     NaN outputs. A ValueError names what does not broadcast, and an `out` that does not fit.
 
-    Rests on ignatov2005:T10.1 (sha256 f45e8ab16ef4), ignatov2005:T10.2 (sha256 9e4d6842df20), ignatov2005:T10.3
-    (sha256 2e5029d9e5c6), ignatov2005:T10.4 (sha256 f206aa25b0fb), ignatov2005:T10.5 (sha256 f27ebbf77876),
-    ignatov2005:T10.6 (sha256 34d539ede60a), ignatov2005:T10.7 (sha256 e6db3e604cb0). The forms computed are
+    Rests on ignatov2005:T10.1 (sha256 a66d84adc0ff), ignatov2005:T10.2 (sha256 77030a88722f), ignatov2005:T10.3
+    (sha256 38b313e59b78), ignatov2005:T10.4 (sha256 64c442074569), ignatov2005:T10.5 (sha256 aefc26a40abb),
+    ignatov2005:T10.6 (sha256 d2b1bc5ab521), ignatov2005:T10.7 (sha256 1ce2e65fcc46). The forms computed are
     proved equal to those shown (sha256 7c6a4367933f).
 
     Examples
@@ -2972,7 +2972,7 @@ def best_angles_of_four_wheels(J_x, J_y, J_z):
         claims={
             'ignatov2005:B.38': 'a94786f889f4',
             'ignatov2005:B.39': '7f57aa82a899',
-            'ignatov2005:B.40': 'f4e5814fc21d',
+            'ignatov2005:B.40': 'cc848f2c1c52',
         },
     ),
 )
@@ -3010,7 +3010,7 @@ def best_angle_of_six_wheels(J_y, J_z):
     NaN outputs. A ValueError names what does not broadcast, and an `out` that does not fit.
 
     Rests on ignatov2005:B.38 (sha256 a94786f889f4), ignatov2005:B.39 (sha256 7f57aa82a899), ignatov2005:B.40
-    (sha256 f4e5814fc21d).
+    (sha256 cc848f2c1c52).
 
     Examples
     --------

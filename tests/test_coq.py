@@ -18,14 +18,15 @@ from symcheck.coq import compile as compiler
 from symcheck.coq.claims import Claim
 from symcheck.coq.comparison import Point, differences
 from symcheck.coq.confirmed import record_all, recorded
-from symcheck.coq.files import files
+from symcheck.coq.files import OURS, files
 from symcheck.coq.printing import printed
 from symcheck.coq.reader import CLAIM, claims, formula
 from symcheck.coq.script import script
 from symcheck.coq.statements import statement as stated
 from symcheck.coq.terms import NotExported, polynomial
 from symcheck.coq.theorems import CONGRUENCE, UNSTATED, identifier, statement
-from symcheck.coq.witnesses import HEAD, NONE, circle, witnesses
+from symcheck.coq.values import QUARTER, turns
+from symcheck.coq.witnesses import HEAD, NONE, angles_only, circle, near, witnesses
 from symcheck.core.problems import Problem
 from symcheck.core.terms import Reader as Terms
 from symcheck.core.terms import Term, node
@@ -248,6 +249,29 @@ def test_an_angle_at_a_point_has_a_sine_and_a_cosine(angle: Any, sine: Any, cosi
     assert circle(read(angle)) == (read(sine), read(cosine))
 
 
+def test_an_angle_in_radians_is_replaced_by_one_close_by_with_fractions() -> None:
+    close = near(1)
+    assert close is not None
+    assert circle(close) == (node("/", 132, 157), node("/", 85, 157))
+    assert near("a") is None
+    assert near(node("sqrt", 2)) is None
+    for given, angles in (([[">", ["sin", "a"], 0]], {"a"}), ([[">", ["sin", "a"], 0], ["<", "a", 3]], set())):
+        claim = {"definitions": [], "hypotheses": {"given": given}, "claim": ["=", "a", "a"], "proof": {}}
+        assert angles_only(stated(claim)) == angles
+
+
+def test_quarter_turns_of_an_angle_are_counted() -> None:
+    pi = node("pi")
+    for angle, parts in (
+        (node("+", pi, node("-", "a")), {"a": -1, QUARTER: 2}),
+        (node("+", node("*", 2, "a"), node("/", pi, 2)), {"a": 2, QUARTER: 1}),
+    ):
+        whole, rest = turns(angle)
+        assert dict(whole) == parts
+        assert rest == 0
+    assert turns(node("*", 5, pi)) == ([], node("*", 5, pi))
+
+
 @pytest.mark.parametrize(
     ("values", "reason"),
     [({"x": 1, "y": 2}, None), ({"x": 1}, NONE), ({"x": 1, "y": ["*", 2, "z"]}, NONE), (None, NONE)],
@@ -361,7 +385,7 @@ def test_a_flipped_sign_does_not_compile(folder: Path, exported: dict[str, str])
     wrong = [name for name in names if claims(changed)[name] != claims(kept)[name]]
     assert len(wrong) >= 10
     failed: dict[str, str] = {}
-    for file in ("Symcheck.v", "Digits.v"):
+    for file in OURS:
         assert list(compiler.checked(folder, file, failed))
     claims_file.write_text(changed, encoding="utf-8")
     assert list(compiler.checked(folder, "mirer2009/Claims.v", failed))

@@ -28,6 +28,7 @@ def test_the_errors_of_the_paper_are_these() -> None:
         "2.3.2": "dots lost",
         "2.4.3": "bracket too long",
         "2.4.4": "wrong sign",
+        "3.2.8": "missing hypothesis",
         "4.0.10": "wrong number",
         "4.0.27": "missing hypothesis",
     }

@@ -129,6 +129,13 @@ def test_a_displayed_point_is_small() -> None:
     assert len(point["shown"]) == 2
 
 
+def test_a_point_gives_no_value_to_a_letter_that_is_bound_where_its_definition_is_used() -> None:
+    wave = node("*", "c", node("cos", "x"))
+    made = evidence(Problem("bound", eq(node("mean", mul("f", "f"), "x"), "a"), (("f", wave),)))
+    assert made["point"]["values"].keys() == {"a", "c"}
+    assert reason(made) is None
+
+
 def test_equal_moments_without_principal_axes_are_found_in_roots() -> None:
     point = evidence(BY_ID["left equality for equal moments"])["point"]
     assert any("sqrt" in str(value) for value in point["values"].values())

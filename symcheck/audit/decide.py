@@ -17,6 +17,7 @@ from symcheck.core.claims import Assertion, Erratum, Hypothesis
 from symcheck.core.ids import Id
 from symcheck.core.verdicts import Origin, Reading, Role
 from symcheck.ledger.record import Record
+from symcheck.papers.places import places
 from symcheck.reading import read, to_latex
 
 __all__ = ["decide", "expand", "fingerprint", "weigh"]
@@ -63,6 +64,7 @@ def _base(obligation: Obligation) -> Record:
         name=item.name,
         printed="\n".join(item.source.printed),
         words=item.source.words,
+        place=_place(paper.key, item.number),
         reason=item.reason,
         uses=tuple(str(Id.of(paper.key, place)) for place in item.uses),
         used_by=users(paper.key).get(item.number, ()),
@@ -71,6 +73,11 @@ def _base(obligation: Obligation) -> Record:
         return record
     reading = Reading.MISPRINT if damage.origin is Origin.PAPER else Reading.DAMAGED
     return replace(record, reading=reading, kind=damage.kind, origin=damage.origin, corrected=damage.read_as)
+
+
+def _place(key: str, number: str) -> str:
+    found = places(key).get(number)
+    return f"line {found.line}: {found}" if found else ""
 
 
 def _claimed(context: Context, base: Record) -> Iterator[Record]:

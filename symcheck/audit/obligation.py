@@ -15,6 +15,7 @@ from symcheck.core.claims import Assertion, Declaration, Definition, Paper, Sect
 from symcheck.core.ids import Id
 from symcheck.core.problems import Method
 from symcheck.core.verdicts import SymcheckError
+from symcheck.papers.places import places
 from symcheck.reading import Notation
 
 LIBRARIES = ("sympy", "python-flint", "lark")
@@ -114,5 +115,6 @@ def _paper_context(key: str) -> str:
 
 def fingerprint(obligation: Obligation) -> str:
     """Hash of all a result depends on: declaration, notation, definitions, lemmas, our sources, library versions."""
-    text = _content(obligation.item) + _paper_context(obligation.paper.key)
+    key = obligation.paper.key
+    text = _content(obligation.item) + str(places(key).get(obligation.item.number)) + _paper_context(key)
     return hashlib.sha256(text.encode()).hexdigest()

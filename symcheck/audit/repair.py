@@ -43,6 +43,8 @@ def corrected(context: Context, unit: Unit, erratum: Erratum, printed: Finding) 
         unique=None if repairs is None else len(repairs) == 1,
         empty=_is_empty(printed),
         row=bool(erratum.shown),
+        summary=erratum.summary,
+        instead=erratum.instead,
     )
 
 

@@ -11,13 +11,12 @@ from symcheck.coq.assumptions import State
 from symcheck.coq.printing import ATOM, name, spelled
 from symcheck.coq.signs import not_zero, positive, sign
 from symcheck.coq.terms import NotExported, denominators, factors, fraction, product, subterms
-from symcheck.coq.values import number, quotient, ratio, shown_ratio, turns, value
+from symcheck.coq.values import QUARTER, number, quotient, ratio, shown_ratio, turns, value
 from symcheck.core.calculus import derivative, differentiated, letters
 from symcheck.core.terms import Binder, Node, Term, Value, node
 
 OPAQUE = ("sqrt", "pow", "exp", "log", "gamma", "arctan", "arcsin", "arccos")
 ARITHMETIC = ("+", "*", "-", "/", "^", "pi")
-QUARTER = node("/", node("pi"), 2)
 
 
 def function_terms(state: State, spoken: Iterable[Term]) -> Iterator[Node]:
@@ -49,10 +48,11 @@ def add_facts(state: State, spoken: Iterable[Term]) -> None:
 def _add_angle(state: State, shown: str, angle: Term) -> None:
     """sin^2 + cos^2 = 1, values at a quarter turn; of a sum the addition theorems."""
     counts, rest = turns(angle)
-    if isinstance(angle, str) or (rest != 0 and not counts):
-        state.hint(f"(circle {shown})")
-        for function in ("cos", "sin") if ratio(angle, QUARTER) == 1 else ():
+    if quarter := ratio(angle, QUARTER) == 1:
+        for function in ("cos", "sin"):
             state.hint(f"(eq_trans (f_equal {function} (ltac:(field) : {shown} = PI / 2)) {function}_PI2)")
+    if quarter or isinstance(angle, str) or (rest != 0 and not counts):
+        state.hint(f"(circle {shown})")
         return
     parts: list[Term] = [x if n > 0 else node("-", x) for x, n in counts for _ in range(abs(n))]
     parts += [rest] if rest != 0 else []

@@ -9,6 +9,9 @@ from symcheck.checker.residues import PRIME, inverse, rational
 from symcheck.coq.printing import ATOM, spelled
 from symcheck.core.terms import Term, node
 
+QUARTER = node("/", node("pi"), 2)
+MAX_QUARTERS = 8  # two turns: each quarter is one use of the addition theorems
+
 
 def value(term: Term) -> int:
     """The value of a term at the point of the checker's algebra."""
@@ -37,12 +40,12 @@ def shown_ratio(q: Fraction) -> str:
     return spelled(quotient(q), ATOM)
 
 
-def turns(angle: Term) -> tuple[list[tuple[str, int]], Term]:
-    """An angle as whole multiples of letters and a rest."""
+def turns(angle: Term) -> tuple[list[tuple[Term, int]], Term]:
+    """An angle as whole multiples of letters and of a quarter turn, and a rest."""
     total: dict[Key, int] = {}
     for key, residue in Algebra({}).angles(angle, 1):
         total[key] = total.get(key, 0) + residue
-    whole, rest = list[tuple[str, int]](), list[Term]()
+    whole, rest = list[tuple[Term, int]](), list[Term]()
     for key, residue in total.items():
         if (times := number(residue)) is None:
             return [], angle
@@ -51,6 +54,8 @@ def turns(angle: Term) -> tuple[list[tuple[str, int]], Term]:
                 whole += [(x, int(times))] if times else []
             case "letter", str(x):
                 rest.append(node("*", quotient(times), x))
+            case ("pi",) if 0 < abs(2 * times) <= MAX_QUARTERS and (2 * times).denominator == 1:
+                whole.append((QUARTER, int(2 * times)))
             case ("pi",):
                 rest += [node("*", quotient(times), node("pi"))] if times else []
             case "number", int(own) if known := number(own):

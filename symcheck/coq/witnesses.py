@@ -4,19 +4,23 @@ a case."""
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
+from fractions import Fraction
+from math import tan
 
+from symcheck.checker.algebra import exact
 from symcheck.coq.claims import Claim
 from symcheck.coq.printing import ATOM, name, spelled
 from symcheck.coq.statements import Statement
 from symcheck.coq.values import number, quotient, value
 from symcheck.core.calculus import letters, substituted
-from symcheck.core.terms import Reader, Term, Value, node
+from symcheck.core.terms import Node, Reader, Term, Value, mapped, node
 
 HEAD = """Require Import Reals Lra.
 From Coquelicot Require Import Coquelicot.
 Require Import Symcheck.Symcheck.
 Open Scope R_scope.
 """
+MAX_DENOMINATOR = 20  # of the tangent of half the angle: close enough for inequalities, small enough for `nra`
 NONE = "no certificate has a point that satisfies the hypotheses"
 FUNCTIONS = "a certificate tells some values of an unknown function, and no function that has them"
 
@@ -66,11 +70,36 @@ def proofs(claim: Claim) -> Iterator[str]:
         return
     for point in claim.certificate.get("witnesses", ()):
         values = {x: Reader().term(data) for x, data in point["values"].items()}
+        values |= {x: close for x in angles_only(statement) & {*values} if (close := near(values[x]))}
         angles = {x: circular for x, number in values.items() if (circular := circle(number))}
         values |= {x: x for x in angles}
         terms = {x: substituted(statement.definitions.unfolded(x), values) for x in needed(statement)}
         if letters(node("+", *terms.values())) <= angles.keys():
             yield script(terms, {x: angles[x] for x in terms if x in angles})
+
+
+def angles_only(statement: Statement) -> set[str]:
+    """The letters of the hypotheses that stand in sines and cosines of themselves alone."""
+
+    def rest(tree: Term) -> Term:
+        match tree:
+            case Value(tag="sin" | "cos", terms=(str(),)):
+                return 0
+            case Node():
+                return mapped(tree, rest)
+        return tree
+
+    spoken = [formula for _, formula in statement.hypotheses] + statement.divided
+    return {*needed(statement)} - letters(rest(statement.definitions.unfolded(node("and", *spoken))))
+
+
+def near(angle: Term) -> Term | None:
+    """For an angle in radians, whose sine Coq does not work out, one close by whose sine and cosine are fractions."""
+    size = number(value(angle)) if exact(angle, roots=False) else None
+    if size is None:
+        return None
+    half = Fraction(tan(size / 2)).limit_denominator(MAX_DENOMINATOR)
+    return node("*", 2, node("arctan", quotient(half)))
 
 
 def circle(angle: Term) -> tuple[Term, Term] | None:

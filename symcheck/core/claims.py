@@ -84,6 +84,11 @@ class Erratum:
         What to print instead, where that is more than the statement: a whole row of a list.
     needs
         Hypotheses that the paper forgot.
+    summary
+        One sentence for the authors: what is wrong and what is right, with formulas between dollar signs. Without it
+        the first sentence of the reason.
+    instead
+        What to print instead, for the authors, where `corrected` is not written as the paper is.
     """
 
     corrected: str
@@ -93,6 +98,8 @@ class Erratum:
     forms: tuple[str, ...] = ()
     shown: str = ""
     needs: tuple[Hypothesis, ...] = ()
+    summary: str = ""
+    instead: str = ""
 
 
 @dataclass(frozen=True)

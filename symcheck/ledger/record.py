@@ -79,6 +79,8 @@ class Correction(_Part, frozen=True):
     unique: bool | None
     empty: bool  # true as printed, but it says nothing
     row: bool  # of a list row or a table cell, whose correction is the whole row
+    summary: str = ""  # one sentence for the authors
+    instead: str = ""  # what to print instead, for the authors
     later: tuple[Later, ...] | UnsetType = UNSET
 
 
@@ -95,6 +97,8 @@ class Record(_Part, frozen=True):
         The variable it is bound to.
     printed, words, read
         The printed LaTeX, what the paper says in words, and the parsed form printed back as LaTeX.
+    place
+        The first and last word of the sentence that `words` puts in English, and its line.
     verdict
         None for a definition, premise or exclusion, which claims nothing.
     reading
@@ -124,6 +128,7 @@ class Record(_Part, frozen=True):
     printed: str = ""
     words: str = ""
     read: str = ""
+    place: str = ""
     verdict: Verdict | None = None
     reading: Reading = Reading.AS_PRINTED
     kind: str = ""

@@ -9,6 +9,7 @@ _ROWS = re.compile(r"(?<!\\)&|\\\\")
 _WORDS = re.compile(r"[A-Za-z]{3,} [a-z]{2,}")
 _TEXT = re.compile(r"\\text\{[^{}]*\}")
 _CUT_OFF = re.compile(r"(?<!\\)\\\s*$")
+_WITHIN = re.compile(r"\$([^$]+)\$")  # a formula within a sentence
 _BRACES = re.compile(r"(?<!\\)[{}]")
 
 
@@ -44,3 +45,17 @@ def _matched(text: str) -> bool:
         if depth < 0:
             return False
     return depth == 0
+
+
+def split_at_formulas(sentence: str) -> list[str]:
+    """The words and, at odd places, the formulas of a sentence that has them between dollar signs.
+
+    >>> split_at_formulas("for $k = 1$ only")
+    ['for ', 'k = 1', ' only']
+    """
+    return _WITHIN.split(sentence)
+
+
+def formulas_of(sentence: str) -> list[str]:
+    """The formulas of a sentence that has them between dollar signs."""
+    return split_at_formulas(sentence)[1::2]

@@ -245,6 +245,7 @@ class Fault:
         """What is printed, where it fails, what is right."""
         record = self.first.record
         yield Fact("words", record.words if self.printed != record.words else "")
+        yield Fact("stands on", record.place)
         yield Fact("printed", self.printed, True)
         yield Fact("correct", self.correct, True)
         yield Fact("given", "; ".join(self.first.added))

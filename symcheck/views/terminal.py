@@ -28,6 +28,7 @@ from symcheck.views.steps import shown
 
 _STYLES = {Verdict.PROVED: "green", Verdict.REFUTED: "bold red", Verdict.UNDECIDED: "yellow"}
 _METHOD, _STATEMENT = 28, 20  # columns of the ledger: the method at most, the statement at least
+_REPAIRS = 3  # edits that repair a relation, listed one by one; more of them tell a reader nothing new
 _INDENT = 14  # of the values beside their labels
 _WIDTH = 150  # of a ledger that goes to a file or a pipe
 
@@ -104,11 +105,15 @@ def show(out: Console, record: Record, whole_certificate: bool = False) -> None:
 def _fields(relation: Relation, as_erratum: bool = False) -> Iterator[tuple[str, str | Text]]:
     """What is known of a relation, each with its label; of one `as_erratum` what is wrong and what is right."""
     record, erratum = relation.record, relation.record.erratum
+    if erratum:
+        yield "in short", erratum.summary.replace("$", "")
+        yield "to print", erratum.instead.replace("$", "")
     yield "verdict", _verdict(relation)
     yield "reading", record.reading
     yield "role", f"{record.role}, section {record.section}, line {record.line} of the source"
     yield "printed", record.printed
     yield "words", record.words
+    yield "stands on", record.place
     yield "read as", record.read
     if not as_erratum:
         yield "reason", record.reason
@@ -125,8 +130,9 @@ def _fields(relation: Relation, as_erratum: bool = False) -> Iterator[tuple[str,
     if erratum:
         yield "edit", "\n".join(f"{before}  →  {after}" for before, after in relation.edits)
         if erratum.edit and relation.repairs:
-            listed = (f"{each.edit}: {each.relation}" for each in erratum.repairs or ())
-            yield "repairs", "\n".join((relation.repairs, *listed))
+            listed = [f"{each.edit}: {each.relation}" for each in erratum.repairs or ()]
+            more = [f"and {len(listed) - _REPAIRS} more (--json lists them)"] if len(listed) > _REPAIRS else []
+            yield "repairs", "\n".join((relation.repairs, *listed[:_REPAIRS], *more))
         yield "given", "; ".join(relation.added)
         yield "then", relation.outcome
         for certificate in erratum.certificates:

@@ -1,7 +1,7 @@
 """Esenkov 2006: stability of a spinning symmetric body with an ideal liquid, two damaged texts of one derivation."""
 
 from symcheck.core.claims import Paper, Section
-from symcheck.papers.esenkov2006 import beyond, comparison, first_text, modes, second_text
+from symcheck.papers.esenkov2006 import beyond, comparison, first_text, modes, second_text, standing
 from symcheck.papers.esenkov2006.notation import notation
 
 paper = Paper(
@@ -11,6 +11,7 @@ paper = Paper(
     notation=notation,
     excerpt=True,
     sections=(
+        Section("S", "Standing conditions, not printed", standing),
         Section("2", "Page 29: the freely spinning body with ideal liquid", first_text),
         Section("1.4.1", "Pages 34-35: necessary condition of stability for ideal liquid", second_text),
         Section("C", "The two texts compared", comparison),

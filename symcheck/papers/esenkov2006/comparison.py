@@ -1,13 +1,23 @@
-"""The two texts of esenkov2006 compared, formula by formula, as they are read; and the signs in which they differ."""
+"""The two texts of esenkov2006 compared: what one has lost stands in the other; and the signs in which they differ.
+
+A lost sign or term is a letter here, so that the agreement of the legible rest is what determines it.
+"""
 
 from functools import partial
 
 from symcheck.core.claims import Declaration, Hypothesis
 from symcheck.papers.declare import ours
 from symcheck.papers.esenkov2006 import derivation, first_text, second_text
-from symcheck.papers.esenkov2006.hypotheses import spinning
-from symcheck.papers.esenkov2006.notation import sign_letters, three_modes
+from symcheck.papers.esenkov2006.hypotheses import body_has_mass, spinning
+from symcheck.papers.esenkov2006.notation import comparison_letters, notation, sign_letters, three_modes
 from symcheck.proof import cases, identity
+from symcheck.reading import Letter
+
+all_positive = Hypothesis(
+    "general values",
+    "no factor of what is lost is zero: A, E_n, omega_0, lambda_n are positive",
+    r"A > 0, E_1 > 0, \omega_0 > 0, \lambda_1 > 0",
+)
 
 
 def _read(item: Declaration) -> str:
@@ -24,8 +34,10 @@ def _members(item: Declaration) -> list[str]:
     return _read(item).replace(">", "=").split(" = ")
 
 
-def _same(first: Declaration, second: Declaration) -> str:
-    return f"{_left(first)} = {_left(second)}"
+def _for_every_frequency(first: str, second: str) -> str:
+    """That two polynomials of degree two in eta are one: their values and both derivatives."""
+    of = (r"\frac{\partial^2}{\partial\eta^2}", r"\frac{\partial}{\partial\eta}", "")
+    return r" \land ".join(f"{each}({first}) = {each}({second})" for each in of)
 
 
 clockwise_signs = ours(
@@ -61,51 +73,88 @@ first_equations_differ = ours(
     uses=["C.1", "C.2"],
 )
 
-characteristic_equations_agree = ours(
+sums_keep_one_term = ours(
     "C.4",
     28,
-    words="(2.2) and (1.31) agree as they are read; neither is legible. p = i eta and p_n = i lambda_n stand in both (line 12: IT}, /Л„; "
-    "line 28: iq, Ц,).",
-    states=_same(first_text.characteristic_equation, second_text.characteristic_equation),
-    by=identity,
-    uses=["2.2", "1.31"],
+    words="Neither (2.2) nor (1.31) is legible, so that the two cannot be compared as printed. As they are read, with one mode kept, "
+    "each is the equation of the other text that follows: (2.2) becomes (1.32), and (1.31) becomes (2.3).",
+    states=r"(E_2 = 0 \land E_3 = 0) \Rightarrow "
+    rf"({_left(first_text.characteristic_equation)} = {_left(second_text.one_mode)} \land "
+    rf"{_left(second_text.characteristic_equation)} = {_left(first_text.one_mode)})",
+    by=cases(),
+    uses=["2.2", "1.31", "2.3", "1.32"],
     notation=three_modes,
 )
 
-one_mode_equations_agree = ours(
+LEGIBLE = r"(A\eta + (C - A)\omega_0)"  # of (2.3) and (1.32), before the fraction
+
+lost_fractions = ours(
     "C.5",
     33,
-    words="(2.3) and (1.32) agree, with C - A in both. The first has lost both parts of the fraction, the second the numerator.",
-    states=_same(first_text.one_mode, second_text.one_mode),
-    by=identity,
-    uses=["2.3", "1.32"],
+    words="(2.3) has lost its fraction, (1.32) the numerator. The fraction that makes (2.3) times eta - lambda_1 the quadratic (1.33) of the "
+    "other text is E_1 / (eta - lambda_1), and the numerator that makes (1.32) times it the quadratic 2.3.2 is E_1.",
+    states=(
+        rf"{LEGIBLE}(\eta - \lambda_1) - \eta(\eta - \omega_0)(\eta - \lambda_1)q = {_left(second_text.quadratic)} "
+        r"\Leftrightarrow q = \frac{E_1}{\eta - \lambda_1}",
+        rf"{LEGIBLE}(\eta - \lambda_1) - \eta(\eta - \omega_0)q = {_left(first_text.quadratic)} \Leftrightarrow q = E_1",
+    ),
+    given=[
+        Hypothesis("fraction matters", "the fraction has a factor that is not zero", r"\eta(\eta - \omega_0) \ne 0")
+    ],
+    by=cases(),
+    uses=["2.3", "1.32", "2.3.2", "1.33"],
+    notation=notation.extended(Letter("q", meaning="a fraction, or the numerator of one, that is lost")),
 )
 
-deltas_agree = ours(
+lost_sign_of_delta = ours(
     "C.6",
     34,
-    words="Delta is C - A in both; the first text has lost the minus.",
-    states=f"{_members(first_text.delta)[1]} = {_members(second_text.delta)[1]}",
-    by=identity,
+    words="The sign that the first text has lost in Delta = C - A is the minus of the second.",
+    states=rf"C + sA = {_members(second_text.delta)[1]} \Leftrightarrow s = -1",
+    given=[body_has_mass],
+    by=cases(),
     uses=["2.3.1", "1.32.1"],
+    notation=comparison_letters,
 )
 
-quadratics_agree = ours(
+lost_parts_of_the_quadratics = ours(
     "C.7",
     34,
-    words="2.3.2 and (1.33) agree. Each has lost one minus sign, which the other has; the first also lost omega_0 E_1.",
-    states=_same(first_text.quadratic, second_text.quadratic),
-    by=identity,
+    words="Each quadratic has lost one sign, the first also a term. With letters in these places the first is (1.33) for every eta "
+    "exactly if the sign is a minus and the term omega_0 E_1, and the second is 2.3.2 exactly if its sign is a minus.",
+    states=(
+        _for_every_frequency(
+            r"\eta^2(A + sE_1) + \eta(\Delta\omega_0 + x - A\lambda_1) - \Delta\omega_0\lambda_1",
+            _left(second_text.quadratic),
+        )
+        + r" \Leftrightarrow (s = -1 \land x = \omega_0 E_1)",
+        _for_every_frequency(
+            r"\eta^2(A - E_1) + \eta(\Delta\omega_0 + \omega_0 E_1 + rA\lambda_1) - \Delta\omega_0\lambda_1",
+            _left(first_text.quadratic),
+        )
+        + r" \Leftrightarrow r = -1",
+    ),
+    given=[all_positive],
+    by=cases(),
     uses=["2.3.2", "1.33"],
+    notation=comparison_letters,
 )
 
-discriminants_agree = ours(
+lost_signs_of_the_discriminants = ours(
     "C.8",
     34,
-    words="2.3.4 and 1.33.3 agree, index n included. Both have lost both minus signs, the first the exponent besides.",
-    states=f"{_members(first_text.discriminant)[1]} = {_members(second_text.discriminant)[1]}",
-    by=identity,
-    uses=["2.3.4", "1.33.3"],
+    words="Both discriminants have lost both signs. The equation of the boundary, 1.33.4, has them: with s and r for the lost signs "
+    "D is its left side exactly if both are minus.",
+    states=r"(\Delta\omega_0 + \omega_0 E_n + sA\lambda_n)^2 + 4(A + rE_n)\Delta\omega_0\lambda_n = "
+    rf"{_left(second_text.boundary)} \Leftrightarrow (s = -1 \land r = -1)",
+    given=[
+        all_positive,
+        Hypothesis("Delta positive", "C is larger than A", r"\Delta > 0"),
+        Hypothesis("signs", "s and r are signs", "s^2 = 1, r^2 = 1"),
+    ],
+    by=cases(),
+    uses=["2.3.4", "1.33.3", "1.33.4"],
+    notation=comparison_letters.extended(Letter("n", kind="index", range=(1,))),
 )
 
 lost_term = ours(
@@ -123,8 +172,23 @@ lost_ratio = ours(
     34,
     words="The square in 1.34.3 taken literally, without b_n, would be right only for b_n = 1, or for the one ratio b_n = 2 E_n / A - 1.",
     states=r"(A - E_n)^2 = (Ab_n - E_n)^2 \Leftrightarrow (b_n = 1 \lor A(1 + b_n) = 2E_n)",
-    given=[Hypothesis("body has mass", "A is positive", "A > 0", printed=False)],
+    given=[body_has_mass],
     keeping=("b",),
     by=cases(),
     uses=["1.34.3"],
+)
+
+consistent_signs = ours(
+    "C.11",
+    26,
+    words="Of the two sign patterns of the law of angular momentum, i(A - C) with + i omega_0 and i(C - A) with - i omega_0, and the two "
+    "substitutions p = i eta and p = -i eta, the first with the second and the second with the first give (2.3). The other two give one "
+    "further equation, in which the sign of the spin is changed.",
+    states=rf"G = {_left(first_text.one_mode)} \land H = {_left(first_text.one_mode)} \land "
+    r"F = A\eta - (C - A)\omega_0 - \eta(\eta + \omega_0)\frac{E_1}{\eta - \lambda_1} \land "
+    r"K = A\eta - (C - A)\omega_0 - \eta(\eta + \omega_0)\frac{E_1}{\eta - \lambda_1}",
+    where=derivation.characteristic_equations_by_signs,
+    by=cases(),
+    uses=["2.1.4", "C.1", "C.2"],
+    notation=sign_letters,
 )

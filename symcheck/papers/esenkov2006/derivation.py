@@ -86,10 +86,12 @@ def mode_inertias(modes: int = 3) -> dict[str, Expr]:
     return {f"E_{n}": _mode("a", n) * _mode("chi", n) / _mode("N", n) ** 2 for n in range(1, modes + 1)}
 
 
-def anticlockwise_characteristic_equations() -> dict[str, Expr]:
-    """One mode and Omega = Omega_x + i Omega_y, the convention whose law has i(A - C): F with p = i eta, G with -i eta."""
-    forward, backward = (_amplitude_equation(1, ANTICLOCKWISE, direction) for direction in (1, -1))
-    return {**mode_inertias(1), "F": forward, "G": backward}
+def characteristic_equations_by_signs() -> dict[str, Expr]:
+    """One mode: F, G for Omega_x + i Omega_y, whose law has i(A - C), and H, K for Omega_x - i Omega_y, whose law has
+    i(C - A); F, H with p = i eta, G, K with p = -i eta."""
+    signs = [(sense, direction) for sense in (ANTICLOCKWISE, CLOCKWISE) for direction in (1, -1)]
+    equations = {letter: _amplitude_equation(1, *pair) for letter, pair in zip("FGHK", signs, strict=True)}
+    return {**mode_inertias(1), **equations}
 
 
 # --- in terms of E_n

@@ -12,13 +12,16 @@ from symcheck.papers.declare import claim, definition, premise
 from symcheck.papers.esenkov2006 import derivation
 from symcheck.papers.esenkov2006.hypotheses import liquid_is_part
 from symcheck.papers.esenkov2006.notation import root_letters, sign_letters, three_modes
-from symcheck.proof import existence, identity
+from symcheck.proof import cases, existence, identity
 
 ONE_MODE = r"A\eta + (C - A)\omega_0 - \eta(\eta - \omega_0)\frac{E_1}{\eta - \lambda_1}"
 QUADRATIC = r"\eta^2(A - E_1) + \eta(\Delta\omega_0 + \omega_0 E_1 - A\lambda_1) - \Delta\omega_0\lambda_1"
 DISCRIMINANT = r"(\Delta\omega_0 + \omega_0 E_n - A\lambda_n)^2 + 4(A - E_n)\Delta\omega_0\lambda_n"
 
-LOST_MINUS = "A sign that the OCR lost between two letters it kept is a minus wherever it can be told. "
+AT_X, AT_Y = QUADRATIC.replace(r"\eta", "x"), QUADRATIC.replace(r"\eta", "y")
+# of the quadratic at x - iy
+REAL_PART = r"(A - E_1)(x^2 - y^2) + (\Delta\omega_0 + \omega_0 E_1 - A\lambda_1)x - \Delta\omega_0\lambda_1"
+IMAGINARY_PART = r"2(A - E_1)x(-y) + (\Delta\omega_0 + \omega_0 E_1 - A\lambda_1)(-y)"
 
 symmetric_body = premise(
     "2.0.1", 7, words="The body is dynamically symmetric: its two transverse moments of inertia are equal (A, A, C)."
@@ -31,6 +34,10 @@ constant_spin = premise(
     "velocity is zero: the spin stays omega_0. No torque acts along the axis.",
 )
 
+EITHER_SIGN = r" \lor ".join(
+    rf"(\Omega = \Omega_x {sign} i\Omega_y = p {sign} iq \land M = M_x {sign} iM_y)" for sign in ("+", "-")
+)
+
 joined_components = premise(
     "2.1.1",
     10,
@@ -38,9 +45,10 @@ joined_components = premise(
     words="The transverse components are joined into complex numbers. The letter p is an angular velocity here, and the "
     "exponent of the motion two lines further on.",
     damage=Damage(
-        r"\Omega = \Omega_x - i\Omega_y = p - iq, M = M_x - iM_y",
-        reason=LOST_MINUS
-        + "With a plus the law of angular momentum has i(A - C) and + i omega_0 (C.2), as (2.1) prints.",
+        EITHER_SIGN,
+        reason="The sign is lost three times, and this line does not tell which it was, so both are left open. A minus goes with "
+        "i(C - A) and - i omega_0 in the law of angular momentum (C.1), as in the other text; a plus goes with i(A - C) "
+        "and + i omega_0 (C.2), as (2.1) prints. For the minus: wherever a lost sign of the two texts can be told, it is one.",
     ),
 )
 
@@ -80,20 +88,26 @@ frequencies = claim(
     words="With p = i eta and p_n = i lambda_n the system (2.1), as its signs are printed, has the characteristic "
     "equation (2.3) in the frequencies.",
     states=rf"F = {ONE_MODE}",
-    where=derivation.anticlockwise_characteristic_equations,
+    where=derivation.characteristic_equations_by_signs,
     by=identity,
     uses=["2.1", "2.3"],
     notation=sign_letters,
     errata={
         "": Erratum(
-            rf"G = {ONE_MODE}",
-            "sign of the imaginary unit",
+            rf"G = {ONE_MODE} \land H = {ONE_MODE}",
+            "contradicting signs",
             Origin.UNCERTAIN,
-            "(2.1) has i(A - C) and + i omega_0: the law of angular momentum for Omega_x + i Omega_y. With p = i eta it gives "
-            "A eta - (C - A) omega_0 and eta (eta + omega_0), not the (C - A) omega_0 and eta (eta - omega_0) of (2.3). "
-            "They fit together with p = -i eta, p_n = -i lambda_n; or (2.1) should have i(C - A) and - i omega_0, as the "
-            "other text has (1.0.6) and as Omega_x - i Omega_y demands. The OCR loses minus signs, so that "
-            "nothing tells whether the author wrote p = -i eta; the two signs in (2.1) are legible.",
+            "(2.1), the substitution p = i eta, p_n = i lambda_n, and (2.3) contradict each other: with the signs of (2.1), "
+            "i(A - C) and + i omega_0, the substitution gives A eta - (C - A) omega_0 and eta (eta + omega_0), and (2.3) has "
+            "A eta + (C - A) omega_0 and eta (eta - omega_0). This does not depend on the sign that 2.1.1 has lost. A change "
+            "of one place mends all, and there are two such places (C.11): (2.1) with i(C - A) and - i omega_0, the lost sign then "
+            "being a minus; or the substitution p = -i eta, p_n = -i lambda_n, the lost sign then being a plus. (2.3) is no "
+            "third: all that follows rests on it. The other text speaks for (2.1): it agrees in all else, and it has C - A in this place "
+            "(1.0.6). But both signs of (2.1) are legible, and the OCR loses minus signs before letters, so that a minus may be "
+            "lost in the substitution; what the author wrote cannot be told.",
+            summary=r"(2.1), the substitution $p = i\eta$, $p_n = i\lambda_n$ and (2.3) contradict each other; one of the first two "
+            "is to be changed.",
+            instead=r"either $i(C - A)$ and $-i\omega_0$ in (2.1), or $p = -i\eta$, $p_n = -i\lambda_n$",
         )
     },
 )
@@ -136,13 +150,26 @@ delta = definition(
     damage=Damage(r"\Delta = C - A", reason="Delta reads as A; the other text has it with its minus (1.32.1)."),
 )
 
-real_roots_are_required = claim(
+roots_must_be_real = claim(
+    "2.3.5",
+    13,
+    words="For stability the roots must be real: with x + iy also x - iy is a root (a). As e^{pt} has the modulus "
+    "e^{-yt}, neither grows only if y and -y are squares, not negative: then y = 0 (b).",
+    states=(
+        rf"(u = 0 \land v = 0) \Rightarrow ({REAL_PART} = 0 \land {IMAGINARY_PART} = 0)",
+        r"(y = s^2 \land -y = r^2) \Rightarrow y = 0",
+    ),
+    where=derivation.quadratic_at_complex_frequency,
+    by={"a": cases(), "b": cases("s^2 + r^2")},
+    uses=["2.3.2"],
+    notation=root_letters,
+)
+
+positive_discriminant_suffices = claim(
     "2.3.3",
     13,
-    words="For stability the roots must be real, and a positive discriminant makes them so: with r = sqrt D there are two real "
-    "roots, and they differ.",
-    states=rf"\exists x, y: ({QUADRATIC.replace(chr(92) + 'eta', 'x')} = 0 \land "
-    rf"{QUADRATIC.replace(chr(92) + 'eta', 'y')} = 0 \land x \ne y)",
+    words="A positive discriminant makes them so: with r = sqrt D there are two real roots, and they differ.",
+    states=rf"\exists x, y: ({AT_X} = 0 \land {AT_Y} = 0 \land x \ne y)",
     given=[
         Hypothesis("positive discriminant", "D = r^2 with r > 0", rf"{DISCRIMINANT} = r^2, r > 0"),
         liquid_is_part,
@@ -152,6 +179,21 @@ real_roots_are_required = claim(
         x=r"\frac{r - (\Delta\omega_0 + \omega_0 E_1 - A\lambda_1)}{2(A - E_1)}",
         y=r"\frac{-r - (\Delta\omega_0 + \omega_0 E_1 - A\lambda_1)}{2(A - E_1)}",
     ),
+    uses=["2.3.2", "2.3.4"],
+    notation=root_letters,
+)
+
+positive_discriminant_is_needed = claim(
+    "2.3.6",
+    13,
+    words="And no other does: for two real roots that differ D is the square (a) of something that is not zero (b). (At D = 0 they are one, and the motion grows: B.4, B.5.)",
+    states=(rf"{DISCRIMINANT} = (A - E_1)^2(x - y)^2", r"(A - E_1)(x - y) \ne 0"),
+    given=[
+        Hypothesis("two real roots", "x and y are real roots, and they differ", rf"{AT_X} = 0, {AT_Y} = 0, x \ne y"),
+        liquid_is_part,
+    ],
+    keeping=("Delta",),
+    by={"a": identity, "b": cases()},
     uses=["2.3.2", "2.3.4"],
     notation=root_letters,
 )

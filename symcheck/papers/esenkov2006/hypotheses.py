@@ -2,6 +2,7 @@
 
 from symcheck.core.claims import Hypothesis
 
+body_has_mass = Hypothesis("body has mass", "A is positive", "A > 0", printed=False)
 spinning = Hypothesis("spinning", "the body spins", r"\omega_0 \ne 0", printed=False)
 liquid_moves = Hypothesis("liquid moves", "the mode carries some inertia", "E_n > 0", printed=False)
 liquid_is_part = Hypothesis(

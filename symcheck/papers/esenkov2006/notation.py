@@ -1,5 +1,7 @@
 """The letters of Esenkov 2006. The index n runs over the modes that are kept: one, in the paper's approximation."""
 
+from dataclasses import replace
+
 from symcheck.reading import Letter, Notation
 
 MOMENT = "kg m^2"
@@ -18,7 +20,7 @@ notation = Notation(
         Letter(r"\Omega_x", meaning="angular velocity about the body axis x", unit=RATE),
         Letter(r"\Omega_y", meaning="angular velocity about the body axis y", unit=RATE),
         Letter("q", meaning="the same component, as the first text also calls it", unit=RATE),
-        Letter("M", depends="t", meaning="complex transverse torque", unit="N m"),
+        Letter("M", kind="function", depends="t", meaning="complex transverse torque", unit="N m"),
         Letter("M_x", meaning="torque about x", unit="N m"),
         Letter("M_y", meaning="torque about y", unit="N m"),
         Letter("t", meaning="time", unit="s"),
@@ -48,12 +50,22 @@ def retaining(modes: int) -> Notation:
 
 
 three_modes = retaining(3)
+CONSTANT = ("A", "C", r"\Delta", r"\omega_0", r"\lambda", "E")  # what does not depend on the frequency
 
 sign_letters = notation.extended(
     Letter("F", meaning="left side of the characteristic equation of (2.1) with p = i eta, p_n = i lambda_n"),
     Letter("G", meaning="the same with p = -i eta, p_n = -i lambda_n"),
+    Letter("H", meaning="that of (2.1) with i(C - A) and - i omega_0, and with p = i eta, p_n = i lambda_n"),
+    Letter("K", meaning="the same with p = -i eta, p_n = -i lambda_n"),
     Letter("g", meaning="coefficient of i Omega in the law of angular momentum"),
     Letter("h", meaning="coefficient of i k there, k the angular momentum of the moving liquid"),
+)
+
+comparison_letters = three_modes.extended(
+    *(replace(letter, depends="") for letter in three_modes.letters if letter.latex in CONSTANT),
+    Letter("s", depends="", meaning="a sign that the first text has lost"),
+    Letter("r", depends="", meaning="a sign that the second text has lost"),
+    Letter("x", depends="", meaning="a term that the first text has lost"),
 )
 
 root_letters = notation.extended(

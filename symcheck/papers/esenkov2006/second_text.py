@@ -148,14 +148,22 @@ quadratic = claim(
     uses=["1.32", "1.32.1"],
 )
 
+AT_X, AT_Y = QUADRATIC.replace(r"\eta", "x"), QUADRATIC.replace(r"\eta", "y")
+# of the quadratic at x - iy
+REAL_PART = r"(A - E_1)(x^2 - y^2) + (\Delta\omega_0 + \omega_0 E_1 - A\lambda_1)x - \Delta\omega_0\lambda_1"
+IMAGINARY_PART = r"2(A - E_1)x(-y) + (\Delta\omega_0 + \omega_0 E_1 - A\lambda_1)(-y)"
+
 roots_must_be_real = claim(
     "1.33.1",
     34,
-    words="For stability the roots must be real: with x + iy also x - iy is a root, and e^{pt} grows for one of them unless y = 0.",
-    states=r"(u = 0 \land v = 0) \Rightarrow ((A - E_1)(x^2 - y^2) + (\Delta\omega_0 + \omega_0 E_1 - A\lambda_1)x - "
-    r"\Delta\omega_0\lambda_1 = 0 \land 2(A - E_1)x(-y) + (\Delta\omega_0 + \omega_0 E_1 - A\lambda_1)(-y) = 0)",
+    words="For stability the roots must be real: with x + iy also x - iy is a root (a). As e^{pt} has the modulus "
+    "e^{-yt}, neither grows only if y and -y are squares, not negative: then y = 0 (b).",
+    states=(
+        rf"(u = 0 \land v = 0) \Rightarrow ({REAL_PART} = 0 \land {IMAGINARY_PART} = 0)",
+        r"(y = s^2 \land -y = r^2) \Rightarrow y = 0",
+    ),
     where=derivation.quadratic_at_complex_frequency,
-    by=cases(),
+    by={"a": cases(), "b": cases("s^2 + r^2")},
     uses=["1.33"],
     notation=root_letters,
 )
@@ -168,6 +176,21 @@ positive_discriminant_suffices = claim(
     given=[Hypothesis("positive discriminant", "D > 0", rf"{DISCRIMINANT} > 0")],
     where=derivation.quadratic_at_complex_frequency,
     by=cases(rf"4(A - E_1)^2y^2 + 1 \cdot ({DISCRIMINANT})"),
+    uses=["1.33", "1.33.3"],
+    notation=root_letters,
+)
+
+positive_discriminant_is_needed = claim(
+    "1.33.5",
+    34,
+    words="And no other does: for two real roots that differ D is the square (a) of something that is not zero (b). (At D = 0 they are one, and the motion grows: B.4, B.5.)",
+    states=(rf"{DISCRIMINANT} = (A - E_1)^2(x - y)^2", r"(A - E_1)(x - y) \ne 0"),
+    given=[
+        Hypothesis("two real roots", "x and y are real roots, and they differ", rf"{AT_X} = 0, {AT_Y} = 0, x \ne y"),
+        liquid_is_part,
+    ],
+    keeping=("Delta",),
+    by={"a": identity, "b": cases()},
     uses=["1.33", "1.33.3"],
     notation=root_letters,
 )
@@ -316,6 +339,8 @@ roots_as_squares = claim(
             "With the plus that is printed both signs of the root would give one Delta, the one of the minus sign. The root with the plus "
             "is minus the square of the difference: the sign in the square is the opposite of the one before the root. The OCR may "
             "have read such a double sign as a plus, though it kept both double signs before.",
+            summary=r"The sign in the square is the opposite of the one before the root; with the plus both would give one $\Delta$.",
+            instead=r"$\Delta_{1,2} = \dots = -\left(\sqrt{E_n(1 - b_n)} \mp \sqrt{b_n(A - E_n)}\right)^2$",
         )
     },
 )

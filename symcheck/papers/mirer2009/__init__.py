@@ -1,7 +1,7 @@
 """Mirer 2009: extremal relations between the elements of the inertia tensor of a rigid body."""
 
 from symcheck.core.claims import Paper, Section
-from symcheck.papers.mirer2009 import beyond, front, sec1, sec2
+from symcheck.papers.mirer2009 import beyond, front, sec1, sec2, standing
 from symcheck.papers.mirer2009.notation import notation
 
 paper = Paper(
@@ -10,6 +10,7 @@ paper = Paper(
     source="000_52559675eaf93e59.txt",
     notation=notation,
     sections=(
+        Section("S", "Standing conditions, not printed", standing),
         Section("0", "Abstract", front),
         Section("1", "The problem of model damping", sec1),
         Section("2", "Extremal relations between inertia tensor elements", sec2),

@@ -3,9 +3,16 @@
 from symcheck.core.claims import Hypothesis
 from symcheck.papers.declare import ours
 from symcheck.papers.mirer2009 import derivation
-from symcheck.papers.mirer2009.hypotheses import orthogonal, positive_moments, symmetric_damping
+from symcheck.papers.mirer2009.hypotheses import (
+    first_axis,
+    length,
+    orthogonal,
+    positive_moments,
+    positive_ratio,
+    symmetric_damping,
+)
 from symcheck.papers.mirer2009.notation import family_letters, optimum_letters
-from symcheck.papers.mirer2009.sec1 import free_moments, positive_ratio
+from symcheck.papers.mirer2009.sec1 import free_moments
 from symcheck.proof import cases, identity, nonnegative
 
 roots_are_real = ours(
@@ -171,13 +178,7 @@ family_is_complete = ours(
     notation=family_letters,
 )
 
-first_axis = Hypothesis(
-    "first axis",
-    "e_1 is a unit vector with moment c",
-    r"a_{11}^2 + a_{12}^2 + a_{13}^2 = 1, d_1 a_{11}^2 + d_2 a_{12}^2 + d_3 a_{13}^2 = 0, d_1 + d_2 + d_3 = 0",
-)
 circle = Hypothesis("circle", "u and v are a cosine and a sine", "u^2 + v^2 = 1")
-length = Hypothesis("length", "r is the length of g, not zero", r"r^2 = G, r \neq 0")
 
 closed_form_is_orthonormal = ours(
     "B.11",

@@ -68,6 +68,8 @@ damping_letters = notation.extended(
     Letter(r"\mathbf{B}", kind="matrix", components=r"\|b_{ij}\|"),
 )
 
+torque_letters = notation.extended(Letter("w", meaning="angular acceleration about an axis e_i", unit="rad/s^2"))
+
 turned_letters = notation.extended(
     Letter("u", meaning="cosine of the turn about the diagonal"), Letter("v", meaning="sine of that turn")
 )

@@ -2,7 +2,7 @@
 
 from functools import partial
 
-from symcheck.core.claims import Erratum, Hypothesis
+from symcheck.core.claims import Damage, Erratum, Hypothesis
 from symcheck.core.verdicts import Origin
 from symcheck.papers.declare import Scope, body, claim, definition, exclusion, ours, premise
 from symcheck.papers.mirer2009 import derivation
@@ -10,12 +10,14 @@ from symcheck.papers.mirer2009.forms import ALIGNED, PARALLEL, excess_of_product
 from symcheck.papers.mirer2009.hypotheses import (
     distinct_moments,
     orthogonal,
+    positive_axial_moments,
     positive_moments,
+    positive_ratio,
     right_handed,
     symmetric_damping,
 )
-from symcheck.papers.mirer2009.notation import damping_letters
-from symcheck.proof import cases, identity
+from symcheck.papers.mirer2009.notation import damping_letters, torque_letters
+from symcheck.proof import cases, identity, nonnegative
 
 proportional = Scope(where=derivation.proportional_gains, by=identity)
 
@@ -86,6 +88,8 @@ torque_by_damping_matrix = claim(
             "M_i was introduced (1.0.2, 1.0.4) as the torque of device i along e_i; here the same letter stands for the "
             "component of M along the principal axis E_i. The two differ unless the axes e_i are the principal axes; "
             "the component needs a letter of its own (written mu_i here).",
+            summary=r"$M_i$ is the torque of device $i$ along $\mathbf{e}_i$ in lines 51 and 53, and here the component of "
+            r"$\mathbf{M}$ along $\mathbf{E}_i$, which needs another letter.",
         ),
         "d": Erratum(
             r"-\sum_{j=1}^3 k_j \left(\sum_{s=1}^3 \omega_s a_{js} \right) a_{ji} = "
@@ -94,12 +98,14 @@ torque_by_damping_matrix = claim(
             Origin.UNCERTAIN,
             "omega_s stands twice, before and inside the inner sum; m_is, defined by that inner sum two lines below, "
             "has it without omega_s. Nothing in the text tells whether the author or the OCR repeated it.",
+            summary=r"The factor $\omega_s$ stands twice, before the inner sum and in it; the one in the inner sum must go.",
         ),
         "e": Erratum(
             r"-\sum_{s=1}^3 \omega_s \sum_{j=1}^3 k_j a_{js} a_{ji} = -\sum_{s=1}^3 m_{is} \omega_s",
             "extra factor",
             Origin.UNCERTAIN,
             "The same repeated omega_s, seen from the other side of the chain.",
+            summary=r"The same repeated $\omega_s$, on the left of the next equality sign.",
         ),
     },
     lines={"e": 69},
@@ -280,11 +286,24 @@ moment_about_device_axis = claim(
     uses=["1.3.1"],
 )
 
-larger_moment_larger_torque = exclusion(
+larger_moment_larger_torque = claim(
     "1.4.2",
     113,
-    words="The larger J_i, the larger the torque along that axis should be (set in bold there, a vector's letter).",
-    reason="design advice, no relation; it motivates 1.4.3",
+    r"\mathbf{M}_i",
+    words="The larger J_i, the larger the torque along that axis must be: an angular acceleration w about e_i takes the torque J_i w "
+    "along e_i (a), so that of two axes the one of the larger moment takes the larger torque (b).",
+    states=(r"(\mathbf{e}_i, w\mathbf{I}\mathbf{e}_i) = J_i w", "J_1 w > J_2 w"),
+    damage=Damage(
+        "M_i",
+        "M_i is set in bold, as a vector; it is the scalar torque of device i (lines 51 and 53), and the index is that of J_i. "
+        "The author or the OCR may have done it.",
+        kind="typography",
+        origin=Origin.UNCERTAIN,
+    ),
+    given=[Hypothesis("larger moment", "J_1 is larger than J_2, and w is positive", r"J_1 > J_2 \land w > 0")],
+    by={"a": identity, "b": nonnegative("(J_1 - J_2)w")},
+    uses=["1.4.1"],
+    notation=torque_letters,
 )
 
 gains_in_proportion = premise(
@@ -360,16 +379,6 @@ triple_root = Hypothesis(
     "(1.5) has the triple root p = -xi: relations 1.5.4 to 1.5.6",
     body(triple_root_square_coefficient, triple_root_linear_coefficient, triple_root_constant_coefficient),
 )
-positive_ratio = Hypothesis(
-    "gain positive", "the common gain ratio k is positive: the devices damp", r"k > 0", printed=False
-)
-positive_axial_moments = Hypothesis(
-    "moments about the axes positive",
-    "no moment about an axis e_i is zero",
-    r"J_1 > 0, J_2 > 0, J_3 > 0",
-    printed=False,
-)
-
 product_at_triple_root = claim(
     "1.6",
     135,
@@ -432,6 +441,8 @@ equalities_only_for_parallel_axes = claim(
             Origin.PAPER,
             "With two equal moments every axis in their plane serves, so parallelism to the chosen principal axes does not "
             "follow; it follows when the moments are pairwise distinct.",
+            summary="With two equal moments every axis in their plane serves; it is true for pairwise distinct moments.",
+            instead="the same, if the three principal moments of inertia are pairwise distinct",
             needs=(distinct_moments,),
         )
     },

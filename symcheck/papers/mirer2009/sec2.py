@@ -7,12 +7,16 @@ from symcheck.papers.mirer2009 import derivation
 from symcheck.papers.mirer2009.forms import ALIGNED, PARALLEL, deficit_of_product, excess_of_product, excess_of_sum
 from symcheck.papers.mirer2009.hypotheses import (
     distinct_moments,
+    first_axis,
+    length,
     mass_distribution,
     non_negative_moments,
     orthogonal,
+    positive_mean,
     positive_moments,
+    semi_axes,
 )
-from symcheck.papers.mirer2009.notation import ellipsoid_letters, turned_letters
+from symcheck.papers.mirer2009.notation import ellipsoid_letters, family_letters, turned_letters
 from symcheck.proof import cases, existence, identity, nonnegative
 
 cosines = Scope(where=derivation.direction_cosines, by=identity)
@@ -107,6 +111,10 @@ equality_on_the_right = claim(
             Origin.PAPER,
             "The sentence exchanges the two sides: collinear axes give the left equality, the minimum (2.10), (2.17); the "
             "right one, the maximum, belongs to equal moments (line 209). Moreover 'only' needs pairwise distinct moments.",
+            summary="Left and right are exchanged: collinear axes give the left equality, the minimum, and they alone do so if "
+            "the moments are pairwise distinct.",
+            instead=r"the left equality is attained only for collinear axes $Ox_i$ and $Oy_j$, if $I_1, I_2, I_3$ are pairwise "
+            "distinct",
             needs=(distinct_moments,),
         )
     },
@@ -129,6 +137,9 @@ equality_on_the_left = claim(
             "left and right exchanged",
             Origin.PAPER,
             "The other half of the exchange: J_1 = J_2 = J_3 is where the right equality holds, as the proof says itself.",
+            summary="The other half of the exchange: equal moments give the right equality, the maximum, as the proof says "
+            "(line 209).",
+            instead="the right equality holds for $J_1 = J_2 = J_3$",
         )
     },
     lemmas=["2.1.7a"],
@@ -275,7 +286,6 @@ derivatives_of_bound = claim(
 )
 
 on_the_interval = Hypothesis("interval", "J_2 lies on [0, 3c/2]", r"J_2 \geq 0, J_2 \leq 3c/2")
-positive_mean = Hypothesis("mean positive", "the mean moment c is positive", "c > 0", printed=False)
 
 maximum_of_bound = claim(
     "2.3.6",
@@ -361,15 +371,31 @@ orthonormal_rows = claim(
     by=identity,
 )
 
-one_parameter_family = exclusion(
+one_parameter_family = claim(
     "2.7.1",
     225,
-    words="In general (2.5) to (2.7) have a one-parameter family of solutions; the paper does not derive it.",
-    reason="left out by the paper; derived and proved here as B.5 to B.13",
+    words="In general (2.5) to (2.7) have a one-parameter family of solutions: for every first axis with J_1 = c (its squares depend "
+    "on one parameter, B.6) there are second and third axes with the same moment, (u g + v h)/r and across it. They are four turns of one "
+    "(B.10), and no further ones unless a principal moment is the mean (B.13).",
+    states=r"\exists u, v: (u^2 + v^2 = 1 \land J_1 = c \land J_2 = c \land J_3 = c)",
+    given=[first_axis, length],
+    where=derivation.equal_moment_family,
+    keeping=("c",),
+    by=existence(),
+    uses=["2.5", "2.6", "2.7", "B.6", "B.10", "B.11", "B.12"],
+    notation=family_letters,
 )
 
 aircraft_angles = definition(
     "2.7.2", 227, words="Pitch alpha, yaw beta and roll gamma of figure 1 determine the matrix A.", opaque=True
+)
+
+figure_of_the_angles = exclusion(
+    "2.7.16",
+    230,
+    words="Figure 1: the angles alpha, beta, gamma between the two frames.",
+    reason="not in the text at hand; what it must show, pitch first, then yaw, then roll, is what the nine cosines 2.7.5 to 2.7.13 "
+    "are derived from",
 )
 
 angles_make_rows_orthonormal = cosines.claim(
@@ -519,6 +545,9 @@ two_equal_moments = claim(
             Origin.PAPER,
             "When all three moments are equal, 2.8.1 holds for every alpha and cos 2 alpha need not vanish. The choice "
             "alpha = pi/4 remains right (2.9.2), so the existence proof is not harmed.",
+            summary=r"If all three moments are equal every $\alpha$ serves, and $\cos 2\alpha$ need not vanish; the choice "
+            r"$\alpha = \pi/4$ is right in any case.",
+            instead=r"if $I_2 = I_3 \neq I_1$, then $\cos 2\alpha = 0$",
             needs=(Hypothesis("I_1, I_2 distinct", "I_1 differs from I_2 = I_3", r"I_1 \neq I_2"),),
         )
     },
@@ -562,13 +591,21 @@ turned_axes_are_orthonormal = ours(
     notation=turned_letters,
 )
 
+semi_axes_of_an_ellipsoid = premise(
+    "2.9.9",
+    284,
+    words="An ellipsoid has the semi-axes a, b, c; a is also the letter of the direction cosines a_ij, and c that of the mean moment.",
+    reason="both letters are introduced anew where they stand, and no relation has one of them in two meanings: c is the "
+    "mean moment from line 175 to line 272, and a semi-axis in line 286 only",
+)
+
 form_of_the_ellipsoid = ours(
     "2.9.6",
     284,
     words="At the distance d along the axis y_i the form x_1^2/a^2 + x_2^2/b^2 + x_3^2/c^2 of the ellipsoid is J_i d^2, with "
     "1/a^2, 1/b^2, 1/c^2 for the principal moments.",
     states=r"\left(\frac{a_{i1} d}{a}\right)^2 + \left(\frac{a_{i2} d}{b}\right)^2 + \left(\frac{a_{i3} d}{c}\right)^2 = J_i d^2",
-    given=[Hypothesis("semi-axes", "the semi-axes are positive", "a > 0, b > 0, c > 0", printed=False)],
+    given=[semi_axes],
     where=derivation.reciprocal_squares,
     by=identity,
     uses=["1.3.1"],
@@ -584,9 +621,8 @@ ellipsoid_interpretation = claim(
         Hypothesis(
             "points on the ellipsoid", "the axes y_i meet the ellipsoid at the distance d (2.9.6)", "J_i d^2 = 1"
         ),
-        Hypothesis(
-            "semi-axes", "the semi-axes and the distance are positive", "a > 0, b > 0, c > 0, d > 0", printed=False
-        ),
+        semi_axes,
+        Hypothesis("distance", "the distance is positive", "d > 0", printed=False),
     ],
     where=derivation.reciprocal_squares,
     by=cases(),
@@ -602,7 +638,7 @@ ellipsoid_axes_exist = claim(
     words="Every ellipsoid with semi-axes a, b, c has orthogonal axes through its centre that meet it at equal distances: "
     "2.9.4 for I_1 = 1/a^2, I_2 = 1/b^2, I_3 = 1/c^2, without triangle inequalities.",
     states=r"\exists u, v : (u^2 + v^2 = 1 \land J_1 = J_2 = J_3)",
-    given=[Hypothesis("semi-axes", "the semi-axes are positive", "a > 0, b > 0, c > 0", printed=False)],
+    given=[semi_axes],
     where=derivation.ellipsoid_moments,
     by=existence(),
     uses=["2.9.4", "2.9.7"],
@@ -720,6 +756,8 @@ expansion_of_product = claim(
             "it (2.13.2) and (2.10), which it is to prove, need I_1 I_2 I_3 on the right; J for I may be the author's or the "
             "OCR's.",
             forms=(excess_of_product,),
+            summary=r"At the end of the chain stands $I_1 I_2 I_3$: with $J_1 J_2 J_3$ both sides are the same.",
+            instead=r"$f = J_1 J_2 J_3 = \dots \geq I_1 I_2 I_3$",
         )
     },
 )
@@ -796,6 +834,8 @@ six_cases = claim(
             Origin.PAPER,
             "The chain I_1 != I_2 != I_3 does not exclude I_1 = I_3, and then any turn about axis 2 gives equality too. "
             "What is meant, and enough, is that the three moments are pairwise distinct.",
+            summary=r"$I_1 \neq I_2 \neq I_3$ does not exclude $I_1 = I_3$, and then every turn about axis 2 gives equality.",
+            instead=r"the same, if $I_1, I_2, I_3$ are pairwise distinct",
             needs=(Hypothesis("I_1, I_3 distinct", "I_3 differs from I_1", r"I_3 \neq I_1"),),
         )
     },
@@ -817,12 +857,23 @@ right_handed_cases = claim(
     "2.17.2",
     360,
     r"|\mathbf{A}| = 1",
-    words="Of the matrices (2.17) those of right-handed axes satisfy |A| = 1, and a selection is needed: orthogonality alone "
-    "leaves |A| = 1 or -1.",
-    states=r"|\mathbf{A}|^2 = 1",
+    words="Of the matrices (2.17) those of right-handed axes must be kept, that is those with |A| = 1.",
+    states=r"|\mathbf{A}| = 1 \Leftrightarrow "
+    r"(\mathbf{e}_1 = \mathbf{e}_2 \times \mathbf{e}_3 \land \mathbf{e}_2 = \mathbf{e}_3 \times \mathbf{e}_1 \land "
+    r"\mathbf{e}_3 = \mathbf{e}_1 \times \mathbf{e}_2)",
     given=[orthogonal],
-    by=identity,
+    by=cases(),
     uses=["2.17"],
+)
+
+selection_is_needed = ours(
+    "2.17.3",
+    360,
+    words="The selection is needed: in each of the six cases, with the signs of a row changed, |A| changes its sign; so it is 1 or -1.",
+    states=rf"({SIX_CASES}) \Rightarrow |\mathbf{{A}}|^2 = 1 \land |\operatorname{{diag}}(-1, 1, 1)\mathbf{{A}}| = -|\mathbf{{A}}|",
+    given=[orthogonal],
+    by=cases(),
+    uses=["2.17", "2.17.2"],
 )
 
 sum_of_products = claim(
@@ -860,6 +911,7 @@ sum_of_products_step_by_step = claim(
     given=[orthogonal],
     by=identity,
     uses=["1.3.1", "2.19"],
+    lines={"c": 382},
 )
 
 sum_and_its_excess = ours(

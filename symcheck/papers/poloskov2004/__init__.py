@@ -1,7 +1,7 @@
 """Poloskov 2004: rotation of a rigid body under dissipative and random torques."""
 
 from symcheck.core.claims import Paper, Section
-from symcheck.papers.poloskov2004 import beyond, front, sec1, sec2, sec3, sec4
+from symcheck.papers.poloskov2004 import beyond, front, sec1, sec2, sec3, sec4, standing
 from symcheck.papers.poloskov2004.notation import notation
 
 paper = Paper(
@@ -10,6 +10,7 @@ paper = Paper(
     source="001_dec306ec7e285669.txt",
     notation=notation,
     sections=(
+        Section("S", "Standing conditions, not printed", standing),
         Section("0", "Abstract", front),
         Section("1", "Introduction", sec1),
         Section("2", "Change of variables", sec2),

@@ -136,6 +136,15 @@ def _in_new_variables() -> Matrix:
     return sp.Matrix.hstack(free + inverse * drift, *(inverse * column for column in columns)).applyfunc(sp.expand)
 
 
+def distance_of_free_motions() -> dict[str, Expr]:
+    """The rate r of half the square of the distance (u, v, 0) of two free motions with the same x_3, and x_3' as w."""
+    u, v = _symbols("u v")
+    rate = -_gyroscopic()
+    other = rate.subs({_symbol("x_1"): _symbol("x_1") + u, _symbol("x_2"): _symbol("x_2") + v}, simultaneous=True)
+    apart = other - rate
+    return {"r": sp.expand(u * apart[0] + v * apart[1]), "w": rate[2]}
+
+
 def stratonovich_system() -> dict[str, Expr]:
     """v_1 to v_3 and h_11 to h_36."""
     system = _in_new_variables()
@@ -255,6 +264,15 @@ def mixed_average_of_full_noise() -> dict[str, Expr]:
     return {"Kbar_12": sp.Function("mean")(sp.expand(product), phase)}
 
 
+@cache
+def primitive_of_diffusion() -> dict[str, Expr]:
+    """U, periodic in the phase, whose derivative is K_11 / epsilon without its average; and K, Kbar."""
+    phase = _symbol("psi")
+    wave = sp.expand((_rate("K_11") - _mean(_rate("K_11"))).rewrite(sp.exp))
+    primitive = sp.expand(sp.simplify(sp.integrate(wave, phase).rewrite(sp.cos)), trig=True)
+    return {**coefficients_and_averages(), "U": primitive}
+
+
 def neglected_terms() -> dict[str, Expr]:
     """K_1, K_2, K_3 / epsilon without their averages."""
     found = {f"K_{i}": sp.expand(_rate(f"K_{i}") - _mean(_rate(f"K_{i}"))) for i in AXES}
@@ -265,7 +283,7 @@ def neglected_terms() -> dict[str, Expr]:
 
 
 @cache
-def _shortened_averages() -> dict[str, Expr]:
+def shortened_averages() -> dict[str, Expr]:
     """Kbar with alpha^2 = g_11^2 + g_12^2, beta^2 = g_21^2 + g_22^2, gamma^2 = d_11 + d_22."""
     alpha, beta, gamma = _symbols("alpha beta gamma")
     short = {
@@ -284,7 +302,7 @@ def _logarithmic_derivative(drift: Expr, diffusion: Expr, variable: Expr) -> Exp
 @cache
 def logarithmic_derivatives() -> tuple[Expr, Expr]:
     """p'/p of the densities of a and Omega."""
-    bar, a, frequency = _shortened_averages(), _symbol("a"), _symbol("Omega")
+    bar, a, frequency = shortened_averages(), _symbol("a"), _symbol("Omega")
     first = _logarithmic_derivative(bar["Kbar_1"], bar["Kbar_11"], a)
     return first, _logarithmic_derivative(bar["Kbar_3"], bar["Kbar_33"], frequency)
 
@@ -295,7 +313,7 @@ def exponents() -> dict[str, Expr]:
 
     The density of a is a^r Delta_1^kappa_1 with r the residue of p'/p at a = 0, that of Omega is Delta_2^kappa_2.
     """
-    bar, a, frequency = _shortened_averages(), _symbol("a"), _symbol("Omega")
+    bar, a, frequency = shortened_averages(), _symbol("a"), _symbol("Omega")
     first, second = logarithmic_derivatives()
     amplitude, spin = sp.expand(8 * bar["Kbar_11"]), sp.expand(bar["Kbar_33"])
     residue = sp.limit(a * first, a, 0)
@@ -315,7 +333,7 @@ def densities() -> dict[str, Expr]:
     spin = _symbol("C_2") * _symbol("Delta_2") ** _symbol("kappa_2")
     marginal = {"p_s1": amplitude, "p_s2": 1 / (2 * sp.pi), "p_s3": spin}
     joint = _symbol("p_s1") * _symbol("p_s2") * _symbol("p_s3")
-    return {**_shortened_averages(), **exponents(), **marginal, "p_s": joint}
+    return {**shortened_averages(), **exponents(), **marginal, "p_s": joint}
 
 
 @cache
@@ -355,8 +373,14 @@ def moment_parameters() -> dict[str, Expr]:
 
 def additive_noise_only() -> dict[str, Expr]:
     """The averaged coefficients of a for alpha = 0."""
-    bar = _shortened_averages()
+    bar = shortened_averages()
     return {name: sp.expand(bar[name].subs(_symbol("alpha"), 0)) for name in ("Kbar_11", "Kbar_1")}
+
+
+def additive_axial_noise_only() -> dict[str, Expr]:
+    """The averaged coefficients of Omega for g_13 = 0."""
+    bar = shortened_averages()
+    return {name: sp.expand(bar[name].subs(_symbol("g_13"), 0)) for name in ("Kbar_33", "Kbar_3")}
 
 
 # --- for positive parameters: densities with their constants, distributions, moments
@@ -474,7 +498,7 @@ def moments() -> dict[str, Expr]:
 @cache
 def mean_squares() -> dict[str, Expr]:
     """The means of a^2 and Omega^2, as those of 2 x Kbar + Kbar_xx vanish (B.8)."""
-    bar, found = _shortened_averages(), {}
+    bar, found = shortened_averages(), {}
     for name, x, i in (("S_a", "a", 1), ("S_Omega", "Omega", 3)):
         balance = sp.Poly(sp.expand(2 * _symbol(x) * bar[f"Kbar_{i}"] + bar[f"Kbar_{i}{i}"]), _symbol(x))
         found[name] = _differences_of_squares(-balance.coeff_monomial(1) / balance.coeff_monomial(_symbol(x) ** 2))

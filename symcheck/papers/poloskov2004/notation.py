@@ -1,5 +1,7 @@
 """The letters of Poloskov 2004: what each means, its unit, its components along the principal axes."""
 
+from dataclasses import replace
+
 from symcheck.reading import Letter, Notation
 
 RATE = "rad/s"
@@ -102,4 +104,24 @@ moment_letters = notation.extended(
     Letter("q", meaning="probability"),
     Letter("n", depends="", meaning="half the order of a moment, less one half"),
     Letter(r"\lambda", meaning="logarithmic derivative of a density"),
+)
+
+initial_letters = notation.extended(
+    Letter("u", meaning="cosine of theta, or the difference of two x_1"),
+    Letter("v", meaning="sine of theta, or the difference of two x_2"),
+    Letter("w", meaning="a value of Omega, or the rate of x_3"),
+    Letter("r", meaning="length of (x_1, x_2), or half the rate of the square of (u, v)"),
+)
+
+ratio_letters = notation.extended(
+    Letter("q", kind="function", depends=r"a, \theta, \Omega", meaning="the ratio of a further density to p_s")
+)
+
+primitive_letters = notation.extended(
+    Letter("U", named=True, depends=r"\psi", meaning="integral of K_11 / epsilon - Kbar_11 over the phase"),
+    Letter(r"\Omega", depends="", meaning="frequency, fixed", unit=RATE),
+)
+
+constant_letters = notation.extended(
+    *(replace(letter, depends="") for letter in notation.letters if letter.latex in "dgk" and letter.kind == "scalar")
 )

@@ -2,11 +2,11 @@
 
 from symcheck.core.claims import Damage, Erratum, Hypothesis
 from symcheck.core.verdicts import Origin
-from symcheck.papers.declare import Scope, claim, definition, exclusion, premise
+from symcheck.papers.declare import Scope, claim, definition, exclusion, ours, premise
 from symcheck.papers.poloskov2004 import derivation
 from symcheck.papers.poloskov2004.hypotheses import amplitude, positive_k, positive_parameter
-from symcheck.papers.poloskov2004.notation import functions_of_time, six_columns
-from symcheck.proof import cases, identity
+from symcheck.papers.poloskov2004.notation import functions_of_time, initial_letters, six_columns
+from symcheck.proof import cases, existence, identity
 
 system = Scope(where=derivation.stratonovich_system, by=identity)
 
@@ -43,11 +43,45 @@ generating_solution_solves = claim(
     uses=["1.1", "2.1", "2.1.1"],
 )
 
-solution_is_general = premise(
+STATE = r"\exists a, u, v, w: (u^2 + v^2 = 1 \land x_1 = a u \land x_2 = -a v \land x_3 = w/k)"
+
+solution_is_general = claim(
     "2.1.3",
     31,
-    words="a, Omega, theta are arbitrary constants: the solution is the general one.",
-    reason="polar coordinates: every initial x_1, x_2 is a cos theta, -a sin theta, and x_3 is Omega/k",
+    words="a, Omega, theta are arbitrary constants: the solution is the general one. Every x_1, x_2, x_3 is had at t = 0, with "
+    "u, v for the cosine and sine of theta and w for Omega (2.1.6 for x_1 = x_2 = 0), and a motion has no second one beside it (2.1.7).",
+    states=STATE,
+    given=[
+        positive_k,
+        Hypothesis(
+            "not about the polar axis", "r, the length of (x_1, x_2), is not zero", "r^2 = x_1^2 + x_2^2, r > 0"
+        ),
+    ],
+    by=existence(a="r", u=r"\frac{x_1}{r}", v=r"-\frac{x_2}{r}", w="kx_3"),
+    uses=["2.1", "2.1.2", "2.1.6", "2.1.7"],
+    notation=initial_letters,
+)
+
+solution_about_the_polar_axis = ours(
+    "2.1.6",
+    31,
+    words="Where x_1 = x_2 = 0 it is that with a = 0, and any theta.",
+    states=STATE,
+    given=[positive_k, Hypothesis("about the polar axis", "x_1 and x_2 are zero", "x_1 = 0, x_2 = 0")],
+    by=existence(a="0", u="1", v="0", w="kx_3"),
+    notation=initial_letters,
+)
+
+motions_keep_their_distance = ours(
+    "2.1.7",
+    31,
+    words="For epsilon = 0 x_3 is constant, and two motions with the same x_3 keep their distance; so motions that begin "
+    "together stay together.",
+    states=r"w = 0 \land r = 0",
+    where=derivation.distance_of_free_motions,
+    by=cases(),
+    uses=["1.1"],
+    notation=initial_letters,
 )
 
 perturbed_motion = exclusion("2.1.4", 31, r"\varepsilon \neq 0", reason="names the case treated from here on")
@@ -117,6 +151,8 @@ rate_of_phase = claim(
             "above, is psi' = Omega + theta', where the exact psi' has the further term Omega' t. Restoring the time, "
             "psi = Omega t + theta, would make it a definition that (2.1) has given already and that is exact. Whether the "
             "author or the OCR lost the dots cannot be told; the OCR keeps all other dots of the page.",
+            summary=r"A frequency is added to an angle; what is used two lines above, and holds up to terms of the order "
+            r"$\varepsilon$, is the relation between the rates.",
         )
     },
 )
@@ -179,6 +215,7 @@ drift_of_phase = system.claim(
             "The outer bracket swallows three terms that must not carry the factor Omega/(ak); as printed their dimension "
             "is wrong, and the average of v_2 would not be the printed Kbar_2. The printed bracket pair is balanced, so it "
             "is no bracket dropped; the author or the OCR may have doubled it.",
+            summary=r"The outer bracket is too long: only the first two terms have the factor $\Omega/(ak)$.",
         )
     },
 )
@@ -199,6 +236,7 @@ drift_of_frequency = system.claim(
             "Both terms of the bracket have the wrong sign: v_3 is -k times row 3 of D times x, where x_2 = -a sin psi. The "
             "bracket has the signs of that of v_1, which a plus stands before; the sign before ak or those inside are a "
             "slip of the author's, or a plus was read as a minus. The average of v_3 is not touched.",
+            summary=r"Both terms in the inner bracket have the wrong sign, as $x_1 = a\cos\psi$ and $x_2 = -a\sin\psi$.",
         )
     },
 )

@@ -1,6 +1,7 @@
 """Poloskov 2004, section 3: the Fokker-Planck-Kolmogorov (FPK) equation, its average, the stationary densities."""
 
-from symcheck.core.claims import Damage, Hypothesis
+from symcheck.core.claims import Damage, Erratum, Hypothesis
+from symcheck.core.verdicts import Origin
 from symcheck.papers.declare import Scope, claim, definition, exclusion, ours, premise
 from symcheck.papers.poloskov2004 import derivation
 from symcheck.papers.poloskov2004.hypotheses import (
@@ -11,7 +12,7 @@ from symcheck.papers.poloskov2004.hypotheses import (
     positive_k,
     positive_parameter,
 )
-from symcheck.papers.poloskov2004.notation import density_by_y
+from symcheck.papers.poloskov2004.notation import density_by_y, primitive_letters, ratio_letters
 from symcheck.proof import cases, identity
 
 averaged = Scope(where=derivation.averaged_coefficients, by=cases())
@@ -75,12 +76,54 @@ every_coefficient_has_epsilon = claim(
     uses=["3.1.2", "3.2"],
 )
 
-averaging_needs_a_fast_phase = premise(
+averaging_needs_a_fast_phase = claim(
     "3.2.8",
     61,
-    words="The coefficients are averaged over the time they contain explicitly, at fixed a, theta, Omega [5].",
-    reason="not shown in the paper, and for |Omega| of the order of epsilon the phase is as slow as the other variables: there, "
-    "where the density (3.5) of Omega is largest, the average over time is not the average over a turn",
+    words="The coefficients may be averaged over the time that they contain explicitly, at fixed a, theta, Omega [5]. They contain it in "
+    "the phase Omega t + theta, which is to be another one at another time.",
+    states=r"t \ne 0 \Rightarrow \Omega t + \theta \ne \theta",
+    by=cases(),
+    uses=["3.2", "3.2.9", "3.2.10"],
+    errata={
+        "": Erratum(
+            "",
+            "missing hypothesis",
+            Origin.PAPER,
+            "The average over time is the one over a turn of the phase, Kbar, for Omega != 0 only (3.2.9). At Omega = 0 no time is "
+            "left in the coefficients, and they are their own averages, not Kbar (3.2.10); for |Omega| of the order of epsilon the phase is "
+            "as slow as a, theta, Omega. The density (3.5) is largest there. That this strip may be left out in the first "
+            "approximation is not said.",
+            needs=(Hypothesis("phase turns", "Omega is not zero", r"\Omega \ne 0"),),
+            summary=r"The average over the time is the one over a turn of the phase only for $\Omega \neq 0$; near $\Omega = 0$, "
+            "where the density of the frequency is largest, the step needs a reason.",
+            instead=r"the same for $\Omega \neq 0$, and a word on why $|\Omega| \sim \varepsilon$ may be left out",
+        )
+    },
+)
+
+average_over_time = ours(
+    "3.2.9",
+    61,
+    words="For Omega != 0 what K_11/epsilon has besides its average over the phase is the rate of U/Omega along the time, U periodic: its "
+    "average over the time is zero. (The other coefficients have such a U too, as all are polynomials in cos psi, sin psi.)",
+    states=r"\Omega\frac{\partial}{\partial\psi}\left(\frac{U}{\Omega}\right) = \frac{K_{11}}{\varepsilon} - \bar{K}_{11}",
+    given=[amplitude, positive_k, positive_parameter],
+    where=derivation.primitive_of_diffusion,
+    by=identity,
+    uses=["3.1.2", "3.2.4"],
+    notation=primitive_letters,
+)
+
+no_average_at_rest = ours(
+    "3.2.10",
+    61,
+    words="Where the phase rests the average over the time is K_11 at that phase: for additive noise about the first axis only, and "
+    "psi = 0, it is twice Kbar_11.",
+    states=r"(g_{11} = 0 \land g_{12} = 0 \land g_{22} = 0 \land \sin\psi = 0) \Rightarrow K_{11} = 2\varepsilon\bar{K}_{11}",
+    given=[amplitude, positive_k, positive_parameter],
+    where=derivation.coefficients_and_averages,
+    by=cases(),
+    uses=["3.1.2", "3.2.4"],
 )
 
 averaged_equation = premise(
@@ -207,11 +250,35 @@ product_of_densities = density.claim(
     uses=["3.2.2", "3.3", "3.3.9", "3.4", "3.5"],
 )
 
-product_is_the_only_solution = premise(
+
+def _averaged_operator(density: str) -> str:
+    """(3.3) without epsilon, applied to a density."""
+    diffusion = ((r"a", "11"), (r"\theta", "22"), (r"\Omega", "33"))
+    second = (
+        rf"\frac{{1}}{{2}} \frac{{\partial^2}}{{\partial {y}^2}} (\bar{{K}}_{{{i}}} {density})" for y, i in diffusion
+    )
+    first = (rf"\frac{{\partial}}{{\partial {y}}} (\bar{{K}}_{i[0]} {density})" for y, i in diffusion)
+    return f"{' + '.join(second)} - {' - '.join(first)}"
+
+
+product_is_the_only_solution = density.claim(
     "3.3.5",
     75,
-    words="If a stationary density exists it must be a product of this form.",
-    reason="that there is no second stationary density (the diffusion is non-degenerate) is not shown in the paper",
+    words="If a stationary density exists it must be this product. For a density q p_s the equation (3.3) gives (a): L(q^2 p_s) - 2 q L(q p_s) is "
+    "p_s times a sum of squares of the derivatives of q, with coefficients (b) that are positive. Where q p_s solves (3.3), L(q^2 p_s) is "
+    "left, a divergence: its integral over all a, theta, Omega is zero if q^2 p_s carries nothing through the ends, so that q is "
+    "constant. (Kbar_22, which depends on a too, and of which the paper says nothing, does no harm: p_s does not depend on theta.)",
+    states=(
+        rf"{_averaged_operator('q^2 p_s')} - 2\left[{_averaged_operator('q p_s')}\right] \cdot q = "
+        r"\left(\left(\frac{\partial q}{\partial a}\right)^2 \bar{K}_{11} + "
+        r"\left(\frac{\partial q}{\partial \theta}\right)^2 \bar{K}_{22} + "
+        r"\left(\frac{\partial q}{\partial \Omega}\right)^2 \bar{K}_{33}\right) \cdot p_s",
+        r"\bar{K}_{11} > 0 \land \bar{K}_{22} > 0 \land \bar{K}_{33} > 0",
+    ),
+    given=[amplitude, equatorial_noise, axial_noise, positive_k],
+    by={"a": identity, "b": cases()},
+    uses=["3.3.4", "3.3.10"],
+    notation=ratio_letters,
 )
 
 interval_of_phase = exclusion("3.3.6", 79, r"[0, 2\pi]", reason="names the range of theta, see 3.3.8")

@@ -124,6 +124,9 @@ moments_of_frequency_are_finite = density.claim(
             "The tail of the density is Omega^(-2 d_33/g_13^2 - 1); its moment of order m is finite for 2 d_33 > m g_13^2 and "
             "only then (4.0.11). For m = 2, d_33 = g_13^2 the printed condition holds and the variance is infinite. 3 for 2 may "
             "be the author's slip (the condition before it has a 3 before m) or a misread digit.",
+            summary=r"The moment of order $m$ is finite for $2d_{33} > mg_{13}^2$ and only then; for $m = 2$, $d_{33} = g_{13}^2$ "
+            "the printed condition holds, and the variance is infinite.",
+            instead="$2d_{33} > mg_{13}^2$",
         )
     },
 )
@@ -291,6 +294,8 @@ constant_of_frequency = claim(
             "The constant is 2 k^3/pi: it depends on k, which the paper does not print. 54/(125 pi) belongs to k = 3/5 and to no "
             "other k. No other printed quantity of the example needs k.",
             needs=(Hypothesis("k", "k = 3/5", "k = 3/5"),),
+            summary="The constant depends on $k$, which is not printed; the printed value is that for $k = 3/5$.",
+            instead=r"$C_2 = 2k^3/\pi$, which is $54/(125\pi)$ for $k = 3/5$",
         )
     },
 )

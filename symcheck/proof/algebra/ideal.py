@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
-from functools import lru_cache
+from functools import lru_cache, partial
 
 from symcheck.proof.algebra import flint
 from symcheck.proof.algebra.facts import Fact, by_construction
@@ -26,7 +26,7 @@ def _text(poly: Poly, support: list[int]) -> Text:
     return tuple((tuple(int(e[k]) for k in support), (int(c.p), int(c.q))) for e, c in poly.terms())
 
 
-@lru_cache(maxsize=256)
+@lru_cache(maxsize=256)  # statements that follow one another share hypotheses
 def _basis(names: tuple[str, ...], polys: tuple[Text, ...], pairs: int) -> Basis:
     context = flint.context(names)
     return Basis([context.from_dict({e: flint.rational(Fraction(*c)) for e, c in poly}) for poly in polys], pairs)
@@ -70,7 +70,7 @@ class Ideal:
         self.complete = self.complete and basis.complete
         for index in basis.active:
             poly = self.ring.move(basis.nodes[index].poly)
-            self._elements.append(_Element(poly, lambda b=basis, i=index: self._moved(b, i, members)))  # type: ignore[misc]
+            self._elements.append(_Element(poly, partial(self._moved, basis, index, members)))
 
     def _moved(self, basis: Basis, index: int, members: list[int]) -> Cofactors:
         one = basis.nodes[index].poly * 0 + 1
@@ -88,8 +88,7 @@ class Ideal:
         larger.complete = self.complete and basis.complete
         shift = len(self.facts) - len(old)
         larger._elements = [
-            _Element(basis.nodes[i].poly, lambda i=i: _through(basis, i, old, shift))  # type: ignore[misc]
-            for i in basis.active
+            _Element(basis.nodes[i].poly, partial(_through, basis, i, old, shift)) for i in basis.active
         ]
         return larger
 

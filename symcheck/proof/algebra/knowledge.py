@@ -17,7 +17,7 @@ from symcheck.proof.algebra.flint import Poly, fraction
 from symcheck.proof.algebra.ideal import Ideal
 from symcheck.proof.algebra.polynomial import Ring, unfold, variables
 
-MIRROR = {"<": ">", "<=": ">="}
+ORDERS = ("<", "<=", ">", ">=")
 
 
 @dataclass(frozen=True)
@@ -56,9 +56,7 @@ class Knowledge:
             return replace(self, pending=(*self.pending, (ref, formula)))
         if formula[0] not in RELATIONS:
             return self
-        sign, left, right = formula
-        if sign in MIRROR:
-            sign, left, right = MIRROR[sign], right, left
+        sign, left, right = larger_first(formula)
         gap = self.ring.subtract(left, right)
         known = self
         if sign == "=" and gap.num not in self.ring.axioms().values():
@@ -144,6 +142,12 @@ class Knowledge:
         return next(([ref] for ref, condition in self.conditions if proportional(poly, condition) is not None), None)
 
 
+def larger_first(relation: Formula) -> Formula:
+    """An order with its larger side first; other relations as they are."""
+    mirrored = {"<": ">", "<=": ">="}.get(relation.tag)
+    return node(mirrored, *relation.terms[::-1]) if mirrored else relation
+
+
 def _is_number(term: Term) -> bool:
     """Whether a term is made of whole numbers alone."""
     if not isinstance(term, Node):
@@ -172,21 +176,19 @@ def hints_of(problem: Problem) -> list[Term]:
 def ring_of(problem: Problem) -> Ring:
     """The ring of everything the problem mentions."""
     definitions = dict(problem.definitions)
-    nodes = [
-        problem.claim,
-        *(formula for _, formula in stated(problem)),
-        *(term for hint in problem.hints if isinstance(hint, Form | Witness) for term in hint.terms),
-    ]
-    names: set[str] = set()
-    for tree in nodes:
-        names |= variables(unfold(tree, definitions))
-    return Ring(names, definitions)
+    hinted = (term for hint in problem.hints if isinstance(hint, Form | Witness) for term in hint.terms)
+    return Ring(variables(*(unfold(tree, definitions) for tree in (*formulas_of(problem), *hinted))), definitions)
 
 
 def stated(problem: Problem) -> list[tuple[Hypothesis, Formula]]:
     """The conjuncts of every hypothesis, with their references."""
     parts = ((name, [part for f in formulas for part in conjuncts(f)]) for name, formulas in problem.hypotheses)
     return [(Hypothesis(name, k), formula) for name, formulas in parts for k, formula in enumerate(formulas)]
+
+
+def formulas_of(problem: Problem) -> list[Formula]:
+    """The claim, and the conjuncts of every hypothesis."""
+    return [problem.claim, *(formula for _, formula in stated(problem))]
 
 
 def starting(problem: Problem, ring: Ring, names: Sequence[str] | None = None) -> Knowledge:

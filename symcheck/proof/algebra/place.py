@@ -13,7 +13,7 @@ from symcheck.proof.algebra.knowledge import Knowledge
 from symcheck.proof.algebra.polynomial import power_of
 from symcheck.proof.algebra.products import Product
 
-# what is longer or higher makes a Groebner basis of the facts grow without end
+# with longer facts, or facts of a higher degree, Groebner bases take minutes
 MAX_TERMS = 14
 MAX_DEGREE = 8
 PAIRS = 300  # S-polynomials when facts enter an ideal, at every place anew: so fewer than for one ideal of hypotheses

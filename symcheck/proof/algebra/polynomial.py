@@ -1,6 +1,6 @@
 """Terms as exact fractions of polynomials over a ring made for one problem (python-flint, degrevlex order).
 
-Sines, cosines, roots of primes and other functions are variables of their own (`variables.py`).
+Sines, cosines, roots of primes and other functions are further variables (`variables.py`).
 """
 
 from __future__ import annotations
@@ -23,11 +23,12 @@ from symcheck.proof.algebra.variables import Unsupported as Unsupported
 BINDING = ("integral", "diverges", "mean")
 FUNCTIONS = ("sqrt", "pow", "log", "exp", "gamma", "arctan", "arcsin", "arccos", *BINDING, "call")
 
-MAX_POWER = 999
-MAX_LENGTH = 200_000  # terms of a power
+# what is above these limits would take minutes or gigabytes; the papers stay far below
+MAX_POWER = 999  # exponent
+MAX_LENGTH = 200_000  # terms of the power of a sum
 MAX_DEGREE = 400  # of the power of a sum
-MAX_BITS = 12_000  # of a number
-MAX_TURNS = 99
+MAX_BITS = 12_000  # of a number: Python prints none of more than 4,300 digits
+MAX_TURNS = 99  # times an angle: the cosine has as many factors
 MAX_PRIME = 43  # of the roots the checker knows
 
 
@@ -363,7 +364,7 @@ def with_arguments(names: Iterable[str]) -> set[str]:
         tree = atoms()[open_.pop()]
         bound = turning(tree.bound[0]) if tree.bound else set()
         inner = variables(*parts(tree)) - bound
-        if bound:  # a function of what is bound is none of the statement, but what else it depends on is
+        if bound:  # a function of bound letters is not among those of the statement, but its other letters are
             inner = {other for name in inner for other in (with_arguments({name}) if name in atoms() else {name})}
             inner = {name for name in inner - bound if not (name in atoms() and bound & with_arguments({name}))}
         open_ += sorted(name for name in inner - found if name in atoms())
@@ -428,7 +429,7 @@ class Ring:
         self._ratios: dict[Term, Ratio] = {}
 
     def remembered(self, key: Hashable, work_out: Callable[[], T], *kept: object) -> T:
-        """An answer that depends on the ring and a key alone; what the ids in a key belong to is kept beside it."""
+        """An answer that depends on the ring and a key alone; objects whose ids are in the key are kept with it."""
         if key not in self._memory:
             self._memory[key] = work_out(), kept
         answer: T = self._memory[key][0]
@@ -450,19 +451,6 @@ class Ring:
                     moved[where] = exponent
             terms[tuple(moved)] = coefficient
         return self.context.from_dict(terms)
-
-    def text(self, text: str) -> Poly:
-        """A polynomial as it is printed."""
-        total = self.number(0)
-        for term in text.replace(" - ", " + -").split(" + "):
-            product = self.number(-1 if term.startswith("-") else 1)
-            for factor in term.removeprefix("-").split("*"):
-                name, _, exponent = factor.partition("^")
-                product *= (
-                    self.number(Fraction(factor)) if factor[0].isdigit() else self.generator[name] ** int(exponent or 1)
-                )
-            total += product
-        return total
 
     def difference(self, relation: Formula) -> Poly:
         """The numerator of left - right of a relation."""

@@ -100,7 +100,7 @@ class Table:
         return (self.atoms | CONSTANTS).get(name, name)
 
     def stands(self, name: str) -> bool:
-        """Whether a variable stands for a term, and is no letter."""
+        """Whether a variable stands for a term and not for a letter."""
         kinds = (self.circles, self.primes, self.atoms, self.exponentials, CONSTANTS)
         return any(name in kind for kind in kinds)
 
@@ -115,7 +115,7 @@ def table() -> Table:
 
 @contextmanager
 def one_problem(letters: Iterable[str]) -> Iterator[Table]:
-    """A table of its own while one problem with these letters is looked at."""
+    """A new table while one problem with these letters is looked at."""
     _TABLES.append(Table(letters))
     try:
         yield _TABLES[-1]

@@ -17,7 +17,7 @@ from symcheck.core.problems import Problem
 from symcheck.core.terms import PI, RELATIONS, Connective, Formula, Node, Term, Value, node
 from symcheck.proof.algebra.facts import NOTHING, Assumed, Hypothesis, Positive, Signed
 from symcheck.proof.algebra.forms import number_term
-from symcheck.proof.algebra.knowledge import stated
+from symcheck.proof.algebra.knowledge import ORDERS, stated
 from symcheck.proof.algebra.polynomial import Unsupported, constant, subterms, unfold
 from symcheck.proof.rules.absurd import Absurd
 from symcheck.proof.rules.each import Each
@@ -66,7 +66,7 @@ class Numbers:
 
     @classmethod
     def of(cls, problem: Problem, chosen: Mapping[str, Term] | None = None) -> Numbers | None:
-        """Beside the letters chosen, those that the problem fixes; None if the claim is about others too."""
+        """The letters chosen and those that the problem fixes; None if the claim is about others too."""
         found = cls(dict(problem.definitions), dict(chosen or {}), {})
         equations = [(ref, formula.terms) for ref, formula in stated(problem) if formula.tag == "="]
         fixable = {side for _, sides in equations for side in sides if isinstance(side, str)}
@@ -183,7 +183,7 @@ def prove_numbers(problem: Problem) -> Proof | None:
 
 def order_of_numbers(goal: Formula, definitions: Mapping[str, Term]) -> Step | None:
     """The proof of an order of numbers inside a larger proof, or None."""
-    if goal.tag not in ("<", "<=", ">", ">="):
+    if goal.tag not in ORDERS:
         return None
     proof = prove_numbers(Problem("", goal, tuple(definitions.items())))
     return None if proof is None else proof.step.step

@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 
+from symcheck.core.problems import Problem
 from symcheck.core.terms import Term
 from symcheck.proof.algebra.facts import Grounds
 from symcheck.proof.rules.compute import Point
@@ -18,3 +20,6 @@ class Proof:
     given: Grounds = frozenset()
     nonzero: tuple[Term, ...] = ()
     witnesses: tuple[Point, ...] = ()
+
+
+Prover = Callable[[Problem], Proof | None]

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import json
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, field, fields, replace
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 from typing import ClassVar, Self
 
@@ -36,6 +36,7 @@ Factor = Denominator | Nonzero  # what is not zero
 class Cofactor:
     """A fact and what it is multiplied with, printed."""
 
+    __match_args__: ClassVar[tuple[str, ...]]
     fact: Reference
     factors: tuple[str, ...]
 
@@ -48,26 +49,26 @@ class Step:
     """A step, with those above it."""
 
     rule: ClassVar[str]
+    __match_args__: ClassVar[tuple[str, ...]]  # the names of the fields, as every dataclass has them
     optional: ClassVar[tuple[str, ...]] = ()  # fields that are not written where they are empty
 
     def json(self) -> object:
         """The step as the checker reads it; what is in it is written by `written`."""
-        named = {field.name.rstrip("_"): getattr(self, field.name) for field in fields(self)}
+        named = {name.rstrip("_"): getattr(self, name) for name in self.__match_args__}
         return {"rule": self.rule, **{name: part for name, part in named.items() if part or name not in self.optional}}
 
     def speaks_of(self, definitions: Mapping[str, Term]) -> Iterable[Term]:
-        """Terms that the step mentions, beside signed ones."""
+        """Terms that the step mentions, in addition to signed ones."""
         return ()
 
     @cached_property
     def references(self) -> frozenset[Reference]:
         """The facts that the proof uses."""
-        own = (_references(getattr(self, field.name)) for field in fields(self))
-        return frozenset[Reference]().union(*own)
+        return frozenset[Reference]().union(*(_references(getattr(self, name)) for name in self.__match_args__))
 
     def mapped(self, change: Callable[[Reference], Reference]) -> Self:
         """The proof with every reference changed."""
-        return replace(self, **{field.name: _changed(getattr(self, field.name), change) for field in fields(self)})
+        return replace(self, **{name: _changed(getattr(self, name), change) for name in self.__match_args__})
 
     def without(self, numbers: Sequence[int]) -> Self | None:
         """The proof without assumptions of consecutive numbers, later ones renumbered; None if it refers to them."""
@@ -105,15 +106,16 @@ class Whole(Step):
         return own | {name: part for name, part in named.items() if part}
 
 
-def _parts(part: object) -> Iterator[object]:
-    """Steps, references, cofactors and texts in a field; terms are left out."""
-    yield part
-    if isinstance(part, Step | Cofactor):
-        for field in fields(part):
-            yield from _parts(getattr(part, field.name))
-    elif isinstance(part, tuple) and not isinstance(part, Node):
-        for inner in part:
-            yield from _parts(inner)
+def _parts(step: Step) -> Iterator[object]:
+    """The steps, cofactors, signed terms and printed denominators of a proof, from the top."""
+    open_: list[object] = [step]
+    while open_:
+        part = open_.pop()
+        yield part
+        if isinstance(part, Step | Cofactor):
+            open_ += [getattr(part, name) for name in reversed(part.__match_args__)]
+        elif isinstance(part, tuple) and not isinstance(part, Node):
+            open_ += part[::-1]
 
 
 def _references(part: object) -> frozenset[Reference]:

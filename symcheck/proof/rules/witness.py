@@ -34,7 +34,7 @@ class Witness(Step):
 def prove_existence(problem: Problem, ring: Ring, prove_body: Prove) -> Step | None:
     """The proof of an "exists" claim from the hinted point, or by a quarter turn if there is none.
 
-    A point may contain two letters of its own, such as u and v: some point (u, v) of the unit circle. A claim about
+    A point may contain two new letters, such as u and v: some point (u, v) of the unit circle. A claim about
     such a point itself, "exists c, s: c^2 + s^2 = 1 and ...", is read so too.
     """
     point = dict(pair for hint in problem.hints if isinstance(hint, Hinted) for pair in hint.values)

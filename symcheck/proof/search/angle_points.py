@@ -5,7 +5,7 @@ What digits cannot tell, such as that the tangent of arctan t is t, has a proof.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import replace
 from itertools import islice, pairwise
 
@@ -15,21 +15,21 @@ from symcheck.core.calculus import letters as letters_in
 from symcheck.core.formulas import conjuncts, contrary
 from symcheck.core.problems import Problem
 from symcheck.core.terms import PI, Formula, Node, Quantified, Term, Value, mapped, node
-from symcheck.proof.algebra.knowledge import ring_of, stated
+from symcheck.proof.algebra.knowledge import formulas_of, ring_of, stated
 from symcheck.proof.algebra.polynomial import Ring, Unsupported, subterms, unfold, with_arguments
 from symcheck.proof.algebra.variables import circle
 from symcheck.proof.rules.compute import AT_POINT, Point
 from symcheck.proof.rules.enclosure import Numbers, prove_numbers
-from symcheck.proof.rules.proof import Proof
+from symcheck.proof.rules.proof import Prover
 from symcheck.proof.rules.step import Step
 from symcheck.proof.search.angles import KNOWN_ANGLES, KNOWN_SINES, compared, compares_angles, multiple_of_pi
 from symcheck.proof.search.number_points import refute_at
 
-MAX_LETTERS = 3
-MAX_POINTS = 80
-MAX_PROOFS = 8
+MAX_LETTERS = 3  # each has some twenty values: with more letters no point would be reached in which all are changed
+MAX_POINTS = 80  # of which the papers need 16
+MAX_PROOFS = 8  # of some seconds each, of which the papers need three
+SAME = 20  # bits: ends of intervals that differ in fewer (of 160) are the same angle
 Ends = dict[str, list[Term]]  # by angle: what it is compared with
-Prover = Callable[[Problem], Proof | None]
 
 
 def refute_about_angles(problem: Problem, prove: Prover) -> Point | None:
@@ -49,9 +49,7 @@ def _points(problem: Problem) -> Iterator[dict[str, Term]]:
     """Values for all letters, if all of them are angles: first of those whose ends depend on no others."""
     definitions = dict(problem.definitions)
     ring = Ring(with_arguments(ring_of(problem).names), definitions)
-    formulas = [
-        unfold(formula, definitions) for formula in (problem.claim, *(formula for _, formula in stated(problem)))
-    ]
+    formulas = [unfold(formula, definitions) for formula in formulas_of(problem)]
     if not compares_angles(ring) or any(isinstance(part, Quantified) for part in subterms(*formulas)):
         return
     ends: Ends = {x: [] for function, x in filter(None, map(circle, ring.names)) if function == "sin"}
@@ -93,7 +91,7 @@ def _values(ends: list[Term]) -> list[Term]:
     sizes: dict[int, Term] = {}
     for term in (*ends, known[0], known[-1]):
         try:
-            sizes.setdefault(enclosed(term).low >> 20, term)
+            sizes.setdefault(enclosed(term).low >> SAME, term)
         except Unknown:
             continue
     ordered = [term for _, term in sorted(sizes.items())]

@@ -1,7 +1,7 @@
 """Angles compared with multiples of pi and with arctan, arcsin, arccos: what that says of their sines, and back.
 
 A theorem of `symcheck/checker/theorems.py` turns a comparison such as a < arctan t into one of sin a with t cos a.
-What is left is algebra: orders by `farkas`, equations by squares or by ideals.
+What is left is algebra: orders by contradictions among signs (`absurd`), equations by squares or by ideals.
 """
 
 from __future__ import annotations
@@ -17,7 +17,7 @@ from symcheck.core.problems import Problem
 from symcheck.core.terms import PI, RELATIONS, Formula, Node, Term, node
 from symcheck.proof.algebra.flint import fraction
 from symcheck.proof.algebra.forms import number_term, term_of
-from symcheck.proof.algebra.knowledge import Knowledge, hints_of, ring_of, starting, stated
+from symcheck.proof.algebra.knowledge import Knowledge, formulas_of, hints_of, ring_of, starting
 from symcheck.proof.algebra.polynomial import Ring, canonical, unfold, variables, with_arguments
 from symcheck.proof.algebra.variables import atoms, circle, prime, table
 from symcheck.proof.rules.absurd import contradiction, contrary_signs
@@ -46,7 +46,7 @@ KNOWN_SINES = dict(zip(KNOWN_ANGLES, _SINES, strict=True))  # and cosines
 
 
 def compares_angles(ring: Ring) -> bool:
-    """Whether angles stand beside their sines, or inverse functions occur."""
+    """Whether angles occur together with their sines, or inverse functions occur."""
     names = with_arguments(ring.names)
     arcs = any(name in atoms() and atoms()[name][0] in INVERSE for name in names)
     return arcs or ("pi" in names and any(turn is not None and turn[1] in names for turn in map(circle, names)))
@@ -56,8 +56,8 @@ def prove_about_angles(problem: Problem, prove_here: Prove) -> Step | None:
     """A proof of a statement in which angles are compared; `prove_here` is asked for equations of their sines."""
     definitions = dict(problem.definitions)
     ring = Ring(with_arguments(ring_of(problem).names), definitions)
-    given = [formula for _, formula in stated(problem)]
-    comparisons = [pair for f in (*given, problem.claim) for pair in compared(unfold(f, definitions), ring)]
+    claim, *given = formulas_of(problem)
+    comparisons = [pair for f in (*given, claim) for pair in compared(unfold(f, definitions), ring)]
     angles = sorted({pair.angle for pair in comparisons})
     positive = [Comparison.with_pi(">=", angle, Fraction(0)) for angle in angles]
     comparisons += positive
@@ -67,7 +67,7 @@ def prove_about_angles(problem: Problem, prove_here: Prove) -> Step | None:
     known = starting(problem, Ring({*whole.names, *_names_of(always, definitions)}, definitions))
     signs = [applied("right_half", angle) for angle in angles] + [pair.theorem(0) for pair in positive]
     pending = dict.fromkeys((*always, *_forward(given, known.ring), *signs))
-    return _Prover(prove_here, hints_of(problem)).prove(problem.claim, known, list(pending))
+    return _Prover(prove_here, hints_of(problem)).prove(claim, known, list(pending))
 
 
 Usable = Instance | Lemma  # in a proof, once its premises have proofs

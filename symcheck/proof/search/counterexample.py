@@ -20,7 +20,7 @@ from symcheck.core.problems import Candidate, Problem
 from symcheck.core.terms import PI, RELATIONS, Formula, Node, Quantified, Term, Value, mapped, node
 from symcheck.proof.algebra.flint import Poly, Rational, by_powers, fraction, occurring, rational
 from symcheck.proof.algebra.forms import number_term, term_of
-from symcheck.proof.algebra.knowledge import ring_of, stated
+from symcheck.proof.algebra.knowledge import formulas_of, ring_of, stated
 from symcheck.proof.algebra.polynomial import (
     Ratio,
     Ring,
@@ -28,25 +28,28 @@ from symcheck.proof.algebra.polynomial import (
     alone,
     number_of,
     square_free,
+    subterms,
     unfold,
     variables,
     with_arguments,
 )
 from symcheck.proof.algebra.variables import atoms, circle, cosine, prime, sine, table
 from symcheck.proof.rules.compute import Point
-from symcheck.proof.rules.proof import Proof
+from symcheck.proof.rules.proof import Prover
 from symcheck.proof.rules.step import Step
 from symcheck.proof.search.angle_points import refute_about_angles
 from symcheck.proof.search.number_points import refute_at, refute_at_some, refute_numbers
 from symcheck.proof.search.theorem_search import values_of
 
 Assignment = dict[str, Poly]
-Prover = Callable[[Problem], Proof | None]
+Solved = tuple[str, Poly, Poly]  # (x, a, b): a x + b = 0
 Rows = Sequence[Sequence[Term | Fraction]]
 ZERO = rational(0)
-TRIES = 400
-FUNCTION_TRIES = 12
-MAX_POWER = 40
+TRIES = 400  # points: the papers' counterexamples are among the first 312
+FUNCTION_TRIES = 12  # integrals and means to be evaluated by proofs, which cost up to a second: the papers need 7
+MAX_POWER = 40  # of a number at a point, which people are to read: the papers need 34
+MAX_INDEX = 40, 6  # of the values tried of up to three groups, and of more: all tuples of indices are sorted
+MAX_BITS = 4096  # when signs of sums of roots are told apart: those of the papers need 8
 SEVENTHS = ((2, 3, 6), (6, 2, -3), (-3, 6, -2))
 
 
@@ -110,17 +113,13 @@ def failing(problem: Problem) -> Callable[[Mapping[str, int]], bool] | None:
 
 def _point(problem: Problem, prove: Prover) -> Point | None:
     claim = problem.claim
-    if _quantified(claim):
+    if any(isinstance(part, Quantified) for part in subterms(claim)):
         return None
     if claim[0] == "<=>":
         directions = [node("=>", claim[1], claim[2]), node("=>", claim[2], claim[1])]
         points = (Search(problem, direction, prove).run() for direction in directions)
         return next((point for point in points if point), None)
     return Search(problem, claim, prove).run()
-
-
-def _quantified(formula: Formula) -> bool:
-    return isinstance(formula, Quantified) or any(map(_quantified, formula.formulas))
 
 
 @dataclass(frozen=True)
@@ -185,7 +184,7 @@ class Search:
             point = {x: self._value(hinted.get(_key(x), 1)) for x in self.free}
             if self._evaluate(point):
                 yield point
-        solved: dict[tuple[int, ...], list[tuple[str, Poly, Poly]] | None] = {}
+        solved: dict[tuple[int, ...], list[Solved] | None] = {}
         for indices in islice(_by_size([len(g.choices) for g in groups] + [len(_PATTERNS)]), TRIES):
             fixed: Assignment = {}
             for group, index in zip(groups, indices[:-1], strict=True):
@@ -238,7 +237,7 @@ class Search:
     def _numbers(self, names: Sequence[str], index: int) -> Assignment:
         """Values for the scalars: members of a family I_1, I_2, I_3 by their number, others from the end.
 
-        The empty pattern gives every letter a value of its own, to tell apart what the others make equal.
+        The empty pattern gives every letter another value, to tell apart what the others make equal.
         """
         pattern, point, place = _PATTERNS[index], {}, 0
         if not pattern:
@@ -258,11 +257,14 @@ class Search:
             return set().union(*map(self._support, formula.formulas))
         return occurring(self._gap(formula).num) - self.roots.keys()
 
-    def _solve(self, fixed: Assignment, scalars: Sequence[str]) -> list[tuple[str, Poly, Poly]] | None:
-        """Steps (x, a, b) meaning x = -b / a, in order of solution, from the equations at fixed matrices and angles."""
-        equations = [self._gap(f).num for f in self.formulas if f[0] == "=" and not self._functions_in(f)]
-        open_ = [q for q in (self._reduce(self._at(p, fixed)) for p in equations) if q != 0]
-        steps: list[tuple[str, Poly, Poly]] = []
+    def _equations(self) -> list[Poly]:
+        """What the equations without functions say is zero."""
+        return [self._gap(f).num for f in self.formulas if f.tag == "=" and not self._functions_in(f)]
+
+    def _solve(self, fixed: Assignment, scalars: Sequence[str]) -> list[Solved] | None:
+        """The equations at fixed matrices and angles, in order of solution."""
+        open_ = [q for q in (self._reduce(self._at(p, fixed)) for p in self._equations()) if q != 0]
+        steps: list[Solved] = []
         while open_:
             open_.sort(key=len)
             equation = open_.pop(0)
@@ -272,20 +274,27 @@ class Search:
                 if not any(degrees[x] for x in scalars):
                     return None
                 continue
-            slope = equation.derivative(choice)
-            rest = equation - slope * self.ring.generator[choice]
-            steps.append((choice, slope, rest))
-            replaced = (self._eliminate(p, choice, slope, rest) for p in open_)
-            open_ = [p for p in map(self._reduce, replaced) if p != 0]
+            steps.append(self._linear(equation, choice))
+            open_ = self._eliminated_from(open_, steps[-1])
         return steps[::-1]
 
-    def _eliminate(self, poly: Poly, x: str, slope: Poly, rest: Poly) -> Poly:
-        powers, total = by_powers(poly, x), self.ring.number(0)
-        for power, coefficient in powers.items():
-            total += coefficient * (-rest) ** power * slope ** (max(powers) - power)
-        return total
+    def _linear(self, equation: Poly, x: str) -> Solved:
+        """An equation of the first degree in a variable, solved for it."""
+        slope = equation.derivative(x)
+        return x, slope, equation - slope * self.ring.generator[x]
 
-    def _complete(self, point: Assignment, steps: Sequence[tuple[str, Poly, Poly]]) -> bool:
+    def _eliminated_from(self, polys: Sequence[Poly], step: Solved) -> list[Poly]:
+        """What is left of the polynomials, times a power of the slope, without the variable that is solved for."""
+        x, slope, rest = step
+        left: list[Poly] = []
+        for poly in polys:
+            powers, total = by_powers(poly, x), self.ring.number(0)
+            for power, coefficient in powers.items():
+                total += coefficient * (-rest) ** power * slope ** (max(powers) - power)
+            left.append(self._reduce(total))
+        return [poly for poly in left if poly != 0]
+
+    def _complete(self, point: Assignment, steps: Sequence[Solved]) -> bool:
         for x, slope, rest in steps:
             bottom = self._reduce(self._at(slope, point))
             if bottom == 0:
@@ -302,7 +311,7 @@ class Search:
         return not occurring(self._gap(formula).num).isdisjoint(self.functions)
 
     def _evaluate(self, point: Assignment) -> bool:
-        """Gives roots and powers their values, the innermost first; False if one of them is no combination of roots."""
+        """Gives roots and powers their values, the innermost first; False if one is not a combination of roots."""
         self.settled = []
         for name in self.functions:
             kind, *arguments = atoms()[name]
@@ -400,7 +409,7 @@ class Search:
 
     def _sign_of_roots(self, value: Poly) -> int:
         precision = 8
-        while precision < 4096:
+        while precision < MAX_BITS:
             low = high = Fraction(0)
             for exponents, coefficient in value.terms():
                 radicand = 1
@@ -463,7 +472,7 @@ class Search:
 
     def _display(self, point: Assignment) -> Point:
         claim = self.problem.claim
-        needed = self._needed_names(claim)
+        needed = self._needed_names()
         known = {name: self._written(self._reduce(p)) for name, p in point.items() if name in needed - atoms().keys()}
         values = {name: value for name, value in known.items() if circle(name) is None}
         values |= {x: angle_of(known[cosine(x)], known[sine(x)]) for _, x in filter(None, map(circle, known))}
@@ -473,20 +482,14 @@ class Search:
         called: dict[Term, Term] = {place: self._written(value) for place, value in self._called(point)}
         return Point(values, tuple(sides), tuple(called.items()), tuple(self.settled))
 
-    def _needed_names(self, claim: Formula) -> set[str]:
+    def _needed_names(self) -> set[str]:
         definitions = self.ring.definitions
-        nodes = [claim, *(formula for _, formula in stated(self.problem))]
-        return with_arguments(set().union(*(variables(unfold(tree, definitions)) for tree in nodes)))
+        return with_arguments(variables(*(unfold(formula, definitions) for formula in formulas_of(self.problem))))
 
     def _mentioned(self) -> set[str]:
-        """The free letters of what is stated, also of those whose value depends on them in name only."""
-        names = set[str]()
-        trees: list[Term] = [self.problem.claim, *self.formulas]
-        for tree in trees:
-            new = letters(tree) - names
-            names |= new
-            trees += [self.ring.definitions[name] for name in sorted(new & self.ring.definitions.keys())]
-        return names - self.ring.definitions.keys()
+        """The free letters of what is stated, also those whose value changes nothing."""
+        stated = self.problem.claim, *self.formulas
+        return set().union(*(letters(unfold(formula, self.ring.definitions)) for formula in stated))
 
     def _written_side(self, side: Term, point: Assignment) -> Term:
         """The value of a side; pi may stand in its denominator."""
@@ -562,9 +565,8 @@ def _by_size(lengths: Sequence[int]) -> Iterator[tuple[int, ...]]:
     """All index tuples below the lengths, those with small sums first."""
     if 0 in lengths:
         return
-    limited = [min(n, 40) for n in lengths]
-    if len(limited) > 3:
-        limited = [min(n, 6) for n in limited]
+    largest = MAX_INDEX[len(lengths) > 3]
+    limited = [min(n, largest) for n in lengths]
     yield from sorted(product(*(range(n) for n in limited)), key=lambda t: (sum(t), t))
 
 
@@ -627,6 +629,7 @@ def _matrix_values() -> Iterator[Rows]:
     yield from (_cayley(seed) for seed in (1, 2))
 
 
+# (sine, cosine): rational points of the circle first, which keep numbers short
 _CIRCLE: tuple[tuple[Term | Fraction, Term | Fraction], ...] = (
     (Fraction(3, 5), Fraction(4, 5)),
     (Fraction(5, 13), Fraction(12, 13)),
@@ -642,7 +645,9 @@ _CIRCLE: tuple[tuple[Term | Fraction, Term | Fraction], ...] = (
     (Fraction(1, 2), node("/", node("sqrt", 3), 2)),
 )
 
+# long numbers, at which no polynomial that is not zero vanishes by chance
 _BIG = tuple(random.Random(7).getrandbits(62) for _ in range(12))
+# values of the other letters, repeated where there are more: different ones, equal ones, zeros, negative ones
 _PATTERNS: tuple[tuple[int | Fraction, ...], ...] = (
     (1, 2, 3),
     (),

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterable
+from collections.abc import Iterable
 from dataclasses import replace
 
 from symcheck.core.calculus import letters
@@ -13,13 +13,14 @@ from symcheck.core.verdicts import Verdict
 from symcheck.proof.algebra.facts import Grounds
 from symcheck.proof.algebra.flint import Poly, occurring
 from symcheck.proof.algebra.forms import form_on_the_circle
-from symcheck.proof.algebra.knowledge import Knowledge, hypotheses_of, ring_of, starting, stated
+from symcheck.proof.algebra.knowledge import Knowledge, formulas_of, hypotheses_of, ring_of, starting, stated
 from symcheck.proof.algebra.polynomial import Ring, Unsupported, function_arguments, unfold, variables
 from symcheck.proof.algebra.printed import term_of_text
 from symcheck.proof.algebra.variables import atoms, prime, table
 from symcheck.proof.rules.enclosure import prove_numbers
 from symcheck.proof.rules.proof import Proof
 from symcheck.proof.rules.step import Step, Whole, mentioned, printed, written
+from symcheck.proof.search import splitting
 from symcheck.proof.search.counterexample import refute
 from symcheck.proof.search.number_points import refute_numbers
 from symcheck.proof.search.wellformed import checked
@@ -29,20 +30,20 @@ VACUOUS = (
     "it follows from what is given, but no point was found at which that holds: hypotheses, premises, "
     "and that no denominator is zero"
 )
-Search = Callable[[Problem, Ring], Step | None]
+_NAMES = re.compile(r"\w+")  # variables in a printed polynomial, and numbers, which stand for nothing
 Divisors = dict[tuple[str, ...], Poly]  # by numerator and the denominators inside, printed
 
 
-def decide(problem: Problem, search: Search) -> Outcome:
+def decide(problem: Problem) -> Outcome:
     """Proved with steps, refuted with a point, or undecided with the reason; no statement raises."""
     try:
         problem = checked(problem)
         point = refute_numbers(problem)
         if point is None:
-            if (proof := prove_numbers(problem) or _search(problem, search)) is not None:
-                complete = with_witnesses(problem, proof, search)
+            if (proof := prove_numbers(problem) or _by_steps(problem)) is not None:
+                complete = with_witnesses(problem, proof)
                 return proved(problem, complete) if complete else Outcome(Verdict.UNDECIDED, reason=VACUOUS)
-            point = refute(problem, lambda inner: prove(inner, search))
+            point = refute(problem, prove)
             written(point and point.certificate())  # a number may be too long to be written
     except Unsupported as error:
         return Outcome(Verdict.UNDECIDED, reason=str(error))
@@ -61,25 +62,25 @@ def proved(problem: Problem, proof: Proof) -> Outcome:
     return Outcome(Verdict.PROVED, proof=proof, used=tuple(name for name, _ in problem.hypotheses if name in given))
 
 
-def with_witnesses(problem: Problem, proof: Proof, search: Search) -> Proof | None:
+def with_witnesses(problem: Problem, proof: Proof) -> Proof | None:
     """The proof with points at which all it rests on holds together; None if none was found."""
-    points = find_witnesses(problem, proof.nonzero, lambda inner: prove(inner, search))
+    points = find_witnesses(problem, proof.nonzero, prove)
     if points is None:
         return None
     written([proof.step, *(point.certificate() for point in points)])
     return replace(proof, witnesses=tuple(points))
 
 
-def prove(problem: Problem, search: Search) -> Proof | None:
+def prove(problem: Problem) -> Proof | None:
     """A proof, or None; no counterexample is looked for. Unsupported for terms that have no place in a ring."""
     if (proof := prove_numbers(problem)) is not None:
         return proof
-    return None if refute_numbers(problem) else _search(problem, search)
+    return None if refute_numbers(problem) else _by_steps(problem)
 
 
-def _search(problem: Problem, search: Search) -> Proof | None:
+def _by_steps(problem: Problem) -> Proof | None:
     ring = ring_of(problem)
-    step = search(problem, ring)
+    step = splitting.prove(problem, ring)
     return None if step is None else _completed(problem, ring, step)
 
 
@@ -93,8 +94,7 @@ def _completed(problem: Problem, ring: Ring, step: Step) -> Proof | None:
     positive: list[Term] = []
     own = [unfold(term, ring.definitions) for term in mentioned(step, ring.definitions)]
     if ring.divisors or own or atoms().keys() & set(ring.names):
-        formulas = [problem.claim, *(formula for _, formula in stated(problem))]
-        own += [unfold(side, ring.definitions) for formula in formulas for side in _sides(formula)]
+        own += [unfold(side, ring.definitions) for formula in formulas_of(problem) for side in _sides(formula)]
         inner = [t for term in own for bodies in (True, False) for t in function_arguments(term, bodies)]
         names = set(ring.names).union(*map(variables, [*own, *inner]))
         known, before = starting(problem, Ring(names, ring.definitions)), -1
@@ -104,7 +104,7 @@ def _completed(problem: Problem, ring: Ring, step: Step) -> Proof | None:
             if conditions is None:
                 return None
             nonzero, positive, given = conditions
-    names = {name for text in printed(step) for name in re.findall(r"\w+", text)}
+    names = {name for text in printed(step) for name in _NAMES.findall(text)}
     meant = {name: table().term(name) for name in sorted(names) if table().stands(name)}
     return Proof(Whole(step, meant, tuple(positive)), given, tuple(_fraction(*texts) for texts in sorted(nonzero)))
 
@@ -162,7 +162,7 @@ def _positive(top: Poly, below: tuple[str, ...], known: Knowledge) -> Term | Non
     for variable, axiom in known.ring.axioms().items():
         top = divmod(top, axiom)[1] if prime(variable) else top  # a root squared is a number
     form = form_on_the_circle(top, known) or form_on_the_circle(-top, known)
-    bottoms = [form_on_the_circle(known.ring.text(text), known) for text in below]
+    bottoms = [form_on_the_circle(known.ring.poly(term_of_text(text)), known) for text in below]
     known_bottoms = [bottom for bottom in bottoms if bottom is not None]
     if form is None or len(known_bottoms) < len(bottoms):
         return None

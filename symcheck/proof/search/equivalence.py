@@ -1,4 +1,4 @@
-"""Statements beside the one claimed: edited into another form."""
+"""Whether two formulas say the same: the question about a relation that was edited."""
 
 from __future__ import annotations
 
@@ -6,10 +6,8 @@ from dataclasses import replace
 
 from symcheck.core.problems import Problem
 from symcheck.core.terms import RELATIONS, Formula, Quantified, node
-from symcheck.proof.algebra.knowledge import proportional, ring_of, starting
+from symcheck.proof.algebra.knowledge import larger_first, proportional, ring_of, starting
 from symcheck.proof.algebra.polynomial import Unsupported, alone
-
-MIRROR = {"<": ">", "<=": ">="}
 
 
 def equivalent(f: Formula, g: Formula, problem: Problem) -> bool:
@@ -44,9 +42,9 @@ def _equivalent(f: Formula, g: Formula, problem: Problem) -> bool:
         if a.tag not in RELATIONS or b.tag not in RELATIONS:
             if isinstance(a, Quantified) and isinstance(b, Quantified):
                 return a.tag == b.tag and a.bound == b.bound and same(a.body, b.body)
-            alike = a.tag == b.tag and len(a.formulas) == len(b.formulas) > 0
-            return alike and all(map(same, a.formulas, b.formulas))
-        a, b = _larger_first(a), _larger_first(b)
+            same_shape = a.tag == b.tag and len(a.formulas) == len(b.formulas) > 0
+            return same_shape and all(map(same, a.formulas, b.formulas))
+        a, b = larger_first(a), larger_first(b)
         if a[0] != b[0]:
             return False
         first, second = ring.subtract(*a[1:]), ring.subtract(*b[1:])
@@ -62,7 +60,3 @@ def _equivalent(f: Formula, g: Formula, problem: Problem) -> bool:
         return same(f, g)
     except Unsupported:
         return False
-
-
-def _larger_first(formula: Formula) -> Formula:
-    return node(MIRROR[formula.tag], *formula.terms[::-1]) if formula.tag in MIRROR else formula

@@ -189,18 +189,31 @@ def _integral(tree: Node, others: Sequence[Node]) -> Iterator[Instance]:
         yield applied("beta_diverges", of(x, body), *shape)
 
 
-def _pure_power(body: Term, x: str) -> tuple[Term, Term] | None:
-    """(c, u) with body = c x^u, or None."""
+def _factors(body: Term, x: str) -> tuple[Ring, Poly, list[tuple[Poly, int]]]:
+    """A product in the ring of its letters and x: the ring, the number in it, and its factors with their exponents."""
     ring = Ring(with_arguments({*variables(body), x}))
     value = ring.ratio(body)
     unit, factors = value.num.factor()
-    outside, exponents = ring.number(fraction(unit)), list[Term]()
-    for poly, e in (*((poly, int(e)) for poly, e in factors), *((poly, -e) for poly, e in value.den.values())):
+    below = [(poly, -e) for poly, e in value.den.values()]
+    return ring, ring.number(fraction(unit)), [*((poly, int(e)) for poly, e in factors), *below]
+
+
+def _power_named(name: str) -> tuple[Term, ...]:
+    """Base and exponent of the power that a variable stands for, if it stands for one."""
+    tree = atoms().get(name)
+    return tree.terms if tree is not None and tree.tag == "pow" else ()
+
+
+def _pure_power(body: Term, x: str) -> tuple[Term, Term] | None:
+    """(c, u) with body = c x^u, or None."""
+    _, outside, factors = _factors(body, x)
+    exponents: list[Term] = []
+    for poly, e in factors:
         name = str(poly)
         if name == x:
             exponents.append(e)
-        elif name in atoms() and atoms()[name][0] == "pow" and canonical(atoms()[name][1]) == canonical(x):
-            exponents.append(node("*", e, atoms()[name][2]))
+        elif (power := _power_named(name)) and canonical(power[0]) == canonical(x):
+            exponents.append(node("*", e, power[1]))
         elif e > 0 and x not in occurring(poly) and x not in with_arguments({name} & set(atoms())):
             outside *= poly**e
         else:
@@ -210,28 +223,24 @@ def _pure_power(body: Term, x: str) -> tuple[Term, Term] | None:
 
 def _shape(body: Term, x: str) -> tuple[Term, int, Term, Term, Term, Term]:
     """(c, k, u, r, p, q) with body = c x^(k+u) (p x^2 + q)^(-r); Unsupported if it has another shape."""
-    ring = Ring(with_arguments({*variables(body), x}))
-    value = ring.ratio(body)
-    unit, factors = value.num.factor()
-    parts = [*((poly, int(e)) for poly, e in factors), *((poly, -e) for poly, e in value.den.values())]
-    outside, inside = ring.number(fraction(unit)), ring.number(1)
-    power, exponents, base, r = 0, list[Term](), None, list[Term]()
+    ring, outside, factors = _factors(body, x)
+    inside, k, base = ring.number(1), 0, None
+    exponents: list[Term] = []
+    r: list[Term] = []
     quadratic: list[tuple[Poly, int]] = []
-    for poly, e in parts:
+    twice = {canonical(x): 1, canonical(node("^", x, 2)): 2}
+    for poly, e in factors:
         name = str(poly)
+        power = _power_named(name)
         if name == x:
-            power += e
-        elif name in atoms() and atoms()[name][0] == "pow" and canonical(atoms()[name][1]) == canonical(x):
-            exponents.append(node("*", e, atoms()[name][2]))
-        elif (
-            name in atoms() and atoms()[name][0] == "pow" and canonical(atoms()[name][1]) == canonical(node("^", x, 2))
-        ):
-            exponents.append(node("*", 2 * e, atoms()[name][2]))
-        elif name in atoms() and atoms()[name][0] == "pow" and x in variables(atoms()[name][1]):
-            if base is not None and canonical(base) != canonical(atoms()[name][1]):
+            k += e
+        elif power and (multiple := twice.get(canonical(power[0]))):
+            exponents.append(node("*", multiple * e, power[1]))
+        elif power and x in variables(power[0]):
+            if base is not None and canonical(base) != canonical(power[0]):
                 raise Unsupported("powers of two bases")
-            base = atoms()[name][1]
-            r.append(node("*", -e, atoms()[name][2]))
+            base = power[0]
+            r.append(node("*", -e, power[1]))
         elif x in occurring(poly):
             quadratic.append((poly, e))
         elif e > 0:
@@ -247,11 +256,11 @@ def _shape(body: Term, x: str) -> tuple[Term, int, Term, Term, Term, Term]:
     powers = by_powers(base_poly, x)
     if not {2} <= powers.keys() <= {0, 2}:
         raise Unsupported(f"not a power of p {x}^2 + q")
-    if power < 0:
-        exponents, power = [*exponents, power], 0
+    if k < 0:
+        exponents, k = [*exponents, k], 0
     c = _over(outside, Ratio(outside, {"": (inside, 1)}))
     u, exponent = (node("+", *terms) if terms else 0 for terms in (exponents, r))
-    return c, power, u, exponent, term_of(powers[2]), term_of(powers.get(0, ring.number(0)))
+    return c, k, u, exponent, term_of(powers[2]), term_of(powers.get(0, ring.number(0)))
 
 
 def _logarithm(tree: Node, others: Sequence[Node]) -> Iterator[Instance]:

@@ -15,16 +15,16 @@ from symcheck.proof.algebra.variables import Unsupported
 from symcheck.proof.rules.compute import Point
 from symcheck.proof.rules.proof import Proof
 from symcheck.proof.search import counterexample, witnesses
-from symcheck.proof.search import decide as deciding
-from symcheck.proof.search.decide import decide
-from symcheck.proof.search.splitting import prove
+from symcheck.proof.search.decide import decide, prove, proved, with_witnesses
 from symcheck.proof.search.wellformed import checked
-from symcheck.proof.search.witnesses import FALSE
+from symcheck.proof.search.witnesses import ZERO_IS_ONE
+
+LIMITS = (Unsupported, RecursionError, ArithmeticError, ValueError)  # raised where a search reaches a limit
 
 
 def _decide(problem: Problem) -> Outcome:
     with alone(problem):  # which of equal terms a variable stands for depends on this problem alone
-        return decide(problem, prove)
+        return decide(problem)
 
 
 def refute(problem: Problem) -> Point | None:
@@ -48,7 +48,7 @@ def refute(problem: Problem) -> Point | None:
         try:
             problem = checked(problem)
             return counterexample.refute(problem)
-        except (Unsupported, RecursionError, ArithmeticError, ValueError):
+        except LIMITS:
             return None
 
 
@@ -57,11 +57,11 @@ def whole_proof(problem: Problem) -> Proof | None:
     with alone(problem):
         try:
             problem = checked(problem)
-            proof = deciding.prove(problem, prove)
-            if proof is None or problem.claim == FALSE:
+            proof = prove(problem)
+            if proof is None or problem.claim == ZERO_IS_ONE:
                 return proof
-            return deciding.with_witnesses(problem, proof, prove)
-        except (Unsupported, RecursionError, ArithmeticError, ValueError):
+            return with_witnesses(problem, proof)
+        except LIMITS:
             return None
 
 
@@ -84,7 +84,7 @@ def proof_of(problem: Problem) -> Outcome | None:
     another.
     """
     proof = whole_proof(problem)
-    return None if proof is None else deciding.proved(problem, proof)
+    return None if proof is None else proved(problem, proof)
 
 
 def find_witnesses(problem: Problem, nonzero: Sequence[Term] = ()) -> list[Point] | None:
@@ -103,7 +103,7 @@ def find_witnesses(problem: Problem, nonzero: Sequence[Term] = ()) -> list[Point
         A point for each set of conditions; None if one of them has none.
     """
     with alone(problem):
-        return witnesses.find_witnesses(problem, nonzero, lambda inner: deciding.prove(inner, prove))
+        return witnesses.find_witnesses(problem, nonzero, prove)
 
 
 identity = Method("identity", _decide)

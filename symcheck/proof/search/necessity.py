@@ -1,5 +1,5 @@
 """Why a statement needs a hypothesis: without it the statement fails at a point, nothing of the kind exists, or a term
-has no value. Each is a certificate of its own.
+has no value. Each has a certificate.
 """
 
 from __future__ import annotations
@@ -15,6 +15,7 @@ from symcheck.core.formulas import conjuncts
 from symcheck.core.problems import Candidate, Outcome, Problem
 from symcheck.core.terms import RELATIONS, Formula, Node, Quantified, Term, mapped, node
 from symcheck.core.verdicts import Loss, Verdict
+from symcheck.proof.algebra.knowledge import ORDERS, formulas_of
 from symcheck.proof.algebra.polynomial import Unsupported, alone, letters_of, subterms
 from symcheck.proof.algebra.variables import Table
 from symcheck.proof.rules.compute import Point
@@ -22,11 +23,11 @@ from symcheck.proof.search.angle_points import refute_about_angles
 from symcheck.proof.search.certificate import certificate
 from symcheck.proof.search.counterexample import failing
 from symcheck.proof.search.methods import proof_of, refute, whole_proof
-from symcheck.proof.search.witnesses import FALSE
+from symcheck.proof.search.witnesses import ZERO_IS_ONE
 
 PLAIN = {"+", "-", "*", "/", "^", "and", "or", "=>", "<=>", *RELATIONS}
-DRAWN, DRAWS = range(-5, 6), 500
-ORDERS = ("<", "<=", ">", ">=")
+DRAWN = range(-5, 6)  # for each letter: small numbers make equations hold by chance
+DRAWS = 500  # points: those of the papers are among the first 453
 TURNS = {"sin": "sine", "cos": "cosine"}
 RIGHT_ANGLES = ((0, 1), (1, 0))  # the sine and the cosine of 0 and of 90 degrees
 HAVING_A_VALUE: dict[str, Callable[..., Formula]] = {
@@ -94,7 +95,7 @@ def _refuted_by_proof(problem: Problem) -> Point | None:
 def _refuted_by_chance(problem: Problem) -> Point | None:
     """A point whose coordinates are drawn from the small whole numbers; not where there are functions."""
     terms = dict(problem.definitions)
-    stated = [problem.claim, *(f for _, formulas in problem.hypotheses for f in formulas), *terms.values()]
+    stated = [*formulas_of(problem), *terms.values()]
     if any(isinstance(tree, Node) and tree.tag not in PLAIN for tree in subterms(*stated)):
         return None
     names = sorted(set().union(*map(letters, stated)) - terms.keys())
@@ -137,7 +138,8 @@ def _contradictory(problem: Problem, relations: Sequence[Formula]) -> certificat
     """The proof that the relations never hold together; one of them has to be an order."""
     if not any(relation.tag in ORDERS for relation in relations):
         return None
-    failing = replace(problem, claim=node("=>", node("and", *relations) if relations[1:] else relations[0], FALSE))
+    together = node("and", *relations) if relations[1:] else relations[0]
+    failing = replace(problem, claim=node("=>", together, ZERO_IS_ONE))
     proof = proof_of(failing)
     return certificate(failing, proof) if proof else None
 
@@ -146,15 +148,14 @@ def _at_special_angles(problem: Problem) -> Iterator[Problem]:
     """The problem where an angle is right or zero, its sine and cosine letters with definitions; only if there the
     hypotheses hold somewhere.
     """
-    hypotheses = (formula for _, formulas in problem.hypotheses for formula in formulas)
-    stated = (problem.claim, *(term for _, term in problem.definitions), *hypotheses)
+    stated = (*formulas_of(problem), *(term for _, term in problem.definitions))
     angles = sorted(set().union(*map(_angle_of, subterms(*stated))))
     taken = Table(letters_of(problem))
     for angle in angles:
         for values in RIGHT_ANGLES:
             names: dict[Term, str] = {node(f, angle): taken.fresh(f"{word}_of_{angle}") for f, word in TURNS.items()}
             special = _renamed(problem, names, dict(zip(names.values(), values, strict=True)))
-            if not problem.hypotheses or refute(replace(special, claim=node("=", 0, 1))) is not None:
+            if not problem.hypotheses or refute(replace(special, claim=ZERO_IS_ONE)) is not None:
                 yield special
 
 

@@ -10,13 +10,14 @@ from symcheck.checker.enclosures import between
 from symcheck.core.calculus import Unknown, letters
 from symcheck.core.problems import Problem
 from symcheck.core.terms import Formula, Node, Term, node
-from symcheck.proof.algebra.knowledge import stated
+from symcheck.proof.algebra.knowledge import formulas_of, stated
 from symcheck.proof.algebra.polynomial import Unsupported, subterms, unfold
 from symcheck.proof.rules.compute import Point
 from symcheck.proof.rules.enclosure import IRRATIONAL, Numbers, compared, relations
 
+# numbers on both sides of those that are compared in most statements
 TRIED: tuple[Term, ...] = (1, node("/", 1, 2), node("/", 3, 2), node("/", 1, 4), node("/", 5, 4), 2, 0, node("-", 1), 3)
-TRIES = 80  # points, each with a proof by digits: some seconds
+TRIES = 80  # points, each with a proof by digits, some seconds in all: the papers need 36
 
 
 def refute_numbers(problem: Problem) -> Point | None:
@@ -27,11 +28,11 @@ def refute_numbers(problem: Problem) -> Point | None:
 def refute_at_some(problem: Problem) -> Point | None:
     """The same where one to three letters are free: a few values of them are tried."""
     definitions = dict(problem.definitions)
-    given = [formula for _, formula in stated(problem)]
-    if not any(part.tag in IRRATIONAL for part in subterms(problem.claim, *given) if isinstance(part, Node)):
+    formulas = formulas_of(problem)
+    if not any(part.tag in IRRATIONAL for part in subterms(*formulas) if isinstance(part, Node)):
         return None
-    free = sorted(set().union(*(letters(unfold(formula, definitions)) for formula in (problem.claim, *given))))
-    fixed = {side for formula in given if formula.tag == "=" for side in formula.terms if isinstance(side, str)}
+    free = sorted(set().union(*(letters(unfold(formula, definitions)) for formula in formulas)))
+    fixed = {side for formula in formulas[1:] if formula.tag == "=" for side in formula.terms if isinstance(side, str)}
     chosen = [x for x in free if x not in fixed]
     values = sorted(product(range(len(TRIED)), repeat=len(chosen)), key=sum) if 0 < len(chosen) < 4 else []
     return refute_at_first(problem, ({x: TRIED[k] for x, k in zip(chosen, ks, strict=True)} for ks in values[:TRIES]))

@@ -6,7 +6,7 @@ from collections.abc import Callable, Sequence
 
 from symcheck.core.problems import Problem
 from symcheck.core.terms import RELATIONS, Formula, Term
-from symcheck.proof.algebra.knowledge import Knowledge, hints_of, starting
+from symcheck.proof.algebra.knowledge import ORDERS, Knowledge, hints_of, starting
 from symcheck.proof.algebra.place import Place
 from symcheck.proof.algebra.polynomial import Ring
 from symcheck.proof.algebra.variables import prime
@@ -24,9 +24,8 @@ from symcheck.proof.rules.witness import prove_existence
 from symcheck.proof.search.angles import compares_angles, prove_about_angles
 from symcheck.proof.search.theorem_search import has_functions, prove_with_theorems
 
-ORDERS = ("<", "<=", ">", ">=")
 MAX_NODES = 240  # places of one search: proofs of the ledger need fewer, and failures cost seconds
-LONG_PROOF = 1500  # characters
+LONG_PROOF = 1500  # characters of a proof that `close` leaves for later
 
 
 def prove(problem: Problem, ring: Ring) -> Step | None:

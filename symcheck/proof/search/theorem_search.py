@@ -25,8 +25,8 @@ from symcheck.proof.rules.step import Prove, Step
 from symcheck.proof.rules.theorem import Instance, Said, applied
 from symcheck.proof.search.functions import instances, simplified
 
-MAX_INSTANCES = 40
-MAX_CASES = 4
+MAX_INSTANCES = 40  # theorems: whenever one has been applied, all others are tried again
+MAX_CASES = 4  # one inside another, each of which doubles the work: the papers need one
 
 
 def has_functions(ring: Ring) -> bool:

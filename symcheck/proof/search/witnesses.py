@@ -7,7 +7,7 @@ A witness is a counterexample to "0 = 1", and is found as one: its form is that 
 from __future__ import annotations
 
 import random
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from fractions import Fraction
 
@@ -21,15 +21,16 @@ from symcheck.proof.algebra.knowledge import stated
 from symcheck.proof.algebra.polynomial import alone, subterms, unfold, with_arguments
 from symcheck.proof.algebra.variables import Unsupported, atoms, circle, cosine, sine
 from symcheck.proof.rules.compute import Point
-from symcheck.proof.rules.proof import Proof
-from symcheck.proof.search.counterexample import Assignment, Search, refute
+from symcheck.proof.rules.proof import Prover
+from symcheck.proof.search.counterexample import Assignment, Search, Solved, refute
 from symcheck.proof.search.number_points import TRIED, refute_at_first
 
-FALSE: Formula = node("=", 0, 1)
-DRAWS = 3000
-TRIALS = 60
+ZERO_IS_ONE: Formula = node("=", 0, 1)
+DRAWS = 3000  # points: the papers' witnesses are among the first 1,900
+TRIALS = 60  # points evaluated by digits, of which the papers need two
 _ARCS = ("arctan", "arcsin", "arccos")
 Pool = tuple[int | Fraction, ...]
+# numbers that a reader can follow, small ones first
 VALUES: Pool = (
     *(1, -1, 0, *range(2, 6), *range(-2, -6, -1)),
     *(
@@ -38,8 +39,8 @@ VALUES: Pool = (
     ),
 )
 POSITIVE = tuple(value for value in VALUES if value > 0)
+# in turn: few values solve what has many equations, zeros what has many letters
 POOLS: tuple[Pool, ...] = (VALUES[:2], VALUES[:4], VALUES, POSITIVE, (0, 0, 0, 1, -1))
-Prover = Callable[[Problem], Proof | None]
 Definitions = tuple[tuple[str, Term], ...]
 
 
@@ -50,7 +51,7 @@ def implications(claim: Formula) -> list[Formula]:
     """
     found: list[Formula] = []
     for part in conjuncts(claim):
-        if part.tag == "=>" and part.formulas[1] not in (FALSE, node("or")):
+        if part.tag == "=>" and part.formulas[1] not in (ZERO_IS_ONE, node("or")):
             premise, conclusion = part.formulas
             found += [node("and", premise, further) for further in implications(conclusion)] or [premise]
     return found
@@ -154,7 +155,7 @@ _FOUND: dict[tuple[Definitions, tuple[Formula, ...]], Point | None] = {}  # the 
 def _search(definitions: Definitions, said: tuple[Formula, ...], prove: Prover) -> Point | None:
     key = definitions, said
     if key not in _FOUND:
-        problem = Problem("witness", FALSE, definitions, (("said", said),))
+        problem = Problem("witness", ZERO_IS_ONE, definitions, (("said", said),))
         with alone(problem):
             point = _by_digits(problem) or refute(problem, prove) or _drawn(problem, prove)
         _FOUND[key] = point and point.where()
@@ -178,7 +179,7 @@ def _by_digits(problem: Problem) -> Point | None:
 
 def _drawn(problem: Problem, prove: Prover) -> Point | None:
     try:
-        return _Draws(problem, FALSE, prove).run()
+        return _Draws(problem, ZERO_IS_ONE, prove).run()
     except Unsupported:
         return None
 
@@ -190,10 +191,9 @@ class _Draws(Search):
 
     def _candidates(self, angles: Sequence[str]) -> Iterator[Assignment]:
         scalars = [name for name in self.free if circle(name) is None]
-        equations = [self._gap(f).num for f in self.formulas if f[0] == "=" and not self._functions_in(f)]
         if any(self._impossible(formula) for formula in self.formulas):
             return
-        steps, equations = self._eliminated([poly for poly in equations if poly != 0], scalars)
+        steps, equations = self._eliminated([poly for poly in self._equations() if poly != 0], scalars)
         last = dict(self._said_by_functions(scalars))
         left = [name for name in scalars if name not in last and name not in [x for x, _, _ in steps]]
         for seed in range(DRAWS):
@@ -237,11 +237,9 @@ class _Draws(Search):
                 return False
         return super()._settle(name, point)
 
-    def _eliminated(
-        self, equations: list[Poly], scalars: Sequence[str]
-    ) -> tuple[list[tuple[str, Poly, Poly]], list[Poly]]:
-        """Steps (x, a, b) meaning x = -b / a with numbers a, in order of solution, and the other equations."""
-        steps: list[tuple[str, Poly, Poly]] = []
+    def _eliminated(self, equations: list[Poly], scalars: Sequence[str]) -> tuple[list[Solved], list[Poly]]:
+        """What can be solved without division by letters, in order of solution, and the other equations."""
+        steps: list[Solved] = []
         while True:
             found = next(
                 ((p, x) for p in sorted(equations, key=len) for x in scalars if self._number_times(p, x)), None
@@ -249,11 +247,8 @@ class _Draws(Search):
             if found is None:
                 return steps[::-1], equations
             equation, x = found
-            slope = equation.derivative(x)
-            rest = equation - slope * self.ring.generator[x]
-            steps.append((x, slope, rest))
-            others = (self._reduce(self._eliminate(p, x, slope, rest)) for p in equations if p is not equation)
-            equations = [poly for poly in others if poly != 0]
+            steps.append(self._linear(equation, x))
+            equations = self._eliminated_from([p for p in equations if p is not equation], steps[-1])
 
     def _number_times(self, poly: Poly, x: str) -> bool:
         """Whether a polynomial is a number times x, plus what does not depend on x."""
@@ -303,8 +298,7 @@ class _Draws(Search):
         s, c = sine(name), cosine(name)
         poly = divmod(poly, self.ring.generator[s] ** 2 + self.ring.generator[c] ** 2 - 1)[1]
         square, other = (s, c) if max(by_powers(poly, s), default=0) < 2 else (c, s)
-        slope = poly.derivative(square)  # poly = rest + slope * square
-        rest = poly - slope * self.ring.generator[square]
+        _, slope, rest = self._linear(poly, square)
         if slope == 0:
             found = self._zero(rest, other, sign)
             return None if found is None else self._on_circle(other, found, square, rng.choice((1, -1)))

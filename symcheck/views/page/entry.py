@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from markupsafe import Markup
 
 from symcheck.ledger.record import Record
+from symcheck.views.latex import formulas_of
 from symcheck.views.model import Fault, Relation
 from symcheck.views.page.formulas import Formulas
 from symcheck.views.page.sources import Excerpt, Publication
@@ -33,6 +34,8 @@ def texts(records: Iterable[Record]) -> Iterator[str]:
         yield from (record.printed, record.read, Fault((Relation(record),)).correct)
         yield from (each.states for each in record.hypotheses)
         yield from (each.relation for each in (record.erratum and record.erratum.repairs) or ())
+        if record.erratum:
+            yield from formulas_of(f"{record.erratum.summary} {record.erratum.instead}")
 
 
 def difference(relation: Relation, formulas: Formulas, fallback: bool = False) -> tuple[Markup, Markup]:

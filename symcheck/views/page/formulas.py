@@ -6,6 +6,7 @@ from collections.abc import Iterable
 
 from markupsafe import Markup, escape
 
+from symcheck.views.latex import split_at_formulas
 from symcheck.views.page.difference import marked
 from symcheck.views.page.typeset import typeset
 
@@ -34,6 +35,11 @@ class Formulas:
         """Where a formula is to be seen; `fallback`: with its LaTeX, for a page without its program."""
         math = self._math.get(text)
         return self._plain(text) if math is None else self._place(math, text if fallback else "")
+
+    def sentence(self, text: str) -> Markup:
+        """Words with formulas between dollar signs; each with its LaTeX, for a page without its program."""
+        pieces = enumerate(split_at_formulas(text))
+        return Markup("").join(self.shown(piece, fallback=True) if n % 2 else escape(piece) for n, piece in pieces)
 
     def pair(self, before: str, after: str, fallback: bool = False) -> tuple[Markup, Markup]:
         """Both formulas with their differences marked."""

@@ -1,0 +1,87 @@
+"""What the relations of Esenkov 2006 are read under without its being printed, and what holds at the ends and outside.
+
+A relation whose proof needs one of these conditions is marked by it.
+"""
+
+from __future__ import annotations
+
+from symcheck.papers.declare import ours, premise
+from symcheck.papers.esenkov2006.hypotheses import (
+    body_has_mass,
+    liquid_is_part,
+    liquid_moves,
+    roots_are_real_numbers,
+    spinning,
+)
+from symcheck.papers.esenkov2006.second_text import BOUNDARY, DISCRIMINANT, QUADRATIC
+from symcheck.proof import cases
+
+NOT_PRINTED = "a standing condition of ours, not printed; what happens without it: "
+
+mass = premise(
+    "S.1", 7, words=body_has_mass.words, states=body_has_mass.states, reason="not printed; it is a moment of inertia"
+)
+
+spin = premise(
+    "S.2",
+    7,
+    words=f"Where it is divided by omega_0: {spinning.words}.",
+    states=spinning.states,
+    reason=f"{NOT_PRINTED}S.6",
+)
+
+mode_moves = premise(
+    "S.3",
+    34,
+    words=f"In the roots of the boundary: {liquid_moves.words}.",
+    states=liquid_moves.states,
+    reason=f"{NOT_PRINTED}S.7, S.8; it is positive by B.1",
+)
+
+mode_is_part = premise(
+    "S.4",
+    34,
+    words=f"There, and where D is needed: {liquid_is_part.words}.",
+    states=liquid_is_part.states,
+    reason=f"{NOT_PRINTED}B.24 (A = E_n), B.25 (E_n > A)",
+)
+
+real_square_roots = premise(
+    "S.5",
+    34,
+    words=f"There too: {roots_are_real_numbers.words}.",
+    states=roots_are_real_numbers.states,
+    reason=f"{NOT_PRINTED}B.9, B.10 (outside there is no boundary), B.22, B.23 (at the ends both roots are one)",
+)
+
+body_at_rest = ours(
+    "S.6",
+    34,
+    words="Without spin (1.34) and b_n have no value; the frequencies are zero and A lambda_1 / (A - E_1), always real: D = (A lambda_n)^2.",
+    states=rf"\omega_0 = 0 \Rightarrow ({QUADRATIC} = \eta((A - E_1)\eta - A\lambda_1) \land {DISCRIMINANT} = (A\lambda_n)^2)",
+    by=cases(),
+    uses=["1.33", "1.33.3", "1.34"],
+    keeping=("Delta",),
+)
+
+mode_without_inertia = ours(
+    "S.7",
+    34,
+    words="A mode without inertia is not coupled to the body: one frequency is lambda_1, the other -Delta omega_0 / A, that of a rigid body; "
+    "D is not negative.",
+    states=rf"E_1 = 0 \Rightarrow ({QUADRATIC} = (\eta - \lambda_1)(A\eta + \Delta\omega_0) \land "
+    rf"{DISCRIMINANT} = (\Delta\omega_0 + A\lambda_n)^2)",
+    by=cases(),
+    uses=["1.33", "1.33.3"],
+    keeping=("Delta",),
+)
+
+boundary_without_inertia = ours(
+    "S.8",
+    34,
+    words="Both roots (1.35) of the boundary are then -A b_n.",
+    states=rf"E_n = 0 \Rightarrow {BOUNDARY} = (\Delta + Ab_n)^2",
+    by=cases(),
+    uses=["1.34.3", "1.35"],
+    keeping=("b", "Delta"),
+)
