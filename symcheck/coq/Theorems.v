@@ -267,6 +267,40 @@ Proof.
     + apply C, O.
 Qed.
 
+Theorem theorem_exp_of_log :
+  forall (t : R),
+  t > 0 ->
+  exp (ln t) = t.
+Proof. exact exp_ln. Qed.
+
+Theorem theorem_log_of_one :
+  ln 1 = 0.
+Proof. exact ln_1. Qed.
+
+Theorem theorem_log_of_exp :
+  forall (t : R),
+  ln (exp t) = t.
+Proof. exact ln_exp. Qed.
+
+Theorem theorem_log_of_product :
+  forall (s t : R),
+  s > 0 ->
+  t > 0 ->
+  ln (s * t) = ln s + ln t.
+Proof. exact ln_mult. Qed.
+
+Theorem theorem_log_of_power :
+  forall (t u : R),
+  t > 0 ->
+  ln (Rpower t u) = u * ln t.
+Proof. intros t u _. apply ln_exp. Qed.
+
+Theorem theorem_power_as_exp :
+  forall (b u : R),
+  b > 0 ->
+  Rpower b u = exp (u * ln b).
+Proof. reflexivity. Qed.
+
 Theorem theorem_known_angle_arctan_0 :
   atan 0 = 0.
 Proof. exact atan_known_0. Qed.
@@ -672,6 +706,12 @@ pose proof theorem_quarter_turn.
 pose proof theorem_intermediate_value.
 pose proof theorem_constant.
 pose proof theorem_power_rule.
+pose proof theorem_exp_of_log.
+pose proof theorem_log_of_one.
+pose proof theorem_log_of_exp.
+pose proof theorem_log_of_product.
+pose proof theorem_log_of_power.
+pose proof theorem_power_as_exp.
 pose proof theorem_known_angle_arctan_0.
 pose proof theorem_known_angle_arctan_1.
 pose proof theorem_known_angle_arctan_2.
