@@ -73,7 +73,7 @@ class Prover:
             self.learn(("here", self.depth), formula)
             self.depth += 1
         self.prove(goal, proof)
-        open_ = {value: term for value, term in self.algebra.divisors.items() if not self.is_known(value)}
+        open_ = {value: term for value, term in self.algebra.divisors.items() if not self.is_known(value, term)}
         self.algebra.divisors = self.around.pop()
         around.update({value: term for value, term in open_.items() if around.get(value) is None})
         self.facts, self.depth = facts, depth
@@ -260,7 +260,7 @@ class Prover:
         premises, conclusion = instance(name, given, {self.reader.letter(x): t for x, t in numbers.items()})
         for premise, proof in paired(premises, step.take("premises", LIST)):
             self.branch(premise, proof)
-        if name == "antiderivative":
+        if name.startswith("antiderivative"):
             self.met(conclusion)
         if isinstance(conclusion, Quantified):
             conclusion = self.opened(conclusion, step, goal)
@@ -317,20 +317,24 @@ class Prover:
         """No denominator that was met may be zero."""
         for divisor, term in [*self.algebra.divisors.items()]:
             if term is None or not exact(term):
-                shown = self.is_known(divisor) or divisor in self.nonzero or self.sign(term or 0) == 2
+                shown = self.is_known(divisor, term) or divisor in self.nonzero or self.sign(term or 0) == 2
                 require(
                     shown or self.not_zero_at_point(term or 0),
                     "a denominator may be zero: {}",
                     term or "under a binder",
                 )
 
-    def is_known(self, divisor: int) -> bool:
-        """Whether a fact that is in force says that a value is not zero."""
-        known = [(name, gap) for name, (formula, gap) in self.facts.items() if gap and formula.tag in ("!=", *STRICT)]
+    def is_known(self, divisor: int, term: Term | None = None) -> bool:
+        """Whether a fact that is in force says that a value is not zero, or is the root of what is positive."""
         if not divisor:
             return False
+        signs: tuple[str, ...] = ("!=", *STRICT)
+        if isinstance(term, Value) and term.tag == "sqrt" and not letters(term) & self.algebra.bound.keys():
+            signs, divisor = STRICT, self.value(term.terms[0]) % PRIME
+        known = [(name, gap) for name, (formula, gap) in self.facts.items() if gap and formula.tag in signs]
         by = next((name for name, gap in known if gap == divisor), None)
-        by = by or next((name for name, gap in known if rational(gap * inverse(divisor))), None)
+        if by is None and "!=" in signs:
+            by = next((name for name, gap in known if rational(gap * inverse(divisor))), None)
         self.used |= {by} if by else set()
         return by is not None
 

@@ -9,13 +9,13 @@ An integral that has no finite value counts as 0; a mean is over one turn.
 from __future__ import annotations
 
 import ast
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from functools import cache
 from types import MappingProxyType
 from typing import NamedTuple
 
 from symcheck.checker.enclosures import between
-from symcheck.core.calculus import Lambda, polynomial_in, regular, substituted
+from symcheck.core.calculus import Lambda, domain, polynomial_in, regular, substituted
 from symcheck.core.terms import RELATIONS, Call, Formula, Malformed, Node, Quantified, Term, Value, node
 
 QUADRANTS = "-(pi/2) <= a; a <= pi/2"  # from -90 to 90 degrees
@@ -49,7 +49,8 @@ quarter_turn(f): forall(x, f(x + pi/2) == -f(x)) |- exists(x, f(x) == 0)
 intermediate_value(f, s, t): s < t; f(s) * f(t) < 0 |- exists(x, s < x and x < t and f(x) == 0)
 constant(c, s, t): |- integral(c, x, s, t) == c * (t - s)
 power_rule(f, s, t, c, g, u): s <= t; forall(x, implies(s <= x and x <= t, g(x) > 0 and f(x) == diff(c * pow(g(x), u), x))) |- integral(f(x), x, s, t) == c * pow(g(t), u) - c * pow(g(s), u)
-antiderivative(f, g, s, t): s <= t; forall(x, implies(s <= x and x <= t, f(x) == diff(g(x), x))) |- integral(f(x), x, s, t) == g(t) - g(s)
+antiderivative(f, g, s, t): s <= t; forall(x, implies(s < x and x < t, f(x) == diff(g(x), x))) |- integral(f(x), x, s, t) == g(t) - g(s)
+antiderivative_everywhere(f, g, s, t): forall(x, f(x) == diff(g(x), x)) |- integral(f(x), x, s, t) == g(t) - g(s)
 exp_of_log(t): t > 0 |- exp(log(t)) == t
 log_of_one(): |- log(1) == 0
 log_of_exp(t): |- log(exp(t)) == t
@@ -198,23 +199,26 @@ def instance(
         atoms: list[Term] = [node(each, x) for each in of] or [x]
         if not polynomial_in(body, *atoms):
             raise Malformed(f"{body!r} is no polynomial in {' and '.join(of)} {x}")
-    if name == "antiderivative":  # what it is the derivative of is smooth all the way
-        return antiderivative(lambdas["f"], lambdas["g"], terms["s"], terms["t"])
     stated = theorem(name)
     premises = [substituted(premise, terms, lambdas) for premise in stated.premises]
+    if name.startswith("antiderivative"):
+        premises[-1:] = smoothly(premises[-1], lambdas["g"])
     return premises, substituted(stated.conclusion, terms, lambdas)
 
 
-def antiderivative(f: Lambda, g: Lambda, s: Term, t: Term) -> tuple[list[Formula], Formula]:
-    """The theorem of that name: all the way from s to t, g is smooth, and has the derivative f where it is."""
-    stated = theorem("antiderivative")
-    ordered, derived = (substituted(each, {"s": s, "t": t}, {"f": f, "g": g}) for each in stated.premises)
+def smoothly(derived: Formula, g: Lambda) -> Iterator[Formula]:
+    """That g is smooth and has the derivative f all the way, and between two ends is continuous at them."""
     assert isinstance(derived, Quantified)
-    (way, equal), (x,) = derived.body.formulas, derived.bound
-    smooth = regular(substituted(g[1], {g[0][0]: x}))
-    last = node("forall", (x,), node("=>", node("and", *way.formulas, *smooth), equal))
-    premises = [node("forall", (x,), node("=>", way, each)) for each in smooth]
-    return [ordered, *premises, last], substituted(stated.conclusion, {"s": s, "t": t}, {"f": f, "g": g})
+    (x,), body = derived.bound, derived.body
+    inside, equal = (body.formulas[0].formulas, body.formulas[1]) if body.tag == "=>" else ((), body)
+    primitive = substituted(g[1], {g[0][0]: x})
+    ends_too = tuple(node(each.tag + "=", *each.outside) for each in inside)
+    continuous = domain(primitive, divisors=True) if inside else []
+    smooth = [each for each in regular(primitive) if each not in continuous]
+    for way, each in ((ends_too, continuous), (inside, [*smooth, equal])):
+        for formula in each:
+            assumed = (*way, *([*continuous, *smooth] if formula is equal else ()))
+            yield node("forall", (x,), node("=>", node("and", *assumed), formula) if assumed else formula)
 
 
 def congruence(given: Mapping[str, Argument]) -> tuple[list[Formula], Formula]:

@@ -18,7 +18,7 @@ def hinted(problem: Problem) -> Problem:
     """The problem with hints for the integrals between numbers or letters that stand under no other binder."""
     trees = [problem.claim, *(f for _, fs in problem.hypotheses for f in fs), *(t for _, t in problem.definitions)]
     found = dict.fromkeys(each for tree in trees for each in _integrals(tree))
-    hints = [hint for each in found if (hint := _hint(each)) is not None]
+    hints = [hint for each in found for hint in _hints(each)]
     return replace(problem, hints=(*problem.hints, *hints)) if hints else problem
 
 
@@ -31,8 +31,8 @@ def _integrals(tree: Term) -> Iterator[Binder]:
         yield from _integrals(part)
 
 
-def _hint(integral: Binder) -> Applied[Term] | None:
-    """The theorem that says what the integral is, if an antiderivative is found."""
+def _hints(integral: Binder) -> list[Applied[Term]]:
+    """The theorems that say what the integral is, if an antiderivative is found."""
     import sympy
 
     x = sympy.Symbol(integral.letter, real=True)
@@ -40,7 +40,7 @@ def _hint(integral: Binder) -> Applied[Term] | None:
         with limited(SECONDS):
             found = sympy.integrate(to_sympy(integral.body), x)
             if found.has(sympy.Integral, sympy.Piecewise):
-                return None
+                return []
             primitive = from_sympy(found)
     except (
         SymcheckError,
@@ -52,6 +52,7 @@ def _hint(integral: Binder) -> Applied[Term] | None:
         NotImplementedError,
         RecursionError,
     ):
-        return None
+        return []
     own = (integral.letter,)
-    return Applied("antiderivative", tuple(integral.outside), ((own, integral.body), (own, primitive)))
+    ends, functions = tuple(integral.outside), ((own, integral.body), (own, primitive))
+    return [Applied(name, ends, functions) for name in ("antiderivative", "antiderivative_everywhere")]

@@ -232,7 +232,7 @@ def rooted(tree: T) -> T:
 
 
 def parted_angles(trees: Iterable[Term], defined: Mapping[str, Term]) -> dict[str, Term]:
-    """Letters of which parts such as x/2 stand under a sine or cosine, as multiples of new letters."""
+    """Letters of which parts such as x/2 stand under a sine, cosine or exponential, as multiples of new letters."""
     parts: dict[str, int] = {}
     for tree in trees:
         for x, d in _parts(tree, angle=False):
@@ -251,7 +251,7 @@ def _parts(tree: Term, *, angle: bool) -> Iterator[tuple[str, int]]:
             yield x, d
         case Node(bound=()):
             for part in tree.outside:
-                yield from _parts(part, angle=angle or tree.tag in ("sin", "cos", "tan"))
+                yield from _parts(part, angle=angle or tree.tag in ("sin", "cos", "tan", "exp"))
         case Binder(tag="diff"):
             return
 

@@ -37,7 +37,7 @@ from symcheck.proof.algebra.variables import atoms, circle, cosine, prime, sine,
 from symcheck.proof.rules.compute import Point
 from symcheck.proof.rules.proof import Prover
 from symcheck.proof.rules.step import Step
-from symcheck.proof.search.angle_points import refute_about_angles
+from symcheck.proof.search.angle_points import refute_about_angles, refute_with_hints
 from symcheck.proof.search.number_points import refute_at, refute_at_some, refute_numbers
 from symcheck.proof.search.theorem_search import values_of
 
@@ -58,7 +58,8 @@ def refute(problem: Problem, prove: Prover = lambda _: None) -> Point | None:
 
     What functions such as integrals are at the point is proved.
     """
-    ways = (refute_numbers, partial(_point, prove=prove), refute_at_some, partial(refute_about_angles, prove=prove))
+    proved = (partial(way, prove=prove) for way in (refute_about_angles, refute_with_hints))
+    ways = (refute_numbers, partial(_point, prove=prove), refute_at_some, *proved)
     for way in ways:
         try:
             if (point := way(problem)) is not None:

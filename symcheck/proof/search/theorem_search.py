@@ -30,8 +30,8 @@ MAX_CASES = 4  # one inside another, each of which doubles the work: the papers 
 
 
 def has_functions(ring: Ring) -> bool:
-    """Whether atoms are among the variables."""
-    return any(name in atoms() for name in ring.names)
+    """Whether atoms are among the variables, or stand in the arguments of sines, cosines and exponentials."""
+    return any(name in atoms() for name in with_arguments(ring.names))
 
 
 def prove_with_theorems(problem: Problem, prove_here: Prove) -> Step | None:
