@@ -328,13 +328,12 @@ class Prover:
         """Whether a fact that is in force says that a value is not zero, or is the root of what is positive."""
         if not divisor:
             return False
-        signs: tuple[str, ...] = ("!=", *STRICT)
-        if isinstance(term, Value) and term.tag == "sqrt" and not letters(term) & self.algebra.bound.keys():
-            signs, divisor = STRICT, self.value(term.terms[0]) % PRIME
-        known = [(name, gap) for name, (formula, gap) in self.facts.items() if gap and formula.tag in signs]
+        known = [(name, gap) for name, (formula, gap) in self.facts.items() if gap and formula.tag in ("!=", *STRICT)]
         by = next((name for name, gap in known if gap == divisor), None)
-        if by is None and "!=" in signs:
-            by = next((name for name, gap in known if rational(gap * inverse(divisor))), None)
+        by = by or next((name for name, gap in known if rational(gap * inverse(divisor))), None)
+        if by is None and isinstance(term, Value) and term.tag == "sqrt":
+            inner = self.value(term.terms[0]) % PRIME
+            by = next((name for name, gap in known if gap == inner and self.facts[name][0].tag in STRICT), None)
         self.used |= {by} if by else set()
         return by is not None
 

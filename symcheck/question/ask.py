@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import replace
 
 from symcheck.checker import check
@@ -47,12 +47,21 @@ def decide(
     if not found:
         return Answer(Status.UNREADABLE, reason=fault, seconds=time.perf_counter() - started)
 
-    verdicts = {answer.verdict for _, answer in found}
     seconds = time.perf_counter() - started
-    if len(verdicts) == 1:
-        return replace(found[0][1], seconds=seconds)
+    if (answer := _agreed(found)) is not None:
+        return replace(answer, seconds=seconds)
     shown = "; ".join(f"{', '.join(r.inference.choices)}: {a.verdict}" for r, a in found)
     return Answer(Status.AMBIGUOUS, reading=" | ".join(a.reading for _, a in found), reason=shown, seconds=seconds)
+
+
+def _agreed(found: Sequence[tuple[Reading, Answer]]) -> Answer | None:
+    """The verdict of all readings; a remote one cannot contradict a proof, but raises doubts of a refutation."""
+    near = [answer for reading, answer in found if not reading.inference.remote]
+    remote = [answer.verdict for reading, answer in found if reading.inference.remote]
+    verdicts = {answer.verdict for answer in near}
+    if len(verdicts) == 1 and not (Status.REFUTED in verdicts and Status.PROVED in remote):
+        return near[0]
+    return found[0][1] if not near and {*remote} == {Status.PROVED} else None
 
 
 def _of_some_size(asked: Asked) -> Answer | None:
