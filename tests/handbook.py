@@ -120,6 +120,7 @@ FUNCTIONS: dict[str, Callable[..., Any]] = {
 # --- LaTeX
 
 SUM, PRODUCT, POWER, ATOM = range(4)
+OPEN = {"int", "sum", "diff", "sin", "cos", "tan", "sinh", "cosh", "tanh", "ln", "arctan"}  # what follows may belong to
 NAMED = {"ln", "sin", "cos", "tan", "cot", "sinh", "cosh", "tanh", "arctan", "arcsin", "arccos", "det"}
 
 
@@ -142,7 +143,7 @@ class Printer:
 
     def factor(self, tree: Tree, last: bool) -> str:
         text, own = self.text(tree)
-        open_ended = isinstance(tree, tuple) and tree[0] in ("int", "sum", "diff") and not last
+        open_ended = isinstance(tree, tuple) and (tree[0] in ("dot", "cross") or (tree[0] in OPEN and not last))
         return self.bracket(text) if own < PRODUCT or open_ended else text
 
     def text(self, tree: Tree) -> tuple[str, int]:

@@ -13,7 +13,7 @@ from collections.abc import Iterable, Iterator, Mapping
 from math import prod
 
 from symcheck.checker.enclosures import enclosed
-from symcheck.checker.residues import PRIME, Reject, circle, draw, inverse, rational, require, root, rotation
+from symcheck.checker.residues import PRIME, Reject, circle, draw, has_root, inverse, rational, require, root, rotation
 from symcheck.core.calculus import Unknown, differentiated, letters, substituted
 from symcheck.core.terms import Binder, Call, Connective, End, Formula, Node, Relation, Term, Value, node
 
@@ -146,7 +146,7 @@ class Algebra:
             exact(inner, roots=False) or (self.point is not None and not letters(inner) & self.bound.keys())
         ):
             fraction = rational(values[0])
-            self.exactly(fraction is not None, name)
+            self.exactly(fraction is not None and has_root(fraction), name)
             return root(fraction)
         if name == "pow" and (whole := rational(values[1])) and whole[1] == 1:
             if whole[0] >= 0 or not self.bound:  # under an integral the base is positive by the meaning of such a power

@@ -15,7 +15,7 @@ from types import MappingProxyType
 from typing import NamedTuple
 
 from symcheck.checker.enclosures import between
-from symcheck.core.calculus import Lambda, domain, polynomial_in, regular, substituted
+from symcheck.core.calculus import Lambda, domain, letters, nodes, polynomial_in, regular, substituted
 from symcheck.core.terms import RELATIONS, Call, Formula, Malformed, Node, Quantified, Term, Value, node
 
 QUADRANTS = "-(pi/2) <= a; a <= pi/2"  # from -90 to 90 degrees
@@ -56,6 +56,11 @@ log_of_one(): |- log(1) == 0
 log_of_exp(t): |- log(exp(t)) == t
 log_of_product(s, t): s > 0; t > 0 |- log(s * t) == log(s) + log(t)
 log_of_power(t, u): t > 0 |- log(pow(t, u)) == u * log(t)
+log_of_root(t): t > 0 |- 2 * log(sqrt(t)) == log(t)
+circular_of_arctan(t): |- sin(arctan(t)) * sqrt(1 + t**2) == t and cos(arctan(t)) * sqrt(1 + t**2) == 1
+circular_of_arcsin(t): t**2 <= 1 |- sin(arcsin(t)) == t and cos(arcsin(t)) == sqrt(1 - t**2)
+circular_of_arccos(t): t**2 <= 1 |- cos(arccos(t)) == t and sin(arccos(t)) == sqrt(1 - t**2)
+telescope(f, g, s, t): s - 1 <= t; g(s) == f(s); forall(x, implies(x >= s, g(x + 1) == g(x) + f(x + 1))) |- sum(f(x), x, s, t) == g(t)
 power_as_exp(b, u): b > 0 |- pow(b, u) == exp(u * log(b))
 power_diverges(f, c, u): c != 0; forall(x, implies(x > 0, f(x) == c * pow(x, u))) |- diverges(f(x), {HALF}) == 1
 beta(f, c, k, u, r, p, q): p > 0; q > 0; {S} > 0; 2*r - {S} > 0; {SHAPE} |- diverges(f(x), {HALF}) == 0 and {EULER} * gamma(r - {S}/2) and gamma(r) > 0 and gamma({S}/2) > 0 and gamma(r - {S}/2) > 0 and pow(p, -({S}/2)) > 0 and pow(q, -(r - {S}/2)) > 0
@@ -193,6 +198,8 @@ def instance(
         whole = parameter not in ("n", "k") or isinstance(argument, int)
         if (parameter in lambdas) != (parameter in ("f", "g", "h")) or not whole:
             raise Malformed(f"{argument!r} for the parameter {parameter} of {name}")
+    if name == "telescope" and not _grows(lambdas["g"]):
+        raise Malformed(f"{lambdas['g'][1]!r} may have a period: a theorem about real numbers would not tell whole ones")
     if name in SMOOTH:
         parameter, *of = SMOOTH[name]
         (x,), body = lambdas[parameter]
@@ -204,6 +211,14 @@ def instance(
     if name.startswith("antiderivative"):
         premises[-1:] = smoothly(premises[-1], lambdas["g"])
     return premises, substituted(stated.conclusion, terms, lambdas)
+
+
+def _grows(g: Lambda) -> bool:
+    """Whether a term is put together of its letter and of powers to it: two such terms never differ by a period."""
+    (x,), body = g
+    inner = [part for part in nodes(body) if x in letters(part)]
+    known = all(part.tag in ("+", "*", "-", "/", "^", "pow", "exp") for part in inner)
+    return known and not any(part.tag == "pow" and x in letters(part.outside[0]) for part in inner)
 
 
 def smoothly(derived: Formula, g: Lambda) -> Iterator[Formula]:

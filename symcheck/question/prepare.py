@@ -259,6 +259,8 @@ def _parts(tree: Term, *, angle: bool) -> Iterator[tuple[str, int]]:
             yield x, d
         case Value(tag="*", terms=(Value(tag="/", terms=(int(), int(d))), str(x))) if angle and d > 0:
             yield x, d
+        case Value(tag="/", terms=(Value(tag="+") as total, int(d))) if angle and d > 0:
+            yield from ((x, d) for x in sorted(letters(total)))
         case Node(bound=()):
             for part in tree.outside:
                 yield from _parts(part, angle=angle or tree.tag in ("sin", "cos", "tan", "exp"))

@@ -238,9 +238,12 @@ class Search:
     def _numbers(self, names: Sequence[str], index: int) -> Assignment:
         """Values for the scalars: members of a family I_1, I_2, I_3 by their number, others from the end.
 
-        The empty pattern gives every letter another value, to tell apart what the others make equal.
+        The empty pattern gives every letter another value, to tell apart what the others make equal; what is scattered
+        lies on no line, so that vectors are independent.
         """
         pattern, point, place = _PATTERNS[index], {}, 0
+        if pattern == SCATTERED:
+            return {name: self.ring.number((7 * k * k + 3 * k + 1) % 23 - 9) for k, name in enumerate(names)}
         if not pattern:
             return {name: self.ring.number(Fraction(7 * k + 5, 3)) for k, name in enumerate(names)}
         for name in names:
@@ -648,6 +651,7 @@ _CIRCLE: tuple[tuple[Term | Fraction, Term | Fraction], ...] = (
 
 # long numbers, at which no polynomial that is not zero vanishes by chance
 _BIG = tuple(random.Random(7).getrandbits(62) for _ in range(12))
+SCATTERED = (0,)
 # values of the other letters, repeated where there are more: different ones, equal ones, zeros, negative ones
 _PATTERNS: tuple[tuple[int | Fraction, ...], ...] = (
     (1, 2, 3),
@@ -673,4 +677,5 @@ _PATTERNS: tuple[tuple[int | Fraction, ...], ...] = (
     (5, 1, 1, 9),
     (4, -3, Fraction(1, 7), 11, 2),
     _BIG,
+    SCATTERED,
 )
