@@ -10,6 +10,7 @@ from symcheck.checker import check
 from symcheck.core.certificates import Certificate
 from symcheck.core.problems import Problem
 from symcheck.core.verdicts import SymcheckError, Verdict
+from symcheck.core.words import term
 from symcheck.proof import certificate, identity
 from symcheck.question import jets
 from symcheck.question.answer import Answer, Status
@@ -90,23 +91,32 @@ def _several(texts: Iterable[str] | str) -> tuple[str, ...]:
 def _decided(reading: Reading, asked: Asked, wanted: bool = True) -> Answer:
     shown = {g.letter.latex: f"{g.taken} ({g.why})" for g in reading.inference.guesses}
     base = Answer(Status.UNDECIDED, to_latex(reading.tree), shown)
-    certificates, status, reasons = [], Status.PROVED, []
+    certificates, status, reasons, used = [], Status.PROVED, list[str](), list[str]()
     for problem in reading.problems:
-        verdict, made, reason = _decided_one(problem)
+        verdict, made, found = _decided_one(problem)
         if made is None:
             status = Status.UNDECIDED
-            reasons.append(reason)
+            reasons += found
             continue
         certificates.append(made)
+        used += (reading.stated[name] for name in found if name in reading.stated)
         if verdict is Verdict.REFUTED:
-            point = {x: str(v) for x, v in made["point"]["values"].items()}
-            found = repairs(reading, made["point"]["values"]) if wanted else ()
-            return replace(base, verdict=Status.REFUTED, counterexample=point, certificate=(made,), repairs=found)
-    return replace(base, verdict=status, certificate=tuple(certificates), reason="; ".join(dict.fromkeys(reasons)))
+            at = made["point"]["values"]
+            return replace(
+                base,
+                verdict=Status.REFUTED,
+                counterexample={x: term(value) for x, value in at.items()},
+                values=tuple(map(term, made["point"].get("shown", ()))),
+                used=tuple(dict.fromkeys(used)),
+                certificate=(made,),
+                repairs=repairs(reading, at) if wanted else (),
+            )
+    reason = "; ".join(dict.fromkeys(reasons))
+    return replace(base, verdict=status, certificate=tuple(certificates), used=tuple(dict.fromkeys(used)), reason=reason)
 
 
-def _decided_one(problem: Problem) -> tuple[Verdict, Certificate | None, str]:
-    """The verdict with its certificate, or why there is none; about numbers first, where it can be put so."""
+def _decided_one(problem: Problem) -> tuple[Verdict, Certificate | None, tuple[str, ...]]:
+    """The verdict with its certificate and what it rests on, or why there is none; about numbers first if it can be."""
     reasons = []
     for way in (jets.of, lambda whole: jets.Jets(whole, True)):
         try:
@@ -119,8 +129,8 @@ def _decided_one(problem: Problem) -> tuple[Verdict, Certificate | None, str]:
                     continue
                 made = certificate(numbers.problem, outcome)
                 if (fault := check(made)) is None:
-                    return outcome.verdict, made, ""
+                    return outcome.verdict, made, outcome.used
                 reasons.append(f"the certificate was not accepted ({fault})")
         except OutOfTime:
             reasons.append(f"the search was not over after {LIMIT:g} s")
-    return Verdict.UNDECIDED, None, reasons[-1]
+    return Verdict.UNDECIDED, None, (reasons[-1],)
