@@ -169,7 +169,8 @@ class _Search:
         return self._premise(formula, known) or self._with_inner(formula, known)
 
     def _with_inner(self, formula: Formula, known: Knowledge) -> Step | None:
-        return _Search(self._premise, ()).prove(formula, known, self.inner, 0) if self.inner else None
+        below = _Search(self.prove_here, ())
+        return _Search(below._premise, ()).prove(formula, known, self.inner, 0) if self.inner else None
 
     def _by_cases(self, goal: Formula, known: Knowledge, pending: Sequence[Instance], cases: int) -> Step | None:
         """What a theorem about an integral asks for holds, or it does not."""
