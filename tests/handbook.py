@@ -67,7 +67,10 @@ def _cross(a: Any, b: Any) -> Any:
 
 def _matmul(a: Any, b: Any) -> Any:
     if isinstance(b[0], list):
-        return [[mpmath.fsum(x * y for x, y in zip(row, column, strict=True)) for column in zip(*b, strict=True)] for row in a]
+        return [
+            [mpmath.fsum(x * y for x, y in zip(row, column, strict=True)) for column in zip(*b, strict=True)]
+            for row in a
+        ]
     return [mpmath.fsum(x * y for x, y in zip(row, b, strict=True)) for row in a]
 
 
@@ -101,7 +104,10 @@ FUNCTIONS: dict[str, Callable[..., Any]] = {
     "abs": abs,
     "exp": mpmath.exp,
     "ln": mpmath.log,
-    **{name: getattr(mpmath, name) for name in ("sin", "cos", "tan", "cot", "sinh", "cosh", "tanh", "factorial", "binomial")},
+    **{
+        name: getattr(mpmath, name)
+        for name in ("sin", "cos", "tan", "cot", "sinh", "cosh", "tanh", "factorial", "binomial")
+    },
     "arctan": mpmath.atan,
     "arcsin": mpmath.asin,
     "arccos": mpmath.acos,
@@ -180,7 +186,13 @@ class Printer:
                 return f"{self.at(parts[0], POWER)} / {below}", SUM
             case "^":
                 base, power = parts
-                if isinstance(base, tuple) and base[0] in NAMED and isinstance(power, int) and power > 1 and base[0] != "det":
+                if (
+                    isinstance(base, tuple)
+                    and base[0] in NAMED
+                    and isinstance(power, int)
+                    and power > 1
+                    and base[0] != "det"
+                ):
                     return rf"\{base[0]}^{{{power}}} {self.argument(base[1])}", PRODUCT
                 return f"{self.at(base, ATOM)}^{{{self.text(power)[0]}}}", POWER
             case "sqrt":
@@ -201,7 +213,10 @@ class Printer:
                 return rf"\frac{{d}}{{d{x}}} {self.bracket(self.text(body)[0])}", PRODUCT
             case "int":
                 body, x, low, high = parts
-                return rf"\int_{{{self.text(low)[0]}}}^{{{self.text(high)[0]}}} {self.at(body, PRODUCT)} \, d{x}", PRODUCT
+                return (
+                    rf"\int_{{{self.text(low)[0]}}}^{{{self.text(high)[0]}}} {self.at(body, PRODUCT)} \, d{x}",
+                    PRODUCT,
+                )
             case "sum":
                 body, k, low, high = parts
                 return rf"\sum_{{{k}={self.text(low)[0]}}}^{{{self.text(high)[0]}}} {self.at(body, PRODUCT)}", PRODUCT
@@ -368,7 +383,19 @@ IDENTITIES: dict[str, list[tuple[Tree, Tree, tuple[str, ...]]]] = {
         (dot(U, mat(M1, V)), dot(mat(transposed(M1), U), V), ()),
     ],
 }  # fmt: skip
-TERMS: list[Tree] = ["a", "b", "x", "y", r"\alpha", r"\beta", times(2, "x"), times(r"\omega", "t"), over("x", 2), plus("x", 1), times(3, "b")]
+TERMS: list[Tree] = [
+    "a",
+    "b",
+    "x",
+    "y",
+    r"\alpha",
+    r"\beta",
+    times(2, "x"),
+    times(r"\omega", "t"),
+    over("x", 2),
+    plus("x", 1),
+    times(3, "b"),
+]
 GIVEN = {
     "+x": "x > 0", "+y": "y > 0", "+a": "a > 0", "x!=y": r"x \neq y", "cos": r"\cos x \neq 0",
     "tan": r"\cos x \neq 0, \tan^2 x \neq 1", "n": r"n \in \mathbb{N}",
@@ -473,7 +500,9 @@ def _case(rng: random.Random, family: str, true: bool) -> Case:
         left, right = substituted(left, by), substituted(right, by)
         if rng.random() < 0.3 and family not in ("vectors", "matrices"):
             extra = rng.choice(["q", times(2, "q"), power("q", 2)])
-            left, right = rng.choice([(plus(left, extra), plus(right, extra)), (times(extra, left), times(extra, right))])
+            left, right = rng.choice(
+                [(plus(left, extra), plus(right, extra)), (times(extra, left), times(extra, right))]
+            )
         if rng.random() < 0.3:
             left, right = right, left
         if not true:

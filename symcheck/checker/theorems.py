@@ -199,7 +199,9 @@ def instance(
         if (parameter in lambdas) != (parameter in ("f", "g", "h")) or not whole:
             raise Malformed(f"{argument!r} for the parameter {parameter} of {name}")
     if name == "telescope" and not _grows(lambdas["g"]):
-        raise Malformed(f"{lambdas['g'][1]!r} may have a period: a theorem about real numbers would not tell whole ones")
+        raise Malformed(
+            f"{lambdas['g'][1]!r} may have a period: a theorem about real numbers would not tell whole ones"
+        )
     if name in SMOOTH:
         parameter, *of = SMOOTH[name]
         (x,), body = lambdas[parameter]

@@ -112,7 +112,9 @@ def _decided(reading: Reading, asked: Asked, wanted: bool = True) -> Answer:
                 repairs=repairs(reading, at) if wanted else (),
             )
     reason = "; ".join(dict.fromkeys(reasons))
-    return replace(base, verdict=status, certificate=tuple(certificates), used=tuple(dict.fromkeys(used)), reason=reason)
+    return replace(
+        base, verdict=status, certificate=tuple(certificates), used=tuple(dict.fromkeys(used)), reason=reason
+    )
 
 
 def _decided_one(problem: Problem) -> tuple[Verdict, Certificate | None, tuple[str, ...]]:

@@ -151,10 +151,7 @@ def inferred(
     for name in related.entries:
         evidence.setdefault(name, Evidence(name, [Occurrence(name)]))
     loose = _inferred(formulas, evidence, defined)
-    found = [
-        *(_related(each, related) for each in loose),
-        *(replace(each, remote=True) for each in loose)
-    ]
+    found = [*(_related(each, related) for each in loose), *(replace(each, remote=True) for each in loose)]
     return [each for size in sizes for each in _sized(found, size, first=size == sizes[0])]
 
 

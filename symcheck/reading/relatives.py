@@ -97,7 +97,9 @@ def _components(base: str, script: str, letters: Collection[str]) -> Iterator[li
 def _size(base: str, letters: Collection[str]) -> tuple[str, int] | None:
     """The letter of the entries of a matrix, and the number of its rows, as far as entries are printed."""
     for name in (base, base.lower()):
-        indices = [int(n) for each in letters for m in [_ENTRY.fullmatch(each)] if m and m[1] == name for n in m.groups()[1:]]
+        indices = [
+            int(n) for each in letters for m in [_ENTRY.fullmatch(each)] if m and m[1] == name for n in m.groups()[1:]
+        ]
         if indices:
             return name, max(indices)
     return None

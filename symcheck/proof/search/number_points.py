@@ -8,7 +8,7 @@ from dataclasses import replace
 from itertools import product
 
 from symcheck.checker.enclosures import between
-from symcheck.core.calculus import Unknown, letters
+from symcheck.core.calculus import Unknown, domain, letters
 from symcheck.core.problems import Problem
 from symcheck.core.terms import Formula, Node, Term, node
 from symcheck.proof.algebra.knowledge import formulas_of, stated
@@ -19,7 +19,9 @@ from symcheck.proof.rules.enclosure import IRRATIONAL, Numbers, compared, relati
 # numbers on both sides of those that are compared in most statements
 TRIED: tuple[Term, ...] = (1, node("/", 1, 2), node("/", 3, 2), node("/", 1, 4), node("/", 5, 4), 2, 0, node("-", 1), 3)
 FEW = 3  # letters of which all combinations of values can be tried
-TRIES_OF_MANY = 20  # a false statement about many letters fails nearly everywhere, or in a corner that is not met at random
+TRIES_OF_MANY = (
+    20  # a false statement about many letters fails nearly everywhere, or in a corner that is not met at random
+)
 TRIES = 80  # points, each with a proof by digits, some seconds in all: the papers need 36
 
 
@@ -67,7 +69,9 @@ def refute_at(problem: Problem, chosen: Mapping[str, Term]) -> Point | None:
         if numbers is None or numbers.truth(problem.claim) is not False:
             return None
         sources = [source for source, _ in numbers.sources.values()]
-        if not all(ref in sources or (numbers.closed(f) and numbers.truth(f)) for ref, f in stated(problem)):
+        given = [(ref, f) for ref, f in stated(problem) if ref not in sources]
+        conditions = domain(*(unfold(f, dict(problem.definitions)) for f in formulas_of(problem)))
+        if not all(numbers.closed(f) and numbers.truth(f) for f in [*conditions, *(f for _, f in given)]):
             return None
         values = {name: unfold(number, dict(problem.definitions)) for name, number in numbers.letters.items()}
         return Point(values, enclosed=tuple(_shown(problem.claim, numbers)))
