@@ -1,8 +1,8 @@
 """Handbook identities and near misses with known truth: a seeded program that shares no code with the product.
 
 An identity is a pair of terms that a handbook equates, with random terms in place of its letters. A near miss is an
-identity with one random edit, of which mpmath shows at a random point that it fails. Both are printed as LaTeX in one of several
-styles.
+identity with one random edit, of which mpmath shows at a random point that it fails. Both are printed as LaTeX in one
+of several styles.
 """
 
 from __future__ import annotations
@@ -317,7 +317,10 @@ IDENTITIES: dict[str, list[tuple[Tree, Tree, tuple[str, ...]]]] = {
         (power(plus(A, B), 2), plus(power(A, 2), times(2, A, B), power(B, 2)), ()),
         (minus(power(A, 2), power(B, 2)), times(minus(A, B), plus(A, B)), ()),
         (minus(power(A, 3), power(B, 3)), times(minus(A, B), plus(power(A, 2), times(A, B), power(B, 2))), ()),
-        (power(minus(A, B), 3), plus(power(A, 3), ("-", times(3, power(A, 2), B)), times(3, A, power(B, 2)), ("-", power(B, 3))), ()),
+        (
+            power(minus(A, B), 3),
+            plus(power(A, 3), ("-", times(3, power(A, 2), B)), times(3, A, power(B, 2)), ("-", power(B, 3))), (),
+        ),
         (plus(over(1, X), over(1, Y)), over(plus(X, Y), times(X, Y)), ("+x", "+y")),
         (sqrt(times(X, Y)), times(sqrt(X), sqrt(Y)), ("+x", "+y")),
         (over(1, plus(sqrt(X), sqrt(Y))), over(minus(sqrt(X), sqrt(Y)), minus(X, Y)), ("+x", "+y", "x!=y")),
@@ -378,7 +381,10 @@ IDENTITIES: dict[str, list[tuple[Tree, Tree, tuple[str, ...]]]] = {
         (det(mat(M1, M2)), times(det(M1), det(M2)), ()),
         (mat(M1, plus(U, V)), plus(mat(M1, U), mat(M1, V)), ()),
         (trace(plus(M1, M2)), plus(trace(M1), trace(M2)), ()),
-        (mat(M, ("pmatrix", ("row", "x"), ("row", "y"))), ("pmatrix", ("row", plus(times("a", "x"), times("b", "y"))), ("row", plus(times("c", "x"), times("d", "y")))), ()),
+        (
+            mat(M, ("pmatrix", ("row", "x"), ("row", "y"))),
+            ("pmatrix", *(("row", plus(times(p, "x"), times(q, "y"))) for p, q in ("ab", "cd"))), (),
+        ),
         (det(transposed(M1)), det(M1), ()),
         (dot(U, mat(M1, V)), dot(mat(transposed(M1), U), V), ()),
     ],

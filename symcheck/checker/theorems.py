@@ -92,13 +92,13 @@ def _table() -> dict[str, str]:
         lines += [f"known_angle_{name}_{k}(): |- {name}({t}) == {ANGLES[k]}" for k, t in enumerate(numbers)]
     for sign in RELATIONS:
         written = "==" if sign == "=" else sign
-        for name, domain, angles, values in (
+        for name, where, angles, values in (
             ("arctangent", QUADRANTS, f"a {written} arctan(t)", f"sin(a) {written} t * cos(a)"),
             ("arcsine", f"t**2 <= 1; {QUADRANTS}", f"a {written} arcsin(t)", f"sin(a) {written} t"),
             ("arccosine", "t**2 <= 1; 0 <= a; a <= pi", f"a {written} arccos(t)", f"t {written} cos(a)"),
         ):
-            lines.append(f"{name} {sign}(a, t): {domain}; {angles} |- {values}")
-            lines.append(f"{name} {sign} back(a, t): {domain}; {values} |- {angles}")
+            lines.append(f"{name} {sign}(a, t): {where}; {angles} |- {values}")
+            lines.append(f"{name} {sign} back(a, t): {where}; {values} |- {angles}")
     return {line.partition("(")[0]: line for line in lines}
 
 

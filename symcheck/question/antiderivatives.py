@@ -1,4 +1,4 @@
-"""Hints for proofs about integrals and sums that SymPy works out: the proof then has to differentiate, or to take the step."""
+"""Hints about integrals and sums that SymPy works out: the proof then has to differentiate, or to take the step."""
 
 from __future__ import annotations
 

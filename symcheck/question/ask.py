@@ -16,8 +16,8 @@ from symcheck.question import jets
 from symcheck.question.answer import Answer, Status
 from symcheck.question.antiderivatives import hinted
 from symcheck.question.limit import OutOfTime, limited
-from symcheck.question.repairs import repairs
 from symcheck.question.prepare import Asked, Reading, readings, sizes
+from symcheck.question.repairs import repairs
 from symcheck.reading import to_latex
 
 LIMIT = 6.0  # seconds for one component of a relation; nearly all that are found at all are found in one
@@ -31,6 +31,36 @@ def decide(
     given: Iterable[str] | str = (),
     letters: Mapping[str, str] | None = None,
 ) -> Answer:
+    r"""Decide one formula, without a paper and without declarations.
+
+    Parameters
+    ----------
+    relation
+        The formula, in LaTeX: an equation, an inequality, or a chain of them.
+    where
+        Definitions and earlier equations: solved for a letter they say what it is, otherwise they are assumed.
+    given
+        Conditions, such as ``"x > 0"`` or ``r"n \in \mathbb{N}"``.
+    letters
+        What letters are, where that is not to be inferred: ``{"f": "function of x", r"\omega": "vector"}``.
+
+    Returns
+    -------
+    Answer
+        The verdict with its evidence. What cannot be read is an answer too, with the reason.
+
+    See Also
+    --------
+    check : The audit of whole papers.
+
+    Examples
+    --------
+    >>> from symcheck import decide
+    >>> decide(r"\sin 2a = 2 \sin a \cos a").verdict
+    <Status.PROVED: 'proved'>
+    >>> decide(r"\ln x = x", given="x > 0").counterexample
+    {'x': '1'}
+    """
     started = time.perf_counter()
     asked = None
     try:

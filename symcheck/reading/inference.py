@@ -277,7 +277,7 @@ _SIGNS = frozenset({"*", "+", "-", r"\star", r"\dagger", r"\ddagger", r"\sharp",
 
 
 def _labelled(formula: str) -> Iterator[str]:
-    r"""Letters with a superscript that is no power: `x^*`, `x_i^{(k)}`, `v^{\text{max}}`; and `[P]`, `[BN]`, matrices in brackets."""
+    r"""Letters with a superscript that is no power: `x^*`, `x_i^{(k)}`, `v^{\text{max}}`; matrices `[P]`, `[BN]`."""
     reader = tex.Reader(formula)
     toks = reader.toks
     while reader.i < len(toks):
@@ -329,12 +329,12 @@ def _is_label(inside: Sequence[str]) -> bool:
 
 
 def _bracketed(toks: Sequence[tex.Tok], start: int) -> int:
-    """Where a matrix in brackets ends that begins here: one letter with its scripts, or two capitals; 0 if there is none."""
+    """Where a matrix in brackets ends that begins here: one letter with its scripts, or two capitals; 0 without one."""
     end = next((k for k in range(start, len(toks)) if toks[k].text == "]"), 0)
     inner = [tok.text for tok in toks[start + 1 : end]]
     letters = [text for text in inner if text not in ("_", "{", "}") and not text.isdigit()]
     pair = len(letters) == 2 and all(len(text) == 1 and text.isupper() for text in letters)
-    styled = bool(inner) and (inner[0].isalpha() and inner[0].isupper() or inner[0] in STYLES | ACCENTS)
+    styled = bool(inner) and ((inner[0].isalpha() and inner[0].isupper()) or inner[0] in STYLES | ACCENTS)
     if not end or not (pair or (styled and _is_letter(" ".join(inner)))):
         return 0
     reader = tex.Reader(" ".join(tok.text for tok in toks[end + 1 :]))
@@ -545,7 +545,7 @@ def _number(of: Evidence) -> list[Guess]:
 
 def _common_arguments(of: Evidence) -> tuple[str, ...]:
     """The letters that stand in brackets behind it wherever there are any: (x, t)."""
-    found = {args for args in of.arguments}
+    found = set(of.arguments)
     if len(found) != 1:
         return ()
     (args,) = found

@@ -644,9 +644,8 @@ class Lowering:
         base = self.value(tree.base, env)
         if isinstance(base, list):
             return self.matrix_power(tree, base, exponent)
-        if base == -1 or base == node("-", 1):
-            if self.is_whole(tree.exponent) and not isinstance(exponent, int):
-                return node("cos", node("*", PI, exponent))
+        if base in (-1, node("-", 1)) and self.is_whole(tree.exponent) and not isinstance(exponent, int):
+            return node("cos", node("*", PI, exponent))
         if base == 0 and exponent == 0:
             raise SymcheckError(f"{to_latex(tree)} has no value on which all agree; write 1 if that is meant")
         if isinstance(base, Complex):

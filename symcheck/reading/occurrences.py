@@ -1,4 +1,4 @@
-"""Where letters stand in printed formulas, and what is done with them there: the evidence from which kinds are inferred."""
+"""Where letters stand in printed formulas, and what is done with them there: the evidence for their kinds."""
 
 from __future__ import annotations
 

@@ -883,7 +883,8 @@ class Builder:
             raise self.fail(at, "this derivative has no variable")
         found = []
         for tree in bottom.body:
-            name, order = (tree.base, self.order(tree.exponent, at)) if isinstance(tree, Pow) else (tree, 1)
+            name: str | Tree = tree.base if isinstance(tree, Pow) else tree
+            order = self.order(tree.exponent, at) if isinstance(tree, Pow) else 1
             if isinstance(name, Call) and not name.arguments and bottom.partial:
                 name = name.function
             if not isinstance(name, Name):

@@ -1,6 +1,6 @@
 r"""Plain letters beside bold ones: `u_1` beside `\mathbf{u}` is its component, `r` beside `\mathbf{r}` its length.
 
-Texts rely on this without a word. So such letters are never taken for numbers of their own without a doubt that is told.
+Texts rely on this without a word. So such letters are not taken for independent numbers where another reading stands.
 """
 
 from __future__ import annotations

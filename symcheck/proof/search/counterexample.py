@@ -58,8 +58,13 @@ def refute(problem: Problem, prove: Prover = lambda _: None) -> Point | None:
 
     What functions such as integrals are at the point is proved.
     """
-    proved = (partial(way, prove=prove) for way in (refute_about_angles, refute_with_hints))
-    ways = (refute_numbers, partial(_point, prove=prove), refute_at_some, *proved)
+    ways: tuple[Callable[[Problem], Point | None], ...] = (
+        refute_numbers,
+        partial(_point, prove=prove),
+        refute_at_some,
+        partial(refute_about_angles, prove=prove),
+        partial(refute_with_hints, prove=prove),
+    )
     for way in ways:
         try:
             if (point := way(problem)) is not None:
