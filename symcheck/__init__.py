@@ -14,12 +14,15 @@ if TYPE_CHECKING:
     from symcheck.ledger.record import Record
     from symcheck.numeric.chunked.kernels import kernel
     from symcheck.papers.declare import claim, definition, exclusion, ours, premise
+    from symcheck.question.answer import Answer
+    from symcheck.question.ask import decide
     from symcheck.reading import Letter, Notation
     from symcheck.views.show import show
 
 __version__ = "0.1.0"
 
 __all__ = [
+    "Answer",
     "Declaration",
     "Erratum",
     "Group",
@@ -36,6 +39,7 @@ __all__ = [
     "Verdict",
     "check",
     "claim",
+    "decide",
     "definition",
     "errata",
     "exclusion",
@@ -53,6 +57,8 @@ _HOMES = {
     "symcheck.ledger.record": ("Record",),
     "symcheck.numeric.chunked.kernels": ("kernel",),
     "symcheck.papers.declare": ("claim", "definition", "exclusion", "ours", "premise"),
+    "symcheck.question.answer": ("Answer",),
+    "symcheck.question.ask": ("decide",),
     "symcheck.reading": ("Letter", "Notation"),
     "symcheck.views.show": ("show",),
 }

@@ -13,8 +13,8 @@ from collections.abc import Iterable, Iterator, Mapping
 from math import prod
 
 from symcheck.checker.enclosures import enclosed
-from symcheck.checker.residues import PRIME, Reject, circle, draw, inverse, rational, require, root, rotation
-from symcheck.core.calculus import differentiated, letters, substituted
+from symcheck.checker.residues import PRIME, Reject, circle, draw, has_root, inverse, rational, require, root, rotation
+from symcheck.core.calculus import Unknown, differentiated, letters, substituted
 from symcheck.core.terms import Binder, Call, Connective, End, Formula, Node, Relation, Term, Value, node
 
 STEEPEST = 1 << 40  # product of nested exponents, multiples of angles and the like; a term has 2^20 nodes at most
@@ -40,6 +40,7 @@ class Algebra:
         self.settled: dict[int, int] = {}  # values of functions at the point, by what is drawn for them
         self.scale = 1  # product of the exponents around
         self.divisors: Divisors = {}  # that were met
+        self.outermost: Term | None = None  # at a point, the binder inside of which values are taken
 
     def value(self, term: Term) -> int:
         """The value of a term; sums and products are not reduced modulo the prime."""
@@ -124,7 +125,8 @@ class Algebra:
         value = self.value(term) % PRIME
         self.divisors[value] = self.divisors.get(value) or (term if exact(term) or not self.bound else None)
         if self.point is not None and self.bound:  # nobody asks later
-            require(exact(term) or rational(value), "{} may be zero under a binder", term)
+            shown = exact(term) or rational(value) or (self.outermost is not None and has_digits(self.outermost))
+            require(shown, "{} may be zero under a binder", term)
         return inverse(value)
 
     def function(self, term: Value) -> int:
@@ -135,6 +137,8 @@ class Algebra:
         inner = term.terms[0]
         if name == "tan" and isinstance(inner, Value) and inner.tag == "arctan":
             return self.value(inner.terms[0])
+        if name == "exp":
+            return self.exponential(inner)
         if name == "tan":
             return self.turn(inner)[1] * self.inverse(node("cos", inner)) % PRIME
         values = self.residues(term.terms)
@@ -142,7 +146,7 @@ class Algebra:
             exact(inner, roots=False) or (self.point is not None and not letters(inner) & self.bound.keys())
         ):
             fraction = rational(values[0])
-            self.exactly(fraction is not None, name)
+            self.exactly(fraction is not None and has_root(fraction), name)
             return root(fraction)
         if name == "pow" and (whole := rational(values[1])) and whole[1] == 1:
             if whole[0] >= 0 or not self.bound:  # under an integral the base is positive by the meaning of such a power
@@ -172,6 +176,8 @@ class Algebra:
             return self.value(differentiated(term))
         ends = [e.tag if isinstance(e, End) else self.value(e) % PRIME for e in term.outside]
         kept = self.bound, self.letters
+        if self.point is not None and not self.bound:
+            self.outermost = substituted(term, self.point)
         self.bound = {**self.bound, term.letter: ("bound", height(term))}
         self.letters = {**self.letters, term.letter: draw(*self.bound[term.letter])}
         value = self.value(term.body) % PRIME
@@ -197,6 +203,26 @@ class Algebra:
                 s_ = s if n > 0 else -s
                 cosine, sine = (cosine * c - sine * s_) % PRIME, (sine * c + cosine * s_) % PRIME
         return cosine, sine
+
+    def exponential(self, term: Term) -> int:
+        """e to a sum is the product of its powers: whole powers of e to letters, to pi and to other terms."""
+        total: dict[Key, int] = {}
+        for key, times in self.angles(term, 1):
+            total[key] = total.get(key, 0) + times
+        product = 1
+        for key, times in total.items():
+            n, d = rational(times % PRIME) or (1, 0)
+            if n == 0:
+                continue
+            self.exactly(False, "e to a number")
+            if d == 1 and abs(n) < 1000:
+                self.steeper(n)
+                product = product * pow(draw("exp", *key), n, PRIME) % PRIME
+            else:
+                value = times * draw(*key) % PRIME
+                half = min(value, PRIME - value)  # e to a number and to its contrary are inverse
+                product = product * pow(draw("exp", half), 1 if half == value else -1, PRIME) % PRIME
+        return product
 
     def multiple(self, key: Key, times: int) -> tuple[tuple[int, int], int]:
         """So many times an angle as whole multiples: ((cos, sin), how many)."""
@@ -229,17 +255,27 @@ class Algebra:
                     yield from self.angles(part, times)
             case Value(tag="-", terms=(inner,)):
                 yield from self.angles(inner, -times)
-            case Value(tag="*", terms=factors) if len(rest := [t for t in factors if not exact(t, roots=False)]) == 1:
-                numbers = [self.value(t) for t in factors if t is not rest[0]]
-                yield from self.angles(rest[0], times * prod(numbers) % PRIME)
+            case Value(tag="*", terms=factors) if rest := [t for t in factors if not exact(t, roots=False)]:
+                numbers = [self.value(t) for t in factors if exact(t, roots=False)]
+                if len(rest) == 1:
+                    yield from self.angles(rest[0], times * prod(numbers) % PRIME)
+                else:
+                    yield from self.other(prod(map(self.value, rest)) % PRIME, times * prod(numbers) % PRIME)
             case Value(tag="/", terms=(top, bottom)) if exact(bottom, roots=False):
                 yield from self.angles(top, times * self.inverse(bottom) % PRIME)
             case Value(tag="pi"):
                 yield PI, times
             case Value(tag="arctan", terms=(t,)) if exact(t):
                 yield ("arctan", self.value(t) % PRIME), times
-            case _ if value := self.value(term) % PRIME:
-                yield ("number", value), times
+            case _:
+                yield from self.other(self.value(term) % PRIME, times)
+
+    @staticmethod
+    def other(value: int, times: int) -> Iterator[tuple[Key, int]]:
+        """So many times a number that is no letter; it and its contrary go together."""
+        if value:
+            half = min(value, PRIME - value)
+            yield ("number", half), times if half == value else -times
 
     def holds(self, formula: Formula) -> bool:
         """Whether a formula holds where all its letters have values."""
@@ -269,6 +305,15 @@ class Algebra:
             require(Algebra({}).value(difference) % PRIME == 0, "too few digits to compare {} and {}", left, right)
             return 0
         return (digits.low > 0) - (digits.high < 0)
+
+
+def has_digits(term: Term) -> bool:
+    """Whether a closed term has an enclosure, so that nothing in it is divided by zero, wherever bound letters are."""
+    try:
+        enclosed(term)
+    except Unknown:
+        return False
+    return True
 
 
 def exact(term: Term, roots: bool = True) -> bool:

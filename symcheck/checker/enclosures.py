@@ -12,11 +12,13 @@ from functools import lru_cache, reduce
 from itertools import repeat
 from math import isqrt, prod
 
-from symcheck.core.calculus import Unknown
-from symcheck.core.terms import Node, Term, Value, node
+from symcheck.core.calculus import Unknown, derivative, differentiated
+from symcheck.core.terms import Binder, Node, Term, Value, node
 
 PLACES = 160
 ONE = 1 << PLACES
+MANY = 1000  # terms of a sum, which are added one by one
+CELLS = 128  # of an integral: smooth ones of a few units' length get 5 digits, which tell wrong constants apart
 LARGEST = ONE << 2048  # beyond it a certificate is up to no good
 
 
@@ -27,6 +29,12 @@ class Interval:
         self.low, self.high, self.size = low, high, max(-low, high)  # no number in it is farther from zero than `size`
         if self.size > LARGEST:
             raise Unknown("a number with too many digits")
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, Interval) and (self.low, self.high) == (other.low, other.high)
+
+    def __hash__(self) -> int:
+        return hash((self.low, self.high))
 
     def __add__(self, other: Interval) -> Interval:
         return Interval(self.low + other.low, self.high + other.high)
@@ -100,35 +108,114 @@ def arcsine(x: Interval) -> Interval:
     return whole(2) * arctangent(x / (whole(1) + root(whole(1) + -(x * x))))
 
 
+def exponential(x: Interval) -> Interval:
+    """1 + x + x^2/2 + ... of an exponent halved until it is below 1/8; then squared as often."""
+    halved = max(0, (x.size >> PLACES - 3).bit_length())
+    if halved > 16:
+        raise Unknown("an exponent that is too large")
+    y = x.over(1 << halved)
+    total, term, k = whole(0), whole(1), 1
+    while term.size > 1:  # the terms decrease eightfold, so that what is left out is smaller than the last one
+        total, term, k = total + term, (term * y).over(k), k + 1
+    total += Interval(-term.size - 1, term.size + 1)
+    for _ in range(halved):
+        total *= total
+    return Interval(max(total.low, 0), total.high)
+
+
+def logarithm(x: Interval) -> Interval:
+    """2^n times the logarithm of the 2^n-th root, which is 2 (y + y^3/3 + y^5/5 + ...) for y = (x - 1)/(x + 1)."""
+    if x.low <= 0:
+        raise Unknown("the logarithm of what may not be positive")
+    if x.low == x.high == ONE:
+        return whole(0)
+    halved = 3 + max(x.high.bit_length() - PLACES, PLACES - x.low.bit_length(), 1).bit_length()
+    for _ in range(halved):
+        x = root(x)
+    y = (x + whole(-1)) / (x + whole(1))
+    if 4 * y.size > ONE:
+        raise Unknown("a logarithm with too few digits")
+    total, power, square, k = whole(0), y, y * y, 1
+    while (term := power.over(k)).size > 1:  # the terms decrease sixteenfold
+        total, power, k = total + term, power * square, k + 2
+    return whole(2 << halved) * (total + Interval(-term.size - 1, term.size + 1))
+
+
 FUNCTIONS: dict[str, Callable[[Interval], Interval]] = {
     "-": Interval.__neg__,
     "sqrt": root,
     "sin": lambda x: trigonometric(x, 1),
     "cos": lambda x: trigonometric(x, 0),
     "tan": lambda x: trigonometric(x, 1) / trigonometric(x, 0),
+    "exp": exponential,
+    "log": logarithm,
     "arctan": arctangent,
     "arcsin": arcsine,
     "arccos": lambda x: PI.over(2) + -arcsine(x),
 }
 
 
+Place = tuple[tuple[str, Interval], ...]  # what bound letters stand for
+
+
 @lru_cache(4096)
-def enclosed(term: Term) -> Interval:
+def enclosed(term: Term, at: Place = ()) -> Interval:
     """The value of a term; Unknown if it is no number."""
     match term:
         case int():
             return whole(term)
+        case str() if found := [value for name, value in at if name == term]:
+            return found[-1]
         case Value(tag="pi"):
             return PI
         case Value(tag="/", terms=(top, bottom)):
-            return enclosed(top) / enclosed(bottom)
+            return enclosed(top, at) / enclosed(bottom, at)
         case Value(tag="^", terms=(base, int(n))):
-            return enclosed(base) ** n
+            return enclosed(base, at) ** n
+        case Value(tag="pow", terms=(base, exponent)):
+            power = enclosed(exponent, at)
+            if power.low == power.high and power.low % ONE == 0:
+                return enclosed(base, at) ** (power.low >> PLACES)
+            return exponential(power * logarithm(enclosed(base, at)))
         case Value(tag="+" | "*" as sign, terms=(first, *rest)):
-            return reduce(Interval.__add__ if sign == "+" else Interval.__mul__, map(enclosed, rest), enclosed(first))
+            values = (enclosed(part, at) for part in rest)
+            return reduce(Interval.__add__ if sign == "+" else Interval.__mul__, values, enclosed(first, at))
         case Value(tag=function, terms=(inner,)) if function in FUNCTIONS:
-            return FUNCTIONS[function](enclosed(inner))
+            return FUNCTIONS[function](enclosed(inner, at))
+        case Binder(tag="diff"):
+            return enclosed(differentiated(term), at)
+        case Binder(tag="sum" | "product" as kind, body=body, letter=k, outside=ends):
+            low, high = (exactly(enclosed(end, at)) for end in ends)
+            if high - low > MANY:
+                raise Unknown(f"a {kind} of more than {MANY} terms")
+            parts = (enclosed(body, (*at, (k, whole(n)))) for n in range(low, high + 1))
+            return reduce(Interval.__add__, parts, whole(0)) if kind == "sum" else prod(parts, start=whole(1))
+        case Binder(tag="integral", body=body, letter=x, outside=(start, end)):
+            return integral(body, x, enclosed(start, at), enclosed(end, at), at)
     raise Unknown(f"the digits of {term!r}")
+
+
+def exactly(x: Interval) -> int:
+    """The whole number that an interval is."""
+    if x.low != x.high or x.low % ONE:
+        raise Unknown("an end of a sum that is no whole number")
+    return x.low >> PLACES
+
+
+def integral(body: Term, x: str, start: Interval, end: Interval, at: Place) -> Interval:
+    """Cell by cell h f(m) + h^3 f''/24: the second derivative is enclosed over the whole cell, m is its middle.
+
+    The ends of the integral are intervals, and so is the middle of each cell.
+    """
+    second = derivative(derivative(body, x), x)
+    width = (end + -start).over(CELLS)
+    half, square, total = width.over(2), (width * width).over(24), whole(0)
+    for k in range(CELLS):
+        middle = start + whole(2 * k + 1) * half
+        cell = (*at, (x, Interval(middle.low - half.size, middle.high + half.size)))
+        enclosed(body, cell)  # it has a value in the whole cell
+        total += width * (enclosed(body, (*at, (x, middle))) + square * enclosed(second, cell))
+    return total
 
 
 def between(term: Term, digits: int) -> tuple[Node, Node]:

@@ -9,13 +9,13 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Sequence
 
-from symcheck.checker.algebra import Algebra, Known, exact
+from symcheck.checker.algebra import Algebra, Divisors, Known, exact, height
 from symcheck.checker.residues import PRIME, Reject, inverse, polynomials, rational, require
 from symcheck.checker.theorems import Argument, instance
 from symcheck.core.calculus import letters, substituted
 from symcheck.core.fields import Fields, by_key, listed, raw, text
 from symcheck.core.formulas import FALSE, conjuncts, contrary
-from symcheck.core.terms import JSON, Connective, Formula, Quantified, Reader, Relation, T, Term, Value, node
+from symcheck.core.terms import JSON, Binder, Connective, Formula, Quantified, Reader, Relation, T, Term, Value, node
 
 Reference = tuple[str | int, ...]
 STRICT, ORDERS = ("<", ">"), ("<", ">", "<=", ">=")
@@ -46,6 +46,7 @@ class Prover:
         self.facts: dict[Reference, tuple[Formula, int]] = {}
         self.used: set[Reference] = set()
         self.depth = 0  # of the facts "here"
+        self.around: list[Divisors] = []  # divisors met outside of what is being proved
         self.nonzero: set[int] = set()  # values that are not zero whatever a step assumes
         self.polynomial = POLYNOMIAL  # their values; see `prove`
 
@@ -65,11 +66,16 @@ class Prover:
     def branch(self, goal: Formula, proof: JSON, *assumed: Formula) -> None:
         """Proves a goal under more assumptions, which are forgotten afterwards."""
         facts, depth = self.facts, self.depth
+        around, self.algebra.divisors = self.algebra.divisors, {}
+        self.around.append(around)
         self.facts = {**facts}
         for formula in (part for each in assumed for part in conjuncts(each)):
             self.learn(("here", self.depth), formula)
             self.depth += 1
         self.prove(goal, proof)
+        open_ = {value: term for value, term in self.algebra.divisors.items() if not self.is_known(value, term)}
+        self.algebra.divisors = self.around.pop()
+        around.update({value: term for value, term in open_.items() if around.get(value) is None})
         self.facts, self.depth = facts, depth
 
     def opened(self, formula: Quantified, step: Fields, *beside: Formula) -> Formula:
@@ -101,7 +107,8 @@ class Prover:
         match data:
             case str():
                 value = self.polynomial(data)
-                require(value in self.algebra.divisors or value in self.nonzero, "{} is no denominator", data)
+                met = (self.algebra.divisors, self.nonzero, *self.around)
+                require(any(value in each for each in met), "{} is no denominator", data)
                 return value
             case ["positive", term]:
                 return self.positive(term)
@@ -124,7 +131,7 @@ class Prover:
         match term:
             case int():
                 return (term >= 0) + (term > 0)
-            case Value(tag="pi"):
+            case Value(tag="pi" | "exp"):
                 return 2
             case Value(tag="+", terms=parts) if parts:
                 result = max(levels := [*map(self.sign, parts)]) * all(levels)
@@ -136,7 +143,7 @@ class Prover:
             case Value(tag="/", terms=(top, bottom)):
                 result = min(self.sign(top), 2 * bool(self.sign(bottom)))
             case Value(tag="^", terms=(base, int(n))) if n > 0:
-                result = self.sign(base) or int(n % 2 == 0)
+                result = self.sign(base) or (n % 2 == 0 and 1 + self.is_known(self.value(base)))
         value = self.value(term) if result < 2 else 0
         if result < 2 and exact(term) and (number := rational(value)) and number[0] >= 0:
             return 1 + (number[0] > 0)
@@ -253,9 +260,20 @@ class Prover:
         premises, conclusion = instance(name, given, {self.reader.letter(x): t for x, t in numbers.items()})
         for premise, proof in paired(premises, step.take("premises", LIST)):
             self.branch(premise, proof)
+        if name.startswith("antiderivative"):
+            self.met(conclusion)
         if isinstance(conclusion, Quantified):
             conclusion = self.opened(conclusion, step, goal)
         self.branch(goal, step.take("then", raw), conclusion)
+
+    def met(self, conclusion: Formula) -> None:
+        """What an integrand divides by is not zero between the ends: its premises were proved there."""
+        integral, _ = conclusion.outside
+        around, self.algebra.divisors = self.algebra.divisors, {}
+        self.value(integral)
+        if isinstance(integral, Binder) and height(integral) == 1:
+            self.nonzero |= {value for value, term in self.algebra.divisors.items() if term is None}
+        self.algebra.divisors = around
 
     def argument(self, data: JSON) -> Argument:
         """What a theorem is applied to: a term, or {"letter": x, "term": t} for a term in a letter."""
@@ -297,14 +315,27 @@ class Prover:
 
     def finish(self) -> None:
         """No denominator that was met may be zero."""
-        known = [(name, gap) for name, (formula, gap) in self.facts.items() if gap and formula.tag in ("!=", *STRICT)]
         for divisor, term in [*self.algebra.divisors.items()]:
             if term is None or not exact(term):
-                by = next((name for name, gap in known if gap == divisor), None)
-                by = by or next((name for name, gap in known if rational(gap * inverse(divisor))), None)
-                self.used |= {by} if by else set()
-                shown = by or divisor in self.nonzero or self.sign(term or 0) == 2 or self.not_zero_at_point(term or 0)
-                require(shown, "a denominator may be zero: {}", term or "under a binder")
+                shown = self.is_known(divisor, term) or divisor in self.nonzero or self.sign(term or 0) == 2
+                require(
+                    shown or self.not_zero_at_point(term or 0),
+                    "a denominator may be zero: {}",
+                    term or "under a binder",
+                )
+
+    def is_known(self, divisor: int, term: Term | None = None) -> bool:
+        """Whether a fact that is in force says that a value is not zero, or is the root of what is positive."""
+        if not divisor:
+            return False
+        known = [(name, gap) for name, (formula, gap) in self.facts.items() if gap and formula.tag in ("!=", *STRICT)]
+        by = next((name for name, gap in known if gap == divisor), None)
+        by = by or next((name for name, gap in known if rational(gap * inverse(divisor))), None)
+        if by is None and isinstance(term, Value) and term.tag == "sqrt":
+            inner = self.value(term.terms[0]) % PRIME
+            by = next((name for name, gap in known if gap == inner and self.facts[name][0].tag in STRICT), None)
+        self.used |= {by} if by else set()
+        return by is not None
 
     def not_zero_at_point(self, term: Term) -> bool:
         """Whether all letters of a term have values here, and the term is another number than zero."""

@@ -8,6 +8,7 @@ import click
 
 from symcheck import __version__
 from symcheck.cli.check import check
+from symcheck.cli.decide import decide
 from symcheck.cli.errata import errata
 from symcheck.cli.errors import one_line_errors
 from symcheck.cli.export import export
@@ -50,7 +51,7 @@ def cli() -> None:
     """
 
 
-for command in (check, show, errata, papers, generate, plot, sweep, notebooks, selftest, report, export):
+for command in (check, decide, show, errata, papers, generate, plot, sweep, notebooks, selftest, report, export):
     cli.add_command(command)
 
 

@@ -118,7 +118,7 @@ def _partial(term: Node, k: int) -> Term:
         case Value(tag="/", terms=(top, bottom)):
             return node("-", node("/", top, node("^", bottom, 2))) if k else node("/", 1, bottom)
         case Value(tag="^", terms=(base, int(n))):
-            return node("*", n, node("^", base, n - 1))
+            return node("*", n, node("^", base, n - 1)) if n not in (0, 1) else n
         case Value(tag="pow", terms=(base, exponent)):  # exp(exponent * log(base))
             return node("*", term, node("log", base) if k else node("/", exponent, base))
         case Value(tag=function, terms=(inner,)) if function in RATES:
@@ -163,6 +163,21 @@ def divisor(term: Node) -> Term:
         case Value(tag="tan", terms=(angle,)):
             return node("cos", angle)
     return 1
+
+
+def regular(term: Term) -> list[Formula]:
+    """What must be so lest a term fail to be smooth at a place; Malformed for one with binders."""
+    found = dict[Formula, None]()
+    for part in nodes(term):
+        if not isinstance(part, Value | Call):
+            raise Malformed(f"{part!r} may not be smooth")
+        if part.tag in ("sqrt", "log", "gamma", "pow"):
+            found[node(">", part.outside[0], 0)] = None
+        if part.tag in ("arcsin", "arccos"):
+            found[node("<", node("^", part.outside[0], 2), 1)] = None
+        if (below := divisor(part)) != 1:
+            found[node("!=", below, 0)] = None
+    return [*found]
 
 
 def domain(*trees: Term, divisors: bool = False) -> list[Formula]:

@@ -9,6 +9,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Generic, TypeAlias, TypeVar
 
+from symcheck.core.calculus import Lambda
 from symcheck.core.terms import Formula, Term
 from symcheck.core.verdicts import Verdict
 
@@ -64,13 +65,17 @@ class Candidate(Generic[L]):
 
 @dataclass(frozen=True)
 class Applied(Generic[L]):
-    """A theorem of the checker's table, with what it is applied to in the order of its parameters."""
+    """A theorem of the checker's table, with what it is applied to in the order of its parameters.
+
+    Its first parameters may be functions: terms in a letter.
+    """
 
     theorem: str
     terms: tuple[L, ...]
+    functions: tuple[Lambda, ...] = ()
 
     def mapped(self, change: Callable[[L], M]) -> Applied[M]:
-        return Applied(self.theorem, tuple(map(change, self.terms)))
+        return Applied(self.theorem, tuple(map(change, self.terms)), self.functions)
 
 
 Hint: TypeAlias = Form[L] | Witness[L] | Candidate[L] | Applied[L]

@@ -10,7 +10,7 @@ node is a tuple of its tag and its fields, of a class of its own, so that equali
     ["mean", t, "x"]                        over one turn of the angle x
     ["integral", t, "x", u, v]              from u to v, also ["infinity"], ["-infinity"]; 0 if it has no finite value
     ["diverges", t, "x", u, v]              0 if that integral has a finite value, else 1
-    ["sum", t, "k", u, v]  ["product", t, "k", u, v]
+    ["sum", t, "k", u, v]  ["product", t, "k", u, v]        of whole numbers k; 0 if an endless sum has no value
     ["diff", t, "x", n, u]                  the n-th derivative of t by x, at x = u
 
     ["=", t, u] and "!=", "<", "<=", ">", ">="
@@ -212,7 +212,7 @@ class Reader:
             own, inner = self.without(data[1] if kind is Quantified else data[2:3])
             body = inner._node(data[2], FORMULAS) if kind is Quantified else inner._term(data[1])
             self.size += inner.size
-            ends = ENDS if tag in ("integral", "diverges") else TERMS
+            ends = ENDS if tag in ("integral", "diverges", "sum") else TERMS
             fields = (own, body) if kind is Quantified else (body, *own, *(self._term(each, ends) for each in data[3:]))
         self.size += len(data)
         if self.size > LARGEST:

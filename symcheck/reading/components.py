@@ -2,12 +2,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from typing import Any
 
 from symcheck.core.terms import Term, node
+from symcheck.core.verdicts import SymcheckError
+from symcheck.reading.complexes import Complex, Number, added, divided, multiplied, negative
 
-Value = Any  # Term | list[Term] | list[list[Term]]
+Value = Any  # Term | Complex, or a list of them, or a list of rows
+
+
+class Row(list[Any]):
+    """The components of a transposed vector."""
 
 
 def shape(value: Value) -> tuple[int, ...]:
@@ -19,6 +25,8 @@ def shape(value: Value) -> tuple[int, ...]:
 
 def says(value: Value) -> str:
     """The shape in a word."""
+    if isinstance(value, Complex):
+        return "complex number"
     return ("scalar", "vector", "matrix")[len(shape(value))]
 
 
@@ -36,45 +44,115 @@ def flat(value: Value) -> Iterator[Term]:
         yield value
 
 
-def zipped(build: Callable[..., Term], values: list[Value]) -> Value:
+def zipped(build: Callable[..., Number], values: list[Value]) -> Value:
     """Component by component."""
     if not isinstance(values[0], list):
         return build(*values)
-    return [zipped(build, list(parts)) for parts in zip(*values, strict=True)]
+    return type(values[0])(zipped(build, list(parts)) for parts in zip(*values, strict=True))
 
 
-def times(a: Term, b: Term) -> Term:
+def times(a: Value, b: Value) -> Value:
     """A product of components; the zeros and ones that matrices are made of vanish."""
     if a == 0 or b == 0:
         return 0
-    return b if a == 1 else a if b == 1 else node("*", a, b)
+    return b if a == 1 else a if b == 1 else multiplied(a, b)
 
 
-def minus(a: Term, b: Term) -> Term:
+def minus(a: Value, b: Value) -> Value:
     """The difference of two components."""
     if b == 0:
         return a
-    return node("-", b) if a == 0 else node("+", a, node("-", b))
+    return negative(b) if a == 0 else added(a, negative(b))
 
 
-def plus(terms: Iterable[Term]) -> Term:
+def plus(terms: Iterable[Value]) -> Value:
     """The sum of components."""
     kept = tuple(term for term in terms if term != 0)
-    return node("+", *kept) if len(kept) > 1 else kept[0] if kept else 0
+    return added(*kept) if len(kept) > 1 else kept[0] if kept else 0
 
 
-def dot(u: list[Term], v: list[Term]) -> Term:
+def dot(u: Sequence[Number], v: Sequence[Number]) -> Value:
     """The scalar product."""
     return plus(times(a, b) for a, b in zip(u, v, strict=True))
 
 
 def matmul(a: Value, b: Value) -> Value:
-    """Matrix times matrix or vector; the shapes must fit."""
+    """Matrix times matrix or vector, a transposed vector times either, or a vector times one; the shapes must fit."""
     right = shape(b)
+    if isinstance(a, Row):
+        return dot(a, b) if len(right) == 1 else Row(dot(a, list(column)) for column in zip(*b, strict=True))
+    if isinstance(b, Row):
+        return [[times(x, y) for y in b] for x in a]
     if len(right) == 1:
         return [dot(row, b) for row in a]
     columns = [list(column) for column in zip(*b, strict=True)]
     return [[dot(row, column) for column in columns] for row in a]
+
+
+def identity(size: int) -> list[list[Term]]:
+    """The identity matrix."""
+    return [[int(k == m) for m in range(size)] for k in range(size)]
+
+
+def inverse(rows: list[list[Term]]) -> Value:
+    """The inverse of a square matrix: its adjugate divided by its determinant."""
+    size, whole = len(rows), det(rows)
+    if size == 1:
+        return [[divided(1, whole)]]
+
+    def minor(k: int, m: int) -> Value:
+        found = det([[x for n, x in enumerate(row) if n != m] for j, row in enumerate(rows) if j != k])
+        return minus(0, found) if (k + m) % 2 else found
+
+    return [[divided(minor(m, k), whole) for m in range(size)] for k in range(size)]
+
+
+def power(rows: Value, exponent: int) -> Value:
+    """A whole power of a square matrix."""
+    base = rows if exponent >= 0 else inverse(rows)
+    result: Value = identity(len(rows))
+    for n in range(abs(exponent)):
+        result = matmul(result, base) if n else base
+    return result
+
+
+def rotation(rows: Value) -> Value | None:
+    """The exponential of a skew-symmetric matrix of two or three rows; None for another one."""
+    size = len(rows)
+    if size not in (2, 3) or any(_signed(rows[k][k])[1] != 0 for k in range(size)):
+        return None
+    if any(_signed(rows[k][m]) != _signed(minus(0, rows[m][k])) for k in range(size) for m in range(k)):
+        return None
+    if size == 2:
+        angle = rows[1][0]
+        c, s = node("cos", angle), node("sin", angle)
+        return [[c, node("-", s)], [s, c]]
+    x, y, z = rows[2][1], rows[0][2], rows[1][0]
+    square = plus(node("^", t, 2) for t in (x, y, z))
+    angle = node("sqrt", square)
+    first, second = node("/", node("sin", angle), angle), node("/", plus([1, node("-", node("cos", angle))]), square)
+    turned = matmul(rows, rows)
+    return [
+        [plus([int(k == m), times(first, rows[k][m]), times(second, turned[k][m])]) for m in range(3)] for k in range(3)
+    ]
+
+
+def _signed(t: Term) -> tuple[int, Term]:
+    """A sign, and what stands behind all its signs."""
+    sign = 1
+    while isinstance(t, tuple) and t.tag == "-":
+        sign, t = -sign, t.terms[0]
+    return sign, t
+
+
+def skew(v: list[Term]) -> list[list[Term]]:
+    """The matrix whose product with a vector is the cross product of v with it."""
+    if len(v) != 3:
+        raise SymcheckError(
+            f"a vector of {len(v)} components has no skew matrix of that size; cross products need three"
+        )
+    x, y, z = v
+    return [[0, minus(0, z), y], [z, 0, minus(0, x)], [minus(0, y), x, 0]]
 
 
 def det(rows: list[list[Term]]) -> Term:

@@ -9,11 +9,11 @@ from typing import Any, NoReturn
 
 from symcheck.reading import tex
 from symcheck.reading.commands import ROMAN, known
+from symcheck.reading.functions import NAMES
 from symcheck.reading.notation import Notation, undotted
 from symcheck.reading.tree import Name
 
-_TRIGONOMETRIC = {"sin", "cos", "tan", "tg", "cot", "ctg", "arcsin", "arccos", "arctan", "arctg"}
-FUNCTIONS = frozenset(_TRIGONOMETRIC | {"max", "min", "ln", "log", "exp", "Gamma", "tr", "rank", "sign"})
+FUNCTIONS = NAMES
 THIN = frozenset([r"\,", r"\!", r"\displaystyle", r"\limits", r"\nolimits"])
 THICK = frozenset([r"\;", r"\:", "\\ ", "~"])
 WIDE = frozenset([r"\quad", r"\qquad", r"\hfill"])
@@ -24,28 +24,38 @@ SIZES = frozenset(
 ENVIRONMENTS = frozenset(
     {"aligned", "align", "align*", "array", "split", "cases", "gathered", "gather", "equation", "multline"}
 )
+VALUES = "values by cases"  # the environment of that kind
+CONDITIONS = frozenset({"if", "for", "when", "where", "as", "in", "on", "at"})
+OTHERWISE = frozenset({"otherwise", "else", "elsewhere"})
 MATRICES = frozenset({"pmatrix", "bmatrix", "matrix", "Bmatrix", "smallmatrix"})
 RELATIONS = {
     "=": "=", "<": "<", ">": ">", r"\lt": "<", r"\gt": ">", r"\ne": r"\ne", r"\neq": r"\ne",
     r"\le": r"\le", r"\leq": r"\le", r"\leqslant": r"\le", r"\ge": r"\ge", r"\geq": r"\ge", r"\geqslant": r"\ge",
     r"\in": r"\in", r"\subset": r"\subset", r"\approx": r"\approx", r"\equiv": r"\equiv",
+    **{sign: sign for sign in (
+        r"\to", r"\rightarrow", r"\leftarrow", r"\longrightarrow", r"\mapsto", r"\sim", r"\propto", r"\simeq", r"\cong",
+        r"\ll", r"\gg", r"\subseteq", r"\supset", r"\perp", r"\parallel", r"\notin", r"\prec", r"\succ", r"\doteq",
+        r"\leftrightarrow", r"\lesssim", r"\gtrsim", r"\preceq", r"\succeq", r"\asymp",
+    )},
 }  # fmt: skip
 LOGIC = {
     r"\land": "AND", r"\wedge": "AND", r"\lor": "OR", r"\vee": "OR", r"\Rightarrow": "IMPLIES", r"\implies": "IMPLIES",
     r"\Leftrightarrow": "IFF", r"\iff": "IFF", r"\exists": "EXISTS",
 }  # fmt: skip
+TAKING = {r"\sqrt": ("SQRT", 1), **dict.fromkeys((r"\frac", r"\dfrac", r"\tfrac"), ("FRAC", 2))}  # TeX arguments
+TAKING |= dict.fromkeys((r"\binom", r"\dbinom", r"\tbinom"), ("BINOMIAL", 2))
 OPEN = {"(": "LPAR", "[": "LBRA", r"\{": "LSET", r"\lbrace": "LSET"}
 CLOSE = {")": "RPAR", "]": "RBRA", r"\}": "RSET", r"\rbrace": "RSET"}
 PARTNER = {
     "RPAR": "LPAR", "RBRA": "LBRA", "RSET": "LSET", "RB": "LB", "RBAR": "LBAR", "RNORM": "LNORM", "MEND": "MBEGIN",
-    "RANGLE": "LANGLE", "RHALF": "LHALF",
+    "RANGLE": "LANGLE", "RHALF": "LHALF", "RLIST": "LLIST", "CEND": "CBEGIN",
 }  # fmt: skip
 SIMPLE = {
     "+": "PLUS", "-": "MINUS", "/": "SLASH", r"\cdot": "CDOT", r"\times": "TIMES", ",": "COMMA", ";": "SEMI",
     ":": "COLON", r"\dots": "DOTS", r"\ldots": "DOTS", r"\cdots": "DOTS",
-    r"\pm": "PM", r"\mp": "PM", r"\infty": "INFINITY", r"\langle": "LANGLE",
+    "!": "BANG", r"\pm": "PM", r"\mp": "PM", r"\infty": "INFINITY", r"\langle": "LANGLE",
 }  # fmt: skip
-_ENDS = frozenset({"NUMBER", "NAME", "TRANSPOSE", "DEGREE", "PRIMES", "DOTS", "INFINITY", *PARTNER})
+_ENDS = frozenset({"NUMBER", "NAME", "BANG", "TRANSPOSE", "DEGREE", "PRIMES", "DOTS", "INFINITY", *PARTNER})
 _OPERATORS = frozenset({"PLUS", "MINUS", "PM", "REL", "AND", "OR", "IMPLIES", "IFF", "CDOT", "TIMES", "SLASH"})
 _BREAKS = frozenset({"COMMA", "SEMI", "COLON"})
 WIDE_COMMA = r",\quad"
@@ -118,11 +128,17 @@ class Lexer(tex.Reader):
         return bool(before) and (before[-1].type, before[-1].value) == ("REL", r"\in")
 
     def mean_ends(self) -> None:
-        r"""`\rangle_\psi`: the end of an average, with the phase."""
+        r"""`\rangle_\psi`: the end of an average, with the phase; without a phase, of a list or a scalar product."""
         at = self.at()
         self.i += 1
         if self.peek() != "_":
-            self.fail("an average needs the letter it is taken over", at)
+            opening = self.open[-1] if self.open else None
+            between = self.out[self.out.index(opening) :] if opening in self.out else []
+            if opening is None or opening.type != "LANGLE" or not any(each.type == "COMMA" for each in between):
+                self.fail("an average needs the letter it is taken over", at)
+            self.out[self.out.index(opening)] = self.open[-1] = Lexeme("LLIST", opening.value, opening.at)
+            self.emit("RLIST", r"\rangle", at)
+            return
         self.i += 1
         place = self.at()
         word = tex.spelled("".join(f"{tok.text} " for tok in self.group()))
@@ -135,6 +151,8 @@ class Lexer(tex.Reader):
         text, at = self.peek(), self.at()
         if text in SPACES:
             self.space()
+        elif (self.notation.wholes and self.whole()) or self.condition():
+            return
         elif text.isdigit() and text.isascii():
             self.number()
         elif text in SIZES:
@@ -145,12 +163,15 @@ class Lexer(tex.Reader):
             self.cell()
         elif text in ("|", r"\|", r"\Vert"):
             self.bar()
-        elif text in (r"\frac", r"\dfrac", r"\tfrac", r"\sqrt"):
+        elif text in TAKING:
             self.i += 1
+            kind, count = TAKING[text]
             if text == r"\sqrt" and self.peek() == "[":
-                self.fail("only square roots can be read")
-            self.emit("SQRT" if text == r"\sqrt" else "FRAC", text, at)
-            for _ in range(1 if text == r"\sqrt" else 2):
+                self.emit("ROOT", text, at)
+                self.order()
+            else:
+                self.emit(kind, text, at)
+            for _ in range(count):
                 self.argument()
         elif text in (r"\sum", r"\int"):
             self.bounded("SUM" if text == r"\sum" else "INT")
@@ -160,7 +181,7 @@ class Lexer(tex.Reader):
             self.refuse_bracketed()
             self.script()
         elif text == "_":
-            self.fail("a subscript without a letter before it")
+            self.evaluated(at)
         elif text == "." and self.sentence_ends():
             self.i += 1
         elif text in OPEN or text in CLOSE:
@@ -251,6 +272,18 @@ class Lexer(tex.Reader):
             self.fail("unbalanced environment in an argument", at)
         self.emit("RB", "}", at)
 
+    def order(self) -> None:
+        """The order of a root, in square brackets, as a TeX argument."""
+        at = self.at()
+        self.emit("LB", "[", at)
+        self.i += 1
+        while self.peek() not in ("]", ""):
+            self.step()
+        if not self.peek():
+            self.fail("unbalanced bracket: this one is never closed", at)
+        self.i += 1
+        self.emit("RB", "]", at)
+
     def length(self) -> int:
         """The number of TeX tokens of the next argument, braces included."""
         start = self.i
@@ -285,6 +318,21 @@ class Lexer(tex.Reader):
             opening = not (self.open and self.open[-1].type == f"L{kind}" and self.last() in _ENDS)
         self.emit(f"{'L' if opening else 'R'}{kind}", text, at)
 
+    def condition(self) -> bool:
+        """A word before a condition in a list of values, which is layout, or the one that stands for the rest."""
+        if not self.environments or self.environments[-1][0] != VALUES or self.peek() not in ROMAN:
+            return False
+        start, at = self.i, self.at()
+        self.i += 1
+        word = "".join(tok.text for tok in self.group()).strip(",.:~").lower()
+        if word in CONDITIONS:
+            return True
+        if word in OTHERWISE:
+            self.emit("OTHERWISE", word, at)
+            return True
+        self.i = start
+        return False
+
     def environment(self) -> None:
         r"""`aligned` and its kin are layout; matrices keep their cells. An array in brackets is a matrix."""
         begin, at = self.peek() == r"\begin", self.at()
@@ -294,7 +342,9 @@ class Lexer(tex.Reader):
             self.fail(f"unknown environment {name}", at)
         if begin:
             if name == "cases" and self.last() in _OPERATORS:
-                self.fail("a value given by cases cannot be read; state one implication for each case", at)
+                self.environments.append((VALUES, at))
+                self.emit("CBEGIN", name, at)
+                return
             if name == "array":
                 self.group()
                 inside = self.last() in {"LPAR", "LBRA", "LBAR", "LNORM"}
@@ -304,6 +354,11 @@ class Lexer(tex.Reader):
                 self.emit("MBEGIN", name, at)
             return
         opened = self.environments.pop()[0] if self.environments else ""
+        if opened == VALUES and name == "cases":
+            while self.out and self.out[-1].type in ("GAP", "ROW"):
+                self.out.pop()
+            self.emit("CEND", name, at)
+            return
         if opened.removesuffix(" matrix") != name:
             self.fail(rf"\end{{{name}}} does not match \begin{{{opened}}}", at)
         if opened not in ENVIRONMENTS:
@@ -355,10 +410,27 @@ class Lexer(tex.Reader):
         if "_" not in bounds and kind == "SUM":
             self.fail("a sum without an index", at)
         if len(bounds) < 2 and kind == "INT":
-            self.fail("an integral without bounds", at)
+            if bounds:
+                self.fail("an integral with one bound", at)
+            self.emit("ANTI", r"\int", at)
+            return
         self.emit(kind, r"\sum" if kind == "SUM" else r"\int", at)
         self.out += bounds["_"] + bounds.get("^", [])
         self.bounds = len(self.out)
+
+    def evaluated(self, at: int) -> None:
+        r"""The place at which what is in brackets, or before a bar, is taken: `_{t=0}^1`."""
+        if self.last() != "RBRA" and not (self.out and self.out[-1].type == "RPLACE"):
+            self.fail("a subscript without a letter before it")
+        self.i += 1
+        mark = len(self.out)
+        self.emit("AT", "_", at)
+        self.argument()
+        if not any(lexeme.value == "=" for lexeme in self.out[mark:]):
+            self.fail("a subscript without a letter before it", at)
+        if self.peek() == "^":
+            self.i += 1
+            self.argument()
 
     def script(self) -> None:
         """An exponent, a transposition, a degree sign or primes behind a bracket."""
@@ -371,12 +443,19 @@ class Lexer(tex.Reader):
         if inside == [r"\circ"]:
             self.group()
             self.emit("DEGREE", None, at)
-        elif inside in (["T"], [r"\top"]) and not self.notation.knows("T"):
+        elif inside in (["T"], [r"\top"], [r"\intercal"]) and self.transposes():
             self.group()
             self.emit("TRANSPOSE", None, at)
         else:
             self.emit("CARET", "^", at)
             self.argument()
+
+    def transposes(self) -> bool:
+        """Is this T the sign of a transposed matrix, and no exponent?"""
+        base = next((lexeme for lexeme in reversed(self.out) if lexeme.type != "GAP"), None)
+        name = base.value if base is not None and base.type == "NAME" else None
+        letter = self.notation.find(name.letter, len(name.subscripts)) if name is not None else None
+        return not self.notation.knows("T") or (letter is not None and letter.kind in ("vector", "matrix"))
 
     def primed(self, at: int) -> tuple[Name, ...]:
         """The letters by which primes behind a bracket differentiate: `(...)''_{aa}`."""
@@ -431,6 +510,16 @@ class Lexer(tex.Reader):
                 self.i += len(word)
                 return word
         return ""
+
+    def whole(self) -> bool:
+        """A declared name that is printed with several tokens, such as `E[\\rho]`; the longest that begins here."""
+        for tokens, spelling in self.notation.wholes:
+            if all(self.peek(k) == text for k, text in enumerate(tokens)):
+                at = self.at()
+                self.i += len(tokens)
+                self.emit("NAME", Name(spelling, (), self.primes()), at)
+                return True
+        return False
 
     def bracketed(self) -> str:
         """The superscript in brackets that stands here, `^{(2)}`, or the empty text."""
@@ -607,6 +696,12 @@ class Lexer(tex.Reader):
                 self.fail("does this space part two things, or two factors? write a comma, or no space", lexeme.at)
         self.out = out
 
+    def relates(self, first: Lexeme) -> bool:
+        """Does the line that begins here state a relation of its own, so that it may be none of the line before?"""
+        k = self.out.index(first)
+        end = next((m for m in range(k, len(self.out)) if self.out[m].type == "NEWLINE"), len(self.out))
+        return any(lexeme.type == "REL" for lexeme in self.out[k:end])
+
     def joined(self) -> list[Lexeme]:
         """Line breaks settled: a sign repeated over a break is one sign; one after a comma or at an end is layout."""
         self.parted()
@@ -623,7 +718,7 @@ class Lexer(tex.Reader):
                         pending = None
                         continue
                 elif before.type not in _BREAKS and before.type not in PARTNER.values():
-                    if lexeme.type in {"PLUS", "MINUS", "PM"}:
+                    if lexeme.type in {"PLUS", "MINUS", "PM"} and self.relates(lexeme):
                         self.fail("a line begins with a sign that the line before does not end with", lexeme.at)
                     if lexeme.type not in _OPERATORS | _BREAKS and lexeme.type not in PARTNER:
                         out.append(pending)

@@ -6,14 +6,51 @@ A scalar is lowered to a term (see `symcheck.core.claims`), a vector to a list o
 from __future__ import annotations
 
 import itertools
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from functools import lru_cache
+from math import comb, factorial
+from types import MappingProxyType
 from typing import Any
 
-from symcheck.core.terms import INFINITY, MINUS_INFINITY, PI, Formula, Node, Term, node
+from symcheck.core.calculus import substituted
+from symcheck.core.formulas import contrary
+from symcheck.core.terms import INFINITY, MINUS_INFINITY, PI, Formula, Node, Term, mapped, node
 from symcheck.core.terms import Call as Applied
 from symcheck.core.verdicts import SymcheckError
-from symcheck.reading.components import Value, det, dot, flat, matmul, minus, says, shape, times, zero, zipped
+from symcheck.reading import tree as tree_of
+from symcheck.reading.complexes import (
+    UNIT,
+    Complex,
+    Number,
+    added,
+    divided,
+    modulus,
+    multiplied,
+    negative,
+    parts,
+    raised,
+)
+from symcheck.reading.complexes import applied as applied_complex
+from symcheck.reading.components import (
+    Row,
+    Value,
+    det,
+    dot,
+    flat,
+    identity,
+    matmul,
+    minus,
+    plus,
+    power,
+    rotation,
+    says,
+    shape,
+    skew,
+    times,
+    zero,
+    zipped,
+)
+from symcheck.reading.functions import SPELLED, applied
 from symcheck.reading.notation import TIMES, Letter, Notation, variable
 from symcheck.reading.parser import dependence, read
 from symcheck.reading.printing import to_latex
@@ -22,8 +59,10 @@ from symcheck.reading.rounding import is_decimal, is_number, rounds
 from symcheck.reading.tree import (
     Add,
     And,
+    Antiderivative,
     Bars,
     BigSum,
+    Binomial,
     Call,
     CaseList,
     Chain,
@@ -34,7 +73,9 @@ from symcheck.reading.tree import (
     Div,
     Dots,
     ElementsOf,
+    Evaluated,
     Exists,
+    Factorial,
     Iff,
     Implies,
     Infinity,
@@ -45,12 +86,14 @@ from symcheck.reading.tree import (
     Mul,
     Name,
     Neg,
-    Number,
+    Norm,
     Or,
     Pair,
+    Piecewise,
     PlusMinus,
     Pow,
     Qualifier,
+    Root,
     Sqrt,
     System,
     Transpose,
@@ -62,15 +105,16 @@ from symcheck.reading.tree import (
     with_children,
 )
 
-Env = Mapping[str, int]
+MAX_FACTORIAL = 1000  # its digits fill a page
+Env = Mapping[str, Term]  # the values of indices; a letter where a sum cannot be written out
 
 SIGNS = {"=": "=", r"\equiv": "=", r"\ne": "!=", "<": "<", r"\le": "<=", ">": ">", r"\ge": ">="}
-_TRIGONOMETRIC = {"sin": "sin", "cos": "cos", "tan": "tan", "tg": "tan"}
-_FUNCTIONS = {"exp": "exp", "ln": "log", "Gamma": "gamma"}
-_FUNCTIONS |= {"arctan": "arctan", "arctg": "arctan", "arcsin": "arcsin", "arccos": "arccos"}
 
 
-def lower(item: Relation | Tree, notation: Notation) -> tuple[Formula, ...]:
+Defined = Mapping[str, tuple[tuple[Tree, ...], Tree]]  # the letters of functions, their arguments, and what they are
+
+
+def lower(item: Relation | Tree, notation: Notation, defined: Defined = MappingProxyType({})) -> tuple[Formula, ...]:
     r"""Turn a printed relation, or all relations of a statement, into formulas.
 
     Parameters
@@ -79,6 +123,8 @@ def lower(item: Relation | Tree, notation: Notation) -> tuple[Formula, ...]:
         The relation or the statement.
     notation
         What the letters mean.
+    defined
+        Functions that stand for expressions in their arguments: (arguments, expression) by their letter.
 
     Returns
     -------
@@ -100,7 +146,7 @@ def lower(item: Relation | Tree, notation: Notation) -> tuple[Formula, ...]:
     found = (item,) if isinstance(item, Relation) else relations(item)
     if not found:
         raise SymcheckError(f"{to_latex(item)} states no relation" if isinstance(item, Tree) else "no relation")
-    lowering = Lowering(notation)
+    lowering = Lowering(notation, defined)
     return tuple(formula for relation in found for formula in lowering.whole(relation))
 
 
@@ -189,11 +235,17 @@ def _components(letter: Letter, notation: Notation) -> Tree:
     return read(letter.components, notation)
 
 
+@lru_cache(maxsize=512)
+def _vector(letter: Letter, notation: Notation) -> Tree:
+    return read(letter.skew, notation)
+
+
 class Lowering:
     """The evaluator: `env` gives the indices their values."""
 
-    def __init__(self, notation: Notation) -> None:
-        self.notation = notation
+    def __init__(self, notation: Notation, defined: Defined = MappingProxyType({})) -> None:
+        self.notation, self.defined = notation, defined
+        self.standing: dict[Name, Value] = {}  # what the arguments of a defined function stand for
         self.met: dict[str, Name] = {}  # variables of letters that are printed, with one place
         self.arities: dict[str, int] = {}  # how many arguments each function has
         self.inside: tuple[str, ...] = ()  # letters whose components or dependence are being written out
@@ -264,6 +316,10 @@ class Lowering:
         return [node("or", _and(upper), _and(lower))]
 
     def compare(self, left: Tree, sign: str, right: Tree, env: Env) -> list[Formula]:
+        if found := [part for side in (left, right) for _, part in walk(side) if isinstance(part, Piecewise)]:
+            return [self.by_cases(found[0], left, sign, right, env)]
+        if any(isinstance(part, Antiderivative) for side in (left, right) for _, part in walk(side)):
+            return self.primitive(left, sign, right, env)
         if sign == r"\in" and isinstance(right, Interval | Pair):
             low, high = (self.scalar(end, env) for end in children(right))
             ends = right.ends if isinstance(right, Interval) else "()"
@@ -282,14 +338,21 @@ class Lowering:
         if sign == r"\approx" or (sign == "=" and self.notation.decimals == "rounded"):
             parts = zip(_parts(left, a), _parts(right, b), flat(a), flat(b), strict=True)
             return [self.rounded(*part, sign=sign) for part in parts]
-        if not isinstance(a, list):
+        if not isinstance(a, list) and not isinstance(a, Complex) and not isinstance(b, Complex):
             return [node(SIGNS[sign], a, b)]
-        pairs = [node(SIGNS[sign], x, y) for x, y in zip(flat(a), flat(b), strict=True)]
+        pairs = [node(SIGNS[sign], *pair) for x, y in zip(flat(a), flat(b), strict=True) for pair in self.equated(x, y)]
         if sign == "=" or sign == r"\equiv":
             return pairs
         if sign == r"\ne":
             return [node("or", *pairs)]
         raise SymcheckError(f"{to_latex(left)} {sign} {to_latex(right)} orders vectors; only scalars can be")
+
+    def equated(self, a: Number, b: Number) -> Iterator[tuple[Term, Term]]:
+        """Two numbers that are compared, or their real and imaginary parts."""
+        if isinstance(a, Complex) or isinstance(b, Complex):
+            yield from zip(parts(a), parts(b), strict=True)
+        else:
+            yield a, b
 
     def rounded(self, left: Tree, right: Tree, a: Term, b: Term, *, sign: str) -> Formula:
         """An equality with a printed number, on whichever side; two numbers and whole ones are compared exactly."""
@@ -302,10 +365,10 @@ class Lowering:
 
     def _alike(self, a: Value, b: Value, left: Tree, right: Tree) -> tuple[Value, Value]:
         """Both sides in one shape; a printed 0 stands for the zero of any shape."""
-        if shape(a) != shape(b):
-            if left == Number("0"):
+        if shape(a) != shape(b) or isinstance(a, Row) != isinstance(b, Row):
+            if left == tree_of.Number("0"):
                 return zero(b), b
-            if right == Number("0"):
+            if right == tree_of.Number("0"):
                 return a, zero(a)
             raise SymcheckError(
                 f"{to_latex(left)} ({says(a)}) and {to_latex(right)} ({says(b)}) do not compare; check the notation"
@@ -360,10 +423,17 @@ class Lowering:
 
     def scalar(self, tree: Tree, env: Env) -> Term:
         """The term of a scalar expression."""
+        value = self.complex(tree, env)
+        if isinstance(value, Complex):
+            raise SymcheckError(f"{to_latex(tree)} is a complex number; a real one is expected here")
+        return value
+
+    def complex(self, tree: Tree, env: Env) -> Number:
+        """The number, real or complex, of a scalar expression."""
         value: Value = self.value(tree, env)
         if isinstance(value, list):
             raise SymcheckError(f"{to_latex(tree)} is a {says(value)}; a scalar is expected here")
-        result: Term = value
+        result: Number = value
         return result
 
     def value(self, tree: Tree, env: Env) -> Value:
@@ -373,13 +443,15 @@ class Lowering:
             raise SymcheckError(f"{to_latex(tree)} has no algebraic form; state it formally")
         return method(tree, env)
 
-    def of_number(self, tree: Number, env: Env) -> Value:
+    def of_number(self, tree: tree_of.Number, env: Env) -> Value:
         whole, _, decimals = tree.text.partition(".")
         if not decimals:
             return int(whole)
         return node("/", int(whole + decimals), 10 ** len(decimals))
 
     def of_name(self, tree: Name, env: Env) -> Value:
+        if tree in self.standing:
+            return self.standing[tree]
         if _is_index(tree, self.notation):
             return self.index(tree.letter, env)
         if not tree.subscripts and tree.letter in env and self.notation.index(tree.letter) is not None:
@@ -396,7 +468,11 @@ class Lowering:
                 f"{to_latex(tree)}: the derivative of {letter.latex}, or another letter? declare {letter.latex} with "
                 "depends='x' for a function of x, depends='' if the prime makes another letter"
             )
+        if letter.running:
+            return self.running(letter, tree, env)
         indices = self.places(tree, letter, env)
+        if letter.value is not None and not tree.primes:
+            return letter.value
         if letter.number:
             if tree.primes:
                 raise SymcheckError(f"{to_latex(tree)}: a number has no primes")
@@ -412,17 +488,30 @@ class Lowering:
 
     def places(self, tree: Name, letter: Letter, env: Env) -> tuple[int, ...]:
         """The values of the indices of a letter."""
-        indices = tuple(self.index(s, env) for s in tree.subscripts)
-        for value in indices:
+        indices = []
+        for subscript in tree.subscripts:
+            value = self.index(subscript, env)
+            if not isinstance(value, int):
+                raise SymcheckError(f"{to_latex(tree)}: the sum over its index cannot be written out")
             if value not in letter.range:
                 raise SymcheckError(f"index {value} in {to_latex(tree)} is outside the range of {letter.latex}")
-        return indices
+            indices.append(value)
+        return tuple(indices)
 
-    def number(self, letter: Letter) -> Term:
+    def number(self, letter: Letter) -> Number:
         """A letter that is a number."""
         if letter.number == "i":
-            raise SymcheckError(f"{letter.latex} is the imaginary unit; the reader knows real numbers only")
+            return UNIT
         return PI if letter.number == "pi" else node("exp", 1)
+
+    def running(self, letter: Letter, tree: Name, env: Env) -> Term:
+        """A letter whose indices run up to a letter: a function of them."""
+        if letter.kind != "scalar" or tree.primes or tree.dots:
+            raise SymcheckError(f"{to_latex(tree)}: only numbers have indices that run up to a letter")
+        if not self.inside:
+            self.met.setdefault(letter.stem, tree)
+        indices = [self.index(subscript, env) for subscript in tree.subscripts]
+        return node("call", letter.stem, (0,) * len(indices), *indices)
 
     def instance(self, letter: Letter, stem: str, indices: tuple[int, ...], printed: Name | None = None) -> Term:
         """A variable, or the function it is of the letters that it depends on."""
@@ -469,7 +558,7 @@ class Lowering:
             raise SymcheckError(f"{to_latex(tree)} is no variable; a derivative, an integral or a mean is taken by one")
         return found
 
-    def index(self, index: int | str, env: Env) -> int:
+    def index(self, index: int | str, env: Env) -> Term:
         if isinstance(index, int):
             return index
         if index not in env:
@@ -485,66 +574,207 @@ class Lowering:
             value = self.value(_components(letter, self.notation), env)
             self.inside = self.inside[:-1]
             return value
-        places = range(1, 4)
-        if letter.kind == "vector":
-            return [self.instance(letter, stem, (*indices, k)) for k in places]
-        return [[self.instance(letter, stem, (*indices, k, m)) for m in places] for k in places]
+        if letter.identity:
+            return identity(letter.places[0][-1])
+        if letter.skew:
+            return skew(self.value(_vector(letter, self.notation), {}))
+        rows, *columns = letter.places
+        if not columns:
+            return [self.instance(letter, stem, (*indices, k)) for k in rows]
+        return [[self.instance(letter, stem, (*indices, k, m)) for m in columns[0]] for k in rows]
 
     def of_add(self, tree: Add, env: Env) -> Value:
         values = [self.value(term, env) for term in tree.terms]
         shapes = {shape(value) for value in values}
         if len(shapes) > 1:
             raise SymcheckError(f"{to_latex(tree)} adds a {says(values[0])} and something else; check the notation")
-        return zipped(lambda *terms: node("+", *terms), values)
+        return zipped(added, values)
 
     def of_neg(self, tree: Neg, env: Env) -> Value:
-        return zipped(lambda t: node("-", t), [self.value(tree.value, env)])
+        return zipped(negative, [self.value(tree.value, env)])
 
     def of_mul(self, tree: Mul, env: Env) -> Value:
-        scalars: list[Term] = []
+        scalars: list[Number] = []
         product: Value = None
-        for factor in tree.factors:
+        ended = -1  # the last factor of a scalar product of two vectors
+        for k, factor in enumerate(tree.factors):
             value = self.value(factor, env)
-            if not isinstance(value, list):
+            if isinstance(value, list) and k in tree.dotted and ended == k - 1:
+                raise SymcheckError(f"{to_latex(tree)}: which two vectors does the dot multiply? write brackets")
+            if isinstance(value, list) and k in tree.dotted and isinstance(product, list):
+                ended = k
+            if isinstance(value, list):
+                product = value if product is None else self.multiplied(product, value, tree, dotted=k in tree.dotted)
+            if not isinstance(value if product is None else product, list):
+                scalars.append(value if product is None else product)
+                product = None
+            elif not isinstance(value, list):
                 scalars.append(value)
-            else:
-                product = value if product is None else self.multiplied(product, value, tree)
         if product is None:
-            return node("*", *scalars)
-        return zipped(lambda t: node("*", *scalars, t), [product]) if scalars else product
+            return multiplied(*scalars)
+        return zipped(lambda t: multiplied(*scalars, t), [product]) if scalars else product
 
-    def multiplied(self, a: Value, b: Value, tree: Tree) -> Value:
+    def multiplied(self, a: Value, b: Value, tree: Tree, *, dotted: bool = False) -> Value:
+        if isinstance(a, Row) or isinstance(b, Row) or dotted:
+            fits = shape(a)[:1] == shape(b)[:1] and not (isinstance(a, Row) and isinstance(b, Row))
+            outer = isinstance(b, Row) and len(shape(a)) == 1
+            if not (fits or outer) or (isinstance(b, Row) and not outer):
+                raise SymcheckError(
+                    f"{to_latex(tree)}: a {says(a)} before a {says(b)} is no product; check the notation"
+                )
+            return dot(a, b) if dotted and len(shape(a)) == len(shape(b)) == 1 else matmul(a, b)
         if len(shape(a)) != 2 or shape(a)[1] != shape(b)[0]:
             raise SymcheckError(f"{to_latex(tree)}: a {says(a)} before a {says(b)} is no product; check the notation")
         return matmul(a, b)
 
     def of_div(self, tree: Div, env: Env) -> Value:
-        bottom = self.scalar(tree.bottom, env)
-        return zipped(lambda t: node("/", t, bottom), [self.value(tree.top, env)])
+        bottom = self.complex(tree.bottom, env)
+        return zipped(lambda t: divided(t, bottom), [self.value(tree.top, env)])
 
     def of_pow(self, tree: Pow, env: Env) -> Value:
-        exponent = self.scalar(tree.exponent, env)
+        exponent = self.value(tree.exponent, env)
         if isinstance(tree.base, Name) and not tree.base.primes:
             letter = self.notation.find(tree.base.letter, len(tree.base.subscripts))
             if letter is not None and letter.number == "e":
-                return node("exp", exponent)
+                return self.exponential(tree, exponent)
+        if isinstance(exponent, list):
+            raise SymcheckError(f"{to_latex(tree)}: the exponent is a {says(exponent)}")
         if isinstance(exponent, tuple) and exponent[0] == "-" and isinstance(exponent[1], int):
             exponent = -exponent[1]
-        base = self.scalar(tree.base, env)
+        base = self.value(tree.base, env)
+        if isinstance(base, list):
+            return self.matrix_power(tree, base, exponent)
+        if base in (-1, node("-", 1)) and self.is_whole(tree.exponent) and not isinstance(exponent, int):
+            return node("cos", node("*", PI, exponent))
         if base == 0 and exponent == 0:
             raise SymcheckError(f"{to_latex(tree)} has no value on which all agree; write 1 if that is meant")
+        if isinstance(base, Complex):
+            return raised(base, exponent)
+        if isinstance(exponent, Complex):
+            return function_of("exp", multiplied(exponent, node("log", base)))
         return node("^", base, exponent) if isinstance(exponent, int) else node("pow", base, exponent)
+
+    def exponential(self, tree: Tree, exponent: Value) -> Value:
+        """e to a number, or to a skew-symmetric matrix."""
+        if isinstance(exponent, list):
+            turned = rotation(exponent) if len(shape(exponent)) == 2 and len(exponent) == len(exponent[0]) else None
+            if turned is None:
+                raise SymcheckError(f"{to_latex(tree)}: only the exponential of a skew-symmetric matrix is read")
+            return turned
+        return function_of("exp", exponent)
+
+    def matrix_power(self, tree: Tree, base: Value, exponent: Value) -> Value:
+        size = shape(base)
+        if len(size) != 2 or size[0] != size[1] or not isinstance(exponent, int):
+            if len(size) == 1 and exponent == 2:
+                raise SymcheckError(f"{to_latex(tree)}: the square of a vector; write its scalar product or its length")
+            raise SymcheckError(f"{to_latex(tree)}: only a whole power of a square matrix is read")
+        return power(base, exponent)
+
+    def is_whole(self, tree: Tree) -> bool:
+        """Is this made of whole numbers alone?"""
+        if isinstance(tree, Name):
+            letter = self.notation.find(tree.letter, len(tree.subscripts))
+            return _is_index(tree, self.notation) or (letter is not None and letter.integer)
+        whole = isinstance(tree, tree_of.Number) and tree.text.isdigit()
+        return whole or (isinstance(tree, Add | Neg | Mul) and all(map(self.is_whole, children(tree))))
 
     def of_sqrt(self, tree: Sqrt, env: Env) -> Value:
         return node("sqrt", self.scalar(tree.value, env))
+
+    def of_root(self, tree: Root, env: Env) -> Value:
+        value, order = self.scalar(tree.value, env), self.scalar(tree.order, env)
+        if order == 2:
+            return node("sqrt", value)
+        if isinstance(order, int) and order % 2:
+            raise SymcheckError(
+                f"{to_latex(tree)}: a root of odd order is not read; write a power of a positive number"
+            )
+        return node("pow", value, node("/", 1, order))
+
+    def of_binomial(self, tree: Binomial, env: Env) -> Value:
+        top, bottom = self.scalar(tree.top, env), self.scalar(tree.bottom, env)
+        if not isinstance(bottom, int) or bottom < 0:
+            raise SymcheckError(f"{to_latex(tree)}: the lower number of a binomial coefficient must be a whole number")
+        if isinstance(top, int) and top >= 0:
+            return comb(top, bottom)
+        factors = [node("+", top, node("-", k)) if k else top for k in range(bottom)]
+        return node("/", node("*", *factors), factorial(bottom)) if factors else 1
+
+    def of_factorial(self, tree: Factorial, env: Env) -> Value:
+        value = self.scalar(tree.value, env)
+        if isinstance(value, int):
+            if not 0 <= value <= MAX_FACTORIAL:
+                raise SymcheckError(f"{to_latex(tree)}: only of whole numbers from 0 to {MAX_FACTORIAL}")
+            return factorial(value)
+        return node("gamma", node("+", value, 1))
+
+    def of_norm(self, tree: Norm, env: Env) -> Value:
+        value = self.value(tree.value, env)
+        if len(shape(value)) > 1:
+            raise SymcheckError(f"{to_latex(tree)}: which norm of a matrix? write it out")
+        return modulus(value) if isinstance(value, Complex) else length(value)
+
+    def of_evaluated(self, tree: Evaluated, env: Env) -> Value:
+        value, by = self.value(tree.body, env), self.variable(tree.variable, env)
+        if not self.inside:
+            self.met.pop(by, None)
+        ends = [self.scalar(end, env) for end in (tree.high, tree.low) if end is not None]
+        at = [zipped(lambda t, end=end: substituted(t, {by: end}), [value]) for end in ends]
+        return at[0] if len(at) == 1 else zipped(lambda high, low: added(high, negative(low)), at)
+
+    def by_cases(self, values: Piecewise, left: Tree, sign: str, right: Tree, env: Env) -> Formula:
+        """A relation with a value by cases: it holds with each value where its condition does."""
+        before: list[Formula] = []
+        parts: list[Formula] = []
+        for value, where in values.cases:
+            sides = [_put(side, values, value) for side in (left, right)]
+            stated = _and(self.compare(sides[0], sign, sides[1], env))
+            holds = self.formula(where, env) if where is not None else _and(map(contrary, before))
+            before.append(holds)
+            parts.append(node("=>", holds, stated))
+        return _and(parts)
+
+    def primitive(self, left: Tree, sign: str, right: Tree, env: Env) -> list[Formula]:
+        """An equation with integrals without bounds: both sides have one derivative."""
+        found = [node for side in (left, right) for _, node in walk(side) if isinstance(node, Antiderivative)]
+        variables = {self.variable(node.variable, env) for node in found}
+        if sign != "=" or len(variables) != 1:
+            raise SymcheckError(
+                f"{to_latex(Chain((left, right), (sign,)))}: an integral without bounds stands in equations"
+            )
+        (by,) = variables
+        return [node("=", self.rate(left, by, env), self.rate(right, by, env))]
+
+    def rate(self, tree: Tree, by: str, env: Env) -> Term:
+        """The derivative of a sum in which integrals without bounds are addends."""
+        match tree:
+            case Antiderivative():
+                return self.scalar(tree.body, env)
+            case Neg(value=value):
+                return node("-", self.rate(value, by, env))
+            case Add(terms=terms):
+                return node("+", *(self.rate(each, by, env) for each in terms))
+            case Mul(factors=(*factors, Antiderivative() as last)):
+                constant = [self.scalar(factor, env) for factor in factors]
+                if any(by in _names(each) for each in constant):
+                    raise SymcheckError(f"{to_latex(tree)}: a factor before this integral depends on its letter")
+                return node("*", *constant, self.scalar(last.body, env))
+        if any(isinstance(part, Antiderivative) for _, part in walk(tree)):
+            raise SymcheckError(f"{to_latex(tree)}: an integral without bounds is an addend of an equation")
+        return self.slope(self.scalar(tree, env), by, 1, tree, partial=False)
 
     def of_degrees(self, tree: Degrees, env: Env) -> Value:
         return node("/", node("*", self.scalar(tree.value, env), PI), 180)
 
     def of_call(self, tree: Call, env: Env) -> Value:
         if isinstance(tree.function, Name):
+            if not tree.arguments and tree.function.letter in self.defined:
+                own, _ = self.defined[tree.function.letter]
+                return self.put(tree.function, [self.value(each, env) for each in own], tree, env)
             return self.applied(tree, tree.function, env) if tree.arguments else self.value(tree.function, env)
-        name = _TRIGONOMETRIC.get(tree.function)
+        name = SPELLED.get(tree.function, tree.function)
+        name = name if name in ("sin", "cos", "tan") else ""
         if len(tree.arguments) == 2 and name and all(isinstance(a, Name) for a in tree.arguments):
             axes = [str(self.scalar(a, env)) for a in tree.arguments]
             angle = "_".join(axes)
@@ -554,18 +784,30 @@ class Lowering:
                 )
             self.met = {each: at for each, at in self.met.items() if each not in axes}  # they stand in the angle's name
             return node(name, angle)
-        if len(tree.arguments) == 1 and name:
-            return node(name, self.scalar(tree.arguments[0], env))
-        if len(tree.arguments) == 1 and tree.function in _FUNCTIONS:
-            return node(_FUNCTIONS[tree.function], self.scalar(tree.arguments[0], env))
-        if tree.function in ("ctg", "cot") and len(tree.arguments) == 1:
-            argument = self.scalar(tree.arguments[0], env)
-            return node("/", node("cos", argument), node("sin", argument))
+        if len(tree.arguments) == 1:
+            value = self.value(tree.arguments[0], env)
+            if tree.function == "log" and not isinstance(value, list):
+                if not self.notation.log:
+                    raise SymcheckError(
+                        f"{to_latex(tree)}: to the base e, or 10? say log='e' or '10', or write \\ln or \\lg"
+                    )
+                return function_of("ln" if self.notation.log == "e" else "lg", value)
+            if tree.function in OPERATIONS:
+                return OPERATIONS[tree.function](tree, value)
+            if tree.function == "exp" and isinstance(value, list):
+                return self.exponential(tree, value)
+            if not isinstance(value, list) and (found := function_of(tree.function, value)) is not None:
+                return found
         raise SymcheckError(f"{to_latex(tree)} has no algebraic form; state it formally")
 
     def applied(self, tree: Call, name: Name, env: Env) -> Value:
         """A function of the notation with its arguments."""
         letter, met = self.notation.letter(name.letter, len(name.subscripts)), dict(self.met)
+        if letter.partial:
+            function, *by = letter.partial
+            return self.put(Name(function), [self.value(argument, env) for argument in tree.arguments], tree, env, by)
+        if name.letter in self.defined and not name.subscripts:
+            return self.put(name, [self.value(argument, env) for argument in tree.arguments], tree, env)
         arguments = tuple(t for argument in tree.arguments for t in flat(self.value(argument, env)))
         indices = self.places(name, letter, env)
         declared = self.arguments(letter, indices) if letter.depends else None
@@ -596,7 +838,43 @@ class Lowering:
             self.met.setdefault(stem, name)
         return node("call", stem, orders, *arguments)
 
+    def put(self, name: Name, values: list[Value], tree: Tree, env: Env, by: Sequence[str] = ()) -> Value:
+        """A defined function, or its derivative, also by some of its letters, at its arguments."""
+        own, body = self.defined[name.letter]
+        if len(own) != len(values):
+            raise SymcheckError(f"{to_latex(tree)}: {name.letter} is a function of {len(own)} letters")
+        order = name.primes + name.dots
+        if by:
+            return self.partial(name.letter, values, tree, env, by)
+        if order and (len(own) != 1 or isinstance(values[0], list | Complex)):
+            raise SymcheckError(f"{to_latex(tree)}: by which argument? write the derivative as a fraction")
+        kept, inside = self.standing, self.inside
+        if name.letter in inside:
+            raise SymcheckError(f"{to_latex(tree)}: {name.letter} is defined by itself")
+        self.inside = (*inside, name.letter)
+        self.standing = {} if order else {x: v for x, v in zip(own, values, strict=True) if isinstance(x, Name)}
+        value = self.value(body, env)
+        if order:
+            by = self.variable(own[0], env)
+            value = zipped(lambda t: node("diff", t, by, order, values[0]), [value])
+        self.standing, self.inside = kept, inside
+        return value
+
+    def partial(self, function: str, values: list[Value], tree: Tree, env: Env, by: Sequence[str]) -> Value:
+        """A partial derivative of a defined function at its arguments."""
+        own, body = self.defined[function]
+        names = [self.variable(each, env) for each in own]
+        value = self.value(body, env)
+        for letter in by:
+            x = self.variable(read(letter, self.notation), env)
+            value = zipped(lambda t, x=x: node("diff", t, x, 1, x), [value])
+        if any(isinstance(each, list | Complex) for each in values):
+            raise SymcheckError(f"{to_latex(tree)}: a partial derivative at numbers only")
+        return zipped(lambda t: substituted(t, dict(zip(names, values, strict=True))), [value])
+
     def of_bigsum(self, tree: BigSum, env: Env) -> Value:
+        if (ends := self.ends(tree, env)) is not None:
+            return self.series(tree, *ends, env)
         ranges = [self.bounds(tree, index, env) for index in tree.indices]
         values = [
             self.value(tree.body, {**env, **dict(zip(tree.indices, at, strict=True))})
@@ -604,7 +882,23 @@ class Lowering:
         ]
         if not values:
             raise SymcheckError(f"{to_latex(tree)} is an empty sum; check its bounds")
-        return values[0] if len(values) == 1 else zipped(lambda *terms: node("+", *terms), values)
+        return values[0] if len(values) == 1 else zipped(added, values)
+
+    def ends(self, tree: BigSum, env: Env) -> tuple[Term, Term] | None:
+        """The bounds of a sum that cannot be written out."""
+        if tree.low is None or tree.high is None or len(tree.indices) != 1:
+            return None
+        low, high = self.scalar(tree.low, env), self.bound(tree.high, env)
+        return None if isinstance(low, int) and isinstance(high, int) else (low, high)
+
+    def series(self, tree: BigSum, low: Term, high: Term, env: Env) -> Value:
+        """A sum up to a letter, or to infinity; its index is a letter in the body."""
+        (index,) = tree.indices
+        letter = self.notation.index(index)
+        if letter is None:
+            raise SymcheckError(f"{index} is not an index; declare it as one in the notation")
+        body = self.value(tree.body, {**env, index: letter.stem})
+        return zipped(lambda *t: _series(letter.stem, low, high, *t), [body])
 
     def bounds(self, tree: BigSum, index: str, env: Env) -> tuple[int, ...]:
         if tree.low is None or tree.high is None:
@@ -640,6 +934,8 @@ class Lowering:
 
     def of_cross(self, tree: Cross, env: Env) -> Value:
         u, v = self.value(tree.left, env), self.value(tree.right, env)
+        if not isinstance(u, list) and not isinstance(v, list):
+            return multiplied(u, v)
         if shape(u) != (3,) or shape(v) != (3,):
             raise SymcheckError(f"{to_latex(tree)} is a cross product of two vectors only; check the notation")
         return [minus(times(u[p], v[q]), times(u[q], v[p])) for p, q in ((1, 2), (2, 0), (0, 1))]
@@ -647,7 +943,7 @@ class Lowering:
     def of_transpose(self, tree: Transpose, env: Env) -> Value:
         value = self.value(tree.value, env)
         if len(shape(value)) == 1 and not isinstance(tree.value, Tuple):
-            raise SymcheckError(f"{to_latex(tree)}: a vector is neither row nor column; leave out the transposition")
+            return list(value) if isinstance(value, Row) else Row(value)
         if not isinstance(value, list):
             raise SymcheckError(f"{to_latex(tree)} transposes a scalar; declare T as a letter if it is an exponent")
         return [list(row) for row in zip(*value, strict=True)] if len(shape(value)) == 2 else value
@@ -662,10 +958,11 @@ class Lowering:
 
     def of_bars(self, tree: Bars, env: Env) -> Value:
         value = self.value(tree.value, env)
-        size = shape(value)
-        if len(size) != 2 or size[0] != size[1]:
-            raise SymcheckError(f"{to_latex(tree)}: only the determinant of a square matrix has an algebraic form")
-        return det(value)
+        if isinstance(value, Complex):
+            return modulus(value)
+        if len(shape(value)) < 2:
+            return length(value)
+        return determinant(tree, value)
 
     def of_elementsof(self, tree: ElementsOf, env: Env) -> Value:
         inner = [index for index in free_indices(tree.value, self.notation) if index in tree_indices(tree.value)]
@@ -700,8 +997,25 @@ class Lowering:
     def of_derivative(self, tree: Derivative, env: Env) -> Value:
         value = self.value(tree.body, env)
         for variable_tree, order in tree.variables:
-            value = self.derived(value, self.variable(variable_tree, env), order, tree, partial=tree.partial)
+            by = self.scalar(variable_tree, env)
+            if isinstance(by, Applied):
+                value = zipped(lambda t, by=by, order=order: self.by_function(t, by, order, tree), [value])
+            else:
+                value = self.derived(value, self.variable(variable_tree, env), order, tree, partial=tree.partial)
         return value
+
+    def by_function(self, term: Term, by: Applied, order: int, tree: Derivative) -> Term:
+        """The partial derivative by the value of a function, or of its rate, which stands as a letter of its own."""
+        letter = "_".join([by.function, "at", *map(str, by.orders)])
+
+        def put(part: Term) -> Term:
+            if part == by:
+                return letter
+            return mapped(part, put) if isinstance(part, Node) else part
+
+        if isinstance(term, Applied) and term != by and by.function != term.function:
+            raise SymcheckError(f"{to_latex(tree)}: how does {term.function} depend on {by.function}? write it out")
+        return node("diff", put(term), letter, order, by)
 
     def derived(self, value: Value, by: str, order: int, tree: Tree, *, partial: bool = False) -> Value:
         """The derivative of a scalar, or of each component, by a variable."""
@@ -738,6 +1052,53 @@ class Lowering:
                 f"{to_latex(tree)}: does {shown} depend on {by}? declare {shown} with "
                 f"depends={(by_letter.latex if by_letter else by)!r} if it does, depends='' if it is constant"
             )
+
+
+def function_of(name: str, value: Number) -> Number | None:
+    """A function by its printed name at a number; None if it has no algebraic form."""
+    return applied_complex(name, value) if isinstance(value, Complex) else applied(name, value)
+
+
+def length(value: Value) -> Term:
+    """The absolute value of a number, the length of a vector."""
+    return node("sqrt", dot(value, value) if isinstance(value, list) else node("^", value, 2))
+
+
+def determinant(tree: Tree, value: Value) -> Value:
+    """The determinant of a square matrix."""
+    size = shape(value)
+    if len(size) != 2 or size[0] != size[1]:
+        raise SymcheckError(f"{to_latex(tree)}: only a square matrix has a determinant")
+    return det(value)
+
+
+def _trace(tree: Tree, value: Value) -> Value:
+    size = shape(value)
+    if len(size) != 2 or size[0] != size[1]:
+        raise SymcheckError(f"{to_latex(tree)}: only a square matrix has a trace")
+    return plus(value[k][k] for k in range(size[0]))
+
+
+def _part(k: int) -> Callable[[Tree, Value], Value]:
+    return lambda tree, value: zipped(lambda t: parts(t)[k], [value])
+
+
+OPERATIONS: dict[str, Callable[[Tree, Value], Value]] = {  # functions of matrices, and parts of complex numbers
+    "det": determinant, "tr": _trace, "Tr": _trace, "Re": _part(0), "Im": _part(1),
+}  # fmt: skip
+
+
+def _put(tree: Tree, old: Tree, new: Tree) -> Tree:
+    """The tree with another in the place of one that stands in it."""
+    if tree == old:
+        return new
+    return with_children(tree, tuple(_put(child, old, new) for child in children(tree)))
+
+
+def _series(index: str, low: Term, high: Term, body: Value) -> Value:
+    if isinstance(body, Complex):
+        return Complex(*(node("sum", part, index, low, high) if part != 0 else 0 for part in parts(body)))
+    return node("sum", body, index, low, high)
 
 
 def _names(tree: object) -> Iterator[str]:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import itertools
 import re
-from collections.abc import Container, Iterable, Iterator
+from collections.abc import Container, Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from functools import cache
 
@@ -17,13 +17,16 @@ SIGNS = frozenset({"", ">= 0", "> 0"})
 SLASHES = frozenset({"", "denominator"})
 DECIMALS = frozenset({"", "rounded"})
 ARGUMENTS = frozenset({"", "short", "long"})
+INVERSES = frozenset({"", "function", "power"})
+LOGARITHMS = frozenset({"", "e", "10"})
 DOTS = {r"\dot": 1, r"\ddot": 2, r"\dddot": 3}
 TIMES = ("t", r"\tau")
 _NUMBERS = {"e": "e", r"\text{e}": "e", "i": "i", r"\text{i}": "i", r"\text{j}": "i", r"\pi": "pi"}
+_MAY_BE = {**_NUMBERS, "j": "i"}
 _SAID = {"e": "Euler's number", "i": "the imaginary unit", "pi": "the number pi"}
 _NAME = re.compile(r"[A-Za-z][A-Za-z0-9_]*")
 _FUNCTIONS = "sin|cos|tan|sqrt|exp|log|arctan|arcsin|arccos|pow|mean|integral|diverges|diff|call|exists"
-_VALUE = re.compile(rf"pi|infinity|({_FUNCTIONS})(_.*)?|[A-Z][a-z]+_[0-9a-f]{{10}}")
+VALUE = re.compile(rf"pi|infinity|({_FUNCTIONS})(_.*)?|[A-Z][a-z]+_[0-9a-f]{{10}}")
 _PREFIXES = {r"\dot": "d", r"\ddot": "dd", r"\dddot": "ddd"}
 _SUFFIXES = {
     r"\bar": "bar", r"\overline": "bar", r"\hat": "hat", r"\widehat": "hat",
@@ -66,6 +69,22 @@ class Letter:
         puts the expression that says how it depends on others. No other arguments are allowed then.
     number
         "e", "i" or "pi" for a letter that is this number.
+    size
+        The number of components of a vector, (n,), or of rows and columns of a matrix; 3 of each by default.
+    skew
+        The vector of which this matrix is the skew matrix: its product with a vector is the cross product.
+    whole
+        Whether the spelling is one name though it is printed with several tokens: `E[\rho]`, `\Delta h`, `f^c`.
+    integer
+        Whether it is a whole number.
+    value
+        The whole number for which it stands, where a statement is looked at for one size.
+    running
+        Whether its indices run up to a letter: then it is a function of them.
+    identity
+        Whether this matrix is the identity.
+    partial
+        For a letter such as f_{xy}, a derivative of a function: that function, and the letters by which it is taken.
 
     Raises
     ------
@@ -94,13 +113,21 @@ class Letter:
     depends: str | None = None
     named: bool = False
     number: str = ""
+    size: tuple[int, ...] = ()
+    skew: str = ""
+    whole: bool = False
+    integer: bool = False
+    value: int | None = None
+    running: bool = False
+    identity: bool = False
+    partial: tuple[str, ...] = ()
 
     def __post_init__(self) -> None:
         if self.kind not in KINDS:
             raise self.fault(f"unknown kind {self.kind!r}; choose {', '.join(sorted(KINDS))}")
         if self.sign not in SIGNS:
             raise self.fault(f"unknown sign {self.sign!r}; choose '', '>= 0' or '> 0'")
-        spelling = self.latex if known(self.latex) else canonical(self.latex)
+        spelling = self.latex if known(self.latex) or self.whole else canonical(self.latex)
         if known(spelling):
             raise self.fault("it has a meaning of its own, or none that is known, and cannot be a letter")
         if spelling == r"\pi" and self.kind == "scalar" and not self.indices and self.name is None:
@@ -129,7 +156,7 @@ class Letter:
 
     def check(self) -> None:
         """SymcheckError if what is said of the letter does not fit together."""
-        which = _NUMBERS.get(canonical(self.latex), "") if not self.indices else ""
+        which = _MAY_BE.get(self.spelling, "") if not self.indices else ""
         if self.number and (self.number != which or self.kind != "scalar" or self.depends or self.name):
             raise self.fault(f"number={self.number!r} does not fit it; only e, i and \\pi are numbers, without a name")
 
@@ -138,9 +165,20 @@ class Letter:
         return SymcheckError(f"letter {self.latex}: {message}")
 
     @property
+    def places(self) -> tuple[Sequence[int], ...]:
+        """The values of the indices of its components."""
+        size = self.size or {"vector": (3,), "matrix": (3, 3)}.get(self.kind, ())
+        return tuple([*itertools.islice(itertools.count(1), n)] for n in size)
+
+    @property
     def stem(self) -> str:
         """The stem of the variable names."""
-        return self.name if self.name is not None else _stem(canonical(self.latex))
+        return self.name if self.name is not None else _stem(self.spelling)
+
+    @property
+    def spelling(self) -> str:
+        """How it is looked up."""
+        return self.latex if self.whole else canonical(self.latex)
 
     @property
     def applies(self) -> bool:
@@ -193,12 +231,16 @@ def variable(stem: str, indices: tuple[int, ...]) -> str:
     return f"{stem}_{between.join(map(str, indices))}"
 
 
-def _instances(letter: Letter) -> Iterator[tuple[str, tuple[int, ...]]]:
+def instances(letter: Letter) -> Iterator[tuple[str, tuple[int, ...]]]:
     """All variables and functions this letter is lowered to, each with its indices."""
     if letter.kind in ("differential", "index") or letter.components is not None or letter.number:
         return
-    inner = {"vector": 1, "matrix": 2}.get(letter.kind, 0)
-    for indices in itertools.product(*[letter.range] * letter.indices, *[(1, 2, 3)] * inner):
+    if letter.skew or letter.identity or letter.value is not None:
+        return
+    if letter.running:
+        yield letter.stem, ()
+        return
+    for indices in itertools.product(*[letter.range] * letter.indices, *letter.places):
         yield variable(letter.stem, indices), indices
 
 
@@ -223,6 +265,10 @@ class Notation:
         Where the argument of a function printed without brackets ends, if a space or brackets follow. "" refuses it as
         ambiguous. "short" ends it before them: `\cos a\,x` is (cos a) x, and `\sin\omega(t - x)` is
         (sin omega)(t - x). "long" ends it behind them: cos(a x) and sin(omega (t - x)).
+    inverse
+        What `\sin^{-1} x` is: with "function" the arcsine of x, with "power" 1/sin x. "" refuses it as ambiguous.
+    log
+        The base of `\log`: "e" or "10". "" refuses it as ambiguous.
 
     Raises
     ------
@@ -248,22 +294,38 @@ class Notation:
         bracket: str = "",
         decimals: str = "",
         argument: str = "",
+        inverse: str = "",
+        log: str = "",
     ) -> None:
         if slash not in SLASHES:
             raise SymcheckError(f"unknown meaning {slash!r} of a slash; choose '' or 'denominator'")
         if decimals not in DECIMALS:
             raise SymcheckError(f"unknown meaning {decimals!r} of decimals; choose '' or 'rounded'")
+        if inverse not in INVERSES:
+            raise SymcheckError(
+                f"unknown meaning {inverse!r} of a power -1 of a function; choose '', 'function' or 'power'"
+            )
+        if log not in LOGARITHMS:
+            raise SymcheckError(f"unknown base {log!r} of a logarithm; choose '', 'e' or '10'")
         if argument not in ARGUMENTS:
             raise SymcheckError(f"unknown end {argument!r} of an argument; choose '', 'short' or 'long'")
         self.letters, self.slash, self.bracket, self.decimals = tuple(letters), slash, bracket, decimals
-        self.argument = argument
-        self.content = (self.letters, slash, bracket, decimals, argument)  # all that distinguishes two notations
+        self.argument, self.inverse, self.log = argument, inverse, log
+        self.content = (
+            self.letters,
+            slash,
+            bracket,
+            decimals,
+            argument,
+            inverse,
+            log,
+        )  # all that distinguishes two notations
         self._hash = hash(self.content)
         self._letters: dict[tuple[str, int], Letter] = {}
         self._index: dict[str, Letter] = {}
         for letter in self.letters:
             letter.check()
-            key = canonical(letter.latex)
+            key = letter.spelling
             if letter.kind == "index":
                 twice = key in self._index
                 self._index[key] = letter
@@ -276,14 +338,21 @@ class Notation:
         self._check_variables()
         if bracket and self.letter(bracket, 1).kind != "vector":
             raise SymcheckError(f"brackets cannot combine {bracket}; declare it as a vector with one index")
+        self.wholes = tuple(
+            sorted(
+                ((tuple(t.text for t in tex.tokenize(x.latex)), x.latex) for x in self.letters if x.whole),
+                reverse=True,
+                key=lambda pair: len(pair[0]),
+            )
+        )
         self.words = tuple(sorted({k for k, _ in self._letters if len(k) > 1 and k.isalpha()}, key=len, reverse=True))
 
     def _check_variables(self) -> None:
         """No two letters may be lowered to one variable, and none to a name that has a value of its own."""
         owners: dict[str, tuple[Letter, tuple[int, ...]]] = {}
         for letter in self._letters.values():
-            for name, indices in _instances(letter):
-                if _VALUE.fullmatch(name):
+            for name, indices in instances(letter):
+                if VALUE.fullmatch(name):
                     raise letter.fault(
                         f"it would be lowered to {name}, which is a value; give it another name, name=..."
                     )
@@ -298,7 +367,7 @@ class Notation:
 
     def _check_dots(self, letter: Letter) -> None:
         """A dotted letter is no letter of its own where the dots are a derivative."""
-        bare, dots = undotted(canonical(letter.latex))
+        bare, dots = undotted(letter.spelling)
         below = self._letters.get((bare, letter.indices)) if dots else None
         if below is not None and below.depends and not below.named:
             raise letter.fault(
@@ -317,10 +386,7 @@ class Notation:
         return self._hash
 
     def __repr__(self) -> str:
-        habits = (
-            f"slash={self.slash!r}, bracket={self.bracket!r}, decimals={self.decimals!r}, argument={self.argument!r}"
-        )
-        return f"Notation({list(self.letters)!r}, {habits})"
+        return f"Notation({list(self.letters)!r}, {', '.join(f'{k}={v!r}' for k, v in self.habits.items())})"
 
     def extended(self, *letters: Letter) -> Notation:
         """A copy in which these letters are added, or stand for others of the same spelling and number of indices."""
@@ -333,8 +399,12 @@ class Notation:
 
     def having(self, *letters: Letter) -> Notation:
         """The same habits with these letters and no others."""
-        habits = {"slash": self.slash, "bracket": self.bracket, "decimals": self.decimals, "argument": self.argument}
-        return Notation(letters, **habits)
+        return Notation(letters, **self.habits)
+
+    @property
+    def habits(self) -> dict[str, str]:
+        """All that a notation says beside its letters."""
+        return dict(zip(("slash", "bracket", "decimals", "argument", "inverse", "log"), self.content[1:], strict=True))
 
     def find(self, latex: str, indices: int) -> Letter | None:
         """The letter of this canonical spelling with so many indices."""
@@ -358,7 +428,7 @@ class Notation:
 
     def letter(self, latex: str, indices: int = 0) -> Letter:
         """The letter of this spelling; SymcheckError with the nearest declared one if there is none."""
-        found = self.find(canonical(latex), indices)
+        found = self.find(latex, indices) or self.find(canonical(latex), indices)
         if found is None:
             raise SymcheckError(f"unknown letter {latex} with {indices} indices; {self.nearest(canonical(latex))}")
         return found

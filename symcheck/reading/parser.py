@@ -11,6 +11,7 @@ from typing import Any
 
 from symcheck.core.verdicts import SymcheckError
 from symcheck.reading import tex
+from symcheck.reading.functions import INVERSES
 from symcheck.reading.grammar import ParseNode, parse
 from symcheck.reading.lexer import Lexer
 from symcheck.reading.notation import Letter, Notation
@@ -21,8 +22,10 @@ from symcheck.reading.tree import (
     STATEMENTS,
     Add,
     And,
+    Antiderivative,
     Bars,
     BigSum,
+    Binomial,
     Call,
     CaseList,
     Chain,
@@ -33,7 +36,9 @@ from symcheck.reading.tree import (
     Div,
     Dots,
     ElementsOf,
+    Evaluated,
     Exists,
+    Factorial,
     Iff,
     Implies,
     Infinity,
@@ -45,12 +50,15 @@ from symcheck.reading.tree import (
     Mul,
     Name,
     Neg,
+    Norm,
     Number,
     Or,
     Pair,
+    Piecewise,
     PlusMinus,
     Pow,
     Qualifier,
+    Root,
     Sqrt,
     System,
     Transpose,
@@ -61,6 +69,7 @@ from symcheck.reading.tree import (
     walk,
 )
 
+OF_MATRICES = ("det", "tr")  # functions of which one letter without brackets is the argument
 SIMPLE_KINDS = ("scalar", "index", "function")
 _BRACKETS_ARE_IDLE = (Name, Number, Call, Sqrt, Pow, Mul, Div, Derivative, Degrees, Pair)
 _ORDERS = {"<": "up", r"\le": "up", ">": "down", r"\ge": "down"}
@@ -474,7 +483,8 @@ class Builder:
         below = self.notation.slash == "denominator" and all(item.kind == "atom" for item in right)
         if len(right) > 1 and not isinstance(bottom, Call) and not below:
             raise self.fail(at, "a slash before several factors is ambiguous")
-        if any(item.kind in ("sum", "integral") for item in left + right) or _ends_bare(left):
+        bare = _ends_bare(left) and right[0].kind != "function"
+        if any(item.kind in ("sum", "integral") for item in left + right) or bare:
             raise self.fail(at, "a slash behind a sum or a function without brackets is ambiguous")
         return Div(self.checked(top, at, statements=False), self.checked(bottom, at, statements=False))
 
@@ -502,6 +512,7 @@ class Builder:
         if len(items) == 1 and items[0].kind in ("group", "atom") and not items[0].postfix:
             return self.alone(items[0])
         factors: list[Tree] = []
+        dots: list[int] = []
         k = 0
         dotted = True
         while k < len(items):
@@ -510,13 +521,15 @@ class Builder:
                 if dotted or k + 1 == len(items):
                     raise self.fail(item.at, r"\cdot must stand between two factors")
                 dotted, k = True, k + 1
+                dots.append(len(factors))
                 continue
             node, after = self.factor(items, k, dotted=dotted)
             factors.append(self.checked(node, item.at, statements=False))
             self.refuse_product(item, factors[-1], items[after:], alone=after == k + 1)
             k = after
             dotted = False
-        return factors[0] if len(factors) == 1 else Mul(tuple(factors))
+        vectors = tuple(k for k in dots if self.is_vector(factors[k - 1]) and self.is_vector(factors[k]))
+        return factors[0] if len(factors) == 1 else Mul(tuple(factors), vectors)
 
     def refuse_product(self, item: Item, node: Tree, rest: list[Item], *, alone: bool) -> None:
         """What stands behind a factor without a sign must be a factor without a doubt."""
@@ -565,7 +578,7 @@ class Builder:
         return any(isinstance(call.function, Name) and self.kind(call.function) == "function" for call in calls)
 
     def is_vector(self, tree: Tree) -> bool:
-        return any(isinstance(node, Name) and self.kind(node) == "vector" for _, node in walk(tree))
+        return any(isinstance(node, Tuple | Name) and self.kind(node) == "vector" for _, node in walk(tree))
 
     def in_brackets(self, item: Item) -> bool:
         return item.kind == "group" or item.square
@@ -582,14 +595,17 @@ class Builder:
             if k + 1 == len(items) or items[k + 1].kind == "dot" or item.bounds is None:
                 raise self.fail(item.at, "a sum of nothing")
             return BigSum(*item.bounds, self.plain(items[k + 1 :])), len(items)
-        if item.kind == "integral":
+        if item.kind in ("integral", "antiderivative"):
             return self.integral(items, k), len(items)
         if item.kind == "operator":
-            if k + 2 != len(items) or items[k + 1].kind not in ("group", "atom"):
+            alone = k + 2 == len(items) and items[k + 1].kind in ("group", "atom", "fraction")
+            if not alone and k + 1 < len(items) and items[k + 1].kind == "function":
+                alone = self.call(items, k + 1)[1] == len(items)
+            if not alone:
                 raise self.fail(item.at, "what this operator applies to is ambiguous; put it in brackets")
             body, variables, partial = self.plain(items[k + 1 :]), item.variables, item.partial
             return Derivative(body, variables, partial), len(items)
-        if item.kind == "d":
+        if item.kind in ("d", "d fraction"):
             raise self.fail(item.at, "a differential outside of a derivative")
         if isinstance(item.node, Number) and not dotted:
             raise self.fail(item.at, "a number behind a factor is ambiguous")
@@ -601,22 +617,40 @@ class Builder:
         r"""`\int_a^b f \, dx`; nothing may stand behind the differential."""
         sign, depth, end = items[k], 1, k + 1
         while end < len(items) and depth:
-            depth += {"integral": 1, "d": -1}.get(items[end].kind, 0)
+            depth += {"integral": 1, "antiderivative": 1, "d": -1, "d fraction": -1}.get(items[end].kind, 0)
             end += 1
+        if not depth and items[end - 1].kind == "d fraction":
+            fraction = items[end - 1]
+            if end < len(items):
+                raise self.fail(items[end].at, "does this belong to the integral? put the integral in brackets")
+            assert fraction.node is not None
+            return self.integrated(
+                sign, [*items[k + 1 : end - 1], Item("fraction", fraction.at, fraction.node)], fraction.letters[0]
+            )
         if depth or end >= len(items) or items[end].kind != "atom" or items[end].postfix or items[end - 1].power:
             raise self.fail(sign.at, "this integral does not say what it is taken over")
         if items[end - 1].partial:
             raise self.fail(items[end - 1].at, "an integral is taken over dx, not over a partial differential")
         if end + 1 < len(items):
             raise self.fail(items[end + 1].at, "does this belong to the integral? put the integral in brackets")
-        if end - 1 == k + 1 or sign.bounds is None:
+        return self.integrated(sign, items[k + 1 : end - 1], self.atom(items[end]))
+
+    def integrated(self, sign: Item, body: list[Item], variable: Tree) -> Tree:
+        """The integral of a product over a letter, with bounds or without."""
+        if not body and sign.kind == "integral":
             raise self.fail(sign.at, "an integral of nothing")
+        integrand = self.plain(body) if body else Number("1")
+        if sign.kind == "antiderivative":
+            return Antiderivative(integrand, variable)
+        assert sign.bounds is not None
         _, low, high = sign.bounds
         assert low is not None
         assert high is not None
-        return Integral(self.plain(items[k + 1 : end - 1]), self.atom(items[end]), low, high)
+        return Integral(integrand, variable, low, high)
 
-    def kind(self, name: Name) -> str:
+    def kind(self, name: Name | Tuple) -> str:
+        if isinstance(name, Tuple):
+            return "vector"
         letter = self.notation.find(name.letter, len(name.subscripts))
         return letter.kind if letter else "index"
 
@@ -673,10 +707,19 @@ class Builder:
             if k < len(items) and self.simple(items[k]):
                 raise self.fail(items[k].at, f"does this factor belong to the argument of {head.name}?")
             return self.powered(head, (argument,)), k
+        if k < len(items) and isinstance(items[k].node, Bars | Norm | MatrixOf) and not items[k].postfix:
+            if k + 1 < len(items) and (self.simple(items[k + 1]) or self.in_brackets(items[k + 1])):
+                raise self.fail(items[k + 1].at, f"does this factor belong to the argument of {head.name}?")
+            return self.powered(head, (self.atom(items[k]),)), k + 1
+        if head.name in OF_MATRICES and k < len(items) and self.is_matrix(items[k]):
+            beside = items[k + 1] if k + 1 < len(items) else None
+            if items[k].postfix or (beside is not None and (beside.kind == "group" or self.is_matrix(beside))):
+                raise self.fail(items[k].at, f"does what follows belong to the argument of {head.name}? write brackets")
+            return self.powered(head, (self.atom(items[k]),)), k + 1
         start = k
         while k < len(items) and self.simple(items[k]):
             item = items[k]
-            if item.postfix and item.postfix != "DEGREE":
+            if item.postfix and item.postfix != "DEGREE" and not (k == start and self.is_euler(item)):
                 raise self.fail(item.at, f"does this power belong to {head.name} or to its argument?")
             if k > start and isinstance(item.node, Number):
                 raise self.fail(item.at, "a number behind a factor is ambiguous")
@@ -696,6 +739,12 @@ class Builder:
                 k += 1
         return self.powered(head, (factors[0] if len(factors) == 1 else Mul(factors),)), k
 
+    def is_euler(self, item: Item) -> bool:
+        """Is this Euler's number with its exponent?"""
+        name = item.node
+        letter = self.notation.find(name.letter, len(name.subscripts)) if isinstance(name, Name) else None
+        return letter is not None and letter.number == "e" and item.postfix == "CARET"
+
     def continues(self, item: Item) -> bool:
         """Could this factor belong to an argument without brackets before it?"""
         return self.in_brackets(item) or isinstance(item.node, Div)
@@ -710,6 +759,9 @@ class Builder:
             )
         return self.notation.argument == "long"
 
+    def is_matrix(self, item: Item) -> bool:
+        return isinstance(item.node, Name) and self.kind(item.node) == "matrix"
+
     def simple(self, item: Item) -> bool:
         if isinstance(item.node, Name):
             return item.kind == "atom" and self.kind(item.node) in SIMPLE_KINDS
@@ -720,7 +772,12 @@ class Builder:
         if head.power is None:
             return call
         if isinstance(head.power, Neg):
-            raise self.fail(head.at, f"the inverse function of {head.name}, or its reciprocal? write one or the other")
+            inverse = INVERSES.get(head.name)
+            if inverse is None or head.power != Neg(Number("1")) or not self.notation.inverse:
+                raise self.fail(
+                    head.at, f"the inverse function of {head.name}, or its reciprocal? write one or the other"
+                )
+            return Call(inverse, arguments) if self.notation.inverse == "function" else Pow(call, head.power)
         return Pow(call, head.power)
 
     def entries(self, listing: Listing | None) -> tuple[Tree, ...]:
@@ -826,7 +883,10 @@ class Builder:
             raise self.fail(at, "this derivative has no variable")
         found = []
         for tree in bottom.body:
-            name, order = (tree.base, self.order(tree.exponent, at)) if isinstance(tree, Pow) else (tree, 1)
+            name: str | Tree = tree.base if isinstance(tree, Pow) else tree
+            order = self.order(tree.exponent, at) if isinstance(tree, Pow) else 1
+            if isinstance(name, Call) and not name.arguments and bottom.partial:
+                name = name.function
             if not isinstance(name, Name):
                 raise self.fail(at, "a derivative is taken by a letter that depends on no other")
             found.append((name, order))
@@ -836,10 +896,18 @@ class Builder:
 
     def on_item(self, nodes: list[ParseNode]) -> Item:
         item: Item = self.build(nodes[0])
+        if len(nodes) > 1 and nodes[1].type == "BANG":
+            if item.kind not in ("atom", "group", "fraction"):
+                raise self.fail(nodes[1].value.at, "a factorial of what?")
+            item, nodes = Item("fraction", item.at, Factorial(self.atom(item))), [nodes[0], *nodes[2:]]
         if len(nodes) > 1:
             item.postfix = nodes[1].type
-            if item.kind in ("sum", "integral") or (item.kind in ("function", "operator") and item.postfix != "CARET"):
+            if item.kind in ("sum", "integral", "antiderivative") or (
+                item.kind in ("function", "operator") and item.postfix != "CARET"
+            ):
                 raise self.fail(nodes[1].value.at, "this cannot stand here")
+        if item.postfix == "AT":
+            return Item("atom", item.at, self.evaluated(item, nodes))
         if item.postfix == "PRIMES":
             item.letters = nodes[1].value.value
         if item.postfix == "CARET":
@@ -849,6 +917,17 @@ class Builder:
             elif item.kind == "operator":
                 raise self.fail(item.at, "a power of a derivative without its function")
         return item
+
+    def evaluated(self, item: Item, nodes: list[ParseNode]) -> Tree:
+        """What is in brackets at a place, or the difference of its values at two places."""
+        place = self.build(nodes[3])
+        if not isinstance(place, Chain) or place.signs != ("=",) or not isinstance(place.members[0], Name):
+            raise self.fail(item.at, "the place at which this is taken cannot be read")
+        item.postfix = ""
+        variable, low = place.members
+        if len(nodes) > 5:
+            return Evaluated(self.atom(item), variable, low, self.term_of(nodes[6]))
+        return Evaluated(self.atom(item), variable, None, low)
 
     def on_primary(self, nodes: list[ParseNode]) -> Item:
         head = nodes[0]
@@ -899,7 +978,21 @@ class Builder:
         return Item("atom", at, Bars(self.term_of(nodes[1])))
 
     def from_lnorm(self, nodes: list[ParseNode], at: int) -> Item:
-        return Item("atom", at, ElementsOf(self.term_of(nodes[1])))
+        value = self.term_of(nodes[1])
+        return Item("atom", at, ElementsOf(value) if self.is_entry(value) else Norm(value))
+
+    def from_root(self, nodes: list[ParseNode], at: int) -> Item:
+        return Item("fraction", at, Root(self.term_of(nodes[5]), self.term_of(nodes[2])))
+
+    def from_binomial(self, nodes: list[ParseNode], at: int) -> Item:
+        return Item("fraction", at, Binomial(self.term_of(nodes[2]), self.term_of(nodes[5])))
+
+    def from_llist(self, nodes: list[ParseNode], at: int) -> Item:
+        items = self.entries(self.build(nodes[1]))
+        return Item("atom", at, Tuple(items, "()") if len(items) != 2 else Pair(*items))
+
+    def from_anti(self, nodes: list[ParseNode], at: int) -> Item:
+        return Item("antiderivative", at)
 
     def from_sqrt(self, nodes: list[ParseNode], at: int) -> Item:
         return Item("fraction", at, Sqrt(self.term_of(nodes[2])))
@@ -910,6 +1003,20 @@ class Builder:
     def from_mbegin(self, nodes: list[ParseNode], at: int) -> Item:
         return Item("atom", at, MatrixOf(self.rows(nodes, at)))
 
+    def from_cbegin(self, nodes: list[ParseNode], at: int) -> Item:
+        cases = [self.case(node.children) for node in nodes if hasattr(node, "data")]
+        if any(condition is None for _, condition in cases[:-1]):
+            raise self.fail(at, "what holds otherwise must be the last case")
+        return Item("atom", at, Piecewise(tuple(cases)))
+
+    def case(self, nodes: list[ParseNode]) -> tuple[Tree, Tree | None]:
+        """A value and where it holds."""
+        value, *rest = [node for node in nodes if hasattr(node, "data")]
+        if not rest:
+            return self.term_of(value), None
+        condition: Tree = self.claim(rest[0])
+        return self.term_of(value), condition
+
     def rows(self, nodes: list[ParseNode], at: int) -> tuple[tuple[Tree, ...], ...]:
         rows = [node.children for node in nodes if hasattr(node, "data")]
         if len({len(row) for row in rows}) > 1:
@@ -918,6 +1025,15 @@ class Builder:
 
     def from_frac(self, nodes: list[ParseNode], at: int) -> Item:
         top, bottom = self.build(nodes[2]), self.build(nodes[5])
+        if (
+            isinstance(top, Differential)
+            and not isinstance(bottom, Differential)
+            and top.order == 1
+            and len(top.body) == 1
+        ):
+            below = self.checked(bottom, at, statements=False)
+            if isinstance(top.body[0], Name) and not top.partial:
+                return Item("d fraction", at, Div(Number("1"), below), letters=(top.body[0],))
         if not isinstance(bottom, Differential):
             top = self.checked(top, at, statements=False)
             self.refuse_quotient(top, bottom, at)

@@ -5,12 +5,15 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any
 
+from symcheck.reading.functions import COMMANDS
 from symcheck.reading.tree import (
     BRACKETED,
     Add,
     And,
+    Antiderivative,
     Bars,
     BigSum,
+    Binomial,
     Call,
     CaseList,
     Chain,
@@ -21,7 +24,9 @@ from symcheck.reading.tree import (
     Div,
     Dots,
     ElementsOf,
+    Evaluated,
     Exists,
+    Factorial,
     Iff,
     Implies,
     Infinity,
@@ -33,12 +38,15 @@ from symcheck.reading.tree import (
     Mul,
     Name,
     Neg,
+    Norm,
     Number,
     Or,
     Pair,
+    Piecewise,
     PlusMinus,
     Pow,
     Qualifier,
+    Root,
     Sqrt,
     System,
     Transpose,
@@ -53,8 +61,8 @@ LIST, IMPLIES, OR, AND, CHAIN, SUM, TERM, PRODUCT, FACTOR, ATOM = range(10)
 _LEVEL: dict[type[Tree], int] = {
     System: LIST, CaseList: LIST, Located: LIST, Exists: LIST, Qualifier: LIST, Values: LIST, Iff: LIST,
     Implies: IMPLIES, Or: OR, And: AND, Chain: CHAIN, Add: SUM, Neg: SUM, PlusMinus: SUM, Cross: TERM, Mul: PRODUCT,
-    BigSum: PRODUCT, Integral: PRODUCT, Call: FACTOR, Pow: FACTOR, Transpose: FACTOR, Degrees: FACTOR,
-    Derivative: FACTOR, Div: FACTOR,
+    BigSum: PRODUCT, Integral: PRODUCT, Antiderivative: PRODUCT, Call: FACTOR, Pow: FACTOR, Transpose: FACTOR,
+    Degrees: FACTOR, Derivative: FACTOR, Div: FACTOR,
 }  # fmt: skip
 _BRACKETS = (r"\left(", "(", "[")
 _CONNECTIVE = {And: r" \land ", Or: r" \lor ", Implies: r" \Rightarrow ", Iff: r" \Leftrightarrow "}
@@ -132,13 +140,13 @@ def _mul(tree: Mul) -> str:
     for k, factor in enumerate(tree.factors):
         shown = _factor(factor, last=k == last)
         if k:
-            text += r" \cdot " if _needs_dot(tree.factors[k - 1], factor) else " "
+            text += r" \cdot " if k in tree.dotted or _needs_dot(tree.factors[k - 1], factor) else " "
         text += shown
     return text
 
 
 def _factor(factor: Tree, *, last: bool) -> str:
-    if isinstance(factor, BigSum | Integral) and last:
+    if isinstance(factor, BigSum | Integral | Antiderivative) and last:
         return _print(factor, PRODUCT)
     return _print(factor, FACTOR)
 
@@ -197,13 +205,10 @@ def _call(tree: Call, power: str = "") -> str:
     inside = ", ".join(_print(a, SUM) for a in tree.arguments)
     if isinstance(tree.function, Name):
         return f"{_name(tree.function)}({inside})" if tree.arguments else _name(tree.function)
-    head = tree.function if tree.function not in _OPERATORS else rf"operatorname{{{tree.function}}}"
+    head = tree.function if tree.function in COMMANDS else rf"operatorname{{{tree.function}}}"
     if _is_bare(tree):
         return rf"\{head}{power} {inside}"
     return rf"\{head}{power}\left({inside}\right)"
-
-
-_OPERATORS = frozenset({"tg", "ctg", "arctg", "tr", "rank", "sign"})
 
 
 def _pow(tree: Pow) -> str:
@@ -235,6 +240,21 @@ def _sum(tree: BigSum) -> str:
 def _integral(tree: Integral) -> str:
     bounds = f"_{{{_print(tree.low, SUM)}}}^{{{_print(tree.high, SUM)}}}"
     return rf"\int{bounds} {_print(tree.body, PRODUCT)} \, d{_print(tree.variable, ATOM)}"
+
+
+def _piecewise(tree: Piecewise) -> str:
+    rows = [
+        rf"{_print(value, SUM)} & {_print(where, CHAIN) if where is not None else chr(92) + 'text{otherwise}'}"
+        for value, where in tree.cases
+    ]
+    return rf"\begin{{cases}} {(' ' + chr(92) * 2 + ' ').join(rows)} \end{{cases}}"
+
+
+def _evaluated(tree: Evaluated) -> str:
+    body = rf"\left[{_print(tree.body, SUM)}\right]_{{{_print(tree.variable, ATOM)} = "
+    if tree.low is None:
+        return rf"{body}{_print(tree.high, SUM)}}}"
+    return rf"{body}{_print(tree.low, SUM)}}}^{{{_print(tree.high, SUM)}}}"
 
 
 def _operand(tree: Tree) -> str:
@@ -320,6 +340,13 @@ _PRINTERS: dict[type[Tree], Callable[[Any], str]] = {
     Pow: _pow,
     Call: _call,
     Sqrt: lambda t: rf"\sqrt{{{_print(t.value, SUM)}}}",
+    Root: lambda t: rf"\sqrt[{_print(t.order, SUM)}]{{{_print(t.value, SUM)}}}",
+    Binomial: lambda t: rf"\binom{{{_print(t.top, SUM)}}}{{{_print(t.bottom, SUM)}}}",
+    Norm: lambda t: rf"\left\|{_print(t.value, SUM)}\right\|",
+    Antiderivative: lambda t: rf"\int {_print(t.body, PRODUCT)} \, d{_print(t.variable, ATOM)}",
+    Evaluated: _evaluated,
+    Piecewise: _piecewise,
+    Factorial: lambda t: f"{_base(t.value)}!",
     Degrees: lambda t: rf"{_print(t.value, ATOM)}^\circ",
     BigSum: _sum,
     Pair: lambda t: f"({_print(t.left, SUM)}, {_print(t.right, SUM)})",

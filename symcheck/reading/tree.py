@@ -54,9 +54,10 @@ class PlusMinus(Tree):
 
 @dataclass(frozen=True, slots=True)
 class Mul(Tree):
-    """Two or more factors in printed order."""
+    """Two or more factors in printed order; before those `dotted` stands a dot that may be one of a scalar product."""
 
     factors: tuple[Tree, ...]
+    dotted: tuple[int, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)
@@ -83,6 +84,36 @@ class Call(Tree):
 
 @dataclass(frozen=True, slots=True)
 class Sqrt(Tree):
+    value: Tree
+
+
+@dataclass(frozen=True, slots=True)
+class Root(Tree):
+    r"""`\sqrt[n]{x}`."""
+
+    value: Tree
+    order: Tree
+
+
+@dataclass(frozen=True, slots=True)
+class Binomial(Tree):
+    r"""`\binom{n}{k}`."""
+
+    top: Tree
+    bottom: Tree
+
+
+@dataclass(frozen=True, slots=True)
+class Piecewise(Tree):
+    r"""`\begin{cases} a & x < 0 \\ b & x > 0 \end{cases}`; the last condition is None for "otherwise"."""
+
+    cases: tuple[tuple[Tree, Tree | None], ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Factorial(Tree):
+    """`n!`."""
+
     value: Tree
 
 
@@ -116,6 +147,31 @@ class Integral(Tree):
     variable: Tree
     low: Tree
     high: Tree
+
+
+@dataclass(frozen=True, slots=True)
+class Antiderivative(Tree):
+    r"""`\int f \, dx` without bounds: known up to a constant."""
+
+    body: Tree
+    variable: Tree
+
+
+@dataclass(frozen=True, slots=True)
+class Evaluated(Tree):
+    r"""`\left[ f \right]_{t=a}^b`: the difference of the values at both ends; without `low` the value at `high`."""
+
+    body: Tree
+    variable: Tree
+    low: Tree | None
+    high: Tree
+
+
+@dataclass(frozen=True, slots=True)
+class Norm(Tree):
+    r"""`\|v\|`: the length of a vector."""
+
+    value: Tree
 
 
 @dataclass(frozen=True, slots=True)

@@ -98,6 +98,8 @@ class Knowledge:
     def _sign_of_value(self, term: Value) -> tuple[int, Grounds]:
         kind, parts = term.tag, term.terms
         match kind, parts:
+            case "exp", _:
+                return 2, NOTHING
             case "+", _:
                 signs = [self.sign(t) for t in parts]
                 level = max(sign for sign, _ in signs) if all(sign for sign, _ in signs) else 0
@@ -114,7 +116,11 @@ class Knowledge:
                 return min(above, 2 * bool(below)), first | second
             case "^", (base, int(exponent)) if exponent > 0:
                 level, grounds = self.sign(base)
-                return (level, grounds) if level else (int(exponent % 2 == 0), NOTHING)
+                if level or exponent % 2:
+                    return level, grounds
+                value = self.ring.ratio(base)
+                refs = None if value.den else self.nonzero(value.num)
+                return (1, NOTHING) if refs is None else (2, hypotheses_of(refs))
         return 0, NOTHING
 
     def _bound(self, term: Term) -> tuple[int, Grounds]:

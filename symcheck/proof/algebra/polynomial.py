@@ -20,7 +20,7 @@ from symcheck.proof.algebra.flint import Poly, Rational, context, fraction, occu
 from symcheck.proof.algebra.variables import Table, atoms, circle, cosine, one_problem, prime, sine, table
 from symcheck.proof.algebra.variables import Unsupported as Unsupported
 
-BINDING = ("integral", "diverges", "mean")
+BINDING = ("integral", "diverges", "mean", "sum", "product")
 FUNCTIONS = ("sqrt", "pow", "log", "exp", "gamma", "arctan", "arcsin", "arccos", *BINDING, "call")
 
 # what is above these limits would take minutes or gigabytes; the papers stay far below
@@ -170,31 +170,83 @@ def square_free(value: Fraction) -> tuple[Fraction, tuple[int, ...]]:
     return outside, tuple(primes)
 
 
-def angle(term: Term) -> dict[str, int]:
-    """An integer combination of letters, {name: coefficient}, and of quarters of a turn, {"pi": count}."""
+Key = tuple[str, str]  # ("letter", x), ("pi", ""), or ("term", its canonical form)
+
+
+def _multiples(term: Term, times: Fraction) -> Iterator[tuple[Key, Term, Fraction]]:
+    """So many times a term, taken apart as the checker does it: letters, pi and other terms with their multiples."""
     match term:
-        case 0:
-            return {}
         case str():
-            return {table().letter(term): 1}
+            yield ("letter", table().letter(term)), term, times
         case Value(tag="pi"):
-            return {"pi": 2}
+            yield ("pi", ""), term, times
         case Value(tag="-", terms=(inner,)):
-            return {name: -n for name, n in angle(inner).items()}
+            yield from _multiples(inner, -times)
         case Value(tag="+", terms=addends):
-            total: dict[str, int] = {}
             for part in addends:
-                for name, n in angle(part).items():
-                    total[name] = total.get(name, 0) + n
-            return total
-        case Value(tag="*", terms=factors) if len(rest := [t for t in factors if not isinstance(t, int)]) == 1:
-            scale = prod(t for t in factors if isinstance(t, int))
-            return {name: scale * n for name, n in angle(rest[0]).items()}
-        case Value(tag="/", terms=(top, 2)):
-            turns = angle(top)
-            if all(n % 2 == 0 for n in turns.values()):
-                return {name: n // 2 for name, n in turns.items()}
-    raise Unsupported(f"sine or cosine of {term!r}: only whole multiples and sums of variables")
+                yield from _multiples(part, times)
+        case Value(tag="*", terms=factors) if rest := [t for t in factors if _number(t) is None]:
+            scale = prod((n for t in factors if (n := _number(t)) is not None), start=times)
+            yield from _multiples(rest[0], scale) if len(rest) == 1 else _other(node("*", *rest), scale)
+        case Value(tag="/", terms=(top, bottom)) if number := _number(bottom):
+            yield from _multiples(top, times / number)
+        case _:
+            yield from _other(term, times)
+
+
+def _number(term: Term) -> Fraction | None:
+    """The value of a term made of integers only."""
+    try:
+        return constant(term)
+    except Unsupported:
+        return None
+
+
+def _other(term: Term, times: Fraction) -> Iterator[tuple[Key, Term, Fraction]]:
+    """So many times a term that is no letter; it and its contrary go together."""
+    if (number := number_of(term)) == 0:
+        return
+    text, turned = canonical(term), canonical(node("-", term))
+    positive = number > 0 if number is not None else text <= turned
+    yield ("term", text if positive else turned), term if positive else node("-", term), times if positive else -times
+
+
+def _whole_multiples(term: Term) -> Iterator[tuple[Key, Term, int]]:
+    """A sum of whole multiples; what is no whole multiple is a term of its own."""
+    total: dict[Key, tuple[Term, Fraction]] = {}
+    for key, part, times in _multiples(term, Fraction(1)):
+        total[key] = part, times + (total[key][1] if key in total else 0)
+    for key, (part, times) in total.items():
+        if times.denominator == 1 or (key[0] == "pi" and times.denominator == 2):
+            yield (key, part, int(2 * times)) if key[0] == "pi" else (key, part, int(times))
+        else:
+            size = abs(times)
+            multiple = node("/", node("*", size.numerator, part), size.denominator)
+            yield ("part", f"{size} {key}"), multiple, 1 if times > 0 else -1
+
+
+def angle(term: Term) -> dict[str, int]:
+    """An integer combination of angles, {name: coefficient}, and of quarters of a turn, {"pi": count}."""
+    found: dict[str, int] = {}
+    for key, part, times in _whole_multiples(term):
+        if times:
+            name = "pi" if key[0] == "pi" else key[1] if key[0] == "letter" else table().angle(key, part)
+            found[name] = times
+    return found
+
+
+def exponents(term: Term) -> dict[str, int]:
+    """e to a term as a product of powers of variables, all positive."""
+    found: dict[str, int] = {}
+    for key, part, times in _whole_multiples(term):
+        if key[0] == "pi" and times % 2:
+            key, part, times = ("part", f"1/2 {key}"), node("/", part, 2), times
+        elif key[0] == "pi":
+            times //= 2
+        if times:
+            above, below = table().exponential(key, part)
+            found[above if times > 0 else below] = abs(times)
+    return found
 
 
 def atom(tree: Node) -> str | None:
@@ -273,6 +325,8 @@ def _variables(tree: Term) -> set[str]:
         return {kind}
     if kind in ("sin", "cos", "tan"):
         return {of(name) for name in angle(tree[1]) if name != "pi" for of in (sine, cosine)}
+    if kind == "exp":
+        return {name for above in exponents(tree[1]) for name in (above, table().exponentials[above][0])}
     if kind in FUNCTIONS and (name := atom(tree)):
         return {name}
     if kind == "sqrt":
@@ -289,6 +343,9 @@ def function_arguments(tree: Term, bodies: bool) -> Iterator[Term]:
     """The bodies of the integrals and means in an unfolded term, or the other arguments of functions outside them."""
     if not isinstance(tree, Node):
         return
+    if tree.tag == "diff":
+        yield from function_arguments(derivative(tree, {}), bodies)
+        return
     binding = tree.tag in BINDING
     if binding and bodies:
         yield from tree.inside
@@ -301,6 +358,7 @@ def function_arguments(tree: Term, bodies: bool) -> Iterator[Term]:
 def with_arguments(names: Iterable[str]) -> set[str]:
     """The variables, and those that the arguments of the functions among them need."""
     found = set(names)
+    found |= variables(*(part for name in found for part in beneath(name)))
     open_ = sorted(name for name in found if name in atoms())
     while open_:
         tree = atoms()[open_.pop()]
@@ -312,6 +370,14 @@ def with_arguments(names: Iterable[str]) -> set[str]:
         open_ += sorted(name for name in inner - found if name in atoms())
         found |= inner
     return found
+
+
+def beneath(name: str) -> tuple[Term, ...]:
+    """What is no letter and stands under an exponential, a sine or a cosine."""
+    if name in table().exponentials:
+        return table().exponentials[name][1].terms
+    turn = circle(name)
+    return (table().angles[turn[1]],) if turn and turn[1] in table().angles else ()
 
 
 def turning(x: str) -> set[str]:
@@ -352,6 +418,7 @@ class Ring:
         known = set(names)
         angles = sorted(turn[1] for turn in map(circle, known) if turn is not None)
         known |= {of(x) for x in angles for of in (sine, cosine)}
+        known |= {table().exponentials[name][0] for name in known if name in table().exponentials}
         self.names = tuple(sorted(known, key=_rank))
         self.definitions = dict(definitions or {})
         self.context = context(self.names)
@@ -432,6 +499,11 @@ class Ring:
             return Ratio(self.turn(angle(unfold(term[1], self.definitions)))[kind == "sin"])
         if kind == "tan":
             return self.ratio(node("/", node("sin", term[1]), node("cos", term[1])))
+        if kind == "exp":
+            powers = exponents(unfold(term[1], self.definitions)).items()
+            if any(times > MAX_TURNS for _, times in powers):
+                raise Unsupported(f"the exponential {term!r}")
+            return Ratio(prod((self.generator[name] ** times for name, times in powers), start=self.number(1)))
         if kind in FUNCTIONS and (name := atom(unfold(term, self.definitions))):
             return Ratio(self.generator[name])
         if kind == "pow":
@@ -555,4 +627,7 @@ class Ring:
                 found[name] = self.generator[name] ** 2 + self.generator[cosine(x)] ** 2 - 1
             if (p := prime(name)) is not None:
                 found[name] = self.generator[name] ** 2 - p
+            other, _ = table().exponentials.get(name, ("", None))
+            if other in self.generator and other > name:
+                found[name] = self.generator[name] * self.generator[other] - 1
         return found

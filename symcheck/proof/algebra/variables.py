@@ -27,13 +27,15 @@ class Table:
         self.circles: dict[str, tuple[str, str]] = {}  # ("sin", x) or ("cos", x)
         self.primes: dict[str, int] = {}
         self.atoms: dict[str, Node] = {}  # all other functions
+        self.angles: dict[str, Term] = {}  # what is no letter and stands under a sine or cosine
+        self.exponentials: dict[str, tuple[str, Node]] = {}  # by name: the inverse, and the term
         self.texts: dict[Term, str] = {}  # canonical forms
         self._names: dict[Hashable, str] = {}
 
     def letter(self, name: str) -> str:
         """A letter that was met; Unsupported if a variable was given its name before."""
         if name not in self.letters:
-            if name in self.circles or name in self.primes or name in self.atoms:
+            if self.stands(name) or name in self.angles:
                 raise Unsupported(f"the letter {name} has the name of a function value")
             self.letters.add(name)
         return name
@@ -41,7 +43,7 @@ class Table:
     def fresh(self, wish: str) -> str:
         """A name that nothing has: the one wished for, or with a number."""
         name, number = wish, 1
-        while name in self.letters or name in self.circles or name in self.primes or name in self.atoms:
+        while name in self.letters or name in self.angles or self.stands(name):
             number += 1
             name = f"{wish}_{number}"
         return name
@@ -52,6 +54,24 @@ class Table:
             name = self._names[function, x] = self.fresh(f"{function}_{x}")
             self.circles[name] = (function, x)
         return self._names[function, x]
+
+    def angle(self, key: Hashable, term: Term) -> str:
+        """The name of an angle that is no letter."""
+        if ("angle", key) not in self._names:
+            name = self._names["angle", key] = self.fresh("Angle")
+            self.angles[name] = term
+        return self._names["angle", key]
+
+    def exponential(self, key: Hashable, term: Term) -> tuple[str, str]:
+        """The variables of e to a term, and of its inverse."""
+        if ("exp", key) not in self._names:
+            above = self._names["exp", key] = self.fresh("Exp")
+            self.exponentials[above] = "", node("exp", term)
+            below = self.fresh("Exp")
+            self.exponentials[below] = above, node("exp", node("-", term))
+            self.exponentials[above] = below, node("exp", term)
+        name = self._names["exp", key]
+        return name, self.exponentials[name][0]
 
     def root(self, prime: int) -> str:
         """The variable of the root of a prime."""
@@ -73,12 +93,16 @@ class Table:
         if name in self.primes:
             return node("sqrt", self.primes[name])
         if name in self.circles:
-            return node(*self.circles[name])
+            function, x = self.circles[name]
+            return node(function, self.angles.get(x, x))
+        if name in self.exponentials:
+            return self.exponentials[name][1]
         return (self.atoms | CONSTANTS).get(name, name)
 
     def stands(self, name: str) -> bool:
         """Whether a variable stands for a term and not for a letter."""
-        return name in self.circles or name in self.primes or name in self.atoms or name in CONSTANTS
+        kinds = (self.circles, self.primes, self.atoms, self.exponentials, CONSTANTS)
+        return any(name in kind for kind in kinds)
 
 
 _TABLES = [Table()]

@@ -12,7 +12,7 @@ from fractions import Fraction
 from typing import NamedTuple
 
 from symcheck.checker.enclosures import FUNCTIONS, between
-from symcheck.core.calculus import Unknown, letters
+from symcheck.core.calculus import Unknown, letters, substituted
 from symcheck.core.problems import Problem
 from symcheck.core.terms import PI, RELATIONS, Connective, Formula, Node, Term, Value, node
 from symcheck.proof.algebra.facts import NOTHING, Assumed, Hypothesis, Positive, Signed
@@ -31,7 +31,7 @@ from symcheck.proof.rules.theorem import enclosure
 DIGITS = (6, 12, 20, 30)  # as few as tell two numbers apart
 SIGNS = {"=": {0}, "!=": {-1, 1}, "<": {-1}, "<=": {-1, 0}, ">": {1}, ">=": {0, 1}}  # of left - right
 _EXACT = ("+", "*", "-", "/", "^", "sqrt")
-IRRATIONAL = FUNCTIONS.keys() - {"-"}
+IRRATIONAL = FUNCTIONS.keys() - {"-"} | {"pow", "integral", "sum", "product", "diff"}
 
 
 class Compared(NamedTuple):
@@ -70,7 +70,7 @@ class Numbers:
         found = cls(dict(problem.definitions), dict(chosen or {}), {})
         equations = [(ref, formula.terms) for ref, formula in stated(problem) if formula.tag == "="]
         fixable = {side for _, sides in equations for side in sides if isinstance(side, str)}
-        met = {part for part in subterms(problem.claim) if isinstance(part, str)}
+        met = letters(problem.claim)
         if not met <= {*found.letters, *found.definitions, *fixable}:
             return None
         for _ in equations:  # one may be said in terms of another
@@ -102,7 +102,10 @@ class Numbers:
 
     def number(self, term: Term) -> Term:
         """The number that a term is, as a term without letters."""
-        return unfold(term, {**self.definitions, **self.letters})
+        plain = unfold(term, self.definitions)
+        while used := letters(plain) & self.letters.keys():
+            plain = substituted(plain, {x: unfold(self.letters[x], self.definitions) for x in used})
+        return plain
 
     def meaning(self, name: str) -> Term:
         """What a letter stands for."""

@@ -6,11 +6,12 @@ import re
 from collections.abc import Iterable
 from dataclasses import replace
 
+from symcheck.core.calculus import letters
 from symcheck.core.problems import Outcome, Problem
 from symcheck.core.terms import Formula, Node, Relation, Term, node
 from symcheck.core.verdicts import Verdict
 from symcheck.proof.algebra.facts import Grounds
-from symcheck.proof.algebra.flint import Poly
+from symcheck.proof.algebra.flint import Poly, occurring
 from symcheck.proof.algebra.forms import form_on_the_circle
 from symcheck.proof.algebra.knowledge import Knowledge, formulas_of, hypotheses_of, ring_of, starting, stated
 from symcheck.proof.algebra.polynomial import Ring, Unsupported, function_arguments, unfold, variables
@@ -127,10 +128,13 @@ def _conditions(
     statement = _divisors([side for formula in formulas for side in _sides(formula)], known.ring)
     nonzero: list[tuple[str, ...]] = []
     positive: list[Term] = []
+    free = set().union(*(letters(unfold(f, known.ring.definitions)) for f in formulas))
     for texts, divisor in {**statement, **_divisors(mentioned(step, known.ring.definitions), known.ring)}.items():
         refs = known.nonzero(divisor) if len(texts) == 1 else None
         if refs is not None:
             given |= hypotheses_of(refs)
+        elif not _letters(divisor) <= free:
+            continue  # under a binder, or in a premise about all numbers, where it is shown
         elif texts in statement:
             nonzero.append(texts)
         elif (form := _positive(divisor, texts[1:], known)) is not None:
@@ -139,6 +143,11 @@ def _conditions(
         else:
             return None
     return nonzero, positive, given
+
+
+def _letters(poly: Poly) -> set[str]:
+    """The letters of a polynomial, also of what its variables stand for."""
+    return letters(node("+", 0, *map(table().term, sorted(occurring(poly)))))
 
 
 def _sides(formula: Formula) -> list[Term]:

@@ -11,8 +11,9 @@ from fractions import Fraction
 from itertools import combinations
 from math import comb, prod
 
+from symcheck.checker.theorems import KNOWN, theorem
 from symcheck.core.calculus import Unknown, substituted
-from symcheck.core.terms import INFINITY, MINUS_INFINITY, PI, Binder, End, Node, Term, mapped, node
+from symcheck.core.terms import INFINITY, MINUS_INFINITY, PI, Binder, End, Node, Relation, Term, mapped, node
 from symcheck.proof.algebra.flint import Poly, by_powers, fraction, occurring, rational
 from symcheck.proof.algebra.forms import number_term, term_of
 from symcheck.proof.algebra.knowledge import Knowledge, proportional
@@ -25,10 +26,11 @@ from symcheck.proof.algebra.polynomial import (
     number_of,
     parts,
     square_free,
+    subterms,
     variables,
     with_arguments,
 )
-from symcheck.proof.algebra.variables import atoms, cosine, sine
+from symcheck.proof.algebra.variables import atoms, cosine, sine, table
 from symcheck.proof.rules.theorem import Instance, applied, congruence, of
 
 HALF_LINE = (0, INFINITY)
@@ -262,10 +264,68 @@ def _shape(body: Term, x: str) -> tuple[Term, int, Term, Term, Term, Term]:
     return c, k, u, exponent, term_of(powers[2]), term_of(powers.get(0, ring.number(0)))
 
 
+def _logarithm(tree: Node, others: Sequence[Node]) -> Iterator[Instance]:
+    """The logarithm of a product as the sum of those of its factors; that of an exponential."""
+    (t,) = tree.terms
+    if isinstance(t, Node) and t.tag == "exp":
+        yield applied("log_of_exp", t.terms[0])
+    if isinstance(t, Node) and t.tag == "sqrt":
+        yield applied("log_of_root", t.terms[0])
+    if table().exponentials:
+        yield applied("exp_of_log", t)
+    if number_of(t) == 1:
+        yield applied("log_of_one")
+    powers = [*_powers(t)]
+    for base, exponent in powers:
+        if exponent != 1:
+            yield applied("log_of_power", base, exponent)
+    factors = [base if exponent == 1 else node("^", base, exponent) for base, exponent in powers]
+    for k in range(len(factors) - 1):
+        rest = factors[k + 1 :]
+        yield applied("log_of_product", factors[k], rest[0] if len(rest) == 1 else node("*", *rest))
+
+
+def _powers(term: Term) -> Iterator[tuple[Term, int]]:
+    """A fraction as powers of primes and of irreducible polynomials."""
+    value = Ring(variables(term)).ratio(term)
+    unit, factors = value.num.factor()
+    number = fraction(unit)
+    for p in _PRIMES:
+        exponent = 0
+        while number.numerator % p == 0 and number:
+            number, exponent = number / p, exponent + 1
+        while number.denominator % p == 0:
+            number, exponent = number * p, exponent - 1
+        if exponent:
+            yield p, exponent
+    if number != 1:
+        yield number_term(number), 1
+    for poly, e in factors:
+        yield term_of(poly), int(e)
+    for poly, e in value.den.values():
+        yield term_of(poly), -e
+
+
+def _known_angle(tree: Node, others: Sequence[Node]) -> Iterator[Instance]:
+    """The angle of a well-known tangent, sine or cosine; sine and cosine of an angle that is under one."""
+    if any(tree in subterms(turned) for turned in table().angles.values()):
+        yield applied(f"circular_of_{tree.tag}", *tree.terms)
+    known = (theorem(f"known_angle_{tree.tag}_{k}") for k in range(len(KNOWN[tree.tag])))
+    for k, each in enumerate(known):
+        assert isinstance(each.conclusion, Relation)
+        if canonical(each.conclusion.terms[0].terms[0]) == canonical(tree.terms[0]):  # type: ignore[union-attr]
+            yield applied(f"known_angle_{tree.tag}_{k}")
+
+
+_PRIMES = (2, 3, 5, 7, 11, 13)  # factors of numbers under logarithms
 _ABOUT: dict[str, Callable[[Node, Sequence[Node]], Iterator[Instance]]] = {
     "sqrt": _root,
     "pow": _power,
     "gamma": _gamma,
+    "log": _logarithm,
+    "arctan": _known_angle,
+    "arcsin": _known_angle,
+    "arccos": _known_angle,
     "mean": _mean,
     "integral": _integral,
     "diverges": _integral,

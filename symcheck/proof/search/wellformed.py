@@ -94,7 +94,7 @@ def _check(tree: object, allowed: Set[str], depth: int = 0) -> None:
         fits = type(order) is int and (tree.tag == "^" or 0 < order <= MAX_ORDER)
         _require(fits, f"{order!r:.40} does not fit as an exponent or order")
     inner = FORMULAS if tree.tag in FORMULAS and tree.tag not in RELATIONS else TERMS
-    outer = ENDS if isinstance(tree, Binder) and tree.tag in ("integral", "diverges") else inner
+    outer = ENDS if isinstance(tree, Binder) and tree.tag in ("integral", "diverges", "sum") else inner
     for parts, own in ((tree.inside, inner), (tree.outside, outer)):
         for part in parts:
             _require(own is not FORMULAS or isinstance(part, Node), f"{part!r:.80} is not a statement")

@@ -1,0 +1,168 @@
+"""`symcheck.decide`: the verdict on one formula."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import replace
+
+from symcheck.checker import check
+from symcheck.core.certificates import Certificate
+from symcheck.core.problems import Problem
+from symcheck.core.verdicts import SymcheckError, Verdict
+from symcheck.core.words import term
+from symcheck.proof import certificate, identity
+from symcheck.question import jets
+from symcheck.question.answer import Answer, Status
+from symcheck.question.antiderivatives import hinted
+from symcheck.question.limit import OutOfTime, limited
+from symcheck.question.prepare import Asked, Reading, readings, sizes
+from symcheck.question.repairs import repairs
+from symcheck.reading import to_latex
+
+LIMIT = 6.0  # seconds for one component of a relation; nearly all that are found at all are found in one
+TOTAL = 15.0  # seconds for all of them
+SIZES = (1, 2, 3)  # one is found to be false for a small one, if at all
+
+
+def decide(
+    relation: str,
+    where: Iterable[str] | str = (),
+    given: Iterable[str] | str = (),
+    letters: Mapping[str, str] | None = None,
+) -> Answer:
+    r"""Decide one formula, without a paper and without declarations.
+
+    Parameters
+    ----------
+    relation
+        The formula, in LaTeX: an equation, an inequality, or a chain of them.
+    where
+        Definitions and earlier equations: solved for a letter they say what it is, otherwise they are assumed.
+    given
+        Conditions, such as ``"x > 0"`` or ``r"n \in \mathbb{N}"``.
+    letters
+        What letters are, where that is not to be inferred: ``{"f": "function of x", r"\omega": "vector"}``.
+
+    Returns
+    -------
+    Answer
+        The verdict with its evidence. What cannot be read is an answer too, with the reason.
+
+    See Also
+    --------
+    check : The audit of whole papers.
+
+    Examples
+    --------
+    >>> from symcheck import decide
+    >>> decide(r"\sin 2a = 2 \sin a \cos a").verdict
+    <Status.PROVED: 'proved'>
+    >>> decide(r"\ln x = x", given="x > 0").counterexample
+    {'x': '1'}
+    """
+    started = time.perf_counter()
+    asked = None
+    try:
+        asked = Asked(relation, _several(where), _several(given), tuple((letters or {}).items()))
+        with limited(TOTAL):
+            found = [(reading, _decided(reading, asked)) for reading in readings(asked)]
+    except SymcheckError as error:
+        found, fault = [], str(error)
+    except OutOfTime:
+        reason = f"the search was not over after {TOTAL:g} s"
+        return Answer(Status.UNDECIDED, reason=reason, seconds=time.perf_counter() - started)
+    open_ = all(answer.verdict is Status.UNDECIDED for _, answer in found)
+    if open_ and asked and (at := _of_some_size(asked)):
+        return replace(at, seconds=time.perf_counter() - started)
+    if not found:
+        return Answer(Status.UNREADABLE, reason=fault, seconds=time.perf_counter() - started)
+
+    seconds = time.perf_counter() - started
+    if (answer := _agreed(found)) is not None:
+        return replace(answer, seconds=seconds)
+    shown = "; ".join(f"{', '.join(r.inference.choices)}: {a.verdict}" for r, a in found)
+    return Answer(Status.AMBIGUOUS, reading=" | ".join(a.reading for _, a in found), reason=shown, seconds=seconds)
+
+
+def _agreed(found: Sequence[tuple[Reading, Answer]]) -> Answer | None:
+    """The verdict of all readings; a remote one cannot contradict a proof, but raises doubts of a refutation."""
+    near = [answer for reading, answer in found if not reading.inference.remote]
+    remote = [answer.verdict for reading, answer in found if reading.inference.remote]
+    verdicts = {answer.verdict for answer in near}
+    if len(verdicts) == 1 and not (Status.REFUTED in verdicts and Status.PROVED in remote):
+        return near[0]
+    return found[0][1] if not near and {*remote} == {Status.PROVED} else None
+
+
+def _of_some_size(asked: Asked) -> Answer | None:
+    """Refuted for one number of components or addends; else undecided, where it can be read for one."""
+    letters, answers = sizes(asked), []
+    for size in SIZES if letters else ():
+        try:
+            answers = [_decided(reading, asked, wanted=False) for reading in readings(asked, size)]
+        except SymcheckError:
+            continue
+        shown = ", ".join(f"{letter} = {size}" for letter in letters)
+        if all(answer.verdict is Status.REFUTED for answer in answers):
+            point = {**dict.fromkeys(letters, str(size)), **answers[0].counterexample}
+            return replace(answers[0], counterexample=point)
+    if not answers:
+        return None
+    return replace(
+        answers[0], verdict=Status.UNDECIDED, certificate=(), reason=f"decided for {shown} only, not for all"
+    )
+
+
+def _several(texts: Iterable[str] | str) -> tuple[str, ...]:
+    return (texts,) if isinstance(texts, str) else tuple(texts)
+
+
+def _decided(reading: Reading, asked: Asked, wanted: bool = True) -> Answer:
+    shown = {g.letter.latex: f"{g.taken} ({g.why})" for g in reading.inference.guesses}
+    base = Answer(Status.UNDECIDED, to_latex(reading.tree), shown)
+    certificates, status, reasons, used = [], Status.PROVED, list[str](), list[str]()
+    for problem in reading.problems:
+        verdict, made, found = _decided_one(problem)
+        if made is None:
+            status = Status.UNDECIDED
+            reasons += found
+            continue
+        certificates.append(made)
+        used += (reading.stated[name] for name in found if name in reading.stated)
+        if verdict is Verdict.REFUTED:
+            at = made["point"]["values"]
+            return replace(
+                base,
+                verdict=Status.REFUTED,
+                counterexample={x: term(value) for x, value in at.items()},
+                values=tuple(map(term, made["point"].get("shown", ()))),
+                used=tuple(dict.fromkeys(used)),
+                certificate=(made,),
+                repairs=repairs(reading, at) if wanted else (),
+            )
+    reason = "; ".join(dict.fromkeys(reasons))
+    return replace(
+        base, verdict=status, certificate=tuple(certificates), used=tuple(dict.fromkeys(used)), reason=reason
+    )
+
+
+def _decided_one(problem: Problem) -> tuple[Verdict, Certificate | None, tuple[str, ...]]:
+    """The verdict with its certificate and what it rests on, or why there is none; about numbers first if it can be."""
+    reasons = []
+    for way in (jets.of, lambda whole: jets.Jets(whole, True)):
+        try:
+            with limited(LIMIT):
+                if (numbers := way(problem)) is None:
+                    continue
+                outcome = identity.decide(hinted(numbers.problem))
+                if outcome.verdict is Verdict.UNDECIDED or (outcome.verdict is Verdict.REFUTED and not numbers.refutes):
+                    reasons.append(outcome.reason or "no functions are known that have the values of a counterexample")
+                    continue
+                made = certificate(numbers.problem, outcome)
+                if (fault := check(made)) is None:
+                    return outcome.verdict, made, outcome.used
+                reasons.append(f"the certificate was not accepted ({fault})")
+        except OutOfTime:
+            reasons.append(f"the search was not over after {LIMIT:g} s")
+    return Verdict.UNDECIDED, None, (reasons[-1],)

@@ -1,0 +1,152 @@
+"""Unknown functions of one letter at one place: there, their values and derivatives are numbers like others.
+
+What is proved of all numbers holds of these. What fails for some numbers fails for functions too, if functions with
+these values exist for which all conditions hold along the whole way: a condition is then an equation that gives the
+highest derivative of a function, which by the theorem of Picard and Lindeloef has a solution, or it has no function in
+it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass, replace
+
+from symcheck.core.calculus import Unknown, derivative, differentiated, letters, substituted
+from symcheck.core.problems import Problem
+from symcheck.core.terms import Binder, Call, Formula, Node, Relation, T, Term, mapped, node
+
+
+@dataclass(frozen=True)
+class Jets:
+    """A problem about numbers, and whether a counterexample to it is one of functions.
+
+    Parameters
+    ----------
+    problem
+        The problem with letters for the values of functions and their derivatives.
+    refutes
+        Whether functions exist for every point that fails, once the conditions "leading" are added.
+    """
+
+    problem: Problem
+    refutes: bool
+
+
+def of(problem: Problem) -> Jets | None:
+    """The problem about numbers, if all unknown functions stand at one place, and the place nowhere else."""
+    try:
+        plain = _expanded(problem)
+    except Unknown:
+        return None
+    stated = [plain.claim, *(f for _, fs in plain.hypotheses for f in fs), *(t for _, t in plain.definitions)]
+    calls = {part for tree in stated for part in _calls(tree)}
+    places = {call.terms for call in calls}
+    if len(places) != 1 or not all(isinstance(x, str) for x in next(iter(places))):
+        return None
+    (place,) = places
+    names = {call: _name(call) for call in calls}
+    taken = set().union(*map(letters, stated)) | {name for name, _ in plain.definitions}
+    if taken & set(names.values()):
+        return None
+
+    def put(tree: T) -> T:
+        if isinstance(tree, Call):
+            return names[tree]  # type: ignore[return-value]
+        return mapped(tree, put) if isinstance(tree, Node) else tree  # type: ignore[return-value]
+
+    definitions = tuple((name, put(term)) for name, term in plain.definitions)
+    hypotheses = tuple((name, tuple(map(put, formulas))) for name, formulas in plain.hypotheses)
+    found = replace(plain, claim=put(plain.claim), definitions=definitions, hypotheses=hypotheses)
+    trees: list[Term] = [found.claim, *(f for _, fs in hypotheses for f in fs), *(t for _, t in definitions)]
+    if set().union(*map(letters, trees)) & {str(x) for x in place}:
+        return None  # what a function is may depend on its argument
+    return _solved(found, {name: call for call, name in names.items()})
+
+
+def _expanded(problem: Problem) -> Problem:
+    """The same without derivatives of anything but unknown functions, definitions unfolded where they stand in them."""
+    meant: dict[str, Term] = {}
+
+    def rate(tree: T) -> T:
+        if not isinstance(tree, Node):
+            return tree
+        if isinstance(tree, Binder) and tree.tag == "diff":
+            body = substituted(tree.body, {name: term for name, term in meant.items() if name != tree.letter})
+            slope = node("diff", rate(body), tree.letter, *tree.outside)
+            return rate(differentiated(slope))  # type: ignore[return-value, arg-type]
+        return mapped(tree, rate)  # type: ignore[return-value]
+
+    for name, term in problem.definitions:
+        meant[name] = rate(substituted(term, meant))
+    hypotheses = tuple((name, tuple(map(rate, formulas))) for name, formulas in problem.hypotheses)
+    return replace(problem, claim=rate(problem.claim), definitions=tuple(meant.items()), hypotheses=hypotheses)
+
+
+def _calls(tree: Term) -> Iterable[Call]:
+    if isinstance(tree, Call):
+        yield tree
+    if isinstance(tree, Node):
+        for part in (*tree.inside, *tree.outside):
+            yield from _calls(part)
+
+
+def _name(call: Call) -> str:
+    return "_".join([call.function, "at", *map(str, call.orders)])
+
+
+def _solved(problem: Problem, jets: dict[str, Call]) -> Jets:
+    """Whether the conditions are equations for highest derivatives; what must not vanish for that is one more."""
+    known = dict(problem.definitions)
+    formulas = [substituted(f, known) for _, fs in problem.hypotheses for f in fs if isinstance(f, Relation)]
+    open_ = [f for f in formulas if letters(f) & jets.keys()]
+    if any(letters(f) & jets.keys() for _, fs in problem.hypotheses for f in fs if not isinstance(f, Relation)):
+        return Jets(problem, False)
+    orders = {name: sum(call.orders) for name, call in jets.items()}
+    tops: dict[str, int] = {}
+    for formula in open_:
+        for name in letters(formula) & jets.keys():
+            function = jets[name].function
+            tops[function] = max(tops.get(function, 0), orders[name])
+    said = letters(substituted(problem.claim, known)) & jets.keys()
+    if any(orders[name] > tops.get(jets[name].function, 8) for name in said) or any(
+        len(c.orders) > 1 for c in jets.values()
+    ):
+        return Jets(problem, not open_)
+    leading: list[Formula] = []
+    while open_:
+        chosen = next(
+            ((f, x) for f in sorted(open_, key=str, reverse=False) for x in _tops(f, jets, tops, orders)), None
+        )
+        if chosen is None:
+            return Jets(problem, False)
+        formula, x = chosen
+        left, right = formula.terms
+        gap = node("+", left, node("-", right))
+        slope = derivative(gap, x)
+        value = node("+", x, node("-", node("/", gap, slope)))
+        if not isinstance(slope, int):
+            leading.append(node("!=", slope, 0))
+        del tops[jets[x].function]
+        open_ = [substituted(f, {x: substituted(value, {x: 0})}) for f in open_ if f is not formula]
+        open_ = [f for f in open_ if letters(f) & jets.keys()]
+    if leading:
+        problem = replace(problem, hypotheses=(*problem.hypotheses, ("leading", tuple(leading))))
+    return Jets(problem, True)
+
+
+def _tops(formula: Formula, jets: dict[str, Call], tops: dict[str, int], orders: dict[str, int]) -> Iterable[str]:
+    """The highest derivatives for which an equation can be solved."""
+    if formula.tag != "=":
+        return
+    for x in sorted(letters(formula) & jets.keys()):
+        function = jets[x].function
+        if tops.get(function, 0) != orders[x] or not orders[x]:
+            continue
+        left, right = formula.terms
+        try:
+            slope = derivative(node("+", left, node("-", right)), x)
+        except Unknown:
+            continue
+        others = {name for name in letters(slope) & jets.keys() if orders[name] >= tops.get(jets[name].function, 9)}
+        if x not in letters(slope) and slope != 0 and not others:
+            yield x

@@ -1,0 +1,301 @@
+"""From the strings of a question to problems for the provers: definitions and conditions told apart."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from math import lcm
+
+from symcheck.core.calculus import domain, functions, letters
+from symcheck.core.problems import Problem
+from symcheck.core.terms import Binder, Formula, Node, T, Term, Value, mapped, node
+from symcheck.core.verdicts import SymcheckError
+from symcheck.reading import Notation, Tree, lower, read, tex
+from symcheck.reading.inference import SIZES, Inference, canonical, inferred, spelling
+from symcheck.reading.occurrences import occurrences
+from symcheck.reading.parser import dependence
+from symcheck.reading.surface import plain, with_plain_differentials
+
+_MEMBER = re.compile(r"^(.+?)\s*\\in\s*(.+)$", re.DOTALL)
+_SETS = {"R": "", "Z": "integer", "N": "integer", "Q": "", "C": "complex"}
+_SET = re.compile(r"^\\mathbb\s*\{?([RZNQC])\}?\s*(?:_\{?\s*(>\s*0|\\geq?\s*0|\+)\s*\}?)?\s*(?:\^\s*\{?([^{}]*)\}?)?$")
+Definitions = Mapping[str, tuple[str, tuple[str, ...], str]]  # left side, arguments and right side, by the letter
+_SIZE_OF = re.compile(r"\\mathbb\s*\{?R\}?\s*\^\s*\{?\s*([A-Za-z])\s*(?:\\times\s*([A-Za-z]))?")
+LARGER = (4, 1)  # sizes of vectors and matrices where no smaller one makes sense
+LONGEST = 20_000  # characters; the longest display of the corpora has a tenth of it
+DEFINED = "defined"  # the name of the condition that every printed term has a value
+
+
+@dataclass(frozen=True)
+class Asked:
+    """What a user asks: everything is LaTeX."""
+
+    relation: str
+    where: tuple[str, ...] = ()
+    given: tuple[str, ...] = ()
+    letters: tuple[tuple[str, str], ...] = ()
+
+    def __post_init__(self) -> None:
+        for text in (self.relation, *self.where, *self.given):
+            if len(text) > LONGEST:
+                raise SymcheckError(f"{text[:40]}... has {len(text)} characters; more than {LONGEST} are no formula")
+            if strange := [k for k, c in enumerate(text) if not c.isprintable() and not c.isspace()]:
+                raise SymcheckError(
+                    f"a control character stands at character {strange[0] + 1} of {text[:40]!r}; remove it"
+                )
+
+
+@dataclass(frozen=True)
+class Reading:
+    """One way to understand a question."""
+
+    inference: Inference
+    tree: Tree
+    problems: tuple[Problem, ...]
+    stated: Mapping[str, str]  # definitions and conditions as printed, by their names in the problems
+    source: tuple[Asked, Inference, Definitions, Sequence[str], Sequence[str]]
+
+
+def plainly(asked: Asked) -> Asked:
+    """The same without what is layout alone."""
+
+    def made(text: str) -> str:
+        return with_plain_differentials(plain(text))
+
+    said = tuple((made(letter), phrase) for letter, phrase in asked.letters)
+    return Asked(made(asked.relation), tuple(map(made, asked.where)), tuple(map(made, asked.given)), said)
+
+
+def sizes(asked: Asked) -> list[str]:
+    """The letters that say how many components or addends there are."""
+    found = [part for text in asked.given for m in [_SIZE_OF.search(text)] if m for part in m.groups() if part]
+    for text in (asked.relation, *asked.where):
+        found += [place.arguments[1] for place in occurrences(text) if place.role == "index" and place.arguments]
+    return [each for each in dict.fromkeys(found) if tex.spelled(each) is not None and each != r"\infty"]
+
+
+def members(given: Iterable[str], said: Mapping[str, str]) -> tuple[list[str], dict[str, str]]:
+    r"""The conditions that are formulas, and what the others, such as `n \in \mathbb{Z}_{>0}`, say of letters."""
+    conditions, phrases = list[str](), dict(said)
+    for condition in given:
+        match = _MEMBER.match(condition.strip())
+        if match and re.fullmatch(r"(?:\\(?:mathrm|operatorname|text)\s*\{)?SO\}?\s*\(\s*3\s*\)", match[2].strip()):
+            phrases[match[1]] = "rotation"
+            conditions += [rf"{match[1]}^T {match[1]} = \operatorname{{diag}}(1, 1, 1)", rf"\det({match[1]}) = 1"]
+            continue
+        kind = _SET.match(match[2].strip()) if match else None
+        if not match or not kind:
+            conditions.append(condition)
+            continue
+        latex, (which, part, size) = match[1], kind.groups()
+        if which == "C":
+            raise SymcheckError(f"{condition}: complex letters are not read yet; write real and imaginary parts")
+        if size:
+            phrases[latex] = f"real {_size(size, condition, said)}"
+        elif _SETS[which]:
+            phrases.setdefault(latex, _SETS[which])
+        if part and ">" in part:
+            conditions.append(f"{latex} > 0")
+        elif part or which == "N":
+            conditions.append(rf"{latex} \ge 0")
+    return conditions, phrases
+
+
+def _size(text: str, condition: str, said: Mapping[str, str]) -> str:
+    found = re.fullmatch(r"\s*(\S+?)\s*(?:\\times\s*(\S+?))?\s*", text)
+    numbers = [said.get(n, n).removeprefix("the number ") for n in found.groups() if n] if found else []
+    if not numbers or not all(n.isdigit() for n in numbers):
+        raise SymcheckError(f"{condition}: nothing can be said of vectors and matrices of all sizes at once")
+    return " ".join(numbers)
+
+
+def sides(latex: str) -> tuple[str, str] | None:
+    """Both sides of an equation with one sign, brackets and environments minded."""
+    depth, places = 0, []
+    for tok in tex.tokenize(latex):
+        depth += tok.text in ("{", "(", "[", r"\{", r"\begin")
+        depth -= tok.text in ("}", ")", "]", r"\}", r"\end")
+        if tok.text == "=" and depth == 0:
+            places.append(tok.at)
+    return (latex[: places[0]].strip(), latex[places[0] + 1 :].strip()) if len(places) == 1 else None
+
+
+def definitions(where: Sequence[str]) -> tuple[dict[str, tuple[str, tuple[str, ...], str]], list[str]]:
+    """Equations solved for a letter, as (left side, its arguments, right side) by the letter, and all others."""
+    found: dict[str, tuple[str, tuple[str, ...], str]] = {}
+    others = []
+    for equation in where:
+        if (parts := sides(equation)) is None or (head := _head(parts[0])) is None:
+            others.append(equation)
+            continue
+        name, arguments = head
+        used = {spelling(place) for place in occurrences(parts[1])}
+        if name in found or name in used:
+            others.append(equation)
+        else:
+            found[name] = (parts[0], arguments, parts[1])
+    return found, others
+
+
+def _head(left: str) -> tuple[str, tuple[str, ...]] | None:
+    """The letter that is defined, with its arguments, if the left side is nothing else."""
+    places = [place for place in occurrences(left) if place.role != "subscript"]
+    if not places or places[0].dots or places[0].primes or places[0].superscript:
+        return None
+    first, rest = places[0], places[1:]
+    if first.arguments is None:
+        whole = canonical(left) if not rest else None
+        return (spelling(first), ()) if whole and not re.search(r"[-+*/^\[\]()|]|\\(frac|sqrt|dot)", left) else None
+    if [place.word for place in rest] != [*first.arguments] or not left.rstrip().endswith(")"):
+        return None
+    return spelling(first), first.arguments
+
+
+def readings(asked: Asked, size: int = 0) -> list[Reading]:
+    """All readings that make sense; SymcheckError with the reason of the first if none does.
+
+    With a size the letters that say how many components or addends there are stand for it.
+    """
+    fixed = dict.fromkeys(sizes(asked), f"the number {size}") if size else {}
+    conditions, said = members(asked.given, {**dict(asked.letters), **fixed})
+    said |= fixed
+    defined, equations = definitions(asked.where)
+    formulas = [asked.relation, *asked.where, *conditions]
+    heads = {name: arguments for name, (_, arguments, _) in defined.items()}
+    errors = []
+    for tried in (SIZES, LARGER):
+        found = []
+        for inference in inferred(formulas, said, heads, tried):
+            try:
+                found.append(_reading(asked, inference, defined, equations, conditions))
+            except SymcheckError as error:
+                errors.append(error)
+        if found:
+            return found
+    raise errors[0]
+
+
+def _reading(
+    asked: Asked,
+    inference: Inference,
+    defined: Definitions,
+    equations: Sequence[str],
+    conditions: Sequence[str],
+    tree: Tree | None = None,
+) -> Reading:
+    notation = inference.notation
+    functions_ = functions_of(defined, notation)
+    tree = tree or read(asked.relation, notation)
+    claims = lower(tree, notation, functions_)
+    stated: dict[str, str] = {}
+    hypotheses: list[tuple[str, tuple[Formula, ...]]] = []
+    terms: dict[str, Term] = {}
+    for name, (left, _, right) in defined.items():
+        if name in functions_:
+            continue
+        for formula in lower(read(f"{left} = {right}", notation), notation, functions_):
+            head, value = formula[1], formula[2]
+            if isinstance(head, str) and head not in terms:
+                terms[head] = value
+            else:
+                hypotheses.append((_named(stated, f"{left} = {right}"), (formula,)))
+    for fact in inference.facts:
+        for formula in lower(read(fact, notation), notation, functions_):
+            head, value = formula[1], formula[2]
+            if isinstance(head, str) and head not in terms:
+                terms[head] = value
+            else:
+                hypotheses.append((_named(stated, fact), (formula,)))
+    for text in (*equations, *conditions):
+        hypotheses.append((_named(stated, text), lower(read(text, notation), notation, functions_)))
+    claims = tuple(map(rooted, claims))
+    hypotheses = [(name, tuple(map(rooted, formulas))) for name, formulas in hypotheses]
+    terms = {name: rooted(term) for name, term in terms.items()}
+    turned = parted_angles([*claims, *(f for _, fs in hypotheses for f in fs), *terms.values()], terms)
+    terms |= turned
+    unfolding = tuple((name, terms[name]) for name in _sorted(terms))
+    whole = [*claims, *(f for _, fs in hypotheses for f in fs), *(term for _, term in unfolding)]
+    valued = tuple(each for each in domain(*whole) if letters(each) or functions(each))
+    if valued:
+        hypotheses.append((DEFINED, valued))
+    problems = tuple(
+        Problem(f"question{n or ''}", claim, unfolding, tuple(hypotheses)) for n, claim in enumerate(claims)
+    )
+    return Reading(inference, tree, problems, stated, (asked, inference, defined, equations, conditions))
+
+
+def worded(reading: Reading, tree: Tree) -> tuple[Problem, ...]:
+    """The problems with another relation in the place of the one that was asked about."""
+    return _reading(*reading.source, tree).problems
+
+
+def rooted(tree: T) -> T:
+    """The same with powers of halves as powers of roots."""
+    if not isinstance(tree, Node):
+        return tree
+    new = mapped(tree, rooted)
+    match new:
+        case Value(tag="pow", terms=(base, Value(tag="/", terms=(int(n), 2)))):
+            return node("sqrt", base) if n == 1 else node("^", node("sqrt", base), n)  # type: ignore[return-value]
+    return new  # type: ignore[return-value]
+
+
+def parted_angles(trees: Iterable[Term], defined: Mapping[str, Term]) -> dict[str, Term]:
+    """Letters of which parts such as x/2 stand under a sine, cosine or exponential, as multiples of new letters."""
+    parts: dict[str, int] = {}
+    for tree in trees:
+        for x, d in _parts(tree, angle=False):
+            parts[x] = lcm(parts.get(x, 1), d)
+    return {x: node("*", d, f"{x}_part") for x, d in parts.items() if d > 1 and x not in defined}
+
+
+def _parts(tree: Term, *, angle: bool) -> Iterator[tuple[str, int]]:
+    """The letters under a sine or cosine that are divided by whole numbers, with these; bound ones are left alone."""
+    match tree:
+        case Value(tag="/", terms=(str(x), int(d))) if angle and d > 0:
+            yield x, d
+        case Value(tag="/", terms=(Value(tag="*", terms=(*_, str(x))), int(d))) if angle and d > 0:
+            yield x, d
+        case Value(tag="*", terms=(Value(tag="/", terms=(int(), int(d))), str(x))) if angle and d > 0:
+            yield x, d
+        case Value(tag="/", terms=(Value(tag="+") as total, int(d))) if angle and d > 0:
+            yield from ((x, d) for x in sorted(letters(total)))
+        case Node(bound=()):
+            for part in tree.outside:
+                yield from _parts(part, angle=angle or tree.tag in ("sin", "cos", "tan", "exp"))
+        case Binder(tag="diff"):
+            return
+
+
+def functions_of(defined: Definitions, notation: Notation) -> dict[str, tuple[tuple[Tree, ...], Tree]]:
+    """The definitions of functions: f(x) = ..., or f = ... where f is one of x."""
+    found = {}
+    for name, (_, arguments, right) in defined.items():
+        letter = notation.find(name, 0)
+        if letter is None or not letter.applies or letter.named:
+            continue
+        own = tuple(read(each, notation) for each in arguments) if arguments else dependence(letter, notation)
+        if own:
+            found[name] = own, read(right, notation)
+    return found
+
+
+def _named(stated: dict[str, str], text: str) -> str:
+    name = f"h{len(stated) + 1}"
+    stated[name] = text
+    return name
+
+
+def _sorted(terms: Mapping[str, Term]) -> list[str]:
+    """Names in an order in which each definition uses those before it."""
+    found: list[str] = []
+    todo = dict(terms)
+    while todo:
+        ready = [name for name, term in todo.items() if not letters(term) & todo.keys()]
+        if not ready:
+            raise SymcheckError(f"the definitions of {', '.join(todo)} go in a circle; give one of them as a condition")
+        found += ready
+        for name in ready:
+            del todo[name]
+    return found

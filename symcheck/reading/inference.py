@@ -1,0 +1,645 @@
+"""What the letters of formulas mean where nobody has declared them: inferred from what is done with them, and why.
+
+Where two readings are possible there are several inferences, each a whole notation; nothing is chosen silently.
+"""
+
+from __future__ import annotations
+
+import itertools
+import re
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field, replace
+
+from symcheck.core.verdicts import SymcheckError
+from symcheck.reading import tex
+from symcheck.reading.commands import ACCENTS, ROMAN, STYLES, known
+from symcheck.reading.lexer import SPACES
+from symcheck.reading.notation import VALUE, Letter, Notation, instances
+from symcheck.reading.occurrences import Occurrence, occurrences, words
+from symcheck.reading.relatives import Relatives, relatives
+
+SIZES = (3, 2)  # of vectors and matrices whose size nothing tells: what holds of both hardly fails of others
+MAX_READINGS = 8  # of one question: three letters with two readings each; more are refused
+_STYLED = re.compile(r"(?:\\\w+\{)?\\(mathbf|boldsymbol|bm|pmb|vec|overrightarrow)\{")  # a style, or an accent over it
+_TYPICAL = frozenset("fghFGH") | {r"\phi", r"\psi", r"\varphi", r"\Phi", r"\Psi", r"\Theta", r"\Gamma"}
+_SIZES = re.compile(r"^(?:\{)?(\w+)(?:\\times(\w+))?(?:\})?$")
+
+
+@dataclass(frozen=True, slots=True)
+class Guess:
+    """What one letter is taken for.
+
+    Parameters
+    ----------
+    letter
+        Its declaration.
+    taken
+        What that means, in words.
+    why
+        The evidence.
+    remote
+        Whether hardly anybody would mean this where the other possibility makes sense.
+    """
+
+    letter: Letter
+    taken: str
+    why: str
+    remote: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class Inference:
+    """One reading of a set of formulas: the notation, what each letter is taken for, and what was chosen.
+
+    Parameters
+    ----------
+    notation
+        All letters.
+    guesses
+        One for each letter, in order of appearance.
+    choices
+        What distinguishes this reading from the others; nothing if it is the only one.
+    facts
+        What is so of the letters in this reading, in LaTeX.
+    remote
+        Whether hardly anybody would read it so: then it can raise a doubt, and a proof in another reading stands.
+    """
+
+    notation: Notation
+    guesses: tuple[Guess, ...]
+    choices: tuple[str, ...] = ()
+    facts: tuple[str, ...] = ()
+    remote: bool = False
+
+
+@dataclass(slots=True)
+class Evidence:
+    """All places of one letter, and what is said of it."""
+
+    spelling: str
+    places: list[Occurrence] = field(default_factory=list)
+    indices: int = 0
+    values: set[int] = field(default_factory=set)
+    said: str = ""
+    index: bool = False
+    whole: bool = False
+    running: bool = False
+
+    @property
+    def dotted(self) -> bool:
+        return any(place.dots for place in self.places)
+
+    @property
+    def arguments(self) -> list[tuple[str, ...]]:
+        return [place.arguments for place in self.places if place.arguments is not None]
+
+    @property
+    def bare(self) -> bool:
+        """Does it stand anywhere without brackets behind it?"""
+        return any(place.arguments is None and place.role != "subscript" for place in self.places)
+
+    @property
+    def by(self) -> list[str]:
+        """The letters by which it, or something in which it stands, is differentiated."""
+        return list(dict.fromkeys(x for place in self.places for x in place.by))
+
+
+HABITS = {  # what a sign may mean of which a formula itself does not say which, by what shows that it stands there
+    "log": (re.compile(r"\\log(?![a-zA-Z])(?!\s*_)"), ("e", "10")),
+    "inverse": (re.compile(r"\\(?:sin|cos|tan|sinh|cosh|tanh)\s*\^\s*\{\s*-\s*1\s*\}"), ("function", "power")),
+}
+
+
+def inferred(
+    formulas: Sequence[str],
+    said: Mapping[str, str],
+    defined: Mapping[str, tuple[str, ...]],
+    sizes: Sequence[int] = SIZES,
+) -> list[Inference]:
+    r"""All readings of formulas that share their letters.
+
+    Parameters
+    ----------
+    formulas
+        Printed LaTeX.
+    said
+        Phrases about letters: "scalar", "vector", "matrix", "function of x, y", "depends on t", "integer", "index",
+        "differential", "imaginary unit", "skew matrix of \omega", "real^3", "real^{m \times n}", "SO(3)".
+    defined
+        Letters that an equation defines, with the letters of which they are functions there: ("x", "y") where it is
+        printed as f(x, y) = ..., nothing where it is f = ....
+    sizes
+        Of vectors and matrices whose size nothing tells.
+
+    Returns
+    -------
+    list of Inference
+        At least one.
+
+    Raises
+    ------
+    SymcheckError
+        If a phrase is not understood, or there are too many readings.
+    """
+    evidence = gathered(formulas, said)
+    _complete(evidence)
+    free = {key for key, each in evidence.items() if not each.said and key not in defined and _is_plain(each)}
+    related = relatives(evidence.keys(), free)
+    if not related:
+        found = _inferred(formulas, evidence, defined)
+        return [each for size in sizes for each in _sized(found, size, first=size == sizes[0])]
+    for name in related.entries:
+        evidence.setdefault(name, Evidence(name, [Occurrence(name)]))
+    loose = _inferred(formulas, evidence, defined)
+    found = [*(_related(each, related) for each in loose), *(replace(each, remote=True) for each in loose)]
+    return [each for size in sizes for each in _sized(found, size, first=size == sizes[0])]
+
+
+def _is_plain(of: Evidence) -> bool:
+    return not (of.dotted or of.index or of.whole or of.arguments or _is_derived(of) or of.indices > 0)
+
+
+def _related(inference: Inference, by: Relatives) -> Inference:
+    """The reading in which plain letters are components and lengths of bold ones."""
+    guesses = []
+    for guess in inference.guesses:
+        latex = guess.letter.latex
+        if latex in by.components:
+            letter = replace(guess.letter, components=by.components[latex], size=())
+            guess = Guess(letter, f"{guess.taken} with the components {by.components[latex]}", guess.why)
+        elif latex in by.lengths:
+            guess = Guess(guess.letter, f"the length of {by.lengths[latex]}", "the same letter stands in bold type")
+        elif latex in by.units:
+            guess = Guess(guess.letter, "a vector of length 1", "it is bold with a hat")
+        guesses.append(guess)
+    return replace(inference, notation=_with(inference, guesses), guesses=tuple(guesses), facts=by.facts)
+
+
+def _with(inference: Inference, guesses: Iterable[Guess]) -> Notation:
+    return _notation(guesses, **inference.notation.habits)
+
+
+def _sized(inferences: Iterable[Inference], size: int, *, first: bool) -> Iterator[Inference]:
+    """The same with vectors and matrices of so many components, where nothing says how many they have."""
+    for inference in inferences:
+        guesses = [_of_size(guess, size) for guess in inference.guesses]
+        if any(map(_unsized, inference.guesses)):
+            told = f"vectors and matrices of {size} components and rows"
+            yield Inference(
+                _with(inference, guesses), tuple(guesses), (*inference.choices, told), inference.facts, inference.remote
+            )
+        elif first:
+            yield inference
+
+
+def _unsized(guess: Guess) -> bool:
+    letter = guess.letter
+    return letter.kind in ("vector", "matrix") and not letter.size and letter.components is None and not letter.skew
+
+
+def _of_size(guess: Guess, size: int) -> Guess:
+    if not _unsized(guess):
+        return guess
+    sizes = (size,) if guess.letter.kind == "vector" else (size, size)
+    return replace(guess, letter=replace(guess.letter, size=sizes), taken=f"{guess.taken} of {size}")
+
+
+def _inferred(
+    formulas: Sequence[str], evidence: Mapping[str, Evidence], defined: Mapping[str, tuple[str, ...]]
+) -> list[Inference]:
+    """All readings by the options of each letter."""
+    options = [[*_options(each, evidence, defined)] for each in evidence.values()]
+    habits = [
+        [(name, value) for value in values]
+        for name, (pattern, values) in HABITS.items()
+        if any(map(pattern.search, formulas))
+    ]
+    count = 1
+    for size in (*map(len, options), *map(len, habits)):
+        count *= size
+    if count > MAX_READINGS:
+        several = ", ".join([o[0].letter.latex for o in options if len(o) > 1] + [h[0][0] for h in habits])
+        raise SymcheckError(f"{count} readings are possible; say what these are: {several}")
+    found = []
+    for chosen in itertools.product(*options):
+        choices = tuple(
+            f"{g.letter.latex}: {g.taken}" for g, each in zip(chosen, options, strict=True) if len(each) > 1
+        )
+        for meaning in itertools.product(*habits):
+            notation = _notation(chosen, **dict(meaning))
+            told = (*choices, *(f"{name}={value}" for name, value in meaning))
+            found.append(Inference(notation, chosen, told, remote=any(guess.remote for guess in chosen)))
+    return found
+
+
+def gathered(formulas: Sequence[str], said: Mapping[str, str]) -> dict[str, Evidence]:
+    """All letters with their places; those below a sum and those said to be are indices."""
+    wholes = names_of_several_tokens(formulas, said)
+    places = [place for formula in formulas for place in _paired(occurrences(formula, wholes))]
+    index = {place.word for place in places if place.role == "index"}
+    index |= {canonical(latex) for latex, phrase in said.items() if phrase == "index"}
+    ends = {place.word: place.arguments for place in places if place.role == "index" and place.arguments}
+    families = {p.word for p in places if p.subscript is not None and index.intersection(words(p.subscript))}
+    phrases = {latex if latex in wholes else canonical(latex): phrase for latex, phrase in said.items()}
+    found: dict[str, Evidence] = {}
+    for place in places:
+        if place.role == "subscript":
+            continue
+        tokens, latex = words(place.subscript), place.word
+        family = place.word in families and bool(tokens) and all(t in index or t.isdigit() for t in tokens)
+        if tokens and not family:
+            latex += tex.subscript([tex.Tok(text, 0) for text in place.subscript or ()])
+        key = f"{latex} {len(tokens)}" if family else latex
+        own = found.setdefault(key, Evidence(latex, indices=len(tokens) if family else 0))
+        own.places.append(place)
+        own.values |= {int(t) for t in tokens if t.isdigit()} if family else set()
+        own.said = phrases.get(latex, "")
+        own.index = latex in index and not tokens
+        own.whole = latex in wholes
+        for low, high in (ends.get(t, ("", "")) for t in tokens) if family else ():
+            low, high = (phrases.get(end, "").removeprefix("the number ") or end for end in (low, high))
+            if low.isdigit() and high.isdigit():
+                own.values |= {int(low), int(high)}
+            elif high:
+                own.running = True
+    return found
+
+
+def names_of_several_tokens(formulas: Sequence[str], said: Mapping[str, str]) -> list[str]:
+    r"""Names printed with several tokens: those of which something is said, and differences such as `\Delta x`."""
+    found = [latex for latex in said if not _is_letter(latex)]
+    for formula in formulas:
+        found += _labelled(formula)
+    return list(dict.fromkeys(found))
+
+
+_SIGNS = frozenset({"*", "+", "-", r"\star", r"\dagger", r"\ddagger", r"\sharp", r"\flat"})
+
+
+def _labelled(formula: str) -> Iterator[str]:
+    r"""Letters with a superscript that is no power: `x^*`, `x_i^{(k)}`, `v^{\text{max}}`; matrices `[P]`, `[BN]`."""
+    reader = tex.Reader(formula)
+    toks = reader.toks
+    while reader.i < len(toks):
+        start, text = reader.i, reader.peek()
+        if text == "[" and (end := _bracketed(toks, start)):
+            yield " ".join(tok.text for tok in toks[start:end])
+            reader.i = end
+            continue
+        if text == r"\prescript":
+            reader.i += 1
+            for _ in range(3):
+                reader.group()
+            while reader.peek() == "_" or (reader.peek() == "^" and reader.peek(2) != "T"):
+                reader.i += 1
+                reader.group()
+            yield " ".join(tok.text for tok in toks[start : reader.i])
+            continue
+        if text in (r"\Delta", r"\delta") and tex.is_letter(reader.peek(1)) and not known(reader.peek(1)):
+            try:
+                reader.i += 1
+                reader.spelling()
+                while reader.peek() == "_":
+                    reader.i += 1
+                    reader.group()
+                yield " ".join(tok.text for tok in toks[start : reader.i])
+            except SymcheckError:
+                reader.i = start + 1
+            continue
+        if not tex.is_letter(text):
+            reader.i += 1
+            continue
+        try:
+            word, label = reader.spelling(), False
+            while not known(word) and reader.peek() in ("_", "^"):
+                mark, reader.i = reader.peek(), reader.i + 1
+                inside = [tok.text for tok in reader.group() if tok.text not in SPACES]
+                label = label or (mark == "^" and _is_label(inside))
+            if label:
+                yield " ".join(tok.text for tok in toks[start : reader.i])
+        except SymcheckError:
+            reader.i = max(reader.i, start + 1)
+
+
+def _is_label(inside: Sequence[str]) -> bool:
+    """Is a superscript a sign, a number in brackets or a word, so that it is no power?"""
+    bracketed = len(inside) > 2 and (inside[0], inside[-1]) in {("(", ")"), ("[", "]")}
+    word = bool(inside) and inside[0] in ROMAN and "".join(inside[1:]).strip("{}") != "T"
+    return (len(inside) == 1 and inside[0] in _SIGNS) or bracketed or word
+
+
+def _bracketed(toks: Sequence[tex.Tok], start: int) -> int:
+    """Where a matrix in brackets ends that begins here: one letter with its scripts, or two capitals; 0 without one."""
+    end = next((k for k in range(start, len(toks)) if toks[k].text == "]"), 0)
+    inner = [tok.text for tok in toks[start + 1 : end]]
+    letters = [text for text in inner if text not in ("_", "{", "}") and not text.isdigit()]
+    pair = len(letters) == 2 and all(len(text) == 1 and text.isupper() for text in letters)
+    styled = bool(inner) and ((inner[0].isalpha() and inner[0].isupper()) or inner[0] in STYLES | ACCENTS)
+    if not end or not (pair or (styled and _is_letter(" ".join(inner)))):
+        return 0
+    reader = tex.Reader(" ".join(tok.text for tok in toks[end + 1 :]))
+    while reader.peek() == "_":  # the scripts of the name
+        reader.i += 1
+        reader.group()
+    return end + 1 + reader.i
+
+
+def _is_letter(latex: str) -> bool:
+    """Is this one letter, with a subscript at most?"""
+    reader = tex.Reader(latex)
+    if not tex.is_letter(reader.peek()):
+        return False
+    try:
+        word = reader.spelling()
+        while reader.peek() in ("'", "_"):
+            mark, reader.i = reader.peek(), reader.i + 1
+            if mark == "_":
+                reader.group()
+    except SymcheckError:
+        return False
+    return reader.i == len(reader.toks) and not (known(word) and word != r"\Gamma")
+
+
+def _complete(evidence: dict[str, Evidence]) -> None:
+    """Letters that are meant without being printed: the time, where there are dots, and the d of differentials."""
+    if any(each.dotted for each in evidence.values()) and not {"t", r"\tau"} & evidence.keys():
+        evidence["t"] = Evidence("t", [Occurrence("t")])
+    used = any(
+        p.role == "variable" or (p.role == "derived" and p.before == "d") for e in evidence.values() for p in e.places
+    )
+    if used and "d" not in evidence:
+        evidence["d"] = Evidence("d", [Occurrence("d")], said="differential")
+    for each in [*evidence.values()]:
+        if each.said.startswith("skew matrix of "):
+            name = canonical(each.said.removeprefix("skew matrix of "))
+            own = evidence.setdefault(name, Evidence(name, [Occurrence(name)]))
+            own.said = own.said or "vector"
+
+
+def _paired(places: Sequence[Occurrence]) -> list[Occurrence]:
+    """The same, each with the letters beside it behind a dot or a cross."""
+    found = list(places)
+    own = [k for k, place in enumerate(places) if place.role != "subscript"]
+    for k, m in itertools.pairwise(own):
+        if places[k].after in (r"\cdot", r"\times") and places[m].before == places[k].after:
+            found[k] = replace(found[k], beside=(*found[k].beside, spelling(places[m])))
+            found[m] = replace(found[m], beside=(*found[m].beside, spelling(places[k])))
+    return found
+
+
+def spelling(place: Occurrence) -> str:
+    """The spelling of the letter at one place, with its subscript."""
+    return place.word + (tex.subscript([tex.Tok(t, 0) for t in place.subscript]) if place.subscript else "")
+
+
+def canonical(latex: str) -> str:
+    """The spelling of a letter as evidence is kept."""
+    found = occurrences(latex)
+    if not found:
+        return latex
+    return spelling(found[0])
+
+
+def _options(of: Evidence, every: Mapping[str, Evidence], defined: Mapping[str, tuple[str, ...]]) -> Iterator[Guess]:
+    """All that a letter may be."""
+    latex = of.spelling
+    if of.said:
+        yield _as_said(of, every)
+        return
+    if of.index:
+        yield Guess(Letter(latex, kind="index", name=_plain(latex)), "an index", "a sum runs over it")
+        return
+    if number := _number(of):
+        yield from number
+        return
+    base, _, below = latex.partition("_")
+    parts = below.strip("{}")
+    if of.arguments and defined.get(base) and parts and set(parts) <= set(defined[base]):
+        derived = _letter(of, kind="function", partial=(base, *parts))
+        yield Guess(derived, f"the derivative of {base} by {', '.join(parts)}", f"{base} is a function of these")
+        return
+    variables = defined.get(latex)
+    simple = _common_arguments(of)
+    if variables:
+        letters = ", ".join(variables)
+        yield Guess(_letter(of, kind="function", depends=letters), f"a function of {letters}", "it is defined as one")
+    elif of.arguments and not of.bare and (simple or not _may_be_factor(of)):
+        depends = ", ".join(simple) if simple else None
+        yield Guess(_letter(of, kind="function", depends=depends), "a function", "it stands before its arguments only")
+    elif of.arguments and simple and _varies(of):
+        yield Guess(
+            _letter(of, depends=", ".join(simple)), f"a function of {', '.join(simple)}", "it stands before them"
+        )
+    elif of.arguments and not of.bare:
+        product = Guess(_letter(of, depends=""), "a number", "it stands before brackets with a sum")
+        function = Guess(_letter(of, kind="function"), "a function", "it stands before brackets only")
+        yield from (function, product) if latex in _TYPICAL else (product, function)
+    elif of.dotted or _is_derived(of):
+        yield from _dependent(of, every, latex in defined)
+    elif of.whole and latex.startswith(r"\prescript"):
+        kind = "matrix" if re.search(r"\{ (?:\\\w+ \{ )?[A-Z]", latex.split("} {")[-1]) else "vector"
+        yield Guess(_letter(of, kind=kind, depends=""), f"a {kind}", "a frame stands at its left")
+    elif of.whole and latex.startswith("["):
+        yield Guess(_letter(of, kind="matrix", depends=""), "a matrix", "it stands in brackets")
+    elif latex in _IDENTITIES and (size := _matrix_size(every)) is not None:
+        own = (size, size) if size else ()
+        yield Guess(_letter(of, kind="matrix", size=own, identity=True), "the identity", "it stands beside matrices")
+        if latex != r"\mathbf{1}":
+            yield Guess(_letter(of, kind="matrix", size=own), "a matrix", "it is capital", remote=True)
+    elif _STYLED.match(latex):
+        yield from _styled(of)
+    elif _beside_vectors(of, every):
+        yield Guess(_letter(of, kind="vector", depends=""), "a vector", "it is multiplied by one")
+    else:
+        yield Guess(_letter(of, depends=""), "a real number", "nothing else is done with it")
+
+
+_IDENTITIES = frozenset({"I", r"\mathbf{I}", r"\bm{I}", r"\boldsymbol{I}", r"\mathbb{I}", r"\mathbf{1}"})
+
+
+def _matrix_size(every: Mapping[str, Evidence]) -> int | None:
+    """The number of rows of the matrices that are said to be some, or are capital and bold; 0 if it is not said."""
+    found = None
+    for each in every.values():
+        if each.spelling in _IDENTITIES:
+            continue
+        if match := re.fullmatch(r"real (\d+) (\d+)", each.said):
+            return int(match[1])
+        if each.said.startswith(("matrix", "skew matrix")):
+            return 3
+        if _is_styled(each.spelling, capital=True):
+            found = 0
+    return found
+
+
+def _beside_vectors(of: Evidence, every: Mapping[str, Evidence]) -> bool:
+    """Does a dot or a cross stand between it and a vector, or is it the length of something with a hat?"""
+
+    def is_vector(spelling: str) -> bool:
+        each = every.get(spelling)
+        styled = _is_styled(spelling, capital=False)
+        return each is not None and (
+            styled or each.said == "vector" or re.fullmatch(r"real \d+", each.said) is not None
+        )
+
+    beside = {x for place in of.places for x in place.beside}
+    accented = re.match(r"\\(hat|widehat|vec)\{", of.spelling) is not None
+    return any(map(is_vector, beside)) or (
+        accented and any(p.before in ("|", r"\|") and p.after in ("|", r"\|") for p in of.places)
+    )
+
+
+def _as_said(of: Evidence, every: Mapping[str, Evidence]) -> Guess:
+    """A letter of which something is said."""
+    phrase, why = of.said, "it is said to be"
+    if phrase in ("scalar", "integer"):
+        whole = phrase == "integer"
+        return Guess(_letter(of, depends="", integer=whole), "a whole number" if whole else "a real number", why)
+    if match := re.fullmatch(r"the number (\d+)", phrase):
+        return Guess(Letter(of.spelling, value=int(match[1]), name=_plain(of.spelling)), phrase, why)
+    if phrase == "index":
+        return Guess(Letter(of.spelling, kind="index", name=_plain(of.spelling)), "an index", why)
+    if phrase == "differential":
+        return Guess(Letter(of.spelling, kind="differential"), "the sign of a differential", why)
+    if phrase == "imaginary unit":
+        return Guess(Letter(of.spelling, number="i"), "the imaginary unit", why)
+    depends = _time(every) if of.dotted else ""
+    if phrase in ("vector", "matrix"):
+        return Guess(_letter(of, kind=phrase, depends=depends), f"a {phrase}", why)
+    if match := re.fullmatch(r"(function of|depends on) (.+)", phrase):
+        kind = "function" if match[1] == "function of" else "scalar"
+        return Guess(_letter(of, kind=kind, depends=match[2]), f"a function of {match[2]}", why)
+    if phrase == "rotation":
+        return Guess(_letter(of, kind="matrix", depends=depends), "a rotation matrix", why)
+    if match := re.fullmatch(r"skew matrix of (.+)", phrase):
+        return Guess(_letter(of, kind="matrix", skew=match[1]), f"the skew matrix of {match[1]}", why)
+    if match := re.fullmatch(r"real (\d+)(?: (\d+))?", phrase):
+        size = tuple(int(n) for n in match.groups() if n)
+        kind = "vector" if len(size) == 1 else "matrix"
+        return Guess(_letter(of, kind=kind, size=size, depends=depends), f"a {kind}", why)
+    raise SymcheckError(
+        f"{of.spelling} is said to be {phrase!r}, which is not understood; say scalar, vector, matrix, integer, index, "
+        "function of x, depends on t, differential, imaginary unit or skew matrix of a vector"
+    )
+
+
+def _number(of: Evidence) -> list[Guess]:
+    """What e, i, j and pi may be."""
+    latex = of.spelling
+    if latex == r"\pi":
+        return [Guess(Letter(latex, number="pi"), "the number pi", "so it is written")]
+    if latex in ("e", r"\text{e}"):
+        euler = Guess(Letter(latex, number="e"), "Euler's number", "it is raised to a power")
+        letter = Guess(_letter(of, depends="", name="e_letter"), "a real number", "it stands without an exponent")
+        powers = [place.superscript for place in of.places]
+        variable = [power is not None and not "".join(power).strip("{}").isdigit() for power in powers]
+        if latex != "e" or all(variable):
+            return [euler]
+        return [euler, replace(letter, remote=any(variable))]
+    if latex in ("i", "j", r"\text{i}", r"\text{j}"):
+        unit = Guess(Letter(latex, number="i"), "the imaginary unit", "so it is written")
+        plain = Guess(_letter(of, depends="", name=_plain(latex)), "a real number", "it is a letter like others")
+        return [unit] if latex[0] == "\\" or any(place.exponent for place in of.places) else [unit, plain]
+    return []
+
+
+def _common_arguments(of: Evidence) -> tuple[str, ...]:
+    """The letters that stand in brackets behind it wherever there are any: (x, t)."""
+    found = set(of.arguments)
+    if len(found) != 1:
+        return ()
+    (args,) = found
+    return args if all(tex.spelled(arg) is not None for arg in args) else ()
+
+
+def _may_be_factor(of: Evidence) -> bool:
+    """Could it be multiplied with what stands in brackets behind it, a sum or a product?"""
+    return all(len(args) == 1 and len(args[0].split()) > 1 for args in of.arguments)
+
+
+def _varies(of: Evidence) -> bool:
+    return all(place.dots or place.primes or place.arguments is not None for place in of.places) or bool(
+        of.dotted or any(place.role == "derived" for place in of.places)
+    )
+
+
+def _is_derived(of: Evidence) -> bool:
+    return any(place.role == "derived" and of.spelling not in place.by for place in of.places)
+
+
+def _time(every: Mapping[str, Evidence]) -> str:
+    return "t" if "t" in every or r"\tau" not in every else r"\tau"
+
+
+def _dependent(of: Evidence, every: Mapping[str, Evidence], named: bool) -> Iterator[Guess]:
+    """A letter with dots, or one in a derivative."""
+    on = [_time(every)] if of.dotted else []
+    on += [x for x in of.by if x not in on and x != of.spelling]
+    words = ", ".join(on)
+    kind = "vector" if _is_styled(of.spelling, capital=False) else "scalar"
+    direct = of.dotted or any(place.role == "derived" and place.before in ("d", r"\partial") for place in of.places)
+    within = any(x in every and _stands_in_body(every[x]) for x in on)
+    varying = Guess(
+        _letter(of, kind=kind, depends=words, named=named), f"a function of {words}", "it is differentiated"
+    )
+    constant = Guess(
+        _letter(of, kind=kind, depends=""), "constant", "it has no dot, and the other letter stands beside it"
+    )
+    if direct or named:
+        yield varying
+    elif within:
+        yield constant
+    else:
+        yield varying
+        yield constant
+
+
+def _stands_in_body(of: Evidence) -> bool:
+    return any(place.role == "derived" for place in of.places)
+
+
+def _is_styled(latex: str, *, capital: bool) -> bool:
+    """Is a letter bold or with an arrow, and capital or not?"""
+    found = _STYLED.match(latex)
+    return found is not None and latex[found.end() :].lstrip("\\")[:1].isupper() == capital
+
+
+def _styled(of: Evidence) -> Iterator[Guess]:
+    """A bold letter, or one with an arrow."""
+    vector = Guess(_letter(of, kind="vector", depends=""), "a vector", "it is bold, or has an arrow")
+    matrix = Guess(_letter(of, kind="matrix", depends=""), "a matrix", "it is bold and capital")
+    if _is_styled(of.spelling, capital=False) or r"\vec" in of.spelling:
+        yield vector
+    else:
+        yield matrix
+        yield vector
+
+
+def _letter(of: Evidence, **given: object) -> Letter:
+    values = tuple(range(min(of.values, default=1), max(of.values, default=3) + 1))
+    given.setdefault("name", _plain(of.spelling))
+    return Letter(of.spelling, indices=of.indices, range=values, whole=of.whole, running=of.running, **given)  # type: ignore[arg-type]
+
+
+def _plain(latex: str) -> str:
+    name = re.sub(r"[^A-Za-z0-9]+", "_", re.sub(r"\\(mathbf|boldsymbol|bm|text|mathrm)\b", "", latex)).strip("_")
+    return name if name[:1].isalpha() else f"x{name}"
+
+
+def _notation(guesses: Iterable[Guess], **habits: str) -> Notation:
+    """The notation of these letters; no two are lowered to one variable."""
+    taken: set[str] = set()
+    found = []
+    for guess in guesses:
+        letter = guess.letter
+        if letter.kind not in ("index", "differential") and not letter.number:
+            names = (f"{letter.stem}{'' if n == 0 else f'v{n}'}" for n in itertools.count())
+            letter = next(
+                new
+                for name in names
+                for new in [replace(letter, name=name)]
+                if not any(x in taken or VALUE.fullmatch(x) for x, _ in instances(new))
+            )
+            taken |= {x for x, _ in instances(letter)}
+        found.append(letter)
+    return Notation(found, **habits)

@@ -1,0 +1,325 @@
+"""Where letters stand in printed formulas, and what is done with them there: the evidence for their kinds."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, replace
+
+from symcheck.core.verdicts import SymcheckError
+from symcheck.reading import tex
+from symcheck.reading.commands import ROMAN, known
+from symcheck.reading.lexer import CLOSE, FUNCTIONS, OPEN, SIZES, SPACES
+from symcheck.reading.notation import undotted
+
+SIGNED_SUMS = frozenset({r"\sum", r"\prod"})
+FRACTIONS = frozenset({r"\frac", r"\dfrac", r"\tfrac"})
+TRANSPOSED = frozenset({("T",), (r"\top",), (r"\intercal",)})  # superscripts that transpose a matrix
+DIFFERENTIALS = frozenset({"d", r"\partial", r"\text{d}"})
+
+
+@dataclass(frozen=True, slots=True)
+class Occurrence:
+    """One place where a letter is printed.
+
+    Parameters
+    ----------
+    word
+        The letter in its canonical spelling, without dots.
+    dots, primes
+        How many there are.
+    subscript, superscript
+        The tokens of the scripts; None where there is none.
+    arguments
+        The texts of what stands in round brackets behind it, apart at commas; None without brackets.
+    role
+        "" in an expression, "index" below a sum, "variable" behind the d of an integral or below that of a derivative,
+        "derived" behind the d above, "subscript" within one.
+    before, after
+        The tokens beside it, spaces left out; "" at the ends.
+    """
+
+    word: str
+    dots: int = 0
+    primes: int = 0
+    subscript: tuple[str, ...] | None = None
+    superscript: tuple[str, ...] | None = None
+    arguments: tuple[str, ...] | None = None
+    role: str = ""
+    before: str = ""
+    after: str = ""
+    by: tuple[str, ...] = ()  # the letters below the derivative under which it stands
+    beside: tuple[str, ...] = ()  # letters behind a dot or a cross before it or behind it
+    exponent: bool = False  # does it stand in an exponent of e?
+
+
+@dataclass(slots=True)
+class Scope:
+    """What is known of the group that is being scanned."""
+
+    role: str = ""
+    by: tuple[str, ...] = ()
+    integral: bool = False
+    exponent: bool = False
+
+
+def occurrences(source: str, wholes: Sequence[str] = ()) -> list[Occurrence]:
+    """All letters of a formula, in printed order; what cannot be a letter is passed over.
+
+    `wholes` are names that are printed with several tokens.
+    """
+    return [*Scan(source, wholes).run(Scope())]
+
+
+class Scan(tex.Reader):
+    """Walks over the tokens of a formula; nothing is refused that the reader itself will refuse better."""
+
+    def __init__(self, source: str, wholes: Sequence[str] = ()) -> None:
+        super().__init__(source)
+        self.wholes = sorted(
+            ((tuple(t.text for t in tex.tokenize(w)), w) for w in wholes), key=lambda pair: -len(pair[0])
+        )
+
+    def whole(self) -> str:
+        """The name of several tokens that begins here; "" if none does."""
+        for tokens, spelling in self.wholes:
+            if all(self.peek(k) == text for k, text in enumerate(tokens)):
+                self.i += len(tokens)
+                return spelling
+        return ""
+
+    def transposes(self) -> bool:
+        """Does a superscript begin here that transposes what stands in brackets before it?"""
+        start, self.i = self.i, self.i + 1
+        inside = tuple(words([tok.text for tok in self.group()])) if self.i < len(self.toks) else ()
+        self.i = start
+        return inside in TRANSPOSED
+
+    def run(self, scope: Scope, stop: int | None = None) -> Iterator[Occurrence]:
+        stop = len(self.toks) if stop is None else stop
+        while self.i < stop:
+            text = self.peek()
+            if self.wholes and (name := self.whole()):
+                yield Occurrence(name, role=scope.role, by=scope.by)
+            elif text in (r"\begin", r"\end"):
+                self.environment()
+            elif text in SIGNED_SUMS:
+                yield from self.bounded(scope)
+            elif text in (r"\int", r"\iint", r"\iiint", r"\oint"):
+                scope.integral = True
+                self.i += 1
+            elif text in FRACTIONS:
+                yield from self.fraction(scope)
+            elif text == "_":
+                yield from self.script(scope, "subscript")
+            elif text == "^" and self.transposes():
+                self.i += 1
+                self.group()
+            elif text in FUNCTIONS_SPELLED or not tex.is_letter(text):
+                self.i += 1
+            elif text == "d" and scope.integral and self.differential():
+                self.i += 1
+                yield from self.letter(Scope("variable", scope.by))
+            else:
+                yield from self.letter(scope)
+
+    def environment(self) -> None:
+        self.i += 1
+        name = "".join(tok.text for tok in self.group())
+        if name == "array" and self.peek() == "{":
+            self.group()
+
+    def inside(self, scope: Scope) -> Iterator[Occurrence]:
+        """The letters of one TeX argument."""
+        if self.i >= len(self.toks):
+            return
+        if self.peek() != "{":
+            yield from self.run(scope, self.i + 1)
+            return
+        start = self.i
+        self.group()
+        end, self.i = self.i, start + 1
+        yield from self.run(scope, end - 1)
+        self.i = end
+
+    def script(self, scope: Scope, role: str) -> Iterator[Occurrence]:
+        self.i += 1
+        yield from self.inside(Scope(role, scope.by, exponent=scope.exponent))
+
+    def bounded(self, scope: Scope) -> Iterator[Occurrence]:
+        """A sum or product: the letters below it, before a sign of relation, are its indices."""
+        self.i += 1
+        while self.peek() in ("_", "^") or self.peek() in SPACES:
+            below = self.peek() == "_"
+            self.i += 1
+            if not below:
+                if self.peek(-1) == "^":
+                    yield from self.inside(Scope(scope.role, scope.by, exponent=scope.exponent))
+                continue
+            start = self.i
+            tokens = self.group()
+            end, self.i = self.i, start + (self.peek_at(start) == "{")
+            signs = [k for k, tok in enumerate(tokens) if tok.text in ("=", r"\in")]
+            ends = ("".join(tok.text for tok in tokens[signs[0] + 1 :]) if signs else "", self.above(end))
+            for index in self.run(Scope("index", scope.by), self.i + (signs[0] if signs else len(tokens))):
+                yield replace(index, arguments=ends)
+            yield from self.run(Scope(scope.role, scope.by, exponent=scope.exponent), end)
+            self.i = end
+
+    def above(self, place: int) -> str:
+        """The upper bound that stands here, as text."""
+        if self.peek_at(place) != "^":
+            return ""
+        kept, self.i = self.i, place + 1
+        text = "".join(tok.text for tok in self.group()) if self.i < len(self.toks) else ""
+        self.i = kept
+        return text
+
+    def peek_at(self, place: int) -> str:
+        return self.toks[place].text if place < len(self.toks) else ""
+
+    def differential(self) -> bool:
+        """Is the d here followed by a letter?"""
+        ahead = 1
+        while self.peek(ahead) in SPACES:
+            ahead += 1
+        return tex.is_letter(self.peek(ahead)) and self.peek(ahead) not in FUNCTIONS_SPELLED
+
+    def fraction(self, scope: Scope) -> Iterator[Occurrence]:
+        """A fraction; one of differentials is a derivative, with what it applies to above or behind it."""
+        self.i += 1
+        start = self.i
+        above = self.group() if self.i < len(self.toks) else []
+        middle = self.i
+        below = self.group() if self.i < len(self.toks) else []
+        end = self.i
+        heads = [next((tok.text for tok in part if tok.text not in SPACES), "") for part in (above, below)]
+        if not all(head in ("d", r"\partial", r"\mathrm", r"\text") for head in heads) or len(below) < 2:
+            self.i = start
+            yield from self.inside(scope)
+            yield from self.inside(scope)
+            return
+        variables = list(self.differentials(middle, end, "variable"))
+        by = tuple(each.word for each in variables)
+        yield from variables
+        yield from self.differentials(start, middle, "derived", by)
+        self.i = end
+        if not any(tok.text not in DIFFERENTIALS | {"^", "{", "}"} and not tok.text.isdigit() for tok in above):
+            yield from self.operand(scope, by)
+
+    def differentials(self, start: int, end: int, role: str, by: tuple[str, ...] = ()) -> Iterator[Occurrence]:
+        """The letters behind the d in one part of a derivative."""
+        self.i = start + (self.peek_at(start) == "{")
+        while self.i < end:
+            text = self.peek()
+            before = self.peek(-1) if self.i else ""
+            if self.wholes and (name := self.whole()):
+                yield Occurrence(name, role=role, by=by, before=before)
+            elif text in ("d", r"\partial"):
+                self.i += 1
+                if self.peek() == "^":
+                    self.i += 1
+                    self.group()
+            elif (
+                text in (r"\mathrm", r"\text") and "".join(t.text for t in self.toks[self.i + 1 : self.i + 4]) == "{d}"
+            ):
+                self.i += 4
+            elif tex.is_letter(text) and text not in FUNCTIONS_SPELLED:
+                yield from self.letter(Scope(role, by))
+            else:
+                self.i += 1
+
+    def operand(self, scope: Scope, by: tuple[str, ...]) -> Iterator[Occurrence]:
+        """What stands behind an operator such as d/dx: one factor, or what is in brackets."""
+        while self.peek() in SPACES | SIZES:
+            self.i += 1
+        if self.peek() in OPEN:
+            yield from self.run(Scope("derived", by), self.closing())
+        elif tex.is_letter(self.peek()) and self.peek() not in FUNCTIONS_SPELLED:
+            yield from self.letter(Scope("derived", by))
+        elif self.i < len(self.toks):
+            yield from self.run(Scope("derived", by), len(self.toks))
+
+    def closing(self) -> int:
+        """The place of the bracket that closes the one here, or the end."""
+        depth = 0
+        for k in range(self.i, len(self.toks)):
+            depth += (self.toks[k].text in OPEN) - (self.toks[k].text in CLOSE)
+            if depth == 0:
+                return k
+        return len(self.toks)
+
+    def letter(self, scope: Scope) -> Iterator[Occurrence]:
+        """One letter with its scripts and arguments; then the letters in these."""
+        before = next((tok.text for tok in reversed(self.toks[: self.i]) if tok.text not in SPACES), "")
+        start = self.i
+        try:
+            word, dots = undotted(self.spelling())
+        except SymcheckError:
+            self.i = start + 1
+            return
+        if word.removeprefix(r"\text{").removesuffix("}") in FUNCTIONS or known(word):
+            return
+        primes, scripts, inner = 0, dict[str, tuple[str, ...]](), list[Occurrence]()
+        while self.peek() in ("_", "^", "'") and self.peek() not in scripts:
+            mark = self.peek()
+            self.i += 1
+            if mark == "'":
+                primes += 1
+                continue
+            place = self.i
+            tokens = tuple(tok.text for tok in self.group()) if self.i < len(self.toks) else ()
+            if mark == "^" and tuple(words(tokens)) in TRANSPOSED:
+                continue
+            if mark == "^" and tokens and set(tokens) <= {"'", r"\prime"}:
+                primes += len(tokens)
+                continue
+            end, self.i = self.i, place
+            power = mark == "^" and word in ("e", r"\text{e}")
+            inner += self.inside(
+                Scope("subscript" if mark == "_" else scope.role, scope.by, exponent=power or scope.exponent)
+            )
+            self.i = end
+            scripts[mark] = tokens
+        arguments = self.arguments()
+        after = next((tok.text for tok in self.toks[self.i :] if tok.text not in SPACES | SIZES), "")
+        yield Occurrence(
+            word,
+            dots,
+            primes,
+            scripts.get("_"),
+            scripts.get("^"),
+            arguments,
+            scope.role,
+            before,
+            after,
+            scope.by,
+            exponent=scope.exponent,
+        )
+        yield from inner
+
+    def arguments(self) -> tuple[str, ...] | None:
+        """The texts between round brackets that open here, without moving on."""
+        ahead = self.i
+        while self.peek_at(ahead) in SIZES:
+            ahead += 1
+        if self.peek_at(ahead) != "(":
+            return None
+        found, depth, parts = list[str](), 0, list[list[str]]([[]])
+        for tok in self.toks[ahead:]:
+            depth += (tok.text in OPEN or tok.text == "{") - (tok.text in CLOSE or tok.text == "}")
+            if depth == 0:
+                break
+            if tok.text == "," and depth == 1:
+                parts.append([])
+            elif not (tok.text == "(" and depth == 1 and not parts[0]) and tok.text not in SIZES | SPACES:
+                parts[-1].append(tok.text)
+        found = [" ".join(part) for part in parts]
+        return tuple(found)
+
+
+FUNCTIONS_SPELLED = frozenset(f"\\{name}" for name in FUNCTIONS) | {r"\operatorname"}
+
+
+def words(tokens: Sequence[str] | None) -> list[str]:
+    """The tokens of a script that are letters or numbers."""
+    return [text for text in tokens or () if text not in {"{", "}", ","} | ROMAN | SPACES]

@@ -1,0 +1,368 @@
+r"""The surface of LaTeX made plain: layout without meaning is taken away, and spellings of one thing become one.
+
+`{\bf x}` is `\mathbf{x}`, `{x}` is `x`, `{a \over b}` is `\frac{a}{b}`, `\lvert x \rvert` is `|x|`. What is printed
+stays what it is: nothing is dropped that a reader sees, but phantoms, colours, labels and notes under braces.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass
+
+from symcheck.reading import tex
+from symcheck.reading.commands import ACCENTS, ROMAN, STYLES
+
+FONTS = {  # switches that hold to the end of their group
+    r"\bf": r"\mathbf", r"\bm": r"\bm", r"\pmb": r"\pmb", r"\boldsymbol": r"\boldsymbol", r"\rm": r"\mathrm",
+    r"\cal": r"\mathcal", r"\it": "", r"\sf": r"\mathsf", r"\mathbf": r"\mathbf", r"\mathrm": r"\mathrm",
+}  # fmt: skip
+SAME = {  # other spellings
+    r"\lvert": "|", r"\rvert": "|", r"\vert": "|", r"\lVert": r"\|", r"\rVert": r"\|", r"\Vert": r"\|",
+    r"\cfrac": r"\frac", r"\dotsc": r"\dots", r"\dotsb": r"\dots", r"\dotsm": r"\cdots", r"\hdots": r"\dots",
+    r"\textrm": r"\text", r"\mbox": r"\text", r"\textnormal": r"\text", r"\mathop": "", r"\mathrel": "",
+    r"\mathbin": "",
+    r"\mathord": "", r"\ensuremath": "", r"\boxed": "", r"\smash": "", r"\coloneqq": "=", r"\triangleq": "=",
+    r"\overrightarrow": r"\vec", r"\mathbfit": r"\mathbf", r"\textbf": r"\mathbf", r"\mathit": "", r"\mathnormal": "",
+    r"\boldmath": r"\mathbf", r"\textit": "", r"\textsf": r"\mathsf", r"\texttt": r"\text", r"\symbf": r"\mathbf",
+    r"\enspace": r"\ ", r"\thinspace": r"\,", r"\medspace": r"\:",
+    r"\thickspace": r"\;", r"\negthinspace": r"\!", r"\lbrack": "[", r"\rbrack": "]", r"\wedge": r"\wedge",
+    r"\leqq": r"\le", r"\gets": r"\leftarrow", r"\iff": r"\iff", r"\longleftarrow": r"\leftarrow", r"\geqq": r"\ge",
+    r"\neq": r"\ne", r"\operatorname*": r"\operatorname", r"\dag": r"\dagger",
+    r"\ast": "*", r"\prime": r"\prime", r"\lgroup": "(", r"\rgroup": ")", r"\bold": r"\mathbf",
+    r"\mathbfcal": r"\mathcal",
+}  # fmt: skip
+NOTHING = {  # layout, with the number of arguments that go with it
+    r"\displaystyle": 0, r"\textstyle": 0, r"\scriptstyle": 0, r"\notag": 0, r"\nonumber": 0, r"\label": 1,
+    r"\hspace": 1,
+    r"\hspace*": 1, r"\vspace": 1, r"\phantom": 1, r"\hphantom": 1, r"\vphantom": 1, r"\mathstrut": 0, r"\strut": 0,
+    r"\color": 1, r"\nolinebreak": 0, r"\allowbreak": 0, r"\relax": 0, r"\limits": 0, r"\nolimits": 0, r"\noindent": 0,
+    r"\small": 0, r"\large": 0, r"\null": 0, r"\hfill": 0, r"\hfil": 0, r"\centering": 0, r"\footnotesize": 0,
+    r"\tiny": 0,
+}  # fmt: skip
+SECOND = frozenset({r"\textcolor", r"\overset", r"\stackrel", r"\underset"})  # the second argument is what counts
+BRACED = frozenset({r"\underbrace", r"\overbrace", r"\underline", r"\underbracket", r"\overbracket"})
+SIGNS_OVER = frozenset({"=", r"\approx", r"\le", r"\ge", r"\leq", r"\geq", "<", ">", r"\rightarrow", r"\to"})
+ARGUMENTS = {r"\frac": 2, r"\dfrac": 2, r"\tfrac": 2, r"\binom": 2, r"\sqrt": 1, r"\begin": 1, r"\end": 1, r"\tag": 1}
+ARGUMENTS |= dict.fromkeys(STYLES | ACCENTS | ROMAN | {r"\text", r"\operatorname", r"\mathrm"}, 1)
+
+
+@dataclass(slots=True)
+class Group:
+    """What stands in braces."""
+
+    parts: list[Part]
+
+
+Part = str | Group
+
+
+def plain(source: str) -> str:
+    """The same formula without what is layout alone; what is not balanced is left as it is."""
+    tokens = _with_numbers(source)
+    try:
+        parts, rest = _groups(tokens, 0)
+    except IndexError:
+        return source
+    if rest != len(tokens):
+        return source
+    text = _DEFINES.sub("=", _printed(_made_plain(parts)))
+    for pattern, sign in WORDS:
+        text = pattern.sub(sign, text)
+    return text
+
+
+def _with_numbers(source: str) -> list[str]:
+    """The tokens of TeX, but digits that follow one another are one; a command takes only the first of them."""
+    found: list[str] = []
+    end = -1
+    for tok in tex.tokenize(source):
+        digit = tok.text.isdigit() or (tok.text == "." and bool(found) and found[-1].isdigit())
+        before = found[-2] if len(found) > 1 else ""
+        if (
+            digit
+            and tok.at == end
+            and found[-1][-1:].isdigit()
+            and before not in ("_", "^")
+            and before not in ARGUMENTS
+        ) or (tok.text.isdigit() and tok.at == end and found[-1][-1:] == "." and found[-1][:1].isdigit()):
+            found[-1] += tok.text
+        else:
+            found.append(tok.text)
+        end = tok.at + len(tok.text)
+    return found
+
+
+def _groups(tokens: Sequence[str], start: int, inside: bool = False) -> tuple[list[Part], int]:
+    parts: list[Part] = []
+    k = start
+    while k < len(tokens):
+        if tokens[k] == "{":
+            inner, k = _groups(tokens, k + 1, inside=True)
+            parts.append(Group(inner))
+        elif tokens[k] == "}":
+            if not inside:
+                raise IndexError
+            return parts, k + 1
+        else:
+            parts.append(tokens[k])
+            k += 1
+    if inside:
+        raise IndexError
+    return parts, k
+
+
+def _made_plain(parts: list[Part]) -> list[Part]:
+    """One level of braces, those within first."""
+    return _scripts_in_order(_scripts_at_the_left(_made_plain_here(_over(parts))))
+
+
+_SPACES = frozenset({r"\,", r"\!", r"\;", r"\:", "\\ ", "~"})
+_NO_BASE = frozenset("+-=<>(,;|&[/") | {
+    "",
+    r"\cdot",
+    r"\times",
+    r"\left",
+    r"\big",
+    r"\Big",
+    r"\\",
+    r"\quad",
+    r"\qquad",
+    r"\frac",
+}
+
+
+def _scripts_at_the_left(parts: list[Part]) -> list[Part]:
+    r"""`{}^A x` as `\prescript{A}{}{x}`: scripts behind nothing belong to the letter that follows."""
+    found: list[Part] = []
+    k = 0
+    while k < len(parts):
+        part = parts[k]
+        empty = isinstance(part, Group) and not part.parts
+        start = k + 1 if empty else k
+        before = next((p for p in reversed(found) if not (isinstance(p, str) and p in _SPACES)), "")
+        bare = isinstance(before, str) and before in _NO_BASE
+        if start < len(parts) and parts[start] in ("^", "_") and (empty or bare):
+            scripts: dict[Part, Part] = {}
+            m = start
+            while m + 1 < len(parts) and parts[m] in ("^", "_") and str(parts[m]) not in scripts:
+                scripts[str(parts[m])] = parts[m + 1]
+                m += 2
+            while m < len(parts) and isinstance(parts[m], str) and parts[m] in _SPACES:
+                m += 1
+            letter, end = _letter_here(parts, m)
+            if letter:
+                found += [r"\prescript", scripts.get("^", Group([])), scripts.get("_", Group([])), Group(letter)]
+                k = end
+                continue
+        found.append(parts[k])
+        k += 1
+    return found
+
+
+def _letter_here(parts: list[Part], k: int) -> tuple[list[Part], int]:
+    """The letter that begins here, with its style and accents."""
+    if k >= len(parts) or not isinstance(parts[k], str) or not tex.is_letter(str(parts[k])):
+        return [], k
+    if parts[k] in STYLES | ACCENTS | ROMAN and k + 1 < len(parts):
+        return parts[k : k + 2], k + 2
+    return parts[k : k + 1], k + 1
+
+
+def _scripts_in_order(parts: list[Part]) -> list[Part]:
+    """Below before above, where a letter has both."""
+    found = list(parts)
+    for k in range(len(found) - 3):
+        if (
+            found[k] == "^"
+            and found[k + 2] == "_"
+            and isinstance(found[k + 1], Group)
+            and isinstance(found[k + 3], Group)
+        ):
+            found[k : k + 4] = [*found[k + 2 : k + 4], *found[k : k + 2]]
+    return found
+
+
+def _made_plain_here(parts: list[Part]) -> list[Part]:
+    found: list[Part] = []
+    k = 0
+    while k < len(parts):
+        part = parts[k]
+        if isinstance(part, Group):
+            inner = _made_plain(part.parts)
+            found += _loose(inner, found, parts[k + 1] if k + 1 < len(parts) else "")
+            k += 1
+            continue
+        part = SAME.get(part, part)
+        if part in NOTHING:
+            k += 1 + _argument_count(parts, k, NOTHING[part])
+        elif part in FONTS and not (k + 1 < len(parts) and isinstance(parts[k + 1], Group)) and _is_switch(part):
+            return found + _styled(FONTS[part], _made_plain(parts[k + 1 :]))
+        elif part in SECOND and k + 2 < len(parts):
+            found += _second(part, parts[k + 1], parts[k + 2])
+            k += 3
+        elif part in BRACED and k + 1 < len(parts):
+            found += _inner(parts[k + 1])
+            k += 2
+            if k + 1 < len(parts) and parts[k] in ("_", "^"):
+                k += 2  # the note
+        elif part in ARGUMENTS or part in ("_", "^"):
+            count = ARGUMENTS.get(part, 1)
+            found.append(part)
+            k += 1
+            while k < len(parts) and parts[k] == "[" and part == r"\sqrt":
+                end = parts.index("]", k) if "]" in parts[k:] else k
+                found += parts[k : end + 1]
+                k = end + 1
+            for _ in range(count):
+                if k < len(parts):
+                    taken, k = _argument(parts, k, raw=part in (r"\begin", r"\end", r"\tag"))
+                    found.append(taken)
+            if part in ACCENTS | STYLES and isinstance(styled := found[-1], Group):
+                found[-2:] = _over_letters(part, styled.parts)
+            is_array = (
+                part == r"\begin" and isinstance(found[-1], Group) and "".join(map(str, found[-1].parts)) == "array"
+            )
+            if is_array and k < len(parts) and isinstance(parts[k], Group):
+                found.append(parts[k])  # its columns
+                k += 1
+        else:
+            if part:
+                found.append(part)
+            k += 1
+    return found
+
+
+def _over_letters(command: str, inner: list[Part]) -> list[Part]:
+    """An accent or style over a letter with scripts, which stand behind it; a style over several letters is of each."""
+    letter, end = _letter_here(inner, 0)
+    rest = inner[end:]
+    scripts = all(rest[k] in ("^", "_") and isinstance(rest[k + 1], Group) for k in range(0, len(rest) - 1, 2))
+    if letter and rest and len(rest) % 2 == 0 and scripts:
+        return [command, Group(letter), *rest]
+    if command in STYLES and len(inner) > 1 and all(isinstance(part, str) and tex.is_letter(part) for part in inner):
+        return [each for part in inner for each in (command, Group([part]))]
+    return [command, Group(inner)]
+
+
+def _is_switch(command: str) -> bool:
+    """Does it hold to the end of the group rather than for an argument?"""
+    return command in (r"\bf", r"\rm", r"\cal", r"\it", r"\sf")
+
+
+def _argument_count(parts: Sequence[Part], k: int, count: int) -> int:
+    return min(count, len(parts) - k - 1)
+
+
+def _argument(parts: list[Part], k: int, *, raw: bool) -> tuple[Part, int]:
+    """One TeX argument, in braces; a command takes what belongs to it along."""
+    part = parts[k]
+    if isinstance(part, Group):
+        return (part if raw else Group(_made_plain(part.parts))), k + 1
+    part = SAME.get(part, part)
+    if part in ARGUMENTS and part not in (r"\begin", r"\end"):
+        own: list[Part] = [part]
+        k += 1
+        for _ in range(ARGUMENTS[part]):
+            if k < len(parts):
+                taken, k = _argument(parts, k, raw=False)
+                own.append(taken)
+        return Group(own), k
+    if part in FONTS and k + 1 < len(parts):
+        taken, k = _argument(parts, k + 1, raw=False)
+        return Group(_styled(FONTS[part], _inner(taken))), k
+    return Group([part]), k + 1
+
+
+def _inner(part: Part) -> list[Part]:
+    return _made_plain(part.parts) if isinstance(part, Group) else [part]
+
+
+def _styled(style: str, parts: list[Part]) -> list[Part]:
+    """Letters in a style; signs and numbers have none."""
+    if not style:
+        return parts
+    text = "".join(part for part in parts if isinstance(part, str))
+    if style == r"\mathrm" and len(parts) > 1 and text.isalnum():
+        return [style, Group(parts)]
+    found: list[Part] = []
+    for k, part in enumerate(parts):
+        script = k > 0 and parts[k - 1] in ("_", "^")
+        letter = isinstance(part, str) and tex.is_letter(part) and part not in ROMAN | ACCENTS | STYLES
+        found += [style, Group([part])] if letter and not script else [part]
+    return found
+
+
+def _second(command: str, first: Part, second: Part) -> list[Part]:
+    """What stands over or under a sign is a note; over anything else it is refused where it is read."""
+    inner = _inner(second)
+    sign = "".join(part for part in inner if isinstance(part, str))
+    if command == r"\textcolor" or sign in SIGNS_OVER:
+        return inner
+    return [command, first, second]
+
+
+def _over(parts: list[Part]) -> list[Part]:
+    r"""`a \over b` as a fraction."""
+    if r"\over" not in parts:
+        return parts
+    k = parts.index(r"\over")
+    return [r"\frac", Group(parts[:k]), Group(parts[k + 1 :])]
+
+
+def _loose(inner: list[Part], before: Sequence[Part], after: Part) -> list[Part]:
+    """A group that is no argument: its braces print nothing; empty ones before a script carry a script of the left."""
+    if not inner and after in ("^", "_"):
+        return [Group([])]
+    if after in ("^", "_", "'") and len(_units(inner)) > 1:
+        return [Group(inner)]  # the script belongs to all of it
+    return inner
+
+
+def _units(parts: Sequence[Part]) -> list[Part]:
+    """The letters of a group, each with its style and accents, as far as they can be told."""
+    found: list[Part] = []
+    k = 0
+    while k < len(parts):
+        part = parts[k]
+        found.append(part)
+        k += 1
+        while isinstance(part, str) and part in ARGUMENTS and k < len(parts):
+            part = ""
+            k += 1
+    return found
+
+
+def _printed(parts: Sequence[Part]) -> str:
+    return " ".join(_texts(parts))
+
+
+def _texts(parts: Sequence[Part]) -> Iterator[str]:
+    for part in parts:
+        if isinstance(part, Group):
+            yield "{"
+            yield from _texts(part.parts)
+            yield "}"
+        else:
+            yield part
+
+
+_QUADS = r"(?:\\q?quad|\\[,;: ]|,)*\s*"
+WORDS = tuple(  # that part relations: what stands behind them holds as well, or says for which values
+    (re.compile(rf"(?:{_QUADS} )?\\(?:text|mathrm) {{ \s*(?:{words})\s* }}(?: {_QUADS})?"), rf" {sign} ")
+    for words, sign in (
+        ("a n d|w h e r e|w i t h|f o r|f o r a l l", r", \\quad"),
+        ("o r", r"\\lor"),
+    )
+)
+_DEFINES = re.compile(r"(?<!:) : =(?! =)|= :(?!\s*[=:])")  # `:=`, and the same from right to left
+Change = Callable[[str], str]
+_DIFFERENTIAL = re.compile(r"\\(?:mathrm|text|operatorname|rm)\s*\{\s*d\s*\}(?=\s*(?:[A-Za-z\\^]))")
+
+
+def with_plain_differentials(source: str) -> str:
+    r"""An upright d of a differential as an italic one, unless d is a letter here too."""
+    rest = _DIFFERENTIAL.sub("", source)
+    if re.search(r"(?<![A-Za-z\\])d(?![A-Za-z])", rest):
+        return source
+    return _DIFFERENTIAL.sub("d", source)
