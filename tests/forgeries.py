@@ -1591,6 +1591,26 @@ THEOREMS: dict[str, Forgery] = {
             ),
         ),
     ),
+    "the divisor of an integral cleared between the ends of another": Forgery(
+        MAY_BE_ZERO,
+        proved(
+            ["=", integral(["/", 1, "x"], low=-1, high=1), integral(["/", 1, "x"], low=-1, high=1)],
+            theorem(
+                "antiderivative",
+                {"f": of("x", ["/", 1, "x"]), "g": of("x", ["log", "x"]), "s": 1, "t": 2},
+                [
+                    above(1),
+                    every(["y"], implies(above(["+", minus("y", 1), 1]))),
+                    every(["y"], implies({"rule": "identity", "times": ["y"]})),
+                ],
+                ID,
+            ),
+        ),
+    ),
+    "a divisor cleared by the contrary of the goal": Forgery(
+        MAY_BE_ZERO,
+        proved(["=", ["*", "x", ["/", 0, "x"]], 0], implies(absurd([here()])), at={"x": 0}),
+    ),
     "an antiderivative of another function": Forgery(
         NOT_EQUAL,
         proved(

@@ -20,7 +20,7 @@ from symcheck.core.terms import Binder, Call, Connective, End, Formula, Node, Re
 STEEPEST = 1 << 40  # product of nested exponents, multiples of angles and the like; a term has 2^20 nodes at most
 SIGNS = {"=": {0}, "!=": {-1, 1}, "<": {-1}, "<=": {-1, 0}, ">": {1}, ">=": {0, 1}}  # of left - right
 Key = tuple[object, ...]
-Divisors = dict[int, "Term | None"]  # by their values; None for those that stand under a binder
+Divisors = dict[int, "Term | None"]  # by their values and binders above; None for those that stand under a binder
 Known = dict[int, dict[int, tuple[int, Divisors]]]  # of shared nodes, by identity: values, by the exponents around
 PI: Key = ("pi",)
 LETTERS: dict[str, int] = {}  # what was drawn for free letters
@@ -37,6 +37,7 @@ class Algebra:
         self.known, self.point = known, point
         self.letters = LETTERS if point is None else {}  # their values
         self.bound: dict[str, Key] = {}  # what is drawn for bound letters
+        self.binders: Key = ()  # the binders above, each with its ends
         self.settled: dict[int, int] = {}  # values of functions at the point, by what is drawn for them
         self.scale = 1  # product of the exponents around
         self.divisors: Divisors = {}  # that were met
@@ -123,7 +124,10 @@ class Algebra:
             if term.tag == "^" and (exponent := term.terms[1]) > 0:  # type: ignore[operator]
                 return self.raised(term.terms[0], -exponent)  # type: ignore[operator]
         value = self.value(term) % PRIME
-        self.divisors[value] = self.divisors.get(value) or (term if exact(term) or not self.bound else None)
+        if self.bound and letters(term) & self.bound.keys():  # between other ends the same divisor may be zero
+            self.divisors[draw("divisor", value, *self.binders)] = None
+        else:
+            self.divisors[value] = self.divisors.get(value) or (term if exact(term) or not self.bound else None)
         if self.point is not None and self.bound:  # nobody asks later
             shown = exact(term) or rational(value) or (self.outermost is not None and has_digits(self.outermost))
             require(shown, "{} may be zero under a binder", term)
@@ -175,13 +179,14 @@ class Algebra:
                 self.value(x)  # also of what the derivative is free of
             return self.value(differentiated(term))
         ends = [e.tag if isinstance(e, End) else self.value(e) % PRIME for e in term.outside]
-        kept = self.bound, self.letters
+        kept = self.bound, self.letters, self.binders
         if self.point is not None and not self.bound:
             self.outermost = substituted(term, self.point)
         self.bound = {**self.bound, term.letter: ("bound", height(term))}
         self.letters = {**self.letters, term.letter: draw(*self.bound[term.letter])}
+        self.binders = (*self.binders, (term.tag, *ends))
         value = self.value(term.body) % PRIME
-        self.bound, self.letters = kept
+        self.bound, self.letters, self.binders = kept
         return self.settle(term.tag, value, *ends)
 
     def turn(self, term: Term) -> tuple[int, int]:
@@ -291,14 +296,14 @@ class Algebra:
     def order(self, relation: Relation) -> int:
         """The sign of left - right: from the exact difference, or else by interval arithmetic, or 0 by algebra."""
         left, right = relation.terms
-        kept = self.scale, self.bound, self.letters, self.divisors
+        kept = self.scale, self.bound, self.letters, self.binders, self.divisors
         try:
             gap = (self.value(left) - self.value(right)) % PRIME
             number = (gap, 1) if relation.tag in ("=", "!=") else rational(gap)
             if number:
                 return (number[0] > 0) - (number[0] < 0)
         except Inexact:
-            self.scale, self.bound, self.letters, self.divisors = kept
+            self.scale, self.bound, self.letters, self.binders, self.divisors = kept
         difference = substituted(node("+", left, node("-", right)), self.point or {})
         digits = enclosed(difference)
         if digits.low <= 0 <= digits.high and digits.low < digits.high:

@@ -182,7 +182,8 @@ def enclosed(term: Term, at: Place = ()) -> Interval:
             return reduce(Interval.__add__ if sign == "+" else Interval.__mul__, values, enclosed(first, at))
         case Value(tag=function, terms=(inner,)) if function in FUNCTIONS:
             return FUNCTIONS[function](enclosed(inner, at))
-        case Binder(tag="diff"):
+        case Binder(tag="diff", body=body, letter=x, outside=(_, place)):
+            enclosed(body, (*at, (x, enclosed(place, at))))  # it has a value there
             return enclosed(differentiated(term), at)
         case Binder(tag="sum" | "product" as kind, body=body, letter=k, outside=ends):
             low, high = (exactly(enclosed(end, at)) for end in ends)

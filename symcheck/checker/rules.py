@@ -15,7 +15,7 @@ from symcheck.checker.theorems import Argument, instance
 from symcheck.core.calculus import letters, substituted
 from symcheck.core.fields import Fields, by_key, listed, raw, text
 from symcheck.core.formulas import FALSE, conjuncts, contrary
-from symcheck.core.terms import JSON, Binder, Connective, Formula, Quantified, Reader, Relation, T, Term, Value, node
+from symcheck.core.terms import JSON, Connective, Formula, Quantified, Reader, Relation, T, Term, Value, node
 
 Reference = tuple[str | int, ...]
 STRICT, ORDERS = ("<", ">"), ("<", ">", "<=", ">=")
@@ -63,8 +63,8 @@ class Prover:
         """One more fact."""
         self.facts[name] = formula, self.gap(formula) if isinstance(formula, Relation) else 0
 
-    def branch(self, goal: Formula, proof: JSON, *assumed: Formula) -> None:
-        """Proves a goal under more assumptions, which are forgotten afterwards."""
+    def branch(self, goal: Formula, proof: JSON, *assumed: Formula, nonzero: Iterable[int] = ()) -> None:
+        """Proves a goal under more assumptions, which are forgotten afterwards; `nonzero` are divisors they clear."""
         facts, depth = self.facts, self.depth
         around, self.algebra.divisors = self.algebra.divisors, {}
         self.around.append(around)
@@ -73,9 +73,9 @@ class Prover:
             self.learn(("here", self.depth), formula)
             self.depth += 1
         self.prove(goal, proof)
-        open_ = {value: term for value, term in self.algebra.divisors.items() if not self.is_known(value, term)}
-        self.algebra.divisors = self.around.pop()
-        around.update({value: term for value, term in open_.items() if around.get(value) is None})
+        met, self.algebra.divisors = self.algebra.divisors, self.around.pop()
+        cleared = {*nonzero, *(value for value, term in met.items() if self.is_known(value, term))}
+        around.update({value: term for value, term in met.items() if value not in cleared and not around.get(value)})
         self.facts, self.depth = facts, depth
 
     def opened(self, formula: Quantified, step: Fields, *beside: Formula) -> Formula:
@@ -191,6 +191,7 @@ class Prover:
         """A => B under A. A relation, as its contrary leads to a contradiction."""
         match goal:
             case Relation():
+                self.gap(goal)  # what it divides by is not cleared by its own contrary
                 self.branch(FALSE, step.take("then", raw), contrary(goal))
             case Connective(tag="=>", formulas=(premise, conclusion)):
                 self.branch(conclusion, step.take("then", raw), premise)
@@ -260,20 +261,17 @@ class Prover:
         premises, conclusion = instance(name, given, {self.reader.letter(x): t for x, t in numbers.items()})
         for premise, proof in paired(premises, step.take("premises", LIST)):
             self.branch(premise, proof)
-        if name.startswith("antiderivative"):
-            self.met(conclusion)
+        nonzero = self.cleared(conclusion.outside[0]) if name.startswith("antiderivative") else ()
         if isinstance(conclusion, Quantified):
             conclusion = self.opened(conclusion, step, goal)
-        self.branch(goal, step.take("then", raw), conclusion)
+        self.branch(goal, step.take("then", raw), conclusion, nonzero=nonzero)
 
-    def met(self, conclusion: Formula) -> None:
-        """What an integrand divides by is not zero between the ends: its premises were proved there."""
-        integral, _ = conclusion.outside
+    def cleared(self, integral: Term) -> Iterable[int]:
+        """What an integrand divides by: it is not zero between the ends, as the premises were proved there."""
         around, self.algebra.divisors = self.algebra.divisors, {}
         self.value(integral)
-        if isinstance(integral, Binder) and height(integral) == 1:
-            self.nonzero |= {value for value, term in self.algebra.divisors.items() if term is None}
-        self.algebra.divisors = around
+        met, self.algebra.divisors = self.algebra.divisors, around
+        return [value for value, term in met.items() if term is None] if height(integral) == 1 else ()
 
     def argument(self, data: JSON) -> Argument:
         """What a theorem is applied to: a term, or {"letter": x, "term": t} for a term in a letter."""
@@ -318,19 +316,14 @@ class Prover:
         for divisor, term in [*self.algebra.divisors.items()]:
             if term is None or not exact(term):
                 shown = self.is_known(divisor, term) or divisor in self.nonzero or self.sign(term or 0) == 2
-                require(
-                    shown or self.not_zero_at_point(term or 0),
-                    "a denominator may be zero: {}",
-                    term or "under a binder",
-                )
+                shown = shown or self.not_zero_at_point(term or 0)
+                require(shown, "a denominator may be zero: {}", term or "under a binder")
 
     def is_known(self, divisor: int, term: Term | None = None) -> bool:
         """Whether a fact that is in force says that a value is not zero, or is the root of what is positive."""
-        if not divisor:
-            return False
         known = [(name, gap) for name, (formula, gap) in self.facts.items() if gap and formula.tag in ("!=", *STRICT)]
         by = next((name for name, gap in known if gap == divisor), None)
-        by = by or next((name for name, gap in known if rational(gap * inverse(divisor))), None)
+        by = by or next((name for name, gap in known if divisor and rational(gap * inverse(divisor))), None)
         if by is None and isinstance(term, Value) and term.tag == "sqrt":
             inner = self.value(term.terms[0]) % PRIME
             by = next((name for name, gap in known if gap == inner and self.facts[name][0].tag in STRICT), None)
