@@ -304,6 +304,9 @@ RULES: dict[str, Forgery] = {
     "a cube of what is not zero": Forgery(
         NO_SIGN, proved([">", ["^", "x", 3], 0], above(["^", "x", 3]), [["!=", "x", 0]], at={"x": 1})
     ),
+    "an exponential less another number": Forgery(
+        NO_SIGN, proved([">", minus(["exp", "x"], 1), 0], above(minus(["exp", "x"], 1)))
+    ),
     "the root of a negative number squared": Forgery(
         "the root of (-1, 1): only of products of primes up to 43", proved([">=", -1, 0], above(sq(["sqrt", -1])))
     ),
@@ -578,7 +581,7 @@ RULES: dict[str, Forgery] = {
     "a number divided by zero": Forgery("division by zero", proved(["=", ["/", 0, 0], 1], compute())),
     "a sine divided by zero": Forgery("division by zero", proved(["=", ["/", ["sin", PI], ["sin", PI]], 1], compute())),
     "the root of a negative number": Forgery(
-        "the root of (-2, 1): only of products of primes up to 43", proved(["=", sq(["sqrt", -2]), -2], compute())
+        "the root of what may be negative", proved(["=", sq(["sqrt", -2]), -2], compute())
     ),
     "the logarithm of a negative number": Forgery(
         "the logarithm of what may not be positive", proved(["=", ["log", -1], ["log", -1]], compute())
@@ -828,9 +831,6 @@ BINDERS: dict[str, Forgery] = {
     "a number in place of a bound letter": Forgery("0 is no letter", proved(["=", ["mean", 1, 0], 1], ID)),
     "infinity as a term": Forgery("['infinity'] is no term", proved(["=", OO, OO], ID)),
     "infinity as a place": Forgery("['infinity'] is no term", proved(["=", ["diff", "x", "x", 1, OO], 1], ID)),
-    "infinity as the end of a product": Forgery(
-        "['infinity'] is no term", proved(["=", ["product", 1, "k", 1, OO], 1], ID)
-    ),
     "an endless sum that is said to be zero": Forgery(NOT_EQUAL, proved(["=", ["sum", 1, "k", 1, OO], 0], ID)),
     "an endless sum without its first addend": Forgery(
         NOT_EQUAL, proved(["=", ["sum", 1, "k", 1, OO], ["+", 1, ["sum", 1, "k", 2, OO]]], ID)
@@ -840,6 +840,13 @@ BINDERS: dict[str, Forgery] = {
     ),
     "an endless sum for one that ends": Forgery(
         NOT_EQUAL, proved(["=", ["sum", "k", "k", 1, OO], ["sum", "k", "k", 1, "n"]], ID)
+    ),
+    "an endless sum of nothing": Forgery(NOT_EQUAL, proved(["=", ["sum", 0, "k", 1, OO], 0], ID)),
+    "an endless sum of ones": Forgery(
+        "the digits of ('infinity',)", proved([">", ["sum", 1, "k", 1, OO], 0], compute())
+    ),
+    "infinity as the end of a product": Forgery(
+        "['infinity'] is no term", proved(["=", ["product", 1, "k", 1, OO], 1], ID)
     ),
     "a fraction in floating point": Forgery("0.5 is no letter", proved(["=", 0.5, ["/", 1, 2]], ID)),
     "a truth value as a number": Forgery("True is no letter", proved(["=", True, 1], ID)),
@@ -982,6 +989,14 @@ ANALYSIS: dict[str, Forgery] = {
         proved(
             ["exists", ["z"], ["=", ["*", "z", HALF_GAMMA], 1]],
             theorem("gamma_values", {}, [], {**witness({"z": ["/", 1, HALF_GAMMA]}, ID), "positive": [HALF_GAMMA]}),
+        ),
+    ),
+    "nonzero in another branch": Forgery(
+        MAY_BE_ZERO,
+        proved(
+            ["and", ["=>", ["!=", "x", 0], ["=", "x", "x"]], ["exists", ["z"], ["=", ["*", "z", "x"], 1]]],
+            each(implies(ID), witness({"z": ["/", 1, "x"]}, ID)),
+            at={"x": 1},
         ),
     ),
     "nonzero outside of its branch": Forgery(
@@ -1233,13 +1248,13 @@ CERTIFICATES: dict[str, Forgery] = {
         ),
     ),
     "a definition captured in a hypothesis": Forgery(
-        "('=', ('integral', 'x', 'x', 0, 1), 0)) is not so",
+        "('and', ('=', ('integral', 'x', 'x', 0, 1), 0)) is not so",
         proved(
             ["=", integral("d", "x"), 0],
             by(hyp()),
             [["=", integral("d", "x"), 0]],
             definitions=[["d", "x"]],
-            at={},
+            at={"x": 0},
         ),
     ),
     "a definition captured in a lemma": Forgery(
@@ -1422,7 +1437,7 @@ CERTIFICATES: dict[str, Forgery] = {
         ),
     ),
     "a point where a root is none": Forgery(
-        "the root of (-1, 1): only of products of primes up to 43", refuted([">=", ["sqrt", "x"], 0], {"x": -1})
+        "the root of what may be negative", refuted([">=", ["sqrt", "x"], 0], {"x": -1})
     ),
     "a point where a root is none, by a proof": Forgery(
         "a term has no value at the point: ('>=', 'x', 0) is not so",
@@ -1529,7 +1544,7 @@ CERTIFICATES: dict[str, Forgery] = {
         refuted(["=", f(2), 0], {"x": 1}, [["=", f("x"), 0]], calls=[[f(1), 0], [f(2), 1]]),
     ),
     "an integral at a point": Forgery(
-        "('!=', ('integral', 'x', 'x', 0, 1), ('/', 1, 2))) is not so",
+        "('and', ('!=', ('integral', 'x', 'x', 0, 1), ('/', 1, 2))) is not so",
         refuted(["=", integral("x"), ["/", 1, 2]], {}),
     ),
     "a fraction that vanishes under a binder at a point": Forgery(
@@ -1640,7 +1655,280 @@ BACK = absurd([], [here(), "1"])
 FROM = {"p": 1, "q": 1, "r": 1, "k": 0, "u": 0, "c": 1}
 FRACTION = of("x", ["pow", ["+", sq("x"), 1], -1])
 
+DISTANCE = ["sqrt", sq(minus("k", ["/", 3, 2]))]  # from 3/2
+AHEAD = sq(minus(["+", "x", 1], ["/", 3, 2]))
 THEOREMS: dict[str, Forgery] = {
+    "the exponential of the logarithm of what may be negative": Forgery(
+        NO_SIGN, proved(["=", ["exp", ["log", "x"]], "x"], theorem("exp_of_log", {"t": "x"}, [above("x")], by(here())))
+    ),
+    "the exponential of a logarithm as another number": Forgery(
+        NOT_EQUAL, proved(["=", ["exp", ["log", 2]], 3], theorem("exp_of_log", {"t": 2}, [above(2)], by(here())))
+    ),
+    "the logarithm of one for that of zero": Forgery(
+        NOT_EQUAL, proved(["=", ["log", 0], 0], theorem("log_of_one", {}, [], by(here())))
+    ),
+    "the logarithm of an exponential for that of its argument": Forgery(
+        NOT_EQUAL, proved(["=", ["log", "x"], "x"], theorem("log_of_exp", {"t": "x"}, [], by(here())))
+    ),
+    "the logarithm of a product of negative factors": Forgery(
+        NO_SIGN,
+        proved(
+            ["=", ["log", ["*", "x", "y"]], ["+", ["log", "x"], ["log", "y"]]],
+            theorem("log_of_product", {"s": "x", "t": "y"}, [above("x"), above("y")], by(here())),
+            [[">", ["*", "x", "y"], 0]],
+            at=SIDE,
+        ),
+    ),
+    "the logarithm of a sum as that of a product": Forgery(
+        NOT_EQUAL,
+        proved(
+            ["=", ["log", 5], ["+", ["log", 2], ["log", 3]]],
+            theorem("log_of_product", {"s": 2, "t": 3}, [above(2), above(3)], by(here())),
+        ),
+    ),
+    "the logarithm of a power of a negative base": Forgery(
+        NOT_THE_FORM,
+        proved(
+            ["=", ["log", ["pow", -1, 2]], ["*", 2, ["log", -1]]],
+            theorem("log_of_power", {"t": -1, "u": 2}, [above(1)], by(here())),
+        ),
+    ),
+    "the logarithm of a square for that of a root": Forgery(
+        NOT_EQUAL,
+        proved(
+            ["=", ["log", "x"], ["*", 2, ["log", sq("x")]]],
+            theorem("log_of_root", {"t": "x"}, [above("x")], by(here())),
+            [[">", "x", 0]],
+            at={"x": 1},
+        ),
+    ),
+    "the logarithm of the root of what may be zero": Forgery(
+        NO_SIGN,
+        proved(
+            ["=", ["*", 2, ["log", ["sqrt", "x"]]], ["log", "x"]],
+            theorem("log_of_root", {"t": "x"}, [above("x")], by(here())),
+            [[">=", "x", 0]],
+            at={"x": 1},
+        ),
+    ),
+    "a power as the exponential of the logarithm of a negative base": Forgery(
+        NO_SIGN,
+        proved(
+            ["=", ["pow", "x", "y"], ["exp", ["*", "y", ["log", "x"]]]],
+            theorem("power_as_exp", {"b": "x", "u": "y"}, [above("x")], by(here())),
+        ),
+    ),
+    "the sine of an arctangent as the tangent": Forgery(
+        NOT_EQUAL,
+        proved(["=", ["sin", ["arctan", "x"]], "x"], theorem("circular_of_arctan", {"t": "x"}, [], by(here()))),
+    ),
+    "the sine of an arcsine beyond one": Forgery(
+        NOT_THE_FORM,
+        proved(["=", ["sin", ["arcsin", 2]], 2], theorem("circular_of_arcsin", {"t": 2}, [above(0)], by(here()))),
+    ),
+    "the cosine of an arcsine with the other sign": Forgery(
+        NOT_EQUAL,
+        proved(
+            ["=", ["cos", ["arcsin", "x"]], ["-", ["sqrt", minus(1, sq("x"))]]],
+            theorem("circular_of_arcsin", {"t": "x"}, [above(minus(1, sq("x")))], by(here(1))),
+            [["<=", sq("x"), 1]],
+            at={"x": 0},
+        ),
+    ),
+    "the cosine of an arccosine beyond one": Forgery(
+        NOT_THE_FORM,
+        proved(["=", ["cos", ["arccos", 2]], 2], theorem("circular_of_arccos", {"t": 2}, [above(0)], by(here()))),
+    ),
+    "a sum up to before its beginning": Forgery(
+        NOT_THE_FORM,
+        proved(
+            ["=", ["sum", 1, "k", 1, -2], -2],
+            theorem(
+                "telescope",
+                {"f": of("k", 1), "g": of("k", "k"), "s": 1, "t": -2},
+                [above(0), ID, every(["x"], implies(ID))],
+                by(here()),
+            ),
+        ),
+    ),
+    "a sum that begins with another number": Forgery(
+        NOT_EQUAL,
+        proved(
+            ["=", ["sum", "k", "k", 1, 3], 7],
+            theorem(
+                "telescope",
+                {"f": of("k", "k"), "g": of("k", ["+", ["/", ["*", "k", ["+", "k", 1]], 2], 1]), "s": 1, "t": 3},
+                [above(3), ID, every(["x"], implies(ID))],
+                by(here()),
+            ),
+        ),
+    ),
+    "a sum that grows by another number": Forgery(
+        NOT_EQUAL,
+        proved(
+            ["=", ["sum", "k", "k", 1, 3], 9],
+            theorem(
+                "telescope",
+                {"f": of("k", "k"), "g": of("k", sq("k")), "s": 1, "t": 3},
+                [above(3), ID, every(["x"], implies(ID))],
+                by(here()),
+            ),
+        ),
+    ),
+    "an empty sum of addends that change their rule": Forgery(
+        NOT_EQUAL,
+        proved(
+            ["=", ["sum", DISTANCE, "k", 1, 0], 1],
+            theorem(
+                "telescope",
+                {
+                    "f": of("k", DISTANCE),
+                    "g": of("k", ["+", ["/", sq("k"), 2], ["-", "k"], 1]),  # from 2 on it grows by k - 3/2
+                    "s": 1,
+                    "t": 0,
+                },
+                [above(0), ID, every(["x"], implies(ID))],
+                by(here()),
+            ),
+        ),
+    ),
+    "a sum whose addends change their rule at its beginning": Forgery(
+        NO_SIGN,
+        proved(
+            ["=", ["sum", DISTANCE, "k", 1, 0], 1],
+            theorem(
+                "telescope",
+                {"f": of("k", DISTANCE), "g": of("k", ["+", ["/", sq("k"), 2], ["-", "k"]]), "s": 1, "t": 0},
+                [
+                    above(0),
+                    ID,
+                    every(
+                        ["x"],
+                        implies(
+                            theorem(
+                                "root",
+                                {"t": AHEAD},
+                                [above(AHEAD)],
+                                theorem(
+                                    "equal_squares",
+                                    {"s": ["sqrt", AHEAD], "t": minus("x", ["/", 1, 2])},
+                                    [above(["sqrt", AHEAD]), above(["+", minus("x", 1), ["/", 1, 2]]), by(here(2))],
+                                    {**ID, "cofactors": [[here(3), "-1"]]},
+                                ),
+                            )
+                        ),
+                    ),
+                ],
+                by(here()),
+            ),
+        ),
+    ),
+    "a sum with a term that has a period": Forgery(
+        "may have a period",
+        proved(
+            ["=", ["sin", ["*", 2, PI, "t"]], 0],
+            theorem(
+                "telescope",
+                {"f": of("k", 0), "g": of("k", ["sin", ["*", 2, PI, "k"]]), "s": 0, "t": "t"},
+                [above("t"), ID, every(["x"], implies(ID))],
+                by(here()),
+            ),
+            [[">=", "t", 0]],
+            at={"t": 0},
+        ),
+    ),
+    "an antiderivative across a pole": Forgery(
+        NO_CONTRADICTION,
+        proved(
+            ["=", integral(["^", "x", -2], low=-1), -2],
+            theorem(
+                "antiderivative",
+                {"f": of("x", ["^", "x", -2]), "g": of("x", ["-", ["^", "x", -1]]), "s": -1, "t": 1},
+                [above(2), every(["x"], implies(implies(absurd([], [here(2), "1"])))), every(["x"], implies(ID))],
+                by(here()),
+            ),
+        ),
+    ),
+    "the divisor of an integral cleared between the ends of another": Forgery(
+        MAY_BE_ZERO,
+        proved(
+            ["=", integral(["/", 1, "x"], low=-1, high=1), integral(["/", 1, "x"], low=-1, high=1)],
+            theorem(
+                "antiderivative",
+                {"f": of("x", ["/", 1, "x"]), "g": of("x", ["log", "x"]), "s": 1, "t": 2},
+                [
+                    above(1),
+                    every(["y"], implies(above(["+", minus("y", 1), 1]))),
+                    every(["y"], implies({"rule": "identity", "times": ["y"]})),
+                ],
+                ID,
+            ),
+        ),
+    ),
+    "a divisor cleared by the contrary of the goal": Forgery(
+        MAY_BE_ZERO,
+        proved(["=", ["*", "x", ["/", 0, "x"]], 0], implies(absurd([here()])), at={"x": 0}),
+    ),
+    "an antiderivative of another function": Forgery(
+        NOT_EQUAL,
+        proved(
+            ["=", integral("x"), 1],
+            theorem(
+                "antiderivative",
+                {"f": of("x", "x"), "g": of("x", sq("x")), "s": 0, "t": 1},
+                [above(1), every(["x"], implies(ID))],
+                by(here()),
+            ),
+        ),
+    ),
+    "an antiderivative from the larger end to the smaller one": Forgery(
+        NOT_THE_FORM,
+        proved(
+            ["=", integral(1, low=1, high=0), -1],
+            theorem(
+                "antiderivative",
+                {"f": of("x", 1), "g": of("x", "x"), "s": 1, "t": 0},
+                [above(1), every(["x"], implies(ID))],
+                by(here()),
+            ),
+        ),
+    ),
+    "an antiderivative that is a root below zero": Forgery(
+        NO_SIGN,
+        proved(
+            ["=", integral(["/", 1, ["*", 2, ["sqrt", "x"]]], low=-1, high=0), ["-", ["sqrt", -1]]],
+            theorem(
+                "antiderivative_everywhere",
+                {"f": of("x", ["/", 1, ["*", 2, ["sqrt", "x"]]]), "g": of("x", ["sqrt", "x"]), "s": -1, "t": 0},
+                [every(["x"], above("x")), every(["x"], implies(ID))],
+                by(here()),
+            ),
+        ),
+    ),
+    "an antiderivative everywhere across a pole": Forgery(
+        NO_CONTRADICTION,
+        proved(
+            ["=", integral(["^", "x", -2], low=-1), -2],
+            theorem(
+                "antiderivative_everywhere",
+                {"f": of("x", ["^", "x", -2]), "g": of("x", ["-", ["^", "x", -1]]), "s": -1, "t": 1},
+                [every(["x"], implies(absurd([], [here(), "1"]))), every(["x"], implies(ID))],
+                by(here()),
+            ),
+        ),
+    ),
+    "an antiderivative with a binder in it": Forgery(
+        "may not be smooth",
+        proved(
+            ["=", integral(0), 1],
+            theorem(
+                "antiderivative",
+                {"f": of("x", 0), "g": of("x", integral("y", "y", 0, "x")), "s": 0, "t": 1},
+                [above(1), every(["x"], implies(ID))],
+                by(here()),
+            ),
+        ),
+    ),
     "dichotomy with a side left out": Forgery(
         "1 proofs for 2", proved([">", "x", 0], theorem("dichotomy", {"t": "x"}, [], cases(here(), above("x"))))
     ),
@@ -2412,8 +2700,22 @@ THEOREMS: dict[str, Forgery] = {
     "an antiderivative with a pole at an end": Forgery(
         NO_SIGN,
         proved(
-            ["=", ["*", 2, integral(["/", 1, ["sqrt", "x"]])], 4],
-            antiderivative(0, 1, by(here()), ["/", 1, ["*", 2, ["sqrt", "x"]]], ["sqrt", "x"], [above("y")]),
+            ["=", integral(INVERSE), ["-", ["log", 0]]],
+            antiderivative(
+                0,
+                1,
+                theorem("log_of_one", {}, [], {**ID, "cofactors": [[here(), "1"], [here(1), "1"]]}),
+                smooth=[above("y")],
+            ),
+        ),
+    ),
+    "an antiderivative that is smooth at no place": Forgery(
+        NO_SIGN,
+        proved(
+            ["=", integral(["/", 1, ["*", 2, ["sqrt", "x"]]], low=-1), 1],
+            antiderivative(
+                -1, 1, by(here()), ["/", 1, ["*", 2, ["sqrt", "x"]]], ["sqrt", "x"], [above("y"), above("y")], 2
+            ),
         ),
     ),
     "an antiderivative that jumps": Forgery(
@@ -2831,13 +3133,13 @@ THEOREMS: dict[str, Forgery] = {
             theorem("enclosure", {"t": integral("x"), "digits": 1}, [], above(minus(["/", 5, 10], integral("x")))),
         ),
     ),
-    "digits of a mean": Forgery(
-        "the digits of ('mean', 'x', 'x')",
-        proved(["<=", 0, 1], theorem("enclosure", {"t": ["mean", "x", "x"], "digits": 1}, [], above(1))),
-    ),
     "digits of an integral of an unknown function": Forgery(
         "the digits of ('call', 'f', (0,), 'x')",
         proved(["<=", 0, 1], theorem("enclosure", {"t": integral(f("x")), "digits": 1}, [], above(1))),
+    ),
+    "digits of a mean": Forgery(
+        "the digits of ('mean', ('sin', 'x'), 'x')",
+        proved(["<=", 0, 1], theorem("enclosure", {"t": ["mean", SIN, "x"], "digits": 1}, [], above(1))),
     ),
     "digits of a function": Forgery(
         "the digits of ('call', 'f', (0,), 1)",

@@ -318,6 +318,17 @@ class Forger:
         if name == "power_rule" and isinstance(given.get("g"), dict):
             x, body = given["g"]["letter"], ["*", given["c"], ["pow", given["g"]["term"], given["u"]]]
             given["f"] = {"letter": x, "term": self.derived(["diff", body, x, 1, x])}
+        if name == "antiderivative":
+            given["s"], given["t"] = self.rng.choice(((1, 2), (0, 1), (0, "y"), ("x", ["+", "x", 1]), (-1, 1)))
+        if name.startswith("antiderivative") and isinstance(given.get("g"), dict):
+            x, body = given["g"]["letter"], given["g"]["term"]
+            given["f"] = {"letter": x, "term": self.derived(["diff", body, x, 1, x])}
+        if name == "telescope":
+            given["s"], given["t"] = self.rng.choice(((1, 3), (0, 4), (2, 2), (-1, 2), (3, 2), (1, -1)))
+            step, power = self.number(), self.rng.choice((1, 2))
+            begun = ["+", ["+", "x", ["-", given["s"]]], 1]
+            given["g"] = {"letter": "x", "term": ["*", step, ["^", begun, power]]}
+            given["f"] = {"letter": "x", "term": [step, ["*", step, ["+", ["*", 2, begun], -1]]][power - 1]}
         if name in ("beta", "beta_diverges"):
             self.integrand(given)
         if name == "power_diverges":

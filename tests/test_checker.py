@@ -172,6 +172,14 @@ RIGHT: dict[str, JSON] = {
         theorem("root", {"t": ["+", 1, sq("x")]}, [above(["+", 1, sq("x")])], by(here(1))),
         at={"x": 1},
     ),
+    "theorem, an integrand without a bound at an end": proved(
+        ["=", integral(["/", 1, ["*", 2, ["sqrt", "x"]]], "x", 0, 1), 1],
+        antiderivative(0, 1, by(here()), ["/", 1, ["*", 2, ["sqrt", "x"]]], ["sqrt", "x"], [above("y"), above("y")]),
+    ),
+    "theorem, what an integrand divides by": proved(
+        ["=", INVERSES, ["log", 2]],
+        antiderivative(1, 2, theorem("log_of_one", {}, [], {**ID, "cofactors": [[here(), "1"], [here(1), "-1"]]})),
+    ),
 }
 
 ANGLES = {"arctangent": ["arctan", "t"], "arcsine": ["arcsin", "t"], "arccosine": ["arccos", "t"]}
@@ -340,11 +348,36 @@ THEOREMS: dict[str, JSON] = {
         ),
     ),
     "antiderivative": proved(
-        ["=", INVERSES, ["log", 2]],
-        antiderivative(1, 2, theorem("log_of_one", {}, [], {**ID, "cofactors": [[here(), "1"], [here(1), "-1"]]})),
+        ["=", integral(["cos", "x"], "x", 0, PI), 0],
+        theorem(
+            "antiderivative",
+            {"f": of("x", ["cos", "x"]), "g": of("x", ["sin", "x"]), "s": 0, "t": PI},
+            [theorem("circle_number", {}, [], above(PI)), every(["y"], implies(ID))],
+            by(here()),
+        ),
+    ),
+    "antiderivative_everywhere": proved(
+        ["=", integral(1, "x", 1, 0), -1],
+        theorem(
+            "antiderivative_everywhere",
+            {"f": of("x", 1), "g": of("x", "x"), "s": 1, "t": 0},
+            [every(["y"], ID)],
+            by(here()),
+        ),
+    ),
+    "telescope": proved(
+        ["=", ["sum", "k", "k", 1, "n"], ["/", ["*", "n", ["+", "n", 1]], 2]],
+        theorem(
+            "telescope",
+            {"f": of("k", "k"), "g": of("k", ["/", ["*", "k", ["+", "k", 1]], 2]), "s": 1, "t": "n"},
+            [above("n"), ID, every(["y"], implies(ID))],
+            by(here()),
+        ),
+        [[">=", "n", 0]],
+        at={"n": 2},
     ),
     "exp_of_log": proved(["=", ["exp", ["log", 2]], 2], theorem("exp_of_log", {"t": 2}, [above(2)], by(here()))),
-    "log_of_one": known("log_of_one", ["log", 1], 0),
+    "log_of_one": proved(["=", ["log", 1], 0], theorem("log_of_one", {}, [], by(here()))),
     "log_of_exp": proved(
         ["=", ["log", ["exp", "x"]], "x"], theorem("log_of_exp", {"t": "x"}, [], by(here())), at={"x": 1}
     ),
@@ -357,9 +390,25 @@ THEOREMS: dict[str, JSON] = {
         theorem("log_of_power", {"t": 2, "u": "x"}, [above(2)], by(here())),
         at={"x": 1},
     ),
+    "log_of_root": proved(
+        ["=", ["*", 2, ["log", ["sqrt", 3]]], ["log", 3]], theorem("log_of_root", {"t": 3}, [above(3)], by(here()))
+    ),
     "power_as_exp": proved(
         ["=", ["pow", 2, "x"], ["exp", ["*", "x", ["log", 2]]]],
         theorem("power_as_exp", {"b": 2, "u": "x"}, [above(2)], by(here())),
+    ),
+    "circular_of_arctan": proved(
+        ["=", ["*", ["sin", ["arctan", "x"]], ["sqrt", ["+", 1, sq("x")]]], "x"],
+        theorem("circular_of_arctan", {"t": "x"}, [], by(here())),
+        at={"x": 1},
+    ),
+    "circular_of_arcsin": proved(
+        ["=", ["sin", ["arcsin", ["/", 1, 3]]], ["/", 1, 3]],
+        theorem("circular_of_arcsin", {"t": ["/", 1, 3]}, [above(["/", 8, 9])], by(here())),
+    ),
+    "circular_of_arccos": proved(
+        ["=", ["cos", ["arccos", ["/", 1, 3]]], ["/", 1, 3]],
+        theorem("circular_of_arccos", {"t": ["/", 1, 3]}, [above(["/", 8, 9])], by(here())),
     ),
     "power_diverges": proved(
         ["=", ["diverges", "x", "x", 0, OO], 1],

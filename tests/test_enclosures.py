@@ -206,9 +206,13 @@ HOSTILE: list[Term] = [
     node("integral", node("call", "f", (0,), "x"), "x", 0, 1),
     node("diff", node("log", "x"), "x", 1, -1),
     node("diff", node("sqrt", node("^", "x", 2)), "x", 1, 0),
+    node("integral", node("/", 1, "x"), "x", 0, 1),
+    node("sum", 1, "k", 1, 10**4),
     node("gamma", 0),
     node("mean", node("sin", "x"), "x"),
+    node("diff", node("sqrt", "x"), "x", 1, 0),
     node("diff", node("sin", 1), "x", 1, "x"),
+    node("diff", node("*", 0, node("sqrt", "x")), "x", 1, -1),
     INFINITY,
     "a",
     "sin_pi",
@@ -224,6 +228,31 @@ HOSTILE: list[Term] = [
 def test_what_is_no_number_has_no_enclosure(term: Term) -> None:
     with pytest.raises(Unknown):
         enclosed(term)
+
+
+ANALYTIC: list[tuple[Term, object]] = [
+    (node("exp", 1), PRECISE.e),
+    (node("exp", -30), PRECISE.exp(-30)),
+    (node("log", 7), PRECISE.log(7)),
+    (node("log", node("/", 1, 10**9)), PRECISE.log(PRECISE.mpf(10) ** -9)),
+    (node("pow", 2, node("/", 1, 2)), PRECISE.sqrt(2)),
+    (node("pow", node("/", 3, 7), PI), (PRECISE.mpf(3) / 7) ** PRECISE.pi),
+    (node("diff", node("sin", "x"), "x", 1, 1), PRECISE.cos(1)),
+    (node("diff", node("exp", node("^", "x", 2)), "x", 1, 1), 2 * PRECISE.e),
+    (node("integral", node("/", 1, "x"), "x", 1, 2), PRECISE.log(2)),
+    (node("integral", node("/", 1, "x"), "x", 2, 1), -PRECISE.log(2)),
+    (node("sum", node("/", 1, "k"), "k", 1, 10), PRECISE.mpf(7381) / 2520),
+    (node("sum", "k", "k", 1, 0), PRECISE.mpf(0)),
+    (node("product", "k", "k", 1, 6), PRECISE.mpf(720)),
+]
+
+
+@pytest.mark.parametrize(("term", "exact"), ANALYTIC, ids=str)
+def test_an_enclosure_of_analysis_contains_the_value(term: Term, exact: Any) -> None:
+    found, slack = enclosed(term), PRECISE.mpf(10) ** -50 * ONE
+    assert found.low <= exact * ONE + slack
+    assert exact * ONE - slack <= found.high
+    assert found.high - found.low < 10**-4 * ONE * max(1, abs(exact))
 
 
 def test_decimals_are_rounded_outward() -> None:

@@ -143,9 +143,14 @@ def test_a_counterexample_is_told_with_both_sides() -> None:
     found = {"values": {"x": ["/", 2, 7], "y": ["sqrt", 3]}, "shown": [["=", "x", 1], ["=", "y", ["-", ["sqrt", 3]]]]}
     assert steps.point(found["values"]) == "x = 2/7, y = sqrt(3)"
     assert steps.sides(found) == "the sides are 1 against -sqrt(3)"
-    assert (
-        steps.sides({"shown": [["=", "x", "y"], ["=>", ["<", "x", 0], ["or"]]]}) == "the sides are true against false"
-    )
+    false, true = ["=>", ["<", "x", 0], ["or"]], ["=", "x", "y"]
+    for shown, told in (
+        ([true, false], "part 2 of 2 is false"),
+        ([false, true, false], "parts 1 and 3 of 3 are false"),
+        ([false, false], "all its parts are false"),
+        ([false], "it is false"),
+    ):
+        assert steps.sides({"shown": shown}) == told
     assert steps.sides({}) == ""
     low, high = ["/", -3141593, 10**6], ["/", -3141592, 10**6]
     digits = {"values": {}, "shown": [["and", ["<=", low, ["-", ["pi"]]], ["<=", ["-", ["pi"]], high]]]}

@@ -17,7 +17,7 @@ from symcheck.checker import certificates, check
 from symcheck.checker.rules import Prover
 from symcheck.core.certificates import Certificate
 from symcheck.core.problems import Form, Method, Problem, Witness
-from symcheck.core.terms import node
+from symcheck.core.terms import Formula, node
 from symcheck.core.verdicts import Verdict
 from symcheck.core.words import term
 from symcheck.proof import cases, certificate, equivalent, existence, identity, nonnegative
@@ -156,11 +156,23 @@ def test_a_wrong_form_leaves_a_true_order_undecided() -> None:
 
 
 UNREADABLE = {
+    "a mean without digits": node("=", node("mean", node("exp", node("sin", "x")), "x"), 1),
+    "a function of a function without digits": node("=", node("sqrt", node("gamma", node("/", "x", 2))), 1),
+    "division by zero": node("=", node("/", 1, 0), "x"),
+}
+REFUTED_BY_DIGITS = {
     "half angle": node("=", node("sin", node("/", "alpha", 2)), 0),
     "function of a half angle": node("=", node("sqrt", node("sin", node("/", "x", 2))), 1),
-    "division by zero": node("=", node("/", 1, 0), "x"),
-    "unknown function": node("=", node("exp", "x"), "x"),
+    "exponential": node("=", node("exp", "x"), "x"),
+    "logarithm of a power": node("=", node("log", node("pow", "x", 3)), node("log", "x")),
 }
+
+
+@pytest.mark.parametrize("claim", REFUTED_BY_DIGITS.values(), ids=REFUTED_BY_DIGITS)
+def test_a_false_statement_about_functions_is_refuted_by_digits(claim: Formula) -> None:
+    made = evidence(Problem("digits", claim))
+    assert made["verdict"] == "refuted"
+    assert reason(made) is None
 
 
 @pytest.mark.parametrize("claim", UNREADABLE.values(), ids=UNREADABLE)
@@ -177,7 +189,7 @@ def test_circular_definitions_are_undecided() -> None:
 
 
 def test_an_undecided_outcome_has_no_certificate() -> None:
-    problem = Problem("open", eq(node("sin", node("/", "x", 2)), 1))
+    problem = Problem("open", UNREADABLE["a mean without digits"])
     with pytest.raises(ValueError, match="undecided"):
         certificate(problem, identity.decide(problem))
 

@@ -569,11 +569,9 @@ MALFORMED = {
     r"\sum_{c=1}^3 c": "bounds",
     r"d c": "differential",
     r"\frac{d^2 f_1}{dJ_2}": "orders",
-    r"J_1 = c \\ + k": "line begins",
     r"J_1 = 0 \Rightarrow k = 0, c = 0": "ambiguous",
     r"J_1 \Rightarrow k = 0": "relation is expected",
     r"(J_1 = 1) + 2 = 3": "not a relation",
-    r"\sqrt[3]{c}": "only square roots",
     r"J_1 = 0, c k": "says nothing",
     r"J_1 = 0, i": "says nothing",
     r"J_i = c, i = 1, 2, j": "says nothing",
@@ -582,7 +580,7 @@ MALFORMED = {
     r"\int_0^1 dc": "an integral of nothing",
     r"\int_0^1 c d(c)": "does not say what it is taken over",
     r"\int_0^1 c dc k": "put the integral in brackets",
-    r"\int_0 c dc": "without bounds",
+    r"\int_0 c dc": "with one bound",
     r"\langle c \rangle": "letter it is taken over",
     r"\langle c \rangle_\lambda": "unknown letter",
     r"\langle c": "never closed",
@@ -625,15 +623,14 @@ SENSELESS = {
     r"\sum_{j=1}^3 a_{1j} = k_j": "outside of its sum",
     r"\sum_{i=1}^4 k_i = 0": "outside the range",
     r"\max f_1 = c": "no algebraic form",
-    r"|c| = 1": "determinant",
+    r"\sqrt[3]{c} = 1": "a root of odd order",
     r"c = 1, 2, \dots": "not written out",
     r"J_i = c, i = 1, 2, \dots": "not written out",
-    r"\sum_{n=1}^{\infty} k^n = 1": "a sum without end",
     r"c < \infty": "no algebraic form",
     r"(\zeta_1, \dots, k) = c": "dots must stand",
     r"\int_0^1 c d\mathbf{K} = 1": "a scalar is expected",
     r"\langle c \rangle_{\mathbf{K}} = 1": "a scalar is expected",
-    r"\log c = 1": "no algebraic form",
+    r"\log c = 1": "to the base e, or 10",
     r"f_1(J_2, c) = c": "f_1 depends on J_2",
     r"k^T = 1": "transposes a scalar",
     r"c \subset k": "no algebraic form",
@@ -644,6 +641,20 @@ SENSELESS = {
 def test_what_has_no_algebraic_meaning_is_an_error_when_lowered(latex):
     with pytest.raises(SymcheckError, match=SENSELESS[latex]):
         formulas(latex)
+
+
+LOWERED = {
+    r"|c| = 1": ("=", ("sqrt", ("^", "c", 2)), 1),
+    r"\sum_{n=1}^{\infty} k^n = 1": ("=", ("sum", ("pow", "k", "n"), "n", 1, ("infinity",)), 1),
+    r"\sqrt[4]{c} = 1": ("=", ("pow", "c", ("/", 1, 4)), 1),
+    r"J_1 = c \\ + k": ("=", "J_1", ("+", "c", "k")),
+}
+
+
+@pytest.mark.parametrize("latex", LOWERED)
+def test_what_analysis_prints_has_a_meaning(latex):
+    (found,) = formulas(latex)
+    assert found == LOWERED[latex]
 
 
 def test_a_letter_is_declared_once_and_properly():

@@ -39,6 +39,7 @@ from symcheck.reading.tree import (
     Mul,
     Name,
     Neg,
+    Norm,
     Number,
     Or,
     Pair,
@@ -129,7 +130,8 @@ def grown(inner: st.SearchStrategy[Tree]) -> st.SearchStrategy[Tree]:
         inner.map(Transpose),
         inner.map(Degrees),
         inner.map(Bars),
-        inner.map(ElementsOf),
+        st.just(ElementsOf(Name("a", ("i", "j")))),
+        inner.map(Norm),
         several(inner, 1, 3).map(Diag),
         rows.map(MatrixOf),
         st.builds(

@@ -181,13 +181,12 @@ REFUSED = {
     r"x = a \pm b = c": "switch together",
     r"x = 9.81 \pm 0.02": "both signs, or the error of a measured value",
     r"I_{1,2} = a \pm b": "means several letters",
-    r"x = \begin{cases} 1 & y > 0 \\ 0 & y < 0 \end{cases}": "a value given by cases",
     r"\begin{cases} x & y > 0 \end{cases} = 1": "a value with its condition",
     "x = 1, i = 1, 2": "values are given for i, which does not occur",
     "I_i = 1, i = 1, 2, i = 3": "given twice",
     "1). x = 1; 3). x = 2": "not numbered",
     r"\mathbf{v} = (x, y, 0) \times (z, 0, 0)": "x is multiplied by 0",
-    r"\mathbf{v}^T = (x, y, z)": "neither row nor column",
+    r"\mathbf{v}^T = (x, y, z)": "do not compare",
     r"\int_0^1 x \partial x = 1": "partial differential",
     r"\frac{\partial^2 f(x, y)}{\partial x \, dy} = 1": "differential",
     r"\|a_{ji}\| = 0": "unknown letter",
@@ -236,15 +235,14 @@ def test_columns_of_an_alignment_are_relations():
     assert stated(r"\begin{aligned} J &= x & K &= y \end{aligned}") == (("=", "J", "x"), ("=", "K", "y"))
 
 
-RESERVED = [r"\tanh", r"\to", r"\det", r"\lim", r"\int", r"\sum", r"\times", r"\prod", r"\nabla", r"\forall", r"\quad"]
+RESERVED = [r"\to", r"\det", r"\lim", r"\int", r"\sum", r"\times", r"\prod", r"\nabla", r"\forall", r"\quad"]
 RESERVED += [
-    r"\sinh",
     r"\arccot",
     r"\mapsto",
     r"\cup",
     r"\phantom",
     r"\operatorname{div}",
-    r"\mathrm{sinh}",
+    r"\mathrm{sinc}",
     r"\sin",
     r"\foo",
 ]
@@ -323,7 +321,7 @@ def test_numbers_among_the_letters_have_their_values():
     assert term("e^x", notation) == ("exp", "x")
     assert term("2 e", notation) == ("*", 2, ("exp", 1))
     assert term(r"e^{(x + 1)} \pi", notation) == ("*", ("exp", ("+", "x", 1)), PI)
-    with pytest.raises(SymcheckError, match="imaginary unit"):
+    with pytest.raises(SymcheckError, match="a real one is expected"):
         term("2 i", notation)
     assert term("e^x", PLAIN.extended(Letter("e", name="e"))) == ("pow", "e", "x")
     for latex in ("e'", "e'^x"):

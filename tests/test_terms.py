@@ -21,7 +21,8 @@ TERMS: list[JSON] = [
     ["^", "x", -2], *([name, "x"] for name in FUNCTIONS), ["pow", "x", ["/", 1, 2]], ["call", "f", [0], "x"],
     ["call", "f", [1, 0], "x", ["sin", "y"]], ["mean", ["sin", "x"], "x"], ["integral", "x", "x", 0, "x"],
     ["integral", "x", "x", ["-infinity"], ["infinity"]], ["diverges", "x", "x", 0, ["infinity"]],
-    ["sum", "k", "k", 1, "n"], ["sum", ["^", 2, -2], "k", 1, ["infinity"]], ["product", "k", "k", 1, "n"], ["diff", ["^", "x", 3], "x", 2, "y"],
+    ["sum", "k", "k", 1, "n"], ["sum", ["^", 2, -2], "k", 1, ["infinity"]], ["product", "k", "k", 1, "n"],
+    ["diff", ["^", "x", 3], "x", 2, "y"],
 ]  # fmt: skip
 FORMULAS: list[JSON] = [
     *([sign, "x", 0] for sign in ("=", "!=", "<", "<=", ">", ">=")), ["and"], ["or"], ["and", ["=", 0, 0]],

@@ -13,8 +13,8 @@ from collections.abc import Iterable, Iterator, Mapping
 from math import prod
 
 from symcheck.checker.enclosures import enclosed
-from symcheck.checker.residues import PRIME, Reject, circle, draw, inverse, rational, require, root, rotation
-from symcheck.core.calculus import differentiated, domain, letters, substituted
+from symcheck.checker.residues import PRIME, Reject, circle, draw, has_root, inverse, rational, require, root, rotation
+from symcheck.core.calculus import Unknown, differentiated, domain, letters, substituted
 from symcheck.core.terms import Binder, Call, Connective, End, Formula, Node, Relation, Term, Value, node
 
 STEEPEST = 1 << 40  # product of nested exponents, multiples of angles and the like; a term has 2^20 nodes at most
@@ -41,6 +41,7 @@ class Algebra:
         self.settled: dict[int, int] = {}  # values of functions at the point, by what is drawn for them
         self.scale = 1  # product of the exponents around
         self.divisors: Divisors = {}  # that were met
+        self.outermost: Term | None = None  # at a point, the binder inside of which values are taken
 
     def value(self, term: Term) -> int:
         """The value of a term; sums and products are not reduced modulo the prime."""
@@ -128,7 +129,8 @@ class Algebra:
         else:
             self.divisors[value] = self.divisors.get(value) or (term if exact(term) or not self.bound else None)
         if self.point is not None and self.bound:  # nobody asks later
-            require(exact(term) or rational(value), "{} may be zero under a binder", term)
+            shown = exact(term) or rational(value) or (self.outermost is not None and has_digits(self.outermost))
+            require(shown, "{} may be zero under a binder", term)
         return inverse(value)
 
     def function(self, term: Value) -> int:
@@ -148,7 +150,7 @@ class Algebra:
             exact(inner, roots=False) or (self.point is not None and not letters(inner) & self.bound.keys())
         ):
             fraction = rational(values[0])
-            self.exactly(fraction is not None, name)
+            self.exactly(fraction is not None and has_root(fraction), name)
             return root(fraction)
         if name == "pow" and (whole := rational(values[1])) and whole[1] == 1:
             if whole[0] >= 0 or not self.bound:  # under an integral the base is positive by the meaning of such a power
@@ -180,6 +182,8 @@ class Algebra:
             return self.value(differentiated(term))
         ends = [e.tag if isinstance(e, End) else self.value(e) % PRIME for e in term.outside]
         kept = self.bound, self.letters, self.binders
+        if self.point is not None and not self.bound:
+            self.outermost = substituted(term, self.point)
         self.bound = {**self.bound, term.letter: ("bound", height(term))}
         self.letters = {**self.letters, term.letter: draw(*self.bound[term.letter])}
         self.binders = (*self.binders, (term.tag, *ends))
@@ -308,6 +312,15 @@ class Algebra:
             require(Algebra({}).value(difference) % PRIME == 0, "too few digits to compare {} and {}", left, right)
             return 0
         return (digits.low > 0) - (digits.high < 0)
+
+
+def has_digits(term: Term) -> bool:
+    """Whether a closed term has an enclosure, so that nothing in it is divided by zero, wherever bound letters are."""
+    try:
+        enclosed(term)
+    except Unknown:
+        return False
+    return True
 
 
 def exact(term: Term, roots: bool = True) -> bool:

@@ -127,6 +127,8 @@ def logarithm(x: Interval) -> Interval:
     """2^n times the logarithm of the 2^n-th root, which is 2 (y + y^3/3 + y^5/5 + ...) for y = (x - 1)/(x + 1)."""
     if x.low <= 0:
         raise Unknown("the logarithm of what may not be positive")
+    if x.low == x.high == ONE:
+        return whole(0)
     halved = 3 + max(x.high.bit_length() - PLACES, PLACES - x.low.bit_length(), 1).bit_length()
     for _ in range(halved):
         x = root(x)

@@ -70,14 +70,20 @@ def rational(value: int) -> tuple[int, int] | None:
 
 
 @lru_cache(None)
-def root(fraction: tuple[int, int] | None) -> int:
-    """The root of a rational number: a square modulo the prime, as the roots of the small primes are chosen."""
+def has_root(fraction: tuple[int, int] | None) -> bool:
+    """Whether a rational number is zero, or a product of small primes, so that its root is known."""
     top, bottom = fraction or (-1, 1)
     rest = max(top, 0) * bottom
     for p in PRIMES if rest else ():
         while rest % p == 0:
             rest //= p
-    require(rest == 1 or top == 0, f"the root of {fraction}: only of products of primes up to {PRIMES[-1]}")
+    return rest == 1 or top == 0
+
+
+def root(fraction: tuple[int, int] | None) -> int:
+    """The root of a rational number: a square modulo the prime, as the roots of the small primes are chosen."""
+    require(has_root(fraction), f"the root of {fraction}: only of products of primes up to {PRIMES[-1]}")
+    top, bottom = fraction or (0, 1)
     return power(top * inverse(bottom) % PRIME, (PRIME + 1) // 4, PRIME)
 
 

@@ -74,7 +74,7 @@ class Prover:
             self.depth += 1
         self.prove(goal, proof)
         met, self.algebra.divisors = self.algebra.divisors, self.around.pop()
-        cleared = {*nonzero, *filter(self.is_known, met)}
+        cleared = {*nonzero, *(value for value, term in met.items() if self.is_known(value, term))}
         around.update({value: term for value, term in met.items() if value not in cleared and not around.get(value)})
         self.facts, self.depth = facts, depth
 
@@ -261,7 +261,7 @@ class Prover:
         premises, conclusion = instance(name, given, {self.reader.letter(x): t for x, t in numbers.items()})
         for premise, proof in paired(premises, step.take("premises", LIST)):
             self.branch(premise, proof)
-        nonzero = self.cleared(conclusion.outside[0]) if name == "antiderivative" else ()
+        nonzero = self.cleared(conclusion.outside[0]) if name.startswith("antiderivative") else ()
         if isinstance(conclusion, Quantified):
             conclusion = self.opened(conclusion, step, goal)
         self.branch(goal, step.take("then", raw), conclusion, nonzero=nonzero)
@@ -315,15 +315,18 @@ class Prover:
         """No denominator that was met may be zero."""
         for divisor, term in [*self.algebra.divisors.items()]:
             if term is None or not exact(term):
-                shown = self.is_known(divisor) or divisor in self.nonzero or self.sign(term or 0) == 2
+                shown = self.is_known(divisor, term) or divisor in self.nonzero or self.sign(term or 0) == 2
                 shown = shown or self.not_zero_at_point(term or 0)
                 require(shown, "a denominator may be zero: {}", term or "under a binder")
 
-    def is_known(self, divisor: int) -> bool:
-        """Whether a fact that is in force says that a value is not zero."""
+    def is_known(self, divisor: int, term: Term | None = None) -> bool:
+        """Whether a fact that is in force says that a value is not zero, or is the root of what is positive."""
         known = [(name, gap) for name, (formula, gap) in self.facts.items() if gap and formula.tag in ("!=", *STRICT)]
         by = next((name for name, gap in known if gap == divisor), None)
         by = by or next((name for name, gap in known if divisor and rational(gap * inverse(divisor))), None)
+        if by is None and isinstance(term, Value) and term.tag == "sqrt":
+            inner = self.value(term.terms[0]) % PRIME
+            by = next((name for name, gap in known if gap == inner and self.facts[name][0].tag in STRICT), None)
         self.used |= {by} if by else set()
         return by is not None
 

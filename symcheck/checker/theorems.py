@@ -9,13 +9,13 @@ An integral that has no finite value counts as 0; a mean is over one turn.
 from __future__ import annotations
 
 import ast
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from functools import cache
 from types import MappingProxyType
 from typing import NamedTuple
 
 from symcheck.checker.enclosures import between
-from symcheck.core.calculus import Lambda, polynomial_in, regular, substituted
+from symcheck.core.calculus import Lambda, domain, letters, nodes, polynomial_in, regular, substituted
 from symcheck.core.terms import RELATIONS, Call, Formula, Malformed, Node, Quantified, Term, Value, node
 
 QUADRANTS = "-(pi/2) <= a; a <= pi/2"  # from -90 to 90 degrees
@@ -49,12 +49,18 @@ quarter_turn(f): forall(x, f(x + pi/2) == -f(x)) |- exists(x, f(x) == 0)
 intermediate_value(f, s, t): s < t; f(s) * f(t) < 0 |- exists(x, s < x and x < t and f(x) == 0)
 constant(c, s, t): |- integral(c, x, s, t) == c * (t - s)
 power_rule(f, s, t, c, g, u): s <= t; forall(x, implies(s <= x and x <= t, g(x) > 0 and f(x) == diff(c * pow(g(x), u), x))) |- integral(f(x), x, s, t) == c * pow(g(t), u) - c * pow(g(s), u)
-antiderivative(f, g, s, t): s <= t; forall(x, implies(s <= x and x <= t, f(x) == diff(g(x), x))) |- integral(f(x), x, s, t) == g(t) - g(s)
+antiderivative(f, g, s, t): s <= t; forall(x, implies(s < x and x < t, f(x) == diff(g(x), x))) |- integral(f(x), x, s, t) == g(t) - g(s)
+antiderivative_everywhere(f, g, s, t): forall(x, f(x) == diff(g(x), x)) |- integral(f(x), x, s, t) == g(t) - g(s)
 exp_of_log(t): t > 0 |- exp(log(t)) == t
 log_of_one(): |- log(1) == 0
 log_of_exp(t): |- log(exp(t)) == t
 log_of_product(s, t): s > 0; t > 0 |- log(s * t) == log(s) + log(t)
 log_of_power(t, u): t > 0 |- log(pow(t, u)) == u * log(t)
+log_of_root(t): t > 0 |- 2 * log(sqrt(t)) == log(t)
+circular_of_arctan(t): |- sin(arctan(t)) * sqrt(1 + t**2) == t and cos(arctan(t)) * sqrt(1 + t**2) == 1
+circular_of_arcsin(t): t**2 <= 1 |- sin(arcsin(t)) == t and cos(arcsin(t)) == sqrt(1 - t**2)
+circular_of_arccos(t): t**2 <= 1 |- cos(arccos(t)) == t and sin(arccos(t)) == sqrt(1 - t**2)
+telescope(f, g, s, t): s - 1 <= t; g(s - 1) == 0; forall(x, implies(x >= s - 1, g(x + 1) == g(x) + f(x + 1))) |- sum(f(x), x, s, t) == g(t)
 power_as_exp(b, u): b > 0 |- pow(b, u) == exp(u * log(b))
 power_diverges(f, c, u): c != 0; forall(x, implies(x > 0, f(x) == c * pow(x, u))) |- diverges(f(x), {HALF}) == 1
 beta(f, c, k, u, r, p, q): p > 0; q > 0; {S} > 0; 2*r - {S} > 0; {SHAPE} |- diverges(f(x), {HALF}) == 0 and {EULER} * gamma(r - {S}/2) and gamma(r) > 0 and gamma({S}/2) > 0 and gamma(r - {S}/2) > 0 and pow(p, -({S}/2)) > 0 and pow(q, -(r - {S}/2)) > 0
@@ -86,13 +92,13 @@ def _table() -> dict[str, str]:
         lines += [f"known_angle_{name}_{k}(): |- {name}({t}) == {ANGLES[k]}" for k, t in enumerate(numbers)]
     for sign in RELATIONS:
         written = "==" if sign == "=" else sign
-        for name, domain, angles, values in (
+        for name, where, angles, values in (
             ("arctangent", QUADRANTS, f"a {written} arctan(t)", f"sin(a) {written} t * cos(a)"),
             ("arcsine", f"t**2 <= 1; {QUADRANTS}", f"a {written} arcsin(t)", f"sin(a) {written} t"),
             ("arccosine", "t**2 <= 1; 0 <= a; a <= pi", f"a {written} arccos(t)", f"t {written} cos(a)"),
         ):
-            lines.append(f"{name} {sign}(a, t): {domain}; {angles} |- {values}")
-            lines.append(f"{name} {sign} back(a, t): {domain}; {values} |- {angles}")
+            lines.append(f"{name} {sign}(a, t): {where}; {angles} |- {values}")
+            lines.append(f"{name} {sign} back(a, t): {where}; {values} |- {angles}")
     return {line.partition("(")[0]: line for line in lines}
 
 
@@ -192,29 +198,44 @@ def instance(
         whole = parameter not in ("n", "k") or isinstance(argument, int)
         if (parameter in lambdas) != (parameter in ("f", "g", "h")) or not whole:
             raise Malformed(f"{argument!r} for the parameter {parameter} of {name}")
+    if name == "telescope" and not _grows(lambdas["g"]):
+        raise Malformed(
+            f"{lambdas['g'][1]!r} may have a period: a theorem about real numbers would not tell whole ones"
+        )
     if name in SMOOTH:
         parameter, *of = SMOOTH[name]
         (x,), body = lambdas[parameter]
         atoms: list[Term] = [node(each, x) for each in of] or [x]
         if not polynomial_in(body, *atoms):
             raise Malformed(f"{body!r} is no polynomial in {' and '.join(of)} {x}")
-    if name == "antiderivative":  # what it is the derivative of is smooth all the way
-        return antiderivative(lambdas["f"], lambdas["g"], terms["s"], terms["t"])
     stated = theorem(name)
     premises = [substituted(premise, terms, lambdas) for premise in stated.premises]
+    if name.startswith("antiderivative"):
+        premises[-1:] = smoothly(premises[-1], lambdas["g"])
     return premises, substituted(stated.conclusion, terms, lambdas)
 
 
-def antiderivative(f: Lambda, g: Lambda, s: Term, t: Term) -> tuple[list[Formula], Formula]:
-    """The theorem of that name: all the way from s to t, g is smooth, and has the derivative f where it is."""
-    stated = theorem("antiderivative")
-    ordered, derived = (substituted(each, {"s": s, "t": t}, {"f": f, "g": g}) for each in stated.premises)
+def _grows(g: Lambda) -> bool:
+    """Whether a term is put together of its letter and of powers to it: two such terms never differ by a period."""
+    (x,), body = g
+    inner = [part for part in nodes(body) if x in letters(part)]
+    known = all(part.tag in ("+", "*", "-", "/", "^", "pow", "exp") for part in inner)
+    return known and not any(part.tag == "pow" and x in letters(part.outside[0]) for part in inner)
+
+
+def smoothly(derived: Formula, g: Lambda) -> Iterator[Formula]:
+    """That g is smooth and has the derivative f all the way, and between two ends is continuous at them."""
     assert isinstance(derived, Quantified)
-    (way, equal), (x,) = derived.body.formulas, derived.bound
-    smooth = regular(substituted(g[1], {g[0][0]: x}))
-    last = node("forall", (x,), node("=>", node("and", *way.formulas, *smooth), equal))
-    premises = [node("forall", (x,), node("=>", way, each)) for each in smooth]
-    return [ordered, *premises, last], substituted(stated.conclusion, {"s": s, "t": t}, {"f": f, "g": g})
+    (x,), body = derived.bound, derived.body
+    inside, equal = (body.formulas[0].formulas, body.formulas[1]) if body.tag == "=>" else ((), body)
+    primitive = substituted(g[1], {g[0][0]: x})
+    ends_too = tuple(node(each.tag + "=", *each.outside) for each in inside)
+    continuous = domain(primitive, divisors=True) if inside else []
+    smooth = [each for each in regular(primitive) if each not in continuous]
+    for way, each in ((ends_too, continuous), (inside, [*smooth, equal])):
+        for formula in each:
+            assumed = (*way, *([*continuous, *smooth] if formula is equal else ()))
+            yield node("forall", (x,), node("=>", node("and", *assumed), formula) if assumed else formula)
 
 
 def congruence(given: Mapping[str, Argument]) -> tuple[list[Formula], Formula]:

@@ -271,7 +271,7 @@ Theorem theorem_exp_of_log :
   forall (t : R),
   t > 0 ->
   exp (ln t) = t.
-Proof. exact exp_ln. Qed.
+Proof. intros. apply exp_ln. lra. Qed.
 
 Theorem theorem_log_of_one :
   ln 1 = 0.
@@ -287,19 +287,54 @@ Theorem theorem_log_of_product :
   s > 0 ->
   t > 0 ->
   ln (s * t) = ln s + ln t.
-Proof. exact ln_mult. Qed.
+Proof. intros. apply ln_mult; lra. Qed.
 
 Theorem theorem_log_of_power :
   forall (t u : R),
   t > 0 ->
   ln (Rpower t u) = u * ln t.
-Proof. intros t u _. apply ln_exp. Qed.
+Proof. intros. unfold Rpower. apply ln_exp. Qed.
+
+Theorem theorem_log_of_root :
+  forall (t : R),
+  t > 0 ->
+  2 * ln (sqrt t) = ln t.
+Proof.
+  intros t H. assert (P : 0 < sqrt t) by (apply sqrt_lt_R0; lra).
+  rewrite <- (sqrt_sqrt t) at 2 by lra. rewrite ln_mult by assumption. ring.
+Qed.
+
+Theorem theorem_circular_of_arctan :
+  forall (t : R),
+  sin (atan t) * sqrt (1 + t ^ 2) = t /\ cos (atan t) * sqrt (1 + t ^ 2) = 1.
+Proof.
+  intros t. assert (P : 0 < sqrt (1 + t ^ 2)) by (apply sqrt_lt_R0; nra).
+  rewrite sin_atan, cos_atan. replace (Rsqr t) with (t ^ 2) by (unfold Rsqr; ring). split; field; lra.
+Qed.
+
+Theorem theorem_circular_of_arcsin :
+  forall (t : R),
+  t ^ 2 <= 1 ->
+  sin (asin t) = t /\ cos (asin t) = sqrt (1 - t ^ 2).
+Proof.
+  intros t H. assert (-1 <= t <= 1) by nra. split; [apply sin_asin; assumption |].
+  rewrite cos_asin by assumption. f_equal. unfold Rsqr. ring.
+Qed.
+
+Theorem theorem_circular_of_arccos :
+  forall (t : R),
+  t ^ 2 <= 1 ->
+  cos (acos t) = t /\ sin (acos t) = sqrt (1 - t ^ 2).
+Proof.
+  intros t H. assert (-1 <= t <= 1) by nra. split; [apply cos_acos; assumption |].
+  rewrite sin_acos by assumption. f_equal. unfold Rsqr. ring.
+Qed.
 
 Theorem theorem_power_as_exp :
   forall (b u : R),
   b > 0 ->
   Rpower b u = exp (u * ln b).
-Proof. reflexivity. Qed.
+Proof. intros. reflexivity. Qed.
 
 Theorem theorem_known_angle_arctan_0 :
   atan 0 = 0.
@@ -711,6 +746,10 @@ pose proof theorem_log_of_one.
 pose proof theorem_log_of_exp.
 pose proof theorem_log_of_product.
 pose proof theorem_log_of_power.
+pose proof theorem_log_of_root.
+pose proof theorem_circular_of_arctan.
+pose proof theorem_circular_of_arcsin.
+pose proof theorem_circular_of_arccos.
 pose proof theorem_power_as_exp.
 pose proof theorem_known_angle_arctan_0.
 pose proof theorem_known_angle_arctan_1.

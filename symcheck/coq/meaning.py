@@ -284,20 +284,20 @@ class Meaning(Evaluator):
     def quantified(self, node: Tree, at: Values) -> bool | None:
         if node[0] == "exists":
             return self.existence(node, at)
-        places = [*PLACES[::3], *self.between(node[2], {x: t for x, t in at.items() if x not in node[1]})]
+        places = [*PLACES[::3], *self.between(node[2], node[1], {x: t for x, t in at.items() if x not in node[1]})]
         found = [self.formula(node[2], self.inside(at, dict.fromkeys(node[1], place))) for place in places]
         return False if False in found else None if None in found else True
 
-    def between(self, body: Tree, at: Values) -> list[Number]:
-        """Where the premise of an implication may hold: between the numbers that it mentions."""
+    def between(self, body: Tree, bound: Tree, at: Values) -> list[Number]:
+        """Where the premise of an implication may hold: between the numbers with which it compares a bound letter."""
         ends = []
         for part in body[1][1:] if body[0] == "=>" and body[1][0] == "and" else ():
-            for side in part[1:]:
+            for side in part[1:] if any(side in bound for side in part[1:] if isinstance(side, str)) else ():
                 try:
                     ends.append(self.term(side, at))
                 except NoValue:
                     continue
-        return [ends[0] + (ends[1] - ends[0]) * k / 5 for k in range(6)] if len(ends) == 2 else []
+        return [ends[0] + (ends[1] - ends[0]) * k / 5 for k in range(6)] if len(ends) >= 2 else []
 
     def existence(self, node: Tree, at: Values) -> bool | None:
         """By trial; for one letter also by change of sign. An equation of at most second degree is decided."""

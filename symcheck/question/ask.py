@@ -3,20 +3,21 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import replace
 
 from symcheck.checker import check
 from symcheck.core.certificates import Certificate
 from symcheck.core.problems import Problem
 from symcheck.core.verdicts import SymcheckError, Verdict
+from symcheck.core.words import term
 from symcheck.proof import certificate, identity
 from symcheck.question import jets
 from symcheck.question.answer import Answer, Status
 from symcheck.question.antiderivatives import hinted
 from symcheck.question.limit import OutOfTime, limited
-from symcheck.question.repairs import repairs
 from symcheck.question.prepare import Asked, Reading, readings, sizes
+from symcheck.question.repairs import repairs
 from symcheck.reading import to_latex
 
 LIMIT = 6.0  # seconds for one component of a relation; nearly all that are found at all are found in one
@@ -30,6 +31,36 @@ def decide(
     given: Iterable[str] | str = (),
     letters: Mapping[str, str] | None = None,
 ) -> Answer:
+    r"""Decide one formula, without a paper and without declarations.
+
+    Parameters
+    ----------
+    relation
+        The formula, in LaTeX: an equation, an inequality, or a chain of them.
+    where
+        Definitions and earlier equations: solved for a letter they say what it is, otherwise they are assumed.
+    given
+        Conditions, such as ``"x > 0"`` or ``r"n \in \mathbb{N}"``.
+    letters
+        What letters are, where that is not to be inferred: ``{"f": "function of x", r"\omega": "vector"}``.
+
+    Returns
+    -------
+    Answer
+        The verdict with its evidence. What cannot be read is an answer too, with the reason.
+
+    See Also
+    --------
+    check : The audit of whole papers.
+
+    Examples
+    --------
+    >>> from symcheck import decide
+    >>> decide(r"\sin 2a = 2 \sin a \cos a").verdict
+    <Status.PROVED: 'proved'>
+    >>> decide(r"\ln x = x", given="x > 0").counterexample
+    {'x': '1'}
+    """
     started = time.perf_counter()
     asked = None
     try:
@@ -47,12 +78,21 @@ def decide(
     if not found:
         return Answer(Status.UNREADABLE, reason=fault, seconds=time.perf_counter() - started)
 
-    verdicts = {answer.verdict for _, answer in found}
     seconds = time.perf_counter() - started
-    if len(verdicts) == 1:
-        return replace(found[0][1], seconds=seconds)
+    if (answer := _agreed(found)) is not None:
+        return replace(answer, seconds=seconds)
     shown = "; ".join(f"{', '.join(r.inference.choices)}: {a.verdict}" for r, a in found)
     return Answer(Status.AMBIGUOUS, reading=" | ".join(a.reading for _, a in found), reason=shown, seconds=seconds)
+
+
+def _agreed(found: Sequence[tuple[Reading, Answer]]) -> Answer | None:
+    """The verdict of all readings; a remote one cannot contradict a proof, but raises doubts of a refutation."""
+    near = [answer for reading, answer in found if not reading.inference.remote]
+    remote = [answer.verdict for reading, answer in found if reading.inference.remote]
+    verdicts = {answer.verdict for answer in near}
+    if len(verdicts) == 1 and not (Status.REFUTED in verdicts and Status.PROVED in remote):
+        return near[0]
+    return found[0][1] if not near and {*remote} == {Status.PROVED} else None
 
 
 def _of_some_size(asked: Asked) -> Answer | None:
@@ -81,23 +121,34 @@ def _several(texts: Iterable[str] | str) -> tuple[str, ...]:
 def _decided(reading: Reading, asked: Asked, wanted: bool = True) -> Answer:
     shown = {g.letter.latex: f"{g.taken} ({g.why})" for g in reading.inference.guesses}
     base = Answer(Status.UNDECIDED, to_latex(reading.tree), shown)
-    certificates, status, reasons = [], Status.PROVED, []
+    certificates, status, reasons, used = [], Status.PROVED, list[str](), list[str]()
     for problem in reading.problems:
-        verdict, made, reason = _decided_one(problem)
+        verdict, made, found = _decided_one(problem)
         if made is None:
             status = Status.UNDECIDED
-            reasons.append(reason)
+            reasons += found
             continue
         certificates.append(made)
+        used += (reading.stated[name] for name in found if name in reading.stated)
         if verdict is Verdict.REFUTED:
-            point = {x: str(v) for x, v in made["point"]["values"].items()}
-            found = repairs(reading, made["point"]["values"]) if wanted else ()
-            return replace(base, verdict=Status.REFUTED, counterexample=point, certificate=(made,), repairs=found)
-    return replace(base, verdict=status, certificate=tuple(certificates), reason="; ".join(dict.fromkeys(reasons)))
+            at = made["point"]["values"]
+            return replace(
+                base,
+                verdict=Status.REFUTED,
+                counterexample={x: term(value) for x, value in at.items()},
+                values=tuple(map(term, made["point"].get("shown", ()))),
+                used=tuple(dict.fromkeys(used)),
+                certificate=(made,),
+                repairs=repairs(reading, at) if wanted else (),
+            )
+    reason = "; ".join(dict.fromkeys(reasons))
+    return replace(
+        base, verdict=status, certificate=tuple(certificates), used=tuple(dict.fromkeys(used)), reason=reason
+    )
 
 
-def _decided_one(problem: Problem) -> tuple[Verdict, Certificate | None, str]:
-    """The verdict with its certificate, or why there is none; about numbers first, where it can be put so."""
+def _decided_one(problem: Problem) -> tuple[Verdict, Certificate | None, tuple[str, ...]]:
+    """The verdict with its certificate and what it rests on, or why there is none; about numbers first if it can be."""
     reasons = []
     for way in (jets.of, lambda whole: jets.Jets(whole, True)):
         try:
@@ -110,8 +161,8 @@ def _decided_one(problem: Problem) -> tuple[Verdict, Certificate | None, str]:
                     continue
                 made = certificate(numbers.problem, outcome)
                 if (fault := check(made)) is None:
-                    return outcome.verdict, made, ""
+                    return outcome.verdict, made, outcome.used
                 reasons.append(f"the certificate was not accepted ({fault})")
         except OutOfTime:
             reasons.append(f"the search was not over after {LIMIT:g} s")
-    return Verdict.UNDECIDED, None, reasons[-1]
+    return Verdict.UNDECIDED, None, (reasons[-1],)

@@ -1,8 +1,9 @@
 """Unknown functions of one letter at one place: there, their values and derivatives are numbers like others.
 
 What is proved of all numbers holds of these. What fails for some numbers fails for functions too, if functions with
-these values exist for which all conditions hold along the whole way: a condition is then an equation that gives the highest
-derivative of a function, which by the theorem of Picard and Lindeloef has a solution, or it has no function in it.
+these values exist for which all conditions hold along the whole way: a condition is then an equation that gives the
+highest derivative of a function, which by the theorem of Picard and Lindeloef has a solution, or it has no function in
+it.
 """
 
 from __future__ import annotations

@@ -12,7 +12,7 @@ from symcheck.core.problems import Problem
 from symcheck.core.terms import Binder, Formula, Node, T, Term, Value, mapped, node
 from symcheck.core.verdicts import SymcheckError
 from symcheck.reading import Notation, Tree, lower, read, tex
-from symcheck.reading.inference import Inference, canonical, inferred, spelling
+from symcheck.reading.inference import SIZES, Inference, canonical, inferred, spelling
 from symcheck.reading.occurrences import occurrences
 from symcheck.reading.parser import dependence
 from symcheck.reading.surface import plain, with_plain_differentials
@@ -22,6 +22,7 @@ _SETS = {"R": "", "Z": "integer", "N": "integer", "Q": "", "C": "complex"}
 _SET = re.compile(r"^\\mathbb\s*\{?([RZNQC])\}?\s*(?:_\{?\s*(>\s*0|\\geq?\s*0|\+)\s*\}?)?\s*(?:\^\s*\{?([^{}]*)\}?)?$")
 Definitions = Mapping[str, tuple[str, tuple[str, ...], str]]  # left side, arguments and right side, by the letter
 _SIZE_OF = re.compile(r"\\mathbb\s*\{?R\}?\s*\^\s*\{?\s*([A-Za-z])\s*(?:\\times\s*([A-Za-z]))?")
+LARGER = (4, 1)  # sizes of vectors and matrices where no smaller one makes sense
 LONGEST = 20_000  # characters; the longest display of the corpora has a tenth of it
 DEFINED = "defined"  # the name of the condition that every printed term has a value
 
@@ -162,15 +163,17 @@ def readings(asked: Asked, size: int = 0) -> list[Reading]:
     defined, equations = definitions(asked.where)
     formulas = [asked.relation, *asked.where, *conditions]
     heads = {name: arguments for name, (_, arguments, _) in defined.items()}
-    found, errors = [], []
-    for inference in inferred(formulas, said, heads):
-        try:
-            found.append(_reading(asked, inference, defined, equations, conditions))
-        except SymcheckError as error:
-            errors.append(error)
-    if not found:
-        raise errors[0]
-    return found
+    errors = []
+    for tried in (SIZES, LARGER):
+        found = []
+        for inference in inferred(formulas, said, heads, tried):
+            try:
+                found.append(_reading(asked, inference, defined, equations, conditions))
+            except SymcheckError as error:
+                errors.append(error)
+        if found:
+            return found
+    raise errors[0]
 
 
 def _reading(
@@ -197,6 +200,13 @@ def _reading(
                 terms[head] = value
             else:
                 hypotheses.append((_named(stated, f"{left} = {right}"), (formula,)))
+    for fact in inference.facts:
+        for formula in lower(read(fact, notation), notation, functions_):
+            head, value = formula[1], formula[2]
+            if isinstance(head, str) and head not in terms:
+                terms[head] = value
+            else:
+                hypotheses.append((_named(stated, fact), (formula,)))
     for text in (*equations, *conditions):
         hypotheses.append((_named(stated, text), lower(read(text, notation), notation, functions_)))
     claims = tuple(map(rooted, claims))
@@ -232,7 +242,7 @@ def rooted(tree: T) -> T:
 
 
 def parted_angles(trees: Iterable[Term], defined: Mapping[str, Term]) -> dict[str, Term]:
-    """Letters of which parts such as x/2 stand under a sine or cosine, as multiples of new letters."""
+    """Letters of which parts such as x/2 stand under a sine, cosine or exponential, as multiples of new letters."""
     parts: dict[str, int] = {}
     for tree in trees:
         for x, d in _parts(tree, angle=False):
@@ -249,9 +259,11 @@ def _parts(tree: Term, *, angle: bool) -> Iterator[tuple[str, int]]:
             yield x, d
         case Value(tag="*", terms=(Value(tag="/", terms=(int(), int(d))), str(x))) if angle and d > 0:
             yield x, d
+        case Value(tag="/", terms=(Value(tag="+") as total, int(d))) if angle and d > 0:
+            yield from ((x, d) for x in sorted(letters(total)))
         case Node(bound=()):
             for part in tree.outside:
-                yield from _parts(part, angle=angle or tree.tag in ("sin", "cos", "tan"))
+                yield from _parts(part, angle=angle or tree.tag in ("sin", "cos", "tan", "exp"))
         case Binder(tag="diff"):
             return
 

@@ -6,6 +6,7 @@ from collections.abc import Callable, Iterable, Iterator, Sequence
 from typing import Any
 
 from symcheck.core.terms import Term, node
+from symcheck.core.verdicts import SymcheckError
 from symcheck.reading.complexes import Complex, Number, added, divided, multiplied, negative
 
 Value = Any  # Term | Complex, or a list of them, or a list of rows
@@ -146,6 +147,10 @@ def _signed(t: Term) -> tuple[int, Term]:
 
 def skew(v: list[Term]) -> list[list[Term]]:
     """The matrix whose product with a vector is the cross product of v with it."""
+    if len(v) != 3:
+        raise SymcheckError(
+            f"a vector of {len(v)} components has no skew matrix of that size; cross products need three"
+        )
     x, y, z = v
     return [[0, minus(0, z), y], [z, 0, minus(0, x)], [minus(0, y), x, 0]]
 

@@ -16,9 +16,11 @@ from symcheck.reading.commands import ACCENTS, ROMAN, STYLES, known
 from symcheck.reading.lexer import SPACES
 from symcheck.reading.notation import VALUE, Letter, Notation, instances
 from symcheck.reading.occurrences import Occurrence, occurrences, words
+from symcheck.reading.relatives import Relatives, relatives
 
+SIZES = (3, 2)  # of vectors and matrices whose size nothing tells: what holds of both hardly fails of others
 MAX_READINGS = 8  # of one question: three letters with two readings each; more are refused
-_STYLED = re.compile(r"\\(mathbf|boldsymbol|bm|pmb|vec|overrightarrow)\{")
+_STYLED = re.compile(r"(?:\\\w+\{)?\\(mathbf|boldsymbol|bm|pmb|vec|overrightarrow)\{")  # a style, or an accent over it
 _TYPICAL = frozenset("fghFGH") | {r"\phi", r"\psi", r"\varphi", r"\Phi", r"\Psi", r"\Theta", r"\Gamma"}
 _SIZES = re.compile(r"^(?:\{)?(\w+)(?:\\times(\w+))?(?:\})?$")
 
@@ -35,11 +37,14 @@ class Guess:
         What that means, in words.
     why
         The evidence.
+    remote
+        Whether hardly anybody would mean this where the other possibility makes sense.
     """
 
     letter: Letter
     taken: str
     why: str
+    remote: bool = False
 
 
 @dataclass(frozen=True, slots=True)
@@ -54,11 +59,17 @@ class Inference:
         One for each letter, in order of appearance.
     choices
         What distinguishes this reading from the others; nothing if it is the only one.
+    facts
+        What is so of the letters in this reading, in LaTeX.
+    remote
+        Whether hardly anybody would read it so: then it can raise a doubt, and a proof in another reading stands.
     """
 
     notation: Notation
     guesses: tuple[Guess, ...]
     choices: tuple[str, ...] = ()
+    facts: tuple[str, ...] = ()
+    remote: bool = False
 
 
 @dataclass(slots=True)
@@ -100,7 +111,10 @@ HABITS = {  # what a sign may mean of which a formula itself does not say which,
 
 
 def inferred(
-    formulas: Sequence[str], said: Mapping[str, str], defined: Mapping[str, tuple[str, ...]]
+    formulas: Sequence[str],
+    said: Mapping[str, str],
+    defined: Mapping[str, tuple[str, ...]],
+    sizes: Sequence[int] = SIZES,
 ) -> list[Inference]:
     r"""All readings of formulas that share their letters.
 
@@ -114,6 +128,8 @@ def inferred(
     defined
         Letters that an equation defines, with the letters of which they are functions there: ("x", "y") where it is
         printed as f(x, y) = ..., nothing where it is f = ....
+    sizes
+        Of vectors and matrices whose size nothing tells.
 
     Returns
     -------
@@ -127,6 +143,71 @@ def inferred(
     """
     evidence = gathered(formulas, said)
     _complete(evidence)
+    free = {key for key, each in evidence.items() if not each.said and key not in defined and _is_plain(each)}
+    related = relatives(evidence.keys(), free)
+    if not related:
+        found = _inferred(formulas, evidence, defined)
+        return [each for size in sizes for each in _sized(found, size, first=size == sizes[0])]
+    for name in related.entries:
+        evidence.setdefault(name, Evidence(name, [Occurrence(name)]))
+    loose = _inferred(formulas, evidence, defined)
+    found = [*(_related(each, related) for each in loose), *(replace(each, remote=True) for each in loose)]
+    return [each for size in sizes for each in _sized(found, size, first=size == sizes[0])]
+
+
+def _is_plain(of: Evidence) -> bool:
+    return not (of.dotted or of.index or of.whole or of.arguments or _is_derived(of) or of.indices > 0)
+
+
+def _related(inference: Inference, by: Relatives) -> Inference:
+    """The reading in which plain letters are components and lengths of bold ones."""
+    guesses = []
+    for guess in inference.guesses:
+        latex = guess.letter.latex
+        if latex in by.components:
+            letter = replace(guess.letter, components=by.components[latex], size=())
+            guess = Guess(letter, f"{guess.taken} with the components {by.components[latex]}", guess.why)
+        elif latex in by.lengths:
+            guess = Guess(guess.letter, f"the length of {by.lengths[latex]}", "the same letter stands in bold type")
+        elif latex in by.units:
+            guess = Guess(guess.letter, "a vector of length 1", "it is bold with a hat")
+        guesses.append(guess)
+    return replace(inference, notation=_with(inference, guesses), guesses=tuple(guesses), facts=by.facts)
+
+
+def _with(inference: Inference, guesses: Iterable[Guess]) -> Notation:
+    return _notation(guesses, **inference.notation.habits)
+
+
+def _sized(inferences: Iterable[Inference], size: int, *, first: bool) -> Iterator[Inference]:
+    """The same with vectors and matrices of so many components, where nothing says how many they have."""
+    for inference in inferences:
+        guesses = [_of_size(guess, size) for guess in inference.guesses]
+        if any(map(_unsized, inference.guesses)):
+            told = f"vectors and matrices of {size} components and rows"
+            yield Inference(
+                _with(inference, guesses), tuple(guesses), (*inference.choices, told), inference.facts, inference.remote
+            )
+        elif first:
+            yield inference
+
+
+def _unsized(guess: Guess) -> bool:
+    letter = guess.letter
+    return letter.kind in ("vector", "matrix") and not letter.size and letter.components is None and not letter.skew
+
+
+def _of_size(guess: Guess, size: int) -> Guess:
+    if not _unsized(guess):
+        return guess
+    sizes = (size,) if guess.letter.kind == "vector" else (size, size)
+    return replace(guess, letter=replace(guess.letter, size=sizes), taken=f"{guess.taken} of {size}")
+
+
+def _inferred(
+    formulas: Sequence[str], evidence: Mapping[str, Evidence], defined: Mapping[str, tuple[str, ...]]
+) -> list[Inference]:
+    """All readings by the options of each letter."""
     options = [[*_options(each, evidence, defined)] for each in evidence.values()]
     habits = [
         [(name, value) for value in values]
@@ -146,7 +227,8 @@ def inferred(
         )
         for meaning in itertools.product(*habits):
             notation = _notation(chosen, **dict(meaning))
-            found.append(Inference(notation, chosen, (*choices, *(f"{name}={value}" for name, value in meaning))))
+            told = (*choices, *(f"{name}={value}" for name, value in meaning))
+            found.append(Inference(notation, chosen, told, remote=any(guess.remote for guess in chosen)))
     return found
 
 
@@ -195,7 +277,7 @@ _SIGNS = frozenset({"*", "+", "-", r"\star", r"\dagger", r"\ddagger", r"\sharp",
 
 
 def _labelled(formula: str) -> Iterator[str]:
-    r"""Letters with a superscript that is no power: `x^*`, `x_i^{(k)}`, `v^{\text{max}}`; and `[P]`, `[BN]`, matrices in brackets."""
+    r"""Letters with a superscript that is no power: `x^*`, `x_i^{(k)}`, `v^{\text{max}}`; matrices `[P]`, `[BN]`."""
     reader = tex.Reader(formula)
     toks = reader.toks
     while reader.i < len(toks):
@@ -247,12 +329,12 @@ def _is_label(inside: Sequence[str]) -> bool:
 
 
 def _bracketed(toks: Sequence[tex.Tok], start: int) -> int:
-    """Where a matrix in brackets ends that begins here: one letter with its scripts, or two capitals; 0 if there is none."""
+    """Where a matrix in brackets ends that begins here: one letter with its scripts, or two capitals; 0 without one."""
     end = next((k for k in range(start, len(toks)) if toks[k].text == "]"), 0)
     inner = [tok.text for tok in toks[start + 1 : end]]
     letters = [text for text in inner if text not in ("_", "{", "}") and not text.isdigit()]
     pair = len(letters) == 2 and all(len(text) == 1 and text.isupper() for text in letters)
-    styled = bool(inner) and (inner[0].isalpha() and inner[0].isupper() or inner[0] in STYLES | ACCENTS)
+    styled = bool(inner) and ((inner[0].isalpha() and inner[0].isupper()) or inner[0] in STYLES | ACCENTS)
     if not end or not (pair or (styled and _is_letter(" ".join(inner)))):
         return 0
     reader = tex.Reader(" ".join(tok.text for tok in toks[end + 1 :]))
@@ -359,10 +441,11 @@ def _options(of: Evidence, every: Mapping[str, Evidence], defined: Mapping[str, 
         yield Guess(_letter(of, kind=kind, depends=""), f"a {kind}", "a frame stands at its left")
     elif of.whole and latex.startswith("["):
         yield Guess(_letter(of, kind="matrix", depends=""), "a matrix", "it stands in brackets")
-    elif latex in _IDENTITIES and (size := _matrix_size(every)):
-        yield Guess(
-            _letter(of, kind="matrix", size=(size, size), identity=True), "the identity", "it stands beside matrices"
-        )
+    elif latex in _IDENTITIES and (size := _matrix_size(every)) is not None:
+        own = (size, size) if size else ()
+        yield Guess(_letter(of, kind="matrix", size=own, identity=True), "the identity", "it stands beside matrices")
+        if latex != r"\mathbf{1}":
+            yield Guess(_letter(of, kind="matrix", size=own), "a matrix", "it is capital", remote=True)
     elif _STYLED.match(latex):
         yield from _styled(of)
     elif _beside_vectors(of, every):
@@ -374,8 +457,9 @@ def _options(of: Evidence, every: Mapping[str, Evidence], defined: Mapping[str, 
 _IDENTITIES = frozenset({"I", r"\mathbf{I}", r"\bm{I}", r"\boldsymbol{I}", r"\mathbb{I}", r"\mathbf{1}"})
 
 
-def _matrix_size(every: Mapping[str, Evidence]) -> int:
-    """The number of rows of the matrices of which something is said, or that are capital and bold; 0 without any."""
+def _matrix_size(every: Mapping[str, Evidence]) -> int | None:
+    """The number of rows of the matrices that are said to be some, or are capital and bold; 0 if it is not said."""
+    found = None
     for each in every.values():
         if each.spelling in _IDENTITIES:
             continue
@@ -383,7 +467,9 @@ def _matrix_size(every: Mapping[str, Evidence]) -> int:
             return int(match[1])
         if each.said.startswith(("matrix", "skew matrix")):
             return 3
-    return 0
+        if _is_styled(each.spelling, capital=True):
+            found = 0
+    return found
 
 
 def _beside_vectors(of: Evidence, every: Mapping[str, Evidence]) -> bool:
@@ -391,7 +477,7 @@ def _beside_vectors(of: Evidence, every: Mapping[str, Evidence]) -> bool:
 
     def is_vector(spelling: str) -> bool:
         each = every.get(spelling)
-        styled = _STYLED.match(spelling) is not None and not spelling[-2].isupper()
+        styled = _is_styled(spelling, capital=False)
         return each is not None and (
             styled or each.said == "vector" or re.fullmatch(r"real \d+", each.said) is not None
         )
@@ -446,9 +532,10 @@ def _number(of: Evidence) -> list[Guess]:
         euler = Guess(Letter(latex, number="e"), "Euler's number", "it is raised to a power")
         letter = Guess(_letter(of, depends="", name="e_letter"), "a real number", "it stands without an exponent")
         powers = [place.superscript for place in of.places]
-        if latex != "e" or all(power and not "".join(power).isdigit() for power in powers):
+        variable = [power is not None and not "".join(power).strip("{}").isdigit() for power in powers]
+        if latex != "e" or all(variable):
             return [euler]
-        return [euler, letter]
+        return [euler, replace(letter, remote=any(variable))]
     if latex in ("i", "j", r"\text{i}", r"\text{j}"):
         unit = Guess(Letter(latex, number="i"), "the imaginary unit", "so it is written")
         plain = Guess(_letter(of, depends="", name=_plain(latex)), "a real number", "it is a letter like others")
@@ -458,7 +545,7 @@ def _number(of: Evidence) -> list[Guess]:
 
 def _common_arguments(of: Evidence) -> tuple[str, ...]:
     """The letters that stand in brackets behind it wherever there are any: (x, t)."""
-    found = {args for args in of.arguments}
+    found = set(of.arguments)
     if len(found) != 1:
         return ()
     (args,) = found
@@ -489,7 +576,7 @@ def _dependent(of: Evidence, every: Mapping[str, Evidence], named: bool) -> Iter
     on = [_time(every)] if of.dotted else []
     on += [x for x in of.by if x not in on and x != of.spelling]
     words = ", ".join(on)
-    kind = "vector" if _STYLED.match(of.spelling) and not of.spelling[-2].isupper() else "scalar"
+    kind = "vector" if _is_styled(of.spelling, capital=False) else "scalar"
     direct = of.dotted or any(place.role == "derived" and place.before in ("d", r"\partial") for place in of.places)
     within = any(x in every and _stands_in_body(every[x]) for x in on)
     varying = Guess(
@@ -511,12 +598,17 @@ def _stands_in_body(of: Evidence) -> bool:
     return any(place.role == "derived" for place in of.places)
 
 
+def _is_styled(latex: str, *, capital: bool) -> bool:
+    """Is a letter bold or with an arrow, and capital or not?"""
+    found = _STYLED.match(latex)
+    return found is not None and latex[found.end() :].lstrip("\\")[:1].isupper() == capital
+
+
 def _styled(of: Evidence) -> Iterator[Guess]:
     """A bold letter, or one with an arrow."""
     vector = Guess(_letter(of, kind="vector", depends=""), "a vector", "it is bold, or has an arrow")
     matrix = Guess(_letter(of, kind="matrix", depends=""), "a matrix", "it is bold and capital")
-    inner = of.spelling.rpartition("{")[2].rstrip("}")
-    if not (inner[:1].isupper() or inner[1:2].isupper()) or r"\vec" in of.spelling:
+    if _is_styled(of.spelling, capital=False) or r"\vec" in of.spelling:
         yield vector
     else:
         yield matrix

@@ -596,8 +596,13 @@ class Lowering:
     def of_mul(self, tree: Mul, env: Env) -> Value:
         scalars: list[Number] = []
         product: Value = None
+        ended = -1  # the last factor of a scalar product of two vectors
         for k, factor in enumerate(tree.factors):
             value = self.value(factor, env)
+            if isinstance(value, list) and k in tree.dotted and ended == k - 1:
+                raise SymcheckError(f"{to_latex(tree)}: which two vectors does the dot multiply? write brackets")
+            if isinstance(value, list) and k in tree.dotted and isinstance(product, list):
+                ended = k
             if isinstance(value, list):
                 product = value if product is None else self.multiplied(product, value, tree, dotted=k in tree.dotted)
             if not isinstance(value if product is None else product, list):
@@ -639,9 +644,8 @@ class Lowering:
         base = self.value(tree.base, env)
         if isinstance(base, list):
             return self.matrix_power(tree, base, exponent)
-        if base == -1 or base == node("-", 1):
-            if self.is_whole(tree.exponent) and not isinstance(exponent, int):
-                return node("cos", node("*", PI, exponent))
+        if base in (-1, node("-", 1)) and self.is_whole(tree.exponent) and not isinstance(exponent, int):
+            return node("cos", node("*", PI, exponent))
         if base == 0 and exponent == 0:
             raise SymcheckError(f"{to_latex(tree)} has no value on which all agree; write 1 if that is meant")
         if isinstance(base, Complex):

@@ -71,6 +71,10 @@ class Letter:
         "e", "i" or "pi" for a letter that is this number.
     size
         The number of components of a vector, (n,), or of rows and columns of a matrix; 3 of each by default.
+    skew
+        The vector of which this matrix is the skew matrix: its product with a vector is the cross product.
+    whole
+        Whether the spelling is one name though it is printed with several tokens: `E[\rho]`, `\Delta h`, `f^c`.
     integer
         Whether it is a whole number.
     value
@@ -81,10 +85,6 @@ class Letter:
         Whether this matrix is the identity.
     partial
         For a letter such as f_{xy}, a derivative of a function: that function, and the letters by which it is taken.
-    whole
-        Whether the spelling is one name though it is printed with several tokens: `E[\rho]`, `\Delta h`, `f^c`.
-    skew
-        The vector of which this matrix is the skew matrix: its product with a vector is the cross product.
 
     Raises
     ------

@@ -1,4 +1,4 @@
-"""Where letters stand in printed formulas, and what is done with them there: the evidence from which kinds are inferred."""
+"""Where letters stand in printed formulas, and what is done with them there: the evidence for their kinds."""
 
 from __future__ import annotations
 
@@ -87,6 +87,13 @@ class Scan(tex.Reader):
                 return spelling
         return ""
 
+    def transposes(self) -> bool:
+        """Does a superscript begin here that transposes what stands in brackets before it?"""
+        start, self.i = self.i, self.i + 1
+        inside = tuple(words([tok.text for tok in self.group()])) if self.i < len(self.toks) else ()
+        self.i = start
+        return inside in TRANSPOSED
+
     def run(self, scope: Scope, stop: int | None = None) -> Iterator[Occurrence]:
         stop = len(self.toks) if stop is None else stop
         while self.i < stop:
@@ -104,6 +111,9 @@ class Scan(tex.Reader):
                 yield from self.fraction(scope)
             elif text == "_":
                 yield from self.script(scope, "subscript")
+            elif text == "^" and self.transposes():
+                self.i += 1
+                self.group()
             elif text in FUNCTIONS_SPELLED or not tex.is_letter(text):
                 self.i += 1
             elif text == "d" and scope.integral and self.differential():

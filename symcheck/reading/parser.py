@@ -69,6 +69,7 @@ from symcheck.reading.tree import (
     walk,
 )
 
+OF_MATRICES = ("det", "tr")  # functions of which one letter without brackets is the argument
 SIMPLE_KINDS = ("scalar", "index", "function")
 _BRACKETS_ARE_IDLE = (Name, Number, Call, Sqrt, Pow, Mul, Div, Derivative, Degrees, Pair)
 _ORDERS = {"<": "up", r"\le": "up", ">": "down", r"\ge": "down"}
@@ -710,6 +711,11 @@ class Builder:
             if k + 1 < len(items) and (self.simple(items[k + 1]) or self.in_brackets(items[k + 1])):
                 raise self.fail(items[k + 1].at, f"does this factor belong to the argument of {head.name}?")
             return self.powered(head, (self.atom(items[k]),)), k + 1
+        if head.name in OF_MATRICES and k < len(items) and self.is_matrix(items[k]):
+            beside = items[k + 1] if k + 1 < len(items) else None
+            if items[k].postfix or (beside is not None and (beside.kind == "group" or self.is_matrix(beside))):
+                raise self.fail(items[k].at, f"does what follows belong to the argument of {head.name}? write brackets")
+            return self.powered(head, (self.atom(items[k]),)), k + 1
         start = k
         while k < len(items) and self.simple(items[k]):
             item = items[k]
@@ -752,6 +758,9 @@ class Builder:
                 "the notation argument='short' (it does not) or 'long' (it does)",
             )
         return self.notation.argument == "long"
+
+    def is_matrix(self, item: Item) -> bool:
+        return isinstance(item.node, Name) and self.kind(item.node) == "matrix"
 
     def simple(self, item: Item) -> bool:
         if isinstance(item.node, Name):
@@ -874,7 +883,8 @@ class Builder:
             raise self.fail(at, "this derivative has no variable")
         found = []
         for tree in bottom.body:
-            name, order = (tree.base, self.order(tree.exponent, at)) if isinstance(tree, Pow) else (tree, 1)
+            name: str | Tree = tree.base if isinstance(tree, Pow) else tree
+            order = self.order(tree.exponent, at) if isinstance(tree, Pow) else 1
             if isinstance(name, Call) and not name.arguments and bottom.partial:
                 name = name.function
             if not isinstance(name, Name):

@@ -1,7 +1,7 @@
-r"""The surface of LaTeX made plain: layout that means nothing is taken away, and other spellings of one thing become one.
+r"""The surface of LaTeX made plain: layout without meaning is taken away, and spellings of one thing become one.
 
-`{\bf x}` is `\mathbf{x}`, `{x}` is `x`, `{a \over b}` is `\frac{a}{b}`, `\lvert x \rvert` is `|x|`. What is printed stays what
-it is: nothing is dropped that a reader sees, but phantoms, colours, labels and notes under braces.
+`{\bf x}` is `\mathbf{x}`, `{x}` is `x`, `{a \over b}` is `\frac{a}{b}`, `\lvert x \rvert` is `|x|`. What is printed
+stays what it is: nothing is dropped that a reader sees, but phantoms, colours, labels and notes under braces.
 """
 
 from __future__ import annotations
@@ -20,19 +20,25 @@ FONTS = {  # switches that hold to the end of their group
 SAME = {  # other spellings
     r"\lvert": "|", r"\rvert": "|", r"\vert": "|", r"\lVert": r"\|", r"\rVert": r"\|", r"\Vert": r"\|",
     r"\cfrac": r"\frac", r"\dotsc": r"\dots", r"\dotsb": r"\dots", r"\dotsm": r"\cdots", r"\hdots": r"\dots",
-    r"\textrm": r"\text", r"\mbox": r"\text", r"\textnormal": r"\text", r"\mathop": "", r"\mathrel": "", r"\mathbin": "",
+    r"\textrm": r"\text", r"\mbox": r"\text", r"\textnormal": r"\text", r"\mathop": "", r"\mathrel": "",
+    r"\mathbin": "",
     r"\mathord": "", r"\ensuremath": "", r"\boxed": "", r"\smash": "", r"\coloneqq": "=", r"\triangleq": "=",
     r"\overrightarrow": r"\vec", r"\mathbfit": r"\mathbf", r"\textbf": r"\mathbf", r"\mathit": "", r"\mathnormal": "",
-    r"\boldmath": r"\mathbf", r"\textit": "", r"\textsf": r"\mathsf", r"\texttt": r"\text", r"\symbf": r"\mathbf", r"\enspace": r"\ ", r"\thinspace": r"\,", r"\medspace": r"\:",
+    r"\boldmath": r"\mathbf", r"\textit": "", r"\textsf": r"\mathsf", r"\texttt": r"\text", r"\symbf": r"\mathbf",
+    r"\enspace": r"\ ", r"\thinspace": r"\,", r"\medspace": r"\:",
     r"\thickspace": r"\;", r"\negthinspace": r"\!", r"\lbrack": "[", r"\rbrack": "]", r"\wedge": r"\wedge",
-    r"\leqq": r"\le", r"\gets": r"\leftarrow", r"\iff": r"\iff", r"\longleftarrow": r"\leftarrow", r"\geqq": r"\ge", r"\neq": r"\ne", r"\operatorname*": r"\operatorname", r"\dag": r"\dagger",
-    r"\ast": "*", r"\prime": r"\prime", r"\lgroup": "(", r"\rgroup": ")", r"\bold": r"\mathbf", r"\mathbfcal": r"\mathcal",
+    r"\leqq": r"\le", r"\gets": r"\leftarrow", r"\iff": r"\iff", r"\longleftarrow": r"\leftarrow", r"\geqq": r"\ge",
+    r"\neq": r"\ne", r"\operatorname*": r"\operatorname", r"\dag": r"\dagger",
+    r"\ast": "*", r"\prime": r"\prime", r"\lgroup": "(", r"\rgroup": ")", r"\bold": r"\mathbf",
+    r"\mathbfcal": r"\mathcal",
 }  # fmt: skip
 NOTHING = {  # layout, with the number of arguments that go with it
-    r"\displaystyle": 0, r"\textstyle": 0, r"\scriptstyle": 0, r"\notag": 0, r"\nonumber": 0, r"\label": 1, r"\hspace": 1,
+    r"\displaystyle": 0, r"\textstyle": 0, r"\scriptstyle": 0, r"\notag": 0, r"\nonumber": 0, r"\label": 1,
+    r"\hspace": 1,
     r"\hspace*": 1, r"\vspace": 1, r"\phantom": 1, r"\hphantom": 1, r"\vphantom": 1, r"\mathstrut": 0, r"\strut": 0,
     r"\color": 1, r"\nolinebreak": 0, r"\allowbreak": 0, r"\relax": 0, r"\limits": 0, r"\nolimits": 0, r"\noindent": 0,
-    r"\small": 0, r"\large": 0, r"\null": 0, r"\hfill": 0, r"\hfil": 0, r"\centering": 0, r"\footnotesize": 0, r"\tiny": 0,
+    r"\small": 0, r"\large": 0, r"\null": 0, r"\hfill": 0, r"\hfil": 0, r"\centering": 0, r"\footnotesize": 0,
+    r"\tiny": 0,
 }  # fmt: skip
 SECOND = frozenset({r"\textcolor", r"\overset", r"\stackrel", r"\underset"})  # the second argument is what counts
 BRACED = frozenset({r"\underbrace", r"\overbrace", r"\underline", r"\underbracket", r"\overbracket"})
@@ -79,9 +85,7 @@ def _with_numbers(source: str) -> list[str]:
             and found[-1][-1:].isdigit()
             and before not in ("_", "^")
             and before not in ARGUMENTS
-        ):
-            found[-1] += tok.text
-        elif tok.text.isdigit() and tok.at == end and found[-1][-1:] == "." and found[-1][:1].isdigit():
+        ) or (tok.text.isdigit() and tok.at == end and found[-1][-1:] == "." and found[-1][:1].isdigit()):
             found[-1] += tok.text
         else:
             found.append(tok.text)
@@ -133,7 +137,8 @@ def _scripts_at_the_left(parts: list[Part]) -> list[Part]:
     found: list[Part] = []
     k = 0
     while k < len(parts):
-        empty = isinstance(parts[k], Group) and not parts[k].parts  # type: ignore[union-attr]
+        part = parts[k]
+        empty = isinstance(part, Group) and not part.parts
         start = k + 1 if empty else k
         before = next((p for p in reversed(found) if not (isinstance(p, str) and p in _SPACES)), "")
         bare = isinstance(before, str) and before in _NO_BASE
@@ -141,13 +146,13 @@ def _scripts_at_the_left(parts: list[Part]) -> list[Part]:
             scripts: dict[Part, Part] = {}
             m = start
             while m + 1 < len(parts) and parts[m] in ("^", "_") and str(parts[m]) not in scripts:
-                scripts[str(parts[m])] = parts[m + 1]  # type: ignore[index]
+                scripts[str(parts[m])] = parts[m + 1]
                 m += 2
             while m < len(parts) and isinstance(parts[m], str) and parts[m] in _SPACES:
                 m += 1
             letter, end = _letter_here(parts, m)
             if letter:
-                found += [r"\prescript", scripts.get("^", Group([])), scripts.get("_", Group([])), Group(letter)]  # type: ignore[call-overload]
+                found += [r"\prescript", scripts.get("^", Group([])), scripts.get("_", Group([])), Group(letter)]
                 k = end
                 continue
         found.append(parts[k])
@@ -213,13 +218,14 @@ def _made_plain_here(parts: list[Part]) -> list[Part]:
                 if k < len(parts):
                     taken, k = _argument(parts, k, raw=part in (r"\begin", r"\end", r"\tag"))
                     found.append(taken)
-            if part in ACCENTS | STYLES and isinstance(found[-1], Group):
-                inner = found.pop().parts
-                found[-1:] = _over_letters(part, inner)
-            if part == r"\begin" and isinstance(found[-1], Group) and "".join(map(str, found[-1].parts)) == "array":
-                if k < len(parts) and isinstance(parts[k], Group):
-                    found.append(parts[k])  # its columns
-                    k += 1
+            if part in ACCENTS | STYLES and isinstance(styled := found[-1], Group):
+                found[-2:] = _over_letters(part, styled.parts)
+            is_array = (
+                part == r"\begin" and isinstance(found[-1], Group) and "".join(map(str, found[-1].parts)) == "array"
+            )
+            if is_array and k < len(parts) and isinstance(parts[k], Group):
+                found.append(parts[k])  # its columns
+                k += 1
         else:
             if part:
                 found.append(part)
@@ -228,7 +234,7 @@ def _made_plain_here(parts: list[Part]) -> list[Part]:
 
 
 def _over_letters(command: str, inner: list[Part]) -> list[Part]:
-    """An accent or a style over a letter with scripts, which stand behind it; a style over several letters is of each."""
+    """An accent or style over a letter with scripts, which stand behind it; a style over several letters is of each."""
     letter, end = _letter_here(inner, 0)
     rest = inner[end:]
     scripts = all(rest[k] in ("^", "_") and isinstance(rest[k + 1], Group) for k in range(0, len(rest) - 1, 2))
@@ -322,9 +328,8 @@ def _units(parts: Sequence[Part]) -> list[Part]:
         found.append(part)
         k += 1
         while isinstance(part, str) and part in ARGUMENTS and k < len(parts):
-            part = parts[k].parts[0] if isinstance(parts[k], Group) and parts[k].parts else ""  # type: ignore[union-attr]
+            part = ""
             k += 1
-            part = "" if not isinstance(part, str) else ""
     return found
 
 

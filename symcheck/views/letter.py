@@ -33,6 +33,7 @@ _NUMBER = re.compile(rf"(?<![\w.]){_OURS}(?![\w])")
 # brackets with nothing but such numbers: "(2.13.1, B.7)", "(see C.11)", "(B.9 to B.12)"
 _ASIDE = re.compile(rf"\s*\((?:see )?{_OURS}(?:(?:, | and | to |; ){_OURS})*\)")
 _FIRST = re.compile(r".+?[.](?=\s+[A-Z(\"']|$)", re.DOTALL)  # the first sentence of a text
+_MARKUP = re.compile(r"[\\${}]")  # the first or last word is a piece of a formula, and no word to quote
 _MARKS = re.compile(r"[\\*_<>`|\[\]]")  # what Markdown takes for its own
 
 
@@ -119,8 +120,7 @@ def _correction(paper: Paper, fault: Fault) -> Correction:
     first = _FIRST.match(reason)
     short = first[0] if first else reason
     rest = reason if summary else reason.removeprefix(short).strip()
-    at = fault.first.fails_at
-    evidence = [f"As printed it fails, for example, at {at}." if at and not record.is_row else "", rest]
+    evidence = ["" if record.is_row else _shown_wrong(fault), rest]
     if record.group in (Group.ROW, Group.SLIP):
         short = f"{_capital(record.kind)}. {short}"
     return Correction(
@@ -132,15 +132,24 @@ def _correction(paper: Paper, fault: Fault) -> Correction:
     )
 
 
+def _shown_wrong(fault: Fault) -> str:
+    """Where what is printed fails, in one sentence; the empty text where no point is known."""
+    found = fault.first.counterexample
+    if not found:
+        return ""
+    return f"As printed it fails, for example, at {found.line}." if found.values else f"As printed, {found.sides}."
+
+
 def _may_be_ocr(record: Record) -> bool:
     return record.origin is Origin.UNCERTAIN and record.group in (Group.STATEMENT, Group.DAMAGED)
 
 
 def _printed(record: Record, fault: Fault, lines: Mapping[str, int]) -> str:
     """The printed formula, or of a chain the one link; a sentence by its first and last word, with what it says."""
-    sentence = record.place.partition(": ")[2].replace("$", "")
+    sentence = record.place.partition(": ")[2]
     if sentence and (record.group is not Group.DAMAGED or not record.printed):
-        return f"“{sentence}” ({plain(_said(record.words), lines)})"
+        said = plain(_said(record.words), lines)
+        return said if _MARKUP.search(sentence) else f"“{sentence}” ({said})"
     is_one_link = record.link and record.erratum
     return _as_text(fault.printed if is_one_link else record.printed or fault.printed)
 
@@ -203,9 +212,9 @@ GREETING = (
     "The following was found in reading the paper. Each relation was worked out anew; lines are those of the text at "
     "hand, numbers in brackets those of the paper."
 )
-# the widths of the columns where, printed, correct, why: 142 mm in all, beside the number
+# the widths of the columns where, printed, correct, why: 220 mm in all, beside the number
 LONGTABLE = (
-    "".join(rf">{{\raggedright}}p{{{width}mm}}" for width in (24, 42, 42)) + r">{\raggedright\arraybackslash}p{34mm}"
+    "".join(rf">{{\raggedright}}p{{{width}mm}}" for width in (26, 72, 72)) + r">{\raggedright\arraybackslash}p{50mm}"
 )
 COLUMNS = ("", "where", "printed", "correct", "why")
 
@@ -268,15 +277,19 @@ _SPECIAL = {
 PREAMBLE = r"""\documentclass[11pt]{article}
 \usepackage[utf8]{inputenc}
 \usepackage[T2A,T1]{fontenc}
-\usepackage{amsmath,amssymb,longtable,array}
+\usepackage{amsmath,amssymb,longtable,array,graphicx,pdflscape}
 \usepackage[a4paper,margin=25mm]{geometry}
 \DeclareMathOperator{\tg}{tg}
 \DeclareMathOperator{\arctg}{arctg}
 \newcommand{\cyrillicwords}[1]{{\fontencoding{T2A}\selectfont #1}}
+% a displayed formula, smaller where it is wider than the line
+\newcommand{\displayed}[1]{\sbox0{$\displaystyle #1$}%
+\[\ifdim\wd0>\linewidth\resizebox{\linewidth}{!}{\usebox0}\else\usebox0\fi\]}
 \sloppy
 """
 _CYRILLIC = re.compile(r"[\u0400-\u04ff]+")
-_TALL = re.compile(r"\\begin|\\\\")  # a formula of several lines, too high for a cell
+_ENVIRONMENT = re.compile(r"\\(?:begin|end)\{(?:aligned|split)\}|(?<!\\)&")  # what keeps a line from breaking
+_BREAKS = re.compile(r"\\left|\\right|[(\[{]|[)\]}]|,|\\quad")  # brackets, and where a line may end outside of them
 
 
 def _words(text: str) -> str:
@@ -293,6 +306,29 @@ def _sentence(text: str) -> str:
     return _parts(text, lambda latex: f"${latex}$", _words)
 
 
+def _cell(text: str) -> str:
+    """A text for a column of a table: its formulas may be broken at commas outside of brackets."""
+    return _parts(text, lambda latex: f"${_breakable(latex)}$", _words)
+
+
+def _breakable(latex: str) -> str:
+    r"""A formula with places at which TeX may break it.
+
+    >>> _breakable(r"(a, b), c \quad d")
+    '(a, b),\\allowbreak{} c \\quad\\allowbreak{} d'
+    """
+    if r"\\" in latex:
+        return latex
+    depth = 0
+
+    def ended(found: re.Match[str]) -> str:
+        nonlocal depth
+        depth += (found[0] in "([{") - (found[0] in ")]}")
+        return rf"{found[0]}\allowbreak{{}}" if depth == 0 and found[0] in (",", r"\quad") else found[0]
+
+    return _BREAKS.sub(ended, _ENVIRONMENT.sub("", latex))
+
+
 def _latex(found: Letter) -> str:
     return PREAMBLE + "\n".join(("\\begin{document}", *_latex_lines(found), "\\end{document}", ""))
 
@@ -304,19 +340,19 @@ def _latex_lines(found: Letter) -> Iterator[str]:
         yield rf"\item {_words(_capital(each.where))}."
         for label, text in (("Printed", each.printed), ("Correct", each.correct)):
             shown = _displayed(text)
-            yield rf"\par {label}: \[{shown}\]" if shown else rf"\par {label}: {_sentence(text)}"
+            yield rf"\par {label}: \displayed{{{shown}}}" if shown else rf"\par {label}: {_sentence(text)}"
         yield rf"\par {_sentence(each.reason)}"
         if each.evidence:
             yield rf"\par{{\small {_sentence(each.evidence)}}}"
     yield r"\end{enumerate}" if found.corrections else ""
     for title, rows in found.tables:
-        yield from (rf"\subsection*{{{_words(title)}}}", r"{\footnotesize")
+        yield from (r"\begin{landscape}", rf"\subsection*{{{_words(title)}}}", r"{\footnotesize")
         yield rf"\begin{{longtable}}{{r{LONGTABLE}}}"
         yield f"{' & '.join(COLUMNS)} \\\\ \\hline \\endhead"
         for number, row in enumerate(rows, 1):
-            cells = (_words(row.where), _sentence(row.printed), _sentence(row.correct), _sentence(row.reason))
+            cells = (_words(row.where), _cell(row.printed), _cell(row.correct), _sentence(row.reason))
             yield f"{number} & {' & '.join(cells)} \\\\"
-        yield r"\end{longtable}}"
+        yield from (r"\end{longtable}}", r"\end{landscape}")
 
 
 STYLE = """@page{size:A4;margin:22mm}

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from fractions import Fraction
 from typing import Any
 
@@ -152,11 +152,26 @@ def _equal(pairs: Iterable[tuple[str, str]]) -> str:
 
 def sides(counterexample: Point) -> str:
     """What is compared at a counterexample: the values of both sides, or the digits of numbers; else the empty text."""
-    if both := compared(counterexample):
+    both = compared(counterexample)
+    if wrong := [str(number) for number, each in enumerate(both, 1) if each is False]:
+        return _parts_that_fail(wrong, len(both))
+    if both:
         return f"the sides are {' against '.join(map(term, both))}"
     if "proof" in counterexample:
         return "the contrary has a proof"
     return ", ".join(filter(None, map(_enclosed, counterexample.get("shown", ()))))
+
+
+def _parts_that_fail(numbers: Sequence[str], total: int) -> str:
+    """Which of the parts of a formula are false.
+
+    >>> _parts_that_fail(["1", "3"], 4)
+    'parts 1 and 3 of 4 are false'
+    """
+    if len(numbers) == total:
+        return "it is false" if total == 1 else "all its parts are false"
+    listed = " and ".join(filter(None, (", ".join(numbers[:-1]), numbers[-1])))
+    return f"part {listed} of {total} is false" if len(numbers) == 1 else f"parts {listed} of {total} are false"
 
 
 def compared(counterexample: Point) -> list[object]:

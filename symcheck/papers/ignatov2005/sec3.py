@@ -415,6 +415,7 @@ table_8 = (
                 "The normal of the plane of two edges 120 degrees apart has the square 3/4 sin^2 a (1 + 3 cos^2 a). The same root in "
                 "table 11, one wheel failed, has 4 - 3 sin^2 a, which is 1 + 3 cos^2 a. With 15 the distance is too small, at "
                 "72 degrees by 27 percent. A 15 for a 3 is hardly the OCR's, but nothing excludes it.",
+                instead=f"${AT_TWO_STEPS}$",
             )
         },
     ),

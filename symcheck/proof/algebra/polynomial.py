@@ -20,7 +20,7 @@ from symcheck.proof.algebra.flint import Poly, Rational, context, fraction, occu
 from symcheck.proof.algebra.variables import Table, atoms, circle, cosine, one_problem, prime, sine, table
 from symcheck.proof.algebra.variables import Unsupported as Unsupported
 
-BINDING = ("integral", "diverges", "mean")
+BINDING = ("integral", "diverges", "mean", "sum", "product")
 FUNCTIONS = ("sqrt", "pow", "log", "exp", "gamma", "arctan", "arcsin", "arccos", *BINDING, "call")
 
 # what is above these limits would take minutes or gigabytes; the papers stay far below

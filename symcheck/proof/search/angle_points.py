@@ -7,13 +7,13 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import replace
-from itertools import islice, pairwise
+from itertools import cycle, islice, pairwise
 
 from symcheck.checker.enclosures import enclosed
 from symcheck.core.calculus import Unknown
 from symcheck.core.calculus import letters as letters_in
 from symcheck.core.formulas import conjuncts, contrary
-from symcheck.core.problems import Problem
+from symcheck.core.problems import Applied, Problem
 from symcheck.core.terms import PI, Formula, Node, Quantified, Term, Value, mapped, node
 from symcheck.proof.algebra.knowledge import formulas_of, ring_of, stated
 from symcheck.proof.algebra.polynomial import Ring, Unsupported, subterms, unfold, with_arguments
@@ -28,6 +28,7 @@ from symcheck.proof.search.number_points import refute_at
 MAX_LETTERS = 3  # each has some twenty values: with more letters no point would be reached in which all are changed
 MAX_POINTS = 80  # of which the papers need 16
 MAX_PROOFS = 8  # of some seconds each, of which the papers need three
+FEW_NUMBERS: tuple[tuple[Term, ...], ...] = ((1, 2, 3), (2, 3, 1), (3, 1, 2), (1, 1, 1))  # a second each
 SAME = 20  # bits: ends of intervals that differ in fewer (of 160) are the same angle
 Ends = dict[str, list[Term]]  # by angle: what it is compared with
 
@@ -43,6 +44,20 @@ def refute_about_angles(problem: Problem, prove: Prover) -> Point | None:
             if (found := _proved(problem, point, prove)) is not None:
                 return found
     return None
+
+
+def refute_with_hints(problem: Problem, prove: Prover) -> Point | None:
+    """The same at a few numbers, where the problem names theorems that say what its functions are."""
+    letters = sorted(_letters(unfold(formula, dict(problem.definitions)) for formula in formulas_of(problem)))
+    for values in FEW_NUMBERS if _applied(problem) else ():
+        point = dict(zip(letters, cycle(values), strict=False))
+        if (found := _proved(problem, point, prove)) is not None:
+            return found
+    return None
+
+
+def _applied(problem: Problem) -> tuple[Applied[Term], ...]:
+    return tuple(hint for hint in problem.hints if isinstance(hint, Applied))
 
 
 def _points(problem: Problem) -> Iterator[dict[str, Term]]:
@@ -136,7 +151,7 @@ def _proved(problem: Problem, point: Mapping[str, Term], prove: Prover) -> Point
 def _proof(claim: Formula, problem: Problem, there: list[Formula], prove: Prover) -> Step | None:
     """The proof of something at the point, without any condition."""
     try:
-        proof = prove(replace(problem, claim=claim, hypotheses=((AT_POINT, tuple(there)),), hints=()))
+        proof = prove(replace(problem, claim=claim, hypotheses=((AT_POINT, tuple(there)),), hints=_applied(problem)))
     except Unsupported:
         return None
     return None if proof is None or proof.nonzero else proof.step

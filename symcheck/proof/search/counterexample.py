@@ -37,7 +37,7 @@ from symcheck.proof.algebra.variables import atoms, circle, cosine, prime, sine,
 from symcheck.proof.rules.compute import Point
 from symcheck.proof.rules.proof import Prover
 from symcheck.proof.rules.step import Step
-from symcheck.proof.search.angle_points import refute_about_angles
+from symcheck.proof.search.angle_points import refute_about_angles, refute_with_hints
 from symcheck.proof.search.number_points import refute_at, refute_at_some, refute_numbers
 from symcheck.proof.search.theorem_search import values_of
 
@@ -58,7 +58,13 @@ def refute(problem: Problem, prove: Prover = lambda _: None) -> Point | None:
 
     What functions such as integrals are at the point is proved.
     """
-    ways = (refute_numbers, partial(_point, prove=prove), refute_at_some, partial(refute_about_angles, prove=prove))
+    ways: tuple[Callable[[Problem], Point | None], ...] = (
+        refute_numbers,
+        partial(_point, prove=prove),
+        refute_at_some,
+        partial(refute_about_angles, prove=prove),
+        partial(refute_with_hints, prove=prove),
+    )
     for way in ways:
         try:
             if (point := way(problem)) is not None:
@@ -237,9 +243,12 @@ class Search:
     def _numbers(self, names: Sequence[str], index: int) -> Assignment:
         """Values for the scalars: members of a family I_1, I_2, I_3 by their number, others from the end.
 
-        The empty pattern gives every letter another value, to tell apart what the others make equal.
+        The empty pattern gives every letter another value, to tell apart what the others make equal; what is scattered
+        lies on no line, so that vectors are independent.
         """
         pattern, point, place = _PATTERNS[index], {}, 0
+        if pattern == SCATTERED:
+            return {name: self.ring.number((7 * k * k + 3 * k + 1) % 23 - 9) for k, name in enumerate(names)}
         if not pattern:
             return {name: self.ring.number(Fraction(7 * k + 5, 3)) for k, name in enumerate(names)}
         for name in names:
@@ -647,6 +656,7 @@ _CIRCLE: tuple[tuple[Term | Fraction, Term | Fraction], ...] = (
 
 # long numbers, at which no polynomial that is not zero vanishes by chance
 _BIG = tuple(random.Random(7).getrandbits(62) for _ in range(12))
+SCATTERED = (0,)
 # values of the other letters, repeated where there are more: different ones, equal ones, zeros, negative ones
 _PATTERNS: tuple[tuple[int | Fraction, ...], ...] = (
     (1, 2, 3),
@@ -672,4 +682,5 @@ _PATTERNS: tuple[tuple[int | Fraction, ...], ...] = (
     (5, 1, 1, 9),
     (4, -3, Fraction(1, 7), 11, 2),
     _BIG,
+    SCATTERED,
 )

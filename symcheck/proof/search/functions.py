@@ -26,6 +26,7 @@ from symcheck.proof.algebra.polynomial import (
     number_of,
     parts,
     square_free,
+    subterms,
     variables,
     with_arguments,
 )
@@ -268,6 +269,8 @@ def _logarithm(tree: Node, others: Sequence[Node]) -> Iterator[Instance]:
     (t,) = tree.terms
     if isinstance(t, Node) and t.tag == "exp":
         yield applied("log_of_exp", t.terms[0])
+    if isinstance(t, Node) and t.tag == "sqrt":
+        yield applied("log_of_root", t.terms[0])
     if table().exponentials:
         yield applied("exp_of_log", t)
     if number_of(t) == 1:
@@ -304,7 +307,9 @@ def _powers(term: Term) -> Iterator[tuple[Term, int]]:
 
 
 def _known_angle(tree: Node, others: Sequence[Node]) -> Iterator[Instance]:
-    """The angle of a well-known tangent, sine or cosine."""
+    """The angle of a well-known tangent, sine or cosine; sine and cosine of an angle that is under one."""
+    if any(tree in subterms(turned) for turned in table().angles.values()):
+        yield applied(f"circular_of_{tree.tag}", *tree.terms)
     known = (theorem(f"known_angle_{tree.tag}_{k}") for k in range(len(KNOWN[tree.tag])))
     for k, each in enumerate(known):
         assert isinstance(each.conclusion, Relation)

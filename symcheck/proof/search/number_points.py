@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
+import random
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import replace
 from itertools import product
 
 from symcheck.checker.enclosures import between
-from symcheck.core.calculus import Unknown, letters
+from symcheck.core.calculus import Unknown, domain, letters
 from symcheck.core.problems import Problem
 from symcheck.core.terms import Formula, Node, Term, node
 from symcheck.proof.algebra.knowledge import formulas_of, stated
@@ -17,6 +18,10 @@ from symcheck.proof.rules.enclosure import IRRATIONAL, Numbers, compared, relati
 
 # numbers on both sides of those that are compared in most statements
 TRIED: tuple[Term, ...] = (1, node("/", 1, 2), node("/", 3, 2), node("/", 1, 4), node("/", 5, 4), 2, 0, node("-", 1), 3)
+FEW = 3  # letters of which all combinations of values can be tried
+TRIES_OF_MANY = (
+    20  # a false statement about many letters fails nearly everywhere, or in a corner that is not met at random
+)
 TRIES = 80  # points, each with a proof by digits, some seconds in all: the papers need 36
 
 
@@ -26,7 +31,7 @@ def refute_numbers(problem: Problem) -> Point | None:
 
 
 def refute_at_some(problem: Problem) -> Point | None:
-    """The same where one to three letters are free: a few values of them are tried."""
+    """The same where letters are free: a few values of them are tried, of many letters at random."""
     definitions = dict(problem.definitions)
     formulas = formulas_of(problem)
     if not any(part.tag in IRRATIONAL for part in subterms(*formulas) if isinstance(part, Node)):
@@ -34,8 +39,18 @@ def refute_at_some(problem: Problem) -> Point | None:
     free = sorted(set().union(*(letters(unfold(formula, definitions)) for formula in formulas)))
     fixed = {side for formula in formulas[1:] if formula.tag == "=" for side in formula.terms if isinstance(side, str)}
     chosen = [x for x in free if x not in fixed]
-    values = sorted(product(range(len(TRIED)), repeat=len(chosen)), key=sum) if 0 < len(chosen) < 4 else []
-    return refute_at_first(problem, ({x: TRIED[k] for x, k in zip(chosen, ks, strict=True)} for ks in values[:TRIES]))
+    if not chosen:
+        return None
+    return refute_at_first(problem, (dict(zip(chosen, values, strict=True)) for values in _values(len(chosen))))
+
+
+def _values(count: int) -> Iterator[tuple[Term, ...]]:
+    """Values for so many letters: of few letters the simplest ones first, of more at random, without zero."""
+    if count <= FEW:
+        places = sorted(product(range(len(TRIED)), repeat=count), key=sum)[:TRIES]
+        return (tuple(TRIED[k] for k in ks) for ks in places)
+    rng = random.Random(count)
+    return (tuple(rng.choices([value for value in TRIED if value != 0], k=count)) for _ in range(TRIES_OF_MANY))
 
 
 def refute_at_first(problem: Problem, points: Iterable[Mapping[str, Term]]) -> Point | None:
@@ -54,7 +69,9 @@ def refute_at(problem: Problem, chosen: Mapping[str, Term]) -> Point | None:
         if numbers is None or numbers.truth(problem.claim) is not False:
             return None
         sources = [source for source, _ in numbers.sources.values()]
-        if not all(ref in sources or (numbers.closed(f) and numbers.truth(f)) for ref, f in stated(problem)):
+        given = [(ref, f) for ref, f in stated(problem) if ref not in sources]
+        conditions = domain(*(unfold(f, dict(problem.definitions)) for f in formulas_of(problem)))
+        if not all(numbers.closed(f) and numbers.truth(f) for f in [*conditions, *(f for _, f in given)]):
             return None
         values = {name: unfold(number, dict(problem.definitions)) for name, number in numbers.letters.items()}
         return Point(values, enclosed=tuple(_shown(problem.claim, numbers)))

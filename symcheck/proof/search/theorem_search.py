@@ -30,8 +30,8 @@ MAX_CASES = 4  # one inside another, each of which doubles the work: the papers 
 
 
 def has_functions(ring: Ring) -> bool:
-    """Whether atoms are among the variables."""
-    return any(name in atoms() for name in ring.names)
+    """Whether atoms are among the variables, or stand in the arguments of sines, cosines and exponentials."""
+    return any(name in atoms() for name in with_arguments(ring.names))
 
 
 def prove_with_theorems(problem: Problem, prove_here: Prove) -> Step | None:
@@ -153,7 +153,7 @@ class _Search:
     def _premise(self, formula: Formula, known: Knowledge) -> Step | None:
         match formula.tag:
             case "=":
-                return identity_here(formula, known)
+                return identity_here(formula, known) or self._with_inner(formula, known)
             case "=>":
                 return implication(formula, known, self._conclusion)
             case "and":
@@ -166,10 +166,11 @@ class _Search:
 
     def _conclusion(self, formula: Formula, known: Knowledge) -> Step | None:
         """What a premise says under an assumption about a bound variable, where theorems may speak of that."""
-        proof = self._premise(formula, known)
-        if proof is None and self.inner:
-            return _Search(self._premise, ()).prove(formula, known, self.inner, 0)
-        return proof
+        return self._premise(formula, known) or self._with_inner(formula, known)
+
+    def _with_inner(self, formula: Formula, known: Knowledge) -> Step | None:
+        below = _Search(self.prove_here, ())
+        return _Search(below._premise, ()).prove(formula, known, self.inner, 0) if self.inner else None
 
     def _by_cases(self, goal: Formula, known: Knowledge, pending: Sequence[Instance], cases: int) -> Step | None:
         """What a theorem about an integral asks for holds, or it does not."""

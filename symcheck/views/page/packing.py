@@ -11,6 +11,7 @@ import json
 import zlib
 from typing import Any
 
+import deflate
 from markupsafe import Markup
 
 DIGITS = "".join(chr(code) for code in range(33, 127) if chr(code) not in "<&\\")
@@ -22,7 +23,7 @@ CHUNK = BITS * 100  # bytes, which make 800 whole pairs: no number gets long
 def packed(data: object) -> Markup:
     """The data as deflated JSON, for the text of a <script>, which needs no escapes."""
     text = json.dumps(data, ensure_ascii=False, separators=(",", ":"))
-    deflated = zlib.compress(text.encode(), 9)
+    deflated = bytes(deflate.zlib_compress(text.encode(), 12))  # a twelfth shorter than by zlib, in a second a megabyte
     parts = []
     for start in range(0, len(deflated), CHUNK):
         part = deflated[start : start + CHUNK]

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 from collections import Counter
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
@@ -142,14 +143,24 @@ def _slot(name: str, data: str) -> str:
 
 def _proofs(relations: Iterable[Relation]) -> dict[str, Any]:
     """The proofs of a paper field by field: likes beside likes fold into half as much."""
-    found = [(each.record.id, proof) for each in relations for proof in each.proofs]
-    written = [proof.certificate for _, proof in found]
+    found = [proof for each in relations for proof in each.proofs]
+    written = [proof.certificate for proof in found]
     keys = sorted({key for each in written for key in each})
+    texts = _Numbered()
+
+    def folded(key: str, value: Any) -> object:
+        told_once = key == "definitions" and value is not None
+        return [texts.number(_json(each)) for each in value] if told_once else value
+
     return {
-        "of": [id for id, _ in found],
-        "steps": [proof.lines for _, proof in found],
-        "fields": {key: [each.get(key) for each in written] for key in keys},
+        "steps": [[texts.number(line) for line in proof.lines.splitlines()] for proof in found],
+        "fields": {key: [folded(key, each.get(key)) for each in written] for key in keys},
+        "texts": list(texts.numbers),
     }
+
+
+def _json(data: object) -> str:
+    return json.dumps(data, ensure_ascii=False, separators=(",", ":"))
 
 
 def _row(relation: Relation, formulas: Formulas, strings: _Numbered) -> list[object]:

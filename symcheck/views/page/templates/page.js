@@ -138,6 +138,8 @@ function showClaim(id) {
   one(".siblings", body).append(...parts.length < 2 ? [] : ["Parts: ", ...parts.map((entry) =>
     made("a", {href: `#${entry.id}`, textContent: partsOf(entry.id).place, ariaCurrent: entry.id === id ? "page" : null}))]);
   if (byId.get(id).coq) one(".facts", body).append(" ", made("span", {textContent: `confirmed by Coq: ${byId.get(id).coq}`}));
+  one("#claim-title", body).prepend(id, " ");
+  all("[data-h]", body).forEach((place) => { place.innerHTML = data.strings[place.dataset.h]; });
   setFormulas(body);
   all("[data-s]", body).forEach((place) => { place.textContent = data.strings[place.dataset.s]; });
   setProse(body);
@@ -146,21 +148,22 @@ function showClaim(id) {
   one("button.download", body)?.addEventListener("click", () => download(id));
   document.title = `${id} · symcheck`;
 }
-// The certificates of a paper, put together again from their fields: [{of, steps, certificate}].
+// The certificates of a paper, put together again from their fields, and what they say: [{steps, certificate}].
 async function proofsOf(paper) {
-  const {of, steps, fields} = await unfold(paper);
-  return of.map((id, k) => ({of: id, steps: steps[k],
-    certificate: Object.fromEntries(Object.entries(fields).map(([name, values]) => [name, values[k]]).filter(([, value]) => value !== null))}));
+  const {steps, fields, texts} = await unfold(paper);
+  const field = (name, value) => name === "definitions" ? value?.map((n) => JSON.parse(texts[n])) : value;
+  return steps.map((numbers, k) => ({steps: numbers.map((n) => texts[n]).join("\n"),
+    certificate: Object.fromEntries(Object.entries(fields).map(([name, values]) => [name, field(name, values[k])]).filter(([, value]) => value != null))}));
 }
 async function showProof(fold, id, n) {
-  const {steps, certificate} = (await proofsOf(partsOf(id).paper)).filter((proof) => proof.of === id)[n];
+  const {steps, certificate} = (await proofsOf(partsOf(id).paper)).filter((proof) => proof.certificate.id === id)[n];
   const shown = (title, text) => text ? [made("h4", {textContent: title}), made("pre", {textContent: text, tabIndex: 0})] : [];
   const lines = Object.entries(certificate).map(([name, value]) => ` ${JSON.stringify(name)}: ${JSON.stringify(value)}`);
   fold.append(...shown("Derivation", steps), ...shown("Certificate", `{\n${lines.join(",\n")}\n}`));
 }
 async function download(id) {
   const {paper} = partsOf(id), proofs = await proofsOf(paper);
-  const own = proofs.filter((proof) => proof.of === id).map((proof) => proof.certificate);
+  const own = proofs.filter((proof) => proof.certificate.id === id).map((proof) => proof.certificate);
   const wanted = new Set(own.flatMap((certificate) => (certificate.lemmas ?? []).map(([name]) => name)));
   const lemmas = proofs.map((proof) => proof.certificate).filter((each) => wanted.has(each.id) && !own.includes(each));
   const url = URL.createObjectURL(new Blob([JSON.stringify({schema: 3, paper, certificates: [...own, ...lemmas]})], {type: "application/json"}));

@@ -1,0 +1,105 @@
+r"""Plain letters beside bold ones: `u_1` beside `\mathbf{u}` is its component, `r` beside `\mathbf{r}` its length.
+
+Texts rely on this without a word. So such letters are not taken for independent numbers where another reading stands.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Collection, Iterable, Iterator, Sequence
+from dataclasses import dataclass
+
+_BOLD = re.compile(r"\\(?:mathbf|boldsymbol|bm|pmb|vec|overrightarrow)\{(\\?[A-Za-z]+)\}(?:_(.+))?")
+_UNIT = re.compile(r"\\(?:hat|widehat)\{\\(?:mathbf|boldsymbol|bm|pmb|vec)\{\\?[a-z]")
+_NAMES = (("x", "y", "z"), ("1", "2", "3", "4", "5", "6"))  # of components
+_ENTRY = re.compile(r"(.+)_\{(\d)(\d)\}")
+
+
+@dataclass(frozen=True, slots=True)
+class Relatives:
+    """What plain letters are to bold ones.
+
+    Parameters
+    ----------
+    components
+        For vectors and matrices the LaTeX of their components in other letters.
+    entries
+        The letters of these, present or not.
+    lengths
+        By plain letters, the vectors whose lengths they are.
+    units
+        The vectors with a hat, whose length is 1.
+    """
+
+    components: dict[str, str]
+    entries: dict[str, str]
+    lengths: dict[str, str]
+    units: list[str]
+
+    def __bool__(self) -> bool:
+        return bool(self.components or self.lengths or self.units)
+
+    @property
+    def facts(self) -> tuple[str, ...]:
+        """What is so of them, in LaTeX."""
+        lengths = (rf"{plain} = \|{bold}\|" for plain, bold in self.lengths.items())
+        return (*lengths, *(rf"\|{unit}\| = 1" for unit in self.units))
+
+
+def relatives(letters: Collection[str], free: Collection[str]) -> Relatives:
+    r"""The relatives of the bold letters.
+
+    Parameters
+    ----------
+    letters
+        All letters by their spellings, those with running indices as "a 2".
+    free
+        Those of which nothing is said, and which no equation defines.
+    """
+    found = Relatives({}, {}, {}, [])
+    for bold in letters:
+        if _UNIT.match(bold) and bold in free:
+            found.units.append(bold)
+        match = _BOLD.fullmatch(bold)
+        if match is None or bold not in free:
+            continue
+        base, script = match[1], (match[2] or "").strip("{}")
+        if (plain := f"{base}_{match[2]}" if match[2] else base) in free:
+            found.lengths[plain] = bold
+        for parts in _components(base, script, letters):
+            found.components[bold] = _matrix([part] for part in parts)
+            if f"{base} 1" not in letters:
+                found.entries.update(dict.fromkeys(parts, bold))
+        if base.isupper() and not script and (size := _size(base, letters)):
+            name, n = size
+            rows = [[f"{name}_{{{k}{m}}}" for m in range(1, n + 1)] for k in range(1, n + 1)]
+            found.components[bold] = _matrix(rows)
+            found.entries.update(dict.fromkeys((each for row in rows for each in row), bold))
+    return found
+
+
+def _matrix(rows: Iterable[Sequence[str]]) -> str:
+    body = r" \\ ".join(" & ".join(row) for row in rows)
+    return rf"\begin{{pmatrix}} {body} \end{{pmatrix}}"
+
+
+def _components(base: str, script: str, letters: Collection[str]) -> Iterator[list[str]]:
+    """The names of all components of a vector of which some are printed."""
+    for names in _NAMES:
+        spelled = [f"{base}_{{{script}{name}}}" if script else f"{base}_{name}" for name in names]
+        printed = [k for k, each in enumerate(spelled) if each in letters]
+        if f"{base} 1" in letters and names[0] == "1" and not script:
+            yield spelled[:3]
+        elif len(printed) > 1:
+            yield spelled[: printed[-1] + 1]
+
+
+def _size(base: str, letters: Collection[str]) -> tuple[str, int] | None:
+    """The letter of the entries of a matrix, and the number of its rows, as far as entries are printed."""
+    for name in (base, base.lower()):
+        indices = [
+            int(n) for each in letters for m in [_ENTRY.fullmatch(each)] if m and m[1] == name for n in m.groups()[1:]
+        ]
+        if indices:
+            return name, max(indices)
+    return None
