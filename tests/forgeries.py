@@ -138,10 +138,36 @@ def integral(t: JSON, x: str = "x", low: JSON = 0, high: JSON = 1) -> JSON:
     return ["integral", t, x, low, high]
 
 
+INVERSE: JSON = ["/", 1, "x"]
+INVERSES = integral(INVERSE, "x", 1, 2)
+Y_IS_POSITIVE = above(["+", minus("y", 1), 1])  # where 1 <= y
+THROUGH_ZERO = integral(INVERSE, "x", -1, 1)
+
+
+def antiderivative(
+    s: JSON,
+    t: JSON,
+    then: JSON,
+    f: JSON = INVERSE,
+    g: JSON = ("log", "x"),
+    smooth: JSON = (Y_IS_POSITIVE,),
+    ordered: JSON = 1,
+    last: JSON = ID,
+) -> JSON:
+    """The integral of a term in x from another one, that of 1/x from the logarithm unless others are given."""
+    proofs = [above(ordered), *(every(["y"], implies(proof)) for proof in smooth), every(["y"], implies(last))]
+    given = {"f": of("x", f), "g": of("x", [*g] if isinstance(g, tuple) else g), "s": s, "t": t}
+    return theorem("antiderivative", given, proofs, then)
+
+
 def constant(c: JSON, then: JSON, s: JSON = 0, t: JSON = 1) -> JSON:
     return theorem("constant", {"c": c, "s": s, "t": t}, [], then)
 
 
+SQUARED = above(sq("x"))
+INVERTED: JSON = ["exists", ["z"], ["=", ["*", "z", "x"], 1]]
+NOT_EVEN = implies(absurd([], [here(2), "1"]))
+EULER_NUMBER: JSON = ["/", 2718281828459045235360287471352662497757247093699959, 10**51]
 RULES: dict[str, Forgery] = {
     # identity
     "an identity that is none": Forgery(NOT_EQUAL, proved(["=", "x", "y"], ID)),
@@ -263,8 +289,20 @@ RULES: dict[str, Forgery] = {
         "only an order follows from a form of one sign", proved(["!=", "x", 0], above(1))
     ),
     "a root that nobody said to be positive": Forgery(NO_SIGN, proved([">=", ["sqrt", "x"], 0], above(["sqrt", "x"]))),
-    "an exponential less another number": Forgery(
-        NO_SIGN, proved([">", minus(["exp", "x"], 1), 0], above(minus(["exp", "x"], 1)))
+    "an exponential that is greater than one": Forgery(
+        NO_SIGN, proved([">", ["exp", "x"], 1], above(minus(["exp", "x"], 1)))
+    ),
+    "an exponential that is negative": Forgery(NO_SIGN, proved(["<", ["exp", "x"], 0], above(["-", ["exp", "x"]]))),
+    "a logarithm that nobody said to be positive": Forgery(
+        NO_SIGN, proved([">", ["log", "x"], 0], above(["log", "x"]), at={"x": 2})
+    ),
+    "a square that may be zero": Forgery(NO_SIGN, proved([">", sq("x"), 0], above(sq("x")))),
+    "a square of what is not zero elsewhere": Forgery(
+        NO_SIGN,
+        proved(["and", ["=>", ["!=", "x", 0], [">", sq("x"), 0]], [">", sq("x"), 0]], each(implies(SQUARED), SQUARED)),
+    ),
+    "a cube of what is not zero": Forgery(
+        NO_SIGN, proved([">", ["^", "x", 3], 0], above(["^", "x", 3]), [["!=", "x", 0]], at={"x": 1})
     ),
     "the root of a negative number squared": Forgery(
         "the root of (-1, 1): only of products of primes up to 43", proved([">=", -1, 0], above(sq(["sqrt", -1])))
@@ -545,7 +583,118 @@ RULES: dict[str, Forgery] = {
     "the logarithm of a negative number": Forgery(
         "the logarithm of what may not be positive", proved(["=", ["log", -1], ["log", -1]], compute())
     ),
+    "the logarithm of zero": Forgery(
+        "the logarithm of what may not be positive", proved(["<", ["log", 0], 0], compute())
+    ),
+    "the root of a negative number as a power": Forgery(
+        "the logarithm of what may not be positive", proved([">", ["pow", -1, ["/", 1, 2]], -2], compute())
+    ),
+    "an exponential that is too small": Forgery(
+        "('<', ('exp', 1), ('/', 271, 100)) is not so", proved(["<", ["exp", 1], ["/", 271, 100]], compute())
+    ),
+    "an exponential that is not that number": Forgery(
+        "too few digits to compare ('exp', 1)", proved(["=", ["exp", 1], EULER_NUMBER], compute())
+    ),
+    "an exponential that is too large": Forgery(
+        "an exponent that is too large", proved([">", ["exp", 10**6], 1], compute())
+    ),
+    "a logarithm divided by zero": Forgery(
+        "a division by what may be zero", proved(["=", ["/", 0, ["log", 1]], 0], compute())
+    ),
+    "a sum through a pole": Forgery(
+        "may be zero under a binder", proved(["<", ["sum", ["/", 1, minus("k", 2)], "k", 1, 3], 1], compute())
+    ),
+    "a finite sum that is another": Forgery("is not so", proved(["=", ["sum", "k", "k", 1, 4], 9], compute())),
+    "a sum to what is no whole number": Forgery(
+        "an end of a sum that is no whole number", proved(["<", ["sum", "k", "k", 1, ["/", 5, 2]], 9], compute())
+    ),
+    "a sum to the root of four": Forgery(
+        "an end of a sum that is no whole number", proved(["<", ["sum", "k", "k", 1, ["sqrt", 4]], 9], compute())
+    ),
+    "a sum of too many addends": Forgery(
+        "a sum of more than 1000 terms", proved(["<", 0, ["sum", 1, "k", 1, 10**9]], compute())
+    ),
+    "the digits of an endless sum": Forgery(
+        "the digits of ('infinity',)", proved(["<", 0, ["sum", ["^", 2, -2], "k", 1, OO]], compute())
+    ),
+    "the digits of an endless integral": Forgery(
+        "the digits of ('infinity',)", proved(["<", 0, integral(["exp", ["-", "x"]], "x", 0, OO)], compute())
+    ),
+    "the digits of an integral through a pole": Forgery(
+        "may be zero under a binder", proved(["<", integral(["^", "x", -2], "x", -1, 1), 0], compute())
+    ),
+    "the digits of an integral through a pole that cancels": Forgery(
+        "may be zero under a binder", proved(["<", integral(["*", 0, INVERSE], "x", -1, 1), 1], compute())
+    ),
+    "the digits of an integral through a tangent's pole": Forgery(
+        "may be zero under a binder", proved(["<", integral(["tan", "x"], "x", 0, 2), 9], compute())
+    ),
+    "the enclosure of an integral through a pole": Forgery(
+        "a division by what may be zero",
+        proved(["<=", 0, 1], theorem("enclosure", {"t": THROUGH_ZERO, "digits": 1}, [], above(1))),
+    ),
+    "the enclosure of an integral through a pole that cancels": Forgery(
+        "a division by what may be zero",
+        proved(
+            ["<=", 0, 1],
+            theorem("enclosure", {"t": integral(["*", 0, INVERSE], "x", -1, 1), "digits": 1}, [], above(1)),
+        ),
+    ),
+    "the enclosure of a sum through a pole": Forgery(
+        "a division by what may be zero",
+        proved(
+            ["<=", 0, 1],
+            theorem("enclosure", {"t": ["sum", ["/", 0, minus("k", 2)], "k", 1, 3], "digits": 1}, [], above(1)),
+        ),
+    ),
+    "the digits of an integral through a logarithm": Forgery(
+        "the logarithm of what may not be positive", proved(["<", integral(["log", "x"], "x", -1, 1), 0], compute())
+    ),
+    "the digits of an integral that is another": Forgery(
+        "is not so", proved(["<", integral(["exp", "x"]), ["/", 1718, 1000]], compute())
+    ),
+    "the digits of an integral the other way": Forgery(
+        "is not so", proved(["<", 0, integral(["exp", "x"], "x", 1, 0)], compute())
+    ),
+    "a derivative where there is no function": Forgery(
+        "the logarithm of what may not be positive",
+        proved(
+            ["=", ["diff", ["log", "x"], "x", 1, -1], -1],
+            theorem("enclosure", {"t": ["diff", ["log", "x"], "x", 1, -1], "digits": 3}, [], by(here())),
+        ),
+    ),
     "the arcsine of two": Forgery("the root of what may be negative", proved(["<", ["arcsin", 2], 4], compute())),
+}
+
+ADDITION: dict[str, Forgery] = {
+    f"exponentials: {name}": Forgery(NOT_EQUAL, proved(["=", left, right], ID))
+    for name, left, right in (
+        ("of a sum as a sum", ["exp", ["+", "x", "y"]], ["+", ["exp", "x"], ["exp", "y"]]),
+        ("of a product as a product", ["exp", ["*", "x", "y"]], ["*", ["exp", "x"], ["exp", "y"]]),
+        ("of twice a number", ["exp", ["*", 2, "x"]], ["*", 2, ["exp", "x"]]),
+        ("of half a number", ["exp", ["/", "x", 2]], ["/", ["exp", "x"], 2]),
+        ("of the contrary", ["exp", ["-", "x"]], ["-", ["exp", "x"]]),
+        ("that are even", ["exp", ["-", "x"]], ["exp", "x"]),
+        ("of a product, that are even", ["exp", ["-", ["*", "x", "y"]]], ["exp", ["*", "x", "y"]]),
+        ("of part of a product, that are even", ["exp", ["-", ["/", "x", 3]]], ["exp", ["/", "x", 3]]),
+        ("of zero", ["exp", minus("x", "x")], 0),
+        ("of half a turn", ["exp", PI], -1),
+        ("of a whole turn", ["exp", ["+", "x", ["*", 2, PI]]], ["exp", "x"]),
+        ("of a square", ["exp", sq("x")], sq(["exp", "x"])),
+        ("of an inverse", ["exp", ["/", 1, ["exp", "x"]]], ["/", 1, ["exp", ["exp", "x"]]]),
+        ("of a logarithm", ["exp", ["log", "x"]], "x"),
+    )
+}
+ADDITION |= {
+    f"angles: {name}": Forgery(NOT_EQUAL, proved(["=", left, right], ID))
+    for name, left, right in (
+        ("the sine of a product, that is even", ["sin", ["-", ["*", "x", "y"]]], ["sin", ["*", "x", "y"]]),
+        ("the cosine of a product, that is odd", ["cos", ["-", ["*", "x", "y"]]], ["-", ["cos", ["*", "x", "y"]]]),
+        ("the sine of twice a product", ["sin", ["*", 2, "x", "y"]], ["*", 2, ["sin", ["*", "x", "y"]]]),
+        ("the sine of a product", ["sin", ["*", "x", "y"]], ["*", ["sin", "x"], ["sin", "y"]]),
+        ("the sine of a root", ["sin", ["*", ["sqrt", 2], "x"]], ["*", ["sqrt", 2], ["sin", "x"]]),
+        ("the sine of half a number", ["sin", ["/", "x", 2]], ["/", ["sin", "x"], 2]),
+    )
 }
 
 BINDERS: dict[str, Forgery] = {
@@ -679,12 +828,18 @@ BINDERS: dict[str, Forgery] = {
     "a number in place of a bound letter": Forgery("0 is no letter", proved(["=", ["mean", 1, 0], 1], ID)),
     "infinity as a term": Forgery("['infinity'] is no term", proved(["=", OO, OO], ID)),
     "infinity as a place": Forgery("['infinity'] is no term", proved(["=", ["diff", "x", "x", 1, OO], 1], ID)),
-    "an endless sum of nothing": Forgery(NOT_EQUAL, proved(["=", ["sum", 0, "k", 1, OO], 0], ID)),
-    "an endless sum of ones": Forgery(
-        "the digits of ('infinity',)", proved([">", ["sum", 1, "k", 1, OO], 0], compute())
-    ),
     "infinity as the end of a product": Forgery(
         "['infinity'] is no term", proved(["=", ["product", 1, "k", 1, OO], 1], ID)
+    ),
+    "an endless sum that is said to be zero": Forgery(NOT_EQUAL, proved(["=", ["sum", 1, "k", 1, OO], 0], ID)),
+    "an endless sum without its first addend": Forgery(
+        NOT_EQUAL, proved(["=", ["sum", 1, "k", 1, OO], ["+", 1, ["sum", 1, "k", 2, OO]]], ID)
+    ),
+    "a factor drawn out of an endless sum": Forgery(
+        NOT_EQUAL, proved(["=", ["sum", 2, "k", 1, OO], ["*", 2, ["sum", 1, "k", 1, OO]]], ID)
+    ),
+    "an endless sum for one that ends": Forgery(
+        NOT_EQUAL, proved(["=", ["sum", "k", "k", 1, OO], ["sum", "k", "k", 1, "n"]], ID)
     ),
     "a fraction in floating point": Forgery("0.5 is no letter", proved(["=", 0.5, ["/", 1, 2]], ID)),
     "a truth value as a number": Forgery("True is no letter", proved(["=", True, 1], ID)),
@@ -829,13 +984,51 @@ ANALYSIS: dict[str, Forgery] = {
             theorem("gamma_values", {}, [], {**witness({"z": ["/", 1, HALF_GAMMA]}, ID), "positive": [HALF_GAMMA]}),
         ),
     ),
-    "nonzero in another branch": Forgery(
+    "nonzero outside of its branch": Forgery(
         MAY_BE_ZERO,
         proved(
-            ["and", ["=>", ["!=", "x", 0], ["=", "x", "x"]], ["exists", ["z"], ["=", ["*", "z", "x"], 1]]],
-            each(implies(ID), witness({"z": ["/", 1, "x"]}, ID)),
-            at={"x": 1},
+            ["and", ["=>", ["!=", "x", 0], INVERTED], INVERTED],
+            each(implies(witness({"z": INVERSE}, ID)), witness({"z": INVERSE}, ID)),
         ),
+    ),
+    "nonzero in one case of two": Forgery(
+        MAY_BE_ZERO,
+        proved(INVERTED, theorem("dichotomy", {"t": "x"}, [], cases(here(), *[witness({"z": INVERSE}, ID)] * 2))),
+    ),
+    "nonzero before it is assumed": Forgery(
+        MAY_BE_ZERO,
+        proved(
+            ["and", ["=", ["/", "x", "x"], 1], ["=>", ["!=", "x", 0], ["=", ["/", "x", "x"], 1]]], each(ID, implies(ID))
+        ),
+    ),
+    "another letter that is not zero in the branch": Forgery(
+        MAY_BE_ZERO, proved(["=>", ["!=", "y", 0], INVERTED], implies(witness({"z": INVERSE}, ID)), at={"x": 0, "y": 1})
+    ),
+    "not negative, for not zero, in a branch": Forgery(
+        MAY_BE_ZERO, proved(["=>", [">=", "x", 0], INVERTED], implies(witness({"z": INVERSE}, ID)), at={"x": 1})
+    ),
+    "a product that is not zero for its factor and one more": Forgery(
+        MAY_BE_ZERO,
+        proved(
+            ["=>", ["!=", ["*", "x", "y"], 0], ["exists", ["z"], ["=", ["*", "z", minus("x", 1)], 1]]],
+            implies(witness({"z": ["/", 1, minus("x", 1)]}, ID)),
+            at={"x": 1, "y": 1},
+        ),
+    ),
+    "nonzero for one letter of two that are called alike": Forgery(
+        MAY_BE_ZERO,
+        proved(
+            [
+                "and",
+                ["forall", ["x"], ["=>", [">", "x", 0], ["=", ["/", "x", "x"], 1]]],
+                ["forall", ["x"], ["=", ["/", "x", "x"], 1]],
+            ],
+            each(every(["y"], implies(ID)), every(["y"], ID)),
+        ),
+    ),
+    "a denominator cleared by the contrary of the goal": Forgery(
+        MAY_BE_ZERO,
+        proved(["=", ["/", sq("y"), "y"], 0], implies(absurd([here()], [hyp(), "1"])), [["=", "y", 0]], at={"y": 0}),
     ),
     "a denominator of one branch met in another": Forgery(
         MAY_BE_ZERO,
@@ -1040,7 +1233,7 @@ CERTIFICATES: dict[str, Forgery] = {
         ),
     ),
     "a definition captured in a hypothesis": Forgery(
-        "('and', ('=', ('integral', 'x', 'x', 0, 1), 0)) is not so",
+        "('=', ('integral', 'x', 'x', 0, 1), 0)) is not so",
         proved(
             ["=", integral("d", "x"), 0],
             by(hyp()),
@@ -1336,7 +1529,7 @@ CERTIFICATES: dict[str, Forgery] = {
         refuted(["=", f(2), 0], {"x": 1}, [["=", f("x"), 0]], calls=[[f(1), 0], [f(2), 1]]),
     ),
     "an integral at a point": Forgery(
-        "('and', ('!=', ('integral', 'x', 'x', 0, 1), ('/', 1, 2))) is not so",
+        "('!=', ('integral', 'x', 'x', 0, 1), ('/', 1, 2))) is not so",
         refuted(["=", integral("x"), ["/", 1, 2]], {}),
     ),
     "a fraction that vanishes under a binder at a point": Forgery(
@@ -2421,6 +2614,167 @@ THEOREMS: dict[str, Forgery] = {
             at={"x": 2},
         ),
     ),
+    "an antiderivative from right to left": Forgery(
+        NOT_THE_FORM,
+        proved(["=", 0, 1], antiderivative(2, 1, by(here()))),
+    ),
+    "an antiderivative through a pole": Forgery(
+        NO_CONTRADICTION,
+        proved(
+            ["=", integral(["^", "x", -2], "x", -1, 1), -2],
+            antiderivative(-1, 1, by(here()), ["^", "x", -2], ["-", INVERSE], [NOT_EVEN], 2),
+        ),
+    ),
+    "an antiderivative of which nobody says that it is smooth": Forgery(
+        "2 proofs for 3",
+        proved(
+            ["=", integral(["^", "x", -2], "x", -1, 1), -2],
+            antiderivative(-1, 1, by(here()), ["^", "x", -2], ["-", INVERSE], [], 2),
+        ),
+    ),
+    "an antiderivative with a pole at an end": Forgery(
+        NO_SIGN,
+        proved(
+            ["=", integral(["/", 1, "x"]), ["+", ["log", 1], ["-", ["log", 0]]]],
+            antiderivative(0, 1, by(here()), smooth=[above("y")]),
+        ),
+    ),
+    "an antiderivative that jumps": Forgery(
+        NO_CONTRADICTION,
+        proved(
+            ["=", PI, 0],
+            antiderivative(
+                0,
+                PI,
+                constant(1, by(here(), here(1)), 0, PI),
+                1,
+                ["arctan", ["tan", "x"]],
+                [NOT_EVEN],
+                PI,
+            ),
+        ),
+    ),
+    "an antiderivative of something else": Forgery(
+        NOT_EQUAL,
+        proved(["=", INVERSES, 0], antiderivative(1, 2, by(here()), INVERSE, ["^", "x", 0], [])),
+    ),
+    "an antiderivative that is one elsewhere": Forgery(
+        NO_SIGN,
+        proved(["=", THROUGH_ZERO, 0], antiderivative(-1, 1, by(here()), ordered=2)),
+    ),
+    "an antiderivative with a letter that is bound": Forgery(
+        NOT_EQUAL,
+        proved(
+            ["=", 0, 1],
+            theorem(
+                "antiderivative",
+                {"f": of("z", 1), "g": of("z", "x"), "s": 0, "t": 1},
+                [above(1), every(["y"], implies(ID))],
+                constant(1, by(here(), here(1))),
+            ),
+        ),
+    ),
+    "an antiderivative with a letter that a hypothesis fixes": Forgery(
+        "the letter y is taken",
+        proved(
+            ["=", integral("x", "x", 0, 1), 2],
+            antiderivative(0, 1, by(here()), "x", ["*", 2, "x"], [], last=by(hyp())),
+            [["=", "y", 2]],
+            at={"y": 2},
+        ),
+    ),
+    "an antiderivative that is an integral": Forgery(
+        "('integral', 'z', 'z', 0, 'x') may not be smooth",
+        proved(["=", 0, 1], antiderivative(0, 1, by(here()), "x", integral("z", "z", 0, "x"), [])),
+    ),
+    "an antiderivative that is no term in a letter": Forgery(
+        "'x' for the parameter g of antiderivative",
+        proved(
+            ["=", 0, 1],
+            theorem(
+                "antiderivative",
+                {"f": of("x", 1), "g": "x", "s": 0, "t": 1},
+                [above(1), every(["y"], implies(ID))],
+                by(here()),
+            ),
+        ),
+    ),
+    "an integrand that has no value elsewhere": Forgery(
+        MAY_BE_ZERO, proved(["=", minus(THROUGH_ZERO, THROUGH_ZERO), 0], antiderivative(1, 2, ID))
+    ),
+    "an integrand that has no value, cleared where nothing is true": Forgery(
+        MAY_BE_ZERO,
+        proved(
+            ["and", ["=>", ["=", 0, 1], ["=", 0, 0]], ["=", minus(INVERSES, INVERSES), 0]],
+            each(implies(antiderivative(1, 2, ID)), ID),
+        ),
+    ),
+    "the logarithm of a negative number undone": Forgery(
+        NO_SIGN,
+        proved(["=", ["exp", ["log", -1]], -1], theorem("exp_of_log", {"t": -1}, [above(-1)], by(here()))),
+    ),
+    "the logarithm of what may be zero undone": Forgery(
+        NO_SIGN,
+        proved(
+            ["=", ["exp", ["log", sq("x")]], sq("x")],
+            theorem("exp_of_log", {"t": sq("x")}, [SQUARED], by(here())),
+            at={"x": 1},
+        ),
+    ),
+    "the logarithm of one that is one": Forgery(
+        NOT_EQUAL, proved(["=", ["log", 1], 1], theorem("log_of_one", {}, [], by(here())))
+    ),
+    "the logarithm of one and of another number": Forgery(
+        "log_of_one is a theorem about no parameters",
+        proved(["=", ["log", 2], 0], theorem("log_of_one", {"t": 2}, [], by(here()))),
+    ),
+    "the logarithm of another exponential": Forgery(
+        NOT_EQUAL,
+        proved(
+            ["=", ["log", ["exp", "x"]], "y"], theorem("log_of_exp", {"t": "x"}, [], by(here())), at={"x": 1, "y": 1}
+        ),
+    ),
+    "the logarithm of a product of negative numbers": Forgery(
+        NO_SIGN,
+        proved(["=", 0, 1], theorem("log_of_product", {"s": -1, "t": -1}, [above(-1), above(-1)], by(here()))),
+    ),
+    "the logarithm of a product with a premise too few": Forgery(
+        "1 proofs for 2", proved(["=", 0, 1], theorem("log_of_product", {"s": 1, "t": -1}, [above(1)], by(here())))
+    ),
+    "the logarithm of a sum for that of a product": Forgery(
+        NOT_EQUAL,
+        proved(
+            ["=", ["log", ["+", 2, 3]], ["+", ["log", 2], ["log", 3]]],
+            theorem("log_of_product", {"s": 2, "t": 3}, [above(2), above(3)], by(here())),
+        ),
+    ),
+    "the logarithm of the square of a negative number": Forgery(
+        NO_SIGN,
+        proved(
+            ["=", ["log", 4], ["*", 2, ["log", -2]]],
+            theorem("log_of_power", {"t": -2, "u": 2}, [above(-2)], by(here())),
+        ),
+    ),
+    "the logarithm of a power with another exponent": Forgery(
+        NOT_EQUAL,
+        proved(
+            ["=", ["log", 8], ["*", 2, ["log", 2]]], theorem("log_of_power", {"t": 2, "u": 3}, [above(2)], by(here()))
+        ),
+    ),
+    "the power of a negative number as an exponential": Forgery(
+        NO_SIGN,
+        proved(
+            ["=", 1, ["exp", ["*", 2, ["log", -1]]]],
+            theorem("power_as_exp", {"b": -1, "u": 2}, [above(-1)], by(here())),
+        ),
+    ),
+    "a power as the exponential of another base": Forgery(
+        NOT_EQUAL,
+        proved(
+            ["=", ["pow", 2, "x"], ["exp", ["*", "x", ["log", 3]]]],
+            theorem("power_as_exp", {"b": 2, "u": "x"}, [above(2)], by(here())),
+        ),
+    ),
     "zero diverges": Forgery(
         NO_CONTRADICTION,
         proved(
@@ -2693,9 +3047,20 @@ THEOREMS: dict[str, Forgery] = {
         "the root of what may be negative",
         proved(["<=", 0, 1], theorem("enclosure", {"t": ["arcsin", 2], "digits": 1}, [], above(1))),
     ),
+    "digits of an integral": Forgery(
+        NOT_THE_FORM,
+        proved(
+            ["<=", integral("x"), ["/", 49, 100]],
+            theorem("enclosure", {"t": integral("x"), "digits": 1}, [], above(minus(["/", 5, 10], integral("x")))),
+        ),
+    ),
     "digits of a mean": Forgery(
-        "the digits of ('mean', ('sin', 'x'), 'x')",
-        proved(["<=", 0, 1], theorem("enclosure", {"t": ["mean", SIN, "x"], "digits": 1}, [], above(1))),
+        "the digits of ('mean', 'x', 'x')",
+        proved(["<=", 0, 1], theorem("enclosure", {"t": ["mean", "x", "x"], "digits": 1}, [], above(1))),
+    ),
+    "digits of an integral of an unknown function": Forgery(
+        "the digits of ('call', 'f', (0,), 'x')",
+        proved(["<=", 0, 1], theorem("enclosure", {"t": integral(f("x")), "digits": 1}, [], above(1))),
     ),
     "digits of a function": Forgery(
         "the digits of ('call', 'f', (0,), 1)",
@@ -2829,5 +3194,5 @@ OTHERWISE: dict[str, Forgery] = {
     )
 }
 
-GROUPS = (RULES, BINDERS, ANALYSIS, CERTIFICATES, THEOREMS, TOO_FAR, BEYOND_ONE, OTHERWISE)
+GROUPS = (RULES, ADDITION, BINDERS, ANALYSIS, CERTIFICATES, THEOREMS, TOO_FAR, BEYOND_ONE, OTHERWISE)
 FORGERIES: dict[str, Forgery] = {name: forgery for group in GROUPS for name, forgery in group.items()}

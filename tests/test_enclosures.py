@@ -46,6 +46,11 @@ def value(term: Any) -> Any:
         case ("+" | "*" | "/" as sign, left, right):
             a, b = value(left), value(right)
             return a + b if sign == "+" else a * b if sign == "*" else a / b
+        case ("pow", base, exponent):
+            found = value(base) ** value(exponent)
+            if isinstance(found, PRECISE.mpc):
+                raise ValueError(term)
+            return found
         case (function, inner):
             names = {"arctan": "atan", "arcsin": "asin", "arccos": "acos"}
             found = getattr(PRECISE, names.get(function, function))(value(inner))
@@ -58,8 +63,9 @@ def value(term: Any) -> Any:
 def some_term(rng: random.Random, depth: int) -> Term:
     if depth == 0:
         return rng.choice([rng.randrange(-9, 10), rng.randrange(1, 400), PI])
-    kind = rng.choice(["+", "*", "/", "-", "^", "sqrt", "sin", "cos", "tan", "arctan", "arcsin", "arccos"])
-    if kind in ("+", "*", "/"):
+    functions = ["sqrt", "exp", "log", "sin", "cos", "tan", "arctan", "arcsin", "arccos"]
+    kind = rng.choice(["+", "*", "/", "-", "^", "pow", *functions])
+    if kind in ("+", "*", "/", "pow"):
         return node(kind, some_term(rng, depth - 1), some_term(rng, rng.randrange(depth)))
     return node(kind, some_term(rng, depth - 1), *([rng.randrange(-3, 5)] if kind == "^" else []))
 
@@ -81,6 +87,72 @@ def test_an_enclosure_contains_the_value_of_every_random_term() -> None:
         met, sharp = met + 1, sharp + (found.high - found.low < ONE >> 100)
     assert met > 1500
     assert sharp > 0.9 * met
+
+
+FIGURES: dict[str, tuple[Term, Any]] = {  # terms with a bound letter, and their values
+    "a sum": (node("sum", node("/", 1, node("^", "k", 2)), "k", 1, 9), PRECISE.mpf(9778141) / 6350400),
+    "an empty sum": (node("sum", "k", "k", 1, 0), 0),
+    "an empty product": (node("product", "k", "k", 1, 0), 1),
+    "a product": (node("product", node("exp", "k"), "k", 1, 4), PRECISE.exp(10)),
+    "a sum of integrals": (node("sum", node("integral", node("*", "k", "x"), "x", 0, "k"), "k", 1, 3), 18),
+    "a derivative": (node("diff", node("sin", node("^", "x", 2)), "x", 2, 1), 2 * PRECISE.cos(1) - 4 * PRECISE.sin(1)),
+    "an integral": (node("integral", node("exp", "x"), "x", 0, 1), PRECISE.e - 1),
+    "an integral the other way": (node("integral", node("exp", "x"), "x", 1, 0), 1 - PRECISE.e),
+    "an integral to an irrational number": (node("integral", node("sin", "x"), "x", 0, PI), 2),
+    "an integral of an inverse": (node("integral", node("/", 1, "x"), "x", 1, 2), PRECISE.log(2)),
+    "an integral of a root": (node("integral", node("sqrt", "x"), "x", 1, 4), PRECISE.mpf(14) / 3),
+    "an integral of a power": (node("integral", node("pow", "x", node("/", 1, 3)), "x", 1, 8), PRECISE.mpf(45) / 4),
+    "an integral in an integral": (
+        node("integral", node("*", "x", node("diff", node("exp", "y"), "y", 1, 0)), "x", 0, 2),
+        2,
+    ),
+}
+
+
+@pytest.mark.parametrize("name", FIGURES)
+def test_an_enclosure_contains_the_value_of_a_term_with_a_bound_letter(name: str) -> None:
+    term, exact = FIGURES[name]
+    found, exact = enclosed(term), exact * ONE
+    slack = abs(exact) * PRECISE.mpf(10) ** -100
+    assert found.low - slack <= exact <= found.high + slack
+    assert found.high - found.low < ONE // 1000  # it tells them from wrong ones
+    for wrong in (exact + ONE // 500, exact - ONE // 500):
+        assert not found.low <= wrong <= found.high
+
+
+def test_an_enclosure_contains_the_value_of_every_random_integral() -> None:
+    rng, met = random.Random(1687), 0
+    while met < 25:
+        inner = some_term(rng, 2)
+        body = node(rng.choice(["sin", "exp", "arctan", "-"]), node("+", node("*", inner, "x"), rng.randrange(3)))
+        low, high = (node("/", rng.randrange(-6, 7), 4) for _ in range(2))
+        try:
+            found = enclosed(node("integral", body, "x", low, high))
+            slope = value(inner)
+        except Unknown:
+            continue
+        function = getattr(PRECISE, {"arctan": "atan", "-": "mpf"}.get(body.tag, body.tag))
+        sign = -1 if body.tag == "-" else 1
+        if abs(slope) > 50:
+            continue
+        shift = body.terms[0].terms[1]
+        with PRECISE.workdps(40):
+            exact = sign * PRECISE.quad(
+                lambda x, f=function, a=slope, b=shift: f(a * x + b), PRECISE.linspace(value(low), value(high), 20)
+            )
+        slack = (abs(exact) + 1) * PRECISE.mpf(10) ** -25
+        assert found.low / PRECISE.mpf(ONE) - slack <= exact <= found.high / PRECISE.mpf(ONE) + slack, body
+        met += 1
+
+
+@pytest.mark.parametrize("function", ["exp", "log"])
+def test_exponentials_and_logarithms_are_known_to_thirty_digits(function: str) -> None:
+    for n in [*range(-40 if function == "exp" else 1, 41), 700 if function == "exp" else 10**40]:
+        term = node(function, node("/", n, 7))
+        found, exact = enclosed(term), value(term) * ONE
+        assert found.low <= exact + 1, n
+        assert exact - 1 <= found.high, n
+        assert found.high - found.low < 10**-30 * ONE * (1 + abs(exact) / ONE), n
 
 
 @pytest.mark.parametrize("function", ["sin", "cos", "tan", "arctan"])
@@ -110,8 +182,30 @@ HOSTILE: list[Term] = [
     node("^", 2, 10**9),
     node("arctan", node("^", 10, 700)),
     node("exp", 10**6),
+    node("exp", node("-", 10**6)),
     node("pow", -2, node("/", 1, 2)),
+    node("pow", 0, node("/", 1, 2)),
+    node("pow", 0, -1),
     node("log", 0),
+    node("log", -1),
+    node("log", node("sin", PI)),
+    node("sum", node("/", 1, "k"), "k", -1, 1),
+    node("sum", 1, "k", 1, node("/", 5, 2)),
+    node("sum", 1, "k", 1, node("sqrt", 4)),
+    node("sum", 1, "k", 1, 10**9),
+    node("sum", node("^", 2, -2), "k", 1, INFINITY),
+    node("product", "n", "k", 1, 2),
+    node("integral", node("/", 1, "x"), "x", -1, 1),
+    node("integral", node("/", 1, node("^", "x", 2)), "x", -1, 1),
+    node("integral", node("*", 0, node("/", 1, "x")), "x", -1, 1),
+    node("integral", node("^", node("/", 1, "x"), 0), "x", -1, 1),
+    node("integral", node("tan", "x"), "x", 0, 2),
+    node("integral", node("log", "x"), "x", 0, 1),
+    node("integral", node("sqrt", "x"), "x", 0, 1),
+    node("integral", node("exp", node("-", "x")), "x", 0, INFINITY),
+    node("integral", node("call", "f", (0,), "x"), "x", 0, 1),
+    node("diff", node("log", "x"), "x", 1, -1),
+    node("diff", node("sqrt", node("^", "x", 2)), "x", 1, 0),
     node("integral", node("/", 1, "x"), "x", 0, 1),
     node("sum", 1, "k", 1, 10**4),
     node("gamma", 0),

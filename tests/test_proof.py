@@ -86,10 +86,10 @@ class Attentive(Prover):
         self.splits = proof["rule"] == "split"
         super().prove(goal, proof)
 
-    def branch(self, goal: Any, proof: Any, *assumed: Any) -> None:
+    def branch(self, goal: Any, proof: Any, *assumed: Any, **cleared: Any) -> None:
         splits, number = self.splits, ("here", self.depth)
         self.used.discard(number)
-        super().branch(goal, proof, *assumed)
+        super().branch(goal, proof, *assumed, **cleared)
         self.splits = splits
         Attentive.assumed += splits
         Attentive.idle += [str(assumed)] if splits and number not in self.used else []

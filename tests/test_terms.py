@@ -21,7 +21,7 @@ TERMS: list[JSON] = [
     ["^", "x", -2], *([name, "x"] for name in FUNCTIONS), ["pow", "x", ["/", 1, 2]], ["call", "f", [0], "x"],
     ["call", "f", [1, 0], "x", ["sin", "y"]], ["mean", ["sin", "x"], "x"], ["integral", "x", "x", 0, "x"],
     ["integral", "x", "x", ["-infinity"], ["infinity"]], ["diverges", "x", "x", 0, ["infinity"]],
-    ["sum", "k", "k", 1, "n"], ["sum", 1, "k", 1, ["infinity"]], ["product", "k", "k", 1, "n"],
+    ["sum", "k", "k", 1, "n"], ["sum", ["^", 2, -2], "k", 1, ["infinity"]], ["product", "k", "k", 1, "n"],
     ["diff", ["^", "x", 3], "x", 2, "y"],
 ]  # fmt: skip
 FORMULAS: list[JSON] = [
@@ -36,7 +36,8 @@ NO_TERMS: list[JSON] = [
     ["call", "f", [], "x"], ["call", "f", [0]], ["call", "f", [0, 0], "x"], ["call", "f", [-1], "x"],
     ["call", "f", [9], "x"], ["call", "f", [True], "x"], ["call", "f", 0, "x"], ["call", 0, [0], "x"],
     ["mean", "x", 0], ["mean", "x", ["x"]], ["mean", "x", "x", 0], ["integral", "x", "x", 0], ["sin", ["=", 0, 0]],
-    ["integral", "x", "x", 0, ["infinity", 1]], ["product", 1, "k", 1, ["infinity"]], ["diff", "x", "x", 0, 1],
+    ["integral", "x", "x", 0, ["infinity", 1]], ["product", 1, "k", 1, ["infinity"]],
+    ["sum", ["infinity"], "k", 1, 2], ["sum", 1, "k", 1, ["infinity", 1]], ["diff", "x", "x", 0, 1],
     ["diff", "x", "x", 9, 1], ["diff", "x", "x", "n", 1], ["diff", "x", "x", True, 1], ["+", ["infinity"]], [None, 1],
 ]  # fmt: skip
 NO_FORMULAS: list[JSON] = [

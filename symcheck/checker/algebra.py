@@ -14,7 +14,7 @@ from math import prod
 
 from symcheck.checker.enclosures import enclosed
 from symcheck.checker.residues import PRIME, Reject, circle, draw, has_root, inverse, rational, require, root, rotation
-from symcheck.core.calculus import Unknown, differentiated, letters, substituted
+from symcheck.core.calculus import Unknown, differentiated, domain, letters, substituted
 from symcheck.core.terms import Binder, Call, Connective, End, Formula, Node, Relation, Term, Value, node
 
 STEEPEST = 1 << 40  # product of nested exponents, multiples of angles and the like; a term has 2^20 nodes at most
@@ -177,6 +177,8 @@ class Algebra:
         if term.tag == "diff":
             for x in letters(term) - self.bound.keys() if self.point is not None else ():
                 self.value(x)  # also of what the derivative is free of
+            for each in domain(term) if self.point is not None and not self.bound else ():
+                require(self.holds(each), "no derivative where {} is not so", each)
             return self.value(differentiated(term))
         ends = [e.tag if isinstance(e, End) else self.value(e) % PRIME for e in term.outside]
         kept = self.bound, self.letters, self.binders

@@ -191,4 +191,7 @@ def domain(*trees: Term, divisors: bool = False) -> list[Formula]:
             found[DOMAINS[part.tag](part.outside[0])] = None
         if divisors and (below := divisor(part)) != 1:
             found[node("!=", below, 0)] = None
+        if isinstance(part, Binder) and part.tag == "diff":  # what is differentiated has a value at its place
+            at = {part.letter: part.outside[1]}
+            found |= dict.fromkeys(substituted(each, at) for each in domain(part.body, divisors=divisors))
     return [*found]
