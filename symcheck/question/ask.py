@@ -16,7 +16,7 @@ from symcheck.question import jets
 from symcheck.question.answer import Answer, Status
 from symcheck.question.antiderivatives import hinted
 from symcheck.question.limit import OutOfTime, limited
-from symcheck.question.prepare import Asked, Reading, readings, sizes
+from symcheck.question.prepare import DEFINED, Asked, Reading, readings, sizes
 from symcheck.question.repairs import repairs
 from symcheck.reading import to_latex
 
@@ -130,6 +130,8 @@ def _decided(reading: Reading, asked: Asked, wanted: bool = True) -> Answer:
             continue
         certificates.append(made)
         used += (reading.stated[name] for name in found if name in reading.stated)
+        valued = made["hypotheses"].get(DEFINED, []) if DEFINED in found else []
+        used += map(term, [*valued, *(["!=", divisor, 0] for divisor in made.get("nonzero", ()))])
         if verdict is Verdict.REFUTED:
             at = made["point"]["values"]
             return replace(
