@@ -153,3 +153,10 @@ def test_exit_codes_and_errors_of_one_line(
     assert said in outcome.output
     if code == 2:
         assert len(outcome.stderr.splitlines()) <= 1
+
+
+def test_a_symbol_that_all_papers_use_alike_is_not_refuted_as_a_letter() -> None:
+    relation, letters = r"\delta_{ij} \delta_{jk} = \delta_{ik}", (r"\delta_{ij}", r"\delta_{jk}", r"\delta_{ik}")
+    assert decide(relation).verdict is Status.UNDECIDED
+    assert decide(relation, letters=dict.fromkeys(letters, "scalar")).verdict is Status.REFUTED
+    assert decide(r"\delta_{11} x = y").verdict is Status.REFUTED

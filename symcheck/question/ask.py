@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 import time
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import replace
@@ -25,6 +26,8 @@ from symcheck.reading import to_latex
 
 LIMIT = 6.0  # seconds for one component of a relation; nearly all that are found at all are found in one
 TOTAL = 15.0  # seconds for all of them
+SAID = "it is said to be"  # why a letter that the user declares is what it is
+_SYMBOL = re.compile(r"\\delta_\{?[i-n]{2}\}?|\\(?:var)?epsilon_\{?[i-n]{3}\}?")  # with the usual letters of indices
 WHOLE = (1, 2, 0, 3, -1)  # tried for a letter: most false formulas fail for one of them
 MOST_WHOLE = 25  # of two letters all pairs
 SIZES = (1, 2, 3)  # one is found to be false for a small one, if at all
@@ -134,6 +137,9 @@ def _decided(reading: Reading, asked: Asked, wanted: bool = True) -> Answer:
         if made is not None and verdict is Verdict.PROVED and (raised := _whole_power(reading, problem)) is not None:
             made = None
             found = (f"{term(raised)} may be negative under a whole power; give {term(raised)} > 0 if it is not",)
+        if made is not None and verdict is Verdict.REFUTED and (symbols := _usual_symbols(reading)):
+            made = None
+            found = (f"{symbols} is usually the unit tensor or the tensor of permutations; say what it is",)
         if made is None:
             status = Status.UNDECIDED
             reasons += found
@@ -157,6 +163,12 @@ def _decided(reading: Reading, asked: Asked, wanted: bool = True) -> Answer:
     return replace(
         base, verdict=status, certificate=tuple(certificates), used=tuple(dict.fromkeys(used)), reason=reason
     )
+
+
+def _usual_symbols(reading: Reading) -> str:
+    """The letters spelled as Kronecker's or Levi-Civita's symbols with letters for indices, unless they are declared."""
+    named = (g.letter.latex for g in reading.inference.guesses if g.why != SAID)
+    return ", ".join(latex for latex in named if _SYMBOL.fullmatch(latex))
 
 
 def _not_whole(reading: Reading, problem: Problem, made: Certificate) -> list[str]:
