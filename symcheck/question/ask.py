@@ -166,7 +166,7 @@ def _decided(reading: Reading, asked: Asked, wanted: bool = True) -> Answer:
 
 
 def _usual_symbols(reading: Reading) -> str:
-    """The letters spelled as Kronecker's or Levi-Civita's symbols with letters for indices, unless they are declared."""
+    """The letters spelled as Kronecker's or Levi-Civita's symbols with letters for indices, unless declared."""
     named = (g.letter.latex for g in reading.inference.guesses if g.why != SAID)
     return ", ".join(latex for latex in named if _SYMBOL.fullmatch(latex))
 
