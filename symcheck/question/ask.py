@@ -15,6 +15,7 @@ from symcheck.proof import certificate, identity
 from symcheck.question import jets
 from symcheck.question.answer import Answer, Status
 from symcheck.question.antiderivatives import hinted
+from symcheck.question.doubts import defines, doubt
 from symcheck.question.limit import OutOfTime, limited
 from symcheck.question.prepare import Asked, Reading, readings, sizes
 from symcheck.question.repairs import repairs
@@ -22,6 +23,7 @@ from symcheck.reading import to_latex
 
 LIMIT = 6.0  # seconds for one component of a relation; nearly all that are found at all are found in one
 TOTAL = 15.0  # seconds for all of them
+DEFINITION = "it says what something is that occurs nowhere else: a definition, which is neither true nor false"
 SIZES = (1, 2, 3)  # one is found to be false for a small one, if at all
 
 
@@ -128,6 +130,12 @@ def _decided(reading: Reading, asked: Asked, wanted: bool = True) -> Answer:
             status = Status.UNDECIDED
             reasons += found
             continue
+        if verdict is Verdict.REFUTED and defines(problem):
+            status = Status.UNDECIDED
+            reasons.append(DEFINITION)
+            continue
+        if verdict is Verdict.REFUTED and (reason := doubt(reading)):
+            return replace(base, verdict=Status.AMBIGUOUS, reason=reason)
         certificates.append(made)
         used += (reading.stated[name] for name in found if name in reading.stated)
         if verdict is Verdict.REFUTED:
