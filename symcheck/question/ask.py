@@ -99,7 +99,11 @@ def _agreed(found: Sequence[tuple[Reading, Answer]]) -> Answer | None:
 
 def _of_some_size(asked: Asked) -> Answer | None:
     """Refuted for one number of components or addends; else undecided, where it can be read for one."""
-    letters, answers = sizes(asked), []
+    answers: list[Answer] = []
+    try:
+        letters = sizes(asked)
+    except SymcheckError:
+        return None
     for size in SIZES if letters else ():
         try:
             answers = [_decided(reading, asked, wanted=False) for reading in readings(asked, size)]
@@ -117,7 +121,7 @@ def _of_some_size(asked: Asked) -> Answer | None:
 
 
 def _several(texts: Iterable[str] | str) -> tuple[str, ...]:
-    return (texts,) if isinstance(texts, str) else tuple(texts)
+    return tuple(text for text in ((texts,) if isinstance(texts, str) else texts) if text.strip())
 
 
 def _decided(reading: Reading, asked: Asked, wanted: bool = True) -> Answer:
