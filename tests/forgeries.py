@@ -304,6 +304,9 @@ RULES: dict[str, Forgery] = {
     "a cube of what is not zero": Forgery(
         NO_SIGN, proved([">", ["^", "x", 3], 0], above(["^", "x", 3]), [["!=", "x", 0]], at={"x": 1})
     ),
+    "an exponential less another number": Forgery(
+        NO_SIGN, proved([">", minus(["exp", "x"], 1), 0], above(minus(["exp", "x"], 1)))
+    ),
     "the root of a negative number squared": Forgery(
         "the root of (-1, 1): only of products of primes up to 43", proved([">=", -1, 0], above(sq(["sqrt", -1])))
     ),
@@ -828,9 +831,6 @@ BINDERS: dict[str, Forgery] = {
     "a number in place of a bound letter": Forgery("0 is no letter", proved(["=", ["mean", 1, 0], 1], ID)),
     "infinity as a term": Forgery("['infinity'] is no term", proved(["=", OO, OO], ID)),
     "infinity as a place": Forgery("['infinity'] is no term", proved(["=", ["diff", "x", "x", 1, OO], 1], ID)),
-    "infinity as the end of a product": Forgery(
-        "['infinity'] is no term", proved(["=", ["product", 1, "k", 1, OO], 1], ID)
-    ),
     "an endless sum that is said to be zero": Forgery(NOT_EQUAL, proved(["=", ["sum", 1, "k", 1, OO], 0], ID)),
     "an endless sum without its first addend": Forgery(
         NOT_EQUAL, proved(["=", ["sum", 1, "k", 1, OO], ["+", 1, ["sum", 1, "k", 2, OO]]], ID)
@@ -840,6 +840,13 @@ BINDERS: dict[str, Forgery] = {
     ),
     "an endless sum for one that ends": Forgery(
         NOT_EQUAL, proved(["=", ["sum", "k", "k", 1, OO], ["sum", "k", "k", 1, "n"]], ID)
+    ),
+    "an endless sum of nothing": Forgery(NOT_EQUAL, proved(["=", ["sum", 0, "k", 1, OO], 0], ID)),
+    "an endless sum of ones": Forgery(
+        "the digits of ('infinity',)", proved([">", ["sum", 1, "k", 1, OO], 0], compute())
+    ),
+    "infinity as the end of a product": Forgery(
+        "['infinity'] is no term", proved(["=", ["product", 1, "k", 1, OO], 1], ID)
     ),
     "a fraction in floating point": Forgery("0.5 is no letter", proved(["=", 0.5, ["/", 1, 2]], ID)),
     "a truth value as a number": Forgery("True is no letter", proved(["=", True, 1], ID)),
@@ -982,6 +989,14 @@ ANALYSIS: dict[str, Forgery] = {
         proved(
             ["exists", ["z"], ["=", ["*", "z", HALF_GAMMA], 1]],
             theorem("gamma_values", {}, [], {**witness({"z": ["/", 1, HALF_GAMMA]}, ID), "positive": [HALF_GAMMA]}),
+        ),
+    ),
+    "nonzero in another branch": Forgery(
+        MAY_BE_ZERO,
+        proved(
+            ["and", ["=>", ["!=", "x", 0], ["=", "x", "x"]], ["exists", ["z"], ["=", ["*", "z", "x"], 1]]],
+            each(implies(ID), witness({"z": ["/", 1, "x"]}, ID)),
+            at={"x": 1},
         ),
     ),
     "nonzero outside of its branch": Forgery(
@@ -1233,7 +1248,7 @@ CERTIFICATES: dict[str, Forgery] = {
         ),
     ),
     "a definition captured in a hypothesis": Forgery(
-        "('=', ('integral', 'x', 'x', 0, 1), 0)) is not so",
+        "('and', ('=', ('integral', 'x', 'x', 0, 1), 0)) is not so",
         proved(
             ["=", integral("d", "x"), 0],
             by(hyp()),
@@ -1529,7 +1544,7 @@ CERTIFICATES: dict[str, Forgery] = {
         refuted(["=", f(2), 0], {"x": 1}, [["=", f("x"), 0]], calls=[[f(1), 0], [f(2), 1]]),
     ),
     "an integral at a point": Forgery(
-        "('!=', ('integral', 'x', 'x', 0, 1), ('/', 1, 2))) is not so",
+        "('and', ('!=', ('integral', 'x', 'x', 0, 1), ('/', 1, 2))) is not so",
         refuted(["=", integral("x"), ["/", 1, 2]], {}),
     ),
     "a fraction that vanishes under a binder at a point": Forgery(
@@ -1640,6 +1655,8 @@ BACK = absurd([], [here(), "1"])
 FROM = {"p": 1, "q": 1, "r": 1, "k": 0, "u": 0, "c": 1}
 FRACTION = of("x", ["pow", ["+", sq("x"), 1], -1])
 
+DISTANCE = ["sqrt", sq(minus("k", ["/", 3, 2]))]  # from 3/2
+AHEAD = sq(minus(["+", "x", 1], ["/", 3, 2]))
 THEOREMS: dict[str, Forgery] = {
     "the exponential of the logarithm of what may be negative": Forgery(
         NO_SIGN, proved(["=", ["exp", ["log", "x"]], "x"], theorem("exp_of_log", {"t": "x"}, [above("x")], by(here())))
@@ -1754,6 +1771,54 @@ THEOREMS: dict[str, Forgery] = {
                 "telescope",
                 {"f": of("k", "k"), "g": of("k", sq("k")), "s": 1, "t": 3},
                 [above(3), ID, every(["x"], implies(ID))],
+                by(here()),
+            ),
+        ),
+    ),
+    "an empty sum of addends that change their rule": Forgery(
+        NOT_EQUAL,
+        proved(
+            ["=", ["sum", DISTANCE, "k", 1, 0], 1],
+            theorem(
+                "telescope",
+                {
+                    "f": of("k", DISTANCE),
+                    "g": of("k", ["+", ["/", sq("k"), 2], ["-", "k"], 1]),  # from 2 on it grows by k - 3/2
+                    "s": 1,
+                    "t": 0,
+                },
+                [above(0), ID, every(["x"], implies(ID))],
+                by(here()),
+            ),
+        ),
+    ),
+    "a sum whose addends change their rule at its beginning": Forgery(
+        NO_SIGN,
+        proved(
+            ["=", ["sum", DISTANCE, "k", 1, 0], 1],
+            theorem(
+                "telescope",
+                {"f": of("k", DISTANCE), "g": of("k", ["+", ["/", sq("k"), 2], ["-", "k"]]), "s": 1, "t": 0},
+                [
+                    above(0),
+                    ID,
+                    every(
+                        ["x"],
+                        implies(
+                            theorem(
+                                "root",
+                                {"t": AHEAD},
+                                [above(AHEAD)],
+                                theorem(
+                                    "equal_squares",
+                                    {"s": ["sqrt", AHEAD], "t": minus("x", ["/", 1, 2])},
+                                    [above(["sqrt", AHEAD]), above(["+", minus("x", 1), ["/", 1, 2]]), by(here(2))],
+                                    {**ID, "cofactors": [[here(3), "-1"]]},
+                                ),
+                            )
+                        ),
+                    ),
+                ],
                 by(here()),
             ),
         ),
@@ -2635,8 +2700,22 @@ THEOREMS: dict[str, Forgery] = {
     "an antiderivative with a pole at an end": Forgery(
         NO_SIGN,
         proved(
-            ["=", integral(["/", 1, "x"]), ["+", ["log", 1], ["-", ["log", 0]]]],
-            antiderivative(0, 1, by(here()), smooth=[above("y")]),
+            ["=", integral(INVERSE), ["-", ["log", 0]]],
+            antiderivative(
+                0,
+                1,
+                theorem("log_of_one", {}, [], {**ID, "cofactors": [[here(), "1"], [here(1), "1"]]}),
+                smooth=[above("y")],
+            ),
+        ),
+    ),
+    "an antiderivative that is smooth at no place": Forgery(
+        NO_SIGN,
+        proved(
+            ["=", integral(["/", 1, ["*", 2, ["sqrt", "x"]]], low=-1), 1],
+            antiderivative(
+                -1, 1, by(here()), ["/", 1, ["*", 2, ["sqrt", "x"]]], ["sqrt", "x"], [above("y"), above("y")], 2
+            ),
         ),
     ),
     "an antiderivative that jumps": Forgery(
@@ -3054,13 +3133,13 @@ THEOREMS: dict[str, Forgery] = {
             theorem("enclosure", {"t": integral("x"), "digits": 1}, [], above(minus(["/", 5, 10], integral("x")))),
         ),
     ),
-    "digits of a mean": Forgery(
-        "the digits of ('mean', 'x', 'x')",
-        proved(["<=", 0, 1], theorem("enclosure", {"t": ["mean", "x", "x"], "digits": 1}, [], above(1))),
-    ),
     "digits of an integral of an unknown function": Forgery(
         "the digits of ('call', 'f', (0,), 'x')",
         proved(["<=", 0, 1], theorem("enclosure", {"t": integral(f("x")), "digits": 1}, [], above(1))),
+    ),
+    "digits of a mean": Forgery(
+        "the digits of ('mean', ('sin', 'x'), 'x')",
+        proved(["<=", 0, 1], theorem("enclosure", {"t": ["mean", SIN, "x"], "digits": 1}, [], above(1))),
     ),
     "digits of a function": Forgery(
         "the digits of ('call', 'f', (0,), 1)",

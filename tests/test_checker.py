@@ -172,6 +172,14 @@ RIGHT: dict[str, JSON] = {
         theorem("root", {"t": ["+", 1, sq("x")]}, [above(["+", 1, sq("x")])], by(here(1))),
         at={"x": 1},
     ),
+    "theorem, an integrand without a bound at an end": proved(
+        ["=", integral(["/", 1, ["*", 2, ["sqrt", "x"]]], "x", 0, 1), 1],
+        antiderivative(0, 1, by(here()), ["/", 1, ["*", 2, ["sqrt", "x"]]], ["sqrt", "x"], [above("y"), above("y")]),
+    ),
+    "theorem, what an integrand divides by": proved(
+        ["=", INVERSES, ["log", 2]],
+        antiderivative(1, 2, theorem("log_of_one", {}, [], {**ID, "cofactors": [[here(), "1"], [here(1), "-1"]]})),
+    ),
 }
 
 ANGLES = {"arctangent": ["arctan", "t"], "arcsine": ["arcsin", "t"], "arccosine": ["arccos", "t"]}
@@ -340,8 +348,13 @@ THEOREMS: dict[str, JSON] = {
         ),
     ),
     "antiderivative": proved(
-        ["=", INVERSES, ["log", 2]],
-        antiderivative(1, 2, theorem("log_of_one", {}, [], {**ID, "cofactors": [[here(), "1"], [here(1), "-1"]]})),
+        ["=", integral(["cos", "x"], "x", 0, PI), 0],
+        theorem(
+            "antiderivative",
+            {"f": of("x", ["cos", "x"]), "g": of("x", ["sin", "x"]), "s": 0, "t": PI},
+            [theorem("circle_number", {}, [], above(PI)), every(["y"], implies(ID))],
+            by(here()),
+        ),
     ),
     "antiderivative_everywhere": proved(
         ["=", integral(1, "x", 1, 0), -1],
@@ -364,7 +377,7 @@ THEOREMS: dict[str, JSON] = {
         at={"n": 2},
     ),
     "exp_of_log": proved(["=", ["exp", ["log", 2]], 2], theorem("exp_of_log", {"t": 2}, [above(2)], by(here()))),
-    "log_of_one": known("log_of_one", ["log", 1], 0),
+    "log_of_one": proved(["=", ["log", 1], 0], theorem("log_of_one", {}, [], by(here()))),
     "log_of_exp": proved(
         ["=", ["log", ["exp", "x"]], "x"], theorem("log_of_exp", {"t": "x"}, [], by(here())), at={"x": 1}
     ),

@@ -60,7 +60,7 @@ log_of_root(t): t > 0 |- 2 * log(sqrt(t)) == log(t)
 circular_of_arctan(t): |- sin(arctan(t)) * sqrt(1 + t**2) == t and cos(arctan(t)) * sqrt(1 + t**2) == 1
 circular_of_arcsin(t): t**2 <= 1 |- sin(arcsin(t)) == t and cos(arcsin(t)) == sqrt(1 - t**2)
 circular_of_arccos(t): t**2 <= 1 |- cos(arccos(t)) == t and sin(arccos(t)) == sqrt(1 - t**2)
-telescope(f, g, s, t): s - 1 <= t; g(s) == f(s); forall(x, implies(x >= s, g(x + 1) == g(x) + f(x + 1))) |- sum(f(x), x, s, t) == g(t)
+telescope(f, g, s, t): s - 1 <= t; g(s - 1) == 0; forall(x, implies(x >= s - 1, g(x + 1) == g(x) + f(x + 1))) |- sum(f(x), x, s, t) == g(t)
 power_as_exp(b, u): b > 0 |- pow(b, u) == exp(u * log(b))
 power_diverges(f, c, u): c != 0; forall(x, implies(x > 0, f(x) == c * pow(x, u))) |- diverges(f(x), {HALF}) == 1
 beta(f, c, k, u, r, p, q): p > 0; q > 0; {S} > 0; 2*r - {S} > 0; {SHAPE} |- diverges(f(x), {HALF}) == 0 and {EULER} * gamma(r - {S}/2) and gamma(r) > 0 and gamma({S}/2) > 0 and gamma(r - {S}/2) > 0 and pow(p, -({S}/2)) > 0 and pow(q, -(r - {S}/2)) > 0

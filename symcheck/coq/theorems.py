@@ -19,6 +19,7 @@ CONGRUENCE = {"congruence": "st", "congruence of two": "stuv"}  # of functions o
 ALIKE = {"=": "eq", "!=": "ne", "<": "lt", "<=": "le", ">": "gt", ">=": "ge"}
 UNSTATED = {  # theorems without a proof in Theorems.v
     "enclosure": "it is computed anew for each number, by the lemmas of Digits.v",
+    "antiderivative": "where a term is smooth is not stated in Coq",
     "beta": "Euler's beta integral is not in Coq's libraries",
     "beta_diverges": "the divergence of an improper integral is not stated in Coq",
     "power_diverges": "the divergence of an improper integral is not stated in Coq",

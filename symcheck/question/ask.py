@@ -2,26 +2,36 @@
 
 from __future__ import annotations
 
+import re
 import time
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import replace
+from itertools import islice, product
 
 from symcheck.checker import check
+from symcheck.core.calculus import letters, nodes, substituted
 from symcheck.core.certificates import Certificate
 from symcheck.core.problems import Problem
+from symcheck.core.terms import Term, node
 from symcheck.core.verdicts import SymcheckError, Verdict
 from symcheck.core.words import term
 from symcheck.proof import certificate, identity
 from symcheck.question import jets
 from symcheck.question.answer import Answer, Status
 from symcheck.question.antiderivatives import hinted
+from symcheck.question.doubts import defines, doubt
 from symcheck.question.limit import OutOfTime, limited
-from symcheck.question.prepare import Asked, Reading, readings, sizes
+from symcheck.question.prepare import DEFINED, Asked, Reading, readings, sizes
 from symcheck.question.repairs import repairs
 from symcheck.reading import to_latex
 
 LIMIT = 6.0  # seconds for one component of a relation; nearly all that are found at all are found in one
 TOTAL = 15.0  # seconds for all of them
+DEFINITION = "it says what something is that occurs nowhere else: a definition, which is neither true nor false"
+SAID = "it is said to be"  # why a letter that the user declares is what it is
+_SYMBOL = re.compile(r"\\delta_\{?[i-n]{2}\}?|\\(?:var)?epsilon_\{?[i-n]{3}\}?")  # with the usual letters of indices
+WHOLE = (1, 2, 0, 3, -1)  # tried for a letter: most false formulas fail for one of them
+MOST_WHOLE = 25  # of two letters all pairs
 SIZES = (1, 2, 3)  # one is found to be false for a small one, if at all
 
 
@@ -97,7 +107,11 @@ def _agreed(found: Sequence[tuple[Reading, Answer]]) -> Answer | None:
 
 def _of_some_size(asked: Asked) -> Answer | None:
     """Refuted for one number of components or addends; else undecided, where it can be read for one."""
-    letters, answers = sizes(asked), []
+    answers: list[Answer] = []
+    try:
+        letters = sizes(asked)
+    except SymcheckError:
+        return None
     for size in SIZES if letters else ():
         try:
             answers = [_decided(reading, asked, wanted=False) for reading in readings(asked, size)]
@@ -115,7 +129,7 @@ def _of_some_size(asked: Asked) -> Answer | None:
 
 
 def _several(texts: Iterable[str] | str) -> tuple[str, ...]:
-    return (texts,) if isinstance(texts, str) else tuple(texts)
+    return tuple(text for text in ((texts,) if isinstance(texts, str) else texts) if text.strip())
 
 
 def _decided(reading: Reading, asked: Asked, wanted: bool = True) -> Answer:
@@ -124,12 +138,28 @@ def _decided(reading: Reading, asked: Asked, wanted: bool = True) -> Answer:
     certificates, status, reasons, used = [], Status.PROVED, list[str](), list[str]()
     for problem in reading.problems:
         verdict, made, found = _decided_one(problem)
+        if made is not None and verdict is Verdict.REFUTED and (whole := _not_whole(reading, problem, made)):
+            made, found = _refuted_at_whole_numbers(problem, whole)
+        if made is not None and verdict is Verdict.PROVED and (raised := _whole_power(reading, problem)) is not None:
+            made = None
+            found = (f"{term(raised)} may be negative under a whole power; give {term(raised)} > 0 if it is not",)
+        if made is not None and verdict is Verdict.REFUTED and (symbols := _usual_symbols(reading)):
+            made = None
+            found = (f"{symbols} is usually the unit tensor or the tensor of permutations; say what it is",)
         if made is None:
             status = Status.UNDECIDED
             reasons += found
             continue
+        if verdict is Verdict.REFUTED and defines(problem):
+            status = Status.UNDECIDED
+            reasons.append(DEFINITION)
+            continue
+        if verdict is Verdict.REFUTED and (reason := doubt(reading)):
+            return replace(base, verdict=Status.AMBIGUOUS, reason=reason)
         certificates.append(made)
         used += (reading.stated[name] for name in found if name in reading.stated)
+        valued = made["hypotheses"].get(DEFINED, []) if DEFINED in found else []
+        used += map(term, [*valued, *(["!=", divisor, 0] for divisor in made.get("nonzero", ()))])
         if verdict is Verdict.REFUTED:
             at = made["point"]["values"]
             return replace(
@@ -145,6 +175,47 @@ def _decided(reading: Reading, asked: Asked, wanted: bool = True) -> Answer:
     return replace(
         base, verdict=status, certificate=tuple(certificates), used=tuple(dict.fromkeys(used)), reason=reason
     )
+
+
+def _usual_symbols(reading: Reading) -> str:
+    """The letters spelled as Kronecker's or Levi-Civita's symbols with letters for indices, if not declared."""
+    named = (g.letter.latex for g in reading.inference.guesses if g.why != SAID)
+    return ", ".join(latex for latex in named if _SYMBOL.fullmatch(latex))
+
+
+def _not_whole(reading: Reading, problem: Problem, made: Certificate) -> list[str]:
+    """The letters said to be whole numbers, if a point gives one of them another value, or none of its own."""
+    names = [letter.name for letter in reading.inference.notation.letters if letter.integer and letter.name]
+    values, defined = made["point"]["values"], dict(problem.definitions)
+    wrong = any(not isinstance(values.get(x, 0), int) or (x in defined and x not in values) for x in names)
+    return [x for x in names if x in values or x in defined] if wrong else []
+
+
+def _whole_power(reading: Reading, problem: Problem) -> Term | None:
+    """A base of a power that is whole, of which nobody but the reader says that it is positive."""
+    whole = {letter.name for letter in reading.inference.notation.letters if letter.integer}
+    said = [formula for name, formulas in problem.hypotheses if name != DEFINED for formula in formulas]
+    trees = [problem.claim, *said, *(t for _, t in problem.definitions)]
+    for base, exponent in (part.outside for part in nodes(*trees) if part.tag == "pow"):
+        positive = {node(">", base, 0), node("<", 0, base)} & {*said}
+        if letters(base) and letters(exponent) <= whole and not positive:
+            return base
+    return None
+
+
+def _refuted_at_whole_numbers(problem: Problem, names: list[str]) -> tuple[Certificate | None, tuple[str, ...]]:
+    """The certificate that it is false for some small whole numbers, put in for the letters."""
+    for numbers in islice(product(WHOLE, repeat=len(names)), MOST_WHOLE):
+        by = dict(zip(names, numbers, strict=True))
+        hypotheses = tuple((name, tuple(substituted(f, by) for f in fs)) for name, fs in problem.hypotheses)
+        definitions = tuple((x, substituted(t, by)) for x, t in problem.definitions if x not in by)
+        at = replace(problem, claim=substituted(problem.claim, by), hypotheses=hypotheses, definitions=definitions)
+        verdict, made, used = _decided_one(at)
+        if made is not None and verdict is Verdict.REFUTED:
+            made["point"]["values"] |= {x: n for x, n in by.items() if x not in made["point"]["values"]}
+            if check(made) is None:
+                return made, used
+    return None, ("it fails for numbers that are not whole; no whole ones were found for which it does",)
 
 
 def _decided_one(problem: Problem) -> tuple[Verdict, Certificate | None, tuple[str, ...]]:

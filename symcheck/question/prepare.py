@@ -7,10 +7,13 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from math import lcm
 
-from symcheck.core.calculus import domain, functions, letters
+from symcheck.checker.algebra import Algebra
+from symcheck.checker.residues import Reject
+from symcheck.core.calculus import Unknown, domain, functions, letters, nodes
 from symcheck.core.problems import Problem
-from symcheck.core.terms import Binder, Formula, Node, T, Term, Value, mapped, node
+from symcheck.core.terms import Binder, End, Formula, Node, T, Term, Value, mapped, node
 from symcheck.core.verdicts import SymcheckError
+from symcheck.core.words import term
 from symcheck.reading import Notation, Tree, lower, read, tex
 from symcheck.reading.inference import SIZES, Inference, canonical, inferred, spelling
 from symcheck.reading.occurrences import occurrences
@@ -216,13 +219,33 @@ def _reading(
     terms |= turned
     unfolding = tuple((name, terms[name]) for name in _sorted(terms))
     whole = [*claims, *(f for _, fs in hypotheses for f in fs), *(term for _, term in unfolding)]
-    valued = tuple(each for each in domain(*whole) if letters(each) or functions(each))
+    printed = dict.fromkeys((*domain(*whole), *begun(*whole)))
+    valued = tuple(each for each in printed if letters(each) or functions(each))
+    for each in printed:
+        if each not in valued and not _may_hold(each):
+            raise SymcheckError(f"a printed term has no value, as {term(each)} is not so")
     if valued:
         hypotheses.append((DEFINED, valued))
     problems = tuple(
         Problem(f"question{n or ''}", claim, unfolding, tuple(hypotheses)) for n, claim in enumerate(claims)
     )
     return Reading(inference, tree, problems, stated, (asked, inference, defined, equations, conditions))
+
+
+def _may_hold(condition: Formula) -> bool:
+    """Whether a condition on numbers is so, or cannot be told."""
+    try:
+        return Algebra({}, {}).holds(condition)
+    except (Reject, Unknown):
+        return True
+
+
+def begun(*trees: Term) -> Iterator[Formula]:
+    """That sums and products to a letter have a first addend or factor: nobody prints an empty one."""
+    for part in nodes(*trees):
+        if part.tag in ("sum", "product") and not any(isinstance(end, End) for end in part.outside):
+            low, high = part.outside
+            yield node("<=", low, high)
 
 
 def worded(reading: Reading, tree: Tree) -> tuple[Problem, ...]:

@@ -1080,7 +1080,12 @@ def _trace(tree: Tree, value: Value) -> Value:
 
 
 def _part(k: int) -> Callable[[Tree, Value], Value]:
-    return lambda tree, value: zipped(lambda t: parts(t)[k], [value])
+    def of(tree: Tree, value: Value) -> Value:
+        if not any(isinstance(part, Complex) for part in flat(value)):
+            raise SymcheckError(f"{to_latex(tree)}: nothing in it is imaginary; say which letter is the imaginary unit")
+        return zipped(lambda t: parts(t)[k], [value])
+
+    return of
 
 
 OPERATIONS: dict[str, Callable[[Tree, Value], Value]] = {  # functions of matrices, and parts of complex numbers
