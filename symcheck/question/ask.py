@@ -19,6 +19,7 @@ from symcheck.proof import certificate, identity
 from symcheck.question import jets
 from symcheck.question.answer import Answer, Status
 from symcheck.question.antiderivatives import hinted
+from symcheck.question.doubts import defines, doubt
 from symcheck.question.limit import OutOfTime, limited
 from symcheck.question.prepare import DEFINED, Asked, Reading, readings, sizes
 from symcheck.question.repairs import repairs
@@ -26,6 +27,7 @@ from symcheck.reading import to_latex
 
 LIMIT = 6.0  # seconds for one component of a relation; nearly all that are found at all are found in one
 TOTAL = 15.0  # seconds for all of them
+DEFINITION = "it says what something is that occurs nowhere else: a definition, which is neither true nor false"
 SAID = "it is said to be"  # why a letter that the user declares is what it is
 _SYMBOL = re.compile(r"\\delta_\{?[i-n]{2}\}?|\\(?:var)?epsilon_\{?[i-n]{3}\}?")  # with the usual letters of indices
 WHOLE = (1, 2, 0, 3, -1)  # tried for a letter: most false formulas fail for one of them
@@ -105,7 +107,11 @@ def _agreed(found: Sequence[tuple[Reading, Answer]]) -> Answer | None:
 
 def _of_some_size(asked: Asked) -> Answer | None:
     """Refuted for one number of components or addends; else undecided, where it can be read for one."""
-    letters, answers = sizes(asked), []
+    answers: list[Answer] = []
+    try:
+        letters = sizes(asked)
+    except SymcheckError:
+        return None
     for size in SIZES if letters else ():
         try:
             answers = [_decided(reading, asked, wanted=False) for reading in readings(asked, size)]
@@ -123,7 +129,7 @@ def _of_some_size(asked: Asked) -> Answer | None:
 
 
 def _several(texts: Iterable[str] | str) -> tuple[str, ...]:
-    return (texts,) if isinstance(texts, str) else tuple(texts)
+    return tuple(text for text in ((texts,) if isinstance(texts, str) else texts) if text.strip())
 
 
 def _decided(reading: Reading, asked: Asked, wanted: bool = True) -> Answer:
@@ -144,6 +150,12 @@ def _decided(reading: Reading, asked: Asked, wanted: bool = True) -> Answer:
             status = Status.UNDECIDED
             reasons += found
             continue
+        if verdict is Verdict.REFUTED and defines(problem):
+            status = Status.UNDECIDED
+            reasons.append(DEFINITION)
+            continue
+        if verdict is Verdict.REFUTED and (reason := doubt(reading)):
+            return replace(base, verdict=Status.AMBIGUOUS, reason=reason)
         certificates.append(made)
         used += (reading.stated[name] for name in found if name in reading.stated)
         valued = made["hypotheses"].get(DEFINED, []) if DEFINED in found else []
@@ -166,7 +178,7 @@ def _decided(reading: Reading, asked: Asked, wanted: bool = True) -> Answer:
 
 
 def _usual_symbols(reading: Reading) -> str:
-    """The letters spelled as Kronecker's or Levi-Civita's symbols with letters for indices, unless declared."""
+    """The letters spelled as Kronecker's or Levi-Civita's symbols with letters for indices, if not declared."""
     named = (g.letter.latex for g in reading.inference.guesses if g.why != SAID)
     return ", ".join(latex for latex in named if _SYMBOL.fullmatch(latex))
 

@@ -22,7 +22,7 @@ class Asked:
     """One record of a file: its line, its id, and what is asked, or why that cannot be read."""
 
     line: int
-    id: str
+    id: str | int
     question: dict[str, object]
     fault: str = ""
 
@@ -38,10 +38,12 @@ def _asked(number: int, text: str) -> Asked:
     try:
         data = json.loads(text)
     except (ValueError, RecursionError) as error:
-        return Asked(number, "", {}, f"line {number} is no JSON ({error})")
+        return Asked(number, number, {}, f"line {number} is no JSON ({error})")
     if not isinstance(data, dict):
-        return Asked(number, "", {}, f'line {number} is no JSON object; write {{"relation": ...}}')
-    id = str(data.get("id", number))
+        return Asked(number, number, {}, f'line {number} is no JSON object; write {{"relation": ...}}')
+    id = data.get("id", number)
+    if not isinstance(id, str | int):
+        return Asked(number, number, {}, f"line {number}: id is no text and no whole number")
     if isinstance(missing := data.get("relation"), str) is False:
         return Asked(
             number,

@@ -589,6 +589,9 @@ def _dependent(of: Evidence, every: Mapping[str, Evidence], named: bool) -> Iter
         yield varying
     elif within:
         yield constant
+    elif any(each.dotted for each in every.values()):
+        yield constant
+        yield replace(varying, remote=True)
     else:
         yield varying
         yield constant

@@ -1,0 +1,98 @@
+"""What keeps a counterexample from being one: a relation that says what a letter is, or an unsaid convention."""
+
+from __future__ import annotations
+
+import re
+from collections import Counter
+from collections.abc import Iterator
+from fractions import Fraction
+
+from symcheck.core.calculus import functions, letters
+from symcheck.core.problems import Problem
+from symcheck.core.terms import Call as Applied
+from symcheck.core.terms import Connective, Formula, Relation, Term
+from symcheck.question.prepare import DEFINED, Reading
+from symcheck.reading import Tree, tex
+from symcheck.reading.tree import Add, BigSum, Call, Chain, Name, Number, walk
+
+INDICES = frozenset("ijklmn") | {r"\mu", r"\nu", r"\rho", r"\sigma", r"\lambda", r"\kappa"}
+EXACT = (1, 2, 4, 5, 8)  # denominators of decimals that nobody means to be rounded: 0.5, 0.25, 0.2
+ANGULAR = ("sin", "cos", "tan", "tg", "cot", "ctg")
+TURN = 6  # radians are about one turn; whole numbers above it are rather degrees
+_UNIT = re.compile(r"\d(?:\s|~|\\[,;:!> ]|\\quad)*\\(?:text|mathrm|textrm|mbox|rm)\s*\{([^{}]*)\}")
+_LABEL = re.compile(r"\^\s*\{?\s*\(\s*\d+\s*\)")
+_SUBSCRIPT = re.compile(r"_\{?([^{}]*)\}?$")
+
+
+def defines(problem: Problem) -> bool:
+    """Whether the claim says what a letter or a function is that occurs nowhere else."""
+    equations = [f for name, fs in problem.hypotheses if name != DEFINED for f in fs if f.tag == "="]
+    said: list[Term] = [*equations, *(term for _, term in problem.definitions)]
+    known = {name for name, _ in problem.definitions}.union(*map(letters, said), *map(functions, said))
+    return _says_what_is_new(problem.claim, known)
+
+
+def _says_what_is_new(claim: Formula, known: set[str]) -> bool:
+    if isinstance(claim, Connective) and claim.tag == "or":  # one of two signs
+        return all(_says_what_is_new(part, known) for part in claim.formulas)
+    if not isinstance(claim, Relation) or claim.tag != "=":
+        return False
+    left, right = claim.terms
+    return any(_is_new(side, other, known) for side, other in ((left, right), (right, left)))
+
+
+def _is_new(side: Term, other: Term, known: set[str]) -> bool:
+    if isinstance(side, str):
+        return side not in known | letters(other)
+    if isinstance(side, Applied):
+        own = {t for t in side.terms if isinstance(t, str)}
+        return len(own) == len(side.terms) and side.function not in known | functions(other)
+    return False
+
+
+def doubt(reading: Reading) -> str:
+    """The convention on which a relation may rely; the empty text if none is seen."""
+    asked = reading.source[0]
+    said = {letter for letter, _ in asked.letters}
+    if (unit := _UNIT.search(asked.relation)) and unit[1] not in said and unit[0][unit[0].find("\\text") :] not in said:
+        return f"{unit[1]} behind a number: a unit, or a letter? leave units out, or say what it is"
+    for _, part in walk(reading.tree):
+        if isinstance(part, Number) and "." in part.text and Fraction(part.text).denominator not in EXACT:
+            return f"is {part.text} exact, or rounded? write a fraction, or \\approx"
+        if isinstance(part, Name) and part.letter == "d" and "d" not in said:
+            return "d: a letter, or the sign of a differential? say what it is"
+        if isinstance(part, Call) and part.function in ANGULAR and _in_degrees(part.arguments[0]):
+            return f"is the argument of {part.function} in degrees, or in radians? write ^\\circ for degrees"
+        if isinstance(part, Name) and _LABEL.search(part.letter) and part.letter not in said:
+            return f"{part.letter}: a label, a power or a derivative? say what it is"
+    if index := next(_repeated(reading.tree), ""):
+        return f"is {index} summed over, as it is repeated in a product? write the sum"
+    return ""
+
+
+def _in_degrees(argument: Tree) -> bool:
+    """Is it a whole number that hardly anybody would mean in radians?"""
+    return isinstance(argument, Number) and argument.text.isdigit() and int(argument.text) > TURN
+
+
+def _repeated(tree: Tree) -> Iterator[str]:
+    """Indices that stand twice in one addend and not in another, as by Einstein's convention."""
+    members = tree.members if isinstance(tree, Chain) else ()
+    addends = [term for member in members for term in (member.terms if isinstance(member, Add) else (member,))]
+    counts = [_indices(addend) for addend in addends]
+    for count in counts:
+        yield from (x for x, n in count.items() if n > 1 and any(not other[x] for other in counts))
+
+
+def _indices(addend: Tree) -> Counter[str]:
+    found: Counter[str] = Counter()
+    bound: set[str] = set()
+    for _, part in walk(addend):
+        if isinstance(part, BigSum):
+            bound |= {*map(str, part.indices)}
+        if isinstance(part, Name):
+            spelled = _SUBSCRIPT.search(part.letter)
+            tokens = [tok.text for tok in tex.tokenize(spelled[1])] if spelled else []
+            tokens += [x for x in part.subscripts if isinstance(x, str)]
+            found.update(x for x in tokens if x in INDICES)
+    return Counter({x: n for x, n in found.items() if x not in bound})
