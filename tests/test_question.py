@@ -68,7 +68,7 @@ REFUSED = (
     r"1,5 = \frac{3}{2}",
     r"\mathbf{a} \cdot \mathbf{b} \cdot \mathbf{c} = \mathbf{c} \cdot \mathbf{b} \cdot \mathbf{a}",
     r"\mathbf{a} \times \mathbf{b} \times \mathbf{c} = 0", r"\mathbf{a}\mathbf{b} = \mathbf{b}\mathbf{a}",
-    r"\mathbf{u}^2 = \mathbf{u} \cdot \mathbf{u}", r"\int x^2 = \frac{x^3}{3}", r"\frac{d}{dx} f g = f' g + f g'",
+    r"\int x^2 = \frac{x^3}{3}", r"\frac{d}{dx} f g = f' g + f g'",
     "x_12 = x_{12}", "2^3^2 = 512", r"f^{-1}(x) = \frac{1}{f(x)}", r"\arctan x/y = \arctan \frac{x}{y}",
     r"\ln x^2 = 2 \ln x", r"\det \mathbf{A} \mathbf{B} = \det \mathbf{A}", "[x] = x", r"\{x\} = x - [x]", "(a, b) = 0",
     "a:b = c:d", r"5\% = 0.05", r"a \mod b = 0", "A^T B = B^T A", r"\mathrm{d}x/\mathrm{d}t = v", r"\foo = 1",

@@ -2,8 +2,8 @@
 
 What is proved of all numbers holds of these. What fails for some numbers fails for functions too, if functions with
 these values exist for which all conditions hold along the whole way: a condition is then an equation that gives the
-highest derivative of a function, which by the theorem of Picard and Lindeloef has a solution, or it has no function in
-it.
+highest derivative of a function, which by the theorem of Picard and Lindeloef has a solution; or a strict inequality,
+which holds nearby if it holds at the place, as a weak one is made; or it has no function in it.
 """
 
 from __future__ import annotations
@@ -14,6 +14,14 @@ from dataclasses import dataclass, replace
 from symcheck.core.calculus import Unknown, derivative, differentiated, letters, substituted
 from symcheck.core.problems import Problem
 from symcheck.core.terms import Binder, Call, Formula, Node, Relation, T, Term, mapped, node
+
+STRICT = {
+    "!=": "!=",
+    "<": "<",
+    ">": ">",
+    "<=": "<",
+    ">=": ">",
+}  # what holds of continuous functions nearby if it holds at a place
 
 
 @dataclass(frozen=True)
@@ -98,9 +106,13 @@ def _solved(problem: Problem, jets: dict[str, Call]) -> Jets:
     """Whether the conditions are equations for highest derivatives; what must not vanish for that is one more."""
     known = dict(problem.definitions)
     formulas = [substituted(f, known) for _, fs in problem.hypotheses for f in fs if isinstance(f, Relation)]
-    open_ = [f for f in formulas if letters(f) & jets.keys()]
+    open_ = [f for f in formulas if letters(f) & jets.keys() and f.tag not in STRICT]
     if any(letters(f) & jets.keys() for _, fs in problem.hypotheses for f in fs if not isinstance(f, Relation)):
         return Jets(problem, False)
+    weak = [f for f in formulas if f.tag in ("<=", ">=") and letters(f) & jets.keys()]
+    if weak:
+        strict = tuple(node(STRICT[f.tag], *f.terms) for f in weak)
+        problem = replace(problem, hypotheses=(*problem.hypotheses, ("strict", strict)))
     orders = {name: sum(call.orders) for name, call in jets.items()}
     tops: dict[str, int] = {}
     for formula in open_:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Iterator, Mapping, Sequence
+from contextlib import suppress
 from dataclasses import dataclass
 from math import lcm
 
@@ -15,7 +16,15 @@ from symcheck.core.terms import Binder, End, Formula, Node, T, Term, Value, mapp
 from symcheck.core.verdicts import SymcheckError
 from symcheck.core.words import term
 from symcheck.reading import Notation, Tree, lower, read, tex
-from symcheck.reading.inference import SIZES, Inference, canonical, inferred, spelling
+from symcheck.reading.inference import (
+    SIZES,
+    Inference,
+    inferred,
+    is_letter,
+    names_of_several_tokens,
+    spelling,
+)
+from symcheck.reading.lexer import SPACES
 from symcheck.reading.occurrences import occurrences
 from symcheck.reading.parser import dependence
 from symcheck.reading.surface import plain, with_plain_differentials
@@ -148,11 +157,19 @@ def _head(left: str) -> tuple[str, tuple[str, ...]] | None:
         return None
     first, rest = places[0], places[1:]
     if first.arguments is None:
-        whole = canonical(left) if not rest else None
-        return (spelling(first), ()) if whole and not re.search(r"[-+*/^\[\]()|]|\\(frac|sqrt|dot)", left) else None
-    if [place.word for place in rest] != [*first.arguments] or not left.rstrip().endswith(")"):
+        return (spelling(first), ()) if _is_name(left) and not rest else None
+    name, bracket, _ = left.partition("(")
+    if [place.word for place in rest] != [*first.arguments] or not bracket or not left.rstrip().endswith(")"):
+        return None
+    if not _is_name(name.removesuffix(r"\left").rstrip()):
         return None
     return spelling(first), first.arguments
+
+
+def _is_name(latex: str) -> bool:
+    """Is this a letter, or a name of several tokens such as `x^*`, and nothing more?"""
+    spaced = " ".join(tok.text for tok in tex.tokenize(latex) if tok.text not in SPACES)
+    return is_letter(spaced) or spaced in names_of_several_tokens([spaced], {})
 
 
 def readings(asked: Asked, size: int = 0) -> list[Reading]:
@@ -189,36 +206,38 @@ def _reading(
 ) -> Reading:
     notation = inference.notation
     functions_ = functions_of(defined, notation)
+    meant = meanings(defined, notation) | functions_
     tree = tree or read(asked.relation, notation)
-    claims = lower(tree, notation, functions_)
+    claims = lower(tree, notation, meant)
     stated: dict[str, str] = {}
     hypotheses: list[tuple[str, tuple[Formula, ...]]] = []
     terms: dict[str, Term] = {}
     for name, (left, _, right) in defined.items():
         if name in functions_:
             continue
-        for formula in lower(read(f"{left} = {right}", notation), notation, functions_):
+        for formula in lower(read(f"{left} = {right}", notation), notation, meant):
             head, value = formula[1], formula[2]
             if isinstance(head, str) and head not in terms:
                 terms[head] = value
-            else:
+            elif head != value:  # as it is where the definition is written out
                 hypotheses.append((_named(stated, f"{left} = {right}"), (formula,)))
     for fact in inference.facts:
-        for formula in lower(read(fact, notation), notation, functions_):
+        for formula in lower(read(fact, notation), notation, meant):
             head, value = formula[1], formula[2]
             if isinstance(head, str) and head not in terms:
                 terms[head] = value
             else:
                 hypotheses.append((_named(stated, fact), (formula,)))
     for text in (*equations, *conditions):
-        hypotheses.append((_named(stated, text), lower(read(text, notation), notation, functions_)))
+        hypotheses.append((_named(stated, text), lower(read(text, notation), notation, meant)))
     claims = tuple(map(rooted, claims))
     hypotheses = [(name, tuple(map(rooted, formulas))) for name, formulas in hypotheses]
     terms = {name: rooted(term) for name, term in terms.items()}
     turned = parted_angles([*claims, *(f for _, fs in hypotheses for f in fs), *terms.values()], terms)
     terms |= turned
-    unfolding = tuple((name, terms[name]) for name in _sorted(terms))
-    whole = [*claims, *(f for _, fs in hypotheses for f in fs), *(term for _, term in unfolding)]
+    stated_ = [*claims, *(f for _, fs in hypotheses for f in fs)]
+    order = _sorted(terms)
+    whole = [*stated_, *(terms[name] for name in order)]
     printed = dict.fromkeys((*domain(*whole), *begun(*whole)))
     valued = tuple(each for each in printed if letters(each) or functions(each))
     for each in printed:
@@ -226,6 +245,10 @@ def _reading(
             raise SymcheckError(f"a printed term has no value, as {term(each)} is not so")
     if valued:
         hypotheses.append((DEFINED, valued))
+    needed = set().union(*map(letters, (*stated_, *valued)))
+    for name in reversed(order):
+        needed |= letters(terms[name]) if name in needed else set()
+    unfolding = tuple((name, terms[name]) for name in order if name in needed)
     problems = tuple(
         Problem(f"question{n or ''}", claim, unfolding, tuple(hypotheses)) for n, claim in enumerate(claims)
     )
@@ -289,6 +312,15 @@ def _parts(tree: Term, *, angle: bool) -> Iterator[tuple[str, int]]:
                 yield from _parts(part, angle=angle or tree.tag in ("sin", "cos", "tan", "exp"))
         case Binder(tag="diff"):
             return
+
+
+def meanings(defined: Definitions, notation: Notation) -> dict[str, tuple[tuple[Tree, ...], Tree]]:
+    """The definitions of letters without arguments; what cannot be read is refused where it is stated."""
+    found: dict[str, tuple[tuple[Tree, ...], Tree]] = {}
+    for name, (_, _, right) in defined.items():
+        with suppress(SymcheckError):
+            found[name] = (), read(right, notation)
+    return found
 
 
 def functions_of(defined: Definitions, notation: Notation) -> dict[str, tuple[tuple[Tree, ...], Tree]]:

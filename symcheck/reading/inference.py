@@ -22,6 +22,7 @@ SIZES = (3, 2)  # of vectors and matrices whose size nothing tells: what holds o
 MAX_READINGS = 8  # of one question: three letters with two readings each; more are refused
 _STYLED = re.compile(r"(?:\\\w+\{)?\\(mathbf|boldsymbol|bm|pmb|vec|overrightarrow)\{")  # a style, or an accent over it
 _TYPICAL = frozenset("fghFGH") | {r"\phi", r"\psi", r"\varphi", r"\Phi", r"\Psi", r"\Theta", r"\Gamma"}
+_SKEW = re.compile(r"\[ (.+) \] _ (?:\{ )?\\times(?: \})?")  # `[a]_\times`, by its tokens
 _SIZES = re.compile(r"^(?:\{)?(\w+)(?:\\times(\w+))?(?:\})?$")
 
 
@@ -143,8 +144,9 @@ def inferred(
     """
     evidence = gathered(formulas, said)
     _complete(evidence)
-    free = {key for key, each in evidence.items() if not each.said and key not in defined and _is_plain(each)}
-    related = relatives(evidence.keys(), free)
+    open_ = {key: each for key, each in evidence.items() if not each.said and key not in defined and _is_plain(each)}
+    free = {key for key, each in open_.items() if not (each.dotted or _is_derived(each))}
+    related = relatives(evidence.keys(), free, open_.keys())
     if not related:
         found = _inferred(formulas, evidence, defined)
         return [each for size in sizes for each in _sized(found, size, first=size == sizes[0])]
@@ -156,21 +158,26 @@ def inferred(
 
 
 def _is_plain(of: Evidence) -> bool:
-    return not (of.dotted or of.index or of.whole or of.arguments or _is_derived(of) or of.indices > 0)
+    applied = bool(of.arguments) and not of.bare and not _STYLED.match(of.spelling)
+    return not (of.index or of.whole or applied or of.indices > 0)
 
 
 def _related(inference: Inference, by: Relatives) -> Inference:
     """The reading in which plain letters are components and lengths of bold ones."""
     guesses = []
+    moving = {by.lengths.get(g.letter.latex, ""): g.letter.depends for g in inference.guesses if g.letter.depends}
     for guess in inference.guesses:
         latex = guess.letter.latex
         if latex in by.components:
             letter = replace(guess.letter, components=by.components[latex], size=())
             guess = Guess(letter, f"{guess.taken} with the components {by.components[latex]}", guess.why)
         elif latex in by.lengths:
-            guess = Guess(guess.letter, f"the length of {by.lengths[latex]}", "the same letter stands in bold type")
+            letter = replace(guess.letter, named=bool(guess.letter.depends))
+            guess = Guess(letter, f"the length of {by.lengths[latex]}", "the same letter stands in bold type")
         elif latex in by.units:
             guess = Guess(guess.letter, "a vector of length 1", "it is bold with a hat")
+        elif latex in moving and not guess.letter.depends:
+            guess = replace(guess, letter=replace(guess.letter, depends=moving[latex]))
         guesses.append(guess)
     return replace(inference, notation=_with(inference, guesses), guesses=tuple(guesses), facts=by.facts)
 
@@ -267,7 +274,7 @@ def gathered(formulas: Sequence[str], said: Mapping[str, str]) -> dict[str, Evid
 
 def names_of_several_tokens(formulas: Sequence[str], said: Mapping[str, str]) -> list[str]:
     r"""Names printed with several tokens: those of which something is said, and differences such as `\Delta x`."""
-    found = [latex for latex in said if not _is_letter(latex)]
+    found = [latex for latex in said if not is_letter(latex)]
     for formula in formulas:
         found += _labelled(formula)
     return list(dict.fromkeys(found))
@@ -335,7 +342,7 @@ def _bracketed(toks: Sequence[tex.Tok], start: int) -> int:
     letters = [text for text in inner if text not in ("_", "{", "}") and not text.isdigit()]
     pair = len(letters) == 2 and all(len(text) == 1 and text.isupper() for text in letters)
     styled = bool(inner) and ((inner[0].isalpha() and inner[0].isupper()) or inner[0] in STYLES | ACCENTS)
-    if not end or not (pair or (styled and _is_letter(" ".join(inner)))):
+    if not end or not (pair or (styled and is_letter(" ".join(inner)))):
         return 0
     reader = tex.Reader(" ".join(tok.text for tok in toks[end + 1 :]))
     while reader.peek() == "_":  # the scripts of the name
@@ -344,7 +351,7 @@ def _bracketed(toks: Sequence[tex.Tok], start: int) -> int:
     return end + 1 + reader.i
 
 
-def _is_letter(latex: str) -> bool:
+def is_letter(latex: str) -> bool:
     """Is this one letter, with a subscript at most?"""
     reader = tex.Reader(latex)
     if not tex.is_letter(reader.peek()):
@@ -370,6 +377,8 @@ def _complete(evidence: dict[str, Evidence]) -> None:
     if used and "d" not in evidence:
         evidence["d"] = Evidence("d", [Occurrence("d")], said="differential")
     for each in [*evidence.values()]:
+        if each.whole and not each.said and (skew := _SKEW.fullmatch(each.spelling)):
+            each.said = f"skew matrix of {skew[1]}"
         if each.said.startswith("skew matrix of "):
             name = canonical(each.said.removeprefix("skew matrix of "))
             own = evidence.setdefault(name, Evidence(name, [Occurrence(name)]))

@@ -667,7 +667,7 @@ class Lowering:
         size = shape(base)
         if len(size) != 2 or size[0] != size[1] or not isinstance(exponent, int):
             if len(size) == 1 and exponent == 2:
-                raise SymcheckError(f"{to_latex(tree)}: the square of a vector; write its scalar product or its length")
+                return dot(base, base)
             raise SymcheckError(f"{to_latex(tree)}: only a whole power of a square matrix is read")
         return power(base, exponent)
 
@@ -806,7 +806,7 @@ class Lowering:
         if letter.partial:
             function, *by = letter.partial
             return self.put(Name(function), [self.value(argument, env) for argument in tree.arguments], tree, env, by)
-        if name.letter in self.defined and not name.subscripts:
+        if name.letter in self.defined and self.defined[name.letter][0] and not name.subscripts:
             return self.put(name, [self.value(argument, env) for argument in tree.arguments], tree, env)
         arguments = tuple(t for argument in tree.arguments for t in flat(self.value(argument, env)))
         indices = self.places(name, letter, env)
@@ -999,14 +999,15 @@ class Lowering:
         for variable_tree, order in tree.variables:
             by = self.scalar(variable_tree, env)
             if isinstance(by, Applied):
-                value = zipped(lambda t, by=by, order=order: self.by_function(t, by, order, tree), [value])
+                value = zipped(lambda t, by=by, order=order: self.by_function(t, by, order, tree, env), [value])
             else:
                 value = self.derived(value, self.variable(variable_tree, env), order, tree, partial=tree.partial)
         return value
 
-    def by_function(self, term: Term, by: Applied, order: int, tree: Derivative) -> Term:
+    def by_function(self, term: Term, by: Applied, order: int, tree: Derivative, env: Env) -> Term:
         """The partial derivative by the value of a function, or of its rate, which stands as a letter of its own."""
         letter = "_".join([by.function, "at", *map(str, by.orders)])
+        term = self.written_out(term, tree, env)
 
         def put(part: Term) -> Term:
             if part == by:
@@ -1016,6 +1017,23 @@ class Lowering:
         if isinstance(term, Applied) and term != by and by.function != term.function:
             raise SymcheckError(f"{to_latex(tree)}: how does {term.function} depend on {by.function}? write it out")
         return node("diff", put(term), letter, order, by)
+
+    def written_out(self, term: Term, tree: Derivative, env: Env) -> Term:
+        """A term without letters that are defined: only their definitions show on what they depend."""
+        while named := next(filter(self.is_defined, _free_names(term, held=False)), None):
+            letter = self.notation.owner(named)
+            if letter is None or letter.latex not in self.defined or letter.latex in self.inside:
+                raise SymcheckError(f"{to_latex(tree)}: how does {named} depend on what it is differentiated by?")
+            self.inside = (*self.inside, letter.latex)
+            meant = self.scalar(self.defined[letter.latex][1], env)
+            term = substituted(term, {named: self.written_out(meant, tree, env)})
+            self.inside = self.inside[:-1]
+        return term
+
+    def is_defined(self, name: str) -> bool:
+        """Is this a variable of a letter that a definition says?"""
+        letter = self.notation.owner(name)
+        return letter is not None and (letter.named or letter.latex in self.defined)
 
     def derived(self, value: Value, by: str, order: int, tree: Tree, *, partial: bool = False) -> Value:
         """The derivative of a scalar, or of each component, by a variable."""

@@ -46,7 +46,7 @@ class Relatives:
         return (*lengths, *(rf"\|{unit}\| = 1" for unit in self.units))
 
 
-def relatives(letters: Collection[str], free: Collection[str]) -> Relatives:
+def relatives(letters: Collection[str], free: Collection[str], varying: Collection[str]) -> Relatives:
     r"""The relatives of the bold letters.
 
     Parameters
@@ -54,18 +54,22 @@ def relatives(letters: Collection[str], free: Collection[str]) -> Relatives:
     letters
         All letters by their spellings, those with running indices as "a 2".
     free
-        Those of which nothing is said, and which no equation defines.
+        Those of which nothing is said, which no equation defines, and which are not differentiated.
+    varying
+        These, and those that are differentiated, which may be lengths.
     """
     found = Relatives({}, {}, {}, [])
     for bold in letters:
         if _UNIT.match(bold) and bold in free:
             found.units.append(bold)
         match = _BOLD.fullmatch(bold)
-        if match is None or bold not in free:
+        if match is None or bold not in varying:
             continue
         base, script = match[1], (match[2] or "").strip("{}")
-        if (plain := f"{base}_{match[2]}" if match[2] else base) in free:
+        if (plain := f"{base}_{match[2]}" if match[2] else base) in varying:
             found.lengths[plain] = bold
+        if bold not in free:
+            continue
         for parts in _components(base, script, letters):
             found.components[bold] = _matrix([part] for part in parts)
             if f"{base} 1" not in letters:
