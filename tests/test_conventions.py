@@ -1,4 +1,4 @@
-"""What authors rely on without a word: lengths beside bold letters, Lagrange's functions, signs that several fields use.
+"""What authors rely on without a word: lengths beside bold letters, Lagrange functions, signs of several fields.
 
 Each of these was once decided wrongly, or is the counterpart of one that was.
 """
@@ -31,8 +31,23 @@ VERDICTS: dict[str, list[tuple[str, list[str]]]] = {
         (r"\mathbf{u}^2 = \mathbf{u}\cdot\mathbf{u}", []),
         (r"[\mathbf{a}]_\times \mathbf{b} = \mathbf{a}\times\mathbf{b}", []),
         (r"[\mathbf{a}]_{\times}^2 = \mathbf{a}\mathbf{a}^T - \|\mathbf{a}\|^2 \mathbf{I}", []),
+        (r"|z|^2 = z \bar z", []),
+        (r"|z|^2 = x^2 + y^2", ["z = x + iy"]),
+        (r"z + \bar z = 2x", ["z = x + iy"]),
+        (r"\overline{z} = x - iy", ["z = x + iy"]),
+        (r"z z^* = x^2 + y^2", [r"z = x + \mathrm{i} y"]),
+        (r"w = z^2", ["w = u + iv", "z = x + iy", "u = x^2 - y^2", "v = 2xy"]),
+        (r"u = x^2 - y^2", ["u + iv = (x + iy)^2"]),
+        (r"(\cos\theta + i\sin\theta)^3 = \cos 3\theta + i \sin 3\theta", []),
+        (r"z - \bar z = 2i \operatorname{Im} z", []),
+        (r"i^2 = -1", []),
     ],
     "refuted": [
+        (r"|z|^2 = x^2 - y^2", ["z = x + iy"]),
+        (r"z \bar z = x^2 - y^2", ["z = x + iy"]),
+        (r"|z| = x", ["z = x + iy"]),
+        (r"z - \bar z = 2 \operatorname{Im} z", []),
+        (r"\frac{1}{a+ib} = \frac{a+ib}{a^2+b^2}", []),
         (r"\frac{\partial L}{\partial q} = V'(q)", LAGRANGE),
         (
             r"\frac{d}{dt}\frac{\partial L}{\partial\dot\theta} - \frac{\partial L}{\partial\theta} = "
@@ -44,6 +59,21 @@ VERDICTS: dict[str, list[tuple[str, list[str]]]] = {
         (r"\frac{d}{dt}\frac{1}{r} = -\frac{\mathbf{r}\cdot\dot{\mathbf{r}}}{r^2}", []),
         (r"[\mathbf{a}]_\times \mathbf{b} = \mathbf{b}\times\mathbf{a}", []),
     ],
+    "ambiguous": [
+        (r"a \times b = -b \times a", []),
+        (r"\omega\times(\omega\times r) = \omega(\omega\cdot r) - \omega^2 r", []),
+        (r"\tilde{\omega} v = \omega\times v", []),
+        (r"S(\mathbf{a}) \mathbf{b} = \mathbf{a}\times\mathbf{b}", []),
+        (r"L = r \times p", ["p = mv"]),
+        (r"\Delta(xy) = x \Delta y + y \Delta x", []),
+        (r"\delta(x^2) = 2 x \delta x", []),
+        (r"\mathrm{d}(xy) = x \, \mathrm{d}y + y \, \mathrm{d}x", []),
+        (r"dr = \frac{x dx + y dy}{r}", [r"r = \sqrt{x^2 + y^2}"]),
+    ],
+    "undecided": [
+        (r"z = r e^{\mathrm{i}\theta}", []),
+        (r"y = 0", ["z = x + iy"]),
+    ],
 }
 
 
@@ -52,6 +82,21 @@ VERDICTS: dict[str, list[tuple[str, list[str]]]] = {
 )
 def test_what_authors_mean_is_decided(verdict: str, relation: str, where: list[str]) -> None:
     assert decide(relation, where=where).verdict == verdict
+
+
+COMPLEX = r"z \in \mathbb{C}"
+OF_COMPLEX = {
+    r"|1 + z|^2 = 1 + 2 \operatorname{Re} z + |z|^2": "proved",
+    r"|1 + z|^2 = 1 + \operatorname{Re} z + |z|^2": "refuted",
+    r"|e^z| = e^{\operatorname{Re} z}": "proved",
+    r"z^2 = |z|^2": "refuted",
+    r"\sqrt{z^2} = z": "unreadable",
+}
+
+
+@pytest.mark.parametrize(("relation", "verdict"), OF_COMPLEX.items())
+def test_complex_letters_are_said_to_be_complex(relation: str, verdict: str) -> None:
+    assert decide(relation, given=COMPLEX).verdict == verdict
 
 
 @pytest.mark.parametrize("relation", [r"\frac{\partial L}{\partial x} = 2 I x", r"\frac{\partial L}{\partial x} = I x"])

@@ -19,16 +19,18 @@ from symcheck.proof import certificate, identity
 from symcheck.question import jets
 from symcheck.question.answer import Answer, Status
 from symcheck.question.antiderivatives import hinted
-from symcheck.question.doubts import defines, doubt
+from symcheck.question.doubts import defines, differential, doubt
 from symcheck.question.limit import OutOfTime, limited
 from symcheck.question.prepare import DEFINED, Asked, Reading, readings, sizes
 from symcheck.question.repairs import repairs
 from symcheck.reading import to_latex
+from symcheck.reading.inference import NUMBERS, VECTORS
 
 LIMIT = 6.0  # seconds for one component of a relation; nearly all that are found at all are found in one
 TOTAL = 15.0  # seconds for all of them
 DEFINITION = "it says what something is that occurs nowhere else: a definition, which is neither true nor false"
 SAID = "it is said to be"  # why a letter that the user declares is what it is
+CROSS = "is \\times a product of numbers, or of vectors? say what the letters beside it are"
 _SYMBOL = re.compile(r"\\delta_\{?[i-n]{2}\}?|\\(?:var)?epsilon_\{?[i-n]{3}\}?")  # with the usual letters of indices
 WHOLE = (1, 2, 0, 3, -1)  # tried for a letter: most false formulas fail for one of them
 MOST_WHOLE = 25  # of two letters all pairs
@@ -89,6 +91,9 @@ def decide(
         return Answer(Status.UNREADABLE, reason=fault, seconds=time.perf_counter() - started)
 
     seconds = time.perf_counter() - started
+    choices = {choice for reading, _ in found for choice in reading.inference.choices}
+    if NUMBERS in choices and VECTORS not in choices:
+        return replace(found[0][1], verdict=Status.AMBIGUOUS, certificate=(), reason=CROSS, seconds=seconds)
     if (answer := _agreed(found)) is not None:
         return replace(answer, seconds=seconds)
     shown = "; ".join(f"{', '.join(r.inference.choices)}: {a.verdict}" for r, a in found)
@@ -154,7 +159,7 @@ def _decided(reading: Reading, asked: Asked, wanted: bool = True) -> Answer:
             status = Status.UNDECIDED
             reasons.append(DEFINITION)
             continue
-        if verdict is Verdict.REFUTED and (reason := doubt(reading)):
+        if reason := (doubt(reading) if verdict is Verdict.REFUTED else differential(reading)):
             return replace(base, verdict=Status.AMBIGUOUS, reason=reason)
         certificates.append(made)
         used += (reading.stated[name] for name in found if name in reading.stated)

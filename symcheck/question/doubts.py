@@ -21,6 +21,8 @@ ANGULAR = ("sin", "cos", "tan", "tg", "cot", "ctg")
 TURN = 6  # radians are about one turn; whole numbers above it are rather degrees
 _UNIT = re.compile(r"\d(?:\s|~|\\[,;:!> ]|\\quad)*\\(?:text|mathrm|textrm|mbox|rm)\s*\{([^{}]*)\}")
 _LABEL = re.compile(r"\^\s*\{?\s*\(\s*\d+\s*\)")
+_OPERATOR = re.compile(r"(\\(?:Delta|delta))\s*(?:\\left|\\big[lg]?|\\Big[lg]?)?\s*[(\[]")
+_ACCENTED = re.compile(r"\\(?:tilde|hat|widetilde|widehat|breve|check)\{(.+)\}")
 _SUBSCRIPT = re.compile(r"_\{?([^{}]*)\}?$")
 
 
@@ -59,14 +61,42 @@ def doubt(reading: Reading) -> str:
     for _, part in walk(reading.tree):
         if isinstance(part, Number) and "." in part.text and Fraction(part.text).denominator not in EXACT:
             return f"is {part.text} exact, or rounded? write a fraction, or \\approx"
-        if isinstance(part, Name) and part.letter == "d" and "d" not in said:
-            return "d: a letter, or the sign of a differential? say what it is"
         if isinstance(part, Call) and part.function in ANGULAR and _in_degrees(part.arguments[0]):
             return f"is the argument of {part.function} in degrees, or in radians? write ^\\circ for degrees"
         if isinstance(part, Name) and _LABEL.search(part.letter) and part.letter not in said:
             return f"{part.letter}: a label, a power or a derivative? say what it is"
+    if (sign := _OPERATOR.search(asked.relation)) and sign[1] not in said:
+        return f"{sign[1]} before brackets: a letter, or a change of what is in them? say what it is"
+    if reason := differential(reading) or _matrix_of_vector(reading, said):
+        return reason
     if index := next(_repeated(reading.tree), ""):
         return f"is {index} summed over, as it is repeated in a product? write the sum"
+    return ""
+
+
+def differential(reading: Reading) -> str:
+    """The doubt whether a d is a letter; it concerns proofs too."""
+    said = {letter for letter, _ in reading.source[0].letters}
+    for _, part in walk(reading.tree):
+        if isinstance(part, Name) and part.letter in ("d", r"\text{d}") and part.letter not in said:
+            return "d: a letter, or the sign of a differential? say what it is"
+    return ""
+
+
+def _matrix_of_vector(reading: Reading, said: set[str]) -> str:
+    r"""The doubt what `\tilde{\omega}` or `S(\omega)` is where omega is a vector: often it is its skew matrix."""
+    letters_ = [guess.letter for guess in reading.inference.guesses if guess.letter.latex not in said]
+    vectors = {letter.latex for letter in letters_ if letter.kind == "vector"}
+    for letter in letters_:
+        accented = _ACCENTED.fullmatch(letter.latex)
+        if accented and accented[1] in vectors and letter.kind == "scalar":
+            return f"is {letter.latex} a number, or the skew matrix of {accented[1]}? say what it is"
+    known = {*said, *reading.source[2]}
+    calls = [part for _, part in walk(reading.tree) if isinstance(part, Call)]
+    for name, arguments in ((call.function, call.arguments) for call in calls):
+        of_vector = any(isinstance(each, Name) and each.letter in vectors for each in arguments)
+        if isinstance(name, Name) and name.letter not in known and of_vector:
+            return f"is {name.letter} of a vector a number, a vector or a matrix? say what it is"
     return ""
 
 

@@ -101,8 +101,8 @@ def members(given: Iterable[str], said: Mapping[str, str]) -> tuple[list[str], d
             conditions.append(condition)
             continue
         latex, (which, part, size) = match[1], kind.groups()
-        if which == "C":
-            raise SymcheckError(f"{condition}: complex letters are not read yet; write real and imaginary parts")
+        if which == "C" and size:
+            raise SymcheckError(f"{condition}: vectors of complex numbers are not read; write them out")
         if size:
             phrases[latex] = f"real {_size(size, condition, said)}"
         elif _SETS[which]:

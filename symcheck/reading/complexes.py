@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from functools import reduce
 from typing import TypeAlias
 
-from symcheck.core.terms import Term, node
+from symcheck.core.terms import Node, Term, node
 from symcheck.core.verdicts import SymcheckError
 from symcheck.reading.functions import REAL, SPELLED
 
@@ -34,7 +34,14 @@ def _plain(real: Term, imaginary: Term) -> Number:
 
 
 def _plus(*terms: Term) -> Term:
-    kept = [t for t in terms if t != 0]
+    kept: list[Term] = []
+    for t in terms:
+        if _minus(t) in kept:  # what is added to its conjugate is real
+            kept.remove(_minus(t))
+        elif isinstance(t, Node) and t.tag == "-" and t.outside[0] in kept:
+            kept.remove(t.outside[0])
+        elif t != 0:
+            kept.append(t)
     return node("+", *kept) if len(kept) > 1 else kept[0] if kept else 0
 
 

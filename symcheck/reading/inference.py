@@ -13,6 +13,7 @@ from dataclasses import dataclass, field, replace
 from symcheck.core.verdicts import SymcheckError
 from symcheck.reading import tex
 from symcheck.reading.commands import ACCENTS, ROMAN, STYLES, known
+from symcheck.reading.complex_letters import complexes
 from symcheck.reading.lexer import SPACES
 from symcheck.reading.notation import VALUE, Letter, Notation, instances
 from symcheck.reading.occurrences import Occurrence, occurrences, words
@@ -147,12 +148,12 @@ def inferred(
     open_ = {key: each for key, each in evidence.items() if not each.said and key not in defined and _is_plain(each)}
     free = {key for key, each in open_.items() if not (each.dotted or _is_derived(each))}
     related = relatives(evidence.keys(), free, open_.keys())
-    if not related:
-        found = _inferred(formulas, evidence, defined)
-        return [each for size in sizes for each in _sized(found, size, first=size == sizes[0])]
     for name in related.entries:
         evidence.setdefault(name, Evidence(name, [Occurrence(name)]))
-    loose = _inferred(formulas, evidence, defined)
+    loose = [each for plain in _inferred(formulas, evidence, defined) for each in _complexed(plain, formulas)]
+    loose = [crossed for each in loose for crossed in _crossed(each, evidence, formulas)]
+    if not related:
+        return [each for size in sizes for each in _sized(loose, size, first=size == sizes[0])]
     found = [*(_related(each, related) for each in loose), *(replace(each, remote=True) for each in loose)]
     return [each for size in sizes for each in _sized(found, size, first=size == sizes[0])]
 
@@ -180,6 +181,100 @@ def _related(inference: Inference, by: Relatives) -> Inference:
             guess = replace(guess, letter=replace(guess.letter, depends=moving[latex]))
         guesses.append(guess)
     return replace(inference, notation=_with(inference, guesses), guesses=tuple(guesses), facts=by.facts)
+
+
+def _complexed(inference: Inference, formulas: Sequence[str]) -> Iterator[Inference]:
+    """The readings with complex letters, and without where they may be real ones; a remote one raises doubts."""
+    guesses = inference.guesses
+    letters = [g.letter.latex for g in guesses if g.letter.kind == "scalar" and _is_one_number(g.letter)]
+    said = [g.letter.latex for g in guesses if g.taken == COMPLEX]
+    units = [g.letter.latex for g in guesses if g.letter.number == "i"]
+    found = complexes(formulas, letters, said, units)
+    if not found.certain and not found.possible:
+        yield inference
+        return
+    if not units:
+        guesses = (*guesses, Guess(Letter(UNIT, number="i"), "the imaginary unit", "complex numbers have one"))
+    likely = _with_parts(inference, guesses, found.certain, found.conjugates)
+    open_ = dict.fromkeys(found.possible, "its conjugate stands beside it")
+    if not found.possible:
+        yield likely
+        if not units and not said:
+            yield replace(inference, choices=(*inference.choices, "all numbers are real"), remote=True)
+        return
+    yield likely if found.certain else replace(inference, choices=(*inference.choices, "all numbers are real"))
+    other = _with_parts(inference, guesses, {**found.certain, **open_}, found.conjugates)
+    yield replace(other, remote=True)
+
+
+COMPLEX = "a complex number"
+UNIT = r"\text{i}"
+
+
+_CROSS = re.compile(r"(?<![\d}])\s*\\times(?!\s*\d)|\}\s*\\times(?!\s*\d)")  # not beside a printed number
+
+
+def _crossed(inference: Inference, evidence: Mapping[str, Evidence], formulas: Sequence[str]) -> Iterator[Inference]:
+    r"""The readings of a cross between letters that are not bold: a product of vectors, or of numbers."""
+    plain = {
+        key
+        for key, guess in zip(evidence, inference.guesses, strict=False)
+        if guess.letter.kind == "scalar" and _may_be_vector(guess.letter) and not evidence[key].said
+    }
+    crossed = {key for key in plain if any(r"\times" in (p.before, p.after) for p in evidence[key].places)}
+    if not crossed or not any(map(_CROSS.search, formulas)):
+        yield inference
+        return
+    while more := {x for key in crossed for p in evidence[key].places for x in p.beside if x in plain} - crossed:
+        crossed |= more
+    spelled = {evidence[key].spelling for key in crossed}
+    guesses = tuple(
+        Guess(replace(g.letter, kind="vector"), "a vector", "a cross stands beside it")
+        if g.letter.latex in spelled
+        else g
+        for g in inference.guesses
+    )
+    yield replace(inference, notation=_with(inference, guesses), guesses=guesses, choices=(*inference.choices, VECTORS))
+    yield replace(inference, choices=(*inference.choices, NUMBERS))
+
+
+VECTORS, NUMBERS = "a cross between vectors", "a cross between numbers"
+
+
+def _may_be_vector(letter: Letter) -> bool:
+    return not (letter.indices or letter.components or letter.number or letter.integer or letter.value is not None)
+
+
+def _is_one_number(letter: Letter) -> bool:
+    return not (letter.indices or letter.depends or letter.components or letter.number or letter.integer)
+
+
+def _with_parts(
+    inference: Inference, guesses: Sequence[Guess], why: Mapping[str, str], conjugates: Mapping[str, str]
+) -> Inference:
+    """The reading in which some letters are complex, with letters for their parts, and others their conjugates."""
+    unit = next(g.letter.latex for g in guesses if g.letter.number == "i")
+    changed: list[Guess] = []
+    for guess in guesses:
+        latex, letter = guess.letter.latex, guess.letter
+        own = conjugates.get(latex, latex)
+        if own not in why:
+            changed.append(guess)
+            continue
+        parts = [f"{own} ^ {{ \\{part} }}" for part in ("Re", "Im")]
+        sign, taken = ("+", COMPLEX) if own == latex else ("-", f"the conjugate of {own}")
+        components = f"{parts[0]} {sign} {unit} {parts[1]}"
+        changed.append(Guess(replace(letter, components=components), taken, why[own]))
+        if own == latex:
+            names = [
+                Letter(part, whole=True, name=f"{_plain(own)}_{end}")
+                for part, end in zip(parts, ("re", "im"), strict=True)
+            ]
+            changed += [Guess(each, "a real number", f"a part of {own}") for each in names]
+    told = f"{', '.join(why)}: complex"
+    return replace(
+        inference, notation=_with(inference, changed), guesses=tuple(changed), choices=(*inference.choices, told)
+    )
 
 
 def _with(inference: Inference, guesses: Iterable[Guess]) -> Notation:
@@ -331,8 +426,15 @@ def _labelled(formula: str) -> Iterator[str]:
 def _is_label(inside: Sequence[str]) -> bool:
     """Is a superscript a sign, a number in brackets or a word, so that it is no power?"""
     bracketed = len(inside) > 2 and (inside[0], inside[-1]) in {("(", ")"), ("[", "]")}
-    word = bool(inside) and inside[0] in ROMAN and "".join(inside[1:]).strip("{}") != "T"
+    word = _is_word(inside) and "".join(inside[1:]).strip("{}") not in ("T", "H", "i", "j", "e", "d")
     return (len(inside) == 1 and inside[0] in _SIGNS) or bracketed or word
+
+
+def _is_word(inside: Sequence[str]) -> bool:
+    """Is this upright type and nothing more: `\\text{max}`?"""
+    if not inside or inside[0] not in ROMAN:
+        return False
+    return len(inside) == 2 or (inside[1] == "{" and inside.index("}") == len(inside) - 1)
 
 
 def _bracketed(toks: Sequence[tex.Tok], start: int) -> int:
@@ -506,6 +608,8 @@ def _as_said(of: Evidence, every: Mapping[str, Evidence]) -> Guess:
         return Guess(_letter(of, depends="", integer=whole), "a whole number" if whole else "a real number", why)
     if match := re.fullmatch(r"the number (\d+)", phrase):
         return Guess(Letter(of.spelling, value=int(match[1]), name=_plain(of.spelling)), phrase, why)
+    if phrase == "complex":
+        return Guess(_letter(of, depends=""), COMPLEX, why)
     if phrase == "index":
         return Guess(Letter(of.spelling, kind="index", name=_plain(of.spelling)), "an index", why)
     if phrase == "differential":
@@ -527,8 +631,8 @@ def _as_said(of: Evidence, every: Mapping[str, Evidence]) -> Guess:
         kind = "vector" if len(size) == 1 else "matrix"
         return Guess(_letter(of, kind=kind, size=size, depends=depends), f"a {kind}", why)
     raise SymcheckError(
-        f"{of.spelling} is said to be {phrase!r}, which is not understood; say scalar, vector, matrix, integer, index, "
-        "function of x, depends on t, differential, imaginary unit or skew matrix of a vector"
+        f"{of.spelling} is said to be {phrase!r}, which is not understood; say scalar, complex, vector, matrix, "
+        "integer, index, function of x, depends on t, differential, imaginary unit or skew matrix of a vector"
     )
 
 
@@ -547,7 +651,7 @@ def _number(of: Evidence) -> list[Guess]:
         return [euler, replace(letter, remote=any(variable))]
     if latex in ("i", "j", r"\text{i}", r"\text{j}"):
         unit = Guess(Letter(latex, number="i"), "the imaginary unit", "so it is written")
-        plain = Guess(_letter(of, depends="", name=_plain(latex)), "a real number", "it is a letter like others")
+        plain = Guess(_letter(of, depends="", name=_plain(latex)), "a real number", "it is a letter like others", True)
         return [unit] if latex[0] == "\\" or any(place.exponent for place in of.places) else [unit, plain]
     return []
 

@@ -12,7 +12,7 @@ from math import comb, factorial
 from types import MappingProxyType
 from typing import Any
 
-from symcheck.core.calculus import substituted
+from symcheck.core.calculus import letters, substituted
 from symcheck.core.formulas import contrary
 from symcheck.core.terms import INFINITY, MINUS_INFINITY, PI, Formula, Node, Term, mapped, node
 from symcheck.core.terms import Call as Applied
@@ -350,6 +350,14 @@ class Lowering:
     def equated(self, a: Number, b: Number) -> Iterator[tuple[Term, Term]]:
         """Two numbers that are compared, or their real and imaginary parts."""
         if isinstance(a, Complex) or isinstance(b, Complex):
+            real, other = (a, b) if isinstance(b, Complex) else (b, a)
+            alone = set() if isinstance(real, Complex) or parts(other)[1] == 0 else letters(real)
+            if len(alone) == 1 and not alone & set().union(*map(letters, parts(other))):
+                (name,) = alone
+                letter = self.notation.owner(name)
+                raise SymcheckError(
+                    f"{letter.latex if letter else name} is equal to a complex number; say that it is complex, or real"
+                )
             yield from zip(parts(a), parts(b), strict=True)
         else:
             yield a, b

@@ -1,0 +1,111 @@
+r"""Letters that are complex: said to be, equal to something with the imaginary unit, or beside their conjugates.
+
+Such a letter has a real and an imaginary part; `\bar{z}`, `\overline{z}`, `z^*` and `z^\dagger` are its conjugate.
+"""
+
+from __future__ import annotations
+
+import itertools
+import re
+from collections.abc import Collection, Iterator, Mapping, Sequence
+from dataclasses import dataclass
+
+from symcheck.reading import tex
+from symcheck.reading.lexer import SPACES
+from symcheck.reading.occurrences import occurrences
+
+_CONJUGATE = re.compile(r"\\(?:bar|overline)\{(.+)\}|(.+?) \^ (?:\{ )?(?:\*|\\ast|\\star|\\dagger)(?: \})?")
+_PARTS = re.compile(r"\\(?:Re|Im|arg|Arg)(?![A-Za-z])|\\(?:operatorname|mathrm|text)\s*\{\s*(?:Re|Im|arg)\s*\}")
+_LENGTH = re.compile(r"\||\\[lr]?vert(?![A-Za-z])")
+_ORDER = re.compile(r"<|>|\\(?:leq?|geq?|leqslant|geqslant|lt|gt)(?![A-Za-z])")
+OPEN, CLOSE = frozenset("([{"), frozenset(")]}")
+
+
+@dataclass(frozen=True, slots=True)
+class Complexes:
+    """Which letters are complex.
+
+    Parameters
+    ----------
+    certain
+        Those that are, with the reason.
+    possible
+        Those that may be: their conjugates are printed, or another letter with a bar.
+    conjugates
+        What is the conjugate of which letter, if that is complex.
+    """
+
+    certain: Mapping[str, str]
+    possible: Collection[str]
+    conjugates: Mapping[str, str]
+
+
+def complexes(
+    formulas: Sequence[str], letters: Collection[str], said: Collection[str], units: Collection[str]
+) -> Complexes:
+    """The complex letters among some.
+
+    Parameters
+    ----------
+    formulas
+        Printed LaTeX.
+    letters
+        The numbers that may be complex, by their spellings.
+    said
+        Those that are said to be.
+    units
+        The spellings of the imaginary unit.
+    """
+    conjugates = {
+        key: own for key in letters for m in [_CONJUGATE.fullmatch(key)] if m and (own := m[1] or m[2]) in letters
+    }
+    ordered = {place.word for formula in formulas if _ORDER.search(formula) for place in occurrences(formula)}
+    free = {x for x in letters if x not in ordered and x not in conjugates}
+    certain = dict.fromkeys(said, "it is said to be")
+    parted = any(map(_PARTS.search, formulas))
+    if parted or units:
+        shown = "its conjugate stands beside it" if parted else "its conjugate and the imaginary unit stand beside it"
+        certain |= {x: shown for x in conjugates.values() if x in free and x not in certain}
+    if any(map(_LENGTH.search, formulas)):
+        certain |= {x: "its conjugate and a length stand beside it" for x in conjugates.values() if x in free}
+    found = True
+    while found:
+        found = False
+        for x, other in _equated(formulas):
+            inside = {place.word for place in occurrences(other)}
+            if x in free and x not in certain and inside & {*units, *certain}:
+                certain[x] = "it is equal to something complex"
+                found = True
+    return Complexes(certain, {x for x in conjugates.values() if x in free and x not in certain}, conjugates)
+
+
+def _equated(formulas: Sequence[str]) -> Iterator[tuple[str, str]]:
+    """Letters with what they are equal to."""
+    for formula in formulas:
+        for a, b in itertools.pairwise(_members(formula)):
+            for x, other in ((a, b), (b, a)):
+                if (letter := _letter(x)) and _plain(letter) == _plain(x):
+                    yield letter, other
+
+
+def _letter(latex: str) -> str:
+    """The spelling of the first letter."""
+    place = next(iter(occurrences(latex)), None)
+    if place is None:
+        return ""
+    return place.word + (tex.subscript([tex.Tok(t, 0) for t in place.subscript]) if place.subscript else "")
+
+
+def _plain(latex: str) -> list[str]:
+    return [tok.text for tok in tex.tokenize(latex) if tok.text not in SPACES | {"{", "}"}]
+
+
+def _members(formula: str) -> list[str]:
+    """What stands between the equality signs outside of all brackets."""
+    depth, start, found = 0, 0, []
+    for tok in tex.tokenize(formula):
+        depth += (tok.text in OPEN) - (tok.text in CLOSE)
+        if tok.text == "=" and depth == 0:
+            found.append(formula[start : tok.at])
+            start = tok.at + 1
+    return [*found, formula[start:]]
