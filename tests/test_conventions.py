@@ -11,6 +11,7 @@ from symcheck import decide
 
 LAGRANGE = [r"L = \frac12 m \dot q^2 - V(q)"]
 PENDULUM = [r"L = \frac12 m l^2 \dot\theta^2 + m g l \cos\theta"]
+LORENTZ = [r"x' = \gamma(x - vt)", r"t' = \gamma(t - vx/c^2)", r"\gamma = \frac{1}{\sqrt{1 - v^2/c^2}}"]
 
 VERDICTS: dict[str, list[tuple[str, list[str]]]] = {
     "proved": [
@@ -41,8 +42,26 @@ VERDICTS: dict[str, list[tuple[str, list[str]]]] = {
         (r"(\cos\theta + i\sin\theta)^3 = \cos 3\theta + i \sin 3\theta", []),
         (r"z - \bar z = 2i \operatorname{Im} z", []),
         (r"i^2 = -1", []),
+        (
+            r"\dot{\mathbf L} = \mathbf r\times \mathbf F",
+            [
+                r"\mathbf L = \mathbf r\times \mathbf p",
+                r"\dot{\mathbf p} = \mathbf F",
+                r"\dot{\mathbf r} = \mathbf p/m",
+            ],
+        ),
+        ("y'' + y = 0", [r"y = \sin x"]),
+        ("y'' + 2y' + y = 0", ["y = (a + bt)e^{-t}"]),
+        ("u_{xx} + u_{yy} = 0", ["u = x^2 - y^2"]),
+        ("u_x = v_y", ["u = x^2 - y^2", "v = 2xy"]),
+        ("u_{tt} = c^2 u_{xx}", ["u(x,t) = f(x-ct) + g(x+ct)"]),
+        ("x'^2 - c^2 t'^2 = x^2 - c^2 t^2", LORENTZ),
     ],
     "refuted": [
+        ("y'' - y = 0", [r"y = \sin x"]),
+        ("y' = 2xy", ["y = C e^{-x^2}"]),
+        ("u_{xx} + u_{yy} = 0", ["u = x^2 + y^2"]),
+        ("x'^2 + c^2 t'^2 = x^2 + c^2 t^2", LORENTZ),
         (r"|z|^2 = x^2 - y^2", ["z = x + iy"]),
         (r"z \bar z = x^2 - y^2", ["z = x + iy"]),
         (r"|z| = x", ["z = x + iy"]),
@@ -60,6 +79,8 @@ VERDICTS: dict[str, list[tuple[str, list[str]]]] = {
         (r"[\mathbf{a}]_\times \mathbf{b} = \mathbf{b}\times\mathbf{a}", []),
     ],
     "ambiguous": [
+        ("u_y = v_x", ["u = x^2 - y^2", "v = 2xy"]),
+        ("F_x = kx", ["F = kx"]),
         (r"a \times b = -b \times a", []),
         (r"\omega\times(\omega\times r) = \omega(\omega\cdot r) - \omega^2 r", []),
         (r"\tilde{\omega} v = \omega\times v", []),
@@ -71,6 +92,7 @@ VERDICTS: dict[str, list[tuple[str, list[str]]]] = {
         (r"dr = \frac{x dx + y dy}{r}", [r"r = \sqrt{x^2 + y^2}"]),
     ],
     "undecided": [
+        (r"\frac{dy}{dx} = -\cot t", [r"x = \cos t", r"y = \sin t"]),
         (r"z = r e^{\mathrm{i}\theta}", []),
         (r"y = 0", ["z = x + iy"]),
     ],

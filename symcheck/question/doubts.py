@@ -87,7 +87,10 @@ def _matrix_of_vector(reading: Reading, said: set[str]) -> str:
     r"""The doubt what `\tilde{\omega}` or `S(\omega)` is where omega is a vector: often it is its skew matrix."""
     letters_ = [guess.letter for guess in reading.inference.guesses if guess.letter.latex not in said]
     vectors = {letter.latex for letter in letters_ if letter.kind == "vector"}
+    repeated = any(len(letter.partial) > 2 for letter in letters_)
     for letter in letters_:
+        if len(letter.partial) == 2 and not repeated:
+            return f"is {letter.latex} a derivative of {letter.partial[0]}, or a component? say what it is"
         accented = _ACCENTED.fullmatch(letter.latex)
         if accented and accented[1] in vectors and letter.kind == "scalar":
             return f"is {letter.latex} a number, or the skew matrix of {accented[1]}? say what it is"

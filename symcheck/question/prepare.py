@@ -36,6 +36,7 @@ Definitions = Mapping[str, tuple[str, tuple[str, ...], str]]  # left side, argum
 _SIZE_OF = re.compile(r"\\mathbb\s*\{?R\}?\s*\^\s*\{?\s*([A-Za-z])\s*(?:\\times\s*([A-Za-z]))?")
 LARGER = (4, 1)  # sizes of vectors and matrices where no smaller one makes sense
 LONGEST = 20_000  # characters; the longest display of the corpora has a tenth of it
+VARIABLES = ("x", "t")  # by which a prime differentiates, if one of them stands there
 DEFINED = "defined"  # the name of the condition that every printed term has a value
 
 
@@ -133,8 +134,14 @@ def sides(latex: str) -> tuple[str, str] | None:
     return (latex[: places[0]].strip(), latex[places[0] + 1 :].strip()) if len(places) == 1 else None
 
 
-def definitions(where: Sequence[str]) -> tuple[dict[str, tuple[str, tuple[str, ...], str]], list[str]]:
-    """Equations solved for a letter, as (left side, its arguments, right side) by the letter, and all others."""
+def definitions(
+    where: Sequence[str], formulas: Sequence[str] = ()
+) -> tuple[dict[str, tuple[str, tuple[str, ...], str]], list[str]]:
+    """Equations solved for a letter, as (left side, its arguments, right side) by the letter, and all others.
+
+    One of which other formulas print derivatives, as in y' or u_{xx}, is a function though it is printed without
+    arguments.
+    """
     found: dict[str, tuple[str, tuple[str, ...], str]] = {}
     others = []
     for equation in where:
@@ -146,8 +153,21 @@ def definitions(where: Sequence[str]) -> tuple[dict[str, tuple[str, tuple[str, .
         if name in found or name in used:
             others.append(equation)
         else:
-            found[name] = (parts[0], arguments, parts[1])
+            found[name] = (parts[0], arguments or _varied(name, parts[1], formulas), parts[1])
     return found, others
+
+
+def _varied(name: str, right: str, formulas: Sequence[str]) -> tuple[str, ...]:
+    """The letters by which derivatives of a letter are printed: the one for its primes, or those in its subscripts."""
+    inside = dict.fromkeys(spelling(place) for place in occurrences(right) if place.role != "subscript")
+    places = [place for formula in formulas for place in occurrences(formula) if place.word == name]
+    below = {token for place in places for token in place.subscript or () if token not in "{}"}
+    if below and below <= inside.keys():
+        return tuple(x for x in inside if x in below)
+    if not any(place.primes for place in places):
+        return ()
+    free = [x for x in inside if x in VARIABLES] or [*inside]
+    return tuple(free) if len(free) == 1 else ()
 
 
 def _head(left: str) -> tuple[str, tuple[str, ...]] | None:
@@ -180,7 +200,7 @@ def readings(asked: Asked, size: int = 0) -> list[Reading]:
     fixed = dict.fromkeys(sizes(asked), f"the number {size}") if size else {}
     conditions, said = members(asked.given, {**dict(asked.letters), **fixed})
     said |= fixed
-    defined, equations = definitions(asked.where)
+    defined, equations = definitions(asked.where, [asked.relation, *asked.where, *asked.given])
     formulas = [asked.relation, *asked.where, *conditions]
     heads = {name: arguments for name, (_, arguments, _) in defined.items()}
     errors = []
@@ -228,7 +248,13 @@ def _reading(
                 terms[head] = value
             else:
                 hypotheses.append((_named(stated, fact), (formula,)))
-    for text in (*equations, *conditions):
+    for text in equations:
+        for formula in lower(read(text, notation), notation, meant):
+            if (head := _solved(formula, terms)) is not None:
+                terms[head] = formula[2]
+            else:
+                hypotheses.append((_named(stated, text), (formula,)))
+    for text in conditions:
         hypotheses.append((_named(stated, text), lower(read(text, notation), notation, meant)))
     claims = tuple(map(rooted, claims))
     hypotheses = [(name, tuple(map(rooted, formulas))) for name, formulas in hypotheses]
@@ -253,6 +279,18 @@ def _reading(
         Problem(f"question{n or ''}", claim, unfolding, tuple(hypotheses)) for n, claim in enumerate(claims)
     )
     return Reading(inference, tree, problems, stated, (asked, inference, defined, equations, conditions))
+
+
+def _solved(formula: Formula, terms: Mapping[str, Term]) -> str | None:
+    """The letter of which an equation says what it is, if no other does and there is no circle."""
+    head = formula[1]
+    if formula.tag != "=" or not isinstance(head, str) or head in terms:
+        return None
+    needed, more = set[str](), letters(formula[2])
+    while more:
+        needed |= more
+        more = set().union(*(letters(terms[x]) for x in more if x in terms)) - needed
+    return None if head in needed else head
 
 
 def _may_hold(condition: Formula) -> bool:

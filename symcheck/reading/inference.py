@@ -525,7 +525,7 @@ def _options(of: Evidence, every: Mapping[str, Evidence], defined: Mapping[str, 
         return
     base, _, below = latex.partition("_")
     parts = below.strip("{}")
-    if of.arguments and defined.get(base) and parts and set(parts) <= set(defined[base]):
+    if defined.get(base) and parts and set(parts) <= set(defined[base]):
         derived = _letter(of, kind="function", partial=(base, *parts))
         yield Guess(derived, f"the derivative of {base} by {', '.join(parts)}", f"{base} is a function of these")
         return
@@ -684,17 +684,22 @@ def _time(every: Mapping[str, Evidence]) -> str:
     return "t" if "t" in every or r"\tau" not in every else r"\tau"
 
 
+MOVING = "it is differentiated"
+
+
 def _dependent(of: Evidence, every: Mapping[str, Evidence], named: bool) -> Iterator[Guess]:
     """A letter with dots, or one in a derivative."""
     on = [_time(every)] if of.dotted else []
     on += [x for x in of.by if x not in on and x != of.spelling]
     words = ", ".join(on)
-    kind = "vector" if _is_styled(of.spelling, capital=False) else "scalar"
+    if _is_styled(of.spelling, capital=True) and r"\vec" not in of.spelling:
+        for kind in ("matrix", "vector"):
+            yield Guess(_letter(of, kind=kind, depends=words, named=named), f"a {kind}, a function of {words}", MOVING)
+        return
+    kind = "vector" if _STYLED.match(of.spelling) else "scalar"
     direct = of.dotted or any(place.role == "derived" and place.before in ("d", r"\partial") for place in of.places)
     within = any(x in every and _stands_in_body(every[x]) for x in on)
-    varying = Guess(
-        _letter(of, kind=kind, depends=words, named=named), f"a function of {words}", "it is differentiated"
-    )
+    varying = Guess(_letter(of, kind=kind, depends=words, named=named), f"a function of {words}", MOVING)
     constant = Guess(
         _letter(of, kind=kind, depends=""), "constant", "it has no dot, and the other letter stands beside it"
     )

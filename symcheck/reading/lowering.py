@@ -465,6 +465,9 @@ class Lowering:
         if not tree.subscripts and tree.letter in env and self.notation.index(tree.letter) is not None:
             raise SymcheckError(f"{tree.letter} is an index here, and a letter; give one of them another name")
         letter = self.notation.letter(tree.letter, len(tree.subscripts))
+        if letter.partial and letter.partial[0] in self.defined:
+            function, *by = letter.partial
+            return self.put(Name(function), [self.value(x, env) for x in self.defined[function][0]], tree, env, by)
         derived = tree.primes if letter.depends and not letter.named else 0
         if tree.dots or derived:
             value = self.of_name(Name(tree.letter, tree.subscripts, tree.primes - derived), env)
@@ -777,8 +780,8 @@ class Lowering:
 
     def of_call(self, tree: Call, env: Env) -> Value:
         if isinstance(tree.function, Name):
-            if not tree.arguments and tree.function.letter in self.defined:
-                own, _ = self.defined[tree.function.letter]
+            own, _ = self.defined.get(tree.function.letter, ((), None))
+            if own and not tree.arguments:
                 return self.put(tree.function, [self.value(each, env) for each in own], tree, env)
             return self.applied(tree, tree.function, env) if tree.arguments else self.value(tree.function, env)
         name = SPELLED.get(tree.function, tree.function)
@@ -814,7 +817,7 @@ class Lowering:
         if letter.partial:
             function, *by = letter.partial
             return self.put(Name(function), [self.value(argument, env) for argument in tree.arguments], tree, env, by)
-        if name.letter in self.defined and self.defined[name.letter][0] and not name.subscripts:
+        if self.defined.get(name.letter, ((), None))[0] and not name.subscripts:
             return self.put(name, [self.value(argument, env) for argument in tree.arguments], tree, env)
         arguments = tuple(t for argument in tree.arguments for t in flat(self.value(argument, env)))
         indices = self.places(name, letter, env)
@@ -1032,6 +1035,7 @@ class Lowering:
             letter = self.notation.owner(named)
             if letter is None or letter.latex not in self.defined or letter.latex in self.inside:
                 raise SymcheckError(f"{to_latex(tree)}: how does {named} depend on what it is differentiated by?")
+            self.met.pop(named, None)  # what is printed stands in its definition
             self.inside = (*self.inside, letter.latex)
             meant = self.scalar(self.defined[letter.latex][1], env)
             term = substituted(term, {named: self.written_out(meant, tree, env)})
