@@ -193,7 +193,9 @@ def _not_whole(reading: Reading, problem: Problem, made: Certificate) -> list[st
     names = [letter.name for letter in reading.inference.notation.letters if letter.integer and letter.name]
     values, defined = made["point"]["values"], dict(problem.definitions)
     wrong = any(not isinstance(values.get(x, 0), int) or (x in defined and x not in values) for x in names)
-    return [x for x in names if x in values or x in defined] if wrong else []
+    trees = [problem.claim, *defined.values(), *(f for _, fs in problem.hypotheses for f in fs)]
+    bound = {x for part in nodes(*trees) if part.tag == "diff" for x in part.bound}  # no number can stand for these
+    return [x for x in names if (x in values or x in defined) and x not in bound] if wrong else []
 
 
 def _whole_power(reading: Reading, problem: Problem) -> Term | None:

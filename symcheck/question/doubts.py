@@ -87,18 +87,18 @@ def _matrix_of_vector(reading: Reading, said: set[str]) -> str:
     r"""The doubt what `\tilde{\omega}` or `S(\omega)` is where omega is a vector: often it is its skew matrix."""
     letters_ = [guess.letter for guess in reading.inference.guesses if guess.letter.latex not in said]
     vectors = {letter.latex for letter in letters_ if letter.kind == "vector"}
+    known = reading.source[2]
     repeated = any(len(letter.partial) > 2 for letter in letters_)
     for letter in letters_:
-        if len(letter.partial) == 2 and not repeated:
+        if len(letter.partial) == 2 and not repeated and "(" not in known[letter.partial[0]][0]:
             return f"is {letter.latex} a derivative of {letter.partial[0]}, or a component? say what it is"
         accented = _ACCENTED.fullmatch(letter.latex)
         if accented and accented[1] in vectors and letter.kind == "scalar":
             return f"is {letter.latex} a number, or the skew matrix of {accented[1]}? say what it is"
-    known = {*said, *reading.source[2]}
     calls = [part for _, part in walk(reading.tree) if isinstance(part, Call)]
     for name, arguments in ((call.function, call.arguments) for call in calls):
         of_vector = any(isinstance(each, Name) and each.letter in vectors for each in arguments)
-        if isinstance(name, Name) and name.letter not in known and of_vector:
+        if isinstance(name, Name) and name.letter not in {*said, *known} and of_vector:
             return f"is {name.letter} of a vector a number, a vector or a matrix? say what it is"
     return ""
 

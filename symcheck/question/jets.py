@@ -14,6 +14,7 @@ from dataclasses import dataclass, replace
 from symcheck.core.calculus import Unknown, derivative, differentiated, letters, substituted
 from symcheck.core.problems import Problem
 from symcheck.core.terms import Binder, Call, Formula, Node, Relation, T, Term, mapped, node
+from symcheck.proof.algebra.polynomial import Unsupported, unfold
 
 STRICT = {
     "!=": "!=",
@@ -44,7 +45,7 @@ def of(problem: Problem) -> Jets | None:
     """The problem about numbers, if all unknown functions stand at one place, and the place nowhere else."""
     try:
         plain = _expanded(problem)
-    except Unknown:
+    except (Unknown, Unsupported):
         return None
     stated = [plain.claim, *(f for _, fs in plain.hypotheses for f in fs), *(t for _, t in plain.definitions)]
     calls = {part for tree in stated for part in _calls(tree)}
@@ -73,21 +74,21 @@ def of(problem: Problem) -> Jets | None:
 
 def _expanded(problem: Problem) -> Problem:
     """The same without derivatives of anything but unknown functions, definitions unfolded where they stand in them."""
-    meant: dict[str, Term] = {}
+    meant = dict(problem.definitions)
 
     def rate(tree: T) -> T:
         if not isinstance(tree, Node):
             return tree
+        if isinstance(tree, Binder):
+            tree = unfold(tree, meant)
         if isinstance(tree, Binder) and tree.tag == "diff":
-            body = substituted(tree.body, {name: term for name, term in meant.items() if name != tree.letter})
-            slope = node("diff", rate(body), tree.letter, *tree.outside)
+            slope = node("diff", rate(tree.body), tree.letter, *tree.outside)
             return rate(differentiated(slope))  # type: ignore[return-value, arg-type]
         return mapped(tree, rate)  # type: ignore[return-value]
 
-    for name, term in problem.definitions:
-        meant[name] = rate(substituted(term, meant))
+    definitions = tuple((name, rate(term)) for name, term in problem.definitions)
     hypotheses = tuple((name, tuple(map(rate, formulas))) for name, formulas in problem.hypotheses)
-    return replace(problem, claim=rate(problem.claim), definitions=tuple(meant.items()), hypotheses=hypotheses)
+    return replace(problem, claim=rate(problem.claim), definitions=definitions, hypotheses=hypotheses)
 
 
 def _calls(tree: Term) -> Iterable[Call]:

@@ -250,8 +250,8 @@ def _reading(
                 hypotheses.append((_named(stated, fact), (formula,)))
     for text in equations:
         for formula in lower(read(text, notation), notation, meant):
-            if (head := _solved(formula, terms)) is not None:
-                terms[head] = formula[2]
+            if (letter := _solved(formula, terms)) is not None:
+                terms[letter] = formula[2]
             else:
                 hypotheses.append((_named(stated, text), (formula,)))
     for text in conditions:

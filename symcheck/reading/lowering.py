@@ -1038,7 +1038,7 @@ class Lowering:
             self.met.pop(named, None)  # what is printed stands in its definition
             self.inside = (*self.inside, letter.latex)
             meant = self.scalar(self.defined[letter.latex][1], env)
-            term = substituted(term, {named: self.written_out(meant, tree, env)})
+            term = _written(term, named, self.written_out(meant, tree, env))
             self.inside = self.inside[:-1]
         return term
 
@@ -1162,6 +1162,15 @@ def _through(term: Term, by: str) -> bool:
     if isinstance(term, Applied) and any(part != by and by in _names(part) for part in term.terms):
         return True
     return any(_through(part, by) for part in term.inside + term.outside)
+
+
+def _written(term: Term, name: str, meant: Term) -> Term:
+    """The term with a definition in the place of its letter; what that says of a bound letter is said of this one."""
+    if term == name:
+        return meant
+    if not isinstance(term, Node) or name in term.bound:
+        return term
+    return mapped(term, lambda part: _written(part, name, meant))
 
 
 def tree_indices(tree: Tree) -> set[str]:
