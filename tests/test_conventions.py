@@ -42,6 +42,9 @@ VERDICTS: dict[str, list[tuple[str, list[str]]]] = {
         (r"(\cos\theta + i\sin\theta)^3 = \cos 3\theta + i \sin 3\theta", []),
         (r"z - \bar z = 2i \operatorname{Im} z", []),
         (r"i^2 = -1", []),
+        ("(AB)^{-1} = B^{-1} A^{-1}", []),
+        ("A(B + C) = AB + AC", []),
+        ("PV = nRT", ["P = nRT/V"]),
         (
             r"\dot{\mathbf L} = \mathbf r\times \mathbf F",
             [
@@ -79,6 +82,13 @@ VERDICTS: dict[str, list[tuple[str, list[str]]]] = {
         (r"[\mathbf{a}]_\times \mathbf{b} = \mathbf{b}\times\mathbf{a}", []),
     ],
     "ambiguous": [
+        ("AB = BA", []),
+        ("(A + B)(A - B) = A^2 - B^2", []),
+        ("(AB)^{-1} = A^{-1} B^{-1}", []),
+        (r"\sigma^2 = E[X^2] - \mu^2", []),
+        ("E[XY] = E[X] Y", []),
+        (r"\hat{\mathbf n}\cdot\dot{\hat{\mathbf n}} = 0", []),
+        (r"\mathbf{a}\cdot\mathbf{b} = ab\cos\theta", []),
         ("u_y = v_x", ["u = x^2 - y^2", "v = 2xy"]),
         ("F_x = kx", ["F = kx"]),
         (r"a \times b = -b \times a", []),

@@ -19,7 +19,7 @@ from symcheck.proof import certificate, identity
 from symcheck.question import jets
 from symcheck.question.answer import Answer, Status
 from symcheck.question.antiderivatives import hinted
-from symcheck.question.doubts import defines, differential, doubt
+from symcheck.question.doubts import defines, doubt, doubt_of_proofs
 from symcheck.question.limit import OutOfTime, limited
 from symcheck.question.prepare import DEFINED, Asked, Reading, readings, sizes
 from symcheck.question.repairs import repairs
@@ -159,7 +159,7 @@ def _decided(reading: Reading, asked: Asked, wanted: bool = True) -> Answer:
             status = Status.UNDECIDED
             reasons.append(DEFINITION)
             continue
-        if reason := (doubt(reading) if verdict is Verdict.REFUTED else differential(reading)):
+        if reason := (doubt(reading) if verdict is Verdict.REFUTED else doubt_of_proofs(reading)):
             return replace(base, verdict=Status.AMBIGUOUS, reason=reason)
         certificates.append(made)
         used += (reading.stated[name] for name in found if name in reading.stated)

@@ -11,6 +11,7 @@ from symcheck.core.calculus import functions, letters
 from symcheck.core.problems import Problem
 from symcheck.core.terms import Call as Applied
 from symcheck.core.terms import Connective, Formula, Relation, Term
+from symcheck.question.order_of_factors import relies_on_order
 from symcheck.question.prepare import DEFINED, Reading
 from symcheck.reading import Tree, tex
 from symcheck.reading.tree import Add, BigSum, Call, Chain, Name, Number, walk
@@ -23,6 +24,10 @@ _UNIT = re.compile(r"\d(?:\s|~|\\[,;:!> ]|\\quad)*\\(?:text|mathrm|textrm|mbox|r
 _LABEL = re.compile(r"\^\s*\{?\s*\(\s*\d+\s*\)")
 _OPERATOR = re.compile(r"(\\(?:Delta|delta))\s*(?:\\left|\\big[lg]?|\\Big[lg]?)?\s*[(\[]")
 _ACCENTED = re.compile(r"\\(?:tilde|hat|widetilde|widehat|breve|check)\{(.+)\}")
+_APPLIED = re.compile(
+    r"(\\mathbb\s*\{?[A-Z]\}?|\\mathcal\s*\{?[A-Z]\}?|\\operatorname\{\w+\}|(?<![A-Za-z\\{])[EP])\s*(?:\\left|\\[bB]igl?)?\s*(?:\[|\\\{)"
+)
+_UNIT_VECTOR = re.compile(r"\\(?:hat|widehat)\{\\(?:mathbf|boldsymbol|bm|pmb|vec)\{")
 _SUBSCRIPT = re.compile(r"_\{?([^{}]*)\}?$")
 
 
@@ -67,19 +72,41 @@ def doubt(reading: Reading) -> str:
             return f"{part.letter}: a label, a power or a derivative? say what it is"
     if (sign := _OPERATOR.search(asked.relation)) and sign[1] not in said:
         return f"{sign[1]} before brackets: a letter, or a change of what is in them? say what it is"
-    if reason := differential(reading) or _matrix_of_vector(reading, said):
+    if reason := doubt_of_proofs(reading) or _matrix_of_vector(reading, said) or _angle_between(reading):
         return reason
+    units = [g.letter for g in reading.inference.guesses if _UNIT_VECTOR.match(g.letter.latex) and g.letter.depends]
+    if units and not {*said, *reading.source[2]} & {each.latex for each in units}:
+        return f"is {units[0].latex} always of length 1? say so, as |{units[0].latex}| = 1, or what it is"
     if index := next(_repeated(reading.tree), ""):
         return f"is {index} summed over, as it is repeated in a product? write the sum"
     return ""
 
 
-def differential(reading: Reading) -> str:
-    """The doubt whether a d is a letter; it concerns proofs too."""
-    said = {letter for letter, _ in reading.source[0].letters}
+def doubt_of_proofs(reading: Reading) -> str:
+    """The convention on which even a proof may rely; the empty text if none is seen."""
+    asked, inference = reading.source[0], reading.inference
+    said = {letter for letter, _ in asked.letters}
     for _, part in walk(reading.tree):
         if isinstance(part, Name) and part.letter in ("d", r"\text{d}") and part.letter not in said:
             return "d: a letter, or the sign of a differential? say what it is"
+    if (applied := _APPLIED.search(asked.relation)) and applied[1] not in said:
+        return f"{applied[1]} before square brackets: a factor, or an expectation or a transform of what is in them?"
+    if relies_on_order(reading.tree, said | {*reading.source[2]}):
+        capitals = ", ".join(g.letter.latex for g in inference.guesses if g.letter.latex.isupper())
+        return f"it relies on the order of factors: are {capitals} numbers, or matrices? say what they are"
+    return ""
+
+
+def _angle_between(reading: Reading) -> str:
+    """The doubt whether an angle that nothing else says is that between the vectors of a product."""
+    vectors = any(g.letter.kind == "vector" for g in reading.inference.guesses)
+    calls = [part for _, part in walk(reading.tree) if isinstance(part, Call) and part.function in ANGULAR]
+    angles = {call.arguments[0] for call in calls if isinstance(call.arguments[0], Name)}
+    elsewhere = " ".join((*reading.source[0].where, *reading.source[0].given))
+    for angle in angles if vectors else ():
+        places = [part for _, part in walk(reading.tree) if part == angle]
+        if isinstance(angle, Name) and len(places) == 1 and angle.letter not in elsewhere:
+            return f"is {angle.letter} the angle between the vectors? say what it is"
     return ""
 
 
