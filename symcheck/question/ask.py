@@ -21,7 +21,7 @@ from symcheck.question.answer import Answer, Status
 from symcheck.question.antiderivatives import hinted
 from symcheck.question.doubts import defines, doubt, doubt_of_proofs
 from symcheck.question.limit import OutOfTime, limited
-from symcheck.question.prepare import DEFINED, Asked, Reading, readings, sizes
+from symcheck.question.prepare import DEFINED, VARIABLES, Asked, Reading, readings, sizes
 from symcheck.question.repairs import repairs
 from symcheck.reading import to_latex
 from symcheck.reading.inference import NUMBERS, VECTORS
@@ -33,6 +33,7 @@ SAID = "it is said to be"  # why a letter that the user declares is what it is
 CROSS = "is \\times a product of numbers, or of vectors? say what the letters beside it are"
 _SYMBOL = re.compile(r"\\delta_\{?[i-n]{2}\}?|\\(?:var)?epsilon_\{?[i-n]{3}\}?")  # with the usual letters of indices
 WHOLE = (1, 2, 0, 3, -1)  # tried for a letter: most false formulas fail for one of them
+ENOUGH = (2, 3, 5)  # values that settle an identity between polynomials of the degrees that are printed: at most two
 MOST_WHOLE = 25  # of two letters all pairs
 SIZES = (1, 2, 3)  # one is found to be false for a small one, if at all
 
@@ -161,6 +162,9 @@ def _decided(reading: Reading, asked: Asked, wanted: bool = True) -> Answer:
             continue
         if reason := (doubt(reading) if verdict is Verdict.REFUTED else doubt_of_proofs(reading)):
             return replace(base, verdict=Status.AMBIGUOUS, reason=reason)
+        if verdict is Verdict.REFUTED and (letter := _perhaps_for_all(problem)):
+            reason = f"is what is given meant for all {letter}, or for one? write the equations of its coefficients"
+            return replace(base, verdict=Status.AMBIGUOUS, reason=reason)
         certificates.append(made)
         used += (reading.stated[name] for name in found if name in reading.stated)
         valued = made["hypotheses"].get(DEFINED, []) if DEFINED in found else []
@@ -186,6 +190,21 @@ def _usual_symbols(reading: Reading) -> str:
     """The letters spelled as Kronecker's or Levi-Civita's symbols with letters for indices, if not declared."""
     named = (g.letter.latex for g in reading.inference.guesses if g.why != SAID)
     return ", ".join(latex for latex in named if _SYMBOL.fullmatch(latex))
+
+
+def _perhaps_for_all(problem: Problem) -> str:
+    """A letter for all of whose values an equation may be meant, so that the claim would not be refuted; else ""."""
+    equations = [f for name, fs in problem.hypotheses if name != DEFINED for f in fs if f.tag == "="]
+    others = [problem.claim, *(t for _, t in problem.definitions)]
+    for equation in equations:
+        rest = set().union(*map(letters, (f for f in (*equations, *others) if f != equation)))
+        for letter in sorted(letters(equation) - rest):
+            more = tuple(substituted(equation, {letter: n}) for n in ENOUGH)
+            stricter = replace(problem, hypotheses=(*problem.hypotheses, ("for all", more)))
+            verdict = _decided_one(stricter)[0]
+            if verdict is Verdict.PROVED or (verdict is Verdict.UNDECIDED and letter in VARIABLES):
+                return letter
+    return ""
 
 
 def _not_whole(reading: Reading, problem: Problem, made: Certificate) -> list[str]:

@@ -89,7 +89,8 @@ def doubt_of_proofs(reading: Reading) -> str:
     for _, part in walk(reading.tree):
         if isinstance(part, Name) and part.letter in ("d", r"\text{d}") and part.letter not in said:
             return "d: a letter, or the sign of a differential? say what it is"
-    if (applied := _APPLIED.search(asked.relation)) and applied[1] not in said:
+    factors = {part.letter for _, part in walk(reading.tree) if isinstance(part, Name)}
+    if (applied := _APPLIED.search(asked.relation)) and applied[1] in factors - said:
         return f"{applied[1]} before square brackets: a factor, or an expectation or a transform of what is in them?"
     if relies_on_order(reading.tree, said | {*reading.source[2]}):
         capitals = ", ".join(g.letter.latex for g in inference.guesses if g.letter.latex.isupper())

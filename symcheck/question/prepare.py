@@ -36,7 +36,7 @@ Definitions = Mapping[str, tuple[str, tuple[str, ...], str]]  # left side, argum
 _SIZE_OF = re.compile(r"\\mathbb\s*\{?R\}?\s*\^\s*\{?\s*([A-Za-z])\s*(?:\\times\s*([A-Za-z]))?")
 LARGER = (4, 1)  # sizes of vectors and matrices where no smaller one makes sense
 LONGEST = 20_000  # characters; the longest display of the corpora has a tenth of it
-VARIABLES = ("x", "t")  # by which a prime differentiates, if one of them stands there
+VARIABLES = ("x", "t")  # usual ones: by which a prime differentiates, and for all of whose values identities hold
 DEFINED = "defined"  # the name of the condition that every printed term has a value
 
 

@@ -697,7 +697,12 @@ def _dependent(of: Evidence, every: Mapping[str, Evidence], named: bool) -> Iter
             yield Guess(_letter(of, kind=kind, depends=words, named=named), f"a {kind}, a function of {words}", MOVING)
         return
     kind = "vector" if _STYLED.match(of.spelling) else "scalar"
-    direct = of.dotted or any(place.role == "derived" and place.before in ("d", r"\partial") for place in of.places)
+    primed = any(place.primes for place in of.places)
+    direct = (
+        of.dotted
+        or primed
+        or any(place.role == "derived" and place.before in ("d", r"\partial") for place in of.places)
+    )
     within = any(x in every and _stands_in_body(every[x]) for x in on)
     varying = Guess(_letter(of, kind=kind, depends=words, named=named), f"a function of {words}", MOVING)
     constant = Guess(
