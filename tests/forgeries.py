@@ -1416,6 +1416,16 @@ CERTIFICATES: dict[str, Forgery] = {
     ),
     # refutations
     "a point where the claim holds": Forgery("('and', ('!=', 'x', 1)) is not so", refuted(["=", "x", 1], {"x": 1})),
+    "a point where a sum ends between whole numbers": Forgery(
+        "a sum between ends that may not be whole",
+        refuted(["!=", ["sum", "a", "k", 1, "x"], ["sum", "a", "k", 1, "x"]], {"a": 1, "x": ["/", 1, 2]}, proof=ID),
+    ),
+    "a point where a product ends at a root": Forgery(
+        "a sum between ends that may not be whole",
+        refuted(
+            ["!=", ["product", "a", "k", 1, "x"], ["product", "a", "k", 1, "x"]], {"a": 2, "x": ["sqrt", 2]}, proof=ID
+        ),
+    ),
     "a point where a hypothesis does not hold": Forgery(
         "('and', ('=', 'x', 1), ('!=', 'x', 1)) is not so", refuted(["=", "x", 1], {"x": 0}, [["=", "x", 1]])
     ),

@@ -12,6 +12,9 @@ from symcheck import decide
 LAGRANGE = [r"L = \frac12 m \dot q^2 - V(q)"]
 PENDULUM = [r"L = \frac12 m l^2 \dot\theta^2 + m g l \cos\theta"]
 LORENTZ = [r"x' = \gamma(x - vt)", r"t' = \gamma(t - vx/c^2)", r"\gamma = \frac{1}{\sqrt{1 - v^2/c^2}}"]
+ORBIT = [r"\ddot{\mathbf r} = -\frac{\mu}{r^3}\mathbf r", r"\mathbf v = \dot{\mathbf r}"]
+KEPLER = [r"r = \frac{a(1 - e^2)}{1 + e\cos\nu}", r"\cos\nu = \frac{\cos E - e}{1 - e\cos E}"]
+WAVE = [r"\psi = e^{i(kx - \omega t)}", r"\hbar\omega = \frac{\hbar^2 k^2}{2m}"]
 
 VERDICTS: dict[str, list[tuple[str, list[str]]]] = {
     "proved": [
@@ -54,6 +57,12 @@ VERDICTS: dict[str, list[tuple[str, list[str]]]] = {
             ],
         ),
         ("y'' + y = 0", [r"y = \sin x"]),
+        (r"\frac{d}{dt}\left(\frac{v^2}{2} - \frac{\mu}{r}\right) = 0", ORBIT),
+        (r"\frac{d}{dt}(\mathbf r\times\dot{\mathbf r}) = 0", ORBIT),
+        (r"r = a(1 - e\cos E)", KEPLER),
+        (r"\ddot{x} = -\omega^2 x", [r"x = A e^{i\omega t}"]),
+        (r"i\hbar\frac{\partial\psi}{\partial t} = -\frac{\hbar^2}{2m}\frac{\partial^2\psi}{\partial x^2}", WAVE),
+        (r"\frac{d}{dx}\left(\frac{f}{g}\right) = \frac{f'g - fg'}{g^2}", []),
         ("y'' + 2y' + y = 0", ["y = (a + bt)e^{-t}"]),
         ("u_{xx} + u_{yy} = 0", ["u = x^2 - y^2"]),
         ("u_x = v_y", ["u = x^2 - y^2", "v = 2xy"]),
@@ -61,6 +70,9 @@ VERDICTS: dict[str, list[tuple[str, list[str]]]] = {
         ("x'^2 - c^2 t'^2 = x^2 - c^2 t^2", LORENTZ),
     ],
     "refuted": [
+        (r"r = a(1 + e\cos E)", KEPLER),
+        (r"\ddot{x} = \omega^2 x", [r"x = A e^{i\omega t}"]),
+        (r"x_1 + x_2 = \frac{b}{a}", ["ax^2 + bx + c = a(x - x_1)(x - x_2)"]),
         ("y'' - y = 0", [r"y = \sin x"]),
         ("y' = 2xy", ["y = C e^{-x^2}"]),
         ("u_{xx} + u_{yy} = 0", ["u = x^2 + y^2"]),
@@ -82,6 +94,8 @@ VERDICTS: dict[str, list[tuple[str, list[str]]]] = {
         (r"[\mathbf{a}]_\times \mathbf{b} = \mathbf{b}\times\mathbf{a}", []),
     ],
     "ambiguous": [
+        (r"x_1 + x_2 = -\frac{b}{a}", ["ax^2 + bx + c = a(x - x_1)(x - x_2)"]),
+        (r"A = \frac12", [r"\frac{1}{x^2 - 1} = \frac{A}{x - 1} + \frac{B}{x + 1}"]),
         ("AB = BA", []),
         ("(A + B)(A - B) = A^2 - B^2", []),
         ("(AB)^{-1} = A^{-1} B^{-1}", []),

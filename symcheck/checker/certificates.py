@@ -12,7 +12,19 @@ from symcheck.checker.rules import Prover, Reference, paired
 from symcheck.core.calculus import Unknown, domain, functions, letters, substituted
 from symcheck.core.fields import Fields, by_key, listed, raw, text
 from symcheck.core.formulas import FALSE, conjuncts, contrary
-from symcheck.core.terms import JSON, Connective, Formula, Malformed, Node, Quantified, Reader, Relation, Term, node
+from symcheck.core.terms import (
+    JSON,
+    Connective,
+    End,
+    Formula,
+    Malformed,
+    Node,
+    Quantified,
+    Reader,
+    Relation,
+    Term,
+    node,
+)
 
 MALFORMED = (LookupError, TypeError, ValueError, AttributeError, ArithmeticError, RecursionError, AssertionError)
 
@@ -195,9 +207,29 @@ class Certificate:
                 prover.learn(("point", k), node("=", x, number))
         for each in domain(*formulas, divisors=True) if refuting and not computed else ():
             require(at.holds(each), "a term has no value at the point: {} is not so", each)
+        if refuting and not computed:
+            integers = frozenset(x for x, number in values.items() if isinstance(number, int))
+            require(all(summed(each, integers) for each in formulas), "a sum between ends that may not be whole")
         prover.prove(node("and", *formulas), step.take("proof", raw, {"rule": "compute"}))  # to compute finds values
         prover.finish()
         step.end()
+
+
+def summed(tree: Term, integers: frozenset[str]) -> bool:
+    """Whether all sums and products have ends that are whole, where some letters are."""
+    if not isinstance(tree, Node):
+        return True
+    counted = tree.tag in ("sum", "product")
+    inner = integers.union(tree.bound) if counted else integers.difference(tree.bound)
+    ends = all(isinstance(each, End) or integer(each, integers) for each in tree.outside) if counted else True
+    return ends and all(summed(each, integers) for each in tree.outside) and all(summed(t, inner) for t in tree.inside)
+
+
+def integer(term: Term, integers: frozenset[str]) -> bool:
+    """Whether a term is put together of whole numbers by addition and multiplication."""
+    if isinstance(term, Node):
+        return term.tag in ("+", "-", "*") and all(integer(each, integers) for each in term.outside)
+    return isinstance(term, int) or term in integers
 
 
 def supposed(claim: Formula) -> list[list[Formula]]:

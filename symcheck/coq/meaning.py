@@ -22,6 +22,7 @@ MORE = 450  # digits with which a second look is taken at what seems false
 NIL = mpf(10) ** -40  # what is smaller is zero
 FAR = 300  # exp(FAR): where an integrand over a half-line is looked at
 MOST = 1000  # exponents above take too long
+ENOUGH = mpf(10) ** -24  # of an integral, as a part of it or of that of its absolute value
 BINDERS = frozenset(("mean", "integral", "diverges", "sum", "product", "diff"))
 ENDS = {"infinity": mp.inf, "-infinity": -mp.inf}
 RELATIONS = {"=": {0}, "!=": {-1, 1}, "<": {-1}, "<=": {-1, 0}, ">": {1}, ">=": {0, 1}}  # by the sign of left - right
@@ -346,7 +347,9 @@ def is_endless(end: Tree) -> bool:
 def quadrature(inside: Callable[[Number], Number], places: list[Number]) -> Number:
     """The integral, if its digits can be had."""
     value, error = mp.quad(inside, places, error=True, maxdegree=7)
-    if not mp.isfinite(value) or error > mpf(10) ** -24 * max(1, abs(value)):
+    if mp.isfinite(value) and error > ENOUGH * abs(value):  # what cancels, or is tiny
+        error = max(error - ENOUGH * mp.quad(lambda t: abs(inside(t)), places, maxdegree=4), 0)
+    if not mp.isfinite(value) or error > ENOUGH * abs(value):
         raise NoValue("an integral of which too few digits are known")
     return value
 

@@ -7,7 +7,7 @@ from typing import Any
 
 from symcheck.core.terms import Term, node
 from symcheck.core.verdicts import SymcheckError
-from symcheck.reading.complexes import Complex, Number, added, divided, multiplied, negative
+from symcheck.reading.complexes import Complex, Number, added, divided, multiplied, negative, parts
 
 Value = Any  # Term | Complex, or a list of them, or a list of rows
 
@@ -49,6 +49,15 @@ def zipped(build: Callable[..., Number], values: list[Value]) -> Value:
     if not isinstance(values[0], list):
         return build(*values)
     return type(values[0])(zipped(build, list(parts)) for parts in zip(*values, strict=True))
+
+
+def each_part(build: Callable[[Term], Term], value: Value) -> Value:
+    """Component by component, real and imaginary parts by themselves."""
+
+    def built(number: Number) -> Number:
+        return Complex(*map(build, parts(number))) if isinstance(number, Complex) else build(number)
+
+    return zipped(built, [value])
 
 
 def times(a: Value, b: Value) -> Value:

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import itertools
 import re
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 
 from symcheck.core.verdicts import SymcheckError
@@ -23,6 +23,7 @@ SIZES = (3, 2)  # of vectors and matrices whose size nothing tells: what holds o
 MAX_READINGS = 8  # of one question: three letters with two readings each; more are refused
 _STYLED = re.compile(r"(?:\\\w+\{)?\\(mathbf|boldsymbol|bm|pmb|vec|overrightarrow)\{")  # a style, or an accent over it
 _TYPICAL = frozenset("fghFGH") | {r"\phi", r"\psi", r"\varphi", r"\Phi", r"\Psi", r"\Theta", r"\Gamma"}
+_ECCENTRIC = re.compile(r"1\s*[-+]\s*e\s*(?:\^\s*\{?2\}?)?(?!\s*\^|\d)|(?<![A-Za-z\\])e\s*\\(?:cos|sin)(?![A-Za-z])")
 _SKEW = re.compile(r"\[ (.+) \] _ (?:\{ )?\\times(?: \})?")  # `[a]_\times`, by its tokens
 _SIZES = re.compile(r"^(?:\{)?(\w+)(?:\\times(\w+))?(?:\})?$")
 
@@ -86,6 +87,7 @@ class Evidence:
     index: bool = False
     whole: bool = False
     running: bool = False
+    orbital: bool = False
 
     @property
     def dotted(self) -> bool:
@@ -147,14 +149,18 @@ def inferred(
     _complete(evidence)
     open_ = {key: each for key, each in evidence.items() if not each.said and key not in defined and _is_plain(each)}
     free = {key for key, each in open_.items() if not (each.dotted or _is_derived(each))}
-    related = relatives(evidence.keys(), free, open_.keys())
+    bold = {key for key, each in evidence.items() if key in defined and not defined[key] and _STYLED.match(key)}
+    related = relatives(evidence.keys(), free, open_.keys() | bold)
     for name in related.entries:
         evidence.setdefault(name, Evidence(name, [Occurrence(name)]))
     loose = [each for plain in _inferred(formulas, evidence, defined) for each in _complexed(plain, formulas)]
     loose = [crossed for each in loose for crossed in _crossed(each, evidence, formulas)]
     if not related:
         return [each for size in sizes for each in _sized(loose, size, first=size == sizes[0])]
-    found = [*(_related(each, related) for each in loose), *(replace(each, remote=True) for each in loose)]
+    found = [
+        *(_related(each, related, defined) for each in _moved(loose, related)),
+        *(replace(each, remote=True) for each in loose),
+    ]
     return [each for size in sizes for each in _sized(found, size, first=size == sizes[0])]
 
 
@@ -163,24 +169,35 @@ def _is_plain(of: Evidence) -> bool:
     return not (of.index or of.whole or applied or of.indices > 0)
 
 
-def _related(inference: Inference, by: Relatives) -> Inference:
+def _moved(loose: Sequence[Inference], by: Relatives) -> Sequence[Inference]:
+    """The readings in which no length that is differentiated is constant, if there are such."""
+    found = [r for r in loose if not any(g.letter.latex in by.lengths and g.taken == CONSTANT for g in r.guesses)]
+    return found or loose
+
+
+def _related(inference: Inference, by: Relatives, defined: Collection[str]) -> Inference:
     """The reading in which plain letters are components and lengths of bold ones."""
     guesses = []
-    moving = {by.lengths.get(g.letter.latex, ""): g.letter.depends for g in inference.guesses if g.letter.depends}
+    on = {g.letter.latex: g.letter.depends for g in inference.guesses if g.letter.depends}
+    moving = {bold: on[plain] for plain, bold in by.lengths.items() if plain in on and bold not in defined}
     for guess in inference.guesses:
         latex = guess.letter.latex
         if latex in by.components:
             letter = replace(guess.letter, components=by.components[latex], size=())
             guess = Guess(letter, f"{guess.taken} with the components {by.components[latex]}", guess.why)
         elif latex in by.lengths:
-            letter = replace(guess.letter, named=bool(guess.letter.depends))
+            depends = on.get(by.lengths[latex]) or guess.letter.depends
+            letter = replace(guess.letter, depends=depends, named=bool(depends))
             guess = Guess(letter, f"the length of {by.lengths[latex]}", "the same letter stands in bold type")
         elif latex in by.units:
             guess = Guess(guess.letter, "a vector of length 1", "it is bold with a hat")
         elif latex in moving and not guess.letter.depends:
             guess = replace(guess, letter=replace(guess.letter, depends=moving[latex]))
         guesses.append(guess)
-    return replace(inference, notation=_with(inference, guesses), guesses=tuple(guesses), facts=by.facts)
+    remote = inference.remote and (
+        any(guess.remote for guess in guesses) or not any(guess.remote for guess in inference.guesses)
+    )
+    return replace(inference, notation=_with(inference, guesses), guesses=tuple(guesses), facts=by.facts, remote=remote)
 
 
 def _complexed(inference: Inference, formulas: Sequence[str]) -> Iterator[Inference]:
@@ -246,7 +263,8 @@ def _may_be_vector(letter: Letter) -> bool:
 
 
 def _is_one_number(letter: Letter) -> bool:
-    return not (letter.indices or letter.depends or letter.components or letter.number or letter.integer)
+    free = not letter.depends or letter.named
+    return free and not (letter.indices or letter.components or letter.number or letter.integer)
 
 
 def _with_parts(
@@ -264,10 +282,11 @@ def _with_parts(
         parts = [f"{own} ^ {{ \\{part} }}" for part in ("Re", "Im")]
         sign, taken = ("+", COMPLEX) if own == latex else ("-", f"the conjugate of {own}")
         components = f"{parts[0]} {sign} {unit} {parts[1]}"
-        changed.append(Guess(replace(letter, components=components), taken, why[own]))
+        whole = replace(letter, components=components, named=False)
+        changed.append(Guess(whole, taken, why[own]))
         if own == latex:
             names = [
-                Letter(part, whole=True, name=f"{_plain(own)}_{end}")
+                replace(letter, latex=part, whole=True, name=f"{_plain(own)}_{end}")
                 for part, end in zip(parts, ("re", "im"), strict=True)
             ]
             changed += [Guess(each, "a real number", f"a part of {own}") for each in names]
@@ -358,6 +377,7 @@ def gathered(formulas: Sequence[str], said: Mapping[str, str]) -> dict[str, Evid
         own.said = phrases.get(latex, "")
         own.index = latex in index and not tokens
         own.whole = latex in wholes
+        own.orbital = latex == "e" and any(map(_ECCENTRIC.search, formulas))
         for low, high in (ends.get(t, ("", "")) for t in tokens) if family else ():
             low, high = (phrases.get(end, "").removeprefix("the number ") or end for end in (low, high))
             if low.isdigit() and high.isdigit():
@@ -544,7 +564,8 @@ def _options(of: Evidence, every: Mapping[str, Evidence], defined: Mapping[str, 
     elif of.arguments and not of.bare:
         product = Guess(_letter(of, depends=""), "a number", "it stands before brackets with a sum")
         function = Guess(_letter(of, kind="function"), "a function", "it stands before brackets only")
-        yield from (function, product) if latex in _TYPICAL else (product, function)
+        factor = all(args[0].lstrip()[:1].isdigit() for args in of.arguments)  # as in a(1 - x)
+        yield from (function, product) if latex in _TYPICAL else (product, replace(function, remote=factor))
     elif of.dotted or _is_derived(of):
         yield from _dependent(of, every, latex in defined)
     elif of.whole and latex.startswith(r"\prescript"):
@@ -646,6 +667,8 @@ def _number(of: Evidence) -> list[Guess]:
         letter = Guess(_letter(of, depends="", name="e_letter"), "a real number", "it stands without an exponent")
         powers = [place.superscript for place in of.places]
         variable = [power is not None and not "".join(power).strip("{}").isdigit() for power in powers]
+        if of.orbital and not any(variable):
+            return [replace(letter, why="it stands as an eccentricity does"), replace(euler, remote=True)]
         if latex != "e" or all(variable):
             return [euler]
         return [euler, replace(letter, remote=any(variable))]
@@ -684,6 +707,7 @@ def _time(every: Mapping[str, Evidence]) -> str:
     return "t" if "t" in every or r"\tau" not in every else r"\tau"
 
 
+CONSTANT = "constant"
 MOVING = "it is differentiated"
 
 
@@ -706,7 +730,7 @@ def _dependent(of: Evidence, every: Mapping[str, Evidence], named: bool) -> Iter
     within = any(x in every and _stands_in_body(every[x]) for x in on)
     varying = Guess(_letter(of, kind=kind, depends=words, named=named), f"a function of {words}", MOVING)
     constant = Guess(
-        _letter(of, kind=kind, depends=""), "constant", "it has no dot, and the other letter stands beside it"
+        _letter(of, kind=kind, depends=""), CONSTANT, "it has no dot, and the other letter stands beside it"
     )
     if direct or named:
         yield varying

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import itertools
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from functools import lru_cache
+from functools import lru_cache, partial
 from math import comb, factorial
 from types import MappingProxyType
 from typing import Any
@@ -36,6 +36,7 @@ from symcheck.reading.components import (
     Value,
     det,
     dot,
+    each_part,
     flat,
     identity,
     matmul,
@@ -731,7 +732,7 @@ class Lowering:
         if not self.inside:
             self.met.pop(by, None)
         ends = [self.scalar(end, env) for end in (tree.high, tree.low) if end is not None]
-        at = [zipped(lambda t, end=end: substituted(t, {by: end}), [value]) for end in ends]
+        at = [each_part(partial(substituted, by={by: end}), value) for end in ends]
         return at[0] if len(at) == 1 else zipped(lambda high, low: added(high, negative(low)), at)
 
     def by_cases(self, values: Piecewise, left: Tree, sign: str, right: Tree, env: Env) -> Formula:
@@ -867,7 +868,7 @@ class Lowering:
         value = self.value(body, env)
         if order:
             by = self.variable(own[0], env)
-            value = zipped(lambda t: node("diff", t, by, order, values[0]), [value])
+            value = each_part(lambda t: node("diff", t, by, order, values[0]), value)
         self.standing, self.inside = kept, inside
         return value
 
@@ -878,10 +879,10 @@ class Lowering:
         value = self.value(body, env)
         for letter in by:
             x = self.variable(read(letter, self.notation), env)
-            value = zipped(lambda t, x=x: node("diff", t, x, 1, x), [value])
+            value = each_part(partial(_slope, by=x), value)
         if any(isinstance(each, list | Complex) for each in values):
             raise SymcheckError(f"{to_latex(tree)}: a partial derivative at numbers only")
-        return zipped(lambda t: substituted(t, dict(zip(names, values, strict=True))), [value])
+        return each_part(lambda t: substituted(t, dict(zip(names, values, strict=True))), value)
 
     def of_bigsum(self, tree: BigSum, env: Env) -> Value:
         if (ends := self.ends(tree, env)) is not None:
@@ -1010,7 +1011,7 @@ class Lowering:
         for variable_tree, order in tree.variables:
             by = self.scalar(variable_tree, env)
             if isinstance(by, Applied):
-                value = zipped(lambda t, by=by, order=order: self.by_function(t, by, order, tree, env), [value])
+                value = each_part(partial(self.by_function, by=by, order=order, tree=tree, env=env), value)
             else:
                 value = self.derived(value, self.variable(variable_tree, env), order, tree, partial=tree.partial)
         return value
@@ -1051,7 +1052,7 @@ class Lowering:
         """The derivative of a scalar, or of each component, by a variable."""
         if not order:
             return value
-        return zipped(lambda t: self.slope(t, by, order, tree, partial=partial), [value])
+        return each_part(lambda t: self.slope(t, by, order, tree, partial=partial), value)
 
     def slope(self, term: Term, by: str, order: int, tree: Tree, *, partial: bool) -> Term:
         """The derivative of a term; that of a function by one of its arguments is the function of a higher order."""
@@ -1162,6 +1163,10 @@ def _through(term: Term, by: str) -> bool:
     if isinstance(term, Applied) and any(part != by and by in _names(part) for part in term.terms):
         return True
     return any(_through(part, by) for part in term.inside + term.outside)
+
+
+def _slope(term: Term, by: str) -> Term:
+    return node("diff", term, by, 1, by)
 
 
 def _written(term: Term, name: str, meant: Term) -> Term:
