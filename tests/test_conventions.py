@@ -94,6 +94,8 @@ VERDICTS: dict[str, list[tuple[str, list[str]]]] = {
         (r"[\mathbf{a}]_\times \mathbf{b} = \mathbf{b}\times\mathbf{a}", []),
     ],
     "ambiguous": [
+        (r"I = \int r^2 dm", []),
+        (r"x^\mu x_\mu = s^2", []),
         (r"x_1 + x_2 = -\frac{b}{a}", ["ax^2 + bx + c = a(x - x_1)(x - x_2)"]),
         (r"A = \frac12", [r"\frac{1}{x^2 - 1} = \frac{A}{x - 1} + \frac{B}{x + 1}"]),
         ("AB = BA", []),

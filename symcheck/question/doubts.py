@@ -14,9 +14,10 @@ from symcheck.core.terms import Connective, Formula, Relation, Term
 from symcheck.question.order_of_factors import relies_on_order
 from symcheck.question.prepare import DEFINED, Reading
 from symcheck.reading import Tree, tex
-from symcheck.reading.tree import Add, BigSum, Call, Chain, Name, Number, walk
+from symcheck.reading.tree import Add, Antiderivative, BigSum, Call, Chain, Name, Number, Pow, walk
 
-INDICES = frozenset("ijklmn") | {r"\mu", r"\nu", r"\rho", r"\sigma", r"\lambda", r"\kappa"}
+GREEK = frozenset({r"\mu", r"\nu", r"\rho", r"\sigma", r"\lambda", r"\kappa"})  # indices, above too: hardly exponents
+INDICES = frozenset("ijklmn") | GREEK
 EXACT = (1, 2, 4, 5, 8)  # denominators of decimals that nobody means to be rounded: 0.5, 0.25, 0.2
 ANGULAR = ("sin", "cos", "tan", "tg", "cot", "ctg")
 TURN = 6  # radians are about one turn; whole numbers above it are rather degrees
@@ -77,6 +78,8 @@ def doubt(reading: Reading) -> str:
     units = [g.letter for g in reading.inference.guesses if _UNIT_VECTOR.match(g.letter.latex) and g.letter.depends]
     if units and not {*said, *reading.source[2]} & {each.latex for each in units}:
         return f"is {units[0].latex} always of length 1? say so, as |{units[0].latex}| = 1, or what it is"
+    if name := _integrated(reading):
+        return f"does the integral say what {name} is? give another equation for it, or the integral with its bounds"
     if index := next(_repeated(reading.tree), ""):
         return f"is {index} summed over, as it is repeated in a product? write the sum"
     return ""
@@ -131,6 +134,15 @@ def _matrix_of_vector(reading: Reading, said: set[str]) -> str:
     return ""
 
 
+def _integrated(reading: Reading) -> str:
+    """The letter that an integral without bounds may define, as I = int r^2 dm does."""
+    members = reading.tree.members if isinstance(reading.tree, Chain) else ()
+    if any(isinstance(part, Antiderivative) for _, part in walk(reading.tree)):
+        alone = [each.letter for each in members if isinstance(each, Name)]
+        return next((letter for letter in alone if letter not in reading.source[2]), "")
+    return ""
+
+
 def _in_degrees(argument: Tree) -> bool:
     """Is it a whole number that hardly anybody would mean in radians?"""
     return isinstance(argument, Number) and argument.text.isdigit() and int(argument.text) > TURN
@@ -156,4 +168,6 @@ def _indices(addend: Tree) -> Counter[str]:
             tokens = [tok.text for tok in tex.tokenize(spelled[1])] if spelled else []
             tokens += [x for x in part.subscripts if isinstance(x, str)]
             found.update(x for x in tokens if x in INDICES)
+        if isinstance(part, Pow) and isinstance(part.exponent, Name) and part.exponent.letter in GREEK:
+            found[part.exponent.letter] += 1
     return Counter({x: n for x, n in found.items() if x not in bound})

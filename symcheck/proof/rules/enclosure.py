@@ -90,7 +90,7 @@ class Numbers:
         parts = [*subterms(tree)]
         if any(part == PI or (isinstance(part, Node) and part.tag in IRRATIONAL) for part in parts):
             return False
-        return all(self.rational(self.meaning(part)) for part in parts if isinstance(part, str))
+        return all(self.rational(self.meaning(name)) for name in letters(tree))
 
     def closed(self, formula: Formula) -> bool:
         """Whether a formula speaks of numbers only."""
