@@ -11,6 +11,7 @@ import signal
 import sys
 from collections.abc import Iterator
 from contextlib import contextmanager, suppress
+from functools import partial
 from typing import NoReturn
 
 INTERRUPTED = 130
@@ -73,6 +74,9 @@ def _unraisable(dropped: sys.UnraisableHookArgs) -> None:
     if not isinstance(dropped.exc_value, KeyboardInterrupt):
         sys.__unraisablehook__(dropped)
         return
-    from threading import Timer
+    from threading import Timer, main_thread
 
-    Timer(AGAIN, signal.raise_signal, (signal.SIGINT,)).start()
+    # to the main thread itself: a signal that another one gets does not wake it where it waits
+    main = main_thread().ident
+    send = partial(signal.pthread_kill, main) if main and hasattr(signal, "pthread_kill") else signal.raise_signal
+    Timer(AGAIN, send, (signal.SIGINT,)).start()
