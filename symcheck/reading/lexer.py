@@ -52,15 +52,19 @@ PARTNER = {
 }  # fmt: skip
 SIMPLE = {
     "+": "PLUS", "-": "MINUS", "/": "SLASH", r"\cdot": "CDOT", r"\times": "TIMES", ",": "COMMA", ";": "SEMI",
-    ":": "COLON", r"\dots": "DOTS", r"\ldots": "DOTS", r"\cdots": "DOTS",
+    ":": "COLON", r"\dots": "DOTS", r"\ldots": "DOTS", r"\cdots": "DOTS", r"\vdots": "DOTS",
+    r"\ddots": "DOTS",
     "!": "BANG", r"\pm": "PM", r"\mp": "PM", r"\infty": "INFINITY", r"\langle": "LANGLE",
 }  # fmt: skip
-_ENDS = frozenset({"NUMBER", "NAME", "BANG", "TRANSPOSE", "DEGREE", "PRIMES", "DOTS", "INFINITY", *PARTNER})
+LIMITING = frozenset({"lim", "min", "max", "sup", "inf", "argmin", "argmax", "limsup", "liminf"})
+MARKS = frozenset({"+", "-", "*", r"\dagger", r"\star", r"\ddagger", r"\sharp", r"\flat"})  # scripts that are no power
+BASES = {"10": "lg", "2": "lb", "e": "ln"}  # of logarithms, with the functions that they are
+_ENDS = frozenset({"MARK", "NUMBER", "NAME", "BANG", "TRANSPOSE", "DEGREE", "PRIMES", "DOTS", "INFINITY", *PARTNER})
 _OPERATORS = frozenset({"PLUS", "MINUS", "PM", "REL", "AND", "OR", "IMPLIES", "IFF", "CDOT", "TIMES", "SLASH"})
 _BREAKS = frozenset({"COMMA", "SEMI", "COLON"})
 WIDE_COMMA = r",\quad"
 _JOINS = (
-    _OPERATORS | _BREAKS | frozenset({"NEWLINE", "CELL", "ROW", "CARET", "TRANSPOSE", "DEGREE", "PRIMES", *PARTNER})
+    _OPERATORS | _BREAKS | frozenset({"NEWLINE", "CELL", "ROW", "CARET", "MID", "MARK", "TRANSPOSE", "DEGREE", "PRIMES", *PARTNER})
 )
 # The tokens that may be left out, doubled or exchanged for another of them where the statement stays the same: spaces,
 # line breaks and alignment, sizes of brackets, the sign of a product, what separates relations or ends a sentence.
@@ -161,6 +165,8 @@ class Lexer(tex.Reader):
             self.environment()
         elif text in ("&", r"\\"):
             self.cell()
+        elif text == r"\mid" and self.mid():
+            return
         elif text in ("|", r"\|", r"\Vert"):
             self.bar()
         elif text in TAKING:
@@ -173,8 +179,15 @@ class Lexer(tex.Reader):
                 self.emit(kind, text, at)
             for _ in range(count):
                 self.argument()
-        elif text in (r"\sum", r"\int"):
-            self.bounded("SUM" if text == r"\sum" else "INT")
+        elif text in (r"\sum", r"\prod", r"\int"):
+            self.bounded({r"\sum": "SUM", r"\prod": "PROD"}.get(text, "INT"))
+        elif self.limiting():
+            return
+        elif text == r"\forall":
+            if self.last() in _ENDS:
+                self.emit("COMMA", WIDE_COMMA, at)
+            self.i += 1
+            self.emit("FORALL", text, at)
         elif text == r"\rangle":
             self.mean_ends()
         elif text in "^'":
@@ -314,9 +327,38 @@ class Lexer(tex.Reader):
         text, at = self.peek(), self.at()
         self.i += 1
         kind = "BAR" if text == "|" else "NORM"
+        if opening is None and text == "|" and self.divides():
+            self.emit("MID", text, at)
+            return
         if opening is None:
             opening = not (self.open and self.open[-1].type == f"L{kind}" and self.last() in _ENDS)
         self.emit(f"{'L' if opening else 'R'}{kind}", text, at)
+
+    def mid(self) -> bool:
+        """A bar that is printed as a sign of relation, in brackets."""
+        at, self.i = self.at(), self.i + 1
+        if self.divides():
+            self.emit("MID", "|", at)
+            return True
+        self.i -= 1
+        return False
+
+    def divides(self) -> bool:
+        """Is this bar, behind its token, the only one in the brackets of a letter: `p(a | b)`?"""
+        opening = self.open[-1] if self.open else None
+        if opening is None or opening.type not in ("LPAR", "LBRA") or self.last() not in _ENDS:
+            return False
+        start = self.out.index(opening)
+        if not start or self.out[start - 1].type != "NAME" or any(x.type in ("MID", "LBAR") for x in self.out[start:]):
+            return False
+        depth = 1
+        for tok in self.toks[self.i :]:
+            depth += (tok.text in OPEN) - (tok.text in CLOSE)
+            if not depth:
+                return True
+            if tok.text in ("|", r"\mid"):
+                return False
+        return False
 
     def condition(self) -> bool:
         """A word before a condition in a list of values, which is layout, or the one that stands for the rest."""
@@ -393,6 +435,31 @@ class Lexer(tex.Reader):
         unit = self.peek(ahead) + self.peek(ahead + 1)
         return unit in {"pt", "em", "ex", "mm", "cm"} and self.peek(ahead + 2) == "]"
 
+    def limiting(self) -> bool:
+        r"""`\lim_{x \to 0}`, `\min_x`, `\arg\min_x`: the operator with what is printed below it."""
+        start, at = self.i, self.at()
+        operator = ""
+        while self.peek()[:1] == "\\" and not operator.endswith(("lim", "min", "max", "sup", "inf")):
+            text = self.peek()
+            self.i += 1
+            if text in ROMAN and self.peek() == "{":
+                text = "".join(tok.text for tok in self.group() if tok.text not in SPACES)
+            elif text in SPACES:
+                continue
+            operator += text.removeprefix("\\")
+            if not any(name.startswith(operator) for name in LIMITING):
+                break
+        if operator not in LIMITING or self.peek() != "_" or self.notation.knows(self.toks[start].text):
+            self.i = start
+            return False
+        self.i += 1
+        below = " ".join(tok.text for tok in self.group())
+        if not below:
+            self.fail("an empty subscript", at)
+        self.emit("UNDER", (operator, below), at)
+        self.bounds = len(self.out)
+        return True
+
     def bounded(self, kind: str) -> None:
         """The sign of a sum or an integral with its bounds, the lower one first."""
         at = self.at()
@@ -407,22 +474,30 @@ class Lexer(tex.Reader):
             self.argument()
             bounds[which] = self.out[mark:]
             del self.out[mark:]
-        if "_" not in bounds and kind == "SUM":
+        if "_" not in bounds and kind != "INT":
             self.fail("a sum without an index", at)
         if len(bounds) < 2 and kind == "INT":
             if bounds:
                 self.fail("an integral with one bound", at)
             self.emit("ANTI", r"\int", at)
             return
-        self.emit(kind, r"\sum" if kind == "SUM" else r"\int", at)
+        self.emit(kind, {"SUM": r"\sum", "PROD": r"\prod"}.get(kind, r"\int"), at)
         self.out += bounds["_"] + bounds.get("^", [])
         self.bounds = len(self.out)
 
     def evaluated(self, at: int) -> None:
         r"""The place at which what is in brackets, or before a bar, is taken: `_{t=0}^1`."""
-        if self.last() != "RBRA" and not (self.out and self.out[-1].type == "RPLACE"):
+        closed = self.last() in ("RPAR", "RBRA", "RSET") and bool(self.out) and self.out[-1].type != "GAP"
+        if not closed:
             self.fail("a subscript without a letter before it")
         self.i += 1
+        inside = [tok.text for tok in self.toks[self.i : self.i + self.length()]]
+        if "=" not in inside or self.last() != "RBRA":
+            self.group()
+            if self.peek() in ("^", "_", "'") or not inside:
+                self.fail("a subscript and another script behind a bracket", at)
+            self.emit("MARK", f"_{' '.join(inside)}", at)
+            return
         mark = len(self.out)
         self.emit("AT", "_", at)
         self.argument()
@@ -440,7 +515,10 @@ class Lexer(tex.Reader):
             return
         self.i += 1
         inside = [t.text for t in self.toks[self.i : self.i + self.length()] if t.text not in {"{", "}"} | ROMAN]
-        if inside == [r"\circ"]:
+        if len(inside) == 1 and inside[0] in MARKS and self.last() in ("RPAR", "RBRA"):
+            self.group()
+            self.emit("MARK", f"^{inside[0]}", at)
+        elif inside == [r"\circ"]:
             self.group()
             self.emit("DEGREE", None, at)
         elif inside in (["T"], [r"\top"], [r"\intercal"]) and self.transposes():
@@ -499,9 +577,19 @@ class Lexer(tex.Reader):
             word = self.word() or self.spelling()
         plain = word.removeprefix(r"\text{").removesuffix("}").removeprefix("\\")
         if word.startswith("\\") and (plain in FUNCTIONS or plain == "diag") and not self.notation.knows(word):
+            if plain == "log" and self.peek() == "_":
+                plain = self.based(at)
             self.emit("DIAG" if plain == "diag" else "FN", plain, at)
             return
         self.name(word, at)
+
+    def based(self, at: int) -> str:
+        r"""The function that `\log_{10}` or `\log_2` is."""
+        self.i += 1
+        base = "".join(tok.text for tok in self.group())
+        if base not in BASES:
+            self.fail(f"a logarithm to the base {base}; write a quotient of logarithms", at)
+        return BASES[base]
 
     def word(self) -> str:
         """A declared letter of several characters, such as `Ox`; the longest that begins here."""
@@ -718,7 +806,7 @@ class Lexer(tex.Reader):
                         pending = None
                         continue
                 elif before.type not in _BREAKS and before.type not in PARTNER.values():
-                    if lexeme.type in {"PLUS", "MINUS", "PM"} and self.relates(lexeme):
+                    if lexeme.type in {"MINUS", "PM"} and self.relates(lexeme):
                         self.fail("a line begins with a sign that the line before does not end with", lexeme.at)
                     if lexeme.type not in _OPERATORS | _BREAKS and lexeme.type not in PARTNER:
                         out.append(pending)

@@ -5,7 +5,7 @@ from __future__ import annotations
 import itertools
 from collections import Counter
 from collections.abc import Container, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import lru_cache
 from typing import Any
 
@@ -24,6 +24,7 @@ from symcheck.reading.tree import (
     And,
     Antiderivative,
     Bars,
+    BigProduct,
     BigSum,
     Binomial,
     Call,
@@ -39,12 +40,16 @@ from symcheck.reading.tree import (
     Evaluated,
     Exists,
     Factorial,
+    Forall,
+    Given,
     Iff,
     Implies,
     Infinity,
     Integral,
     Interval,
+    Limiting,
     Located,
+    Marked,
     MatrixOf,
     Mean,
     Mul,
@@ -114,6 +119,7 @@ class Item:
     letters: tuple[Name, ...] = ()
     partial: bool = False
     square: bool = False
+    text: str = ""  # what is printed below, or as a mark
 
 
 def read(latex: str | Sequence[str], notation: Notation) -> Tree:
@@ -213,6 +219,8 @@ class Builder:
         return Listing(entries, [separator.type for separator in separators], _place(nodes[0]), wide)
 
     def on_entry(self, nodes: list[ParseNode]) -> tuple[str, Tree]:
+        if getattr(nodes[0], "type", "") == "FORALL":
+            return "", Forall(self.checked(self.build(nodes[1]), nodes[0].value.at))
         label = nodes.pop(0).value.value if not hasattr(nodes[0], "data") else ""
         tree = self.checked(self.build(nodes[0]), _place(nodes[0]))
         return label, Located(self.term_of(nodes[0]), self.build(nodes[2])) if len(nodes) > 1 else tree
@@ -463,6 +471,10 @@ class Builder:
         for sign, term, part in zip(signs, terms, parts, strict=True):
             if sign in (r"\pm", r"\mp") and isinstance(term, Number) and "." in term.text:
                 raise self.fail(_place(part), "both signs, or the error of a measured value? write it out")
+        for term, part in zip(terms[:-1], parts, strict=False):
+            last = term.factors[-1] if isinstance(term, Mul) else term
+            if isinstance(last, Limiting):
+                raise self.fail(_place(part), f"does what follows belong to the {last.operator}? write brackets")
         signed = tuple(_signed(sign, term) for sign, term in zip(signs, terms, strict=True))
         return signed[0] if len(signed) == 1 else Add(signed)
 
@@ -472,7 +484,7 @@ class Builder:
             return self.product(left)
         right = self.items(nodes[2])
         if nodes[1].type == "TIMES":
-            if any(item.kind in ("sum", "integral") for item in left):
+            if any(item.kind in ("sum", "integral", "under") for item in left):
                 raise self.fail(nodes[1].value.at, "a cross product behind a sum is ambiguous")
             return Cross(self.plain(left), self.plain(right))
         at = nodes[1].value.at
@@ -484,7 +496,7 @@ class Builder:
         if len(right) > 1 and not isinstance(bottom, Call) and not below:
             raise self.fail(at, "a slash before several factors is ambiguous")
         bare = _ends_bare(left) and right[0].kind != "function"
-        if any(item.kind in ("sum", "integral") for item in left + right) or bare:
+        if any(item.kind in ("sum", "integral", "under") for item in left + right) or bare:
             raise self.fail(at, "a slash behind a sum or a function without brackets is ambiguous")
         return Div(self.checked(top, at, statements=False), self.checked(bottom, at, statements=False))
 
@@ -594,7 +606,12 @@ class Builder:
         if item.kind == "sum":
             if k + 1 == len(items) or items[k + 1].kind == "dot" or item.bounds is None:
                 raise self.fail(item.at, "a sum of nothing")
-            return BigSum(*item.bounds, self.plain(items[k + 1 :])), len(items)
+            made = BigProduct if item.name else BigSum
+            return made(*item.bounds, self.plain(items[k + 1 :])), len(items)
+        if item.kind == "under":
+            if k + 1 == len(items) or items[k + 1].kind == "dot":
+                raise self.fail(item.at, f"{item.name} of nothing")
+            return Limiting(item.name, item.text, self.plain(items[k + 1 :])), len(items)
         if item.kind in ("integral", "antiderivative"):
             return self.integral(items, k), len(items)
         if item.kind == "operator":
@@ -663,6 +680,9 @@ class Builder:
         """A function letter with its arguments in brackets, or alone; any other factor as it is."""
         item, after = items[k], items[k + 1] if k + 1 < len(items) else None
         name = item.node
+        if isinstance(name, Name) and after is not None and after.kind == "given" and not item.postfix:
+            assert after.node is not None
+            return self.postfixed(Call(name, (after.node,)), after), k + 2
         if not isinstance(name, Name) or after is None or after.kind != "group" or item.postfix not in ("", "CARET"):
             return self.atom(item), k + 1
         if not self.applies(name):
@@ -796,6 +816,8 @@ class Builder:
 
     def atom(self, item: Item) -> Tree:
         """A factor that needs nothing from its right."""
+        if item.kind == "given":
+            raise self.fail(item.at, "a condition in brackets behind nothing that it belongs to")
         if item.kind == "group":
             node = self.bracketed(item.listing, "()")
         elif isinstance(item.node, Name) and self.applies(item.node):
@@ -814,6 +836,8 @@ class Builder:
             return Transpose(node)
         if item.postfix == "DEGREE":
             return Degrees(node)
+        if item.postfix == "MARK":
+            return Marked(node, item.text)
         if item.postfix == "PRIMES":
             return Derivative(node, tuple(Counter(item.letters).items()), partial=True)
         assert item.power is not None
@@ -902,12 +926,14 @@ class Builder:
             item, nodes = Item("fraction", item.at, Factorial(self.atom(item))), [nodes[0], *nodes[2:]]
         if len(nodes) > 1:
             item.postfix = nodes[1].type
-            if item.kind in ("sum", "integral", "antiderivative") or (
+            if item.kind in ("sum", "integral", "antiderivative", "under") or (
                 item.kind in ("function", "operator") and item.postfix != "CARET"
             ):
                 raise self.fail(nodes[1].value.at, "this cannot stand here")
         if item.postfix == "AT":
             return Item("atom", item.at, self.evaluated(item, nodes))
+        if item.postfix == "MARK":
+            item.text = nodes[1].value.value
         if item.postfix == "PRIMES":
             item.letters = nodes[1].value.value
         if item.postfix == "CARET":
@@ -953,10 +979,26 @@ class Builder:
     def from_dots(self, nodes: list[ParseNode], at: int) -> Item:
         return Item("atom", at, Dots())
 
+    def given(self, nodes: list[ParseNode], at: int) -> Item:
+        """What stands in brackets on a condition."""
+        items, conditions = ([tree for _, tree in self.build(node).entries] for node in (nodes[1], nodes[3]))
+        return Item("given", at, Given(tuple(items), tuple(conditions)))
+
+    def from_under(self, nodes: list[ParseNode], at: int) -> Item:
+        operator, below = nodes[0].value.value
+        return Item("under", at, name=operator, text=below)
+
+    def from_prod(self, nodes: list[ParseNode], at: int) -> Item:
+        return replace(self.from_sum(nodes, at), name="product")
+
     def from_lpar(self, nodes: list[ParseNode], at: int) -> Item:
+        if len(nodes) > 3:
+            return self.given(nodes, at)
         return Item("group", at, listing=self.build(nodes[1]))
 
     def from_lbra(self, nodes: list[ParseNode], at: int) -> Item:
+        if len(nodes) > 3:
+            return self.given(nodes, at)
         return Item("atom", at, self.bracketed(self.build(nodes[1]), "[]"), square=True)
 
     def from_lhalf(self, nodes: list[ParseNode], at: int) -> Item:
