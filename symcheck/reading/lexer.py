@@ -58,8 +58,9 @@ SIMPLE = {
 }  # fmt: skip
 LIMITING = frozenset({"lim", "min", "max", "sup", "inf", "argmin", "argmax", "limsup", "liminf"})
 MARKS = frozenset({"+", "-", "*", r"\dagger", r"\star", r"\ddagger", r"\sharp", r"\flat"})  # scripts that are no power
+SETS = frozenset({r"\in", "<", ">", r"\le", r"\leq", r"\ge", r"\geq", r"\ne", r"\neq", r"\notin", "|", r"\mid", r"\subset"})
 BASES = {"10": "lg", "2": "lb", "e": "ln"}  # of logarithms, with the functions that they are
-_ENDS = frozenset({"MARK", "NUMBER", "NAME", "BANG", "TRANSPOSE", "DEGREE", "PRIMES", "DOTS", "INFINITY", *PARTNER})
+_ENDS = frozenset({"MARK", "BLANK", "NUMBER", "NAME", "BANG", "TRANSPOSE", "DEGREE", "PRIMES", "DOTS", "INFINITY", *PARTNER})
 _OPERATORS = frozenset({"PLUS", "MINUS", "PM", "REL", "AND", "OR", "IMPLIES", "IFF", "CDOT", "TIMES", "SLASH"})
 _BREAKS = frozenset({"COMMA", "SEMI", "COLON"})
 WIDE_COMMA = r",\quad"
@@ -200,6 +201,9 @@ class Lexer(tex.Reader):
         elif text in OPEN or text in CLOSE:
             self.i += 1
             self.emit(OPEN.get(text) or CLOSE[text], text, at)
+        elif text == ";" and self.parameters():
+            self.i += 1
+            self.emit("MID", ";", at)
         elif text in SIMPLE or text in RELATIONS or text in LOGIC:
             self.i += 1
             kind = SIMPLE.get(text) or LOGIC.get(text) or "REL"
@@ -334,6 +338,18 @@ class Lexer(tex.Reader):
             opening = not (self.open and self.open[-1].type == f"L{kind}" and self.last() in _ENDS)
         self.emit(f"{'L' if opening else 'R'}{kind}", text, at)
 
+    def parameters(self) -> bool:
+        """Is this semicolon the only one in the round brackets behind a letter: `f(x; p)`?"""
+        opening = self.open[-1] if self.open else None
+        if opening is None or opening.type != "LPAR":
+            return False
+        start = self.out.index(opening)
+        before = self.out[start - 1] if start else None
+        if before is None or before.type != "NAME" or any(x.type in ("MID", "SEMI") for x in self.out[start:]):
+            return False
+        ahead = [tok.text for tok in self.toks[self.i + 1 :]]
+        return ";" not in ahead[: ahead.index(")")] if ")" in ahead else False
+
     def mid(self) -> bool:
         """A bar that is printed as a sign of relation, in brackets."""
         at, self.i = self.at(), self.i + 1
@@ -408,6 +424,8 @@ class Lexer(tex.Reader):
                 self.out.pop()
             if self.last() == "ROW":
                 self.out.pop()
+            if self.last() == "CELL":
+                self.emit("BLANK", "", at)
             self.emit("MEND", name, at)
 
     def cell(self) -> None:
@@ -419,6 +437,8 @@ class Lexer(tex.Reader):
                 self.i += 1
             self.i += 1
         if in_matrix:
+            if self.last() in ("MBEGIN", "CELL") or (self.last() == "ROW" and text == "&"):
+                self.emit("BLANK", "", at)
             self.emit("ROW" if text == r"\\" else "CELL", text, at)
         elif text == r"\\":
             self.emit("NEWLINE", text, at)
@@ -456,7 +476,7 @@ class Lexer(tex.Reader):
         below = " ".join(tok.text for tok in self.group())
         if not below:
             self.fail("an empty subscript", at)
-        self.emit("UNDER", (operator, below), at)
+        self.emit("UNDER", (operator, f"_{{ {below} }}"), at)
         self.bounds = len(self.out)
         return True
 
@@ -464,6 +484,10 @@ class Lexer(tex.Reader):
         """The sign of a sum or an integral with its bounds, the lower one first."""
         at = self.at()
         self.i += 1
+        if kind != "INT" and (scripts := self.over_set()):
+            self.emit("UNDER", ({"SUM": "sum"}.get(kind, "prod"), scripts), at)
+            self.bounds = len(self.out)
+            return
         bounds: dict[str, list[Lexeme]] = {}
         while self.peek() in SPACES:
             self.i += 1
@@ -484,6 +508,19 @@ class Lexer(tex.Reader):
         self.emit(kind, {"SUM": r"\sum", "PROD": r"\prod"}.get(kind, r"\int"), at)
         self.out += bounds["_"] + bounds.get("^", [])
         self.bounds = len(self.out)
+
+    def over_set(self) -> str:
+        r"""The scripts of a sum that are no bounds, as printed: `_{i \in S}`, `_{i < j}`, `_i^N`; else nothing."""
+        start, found = self.i, dict[str, str]()
+        while self.peek() in ("_", "^") and self.peek() not in found:
+            mark = self.peek()
+            self.i += 1
+            found[mark] = " ".join(tok.text for tok in self.group())
+        below = found.get("_", "").split()
+        if not below or not (SETS & set(below) or ("^" in found and "=" not in below)):
+            self.i = start
+            return ""
+        return "".join(f"{mark}{{ {found[mark]} }}" for mark in ("_", "^") if mark in found)
 
     def evaluated(self, at: int) -> None:
         r"""The place at which what is in brackets, or before a bar, is taken: `_{t=0}^1`."""
@@ -511,6 +548,11 @@ class Lexer(tex.Reader):
         """An exponent, a transposition, a degree sign or primes behind a bracket."""
         at = self.at()
         if self.peek() == "'":
+            start, count = self.i, self.primes()
+            if self.peek() != "_" and self.last() in ("RPAR", "RBRA"):
+                self.emit("MARK", "'" * count, at)
+                return
+            self.i = start
             self.emit("PRIMES", self.primed(at), at)
             return
         self.i += 1

@@ -102,6 +102,7 @@ from symcheck.reading.tree import (
     Tree,
     Tuple,
     Values,
+    Words,
     children,
     walk,
     with_children,
@@ -409,7 +410,7 @@ class Lowering:
             )
         if isinstance(tree, Exists):
             return node("exists", tuple(self.variables(tree.names, env)), self.formula(tree.body, env))
-        if isinstance(tree, Forall):
+        if isinstance(tree, Forall | Words):
             raise SymcheckError(f"{to_latex(tree)} has no algebraic form; state for what it holds as a condition")
         raise SymcheckError(f"{to_latex(tree)} is neither true nor false; a relation is expected")
 

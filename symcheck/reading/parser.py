@@ -27,6 +27,7 @@ from symcheck.reading.tree import (
     BigProduct,
     BigSum,
     Binomial,
+    Blank,
     Call,
     CaseList,
     Chain,
@@ -70,6 +71,7 @@ from symcheck.reading.tree import (
     Tree,
     Tuple,
     Values,
+    Words,
     children,
     walk,
 )
@@ -237,6 +239,8 @@ class Builder:
         self.refuse_idle(parts, qualifiers, at)
         if len(parts) == 1 and not qualifiers:
             return parts[0]
+        if any(isinstance(part, STATEMENTS) for part in parts):
+            parts = [Words(part) if _is_words(part) else part for part in parts]
         stated = [isinstance(part, STATEMENTS) for part in parts]
         if not all(stated) and (any(stated) or qualifiers):
             raise self.fail(
@@ -721,6 +725,10 @@ class Builder:
             if items[k].postfix:
                 raise self.fail(items[k].at, f"does this power belong to {head.name} or to its argument?")
             return self.powered(head, self.entries(items[k].listing)), k + 1
+        if k < len(items) and items[k].square and not items[k].postfix and items[k].node is not None:
+            inside = items[k].node
+            if not isinstance(inside, Interval | Tuple | None):
+                return self.powered(head, (inside,)), k + 1
         if k < len(items) and items[k].kind == "fraction" and not items[k].postfix:
             argument: Tree = self.atom(items[k])
             k += 1
@@ -976,17 +984,20 @@ class Builder:
     def from_d(self, nodes: list[ParseNode], at: int) -> Item:
         return Item("d", at, partial=nodes[0].value.value.letter == r"\partial")
 
+    def from_blank(self, nodes: list[ParseNode], at: int) -> Item:
+        return Item("atom", at, Blank())
+
     def from_dots(self, nodes: list[ParseNode], at: int) -> Item:
         return Item("atom", at, Dots())
 
     def given(self, nodes: list[ParseNode], at: int) -> Item:
         """What stands in brackets on a condition."""
         items, conditions = ([tree for _, tree in self.build(node).entries] for node in (nodes[1], nodes[3]))
-        return Item("given", at, Given(tuple(items), tuple(conditions)))
+        return Item("given", at, Given(tuple(items), tuple(conditions), nodes[2].value.value))
 
     def from_under(self, nodes: list[ParseNode], at: int) -> Item:
-        operator, below = nodes[0].value.value
-        return Item("under", at, name=operator, text=below)
+        operator, scripts = nodes[0].value.value
+        return Item("under", at, name=operator, text=scripts)
 
     def from_prod(self, nodes: list[ParseNode], at: int) -> Item:
         return replace(self.from_sum(nodes, at), name="product")
@@ -1112,6 +1123,12 @@ def _signed(sign: str, term: Tree) -> Tree:
 
 def _is_signed(tree: Tree) -> bool:
     return any(isinstance(node, PlusMinus) for _, node in walk(tree))
+
+
+def _is_words(tree: Tree) -> bool:
+    """A name in upright letters that is no letter with an index."""
+    name = tree.function if isinstance(tree, Call) and not tree.arguments else tree
+    return isinstance(name, Name) and name.letter.startswith(r"\text{") and len(name.letter) > len(r"\text{dx}")
 
 
 def _place(node: ParseNode) -> int:

@@ -15,6 +15,7 @@ from symcheck.reading.tree import (
     BigProduct,
     BigSum,
     Binomial,
+    Blank,
     Call,
     CaseList,
     Chain,
@@ -58,13 +59,14 @@ from symcheck.reading.tree import (
     Tree,
     Tuple,
     Values,
+    Words,
     walk,
 )
 
 # how tightly a printed form holds together: what is looser than its place needs is put in brackets
 LIST, IMPLIES, OR, AND, CHAIN, SUM, TERM, PRODUCT, FACTOR, ATOM = range(10)
 _LEVEL: dict[type[Tree], int] = {
-    System: LIST, CaseList: LIST, Located: LIST, Exists: LIST, Qualifier: LIST, Values: LIST, Forall: LIST, BigProduct: PRODUCT,
+    System: LIST, CaseList: LIST, Located: LIST, Exists: LIST, Qualifier: LIST, Values: LIST, Forall: LIST, Words: LIST, BigProduct: PRODUCT,
     Limiting: PRODUCT, Marked: FACTOR, Iff: LIST,
     Implies: IMPLIES, Or: OR, And: AND, Chain: CHAIN, Add: SUM, Neg: SUM, PlusMinus: SUM, Cross: TERM, Mul: PRODUCT,
     BigSum: PRODUCT, Integral: PRODUCT, Antiderivative: PRODUCT, Call: FACTOR, Pow: FACTOR, Transpose: FACTOR,
@@ -244,6 +246,10 @@ def _sum(tree: BigSum) -> str:
     return rf"{sign}_{{{', '.join(tree.indices)}{low}}}{high} {_print(tree.body, PRODUCT)}"
 
 
+def _operator(tree: Limiting) -> str:
+    return rf"\{tree.operator}" if tree.operator in ("sum", "prod") else rf"\operatorname{{{tree.operator}}}"
+
+
 def _integral(tree: Integral) -> str:
     bounds = f"_{{{_print(tree.low, SUM)}}}^{{{_print(tree.high, SUM)}}}"
     return rf"\int{bounds} {_print(tree.body, PRODUCT)} \, d{_print(tree.variable, ATOM)}"
@@ -316,7 +322,7 @@ def _system(tree: System) -> str:
 
 
 def _part(part: Tree) -> str:
-    return _print(part, LIST if isinstance(part, Located | Values | Forall) else AND)
+    return _print(part, LIST if isinstance(part, Located | Values | Forall | Words) else AND)
 
 
 def _cases(tree: CaseList) -> str:
@@ -357,9 +363,10 @@ _PRINTERS: dict[type[Tree], Callable[[Any], str]] = {
     Degrees: lambda t: rf"{_print(t.value, ATOM)}^\circ",
     BigSum: _sum,
     BigProduct: _sum,
-    Limiting: lambda t: rf"\operatorname{{{t.operator}}}_{{{t.below}}} {_print(t.body, PRODUCT)}",
+    Limiting: lambda t: rf"{_operator(t)}{t.scripts} {_print(t.body, PRODUCT)}",
     Marked: lambda t: rf"\left({_print(t.value, SUM)}\right){t.mark}",
-    Given: lambda t: f"{', '.join(map(to_latex, t.items))} | {', '.join(map(to_latex, t.conditions))}",
+    Given: lambda t: f"{', '.join(map(to_latex, t.items))} {t.sign} {', '.join(map(to_latex, t.conditions))}",
+    Words: lambda t: to_latex(t.name),
     Forall: lambda t: rf"\forall {_print(t.scope, CHAIN)}",
     Pair: lambda t: f"({_print(t.left, SUM)}, {_print(t.right, SUM)})",
     Infinity: lambda t: r"\infty",
@@ -376,6 +383,7 @@ _PRINTERS: dict[type[Tree], Callable[[Any], str]] = {
     Bars: lambda t: rf"\left|{_print(t.value, SUM)}\right|",
     ElementsOf: lambda t: rf"\left\|{_print(t.value, SUM)}\right\|",
     Derivative: _derivative,
+    Blank: lambda t: "",
     Dots: lambda t: r"\dots",
     Chain: _chain,
     Qualifier: _qualifier,

@@ -141,10 +141,10 @@ class BigProduct(BigSum):
 
 @dataclass(frozen=True, slots=True)
 class Limiting(Tree):
-    r"""`\lim_{x \to 0} body`, `\min_x body` and the like: what stands below is kept as printed."""
+    r"""`\lim_{x \to 0} body`, `\min_x body` and sums over sets: the scripts are kept as printed."""
 
     operator: str
-    below: str
+    scripts: str
     body: Tree
 
 
@@ -158,10 +158,18 @@ class Marked(Tree):
 
 @dataclass(frozen=True, slots=True)
 class Given(Tree):
-    """`(a | b)`: what stands before a bar in brackets, on the condition behind it."""
+    """`(a | b)`: what stands before a bar in brackets, on the condition behind it; or `(x; p)`, with parameters."""
 
     items: tuple[Tree, ...]
     conditions: tuple[Tree, ...]
+    sign: str = "|"
+
+
+@dataclass(frozen=True, slots=True)
+class Words(Tree):
+    r"""`\text{in orbit}` beside relations: when they hold, or what they are, in words."""
+
+    name: Tree
 
 
 @dataclass(frozen=True, slots=True)
@@ -294,6 +302,11 @@ class Dots(Tree):
 
 
 @dataclass(frozen=True, slots=True)
+class Blank(Tree):
+    """A place of a matrix where nothing is printed."""
+
+
+@dataclass(frozen=True, slots=True)
 class Chain(Tree):
     r"""`a = b \le c`: members and the signs between them."""
 
@@ -384,7 +397,7 @@ class Exists(Tree):
     body: Tree
 
 
-STATEMENTS = (Chain, Values, System, CaseList, Located, And, Or, Implies, Iff, Exists, Forall, Qualifier)
+STATEMENTS = (Chain, Values, System, CaseList, Located, And, Or, Implies, Iff, Exists, Forall, Words, Qualifier)
 BRACKETED = frozenset({"Gamma"})  # functions whose argument always stands in brackets
 LOGIC = (And, Or, Implies, Iff, Exists)
 
