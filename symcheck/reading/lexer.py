@@ -58,14 +58,20 @@ SIMPLE = {
 }  # fmt: skip
 LIMITING = frozenset({"lim", "min", "max", "sup", "inf", "argmin", "argmax", "limsup", "liminf"})
 MARKS = frozenset({"+", "-", "*", r"\dagger", r"\star", r"\ddagger", r"\sharp", r"\flat"})  # scripts that are no power
-SETS = frozenset({r"\in", "<", ">", r"\le", r"\leq", r"\ge", r"\geq", r"\ne", r"\neq", r"\notin", "|", r"\mid", r"\subset"})
+SETS = frozenset(
+    {r"\in", "<", ">", r"\le", r"\leq", r"\ge", r"\geq", r"\ne", r"\neq", r"\notin", "|", r"\mid", r"\subset"}
+)
 BASES = {"10": "lg", "2": "lb", "e": "ln"}  # of logarithms, with the functions that they are
-_ENDS = frozenset({"MARK", "BLANK", "NUMBER", "NAME", "BANG", "TRANSPOSE", "DEGREE", "PRIMES", "DOTS", "INFINITY", *PARTNER})
+_ENDS = frozenset(
+    {"MARK", "BLANK", "NUMBER", "NAME", "BANG", "TRANSPOSE", "DEGREE", "PRIMES", "DOTS", "INFINITY", *PARTNER}
+)
 _OPERATORS = frozenset({"PLUS", "MINUS", "PM", "REL", "AND", "OR", "IMPLIES", "IFF", "CDOT", "TIMES", "SLASH"})
 _BREAKS = frozenset({"COMMA", "SEMI", "COLON"})
 WIDE_COMMA = r",\quad"
 _JOINS = (
-    _OPERATORS | _BREAKS | frozenset({"NEWLINE", "CELL", "ROW", "CARET", "MID", "MARK", "TRANSPOSE", "DEGREE", "PRIMES", *PARTNER})
+    _OPERATORS
+    | _BREAKS
+    | frozenset({"NEWLINE", "CELL", "ROW", "CARET", "MID", "MARK", "TRANSPOSE", "DEGREE", "PRIMES", *PARTNER})
 )
 # The tokens that may be left out, doubled or exchanged for another of them where the statement stays the same: spaces,
 # line breaks and alignment, sizes of brackets, the sign of a product, what separates relations or ends a sentence.

@@ -901,8 +901,8 @@ class Lowering:
             self.complex(tree.body, {**env, **dict(zip(tree.indices, at, strict=True))})
             for at in itertools.product(*ranges)
         ]
-        if not values:
-            raise SymcheckError(f"{to_latex(tree)} is an empty product; check its bounds")
+        if len(values) < 2:
+            raise SymcheckError(f"{to_latex(tree)} is a product of fewer than two factors; check its bounds")
         return multiplied(*values)
 
     def ends(self, tree: BigSum, env: Env) -> tuple[Term, Term] | None:

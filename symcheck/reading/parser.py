@@ -446,8 +446,19 @@ class Builder:
         return tree
 
     def on_chain(self, nodes: list[ParseNode]) -> Tree:
-        members = tuple(self.term_of(node) for node in nodes[0::2])
-        return Chain(members, tuple(node.value.value for node in nodes[1::2]))
+        members = [self.term_of(node) for node in nodes[0::2]]
+        signs = tuple(node.value.value for node in nodes[1::2])
+        for k, sign in enumerate(signs, 1):
+            right = members[k]
+            if (
+                not self.notation.bracket
+                and sign == "="
+                and isinstance(members[0], Name)
+                and isinstance(right, Interval)
+                and right.ends == "[]"
+            ):
+                members[k] = Tuple((right.low, right.high), "[]")  # no letter is equal to an interval of numbers
+        return Chain(tuple(members), signs)
 
     def term_of(self, node: ParseNode) -> Tree:
         """An expression: neither a relation nor half a derivative."""
@@ -539,6 +550,7 @@ class Builder:
                 dotted, k = True, k + 1
                 dots.append(len(factors))
                 continue
+            self.refuse_reynolds(items[k : k + 2])
             node, after = self.factor(items, k, dotted=dotted)
             factors.append(self.checked(node, item.at, statements=False))
             self.refuse_product(item, factors[-1], items[after:], alone=after == k + 1)
@@ -546,6 +558,14 @@ class Builder:
             dotted = False
         vectors = tuple(k for k in dots if self.is_vector(factors[k - 1]) and self.is_vector(factors[k]))
         return factors[0] if len(factors) == 1 else Mul(tuple(factors), vectors)
+
+    def refuse_reynolds(self, items: list[Item]) -> None:
+        """`Re` without a sign between its letters is hardly R times Euler's number."""
+        names = [item.node for item in items if isinstance(item.node, Name) and item.kind == "atom"]
+        if len(names) < 2 or names[0].letter != "R" or names[0].subscripts or items[0].postfix:
+            return
+        if names[1].letter.partition("_")[0] == "e":
+            raise self.fail(items[0].at, "the Reynolds number, or R times e? write \\cdot, or name one letter")
 
     def refuse_product(self, item: Item, node: Tree, rest: list[Item], *, alone: bool) -> None:
         """What stands behind a factor without a sign must be a factor without a doubt."""
@@ -568,6 +588,14 @@ class Builder:
             return
         letter = self.notation.find(name.letter, len(name.subscripts))
         shown, inside = to_latex(name), self.inside(after)
+        if isinstance(node, Pow) and node.exponent == Neg(Number("1")) and not isinstance(inside, Add | Neg):
+            raise self.fail(
+                after.at, f"the inverse function of {shown}, or its reciprocal? write a fraction for that one"
+            )
+        if after.square and isinstance(inside, _BRACKETS_ARE_IDLE) and not after.postfix:
+            raise self.fail(after.at, f"{shown} of what is in these brackets, or times it? write \\cdot")
+        if isinstance(inside, Tuple) and letter is not None and letter.whole:
+            raise self.fail(after.at, f"{shown} before several arguments; declare it with kind='function'")
         if letter is not None and letter.applies:
             raise self.fail(
                 after.at,
@@ -581,7 +609,8 @@ class Builder:
         if isinstance(inside, Tuple) and inside.kind == "()":
             inside = inside.items[0]
         idle = (Name, Number, Call) if after.postfix else _BRACKETS_ARE_IDLE
-        if not constant and isinstance(inside, idle):
+        value = isinstance(inside, Number) and not after.postfix  # a product with a number has it in front
+        if (not constant or value) and isinstance(inside, idle):
             raise self.fail(
                 after.at,
                 f"{shown} of what is in these brackets, or times it? declare {name.letter} with kind='function', or "

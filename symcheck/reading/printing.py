@@ -66,7 +66,8 @@ from symcheck.reading.tree import (
 # how tightly a printed form holds together: what is looser than its place needs is put in brackets
 LIST, IMPLIES, OR, AND, CHAIN, SUM, TERM, PRODUCT, FACTOR, ATOM = range(10)
 _LEVEL: dict[type[Tree], int] = {
-    System: LIST, CaseList: LIST, Located: LIST, Exists: LIST, Qualifier: LIST, Values: LIST, Forall: LIST, Words: LIST, BigProduct: PRODUCT,
+    System: LIST, CaseList: LIST, Located: LIST, Exists: LIST, Qualifier: LIST, Values: LIST, Forall: LIST, Words: LIST,
+    BigProduct: PRODUCT,
     Limiting: PRODUCT, Marked: FACTOR, Iff: LIST,
     Implies: IMPLIES, Or: OR, And: AND, Chain: CHAIN, Add: SUM, Neg: SUM, PlusMinus: SUM, Cross: TERM, Mul: PRODUCT,
     BigSum: PRODUCT, Integral: PRODUCT, Antiderivative: PRODUCT, Call: FACTOR, Pow: FACTOR, Transpose: FACTOR,

@@ -144,7 +144,7 @@ def _scripts_at_the_left(parts: list[Part]) -> list[Part]:
         start = k + 1 if empty else k
         before = next((p for p in reversed(found) if not (isinstance(p, str) and p in _SPACES)), "")
         bare = isinstance(before, str) and before in _NO_BASE
-        if start < len(parts) and parts[start] in ("^", "_") and (empty or bare):
+        if start < len(parts) and parts[start] in ("^", "_") and (empty or bare or _is_apart(parts, start, found)):
             scripts: dict[Part, Part] = {}
             m = start
             while m + 1 < len(parts) and parts[m] in ("^", "_") and str(parts[m]) not in scripts:
@@ -160,6 +160,14 @@ def _scripts_at_the_left(parts: list[Part]) -> list[Part]:
         found.append(parts[k])
         k += 1
     return found
+
+
+def _is_apart(parts: list[Part], k: int, before: list[Part]) -> bool:
+    r"""Does a space part the script here from what stands before it, as in `\mathbf{C} \, ^r \mathbf{m}`?"""
+    if not before or before[-1] not in (r"\,", r"\;", r"\:", "\\ ") or k + 1 >= len(parts):
+        return False
+    inside = parts[k + 1].parts if isinstance(parts[k + 1], Group) else [parts[k + 1]]
+    return len(inside) == 1 and isinstance(inside[0], str) and inside[0].isalpha() and inside[0] != "T"
 
 
 def _letter_here(parts: list[Part], k: int) -> tuple[list[Part], int]:
