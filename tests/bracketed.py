@@ -16,5 +16,6 @@ def bracketed(value: object) -> str:
         return to_latex(value)
     if isinstance(value, Tree):
         parts = [getattr(value, field.name) for field in fields(value)]  # type: ignore[arg-type]
-        return f"{type(value).__name__}({'; '.join(bracketed(part) for part in parts if part not in ((), None, False))})"
+        shown = "; ".join(bracketed(part) for part in parts if part not in ((), None, False))
+        return f"{type(value).__name__}({shown})"
     return ", ".join(map(bracketed, value)) if isinstance(value, tuple) else str(value)
