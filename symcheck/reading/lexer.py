@@ -58,9 +58,7 @@ SIMPLE = {
 }  # fmt: skip
 LIMITING = frozenset({"lim", "min", "max", "sup", "inf", "argmin", "argmax", "limsup", "liminf"})
 MARKS = frozenset({"+", "-", "*", r"\dagger", r"\star", r"\ddagger", r"\sharp", r"\flat"})  # scripts that are no power
-SETS = frozenset(
-    {r"\in", "<", ">", r"\le", r"\leq", r"\ge", r"\geq", r"\ne", r"\neq", r"\notin", "|", r"\mid", r"\subset"}
-)
+SETS = frozenset({r"\in", "<", ">", r"\le", r"\leq", r"\ge", r"\geq", r"\ne", r"\neq", r"\notin", r"\subset"})
 BASES = {"10": "lg", "2": "lb", "e": "ln"}  # of logarithms, with the functions that they are
 _ENDS = frozenset(
     {"MARK", "BLANK", "NUMBER", "NAME", "BANG", "TRANSPOSE", "DEGREE", "PRIMES", "DOTS", "INFINITY", *PARTNER}
