@@ -101,7 +101,6 @@ VERDICTS: dict[str, list[tuple[str, list[str]]]] = {
         ("AB = BA", []),
         ("(A + B)(A - B) = A^2 - B^2", []),
         ("(AB)^{-1} = A^{-1} B^{-1}", []),
-        (r"\sigma^2 = E[X^2] - \mu^2", []),
         ("E[XY] = E[X] Y", []),
         (r"\hat{\mathbf n}\cdot\dot{\hat{\mathbf n}} = 0", []),
         (r"\mathbf{a}\cdot\mathbf{b} = ab\cos\theta", []),
@@ -116,6 +115,9 @@ VERDICTS: dict[str, list[tuple[str, list[str]]]] = {
         (r"\delta(x^2) = 2 x \delta x", []),
         (r"\mathrm{d}(xy) = x \, \mathrm{d}y + y \, \mathrm{d}x", []),
         (r"dr = \frac{x dx + y dy}{r}", [r"r = \sqrt{x^2 + y^2}"]),
+    ],
+    "unreadable": [
+        (r"\sigma^2 = E[X^2] - \mu^2", []),
     ],
     "undecided": [
         (r"\frac{dy}{dx} = -\cot t", [r"x = \cos t", r"y = \sin t"]),

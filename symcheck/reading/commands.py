@@ -21,7 +21,20 @@ STYLES = frozenset(
     [r"\mathbf", r"\boldsymbol", r"\bm", r"\pmb", r"\mathcal", r"\mathscr", r"\mathfrak", r"\mathsf", r"\mathbb"]
 )
 ACCENTS = frozenset(
-    [r"\dot", r"\ddot", r"\dddot", r"\bar", r"\overline", r"\hat", r"\tilde", r"\vec", r"\widetilde", r"\widehat"]
+    [
+        r"\dot",
+        r"\ddot",
+        r"\dddot",
+        r"\bar",
+        r"\overline",
+        r"\hat",
+        r"\tilde",
+        r"\vec",
+        r"\breve",
+        r"\check",
+        r"\widetilde",
+        r"\widehat",
+    ]
 )
 ROMAN = frozenset({r"\text", r"\mathrm", r"\operatorname", r"\textrm", r"\mbox"})
 

@@ -22,7 +22,7 @@ GRAMMAR = r"""
 start: listing
 listing: entry (separator entry)*
 separator: COMMA | SEMI | NEWLINE | COMMA NEWLINE | SEMI NEWLINE
-entry: LABEL? formula (COLON formula)?
+entry: LABEL? formula (COLON formula)? | FORALL formula
 ?formula: exists | iff
 ?iff: implies | implies IFF (implies | exists)
 ?implies: either | either IMPLIES (implies | exists)
@@ -33,11 +33,12 @@ exists: EXISTS NAME (COMMA NAME)* COLON implies
 sum: (MINUS | PM)? term ((PLUS | MINUS | PM) term)*
 term: product ((SLASH | TIMES) product)?
 product: (item | CDOT)+
-item: primary BANG? (CARET LB sum RB | TRANSPOSE | DEGREE | PRIMES | AT LB chain RB (LB sum RB)?)?
-primary: NUMBER | NAME | FN | D | DOTS | INFINITY | LPAR listing RPAR | LBRA listing RBRA | LSET listing RSET
+item: primary BANG? (CARET LB sum RB | TRANSPOSE | DEGREE | PRIMES | MARK | AT LB chain RB (LB sum RB)?)?
+primary: NUMBER | BLANK | NAME | FN | D | DOTS | INFINITY | LPAR listing RPAR | LBRA listing RBRA | LSET listing RSET
        | LHALF listing RHALF | LBAR sum RBAR | LNORM sum RNORM | LANGLE sum RANGLE | FRAC LB sum RB LB sum RB
        | SQRT LB sum RB | ROOT LB sum RB LB sum RB | BINOMIAL LB sum RB LB sum RB | LLIST listing RLIST
        | SUM LB listing RB (LB sum RB)? | INT LB sum RB LB sum RB | ANTI
+       | PROD LB listing RB (LB sum RB)? | UNDER | LPAR listing MID listing RPAR | LBRA listing MID listing RBRA
        | DIAG (LPAR listing RPAR | LBRA listing RBRA) | MBEGIN row (ROW row)* MEND
        | CBEGIN case (ROW case)* CEND
 case: sum COMMA? CELL COMMA? (chain COMMA? | OTHERWISE)
@@ -45,7 +46,7 @@ row: sum (CELL sum)*
 %declare NUMBER NAME FN D DOTS LPAR RPAR LBRA RBRA LSET RSET LBAR RBAR LNORM RNORM LB RB FRAC SQRT SUM DIAG MBEGIN MEND
 %declare ROW CELL CARET TRANSPOSE DEGREE CDOT SLASH TIMES PLUS MINUS REL AND OR IMPLIES IFF EXISTS COLON COMMA SEMI
 %declare NEWLINE LABEL PRIMES PM INT ANTI INFINITY LANGLE RANGLE LHALF RHALF ROOT
-%declare BINOMIAL LLIST RLIST AT BANG CBEGIN CEND OTHERWISE
+%declare BINOMIAL LLIST RLIST AT BANG CBEGIN CEND OTHERWISE BLANK PROD UNDER MID FORALL MARK
 """
 
 

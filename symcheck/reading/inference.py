@@ -28,6 +28,10 @@ _SKEW = re.compile(r"\[ (.+) \] _ (?:\{ )?\\times(?: \})?")  # `[a]_\times`, by 
 _SIZES = re.compile(r"^(?:\{)?(\w+)(?:\\times(\w+))?(?:\})?$")
 
 
+# The letter itself, behind the two groups of scripts at its left; what follows it are scripts at its right.
+_CAPITAL_IN_FRAME = re.compile(r"\\prescript \{[^{}]*(?:\{[^{}]*\}[^{}]*)*\} \{[^{}]*\} \{ (?:\\\w+ \{ )*[A-Z]")
+
+
 @dataclass(frozen=True, slots=True)
 class Guess:
     """What one letter is taken for.
@@ -390,15 +394,28 @@ def gathered(formulas: Sequence[str], said: Mapping[str, str]) -> dict[str, Evid
 def names_of_several_tokens(formulas: Sequence[str], said: Mapping[str, str]) -> list[str]:
     r"""Names printed with several tokens: those of which something is said, and differences such as `\Delta x`."""
     found = [latex for latex in said if not is_letter(latex)]
+    alone = {text for formula in formulas for text in _outside_superscripts(formula)}
     for formula in formulas:
-        found += _labelled(formula)
+        found += _labelled(formula, FRAMES - alone)
     return list(dict.fromkeys(found))
 
 
 _SIGNS = frozenset({"*", "+", "-", r"\star", r"\dagger", r"\ddagger", r"\sharp", r"\flat"})
 
 
-def _labelled(formula: str) -> Iterator[str]:
+# Capitals that name frames and bodies above a letter; T transposes, and the others are often numbers.
+FRAMES = frozenset("ABCEFGOPQRSWXY")
+
+
+def _outside_superscripts(formula: str) -> Iterator[str]:
+    """The tokens of a formula that are no superscript by themselves."""
+    toks = ["", "", *(tok.text for tok in tex.tokenize(formula))]
+    for two, one, text in zip(toks, toks[1:], toks[2:], strict=False):
+        if one != "^" and (two, one) != ("^", "{"):
+            yield text
+
+
+def _labelled(formula: str, frames: frozenset[str] = frozenset()) -> Iterator[str]:
     r"""Letters with a superscript that is no power: `x^*`, `x_i^{(k)}`, `v^{\text{max}}`; matrices `[P]`, `[BN]`."""
     reader = tex.Reader(formula)
     toks = reader.toks
@@ -417,7 +434,7 @@ def _labelled(formula: str) -> Iterator[str]:
                 reader.group()
             yield " ".join(tok.text for tok in toks[start : reader.i])
             continue
-        if text in (r"\Delta", r"\delta") and tex.is_letter(reader.peek(1)) and not known(reader.peek(1)):
+        if text in (r"\Delta", r"\delta") and _begins_letter(reader.peek(1)):
             try:
                 reader.i += 1
                 reader.spelling()
@@ -433,19 +450,29 @@ def _labelled(formula: str) -> Iterator[str]:
             continue
         try:
             word, label = reader.spelling(), False
+            behind = reader.i
             while not known(word) and reader.peek() in ("_", "^"):
                 mark, reader.i = reader.peek(), reader.i + 1
                 inside = [tok.text for tok in reader.group() if tok.text not in SPACES]
-                label = label or (mark == "^" and _is_label(inside))
+                frame = len(inside) == 1 and inside[0] in frames and word != "e"
+                label = label or (mark == "^" and (frame or _is_label(inside)))
             if label:
                 yield " ".join(tok.text for tok in toks[start : reader.i])
+            else:
+                reader.i = behind
         except SymcheckError:
             reader.i = max(reader.i, start + 1)
+
+
+def _begins_letter(text: str) -> bool:
+    return text in ACCENTS | STYLES or (tex.is_letter(text) and not known(text))
 
 
 def _is_label(inside: Sequence[str]) -> bool:
     """Is a superscript a sign, a number in brackets or a word, so that it is no power?"""
     bracketed = len(inside) > 2 and (inside[0], inside[-1]) in {("(", ")"), ("[", "]")}
+    if len(inside) == 3 and inside[1] == "/" and inside[0].isupper() and inside[2].isupper():
+        return True  # of one point or frame to another
     word = _is_word(inside) and "".join(inside[1:]).strip("{}") not in ("T", "H", "i", "j", "e", "d")
     return (len(inside) == 1 and inside[0] in _SIGNS) or bracketed or word
 
@@ -569,7 +596,7 @@ def _options(of: Evidence, every: Mapping[str, Evidence], defined: Mapping[str, 
     elif of.dotted or _is_derived(of):
         yield from _dependent(of, every, latex in defined)
     elif of.whole and latex.startswith(r"\prescript"):
-        kind = "matrix" if re.search(r"\{ (?:\\\w+ \{ )?[A-Z]", latex.split("} {")[-1]) else "vector"
+        kind = "matrix" if _CAPITAL_IN_FRAME.match(latex) else "vector"
         yield Guess(_letter(of, kind=kind, depends=""), f"a {kind}", "a frame stands at its left")
     elif of.whole and latex.startswith("["):
         yield Guess(_letter(of, kind="matrix", depends=""), "a matrix", "it stands in brackets")
@@ -609,7 +636,7 @@ def _beside_vectors(of: Evidence, every: Mapping[str, Evidence]) -> bool:
 
     def is_vector(spelling: str) -> bool:
         each = every.get(spelling)
-        styled = _is_styled(spelling, capital=False)
+        styled = _is_styled(spelling, capital=False) or spelling.startswith(r"\prescript")
         return each is not None and (
             styled or each.said == "vector" or re.fullmatch(r"real \d+", each.said) is not None
         )
@@ -690,7 +717,7 @@ def _common_arguments(of: Evidence) -> tuple[str, ...]:
 
 def _may_be_factor(of: Evidence) -> bool:
     """Could it be multiplied with what stands in brackets behind it, a sum or a product?"""
-    return all(len(args) == 1 and len(args[0].split()) > 1 for args in of.arguments)
+    return all(len(args) == 1 and {"+", "-", r"\pm", r"\mp"} & set(args[0].split()) for args in of.arguments)
 
 
 def _varies(of: Evidence) -> bool:

@@ -52,15 +52,24 @@ PARTNER = {
 }  # fmt: skip
 SIMPLE = {
     "+": "PLUS", "-": "MINUS", "/": "SLASH", r"\cdot": "CDOT", r"\times": "TIMES", ",": "COMMA", ";": "SEMI",
-    ":": "COLON", r"\dots": "DOTS", r"\ldots": "DOTS", r"\cdots": "DOTS",
+    ":": "COLON", r"\dots": "DOTS", r"\ldots": "DOTS", r"\cdots": "DOTS", r"\vdots": "DOTS",
+    r"\ddots": "DOTS",
     "!": "BANG", r"\pm": "PM", r"\mp": "PM", r"\infty": "INFINITY", r"\langle": "LANGLE",
 }  # fmt: skip
-_ENDS = frozenset({"NUMBER", "NAME", "BANG", "TRANSPOSE", "DEGREE", "PRIMES", "DOTS", "INFINITY", *PARTNER})
+LIMITING = frozenset({"lim", "min", "max", "sup", "inf", "argmin", "argmax", "limsup", "liminf"})
+MARKS = frozenset({"+", "-", "*", r"\dagger", r"\star", r"\ddagger", r"\sharp", r"\flat"})  # scripts that are no power
+SETS = frozenset({r"\in", "<", ">", r"\le", r"\leq", r"\ge", r"\geq", r"\ne", r"\neq", r"\notin", r"\subset"})
+BASES = {"10": "lg", "2": "lb", "e": "ln"}  # of logarithms, with the functions that they are
+_ENDS = frozenset(
+    {"MARK", "BLANK", "NUMBER", "NAME", "BANG", "TRANSPOSE", "DEGREE", "PRIMES", "DOTS", "INFINITY", *PARTNER}
+)
 _OPERATORS = frozenset({"PLUS", "MINUS", "PM", "REL", "AND", "OR", "IMPLIES", "IFF", "CDOT", "TIMES", "SLASH"})
 _BREAKS = frozenset({"COMMA", "SEMI", "COLON"})
 WIDE_COMMA = r",\quad"
 _JOINS = (
-    _OPERATORS | _BREAKS | frozenset({"NEWLINE", "CELL", "ROW", "CARET", "TRANSPOSE", "DEGREE", "PRIMES", *PARTNER})
+    _OPERATORS
+    | _BREAKS
+    | frozenset({"NEWLINE", "CELL", "ROW", "CARET", "MID", "MARK", "TRANSPOSE", "DEGREE", "PRIMES", *PARTNER})
 )
 # The tokens that may be left out, doubled or exchanged for another of them where the statement stays the same: spaces,
 # line breaks and alignment, sizes of brackets, the sign of a product, what separates relations or ends a sentence.
@@ -161,6 +170,8 @@ class Lexer(tex.Reader):
             self.environment()
         elif text in ("&", r"\\"):
             self.cell()
+        elif text == r"\mid" and self.mid():
+            return
         elif text in ("|", r"\|", r"\Vert"):
             self.bar()
         elif text in TAKING:
@@ -173,8 +184,15 @@ class Lexer(tex.Reader):
                 self.emit(kind, text, at)
             for _ in range(count):
                 self.argument()
-        elif text in (r"\sum", r"\int"):
-            self.bounded("SUM" if text == r"\sum" else "INT")
+        elif text in (r"\sum", r"\prod", r"\int"):
+            self.bounded({r"\sum": "SUM", r"\prod": "PROD"}.get(text, "INT"))
+        elif self.limiting():
+            return
+        elif text == r"\forall":
+            if self.last() in _ENDS:
+                self.emit("COMMA", WIDE_COMMA, at)
+            self.i += 1
+            self.emit("FORALL", text, at)
         elif text == r"\rangle":
             self.mean_ends()
         elif text in "^'":
@@ -187,6 +205,9 @@ class Lexer(tex.Reader):
         elif text in OPEN or text in CLOSE:
             self.i += 1
             self.emit(OPEN.get(text) or CLOSE[text], text, at)
+        elif text == ";" and self.parameters():
+            self.i += 1
+            self.emit("MID", ";", at)
         elif text in SIMPLE or text in RELATIONS or text in LOGIC:
             self.i += 1
             kind = SIMPLE.get(text) or LOGIC.get(text) or "REL"
@@ -314,9 +335,50 @@ class Lexer(tex.Reader):
         text, at = self.peek(), self.at()
         self.i += 1
         kind = "BAR" if text == "|" else "NORM"
+        if opening is None and text == "|" and self.divides():
+            self.emit("MID", text, at)
+            return
         if opening is None:
             opening = not (self.open and self.open[-1].type == f"L{kind}" and self.last() in _ENDS)
         self.emit(f"{'L' if opening else 'R'}{kind}", text, at)
+
+    def parameters(self) -> bool:
+        """Is this semicolon the only one in the round brackets behind a letter: `f(x; p)`?"""
+        opening = self.open[-1] if self.open else None
+        if opening is None or opening.type != "LPAR":
+            return False
+        start = self.out.index(opening)
+        before = self.out[start - 1] if start else None
+        if before is None or before.type != "NAME" or any(x.type in ("MID", "SEMI") for x in self.out[start:]):
+            return False
+        ahead = [tok.text for tok in self.toks[self.i + 1 :]]
+        return ";" not in ahead[: ahead.index(")")] if ")" in ahead else False
+
+    def mid(self) -> bool:
+        """A bar that is printed as a sign of relation, in brackets."""
+        at, self.i = self.at(), self.i + 1
+        if self.divides():
+            self.emit("MID", "|", at)
+            return True
+        self.i -= 1
+        return False
+
+    def divides(self) -> bool:
+        """Is this bar, behind its token, the only one in the brackets of a letter: `p(a | b)`?"""
+        opening = self.open[-1] if self.open else None
+        if opening is None or opening.type not in ("LPAR", "LBRA") or self.last() not in _ENDS:
+            return False
+        start = self.out.index(opening)
+        if not start or self.out[start - 1].type != "NAME" or any(x.type in ("MID", "LBAR") for x in self.out[start:]):
+            return False
+        depth = 1
+        for tok in self.toks[self.i :]:
+            depth += (tok.text in OPEN) - (tok.text in CLOSE)
+            if not depth:
+                return True
+            if tok.text in ("|", r"\mid"):
+                return False
+        return False
 
     def condition(self) -> bool:
         """A word before a condition in a list of values, which is layout, or the one that stands for the rest."""
@@ -366,6 +428,8 @@ class Lexer(tex.Reader):
                 self.out.pop()
             if self.last() == "ROW":
                 self.out.pop()
+            if self.last() == "CELL":
+                self.emit("BLANK", "", at)
             self.emit("MEND", name, at)
 
     def cell(self) -> None:
@@ -377,6 +441,8 @@ class Lexer(tex.Reader):
                 self.i += 1
             self.i += 1
         if in_matrix:
+            if self.last() in ("MBEGIN", "CELL") or (self.last() == "ROW" and text == "&"):
+                self.emit("BLANK", "", at)
             self.emit("ROW" if text == r"\\" else "CELL", text, at)
         elif text == r"\\":
             self.emit("NEWLINE", text, at)
@@ -393,10 +459,39 @@ class Lexer(tex.Reader):
         unit = self.peek(ahead) + self.peek(ahead + 1)
         return unit in {"pt", "em", "ex", "mm", "cm"} and self.peek(ahead + 2) == "]"
 
+    def limiting(self) -> bool:
+        r"""`\lim_{x \to 0}`, `\min_x`, `\arg\min_x`: the operator with what is printed below it."""
+        start, at = self.i, self.at()
+        operator = ""
+        while self.peek()[:1] == "\\" and not operator.endswith(("lim", "min", "max", "sup", "inf")):
+            text = self.peek()
+            self.i += 1
+            if text in ROMAN and self.peek() == "{":
+                text = "".join(tok.text for tok in self.group() if tok.text not in SPACES)
+            elif text in SPACES:
+                continue
+            operator += text.removeprefix("\\")
+            if not any(name.startswith(operator) for name in LIMITING):
+                break
+        if operator not in LIMITING or self.peek() != "_" or self.notation.knows(self.toks[start].text):
+            self.i = start
+            return False
+        self.i += 1
+        below = " ".join(tok.text for tok in self.group())
+        if not below:
+            self.fail("an empty subscript", at)
+        self.emit("UNDER", (operator, f"_{{ {below} }}"), at)
+        self.bounds = len(self.out)
+        return True
+
     def bounded(self, kind: str) -> None:
         """The sign of a sum or an integral with its bounds, the lower one first."""
         at = self.at()
         self.i += 1
+        if kind != "INT" and (scripts := self.over_set()):
+            self.emit("UNDER", ({"SUM": "sum"}.get(kind, "prod"), scripts), at)
+            self.bounds = len(self.out)
+            return
         bounds: dict[str, list[Lexeme]] = {}
         while self.peek() in SPACES:
             self.i += 1
@@ -407,22 +502,43 @@ class Lexer(tex.Reader):
             self.argument()
             bounds[which] = self.out[mark:]
             del self.out[mark:]
-        if "_" not in bounds and kind == "SUM":
+        if "_" not in bounds and kind != "INT":
             self.fail("a sum without an index", at)
         if len(bounds) < 2 and kind == "INT":
             if bounds:
                 self.fail("an integral with one bound", at)
             self.emit("ANTI", r"\int", at)
             return
-        self.emit(kind, r"\sum" if kind == "SUM" else r"\int", at)
+        self.emit(kind, {"SUM": r"\sum", "PROD": r"\prod"}.get(kind, r"\int"), at)
         self.out += bounds["_"] + bounds.get("^", [])
         self.bounds = len(self.out)
 
+    def over_set(self) -> str:
+        r"""The scripts of a sum that are no bounds, as printed: `_{i \in S}`, `_{i < j}`, `_i^N`; else nothing."""
+        start, found = self.i, dict[str, str]()
+        while self.peek() in ("_", "^") and self.peek() not in found:
+            mark = self.peek()
+            self.i += 1
+            found[mark] = " ".join(tok.text for tok in self.group())
+        below = found.get("_", "").split()
+        if not below or not (SETS & set(below) or ("^" in found and "=" not in below)):
+            self.i = start
+            return ""
+        return "".join(f"{mark}{{ {found[mark]} }}" for mark in ("_", "^") if mark in found)
+
     def evaluated(self, at: int) -> None:
         r"""The place at which what is in brackets, or before a bar, is taken: `_{t=0}^1`."""
-        if self.last() != "RBRA" and not (self.out and self.out[-1].type == "RPLACE"):
+        closed = self.last() in ("RPAR", "RBRA", "RSET") and bool(self.out) and self.out[-1].type != "GAP"
+        if not closed:
             self.fail("a subscript without a letter before it")
         self.i += 1
+        inside = [tok.text for tok in self.toks[self.i : self.i + self.length()]]
+        if "=" not in inside or self.last() != "RBRA":
+            self.group()
+            if self.peek() in ("^", "_", "'") or not inside:
+                self.fail("a subscript and another script behind a bracket", at)
+            self.emit("MARK", f"_{' '.join(inside)}", at)
+            return
         mark = len(self.out)
         self.emit("AT", "_", at)
         self.argument()
@@ -436,11 +552,19 @@ class Lexer(tex.Reader):
         """An exponent, a transposition, a degree sign or primes behind a bracket."""
         at = self.at()
         if self.peek() == "'":
+            start, count = self.i, self.primes()
+            if self.peek() != "_" and self.last() in ("RPAR", "RBRA"):
+                self.emit("MARK", "'" * count, at)
+                return
+            self.i = start
             self.emit("PRIMES", self.primed(at), at)
             return
         self.i += 1
         inside = [t.text for t in self.toks[self.i : self.i + self.length()] if t.text not in {"{", "}"} | ROMAN]
-        if inside == [r"\circ"]:
+        if len(inside) == 1 and inside[0] in MARKS and self.last() in ("RPAR", "RBRA"):
+            self.group()
+            self.emit("MARK", f"^{inside[0]}", at)
+        elif inside == [r"\circ"]:
             self.group()
             self.emit("DEGREE", None, at)
         elif inside in (["T"], [r"\top"], [r"\intercal"]) and self.transposes():
@@ -499,9 +623,19 @@ class Lexer(tex.Reader):
             word = self.word() or self.spelling()
         plain = word.removeprefix(r"\text{").removesuffix("}").removeprefix("\\")
         if word.startswith("\\") and (plain in FUNCTIONS or plain == "diag") and not self.notation.knows(word):
+            if plain == "log" and self.peek() == "_":
+                plain = self.based(at)
             self.emit("DIAG" if plain == "diag" else "FN", plain, at)
             return
         self.name(word, at)
+
+    def based(self, at: int) -> str:
+        r"""The function that `\log_{10}` or `\log_2` is."""
+        self.i += 1
+        base = "".join(tok.text for tok in self.group())
+        if base not in BASES:
+            self.fail(f"a logarithm to the base {base}; write a quotient of logarithms", at)
+        return BASES[base]
 
     def word(self) -> str:
         """A declared letter of several characters, such as `Ox`; the longest that begins here."""
@@ -718,7 +852,7 @@ class Lexer(tex.Reader):
                         pending = None
                         continue
                 elif before.type not in _BREAKS and before.type not in PARTNER.values():
-                    if lexeme.type in {"PLUS", "MINUS", "PM"} and self.relates(lexeme):
+                    if lexeme.type in {"MINUS", "PM"} and self.relates(lexeme):
                         self.fail("a line begins with a sign that the line before does not end with", lexeme.at)
                     if lexeme.type not in _OPERATORS | _BREAKS and lexeme.type not in PARTNER:
                         out.append(pending)

@@ -62,6 +62,7 @@ from symcheck.reading.tree import (
     And,
     Antiderivative,
     Bars,
+    BigProduct,
     BigSum,
     Binomial,
     Call,
@@ -77,6 +78,7 @@ from symcheck.reading.tree import (
     Evaluated,
     Exists,
     Factorial,
+    Forall,
     Iff,
     Implies,
     Infinity,
@@ -101,6 +103,7 @@ from symcheck.reading.tree import (
     Tree,
     Tuple,
     Values,
+    Words,
     children,
     walk,
     with_children,
@@ -416,6 +419,8 @@ class Lowering:
             )
         if isinstance(tree, Exists):
             return node("exists", tuple(self.variables(tree.names, env)), self.formula(tree.body, env))
+        if isinstance(tree, Forall | Words):
+            raise SymcheckError(f"{to_latex(tree)} has no algebraic form; state for what it holds as a condition")
         raise SymcheckError(f"{to_latex(tree)} is neither true nor false; a relation is expected")
 
     def variables(self, names: Iterable[Tree], env: Env) -> Iterator[str]:
@@ -895,6 +900,22 @@ class Lowering:
         if not values:
             raise SymcheckError(f"{to_latex(tree)} is an empty sum; check its bounds")
         return values[0] if len(values) == 1 else zipped(added, values)
+
+    def of_bigproduct(self, tree: BigProduct, env: Env) -> Value:
+        if (ends := self.ends(tree, env)) is not None:
+            (index,), (low, high) = tree.indices, ends
+            letter = self.notation.index(index)
+            if letter is None or high == INFINITY:
+                raise SymcheckError(f"{to_latex(tree)}: a product without end has no algebraic form")
+            return node("product", self.scalar(tree.body, {**env, index: letter.stem}), letter.stem, low, high)
+        ranges = [self.bounds(tree, index, env) for index in tree.indices]
+        values = [
+            self.complex(tree.body, {**env, **dict(zip(tree.indices, at, strict=True))})
+            for at in itertools.product(*ranges)
+        ]
+        if len(values) < 2:
+            raise SymcheckError(f"{to_latex(tree)} is a product of fewer than two factors; check its bounds")
+        return multiplied(*values)
 
     def ends(self, tree: BigSum, env: Env) -> tuple[Term, Term] | None:
         """The bounds of a sum that cannot be written out."""

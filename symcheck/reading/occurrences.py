@@ -98,8 +98,11 @@ class Scan(tex.Reader):
         stop = len(self.toks) if stop is None else stop
         while self.i < stop:
             text = self.peek()
+            before = self.peek(-1) if self.i else ""
             if self.wholes and (name := self.whole()):
-                yield Occurrence(name, role=scope.role, by=scope.by)
+                yield Occurrence(
+                    name, arguments=self.arguments(), role=scope.role, by=scope.by, before=before, after=self.peek()
+                )
             elif text in (r"\begin", r"\end"):
                 self.environment()
             elif text in SIGNED_SUMS:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import itertools
 from collections import Counter
 from collections.abc import Container, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import lru_cache
 from typing import Any
 
@@ -24,8 +24,10 @@ from symcheck.reading.tree import (
     And,
     Antiderivative,
     Bars,
+    BigProduct,
     BigSum,
     Binomial,
+    Blank,
     Call,
     CaseList,
     Chain,
@@ -39,12 +41,16 @@ from symcheck.reading.tree import (
     Evaluated,
     Exists,
     Factorial,
+    Forall,
+    Given,
     Iff,
     Implies,
     Infinity,
     Integral,
     Interval,
+    Limiting,
     Located,
+    Marked,
     MatrixOf,
     Mean,
     Mul,
@@ -65,6 +71,7 @@ from symcheck.reading.tree import (
     Tree,
     Tuple,
     Values,
+    Words,
     children,
     walk,
 )
@@ -114,6 +121,7 @@ class Item:
     letters: tuple[Name, ...] = ()
     partial: bool = False
     square: bool = False
+    text: str = ""  # what is printed below, or as a mark
 
 
 def read(latex: str | Sequence[str], notation: Notation) -> Tree:
@@ -213,6 +221,8 @@ class Builder:
         return Listing(entries, [separator.type for separator in separators], _place(nodes[0]), wide)
 
     def on_entry(self, nodes: list[ParseNode]) -> tuple[str, Tree]:
+        if getattr(nodes[0], "type", "") == "FORALL":
+            return "", Forall(self.checked(self.build(nodes[1]), nodes[0].value.at))
         label = nodes.pop(0).value.value if not hasattr(nodes[0], "data") else ""
         tree = self.checked(self.build(nodes[0]), _place(nodes[0]))
         return label, Located(self.term_of(nodes[0]), self.build(nodes[2])) if len(nodes) > 1 else tree
@@ -229,6 +239,8 @@ class Builder:
         self.refuse_idle(parts, qualifiers, at)
         if len(parts) == 1 and not qualifiers:
             return parts[0]
+        if any(isinstance(part, STATEMENTS) for part in parts):
+            parts = [Words(part) if _is_words(part) else part for part in parts]
         stated = [isinstance(part, STATEMENTS) for part in parts]
         if not all(stated) and (any(stated) or qualifiers):
             raise self.fail(
@@ -434,8 +446,19 @@ class Builder:
         return tree
 
     def on_chain(self, nodes: list[ParseNode]) -> Tree:
-        members = tuple(self.term_of(node) for node in nodes[0::2])
-        return Chain(members, tuple(node.value.value for node in nodes[1::2]))
+        members = [self.term_of(node) for node in nodes[0::2]]
+        signs = tuple(node.value.value for node in nodes[1::2])
+        for k, sign in enumerate(signs, 1):
+            right = members[k]
+            if (
+                not self.notation.bracket
+                and sign == "="
+                and isinstance(members[0], Name)
+                and isinstance(right, Interval)
+                and right.ends == "[]"
+            ):
+                members[k] = Tuple((right.low, right.high), "[]")  # no letter is equal to an interval of numbers
+        return Chain(tuple(members), signs)
 
     def term_of(self, node: ParseNode) -> Tree:
         """An expression: neither a relation nor half a derivative."""
@@ -463,6 +486,10 @@ class Builder:
         for sign, term, part in zip(signs, terms, parts, strict=True):
             if sign in (r"\pm", r"\mp") and isinstance(term, Number) and "." in term.text:
                 raise self.fail(_place(part), "both signs, or the error of a measured value? write it out")
+        for term, part in zip(terms[:-1], parts, strict=False):
+            last = term.factors[-1] if isinstance(term, Mul) else term
+            if isinstance(last, Limiting):
+                raise self.fail(_place(part), f"does what follows belong to the {last.operator}? write brackets")
         signed = tuple(_signed(sign, term) for sign, term in zip(signs, terms, strict=True))
         return signed[0] if len(signed) == 1 else Add(signed)
 
@@ -472,7 +499,7 @@ class Builder:
             return self.product(left)
         right = self.items(nodes[2])
         if nodes[1].type == "TIMES":
-            if any(item.kind in ("sum", "integral") for item in left):
+            if any(item.kind in ("sum", "integral", "under") for item in left):
                 raise self.fail(nodes[1].value.at, "a cross product behind a sum is ambiguous")
             return Cross(self.plain(left), self.plain(right))
         at = nodes[1].value.at
@@ -484,7 +511,7 @@ class Builder:
         if len(right) > 1 and not isinstance(bottom, Call) and not below:
             raise self.fail(at, "a slash before several factors is ambiguous")
         bare = _ends_bare(left) and right[0].kind != "function"
-        if any(item.kind in ("sum", "integral") for item in left + right) or bare:
+        if any(item.kind in ("sum", "integral", "under") for item in left + right) or bare:
             raise self.fail(at, "a slash behind a sum or a function without brackets is ambiguous")
         return Div(self.checked(top, at, statements=False), self.checked(bottom, at, statements=False))
 
@@ -523,6 +550,7 @@ class Builder:
                 dotted, k = True, k + 1
                 dots.append(len(factors))
                 continue
+            self.refuse_reynolds(items[k : k + 2])
             node, after = self.factor(items, k, dotted=dotted)
             factors.append(self.checked(node, item.at, statements=False))
             self.refuse_product(item, factors[-1], items[after:], alone=after == k + 1)
@@ -530,6 +558,14 @@ class Builder:
             dotted = False
         vectors = tuple(k for k in dots if self.is_vector(factors[k - 1]) and self.is_vector(factors[k]))
         return factors[0] if len(factors) == 1 else Mul(tuple(factors), vectors)
+
+    def refuse_reynolds(self, items: list[Item]) -> None:
+        """`Re` without a sign between its letters is hardly R times Euler's number."""
+        names = [item.node for item in items if isinstance(item.node, Name) and item.kind == "atom"]
+        if len(names) < 2 or names[0].letter != "R" or names[0].subscripts or items[0].postfix:
+            return
+        if names[1].letter.partition("_")[0] == "e":
+            raise self.fail(items[0].at, "the Reynolds number, or R times e? write \\cdot, or name one letter")
 
     def refuse_product(self, item: Item, node: Tree, rest: list[Item], *, alone: bool) -> None:
         """What stands behind a factor without a sign must be a factor without a doubt."""
@@ -552,6 +588,14 @@ class Builder:
             return
         letter = self.notation.find(name.letter, len(name.subscripts))
         shown, inside = to_latex(name), self.inside(after)
+        if isinstance(node, Pow) and node.exponent == Neg(Number("1")) and not isinstance(inside, Add | Neg):
+            raise self.fail(
+                after.at, f"the inverse function of {shown}, or its reciprocal? write a fraction for that one"
+            )
+        if after.square and isinstance(inside, _BRACKETS_ARE_IDLE) and not after.postfix:
+            raise self.fail(after.at, f"{shown} of what is in these brackets, or times it? write \\cdot")
+        if isinstance(inside, Tuple) and letter is not None and letter.whole:
+            raise self.fail(after.at, f"{shown} before several arguments; declare it with kind='function'")
         if letter is not None and letter.applies:
             raise self.fail(
                 after.at,
@@ -565,7 +609,8 @@ class Builder:
         if isinstance(inside, Tuple) and inside.kind == "()":
             inside = inside.items[0]
         idle = (Name, Number, Call) if after.postfix else _BRACKETS_ARE_IDLE
-        if not constant and isinstance(inside, idle):
+        value = isinstance(inside, Number) and not after.postfix  # a product with a number has it in front
+        if (not constant or value) and isinstance(inside, idle):
             raise self.fail(
                 after.at,
                 f"{shown} of what is in these brackets, or times it? declare {name.letter} with kind='function', or "
@@ -594,7 +639,12 @@ class Builder:
         if item.kind == "sum":
             if k + 1 == len(items) or items[k + 1].kind == "dot" or item.bounds is None:
                 raise self.fail(item.at, "a sum of nothing")
-            return BigSum(*item.bounds, self.plain(items[k + 1 :])), len(items)
+            made = BigProduct if item.name else BigSum
+            return made(*item.bounds, self.plain(items[k + 1 :])), len(items)
+        if item.kind == "under":
+            if k + 1 == len(items) or items[k + 1].kind == "dot":
+                raise self.fail(item.at, f"{item.name} of nothing")
+            return Limiting(item.name, item.text, self.plain(items[k + 1 :])), len(items)
         if item.kind in ("integral", "antiderivative"):
             return self.integral(items, k), len(items)
         if item.kind == "operator":
@@ -663,6 +713,9 @@ class Builder:
         """A function letter with its arguments in brackets, or alone; any other factor as it is."""
         item, after = items[k], items[k + 1] if k + 1 < len(items) else None
         name = item.node
+        if isinstance(name, Name) and after is not None and after.kind == "given" and not item.postfix:
+            assert after.node is not None
+            return self.postfixed(Call(name, (after.node,)), after), k + 2
         if not isinstance(name, Name) or after is None or after.kind != "group" or item.postfix not in ("", "CARET"):
             return self.atom(item), k + 1
         if not self.applies(name):
@@ -701,6 +754,10 @@ class Builder:
             if items[k].postfix:
                 raise self.fail(items[k].at, f"does this power belong to {head.name} or to its argument?")
             return self.powered(head, self.entries(items[k].listing)), k + 1
+        if k < len(items) and items[k].square and not items[k].postfix and items[k].node is not None:
+            inside = items[k].node
+            if not isinstance(inside, Interval | Tuple | None):
+                return self.powered(head, (inside,)), k + 1
         if k < len(items) and items[k].kind == "fraction" and not items[k].postfix:
             argument: Tree = self.atom(items[k])
             k += 1
@@ -796,6 +853,8 @@ class Builder:
 
     def atom(self, item: Item) -> Tree:
         """A factor that needs nothing from its right."""
+        if item.kind == "given":
+            raise self.fail(item.at, "a condition in brackets behind nothing that it belongs to")
         if item.kind == "group":
             node = self.bracketed(item.listing, "()")
         elif isinstance(item.node, Name) and self.applies(item.node):
@@ -814,6 +873,8 @@ class Builder:
             return Transpose(node)
         if item.postfix == "DEGREE":
             return Degrees(node)
+        if item.postfix == "MARK":
+            return Marked(node, item.text)
         if item.postfix == "PRIMES":
             return Derivative(node, tuple(Counter(item.letters).items()), partial=True)
         assert item.power is not None
@@ -902,12 +963,14 @@ class Builder:
             item, nodes = Item("fraction", item.at, Factorial(self.atom(item))), [nodes[0], *nodes[2:]]
         if len(nodes) > 1:
             item.postfix = nodes[1].type
-            if item.kind in ("sum", "integral", "antiderivative") or (
+            if item.kind in ("sum", "integral", "antiderivative", "under") or (
                 item.kind in ("function", "operator") and item.postfix != "CARET"
             ):
                 raise self.fail(nodes[1].value.at, "this cannot stand here")
         if item.postfix == "AT":
             return Item("atom", item.at, self.evaluated(item, nodes))
+        if item.postfix == "MARK":
+            item.text = nodes[1].value.value
         if item.postfix == "PRIMES":
             item.letters = nodes[1].value.value
         if item.postfix == "CARET":
@@ -950,13 +1013,32 @@ class Builder:
     def from_d(self, nodes: list[ParseNode], at: int) -> Item:
         return Item("d", at, partial=nodes[0].value.value.letter == r"\partial")
 
+    def from_blank(self, nodes: list[ParseNode], at: int) -> Item:
+        return Item("atom", at, Blank())
+
     def from_dots(self, nodes: list[ParseNode], at: int) -> Item:
         return Item("atom", at, Dots())
 
+    def given(self, nodes: list[ParseNode], at: int) -> Item:
+        """What stands in brackets on a condition."""
+        items, conditions = ([tree for _, tree in self.build(node).entries] for node in (nodes[1], nodes[3]))
+        return Item("given", at, Given(tuple(items), tuple(conditions), nodes[2].value.value))
+
+    def from_under(self, nodes: list[ParseNode], at: int) -> Item:
+        operator, scripts = nodes[0].value.value
+        return Item("under", at, name=operator, text=scripts)
+
+    def from_prod(self, nodes: list[ParseNode], at: int) -> Item:
+        return replace(self.from_sum(nodes, at), name="product")
+
     def from_lpar(self, nodes: list[ParseNode], at: int) -> Item:
+        if len(nodes) > 3:
+            return self.given(nodes, at)
         return Item("group", at, listing=self.build(nodes[1]))
 
     def from_lbra(self, nodes: list[ParseNode], at: int) -> Item:
+        if len(nodes) > 3:
+            return self.given(nodes, at)
         return Item("atom", at, self.bracketed(self.build(nodes[1]), "[]"), square=True)
 
     def from_lhalf(self, nodes: list[ParseNode], at: int) -> Item:
@@ -1070,6 +1152,12 @@ def _signed(sign: str, term: Tree) -> Tree:
 
 def _is_signed(tree: Tree) -> bool:
     return any(isinstance(node, PlusMinus) for _, node in walk(tree))
+
+
+def _is_words(tree: Tree) -> bool:
+    """A name in upright letters that is no letter with an index."""
+    name = tree.function if isinstance(tree, Call) and not tree.arguments else tree
+    return isinstance(name, Name) and name.letter.startswith(r"\text{") and len(name.letter) > len(r"\text{dx}")
 
 
 def _place(node: ParseNode) -> int:

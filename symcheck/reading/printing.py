@@ -12,8 +12,10 @@ from symcheck.reading.tree import (
     And,
     Antiderivative,
     Bars,
+    BigProduct,
     BigSum,
     Binomial,
+    Blank,
     Call,
     CaseList,
     Chain,
@@ -27,12 +29,16 @@ from symcheck.reading.tree import (
     Evaluated,
     Exists,
     Factorial,
+    Forall,
+    Given,
     Iff,
     Implies,
     Infinity,
     Integral,
     Interval,
+    Limiting,
     Located,
+    Marked,
     MatrixOf,
     Mean,
     Mul,
@@ -53,13 +59,16 @@ from symcheck.reading.tree import (
     Tree,
     Tuple,
     Values,
+    Words,
     walk,
 )
 
 # how tightly a printed form holds together: what is looser than its place needs is put in brackets
 LIST, IMPLIES, OR, AND, CHAIN, SUM, TERM, PRODUCT, FACTOR, ATOM = range(10)
 _LEVEL: dict[type[Tree], int] = {
-    System: LIST, CaseList: LIST, Located: LIST, Exists: LIST, Qualifier: LIST, Values: LIST, Iff: LIST,
+    System: LIST, CaseList: LIST, Located: LIST, Exists: LIST, Qualifier: LIST, Values: LIST, Forall: LIST, Words: LIST,
+    BigProduct: PRODUCT,
+    Limiting: PRODUCT, Marked: FACTOR, Iff: LIST,
     Implies: IMPLIES, Or: OR, And: AND, Chain: CHAIN, Add: SUM, Neg: SUM, PlusMinus: SUM, Cross: TERM, Mul: PRODUCT,
     BigSum: PRODUCT, Integral: PRODUCT, Antiderivative: PRODUCT, Call: FACTOR, Pow: FACTOR, Transpose: FACTOR,
     Degrees: FACTOR, Derivative: FACTOR, Div: FACTOR,
@@ -146,7 +155,7 @@ def _mul(tree: Mul) -> str:
 
 
 def _factor(factor: Tree, *, last: bool) -> str:
-    if isinstance(factor, BigSum | Integral | Antiderivative) and last:
+    if isinstance(factor, BigSum | Integral | Antiderivative | Limiting) and last:
         return _print(factor, PRODUCT)
     return _print(factor, FACTOR)
 
@@ -234,7 +243,12 @@ def _base(base: Tree) -> str:
 def _sum(tree: BigSum) -> str:
     low = f" = {_print(tree.low, SUM)}" if tree.low is not None else ""
     high = f"^{{{_print(tree.high, SUM)}}}" if tree.high is not None else ""
-    return rf"\sum_{{{', '.join(tree.indices)}{low}}}{high} {_print(tree.body, PRODUCT)}"
+    sign = r"\prod" if isinstance(tree, BigProduct) else r"\sum"
+    return rf"{sign}_{{{', '.join(tree.indices)}{low}}}{high} {_print(tree.body, PRODUCT)}"
+
+
+def _operator(tree: Limiting) -> str:
+    return rf"\{tree.operator}" if tree.operator in ("sum", "prod") else rf"\operatorname{{{tree.operator}}}"
 
 
 def _integral(tree: Integral) -> str:
@@ -260,7 +274,7 @@ def _evaluated(tree: Evaluated) -> str:
 def _operand(tree: Tree) -> str:
     """The left side of a cross product: a sum must not run on into it."""
     last = tree.factors[-1] if isinstance(tree, Mul) else tree
-    return _print(tree, ATOM if isinstance(last, BigSum | Integral) else PRODUCT)
+    return _print(tree, ATOM if isinstance(last, BigSum | Integral | Limiting) else PRODUCT)
 
 
 def _is_short(body: Tree) -> bool:
@@ -309,7 +323,7 @@ def _system(tree: System) -> str:
 
 
 def _part(part: Tree) -> str:
-    return _print(part, LIST if isinstance(part, Located | Values) else AND)
+    return _print(part, LIST if isinstance(part, Located | Values | Forall | Words) else AND)
 
 
 def _cases(tree: CaseList) -> str:
@@ -349,6 +363,12 @@ _PRINTERS: dict[type[Tree], Callable[[Any], str]] = {
     Factorial: lambda t: f"{_base(t.value)}!",
     Degrees: lambda t: rf"{_print(t.value, ATOM)}^\circ",
     BigSum: _sum,
+    BigProduct: _sum,
+    Limiting: lambda t: rf"{_operator(t)}{t.scripts} {_print(t.body, PRODUCT)}",
+    Marked: lambda t: rf"\left({_print(t.value, SUM)}\right){t.mark}",
+    Given: lambda t: f"{', '.join(map(to_latex, t.items))} {t.sign} {', '.join(map(to_latex, t.conditions))}",
+    Words: lambda t: to_latex(t.name),
+    Forall: lambda t: rf"\forall {_print(t.scope, CHAIN)}",
     Pair: lambda t: f"({_print(t.left, SUM)}, {_print(t.right, SUM)})",
     Infinity: lambda t: r"\infty",
     Integral: _integral,
@@ -364,6 +384,7 @@ _PRINTERS: dict[type[Tree], Callable[[Any], str]] = {
     Bars: lambda t: rf"\left|{_print(t.value, SUM)}\right|",
     ElementsOf: lambda t: rf"\left\|{_print(t.value, SUM)}\right\|",
     Derivative: _derivative,
+    Blank: lambda t: "",
     Dots: lambda t: r"\dots",
     Chain: _chain,
     Qualifier: _qualifier,

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 
 from symcheck.reading.printing import to_latex
-from symcheck.reading.tree import LOGIC, CaseList, Chain, Located, Qualifier, System, Tree, Values
+from symcheck.reading.tree import LOGIC, CaseList, Chain, Forall, Located, Qualifier, System, Tree, Values, Words
 
 
 @dataclass(frozen=True, slots=True)
@@ -72,5 +72,5 @@ def _relations(tree: Tree, qualifiers: tuple[Qualifier, ...]) -> Iterator[Relati
     elif isinstance(tree, System):
         for part in tree.parts:
             yield from _relations(part, qualifiers + tree.qualifiers)
-    elif isinstance(tree, (*LOGIC, CaseList, Located, Values)):
+    elif isinstance(tree, (*LOGIC, CaseList, Forall, Located, Values, Words)):
         yield Relation(tree, qualifiers)

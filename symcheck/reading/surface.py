@@ -19,7 +19,8 @@ FONTS = {  # switches that hold to the end of their group
 }  # fmt: skip
 SAME = {  # other spellings
     r"\lvert": "|", r"\rvert": "|", r"\vert": "|", r"\lVert": r"\|", r"\rVert": r"\|", r"\Vert": r"\|",
-    r"\cfrac": r"\frac", r"\dotsc": r"\dots", r"\dotsb": r"\dots", r"\dotsm": r"\cdots", r"\hdots": r"\dots",
+    r"\cfrac": r"\frac", r"\nicefrac": r"\frac", r"\sfrac": r"\frac", r"\mathds": r"\mathbb", r"\>": r"\:",
+    "−": "-", r"\dotsc": r"\dots", r"\dotsb": r"\dots", r"\dotsm": r"\cdots", r"\hdots": r"\dots",
     r"\textrm": r"\text", r"\mbox": r"\text", r"\textnormal": r"\text", r"\mathop": "", r"\mathrel": "",
     r"\mathbin": "",
     r"\mathord": "", r"\ensuremath": "", r"\boxed": "", r"\smash": "", r"\coloneqq": "=", r"\triangleq": "=",
@@ -44,6 +45,7 @@ SECOND = frozenset({r"\textcolor", r"\overset", r"\stackrel", r"\underset"})  # 
 BRACED = frozenset({r"\underbrace", r"\overbrace", r"\underline", r"\underbracket", r"\overbracket"})
 SIGNS_OVER = frozenset({"=", r"\approx", r"\le", r"\ge", r"\leq", r"\geq", "<", ">", r"\rightarrow", r"\to"})
 ARGUMENTS = {r"\frac": 2, r"\dfrac": 2, r"\tfrac": 2, r"\binom": 2, r"\sqrt": 1, r"\begin": 1, r"\end": 1, r"\tag": 1}
+ZEROS = frozenset({r"\mathbf", r"\boldsymbol", r"\bm", r"\pmb", r"\vec", r"\bar"})  # of vectors and matrices
 ARGUMENTS |= dict.fromkeys(STYLES | ACCENTS | ROMAN | {r"\text", r"\operatorname", r"\mathrm"}, 1)
 
 
@@ -142,7 +144,7 @@ def _scripts_at_the_left(parts: list[Part]) -> list[Part]:
         start = k + 1 if empty else k
         before = next((p for p in reversed(found) if not (isinstance(p, str) and p in _SPACES)), "")
         bare = isinstance(before, str) and before in _NO_BASE
-        if start < len(parts) and parts[start] in ("^", "_") and (empty or bare):
+        if start < len(parts) and parts[start] in ("^", "_") and (empty or bare or _is_apart(parts, start, found)):
             scripts: dict[Part, Part] = {}
             m = start
             while m + 1 < len(parts) and parts[m] in ("^", "_") and str(parts[m]) not in scripts:
@@ -158,6 +160,15 @@ def _scripts_at_the_left(parts: list[Part]) -> list[Part]:
         found.append(parts[k])
         k += 1
     return found
+
+
+def _is_apart(parts: list[Part], k: int, before: list[Part]) -> bool:
+    r"""Does a space part the script here from what stands before it, as in `\mathbf{C} \, ^r \mathbf{m}`?"""
+    if not before or before[-1] not in (r"\,", r"\;", r"\:", "\\ ") or k + 1 >= len(parts):
+        return False
+    script = parts[k + 1]
+    inside = script.parts if isinstance(script, Group) else [script]
+    return len(inside) == 1 and isinstance(inside[0], str) and inside[0].isalpha() and inside[0] != "T"
 
 
 def _letter_here(parts: list[Part], k: int) -> tuple[list[Part], int]:
@@ -218,7 +229,9 @@ def _made_plain_here(parts: list[Part]) -> list[Part]:
                 if k < len(parts):
                     taken, k = _argument(parts, k, raw=part in (r"\begin", r"\end", r"\tag"))
                     found.append(taken)
-            if part in ACCENTS | STYLES and isinstance(styled := found[-1], Group):
+            if part in ZEROS and _zero(found[-1], parts[k] if k < len(parts) else ""):
+                found[-2:] = ["0"]
+            elif part in ACCENTS | STYLES and isinstance(styled := found[-1], Group):
                 found[-2:] = _over_letters(part, styled.parts)
             is_array = (
                 part == r"\begin" and isinstance(found[-1], Group) and "".join(map(str, found[-1].parts)) == "array"
@@ -243,6 +256,11 @@ def _over_letters(command: str, inner: list[Part]) -> list[Part]:
     if command in STYLES and len(inner) > 1 and all(isinstance(part, str) and tex.is_letter(part) for part in inner):
         return [each for part in inner for each in (command, Group([part]))]
     return [command, Group(inner)]
+
+
+def _zero(part: Part, after: Part) -> bool:
+    """Is this a bold zero, or one with an arrow, whose size nothing tells?"""
+    return isinstance(part, Group) and part.parts == ["0"] and after not in ("_", "^")
 
 
 def _is_switch(command: str) -> bool:
@@ -314,9 +332,24 @@ def _loose(inner: list[Part], before: Sequence[Part], after: Part) -> list[Part]
     """A group that is no argument: its braces print nothing; empty ones before a script carry a script of the left."""
     if not inner and after in ("^", "_"):
         return [Group([])]
-    if after in ("^", "_", "'") and len(_units(inner)) > 1:
+    if after in ("^", "_", "'") and len(_units(inner)) > 1 and not _is_bracket(inner):
         return [Group(inner)]  # the script belongs to all of it
     return inner
+
+
+def _is_bracket(parts: Sequence[Part]) -> bool:
+    """Is a group one pair of brackets, so that a script behind its braces is of these?"""
+    inner = [part for part in parts if not (isinstance(part, str) and part in _SIZED)]
+    depth = 0
+    for k, part in enumerate(inner):
+        depth += (part == "(" or part == "[") - (part == ")" or part == "]")
+        if not depth:
+            return k > 0 and k == len(inner) - 1
+    return False
+
+
+_SIZED = frozenset(f"\\{size}{side}" for size in ("big", "Big", "bigg", "Bigg") for side in ("", "l", "r"))
+_SIZED |= {r"\left", r"\right"}
 
 
 def _units(parts: Sequence[Part]) -> list[Part]:

@@ -135,6 +135,51 @@ class BigSum(Tree):
 
 
 @dataclass(frozen=True, slots=True)
+class BigProduct(BigSum):
+    r"""`\prod_{i=1}^3 body`, as a sum is printed."""
+
+
+@dataclass(frozen=True, slots=True)
+class Limiting(Tree):
+    r"""`\lim_{x \to 0} body`, `\min_x body` and sums over sets: the scripts are kept as printed."""
+
+    operator: str
+    scripts: str
+    body: Tree
+
+
+@dataclass(frozen=True, slots=True)
+class Marked(Tree):
+    r"""A bracket with a script that is no power: `(A)^+`, `(a)_n`; `mark` is the script as printed."""
+
+    value: Tree
+    mark: str
+
+
+@dataclass(frozen=True, slots=True)
+class Given(Tree):
+    """`(a | b)`: what stands before a bar in brackets, on the condition behind it; or `(x; p)`, with parameters."""
+
+    items: tuple[Tree, ...]
+    conditions: tuple[Tree, ...]
+    sign: str = "|"
+
+
+@dataclass(frozen=True, slots=True)
+class Words(Tree):
+    r"""`\text{in orbit}` beside relations: when they hold, or what they are, in words."""
+
+    name: Tree
+
+
+@dataclass(frozen=True, slots=True)
+class Forall(Tree):
+    r"""`\forall x`, `\forall x \in S`: what a statement beside it holds for."""
+
+    scope: Tree
+
+
+@dataclass(frozen=True, slots=True)
 class Infinity(Tree):
     r"""`\infty`: only as a bound, or to say that an integral converges."""
 
@@ -257,6 +302,11 @@ class Dots(Tree):
 
 
 @dataclass(frozen=True, slots=True)
+class Blank(Tree):
+    """A place of a matrix where nothing is printed."""
+
+
+@dataclass(frozen=True, slots=True)
 class Chain(Tree):
     r"""`a = b \le c`: members and the signs between them."""
 
@@ -347,7 +397,7 @@ class Exists(Tree):
     body: Tree
 
 
-STATEMENTS = (Chain, Values, System, CaseList, Located, And, Or, Implies, Iff, Exists, Qualifier)
+STATEMENTS = (Chain, Values, System, CaseList, Located, And, Or, Implies, Iff, Exists, Forall, Words, Qualifier)
 BRACKETED = frozenset({"Gamma"})  # functions whose argument always stands in brackets
 LOGIC = (And, Or, Implies, Iff, Exists)
 
