@@ -36,7 +36,8 @@ gates: $(DEV)
 	$(BIN)/ruff check .
 	$(BIN)/mypy --strict symcheck
 	$(BIN)/lint-imports --no-cache
-	$(BIN)/symcheck generate --check --no-cache
+	rm -rf build/cache
+	SYMCHECK_CACHE=build/cache $(BIN)/symcheck generate --check
 	$(BIN)/python -m symcheck.checker generated
 
 notebooks: $(DEV)

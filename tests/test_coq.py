@@ -347,6 +347,7 @@ def test_a_file_without_a_claim_to_leave_out_is_not_tried_for_ever() -> None:
         compiler.without("Lemma zero {a : R} : a = 0.\nProof. ring. Qed.\n", 2)
 
 
+@pytest.mark.slow
 @COQ
 def test_coq_confirms_them_on_the_reals_alone(folder: Path) -> None:
     outcomes, failed = compiler.confirm(folder)
@@ -376,6 +377,7 @@ def flipped(statement: str) -> str | None:
     return None
 
 
+@pytest.mark.slow
 @COQ
 def test_a_flipped_sign_does_not_compile(folder: Path, exported: dict[str, str]) -> None:
     claims_file = folder / "mirer2009/Claims.v"

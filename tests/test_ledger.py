@@ -4,16 +4,19 @@ from __future__ import annotations
 
 import json
 import re
+import tempfile
 from collections.abc import Callable
 from dataclasses import replace
 from functools import cache
 from pathlib import Path
 
 import pytest
+from warm_cache import warm_cache
 
+import symcheck
 from symcheck import kernels, papers
 from symcheck.audit.checked import reason, reasons
-from symcheck.audit.decide import decide, weigh
+from symcheck.audit.decide import decide
 from symcheck.audit.obligation import expand
 from symcheck.checker import check_all
 from symcheck.checker.__main__ import main
@@ -28,7 +31,9 @@ IDS = [obligation.id for paper in papers.load().values() for obligation in expan
 
 @cache
 def records() -> tuple[Record, ...]:
-    return tuple(record for id in IDS for record in weigh((id, decide(id))))
+    with pytest.MonkeyPatch.context() as patch, tempfile.TemporaryDirectory() as folder:
+        patch.setenv("SYMCHECK_CACHE", warm_cache(Path(folder) / "cache"))
+        return tuple(symcheck.check(jobs=0))
 
 
 def claims() -> list[Record]:

@@ -13,6 +13,7 @@ import pytest
 from click.testing import CliRunner, Result
 from declarations import formulas
 from nbformat.v4 import new_code_cell, new_notebook, new_output
+from warm_cache import warm_cache
 
 from symcheck.cli import cli
 from symcheck.core.verdicts import SymcheckError, Verdict
@@ -31,8 +32,8 @@ TITLE = "# A title\n\nWords.\n\n"
 
 @pytest.fixture(autouse=True)
 def cache_of_its_own(monkeypatch: pytest.MonkeyPatch, tmp_path_factory: pytest.TempPathFactory) -> None:
-    """What the notebooks show is decided in this run."""
-    monkeypatch.setenv("SYMCHECK_CACHE", str(tmp_path_factory.getbasetemp() / "notebooks"))
+    """What the notebooks show is decided in this run, or by the gates before it."""
+    monkeypatch.setenv("SYMCHECK_CACHE", warm_cache(tmp_path_factory.getbasetemp() / "notebooks"))
 
 
 @pytest.mark.parametrize("name", NAMES)

@@ -199,7 +199,7 @@ lists = st.lists(plain, min_size=1, max_size=3).map(
 )
 
 
-@settings(max_examples=300, deadline=None)
+@settings(max_examples=150, deadline=None)
 @given(st.one_of(expressions, statements, plain, signed, lists))
 def test_any_tree_survives_printing(tree):
     assert read(to_latex(tree), NOTATION) == tree

@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Any
 
 import pytest
 from click.testing import CliRunner
+from warm_cache import warm_cache
 
 from symcheck.checker.__main__ import main
 
@@ -36,7 +37,7 @@ def address(tmp_path_factory: pytest.TempPathFactory) -> str:
 
     folder = tmp_path_factory.mktemp("report")
     with pytest.MonkeyPatch.context() as patch:
-        patch.setenv("SYMCHECK_CACHE", str(folder / "cache"))
+        patch.setenv("SYMCHECK_CACHE", warm_cache(folder / "cache"))
         patch.chdir(folder)
         done = CliRunner().invoke(cli, ["report", "--jobs", "0", *SELECTION], prog_name="symcheck")
     assert done.exit_code == 0, done.output

@@ -7,11 +7,14 @@ import subprocess
 import sys
 from pathlib import Path
 
+import pytest
+from warm_cache import warm_cache
+
 from symcheck.checker.theorems import NAMES, stated
 
 
 def run(root: Path, folder: Path, *arguments: str) -> str:
-    env = {**os.environ, "PYTHONPATH": str(root), "SYMCHECK_CACHE": str(folder / "cache")}
+    env = {**os.environ, "PYTHONPATH": str(root), "SYMCHECK_CACHE": warm_cache(folder / "cache")}
     found = subprocess.run(
         [sys.executable, *arguments], cwd=folder, env=env, capture_output=True, text=True, timeout=120, check=False
     )
@@ -33,6 +36,7 @@ def test_wheels_are_the_same_without_docstrings(root: Path, tmp_path: Path) -> N
     assert run(root, tmp_path, "-OO", "-c", WHEELS) == run(root, tmp_path, "-c", WHEELS)
 
 
+@pytest.mark.slow
 def test_figures_are_the_same_without_docstrings(root: Path, tmp_path: Path) -> None:
     drawn = []
     for level in ("-O", "-OO"):

@@ -592,7 +592,8 @@ class Builder:
             raise self.fail(
                 after.at, f"the inverse function of {shown}, or its reciprocal? write a fraction for that one"
             )
-        if after.square and isinstance(inside, _BRACKETS_ARE_IDLE) and not after.postfix:
+        told = letter is not None and letter.meaning and not letter.applies  # of which a person says what it is
+        if after.square and isinstance(inside, _BRACKETS_ARE_IDLE) and not after.postfix and not told:
             raise self.fail(after.at, f"{shown} of what is in these brackets, or times it? write \\cdot")
         if isinstance(inside, Tuple) and letter is not None and letter.whole:
             raise self.fail(after.at, f"{shown} before several arguments; declare it with kind='function'")
