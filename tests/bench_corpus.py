@@ -1,6 +1,7 @@
-"""The reader on displays of public repositories, beside SymPy's parsers and latex2sympy2_extended where they import.
+"""The reader on displays of public repositories, beside SymPy's parsers and latex2sympy2_extended.
 
-python tests/bench_corpus.py formulas.jsonl
+`python tests/bench_corpus.py [formulas.jsonl]`; without a file that of the folder `corpus` beside the papers. The other
+parsers are asked in the Python that SYMCHECK_PEERS names, if it has them, otherwise in this one.
 
 A tree of ours is a reading with inferred letters, a statement one that lowers to formulas; of another parser it is a
 result without an error. Nothing is said here of how many are right. The formulas are those of the file, one JSON object
@@ -10,12 +11,14 @@ a line with `repo`, `group` and `tex`.
 from __future__ import annotations
 
 import json
+import os
+import subprocess
 import sys
 import time
 from collections import defaultdict
-from collections.abc import Callable, Iterator
-from functools import partial
 from pathlib import Path
+
+from peers import PARSERS
 
 from symcheck.core.verdicts import SymcheckError
 from symcheck.reading import lower, read
@@ -23,7 +26,6 @@ from symcheck.reading.inference import inferred
 from symcheck.reading.surface import plain, with_plain_differentials
 
 MOST_READINGS = 4  # of one display; the first of them is right where any is
-Parser = Callable[[str], object]
 
 
 def ours(latex: str) -> tuple[bool, bool]:
@@ -44,38 +46,20 @@ def ours(latex: str) -> tuple[bool, bool]:
     return tree, False
 
 
-def parsers() -> Iterator[tuple[str, Parser]]:
-    """The other parsers that can be imported and read `x`."""
-    found: list[tuple[str, Parser]] = []
-    try:
-        from sympy.parsing.latex import parse_latex
-
-        found += [(f"SymPy {backend}", partial(parse_latex, backend=backend)) for backend in ("lark", "antlr")]
-    except ImportError:
-        pass
-    try:
-        from latex2sympy2_extended import latex2sympy
-
-        found.append(("latex2sympy2_extended", latex2sympy))
-    except ImportError:
-        pass
-    for name, parser in found:
-        if reads(parser, "x"):
-            yield name, parser
+def theirs(name: str, rows: list[dict[str, str]]) -> list[bool] | None:
+    """Whether another parser gives a result for each display; None if it is not there."""
+    python = os.environ.get("SYMCHECK_PEERS", sys.executable)
+    lines = "".join(json.dumps({"tex": row["tex"]}) + "\n" for row in rows)
+    command = [python, str(Path(__file__).with_name("peers.py")), name]
+    done = subprocess.run(command, input=lines, capture_output=True, text=True, check=False)
+    return [line == "read" for line in done.stdout.splitlines()] if done.returncode == 0 else None
 
 
-def reads(parser: Parser, latex: str) -> bool:
-    """Whether another parser gives a result; what it raises is of many kinds."""
-    try:
-        return parser(latex) is not None
-    except Exception:
-        return False
-
-
-def main(path: str) -> None:
+def main(path: Path) -> None:
     """Measure, and print a Markdown table: one row for each group and each repository."""
-    rows = [json.loads(line) for line in Path(path).read_text(encoding="utf-8").splitlines()]
-    others = dict(parsers())
+    rows = [json.loads(line) for line in path.read_text(encoding="utf-8").splitlines()]
+    found = {name: theirs(name, rows) for name in PARSERS}
+    others = {name: read for name, read in found.items() if read is not None}
     counts: dict[str, list[int]] = defaultdict(lambda: [0] * (3 + len(others)))
     longest, start = 0.0, time.perf_counter()
     results = []
@@ -84,11 +68,14 @@ def main(path: str) -> None:
         results.append(ours(row["tex"]))
         longest = max(longest, time.perf_counter() - begin)
     spent = time.perf_counter() - start
-    for row, (tree, statement) in zip(rows, results, strict=True):
-        found = [1, tree, statement, *(reads(parser, row["tex"]) for parser in others.values())]
+    for k, (row, (tree, statement)) in enumerate(zip(rows, results, strict=True)):
+        values = [1, tree, statement, *(read[k] for read in others.values())]
         for key in ("all", row["group"], f"{row['group']}: {row['repo']}"):
-            counts[key] = [a + b for a, b in zip(counts[key], found, strict=True)]
-    print(f"{len(rows) / spent:.0f} displays a second, the longest {1000 * longest:.0f} ms")
+            counts[key] = [a + b for a, b in zip(counts[key], values, strict=True)]
+    print(
+        f"{len(rows) / spent:.0f} displays a second, the longest {1000 * longest:.0f} ms; not installed: "
+        f"{', '.join(found.keys() - others.keys()) or 'none'}"
+    )
     print()
     print("| " + " | ".join(("displays of", "number", "trees", "statements", *others)) + " |")
     print("|---" * (4 + len(others)) + "|")
@@ -98,4 +85,9 @@ def main(path: str) -> None:
 
 
 if __name__ == "__main__":
-    main(sys.argv[1])
+    sources = os.environ.get("SYMCHECK_SOURCES", "")
+    file = Path(sys.argv[1]) if len(sys.argv) > 1 else Path(sources).parent / "corpus" / "formulas.jsonl"
+    if file.is_file():
+        main(file)
+    else:
+        print(f"There are no displays at {file}; SYMCHECK_SOURCES names the folder beside them.")

@@ -22,9 +22,11 @@ TITLES = {
     "bench_numba.py": "Kernels for Numba",
     "bench_envelope.py": "Momentum envelopes against Qhull",
     "bench_ensemble.py": "Ensembles of paths against plain NumPy",
+    "bench_decide.py": "Any formula: corrections of public texts, beside other tools",
+    "bench_corpus.py": "The reader on displays of public repositories, beside other parsers",
     "bench_sweep.py": "Sweeps: what they cost besides the function",
 }
-MARKDOWN = ("bench_kernels.py",)
+MARKDOWN = ("bench_kernels.py", "bench_decide.py", "bench_corpus.py")
 
 
 def machine() -> str:
