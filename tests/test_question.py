@@ -154,11 +154,15 @@ def test_what_is_said_of_letters_settles_two_readings() -> None:
     assert with_sizes.verdict == "proved"
 
 
+def test_the_reading_is_shown_with_brackets_around_arguments() -> None:
+    assert decide(r"\sin 2a = 2 \sin a \cos a").reading == r"\sin\left(2 a\right) = 2 \sin a \cos a"
+
+
 def test_repairs_are_proved_and_none_is_trivial() -> None:
     answer = decide(r"\cos 2x = 1 - \sin^2 x")
     assert answer.verdict == "refuted"
     assert 0 < len(answer.repairs) <= 5
-    assert any(repair["relation"].replace(" ", "") == r"\cos2x=1-2\sin^2x" for repair in answer.repairs)
+    assert any(repair["relation"].replace(" ", "") == r"\cos\left(2x\right)=1-2\sin^2x" for repair in answer.repairs)
     for repair in answer.repairs:
         assert decide(repair["relation"]).verdict == "proved"
 

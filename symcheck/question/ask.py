@@ -23,7 +23,7 @@ from symcheck.question.doubts import defines, doubt, doubt_of_proofs
 from symcheck.question.limit import OutOfTime, limited
 from symcheck.question.prepare import DEFINED, VARIABLES, Asked, Reading, readings, sizes
 from symcheck.question.repairs import repairs
-from symcheck.reading import to_latex
+from symcheck.reading import with_brackets
 from symcheck.reading.inference import NUMBERS, VECTORS
 
 LIMIT = 6.0  # seconds for one component of a relation; nearly all that are found at all are found in one
@@ -140,7 +140,7 @@ def _several(texts: Iterable[str] | str) -> tuple[str, ...]:
 
 def _decided(reading: Reading, asked: Asked, wanted: bool = True) -> Answer:
     shown = {g.letter.latex: f"{g.taken} ({g.why})" for g in reading.inference.guesses}
-    base = Answer(Status.UNDECIDED, to_latex(reading.tree), shown)
+    base = Answer(Status.UNDECIDED, with_brackets(reading.tree), shown)
     certificates, status, reasons, used = [], Status.PROVED, list[str](), list[str]()
     for problem in reading.problems:
         verdict, made, found = _decided_one(problem)

@@ -13,7 +13,7 @@ from symcheck.proof import certificate, fails_at, proof_of
 from symcheck.question import jets
 from symcheck.question.limit import OutOfTime, limited
 from symcheck.question.prepare import Reading, worded
-from symcheck.reading import Notation, Tree, edits, to_latex
+from symcheck.reading import Notation, Tree, edits, to_latex, with_brackets
 from symcheck.reading.tree import Add, Call, Chain, Div, Mul, Name, Neg, Number, Path, Pow, Sqrt, replaced, walk
 
 MOST = 5  # repairs that are shown
@@ -33,7 +33,7 @@ def repairs(reading: Reading, point: dict[str, JSON]) -> tuple[dict[str, str], .
         with limited(SECONDS):
             for kind, description, tree in sorted(_slips(reading.tree, reading.inference.notation), key=_rank):
                 if _is_proved(reading, tree, point):
-                    found.append({"relation": to_latex(tree), "kind": kind, "edit": description})
+                    found.append({"relation": with_brackets(tree), "kind": kind, "edit": description})
                 if len(found) == MOST:
                     break
     except OutOfTime:

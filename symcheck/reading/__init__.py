@@ -14,7 +14,7 @@ from symcheck.reading.lexer import LAYOUT, layout
 from symcheck.reading.lowering import free_indices, lower, term
 from symcheck.reading.notation import Letter, Notation
 from symcheck.reading.parser import read
-from symcheck.reading.printing import to_latex
+from symcheck.reading.printing import to_latex, with_brackets
 from symcheck.reading.relations import Relation, relations
 from symcheck.reading.sympy_bridge import from_sympy, to_sympy
 from symcheck.reading.tex import split_tag
@@ -40,4 +40,5 @@ __all__ = [
     "term",
     "to_latex",
     "to_sympy",
+    "with_brackets",
 ]

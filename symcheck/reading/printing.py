@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from contextvars import ContextVar
 from typing import Any
 
 from symcheck.reading.functions import COMMANDS
@@ -75,6 +76,18 @@ _LEVEL: dict[type[Tree], int] = {
 }  # fmt: skip
 _BRACKETS = (r"\left(", "(", "[")
 _CONNECTIVE = {And: r" \land ", Or: r" \lor ", Implies: r" \Rightarrow ", Iff: r" \Leftrightarrow "}
+
+
+_bracketed: ContextVar[bool] = ContextVar("whether arguments of functions stand in brackets", default=False)
+
+
+def with_brackets(tree: Tree) -> str:
+    """Print a tree with brackets around all arguments of functions that are more than a letter or a number."""
+    before = _bracketed.set(True)
+    try:
+        return to_latex(tree)
+    finally:
+        _bracketed.reset(before)
 
 
 def to_latex(tree: Tree) -> str:
@@ -215,7 +228,8 @@ def _call(tree: Call, power: str = "") -> str:
     if isinstance(tree.function, Name):
         return f"{_name(tree.function)}({inside})" if tree.arguments else _name(tree.function)
     head = tree.function if tree.function in COMMANDS else rf"operatorname{{{tree.function}}}"
-    if _is_bare(tree):
+    single = isinstance(tree.arguments[0], Name | Number)
+    if _is_bare(tree) and (single or not _bracketed.get()):
         return rf"\{head}{power} {inside}"
     return rf"\{head}{power}\left({inside}\right)"
 
