@@ -82,7 +82,29 @@ _bracketed: ContextVar[bool] = ContextVar("whether arguments of functions stand 
 
 
 def with_brackets(tree: Tree) -> str:
-    """Print a tree with brackets around all arguments of functions that are more than a letter or a number."""
+    r"""Print a tree with brackets around all arguments of functions that are more than a letter or a number.
+
+    Parameters
+    ----------
+    tree
+        What was read.
+
+    Returns
+    -------
+    str
+        LaTeX that reads as this tree, and that a person cannot read otherwise.
+
+    See Also
+    --------
+    to_latex : With no more brackets than needed.
+
+    Examples
+    --------
+    >>> from symcheck.reading import Letter, Notation, read
+    >>> letters = Notation([Letter("a", depends="")])
+    >>> with_brackets(read(r"\sin 2a = a", letters))
+    '\\sin\\left(2 a\\right) = a'
+    """
     before = _bracketed.set(True)
     try:
         return to_latex(tree)
