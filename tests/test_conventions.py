@@ -18,6 +18,8 @@ WAVE = [r"\psi = e^{i(kx - \omega t)}", r"\hbar\omega = \frac{\hbar^2 k^2}{2m}"]
 
 VERDICTS: dict[str, list[tuple[str, list[str]]]] = {
     "proved": [
+        (r"u'' + u = \frac{\mu}{h^2}", [r"u = \frac{\mu}{h^2}(1 + e\cos\theta)"]),
+        ("c_1 = a_2 b_3 - a_3 b_2", [r"\mathbf{c} = \mathbf{a}\times\mathbf{b}"]),
         (r"\frac{\partial L}{\partial \dot q} = m \dot q", LAGRANGE),
         (r"\frac{\partial L}{\partial q} = -V'(q)", LAGRANGE),
         (r"\frac{d}{dt} \frac{\partial L}{\partial \dot q} = m \ddot q", LAGRANGE),
@@ -70,6 +72,8 @@ VERDICTS: dict[str, list[tuple[str, list[str]]]] = {
         ("x'^2 - c^2 t'^2 = x^2 - c^2 t^2", LORENTZ),
     ],
     "refuted": [
+        (r"u'' - u = \frac{\mu}{h^2}", [r"u = \frac{\mu}{h^2}(1 + e\cos\theta)"]),
+        ("c_1 = a_3 b_2 - a_2 b_3", [r"\mathbf{c} = \mathbf{a}\times\mathbf{b}"]),
         (r"r = a(1 + e\cos E)", KEPLER),
         (r"\ddot{x} = \omega^2 x", [r"x = A e^{i\omega t}"]),
         (r"x_1 + x_2 = \frac{b}{a}", ["ax^2 + bx + c = a(x - x_1)(x - x_2)"]),
@@ -95,7 +99,7 @@ VERDICTS: dict[str, list[tuple[str, list[str]]]] = {
     ],
     "ambiguous": [
         (r"I = \int r^2 dm", []),
-        (r"x^\mu x_\mu = s^2", []),
+        (r"x^\mu x_\mu = s^2 + 1", []),
         (r"x_1 + x_2 = -\frac{b}{a}", ["ax^2 + bx + c = a(x - x_1)(x - x_2)"]),
         (r"A = \frac12", [r"\frac{1}{x^2 - 1} = \frac{A}{x - 1} + \frac{B}{x + 1}"]),
         ("AB = BA", []),
@@ -120,6 +124,8 @@ VERDICTS: dict[str, list[tuple[str, list[str]]]] = {
         (r"\sigma^2 = E[X^2] - \mu^2", []),
     ],
     "undecided": [
+        ("v^2 = v_0^2 + 2as", []),
+        (r"\dot x = -kx", []),
         (r"\frac{dy}{dx} = -\cot t", [r"x = \cos t", r"y = \sin t"]),
         (r"z = r e^{\mathrm{i}\theta}", []),
         (r"y = 0", ["z = x + iy"]),

@@ -156,12 +156,16 @@ def _decided(reading: Reading, asked: Asked, wanted: bool = True) -> Answer:
             status = Status.UNDECIDED
             reasons += found
             continue
-        if verdict is Verdict.REFUTED and defines(problem):
+        if verdict is Verdict.REFUTED and defines(problem, bare=True):
             status = Status.UNDECIDED
             reasons.append(DEFINITION)
             continue
         if reason := (doubt(reading) if verdict is Verdict.REFUTED else doubt_of_proofs(reading)):
             return replace(base, verdict=Status.AMBIGUOUS, reason=reason)
+        if verdict is Verdict.REFUTED and defines(problem):
+            status = Status.UNDECIDED
+            reasons.append(DEFINITION)
+            continue
         if verdict is Verdict.REFUTED and (letter := _perhaps_for_all(problem)):
             reason = f"is what is given meant for all {letter}, or for one? write the equations of its coefficients"
             return replace(base, verdict=Status.AMBIGUOUS, reason=reason)

@@ -7,7 +7,7 @@ from collections import Counter
 from collections.abc import Iterator
 from fractions import Fraction
 
-from symcheck.core.calculus import functions, letters
+from symcheck.core.calculus import functions, letters, nodes
 from symcheck.core.problems import Problem
 from symcheck.core.terms import Call as Applied
 from symcheck.core.terms import Connective, Formula, Relation, Term
@@ -32,30 +32,40 @@ _UNIT_VECTOR = re.compile(r"\\(?:hat|widehat)\{\\(?:mathbf|boldsymbol|bm|pmb|vec
 _SUBSCRIPT = re.compile(r"_\{?([^{}]*)\}?$")
 
 
-def defines(problem: Problem) -> bool:
-    """Whether the claim says what a letter or a function is that occurs nowhere else."""
+def defines(problem: Problem, *, bare: bool = False) -> bool:
+    """Whether the claim says what a letter or a function is that occurs nowhere else; `bare`: the letter itself."""
     equations = [f for name, fs in problem.hypotheses if name != DEFINED for f in fs if f.tag == "="]
     said: list[Term] = [*equations, *(term for _, term in problem.definitions)]
     known = {name for name, _ in problem.definitions}.union(*map(letters, said), *map(functions, said))
-    return _says_what_is_new(problem.claim, known)
+    return _says_what_is_new(problem.claim, known, bare)
 
 
-def _says_what_is_new(claim: Formula, known: set[str]) -> bool:
+def _says_what_is_new(claim: Formula, known: set[str], bare: bool) -> bool:
     if isinstance(claim, Connective) and claim.tag == "or":  # one of two signs
-        return all(_says_what_is_new(part, known) for part in claim.formulas)
+        return all(_says_what_is_new(part, known, bare) for part in claim.formulas)
     if not isinstance(claim, Relation) or claim.tag != "=":
         return False
     left, right = claim.terms
-    return any(_is_new(side, other, known) for side, other in ((left, right), (right, left)))
+    sides = [
+        (side, other) for side, other in ((left, right), (right, left)) if not bare or isinstance(side, str | Applied)
+    ]
+    return any(_is_new(side, other, known) for side, other in sides)
 
 
 def _is_new(side: Term, other: Term, known: set[str]) -> bool:
-    if isinstance(side, str):
-        return side not in known | letters(other)
+    """Whether a side is a new letter, a multiple or power of one, or a value or derivative of a new function."""
     if isinstance(side, Applied):
         own = {t for t in side.terms if isinstance(t, str)}
-        return len(own) == len(side.terms) and side.function not in known | functions(other)
-    return False
+        highest = any(call.orders >= side.orders for call in _calls(other, side.function))
+        return len(own) == len(side.terms) and side.function not in known and not highest
+    alone = letters(side)
+    if len(alone) != 1 or alone & (known | letters(other)):
+        return False
+    return isinstance(side, str) or all(part.tag in ("*", "^", "-", "/") for part in nodes(side))
+
+
+def _calls(tree: Term, function: str) -> Iterator[Applied]:
+    return (part for part in nodes(tree) if isinstance(part, Applied) and part.function == function)
 
 
 def doubt(reading: Reading) -> str:
@@ -93,6 +103,11 @@ def doubt_of_proofs(reading: Reading) -> str:
         if isinstance(part, Name) and part.letter in ("d", r"\text{d}") and part.letter not in said:
             return "d: a letter, or the sign of a differential? say what it is"
     factors = {part.letter for _, part in walk(reading.tree) if isinstance(part, Name)}
+    for _, part in walk(reading.tree):
+        if isinstance(part, Name) and part.primes and part.letter in reading.source[2].keys() - said:
+            if reading.source[2][part.letter][1]:
+                continue  # a function of one letter
+            return f"the prime of {part.letter}: a derivative, by which letter? or another letter? say what it is"
     if (applied := _APPLIED.search(asked.relation)) and applied[1] in factors - said:
         return f"{applied[1]} before square brackets: a factor, or an expectation or a transform of what is in them?"
     if relies_on_order(reading.tree, said | {*reading.source[2]}):

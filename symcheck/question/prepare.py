@@ -36,7 +36,8 @@ Definitions = Mapping[str, tuple[str, tuple[str, ...], str]]  # left side, argum
 _SIZE_OF = re.compile(r"\\mathbb\s*\{?R\}?\s*\^\s*\{?\s*([A-Za-z])\s*(?:\\times\s*([A-Za-z]))?")
 LARGER = (4, 1)  # sizes of vectors and matrices where no smaller one makes sense
 LONGEST = 20_000  # characters; the longest display of the corpora has a tenth of it
-VARIABLES = ("x", "t")  # usual ones: by which a prime differentiates, and for all of whose values identities hold
+VARIABLES = ("x", "t")  # usual ones, for all of whose values identities hold
+PRIMED = (*VARIABLES, r"\theta", r"\phi", r"\varphi", "s")  # by which a prime differentiates, if just one is there
 DEFINED = "defined"  # the name of the condition that every printed term has a value
 
 
@@ -166,7 +167,7 @@ def _varied(name: str, right: str, formulas: Sequence[str]) -> tuple[str, ...]:
         return tuple(x for x in inside if x in below)
     if not any(place.primes for place in places):
         return ()
-    free = [x for x in inside if x in VARIABLES] or [*inside]
+    free = [x for x in inside if x in PRIMED] or [*inside]
     return tuple(free) if len(free) == 1 else ()
 
 

@@ -154,7 +154,7 @@ def inferred(
     open_ = {key: each for key, each in evidence.items() if not each.said and key not in defined and _is_plain(each)}
     free = {key for key, each in open_.items() if not (each.dotted or _is_derived(each))}
     bold = {key for key, each in evidence.items() if key in defined and not defined[key] and _STYLED.match(key)}
-    related = relatives(evidence.keys(), free, open_.keys() | bold)
+    related = relatives(evidence.keys(), free, open_.keys() | bold, bold)
     for name in related.entries:
         evidence.setdefault(name, Evidence(name, [Occurrence(name)]))
     loose = [each for plain in _inferred(formulas, evidence, defined) for each in _complexed(plain, formulas)]

@@ -46,7 +46,9 @@ class Relatives:
         return (*lengths, *(rf"\|{unit}\| = 1" for unit in self.units))
 
 
-def relatives(letters: Collection[str], free: Collection[str], varying: Collection[str]) -> Relatives:
+def relatives(
+    letters: Collection[str], free: Collection[str], varying: Collection[str], solved: Collection[str]
+) -> Relatives:
     r"""The relatives of the bold letters.
 
     Parameters
@@ -57,6 +59,8 @@ def relatives(letters: Collection[str], free: Collection[str], varying: Collecti
         Those of which nothing is said, which no equation defines, and which are not differentiated.
     varying
         These, and those that are differentiated, which may be lengths.
+    solved
+        Bold letters that an equation defines.
     """
     found = Relatives({}, {}, {}, [])
     for bold in letters:
@@ -68,9 +72,9 @@ def relatives(letters: Collection[str], free: Collection[str], varying: Collecti
         base, script = match[1], (match[2] or "").strip("{}")
         if (plain := f"{base}_{match[2]}" if match[2] else base) in varying:
             found.lengths[plain] = bold
-        if bold not in free:
+        if bold not in free and bold not in solved:
             continue
-        for parts in _components(base, script, letters):
+        for parts in _components(base, script, letters, least=1 if bold in solved else 2):
             found.components[bold] = _matrix([part] for part in parts)
             if f"{base} 1" not in letters:
                 found.entries.update(dict.fromkeys(parts, bold))
@@ -87,15 +91,15 @@ def _matrix(rows: Iterable[Sequence[str]]) -> str:
     return rf"\begin{{pmatrix}} {body} \end{{pmatrix}}"
 
 
-def _components(base: str, script: str, letters: Collection[str]) -> Iterator[list[str]]:
-    """The names of all components of a vector of which some are printed."""
+def _components(base: str, script: str, letters: Collection[str], least: int) -> Iterator[list[str]]:
+    """The names of all components of a vector of which so many are printed at least."""
     for names in _NAMES:
         spelled = [f"{base}_{{{script}{name}}}" if script else f"{base}_{name}" for name in names]
         printed = [k for k, each in enumerate(spelled) if each in letters]
         if f"{base} 1" in letters and names[0] == "1" and not script:
             yield spelled[:3]
-        elif len(printed) > 1:
-            yield spelled[: printed[-1] + 1]
+        elif len(printed) >= least:
+            yield spelled[: max(printed[-1] + 1, 3 if least == 1 else 2)]
 
 
 def _size(base: str, letters: Collection[str]) -> tuple[str, int] | None:
