@@ -99,9 +99,9 @@ def doubt_of_proofs(reading: Reading) -> str:
     """The convention on which even a proof may rely; the empty text if none is seen."""
     asked, inference = reading.source[0], reading.inference
     said = {letter for letter, _ in asked.letters}
-    for _, part in walk(reading.tree):
-        if isinstance(part, Name) and part.letter in ("d", r"\text{d}") and part.letter not in said:
-            return "d: a letter, or the sign of a differential? say what it is"
+    names = {part.letter for _, part in walk(reading.tree) if isinstance(part, Name)}
+    if names & {"d", r"\text{d}"} - said and not names >= {"a", "b", "c", "d"}:
+        return "d: a letter, or the sign of a differential? say what it is"
     factors = {part.letter for _, part in walk(reading.tree) if isinstance(part, Name)}
     for _, part in walk(reading.tree):
         if isinstance(part, Name) and part.primes and part.letter in reading.source[2].keys() - said:
