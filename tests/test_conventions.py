@@ -15,9 +15,26 @@ LORENTZ = [r"x' = \gamma(x - vt)", r"t' = \gamma(t - vx/c^2)", r"\gamma = \frac{
 ORBIT = [r"\ddot{\mathbf r} = -\frac{\mu}{r^3}\mathbf r", r"\mathbf v = \dot{\mathbf r}"]
 KEPLER = [r"r = \frac{a(1 - e^2)}{1 + e\cos\nu}", r"\cos\nu = \frac{\cos E - e}{1 - e\cos E}"]
 WAVE = [r"\psi = e^{i(kx - \omega t)}", r"\hbar\omega = \frac{\hbar^2 k^2}{2m}"]
+TURN = r"R = \begin{pmatrix} \cos\theta & -\sin\theta \\ \sin\theta & \cos\theta \end{pmatrix}"
+LYAPUNOV = [
+    r"A = \begin{bmatrix} 0 & 1 \\ -1 & -1 \end{bmatrix}",
+    r"P = \begin{bmatrix} 3/2 & 1/2 \\ 1/2 & 1 \end{bmatrix}",
+    r"Q = \begin{bmatrix} 1 & 0 \\ 0 & 1 \end{bmatrix}",
+]
+PAULI = [
+    r"\sigma_x = \begin{pmatrix} 0 & 1 \\ 1 & 0 \end{pmatrix}",
+    r"\sigma_y = \begin{pmatrix} 0 & -i \\ i & 0 \end{pmatrix}",
+    r"\sigma_z = \begin{pmatrix} 1 & 0 \\ 0 & -1 \end{pmatrix}",
+]
 
 VERDICTS: dict[str, list[tuple[str, list[str]]]] = {
     "proved": [
+        ("(AB)^T = B^T A^T", []),
+        ("x^T A x = x^T A^T x", []),
+        ("R^{-1} = R^T", [TURN]),
+        (r"A^T P + P A = -Q", LYAPUNOV),
+        (r"\sigma_x \sigma_y = i\sigma_z", PAULI),
+        (r"\dot R = R S", [TURN, r"S = \begin{pmatrix} 0 & -\dot\theta \\ \dot\theta & 0 \end{pmatrix}"]),
         (r"u'' + u = \frac{\mu}{h^2}", [r"u = \frac{\mu}{h^2}(1 + e\cos\theta)"]),
         ("c_1 = a_2 b_3 - a_3 b_2", [r"\mathbf{c} = \mathbf{a}\times\mathbf{b}"]),
         (r"\frac{\partial L}{\partial \dot q} = m \dot q", LAGRANGE),
@@ -72,6 +89,11 @@ VERDICTS: dict[str, list[tuple[str, list[str]]]] = {
         ("x'^2 - c^2 t'^2 = x^2 - c^2 t^2", LORENTZ),
     ],
     "refuted": [
+        ("(AB)^T = A^T B^T", []),
+        ("A^T B = B^T A", []),
+        (r"\det R = -1", [TURN]),
+        (r"A^T P + P A = Q", LYAPUNOV),
+        (r"\dot R = -R S", [TURN, r"S = \begin{pmatrix} 0 & -\dot\theta \\ \dot\theta & 0 \end{pmatrix}"]),
         (r"u'' - u = \frac{\mu}{h^2}", [r"u = \frac{\mu}{h^2}(1 + e\cos\theta)"]),
         ("c_1 = a_3 b_2 - a_2 b_3", [r"\mathbf{c} = \mathbf{a}\times\mathbf{b}"]),
         (r"r = a(1 + e\cos E)", KEPLER),

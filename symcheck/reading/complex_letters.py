@@ -71,7 +71,7 @@ def complexes(
     found = True
     while found:
         found = False
-        for x, other in _equated(formulas):
+        for x, other in equated(formulas):
             inside = {place.word for place in occurrences(other)}
             if x in free and x not in certain and inside & {*units, *certain}:
                 certain[x] = "it is equal to something complex"
@@ -79,7 +79,7 @@ def complexes(
     return Complexes(certain, {x for x in conjugates.values() if x in free and x not in certain}, conjugates)
 
 
-def _equated(formulas: Sequence[str]) -> Iterator[tuple[str, str]]:
+def equated(formulas: Sequence[str]) -> Iterator[tuple[str, str]]:
     """Letters with what they are equal to."""
     for formula in formulas:
         for a, b in itertools.pairwise(_members(formula)):

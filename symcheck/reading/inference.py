@@ -13,7 +13,7 @@ from dataclasses import dataclass, field, replace
 from symcheck.core.verdicts import SymcheckError
 from symcheck.reading import tex
 from symcheck.reading.commands import ACCENTS, ROMAN, STYLES, known
-from symcheck.reading.complex_letters import complexes
+from symcheck.reading.complex_letters import complexes, equated
 from symcheck.reading.lexer import SPACES
 from symcheck.reading.notation import VALUE, Letter, Notation, instances
 from symcheck.reading.occurrences import Occurrence, occurrences, words
@@ -92,6 +92,12 @@ class Evidence:
     whole: bool = False
     running: bool = False
     orbital: bool = False
+    shape: tuple[int, ...] = ()  # of the matrix or the column to which it is equal
+
+    @property
+    def transposed(self) -> bool:
+        """Does it stand with a T above, or with another sign of the transposed?"""
+        return any(place.transposed for place in self.places)
 
     @property
     def dotted(self) -> bool:
@@ -366,6 +372,7 @@ def gathered(formulas: Sequence[str], said: Mapping[str, str]) -> dict[str, Evid
     ends = {place.word: place.arguments for place in places if place.role == "index" and place.arguments}
     families = {p.word for p in places if p.subscript is not None and index.intersection(words(p.subscript))}
     phrases = {latex if latex in wholes else canonical(latex): phrase for latex, phrase in said.items()}
+    shapes = {letter: shape for letter, other in equated(formulas) if (shape := _shape(other))}
     found: dict[str, Evidence] = {}
     for place in places:
         if place.role == "subscript":
@@ -381,6 +388,7 @@ def gathered(formulas: Sequence[str], said: Mapping[str, str]) -> dict[str, Evid
         own.said = phrases.get(latex, "")
         own.index = latex in index and not tokens
         own.whole = latex in wholes
+        own.shape = shapes.get(latex, ())
         own.orbital = latex == "e" and any(map(_ECCENTRIC.search, formulas))
         for low, high in (ends.get(t, ("", "")) for t in tokens) if family else ():
             low, high = (phrases.get(end, "").removeprefix("the number ") or end for end in (low, high))
@@ -605,8 +613,17 @@ def _options(of: Evidence, every: Mapping[str, Evidence], defined: Mapping[str, 
         yield Guess(_letter(of, kind="matrix", size=own, identity=True), "the identity", "it stands beside matrices")
         if latex != r"\mathbf{1}":
             yield Guess(_letter(of, kind="matrix", size=own), "a matrix", "it is capital", remote=True)
+    elif of.shape:
+        kind = "matrix" if len(of.shape) > 1 else "vector"
+        yield Guess(_letter(of, kind=kind, size=of.shape, depends=""), f"a {kind}", PRINTED)
     elif _STYLED.match(latex):
         yield from _styled(of)
+    elif of.transposed and "T" not in every:
+        kind = "matrix" if latex[:1].isupper() else "vector"
+        yield Guess(_letter(of, kind=kind, depends=""), f"a {kind}", "it is transposed")
+    elif latex.isupper() and not of.indices and any(x.transposed and x.spelling.isalpha() for x in every.values()):
+        yield Guess(_letter(of, kind="matrix", depends=""), "a matrix", "it is capital beside what is transposed")
+        yield Guess(_letter(of, depends=""), "a real number", "nothing else is done with it")
     elif _beside_vectors(of, every):
         yield Guess(_letter(of, kind="vector", depends=""), "a vector", "it is multiplied by one")
     else:
@@ -735,6 +752,21 @@ def _time(every: Mapping[str, Evidence]) -> str:
 
 
 CONSTANT = "constant"
+PRINTED = "it is equal to one that is printed"
+_ENTRIES = re.compile(r"\s*\\begin\{([pbBv]?matrix|smallmatrix)\}((?:(?!\\begin).)*)\\end\{\1\}\s*", re.DOTALL)
+
+
+def _shape(latex: str) -> tuple[int, ...]:
+    """The numbers of rows and columns of a printed matrix, or of the components of a column; nothing else has any."""
+    if not (found := _ENTRIES.fullmatch(latex)):
+        return ()
+    rows = [row for row in re.split(r"\\\\(?:\[[^\]]*\])?", found[2]) if row.strip()]
+    columns = {row.count("&") + 1 for row in rows}
+    if len(columns) != 1:
+        return ()
+    return (len(rows), *columns) if columns != {1} else (len(rows),)
+
+
 MOVING = "it is differentiated"
 
 
@@ -743,6 +775,10 @@ def _dependent(of: Evidence, every: Mapping[str, Evidence], named: bool) -> Iter
     on = [_time(every)] if of.dotted else []
     on += [x for x in of.by if x not in on and x != of.spelling]
     words = ", ".join(on)
+    if of.shape:
+        kind = "matrix" if len(of.shape) > 1 else "vector"
+        yield Guess(_letter(of, kind=kind, depends=words, size=of.shape, named=named), f"a {kind}", PRINTED)
+        return
     if _is_styled(of.spelling, capital=True) and r"\vec" not in of.spelling:
         for kind in ("matrix", "vector"):
             yield Guess(_letter(of, kind=kind, depends=words, named=named), f"a {kind}, a function of {words}", MOVING)

@@ -50,6 +50,7 @@ class Occurrence:
     by: tuple[str, ...] = ()  # the letters below the derivative under which it stands
     beside: tuple[str, ...] = ()  # letters behind a dot or a cross before it or behind it
     exponent: bool = False  # does it stand in an exponent of e?
+    transposed: bool = False  # does a T stand above it?
 
 
 @dataclass(slots=True)
@@ -263,6 +264,7 @@ class Scan(tex.Reader):
         if word.removeprefix(r"\text{").removesuffix("}") in FUNCTIONS or known(word):
             return
         primes, scripts, inner = 0, dict[str, tuple[str, ...]](), list[Occurrence]()
+        transposed = False
         while self.peek() in ("_", "^", "'") and self.peek() not in scripts:
             mark = self.peek()
             self.i += 1
@@ -272,6 +274,7 @@ class Scan(tex.Reader):
             place = self.i
             tokens = tuple(tok.text for tok in self.group()) if self.i < len(self.toks) else ()
             if mark == "^" and tuple(words(tokens)) in TRANSPOSED:
+                transposed = True
                 continue
             if mark == "^" and tokens and set(tokens) <= {"'", r"\prime"}:
                 primes += len(tokens)
@@ -297,6 +300,7 @@ class Scan(tex.Reader):
             after,
             scope.by,
             exponent=scope.exponent,
+            transposed=transposed,
         )
         yield from inner
 
