@@ -24,6 +24,7 @@ MAX_READINGS = 8  # of one question: three letters with two readings each; more 
 _STYLED = re.compile(r"(?:\\\w+\{)?\\(mathbf|boldsymbol|bm|pmb|vec|overrightarrow)\{")  # a style, or an accent over it
 _TYPICAL = frozenset("fghFGH") | {r"\phi", r"\psi", r"\varphi", r"\Phi", r"\Psi", r"\Theta", r"\Gamma"}
 _ECCENTRIC = re.compile(r"1\s*[-+]\s*e\s*(?:\^\s*\{?2\}?)?(?!\s*\^|\d)|(?<![A-Za-z\\])e\s*\\(?:cos|sin)(?![A-Za-z])")
+_NUMBER = re.compile(r"\s*[-+]?\s*[\d.\s]+")
 _SKEW = re.compile(r"\[ (.+) \] _ (?:\{ )?\\times(?: \})?")  # `[a]_\times`, by its tokens
 _SIZES = re.compile(r"^(?:\{)?(\w+)(?:\\times(\w+))?(?:\})?$")
 
@@ -733,8 +734,8 @@ def _common_arguments(of: Evidence) -> tuple[str, ...]:
 
 
 def _may_be_factor(of: Evidence) -> bool:
-    """Could it be multiplied with what stands in brackets behind it, a sum or a product?"""
-    return all(len(args) == 1 and {"+", "-", r"\pm", r"\mp"} & set(args[0].split()) for args in of.arguments)
+    """Could it be multiplied with what stands in brackets behind it, which is more than a letter or a number?"""
+    return all(len(args) == 1 and not is_letter(args[0]) and not _NUMBER.fullmatch(args[0]) for args in of.arguments)
 
 
 def _varies(of: Evidence) -> bool:
