@@ -10,7 +10,6 @@ import pytest
 from click.testing import CliRunner
 from page_picture import CHROMIUM, PICTURE, SIZE, take
 from rich.console import Console
-from warm_cache import warm_cache
 
 from symcheck import errata
 from symcheck.cli import cli
@@ -24,7 +23,7 @@ LARGEST = 150_000  # bytes of the picture
 @pytest.fixture(autouse=True)
 def cache_of_its_own(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
     """What the README shows is decided in this run."""
-    monkeypatch.setenv("SYMCHECK_CACHE", warm_cache(tmp_path / "cache"))
+    monkeypatch.setenv("SYMCHECK_CACHE", str(tmp_path / "cache"))
     monkeypatch.setenv("XDG_CONFIG_HOME", str(tmp_path / "config"))
 
 
@@ -55,7 +54,7 @@ def test_the_readers_own_formulas_are_decided_as_it_is_said(capsys: pytest.Captu
 
 
 def test_the_erratum_is_what_is_printed(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setenv("SYMCHECK_CACHE", warm_cache(tmp_path / "cache"))
+    monkeypatch.setenv("SYMCHECK_CACHE", str(tmp_path / "cache"))
     printed = README.read_text(encoding="utf-8")
     (shown,) = re.findall(r"^```text\n(poloskov2004:.*?)^```", printed, flags=re.DOTALL | re.MULTILINE)
     with (tmp_path / "out").open("w") as file:
