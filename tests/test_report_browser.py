@@ -91,7 +91,7 @@ def title(page: Page, start: str) -> None:
 
 def shown(page: Page) -> list[str]:
     page.locator("#ledger-title").wait_for()
-    return page.locator("#rows li:visible > a").all_inner_texts()
+    return page.locator("#rows li:visible > a").all_text_contents()  # of rows that are not drawn yet, too
 
 
 @pytest.mark.parametrize("place", VIEWS)
