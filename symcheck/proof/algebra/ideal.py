@@ -16,7 +16,7 @@ from symcheck.proof.algebra import flint
 from symcheck.proof.algebra.facts import Fact, by_construction
 from symcheck.proof.algebra.flint import Poly
 from symcheck.proof.algebra.groebner import PAIRS, Basis, components
-from symcheck.proof.algebra.polynomial import Ring
+from symcheck.proof.algebra.polynomial import MAX_DEGREE, Ring, Unsupported
 
 Cofactors = dict[int, Poly]  # by the number of the fact
 Text = tuple[tuple[tuple[int, ...], tuple[int, int]], ...]
@@ -102,7 +102,9 @@ class Ideal:
 
     def _divide(self, poly: Poly) -> tuple[Poly, Cofactors]:
         quotients: Cofactors = {}
-        changed = len(poly) > 0
+        changed = len(poly) > 0 and len(self._elements) > 0
+        if changed and poly.total_degree() > MAX_DEGREE:
+            raise Unsupported(f"a polynomial of degree {poly.total_degree()}, to be reduced by equations")
         while changed:
             changed = False
             for k, element in enumerate(self._elements):

@@ -26,7 +26,8 @@ FUNCTIONS = ("sqrt", "pow", "log", "exp", "gamma", "arctan", "arcsin", "arccos",
 # what is above these limits would take minutes or gigabytes; the papers stay far below
 MAX_POWER = 999  # exponent
 MAX_LENGTH = 200_000  # terms of the power of a sum
-MAX_DEGREE = 400  # of the power of a sum
+MAX_DEGREE = 400  # of the power of a sum, and of what is reduced by equations
+MAX_PRODUCTS = 20_000_000  # of terms, in one product of sums: a second or two
 MAX_BITS = 12_000  # of a number: Python prints none of more than 4,300 digits
 MAX_TURNS = 99  # times an angle: the cosine has as many factors
 MAX_PRIME = 43  # of the roots the checker knows
@@ -168,6 +169,13 @@ def square_free(value: Fraction) -> tuple[Fraction, tuple[int, ...]]:
             primes.append(p)
         p += 1
     return outside, tuple(primes)
+
+
+def times(left: Poly, right: Poly) -> Poly:
+    """The product of two polynomials, unless it is too long to be written out."""
+    if len(left) * len(right) > MAX_PRODUCTS:
+        raise Unsupported(f"the product of sums of {len(left)} and {len(right)} terms")
+    return left * right
 
 
 Key = tuple[str, str]  # ("letter", x), ("pi", ""), or ("term", its canonical form)
@@ -579,7 +587,7 @@ class Ring:
         for value in values:
             num = value.num
             for text, (poly, exponent) in common.items():
-                num *= poly ** (exponent - (value.den[text][1] if text in value.den else 0))
+                num = times(num, poly ** (exponent - (value.den[text][1] if text in value.den else 0)))
             total += num
         return Ratio(total, common)
 
@@ -595,7 +603,7 @@ class Ring:
                 if exponent > 1:
                     den[text] = (poly, exponent - 1)
             else:
-                num *= value.num
+                num = times(num, value.num)
         return Ratio(num, den)
 
     def turn(self, combination: Mapping[str, int]) -> tuple[Poly, Poly]:
