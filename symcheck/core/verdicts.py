@@ -9,6 +9,10 @@ class SymcheckError(Exception):
     """Bad input or a damaged file, told in one line that names the input and the way out."""
 
 
+class NoForm(SymcheckError):
+    """What is understood, but cannot be expressed in terms: a limit, a set, a matrix exponential."""
+
+
 class Loss(StrEnum):
     """What is lost with a hypothesis."""
 

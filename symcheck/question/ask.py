@@ -21,10 +21,10 @@ from symcheck.question.answer import Answer, Status
 from symcheck.question.antiderivatives import hinted
 from symcheck.question.doubts import defines, doubt, doubt_of_proofs
 from symcheck.question.limit import OutOfTime, limited
-from symcheck.question.prepare import DEFINED, VARIABLES, Asked, Reading, readings, sizes
+from symcheck.question.prepare import DEFINED, VARIABLES, Asked, Reading, Understood, readings, sizes
 from symcheck.question.repairs import repairs
-from symcheck.reading import with_brackets
-from symcheck.reading.inference import NUMBERS, VECTORS
+from symcheck.reading import Tree, with_brackets
+from symcheck.reading.inference import NUMBERS, VECTORS, Inference
 
 LIMIT = 6.0  # seconds for one component of a relation; nearly all that are found at all are found in one
 TOTAL = 15.0  # seconds for all of them
@@ -80,8 +80,10 @@ def decide(
         asked = Asked(relation, _several(where), _several(given), tuple((letters or {}).items()))
         with limited(TOTAL):
             found = [(reading, _decided(reading, asked)) for reading in readings(asked)]
+    except Understood as error:
+        found, other = [], Answer(Status.UNDECIDED, *_shown(error.tree, error.inference), reason=error.reason)
     except SymcheckError as error:
-        found, fault = [], str(error)
+        found, other = [], Answer(Status.UNREADABLE, reason=str(error))
     except OutOfTime:
         reason = f"the search was not over after {TOTAL:g} s"
         return Answer(Status.UNDECIDED, reason=reason, seconds=time.perf_counter() - started)
@@ -89,7 +91,7 @@ def decide(
     if open_ and asked and (at := _of_some_size(asked)):
         return replace(at, seconds=time.perf_counter() - started)
     if not found:
-        return Answer(Status.UNREADABLE, reason=fault, seconds=time.perf_counter() - started)
+        return replace(other, seconds=time.perf_counter() - started)
 
     seconds = time.perf_counter() - started
     choices = {choice for reading, _ in found for choice in reading.inference.choices}
@@ -138,9 +140,13 @@ def _several(texts: Iterable[str] | str) -> tuple[str, ...]:
     return tuple(text for text in ((texts,) if isinstance(texts, str) else texts) if text.strip())
 
 
+def _shown(tree: Tree, inference: Inference) -> tuple[str, dict[str, str]]:
+    """What was understood, with all brackets, and what each letter was taken for."""
+    return with_brackets(tree), {g.letter.latex: f"{g.taken} ({g.why})" for g in inference.guesses}
+
+
 def _decided(reading: Reading, asked: Asked, wanted: bool = True) -> Answer:
-    shown = {g.letter.latex: f"{g.taken} ({g.why})" for g in reading.inference.guesses}
-    base = Answer(Status.UNDECIDED, with_brackets(reading.tree), shown)
+    base = Answer(Status.UNDECIDED, *_shown(reading.tree, reading.inference))
     certificates, status, reasons, used = [], Status.PROVED, list[str](), list[str]()
     for problem in reading.problems:
         verdict, made, found = _decided_one(problem)
@@ -251,7 +257,7 @@ def _refuted_at_whole_numbers(problem: Problem, names: list[str]) -> tuple[Certi
 def _decided_one(problem: Problem) -> tuple[Verdict, Certificate | None, tuple[str, ...]]:
     """The verdict with its certificate and what it rests on, or why there is none; about numbers first if it can be."""
     reasons = []
-    for way in (jets.of, lambda whole: jets.Jets(whole, True)):
+    for way in (jets.of, jets.without):
         try:
             with limited(LIMIT):
                 if (numbers := way(problem)) is None:

@@ -13,8 +13,9 @@ from symcheck.core.terms import Call as Applied
 from symcheck.core.terms import Connective, Formula, Relation, Term
 from symcheck.question.order_of_factors import relies_on_order
 from symcheck.question.prepare import DEFINED, Reading
-from symcheck.reading import Tree, tex
-from symcheck.reading.tree import Add, Antiderivative, BigSum, Call, Chain, Name, Number, Pow, walk
+from symcheck.reading import Tree, read, tex, to_latex
+from symcheck.reading.landau import terms_of_order
+from symcheck.reading.tree import Add, Antiderivative, BigSum, Call, Chain, Div, Name, Number, Pow, Root, Sqrt, walk
 
 GREEK = frozenset({r"\mu", r"\nu", r"\rho", r"\sigma", r"\lambda", r"\kappa"})  # indices, above too: hardly exponents
 INDICES = frozenset("ijklmn") | GREEK
@@ -90,6 +91,8 @@ def doubt(reading: Reading) -> str:
         return f"is {units[0].latex} always of length 1? say so, as |{units[0].latex}| = 1, or what it is"
     if name := _integrated(reading):
         return f"does the integral say what {name} is? give another equation for it, or the integral with its bounds"
+    if polynomial := _order_of_polynomials(reading):
+        return f"{polynomial} where its letter goes to 0, or to infinity? compare coefficients"
     if index := next(_repeated(reading.tree), ""):
         return f"is {index} summed over, as it is repeated in a product? write the sum"
     return ""
@@ -114,6 +117,20 @@ def doubt_of_proofs(reading: Reading) -> str:
         capitals = ", ".join(g.letter.latex for g in inference.guesses if g.letter.latex.isupper())
         return f"it relies on the order of factors: are {capitals} numbers, or matrices? say what they are"
     return ""
+
+
+def _order_of_polynomials(reading: Reading) -> str:
+    """The term of an order beside polynomials alone, which may be meant for large values too."""
+    notation, defined = reading.inference.notation, reading.source[2]
+    orders = terms_of_order(reading.tree, notation=notation)
+    trees = [reading.tree, *(read(right, notation) for _, _, right in defined.values())] if orders else []
+    parts = [part for tree in trees for _, part in walk(tree) if part not in {call for _, _, call in orders}]
+    bends = any(isinstance(p, Call | Sqrt | Root) or (isinstance(p, Div) and _has_letters(p.bottom)) for p in parts)
+    return "" if bends or not orders else to_latex(orders[0][2])
+
+
+def _has_letters(tree: Tree) -> bool:
+    return any(isinstance(part, Name) for _, part in walk(tree))
 
 
 def _angle_between(reading: Reading) -> str:

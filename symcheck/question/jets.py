@@ -9,13 +9,15 @@ which holds nearby if it holds at the place, as a weak one is made; or it has no
 from __future__ import annotations
 
 from collections.abc import Iterable
+from contextlib import suppress
 from dataclasses import dataclass, replace
 
-from symcheck.core.calculus import Unknown, derivative, differentiated, letters, substituted
+from symcheck.core.calculus import Unknown, derivative, differentiated, letters, nodes, substituted
 from symcheck.core.problems import Problem
 from symcheck.core.terms import Binder, Call, Formula, Node, Relation, T, Term, mapped, node
 from symcheck.proof.algebra.polynomial import Unsupported, unfold
 
+_AT_ZERO = {"sin": 0, "tan": 0, "cos": 1, "exp": 1}  # where series are developed
 STRICT = {
     "!=": "!=",
     "<": "<",
@@ -72,6 +74,15 @@ def of(problem: Problem) -> Jets | None:
     return _solved(found, {name: call for call, name in names.items()})
 
 
+def without(problem: Problem) -> Jets:
+    """The problem itself, its derivatives at 0 taken."""
+    trees = [problem.claim, *(f for _, fs in problem.hypotheses for f in fs)]
+    if any(part.tag == "diff" and part.outside[-1] == 0 for part in nodes(*trees)):
+        with suppress(Unknown, Unsupported):
+            problem = _expanded(problem)
+    return Jets(problem, True)
+
+
 def _expanded(problem: Problem) -> Problem:
     """The same without derivatives of anything but unknown functions, definitions unfolded where they stand in them."""
     meant = dict(problem.definitions)
@@ -84,7 +95,8 @@ def _expanded(problem: Problem) -> Problem:
         if isinstance(tree, Binder) and tree.tag == "diff":
             slope = node("diff", rate(tree.body), tree.letter, *tree.outside)
             return rate(differentiated(slope))  # type: ignore[return-value, arg-type]
-        return mapped(tree, rate)  # type: ignore[return-value]
+        new = mapped(tree, rate)
+        return _AT_ZERO[new.tag] if new.tag in _AT_ZERO and new.outside == (0,) else new  # type: ignore[return-value]
 
     definitions = tuple((name, rate(term)) for name, term in problem.definitions)
     hypotheses = tuple((name, tuple(map(rate, formulas))) for name, formulas in problem.hypotheses)

@@ -13,7 +13,7 @@ from symcheck.checker.residues import Reject
 from symcheck.core.calculus import Unknown, domain, functions, letters, nodes
 from symcheck.core.problems import Problem
 from symcheck.core.terms import Binder, End, Formula, Node, T, Term, Value, mapped, node
-from symcheck.core.verdicts import SymcheckError
+from symcheck.core.verdicts import NoForm, SymcheckError
 from symcheck.core.words import term
 from symcheck.reading import Notation, Tree, lower, read, tex
 from symcheck.reading.inference import (
@@ -69,6 +69,15 @@ class Reading:
     problems: tuple[Problem, ...]
     stated: Mapping[str, str]  # definitions and conditions as printed, by their names in the problems
     source: tuple[Asked, Inference, Definitions, Sequence[str], Sequence[str]]
+
+
+@dataclass
+class Understood(SymcheckError):
+    """A question that is read whole, of which something has no form in the language of proofs."""
+
+    inference: Inference
+    tree: Tree
+    reason: str
 
 
 def plainly(asked: Asked) -> Asked:
@@ -204,17 +213,28 @@ def readings(asked: Asked, size: int = 0) -> list[Reading]:
     defined, equations = definitions(asked.where, [asked.relation, *asked.where, *asked.given])
     formulas = [asked.relation, *asked.where, *conditions]
     heads = {name: arguments for name, (_, arguments, _) in defined.items()}
-    errors = []
+    errors = list[SymcheckError]()
     for tried in (SIZES, LARGER):
         found = []
         for inference in inferred(formulas, said, heads, tried):
             try:
                 found.append(_reading(asked, inference, defined, equations, conditions))
+            except NoForm as error:
+                errors.append(_understood(asked, inference, conditions, str(error)))
             except SymcheckError as error:
                 errors.append(error)
         if found:
             return found
-    raise errors[0]
+    raise next((error for error in errors if isinstance(error, Understood)), errors[0])
+
+
+def _understood(asked: Asked, inference: Inference, conditions: Sequence[str], reason: str) -> SymcheckError:
+    """What is known of a question without a form: it is read whole, or what cannot be read."""
+    try:
+        tree, *_ = [read(text, inference.notation) for text in (asked.relation, *asked.where, *conditions)]
+    except SymcheckError as error:
+        return error
+    return Understood(inference, tree, reason)
 
 
 def _reading(
@@ -265,6 +285,8 @@ def _reading(
     stated_ = [*claims, *(f for _, fs in hypotheses for f in fs)]
     order = _sorted(terms)
     whole = [*stated_, *(terms[name] for name in order)]
+    if any(letter.order is not None for letter in notation.letters):
+        _refuse_unsolved(claims, [f for _, fs in hypotheses for f in fs])
     printed = dict.fromkeys((*domain(*whole), *begun(*whole)))
     valued = tuple(each for each in printed if letters(each) or functions(each))
     for each in printed:
@@ -280,6 +302,16 @@ def _reading(
         Problem(f"question{n or ''}", claim, unfolding, tuple(hypotheses)) for n, claim in enumerate(claims)
     )
     return Reading(inference, tree, problems, stated, (asked, inference, defined, equations, conditions))
+
+
+def _refuse_unsolved(claims: Iterable[Formula], conditions: Iterable[Formula]) -> None:
+    """NoForm where other letters may depend on one that goes to 0, by a condition that does not say how."""
+    small = {x for part in nodes(*claims) if part.tag == "diff" for x in part.bound}
+    for condition in conditions:
+        if (inside := letters(condition)) & small and not inside <= small:
+            raise NoForm(
+                f"do other letters depend on {', '.join(small & inside)} in {term(condition)}? solve it for one"
+            )
 
 
 def _solved(formula: Formula, terms: Mapping[str, Term]) -> str | None:

@@ -8,7 +8,7 @@ from functools import reduce
 from typing import TypeAlias
 
 from symcheck.core.terms import Node, Term, node
-from symcheck.core.verdicts import SymcheckError
+from symcheck.core.verdicts import NoForm
 from symcheck.reading.functions import REAL, SPELLED
 
 
@@ -99,9 +99,7 @@ def divided(top: Number, bottom: Number) -> Number:
 def raised(base: Complex, exponent: Number) -> Number:
     """A whole power."""
     if not isinstance(exponent, int):
-        raise SymcheckError(
-            "a power of a complex number that is not whole has several values; write exp of a logarithm"
-        )
+        raise NoForm("a power of a complex number that is not whole has several values; write exp of a logarithm")
     if exponent == 0:
         return 1
     power = reduce(_product, [base] * abs(exponent))
@@ -161,8 +159,8 @@ _FUNCTIONS: dict[str, Callable[[Complex], Number]] = {
 
 
 def applied(name: str, z: Complex) -> Number:
-    """A function of a complex number; SymcheckError for one with several values there."""
+    """A function of a complex number; NoForm for one with several values there."""
     function = _FUNCTIONS.get(SPELLED.get(name, name))
     if function is None:
-        raise SymcheckError(f"{name} of a complex number is not read: it has several values, or no form; write it out")
+        raise NoForm(f"{name} of a complex number is not read: it has several values, or no form; write it out")
     return function(z)

@@ -567,6 +567,9 @@ def canonical(latex: str) -> str:
     return spelling(found[0])
 
 
+ORDERS = {"O": 0, r"\mathcal{O}": 0, "o": 1, r"\mathcal{o}": 1}  # how far terms are above the printed power
+
+
 def _options(of: Evidence, every: Mapping[str, Evidence], defined: Mapping[str, tuple[str, ...]]) -> Iterator[Guess]:
     """All that a letter may be."""
     latex = of.spelling
@@ -578,6 +581,10 @@ def _options(of: Evidence, every: Mapping[str, Evidence], defined: Mapping[str, 
         return
     if number := _number(of):
         yield from number
+        return
+    if latex in ORDERS and of.arguments and not of.bare and latex not in defined:
+        told = f"a term of {'a higher' if ORDERS[latex] else 'this'} order"
+        yield Guess(_letter(of, kind="function", order=ORDERS[latex]), told, "it stands before brackets only")
         return
     base, _, below = latex.partition("_")
     parts = below.strip("{}")

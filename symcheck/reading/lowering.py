@@ -16,7 +16,7 @@ from symcheck.core.calculus import letters, substituted
 from symcheck.core.formulas import contrary
 from symcheck.core.terms import INFINITY, MINUS_INFINITY, PI, Formula, Node, Term, mapped, node
 from symcheck.core.terms import Call as Applied
-from symcheck.core.verdicts import SymcheckError
+from symcheck.core.verdicts import NoForm, SymcheckError
 from symcheck.reading import tree as tree_of
 from symcheck.reading.complexes import (
     UNIT,
@@ -52,6 +52,7 @@ from symcheck.reading.components import (
     zipped,
 )
 from symcheck.reading.functions import SPELLED, applied
+from symcheck.reading.landau import coefficient, terms_of_order, vanishing, without
 from symcheck.reading.notation import TIMES, Letter, Notation, variable
 from symcheck.reading.parser import dependence, read
 from symcheck.reading.printing import to_latex
@@ -93,6 +94,7 @@ from symcheck.reading.tree import (
     Or,
     Pair,
     Piecewise,
+    Path,
     PlusMinus,
     Pow,
     Qualifier,
@@ -324,6 +326,8 @@ class Lowering:
             return [self.by_cases(found[0], left, sign, right, env)]
         if any(isinstance(part, Antiderivative) for side in (left, right) for _, part in walk(side)):
             return self.primitive(left, sign, right, env)
+        if orders := terms_of_order(left, right, notation=self.notation):
+            return self.up_to_order(orders, left, sign, right, env)
         if sign == r"\in" and isinstance(right, Interval | Pair):
             low, high = (self.scalar(end, env) for end in children(right))
             ends = right.ends if isinstance(right, Interval) else "()"
@@ -350,6 +354,34 @@ class Lowering:
         if sign == r"\ne":
             return [node("or", *pairs)]
         raise SymcheckError(f"{to_latex(left)} {sign} {to_latex(right)} orders vectors; only scalars can be")
+
+    def up_to_order(
+        self, found: list[tuple[Tree, Path, Call]], left: Tree, sign: str, right: Tree, env: Env
+    ) -> list[Formula]:
+        """A relation with a term O(x^n), where x goes to 0."""
+        (side, path, call), printed = found[0], Chain((left, right), (sign,))
+        for each in (left, right):
+            head = each.function if isinstance(each, Call) else each
+            same = [part for _, part in walk(printed) if isinstance(part, Name)]
+            if not isinstance(head, Name) or head.letter in self.defined or each is call:
+                continue
+            if same.count(head) == 1:
+                raise NoForm(f"{to_latex(printed)}: what is {to_latex(head)}? say it in an equation")
+        if len(found) > 1 or sign not in ("=", r"\equiv") or len(call.arguments) > 1:
+            raise NoForm(f"{to_latex(printed)}: only an equation with one term of an order is decided")
+        assert isinstance(call.function, Name)
+        a, b = (self.value(without(each, path) if each is side else each, env) for each in (left, right))
+        a, b = self._alike(a, b, left, right)
+        gaps = [
+            self.written_out(node("+", x, node("-", y)), printed, env)
+            for u, v in zip(flat(a), flat(b), strict=True)
+            for x, y in self.equated(u, v)
+        ]
+        size, factor = self.scalar(call.arguments[0], env), self.scalar(coefficient(side, path), env)
+        steps = self.notation.letter(call.function.letter, 0).order or 0
+        x, formulas = vanishing(gaps, size, steps, self.written_out(factor, printed, env), printed)
+        self.met.pop(x, None)
+        return formulas
 
     def equated(self, a: Number, b: Number) -> Iterator[tuple[Term, Term]]:
         """Two numbers that are compared, or their real and imaginary parts."""
@@ -400,9 +432,7 @@ class Lowering:
             return _and(self.formula(part, {**env, **more}) for more in envs for part in stated)
         if isinstance(tree, CaseList):
             if not all(label.endswith(".") for label, _ in tree.cases):
-                raise SymcheckError(
-                    f"{to_latex(tree)} is a numbered list; state formally whether all or one of it holds"
-                )
+                raise NoForm(f"{to_latex(tree)} is a numbered list; state formally whether all or one of it holds")
             return node("or", *(self.formula(case, env) for _, case in tree.cases))
         if isinstance(tree, And):
             return _and(self.formula(part, env) for part in tree.parts)
@@ -413,14 +443,14 @@ class Lowering:
             return node(sign, self.formula(tree.left, env), self.formula(tree.right, env))
         if isinstance(tree, Values):
             if Dots() in tree.values:
-                raise SymcheckError(f"{to_latex(tree)}: values that are not written out have no algebraic form")
+                raise NoForm(f"{to_latex(tree)}: values that are not written out have no algebraic form")
             return node(
                 "or", *(node("=", self.scalar(tree.name, env), self.scalar(value, env)) for value in tree.values)
             )
         if isinstance(tree, Exists):
             return node("exists", tuple(self.variables(tree.names, env)), self.formula(tree.body, env))
         if isinstance(tree, Forall | Words):
-            raise SymcheckError(f"{to_latex(tree)} has no algebraic form; state for what it holds as a condition")
+            raise NoForm(f"{to_latex(tree)} has no algebraic form; state for what it holds as a condition")
         raise SymcheckError(f"{to_latex(tree)} is neither true nor false; a relation is expected")
 
     def variables(self, names: Iterable[Tree], env: Env) -> Iterator[str]:
@@ -454,7 +484,7 @@ class Lowering:
         """The term, vector or matrix of an expression."""
         method: Callable[[Any, Env], Value] | None = getattr(self, f"of_{type(tree).__name__.lower()}", None)
         if method is None:
-            raise SymcheckError(f"{to_latex(tree)} has no algebraic form; state it formally")
+            raise NoForm(f"{to_latex(tree)} has no algebraic form; state it formally")
         return method(tree, env)
 
     def of_number(self, tree: tree_of.Number, env: Env) -> Value:
@@ -524,7 +554,7 @@ class Lowering:
     def running(self, letter: Letter, tree: Name, env: Env) -> Term:
         """A letter whose indices run up to a letter: a function of them."""
         if letter.kind != "scalar" or tree.primes or tree.dots:
-            raise SymcheckError(f"{to_latex(tree)}: only numbers have indices that run up to a letter")
+            raise NoForm(f"{to_latex(tree)}: only numbers have indices that run up to a letter")
         if not self.inside:
             self.met.setdefault(letter.stem, tree)
         indices = [self.index(subscript, env) for subscript in tree.subscripts]
@@ -676,7 +706,7 @@ class Lowering:
         if isinstance(exponent, list):
             turned = rotation(exponent) if len(shape(exponent)) == 2 and len(exponent) == len(exponent[0]) else None
             if turned is None:
-                raise SymcheckError(f"{to_latex(tree)}: only the exponential of a skew-symmetric matrix is read")
+                raise NoForm(f"{to_latex(tree)}: only the exponential of a skew-symmetric matrix is read")
             return turned
         return function_of("exp", exponent)
 
@@ -704,9 +734,7 @@ class Lowering:
         if order == 2:
             return node("sqrt", value)
         if isinstance(order, int) and order % 2:
-            raise SymcheckError(
-                f"{to_latex(tree)}: a root of odd order is not read; write a power of a positive number"
-            )
+            raise NoForm(f"{to_latex(tree)}: a root of odd order is not read; write a power of a positive number")
         return node("pow", value, node("/", 1, order))
 
     def of_binomial(self, tree: Binomial, env: Env) -> Value:
@@ -722,7 +750,7 @@ class Lowering:
         value = self.scalar(tree.value, env)
         if isinstance(value, int):
             if not 0 <= value <= MAX_FACTORIAL:
-                raise SymcheckError(f"{to_latex(tree)}: only of whole numbers from 0 to {MAX_FACTORIAL}")
+                raise NoForm(f"{to_latex(tree)}: only of whole numbers from 0 to {MAX_FACTORIAL}")
             return factorial(value)
         return node("gamma", node("+", value, 1))
 
@@ -815,7 +843,7 @@ class Lowering:
                 return self.exponential(tree, value)
             if not isinstance(value, list) and (found := function_of(tree.function, value)) is not None:
                 return found
-        raise SymcheckError(f"{to_latex(tree)} has no algebraic form; state it formally")
+        raise NoForm(f"{to_latex(tree)} has no algebraic form; state it formally")
 
     def applied(self, tree: Call, name: Name, env: Env) -> Value:
         """A function of the notation with its arguments."""
@@ -906,7 +934,7 @@ class Lowering:
             (index,), (low, high) = tree.indices, ends
             letter = self.notation.index(index)
             if letter is None or high == INFINITY:
-                raise SymcheckError(f"{to_latex(tree)}: a product without end has no algebraic form")
+                raise NoForm(f"{to_latex(tree)}: a product without end has no algebraic form")
             return node("product", self.scalar(tree.body, {**env, index: letter.stem}), letter.stem, low, high)
         ranges = [self.bounds(tree, index, env) for index in tree.indices]
         values = [
@@ -937,7 +965,7 @@ class Lowering:
         if tree.low is None or tree.high is None:
             return self.range(index)
         if isinstance(tree.high, Infinity):
-            raise SymcheckError(f"{to_latex(tree)}: a sum without end has no algebraic form; state a finite one")
+            raise NoForm(f"{to_latex(tree)}: a sum without end has no algebraic form; state a finite one")
         low, high = self.scalar(tree.low, env), self.scalar(tree.high, env)
         if not isinstance(low, int) or not isinstance(high, int):
             raise SymcheckError(f"{to_latex(tree)}: the bounds of a sum must be whole numbers")
@@ -951,7 +979,7 @@ class Lowering:
 
     def of_tuple(self, tree: Tuple, env: Env) -> Value:
         if tree.kind == "{}":
-            raise SymcheckError(f"{to_latex(tree)} is a set; it has no algebraic form")
+            raise NoForm(f"{to_latex(tree)} is a set; it has no algebraic form")
         entries = [self.scalar(item, env) for item in _written_out(tree)]
         return self.combination(tree, entries) if tree.kind == "[]" and self.notation.bracket else entries
 
@@ -1051,7 +1079,7 @@ class Lowering:
             raise SymcheckError(f"{to_latex(tree)}: how does {term.function} depend on {by.function}? write it out")
         return node("diff", put(term), letter, order, by)
 
-    def written_out(self, term: Term, tree: Derivative, env: Env) -> Term:
+    def written_out(self, term: Term, tree: Tree, env: Env) -> Term:
         """A term without letters that are defined: only their definitions show on what they depend."""
         while named := next(filter(self.is_defined, _free_names(term, held=False)), None):
             letter = self.notation.owner(named)

@@ -85,6 +85,8 @@ class Letter:
         Whether this matrix is the identity.
     partial
         For a letter such as f_{xy}, a derivative of a function: that function, and the letters by which it is taken.
+    order
+        For the O of terms of an order, as in O(x^2), 0; for the o of terms of a higher order, 1.
 
     Raises
     ------
@@ -121,6 +123,7 @@ class Letter:
     running: bool = False
     identity: bool = False
     partial: tuple[str, ...] = ()
+    order: int | None = None
 
     def __post_init__(self) -> None:
         if self.kind not in KINDS:
