@@ -15,6 +15,8 @@ from dataclasses import dataclass, replace
 from symcheck.core.calculus import Unknown, derivative, differentiated, letters, nodes, substituted
 from symcheck.core.problems import Problem
 from symcheck.core.terms import Binder, Call, Formula, Node, Relation, T, Term, mapped, node
+from symcheck.core.verdicts import Verdict
+from symcheck.proof import identity
 from symcheck.proof.algebra.polynomial import Unsupported, unfold
 
 _AT_ZERO = {"sin": 0, "tan": 0, "cos": 1, "exp": 1}  # where series are developed
@@ -119,7 +121,7 @@ def _solved(problem: Problem, jets: dict[str, Call]) -> Jets:
     """Whether the conditions are equations for highest derivatives; what must not vanish for that is one more."""
     known = dict(problem.definitions)
     formulas = [substituted(f, known) for _, fs in problem.hypotheses for f in fs if isinstance(f, Relation)]
-    open_ = [f for f in formulas if letters(f) & jets.keys() and f.tag not in STRICT]
+    open_ = [f for f in formulas if letters(f) & jets.keys() and f.tag not in STRICT and not _is_always_so(f)]
     if any(letters(f) & jets.keys() for _, fs in problem.hypotheses for f in fs if not isinstance(f, Relation)):
         return Jets(problem, False)
     weak = [f for f in formulas if f.tag in ("<=", ">=") and letters(f) & jets.keys()]
@@ -157,6 +159,11 @@ def _solved(problem: Problem, jets: dict[str, Call]) -> Jets:
     if leading:
         problem = replace(problem, hypotheses=(*problem.hypotheses, ("leading", tuple(leading))))
     return Jets(problem, True)
+
+
+def _is_always_so(formula: Formula) -> bool:
+    """Does it say nothing, as the derivative of an equation beside that equation?"""
+    return identity.decide(Problem("always so", formula)).verdict is Verdict.PROVED
 
 
 def _tops(formula: Formula, jets: dict[str, Call], tops: dict[str, int], orders: dict[str, int]) -> Iterable[str]:

@@ -13,6 +13,7 @@ from symcheck.checker.residues import Reject
 from symcheck.core.calculus import Unknown, domain, functions, letters, nodes
 from symcheck.core.problems import Problem
 from symcheck.core.terms import Binder, End, Formula, Node, T, Term, Value, mapped, node
+from symcheck.core.terms import Call as Applied
 from symcheck.core.verdicts import NoForm, SymcheckError
 from symcheck.core.words import term
 from symcheck.reading import Notation, Tree, lower, read, tex
@@ -282,6 +283,7 @@ def _reading(
     terms = {name: rooted(term) for name, term in terms.items()}
     turned = parted_angles([*claims, *(f for _, fs in hypotheses for f in fs), *terms.values()], terms)
     terms |= turned
+    hypotheses = _used(claims, hypotheses, terms)
     stated_ = [*claims, *(f for _, fs in hypotheses for f in fs)]
     order = _sorted(terms)
     whole = [*stated_, *(terms[name] for name in order)]
@@ -302,6 +304,22 @@ def _reading(
         Problem(f"question{n or ''}", claim, unfolding, tuple(hypotheses)) for n, claim in enumerate(claims)
     )
     return Reading(inference, tree, problems, stated, (asked, inference, defined, equations, conditions))
+
+
+def _used(
+    claims: Sequence[Formula], hypotheses: Sequence[tuple[str, tuple[Formula, ...]]], terms: Mapping[str, Term]
+) -> list[tuple[str, tuple[Formula, ...]]]:
+    """The hypotheses but for those that say what a function is that occurs nowhere else."""
+
+    def is_needed(formula: Formula) -> bool:
+        head = formula[1]
+        if formula.tag != "=" or not isinstance(head, Applied) or not all(isinstance(x, str) for x in head.terms):
+            return True
+        others = (f for _, fs in hypotheses for f in fs if f is not formula)
+        own = functions(formula[2])
+        return head.function in own.union(*map(functions, (*claims, *terms.values(), *others)))
+
+    return [(name, kept) for name, fs in hypotheses if (kept := tuple(filter(is_needed, fs)))]
 
 
 def _refuse_unsolved(claims: Iterable[Formula], conditions: Iterable[Formula]) -> None:

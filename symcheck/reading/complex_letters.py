@@ -17,6 +17,8 @@ from symcheck.reading.occurrences import occurrences
 _CONJUGATE = re.compile(r"\\(?:bar|overline)\{(.+)\}|(.+?) \^ (?:\{ )?(?:\*|\\ast|\\star|\\dagger)(?: \})?")
 _PARTS = re.compile(r"\\(?:Re|Im|arg|Arg)(?![A-Za-z])|\\(?:operatorname|mathrm|text)\s*\{\s*(?:Re|Im|arg)\s*\}")
 _LENGTH = re.compile(r"\||\\[lr]?vert(?![A-Za-z])")
+# the part of one letter
+_ALONE = re.compile(r"\s*[({]?\s*(\\?[A-Za-z]+(?:_\{?\w+\}?)?)\s*[)}]?\s*(?=$|[-+=<>,.]|\\[lg])")
 _ORDER = re.compile(r"<|>|\\(?:leq?|geq?|leqslant|geqslant|lt|gt)(?![A-Za-z])")
 OPEN, CLOSE = frozenset("([{"), frozenset(")]}")
 
@@ -59,9 +61,12 @@ def complexes(
     conjugates = {
         key: own for key in letters for m in [_CONJUGATE.fullmatch(key)] if m and (own := m[1] or m[2]) in letters
     }
-    ordered = {place.word for formula in formulas if _ORDER.search(formula) for place in occurrences(formula)}
+    plain = [_without_real(formula) for formula in formulas if _ORDER.search(formula)]
+    ordered = {place.word for formula in plain for place in occurrences(formula)}
     free = {x for x in letters if x not in ordered and x not in conjugates}
     certain = dict.fromkeys(said, "it is said to be")
+    parts = [m[1] for f in formulas for part in _PARTS.finditer(f) if (m := _ALONE.match(f, part.end()))]
+    certain |= {x: "its real or imaginary part is printed" for x in map(_letter, parts) if x in free}
     parted = any(map(_PARTS.search, formulas))
     if parted or units:
         shown = "its conjugate stands beside it" if parted else "its conjugate and the imaginary unit stand beside it"
@@ -72,11 +77,29 @@ def complexes(
     while found:
         found = False
         for x, other in equated(formulas):
-            inside = {place.word for place in occurrences(other)}
+            inside = {place.word for place in occurrences(_without_real(other))}
             if x in free and x not in certain and inside & {*units, *certain}:
                 certain[x] = "it is equal to something complex"
                 found = True
     return Complexes(certain, {x for x in conjugates.values() if x in free and x not in certain}, conjugates)
+
+
+def _without_real(formula: str) -> str:
+    """The formula without parts and absolute values, which are real though complex letters stand in them."""
+    kept, depth, until = list[str](), 0, 0
+    inside = ""  # the sign with which it ends: a bracket, or a bar
+    for tok in tex.tokenize(formula):
+        if inside:
+            depth += (tok.text in OPEN) - (tok.text in CLOSE)
+            if tok.at >= until and depth == 0 and (inside == "atom" or _LENGTH.fullmatch(tok.text)):
+                inside = "" if tok.text not in (r"\left", r"\,") else inside
+        elif part := _PARTS.match(formula, tok.at):
+            inside, until = "atom", part.end()
+        elif _LENGTH.fullmatch(tok.text):
+            inside = "bars"
+        else:
+            kept.append(tok.text)
+    return " ".join(kept)
 
 
 def equated(formulas: Sequence[str]) -> Iterator[tuple[str, str]]:

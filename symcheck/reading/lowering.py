@@ -85,6 +85,7 @@ from symcheck.reading.tree import (
     Infinity,
     Integral,
     Interval,
+    Limiting,
     MatrixOf,
     Mean,
     Mul,
@@ -93,8 +94,8 @@ from symcheck.reading.tree import (
     Norm,
     Or,
     Pair,
-    Piecewise,
     Path,
+    Piecewise,
     PlusMinus,
     Pow,
     Qualifier,
@@ -450,7 +451,7 @@ class Lowering:
         if isinstance(tree, Exists):
             return node("exists", tuple(self.variables(tree.names, env)), self.formula(tree.body, env))
         if isinstance(tree, Forall | Words):
-            raise NoForm(f"{to_latex(tree)} has no algebraic form; state for what it holds as a condition")
+            raise SymcheckError(f"{to_latex(tree)} has no algebraic form; state for what it holds as a condition")
         raise SymcheckError(f"{to_latex(tree)} is neither true nor false; a relation is expected")
 
     def variables(self, names: Iterable[Tree], env: Env) -> Iterator[str]:
@@ -484,7 +485,8 @@ class Lowering:
         """The term, vector or matrix of an expression."""
         method: Callable[[Any, Env], Value] | None = getattr(self, f"of_{type(tree).__name__.lower()}", None)
         if method is None:
-            raise NoForm(f"{to_latex(tree)} has no algebraic form; state it formally")
+            error = NoForm if isinstance(tree, Limiting | Dots) else SymcheckError
+            raise error(f"{to_latex(tree)} has no algebraic form; state it formally")
         return method(tree, env)
 
     def of_number(self, tree: tree_of.Number, env: Env) -> Value:
@@ -829,6 +831,8 @@ class Lowering:
                 )
             self.met = {each: at for each, at in self.met.items() if each not in axes}  # they stand in the angle's name
             return node(name, angle)
+        if tree.function == "Gamma" and len(tree.arguments) == 2:  # the incomplete one; equations say which
+            return node("call", "Gamma", (0, 0), *(self.scalar(a, env) for a in tree.arguments))
         if len(tree.arguments) == 1:
             value = self.value(tree.arguments[0], env)
             if tree.function == "log" and not isinstance(value, list):

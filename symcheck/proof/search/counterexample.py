@@ -61,6 +61,7 @@ def refute(problem: Problem, prove: Prover = lambda _: None) -> Point | None:
     ways: tuple[Callable[[Problem], Point | None], ...] = (
         refute_numbers,
         partial(_point, prove=prove),
+        partial(_point, prove=prove, framed=True),
         refute_at_some,
         partial(refute_about_angles, prove=prove),
         partial(refute_with_hints, prove=prove),
@@ -117,15 +118,30 @@ def failing(problem: Problem) -> Callable[[Mapping[str, int]], bool] | None:
     return fails
 
 
-def _point(problem: Problem, prove: Prover) -> Point | None:
+def _point(problem: Problem, prove: Prover, *, framed: bool = False) -> Point | None:
     claim = problem.claim
+    if framed and not _framed(problem):
+        return None
     if any(isinstance(part, Quantified) for part in subterms(claim)):
         return None
     if claim[0] == "<=>":
         directions = [node("=>", claim[1], claim[2]), node("=>", claim[2], claim[1])]
-        points = (Search(problem, direction, prove).run() for direction in directions)
+        points = (Search(problem, direction, prove, framed).run() for direction in directions)
         return next((point for point in points if point), None)
-    return Search(problem, claim, prove).run()
+    return Search(problem, claim, prove, framed).run()
+
+
+def _framed(problem: Problem, size: int = 3) -> tuple[str, ...]:
+    """The vectors with so many components of which an equation says lengths or angles, if they are no more than it."""
+    found: dict[str, None] = {}
+    for _, formula in stated(problem):
+        if formula.tag != "=":
+            continue
+        inside = letters(unfold(formula, dict(problem.definitions)))
+        stems = [name[:-2] for name in sorted(inside) if name.endswith("_1")]
+        if inside and inside == {f"{stem}_{k + 1}" for stem in stems for k in range(size)}:
+            found |= dict.fromkeys(stems)
+    return (tuple(found) if len(found) <= size else ()) or (_framed(problem, 2) if size == 3 else ())
 
 
 @dataclass(frozen=True)
@@ -141,8 +157,9 @@ class Search:
 
     primes: tuple[int, ...] = (2, 3)  # their roots may occur in coordinates
 
-    def __init__(self, problem: Problem, direction: Formula, prove: Prover) -> None:
+    def __init__(self, problem: Problem, direction: Formula, prove: Prover, framed: bool = False) -> None:
         base = ring_of(problem)
+        self.framed = _framed(problem) if framed else ()
         self.problem = problem
         names = {*with_arguments(base.names), *map(table().root, self.primes)}
         if any(name in atoms() for name in names):
@@ -184,6 +201,7 @@ class Search:
         letters = [name for name in self.free if not table().stands(name)]
         groups = [self._matrix(stem, names) for stem, names in _matrices(letters)]
         groups += [self._angle(x, k) for k, x in enumerate(angles)]
+        groups += [self._frame()] if self.framed else []
         taken = {name for group in groups for name in group.names}
         scalars = [name for name in self.free if name not in taken]
         if hinted:
@@ -223,6 +241,15 @@ class Search:
             points = (self._entries(rows, names) for rows in matrices)
             _ALLOWED[key] = [k for k, point in enumerate(points) if self._truth(own, point)]
         return _Group(names, tuple(self._entries(matrices[k], names) for k in _ALLOWED[key]))
+
+    def _frame(self) -> _Group:
+        """Vectors as rows of the matrices, most of which are rotations."""
+        places = {f"{stem}_{k}": (row, k - 1) for row, stem in enumerate(self.framed) for k in (1, 2, 3)}
+        names = tuple(name for name in places if name in self.free)
+        flat = not any(name.endswith("_3") for name in names)
+        matrices = [rows for rows in _matrix_values() if not flat or [*rows[2]] == [0, 0, 1]]
+        points = [{n: self._value(rows[places[n][0]][places[n][1]]) for n in names} for rows in matrices]
+        return _Group(names, tuple(points))
 
     def _entries(self, rows: Rows, names: tuple[str, ...]) -> Assignment:
         return {n: self._value(rows[int(n[-2]) - 1][int(n[-1]) - 1]) for n in names}
