@@ -66,6 +66,7 @@ TRUE_OF_WHOLE_NUMBERS: dict[str, tuple[str, ...]] = {  # with conditions; each i
     r"n \ne \frac{1}{2}": (NATURAL,),
 }
 FALSE_OF_WHOLE_NUMBERS = (r"e^{\pi i n} = 1", r"\sin \frac{\pi n}{2} = 0", r"\cos(\pi n) = 1", r"n^2 \le n", r"2n = n")
+WITHOUT_A_VALUE = (r"\sqrt{-1} = i", r"(-1)^{1/2} = i", r"\sqrt{-1} = x", r"\ln(-1) = x")
 FALSE_OR_OPEN: dict[str, tuple[str, tuple[str, ...], tuple[str, ...]]] = {  # false, without a value, or about nothing
     "an integral through a double pole": (r"\int_{-1}^{1} \frac{1}{x^2} dx = -2", (), ()),
     "an integral through a pole": (r"\int_{-1}^{1} \frac{1}{x} dx = 0", (), ()),

@@ -58,7 +58,7 @@ DEFINITIONS = (
 AMBIGUOUS = (
     r"\sin^{-1} x = \frac{1}{\sin x}", r"\tan^{-1} x = \arctan x", r"\log x = \ln x",
     "e = 2.718", r"\pi = 3.14", r"0.333 = \frac{1}{3}", r"1\,\text{km} = 1000\,\text{m}",
-    r"F_{ij} F_{ij} = 3", r"\det(2\mathbf{A}) = 8 \det(\mathbf{A})", "dx^2 = (dx)^2", r"\sin 90 = 1",
+    r"F_{ij} F_{ij} = 3", r"\det(2\mathbf{A}) = 8 \det(\mathbf{A})", r"dx^2 = 2x\,dx", r"\sin 90 = 1",
     r"q(x + 1)^2 = q(x^2 + 2x + 1)",
 )  # fmt: skip
 REFUSED = (

@@ -567,7 +567,7 @@ MALFORMED = {
     r"\sum_{i=1}^3": "sum of nothing",
     r"\sum^3 c": "without an index",
     r"\sum_{c=1}^3 c": "bounds",
-    r"d c": "differential",
+    r"d^2 c": "differential",
     r"\frac{d^2 f_1}{dJ_2}": "orders",
     r"J_1 = 0 \Rightarrow k = 0, c = 0": "ambiguous",
     r"J_1 \Rightarrow k = 0": "relation is expected",

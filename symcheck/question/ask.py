@@ -19,7 +19,7 @@ from symcheck.proof import certificate, identity
 from symcheck.question import jets
 from symcheck.question.answer import Answer, Status
 from symcheck.question.antiderivatives import hinted
-from symcheck.question.doubts import defines, doubt, doubt_of_proofs
+from symcheck.question.doubts import defines, doubt, doubt_of_proofs, held
 from symcheck.question.limit import OutOfTime, limited
 from symcheck.question.prepare import DEFINED, VARIABLES, Asked, Reading, Understood, readings, sizes
 from symcheck.question.repairs import repairs
@@ -152,6 +152,8 @@ def _decided(reading: Reading, asked: Asked, wanted: bool = True) -> Answer:
         verdict, made, found = _decided_one(problem)
         if made is not None and verdict is Verdict.REFUTED and (whole := _not_whole(reading, problem, made)):
             made, found = _refuted_at_whole_numbers(problem, whole)
+        if made is not None and verdict is Verdict.REFUTED and reading.regular:
+            made, found = _refuted_where_regular(reading, problem)
         if made is not None and verdict is Verdict.PROVED and (raised := _whole_power(reading, problem)) is not None:
             made = None
             found = (f"{term(raised)} may be negative under a whole power; give {term(raised)} > 0 if it is not",)
@@ -166,7 +168,7 @@ def _decided(reading: Reading, asked: Asked, wanted: bool = True) -> Answer:
             status = Status.UNDECIDED
             reasons.append(DEFINITION)
             continue
-        if reason := (doubt(reading) if verdict is Verdict.REFUTED else doubt_of_proofs(reading)):
+        if reason := doubt(reading) if verdict is Verdict.REFUTED else doubt_of_proofs(reading) or held(reading, found):
             return replace(base, verdict=Status.AMBIGUOUS, reason=reason)
         if verdict is Verdict.REFUTED and defines(problem):
             status = Status.UNDECIDED
@@ -252,6 +254,16 @@ def _refuted_at_whole_numbers(problem: Problem, names: list[str]) -> tuple[Certi
             if check(made) is None:
                 return made, used
     return None, ("it fails for numbers that are not whole; no whole ones were found for which it does",)
+
+
+def _refuted_where_regular(reading: Reading, problem: Problem) -> tuple[Certificate | None, tuple[str, ...]]:
+    """The certificate at a point through which there are curves in all directions that one equation allows."""
+    if len(reading.regular) == 1:
+        more = replace(problem, hypotheses=(*problem.hypotheses, ("regular", reading.regular)))
+        verdict, made, used = _decided_one(more)
+        if verdict is Verdict.REFUTED:
+            return made, used
+    return None, ("no point was found at which it fails, with curves in all directions that the equations allow",)
 
 
 def _decided_one(problem: Problem) -> tuple[Verdict, Certificate | None, tuple[str, ...]]:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from collections import Counter
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from fractions import Fraction
 
 from symcheck.core.calculus import functions, letters, nodes
@@ -96,6 +96,15 @@ def doubt(reading: Reading) -> str:
     if index := next(_repeated(reading.tree), ""):
         return f"is {index} summed over, as it is repeated in a product? write the sum"
     return ""
+
+
+def held(reading: Reading, used: Iterable[str]) -> str:
+    """The doubt whether letters are constant where differentials are taken; what is false then is so in any case."""
+    names = sorted({x for name in ("", *used) for x in reading.held.get(name, ())})
+    owners = map(reading.inference.notation.owner, names)
+    said = dict(reading.source[0].letters)
+    letters_ = dict.fromkeys(letter.latex for letter in owners if letter and letter.latex not in said)
+    return f"say whether {', '.join(letters_)} is constant where differentials are taken" if letters_ else ""
 
 
 def doubt_of_proofs(reading: Reading) -> str:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from contextlib import suppress
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from math import lcm
 
 from symcheck.checker.algebra import Algebra
@@ -17,6 +17,7 @@ from symcheck.core.terms import Call as Applied
 from symcheck.core.verdicts import NoForm, SymcheckError
 from symcheck.core.words import term
 from symcheck.reading import Notation, Tree, lower, read, tex
+from symcheck.reading.differentials import differential, slope, total
 from symcheck.reading.inference import (
     SIZES,
     Inference,
@@ -70,6 +71,8 @@ class Reading:
     problems: tuple[Problem, ...]
     stated: Mapping[str, str]  # definitions and conditions as printed, by their names in the problems
     source: tuple[Asked, Inference, Definitions, Sequence[str], Sequence[str]]
+    held: Mapping[str, set[str]] = field(default_factory=dict)  # constant in differentials, by hypothesis; "": always
+    regular: tuple[Formula, ...] = ()  # what holds besides at counterexamples with differentials
 
 
 @dataclass
@@ -278,6 +281,7 @@ def _reading(
                 hypotheses.append((_named(stated, text), (formula,)))
     for text in conditions:
         hypotheses.append((_named(stated, text), lower(read(text, notation), notation, meant)))
+    hypotheses, held, regular = _differentiated(claims, hypotheses, terms, notation)
     claims = tuple(map(rooted, claims))
     hypotheses = [(name, tuple(map(rooted, formulas))) for name, formulas in hypotheses]
     terms = {name: rooted(term) for name, term in terms.items()}
@@ -303,7 +307,66 @@ def _reading(
     problems = tuple(
         Problem(f"question{n or ''}", claim, unfolding, tuple(hypotheses)) for n, claim in enumerate(claims)
     )
-    return Reading(inference, tree, problems, stated, (asked, inference, defined, equations, conditions))
+    return Reading(inference, tree, problems, stated, (asked, inference, defined, equations, conditions), held, regular)
+
+
+def _differentiated(
+    claims: Sequence[Formula],
+    hypotheses: Sequence[tuple[str, tuple[Formula, ...]]],
+    terms: dict[str, Term],
+    notation: Notation,
+) -> tuple[list[tuple[str, tuple[Formula, ...]]], dict[str, set[str]], tuple[Formula, ...]]:
+    """Definitions and equations differentiated, where differentials are printed.
+
+    With what is constant in them, and where the equations are those of curves in all directions that they allow.
+    """
+    found = list(hypotheses)
+    said = [*claims, *(f for _, fs in hypotheses for f in fs), *terms.values()]
+    names = set().union(*map(letters, said)) | terms.keys()
+    varying = {x for x in names if differential(x) in names}
+    rates = {differential(x) for x in varying}
+    if not varying:
+        return found, {}, ()
+    while more := {x for x, t in terms.items() if letters(t) & varying} - varying - rates:
+        varying |= more
+    equations = list[Formula]()
+    held = {"": _held(said, varying)}
+    for x in _sorted(terms):
+        if x not in varying:
+            continue
+        rate = total(terms[x], varying)
+        if differential(x) not in terms:
+            terms[differential(x)] = rate
+            held[""] |= _held([rate], varying)
+        else:
+            found.append((f"differential of {x}", (node("=", differential(x), rate),)))
+            held[found[-1][0]] = _held([rate], varying)
+    for name, formulas in hypotheses:
+        for formula in formulas:
+            if formula.tag == "=" and letters(formula) & varying and letters(formula).isdisjoint(rates):
+                left, right = (total(side, varying) for side in formula.terms)
+                found.append((f"differential of {name}", (node("=", left, right),)))
+                equations.append(formula)
+                held[found[-1][0]] = letters(formula) - varying
+    return found, held, tuple(_regular(f, varying) for f in equations)
+
+
+def _held(trees: Iterable[Term], varying: set[str]) -> set[str]:
+    """The letters that do not vary where slopes by others are taken."""
+    slopes = (part for part in nodes(*trees) if part.tag == "diff" and part.outside[-1] in varying)
+    inside = set().union(*(letters(slope.inside[0]) - {*slope.bound} for slope in slopes))
+    return inside - varying - {differential(x) for x in varying}
+
+
+def _regular(equation: Formula, varying: Iterable[str]) -> Formula:
+    """That some slope of an equation is not 0: then there are curves in each direction that it allows."""
+    gap = node("+", equation[1], node("-", equation[2]))
+    slopes = [node("^", slope(gap, x), 2) for x in sorted(letters(equation) & {*varying})]
+    return node("!=", node("+", *slopes) if len(slopes) > 1 else slopes[0], 0)
+
+
+def _has_differentials(formula: Formula, varying: Iterable[str]) -> bool:
+    return not letters(formula).isdisjoint(map(differential, varying))
 
 
 def _used(

@@ -138,8 +138,8 @@ def inferred(
     formulas
         Printed LaTeX.
     said
-        Phrases about letters: "scalar", "vector", "matrix", "function of x, y", "depends on t", "integer", "index",
-        "differential", "imaginary unit", "skew matrix of \omega", "real^3", "real^{m \times n}", "SO(3)".
+        Phrases about letters: "scalar", "constant", "vector", "matrix", "function of x, y", "depends on t", "integer",
+        "index", "differential", "imaginary unit", "skew matrix of \omega", "real^3", "real^{m \times n}", "SO(3)".
     defined
         Letters that an equation defines, with the letters of which they are functions there: ("x", "y") where it is
         printed as f(x, y) = ..., nothing where it is f = ....
@@ -296,8 +296,9 @@ def _with_parts(
         whole = replace(letter, components=components, named=False)
         changed.append(Guess(whole, taken, why[own]))
         if own == latex:
+            varies = any(g.letter.varies for g in guesses if conjugates.get(g.letter.latex, g.letter.latex) == own)
             names = [
-                replace(letter, latex=part, whole=True, name=f"{_plain(own)}_{end}")
+                replace(letter, varies=varies, latex=part, whole=True, name=f"{_plain(own)}_{end}")
                 for part, end in zip(parts, ("re", "im"), strict=True)
             ]
             changed += [Guess(each, "a real number", f"a part of {own}") for each in names]
@@ -567,6 +568,15 @@ def canonical(latex: str) -> str:
     return spelling(found[0])
 
 
+def _is_before_letter(place: Occurrence) -> bool:
+    after = place.after
+    return (
+        place.subscript is None
+        and place.superscript is None
+        and (after in ("(", r"\left", r"\bigl") or tex.is_letter(after))
+    )
+
+
 ORDERS = {"O": 0, r"\mathcal{O}": 0, "o": 1, r"\mathcal{o}": 1}  # how far terms are above the printed power
 
 
@@ -581,6 +591,11 @@ def _options(of: Evidence, every: Mapping[str, Evidence], defined: Mapping[str, 
         return
     if number := _number(of):
         yield from number
+        return
+    if latex == "d" and all(map(_is_before_letter, of.places)):
+        sign = Letter(latex, kind="differential")
+        yield Guess(sign, "the sign of a differential", "it stands before letters and brackets only")
+        yield Guess(_letter(of, depends=""), "a real number", "nothing else is done with it", remote=True)
         return
     if latex in ORDERS and of.arguments and not of.bare and latex not in defined:
         told = f"a term of {'a higher' if ORDERS[latex] else 'this'} order"
@@ -676,7 +691,7 @@ def _beside_vectors(of: Evidence, every: Mapping[str, Evidence]) -> bool:
 def _as_said(of: Evidence, every: Mapping[str, Evidence]) -> Guess:
     """A letter of which something is said."""
     phrase, why = of.said, "it is said to be"
-    if phrase in ("scalar", "integer"):
+    if phrase in ("scalar", "constant", "integer"):
         whole = phrase == "integer"
         return Guess(_letter(of, depends="", integer=whole), "a whole number" if whole else "a real number", why)
     if match := re.fullmatch(r"the number (\d+)", phrase):
@@ -704,8 +719,8 @@ def _as_said(of: Evidence, every: Mapping[str, Evidence]) -> Guess:
         kind = "vector" if len(size) == 1 else "matrix"
         return Guess(_letter(of, kind=kind, size=size, depends=depends), f"a {kind}", why)
     raise SymcheckError(
-        f"{of.spelling} is said to be {phrase!r}, which is not understood; say scalar, complex, vector, matrix, "
-        "integer, index, function of x, depends on t, differential, imaginary unit or skew matrix of a vector"
+        f"{of.spelling} is said to be {phrase!r}, which is not understood; say scalar, constant, complex, vector, "
+        "matrix, integer, index, function of x, depends on t, differential, imaginary unit or skew matrix of a vector"
     )
 
 
@@ -839,6 +854,7 @@ def _styled(of: Evidence) -> Iterator[Guess]:
 def _letter(of: Evidence, **given: object) -> Letter:
     values = tuple(range(min(of.values, default=1), max(of.values, default=3) + 1))
     given.setdefault("name", _plain(of.spelling))
+    given.setdefault("varies", any(place.before == "d" for place in of.places))
     return Letter(of.spelling, indices=of.indices, range=values, whole=of.whole, running=of.running, **given)  # type: ignore[arg-type]
 
 

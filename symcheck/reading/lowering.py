@@ -51,6 +51,7 @@ from symcheck.reading.components import (
     zero,
     zipped,
 )
+from symcheck.reading.differentials import differential, refuse_uneven, total
 from symcheck.reading.functions import SPELLED, applied
 from symcheck.reading.landau import coefficient, terms_of_order, vanishing, without
 from symcheck.reading.notation import TIMES, Letter, Notation, variable
@@ -102,6 +103,7 @@ from symcheck.reading.tree import (
     Root,
     Sqrt,
     System,
+    Total,
     Transpose,
     Tree,
     Tuple,
@@ -262,6 +264,7 @@ class Lowering:
     def whole(self, relation: Relation) -> list[Formula]:
         """The formulas of a relation, in which every letter that is printed occurs."""
         self.met.clear()
+        refuse_uneven(relation.tree)
         formulas = self.relation(relation)
         names = set(_names(tuple(formulas)))
         for name, printed in self.met.items():
@@ -813,6 +816,25 @@ class Lowering:
 
     def of_degrees(self, tree: Degrees, env: Env) -> Value:
         return node("/", node("*", self.scalar(tree.value, env), PI), 180)
+
+    def of_total(self, tree: Total, env: Env) -> Value:
+        """The differential of a quantity: that of each letter is one more letter."""
+        return each_part(lambda t: self.total(t, tree), self.value(tree.value, env))
+
+    def total(self, term: Term, tree: Total) -> Term:
+        varying = set()
+        for x in letters(term):
+            letter = self.notation.owner(x)
+            if self.notation.owner(differential(x)) is not None:
+                raise SymcheckError(f"{to_latex(tree)}: {differential(x)} is a letter too; give it another name")
+            if letter is not None and (letter.varies or letter.components is not None or self.is_defined(x)):
+                varying.add(x)
+        if not varying:
+            raise SymcheckError(
+                f"{to_latex(tree)}: how does this vary? no differential of what it depends on is printed"
+            )
+        self.met = {x: at for x, at in self.met.items() if x not in varying}
+        return total(term, varying)
 
     def of_call(self, tree: Call, env: Env) -> Value:
         if isinstance(tree.function, Name):

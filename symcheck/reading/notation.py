@@ -87,6 +87,8 @@ class Letter:
         For a letter such as f_{xy}, a derivative of a function: that function, and the letters by which it is taken.
     order
         For the O of terms of an order, as in O(x^2), 0; for the o of terms of a higher order, 1.
+    varies
+        Whether differentials of it are printed, as in dx; other letters are constant in differentials.
 
     Raises
     ------
@@ -124,6 +126,7 @@ class Letter:
     identity: bool = False
     partial: tuple[str, ...] = ()
     order: int | None = None
+    varies: bool = False
 
     def __post_init__(self) -> None:
         if self.kind not in KINDS:

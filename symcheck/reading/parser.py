@@ -67,6 +67,7 @@ from symcheck.reading.tree import (
     Root,
     Sqrt,
     System,
+    Total,
     Transpose,
     Tree,
     Tuple,
@@ -89,6 +90,7 @@ class Differential(Tree):
     order: int
     body: tuple[Tree, ...]
     partial: bool
+    bracketed: bool = False
 
 
 @dataclass(slots=True)
@@ -469,8 +471,22 @@ class Builder:
         if isinstance(tree, STATEMENTS) and not statements:
             raise self.fail(at, "an expression is expected here, not a relation")
         if isinstance(tree, Differential):
-            raise self.fail(at, "a differential outside of a derivative")
+            if tree.partial or tree.order != 1 or len(tree.body) != 1:
+                raise self.fail(at, "a differential outside of a derivative")
+            return Total(tree.body[0]) if tree.bracketed else self.total(tree.body[0], at)
         return tree
+
+    def total(self, tree: Tree, at: int) -> Tree:
+        """The differential of a letter; `dx^2` is its square."""
+        if isinstance(tree, Pow) and isinstance(tree.base, Name):
+            return Pow(self.total(tree.base, at), tree.exponent)
+        if isinstance(tree, Call) and isinstance(tree.function, Name) and not tree.arguments:
+            return Total(tree)
+        if isinstance(tree, Mul) and tree.dotted[:1] == (1,):
+            return Mul((self.total(tree.factors[0], at), *tree.factors[1:]), tree.dotted)
+        if not isinstance(tree, Name):
+            raise self.fail(at, "a differential of what? put it last, and what it is taken of in brackets")
+        return Total(tree)
 
     # -- expressions ---------------------------------------------------------------------------------------------
 
@@ -656,8 +672,15 @@ class Builder:
                 raise self.fail(item.at, "what this operator applies to is ambiguous; put it in brackets")
             body, variables, partial = self.plain(items[k + 1 :]), item.variables, item.partial
             return Derivative(body, variables, partial), len(items)
-        if item.kind in ("d", "d fraction"):
-            raise self.fail(item.at, "a differential outside of a derivative")
+        if item.kind == "d fraction":
+            assert isinstance(item.node, Div)
+            return Div(self.total(item.letters[0], item.at), item.node.bottom), k + 1
+        if item.kind == "d":
+            if item.partial or item.power is not None or k + 1 == len(items):
+                raise self.fail(item.at, "a differential outside of a derivative")
+            after = items[k + 1]
+            bracketed = after.kind == "group" and not after.postfix
+            return Total(self.atom(after)) if bracketed else self.total(self.atom(after), item.at), k + 2
         if isinstance(item.node, Number) and not dotted:
             raise self.fail(item.at, "a number behind a factor is ambiguous")
         if isinstance(item.node, Name):
@@ -916,7 +939,8 @@ class Builder:
             return Differential(order, tuple(self.variables(items)), partial)
         if len(items) == 1:
             return Differential(order, (), partial)
-        return Differential(order, (self.plain(items[1:]),), partial)
+        bracketed = len(items) == 2 and items[1].kind == "group" and not items[1].postfix
+        return Differential(order, (self.plain(items[1:]),), partial, bracketed)
 
     def order(self, tree: Tree, at: int) -> int:
         if not isinstance(tree, Number) or not tree.text.isdigit() or tree.text == "0":

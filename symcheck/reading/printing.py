@@ -56,6 +56,7 @@ from symcheck.reading.tree import (
     Root,
     Sqrt,
     System,
+    Total,
     Transpose,
     Tree,
     Tuple,
@@ -72,7 +73,7 @@ _LEVEL: dict[type[Tree], int] = {
     Limiting: PRODUCT, Marked: FACTOR, Iff: LIST,
     Implies: IMPLIES, Or: OR, And: AND, Chain: CHAIN, Add: SUM, Neg: SUM, PlusMinus: SUM, Cross: TERM, Mul: PRODUCT,
     BigSum: PRODUCT, Integral: PRODUCT, Antiderivative: PRODUCT, Call: FACTOR, Pow: FACTOR, Transpose: FACTOR,
-    Degrees: FACTOR, Derivative: FACTOR, Div: FACTOR,
+    Total: FACTOR, Degrees: FACTOR, Derivative: FACTOR, Div: FACTOR,
 }  # fmt: skip
 _BRACKETS = (r"\left(", "(", "[")
 _CONNECTIVE = {And: r" \land ", Or: r" \lor ", Implies: r" \Rightarrow ", Iff: r" \Leftrightarrow "}
@@ -420,6 +421,9 @@ _PRINTERS: dict[type[Tree], Callable[[Any], str]] = {
     Bars: lambda t: rf"\left|{_print(t.value, SUM)}\right|",
     ElementsOf: lambda t: rf"\left\|{_print(t.value, SUM)}\right\|",
     Derivative: _derivative,
+    Total: lambda t: (
+        f"d{_print(t.value, ATOM)}" if isinstance(t.value, Name) else rf"d\left({_print(t.value, SUM)}\right)"
+    ),
     Blank: lambda t: "",
     Dots: lambda t: r"\dots",
     Chain: _chain,

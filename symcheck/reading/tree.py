@@ -297,6 +297,13 @@ class Derivative(Tree):
 
 
 @dataclass(frozen=True, slots=True)
+class Total(Tree):
+    """`dx` outside of a derivative and an integral: the differential of a quantity."""
+
+    value: Tree
+
+
+@dataclass(frozen=True, slots=True)
 class Dots(Tree):
     r"""`\dots` in a list."""
 
