@@ -121,7 +121,6 @@ VERDICTS: dict[str, list[tuple[str, list[str]]]] = {
     ],
     "ambiguous": [
         (r"I = \int r^2 dm", []),
-        (r"x^\mu x_\mu = s^2 + 1", []),
         (r"x_1 + x_2 = -\frac{b}{a}", ["ax^2 + bx + c = a(x - x_1)(x - x_2)"]),
         (r"A = \frac12", [r"\frac{1}{x^2 - 1} = \frac{A}{x - 1} + \frac{B}{x + 1}"]),
         ("AB = BA", []),
@@ -143,6 +142,7 @@ VERDICTS: dict[str, list[tuple[str, list[str]]]] = {
         (r"dr = \frac{x dx + y dy}{r}", [r"r = \sqrt{x^2 + y^2}"]),
     ],
     "unreadable": [
+        (r"x^\mu x_\mu = s^2 + 1", []),
         (r"\sigma^2 = E[X^2] - \mu^2", []),
     ],
     "undecided": [

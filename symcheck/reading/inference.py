@@ -12,9 +12,8 @@ from dataclasses import dataclass, field, replace
 
 from symcheck.core.verdicts import SymcheckError
 from symcheck.reading import tex
-from symcheck.reading.commands import ACCENTS, ROMAN, STYLES, known
 from symcheck.reading.complex_letters import complexes, equated
-from symcheck.reading.lexer import SPACES
+from symcheck.reading.names import is_letter, names_of_several_tokens
 from symcheck.reading.notation import VALUE, Letter, Notation, instances
 from symcheck.reading.occurrences import Occurrence, occurrences, words
 from symcheck.reading.relatives import Relatives, relatives
@@ -91,6 +90,7 @@ class Evidence:
     said: str = ""
     index: bool = False
     whole: bool = False
+    doubt: str = ""
     running: bool = False
     orbital: bool = False
     shape: tuple[int, ...] = ()  # of the matrix or the column to which it is equal
@@ -371,6 +371,11 @@ def gathered(formulas: Sequence[str], said: Mapping[str, str]) -> dict[str, Evid
     index = {place.word for place in places if place.role == "index"}
     index |= {canonical(latex) for latex, phrase in said.items() if phrase == "index"}
     ends = {place.word: place.arguments for place in places if place.role == "index" and place.arguments}
+    below = {word for place in places if place.role == "subscript" for word in (place.word, *words(place.subscript))}
+    for letter, low, high in _ranges(formulas):
+        if letter in below and letter not in said:
+            index.add(letter)
+            ends.setdefault(letter, (low, high))
     families = {p.word for p in places if p.subscript is not None and index.intersection(words(p.subscript))}
     phrases = {latex if latex in wholes else canonical(latex): phrase for latex, phrase in said.items()}
     shapes = {letter: shape for letter, other in equated(formulas) if (shape := _shape(other))}
@@ -388,7 +393,7 @@ def gathered(formulas: Sequence[str], said: Mapping[str, str]) -> dict[str, Evid
         own.values |= {int(t) for t in tokens if t.isdigit()} if family else set()
         own.said = phrases.get(latex, "")
         own.index = latex in index and not tokens
-        own.whole = latex in wholes
+        own.whole, own.doubt = latex in wholes, wholes.get(latex, "")
         own.shape = shapes.get(latex, ())
         own.orbital = latex == "e" and any(map(_ECCENTRIC.search, formulas))
         for low, high in (ends.get(t, ("", "")) for t in tokens) if family else ():
@@ -400,129 +405,18 @@ def gathered(formulas: Sequence[str], said: Mapping[str, str]) -> dict[str, Evid
     return found
 
 
-def names_of_several_tokens(formulas: Sequence[str], said: Mapping[str, str]) -> list[str]:
-    r"""Names printed with several tokens: those of which something is said, and differences such as `\Delta x`."""
-    found = [latex for latex in said if not is_letter(latex)]
-    alone = {text for formula in formulas for text in _outside_superscripts(formula)}
+_RANGE = re.compile(
+    r"((?:(?:[A-Za-z]|\\[a-z]+)\s*,\s*)*(?:[A-Za-z]|\\[a-z]+))\s*=\s*(\d+)\s*,(?:\s*(?:\d+|\\[lc]?dots)\s*,)*"
+    r"\s*(\d+|(?<=dots ,)\s*[A-Za-z](?:\s*[-+]\s*\d+)?|\\[lc]?dots)"
+)  # `i, j = 0, 1, \dots, n - 1`: the letters, the first value and the last one
+
+
+def _ranges(formulas: Sequence[str]) -> Iterator[tuple[str, str, str]]:
+    """The letters whose values are listed, with the first and the last."""
     for formula in formulas:
-        found += _labelled(formula, FRAMES - alone)
-    return list(dict.fromkeys(found))
-
-
-_SIGNS = frozenset({"*", "+", "-", r"\star", r"\dagger", r"\ddagger", r"\sharp", r"\flat"})
-
-
-# Capitals that name frames and bodies above a letter; T transposes, and the others are often numbers.
-FRAMES = frozenset("ABCEFGOPQRSWXY")
-
-
-def _outside_superscripts(formula: str) -> Iterator[str]:
-    """The tokens of a formula that are no superscript by themselves."""
-    toks = ["", "", *(tok.text for tok in tex.tokenize(formula))]
-    for two, one, text in zip(toks, toks[1:], toks[2:], strict=False):
-        if one != "^" and (two, one) != ("^", "{"):
-            yield text
-
-
-def _labelled(formula: str, frames: frozenset[str] = frozenset()) -> Iterator[str]:
-    r"""Letters with a superscript that is no power: `x^*`, `x_i^{(k)}`, `v^{\text{max}}`; matrices `[P]`, `[BN]`."""
-    reader = tex.Reader(formula)
-    toks = reader.toks
-    while reader.i < len(toks):
-        start, text = reader.i, reader.peek()
-        if text == "[" and (end := _bracketed(toks, start)):
-            yield " ".join(tok.text for tok in toks[start:end])
-            reader.i = end
-            continue
-        if text == r"\prescript":
-            reader.i += 1
-            for _ in range(3):
-                reader.group()
-            while reader.peek() == "_" or (reader.peek() == "^" and reader.peek(2) != "T"):
-                reader.i += 1
-                reader.group()
-            yield " ".join(tok.text for tok in toks[start : reader.i])
-            continue
-        if text in (r"\Delta", r"\delta") and _begins_letter(reader.peek(1)):
-            try:
-                reader.i += 1
-                reader.spelling()
-                while reader.peek() == "_":
-                    reader.i += 1
-                    reader.group()
-                yield " ".join(tok.text for tok in toks[start : reader.i])
-            except SymcheckError:
-                reader.i = start + 1
-            continue
-        if not tex.is_letter(text):
-            reader.i += 1
-            continue
-        try:
-            word, label = reader.spelling(), False
-            behind = reader.i
-            while not known(word) and reader.peek() in ("_", "^"):
-                mark, reader.i = reader.peek(), reader.i + 1
-                inside = [tok.text for tok in reader.group() if tok.text not in SPACES]
-                frame = len(inside) == 1 and inside[0] in frames and word != "e"
-                label = label or (mark == "^" and (frame or _is_label(inside)))
-            if label:
-                yield " ".join(tok.text for tok in toks[start : reader.i])
-            else:
-                reader.i = behind
-        except SymcheckError:
-            reader.i = max(reader.i, start + 1)
-
-
-def _begins_letter(text: str) -> bool:
-    return text in ACCENTS | STYLES or (tex.is_letter(text) and not known(text))
-
-
-def _is_label(inside: Sequence[str]) -> bool:
-    """Is a superscript a sign, a number in brackets or a word, so that it is no power?"""
-    bracketed = len(inside) > 2 and (inside[0], inside[-1]) in {("(", ")"), ("[", "]")}
-    if len(inside) == 3 and inside[1] == "/" and inside[0].isupper() and inside[2].isupper():
-        return True  # of one point or frame to another
-    word = _is_word(inside) and "".join(inside[1:]).strip("{}") not in ("T", "H", "i", "j", "e", "d")
-    return (len(inside) == 1 and inside[0] in _SIGNS) or bracketed or word
-
-
-def _is_word(inside: Sequence[str]) -> bool:
-    """Is this upright type and nothing more: `\\text{max}`?"""
-    if not inside or inside[0] not in ROMAN:
-        return False
-    return len(inside) == 2 or (inside[1] == "{" and inside.index("}") == len(inside) - 1)
-
-
-def _bracketed(toks: Sequence[tex.Tok], start: int) -> int:
-    """Where a matrix in brackets ends that begins here: one letter with its scripts, or two capitals; 0 without one."""
-    end = next((k for k in range(start, len(toks)) if toks[k].text == "]"), 0)
-    inner = [tok.text for tok in toks[start + 1 : end]]
-    letters = [text for text in inner if text not in ("_", "{", "}") and not text.isdigit()]
-    pair = len(letters) == 2 and all(len(text) == 1 and text.isupper() for text in letters)
-    styled = bool(inner) and ((inner[0].isalpha() and inner[0].isupper()) or inner[0] in STYLES | ACCENTS)
-    if not end or not (pair or (styled and is_letter(" ".join(inner)))):
-        return 0
-    reader = tex.Reader(" ".join(tok.text for tok in toks[end + 1 :]))
-    while reader.peek() == "_":  # the scripts of the name
-        reader.i += 1
-        reader.group()
-    return end + 1 + reader.i
-
-
-def is_letter(latex: str) -> bool:
-    """Is this one letter, with a subscript at most?"""
-    reader = tex.Reader(latex)
-    if not tex.is_letter(reader.peek()):
-        return False
-    try:
-        word = reader.spelling()
-        while reader.peek() in ("'", "_"):
-            mark, reader.i = reader.peek(), reader.i + 1
-            if mark == "_":
-                reader.group()
-    except SymcheckError:
-        return False
-    return reader.i == len(reader.toks) and not (known(word) and word != r"\Gamma")
+        for found in _RANGE.finditer(formula):
+            for letter in found[1].split(","):
+                yield letter.strip(), found[2], found[3].strip()
 
 
 def _complete(evidence: dict[str, Evidence]) -> None:
@@ -832,7 +726,15 @@ def _styled(of: Evidence) -> Iterator[Guess]:
 def _letter(of: Evidence, **given: object) -> Letter:
     values = tuple(range(min(of.values, default=1), max(of.values, default=3) + 1))
     given.setdefault("name", _plain(of.spelling))
-    return Letter(of.spelling, indices=of.indices, range=values, whole=of.whole, running=of.running, **given)  # type: ignore[arg-type]
+    return Letter(
+        of.spelling,
+        indices=of.indices,
+        range=values,
+        whole=of.whole,
+        running=of.running,
+        doubt=of.doubt,
+        **given,  # type: ignore[arg-type]
+    )
 
 
 def _plain(latex: str) -> str:

@@ -412,7 +412,7 @@ class Lowering:
             sign = "=>" if isinstance(tree, Implies) else "<=>"
             return node(sign, self.formula(tree.left, env), self.formula(tree.right, env))
         if isinstance(tree, Values):
-            if Dots() in tree.values:
+            if not all(isinstance(value, tree_of.Number) for value in tree.values):
                 raise SymcheckError(f"{to_latex(tree)}: values that are not written out have no algebraic form")
             return node(
                 "or", *(node("=", self.scalar(tree.name, env), self.scalar(value, env)) for value in tree.values)
@@ -471,6 +471,8 @@ class Lowering:
         if not tree.subscripts and tree.letter in env and self.notation.index(tree.letter) is not None:
             raise SymcheckError(f"{tree.letter} is an index here, and a letter; give one of them another name")
         letter = self.notation.letter(tree.letter, len(tree.subscripts))
+        if letter.doubt:
+            raise SymcheckError(f"{to_latex(tree)}: {letter.doubt}")
         if letter.partial and letter.partial[0] in self.defined:
             function, *by = letter.partial
             return self.put(Name(function), [self.value(x, env) for x in self.defined[function][0]], tree, env, by)
@@ -820,6 +822,8 @@ class Lowering:
     def applied(self, tree: Call, name: Name, env: Env) -> Value:
         """A function of the notation with its arguments."""
         letter, met = self.notation.letter(name.letter, len(name.subscripts)), dict(self.met)
+        if letter.doubt:
+            raise SymcheckError(f"{to_latex(tree)}: {letter.doubt}")
         if letter.partial:
             function, *by = letter.partial
             return self.put(Name(function), [self.value(argument, env) for argument in tree.arguments], tree, env, by)

@@ -83,6 +83,8 @@ class Letter:
         Whether its indices run up to a letter: then it is a function of them.
     identity
         Whether this matrix is the identity.
+    doubt
+        Why nothing is said of it though it can be read: what its scripts may mean.
     partial
         For a letter such as f_{xy}, a derivative of a function: that function, and the letters by which it is taken.
 
@@ -121,6 +123,7 @@ class Letter:
     running: bool = False
     identity: bool = False
     partial: tuple[str, ...] = ()
+    doubt: str = ""
 
     def __post_init__(self) -> None:
         if self.kind not in KINDS:

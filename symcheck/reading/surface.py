@@ -68,10 +68,21 @@ def plain(source: str) -> str:
         return source
     if rest != len(tokens):
         return source
-    text = _DEFINES.sub("=", _printed(_made_plain(parts)))
+    text = _TRANSPOSED.sub("^ { T }", _DEFINES.sub("=", _printed(_made_plain(parts))))
     for pattern, sign in WORDS:
-        text = pattern.sub(sign, text)
+        text = pattern.sub(lambda found, sign=sign: _parting(found[0], sign), text)
     return text
+
+
+def _parting(printed: str, sign: str) -> str:
+    """The sign that a word between relations is; `and` with a comma or a wide space ends what is before it.
+
+    A wide `or` may say the same in other words, and is left as it is printed.
+    """
+    wide = "," in printed or "quad" in printed
+    if wide and sign == r"\lor":
+        return printed
+    return rf" {WIDE} " if wide and sign == r"\text{and}" else f" {sign} "
 
 
 def _with_numbers(source: str) -> list[str]:
@@ -307,6 +318,7 @@ def _styled(style: str, parts: list[Part]) -> list[Part]:
     for k, part in enumerate(parts):
         script = k > 0 and parts[k - 1] in ("_", "^")
         letter = isinstance(part, str) and tex.is_letter(part) and part not in ROMAN | ACCENTS | STYLES
+        letter = letter and parts[k - 1 : k + 2] not in (["(", "t", ")"], ["(", r"\tau", ")"])  # time is no vector
         found += [style, Group([part])] if letter and not script else [part]
     return found
 
@@ -380,14 +392,22 @@ def _texts(parts: Sequence[Part]) -> Iterator[str]:
             yield part
 
 
-_QUADS = r"(?:\\q?quad|\\[,;: ]|,)*\s*"
-WORDS = tuple(  # that part relations: what stands behind them holds as well, or says for which values
-    (re.compile(rf"(?:{_QUADS} )?\\(?:text|mathrm) {{ \s*(?:{words})\s* }}(?: {_QUADS})?"), rf" {sign} ")
+_QUADS = r"(?:(?:\\q?quad|\\[,;: ]|,)\s*)*"
+WIDE = r", \quad"
+WORDS = tuple(  # that part relations: what stands behind them holds as well, or says when the others hold
+    (re.compile(rf"(?:{_QUADS} )?\\(?:text|mathrm) {{ \s*(?:{words})[\s,:~]* }}(?: {_QUADS})?"), sign)
     for words, sign in (
-        ("a n d|w h e r e|w i t h|f o r|f o r a l l", r", \\quad"),
-        ("o r", r"\\lor"),
+        ("w h e r e|w i t h", WIDE),
+        ("a n d", r"\text{and}"),
+        ("o r", r"\lor"),
+        (
+            "(?:f o r|i f|w h e n|w h e n e v e r|a s l o n g a s|p r o v i d e d|p r o v i d e d t h a t)",
+            r"\text{for}",
+        ),
+        ("f o r a l l|f o r e v e r y|f o r a n y", r"\forall"),
     )
 )
+_TRANSPOSED = re.compile(r"\^ \{ \\math(?:sf|tt|scr|cal) \{ T \} \}")
 _DEFINES = re.compile(r"(?<!:) : =(?! =)|= :(?!\s*[=:])")  # `:=`, and the same from right to left
 Change = Callable[[str], str]
 _DIFFERENTIAL = re.compile(r"\\(?:mathrm|text|operatorname|rm)\s*\{\s*d\s*\}(?=\s*(?:[A-Za-z\\^]))")
