@@ -21,8 +21,11 @@ from symcheck.reading.relatives import Relatives, relatives
 SIZES = (3, 2)  # of vectors and matrices whose size nothing tells: what holds of both hardly fails of others
 MAX_READINGS = 8  # of one question: three letters with two readings each; more are refused
 _STYLED = re.compile(r"(?:\\\w+\{)?\\(mathbf|boldsymbol|bm|pmb|vec|overrightarrow)\{")  # a style, or an accent over it
-_TYPICAL = frozenset("fghFGH") | {r"\phi", r"\psi", r"\varphi", r"\Phi", r"\Psi", r"\Theta", r"\Gamma"}
-_ECCENTRIC = re.compile(r"1\s*[-+]\s*e\s*(?:\^\s*\{?2\}?)?(?!\s*\^|\d)|(?<![A-Za-z\\])e\s*\\(?:cos|sin)(?![A-Za-z])")
+_MASSES = frozenset({"m", "M", r"\rho", "}"})  # before the g of gravity
+_TYPICAL = frozenset("fghFGH") | {r"\zeta", r"\phi", r"\psi", r"\varphi", r"\Phi", r"\Psi", r"\Theta", r"\Gamma"}
+_ECCENTRIC = re.compile(
+    r"1\s*[-+]\s*e\s*(?:\^\s*\{?\s*2\s*\}?)?(?!\s*\^|\d)|(?<![A-Za-z\\])e\s*\\(?:cos|sin|cosh|sinh)(?![A-Za-z])"
+)
 _NUMBER = re.compile(r"\s*[-+]?\s*[\d.\s]+")
 _SKEW = re.compile(r"\[ (.+) \] _ (?:\{ )?\\times(?: \})?")  # `[a]_\times`, by its tokens
 _SIZES = re.compile(r"^(?:\{)?(\w+)(?:\\times(\w+))?(?:\})?$")
@@ -93,12 +96,23 @@ class Evidence:
     doubt: str = ""
     running: bool = False
     orbital: bool = False
+    endless: bool = False  # does an infinite sum, or a factorial, stand beside it?
     shape: tuple[int, ...] = ()  # of the matrix or the column to which it is equal
 
     @property
     def transposed(self) -> bool:
         """Does it stand with a T above, or with another sign of the transposed?"""
         return any(place.transposed for place in self.places)
+
+    @property
+    def capital(self) -> bool:
+        """Is it bold, without an arrow, and capital?"""
+        return _is_styled(self.spelling, capital=True) and r"\vec" not in self.spelling
+
+    @property
+    def multiplied(self) -> bool:
+        """Is it capital, and does a bold letter that is not follow without a sign: is it a matrix for certain?"""
+        return self.capital and any(place.followed for place in self.places)
 
     @property
     def dotted(self) -> bool:
@@ -160,7 +174,7 @@ def inferred(
     _complete(evidence)
     open_ = {key: each for key, each in evidence.items() if not each.said and key not in defined and _is_plain(each)}
     free = {key for key, each in open_.items() if not (each.dotted or _is_derived(each))}
-    bold = {key for key, each in evidence.items() if key in defined and not defined[key] and _STYLED.match(key)}
+    bold = {key for key in evidence if key in defined and not defined[key] and _STYLED.match(key)}
     related = relatives(evidence.keys(), free, open_.keys() | bold, bold)
     for name in related.entries:
         evidence.setdefault(name, Evidence(name, [Occurrence(name)]))
@@ -176,7 +190,7 @@ def inferred(
 
 
 def _is_plain(of: Evidence) -> bool:
-    applied = bool(of.arguments) and not of.bare and not _STYLED.match(of.spelling)
+    applied = bool(of.arguments) and not of.bare
     return not (of.index or of.whole or applied or of.indices > 0)
 
 
@@ -326,13 +340,15 @@ def _sized(inferences: Iterable[Inference], size: int, *, first: bool) -> Iterat
 
 def _unsized(guess: Guess) -> bool:
     letter = guess.letter
+    if letter.kind == "function":
+        return 0 in letter.size
     return letter.kind in ("vector", "matrix") and not letter.size and letter.components is None and not letter.skew
 
 
 def _of_size(guess: Guess, size: int) -> Guess:
     if not _unsized(guess):
         return guess
-    sizes = (size,) if guess.letter.kind == "vector" else (size, size)
+    sizes = (size,) if guess.letter.kind == "vector" or len(guess.letter.size) == 1 else (size, size)
     return replace(guess, letter=replace(guess.letter, size=sizes), taken=f"{guess.taken} of {size}")
 
 
@@ -351,7 +367,9 @@ def _inferred(
         count *= size
     if count > MAX_READINGS:
         several = ", ".join([o[0].letter.latex for o in options if len(o) > 1] + [h[0][0] for h in habits])
-        raise SymcheckError(f"{count} readings are possible; say what these are: {several}")
+        doubt = f"{count} readings are possible; say what these are: {several}"
+        chosen = tuple(_in_doubt(o[0], doubt) if len(o) > 1 else o[0] for o in options)
+        return [Inference(_notation(chosen, **dict(h[0] for h in habits)), chosen, (doubt,))]
     found = []
     for chosen in itertools.product(*options):
         choices = tuple(
@@ -364,10 +382,14 @@ def _inferred(
     return found
 
 
+def _in_doubt(guess: Guess, doubt: str) -> Guess:
+    return replace(guess, letter=replace(guess.letter, doubt=doubt))
+
+
 def gathered(formulas: Sequence[str], said: Mapping[str, str]) -> dict[str, Evidence]:
     """All letters with their places; those below a sum and those said to be are indices."""
     wholes = names_of_several_tokens(formulas, said)
-    places = [place for formula in formulas for place in _paired(occurrences(formula, wholes))]
+    places = [place for formula in formulas for place in _paired(occurrences(formula, [*wholes]))]
     index = {place.word for place in places if place.role == "index"}
     index |= {canonical(latex) for latex, phrase in said.items() if phrase == "index"}
     ends = {place.word: place.arguments for place in places if place.role == "index" and place.arguments}
@@ -380,6 +402,7 @@ def gathered(formulas: Sequence[str], said: Mapping[str, str]) -> dict[str, Evid
     phrases = {latex if latex in wholes else canonical(latex): phrase for latex, phrase in said.items()}
     shapes = {letter: shape for letter, other in equated(formulas) if (shape := _shape(other))}
     found: dict[str, Evidence] = {}
+    initials = _initials(formulas)
     for place in places:
         if place.role == "subscript":
             continue
@@ -393,8 +416,9 @@ def gathered(formulas: Sequence[str], said: Mapping[str, str]) -> dict[str, Evid
         own.values |= {int(t) for t in tokens if t.isdigit()} if family else set()
         own.said = phrases.get(latex, "")
         own.index = latex in index and not tokens
-        own.whole, own.doubt = latex in wholes, wholes.get(latex, "")
+        own.whole, own.doubt = latex in wholes, wholes.get(latex, "") or initials.get(place.word, "")
         own.shape = shapes.get(latex, ())
+        own.endless = latex == "e" and any(r"\infty" in formula or "!" in formula for formula in formulas)
         own.orbital = latex == "e" and any(map(_ECCENTRIC.search, formulas))
         for low, high in (ends.get(t, ("", "")) for t in tokens) if family else ():
             low, high = (phrases.get(end, "").removeprefix("the number ") or end for end in (low, high))
@@ -403,6 +427,22 @@ def gathered(formulas: Sequence[str], said: Mapping[str, str]) -> dict[str, Evid
             elif high:
                 own.running = True
     return found
+
+
+_INITIALS = re.compile(r"\s*([A-Z])\s*([A-Z])\s*(?:_\s*(?:\{[^{}]*(?:\{[^{}]*\}[^{}]*)*\}|\w)\s*)?=")
+
+
+def _initials(formulas: Sequence[str]) -> dict[str, str]:
+    """Two capitals alone before an equality sign that occur nowhere else: one name rather than a product."""
+    toks = [tok.text for formula in formulas for tok in tex.tokenize(formula)]
+    bare = [text for text, after in itertools.pairwise([*toks, ""]) if after != "_"]
+    found = [match.groups() for match in map(_INITIALS.match, formulas) if match]
+    return {
+        letter: f"one name {a}{b}, or {a} times {b}? say what {a} and {b} are, or write \\mathrm{{{a}{b}}}"
+        for a, b in found
+        if bare.count(a) == 1 and (bare.count(b) or toks.count(b)) == 1
+        for letter in (a, b)
+    }
 
 
 _RANGE = re.compile(
@@ -470,7 +510,7 @@ def _options(of: Evidence, every: Mapping[str, Evidence], defined: Mapping[str, 
     if of.index:
         yield Guess(Letter(latex, kind="index", name=_plain(latex)), "an index", "a sum runs over it")
         return
-    if number := _number(of):
+    if number := _number(of, every):
         yield from number
         return
     base, _, below = latex.partition("_")
@@ -481,21 +521,28 @@ def _options(of: Evidence, every: Mapping[str, Evidence], defined: Mapping[str, 
         return
     variables = defined.get(latex)
     simple = _common_arguments(of)
-    if variables:
+    applied = bool(of.arguments) and not of.bare and (bool(simple) or not _may_be_factor(of))
+    if not variables and applied and _face(latex):
+        yield from _of_vectors(of, simple)
+    elif variables:
         letters = ", ".join(variables)
         yield Guess(_letter(of, kind="function", depends=letters), f"a function of {letters}", "it is defined as one")
-    elif of.arguments and not of.bare and (simple or not _may_be_factor(of)):
+    elif applied:
         depends = ", ".join(simple) if simple else None
         yield Guess(_letter(of, kind="function", depends=depends), "a function", "it stands before its arguments only")
     elif of.arguments and simple and _varies(of):
-        yield Guess(
-            _letter(of, depends=", ".join(simple)), f"a function of {', '.join(simple)}", "it stands before them"
-        )
-    elif of.arguments and not of.bare:
+        kinds = ("matrix", "vector") if of.capital else ("vector",) if _face(latex) else ("scalar",)
+        for kind in kinds:
+            dependent = _letter(of, kind=kind, depends=", ".join(simple))
+            yield Guess(dependent, f"a function of {', '.join(simple)}", "it stands before them")
+    elif of.arguments and not of.bare and not _face(latex):
         product = Guess(_letter(of, depends=""), "a number", "it stands before brackets with a sum")
         function = Guess(_letter(of, kind="function"), "a function", "it stands before brackets only")
         factor = all(args[0].lstrip()[:1].isdigit() for args in of.arguments)  # as in a(1 - x)
-        yield from (function, product) if latex in _TYPICAL else (product, replace(function, remote=factor))
+        weight = latex == "g" and any(place.before in _MASSES for place in of.places)
+        yield from (
+            (function, product) if latex in _TYPICAL and not weight else (product, replace(function, remote=factor))
+        )
     elif of.dotted or _is_derived(of):
         yield from _dependent(of, every, latex in defined)
     elif of.whole and latex.startswith(r"\prescript"):
@@ -511,7 +558,7 @@ def _options(of: Evidence, every: Mapping[str, Evidence], defined: Mapping[str, 
     elif of.shape:
         kind = "matrix" if len(of.shape) > 1 else "vector"
         yield Guess(_letter(of, kind=kind, size=of.shape, depends=""), f"a {kind}", PRINTED)
-    elif _STYLED.match(latex):
+    elif _face(latex):
         yield from _styled(of)
     elif of.transposed and "T" not in every:
         kind = "matrix" if latex[:1].isupper() else "vector"
@@ -596,9 +643,11 @@ def _as_said(of: Evidence, every: Mapping[str, Evidence]) -> Guess:
     )
 
 
-def _number(of: Evidence) -> list[Guess]:
+def _number(of: Evidence, every: Mapping[str, Evidence]) -> list[Guess]:
     """What e, i, j and pi may be."""
     latex = of.spelling
+    if latex != r"\pi" and (of.dotted or (of.arguments and _common_arguments(of)) or _is_derived(of)):
+        return []  # a number depends on nothing
     if latex == r"\pi":
         return [Guess(Letter(latex, number="pi"), "the number pi", "so it is written")]
     if latex in ("e", r"\text{e}"):
@@ -610,8 +659,13 @@ def _number(of: Evidence) -> list[Guess]:
             return [replace(letter, why="it stands as an eccentricity does"), replace(euler, remote=True)]
         if latex != "e" or all(variable):
             return [euler]
-        return [euler, replace(letter, remote=any(variable))]
+        if any(variable) or of.endless:
+            return [euler, replace(letter, remote=any(variable))]
+        return [letter, euler]
     if latex in ("i", "j", r"\text{i}", r"\text{j}"):
+        if {"i", "j"} <= every.keys() and not any(p.exponent for key in "ij" for p in every[key].places):
+            doubt = "a unit of quaternions, an index, or the imaginary unit? say what it is"
+            return [Guess(replace(_letter(of, depends=""), doubt=doubt), "a letter in doubt", "i and j stand here")]
         unit = Guess(Letter(latex, number="i"), "the imaginary unit", "so it is written")
         plain = Guess(_letter(of, depends="", name=_plain(latex)), "a real number", "it is a letter like others", True)
         return [unit] if latex[0] == "\\" or any(place.exponent for place in of.places) else [unit, plain]
@@ -674,11 +728,11 @@ def _dependent(of: Evidence, every: Mapping[str, Evidence], named: bool) -> Iter
         kind = "matrix" if len(of.shape) > 1 else "vector"
         yield Guess(_letter(of, kind=kind, depends=words, size=of.shape, named=named), f"a {kind}", PRINTED)
         return
-    if _is_styled(of.spelling, capital=True) and r"\vec" not in of.spelling:
-        for kind in ("matrix", "vector"):
+    if of.capital:
+        for kind in ("matrix", "vector")[: 1 if of.multiplied else 2]:
             yield Guess(_letter(of, kind=kind, depends=words, named=named), f"a {kind}, a function of {words}", MOVING)
         return
-    kind = "vector" if _STYLED.match(of.spelling) else "scalar"
+    kind = "vector" if _face(of.spelling) else "scalar"
     primed = any(place.primes for place in of.places)
     direct = (
         of.dotted
@@ -706,21 +760,40 @@ def _stands_in_body(of: Evidence) -> bool:
     return any(place.role == "derived" for place in of.places)
 
 
+def _face(latex: str) -> str:
+    """What is printed in bold type or below an arrow, where a letter, or a name of several tokens, is; else nothing."""
+    printed = re.sub(r"^\\(?:Delta|delta)(?=\\)", "", latex.replace(" ", ""))
+    found = _STYLED.match(printed)
+    return printed[found.end() :] if found else ""
+
+
 def _is_styled(latex: str, *, capital: bool) -> bool:
     """Is a letter bold or with an arrow, and capital or not?"""
-    found = _STYLED.match(latex)
-    return found is not None and latex[found.end() :].lstrip("\\")[:1].isupper() == capital
+    inner = _face(latex).lstrip("\\")
+    return bool(inner) and inner[:1].isupper() == capital
+
+
+def _of_vectors(of: Evidence, simple: Sequence[str]) -> Iterator[Guess]:
+    """A bold letter that stands before its arguments only: a function whose values are vectors or matrices."""
+    depends = ", ".join(simple) if simple else None
+    kinds = (("matrix", (0, 0)), ("vector", (0,)))
+    for kind, size in kinds[:1] if of.multiplied else kinds if of.capital else kinds[1:]:
+        told = f"a function whose values are {'matrices' if kind == 'matrix' else 'vectors'}"
+        yield Guess(_letter(of, kind="function", depends=depends, size=size), told, "it stands before its arguments")
 
 
 def _styled(of: Evidence) -> Iterator[Guess]:
     """A bold letter, or one with an arrow."""
     vector = Guess(_letter(of, kind="vector", depends=""), "a vector", "it is bold, or has an arrow")
     matrix = Guess(_letter(of, kind="matrix", depends=""), "a matrix", "it is bold and capital")
-    if _is_styled(of.spelling, capital=False) or r"\vec" in of.spelling:
+    if not of.capital:
         yield vector
-    else:
+        return
+    long = any(place.before in ("|", r"\|") and place.after in ("|", r"\|") for place in of.places)
+    if of.multiplied:
         yield matrix
-        yield vector
+    else:
+        yield from (vector, matrix) if long and not of.transposed else (matrix, vector)
 
 
 def _letter(of: Evidence, **given: object) -> Letter:

@@ -647,7 +647,13 @@ class Lexer(tex.Reader):
                 plain = self.based(at)
             self.emit("DIAG" if plain == "diag" else "FN", plain, at)
             return
+        remark = "~" in word and word.startswith(r"\text{") and not self.open
+        if remark and self.last() in _ENDS:
+            self.emit("COMMA", WIDE_COMMA, at)
         self.name(word, at)
+        after = next((tok.text for tok in self.toks[self.i :] if tok.text not in SPACES), "")
+        if remark and (tex.is_letter(after) or after in ("(", "[", r"\left", r"\begin", r"\frac")):
+            self.emit("COMMA", WIDE_COMMA, at)
 
     def based(self, at: int) -> str:
         r"""The function that `\log_{10}` or `\log_2` is."""

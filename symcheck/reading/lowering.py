@@ -497,7 +497,7 @@ class Lowering:
                 raise SymcheckError(f"{to_latex(tree)}: a number has no primes")
             return self.number(letter)
         stem = letter.stem + "prime" * tree.primes
-        if letter.components is not None or (letter.kind in ("vector", "matrix")):
+        if letter.components is not None or letter.kind in ("vector", "matrix") or (letter.size and letter.depends):
             return self.components(letter, stem, indices)
         if letter.kind == "function" and letter.depends is None and not letter.named:
             raise SymcheckError(
@@ -597,10 +597,14 @@ class Lowering:
             return identity(letter.places[0][-1])
         if letter.skew:
             return skew(self.value(_vector(letter, self.notation), {}))
+        return self.of_places(letter, lambda k: self.instance(letter, stem, (*indices, *k)))
+
+    def of_places(self, letter: Letter, entry: Callable[[tuple[int, ...]], Term]) -> Value:
+        """A vector or a matrix with an entry for each place."""
         rows, *columns = letter.places
         if not columns:
-            return [self.instance(letter, stem, (*indices, k)) for k in rows]
-        return [[self.instance(letter, stem, (*indices, k, m)) for m in columns[0]] for k in rows]
+            return [entry((k,)) for k in rows]
+        return [[entry((k, m)) for m in columns[0]] for k in rows]
 
     def of_add(self, tree: Add, env: Env) -> Value:
         values = [self.value(term, env) for term in tree.terms]
@@ -852,6 +856,10 @@ class Lowering:
         orders = (name.primes,) if name.primes else (0,) * len(arguments)
         if letter.kind != "function" and letter.kind != "scalar":
             return self.value(name, env)
+        if letter.size:
+            return self.of_places(
+                letter, lambda k: node("call", variable(letter.stem, (*indices, *k)), orders, *arguments)
+            )
         stem = variable(letter.stem, indices)
         if self.arities.setdefault(stem, len(arguments)) != len(arguments):
             raise SymcheckError(f"{to_latex(tree)}: {letter.latex} has another number of arguments elsewhere")

@@ -7,10 +7,11 @@ from dataclasses import dataclass, replace
 
 from symcheck.core.verdicts import SymcheckError
 from symcheck.reading import tex
-from symcheck.reading.commands import ROMAN, known
+from symcheck.reading.commands import ACCENTS, ROMAN, known
 from symcheck.reading.lexer import CLOSE, FUNCTIONS, OPEN, SIZES, SPACES
 from symcheck.reading.notation import undotted
 
+BOLD = frozenset({r"\mathbf", r"\boldsymbol", r"\bm", r"\pmb", r"\vec"})
 SIGNED_SUMS = frozenset({r"\sum", r"\prod"})
 FRACTIONS = frozenset({r"\frac", r"\dfrac", r"\tfrac"})
 TRANSPOSED = frozenset({("T",), (r"\top",), (r"\intercal",)})  # superscripts that transpose a matrix
@@ -51,6 +52,7 @@ class Occurrence:
     beside: tuple[str, ...] = ()  # letters behind a dot or a cross before it or behind it
     exponent: bool = False  # does it stand in an exponent of e?
     transposed: bool = False  # does a T stand above it?
+    followed: bool = False  # does a small bold letter follow without a sign, behind its arguments?
 
 
 @dataclass(slots=True)
@@ -301,8 +303,23 @@ class Scan(tex.Reader):
             scope.by,
             exponent=scope.exponent,
             transposed=transposed,
+            followed=self.vector_follows(),
         )
         yield from inner
+
+    def vector_follows(self) -> bool:
+        """Does a small bold letter stand behind this letter and its arguments, without a sign?"""
+        start, ahead = self.i, self.i
+        while self.peek_at(ahead) in SIZES:
+            ahead += 1
+        if self.peek_at(ahead) == "(":
+            self.i = ahead
+            ahead = self.closing() + 1
+            self.i = start
+        while self.peek_at(ahead) in SPACES or self.peek_at(ahead) in ACCENTS or self.peek_at(ahead) == "{":
+            ahead += 1
+        inner = self.peek_at(ahead + 2 if self.peek_at(ahead + 1) == "{" else ahead + 1)
+        return self.peek_at(ahead) in BOLD and inner.lstrip("\\")[:1].islower()
 
     def arguments(self) -> tuple[str, ...] | None:
         """The texts between round brackets that open here, without moving on."""

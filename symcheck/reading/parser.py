@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import itertools
+import re
 from collections import Counter
 from collections.abc import Container, Sequence
 from dataclasses import dataclass, replace
@@ -79,6 +80,14 @@ from symcheck.reading.tree import (
 OF_MATRICES = ("det", "tr")  # functions of which one letter without brackets is the argument
 SIMPLE_KINDS = ("scalar", "index", "function")
 _BRACKETS_ARE_IDLE = (Name, Number, Call, Sqrt, Pow, Mul, Div, Derivative, Degrees, Pair)
+DIMENSIONLESS = {  # numbers that print abbreviates with two letters
+    "Re": "Reynolds", "Nu": "Nusselt", "De": "Dean", "Fo": "Fourier", "Sc": "Schmidt", "Gr": "Grashof", "We": "Weber",
+    "Sh": "Sherwood", "Bo": "Bond", "Bi": "Biot", "Pe": "Peclet", "Ec": "Eckert", "Eu": "Euler", "Kn": "Knudsen",
+    "Oh": "Ohnesorge", "Bd": "Bond", "Ja": "Jakob", "Fr": "Froude", "Pr": "Prandtl", "Ca": "capillary", "St": "Stokes",
+    "Ra": "Rayleigh", "Ga": "Galilei", "Ar": "Archimedes", "Gz": "Graetz", "Ma": "Mach",
+}  # fmt: skip
+_PRODUCTS = frozenset({"Fr", "Pr", "Ca", "St", "Ra", "Ga", "Ar", "Ja", "Gr", "Sh", "Sc", "Ma"})  # which they may be too
+_WORDS = re.compile(r"\\text \{[^{}]*\}")  # upright type, in which letters are none
 _PLAIN = (Number, Dots, Name, Add, Neg, Mul)  # of what the values of an index consist
 _LOOSE = frozenset({"exists", "iff", "implies", "either"})  # rules of logical connectives
 _ORDERS = {"<": "up", r"\le": "up", ">": "down", r"\ge": "down"}
@@ -191,6 +200,7 @@ class Builder:
         self.source = source
         self.notation = notation
         self.spaced = spaced  # places behind an explicit space
+        self.first = next((tok.at for tok in tex.tokenize(source)), 0)
 
     def fail(self, at: int, message: str) -> SymcheckError:
         return tex.fault(self.source, at, message)
@@ -605,22 +615,40 @@ class Builder:
                 dotted, k = True, k + 1
                 dots.append(len(factors))
                 continue
-            self.refuse_reynolds(items[k : k + 2])
+            self.refuse_numbers(items[k : k + 2])
             node, after = self.factor(items, k, dotted=dotted)
             factors.append(self.checked(node, item.at, statements=False))
             self.refuse_product(item, factors[-1], items[after:], alone=after == k + 1)
+            beside = [*items[max(k - 1, 0) : k], *items[k + 1 : k + 2]]
+            self.refuse_words(factors[-1], item, alone=all(other.kind == "dot" for other in beside))
             k = after
             dotted = False
         vectors = tuple(k for k in dots if self.is_vector(factors[k - 1]) and self.is_vector(factors[k]))
         return factors[0] if len(factors) == 1 else Mul(tuple(factors), vectors)
 
-    def refuse_reynolds(self, items: list[Item]) -> None:
-        """`Re` without a sign between its letters is hardly R times Euler's number."""
+    def refuse_numbers(self, items: list[Item]) -> None:
+        """`Re` without a sign between its letters is hardly R times Euler's number; so with other such numbers."""
         names = [item.node for item in items if isinstance(item.node, Name) and item.kind == "atom"]
-        if len(names) < 2 or names[0].letter != "R" or names[0].subscripts or items[0].postfix:
+        if len(names) < 2 or names[0].subscripts or names[0].primes or items[0].postfix:
             return
-        if names[1].letter.partition("_")[0] == "e":
-            raise self.fail(items[0].at, "the Reynolds number, or R times e? write \\cdot, or name one letter")
+        word = names[0].letter + names[1].letter.partition("_")[0]
+        power = items[1].power.value if isinstance(items[1].power, Neg) else items[1].power
+        if word not in DIMENSIONLESS or (word != "Re" and not isinstance(power, Number | None)):
+            return
+        toks = [tok.text for tok in tex.tokenize(_WORDS.sub("", self.source))]
+        pairs = sum(pair == (word[0], word[1]) for pair in itertools.pairwise(toks))
+        alone = toks.count(word[0]) == toks.count(word[1]) == pairs
+        clear = word not in _PRODUCTS or items[0].at == self.first or "." in toks or "." in "".join(toks)
+        if word == "Re" or (alone and clear):
+            raise self.fail(
+                items[0].at,
+                f"the {DIMENSIONLESS[word]} number, or {word[0]} times {word[1]}? write \\cdot, or name one letter",
+            )
+
+    def refuse_words(self, factor: Tree, item: Item, *, alone: bool) -> None:
+        """Several words are no factor beside others, but a remark."""
+        if isinstance(factor, Name) and "~" in factor.letter and factor.letter.startswith(r"\text{") and not alone:
+            raise self.fail(item.at, "words among factors; leave them out, or write a comma before them")
 
     def refuse_product(self, item: Item, node: Tree, rest: list[Item], *, alone: bool) -> None:
         """What stands behind a factor without a sign must be a factor without a doubt."""
@@ -679,7 +707,13 @@ class Builder:
         return any(isinstance(call.function, Name) and self.kind(call.function) == "function" for call in calls)
 
     def is_vector(self, tree: Tree) -> bool:
-        return any(isinstance(node, Tuple | Name) and self.kind(node) == "vector" for _, node in walk(tree))
+        for _, node in walk(tree):
+            if isinstance(node, Tuple | Name) and self.kind(node) == "vector":
+                return True
+            letter = self.notation.find(node.letter, len(node.subscripts)) if isinstance(node, Name) else None
+            if letter is not None and len(letter.size) == 1:
+                return True
+        return False
 
     def in_brackets(self, item: Item) -> bool:
         return item.kind == "group" or item.square

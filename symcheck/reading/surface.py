@@ -9,9 +9,10 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
+from functools import partial
 
 from symcheck.reading import tex
-from symcheck.reading.commands import ACCENTS, ROMAN, STYLES
+from symcheck.reading.commands import ACCENTS, LETTER_COMMANDS, ROMAN, STYLES
 
 FONTS = {  # switches that hold to the end of their group
     r"\bf": r"\mathbf", r"\bm": r"\bm", r"\pmb": r"\pmb", r"\boldsymbol": r"\boldsymbol", r"\rm": r"\mathrm",
@@ -70,26 +71,109 @@ def plain(source: str) -> str:
         return source
     text = _TRANSPOSED.sub("^ { T }", _DEFINES.sub("=", _printed(_made_plain(parts))))
     for pattern, sign in WORDS:
-        text = pattern.sub(lambda found, sign=sign: _parting(found[0], sign), text)
+        text = pattern.sub(partial(_parting, sign), text)
     return text
 
 
-def _parting(printed: str, sign: str) -> str:
+def _parting(sign: str, found: re.Match[str]) -> str:
     """The sign that a word between relations is; `and` with a comma or a wide space ends what is before it.
 
     A wide `or` may say the same in other words, and is left as it is printed.
     """
+    printed = found[0]
     wide = "," in printed or "quad" in printed
     if wide and sign == r"\lor":
         return printed
     return rf" {WIDE} " if wide and sign == r"\text{and}" else f" {sign} "
 
 
+def _with_words(source: str) -> list[tex.Tok]:
+    """The tokens of TeX; functions printed as italic letters become commands, and words in text keep a space."""
+    toks, found = tex.tokenize(source), list[tex.Tok]()
+    k, text_ends = 0, -1
+    while k < len(toks):
+        tok = toks[k]
+        if tok.text in _TEXTS and k + 1 < len(toks) and toks[k + 1].text == "{":
+            text_ends = _closing(toks, k + 1)
+        if k < text_ends:
+            spaced = k > 1 and toks[k - 1].text.isalpha() and tok.text.isalpha() and tok.at > toks[k - 1].at + 1
+            found += [tex.Tok("~", tok.at - 1)] if spaced else []
+        elif tok.text.isalpha() and (name := _function_of_letters(toks, k)):
+            found.append(tex.Tok(f"\\{_OTHERWISE.get(name, name)}", tok.at))
+            k += len(name)
+            continue
+        found.append(tok)
+        k += 1
+    return found
+
+
+_TEXTS = frozenset({r"\text", r"\textrm", r"\mbox", r"\textnormal", r"\textit", r"\mathrm", r"\mathit"})
+_TYPED = frozenset({"arcsin", "arccos", "arctan", "asin", "acos", "atan", "sinh", "cosh", "tanh", "sin", "cos", "tan"})
+_TYPED |= {"exp", "log", "ln", "max", "min"}
+_OTHERWISE.get(name, name)}", tok.at))
+            k += len(name)
+            continue
+        found.append(tok)
+        k += 1
+    return found
+
+
+_TEXTS = frozenset({r"\text", r"\textrm", r"\mbox", r"\textnormal", r"\textit", r"\mathrm", r"\mathit"})
+_TYPED = frozenset(
+    [
+        "arcsin",
+        "arccos",
+        "arctan",
+        "asin",
+        "acos",
+        "atan",
+        "sinh",
+        "cosh",
+        "tanh",
+        "sin",
+        "cos",
+        "tan",
+        "exp",
+        "log",
+        "ln",
+        "max",
+        "min",
+    ]
+)  # as letters
+_OTHERWISE = {"asin": "arcsin", "acos": "arccos", "atan": "arctan"}
+
+
+def _closing(toks: Sequence[tex.Tok], k: int) -> int:
+    """Where the brace that opens here is closed."""
+    depth = 0
+    for m in range(k, len(toks)):
+        depth += (toks[m].text == "{") - (toks[m].text == "}")
+        if not depth:
+            return m
+    return len(toks)
+
+
+def _function_of_letters(toks: Sequence[tex.Tok], k: int) -> str:
+    """The function whose name is typed here as letters: `max(a, b)`, `v cos\\theta`."""
+    start, end = k, k
+    while start and toks[start - 1].text.isalpha() and toks[start - 1].at == toks[start].at - 1:
+        start -= 1
+    while end < len(toks) and toks[end].text.isalpha() and toks[end].at == toks[k].at + end - k:
+        end += 1
+    word = "".join(tok.text for tok in toks[k:end])
+    behind = [tok.text for tok in toks[end : end + 2]]
+    brackets = behind[:1] == ["("] or behind == [r"\left", "("]
+    angle = word[-3:] in ("sin", "cos", "tan") and bool(behind) and behind[0] in LETTER_COMMANDS
+    if word not in _TYPED or k - start > 1 or not (brackets or angle):
+        return ""
+    return word
+
+
 def _with_numbers(source: str) -> list[str]:
     """The tokens of TeX, but digits that follow one another are one; a command takes only the first of them."""
     found: list[str] = []
     end = -1
-    for tok in tex.tokenize(source):
+    for tok in _with_words(source):
         digit = tok.text.isdigit() or (tok.text == "." and bool(found) and found[-1].isdigit())
         before = found[-2] if len(found) > 1 else ""
         if (
@@ -401,10 +485,10 @@ WORDS = tuple(  # that part relations: what stands behind them holds as well, or
         ("a n d", r"\text{and}"),
         ("o r", r"\lor"),
         (
-            "(?:f o r|i f|w h e n|w h e n e v e r|a s l o n g a s|p r o v i d e d|p r o v i d e d t h a t)",
+            "(?:f o r|i f|w h e n|w h e n e v e r|a s ~ l o n g ~ a s|p r o v i d e d|p r o v i d e d ~ t h a t)",
             r"\text{for}",
         ),
-        ("f o r a l l|f o r e v e r y|f o r a n y", r"\forall"),
+        ("f o r ~ a l l|f o r ~ e v e r y|f o r ~ a n y", r"\forall"),
     )
 )
 _TRANSPOSED = re.compile(r"\^ \{ \\math(?:sf|tt|scr|cal) \{ T \} \}")
