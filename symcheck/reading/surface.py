@@ -110,36 +110,6 @@ def _with_words(source: str) -> list[tex.Tok]:
 _TEXTS = frozenset({r"\text", r"\textrm", r"\mbox", r"\textnormal", r"\textit", r"\mathrm", r"\mathit"})
 _TYPED = frozenset({"arcsin", "arccos", "arctan", "asin", "acos", "atan", "sinh", "cosh", "tanh", "sin", "cos", "tan"})
 _TYPED |= {"exp", "log", "ln", "max", "min"}
-_OTHERWISE.get(name, name)}", tok.at))
-            k += len(name)
-            continue
-        found.append(tok)
-        k += 1
-    return found
-
-
-_TEXTS = frozenset({r"\text", r"\textrm", r"\mbox", r"\textnormal", r"\textit", r"\mathrm", r"\mathit"})
-_TYPED = frozenset(
-    [
-        "arcsin",
-        "arccos",
-        "arctan",
-        "asin",
-        "acos",
-        "atan",
-        "sinh",
-        "cosh",
-        "tanh",
-        "sin",
-        "cos",
-        "tan",
-        "exp",
-        "log",
-        "ln",
-        "max",
-        "min",
-    ]
-)  # as letters
 _OTHERWISE = {"asin": "arcsin", "acos": "arccos", "atan": "arctan"}
 
 
