@@ -139,9 +139,9 @@ VERDICTS: dict[str, list[tuple[str, list[str]]]] = {
         (r"\Delta(xy) = x \Delta y + y \Delta x", []),
         (r"\delta(x^2) = 2 x \delta x", []),
         (r"\mathrm{d}(xy) = x \, \mathrm{d}y + y \, \mathrm{d}x", []),
-        (r"dr = \frac{x dx + y dy}{r}", [r"r = \sqrt{x^2 + y^2}"]),
     ],
     "unreadable": [
+        (r"dr = \frac{x dx + y dy}{r}", [r"r = \sqrt{x^2 + y^2}"]),
         (r"x^\mu x_\mu = s^2 + 1", []),
         (r"\sigma^2 = E[X^2] - \mu^2", []),
     ],

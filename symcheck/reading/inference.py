@@ -115,6 +115,13 @@ class Evidence:
         return self.capital and any(place.followed for place in self.places)
 
     @property
+    def framed(self) -> str:
+        """Is it a vector, or a matrix, because a frame stands at its left?"""
+        if not self.whole or not self.spelling.startswith(r"\prescript"):
+            return ""
+        return "matrix" if _CAPITAL_IN_FRAME.match(self.spelling) else "vector"
+
+    @property
     def dotted(self) -> bool:
         return any(place.dots for place in self.places)
 
@@ -468,6 +475,10 @@ def _complete(evidence: dict[str, Evidence]) -> None:
     )
     if used and "d" not in evidence:
         evidence["d"] = Evidence("d", [Occurrence("d")], said="differential")
+    own = evidence.get("d")
+    if own is not None and not own.said and len({place.after for place in own.places}) > 1:
+        forms = all(p.arguments is None and p.superscript is None and tex.is_letter(p.after) for p in own.places)
+        own.said = "differential" if forms and not own.dotted else ""
     for each in [*evidence.values()]:
         if each.whole and not each.said and (skew := _SKEW.fullmatch(each.spelling)):
             each.said = f"skew matrix of {skew[1]}"
@@ -535,6 +546,8 @@ def _options(of: Evidence, every: Mapping[str, Evidence], defined: Mapping[str, 
         for kind in kinds:
             dependent = _letter(of, kind=kind, depends=", ".join(simple))
             yield Guess(dependent, f"a function of {', '.join(simple)}", "it stands before them")
+    elif of.arguments and not of.bare and (re.match(r"\\text\{\w\w", latex) or all(map(_is_product, of.arguments))):
+        yield Guess(_letter(of, kind="function"), "a function", "a product needs no brackets there")
     elif of.arguments and not of.bare and not _face(latex):
         product = Guess(_letter(of, depends=""), "a number", "it stands before brackets with a sum")
         function = Guess(_letter(of, kind="function"), "a function", "it stands before brackets only")
@@ -545,8 +558,8 @@ def _options(of: Evidence, every: Mapping[str, Evidence], defined: Mapping[str, 
         )
     elif of.dotted or _is_derived(of):
         yield from _dependent(of, every, latex in defined)
-    elif of.whole and latex.startswith(r"\prescript"):
-        kind = "matrix" if _CAPITAL_IN_FRAME.match(latex) else "vector"
+    elif of.framed:
+        kind = of.framed
         yield Guess(_letter(of, kind=kind, depends=""), f"a {kind}", "a frame stands at its left")
     elif of.whole and latex.startswith("["):
         yield Guess(_letter(of, kind="matrix", depends=""), "a matrix", "it stands in brackets")
@@ -590,6 +603,10 @@ def _matrix_size(every: Mapping[str, Evidence]) -> int | None:
     return found
 
 
+_HAT = re.compile(r"\\(hat|widehat|vec)\{")
+_ACCENT = re.compile(r"\\(hat|widehat|vec|bar|overline|tilde)\{")
+
+
 def _beside_vectors(of: Evidence, every: Mapping[str, Evidence]) -> bool:
     """Does a dot or a cross stand between it and a vector, or is it the length of something with a hat?"""
 
@@ -601,7 +618,10 @@ def _beside_vectors(of: Evidence, every: Mapping[str, Evidence]) -> bool:
         )
 
     beside = {x for place in of.places for x in place.beside}
-    accented = re.match(r"\\(hat|widehat|vec)\{", of.spelling) is not None
+    accented = _HAT.match(of.spelling) is not None
+    hats = any(map(_HAT.match, (of.spelling, *beside))) and any(r"\cdot" in (p.before, p.after) for p in of.places)
+    if hats and any(map(_ACCENT.match, beside)) and _ACCENT.match(of.spelling):
+        return True
     return any(map(is_vector, beside)) or (
         accented and any(p.before in ("|", r"\|") and p.after in ("|", r"\|") for p in of.places)
     )
@@ -655,6 +675,11 @@ def _number(of: Evidence, every: Mapping[str, Evidence]) -> list[Guess]:
         letter = Guess(_letter(of, depends="", name="e_letter"), "a real number", "it stands without an exponent")
         powers = [place.superscript for place in of.places]
         variable = [power is not None and not "".join(power).strip("{}").isdigit() for power in powers]
+        series = all(power is not None and "".join(power).strip("{}") in every for power in powers) and all(
+            every["".join(power or ()).strip("{}")].index for power in powers
+        )
+        if latex == "e" and powers and series:  # in the powers of a letter
+            return [replace(letter, why="a series runs over its powers"), euler]
         if of.orbital and not any(variable):
             return [replace(letter, why="it stands as an eccentricity does"), replace(euler, remote=True)]
         if latex != "e" or all(variable):
@@ -684,6 +709,12 @@ def _common_arguments(of: Evidence) -> tuple[str, ...]:
 def _may_be_factor(of: Evidence) -> bool:
     """Could it be multiplied with what stands in brackets behind it, which is more than a letter or a number?"""
     return all(len(args) == 1 and not is_letter(args[0]) and not _NUMBER.fullmatch(args[0]) for args in of.arguments)
+
+
+def _is_product(args: Sequence[str]) -> bool:
+    """Is this one product of letters and numbers, around which brackets would be idle?"""
+    toks = args[0].split()
+    return len(args) == 1 and len(toks) > 1 and all(tex.is_letter(tok) or tok.isdigit() for tok in toks)
 
 
 def _varies(of: Evidence) -> bool:
@@ -732,7 +763,7 @@ def _dependent(of: Evidence, every: Mapping[str, Evidence], named: bool) -> Iter
         for kind in ("matrix", "vector")[: 1 if of.multiplied else 2]:
             yield Guess(_letter(of, kind=kind, depends=words, named=named), f"a {kind}, a function of {words}", MOVING)
         return
-    kind = "vector" if _face(of.spelling) else "scalar"
+    kind = of.framed or ("vector" if _face(of.spelling) else "scalar")
     primed = any(place.primes for place in of.places)
     direct = (
         of.dotted

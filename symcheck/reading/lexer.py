@@ -673,11 +673,11 @@ class Lexer(tex.Reader):
 
     def whole(self) -> bool:
         """A declared name that is printed with several tokens, such as `E[\\rho]`; the longest that begins here."""
-        for tokens, spelling in self.notation.wholes:
+        for tokens, spelling, dots in self.notation.wholes:
             if all(self.peek(k) == text for k, text in enumerate(tokens)):
                 at = self.at()
                 self.i += len(tokens)
-                self.emit("NAME", Name(spelling, (), self.primes()), at)
+                self.emit("NAME", Name(spelling, (), self.primes(), dots), at)
                 return True
         return False
 

@@ -59,6 +59,7 @@ def names_of_several_tokens(formulas: Sequence[str], said: Mapping[str, str]) ->
             found.setdefault(each.bare, "")
     for formula in formulas:
         found |= {latex: "" for latex in _matrices_and_differences(formula) if latex not in found}
+    found = {tex.without_dots(latex): doubt for latex, doubt in found.items()}
     for latex in found:
         if inside := bound.intersection(latex.split()[1:]):
             found[latex] = f"an index of a name is not summed over: {min(inside)}"

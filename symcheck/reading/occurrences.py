@@ -78,17 +78,15 @@ class Scan(tex.Reader):
 
     def __init__(self, source: str, wholes: Sequence[str] = ()) -> None:
         super().__init__(source)
-        self.wholes = sorted(
-            ((tuple(t.text for t in tex.tokenize(w)), w) for w in wholes), key=lambda pair: -len(pair[0])
-        )
+        self.wholes = tex.names(wholes)
 
-    def whole(self) -> str:
-        """The name of several tokens that begins here; "" if none does."""
-        for tokens, spelling in self.wholes:
+    def whole(self) -> tuple[str, int]:
+        """The name of several tokens that begins here, and the dots over it; "" if none does."""
+        for tokens, spelling, dots in self.wholes:
             if all(self.peek(k) == text for k, text in enumerate(tokens)):
                 self.i += len(tokens)
-                return spelling
-        return ""
+                return spelling, dots
+        return "", 0
 
     def transposes(self) -> bool:
         """Does a superscript begin here that transposes what stands in brackets before it?"""
@@ -102,9 +100,17 @@ class Scan(tex.Reader):
         while self.i < stop:
             text = self.peek()
             before = self.peek(-1) if self.i else ""
-            if self.wholes and (name := self.whole()):
+            if self.wholes and (whole := self.whole())[0]:
+                name, dots = whole
                 yield Occurrence(
-                    name, arguments=self.arguments(), role=scope.role, by=scope.by, before=before, after=self.peek()
+                    name,
+                    dots,
+                    arguments=self.arguments(),
+                    role=scope.role,
+                    by=scope.by,
+                    before=before,
+                    after=self.peek(),
+                    followed=self.vector_follows(),
                 )
             elif text in (r"\begin", r"\end"):
                 self.environment()
@@ -218,8 +224,8 @@ class Scan(tex.Reader):
         while self.i < end:
             text = self.peek()
             before = self.peek(-1) if self.i else ""
-            if self.wholes and (name := self.whole()):
-                yield Occurrence(name, role=role, by=by, before=before)
+            if self.wholes and (whole := self.whole())[0]:
+                yield Occurrence(whole[0], whole[1], role=role, by=by, before=before)
             elif text in ("d", r"\partial"):
                 self.i += 1
                 if self.peek() == "^":

@@ -86,7 +86,9 @@ DIMENSIONLESS = {  # numbers that print abbreviates with two letters
     "Oh": "Ohnesorge", "Bd": "Bond", "Ja": "Jakob", "Fr": "Froude", "Pr": "Prandtl", "Ca": "capillary", "St": "Stokes",
     "Ra": "Rayleigh", "Ga": "Galilei", "Ar": "Archimedes", "Gz": "Graetz", "Ma": "Mach",
 }  # fmt: skip
+ANGLES = frozenset({r"\theta", r"\vartheta", r"\phi", r"\varphi", r"\psi"})
 _PRODUCTS = frozenset({"Fr", "Pr", "Ca", "St", "Ra", "Ga", "Ar", "Ja", "Gr", "Sh", "Sc", "Ma"})  # which they may be too
+_REMARK = re.compile(r"\\text\{(?:.*~|[A-Za-z][a-z]{4})")  # several words, or a long one, which is no unit
 _WORDS = re.compile(r"\\text \{[^{}]*\}")  # upright type, in which letters are none
 _PLAIN = (Number, Dots, Name, Add, Neg, Mul)  # of what the values of an index consist
 _LOOSE = frozenset({"exists", "iff", "implies", "either"})  # rules of logical connectives
@@ -646,8 +648,8 @@ class Builder:
             )
 
     def refuse_words(self, factor: Tree, item: Item, *, alone: bool) -> None:
-        """Several words are no factor beside others, but a remark."""
-        if isinstance(factor, Name) and "~" in factor.letter and factor.letter.startswith(r"\text{") and not alone:
+        """Words are no factor beside others, but a remark, or a part of a name."""
+        if isinstance(factor, Name) and not alone and _REMARK.match(factor.letter):
             raise self.fail(item.at, "words among factors; leave them out, or write a comma before them")
 
     def refuse_product(self, item: Item, node: Tree, rest: list[Item], *, alone: bool) -> None:
@@ -870,6 +872,10 @@ class Builder:
                 raise self.fail(item.at, f"does this power belong to {head.name} or to its argument?")
             if k > start and isinstance(item.node, Number):
                 raise self.fail(item.at, "a number behind a factor is ambiguous")
+            if k > start and isinstance(item.node, Name) and item.node.dots:
+                break  # no angle is multiplied by a rate
+            if k > start and self.ends_angle(items[start : k + 1]) and not self.runs_on(item, head.name):
+                break
             if k > start and item.at in self.spaced and not self.runs_on(item, head.name):
                 break
             k += 1
@@ -885,6 +891,14 @@ class Builder:
                 factors += (self.atom(items[k]),)
                 k += 1
         return self.powered(head, (factors[0] if len(factors) == 1 else Mul(factors),)), k
+
+    def ends_angle(self, items: list[Item]) -> bool:
+        """Is the first of two letters an angle, which the second hardly multiplies: `\\cos\\theta E`?"""
+        names = [item.node for item in items if isinstance(item.node, Name)]
+        if len(names) != 2 or len(items) != 2:
+            return False
+        first, second = (name.letter.partition("_")[0] for name in names)
+        return first in ANGLES and second not in ("t", r"\tau", "x") and second not in ANGLES
 
     def is_euler(self, item: Item) -> bool:
         """Is this Euler's number with its exponent?"""

@@ -13,6 +13,7 @@ from functools import partial
 
 from symcheck.reading import tex
 from symcheck.reading.commands import ACCENTS, LETTER_COMMANDS, ROMAN, STYLES
+from symcheck.reading.functions import COMMANDS
 
 FONTS = {  # switches that hold to the end of their group
     r"\bf": r"\mathbf", r"\bm": r"\bm", r"\pmb": r"\pmb", r"\boldsymbol": r"\boldsymbol", r"\rm": r"\mathrm",
@@ -44,6 +45,7 @@ NOTHING = {  # layout, with the number of arguments that go with it
 }  # fmt: skip
 SECOND = frozenset({r"\textcolor", r"\overset", r"\stackrel", r"\underset"})  # the second argument is what counts
 BRACED = frozenset({r"\underbrace", r"\overbrace", r"\underline", r"\underbracket", r"\overbracket"})
+_BARE = frozenset(f"\\{name}" for name in COMMANDS - {"det", "max", "min"})  # functions; braces end their arguments
 SIGNS_OVER = frozenset({"=", r"\approx", r"\le", r"\ge", r"\leq", r"\geq", "<", ">", r"\rightarrow", r"\to"})
 ARGUMENTS = {r"\frac": 2, r"\dfrac": 2, r"\tfrac": 2, r"\binom": 2, r"\sqrt": 1, r"\begin": 1, r"\end": 1, r"\tag": 1}
 ZEROS = frozenset({r"\mathbf", r"\boldsymbol", r"\bm", r"\pmb", r"\vec", r"\bar"})  # of vectors and matrices
@@ -265,8 +267,9 @@ def _made_plain_here(parts: list[Part]) -> list[Part]:
     while k < len(parts):
         part = parts[k]
         if isinstance(part, Group):
-            inner = _made_plain(part.parts)
-            found += _loose(inner, found, parts[k + 1] if k + 1 < len(parts) else "")
+            inner, after = _made_plain(part.parts), parts[k + 1] if k + 1 < len(parts) else ""
+            argument = bool(found) and found[-1] in _BARE and after not in ("^", "_", "'") and not _is_bracket(inner)
+            found += ["(", *inner, ")"] if argument and inner else _loose(inner, found, after)
             k += 1
             continue
         part = SAME.get(part, part)
