@@ -32,7 +32,7 @@ def ours(latex: str) -> tuple[bool, bool]:
     """Whether a display gives a tree, and whether it gives a statement."""
     text, tree = with_plain_differentials(plain(latex)), False
     try:
-        inferences = inferred([text], {}, {})[:MOST_READINGS]
+        inferences = [each for each in inferred([text], {}, {}) if not each.remote][:MOST_READINGS]
     except SymcheckError:
         return False, False
     for inference in inferences:

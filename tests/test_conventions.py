@@ -147,10 +147,8 @@ VERDICTS: dict[str, list[tuple[str, list[str]]]] = {
         (r"d(x y) = x\,dy", []),
         (r"dE = m v\,dv", [r"E = \frac12 m v^2"]),
         (r"p\,dV + V\,dp = n R\,dT", ["pV = n R T"]),
-        (r"dx\,dy = r\,dr\,d\theta", [r"x = r\cos\theta", r"y = r\sin\theta"]),
         ("d_1 + d x = d_1 + x d", []),
         (r"I = \int r^2 dm", []),
-        (r"x^\mu x_\mu = s^2 + 1", []),
         (r"x_1 + x_2 = -\frac{b}{a}", ["ax^2 + bx + c = a(x - x_1)(x - x_2)"]),
         (r"A = \frac12", [r"\frac{1}{x^2 - 1} = \frac{A}{x - 1} + \frac{B}{x + 1}"]),
         ("AB = BA", []),
@@ -171,6 +169,8 @@ VERDICTS: dict[str, list[tuple[str, list[str]]]] = {
         (r"\mathrm{d}(xy) = x \, \mathrm{d}y + y \, \mathrm{d}x", []),
     ],
     "unreadable": [
+        (r"dx\,dy = r\,dr\,d\theta", [r"x = r\cos\theta", r"y = r\sin\theta"]),
+        (r"x^\mu x_\mu = s^2 + 1", []),
         (r"\sigma^2 = E[X^2] - \mu^2", []),
     ],
     "undecided": [

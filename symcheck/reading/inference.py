@@ -12,9 +12,8 @@ from dataclasses import dataclass, field, replace
 
 from symcheck.core.verdicts import SymcheckError
 from symcheck.reading import tex
-from symcheck.reading.commands import ACCENTS, ROMAN, STYLES, known
 from symcheck.reading.complex_letters import complexes, equated
-from symcheck.reading.lexer import SPACES
+from symcheck.reading.names import is_letter, names_of_several_tokens
 from symcheck.reading.notation import VALUE, Letter, Notation, instances
 from symcheck.reading.occurrences import Occurrence, occurrences, words
 from symcheck.reading.relatives import Relatives, relatives
@@ -22,8 +21,11 @@ from symcheck.reading.relatives import Relatives, relatives
 SIZES = (3, 2)  # of vectors and matrices whose size nothing tells: what holds of both hardly fails of others
 MAX_READINGS = 8  # of one question: three letters with two readings each; more are refused
 _STYLED = re.compile(r"(?:\\\w+\{)?\\(mathbf|boldsymbol|bm|pmb|vec|overrightarrow)\{")  # a style, or an accent over it
-_TYPICAL = frozenset("fghFGH") | {r"\phi", r"\psi", r"\varphi", r"\Phi", r"\Psi", r"\Theta", r"\Gamma"}
-_ECCENTRIC = re.compile(r"1\s*[-+]\s*e\s*(?:\^\s*\{?2\}?)?(?!\s*\^|\d)|(?<![A-Za-z\\])e\s*\\(?:cos|sin)(?![A-Za-z])")
+_MASSES = frozenset({"m", "M", r"\rho", "}"})  # before the g of gravity
+_TYPICAL = frozenset("fghFGH") | {r"\zeta", r"\phi", r"\psi", r"\varphi", r"\Phi", r"\Psi", r"\Theta", r"\Gamma"}
+_ECCENTRIC = re.compile(
+    r"1\s*[-+]\s*e\s*(?:\^\s*\{?\s*2\s*\}?)?(?!\s*\^|\d)|(?<![A-Za-z\\])e\s*\\(?:cos|sin|cosh|sinh)(?![A-Za-z])"
+)
 _NUMBER = re.compile(r"\s*[-+]?\s*[\d.\s]+")
 _SKEW = re.compile(r"\[ (.+) \] _ (?:\{ )?\\times(?: \})?")  # `[a]_\times`, by its tokens
 _SIZES = re.compile(r"^(?:\{)?(\w+)(?:\\times(\w+))?(?:\})?$")
@@ -91,14 +93,33 @@ class Evidence:
     said: str = ""
     index: bool = False
     whole: bool = False
+    doubt: str = ""
     running: bool = False
     orbital: bool = False
+    endless: bool = False  # does an infinite sum, or a factorial, stand beside it?
     shape: tuple[int, ...] = ()  # of the matrix or the column to which it is equal
 
     @property
     def transposed(self) -> bool:
         """Does it stand with a T above, or with another sign of the transposed?"""
         return any(place.transposed for place in self.places)
+
+    @property
+    def capital(self) -> bool:
+        """Is it bold, without an arrow, and capital?"""
+        return _is_styled(self.spelling, capital=True) and r"\vec" not in self.spelling
+
+    @property
+    def multiplied(self) -> bool:
+        """Is it capital, and does a bold letter that is not follow without a sign: is it a matrix for certain?"""
+        return self.capital and any(place.followed for place in self.places)
+
+    @property
+    def framed(self) -> str:
+        """Is it a vector, or a matrix, because a frame stands at its left?"""
+        if not self.whole or not self.spelling.startswith(r"\prescript"):
+            return ""
+        return "matrix" if _CAPITAL_IN_FRAME.match(self.spelling) else "vector"
 
     @property
     def dotted(self) -> bool:
@@ -160,7 +181,7 @@ def inferred(
     _complete(evidence)
     open_ = {key: each for key, each in evidence.items() if not each.said and key not in defined and _is_plain(each)}
     free = {key for key, each in open_.items() if not (each.dotted or _is_derived(each))}
-    bold = {key for key, each in evidence.items() if key in defined and not defined[key] and _STYLED.match(key)}
+    bold = {key for key in evidence if key in defined and not defined[key] and _STYLED.match(key)}
     related = relatives(evidence.keys(), free, open_.keys() | bold, bold)
     for name in related.entries:
         evidence.setdefault(name, Evidence(name, [Occurrence(name)]))
@@ -176,7 +197,7 @@ def inferred(
 
 
 def _is_plain(of: Evidence) -> bool:
-    applied = bool(of.arguments) and not of.bare and not _STYLED.match(of.spelling)
+    applied = bool(of.arguments) and not of.bare
     return not (of.index or of.whole or applied or of.indices > 0)
 
 
@@ -327,13 +348,15 @@ def _sized(inferences: Iterable[Inference], size: int, *, first: bool) -> Iterat
 
 def _unsized(guess: Guess) -> bool:
     letter = guess.letter
+    if letter.kind == "function":
+        return 0 in letter.size
     return letter.kind in ("vector", "matrix") and not letter.size and letter.components is None and not letter.skew
 
 
 def _of_size(guess: Guess, size: int) -> Guess:
     if not _unsized(guess):
         return guess
-    sizes = (size,) if guess.letter.kind == "vector" else (size, size)
+    sizes = (size,) if guess.letter.kind == "vector" or len(guess.letter.size) == 1 else (size, size)
     return replace(guess, letter=replace(guess.letter, size=sizes), taken=f"{guess.taken} of {size}")
 
 
@@ -352,7 +375,9 @@ def _inferred(
         count *= size
     if count > MAX_READINGS:
         several = ", ".join([o[0].letter.latex for o in options if len(o) > 1] + [h[0][0] for h in habits])
-        raise SymcheckError(f"{count} readings are possible; say what these are: {several}")
+        doubt = f"{count} readings are possible; say what these are: {several}"
+        chosen = tuple(_in_doubt(o[0], doubt) if len(o) > 1 else o[0] for o in options)
+        return [Inference(_notation(chosen, **dict(h[0] for h in habits)), chosen, (doubt,))]
     found = []
     for chosen in itertools.product(*options):
         choices = tuple(
@@ -365,17 +390,27 @@ def _inferred(
     return found
 
 
+def _in_doubt(guess: Guess, doubt: str) -> Guess:
+    return replace(guess, letter=replace(guess.letter, doubt=doubt))
+
+
 def gathered(formulas: Sequence[str], said: Mapping[str, str]) -> dict[str, Evidence]:
     """All letters with their places; those below a sum and those said to be are indices."""
     wholes = names_of_several_tokens(formulas, said)
-    places = [place for formula in formulas for place in _paired(occurrences(formula, wholes))]
+    places = [place for formula in formulas for place in _paired(occurrences(formula, [*wholes]))]
     index = {place.word for place in places if place.role == "index"}
     index |= {canonical(latex) for latex, phrase in said.items() if phrase == "index"}
     ends = {place.word: place.arguments for place in places if place.role == "index" and place.arguments}
+    below = {word for place in places if place.role == "subscript" for word in (place.word, *words(place.subscript))}
+    for letter, low, high in _ranges(formulas):
+        if letter in below and letter not in said:
+            index.add(letter)
+            ends.setdefault(letter, (low, high))
     families = {p.word for p in places if p.subscript is not None and index.intersection(words(p.subscript))}
     phrases = {latex if latex in wholes else canonical(latex): phrase for latex, phrase in said.items()}
     shapes = {letter: shape for letter, other in equated(formulas) if (shape := _shape(other))}
     found: dict[str, Evidence] = {}
+    initials = _initials(formulas)
     for place in places:
         if place.role == "subscript":
             continue
@@ -389,8 +424,9 @@ def gathered(formulas: Sequence[str], said: Mapping[str, str]) -> dict[str, Evid
         own.values |= {int(t) for t in tokens if t.isdigit()} if family else set()
         own.said = phrases.get(latex, "")
         own.index = latex in index and not tokens
-        own.whole = latex in wholes
+        own.whole, own.doubt = latex in wholes, wholes.get(latex, "") or initials.get(place.word, "")
         own.shape = shapes.get(latex, ())
+        own.endless = latex == "e" and any(r"\infty" in formula or "!" in formula for formula in formulas)
         own.orbital = latex == "e" and any(map(_ECCENTRIC.search, formulas))
         for low, high in (ends.get(t, ("", "")) for t in tokens) if family else ():
             low, high = (phrases.get(end, "").removeprefix("the number ") or end for end in (low, high))
@@ -401,129 +437,34 @@ def gathered(formulas: Sequence[str], said: Mapping[str, str]) -> dict[str, Evid
     return found
 
 
-def names_of_several_tokens(formulas: Sequence[str], said: Mapping[str, str]) -> list[str]:
-    r"""Names printed with several tokens: those of which something is said, and differences such as `\Delta x`."""
-    found = [latex for latex in said if not is_letter(latex)]
-    alone = {text for formula in formulas for text in _outside_superscripts(formula)}
+_INITIALS = re.compile(r"\s*([A-Z])\s*([A-Z])\s*(?:_\s*(?:\{[^{}]*(?:\{[^{}]*\}[^{}]*)*\}|\w)\s*)?=")
+
+
+def _initials(formulas: Sequence[str]) -> dict[str, str]:
+    """Two capitals alone before an equality sign that occur nowhere else: one name rather than a product."""
+    toks = [tok.text for formula in formulas for tok in tex.tokenize(formula)]
+    bare = [text for text, after in itertools.pairwise([*toks, ""]) if after != "_"]
+    found = [match.groups() for match in map(_INITIALS.match, formulas) if match]
+    return {
+        letter: f"one name {a}{b}, or {a} times {b}? say what {a} and {b} are, or write \\mathrm{{{a}{b}}}"
+        for a, b in found
+        if bare.count(a) == 1 and (bare.count(b) or toks.count(b)) == 1
+        for letter in (a, b)
+    }
+
+
+_RANGE = re.compile(
+    r"((?:(?:[A-Za-z]|\\[a-z]+)\s*,\s*)*(?:[A-Za-z]|\\[a-z]+))\s*=\s*(\d+)\s*,(?:\s*(?:\d+|\\[lc]?dots)\s*,)*"
+    r"\s*(\d+|(?<=dots ,)\s*[A-Za-z](?:\s*[-+]\s*\d+)?|\\[lc]?dots)"
+)  # `i, j = 0, 1, \dots, n - 1`: the letters, the first value and the last one
+
+
+def _ranges(formulas: Sequence[str]) -> Iterator[tuple[str, str, str]]:
+    """The letters whose values are listed, with the first and the last."""
     for formula in formulas:
-        found += _labelled(formula, FRAMES - alone)
-    return list(dict.fromkeys(found))
-
-
-_SIGNS = frozenset({"*", "+", "-", r"\star", r"\dagger", r"\ddagger", r"\sharp", r"\flat"})
-
-
-# Capitals that name frames and bodies above a letter; T transposes, and the others are often numbers.
-FRAMES = frozenset("ABCEFGOPQRSWXY")
-
-
-def _outside_superscripts(formula: str) -> Iterator[str]:
-    """The tokens of a formula that are no superscript by themselves."""
-    toks = ["", "", *(tok.text for tok in tex.tokenize(formula))]
-    for two, one, text in zip(toks, toks[1:], toks[2:], strict=False):
-        if one != "^" and (two, one) != ("^", "{"):
-            yield text
-
-
-def _labelled(formula: str, frames: frozenset[str] = frozenset()) -> Iterator[str]:
-    r"""Letters with a superscript that is no power: `x^*`, `x_i^{(k)}`, `v^{\text{max}}`; matrices `[P]`, `[BN]`."""
-    reader = tex.Reader(formula)
-    toks = reader.toks
-    while reader.i < len(toks):
-        start, text = reader.i, reader.peek()
-        if text == "[" and (end := _bracketed(toks, start)):
-            yield " ".join(tok.text for tok in toks[start:end])
-            reader.i = end
-            continue
-        if text == r"\prescript":
-            reader.i += 1
-            for _ in range(3):
-                reader.group()
-            while reader.peek() == "_" or (reader.peek() == "^" and reader.peek(2) != "T"):
-                reader.i += 1
-                reader.group()
-            yield " ".join(tok.text for tok in toks[start : reader.i])
-            continue
-        if text in (r"\Delta", r"\delta") and _begins_letter(reader.peek(1)):
-            try:
-                reader.i += 1
-                reader.spelling()
-                while reader.peek() == "_":
-                    reader.i += 1
-                    reader.group()
-                yield " ".join(tok.text for tok in toks[start : reader.i])
-            except SymcheckError:
-                reader.i = start + 1
-            continue
-        if not tex.is_letter(text):
-            reader.i += 1
-            continue
-        try:
-            word, label = reader.spelling(), False
-            behind = reader.i
-            while not known(word) and reader.peek() in ("_", "^"):
-                mark, reader.i = reader.peek(), reader.i + 1
-                inside = [tok.text for tok in reader.group() if tok.text not in SPACES]
-                frame = len(inside) == 1 and inside[0] in frames and word != "e"
-                label = label or (mark == "^" and (frame or _is_label(inside)))
-            if label:
-                yield " ".join(tok.text for tok in toks[start : reader.i])
-            else:
-                reader.i = behind
-        except SymcheckError:
-            reader.i = max(reader.i, start + 1)
-
-
-def _begins_letter(text: str) -> bool:
-    return text in ACCENTS | STYLES or (tex.is_letter(text) and not known(text))
-
-
-def _is_label(inside: Sequence[str]) -> bool:
-    """Is a superscript a sign, a number in brackets or a word, so that it is no power?"""
-    bracketed = len(inside) > 2 and (inside[0], inside[-1]) in {("(", ")"), ("[", "]")}
-    if len(inside) == 3 and inside[1] == "/" and inside[0].isupper() and inside[2].isupper():
-        return True  # of one point or frame to another
-    word = _is_word(inside) and "".join(inside[1:]).strip("{}") not in ("T", "H", "i", "j", "e", "d")
-    return (len(inside) == 1 and inside[0] in _SIGNS) or bracketed or word
-
-
-def _is_word(inside: Sequence[str]) -> bool:
-    """Is this upright type and nothing more: `\\text{max}`?"""
-    if not inside or inside[0] not in ROMAN:
-        return False
-    return len(inside) == 2 or (inside[1] == "{" and inside.index("}") == len(inside) - 1)
-
-
-def _bracketed(toks: Sequence[tex.Tok], start: int) -> int:
-    """Where a matrix in brackets ends that begins here: one letter with its scripts, or two capitals; 0 without one."""
-    end = next((k for k in range(start, len(toks)) if toks[k].text == "]"), 0)
-    inner = [tok.text for tok in toks[start + 1 : end]]
-    letters = [text for text in inner if text not in ("_", "{", "}") and not text.isdigit()]
-    pair = len(letters) == 2 and all(len(text) == 1 and text.isupper() for text in letters)
-    styled = bool(inner) and ((inner[0].isalpha() and inner[0].isupper()) or inner[0] in STYLES | ACCENTS)
-    if not end or not (pair or (styled and is_letter(" ".join(inner)))):
-        return 0
-    reader = tex.Reader(" ".join(tok.text for tok in toks[end + 1 :]))
-    while reader.peek() == "_":  # the scripts of the name
-        reader.i += 1
-        reader.group()
-    return end + 1 + reader.i
-
-
-def is_letter(latex: str) -> bool:
-    """Is this one letter, with a subscript at most?"""
-    reader = tex.Reader(latex)
-    if not tex.is_letter(reader.peek()):
-        return False
-    try:
-        word = reader.spelling()
-        while reader.peek() in ("'", "_"):
-            mark, reader.i = reader.peek(), reader.i + 1
-            if mark == "_":
-                reader.group()
-    except SymcheckError:
-        return False
-    return reader.i == len(reader.toks) and not (known(word) and word != r"\Gamma")
+        for found in _RANGE.finditer(formula):
+            for letter in found[1].split(","):
+                yield letter.strip(), found[2], found[3].strip()
 
 
 def _complete(evidence: dict[str, Evidence]) -> None:
@@ -535,6 +476,10 @@ def _complete(evidence: dict[str, Evidence]) -> None:
     )
     if used and "d" not in evidence:
         evidence["d"] = Evidence("d", [Occurrence("d")], said="differential")
+    own = evidence.get("d")
+    if own is not None and not own.said and len({place.after for place in own.places}) > 1:
+        forms = all(p.arguments is None and p.superscript is None and tex.is_letter(p.after) for p in own.places)
+        own.said = "differential" if forms and not own.dotted else ""
     for each in [*evidence.values()]:
         if each.whole and not each.said and (skew := _SKEW.fullmatch(each.spelling)):
             each.said = f"skew matrix of {skew[1]}"
@@ -589,7 +534,7 @@ def _options(of: Evidence, every: Mapping[str, Evidence], defined: Mapping[str, 
     if of.index:
         yield Guess(Letter(latex, kind="index", name=_plain(latex)), "an index", "a sum runs over it")
         return
-    if number := _number(of):
+    if number := _number(of, every):
         yield from number
         return
     if latex == "d" and all(map(_is_before_letter, of.places)):
@@ -609,25 +554,34 @@ def _options(of: Evidence, every: Mapping[str, Evidence], defined: Mapping[str, 
         return
     variables = defined.get(latex)
     simple = _common_arguments(of)
-    if variables:
+    applied = bool(of.arguments) and not of.bare and (bool(simple) or not _may_be_factor(of))
+    if not variables and applied and _face(latex):
+        yield from _of_vectors(of, simple)
+    elif variables:
         letters = ", ".join(variables)
         yield Guess(_letter(of, kind="function", depends=letters), f"a function of {letters}", "it is defined as one")
-    elif of.arguments and not of.bare and (simple or not _may_be_factor(of)):
+    elif applied:
         depends = ", ".join(simple) if simple else None
         yield Guess(_letter(of, kind="function", depends=depends), "a function", "it stands before its arguments only")
     elif of.arguments and simple and _varies(of):
-        yield Guess(
-            _letter(of, depends=", ".join(simple)), f"a function of {', '.join(simple)}", "it stands before them"
-        )
-    elif of.arguments and not of.bare:
+        kinds = ("matrix", "vector") if of.capital else ("vector",) if _face(latex) else ("scalar",)
+        for kind in kinds:
+            dependent = _letter(of, kind=kind, depends=", ".join(simple))
+            yield Guess(dependent, f"a function of {', '.join(simple)}", "it stands before them")
+    elif of.arguments and not of.bare and (re.match(r"\\text\{\w\w", latex) or all(map(_is_product, of.arguments))):
+        yield Guess(_letter(of, kind="function"), "a function", "a product needs no brackets there")
+    elif of.arguments and not of.bare and not _face(latex):
         product = Guess(_letter(of, depends=""), "a number", "it stands before brackets with a sum")
         function = Guess(_letter(of, kind="function"), "a function", "it stands before brackets only")
         factor = all(args[0].lstrip()[:1].isdigit() for args in of.arguments)  # as in a(1 - x)
-        yield from (function, product) if latex in _TYPICAL else (product, replace(function, remote=factor))
+        weight = latex == "g" and any(place.before in _MASSES for place in of.places)
+        yield from (
+            (function, product) if latex in _TYPICAL and not weight else (product, replace(function, remote=factor))
+        )
     elif of.dotted or _is_derived(of):
         yield from _dependent(of, every, latex in defined)
-    elif of.whole and latex.startswith(r"\prescript"):
-        kind = "matrix" if _CAPITAL_IN_FRAME.match(latex) else "vector"
+    elif of.framed:
+        kind = of.framed
         yield Guess(_letter(of, kind=kind, depends=""), f"a {kind}", "a frame stands at its left")
     elif of.whole and latex.startswith("["):
         yield Guess(_letter(of, kind="matrix", depends=""), "a matrix", "it stands in brackets")
@@ -639,7 +593,7 @@ def _options(of: Evidence, every: Mapping[str, Evidence], defined: Mapping[str, 
     elif of.shape:
         kind = "matrix" if len(of.shape) > 1 else "vector"
         yield Guess(_letter(of, kind=kind, size=of.shape, depends=""), f"a {kind}", PRINTED)
-    elif _STYLED.match(latex):
+    elif _face(latex):
         yield from _styled(of)
     elif of.transposed and "T" not in every:
         kind = "matrix" if latex[:1].isupper() else "vector"
@@ -671,6 +625,10 @@ def _matrix_size(every: Mapping[str, Evidence]) -> int | None:
     return found
 
 
+_HAT = re.compile(r"\\(hat|widehat|vec)\{")
+_ACCENT = re.compile(r"\\(hat|widehat|vec|bar|overline|tilde)\{")
+
+
 def _beside_vectors(of: Evidence, every: Mapping[str, Evidence]) -> bool:
     """Does a dot or a cross stand between it and a vector, or is it the length of something with a hat?"""
 
@@ -682,7 +640,10 @@ def _beside_vectors(of: Evidence, every: Mapping[str, Evidence]) -> bool:
         )
 
     beside = {x for place in of.places for x in place.beside}
-    accented = re.match(r"\\(hat|widehat|vec)\{", of.spelling) is not None
+    accented = _HAT.match(of.spelling) is not None
+    hats = any(map(_HAT.match, (of.spelling, *beside))) and any(r"\cdot" in (p.before, p.after) for p in of.places)
+    if hats and any(map(_ACCENT.match, beside)) and _ACCENT.match(of.spelling):
+        return True
     return any(map(is_vector, beside)) or (
         accented and any(p.before in ("|", r"\|") and p.after in ("|", r"\|") for p in of.places)
     )
@@ -724,9 +685,11 @@ def _as_said(of: Evidence, every: Mapping[str, Evidence]) -> Guess:
     )
 
 
-def _number(of: Evidence) -> list[Guess]:
+def _number(of: Evidence, every: Mapping[str, Evidence]) -> list[Guess]:
     """What e, i, j and pi may be."""
     latex = of.spelling
+    if latex != r"\pi" and (of.dotted or (of.arguments and _common_arguments(of)) or _is_derived(of)):
+        return []  # a number depends on nothing
     if latex == r"\pi":
         return [Guess(Letter(latex, number="pi"), "the number pi", "so it is written")]
     if latex in ("e", r"\text{e}"):
@@ -734,12 +697,22 @@ def _number(of: Evidence) -> list[Guess]:
         letter = Guess(_letter(of, depends="", name="e_letter"), "a real number", "it stands without an exponent")
         powers = [place.superscript for place in of.places]
         variable = [power is not None and not "".join(power).strip("{}").isdigit() for power in powers]
+        series = all(power is not None and "".join(power).strip("{}") in every for power in powers) and all(
+            every["".join(power or ()).strip("{}")].index for power in powers
+        )
+        if latex == "e" and powers and series:  # in the powers of a letter
+            return [replace(letter, why="a series runs over its powers"), euler]
         if of.orbital and not any(variable):
             return [replace(letter, why="it stands as an eccentricity does"), replace(euler, remote=True)]
         if latex != "e" or all(variable):
             return [euler]
-        return [euler, replace(letter, remote=any(variable))]
+        if any(variable) or of.endless:
+            return [euler, replace(letter, remote=any(variable))]
+        return [letter, euler]
     if latex in ("i", "j", r"\text{i}", r"\text{j}"):
+        if {"i", "j"} <= every.keys() and not any(p.exponent for key in "ij" for p in every[key].places):
+            doubt = "a unit of quaternions, an index, or the imaginary unit? say what it is"
+            return [Guess(replace(_letter(of, depends=""), doubt=doubt), "a letter in doubt", "i and j stand here")]
         unit = Guess(Letter(latex, number="i"), "the imaginary unit", "so it is written")
         plain = Guess(_letter(of, depends="", name=_plain(latex)), "a real number", "it is a letter like others", True)
         return [unit] if latex[0] == "\\" or any(place.exponent for place in of.places) else [unit, plain]
@@ -758,6 +731,12 @@ def _common_arguments(of: Evidence) -> tuple[str, ...]:
 def _may_be_factor(of: Evidence) -> bool:
     """Could it be multiplied with what stands in brackets behind it, which is more than a letter or a number?"""
     return all(len(args) == 1 and not is_letter(args[0]) and not _NUMBER.fullmatch(args[0]) for args in of.arguments)
+
+
+def _is_product(args: Sequence[str]) -> bool:
+    """Is this one product of letters and numbers, around which brackets would be idle?"""
+    toks = args[0].split()
+    return len(args) == 1 and len(toks) > 1 and all(tex.is_letter(tok) or tok.isdigit() for tok in toks)
 
 
 def _varies(of: Evidence) -> bool:
@@ -802,11 +781,11 @@ def _dependent(of: Evidence, every: Mapping[str, Evidence], named: bool) -> Iter
         kind = "matrix" if len(of.shape) > 1 else "vector"
         yield Guess(_letter(of, kind=kind, depends=words, size=of.shape, named=named), f"a {kind}", PRINTED)
         return
-    if _is_styled(of.spelling, capital=True) and r"\vec" not in of.spelling:
-        for kind in ("matrix", "vector"):
+    if of.capital:
+        for kind in ("matrix", "vector")[: 1 if of.multiplied else 2]:
             yield Guess(_letter(of, kind=kind, depends=words, named=named), f"a {kind}, a function of {words}", MOVING)
         return
-    kind = "vector" if _STYLED.match(of.spelling) else "scalar"
+    kind = of.framed or ("vector" if _face(of.spelling) else "scalar")
     primed = any(place.primes for place in of.places)
     direct = (
         of.dotted
@@ -834,28 +813,55 @@ def _stands_in_body(of: Evidence) -> bool:
     return any(place.role == "derived" for place in of.places)
 
 
+def _face(latex: str) -> str:
+    """What is printed in bold type or below an arrow, where a letter, or a name of several tokens, is; else nothing."""
+    printed = re.sub(r"^\\(?:Delta|delta)(?=\\)", "", latex.replace(" ", ""))
+    found = _STYLED.match(printed)
+    return printed[found.end() :] if found else ""
+
+
 def _is_styled(latex: str, *, capital: bool) -> bool:
     """Is a letter bold or with an arrow, and capital or not?"""
-    found = _STYLED.match(latex)
-    return found is not None and latex[found.end() :].lstrip("\\")[:1].isupper() == capital
+    inner = _face(latex).lstrip("\\")
+    return bool(inner) and inner[:1].isupper() == capital
+
+
+def _of_vectors(of: Evidence, simple: Sequence[str]) -> Iterator[Guess]:
+    """A bold letter that stands before its arguments only: a function whose values are vectors or matrices."""
+    depends = ", ".join(simple) if simple else None
+    kinds = (("matrix", (0, 0)), ("vector", (0,)))
+    for kind, size in kinds[:1] if of.multiplied else kinds if of.capital else kinds[1:]:
+        told = f"a function whose values are {'matrices' if kind == 'matrix' else 'vectors'}"
+        yield Guess(_letter(of, kind="function", depends=depends, size=size), told, "it stands before its arguments")
 
 
 def _styled(of: Evidence) -> Iterator[Guess]:
     """A bold letter, or one with an arrow."""
     vector = Guess(_letter(of, kind="vector", depends=""), "a vector", "it is bold, or has an arrow")
     matrix = Guess(_letter(of, kind="matrix", depends=""), "a matrix", "it is bold and capital")
-    if _is_styled(of.spelling, capital=False) or r"\vec" in of.spelling:
+    if not of.capital:
         yield vector
-    else:
+        return
+    long = any(place.before in ("|", r"\|") and place.after in ("|", r"\|") for place in of.places)
+    if of.multiplied:
         yield matrix
-        yield vector
+    else:
+        yield from (vector, matrix) if long and not of.transposed else (matrix, vector)
 
 
 def _letter(of: Evidence, **given: object) -> Letter:
     values = tuple(range(min(of.values, default=1), max(of.values, default=3) + 1))
     given.setdefault("name", _plain(of.spelling))
     given.setdefault("varies", any(place.before == "d" for place in of.places))
-    return Letter(of.spelling, indices=of.indices, range=values, whole=of.whole, running=of.running, **given)  # type: ignore[arg-type]
+    return Letter(
+        of.spelling,
+        indices=of.indices,
+        range=values,
+        whole=of.whole,
+        running=of.running,
+        doubt=of.doubt,
+        **given,  # type: ignore[arg-type]
+    )
 
 
 def _plain(latex: str) -> str:

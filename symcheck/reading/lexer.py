@@ -64,8 +64,10 @@ _ENDS = frozenset(
     {"MARK", "BLANK", "NUMBER", "NAME", "BANG", "TRANSPOSE", "DEGREE", "PRIMES", "DOTS", "INFINITY", *PARTNER}
 )
 _OPERATORS = frozenset({"PLUS", "MINUS", "PM", "REL", "AND", "OR", "IMPLIES", "IFF", "CDOT", "TIMES", "SLASH"})
-_BREAKS = frozenset({"COMMA", "SEMI", "COLON"})
+_BREAKS = frozenset({"COMMA", "SEMI", "COLON", "FOR"})
 WIDE_COMMA = r",\quad"
+COMMA_AT_END = r",\\"  # of a line
+PARTING = {"and": "COMMA", "for": "FOR"}  # words between relations
 _JOINS = (
     _OPERATORS
     | _BREAKS
@@ -160,7 +162,7 @@ class Lexer(tex.Reader):
         text, at = self.peek(), self.at()
         if text in SPACES:
             self.space()
-        elif (self.notation.wholes and self.whole()) or self.condition():
+        elif (self.notation.wholes and self.whole()) or self.condition() or self.parting():
             return
         elif text.isdigit() and text.isascii():
             self.number()
@@ -395,6 +397,24 @@ class Lexer(tex.Reader):
         self.i = start
         return False
 
+    def parting(self) -> bool:
+        r"""`\text{and}`, which parts relations, or `\text{for}`, behind which a condition stands."""
+        if self.peek() != r"\text" or self.open:
+            return False
+        start, at = self.i, self.at()
+        self.i += 1
+        word = "".join(tok.text for tok in self.group())
+        if word not in PARTING:
+            self.i = start
+            return False
+        while self.out and self.out[-1].type in ("GAP", "COMMA", "SEMI", "NEWLINE"):
+            self.out.pop()
+        if self.out:
+            self.emit(PARTING[word], word, at)
+        while self.peek() in SPACES | {",", ":"}:
+            self.i += 1
+        return True
+
     def environment(self) -> None:
         r"""`aligned` and its kin are layout; matrices keep their cells. An array in brackets is a matrix."""
         begin, at = self.peek() == r"\begin", self.at()
@@ -627,7 +647,13 @@ class Lexer(tex.Reader):
                 plain = self.based(at)
             self.emit("DIAG" if plain == "diag" else "FN", plain, at)
             return
+        remark = "~" in word and word.startswith(r"\text{") and not self.open
+        if remark and self.last() in _ENDS:
+            self.emit("COMMA", WIDE_COMMA, at)
         self.name(word, at)
+        after = next((tok.text for tok in self.toks[self.i :] if tok.text not in SPACES), "")
+        if remark and (tex.is_letter(after) or after in ("(", "[", r"\left", r"\begin", r"\frac")):
+            self.emit("COMMA", WIDE_COMMA, at)
 
     def based(self, at: int) -> str:
         r"""The function that `\log_{10}` or `\log_2` is."""
@@ -647,11 +673,11 @@ class Lexer(tex.Reader):
 
     def whole(self) -> bool:
         """A declared name that is printed with several tokens, such as `E[\\rho]`; the longest that begins here."""
-        for tokens, spelling in self.notation.wholes:
+        for tokens, spelling, dots in self.notation.wholes:
             if all(self.peek(k) == text for k, text in enumerate(tokens)):
                 at = self.at()
                 self.i += len(tokens)
-                self.emit("NAME", Name(spelling, (), self.primes()), at)
+                self.emit("NAME", Name(spelling, (), self.primes(), dots), at)
                 return True
         return False
 
@@ -847,6 +873,8 @@ class Lexer(tex.Reader):
                 continue
             if pending and out:
                 before = out[-1]
+                if (before.type, before.value) == ("COMMA", ","):
+                    out[-1] = Lexeme("COMMA", COMMA_AT_END, before.at)
                 if before.type in _OPERATORS:
                     if (before.type, before.value) == (lexeme.type, lexeme.value):
                         pending = None
@@ -858,7 +886,7 @@ class Lexer(tex.Reader):
                         out.append(pending)
             pending = None
             out.append(lexeme)
-        if out and out[-1].type in {"COMMA", "SEMI"}:
+        if out and out[-1].type in {"COMMA", "SEMI", "FOR"}:
             out.pop()
         return out
 
@@ -871,7 +899,7 @@ def _says(lexemes: Iterable[Lexeme], into: Collection[str]) -> bool:
             depth += 1 if lexeme.type in into else -1
             if depth < 0:
                 return False
-        elif not depth and lexeme.type in {"COMMA", "SEMI", "NEWLINE", "CELL", "ROW"}:
+        elif not depth and lexeme.type in {"COMMA", "SEMI", "FOR", "NEWLINE", "CELL", "ROW"}:
             return False
         elif not depth and lexeme.type == "REL":
             return True

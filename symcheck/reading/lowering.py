@@ -446,7 +446,7 @@ class Lowering:
             sign = "=>" if isinstance(tree, Implies) else "<=>"
             return node(sign, self.formula(tree.left, env), self.formula(tree.right, env))
         if isinstance(tree, Values):
-            if Dots() in tree.values:
+            if not all(isinstance(value, tree_of.Number) for value in tree.values):
                 raise NoForm(f"{to_latex(tree)}: values that are not written out have no algebraic form")
             return node(
                 "or", *(node("=", self.scalar(tree.name, env), self.scalar(value, env)) for value in tree.values)
@@ -506,6 +506,8 @@ class Lowering:
         if not tree.subscripts and tree.letter in env and self.notation.index(tree.letter) is not None:
             raise SymcheckError(f"{tree.letter} is an index here, and a letter; give one of them another name")
         letter = self.notation.letter(tree.letter, len(tree.subscripts))
+        if letter.doubt:
+            raise SymcheckError(f"{to_latex(tree)}: {letter.doubt}")
         if letter.partial and letter.partial[0] in self.defined:
             function, *by = letter.partial
             return self.put(Name(function), [self.value(x, env) for x in self.defined[function][0]], tree, env, by)
@@ -530,7 +532,7 @@ class Lowering:
                 raise SymcheckError(f"{to_latex(tree)}: a number has no primes")
             return self.number(letter)
         stem = letter.stem + "prime" * tree.primes
-        if letter.components is not None or (letter.kind in ("vector", "matrix")):
+        if letter.components is not None or letter.kind in ("vector", "matrix") or (letter.size and letter.depends):
             return self.components(letter, stem, indices)
         if letter.kind == "function" and letter.depends is None and not letter.named:
             raise SymcheckError(
@@ -630,10 +632,14 @@ class Lowering:
             return identity(letter.places[0][-1])
         if letter.skew:
             return skew(self.value(_vector(letter, self.notation), {}))
+        return self.of_places(letter, lambda k: self.instance(letter, stem, (*indices, *k)))
+
+    def of_places(self, letter: Letter, entry: Callable[[tuple[int, ...]], Term]) -> Value:
+        """A vector or a matrix with an entry for each place."""
         rows, *columns = letter.places
         if not columns:
-            return [self.instance(letter, stem, (*indices, k)) for k in rows]
-        return [[self.instance(letter, stem, (*indices, k, m)) for m in columns[0]] for k in rows]
+            return [entry((k,)) for k in rows]
+        return [[entry((k, m)) for m in columns[0]] for k in rows]
 
     def of_add(self, tree: Add, env: Env) -> Value:
         values = [self.value(term, env) for term in tree.terms]
@@ -874,6 +880,8 @@ class Lowering:
     def applied(self, tree: Call, name: Name, env: Env) -> Value:
         """A function of the notation with its arguments."""
         letter, met = self.notation.letter(name.letter, len(name.subscripts)), dict(self.met)
+        if letter.doubt:
+            raise SymcheckError(f"{to_latex(tree)}: {letter.doubt}")
         if letter.partial:
             function, *by = letter.partial
             return self.put(Name(function), [self.value(argument, env) for argument in tree.arguments], tree, env, by)
@@ -902,6 +910,10 @@ class Lowering:
         orders = (name.primes,) if name.primes else (0,) * len(arguments)
         if letter.kind != "function" and letter.kind != "scalar":
             return self.value(name, env)
+        if letter.size:
+            return self.of_places(
+                letter, lambda k: node("call", variable(letter.stem, (*indices, *k)), orders, *arguments)
+            )
         stem = variable(letter.stem, indices)
         if self.arities.setdefault(stem, len(arguments)) != len(arguments):
             raise SymcheckError(f"{to_latex(tree)}: {letter.latex} has another number of arguments elsewhere")

@@ -83,6 +83,8 @@ class Letter:
         Whether its indices run up to a letter: then it is a function of them.
     identity
         Whether this matrix is the identity.
+    doubt
+        Why nothing is said of it though it can be read: what its scripts may mean.
     partial
         For a letter such as f_{xy}, a derivative of a function: that function, and the letters by which it is taken.
     order
@@ -127,6 +129,7 @@ class Letter:
     partial: tuple[str, ...] = ()
     order: int | None = None
     varies: bool = False
+    doubt: str = ""
 
     def __post_init__(self) -> None:
         if self.kind not in KINDS:
@@ -344,13 +347,7 @@ class Notation:
         self._check_variables()
         if bracket and self.letter(bracket, 1).kind != "vector":
             raise SymcheckError(f"brackets cannot combine {bracket}; declare it as a vector with one index")
-        self.wholes = tuple(
-            sorted(
-                ((tuple(t.text for t in tex.tokenize(x.latex)), x.latex) for x in self.letters if x.whole),
-                reverse=True,
-                key=lambda pair: len(pair[0]),
-            )
-        )
+        self.wholes = tex.names(x.latex for x in self.letters if x.whole)
         self.words = tuple(sorted({k for k, _ in self._letters if len(k) > 1 and k.isalpha()}, key=len, reverse=True))
 
     def _check_variables(self) -> None:

@@ -7,10 +7,11 @@ from dataclasses import dataclass, replace
 
 from symcheck.core.verdicts import SymcheckError
 from symcheck.reading import tex
-from symcheck.reading.commands import ROMAN, known
+from symcheck.reading.commands import ACCENTS, ROMAN, known
 from symcheck.reading.lexer import CLOSE, FUNCTIONS, OPEN, SIZES, SPACES
 from symcheck.reading.notation import undotted
 
+BOLD = frozenset({r"\mathbf", r"\boldsymbol", r"\bm", r"\pmb", r"\vec"})
 SIGNED_SUMS = frozenset({r"\sum", r"\prod"})
 FRACTIONS = frozenset({r"\frac", r"\dfrac", r"\tfrac"})
 TRANSPOSED = frozenset({("T",), (r"\top",), (r"\intercal",)})  # superscripts that transpose a matrix
@@ -51,6 +52,7 @@ class Occurrence:
     beside: tuple[str, ...] = ()  # letters behind a dot or a cross before it or behind it
     exponent: bool = False  # does it stand in an exponent of e?
     transposed: bool = False  # does a T stand above it?
+    followed: bool = False  # does a small bold letter follow without a sign, behind its arguments?
 
 
 @dataclass(slots=True)
@@ -76,17 +78,15 @@ class Scan(tex.Reader):
 
     def __init__(self, source: str, wholes: Sequence[str] = ()) -> None:
         super().__init__(source)
-        self.wholes = sorted(
-            ((tuple(t.text for t in tex.tokenize(w)), w) for w in wholes), key=lambda pair: -len(pair[0])
-        )
+        self.wholes = tex.names(wholes)
 
-    def whole(self) -> str:
-        """The name of several tokens that begins here; "" if none does."""
-        for tokens, spelling in self.wholes:
+    def whole(self) -> tuple[str, int]:
+        """The name of several tokens that begins here, and the dots over it; "" if none does."""
+        for tokens, spelling, dots in self.wholes:
             if all(self.peek(k) == text for k, text in enumerate(tokens)):
                 self.i += len(tokens)
-                return spelling
-        return ""
+                return spelling, dots
+        return "", 0
 
     def transposes(self) -> bool:
         """Does a superscript begin here that transposes what stands in brackets before it?"""
@@ -100,9 +100,17 @@ class Scan(tex.Reader):
         while self.i < stop:
             text = self.peek()
             before = self.peek(-1) if self.i else ""
-            if self.wholes and (name := self.whole()):
+            if self.wholes and (whole := self.whole())[0]:
+                name, dots = whole
                 yield Occurrence(
-                    name, arguments=self.arguments(), role=scope.role, by=scope.by, before=before, after=self.peek()
+                    name,
+                    dots,
+                    arguments=self.arguments(),
+                    role=scope.role,
+                    by=scope.by,
+                    before=before,
+                    after=self.peek(),
+                    followed=self.vector_follows(),
                 )
             elif text in (r"\begin", r"\end"):
                 self.environment()
@@ -216,8 +224,8 @@ class Scan(tex.Reader):
         while self.i < end:
             text = self.peek()
             before = self.peek(-1) if self.i else ""
-            if self.wholes and (name := self.whole()):
-                yield Occurrence(name, role=role, by=by, before=before)
+            if self.wholes and (whole := self.whole())[0]:
+                yield Occurrence(whole[0], whole[1], role=role, by=by, before=before)
             elif text in ("d", r"\partial"):
                 self.i += 1
                 if self.peek() == "^":
@@ -301,8 +309,23 @@ class Scan(tex.Reader):
             scope.by,
             exponent=scope.exponent,
             transposed=transposed,
+            followed=self.vector_follows(),
         )
         yield from inner
+
+    def vector_follows(self) -> bool:
+        """Does a small bold letter stand behind this letter and its arguments, without a sign?"""
+        start, ahead = self.i, self.i
+        while self.peek_at(ahead) in SIZES:
+            ahead += 1
+        if self.peek_at(ahead) == "(":
+            self.i = ahead
+            ahead = self.closing() + 1
+            self.i = start
+        while self.peek_at(ahead) in SPACES or self.peek_at(ahead) in ACCENTS or self.peek_at(ahead) == "{":
+            ahead += 1
+        inner = self.peek_at(ahead + 2 if self.peek_at(ahead + 1) == "{" else ahead + 1)
+        return self.peek_at(ahead) in BOLD and inner.lstrip("\\")[:1].islower()
 
     def arguments(self) -> tuple[str, ...] | None:
         """The texts between round brackets that open here, without moving on."""

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import itertools
+import re
 from collections import Counter
 from collections.abc import Container, Sequence
 from dataclasses import dataclass, replace
@@ -13,7 +14,7 @@ from symcheck.core.verdicts import SymcheckError
 from symcheck.reading import tex
 from symcheck.reading.functions import INVERSES
 from symcheck.reading.grammar import ParseNode, parse
-from symcheck.reading.lexer import Lexer
+from symcheck.reading.lexer import COMMA_AT_END, WIDE_COMMA, Lexer
 from symcheck.reading.notation import Letter, Notation
 from symcheck.reading.printing import to_latex
 from symcheck.reading.tree import (
@@ -80,6 +81,18 @@ from symcheck.reading.tree import (
 OF_MATRICES = ("det", "tr")  # functions of which one letter without brackets is the argument
 SIMPLE_KINDS = ("scalar", "index", "function")
 _BRACKETS_ARE_IDLE = (Name, Number, Call, Sqrt, Pow, Mul, Div, Derivative, Degrees, Pair)
+DIMENSIONLESS = {  # numbers that print abbreviates with two letters
+    "Re": "Reynolds", "Nu": "Nusselt", "De": "Dean", "Fo": "Fourier", "Sc": "Schmidt", "Gr": "Grashof", "We": "Weber",
+    "Sh": "Sherwood", "Bo": "Bond", "Bi": "Biot", "Pe": "Peclet", "Ec": "Eckert", "Eu": "Euler", "Kn": "Knudsen",
+    "Oh": "Ohnesorge", "Bd": "Bond", "Ja": "Jakob", "Fr": "Froude", "Pr": "Prandtl", "Ca": "capillary", "St": "Stokes",
+    "Ra": "Rayleigh", "Ga": "Galilei", "Ar": "Archimedes", "Gz": "Graetz", "Ma": "Mach",
+}  # fmt: skip
+ANGLES = frozenset({r"\theta", r"\vartheta", r"\phi", r"\varphi", r"\psi"})
+_PRODUCTS = frozenset({"Fr", "Pr", "Ca", "St", "Ra", "Ga", "Ar", "Ja", "Gr", "Sh", "Sc", "Ma"})  # which they may be too
+_REMARK = re.compile(r"\\text\{(?:.*~|[A-Za-z][a-z]{4})")  # several words, or a long one, which is no unit
+_WORDS = re.compile(r"\\text \{[^{}]*\}")  # upright type, in which letters are none
+_PLAIN = (Number, Dots, Name, Add, Neg, Mul)  # of what the values of an index consist
+_LOOSE = frozenset({"exists", "iff", "implies", "either"})  # rules of logical connectives
 _ORDERS = {"<": "up", r"\le": "up", ">": "down", r"\ge": "down"}
 
 
@@ -101,6 +114,8 @@ class Listing:
     separators: list[str]
     at: int
     wide: list[bool]  # is there more than a comma between two entries?
+    words: list[str]  # the separators as printed
+    loose: bool  # does a logical connective stand here outside of brackets?
 
 
 @dataclass(slots=True)
@@ -189,6 +204,7 @@ class Builder:
         self.source = source
         self.notation = notation
         self.spaced = spaced  # places behind an explicit space
+        self.first = next((tok.at for tok in tex.tokenize(source)), 0)
 
     def fail(self, at: int, message: str) -> SymcheckError:
         return tex.fault(self.source, at, message)
@@ -219,8 +235,12 @@ class Builder:
     def on_listing(self, nodes: list[ParseNode]) -> Listing:
         entries = [self.build(node) for node in nodes[0::2]]
         separators = [node.children[0] for node in nodes[1::2]]
-        wide = [len(node.children) > 1 or node.children[0].value.value != "," for node in nodes[1::2]]
-        return Listing(entries, [separator.type for separator in separators], _place(nodes[0]), wide)
+        wide = [
+            len(node.children) > 1 or node.children[0].value.value not in (",", COMMA_AT_END) for node in nodes[1::2]
+        ]
+        words = [str(separator.value.value) for separator in separators]
+        loose = any(getattr(node.children[0], "data", "") in _LOOSE for node in nodes[0::2])
+        return Listing(entries, [separator.type for separator in separators], _place(nodes[0]), wide, words, loose)
 
     def on_entry(self, nodes: list[ParseNode]) -> tuple[str, Tree]:
         if getattr(nodes[0], "type", "") == "FORALL":
@@ -231,12 +251,49 @@ class Builder:
 
     def statement_of(self, listing: Listing) -> Tree:
         """A whole statement: its qualifiers gathered, its cases told apart."""
+        if "FOR" in listing.separators:
+            return self.conditional(listing)
         if any(label for label, _ in listing.entries):
             return self.cases(listing)
-        return self.system(self.shared(listing), listing.at)
+        return self.system(self.shared(listing), listing.at, loose=listing.loose)
 
-    def system(self, trees: list[Tree], at: int) -> Tree:
-        """Statements, or expressions, side by side, with their qualifiers."""
+    def conditional(self, listing: Listing) -> Tree:
+        """Statements with the conditions behind them; each condition is one of all statements on its line before it."""
+        lines: list[tuple[Listing, Listing | None]] = []
+        start, middle = 0, 0  # of the statements, and of their conditions
+        for k, separator in enumerate([*listing.separators, "NEWLINE"], 1):
+            word = listing.words[k - 1] if k <= len(listing.words) else ""
+            if separator == "FOR" and middle:
+                raise self.fail(listing.at, "two conditions behind one another; write a line for each")
+            if separator == "FOR":
+                middle = k
+            elif separator != "COMMA" or (middle and word not in (",", "and")):
+                after = listing.entries[k][1] if k < len(listing.entries) else None
+                if separator == "COMMA" and word == WIDE_COMMA and isinstance(after, Chain) and "=" not in after.signs:
+                    raise self.fail(listing.at, "is what stands behind this condition another one, or a statement?")
+                end = middle or k
+                lines.append((_part(listing, start, end), _part(listing, middle, k) if middle else None))
+                start, middle = k, 0
+        parts: list[Tree] = []
+        for claims, conditions in lines:
+            parts += self.under(claims, conditions)
+        return self.system(parts, listing.at)
+
+    def under(self, claims: Listing, conditions: Listing | None) -> list[Tree]:
+        """Statements under a condition; values of indices that stand behind them are none."""
+        stated = self.shared(claims)
+        if conditions is None:
+            return stated
+        holding = self.system(self.shared(conditions), conditions.at, loose=conditions.loose)
+        if not isinstance(holding, STATEMENTS):
+            raise self.fail(conditions.at, "a relation is expected behind this word, not an expression")
+        parts = holding.parts if isinstance(holding, System) else (holding,)
+        if not all(isinstance(part, Chain | Implies | Iff | And | Or | Exists) for part in parts) or not parts:
+            return [*stated, holding]
+        return [Implies(holding, self.system(stated, claims.at, loose=claims.loose))]
+
+    def system(self, trees: list[Tree], at: int, *, loose: bool = False) -> Tree:
+        """Statements, or expressions, side by side, with their qualifiers; `loose`: not all logic is in brackets."""
         parts, qualifiers = self.qualified(trees, at)
         self.refuse_idle(parts, qualifiers, at)
         if len(parts) == 1 and not qualifiers:
@@ -250,7 +307,7 @@ class Builder:
                 "an expression stands among relations and says nothing; if it shares a relation, write it out, "
                 "if it is only named, leave it out",
             )
-        if len(parts) > 1 and any(isinstance(part, LOGIC) and not isinstance(part, And) for part in parts):
+        if loose and len(parts) > 1 and any(isinstance(part, LOGIC) and not isinstance(part, And) for part in parts):
             raise self.fail(at, r"a comma beside a logical connective is ambiguous; write \land or brackets")
         return System(tuple(parts), tuple(qualifiers))
 
@@ -281,7 +338,8 @@ class Builder:
                     k = end
                     continue
             last = trees[end] if end < len(trees) else None
-            if self.is_listed(first) and isinstance(last, Chain) and self.is_listed(last.members[0]):
+            valued = end + 1 < len(trees) and isinstance(trees[end + 1], Number | Dots)
+            if self.is_listed(first) and isinstance(last, Chain) and self.is_listed(last.members[0]) and not valued:
                 found += self.having_all(trees[k:end], last, listing.at)
                 k = end + 1
                 continue
@@ -347,10 +405,10 @@ class Builder:
         qualifiers: list[Qualifier] = []
         k = 0
         while k < len(trees):
-            several = self.several(trees[k:])
-            found, size = self.qualifier(trees[k:], at) if several is None else (None, len(several.values))
-            if several is not None:
-                parts.append(several)
+            several, size = self.several(trees[k:])
+            found, size = self.qualifier(trees[k:], at) if not several else (None, size)
+            if several:
+                parts += several
             elif found is not None:
                 qualifiers.append(found)
             elif isinstance(tree := trees[k], System) and not tree.parts:
@@ -379,18 +437,27 @@ class Builder:
             return None, 1
         return Qualifier(letters, self.values(values, at)), size
 
-    def several(self, trees: list[Tree]) -> Values | None:
-        r"""Values that never end, `m = 1, 2, \dots`, or those of a letter that is no index, `m = 1, \dots, 4`."""
-        first, run = trees[0], 1
+    def several(self, trees: list[Tree]) -> tuple[list[Tree], int]:
+        r"""The values of letters that are not those of an index, `m = 1, 2, \dots` or `i, j = 1, \dots, n`.
+
+        With them comes the number of entries that they take.
+        """
+        start = 0
+        while start < len(trees) and isinstance(trees[start], Name):
+            start += 1
+        first, run = trees[start] if start < len(trees) else None, start + 1
         if not isinstance(first, Chain) or first.signs != ("=",) or not isinstance(first.members[0], Name):
-            return None
+            return [], 1
         while run < len(trees) and isinstance(trees[run], Number | Dots):
             run += 1
-        values = (first.members[1], *trees[1:run])
-        endless = isinstance(values[-1], Dots)
-        if Dots() not in values or (self.is_index(first.members[0]) and not endless):
-            return None
-        return Values(first.members[0], values) if isinstance(values[0], Number) else None
+        run += isinstance(trees[run - 1], Dots) and run < len(trees) and not isinstance(trees[run], STATEMENTS)
+        names = [tree for tree in (*trees[:start], first.members[0]) if isinstance(tree, Name)]
+        values = (first.members[1], *trees[start + 1 : run])
+        finite = all(isinstance(value, Number | Dots) for value in values) and not isinstance(values[-1], Dots)
+        plain = all(type(part) in _PLAIN for value in values for _, part in walk(value))
+        if Dots() not in values or not plain or (finite and all(map(self.is_index, names))):
+            return [], 1
+        return [Values(name, values) for name in names], run
 
     def is_listed(self, tree: Tree) -> bool:
         """A letter alone, which may share a relation with others: those of `a, b > 0`."""
@@ -566,22 +633,40 @@ class Builder:
                 dotted, k = True, k + 1
                 dots.append(len(factors))
                 continue
-            self.refuse_reynolds(items[k : k + 2])
+            self.refuse_numbers(items[k : k + 2])
             node, after = self.factor(items, k, dotted=dotted)
             factors.append(self.checked(node, item.at, statements=False))
             self.refuse_product(item, factors[-1], items[after:], alone=after == k + 1)
+            beside = [*items[max(k - 1, 0) : k], *items[k + 1 : k + 2]]
+            self.refuse_words(factors[-1], item, alone=all(other.kind == "dot" for other in beside))
             k = after
             dotted = False
         vectors = tuple(k for k in dots if self.is_vector(factors[k - 1]) and self.is_vector(factors[k]))
         return factors[0] if len(factors) == 1 else Mul(tuple(factors), vectors)
 
-    def refuse_reynolds(self, items: list[Item]) -> None:
-        """`Re` without a sign between its letters is hardly R times Euler's number."""
+    def refuse_numbers(self, items: list[Item]) -> None:
+        """`Re` without a sign between its letters is hardly R times Euler's number; so with other such numbers."""
         names = [item.node for item in items if isinstance(item.node, Name) and item.kind == "atom"]
-        if len(names) < 2 or names[0].letter != "R" or names[0].subscripts or items[0].postfix:
+        if len(names) < 2 or names[0].subscripts or names[0].primes or items[0].postfix:
             return
-        if names[1].letter.partition("_")[0] == "e":
-            raise self.fail(items[0].at, "the Reynolds number, or R times e? write \\cdot, or name one letter")
+        word = names[0].letter + names[1].letter.partition("_")[0]
+        power = items[1].power.value if isinstance(items[1].power, Neg) else items[1].power
+        if word not in DIMENSIONLESS or (word != "Re" and not isinstance(power, Number | None)):
+            return
+        toks = [tok.text for tok in tex.tokenize(_WORDS.sub("", self.source))]
+        pairs = sum(pair == (word[0], word[1]) for pair in itertools.pairwise(toks))
+        alone = toks.count(word[0]) == toks.count(word[1]) == pairs
+        clear = word not in _PRODUCTS or items[0].at == self.first or "." in toks or "." in "".join(toks)
+        if word == "Re" or (alone and clear):
+            raise self.fail(
+                items[0].at,
+                f"the {DIMENSIONLESS[word]} number, or {word[0]} times {word[1]}? write \\cdot, or name one letter",
+            )
+
+    def refuse_words(self, factor: Tree, item: Item, *, alone: bool) -> None:
+        """Words are no factor beside others, but a remark, or a part of a name."""
+        if isinstance(factor, Name) and not alone and _REMARK.match(factor.letter):
+            raise self.fail(item.at, "words among factors; leave them out, or write a comma before them")
 
     def refuse_product(self, item: Item, node: Tree, rest: list[Item], *, alone: bool) -> None:
         """What stands behind a factor without a sign must be a factor without a doubt."""
@@ -640,7 +725,13 @@ class Builder:
         return any(isinstance(call.function, Name) and self.kind(call.function) == "function" for call in calls)
 
     def is_vector(self, tree: Tree) -> bool:
-        return any(isinstance(node, Tuple | Name) and self.kind(node) == "vector" for _, node in walk(tree))
+        for _, node in walk(tree):
+            if isinstance(node, Tuple | Name) and self.kind(node) == "vector":
+                return True
+            letter = self.notation.find(node.letter, len(node.subscripts)) if isinstance(node, Name) else None
+            if letter is not None and len(letter.size) == 1:
+                return True
+        return False
 
     def in_brackets(self, item: Item) -> bool:
         return item.kind == "group" or item.square
@@ -804,6 +895,10 @@ class Builder:
                 raise self.fail(item.at, f"does this power belong to {head.name} or to its argument?")
             if k > start and isinstance(item.node, Number):
                 raise self.fail(item.at, "a number behind a factor is ambiguous")
+            if k > start and isinstance(item.node, Name) and item.node.dots:
+                break  # no angle is multiplied by a rate
+            if k > start and self.ends_angle(items[start : k + 1]) and not self.runs_on(item, head.name):
+                break
             if k > start and item.at in self.spaced and not self.runs_on(item, head.name):
                 break
             k += 1
@@ -819,6 +914,14 @@ class Builder:
                 factors += (self.atom(items[k]),)
                 k += 1
         return self.powered(head, (factors[0] if len(factors) == 1 else Mul(factors),)), k
+
+    def ends_angle(self, items: list[Item]) -> bool:
+        """Is the first of two letters an angle, which the second hardly multiplies: `\\cos\\theta E`?"""
+        names = [item.node for item in items if isinstance(item.node, Name)]
+        if len(names) != 2 or len(items) != 2:
+            return False
+        first, second = (name.letter.partition("_")[0] for name in names)
+        return first in ANGLES and second not in ("t", r"\tau", "x") and second not in ANGLES
 
     def is_euler(self, item: Item) -> bool:
         """Is this Euler's number with its exponent?"""
@@ -1166,6 +1269,19 @@ class Builder:
             raise self.fail(at, "the bounds of this sum cannot be read")
         letters = tuple(name.letter for name in names if isinstance(name, Name))
         return Item("sum", at, bounds=(letters, low, high))
+
+
+def _part(listing: Listing, start: int, end: int) -> Listing:
+    """Some of the entries, with the separators between them."""
+    inner = slice(start, end - 1)
+    return Listing(
+        listing.entries[start:end],
+        listing.separators[inner],
+        listing.at,
+        listing.wide[inner],
+        listing.words[inner],
+        listing.loose,
+    )
 
 
 def _signed(sign: str, term: Tree) -> Tree:

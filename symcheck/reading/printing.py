@@ -6,6 +6,7 @@ from collections.abc import Callable
 from contextvars import ContextVar
 from typing import Any
 
+from symcheck.reading import tex
 from symcheck.reading.functions import COMMANDS
 from symcheck.reading.tree import (
     BRACKETED,
@@ -159,6 +160,8 @@ def _dotted(letter: str, dots: int) -> str:
     """The letter below dots; a subscript that belongs to it stands behind them."""
     if not dots:
         return letter
+    if " " in letter:
+        return tex.with_dots(letter, dots)
     base, underscore, rest = letter.partition("_") if not letter.endswith("}") or "_{" in letter else (letter, "", "")
     return rf"\{'d' * dots}ot{{{base}}}{underscore}{rest}"
 

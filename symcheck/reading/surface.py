@@ -9,9 +9,11 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
+from functools import partial
 
 from symcheck.reading import tex
-from symcheck.reading.commands import ACCENTS, ROMAN, STYLES
+from symcheck.reading.commands import ACCENTS, LETTER_COMMANDS, ROMAN, STYLES
+from symcheck.reading.functions import COMMANDS
 
 FONTS = {  # switches that hold to the end of their group
     r"\bf": r"\mathbf", r"\bm": r"\bm", r"\pmb": r"\pmb", r"\boldsymbol": r"\boldsymbol", r"\rm": r"\mathrm",
@@ -43,6 +45,7 @@ NOTHING = {  # layout, with the number of arguments that go with it
 }  # fmt: skip
 SECOND = frozenset({r"\textcolor", r"\overset", r"\stackrel", r"\underset"})  # the second argument is what counts
 BRACED = frozenset({r"\underbrace", r"\overbrace", r"\underline", r"\underbracket", r"\overbracket"})
+_BARE = frozenset(f"\\{name}" for name in COMMANDS - {"det", "max", "min"})  # functions; braces end their arguments
 SIGNS_OVER = frozenset({"=", r"\approx", r"\le", r"\ge", r"\leq", r"\geq", "<", ">", r"\rightarrow", r"\to"})
 ARGUMENTS = {r"\frac": 2, r"\dfrac": 2, r"\tfrac": 2, r"\binom": 2, r"\sqrt": 1, r"\begin": 1, r"\end": 1, r"\tag": 1}
 ZEROS = frozenset({r"\mathbf", r"\boldsymbol", r"\bm", r"\pmb", r"\vec", r"\bar"})  # of vectors and matrices
@@ -68,17 +71,81 @@ def plain(source: str) -> str:
         return source
     if rest != len(tokens):
         return source
-    text = _DEFINES.sub("=", _printed(_made_plain(parts)))
+    text = _TRANSPOSED.sub("^ { T }", _DEFINES.sub("=", _printed(_made_plain(parts))))
     for pattern, sign in WORDS:
-        text = pattern.sub(sign, text)
+        text = pattern.sub(partial(_parting, sign), text)
     return text
+
+
+def _parting(sign: str, found: re.Match[str]) -> str:
+    """The sign that a word between relations is; `and` with a comma or a wide space ends what is before it.
+
+    A wide `or` may say the same in other words, and is left as it is printed.
+    """
+    printed = found[0]
+    wide = "," in printed or "quad" in printed
+    if wide and sign == r"\lor":
+        return printed
+    return rf" {WIDE} " if wide and sign == r"\text{and}" else f" {sign} "
+
+
+def _with_words(source: str) -> list[tex.Tok]:
+    """The tokens of TeX; functions printed as italic letters become commands, and words in text keep a space."""
+    toks, found = tex.tokenize(source), list[tex.Tok]()
+    k, text_ends = 0, -1
+    while k < len(toks):
+        tok = toks[k]
+        if tok.text in _TEXTS and k + 1 < len(toks) and toks[k + 1].text == "{":
+            text_ends = _closing(toks, k + 1)
+        if k < text_ends:
+            spaced = k > 1 and toks[k - 1].text.isalpha() and tok.text.isalpha() and tok.at > toks[k - 1].at + 1
+            found += [tex.Tok("~", tok.at - 1)] if spaced else []
+        elif tok.text.isalpha() and (name := _function_of_letters(toks, k)):
+            found.append(tex.Tok(f"\\{_OTHERWISE.get(name, name)}", tok.at))
+            k += len(name)
+            continue
+        found.append(tok)
+        k += 1
+    return found
+
+
+_TEXTS = frozenset({r"\text", r"\textrm", r"\mbox", r"\textnormal", r"\textit", r"\mathrm", r"\mathit"})
+_TYPED = frozenset({"arcsin", "arccos", "arctan", "asin", "acos", "atan", "sinh", "cosh", "tanh", "sin", "cos", "tan"})
+_TYPED |= {"exp", "log", "ln", "max", "min"}
+_OTHERWISE = {"asin": "arcsin", "acos": "arccos", "atan": "arctan"}
+
+
+def _closing(toks: Sequence[tex.Tok], k: int) -> int:
+    """Where the brace that opens here is closed."""
+    depth = 0
+    for m in range(k, len(toks)):
+        depth += (toks[m].text == "{") - (toks[m].text == "}")
+        if not depth:
+            return m
+    return len(toks)
+
+
+def _function_of_letters(toks: Sequence[tex.Tok], k: int) -> str:
+    """The function whose name is typed here as letters: `max(a, b)`, `v cos\\theta`."""
+    start, end = k, k
+    while start and toks[start - 1].text.isalpha() and toks[start - 1].at == toks[start].at - 1:
+        start -= 1
+    while end < len(toks) and toks[end].text.isalpha() and toks[end].at == toks[k].at + end - k:
+        end += 1
+    word = "".join(tok.text for tok in toks[k:end])
+    behind = [tok.text for tok in toks[end : end + 2]]
+    brackets = behind[:1] == ["("] or behind == [r"\left", "("]
+    angle = word[-3:] in ("sin", "cos", "tan") and bool(behind) and behind[0] in LETTER_COMMANDS
+    if word not in _TYPED or k - start > 1 or not (brackets or angle):
+        return ""
+    return word
 
 
 def _with_numbers(source: str) -> list[str]:
     """The tokens of TeX, but digits that follow one another are one; a command takes only the first of them."""
     found: list[str] = []
     end = -1
-    for tok in tex.tokenize(source):
+    for tok in _with_words(source):
         digit = tok.text.isdigit() or (tok.text == "." and bool(found) and found[-1].isdigit())
         before = found[-2] if len(found) > 1 else ""
         if (
@@ -200,8 +267,11 @@ def _made_plain_here(parts: list[Part]) -> list[Part]:
     while k < len(parts):
         part = parts[k]
         if isinstance(part, Group):
-            inner = _made_plain(part.parts)
-            found += _loose(inner, found, parts[k + 1] if k + 1 < len(parts) else "")
+            inner, after = _made_plain(part.parts), parts[k + 1] if k + 1 < len(parts) else ""
+            argument = (
+                bool(found) and str(found[-1]) in _BARE and after not in ("^", "_", "'") and not _is_bracket(inner)
+            )
+            found += ["(", *inner, ")"] if argument and inner else _loose(inner, found, after)
             k += 1
             continue
         part = SAME.get(part, part)
@@ -307,6 +377,7 @@ def _styled(style: str, parts: list[Part]) -> list[Part]:
     for k, part in enumerate(parts):
         script = k > 0 and parts[k - 1] in ("_", "^")
         letter = isinstance(part, str) and tex.is_letter(part) and part not in ROMAN | ACCENTS | STYLES
+        letter = letter and parts[k - 1 : k + 2] not in (["(", "t", ")"], ["(", r"\tau", ")"])  # time is no vector
         found += [style, Group([part])] if letter and not script else [part]
     return found
 
@@ -380,14 +451,22 @@ def _texts(parts: Sequence[Part]) -> Iterator[str]:
             yield part
 
 
-_QUADS = r"(?:\\q?quad|\\[,;: ]|,)*\s*"
-WORDS = tuple(  # that part relations: what stands behind them holds as well, or says for which values
-    (re.compile(rf"(?:{_QUADS} )?\\(?:text|mathrm) {{ \s*(?:{words})\s* }}(?: {_QUADS})?"), rf" {sign} ")
+_QUADS = r"(?:(?:\\q?quad|\\[,;: ]|,)\s*)*"
+WIDE = r", \quad"
+WORDS = tuple(  # that part relations: what stands behind them holds as well, or says when the others hold
+    (re.compile(rf"(?:{_QUADS} )?\\(?:text|mathrm) {{ \s*(?:{words})[\s,:~]* }}(?: {_QUADS})?"), sign)
     for words, sign in (
-        ("a n d|w h e r e|w i t h|f o r|f o r a l l", r", \\quad"),
-        ("o r", r"\\lor"),
+        ("w h e r e|w i t h", WIDE),
+        ("a n d", r"\text{and}"),
+        ("o r", r"\lor"),
+        (
+            "(?:f o r|i f|w h e n|w h e n e v e r|a s ~ l o n g ~ a s|p r o v i d e d|p r o v i d e d ~ t h a t)",
+            r"\text{for}",
+        ),
+        ("f o r ~ a l l|f o r ~ e v e r y|f o r ~ a n y", r"\forall"),
     )
 )
+_TRANSPOSED = re.compile(r"\^ \{ \\math(?:sf|tt|scr|cal) \{ T \} \}")
 _DEFINES = re.compile(r"(?<!:) : =(?! =)|= :(?!\s*[=:])")  # `:=`, and the same from right to left
 Change = Callable[[str], str]
 _DIFFERENTIAL = re.compile(r"\\(?:mathrm|text|operatorname|rm)\s*\{\s*d\s*\}(?=\s*(?:[A-Za-z\\^]))")

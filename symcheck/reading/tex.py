@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from typing import NoReturn
 
@@ -176,3 +177,56 @@ def superscript(tokens: list[Tok]) -> str | None:
     if pair is None or len(text) < 3 or text.find(pair) != len(text) - 1 or "," in text:
         return None
     return f"^{{{text}}}"
+
+
+DOTTED = ("", r"\dot", r"\ddot", r"\dddot")
+
+
+def _base(tokens: Sequence[str]) -> tuple[int, int]:
+    """From where to where the letter goes in a name of several tokens."""
+    start, groups = 0, 2 if tokens[0] == r"\prescript" else 0
+    if groups:
+        depth, start = 0, 1
+        while groups or depth:
+            depth += (tokens[start] == "{") - (tokens[start] == "}")
+            groups -= tokens[start] == "}" and not depth
+            start += 1
+        start += 1  # into the third group
+    elif tokens[0] in (r"\Delta", r"\delta"):
+        start = 1
+    end = start + 1
+    if tokens[start] in STYLES | ACCENTS | ROMAN and tokens[end : end + 1] == ["{"]:
+        depth = 1
+        while depth:
+            end += 1
+            depth += (tokens[end] == "{") - (tokens[end] == "}")
+        end += 1
+    return start, end
+
+
+def with_dots(latex: str, dots: int) -> str:
+    """A name of several tokens with dots over its letter."""
+    tokens = [tok.text for tok in tokenize(latex)]
+    if not dots:
+        return latex
+    start, end = _base(tokens)
+    return " ".join([*tokens[:start], DOTTED[dots], "{", *tokens[start:end], "}", *tokens[end:]])
+
+
+def without_dots(latex: str) -> str:
+    """A name of several tokens without the dots over its letter."""
+    tokens = [tok.text for tok in tokenize(latex)]
+    start, end = _base(tokens)
+    if tokens[start] not in DOTTED:
+        return latex
+    return " ".join([*tokens[:start], *tokens[start + 2 : end - 1], *tokens[end:]])
+
+
+def names(wholes: Iterable[str]) -> tuple[tuple[tuple[str, ...], str, int], ...]:
+    """The tokens of names of several tokens, also with dots over their letters, the longest first."""
+    forms = {
+        (tuple(tok.text for tok in tokenize(with_dots(latex, dots))), latex, dots)
+        for latex in wholes
+        for dots in range(1 if latex.startswith("[") else len(DOTTED))
+    }
+    return tuple(sorted(forms, key=lambda form: (-len(form[0]), form)))

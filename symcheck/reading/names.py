@@ -1,0 +1,291 @@
+r"""Names that are printed with several tokens: `x^*`, `x_i^{(k)}`, `f^{F_c}`, `[P]`, `\Delta x`, `{}^A v^B`.
+
+A superscript is a label where it cannot be a power, and a power where its letters stand for numbers elsewhere. Where
+neither is certain the name is in doubt: it is read as it is printed, and not lowered.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterator, Mapping, Sequence
+from dataclasses import dataclass
+
+from symcheck.core.verdicts import SymcheckError
+from symcheck.reading import tex
+from symcheck.reading.commands import ACCENTS, ROMAN, STYLES, known
+from symcheck.reading.lexer import SPACES
+from symcheck.reading.occurrences import occurrences
+
+# Capitals that name frames and bodies above a letter; T transposes, and the others are often numbers.
+FRAMES = frozenset("ABCEFGOPQRSWXY")
+BOLD = (r"\mathbf", r"\boldsymbol", r"\bm", r"\pmb", r"\vec")
+_SIGNS = frozenset({"*", "+", "-", r"\star", r"\dagger", r"\ddagger", r"\sharp", r"\flat"})
+_TRANSPOSING = frozenset({"T", "H", r"\top", r"\intercal"})
+_BOUNDED = frozenset({r"\sum", r"\prod", r"\int", r"\oint", r"\iint", r"\bigcup", r"\bigcap"})
+_NO_BASE = frozenset(
+    {"d", r"\partial", r"\Delta", r"\delta", r"\nabla", "e", r"\text{e}", r"\text{d}", r"\pi", "i", r"\text{i}"}
+)
+TRANSPOSED_OR_LABEL = "transposed, or a label? write brackets around what is transposed"
+POWER_OR_LABEL = "a power, or a label? say what {} is, or write brackets around the base of the power"
+
+
+@dataclass(frozen=True, slots=True)
+class Scripted:
+    """A letter with its scripts, as it is printed."""
+
+    latex: str
+    bare: str  # without what stands above it
+    word: str  # without what stands below it either
+    above: tuple[str, ...]
+    framed: bool  # does a script stand at its left?
+    plain: bool = False  # is it a power for certain unless it is a label for certain?
+
+
+def names_of_several_tokens(formulas: Sequence[str], said: Mapping[str, str]) -> dict[str, str]:
+    """The names in formulas, each with what is in doubt about it: nothing if it is certain.
+
+    `said` are the letters of which something is said; names of several tokens among them are names.
+    """
+    found = {latex: "" for latex in said if not is_letter(latex)}
+    numbers = {word for formula in formulas for word in _Numbers(formula).run()} | said.keys()
+    bound = {place.word for formula in formulas for place in occurrences(formula) if place.role == "index"}
+    scripted = [each for formula in formulas for each in _scripted(formula)]
+    labelled = {
+        each.word for each in scripted for text in each.above if text[:1].isupper() and text not in _TRANSPOSING
+    }
+    for each in scripted:
+        if each.word not in bound and (doubt := _doubt(each, numbers, labelled)) is not None:
+            found.setdefault(each.latex, doubt)
+        elif each.framed:
+            found.setdefault(each.bare, "")
+    for formula in formulas:
+        found |= {latex: "" for latex in _matrices_and_differences(formula) if latex not in found}
+    found = {tex.without_dots(latex): doubt for latex, doubt in found.items()}
+    for latex in found:
+        if inside := bound.intersection(latex.split()[1:]):
+            found[latex] = f"an index of a name is not summed over: {min(inside)}"
+    return found
+
+
+def _doubt(of: Scripted, numbers: Collection[str], labelled: Collection[str]) -> str | None:
+    """What is in doubt about a superscript that may be a label; None if it is a power, transposes, or is none."""
+    inside = [text for text in of.above if text not in SPACES]
+    if not inside or (of.word in _NO_BASE or of.word.startswith(r"\mathbb")):
+        return None
+    if _is_label(inside):
+        return ""
+    upright = [text for text in inside if text not in {"{", "}"} | ROMAN]
+    if len(upright) == 1 and upright[0] in _TRANSPOSING:
+        if upright[0] not in ("T", "H") or of.word not in labelled:
+            return None
+        return "" if of.framed else TRANSPOSED_OR_LABEL
+    letters = _letters(inside)
+    if not letters or of.plain or (not of.framed and any(letter in numbers for letter in letters)):
+        return None
+    points = "_" in letters[0] or len(letters) > 1 or letters[0] in FRAMES
+    if of.framed or "," in inside or letters[0].startswith(BOLD):
+        return ""
+    if points and all(letter[:1].isupper() for letter in letters):
+        return ""
+    style, _, base = of.word.partition("{")
+    if style in BOLD and base[:1].islower() and not {"+", "-"} & set(inside):
+        return ""
+    return POWER_OR_LABEL.format(letters[0])
+
+
+def _letters(inside: Sequence[str]) -> list[str]:
+    """The letters of a superscript that may be a label: letters alone, or apart at a comma or slash, or k + 1."""
+    reader, found = tex.Reader(" ".join(inside)), list[str]()
+    if inside[-2:] in (["+", "1"], ["-", "1"]):
+        reader = tex.Reader(" ".join(inside[:-2]))
+    try:
+        while reader.i < len(reader.toks):
+            if reader.peek() in (",", "/") and found and reader.i + 1 < len(reader.toks):
+                reader.i += 1
+                continue
+            word = reader.spelling()
+            if known(word) and word[:1] == "\\":
+                return []
+            if reader.peek() == "_":
+                reader.i += 1
+                word += tex.subscript(reader.group())
+            if reader.peek() == "^":
+                reader.i += 1
+                if {tok.text for tok in reader.group()} - _SIGNS:
+                    return []
+            found.append(word)
+    except SymcheckError:
+        return []
+    slashed = "/" in inside
+    return [] if slashed and not all(word[:1].isupper() for word in found) else found
+
+
+class _Numbers(tex.Reader):
+    """The letters of a formula that stand for numbers somewhere: neither below another letter nor a label above one."""
+
+    def run(self, stop: int | None = None) -> Iterator[str]:
+        stop = len(self.toks) if stop is None else stop
+        base = ""
+        while self.i < stop:
+            text = self.peek()
+            if text in SPACES:
+                self.i += 1
+            elif text == r"\prescript":
+                self.i += 1
+                self._skip(2)
+            elif text in (r"\begin", r"\end"):
+                self.i += 1
+                self._skip(1)
+            elif text in ("_", "^"):
+                self.i += 1
+                start, inside = self.i, self._inside()
+                end = self.i
+                if base == "sign" or (text == "^" and not (base == "letter" and _letters(inside))):
+                    self.i = start
+                    yield from self.run(end)
+                self.i = end
+            elif text in _BOUNDED:
+                self.i, base = self.i + 1, "sign"
+            elif tex.is_letter(text):
+                word = self._word()
+                base = "letter" if word and word not in ("e", r"\text{e}") else "other"
+                if word and not known(word):
+                    yield word
+            else:
+                base = base if text in "{}" else "other"
+                self.i += 1
+
+    def _inside(self) -> list[str]:
+        try:
+            return [tok.text for tok in self.group() if tok.text not in SPACES]
+        except SymcheckError:
+            return []
+
+    def _skip(self, count: int) -> None:
+        for _ in range(count):
+            self._inside()
+
+    def _word(self) -> str:
+        """The letter here with its subscript; nothing if it is none."""
+        start = self.i
+        try:
+            word = self.spelling()
+            if self.peek() == "_":
+                self.i += 1
+                word += tex.subscript(self.group())
+        except SymcheckError:
+            self.i = max(self.i, start + 1)
+            return ""
+        return word
+
+
+def _scripted(formula: str) -> Iterator[Scripted]:
+    """The letters of a formula with a superscript, or with scripts at the left."""
+    reader = tex.Reader(formula)
+    toks = reader.toks
+    while reader.i < len(toks):
+        start, text = reader.i, reader.peek()
+        framed = text == r"\prescript"
+        if not framed and not tex.is_letter(text):
+            reader.i += 1
+            continue
+        try:
+            if framed:
+                reader.i += 1
+                for _ in range(2):
+                    reader.group()
+                word = " ".join(tok.text for tok in [*toks[start : reader.i], *reader.group()])
+            else:
+                word = reader.spelling()
+            behind = low = end = reader.i
+            above = list[str]()
+            while not known(word) and reader.peek() in ("_", "^"):
+                mark, reader.i = reader.peek(), reader.i + 1
+                inside = [tok.text for tok in reader.group()]
+                if mark == "^" and not (set(inside) - {"'", r"\prime"}):
+                    break
+                above += inside if mark == "^" else []
+                low, end = (low if mark == "^" else reader.i), reader.i
+            if framed or above:
+                name, bare = (" ".join(tok.text for tok in toks[start:to]) for to in (end, low))
+                before = [tok.text for tok in toks[:start]]
+                coefficient = before[-len(above) - 3 :] == ["_", "{", *above, "}"]
+                plain = not framed and (before[-1:] in (["d"], [r"\partial"]) or coefficient)
+                yield Scripted(name, bare, word, tuple(above), framed, plain)
+            reader.i = behind
+        except SymcheckError:
+            reader.i = max(reader.i, start + 1)
+
+
+def _matrices_and_differences(formula: str) -> Iterator[str]:
+    r"""Matrices in brackets, `[P]`, `[BN]`, and differences, `\Delta x`."""
+    reader = tex.Reader(formula)
+    toks = reader.toks
+    while reader.i < len(toks):
+        start, text = reader.i, reader.peek()
+        if text == "[" and (end := _bracketed(toks, start)):
+            yield " ".join(tok.text for tok in toks[start:end])
+            reader.i = end
+            continue
+        reader.i += 1
+        if text not in (r"\Delta", r"\delta") or not _begins_letter(reader.peek()):
+            continue
+        try:
+            reader.spelling()
+            while reader.peek() == "_":
+                reader.i += 1
+                reader.group()
+            yield " ".join(tok.text for tok in toks[start : reader.i])
+        except SymcheckError:
+            reader.i = start + 1
+
+
+def _begins_letter(text: str) -> bool:
+    return text in ACCENTS | STYLES or (tex.is_letter(text) and not known(text))
+
+
+def _is_label(inside: Sequence[str]) -> bool:
+    """Is a superscript a sign, a number in brackets or a word, so that it is no power?"""
+    bracketed = len(inside) > 2 and (inside[0], inside[-1]) in {("(", ")"), ("[", "]")}
+    if len(inside) == 3 and inside[1] == "/" and inside[0].isupper() and inside[2].isupper():
+        return True  # of one point or frame to another
+    word = _is_word(inside) and "".join(inside[1:]).strip("{}") not in ("T", "H", "i", "j", "e", "d")
+    return (len(inside) == 1 and inside[0] in _SIGNS) or bracketed or word
+
+
+def _is_word(inside: Sequence[str]) -> bool:
+    """Is this upright type and nothing more: `\\text{max}`?"""
+    if not inside or inside[0] not in ROMAN:
+        return False
+    return len(inside) == 2 or (inside[1] == "{" and inside.index("}") == len(inside) - 1)
+
+
+def _bracketed(toks: Sequence[tex.Tok], start: int) -> int:
+    """Where a matrix in brackets ends that begins here: one letter with its scripts, or two capitals; 0 without one."""
+    end = next((k for k in range(start, len(toks)) if toks[k].text == "]"), 0)
+    inner = [tok.text for tok in toks[start + 1 : end]]
+    letters = [text for text in inner if text not in ("_", "{", "}") and not text.isdigit()]
+    pair = len(letters) == 2 and all(len(text) == 1 and text.isupper() for text in letters)
+    styled = bool(inner) and ((inner[0].isalpha() and inner[0].isupper()) or inner[0] in STYLES | ACCENTS)
+    if not end or not (pair or (styled and is_letter(" ".join(inner)))):
+        return 0
+    reader = tex.Reader(" ".join(tok.text for tok in toks[end + 1 :]))
+    while reader.peek() == "_":  # the scripts of the name
+        reader.i += 1
+        reader.group()
+    return end + 1 + reader.i
+
+
+def is_letter(latex: str) -> bool:
+    """Is this one letter, with a subscript at most?"""
+    reader = tex.Reader(latex)
+    if not tex.is_letter(reader.peek()):
+        return False
+    try:
+        word = reader.spelling()
+        while reader.peek() in ("'", "_"):
+            mark, reader.i = reader.peek(), reader.i + 1
+            if mark == "_":
+                reader.group()
+    except SymcheckError:
+        return False
+    return reader.i == len(reader.toks) and not (known(word) and word != r"\Gamma")
