@@ -12,6 +12,8 @@ from symcheck.question.limit import OutOfTime, limited
 from symcheck.reading import from_sympy, to_sympy
 
 THEOREMS = {"integral": ("antiderivative", "antiderivative_everywhere"), "sum": ("telescope",)}
+# what SymPy raises for what it cannot do
+FAULTS = (ArithmeticError, ValueError, TypeError, AttributeError, NotImplementedError, RecursionError)
 SECONDS = 2.0  # for one integral: those that SymPy finds at all it finds in one
 
 
@@ -50,16 +52,7 @@ def _hints(binder: Binder) -> list[Applied[Term]]:
             if found.has(sympy.Integral, sympy.Sum, sympy.Piecewise):
                 return []
             closed = from_sympy(found)
-    except (
-        SymcheckError,
-        OutOfTime,
-        ArithmeticError,
-        ValueError,
-        TypeError,
-        AttributeError,
-        NotImplementedError,
-        RecursionError,
-    ):
+    except (SymcheckError, OutOfTime, *FAULTS):
         return []
     own = (binder.letter,)
     return [Applied(name, tuple(binder.outside), ((own, binder.body), (own, closed))) for name in THEOREMS[binder.tag]]

@@ -2,22 +2,49 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Iterator
 from dataclasses import replace
+from typing import TYPE_CHECKING, NamedTuple
 
 from symcheck.checker import check
 from symcheck.core.problems import Problem
-from symcheck.core.terms import JSON, Reader
+from symcheck.core.terms import JSON, Reader, Value
 from symcheck.core.verdicts import SymcheckError, Verdict
 from symcheck.proof import certificate, fails_at, proof_of
+from symcheck.proof.algebra.polynomial import unfold
 from symcheck.question import jets
+from symcheck.question.antiderivatives import FAULTS
 from symcheck.question.limit import OutOfTime, limited
 from symcheck.question.prepare import Reading, worded
-from symcheck.reading import Notation, Tree, edits, to_latex, with_brackets
-from symcheck.reading.tree import Add, Call, Chain, Div, Mul, Name, Neg, Number, Path, Pow, Sqrt, replaced, walk
+from symcheck.reading import Notation, edits, to_latex, to_sympy, with_brackets
+from symcheck.reading.tree import (
+    Add,
+    Call,
+    Chain,
+    Derivative,
+    Div,
+    Mul,
+    Name,
+    Neg,
+    Number,
+    Path,
+    Pow,
+    Sqrt,
+    Tree,
+    children,
+    replaced,
+    walk,
+    with_children,
+)
 
+SIMPLIFYING = 1.0  # seconds for SymPy to find what is missing
+MISSING = -5.8  # a lost term, where it is known, is as likely as a lost factor
 MOST = 5  # repairs that are shown
 SECONDS = 4.0  # for all of them: nearly all that are found at all are found in one
+if TYPE_CHECKING:
+    from sympy import Expr
+
 # how often corrections in public texts are of a kind, the most frequent first
 LIKELY = ("sign", "factor", "exponent", "index", "letter", "number", "function", "term", "relation")
 SISTERS = {
@@ -31,9 +58,10 @@ def repairs(reading: Reading, point: dict[str, JSON]) -> tuple[dict[str, str], .
     found: list[dict[str, str]] = []
     try:
         with limited(SECONDS):
-            for kind, description, tree in sorted(_slips(reading.tree, reading.inference.notation), key=_rank):
-                if _is_proved(reading, tree, point):
-                    found.append({"relation": with_brackets(tree), "kind": kind, "edit": description})
+            for slip in _by_likelihood(reading):
+                if _is_proved(reading, slip.tree, point):
+                    shown = {"relation": with_brackets(slip.tree), "kind": slip.kind, "edit": slip.description}
+                    found.append(shown)
                 if len(found) == MOST:
                     break
     except OutOfTime:
@@ -41,24 +69,174 @@ def repairs(reading: Reading, point: dict[str, JSON]) -> tuple[dict[str, str], .
     return tuple(found)
 
 
-Slip = tuple[str, str, Tree]
+class Slip(NamedTuple):
+    """A relation that was meant, perhaps; `unlikely` is added to its rank."""
+
+    kind: str
+    description: str
+    tree: Tree
+    unlikely: float = 0.0
 
 
-def _rank(slip: Slip) -> int:
-    return LIKELY.index(slip[0])
+def _by_likelihood(reading: Reading) -> list[Slip]:
+    tree, notation = reading.tree, reading.inference.notation
+    elsewhere = " ".join((*reading.source[0].where, *reading.source[0].given))
+    counts = Counter(node for _, node in walk(tree) if isinstance(node, Name))
+    first = {node for _, node in walk(tree.members[0])} if isinstance(tree, Chain) else set()
+    lonely = {x for x, count in counts.items() if count == 1 and x not in first and x.letter not in elsewhere}
+    size = _size(tree)
+
+    def rank(slip: Slip) -> float:
+        odd = not lonely <= {node for _, node in walk(slip.tree)}  # a letter that stands nowhere else is gone
+        shorter = 0.01 * (_size(slip.tree) - size)
+        return LIKELY.index(slip.kind) + slip.unlikely - 10 * odd + _beside(tree, slip.tree) + shorter
+
+    return sorted((*_slips(tree, notation), *_worked_out(reading)), key=rank)
+
+
+def _worked_out(reading: Reading) -> Iterator[Slip]:
+    """The factor or the addend that the right side lacks, if it is a product of powers of letters."""
+    import sympy
+
+    tree = reading.tree
+    if not isinstance(tree, Chain) or len(tree.members) != len(reading.problems) + 1:
+        return
+    for k, problem in enumerate(reading.problems, start=1):
+        if problem.claim.tag != "=" or problem.claim[1] == problem.claim[2]:
+            continue
+        try:
+            with limited(SIMPLIFYING):
+                left, right = _sides(problem)
+                ratio, gap = sympy.simplify(left / right), sympy.expand(sympy.simplify(left - right))
+        except (*FAULTS, SymcheckError, OutOfTime):
+            continue
+        member = tree.members[k]
+        if (factors := _powers(ratio, reading.inference.notation)) is not None:
+            new = member.value if isinstance(member, Neg) else member
+            for factor, exponent in factors:
+                for _ in range(abs(exponent)):
+                    new = _times(factor, new) if exponent > 0 else _over(new, factor)
+            new = Neg(new) if isinstance(member, Neg) != bool(ratio.could_extract_minus_sign()) else new
+            yield Slip("factor", f"factor {sympy.latex(ratio)}", replaced(tree, (k,), new), 0.1)
+        if (factors := _powers(gap, reading.inference.notation)) is not None:
+            new = Number("1")
+            for factor, exponent in factors:
+                power = factor if abs(exponent) == 1 else Pow(factor, Number(str(abs(exponent))))
+                new = _times(power, new) if exponent > 0 else _over(new, power)
+            new = _with_term(member, Neg(new) if gap.could_extract_minus_sign() else new)
+            yield Slip("term", f"term {sympy.latex(gap)} missing", replaced(tree, (k,), new), MISSING)
+
+
+def _sides(problem: Problem) -> tuple[Expr, Expr]:
+    """Both sides of an equation; the left one by an equation that is given, where it is solved for it."""
+    import sympy
+
+    definitions = dict(problem.definitions)
+    left, right = (to_sympy(unfold(side, definitions)) for side in problem.claim.terms)
+    if not isinstance(problem.claim.terms[0], Value):
+        for equation in (f for _, fs in problem.hypotheses for f in fs if f.tag == "="):
+            a, b = (to_sympy(unfold(side, definitions)) for side in equation.terms)
+            if (a - b).has(left) and len(found := sympy.solve(a - b, left)) == 1:
+                return found[0], right
+    return left, right
+
+
+def _with_term(member: Tree, term: Tree) -> Tree:
+    """The sum with one more addend; numbers stand last."""
+    terms = member.terms if isinstance(member, Add) else (member,)
+    last = isinstance(terms[-1].value if isinstance(terms[-1], Neg) else terms[-1], Number) and len(terms) > 1
+    return Add((*terms[:-1], term, terms[-1])) if last else Add((*terms, term))
+
+
+def _powers(expr: Expr, notation: Notation) -> list[tuple[Tree, int]] | None:
+    """Numbers and letters with their exponents, of which an expression is the product up to its sign."""
+    found: list[tuple[Tree, int]] = []
+    for base, exponent in expr.as_powers_dict().items():
+        if base == -1:
+            continue
+        if base.is_Rational and exponent == 1:
+            found += [(Number(str(n)), e) for n, e in ((abs(base.p), 1), (base.q, -1)) if n != 1]
+            continue
+        letter = notation.owner(base.name) if base.is_Symbol else None
+        if not exponent.is_Integer or letter is None or letter.indices:
+            return None
+        found.append((Name(letter.latex), int(exponent)))
+    return found or None
+
+
+def _size(tree: Tree) -> int:
+    return sum(1 for _ in walk(tree))
+
+
+def _beside(tree: Tree, new: Tree) -> float:
+    """What is worked out stands on the right, and what it is on the left: a slip is rather where more is written."""
+    if not isinstance(tree, Chain) or not isinstance(new, Chain) or len(tree.members) != 2:
+        return 0.0
+    left = new.members[0] != tree.members[0]
+    return left * (3.0 if _is_simple(tree.members[0]) else 0.5)
+
+
+def _is_simple(tree: Tree) -> bool:
+    """Is this the name of something?"""
+    inner = tree.value if isinstance(tree, Neg) else tree
+    return isinstance(inner, Name | Derivative) or (isinstance(inner, Call) and isinstance(inner.function, Name))
 
 
 def _slips(tree: Tree, notation: Notation) -> Iterator[Slip]:
-    seen = {tree}
-    for kind, description, new in (*_plain(tree, notation), *_further(tree, notation)):
+    seen, tidy = {tree}, _tidied(tree) == tree
+    for slip in (*_plain(tree, notation), *_further(tree, notation), *_repeated(tree, notation)):
+        new = _tidied(slip.tree) if tidy else slip.tree
         if new not in seen and not _is_trivial(new):
             seen.add(new)
-            yield kind, description, new
+            yield slip._replace(tree=new)
 
 
 def _plain(tree: Tree, notation: Notation) -> Iterator[Slip]:
     for edit in edits(tree, notation):
-        yield edit.kind, edit.description, edit.tree
+        yield Slip(edit.kind, edit.description, edit.tree)
+
+
+def _repeated(tree: Tree, notation: Notation) -> Iterator[Slip]:
+    """Slips made wherever the same is printed; and an index that runs through a term."""
+    counts = Counter(node for _, node in walk(tree) if not isinstance(node, Name | Number))
+    for part in (part for part, count in counts.items() if count > 1):
+        for edit in edits(part, notation):
+            yield Slip(edit.kind, f"{edit.description}, everywhere", _everywhere(tree, part, edit.tree), -0.2)
+    known = {letter.latex for letter in notation.letters}
+    for path, node in reversed([*walk(tree)]):  # what is printed again is wrong at its second place
+        if not isinstance(_above(tree, path), Add):
+            continue
+        names = {part for _, part in walk(node) if isinstance(part, Name) and "_" in part.letter}
+        for index in {name.letter.rpartition("_")[2] for name in names}:
+            own = {name for name in names if name.letter.rpartition("_")[2] == index}
+            others = {letter.rpartition("_")[2] for letter in known if "_" in letter} - {index}
+            for other in sorted(others) if len(own) > 1 else ():
+                by = {name: replace(name, letter=f"{name.letter.rpartition('_')[0]}_{other}") for name in own}
+                if {name.letter for name in by.values()} <= known:
+                    new = node
+                    for name, renamed in by.items():
+                        new = _everywhere(new, name, renamed)
+                    yield Slip("index", f"index {index} -> {other} in {to_latex(node)}", replaced(tree, path, new))
+
+
+def _everywhere(tree: Tree, part: Tree, new: Tree) -> Tree:
+    if tree == part:
+        return new
+    return with_children(tree, tuple(_everywhere(child, part, new) for child in children(tree)))
+
+
+def _tidied(tree: Tree) -> Tree:
+    """The same without factors and divisors 1, and without a factor before a fraction with the numerator 1."""
+    tree = with_children(tree, tuple(map(_tidied, children(tree))))
+    match tree:
+        case Div(top, Number("1")):
+            return top
+        case Mul() if Number("1") in tree.factors:
+            kept = tuple(factor for factor in tree.factors if factor != Number("1"))
+            return Mul(kept) if len(kept) > 1 else kept[0] if kept else Number("1")
+        case Mul((Number() as number, Div(Number("1"), bottom), *rest)):
+            return Mul((Div(number, bottom), *rest)) if rest else Div(number, bottom)
+    return tree
 
 
 def _is_trivial(tree: Tree) -> bool:
@@ -75,24 +253,32 @@ def _further(tree: Tree, notation: Notation) -> Iterator[Slip]:
             isinstance(above, Neg) and isinstance(_above(tree, path[:-1]), Add | Chain)
         ):
             term = node.value if isinstance(node, Neg) else node
+            inside = {part for _, part in walk(tree.members[path[0]] if isinstance(tree, Chain) else tree)}
             for factor in (*numbers, *letters):
-                for new in (_times(factor, term), Div(term, factor)):
-                    changed = Neg(new) if isinstance(node, Neg) else new
-                    yield "factor", f"factor {to_latex(factor)}", replaced(tree, path, changed)
+                again = isinstance(factor, Name) and factor in inside  # then its exponent is wrong, rather
+                for new in (_times(factor, term), _over(term, factor)):
+                    changed = replaced(tree, path, Neg(new) if isinstance(node, Neg) else new)
+                    yield Slip(
+                        "factor", f"factor {to_latex(factor)}", changed, 1.5 * again + 0.3 * isinstance(term, Add)
+                    )
+        if isinstance(node, Neg):
+            yield Slip("sign", f"the minus of {to_latex(node.value)} dropped", replaced(tree, path, node.value))
         if isinstance(node, Call) and isinstance(node.function, str):
             for sister in SISTERS.get(node.function, ()):
-                yield "function", f"{node.function} for {sister}", replaced(tree, path, replace(node, function=sister))
+                yield Slip(
+                    "function", f"{node.function} for {sister}", replaced(tree, path, replace(node, function=sister))
+                )
         if isinstance(node, Name) and not node.primes and not node.dots and not isinstance(above, Call):
-            yield "exponent", f"root of {to_latex(node)}", replaced(tree, path, Sqrt(node))
+            yield Slip("exponent", f"root of {to_latex(node)}", replaced(tree, path, Sqrt(node)))
             for other in letters:
                 if other != node and notation.find(node.letter, 0) is not None:
-                    yield "letter", f"{to_latex(node)} for {to_latex(other)}", replaced(tree, path, other)
+                    yield Slip("letter", f"{to_latex(node)} for {to_latex(other)}", replaced(tree, path, other))
         if isinstance(node, Number) and node.text.isdigit():
             for value in _near(int(node.text)):
-                yield "number", f"number {node.text} for {value}", replaced(tree, path, Number(str(value)))
+                yield Slip("number", f"number {node.text} for {value}", replaced(tree, path, Number(str(value))))
             if not isinstance(above, Pow):
                 for other in letters:
-                    yield "number", f"{node.text} for {to_latex(other)}", replaced(tree, path, other)
+                    yield Slip("number", f"{node.text} for {to_latex(other)}", replaced(tree, path, other))
 
 
 def _near(n: int) -> list[int]:
@@ -100,7 +286,42 @@ def _near(n: int) -> list[int]:
 
 
 def _times(factor: Tree, term: Tree) -> Tree:
+    """The product as one prints it: a fraction is multiplied above, numbers stand before letters."""
+    match term:
+        case Number(text) if isinstance(factor, Number) and text.isdigit():
+            return Number(str(int(text) * int(factor.text)))
+        case Number("1"):
+            return factor
+        case Number():
+            return Mul((term, factor))
+        case Div(Add(), _):
+            return Mul((term, factor))
+        case Div(top, bottom):
+            return Div(_times(factor, top), bottom)
+        case Mul((Div(Number() as top, bottom), *rest)):
+            return Mul((Div(_times(factor, top), bottom), *rest), term.dotted)
+        case Mul((Number() as first, *rest)):
+            both = _times(factor, first)
+            return Mul((*(both.factors if isinstance(both, Mul) else (both,)), *rest))
     return Mul((factor, *(term.factors if isinstance(term, Mul) else (term,))))
+
+
+def _over(term: Tree, factor: Tree) -> Tree:
+    """The quotient as one prints it: what cancels is left out, a fraction is divided below."""
+    match term:
+        case Number(text) if isinstance(factor, Number) and text.isdigit() and int(text) % int(factor.text) == 0:
+            return Number(str(int(text) // int(factor.text)))
+        case Div(Mul() as top, bottom) if factor in top.factors:
+            return Div(_over(top, factor), bottom)
+        case Div(top, bottom):
+            return Div(top, _times(factor, bottom))
+        case Mul(factors) if factor in factors:
+            k = factors.index(factor)
+            rest = (*factors[:k], *factors[k + 1 :])
+            return Mul(rest) if len(rest) > 1 else rest[0]
+        case Mul((Div(top, bottom), *rest)):
+            return Mul((Div(top, _times(factor, bottom)), *rest), term.dotted)
+    return Number("1") if term == factor else Div(term, factor)
 
 
 def _above(tree: Tree, path: Path) -> Tree | None:
@@ -116,13 +337,21 @@ def _is_proved(reading: Reading, tree: Tree, point: dict[str, JSON]) -> bool:
         problems = worded(reading, tree)
     except SymcheckError:
         return False
-    return all(_proof_holds(problem, point) for problem in problems)
+    before = {problem.claim for problem in reading.problems}
+    return all(
+        _proof_holds(problem, point) for problem in problems if problem.claim not in before or not _is_same(problem)
+    )
+
+
+def _is_same(problem: Problem) -> bool:
+    """Are both sides the same, which proves nothing?"""
+    return problem.claim[1:2] == problem.claim[2:3]
 
 
 def _proof_holds(problem: Problem, point: dict[str, JSON]) -> bool:
     numbers = jets.of(problem)
     tried = numbers.problem if numbers else problem
-    if tried.claim[1:2] == tried.claim[2:3]:
+    if _is_same(tried):
         return False
     reader = Reader()
     try:
