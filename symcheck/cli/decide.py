@@ -14,7 +14,7 @@ from symcheck.cli.options import cores
 from symcheck.core.verdicts import SymcheckError
 
 EXIT = {"proved": 0, "refuted": 1, "unreadable": BAD_INPUT}
-UNDECIDED = 3
+UNDECIDED = 3  # 0 to 2 mean proved, refuted, and unreadable or wrong input
 
 
 @click.command()

@@ -27,8 +27,9 @@ from symcheck.ledger.digests import digest
 
 MISSING = "coqc is not installed; on Debian: apt-get install coq libcoq-coquelicot"
 NO_COQUELICOT = "the Coq library Coquelicot is not installed; on Debian: apt-get install libcoq-coquelicot"
+# coqc's message: the line of an error, and the error up to a blank line
 STOPPED = re.compile(r"line (\d+), characters.*?\nError:(.*?)(?:\n\n|\Z)", re.DOTALL)
-ASSUMPTION = re.compile(r"^([A-Za-z_][\w.']*)\s*:", re.MULTILINE)
+ASSUMPTION = re.compile(r"^([A-Za-z_][\w.']*)\s*:", re.MULTILINE)  # an axiom's name, as `Print Assumptions` lists them
 REALS = (  # what the standard library's real numbers rest on, and its arctangent (excluded middle)
     "ClassicalDedekindReals.sig_forall_dec",
     "ClassicalDedekindReals.sig_not_dec",

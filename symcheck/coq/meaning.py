@@ -13,7 +13,7 @@ from typing import Any
 
 from mpmath import mp, mpf
 
-mp.dps = 50
+mp.dps = 50  # so far beyond the sixteen of a double that rounding decides no comparison
 Tree = Any  # a term or formula, raw or as nodes
 Number = Any  # of mpmath, flint or fractions
 Values = dict[str, Number]

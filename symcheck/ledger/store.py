@@ -20,7 +20,7 @@ from symcheck.kernels.codegen.target import MARK
 from symcheck.ledger.digests import line, short_digest
 from symcheck.ledger.record import Record
 
-SCHEMA = 1
+SCHEMA = 1  # of the recorded outcomes
 PROOFS = 3  # the schema of certificates and of the statements they are compared with
 CERTIFICATES = "certificates"
 EXPECTED = "expected"

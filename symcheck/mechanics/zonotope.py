@@ -25,8 +25,9 @@ __all__ = ["Chirotope", "Combinatorics", "Envelope", "chirotope", "combinatorics
 Signs = tuple[int, ...]
 Number = Any  # a float, a fraction or an expression of SymPy: what can be added, multiplied and, by `sign`, compared
 Vector = tuple[Number, Number, Number]
+# one or two of these complete axes that lie in a plane
 UNIT_VECTORS: tuple[Vector, ...] = ((1, 0, 0), (0, 1, 0), (0, 0, 1))
-EVEN = ((0, 1, 2), (1, 2, 0), (2, 0, 1))
+EVEN = ((0, 1, 2), (1, 2, 0), (2, 0, 1))  # permutations of three: a triple product keeps its sign
 
 
 def sign(number: Number) -> int:

@@ -18,11 +18,13 @@ Head = tuple[int, int, tuple[str, ...]]  # what a row begins with: see Row
 Pattern = tuple[str, ...]  # "1", "-1", "u" or "v" for each wheel
 Direction = tuple[int, int]  # sign and number of a wheel
 
-_GAP = re.compile(r"(?:[\s&|$]|\\quad|\\left|\\right|\\\\)*")
+_GAP = re.compile(r"(?:[\s&|$]|\\quad|\\left|\\right|\\\\)*")  # layout, which may stand between any two signs of a row
+# the number of a row, "12)", before a vertex V or a face F
 _START = re.compile(r"(?<![\w}^_'])(\d+)\)(?=[\s$|&]*[VF]\b|[\s$|&]*[VF][_'^])")
-_LABEL = re.compile(r"(')?_(?:\{(\d+)\}|(\d+))(')?")
+_LABEL = re.compile(r"(')?_(?:\{(\d+)\}|(\d+))(')?")  # the index of V or F, with a prime on either side of it
+# layout and punctuation at the end of a row
 _TAIL = re.compile(r"(?:[\s&|.,;-]|\$\$|\\quad|\\\\|\\(?:begin|end)\{\w+\}(?:\{[lcr]+\})?)+$")
-_NUMBER = re.compile(r"-?\d+(?:\.\d+)?")
+_NUMBER = re.compile(r"-?\d+(?:\.\d+)?")  # a cell of a table of coordinates
 
 
 @dataclass(frozen=True, slots=True)

@@ -23,10 +23,11 @@ SIZES = (3, 2)  # of vectors and matrices whose size nothing tells: what holds o
 MAX_READINGS = 8  # of one question: three letters with two readings each; more are refused
 _STYLED = re.compile(r"(?:\\\w+\{)?\\(mathbf|boldsymbol|bm|pmb|vec|overrightarrow)\{")  # a style, or an accent over it
 _TYPICAL = frozenset("fghFGH") | {r"\phi", r"\psi", r"\varphi", r"\Phi", r"\Psi", r"\Theta", r"\Gamma"}
+# what e is in formulas of orbits: "1 - e^2", "1 + e", "e \cos"
 _ECCENTRIC = re.compile(r"1\s*[-+]\s*e\s*(?:\^\s*\{?2\}?)?(?!\s*\^|\d)|(?<![A-Za-z\\])e\s*\\(?:cos|sin)(?![A-Za-z])")
-_NUMBER = re.compile(r"\s*[-+]?\s*[\d.\s]+")
+_NUMBER = re.compile(r"\s*[-+]?\s*[\d.\s]+")  # a decimal number, with spaces between its tokens
 _SKEW = re.compile(r"\[ (.+) \] _ (?:\{ )?\\times(?: \})?")  # `[a]_\times`, by its tokens
-_SIZES = re.compile(r"^(?:\{)?(\w+)(?:\\times(\w+))?(?:\})?$")
+_SIZES = re.compile(r"^(?:\{)?(\w+)(?:\\times(\w+))?(?:\})?$")  # "m" or "m\times n" behind \mathbb{R}^
 
 
 # The letter itself, behind the two groups of scripts at its left; what follows it are scripts at its right.
@@ -754,6 +755,7 @@ def _time(every: Mapping[str, Evidence]) -> str:
 
 CONSTANT = "constant"
 PRINTED = "it is equal to one that is printed"
+# a matrix that contains no other environment
 _ENTRIES = re.compile(r"\s*\\begin\{([pbBv]?matrix|smallmatrix)\}((?:(?!\\begin).)*)\\end\{\1\}\s*", re.DOTALL)
 
 

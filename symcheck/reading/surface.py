@@ -390,6 +390,7 @@ WORDS = tuple(  # that part relations: what stands behind them holds as well, or
 )
 _DEFINES = re.compile(r"(?<!:) : =(?! =)|= :(?!\s*[=:])")  # `:=`, and the same from right to left
 Change = Callable[[str], str]
+# an upright d before the letter of an integration or derivative
 _DIFFERENTIAL = re.compile(r"\\(?:mathrm|text|operatorname|rm)\s*\{\s*d\s*\}(?=\s*(?:[A-Za-z\\^]))")
 
 

@@ -11,7 +11,7 @@ from symcheck.ledger.selftested import Row, rows
 
 STATUSES = ("planted", "rejected", "accepted", "equivalent", "weaker", "stronger", "open")
 COLUMNS = (*STATUSES, "rejected of those that are faults", "right", "rejected")
-MOST_TOLD = 20
+MOST_TOLD = 20  # faults that were judged wrongly, named one by one: about a screen
 
 
 def show(out: Any, result: Mapping[str, Any]) -> None:

@@ -29,7 +29,7 @@ _WHOLE_LIST = re.compile(r"\d+\.\d+[VEF][a-z]?")  # what is said of a list as a 
 _LISTS = {"V": "vertices", "E": "edges", "F": "faces"}
 # what our declarations are called: 2.13.1, 2.1V.3b, T8.0, B.7, S.7.1
 _OURS = r"(?:\d+\.\d+(?:\.\d+)+[a-z]?|\d+\.\d+[VEF](?:\.\d+[a-z]?)?|T\d+\.\d+[a-z]?|[A-Z]\.\d+(?:\.\d+)?[a-z]?)"
-_NUMBER = re.compile(rf"(?<![\w.]){_OURS}(?![\w])")
+_NUMBER = re.compile(rf"(?<![\w.]){_OURS}(?![\w])")  # such a number as a whole
 # brackets with nothing but such numbers: "(2.13.1, B.7)", "(see C.11)", "(B.9 to B.12)"
 _ASIDE = re.compile(rf"\s*\((?:see )?{_OURS}(?:(?:, | and | to |; ){_OURS})*\)")
 _FIRST = re.compile(r".+?[.](?=\s+[A-Z(\"']|$)", re.DOTALL)  # the first sentence of a text
@@ -287,7 +287,7 @@ PREAMBLE = r"""\documentclass[11pt]{article}
 \[\ifdim\wd0>\linewidth\resizebox{\linewidth}{!}{\usebox0}\else\usebox0\fi\]}
 \sloppy
 """
-_CYRILLIC = re.compile(r"[\u0400-\u04ff]+")
+_CYRILLIC = re.compile(r"[\u0400-\u04ff]+")  # words that need a Cyrillic font
 _ENVIRONMENT = re.compile(r"\\(?:begin|end)\{(?:aligned|split)\}|(?<!\\)&")  # what keeps a line from breaking
 _BREAKS = re.compile(r"\\left|\\right|[(\[{]|[)\]}]|,|\\quad")  # brackets, and where a line may end outside of them
 

@@ -25,7 +25,7 @@ WORDS_OF_C = re.compile(  # and of the text around a kernel: far, i, libm, n
 )
 C_NAMES = {"arctan": "atan", "power": "pow"}  # what C calls otherwise
 VECTOR = ("atan", "exp", "expm1", "log", "log1p", "pow")  # functions of libm that glibc has for vectors too
-WIDTH = 116
+WIDTH = 116  # of a line of a comment: 120 columns less its indentation
 CALLS = "n is the number of points; the results go to the arrays that come last. NaN inputs give NaN outputs."
 
 

@@ -19,7 +19,7 @@ from symcheck.papers.listing import Label
 from symcheck.proof import identity
 from symcheck.reading import Notation
 
-_MATH = re.compile(r"\$([^$]+)\$")
+_MATH = re.compile(r"\$([^$]+)\$")  # mathematics within a sentence
 _PIECE = re.compile(r"\$([^$]+)\$|\.(?=\s)")  # a piece of mathematics, or the end of a sentence
 _LABELS = re.compile(r"[VF]['_][^VF]*(,\s*[VF]['_][^VF]*)*")  # labels with commas between them, not an edge `V_1V_2`
 _DISTANCE = re.compile(r"\s*d_\d = (?!d_)")  # `d_1 = 4 \sin a`, not `d_1 = d_2`

@@ -8,7 +8,7 @@ import numpy as np
 
 from symcheck.views.notebook.output import Output, Table
 
-DIGITS = 6
+DIGITS = 6  # the papers print at most four
 NOUGHT = 1e-12  # below it a number is rounding
 
 

@@ -14,7 +14,7 @@ from symcheck.core.claims import Paper
 from symcheck.core.ids import Id
 from symcheck.core.verdicts import SymcheckError
 
-_ID = re.compile(r"\b[a-z]+\d{4}:[A-Z]?\d*[\w.]*\w")
+_ID = re.compile(r"\b[a-z]+\d{4}:[A-Z]?\d*[\w.]*\w")  # an id of a claim: "mirer2009:2.1a"
 # what every generated docstring says alike, and its example: the file itself has them
 _ALIKE = re.compile(r'    out : ndarray, optional\n.*?\n(?=\n)|\n    Arguments broadcast\..*?(?=    """)', re.DOTALL)
 
