@@ -4,7 +4,7 @@ Square roots appear as letters, u^2 = E_n (1 - b_n), v^2 = b_n (A - E_n), u, v >
 """
 
 from symcheck.core.claims import Hypothesis
-from symcheck.papers.declare import Scope, ours
+from symcheck.papers.declare import Scope, by_cases, ours
 from symcheck.papers.esenkov2006 import derivation
 from symcheck.papers.esenkov2006.hypotheses import liquid_is_part, liquid_moves
 from symcheck.papers.esenkov2006.notation import root_letters, three_modes
@@ -47,12 +47,11 @@ inertia_of_a_mode = ours(
     notation=three_modes,
 )
 
-real_root_needs_discriminant = ours(
+real_root_needs_discriminant = by_cases.ours(
     "B.2",
     34,
     words="A real root needs D >= 0: then D is the square of the derivative there.",
     states=rf"{QUADRATIC} = 0 \Rightarrow {DISCRIMINANT} = (2(A - E_1)\eta + {LINEAR})^2",
-    by=cases(),
     uses=["1.33", "1.33.3"],
     keeping=("Delta",),
 )
@@ -77,12 +76,11 @@ double_root = ours(
     words="At D = 0 the root is double.",
     states=rf"4(A - E_1)({QUADRATIC}) = (2(A - E_1)\eta + {LINEAR})^2",
     given=[double],
-    by=identity,
     uses=["B.2"],
     keeping=("Delta",),
 )
 
-growth_at_the_double_root = ours(
+growth_at_the_double_root = by_cases.ours(
     "B.5",
     34,
     words="There the motion still grows, like t: the matrix of the amplitudes, with entries a_n (eta - omega_0) and chi_n eta outside its "
@@ -90,11 +88,10 @@ growth_at_the_double_root = ours(
     "are real at D = 0 too.",
     states=r"(a_n(\eta - \omega_0) = 0 \land \chi_n\eta = 0) \Rightarrow \omega_0 = 0",
     given=[density, coupled],
-    by=cases(),
     uses=["B.4", "2.1.2"],
 )
 
-complex_pair = ours(
+complex_pair = by_cases.ours(
     "B.6",
     34,
     words="If D = -r^2 < 0 the roots are x + iy, x - iy with y = r / (2 (A - E_n)): one of them grows.",
@@ -108,7 +105,6 @@ complex_pair = ours(
         two_coefficients,
     ],
     where=derivation.quadratic_at_complex_frequency,
-    by=cases(),
     uses=["1.33.1"],
     notation=root_letters,
 )
@@ -118,7 +114,6 @@ boundary_as_difference = ours(
     34,
     words="The square completed in 1.34.3.",
     states=rf"{BOUNDARY} = (\Delta + {MIDDLE})^2 - 4{PRODUCT}",
-    by=identity,
     uses=["1.34.3", "1.34.4"],
     keeping=("b", "Delta"),
 )
@@ -128,7 +123,6 @@ discriminant_by_boundary = ours(
     34,
     words="D has the sign of the left side of 1.34.3.",
     states=rf"{DISCRIMINANT} = \omega_0^2({BOUNDARY})",
-    by=identity,
     uses=["1.33.3", "1.34.3"],
     keeping=("Delta",),
 )
@@ -203,12 +197,11 @@ stable_above = of_roots.ours(
     keeping=("b", "Delta"),
 )
 
-unstable_interval_without_roots = ours(
+unstable_interval_without_roots = by_cases.ours(
     "B.15",
     34,
     words="The same without square roots: the distance of C - A from the middle, squared, is below 4 E_n (1 - b_n) b_n (A - E_n).",
     states=rf"{BOUNDARY} < 0 \Leftrightarrow (\Delta + {MIDDLE})^2 < 4{PRODUCT}",
-    by=cases(),
     uses=["B.7"],
     keeping=("b", "Delta"),
 )
@@ -274,17 +267,16 @@ lower_end_is_a_body = of_roots.ours(
     keeping=("b",),
 )
 
-value_without_axial_moment = ours(
+value_without_axial_moment = by_cases.ours(
     "B.21",
     34,
     words="The same without square roots: at C = 0 the left side of 1.34.3 is a square.",
     states=rf"\Delta = -A \Rightarrow {BOUNDARY} = (A(1 - b_n) - E_n)^2",
-    by=cases(),
     uses=["1.34.3"],
     keeping=("b", "Delta"),
 )
 
-mode_at_rest = ours(
+mode_at_rest = by_cases.ours(
     "B.22",
     34,
     words="At b_n = 0 the interval shrinks to C - A = -E_n; one frequency is zero, the other -(Delta + E_n) omega_0 / (A - E_n).",
@@ -292,12 +284,11 @@ mode_at_rest = ours(
     rf"{QUADRATIC.replace('lambda_1', 'lambda_n')} = \eta((A - E_n)\eta + (\Delta + E_n)\omega_0))".replace(
         r"\lambda_n", r"b_n\omega_0"
     ),
-    by=cases(),
     uses=["1.33", "1.34.3"],
     keeping=("b", "Delta"),
 )
 
-mode_at_the_spin = ours(
+mode_at_the_spin = by_cases.ours(
     "B.23",
     34,
     words="At b_n = 1 it shrinks to C - A = -(A - E_n), C = E_n; one frequency is omega_0, the other -Delta omega_0 / (A - E_n).",
@@ -305,18 +296,16 @@ mode_at_the_spin = ours(
     rf"{QUADRATIC.replace('lambda_1', 'lambda_n')} = (\eta - \omega_0)((A - E_n)\eta + \Delta\omega_0))".replace(
         r"\lambda_n", r"b_n\omega_0"
     ),
-    by=cases(),
     uses=["1.33", "1.34.3"],
     keeping=("b", "Delta"),
 )
 
-mode_is_everything = ours(
+mode_is_everything = by_cases.ours(
     "B.24",
     34,
     words="At A = E_n it shrinks to C - A = -E_n (1 - b_n), and (1.33) is of first degree: one frequency has gone to infinity.",
     states=rf"A = E_n \Rightarrow ({BOUNDARY} = (\Delta + E_n(1 - b_n))^2 \land "
     rf"{QUADRATIC} = \omega_0((\Delta + E_n(1 - b_n))\eta - \Delta b_n\omega_0))".replace(r"\lambda_1", r"b_n\omega_0"),
-    by=cases(),
     uses=["1.33", "1.34.3"],
     keeping=("b", "Delta"),
 )
@@ -372,17 +361,15 @@ boundaries_by_their_sum = ours(
             r"\Delta_1 + \Delta_2 = -(2Ab_n + 2E_n - 4E_nb_n), \Delta_1\Delta_2 = (Ab_n - E_n)^2",
         )
     ],
-    by=identity,
     uses=["1.34.4"],
     keeping=("b",),
 )
 
-value_at_the_natural_frequency = ours(
+value_at_the_natural_frequency = by_cases.ours(
     "B.29",
     34,
     words="At the natural frequency the left side of (1.33) is below zero off the band, while it grows without bound on both sides: "
     "one frequency on each side. With several modes this is N.6 to N.8.",
     states=rf"\eta = \lambda_1 \Rightarrow {QUADRATIC} = -E_1\lambda_1(\lambda_1 - \omega_0)",
-    by=cases(),
     uses=["1.33"],
 )

@@ -89,7 +89,6 @@ frequencies = claim(
     "equation (2.3) in the frequencies.",
     states=rf"F = {ONE_MODE}",
     where=derivation.characteristic_equations_by_signs,
-    by=identity,
     uses=["2.1", "2.3"],
     notation=sign_letters,
     errata={
@@ -124,7 +123,6 @@ characteristic_equation = claim(
     ),
     equation=partial(derivation.characteristic_equation, 3),
     where=derivation.mode_inertias,
-    by=identity,
     uses=["2.1", "2.1.2"],
     notation=three_modes,
 )
@@ -210,7 +208,6 @@ one_mode = claim(
     ),
     equation=partial(derivation.characteristic_equation, 1),
     where=partial(derivation.mode_inertias, 1),
-    by=identity,
     uses=["2.2", "2.2.1"],
 )
 
@@ -225,7 +222,6 @@ quadratic = claim(
         "stands in the square of D on the same line, and in (1.33) of the other text.",
     ),
     equation=derivation.quadratic,
-    by=identity,
     uses=["2.3", "2.3.1"],
 )
 
@@ -241,6 +237,5 @@ discriminant = claim(
     ),
     where=derivation.discriminant_in_eta,
     imposed="b",
-    by=identity,
     uses=["2.3.2"],
 )

@@ -8,7 +8,7 @@ from functools import partial
 from symcheck.core.claims import Damage, Erratum, Hypothesis
 from symcheck.core.problems import Applied
 from symcheck.core.verdicts import Origin
-from symcheck.papers.declare import claim, definition, exclusion, premise
+from symcheck.papers.declare import by_cases, claim, definition, exclusion, premise
 from symcheck.papers.esenkov2006 import derivation
 from symcheck.papers.esenkov2006.hypotheses import (
     liquid_is_part,
@@ -97,7 +97,6 @@ characteristic_equation = claim(
     ),
     equation=partial(derivation.characteristic_equation, 3),
     where=derivation.mode_inertias,
-    by=identity,
     uses=["1.0.6", "1.0.8"],
     notation=three_modes,
 )
@@ -122,7 +121,6 @@ one_mode = claim(
     ),
     equation=partial(derivation.characteristic_equation, 1),
     where=partial(derivation.mode_inertias, 1),
-    by=identity,
     uses=["1.31", "1.31.1"],
 )
 
@@ -144,7 +142,6 @@ quadratic = claim(
         reason="eta reads as 77 and ^, omega_0 as й?0 and <уо, E_1 as '£,', A lambda_1 as 'ЛЛ,', lambda_1 at the end as й1; one minus is lost.",
     ),
     equation=derivation.quadratic,
-    by=identity,
     uses=["1.32", "1.32.1"],
 )
 
@@ -205,7 +202,6 @@ discriminant = claim(
     ),
     where=derivation.discriminant_in_eta,
     imposed="b",
-    by=identity,
     uses=["1.33"],
 )
 
@@ -216,7 +212,6 @@ boundary = claim(
     words="At the boundary of stability the discriminant is zero.",
     damage=Damage(rf"{DISCRIMINANT} = 0", reason="the discriminant once more, here with its minus signs"),
     equation=derivation.stability_boundary,
-    by=identity,
     uses=["1.33.3"],
 )
 
@@ -231,18 +226,16 @@ boundary_by_spin = claim(
         "by omega_0^2, and with b_n for the fractions it expands to the next.",
     ),
     equation=derivation.stability_boundary_by_spin,
-    by=identity,
     uses=["1.33.4"],
 )
 
-boundaries_agree = claim(
+boundaries_agree = by_cases.claim(
     "1.34.1",
     34,
     words="Both equations have the same solutions.",
     states=rf"{DISCRIMINANT} = 0 \Leftrightarrow "
     r"\left(\Delta + E_n - A\frac{\lambda_n}{\omega_0}\right)^2 + 4(A - E_n)\Delta\frac{\lambda_n}{\omega_0} = 0",
     keeping=("Delta",),
-    by=cases(),
     uses=["1.33.4", "1.34"],
 )
 
@@ -271,7 +264,6 @@ boundary_in_delta = claim(
     ),
     equation=derivation.boundary_in_delta,
     keeping=("b", "Delta"),
-    by=identity,
     uses=["1.34", "1.34.2"],
 )
 
@@ -286,7 +278,6 @@ discriminant_of_boundary = claim(
     ),
     where=derivation.discriminant_in_delta,
     keeping=("b", "Delta"),
-    by=identity,
     uses=["1.34.3"],
 )
 

@@ -32,7 +32,6 @@ from symcheck.papers.ignatov2005.rows import (
     vector,
 )
 from symcheck.papers.listing import EdgeRow, FaceRow, Label, Row, Unreadable, VertexRow
-from symcheck.proof import identity
 
 GRAVEST = ("missing cell", "label", "letter", "function", "coefficient", "number", "sign", "rounding")
 EXPONENTS = {"1": 2, "-1": 0, "u": 1, "v": 1}
@@ -237,7 +236,6 @@ def _whole(listed: Listed) -> Claim:
         min(row.line for row, _ in listed.pairs),
         words=WHOLE[listed.letter],
         states=tuple(part.states for part in stated),
-        by=identity,
         errata=errata,
         notation=listed.array.notation,
         where=listed.array.where,

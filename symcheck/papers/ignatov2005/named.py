@@ -16,7 +16,6 @@ from symcheck.papers.declare import claim
 from symcheck.papers.ignatov2005.listed import Block, Declared, each_once
 from symcheck.papers.ignatov2005.rows import AND, pattern_of, vector
 from symcheck.papers.listing import Label
-from symcheck.proof import identity
 from symcheck.reading import Notation
 
 _MATH = re.compile(r"\$([^$]+)\$")  # mathematics within a sentence
@@ -131,7 +130,6 @@ def every_one_once(
         line or named[0].line,
         words=words,
         states=AND.join(part.states for part in parts),
-        by=identity,
         uses=[f"{of.section}{labels[0].letter}.0"],
         notation=notation,
     )

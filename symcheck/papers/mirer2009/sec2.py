@@ -2,7 +2,7 @@
 
 from symcheck.core.claims import Erratum, Hypothesis
 from symcheck.core.verdicts import Origin
-from symcheck.papers.declare import Scope, body, claim, definition, exclusion, ours, premise
+from symcheck.papers.declare import Scope, body, by_cases, claim, definition, exclusion, ours, premise
 from symcheck.papers.mirer2009 import derivation
 from symcheck.papers.mirer2009.forms import ALIGNED, PARALLEL, deficit_of_product, excess_of_product, excess_of_sum
 from symcheck.papers.mirer2009.hypotheses import (
@@ -19,8 +19,8 @@ from symcheck.papers.mirer2009.hypotheses import (
 from symcheck.papers.mirer2009.notation import ellipsoid_letters, family_letters, turned_letters
 from symcheck.proof import cases, existence, identity, nonnegative
 
-cosines = Scope(where=derivation.direction_cosines, by=identity)
-axial = Scope(where=derivation.axial_moments, by=identity)
+cosines = Scope(where=derivation.direction_cosines)
+axial = Scope(where=derivation.axial_moments)
 of_mass = Scope(where=derivation.moments_of_a_mass_distribution)
 
 EQUAL_MOMENTS = r"(J_1 = J_2 = J_3)"
@@ -59,13 +59,12 @@ axial_moment = axial.claim(
     r"J_i = \sum_{k=1}^3 I_k a_{ik}^2.",
 )
 
-moments_are_not_negative = ours(
+moments_are_not_negative = by_cases.ours(
     "2.0.5",
     159,
     words="No J_i is negative.",
     states=r"(J_1 \geq 0) \land (J_2 \geq 0) \land (J_3 \geq 0)",
     given=[non_negative_moments],
-    by=cases(),
     uses=["2.0.4"],
 )
 
@@ -180,7 +179,6 @@ trace_is_invariant = claim(
     177,
     r"J_1 + J_2 + J_3 = I_1 + I_2 + I_3 = 3c",
     given=[orthogonal],
-    by=identity,
     uses=["2.1.6"],
 )
 
@@ -197,14 +195,13 @@ product_at_given_moment = claim(
     free=("J", "L"),
 )
 
-equality_at_given_moment = claim(
+equality_at_given_moment = by_cases.claim(
     "2.2.1",
     183,
     "J_1 = J_3",
     words="(2.2) is an equality at J_1 = J_3.",
     states=r"J_1 = J_3 \Rightarrow f = \frac{1}{4} J_2 (3c - J_2)^2",
     given=[orthogonal],
-    by=cases(),
     uses=["2.2"],
     lemmas=["2.1.7a"],
     free=("J", "L"),
@@ -242,13 +239,12 @@ triangle_inequalities_by_trace = of_mass.claim(
     uses=["2.2.4"],
 )
 
-triangle_forms_are_equivalent = claim(
+triangle_forms_are_equivalent = by_cases.claim(
     "2.3.1",
     193,
     words="The inequalities (2.3) are equivalent to the triangle inequalities 2.2.4.",
     states=r"I_1 + I_2 + I_3 - 2 I_1 = I_2 + I_3 - I_1, I_1 + I_2 + I_3 - 2 I_2 = I_3 + I_1 - I_2, "
     r"I_1 + I_2 + I_3 - 2 I_3 = I_1 + I_2 - I_3",
-    by=cases(),
     uses=["2.2.4", "2.3"],
 )
 
@@ -262,9 +258,7 @@ weighted_triangle_inequality = of_mass.claim(
     uses=["2.3", "2.1.6"],
 )
 
-second_row_is_a_unit_vector = claim(
-    "2.3.3", 201, r"a_{21}^2 + a_{22}^2 + a_{23}^2 = 1", given=[orthogonal], by=identity
-)
+second_row_is_a_unit_vector = claim("2.3.3", 201, r"a_{21}^2 + a_{22}^2 + a_{23}^2 = 1", given=[orthogonal])
 
 moment_at_most_three_halves_mean = of_mass.claim(
     "2.3.4",
@@ -281,7 +275,6 @@ derivatives_of_bound = claim(
     207,
     r"\frac{df_1}{dJ_2} = \frac{3}{4}(3c - J_2)(c - J_2), \quad \frac{d^2 f_1}{dJ_2^2} = \frac{3}{2}(J_2 - 2c),",
     keeping=("J", "c"),
-    by=identity,
     uses=["2.2.2"],
 )
 
@@ -314,13 +307,12 @@ maximum_of_product = claim(
     free=("J", "L"),
 )
 
-maximum_at_equal_moments = claim(
+maximum_at_equal_moments = by_cases.claim(
     "2.3.8",
     209,
     "J_1 = J_2 = J_3 = c",
     words="The value c^3 is reached when all three moments are c.",
     states=r"J_1 = J_2 = J_3 = c \Rightarrow f = c^3",
-    by=cases(),
     keeping=("J", "c"),
     uses=["2.3.7"],
 )
@@ -333,14 +325,13 @@ equal_moment_conditions = axial.claim(
     uses=["2.0.4"],
 )
 
-two_conditions_suffice = claim(
+two_conditions_suffice = by_cases.claim(
     "2.4.1",
     215,
     words="Of the three conditions (2.4) any two imply the third.",
     states=r"(J_1 = c \land J_2 = c \Rightarrow J_3 = c) \land (J_2 = c \land J_3 = c \Rightarrow J_1 = c) \land "
     r"(J_3 = c \land J_1 = c \Rightarrow J_2 = c)",
     given=[orthogonal],
-    by=cases(),
     uses=["2.4", "2.1.7"],
     lemmas=["2.1.7a"],
     free=("J", "L"),
@@ -368,7 +359,6 @@ orthonormal_rows = claim(
     r"\begin{aligned} a_{11}^2 + a_{12}^2 + a_{13}^2 &= 1, \\ a_{21}^2 + a_{22}^2 + a_{23}^2 &= 1, \\ "
     r"a_{11}a_{21} + a_{12}a_{22} + a_{13}a_{23} &= 0. \end{aligned}",
     given=[orthogonal],
-    by=identity,
 )
 
 one_parameter_family = claim(
@@ -398,22 +388,20 @@ figure_of_the_angles = exclusion(
     "are derived from",
 )
 
-angles_make_rows_orthonormal = cosines.claim(
+angles_make_rows_orthonormal = cosines.by_cases.claim(
     "2.7.3",
     232,
     words="With the three angles the conditions (2.7) hold of themselves.",
     states=body(orthonormal_rows),
-    by=cases(),
     uses=["2.7", "2.7.2"],
 )
 
-second_row_along_a_diagonal = claim(
+second_row_along_a_diagonal = by_cases.claim(
     "2.7.4",
     234,
     r"a_{21}^2 = a_{22}^2 = a_{23}^2 = 1/3",
     words="(2.6) holds when the squares of the second row are 1/3 each.",
     states=r"a_{21}^2 = a_{22}^2 = a_{23}^2 = 1/3 \Rightarrow J_2 = c",
-    by=cases(),
     uses=["2.6"],
 )
 
@@ -471,13 +459,12 @@ cosine_33 = cosines.claim(
     r"a_{33} = \cos \alpha \cos \gamma - \sin \alpha \sin \beta \sin \gamma,",
 )
 
-angles_of_the_diagonal = cosines.claim(
+angles_of_the_diagonal = cosines.by_cases.claim(
     "2.7.14",
     256,
     (r"\sin^2 \beta = 1/3", r"\sin^2 \gamma = 1/2"),
     words="In the angles, the second row has squares 1/3 exactly when sin^2 beta = 1/3 and sin^2 gamma = 1/2.",
     states=r"(\sin^2 \beta = 1/3 \land \sin^2 \gamma = 1/2) \Leftrightarrow (a_{21}^2 = a_{22}^2 = a_{23}^2 = 1/3)",
-    by=cases(),
     uses=["2.7.4", "2.7.8", "2.7.9", "2.7.10"],
 )
 
@@ -517,7 +504,7 @@ first_moment_is_the_mean = Hypothesis(
     "first moment is the mean", "relation 2.8.1: J_1 = c in terms of alpha", body(equal_moment_equation)
 )
 
-pitch_of_equal_moments = claim(
+pitch_of_equal_moments = by_cases.claim(
     "2.9",
     276,
     r"\operatorname{tg} 2\alpha = \sqrt{3} \frac{I_1 - c}{I_2 - I_3}.",
@@ -525,18 +512,16 @@ pitch_of_equal_moments = claim(
         first_moment_is_the_mean,
         Hypothesis("I_2, I_3 distinct", "I_2 and I_3 differ (line 278)", r"I_2 \neq I_3"),
     ],
-    by=cases(),
     uses=["2.8.1"],
 )
 
-two_equal_moments = claim(
+two_equal_moments = by_cases.claim(
     "2.9.1",
     278,
     ("I_2 = I_3", r"\cos 2\alpha = 0"),
     words="When I_2 = I_3, relation 2.8.1 says cos 2 alpha = 0.",
     states=r"I_2 = I_3 \Rightarrow \cos 2\alpha = 0",
     given=[first_moment_is_the_mean, positive_moments],
-    by=cases(),
     uses=["2.8.1", "2.9"],
     errata={
         "": Erratum(
@@ -553,13 +538,12 @@ two_equal_moments = claim(
     },
 )
 
-pitch_of_two_equal_moments = claim(
+pitch_of_two_equal_moments = by_cases.claim(
     "2.9.2",
     278,
     r"\alpha = \pi/4",
     words="When I_2 = I_3, alpha = pi/4 (sin alpha = cos alpha) satisfies 2.8.1.",
     states=rf"(I_2 = I_3 \land \sin \alpha = \cos \alpha) \Rightarrow {body(equal_moment_equation)}",
-    by=cases(),
     uses=["2.8.1"],
 )
 
@@ -580,14 +564,13 @@ equal_moments_are_possible = claim(
     notation=turned_letters,
 )
 
-turned_axes_are_orthonormal = ours(
+turned_axes_are_orthonormal = by_cases.ours(
     "2.9.5",
     282,
     words="The axes of 2.9.4 are orthonormal and right-handed.",
     states=r"\mathbf{A}\mathbf{A}^T = \mathbf{U} \land |\mathbf{A}| = 1",
     given=[Hypothesis("circle", "u and v are a cosine and a sine", "u^2 + v^2 = 1")],
     where=derivation.turned_about_the_diagonal,
-    by=cases(),
     notation=turned_letters,
 )
 
@@ -607,12 +590,11 @@ form_of_the_ellipsoid = ours(
     states=r"\left(\frac{a_{i1} d}{a}\right)^2 + \left(\frac{a_{i2} d}{b}\right)^2 + \left(\frac{a_{i3} d}{c}\right)^2 = J_i d^2",
     given=[semi_axes],
     where=derivation.reciprocal_squares,
-    by=identity,
     uses=["1.3.1"],
     notation=ellipsoid_letters,
 )
 
-ellipsoid_interpretation = claim(
+ellipsoid_interpretation = by_cases.claim(
     "2.9.7",
     286,
     r"\frac{1}{d^2} = \frac{1}{3} \left(\frac{1}{a^2} + \frac{1}{b^2} + \frac{1}{c^2} \right).",
@@ -625,7 +607,6 @@ ellipsoid_interpretation = claim(
         Hypothesis("distance", "the distance is positive", "d > 0", printed=False),
     ],
     where=derivation.reciprocal_squares,
-    by=cases(),
     uses=["2.9.4", "2.9.6"],
     notation=ellipsoid_letters,
     lemmas=["2.1.7a"],
@@ -664,7 +645,6 @@ squares_are_squared_cofactors = claim(
     r"\begin{aligned} a_{21}^2 &= (a_{12}a_{33} - a_{13}a_{32})^2, \\ a_{22}^2 &= (a_{13}a_{31} - a_{11}a_{33})^2, \\ "
     r"a_{23}^2 &= (a_{11}a_{32} - a_{12}a_{31})^2. \end{aligned}",
     given=[orthogonal],
-    by=identity,
 )
 
 square_of_cofactor_step_by_step = claim(
@@ -674,7 +654,6 @@ square_of_cofactor_step_by_step = claim(
     r"&= (a_{12}^2 + a_{13}^2)(a_{32}^2 + a_{33}^2) - (a_{12}a_{32} + a_{13}a_{33})^2 = \\ "
     r"&= a_{12}^2 a_{33}^2 + a_{13}^2 a_{32}^2 - 2a_{12}a_{33}a_{13}a_{32} = (a_{12}a_{33} - a_{13}a_{32})^2. \end{aligned}",
     given=[orthogonal],
-    by=identity,
     uses=["2.7"],
 )
 
@@ -695,7 +674,6 @@ product_of_two_moments_step_by_step = claim(
  &= (I_1 a_{11} a_{31} + I_2 a_{12} a_{32} + I_3 a_{13} a_{33})^2 + I_1 I_2 (a_{11} a_{32} - a_{12} a_{31})^2 + \\
  &+ I_2 I_3 (a_{12} a_{33} - a_{13} a_{32})^2 + I_3 I_1 (a_{13} a_{31} - a_{11} a_{33})^2,
  \end{aligned}""",
-    by=identity,
     uses=["1.3.1"],
 )
 
@@ -705,7 +683,6 @@ product_of_axial_moments = claim(
     r"J_1 J_3 = (I_1 a_{11} a_{31} + I_2 a_{12} a_{32} + I_3 a_{13} a_{33})^2 "
     r"+ I_1 I_2 a_{23}^2 + I_2 I_3 a_{21}^2 + I_3 I_1 a_{22}^2.",
     given=[orthogonal],
-    by=identity,
     uses=["2.11", "2.11.3"],
 )
 
@@ -718,7 +695,6 @@ product_with_second_moment_step_by_step = claim(
  &= I_1 I_2 I_3 (a_{21}^4 + a_{22}^4 + a_{23}^4) + \\
  &+ I_1 (I_2^2 + I_3^2) a_{22}^2 a_{23}^2 + I_2 (I_3^2 + I_1^2) a_{23}^2 a_{21}^2 + I_3 (I_1^2 + I_2^2) a_{21}^2 a_{22}^2
  \end{aligned}""",
-    by=identity,
     uses=["1.3.1"],
 )
 
@@ -730,7 +706,6 @@ product_with_second_moment = claim(
  &+ I_1 (I_2 - I_3)^2 a_{22}^2 a_{23}^2 + I_2 (I_3 - I_1)^2 a_{23}^2 a_{21}^2 + I_3 (I_1 - I_2)^2 a_{21}^2 a_{22}^2.
  \end{aligned}""",
     given=[orthogonal],
-    by=identity,
     uses=["2.12.1"],
 )
 
@@ -768,7 +743,6 @@ product_and_its_excess = ours(
     words="The same expansion with J_2 for the sum it stands for.",
     states=rf"J_1 J_2 J_3 = I_1 I_2 I_3 + {excess_of_product}",
     given=[orthogonal],
-    by=identity,
     uses=["2.13.1"],
 )
 
@@ -797,7 +771,7 @@ equality_conditions_are_necessary = ours(
 )
 
 rows_one_and_three_are_orthogonal = claim(
-    "2.16", 350, r"a_{11} a_{31} + a_{12} a_{32} + a_{13} a_{33} = 0.", given=[orthogonal], by=identity
+    "2.16", 350, r"a_{11} a_{31} + a_{12} a_{32} + a_{13} a_{33} = 0.", given=[orthogonal]
 )
 
 chain_of_inequations = premise(
@@ -843,17 +817,16 @@ six_cases = claim(
     free=("J", "L"),
 )
 
-six_cases_are_collinear_axes = claim(
+six_cases_are_collinear_axes = by_cases.claim(
     "2.17.1",
     360,
     words="In all cases (2.17) each axis y_i is collinear with an axis x_k.",
     states=rf"({SIX_CASES}) \Rightarrow {PARALLEL}",
     given=[orthogonal],
-    by=cases(),
     uses=["2.17"],
 )
 
-right_handed_cases = claim(
+right_handed_cases = by_cases.claim(
     "2.17.2",
     360,
     r"|\mathbf{A}| = 1",
@@ -862,17 +835,15 @@ right_handed_cases = claim(
     r"(\mathbf{e}_1 = \mathbf{e}_2 \times \mathbf{e}_3 \land \mathbf{e}_2 = \mathbf{e}_3 \times \mathbf{e}_1 \land "
     r"\mathbf{e}_3 = \mathbf{e}_1 \times \mathbf{e}_2)",
     given=[orthogonal],
-    by=cases(),
     uses=["2.17"],
 )
 
-selection_is_needed = ours(
+selection_is_needed = by_cases.ours(
     "2.17.3",
     360,
     words="The selection is needed: in each of the six cases, with the signs of a row changed, |A| changes its sign; so it is 1 or -1.",
     states=rf"({SIX_CASES}) \Rightarrow |\mathbf{{A}}|^2 = 1 \land |\operatorname{{diag}}(-1, 1, 1)\mathbf{{A}}| = -|\mathbf{{A}}|",
     given=[orthogonal],
-    by=cases(),
     uses=["2.17", "2.17.2"],
 )
 
@@ -909,7 +880,6 @@ sum_of_products_step_by_step = claim(
         r"&\quad + I_3(I_1 - I_2)^2 (a_{11}^2 a_{12}^2 + a_{21}^2 a_{22}^2 + a_{31}^2 a_{32}^2), \end{aligned}",
     ),
     given=[orthogonal],
-    by=identity,
     uses=["1.3.1", "2.19"],
     lines={"c": 382},
 )
@@ -920,7 +890,6 @@ sum_and_its_excess = ours(
     words="The same expansion as one sum over the rows.",
     states=rf"J_1 L_1 + J_2 L_2 + J_3 L_3 = 3 I_1 I_2 I_3 + {excess_of_sum}",
     given=[orthogonal],
-    by=identity,
     uses=["2.19.1"],
 )
 
@@ -955,12 +924,11 @@ row_conditions_are_necessary = ours(
     free=("J", "L"),
 )
 
-row_conditions_are_the_six_cases = claim(
+row_conditions_are_the_six_cases = by_cases.claim(
     "2.20.1",
     388,
     words="(2.20) holds only in the cases (2.17).",
     states=rf"{body(conditions_on_all_rows)} \Rightarrow ({SIX_CASES})",
     given=[orthogonal],
-    by=cases(),
     uses=["2.17", "2.20"],
 )
