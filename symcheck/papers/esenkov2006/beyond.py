@@ -4,14 +4,14 @@ Square roots appear as letters, u^2 = E_n (1 - b_n), v^2 = b_n (A - E_n), u, v >
 """
 
 from symcheck.core.claims import Hypothesis
-from symcheck.papers.declare import Scope, by_cases, ours
+from symcheck.papers.declare import by_cases, ours
 from symcheck.papers.esenkov2006 import derivation
 from symcheck.papers.esenkov2006.hypotheses import liquid_is_part, liquid_moves
 from symcheck.papers.esenkov2006.notation import root_letters, three_modes
+from symcheck.papers.esenkov2006.scopes import in_b, in_b_and_delta, in_delta, of_roots
 from symcheck.papers.esenkov2006.second_text import BOUNDARY, DISCRIMINANT, QUADRATIC
-from symcheck.proof import cases, existence, identity, nonnegative
+from symcheck.proof import existence, identity, nonnegative
 
-of_roots = Scope(root_letters, by=cases())
 LINEAR = r"(\Delta\omega_0 + \omega_0 E_1 - A\lambda_1)"  # coefficient of eta in (1.33)
 MIDDLE = r"(E_n(1 - b_n) + b_n(A - E_n))"  # minus the mean of the two boundaries
 PRODUCT = r"E_n(1 - b_n)b_n(A - E_n)"
@@ -47,13 +47,12 @@ inertia_of_a_mode = ours(
     notation=three_modes,
 )
 
-real_root_needs_discriminant = by_cases.ours(
+real_root_needs_discriminant = in_delta.by_cases.ours(
     "B.2",
     34,
     words="A real root needs D >= 0: then D is the square of the derivative there.",
     states=rf"{QUADRATIC} = 0 \Rightarrow {DISCRIMINANT} = (2(A - E_1)\eta + {LINEAR})^2",
     uses=["1.33", "1.33.3"],
-    keeping=("Delta",),
 )
 
 zero_discriminant_has_a_real_root = of_roots.ours(
@@ -70,14 +69,13 @@ zero_discriminant_has_a_real_root = of_roots.ours(
     keeping=("Delta",),
 )
 
-double_root = ours(
+double_root = in_delta.ours(
     "B.4",
     34,
     words="At D = 0 the root is double.",
     states=rf"4(A - E_1)({QUADRATIC}) = (2(A - E_1)\eta + {LINEAR})^2",
     given=[double],
     uses=["B.2"],
-    keeping=("Delta",),
 )
 
 growth_at_the_double_root = by_cases.ours(
@@ -109,25 +107,23 @@ complex_pair = by_cases.ours(
     notation=root_letters,
 )
 
-boundary_as_difference = ours(
+boundary_as_difference = in_b_and_delta.ours(
     "B.7",
     34,
     words="The square completed in 1.34.3.",
     states=rf"{BOUNDARY} = (\Delta + {MIDDLE})^2 - 4{PRODUCT}",
     uses=["1.34.3", "1.34.4"],
-    keeping=("b", "Delta"),
 )
 
-discriminant_by_boundary = ours(
+discriminant_by_boundary = in_delta.ours(
     "B.8",
     34,
     words="D has the sign of the left side of 1.34.3.",
     states=rf"{DISCRIMINANT} = \omega_0^2({BOUNDARY})",
     uses=["1.33.3", "1.34.3"],
-    keeping=("Delta",),
 )
 
-stable_against_the_spin = ours(
+stable_against_the_spin = in_b_and_delta.ours(
     "B.9",
     34,
     words="If b_n < 0 the frequencies are real and distinct for every C - A.",
@@ -135,10 +131,9 @@ stable_against_the_spin = ours(
     given=[liquid_moves, liquid_is_part, against_the_spin],
     by=nonnegative(rf"(\Delta + {MIDDLE})^2 + 4E_n(-b_n)(1 + (-b_n))(A - E_n)"),
     uses=["B.7", "B.8"],
-    keeping=("b", "Delta"),
 )
 
-stable_faster_than_the_spin = ours(
+stable_faster_than_the_spin = in_b_and_delta.ours(
     "B.10",
     34,
     words="So they are if b_n > 1.",
@@ -146,7 +141,6 @@ stable_faster_than_the_spin = ours(
     given=[liquid_moves, liquid_is_part, faster_than_the_spin],
     by=nonnegative(rf"(\Delta + {MIDDLE})^2 + 4E_n((b_n - 1) + 1)(b_n - 1)(A - E_n)"),
     uses=["B.7", "B.8"],
-    keeping=("b", "Delta"),
 )
 
 boundary_in_factors = of_roots.ours(
@@ -157,7 +151,6 @@ boundary_in_factors = of_roots.ours(
     given=[roots],
     by=identity,
     uses=["1.35"],
-    keeping=("b", "Delta"),
 )
 
 inside = Hypothesis("inside", "C - A lies between the two boundaries", r"-(u + v)^2 < \Delta, \Delta < -(u - v)^2")
@@ -172,7 +165,6 @@ unstable_interval = of_roots.ours(
     given=[roots, inside],
     by=nonnegative(r"(\Delta + (u + v)^2)(-(u - v)^2 - \Delta)"),
     uses=["B.11"],
-    keeping=("b", "Delta"),
 )
 
 stable_below = of_roots.ours(
@@ -183,7 +175,6 @@ stable_below = of_roots.ours(
     given=[roots, below],
     by=nonnegative(r"(-(u + v)^2 - \Delta)((-(u + v)^2 - \Delta) + 4uv)"),
     uses=["B.11"],
-    keeping=("b", "Delta"),
 )
 
 stable_above = of_roots.ours(
@@ -194,16 +185,14 @@ stable_above = of_roots.ours(
     given=[roots, above],
     by=nonnegative(r"(\Delta + (u - v)^2)((\Delta + (u - v)^2) + 4uv)"),
     uses=["B.11"],
-    keeping=("b", "Delta"),
 )
 
-unstable_interval_without_roots = by_cases.ours(
+unstable_interval_without_roots = in_b_and_delta.by_cases.ours(
     "B.15",
     34,
     words="The same without square roots: the distance of C - A from the middle, squared, is below 4 E_n (1 - b_n) b_n (A - E_n).",
     states=rf"{BOUNDARY} < 0 \Leftrightarrow (\Delta + {MIDDLE})^2 < 4{PRODUCT}",
     uses=["B.7"],
-    keeping=("b", "Delta"),
 )
 
 width = of_roots.ours(
@@ -216,7 +205,7 @@ width = of_roots.ours(
     keeping=("b",),
 )
 
-width_is_positive = ours(
+width_is_positive = in_b.ours(
     "B.17",
     34,
     words="It is not empty for 0 < b_n < 1.",
@@ -224,10 +213,9 @@ width_is_positive = ours(
     given=[liquid_moves, liquid_is_part, resonant],
     by=nonnegative(PRODUCT),
     uses=["B.16"],
-    keeping=("b",),
 )
 
-flattened_body_is_stable = ours(
+flattened_body_is_stable = in_b_and_delta.ours(
     "B.18",
     34,
     words="Instability needs C < A: with 0 <= b_n <= 1 and C >= A the left side of 1.34.3, and D with it, is not negative.",
@@ -236,7 +224,6 @@ flattened_body_is_stable = ours(
     by=nonnegative(r"\Delta^2 + 2\Delta(b_n(A - E_n) + E_n(1 - b_n)) + (Ab_n - E_n)^2"),
     equality=r"\Delta = 0, Ab_n = E_n",
     uses=["B.9", "B.10", "B.12"],
-    keeping=("b", "Delta"),
 )
 
 boundary_touches_equal_moments = of_roots.ours(
@@ -267,16 +254,15 @@ lower_end_is_a_body = of_roots.ours(
     keeping=("b",),
 )
 
-value_without_axial_moment = by_cases.ours(
+value_without_axial_moment = in_b_and_delta.by_cases.ours(
     "B.21",
     34,
     words="The same without square roots: at C = 0 the left side of 1.34.3 is a square.",
     states=rf"\Delta = -A \Rightarrow {BOUNDARY} = (A(1 - b_n) - E_n)^2",
     uses=["1.34.3"],
-    keeping=("b", "Delta"),
 )
 
-mode_at_rest = by_cases.ours(
+mode_at_rest = in_b_and_delta.by_cases.ours(
     "B.22",
     34,
     words="At b_n = 0 the interval shrinks to C - A = -E_n; one frequency is zero, the other -(Delta + E_n) omega_0 / (A - E_n).",
@@ -285,10 +271,9 @@ mode_at_rest = by_cases.ours(
         r"\lambda_n", r"b_n\omega_0"
     ),
     uses=["1.33", "1.34.3"],
-    keeping=("b", "Delta"),
 )
 
-mode_at_the_spin = by_cases.ours(
+mode_at_the_spin = in_b_and_delta.by_cases.ours(
     "B.23",
     34,
     words="At b_n = 1 it shrinks to C - A = -(A - E_n), C = E_n; one frequency is omega_0, the other -Delta omega_0 / (A - E_n).",
@@ -297,20 +282,18 @@ mode_at_the_spin = by_cases.ours(
         r"\lambda_n", r"b_n\omega_0"
     ),
     uses=["1.33", "1.34.3"],
-    keeping=("b", "Delta"),
 )
 
-mode_is_everything = by_cases.ours(
+mode_is_everything = in_b_and_delta.by_cases.ours(
     "B.24",
     34,
     words="At A = E_n it shrinks to C - A = -E_n (1 - b_n), and (1.33) is of first degree: one frequency has gone to infinity.",
     states=rf"A = E_n \Rightarrow ({BOUNDARY} = (\Delta + E_n(1 - b_n))^2 \land "
     rf"{QUADRATIC} = \omega_0((\Delta + E_n(1 - b_n))\eta - \Delta b_n\omega_0))".replace(r"\lambda_1", r"b_n\omega_0"),
     uses=["1.33", "1.34.3"],
-    keeping=("b", "Delta"),
 )
 
-more_than_the_body = ours(
+more_than_the_body = in_b_and_delta.ours(
     "B.25",
     34,
     words="That the mode is part of the body matters: with E_n > A the roles are exchanged, and 0 < b_n < 1 is stable for every C - A.",
@@ -318,7 +301,6 @@ more_than_the_body = ours(
     given=[liquid_moves, resonant, Hypothesis("more than the body", "E_n > A", "E_n > A")],
     by=nonnegative(rf"(\Delta + {MIDDLE})^2 + 4E_n(1 - b_n)b_n(E_n - A)"),
     uses=["B.7"],
-    keeping=("b", "Delta"),
 )
 
 
@@ -336,7 +318,6 @@ critical_frequency_above = of_roots.ours(
     states=_critical("-", "+"),
     given=[roots],
     uses=["B.4", "B.11"],
-    keeping=("b", "Delta"),
 )
 
 critical_frequency_below = of_roots.ours(
@@ -346,10 +327,9 @@ critical_frequency_below = of_roots.ours(
     states=_critical("+", "-"),
     given=[roots],
     uses=["B.4", "B.11"],
-    keeping=("b", "Delta"),
 )
 
-boundaries_by_their_sum = ours(
+boundaries_by_their_sum = in_b.ours(
     "B.28",
     34,
     words="The width once more from the coefficients of 1.34.3.",
@@ -362,7 +342,6 @@ boundaries_by_their_sum = ours(
         )
     ],
     uses=["1.34.4"],
-    keeping=("b",),
 )
 
 value_at_the_natural_frequency = by_cases.ours(

@@ -10,6 +10,7 @@ from symcheck.papers.declare import by_cases, ours
 from symcheck.papers.esenkov2006 import derivation, first_text, second_text
 from symcheck.papers.esenkov2006.hypotheses import body_has_mass, spinning
 from symcheck.papers.esenkov2006.notation import comparison_letters, notation, sign_letters, three_modes
+from symcheck.papers.esenkov2006.scopes import in_b
 from symcheck.reading import Letter
 
 all_positive = Hypothesis(
@@ -157,13 +158,12 @@ lost_term = ours(
     uses=["2.3.2"],
 )
 
-lost_ratio = by_cases.ours(
+lost_ratio = in_b.by_cases.ours(
     "C.10",
     34,
     words="The square in 1.34.3 taken literally, without b_n, would be right only for b_n = 1, or for the one ratio b_n = 2 E_n / A - 1.",
     states=r"(A - E_n)^2 = (Ab_n - E_n)^2 \Leftrightarrow (b_n = 1 \lor A(1 + b_n) = 2E_n)",
     given=[body_has_mass],
-    keeping=("b",),
     uses=["1.34.3"],
 )
 

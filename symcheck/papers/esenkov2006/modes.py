@@ -13,10 +13,10 @@ from symcheck.core.claims import Hypothesis
 from symcheck.papers.declare import Scope, ours
 from symcheck.papers.esenkov2006 import derivation
 from symcheck.papers.esenkov2006.notation import mode_letters, retaining, weight_letters
-from symcheck.proof import cases, identity, nonnegative
+from symcheck.proof import cases, nonnegative
 from symcheck.reading import Letter
 
-modes = Scope(mode_letters, partial(derivation.left_side, 3), identity)
+modes = Scope(mode_letters, partial(derivation.left_side, 3))
 at_frequencies = Scope(mode_letters, partial(derivation.values_at_natural_frequencies, 3), cases())
 
 LEFT_SIDE = r"A\eta + (C - A)\omega_0 - \eta(\eta - \omega_0)\sum_{n=1}^{%d} \frac{E_n}{\eta - \lambda_n}"

@@ -258,7 +258,7 @@ NAMED_OF_FOUR = named.in_sentence(named.VERTICES_OF_FOUR)
 def vertices_named(notation: Notation, stem: str, far: Sequence[Named]) -> Scope:
     """With d_1, d_2, ... for the distances of the vertices that are named first with them."""
     each = ", ".join(f"{stem}_{group.labels[0].index}" for group in far)
-    return Scope(notation, partial(derivation.vertex_distances, each), identity)
+    return Scope(notation, partial(derivation.vertex_distances, each))
 
 
 vertices = vertices_named(four_wheels, "V", NAMED_OF_FOUR)
@@ -432,7 +432,7 @@ def row_of_distances(scope: Scope, number: str, row: Sequence[Named]) -> Claim:
     )
 
 
-table_3 = Scope(four_wheels, partial(derivation.distances_of_faces, *FACES_OF_P), identity)
+table_3 = Scope(four_wheels, partial(derivation.distances_of_faces, *FACES_OF_P))
 NAMED_IN_TABLE_3 = named.in_columns(named.TABLE_3)
 ABOVE_THE_EMPTY_CELL, EMPTY_CELL = NAMED_IN_TABLE_3[2], NAMED_IN_TABLE_3[5]
 
@@ -684,7 +684,7 @@ faces_of_table_5 = named.every_one_once(
 )
 
 table_5 = row_of_distances(
-    Scope(three_of_four, partial(derivation.distances_of_faces, *FACES_OF_THREE), identity), "T5.1", NAMED_IN_TABLE_5
+    Scope(three_of_four, partial(derivation.distances_of_faces, *FACES_OF_THREE)), "T5.1", NAMED_IN_TABLE_5
 )
 
 

@@ -369,7 +369,6 @@ def moments_of_inertia(craft: Scope, number: str, line: int, words: str) -> Prem
 four = Wheels(
     notation=four_wheels,
     where=partial(derivation.momentum_of_wheels, 4),
-    by=identity,
     wheels=4,
     array=lists.four,
     unit=("", r"\sin^2 a \cos a \sin b \cos b"),
@@ -386,7 +385,6 @@ three = replace(
 six = Wheels(
     notation=six_wheels,
     where=partial(derivation.momentum_of_six, 6),
-    by=identity,
     wheels=6,
     array=lists.six,
     unit=(r"\frac{\sqrt{3}}{4}", r"\sin^2 a \cos a"),

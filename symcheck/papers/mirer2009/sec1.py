@@ -4,7 +4,7 @@ from functools import partial
 
 from symcheck.core.claims import Damage, Erratum, Hypothesis
 from symcheck.core.verdicts import Origin
-from symcheck.papers.declare import Scope, body, by_cases, claim, definition, exclusion, ours, premise
+from symcheck.papers.declare import body, by_cases, claim, definition, exclusion, ours, premise
 from symcheck.papers.mirer2009 import derivation
 from symcheck.papers.mirer2009.forms import ALIGNED, PARALLEL, excess_of_product, excess_of_sum
 from symcheck.papers.mirer2009.hypotheses import (
@@ -17,9 +17,8 @@ from symcheck.papers.mirer2009.hypotheses import (
     symmetric_damping,
 )
 from symcheck.papers.mirer2009.notation import damping_letters, torque_letters
+from symcheck.papers.mirer2009.scopes import free_moments, from_lemmas_in_moments, in_moments, proportional
 from symcheck.proof import cases, identity, nonnegative
-
-proportional = Scope(where=derivation.proportional_gains)
 
 angular_momentum_law = premise("1.0.1", 45, r"\frac{d\mathbf{K}}{dt} = \mathbf{M}")
 
@@ -230,7 +229,6 @@ moments_and_scaled_gains = definition(
     r"\bar{k}_i &= k_i / J_i. \end{aligned}",
 )
 
-free_moments = ("J", "L")
 
 characteristic_polynomial_by_axes = ours(
     "1.3.2",
@@ -242,13 +240,12 @@ characteristic_polynomial_by_axes = ours(
     uses=["1.3", "1.3.1"],
 )
 
-characteristic_polynomial_by_minors = ours(
+characteristic_polynomial_by_minors = in_moments.ours(
     "1.3.3",
     107,
     words="It is what Cauchy-Binet gives: gains of some axes times minors of I p left to the others.",
     states=characteristic_polynomial_by_axes.statement.states,
     equation=derivation.characteristic_polynomial_by_axes,
-    keeping=free_moments,
     uses=["1.3.2"],
 )
 
@@ -307,7 +304,6 @@ characteristic_equation_in_common_gain = proportional.claim(
     "1.5",
     121,
     r"I_1 I_2 I_3 p^3 + k(J_1 L_1 + J_2 L_2 + J_3 L_3) p^2 + (3p + k) k^2 J_1 J_2 J_3 = 0.",
-    keeping=free_moments,
     equation=derivation.characteristic_polynomial_by_axes,
     uses=["1.3.3", "1.4", "1.4.4"],
 )
@@ -337,7 +333,6 @@ triple_root_square_coefficient = proportional.claim(
     "1.5.4",
     127,
     r"3\xi I_1 I_2 I_3 = k(J_1 L_1 + J_2 L_2 + J_3 L_3),",
-    keeping=free_moments,
     equation=partial(derivation.triple_root_condition, 2),
     uses=["1.3.3", "1.5"],
 )
@@ -346,7 +341,6 @@ triple_root_linear_coefficient = proportional.claim(
     "1.5.5",
     129,
     r"3\xi^2 I_1 I_2 I_3 = 3k^2 J_1 J_2 J_3,",
-    keeping=free_moments,
     equation=partial(derivation.triple_root_condition, 1),
     uses=["1.3.3", "1.5"],
 )
@@ -355,7 +349,6 @@ triple_root_constant_coefficient = proportional.claim(
     "1.5.6",
     131,
     r"\xi^3 I_1 I_2 I_3 = k^3 J_1 J_2 J_3,",
-    keeping=free_moments,
     equation=partial(derivation.triple_root_condition, 0),
     uses=["1.3.3", "1.5"],
 )
@@ -365,39 +358,35 @@ triple_root = Hypothesis(
     "(1.5) has the triple root p = -xi: relations 1.5.4 to 1.5.6",
     body(triple_root_square_coefficient, triple_root_linear_coefficient, triple_root_constant_coefficient),
 )
-product_at_triple_root = by_cases.claim(
+product_at_triple_root = in_moments.by_cases.claim(
     "1.6",
     135,
     r"J_1 J_2 J_3 = I_1 I_2 I_3,",
     given=[triple_root, positive_ratio, positive_moments, positive_axial_moments],
-    keeping=free_moments,
     uses=["1.5.4", "1.5.5", "1.5.6"],
 )
 
-sum_at_triple_root = by_cases.claim(
+sum_at_triple_root = in_moments.by_cases.claim(
     "1.7",
     137,
     r"J_1 L_1 + J_2 L_2 + J_3 L_3 = 3I_1 I_2 I_3,",
     given=[triple_root, positive_ratio, positive_moments, positive_axial_moments],
-    keeping=free_moments,
     uses=["1.5.4", "1.5.5", "1.5.6"],
 )
 
-gain_at_triple_root = by_cases.claim(
+gain_at_triple_root = in_moments.by_cases.claim(
     "1.8",
     139,
     r"k = \xi.",
     given=[triple_root, positive_ratio, positive_moments, positive_axial_moments],
-    keeping=free_moments,
     uses=["1.5.4", "1.5.5", "1.5.6"],
 )
 
-triple_root_conditions_are_equivalent = by_cases.ours(
+triple_root_conditions_are_equivalent = in_moments.by_cases.ours(
     "1.8.1",
     139,
     words="Conversely, (1.6) to (1.8) make p = -k a triple root of (1.5).",
     states=rf"{body(product_at_triple_root, sum_at_triple_root, gain_at_triple_root)} \Rightarrow ({triple_root.states})",
-    keeping=free_moments,
     uses=["1.6", "1.7", "1.8"],
 )
 
@@ -408,7 +397,7 @@ gain_as_large_as_possible = exclusion(
     reason="design advice; what it rests on is (1.8): the stability degree is k",
 )
 
-equalities_only_for_parallel_axes = claim(
+equalities_only_for_parallel_axes = from_lemmas_in_moments.claim(
     "1.8.3",
     141,
     words="(1.6) and (1.7) hold only if the damping axes are parallel to the principal axes.",
@@ -429,10 +418,9 @@ equalities_only_for_parallel_axes = claim(
         )
     },
     lemmas=["2.19.4"],
-    free=("J", "L"),
 )
 
-order_of_axes_does_not_matter = claim(
+order_of_axes_does_not_matter = from_lemmas_in_moments.claim(
     "1.8.4",
     141,
     words="Which damping axis is parallel to which principal axis does not matter: (1.6), (1.7) hold for each order.",
@@ -441,5 +429,4 @@ order_of_axes_does_not_matter = claim(
     by=cases(excess_of_product, excess_of_sum),
     uses=["1.6", "1.7"],
     lemmas=["2.13.4", "2.19.4"],
-    free=("J", "L"),
 )

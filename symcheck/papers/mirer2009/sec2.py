@@ -16,7 +16,8 @@ from symcheck.papers.mirer2009.hypotheses import (
     positive_moments,
     semi_axes,
 )
-from symcheck.papers.mirer2009.notation import ellipsoid_letters, family_letters, turned_letters
+from symcheck.papers.mirer2009.notation import ellipsoid_letters, turned_letters
+from symcheck.papers.mirer2009.scopes import equal_moments, from_lemmas_in_moments
 from symcheck.proof import cases, existence, identity, nonnegative
 
 cosines = Scope(where=derivation.direction_cosines)
@@ -82,7 +83,7 @@ moments_are_positive = ours(
     uses=["2.0.4"],
 )
 
-bounds_of_product = claim(
+bounds_of_product = from_lemmas_in_moments.claim(
     "2.1",
     165,
     r"I_1 I_2 I_3 \leq J_1 J_2 J_3 \leq \left(\frac{I_1 + I_2 + I_3}{3} \right)^3,",
@@ -92,10 +93,9 @@ bounds_of_product = claim(
     equality_given=[positive_moments, distinct_moments],
     uses=["1.3.1"],
     lemmas=["2.1.7a", "2.13.4", "2.0.5", "2.0.6"],
-    free=("J", "L"),
 )
 
-equality_on_the_right = claim(
+equality_on_the_right = from_lemmas_in_moments.claim(
     "2.1.1",
     167,
     words="The right equality of (2.1) is attained only if each axis x_i is collinear with an axis y_j.",
@@ -118,10 +118,9 @@ equality_on_the_right = claim(
         )
     },
     lemmas=["2.13.4", "2.0.5", "2.0.6"],
-    free=("J", "L"),
 )
 
-equality_on_the_left = claim(
+equality_on_the_left = from_lemmas_in_moments.claim(
     "2.1.2",
     167,
     "J_1 = J_2 = J_3",
@@ -142,10 +141,9 @@ equality_on_the_left = claim(
         )
     },
     lemmas=["2.1.7a"],
-    free=("J", "L"),
 )
 
-order_of_axes_is_irrelevant = claim(
+order_of_axes_is_irrelevant = from_lemmas_in_moments.claim(
     "2.1.3",
     167,
     words="For collinear axes the order in which axes y_j fall on axes x_i does not matter: the product is I_1 I_2 I_3.",
@@ -154,10 +152,9 @@ order_of_axes_is_irrelevant = claim(
     by=cases(excess_of_product),
     uses=["2.1"],
     lemmas=["2.13.4"],
-    free=("J", "L"),
 )
 
-upper_bound = claim(
+upper_bound = from_lemmas_in_moments.claim(
     "2.1.4",
     173,
     r"J_1 J_2 J_3 \leq \left(\frac{I_1 + I_2 + I_3}{3} \right)^3.",
@@ -167,7 +164,6 @@ upper_bound = claim(
     equality_given=[positive_moments],
     uses=["2.2", "2.3.5"],
     lemmas=["2.1.7a", "2.0.5", "2.0.6"],
-    free=("J", "L"),
 )
 
 product_of_moments = definition("2.1.5", 175, "f = J_1 J_2 J_3")
@@ -182,7 +178,7 @@ trace_is_invariant = claim(
     uses=["2.1.6"],
 )
 
-product_at_given_moment = claim(
+product_at_given_moment = from_lemmas_in_moments.claim(
     "2.2",
     181,
     r"f = J_2 \cdot \frac{1}{4} \left[(J_1 + J_3)^2 - (J_1 - J_3)^2 \right] \leq \frac{1}{4} J_2 (3c - J_2)^2,",
@@ -192,10 +188,9 @@ product_at_given_moment = claim(
     equality_given=[positive_moments],
     uses=["2.1.5", "2.1.7"],
     lemmas=["2.1.7a", "2.0.5", "2.0.6"],
-    free=("J", "L"),
 )
 
-equality_at_given_moment = by_cases.claim(
+equality_at_given_moment = from_lemmas_in_moments.by_cases.claim(
     "2.2.1",
     183,
     "J_1 = J_3",
@@ -204,7 +199,6 @@ equality_at_given_moment = by_cases.claim(
     given=[orthogonal],
     uses=["2.2"],
     lemmas=["2.1.7a"],
-    free=("J", "L"),
 )
 
 bound_at_given_moment = definition("2.2.2", 187, r"f_1(J_2) = \frac{1}{4} J_2 (3c - J_2)^2.")
@@ -292,7 +286,7 @@ maximum_of_bound = claim(
     uses=["2.2.2", "2.3.5"],
 )
 
-maximum_of_product = claim(
+maximum_of_product = from_lemmas_in_moments.claim(
     "2.3.7",
     209,
     r"\max f = c^3",
@@ -304,7 +298,6 @@ maximum_of_product = claim(
     equality_given=[positive_moments],
     uses=["2.2", "2.3.6", "2.9.4"],
     lemmas=["2.1.7a", "2.0.5", "2.0.6"],
-    free=("J", "L"),
 )
 
 maximum_at_equal_moments = by_cases.claim(
@@ -325,7 +318,7 @@ equal_moment_conditions = axial.claim(
     uses=["2.0.4"],
 )
 
-two_conditions_suffice = by_cases.claim(
+two_conditions_suffice = from_lemmas_in_moments.by_cases.claim(
     "2.4.1",
     215,
     words="Of the three conditions (2.4) any two imply the third.",
@@ -334,7 +327,6 @@ two_conditions_suffice = by_cases.claim(
     given=[orthogonal],
     uses=["2.4", "2.1.7"],
     lemmas=["2.1.7a"],
-    free=("J", "L"),
 )
 
 first_condition = axial.claim(
@@ -361,7 +353,7 @@ orthonormal_rows = claim(
     given=[orthogonal],
 )
 
-one_parameter_family = claim(
+one_parameter_family = equal_moments.claim(
     "2.7.1",
     225,
     words="In general (2.5) to (2.7) have a one-parameter family of solutions: for every first axis with J_1 = c (its squares depend "
@@ -369,11 +361,8 @@ one_parameter_family = claim(
     "(B.10), and no further ones unless a principal moment is the mean (B.13).",
     states=r"\exists u, v: (u^2 + v^2 = 1 \land J_1 = c \land J_2 = c \land J_3 = c)",
     given=[first_axis, length],
-    where=derivation.equal_moment_family,
-    keeping=("c",),
     by=existence(),
     uses=["2.5", "2.6", "2.7", "B.6", "B.10", "B.11", "B.12"],
-    notation=family_letters,
 )
 
 aircraft_angles = definition(
@@ -594,7 +583,7 @@ form_of_the_ellipsoid = ours(
     notation=ellipsoid_letters,
 )
 
-ellipsoid_interpretation = by_cases.claim(
+ellipsoid_interpretation = from_lemmas_in_moments.by_cases.claim(
     "2.9.7",
     286,
     r"\frac{1}{d^2} = \frac{1}{3} \left(\frac{1}{a^2} + \frac{1}{b^2} + \frac{1}{c^2} \right).",
@@ -610,7 +599,6 @@ ellipsoid_interpretation = by_cases.claim(
     uses=["2.9.4", "2.9.6"],
     notation=ellipsoid_letters,
     lemmas=["2.1.7a"],
-    free=("J", "L"),
 )
 
 ellipsoid_axes_exist = claim(
@@ -626,7 +614,7 @@ ellipsoid_axes_exist = claim(
     notation=ellipsoid_letters,
 )
 
-lower_bound = claim(
+lower_bound = from_lemmas_in_moments.claim(
     "2.10",
     290,
     r"I_1 I_2 I_3 \leq J_1 J_2 J_3 = f.",
@@ -636,7 +624,6 @@ lower_bound = claim(
     equality_given=[positive_moments, distinct_moments],
     uses=["2.1.5", "2.13.1"],
     lemmas=["2.13.4", "2.0.5", "2.0.6"],
-    free=("J", "L"),
 )
 
 squares_are_squared_cofactors = claim(
@@ -746,7 +733,7 @@ product_and_its_excess = ours(
     uses=["2.13.1"],
 )
 
-equality_conditions_suffice = claim(
+equality_conditions_suffice = from_lemmas_in_moments.claim(
     "2.13.2",
     342,
     words="The inequality f >= I_1 I_2 I_3 is an equality when (2.14) and (2.15) hold together.",
@@ -755,10 +742,9 @@ equality_conditions_suffice = claim(
     by=cases(excess_of_product),
     uses=["2.13.1", "2.14", "2.15"],
     lemmas=["2.13.4"],
-    free=("J", "L"),
 )
 
-equality_conditions_are_necessary = ours(
+equality_conditions_are_necessary = from_lemmas_in_moments.ours(
     "2.13.3",
     342,
     words="For pairwise distinct positive moments it is an equality only then.",
@@ -767,7 +753,6 @@ equality_conditions_are_necessary = ours(
     by=cases(excess_of_product),
     uses=["2.13.1", "2.14", "2.15"],
     lemmas=["2.13.4", "2.0.5", "2.0.6"],
-    free=("J", "L"),
 )
 
 rows_one_and_three_are_orthogonal = claim(
@@ -792,7 +777,7 @@ PRINTED_CASES = r"""\begin{aligned}
  \end{aligned}"""
 SIX_CASES = body(PRINTED_CASES)
 
-six_cases = claim(
+six_cases = from_lemmas_in_moments.claim(
     "2.17",
     354,
     PRINTED_CASES,
@@ -814,7 +799,6 @@ six_cases = claim(
         )
     },
     lemmas=["2.13.4", "2.0.5", "2.0.6"],
-    free=("J", "L"),
 )
 
 six_cases_are_collinear_axes = by_cases.claim(
@@ -847,7 +831,7 @@ selection_is_needed = by_cases.ours(
     uses=["2.17", "2.17.2"],
 )
 
-sum_of_products = claim(
+sum_of_products = from_lemmas_in_moments.claim(
     "2.18",
     364,
     r"J_1L_1 + J_2L_2 + J_3L_3 \geq 3I_1I_2I_3,",
@@ -857,7 +841,6 @@ sum_of_products = claim(
     equality_given=[positive_moments, distinct_moments],
     uses=["2.19", "2.19.1"],
     lemmas=["2.19.4"],
-    free=("J", "L"),
 )
 
 second_order_moments = definition("2.19", 368, r"L_i = I_2I_3a_{i1}^2 + I_3I_1a_{i2}^2 + I_1I_2a_{i3}^2.")
@@ -900,7 +883,7 @@ conditions_on_all_rows = premise(
     words="Conditions of equality in (2.18).",
 )
 
-row_conditions_suffice = claim(
+row_conditions_suffice = from_lemmas_in_moments.claim(
     "2.19.2",
     384,
     words="(2.18) is an equality when all conditions (2.20) hold.",
@@ -909,10 +892,9 @@ row_conditions_suffice = claim(
     by=cases(excess_of_sum),
     uses=["2.18", "2.20"],
     lemmas=["2.19.4"],
-    free=("J", "L"),
 )
 
-row_conditions_are_necessary = ours(
+row_conditions_are_necessary = from_lemmas_in_moments.ours(
     "2.19.3",
     384,
     words="For pairwise distinct positive moments it is an equality only then.",
@@ -921,7 +903,6 @@ row_conditions_are_necessary = ours(
     by=cases(excess_of_sum),
     uses=["2.18", "2.20"],
     lemmas=["2.19.4"],
-    free=("J", "L"),
 )
 
 row_conditions_are_the_six_cases = by_cases.claim(

@@ -12,9 +12,9 @@ from symcheck.papers.poloskov2004.hypotheses import (
     positive_k,
 )
 from symcheck.papers.poloskov2004.notation import full_noise, moment_letters
-from symcheck.proof import identity, theorems
+from symcheck.proof import theorems
 
-moments = Scope(moment_letters, derivation.moment_parameters, identity)
+moments = Scope(moment_letters, derivation.moment_parameters)
 
 frequency_density_exists = Hypothesis("density of Omega exists", "the condition of existence", r"d_{33} > 0")
 finite_amplitude = Hypothesis(
