@@ -117,10 +117,10 @@ def test_an_ending_that_says_nothing_is_refused(name: str, a_figure: str, tmp_pa
 
 
 def test_one_name_for_two_figures_is_refused(monkeypatch: pytest.MonkeyPatch) -> None:
-    from symcheck.numeric import stochastic
+    from symcheck.numeric import domain
 
-    monkeypatch.setattr(stochastic, "FIGURES", {"liquid-frequencies": stand_in}, raising=False)
-    with pytest.raises(ValueError, match=r"plots and .*stochastic both have a figure 'liquid-frequencies'"):
+    monkeypatch.setattr(domain, "FIGURES", {"liquid-frequencies": stand_in}, raising=False)
+    with pytest.raises(ValueError, match=r"domain and .*plots both have a figure 'liquid-frequencies'"):
         figures.figures()
 
 

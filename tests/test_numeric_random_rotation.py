@@ -21,6 +21,7 @@ import sympy as sp
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from numpy.typing import NDArray
+from sample_paths import heun_step
 from scipy.integrate import quad
 from scipy.linalg import expm
 
@@ -28,7 +29,6 @@ from symcheck.numeric import random_rotation as rr
 from symcheck.numeric.random_rotation import numpy_engine
 from symcheck.numeric.random_rotation.ensemble import LANES
 from symcheck.numeric.random_rotation.scheme import COARSEST, scheme
-from symcheck.numeric.stochastic import heun_step
 from symcheck.papers.poloskov2004 import derivation
 
 Array = NDArray[np.float64]
