@@ -54,11 +54,7 @@ matrix_of_direction_cosines = definition("2.0.2", 153, r"\mathbf{A} = \|a_{ij}\|
 
 direction_cosine = definition("2.0.3", 155, r"a_{ij} = \cos(Oy_i, Ox_j).", opaque=True)
 
-axial_moment = axial.claim(
-    "2.0.4",
-    159,
-    r"J_i = \sum_{k=1}^3 I_k a_{ik}^2.",
-)
+axial_moment = axial.claim("2.0.4", 159, r"J_i = \sum_{k=1}^3 I_k a_{ik}^2.")
 
 moments_are_not_negative = by_cases.ours(
     "2.0.5",
@@ -394,59 +390,23 @@ second_row_along_a_diagonal = by_cases.claim(
     uses=["2.6"],
 )
 
-cosine_11 = cosines.claim(
-    "2.7.5",
-    238,
-    r"a_{11} = \cos \alpha \cos \beta,",
-)
+cosine_11 = cosines.claim("2.7.5", 238, r"a_{11} = \cos \alpha \cos \beta,")
 
-cosine_12 = cosines.claim(
-    "2.7.6",
-    240,
-    r"a_{12} = \sin \alpha \sin \gamma - \cos \alpha \sin \beta \cos \gamma,",
-)
+cosine_12 = cosines.claim("2.7.6", 240, r"a_{12} = \sin \alpha \sin \gamma - \cos \alpha \sin \beta \cos \gamma,")
 
-cosine_13 = cosines.claim(
-    "2.7.7",
-    242,
-    r"a_{13} = \sin \alpha \cos \gamma + \cos \alpha \sin \beta \sin \gamma,",
-)
+cosine_13 = cosines.claim("2.7.7", 242, r"a_{13} = \sin \alpha \cos \gamma + \cos \alpha \sin \beta \sin \gamma,")
 
-cosine_21 = cosines.claim(
-    "2.7.8",
-    244,
-    r"a_{21} = \sin \beta,",
-)
+cosine_21 = cosines.claim("2.7.8", 244, r"a_{21} = \sin \beta,")
 
-cosine_22 = cosines.claim(
-    "2.7.9",
-    246,
-    r"a_{22} = \cos \beta \cos \gamma,",
-)
+cosine_22 = cosines.claim("2.7.9", 246, r"a_{22} = \cos \beta \cos \gamma,")
 
-cosine_23 = cosines.claim(
-    "2.7.10",
-    248,
-    r"a_{23} = -\cos \beta \sin \gamma,",
-)
+cosine_23 = cosines.claim("2.7.10", 248, r"a_{23} = -\cos \beta \sin \gamma,")
 
-cosine_31 = cosines.claim(
-    "2.7.11",
-    250,
-    r"a_{31} = -\sin \alpha \cos \beta,",
-)
+cosine_31 = cosines.claim("2.7.11", 250, r"a_{31} = -\sin \alpha \cos \beta,")
 
-cosine_32 = cosines.claim(
-    "2.7.12",
-    252,
-    r"a_{32} = \cos \alpha \sin \gamma + \sin \alpha \sin \beta \cos \gamma,",
-)
+cosine_32 = cosines.claim("2.7.12", 252, r"a_{32} = \cos \alpha \sin \gamma + \sin \alpha \sin \beta \cos \gamma,")
 
-cosine_33 = cosines.claim(
-    "2.7.13",
-    254,
-    r"a_{33} = \cos \alpha \cos \gamma - \sin \alpha \sin \beta \sin \gamma,",
-)
+cosine_33 = cosines.claim("2.7.13", 254, r"a_{33} = \cos \alpha \cos \gamma - \sin \alpha \sin \beta \sin \gamma,")
 
 angles_of_the_diagonal = cosines.by_cases.claim(
     "2.7.14",
