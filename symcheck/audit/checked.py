@@ -83,7 +83,9 @@ def told(rows: Rows, beside: Rows = MappingProxyType({})) -> dict[str, tuple[Rec
     """The records as they may be told; `beside` are others among whose certificates lemmas are looked for."""
     records = [record for each in rows.values() for record in each]
     others = (record for each in beside.values() for record in each)
-    every = [each for record in (*records, *_lemmas(records, others)) for each in record.all_certificates()]
+    every = [
+        certificate for record in (*records, *_lemmas(records, others)) for certificate in record.all_certificates()
+    ]
     answers = Answers({id(each): reason for each, reason in zip(every, _reasons(every), strict=True)})
     return {name: tuple(_told(record, answers) for record in each) for name, each in rows.items()}
 
@@ -92,7 +94,7 @@ def _lemmas(records: Iterable[Record], others: Iterable[Record]) -> list[Record]
     """Those of the others on which the records rest, and those on which these rest."""
     known, found, todo = {record.id: record for record in others}, dict[str, Record](), list(records)
     while todo:
-        named = {name for each in todo.pop().all_certificates() for name, _ in each.get("lemmas", ())}
+        named = {name for certificate in todo.pop().all_certificates() for name, _ in certificate.get("lemmas", ())}
         more = {name: known[name] for name in sorted(named & known.keys() - found.keys())}
         found |= more
         todo += more.values()
@@ -124,7 +126,7 @@ def _told(record: Record, answers: Answers) -> Record:
     shown = replace(record, erratum=_correction(record, answers))
     if fault is not None:
         shown = replace(shown, verdict=Verdict.UNDECIDED, reason=_reason(fault), certificates=())
-    return replace(shown, hypotheses=tuple(_need(shown, each, answers) for each in record.hypotheses))
+    return replace(shown, hypotheses=tuple(_need(shown, hypothesis, answers) for hypothesis in record.hypotheses))
 
 
 def _reason(fault: str) -> str:
@@ -159,16 +161,16 @@ def _is_lost(record: Record, row: HypothesisRow, need: Need, answers: Answers) -
     if need.lost not in tuple(Loss):
         return False
     verdict = Verdict.PROVED if need.lost == Loss.EXISTENCE else Verdict.REFUTED
-    free = all(row.name not in each["hypotheses"] for each in need.certificates)
+    free = all(row.name not in certificate["hypotheses"] for certificate in need.certificates)
     return bool(need.certificates) and free and answers.fault(record.id, verdict, need.certificates) is None
 
 
 def _is_needless(record: Record, row: HypothesisRow, need: Need, answers: Answers) -> bool:
     """What is proved does not use the hypothesis, or is proved without it, too."""
-    if any(row.name in each["hypotheses"] for each in need.certificates):
+    if any(row.name in certificate["hypotheses"] for certificate in need.certificates):
         return False
     using = [each["claim"] for each in _spoken_of(record, row) if row.name in each["hypotheses"]]
-    without = [each["claim"] for each in need.certificates]
+    without = [certificate["claim"] for certificate in need.certificates]
     if not all(claim in without for claim in using):
         return False
     return not without or answers.fault(record.id, Verdict.PROVED, need.certificates) is None

@@ -24,8 +24,8 @@ def files(records: Iterable[Record], kernels: Mapping[str, Kernels] = MappingPro
     for key, rows in sorted(of_paper.items()):
         texts, equalities = kernels.get(key, ({}, ()))
         equalities = [*equalities]
-        proofs = [*(each for row in rows for each in row.all_certificates()), *equalities]
-        written = dict.fromkeys(line(each) for each in proofs)
+        proofs = [*(certificate for row in rows for certificate in row.all_certificates()), *equalities]
+        written = dict.fromkeys(line(proof) for proof in proofs)
         out |= {name: text.encode() for name, text in texts.items()}
         verdicts = (f"{line(row.id)}: {line(_expectation(row))}" for row in rows)
         out[f"{CERTIFICATES}/{key}.json"] = document(key, "certificates", "[]", written, schema=PROOFS)

@@ -209,9 +209,9 @@ def fitting(out: Any, outputs: int, shape: tuple[int, ...], dtype: Any) -> list[
     results = list(out) if isinstance(out, (tuple, list)) else [out]
     if len(results) != outputs:
         raise ValueError(f"out has {len(results)} arrays; this kernel has {outputs} outputs")
-    for each in results:
-        if not isinstance(each, np.ndarray) or each.shape != shape or each.dtype != dtype:
-            found = f"{each.shape} {each.dtype}" if isinstance(each, np.ndarray) else type(each).__name__
+    for result in results:
+        if not isinstance(result, np.ndarray) or result.shape != shape or result.dtype != dtype:
+            found = f"{result.shape} {result.dtype}" if isinstance(result, np.ndarray) else type(result).__name__
             raise ValueError(f"out is {found}; an array of shape {shape} and type {dtype} is needed")
     if any(np.shares_memory(x, y) for x, y in combinations(results, 2)):
         raise ValueError("two arrays of out share memory; each output needs memory of its own")

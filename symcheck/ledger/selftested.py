@@ -51,7 +51,9 @@ def evidence(records: Iterable[Record], folder: Path | None = None) -> dict[str,
     folder = folder or kernels.folder()
     texts = sorted(file for file in folder.glob("*.py") if MARK in file.read_text(encoding="utf-8"))
     return {
-        "certificates": digest(sorted(digest_of(each) for row in rows for each in row.all_certificates())),
+        "certificates": digest(
+            sorted(digest_of(certificate) for row in rows for certificate in row.all_certificates())
+        ),
         "ledger": digest(sorted(line([row.id, row.verdict, row.reading]) for row in rows)),
         "kernels": digest(short_digest(file.read_text(encoding="utf-8")) for file in texts),
     }

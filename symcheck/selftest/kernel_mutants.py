@@ -92,7 +92,7 @@ class Forms:
     def mutants(self) -> Iterator[Mutant]:
         """All mutants; the trees stand as they are."""
         for form, tree in self._trees.items():
-            known = [each.arg for each in tree.args.args] if form in (IN_PLACE, FEW) else list(self._inputs)
+            known = [argument.arg for argument in tree.args.args] if form in (IN_PLACE, FEW) else list(self._inputs)
             for statement in (*tree.args.defaults, *tree.body):
                 line = ast.unparse(statement)
                 for node, field, value in _changes(statement, known):
@@ -115,7 +115,7 @@ class Forms:
             except (ArithmeticError, AttributeError, NameError, TypeError, ValueError):
                 return False
         kept = all(np.array_equal(x, y) for x, y in zip(inputs, truth.points, strict=True))
-        return kept and all((truth.error(each) <= self.case.kernel.ulp).all() for each in results)
+        return kept and all((truth.error(result) <= self.case.kernel.ulp).all() for result in results)
 
     def equivalent(self, mutant: Mutant) -> bool:
         """Whether the mutant means what the kernel means, for all arguments."""

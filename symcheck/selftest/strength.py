@@ -72,7 +72,7 @@ class Strength:
             pairs = [*zip(f.formulas, g.formulas, strict=True)]
             return asserted or all(self.entails(p, q, False) and self.entails(q, p, False) for p, q in pairs)
         if f.tag == "<=>":
-            return any(self.entails(each, g, asserted) for each in _directions(f))
+            return any(self.entails(direction, g, asserted) for direction in _directions(f))
         if g.tag == "<=>":
             return False
         if f.tag == g.tag == "=>":

@@ -336,14 +336,14 @@ def _latex(found: Letter) -> str:
 def _latex_lines(found: Letter) -> Iterator[str]:
     yield rf"\section*{{Corrections to {_words(found.title)}}}"
     yield from (_words(GREETING), "", r"\begin{enumerate}" if found.corrections else "")
-    for each in found.corrections:
-        yield rf"\item {_words(_capital(each.where))}."
-        for label, text in (("Printed", each.printed), ("Correct", each.correct)):
+    for correction in found.corrections:
+        yield rf"\item {_words(_capital(correction.where))}."
+        for label, text in (("Printed", correction.printed), ("Correct", correction.correct)):
             shown = _displayed(text)
             yield rf"\par {label}: \displayed{{{shown}}}" if shown else rf"\par {label}: {_sentence(text)}"
-        yield rf"\par {_sentence(each.reason)}"
-        if each.evidence:
-            yield rf"\par{{\small {_sentence(each.evidence)}}}"
+        yield rf"\par {_sentence(correction.reason)}"
+        if correction.evidence:
+            yield rf"\par{{\small {_sentence(correction.evidence)}}}"
     yield r"\end{enumerate}" if found.corrections else ""
     for title, rows in found.tables:
         yield from (r"\begin{landscape}", rf"\subsection*{{{_words(title)}}}", r"{\footnotesize")
@@ -392,11 +392,12 @@ def _html_lines(found: Letter, math: Mapping[str, str | None]) -> Iterator[str]:
     yield f'<!doctype html>\n<html lang="en"><head><meta charset="utf-8"><title>{title}</title>'
     yield f"<style>{STYLE}</style></head><body>"
     yield f"<h1>{title}</h1>\n<p>{escape(GREETING)}</p>\n<ol>"
-    for each in found.corrections:
-        yield f"<li><p><b>{escape(_capital(each.where))}.</b></p>"
-        yield f"<p>Printed: {said(each.printed)}</p><p>Correct: {said(each.correct)}</p><p>{said(each.reason)}</p>"
-        if each.evidence:
-            yield f"<details><summary>Evidence</summary><p>{said(each.evidence)}</p></details>"
+    for correction in found.corrections:
+        yield f"<li><p><b>{escape(_capital(correction.where))}.</b></p>"
+        printed, correct, reason = map(said, (correction.printed, correction.correct, correction.reason))
+        yield f"<p>Printed: {printed}</p><p>Correct: {correct}</p><p>{reason}</p>"
+        if correction.evidence:
+            yield f"<details><summary>Evidence</summary><p>{said(correction.evidence)}</p></details>"
         yield "</li>"
     yield "</ol>"
     for heading, rows in found.tables:

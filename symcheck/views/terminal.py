@@ -147,13 +147,16 @@ def kernel(out: Console, key: str, name: str, declared: Kernel, records: Iterabl
     out.print(Text(f"{name}  generated/{key}.py", style="bold"))
     accuracy = f"{declared.ulp} ulp. {declared.condition} {declared.degenerate}"
     fields: list[tuple[str, str | Text]] = [("says", declared.says)]
-    fields += [(each.name, f"{shown[each.name]}    {each.meaning}, {each.unit}") for each in declared.outputs]
-    fields += [(f"  {each.name}", f"{each.meaning}, {each.unit}; {each.domain}") for each in declared.arguments]
+    fields += [(output.name, f"{shown[output.name]}    {output.meaning}, {output.unit}") for output in declared.outputs]
+    fields += [
+        (f"  {argument.name}", f"{argument.meaning}, {argument.unit}; {argument.domain}")
+        for argument in declared.arguments
+    ]
     fields += [("accuracy", " ".join(accuracy.split()))]
     for record in records:
         fields += [("rests on", f"{record.id}, line {record.line}: {record.read}")]
         fields += [("verdict", _verdict(Relation(record)))]
-        fields += [("certificate", _digest(each)) for each in record.certificates]
+        fields += [("certificate", _digest(certificate)) for certificate in record.certificates]
     _print(out, fields)
 
 

@@ -28,7 +28,7 @@ def numpydoc(
     further  type and meaning of arguments that are not the kernel's
     """
     kernel = made.kernel
-    takes = [_entry(each.name, kind, f"{_meaning(each)}; {each.domain}.") for each in kernel.arguments]
+    takes = [_entry(argument.name, kind, f"{_meaning(argument)}; {argument.domain}.") for argument in kernel.arguments]
     takes += [_entry(name, *each) for name, each in (further or {}).items()]
     gives = [_entry(each.name, kind, f"{_meaning(each)}.") for each in kernel.outputs]
     derived = kernel.derived()

@@ -125,7 +125,7 @@ def files(key: str, kernels: Mapping[str, Made]) -> dict[str, str]:
     constants = "\n".join([f"ARRAYS = {arrays}", f"BLOCK = {BLOCK}", *_constants([*mathematics, *functions])])
     parts = [
         HEAD.format(key=key, mark=MARK, names=names, constants=constants),
-        *(f"@fused\n{inspect.getsource(each)}" for each in mathematics),
+        *(f"@fused\n{inspect.getsource(function)}" for function in mathematics),
         *map(inspect.getsource, functions),
         *texts,
     ]
@@ -151,7 +151,12 @@ def _functions(called: set[str]) -> list[FunctionType]:
 
 def _constants(functions: list[FunctionType]) -> Iterator[str]:
     """The numbers that some functions use by name."""
-    used = {name: each.__globals__[name] for each in functions for name in each.__code__.co_names if name.isupper()}
+    used = {
+        name: function.__globals__[name]
+        for function in functions
+        for name in function.__code__.co_names
+        if name.isupper()
+    }
     for name, value in sorted(used.items()):
         yield f"{name} = {'np.' if isinstance(value, np.dtype) else ''}{value!r}"
 
@@ -231,17 +236,17 @@ def _loop(name: str, program: Program, taken: list[str], library: list[str]) -> 
     if not taken:
         yield f"for point in range({size}):"
         yield f"    {', '.join(new)} = _{name}({', '.join(numbers)})"
-        yield from (f"    {each}" for each in puts)
+        yield from (f"    {written}" for written in puts)
         return
     yield f"for begin in range(0, {size}, BLOCK):"
     yield f"    end = min(begin + BLOCK, {size})"
     yield "    missing = False"
     yield "    for point in range(begin, end):"
     yield f"        {', '.join(new)} = _{name}({', '.join([*numbers, *taken])})"
-    yield from (f"        {each}" for each in puts)
+    yield from (f"        {written}" for written in puts)
     yield f"        missing |= {' or '.join(f'math.isnan({x})' for x in new)}"
     yield "    if missing:"
     yield "        for point in range(begin, end):"
     yield f"            if {' or '.join(f'math.isnan(out_{x}[point])' for x in results.values())}:"
     yield f"                {', '.join(new)} = _{name}({', '.join([*numbers, *library])})"
-    yield from (f"                {each}" for each in puts)
+    yield from (f"                {written}" for written in puts)

@@ -142,7 +142,7 @@ def _decorator(key: str, name: str, made: Made) -> str:
 def literal(value: object) -> str:
     """A value as Python, with what differs from the defaults."""
     if isinstance(value, Specification | Argument | Output):
-        stated = {each: vars(value)[each.name] for each in fields(value)}
+        stated = {field: vars(value)[field.name] for field in fields(value)}
         texts = [
             f"{f'{each.name}=' if each.kw_only or each.default is not MISSING else ''}{literal(given)}"
             for each, given in stated.items()

@@ -123,14 +123,14 @@ class Program:
         if not plus:
             return self.apply("negative", self._added(minus))
         total = self._added(plus)
-        for each in minus:
-            total = self.apply("subtract", total, each)
+        for subtrahend in minus:
+            total = self.apply("subtract", total, subtrahend)
         return total
 
     def _added(self, values: list[Ref]) -> Ref:
         total = values[0]
-        for each in values[1:]:
-            total = self.apply("add", total, each)
+        for value in values[1:]:
+            total = self.apply("add", total, value)
         return total
 
     def _product(self, e: Any) -> Ref:
@@ -174,8 +174,8 @@ class Program:
 
     def _multiplied(self, values: list[Ref]) -> Ref:
         product = values[0]
-        for each in values[1:]:
-            product = self.apply("multiply", product, each)
+        for value in values[1:]:
+            product = self.apply("multiply", product, value)
         return product
 
     def _power(self, base: Any, exponent: Any) -> Ref:

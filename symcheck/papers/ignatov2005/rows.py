@@ -349,7 +349,7 @@ def faults(row: Row, right: Row) -> list[str]:
             return labels + _faults_of_pattern(row.pattern, right.pattern)
         case TableRow(), TableRow():
             cells = ((a, b) for (_, a), (_, b) in zip(row.cells, right.cells, strict=True) if a != b)
-            slips = ["rounding" if _is_slip(*each) else "number" for each in cells]
+            slips = ["rounding" if _is_slip(*cell) else "number" for cell in cells]
             return _faults_of_labels([row.label], [right.label]) + slips
     raise SymcheckError("rows of different kinds are compared; compare a row with its own correction")
 

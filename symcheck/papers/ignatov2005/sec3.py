@@ -317,8 +317,8 @@ def order_of_distances(number: str, line: int, order: str, angles: str) -> Claim
     written_out = re.sub("d_.", lambda distance: DISTANCES[distance[0]], order)
     exact, *degrees = re.split(r" (?:=|\\approx) (?=[\d.]+\^\\circ)", angles)
     value = [
-        rf"{right_side(exact)} \approx {each}" if "." in each else rf"{exact} \Leftrightarrow a = {each}"
-        for each in degrees
+        rf"{right_side(exact)} \approx {angle}" if "." in angle else rf"{exact} \Leftrightarrow a = {angle}"
+        for angle in degrees
     ]
     return six.by_cases.claim(
         number,

@@ -62,7 +62,7 @@ def committed(name: str) -> NotebookNode:
 
 def differences(name: str, found: NotebookNode) -> list[str]:
     """How the notebook that was executed differs from the committed one, one line each."""
-    return [f"notebooks/{name}.ipynb: {each}" for each in compare.differences(found, committed(name))]
+    return [f"notebooks/{name}.ipynb: {difference}" for difference in compare.differences(found, committed(name))]
 
 
 def write(name: str, found: NotebookNode) -> None:

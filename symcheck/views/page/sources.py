@@ -41,7 +41,7 @@ class Publication:
 def publications(papers: Mapping[str, Paper]) -> tuple[Publication, ...]:
     """The papers as the page names them."""
     return tuple(
-        Publication(key, paper.title, paper.source, {each.number: each.title for each in paper.sections})
+        Publication(key, paper.title, paper.source, {section.number: section.title for section in paper.sections})
         for key, paper in papers.items()
     )
 
