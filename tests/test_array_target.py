@@ -38,7 +38,7 @@ from test_kernels import EXTREMES, generator, short, tuple_of, within_or_at_infi
 from symcheck.core.verdicts import SymcheckError
 from symcheck.kernels.codegen import array_target
 from symcheck.kernels.codegen.program import Operation, Program
-from symcheck.kernels.codegen.target import MARK, Made
+from symcheck.kernels.codegen.target import MARK, CompiledKernel
 
 CASES = cases()
 FEW = 75
@@ -59,8 +59,8 @@ def quiet() -> Iterator[None]:
 
 
 @cache
-def made(case: Case) -> Made:
-    return case.made
+def made(case: Case) -> CompiledKernel:
+    return case.compiled
 
 
 @cache
@@ -507,7 +507,7 @@ def test_one_changed_operator_is_noticed() -> None:
             assert not unnoticed(case, mutant), mutant
 
 
-def program(*operations: Operation, **outputs: Any) -> Made:
+def program(*operations: Operation, **outputs: Any) -> CompiledKernel:
     """A program of x and y that no kernel has."""
     some = made(next(iter(CASES.values())))
     return replace(some, program=Program(("x", "y"), operations=list(operations), outputs=outputs))

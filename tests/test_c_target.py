@@ -24,7 +24,7 @@ from symcheck.kernels.codegen.c_functions import CIRCULAR, REACH, written
 from symcheck.kernels.codegen.c_text import COMPILE, PARALLEL, SOURCE
 from symcheck.kernels.codegen.kernel import Argument, Kernel, Output
 from symcheck.kernels.codegen.program import Operation, Program
-from symcheck.kernels.codegen.target import MARK, Made
+from symcheck.kernels.codegen.target import MARK, CompiledKernel
 
 CASES = cases()
 FEW, MANY, EXTREME = 40, 1000, 200
@@ -149,7 +149,7 @@ def test_threads_share_large_arrays(case: Case) -> None:
 
 def turned(case: Case) -> bool:
     """Whether an argument is an angle whose sine, cosine or tangent is taken."""
-    return any(operation.function in CIRCULAR for operation in case.made.pointwise.operations)
+    return any(operation.function in CIRCULAR for operation in case.compiled.pointwise.operations)
 
 
 @pytest.mark.parametrize("case", [case for case in CASES.values() if turned(case)], ids=lambda case: case.id)
@@ -302,7 +302,7 @@ def toy(*operations: Operation, argument: str = "x") -> dict[str, str]:
         claims=("1.1",),
     )
     program = Program((argument,), operations=list(operations), outputs={"y": operations[-1].result})
-    return dict(c_target.TARGET.files("toy", {"square": Made(kernel, program, program)}))
+    return dict(c_target.TARGET.files("toy", {"square": CompiledKernel(kernel, program, program)}))
 
 
 def test_an_unknown_function_is_told() -> None:
@@ -359,7 +359,7 @@ def together(files: list[str]) -> ctypes.CDLL:
 def test_one_changed_operator_of_a_kernel_is_noticed() -> None:
     found = []
     for case in CASES.values():
-        text = c_target.TARGET.files(case.paper, {case.name: case.made})[f"{case.paper}.c"]
+        text = c_target.TARGET.files(case.paper, {case.name: case.compiled})[f"{case.paper}.c"]
         text = text.replace(f'#include "{case.paper}.h"', "#include <stddef.h>")
         found += [(case, mutant) for mutant in mutants(text, f"{case.name}")]
     drawn = random.Random(0).sample(found, MUTANTS)

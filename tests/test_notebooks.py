@@ -292,7 +292,7 @@ def test_a_certificate_that_does_not_hold_is_said_not_to() -> None:
 
 
 def test_what_is_right_is_no_erratum() -> None:
-    with pytest.raises(SymcheckError, match=re.escape("mirer2009:2.12 is no erratum")):
+    with pytest.raises(SymcheckError, match=re.escape("mirer2009:2.12 is not an erratum")):
         show.erratum("mirer2009:2.12")
 
 

@@ -1,4 +1,4 @@
-"""What is told of a relation is what the checker accepts: every certificate of every row, kept or new, goes through it.
+"""Only what the checker accepts is reported: every certificate of every row, cached or new, goes through it.
 
 Nobody is believed before: not the provers, not the cache. A verdict whose certificates are not accepted becomes
 undecided, and the same holds for what a correction is said to be, and for whether a hypothesis is needed.
@@ -49,11 +49,11 @@ def _reasons(certificates: Sequence[Certificate]) -> list[str | None]:
     found: list[str | None] = [None] * len(certificates)
     found[0::2] = reasons(own)[: len(certificates[0::2])]
     try:
-        told = receiver.recv()
+        answers = receiver.recv()
     except (EOFError, OSError):  # it was killed
-        told = reasons(other)
+        answers = reasons(other)
     helper.join()
-    found[1::2] = told[: len(certificates[1::2])]
+    found[1::2] = answers[: len(certificates[1::2])]
     return found
 
 
@@ -79,15 +79,15 @@ def _send(sender: Connection, certificates: Sequence[Certificate]) -> None:
 Rows = Mapping[str, tuple[Record, ...]]  # by declaration
 
 
-def told(rows: Rows, beside: Rows = MappingProxyType({})) -> dict[str, tuple[Record, ...]]:
-    """The records as they may be told; `beside` are others among whose certificates lemmas are looked for."""
+def accepted(rows: Rows, further: Rows = MappingProxyType({})) -> dict[str, tuple[Record, ...]]:
+    """The records as the checker accepts them; lemmas may also be among the certificates of `further` records."""
     records = [record for each in rows.values() for record in each]
-    others = (record for each in beside.values() for record in each)
+    others = (record for each in further.values() for record in each)
     every = [
         certificate for record in (*records, *_lemmas(records, others)) for certificate in record.all_certificates()
     ]
     answers = Answers({id(each): reason for each, reason in zip(every, _reasons(every), strict=True)})
-    return {name: tuple(_told(record, answers) for record in each) for name, each in rows.items()}
+    return {name: tuple(_accepted(record, answers) for record in each) for name, each in rows.items()}
 
 
 def _lemmas(records: Iterable[Record], others: Iterable[Record]) -> list[Record]:
@@ -120,7 +120,7 @@ class Answers:
         return next((reason for each in own if (reason := self.refusals[id(each)]) is not None), None)
 
 
-def _told(record: Record, answers: Answers) -> Record:
+def _accepted(record: Record, answers: Answers) -> Record:
     """A record without what its certificates do not show."""
     fault = answers.fault(record.id, record.verdict, record.certificates)
     shown = replace(record, erratum=_correction(record, answers))

@@ -55,7 +55,7 @@ def units(context: Context) -> list[Unit]:
 
 
 def _statement(link: Relation) -> Tree:
-    """One link as a statement of its own."""
+    """One link as a separate statement."""
     return System((link.tree,), link.qualifiers) if link.qualifiers else link.tree
 
 

@@ -37,7 +37,7 @@ def files(records: Iterable[Record], kernels: Mapping[str, Kernels] = MappingPro
 def _stated(key: str, rows: Iterable[Record], equalities: Iterable[Certificate]) -> bytes:
     """The statements of a paper, read anew."""
     index = Index(papers.load()[key])
-    index.beside(rows, equalities)
+    index.add_further(rows, equalities)
     known = {"definitions": index.definitions, "hypotheses": index.hypotheses}
     return document(key, "statements", "[]", map(line, index.statements), schema=PROOFS, others=known)
 

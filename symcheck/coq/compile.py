@@ -69,7 +69,7 @@ def without(text: str, line: int) -> tuple[str, list[str]]:
     heads = tuple(f"{kind}{name} :" for name in names for kind in ("Lemma step_", "Theorem proof_", "Lemma "))
     kept = "".join(block for block in blocks if not block.startswith(heads))
     if kept == text:
-        raise ValueError(f"line {line} is in {names[0]}, which is no proof of a claim")
+        raise ValueError(f"line {line} is in {names[0]}, which does not prove a claim")
     return re.sub(rf"^pose proof proof_(?:{'|'.join(names)})\.\n", "", kept, flags=re.MULTILINE), names
 
 
@@ -149,7 +149,7 @@ def grouped(reasons: Mapping[str, str]) -> dict[str, list[str]]:
 
 
 def main(arguments: Sequence[str]) -> int:
-    """0 everything exported compiles, 1 something does not or is no longer confirmed, 2 Coq is not there."""
+    """0 everything exported compiles, 1 something does not or is not confirmed any more, 2 Coq is not there."""
     if reason := missing():
         print(f"symcheck: {reason}", file=sys.stderr)
         return 2

@@ -79,7 +79,7 @@ class Evaluator:
         return base**exponent
 
     def other(self, node: Tree, at: Values) -> Number:
-        """The value of what is no operation: of a binder or an unknown function."""
+        """The value of a binder or an unknown function."""
         raise NoValue(node[0])
 
     def quantified(self, node: Tree, at: Values) -> bool | None:
@@ -174,7 +174,7 @@ OPERATIONS: dict[str, Callable[..., Number]] = {
 
 
 class Smooth:
-    """Random smooth functions, with all derivatives; at some places they have values of their own."""
+    """Random smooth functions, with all derivatives; at some places they have prescribed values."""
 
     def __init__(self, rng: Random) -> None:
         self.rng = rng

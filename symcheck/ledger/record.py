@@ -243,7 +243,7 @@ class Record(_Part, frozen=True):
         return {name: getattr(self, name) for name in _DERIVED}
 
 
-_DERIVED = ("counterexample", "group", "domain")  # what is told of a record in JSON, and follows from the others
+_DERIVED = ("counterexample", "group", "domain")  # written to JSON though it follows from the others
 
 
 def _nested(row: Mapping[str, object]) -> dict[str, object]:

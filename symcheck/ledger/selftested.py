@@ -1,6 +1,6 @@
 """What the self-test found: what `symcheck selftest --record` left in generated/selftest.json.
 
-It says of which certificates, verdicts and kernels it is, and has a digest of its own counts: a file that was changed
+It says of which certificates, verdicts and kernels it is, and has a digest of the counts in it: a file that was changed
 by hand is refused.
 """
 

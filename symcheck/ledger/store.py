@@ -1,7 +1,7 @@
 """What is checked in under generated/: the certificates of each paper, the verdicts expected of it, and its kernels.
 
 All files are written from the records of an audit and depend on nothing else: no times, no versions. Each certificate
-and each expectation has a line of its own, so that a diff shows what changed. Beside them lie what Coq said of the
+and each expectation has its own line, so that a diff shows what changed. Beside them lie what Coq said of the
 certificates, see `symcheck.coq.confirmed`, and what the self-test found, see `symcheck.ledger.selftested`.
 """
 

@@ -263,7 +263,7 @@ def _table_row(number: int, line: int, names: list[str], cells: list[str]) -> Ta
         for name, cell in zip(names, cells[1:], strict=True):
             if not _NUMBER.fullmatch(cell):
                 raise SymcheckError(
-                    f"line {line}, {cells[0]}, column {name}: {cell!r} is no number; compare the source"
+                    f"line {line}, {cells[0]}, column {name}: {cell!r} is not a number; compare the source"
                 )
         return TableRow(number, line, (printed,), label, tuple(zip(names, cells[1:], strict=True)))
     except SymcheckError as error:

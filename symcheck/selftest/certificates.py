@@ -131,7 +131,7 @@ def status_of(original: Certificate, edited: Certificate, lemmas: Sequence[Certi
 def is_so(original: Certificate, edited: Certificate) -> bool:
     """Whether what is stated is so: it is what the original states, or it is shown without its own proof or point.
 
-    A denominator that is no longer said not to vanish is to be shown not to.
+    A denominator whose nonzero condition was removed must be proved nonzero.
     """
     known, problem = problem_of(original), problem_of(edited)
     refuted = edited["verdict"] == "refuted"

@@ -1,7 +1,7 @@
 """Second engines: the exact point of every refutation, evaluated with 50 digits, by plain fractions and by balls.
 
 At points with rational coordinates fractions and balls are exact. Where a coordinate has roots or is an angle, a ball
-has 400 bits and fractions have no value; the checker compares such numbers by intervals of its own.
+has 400 bits and fractions have no value; the checker compares such numbers with its own intervals.
 """
 
 from __future__ import annotations

@@ -1,6 +1,6 @@
 """Every single-token mutant of a generated kernel: a constant, an operator, a function, an operand of the same kind.
 
-A mutant that gives the right values is told from a proof that it means the same: both are run on symbols, and the
+A mutant with the right values counts as equivalent if a proof says so: both are run on symbols, and the
 expressions that come out are compared.
 """
 
@@ -80,7 +80,7 @@ class Forms:
         }
         self._trees = {form: tree for form, tree in trees.items() if tree}
         self._inputs = [argument.name for argument in case.kernel.arguments]
-        values = list(case.made.program.outputs.values())
+        values = list(case.compiled.program.outputs.values())
         firsts = list(dict.fromkeys(values))
         self._order = [firsts.index(value) for value in values]
 
@@ -124,7 +124,7 @@ class Forms:
         return all(sp.expand(x - y) == 0 for x, y in zip(changed, self._meaning(mutant.form), strict=True))
 
     def _results(self, form: str, function: Any, inputs: list[Any]) -> Iterator[Sequence[Any]]:
-        """The outputs at some points, of a block in arrays of its own and in those it is given."""
+        """The outputs at some points, of a block in its own arrays and in given ones."""
         if form in (EXPRESSION, CALLED):
             rows = [np.atleast_1d(function(*point)) for point in zip(*(x.tolist() for x in inputs), strict=True)]
             yield list(np.array(rows).T)

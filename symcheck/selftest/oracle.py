@@ -61,7 +61,7 @@ class Place(Meaning):
         gap = left - right
         if abs(gap) < TOLERANCE * max(1, abs(left), abs(right)):
             if gap and relation[0] not in ("=", "!="):
-                raise NoValue("a sign that cannot be told")
+                raise NoValue("a sign that cannot be determined")
             return 0
         return 1 if gap > 0 else -1
 

@@ -97,7 +97,7 @@ def letter(records: Iterable[Record]) -> Letter:
     ]
     keys = list(dict.fromkeys(record.paper for record in wrong))
     if not keys:
-        raise SymcheckError("there is no erratum to write of; `symcheck errata` lists what the digitisation damaged")
+        raise SymcheckError("no erratum concerns the authors; `symcheck errata` lists damage by the digitisation")
     if len(keys) > 1:
         raise SymcheckError(f"a letter is about one paper, not about {' and '.join(keys)}; select one of them")
     paper = load()[keys[0]]

@@ -13,7 +13,7 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import NamedTuple
 
-from symcheck.coq.confirmed import told
+from symcheck.coq.confirmed import summary
 from symcheck.core.certificates import Certificate
 from symcheck.core.verdicts import Group, Loss, Origin, Verdict
 from symcheck.core.words import term
@@ -171,7 +171,7 @@ class Relation:
     @property
     def coq(self) -> str:
         """What Coq says of the proofs."""
-        return told(self.record)
+        return summary(self.record)
 
     @property
     def whose(self) -> str:

@@ -40,7 +40,7 @@ class _Console(Console):
 
 
 def console() -> Console:
-    """The standard output; a fixed width when it is no terminal, so that a saved ledger does not depend on chance."""
+    """The standard output; a fixed width unless it is a terminal, so that a saved ledger is always the same."""
     width = None if sys.stdout.isatty() or "COLUMNS" in os.environ else _WIDTH
     return _Console(width=width, highlight=False, markup=False, emoji=False)
 

@@ -8,7 +8,7 @@ from fractions import Fraction
 from typing import TYPE_CHECKING, Any
 
 from symcheck.core.lazy import lazy
-from symcheck.kernels.codegen.target import Made
+from symcheck.kernels.codegen.target import CompiledKernel
 from symcheck.kernels.specification import Argument, Output
 
 if TYPE_CHECKING:
@@ -19,7 +19,11 @@ WIDTH = 110  # columns of a text, which stands four columns in
 
 
 def numpydoc(
-    made: Made, kind: str, notes: str, further: Mapping[str, tuple[str, str]] | None = None, examples: str = ""
+    compiled: CompiledKernel,
+    kind: str,
+    notes: str,
+    further: Mapping[str, tuple[str, str]] | None = None,
+    examples: str = "",
 ) -> str:
     """What the function is, takes and returns, how accurate it is, on what it rests, and an example.
 
@@ -27,7 +31,7 @@ def numpydoc(
     notes    how the function is called
     further  type and meaning of arguments that are not the kernel's
     """
-    kernel = made.kernel
+    kernel = compiled.kernel
     takes = [_entry(argument.name, kind, f"{_meaning(argument)}; {argument.domain}.") for argument in kernel.arguments]
     takes += [_entry(name, *each) for name, each in (further or {}).items()]
     gives = [_entry(each.name, kind, f"{_meaning(each)}.") for each in kernel.outputs]
@@ -42,7 +46,7 @@ def numpydoc(
         "\n".join(formulas),
         wrapped(accuracy),
         wrapped(notes),
-        wrapped(made.evidence),
+        wrapped(compiled.evidence),
         _section("Examples", examples) if examples else "",
     ]
     return "\n\n".join(filter(None, parts))

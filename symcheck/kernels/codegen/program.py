@@ -85,7 +85,7 @@ class Program:
             return Fraction(int(e.p), int(e.q))
         if e.is_Symbol:
             if e.name not in self.inputs:
-                raise SymcheckError(f"{e.name} is no argument of the kernel; declare it or substitute it")
+                raise SymcheckError(f"{e.name} is not an argument of the kernel; declare it or substitute it")
             return str(e.name)
         if e is sp.pi:
             return "pi"
@@ -222,7 +222,7 @@ def under_root(x: Ref) -> Ref | None:
 
 
 def is_number(x: Ref) -> bool:
-    """Whether this is no value by name."""
+    """Whether this is not a named value."""
     return isinstance(x, Fraction) or x == "pi" or under_root(x) is not None
 
 

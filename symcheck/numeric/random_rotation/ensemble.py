@@ -1,6 +1,6 @@
 """Ensembles of sample paths of the randomly driven rotation, system (1.1), by the scheme of `scheme`.
 
-Streams: every 256 paths have a generator of their own, SFC64 of `SeedSequence(seed, spawn_key=(number,))`. So a path
+Streams: every 256 paths have their own generator, SFC64 of `SeedSequence(seed, spawn_key=(number,))`. So a path
 depends on the seed and its number alone, not on how many are computed together, by how many threads or in which pieces.
 """
 
@@ -124,7 +124,9 @@ def simulate(
         list(pool.map(record, _pieces(state.shape[1], workers)))
     paths = records.reshape(len(records), 3, -1)[:, :, before : before + len(velocities)]
     if not np.isfinite(paths).all():
-        raise FloatingPointError(f"a path is no longer finite; take a shorter step than {step}, or see whether D damps")
+        raise FloatingPointError(
+            f"a path left the finite numbers; take a shorter step than {step}, or see whether D damps"
+        )
     time = np.array([float(step) * every * (n + 1) for n in range(len(records))])
     return Ensemble(time, np.moveaxis(paths, 1, 2))
 

@@ -22,7 +22,7 @@ from symcheck.numeric.chunked.kernels import declaration, kernel
 
 OF_ENSEMBLE = {"seed", "first", "paths"}  # arguments that a sweep gives by itself
 REALIZATION = "realization"
-ALIKE = 0.4  # of a function's name: "liquid.growth" still suggests "liquid.growth_rate"
+SIMILARITY = 0.4  # of a function's name: "liquid.growth" still suggests "liquid.growth_rate"
 
 
 class SweepError(ValueError):
@@ -61,7 +61,7 @@ class Swept(NamedTuple):
 def find(name: str) -> Swept:
     """The function of this name, "PART.FUNCTION" or "PAPER.KERNEL"; SweepError that names the nearest one."""
     if name not in known():
-        hint = nearest(name, sorted(known(), key=len), 'name one like "liquid.growth_rate"', ALIKE)
+        hint = nearest(name, sorted(known(), key=len), 'name one like "liquid.growth_rate"', SIMILARITY)
         raise SweepError(f"function = {name!r} cannot be swept; {hint}")
     part, _, function = name.partition(".")
     if part in _papers():

@@ -156,7 +156,7 @@ def declared(printed: Printed) -> Declared:
 
 
 def _with_known_labels(row: Row, names: Names) -> Row:
-    """A row, unreadable if it names what is no vertex or face."""
+    """A row, unreadable if a name in it is not that of a vertex or face."""
     for label in labels_of(row):
         if not names.signs(label):
             return _unreadable(row, f"{label.printed} is none of the labels of this list")

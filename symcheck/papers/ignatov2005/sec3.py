@@ -161,7 +161,7 @@ only_two_combinations_vanish = six.by_cases.claim(
     uses=["3.1.10"],
 )
 
-# half of the combinations that are no vertices, the others being opposite, and smaller momenta with the same sum
+# half of the combinations that are not vertices (the others are opposite), and smaller momenta with the same sum
 INSIDE = (
     ("1, 1, 1, 1, -1, 1", "6/7, 6/7, 6/7, 2/7, 0, 2/7"),
     ("1, 1, -1, 1, -1, 1", "2/3, 2/3, -2/3, 2/3, 0, 0"),

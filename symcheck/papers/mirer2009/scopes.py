@@ -1,4 +1,4 @@
-"""Runs of claims about J_i and L_i whatever the axes are, or with formulas of their own for the axes."""
+"""Runs of claims about J_i and L_i for any axes, or for axes given by formulas."""
 
 from symcheck.papers.declare import Scope
 from symcheck.papers.mirer2009 import derivation

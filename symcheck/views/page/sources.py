@@ -65,7 +65,7 @@ def cells(folder: Path) -> dict[str, list[Excerpt]]:
             notebook = json.loads(file.read_text(encoding="utf-8"))["cells"]
             texts = ["".join(cell["source"]) for cell in notebook]
         except (OSError, ValueError, KeyError, TypeError) as error:
-            raise SymcheckError(f"{file} is no notebook that can be read ({error}); mend or remove it") from error
+            raise SymcheckError(f"{file} is not a readable notebook ({error}); mend or remove it") from error
         for number, text in enumerate(texts, 1):
             for id in dict.fromkeys(_ID.findall(text)):
                 found.setdefault(id, []).append(Excerpt(file.stem, f"{file.name}, cell {number}", text))

@@ -21,7 +21,7 @@ ASKED = """texts => JSON.stringify(JSON.parse(texts).map(text => {
 
 
 def typeset(texts: Iterable[str]) -> dict[str, str | None]:
-    """The MathML of each LaTeX text; None for what is no mathematics: words, or the characters of a damaged source.
+    """The MathML of each LaTeX text; None for other text: words, or the characters of a damaged source.
 
     The engine lets other threads run, so that the texts are shared among the cores.
     """
