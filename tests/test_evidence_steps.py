@@ -77,7 +77,7 @@ def test_every_part_of_a_proof_is_told_once() -> None:
             {"rule": "witness", "point": {"POINT": 1}},
         ],
     }
-    text = "\n".join(steps.shown({"proof": proof, "lemmas": [["LEMMA", ["=", 0, 0]]], "nonzero": ["DIVISOR"]}))
+    text = "\n".join(steps.proof_lines({"proof": proof, "lemmas": [["LEMMA", ["=", 0, 0]]], "nonzero": ["DIVISOR"]}))
     for word in (
         "LEMMA",
         "QUOTIENT",

@@ -169,7 +169,7 @@ def _is_needless(record: Record, row: HypothesisRow, need: Need, answers: Answer
     """What is proved does not use the hypothesis, or is proved without it, too."""
     if any(row.name in certificate["hypotheses"] for certificate in need.certificates):
         return False
-    using = [each["claim"] for each in _spoken_of(record, row) if row.name in each["hypotheses"]]
+    using = [each["claim"] for each in _proofs_that_need(record, row) if row.name in each["hypotheses"]]
     without = [certificate["claim"] for certificate in need.certificates]
     if not all(claim in without for claim in using):
         return False
@@ -195,7 +195,7 @@ def proofs(record: Record) -> Sequence[Certificate]:
     return of.certificates if of and of.verdict is Verdict.PROVED else ()
 
 
-def _spoken_of(record: Record, row: HypothesisRow) -> list[Certificate]:
+def _proofs_that_need(record: Record, row: HypothesisRow) -> list[Certificate]:
     """Of these, the ones of a relation, or of where it is an equality."""
     own = proofs(record)
     apart = [each["claim"][0] == "<=>" for each in own]

@@ -127,7 +127,7 @@ def _of_anything(block: Block, registers: int, order: Sequence[int], inputs: Seq
 
 
 def _at_once(block: Block, arrays: Sequence[Array], shape: tuple[int, ...], dtype: DType) -> Sequence[Array]:
-    """The results as new arrays; numbers for numbers."""
+    """The results in arrays of their own; numbers for numbers."""
     whole = [x if shape and x.shape == shape and x.dtype == dtype else _filled(x, shape or (1,), dtype) for x in arrays]
     found = block(*whole)
     results = found if isinstance(found, tuple) else (found,)
@@ -209,12 +209,12 @@ def fitting(out: Any, outputs: int, shape: tuple[int, ...], dtype: Any) -> list[
     results = list(out) if isinstance(out, (tuple, list)) else [out]
     if len(results) != outputs:
         raise ValueError(f"out has {len(results)} arrays; this kernel has {outputs} outputs")
-    for result in results:
-        if not isinstance(result, np.ndarray) or result.shape != shape or result.dtype != dtype:
-            found = f"{result.shape} {result.dtype}" if isinstance(result, np.ndarray) else type(result).__name__
+    for each in results:
+        if not isinstance(each, np.ndarray) or each.shape != shape or each.dtype != dtype:
+            found = f"{each.shape} {each.dtype}" if isinstance(each, np.ndarray) else type(each).__name__
             raise ValueError(f"out is {found}; an array of shape {shape} and type {dtype} is needed")
     if any(np.shares_memory(x, y) for x, y in combinations(results, 2)):
-        raise ValueError("two arrays of out share memory; give each output its own")
+        raise ValueError("two arrays of out share memory; each output needs memory of its own")
     return results
 
 

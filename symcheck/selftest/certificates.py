@@ -23,7 +23,7 @@ from symcheck.selftest.evidence import MALFORMED, holds, is_shown, problem_of, r
 from symcheck.selftest.trial import FaultClass, Status, Trial, drawn
 
 TURNED = {"<": ">=", "<=": ">", ">": "<=", ">=": "<", "=": "!=", "!=": "="}
-TOGETHER = 40  # certificates that one task goes through
+BATCH = 40  # certificates that one task goes through
 Path = tuple[str | int, ...]
 DROPPED: object = None  # stands for no new value
 
@@ -170,7 +170,7 @@ def groups(records: Sequence[Record]) -> list[str]:
     named: dict[str, list[str]] = defaultdict(list)
     for record in records:
         named[record.id] += map(json.dumps, record.certificates)
-    size = len(every) // TOGETHER + 1
+    size = len(every) // BATCH + 1
     return [f"[[{','.join(own)}],[{','.join(_lemmas(own, named))}]]" for own in (every[k::size] for k in range(size))]
 
 

@@ -148,13 +148,13 @@ def _printed(record: Record, fault: Fault, lines: Mapping[str, int]) -> str:
     """The printed formula, or of a chain the one link; a sentence by its first and last word, with what it says."""
     sentence = record.place.partition(": ")[2]
     if sentence and (record.group is not Group.DAMAGED or not record.printed):
-        said = plain(_said(record.words), lines)
+        said = plain(_first_sentence(record.words), lines)
         return said if _MARKUP.search(sentence) else f"“{sentence}” ({said})"
     is_one_link = record.link and record.erratum
     return _as_text(fault.printed if is_one_link else record.printed or fault.printed)
 
 
-def _said(words: str) -> str:
+def _first_sentence(words: str) -> str:
     """The first sentence of what our words say, without its stop."""
     first = _FIRST.match(words)
     return (first[0] if first else words).rstrip(".:")

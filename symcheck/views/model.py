@@ -18,7 +18,7 @@ from symcheck.core.certificates import Certificate
 from symcheck.core.verdicts import Group, Loss, Origin, Verdict
 from symcheck.core.words import term
 from symcheck.ledger.record import HypothesisRow, Record
-from symcheck.views.steps import compared, coordinates, point, shown, sides
+from symcheck.views.steps import compared, coordinates, point, proof_lines, sides
 
 _GIVEN = {"added": "not printed, added", "standing": "implied by the subject"}  # the other sources are in plain words
 _NEEDED = {True: "needed", False: "not needed", None: "need not known"}
@@ -109,7 +109,7 @@ class Proof:
     @property
     def lines(self) -> str:
         """What the proof starts from, and its steps."""
-        return "\n".join(shown(self.certificate))
+        return "\n".join(proof_lines(self.certificate))
 
 
 @dataclass(frozen=True)

@@ -46,7 +46,7 @@ def reference(ref: object) -> str:
     return json.dumps(ref)
 
 
-def shown(certificate: Certificate) -> Iterator[str]:
+def proof_lines(certificate: Certificate) -> Iterator[str]:
     """The lemmas that a proof starts from, what must not vanish, and its steps; nothing of a refutation."""
     if lemmas := dict(certificate.get("lemmas", ())):
         yield f"from lemmas: {', '.join(lemmas)}"

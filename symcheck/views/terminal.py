@@ -24,7 +24,7 @@ from symcheck.ledger.digests import digest_of
 from symcheck.ledger.record import Record
 from symcheck.views import model
 from symcheck.views.model import FaultList, Relation, counted
-from symcheck.views.steps import shown
+from symcheck.views.steps import proof_lines
 
 _STYLES = {Verdict.PROVED: "green", Verdict.REFUTED: "bold red", Verdict.UNDECIDED: "yellow"}
 _METHOD, _STATEMENT = 28, 20  # columns of the ledger: the method at most, the statement at least
@@ -221,7 +221,7 @@ def _print(out: Console, fields: Iterable[tuple[str, str | Text]]) -> None:
 
 def _certificate(out: Console, certificate: Certificate, whole: bool) -> None:
     fields = {"certificate": _digest(certificate), "decides": term(certificate["claim"])}
-    _print(out, {**fields, "proof": "\n".join(shown(certificate))}.items())
+    _print(out, {**fields, "proof": "\n".join(proof_lines(certificate))}.items())
     if whole:
         print(json.dumps(certificate, ensure_ascii=False, indent=2, sort_keys=True), file=out.file)
 

@@ -59,7 +59,7 @@ def _arrays(**arguments):
 
 HELPERS = {
     "full": '''def full(xp, x, *arguments):
-    """A copy of x in the shape to which the arguments broadcast."""
+    """x in the shape to which the arguments broadcast, in memory of its own."""
     shape = xp.broadcast_arrays(*arguments)[0].shape
     return x if x.shape == shape else 1.0 * xp.broadcast_to(x, shape)
 ''',

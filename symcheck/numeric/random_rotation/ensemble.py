@@ -20,7 +20,7 @@ from symcheck.numeric.random_rotation.scheme import Scheme, scheme
 from symcheck.numeric.random_rotation.torques import RandomTorques
 
 LANES = 256  # paths that share a generator
-TOGETHER = 40  # streams at most that are advanced together: what a step needs of 10,240 paths stays in the cache
+BATCH = 40  # streams at most that are advanced together: what a step needs of 10,240 paths stays in the cache
 FEWEST = 16  # streams of a piece that is made for another worker: with fewer, NumPy's threads wait for one another
 Advance = Callable[[Array, Sequence[np.random.Generator], int], None]
 ENGINES = ("numpy", "numba")  # <engine>_engine.py, which needs the package of that name
@@ -142,7 +142,7 @@ def _in_lanes(start: Array, first: int) -> tuple[Array, int]:
 
 def _pieces(streams: int, workers: int) -> list[slice]:
     """As few pieces as keep the workers busy, none too large and none too small, of one size as nearly as can be."""
-    count = max(min(workers, streams // FEWEST), -(-streams // TOGETHER))
+    count = max(min(workers, streams // FEWEST), -(-streams // BATCH))
     return [slice(streams * k // count, streams * (k + 1) // count) for k in range(count)]
 
 

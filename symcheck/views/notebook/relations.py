@@ -16,7 +16,7 @@ from symcheck.views.model import Relation, condition
 from symcheck.views.notebook.letters import aligned, split
 from symcheck.views.notebook.output import Heading, Math, Output, Part, Prose, Table, Verbatim
 from symcheck.views.notebook.records import decided, item, list_rows, records
-from symcheck.views.steps import shown
+from symcheck.views.steps import proof_lines
 
 _LINES, _COLUMNS = 30, 150  # of a proof that is shown
 _DIGEST = 12  # digits of a certificate's SHA-256
@@ -118,7 +118,7 @@ def proof(id: str) -> Output:
     for record in records(id):
         parts.append(Heading(f"{title(record)} — {_verdict(record)}"))
         for each in record.certificates:
-            told = list(shown(each)) or ["refuted at a point"]
+            told = list(proof_lines(each)) or ["refuted at a point"]
             parts += [Verbatim("", "\n".join(_cut(told))), Prose("checker", checked([each]))]
     return Output(tuple(parts))
 
