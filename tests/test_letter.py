@@ -117,7 +117,7 @@ def test_a_letter_is_about_one_paper() -> None:
 
 
 def test_what_only_the_digitisation_damaged_is_no_concern_of_the_authors() -> None:
-    with pytest.raises(SymcheckError, match="no erratum to write of"):
+    with pytest.raises(SymcheckError, match="no erratum concerns the authors"):
         letter([replace(ROWS[0], origin=Origin.OCR)])
 
 
