@@ -125,7 +125,7 @@ def simulate(
     paths = records.reshape(len(records), 3, -1)[:, :, before : before + len(velocities)]
     if not np.isfinite(paths).all():
         raise FloatingPointError(
-            f"a path left the finite numbers; take a shorter step than {step}, or see whether D damps"
+            f"a path is no longer finite; take a shorter step than {step}, or see whether D damps"
         )
     time = np.array([float(step) * every * (n + 1) for n in range(len(records))])
     return Ensemble(time, np.moveaxis(paths, 1, 2))
