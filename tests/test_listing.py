@@ -134,7 +134,7 @@ def test_a_table_with_a_lost_cell_or_a_word_in_it_is_not_read() -> None:
     assert [getattr(row, "cells", None) for row in rows] == [(("X", "1.5"), ("Y", "0")), None, None, None]
     faults = [row.fault for row in rows if isinstance(row, Unreadable)]
     assert faults[0].startswith("line 32: 2 cells under 3 headings")
-    assert faults[1].startswith("line 33, $V_3$, column Y: 'l.0' is no number")
+    assert faults[1].startswith("line 33, $V_3$, column Y: 'l.0' is not a number")
     assert faults[2].startswith("line 34, column 2: a label V_i is expected")
 
 
