@@ -86,7 +86,7 @@ def test_values_are_those_of_the_numpy_kernel(case: Case) -> None:
 
 
 @every_kernel
-def test_extreme_arguments_give_the_limit_or_no_number(case: Case) -> None:
+def test_extreme_arguments_give_the_limit_or_nan(case: Case) -> None:
     rng = generator(case)
     points = tuple(
         np.where(rng.random(EXTREME) < 0.5, rng.choice(EXTREMES, EXTREME), x)
@@ -102,7 +102,7 @@ def test_extreme_arguments_give_the_limit_or_no_number(case: Case) -> None:
 
 
 @every_kernel
-def test_what_is_no_number_gives_no_number(case: Case) -> None:
+def test_nan_inputs_give_nan_outputs(case: Case) -> None:
     computed = case.kernel.accurate() if case.kernel.accurate else {}
     for n, argument in enumerate(case.kernel.arguments):
         columns = [x.copy() for x in sample(case).points]
@@ -305,18 +305,18 @@ def toy(*operations: Operation, argument: str = "x") -> dict[str, str]:
     return dict(c_target.TARGET.files("toy", {"square": CompiledKernel(kernel, program, program)}))
 
 
-def test_an_unknown_function_is_told() -> None:
+def test_an_unknown_function_is_reported() -> None:
     with pytest.raises(SymcheckError, match="erf has no form in C"):
         toy(Operation("t1", "erf", ("x",)))
 
 
 @pytest.mark.parametrize("name", ["double", "n", "i", "far", "exp", "atan"])
-def test_a_name_that_c_has_already_is_told(name: str) -> None:
+def test_a_name_that_c_reserves_is_reported(name: str) -> None:
     with pytest.raises(SymcheckError, match=rf"kernel square: {name} means something else"):
         toy(Operation("t1", "multiply", (name, name)), argument=name)
 
 
-def test_an_argument_on_which_nothing_depends_is_no_fault() -> None:
+def test_an_unused_argument_is_allowed() -> None:
     program = Program(("x", "y"), operations=[Operation("t1", "sin", ("x",))], outputs={"z": "t1", "w": "x"})
     text = f"#include <stddef.h>\n{c_target.source('toy', 'half', program)}"
     functions = functions_alone().partition("\nvoid many_")[0]

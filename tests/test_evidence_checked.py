@@ -47,7 +47,7 @@ def told_of(record: Record, *beside: str) -> Record:
     return accepted({"it": (record,)}, others)["it"][0]
 
 
-def test_what_the_provers_found_is_told_as_it_is() -> None:
+def test_accepted_results_are_reported_unchanged() -> None:
     assert accepted(DECIDED) == DECIDED
 
 

@@ -114,7 +114,7 @@ def test_rows_are_found_in_every_layout() -> None:
         (r"1) $V_2V_1 : \mathbf{H} = [u, 1, 1] = 0$", "the end of the row is expected, not '= 0$'"),
     ],
 )
-def test_what_cannot_be_read_is_told_with_its_place(text: str, fault: str) -> None:
+def test_what_cannot_be_read_is_reported_with_its_place(text: str, fault: str) -> None:
     [row] = listing.edges(text, 7)
     assert isinstance(row, Unreadable)
     assert fault in row.fault

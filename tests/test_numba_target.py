@@ -228,13 +228,13 @@ def right_at_extremes(case: Case, points: Any, results: tuple[Any, ...]) -> None
 
 
 @every_loop
-def test_extreme_numbers_give_the_limit_or_no_number(case: Case, call: Any) -> None:
+def test_extreme_numbers_give_the_limit_or_nan(case: Case, call: Any) -> None:
     points = tuple(x[:20] for x in extreme(case))
     right_at_extremes(case, points, by_numbers(call, points))
 
 
 @every_loop
-def test_extreme_arrays_give_the_limit_or_no_number(case: Case, call: Any) -> None:
+def test_extreme_arrays_give_the_limit_or_nan(case: Case, call: Any) -> None:
     points = extreme(case)
     right_at_extremes(case, points, call(*points))
 
@@ -342,7 +342,7 @@ def test_threads_give_what_one_gives(case: Case, call: Any) -> None:
 
 
 @few
-def test_what_does_not_fit_is_told(case: Case, call: Any) -> None:
+def test_arguments_that_do_not_fit_are_reported(case: Case, call: Any) -> None:
     columns = [x[:5] for x in truth_of(case).points]
     right = tuple_of(outs(case, 5))
     for out in ((*right, np.empty(5)), (np.empty(6), *right[1:]), (np.empty(5, np.float32), *right[1:])):

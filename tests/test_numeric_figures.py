@@ -104,7 +104,7 @@ def test_a_figure_that_fails_leaves_the_old_file(
     assert list(tmp_path.iterdir()) == [path]
 
 
-def test_an_unknown_name_is_told_the_nearest() -> None:
+def test_the_nearest_name_is_suggested() -> None:
     for call in (figures.figure, figures.summary, lambda name: figures.draw(name, "figure.png")):
         with pytest.raises(ValueError, match="'liquid-frequency'; did you mean liquid-frequencies"):
             call("liquid-frequency")
@@ -124,7 +124,7 @@ def test_one_name_for_two_figures_is_refused(monkeypatch: pytest.MonkeyPatch) ->
         figures.figures()
 
 
-def test_a_module_without_its_optional_library_has_no_figures_but_a_broken_one_is_told(
+def test_a_module_without_its_optional_library_has_no_figures_but_a_broken_one_is_reported(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     expected = list(figures.figures())

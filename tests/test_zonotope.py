@@ -276,6 +276,6 @@ def test_axes_in_a_plane_make_a_polygon_and_on_a_line_a_segment() -> None:
         ([(1, 0, 0), (0, 1)], "wheel 2 has 2 components"),
     ],
 )
-def test_what_is_no_set_of_axes_is_refused(axes: list[tuple[int, ...]], message: str) -> None:
+def test_wrong_axes_are_refused(axes: list[tuple[int, ...]], message: str) -> None:
     with pytest.raises(SymcheckError, match=message):
         envelope(axes)
