@@ -62,12 +62,12 @@ def _may_fork() -> bool:
     return sys.platform == "linux" and len(os.sched_getaffinity(0)) > 1 and len(os.listdir("/proc/self/task")) == 1
 
 
-def _with_lemmas(part: Sequence[Certificate], every: Sequence[Certificate]) -> list[Certificate]:
+def _with_lemmas(part: Sequence[Certificate], certificates: Sequence[Certificate]) -> list[Certificate]:
     """Some certificates, and behind them those of their lemmas, and of the lemmas of these."""
     found, named, size = list(part), set[str](), -1
     while len(named) > size:
         size, named = len(named), {name for each in found for name, _ in each.get("lemmas", ())}
-        found = [*part, *(each for each in every if each.get("id") in named)]
+        found = [*part, *(each for each in certificates if each.get("id") in named)]
     return found
 
 

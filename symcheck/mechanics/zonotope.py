@@ -188,11 +188,11 @@ def combinatorics(chi: Chirotope) -> Combinatorics:
     return Combinatorics(chi.wheels, vertices, {signs: (first, last) for signs, (first, last) in edges.items()}, faces)
 
 
-def _held(wheels: int, found: Mapping[Signs, tuple[Signs, ...]]) -> dict[Signs, tuple[Signs, ...]]:
+def _held(wheels: int, faces: Mapping[Signs, tuple[Signs, ...]]) -> dict[Signs, tuple[Signs, ...]]:
     """What has the completing axes at 1."""
     return {
         signs[:wheels]: tuple(vertex[:wheels] for vertex in vertices)
-        for signs, vertices in found.items()
+        for signs, vertices in faces.items()
         if all(s == 1 for s in signs[wheels:])
     }
 

@@ -193,12 +193,12 @@ class _Reader:
             self.fail(f"each of {', '.join(parameters)} once before this")
         return tuple(found)
 
-    def listed(self, opening: str, closing: str, each: str, what: str) -> list[re.Match[str]]:
+    def listed(self, opening: str, closing: str, item: str, what: str) -> list[re.Match[str]]:
         """Items with commas between them, in brackets."""
         self.take(opening, what)
         found: list[re.Match[str]] = []
         while not found or self.take(f",|{closing}", "a comma or the end of the list")[0] == ",":
-            found.append(self.take(each, what))
+            found.append(self.take(item, what))
         return found
 
 

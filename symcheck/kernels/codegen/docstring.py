@@ -104,6 +104,6 @@ def _entry(name: str, kind: str, text: str) -> str:
     return "\n".join([f"{name} : {kind}", *lines])
 
 
-def _meaning(each: Argument | Output) -> str:
-    text = f"{each.meaning[0].upper()}{each.meaning[1:]}" if each.meaning.split()[0].isalpha() else each.meaning
-    return f"{text}, {'a number' if each.unit == '1' else f'in {each.unit}'}"
+def _meaning(value: Argument | Output) -> str:
+    text = f"{value.meaning[0].upper()}{value.meaning[1:]}" if value.meaning.split()[0].isalpha() else value.meaning
+    return f"{text}, {'a number' if value.unit == '1' else f'in {value.unit}'}"

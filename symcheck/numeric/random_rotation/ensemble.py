@@ -124,9 +124,7 @@ def simulate(
         list(pool.map(record, _pieces(state.shape[1], workers)))
     paths = records.reshape(len(records), 3, -1)[:, :, before : before + len(velocities)]
     if not np.isfinite(paths).all():
-        raise FloatingPointError(
-            f"a path is no longer finite; take a shorter step than {step}, or see whether D damps"
-        )
+        raise FloatingPointError(f"a path is no longer finite; take a shorter step than {step}, or see whether D damps")
     time = np.array([float(step) * every * (n + 1) for n in range(len(records))])
     return Ensemble(time, np.moveaxis(paths, 1, 2))
 

@@ -90,9 +90,9 @@ def code() -> str:
     return digest.hexdigest()
 
 
-def nearest(name: str, choices: Collection[str], otherwise: str, alike: float = 0.6) -> str:
+def nearest(name: str, choices: Collection[str], otherwise: str, cutoff: float = 0.6) -> str:
     """A question after the nearest of the choices, or something else where none is near."""
-    near = get_close_matches(name, choices, n=1, cutoff=alike)
+    near = get_close_matches(name, choices, n=1, cutoff=cutoff)
     return f"did you mean {near[0]!r}?" if near else otherwise
 
 

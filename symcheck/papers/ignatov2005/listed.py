@@ -206,11 +206,11 @@ def _row(listed: Listed, row: Row, right: Row | None) -> Declaration:
     )
 
 
-def kind_of(found: Sequence[str], origin: Origin) -> str:
+def kind_of(kinds: Sequence[str], origin: Origin) -> str:
     """The gravest kind of fault in a row; an author who primes a wrong vertex takes one for the other."""
-    if set(found) <= PRIMES:
-        return "lost prime" if "lost prime" in found and origin is not Origin.PAPER else "label"
-    return next(kind for kind in GRAVEST if kind in found)
+    if set(kinds) <= PRIMES:
+        return "lost prime" if "lost prime" in kinds and origin is not Origin.PAPER else "label"
+    return next(kind for kind in GRAVEST if kind in kinds)
 
 
 # --- a list as a whole

@@ -72,9 +72,9 @@ def cells(folder: Path) -> dict[str, list[Excerpt]]:
     return found
 
 
-def of_record(found: Mapping[str, Iterable[Excerpt]], id: str) -> list[Excerpt]:
+def of_record(excerpts: Mapping[str, Iterable[Excerpt]], id: str) -> list[Excerpt]:
     """The excerpts of a claim, or of the chain it is a link of."""
-    return list({excerpt: None for name in (id, str(Id.parse(id).declaration)) for excerpt in found.get(name, ())})
+    return list({excerpt: None for name in (id, str(Id.parse(id).declaration)) for excerpt in excerpts.get(name, ())})
 
 
 def _functions(file: Path) -> dict[str, str]:
