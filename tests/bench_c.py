@@ -32,7 +32,7 @@ from symcheck.kernels.codegen import c_target
 from symcheck.kernels.codegen.kernel import Argument, Kernel, Output
 from symcheck.kernels.codegen.program import UNARY, Operation, Program
 from symcheck.kernels.codegen.special import RUNTIME
-from symcheck.kernels.codegen.target import Made
+from symcheck.kernels.codegen.target import CompiledKernel
 
 CORES = len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
 COLUMNS = ((10_000, 1), (1_000_000, 1), (1_000_000, CORES))  # points and threads
@@ -69,7 +69,7 @@ def rows(case: Case, loaded: ctypes.CDLL, hand: ctypes.CDLL, costs: Mapping[str,
     """The figures of each column."""
     own, theirs = getattr(loaded, f"{case.paper}_{case.name}"), lambdified(case)
     other = getattr(hand, case.name) if case.name in BY_HAND else own
-    computing = sum(costs.get(operation.function, 0) for operation in case.made.pointwise.operations)
+    computing = sum(costs.get(operation.function, 0) for operation in case.compiled.pointwise.operations)
     for size, threads in COLUMNS:
         points = [np.ascontiguousarray(x) for x in values(case, size)]
         arrays = [*points, *(np.zeros(size) for _ in case.kernel.outputs)]
@@ -87,8 +87,8 @@ def rows(case: Case, loaded: ctypes.CDLL, hand: ctypes.CDLL, costs: Mapping[str,
 
 def costs() -> dict[str, float]:
     """Seconds of each division, root and function for a point, in kernels that have nothing else."""
-    made = {name: _alone(name) for name in SLOW}
-    for name, text in c_target.TARGET.files("costs", made).items():
+    compiled = {name: _alone(name) for name in SLOW}
+    for name, text in c_target.TARGET.files("costs", compiled).items():
         (folder() / name).write_text(text)
     loaded, size = library(("costs.c",), "gcc"), 4096
     x, y, z = (np.random.default_rng(1).uniform(0.1, 1.2, size) for _ in range(3))
@@ -96,7 +96,7 @@ def costs() -> dict[str, float]:
     return {name: found / size for name, found in zip(SLOW, least(*calls), strict=True)}
 
 
-def _alone(function: str) -> Made:
+def _alone(function: str) -> CompiledKernel:
     operands = ("x", "y") if function in ("divide", "power", "gamma_ratio") else ("x",)
     program = Program(("x", "y"), operations=[Operation("t1", function, operands)], outputs={"z": "t1"})
     kernel = Kernel(
@@ -106,12 +106,12 @@ def _alone(function: str) -> Made:
         derived=lambda: {"z": function},
         claims=("1",),
     )
-    return Made(kernel, program, program)
+    return CompiledKernel(kernel, program, program)
 
 
 def functions(case: Case) -> int:
     """How many roots and functions the kernel computes."""
-    return sum(operation.function in SLOW[1:] for operation in case.made.pointwise.operations)
+    return sum(operation.function in SLOW[1:] for operation in case.compiled.pointwise.operations)
 
 
 def main() -> None:

@@ -16,10 +16,10 @@ from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
+from sample_paths import stratonovich_paths, wiener_increments
 from scipy.linalg import expm
 
 from symcheck.numeric.random_rotation import RandomTorques, simulate
-from symcheck.numeric.stochastic import stratonovich_paths, wiener_increments
 
 Array = NDArray[np.float64]
 TORQUES = RandomTorques(

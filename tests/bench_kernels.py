@@ -53,7 +53,7 @@ def values(case: Case, size: int) -> list[Any]:
 def ratios(case: Case) -> tuple[int, float, list[float]]:
     """How many roots and functions it has, seconds per point of a million, times as fast as lambdify by size."""
     ours, theirs = case.function, lambdified(case)
-    calls = sum(operation.function in UNARY for operation in case.made.program.operations)
+    calls = sum(operation.function in UNARY for operation in case.compiled.program.operations)
     gc.freeze()  # what SymPy made need not be looked through before every run
     found, per_point = [], 0.0
     for size in (size for size in SIZES if size <= MOST):

@@ -65,7 +65,7 @@ def compiled(key: str) -> ModuleType:
 
 def transcendental(case: Case) -> int:
     """How many roots and functions a point takes."""
-    return sum(each.function in (*UNARY, "power") for each in case.made.program.operations)
+    return sum(each.function in (*UNARY, "power") for each in case.compiled.program.operations)
 
 
 def copying(size: int) -> float:
@@ -116,7 +116,7 @@ def main() -> None:
     with np.errstate(all="ignore"):
         for case in chosen:
             calls, (times, each) = transcendental(case), ratios(case)
-            moved = 8 * (len(case.kernel.arguments) + 2 * len(set(case.made.pointwise.outputs.values())))
+            moved = 8 * (len(case.kernel.arguments) + 2 * len(set(case.compiled.pointwise.outputs.values())))
             cells = (*(f"{x:.2f}" for x in times), f"{each * 1e9:.1f}", f"{moved / each / bandwidth:.0%}")
             out.print(HEAD.format(case.name, calls, *cells))
             found += [times] if calls >= 2 else []

@@ -28,10 +28,12 @@ _folder = TemporaryDirectory(prefix="symcheck-c-")
 @cache
 def texts() -> Mapping[str, str]:
     """All files that `symcheck generate --target c` writes, without the evidence."""
-    made: dict[str, dict[str, Any]] = {}
+    by_paper: dict[str, dict[str, Any]] = {}
     for case in cases().values():
-        made.setdefault(case.paper, {})[case.name] = case.made
-    return {name: text for key, kernels in made.items() for name, text in c_target.TARGET.files(key, kernels).items()}
+        by_paper.setdefault(case.paper, {})[case.name] = case.compiled
+    return {
+        name: text for key, kernels in by_paper.items() for name, text in c_target.TARGET.files(key, kernels).items()
+    }
 
 
 @cache

@@ -38,7 +38,7 @@ from test_kernels import EXTREMES, generator, short, tuple_of, within_or_at_infi
 from symcheck.core.verdicts import SymcheckError
 from symcheck.kernels.codegen import array_target
 from symcheck.kernels.codegen.program import Operation, Program
-from symcheck.kernels.codegen.target import MARK, Made
+from symcheck.kernels.codegen.target import MARK, CompiledKernel
 
 CASES = cases()
 FEW = 75
@@ -59,8 +59,8 @@ def quiet() -> Iterator[None]:
 
 
 @cache
-def made(case: Case) -> Made:
-    return case.made
+def made(case: Case) -> CompiledKernel:
+    return case.compiled
 
 
 @cache
@@ -238,7 +238,7 @@ def test_extreme_arguments_give_what_the_numpy_kernel_gives(library: Library) ->
 
 
 @in_libraries("jax.jit")
-def test_what_is_no_number_gives_no_number(library: Library) -> None:
+def test_nan_inputs_give_nan_outputs(library: Library) -> None:
     for case in CASES.values():
         outputs, reached = made(case).program.outputs.values(), array_target.dependencies(made(case).program)
         truth = sample(case).take(np.arange(7))
@@ -289,7 +289,7 @@ def test_results_stay_on_the_device_of_the_arrays() -> None:
 # --- what cannot be computed
 
 
-def test_what_is_no_real_array_is_told_by_name() -> None:
+def test_an_argument_that_is_not_a_real_array_is_named() -> None:
     strict = pytest.importorskip("array_api_strict")
     f, right = function(CASES["mirer2009:direction_cosines"]), np.ones(2)
     for wrong, words in [
@@ -395,7 +395,7 @@ def test_derivatives_are_those_of_the_derived_expressions(derivatives: Any, chos
 
 
 @pytest.mark.parametrize("name", ["log1p_ratio", "expm1_ratio"])
-def test_quotients_keep_their_derivatives_at_zero_and_beside_it(name: str) -> None:
+def test_quotients_keep_their_derivatives_at_and_near_zero(name: str) -> None:
     torch, xp = pytest.importorskip("torch"), pytest.importorskip("array_api_compat.torch")
     exact = {
         "log1p_ratio": lambda x: 1 / (1 + x) / x - mp.log1p(x) / x**2,
@@ -507,18 +507,18 @@ def test_one_changed_operator_is_noticed() -> None:
             assert not unnoticed(case, mutant), mutant
 
 
-def program(*operations: Operation, **outputs: Any) -> Made:
+def program(*operations: Operation, **outputs: Any) -> CompiledKernel:
     """A program of x and y that no kernel has."""
     some = made(next(iter(CASES.values())))
     return replace(some, program=Program(("x", "y"), operations=list(operations), outputs=outputs))
 
 
-def test_an_unknown_function_is_told() -> None:
+def test_an_unknown_function_is_reported() -> None:
     with pytest.raises(SymcheckError, match="no function erf"):
         array_target.source("f", program(Operation("t1", "erf", ("x",)), z="t1"))
 
 
-def test_numbers_are_arrays_wherever_there_is_none_beside_them() -> None:
+def test_numbers_without_arrays_become_arrays() -> None:
     """Outputs that are numbers or arguments, functions of numbers, and operators between two numbers."""
     pytest.importorskip("array_api_compat")
     third = Fraction(1, 3)

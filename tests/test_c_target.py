@@ -24,7 +24,7 @@ from symcheck.kernels.codegen.c_functions import CIRCULAR, REACH, written
 from symcheck.kernels.codegen.c_text import COMPILE, PARALLEL, SOURCE
 from symcheck.kernels.codegen.kernel import Argument, Kernel, Output
 from symcheck.kernels.codegen.program import Operation, Program
-from symcheck.kernels.codegen.target import MARK, Made
+from symcheck.kernels.codegen.target import MARK, CompiledKernel
 
 CASES = cases()
 FEW, MANY, EXTREME = 40, 1000, 200
@@ -86,7 +86,7 @@ def test_values_are_those_of_the_numpy_kernel(case: Case) -> None:
 
 
 @every_kernel
-def test_extreme_arguments_give_the_limit_or_no_number(case: Case) -> None:
+def test_extreme_arguments_give_the_limit_or_nan(case: Case) -> None:
     rng = generator(case)
     points = tuple(
         np.where(rng.random(EXTREME) < 0.5, rng.choice(EXTREMES, EXTREME), x)
@@ -102,7 +102,7 @@ def test_extreme_arguments_give_the_limit_or_no_number(case: Case) -> None:
 
 
 @every_kernel
-def test_what_is_no_number_gives_no_number(case: Case) -> None:
+def test_nan_inputs_give_nan_outputs(case: Case) -> None:
     computed = case.kernel.accurate() if case.kernel.accurate else {}
     for n, argument in enumerate(case.kernel.arguments):
         columns = [x.copy() for x in sample(case).points]
@@ -149,7 +149,7 @@ def test_threads_share_large_arrays(case: Case) -> None:
 
 def turned(case: Case) -> bool:
     """Whether an argument is an angle whose sine, cosine or tangent is taken."""
-    return any(operation.function in CIRCULAR for operation in case.made.pointwise.operations)
+    return any(operation.function in CIRCULAR for operation in case.compiled.pointwise.operations)
 
 
 @pytest.mark.parametrize("case", [case for case in CASES.values() if turned(case)], ids=lambda case: case.id)
@@ -302,21 +302,21 @@ def toy(*operations: Operation, argument: str = "x") -> dict[str, str]:
         claims=("1.1",),
     )
     program = Program((argument,), operations=list(operations), outputs={"y": operations[-1].result})
-    return dict(c_target.TARGET.files("toy", {"square": Made(kernel, program, program)}))
+    return dict(c_target.TARGET.files("toy", {"square": CompiledKernel(kernel, program, program)}))
 
 
-def test_an_unknown_function_is_told() -> None:
+def test_an_unknown_function_is_reported() -> None:
     with pytest.raises(SymcheckError, match="erf has no form in C"):
         toy(Operation("t1", "erf", ("x",)))
 
 
 @pytest.mark.parametrize("name", ["double", "n", "i", "far", "exp", "atan"])
-def test_a_name_that_c_has_already_is_told(name: str) -> None:
+def test_a_name_that_c_reserves_is_reported(name: str) -> None:
     with pytest.raises(SymcheckError, match=rf"kernel square: {name} means something else"):
         toy(Operation("t1", "multiply", (name, name)), argument=name)
 
 
-def test_an_argument_on_which_nothing_depends_is_no_fault() -> None:
+def test_an_unused_argument_is_allowed() -> None:
     program = Program(("x", "y"), operations=[Operation("t1", "sin", ("x",))], outputs={"z": "t1", "w": "x"})
     text = f"#include <stddef.h>\n{c_target.source('toy', 'half', program)}"
     functions = functions_alone().partition("\nvoid many_")[0]
@@ -359,7 +359,7 @@ def together(files: list[str]) -> ctypes.CDLL:
 def test_one_changed_operator_of_a_kernel_is_noticed() -> None:
     found = []
     for case in CASES.values():
-        text = c_target.TARGET.files(case.paper, {case.name: case.made})[f"{case.paper}.c"]
+        text = c_target.TARGET.files(case.paper, {case.name: case.compiled})[f"{case.paper}.c"]
         text = text.replace(f'#include "{case.paper}.h"', "#include <stddef.h>")
         found += [(case, mutant) for mutant in mutants(text, f"{case.name}")]
     drawn = random.Random(0).sample(found, MUTANTS)

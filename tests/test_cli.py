@@ -108,7 +108,7 @@ def test_a_changed_verdict_is_named_and_exits_1(old: str, new: str, message: str
     assert recorded("check", "toy:1.2").exit_code == 0
 
 
-def test_a_damaged_expectation_is_told_and_exits_2(recorded: Run, toy: Path) -> None:
+def test_a_damaged_expectation_is_reported_and_exits_2(recorded: Run, toy: Path) -> None:
     (toy / "generated" / "expected" / "toy.json").write_text("{")
     result = recorded("check", "toy")
     assert result.exit_code == 2

@@ -81,7 +81,7 @@ def test_time_limits_crashes_and_exceptions_leave_a_whole_ledger(environment: di
     assert "Traceback" not in result.stderr
 
 
-def test_a_reader_that_leaves_early_is_no_error(environment: dict[str, str]) -> None:
+def test_a_reader_may_leave_early(environment: dict[str, str]) -> None:
     env = {**environment, "STAND_IN_MORE": " ".join(f"2.{n}" for n in range(500))}
     with subprocess.Popen(
         [*START, "check", "toy", "--jobs", "0"], env=env, stdout=subprocess.PIPE, stderr=subprocess.PIPE
@@ -95,7 +95,7 @@ def test_a_reader_that_leaves_early_is_no_error(environment: dict[str, str]) -> 
     assert errors == b""
 
 
-def test_words_that_the_terminal_cannot_show_are_no_error(environment: dict[str, str]) -> None:
+def test_the_terminal_may_lack_letters(environment: dict[str, str]) -> None:
     result = run("show", "toy:1.1", env={**environment, "PYTHONIOENCODING": "ascii", "PYTHONUTF8": "0", "LC_ALL": "C"})
     assert result.returncode == 0, result.stderr
 

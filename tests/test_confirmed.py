@@ -134,7 +134,7 @@ def test_coq_is_asked_of_what_is_proved_alone() -> None:
     assert [corrected for corrected, _ in confirmed.asked(WRONG)] == [True]
     (undecided,), (definition,) = (stand_in.decide(f"toy:{number}") for number in ("1.4", "1.5"))
     assert [*confirmed.asked(undecided), *confirmed.asked(definition)] == []
-    assert confirmed.told(undecided) == ""
+    assert confirmed.summary(undecided) == ""
 
 
 def test_what_is_recorded_of_other_relations_stays(folder: Path) -> None:

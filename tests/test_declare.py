@@ -11,7 +11,6 @@ import pytest
 
 from symcheck import papers
 from symcheck.core.claims import Declaration, Ours
-from symcheck.core.verdicts import SymcheckError
 from symcheck.papers import declare as vocabulary
 from symcheck.papers.declare import Scope, claim, definition, exclusion, ours, premise
 from symcheck.papers.mirer2009 import derivation
@@ -53,11 +52,14 @@ def test_what_makes_no_sense_for_a_class_cannot_be_said(declare: Callable[..., D
         declare("1", 3, **NAMED[declare], **{field: None})
 
 
-@pytest.mark.parametrize("declare", [claim, ours], ids=["claim", "ours"])
-def test_a_claim_without_a_method_is_refused_where_it_stands(declare: Callable[..., Declaration]) -> None:
-    fields = {name: value for name, value in NAMED[declare].items() if name != "by"}
-    with pytest.raises(SymcheckError, match="1 names no proof method; add by="):
-        declare("1", 3, **fields)
+def test_the_method_is_identity_unless_the_claim_or_its_scope_names_another() -> None:
+    scope = Scope(damping_letters, keeping=("b",), free=("J",))
+    assert [each.claim("1", 3).plan.by for each in (scope, scope.by_cases)] == [identity, cases()]
+    assert scope.by_cases.claim("1", 3).notation == damping_letters
+    assert (scope.ours("1", 3, words="x.", states="x = x").plan.keeping, scope.claim("1", 3).plan.free) == (
+        ("b",),
+        ("J",),
+    )
 
 
 def test_a_scope_is_in_force_unless_a_claim_says_otherwise() -> None:

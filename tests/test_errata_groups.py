@@ -70,7 +70,7 @@ def test_the_weightiest_come_first() -> None:
     assert places == sorted(places)
 
 
-def test_a_group_without_members_is_not_told() -> None:
+def test_a_group_without_members_is_left_out() -> None:
     assert Group.SLIP.upper() not in told(WRONG, ROW)
 
 
@@ -88,7 +88,7 @@ def test_rows_of_one_list_kind_and_origin_stand_under_one_heading() -> None:
     assert text.count(ROW.reason) == 3
 
 
-def test_a_reason_of_its_own_stands_beside_its_row() -> None:
+def test_a_different_reason_stands_in_its_row() -> None:
     text = told(ROW, replace(ROW, id="toy:2.1V.6a"), replace(ROW, id="toy:2.1V.7a", reason="stands alone"))
     line = next(line for line in text.splitlines() if "2.1V.7a" in line)
     assert "stands alone" in line

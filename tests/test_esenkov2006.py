@@ -23,7 +23,7 @@ PROSE = re.compile(
 )
 
 
-def test_every_character_that_is_no_prose_belongs_to_a_declaration(sources: Path) -> None:
+def test_every_character_outside_of_prose_belongs_to_a_declaration(sources: Path) -> None:
     text = re.sub(r"\s+", " ", (sources / PAPER.source).read_text(encoding="utf-8"))
     pieces = {re.sub(r"\s+", " ", piece) for _, _, item in PAPER.items() for piece in item.source.printed}
     for piece in sorted(pieces, key=len, reverse=True):

@@ -18,7 +18,7 @@ from msgspec.structs import replace
 from symcheck import papers
 from symcheck.audit import checked, decide, run
 from symcheck.audit.cache import FILE, Cache
-from symcheck.audit.checked import NOT_ACCEPTED, told
+from symcheck.audit.checked import NOT_ACCEPTED, accepted
 from symcheck.audit.executor import Serial
 from symcheck.core.verdicts import Verdict
 from symcheck.ledger.record import Need, Record
@@ -44,11 +44,11 @@ def copied(id: str) -> Record:
 
 def told_of(record: Record, *beside: str) -> Record:
     others: Mapping[str, tuple[Record, ...]] = {id: DECIDED[id] for id in beside}
-    return told({"it": (record,)}, others)["it"][0]
+    return accepted({"it": (record,)}, others)["it"][0]
 
 
-def test_what_the_provers_found_is_told_as_it_is() -> None:
-    assert told(DECIDED) == DECIDED
+def test_accepted_results_are_reported_unchanged() -> None:
+    assert accepted(DECIDED) == DECIDED
 
 
 def test_a_proof_from_a_lemma_is_accepted_with_the_proof_of_the_lemma_only() -> None:
@@ -174,9 +174,9 @@ def test_a_hypothesis_is_needless_if_a_proof_does_without_it(changes: dict[str, 
 def test_one_process_or_two_say_the_same(many: int, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(checked, "MANY", many)
     monkeypatch.setattr(checked, "_may_fork", lambda: sys.platform == "linux")
-    assert told(DECIDED) == DECIDED
+    assert accepted(DECIDED) == DECIDED
     spoilt = {id: tuple(_false(copied(id)) for _ in range(2)) for id in (PROVED, OTHER, RESTING, EQUALITY)}
-    found = told(spoilt | {LEMMA: DECIDED[LEMMA]})
+    found = accepted(spoilt | {LEMMA: DECIDED[LEMMA]})
     assert {record.verdict for id in spoilt for record in found[id]} == {Verdict.UNDECIDED}
     assert found[LEMMA] == DECIDED[LEMMA]
 
@@ -192,7 +192,7 @@ def test_what_a_killed_process_does_not_say_is_checked_here(monkeypatch: pytest.
     monkeypatch.setattr(checked, "MANY", 1)
     monkeypatch.setattr(checked, "_may_fork", lambda: True)
     monkeypatch.setattr(checked, "_send", answer)
-    assert told(DECIDED) == DECIDED
+    assert accepted(DECIDED) == DECIDED
 
 
 # --- the cache

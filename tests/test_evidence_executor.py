@@ -57,7 +57,7 @@ def test_nothing_to_do_is_nothing_done(executor: Executor) -> None:
 
 
 @pytest.mark.parametrize("executor", EXECUTORS.values(), ids=EXECUTORS.keys())
-def test_an_exception_is_told_in_words(executor: Executor) -> None:
+def test_an_exception_is_put_in_words(executor: Executor) -> None:
     assert list(executor.map(raise_unpicklable, ["1"], 60.0)) == [("1", Crash("Unpicklable: cannot be sent"))]
 
 

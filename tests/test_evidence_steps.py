@@ -62,11 +62,11 @@ def test_distinct_terms_are_written_differently() -> None:
         (["something", "new"], '["something", "new"]'),
     ],
 )
-def test_a_reference_is_told_in_words(ref: list[Any], text: str) -> None:
+def test_a_reference_is_put_in_words(ref: list[Any], text: str) -> None:
     assert steps.reference(ref) == text
 
 
-def test_every_part_of_a_proof_is_told_once() -> None:
+def test_every_part_of_a_proof_is_shown_once() -> None:
     proof = {
         "rule": "split",
         "form": ["*", ["^", "FACTOR_1", 2], "FACTOR_2"],
@@ -77,7 +77,7 @@ def test_every_part_of_a_proof_is_told_once() -> None:
             {"rule": "witness", "point": {"POINT": 1}},
         ],
     }
-    text = "\n".join(steps.shown({"proof": proof, "lemmas": [["LEMMA", ["=", 0, 0]]], "nonzero": ["DIVISOR"]}))
+    text = "\n".join(steps.proof_lines({"proof": proof, "lemmas": [["LEMMA", ["=", 0, 0]]], "nonzero": ["DIVISOR"]}))
     for word in (
         "LEMMA",
         "QUOTIENT",
@@ -95,7 +95,7 @@ def test_every_part_of_a_proof_is_told_once() -> None:
         assert text.count(word) == 1, word
 
 
-def test_a_theorem_is_told_with_its_premises_and_what_follows() -> None:
+def test_a_theorem_is_shown_with_its_premises_and_what_follows() -> None:
     proof = {
         "rule": "theorem",
         "of": "root",
@@ -115,7 +115,7 @@ def test_a_theorem_is_told_with_its_premises_and_what_follows() -> None:
     ]
 
 
-def test_a_function_and_what_exists_are_told_with_their_letters() -> None:
+def test_functions_and_existence_are_shown_with_their_letters() -> None:
     proof = {
         "rule": "theorem",
         "of": "quarter_turn",
@@ -131,7 +131,7 @@ def test_a_function_and_what_exists_are_told_with_their_letters() -> None:
     assert text.endswith("from assumption 1, value 2 at the point")
 
 
-def test_what_is_proved_first_is_told_before_what_follows() -> None:
+def test_what_is_proved_first_is_shown_first() -> None:
     then = {"rule": "compute"}
     proof = {"rule": "have", "formula": ["=", "FACT", 1], "proof": {"rule": "identity"}, "then": then}
     first, *rest = (line.strip() for line in steps.steps(proof))
@@ -139,7 +139,7 @@ def test_what_is_proved_first_is_told_before_what_follows() -> None:
     assert [line.partition(":")[0] for line in rest] == ["proof", "identity", "compute"]
 
 
-def test_a_counterexample_is_told_with_both_sides() -> None:
+def test_a_counterexample_is_shown_with_both_sides() -> None:
     found = {"values": {"x": ["/", 2, 7], "y": ["sqrt", 3]}, "shown": [["=", "x", 1], ["=", "y", ["-", ["sqrt", 3]]]]}
     assert steps.point(found["values"]) == "x = 2/7, y = sqrt(3)"
     assert steps.sides(found) == "the sides are 1 against -sqrt(3)"
@@ -157,13 +157,13 @@ def test_a_counterexample_is_told_with_both_sides() -> None:
     assert steps.sides(digits) == "-pi lies between -3.141593 and -3.141592"
 
 
-def test_an_angle_is_told_by_its_sine_and_cosine() -> None:
+def test_an_angle_is_given_by_its_sine_and_cosine() -> None:
     third = ["*", 2, ["arctan", ["/", 1, 3]]]
     assert steps.point({"a": third, "b": ["*", 2, ["arctan", 0]]}) == "sin a = 3/5, cos a = 4/5, sin b = 0, cos b = 1"
     assert steps.point({"a": ["*", 2, ["arctan", ["sqrt", 2]]]}) == "a = 2*arctan(sqrt(2))"
 
 
-def test_an_angle_that_others_are_made_of_is_told_first() -> None:
+def test_an_angle_that_others_depend_on_comes_first() -> None:
     inner = ["arctan", ["/", 5, 8]]
     outer = ["arctan", ["/", 2, ["cos", inner]]]
     values = {"H": ["*", 4, ["cos", outer], ["sin", inner]], "J": 3, "a": outer, "b": inner, "c": inner}

@@ -99,7 +99,7 @@ def test_an_interrupt_that_a_destructor_drops_comes_again() -> None:
     assert (found.stdout, found.stderr) == ("dropped\ncame again\n", "")
 
 
-def test_another_exception_that_a_destructor_drops_is_told_as_ever() -> None:
+def test_other_exceptions_in_destructors_are_reported_as_usual() -> None:
     found = run(
         "class Failing:\n"
         "    def __del__(self):\n"

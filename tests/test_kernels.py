@@ -335,7 +335,7 @@ def test_single_precision_stays_single(case: Case) -> None:
 
 
 @every_kernel
-def test_numbers_beside_single_precision_do_not_widen_it(case: Case) -> None:
+def test_numbers_do_not_widen_single_precision(case: Case) -> None:
     points = [x[:1] for x in short(case)]
     truth = case.truth(tuple(x.astype(float) for x in points))
     agrees(case, truth, case.function(points[0], *(float(x[0]) for x in points[1:])), np.float32)
@@ -411,7 +411,7 @@ def wrong_outs(case: Case) -> dict[str, tuple[Any, str]]:
 
 
 @every_kernel
-def test_a_wrong_out_is_told(case: Case) -> None:
+def test_a_wrong_out_is_reported(case: Case) -> None:
     columns = [x[:5] for x in sample(case).points]
     for out, words in wrong_outs(case).values():
         with pytest.raises(ValueError, match=words):
@@ -446,7 +446,7 @@ def test_complex_numbers_are_refused(case: Case) -> None:
 
 @every_kernel
 @pytest.mark.parametrize("size", sorted({5, SMALL + 5, BLOCK + 5}))
-def test_what_is_no_number_gives_no_number(case: Case, size: int) -> None:
+def test_nan_inputs_give_nan_outputs(case: Case, size: int) -> None:
     truth = sample(case).take(np.resize(np.arange(97), size))
     computed = case.kernel.accurate() if case.kernel.accurate else {}
     for n, argument in enumerate(case.kernel.arguments):
@@ -464,7 +464,7 @@ def test_what_is_no_number_gives_no_number(case: Case, size: int) -> None:
 
 
 @every_kernel
-def test_extreme_arguments_do_not_raise_and_give_the_limit_or_no_number(case: Case) -> None:
+def test_extreme_arguments_do_not_raise_and_give_the_limit_or_nan(case: Case) -> None:
     rng = generator(case)
     count = 300
     ordinary = random_points(case.kernel, count, rng)
@@ -497,7 +497,7 @@ def within_or_at_infinity(kernel: Kernel, points: tuple[Any, ...]) -> Any:
 
 
 @pytest.mark.parametrize("size", [1, 3, 97, SMALL + 1])
-def test_a_division_by_zero_is_told_by_numpy_and_gives_infinity_however_few_points_there_are(size: int) -> None:
+def test_a_division_by_zero_warns_and_gives_infinity_however_few_points_there_are(size: int) -> None:
     inertia = CASES["esenkov2006:mode_inertia"].function
     columns = [np.full(size, 2.0), np.full(size, 3.0), np.zeros(size)]
     assert np.isposinf(inertia(*columns)).all()
@@ -506,7 +506,7 @@ def test_a_division_by_zero_is_told_by_numpy_and_gives_infinity_however_few_poin
 
 
 @pytest.mark.parametrize("size", [1, 2, 3])
-def test_an_overflow_is_told_by_numpy_however_few_points_there_are(size: int) -> None:
+def test_an_overflow_warns_however_few_points_there_are(size: int) -> None:
     square = CASES["poloskov2004:mean_square_of_amplitude"].function
     columns = [np.full(size, 1.0), np.full(size, 1e300), np.full(size, 2.0)]
     assert np.isposinf(square(*columns)).all()
@@ -820,7 +820,7 @@ def test_a_lost_last_line_end_is_mended_by_the_patch(written: Any) -> None:
         (".toy.py.123", "unknown; no command writes it, so remove it"),
     ],
 )
-def test_a_stale_or_unknown_file_is_told(name: str, told: str, written: Any) -> None:
+def test_a_stale_or_unknown_file_is_reported(name: str, told: str, written: Any) -> None:
     run, folder = written
     (folder / name).parent.mkdir(exist_ok=True)
     (folder / name).write_text(f'"""{MARK}"""\n' if name == "gone.py" else "text")
@@ -833,7 +833,7 @@ def test_a_stale_or_unknown_file_is_told(name: str, told: str, written: Any) -> 
     assert (folder / name).exists() == (told != "superfluous")
 
 
-def test_a_lost_kernel_file_is_told(written: Any) -> None:
+def test_a_lost_kernel_file_is_reported(written: Any) -> None:
     run, folder = written
     (folder / "toy.py").unlink()
     result = run("generate", "--check")

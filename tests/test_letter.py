@@ -116,8 +116,8 @@ def test_a_letter_is_about_one_paper() -> None:
         letter([replace(ROWS[0], id="mirer2009:2.1", paper="mirer2009"), ROWS[0]])
 
 
-def test_what_only_the_digitisation_damaged_is_no_concern_of_the_authors() -> None:
-    with pytest.raises(SymcheckError, match="no erratum to write of"):
+def test_damage_by_the_digitisation_does_not_concern_the_authors() -> None:
+    with pytest.raises(SymcheckError, match="no erratum concerns the authors"):
         letter([replace(ROWS[0], origin=Origin.OCR)])
 
 

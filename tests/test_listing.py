@@ -114,7 +114,7 @@ def test_rows_are_found_in_every_layout() -> None:
         (r"1) $V_2V_1 : \mathbf{H} = [u, 1, 1] = 0$", "the end of the row is expected, not '= 0$'"),
     ],
 )
-def test_what_cannot_be_read_is_told_with_its_place(text: str, fault: str) -> None:
+def test_what_cannot_be_read_is_reported_with_its_place(text: str, fault: str) -> None:
     [row] = listing.edges(text, 7)
     assert isinstance(row, Unreadable)
     assert fault in row.fault
@@ -134,7 +134,7 @@ def test_a_table_with_a_lost_cell_or_a_word_in_it_is_not_read() -> None:
     assert [getattr(row, "cells", None) for row in rows] == [(("X", "1.5"), ("Y", "0")), None, None, None]
     faults = [row.fault for row in rows if isinstance(row, Unreadable)]
     assert faults[0].startswith("line 32: 2 cells under 3 headings")
-    assert faults[1].startswith("line 33, $V_3$, column Y: 'l.0' is no number")
+    assert faults[1].startswith("line 33, $V_3$, column Y: 'l.0' is not a number")
     assert faults[2].startswith("line 34, column 2: a label V_i is expected")
 
 

@@ -166,6 +166,6 @@ def test_labels_are_read_in_every_spelling(text: str) -> None:
     assert [label.printed for label in listing.labels(text, 1)] == ["F_1", "F'_1"]
 
 
-def test_what_is_no_label_is_told_with_its_place() -> None:
+def test_a_wrong_label_is_reported_with_its_place() -> None:
     with pytest.raises(SymcheckError, match="line 180, column 6: a label"):
         listing.labels("F_1, H'_1", 180)

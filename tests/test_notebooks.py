@@ -83,7 +83,7 @@ def test_every_paper_has_a_notebook() -> None:
 
 
 @pytest.mark.parametrize("key", load())
-def test_every_serious_erratum_is_told(key: str) -> None:
+def test_every_serious_erratum_is_shown(key: str) -> None:
     told = "\n".join(cell.source for cell in committed.built("6_errata").cells)
     serious = [record.id for record in records.serious(key)]
     assert serious
@@ -195,7 +195,7 @@ CHANGES: dict[str, Callable[[Any], None]] = {
 
 
 @pytest.mark.parametrize(("told", "change"), CHANGES.items())
-def test_every_change_of_a_notebook_is_told(told: str, change: Callable[[Any], None]) -> None:
+def test_every_change_of_a_notebook_is_reported(told: str, change: Callable[[Any], None]) -> None:
     assert [told in line for line in changed(change)] == [True]
 
 
@@ -291,8 +291,8 @@ def test_a_certificate_that_does_not_hold_is_said_not_to() -> None:
     assert relations.checked([certificate, false]).startswith("a certificate does not hold: ")
 
 
-def test_what_is_right_is_no_erratum() -> None:
-    with pytest.raises(SymcheckError, match=re.escape("mirer2009:2.12 is no erratum")):
+def test_a_right_relation_is_not_an_erratum() -> None:
+    with pytest.raises(SymcheckError, match=re.escape("mirer2009:2.12 is not an erratum")):
         show.erratum("mirer2009:2.12")
 
 

@@ -28,7 +28,7 @@ from kernel_reference import Case, Truth, cases, crowded_points, in_range, insid
 from symcheck.core.verdicts import SymcheckError
 from symcheck.kernels.codegen import numba_functions, numba_target
 from symcheck.kernels.codegen.program import UNARY, Operation, Program
-from symcheck.kernels.codegen.target import MARK, Made
+from symcheck.kernels.codegen.target import MARK, CompiledKernel
 
 numba = pytest.importorskip("numba")
 
@@ -50,12 +50,12 @@ FUNCTIONS: dict[str, tuple[Callable[[arb], arb], float, float, float]] = {  # en
 
 def functions(case: Case) -> set[str]:
     """The functions that the program of a kernel calls."""
-    return {operation.function for operation in case.made.pointwise.operations}
+    return {operation.function for operation in case.compiled.pointwise.operations}
 
 
 def features(case: Case) -> set[str]:
     """The same, and whether some outputs are equal."""
-    values = list(case.made.pointwise.outputs.values())
+    values = list(case.compiled.pointwise.outputs.values())
     return functions(case) | ({"equal outputs"} if len(set(values)) < len(values) else set())
 
 
@@ -81,9 +81,9 @@ every_loop = pytest.mark.parametrize(
 @cache
 def texts() -> dict[str, str]:
     """The files of all papers."""
-    made: dict[str, dict[str, Made]] = {}
+    made: dict[str, dict[str, CompiledKernel]] = {}
     for case in CASES.values():
-        made.setdefault(case.paper, {})[case.name] = case.made
+        made.setdefault(case.paper, {})[case.name] = case.compiled
     return {
         name: text for key, kernels in made.items() for name, text in numba_target.TARGET.files(key, kernels).items()
     }
@@ -165,7 +165,7 @@ def test_the_text_of_every_kernel_is_right_as_plain_python(case: Case, modules: 
     library = [getattr(math, numba_target.LIBRARY.get(name, name)) for name in names]
     truth = case.truth(random_points(case.kernel, 10, generator(case)))
     rows = [tuple_of(core(*map(float, point), *library)) for point in zip(*truth.points, strict=True)]
-    values = list(case.made.pointwise.outputs.values())
+    values = list(case.compiled.pointwise.outputs.values())
     places = [list(dict.fromkeys(values)).index(value) for value in values]
     found = worst(case, truth, [np.array([row[place] for row in rows]) for place in places])
     assert found.ulp <= case.kernel.ulp, found
@@ -228,13 +228,13 @@ def right_at_extremes(case: Case, points: Any, results: tuple[Any, ...]) -> None
 
 
 @every_loop
-def test_extreme_numbers_give_the_limit_or_no_number(case: Case, call: Any) -> None:
+def test_extreme_numbers_give_the_limit_or_nan(case: Case, call: Any) -> None:
     points = tuple(x[:20] for x in extreme(case))
     right_at_extremes(case, points, by_numbers(call, points))
 
 
 @every_loop
-def test_extreme_arrays_give_the_limit_or_no_number(case: Case, call: Any) -> None:
+def test_extreme_arrays_give_the_limit_or_nan(case: Case, call: Any) -> None:
     points = extreme(case)
     right_at_extremes(case, points, call(*points))
 
@@ -326,7 +326,7 @@ def test_out_may_be_an_input_or_overlap_it(case: Case, call: Any) -> None:
 
 @few
 def test_results_share_memory_only_where_the_formulas_are_equal(case: Case, call: Any) -> None:
-    results, values = call(*truth_of(case).points), list(case.made.pointwise.outputs.values())
+    results, values = call(*truth_of(case).points), list(case.compiled.pointwise.outputs.values())
     for x, y in combinations(range(len(results)), 2):
         assert np.shares_memory(results[x], results[y]) == (values[x] == values[y])
     assert not any(np.shares_memory(x, y) for x in truth_of(case).points for y in results)
@@ -342,7 +342,7 @@ def test_threads_give_what_one_gives(case: Case, call: Any) -> None:
 
 
 @few
-def test_what_does_not_fit_is_told(case: Case, call: Any) -> None:
+def test_arguments_that_do_not_fit_are_reported(case: Case, call: Any) -> None:
     columns = [x[:5] for x in truth_of(case).points]
     right = tuple_of(outs(case, 5))
     for out in ((*right, np.empty(5)), (np.empty(6), *right[1:]), (np.empty(5, np.float32), *right[1:])):
@@ -401,7 +401,7 @@ def test_every_function_of_a_program_is_known() -> None:
     program = Program(("x",), operations=[Operation("t1", "bessel", ("x",))], outputs={"y": "t1"})
     case = next(iter(CASES.values()))
     with pytest.raises(SymcheckError, match=r"no function bessel for Numba; add it to"):
-        numba_target.source("some", Made(case.kernel, program, program))
+        numba_target.source("some", CompiledKernel(case.kernel, program, program))
 
 
 # --- the text

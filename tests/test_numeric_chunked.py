@@ -119,7 +119,7 @@ def test_a_kernel_of_single_precision_stays_so() -> None:
     assert_same_bits(volume(da.from_array(a, chunks=100), a), volume(a, a))
 
 
-def test_an_array_without_names_is_refused_beside_data_arrays() -> None:
+def test_plain_arrays_and_data_arrays_do_not_mix() -> None:
     moments, axes = (arguments(FUNCTIONS["inertia.axial_moments"]))[:2]
     with pytest.raises(ValueError, match=r"shape \(30, 20, 3, 3\) beside DataArrays must be one too"):
         FUNCTIONS["inertia.axial_moments"](as_named(moments, "i"), axes)

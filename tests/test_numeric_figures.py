@@ -104,7 +104,7 @@ def test_a_figure_that_fails_leaves_the_old_file(
     assert list(tmp_path.iterdir()) == [path]
 
 
-def test_an_unknown_name_is_told_the_nearest() -> None:
+def test_the_nearest_name_is_suggested() -> None:
     for call in (figures.figure, figures.summary, lambda name: figures.draw(name, "figure.png")):
         with pytest.raises(ValueError, match="'liquid-frequency'; did you mean liquid-frequencies"):
             call("liquid-frequency")
@@ -117,14 +117,14 @@ def test_an_ending_that_says_nothing_is_refused(name: str, a_figure: str, tmp_pa
 
 
 def test_one_name_for_two_figures_is_refused(monkeypatch: pytest.MonkeyPatch) -> None:
-    from symcheck.numeric import stochastic
+    from symcheck.numeric import domain
 
-    monkeypatch.setattr(stochastic, "FIGURES", {"liquid-frequencies": stand_in}, raising=False)
-    with pytest.raises(ValueError, match=r"plots and .*stochastic both have a figure 'liquid-frequencies'"):
+    monkeypatch.setattr(domain, "FIGURES", {"liquid-frequencies": stand_in}, raising=False)
+    with pytest.raises(ValueError, match=r"domain and .*plots both have a figure 'liquid-frequencies'"):
         figures.figures()
 
 
-def test_a_module_without_its_optional_library_has_no_figures_but_a_broken_one_is_told(
+def test_a_module_without_its_optional_library_has_no_figures_but_a_broken_one_is_reported(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     expected = list(figures.figures())

@@ -258,7 +258,7 @@ def test_no_product_leaves_its_bounds(moments: Any, axes: Array) -> None:
 
 
 @pytest.mark.parametrize("angle", [1e-3, 1e-6, 1e-9])
-def test_distances_keep_their_digits_beside_the_bounds(angle: float) -> None:
+def test_distances_keep_their_digits_near_the_bounds(angle: float) -> None:
     i1, i2, i3 = moments = (2.0, 3.0, 4.5)
     turned = direction_cosines(angle, 0, 0)
     s = np.sin(angle) * np.cos(angle)
@@ -632,7 +632,7 @@ SKEW = [[1.0, 0.5, 0], [0, 1, 0], [0, 0, 1]]
         (lambda: plots.plot_damping_over_pitch(ratios=[0, 1]), r"ratios\[0\] = .*0\.0.* must be positive"),
     ],
 )
-def test_bad_input_is_told(call: Callable[[], Any], message: str) -> None:
+def test_bad_input_is_reported(call: Callable[[], Any], message: str) -> None:
     with pytest.raises(ValueError, match=message):
         call()
 

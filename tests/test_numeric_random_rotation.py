@@ -21,6 +21,7 @@ import sympy as sp
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from numpy.typing import NDArray
+from sample_paths import heun_step
 from scipy.integrate import quad
 from scipy.linalg import expm
 
@@ -28,7 +29,6 @@ from symcheck.numeric import random_rotation as rr
 from symcheck.numeric.random_rotation import numpy_engine
 from symcheck.numeric.random_rotation.ensemble import LANES
 from symcheck.numeric.random_rotation.scheme import COARSEST, scheme
-from symcheck.numeric.stochastic import heun_step
 from symcheck.papers.poloskov2004 import derivation
 
 Array = NDArray[np.float64]
@@ -336,7 +336,7 @@ def test_a_path_depends_on_its_number_alone(engine: str) -> None:
 
 
 @pytest.mark.parametrize("engine", ENGINES)
-def test_no_paths_are_no_error(engine: str) -> None:
+def test_an_ensemble_may_be_empty(engine: str) -> None:
     assert simulated(np.empty((0, 3)), engine=engine, every=5, workers=2).shape == (4, 0, 3)
 
 
@@ -375,7 +375,7 @@ def test_without_multiplicative_noise_a_step_adds_normal_numbers() -> None:
     np.testing.assert_allclose(x[:, 2], 0.3 + 0.2 * 0.5 * numbers[2], rtol=1e-13)
 
 
-def test_a_path_that_leaves_the_numbers_is_told() -> None:
+def test_a_path_that_leaves_the_finite_numbers_is_reported() -> None:
     exploding = rr.RandomTorques(1.0, 0.6, -1e3 * np.eye(3), [0.1, 0.1, 0.1], [1, 1, 1])
     with pytest.raises(FloatingPointError, match="no longer finite"):
         rr.simulate(exploding, np.ones((3, 3)), 1.0, 10, seed=1)
@@ -402,7 +402,7 @@ def test_the_compiled_rotation_is_right_after_many_turns() -> None:
     np.testing.assert_allclose(x[:2], [np.cos(angle), -np.sin(angle)], rtol=0, atol=2e-15)
 
 
-def test_a_missing_numba_is_told_with_the_way_out(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_missing_numba_is_reported_with_the_way_out(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setitem(sys.modules, "numba", None)
     for module in ("compiled", "random_rotation.numba_engine"):
         monkeypatch.delitem(sys.modules, f"symcheck.numeric.{module}", raising=False)

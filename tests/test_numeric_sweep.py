@@ -309,7 +309,7 @@ ERRORS = {
 
 
 @pytest.mark.parametrize("name", ERRORS)
-def test_what_is_no_sweep_is_told_in_one_line(tmp_path: Path, name: str) -> None:
+def test_a_wrong_specification_is_reported_in_one_line(tmp_path: Path, name: str) -> None:
     text, expected = ERRORS[name]
     exit_code, said = run(tmp_path, text, "out.zarr")
     assert exit_code == 2
@@ -333,7 +333,7 @@ OPTIONS = {
 
 
 @pytest.mark.parametrize("name", OPTIONS)
-def test_options_that_do_not_fit_are_told_in_one_line(tmp_path: Path, name: str) -> None:
+def test_options_that_do_not_fit_are_reported_in_one_line(tmp_path: Path, name: str) -> None:
     pytest.importorskip("distributed")
     out, options, expected = OPTIONS[name]
     exit_code, said = run(tmp_path, DISTANCES, out, *options)
@@ -481,7 +481,7 @@ def test_a_sweep_of_another_version_does_not_go_on(tmp_path: Path, monkeypatch: 
     assert "was begun with another version of symcheck or NumPy; remove" in said
 
 
-def test_a_folder_that_is_no_beginning_is_not_touched(tmp_path: Path) -> None:
+def test_a_foreign_folder_is_not_touched(tmp_path: Path) -> None:
     other = tmp_path / "out.zarr.partial.zarr"
     other.mkdir()
     (other / "file").write_text("mine")
@@ -625,7 +625,7 @@ def test_a_sweep_that_was_stopped_goes_on_where_it_was(
     assert opened(out).identical(swept(tmp_path, LONG, "whole.zarr"))
 
 
-def test_a_full_disk_is_told_and_the_sweep_goes_on_when_there_is_room(tmp_path: Path) -> None:
+def test_a_full_disk_is_reported_and_the_sweep_goes_on_when_there_is_room(tmp_path: Path) -> None:
     resource = pytest.importorskip("resource")
 
     def limited() -> None:
@@ -736,7 +736,7 @@ def test_a_cluster_gives_the_same_bits_and_loses_nothing_with_a_worker(tmp_path:
 
 
 @pytest.mark.slow
-def test_a_cluster_that_has_lost_all_workers_or_the_scheduler_is_told_and_what_is_done_is_kept(tmp_path: Path) -> None:
+def test_a_cluster_without_workers_or_scheduler_is_reported_and_what_is_done_is_kept(tmp_path: Path) -> None:
     pytest.importorskip("distributed")
     out = tmp_path / "out.zarr"
     for lost, expected in ((1, "has no workers; start one with `dask worker tcp://"), (0, "is gone")):

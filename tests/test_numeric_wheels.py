@@ -79,8 +79,8 @@ def assert_lattice(whole: Whole) -> None:
     """Vertices, edges, faces and their sides are those that exact arithmetic finds."""
     exact, found = combinatorics(chirotope(whole)), wheels.envelope(unit(whole))
     assert found.counts == exact.counts
-    assert found.dimension == exact.dimension
-    assert Counter(np.diff(found.faces[1]).tolist()) == exact.sides
+    assert found.dimension == 1 + min(len(exact.faces), 2)
+    assert Counter(np.diff(found.faces[1]).tolist()) == Counter(map(len, exact.faces.values()))
 
 
 @pytest.mark.parametrize("whole", DEGENERATE.values(), ids=DEGENERATE)
@@ -441,7 +441,8 @@ def test_least_squares_comes_nearest(case: tuple[Array, Array], demand: Array) -
     if least_load(axes, limits, demand) < 1:
         assert np.abs(gap).max() < 1e-9
         gentlest = np.linalg.lstsq(axes.T * limits, demand, rcond=None)[0]
-        assert np.square(found.momenta / limits).sum() >= np.square(gentlest).sum() - 1e-9
+        slack = 2e-9 * np.abs(gentlest).sum()  # of squares whose roots are to 1e-9
+        assert np.square(found.momenta / limits).sum() >= np.square(gentlest).sum() - slack
         if np.abs(gentlest).max() < 1:
             assert found.momenta == pytest.approx(gentlest * limits, abs=1e-8)
 

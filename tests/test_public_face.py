@@ -23,7 +23,7 @@ def test_a_public_name_is_what_its_module_has(name: str) -> None:
     assert getattr(symcheck, name) is expected
 
 
-def test_type_checkers_are_told_the_same_names() -> None:
+def test_type_checkers_see_the_same_names() -> None:
     tree = ast.parse(Path(symcheck.__file__).read_text(encoding="utf-8"))
     [block] = [node for node in tree.body if isinstance(node, ast.If)]
     imports = [node for node in block.body if isinstance(node, ast.ImportFrom)]

@@ -6,6 +6,7 @@ import ast
 import re
 import shlex
 import subprocess
+import tokenize
 import tomllib
 from importlib.util import find_spec
 from pathlib import Path
@@ -123,6 +124,47 @@ def test_every_public_function_is_explained(file: Path) -> None:
     functions = [node for node in tree.body if isinstance(node, ast.FunctionDef) and not node.name.startswith("_")]
     assert [function.name for function in functions if not ast.get_docstring(function)] == []
     assert ast.get_docstring(tree) or not tree.body
+
+
+def without_reason(file: Path) -> list[str]:
+    """The numbers and patterns of a module that no comment stands beside or above."""
+    with file.open("rb") as source:
+        comments = [token for token in tokenize.tokenize(source.readline) if token.type == tokenize.COMMENT]
+    beside = {token.start[0] for token in comments}
+    above = {token.start[0] for token in comments if token.line.lstrip().startswith("#")}
+    constants = [n for n in ast.parse(file.read_text(encoding="utf-8")).body if isinstance(n, ast.Assign)]
+    return [
+        ast.unparse(constant)
+        for constant in constants
+        if (_is_number(constant.value) and all(ast.unparse(t).isupper() for t in constant.targets))
+        or _is_pattern(constant.value)
+        if constant.lineno - 1 not in above and beside.isdisjoint(range(constant.lineno, constant.end_lineno + 1))
+    ]
+
+
+def _is_number(value: ast.expr) -> bool:
+    parts = [n for n in ast.walk(value) if isinstance(n, ast.expr)]
+    return all(isinstance(n, ast.BinOp | ast.UnaryOp | ast.Tuple) or _is_bare_number(n) for n in parts)
+
+
+def _is_bare_number(value: ast.expr) -> bool:
+    return isinstance(value, ast.Constant) and type(value.value) in (int, float)
+
+
+def _is_pattern(value: ast.expr) -> bool:
+    return isinstance(value, ast.Call) and ast.unparse(value.func) == "re.compile"
+
+
+def test_every_limit_and_every_search_pattern_has_its_reason() -> None:
+    assert {file: bare for file in MODULES if (bare := without_reason(file))} == {}
+
+
+def test_a_limit_without_a_reason_is_noticed(tmp_path: Path) -> None:
+    file = tmp_path / "limits.py"
+    file.write_text(
+        "A = 1  # a reason\nB = 2, -(1 << 3)\nWORD = 'a'\n# a reason\n_C = re.compile('c')\n_D = re.compile('d')\n"
+    )
+    assert without_reason(file) == ["B = (2, -(1 << 3))", "_D = re.compile('d')"]
 
 
 @pytest.mark.parametrize("file", MODULES, ids=lambda file: str(file.relative_to(ROOT)))

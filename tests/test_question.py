@@ -1,4 +1,4 @@
-"""A formula asked without a paper: what its letters are, what is decided, and what is not."""
+"""`decide`, the function and the command: what is true is proved, what is false refuted, and no guess is made."""
 
 from __future__ import annotations
 
@@ -15,7 +15,9 @@ from symcheck.checker import check
 from symcheck.cli import cli
 from symcheck.question import Answer
 
-PROVED = {
+NATURAL, WHOLE = r"n \in \mathbb{N}", r"n \in \mathbb{Z}"
+SQUARE = (r"A \in \mathbb{R}^{2 \times 2}", r"B \in \mathbb{R}^{2 \times 2}")
+PROVED: dict[str, str | tuple[str, ...]] = {  # with conditions
     r"\sin 2a = 2 \sin a \cos a": "",
     r"e^{i\theta} = \cos\theta + i\sin\theta": "",
     r"\ln(xy) = \ln x + \ln y": "",
@@ -29,13 +31,33 @@ PROVED = {
     r"\left(\mathbf{A} \mathbf{B}\right)^T = \mathbf{B}^T \mathbf{A}^T": "",
     r"\int_0^3 \frac{1}{\sqrt{1+t}} dt = 2": "",
     r"\int_0^{x} e^{-a t} dt = \frac{1 - e^{-a x}}{a}": "a > 0",
-    r"\sum_{k=1}^{n} k^3 = \left(\sum_{k=1}^{n} k\right)^2": r"n \in \mathbb{N}",
-    r"\sum_{k=0}^{n} 2^{k} = 2^{n + 1} - 1": r"n \in \mathbb{N}",
+    r"\sum_{k=1}^{n} k^3 = \left(\sum_{k=1}^{n} k\right)^2": NATURAL,
+    r"\sum_{k=0}^{n} 2^{k} = 2^{n + 1} - 1": NATURAL,
     r"\cos(\arcsin x) = \sqrt{1-x^2}": r"x^2 \le 1",
     r"e - 1 = \int_0^1 e^x dx": "",
     r"\frac{d}{dt}\left(\frac12 m \dot x^2\right) = m \dot x \ddot x": "",
+    r"e^x e^y = e^{x + y}": "",
+    r"e^x > 0": "",
+    r"\cosh^2 x - \sinh^2 x = 1": "",
+    r"\sqrt{x^2} = |x|": "",
+    r"\sqrt{x^2} = x": "x > 0",
+    r"\frac{x^2}{x} = x": "",
+    r"2 \sin^2 \frac{x}{2} = 1 - \cos x": "",
+    r"\sin(\arcsin x) = x": "",
+    r"\frac{d}{dx} \ln x = \frac{1}{x}": "",
+    r"a^2 + b^2 \ge 2 a b": "",
+    r"\int_1^2 \frac{1}{x} dx = \ln 2": "",
+    r"\int_a^b x dx = \frac{b^2 - a^2}{2}": "",
+    r"\sum_{i=1}^{3} i^2 = 14": "",
+    r"\sum_{k=1}^{n} k = \frac{n (n + 1)}{2}": NATURAL,
+    r"\sum_{k=1}^{n} 1 = n": "",
+    r"\frac{d}{dt}(\dot x^2 + x^2) = 0": "",
+    r"f'(x) = 2 x": "",
+    r"\vec a \times \vec b = -\vec b \times \vec a": "",
+    r"\det(A B) = \det A \det B": SQUARE,
+    r"x^n > 0": (WHOLE, "x > 0"),
 }
-REFUTED = {
+REFUTED: dict[str, str | tuple[str, ...]] = {
     r"\frac{d}{dx}\arctan(ax) = \frac{2a}{1+a^2x^2}": "",
     r"\exp x = 1 + x": "",
     r"\ln x = x": "",
@@ -47,9 +69,56 @@ REFUTED = {
     r"\mathbf{v} \cdot (\mathbf{u} \times \mathbf{w}) = \mathbf{u} \cdot (\mathbf{v} \times \mathbf{w})": "",
     r"\int_0^3 \frac{1}{1+t} dt = 3": "",
     r"\int_0^4 \sqrt{t} \, dt = \frac{17}{3}": "",
-    r"\sum_{k=1}^n k^2 = \frac{n^3}{3}": r"n \in \mathbb{N}",
+    r"\sum_{k=1}^n k^2 = \frac{n^3}{3}": NATURAL,
     r"\sqrt{a+b} = \sqrt a + \sqrt b": "a > 0, b > 0",
     r"\mathbf{A}\mathbf{B} = \mathbf{B}\mathbf{A}": "",
+    r"e^x + e^y = e^{x + y}": "",
+    r"e^x > 1": "",
+    r"\cosh^2 x + \sinh^2 x = 1": "",
+    r"\ln(x + y) = \ln x + \ln y": "",
+    r"\sqrt{x^2} = -x": "x > 0",
+    r"\frac{x^2}{x} = 2 x": "",
+    r"2 \sin^2 \frac{x}{2} = 1 + \cos x": "",
+    r"\frac{d}{dx} \ln x = x": "",
+    r"a^2 + b^2 > 2 a b": "",
+    r"\int_1^2 \frac{1}{x} dx = \frac{7}{10}": "",
+    r"\int_a^b x dx = \frac{b^2 + a^2}{2}": "",
+    r"\sum_{i=1}^{3} i^2 = 15": "",
+    r"\sum_{k=1}^{n} k = \frac{n (n - 1)}{2}": NATURAL,
+    r"\sum_{k=1}^{n} 1 = n + 1": "",
+    r"\frac{d}{dt}(\dot x^2 - x^2) = 0": "",
+    r"f'(x) = x": "",
+    r"\vec a \times \vec b = \vec b \times \vec a": "",
+    r"\det(A + B) = \det A + \det B": SQUARE,
+    r"e^{i x} = \cos x - i \sin x": "",
+    r"\delta_{11} x = x": "",
+}
+WHERE = {  # earlier equations
+    r"\frac{d}{dt}(\dot x^2 + x^2) = 0": r"\ddot x + x = 0",
+    r"\frac{d}{dt}(\dot x^2 - x^2) = 0": r"\ddot x + x = 0",
+    r"f'(x) = 2 x": "f(x) = x^2",
+    r"f'(x) = x": "f(x) = x^2",
+}
+FALSE_OF_WHOLE_NUMBERS = (r"e^{\pi i n} = 1", r"\sin \frac{\pi n}{2} = 0", r"\cos(\pi n) = 1", r"n^2 \le n", r"2n = n")
+TRUE_OF_WHOLE_NUMBERS: dict[str, str | tuple[str, ...]] = {  # with conditions; false of some other number
+    r"\sin(\pi n) = 0": WHOLE,
+    r"e^{2 \pi i n} = 1": WHOLE,
+    r"n \le n^2": WHOLE,
+    r"n = 0": (WHOLE, r"0 \le n", "n < 1"),
+    r"2 n \ne 1": WHOLE,
+    r"n \ne \frac{1}{2}": NATURAL,
+}
+NOT_PROVED: dict[str, tuple[str, str]] = {  # false, without a value, or about nothing: earlier equations, conditions
+    r"\int_{-1}^{1} \frac{1}{x^2} dx = -2": ("", ""),
+    r"\int_{-1}^{1} \frac{1}{x} dx = 0": ("", ""),
+    r"\int_0^{2\pi} \tan x dx = 0": ("", ""),
+    r"\int_0^{\pi} \frac{1}{\cos^2 x} dx = 0": ("", ""),  # its antiderivative jumps
+    r"\sum_{n=1}^{\infty} n = -\frac{1}{12}": ("", ""),
+    r"\sum_{n=0}^{\infty} x^n = \frac{1}{1 - x}": ("", ""),  # converges for some x
+    "x = 1": ("", "x > 0, x < 0"),
+    r"\frac{x^2}{x} = 0": ("", "x = 0"),
+    "f(0) = 1": ("f'(x) = f(x)", ""),
+    "0 = 1": ("", ""),
 }
 DEFINITIONS = (
     r"E = m c^2", r"\vec F = m \vec a", "a = b", r"\dot{x} = v", r"x_{n+1} = x_n + h", r"x = a \pm b",
@@ -73,7 +142,8 @@ REFUSED = (
     r"\ln x^2 = 2 \ln x", r"\det \mathbf{A} \mathbf{B} = \det \mathbf{A}", "[x] = x", r"\{x\} = x - [x]", "(a, b) = 0",
     "a:b = c:d", r"5\% = 0.05", r"a \mod b = 0", r"\mathrm{d}x/\mathrm{d}t = v", r"\foo = 1",
     r"\nabla \cdot (\nabla \times \mathbf{A}) = 0", r"x \approx y", "[A, B] = AB - BA", "", "x = ", r"\frac{1}{x = 2",
-    r"\sqrt{-1} = i", r"\left( x = 1", "x == 1", "x = 1 = ", "((x) = 1",
+    r"\sqrt{-1} = i", r"(-1)^{1/2} = i", r"\sqrt{-1} = x", r"\ln(-1) = x",
+    r"\left( x = 1", "x == 1", "x = 1 = ", "((x) = 1",
 )  # fmt: skip
 EXACTLY = {  # by the conventions of print, with certainty
     r"\lg 100 = 2": "proved", r"f^2(x) = f(x)^2": "proved", r"\Delta x^2 = (\Delta x)^2": "proved",
@@ -84,19 +154,21 @@ EXACTLY = {  # by the conventions of print, with certainty
 
 
 def certified(answer: Answer) -> bool:
+    """Whether the checker accepts the certificates; the answer can be written as JSON."""
+    assert json.loads(json.dumps(answer.as_json()))["verdict"] == answer.verdict
     return bool(answer.certificate) and all(check(each) is None for each in answer.certificate)
 
 
 @pytest.mark.parametrize("relation", PROVED)
 def test_a_true_formula_is_proved(relation: str) -> None:
-    answer = decide(relation, given=PROVED[relation])
+    answer = decide(relation, WHERE.get(relation, ()), PROVED[relation])
     assert answer.verdict == "proved", answer.reason
     assert certified(answer)
 
 
 @pytest.mark.parametrize("relation", REFUTED)
 def test_a_false_formula_is_refuted_at_a_point(relation: str) -> None:
-    answer = decide(relation, given=REFUTED[relation])
+    answer = decide(relation, WHERE.get(relation, ()), REFUTED[relation])
     assert answer.verdict == "refuted", answer.reason
     assert certified(answer)
     assert answer.values or "proof" in answer.certificate[0]["point"]
@@ -109,10 +181,46 @@ def test_what_says_what_a_new_letter_is_is_neither_true_nor_false(relation: str)
 
 
 @pytest.mark.parametrize(
-    "relation", [r"\delta_{ij} \delta_{ij} = 3", r"\epsilon_{ijk} \epsilon_{ijk} = 6", r"\delta_{ij} x_j = x_i"]
+    "relation",
+    [
+        r"\delta_{ij} \delta_{ij} = 3",
+        r"\epsilon_{ijk} \epsilon_{ijk} = 6",
+        r"\delta_{ij} x_j = x_i",
+        r"\delta_{ij} \delta_{jk} = \delta_{ik}",
+    ],
 )
 def test_what_may_be_summed_is_not_refuted(relation: str) -> None:
     assert decide(relation).verdict in ("undecided", "ambiguous")
+
+
+@pytest.mark.parametrize("relation", FALSE_OF_WHOLE_NUMBERS)
+def test_what_is_false_of_a_whole_number_is_refuted_by_it(relation: str) -> None:
+    answer = decide(relation, given=WHOLE)
+    assert answer.verdict == "refuted"
+    assert answer.counterexample["n"].lstrip("-").isdigit()
+    assert certified(answer)
+
+
+@pytest.mark.parametrize("relation", TRUE_OF_WHOLE_NUMBERS)
+def test_what_is_true_of_whole_numbers_is_not_refuted_by_others(relation: str) -> None:
+    assert decide(relation, given=TRUE_OF_WHOLE_NUMBERS[relation]).verdict in ("proved", "undecided")
+
+
+def test_a_whole_power_is_not_taken_for_one_of_positive_numbers() -> None:
+    assert decide("x^n > 0", given=WHOLE).verdict == "undecided"
+
+
+@pytest.mark.parametrize("relation", NOT_PROVED)
+def test_what_is_false_or_has_no_value_is_not_proved(relation: str) -> None:
+    assert decide(relation, *NOT_PROVED[relation]).verdict in ("refuted", "undecided")
+
+
+@pytest.mark.parametrize(
+    ("relation", "condition"),
+    [(r"\frac{x}{x} = 1", "x ≠ 0"), (r"e^{\ln x} = x", "x > 0"), (r"\sum_{k=1}^{n} 1 = n", "1 ≤ n")],
+)
+def test_it_is_said_where_the_printed_terms_have_values(relation: str, condition: str) -> None:
+    assert decide(relation).used == (condition,)
 
 
 def test_two_readings_are_told_or_refused_or_certain() -> None:
@@ -150,6 +258,8 @@ def test_what_is_said_of_letters_settles_two_readings() -> None:
     assert decide("e - 1 = x - 1 + (e - x)").verdict == "proved"
     assert decide("i^2 = -1", letters={"i": "imaginary unit"}).verdict == "proved"
     assert decide(r"\epsilon_{ijk} = \epsilon_{ijk}").verdict == "proved"
+    delta = dict.fromkeys((r"\delta_{ij}", r"\delta_{jk}", r"\delta_{ik}"), "scalar")
+    assert decide(r"\delta_{ij}^2 = \delta_{ij}", letters=delta).verdict == "refuted"
     with_sizes = decide(r"\det(2\mathbf{A}) = 8 \det(\mathbf{A})", given=r"\mathbf{A} \in \mathbb{R}^{3 \times 3}")
     assert with_sizes.verdict == "proved"
 
@@ -181,9 +291,29 @@ def asked(*arguments: str, given: str | None = None) -> Any:
     return CliRunner().invoke(cli, ["decide", *arguments], input=given, prog_name="symcheck")
 
 
-@pytest.mark.parametrize(("relation", "code"), [("x + x = 2x", 0), ("x + x = x", 1), ("E = m c^2", 3), ("a/bc = d", 2)])
-def test_the_exit_code_is_the_verdict(relation: str, code: int) -> None:
-    assert asked(relation).exit_code == code
+@pytest.mark.parametrize(
+    ("arguments", "code", "said"),
+    [
+        (["x + x = 2x"], 0, "proved"),
+        (["x + x = x"], 1, "refuted"),
+        (["E = m c^2"], 3, "undecided"),
+        (["a/bc = d"], 2, "a slash before several factors"),
+        (["x ="], 2, "the formula breaks off"),
+        ([], 2, "give one relation, or --batch with a file"),
+        (["x = y", "--letter", "foo"], 2, "'foo' is not of the form LETTER=WHAT"),
+        (["x = y", "--batch", "-"], 2, "give one relation, or --batch with a file"),
+        (["--batch", "nowhere.jsonl"], 2, "nowhere.jsonl cannot be read"),
+        (["--batch", "-", "--resume"], 2, "--resume goes on with the file of --output"),
+    ],
+)
+def test_the_exit_code_is_the_verdict_and_errors_are_one_line(
+    arguments: list[str], code: int, said: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    done = asked(*arguments, given="")
+    assert done.exit_code == code
+    assert said in done.output
+    assert code != 2 or len(done.stderr.splitlines()) <= 1
 
 
 @pytest.mark.parametrize("relation", BAD.values(), ids=BAD)

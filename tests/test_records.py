@@ -54,7 +54,7 @@ def test_a_record_with_a_fault_is_refused_and_the_field_named(
 
 
 @pytest.mark.parametrize("data", [None, [], 7, "toy:1.1"], ids=repr)
-def test_what_is_no_object_is_no_record(data: object) -> None:
+def test_a_record_must_be_an_object(data: object) -> None:
     with pytest.raises(SymcheckError, match="Expected `object`"):
         Record.from_json(data)
 

@@ -93,7 +93,7 @@ def test_what_is_cut_out_of_an_array_is_typeset_too(text: str) -> None:
 
 
 @pytest.mark.parametrize("text", ["(р = IT}", "The list with that put right.", "", "a}{b"])
-def test_words_and_damaged_characters_are_no_formulas(text: str) -> None:
+def test_words_and_damaged_characters_are_not_typeset_as_formulas(text: str) -> None:
     assert typeset([text]) == {text: None}
 
 
@@ -172,7 +172,7 @@ def test_errata_come_first_and_the_serious_ones_before_the_slips() -> None:
     assert [group for group, _ in errata(rows)] == list(Group)
 
 
-def test_faults_of_one_row_are_told_once_with_the_letters_of_its_parts() -> None:
+def test_faults_of_one_row_are_listed_once_with_the_letters_of_its_parts() -> None:
     rows = [wrong(f"1V.8{letter}", "x", "y", repair={"row": True}) for letter in "ab"]
     [(_, [faults])] = errata(rows)
     [fault] = faults.faults
@@ -220,7 +220,7 @@ def test_the_self_test_and_the_hypotheses_are_shown() -> None:
     assert "done with the certificates shown here" in current
 
 
-def test_every_application_of_a_theorem_is_told() -> None:
+def test_every_application_of_a_theorem_is_listed() -> None:
     given = {"s": ["pow", ["*", 4, "x"], 2], "t": ["pow", ["+", "y", 1], 2]}
     proof = {"rule": "theorem", "of": "congruence", "with": given, "premises": [], "then": {"rule": "identity"}}
     assert "(s = pow(4*x, 2); t = pow(y + 1, 2))" in next(steps(proof))
@@ -351,7 +351,7 @@ def test_the_report_names_its_file_and_how_many_items_it_has(toy: Path, report: 
     assert [row[0] for row in folded(text, "ledger")["rows"]] == ["toy:1.1", "toy:1.3"]
 
 
-def test_a_file_that_cannot_be_written_is_told_in_one_line(toy: Path, report: Callable[..., Result]) -> None:
+def test_a_file_that_cannot_be_written_is_reported_in_one_line(toy: Path, report: Callable[..., Result]) -> None:
     (toy / "file").write_text("", encoding="utf-8")
     result = report("toy:1.1", "--output", str(toy / "file" / "page.html"))
     assert result.exit_code == 2

@@ -162,10 +162,10 @@ def test_a_deep_link_shows_its_claim_typeset_with_its_difference_marked(opened: 
 
 def test_a_claim_says_whether_coq_confirms_it_and_the_ledger_finds_those_alike(opened: Callable[..., Page]) -> None:
     from symcheck.audit.decide import decide
-    from symcheck.coq.confirmed import told
+    from symcheck.coq.confirmed import summary
 
     for id in ("mirer2009:2.12", "mirer2009:2.13.1c"):
-        said = next(told(record) for record in decide(id.rstrip("abc")) if record.id == id)
+        said = next(summary(record) for record in decide(id.rstrip("abc")) if record.id == id)
         assert said
         page = opened(f"#{id}")
         assert page.locator("#view-claim .facts").inner_text().endswith(f"confirmed by Coq: {said}")

@@ -120,7 +120,7 @@ def test_a_slip_that_the_reader_drops_is_accepted_and_not_equivalent(monkeypatch
     assert statuses == {Status.ACCEPTED}
 
 
-def test_weaker_and_stronger_statements_have_a_status_of_their_own() -> None:
+def test_weaker_and_stronger_statements_have_their_own_status() -> None:
     def statuses(id: str, *words: str) -> list[Status]:
         (original,) = proved(id)
         found = {edit.description: edit for edit in statements.slips(original)}
@@ -166,7 +166,7 @@ def test_a_comparison_that_is_always_content_is_noticed(monkeypatch: pytest.Monk
     assert Status.ACCEPTED in {trial.status for trial in kernels.trials(place, 10, Random(0))}
 
 
-def test_a_single_false_rejection_or_too_many_accepted_faults_are_no_success() -> None:
+def test_a_single_false_rejection_or_too_many_accepted_faults_fail() -> None:
     def having(*statuses: Status) -> Result:
         count = Count()
         for status in statuses:

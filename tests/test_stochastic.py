@@ -8,14 +8,11 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass, replace
-from functools import partial
 from math import exp, log, sqrt
-from typing import Any
 
 import numpy as np
 import pytest
-
-from symcheck.numeric.stochastic import Array, heun_step, stratonovich_paths, wiener_increments
+from sample_paths import Array, heun_step, stratonovich_paths, wiener_increments
 
 Distribution = Callable[[Array], Array]
 
@@ -397,64 +394,8 @@ def test_heun_alone_gains_energy_with_the_cube_of_the_step() -> None:
     np.testing.assert_allclose(orders(gains), 3, atol=0.1)
 
 
-def test_records_have_the_shape_of_the_start() -> None:
-    def paths(start: Any, **options: Any) -> Array:
-        shape = np.shape(start)
-        increments = wiener_increments(np.random.default_rng(0), 0.1, 6, shape)
-        return stratonovich_paths(lambda x: -x, lambda x, dw: dw, start, 0.1, increments, **options)
-
-    assert paths([1.0, 2.0]).shape == (6, 2)
-    assert paths(np.ones((2, 5)), every=3).shape == (2, 2, 5)
-    assert paths(np.ones((2, 5, 4)), every=6).shape == (1, 2, 5, 4)
-    assert (paths([1, 2], every=3) == paths([1.0, 2.0])[2::3]).all()
-
-
 def test_increments_are_those_of_wiener_processes() -> None:
     increments = np.array(list(wiener_increments(np.random.default_rng(6), 0.25, 100, (2, 500))))
     assert increments.shape == (100, 2, 500)
     assert abs(increments.mean()) < 4 * 0.5 / sqrt(increments.size)
     assert abs(increments.var() / 0.25 - 1) < 4 * sqrt(2 / increments.size)
-
-
-VALID: dict[str, Any] = {
-    "drift": lambda x: -x,
-    "diffusion": lambda x, dw: x * dw,
-    "start": np.ones((2, 3)),
-    "step": 0.1,
-    "increments": [np.zeros((2, 3))] * 4,
-}
-
-
-@pytest.mark.parametrize(
-    ("change", "message"),
-    [
-        ({"step": 0.0}, r"step = .*0\.0.* must be positive"),
-        ({"step": float("nan")}, "step = .*nan"),
-        ({"start": 1.0}, "start = .* must have components first"),
-        ({"start": [1.0, float("inf")]}, r"start\[1\] = .*inf.* must be finite"),
-        ({"start": [1.0, 2j]}, "start = .* is not an array of real numbers"),
-        ({"start": [[1.0], [2.0, 3.0]]}, "start = .* is not an array of real numbers"),
-        ({"start": ["a"]}, "start = .* is not an array of real numbers"),
-        ({"drift": lambda x: x[0]}, r"drift returns the shape \(3,\) for states of the shape \(2, 3\)"),
-        ({"diffusion": lambda x, dw: dw[:1]}, r"diffusion returns the shape \(1, 3\) for states of the shape \(2, 3\)"),
-        ({"flow": lambda x, t: x.T}, r"flow returns the shape \(3, 2\) for states of the shape \(2, 3\)"),
-        ({"every": 0}, "every = 0"),
-        ({"every": 3}, "there are 4 increments; a positive multiple of every = 3 is needed"),
-        ({"increments": []}, "there are 0 increments"),
-    ],
-)
-def test_bad_input_is_told(change: dict[str, Any], message: str) -> None:
-    with pytest.raises(ValueError, match=message):
-        stratonovich_paths(**{**VALID, **change})
-
-
-@pytest.mark.parametrize(("step", "steps", "message"), [(-1.0, 5, "step = .*-1.0"), (0.1, 0, "steps = 0")])
-def test_bad_increments_are_told_at_once(step: float, steps: int, message: str) -> None:
-    with pytest.raises(ValueError, match=message):
-        wiener_increments(np.random.default_rng(0), step, steps, (1,))
-
-
-def test_a_path_that_explodes_is_told() -> None:
-    explode = partial(stratonovich_paths, lambda x: x**3, lambda x, dw: 0 * x, [1e3], 1.0)
-    with pytest.raises(FloatingPointError, match=r"no longer finite after step 3; take a shorter step than 1\.0"):
-        explode([np.zeros(1)] * 10)

@@ -48,5 +48,5 @@ def test_no_relation_has_the_same_tree_on_both_sides(key: str) -> None:
         (node("=", "a", node("+", "a", 0)), False),
     ],
 )
-def test_what_says_nothing_is_told_from_what_does(formula: Formula, empty: bool) -> None:
+def test_empty_statements_are_recognised(formula: Formula, empty: bool) -> None:
     assert says_nothing(formula) is empty

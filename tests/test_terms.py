@@ -59,14 +59,14 @@ def test_a_formula_is_written_as_it_is_read(data: JSON) -> None:
 
 
 @pytest.mark.parametrize("data", NO_TERMS, ids=str)
-def test_what_is_no_term_is_refused(data: JSON) -> None:
+def test_a_malformed_term_is_refused(data: JSON) -> None:
     for inside in (data, ["+", 1, data], ["mean", data, "x"], ["call", "f", [0], data]):
         with pytest.raises((Malformed, TypeError)):
             Reader().term(inside)
 
 
 @pytest.mark.parametrize("data", NO_FORMULAS, ids=str)
-def test_what_is_no_formula_is_refused(data: JSON) -> None:
+def test_a_malformed_formula_is_refused(data: JSON) -> None:
     for inside in (data, ["and", data], ["exists", ["z"], data]):
         with pytest.raises((Malformed, TypeError)):
             Reader().formula(inside)

@@ -27,7 +27,7 @@ def verdict(claim: Formula, *hypotheses: Formula) -> Verdict:
     return outcome.verdict
 
 
-def test_roots_whose_digests_began_alike_are_told_apart() -> None:
+def test_roots_with_digests_of_one_beginning_are_distinguished() -> None:
     assert verdict(node("=", *SHIFTED)) is Verdict.REFUTED
 
 

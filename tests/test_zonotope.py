@@ -6,19 +6,18 @@ the axes contradicts it (Gordan, Stiemke); the minimal dependences come from exa
 
 from __future__ import annotations
 
-import math
 import random
+from collections import Counter
 from collections.abc import Iterator
 from fractions import Fraction
-from itertools import combinations, pairwise, permutations, product
+from itertools import combinations, pairwise, product
 
 import numpy as np
 import pytest
 from scipy.spatial import ConvexHull
 
 from symcheck.core.verdicts import SymcheckError
-from symcheck.mechanics import zonotope
-from symcheck.mechanics.zonotope import Envelope, Signs, Vector, cross, dot, envelope, isometries
+from symcheck.mechanics.zonotope import Envelope, Signs, Vector, cross, dot, envelope
 
 Axes = list[Vector]
 
@@ -109,9 +108,8 @@ def check_by_brute_force(axes: Axes) -> None:
     assert set(found.vertices) == brute[0]
     assert set(found.edges) == brute[1]
     assert set(found.faces) == brute[2]
-    assert found.dimension == rank
-    assert found.euler == (2 if rank == 3 else 1)
-    assert found.is_symmetric
+    assert 1 + min(len(found.faces), 2) == rank
+    assert sum(found.counts) - 2 * len(found.edges) == (2 if rank == 3 else 1)
     check_edges_and_cycles(envelope(axes), rank)
     check_metric(envelope(axes), rank)
 
@@ -144,7 +142,6 @@ def check_edges_and_cycles(found: Envelope, rank: int) -> None:
 def check_metric(found: Envelope, rank: int) -> None:
     corners = [found.point(v) for v in product((1, -1), repeat=len(found.axes))]
     volume = Fraction(0)
-    surface = 0.0
     for face, cycle in found.combinatorics.faces.items():
         points = [found.point(v) for v in cycle]
         area = [0, 0, 0]  # twice the area, as a vector
@@ -154,11 +151,8 @@ def check_metric(found: Envelope, rank: int) -> None:
             normal = found.normal(face)
             assert found.support(face) == max(dot(normal, corner) for corner in corners)
             assert not any(cross(normal, (area[0], area[1], area[2])))
-            assert found.distance(face) == pytest.approx(dot(normal, points[0]) / math.hypot(*normal))
         volume += Fraction(dot((area[0], area[1], area[2]), points[0]), 6)
-        surface += math.hypot(*area) / 2 * (1 if rank == 3 else 2)
     assert found.volume() == volume
-    assert found.surface() == pytest.approx(surface)
 
 
 SETS = 520
@@ -245,7 +239,7 @@ def test_vertices_and_faces_are_those_of_the_convex_hull(array, failed: int, see
     assert {frozenset(map(found.point, cycle)) for cycle in found.combinatorics.faces.values()} == faces
 
 
-# --- degenerate sets, messages, symmetry
+# --- degenerate sets, messages
 
 
 def test_parallel_wheels_add_up() -> None:
@@ -256,21 +250,19 @@ def test_parallel_wheels_add_up() -> None:
     }
     assert twice.volume() == once.volume() == 24
     assert (0, 1, 1, 0) in twice.combinatorics.edges
-    assert zonotope.generators(twice.axes) == once.axes
 
 
 def test_coplanar_axes_make_faces_with_more_sides() -> None:
     prism = envelope([(1, 0, 0), (0, 1, 0), (1, 1, 0), (0, 0, 1)]).combinatorics
-    assert prism.sides == {4: 6, 6: 2}
+    assert Counter(map(len, prism.faces.values())) == {4: 6, 6: 2}
     assert prism.counts == (12, 18, 8)
 
 
 def test_axes_in_a_plane_make_a_polygon_and_on_a_line_a_segment() -> None:
     hexagon = envelope([(1, 0, 0), (0, 1, 0), (1, 1, 0)]).combinatorics
-    assert (hexagon.counts, hexagon.dimension, hexagon.sides) == ((6, 6, 1), 2, {6: 1})
+    assert hexagon.counts == (6, 6, 1)
     segment = envelope([(1, 2, 2), (-1, -2, -2)])
-    assert (segment.combinatorics.counts, segment.combinatorics.dimension) == ((2, 1, 0), 1)
-    assert segment.volume() == segment.surface() == 0
+    assert (segment.combinatorics.counts, segment.volume()) == ((2, 1, 0), 0)
     assert [segment.point(v) for v in segment.combinatorics.vertices] == [(2, 4, 4), (-2, -4, -4)]
 
 
@@ -284,60 +276,6 @@ def test_axes_in_a_plane_make_a_polygon_and_on_a_line_a_segment() -> None:
         ([(1, 0, 0), (0, 1)], "wheel 2 has 2 components"),
     ],
 )
-def test_what_is_no_set_of_axes_is_refused(axes: list[tuple[int, ...]], message: str) -> None:
+def test_wrong_axes_are_refused(axes: list[tuple[int, ...]], message: str) -> None:
     with pytest.raises(SymcheckError, match=message):
         envelope(axes)
-
-
-def preserving(axes: Axes) -> int:
-    """How many signed permutations of the axes keep all scalar products, by trying them all."""
-    count = 0
-    for order in permutations(range(len(axes))):
-        for turns in product((1, -1), repeat=len(axes)):
-            images = [tuple(turns[k] * x for x in axes[order[k]]) for k in range(len(axes))]
-            count += all(
-                dot(x, y) == dot(v, w) for (x, v), (y, w) in combinations(zip(axes, images, strict=True), 2)
-            ) and all(dot(x, x) == dot(v, v) for x, v in zip(axes, images, strict=True))
-    return count
-
-
-@pytest.mark.parametrize(
-    ("axes", "order"),
-    [
-        ([(1, 0, 0), (0, 1, 0), (0, 0, 1)], 48),  # the cube
-        ([(1, 0, 0), (0, 2, 0), (0, 0, 3)], 8),  # a brick
-        ([(1, -1, -1), (1, 1, -1), (1, -1, 1), (1, 1, 1)], 48),  # the rhombic dodecahedron
-        ([(1, -2, -2), (1, 2, -2), (1, -2, 2), (1, 2, 2)], 16),
-        ([(1, -2, -3), (1, 2, -3), (1, -2, 3), (1, 2, 3)], 8),
-        ([(1, -2, -3), (1, 2, -3), (1, -2, 3)], 2),
-        ([(1, 0, 0), (1, 1, 0), (1, 1, 1)], 2),
-    ],
-)
-def test_isometries(axes: Axes, order: int) -> None:
-    found = isometries(axes)
-    assert len(found) == len(set(found)) == order == preserving(axes)
-    vertices = set(envelope(axes).combinatorics.vertices)
-    for images in found:
-        moved = {tuple((1 if j > 0 else -1) * v[abs(j) - 1] for j in images) for v in vertices}
-        assert moved == vertices
-
-
-def test_parallel_wheels_count_as_one_for_isometries() -> None:
-    assert len(isometries([(1, 0, 0), (0, 1, 0), (0, 0, 1), (1, 0, 0)])) == 16
-
-
-def test_isometries_as_matrices() -> None:
-    axes: Axes = [(1, -2, -3), (1, 2, -3), (1, -2, 3), (1, 2, 3)]
-    matrices = [zonotope.isometry(axes, images) for images in isometries(axes)]
-    reflections = {
-        tuple(tuple(s * (r == c) for c in range(3)) for r, s in enumerate(turn)) for turn in product((1, -1), repeat=3)
-    }
-    assert set(matrices) == reflections
-    body: Axes = [(1, -1, -1), (1, 1, -1), (1, -1, 1), (1, 1, 1)]
-    points = {envelope(body).point(v) for v in envelope(body).combinatorics.vertices}
-    for images in isometries(body):
-        rows = zonotope.isometry(body, images)
-        assert all(dot(rows[i], rows[j]) == (i == j) for i in range(3) for j in range(3))
-        assert {tuple(dot(row, point) for row in rows) for point in points} == points
-    with pytest.raises(SymcheckError, match="the axes lie in a plane"):
-        zonotope.isometry([(1, 0, 0), (0, 1, 0)], (1, 2))

@@ -21,7 +21,8 @@ from symcheck.core.ids import Id
 from symcheck.core.verdicts import SymcheckError
 from symcheck.ledger.record import Record
 
-SCHEMA = 2
+WAIT = 2.0  # seconds for another process to finish writing
+SCHEMA = 2  # of the cache file; one of another format is set aside
 FILE = "records.sqlite"
 KEY, KEY_BYTES = "cache.key", 32
 _TABLE = "CREATE TABLE records (id TEXT PRIMARY KEY, fingerprint TEXT, signature TEXT, records TEXT) WITHOUT ROWID"
@@ -161,7 +162,7 @@ def _opened(file: Path, say: Say) -> sqlite3.Connection | None:
 
 
 def _connected(file: Path) -> sqlite3.Connection:
-    connection = sqlite3.connect(file, timeout=2.0)
+    connection = sqlite3.connect(file, timeout=WAIT)
     # A power failure may cost the file: it is only a cache, its damage is noticed, and waiting for the disk is slow.
     connection.execute("PRAGMA synchronous = OFF")
     return connection
@@ -186,7 +187,7 @@ def _rebuilt(file: Path) -> sqlite3.Connection:
 def _fault(file: Path) -> str | None:
     """What is wrong with an existing database; a locked or unreadable one raises sqlite3.OperationalError instead."""
     try:
-        with closing(sqlite3.connect(file, timeout=2.0)) as connection:
+        with closing(sqlite3.connect(file, timeout=WAIT)) as connection:
             [(version,)] = connection.execute("PRAGMA user_version")
             [(state,), *_] = connection.execute("PRAGMA quick_check(1)")
             tables = [row[0] for row in connection.execute("SELECT sql FROM sqlite_schema WHERE name = 'records'")]

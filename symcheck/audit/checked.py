@@ -1,4 +1,4 @@
-"""What is told of a relation is what the checker accepts: every certificate of every row, kept or new, goes through it.
+"""Only what the checker accepts is reported: every certificate of every row, cached or new, goes through it.
 
 Nobody is believed before: not the provers, not the cache. A verdict whose certificates are not accepted becomes
 undecided, and the same holds for what a correction is said to be, and for whether a hypothesis is needed.
@@ -49,11 +49,11 @@ def _reasons(certificates: Sequence[Certificate]) -> list[str | None]:
     found: list[str | None] = [None] * len(certificates)
     found[0::2] = reasons(own)[: len(certificates[0::2])]
     try:
-        told = receiver.recv()
+        answers = receiver.recv()
     except (EOFError, OSError):  # it was killed
-        told = reasons(other)
+        answers = reasons(other)
     helper.join()
-    found[1::2] = told[: len(certificates[1::2])]
+    found[1::2] = answers[: len(certificates[1::2])]
     return found
 
 
@@ -62,12 +62,12 @@ def _may_fork() -> bool:
     return sys.platform == "linux" and len(os.sched_getaffinity(0)) > 1 and len(os.listdir("/proc/self/task")) == 1
 
 
-def _with_lemmas(part: Sequence[Certificate], every: Sequence[Certificate]) -> list[Certificate]:
+def _with_lemmas(part: Sequence[Certificate], certificates: Sequence[Certificate]) -> list[Certificate]:
     """Some certificates, and behind them those of their lemmas, and of the lemmas of these."""
     found, named, size = list(part), set[str](), -1
     while len(named) > size:
         size, named = len(named), {name for each in found for name, _ in each.get("lemmas", ())}
-        found = [*part, *(each for each in every if each.get("id") in named)]
+        found = [*part, *(each for each in certificates if each.get("id") in named)]
     return found
 
 
@@ -79,20 +79,22 @@ def _send(sender: Connection, certificates: Sequence[Certificate]) -> None:
 Rows = Mapping[str, tuple[Record, ...]]  # by declaration
 
 
-def told(rows: Rows, beside: Rows = MappingProxyType({})) -> dict[str, tuple[Record, ...]]:
-    """The records as they may be told; `beside` are others among whose certificates lemmas are looked for."""
+def accepted(rows: Rows, further: Rows = MappingProxyType({})) -> dict[str, tuple[Record, ...]]:
+    """The records as the checker accepts them; lemmas may also be among the certificates of `further` records."""
     records = [record for each in rows.values() for record in each]
-    others = (record for each in beside.values() for record in each)
-    every = [each for record in (*records, *_lemmas(records, others)) for each in record.all_certificates()]
+    others = (record for each in further.values() for record in each)
+    every = [
+        certificate for record in (*records, *_lemmas(records, others)) for certificate in record.all_certificates()
+    ]
     answers = Answers({id(each): reason for each, reason in zip(every, _reasons(every), strict=True)})
-    return {name: tuple(_told(record, answers) for record in each) for name, each in rows.items()}
+    return {name: tuple(_accepted(record, answers) for record in each) for name, each in rows.items()}
 
 
 def _lemmas(records: Iterable[Record], others: Iterable[Record]) -> list[Record]:
     """Those of the others on which the records rest, and those on which these rest."""
     known, found, todo = {record.id: record for record in others}, dict[str, Record](), list(records)
     while todo:
-        named = {name for each in todo.pop().all_certificates() for name, _ in each.get("lemmas", ())}
+        named = {name for certificate in todo.pop().all_certificates() for name, _ in certificate.get("lemmas", ())}
         more = {name: known[name] for name in sorted(named & known.keys() - found.keys())}
         found |= more
         todo += more.values()
@@ -118,13 +120,13 @@ class Answers:
         return next((reason for each in own if (reason := self.refusals[id(each)]) is not None), None)
 
 
-def _told(record: Record, answers: Answers) -> Record:
+def _accepted(record: Record, answers: Answers) -> Record:
     """A record without what its certificates do not show."""
     fault = answers.fault(record.id, record.verdict, record.certificates)
     shown = replace(record, erratum=_correction(record, answers))
     if fault is not None:
         shown = replace(shown, verdict=Verdict.UNDECIDED, reason=_reason(fault), certificates=())
-    return replace(shown, hypotheses=tuple(_need(shown, each, answers) for each in record.hypotheses))
+    return replace(shown, hypotheses=tuple(_need(shown, hypothesis, answers) for hypothesis in record.hypotheses))
 
 
 def _reason(fault: str) -> str:
@@ -159,16 +161,16 @@ def _is_lost(record: Record, row: HypothesisRow, need: Need, answers: Answers) -
     if need.lost not in tuple(Loss):
         return False
     verdict = Verdict.PROVED if need.lost == Loss.EXISTENCE else Verdict.REFUTED
-    free = all(row.name not in each["hypotheses"] for each in need.certificates)
+    free = all(row.name not in certificate["hypotheses"] for certificate in need.certificates)
     return bool(need.certificates) and free and answers.fault(record.id, verdict, need.certificates) is None
 
 
 def _is_needless(record: Record, row: HypothesisRow, need: Need, answers: Answers) -> bool:
     """What is proved does not use the hypothesis, or is proved without it, too."""
-    if any(row.name in each["hypotheses"] for each in need.certificates):
+    if any(row.name in certificate["hypotheses"] for certificate in need.certificates):
         return False
-    using = [each["claim"] for each in _spoken_of(record, row) if row.name in each["hypotheses"]]
-    without = [each["claim"] for each in need.certificates]
+    using = [each["claim"] for each in _proofs_that_need(record, row) if row.name in each["hypotheses"]]
+    without = [certificate["claim"] for certificate in need.certificates]
     if not all(claim in without for claim in using):
         return False
     return not without or answers.fault(record.id, Verdict.PROVED, need.certificates) is None
@@ -193,7 +195,7 @@ def proofs(record: Record) -> Sequence[Certificate]:
     return of.certificates if of and of.verdict is Verdict.PROVED else ()
 
 
-def _spoken_of(record: Record, row: HypothesisRow) -> list[Certificate]:
+def _proofs_that_need(record: Record, row: HypothesisRow) -> list[Certificate]:
     """Of these, the ones of a relation, or of where it is an equality."""
     own = proofs(record)
     apart = [each["claim"][0] == "<=>" for each in own]

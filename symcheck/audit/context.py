@@ -39,7 +39,7 @@ def _definitions(paper: Paper) -> dict[str, Term]:
             sign, left, right = formula
             if sign != "=" or not isinstance(left, str):
                 raise SymcheckError(
-                    f"{Id(paper.key, item.number)} is no definition of a letter; declare it a premise or opaque"
+                    f"{Id(paper.key, item.number)} does not define a letter; declare it a premise or opaque"
                 )
             if table.setdefault(left, right) != right:
                 raise SymcheckError(f"{Id(paper.key, item.number)} defines {left} a second time and differently")

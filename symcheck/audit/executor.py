@@ -121,7 +121,7 @@ def _kill_server() -> None:
 
 
 def _attempt(function: Callable[[K], T], task: K) -> Done[T] | Crash:
-    """The answer of `function`; an exception is told in words, because not every exception survives pickling."""
+    """The answer of `function`; an exception as words, because not every exception survives pickling."""
     try:
         return Done(function(task))
     except Exception as error:
@@ -133,5 +133,5 @@ def _answer(future: Any, timeout: float) -> Answer[Any]:
         return future.result()  # type: ignore[no-any-return]
     except TimeoutError:
         return Timeout(timeout)
-    except Exception as error:  # the worker died: pebble tells how, each way with an exception of its own
+    except Exception as error:  # the worker died: pebble raises a different exception for each cause
         return Crash(f"the worker process died ({error})")

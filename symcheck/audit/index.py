@@ -1,6 +1,6 @@
 """What the ledger states, read anew from the declarations: with this the checker compares what certificates claim.
 
-Nothing of a proof is used here. What is said of hypotheses that are left out, and of kernels, is no reading of the
+Nothing of a proof is used here. What is said of hypotheses that are left out, and of kernels, is not a reading of the
 print: it is listed with what it is, from the certificates themselves.
 """
 
@@ -48,16 +48,16 @@ class Index:
             letters = [name for name, _ in defined]
             self.statements.append([id, what, claim, [*hypotheses], letters])
 
-    def beside(self, records: Iterable[Record], kernels: Iterable[Certificate]) -> None:
+    def add_further(self, records: Iterable[Record], kernels: Iterable[Certificate]) -> None:
         """What else there are certificates of."""
         for record in records:
             for hypothesis in record.hypotheses:
                 for each in hypothesis.need.certificates if hypothesis.need else ():
-                    self._beside("a hypothesis left out", each)
+                    self._add_further("a hypothesis left out", each)
         for each in kernels:
-            self._beside("a kernel", each)
+            self._add_further("a kernel", each)
 
-    def _beside(self, what: str, certificate: Certificate) -> None:
+    def _add_further(self, what: str, certificate: Certificate) -> None:
         letters = [name for name, _ in certificate["definitions"]]
         claim, given = certificate["claim"], [*certificate["hypotheses"]]
         _add(self.statements, [[certificate["id"], what, claim, given, letters]])

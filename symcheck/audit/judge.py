@@ -55,7 +55,7 @@ def units(context: Context) -> list[Unit]:
 
 
 def _statement(link: Relation) -> Tree:
-    """One link as a statement of its own."""
+    """One link as a separate statement."""
     return System((link.tree,), link.qualifiers) if link.qualifiers else link.tree
 
 
@@ -137,7 +137,7 @@ def problems(context: Context, unit: Unit, given: tuple[Hypothesis, ...]) -> tup
     """What there is to prove of one unit: of the relation, and then of its set of equality."""
     context = context.having(letter=unit.letter)
     statements = filter(None, (_stated(context, unit, given), _attained(context, unit, given)))
-    return tuple(problem for each in statements for problem in _problems(context, *each))
+    return tuple(problem for statement in statements for problem in _problems(context, *statement))
 
 
 def _find(context: Context, formulas: tuple[Formula, ...], given: tuple[Hypothesis, ...], method: Method) -> Finding:

@@ -18,7 +18,7 @@ from symcheck.core.terms import node
 from symcheck.core.verdicts import SymcheckError, Verdict
 from symcheck.kernels.codegen.kernel import Kernel
 from symcheck.kernels.codegen.program import Program, compiled
-from symcheck.kernels.codegen.target import Made
+from symcheck.kernels.codegen.target import CompiledKernel
 from symcheck.ledger.digests import digest_of
 from symcheck.ledger.record import Record
 from symcheck.proof import certificate, identity
@@ -43,13 +43,13 @@ def programs(kernel: Kernel) -> tuple[Program, Program]:
     return compiled(inputs, outputs, angles), compiled(inputs, outputs)
 
 
-def made(paper: Paper, records: Iterable[Record]) -> tuple[dict[str, Made], list[Certificate]]:
+def compiled_kernels(paper: Paper, records: Iterable[Record]) -> tuple[dict[str, CompiledKernel], list[Certificate]]:
     """The kernels of a paper by name, as targets write them, and the certificates of their accurate forms."""
     known, kernels, proofs = {record.id: record for record in records}, {}, []
     for name, kernel in declared(paper.key).items():
         equal = list(equalities(paper, name, kernel))
         claims = dict(_claims(paper, name, kernel, known))
-        kernels[name] = Made(kernel, *programs(kernel), claims, digest(equal) if equal else "")
+        kernels[name] = CompiledKernel(kernel, *programs(kernel), claims, digest(equal) if equal else "")
         proofs += equal
     return kernels, proofs
 

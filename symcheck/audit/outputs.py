@@ -24,8 +24,8 @@ def files(records: Iterable[Record], kernels: Mapping[str, Kernels] = MappingPro
     for key, rows in sorted(of_paper.items()):
         texts, equalities = kernels.get(key, ({}, ()))
         equalities = [*equalities]
-        proofs = [*(each for row in rows for each in row.all_certificates()), *equalities]
-        written = dict.fromkeys(line(each) for each in proofs)
+        proofs = [*(certificate for row in rows for certificate in row.all_certificates()), *equalities]
+        written = dict.fromkeys(line(proof) for proof in proofs)
         out |= {name: text.encode() for name, text in texts.items()}
         verdicts = (f"{line(row.id)}: {line(_expectation(row))}" for row in rows)
         out[f"{CERTIFICATES}/{key}.json"] = document(key, "certificates", "[]", written, schema=PROOFS)
@@ -37,7 +37,7 @@ def files(records: Iterable[Record], kernels: Mapping[str, Kernels] = MappingPro
 def _stated(key: str, rows: Iterable[Record], equalities: Iterable[Certificate]) -> bytes:
     """The statements of a paper, read anew."""
     index = Index(papers.load()[key])
-    index.beside(rows, equalities)
+    index.add_further(rows, equalities)
     known = {"definitions": index.definitions, "hypotheses": index.hypotheses}
     return document(key, "statements", "[]", map(line, index.statements), schema=PROOFS, others=known)
 

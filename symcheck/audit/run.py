@@ -61,8 +61,8 @@ class Decider(Protocol):
 class Interrupted(KeyboardInterrupt):
     """An interrupt, with the records that were decided before it, in printed order."""
 
-    def __init__(self, records: list[Record], told: str = "") -> None:
-        super().__init__(told)
+    def __init__(self, records: list[Record], accepted: str = "") -> None:
+        super().__init__(accepted)
         self.records = records
 
 
@@ -82,8 +82,8 @@ def audit(
     A selection is "paper", "paper:number", "paper:number" with the letter of one link, or "paper:T6" for all rows of a
     list or table; SymcheckError if it names nothing, with the nearest names. What is decided is in the cache at once,
     so an interrupted audit loses only what was running, and raises Interrupted. A declaration that is killed or crashes
-    is undecided and not cached. Whatever is told, kept or new, the checker has accepted: of what was kept and is not
-    accepted each declaration is decided again, of what is new the verdict becomes undecided.
+    is undecided and not cached. The checker has accepted whatever is reported. A cached result that it
+    does not accept is decided again; a new one becomes undecided.
 
     With `weigh` it is also decided which hypotheses are needed, after all verdicts; that takes half as long again.
     """
@@ -94,7 +94,7 @@ def audit(
     with _uncollected():
         kept = cache.find(fingerprints)
         kept = kept if weigh else checked.unweighed(kept)
-        records = {id: rows for id, rows in checked.told(kept).items() if rows == kept[id]}
+        records = {id: rows for id, rows in checked.accepted(kept).items() if rows == kept[id]}
     if refused := len(kept) - len(records):
         are = "is" if refused == 1 else "are"
         cache.say(f"{refused} of the results in the cache {are} not accepted by the checker; deciding again")
@@ -119,10 +119,10 @@ def audit(
     except KeyboardInterrupt:
         known = records.keys() | new.keys()
         whole = {id: rows for id, rows in new.items() if known >= {*_lemmas(id, obligations)}}
-        raise Interrupted(_asked_for(wanted, records | _told(whole, records))) from None
+        raise Interrupted(_asked_for(wanted, records | _accepted(whole, records))) from None
     for key in {Id.parse(id).paper for id in obligations}:
         cache.prune(key, obligations)
-    return _asked_for(wanted, records | _told(new, records))
+    return _asked_for(wanted, records | _accepted(new, records))
 
 
 @contextmanager
@@ -147,9 +147,9 @@ def _answers(
             yield from answers
 
 
-def _told(new: checked.Rows, records: checked.Rows) -> dict[str, tuple[Record, ...]]:
+def _accepted(new: checked.Rows, records: checked.Rows) -> dict[str, tuple[Record, ...]]:
     with _uncollected():
-        return checked.told(new, records)
+        return checked.accepted(new, records)
 
 
 def _with_lemmas(wanted: Iterable[str], obligations: Mapping[str, Obligation]) -> list[str]:
@@ -188,7 +188,7 @@ def _with_later(records: list[Record]) -> list[Record]:
 def _later(wrong: Record, records: list[Record]) -> tuple[Later, ...]:
     own = wrong.declaration
     resting = (r for r in records if own in r.uses or (r.id > wrong.id and r.declaration == own))
-    fate = {Verdict.PROVED: "is right", Verdict.REFUTED: "shares the fault or has one of its own"}
+    fate = {Verdict.PROVED: "is right", Verdict.REFUTED: "shares the fault or has another one"}
     return tuple(Later(id=r.id, fate=fate[r.verdict]) for r in resting if r.verdict in fate)
 
 

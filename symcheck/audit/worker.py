@@ -1,4 +1,4 @@
-"""What worker processes start with: an error that ends one is told by the process that waits for it, never by itself.
+"""What worker processes start with: the waiting process reports an error that ends one, never the worker itself.
 
 Errors of what a worker is asked to do are answers (`executor.Crash`). Others come from its start, as when the process
 that wanted it is interrupted and closes what they speak through.

@@ -18,7 +18,7 @@ from symcheck.checker.residues import Reject, require
 from symcheck.checker.statements import Index
 from symcheck.core.terms import JSON
 
-SCHEMA = 3
+SCHEMA = 3  # of certificates and statements, as `symcheck.ledger.store` writes them
 TIED = """Each claims what generated/statements lists under its id, with definitions and hypotheses listed there. That
 these lists say what is printed is not checked here: the reader makes them from the printed text, and what a sentence
 means is put in formulas by hand. Statements about hypotheses left out and about kernels are not printed."""

@@ -15,7 +15,7 @@ from math import isqrt, prod
 from symcheck.core.calculus import Unknown, derivative, differentiated
 from symcheck.core.terms import Binder, Node, Term, Value, node
 
-PLACES = 160
+PLACES = 160  # binary ones of an enclosure's ends: 48 decimals, far beyond what is printed
 ONE = 1 << PLACES
 MANY = 1000  # terms of a sum, which are added one by one
 CELLS = 128  # of an integral: smooth ones of a few units' length get 5 digits, which tell wrong constants apart

@@ -7,7 +7,8 @@ from collections.abc import Callable, Mapping
 from functools import lru_cache
 from math import factorial, gcd, prod
 
-HEIGHT = 1 << 96
+HEIGHT = 1 << 96  # numerators and denominators stay below; p > 2 HEIGHT^2 makes the fraction of a residue unique
+# the prime is chosen so that these have square roots; no other primes are needed under the papers' roots
 PRIMES = (2, 3, 5, 7, 11, 13, 17, 19, 23, 29, 31, 37, 41, 43)
 SIEVE = factorial(2000)  # most candidates have a small divisor
 

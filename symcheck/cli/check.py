@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 import click
 
-from symcheck.cli.errors import DIFFERS, MOST_LINES, say
+from symcheck.cli.errors import DIFFERS, MAX_LINES, say
 from symcheck.cli.options import SELECTION, AuditOptions, audit_options
 from symcheck.cli.records import audited, print_json
 from symcheck.core.verdicts import Verdict
@@ -70,10 +70,10 @@ def _compare(selection: Sequence[str], records: Sequence[Record], quiet: bool) -
     for key, rows in _by_paper(records).items():
         complete = not selection or key in selection
         differing += store.disagreements(rows, store.expected(folder, key), complete)
-    for line in differing[:MOST_LINES]:
+    for line in differing[:MAX_LINES]:
         say(line)
-    if len(differing) > MOST_LINES:
-        say(f"and {len(differing) - MOST_LINES} more differences; ask for a smaller selection to see them")
+    if len(differing) > MAX_LINES:
+        say(f"and {len(differing) - MAX_LINES} more differences; ask for a smaller selection to see them")
     if differing:
         raise click.exceptions.Exit(DIFFERS)
     if not quiet:

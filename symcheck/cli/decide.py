@@ -14,7 +14,7 @@ from symcheck.cli.options import cores
 from symcheck.core.verdicts import SymcheckError
 
 EXIT = {"proved": 0, "refuted": 1, "unreadable": BAD_INPUT}
-UNDECIDED = 3
+UNDECIDED = 3  # 0 to 2 mean proved, refuted, and unreadable or wrong input
 
 
 @click.command()
@@ -81,12 +81,12 @@ def decide(
     from symcheck.question.ask import decide as decided
     from symcheck.views.answer import text
 
-    answer = decided(relation, where, given, dict(map(_said, said)))
+    answer = decided(relation, where, given, dict(map(_meaning, said)))
     click.echo(json.dumps(answer.as_json()) if as_json else text(answer))
     raise click.exceptions.Exit(EXIT.get(answer.verdict, UNDECIDED))
 
 
-def _said(text: str) -> tuple[str, str]:
+def _meaning(text: str) -> tuple[str, str]:
     letter, sign, what = text.rpartition("=")
     if not sign or not letter:
         raise click.UsageError(f"--letter {text!r} is not of the form LETTER=WHAT")

@@ -14,9 +14,9 @@ import click
 from symcheck.core.interrupts import INTERRUPTED
 from symcheck.core.verdicts import SymcheckError
 
-DIFFERS, BAD_INPUT = 1, 2
+DIFFERS, BAD_INPUT = 1, 2  # as `diff` exits, and as Click does where the usage is wrong
 BROKEN_PIPE = 141  # as shells report a process that SIGPIPE ended
-MOST_LINES = 30  # differences that are named one by one, about a screen
+MAX_LINES = 30  # differences that are named one by one, about a screen
 
 
 def say(message: str) -> None:

@@ -49,7 +49,7 @@ def generate(only_check: bool, name: str, output: Path | None, options: AuditOpt
         raise SymcheckError("NumPy kernels belong in generated/; leave --output out, or choose another --target")
     folder = kernels.folder() if checked_in else output or Path(f"kernels-{name}")
     records, files = audited((), options), target(name).files
-    made = {key: writing.made(paper, records) for key, paper in papers.load().items()}
+    made = {key: writing.compiled_kernels(paper, records) for key, paper in papers.load().items()}
     texts = {key: (files(key, of_paper) if of_paper else {}, proofs) for key, (of_paper, proofs) in made.items()}
     if checked_in:
         recorded = confirmed.files(folder, records) | selftested.files(folder) | figures.files(folder)

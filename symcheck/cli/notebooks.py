@@ -6,7 +6,7 @@ from collections.abc import Sequence
 
 import click
 
-from symcheck.cli.errors import DIFFERS, MOST_LINES, needing, say
+from symcheck.cli.errors import DIFFERS, MAX_LINES, needing, say
 from symcheck.cli.records import progress
 
 
@@ -27,7 +27,7 @@ def notebooks(only: Sequence[str], kernel: bool, write: bool) -> None:
         told = committed.differences(name, found)
         differing += told
         click.echo(f"{name}: {sum('execution_count' in cell for cell in found.cells)} cells, {len(told)} differ")
-    for line in differing[:MOST_LINES]:
+    for line in differing[:MAX_LINES]:
         say(line)
     if differing:
         say("run `symcheck notebooks --write` to accept what is shown now")

@@ -123,7 +123,7 @@ def _faults(context: Context, formula: Formula, premises: Sequence[Formula], con
         rest = rest.formulas[1] if isinstance(rest, Connective) else rest
     if not same(at.shape(conclusion), at.shape(formula)):
         yield "the conclusion is not what is printed"
-    known = [f for each in context.item.hypotheses for f in context.hypothesis(each)[1]]
+    known = [f for hypothesis in context.item.hypotheses for f in context.hypothesis(hypothesis)[1]]
     shapes = [at.shape(f) for f in known]
     for premise in premises:
         shape = at.shape(premise)

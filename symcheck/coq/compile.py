@@ -27,8 +27,9 @@ from symcheck.ledger.digests import digest
 
 MISSING = "coqc is not installed; on Debian: apt-get install coq libcoq-coquelicot"
 NO_COQUELICOT = "the Coq library Coquelicot is not installed; on Debian: apt-get install libcoq-coquelicot"
+# coqc's message: the line of an error, and the error up to a blank line
 STOPPED = re.compile(r"line (\d+), characters.*?\nError:(.*?)(?:\n\n|\Z)", re.DOTALL)
-ASSUMPTION = re.compile(r"^([A-Za-z_][\w.']*)\s*:", re.MULTILINE)
+ASSUMPTION = re.compile(r"^([A-Za-z_][\w.']*)\s*:", re.MULTILINE)  # an axiom's name, as `Print Assumptions` lists them
 REALS = (  # what the standard library's real numbers rest on, and its arctangent (excluded middle)
     "ClassicalDedekindReals.sig_forall_dec",
     "ClassicalDedekindReals.sig_not_dec",
@@ -68,7 +69,7 @@ def without(text: str, line: int) -> tuple[str, list[str]]:
     heads = tuple(f"{kind}{name} :" for name in names for kind in ("Lemma step_", "Theorem proof_", "Lemma "))
     kept = "".join(block for block in blocks if not block.startswith(heads))
     if kept == text:
-        raise ValueError(f"line {line} is in {names[0]}, which is no proof of a claim")
+        raise ValueError(f"line {line} is in {names[0]}, which does not prove a claim")
     return re.sub(rf"^pose proof proof_(?:{'|'.join(names)})\.\n", "", kept, flags=re.MULTILINE), names
 
 
@@ -148,7 +149,7 @@ def grouped(reasons: Mapping[str, str]) -> dict[str, list[str]]:
 
 
 def main(arguments: Sequence[str]) -> int:
-    """0 everything exported compiles, 1 something does not or is no longer confirmed, 2 Coq is not there."""
+    """0 everything exported compiles, 1 something does not or is not confirmed any more, 2 Coq is not there."""
     if reason := missing():
         print(f"symcheck: {reason}", file=sys.stderr)
         return 2

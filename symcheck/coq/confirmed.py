@@ -40,15 +40,15 @@ def key(record: Record, corrected: bool) -> str:
 def confirmed(record: Record, folder: Path | None = None) -> dict[str, str]:
     """By `key` what Coq says of a record, "yes", "no: " with the reason, or "not tried"; empty if it is not asked."""
     recorded = _recorded(folder or kernels.folder(), record.paper)
-    return {name: _told(recorded.get(name), current) for name, current in _current(record)}
+    return {name: _summary(recorded.get(name), current) for name, current in _current(record)}
 
 
-def told(record: Record) -> str:
+def summary(record: Record) -> str:
     """The same in a line: "yes", or "correction yes" of what a wrong relation should be; empty if Coq is not asked."""
     return "; ".join(said if name == record.id else f"correction {said}" for name, said in confirmed(record).items())
 
 
-def _told(outcome: Outcome | None, current: str) -> str:
+def _summary(outcome: Outcome | None, current: str) -> str:
     if outcome is None or outcome[0] != current:
         return NOT_TRIED
     return f"no: {outcome[1]}" if outcome[1] else CONFIRMED

@@ -45,21 +45,21 @@ def add_facts(state: State, spoken: Iterable[Term]) -> None:
             _add_angle(state, shown, angle)
 
 
-def _add_angle(state: State, shown: str, angle: Term) -> None:
+def _add_angle(state: State, shown_name: str, angle: Term) -> None:
     """sin^2 + cos^2 = 1, values at a quarter turn; of a sum the addition theorems."""
     counts, rest = turns(angle)
     if quarter := ratio(angle, QUARTER) == 1:
         for function in ("cos", "sin"):
-            state.hint(f"(eq_trans (f_equal {function} (ltac:(field) : {shown} = PI / 2)) {function}_PI2)")
+            state.hint(f"(eq_trans (f_equal {function} (ltac:(field) : {shown_name} = PI / 2)) {function}_PI2)")
     if quarter or isinstance(angle, str) or (rest != 0 and not counts):
-        state.hint(f"(circle {shown})")
+        state.hint(f"(circle {shown_name})")
         return
     parts: list[Term] = [x if n > 0 else node("-", x) for x, n in counts for _ in range(abs(n))]
     parts += [rest] if rest != 0 else []
     total = spelled(node("+", *parts) if parts else 0)
     cosine, sine = reduce(addition, map(circular, parts)) if parts else (1, 0)
     for function, sum_ in (("cos", cosine), ("sin", sine)):
-        by = f"replace {shown} with ({total}) by field; turn"
+        by = f"replace {shown_name} with ({total}) by field; turn"
         _add_equation(state, node(function, angle), sum_, by)
 
 

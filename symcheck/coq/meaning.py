@@ -13,7 +13,7 @@ from typing import Any
 
 from mpmath import mp, mpf
 
-mp.dps = 50
+mp.dps = 50  # so far beyond the sixteen of a double that rounding decides no comparison
 Tree = Any  # a term or formula, raw or as nodes
 Number = Any  # of mpmath, flint or fractions
 Values = dict[str, Number]
@@ -79,7 +79,7 @@ class Evaluator:
         return base**exponent
 
     def other(self, node: Tree, at: Values) -> Number:
-        """The value of what is no operation: of a binder or an unknown function."""
+        """The value of a binder or an unknown function."""
         raise NoValue(node[0])
 
     def quantified(self, node: Tree, at: Values) -> bool | None:
@@ -174,7 +174,7 @@ OPERATIONS: dict[str, Callable[..., Number]] = {
 
 
 class Smooth:
-    """Random smooth functions, with all derivatives; at some places they have values of their own."""
+    """Random smooth functions, with all derivatives; at some places they have prescribed values."""
 
     def __init__(self, rng: Random) -> None:
         self.rng = rng

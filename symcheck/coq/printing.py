@@ -18,7 +18,7 @@ TAKEN = frozenset((
     "Derive", "Derive_n", "pow", "True", "False", "not", "and", "or",
 ))  # fmt: skip
 ATOM, APPLIED, POWER, MINUS, TIMES, PLUS = 0, 10, 30, 35, 40, 50  # levels of Coq's operators
-COMPARED, AND, OR, IFF, IMPLIES, BINDS = 70, 80, 85, 95, 99, 200
+COMPARED, AND, OR, IFF, IMPLIES, BINDS = 70, 80, 85, 95, 99, 200  # levels of Coq's relations, connectives and binders
 
 
 INFIX = {  # the sign, its level, and up to which levels the first operand and the others need no brackets

@@ -10,6 +10,7 @@ from lark import Lark, Token, Transformer, v_args
 
 from symcheck.core.terms import Connective, Formula, Node, Quantified, Term, node
 
+# a stated claim: its name, and what stands up to the full stop at the end of a line
 CLAIM = re.compile(r"^Definition claim_(\w+) : Prop :=\n(.*?)\.\n$", re.DOTALL | re.MULTILINE)
 GRAMMAR = r"""
 ?formula: iff | iff "->" formula -> implies | FORALL binders "," formula -> quantified | exists

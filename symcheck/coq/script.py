@@ -158,7 +158,7 @@ def prove(state: State, goal: Formula, proof: Certificate) -> None:
 
 
 def branch(state: State, goal: Formula, proof: Certificate) -> None:
-    """A subgoal of its own."""
+    """A separate subgoal."""
     with state.inside():
         prove(state, goal, proof)
 

@@ -100,11 +100,11 @@ def _of_quotient(state: State, top: Term, bottom: Term) -> Sign | None:
     return Sign(1, f"(div_nn {above.weak} {below.weak})")
 
 
-def not_zero(state: State, term: Term, found: Sign) -> Sign:
+def not_zero(state: State, term: Term, sign: Sign) -> Sign:
     """The sign of a term; if it is known not to vanish, it is positive and not only not negative."""
-    if found.level == 1 and spelled(term) in state.nonzero:
-        return Sign(2, f"(nz_pos {found.proof} {state.nonzero[spelled(term)][0]})")
-    return found
+    if sign.level == 1 and spelled(term) in state.nonzero:
+        return Sign(2, f"(nz_pos {sign.proof} {state.nonzero[spelled(term)][0]})")
+    return sign
 
 
 def _of_power(state: State, base: Term, n: int) -> Sign | None:

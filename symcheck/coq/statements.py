@@ -15,7 +15,7 @@ from symcheck.coq.values import ratio
 from symcheck.core.calculus import differentiated
 from symcheck.core.terms import Binder, Call, Formula, Relation, Term, node
 
-WIDTH = 118
+WIDTH = 118  # of a line, so that it fits a screen of 120 columns
 Hypotheses = tuple[tuple[Reference, Formula], ...]
 
 

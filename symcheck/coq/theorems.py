@@ -16,7 +16,7 @@ from symcheck.core.terms import JSON, Term, node
 
 KINDS = {"n": "Z", "f": "R -> R", "g": "R -> R"}  # of parameters
 CONGRUENCE = {"congruence": "st", "congruence of two": "stuv"}  # of functions of one argument, and of two
-ALIKE = {"=": "eq", "!=": "ne", "<": "lt", "<=": "le", ">": "gt", ">=": "ge"}
+RELATION_NAMES = {"=": "eq", "!=": "ne", "<": "lt", "<=": "le", ">": "gt", ">=": "ge"}
 UNSTATED = {  # theorems without a proof in Theorems.v
     "enclosure": "it is computed anew for each number, by the lemmas of Digits.v",
     "beta": "Euler's beta integral is not in Coq's libraries",
@@ -95,7 +95,7 @@ def _congruence(name: str) -> table.Theorem:
 
 def identifier(name: str) -> str:
     """The name of a theorem in Theorems.v."""
-    return "theorem_" + "_".join(ALIKE.get(word, word) for word in name.split())
+    return "theorem_" + "_".join(RELATION_NAMES.get(word, word) for word in name.split())
 
 
 def missing(proof: JSON) -> str | None:

@@ -14,7 +14,7 @@ from contextlib import contextmanager, suppress
 from functools import partial
 from typing import NoReturn
 
-INTERRUPTED = 130
+INTERRUPTED = 130  # as shells report a process that SIGINT ended
 AGAIN = 0.02  # seconds until an interrupt that was dropped comes again
 
 

@@ -177,15 +177,17 @@ class Record(_Part, frozen=True):
         """
         if self.verdict is not Verdict.PROVED:
             return None
-        proofs = [each for each in self.certificates if each.get("verdict") == Verdict.PROVED]
-        names = {name for each in proofs for name in each.get("hypotheses", {})}
-        conditions = {term(condition) for each in proofs for condition in each.get("nonzero", ())}
+        proofs = [certificate for certificate in self.certificates if certificate.get("verdict") == Verdict.PROVED]
+        names = {name for proof in proofs for name in proof.get("hypotheses", {})}
+        conditions = {term(condition) for proof in proofs for condition in proof.get("nonzero", ())}
         return {"hypotheses": sorted(names), "nonzero": sorted(conditions)}
 
     @property
     def refutation(self) -> Certificate | None:
         """The first certificate that refutes it."""
-        return next((each for each in self.certificates if each.get("verdict") == Verdict.REFUTED), None)
+        return next(
+            (certificate for certificate in self.certificates if certificate.get("verdict") == Verdict.REFUTED), None
+        )
 
     @property
     def counterexample(self) -> Point | None:
@@ -241,7 +243,7 @@ class Record(_Part, frozen=True):
         return {name: getattr(self, name) for name in _DERIVED}
 
 
-_DERIVED = ("counterexample", "group", "domain")  # what is told of a record in JSON, and follows from the others
+_DERIVED = ("counterexample", "group", "domain")  # written to JSON though it follows from the others
 
 
 def _nested(row: Mapping[str, object]) -> dict[str, object]:

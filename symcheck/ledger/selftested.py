@@ -1,6 +1,6 @@
 """What the self-test found: what `symcheck selftest --record` left in generated/selftest.json.
 
-It says of which certificates, verdicts and kernels it is, and has a digest of its own counts: a file that was changed
+It says of which certificates, verdicts and kernels it is, and has a digest of the counts in it: a file that was changed
 by hand is refused.
 """
 
@@ -51,7 +51,9 @@ def evidence(records: Iterable[Record], folder: Path | None = None) -> dict[str,
     folder = folder or kernels.folder()
     texts = sorted(file for file in folder.glob("*.py") if MARK in file.read_text(encoding="utf-8"))
     return {
-        "certificates": digest(sorted(digest_of(each) for row in rows for each in row.all_certificates())),
+        "certificates": digest(
+            sorted(digest_of(certificate) for row in rows for certificate in row.all_certificates())
+        ),
         "ledger": digest(sorted(line([row.id, row.verdict, row.reading]) for row in rows)),
         "kernels": digest(short_digest(file.read_text(encoding="utf-8")) for file in texts),
     }

@@ -1,7 +1,7 @@
 """What is checked in under generated/: the certificates of each paper, the verdicts expected of it, and its kernels.
 
 All files are written from the records of an audit and depend on nothing else: no times, no versions. Each certificate
-and each expectation has a line of its own, so that a diff shows what changed. Beside them lie what Coq said of the
+and each expectation has its own line, so that a diff shows what changed. Beside them lie what Coq said of the
 certificates, see `symcheck.coq.confirmed`, and what the self-test found, see `symcheck.ledger.selftested`.
 """
 
@@ -20,7 +20,7 @@ from symcheck.kernels.codegen.target import MARK
 from symcheck.ledger.digests import line, short_digest
 from symcheck.ledger.record import Record
 
-SCHEMA = 1
+SCHEMA = 1  # of the recorded outcomes
 PROOFS = 3  # the schema of certificates and of the statements they are compared with
 CERTIFICATES = "certificates"
 EXPECTED = "expected"

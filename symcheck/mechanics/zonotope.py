@@ -10,23 +10,22 @@ library only; components may be of any kind of exact number.
 
 from __future__ import annotations
 
-import math
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from fractions import Fraction
 from functools import cmp_to_key
 from itertools import combinations, permutations
 from typing import Any
 
 from symcheck.core.verdicts import SymcheckError
 
-__all__ = ["Chirotope", "Combinatorics", "Envelope", "chirotope", "combinatorics", "envelope", "isometries", "isometry"]
+__all__ = ["Chirotope", "Combinatorics", "Envelope", "chirotope", "combinatorics", "envelope"]
 
 Signs = tuple[int, ...]
 Number = Any  # a float, a fraction or an expression of SymPy: what can be added, multiplied and, by `sign`, compared
 Vector = tuple[Number, Number, Number]
+# one or two of these complete axes that lie in a plane
 UNIT_VECTORS: tuple[Vector, ...] = ((1, 0, 0), (0, 1, 0), (0, 0, 1))
-EVEN = ((0, 1, 2), (1, 2, 0), (2, 0, 1))
+EVEN = ((0, 1, 2), (1, 2, 0), (2, 0, 1))  # permutations of three: a triple product keeps its sign
 
 
 def sign(number: Number) -> int:
@@ -157,27 +156,6 @@ class Combinatorics:
         """How many vertices, edges and faces there are."""
         return len(self.vertices), len(self.edges), len(self.faces)
 
-    @property
-    def euler(self) -> int:
-        """Vertices - edges + faces: 2 for a polyhedron, 1 for a polygon and a segment."""
-        return len(self.vertices) - len(self.edges) + len(self.faces)
-
-    @property
-    def dimension(self) -> int:
-        """3 for a polyhedron, 2 for a polygon, 1 for a segment."""
-        return 1 + min(len(self.faces), 2)
-
-    @property
-    def sides(self) -> dict[int, int]:
-        """How many faces have how many sides."""
-        found = sorted(len(cycle) for cycle in self.faces.values())
-        return {count: found.count(count) for count in found}
-
-    @property
-    def is_symmetric(self) -> bool:
-        """Whether the reflection in the centre maps vertices, edges and faces onto such."""
-        return all(opposite(signs) in each for each in (self.vertices, self.edges, self.faces) for signs in each)
-
 
 def combinatorics(chi: Chirotope) -> Combinatorics:
     """Build the face lattice of an envelope.
@@ -210,11 +188,11 @@ def combinatorics(chi: Chirotope) -> Combinatorics:
     return Combinatorics(chi.wheels, vertices, {signs: (first, last) for signs, (first, last) in edges.items()}, faces)
 
 
-def _held(wheels: int, found: Mapping[Signs, tuple[Signs, ...]]) -> dict[Signs, tuple[Signs, ...]]:
+def _held(wheels: int, faces: Mapping[Signs, tuple[Signs, ...]]) -> dict[Signs, tuple[Signs, ...]]:
     """What has the completing axes at 1."""
     return {
         signs[:wheels]: tuple(vertex[:wheels] for vertex in vertices)
-        for signs, vertices in found.items()
+        for signs, vertices in faces.items()
         if all(s == 1 for s in signs[wheels:])
     }
 
@@ -302,11 +280,6 @@ class Envelope:
         """(n, H) on a face with that normal n: the sum of |(e_i, e_j, e_k)| over k."""
         return dot(self.normal(face), self.point(face))
 
-    def distance(self, face: Signs, root: Callable[[Number], Number] = math.sqrt) -> Number:
-        """From the centre to the plane of a face: its support over |e_i times e_j|."""
-        normal = self.normal(face)
-        return self.support(face) / root(dot(normal, normal))
-
     def volume(self) -> Number:
         """8 times the sum of |(e_i, e_j, e_k)|: the envelope is a sum of parallelepipeds."""
         triples = combinations(range(1, len(self.axes) + 1), 3)
@@ -315,11 +288,6 @@ class Envelope:
             for t in triples  # zero in a plane
             if self.chirotope(*t)
         )
-
-    def surface(self, root: Callable[[Number], Number] = math.sqrt) -> Number:
-        """8 times the sum of |e_i times e_j|: every two axes span two opposite rhombi, faces or parts of faces."""
-        normals = (cross(*two) for two in combinations(self.axes, 2))
-        return 8 * sum(root(dot(normal, normal)) for normal in normals)
 
 
 def envelope(axes: Iterable[Sequence[Number]], sign: Callable[[Number], int] = sign) -> Envelope:
@@ -359,97 +327,3 @@ def envelope(axes: Iterable[Sequence[Number]], sign: Callable[[Number], int] = s
         vectors.append((x, y, z))
     chi = chirotope(vectors, sign)
     return Envelope(tuple(vectors), chi, combinatorics(chi))
-
-
-def generators(axes: Sequence[Vector], sign: Callable[[Number], int] = sign) -> tuple[Vector, ...]:
-    """The axes with parallel ones added up: half the edges of the envelope."""
-    found: list[Vector] = []
-    for axis in axes:
-        for place, other in enumerate(found):
-            if not any(map(sign, cross(axis, other))):
-                turn = sign(dot(axis, other))
-                found[place] = added(other, scaled(turn, axis))
-                break
-        else:
-            found.append(axis)
-    return tuple(found)
-
-
-def isometries(axes: Sequence[Vector], sign: Callable[[Number], int] = sign) -> tuple[tuple[int, ...], ...]:
-    """Find the isometries that keep an envelope.
-
-    Parameters
-    ----------
-    axes
-        The axes of the wheels.
-    sign
-        How the sign -1, 0 or 1 of a number is decided.
-
-    Returns
-    -------
-    tuple of tuple of int
-        Signed permutations of the generators: the entry at generator i is j or -j if e_i goes to e_j or -e_j. They are
-        those that keep every scalar product. Isometries that are equal on all axes (across a plane of axes) are
-        counted once.
-
-    See Also
-    --------
-    isometry : The matrix of one of them.
-    """
-    edges = generators(axes, sign)
-    gram = [[dot(x, y) for y in edges] for x in edges]
-
-    def extended(images: tuple[int, ...]) -> Iterator[tuple[int, ...]]:
-        new = len(images)
-        if new == len(edges):
-            yield images
-            return
-        for place in set(range(len(edges))) - {abs(image) - 1 for image in images}:
-            for turn in (1, -1):
-                turned = [(turn if image > 0 else -turn) * gram[abs(image) - 1][place] for image in images]
-                gaps = (x - y for x, y in zip(gram[new], (*turned, gram[place][place]), strict=False))
-                if not any(map(sign, gaps)):
-                    yield from extended((*images, turn * (place + 1)))
-
-    return tuple(extended(()))
-
-
-def isometry(axes: Sequence[Vector], images: Sequence[int], sign: Callable[[Number], int] = sign) -> tuple[Vector, ...]:
-    """Compute the orthogonal matrix of an isometry.
-
-    Parameters
-    ----------
-    axes
-        The axes of the wheels, which have to span space.
-    images
-        The isometry as a signed permutation.
-    sign
-        How the sign -1, 0 or 1 of a number is decided.
-
-    Returns
-    -------
-    tuple of tuple
-        The rows of the matrix.
-
-    Raises
-    ------
-    SymcheckError
-        If the axes lie in a plane, so that the isometry is not unique.
-
-    See Also
-    --------
-    isometries : All signed permutations.
-
-    Notes
-    -----
-    The matrix is the sum of e'_i times (e_j x e_k)/(e_i, e_j, e_k), cyclic, over three axes with the images e'_i.
-    """
-    edges = generators(axes, sign)
-    turned = [scaled(1 if image > 0 else -1, edges[abs(image) - 1]) for image in images]
-    for i, j, k in combinations(range(len(edges)), 3):
-        volume = triple_product(edges[i], edges[j], edges[k])
-        if sign(volume):
-            pairs = ((turned[p], cross(edges[q], edges[r])) for p, q, r in ((i, j, k), (j, k, i), (k, i, j)))
-            dyads = [[scaled(Fraction(1) / volume * x, across) for x in image] for image, across in pairs]
-            return tuple(added(*rows) for rows in zip(*dyads, strict=True))
-    raise SymcheckError("the axes lie in a plane, so that the isometry is not unique; give axes that span space")

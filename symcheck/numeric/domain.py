@@ -22,7 +22,7 @@ Shape = tuple[int | None, ...]  # lengths of last axes, None for any length
 TOLERANCE = 1e-9  # relative: a matrix that was written with ten digits still passes
 LARGEST = 1e100  # a moment: the product of three is a double
 ROUNDING = 8 * np.finfo(np.float64).eps  # of the sum of three moments
-SHOWN = 100  # characters of a value in an error, which stays on one line
+MAX_CHARACTERS = 100  # characters of a value in an error, which stays on one line
 
 
 # --- numbers
@@ -248,7 +248,7 @@ def shortened(value: object) -> str:
     value = _plain(value)
     text = np.array2string(value, precision=6, threshold=12) if isinstance(value, np.ndarray) else repr(value)
     text = " ".join(text.split())
-    return text if len(text) <= SHOWN else f"{text[: SHOWN - 3]}..."
+    return text if len(text) <= MAX_CHARACTERS else f"{text[: MAX_CHARACTERS - 3]}..."
 
 
 def _plain(value: object) -> object:

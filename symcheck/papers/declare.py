@@ -7,8 +7,8 @@ from __future__ import annotations
 
 import re
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
-from typing import TypeAlias
+from dataclasses import dataclass, replace
+from typing import Self, TypeAlias
 
 from symcheck.core.claims import (
     Claim,
@@ -27,7 +27,7 @@ from symcheck.core.claims import (
     Statement,
 )
 from symcheck.core.problems import Method
-from symcheck.core.verdicts import SymcheckError
+from symcheck.proof import cases, identity
 from symcheck.reading import Notation
 
 Text: TypeAlias = str | Sequence[str]
@@ -41,11 +41,20 @@ class Scope:
     notation  letters that mean something else than in the rest of the paper
     where     names and their derived expressions, in force instead of the paper's own definitions
     by        the proof method
+    keeping   defined letters that stay free
+    free      defined letters that are not unfolded in the lemmas
     """
 
     notation: Notation | None = None
     where: Derived | None = None
-    by: Methods | None = None
+    by: Methods = identity
+    keeping: Sequence[str] = ()
+    free: Sequence[str] = ()
+
+    @property
+    def by_cases(self) -> Self:
+        """The same with the method `cases()`."""
+        return replace(self, by=cases())
 
     def claim(
         self,
@@ -100,7 +109,8 @@ class Scope:
         equality_given
             Hypotheses in force only there.
         by
-            The proof method with its hints, or one for each link letter; that of the scope if none is named.
+            The proof method with its hints, or one for each link letter; by default that of the scope, which is
+            `identity` unless the scope names another.
         where
             Gives derived SymPy expressions by name, in force instead of the paper's own definitions.
         keeping
@@ -116,23 +126,17 @@ class Scope:
         notation
             Letters that mean something else here.
 
-        Raises
-        ------
-        SymcheckError
-            If neither the claim nor its scope names a proof method.
-
         Examples
         --------
         >>> from symcheck.papers.declare import claim
-        >>> from symcheck.proof import identity
-        >>> claim("2.12", 316, r"\\cos^2 a + \\sin^2 a = 1", by=identity).source.line
+        >>> claim("2.12", 316, r"\\cos^2 a + \\sin^2 a = 1").source.line
         316
         """
         return Claim(
             number=number,
             source=Source(line, _pieces(printed), words, damage, lines or {}),
             statement=Statement(_pieces(states), tuple(given), equation, imposed, equality, tuple(equality_given)),
-            plan=self._plan(number, by, where, keeping, lemmas, free),
+            plan=self._plan(by, where, keeping, lemmas, free),
             errata=errata or {},
             uses=tuple(uses),
             notation=notation or self.notation,
@@ -168,11 +172,6 @@ class Scope:
         words, states, given, equation, equality, equality_given, by, where, keeping, lemmas, free, uses, notation
             As for `claim`.
 
-        Raises
-        ------
-        SymcheckError
-            If neither the statement nor its scope names a proof method.
-
         See Also
         --------
         claim : A relation that the paper asserts.
@@ -181,7 +180,7 @@ class Scope:
             number=number,
             source=Source(line, words=words),
             statement=Statement(_pieces(states), tuple(given), equation, "", equality, tuple(equality_given)),
-            plan=self._plan(number, by, where, keeping, lemmas, free),
+            plan=self._plan(by, where, keeping, lemmas, free),
             uses=tuple(uses),
             notation=notation or self.notation,
         )
@@ -262,22 +261,25 @@ class Scope:
 
     def _plan(
         self,
-        number: str,
         by: Methods | None,
         where: Derived | None,
         keeping: Sequence[str],
         lemmas: Sequence[str],
         free: Sequence[str],
     ) -> Plan:
-        methods = by or self.by
-        if methods is None:
-            raise SymcheckError(f"{number} names no proof method; add by=...")
-        return Plan(methods, where or self.where, tuple(keeping), tuple(lemmas), tuple(free))
+        return Plan(
+            by or self.by,
+            where or self.where,
+            tuple(keeping or self.keeping),
+            tuple(lemmas),
+            tuple(free or self.free),
+        )
 
 
 _paper = Scope()
 claim, ours = _paper.claim, _paper.ours
 definition, premise, exclusion = _paper.definition, _paper.premise, _paper.exclusion
+by_cases = _paper.by_cases
 
 
 def _pieces(text: Text) -> tuple[str, ...]:

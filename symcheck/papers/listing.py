@@ -18,11 +18,13 @@ Head = tuple[int, int, tuple[str, ...]]  # what a row begins with: see Row
 Pattern = tuple[str, ...]  # "1", "-1", "u" or "v" for each wheel
 Direction = tuple[int, int]  # sign and number of a wheel
 
-_GAP = re.compile(r"(?:[\s&|$]|\\quad|\\left|\\right|\\\\)*")
+_GAP = re.compile(r"(?:[\s&|$]|\\quad|\\left|\\right|\\\\)*")  # layout, which may stand between any two signs of a row
+# the number of a row, "12)", before a vertex V or a face F
 _START = re.compile(r"(?<![\w}^_'])(\d+)\)(?=[\s$|&]*[VF]\b|[\s$|&]*[VF][_'^])")
-_LABEL = re.compile(r"(')?_(?:\{(\d+)\}|(\d+))(')?")
+_LABEL = re.compile(r"(')?_(?:\{(\d+)\}|(\d+))(')?")  # the index of V or F, with a prime on either side of it
+# layout and punctuation at the end of a row
 _TAIL = re.compile(r"(?:[\s&|.,;-]|\$\$|\\quad|\\\\|\\(?:begin|end)\{\w+\}(?:\{[lcr]+\})?)+$")
-_NUMBER = re.compile(r"-?\d+(?:\.\d+)?")
+_NUMBER = re.compile(r"-?\d+(?:\.\d+)?")  # a cell of a table of coordinates
 
 
 @dataclass(frozen=True, slots=True)
@@ -191,12 +193,12 @@ class _Reader:
             self.fail(f"each of {', '.join(parameters)} once before this")
         return tuple(found)
 
-    def listed(self, opening: str, closing: str, each: str, what: str) -> list[re.Match[str]]:
+    def listed(self, opening: str, closing: str, item: str, what: str) -> list[re.Match[str]]:
         """Items with commas between them, in brackets."""
         self.take(opening, what)
         found: list[re.Match[str]] = []
         while not found or self.take(f",|{closing}", "a comma or the end of the list")[0] == ",":
-            found.append(self.take(each, what))
+            found.append(self.take(item, what))
         return found
 
 
@@ -261,7 +263,7 @@ def _table_row(number: int, line: int, names: list[str], cells: list[str]) -> Ta
         for name, cell in zip(names, cells[1:], strict=True):
             if not _NUMBER.fullmatch(cell):
                 raise SymcheckError(
-                    f"line {line}, {cells[0]}, column {name}: {cell!r} is no number; compare the source"
+                    f"line {line}, {cells[0]}, column {name}: {cell!r} is not a number; compare the source"
                 )
         return TableRow(number, line, (printed,), label, tuple(zip(names, cells[1:], strict=True)))
     except SymcheckError as error:

@@ -22,15 +22,20 @@ INDICES = frozenset("ijklmn") | GREEK
 EXACT = (1, 2, 4, 5, 8)  # denominators of decimals that nobody means to be rounded: 0.5, 0.25, 0.2
 ANGULAR = ("sin", "cos", "tan", "tg", "cot", "ctg")
 TURN = 6  # radians are about one turn; whole numbers above it are rather degrees
+# a number with a unit: "5\,\text{kg}"
 _UNIT = re.compile(r"\d(?:\s|~|\\[,;:!> ]|\\quad)*\\(?:text|mathrm|textrm|mbox|rm)\s*\{([^{}]*)\}")
+# a number in brackets above a letter: "x^{(2)}", a derivative or a mere label
 _LABEL = re.compile(r"\^\s*\{?\s*\(\s*\d+\s*\)")
+# "\Delta(x)": the Laplacian or a difference, or a factor
 _OPERATOR = re.compile(r"(\\(?:Delta|delta))\s*(?:\\left|\\big[lg]?|\\Big[lg]?)?\s*[(\[]")
+# a letter with an accent that may stand for an operation
 _ACCENTED = re.compile(r"\\(?:tilde|hat|widetilde|widehat|breve|check)\{(.+)\}")
+# an expectation or transform before a bracket: "\mathbb{E}[x]", "E(x)"
 _APPLIED = re.compile(
     r"(\\mathbb\s*\{?[A-Z]\}?|\\mathcal\s*\{?[A-Z]\}?|\\operatorname\{\w+\}|(?<![A-Za-z\\{])[EP])\s*(?:\\left|\\[bB]igl?)?\s*(?:\[|\\\{)"
 )
-_UNIT_VECTOR = re.compile(r"\\(?:hat|widehat)\{\\(?:mathbf|boldsymbol|bm|pmb|vec)\{")
-_SUBSCRIPT = re.compile(r"_\{?([^{}]*)\}?$")
+_UNIT_VECTOR = re.compile(r"\\(?:hat|widehat)\{\\(?:mathbf|boldsymbol|bm|pmb|vec)\{")  # a bold letter with a hat
+_SUBSCRIPT = re.compile(r"_\{?([^{}]*)\}?$")  # the last subscript of a letter
 
 
 def defines(problem: Problem, *, bare: bool = False) -> bool:

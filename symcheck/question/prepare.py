@@ -30,10 +30,12 @@ from symcheck.reading.occurrences import occurrences
 from symcheck.reading.parser import dependence
 from symcheck.reading.surface import plain, with_plain_differentials
 
-_MEMBER = re.compile(r"^(.+?)\s*\\in\s*(.+)$", re.DOTALL)
+_MEMBER = re.compile(r"^(.+?)\s*\\in\s*(.+)$", re.DOTALL)  # "a, b \in \mathbb{R}"
 _SETS = {"R": "", "Z": "integer", "N": "integer", "Q": "", "C": "complex"}
+# a set of numbers, the part of it above zero, and its dimension: "\mathbb{R}_{>0}^{n}"
 _SET = re.compile(r"^\\mathbb\s*\{?([RZNQC])\}?\s*(?:_\{?\s*(>\s*0|\\geq?\s*0|\+)\s*\}?)?\s*(?:\^\s*\{?([^{}]*)\}?)?$")
 Definitions = Mapping[str, tuple[str, tuple[str, ...], str]]  # left side, arguments and right side, by the letter
+# letters for the size of a vector or matrix: "\mathbb{R}^{m \times n}"
 _SIZE_OF = re.compile(r"\\mathbb\s*\{?R\}?\s*\^\s*\{?\s*([A-Za-z])\s*(?:\\times\s*([A-Za-z]))?")
 LARGER = (4, 1)  # sizes of vectors and matrices where no smaller one makes sense
 LONGEST = 20_000  # characters; the longest display of the corpora has a tenth of it

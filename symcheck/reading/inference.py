@@ -23,12 +23,12 @@ MAX_READINGS = 8  # of one question: three letters with two readings each; more 
 _STYLED = re.compile(r"(?:\\\w+\{)?\\(mathbf|boldsymbol|bm|pmb|vec|overrightarrow)\{")  # a style, or an accent over it
 _MASSES = frozenset({"m", "M", r"\rho", "}"})  # before the g of gravity
 _TYPICAL = frozenset("fghFGH") | {r"\zeta", r"\phi", r"\psi", r"\varphi", r"\Phi", r"\Psi", r"\Theta", r"\Gamma"}
+# what e is in formulas of orbits: "1 - e^2", "1 + e", "e \cos"
 _ECCENTRIC = re.compile(
     r"1\s*[-+]\s*e\s*(?:\^\s*\{?\s*2\s*\}?)?(?!\s*\^|\d)|(?<![A-Za-z\\])e\s*\\(?:cos|sin|cosh|sinh)(?![A-Za-z])"
 )
-_NUMBER = re.compile(r"\s*[-+]?\s*[\d.\s]+")
+_NUMBER = re.compile(r"\s*[-+]?\s*[\d.\s]+")  # a decimal number, with spaces between its tokens
 _SKEW = re.compile(r"\[ (.+) \] _ (?:\{ )?\\times(?: \})?")  # `[a]_\times`, by its tokens
-_SIZES = re.compile(r"^(?:\{)?(\w+)(?:\\times(\w+))?(?:\})?$")
 
 
 # The letter itself, behind the two groups of scripts at its left; what follows it are scripts at its right.
@@ -437,6 +437,7 @@ def gathered(formulas: Sequence[str], said: Mapping[str, str]) -> dict[str, Evid
     return found
 
 
+# two capitals that an equation begins with, which may be one name, and their subscript
 _INITIALS = re.compile(r"\s*([A-Z])\s*([A-Z])\s*(?:_\s*(?:\{[^{}]*(?:\{[^{}]*\}[^{}]*)*\}|\w)\s*)?=")
 
 
@@ -755,6 +756,7 @@ def _time(every: Mapping[str, Evidence]) -> str:
 
 CONSTANT = "constant"
 PRINTED = "it is equal to one that is printed"
+# a matrix that contains no other environment
 _ENTRIES = re.compile(r"\s*\\begin\{([pbBv]?matrix|smallmatrix)\}((?:(?!\\begin).)*)\\end\{\1\}\s*", re.DOTALL)
 
 

@@ -24,8 +24,9 @@ TIMES = ("t", r"\tau")
 _NUMBERS = {"e": "e", r"\text{e}": "e", "i": "i", r"\text{i}": "i", r"\text{j}": "i", r"\pi": "pi"}
 _MAY_BE = {**_NUMBERS, "j": "i"}
 _SAID = {"e": "Euler's number", "i": "the imaginary unit", "pi": "the number pi"}
-_NAME = re.compile(r"[A-Za-z][A-Za-z0-9_]*")
+_NAME = re.compile(r"[A-Za-z][A-Za-z0-9_]*")  # names of letters in statements, as Python and SymPy take them
 _FUNCTIONS = "sin|cos|tan|sqrt|exp|log|arctan|arcsin|arccos|pow|mean|integral|diverges|diff|call|exists"
+# names of constants, and of values of functions: no letter is called so
 VALUE = re.compile(rf"pi|infinity|({_FUNCTIONS})(_.*)?|[A-Z][a-z]+_[0-9a-f]{{10}}")
 _PREFIXES = {r"\dot": "d", r"\ddot": "dd", r"\dddot": "ddd"}
 _SUFFIXES = {

@@ -9,10 +9,12 @@ import re
 from collections.abc import Collection, Iterable, Iterator, Sequence
 from dataclasses import dataclass
 
+# a bold letter, and its subscript
 _BOLD = re.compile(r"\\(?:mathbf|boldsymbol|bm|pmb|vec|overrightarrow)\{(\\?[A-Za-z]+)\}(?:_(.+))?")
+# a bold lower-case letter with a hat: a unit vector
 _UNIT = re.compile(r"\\(?:hat|widehat)\{\\(?:mathbf|boldsymbol|bm|pmb|vec)\{\\?[a-z]")
 _NAMES = (("x", "y", "z"), ("1", "2", "3", "4", "5", "6"))  # of components
-_ENTRY = re.compile(r"(.+)_\{(\d)(\d)\}")
+_ENTRY = re.compile(r"(.+)_\{(\d)(\d)\}")  # an entry of a matrix: "a_{12}"
 
 
 @dataclass(frozen=True, slots=True)

@@ -10,12 +10,13 @@ from typing import NoReturn
 from symcheck.core.verdicts import SymcheckError
 from symcheck.reading.commands import ACCENTS, LETTER_COMMANDS, ROMAN, STYLES, known
 
-_TOKEN = re.compile(r"\\[A-Za-z]+\*?|\\.|\S", re.DOTALL)
+_TOKEN = re.compile(r"\\[A-Za-z]+\*?|\\.|\S", re.DOTALL)  # a command, an escaped sign, or any other sign
 _SPACE = r"(?:\\quad|\\qquad|\\,|\\;|\\:|\\!|\\ |~|\s)"
+# the number of a formula at its end: "\tag{2.1}", or "\quad (2.1)"
 _TAG = re.compile(
     rf"{_SPACE}*(?:\\(?:tag|eqno)\s*\{{\s*([^{{}}]*?)\s*\}}|\\q?quad{_SPACE}*\((\d+\.\d+[a-zа-я]?)\))(?={_SPACE}*$)"
 )
-_TAIL = re.compile(rf"(?:{_SPACE}|[.,;])+$")
+_TAIL = re.compile(rf"(?:{_SPACE}|[.,;])+$")  # spaces and punctuation at the end of a formula
 
 MAX_DEPTH = 30  # of brackets; the papers have less than ten
 _OPENING, _CLOSING = frozenset({"{", "(", "[", r"\{"}), frozenset({"}", ")", "]", r"\}"})

@@ -23,7 +23,7 @@ from symcheck.selftest.evidence import MALFORMED, holds, is_shown, problem_of, r
 from symcheck.selftest.trial import FaultClass, Status, Trial, drawn
 
 TURNED = {"<": ">=", "<=": ">", ">": "<=", ">=": "<", "=": "!=", "!=": "="}
-TOGETHER = 40  # certificates that one task goes through
+BATCH = 40  # certificates that one task goes through
 Path = tuple[str | int, ...]
 DROPPED: object = None  # stands for no new value
 
@@ -131,7 +131,7 @@ def status_of(original: Certificate, edited: Certificate, lemmas: Sequence[Certi
 def is_so(original: Certificate, edited: Certificate) -> bool:
     """Whether what is stated is so: it is what the original states, or it is shown without its own proof or point.
 
-    A denominator that is no longer said not to vanish is to be shown not to.
+    A denominator whose nonzero condition was removed must be proved nonzero.
     """
     known, problem = problem_of(original), problem_of(edited)
     refuted = edited["verdict"] == "refuted"
@@ -170,7 +170,7 @@ def groups(records: Sequence[Record]) -> list[str]:
     named: dict[str, list[str]] = defaultdict(list)
     for record in records:
         named[record.id] += map(json.dumps, record.certificates)
-    size = len(every) // TOGETHER + 1
+    size = len(every) // BATCH + 1
     return [f"[[{','.join(own)}],[{','.join(_lemmas(own, named))}]]" for own in (every[k::size] for k in range(size))]
 
 

@@ -1,7 +1,7 @@
 """Second engines: the exact point of every refutation, evaluated with 50 digits, by plain fractions and by balls.
 
 At points with rational coordinates fractions and balls are exact. Where a coordinate has roots or is an angle, a ball
-has 400 bits and fractions have no value; the checker compares such numbers by intervals of its own.
+has 400 bits and fractions have no value; the checker compares such numbers with its own intervals.
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ from symcheck.core.certificates import Certificate
 from symcheck.ledger.record import Record
 from symcheck.selftest.evidence import holds
 
-BITS = 400
+BITS = 400  # twice those of TINY, so that a value lost by cancellation is still told from zero
 TINY = flint.arb(2) ** -200  # a ball that is smaller and contains zero counts as zero
 ARITHMETIC: dict[str, Callable[..., Number]] = {
     "+": lambda *parts: reduce(add, parts), "*": lambda *parts: reduce(mul, parts), "-": neg, "/": truediv,

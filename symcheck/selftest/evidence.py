@@ -1,7 +1,7 @@
 """The one place where the self-test asks what the ledger would tell, and goes from certificates back to problems.
 
 Nothing here judges by itself: certificates are accepted by `symcheck.audit.checked.reasons`, and a verdict is what
-`symcheck.audit.checked.told` leaves of it, as for every row of the ledger.
+`symcheck.audit.checked.accepted` leaves of it, as for every row of the ledger.
 """
 
 from __future__ import annotations
@@ -10,7 +10,7 @@ import json
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from typing import Any, TypeVar
 
-from symcheck.audit.checked import reasons, told
+from symcheck.audit.checked import accepted, reasons
 from symcheck.audit.context import Context
 from symcheck.audit.judge import Finding, Unit, lemma
 from symcheck.core.calculus import letters
@@ -38,7 +38,7 @@ def ledger_verdict(context: Context, unit: Unit, finding: Finding) -> Verdict:
     id, declared = f"{context.id}{unit.letter}", context.id
     row = _row(id, context, finding.verdict, finding.certificates)
     lemmas = {name: (_lemma(name, context),) for name in _lemmas(finding.certificates)}
-    ((record,),) = told({declared: (row,)}, lemmas).values()
+    ((record,),) = accepted({declared: (row,)}, lemmas).values()
     return record.verdict or Verdict.UNDECIDED
 
 

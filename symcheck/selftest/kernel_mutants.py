@@ -1,6 +1,6 @@
 """Every single-token mutant of a generated kernel: a constant, an operator, a function, an operand of the same kind.
 
-A mutant that gives the right values is told from a proof that it means the same: both are run on symbols, and the
+A mutant with the right values counts as equivalent if a proof says so: both are run on symbols, and the
 expressions that come out are compared.
 """
 
@@ -80,7 +80,7 @@ class Forms:
         }
         self._trees = {form: tree for form, tree in trees.items() if tree}
         self._inputs = [argument.name for argument in case.kernel.arguments]
-        values = list(case.made.program.outputs.values())
+        values = list(case.compiled.program.outputs.values())
         firsts = list(dict.fromkeys(values))
         self._order = [firsts.index(value) for value in values]
 
@@ -92,7 +92,7 @@ class Forms:
     def mutants(self) -> Iterator[Mutant]:
         """All mutants; the trees stand as they are."""
         for form, tree in self._trees.items():
-            known = [each.arg for each in tree.args.args] if form in (IN_PLACE, FEW) else list(self._inputs)
+            known = [argument.arg for argument in tree.args.args] if form in (IN_PLACE, FEW) else list(self._inputs)
             for statement in (*tree.args.defaults, *tree.body):
                 line = ast.unparse(statement)
                 for node, field, value in _changes(statement, known):
@@ -115,7 +115,7 @@ class Forms:
             except (ArithmeticError, AttributeError, NameError, TypeError, ValueError):
                 return False
         kept = all(np.array_equal(x, y) for x, y in zip(inputs, truth.points, strict=True))
-        return kept and all((truth.error(each) <= self.case.kernel.ulp).all() for each in results)
+        return kept and all((truth.error(result) <= self.case.kernel.ulp).all() for result in results)
 
     def equivalent(self, mutant: Mutant) -> bool:
         """Whether the mutant means what the kernel means, for all arguments."""
@@ -124,7 +124,7 @@ class Forms:
         return all(sp.expand(x - y) == 0 for x, y in zip(changed, self._meaning(mutant.form), strict=True))
 
     def _results(self, form: str, function: Any, inputs: list[Any]) -> Iterator[Sequence[Any]]:
-        """The outputs at some points, of a block in arrays of its own and in those it is given."""
+        """The outputs at some points, of a block in its own arrays and in given ones."""
         if form in (EXPRESSION, CALLED):
             rows = [np.atleast_1d(function(*point)) for point in zip(*(x.tolist() for x in inputs), strict=True)]
             yield list(np.array(rows).T)

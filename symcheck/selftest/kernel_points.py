@@ -31,7 +31,7 @@ def crowded_points(kernel: Kernel, count: int, rng: np.random.Generator) -> Colu
 
     def moved(argument: Argument, low: End, high: End) -> Array:
         column, kind = _spread(low, high, count, rng), rng.integers(0, 4, count)
-        column = np.where(kind == 2, _beside_an_end(argument, low, high, count, rng), column)
+        column = np.where(kind == 2, _near_an_end(argument, low, high, count, rng), column)
         alike = [each.name for each in kernel.arguments if each.unit == argument.unit and each.name in columns]
         other = columns[str(rng.choice(alike))] * (1 + _closely(count, rng) * rng.choice([-1, 0, 1], count))
         columns[argument.name] = np.where(kind == 3, _inside(argument, other, low, high), column)
@@ -125,7 +125,7 @@ def _spread(low: End, high: End, count: int, rng: np.random.Generator, decades: 
     return high - far if np.all(np.isfinite(high)) else far * rng.choice([-1, 1], count)
 
 
-def _beside_an_end(argument: Argument, low: End, high: End, count: int, rng: np.random.Generator) -> Array:
+def _near_an_end(argument: Argument, low: End, high: End, count: int, rng: np.random.Generator) -> Array:
     """Close to an end, or to zero where there is none, or to a quarter turn."""
     near = _closely(count, rng)
     if np.isinf(low).all() and np.isinf(high).all():

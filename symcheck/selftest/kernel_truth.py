@@ -21,7 +21,7 @@ from symcheck import kernels
 from symcheck.audit import kernels as evidence
 from symcheck.kernels.codegen import numpy_target
 from symcheck.kernels.codegen.kernel import Kernel
-from symcheck.kernels.codegen.target import Made
+from symcheck.kernels.codegen.target import CompiledKernel
 from symcheck.kernels.specification import KernelFunction
 from symcheck.papers import load
 
@@ -101,7 +101,7 @@ class Truth(NamedTuple):
     """Points with the values there, high + low to more than 30 digits, and their size; arrays (outputs, points).
 
     Where the derived expression has no value, at a pole or between numbers that are none, there is nothing to compare
-    with: the value here is no number.
+    with: the value here is not a number.
     """
 
     points: Columns
@@ -110,9 +110,9 @@ class Truth(NamedTuple):
     size: Any  # the value or the scale, whichever is larger
 
     def error(self, results: Sequence[Any], dtype: Any = np.float64) -> Any:
-        """|results - values| in units of the last place of the type; infinite where only the result is no number.
+        """|results - values| in units of the last place of the type; infinite where only the result is NaN.
 
-        Zero where the value times its condition number is no double: no digit is certain there.
+        Zero where the value times its condition number overflows: no digit is certain there.
         """
         found = np.array([np.ravel(result) for result in results], np.float64)
         with np.errstate(all="ignore"):
@@ -140,9 +140,9 @@ class Case:
         return f"{self.paper}:{self.name}"
 
     @property
-    def made(self) -> Made:
+    def compiled(self) -> CompiledKernel:
         """What targets write, without the evidence it rests on."""
-        return _made(self)
+        return _compiled(self)
 
     @property
     def texts(self) -> tuple[str, str]:
@@ -176,13 +176,13 @@ def cases() -> dict[str, Case]:
 
 
 @cache
-def _made(case: Case) -> Made:
-    return Made(case.kernel, *evidence.programs(case.kernel))
+def _compiled(case: Case) -> CompiledKernel:
+    return CompiledKernel(case.kernel, *evidence.programs(case.kernel))
 
 
 @cache
 def _texts(case: Case) -> tuple[str, str]:
-    files = numpy_target.files(case.paper, {case.name: case.made})
+    files = numpy_target.files(case.paper, {case.name: case.compiled})
     return files[f"{case.paper}.py"], files[f"_{case.paper}.py"]
 
 
@@ -222,7 +222,7 @@ def _certain(value: arb, scale: arb) -> bool:
 
 
 def _split(value: arb, scale: arb) -> tuple[float, float, float]:
-    """(nearest double, the rest, the larger of value and scale); no number if there is no value."""
+    """(nearest double, the rest, the larger of value and scale); NaN if there is no value."""
     if not value.is_finite():
         infinite = value.lower() == value.upper()
         return (float(value), 0.0, math.inf) if infinite else (math.nan, math.nan, math.nan)

@@ -49,11 +49,11 @@ def trials(place: str, count: int, rng: Random) -> Iterator[Trial]:
         yield Trial(kind(mutant), f"{place} {mutant}", status_of(found, mutant, truth))
 
 
-def status_of(found: Forms, mutant: Mutant, truth: Truth) -> Status:
+def status_of(forms: Forms, mutant: Mutant, truth: Truth) -> Status:
     """Whether the values give a mutant away; one with the right values is none if it means the same."""
-    if not found.survives(mutant, truth):
+    if not forms.survives(mutant, truth):
         return Status.REJECTED
-    return Status.EQUIVALENT if found.equivalent(mutant) else Status.ACCEPTED
+    return Status.EQUIVALENT if forms.equivalent(mutant) else Status.ACCEPTED
 
 
 def _kernels(records: Sequence[Record]) -> list[str]:

@@ -1,7 +1,7 @@
 """Saboteurs inside the ledger: proof methods, provers, the reader and the cache lie, and the ledger must not tell it.
 
 What judges is what judges every day: `run.audit`, with the deciding of `evidence.decide`, the check of
-`evidence.checked.told` and the file of `evidence.cache`. Only the part that a saboteur has taken over is another one.
+`audit.checked.accepted` and the file of `audit.cache`. Only the part that a saboteur has taken over is another one.
 """
 
 from __future__ import annotations
@@ -213,7 +213,7 @@ def turned(record: Record) -> Record:
 
 
 def from_cache(id: str, signed: bool) -> list[Record]:
-    """What is told of a declaration whose row in the cache says the contrary, with a signature that fits or not."""
+    """The outcome for a declaration whose cached row says the contrary, with a valid signature or not."""
     rows = decide.decide(id)
     false = tuple(map(turned, rows))
     with TemporaryDirectory() as name:
@@ -270,7 +270,7 @@ def _statements(key: str) -> StatementIndex:
 
 
 def status_of(truth: Truth, records: Sequence[Record], equal: Status) -> Status:
-    """Of what is told where something else is true: false verdicts are accepted faults."""
+    """Outcomes that differ from the truth: false verdicts are accepted faults."""
     verdicts = {record.id: record.verdict for record in records}
     if any(verdicts.get(id) is OTHER[verdict] for id, verdict in truth.items()):
         return Status.ACCEPTED

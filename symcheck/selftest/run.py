@@ -17,7 +17,7 @@ from symcheck.selftest.engines import Agreement, agreement
 from symcheck.selftest.statements import places, says_more, unguarded
 from symcheck.selftest.trial import Count, FaultClass, Status, total
 
-FAULTS = 21_000
+FAULTS = 21_000  # with so many the confidence bounds of statements, certificates and kernels exceed 99.5 %
 ENOUGH = 0.999  # of the faults must be rejected
 TIMEOUT = 120.0  # seconds for one task
 Progress = Callable[[int, int], None]

@@ -108,7 +108,7 @@ def status_of(original: Proved, edit: Edit) -> Status:
     """
     try:
         changed = with_slip(original, edit)
-        if _is_read_alike(original, changed, edit):
+        if _is_lost_in_reading(original, changed, edit):
             return Status.ACCEPTED  # the reader drops the slip
         if edit.kind != EQUALITY and says_the_same(original, changed):
             return Status.EQUIVALENT
@@ -134,7 +134,7 @@ def with_slip(original: Proved, edit: Edit) -> Proved:
     return Proved(context.having(item=replace(context.item, statement=statement)), unit, given)
 
 
-def _is_read_alike(original: Proved, changed: Proved, edit: Edit) -> bool:
+def _is_lost_in_reading(original: Proved, changed: Proved, edit: Edit) -> bool:
     """Whether the reader, or the way from what is read to formulas, forgets that there is a slip.
 
     If the formulas are the same, but for any other change at the place too, the place is dropped.

@@ -46,7 +46,7 @@ class Strength:
             return True
         if asserted:
             return self._by_form(f, g, asserted)
-        return self._by_form(f, g, asserted) or self._shown(node("=>", f, g))
+        return self._by_form(f, g, asserted) or self._is_proved(node("=>", f, g))
 
     def _by_form(self, f: Formula, g: Formula, asserted: bool) -> bool:
         if asserted and "and" in (f.tag, g.tag):
@@ -72,7 +72,7 @@ class Strength:
             pairs = [*zip(f.formulas, g.formulas, strict=True)]
             return asserted or all(self.entails(p, q, False) and self.entails(q, p, False) for p, q in pairs)
         if f.tag == "<=>":
-            return any(self.entails(each, g, asserted) for each in _directions(f))
+            return any(self.entails(direction, g, asserted) for direction in _directions(f))
         if g.tag == "<=>":
             return False
         if f.tag == g.tag == "=>":
@@ -95,12 +95,12 @@ class Strength:
         (sign, left, right), (other, low, high) = _smaller_first(f), _smaller_first(g)
         if sign[0] == other[0] == "<" and (sign == "<" or other == "<="):
             if left == low:
-                return self._shown(node("<=", right, high))
+                return self._is_proved(node("<=", right, high))
             if right == high:
-                return self._shown(node("<=", low, left))
+                return self._is_proved(node("<=", low, left))
         return False
 
-    def _shown(self, claim: Formula) -> bool:
+    def _is_proved(self, claim: Formula) -> bool:
         """Whether something follows from the hypotheses."""
         problem = replace(self.problem, claim=claim)
         return is_shown(problem, proof_of(problem))

@@ -11,7 +11,7 @@ from symcheck.ledger.selftested import Row, rows
 
 STATUSES = ("planted", "rejected", "accepted", "equivalent", "weaker", "stronger", "open")
 COLUMNS = (*STATUSES, "rejected of those that are faults", "right", "rejected")
-MOST_TOLD = 20
+MAX_LISTED = 20  # faults that were judged wrongly, named one by one: about a screen
 
 
 def show(out: Any, result: Mapping[str, Any]) -> None:
@@ -34,10 +34,10 @@ def show(out: Any, result: Mapping[str, Any]) -> None:
         "statements that could say more): see --json."
     )
     wrong = [*result["errors"], *result["unfinished"], *engines["disagreements"]]
-    for line in wrong[:MOST_TOLD]:
+    for line in wrong[:MAX_LISTED]:
         out.print(line, markup=False)
-    if len(wrong) > MOST_TOLD:
-        out.print(f"and {len(wrong) - MOST_TOLD} more; --json lists all")
+    if len(wrong) > MAX_LISTED:
+        out.print(f"and {len(wrong) - MAX_LISTED} more; --json lists all")
 
 
 def cells(row: Row) -> list[str]:

@@ -16,7 +16,7 @@ from symcheck.core.verdicts import SymcheckError
 from symcheck.ledger import selftested
 
 BENCH, PAGE = "bench.json", "figures.md"
-SCHEMA = 1
+SCHEMA = 1  # of the measurements in bench.json
 HEAD = """# Figures
 
 Written by `make bench` and `make selftest` from `bench.json` and `selftest.json`; not to be edited. `symcheck generate

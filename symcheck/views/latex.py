@@ -4,13 +4,13 @@ from __future__ import annotations
 
 import re
 
-_ENVIRONMENT = re.compile(r"\\begin\{(\w+)\}.*?\\end\{\1\}", re.DOTALL)
-_ROWS = re.compile(r"(?<!\\)&|\\\\")
-_WORDS = re.compile(r"[A-Za-z]{3,} [a-z]{2,}")
-_TEXT = re.compile(r"\\text\{[^{}]*\}")
-_CUT_OFF = re.compile(r"(?<!\\)\\\s*$")
+_ENVIRONMENT = re.compile(r"\\begin\{(\w+)\}.*?\\end\{\1\}", re.DOTALL)  # within which rows may break
+_ROWS = re.compile(r"(?<!\\)&|\\\\")  # an alignment mark or the end of a row
+_WORDS = re.compile(r"[A-Za-z]{3,} [a-z]{2,}")  # two words on end: a sentence rather than a formula
+_TEXT = re.compile(r"\\text\{[^{}]*\}")  # words within a formula
+_CUT_OFF = re.compile(r"(?<!\\)\\\s*$")  # a single backslash at the end: a command lost its name
 _WITHIN = re.compile(r"\$([^$]+)\$")  # a formula within a sentence
-_BRACES = re.compile(r"(?<!\\)[{}]")
+_BRACES = re.compile(r"(?<!\\)[{}]")  # braces of groups, not those that are printed
 
 
 def standing_alone(text: str) -> str:

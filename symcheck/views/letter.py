@@ -29,7 +29,7 @@ _WHOLE_LIST = re.compile(r"\d+\.\d+[VEF][a-z]?")  # what is said of a list as a 
 _LISTS = {"V": "vertices", "E": "edges", "F": "faces"}
 # what our declarations are called: 2.13.1, 2.1V.3b, T8.0, B.7, S.7.1
 _OURS = r"(?:\d+\.\d+(?:\.\d+)+[a-z]?|\d+\.\d+[VEF](?:\.\d+[a-z]?)?|T\d+\.\d+[a-z]?|[A-Z]\.\d+(?:\.\d+)?[a-z]?)"
-_NUMBER = re.compile(rf"(?<![\w.]){_OURS}(?![\w])")
+_NUMBER = re.compile(rf"(?<![\w.]){_OURS}(?![\w])")  # such a number as a whole
 # brackets with nothing but such numbers: "(2.13.1, B.7)", "(see C.11)", "(B.9 to B.12)"
 _ASIDE = re.compile(rf"\s*\((?:see )?{_OURS}(?:(?:, | and | to |; ){_OURS})*\)")
 _FIRST = re.compile(r".+?[.](?=\s+[A-Z(\"']|$)", re.DOTALL)  # the first sentence of a text
@@ -97,7 +97,7 @@ def letter(records: Iterable[Record]) -> Letter:
     ]
     keys = list(dict.fromkeys(record.paper for record in wrong))
     if not keys:
-        raise SymcheckError("there is no erratum to write of; `symcheck errata` lists what the digitisation damaged")
+        raise SymcheckError("no erratum concerns the authors; `symcheck errata` lists damage by the digitisation")
     if len(keys) > 1:
         raise SymcheckError(f"a letter is about one paper, not about {' and '.join(keys)}; select one of them")
     paper = load()[keys[0]]
@@ -148,13 +148,13 @@ def _printed(record: Record, fault: Fault, lines: Mapping[str, int]) -> str:
     """The printed formula, or of a chain the one link; a sentence by its first and last word, with what it says."""
     sentence = record.place.partition(": ")[2]
     if sentence and (record.group is not Group.DAMAGED or not record.printed):
-        said = plain(_said(record.words), lines)
+        said = plain(_first_sentence(record.words), lines)
         return said if _MARKUP.search(sentence) else f"“{sentence}” ({said})"
     is_one_link = record.link and record.erratum
     return _as_text(fault.printed if is_one_link else record.printed or fault.printed)
 
 
-def _said(words: str) -> str:
+def _first_sentence(words: str) -> str:
     """The first sentence of what our words say, without its stop."""
     first = _FIRST.match(words)
     return (first[0] if first else words).rstrip(".:")
@@ -192,8 +192,8 @@ def plain(text: str, lines: Mapping[str, int]) -> str:
     'It is so, as line 336 says, but not (2.10).'
     """
 
-    def placed(found: re.Match[str]) -> str:
-        number = found[0].rstrip("abcdefgh") if found[0] not in lines else found[0]
+    def placed(match: re.Match[str]) -> str:
+        number = match[0].rstrip("abcdefgh") if match[0] not in lines else match[0]
         return "a check of ours" if number[0] in "BCNS" or number not in lines else f"line {lines[number]}"
 
     told = _NUMBER.sub(placed, _ASIDE.sub("", text))
@@ -203,9 +203,9 @@ def plain(text: str, lines: Mapping[str, int]) -> str:
 # --- the three forms
 
 
-def written(found: Letter, form: Form) -> str:
+def written(content: Letter, form: Form) -> str:
     """The letter in one of its forms."""
-    return {Form.MARKDOWN: _markdown, Form.LATEX: _latex, Form.HTML: _html}[form](found)
+    return {Form.MARKDOWN: _markdown, Form.LATEX: _latex, Form.HTML: _html}[form](content)
 
 
 GREETING = (
@@ -235,8 +235,8 @@ def _capital(text: str) -> str:
     return text[:1].upper() + text[1:]
 
 
-def _markdown(found: Letter) -> str:
-    return "\n".join(_markdown_lines(found)).rstrip() + "\n"
+def _markdown(content: Letter) -> str:
+    return "\n".join(_markdown_lines(content)).rstrip() + "\n"
 
 
 def _marked(text: str) -> str:
@@ -244,9 +244,9 @@ def _marked(text: str) -> str:
     return _parts(text, lambda latex: f"${latex}$", lambda words: _MARKS.sub(r"\\\g<0>", words))
 
 
-def _markdown_lines(found: Letter) -> Iterator[str]:
-    yield from (f"# Corrections to {_marked(found.title)}", "", _marked(GREETING), "")
-    for number, each in enumerate(found.corrections, 1):
+def _markdown_lines(content: Letter) -> Iterator[str]:
+    yield from (f"# Corrections to {_marked(content.title)}", "", _marked(GREETING), "")
+    for number, each in enumerate(content.corrections, 1):
         yield from (f"**{number}.** {_capital(each.where)}.", "")
         for label, text in (("Printed", each.printed), ("Correct", each.correct)):
             shown = _displayed(text)
@@ -254,7 +254,7 @@ def _markdown_lines(found: Letter) -> Iterator[str]:
         yield from (_marked(each.reason), "")
         if each.evidence:
             yield from (f"<details><summary>Evidence</summary>\n\n{_marked(each.evidence)}\n\n</details>", "")
-    for title, rows in found.tables:
+    for title, rows in content.tables:
         yield from (f"## {title}", "", f"| {' | '.join(COLUMNS)} |", f"|{' --- |' * len(COLUMNS)}")
         for number, row in enumerate(rows, 1):
             cells = (str(number), row.where, *map(_marked, (row.printed, row.correct, row.reason)))
@@ -287,7 +287,7 @@ PREAMBLE = r"""\documentclass[11pt]{article}
 \[\ifdim\wd0>\linewidth\resizebox{\linewidth}{!}{\usebox0}\else\usebox0\fi\]}
 \sloppy
 """
-_CYRILLIC = re.compile(r"[\u0400-\u04ff]+")
+_CYRILLIC = re.compile(r"[\u0400-\u04ff]+")  # words that need a Cyrillic font
 _ENVIRONMENT = re.compile(r"\\(?:begin|end)\{(?:aligned|split)\}|(?<!\\)&")  # what keeps a line from breaking
 _BREAKS = re.compile(r"\\left|\\right|[(\[{]|[)\]}]|,|\\quad")  # brackets, and where a line may end outside of them
 
@@ -321,31 +321,31 @@ def _breakable(latex: str) -> str:
         return latex
     depth = 0
 
-    def ended(found: re.Match[str]) -> str:
+    def ended(match: re.Match[str]) -> str:
         nonlocal depth
-        depth += (found[0] in "([{") - (found[0] in ")]}")
-        return rf"{found[0]}\allowbreak{{}}" if depth == 0 and found[0] in (",", r"\quad") else found[0]
+        depth += (match[0] in "([{") - (match[0] in ")]}")
+        return rf"{match[0]}\allowbreak{{}}" if depth == 0 and match[0] in (",", r"\quad") else match[0]
 
     return _BREAKS.sub(ended, _ENVIRONMENT.sub("", latex))
 
 
-def _latex(found: Letter) -> str:
-    return PREAMBLE + "\n".join(("\\begin{document}", *_latex_lines(found), "\\end{document}", ""))
+def _latex(content: Letter) -> str:
+    return PREAMBLE + "\n".join(("\\begin{document}", *_latex_lines(content), "\\end{document}", ""))
 
 
-def _latex_lines(found: Letter) -> Iterator[str]:
-    yield rf"\section*{{Corrections to {_words(found.title)}}}"
-    yield from (_words(GREETING), "", r"\begin{enumerate}" if found.corrections else "")
-    for each in found.corrections:
-        yield rf"\item {_words(_capital(each.where))}."
-        for label, text in (("Printed", each.printed), ("Correct", each.correct)):
+def _latex_lines(content: Letter) -> Iterator[str]:
+    yield rf"\section*{{Corrections to {_words(content.title)}}}"
+    yield from (_words(GREETING), "", r"\begin{enumerate}" if content.corrections else "")
+    for correction in content.corrections:
+        yield rf"\item {_words(_capital(correction.where))}."
+        for label, text in (("Printed", correction.printed), ("Correct", correction.correct)):
             shown = _displayed(text)
             yield rf"\par {label}: \displayed{{{shown}}}" if shown else rf"\par {label}: {_sentence(text)}"
-        yield rf"\par {_sentence(each.reason)}"
-        if each.evidence:
-            yield rf"\par{{\small {_sentence(each.evidence)}}}"
-    yield r"\end{enumerate}" if found.corrections else ""
-    for title, rows in found.tables:
+        yield rf"\par {_sentence(correction.reason)}"
+        if correction.evidence:
+            yield rf"\par{{\small {_sentence(correction.evidence)}}}"
+    yield r"\end{enumerate}" if content.corrections else ""
+    for title, rows in content.tables:
         yield from (r"\begin{landscape}", rf"\subsection*{{{_words(title)}}}", r"{\footnotesize")
         yield rf"\begin{{longtable}}{{r{LONGTABLE}}}"
         yield f"{' & '.join(COLUMNS)} \\\\ \\hline \\endhead"
@@ -367,10 +367,10 @@ thead{display:table-header-group}tr{break-inside:avoid}
 details::details-content{content-visibility:visible;display:block}summary{list-style:none}}"""
 
 
-def _html(found: Letter) -> str:
-    every = (*found.corrections, *found.rows, *found.slips)
+def _html(content: Letter) -> str:
+    every = (*content.corrections, *content.rows, *content.slips)
     texts = [text for each in every for text in (each.printed, each.correct, each.reason, each.evidence)]
-    return "\n".join(_html_lines(found, _math(texts))) + "\n"
+    return "\n".join(_html_lines(content, _math(texts))) + "\n"
 
 
 def _math(texts: Iterable[str]) -> Mapping[str, str | None]:
@@ -380,7 +380,7 @@ def _math(texts: Iterable[str]) -> Mapping[str, str | None]:
     return typeset(formula for text in texts for formula in formulas_of(text))
 
 
-def _html_lines(found: Letter, math: Mapping[str, str | None]) -> Iterator[str]:
+def _html_lines(content: Letter, math: Mapping[str, str | None]) -> Iterator[str]:
     def said(text: str) -> str:
         shown = _displayed(text)
         whole = _parts(
@@ -388,18 +388,19 @@ def _html_lines(found: Letter, math: Mapping[str, str | None]) -> Iterator[str]:
         )
         return f'<span class="display">{whole}</span>' if shown else whole
 
-    title = escape(f"Corrections to {found.title}")
+    title = escape(f"Corrections to {content.title}")
     yield f'<!doctype html>\n<html lang="en"><head><meta charset="utf-8"><title>{title}</title>'
     yield f"<style>{STYLE}</style></head><body>"
     yield f"<h1>{title}</h1>\n<p>{escape(GREETING)}</p>\n<ol>"
-    for each in found.corrections:
-        yield f"<li><p><b>{escape(_capital(each.where))}.</b></p>"
-        yield f"<p>Printed: {said(each.printed)}</p><p>Correct: {said(each.correct)}</p><p>{said(each.reason)}</p>"
-        if each.evidence:
-            yield f"<details><summary>Evidence</summary><p>{said(each.evidence)}</p></details>"
+    for correction in content.corrections:
+        yield f"<li><p><b>{escape(_capital(correction.where))}.</b></p>"
+        printed, correct, reason = map(said, (correction.printed, correction.correct, correction.reason))
+        yield f"<p>Printed: {printed}</p><p>Correct: {correct}</p><p>{reason}</p>"
+        if correction.evidence:
+            yield f"<details><summary>Evidence</summary><p>{said(correction.evidence)}</p></details>"
         yield "</li>"
     yield "</ol>"
-    for heading, rows in found.tables:
+    for heading, rows in content.tables:
         yield f"<h2>{escape(heading)}</h2>\n<table><thead><tr>{_cells('th', COLUMNS)}</tr></thead><tbody>"
         for number, row in zip(count(1), rows, strict=False):
             cells = (str(number), str(escape(row.where)), *map(said, (row.printed, row.correct, row.reason)))

@@ -13,12 +13,12 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import NamedTuple
 
-from symcheck.coq.confirmed import told
+from symcheck.coq.confirmed import summary
 from symcheck.core.certificates import Certificate
 from symcheck.core.verdicts import Group, Loss, Origin, Verdict
 from symcheck.core.words import term
 from symcheck.ledger.record import HypothesisRow, Record
-from symcheck.views.steps import compared, coordinates, point, shown, sides
+from symcheck.views.steps import compared, coordinates, point, proof_lines, sides
 
 _GIVEN = {"added": "not printed, added", "standing": "implied by the subject"}  # the other sources are in plain words
 _NEEDED = {True: "needed", False: "not needed", None: "need not known"}
@@ -109,7 +109,7 @@ class Proof:
     @property
     def lines(self) -> str:
         """What the proof starts from, and its steps."""
-        return "\n".join(shown(self.certificate))
+        return "\n".join(proof_lines(self.certificate))
 
 
 @dataclass(frozen=True)
@@ -164,14 +164,14 @@ class Relation:
         """The certificates of the relation, then those of what it should be."""
         corrected = self.record.erratum.certificates if self.record.erratum else ()
         return (
-            *(Proof("as printed", each) for each in self.record.certificates),
+            *(Proof("as printed", certificate) for certificate in self.record.certificates),
             *(Proof("as corrected", each) for each in corrected),
         )
 
     @property
     def coq(self) -> str:
         """What Coq says of the proofs."""
-        return told(self.record)
+        return summary(self.record)
 
     @property
     def whose(self) -> str:
@@ -187,7 +187,7 @@ class Relation:
     def edits(self) -> list[tuple[str, str]]:
         """Where the right form differs from the printed one, each place as (before, after)."""
         edits = self.record.erratum.edit if self.record.erratum else ()
-        return [(each.printed or "nothing", each.corrected or "nothing") for each in edits]
+        return [(edit.printed or "nothing", edit.corrected or "nothing") for edit in edits]
 
     @property
     def repairs(self) -> str:
@@ -226,7 +226,7 @@ class Fault:
     @property
     def number(self) -> str:
         """The number of the first relation, with the letters of the others: "2.1V.8a, b"."""
-        return ", ".join([self.first.record.number, *(each.record.link for each in self.relations[1:])])
+        return ", ".join([self.first.record.number, *(relation.record.link for relation in self.relations[1:])])
 
     @property
     def printed(self) -> str:
@@ -273,12 +273,16 @@ class FaultList:
     @property
     def relations(self) -> list[Relation]:
         """Those of all faults."""
-        return [each for fault in self.faults for each in fault.relations]
+        return [relation for fault in self.faults for relation in fault.relations]
 
     @property
     def reasons(self) -> list[str]:
         """The reasons given, that of most relations first."""
-        return [reason for reason, _ in Counter(each.record.reason for each in self.relations).most_common() if reason]
+        return [
+            reason
+            for reason, _ in Counter(relation.record.reason for relation in self.relations).most_common()
+            if reason
+        ]
 
 
 def errata(records: Iterable[Record]) -> Iterator[tuple[Group, tuple[FaultList, ...]]]:
@@ -291,19 +295,19 @@ def errata(records: Iterable[Record]) -> Iterator[tuple[Group, tuple[FaultList, 
 
 def _lists(relations: Sequence[Relation]) -> Iterator[FaultList]:
     found: dict[tuple[str, object, object], list[Relation]] = {}
-    for each in relations:
-        found.setdefault((place(each.record), each.record.kind, each.record.origin), []).append(each)
+    for relation in relations:
+        found.setdefault((place(relation.record), relation.record.kind, relation.record.origin), []).append(relation)
     for (where, *_), members in found.items():
         yield FaultList(where, tuple(_faults(members)))
 
 
 def _faults(relations: Iterable[Relation]) -> Iterator[Fault]:
     rows: dict[tuple[object, ...], list[Relation]] = {}
-    for each in relations:
-        record = each.record
+    for relation in relations:
+        record = relation.record
         row = record.declaration if record.verdict else record.id
-        key = (row, record.line, Fault((each,)).printed, record.corrected, record.reason)
-        rows.setdefault(key, []).append(each)
+        key = (row, record.line, Fault((relation,)).printed, record.corrected, record.reason)
+        rows.setdefault(key, []).append(relation)
     yield from (Fault(tuple(members)) for members in rows.values())
 
 

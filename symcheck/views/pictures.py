@@ -21,7 +21,7 @@ LISTS = {  # number of working wheels: what is shown, and the lists and the tabl
 }
 AMPLITUDES = ((1.0, 0.75**0.5, 1.0), (1.0, 0.75**0.5, 0.75), (0.5, 0.75**0.5, 1.0))  # alpha, beta, gamma
 FREQUENCIES = ((0.6, 1.0, 1.0, 1.5), (0.6, 1.0, 1.0, 0.8), (0.6, 0.5, 1.5, 1.5))  # k, g_13, g_23, d_33
-POINTS, DIGITS = 161, 5
+POINTS, DIGITS = 161, 5  # of a curve: one every three pixels; decimals of its values
 
 
 def envelopes() -> list[dict[str, Any]]:

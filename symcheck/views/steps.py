@@ -46,7 +46,7 @@ def reference(ref: object) -> str:
     return json.dumps(ref)
 
 
-def shown(certificate: Certificate) -> Iterator[str]:
+def proof_lines(certificate: Certificate) -> Iterator[str]:
     """The lemmas that a proof starts from, what must not vanish, and its steps; nothing of a refutation."""
     if lemmas := dict(certificate.get("lemmas", ())):
         yield f"from lemmas: {', '.join(lemmas)}"
@@ -104,7 +104,7 @@ def point(values: Mapping[str, JSON]) -> str:
 def coordinates(values: Mapping[str, JSON]) -> Iterator[tuple[str, str, JSON]]:
     """A point as people read it: "" (or "sin", "cos"), a letter, and its value there (or that of its sine or cosine).
 
-    An angle whose sine and cosine are rational is told by these. An angle that other values are made of comes before
+    An angle whose sine and cosine are rational is given by these. An angle that other values are made of comes before
     them, and stands in them as its letter.
     """
     angles = {name: value for name, value in values.items() if _half(value) is None and _has_angle(value)}

@@ -24,7 +24,7 @@ from symcheck.ledger.digests import digest_of
 from symcheck.ledger.record import Record
 from symcheck.views import model
 from symcheck.views.model import FaultList, Relation, counted
-from symcheck.views.steps import shown
+from symcheck.views.steps import proof_lines
 
 _STYLES = {Verdict.PROVED: "green", Verdict.REFUTED: "bold red", Verdict.UNDECIDED: "yellow"}
 _METHOD, _STATEMENT = 28, 20  # columns of the ledger: the method at most, the statement at least
@@ -40,7 +40,7 @@ class _Console(Console):
 
 
 def console() -> Console:
-    """The standard output; a fixed width when it is no terminal, so that a saved ledger does not depend on chance."""
+    """The standard output; a fixed width unless it is a terminal, so that a saved ledger is always the same."""
     width = None if sys.stdout.isatty() or "COLUMNS" in os.environ else _WIDTH
     return _Console(width=width, highlight=False, markup=False, emoji=False)
 
@@ -147,13 +147,16 @@ def kernel(out: Console, key: str, name: str, declared: Kernel, records: Iterabl
     out.print(Text(f"{name}  generated/{key}.py", style="bold"))
     accuracy = f"{declared.ulp} ulp. {declared.condition} {declared.degenerate}"
     fields: list[tuple[str, str | Text]] = [("says", declared.says)]
-    fields += [(each.name, f"{shown[each.name]}    {each.meaning}, {each.unit}") for each in declared.outputs]
-    fields += [(f"  {each.name}", f"{each.meaning}, {each.unit}; {each.domain}") for each in declared.arguments]
+    fields += [(output.name, f"{shown[output.name]}    {output.meaning}, {output.unit}") for output in declared.outputs]
+    fields += [
+        (f"  {argument.name}", f"{argument.meaning}, {argument.unit}; {argument.domain}")
+        for argument in declared.arguments
+    ]
     fields += [("accuracy", " ".join(accuracy.split()))]
     for record in records:
         fields += [("rests on", f"{record.id}, line {record.line}: {record.read}")]
         fields += [("verdict", _verdict(Relation(record)))]
-        fields += [("certificate", _digest(each)) for each in record.certificates]
+        fields += [("certificate", _digest(certificate)) for certificate in record.certificates]
     _print(out, fields)
 
 
@@ -218,7 +221,7 @@ def _print(out: Console, fields: Iterable[tuple[str, str | Text]]) -> None:
 
 def _certificate(out: Console, certificate: Certificate, whole: bool) -> None:
     fields = {"certificate": _digest(certificate), "decides": term(certificate["claim"])}
-    _print(out, {**fields, "proof": "\n".join(shown(certificate))}.items())
+    _print(out, {**fields, "proof": "\n".join(proof_lines(certificate))}.items())
     if whole:
         print(json.dumps(certificate, ensure_ascii=False, indent=2, sort_keys=True), file=out.file)
 

@@ -7,4 +7,4 @@ SUFFIX = "_target"
 
 def target_names() -> list[str]:
     """The names of all targets: each is a module `<name>_target`."""
-    return sorted(each.name.removesuffix(SUFFIX) for each in iter_modules(__path__) if each.name.endswith(SUFFIX))
+    return sorted(module.name.removesuffix(SUFFIX) for module in iter_modules(__path__) if module.name.endswith(SUFFIX))

@@ -12,7 +12,7 @@ from symcheck.core.verdicts import SymcheckError
 from symcheck.kernels.codegen.docstring import docstring, numpydoc
 from symcheck.kernels.codegen.expression import assignments, bare, number
 from symcheck.kernels.codegen.program import UNARY, Operation, Program, Ref, is_number
-from symcheck.kernels.codegen.target import MARK, Made, Target
+from symcheck.kernels.codegen.target import MARK, CompiledKernel, Target
 from symcheck.kernels.ratios import SHIFT, STIRLING, TINY
 
 STANDARD = {"arctan": "atan", "power": "pow"}  # what the standard calls otherwise
@@ -111,9 +111,9 @@ HELPERS = {
 }
 
 
-def files(key: str, kernels: Mapping[str, Made]) -> dict[str, str]:
+def files(key: str, kernels: Mapping[str, CompiledKernel]) -> dict[str, str]:
     """The module of a paper."""
-    texts = [source(name, made) for name, made in kernels.items()]
+    texts = [source(name, compiled) for name, compiled in kernels.items()]
     names = ", ".join(f'"{name}"' for name in sorted(kernels))
     head = HEAD.format(key=key, mark=MARK, names=names)
     return {f"{key}.py": "\n\n".join([head, *helpers("".join(texts)), *texts])}
@@ -130,12 +130,12 @@ def helpers(text: str) -> Iterator[str]:
             yield helper
 
 
-def source(name: str, made: Made) -> str:
+def source(name: str, compiled: CompiledKernel) -> str:
     """The text of one kernel."""
-    inputs = made.program.inputs
+    inputs = compiled.program.inputs
     pairs = ", ".join(f"{x}={x}" for x in inputs)
-    text = docstring(numpydoc(made, "array or float", CALLS))
-    lines = [text, f"xp, number, {', '.join(inputs)} = _arrays({pairs})", *statements(made.program)]
+    text = docstring(numpydoc(compiled, "array or float", CALLS))
+    lines = [text, f"xp, number, {', '.join(inputs)} = _arrays({pairs})", *statements(compiled.program)]
     return f"def {name}({', '.join(inputs)}):\n{textwrap.indent(chr(10).join(lines), '    ')}\n"
 
 

@@ -17,7 +17,7 @@ from symcheck.kernels.codegen.c_text import HEADER, LOOP, LOOP_AND_REST, PARALLE
 from symcheck.kernels.codegen.docstring import numpydoc
 from symcheck.kernels.codegen.program import INFIX, UNARY, Operation, Program, Ref, under_root
 from symcheck.kernels.codegen.special import RUNTIME
-from symcheck.kernels.codegen.target import MARK, Made, Target
+from symcheck.kernels.codegen.target import MARK, CompiledKernel, Target
 
 WORDS_OF_C = re.compile(  # and of the text around a kernel: far, i, libm, n
     "auto|break|case|char|const|continue|default|do|double|else|enum|extern|far|float|for|goto|i|if|inline|int|libm|long"
@@ -25,18 +25,18 @@ WORDS_OF_C = re.compile(  # and of the text around a kernel: far, i, libm, n
 )
 C_NAMES = {"arctan": "atan", "power": "pow"}  # what C calls otherwise
 VECTOR = ("atan", "exp", "expm1", "log", "log1p", "pow")  # functions of libm that glibc has for vectors too
-WIDTH = 116
+WIDTH = 116  # of a line of a comment: 120 columns less its indentation
 CALLS = "n is the number of points; the results go to the arrays that come last. NaN inputs give NaN outputs."
 
 
-def files(key: str, kernels: Mapping[str, Made]) -> dict[str, str]:
+def files(key: str, kernels: Mapping[str, CompiledKernel]) -> dict[str, str]:
     """The header and the source of a paper."""
-    bodies = [source(key, name, made.pointwise) for name, made in kernels.items()]
+    bodies = [source(key, name, compiled.pointwise) for name, compiled in kernels.items()]
     functions = list(written("".join(bodies)))
     text = "\n".join([*functions, *bodies])
     vectors = [vector(name) for name in VECTOR if re.search(rf"\b{name}\(", text)]
     declared = "\n".join(
-        f"{comment(made)}\n{signature(key, name, made.pointwise)};\n" for name, made in kernels.items()
+        f"{comment(compiled)}\n{signature(key, name, compiled.pointwise)};\n" for name, compiled in kernels.items()
     )
     head = [SOURCE.format(key=key, mark=MARK)]
     if vectors:
@@ -118,9 +118,9 @@ def number(x: Ref, places: Mapping[str, str]) -> str:
     return "3.141592653589793" if x == "pi" else places.get(x, x)
 
 
-def comment(made: Made) -> str:
+def comment(compiled: CompiledKernel) -> str:
     """What the function is, as a comment."""
-    text = numpydoc(made, "array of n doubles", CALLS)
+    text = numpydoc(compiled, "array of n doubles", CALLS)
     return f"/** {textwrap.indent(text, '    ').lstrip()} */"
 
 

@@ -8,7 +8,7 @@ from fractions import Fraction
 from typing import TYPE_CHECKING, Any
 
 from symcheck.core.lazy import lazy
-from symcheck.kernels.codegen.target import Made
+from symcheck.kernels.codegen.target import CompiledKernel
 from symcheck.kernels.specification import Argument, Output
 
 if TYPE_CHECKING:
@@ -19,7 +19,11 @@ WIDTH = 110  # columns of a text, which stands four columns in
 
 
 def numpydoc(
-    made: Made, kind: str, notes: str, further: Mapping[str, tuple[str, str]] | None = None, examples: str = ""
+    compiled: CompiledKernel,
+    kind: str,
+    notes: str,
+    further: Mapping[str, tuple[str, str]] | None = None,
+    examples: str = "",
 ) -> str:
     """What the function is, takes and returns, how accurate it is, on what it rests, and an example.
 
@@ -27,8 +31,8 @@ def numpydoc(
     notes    how the function is called
     further  type and meaning of arguments that are not the kernel's
     """
-    kernel = made.kernel
-    takes = [_entry(each.name, kind, f"{_meaning(each)}; {each.domain}.") for each in kernel.arguments]
+    kernel = compiled.kernel
+    takes = [_entry(argument.name, kind, f"{_meaning(argument)}; {argument.domain}.") for argument in kernel.arguments]
     takes += [_entry(name, *each) for name, each in (further or {}).items()]
     gives = [_entry(each.name, kind, f"{_meaning(each)}.") for each in kernel.outputs]
     derived = kernel.derived()
@@ -42,7 +46,7 @@ def numpydoc(
         "\n".join(formulas),
         wrapped(accuracy),
         wrapped(notes),
-        wrapped(made.evidence),
+        wrapped(compiled.evidence),
         _section("Examples", examples) if examples else "",
     ]
     return "\n\n".join(filter(None, parts))
@@ -100,6 +104,6 @@ def _entry(name: str, kind: str, text: str) -> str:
     return "\n".join([f"{name} : {kind}", *lines])
 
 
-def _meaning(each: Argument | Output) -> str:
-    text = f"{each.meaning[0].upper()}{each.meaning[1:]}" if each.meaning.split()[0].isalpha() else each.meaning
-    return f"{text}, {'a number' if each.unit == '1' else f'in {each.unit}'}"
+def _meaning(value: Argument | Output) -> str:
+    text = f"{value.meaning[0].upper()}{value.meaning[1:]}" if value.meaning.split()[0].isalpha() else value.meaning
+    return f"{text}, {'a number' if value.unit == '1' else f'in {value.unit}'}"

@@ -42,7 +42,7 @@ class Kernel:
     degenerate: str = ""
 
     def __post_init__(self) -> None:
-        names = [each.name for each in self.arguments] + [each.name for each in self.outputs]
+        names = [argument.name for argument in self.arguments] + [output.name for output in self.outputs]
         if twice := sorted({name for name in names if names.count(name) > 1}):
             raise SymcheckError(f"a kernel declares {twice[0]} twice; give one of them another name")
         if not self.claims:

@@ -1,10 +1,10 @@
 """How a kernel for Numba is called: on anything that broadcasts, in one thread or several. Written into its text.
 
-Compiled code takes contiguous arrays of one type. Where the caller's are no such arrays, they are copied by pieces that
+Compiled code takes contiguous arrays of one type. Other arrays are copied by pieces that
 stay in a cache.
 
 Decisions. The loop is compiled as it stands: @vectorize has one output, and the loop that
-@guvectorize makes has strides and is no vector code. Threads are Python's, since Numba's parallel loops take seconds to
+@guvectorize makes has strides and is not vectorised. Threads are Python's, since Numba's parallel loops take seconds to
 compile, and its thread layer without dependencies ends a process that calls it from two threads.
 """
 

@@ -14,6 +14,7 @@ import numpy as np
 
 ROUND = 6755399441055744.0  # 1.5 * 2**52: added, it leaves a whole number in the last bits
 FAR = 1000.0  # angles up to here are reduced with 137 bits of pi/2, in three parts
+# three parts; products of the first two with n < 2^11 are exact
 QUARTER, QUARTER_2, QUARTER_3 = 1.570796326794607, 2.8960739716218175e-13, 1.6446256936324258e-26
 LOG2, LOG2_REST = 0.6931471803691238, 1.9082149292705877e-10  # log 2 in two parts, the first with 32 bits
 EXPONENT = 0x3FF0000000000000  # the bits of 1.0

@@ -24,7 +24,7 @@ from symcheck.kernels.codegen.docstring import docstring, numpydoc
 from symcheck.kernels.codegen.expression import number
 from symcheck.kernels.codegen.numpy_target import KIND, calls, out_of
 from symcheck.kernels.codegen.program import INFIX, Operation, Program, Ref
-from symcheck.kernels.codegen.target import MARK, Made, Target
+from symcheck.kernels.codegen.target import MARK, CompiledKernel, Target
 from symcheck.kernels.runtime import fitting
 
 SINGLE = {"sqrt": "math.sqrt", "power": "math.pow", "gamma_ratio": "gamma_ratio"}  # the same for numbers and in loops
@@ -114,18 +114,18 @@ def put(context, array, place, n, value):
 '''
 
 
-def files(key: str, kernels: Mapping[str, Made]) -> dict[str, str]:
+def files(key: str, kernels: Mapping[str, CompiledKernel]) -> dict[str, str]:
     """The module of a paper, which needs Numba and nothing else."""
-    texts = [source(name, made) for name, made in kernels.items()]
-    called = {operation.function for made in kernels.values() for operation in made.pointwise.operations}
+    texts = [source(name, compiled) for name, compiled in kernels.items()]
+    called = {operation.function for compiled in kernels.values() for operation in compiled.pointwise.operations}
     mathematics = _functions(called | {BUILT_ON[name] for name in called & {*BUILT_ON}})
     functions = [_defined(runtime)[fitting.__name__], *_defined(numba_calls).values()]
     names = ", ".join(f'"{name}"' for name in sorted(kernels))
-    arrays = max(len(made.kernel.arguments) + len(made.kernel.outputs) for made in kernels.values())
+    arrays = max(len(compiled.kernel.arguments) + len(compiled.kernel.outputs) for compiled in kernels.values())
     constants = "\n".join([f"ARRAYS = {arrays}", f"BLOCK = {BLOCK}", *_constants([*mathematics, *functions])])
     parts = [
         HEAD.format(key=key, mark=MARK, names=names, constants=constants),
-        *(f"@fused\n{inspect.getsource(each)}" for each in mathematics),
+        *(f"@fused\n{inspect.getsource(function)}" for function in mathematics),
         *map(inspect.getsource, functions),
         *texts,
     ]
@@ -151,21 +151,26 @@ def _functions(called: set[str]) -> list[FunctionType]:
 
 def _constants(functions: list[FunctionType]) -> Iterator[str]:
     """The numbers that some functions use by name."""
-    used = {name: each.__globals__[name] for each in functions for name in each.__code__.co_names if name.isupper()}
+    used = {
+        name: function.__globals__[name]
+        for function in functions
+        for name in function.__code__.co_names
+        if name.isupper()
+    }
     for name, value in sorted(used.items()):
         yield f"{name} = {'np.' if isinstance(value, np.dtype) else ''}{value!r}"
 
 
-def source(name: str, made: Made) -> str:
+def source(name: str, compiled: CompiledKernel) -> str:
     """The text of one kernel."""
-    program = made.pointwise
+    program = compiled.pointwise
     inputs, results = ", ".join(program.inputs), _results(program)
     order = [list(results).index(value) for value in program.outputs.values()]
     taken = sorted({_passed(operation.function) for operation in program.operations} - {""})
     library = [f"math.{LIBRARY.get(function, function)}" for function in taken]
     types = " is ".join(f"type({x})" for x in program.inputs)
     found = ", ".join(f"result_{k}" for k in range(len(results)))
-    text = numpydoc(made, KIND, f"{calls(program)} {NOTE}", {"out": out_of(program), "threads": THREADS})
+    text = numpydoc(compiled, KIND, f"{calls(program)} {NOTE}", {"out": out_of(program), "threads": THREADS})
     return f"""def {name}({inputs}, out=None, *, threads=1):
 {textwrap.indent(docstring(text), "    ")}
     if out is None and {types} is float:
@@ -231,17 +236,17 @@ def _loop(name: str, program: Program, taken: list[str], library: list[str]) -> 
     if not taken:
         yield f"for point in range({size}):"
         yield f"    {', '.join(new)} = _{name}({', '.join(numbers)})"
-        yield from (f"    {each}" for each in puts)
+        yield from (f"    {written}" for written in puts)
         return
     yield f"for begin in range(0, {size}, BLOCK):"
     yield f"    end = min(begin + BLOCK, {size})"
     yield "    missing = False"
     yield "    for point in range(begin, end):"
     yield f"        {', '.join(new)} = _{name}({', '.join([*numbers, *taken])})"
-    yield from (f"        {each}" for each in puts)
+    yield from (f"        {written}" for written in puts)
     yield f"        missing |= {' or '.join(f'math.isnan({x})' for x in new)}"
     yield "    if missing:"
     yield "        for point in range(begin, end):"
     yield f"            if {' or '.join(f'math.isnan(out_{x}[point])' for x in results.values())}:"
     yield f"                {', '.join(new)} = _{name}({', '.join([*numbers, *library])})"
-    yield from (f"                {each}" for each in puts)
+    yield from (f"                {written}" for written in puts)

@@ -16,7 +16,7 @@ from symcheck.kernels.codegen.docstring import docstring, example, numpydoc
 from symcheck.kernels.codegen.expression import bare, body, number
 from symcheck.kernels.codegen.program import Program, Ref, is_number, registers
 from symcheck.kernels.codegen.special import RUNTIME
-from symcheck.kernels.codegen.target import MARK, Made, Target
+from symcheck.kernels.codegen.target import MARK, CompiledKernel, Target
 from symcheck.kernels.specification import Argument, Output, Specification
 
 KIND = "float or ndarray"
@@ -78,13 +78,13 @@ POINT, FLOAT, ARGUMENT, RESULT = 100, 7, 11, 55
 MANY = {"gamma_ratio": (110, 250), "log1p_ratio": (9, 25), "expm1_ratio": (7, 20)}  # operations of NumPy, of `math`
 
 
-def files(key: str, kernels: Mapping[str, Made]) -> dict[str, str]:
+def files(key: str, kernels: Mapping[str, CompiledKernel]) -> dict[str, str]:
     """The modules of a paper, and the types of its kernels."""
-    programs = [program for made in kernels.values() for program in (made.program, made.pointwise)]
+    programs = [program for compiled in kernels.values() for program in (compiled.program, compiled.pointwise)]
     used = {operation.function for program in programs for operation in program.operations}
     ratios = ", ".join(sorted(used & {*RUNTIME}))
     common = {"key": key, "mark": MARK, "special": f"from symcheck.kernels.ratios import {ratios}\n" if ratios else ""}
-    formulas = "\n\n\n".join(formula(key, name, made) for name, made in kernels.items())
+    formulas = "\n\n\n".join(formula(key, name, compiled) for name, compiled in kernels.items())
     names = "\n".join(f'    "{name}",' for name in sorted(kernels))
     table = "\n".join(f'    "{name}": {name},' for name in kernels)
     return {
@@ -92,22 +92,24 @@ def files(key: str, kernels: Mapping[str, Made]) -> dict[str, str]:
         f"_{key}.py": PATHS.format(
             **common,
             ufuncs=", ".join(sorted(used - {*RUNTIME})),
-            functions="\n\n\n".join(text for name, made in kernels.items() for text in paths(name, made)),
+            functions="\n\n\n".join(text for name, compiled in kernels.items() for text in paths(name, compiled)),
         ),
-        f"{key}.pyi": STUB.format(**common, functions="\n".join(stub(name, made) for name, made in kernels.items())),
+        f"{key}.pyi": STUB.format(
+            **common, functions="\n".join(stub(name, compiled) for name, compiled in kernels.items())
+        ),
     }
 
 
 TARGET = Target("NumPy, in generated/", files)
 
 
-def formula(key: str, name: str, made: Made) -> str:
+def formula(key: str, name: str, compiled: CompiledKernel) -> str:
     """The text of one kernel: what is known of it, and the function of floats."""
-    shown = example(made.kernel, f"symcheck.generated.{key}", name)
-    text = numpydoc(made, KIND, calls(made.program), {"out": out_of(made.program)}, shown)
-    lines = "\n".join([docstring(text), *body(made.pointwise)])
-    inputs = ", ".join(made.program.inputs)
-    return f"{_decorator(key, name, made)}\ndef {name}({inputs}):\n{textwrap.indent(lines, '    ')}"
+    shown = example(compiled.kernel, f"symcheck.generated.{key}", name)
+    text = numpydoc(compiled, KIND, calls(compiled.program), {"out": out_of(compiled.program)}, shown)
+    lines = "\n".join([docstring(text), *body(compiled.pointwise)])
+    inputs = ", ".join(compiled.program.inputs)
+    return f"{_decorator(key, name, compiled)}\ndef {name}({inputs}):\n{textwrap.indent(lines, '    ')}"
 
 
 def calls(program: Program) -> str:
@@ -122,8 +124,8 @@ def out_of(program: Program) -> tuple[str, str]:
     return f"{kind}, optional", OUT.format(arrays)
 
 
-def _decorator(key: str, name: str, made: Made) -> str:
-    kernel = made.kernel
+def _decorator(key: str, name: str, compiled: CompiledKernel) -> str:
+    kernel = compiled.kernel
     said = Specification(
         paper=key,
         name=name,
@@ -133,8 +135,8 @@ def _decorator(key: str, name: str, made: Made) -> str:
         ulp=kernel.ulp,
         condition=" ".join(kernel.condition.split()),
         degenerate=" ".join(kernel.degenerate.split()),
-        claims=made.claims,
-        forms=made.forms,
+        claims=compiled.claims,
+        forms=compiled.forms,
     )
     return f"@kernel(\n    paths.{name},\n{textwrap.indent(literal(said), '    ')},\n)"
 
@@ -142,7 +144,7 @@ def _decorator(key: str, name: str, made: Made) -> str:
 def literal(value: object) -> str:
     """A value as Python, with what differs from the defaults."""
     if isinstance(value, Specification | Argument | Output):
-        stated = {each: vars(value)[each.name] for each in fields(value)}
+        stated = {field: vars(value)[field.name] for field in fields(value)}
         texts = [
             f"{f'{each.name}=' if each.kw_only or each.default is not MISSING else ''}{literal(given)}"
             for each, given in stated.items()
@@ -161,15 +163,15 @@ def _bracketed(first: str, texts: Iterable[str], last: str) -> str:
     return f"{first}\n{textwrap.indent(''.join(f'{text},{chr(10)}' for text in texts), '    ')}{last}"
 
 
-def stub(name: str, made: Made) -> str:
+def stub(name: str, compiled: CompiledKernel) -> str:
     """The types of one kernel: floats give floats, arrays give arrays."""
-    count = len(made.kernel.outputs)
+    count = len(compiled.kernel.outputs)
 
     def result(kind: str) -> str:
         return kind if count == 1 else f"tuple[{', '.join([kind] * count)}]"
 
     def takes(kind: str) -> str:
-        return ", ".join(f"{x}: {kind}" for x in made.program.inputs)
+        return ", ".join(f"{x}: {kind}" for x in compiled.program.inputs)
 
     out = "Array | None" if count == 1 else "Sequence[Array] | None"
     return (
@@ -178,11 +180,11 @@ def stub(name: str, made: Made) -> str:
     )
 
 
-def paths(name: str, made: Made) -> Iterator[str]:
+def paths(name: str, compiled: CompiledKernel) -> Iterator[str]:
     """The texts of one kernel's ways on numbers and arrays: its call, and its blocks."""
-    program, few = made.program, made.pointwise.operations != made.program.operations
+    program, few = compiled.program, compiled.pointwise.operations != compiled.program.operations
     inputs = ", ".join(program.inputs)
-    first, fewest = program.inputs[0], handful(made.pointwise)
+    first, fewest = program.inputs[0], handful(compiled.pointwise)
     types, dtypes, shapes = (
         form.join(text.format(x) for x in program.inputs)
         for form, text in ((" is ", "type({})"), (" is ", "{}.dtype"), (" == ", "{}.shape"))
@@ -209,7 +211,7 @@ def paths(name: str, made: Made) -> Iterator[str]:
 
     return call"""
     if few:
-        yield block(f"{name}_few", made.pointwise)
+        yield block(f"{name}_few", compiled.pointwise)
     yield block(name, program)
 
 

@@ -85,7 +85,7 @@ class Program:
             return Fraction(int(e.p), int(e.q))
         if e.is_Symbol:
             if e.name not in self.inputs:
-                raise SymcheckError(f"{e.name} is no argument of the kernel; declare it or substitute it")
+                raise SymcheckError(f"{e.name} is not an argument of the kernel; declare it or substitute it")
             return str(e.name)
         if e is sp.pi:
             return "pi"
@@ -123,14 +123,14 @@ class Program:
         if not plus:
             return self.apply("negative", self._added(minus))
         total = self._added(plus)
-        for each in minus:
-            total = self.apply("subtract", total, each)
+        for subtrahend in minus:
+            total = self.apply("subtract", total, subtrahend)
         return total
 
     def _added(self, values: list[Ref]) -> Ref:
         total = values[0]
-        for each in values[1:]:
-            total = self.apply("add", total, each)
+        for value in values[1:]:
+            total = self.apply("add", total, value)
         return total
 
     def _product(self, e: Any) -> Ref:
@@ -174,8 +174,8 @@ class Program:
 
     def _multiplied(self, values: list[Ref]) -> Ref:
         product = values[0]
-        for each in values[1:]:
-            product = self.apply("multiply", product, each)
+        for value in values[1:]:
+            product = self.apply("multiply", product, value)
         return product
 
     def _power(self, base: Any, exponent: Any) -> Ref:
@@ -222,7 +222,7 @@ def under_root(x: Ref) -> Ref | None:
 
 
 def is_number(x: Ref) -> bool:
-    """Whether this is no value by name."""
+    """Whether this is not a named value."""
     return isinstance(x, Fraction) or x == "pi" or under_root(x) is not None
 
 

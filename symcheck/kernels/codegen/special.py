@@ -42,7 +42,7 @@ def _beyond_one(e: Any) -> Any:
 
 
 def _exponent(power: Any) -> Any:
-    """y log(1 + x), if the expression is (1 + x)^y and y is no number."""
+    """y log(1 + x), if the expression is (1 + x)^y and y is not a number."""
     x, y = _beyond_one(power.base), power.exp
     if x is None or y.is_Rational:
         return None

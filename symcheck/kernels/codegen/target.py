@@ -14,7 +14,7 @@ MARK = "Written by `symcheck generate`: what is changed here is lost."
 
 
 @dataclass(frozen=True)
-class Made:
+class CompiledKernel:
     """A kernel that may be written, and on which claims and proofs it rests.
 
     program     for many points at once: sines and cosines of acute angles through one tangent
@@ -42,7 +42,7 @@ class Target:
     """files: of the key of a paper and its kernels by name, the text of each file by its name; each bears MARK."""
 
     says: str
-    files: Callable[[str, Mapping[str, Made]], Mapping[str, str]]
+    files: Callable[[str, Mapping[str, CompiledKernel]], Mapping[str, str]]
 
 
 def target(name: str) -> Target:

@@ -1,6 +1,6 @@
 """Ensembles of sample paths of the randomly driven rotation, system (1.1), by the scheme of `scheme`.
 
-Streams: every 256 paths have a generator of their own, SFC64 of `SeedSequence(seed, spawn_key=(number,))`. So a path
+Streams: every 256 paths have their own generator, SFC64 of `SeedSequence(seed, spawn_key=(number,))`. So a path
 depends on the seed and its number alone, not on how many are computed together, by how many threads or in which pieces.
 """
 
@@ -20,7 +20,7 @@ from symcheck.numeric.random_rotation.scheme import Scheme, scheme
 from symcheck.numeric.random_rotation.torques import RandomTorques
 
 LANES = 256  # paths that share a generator
-TOGETHER = 40  # streams at most that are advanced together: what a step needs of 10,240 paths stays in the cache
+BATCH = 40  # streams at most that are advanced together: what a step needs of 10,240 paths stays in the cache
 FEWEST = 16  # streams of a piece that is made for another worker: with fewer, NumPy's threads wait for one another
 Advance = Callable[[Array, Sequence[np.random.Generator], int], None]
 ENGINES = ("numpy", "numba")  # <engine>_engine.py, which needs the package of that name
@@ -140,7 +140,7 @@ def _in_lanes(start: Array, first: int) -> tuple[Array, int]:
 
 def _pieces(streams: int, workers: int) -> list[slice]:
     """As few pieces as keep the workers busy, none too large and none too small, of one size as nearly as can be."""
-    count = max(min(workers, streams // FEWEST), -(-streams // TOGETHER))
+    count = max(min(workers, streams // FEWEST), -(-streams // BATCH))
     return [slice(streams * k // count, streams * (k + 1) // count) for k in range(count)]
 
 

@@ -2,7 +2,7 @@
 
 Loops over paths become vector instructions where they hold arithmetic and roots alone. So the tangents of angles,
 circular and hyperbolic ones alike, are Lambert's continued fraction tan z = z/(1 - z^2/(3 - z^2/(5 - ...))), right to
-rounding within |z| <= 1, and the normal numbers have a loop of their own. Decision: this instead of the functions of
+rounding within |z| <= 1, and the normal numbers have a separate loop. Decision: this instead of the functions of
 the C library, which take longer than all the rest of a step but the normal numbers; not for larger z.
 """
 

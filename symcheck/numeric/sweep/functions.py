@@ -22,7 +22,7 @@ from symcheck.numeric.chunked.kernels import declaration, kernel
 
 OF_ENSEMBLE = {"seed", "first", "paths"}  # arguments that a sweep gives by itself
 REALIZATION = "realization"
-ALIKE = 0.4  # of a function's name: "liquid.growth" still suggests "liquid.growth_rate"
+SIMILARITY = 0.4  # of a function's name: "liquid.growth" still suggests "liquid.growth_rate"
 
 
 class SweepError(ValueError):
@@ -61,7 +61,7 @@ class Swept(NamedTuple):
 def find(name: str) -> Swept:
     """The function of this name, "PART.FUNCTION" or "PAPER.KERNEL"; SweepError that names the nearest one."""
     if name not in known():
-        hint = nearest(name, sorted(known(), key=len), 'name one like "liquid.growth_rate"', ALIKE)
+        hint = nearest(name, sorted(known(), key=len), 'name one like "liquid.growth_rate"', SIMILARITY)
         raise SweepError(f"function = {name!r} cannot be swept; {hint}")
     part, _, function = name.partition(".")
     if part in _papers():
@@ -90,9 +90,9 @@ def code() -> str:
     return digest.hexdigest()
 
 
-def nearest(name: str, choices: Collection[str], otherwise: str, alike: float = 0.6) -> str:
+def nearest(name: str, choices: Collection[str], otherwise: str, cutoff: float = 0.6) -> str:
     """A question after the nearest of the choices, or something else where none is near."""
-    near = get_close_matches(name, choices, n=1, cutoff=alike)
+    near = get_close_matches(name, choices, n=1, cutoff=cutoff)
     return f"did you mean {near[0]!r}?" if near else otherwise
 
 

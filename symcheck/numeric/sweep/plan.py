@@ -148,7 +148,7 @@ class _Reader:
         return self.value(value, own, f"{path}{name}", name, swept.attributes.get(name, {}))
 
     def value(self, value: object, own: Axes, where: str, name: str, attributes: Attributes) -> Node:
-        """A number, list, range or distribution, with these axes of its own."""
+        """A number, list, range or distribution, with its own axes."""
         if isinstance(value, dict):
             return self.described(value, own, where, name, attributes)
         if not isinstance(value, list):

@@ -112,7 +112,7 @@ def half_spaces(
     """
     wheels = wheels_of(axes, limits, bias)
     wheels = _completed(wheels) if complete else wheels
-    normals, distances = _found(wheels, True, engine)
+    normals, distances = _half_planes(wheels, True, engine)
     shape = (*wheels.limits.shape[:-1], distances.shape[1])
     return HalfSpaces(normals.transpose(0, 2, 1).reshape(*shape, 3), distances.reshape(shape), wheels.centre)
 
@@ -148,7 +148,7 @@ def face_distances(axes: ArrayLike, limits: ArrayLike = 1.0, *, engine: str = "n
     np.float64(1.77073)
     """
     wheels = wheels_of(axes, limits)
-    _, distances = _found(wheels, False, engine)
+    _, distances = _half_planes(wheels, False, engine)
     return distances.reshape(*wheels.limits.shape[:-1], distances.shape[1])
 
 
@@ -170,7 +170,7 @@ def _operands(count: int) -> NDArray[np.intp]:
     return np.array([[first + after, first + before], [second + before, second + after]])
 
 
-def _found(wheels: Wheels, keep: bool, engine: str) -> tuple[Array, Array]:
+def _half_planes(wheels: Wheels, keep: bool, engine: str) -> tuple[Array, Array]:
     """Normals (m, 3, p), or less if they are not kept, and distances (m, p) of all m sets."""
     one_of("engine", engine, ENGINES)
     count = wheels.limits.shape[-1]

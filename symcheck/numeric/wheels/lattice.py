@@ -80,7 +80,7 @@ def _solid(directions: Directions, planes: Planes) -> Lattice:
         places.append(_around(centres[chosen], np.where(turned, -1.0, 1.0)[..., None] * edges[axes]).reshape(-1, 3))
         names.append(_around(keys[chosen], _signed(turned, label[axes])).ravel())
         sides.append((len(chosen), 2 * (int(size) + 1)))
-    vertices, corners = _told_apart(np.concatenate(places), np.concatenate(names))
+    vertices, corners = _distinct_vertices(np.concatenate(places), np.concatenate(names))
     return _assembled(vertices, corners, sides, rank)
 
 
@@ -113,7 +113,7 @@ def _around(middle: NDArray[Number], steps: NDArray[Number]) -> NDArray[Number]:
     return np.asarray((middle - steps.sum(axis=1, dtype=steps.dtype))[:, None] + before + before)
 
 
-def _told_apart(places: Array, names: Keys) -> tuple[Array, Index]:
+def _distinct_vertices(places: Array, names: Keys) -> tuple[Array, Index]:
     """The vertices, the opposite ones of the first half in the second, and their number at each corner."""
     signed = names.view(np.int64)
     opposite = signed < 0

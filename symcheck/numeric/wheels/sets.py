@@ -103,14 +103,14 @@ def _of_all(checked: Callable[[ArrayLike, int], Array], value: float, count: int
 
 
 def _limits(value: ArrayLike, count: int) -> Array:
-    return _of_each("limits", not_negative("limits", value, "(2.1); a limit of 0 stands for a failed wheel"), count)
+    return _per_wheel("limits", not_negative("limits", value, "(2.1); a limit of 0 stands for a failed wheel"), count)
 
 
 def _bias(value: ArrayLike, count: int) -> Array:
-    return _of_each("bias", real("bias", value), count)
+    return _per_wheel("bias", real("bias", value), count)
 
 
-def _of_each(name: str, array: Array, count: int) -> Array:
+def _per_wheel(name: str, array: Array, count: int) -> Array:
     if array.ndim and array.shape[-1] != count:
         raise ValueError(f"{name} has shape {array.shape}; its last axis must have the {count} wheels of axes")
     return array

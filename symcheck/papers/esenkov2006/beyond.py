@@ -4,14 +4,14 @@ Square roots appear as letters, u^2 = E_n (1 - b_n), v^2 = b_n (A - E_n), u, v >
 """
 
 from symcheck.core.claims import Hypothesis
-from symcheck.papers.declare import Scope, ours
+from symcheck.papers.declare import by_cases, ours
 from symcheck.papers.esenkov2006 import derivation
 from symcheck.papers.esenkov2006.hypotheses import liquid_is_part, liquid_moves
 from symcheck.papers.esenkov2006.notation import root_letters, three_modes
+from symcheck.papers.esenkov2006.scopes import in_b, in_b_and_delta, in_delta, of_roots
 from symcheck.papers.esenkov2006.second_text import BOUNDARY, DISCRIMINANT, QUADRATIC
-from symcheck.proof import cases, existence, identity, nonnegative
+from symcheck.proof import existence, identity, nonnegative
 
-of_roots = Scope(root_letters, by=cases())
 LINEAR = r"(\Delta\omega_0 + \omega_0 E_1 - A\lambda_1)"  # coefficient of eta in (1.33)
 MIDDLE = r"(E_n(1 - b_n) + b_n(A - E_n))"  # minus the mean of the two boundaries
 PRODUCT = r"E_n(1 - b_n)b_n(A - E_n)"
@@ -47,14 +47,12 @@ inertia_of_a_mode = ours(
     notation=three_modes,
 )
 
-real_root_needs_discriminant = ours(
+real_root_needs_discriminant = in_delta.by_cases.ours(
     "B.2",
     34,
     words="A real root needs D >= 0: then D is the square of the derivative there.",
     states=rf"{QUADRATIC} = 0 \Rightarrow {DISCRIMINANT} = (2(A - E_1)\eta + {LINEAR})^2",
-    by=cases(),
     uses=["1.33", "1.33.3"],
-    keeping=("Delta",),
 )
 
 zero_discriminant_has_a_real_root = of_roots.ours(
@@ -71,18 +69,16 @@ zero_discriminant_has_a_real_root = of_roots.ours(
     keeping=("Delta",),
 )
 
-double_root = ours(
+double_root = in_delta.ours(
     "B.4",
     34,
     words="At D = 0 the root is double.",
     states=rf"4(A - E_1)({QUADRATIC}) = (2(A - E_1)\eta + {LINEAR})^2",
     given=[double],
-    by=identity,
     uses=["B.2"],
-    keeping=("Delta",),
 )
 
-growth_at_the_double_root = ours(
+growth_at_the_double_root = by_cases.ours(
     "B.5",
     34,
     words="There the motion still grows, like t: the matrix of the amplitudes, with entries a_n (eta - omega_0) and chi_n eta outside its "
@@ -90,11 +86,10 @@ growth_at_the_double_root = ours(
     "are real at D = 0 too.",
     states=r"(a_n(\eta - \omega_0) = 0 \land \chi_n\eta = 0) \Rightarrow \omega_0 = 0",
     given=[density, coupled],
-    by=cases(),
     uses=["B.4", "2.1.2"],
 )
 
-complex_pair = ours(
+complex_pair = by_cases.ours(
     "B.6",
     34,
     words="If D = -r^2 < 0 the roots are x + iy, x - iy with y = r / (2 (A - E_n)): one of them grows.",
@@ -108,32 +103,27 @@ complex_pair = ours(
         two_coefficients,
     ],
     where=derivation.quadratic_at_complex_frequency,
-    by=cases(),
     uses=["1.33.1"],
     notation=root_letters,
 )
 
-boundary_as_difference = ours(
+boundary_as_difference = in_b_and_delta.ours(
     "B.7",
     34,
     words="The square completed in 1.34.3.",
     states=rf"{BOUNDARY} = (\Delta + {MIDDLE})^2 - 4{PRODUCT}",
-    by=identity,
     uses=["1.34.3", "1.34.4"],
-    keeping=("b", "Delta"),
 )
 
-discriminant_by_boundary = ours(
+discriminant_by_boundary = in_delta.ours(
     "B.8",
     34,
     words="D has the sign of the left side of 1.34.3.",
     states=rf"{DISCRIMINANT} = \omega_0^2({BOUNDARY})",
-    by=identity,
     uses=["1.33.3", "1.34.3"],
-    keeping=("Delta",),
 )
 
-stable_against_the_spin = ours(
+stable_against_the_spin = in_b_and_delta.ours(
     "B.9",
     34,
     words="If b_n < 0 the frequencies are real and distinct for every C - A.",
@@ -141,10 +131,9 @@ stable_against_the_spin = ours(
     given=[liquid_moves, liquid_is_part, against_the_spin],
     by=nonnegative(rf"(\Delta + {MIDDLE})^2 + 4E_n(-b_n)(1 + (-b_n))(A - E_n)"),
     uses=["B.7", "B.8"],
-    keeping=("b", "Delta"),
 )
 
-stable_faster_than_the_spin = ours(
+stable_faster_than_the_spin = in_b_and_delta.ours(
     "B.10",
     34,
     words="So they are if b_n > 1.",
@@ -152,7 +141,6 @@ stable_faster_than_the_spin = ours(
     given=[liquid_moves, liquid_is_part, faster_than_the_spin],
     by=nonnegative(rf"(\Delta + {MIDDLE})^2 + 4E_n((b_n - 1) + 1)(b_n - 1)(A - E_n)"),
     uses=["B.7", "B.8"],
-    keeping=("b", "Delta"),
 )
 
 boundary_in_factors = of_roots.ours(
@@ -163,7 +151,6 @@ boundary_in_factors = of_roots.ours(
     given=[roots],
     by=identity,
     uses=["1.35"],
-    keeping=("b", "Delta"),
 )
 
 inside = Hypothesis("inside", "C - A lies between the two boundaries", r"-(u + v)^2 < \Delta, \Delta < -(u - v)^2")
@@ -178,7 +165,6 @@ unstable_interval = of_roots.ours(
     given=[roots, inside],
     by=nonnegative(r"(\Delta + (u + v)^2)(-(u - v)^2 - \Delta)"),
     uses=["B.11"],
-    keeping=("b", "Delta"),
 )
 
 stable_below = of_roots.ours(
@@ -189,7 +175,6 @@ stable_below = of_roots.ours(
     given=[roots, below],
     by=nonnegative(r"(-(u + v)^2 - \Delta)((-(u + v)^2 - \Delta) + 4uv)"),
     uses=["B.11"],
-    keeping=("b", "Delta"),
 )
 
 stable_above = of_roots.ours(
@@ -200,17 +185,14 @@ stable_above = of_roots.ours(
     given=[roots, above],
     by=nonnegative(r"(\Delta + (u - v)^2)((\Delta + (u - v)^2) + 4uv)"),
     uses=["B.11"],
-    keeping=("b", "Delta"),
 )
 
-unstable_interval_without_roots = ours(
+unstable_interval_without_roots = in_b_and_delta.by_cases.ours(
     "B.15",
     34,
     words="The same without square roots: the distance of C - A from the middle, squared, is below 4 E_n (1 - b_n) b_n (A - E_n).",
     states=rf"{BOUNDARY} < 0 \Leftrightarrow (\Delta + {MIDDLE})^2 < 4{PRODUCT}",
-    by=cases(),
     uses=["B.7"],
-    keeping=("b", "Delta"),
 )
 
 width = of_roots.ours(
@@ -223,7 +205,7 @@ width = of_roots.ours(
     keeping=("b",),
 )
 
-width_is_positive = ours(
+width_is_positive = in_b.ours(
     "B.17",
     34,
     words="It is not empty for 0 < b_n < 1.",
@@ -231,10 +213,9 @@ width_is_positive = ours(
     given=[liquid_moves, liquid_is_part, resonant],
     by=nonnegative(PRODUCT),
     uses=["B.16"],
-    keeping=("b",),
 )
 
-flattened_body_is_stable = ours(
+flattened_body_is_stable = in_b_and_delta.ours(
     "B.18",
     34,
     words="Instability needs C < A: with 0 <= b_n <= 1 and C >= A the left side of 1.34.3, and D with it, is not negative.",
@@ -243,7 +224,6 @@ flattened_body_is_stable = ours(
     by=nonnegative(r"\Delta^2 + 2\Delta(b_n(A - E_n) + E_n(1 - b_n)) + (Ab_n - E_n)^2"),
     equality=r"\Delta = 0, Ab_n = E_n",
     uses=["B.9", "B.10", "B.12"],
-    keeping=("b", "Delta"),
 )
 
 boundary_touches_equal_moments = of_roots.ours(
@@ -274,17 +254,15 @@ lower_end_is_a_body = of_roots.ours(
     keeping=("b",),
 )
 
-value_without_axial_moment = ours(
+value_without_axial_moment = in_b_and_delta.by_cases.ours(
     "B.21",
     34,
     words="The same without square roots: at C = 0 the left side of 1.34.3 is a square.",
     states=rf"\Delta = -A \Rightarrow {BOUNDARY} = (A(1 - b_n) - E_n)^2",
-    by=cases(),
     uses=["1.34.3"],
-    keeping=("b", "Delta"),
 )
 
-mode_at_rest = ours(
+mode_at_rest = in_b_and_delta.by_cases.ours(
     "B.22",
     34,
     words="At b_n = 0 the interval shrinks to C - A = -E_n; one frequency is zero, the other -(Delta + E_n) omega_0 / (A - E_n).",
@@ -292,12 +270,10 @@ mode_at_rest = ours(
     rf"{QUADRATIC.replace('lambda_1', 'lambda_n')} = \eta((A - E_n)\eta + (\Delta + E_n)\omega_0))".replace(
         r"\lambda_n", r"b_n\omega_0"
     ),
-    by=cases(),
     uses=["1.33", "1.34.3"],
-    keeping=("b", "Delta"),
 )
 
-mode_at_the_spin = ours(
+mode_at_the_spin = in_b_and_delta.by_cases.ours(
     "B.23",
     34,
     words="At b_n = 1 it shrinks to C - A = -(A - E_n), C = E_n; one frequency is omega_0, the other -Delta omega_0 / (A - E_n).",
@@ -305,23 +281,19 @@ mode_at_the_spin = ours(
     rf"{QUADRATIC.replace('lambda_1', 'lambda_n')} = (\eta - \omega_0)((A - E_n)\eta + \Delta\omega_0))".replace(
         r"\lambda_n", r"b_n\omega_0"
     ),
-    by=cases(),
     uses=["1.33", "1.34.3"],
-    keeping=("b", "Delta"),
 )
 
-mode_is_everything = ours(
+mode_is_everything = in_b_and_delta.by_cases.ours(
     "B.24",
     34,
     words="At A = E_n it shrinks to C - A = -E_n (1 - b_n), and (1.33) is of first degree: one frequency has gone to infinity.",
     states=rf"A = E_n \Rightarrow ({BOUNDARY} = (\Delta + E_n(1 - b_n))^2 \land "
     rf"{QUADRATIC} = \omega_0((\Delta + E_n(1 - b_n))\eta - \Delta b_n\omega_0))".replace(r"\lambda_1", r"b_n\omega_0"),
-    by=cases(),
     uses=["1.33", "1.34.3"],
-    keeping=("b", "Delta"),
 )
 
-more_than_the_body = ours(
+more_than_the_body = in_b_and_delta.ours(
     "B.25",
     34,
     words="That the mode is part of the body matters: with E_n > A the roles are exchanged, and 0 < b_n < 1 is stable for every C - A.",
@@ -329,7 +301,6 @@ more_than_the_body = ours(
     given=[liquid_moves, resonant, Hypothesis("more than the body", "E_n > A", "E_n > A")],
     by=nonnegative(rf"(\Delta + {MIDDLE})^2 + 4E_n(1 - b_n)b_n(E_n - A)"),
     uses=["B.7"],
-    keeping=("b", "Delta"),
 )
 
 
@@ -347,7 +318,6 @@ critical_frequency_above = of_roots.ours(
     states=_critical("-", "+"),
     given=[roots],
     uses=["B.4", "B.11"],
-    keeping=("b", "Delta"),
 )
 
 critical_frequency_below = of_roots.ours(
@@ -357,10 +327,9 @@ critical_frequency_below = of_roots.ours(
     states=_critical("+", "-"),
     given=[roots],
     uses=["B.4", "B.11"],
-    keeping=("b", "Delta"),
 )
 
-boundaries_by_their_sum = ours(
+boundaries_by_their_sum = in_b.ours(
     "B.28",
     34,
     words="The width once more from the coefficients of 1.34.3.",
@@ -372,17 +341,14 @@ boundaries_by_their_sum = ours(
             r"\Delta_1 + \Delta_2 = -(2Ab_n + 2E_n - 4E_nb_n), \Delta_1\Delta_2 = (Ab_n - E_n)^2",
         )
     ],
-    by=identity,
     uses=["1.34.4"],
-    keeping=("b",),
 )
 
-value_at_the_natural_frequency = ours(
+value_at_the_natural_frequency = by_cases.ours(
     "B.29",
     34,
     words="At the natural frequency the left side of (1.33) is below zero off the band, while it grows without bound on both sides: "
     "one frequency on each side. With several modes this is N.6 to N.8.",
     states=rf"\eta = \lambda_1 \Rightarrow {QUADRATIC} = -E_1\lambda_1(\lambda_1 - \omega_0)",
-    by=cases(),
     uses=["1.33"],
 )

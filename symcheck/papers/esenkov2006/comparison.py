@@ -6,11 +6,11 @@ A lost sign or term is a letter here, so that the agreement of the legible rest 
 from functools import partial
 
 from symcheck.core.claims import Declaration, Hypothesis
-from symcheck.papers.declare import ours
+from symcheck.papers.declare import by_cases, ours
 from symcheck.papers.esenkov2006 import derivation, first_text, second_text
 from symcheck.papers.esenkov2006.hypotheses import body_has_mass, spinning
 from symcheck.papers.esenkov2006.notation import comparison_letters, notation, sign_letters, three_modes
-from symcheck.proof import cases, identity
+from symcheck.papers.esenkov2006.scopes import in_b
 from symcheck.reading import Letter
 
 all_positive = Hypothesis(
@@ -40,40 +40,37 @@ def _for_every_frequency(first: str, second: str) -> str:
     return r" \land ".join(f"{each}({first}) = {each}({second})" for each in of)
 
 
-clockwise_signs = ours(
+clockwise_signs = by_cases.ours(
     "C.1",
     26,
     words="For Omega = Omega_x - i Omega_y the law of angular momentum is A Omega' + i(C - A) omega_0 Omega + k' - i omega_0 k = M, with "
     "k = sum a_n S_n: the signs of the second text.",
     states=r"g = (C - A)\omega_0 \land h = -\omega_0",
     where=partial(derivation.signs_of_the_momentum_law, derivation.CLOCKWISE),
-    by=cases(),
     uses=["1.0.6"],
     notation=sign_letters,
 )
 
-anticlockwise_signs = ours(
+anticlockwise_signs = by_cases.ours(
     "C.2",
     26,
     words="For Omega = Omega_x + i Omega_y it is A Omega' + i(A - C) omega_0 Omega + k' + i omega_0 k = M: the signs of the first text.",
     states=r"g = (A - C)\omega_0 \land h = \omega_0",
     where=partial(derivation.signs_of_the_momentum_law, derivation.ANTICLOCKWISE),
-    by=cases(),
     uses=["2.1", "2.1.1"],
     notation=sign_letters,
 )
 
-first_equations_differ = ours(
+first_equations_differ = by_cases.ours(
     "C.3",
     26,
     words="So with one meaning of Omega the first text's i(A - C) and the second text's i(C - A) differ, unless all moments are equal.",
     states=r"(A - C)\omega_0 = (C - A)\omega_0 \Leftrightarrow A = C",
     given=[spinning],
-    by=cases(),
     uses=["C.1", "C.2"],
 )
 
-sums_keep_one_term = ours(
+sums_keep_one_term = by_cases.ours(
     "C.4",
     28,
     words="Neither (2.2) nor (1.31) is legible, so that the two cannot be compared as printed. As they are read, with one mode kept, "
@@ -81,14 +78,13 @@ sums_keep_one_term = ours(
     states=r"(E_2 = 0 \land E_3 = 0) \Rightarrow "
     rf"({_left(first_text.characteristic_equation)} = {_left(second_text.one_mode)} \land "
     rf"{_left(second_text.characteristic_equation)} = {_left(first_text.one_mode)})",
-    by=cases(),
     uses=["2.2", "1.31", "2.3", "1.32"],
     notation=three_modes,
 )
 
 LEGIBLE = r"(A\eta + (C - A)\omega_0)"  # of (2.3) and (1.32), before the fraction
 
-lost_fractions = ours(
+lost_fractions = by_cases.ours(
     "C.5",
     33,
     words="(2.3) has lost its fraction, (1.32) the numerator. The fraction that makes (2.3) times eta - lambda_1 the quadratic (1.33) of the "
@@ -101,23 +97,21 @@ lost_fractions = ours(
     given=[
         Hypothesis("fraction matters", "the fraction has a factor that is not zero", r"\eta(\eta - \omega_0) \ne 0")
     ],
-    by=cases(),
     uses=["2.3", "1.32", "2.3.2", "1.33"],
     notation=notation.extended(Letter("q", meaning="a fraction, or the numerator of one, that is lost")),
 )
 
-lost_sign_of_delta = ours(
+lost_sign_of_delta = by_cases.ours(
     "C.6",
     34,
     words="The sign that the first text has lost in Delta = C - A is the minus of the second.",
     states=rf"C + sA = {_members(second_text.delta)[1]} \Leftrightarrow s = -1",
     given=[body_has_mass],
-    by=cases(),
     uses=["2.3.1", "1.32.1"],
     notation=comparison_letters,
 )
 
-lost_parts_of_the_quadratics = ours(
+lost_parts_of_the_quadratics = by_cases.ours(
     "C.7",
     34,
     words="Each quadratic has lost one sign, the first also a term. With letters in these places the first is (1.33) for every eta "
@@ -135,12 +129,11 @@ lost_parts_of_the_quadratics = ours(
         + r" \Leftrightarrow r = -1",
     ),
     given=[all_positive],
-    by=cases(),
     uses=["2.3.2", "1.33"],
     notation=comparison_letters,
 )
 
-lost_signs_of_the_discriminants = ours(
+lost_signs_of_the_discriminants = by_cases.ours(
     "C.8",
     34,
     words="Both discriminants have lost both signs. The equation of the boundary, 1.33.4, has them: with s and r for the lost signs "
@@ -152,7 +145,6 @@ lost_signs_of_the_discriminants = ours(
         Hypothesis("Delta positive", "C is larger than A", r"\Delta > 0"),
         Hypothesis("signs", "s and r are signs", "s^2 = 1, r^2 = 1"),
     ],
-    by=cases(),
     uses=["2.3.4", "1.33.3", "1.33.4"],
     notation=comparison_letters.extended(Letter("n", kind="index", range=(1,))),
 )
@@ -163,22 +155,19 @@ lost_term = ours(
     words="What the first text's quadratic lacks, taken literally, is eta omega_0 E_1; its own D has it.",
     states=rf"{_left(first_text.quadratic)} - "
     r"(\eta^2(A - E_1) + \eta(\Delta\omega_0 - A\lambda_1) - \Delta\omega_0\lambda_1) = \eta\omega_0 E_1",
-    by=identity,
     uses=["2.3.2"],
 )
 
-lost_ratio = ours(
+lost_ratio = in_b.by_cases.ours(
     "C.10",
     34,
     words="The square in 1.34.3 taken literally, without b_n, would be right only for b_n = 1, or for the one ratio b_n = 2 E_n / A - 1.",
     states=r"(A - E_n)^2 = (Ab_n - E_n)^2 \Leftrightarrow (b_n = 1 \lor A(1 + b_n) = 2E_n)",
     given=[body_has_mass],
-    keeping=("b",),
-    by=cases(),
     uses=["1.34.3"],
 )
 
-consistent_signs = ours(
+consistent_signs = by_cases.ours(
     "C.11",
     26,
     words="Of the two sign patterns of the law of angular momentum, i(A - C) with + i omega_0 and i(C - A) with - i omega_0, and the two "
@@ -188,7 +177,6 @@ consistent_signs = ours(
     r"F = A\eta - (C - A)\omega_0 - \eta(\eta + \omega_0)\frac{E_1}{\eta - \lambda_1} \land "
     r"K = A\eta - (C - A)\omega_0 - \eta(\eta + \omega_0)\frac{E_1}{\eta - \lambda_1}",
     where=derivation.characteristic_equations_by_signs,
-    by=cases(),
     uses=["2.1.4", "C.1", "C.2"],
     notation=sign_letters,
 )

@@ -12,6 +12,7 @@ from symcheck.papers.declare import claim, definition, premise
 from symcheck.papers.esenkov2006 import derivation
 from symcheck.papers.esenkov2006.hypotheses import liquid_is_part
 from symcheck.papers.esenkov2006.notation import root_letters, sign_letters, three_modes
+from symcheck.papers.esenkov2006.scopes import in_delta
 from symcheck.proof import cases, existence, identity
 
 ONE_MODE = r"A\eta + (C - A)\omega_0 - \eta(\eta - \omega_0)\frac{E_1}{\eta - \lambda_1}"
@@ -89,7 +90,6 @@ frequencies = claim(
     "equation (2.3) in the frequencies.",
     states=rf"F = {ONE_MODE}",
     where=derivation.characteristic_equations_by_signs,
-    by=identity,
     uses=["2.1", "2.3"],
     notation=sign_letters,
     errata={
@@ -124,7 +124,6 @@ characteristic_equation = claim(
     ),
     equation=partial(derivation.characteristic_equation, 3),
     where=derivation.mode_inertias,
-    by=identity,
     uses=["2.1", "2.1.2"],
     notation=three_modes,
 )
@@ -165,7 +164,7 @@ roots_must_be_real = claim(
     notation=root_letters,
 )
 
-positive_discriminant_suffices = claim(
+positive_discriminant_suffices = in_delta.claim(
     "2.3.3",
     13,
     words="A positive discriminant makes them so: with r = sqrt D there are two real roots, and they differ.",
@@ -174,7 +173,6 @@ positive_discriminant_suffices = claim(
         Hypothesis("positive discriminant", "D = r^2 with r > 0", rf"{DISCRIMINANT} = r^2, r > 0"),
         liquid_is_part,
     ],
-    keeping=("Delta",),
     by=existence(
         x=r"\frac{r - (\Delta\omega_0 + \omega_0 E_1 - A\lambda_1)}{2(A - E_1)}",
         y=r"\frac{-r - (\Delta\omega_0 + \omega_0 E_1 - A\lambda_1)}{2(A - E_1)}",
@@ -183,7 +181,7 @@ positive_discriminant_suffices = claim(
     notation=root_letters,
 )
 
-positive_discriminant_is_needed = claim(
+positive_discriminant_is_needed = in_delta.claim(
     "2.3.6",
     13,
     words="And no other does: for two real roots that differ D is the square (a) of something that is not zero (b). (At D = 0 they are one, and the motion grows: B.4, B.5.)",
@@ -192,7 +190,6 @@ positive_discriminant_is_needed = claim(
         Hypothesis("two real roots", "x and y are real roots, and they differ", rf"{AT_X} = 0, {AT_Y} = 0, x \ne y"),
         liquid_is_part,
     ],
-    keeping=("Delta",),
     by={"a": identity, "b": cases()},
     uses=["2.3.2", "2.3.4"],
     notation=root_letters,
@@ -210,7 +207,6 @@ one_mode = claim(
     ),
     equation=partial(derivation.characteristic_equation, 1),
     where=partial(derivation.mode_inertias, 1),
-    by=identity,
     uses=["2.2", "2.2.1"],
 )
 
@@ -225,7 +221,6 @@ quadratic = claim(
         "stands in the square of D on the same line, and in (1.33) of the other text.",
     ),
     equation=derivation.quadratic,
-    by=identity,
     uses=["2.3", "2.3.1"],
 )
 
@@ -241,6 +236,5 @@ discriminant = claim(
     ),
     where=derivation.discriminant_in_eta,
     imposed="b",
-    by=identity,
     uses=["2.3.2"],
 )

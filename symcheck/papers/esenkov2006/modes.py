@@ -13,10 +13,10 @@ from symcheck.core.claims import Hypothesis
 from symcheck.papers.declare import Scope, ours
 from symcheck.papers.esenkov2006 import derivation
 from symcheck.papers.esenkov2006.notation import mode_letters, retaining, weight_letters
-from symcheck.proof import cases, identity, nonnegative
+from symcheck.proof import cases, nonnegative
 from symcheck.reading import Letter
 
-modes = Scope(mode_letters, partial(derivation.left_side, 3), identity)
+modes = Scope(mode_letters, partial(derivation.left_side, 3))
 at_frequencies = Scope(mode_letters, partial(derivation.values_at_natural_frequencies, 3), cases())
 
 LEFT_SIDE = r"A\eta + (C - A)\omega_0 - \eta(\eta - \omega_0)\sum_{n=1}^{%d} \frac{E_n}{\eta - \lambda_n}"
@@ -46,7 +46,6 @@ two_modes = ours(
     states=f"{LEFT_SIDE % 2} = 0",
     equation=partial(derivation.characteristic_equation, 2),
     where=partial(derivation.mode_inertias, 2),
-    by=identity,
     uses=["1.31"],
     notation=retaining(2),
 )
@@ -65,7 +64,6 @@ residues = ours(
     words="Minus the residue at the pole lambda_n is E_n lambda_n (lambda_n - omega_0).",
     states=r"R_n = E_n\lambda_n(\lambda_n - \omega_0)",
     where=partial(derivation.minus_residues, 3),
-    by=identity,
     uses=["1.31"],
     notation=mode_letters,
 )
@@ -175,19 +173,17 @@ imaginary_part = ours(
     words="The imaginary part of (1.31) at eta = x + iy is y times A - sum E_n plus terms of the sign of lambda_n (lambda_n - omega_0).",
     states=r"u = y\left(A - \sum_{n=1}^3 E_n + %s\right)" % (OVER_DISTANCE % r"E_n\lambda_n(\lambda_n - \omega_0)"),
     where=partial(derivation.imaginary_part, 3),
-    by=identity,
     uses=["N.4"],
     notation=mode_letters,
 )
 
-roots_are_real = modes.ours(
+roots_are_real = modes.by_cases.ours(
     "N.13",
     28,
     words="Any number of modes, all off the band, that carry less than A together: y (A - sum E_n + s) = 0 with s >= 0 leaves y = 0. All frequencies are real, "
     "for every C - A.",
     states=r"y(A - \sum_{n=1}^3 E_n + s) = 0 \Rightarrow y = 0",
     given=[parts, Hypothesis("sum", "s is the sum of N.12 over the modes, none of them negative", r"s \ge 0")],
-    by=cases(),
     uses=["N.12"],
 )
 
@@ -208,7 +204,6 @@ imaginary_part_of_the_poles = ours(
     states=r"v = -y\left(\frac{C}{(x - \omega_0)^2 + y^2} - \frac{C - A}{x^2 + y^2} - %s\right)"
     % (OVER_DISTANCE % "E_n"),
     where=partial(derivation.imaginary_part_of_the_poles, 3),
-    by=identity,
     uses=["N.14"],
     notation=mode_letters,
 )

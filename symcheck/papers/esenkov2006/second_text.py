@@ -16,6 +16,7 @@ from symcheck.papers.esenkov2006.hypotheses import (
     roots_are_real_numbers,
 )
 from symcheck.papers.esenkov2006.notation import root_letters, three_modes
+from symcheck.papers.esenkov2006.scopes import in_b, in_b_and_delta, in_delta
 from symcheck.proof import cases, identity, looking_at, theorems
 
 ONE_MODE = r"A\eta + (C - A)\omega_0 - \eta(\eta - \omega_0)\frac{E_1}{\eta - \lambda_1}"
@@ -97,7 +98,6 @@ characteristic_equation = claim(
     ),
     equation=partial(derivation.characteristic_equation, 3),
     where=derivation.mode_inertias,
-    by=identity,
     uses=["1.0.6", "1.0.8"],
     notation=three_modes,
 )
@@ -122,7 +122,6 @@ one_mode = claim(
     ),
     equation=partial(derivation.characteristic_equation, 1),
     where=partial(derivation.mode_inertias, 1),
-    by=identity,
     uses=["1.31", "1.31.1"],
 )
 
@@ -144,7 +143,6 @@ quadratic = claim(
         reason="eta reads as 77 and ^, omega_0 as й?0 and <уо, E_1 as '£,', A lambda_1 as 'ЛЛ,', lambda_1 at the end as й1; one minus is lost.",
     ),
     equation=derivation.quadratic,
-    by=identity,
     uses=["1.32", "1.32.1"],
 )
 
@@ -180,7 +178,7 @@ positive_discriminant_suffices = claim(
     notation=root_letters,
 )
 
-positive_discriminant_is_needed = claim(
+positive_discriminant_is_needed = in_delta.claim(
     "1.33.5",
     34,
     words="And no other does: for two real roots that differ D is the square (a) of something that is not zero (b). (At D = 0 they are one, and the motion grows: B.4, B.5.)",
@@ -189,7 +187,6 @@ positive_discriminant_is_needed = claim(
         Hypothesis("two real roots", "x and y are real roots, and they differ", rf"{AT_X} = 0, {AT_Y} = 0, x \ne y"),
         liquid_is_part,
     ],
-    keeping=("Delta",),
     by={"a": identity, "b": cases()},
     uses=["1.33", "1.33.3"],
     notation=root_letters,
@@ -205,7 +202,6 @@ discriminant = claim(
     ),
     where=derivation.discriminant_in_eta,
     imposed="b",
-    by=identity,
     uses=["1.33"],
 )
 
@@ -216,7 +212,6 @@ boundary = claim(
     words="At the boundary of stability the discriminant is zero.",
     damage=Damage(rf"{DISCRIMINANT} = 0", reason="the discriminant once more, here with its minus signs"),
     equation=derivation.stability_boundary,
-    by=identity,
     uses=["1.33.3"],
 )
 
@@ -231,18 +226,15 @@ boundary_by_spin = claim(
         "by omega_0^2, and with b_n for the fractions it expands to the next.",
     ),
     equation=derivation.stability_boundary_by_spin,
-    by=identity,
     uses=["1.33.4"],
 )
 
-boundaries_agree = claim(
+boundaries_agree = in_delta.by_cases.claim(
     "1.34.1",
     34,
     words="Both equations have the same solutions.",
     states=rf"{DISCRIMINANT} = 0 \Leftrightarrow "
     r"\left(\Delta + E_n - A\frac{\lambda_n}{\omega_0}\right)^2 + 4(A - E_n)\Delta\frac{\lambda_n}{\omega_0} = 0",
-    keeping=("Delta",),
-    by=cases(),
     uses=["1.33.4", "1.34"],
 )
 
@@ -259,7 +251,7 @@ frequency_ratio = definition(
     notation=three_modes,
 )
 
-boundary_in_delta = claim(
+boundary_in_delta = in_b_and_delta.claim(
     "1.34.3",
     34,
     "Д2 + Д (2АЬп + 2£„ 4Е„Ь„) + (Я £„ )2 = 0",
@@ -270,12 +262,10 @@ boundary_in_delta = claim(
         "constant term. With A - E_n the equation would not follow from (1.34).",
     ),
     equation=derivation.boundary_in_delta,
-    keeping=("b", "Delta"),
-    by=identity,
     uses=["1.34", "1.34.2"],
 )
 
-discriminant_of_boundary = claim(
+discriminant_of_boundary = in_b_and_delta.claim(
     "1.34.4",
     34,
     "D = 4 (Е„ + ЬпА 2ЕпЬп)2 -4(АЬп-Еп}2 = 16£л (1 )6„ (Я £„)",
@@ -285,8 +275,6 @@ discriminant_of_boundary = claim(
         reason="b_n reads as Ь and 6; in '(1 )' a minus and b_n are lost, which the radicand in (1.35) has.",
     ),
     where=derivation.discriminant_in_delta,
-    keeping=("b", "Delta"),
-    by=identity,
     uses=["1.34.3"],
 )
 
@@ -296,7 +284,7 @@ roots_of_boundary = Hypothesis(
     r"\Delta_1 + \Delta_2 = -(2Ab_n + 2E_n - 4E_nb_n), \Delta_1\Delta_2 = (Ab_n - E_n)^2, \Delta_1 \ge \Delta_2",
 )
 
-roots_by_formula = claim(
+roots_by_formula = in_b.claim(
     "1.34.5",
     34,
     "Д12 = -(^6Й + £„ 2ЕпЪ„) ± 2,jEn (\\-Ьп)Ь„(А-Е„)",
@@ -306,12 +294,11 @@ roots_by_formula = claim(
         reason="A b_n reads as '^6Й', a minus is lost, the root sign reads as ',j'. Read with one equation for each sign of the root.",
     ),
     given=[roots_of_boundary, liquid_moves, liquid_is_part, roots_are_real_numbers],
-    keeping=("b",),
     by=theorems(Applied("equal_squares", (r"\Delta_1 - \Delta_2", rf"2 \cdot {RADICAL}"))),
     uses=["1.34.3", "1.34.4"],
 )
 
-roots_as_squares = claim(
+roots_as_squares = in_b.claim(
     "1.35",
     34,
     "^2=-En(\\-bn)-b„(A-En)±2.jEn(\\-b„)=-(yjEn(\\-bn) + yjbn(A-En^2",
@@ -323,7 +310,6 @@ roots_as_squares = claim(
         "Read with one equation for each sign of the root.",
     ),
     given=[roots_of_boundary, liquid_moves, liquid_is_part, roots_are_real_numbers],
-    keeping=("b",),
     by={
         "a": theorems(Applied("equal_squares", (r"\Delta_1 - \Delta_2", rf"2 \cdot {RADICAL}"))),
         "b": looking_at(cases(), A="2", E_1="1", b_1="1/2", Delta_1="0", Delta_2="-2"),

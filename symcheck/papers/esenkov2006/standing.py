@@ -5,7 +5,7 @@ A relation whose proof needs one of these conditions is marked by it.
 
 from __future__ import annotations
 
-from symcheck.papers.declare import ours, premise
+from symcheck.papers.declare import premise
 from symcheck.papers.esenkov2006.hypotheses import (
     body_has_mass,
     liquid_is_part,
@@ -13,8 +13,8 @@ from symcheck.papers.esenkov2006.hypotheses import (
     roots_are_real_numbers,
     spinning,
 )
+from symcheck.papers.esenkov2006.scopes import in_b_and_delta, in_delta
 from symcheck.papers.esenkov2006.second_text import BOUNDARY, DISCRIMINANT, QUADRATIC
-from symcheck.proof import cases
 
 NOT_PRINTED = "a standing condition of ours, not printed; what happens without it: "
 
@@ -54,34 +54,28 @@ real_square_roots = premise(
     reason=f"{NOT_PRINTED}B.9, B.10 (outside there is no boundary), B.22, B.23 (at the ends both roots are one)",
 )
 
-body_at_rest = ours(
+body_at_rest = in_delta.by_cases.ours(
     "S.6",
     34,
     words="Without spin (1.34) and b_n have no value; the frequencies are zero and A lambda_1 / (A - E_1), always real: D = (A lambda_n)^2.",
     states=rf"\omega_0 = 0 \Rightarrow ({QUADRATIC} = \eta((A - E_1)\eta - A\lambda_1) \land {DISCRIMINANT} = (A\lambda_n)^2)",
-    by=cases(),
     uses=["1.33", "1.33.3", "1.34"],
-    keeping=("Delta",),
 )
 
-mode_without_inertia = ours(
+mode_without_inertia = in_delta.by_cases.ours(
     "S.7",
     34,
     words="A mode without inertia is not coupled to the body: one frequency is lambda_1, the other -Delta omega_0 / A, that of a rigid body; "
     "D is not negative.",
     states=rf"E_1 = 0 \Rightarrow ({QUADRATIC} = (\eta - \lambda_1)(A\eta + \Delta\omega_0) \land "
     rf"{DISCRIMINANT} = (\Delta\omega_0 + A\lambda_n)^2)",
-    by=cases(),
     uses=["1.33", "1.33.3"],
-    keeping=("Delta",),
 )
 
-boundary_without_inertia = ours(
+boundary_without_inertia = in_b_and_delta.by_cases.ours(
     "S.8",
     34,
     words="Both roots (1.35) of the boundary are then -A b_n.",
     states=rf"E_n = 0 \Rightarrow {BOUNDARY} = (\Delta + Ab_n)^2",
-    by=cases(),
     uses=["1.34.3", "1.35"],
-    keeping=("b", "Delta"),
 )

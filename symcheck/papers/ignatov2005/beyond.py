@@ -16,9 +16,9 @@ from symcheck.papers.ignatov2005.notation import four_wheels_beyond, six_wheels_
 from symcheck.proof import cases, combined, identity, nonnegative
 
 four = Scope(four_wheels_beyond, by=cases())
-four_faces = Scope(four_wheels_beyond, derivation.faces_of_four, identity)
+four_faces = Scope(four_wheels_beyond, derivation.faces_of_four)
 six = Scope(six_wheels_beyond, derivation.six_axes, cases())
-six_faces = Scope(six_wheels_beyond, derivation.faces_of_six, identity)
+six_faces = Scope(six_wheels_beyond, derivation.faces_of_six)
 OPEN_RANGE = [real_pyramid, real_base]
 PQR = r"\sin^2 a \cos a \sin b \cos b"
 SQUARE_OF_NORMAL = "n_{{{0}1}}^2 + n_{{{0}2}}^2 + n_{{{0}3}}^2"

@@ -139,12 +139,12 @@ def _in_letters(stem: str, whole: Sequence[Expr]) -> Envelope:
     return Envelope(tuple(zip(x, y, z, strict=True)), chi, combinatorics(chi))
 
 
-def _normals(found: Envelope, *faces: Signs) -> dict[str, Expr]:
+def _normals(polyhedron: Envelope, *faces: Signs) -> dict[str, Expr]:
     """n_11, n_12, n_13 and s_1 for the first of these faces, and so on: its normal n, and (n, H) on it."""
     values: dict[str, Expr] = {}
     for number, face in enumerate(faces, 1):
-        values |= {f"n_{number}{k}": component for k, component in enumerate(found.normal(face), 1)}
-        values[f"s_{number}"] = found.support(face)
+        values |= {f"n_{number}{k}": component for k, component in enumerate(polyhedron.normal(face), 1)}
+        values[f"s_{number}"] = polyhedron.support(face)
     return values
 
 

@@ -9,7 +9,6 @@ from __future__ import annotations
 
 from symcheck.papers.declare import exclusion
 from symcheck.papers.ignatov2005.wheels import AND, five, four, points, six, three
-from symcheck.proof import identity
 
 NO_DRAWING = "the drawing is not in the text at hand; "
 AXES, VIEW = "the wheels stand as {} states them", "the polytope is that of the lists, {}"
@@ -69,7 +68,6 @@ projections_of_four = four.ours(
         halves("OYZ", "V_2: V_6'V_7', V_3: V_6V_7', V_4: V_6'V_7, V_5: V_6V_7")
         + rf"{AND}{ONTO['OYZ']}\mathbf{{V}}_1 = 0",
     ),
-    by=identity,
     uses=["2.1V"],
 )
 
@@ -83,7 +81,6 @@ projections_of_three = three.ours(
         falls_together("OXZ", "V_2V_3"),
         falls_together("OYZ", "V_1V_2'"),
     ),
-    by=identity,
     uses=["2.2V"],
 )
 
@@ -98,7 +95,6 @@ labels_of_figure_9 = six.ours(
         falls_together("OXY", "V_8V_{11}', V_9V_{12}', V_{10}V_{13}'"),
         halves("OXY", "V_8: V_{14}V_{15}, V_9: V_{15}V_{16}, V_{10}: V_{16}V_{14}'"),
     ),
-    by=identity,
     uses=["3.1V"],
 )
 
@@ -110,7 +106,6 @@ other_projections_of_six = six.ours(
         falls_together("OXZ", "V_2V_5, V_3V_4, V_6V_7, V_8V_{12}, V_9V_{11}, V_{14}V_{16}', V_{15}V_{15}'"),
         falls_together("OYZ", "V_3V_7, V_4V_6, V_8V_9, V_{10}V_{13}, V_{11}V_{12}, V_{14}V_{16}, V_{14}'V_{16}'"),
     ),
-    by=identity,
     uses=["3.1.24", "3.1V"],
 )
 
@@ -119,7 +114,6 @@ labels_of_figure_12 = five.ours(
     581,
     words="Figure 12: V_7, V_8, V_11 and their opposites are corners of the outline and stand alone; each other point has two labels.",
     states=falls_together("OXY", "V_1V_4', V_2V_{10}', V_3V_5', V_4V_1', V_5V_3', V_6V_9', V_9V_6', V_{10}V_2'"),
-    by=identity,
     uses=["3.2V"],
 )
 

@@ -32,7 +32,6 @@ from symcheck.papers.ignatov2005.rows import (
     vector,
 )
 from symcheck.papers.listing import EdgeRow, FaceRow, Label, Row, Unreadable, VertexRow
-from symcheck.proof import identity
 
 GRAVEST = ("missing cell", "label", "letter", "function", "coefficient", "number", "sign", "rounding")
 EXPONENTS = {"1": 2, "-1": 0, "u": 1, "v": 1}
@@ -157,7 +156,7 @@ def declared(printed: Printed) -> Declared:
 
 
 def _with_known_labels(row: Row, names: Names) -> Row:
-    """A row, unreadable if it names what is no vertex or face."""
+    """A row, unreadable if a name in it is not that of a vertex or face."""
     for label in labels_of(row):
         if not names.signs(label):
             return _unreadable(row, f"{label.printed} is none of the labels of this list")
@@ -207,11 +206,11 @@ def _row(listed: Listed, row: Row, right: Row | None) -> Declaration:
     )
 
 
-def kind_of(found: Sequence[str], origin: Origin) -> str:
+def kind_of(kinds: Sequence[str], origin: Origin) -> str:
     """The gravest kind of fault in a row; an author who primes a wrong vertex takes one for the other."""
-    if set(found) <= PRIMES:
-        return "lost prime" if "lost prime" in found and origin is not Origin.PAPER else "label"
-    return next(kind for kind in GRAVEST if kind in found)
+    if set(kinds) <= PRIMES:
+        return "lost prime" if "lost prime" in kinds and origin is not Origin.PAPER else "label"
+    return next(kind for kind in GRAVEST if kind in kinds)
 
 
 # --- a list as a whole
@@ -237,7 +236,6 @@ def _whole(listed: Listed) -> Claim:
         min(row.line for row, _ in listed.pairs),
         words=WHOLE[listed.letter],
         states=tuple(part.states for part in stated),
-        by=identity,
         errata=errata,
         notation=listed.array.notation,
         where=listed.array.where,

@@ -17,9 +17,10 @@ from symcheck.papers.ignatov2005.rows import Array
 # The axes of the four-sided pyramid in units of (sin a sin b, sin a cos b, cos a), those of the six-sided one in units of
 # (sqrt(3)/2 sin a, 1/2 sin a, cos a). Normals have units so that products with axes are whole multiples of one unit.
 ONE, HALF = Fraction(1), Fraction(1, 2)
-FOUR_AXES = ((1, -1, -1), (1, 1, -1), (1, -1, 1), (1, 1, 1))
+FOUR_AXES = ((1, -1, -1), (1, 1, -1), (1, -1, 1), (1, 1, 1))  # by wheel, in the units below (2.0.4)
 FOUR_UNITS = ((ONE, "", r"\sin a \sin b"), (ONE, "", r"\sin a \cos b"), (ONE, "", r"\cos a"))
 FOUR_NORMALS = (r"\cos a \cos b", r"\cos a \sin b", r"\sin a \sin b \cos b")
+# by wheel, in the units below (3.0.4)
 SIX_AXES = ((0, -2, 1), (1, -1, 1), (1, 1, 1), (0, -2, -1), (1, -1, -1), (1, 1, -1))
 SIX_UNITS = ((HALF, r"\sqrt{3}", r"\sin a"), (HALF, "", r"\sin a"), (ONE, "", r"\cos a"))
 SIX_NORMALS = (r"\frac{2\sqrt{3}}{3} \cos a", r"2 \cos a", r"\sin a")

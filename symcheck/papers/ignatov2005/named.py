@@ -16,10 +16,9 @@ from symcheck.papers.declare import claim
 from symcheck.papers.ignatov2005.listed import Block, Declared, each_once
 from symcheck.papers.ignatov2005.rows import AND, pattern_of, vector
 from symcheck.papers.listing import Label
-from symcheck.proof import identity
 from symcheck.reading import Notation
 
-_MATH = re.compile(r"\$([^$]+)\$")
+_MATH = re.compile(r"\$([^$]+)\$")  # mathematics within a sentence
 _PIECE = re.compile(r"\$([^$]+)\$|\.(?=\s)")  # a piece of mathematics, or the end of a sentence
 _LABELS = re.compile(r"[VF]['_][^VF]*(,\s*[VF]['_][^VF]*)*")  # labels with commas between them, not an edge `V_1V_2`
 _DISTANCE = re.compile(r"\s*d_\d = (?!d_)")  # `d_1 = 4 \sin a`, not `d_1 = d_2`
@@ -131,7 +130,6 @@ def every_one_once(
         line or named[0].line,
         words=words,
         states=AND.join(part.states for part in parts),
-        by=identity,
         uses=[f"{of.section}{labels[0].letter}.0"],
         notation=notation,
     )

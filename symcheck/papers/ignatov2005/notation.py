@@ -5,7 +5,7 @@ from symcheck.reading import Letter, Notation
 MOMENT = "kg m^2"
 RATE = "rad/s"
 MOMENTUM = "N m s"
-WHEELS = (1, 2, 3, 4, 5, 6)
+WHEELS = (1, 2, 3, 4, 5, 6)  # of the larger set, section 3
 VERTICES = tuple(range(1, 17))
 
 notation = Notation(

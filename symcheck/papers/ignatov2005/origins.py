@@ -138,12 +138,12 @@ def _trace(row: Row, right: Row) -> Set[object]:
     return set()
 
 
-def _differing(found: Sequence[str], wanted: Sequence[str]) -> Set[object]:
-    return {(len(wanted), k) for k, (a, b) in enumerate(zip(found, wanted, strict=False)) if a != b}
+def _differing(read: Sequence[str], wanted: Sequence[str]) -> Set[object]:
+    return {(len(wanted), k) for k, (a, b) in enumerate(zip(read, wanted, strict=False)) if a != b}
 
 
-def _differing_labels(found: Sequence[Label], wanted: Sequence[Label]) -> Set[object]:
-    pairs = enumerate(zip(found, wanted, strict=False))
+def _differing_labels(read: Sequence[Label], wanted: Sequence[Label]) -> Set[object]:
+    pairs = enumerate(zip(read, wanted, strict=False))
     return {(k, a.index, b.index, a.primed == b.primed) for k, (a, b) in pairs if a != b}
 
 

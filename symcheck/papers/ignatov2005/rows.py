@@ -108,7 +108,7 @@ class Array:
         return (h for h in product((1, 0, -1), repeat=len(self.axes)) if h.count(0) == free)
 
     def no_others(self, cells: Mapping[Signs, object]) -> Iterator[Part]:
-        """That sign vectors with as many free wheels, but not among these, are no vertex, edge or face.
+        """That sign vectors with as many free wheels, but not among these, are not vertices, edges or faces.
 
         By combinations of axes, one of each opposite two: where the c_k e_k add up to zero and no c_k has the sign that
         h_k has not, no plane has all h_k e_k on one side. The wheels that are free do not matter.
@@ -349,7 +349,7 @@ def faults(row: Row, right: Row) -> list[str]:
             return labels + _faults_of_pattern(row.pattern, right.pattern)
         case TableRow(), TableRow():
             cells = ((a, b) for (_, a), (_, b) in zip(row.cells, right.cells, strict=True) if a != b)
-            slips = ["rounding" if _is_slip(*each) else "number" for each in cells]
+            slips = ["rounding" if _is_slip(*cell) else "number" for cell in cells]
             return _faults_of_labels([row.label], [right.label]) + slips
     raise SymcheckError("rows of different kinds are compared; compare a row with its own correction")
 
@@ -415,7 +415,7 @@ def bracket(entries: Sequence[object]) -> str:
 
 
 def parts(array: Array, names: Names, row: Row, right: Row) -> tuple[Part, ...]:
-    """The statements of a row; how pieces belong together is told by the right one."""
+    """The statements of a row; the right row tells how pieces belong together."""
     match row, right:
         case VertexRow(), VertexRow():
             return _parts_of_vertex(array, names, row, right)
@@ -525,4 +525,4 @@ def shown(row: Row) -> str:
             return rf"{row.label.printed} = \{{{edges}\}}, \mathbf{{H}} = {bracket(row.pattern)}"
         case TableRow():
             return ", ".join([row.label.printed, *(f"{name} = {cell}" for name, cell in row.cells)])
-    raise SymcheckError("this is no row that was read; show rows of lists and tables")
+    raise SymcheckError("only rows of lists and tables can be shown")

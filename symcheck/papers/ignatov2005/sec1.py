@@ -1,8 +1,7 @@
 """Ignatov 2005, title page, abstract and section 1: what reaction wheels are for, the momenta required of them."""
 
-from symcheck.papers.declare import definition, exclusion, ours, premise
+from symcheck.papers.declare import by_cases, definition, exclusion, premise
 from symcheck.papers.ignatov2005.notation import requirements
-from symcheck.proof import cases
 
 abstract = exclusion(
     "0.1",
@@ -67,13 +66,12 @@ def _on_the_ellipsoid(x: str, y: str, z: str) -> str:
     )
 
 
-semi_axes_of_the_ellipsoid = ours(
+semi_axes_of_the_ellipsoid = by_cases.ours(
     "1.2.1",
     50,
     words="A turn about one axis alone, at the largest rate and with zero total momentum, takes a momentum at an end of an axis of "
     "the ellipsoid: its semi-axes are J_X w_X, J_Y w_Y, J_Z w_Z.",
     states=(_on_the_ellipsoid("X", "Y", "Z"), _on_the_ellipsoid("Y", "Z", "X"), _on_the_ellipsoid("Z", "X", "Y")),
-    by=cases(),
     uses=["1.2"],
     notation=requirements,
 )

@@ -43,7 +43,7 @@ from symcheck.proof import cases, identity, theorems
 from symcheck.reading import Notation
 
 OPEN_RANGE = [real_pyramid, real_base]
-craft = Scope(four_wheels_in_spacecraft, by=identity)
+craft = Scope(four_wheels_in_spacecraft)
 FULL_MOMENTUM = Hypothesis("limits", "no wheel exceeds h_max = 1 (line 81)", EACH)
 
 
@@ -81,36 +81,33 @@ angle_to_oz = four.angle_to_oz("2.0.5", 71, "e_1 and e_2", "2.0.4")
 ALONG_OX, ALONG_OY = r"2\sin a \sin b", r"2\sin a \cos b"  # the sides of the base (2.0.1)
 ACUTE = [acute_a, acute_b]
 
-square_base = four.claim(
+square_base = four.by_cases.claim(
     "2.0.6",
     71,
     r"b = 45^\circ",
     words="For b = 45 degrees, and no other b, the base is a square.",
     states=rf"{ALONG_OX} = {ALONG_OY} \Leftrightarrow b = 45^\circ",
     given=ACUTE,
-    by=cases(),
     uses=["2.0.1"],
 )
 
-base_along_oy = four.claim(
+base_along_oy = four.by_cases.claim(
     "2.0.7",
     71,
     r"0^\circ < b < 45^\circ",
     words="For these b, and no others, the longer side of the base is parallel to OY.",
     states=rf"{ALONG_OX} < {ALONG_OY} \Leftrightarrow 0^\circ < b < 45^\circ",
     given=ACUTE,
-    by=cases(),
     uses=["2.0.1"],
 )
 
-base_along_ox = four.claim(
+base_along_ox = four.by_cases.claim(
     "2.0.8",
     71,
     r"45^\circ < b < 90^\circ",
     words="For these b, and no others, the longer side of the base is parallel to OX.",
     states=rf"{ALONG_OX} > {ALONG_OY} \Leftrightarrow 45^\circ < b < 90^\circ",
     given=ACUTE,
-    by=cases(),
     uses=["2.0.1"],
 )
 
@@ -155,13 +152,12 @@ region_is_symmetric = four.symmetric_region("2.1.8", 81, "2.1.3")
 
 vertices_take_full_momenta = four.full_momenta_at_vertices("2.1.9", 81, "2.1.3")
 
-zero_is_inside = four.claim(
+zero_is_inside = four.by_cases.claim(
     "2.1.10",
     81,
     words="The combinations 2.1.11 and 2.1.12 lie inside P: no direction c is perpendicular to all axes, so P goes on beyond 0 along each c.",
     states=r"(\mathbf{c}, \mathbf{e}_i) = 0 \Rightarrow (c_1 = 0 \land c_2 = 0 \land c_3 = 0)",
     given=OPEN_RANGE,
-    by=cases(),
     uses=["2.0.4", "2.1.11", "2.1.12"],
 )
 
@@ -234,7 +230,7 @@ QUARTER_TURN = r"\begin{pmatrix} 0 & -1 & 0 \\ 1 & 0 & 0 \\ 0 & 0 & 1 \end{pmatr
 
 half_turns = four.half_turns("2.1.23", 162, "2.0.4", "4, 3, 2, 1", "-2, -1, -4, -3", "-3, -4, -1, -2")
 
-quarter_turns = four.claim(
+quarter_turns = four.by_cases.claim(
     "2.1.24",
     162,
     r"b = p/4 = 45^\circ",
@@ -243,7 +239,6 @@ quarter_turns = four.claim(
         rf"b = \pi/4 \Rightarrow ({four.turned(QUARTER_TURN, '2, -3, 4, -1')})",
         r"\pi/4 = 45^\circ",
     ),
-    by=cases(),
     uses=["2.0.4"],
     damage=lost_pi(r"b = \pi/4 = 45^\circ, n\pi/2"),
 )
@@ -263,7 +258,7 @@ NAMED_OF_FOUR = named.in_sentence(named.VERTICES_OF_FOUR)
 def vertices_named(notation: Notation, stem: str, far: Sequence[Named]) -> Scope:
     """With d_1, d_2, ... for the distances of the vertices that are named first with them."""
     each = ", ".join(f"{stem}_{group.labels[0].index}" for group in far)
-    return Scope(notation, partial(derivation.vertex_distances, each), identity)
+    return Scope(notation, partial(derivation.vertex_distances, each))
 
 
 vertices = vertices_named(four_wheels, "V", NAMED_OF_FOUR)
@@ -305,14 +300,13 @@ vertices_with_a_distance = named.every_one_once(
     "2.1.37", of_four, NAMED_OF_FOUR, "Each vertex is named with one of these distances, once.", four_wheels
 )
 
-two_equal_distances = four.claim(
+two_equal_distances = four.by_cases.claim(
     "2.1.33",
     164,
     ("d_1 = d_2", r"b = p/4 = 45^\circ"),
     words="V_1 and V_6 are equally far for b = pi/4, and only then.",
     states=(rf"{DISTANCES['d_1']} = {DISTANCES['d_2']} \Leftrightarrow b = \pi/4", r"\pi/4 = 45^\circ"),
     given=ACUTE,
-    by=cases(),
     uses=["2.1.28", "2.1.29"],
     damage=lost_pi(r"b = \pi/4 = 45^\circ", "b"),
 )
@@ -322,7 +316,7 @@ def three_equal_distances_of(
     scope: Scope, number: str, line: int, vertices: str, equal: str, uses: Sequence[str]
 ) -> Claim:
     """That three pairs of vertices are equally far for these angles only, with the distances written out."""
-    return scope.claim(
+    return scope.by_cases.claim(
         number,
         line,
         ("d_1 = d_2 = d_3", r"a = \arctg \sqrt{2} = 54.7^\circ", r"b = p/4 = 45^\circ"),
@@ -333,7 +327,6 @@ def three_equal_distances_of(
             r"\pi/4 = 45^\circ",
         ),
         given=ACUTE,
-        by=cases(),
         uses=uses,
         damage=lost_pi(r"b = \pi/4 = 45^\circ", "c"),
     )
@@ -375,14 +368,13 @@ def order_of_distances(number: str, line: int, order: str, low: str, high: str, 
     """A pair of cells: an order of the distances, as printed, and the interval of a in which it holds."""
     interval = rf"{low} \leq a \leq {high}"
     written_out = re.sub("d_.", lambda distance: DISTANCES[distance[0]], order)
-    return four.claim(
+    return four.by_cases.claim(
         number,
         line,
         (order, interval),
         words="The order holds for these a, and for no others, wherever the denominator is not zero (T2.7, T2.8).",
         states=rf"{written_out} \Leftrightarrow {interval.replace('p}', chr(92) + 'pi}')}",
         given=[column],
-        by=cases(),
         uses=["2.1.28", "2.1.29", "2.1.30"],
         damage=lost_pi(interval.replace("p}", r"\pi}")) if high == RIGHT_ANGLE else None,
     )
@@ -397,7 +389,7 @@ table_2 = (
     order_of_distances("T2.6", 173, r"d_3 \leq d_2 \leq d_1", SECANT, RIGHT_ANGLE, RIGHT_COLUMN),
 )
 
-order_at_b_zero = four.ours(
+order_at_b_zero = four.by_cases.ours(
     "T2.7",
     173,
     words="At the end b = 0 of the left column 1/sin b has no value; with pi/2 for its arctangent, the limit, the table is right: "
@@ -407,11 +399,10 @@ order_at_b_zero = four.ours(
         r"4 \cos a = 4 \sin a \sin b \Leftrightarrow a = \pi/2",
     ),
     given=[Hypothesis("b zero", "b = 0, and a from 0 to pi/2", rf"b = 0, {QUADRANT}")],
-    by=cases(),
     uses=["T2.3", "T2.5"],
 )
 
-order_at_b_right = four.ours(
+order_at_b_right = four.by_cases.ours(
     "T2.8",
     173,
     words="So it is at the end b = pi/2 of the right column, where 1/cos b has no value.",
@@ -420,7 +411,6 @@ order_at_b_right = four.ours(
         r"4 \cos a = 4 \sin a \cos b \Leftrightarrow a = \pi/2",
     ),
     given=[Hypothesis("b right", "b = pi/2, and a from 0 to pi/2", rf"b = \pi/2, {QUADRANT}")],
-    by=cases(),
     uses=["T2.4", "T2.6"],
 )
 
@@ -442,7 +432,7 @@ def row_of_distances(scope: Scope, number: str, row: Sequence[Named]) -> Claim:
     )
 
 
-table_3 = Scope(four_wheels, partial(derivation.distances_of_faces, *FACES_OF_P), identity)
+table_3 = Scope(four_wheels, partial(derivation.distances_of_faces, *FACES_OF_P))
 NAMED_IN_TABLE_3 = named.in_columns(named.TABLE_3)
 ABOVE_THE_EMPTY_CELL, EMPTY_CELL = NAMED_IN_TABLE_3[2], NAMED_IN_TABLE_3[5]
 
@@ -536,13 +526,12 @@ unit_of_momentum_of_three = three.unit_of_momentum(
     "2.2.4", 195, "2.2.2", three_of_four.extended(LIMIT), "Again no generality is lost with h_max = 1."
 )
 
-region_is_a_parallelepiped = three.claim(
+region_is_a_parallelepiped = three.by_cases.claim(
     "2.2.5",
     195,
     words="P' is a parallelepiped: the three axes do not lie in one plane, so each H has one h_1, h_2, h_3.",
     states=r"(\mathbf{e}_1, \mathbf{e}_2 \times \mathbf{e}_3) \ne 0",
     given=OPEN_RANGE,
-    by=cases(),
     uses=["2.1.14"],
 )
 
@@ -621,7 +610,6 @@ vertices_at_middles = claim(
     EDGES_ALONG_WHEEL_4,
     words=f"The vertices {', '.join(MIDDLES)} of P' (W in the formal statement) are the middles of these edges of P, in this order.",
     states=tuple(halves(edge, middle) for edge, middle in zip(EDGES_ALONG_WHEEL_4, MIDDLES, strict=True)),
-    by=identity,
     errata={
         letter: lost_prime(edge, halves(edge, middle))
         for letter, edge, middle in zip("abc", PRIMED_EDGES, MIDDLES[:3], strict=True)
@@ -696,7 +684,7 @@ faces_of_table_5 = named.every_one_once(
 )
 
 table_5 = row_of_distances(
-    Scope(three_of_four, partial(derivation.distances_of_faces, *FACES_OF_THREE), identity), "T5.1", NAMED_IN_TABLE_5
+    Scope(three_of_four, partial(derivation.distances_of_faces, *FACES_OF_THREE)), "T5.1", NAMED_IN_TABLE_5
 )
 
 
@@ -705,7 +693,7 @@ def foot_of_three(middle: str, along: str, across: str) -> str:
     return rf"2 ({middle}, {across}) = ({across}, {across}) \land (2 ({middle}, {along}))^2 \leq ({along}, {along})^2"
 
 
-feet_of_perpendiculars_of_three = three.ours(
+feet_of_perpendiculars_of_three = three.by_cases.ours(
     "2.2.25",
     244,
     words="Here too the foot of the perpendicular lies within each face.",
@@ -714,7 +702,6 @@ feet_of_perpendiculars_of_three = three.ours(
         foot_of_three(r"\mathbf{e}_1", r"\mathbf{e}_2 - \mathbf{e}_3", r"\mathbf{e}_2 + \mathbf{e}_3"),
         foot_of_three(r"\mathbf{e}_2", r"\mathbf{e}_1 + \mathbf{e}_3", r"\mathbf{e}_1 - \mathbf{e}_3"),
     ),
-    by=cases(),
     uses=["T5.1"],
 )
 
@@ -728,13 +715,12 @@ equal_rates_wanted = craft.premise(
 
 moments_of_inertia = wheels.moments_of_inertia(craft, "2.2.27", 248, "")
 
-such_a_body_exists = craft.ours(
+such_a_body_exists = craft.by_cases.ours(
     "2.2.28",
     248,
     words="Such a body exists: no moment exceeds the sum of the other two.",
     states=r"J_y + J_z \geq J_x \land J_z + J_x \geq J_y \land J_x + J_y \geq J_z",
     given=[SPACECRAFT_MOMENTS],
-    by=cases(),
     uses=["2.2.27"],
 )
 
@@ -838,7 +824,7 @@ ratio_of_x_and_y = craft.claim(
     },
 )
 
-angle_b = craft.claim(
+angle_b = craft.by_cases.claim(
     "2.3.6",
     256,
     r"b = \arctg \frac{5}{8} = 32^\circ",
@@ -848,7 +834,6 @@ angle_b = craft.claim(
         r"\arctg \frac{5}{8} \approx 32^\circ",
     ),
     given=[SPACECRAFT_MOMENTS, *ACUTE],
-    by=cases(),
     uses=["2.3.1", "2.3.5"],
 )
 
@@ -926,7 +911,6 @@ units_of_the_rates = ours(
             ),
         )
     ],
-    by=identity,
     uses=["2.2.27", "2.3.10"],
     notation=four_wheels_with_units,
 )
@@ -978,17 +962,15 @@ rates_in_quarters = ours(
     ),
     given=[EQUAL_RATES],
     where=four.where,
-    by=identity,
     uses=["2.3", "2.3.1", "2.3.2", "2.3.3", "2.3.4"],
     notation=four_wheels_in_spacecraft,
 )
 
-bound_is_reached_on_the_axes = four.ours(
+bound_is_reached_on_the_axes = four.by_cases.ours(
     "2.3.16",
     264,
     words="Where all wheels have full momentum and h_1 - h_2 - h_3 + h_4 = 0, H lies on an axis.",
     states=r"(h_i^2 = 1 \land h_1 - h_2 - h_3 + h_4 = 0) \Rightarrow (H_x H_y = 0 \land H_y H_z = 0 \land H_z H_x = 0)",
-    by=cases(),
     uses=["2.1.2"],
 )
 

@@ -17,7 +17,7 @@ from symcheck.core.claims import Claim, Damage, Erratum, Hypothesis, Ours, Premi
 from symcheck.core.problems import Applied
 from symcheck.core.verdicts import Origin
 from symcheck.papers import listing
-from symcheck.papers.declare import Scope, Text, exclusion, ours, premise
+from symcheck.papers.declare import Scope, Text, by_cases, exclusion, ours, premise
 from symcheck.papers.ignatov2005 import derivation, envelopes, named, wheels
 from symcheck.papers.ignatov2005.hypotheses import (
     MASS,
@@ -44,7 +44,7 @@ from symcheck.proof import cases, combined, existence, identity, nonnegative, th
 from symcheck.reading import Notation
 
 both = Scope(six_and_five, derivation.six_axes, cases())
-craft = Scope(six_wheels_in_spacecraft, by=identity)
+craft = Scope(six_wheels_in_spacecraft)
 
 
 def right_side(printed: str) -> str:
@@ -84,13 +84,12 @@ axes_of_wheels = six.claim(
     },
 )
 
-opposite_edges = six.ours(
+opposite_edges = six.by_cases.ours(
     "3.0.5",
     275,
     words="With this e_4 neighbouring edges enclose one angle all round, as in a regular pyramid: e_1, e_2, e_3, -e_4, -e_5, -e_6.",
     states=r"(\mathbf{e}_1, \mathbf{e}_2) = (\mathbf{e}_2, \mathbf{e}_3) = -(\mathbf{e}_3, \mathbf{e}_4) = "
     r"(\mathbf{e}_4, \mathbf{e}_5) = (\mathbf{e}_5, \mathbf{e}_6) = -(\mathbf{e}_6, \mathbf{e}_1)",
-    by=cases(),
     uses=["3.0.4"],
 )
 
@@ -150,7 +149,7 @@ zero_combinations = six.claim(
     uses=["3.0.4", "3.1.3"],
 )
 
-only_two_combinations_vanish = six.claim(
+only_two_combinations_vanish = six.by_cases.claim(
     "3.1.11",
     289,
     words="No other combination of full momenta vanishes: there are two.",
@@ -159,11 +158,10 @@ only_two_combinations_vanish = six.claim(
         real_pyramid,
         Hypothesis("full momenta", "every wheel has full momentum", ", ".join(f"h_{i}^2 = 1" for i in six.numbers)),
     ],
-    by=cases(),
     uses=["3.1.10"],
 )
 
-# half of the combinations that are no vertices, the others being opposite, and smaller momenta with the same sum
+# half of the combinations that are not vertices (the others are opposite), and smaller momenta with the same sum
 INSIDE = (
     ("1, 1, 1, 1, -1, 1", "6/7, 6/7, 6/7, 2/7, 0, 2/7"),
     ("1, 1, -1, 1, -1, 1", "2/3, 2/3, -2/3, 2/3, 0, 0"),
@@ -267,13 +265,12 @@ planes_of_symmetry = six.planes_of_symmetry(
     "3.1.24", 441, "3.0.4", "1, -6, -5, 4, -3, -2", "-4, 3, 2, -1, 6, 5", "4, 5, 6, 1, 2, 3"
 )
 
-sixth_turns = six.ours(
+sixth_turns = six.by_cases.ours(
     "3.1.25",
     441,
     words="The paper leaves out most symmetries: P goes over into itself when turned about OZ by any multiple of pi/3. With the half "
     "turns and reflections these make 24, the symmetries of a regular six-sided prism.",
     states=six.turned(SIXTH_TURN, "2, 3, -4, 5, 6, -1"),
-    by=cases(),
     uses=["3.0.4", "3.1.23", "3.1.24"],
 )
 
@@ -320,17 +317,16 @@ def order_of_distances(number: str, line: int, order: str, angles: str) -> Claim
     written_out = re.sub("d_.", lambda distance: DISTANCES[distance[0]], order)
     exact, *degrees = re.split(r" (?:=|\\approx) (?=[\d.]+\^\\circ)", angles)
     value = [
-        rf"{right_side(exact)} \approx {each}" if "." in each else rf"{exact} \Leftrightarrow a = {each}"
-        for each in degrees
+        rf"{right_side(exact)} \approx {angle}" if "." in angle else rf"{exact} \Leftrightarrow a = {angle}"
+        for angle in degrees
     ]
-    return six.claim(
+    return six.by_cases.claim(
         number,
         line,
         (order, angles),
         words="The order holds for these a, and for no others.",
         states=(rf"{written_out} \Leftrightarrow {exact}", *value),
         given=[QUADRANT],
-        by=cases(),
         uses=["3.1.28", "3.1.29", "3.1.30", "3.1.31"],
     )
 
@@ -514,13 +510,12 @@ faces_of_table_8_as_far_as_their_planes = (
 
 # --- 3.2: one wheel failed
 
-any_wheel_may_fail = six.claim(
+any_wheel_may_fail = six.by_cases.claim(
     "3.1.32",
     471,
     words="No generality is lost with the failure of wheel 6: a sixth of a turn about OZ takes each axis to the next, but for a sign, "
     "so the region left by another wheel is P' turned.",
     states=six.turned(SIXTH_TURN, "2, 3, -4, 5, 6, -1"),
-    by=cases(),
     uses=["3.1.25"],
 )
 
@@ -827,17 +822,15 @@ volume_left_by_one_of_four = ours(
     610,
     words="Of four wheels, one that fails leaves a quarter of the volume.",
     states=rf"{envelopes.volume(envelopes.FOUR, 4)} = \frac{{1}}{{4}} \cdot {envelopes.volume(envelopes.FOUR)}",
-    by=identity,
     uses=["2.0.4"],
     notation=four_wheels,
 )
 
-volume_left_by_one_of_six = six.ours(
+volume_left_by_one_of_six = six.by_cases.ours(
     "3.2.43",
     610,
     words="Of six wheels, one that fails leaves half of it.",
     states=rf"{envelopes.volume(envelopes.SIX, 6)} = \frac{{1}}{{2}} \cdot {envelopes.volume(envelopes.SIX)}",
-    by=cases(),
     uses=["3.0.4"],
 )
 
@@ -933,7 +926,7 @@ TANGENT_3 = Hypothesis("tg a = 3", "the angle of section 3.3", r"\sin^2 a = 9 \c
 LEAST_AROUND_SIX = r"\frac{1953}{160000000}"  # (2 sqrt 3 sin a/1000)^2 + (2 sin a/1600)^2
 AS_MOMENTS = tuple(rf"{LEAST_AROUND_SIX} \cdot {moment}^2" for moment in (1000, 1600, 800))
 
-six_wheels_and_the_ellipsoid_asked_for = six.ours(
+six_wheels_and_the_ellipsoid_asked_for = six.by_cases.ours(
     "3.2.45",
     610,
     words="With the ellipsoid (1.2) for equal largest rates w about all axes six wheels are farther from it than four: at tg a = 3 the "
@@ -946,13 +939,12 @@ six_wheels_and_the_ellipsoid_asked_for = six.ours(
         r"\sqrt{\frac{64}{217}} \approx 0.543",
     ),
     given=[TANGENT_3],
-    by=cases(),
     uses=["1.2", "3.2.46", "B.41", "B.42"],
 )
 
 BOX = (r"(4 \sin a \sin b)^2", r"(4 \sin a \cos b)^2", r"(4 \cos a)^2")
 
-four_wheels_and_the_ellipsoid_asked_for = ours(
+four_wheels_and_the_ellipsoid_asked_for = by_cases.ours(
     "3.2.46",
     610,
     words="Four wheels reach the most that they can, lambda^2 = 1/2, with the semi-axes 4 sin a sin b, 4 sin a cos b, 4 cos a; at the "
@@ -964,7 +956,6 @@ four_wheels_and_the_ellipsoid_asked_for = ours(
         r"\sqrt{\frac{27}{43}} \approx 0.792",
     ),
     given=[real_pyramid, real_base],
-    by=cases(),
     uses=["2.3.11", "3.2.20", "3.2.44"],
     notation=four_wheels,
 )
@@ -1048,14 +1039,13 @@ ratio_of_sides = craft.claim(
     uses=["3.2.24", "3.2.27", "3.2.28", "3.2.30"],
 )
 
-angle_a = craft.claim(
+angle_a = craft.by_cases.claim(
     "3.2.32",
     618,
     r"a = \arctg 3 = 72^\circ",
     words="The angle a from it, rounded to whole degrees.",
     states=(r"\frac{4 \sin a}{J_y} = \frac{6 \cos a}{J_z} \Leftrightarrow a = \arctg 3", r"\arctg 3 \approx 72^\circ"),
     given=[SPACECRAFT_MOMENTS, acute_a],
-    by=cases(),
     uses=["3.2.24", "3.2.31"],
 )
 
@@ -1082,7 +1072,7 @@ axes_in_oyz = six.claim(
     ),
 )
 
-better_turned_so = craft.claim(
+better_turned_so = craft.by_cases.claim(
     "3.2.35",
     618,
     words="So the wheels are better placed with wheels 1 and 4 in the plane OYZ, as the largest H_y exceeds the largest H_x: with the "
@@ -1093,7 +1083,6 @@ better_turned_so = craft.claim(
         r"\frac{2\sqrt{3} \sin(\arctg(2\sqrt{3}))}{1600} < \frac{4 \sin(\arctg 3)}{1600} < \frac{2\sqrt{3} \sin(\arctg 3)}{1000}",
     ),
     given=[acute_a],
-    by=cases(),
     uses=["3.2.26", "3.2.27", "3.2.33"],
 )
 
@@ -1129,7 +1118,7 @@ largest_rates_about_oy_and_oz = craft.claim(
     },
 )
 
-largest_rates_exactly = craft.ours(
+largest_rates_exactly = craft.by_cases.ours(
     "3.2.38",
     618,
     words="Exactly: w_x = 3 sqrt 30/5000 and w_y = w_z = 3 sqrt 10/4000, or 0.00329 and 0.00237; with 72 degrees w_y and w_z "
@@ -1143,7 +1132,6 @@ largest_rates_exactly = craft.ours(
         r"\frac{6 \cos 72^\circ}{800} \approx 0.00232",
     ),
     given=AT_THE_ANGLE,
-    by=cases(),
     uses=["3.2.36", "3.2.37"],
 )
 
@@ -1166,7 +1154,6 @@ units_of_the_rates = ours(
         r"\frac{6 \cos a \cdot h_{\max}}{J_z} = \frac{6 \cos a}{800} h_{\max} \text{ кг}^{-1} \text{ м}^{-2}",
     ),
     given=[WITH_UNITS],
-    by=identity,
     uses=["3.2.24", "3.2.36", "3.2.37"],
     notation=six_wheels_with_units,
 )

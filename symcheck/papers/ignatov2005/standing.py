@@ -10,7 +10,6 @@ from symcheck.papers.declare import premise
 from symcheck.papers.ignatov2005.hypotheses import MASS, acute_a, real_pyramid
 from symcheck.papers.ignatov2005.notation import four_wheels_in_spacecraft
 from symcheck.papers.ignatov2005.wheels import AND, four, six
-from symcheck.proof import cases, identity
 
 NOT_PRINTED = "a standing condition of ours, not printed; what happens without it: "
 
@@ -41,7 +40,7 @@ mass = premise(
 
 # --- at the ends
 
-ends_of_four = four.ours(
+ends_of_four = four.by_cases.ours(
     "S.4",
     71,
     words="Four wheels at the ends: for a = 0 all axes are one line, for a = 90 degrees they are two lines, as for b = 0 and for b = 90 "
@@ -52,11 +51,10 @@ ends_of_four = four.ours(
         r"\sin b = 0 \Rightarrow (\mathbf{e}_1 = -\mathbf{e}_4 \land \mathbf{e}_2 = -\mathbf{e}_3)",
         r"\cos b = 0 \Rightarrow (\mathbf{e}_1 = \mathbf{e}_2 \land \mathbf{e}_3 = \mathbf{e}_4)",
     ),
-    by=cases(),
     uses=["2.0.4", "B.2"],
 )
 
-ends_of_six = six.ours(
+ends_of_six = six.by_cases.ours(
     "S.5",
     277,
     words="Six wheels at the ends: for a = 0 all axes are one line, for a = 90 degrees they are three.",
@@ -64,7 +62,6 @@ ends_of_six = six.ours(
         r"\sin a = 0 \Rightarrow (\mathbf{e}_1 = \mathbf{e}_2 = \mathbf{e}_3 = -\mathbf{e}_4 = -\mathbf{e}_5 = -\mathbf{e}_6)",
         r"\cos a = 0 \Rightarrow (\mathbf{e}_1 = \mathbf{e}_4 \land \mathbf{e}_2 = \mathbf{e}_5 \land \mathbf{e}_3 = \mathbf{e}_6)",
     ),
-    by=cases(),
     uses=["3.0.4", "B.24"],
 )
 
@@ -90,7 +87,7 @@ def _are(axes: list[str], images: str) -> str:
     return AND.join(rf"{axis} = {image[:-1]}\mathbf{{e}}_{image[-1]}" for axis, image in pairs)
 
 
-outside_of_four = four.ours(
+outside_of_four = four.by_cases.ours(
     "S.6",
     71,
     words="Outside: the angles -a, pi - a, -b and pi - b have the same axes, but for their order and sense, so that P is the same. So "
@@ -101,16 +98,14 @@ outside_of_four = four.ours(
         _are(_four_axes("a", "-b"), "-4, -3, -2, -1"),
         _are(_four_axes("a", r"\pi - b"), "2, 1, 4, 3"),
     ),
-    by=cases(),
     uses=["2.0.4"],
 )
 
-outside_of_six = six.ours(
+outside_of_six = six.by_cases.ours(
     "S.7",
     277,
     words="So it is with six wheels and the angles -a and pi - a.",
     states=(_are(_six_axes("-a"), "-4, -5, -6, -1, -2, -3"), _are(_six_axes(r"\pi - a"), "4, 5, 6, 1, 2, 3")),
-    by=cases(),
     uses=["3.0.4"],
 )
 
@@ -122,7 +117,7 @@ def _far(face: tuple[str, str, str], square: str, below: str) -> str:
     return rf"({normal}, {middle})^2 ({below}) = {square} ({normal}, {normal})"
 
 
-distances_of_four = four.ours(
+distances_of_four = four.by_cases.ours(
     "S.8",
     177,
     words="The distances of section 2.1 for all angles, squared: where the sines or cosines are negative what is printed is the distance "
@@ -135,7 +130,6 @@ distances_of_four = four.ours(
         _far(("1", "4", r"\mathbf{F}_2"), r"(2 \sin 2a \cos b)^2", r"1 - \sin^2 a \sin^2 b"),
         _far(("2", "4", r"\mathbf{F}_3"), r"(2 \sin a \sin 2b)^2", "1"),
     ),
-    by=cases(),
     uses=["2.1.28", "2.1.29", "2.1.30", "T3.1"],
 )
 
@@ -150,6 +144,5 @@ distances_of_six = six.ours(
         _far(("1", "5", r"\mathbf{F}_7"), r"16 \sin^2 2a", r"1 + 3 \cos^2 a"),
         _far(("1", "4", r"\mathbf{F}_{13}"), r"12 \sin^2 a", "1"),
     ),
-    by=identity,
     uses=["3.1.28", "3.1.29", "T8.1", "T8.2", "T8.3"],
 )

@@ -177,13 +177,12 @@ class Wheels(Scope):
         self, number: str, line: int, words: str, given: Sequence[Hypothesis], uses: Sequence[str]
     ) -> Ours:
         triples = combinations(self.numbers, 3)
-        return self.ours(
+        return self.by_cases.ours(
             number,
             line,
             words=f"No three axes lie in one plane{words}",
             states=[rf"(\mathbf{{e}}_{i}, \mathbf{{e}}_{j} \times \mathbf{{e}}_{k}) \ne 0" for i, j, k in triples],
             given=given,
-            by=cases(),
             uses=uses,
         )
 
@@ -228,7 +227,7 @@ class Wheels(Scope):
     def counted(self, number: str, line: int, words: str, count: str, *uses: str) -> Claim:
         """A number of vertices, edges or faces, from the triple products."""
         states = f"{self.triple_products}{AND}{count}"
-        return self.claim(number, line, words=words, states=states, given=self.array.given, by=cases(), uses=uses)
+        return self.by_cases.claim(number, line, words=words, states=states, given=self.array.given, uses=uses)
 
     def number_of_vertices(self, number: str, line: int, words: str, *uses: str) -> Claim:
         every, found = 2**self.wheels, len(self.array.envelope.combinatorics.vertices)
@@ -254,7 +253,7 @@ class Wheels(Scope):
         """The same where the paper says something else."""
         words, count = self._edges
         states = f"{self.triple_products}{AND}{count}"
-        return self.ours(number, line, words=words, states=states, given=self.array.given, by=cases(), uses=uses)
+        return self.by_cases.ours(number, line, words=words, states=states, given=self.array.given, uses=uses)
 
     def number_of_faces(self, number: str, line: int, words: str, *uses: str) -> Claim:
         n = self.wheels
@@ -285,13 +284,12 @@ class Wheels(Scope):
 
     def faces_are_rhombi(self, number: str, line: int, given: Sequence[Hypothesis], edges: str) -> Claim:
         whole = "So all faces are rhombi: parallelograms with sides of one length along two axes that are not parallel."
-        return self.claim(
+        return self.by_cases.claim(
             number,
             line,
             words=whole if self.region == "P" else f"So all faces of {self.region} are rhombi.",
             states=rhombi(tuple(combinations(self.numbers, 2))),
             given=given,
-            by=cases(),
             uses=[edges],
         )
 
@@ -304,12 +302,11 @@ class Wheels(Scope):
             r"\operatorname{diag}(-1, 1, -1)",
             r"\operatorname{diag}(-1, -1, 1)",
         )
-        return self.claim(
+        return self.by_cases.claim(
             number,
             line,
             words="P goes over into itself when turned about OX, OY or OZ by any multiple of pi.",
             states=[self.turned(turn, to) for turn, to in zip(turns, images, strict=True)],
-            by=cases(),
             uses=[axes],
             damage=lost_pi(r"n\pi"),
         )
@@ -317,12 +314,11 @@ class Wheels(Scope):
     def planes_of_symmetry(self, number: str, line: int, axes: str, *images: str) -> Claim:
         """The images of the axes in the planes across OX, across OY and across OZ."""
         planes = (r"\operatorname{diag}(-1, 1, 1)", r"\operatorname{diag}(1, -1, 1)", r"\operatorname{diag}(1, 1, -1)")
-        return self.claim(
+        return self.by_cases.claim(
             number,
             line,
             words="The coordinate planes are planes of symmetry of P.",
             states=[self.turned(plane, to) for plane, to in zip(planes, images, strict=True)],
-            by=cases(),
             uses=[axes],
         )
 
@@ -373,7 +369,6 @@ def moments_of_inertia(craft: Scope, number: str, line: int, words: str) -> Prem
 four = Wheels(
     notation=four_wheels,
     where=partial(derivation.momentum_of_wheels, 4),
-    by=identity,
     wheels=4,
     array=lists.four,
     unit=("", r"\sin^2 a \cos a \sin b \cos b"),
@@ -390,7 +385,6 @@ three = replace(
 six = Wheels(
     notation=six_wheels,
     where=partial(derivation.momentum_of_six, 6),
-    by=identity,
     wheels=6,
     array=lists.six,
     unit=(r"\frac{\sqrt{3}}{4}", r"\sin^2 a \cos a"),

@@ -1,7 +1,7 @@
 """Beyond Mirer 2009: the optimality the paper supposes, and the family of equal-moment axes it leaves out."""
 
 from symcheck.core.claims import Hypothesis
-from symcheck.papers.declare import ours
+from symcheck.papers.declare import by_cases, ours
 from symcheck.papers.mirer2009 import derivation
 from symcheck.papers.mirer2009.hypotheses import (
     first_axis,
@@ -12,8 +12,8 @@ from symcheck.papers.mirer2009.hypotheses import (
     symmetric_damping,
 )
 from symcheck.papers.mirer2009.notation import family_letters, optimum_letters
-from symcheck.papers.mirer2009.sec1 import free_moments
-from symcheck.proof import cases, identity, nonnegative
+from symcheck.papers.mirer2009.scopes import equal_moments, in_moments, second_axis
+from symcheck.proof import cases, nonnegative
 
 roots_are_real = ours(
     "B.1",
@@ -23,7 +23,6 @@ roots_are_real = ours(
     given=[symmetric_damping],
     where=derivation.eigenvector_residual,
     keeping=("m",),
-    by=identity,
     notation=optimum_letters,
 )
 
@@ -38,7 +37,7 @@ imaginary_part_vanishes = ours(
     notation=optimum_letters,
 )
 
-harmonic_mean_of_rates = ours(
+harmonic_mean_of_rates = in_moments.by_cases.ours(
     "B.3",
     125,
     words="The harmonic mean of the three damping rates lambda_i (roots -lambda_i of (1.5)) is k, whatever the axes.",
@@ -54,8 +53,6 @@ harmonic_mean_of_rates = ours(
         positive_ratio,
         positive_moments,
     ],
-    keeping=free_moments,
-    by=cases(),
     uses=["1.5"],
     notation=optimum_letters,
 )
@@ -94,7 +91,7 @@ first_axis_on_the_cone = Hypothesis("first moment is the mean", "the first axis 
 
 unit_axes = Hypothesis("unit axes", "e_1, e_2, e_3 are unit vectors", r"(\mathbf{e}_i, \mathbf{e}_i) = 1")
 
-squares_of_equal_moment_axes = ours(
+squares_of_equal_moment_axes = by_cases.ours(
     "B.5",
     225,
     words="About each axis of an equal-moment triple a_ij^2 - 1/3 is proportional to (I_2 - I_3, I_3 - I_1, I_1 - I_2).",
@@ -102,65 +99,52 @@ squares_of_equal_moment_axes = ours(
     r"(a_{i2}^2 - 1/3)(I_1 - I_2) = (a_{i3}^2 - 1/3)(I_3 - I_1), "
     r"(a_{i3}^2 - 1/3)(I_2 - I_3) = (a_{i1}^2 - 1/3)(I_1 - I_2)",
     given=[unit_axes, Hypothesis("equal moments", "J_1 = J_2 = J_3 = c", EQUAL_MOMENTS)],
-    by=cases(),
     uses=["2.4"],
 )
 
-parameter_of_the_first_axis = ours(
+parameter_of_the_first_axis = by_cases.ours(
     "B.6",
     225,
     words="Conversely an axis with squares 1/3 + t (I_2 - I_3), 1/3 + t (I_3 - I_1), 1/3 + t (I_1 - I_2) is a unit vector and has "
     "the moment c, for every t that makes them non-negative.",
     states=r"(a_{11}^2 = 1/3 + t(I_2 - I_3), a_{12}^2 = 1/3 + t(I_3 - I_1), a_{13}^2 = 1/3 + t(I_1 - I_2)) \Rightarrow "
     r"(a_{11}^2 + a_{12}^2 + a_{13}^2 = 1, J_1 = c)",
-    by=cases(),
     uses=["B.5"],
     notation=family_letters,
 )
 
-plane_across_the_first_axis = ours(
+plane_across_the_first_axis = second_axis.ours(
     "B.7",
     225,
     words="With g_i = d_i a_1i and h = e_1 x g, both across e_1, the second axis is G e_2 = u g + v h.",
     states=r"G a_{2i} = u g_i + v h_i",
     given=[two_axes, first_axis_on_the_cone, deviations],
-    where=derivation.second_axis_components,
-    keeping=("c",),
-    by=identity,
-    notation=family_letters,
 )
 
-second_moment_in_the_plane = ours(
+second_moment_in_the_plane = second_axis.ours(
     "B.8",
     225,
     words="Its moment is G^2 (J_2 - c) = (u^2 - v^2) d_1 d_2 d_3 + 2 u v W.",
     states=rf"G^2 (J_2 - c) = {DISCRIMINANT}",
     given=[two_axes, first_axis_on_the_cone, deviations],
-    where=derivation.second_axis_components,
-    keeping=("c",),
-    by=identity,
     uses=["B.7"],
-    notation=family_letters,
 )
 
 no_moment_is_the_mean = Hypothesis(
     "no moment is the mean", "no principal moment equals the mean c", r"d_1 \neq 0, d_2 \neq 0, d_3 \neq 0"
 )
 
-plane_never_degenerates = ours(
+plane_never_degenerates = second_axis.ours(
     "B.9",
     225,
     words="If no principal moment is the mean, g never vanishes, so that u and v are components along true directions.",
     states=r"G \neq 0",
     given=[orthogonal, no_moment_is_the_mean],
-    where=derivation.second_axis_components,
-    keeping=("c",),
     by=cases(r"d_1^2 a_{11}^2 + d_2^2 a_{12}^2 + d_3^2 a_{13}^2"),
     uses=["B.7"],
-    notation=family_letters,
 )
 
-family_is_complete = ours(
+family_is_complete = by_cases.ours(
     "B.10",
     225,
     words="If no principal moment is the mean, the triples with equal moments are exactly those with e_1 on the cone and "
@@ -173,39 +157,30 @@ family_is_complete = ours(
         Hypothesis("plane", "relation B.9", plane_never_degenerates.statement.states[0]),
     ],
     keeping=("J", "c"),
-    by=cases(),
     uses=["2.1.7", "B.8", "B.9"],
     notation=family_letters,
 )
 
 circle = Hypothesis("circle", "u and v are a cosine and a sine", "u^2 + v^2 = 1")
 
-closed_form_is_orthonormal = ours(
+closed_form_is_orthonormal = equal_moments.by_cases.ours(
     "B.11",
     225,
     words="The closed form: e_1 as in B.6, e_2 = (u g + v h)/r with u^2 + v^2 = 1 and r^2 = G, e_3 = e_1 x e_2, are orthonormal and "
     "right-handed.",
     states=r"\mathbf{A}\mathbf{A}^T = \mathbf{U} \land |\mathbf{A}| = 1",
     given=[first_axis, circle, length],
-    where=derivation.equal_moment_family,
-    keeping=("c",),
-    by=cases(),
     uses=["B.6"],
-    notation=family_letters,
 )
 
-closed_form_of_the_family = ours(
+closed_form_of_the_family = equal_moments.by_cases.ours(
     "B.12",
     225,
     words="Its moments are c, c + F/G and c - F/G with F = (u^2 - v^2) d_1 d_2 d_3 + 2 u v W: all equal exactly when F = 0, that is for "
     "tan 2 theta = -d_1 d_2 d_3 / W.",
     states=rf"J_1 = c \land J_2 = c + \frac{{{DISCRIMINANT}}}{{r^2}} \land J_3 = c - \frac{{{DISCRIMINANT}}}{{r^2}}",
     given=[first_axis, circle, length],
-    where=derivation.equal_moment_family,
-    keeping=("c",),
-    by=cases(),
     uses=["B.10", "B.11"],
-    notation=family_letters,
 )
 
 exceptional_branch = ours(
@@ -216,6 +191,5 @@ exceptional_branch = ours(
     states=r"J_1 = J_2 = J_3",
     given=[circle],
     where=derivation.exceptional_family,
-    by=identity,
     notation=family_letters,
 )

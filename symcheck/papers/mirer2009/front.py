@@ -1,11 +1,12 @@
 """Mirer 2009, title page and abstract."""
 
-from symcheck.papers.declare import claim, exclusion
+from symcheck.papers.declare import exclusion
 from symcheck.papers.mirer2009.forms import ALIGNED, excess_of_product
 from symcheck.papers.mirer2009.hypotheses import non_negative_moments, orthogonal
+from symcheck.papers.mirer2009.scopes import from_lemmas_in_moments
 from symcheck.proof import cases
 
-product_minimal_in_principal_axes = claim(
+product_minimal_in_principal_axes = from_lemmas_in_moments.claim(
     "0.1",
     25,
     words="The product of the moments of inertia about three orthogonal axes is least when these are principal axes.",
@@ -15,7 +16,6 @@ product_minimal_in_principal_axes = claim(
     by=cases(excess_of_product),
     uses=["2.10", "2.17"],
     lemmas=["2.13.4", "2.0.5"],
-    free=("J", "L"),
 )
 
 abstract_in_english = exclusion("0.2", 33, words="The abstract once more, in English.", reason="repeats 0.1")

@@ -4,7 +4,7 @@ from functools import partial
 
 from symcheck.core.claims import Damage, Erratum, Hypothesis
 from symcheck.core.verdicts import Origin
-from symcheck.papers.declare import Scope, body, claim, definition, exclusion, ours, premise
+from symcheck.papers.declare import body, by_cases, claim, definition, exclusion, ours, premise
 from symcheck.papers.mirer2009 import derivation
 from symcheck.papers.mirer2009.forms import ALIGNED, PARALLEL, excess_of_product, excess_of_sum
 from symcheck.papers.mirer2009.hypotheses import (
@@ -17,9 +17,8 @@ from symcheck.papers.mirer2009.hypotheses import (
     symmetric_damping,
 )
 from symcheck.papers.mirer2009.notation import damping_letters, torque_letters
+from symcheck.papers.mirer2009.scopes import free_moments, from_lemmas_in_moments, in_moments, proportional
 from symcheck.proof import cases, identity, nonnegative
-
-proportional = Scope(where=derivation.proportional_gains, by=identity)
 
 angular_momentum_law = premise("1.0.1", 45, r"\frac{d\mathbf{K}}{dt} = \mathbf{M}")
 
@@ -41,7 +40,6 @@ equation_of_motion = claim(
     r"\mathbf{I}\dot{\boldsymbol{\omega}} + \boldsymbol{\omega} \times \mathbf{I}\boldsymbol{\omega} = "
     r"-\sum_{i=1}^3 k_i(\boldsymbol{\omega}, \mathbf{e}_i)\mathbf{e}_i",
     equation=derivation.equations_of_motion,
-    by=identity,
     uses=["1.0.1", "1.0.2", "1.0.4"],
 )
 
@@ -55,7 +53,6 @@ equations_in_principal_axes = claim(
     r"I_3\dot{\omega}_3 + (I_2 - I_1)\omega_1\omega_2 + "
     r"\sum_{i=1}^3 k_i(\boldsymbol{\omega}, \mathbf{e}_i)(\mathbf{e}_i, \mathbf{E}_3) &= 0. \end{aligned}",
     equation=derivation.equations_of_motion,
-    by=identity,
     uses=["1.1"],
 )
 
@@ -78,7 +75,6 @@ torque_by_damping_matrix = claim(
         r"= -\sum_{j=1}^3 k_j \left(\sum_{s=1}^3 \omega_s a_{js} \right) a_{ji} =",
         r"= -\sum_{s=1}^3 \omega_s \sum_{j=1}^3 \omega_s k_j a_{js} a_{ji} = -\sum_{s=1}^3 m_{is} \omega_s,",
     ),
-    by=identity,
     uses=["1.0.2", "1.0.4", "1.2.2", "1.2.4"],
     errata={
         "a": Erratum(
@@ -114,11 +110,11 @@ torque_by_damping_matrix = claim(
 damping_matrix = definition("1.2.4", 73, r"m_{is} = \sum_{j=1}^3 k_j a_{js} a_{ji}.")
 
 torque_is_linear = claim(
-    "1.2.5", 75, r"\mathbf{M} = -\mathbf{m}\boldsymbol{\omega}", by=identity, uses=["1.0.2", "1.0.4", "1.2.3", "1.2.4"]
+    "1.2.5", 75, r"\mathbf{M} = -\mathbf{m}\boldsymbol{\omega}", uses=["1.0.2", "1.0.4", "1.2.3", "1.2.4"]
 )
 
 damping_matrix_is_symmetric = claim(
-    "1.2.6", 75, words="The matrix m is symmetric.", states=r"m_{ij} = m_{ji}", by=identity, uses=["1.2.4"]
+    "1.2.6", 75, words="The matrix m is symmetric.", states=r"m_{ij} = m_{ji}", uses=["1.2.4"]
 )
 
 spectral_theorem = premise(
@@ -145,7 +141,6 @@ orthogonal_devices_suffice = claim(
     "of devices along the rows of S with gains b_11, b_22, b_33.",
     states=r"n_{ij} = b_{11}s_{1j}s_{1i} + b_{22}s_{2j}s_{2i} + b_{33}s_{3j}s_{3i}",
     where=derivation.spectral_damping_entries,
-    by=identity,
     uses=["1.2.4", "1.2.7"],
     notation=damping_letters,
 )
@@ -156,7 +151,6 @@ right_handed_choice = ours(
     words="The orthogonal axes may be taken right-handed: -S gives the same damping matrix as S.",
     states=r"q_{ij} = n_{ij}",
     where=derivation.mirrored_damping_entries,
-    by=identity,
     notation=damping_letters,
 )
 
@@ -167,18 +161,16 @@ damping_matrix_product = claim(
     83,
     r"\mathbf{m} = \mathbf{A}^T \begin{pmatrix} k_1 & 0 & 0 \\ 0 & k_2 & 0 \\ 0 & 0 & k_3 \end{pmatrix} \mathbf{A},",
     where=derivation.damping_entries,
-    by=identity,
     uses=["1.2.4"],
 )
 
-trivial_solution = claim(
+trivial_solution = by_cases.claim(
     "1.2.13",
     89,
     r"\omega_1 = \omega_2 = \omega_3 = 0,",
     words="Rest is a solution of (1.2).",
     states=r"(\omega_1 = \omega_2 = \omega_3 = 0 \land \dot{\omega}_1 = \dot{\omega}_2 = \dot{\omega}_3 = 0) \Rightarrow \rho_i = 0",
     where=derivation.residual,
-    by=cases(),
     uses=["1.2"],
     notation=damping_letters,
 )
@@ -201,7 +193,6 @@ linearised_equations = claim(
     r"I_2 \dot{\omega}_2 + m_{21}\omega_1 + m_{22}\omega_2 + m_{23}\omega_3 &= 0, \\ "
     r"I_3 \dot{\omega}_3 + m_{31}\omega_1 + m_{32}\omega_2 + m_{33}\omega_3 &= 0, \end{aligned}",
     equation=derivation.linearised_equations,
-    by=identity,
     uses=["1.2", "1.2.4"],
 )
 
@@ -214,7 +205,6 @@ characteristic_equation = claim(
     given=[symmetric_damping],
     equation=derivation.characteristic_polynomial_of_damping_matrix,
     keeping=("m",),
-    by=identity,
     uses=["1.2.6", "1.2.16"],
 )
 
@@ -228,7 +218,6 @@ characteristic_equation_in_gains = claim(
     r"\left. + k_3 k_1 (I_1 a_{21}^2 + I_2 a_{22}^2 + I_3 a_{23}^2) \right] p + k_1 k_2 k_3 = 0. \end{aligned}",
     given=[orthogonal, right_handed],
     equation=derivation.characteristic_polynomial,
-    by=identity,
     uses=["1.2.12", "1.2.17"],
 )
 
@@ -240,7 +229,6 @@ moments_and_scaled_gains = definition(
     r"\bar{k}_i &= k_i / J_i. \end{aligned}",
 )
 
-free_moments = ("J", "L")
 
 characteristic_polynomial_by_axes = ours(
     "1.3.2",
@@ -249,18 +237,15 @@ characteristic_polynomial_by_axes = ours(
     states=r"I_1 I_2 I_3 p^3 + (k_1 L_1 + k_2 L_2 + k_3 L_3) p^2 + (k_1 k_2 J_3 + k_2 k_3 J_1 + k_3 k_1 J_2) p + k_1 k_2 k_3 = 0",
     given=[orthogonal],
     equation=derivation.characteristic_polynomial,
-    by=identity,
     uses=["1.3", "1.3.1"],
 )
 
-characteristic_polynomial_by_minors = ours(
+characteristic_polynomial_by_minors = in_moments.ours(
     "1.3.3",
     107,
     words="It is what Cauchy-Binet gives: gains of some axes times minors of I p left to the others.",
     states=characteristic_polynomial_by_axes.statement.states,
     equation=derivation.characteristic_polynomial_by_axes,
-    keeping=free_moments,
-    by=identity,
     uses=["1.3.2"],
 )
 
@@ -273,7 +258,6 @@ characteristic_equation_in_scaled_gains = claim(
     where=derivation.scaled_gains,
     keeping=("kbar", *free_moments),
     equation=derivation.characteristic_polynomial_by_axes,
-    by=identity,
     uses=["1.3.2", "1.3.3"],
 )
 
@@ -282,7 +266,6 @@ moment_about_device_axis = claim(
     113,
     words="J_i is the moment of inertia of the body about the axis e_i.",
     states=r"J_i = (\mathbf{e}_i, \mathbf{I}\mathbf{e}_i)",
-    by=identity,
     uses=["1.3.1"],
 )
 
@@ -321,7 +304,6 @@ characteristic_equation_in_common_gain = proportional.claim(
     "1.5",
     121,
     r"I_1 I_2 I_3 p^3 + k(J_1 L_1 + J_2 L_2 + J_3 L_3) p^2 + (3p + k) k^2 J_1 J_2 J_3 = 0.",
-    keeping=free_moments,
     equation=derivation.characteristic_polynomial_by_axes,
     uses=["1.3.3", "1.4", "1.4.4"],
 )
@@ -351,7 +333,6 @@ triple_root_square_coefficient = proportional.claim(
     "1.5.4",
     127,
     r"3\xi I_1 I_2 I_3 = k(J_1 L_1 + J_2 L_2 + J_3 L_3),",
-    keeping=free_moments,
     equation=partial(derivation.triple_root_condition, 2),
     uses=["1.3.3", "1.5"],
 )
@@ -360,7 +341,6 @@ triple_root_linear_coefficient = proportional.claim(
     "1.5.5",
     129,
     r"3\xi^2 I_1 I_2 I_3 = 3k^2 J_1 J_2 J_3,",
-    keeping=free_moments,
     equation=partial(derivation.triple_root_condition, 1),
     uses=["1.3.3", "1.5"],
 )
@@ -369,7 +349,6 @@ triple_root_constant_coefficient = proportional.claim(
     "1.5.6",
     131,
     r"\xi^3 I_1 I_2 I_3 = k^3 J_1 J_2 J_3,",
-    keeping=free_moments,
     equation=partial(derivation.triple_root_condition, 0),
     uses=["1.3.3", "1.5"],
 )
@@ -379,43 +358,35 @@ triple_root = Hypothesis(
     "(1.5) has the triple root p = -xi: relations 1.5.4 to 1.5.6",
     body(triple_root_square_coefficient, triple_root_linear_coefficient, triple_root_constant_coefficient),
 )
-product_at_triple_root = claim(
+product_at_triple_root = in_moments.by_cases.claim(
     "1.6",
     135,
     r"J_1 J_2 J_3 = I_1 I_2 I_3,",
     given=[triple_root, positive_ratio, positive_moments, positive_axial_moments],
-    keeping=free_moments,
-    by=cases(),
     uses=["1.5.4", "1.5.5", "1.5.6"],
 )
 
-sum_at_triple_root = claim(
+sum_at_triple_root = in_moments.by_cases.claim(
     "1.7",
     137,
     r"J_1 L_1 + J_2 L_2 + J_3 L_3 = 3I_1 I_2 I_3,",
     given=[triple_root, positive_ratio, positive_moments, positive_axial_moments],
-    keeping=free_moments,
-    by=cases(),
     uses=["1.5.4", "1.5.5", "1.5.6"],
 )
 
-gain_at_triple_root = claim(
+gain_at_triple_root = in_moments.by_cases.claim(
     "1.8",
     139,
     r"k = \xi.",
     given=[triple_root, positive_ratio, positive_moments, positive_axial_moments],
-    keeping=free_moments,
-    by=cases(),
     uses=["1.5.4", "1.5.5", "1.5.6"],
 )
 
-triple_root_conditions_are_equivalent = ours(
+triple_root_conditions_are_equivalent = in_moments.by_cases.ours(
     "1.8.1",
     139,
     words="Conversely, (1.6) to (1.8) make p = -k a triple root of (1.5).",
     states=rf"{body(product_at_triple_root, sum_at_triple_root, gain_at_triple_root)} \Rightarrow ({triple_root.states})",
-    keeping=free_moments,
-    by=cases(),
     uses=["1.6", "1.7", "1.8"],
 )
 
@@ -426,7 +397,7 @@ gain_as_large_as_possible = exclusion(
     reason="design advice; what it rests on is (1.8): the stability degree is k",
 )
 
-equalities_only_for_parallel_axes = claim(
+equalities_only_for_parallel_axes = from_lemmas_in_moments.claim(
     "1.8.3",
     141,
     words="(1.6) and (1.7) hold only if the damping axes are parallel to the principal axes.",
@@ -447,10 +418,9 @@ equalities_only_for_parallel_axes = claim(
         )
     },
     lemmas=["2.19.4"],
-    free=("J", "L"),
 )
 
-order_of_axes_does_not_matter = claim(
+order_of_axes_does_not_matter = from_lemmas_in_moments.claim(
     "1.8.4",
     141,
     words="Which damping axis is parallel to which principal axis does not matter: (1.6), (1.7) hold for each order.",
@@ -459,5 +429,4 @@ order_of_axes_does_not_matter = claim(
     by=cases(excess_of_product, excess_of_sum),
     uses=["1.6", "1.7"],
     lemmas=["2.13.4", "2.19.4"],
-    free=("J", "L"),
 )

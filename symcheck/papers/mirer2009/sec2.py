@@ -2,7 +2,7 @@
 
 from symcheck.core.claims import Erratum, Hypothesis
 from symcheck.core.verdicts import Origin
-from symcheck.papers.declare import Scope, body, claim, definition, exclusion, ours, premise
+from symcheck.papers.declare import Scope, body, by_cases, claim, definition, exclusion, ours, premise
 from symcheck.papers.mirer2009 import derivation
 from symcheck.papers.mirer2009.forms import ALIGNED, PARALLEL, deficit_of_product, excess_of_product, excess_of_sum
 from symcheck.papers.mirer2009.hypotheses import (
@@ -16,11 +16,12 @@ from symcheck.papers.mirer2009.hypotheses import (
     positive_moments,
     semi_axes,
 )
-from symcheck.papers.mirer2009.notation import ellipsoid_letters, family_letters, turned_letters
+from symcheck.papers.mirer2009.notation import ellipsoid_letters, turned_letters
+from symcheck.papers.mirer2009.scopes import equal_moments, from_lemmas_in_moments
 from symcheck.proof import cases, existence, identity, nonnegative
 
-cosines = Scope(where=derivation.direction_cosines, by=identity)
-axial = Scope(where=derivation.axial_moments, by=identity)
+cosines = Scope(where=derivation.direction_cosines)
+axial = Scope(where=derivation.axial_moments)
 of_mass = Scope(where=derivation.moments_of_a_mass_distribution)
 
 EQUAL_MOMENTS = r"(J_1 = J_2 = J_3)"
@@ -53,19 +54,14 @@ matrix_of_direction_cosines = definition("2.0.2", 153, r"\mathbf{A} = \|a_{ij}\|
 
 direction_cosine = definition("2.0.3", 155, r"a_{ij} = \cos(Oy_i, Ox_j).", opaque=True)
 
-axial_moment = axial.claim(
-    "2.0.4",
-    159,
-    r"J_i = \sum_{k=1}^3 I_k a_{ik}^2.",
-)
+axial_moment = axial.claim("2.0.4", 159, r"J_i = \sum_{k=1}^3 I_k a_{ik}^2.")
 
-moments_are_not_negative = ours(
+moments_are_not_negative = by_cases.ours(
     "2.0.5",
     159,
     words="No J_i is negative.",
     states=r"(J_1 \geq 0) \land (J_2 \geq 0) \land (J_3 \geq 0)",
     given=[non_negative_moments],
-    by=cases(),
     uses=["2.0.4"],
 )
 
@@ -83,7 +79,7 @@ moments_are_positive = ours(
     uses=["2.0.4"],
 )
 
-bounds_of_product = claim(
+bounds_of_product = from_lemmas_in_moments.claim(
     "2.1",
     165,
     r"I_1 I_2 I_3 \leq J_1 J_2 J_3 \leq \left(\frac{I_1 + I_2 + I_3}{3} \right)^3,",
@@ -93,10 +89,9 @@ bounds_of_product = claim(
     equality_given=[positive_moments, distinct_moments],
     uses=["1.3.1"],
     lemmas=["2.1.7a", "2.13.4", "2.0.5", "2.0.6"],
-    free=("J", "L"),
 )
 
-equality_on_the_right = claim(
+equality_on_the_right = from_lemmas_in_moments.claim(
     "2.1.1",
     167,
     words="The right equality of (2.1) is attained only if each axis x_i is collinear with an axis y_j.",
@@ -119,10 +114,9 @@ equality_on_the_right = claim(
         )
     },
     lemmas=["2.13.4", "2.0.5", "2.0.6"],
-    free=("J", "L"),
 )
 
-equality_on_the_left = claim(
+equality_on_the_left = from_lemmas_in_moments.claim(
     "2.1.2",
     167,
     "J_1 = J_2 = J_3",
@@ -143,10 +137,9 @@ equality_on_the_left = claim(
         )
     },
     lemmas=["2.1.7a"],
-    free=("J", "L"),
 )
 
-order_of_axes_is_irrelevant = claim(
+order_of_axes_is_irrelevant = from_lemmas_in_moments.claim(
     "2.1.3",
     167,
     words="For collinear axes the order in which axes y_j fall on axes x_i does not matter: the product is I_1 I_2 I_3.",
@@ -155,10 +148,9 @@ order_of_axes_is_irrelevant = claim(
     by=cases(excess_of_product),
     uses=["2.1"],
     lemmas=["2.13.4"],
-    free=("J", "L"),
 )
 
-upper_bound = claim(
+upper_bound = from_lemmas_in_moments.claim(
     "2.1.4",
     173,
     r"J_1 J_2 J_3 \leq \left(\frac{I_1 + I_2 + I_3}{3} \right)^3.",
@@ -168,7 +160,6 @@ upper_bound = claim(
     equality_given=[positive_moments],
     uses=["2.2", "2.3.5"],
     lemmas=["2.1.7a", "2.0.5", "2.0.6"],
-    free=("J", "L"),
 )
 
 product_of_moments = definition("2.1.5", 175, "f = J_1 J_2 J_3")
@@ -180,11 +171,10 @@ trace_is_invariant = claim(
     177,
     r"J_1 + J_2 + J_3 = I_1 + I_2 + I_3 = 3c",
     given=[orthogonal],
-    by=identity,
     uses=["2.1.6"],
 )
 
-product_at_given_moment = claim(
+product_at_given_moment = from_lemmas_in_moments.claim(
     "2.2",
     181,
     r"f = J_2 \cdot \frac{1}{4} \left[(J_1 + J_3)^2 - (J_1 - J_3)^2 \right] \leq \frac{1}{4} J_2 (3c - J_2)^2,",
@@ -194,20 +184,17 @@ product_at_given_moment = claim(
     equality_given=[positive_moments],
     uses=["2.1.5", "2.1.7"],
     lemmas=["2.1.7a", "2.0.5", "2.0.6"],
-    free=("J", "L"),
 )
 
-equality_at_given_moment = claim(
+equality_at_given_moment = from_lemmas_in_moments.by_cases.claim(
     "2.2.1",
     183,
     "J_1 = J_3",
     words="(2.2) is an equality at J_1 = J_3.",
     states=r"J_1 = J_3 \Rightarrow f = \frac{1}{4} J_2 (3c - J_2)^2",
     given=[orthogonal],
-    by=cases(),
     uses=["2.2"],
     lemmas=["2.1.7a"],
-    free=("J", "L"),
 )
 
 bound_at_given_moment = definition("2.2.2", 187, r"f_1(J_2) = \frac{1}{4} J_2 (3c - J_2)^2.")
@@ -242,13 +229,12 @@ triangle_inequalities_by_trace = of_mass.claim(
     uses=["2.2.4"],
 )
 
-triangle_forms_are_equivalent = claim(
+triangle_forms_are_equivalent = by_cases.claim(
     "2.3.1",
     193,
     words="The inequalities (2.3) are equivalent to the triangle inequalities 2.2.4.",
     states=r"I_1 + I_2 + I_3 - 2 I_1 = I_2 + I_3 - I_1, I_1 + I_2 + I_3 - 2 I_2 = I_3 + I_1 - I_2, "
     r"I_1 + I_2 + I_3 - 2 I_3 = I_1 + I_2 - I_3",
-    by=cases(),
     uses=["2.2.4", "2.3"],
 )
 
@@ -262,9 +248,7 @@ weighted_triangle_inequality = of_mass.claim(
     uses=["2.3", "2.1.6"],
 )
 
-second_row_is_a_unit_vector = claim(
-    "2.3.3", 201, r"a_{21}^2 + a_{22}^2 + a_{23}^2 = 1", given=[orthogonal], by=identity
-)
+second_row_is_a_unit_vector = claim("2.3.3", 201, r"a_{21}^2 + a_{22}^2 + a_{23}^2 = 1", given=[orthogonal])
 
 moment_at_most_three_halves_mean = of_mass.claim(
     "2.3.4",
@@ -281,7 +265,6 @@ derivatives_of_bound = claim(
     207,
     r"\frac{df_1}{dJ_2} = \frac{3}{4}(3c - J_2)(c - J_2), \quad \frac{d^2 f_1}{dJ_2^2} = \frac{3}{2}(J_2 - 2c),",
     keeping=("J", "c"),
-    by=identity,
     uses=["2.2.2"],
 )
 
@@ -299,7 +282,7 @@ maximum_of_bound = claim(
     uses=["2.2.2", "2.3.5"],
 )
 
-maximum_of_product = claim(
+maximum_of_product = from_lemmas_in_moments.claim(
     "2.3.7",
     209,
     r"\max f = c^3",
@@ -311,16 +294,14 @@ maximum_of_product = claim(
     equality_given=[positive_moments],
     uses=["2.2", "2.3.6", "2.9.4"],
     lemmas=["2.1.7a", "2.0.5", "2.0.6"],
-    free=("J", "L"),
 )
 
-maximum_at_equal_moments = claim(
+maximum_at_equal_moments = by_cases.claim(
     "2.3.8",
     209,
     "J_1 = J_2 = J_3 = c",
     words="The value c^3 is reached when all three moments are c.",
     states=r"J_1 = J_2 = J_3 = c \Rightarrow f = c^3",
-    by=cases(),
     keeping=("J", "c"),
     uses=["2.3.7"],
 )
@@ -333,17 +314,15 @@ equal_moment_conditions = axial.claim(
     uses=["2.0.4"],
 )
 
-two_conditions_suffice = claim(
+two_conditions_suffice = from_lemmas_in_moments.by_cases.claim(
     "2.4.1",
     215,
     words="Of the three conditions (2.4) any two imply the third.",
     states=r"(J_1 = c \land J_2 = c \Rightarrow J_3 = c) \land (J_2 = c \land J_3 = c \Rightarrow J_1 = c) \land "
     r"(J_3 = c \land J_1 = c \Rightarrow J_2 = c)",
     given=[orthogonal],
-    by=cases(),
     uses=["2.4", "2.1.7"],
     lemmas=["2.1.7a"],
-    free=("J", "L"),
 )
 
 first_condition = axial.claim(
@@ -368,10 +347,9 @@ orthonormal_rows = claim(
     r"\begin{aligned} a_{11}^2 + a_{12}^2 + a_{13}^2 &= 1, \\ a_{21}^2 + a_{22}^2 + a_{23}^2 &= 1, \\ "
     r"a_{11}a_{21} + a_{12}a_{22} + a_{13}a_{23} &= 0. \end{aligned}",
     given=[orthogonal],
-    by=identity,
 )
 
-one_parameter_family = claim(
+one_parameter_family = equal_moments.claim(
     "2.7.1",
     225,
     words="In general (2.5) to (2.7) have a one-parameter family of solutions: for every first axis with J_1 = c (its squares depend "
@@ -379,11 +357,8 @@ one_parameter_family = claim(
     "(B.10), and no further ones unless a principal moment is the mean (B.13).",
     states=r"\exists u, v: (u^2 + v^2 = 1 \land J_1 = c \land J_2 = c \land J_3 = c)",
     given=[first_axis, length],
-    where=derivation.equal_moment_family,
-    keeping=("c",),
     by=existence(),
     uses=["2.5", "2.6", "2.7", "B.6", "B.10", "B.11", "B.12"],
-    notation=family_letters,
 )
 
 aircraft_angles = definition(
@@ -398,86 +373,47 @@ figure_of_the_angles = exclusion(
     "are derived from",
 )
 
-angles_make_rows_orthonormal = cosines.claim(
+angles_make_rows_orthonormal = cosines.by_cases.claim(
     "2.7.3",
     232,
     words="With the three angles the conditions (2.7) hold of themselves.",
     states=body(orthonormal_rows),
-    by=cases(),
     uses=["2.7", "2.7.2"],
 )
 
-second_row_along_a_diagonal = claim(
+second_row_along_a_diagonal = by_cases.claim(
     "2.7.4",
     234,
     r"a_{21}^2 = a_{22}^2 = a_{23}^2 = 1/3",
     words="(2.6) holds when the squares of the second row are 1/3 each.",
     states=r"a_{21}^2 = a_{22}^2 = a_{23}^2 = 1/3 \Rightarrow J_2 = c",
-    by=cases(),
     uses=["2.6"],
 )
 
-cosine_11 = cosines.claim(
-    "2.7.5",
-    238,
-    r"a_{11} = \cos \alpha \cos \beta,",
-)
+cosine_11 = cosines.claim("2.7.5", 238, r"a_{11} = \cos \alpha \cos \beta,")
 
-cosine_12 = cosines.claim(
-    "2.7.6",
-    240,
-    r"a_{12} = \sin \alpha \sin \gamma - \cos \alpha \sin \beta \cos \gamma,",
-)
+cosine_12 = cosines.claim("2.7.6", 240, r"a_{12} = \sin \alpha \sin \gamma - \cos \alpha \sin \beta \cos \gamma,")
 
-cosine_13 = cosines.claim(
-    "2.7.7",
-    242,
-    r"a_{13} = \sin \alpha \cos \gamma + \cos \alpha \sin \beta \sin \gamma,",
-)
+cosine_13 = cosines.claim("2.7.7", 242, r"a_{13} = \sin \alpha \cos \gamma + \cos \alpha \sin \beta \sin \gamma,")
 
-cosine_21 = cosines.claim(
-    "2.7.8",
-    244,
-    r"a_{21} = \sin \beta,",
-)
+cosine_21 = cosines.claim("2.7.8", 244, r"a_{21} = \sin \beta,")
 
-cosine_22 = cosines.claim(
-    "2.7.9",
-    246,
-    r"a_{22} = \cos \beta \cos \gamma,",
-)
+cosine_22 = cosines.claim("2.7.9", 246, r"a_{22} = \cos \beta \cos \gamma,")
 
-cosine_23 = cosines.claim(
-    "2.7.10",
-    248,
-    r"a_{23} = -\cos \beta \sin \gamma,",
-)
+cosine_23 = cosines.claim("2.7.10", 248, r"a_{23} = -\cos \beta \sin \gamma,")
 
-cosine_31 = cosines.claim(
-    "2.7.11",
-    250,
-    r"a_{31} = -\sin \alpha \cos \beta,",
-)
+cosine_31 = cosines.claim("2.7.11", 250, r"a_{31} = -\sin \alpha \cos \beta,")
 
-cosine_32 = cosines.claim(
-    "2.7.12",
-    252,
-    r"a_{32} = \cos \alpha \sin \gamma + \sin \alpha \sin \beta \cos \gamma,",
-)
+cosine_32 = cosines.claim("2.7.12", 252, r"a_{32} = \cos \alpha \sin \gamma + \sin \alpha \sin \beta \cos \gamma,")
 
-cosine_33 = cosines.claim(
-    "2.7.13",
-    254,
-    r"a_{33} = \cos \alpha \cos \gamma - \sin \alpha \sin \beta \sin \gamma,",
-)
+cosine_33 = cosines.claim("2.7.13", 254, r"a_{33} = \cos \alpha \cos \gamma - \sin \alpha \sin \beta \sin \gamma,")
 
-angles_of_the_diagonal = cosines.claim(
+angles_of_the_diagonal = cosines.by_cases.claim(
     "2.7.14",
     256,
     (r"\sin^2 \beta = 1/3", r"\sin^2 \gamma = 1/2"),
     words="In the angles, the second row has squares 1/3 exactly when sin^2 beta = 1/3 and sin^2 gamma = 1/2.",
     states=r"(\sin^2 \beta = 1/3 \land \sin^2 \gamma = 1/2) \Leftrightarrow (a_{21}^2 = a_{22}^2 = a_{23}^2 = 1/3)",
-    by=cases(),
     uses=["2.7.4", "2.7.8", "2.7.9", "2.7.10"],
 )
 
@@ -517,7 +453,7 @@ first_moment_is_the_mean = Hypothesis(
     "first moment is the mean", "relation 2.8.1: J_1 = c in terms of alpha", body(equal_moment_equation)
 )
 
-pitch_of_equal_moments = claim(
+pitch_of_equal_moments = by_cases.claim(
     "2.9",
     276,
     r"\operatorname{tg} 2\alpha = \sqrt{3} \frac{I_1 - c}{I_2 - I_3}.",
@@ -525,18 +461,16 @@ pitch_of_equal_moments = claim(
         first_moment_is_the_mean,
         Hypothesis("I_2, I_3 distinct", "I_2 and I_3 differ (line 278)", r"I_2 \neq I_3"),
     ],
-    by=cases(),
     uses=["2.8.1"],
 )
 
-two_equal_moments = claim(
+two_equal_moments = by_cases.claim(
     "2.9.1",
     278,
     ("I_2 = I_3", r"\cos 2\alpha = 0"),
     words="When I_2 = I_3, relation 2.8.1 says cos 2 alpha = 0.",
     states=r"I_2 = I_3 \Rightarrow \cos 2\alpha = 0",
     given=[first_moment_is_the_mean, positive_moments],
-    by=cases(),
     uses=["2.8.1", "2.9"],
     errata={
         "": Erratum(
@@ -553,13 +487,12 @@ two_equal_moments = claim(
     },
 )
 
-pitch_of_two_equal_moments = claim(
+pitch_of_two_equal_moments = by_cases.claim(
     "2.9.2",
     278,
     r"\alpha = \pi/4",
     words="When I_2 = I_3, alpha = pi/4 (sin alpha = cos alpha) satisfies 2.8.1.",
     states=rf"(I_2 = I_3 \land \sin \alpha = \cos \alpha) \Rightarrow {body(equal_moment_equation)}",
-    by=cases(),
     uses=["2.8.1"],
 )
 
@@ -580,14 +513,13 @@ equal_moments_are_possible = claim(
     notation=turned_letters,
 )
 
-turned_axes_are_orthonormal = ours(
+turned_axes_are_orthonormal = by_cases.ours(
     "2.9.5",
     282,
     words="The axes of 2.9.4 are orthonormal and right-handed.",
     states=r"\mathbf{A}\mathbf{A}^T = \mathbf{U} \land |\mathbf{A}| = 1",
     given=[Hypothesis("circle", "u and v are a cosine and a sine", "u^2 + v^2 = 1")],
     where=derivation.turned_about_the_diagonal,
-    by=cases(),
     notation=turned_letters,
 )
 
@@ -607,12 +539,11 @@ form_of_the_ellipsoid = ours(
     states=r"\left(\frac{a_{i1} d}{a}\right)^2 + \left(\frac{a_{i2} d}{b}\right)^2 + \left(\frac{a_{i3} d}{c}\right)^2 = J_i d^2",
     given=[semi_axes],
     where=derivation.reciprocal_squares,
-    by=identity,
     uses=["1.3.1"],
     notation=ellipsoid_letters,
 )
 
-ellipsoid_interpretation = claim(
+ellipsoid_interpretation = from_lemmas_in_moments.by_cases.claim(
     "2.9.7",
     286,
     r"\frac{1}{d^2} = \frac{1}{3} \left(\frac{1}{a^2} + \frac{1}{b^2} + \frac{1}{c^2} \right).",
@@ -625,11 +556,9 @@ ellipsoid_interpretation = claim(
         Hypothesis("distance", "the distance is positive", "d > 0", printed=False),
     ],
     where=derivation.reciprocal_squares,
-    by=cases(),
     uses=["2.9.4", "2.9.6"],
     notation=ellipsoid_letters,
     lemmas=["2.1.7a"],
-    free=("J", "L"),
 )
 
 ellipsoid_axes_exist = claim(
@@ -645,7 +574,7 @@ ellipsoid_axes_exist = claim(
     notation=ellipsoid_letters,
 )
 
-lower_bound = claim(
+lower_bound = from_lemmas_in_moments.claim(
     "2.10",
     290,
     r"I_1 I_2 I_3 \leq J_1 J_2 J_3 = f.",
@@ -655,7 +584,6 @@ lower_bound = claim(
     equality_given=[positive_moments, distinct_moments],
     uses=["2.1.5", "2.13.1"],
     lemmas=["2.13.4", "2.0.5", "2.0.6"],
-    free=("J", "L"),
 )
 
 squares_are_squared_cofactors = claim(
@@ -664,7 +592,6 @@ squares_are_squared_cofactors = claim(
     r"\begin{aligned} a_{21}^2 &= (a_{12}a_{33} - a_{13}a_{32})^2, \\ a_{22}^2 &= (a_{13}a_{31} - a_{11}a_{33})^2, \\ "
     r"a_{23}^2 &= (a_{11}a_{32} - a_{12}a_{31})^2. \end{aligned}",
     given=[orthogonal],
-    by=identity,
 )
 
 square_of_cofactor_step_by_step = claim(
@@ -674,7 +601,6 @@ square_of_cofactor_step_by_step = claim(
     r"&= (a_{12}^2 + a_{13}^2)(a_{32}^2 + a_{33}^2) - (a_{12}a_{32} + a_{13}a_{33})^2 = \\ "
     r"&= a_{12}^2 a_{33}^2 + a_{13}^2 a_{32}^2 - 2a_{12}a_{33}a_{13}a_{32} = (a_{12}a_{33} - a_{13}a_{32})^2. \end{aligned}",
     given=[orthogonal],
-    by=identity,
     uses=["2.7"],
 )
 
@@ -695,7 +621,6 @@ product_of_two_moments_step_by_step = claim(
  &= (I_1 a_{11} a_{31} + I_2 a_{12} a_{32} + I_3 a_{13} a_{33})^2 + I_1 I_2 (a_{11} a_{32} - a_{12} a_{31})^2 + \\
  &+ I_2 I_3 (a_{12} a_{33} - a_{13} a_{32})^2 + I_3 I_1 (a_{13} a_{31} - a_{11} a_{33})^2,
  \end{aligned}""",
-    by=identity,
     uses=["1.3.1"],
 )
 
@@ -705,7 +630,6 @@ product_of_axial_moments = claim(
     r"J_1 J_3 = (I_1 a_{11} a_{31} + I_2 a_{12} a_{32} + I_3 a_{13} a_{33})^2 "
     r"+ I_1 I_2 a_{23}^2 + I_2 I_3 a_{21}^2 + I_3 I_1 a_{22}^2.",
     given=[orthogonal],
-    by=identity,
     uses=["2.11", "2.11.3"],
 )
 
@@ -718,7 +642,6 @@ product_with_second_moment_step_by_step = claim(
  &= I_1 I_2 I_3 (a_{21}^4 + a_{22}^4 + a_{23}^4) + \\
  &+ I_1 (I_2^2 + I_3^2) a_{22}^2 a_{23}^2 + I_2 (I_3^2 + I_1^2) a_{23}^2 a_{21}^2 + I_3 (I_1^2 + I_2^2) a_{21}^2 a_{22}^2
  \end{aligned}""",
-    by=identity,
     uses=["1.3.1"],
 )
 
@@ -730,7 +653,6 @@ product_with_second_moment = claim(
  &+ I_1 (I_2 - I_3)^2 a_{22}^2 a_{23}^2 + I_2 (I_3 - I_1)^2 a_{23}^2 a_{21}^2 + I_3 (I_1 - I_2)^2 a_{21}^2 a_{22}^2.
  \end{aligned}""",
     given=[orthogonal],
-    by=identity,
     uses=["2.12.1"],
 )
 
@@ -768,11 +690,10 @@ product_and_its_excess = ours(
     words="The same expansion with J_2 for the sum it stands for.",
     states=rf"J_1 J_2 J_3 = I_1 I_2 I_3 + {excess_of_product}",
     given=[orthogonal],
-    by=identity,
     uses=["2.13.1"],
 )
 
-equality_conditions_suffice = claim(
+equality_conditions_suffice = from_lemmas_in_moments.claim(
     "2.13.2",
     342,
     words="The inequality f >= I_1 I_2 I_3 is an equality when (2.14) and (2.15) hold together.",
@@ -781,10 +702,9 @@ equality_conditions_suffice = claim(
     by=cases(excess_of_product),
     uses=["2.13.1", "2.14", "2.15"],
     lemmas=["2.13.4"],
-    free=("J", "L"),
 )
 
-equality_conditions_are_necessary = ours(
+equality_conditions_are_necessary = from_lemmas_in_moments.ours(
     "2.13.3",
     342,
     words="For pairwise distinct positive moments it is an equality only then.",
@@ -793,11 +713,10 @@ equality_conditions_are_necessary = ours(
     by=cases(excess_of_product),
     uses=["2.13.1", "2.14", "2.15"],
     lemmas=["2.13.4", "2.0.5", "2.0.6"],
-    free=("J", "L"),
 )
 
 rows_one_and_three_are_orthogonal = claim(
-    "2.16", 350, r"a_{11} a_{31} + a_{12} a_{32} + a_{13} a_{33} = 0.", given=[orthogonal], by=identity
+    "2.16", 350, r"a_{11} a_{31} + a_{12} a_{32} + a_{13} a_{33} = 0.", given=[orthogonal]
 )
 
 chain_of_inequations = premise(
@@ -818,7 +737,7 @@ PRINTED_CASES = r"""\begin{aligned}
  \end{aligned}"""
 SIX_CASES = body(PRINTED_CASES)
 
-six_cases = claim(
+six_cases = from_lemmas_in_moments.claim(
     "2.17",
     354,
     PRINTED_CASES,
@@ -840,20 +759,18 @@ six_cases = claim(
         )
     },
     lemmas=["2.13.4", "2.0.5", "2.0.6"],
-    free=("J", "L"),
 )
 
-six_cases_are_collinear_axes = claim(
+six_cases_are_collinear_axes = by_cases.claim(
     "2.17.1",
     360,
     words="In all cases (2.17) each axis y_i is collinear with an axis x_k.",
     states=rf"({SIX_CASES}) \Rightarrow {PARALLEL}",
     given=[orthogonal],
-    by=cases(),
     uses=["2.17"],
 )
 
-right_handed_cases = claim(
+right_handed_cases = by_cases.claim(
     "2.17.2",
     360,
     r"|\mathbf{A}| = 1",
@@ -862,21 +779,19 @@ right_handed_cases = claim(
     r"(\mathbf{e}_1 = \mathbf{e}_2 \times \mathbf{e}_3 \land \mathbf{e}_2 = \mathbf{e}_3 \times \mathbf{e}_1 \land "
     r"\mathbf{e}_3 = \mathbf{e}_1 \times \mathbf{e}_2)",
     given=[orthogonal],
-    by=cases(),
     uses=["2.17"],
 )
 
-selection_is_needed = ours(
+selection_is_needed = by_cases.ours(
     "2.17.3",
     360,
     words="The selection is needed: in each of the six cases, with the signs of a row changed, |A| changes its sign; so it is 1 or -1.",
     states=rf"({SIX_CASES}) \Rightarrow |\mathbf{{A}}|^2 = 1 \land |\operatorname{{diag}}(-1, 1, 1)\mathbf{{A}}| = -|\mathbf{{A}}|",
     given=[orthogonal],
-    by=cases(),
     uses=["2.17", "2.17.2"],
 )
 
-sum_of_products = claim(
+sum_of_products = from_lemmas_in_moments.claim(
     "2.18",
     364,
     r"J_1L_1 + J_2L_2 + J_3L_3 \geq 3I_1I_2I_3,",
@@ -886,7 +801,6 @@ sum_of_products = claim(
     equality_given=[positive_moments, distinct_moments],
     uses=["2.19", "2.19.1"],
     lemmas=["2.19.4"],
-    free=("J", "L"),
 )
 
 second_order_moments = definition("2.19", 368, r"L_i = I_2I_3a_{i1}^2 + I_3I_1a_{i2}^2 + I_1I_2a_{i3}^2.")
@@ -909,7 +823,6 @@ sum_of_products_step_by_step = claim(
         r"&\quad + I_3(I_1 - I_2)^2 (a_{11}^2 a_{12}^2 + a_{21}^2 a_{22}^2 + a_{31}^2 a_{32}^2), \end{aligned}",
     ),
     given=[orthogonal],
-    by=identity,
     uses=["1.3.1", "2.19"],
     lines={"c": 382},
 )
@@ -920,7 +833,6 @@ sum_and_its_excess = ours(
     words="The same expansion as one sum over the rows.",
     states=rf"J_1 L_1 + J_2 L_2 + J_3 L_3 = 3 I_1 I_2 I_3 + {excess_of_sum}",
     given=[orthogonal],
-    by=identity,
     uses=["2.19.1"],
 )
 
@@ -931,7 +843,7 @@ conditions_on_all_rows = premise(
     words="Conditions of equality in (2.18).",
 )
 
-row_conditions_suffice = claim(
+row_conditions_suffice = from_lemmas_in_moments.claim(
     "2.19.2",
     384,
     words="(2.18) is an equality when all conditions (2.20) hold.",
@@ -940,10 +852,9 @@ row_conditions_suffice = claim(
     by=cases(excess_of_sum),
     uses=["2.18", "2.20"],
     lemmas=["2.19.4"],
-    free=("J", "L"),
 )
 
-row_conditions_are_necessary = ours(
+row_conditions_are_necessary = from_lemmas_in_moments.ours(
     "2.19.3",
     384,
     words="For pairwise distinct positive moments it is an equality only then.",
@@ -952,15 +863,13 @@ row_conditions_are_necessary = ours(
     by=cases(excess_of_sum),
     uses=["2.18", "2.20"],
     lemmas=["2.19.4"],
-    free=("J", "L"),
 )
 
-row_conditions_are_the_six_cases = claim(
+row_conditions_are_the_six_cases = by_cases.claim(
     "2.20.1",
     388,
     words="(2.20) holds only in the cases (2.17).",
     states=rf"{body(conditions_on_all_rows)} \Rightarrow ({SIX_CASES})",
     given=[orthogonal],
-    by=cases(),
     uses=["2.17", "2.20"],
 )

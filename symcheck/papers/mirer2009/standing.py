@@ -18,7 +18,8 @@ from symcheck.papers.mirer2009.hypotheses import (
     semi_axes,
 )
 from symcheck.papers.mirer2009.notation import ellipsoid_letters
-from symcheck.papers.mirer2009.sec1 import free_moments, triple_root
+from symcheck.papers.mirer2009.scopes import in_moments
+from symcheck.papers.mirer2009.sec1 import triple_root
 from symcheck.papers.mirer2009.sec2 import on_the_interval
 from symcheck.proof import cases, nonnegative
 
@@ -108,18 +109,16 @@ mass_on_a_line = ours(
     uses=["2.10", "2.17"],
 )
 
-no_third_root = ours(
+no_third_root = in_moments.by_cases.ours(
     "S.9",
     125,
     words="There (1.5) is of second degree; the relations 1.5.4 to 1.5.6 still give (1.6) and (1.7), all zero, but not (1.8).",
     states=r"I_1 = 0 \Rightarrow (J_1 J_2 J_3 = I_1 I_2 I_3 \land J_1 L_1 + J_2 L_2 + J_3 L_3 = 3I_1 I_2 I_3)",
     given=[triple_root, Hypothesis("gain", "k is not zero", r"k \ne 0")],
-    keeping=free_moments,
-    by=cases(),
     uses=["1.6", "1.7"],
 )
 
-negative_gain = ours(
+negative_gain = in_moments.by_cases.ours(
     "S.10",
     119,
     words="With a negative gain ratio (1.6) to (1.8) hold too, though nothing is damped: the proof needs k != 0 only.",
@@ -130,19 +129,15 @@ negative_gain = ours(
         positive_moments,
         positive_axial_moments,
     ],
-    keeping=free_moments,
-    by=cases(),
     uses=["1.6", "1.7", "1.8"],
 )
 
-no_gain = ours(
+no_gain = in_moments.by_cases.ours(
     "S.11",
     119,
     words="Without gain, k = 0, the three relations say xi = 0, whatever the axes: (1.8) holds, (1.6) and (1.7) need not.",
     states=rf"k = 0 \Rightarrow (\xi = 0 \Leftrightarrow ({triple_root.states}))",
     given=[positive_moments],
-    keeping=free_moments,
-    by=cases(),
     uses=["1.5.4", "1.5.5", "1.5.6"],
 )
 

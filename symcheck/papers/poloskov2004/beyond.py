@@ -2,7 +2,7 @@
 
 from symcheck.core.claims import Hypothesis
 from symcheck.core.problems import Applied
-from symcheck.papers.declare import Scope, ours
+from symcheck.papers.declare import Scope, by_cases, ours
 from symcheck.papers.poloskov2004 import derivation
 from symcheck.papers.poloskov2004.hypotheses import (
     amplitude,
@@ -12,9 +12,9 @@ from symcheck.papers.poloskov2004.hypotheses import (
     positive_k,
 )
 from symcheck.papers.poloskov2004.notation import full_noise, moment_letters
-from symcheck.proof import cases, identity, theorems
+from symcheck.proof import theorems
 
-moments = Scope(moment_letters, derivation.moment_parameters, identity)
+moments = Scope(moment_letters, derivation.moment_parameters)
 
 frequency_density_exists = Hypothesis("density of Omega exists", "the condition of existence", r"d_{33} > 0")
 finite_amplitude = Hypothesis(
@@ -33,13 +33,12 @@ partial_integral_of_amplitude = moments.ours(
     uses=["3.4", "3.5"],
 )
 
-constant_of_amplitude = moments.ours(
+constant_of_amplitude = moments.by_cases.ours(
     "B.2",
     93,
     words="So the constant is elementary for all parameters: C_1 = (4 gamma^2 - alpha^2)/4 (4 beta^2)^nu.",
     states=r"\int_0^\infty p_{s1} \, da = 1 \Leftrightarrow C_1 = \frac{4\gamma^2 - \alpha^2}{4} (4\beta^2)^{\nu}",
     given=[equatorial_noise, amplitude_density_exists],
-    by=cases(),
     uses=["3.5.2", "B.1"],
 )
 
@@ -83,14 +82,13 @@ quantiles_of_amplitude = moments.ours(
     uses=["B.3"],
 )
 
-constant_of_frequency = moments.ours(
+constant_of_frequency = moments.by_cases.ours(
     "B.5",
     93,
     words="The other constant: C_2 = g_13 Gamma(delta + 1/2)/(sqrt(pi) Gamma(delta)) (g_23 k)^(2 delta).",
     states=r"\int_{-\infty}^\infty p_{s3} \, d\Omega = 1 \Leftrightarrow "
     r"C_2 = \frac{g_{13} \Gamma(\delta + 1/2)}{\sqrt{\pi} \Gamma(\delta)} (g_{23} k)^{2\delta}",
     given=[axial_noise, positive_k, frequency_density_exists],
-    by=cases(),
     uses=["3.5.2"],
 )
 
@@ -114,7 +112,7 @@ moments_of_frequency = moments.ours(
     uses=["4.0.11", "B.5"],
 )
 
-balance_of_squares = ours(
+balance_of_squares = by_cases.ours(
     "B.8",
     95,
     words="Without integrals: 2 a Kbar_1 + Kbar_11 = beta^2 - (gamma^2 - alpha^2) a^2 and the like for Omega have the mean 0, so "
@@ -123,11 +121,10 @@ balance_of_squares = ours(
     r"2\Omega\bar{K}_3 + \bar{K}_{33} = g_{23}^2 k^2 - (2d_{33} - 2g_{13}^2) \Omega^2",
     given=[amplitude],
     where=derivation.densities,
-    by=cases(),
     uses=["3.2.4", "3.2.5"],
 )
 
-only_solution_without_flux = ours(
+only_solution_without_flux = by_cases.ours(
     "B.9",
     83,
     words="Without flux a density of a has one logarithmic derivative lambda, so it is (3.4) but for the constant.",
@@ -135,7 +132,6 @@ only_solution_without_flux = ours(
     r"\lambda = \frac{1}{a} + \frac{6 \kappa_1 \alpha^2 a}{\Delta_1}",
     given=[amplitude, equatorial_noise],
     where=derivation.densities,
-    by=cases(),
     uses=["3.4", "3.5"],
     notation=moment_letters,
 )
@@ -148,17 +144,15 @@ additive_noise_only = ours(
     r"\bar{K}_1 a \exp(-\gamma^2 a^2/\beta^2)",
     given=[amplitude, Hypothesis("additive noise", "there is additive noise", r"\beta > 0")],
     where=derivation.additive_noise_only,
-    by=identity,
     uses=["3.2.4", "3.2.5"],
 )
 
-multiplicative_noise_only = ours(
+multiplicative_noise_only = by_cases.ours(
     "B.11",
     95,
     words="Without additive noise (beta = 0) the formula is a power of a, and no power is integrable: no stationary density, "
     "also where the condition 4 gamma^2 > alpha^2 holds.",
     states=r"\int_0^\infty a^n \, da < \infty \Rightarrow 0 = 1",
-    by=cases(),
     uses=["4.0.2"],
     notation=moment_letters,
 )
@@ -171,12 +165,11 @@ mixed_average_of_full_noise = ours(
     states=r"\bar{K}_{12} = \frac{a}{4} (q_{12} q_{22} - q_{11} q_{21})",
     given=[amplitude, positive_k],
     where=derivation.mixed_average_of_full_noise,
-    by=identity,
     uses=["3.2.3"],
     notation=full_noise,
 )
 
-neglected_drift_averages_to_zero = ours(
+neglected_drift_averages_to_zero = by_cases.ours(
     "B.13",
     61,
     words="What averaging neglects in the drift: terms of the order epsilon with mean zero over a turn, which displace a, theta, "
@@ -184,11 +177,10 @@ neglected_drift_averages_to_zero = ours(
     states=r"\langle K_1 \rangle_{\psi} = 0 \land \langle K_2 \rangle_{\psi} = 0 \land \langle K_3 \rangle_{\psi} = 0",
     given=[amplitude, positive_k],
     where=derivation.neglected_terms,
-    by=cases(),
     uses=["3.2.5"],
 )
 
-tail_of_frequency = ours(
+tail_of_frequency = by_cases.ours(
     "B.14",
     95,
     words="Between the two conditions of 4.0.10: 3 d_33 > m g_13^2 without 2 d_33 > m g_13^2 leaves the moment infinite.",
@@ -196,6 +188,5 @@ tail_of_frequency = ours(
     r"\Rightarrow 0 = 1",
     given=[axial_noise, positive_k, Hypothesis("order", "the order of the moment is at least 1", r"m \geq 1")],
     where=derivation.densities,
-    by=cases(),
     uses=["4.0.10", "4.0.11"],
 )

@@ -18,8 +18,8 @@ if TYPE_CHECKING:
 
 sp = lazy("sympy")
 
-AXES = (1, 2, 3)
-NOISES = (1, 2, 3, 4, 5, 6)
+AXES = (1, 2, 3)  # of the body
+NOISES = (1, 2, 3, 4, 5, 6)  # three multiplicative ones, three additive ones
 
 
 def _symbol(name: str) -> Expr:

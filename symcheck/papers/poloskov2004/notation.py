@@ -5,7 +5,7 @@ from dataclasses import replace
 from symcheck.reading import Letter, Notation
 
 RATE = "rad/s"
-SIX = (1, 2, 3, 4, 5, 6)
+SIX = (1, 2, 3, 4, 5, 6)  # the noises, three of either kind
 
 notation = Notation(
     (

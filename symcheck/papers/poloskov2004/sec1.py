@@ -3,7 +3,6 @@
 from symcheck.papers.declare import body, claim, exclusion, ours, premise
 from symcheck.papers.poloskov2004 import derivation
 from symcheck.papers.poloskov2004.hypotheses import body_has_mass
-from symcheck.proof import identity
 
 equations_of_motion = premise(
     "1.0.1",
@@ -20,7 +19,6 @@ derivation_starts_here = ours(
     states=body(equations_of_motion),
     equation=derivation.equations_of_motion,
     where=derivation.free_motion,
-    by=identity,
     uses=["1.0.1", "1.1"],
 )
 
@@ -31,7 +29,6 @@ gyroscopic_terms = claim(
     words="The terms of Euler's equations for A = B that hold no torque.",
     given=[body_has_mass],
     where=derivation.gyroscopic_terms,
-    by=identity,
 )
 
 inertia_ratio = claim(
@@ -40,7 +37,6 @@ inertia_ratio = claim(
     r"k = (A - C)/B > 0",
     given=[body_has_mass],
     where=derivation.gyroscopic_terms,
-    by=identity,
     imposed="b",
     uses=["1.1"],
 )

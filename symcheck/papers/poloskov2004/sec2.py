@@ -2,13 +2,13 @@
 
 from symcheck.core.claims import Damage, Erratum, Hypothesis
 from symcheck.core.verdicts import Origin
-from symcheck.papers.declare import Scope, claim, definition, exclusion, ours, premise
+from symcheck.papers.declare import Scope, by_cases, claim, definition, exclusion, ours, premise
 from symcheck.papers.poloskov2004 import derivation
 from symcheck.papers.poloskov2004.hypotheses import amplitude, positive_k, positive_parameter
 from symcheck.papers.poloskov2004.notation import functions_of_time, initial_letters, six_columns
-from symcheck.proof import cases, existence, identity
+from symcheck.proof import existence
 
-system = Scope(where=derivation.stratonovich_system, by=identity)
+system = Scope(where=derivation.stratonovich_system)
 
 free_motion = exclusion("2.0.1", 27, r"\varepsilon = 0", reason="names the case that (2.1) solves")
 
@@ -18,7 +18,6 @@ generating_solution = claim(
     r"\tilde{x}_1 = a \cos \psi, \quad \tilde{x}_2 = -a \sin \psi, \quad \tilde{x}_3 = \Omega/k",
     given=[positive_k],
     where=derivation.generating_solution,
-    by=identity,
     uses=["1.1"],
 )
 
@@ -28,7 +27,6 @@ phase_of_generating_solution = claim(
     r"\psi = \Omega t + \theta",
     words="The phase that turns at the rate Omega from theta.",
     where=derivation.exact_phase,
-    by=identity,
     uses=["2.1"],
 )
 
@@ -39,7 +37,6 @@ generating_solution_solves = claim(
     states=r"\Omega \frac{\partial \tilde{x}_i}{\partial \psi} + f_i = 0",
     given=[positive_k],
     where=derivation.generating_equations,
-    by=identity,
     uses=["1.1", "2.1", "2.1.1"],
 )
 
@@ -72,28 +69,26 @@ solution_about_the_polar_axis = ours(
     notation=initial_letters,
 )
 
-motions_keep_their_distance = ours(
+motions_keep_their_distance = by_cases.ours(
     "2.1.7",
     31,
     words="For epsilon = 0 x_3 is constant, and two motions with the same x_3 keep their distance; so motions that begin "
     "together stay together.",
     states=r"w = 0 \land r = 0",
     where=derivation.distance_of_free_motions,
-    by=cases(),
     uses=["1.1"],
     notation=initial_letters,
 )
 
 perturbed_motion = exclusion("2.1.4", 31, r"\varepsilon \neq 0", reason="names the case treated from here on")
 
-slow_change = claim(
+slow_change = by_cases.claim(
     "2.1.5",
     31,
     words="a, Omega, theta change slowly: their drift and diffusion vanish with epsilon.",
     states=r"\varepsilon = 0 \Rightarrow (K_i = 0 \land K_{ij} = 0)",
     given=[amplitude, positive_k],
     where=derivation.coefficients,
-    by=cases(),
     uses=["2.4", "3.1.2"],
 )
 
@@ -104,7 +99,6 @@ change_of_variables = claim(
     words="The change of variables that (2.1) suggests.",
     given=[positive_k],
     where=derivation.change_of_variables,
-    by=identity,
     notation=functions_of_time,
 )
 
@@ -114,7 +108,6 @@ inverse_change = claim(
     r"a^2 = x_1^2 + x_2^2, \quad \operatorname{tg}\psi = -x_2/x_1, \quad \Omega = kx_3",
     given=[amplitude, positive_k],
     where=derivation.change_of_variables,
-    by=identity,
     uses=["2.2"],
 )
 
@@ -126,7 +119,6 @@ rates_of_new_variables = claim(
     words="The second relation holds for psi' = Omega + theta' (2.3.2).",
     given=[amplitude, positive_k],
     where=derivation.rates,
-    by=identity,
     uses=["2.2", "2.3.2"],
 )
 
@@ -140,7 +132,6 @@ rate_of_phase = claim(
     r"\psi = \Omega + \theta",
     given=[frequency_hardly_changes],
     where=derivation.exact_phase,
-    by=identity,
     uses=["2.1"],
     errata={
         "": Erratum(
@@ -165,7 +156,6 @@ stratonovich_system = claim(
     words="Inserting (1.1) gives equations of this form, with v and h of 2.4.2 to 2.4.5.",
     given=[amplitude, positive_k, positive_parameter],
     where=derivation.slow_rates,
-    by=identity,
     uses=["1.0.1", "2.3.1"],
 )
 
@@ -260,19 +250,17 @@ noise_intensities = claim(
     ),
     given=[amplitude, positive_k, positive_parameter],
     where=derivation.stratonovich_system,
-    by=identity,
     imposed="a",
     uses=["1.0.1", "2.3.1"],
     notation=six_columns,
 )
 
-phase_columns_leave_frequency_alone = system.ours(
+phase_columns_leave_frequency_alone = system.by_cases.ours(
     "2.4.6",
     45,
     words="The noises of Omega are not those of a and theta: the derivative by Omega through psi = Omega t + theta adds nothing "
     "to the Stratonovich correction.",
     states=r"h_{13} = 0, h_{16} = 0, h_{23} = 0, h_{26} = 0, h_{31} = 0, h_{32} = 0, h_{34} = 0, h_{35} = 0",
-    by=cases(),
     uses=["2.4.5"],
 )
 

@@ -2,7 +2,7 @@
 
 from symcheck.core.claims import Damage, Erratum, Hypothesis
 from symcheck.core.verdicts import Origin
-from symcheck.papers.declare import Scope, claim, definition, exclusion, ours, premise
+from symcheck.papers.declare import Scope, by_cases, claim, definition, exclusion, ours, premise
 from symcheck.papers.poloskov2004 import derivation
 from symcheck.papers.poloskov2004.hypotheses import (
     abbreviations,
@@ -16,7 +16,7 @@ from symcheck.papers.poloskov2004.notation import density_by_y, primitive_letter
 from symcheck.proof import cases, identity
 
 averaged = Scope(where=derivation.averaged_coefficients, by=cases())
-density = Scope(where=derivation.densities, by=identity)
+density = Scope(where=derivation.densities)
 
 markov_process = premise(
     "3.0.1", 49, words="(a, theta, Omega) is a Markov process with the density p(a, theta, Omega, t)."
@@ -49,7 +49,6 @@ fpk_coefficients = claim(
         positive_parameter,
     ],
     where=derivation.coefficients_by_y,
-    by=identity,
     uses=["1.1.10", "2.4", "2.4.6", "3.1.1"],
 )
 
@@ -64,7 +63,7 @@ form_with_epsilon = premise(
     words="(3.1) once more, with L = (FPK operator)/epsilon.",
 )
 
-every_coefficient_has_epsilon = claim(
+every_coefficient_has_epsilon = by_cases.claim(
     "3.2.1",
     57,
     words="(3.1) has that form: all its coefficients are epsilon times something without epsilon.",
@@ -72,17 +71,15 @@ every_coefficient_has_epsilon = claim(
     r"\frac{\partial}{\partial \varepsilon} \left(\frac{K_{ij}}{\varepsilon}\right) = 0",
     given=[positive_parameter, amplitude, positive_k],
     where=derivation.coefficients,
-    by=cases(),
     uses=["3.1.2", "3.2"],
 )
 
-averaging_needs_a_fast_phase = claim(
+averaging_needs_a_fast_phase = by_cases.claim(
     "3.2.8",
     61,
     words="The coefficients may be averaged over the time that they contain explicitly, at fixed a, theta, Omega [5]. They contain it in "
     "the phase Omega t + theta, which is to be another one at another time.",
     states=r"t \ne 0 \Rightarrow \Omega t + \theta \ne \theta",
-    by=cases(),
     uses=["3.2", "3.2.9", "3.2.10"],
     errata={
         "": Erratum(
@@ -109,12 +106,11 @@ average_over_time = ours(
     states=r"\Omega\frac{\partial}{\partial\psi}\left(\frac{U}{\Omega}\right) = \frac{K_{11}}{\varepsilon} - \bar{K}_{11}",
     given=[amplitude, positive_k, positive_parameter],
     where=derivation.primitive_of_diffusion,
-    by=identity,
     uses=["3.1.2", "3.2.4"],
     notation=primitive_letters,
 )
 
-no_average_at_rest = ours(
+no_average_at_rest = by_cases.ours(
     "3.2.10",
     61,
     words="Where the phase rests the average over the time is K_11 at that phase: for additive noise about the first axis only, and "
@@ -122,7 +118,6 @@ no_average_at_rest = ours(
     states=r"(g_{11} = 0 \land g_{12} = 0 \land g_{22} = 0 \land \sin\psi = 0) \Rightarrow K_{11} = 2\varepsilon\bar{K}_{11}",
     given=[amplitude, positive_k, positive_parameter],
     where=derivation.coefficients_and_averages,
-    by=cases(),
     uses=["3.1.2", "3.2.4"],
 )
 
@@ -146,7 +141,7 @@ averaged_equation = premise(
     ),
 )
 
-averaged_mixed_coefficients_vanish = claim(
+averaged_mixed_coefficients_vanish = by_cases.claim(
     "3.2.3",
     63,
     words="No mixed derivative is left: the averages of K_12, K_13, K_23 vanish.",
@@ -154,7 +149,6 @@ averaged_mixed_coefficients_vanish = claim(
     r"\land \bar{K}_{32} = 0",
     given=[amplitude],
     where=derivation.averages,
-    by=cases(),
     uses=["3.1.2", "3.2.2"],
 )
 
@@ -166,7 +160,6 @@ averaged_diffusion = claim(
     words="Diffusion averaged over the phase, without the factor epsilon that stands before the bracket.",
     given=[abbreviations, amplitude],
     where=derivation.averages,
-    by=identity,
     uses=["3.1.2", "3.2.2", "3.2.6"],
 )
 
@@ -178,7 +171,6 @@ averaged_drift = claim(
     words="Drift averaged over the phase.",
     given=[abbreviations, amplitude, positive_k],
     where=derivation.averages,
-    by=identity,
     uses=["3.1.2", "3.2.2", "3.2.6"],
 )
 
@@ -189,7 +181,7 @@ abbreviated_sums = premise(
     words="Abbreviations; they make sense because D has positive elements.",
 )
 
-carried_out_averages = ours(
+carried_out_averages = by_cases.ours(
     "3.2.7",
     67,
     words="The averages as the following items use them, carried out.",
@@ -198,7 +190,6 @@ carried_out_averages = ours(
     r"\langle K_{22} \rangle_{\psi} = \varepsilon \bar{K}_{22} \land \langle K_{33} \rangle_{\psi} = \varepsilon \bar{K}_{33}",
     given=[amplitude, positive_k],
     where=derivation.coefficients_and_averages,
-    by=cases(),
     uses=["3.2.4", "3.2.5"],
 )
 
@@ -283,13 +274,12 @@ product_is_the_only_solution = density.claim(
 
 interval_of_phase = exclusion("3.3.6", 79, r"[0, 2\pi]", reason="names the range of theta, see 3.3.8")
 
-uniform_phase = density.claim(
+uniform_phase = density.by_cases.claim(
     "3.3.7",
     79,
     r"p_{s2}(\theta) = 1/2\pi",
     words="The phase is uniform: the constant density on a turn has integral 1.",
     states=r"\int_0^{2\pi} p_{s2} \, d\theta = 1 \land p_{s2}(\theta) = 1/2\pi",
-    by=cases(),
     uses=["3.3.1"],
 )
 
@@ -305,14 +295,13 @@ stationary_marginal_equations = density.claim(
     uses=["3.3", "3.3.2", "3.3.3", "3.4", "3.5"],
 )
 
-no_flux = density.ours(
+no_flux = density.by_cases.ours(
     "3.3.10",
     81,
     words="They carry no flux: the first integral of either equation vanishes.",
     states=r"\frac{1}{2} (\bar{K}_{11} p_{s1})'_a = \bar{K}_1 p_{s1} \land "
     r"\frac{1}{2} (\bar{K}_{33} p_{s3})'_\Omega = \bar{K}_3 p_{s3}",
     given=[amplitude, equatorial_noise, axial_noise, positive_k],
-    by=cases(),
     uses=["3.3.9"],
 )
 
@@ -350,7 +339,6 @@ exponent_of_amplitude = claim(
     r"\Delta_1 = 3\alpha^2 a^2 + 4\beta^2, \quad \kappa_1 = -4\gamma^2/3\alpha^2 - 2/3",
     given=[equatorial_noise],
     where=derivation.exponents,
-    by=identity,
     uses=["3.2.4", "3.2.5"],
 )
 
@@ -360,7 +348,6 @@ exponent_of_frequency = claim(
     r"\Delta_2 = g_{13}^2 \Omega^2 + g_{23}^2 k^2, \quad \kappa_2 = -d_{33}/g_{13}^2 - 1/2",
     given=[axial_noise],
     where=derivation.exponents,
-    by=identity,
     uses=["3.2.4", "3.2.5"],
 )
 

@@ -3,7 +3,7 @@
 from symcheck.core.claims import Damage, Erratum, Hypothesis
 from symcheck.core.problems import Applied
 from symcheck.core.verdicts import Origin
-from symcheck.papers.declare import Scope, body, claim, exclusion, ours, premise
+from symcheck.papers.declare import Scope, body, by_cases, claim, exclusion, ours, premise
 from symcheck.papers.poloskov2004 import derivation
 from symcheck.papers.poloskov2004.hypotheses import (
     amplitude,
@@ -26,7 +26,7 @@ MOMENT_2 = r"\int_0^\infty \Omega^m \Delta_2^{\kappa_2} \, d\Omega < \infty"
 
 OFF_DIAGONAL = ("12", "13", "21", "23", "31", "32")
 
-only_diagonal_elements_matter = claim(
+only_diagonal_elements_matter = by_cases.claim(
     "4.0.1",
     95,
     words="In the first approximation of D only the diagonal elements influence the densities of a and Omega.",
@@ -35,7 +35,6 @@ only_diagonal_elements_matter = claim(
     ),
     given=[amplitude],
     where=derivation.averaged_coefficients,
-    by=cases(),
     uses=["3.2.5", "3.3.9"],
 )
 
@@ -77,13 +76,12 @@ density_of_frequency_exists_exactly = density.ours(
     uses=["4.0.4"],
 )
 
-dissipation_was_assumed = claim(
+dissipation_was_assumed = by_cases.claim(
     "4.0.6",
     95,
     words="The latter was assumed when the problem was posed: D has positive elements.",
     states=r"d_{33} > 0",
     given=[dissipation],
-    by=cases(),
     uses=["1.1.7"],
 )
 
@@ -140,7 +138,7 @@ moments_of_frequency_are_finite_only_then = density.ours(
     uses=["4.0.10"],
 )
 
-odd_moments_vanish = claim(
+odd_moments_vanish = by_cases.claim(
     "4.0.12",
     95,
     words="All odd moments of the density (3.5) are zero (order m = 2n + 1, where finite).",
@@ -148,7 +146,6 @@ odd_moments_vanish = claim(
     r"\int_{-\infty}^\infty \Omega (\Omega^2)^n \Delta_2^{\kappa_2} \, d\Omega = 0",
     given=[axial_noise, positive_k, Hypothesis("n", "n is not negative", r"n \geq 0")],
     where=derivation.densities,
-    by=cases(),
     uses=["4.0.11"],
     notation=moment_letters,
 )
@@ -186,7 +183,6 @@ mode_is_the_stationary_point = ours(
     states=r"(8\gamma^2 + \alpha^2) a_*^2 = 4\beta^2",
     given=[equatorial_noise],
     where=derivation.mode,
-    by=identity,
     uses=["4.0.13"],
 )
 
@@ -200,14 +196,13 @@ amplitude_is_unimodal = density.claim(
     uses=["3.4", "4.0.14"],
 )
 
-slope_of_amplitude = ours(
+slope_of_amplitude = by_cases.ours(
     "4.0.16",
     97,
     words="Its logarithmic derivative lambda has the sign of 4 beta^2 - (8 gamma^2 + alpha^2) a^2.",
     states=r"\lambda a \Delta_1 = 4\beta^2 - (8\gamma^2 + \alpha^2) a^2 \land \Delta_1 > 0",
     given=[amplitude, equatorial_noise],
     where=derivation.slope_of_amplitude,
-    by=cases(),
     uses=["4.0.15"],
     notation=moment_letters,
 )
@@ -223,14 +218,13 @@ mode_of_frequency = density.claim(
     uses=["3.4.2"],
 )
 
-slope_of_frequency = ours(
+slope_of_frequency = by_cases.ours(
     "4.0.18",
     109,
     words="Its logarithmic derivative lambda has the sign of -Omega.",
     states=r"\lambda \Delta_2 = -(2d_{33} + g_{13}^2) \Omega \land \Delta_2 > 0",
     given=[axial_noise, positive_k],
     where=derivation.slope_of_frequency,
-    by=cases(),
     uses=["4.0.17"],
     notation=moment_letters,
 )
@@ -284,7 +278,6 @@ constant_of_frequency = claim(
     words="At these values the density of Omega has this constant.",
     given=[positive_k],
     where=derivation.constant_of_the_example,
-    by=identity,
     uses=["4.0.29"],
     errata={
         "": Erratum(

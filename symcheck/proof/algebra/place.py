@@ -15,7 +15,7 @@ from symcheck.proof.algebra.products import Product
 
 # with longer facts, or facts of a higher degree, Groebner bases take minutes
 MAX_TERMS = 14
-MAX_DEGREE = 8
+MAX_DEGREE = 8  # of facts, for the same reason
 PAIRS = 300  # S-polynomials when facts enter an ideal, at every place anew: so fewer than for one ideal of hypotheses
 
 

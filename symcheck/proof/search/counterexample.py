@@ -50,7 +50,7 @@ FUNCTION_TRIES = 12  # integrals and means to be evaluated by proofs, which cost
 MAX_POWER = 40  # of a number at a point, which people are to read: the papers need 34
 MAX_INDEX = 40, 6  # of the values tried of up to three groups, and of more: all tuples of indices are sorted
 MAX_BITS = 4096  # when signs of sums of roots are told apart: those of the papers need 8
-SEVENTHS = ((2, 3, 6), (6, 2, -3), (-3, 6, -2))
+SEVENTHS = ((2, 3, 6), (6, 2, -3), (-3, 6, -2))  # 7 times the rows of a rotation none of whose cosines is 0 or 1
 
 
 def refute(problem: Problem, prove: Prover = lambda _: None) -> Point | None:
@@ -683,7 +683,7 @@ _CIRCLE: tuple[tuple[Term | Fraction, Term | Fraction], ...] = (
 
 # long numbers, at which no polynomial that is not zero vanishes by chance
 _BIG = tuple(random.Random(7).getrandbits(62) for _ in range(12))
-SCATTERED = (0,)
+SCATTERED = (0,)  # stands for `_BIG` in the list of patterns
 # values of the other letters, repeated where there are more: different ones, equal ones, zeros, negative ones
 _PATTERNS: tuple[tuple[int | Fraction, ...], ...] = (
     (1, 2, 3),

@@ -23,7 +23,7 @@ class Format:
 
 def format_names() -> list[str]:
     """The names of all formats."""
-    return sorted(each.name for each in iter_modules(__path__) if "_" not in each.name)
+    return sorted(module.name for module in iter_modules(__path__) if "_" not in module.name)
 
 
 def format_of(name: str) -> Format:

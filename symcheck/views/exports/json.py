@@ -15,7 +15,7 @@ def text(records: Sequence[Record]) -> str:
     """`{"schema": 1, "items": [...], "errata": {group: [ids]}, "coq": {id: "yes"}}`, items as in `check --json`."""
     items = ",\n".join(json.dumps(record.to_json(), ensure_ascii=False) for record in records)
     found = {
-        str(group): [each.record.id for faults in lists for each in faults.relations]
+        str(group): [relation.record.id for faults in lists for relation in faults.relations]
         for group, lists in errata(records)
     }
     coq = json.dumps({name: said for record in records for name, said in confirmed(record).items()})

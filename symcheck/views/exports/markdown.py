@@ -12,7 +12,7 @@ from symcheck.views.exports import Format
 from symcheck.views.latex import is_formula, standing_alone
 from symcheck.views.model import Fault, FaultList, Relation, counted, errata
 
-_MARKUP = re.compile(r"([\\`*_{}\[\]<>#|$])")
+_MARKUP = re.compile(r"([\\`*_{}\[\]<>#|$])")  # signs that mean something in Markdown
 
 
 def text(records: Sequence[Record]) -> str:

@@ -21,7 +21,7 @@ HEAD = r"""\documentclass[10pt,a4paper]{article}
 \newcommand{\said}[2]{\par\hangindent=6em\makebox[6em][l]{\textsf{\small #1}}#2}
 """
 LATIN = {"к": "k", "г": "g", "м": "m", "с": "s", "Н": "N", "−": "-", "≠": r"\ensuremath{\ne}"}  # units, signs
-_SPECIAL = re.compile(r"[\\{}$&#^_~%<>|]")
+_SPECIAL = re.compile(r"[\\{}$&#^_~%<>|]")  # signs that mean something in TeX, or are missing from its text fonts
 _ESCAPED = {"\\": r"\textbackslash{}", "^": r"\textasciicircum{}", "~": r"\textasciitilde{}"} | {
     sign: rf"\ensuremath{{{sign}}}" for sign in "<>|"
 }

@@ -60,24 +60,24 @@ def committed(name: str) -> NotebookNode:
         raise SymcheckError(f"notebooks/{name}.ipynb is damaged ({error}); run `symcheck notebooks --write`") from error
 
 
-def differences(name: str, found: NotebookNode) -> list[str]:
+def differences(name: str, executed: NotebookNode) -> list[str]:
     """How the notebook that was executed differs from the committed one, one line each."""
-    return [f"notebooks/{name}.ipynb: {each}" for each in compare.differences(found, committed(name))]
+    return [f"notebooks/{name}.ipynb: {difference}" for difference in compare.differences(executed, committed(name))]
 
 
-def write(name: str, found: NotebookNode) -> None:
+def write(name: str, executed: NotebookNode) -> None:
     """Commit what was executed; a picture whose cell shows the same otherwise stays as it was, and no byte changes."""
     import nbformat
 
     file = folder() / f"{name}.ipynb"
-    if file.exists() and not list(compare.differences(found, old := committed(name))):
-        _keep_pictures(found, old)
-    nbformat.validate(found)
-    put(file, f"{nbformat.writes(found)}\n".encode())
+    if file.exists() and not list(compare.differences(executed, old := committed(name))):
+        _keep_pictures(executed, old)
+    nbformat.validate(executed)
+    put(file, f"{nbformat.writes(executed)}\n".encode())
 
 
-def _keep_pictures(found: NotebookNode, old: NotebookNode) -> None:
-    for new, kept in zip(found.cells, old.cells, strict=True):
+def _keep_pictures(executed: NotebookNode, old: NotebookNode) -> None:
+    for new, kept in zip(executed.cells, old.cells, strict=True):
         for output, before in zip(new.get("outputs", ()), kept.get("outputs", ()), strict=True):
             if PNG in output.data:
                 output.data[PNG] = before.data[PNG]

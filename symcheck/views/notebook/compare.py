@@ -14,7 +14,7 @@ if TYPE_CHECKING:
     from nbformat import NotebookNode
 
 TOLERANCE = 2e-5  # relative, of decimals that are shown with six digits
-_DECIMAL = re.compile(r"-?\d+\.\d+(?:e[+-]?\d+)?|-?\d+e[+-]?\d+")
+_DECIMAL = re.compile(r"-?\d+\.\d+(?:e[+-]?\d+)?|-?\d+e[+-]?\d+")  # numbers that may differ by rounding
 
 
 def differences(executed: NotebookNode, committed: NotebookNode) -> Iterator[str]:

@@ -70,9 +70,9 @@ def kernel(key: str, name: str) -> Output:
     return Output(parts)
 
 
-def _rests(key: str, found: Kernel) -> Iterator[str]:
+def _rests(key: str, declared: Kernel) -> Iterator[str]:
     verdicts = recorded(key)
-    for number in found.claims:
+    for number in declared.claims:
         rests = Id.of(key, number)
         links = [id for id in verdicts if rests.has(id)]
         yield f"{rests} ({', '.join(sorted({str(verdicts[id]) for id in links}))})"

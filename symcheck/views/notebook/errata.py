@@ -44,7 +44,7 @@ def erratum(id: str) -> Output:
     """A wrong relation: as printed, both sides at an exact point, the right form with its proof, whose the fault is."""
     [record] = records(id)
     if not record.corrected:
-        raise SymcheckError(f"{id} is no erratum; `symcheck errata` lists them")
+        raise SymcheckError(f"{id} is not an erratum; `symcheck errata` lists them")
     return Output(tuple(_erratum(record)))
 
 

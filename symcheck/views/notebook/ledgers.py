@@ -38,8 +38,8 @@ def not_proved(key: str) -> Output:
             (
                 item.number,
                 str(item.source.line),
-                _said(item.source.words or item.name.replace("_", " ")),
-                _said(item.reason),
+                _in_one_line(item.source.words or item.name.replace("_", " ")),
+                _in_one_line(item.reason),
             )
             for item in found
         )
@@ -47,5 +47,5 @@ def not_proved(key: str) -> Output:
     return Output(tuple(parts))
 
 
-def _said(words: str) -> str:
+def _in_one_line(words: str) -> str:
     return " ".join(words.split())

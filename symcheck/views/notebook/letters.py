@@ -24,9 +24,9 @@ _BREAKS = (
     {"+", "-"},
 )
 _OPEN, _CLOSE = {"(", "[", "{", r"\{", r"\begin"}, {")", "]", "}", r"\}", r"\end"}
-_TOKEN = re.compile(r"\\[A-Za-z]+|\\.|\S")
-_BOLD = re.compile(r"\\(?:mathbf|boldsymbol)\{(.*)\}")
-_INDEXED = re.compile(r"(.+?)_(\d+(?:_\d+)*)")
+_TOKEN = re.compile(r"\\[A-Za-z]+|\\.|\S")  # a command, an escaped sign, or any other sign
+_BOLD = re.compile(r"\\(?:mathbf|boldsymbol)\{(.*)\}")  # a bold letter; its components are printed in plain type
+_INDEXED = re.compile(r"(.+?)_(\d+(?:_\d+)*)")  # a letter's name and its indices: "a_1_2"
 
 
 def letter(name: str, notation: Notation) -> str:

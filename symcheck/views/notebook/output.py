@@ -100,7 +100,7 @@ def _markdown(parts: Sequence[Part]) -> Iterator[str]:
 
 def _display(formulas: Sequence[Math]) -> str:
     """One array, as a formula of the line: a displayed one would stand in the middle of the page."""
-    rows = (rf"\textsf{{{each.label}}} & \displaystyle {each.text}" for each in formulas)
+    rows = (rf"\textsf{{{formula.label}}} & \displaystyle {formula.text}" for formula in formulas)
     return r"$\begin{array}{ll}" + r" \\[6pt] ".join(rows) + r"\end{array}$"
 
 

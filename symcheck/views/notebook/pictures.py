@@ -13,7 +13,7 @@ from symcheck.views.notebook.output import Output, Picture
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-DPI = 90
+DPI = 90  # the width of a notebook's page, at the size the figures are drawn
 
 
 def figure(name: str) -> Output:

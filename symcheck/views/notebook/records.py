@@ -62,7 +62,7 @@ def _may_be_serious(item: Declaration) -> bool:
 
 @cache
 def _audited(ids: tuple[str, ...]) -> tuple[Record, ...]:
-    return tuple(check(ids, warn=lambda said: None))  # what is decided again is no matter for a reader
+    return tuple(check(ids, warn=lambda said: None))  # readers need not know what is decided again
 
 
 def item(id: str) -> Declaration:

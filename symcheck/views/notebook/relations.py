@@ -16,7 +16,7 @@ from symcheck.views.model import Relation, condition
 from symcheck.views.notebook.letters import aligned, split
 from symcheck.views.notebook.output import Heading, Math, Output, Part, Prose, Table, Verbatim
 from symcheck.views.notebook.records import decided, item, list_rows, records
-from symcheck.views.steps import shown
+from symcheck.views.steps import proof_lines
 
 _LINES, _COLUMNS = 30, 150  # of a proof that is shown
 _DIGEST = 12  # digits of a certificate's SHA-256
@@ -31,13 +31,13 @@ def claim(*ids: str) -> Output:
     return Output(tuple(part for id in ids for part in _claim(records(id))))
 
 
-def _claim(found: Sequence[Record]) -> Iterator[Part]:
-    first = found[0]
-    yield Heading(f"{title(first, whole=len(found) > 1)} — {verdicts(found)}")
+def _claim(chain: Sequence[Record]) -> Iterator[Part]:
+    first = chain[0]
+    yield Heading(f"{title(first, whole=len(chain) > 1)} — {verdicts(chain)}")
     if first.words:
         yield Prose("", first.words)
-    yield from statement(found)
-    yield from evidence(found)
+    yield from statement(chain)
+    yield from evidence(chain)
 
 
 def title(record: Record, whole: bool = False) -> str:
@@ -46,10 +46,10 @@ def title(record: Record, whole: bool = False) -> str:
     return f"**({id.number if whole else id.place})** {Relation(record).name}, line {record.line}".replace("  ", " ")
 
 
-def verdicts(found: Sequence[Record]) -> str:
+def verdicts(chain: Sequence[Record]) -> str:
     """The verdict of each link in Markdown, of links that are alike once."""
     told: dict[str, list[str]] = {}
-    for record in found:
+    for record in chain:
         told.setdefault(_verdict(record), []).append(letter(record))
     if len(told) == 1:
         return next(iter(told))
@@ -68,21 +68,21 @@ def _verdict(record: Record) -> str:
     return f"**{record.verdict}** by `{record.method}`{reading}"
 
 
-def statement(found: Sequence[Record], reread: bool = True) -> Iterator[Part]:
+def statement(chain: Sequence[Record], reread: bool = True) -> Iterator[Part]:
     """The printed form, once for all links, and what was read, where that is not simply the printed form.
 
     reread  False: not again what can be read in the printed form itself
     """
-    declaration = item(found[0].id)
+    declaration = item(chain[0].id)
     printed = declaration.source.printed
-    legible = _is_latex("\n".join(printed)) or found[0].reading is not Reading.DAMAGED
+    legible = _is_latex("\n".join(printed)) or chain[0].reading is not Reading.DAMAGED
     if printed and legible:
         yield from (formula("printed" if n == 0 else "", each) for n, each in enumerate(printed))
     elif printed:
         yield Verbatim("printed, in the text at hand", "\n".join(printed))
-    if declaration.stated or declaration.source.damage or not printed or (reread and len(decided(found[0].id)) > 1):
+    if declaration.stated or declaration.source.damage or not printed or (reread and len(decided(chain[0].id)) > 1):
         label = "read" if printed else "states"
-        yield from (formula(f"{label} {letter(each)}".strip(), each.read) for each in found if each.read)
+        yield from (formula(f"{label} {letter(each)}".strip(), each.read) for each in chain if each.read)
 
 
 def _is_latex(printed: str) -> bool:
@@ -96,11 +96,11 @@ def formula(label: str, latex: str) -> Math:
     return Math(label, lines[0] if len(lines) == 1 else aligned([f"& {line}" for line in lines]))
 
 
-def evidence(found: Sequence[Record]) -> Iterator[Part]:
+def evidence(chain: Sequence[Record]) -> Iterator[Part]:
     """The hypotheses, each with where it is given and whether it is needed, and the certificates."""
-    if rows := {row.name: row for record in found for row in record.hypotheses}:
+    if rows := {row.name: row for record in chain for row in record.hypotheses}:
         yield Prose("given", "; ".join(condition(row).line for row in rows.values()))
-    if certificates := [each for record in found for each in record.certificates]:
+    if certificates := [each for record in chain for each in record.certificates]:
         yield Prose("certificate", digests(certificates))
 
 
@@ -118,7 +118,7 @@ def proof(id: str) -> Output:
     for record in records(id):
         parts.append(Heading(f"{title(record)} — {_verdict(record)}"))
         for each in record.certificates:
-            told = list(shown(each)) or ["refuted at a point"]
+            told = list(proof_lines(each)) or ["refuted at a point"]
             parts += [Verbatim("", "\n".join(_cut(told))), Prose("checker", checked([each]))]
     return Output(tuple(parts))
 
@@ -164,10 +164,10 @@ def rows(id: str, only_wrong: bool = False) -> Output:
     return Output((Table(("row", "as printed; below it what is right", "verdict", "fault"), tuple(told)),))
 
 
-def _row(found: Sequence[Record], wrong: Record | None) -> tuple[str, ...]:
-    first = found[0]
+def _row(chain: Sequence[Record], wrong: Record | None) -> tuple[str, ...]:
+    first = chain[0]
     number = Id.parse(first.id).row
-    said = {Relation(record).state for record in found}
+    said = {Relation(record).state for record in chain}
     verdict = str(Verdict.REFUTED) if Verdict.REFUTED in said else ", ".join(sorted(said))
     mark = "$" if first.printed else ""
     texts = [first.printed or first.words, *([wrong.corrected] if wrong else [])]

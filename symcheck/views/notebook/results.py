@@ -8,8 +8,8 @@ import numpy as np
 
 from symcheck.views.notebook.output import Output, Table
 
-DIGITS = 6
-NOUGHT = 1e-12  # below it a number is rounding
+DIGITS = 6  # the papers print at most four
+ROUNDING = 1e-12  # below it a number is rounding
 
 
 def numbers(unit: str = "", **values: object) -> Output:
@@ -37,4 +37,4 @@ def _number(value: complex) -> str:
         return str(value)
     if isinstance(value, complex):
         return f"{_number(value.real)} {'+' if value.imag >= 0 else '-'} {_number(abs(value.imag))}i"
-    return "0" if abs(value) < NOUGHT else f"{value:.{DIGITS}g}"
+    return "0" if abs(value) < ROUNDING else f"{value:.{DIGITS}g}"

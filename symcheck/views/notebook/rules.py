@@ -30,8 +30,9 @@ PARTS = (
 )
 NUMPY = frozenset({"linspace", "radians", "degrees"})  # grids and units
 BUILTINS = frozenset({"dict", "float", "int", "len", "list", "round", "set", "sorted", "tuple"})
+# what makes a formula a statement
 _RELATION = re.compile(r"[=<>]|\\(?:le|ge|lt|gt|leq|geq|neq?|approx|equiv|sim|to|mapsto|in)(?![A-Za-z])")
-_MATHEMATICS = re.compile(r"\$([^$]+)\$")
+_MATHEMATICS = re.compile(r"\$([^$]+)\$")  # mathematics within a sentence
 
 
 def faults_of_code(text: str) -> Iterator[str]:

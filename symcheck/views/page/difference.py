@@ -5,9 +5,10 @@ from __future__ import annotations
 import re
 from difflib import SequenceMatcher
 
+# an element of MathML that holds signs: its name, attributes and signs
 _LEAF = re.compile(r"<(mi|mn|mo|mtext)\b([^>]*)>([^<]*)</\1>")
 _UNSEEN = "\u2061\u200b\u00a0\u22c5 ,;.:"  # what may differ and says nothing: function application, spaces, dots
-_KIND = re.compile(r'\s(?:class|lspace|rspace|form|fence|stretchy|separator|style)="[^"]*"')
+_KIND = re.compile(r'\s(?:class|lspace|rspace|form|fence|stretchy|separator|style)="[^"]*"')  # attributes of layout
 
 
 def marked(before: str, after: str) -> tuple[str, str]:
@@ -16,7 +17,7 @@ def marked(before: str, after: str) -> tuple[str, str]:
     >>> marked("<math><mi>a</mi><mo>+</mo></math>", "<math><mi>a</mi><mo>-</mo></math>")[1]
     '<math><mi>a</mi><mo class="ins">-</mo></math>'
     """
-    one, other = ([_said(leaf) for leaf in _LEAF.finditer(math)] for math in (before, after))
+    one, other = ([_signs(leaf) for leaf in _LEAF.finditer(math)] for math in (before, after))
     kept: tuple[set[int], set[int]] = (set(), set())
     for block in SequenceMatcher(None, one, other, autojunk=False).get_matching_blocks():
         for side, begin in enumerate((block.a, block.b)):
@@ -24,7 +25,7 @@ def marked(before: str, after: str) -> tuple[str, str]:
     return _with_class(before, kept[0], "del"), _with_class(after, kept[1], "ins")
 
 
-def _said(leaf: re.Match[str]) -> tuple[str, str]:
+def _signs(leaf: re.Match[str]) -> tuple[str, str]:
     """What a leaf says: its text and, for a letter, whether it is bold or upright."""
     return leaf[3], _KIND.sub("", leaf[2])
 

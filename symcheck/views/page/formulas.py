@@ -14,7 +14,7 @@ from symcheck.views.page.typeset import typeset
 class Formulas:
     """Formulas by number. `texts` are typeset at once, in parallel; a pair with its differences marked when asked for.
 
-    What is no mathematics is shown as it is: words as words, the characters of a damaged source as code.
+    Text without mathematics is shown as it is: words as words, the characters of a damaged source as code.
     """
 
     def __init__(self, texts: Iterable[str]) -> None:
@@ -27,7 +27,7 @@ class Formulas:
         return list(self._numbers)
 
     def number(self, text: str) -> int:
-        """The number of a formula, or -1 for what is no mathematics."""
+        """The number of a formula, or -1 for other text."""
         math = self._math.get(text)
         return -1 if math is None else self._number(math)
 

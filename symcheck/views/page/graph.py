@@ -62,12 +62,14 @@ def graph(paper: str, records: Sequence[Record]) -> Graph:
     together: dict[tuple[str, str], list[Record]] = {}
     for record in records:
         together.setdefault((record.section, record.name or record.declaration), []).append(record)
-    owner = {name: key for key, members in together.items() for each in members for name in (each.id, each.declaration)}
+    owner = {
+        name: key for key, members in together.items() for member in members for name in (member.id, member.declaration)
+    }
     pairs = {
         (owner[used], key)
         for key, members in together.items()
-        for each in members
-        for used in each.uses
+        for member in members
+        for used in member.uses
         if used in owner and owner[used] != key
     }
     shown = [key for key in together if any(key in pair for pair in pairs)]
@@ -78,9 +80,9 @@ def graph(paper: str, records: Sequence[Record]) -> Graph:
 
 
 def _node(members: Sequence[Record], y: int) -> Node:
-    ids = [Id.parse(each.id) for each in members]
+    ids = [Id.parse(member.id) for member in members]
     label = ids[0].number if len({id.number for id in ids}) == 1 else ids[-1].listing.number
-    verdicts = {each.verdict for each in members}
+    verdicts = {member.verdict for member in members}
     worst = next((each for each in (Verdict.REFUTED, Verdict.UNDECIDED, Verdict.PROVED) if each in verdicts), None)
     first = Relation(members[0])
     return Node(first.record.id, label, shorten(first.name, LETTERS, placeholder="…"), worst or first.state, y)

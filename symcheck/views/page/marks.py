@@ -11,8 +11,8 @@ from symcheck.core.verdicts import Group
 from symcheck.ledger.record import Record
 from symcheck.views.model import errata, place
 
-_MOMENTA = re.compile(r"\\mathbf\{H\}\s*=\s*\[([^\]]*)\]")
-_LABEL = re.compile(r"([VF])(')?_\{?(\d+)\}?(')?")
+_MOMENTA = re.compile(r"\\mathbf\{H\}\s*=\s*\[([^\]]*)\]")  # the momenta at a vertex or edge: "\mathbf{H} = [1, -1, u]"
+_LABEL = re.compile(r"([VF])(')?_\{?(\d+)\}?(')?")  # a vertex or a face, with a prime on either side of the index
 _FREE = {"u": "0", "v": "0"}
 
 

@@ -15,7 +15,7 @@ import deflate
 from markupsafe import Markup
 
 DIGITS = "".join(chr(code) for code in range(33, 127) if chr(code) not in "<&\\")
-BITS = 13
+BITS = 13  # packed in two digits, 2^13 = 8192 of 91^2 = 8281 pairs
 PAIRS = [DIGITS[n % 91] + DIGITS[n // 91] for n in range(1 << BITS)]
 CHUNK = BITS * 100  # bytes, which make 800 whole pairs: no number gets long
 

@@ -109,7 +109,7 @@ def page(records: Sequence[Record], papers: Sequence[Publication], extras: Extra
         "engines": tested.get("engines"),
         "hypotheses": _hypotheses(records),
         "envelopes": extras.envelopes,
-        "plots": [_plot(each) for each in extras.densities],
+        "plots": [_plot(density) for density in extras.densities],
         "stability": extras.stability,
         "map": coloured(extras.stability) if extras.stability else None,
         "graphs": graphs,
@@ -130,7 +130,7 @@ def page(records: Sequence[Record], papers: Sequence[Publication], extras: Extra
     }
     folded = {
         "ledger": packed(ledger),
-        "envelopes": packed([{**each, "marks": marks(each, records)} for each in extras.envelopes]),
+        "envelopes": packed([{**envelope, "marks": marks(envelope, records)} for envelope in extras.envelopes]),
         "graphs": packed([arcs.render(g=each) for each in graphs]),
         **{paper.key: packed(_proofs(each for each in shown.values() if each.paper is paper)) for paper in papers},
     }
@@ -143,7 +143,7 @@ def _slot(name: str, data: str) -> str:
 
 def _proofs(relations: Iterable[Relation]) -> dict[str, Any]:
     """The proofs of a paper field by field: likes beside likes fold into half as much."""
-    found = [proof for each in relations for proof in each.proofs]
+    found = [proof for relation in relations for proof in relation.proofs]
     written = [proof.certificate for proof in found]
     keys = sorted({key for each in written for key in each})
     texts = _Numbered()

@@ -14,7 +14,7 @@ from symcheck.core.claims import Paper
 from symcheck.core.ids import Id
 from symcheck.core.verdicts import SymcheckError
 
-_ID = re.compile(r"\b[a-z]+\d{4}:[A-Z]?\d*[\w.]*\w")
+_ID = re.compile(r"\b[a-z]+\d{4}:[A-Z]?\d*[\w.]*\w")  # an id of a claim: "mirer2009:2.1a"
 # what every generated docstring says alike, and its example: the file itself has them
 _ALIKE = re.compile(r'    out : ndarray, optional\n.*?\n(?=\n)|\n    Arguments broadcast\..*?(?=    """)', re.DOTALL)
 
@@ -41,7 +41,7 @@ class Publication:
 def publications(papers: Mapping[str, Paper]) -> tuple[Publication, ...]:
     """The papers as the page names them."""
     return tuple(
-        Publication(key, paper.title, paper.source, {each.number: each.title for each in paper.sections})
+        Publication(key, paper.title, paper.source, {section.number: section.title for section in paper.sections})
         for key, paper in papers.items()
     )
 
@@ -65,16 +65,16 @@ def cells(folder: Path) -> dict[str, list[Excerpt]]:
             notebook = json.loads(file.read_text(encoding="utf-8"))["cells"]
             texts = ["".join(cell["source"]) for cell in notebook]
         except (OSError, ValueError, KeyError, TypeError) as error:
-            raise SymcheckError(f"{file} is no notebook that can be read ({error}); mend or remove it") from error
+            raise SymcheckError(f"{file} is not a readable notebook ({error}); mend or remove it") from error
         for number, text in enumerate(texts, 1):
             for id in dict.fromkeys(_ID.findall(text)):
                 found.setdefault(id, []).append(Excerpt(file.stem, f"{file.name}, cell {number}", text))
     return found
 
 
-def of_record(found: Mapping[str, Iterable[Excerpt]], id: str) -> list[Excerpt]:
+def of_record(excerpts: Mapping[str, Iterable[Excerpt]], id: str) -> list[Excerpt]:
     """The excerpts of a claim, or of the chain it is a link of."""
-    return list({excerpt: None for name in (id, str(Id.parse(id).declaration)) for excerpt in found.get(name, ())})
+    return list({excerpt: None for name in (id, str(Id.parse(id).declaration)) for excerpt in excerpts.get(name, ())})
 
 
 def _functions(file: Path) -> dict[str, str]:

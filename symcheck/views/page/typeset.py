@@ -13,7 +13,7 @@ import quickjs
 from symcheck.core.verdicts import SymcheckError
 from symcheck.views.latex import is_formula, standing_alone
 
-STACK = 8 << 20
+STACK = 8 << 20  # in bytes, of the interpreter: deeply nested formulas need more than its default
 ASKED = """texts => JSON.stringify(JSON.parse(texts).map(text => {
     try { return temml.renderToString(text, {throwOnError: true, annotate: false, wrap: "tex"}); }
     catch (error) { return null; }
@@ -21,7 +21,7 @@ ASKED = """texts => JSON.stringify(JSON.parse(texts).map(text => {
 
 
 def typeset(texts: Iterable[str]) -> dict[str, str | None]:
-    """The MathML of each LaTeX text; None for what is no mathematics: words, or the characters of a damaged source.
+    """The MathML of each LaTeX text; None for other text: words, or the characters of a damaged source.
 
     The engine lets other threads run, so that the texts are shared among the cores.
     """
