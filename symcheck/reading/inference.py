@@ -626,8 +626,8 @@ def _matrix_size(every: Mapping[str, Evidence]) -> int | None:
     return found
 
 
-_HAT = re.compile(r"\\(hat|widehat|vec)\{")
-_ACCENT = re.compile(r"\\(hat|widehat|vec|bar|overline|tilde)\{")
+_HAT = re.compile(r"\\(hat|widehat|vec)\{")  # accents of unit vectors and of vectors
+_ACCENT = re.compile(r"\\(hat|widehat|vec|bar|overline|tilde)\{")  # accents that make a letter of their own
 
 
 def _beside_vectors(of: Evidence, every: Mapping[str, Evidence]) -> bool:

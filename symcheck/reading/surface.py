@@ -466,7 +466,7 @@ WORDS = tuple(  # that part relations: what stands behind them holds as well, or
         ("f o r ~ a l l|f o r ~ e v e r y|f o r ~ a n y", r"\forall"),
     )
 )
-_TRANSPOSED = re.compile(r"\^ \{ \\math(?:sf|tt|scr|cal) \{ T \} \}")
+_TRANSPOSED = re.compile(r"\^ \{ \\math(?:sf|tt|scr|cal) \{ T \} \}")  # T above in any style
 _DEFINES = re.compile(r"(?<!:) : =(?! =)|= :(?!\s*[=:])")  # `:=`, and the same from right to left
 Change = Callable[[str], str]
 # an upright d before the letter of an integration or derivative
