@@ -5,8 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import replace
 
+from symcheck.core.calculus import substituted
 from symcheck.core.problems import Applied, Problem
-from symcheck.core.terms import Binder, End, Node, Term
+from symcheck.core.terms import Binder, End, Node, Term, mapped, node
 from symcheck.core.verdicts import SymcheckError
 from symcheck.question.limit import OutOfTime, limited
 from symcheck.reading import from_sympy, to_sympy
@@ -18,41 +19,65 @@ SECONDS = 2.0  # for one integral: those that SymPy finds at all it finds in one
 
 
 def hinted(problem: Problem) -> Problem:
-    """The problem with hints for the integrals and sums to numbers or letters that stand under no other binder."""
+    """The problem with hints for the integrals and sums to numbers or letters, the outer ones before those in them."""
     trees = [problem.claim, *(f for _, fs in problem.hypotheses for f in fs), *(t for _, t in problem.definitions)]
     found = dict.fromkeys(each for tree in trees for each in _binders(tree))
-    hints = [hint for each in found for hint in _hints(each)]
+    hints = [hint for each in found for hint in _hints(each)[1]]
     return replace(problem, hints=(*problem.hints, *hints)) if hints else problem
 
 
 def _binders(tree: Term) -> Iterator[Binder]:
+    """Those that stand under no other."""
     if not isinstance(tree, Node):
         return
-    finite = isinstance(tree, Binder) and not any(isinstance(end, End) for end in tree.outside)
-    if isinstance(tree, Binder) and finite and tree.tag in THEOREMS:
+    if isinstance(tree, Binder) and tree.tag in THEOREMS and _is_finite(tree):
         yield tree
     for part in tree.outside:
         yield from _binders(part)
 
 
-def _hints(binder: Binder) -> list[Applied[Term]]:
-    """The theorems that say what the integral or sum is, if that is found."""
+def _is_finite(binder: Binder) -> bool:
+    return not any(isinstance(end, End) for end in binder.outside)
+
+
+def _hints(binder: Binder) -> tuple[Term, list[Applied[Term]]]:
+    """What an integral or sum is, with the theorems that say so; itself and none if that is not found."""
+    inner: list[Applied[Term]] = []
+
+    def known(tree: Term) -> Term:
+        """The same without the integrals and sums that stand in it."""
+        if isinstance(tree, Binder):
+            value, more = _hints(tree) if tree.tag in THEOREMS and _is_finite(tree) else (tree, [])
+            inner.extend(more)
+            return value
+        return mapped(tree, known) if isinstance(tree, Node) else tree
+
+    body = known(binder.body)
+    own = (binder.letter,)
+    if (closed := _closed(binder, body)) is None:
+        return binder, []
+    outer = [Applied(name, tuple(binder.outside), ((own, binder.body), (own, closed))) for name in THEOREMS[binder.tag]]
+    low, high = binder.outside
+    at = [substituted(closed, {binder.letter: end}) for end in (high, low)]
+    value = node("+", at[0], node("-", at[1])) if binder.tag == "integral" else at[0]
+    return value, [*outer, *inner]
+
+
+def _closed(binder: Binder, body: Term) -> Term | None:
+    """The antiderivative of a body, or its sum up to a letter, if SymPy finds it."""
     import sympy
 
     x = sympy.Symbol(binder.letter, real=True)
     try:
         with limited(SECONDS):
-            body = to_sympy(binder.body)
             if binder.tag == "integral":
-                found = sympy.integrate(body, x)
+                found = sympy.integrate(to_sympy(body), x)
             else:
-                found = sympy.summation(body, (x, to_sympy(binder.outside[0]), x))
+                found = sympy.summation(to_sympy(body), (x, to_sympy(binder.outside[0]), x))
             if isinstance(found, sympy.Piecewise):
                 found = found.args[0].expr  # where letters have no special values; the proof shows whether it is so
             if found.has(sympy.Integral, sympy.Sum, sympy.Piecewise):
-                return []
-            closed = from_sympy(found)
+                return None
+            return from_sympy(found)
     except (SymcheckError, OutOfTime, *FAULTS):
-        return []
-    own = (binder.letter,)
-    return [Applied(name, tuple(binder.outside), ((own, binder.body), (own, closed))) for name in THEOREMS[binder.tag]]
+        return None

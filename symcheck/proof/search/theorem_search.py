@@ -6,6 +6,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import partial
 
+from symcheck.core.calculus import letters
 from symcheck.core.problems import Applied, Problem
 from symcheck.core.terms import Formula, Term, node
 from symcheck.proof.algebra.facts import Assumed
@@ -75,8 +76,10 @@ class _Plan:
             assumed = assumed.assume(problem.claim.formulas[0])
         inner = variables(*(part for name in own.names for part in beneath(name)))
         plan = cls(definitions, {*own.names, *inner}, assumed)
-        for instance in _hinted(problem):
-            plan._add(instance, plan.outer)
+        hinted = _hinted(problem)
+        bound = {instance.letter for instance in hinted}
+        for instance in hinted:
+            plan._add(instance, plan.inner if _around(instance) & bound else plan.outer)
         plan._collect()
         for p in [p for p in map(prime, sorted(plan.names)) if p is not None]:
             plan._add(applied("root", p), plan.outer)
@@ -170,7 +173,11 @@ class _Search:
 
     def _with_inner(self, formula: Formula, known: Knowledge) -> Step | None:
         below = _Search(self.prove_here, ())
-        return _Search(below._premise, ()).prove(formula, known, self.inner, 0) if self.inner else None
+        nested = [instance for instance in self.inner if instance.name.startswith("antiderivative")]
+        bound = {instance.letter for instance in nested}
+        deeper = [instance for instance in nested if _around(instance) & bound]
+        here = [instance for instance in self.inner if instance not in deeper]
+        return _Search(below._premise, deeper).prove(formula, known, here, 0) if here else None
 
     def _by_cases(self, goal: Formula, known: Knowledge, pending: Sequence[Instance], cases: int) -> Step | None:
         """What a theorem about an integral asks for holds, or it does not."""
@@ -186,6 +193,11 @@ class _Search:
                 split = in_cases(goal, alternative, ways, below, partial(self.prove, pending=pending, cases=cases - 1))
                 return split and applied("dichotomy", t).step([], split)
         return None
+
+
+def _around(instance: Instance) -> set[str]:
+    """The letters but its own of which a theorem speaks."""
+    return set().union(*map(letters, instance.terms)) - {instance.letter}
 
 
 def _said(instance: Instance, known: Knowledge) -> Said:
