@@ -447,6 +447,506 @@ JUDGED = (  # LaTeX, the right reading as a fully bracketed expression, reposito
         "Chain(\\mathbf{z}_t, Tuple(x_t, y_t; []); =)",
         "AtsushiSakai/PythonRobotics/docs/modules/2_localization/extended_kalman_filter_localization_files/extended_kalman_filter_localization_main.rst",
     ),
+    (
+        "\\boldsymbol{v} = \\boldsymbol{v}_O + \\boldsymbol{\\omega} \\times \\boldsymbol{r}' = \\boldsymbol{v}_O + \\boldsymbol{\\omega} \\times (\\boldsymbol{r}-\\boldsymbol{r}_O)",
+        "Chain(\\boldsymbol{v}, Add(\\boldsymbol{v}_O, Cross(\\boldsymbol{\\omega}; \\boldsymbol{r}')), Add(\\boldsymbol{v}_O, Cross(\\boldsymbol{\\omega}; Add(\\boldsymbol{r}, Neg(\\boldsymbol{r}_O)))); =, =)",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/chapter6.tex",
+    ),
+    (
+        "\\begin{array}{ll} y_{tt} = 2 y_{xx} & \\qquad \\text{for } \\; 0 < x < \\pi \\text{ and } t > 0, \\\\ y(0,t) = y(\\pi,t) = 0 & \\qquad \\text{for } \\; t > 0 , \\\\ y(x,0) = x & \\qquad \\text{for } \\; 0 < x < \\pi , \\\\ y_t(x,0) = 0 & \\qquad \\text{for } \\; 0 < x < \\pi . \\end{array}",
+        "System(Implies(System(Chain(0, x, \\pi; <, <), Chain(t, 0; >)); Chain(y_{tt}, Mul(2, y_{xx}); =)), Implies(Chain(t, 0; >); Chain(Call(y; 0, t), Call(y; \\pi, t), 0; =, =)), Implies(Chain(0, x, \\pi; <, <); Chain(Call(y; x, 0), x; =)), Implies(Chain(0, x, \\pi; <, <); Chain(Call(y_t; x, 0), 0; =)))",
+        "jirilebl/diffyqs/ch-fourier-and-pde.tex",
+    ),
+    (
+        "h(z)=\\frac{\\exp \\left(-(d - z)^{2} / 2\\right)}{\\sqrt{2 \\pi}}",
+        "Chain(Call(h; z), Div(Call(exp; Neg(Div(Pow(Add(d, Neg(z)); 2); 2))); Sqrt(Mul(2, \\pi))); =)",
+        "AtsushiSakai/PythonRobotics/docs/modules/2_localization/histogram_filter_localization/histogram_filter_localization_main.rst",
+    ),
+    (
+        "\\eta_s = \\frac{(P_2/P_1)^{(k-1)/k}-1} {(P_2/P_1)^{\\frac{k-1}{k\\eta_p}}-1}",
+        "Chain(\\eta_s, Div(Add(Pow(Div(P_2; P_1); Div(Add(k, Neg(1)); k)), Neg(1)); Add(Pow(Div(P_2; P_1); Div(Add(k, Neg(1)); Mul(k, \\eta_p))), Neg(1))); =)",
+        "CalebBell/fluids/fluids/compressible.py",
+    ),
+    (
+        "M_m \\dot{x} = f_m",
+        "Chain(Mul(M_m, Call(\\dot{x})), f_m; =)",
+        "sympy/sympy/sympy/physics/mechanics/system.py",
+    ),
+    (
+        "\\begin{bmatrix} \\hat{b}_x \\\\ \\hat{b}_y \\\\ \\hat{b}_z \\end{bmatrix} = {}^B\\mathbf{C}^A {}^A\\mathbf{C}^N \\begin{bmatrix} \\hat{n}_x \\\\ \\hat{n}_y \\\\ \\hat{n}_z \\end{bmatrix}",
+        "Chain(MatrixOf(\\hat{b}_x, \\hat{b}_y, \\hat{b}_z), Mul(\\prescript { B } { } { \\mathbf { C } } ^ { A }, \\prescript { A } { } { \\mathbf { C } } ^ { N }, MatrixOf(\\hat{n}_x, \\hat{n}_y, \\hat{n}_z)); =)",
+        "moorepants/learn-multibody-dynamics/orientation.rst",
+    ),
+    (
+        "T_n(z) = {}_2F_1\\left(-n,n,\\frac{1}{2},\\frac{1-z}{2}\\right)",
+        "Chain(Call(T_n; z), Call(\\prescript { } { 2 } { F } _ { 1 }; Neg(n), n, Div(1; 2), Div(Add(1, Neg(z)); 2)); =)",
+        "fredrik-johansson/arb/doc/source/acb_hypgeom.rst",
+    ),
+    (
+        "\\begin{aligned} \\boldsymbol{h} &= \\boldsymbol{r}\\times\\boldsymbol{v} = r\\boldsymbol{\\hat{u}}_r \\times\\left(v_r\\boldsymbol{\\hat{u}}_r + v_{\\perp}\\boldsymbol{\\hat{u}}_{\\perp}\\right)\\\\ &= r v_r\\left(\\boldsymbol{\\hat{u}}_r\\times\\boldsymbol{\\hat{u}}_r\\right) + r v_{\\perp}\\left(\\boldsymbol{\\hat{u}}_r\\times\\boldsymbol{\\hat{u}}_{\\perp}\\right)\\\\ &= r v_{\\perp}\\boldsymbol{\\hat{h}} \\end{aligned}",
+        "Chain(\\boldsymbol{h}, Cross(\\boldsymbol{r}; \\boldsymbol{v}), Cross(Mul(r, \\boldsymbol{\\hat{u}}_r); Add(Mul(v_r, \\boldsymbol{\\hat{u}}_r), Mul(v_\\perp, \\boldsymbol{\\hat{u}}_\\perp))), Add(Mul(r, v_r, Cross(\\boldsymbol{\\hat{u}}_r; \\boldsymbol{\\hat{u}}_r)), Mul(r, v_\\perp, Cross(\\boldsymbol{\\hat{u}}_r; \\boldsymbol{\\hat{u}}_\\perp))), Mul(r, v_\\perp, \\boldsymbol{\\hat{h}}); =, =, =, =)",
+        "bryanwweber/orbital-mechanics-notes/constants-of-orbital-motion/orbital-plane-and-keplers-second-law.md",
+    ),
+    (
+        "\\begin{split} 0 = y''-xy &= \\Biggl( \\sum_{k=2}^\\infty k\\,(k-1) \\, a_k x^{k-2} \\Biggr) - x \\Biggl( \\sum_{k=0}^\\infty a_k x^k \\Biggr) \\\\ &= \\Biggl( \\sum_{k=2}^\\infty k\\,(k-1) \\, a_k x^{k-2} \\Biggr) - \\Biggl( \\sum_{k=0}^\\infty a_k x^{k+1} \\Biggr) . \\end{split}",
+        "Chain(0, Add(y'', Neg(Mul(x, y))), Add(BigSum(k; 2; Infinity(); Mul(k, Add(k, Neg(1)), a_k, Pow(x; Add(k, Neg(2))))), Neg(Mul(x, BigSum(k; 0; Infinity(); Mul(a_k, Pow(x; k)))))), Add(BigSum(k; 2; Infinity(); Mul(k, Add(k, Neg(1)), a_k, Pow(x; Add(k, Neg(2))))), Neg(BigSum(k; 0; Infinity(); Mul(a_k, Pow(x; Add(k, 1)))))); =, =, =)",
+        "jirilebl/diffyqs/ch-power-ser.tex",
+    ),
+    (
+        "\\mathbf{a}' = \\mathbf{a} + 2\\alpha (\\vec{\\mathbf{v}}\\times\\mathbf{a}) + 2\\big(\\vec{\\mathbf{v}}\\times(\\vec{\\mathbf{v}}\\times\\mathbf{a})\\big)",
+        "Chain(\\mathbf{a}', Add(\\mathbf{a}, Mul(2, \\alpha, Cross(\\vec{\\mathbf{v}}; \\mathbf{a})), Mul(2, Cross(\\vec{\\mathbf{v}}; Cross(\\vec{\\mathbf{v}}; \\mathbf{a})))); =)",
+        "Mayitzin/ahrs/ahrs/common/quaternion.py",
+    ),
+    (
+        "E_F = \\frac{1}{2} m_{\\text{tot}} v_{\\text{CoM}}^2 + 2\\Big[\\frac{1}{2} k \\theta_{\\text{max}}^2\\Big]",
+        "Chain(E_F, Add(Mul(Div(1; 2), m_{tot}, Pow(v_{CoM}; 2)), Mul(2, Mul(Div(1; 2), k, Pow(\\theta_{max}; 2)))); =)",
+        "AVSLab/basilisk/src/simulation/dynamics/HingedRigidBodies/_Documentation/secTest.tex",
+    ),
+    (
+        "w = R - h",
+        "Chain(w, Add(R, Neg(h)); =)",
+        "CalebBell/fluids/fluids/geometry.py",
+    ),
+    (
+        "T_{\\text{orb}} = \\frac{1}{2} m_{sc} \\dot{\\bm r}_{C/N} \\cdot \\dot{\\bm r}_{C/N}",
+        "Chain(T_{orb}, Mul(Div(1; 2), m_{sc}, Call(\\dot{\\bm{r}}_{C/N}), Call(\\dot{\\bm{r}}_{C/N}); 3); =)",
+        "AVSLab/basilisk/src/simulation/dynamics/spacecraft/_Documentation/Spacecraft/secModelDescription.tex",
+    ),
+    (
+        "{\\bf \\phi}({\\bf q},\\dot{\\bf q}, \\ddot{\\bf q}, {\\bf u}, t) = 0,",
+        "Chain(Call(\\mathbf{\\phi}; Call(\\mathbf{q}), Call(\\dot{\\mathbf{q}}), Call(\\ddot{\\mathbf{q}}), \\mathbf{u}, t), 0; =)",
+        "RussTedrake/underactuated/book/intro.html",
+    ),
+    (
+        "{}^Ap^B_F = - {}^Bp^A_F.",
+        "Chain(\\prescript { A } { } { p } _ { F } ^ { B }, Neg(\\prescript { B } { } { p } _ { F } ^ { A }); =)",
+        "RussTedrake/manipulation/book/pick.html",
+    ),
+    (
+        "l_1 = c_1 \\tan(f_1)",
+        "Chain(l_1, Mul(c_1, Call(tan; f_1)); =)",
+        "AVSLab/basilisk/src/simulation/environment/eclipse/eclipse.rst",
+    ),
+    (
+        "r = \\frac{p}{2}(1+\\eta^2)",
+        "Chain(r, Mul(Div(p; 2), Add(1, Pow(\\eta; 2))); =)",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/chapter4.tex",
+    ),
+    (
+        "\\underbrace{A \\cos \\bigl(-\\sqrt{\\lambda}\\, \\pi\\bigr) + B \\sin \\bigl(-\\sqrt{\\lambda}\\, \\pi\\bigr)}_{x(-\\pi)} = \\underbrace{A \\cos \\bigl( \\sqrt{\\lambda}\\, \\pi \\bigr) + B \\sin \\bigl( \\sqrt{\\lambda}\\, \\pi\\bigr)}_{x(\\pi)} .",
+        "Chain(Add(Mul(A, Call(cos; Neg(Mul(Sqrt(\\lambda), \\pi)))), Mul(B, Call(sin; Neg(Mul(Sqrt(\\lambda), \\pi))))), Add(Mul(A, Call(cos; Mul(Sqrt(\\lambda), \\pi))), Mul(B, Call(sin; Mul(Sqrt(\\lambda), \\pi)))); =)",
+        "jirilebl/diffyqs/ch-fourier-and-pde.tex",
+    ),
+    (
+        "\\bm\\omega_{R/N} = \\bm\\omega_{R/R_{0}} + \\bm\\omega_{R_{0}/N} = \\bm\\omega_{R_{0}/N}",
+        "Chain(\\bm{\\omega}_{R/N}, Add(\\bm{\\omega}_{R/R_0}, \\bm{\\omega}_{R_0/N}), \\bm{\\omega}_{R_0/N}; =, =)",
+        "AVSLab/basilisk/src/fswAlgorithms/attGuidance/attTrackingError/_Documentation/secModuleDescription.tex",
+    ),
+    (
+        "\\alpha = (1 - \\sigma')^{-1}",
+        "Chain(\\alpha, Pow(Add(1, Neg(\\sigma')); Neg(1)); =)",
+        "fredrik-johansson/arb/doc/source/hypergeometric.rst",
+    ),
+    (
+        "\\tan\\beta = \\frac{e \\sin f}{1 + e \\cos f}",
+        "Chain(Call(tan; \\beta), Div(Mul(e, Call(sin; f)); Add(1, Mul(e, Call(cos; f)))); =)",
+        "AVSLab/basilisk/src/fswAlgorithms/attGuidance/velocityPoint/_Documentation/velocityPoint.tex",
+    ),
+    (
+        "Lw = L(y_p - \\tilde{y}_p) = Ly_p - L\\tilde{y}_p = (2x+1)-(2x+1) = 0 .",
+        "Chain(Mul(L, w), Mul(L, Add(y_p, Neg(\\tilde{y}_p))), Add(Mul(L, y_p), Neg(Mul(L, \\tilde{y}_p))), Add(Add(Mul(2, x), 1), Neg(Add(Mul(2, x), 1))), 0; =, =, =, =)",
+        "jirilebl/diffyqs/ch-higher-order-ode.tex",
+    ),
+    (
+        "\\bar{\\textbf{x}} = \\dfrac{1}{m_{total}}\\sum_{i}m_i\\textbf{x}_i,",
+        "Chain(\\bar{\\mathbf{x}}, Mul(Div(1; m_{total}), BigSum(i; Mul(m_i, \\mathbf{x}_i))); =)",
+        "AVSLab/basilisk/src/fswAlgorithms/formationFlying/formationBarycenter/formationBarycenter.rst",
+    ),
+    (
+        "a_z = -g\\cos\\theta",
+        "Chain(a_z, Neg(Mul(g, Call(cos; \\theta))); =)",
+        "Mayitzin/ahrs/ahrs/filters/fqa.py",
+    ),
+    (
+        "R_{\\mathrm{dropped,pot}} = R_{\\mathrm{remove,pot}} - R_{\\mathrm{delivered,pot}}",
+        "Chain(R_{dropped,pot}, Add(R_{remove,pot}, Neg(R_{delivered,pot})); =)",
+        "AVSLab/basilisk/src/simulation/communication/downlinkHandling/downlinkHandling.rst",
+    ),
+    (
+        "\\boldsymbol{r}_2 = \\left(x - \\pi_1 r_{12}\\right)\\boldsymbol{\\hat{\\imath}} + y\\boldsymbol{\\hat{\\jmath}} + z\\boldsymbol{\\hat{k}}",
+        "Chain(\\boldsymbol{r}_2, Add(Mul(Add(x, Neg(Mul(\\pi_1, r_{12}))), \\boldsymbol{\\hat{\\imath}}), Mul(y, \\boldsymbol{\\hat{\\jmath}}), Mul(z, \\boldsymbol{\\hat{k}})); =)",
+        "bryanwweber/orbital-mechanics-notes/the-n-body-problem/circular-restricted-three-body-problem.md",
+    ),
+    (
+        "C_0 = 1 + 0.2(1-x)(gD)^{0.25}\\left(\\frac{\\rho_l}{G_{tp}}\\right)^{0.5}",
+        "Chain(C_0, Add(1, Mul(0.2, Add(1, Neg(x)), Pow(Mul(g, D); 0.25), Pow(Div(\\rho_l; G_{tp}); 0.5))); =)",
+        "CalebBell/fluids/fluids/two_phase_voidage.py",
+    ),
+    (
+        "E = \\frac{1}{2} m l^2 \\dot\\theta^2 - mgl\\cos\\theta.",
+        "Chain(E, Add(Mul(Div(1; 2), m, Pow(l; 2), Pow(Call(\\dot{\\theta}); 2)), Neg(Mul(m, g, l, Call(cos; Call(\\theta))))); =)",
+        "RussTedrake/underactuated/book/pend.html",
+    ),
+    (
+        "\\bm\\omega_{R/N} = \\bm\\omega_{R/R_{0}} + \\bm\\omega_{R_{0}/N} = \\bm\\omega_{R_{0}/N} = \\frac{1+e \\cos f}{1+e^{2} + 2 e \\cos f} \\dot f \\hat{\\bm\\imath}_{h}",
+        "Chain(\\bm{\\omega}_{R/N}, Add(\\bm{\\omega}_{R/R_0}, \\bm{\\omega}_{R_0/N}), \\bm{\\omega}_{R_0/N}, Mul(Div(Add(1, Mul(e, Call(cos; Call(f)))); Add(1, Pow(e; 2), Mul(2, e, Call(cos; Call(f))))), Call(\\dot{f}), \\hat{\\bm{\\imath}}_h); =, =, =)",
+        "AVSLab/basilisk/src/fswAlgorithms/attGuidance/velocityPoint/_Documentation/velocityPoint.tex",
+    ),
+    (
+        "S_2 = 2\\pi D^2 f_k\\left(\\alpha - \\alpha_1 + (0.5 - f_k)\\left(\\sin^{-1} \\left(\\frac{\\alpha-\\alpha_2}{f_k}\\right) - \\sin^{-1}\\left(\\frac{ \\alpha_1-\\alpha_2}{f_k}\\right)\\right)\\right)",
+        "Chain(S_2, Mul(2, \\pi, Pow(D; 2), f_k, Add(\\alpha, Neg(\\alpha_1), Mul(Add(0.5, Neg(f_k)), Add(Call(arcsin; Div(Add(\\alpha, Neg(\\alpha_2)); f_k)), Neg(Call(arcsin; Div(Add(\\alpha_1, Neg(\\alpha_2)); f_k))))))); =)",
+        "CalebBell/fluids/fluids/geometry.py",
+    ),
+    (
+        "\\frac{d}{dt}\\left(\\dot{\\boldsymbol{r}}\\times\\boldsymbol{h} - \\mu\\frac{\\boldsymbol{r}}{r}\\right) = \\boldsymbol{0}",
+        "Chain(Derivative(Add(Cross(Call(\\dot{\\boldsymbol{r}}); \\boldsymbol{h}), Neg(Mul(\\mu, Div(Call(\\boldsymbol{r}); Call(r))))); t, 1), 0; =)",
+        "bryanwweber/orbital-mechanics-notes/the-orbit-equation/the-orbit-equation.md",
+    ),
+    (
+        "\\frac{{}_1F_1(a,b,z)}{\\Gamma(b)} = \\frac{(-z)^{-a}}{\\Gamma(b-a)} U^{*}(a,b,z) + \\frac{z^{a-b} e^z}{\\Gamma(a)} U^{*}(b-a,b,-z)",
+        "Chain(Div(Call(\\prescript { } { 1 } { F } _ { 1 }; a, b, z); Call(Gamma; b)), Add(Mul(Div(Pow(Neg(z); Neg(a)); Call(Gamma; Add(b, Neg(a)))), Call(U ^ { * }; a, b, z)), Mul(Div(Mul(Pow(z; Add(a, Neg(b))), Pow(e; z)); Call(Gamma; a)), Call(U ^ { * }; Add(b, Neg(a)), b, Neg(z)))); =)",
+        "fredrik-johansson/arb/doc/source/hypergeometric.rst",
+    ),
+    (
+        "0 = x^{*} - \\frac{1 - \\pi_2}{\\left\\lvert x^* + \\pi_2\\right\\rvert ^3}\\left(x^* + \\pi_2\\right) - \\frac{\\pi_2}{\\left\\lvert x^* - 1 + \\pi_2\\right\\rvert ^3}\\left(x^* - 1 + \\pi_2\\right)",
+        "Chain(0, Add(x ^ { * }, Neg(Mul(Div(Add(1, Neg(\\pi_2)); Pow(Bars(Add(x ^ { * }, \\pi_2)); 3)), Add(x ^ { * }, \\pi_2))), Neg(Mul(Div(\\pi_2; Pow(Bars(Add(x ^ { * }, Neg(1), \\pi_2)); 3)), Add(x ^ { * }, Neg(1), \\pi_2)))); =)",
+        "bryanwweber/orbital-mechanics-notes/the-n-body-problem/lagrange-points.md",
+    ),
+    (
+        "\\mathbf{S} = \\mathbf{K} - \\mathbf{I}",
+        "Chain(\\mathbf{S}, Add(\\mathbf{K}, Neg(\\mathbf{I})); =)",
+        "Mayitzin/ahrs/ahrs/filters/famc.py",
+    ),
+    (
+        "\\begin{split} u & = e^{-\\xi^2-s} + (1 - \\xi) e^{-s} +s+\\xi-1 \\\\ & = e^{-{(x-t)}^2-t} + (1 - x + t) e^{-t} +x-1 . \\end{split}",
+        "Chain(u, Add(Pow(e; Add(Neg(Pow(\\xi; 2)), Neg(s))), Mul(Add(1, Neg(\\xi)), Pow(e; Neg(s))), s, \\xi, Neg(1)), Add(Pow(e; Add(Neg(Pow(Add(x, Neg(t)); 2)), Neg(t))), Mul(Add(1, Neg(x), t), Pow(e; Neg(t))), x, Neg(1)); =, =)",
+        "jirilebl/diffyqs/ch-first-order-ode.tex",
+    ),
+    (
+        "c_n = 2 \\int_0^1 t \\sin (n \\pi t) \\,dt = \\frac{2 \\, {(-1)}^{n+1}}{n \\pi} .",
+        "Chain(c_n, Mul(2, Integral(Mul(t, Call(sin; Mul(n, \\pi, t))); t; 0; 1)), Div(Mul(2, Pow(Neg(1); Add(n, 1))); Mul(n, \\pi)); =, =)",
+        "jirilebl/diffyqs/ch-fourier-and-pde.tex",
+    ),
+    (
+        "r = \\sqrt{\\boldsymbol{r}\\cdot\\boldsymbol{r}}",
+        "Chain(r, Sqrt(Mul(\\boldsymbol{r}, \\boldsymbol{r}; 1)); =)",
+        "bryanwweber/orbital-mechanics-notes/time-since-periapsis-and-keplers-equation/universal-lagrange-coefficients-example.md",
+    ),
+    (
+        "r = \\frac{a^2 + R^2}{2|a|}",
+        "Chain(r, Div(Add(Pow(a; 2), Pow(R; 2)); Mul(2, Bars(a))); =)",
+        "CalebBell/fluids/fluids/geometry.py",
+    ),
+    (
+        "u(t) = K_p (q_d(t) - q(t)) + K_d (\\dot{q}_d(t) - \\dot{q}(t)) + K_i \\int_0^t (q_d(t) - q(t)) dt,",
+        "Chain(Call(u; t), Add(Mul(K_p, Add(Call(q_d; t), Neg(Call(q; t)))), Mul(K_d, Add(Call(\\dot{q}_d; t), Neg(Call(\\dot{q}; t)))), Mul(K_i, Integral(Add(Call(q_d; t), Neg(Call(q; t))); t; 0; t))); =)",
+        "RussTedrake/manipulation/book/force.html",
+    ),
+    (
+        "{}^{\\mathbf{N}}\\boldsymbol{\\omega}^{\\mathbf{A}} &= 0\\\\ {}^{\\mathbf{A}}\\boldsymbol{\\omega}^{\\mathbf{B}} &= \\dot{q_1} \\mathbf{\\hat{a}_x}\\\\ {}^{\\mathbf{B}}\\boldsymbol{\\omega}^{\\mathbf{C}} &= - \\dot{q_2} \\mathbf{\\hat{b}_z}\\\\ {}^{\\mathbf{C}}\\boldsymbol{\\omega}^{\\mathbf{D}} &= \\dot{q_3} \\mathbf{\\hat{c}_y}\\\\ {}^{\\mathbf{N}}\\boldsymbol{\\omega}^{\\mathbf{D}} &= \\dot{q_1} \\mathbf{\\hat{a}_x} - \\dot{q_2} \\mathbf{\\hat{b}_z} + \\dot{q_3} \\mathbf{\\hat{c}_y}",
+        "System(Chain(\\prescript { \\mathbf { N } } { } { \\boldsymbol { \\omega } } ^ { \\mathbf { A } }, 0; =), Chain(\\prescript { \\mathbf { A } } { } { \\boldsymbol { \\omega } } ^ { \\mathbf { B } }, Mul(Call(\\dot{q}_1), \\mathbf{\\hat{a}}_x); =), Chain(\\prescript { \\mathbf { B } } { } { \\boldsymbol { \\omega } } ^ { \\mathbf { C } }, Neg(Mul(Call(\\dot{q}_2), \\mathbf{\\hat{b}}_z)); =), Chain(\\prescript { \\mathbf { C } } { } { \\boldsymbol { \\omega } } ^ { \\mathbf { D } }, Mul(Call(\\dot{q}_3), \\mathbf{\\hat{c}}_y); =), Chain(\\prescript { \\mathbf { N } } { } { \\boldsymbol { \\omega } } ^ { \\mathbf { D } }, Add(Mul(Call(\\dot{q}_1), \\mathbf{\\hat{a}}_x), Neg(Mul(Call(\\dot{q}_2), \\mathbf{\\hat{b}}_z)), Mul(Call(\\dot{q}_3), \\mathbf{\\hat{c}}_y)); =))",
+        "sympy/sympy/doc/src/explanation/modules/physics/vector/kinematics/kinematics.rst",
+    ),
+    (
+        "1 + \\sum_{i=1}^p \\left(\\frac{C}{k}\\right)^i \\le 1 + \\frac{C}{k-C}",
+        "Chain(Add(1, BigSum(i; 1; p; Pow(Div(C; k); i))), Add(1, Div(C; Add(k, Neg(C)))); \\le)",
+        "fredrik-johansson/arb/doc/source/hypgeom.rst",
+    ),
+    (
+        "|u_\\delta| \\leq u_{\\delta,max}",
+        "Chain(Bars(u_\\delta), u_{\\delta,max}; \\le)",
+        "AtsushiSakai/PythonRobotics/docs/modules/6_path_tracking/cgmres_nmpc/cgmres_nmpc_main.rst",
+    ),
+    (
+        "\\left| (x+a)(y+b) - x y \\right| \\le |xb| + |ya| + |ab|.",
+        "Chain(Bars(Add(Mul(Add(x, a), Add(y, b)), Neg(Mul(x, y)))), Add(Bars(Mul(x, b)), Bars(Mul(y, a)), Bars(Mul(a, b))); \\le)",
+        "fredrik-johansson/arb/doc/source/formulas.rst",
+    ),
+    (
+        "v_{term} = v_{max} = \\sqrt{\\frac{4 g d_p (\\rho_p-\\rho_f)}{3 C_D \\rho_f }}",
+        "Chain(v_{term}, v_{max}, Sqrt(Div(Mul(4, g, d_p, Add(\\rho_p, Neg(\\rho_f))); Mul(3, C_D, \\rho_f))); =, =)",
+        "CalebBell/fluids/fluids/separator.py",
+    ),
+    (
+        "\\frac{T^*}{T_0} = \\frac{2}{k+1}",
+        "Chain(Div(T ^ { * }; T_0), Div(2; Add(k, 1)); =)",
+        "CalebBell/fluids/fluids/compressible.py",
+    ),
+    (
+        "\\theta_{1,0}(z,\\tau) = \\theta_2(z,\\tau), \\quad \\theta_{1,1}(z,\\tau) = i \\theta_1(z,\\tau)",
+        "System(Chain(Call(\\theta_{1,0}; z, \\tau), Call(\\theta_2; z, \\tau); =), Chain(Call(\\theta_{1,1}; z, \\tau), Mul(i, Call(\\theta_1; z, \\tau)); =))",
+        "fredrik-johansson/arb/doc/source/acb_modular.rst",
+    ),
+    (
+        "M_p = \\frac{\\mu^2}{h^3}t",
+        "Chain(M_p, Mul(Div(Pow(\\mu; 2); Pow(h; 3)), t); =)",
+        "bryanwweber/orbital-mechanics-notes/time-since-periapsis-and-keplers-equation/parabolic-trajectories.md",
+    ),
+    (
+        "\\boldsymbol{B} = B_X\\boldsymbol{\\hat{I}} + B_Y\\boldsymbol{\\hat{J}} + B_Z\\boldsymbol{\\hat{K}}",
+        "Chain(\\boldsymbol{B}, Add(Mul(B_X, \\boldsymbol{\\hat{I}}), Mul(B_Y, \\boldsymbol{\\hat{J}}), Mul(B_Z, \\boldsymbol{\\hat{K}})); =)",
+        "bryanwweber/orbital-mechanics-notes/review/time-derivatives-of-moving-vectors.md",
+    ),
+    (
+        "{\\vphantom{\\hat{\\bm s}}}^{\\mathcal{B}\\!}{\\hat{\\bm s}} = [BN] {\\vphantom{\\hat{\\bm s}}}^{\\mathcal{N}\\!}{\\hat{\\bm s}}",
+        "Chain(\\prescript { \\mathcal { B } \\! } { } { \\hat { \\bm { s } } }, Mul([ B N ], \\prescript { \\mathcal { N } \\! } { } { \\hat { \\bm { s } } }); =)",
+        "AVSLab/basilisk/src/simulation/sensors/coarseSunSensor/_Documentation/secModelDescription.tex",
+    ),
+    (
+        "y' = \\sum_{k=1}^\\infty k a_k x^{k-1} .",
+        "Chain(y', BigSum(k; 1; Infinity(); Mul(k, a_k, Pow(x; Add(k, Neg(1))))); =)",
+        "jirilebl/diffyqs/ch-power-ser.tex",
+    ),
+    (
+        "\\begin{array}{r} m\\ddot{q}_1= \\phantom{-}F\\\\ m\\ddot{q}_2= -F\\\\ m\\ddot{q}_3 + mg = \\phantom{-}0\\\\ \\ddot{q}_1 - \\ddot{q}_2\\!\\! = \\phantom{-}0 \\end{array}",
+        "System(Chain(Mul(m, Call(\\ddot{q}_1)), F; =), Chain(Mul(m, Call(\\ddot{q}_2)), Neg(F); =), Chain(Add(Mul(m, Call(\\ddot{q}_3)), Mul(m, g)), 0; =), Chain(Add(Call(\\ddot{q}_1), Neg(Call(\\ddot{q}_2))), 0; =))",
+        "moorepants/learn-multibody-dynamics/lagrange.rst",
+    ),
+    (
+        "\\bar{p}_1 = 23 \\hat{n}_x - 12 \\hat{n}_y \\\\ \\bar{p}_2 = 16 \\hat{n}_x + 2 \\hat{n}_y - 4 \\hat{n}_z \\\\ \\bar{p}_3 = \\hat{n}_x + 14 \\hat{n}_z",
+        "System(Chain(\\bar{p}_1, Add(Mul(23, \\hat{n}_x), Neg(Mul(12, \\hat{n}_y))); =), Chain(\\bar{p}_2, Add(Mul(16, \\hat{n}_x), Mul(2, \\hat{n}_y), Neg(Mul(4, \\hat{n}_z))); =), Chain(\\bar{p}_3, Add(\\hat{n}_x, Mul(14, \\hat{n}_z)); =))",
+        "moorepants/learn-multibody-dynamics/vectors.rst",
+    ),
+    (
+        "f(t) = \\sum_{n=1}^\\infty c_n \\sin (n \\pi t) .",
+        "Chain(Call(f; t), BigSum(n; 1; Infinity(); Mul(c_n, Call(sin; Mul(n, \\pi, t)))); =)",
+        "jirilebl/diffyqs/ch-fourier-and-pde.tex",
+    ),
+    (
+        "\\mathbf{q}_{am} = \\frac{1}{4} \\Big(\\mathbf{W}_a + \\mathbf{I}_4\\Big) \\Big(\\mathbf{W}_m + \\mathbf{I}_4\\Big) \\mathbf{q}_{t-1}",
+        "Chain(\\mathbf{q}_{am}, Mul(Div(1; 4), Add(\\mathbf{W}_a, \\mathbf{I}_4), Add(\\mathbf{W}_m, \\mathbf{I}_4), \\mathbf{q}_{t-1}); =)",
+        "Mayitzin/ahrs/ahrs/filters/fkf.py",
+    ),
+    (
+        "v_f = v_i + v_r \\ln \\frac{M_i}{M_f} - gt_f = v_i + v_r \\ln \\left(1+\\frac{|\\Delta M|}{M_f}\\right) - gt_f",
+        "Chain(v_f, Add(v_i, Mul(v_r, Call(ln; Div(M_i; M_f))), Neg(Mul(g, t_f))), Add(v_i, Mul(v_r, Call(ln; Add(1, Div(Bars(\\Delta M); M_f)))), Neg(Mul(g, t_f))); =, =)",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/vectorial-mechanics/Dynamics.tex",
+    ),
+    (
+        "\\mathbf{R}_X(\\theta) = \\begin{bmatrix} 1 & 0 & 0 \\\\ 0 & \\cos \\theta & -\\sin \\theta \\\\ 0 & \\sin \\theta & \\cos \\theta \\end{bmatrix}",
+        "Chain(Call(\\mathbf{R}_X; \\theta), MatrixOf(1, 0, 0, 0, Call(cos; \\theta), Neg(Call(sin; \\theta)), 0, Call(sin; \\theta), Call(cos; \\theta)); =)",
+        "Mayitzin/ahrs/ahrs/common/dcm.py",
+    ),
+    (
+        "1 = \\frac{1 - \\pi_2}{\\sigma_3} + \\frac{\\pi_2}{\\psi^3}",
+        "Chain(1, Add(Div(Add(1, Neg(\\pi_2)); \\sigma_3), Div(\\pi_2; Pow(\\psi; 3))); =)",
+        "bryanwweber/orbital-mechanics-notes/the-n-body-problem/lagrange-points.md",
+    ),
+    (
+        "\\boldsymbol{h} = \\boldsymbol{r}_0 \\times\\boldsymbol{v}_0 = \\boldsymbol{\\hat{w}}\\left(x_0\\dot{y}_0 - y_0\\dot{x}_0\\right)",
+        "Chain(\\boldsymbol{h}, Cross(\\boldsymbol{r}_0; \\boldsymbol{v}_0), Mul(\\boldsymbol{\\hat{w}}, Add(Mul(Call(x_0), Call(\\dot{y}_0)), Neg(Mul(Call(y_0), Call(\\dot{x}_0))))); =, =)",
+        "bryanwweber/orbital-mechanics-notes/time-since-periapsis-and-keplers-equation/the-lagrange-coefficients.md",
+    ),
+    (
+        "\\ddot{q}_d = \\ddot{q}_0(t) + K_p(q_0(t) - q) + K_d(\\dot{q}_0(t) - \\dot{q}).",
+        "Chain(Call(\\ddot{q}_d), Add(Call(\\ddot{q}_0; t), Mul(K_p, Add(Call(q_0; t), Neg(Call(q)))), Mul(K_d, Add(Call(\\dot{q}_0; t), Neg(Call(\\dot{q}))))); =)",
+        "RussTedrake/manipulation/book/force.html",
+    ),
+    (
+        "\\epsilon_2 = \\sqrt{1 + \\frac{\\Delta P}{P_2}} - (0.41 + 0.35\\beta^4) \\frac{\\Delta P}{\\kappa P_2 \\sqrt{1 + \\frac{\\Delta P}{P_2}}}",
+        "Chain(\\epsilon_2, Add(Sqrt(Add(1, Div(\\Delta P; P_2))), Neg(Mul(Add(0.41, Mul(0.35, Pow(\\beta; 4))), Div(\\Delta P; Mul(\\kappa, P_2, Sqrt(Add(1, Div(\\Delta P; P_2)))))))); =)",
+        "CalebBell/fluids/fluids/flow_meter.py",
+    ),
+    (
+        "f(x) := \\dfrac{1}{\\beta} \\exp \\left( -\\dfrac{x-\\mu}{\\beta} - \\exp \\left( -\\dfrac{x - \\mu}{\\beta} \\right) \\right)",
+        "Chain(Call(f; x), Mul(Div(1; \\beta), Call(exp; Add(Neg(Div(Add(x, Neg(\\mu)); \\beta)), Neg(Call(exp; Neg(Div(Add(x, Neg(\\mu)); \\beta))))))); =)",
+        "sympy/sympy/sympy/stats/crv_types.py",
+    ),
+    (
+        "\\dot x &= v \\cos \\theta, \\\\ \\dot y &= v \\sin \\theta, \\\\ \\dot \\theta &= u.",
+        "System(Chain(Call(\\dot{x}), Mul(v, Call(cos; Call(\\theta))); =), Chain(Call(\\dot{y}), Mul(v, Call(sin; Call(\\theta))); =), Chain(Call(\\dot{\\theta}), u; =))",
+        "RussTedrake/underactuated/book/dp.html",
+    ),
+    (
+        "m a = F",
+        "Chain(Mul(m, a), F; =)",
+        "sympy/sympy/doc/src/modules/physics/units/examples.rst",
+    ),
+    (
+        "b_n \\bigl(2 - n^2 \\pi^2\\bigr) = \\frac{2\\,{(-1)}^{n+1}}{n \\pi}",
+        "Chain(Mul(b_n, Add(2, Neg(Mul(Pow(n; 2), Pow(\\pi; 2))))), Div(Mul(2, Pow(Neg(1); Add(n, 1))); Mul(n, \\pi)); =)",
+        "jirilebl/diffyqs/ch-fourier-and-pde.tex",
+    ),
+    (
+        "\\begin{aligned} a &= e_i p_f - e_f p_i \\cos\\eta & b &= -e_f p_i \\sin\\eta & c &= p_i - p_f \\end{aligned}",
+        "System(Chain(a, Add(Mul(e_i, p_f), Neg(Mul(e_f, p_i, Call(cos; \\eta)))); =), Chain(b, Neg(Mul(e_f, p_i, Call(sin; \\eta))); =), Chain(c, Add(p_i, Neg(p_f)); =))",
+        "bryanwweber/orbital-mechanics-notes/orbital-maneuvers/apse-line-rotation-example.md",
+    ),
+    (
+        "\\xi = m + n - p \\\\ \\delta = m + n - \\frac{p + q}{2}",
+        "System(Chain(\\xi, Add(m, n, Neg(p)); =), Chain(\\delta, Add(m, n, Neg(Div(Add(p, q); 2))); =))",
+        "sympy/sympy/doc/src/modules/integrals/g-functions.rst",
+    ),
+    (
+        "\\boldsymbol{\\hat{h}} = \\frac{\\boldsymbol{h}}{h}",
+        "Chain(\\boldsymbol{\\hat{h}}, Div(\\boldsymbol{h}; h); =)",
+        "bryanwweber/orbital-mechanics-notes/constants-of-orbital-motion/orbital-plane-and-keplers-second-law.md",
+    ),
+    (
+        "\\eta_p = \\frac{\\left(\\frac{n}{n-1}\\right)}{\\left(\\frac{k}{k-1} \\right)} = \\frac{n(k-1)}{k(n-1)}",
+        "Chain(\\eta_p, Div(Div(n; Add(n, Neg(1))); Div(k; Add(k, Neg(1)))), Div(Mul(n, Add(k, Neg(1))); Mul(k, Add(n, Neg(1)))); =, =)",
+        "CalebBell/fluids/fluids/compressible.py",
+    ),
+    (
+        "c_0 = 2 \\int_0^1 t \\,dt = 1 ,",
+        "Chain(c_0, Mul(2, Integral(t; t; 0; 1)), 1; =, =)",
+        "jirilebl/diffyqs/ch-fourier-and-pde.tex",
+    ),
+    (
+        "\\Pi = \\Omega + \\omega",
+        "Chain(\\Pi, Add(\\Omega, \\omega); =)",
+        "bryanwweber/orbital-mechanics-notes/classical-orbital-elements/classical-orbital-elements.md",
+    ),
+    (
+        "\\left| \\sqrt{x+a} - \\sqrt{x} \\right| \\le \\sqrt{x} \\left(1 - \\sqrt{1-\\frac{|a|}{x}}\\right) \\le \\frac{\\sqrt{x}}{2} \\left(\\frac{|a|}{x} + \\frac{|a|^2}{x^2}\\right)",
+        "Chain(Bars(Add(Sqrt(Add(x, a)), Neg(Sqrt(x)))), Mul(Sqrt(x), Add(1, Neg(Sqrt(Add(1, Neg(Div(Bars(a); x))))))), Mul(Div(Sqrt(x); 2), Add(Div(Bars(a); x), Div(Pow(Bars(a); 2); Pow(x; 2)))); \\le, \\le)",
+        "fredrik-johansson/arb/doc/source/formulas.rst",
+    ),
+    (
+        "\\boldsymbol{\\hat{w}} = \\frac{\\boldsymbol{h}}{h}",
+        "Chain(\\boldsymbol{\\hat{w}}, Div(\\boldsymbol{h}; h); =)",
+        "bryanwweber/orbital-mechanics-notes/classical-orbital-elements/perifocal-frame.md",
+    ),
+    (
+        "[G_{s}]{\\bf u}_{s} = -{\\bf L}_{r}",
+        "Chain(Mul([ G _ { s } ], \\mathbf{u}_s), Neg(\\mathbf{L}_r); =)",
+        "AVSLab/basilisk/src/fswAlgorithms/attControl/mrpFeedback/mrpFeedback.rst",
+    ),
+    (
+        "\\Delta H = \\frac{V^2}{2}",
+        "Chain(\\Delta H, Div(Pow(V; 2); 2); =)",
+        "CalebBell/fluids/fluids/compressible.py",
+    ),
+    (
+        "y = \\underbrace{(C_1 + C_2 x + C_3 x^2)\\, e^x}_{\\text{terms coming from } r=1} + \\underbrace{C_4}_{\\text{from } r=0} .",
+        "Chain(y, Add(Mul(Add(C_1, Mul(C_2, x), Mul(C_3, Pow(x; 2))), Pow(e; x)), C_4); =)",
+        "jirilebl/diffyqs/ch-higher-order-ode.tex",
+    ),
+    (
+        "f(x) = \\sum_{n=1}^\\infty b_n \\sin (n \\pi x) .",
+        "Chain(Call(f; x), BigSum(n; 1; Infinity(); Mul(b_n, Call(sin; Mul(n, \\pi, x)))); =)",
+        "jirilebl/diffyqs/ch-eigenvalue-probs.tex",
+    ),
+    (
+        "\\xi = 0, \\eta = f(y)",
+        "System(Chain(\\xi, 0; =), Chain(\\eta, Call(f; y); =))",
+        "sympy/sympy/sympy/solvers/ode/lie_group.py",
+    ),
+    (
+        "S_{n,j,k} &=& \\phi_{n,j}\\,\\phi_{n,k}\\,\\left[S_{n-1,j,k} + D_{n-1,n-1}\\,\\tilde{W}_{n-1,j}\\,\\tilde{W}_{n-1,k}\\right] \\\\ D_{n,n} &=& A_{n,n} - \\sum_{j=1}^{2\\,J}\\sum_{k=1}^{2\\,J} \\tilde{U}_{n,j}\\,S_{n,j,k}\\,\\tilde{U}_{n,k} \\\\ \\tilde{W}_{n,j} &=& \\frac{1}{D_{n,n}}\\left[ \\tilde{V}_{n,j} - \\sum_{k=1}^{2\\,J}\\tilde{U}_{n,k}\\,S_{n,j,k} \\right] \\quad.",
+        "System(Chain(S_{n,j,k}, Mul(\\phi_{n,j}, \\phi_{n,k}, Add(S_{n-1,j,k}, Mul(D_{n-1,n-1}, \\tilde{W}_{n-1,j}, \\tilde{W}_{n-1,k}))); =), Chain(D_{n,n}, Add(A_{n,n}, Neg(BigSum(j; 1; Mul(2, J); BigSum(k; 1; Mul(2, J); Mul(\\tilde{U}_{n,j}, S_{n,j,k}, \\tilde{U}_{n,k}))))); =), Chain(\\tilde{W}_{n,j}, Mul(Div(1; D_{n,n}), Add(\\tilde{V}_{n,j}, Neg(BigSum(k; 1; Mul(2, J); Mul(\\tilde{U}_{n,k}, S_{n,j,k}))))); =))",
+        "dfm/celerite/paper/ms.tex",
+    ),
+    (
+        "\\boldsymbol{\\alpha} = \\frac{d\\boldsymbol{\\omega}}{dt}",
+        "Chain(\\boldsymbol{\\alpha}, Derivative(Call(\\boldsymbol{\\omega}); t, 1); =)",
+        "bryanwweber/orbital-mechanics-notes/review/time-derivatives-of-moving-vectors.md",
+    ),
+    (
+        "\\mathbf{M} = \\mathbf{R}^T\\mathbf{M}_0\\mathbf{R}",
+        "Chain(\\mathbf{M}, Mul(Transpose(\\mathbf{R}), \\mathbf{M}_0, \\mathbf{R}); =)",
+        "Mayitzin/ahrs/ahrs/filters/mahony.py",
+    ),
+    (
+        "\\frac{\\boldsymbol{r}}{r} + \\boldsymbol{e} = \\frac{\\dot{\\boldsymbol{r}}\\times\\boldsymbol{h}}{\\mu}",
+        "Chain(Add(Div(Call(\\boldsymbol{r}); Call(r)), \\boldsymbol{e}), Div(Cross(Call(\\dot{\\boldsymbol{r}}); \\boldsymbol{h}); \\mu); =)",
+        "bryanwweber/orbital-mechanics-notes/the-orbit-equation/the-orbit-equation.md",
+    ),
+    (
+        "\\dot{x}_0 =& -x_0 - 2x_1^2 \\\\ \\dot{x}_1 =& -x_1 - x_0 x_1 - 2x_1^3,",
+        "System(Chain(Call(\\dot{x}_0), Add(Neg(Call(x_0)), Neg(Mul(2, Pow(Call(x_1); 2)))); =), Chain(Call(\\dot{x}_1), Add(Neg(Call(x_1)), Neg(Mul(Call(x_0), Call(x_1))), Neg(Mul(2, Pow(Call(x_1); 3)))); =))",
+        "RussTedrake/underactuated/book/lyapunov.html",
+    ),
+    (
+        "\\rho \\frac{\\partial^2 \\eta}{\\partial t^2} - T\\frac{\\partial^2 \\eta}{\\partial x^2} = 0",
+        "Chain(Add(Mul(\\rho, Derivative(Call(\\eta); t, 2; True)), Neg(Mul(T, Derivative(Call(\\eta); x, 2; True)))), 0; =)",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/chapter10.tex",
+    ),
+    (
+        "\\boldsymbol{r} = \\frac{h^2}{\\mu}\\frac{1}{1 + e\\cos\\nu}\\left(\\cos\\nu\\boldsymbol{\\hat{p}} + \\sin\\nu\\boldsymbol{\\hat{q}}\\right)",
+        "Chain(\\boldsymbol{r}, Mul(Div(Pow(h; 2); \\mu), Div(1; Add(1, Mul(e, Call(cos; \\nu)))), Add(Mul(Call(cos; \\nu), \\boldsymbol{\\hat{p}}), Mul(Call(sin; \\nu), \\boldsymbol{\\hat{q}}))); =)",
+        "bryanwweber/orbital-mechanics-notes/classical-orbital-elements/perifocal-frame.md",
+    ),
+    (
+        "0 = x^2 - \\frac{1}{4}x^2\\left[\\frac{\\partial J^*}{\\partial x}\\right]^2 + \\frac{\\partial J^*}{\\partial x} f_1(x).",
+        "Chain(0, Add(Pow(x; 2), Neg(Mul(Div(1; 4), Pow(x; 2), Pow(Derivative(Call(J ^ { * }); x, 1; True); 2))), Mul(Derivative(Call(J ^ { * }); x, 1; True), Call(f_1; x))); =)",
+        "RussTedrake/underactuated/book/dp.html",
+    ),
+    (
+        "\\vec{x} = \\begin{bmatrix} 2 t + \\frac{1}{\\sqrt{3}} \\sin ( \\sqrt{3} \\, t ) \\\\ 2 t - \\frac{2}{\\sqrt{3}} \\sin ( \\sqrt{3} \\, t ) \\end{bmatrix} .",
+        "Chain(\\vec{x}, MatrixOf(Add(Mul(2, t), Mul(Div(1; Sqrt(3)), Call(sin; Mul(Sqrt(3), t)))), Add(Mul(2, t), Neg(Mul(Div(2; Sqrt(3)), Call(sin; Mul(Sqrt(3), t)))))); =)",
+        "jirilebl/diffyqs/ch-systems.tex",
+    ),
+    (
+        "\\dot{x} = v s \\cos(\\phi)",
+        "Chain(Call(\\dot{x}), Mul(v, s, Call(cos; \\phi)); =)",
+        "AtsushiSakai/PythonRobotics/docs/modules/2_localization/extended_kalman_filter_localization_files/extended_kalman_filter_localization_main.rst",
+    ),
+    (
+        "x'' + 2 x = F(t) ,",
+        "Chain(Add(x'', Mul(2, x)), Call(F; t); =)",
+        "jirilebl/diffyqs/ch-fourier-and-pde.tex",
+    ),
+    (
+        "k_\\mathrm{true} (\\tau) = A\\, \\exp\\left(-\\frac{\\tau^2}{2\\,\\lambda^2}\\right)\\, \\cos\\left(\\frac{2\\,\\pi\\,\\tau}{P_\\mathrm{true}}\\right)",
+        "Chain(Call(k_{true}; \\tau), Mul(A, Call(exp; Neg(Div(Pow(\\tau; 2); Mul(2, Pow(\\lambda; 2))))), Call(cos; Div(Mul(2, \\pi, \\tau); P_{true}))); =)",
+        "dfm/celerite/paper/ms.tex",
+    ),
+    (
+        "m \\ddot{\\boldsymbol{r}} = \\boldsymbol{F}_p + \\boldsymbol{F}_s",
+        "Chain(Mul(m, Call(\\ddot{\\boldsymbol{r}})), Add(\\boldsymbol{F}_p, \\boldsymbol{F}_s); =)",
+        "bryanwweber/orbital-mechanics-notes/interplanetary-maneuvers/sphere-of-influence.md",
+    ),
+    (
+        "\\begin{aligned} a_t &= \\dot{v} = \\ddot{s} \\\\ a_n &= \\frac{v^2}{\\rho} \\end{aligned}",
+        "System(Chain(a_t, Call(\\dot{v}), Call(\\ddot{s}); =, =), Chain(a_n, Div(Pow(Call(v); 2); \\rho); =))",
+        "bryanwweber/orbital-mechanics-notes/review/kinematics.md",
+    ),
+    (
+        "\\varepsilon = \\frac{1}{2}\\frac{\\mu^2}{h^2}\\left(1 - e^2\\right)",
+        "Chain(\\varepsilon, Mul(Div(1; 2), Div(Pow(\\mu; 2); Pow(h; 2)), Add(1, Neg(Pow(e; 2)))); =)",
+        "bryanwweber/orbital-mechanics-notes/time-since-periapsis-and-keplers-equation/universal-lagrange-coefficients-example.md",
+    ),
+    (
+        "T = \\frac12 m(\\dot{r}^2 + r^2 \\dot{\\theta}^2) + \\frac12 M\\dot{r}^2,\\quad V = Mg(r-l)",
+        "System(Chain(T, Add(Mul(Div(1; 2), m, Add(Pow(Call(\\dot{r}); 2), Mul(Pow(Call(r); 2), Pow(Call(\\dot{\\theta}); 2)))), Mul(Div(1; 2), M, Pow(Call(\\dot{r}); 2))); =), Chain(V, Mul(M, g, Add(Call(r), Neg(l))); =))",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/chapter2.tex",
+    ),
+    (
+        "Z(h) = e^{i\\theta(h)} \\zeta(1/2+ih).",
+        "Chain(Call(Z; h), Mul(Pow(e; Mul(i, Call(\\theta; h))), Call(\\zeta; Add(Div(1; 2), Mul(i, h)))); =)",
+        "fredrik-johansson/arb/doc/source/arb_poly.rst",
+    ),
+    (
+        "\\frac{di(t)}{dt} = -\\frac{R}{L} i(t) - \\frac{1}{L} v_C(t) + \\frac{1}{L} v_{in}(t)",
+        "Chain(Derivative(Call(i; t); t, 1), Add(Neg(Mul(Div(R; L), Call(i; t))), Neg(Mul(Div(1; L), Call(v_C; t))), Mul(Div(1; L), Call(v_{in}; t))); =)",
+        "sympy/sympy/doc/src/tutorials/physics/control/electrical_problems.rst",
+    ),
+    (
+        "\\cos\\eta = -\\frac{1}{e}",
+        "Chain(Call(cos; \\eta), Neg(Div(1; e)); =)",
+        "bryanwweber/orbital-mechanics-notes/interplanetary-maneuvers/planetary-depahture-trajectory.md",
+    ),
+    (
+        "t = \\sqrt{\\frac{\\mu a^3}{|\\alpha|}} (e\\sinh \\xi-\\xi)",
+        "Chain(t, Mul(Sqrt(Div(Mul(\\mu, Pow(a; 3)); Bars(\\alpha))), Add(Mul(e, Call(sinh; \\xi)), Neg(\\xi))); =)",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/chapter4.tex",
+    ),
+    (
+        "I_{ab} := \\bar{I}_{a} \\cdot \\hat{n}_b",
+        "Chain(I_{ab}, Mul(\\bar{I}_a, \\hat{n}_b; 1); =)",
+        "moorepants/learn-multibody-dynamics/mass.rst",
+    ),
+    (
+        "E = M_e + \\sum_{n = 1}^{\\infty}a_n e^n",
+        "Chain(E, Add(M_e, BigSum(n; 1; Infinity(); Mul(a_n, Pow(e; n)))); =)",
+        "bryanwweber/orbital-mechanics-notes/time-since-periapsis-and-keplers-equation/elliptical-orbits.md",
+    ),
+    (
+        "\\ddot{\\boldsymbol{\\rho}} = \\left(\\ddot{x}^* - 2\\dot{y}^* - x^*\\right)\\boldsymbol{\\hat{\\imath}} + \\left(\\ddot{y}^* + 2\\dot{x}^* - y^*\\right)\\boldsymbol{\\hat{\\jmath}} + \\ddot{z}^*\\boldsymbol{\\hat{k}}",
+        "Chain(Call(\\ddot{\\boldsymbol{\\rho}}), Add(Mul(Add(Call(\\ddot { x } ^ { * }), Neg(Mul(2, Call(\\dot { y } ^ { * }))), Neg(Call(x ^ { * }))), \\boldsymbol{\\hat{\\imath}}), Mul(Add(Call(\\ddot { y } ^ { * }), Mul(2, Call(\\dot { x } ^ { * })), Neg(Call(y ^ { * }))), \\boldsymbol{\\hat{\\jmath}}), Mul(Call(\\ddot { z } ^ { * }), \\boldsymbol{\\hat{k}})); =)",
+        "bryanwweber/orbital-mechanics-notes/the-n-body-problem/circular-restricted-three-body-problem.md",
+    ),
 )
 REFUSED = (  # LaTeX with two readings, repository and path
     ("C_D = \\frac{24}{Re} + \\frac{7.3}{1+Re^{0.5}} + 0.25", "CalebBell/fluids/fluids/drag.py"),
@@ -457,9 +957,5 @@ REFUSED = (  # LaTeX with two readings, repository and path
     ),
     ("Re = \\frac{\\rho v_s d_p}{\\mu}", "CalebBell/fluids/fluids/packed_bed.py"),
     ("q = f^{-1}_{kin}(X^G),", "RussTedrake/manipulation/book/trajectories.html"),
-    (
-        "A_{l,l}[u] &= (2 l -1) A_{l-1,l-1}[u] \\\\ A_{l,l-1}[u] &= u A_{l,l}[u]",
-        "AVSLab/basilisk/src/fswAlgorithms/formationFlying/spacecraftPointing/_Documentation/example/secModelDescription.tex",
-    ),
     ("y'' + \\lambda y = 0, \\quad y'(0) = 0, \\quad y'(1) = 0.", "jirilebl/diffyqs/ch-eigenvalue-probs.tex"),
 )

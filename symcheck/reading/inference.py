@@ -548,7 +548,7 @@ def _options(of: Evidence, every: Mapping[str, Evidence], defined: Mapping[str, 
             yield Guess(dependent, f"a function of {', '.join(simple)}", "it stands before them")
     elif of.arguments and not of.bare and (re.match(r"\\text\{\w\w", latex) or all(map(_is_product, of.arguments))):
         yield Guess(_letter(of, kind="function"), "a function", "a product needs no brackets there")
-    elif of.arguments and not of.bare and not _face(latex):
+    elif of.arguments and not of.bare and not of.dotted and not _face(latex):
         product = Guess(_letter(of, depends=""), "a number", "it stands before brackets with a sum")
         function = Guess(_letter(of, kind="function"), "a function", "it stands before brackets only")
         factor = all(args[0].lstrip()[:1].isdigit() for args in of.arguments)  # as in a(1 - x)

@@ -81,6 +81,7 @@ from symcheck.reading.tree import (
     Forall,
     Iff,
     Implies,
+    Indexed,
     Infinity,
     Integral,
     Interval,
@@ -790,6 +791,12 @@ class Lowering:
     def of_degrees(self, tree: Degrees, env: Env) -> Value:
         return node("/", node("*", self.scalar(tree.value, env), PI), 180)
 
+    def of_indexed(self, tree: Indexed, env: Env) -> Value:
+        name = to_latex(tree.name)
+        raise SymcheckError(
+            f"{to_latex(tree)}: {name} of what is in these brackets, or times it? write round brackets, or \\cdot"
+        )
+
     def of_call(self, tree: Call, env: Env) -> Value:
         if isinstance(tree.function, Name):
             own, _ = self.defined.get(tree.function.letter, ((), None))
@@ -849,7 +856,8 @@ class Lowering:
         if name.dots and arguments == declared:
             return self.value(name, env)
         if name.dots and len(arguments) == 1:
-            self.time(letter, env)
+            if letter.depends is not None or not _is_time(tree.arguments[0]):
+                self.time(letter, env)
             name = Name(name.letter, name.subscripts, name.primes + name.dots)
         if name.dots or (name.primes and len(arguments) != 1):
             raise SymcheckError(f"{to_latex(tree)}: by which argument? write the derivative as a fraction")
@@ -1168,6 +1176,11 @@ def _series(index: str, low: Term, high: Term, body: Value) -> Value:
     if isinstance(body, Complex):
         return Complex(*(node("sum", part, index, low, high) if part != 0 else 0 for part in parts(body)))
     return node("sum", body, index, low, high)
+
+
+def _is_time(tree: Tree) -> bool:
+    """Is this the time, or an instant such as `t_0`?"""
+    return isinstance(tree, Name) and tree.letter.partition("_")[0] in TIMES
 
 
 def _names(tree: object) -> Iterator[str]:

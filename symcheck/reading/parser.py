@@ -46,6 +46,7 @@ from symcheck.reading.tree import (
     Given,
     Iff,
     Implies,
+    Indexed,
     Infinity,
     Integral,
     Interval,
@@ -59,6 +60,7 @@ from symcheck.reading.tree import (
     Neg,
     Norm,
     Number,
+    Operated,
     Or,
     Pair,
     Piecewise,
@@ -86,6 +88,7 @@ DIMENSIONLESS = {  # numbers that print abbreviates with two letters
     "Oh": "Ohnesorge", "Bd": "Bond", "Ja": "Jakob", "Fr": "Froude", "Pr": "Prandtl", "Ca": "capillary", "St": "Stokes",
     "Ra": "Rayleigh", "Ga": "Galilei", "Ar": "Archimedes", "Gz": "Graetz", "Ma": "Mach",
 }  # fmt: skip
+COUNTERS = frozenset("nkijml")  # letters that count
 ANGLES = frozenset({r"\theta", r"\vartheta", r"\phi", r"\varphi", r"\psi"})
 _PRODUCTS = frozenset({"Fr", "Pr", "Ca", "St", "Ra", "Ga", "Ar", "Ja", "Gr", "Sh", "Sc", "Ma"})  # which they may be too
 _REMARK = re.compile(r"\\text\{(?:.*~|[A-Za-z][a-z]{4})")  # several words, or a long one, which is no unit
@@ -565,6 +568,8 @@ class Builder:
         if len(nodes) == 1:
             return self.product(left)
         right = self.items(nodes[2])
+        if nodes[1].type == "OPERATOR":
+            return self.operated(nodes)
         if nodes[1].type == "TIMES":
             if any(item.kind in ("sum", "integral", "under") for item in left):
                 raise self.fail(nodes[1].value.at, "a cross product behind a sum is ambiguous")
@@ -581,6 +586,16 @@ class Builder:
         if any(item.kind in ("sum", "integral", "under") for item in left + right) or bare:
             raise self.fail(at, "a slash behind a sum or a function without brackets is ambiguous")
         return Div(self.checked(top, at, statements=False), self.checked(bottom, at, statements=False))
+
+    def operated(self, nodes: list[ParseNode]) -> Tree:
+        """Terms with signs between them of which nothing is said: from the left to the right."""
+        several = [self.items(node) for node in nodes[0::2]]
+        if any(item.kind in ("sum", "integral", "under") for items in several for item in items):
+            raise self.fail(nodes[1].value.at, f"{nodes[1].value.value} behind a sum is ambiguous")
+        found = self.plain(several[0])
+        for sign, items in zip(nodes[1::2], several[1:], strict=True):
+            found = Operated(str(sign.value.value), found, self.plain(items))
+        return found
 
     def refuse_quotient(self, top: Tree, bottom: Tree, at: int) -> None:
         """Where d is a letter, d f / d x is no quotient without a word."""
@@ -808,6 +823,8 @@ class Builder:
         if isinstance(name, Name) and after is not None and after.kind == "given" and not item.postfix:
             assert after.node is not None
             return self.postfixed(Call(name, (after.node,)), after), k + 2
+        if isinstance(name, Name) and after is not None and not item.postfix and (places := self.places(name, after)):
+            return self.postfixed(Indexed(name, places), after), k + 2
         if not isinstance(name, Name) or after is None or after.kind != "group" or item.postfix not in ("", "CARET"):
             return self.atom(item), k + 1
         if not self.applies(name):
@@ -830,6 +847,20 @@ class Builder:
             )
         return Pow(call, item.power), k + 2
 
+    def places(self, name: Name, after: Item) -> tuple[Tree, ...]:
+        """What stands in square brackets behind a letter as a place: `x[n]`, `x[n + 1]`, `f[x, y]`; else nothing."""
+        letter, inside = self.notation.find(name.letter, len(name.subscripts)), after.node
+        told = letter is not None and letter.meaning and not letter.applies
+        if not after.square or inside is None or told or self.notation.bracket or self.kind(name) == "index":
+            return ()
+        if isinstance(inside, Interval | Tuple):
+            return children(inside)
+        counted = isinstance(inside, Add) and all(
+            isinstance(part.value if isinstance(part, Neg) else part, Name | Number) for part in inside.terms
+        )
+        counts = counted and any(node.letter in COUNTERS for _, node in walk(inside) if isinstance(node, Name))
+        return (inside,) if counts or isinstance(inside, Name | Number | Call) else ()
+
     def is_declared(self, name: Name, arguments: tuple[Tree, ...]) -> bool:
         """Are these the very letters that the letter is declared to depend on?"""
         letter = self.notation.letter(name.letter, len(name.subscripts))
@@ -842,6 +873,10 @@ class Builder:
         k += 1
         if head.name in BRACKETED and (k == len(items) or items[k].kind != "group"):
             raise self.fail(head.at, f"the argument of {head.name} must stand in brackets")
+        if k < len(items) and items[k].kind == "given" and head.power is None:
+            given = items[k].node
+            assert given is not None
+            return self.postfixed(Call(head.name, (given,)), items[k]), k + 1
         if k < len(items) and items[k].kind == "group":
             if items[k].postfix:
                 raise self.fail(items[k].at, f"does this power belong to {head.name} or to its argument?")
@@ -1156,6 +1191,12 @@ class Builder:
 
     def from_int(self, nodes: list[ParseNode], at: int) -> Item:
         return Item("integral", at, bounds=((), self.term_of(nodes[2]), self.term_of(nodes[5])))
+
+    def from_lfloor(self, nodes: list[ParseNode], at: int) -> Item:
+        return Item("atom", at, Call("floor", (self.term_of(nodes[1]),)))
+
+    def from_lceil(self, nodes: list[ParseNode], at: int) -> Item:
+        return Item("atom", at, Call("ceil", (self.term_of(nodes[1]),)))
 
     def from_lset(self, nodes: list[ParseNode], at: int) -> Item:
         return Item("atom", at, self.bracketed(self.build(nodes[1]), "{}"))

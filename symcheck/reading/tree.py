@@ -157,6 +157,23 @@ class Marked(Tree):
 
 
 @dataclass(frozen=True, slots=True)
+class Indexed(Tree):
+    """`x[n]`: a letter with places in square brackets, as an entry of a sequence has, or a value of a function."""
+
+    name: Tree
+    places: tuple[Tree, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Operated(Tree):
+    r"""`a \otimes b`: two terms with a sign between them of which the notation says nothing."""
+
+    sign: str
+    left: Tree
+    right: Tree
+
+
+@dataclass(frozen=True, slots=True)
 class Given(Tree):
     """`(a | b)`: what stands before a bar in brackets, on the condition behind it; or `(x; p)`, with parameters."""
 
