@@ -9,6 +9,7 @@ import itertools
 import re
 from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
+from functools import cached_property
 
 from symcheck.core.verdicts import SymcheckError
 from symcheck.reading import tex
@@ -57,16 +58,16 @@ class Guess:
     remote: bool = False
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True)
 class Inference:
-    """One reading of a set of formulas: the notation, what each letter is taken for, and what was chosen.
+    """One reading of a set of formulas: what each letter is taken for, and what was chosen.
 
     Parameters
     ----------
-    notation
-        All letters.
     guesses
         One for each letter, in order of appearance.
+    habits
+        What the signs mean that have several meanings, by the names that a notation has for them.
     choices
         What distinguishes this reading from the others; nothing if it is the only one.
     facts
@@ -75,11 +76,16 @@ class Inference:
         Whether hardly anybody would read it so: then it can raise a doubt, and a proof in another reading stands.
     """
 
-    notation: Notation
     guesses: tuple[Guess, ...]
+    habits: tuple[tuple[str, str], ...] = ()
     choices: tuple[str, ...] = ()
     facts: tuple[str, ...] = ()
     remote: bool = False
+
+    @cached_property
+    def notation(self) -> Notation:
+        """All letters; made when it is asked for, because most readings are never tried."""
+        return _notation(self.guesses, **dict(self.habits))
 
 
 @dataclass(slots=True)
@@ -229,7 +235,7 @@ def _related(inference: Inference, by: Relatives, defined: Collection[str]) -> I
     remote = inference.remote and (
         any(guess.remote for guess in guesses) or not any(guess.remote for guess in inference.guesses)
     )
-    return replace(inference, notation=_with(inference, guesses), guesses=tuple(guesses), facts=by.facts, remote=remote)
+    return replace(inference, guesses=tuple(guesses), facts=by.facts, remote=remote)
 
 
 def _complexed(inference: Inference, formulas: Sequence[str]) -> Iterator[Inference]:
@@ -283,7 +289,7 @@ def _crossed(inference: Inference, evidence: Mapping[str, Evidence], formulas: S
         else g
         for g in inference.guesses
     )
-    yield replace(inference, notation=_with(inference, guesses), guesses=guesses, choices=(*inference.choices, VECTORS))
+    yield replace(inference, guesses=guesses, choices=(*inference.choices, VECTORS))
     yield replace(inference, choices=(*inference.choices, NUMBERS))
 
 
@@ -323,13 +329,7 @@ def _with_parts(
             ]
             changed += [Guess(each, "a real number", f"a part of {own}") for each in names]
     told = f"{', '.join(why)}: complex"
-    return replace(
-        inference, notation=_with(inference, changed), guesses=tuple(changed), choices=(*inference.choices, told)
-    )
-
-
-def _with(inference: Inference, guesses: Iterable[Guess]) -> Notation:
-    return _notation(guesses, **inference.notation.habits)
+    return replace(inference, guesses=tuple(changed), choices=(*inference.choices, told))
 
 
 def _sized(inferences: Iterable[Inference], size: int, *, first: bool) -> Iterator[Inference]:
@@ -338,9 +338,7 @@ def _sized(inferences: Iterable[Inference], size: int, *, first: bool) -> Iterat
         guesses = [_of_size(guess, size) for guess in inference.guesses]
         if any(map(_unsized, inference.guesses)):
             told = f"vectors and matrices of {size} components and rows"
-            yield Inference(
-                _with(inference, guesses), tuple(guesses), (*inference.choices, told), inference.facts, inference.remote
-            )
+            yield replace(inference, guesses=tuple(guesses), choices=(*inference.choices, told))
         elif first:
             yield inference
 
@@ -376,16 +374,15 @@ def _inferred(
         several = ", ".join([o[0].letter.latex for o in options if len(o) > 1] + [h[0][0] for h in habits])
         doubt = f"{count} readings are possible; say what these are: {several}"
         chosen = tuple(_in_doubt(o[0], doubt) if len(o) > 1 else o[0] for o in options)
-        return [Inference(_notation(chosen, **dict(h[0] for h in habits)), chosen, (doubt,))]
+        return [Inference(chosen, tuple(h[0] for h in habits), (doubt,))]
     found = []
     for chosen in itertools.product(*options):
         choices = tuple(
             f"{g.letter.latex}: {g.taken}" for g, each in zip(chosen, options, strict=True) if len(each) > 1
         )
         for meaning in itertools.product(*habits):
-            notation = _notation(chosen, **dict(meaning))
             told = (*choices, *(f"{name}={value}" for name, value in meaning))
-            found.append(Inference(notation, chosen, told, remote=any(guess.remote for guess in chosen)))
+            found.append(Inference(chosen, meaning, told, remote=any(guess.remote for guess in chosen)))
     return found
 
 

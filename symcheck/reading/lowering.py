@@ -106,7 +106,7 @@ from symcheck.reading.tree import (
     Values,
     Words,
     children,
-    walk,
+    nodes,
     with_children,
 )
 
@@ -305,7 +305,7 @@ class Lowering:
 
     def signed(self, left: Tree, sign: str, right: Tree, env: Env) -> list[Formula]:
         """One link; the double signs in it switch together."""
-        double = [any(isinstance(tree, PlusMinus) for _, tree in walk(side)) for side in (left, right)]
+        double = [any(isinstance(tree, PlusMinus) for tree in nodes(side)) for side in (left, right)]
         if not any(double):
             return self.compare(left, sign, right, env)
         upper, lower = (
@@ -321,9 +321,9 @@ class Lowering:
         return [node("or", _and(upper), _and(lower))]
 
     def compare(self, left: Tree, sign: str, right: Tree, env: Env) -> list[Formula]:
-        if found := [part for side in (left, right) for _, part in walk(side) if isinstance(part, Piecewise)]:
+        if found := [part for side in (left, right) for part in nodes(side) if isinstance(part, Piecewise)]:
             return [self.by_cases(found[0], left, sign, right, env)]
-        if any(isinstance(part, Antiderivative) for side in (left, right) for _, part in walk(side)):
+        if any(isinstance(part, Antiderivative) for side in (left, right) for part in nodes(side)):
             return self.primitive(left, sign, right, env)
         if sign == r"\in" and isinstance(right, Interval | Pair):
             low, high = (self.scalar(end, env) for end in children(right))
@@ -761,7 +761,7 @@ class Lowering:
 
     def primitive(self, left: Tree, sign: str, right: Tree, env: Env) -> list[Formula]:
         """An equation with integrals without bounds: both sides have one derivative."""
-        found = [node for side in (left, right) for _, node in walk(side) if isinstance(node, Antiderivative)]
+        found = [node for side in (left, right) for node in nodes(side) if isinstance(node, Antiderivative)]
         variables = {self.variable(node.variable, env) for node in found}
         if sign != "=" or len(variables) != 1:
             raise SymcheckError(
@@ -784,7 +784,7 @@ class Lowering:
                 if any(by in _names(each) for each in constant):
                     raise SymcheckError(f"{to_latex(tree)}: a factor before this integral depends on its letter")
                 return node("*", *constant, self.scalar(last.body, env))
-        if any(isinstance(part, Antiderivative) for _, part in walk(tree)):
+        if any(isinstance(part, Antiderivative) for part in nodes(tree)):
             raise SymcheckError(f"{to_latex(tree)}: an integral without bounds is an addend of an equation")
         return self.slope(self.scalar(tree, env), by, 1, tree, partial=False)
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
+from functools import lru_cache
 
 from symcheck.core.verdicts import SymcheckError
 from symcheck.reading import tex
@@ -70,7 +71,17 @@ def occurrences(source: str, wholes: Sequence[str] = ()) -> list[Occurrence]:
 
     `wholes` are names that are printed with several tokens.
     """
-    return [*Scan(source, wholes).run(Scope())]
+    return [*_occurrences(source, tuple(wholes))]
+
+
+@lru_cache(maxsize=512)  # several kinds of evidence are taken from one formula
+def _occurrences(source: str, wholes: tuple[str, ...]) -> tuple[Occurrence, ...]:
+    return tuple(Scan(source, wholes).run(Scope()))
+
+
+def first(source: str) -> Occurrence | None:
+    """The first letter of a formula, if it has any."""
+    return next(Scan(source).run(Scope()), None)
 
 
 class Scan(tex.Reader):
@@ -78,7 +89,7 @@ class Scan(tex.Reader):
 
     def __init__(self, source: str, wholes: Sequence[str] = ()) -> None:
         super().__init__(source)
-        self.wholes = tex.names(wholes)
+        self.wholes = tex.names(tuple(wholes))
 
     def whole(self) -> tuple[str, int]:
         """The name of several tokens that begins here, and the dots over it; "" if none does."""

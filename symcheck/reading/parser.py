@@ -76,7 +76,7 @@ from symcheck.reading.tree import (
     Values,
     Words,
     children,
-    walk,
+    nodes,
 )
 
 OF_MATRICES = ("det", "tr")  # functions of which one letter without brackets is the argument
@@ -221,7 +221,9 @@ class Builder:
 
     def refuse_signs(self, tree: Tree) -> None:
         """Double signs of several relations may switch together or not; only where both hold it does not matter."""
-        chains = [node for _, node in walk(tree) if isinstance(node, Chain)]
+        if r"\pm" not in self.source and r"\mp" not in self.source:
+            return
+        chains = [node for node in nodes(tree) if isinstance(node, Chain)]
         signed = [[_is_signed(member) for member in chain.members] for chain in chains]
         links = [pair for chain in signed for pair in itertools.pairwise(chain) if any(pair)]
         if sum(map(any, signed)) > 1 and not all(map(all, links)):
@@ -317,7 +319,7 @@ class Builder:
         said = [index for qualifier in qualifiers for index in qualifier.indices]
         if twice := [index for index, count in Counter(said).items() if count > 1]:
             raise self.fail(at, f"the values of {twice[0]} are given twice")
-        names = [node for part in parts for _, node in walk(part) if isinstance(node, Name)]
+        names = [node for part in parts for node in nodes(part) if isinstance(node, Name)]
         used = {index for name in names for index in (name.letter, *name.subscripts)}
         if parts and (idle := [index for index in said if index not in used]):
             raise self.fail(at, f"values are given for {idle[0]}, which does not occur")
@@ -455,7 +457,7 @@ class Builder:
         names = [tree for tree in (*trees[:start], first.members[0]) if isinstance(tree, Name)]
         values = (first.members[1], *trees[start + 1 : run])
         finite = all(isinstance(value, Number | Dots) for value in values) and not isinstance(values[-1], Dots)
-        plain = all(type(part) in _PLAIN for value in values for _, part in walk(value))
+        plain = all(type(part) in _PLAIN for value in values for part in nodes(value))
         if Dots() not in values or not plain or (finite and all(map(self.is_index, names))):
             return [], 1
         return [Values(name, values) for name in names], run
@@ -720,11 +722,11 @@ class Builder:
 
     def has_function(self, tree: Tree) -> bool:
         """Does a function stand here without its arguments?"""
-        calls = [node for _, node in walk(tree) if isinstance(node, Call) and not node.arguments]
+        calls = [node for node in nodes(tree) if isinstance(node, Call) and not node.arguments]
         return any(isinstance(call.function, Name) and self.kind(call.function) == "function" for call in calls)
 
     def is_vector(self, tree: Tree) -> bool:
-        for _, node in walk(tree):
+        for node in nodes(tree):
             if isinstance(node, Tuple | Name) and self.kind(node) == "vector":
                 return True
             letter = self.notation.find(node.letter, len(node.subscripts)) if isinstance(node, Name) else None
@@ -858,7 +860,7 @@ class Builder:
         counted = isinstance(inside, Add) and all(
             isinstance(part.value if isinstance(part, Neg) else part, Name | Number) for part in inside.terms
         )
-        counts = counted and any(node.letter in COUNTERS for _, node in walk(inside) if isinstance(node, Name))
+        counts = counted and any(node.letter in COUNTERS for node in nodes(inside) if isinstance(node, Name))
         return (inside,) if counts or isinstance(inside, Name | Number | Call) else ()
 
     def is_declared(self, name: Name, arguments: tuple[Tree, ...]) -> bool:
@@ -1309,7 +1311,7 @@ def _signed(sign: str, term: Tree) -> Tree:
 
 
 def _is_signed(tree: Tree) -> bool:
-    return any(isinstance(node, PlusMinus) for _, node in walk(tree))
+    return any(isinstance(node, PlusMinus) for node in nodes(tree))
 
 
 def _is_words(tree: Tree) -> bool:
