@@ -838,7 +838,21 @@ def _letter(of: Evidence, **given: object) -> Letter:
     )
 
 
+_SPOKEN = {
+    "-": "minus",
+    "+": "plus",
+    "/": "per",
+    "*": "star",
+    "'": "prime_",
+    "=": "is",
+    "<": "below",
+    ">": "above",
+}  # signs in the names of variables
+
+
 def _plain(latex: str) -> str:
+    for sign, word in _SPOKEN.items():
+        latex = latex.replace(sign, f" {word} ")
     name = re.sub(r"[^A-Za-z0-9]+", "_", re.sub(r"\\(mathbf|boldsymbol|bm|text|mathrm)\b", "", latex)).strip("_")
     return name if name[:1].isalpha() else f"x{name}"
 
