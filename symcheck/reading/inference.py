@@ -121,6 +121,11 @@ class Evidence:
         return self.capital and any(place.followed for place in self.places)
 
     @property
+    def idle(self) -> bool:
+        """Would all brackets behind it be idle if they were factors?"""
+        return all(map(_is_product, self.arguments)) and not any(place.powered for place in self.places)
+
+    @property
     def framed(self) -> str:
         """Is it a vector, or a matrix, because a frame stands at its left?"""
         if not self.whole or not self.spelling.startswith(r"\prescript"):
@@ -406,7 +411,7 @@ def gathered(formulas: Sequence[str], said: Mapping[str, str]) -> dict[str, Evid
     phrases = {latex if latex in wholes else canonical(latex): phrase for latex, phrase in said.items()}
     shapes = {letter: shape for letter, other in equated(formulas) if (shape := _shape(other))}
     found: dict[str, Evidence] = {}
-    initials = _initials(formulas)
+    initials = _initials(formulas) | _forms(formulas)
     for place in places:
         if place.role == "subscript":
             continue
@@ -449,6 +454,15 @@ def _initials(formulas: Sequence[str]) -> dict[str, str]:
     }
 
 
+_FORM = re.compile(r"(?<![A-Za-z\\])([a-z]) ' (?:[A-Z]|\\mathbf \{ [A-Z] \}) ([a-z])(?![A-Za-z])")
+
+
+def _forms(formulas: Sequence[str]) -> dict[str, str]:
+    """The letters of quadratic forms `x' Q x`, where a prime may transpose."""
+    found = {match[1] for formula in formulas for match in _FORM.finditer(formula)}
+    return dict.fromkeys(found, "does the prime transpose? write a T for that, or name another letter")
+
+
 _RANGE = re.compile(
     r"((?:(?:[A-Za-z]|\\[a-z]+)\s*,\s*)*(?:[A-Za-z]|\\[a-z]+))\s*=\s*(\d+)\s*,(?:\s*(?:\d+|\\[lc]?dots)\s*,)*"
     r"\s*(\d+|(?<=dots ,)\s*[A-Za-z](?:\s*[-+]\s*\d+)?|\\[lc]?dots)"
@@ -473,7 +487,8 @@ def _complete(evidence: dict[str, Evidence]) -> None:
     if used and "d" not in evidence:
         evidence["d"] = Evidence("d", [Occurrence("d")], said="differential")
     own = evidence.get("d")
-    if own is not None and not own.said and len({place.after for place in own.places}) > 1:
+    behind = {place.after for place in own.places} if own is not None else set()
+    if own is not None and not own.said and (len(behind) > 1 or behind == {"t"}):
         forms = all(p.arguments is None and p.superscript is None and tex.is_letter(p.after) for p in own.places)
         own.said = "differential" if forms and not own.dotted else ""
     for each in [*evidence.values()]:
@@ -543,7 +558,7 @@ def _options(of: Evidence, every: Mapping[str, Evidence], defined: Mapping[str, 
         for kind in kinds:
             dependent = _letter(of, kind=kind, depends=", ".join(simple))
             yield Guess(dependent, f"a function of {', '.join(simple)}", "it stands before them")
-    elif of.arguments and not of.bare and (re.match(r"\\text\{\w\w", latex) or all(map(_is_product, of.arguments))):
+    elif of.arguments and not of.bare and (re.match(r"\\text\{\w\w", latex) or of.idle):
         yield Guess(_letter(of, kind="function"), "a function", "a product needs no brackets there")
     elif of.arguments and not of.bare and not of.dotted and not _face(latex):
         product = Guess(_letter(of, depends=""), "a number", "it stands before brackets with a sum")
@@ -710,13 +725,14 @@ def _may_be_factor(of: Evidence) -> bool:
 
 def _is_product(args: Sequence[str]) -> bool:
     """Is this one product of letters and numbers, around which brackets would be idle?"""
-    toks = args[0].split()
+    toks = [tok for tok in args[0].split() if tok not in ("^", "{", "}")]
     return len(args) == 1 and len(toks) > 1 and all(tex.is_letter(tok) or tok.isdigit() for tok in toks)
 
 
 def _varies(of: Evidence) -> bool:
+    defined = any(p.after == "=" and p.arguments is None for p in of.places)  # as in x = x(t)
     return all(place.dots or place.primes or place.arguments is not None for place in of.places) or bool(
-        of.dotted or any(place.role == "derived" for place in of.places)
+        (defined and len(of.arguments) == 1) or of.dotted or any(place.role == "derived" for place in of.places)
     )
 
 
@@ -838,16 +854,9 @@ def _letter(of: Evidence, **given: object) -> Letter:
     )
 
 
-_SPOKEN = {
-    "-": "minus",
-    "+": "plus",
-    "/": "per",
-    "*": "star",
-    "'": "prime_",
-    "=": "is",
-    "<": "below",
-    ">": "above",
-}  # signs in the names of variables
+_SPOKEN = {  # signs in the names of variables
+    "-": "minus", "+": "plus", "/": "per", "*": "star", "'": "dash", "=": "is", "<": "below", ">": "above",
+}  # fmt: skip
 
 
 def _plain(latex: str) -> str:

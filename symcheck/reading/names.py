@@ -263,7 +263,7 @@ def _bracketed(toks: Sequence[tex.Tok], start: int) -> int:
     """Where a matrix in brackets ends that begins here: one letter with its scripts, or two capitals; 0 without one."""
     end = next((k for k in range(start, len(toks)) if toks[k].text == "]"), 0)
     inner = [tok.text for tok in toks[start + 1 : end]]
-    letters = [text for text in inner if text not in ("_", "{", "}") and not text.isdigit()]
+    letters = _outside_scripts(inner)
     pair = len(letters) == 2 and all(len(text) == 1 and text.isupper() for text in letters)
     styled = bool(inner) and ((inner[0].isalpha() and inner[0].isupper()) or inner[0] in STYLES | ACCENTS)
     if not end or not (pair or (styled and is_letter(" ".join(inner)))):
@@ -289,3 +289,16 @@ def is_letter(latex: str) -> bool:
     except SymcheckError:
         return False
     return reader.i == len(reader.toks) and not (known(word) and word != r"\Gamma")
+
+
+def _outside_scripts(inner: Sequence[str]) -> list[str]:
+    """The tokens that stand in no script."""
+    reader, found = tex.Reader(" ".join(inner)), list[str]()
+    while reader.i < len(reader.toks):
+        text = reader.peek()
+        reader.i += 1
+        if text == "_" and reader.peek():
+            reader.group()
+        elif text not in ("{", "}"):
+            found.append(text)
+    return found

@@ -53,6 +53,7 @@ class Occurrence:
     beside: tuple[str, ...] = ()  # letters behind a dot or a cross before it or behind it
     exponent: bool = False  # does it stand in an exponent of e?
     transposed: bool = False  # does a T stand above it?
+    powered: bool = False  # does an exponent stand behind the brackets that follow it?
     followed: bool = False  # does a small bold letter follow without a sign, behind its arguments?
 
 
@@ -320,19 +321,25 @@ class Scan(tex.Reader):
             scope.by,
             exponent=scope.exponent,
             transposed=transposed,
+            powered=arguments is not None and self.peek_at(self.behind()) == "^",
             followed=self.vector_follows(),
         )
         yield from inner
 
-    def vector_follows(self) -> bool:
-        """Does a small bold letter stand behind this letter and its arguments, without a sign?"""
+    def behind(self) -> int:
+        """The place behind the brackets that follow here, or here where none do."""
         start, ahead = self.i, self.i
         while self.peek_at(ahead) in SIZES:
             ahead += 1
-        if self.peek_at(ahead) == "(":
-            self.i = ahead
-            ahead = self.closing() + 1
-            self.i = start
+        if self.peek_at(ahead) != "(":
+            return start
+        self.i = ahead
+        end, self.i = self.closing() + 1, start
+        return end
+
+    def vector_follows(self) -> bool:
+        """Does a small bold letter stand behind this letter and its arguments, without a sign?"""
+        ahead = self.behind()
         while self.peek_at(ahead) in SPACES or self.peek_at(ahead) in ACCENTS or self.peek_at(ahead) == "{":
             ahead += 1
         inner = self.peek_at(ahead + 2 if self.peek_at(ahead + 1) == "{" else ahead + 1)

@@ -903,6 +903,7 @@ class Builder:
                 raise self.fail(items[k].at, f"does what follows belong to the argument of {head.name}? write brackets")
             return self.powered(head, (self.atom(items[k]),)), k + 1
         start = k
+        self.refuse_numbers(items[k : k + 2])
         while k < len(items) and self.simple(items[k]):
             item = items[k]
             if item.postfix and item.postfix != "DEGREE" and not (k == start and self.is_euler(item)):

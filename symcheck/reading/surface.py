@@ -75,6 +75,7 @@ def plain(source: str) -> str:
     if rest != len(tokens):
         return source
     text = _TRANSPOSED.sub("^ { T }", _DEFINES.sub("=", _printed(_made_plain(parts))))
+    text = _STOP.sub("", text)
     for pattern, sign in WORDS:
         text = pattern.sub(partial(_parting, sign), text)
     return text
@@ -114,6 +115,10 @@ def _with_words(source: str) -> list[tex.Tok]:
             ]
             k += 1 + count
             continue
+        elif tok.text.isalpha() and (greek := _greek(toks, k)):
+            found.append(tex.Tok(f"\\{greek}", tok.at))
+            k += len(greek)
+            continue
         elif tok.text.isalpha() and (word := _function_of_letters(toks, k)):
             found.append(tex.Tok(f"\\{_OTHERWISE.get(word, word)}", tok.at))
             k += len(word)
@@ -152,6 +157,17 @@ def _closing(toks: Sequence[tex.Tok], k: int) -> int:
         if not depth:
             return m
     return len(toks)
+
+
+def _greek(toks: Sequence[tex.Tok], k: int) -> str:
+    """The Greek letter that is typed here by its name; those of two letters may be products."""
+    if k and toks[k - 1].text.isalpha() and toks[k - 1].at == toks[k].at - 1:
+        return ""
+    end = k
+    while end < len(toks) and toks[end].text.isalpha() and toks[end].at == toks[k].at + end - k:
+        end += 1
+    word = "".join(tok.text for tok in toks[k:end])
+    return word if len(word) > 2 and f"\\{word}" in LETTER_COMMANDS else ""
 
 
 def _function_of_letters(toks: Sequence[tex.Tok], k: int) -> str:
@@ -481,6 +497,7 @@ def _texts(parts: Sequence[Part]) -> Iterator[str]:
 
 _QUADS = r"(?:(?:\\q?quad|\\[,;: ]|,)\s*)*"
 _OPTIONS = re.compile(r"\[\s*[a-z]{3,}=[^\]]*\]\s*(?=\{)")  # of a command that is not there any more
+_STOP = re.compile(r"\\text \{ (?:[.,;:~] )+\}")  # punctuation in text
 _GAMMA = re.compile(r"\\Gamma(?![A-Za-z])(?:\s|_\s*(?:\w|\{[^{}]*\}))*(?:\\left|\\[bB]igg?l?)?\s*\(")
 WIDE = r", \quad"
 WORDS = tuple(  # that part relations: what stands behind them holds as well, or says when the others hold
