@@ -274,6 +274,9 @@ UNIT = r"\text{i}"
 _CROSS = re.compile(r"(?<![\d}])\s*\\times(?!\s*\d)|\}\s*\\times(?!\s*\d)")  # not beside a printed number
 
 
+_SCALAR = re.compile(r"[(|\[]|\\(?:frac|cdot|sqrt)|\d")
+
+
 def _crossed(inference: Inference, evidence: Mapping[str, Evidence], formulas: Sequence[str]) -> Iterator[Inference]:
     r"""The readings of a cross between letters that are not bold: a product of vectors, or of numbers."""
     plain = {
@@ -285,6 +288,9 @@ def _crossed(inference: Inference, evidence: Mapping[str, Evidence], formulas: S
     if not crossed or not any(map(_CROSS.search, formulas)):
         yield inference
         return
+    for letter, other in equated(formulas):
+        if letter in plain and r"\times" in other and not _SCALAR.search(other):
+            crossed.add(letter)  # it is equal to a cross
     while more := {x for key in crossed for p in evidence[key].places for x in p.beside if x in plain} - crossed:
         crossed |= more
     spelled = {evidence[key].spelling for key in crossed}
@@ -295,7 +301,8 @@ def _crossed(inference: Inference, evidence: Mapping[str, Evidence], formulas: S
         for g in inference.guesses
     )
     yield replace(inference, guesses=guesses, choices=(*inference.choices, VECTORS))
-    yield replace(inference, choices=(*inference.choices, NUMBERS))
+    accented = any(map(_ACCENT.match, spelled))
+    yield replace(inference, choices=(*inference.choices, NUMBERS), remote=inference.remote or accented)
 
 
 VECTORS, NUMBERS = "a cross between vectors", "a cross between numbers"
@@ -438,20 +445,22 @@ def gathered(formulas: Sequence[str], said: Mapping[str, str]) -> dict[str, Evid
     return found
 
 
-_INITIALS = re.compile(r"\s*([A-Z])\s*([A-Z])\s*(?:_\s*(?:\{[^{}]*(?:\{[^{}]*\}[^{}]*)*\}|\w)\s*)?=")
+_INITIALS = re.compile(r"\s*([A-Z](?:\s*[A-Z])+)\s*(?:_\s*(?:\{[^{}]*(?:\{[^{}]*\}[^{}]*)*\}|\w)\s*)?=")
 
 
 def _initials(formulas: Sequence[str]) -> dict[str, str]:
-    """Two capitals alone before an equality sign that occur nowhere else: one name rather than a product."""
+    """Capitals alone before an equality sign that occur nowhere else: one name rather than a product."""
     toks = [tok.text for formula in formulas for tok in tex.tokenize(formula)]
     bare = [text for text, after in itertools.pairwise([*toks, ""]) if after != "_"]
-    found = [match.groups() for match in map(_INITIALS.match, formulas) if match]
-    return {
-        letter: f"one name {a}{b}, or {a} times {b}? say what {a} and {b} are, or write \\mathrm{{{a}{b}}}"
-        for a, b in found
-        if bare.count(a) == 1 and (bare.count(b) or toks.count(b)) == 1
-        for letter in (a, b)
-    }
+    found: dict[str, str] = {}
+    for match in filter(None, map(_INITIALS.match, formulas)):
+        *letters, last = match[1].split()
+        once = [bare.count(letter) == 1 for letter in letters] + [(bare.count(last) or toks.count(last)) == 1]
+        if all(once) or (len(once) > 2 and any(once)):
+            name = "".join([*letters, last])
+            told = f"one name {name}, or a product? say what its letters are, or write \\mathrm{{{name}}}"
+            found |= dict.fromkeys([*letters, last], told)
+    return found
 
 
 _FORM = re.compile(r"(?<![A-Za-z\\])([a-z]) ' (?:[A-Z]|\\mathbf \{ [A-Z] \}) ([a-z])(?![A-Za-z])")

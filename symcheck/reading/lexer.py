@@ -417,7 +417,7 @@ class Lexer(tex.Reader):
             return False
         start, at = self.i, self.at()
         self.i += 1
-        word = "".join(tok.text for tok in self.group()).strip(",.:~").lower()
+        word = "".join(tok.text for tok in self.group() if tok.text not in SPACES).strip(",.:").lower()
         if word in CONDITIONS:
             return True
         if word in OTHERWISE:

@@ -87,11 +87,16 @@ DIMENSIONLESS = {  # numbers that print abbreviates with two letters
     "Sh": "Sherwood", "Bo": "Bond", "Bi": "Biot", "Pe": "Peclet", "Ec": "Eckert", "Eu": "Euler", "Kn": "Knudsen",
     "Oh": "Ohnesorge", "Bd": "Bond", "Ja": "Jakob", "Fr": "Froude", "Pr": "Prandtl", "Ca": "capillary", "St": "Stokes",
     "Ra": "Rayleigh", "Ga": "Galilei", "Ar": "Archimedes", "Gz": "Graetz", "Ma": "Mach",
+    "Mo": "Morton", "Le": "Lewis", "Ro": "Rossby", "Ta": "Taylor", "Ek": "Ekman",
 }  # fmt: skip
 COUNTERS = frozenset("nkijml")  # letters that count
 ANGLES = frozenset({r"\theta", r"\vartheta", r"\phi", r"\varphi", r"\psi"})
-_PRODUCTS = frozenset({"Fr", "Pr", "Ca", "St", "Ra", "Ga", "Ar", "Ja", "Gr", "Sh", "Sc", "Ma"})  # which they may be too
+# Those of them that may be products too: forces times radii, masses times accelerations.
+_PRODUCTS = frozenset("Fr Pr Ca St Ra Ga Ar Ja Gr Sh Sc Ma Mo Le Ro Ta Ek".split())
+    {"Fr", "Pr", "Ca", "St", "Ra", "Ga", "Ar", "Ja", "Gr", "Sh", "Sc", "Ma", "Mo", "Le", "Ro", "Ta", "Ek"}
+)  # which they may be too
 _REMARK = re.compile(r"\\text\{(?:.*~|[A-Za-z][a-z]{4})")  # several words, or a long one, which is no unit
+_WORD = re.compile(r"\\text\{[a-z]{2,}\}")  # in small letters, as a function is called
 _WORDS = re.compile(r"\\text \{[^{}]*\}")  # upright type, in which letters are none
 _PLAIN = (Number, Dots, Name, Add, Neg, Mul)  # of what the values of an index consist
 _LOOSE = frozenset({"exists", "iff", "implies", "either"})  # rules of logical connectives
@@ -638,8 +643,8 @@ class Builder:
             node, after = self.factor(items, k, dotted=dotted)
             factors.append(self.checked(node, item.at, statements=False))
             self.refuse_product(item, factors[-1], items[after:], alone=after == k + 1)
-            beside = [*items[max(k - 1, 0) : k], *items[k + 1 : k + 2]]
-            self.refuse_words(factors[-1], item, alone=all(other.kind == "dot" for other in beside))
+            before, behind = items[max(k - 1, 0) : k], items[k + 1 : k + 2]
+            self.refuse_words(factors[-1], item, before, behind)
             k = after
             dotted = False
         vectors = tuple(k for k in dots if self.is_vector(factors[k - 1]) and self.is_vector(factors[k]))
@@ -664,10 +669,14 @@ class Builder:
                 f"the {DIMENSIONLESS[word]} number, or {word[0]} times {word[1]}? write \\cdot, or name one letter",
             )
 
-    def refuse_words(self, factor: Tree, item: Item, *, alone: bool) -> None:
-        """Words are no factor beside others, but a remark, or a part of a name."""
-        if isinstance(factor, Name) and not alone and _REMARK.match(factor.letter):
-            raise self.fail(item.at, "words among factors; leave them out, or write a comma before them")
+    def refuse_words(self, factor: Tree, item: Item, before: list[Item], behind: list[Item]) -> None:
+        """Words are no factor beside others, but a remark, a part of a name, or a function without brackets."""
+        if not isinstance(factor, Name) or not factor.letter.startswith(r"\text{"):
+            return
+        beside = [other for other in (*before, *behind) if other.kind != "dot"]
+        function = _WORD.fullmatch(factor.letter) and any(self.simple(other) for other in behind)
+        if (beside and _REMARK.match(factor.letter)) or function:
+            raise self.fail(item.at, "words among factors; leave them out, or write a comma before them, or brackets")
 
     def refuse_product(self, item: Item, node: Tree, rest: list[Item], *, alone: bool) -> None:
         """What stands behind a factor without a sign must be a factor without a doubt."""
@@ -936,6 +945,8 @@ class Builder:
         if len(names) != 2 or len(items) != 2:
             return False
         first, second = (name.letter.partition("_")[0] for name in names)
+        if second.startswith(("\\hat", "\\vec", "\\tilde", "\\widehat")):
+            return True
         return first in ANGLES and second not in ("t", r"\tau", "x") and second not in ANGLES
 
     def is_euler(self, item: Item) -> bool:
