@@ -6,6 +6,7 @@ neither is certain the name is in doubt: it is read as it is printed, and not lo
 
 from __future__ import annotations
 
+import re
 from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
@@ -46,6 +47,7 @@ def names_of_several_tokens(formulas: Sequence[str], said: Mapping[str, str]) ->
     `said` are the letters of which something is said; names of several tokens among them are names.
     """
     found = {latex: "" for latex in said if not is_letter(latex)}
+    declared = {re.sub(r"[\s{}]", "", latex) for latex in found}
     numbers = {word for formula in formulas for word in _Numbers(formula).run()} | said.keys()
     bound = {place.word for formula in formulas for place in occurrences(formula) if place.role == "index"}
     scripted = [each for formula in formulas for each in _scripted(formula)]
@@ -53,6 +55,8 @@ def names_of_several_tokens(formulas: Sequence[str], said: Mapping[str, str]) ->
         each.word for each in scripted for text in each.above if text[:1].isupper() and text not in _TRANSPOSING
     }
     for each in scripted:
+        if re.sub(r"[\s{}]", "", each.latex) in declared:
+            continue
         if each.word not in bound and (doubt := _doubt(each, numbers, labelled)) is not None:
             found.setdefault(each.latex, doubt)
         elif each.framed:

@@ -83,10 +83,10 @@ class Letter:
         Whether its indices run up to a letter: then it is a function of them.
     identity
         Whether this matrix is the identity.
-    doubt
-        Why nothing is said of it though it can be read: what its scripts may mean.
     partial
         For a letter such as f_{xy}, a derivative of a function: that function, and the letters by which it is taken.
+    doubt
+        Why nothing is said of it though it can be read: what its scripts may mean.
 
     Raises
     ------
