@@ -20,11 +20,10 @@ from symcheck.reading.inference import (
     SIZES,
     Inference,
     inferred,
-    is_letter,
-    names_of_several_tokens,
     spelling,
 )
 from symcheck.reading.lexer import SPACES
+from symcheck.reading.names import is_letter, names_of_several_tokens
 from symcheck.reading.occurrences import occurrences
 from symcheck.reading.parser import dependence
 from symcheck.reading.surface import plain, with_plain_differentials

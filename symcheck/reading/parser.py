@@ -654,6 +654,9 @@ class Builder:
         if len(names) < 2 or names[0].subscripts or names[0].primes or items[0].postfix:
             return
         word = names[0].letter + names[1].letter.partition("_")[0]
+        told = self.notation.find(names[0].letter, 0)
+        if word != "Re" and (names[1].subscripts or (told is not None and told.meaning)):
+            return
         power = items[1].power.value if isinstance(items[1].power, Neg) else items[1].power
         if word not in DIMENSIONLESS or (word != "Re" and not isinstance(power, Number | None)):
             return
