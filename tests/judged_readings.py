@@ -947,6 +947,511 @@ JUDGED = (  # LaTeX, the right reading as a fully bracketed expression, reposito
         "Chain(Call(\\ddot{\\boldsymbol{\\rho}}), Add(Mul(Add(Call(\\ddot { x } ^ { * }), Neg(Mul(2, Call(\\dot { y } ^ { * }))), Neg(Call(x ^ { * }))), \\boldsymbol{\\hat{\\imath}}), Mul(Add(Call(\\ddot { y } ^ { * }), Mul(2, Call(\\dot { x } ^ { * })), Neg(Call(y ^ { * }))), \\boldsymbol{\\hat{\\jmath}}), Mul(Call(\\ddot { z } ^ { * }), \\boldsymbol{\\hat{k}})); =)",
         "bryanwweber/orbital-mechanics-notes/the-n-body-problem/circular-restricted-three-body-problem.md",
     ),
+    (
+        "x^{1/k} - (x-r)^{1/k} &= x^{1/k} [1 - (1-r/x)^{1/k}]",
+        "Chain(Add(Pow(x; Div(1; k)), Neg(Pow(Add(x, Neg(r)); Div(1; k)))), Mul(Pow(x; Div(1; k)), Add(1, Neg(Pow(Add(1, Neg(Div(r; x))); Div(1; k))))); =)",
+        "fredrik-johansson/arb/doc/source/formulas.rst",
+    ),
+    (
+        "\\begin{bmatrix}u\\\\ v\\end{bmatrix} = \\frac{f}{z}\\begin{bmatrix}x\\\\y\\end{bmatrix}",
+        "Chain(MatrixOf(u, v), Mul(Div(f; z), MatrixOf(x, y)); =)",
+        "AVSLab/basilisk/src/simulation/navigation/pinholeCamera/pinholeCamera.rst",
+    ),
+    (
+        "\\dot{y} = v s \\sin(\\phi)",
+        "Chain(Call(\\dot{y}), Mul(v, s, Call(sin; \\phi)); =)",
+        "AtsushiSakai/PythonRobotics/docs/modules/2_localization/extended_kalman_filter_localization_files/extended_kalman_filter_localization_main.rst",
+    ),
+    (
+        "\\frac{p_s}{a_p} < \\frac{P_p}{A_s}",
+        "Chain(Div(p_s; a_p), Div(P_p; A_s); <)",
+        "bryanwweber/orbital-mechanics-notes/interplanetary-maneuvers/sphere-of-influence.md",
+    ),
+    (
+        "\\ddot{\\tilde{z}} + k_d \\dot{\\tilde{z}} + k_p \\tilde{z} = 0,",
+        "Chain(Add(Call(\\ddot{\\tilde{z}}), Mul(k_d, Call(\\dot{\\tilde{z}})), Mul(k_p, Call(\\tilde{z}))), 0; =)",
+        "RussTedrake/manipulation/book/force.html",
+    ),
+    (
+        "M_e = \\frac{\\mu^2}{h^3} t \\left(1 - e^2\\right)^{3/2}",
+        "Chain(M_e, Mul(Div(Pow(\\mu; 2); Pow(h; 3)), t, Pow(Add(1, Neg(Pow(e; 2))); Div(3; 2))); =)",
+        "bryanwweber/orbital-mechanics-notes/time-since-periapsis-and-keplers-equation/elliptical-orbits.md",
+    ),
+    (
+        "x' = e^{\\lambda x} F(x,y)",
+        "Chain(x', Mul(Pow(e; Mul(\\lambda, x)), Call(F; x, y)); =)",
+        "sympy/sympy/sympy/solvers/ode/ode.py",
+    ),
+    (
+        "N = \\frac{\\cos \\alpha}{\\sin \\beta} mg",
+        "Chain(N, Mul(Div(Call(cos; \\alpha); Call(sin; \\beta)), m, g); =)",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/exercise2.tex",
+    ),
+    (
+        "\\log(10) = 46 \\operatorname{atanh}(1/31) + 34 \\operatorname{atanh}(1/49) + 20 \\operatorname{atanh}(1/161)",
+        "Chain(Call(log; 10), Add(Mul(46, Call(atanh; Div(1; 31))), Mul(34, Call(atanh; Div(1; 49))), Mul(20, Call(atanh; Div(1; 161)))); =)",
+        "fredrik-johansson/arb/doc/source/constants.rst",
+    ),
+    (
+        "\\mathbf{v}_t = \\mathbf{z}_t - \\bar{\\mathbf{z}}",
+        "Chain(\\mathbf{v}_t, Add(\\mathbf{z}_t, Neg(\\bar{\\mathbf{z}})); =)",
+        "Mayitzin/ahrs/ahrs/filters/ukf.py",
+    ),
+    (
+        "\\begin{aligned}\\boldsymbol{r}_0 &= 7000.0\\boldsymbol{\\hat{\\imath}} - 12124\\boldsymbol{\\hat{\\jmath}}\\\\\\boldsymbol{v}_0 &= 2.6679\\boldsymbol{\\hat{\\imath}} + 4.6210\\boldsymbol{\\hat{\\jmath}}\\end{aligned}",
+        "System(Chain(\\boldsymbol{r}_0, Add(Mul(7000.0, \\boldsymbol{\\hat{\\imath}}), Neg(Mul(12124, \\boldsymbol{\\hat{\\jmath}}))); =), Chain(\\boldsymbol{v}_0, Add(Mul(2.6679, \\boldsymbol{\\hat{\\imath}}), Mul(4.6210, \\boldsymbol{\\hat{\\jmath}})); =))",
+        "bryanwweber/orbital-mechanics-notes/time-since-periapsis-and-keplers-equation/universal-lagrange-coefficients-example.md",
+    ),
+    (
+        "\\ddot{\\bm{r}}_{M/N} = \\ddot{\\bm{r}}_{B/N} + \\ddot{\\bm{r}}_{M/B}",
+        "Chain(Call(\\ddot{\\bm{r}}_{M/N}), Add(Call(\\ddot{\\bm{r}}_{B/N}), Call(\\ddot{\\bm{r}}_{M/B})); =)",
+        "AVSLab/basilisk/src/simulation/dynamics/FuelTank/_Documentation/secModelDescription.tex",
+    ),
+    (
+        "\\bar{u} = u_1\\hat{b}_x + u_2\\hat{b}_y + u_3\\hat{b}_z",
+        "Chain(\\bar{u}, Add(Mul(u_1, \\hat{b}_x), Mul(u_2, \\hat{b}_y), Mul(u_3, \\hat{b}_z)); =)",
+        "moorepants/learn-multibody-dynamics/angular.rst",
+    ),
+    (
+        "f_c(b_i) = k_c \\left( \\frac{b_{i-1} - b_i}{\\|b_{i-1} - b_i\\|} + \\frac{b_{i+1} - b_i}{\\|b_{i+1} - b_i\\|} \\right)",
+        "Chain(Call(f_c; b_i), Mul(k_c, Add(Div(Add(b_{i-1}, Neg(b_i)); Norm(Add(b_{i-1}, Neg(b_i)))), Div(Add(b_{i+1}, Neg(b_i)); Norm(Add(b_{i+1}, Neg(b_i)))))); =)",
+        "AtsushiSakai/PythonRobotics/docs/modules/5_path_planning/elastic_bands/elastic_bands_main.rst",
+    ),
+    (
+        "y(t) = b_0+b_1t+b_2t^2+b_3t^3+b_4t^4+b_5t^5",
+        "Chain(Call(y; t), Add(b_0, Mul(b_1, t), Mul(b_2, Pow(t; 2)), Mul(b_3, Pow(t; 3)), Mul(b_4, Pow(t; 4)), Mul(b_5, Pow(t; 5))); =)",
+        "AtsushiSakai/PythonRobotics/docs/modules/5_path_planning/quintic_polynomials_planner/quintic_polynomials_planner_main.rst",
+    ),
+    (
+        "\\nu = \\cos^{-1}\\left(\\frac{\\boldsymbol{e}\\cdot\\boldsymbol{r}}{e r}\\right)",
+        "Chain(\\nu, Call(arccos; Div(Mul(\\boldsymbol{e}, \\boldsymbol{r}; 1); Mul(e, r))); =)",
+        "bryanwweber/orbital-mechanics-notes/classical-orbital-elements/orbital-elements-and-the-state-vector.md",
+    ),
+    (
+        "\\begin{cases} \\displaystyle v_1^+ = \\frac{(m_1-\\chi m_2)v_1^-+m_2(1+\\chi)v_2^-}{m_1+m_2} \\\\[1.5ex] \\displaystyle v_2^+ = \\frac{m_1(1+\\chi)v_1^-+(m_2-\\chi m_1)v_2^-}{m_1+m_2} \\end{cases}",
+        "System(Chain(v _ { 1 } ^ { + }, Div(Add(Mul(Add(m_1, Neg(Mul(\\chi, m_2))), v _ { 1 } ^ { - }), Mul(m_2, Add(1, \\chi), v _ { 2 } ^ { - })); Add(m_1, m_2)); =), Chain(v _ { 2 } ^ { + }, Div(Add(Mul(m_1, Add(1, \\chi), v _ { 1 } ^ { - }), Mul(Add(m_2, Neg(Mul(\\chi, m_1))), v _ { 2 } ^ { - })); Add(m_1, m_2)); =))",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/chapter8.tex",
+    ),
+    (
+        "{}^N\\bar{v}^{G} = 0",
+        "Chain(\\prescript { N } { } { \\bar { v } } ^ { G }, 0; =)",
+        "moorepants/learn-multibody-dynamics/motion.rst",
+    ),
+    (
+        "K = \\cos^{-1} M + M^3\\cosh^{-1} \\frac{1}{M} - 2M\\sqrt{1 - M^2}",
+        "Chain(K, Add(Call(arccos; M), Mul(Pow(M; 3), Call(arcosh; Div(1; M))), Neg(Mul(2, M, Sqrt(Add(1, Neg(Pow(M; 2))))))); =)",
+        "CalebBell/fluids/fluids/geometry.py",
+    ),
+    (
+        "\\left|\\det \\boldsymbol{M}\\right| = 1",
+        "Chain(Bars(Call(det; \\boldsymbol{M})), 1; =)",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/chapter10.tex",
+    ),
+    (
+        "c_2 e^{x} + 2 c_3 e^{2x} = 0 .",
+        "Chain(Add(Mul(c_2, Pow(e; x)), Mul(2, c_3, Pow(e; Mul(2, x)))), 0; =)",
+        "jirilebl/diffyqs/ch-higher-order-ode.tex",
+    ),
+    (
+        "x = x(t) = \\cos t + \\sin t",
+        "Chain(Call(x), Call(x; t), Add(Call(cos; t), Call(sin; t)); =, =)",
+        "jirilebl/diffyqs/ch-intro.tex",
+    ),
+    (
+        "u = \\underbrace{k_p(x_d-x) - k_d\\dot{x}}_{\\text{feedback force for position control}} - \\underbrace{f^{F_c}_{desired}}_{\\text{feedforward force}}",
+        "Chain(u, Add(Mul(k_p, Add(x_d, Neg(Call(x)))), Neg(Mul(k_d, Call(\\dot{x}))), Neg(f _ { d e s i r e d } ^ { F _ { c } })); =)",
+        "RussTedrake/manipulation/book/force.html",
+    ),
+    (
+        "r =\\sqrt{R^2 - \\frac{m_\\text{fuel}}{2\\,\\pi\\,\\rho\\,h}}",
+        "Chain(r, Sqrt(Add(Pow(R; 2), Neg(Div(m_{fuel}; Mul(2, \\pi, \\rho, h))))); =)",
+        "AVSLab/basilisk/src/simulation/dynamics/FuelTank/_Documentation/secModelDescription.tex",
+    ),
+    (
+        "v_1(t) = x_1(t)",
+        "Chain(Call(v_1; t), Call(x_1; t); =)",
+        "sympy/sympy/doc/src/tutorials/physics/control/electrical_problems.rst",
+    ),
+    (
+        "a = \\frac{18\\mu_f}{D^2\\rho_p}",
+        "Chain(a, Div(Mul(18, \\mu_f); Mul(Pow(D; 2), \\rho_p)); =)",
+        "CalebBell/fluids/fluids/drag.py",
+    ),
+    (
+        "\\begin{aligned} t_{\\text{wait}} &= \\frac{-2\\gamma_2 - 2\\pi N}{n_f - n_i} &&\\text{if } n_i > n_f \\\\ t_{\\text{wait}} &= \\frac{-2\\gamma_2 + 2\\pi N}{n_f - n_i} &&\\text{if } n_i < n_f \\end{aligned}",
+        "System(Implies(Chain(n_i, n_f; >); Chain(t_{wait}, Div(Add(Neg(Mul(2, \\gamma_2)), Neg(Mul(2, \\pi, N))); Add(n_f, Neg(n_i))); =)), Implies(Chain(n_i, n_f; <); Chain(t_{wait}, Div(Add(Neg(Mul(2, \\gamma_2)), Mul(2, \\pi, N)); Add(n_f, Neg(n_i))); =)))",
+        "bryanwweber/orbital-mechanics-notes/interplanetary-maneuvers/interplanetary-transfer-phasing.md",
+    ),
+    (
+        "X(t) = Y(tau)",
+        "Chain(Call(X; t), Call(Y; \\tau); =)",
+        "sympy/sympy/sympy/solvers/ode/systems.py",
+    ),
+    (
+        "\\mathbf{\\hat{n}_v} = \\frac{\\mathbf{v}}{\\Vert \\mathbf{v} \\Vert}",
+        "Chain(\\mathbf{\\hat{n}}_v, Div(\\mathbf{v}; Norm(\\mathbf{v})); =)",
+        "sympy/sympy/doc/src/explanation/modules/physics/vector/vectors/vectors.rst",
+    ),
+    (
+        "p(x) = 1 + (1-2x)^2 + x^2,",
+        "Chain(Call(p; x), Add(1, Pow(Add(1, Neg(Mul(2, x))); 2), Pow(x; 2)); =)",
+        "RussTedrake/underactuated/book/optimization.html",
+    ),
+    (
+        "\\dot{\\mathbf{q}} = \\frac{1}{2}\\boldsymbol\\Omega(\\boldsymbol\\omega)\\mathbf{q}",
+        "Chain(Call(\\dot{\\mathbf{q}}), Mul(Div(1; 2), Call(\\boldsymbol{\\Omega}; \\boldsymbol{\\omega}), Call(\\mathbf{q})); =)",
+        "Mayitzin/ahrs/ahrs/filters/angular.py",
+    ),
+    (
+        "x''(t) = 2a_2+6a_3t+12a_4t^2",
+        "Chain(Call(x''; t), Add(Mul(2, a_2), Mul(6, a_3, t), Mul(12, a_4, Pow(t; 2))); =)",
+        "AtsushiSakai/PythonRobotics/docs/modules/5_path_planning/quintic_polynomials_planner/quintic_polynomials_planner_main.rst",
+    ),
+    (
+        "T=& \\frac{1}{2} (m_c + m_p)\\dot{x}^2 + m_p \\dot{x}\\dot\\theta l \\cos{\\theta} + \\frac{1}{2}m_p l^2 \\dot\\theta^2 \\\\ U =& -m_p g l \\cos\\theta.",
+        "System(Chain(T, Add(Mul(Div(1; 2), Add(m_c, m_p), Pow(Call(\\dot{x}); 2)), Mul(m_p, Call(\\dot{x}), Call(\\dot{\\theta}), l, Call(cos; Call(\\theta))), Mul(Div(1; 2), m_p, Pow(l; 2), Pow(Call(\\dot{\\theta}); 2))); =), Chain(U, Neg(Mul(m_p, g, l, Call(cos; Call(\\theta)))); =))",
+        "RussTedrake/underactuated/book/acrobot.html",
+    ),
+    (
+        "f^{B}_{2, B_z} = f^{B}_{1, B_z} + \\frac{mgh}{l}\\sin\\gamma.",
+        "Chain(f _ { 2 , B _ { z } } ^ { B }, Add(f _ { 1 , B _ { z } } ^ { B }, Mul(Div(Mul(m, g, h); l), Call(sin; \\gamma))); =)",
+        "RussTedrake/manipulation/book/clutter.html",
+    ),
+    (
+        "I_{s_{i2,2}} ( \\dot\\omega_{s_{i2,2}} + \\ddot\\theta_{i1} + \\ddot\\theta_{i2}) = - (I_{s_{i2,1}} - I_{s_{i2,3}}) \\omega_{s_{i2,3}} \\omega_{s_{i2,1}} + L_{s_{i2,2}}",
+        "Chain(Mul(I_{s_i2,2}, Add(Call(\\dot{\\omega}_{s_i2,2}), Call(\\ddot{\\theta}_{i1}), Call(\\ddot{\\theta}_{i2}))), Add(Neg(Mul(Add(I_{s_i2,1}, Neg(I_{s_i2,3})), \\omega_{s_i2,3}, \\omega_{s_i2,1})), L_{s_i2,2}); =)",
+        "AVSLab/basilisk/src/simulation/dynamics/dualHingedRigidBodies/_Documentation/secModelDescription.tex",
+    ),
+    (
+        "[RN] = [B_cN][BN]",
+        "Chain([ R N ], Mul([ B _ { c } N ], [ B N ]); =)",
+        "AVSLab/basilisk/src/fswAlgorithms/attGuidance/attRefCorrection/attRefCorrection.rst",
+    ),
+    (
+        "\\frac{da}{dt} &= \\left( \\frac{1}{\\tau_a \\left(1 + 3a(t)\\right)} (1 + 2f) + \\frac{1 + 3a(t)}{4\\tau_d} (1 - 2f) \\right) \\left(e(t) - a(t) \\right) \\\\ f &= \\frac{1}{2} \\tanh{\\left(b \\left(e(t) -a(t)\\right)\\right)}",
+        "System(Chain(Derivative(Call(a); t, 1), Mul(Add(Mul(Div(1; Mul(\\tau_a, Add(1, Mul(3, Call(a; t))))), Add(1, Mul(2, f))), Mul(Div(Add(1, Mul(3, Call(a; t))); Mul(4, \\tau_d)), Add(1, Neg(Mul(2, f))))), Add(Call(e; t), Neg(Call(a; t)))); =), Chain(f, Mul(Div(1; 2), Call(tanh; Mul(b, Add(Call(e; t), Neg(Call(a; t)))))); =))",
+        "sympy/sympy/doc/src/explanation/modules/physics/biomechanics/biomechanics.rst",
+    ),
+    (
+        "v_{gm} = 1.41\\left[\\frac{g\\sigma(\\rho_l-\\rho_g)}{\\rho_l^2}\\right]^{0.25}",
+        "Chain(v_{gm}, Mul(1.41, Pow(Div(Mul(g, \\sigma, Add(\\rho_l, Neg(\\rho_g))); Pow(\\rho_l; 2)); 0.25)); =)",
+        "CalebBell/fluids/fluids/two_phase_voidage.py",
+    ),
+    (
+        "c_2 = s_0 - \\frac{r_P}{\\sin(f_2)}",
+        "Chain(c_2, Add(s_0, Neg(Div(r_P; Call(sin; f_2)))); =)",
+        "AVSLab/basilisk/src/simulation/environment/eclipse/eclipse.rst",
+    ),
+    (
+        "\\left| I - \\sum_{k=0}^{n-1} w_k f(x_k) \\right| \\le \\frac{64 M}{15 (\\rho-1) \\rho^{2n-1}}",
+        "Chain(Bars(Add(I, Neg(BigSum(k; 0; Add(n, Neg(1)); Mul(w_k, Call(f; x_k)))))), Div(Mul(64, M); Mul(15, Add(\\rho, Neg(1)), Pow(\\rho; Add(Mul(2, n), Neg(1))))); \\le)",
+        "fredrik-johansson/arb/doc/source/acb_calc.rst",
+    ),
+    (
+        "\\frac{dx}{dt} + x = \\underbrace{(-\\sin t + \\cos t - e^{-t})}_{\\frac{dx}{dt}} + \\underbrace{(\\cos t + \\sin t + e^{-t})}_{x} = 2\\cos t .",
+        "Chain(Add(Derivative(Call(x); t, 1), Call(x)), Add(Add(Neg(Call(sin; t)), Call(cos; t), Neg(Pow(e; Neg(t)))), Add(Call(cos; t), Call(sin; t), Pow(e; Neg(t)))), Mul(2, Call(cos; t)); =, =)",
+        "jirilebl/diffyqs/ch-intro.tex",
+    ),
+    (
+        "E(\\phi,m) = \\int_0^{\\phi} \\sqrt{1-m \\sin^2 t} \\, dt = \\int_0^{\\sin \\phi} \\frac{\\sqrt{1-mt^2}}{\\sqrt{1-t^2}} \\, dt",
+        "Chain(Call(E; \\phi, m), Integral(Sqrt(Add(1, Neg(Mul(m, Pow(Call(sin; t); 2))))); t; 0; \\phi), Integral(Div(Sqrt(Add(1, Neg(Mul(m, Pow(t; 2))))); Sqrt(Add(1, Neg(Pow(t; 2))))); t; 0; Call(sin; \\phi)); =, =)",
+        "fredrik-johansson/arb/doc/source/acb_elliptic.rst",
+    ),
+    (
+        "{}^N\\bar{v}^{P_4}\\cdot\\hat{n}_x = 0 \\\\ {}^N\\bar{v}^{P_4}\\cdot\\hat{n}_y = 0",
+        "System(Chain(Mul(\\prescript { N } { } { \\bar { v } } ^ { P _ { 4 } }, \\hat{n}_x; 1), 0; =), Chain(Mul(\\prescript { N } { } { \\bar { v } } ^ { P _ { 4 } }, \\hat{n}_y; 1), 0; =))",
+        "moorepants/learn-multibody-dynamics/configuration.rst",
+    ),
+    (
+        "K = L\\,D\\,L^\\mathrm{T}",
+        "Chain(K, Mul(L, D, Transpose(L)); =)",
+        "dfm/celerite/paper/ms.tex",
+    ),
+    (
+        "L = 112 + 17\\log_{10}\\left(\\frac{m}{\\text{tonne/hour}}\\right)",
+        "Chain(L, Add(112, Mul(17, Call(lg; Div(m; \\text{tonne/hour})))); =)",
+        "CalebBell/fluids/fluids/safety_valve.py",
+    ),
+    (
+        "\\lambda = \\mathrm{arctan2}\\left(x, \\,y\\right)",
+        "Chain(\\lambda, Call(\\text{arctan2}; x, y); =)",
+        "Mayitzin/ahrs/ahrs/common/frames.py",
+    ),
+    (
+        "x_A = a,\\quad y_A = a\\tan \\phi",
+        "System(Chain(x_A, a; =), Chain(y_A, Mul(a, Call(tan; \\phi)); =))",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/exercise2.tex",
+    ),
+    (
+        "r_m = \\left(\\frac{l^2}{n\\alpha \\mu}\\right)^{\\frac{1}{2-n}}",
+        "Chain(r_m, Pow(Div(Pow(l; 2); Mul(n, \\alpha, \\mu)); Div(1; Add(2, Neg(n)))); =)",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/chapter4.tex",
+    ),
+    (
+        "{ {\\boldsymbol{y}}} = { {\\boldsymbol{\\mu}}}_{ {\\boldsymbol{\\theta}}}({ {\\boldsymbol{t}}})+ K_{ {\\boldsymbol{\\alpha}}}^{1/2}\\,{ {\\boldsymbol{q}}}",
+        "Chain(\\boldsymbol{y}, Add(Call(\\boldsymbol{\\mu}_{\\boldsymbol\\theta}; \\boldsymbol{t}), Mul(Pow(K_{\\boldsymbol\\alpha}; Div(1; 2)), \\boldsymbol{q})); =)",
+        "dfm/celerite/paper/ms.tex",
+    ),
+    (
+        "x'(T)=a_1+2a_2T+3a_3T^2+4a_4T^3+5a_5T^4=v_e",
+        "Chain(Call(x'; T), Add(a_1, Mul(2, a_2, T), Mul(3, a_3, Pow(T; 2)), Mul(4, a_4, Pow(T; 3)), Mul(5, a_5, Pow(T; 4))), v_e; =, =)",
+        "AtsushiSakai/PythonRobotics/docs/modules/5_path_planning/quintic_polynomials_planner/quintic_polynomials_planner_main.rst",
+    ),
+    (
+        "v_{\\text{CoM}} = \\frac{1}{m_{\\text{tot}}}(m_{\\text{hub}} \\dot{y}_{B/N} + 2 m_{\\text{sp}}\\dot{ r}_{\\text{sp},y})",
+        "Chain(v_{CoM}, Mul(Div(1; m_{tot}), Add(Mul(m_{hub}, Call(\\dot{y}_{B/N})), Mul(2, m_{sp}, Call(\\dot{r}_{sp,y})))); =)",
+        "AVSLab/basilisk/src/simulation/dynamics/HingedRigidBodies/_Documentation/secTest.tex",
+    ),
+    (
+        "f(t) = \\begin{cases} -t & \\text{if } \\; {-1} < t \\leq 0 , \\\\ t^2 & \\text{if } \\; \\phantom{-}0 < t \\leq 1 , \\end{cases}",
+        "Chain(Call(f; t), Piecewise(Neg(t), Chain(Neg(1), t, 0; <, \\le), Pow(t; 2), Chain(0, t, 1; <, \\le)); =)",
+        "jirilebl/diffyqs/ch-fourier-and-pde.tex",
+    ),
+    (
+        "x y'' + y' + \\lambda^2 x y = 0 ,",
+        "Chain(Add(Mul(x, y''), y', Mul(Pow(\\lambda; 2), x, y)), 0; =)",
+        "jirilebl/diffyqs/ch-power-ser.tex",
+    ),
+    (
+        "V = \\frac{\\pi D^2}{12} (3h + 2a ),\\;\\; h \\ge |a|",
+        "System(Chain(V, Mul(Div(Mul(\\pi, Pow(D; 2)); 12), Add(Mul(3, h), Mul(2, a))); =), Chain(h, Bars(a); \\ge))",
+        "CalebBell/fluids/fluids/geometry.py",
+    ),
+    (
+        "v1 = p2 - p1",
+        "Chain(\\text{v1}, Add(\\text{p2}, Neg(\\text{p1})); =)",
+        "AtsushiSakai/PythonRobotics/docs/modules/3_mapping/normal_vector_estimation/normal_vector_estimation_main.rst",
+    ),
+    (
+        "\\frac{dA}{dt} = \\frac{h}{2}",
+        "Chain(Derivative(Call(A); t, 1), Div(h; 2); =)",
+        "bryanwweber/orbital-mechanics-notes/constants-of-orbital-motion/orbital-plane-and-keplers-second-law.md",
+    ),
+    (
+        "\\begin{aligned} \\dot{x}(t) &= Ax(t) + Bu(t) \\\\ y(t) &= Cx(t) + Du(t) \\end{aligned}",
+        "System(Chain(Call(\\dot{x}; t), Add(Mul(A, Call(x; t)), Mul(B, Call(u; t))); =), Chain(Call(y; t), Add(Mul(C, Call(x; t)), Mul(D, Call(u; t))); =))",
+        "sympy/sympy/sympy/physics/control/lti.py",
+    ),
+    (
+        "\\frac{d}{dt}\\left(\\dot{\\boldsymbol{r}}\\times\\boldsymbol{h}\\right) = \\frac{d}{dt}\\left(\\mu\\frac{\\boldsymbol{r}}{r}\\right)",
+        "Chain(Derivative(Cross(Call(\\dot{\\boldsymbol{r}}); \\boldsymbol{h}); t, 1), Derivative(Mul(\\mu, Div(Call(\\boldsymbol{r}); Call(r))); t, 1); =)",
+        "bryanwweber/orbital-mechanics-notes/the-orbit-equation/the-orbit-equation.md",
+    ),
+    (
+        "J(x, u) = \\int_0^T L(x, u)\\, dt + V \\bigl( x(T) \\bigr).",
+        "Chain(Call(J; x, u), Add(Integral(Call(L; x, u); t; 0; T), Mul(V, Mul(x, T))); =)",
+        "python-control/python-control/doc/optimal.rst",
+    ),
+    (
+        "\\left|\\frac{f'(m)}{f(m)}\\right| = \\left|\\sum_i \\frac{1}{m-\\zeta_i}\\right| \\le \\sum_i \\frac{1}{|m-\\zeta_i|} < \\frac{n}{r} = \\left|\\frac{f'(m)}{f(m)}\\right|",
+        "Chain(Bars(Div(Call(f'; m); Call(f; m))), Bars(BigSum(i; Div(1; Add(m, Neg(\\zeta_i))))), BigSum(i; Div(1; Bars(Add(m, Neg(\\zeta_i))))), Div(n; r), Bars(Div(Call(f'; m); Call(f; m))); =, \\le, <, =)",
+        "fredrik-johansson/arb/doc/source/acb_poly.rst",
+    ),
+    (
+        "y = C_1 e^{2x} + C_2 e^{4x} .",
+        "Chain(y, Add(Mul(C_1, Pow(e; Mul(2, x))), Mul(C_2, Pow(e; Mul(4, x)))); =)",
+        "jirilebl/diffyqs/ch-higher-order-ode.tex",
+    ),
+    (
+        "E_{\\text{capture}} = -\\frac{\\mu_f}{2a}",
+        "Chain(E_{capture}, Neg(Div(\\mu_f; Mul(2, a))); =)",
+        "bryanwweber/orbital-mechanics-notes/interplanetary-maneuvers/planetary-arrival-capture.md",
+    ),
+    (
+        "U = V + \\Phi",
+        "Chain(U, Add(V, \\Phi); =)",
+        "Mayitzin/ahrs/ahrs/utils/wgs84.py",
+    ),
+    (
+        "\\phi(\\boldsymbol{r}) = A(\\boldsymbol{r}) \\mathrm{e}^{\\mathrm{i}k_0 L(\\boldsymbol{r})}",
+        "Chain(Call(\\phi; \\boldsymbol{r}), Mul(Call(A; \\boldsymbol{r}), Pow(\\text{e}; Mul(\\text{i}, k_0, Call(L; \\boldsymbol{r})))); =)",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/chapter10.tex",
+    ),
+    (
+        "\\rho = \\tfrac{1}{2} |2a^2-2ab+b| + \\sigma' (1+ \\tfrac{1}{4} \\sigma') (1-\\sigma')^{-2}",
+        "Chain(\\rho, Add(Mul(Div(1; 2), Bars(Add(Mul(2, Pow(a; 2)), Neg(Mul(2, a, b)), b))), Mul(\\sigma', Add(1, Mul(Div(1; 4), \\sigma')), Pow(Add(1, Neg(\\sigma')); Neg(2)))); =)",
+        "fredrik-johansson/arb/doc/source/hypergeometric.rst",
+    ),
+    (
+        "2y = F_y (x,y) = A'(y) .",
+        "Chain(Mul(2, y), Call(F_y; x, y), Call(A'; y); =, =)",
+        "jirilebl/diffyqs/ch-first-order-ode.tex",
+    ),
+    (
+        "\\ddot{{\\bf q}} = {\\bf u}'.",
+        "Chain(Call(\\ddot{\\mathbf{q}}), \\mathbf{u}'; =)",
+        "RussTedrake/underactuated/book/intro.html",
+    ),
+    (
+        "R_N = \\frac{a}{\\sqrt{1-e^2\\sin^2\\phi}}",
+        "Chain(R_N, Div(a; Sqrt(Add(1, Neg(Mul(Pow(e; 2), Pow(Call(sin; \\phi); 2)))))); =)",
+        "Mayitzin/ahrs/ahrs/utils/geodesy.py",
+    ),
+    (
+        "\\ddot{\\boldsymbol{r}} = -G m_1 \\frac{\\boldsymbol{r}}{r^3} - G m_2 \\frac{\\boldsymbol{r}}{r^3}",
+        "Chain(Call(\\ddot{\\boldsymbol{r}}), Add(Neg(Mul(G, m_1, Div(Call(\\boldsymbol{r}); Pow(Call(r); 3)))), Neg(Mul(G, m_2, Div(Call(\\boldsymbol{r}); Pow(Call(r); 3))))); =)",
+        "bryanwweber/orbital-mechanics-notes/the-n-body-problem/two-body-relative-motion.md",
+    ),
+    (
+        "\\bm F_{2/1i} + \\bm F_{\\text{ext}_{i2}} = m_{sp_{i2}} \\ddot{\\bm{r}}_{S_{c,i2}/N}",
+        "Chain(Add(\\bm{F}_{2/1i}, \\bm{F}_{ext_i2}), Mul(m_{sp_i2}, Call(\\ddot{\\bm{r}}_{S_c,i2/N})); =)",
+        "AVSLab/basilisk/src/simulation/dynamics/dualHingedRigidBodies/_Documentation/secModelDescription.tex",
+    ),
+    (
+        "f^{B_{com}}_{gravity,W} = mg.",
+        "Chain(f _ { g r a v i t y , W } ^ { B _ { c o m } }, Mul(m, g); =)",
+        "RussTedrake/manipulation/book/force.html",
+    ),
+    (
+        "{}^N\\mathbf{C}^A = \\left({}^A\\mathbf{C}^N\\right)^{-1} = \\left({}^A\\mathbf{C}^N\\right)^T",
+        "Chain(\\prescript { N } { } { \\mathbf { C } } ^ { A }, Pow(\\prescript { A } { } { \\mathbf { C } } ^ { N }; Neg(1)), Transpose(\\prescript { A } { } { \\mathbf { C } } ^ { N }); =, =)",
+        "moorepants/learn-multibody-dynamics/orientation.rst",
+    ),
+    (
+        "\\Delta N = \\Omega_{\\text{in}}\\Delta t \\frac{n}{2\\pi} + \\Delta N - N",
+        "Chain(\\Delta N, Add(Mul(\\Omega_{in}, \\Delta t, Div(n; Mul(2, \\pi))), \\Delta N, Neg(N)); =)",
+        "AVSLab/basilisk/src/simulation/deviceInterface/encoder/encoder.rst",
+    ),
+    (
+        "C = 0.03948\\sqrt{\\frac{1}{e}}",
+        "Chain(C, Mul(0.03948, Sqrt(Div(1; e))); =)",
+        "CalebBell/fluids/fluids/safety_valve.py",
+    ),
+    (
+        "\\begin{aligned} A &= \\mathrm{INT}\\left(\\frac{M - 14}{12}\\right) \\\\ B &= 1461\\left(Y + 4800 + A\\right) \\\\ C &= 367\\left(M - 2 - 12A\\right) \\\\ E &= \\mathrm{INT}\\left(\\frac{Y + 4900 + A}{100}\\right) \\end{aligned}",
+        "System(Chain(A, Call(\\text{INT}; Div(Add(M, Neg(14)); 12)); =), Chain(B, Mul(1461, Add(Y, 4800, A)); =), Chain(C, Mul(367, Add(M, Neg(2), Neg(Mul(12, A)))); =), Chain(E, Call(\\text{INT}; Div(Add(Y, 4900, A); 100)); =))",
+        "bryanwweber/orbital-mechanics-notes/reference/julian-date.md",
+    ),
+    (
+        "v^2 = \\boldsymbol{v} \\cdot \\boldsymbol{v} = \\dot{r}^2 + r^2 \\dot{\\theta}^2 + r^2 \\dot{\\phi}^2 \\sin^2 \\theta",
+        "Chain(Pow(v; 2), Mul(\\boldsymbol{v}, \\boldsymbol{v}; 1), Add(Pow(Call(\\dot{r}); 2), Mul(Pow(Call(r); 2), Pow(Call(\\dot{\\theta}); 2)), Mul(Pow(Call(r); 2), Pow(Call(\\dot{\\phi}); 2), Pow(Call(sin; Call(\\theta)); 2))); =, =)",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/vectorial-mechanics/Kinematics.tex",
+    ),
+    (
+        "\\begin{bmatrix}e \\\\ n \\\\ u\\end{bmatrix} = \\begin{bmatrix} \\sin\\theta & -\\cos\\theta & 0 \\\\ \\cos\\theta & \\sin\\theta & 0 \\\\ 0 & 0 & 1 \\end{bmatrix} \\begin{bmatrix}d \\\\ c \\\\ a\\end{bmatrix}",
+        "Chain(MatrixOf(e, n, u), Mul(MatrixOf(Call(sin; \\theta), Neg(Call(cos; \\theta)), 0, Call(cos; \\theta), Call(sin; \\theta), 0, 0, 0, 1), MatrixOf(d, c, a)); =)",
+        "Mayitzin/ahrs/ahrs/common/frames.py",
+    ),
+    (
+        "\\begin{aligned}\\boldsymbol{r}_0 &= x_0\\boldsymbol{\\hat{p}} + y_0\\boldsymbol{\\hat{q}} & \\boldsymbol{v}_0 &= \\dot{x}_0\\boldsymbol{\\hat{p}} + \\dot{y}_0\\boldsymbol{\\hat{q}}\\end{aligned}",
+        "System(Chain(\\boldsymbol{r}_0, Add(Mul(Call(x_0), \\boldsymbol{\\hat{p}}), Mul(Call(y_0), \\boldsymbol{\\hat{q}})); =), Chain(\\boldsymbol{v}_0, Add(Mul(Call(\\dot{x}_0), \\boldsymbol{\\hat{p}}), Mul(Call(\\dot{y}_0), \\boldsymbol{\\hat{q}})); =))",
+        "bryanwweber/orbital-mechanics-notes/time-since-periapsis-and-keplers-equation/the-lagrange-coefficients.md",
+    ),
+    (
+        "\\theta(t) = a (t - t_0)^2 + \\theta_0",
+        "Chain(Call(\\theta; t), Add(Mul(a, Pow(Add(t, Neg(t_0)); 2)), \\theta_0); =)",
+        "AVSLab/basilisk/src/simulation/deviceInterface/prescribedRotation1DOF/prescribedRotation1DOF.rst",
+    ),
+    (
+        "M(q)\\ddot{q} + C(q,\\dot{q})\\dot{q} + K_p(q - q_d) + K_d(\\dot{q} - \\dot{q}_d) = \\tau_{ext},",
+        "Chain(Add(Mul(Call(M; Call(q)), Call(\\ddot{q})), Mul(Call(C; Call(q), Call(\\dot{q})), Call(\\dot{q})), Mul(K_p, Add(Call(q), Neg(Call(q_d)))), Mul(K_d, Add(Call(\\dot{q}), Neg(Call(\\dot{q}_d))))), \\tau_{ext}; =)",
+        "RussTedrake/manipulation/book/force.html",
+    ),
+    (
+        "v_0^2 = \\boldsymbol{v}_0 \\cdot\\boldsymbol{v}_0",
+        "Chain(Pow(v_0; 2), Mul(\\boldsymbol{v}_0, \\boldsymbol{v}_0; 1); =)",
+        "bryanwweber/orbital-mechanics-notes/time-since-periapsis-and-keplers-equation/universal-lagrange-coefficients-example.md",
+    ),
+    (
+        "C_{\\infty} = 0.6016 + 0.3312\\beta^{2.1} -1.5581\\beta^8 + \\frac{0.6510\\beta^4}{(1-\\beta^4)} - 0.7308\\beta^3",
+        "Chain(C_\\infty, Add(0.6016, Mul(0.3312, Pow(\\beta; 2.1)), Neg(Mul(1.5581, Pow(\\beta; 8))), Div(Mul(0.6510, Pow(\\beta; 4)); Add(1, Neg(Pow(\\beta; 4)))), Neg(Mul(0.7308, Pow(\\beta; 3)))); =)",
+        "CalebBell/fluids/fluids/flow_meter.py",
+    ),
+    (
+        "\\cosh^2 c - \\sinh^2 c = 1",
+        "Chain(Add(Pow(Call(cosh; c); 2), Neg(Pow(Call(sinh; c); 2))), 1; =)",
+        "bryanwweber/orbital-mechanics-notes/time-since-periapsis-and-keplers-equation/hyperbolic-trajectories.md",
+    ),
+    (
+        "\\vec{x} = e^{tP} \\vec{c} ,",
+        "Chain(\\vec{x}, Mul(Pow(e; Mul(t, P)), \\vec{c}); =)",
+        "jirilebl/diffyqs/ch-systems.tex",
+    ),
+    (
+        "K = 1.12 - 22\\frac{t}{d} + 216\\left(\\frac{t}{d}\\right)^2 + 80\\left(\\frac{t}{d}\\right)^3",
+        "Chain(K, Add(1.12, Neg(Mul(22, Div(t; d))), Mul(216, Pow(Div(t; d); 2)), Mul(80, Pow(Div(t; d); 3))); =)",
+        "CalebBell/fluids/fluids/fittings.py",
+    ),
+    (
+        "p = a \\left(1 - e^2\\right)",
+        "Chain(p, Mul(a, Add(1, Neg(Pow(e; 2)))); =)",
+        "bryanwweber/orbital-mechanics-notes/the-orbit-equation/elliptical-orbits.md",
+    ),
+    (
+        "\\hat{\\bm e}_{180} = \\frac{ \\hat{\\bm h}_{c} \\times \\hat{\\bm b}_{2}}{| \\hat{\\bm h}_{c} \\times \\hat{\\bm b}_{2}|}",
+        "Chain(\\hat{\\bm{e}}_{180}, Div(Cross(\\hat{\\bm{h}}_c; \\hat{\\bm{b}}_2); Bars(Cross(\\hat{\\bm{h}}_c; \\hat{\\bm{b}}_2))); =)",
+        "AVSLab/basilisk/src/fswAlgorithms/attGuidance/opNavPoint/_Documentation/secModelDescription.tex",
+    ),
+    (
+        "3^{2x} = 2^{x + 3}",
+        "Chain(Pow(3; Mul(2, x)), Pow(2; Add(x, 3)); =)",
+        "sympy/sympy/sympy/solvers/solveset.py",
+    ),
+    (
+        "y_t (x,t) = \\frac{\\partial}{\\partial t} \\left[ C u\\bigl(t-\\nicefrac{x}{\\alpha}\\bigr) \\right] = C u'\\bigl(t-\\nicefrac{x}{\\alpha}\\bigr) = C \\delta\\bigl(t-\\nicefrac{x}{\\alpha}\\bigr)",
+        "Chain(Call(y_t; x, t), Derivative(Mul(C, u, Add(t, Neg(Div(x; \\alpha)))); t, 1; True), Mul(C, u', Add(t, Neg(Div(x; \\alpha)))), Mul(C, \\delta, Add(t, Neg(Div(x; \\alpha)))); =, =, =)",
+        "jirilebl/diffyqs/ch-laplace.tex",
+    ),
+    (
+        "\\boldsymbol{r}_A \\cdot \\boldsymbol{e}_n = \\boldsymbol{r}_B \\cdot \\boldsymbol{e}_n = 0",
+        "Chain(Mul(\\boldsymbol{r}_A, \\boldsymbol{e}_n; 1), Mul(\\boldsymbol{r}_B, \\boldsymbol{e}_n; 1), 0; =, =)",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/chapter9.tex",
+    ),
+    (
+        "k(\\tau) = \\frac{a}{2+b}\\,e^{-c\\,\\tau}\\left[ \\cos\\left(\\frac{2\\,\\pi\\,\\tau}{P}\\right) + (1+b) \\right]",
+        "Chain(Call(k; \\tau), Mul(Div(a; Add(2, b)), Pow(e; Neg(Mul(c, \\tau))), Add(Call(cos; Div(Mul(2, \\pi, \\tau); P)), Add(1, b))); =)",
+        "dfm/celerite/docs/python/kernel.rst",
+    ),
+    (
+        "v_r = \\frac{\\mu}{h} e \\sin\\nu",
+        "Chain(v_r, Mul(Div(\\mu; h), e, Call(sin; \\nu)); =)",
+        "bryanwweber/orbital-mechanics-notes/time-since-periapsis-and-keplers-equation/universal-variables-example.md",
+    ),
+    (
+        "\\begin{aligned} \\boldsymbol{r} &= \\boldsymbol{R}_2 - \\boldsymbol{R}_1 \\end{aligned}",
+        "Chain(\\boldsymbol{r}, Add(\\boldsymbol{R}_2, Neg(\\boldsymbol{R}_1)); =)",
+        "bryanwweber/orbital-mechanics-notes/the-n-body-problem/two-body-relative-motion.md",
+    ),
+    (
+        "a_x = g\\sin\\theta",
+        "Chain(a_x, Mul(g, Call(sin; \\theta)); =)",
+        "Mayitzin/ahrs/ahrs/filters/fqa.py",
+    ),
+    (
+        "\\vec{x} = A^{-1} A \\vec{x} = A^{-1} \\vec{b} .",
+        "Chain(\\vec{x}, Mul(Pow(A; Neg(1)), A, \\vec{x}), Mul(Pow(A; Neg(1)), \\vec{b}); =, =)",
+        "jirilebl/diffyqs/ap-linear-algebra.tex",
+    ),
+    (
+        "u_{s_{i}} = I_{w_{s_{i}}}(\\dot{\\Omega}_{i} + \\hat{\\boldsymbol{ g}}_{s_{i}}^{T}\\dot{\\boldsymbol{ \\omega}} + \\dot{\\gamma}_{i}\\omega_{t_{i}})",
+        "Chain(u_{s_i}, Mul(I_{w_s_i}, Add(Call(\\dot{\\Omega}_i), Mul(Transpose(\\hat{\\boldsymbol{g}}_{s_i}), Call(\\dot{\\boldsymbol{\\omega}})), Mul(Call(\\dot{\\gamma}_i), \\omega_{t_i}))); =)",
+        "AVSLab/basilisk/src/fswAlgorithms/effectorInterfaces/vscmgGimbalRateServo/vscmgGimbalRateServo.rst",
+    ),
+    (
+        "Q_k(z) = -{\\rm rem}(Q_{k-2},\\,Q_{k-1})",
+        "Chain(Call(Q_k; z), Neg(Call(\\text{rem}; Q_{k-2}, Q_{k-1})); =)",
+        "dfm/celerite/paper/ms.tex",
+    ),
+    (
+        "{\\bf S}(t_f) = {\\bf Q}_f.",
+        "Chain(Call(\\mathbf{S}; t_f), \\mathbf{Q}_f; =)",
+        "RussTedrake/underactuated/book/lqr.html",
+    ),
+    (
+        "V_f = \\frac{\\pi}{4}\\left(\\frac{Dh}{a}\\right)^2 \\left(a - \\frac{h}{3}\\right),\\; h < a",
+        "System(Chain(V_f, Mul(Div(\\pi; 4), Pow(Div(Mul(D, h); a); 2), Add(a, Neg(Div(h; 3)))); =), Chain(h, a; <))",
+        "CalebBell/fluids/fluids/geometry.py",
+    ),
+    (
+        "C_{\\infty} = (0.7746 - 0.1334\\beta^{2.1} + 1.4098\\beta^8 + \\frac{0.0675\\beta^4}{(1 - \\beta^4)} + 0.3865\\beta^3)",
+        "Chain(C_\\infty, Add(0.7746, Neg(Mul(0.1334, Pow(\\beta; 2.1))), Mul(1.4098, Pow(\\beta; 8)), Div(Mul(0.0675, Pow(\\beta; 4)); Add(1, Neg(Pow(\\beta; 4)))), Mul(0.3865, Pow(\\beta; 3))); =)",
+        "CalebBell/fluids/fluids/flow_meter.py",
+    ),
+    (
+        "(M + m)y'' - ml \\phi'' \\sin(\\phi) - ml(\\phi')^2 \\cos(\\phi) + k_1 y + k_2 y^3 + c_1 y' = F_0 \\cos(\\nu t)",
+        "Chain(Add(Mul(Add(M, m), y''), Neg(Mul(m, l, \\phi'', Call(sin; \\phi))), Neg(Mul(m, l, Pow(\\phi'; 2), Call(cos; \\phi))), Mul(k_1, y), Mul(k_2, Pow(y; 3)), Mul(c_1, y')), Mul(F_0, Call(cos; Mul(\\nu, t))); =)",
+        "sympy/sympy/doc/src/tutorials/physics/mechanics/duffing-example.rst",
+    ),
 )
 REFUSED = (  # LaTeX with two readings, repository and path
     ("C_D = \\frac{24}{Re} + \\frac{7.3}{1+Re^{0.5}} + 0.25", "CalebBell/fluids/fluids/drag.py"),
