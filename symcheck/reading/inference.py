@@ -102,6 +102,7 @@ class Evidence:
     doubt: str = ""
     running: bool = False
     orbital: bool = False
+    below: bool = False  # does it stand in a subscript anywhere?
     endless: bool = False  # does an infinite sum, or a factorial, stand beside it?
     shape: tuple[int, ...] = ()  # of the matrix or the column to which it is equal
 
@@ -434,6 +435,7 @@ def gathered(formulas: Sequence[str], said: Mapping[str, str]) -> dict[str, Evid
         own.index = latex in index and not tokens
         own.whole, own.doubt = latex in wholes, wholes.get(latex, "") or initials.get(place.word, "")
         own.shape = shapes.get(latex, ())
+        own.below = latex in below
         own.endless = latex == "e" and any(r"\infty" in formula or "!" in formula for formula in formulas)
         own.orbital = latex == "e" and any(map(_ECCENTRIC.search, formulas))
         for low, high in (ends.get(t, ("", "")) for t in tokens) if family else ():
@@ -714,7 +716,11 @@ def _number(of: Evidence, every: Mapping[str, Evidence]) -> list[Guess]:
             return [Guess(replace(_letter(of, depends=""), doubt=doubt), "a letter in doubt", "i and j stand here")]
         unit = Guess(Letter(latex, number="i"), "the imaginary unit", "so it is written")
         plain = Guess(_letter(of, depends="", name=_plain(latex)), "a real number", "it is a letter like others", True)
-        return [unit] if latex[0] == "\\" or any(place.exponent for place in of.places) else [unit, plain]
+        if latex[0] == "\\" or any(place.exponent for place in of.places):
+            return [unit]
+        if of.below:
+            return [replace(plain, why="it is an index elsewhere", remote=False)]
+        return [unit, plain]
     return []
 
 
