@@ -576,9 +576,9 @@ def _options(of: Evidence, every: Mapping[str, Evidence], defined: Mapping[str, 
         function = Guess(_letter(of, kind="function"), "a function", "it stands before brackets only")
         factor = all(args[0].lstrip()[:1].isdigit() for args in of.arguments)  # as in a(1 - x)
         weight = latex == "g" and any(place.before in _MASSES for place in of.places)
-        yield from (
-            (function, product) if latex in _TYPICAL and not weight else (product, replace(function, remote=factor))
-        )
+        coefficient = factor and latex[:1] == "\\" and latex != r"\zeta"  # as in \phi(1.4 - x)
+        typical = latex in _TYPICAL and not weight and not coefficient
+        yield from (function, product) if typical else (product, replace(function, remote=factor))
     elif of.dotted or _is_derived(of):
         yield from _dependent(of, every, latex in defined)
     elif of.framed:
