@@ -447,6 +447,1011 @@ JUDGED = (  # LaTeX, the right reading as a fully bracketed expression, reposito
         "Chain(\\mathbf{z}_t, Tuple(x_t, y_t; []); =)",
         "AtsushiSakai/PythonRobotics/docs/modules/2_localization/extended_kalman_filter_localization_files/extended_kalman_filter_localization_main.rst",
     ),
+    (
+        "\\boldsymbol{v} = \\boldsymbol{v}_O + \\boldsymbol{\\omega} \\times \\boldsymbol{r}' = \\boldsymbol{v}_O + \\boldsymbol{\\omega} \\times (\\boldsymbol{r}-\\boldsymbol{r}_O)",
+        "Chain(\\boldsymbol{v}, Add(\\boldsymbol{v}_O, Cross(\\boldsymbol{\\omega}; \\boldsymbol{r}')), Add(\\boldsymbol{v}_O, Cross(\\boldsymbol{\\omega}; Add(\\boldsymbol{r}, Neg(\\boldsymbol{r}_O)))); =, =)",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/chapter6.tex",
+    ),
+    (
+        "\\begin{array}{ll} y_{tt} = 2 y_{xx} & \\qquad \\text{for } \\; 0 < x < \\pi \\text{ and } t > 0, \\\\ y(0,t) = y(\\pi,t) = 0 & \\qquad \\text{for } \\; t > 0 , \\\\ y(x,0) = x & \\qquad \\text{for } \\; 0 < x < \\pi , \\\\ y_t(x,0) = 0 & \\qquad \\text{for } \\; 0 < x < \\pi . \\end{array}",
+        "System(Implies(System(Chain(0, x, \\pi; <, <), Chain(t, 0; >)); Chain(y_{tt}, Mul(2, y_{xx}); =)), Implies(Chain(t, 0; >); Chain(Call(y; 0, t), Call(y; \\pi, t), 0; =, =)), Implies(Chain(0, x, \\pi; <, <); Chain(Call(y; x, 0), x; =)), Implies(Chain(0, x, \\pi; <, <); Chain(Call(y_t; x, 0), 0; =)))",
+        "jirilebl/diffyqs/ch-fourier-and-pde.tex",
+    ),
+    (
+        "h(z)=\\frac{\\exp \\left(-(d - z)^{2} / 2\\right)}{\\sqrt{2 \\pi}}",
+        "Chain(Call(h; z), Div(Call(exp; Neg(Div(Pow(Add(d, Neg(z)); 2); 2))); Sqrt(Mul(2, \\pi))); =)",
+        "AtsushiSakai/PythonRobotics/docs/modules/2_localization/histogram_filter_localization/histogram_filter_localization_main.rst",
+    ),
+    (
+        "\\eta_s = \\frac{(P_2/P_1)^{(k-1)/k}-1} {(P_2/P_1)^{\\frac{k-1}{k\\eta_p}}-1}",
+        "Chain(\\eta_s, Div(Add(Pow(Div(P_2; P_1); Div(Add(k, Neg(1)); k)), Neg(1)); Add(Pow(Div(P_2; P_1); Div(Add(k, Neg(1)); Mul(k, \\eta_p))), Neg(1))); =)",
+        "CalebBell/fluids/fluids/compressible.py",
+    ),
+    (
+        "M_m \\dot{x} = f_m",
+        "Chain(Mul(M_m, Call(\\dot{x})), f_m; =)",
+        "sympy/sympy/sympy/physics/mechanics/system.py",
+    ),
+    (
+        "\\begin{bmatrix} \\hat{b}_x \\\\ \\hat{b}_y \\\\ \\hat{b}_z \\end{bmatrix} = {}^B\\mathbf{C}^A {}^A\\mathbf{C}^N \\begin{bmatrix} \\hat{n}_x \\\\ \\hat{n}_y \\\\ \\hat{n}_z \\end{bmatrix}",
+        "Chain(MatrixOf(\\hat{b}_x, \\hat{b}_y, \\hat{b}_z), Mul(\\prescript { B } { } { \\mathbf { C } } ^ { A }, \\prescript { A } { } { \\mathbf { C } } ^ { N }, MatrixOf(\\hat{n}_x, \\hat{n}_y, \\hat{n}_z)); =)",
+        "moorepants/learn-multibody-dynamics/orientation.rst",
+    ),
+    (
+        "T_n(z) = {}_2F_1\\left(-n,n,\\frac{1}{2},\\frac{1-z}{2}\\right)",
+        "Chain(Call(T_n; z), Call(\\prescript { } { 2 } { F } _ { 1 }; Neg(n), n, Div(1; 2), Div(Add(1, Neg(z)); 2)); =)",
+        "fredrik-johansson/arb/doc/source/acb_hypgeom.rst",
+    ),
+    (
+        "\\begin{aligned} \\boldsymbol{h} &= \\boldsymbol{r}\\times\\boldsymbol{v} = r\\boldsymbol{\\hat{u}}_r \\times\\left(v_r\\boldsymbol{\\hat{u}}_r + v_{\\perp}\\boldsymbol{\\hat{u}}_{\\perp}\\right)\\\\ &= r v_r\\left(\\boldsymbol{\\hat{u}}_r\\times\\boldsymbol{\\hat{u}}_r\\right) + r v_{\\perp}\\left(\\boldsymbol{\\hat{u}}_r\\times\\boldsymbol{\\hat{u}}_{\\perp}\\right)\\\\ &= r v_{\\perp}\\boldsymbol{\\hat{h}} \\end{aligned}",
+        "Chain(\\boldsymbol{h}, Cross(\\boldsymbol{r}; \\boldsymbol{v}), Cross(Mul(r, \\boldsymbol{\\hat{u}}_r); Add(Mul(v_r, \\boldsymbol{\\hat{u}}_r), Mul(v_\\perp, \\boldsymbol{\\hat{u}}_\\perp))), Add(Mul(r, v_r, Cross(\\boldsymbol{\\hat{u}}_r; \\boldsymbol{\\hat{u}}_r)), Mul(r, v_\\perp, Cross(\\boldsymbol{\\hat{u}}_r; \\boldsymbol{\\hat{u}}_\\perp))), Mul(r, v_\\perp, \\boldsymbol{\\hat{h}}); =, =, =, =)",
+        "bryanwweber/orbital-mechanics-notes/constants-of-orbital-motion/orbital-plane-and-keplers-second-law.md",
+    ),
+    (
+        "\\begin{split} 0 = y''-xy &= \\Biggl( \\sum_{k=2}^\\infty k\\,(k-1) \\, a_k x^{k-2} \\Biggr) - x \\Biggl( \\sum_{k=0}^\\infty a_k x^k \\Biggr) \\\\ &= \\Biggl( \\sum_{k=2}^\\infty k\\,(k-1) \\, a_k x^{k-2} \\Biggr) - \\Biggl( \\sum_{k=0}^\\infty a_k x^{k+1} \\Biggr) . \\end{split}",
+        "Chain(0, Add(y'', Neg(Mul(x, y))), Add(BigSum(k; 2; Infinity(); Mul(k, Add(k, Neg(1)), a_k, Pow(x; Add(k, Neg(2))))), Neg(Mul(x, BigSum(k; 0; Infinity(); Mul(a_k, Pow(x; k)))))), Add(BigSum(k; 2; Infinity(); Mul(k, Add(k, Neg(1)), a_k, Pow(x; Add(k, Neg(2))))), Neg(BigSum(k; 0; Infinity(); Mul(a_k, Pow(x; Add(k, 1)))))); =, =, =)",
+        "jirilebl/diffyqs/ch-power-ser.tex",
+    ),
+    (
+        "\\mathbf{a}' = \\mathbf{a} + 2\\alpha (\\vec{\\mathbf{v}}\\times\\mathbf{a}) + 2\\big(\\vec{\\mathbf{v}}\\times(\\vec{\\mathbf{v}}\\times\\mathbf{a})\\big)",
+        "Chain(\\mathbf{a}', Add(\\mathbf{a}, Mul(2, \\alpha, Cross(\\vec{\\mathbf{v}}; \\mathbf{a})), Mul(2, Cross(\\vec{\\mathbf{v}}; Cross(\\vec{\\mathbf{v}}; \\mathbf{a})))); =)",
+        "Mayitzin/ahrs/ahrs/common/quaternion.py",
+    ),
+    (
+        "E_F = \\frac{1}{2} m_{\\text{tot}} v_{\\text{CoM}}^2 + 2\\Big[\\frac{1}{2} k \\theta_{\\text{max}}^2\\Big]",
+        "Chain(E_F, Add(Mul(Div(1; 2), m_{tot}, Pow(v_{CoM}; 2)), Mul(2, Mul(Div(1; 2), k, Pow(\\theta_{max}; 2)))); =)",
+        "AVSLab/basilisk/src/simulation/dynamics/HingedRigidBodies/_Documentation/secTest.tex",
+    ),
+    (
+        "w = R - h",
+        "Chain(w, Add(R, Neg(h)); =)",
+        "CalebBell/fluids/fluids/geometry.py",
+    ),
+    (
+        "T_{\\text{orb}} = \\frac{1}{2} m_{sc} \\dot{\\bm r}_{C/N} \\cdot \\dot{\\bm r}_{C/N}",
+        "Chain(T_{orb}, Mul(Div(1; 2), m_{sc}, Call(\\dot{\\bm{r}}_{C/N}), Call(\\dot{\\bm{r}}_{C/N}); 3); =)",
+        "AVSLab/basilisk/src/simulation/dynamics/spacecraft/_Documentation/Spacecraft/secModelDescription.tex",
+    ),
+    (
+        "{\\bf \\phi}({\\bf q},\\dot{\\bf q}, \\ddot{\\bf q}, {\\bf u}, t) = 0,",
+        "Chain(Call(\\mathbf{\\phi}; Call(\\mathbf{q}), Call(\\dot{\\mathbf{q}}), Call(\\ddot{\\mathbf{q}}), \\mathbf{u}, t), 0; =)",
+        "RussTedrake/underactuated/book/intro.html",
+    ),
+    (
+        "{}^Ap^B_F = - {}^Bp^A_F.",
+        "Chain(\\prescript { A } { } { p } _ { F } ^ { B }, Neg(\\prescript { B } { } { p } _ { F } ^ { A }); =)",
+        "RussTedrake/manipulation/book/pick.html",
+    ),
+    (
+        "l_1 = c_1 \\tan(f_1)",
+        "Chain(l_1, Mul(c_1, Call(tan; f_1)); =)",
+        "AVSLab/basilisk/src/simulation/environment/eclipse/eclipse.rst",
+    ),
+    (
+        "r = \\frac{p}{2}(1+\\eta^2)",
+        "Chain(r, Mul(Div(p; 2), Add(1, Pow(\\eta; 2))); =)",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/chapter4.tex",
+    ),
+    (
+        "\\underbrace{A \\cos \\bigl(-\\sqrt{\\lambda}\\, \\pi\\bigr) + B \\sin \\bigl(-\\sqrt{\\lambda}\\, \\pi\\bigr)}_{x(-\\pi)} = \\underbrace{A \\cos \\bigl( \\sqrt{\\lambda}\\, \\pi \\bigr) + B \\sin \\bigl( \\sqrt{\\lambda}\\, \\pi\\bigr)}_{x(\\pi)} .",
+        "Chain(Add(Mul(A, Call(cos; Neg(Mul(Sqrt(\\lambda), \\pi)))), Mul(B, Call(sin; Neg(Mul(Sqrt(\\lambda), \\pi))))), Add(Mul(A, Call(cos; Mul(Sqrt(\\lambda), \\pi))), Mul(B, Call(sin; Mul(Sqrt(\\lambda), \\pi)))); =)",
+        "jirilebl/diffyqs/ch-fourier-and-pde.tex",
+    ),
+    (
+        "\\bm\\omega_{R/N} = \\bm\\omega_{R/R_{0}} + \\bm\\omega_{R_{0}/N} = \\bm\\omega_{R_{0}/N}",
+        "Chain(\\bm{\\omega}_{R/N}, Add(\\bm{\\omega}_{R/R_0}, \\bm{\\omega}_{R_0/N}), \\bm{\\omega}_{R_0/N}; =, =)",
+        "AVSLab/basilisk/src/fswAlgorithms/attGuidance/attTrackingError/_Documentation/secModuleDescription.tex",
+    ),
+    (
+        "\\alpha = (1 - \\sigma')^{-1}",
+        "Chain(\\alpha, Pow(Add(1, Neg(\\sigma')); Neg(1)); =)",
+        "fredrik-johansson/arb/doc/source/hypergeometric.rst",
+    ),
+    (
+        "\\tan\\beta = \\frac{e \\sin f}{1 + e \\cos f}",
+        "Chain(Call(tan; \\beta), Div(Mul(e, Call(sin; f)); Add(1, Mul(e, Call(cos; f)))); =)",
+        "AVSLab/basilisk/src/fswAlgorithms/attGuidance/velocityPoint/_Documentation/velocityPoint.tex",
+    ),
+    (
+        "Lw = L(y_p - \\tilde{y}_p) = Ly_p - L\\tilde{y}_p = (2x+1)-(2x+1) = 0 .",
+        "Chain(Mul(L, w), Mul(L, Add(y_p, Neg(\\tilde{y}_p))), Add(Mul(L, y_p), Neg(Mul(L, \\tilde{y}_p))), Add(Add(Mul(2, x), 1), Neg(Add(Mul(2, x), 1))), 0; =, =, =, =)",
+        "jirilebl/diffyqs/ch-higher-order-ode.tex",
+    ),
+    (
+        "\\bar{\\textbf{x}} = \\dfrac{1}{m_{total}}\\sum_{i}m_i\\textbf{x}_i,",
+        "Chain(\\bar{\\mathbf{x}}, Mul(Div(1; m_{total}), BigSum(i; Mul(m_i, \\mathbf{x}_i))); =)",
+        "AVSLab/basilisk/src/fswAlgorithms/formationFlying/formationBarycenter/formationBarycenter.rst",
+    ),
+    (
+        "a_z = -g\\cos\\theta",
+        "Chain(a_z, Neg(Mul(g, Call(cos; \\theta))); =)",
+        "Mayitzin/ahrs/ahrs/filters/fqa.py",
+    ),
+    (
+        "R_{\\mathrm{dropped,pot}} = R_{\\mathrm{remove,pot}} - R_{\\mathrm{delivered,pot}}",
+        "Chain(R_{dropped,pot}, Add(R_{remove,pot}, Neg(R_{delivered,pot})); =)",
+        "AVSLab/basilisk/src/simulation/communication/downlinkHandling/downlinkHandling.rst",
+    ),
+    (
+        "\\boldsymbol{r}_2 = \\left(x - \\pi_1 r_{12}\\right)\\boldsymbol{\\hat{\\imath}} + y\\boldsymbol{\\hat{\\jmath}} + z\\boldsymbol{\\hat{k}}",
+        "Chain(\\boldsymbol{r}_2, Add(Mul(Add(x, Neg(Mul(\\pi_1, r_{12}))), \\boldsymbol{\\hat{\\imath}}), Mul(y, \\boldsymbol{\\hat{\\jmath}}), Mul(z, \\boldsymbol{\\hat{k}})); =)",
+        "bryanwweber/orbital-mechanics-notes/the-n-body-problem/circular-restricted-three-body-problem.md",
+    ),
+    (
+        "C_0 = 1 + 0.2(1-x)(gD)^{0.25}\\left(\\frac{\\rho_l}{G_{tp}}\\right)^{0.5}",
+        "Chain(C_0, Add(1, Mul(0.2, Add(1, Neg(x)), Pow(Mul(g, D); 0.25), Pow(Div(\\rho_l; G_{tp}); 0.5))); =)",
+        "CalebBell/fluids/fluids/two_phase_voidage.py",
+    ),
+    (
+        "E = \\frac{1}{2} m l^2 \\dot\\theta^2 - mgl\\cos\\theta.",
+        "Chain(E, Add(Mul(Div(1; 2), m, Pow(l; 2), Pow(Call(\\dot{\\theta}); 2)), Neg(Mul(m, g, l, Call(cos; Call(\\theta))))); =)",
+        "RussTedrake/underactuated/book/pend.html",
+    ),
+    (
+        "\\bm\\omega_{R/N} = \\bm\\omega_{R/R_{0}} + \\bm\\omega_{R_{0}/N} = \\bm\\omega_{R_{0}/N} = \\frac{1+e \\cos f}{1+e^{2} + 2 e \\cos f} \\dot f \\hat{\\bm\\imath}_{h}",
+        "Chain(\\bm{\\omega}_{R/N}, Add(\\bm{\\omega}_{R/R_0}, \\bm{\\omega}_{R_0/N}), \\bm{\\omega}_{R_0/N}, Mul(Div(Add(1, Mul(e, Call(cos; Call(f)))); Add(1, Pow(e; 2), Mul(2, e, Call(cos; Call(f))))), Call(\\dot{f}), \\hat{\\bm{\\imath}}_h); =, =, =)",
+        "AVSLab/basilisk/src/fswAlgorithms/attGuidance/velocityPoint/_Documentation/velocityPoint.tex",
+    ),
+    (
+        "S_2 = 2\\pi D^2 f_k\\left(\\alpha - \\alpha_1 + (0.5 - f_k)\\left(\\sin^{-1} \\left(\\frac{\\alpha-\\alpha_2}{f_k}\\right) - \\sin^{-1}\\left(\\frac{ \\alpha_1-\\alpha_2}{f_k}\\right)\\right)\\right)",
+        "Chain(S_2, Mul(2, \\pi, Pow(D; 2), f_k, Add(\\alpha, Neg(\\alpha_1), Mul(Add(0.5, Neg(f_k)), Add(Call(arcsin; Div(Add(\\alpha, Neg(\\alpha_2)); f_k)), Neg(Call(arcsin; Div(Add(\\alpha_1, Neg(\\alpha_2)); f_k))))))); =)",
+        "CalebBell/fluids/fluids/geometry.py",
+    ),
+    (
+        "\\frac{d}{dt}\\left(\\dot{\\boldsymbol{r}}\\times\\boldsymbol{h} - \\mu\\frac{\\boldsymbol{r}}{r}\\right) = \\boldsymbol{0}",
+        "Chain(Derivative(Add(Cross(Call(\\dot{\\boldsymbol{r}}); \\boldsymbol{h}), Neg(Mul(\\mu, Div(Call(\\boldsymbol{r}); Call(r))))); t, 1), 0; =)",
+        "bryanwweber/orbital-mechanics-notes/the-orbit-equation/the-orbit-equation.md",
+    ),
+    (
+        "\\frac{{}_1F_1(a,b,z)}{\\Gamma(b)} = \\frac{(-z)^{-a}}{\\Gamma(b-a)} U^{*}(a,b,z) + \\frac{z^{a-b} e^z}{\\Gamma(a)} U^{*}(b-a,b,-z)",
+        "Chain(Div(Call(\\prescript { } { 1 } { F } _ { 1 }; a, b, z); Call(Gamma; b)), Add(Mul(Div(Pow(Neg(z); Neg(a)); Call(Gamma; Add(b, Neg(a)))), Call(U ^ { * }; a, b, z)), Mul(Div(Mul(Pow(z; Add(a, Neg(b))), Pow(e; z)); Call(Gamma; a)), Call(U ^ { * }; Add(b, Neg(a)), b, Neg(z)))); =)",
+        "fredrik-johansson/arb/doc/source/hypergeometric.rst",
+    ),
+    (
+        "0 = x^{*} - \\frac{1 - \\pi_2}{\\left\\lvert x^* + \\pi_2\\right\\rvert ^3}\\left(x^* + \\pi_2\\right) - \\frac{\\pi_2}{\\left\\lvert x^* - 1 + \\pi_2\\right\\rvert ^3}\\left(x^* - 1 + \\pi_2\\right)",
+        "Chain(0, Add(x ^ { * }, Neg(Mul(Div(Add(1, Neg(\\pi_2)); Pow(Bars(Add(x ^ { * }, \\pi_2)); 3)), Add(x ^ { * }, \\pi_2))), Neg(Mul(Div(\\pi_2; Pow(Bars(Add(x ^ { * }, Neg(1), \\pi_2)); 3)), Add(x ^ { * }, Neg(1), \\pi_2)))); =)",
+        "bryanwweber/orbital-mechanics-notes/the-n-body-problem/lagrange-points.md",
+    ),
+    (
+        "\\mathbf{S} = \\mathbf{K} - \\mathbf{I}",
+        "Chain(\\mathbf{S}, Add(\\mathbf{K}, Neg(\\mathbf{I})); =)",
+        "Mayitzin/ahrs/ahrs/filters/famc.py",
+    ),
+    (
+        "\\begin{split} u & = e^{-\\xi^2-s} + (1 - \\xi) e^{-s} +s+\\xi-1 \\\\ & = e^{-{(x-t)}^2-t} + (1 - x + t) e^{-t} +x-1 . \\end{split}",
+        "Chain(u, Add(Pow(e; Add(Neg(Pow(\\xi; 2)), Neg(s))), Mul(Add(1, Neg(\\xi)), Pow(e; Neg(s))), s, \\xi, Neg(1)), Add(Pow(e; Add(Neg(Pow(Add(x, Neg(t)); 2)), Neg(t))), Mul(Add(1, Neg(x), t), Pow(e; Neg(t))), x, Neg(1)); =, =)",
+        "jirilebl/diffyqs/ch-first-order-ode.tex",
+    ),
+    (
+        "c_n = 2 \\int_0^1 t \\sin (n \\pi t) \\,dt = \\frac{2 \\, {(-1)}^{n+1}}{n \\pi} .",
+        "Chain(c_n, Mul(2, Integral(Mul(t, Call(sin; Mul(n, \\pi, t))); t; 0; 1)), Div(Mul(2, Pow(Neg(1); Add(n, 1))); Mul(n, \\pi)); =, =)",
+        "jirilebl/diffyqs/ch-fourier-and-pde.tex",
+    ),
+    (
+        "r = \\sqrt{\\boldsymbol{r}\\cdot\\boldsymbol{r}}",
+        "Chain(r, Sqrt(Mul(\\boldsymbol{r}, \\boldsymbol{r}; 1)); =)",
+        "bryanwweber/orbital-mechanics-notes/time-since-periapsis-and-keplers-equation/universal-lagrange-coefficients-example.md",
+    ),
+    (
+        "r = \\frac{a^2 + R^2}{2|a|}",
+        "Chain(r, Div(Add(Pow(a; 2), Pow(R; 2)); Mul(2, Bars(a))); =)",
+        "CalebBell/fluids/fluids/geometry.py",
+    ),
+    (
+        "u(t) = K_p (q_d(t) - q(t)) + K_d (\\dot{q}_d(t) - \\dot{q}(t)) + K_i \\int_0^t (q_d(t) - q(t)) dt,",
+        "Chain(Call(u; t), Add(Mul(K_p, Add(Call(q_d; t), Neg(Call(q; t)))), Mul(K_d, Add(Call(\\dot{q}_d; t), Neg(Call(\\dot{q}; t)))), Mul(K_i, Integral(Add(Call(q_d; t), Neg(Call(q; t))); t; 0; t))); =)",
+        "RussTedrake/manipulation/book/force.html",
+    ),
+    (
+        "{}^{\\mathbf{N}}\\boldsymbol{\\omega}^{\\mathbf{A}} &= 0\\\\ {}^{\\mathbf{A}}\\boldsymbol{\\omega}^{\\mathbf{B}} &= \\dot{q_1} \\mathbf{\\hat{a}_x}\\\\ {}^{\\mathbf{B}}\\boldsymbol{\\omega}^{\\mathbf{C}} &= - \\dot{q_2} \\mathbf{\\hat{b}_z}\\\\ {}^{\\mathbf{C}}\\boldsymbol{\\omega}^{\\mathbf{D}} &= \\dot{q_3} \\mathbf{\\hat{c}_y}\\\\ {}^{\\mathbf{N}}\\boldsymbol{\\omega}^{\\mathbf{D}} &= \\dot{q_1} \\mathbf{\\hat{a}_x} - \\dot{q_2} \\mathbf{\\hat{b}_z} + \\dot{q_3} \\mathbf{\\hat{c}_y}",
+        "System(Chain(\\prescript { \\mathbf { N } } { } { \\boldsymbol { \\omega } } ^ { \\mathbf { A } }, 0; =), Chain(\\prescript { \\mathbf { A } } { } { \\boldsymbol { \\omega } } ^ { \\mathbf { B } }, Mul(Call(\\dot{q}_1), \\mathbf{\\hat{a}}_x); =), Chain(\\prescript { \\mathbf { B } } { } { \\boldsymbol { \\omega } } ^ { \\mathbf { C } }, Neg(Mul(Call(\\dot{q}_2), \\mathbf{\\hat{b}}_z)); =), Chain(\\prescript { \\mathbf { C } } { } { \\boldsymbol { \\omega } } ^ { \\mathbf { D } }, Mul(Call(\\dot{q}_3), \\mathbf{\\hat{c}}_y); =), Chain(\\prescript { \\mathbf { N } } { } { \\boldsymbol { \\omega } } ^ { \\mathbf { D } }, Add(Mul(Call(\\dot{q}_1), \\mathbf{\\hat{a}}_x), Neg(Mul(Call(\\dot{q}_2), \\mathbf{\\hat{b}}_z)), Mul(Call(\\dot{q}_3), \\mathbf{\\hat{c}}_y)); =))",
+        "sympy/sympy/doc/src/explanation/modules/physics/vector/kinematics/kinematics.rst",
+    ),
+    (
+        "1 + \\sum_{i=1}^p \\left(\\frac{C}{k}\\right)^i \\le 1 + \\frac{C}{k-C}",
+        "Chain(Add(1, BigSum(i; 1; p; Pow(Div(C; k); i))), Add(1, Div(C; Add(k, Neg(C)))); \\le)",
+        "fredrik-johansson/arb/doc/source/hypgeom.rst",
+    ),
+    (
+        "|u_\\delta| \\leq u_{\\delta,max}",
+        "Chain(Bars(u_\\delta), u_{\\delta,max}; \\le)",
+        "AtsushiSakai/PythonRobotics/docs/modules/6_path_tracking/cgmres_nmpc/cgmres_nmpc_main.rst",
+    ),
+    (
+        "\\left| (x+a)(y+b) - x y \\right| \\le |xb| + |ya| + |ab|.",
+        "Chain(Bars(Add(Mul(Add(x, a), Add(y, b)), Neg(Mul(x, y)))), Add(Bars(Mul(x, b)), Bars(Mul(y, a)), Bars(Mul(a, b))); \\le)",
+        "fredrik-johansson/arb/doc/source/formulas.rst",
+    ),
+    (
+        "v_{term} = v_{max} = \\sqrt{\\frac{4 g d_p (\\rho_p-\\rho_f)}{3 C_D \\rho_f }}",
+        "Chain(v_{term}, v_{max}, Sqrt(Div(Mul(4, g, d_p, Add(\\rho_p, Neg(\\rho_f))); Mul(3, C_D, \\rho_f))); =, =)",
+        "CalebBell/fluids/fluids/separator.py",
+    ),
+    (
+        "\\frac{T^*}{T_0} = \\frac{2}{k+1}",
+        "Chain(Div(T ^ { * }; T_0), Div(2; Add(k, 1)); =)",
+        "CalebBell/fluids/fluids/compressible.py",
+    ),
+    (
+        "\\theta_{1,0}(z,\\tau) = \\theta_2(z,\\tau), \\quad \\theta_{1,1}(z,\\tau) = i \\theta_1(z,\\tau)",
+        "System(Chain(Call(\\theta_{1,0}; z, \\tau), Call(\\theta_2; z, \\tau); =), Chain(Call(\\theta_{1,1}; z, \\tau), Mul(i, Call(\\theta_1; z, \\tau)); =))",
+        "fredrik-johansson/arb/doc/source/acb_modular.rst",
+    ),
+    (
+        "M_p = \\frac{\\mu^2}{h^3}t",
+        "Chain(M_p, Mul(Div(Pow(\\mu; 2); Pow(h; 3)), t); =)",
+        "bryanwweber/orbital-mechanics-notes/time-since-periapsis-and-keplers-equation/parabolic-trajectories.md",
+    ),
+    (
+        "\\boldsymbol{B} = B_X\\boldsymbol{\\hat{I}} + B_Y\\boldsymbol{\\hat{J}} + B_Z\\boldsymbol{\\hat{K}}",
+        "Chain(\\boldsymbol{B}, Add(Mul(B_X, \\boldsymbol{\\hat{I}}), Mul(B_Y, \\boldsymbol{\\hat{J}}), Mul(B_Z, \\boldsymbol{\\hat{K}})); =)",
+        "bryanwweber/orbital-mechanics-notes/review/time-derivatives-of-moving-vectors.md",
+    ),
+    (
+        "{\\vphantom{\\hat{\\bm s}}}^{\\mathcal{B}\\!}{\\hat{\\bm s}} = [BN] {\\vphantom{\\hat{\\bm s}}}^{\\mathcal{N}\\!}{\\hat{\\bm s}}",
+        "Chain(\\prescript { \\mathcal { B } \\! } { } { \\hat { \\bm { s } } }, Mul([ B N ], \\prescript { \\mathcal { N } \\! } { } { \\hat { \\bm { s } } }); =)",
+        "AVSLab/basilisk/src/simulation/sensors/coarseSunSensor/_Documentation/secModelDescription.tex",
+    ),
+    (
+        "y' = \\sum_{k=1}^\\infty k a_k x^{k-1} .",
+        "Chain(y', BigSum(k; 1; Infinity(); Mul(k, a_k, Pow(x; Add(k, Neg(1))))); =)",
+        "jirilebl/diffyqs/ch-power-ser.tex",
+    ),
+    (
+        "\\begin{array}{r} m\\ddot{q}_1= \\phantom{-}F\\\\ m\\ddot{q}_2= -F\\\\ m\\ddot{q}_3 + mg = \\phantom{-}0\\\\ \\ddot{q}_1 - \\ddot{q}_2\\!\\! = \\phantom{-}0 \\end{array}",
+        "System(Chain(Mul(m, Call(\\ddot{q}_1)), F; =), Chain(Mul(m, Call(\\ddot{q}_2)), Neg(F); =), Chain(Add(Mul(m, Call(\\ddot{q}_3)), Mul(m, g)), 0; =), Chain(Add(Call(\\ddot{q}_1), Neg(Call(\\ddot{q}_2))), 0; =))",
+        "moorepants/learn-multibody-dynamics/lagrange.rst",
+    ),
+    (
+        "\\bar{p}_1 = 23 \\hat{n}_x - 12 \\hat{n}_y \\\\ \\bar{p}_2 = 16 \\hat{n}_x + 2 \\hat{n}_y - 4 \\hat{n}_z \\\\ \\bar{p}_3 = \\hat{n}_x + 14 \\hat{n}_z",
+        "System(Chain(\\bar{p}_1, Add(Mul(23, \\hat{n}_x), Neg(Mul(12, \\hat{n}_y))); =), Chain(\\bar{p}_2, Add(Mul(16, \\hat{n}_x), Mul(2, \\hat{n}_y), Neg(Mul(4, \\hat{n}_z))); =), Chain(\\bar{p}_3, Add(\\hat{n}_x, Mul(14, \\hat{n}_z)); =))",
+        "moorepants/learn-multibody-dynamics/vectors.rst",
+    ),
+    (
+        "f(t) = \\sum_{n=1}^\\infty c_n \\sin (n \\pi t) .",
+        "Chain(Call(f; t), BigSum(n; 1; Infinity(); Mul(c_n, Call(sin; Mul(n, \\pi, t)))); =)",
+        "jirilebl/diffyqs/ch-fourier-and-pde.tex",
+    ),
+    (
+        "\\mathbf{q}_{am} = \\frac{1}{4} \\Big(\\mathbf{W}_a + \\mathbf{I}_4\\Big) \\Big(\\mathbf{W}_m + \\mathbf{I}_4\\Big) \\mathbf{q}_{t-1}",
+        "Chain(\\mathbf{q}_{am}, Mul(Div(1; 4), Add(\\mathbf{W}_a, \\mathbf{I}_4), Add(\\mathbf{W}_m, \\mathbf{I}_4), \\mathbf{q}_{t-1}); =)",
+        "Mayitzin/ahrs/ahrs/filters/fkf.py",
+    ),
+    (
+        "v_f = v_i + v_r \\ln \\frac{M_i}{M_f} - gt_f = v_i + v_r \\ln \\left(1+\\frac{|\\Delta M|}{M_f}\\right) - gt_f",
+        "Chain(v_f, Add(v_i, Mul(v_r, Call(ln; Div(M_i; M_f))), Neg(Mul(g, t_f))), Add(v_i, Mul(v_r, Call(ln; Add(1, Div(Bars(\\Delta M); M_f)))), Neg(Mul(g, t_f))); =, =)",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/vectorial-mechanics/Dynamics.tex",
+    ),
+    (
+        "\\mathbf{R}_X(\\theta) = \\begin{bmatrix} 1 & 0 & 0 \\\\ 0 & \\cos \\theta & -\\sin \\theta \\\\ 0 & \\sin \\theta & \\cos \\theta \\end{bmatrix}",
+        "Chain(Call(\\mathbf{R}_X; \\theta), MatrixOf(1, 0, 0, 0, Call(cos; \\theta), Neg(Call(sin; \\theta)), 0, Call(sin; \\theta), Call(cos; \\theta)); =)",
+        "Mayitzin/ahrs/ahrs/common/dcm.py",
+    ),
+    (
+        "1 = \\frac{1 - \\pi_2}{\\sigma_3} + \\frac{\\pi_2}{\\psi^3}",
+        "Chain(1, Add(Div(Add(1, Neg(\\pi_2)); \\sigma_3), Div(\\pi_2; Pow(\\psi; 3))); =)",
+        "bryanwweber/orbital-mechanics-notes/the-n-body-problem/lagrange-points.md",
+    ),
+    (
+        "\\boldsymbol{h} = \\boldsymbol{r}_0 \\times\\boldsymbol{v}_0 = \\boldsymbol{\\hat{w}}\\left(x_0\\dot{y}_0 - y_0\\dot{x}_0\\right)",
+        "Chain(\\boldsymbol{h}, Cross(\\boldsymbol{r}_0; \\boldsymbol{v}_0), Mul(\\boldsymbol{\\hat{w}}, Add(Mul(Call(x_0), Call(\\dot{y}_0)), Neg(Mul(Call(y_0), Call(\\dot{x}_0))))); =, =)",
+        "bryanwweber/orbital-mechanics-notes/time-since-periapsis-and-keplers-equation/the-lagrange-coefficients.md",
+    ),
+    (
+        "\\ddot{q}_d = \\ddot{q}_0(t) + K_p(q_0(t) - q) + K_d(\\dot{q}_0(t) - \\dot{q}).",
+        "Chain(Call(\\ddot{q}_d), Add(Call(\\ddot{q}_0; t), Mul(K_p, Add(Call(q_0; t), Neg(Call(q)))), Mul(K_d, Add(Call(\\dot{q}_0; t), Neg(Call(\\dot{q}))))); =)",
+        "RussTedrake/manipulation/book/force.html",
+    ),
+    (
+        "\\epsilon_2 = \\sqrt{1 + \\frac{\\Delta P}{P_2}} - (0.41 + 0.35\\beta^4) \\frac{\\Delta P}{\\kappa P_2 \\sqrt{1 + \\frac{\\Delta P}{P_2}}}",
+        "Chain(\\epsilon_2, Add(Sqrt(Add(1, Div(\\Delta P; P_2))), Neg(Mul(Add(0.41, Mul(0.35, Pow(\\beta; 4))), Div(\\Delta P; Mul(\\kappa, P_2, Sqrt(Add(1, Div(\\Delta P; P_2)))))))); =)",
+        "CalebBell/fluids/fluids/flow_meter.py",
+    ),
+    (
+        "f(x) := \\dfrac{1}{\\beta} \\exp \\left( -\\dfrac{x-\\mu}{\\beta} - \\exp \\left( -\\dfrac{x - \\mu}{\\beta} \\right) \\right)",
+        "Chain(Call(f; x), Mul(Div(1; \\beta), Call(exp; Add(Neg(Div(Add(x, Neg(\\mu)); \\beta)), Neg(Call(exp; Neg(Div(Add(x, Neg(\\mu)); \\beta))))))); =)",
+        "sympy/sympy/sympy/stats/crv_types.py",
+    ),
+    (
+        "\\dot x &= v \\cos \\theta, \\\\ \\dot y &= v \\sin \\theta, \\\\ \\dot \\theta &= u.",
+        "System(Chain(Call(\\dot{x}), Mul(v, Call(cos; Call(\\theta))); =), Chain(Call(\\dot{y}), Mul(v, Call(sin; Call(\\theta))); =), Chain(Call(\\dot{\\theta}), u; =))",
+        "RussTedrake/underactuated/book/dp.html",
+    ),
+    (
+        "m a = F",
+        "Chain(Mul(m, a), F; =)",
+        "sympy/sympy/doc/src/modules/physics/units/examples.rst",
+    ),
+    (
+        "b_n \\bigl(2 - n^2 \\pi^2\\bigr) = \\frac{2\\,{(-1)}^{n+1}}{n \\pi}",
+        "Chain(Mul(b_n, Add(2, Neg(Mul(Pow(n; 2), Pow(\\pi; 2))))), Div(Mul(2, Pow(Neg(1); Add(n, 1))); Mul(n, \\pi)); =)",
+        "jirilebl/diffyqs/ch-fourier-and-pde.tex",
+    ),
+    (
+        "\\begin{aligned} a &= e_i p_f - e_f p_i \\cos\\eta & b &= -e_f p_i \\sin\\eta & c &= p_i - p_f \\end{aligned}",
+        "System(Chain(a, Add(Mul(e_i, p_f), Neg(Mul(e_f, p_i, Call(cos; \\eta)))); =), Chain(b, Neg(Mul(e_f, p_i, Call(sin; \\eta))); =), Chain(c, Add(p_i, Neg(p_f)); =))",
+        "bryanwweber/orbital-mechanics-notes/orbital-maneuvers/apse-line-rotation-example.md",
+    ),
+    (
+        "\\xi = m + n - p \\\\ \\delta = m + n - \\frac{p + q}{2}",
+        "System(Chain(\\xi, Add(m, n, Neg(p)); =), Chain(\\delta, Add(m, n, Neg(Div(Add(p, q); 2))); =))",
+        "sympy/sympy/doc/src/modules/integrals/g-functions.rst",
+    ),
+    (
+        "\\boldsymbol{\\hat{h}} = \\frac{\\boldsymbol{h}}{h}",
+        "Chain(\\boldsymbol{\\hat{h}}, Div(\\boldsymbol{h}; h); =)",
+        "bryanwweber/orbital-mechanics-notes/constants-of-orbital-motion/orbital-plane-and-keplers-second-law.md",
+    ),
+    (
+        "\\eta_p = \\frac{\\left(\\frac{n}{n-1}\\right)}{\\left(\\frac{k}{k-1} \\right)} = \\frac{n(k-1)}{k(n-1)}",
+        "Chain(\\eta_p, Div(Div(n; Add(n, Neg(1))); Div(k; Add(k, Neg(1)))), Div(Mul(n, Add(k, Neg(1))); Mul(k, Add(n, Neg(1)))); =, =)",
+        "CalebBell/fluids/fluids/compressible.py",
+    ),
+    (
+        "c_0 = 2 \\int_0^1 t \\,dt = 1 ,",
+        "Chain(c_0, Mul(2, Integral(t; t; 0; 1)), 1; =, =)",
+        "jirilebl/diffyqs/ch-fourier-and-pde.tex",
+    ),
+    (
+        "\\Pi = \\Omega + \\omega",
+        "Chain(\\Pi, Add(\\Omega, \\omega); =)",
+        "bryanwweber/orbital-mechanics-notes/classical-orbital-elements/classical-orbital-elements.md",
+    ),
+    (
+        "\\left| \\sqrt{x+a} - \\sqrt{x} \\right| \\le \\sqrt{x} \\left(1 - \\sqrt{1-\\frac{|a|}{x}}\\right) \\le \\frac{\\sqrt{x}}{2} \\left(\\frac{|a|}{x} + \\frac{|a|^2}{x^2}\\right)",
+        "Chain(Bars(Add(Sqrt(Add(x, a)), Neg(Sqrt(x)))), Mul(Sqrt(x), Add(1, Neg(Sqrt(Add(1, Neg(Div(Bars(a); x))))))), Mul(Div(Sqrt(x); 2), Add(Div(Bars(a); x), Div(Pow(Bars(a); 2); Pow(x; 2)))); \\le, \\le)",
+        "fredrik-johansson/arb/doc/source/formulas.rst",
+    ),
+    (
+        "\\boldsymbol{\\hat{w}} = \\frac{\\boldsymbol{h}}{h}",
+        "Chain(\\boldsymbol{\\hat{w}}, Div(\\boldsymbol{h}; h); =)",
+        "bryanwweber/orbital-mechanics-notes/classical-orbital-elements/perifocal-frame.md",
+    ),
+    (
+        "[G_{s}]{\\bf u}_{s} = -{\\bf L}_{r}",
+        "Chain(Mul([ G _ { s } ], \\mathbf{u}_s), Neg(\\mathbf{L}_r); =)",
+        "AVSLab/basilisk/src/fswAlgorithms/attControl/mrpFeedback/mrpFeedback.rst",
+    ),
+    (
+        "\\Delta H = \\frac{V^2}{2}",
+        "Chain(\\Delta H, Div(Pow(V; 2); 2); =)",
+        "CalebBell/fluids/fluids/compressible.py",
+    ),
+    (
+        "y = \\underbrace{(C_1 + C_2 x + C_3 x^2)\\, e^x}_{\\text{terms coming from } r=1} + \\underbrace{C_4}_{\\text{from } r=0} .",
+        "Chain(y, Add(Mul(Add(C_1, Mul(C_2, x), Mul(C_3, Pow(x; 2))), Pow(e; x)), C_4); =)",
+        "jirilebl/diffyqs/ch-higher-order-ode.tex",
+    ),
+    (
+        "f(x) = \\sum_{n=1}^\\infty b_n \\sin (n \\pi x) .",
+        "Chain(Call(f; x), BigSum(n; 1; Infinity(); Mul(b_n, Call(sin; Mul(n, \\pi, x)))); =)",
+        "jirilebl/diffyqs/ch-eigenvalue-probs.tex",
+    ),
+    (
+        "\\xi = 0, \\eta = f(y)",
+        "System(Chain(\\xi, 0; =), Chain(\\eta, Call(f; y); =))",
+        "sympy/sympy/sympy/solvers/ode/lie_group.py",
+    ),
+    (
+        "S_{n,j,k} &=& \\phi_{n,j}\\,\\phi_{n,k}\\,\\left[S_{n-1,j,k} + D_{n-1,n-1}\\,\\tilde{W}_{n-1,j}\\,\\tilde{W}_{n-1,k}\\right] \\\\ D_{n,n} &=& A_{n,n} - \\sum_{j=1}^{2\\,J}\\sum_{k=1}^{2\\,J} \\tilde{U}_{n,j}\\,S_{n,j,k}\\,\\tilde{U}_{n,k} \\\\ \\tilde{W}_{n,j} &=& \\frac{1}{D_{n,n}}\\left[ \\tilde{V}_{n,j} - \\sum_{k=1}^{2\\,J}\\tilde{U}_{n,k}\\,S_{n,j,k} \\right] \\quad.",
+        "System(Chain(S_{n,j,k}, Mul(\\phi_{n,j}, \\phi_{n,k}, Add(S_{n-1,j,k}, Mul(D_{n-1,n-1}, \\tilde{W}_{n-1,j}, \\tilde{W}_{n-1,k}))); =), Chain(D_{n,n}, Add(A_{n,n}, Neg(BigSum(j; 1; Mul(2, J); BigSum(k; 1; Mul(2, J); Mul(\\tilde{U}_{n,j}, S_{n,j,k}, \\tilde{U}_{n,k}))))); =), Chain(\\tilde{W}_{n,j}, Mul(Div(1; D_{n,n}), Add(\\tilde{V}_{n,j}, Neg(BigSum(k; 1; Mul(2, J); Mul(\\tilde{U}_{n,k}, S_{n,j,k}))))); =))",
+        "dfm/celerite/paper/ms.tex",
+    ),
+    (
+        "\\boldsymbol{\\alpha} = \\frac{d\\boldsymbol{\\omega}}{dt}",
+        "Chain(\\boldsymbol{\\alpha}, Derivative(Call(\\boldsymbol{\\omega}); t, 1); =)",
+        "bryanwweber/orbital-mechanics-notes/review/time-derivatives-of-moving-vectors.md",
+    ),
+    (
+        "\\mathbf{M} = \\mathbf{R}^T\\mathbf{M}_0\\mathbf{R}",
+        "Chain(\\mathbf{M}, Mul(Transpose(\\mathbf{R}), \\mathbf{M}_0, \\mathbf{R}); =)",
+        "Mayitzin/ahrs/ahrs/filters/mahony.py",
+    ),
+    (
+        "\\frac{\\boldsymbol{r}}{r} + \\boldsymbol{e} = \\frac{\\dot{\\boldsymbol{r}}\\times\\boldsymbol{h}}{\\mu}",
+        "Chain(Add(Div(Call(\\boldsymbol{r}); Call(r)), \\boldsymbol{e}), Div(Cross(Call(\\dot{\\boldsymbol{r}}); \\boldsymbol{h}); \\mu); =)",
+        "bryanwweber/orbital-mechanics-notes/the-orbit-equation/the-orbit-equation.md",
+    ),
+    (
+        "\\dot{x}_0 =& -x_0 - 2x_1^2 \\\\ \\dot{x}_1 =& -x_1 - x_0 x_1 - 2x_1^3,",
+        "System(Chain(Call(\\dot{x}_0), Add(Neg(Call(x_0)), Neg(Mul(2, Pow(Call(x_1); 2)))); =), Chain(Call(\\dot{x}_1), Add(Neg(Call(x_1)), Neg(Mul(Call(x_0), Call(x_1))), Neg(Mul(2, Pow(Call(x_1); 3)))); =))",
+        "RussTedrake/underactuated/book/lyapunov.html",
+    ),
+    (
+        "\\rho \\frac{\\partial^2 \\eta}{\\partial t^2} - T\\frac{\\partial^2 \\eta}{\\partial x^2} = 0",
+        "Chain(Add(Mul(\\rho, Derivative(Call(\\eta); t, 2; True)), Neg(Mul(T, Derivative(Call(\\eta); x, 2; True)))), 0; =)",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/chapter10.tex",
+    ),
+    (
+        "\\boldsymbol{r} = \\frac{h^2}{\\mu}\\frac{1}{1 + e\\cos\\nu}\\left(\\cos\\nu\\boldsymbol{\\hat{p}} + \\sin\\nu\\boldsymbol{\\hat{q}}\\right)",
+        "Chain(\\boldsymbol{r}, Mul(Div(Pow(h; 2); \\mu), Div(1; Add(1, Mul(e, Call(cos; \\nu)))), Add(Mul(Call(cos; \\nu), \\boldsymbol{\\hat{p}}), Mul(Call(sin; \\nu), \\boldsymbol{\\hat{q}}))); =)",
+        "bryanwweber/orbital-mechanics-notes/classical-orbital-elements/perifocal-frame.md",
+    ),
+    (
+        "0 = x^2 - \\frac{1}{4}x^2\\left[\\frac{\\partial J^*}{\\partial x}\\right]^2 + \\frac{\\partial J^*}{\\partial x} f_1(x).",
+        "Chain(0, Add(Pow(x; 2), Neg(Mul(Div(1; 4), Pow(x; 2), Pow(Derivative(Call(J ^ { * }); x, 1; True); 2))), Mul(Derivative(Call(J ^ { * }); x, 1; True), Call(f_1; x))); =)",
+        "RussTedrake/underactuated/book/dp.html",
+    ),
+    (
+        "\\vec{x} = \\begin{bmatrix} 2 t + \\frac{1}{\\sqrt{3}} \\sin ( \\sqrt{3} \\, t ) \\\\ 2 t - \\frac{2}{\\sqrt{3}} \\sin ( \\sqrt{3} \\, t ) \\end{bmatrix} .",
+        "Chain(\\vec{x}, MatrixOf(Add(Mul(2, t), Mul(Div(1; Sqrt(3)), Call(sin; Mul(Sqrt(3), t)))), Add(Mul(2, t), Neg(Mul(Div(2; Sqrt(3)), Call(sin; Mul(Sqrt(3), t)))))); =)",
+        "jirilebl/diffyqs/ch-systems.tex",
+    ),
+    (
+        "\\dot{x} = v s \\cos(\\phi)",
+        "Chain(Call(\\dot{x}), Mul(v, s, Call(cos; \\phi)); =)",
+        "AtsushiSakai/PythonRobotics/docs/modules/2_localization/extended_kalman_filter_localization_files/extended_kalman_filter_localization_main.rst",
+    ),
+    (
+        "x'' + 2 x = F(t) ,",
+        "Chain(Add(x'', Mul(2, x)), Call(F; t); =)",
+        "jirilebl/diffyqs/ch-fourier-and-pde.tex",
+    ),
+    (
+        "k_\\mathrm{true} (\\tau) = A\\, \\exp\\left(-\\frac{\\tau^2}{2\\,\\lambda^2}\\right)\\, \\cos\\left(\\frac{2\\,\\pi\\,\\tau}{P_\\mathrm{true}}\\right)",
+        "Chain(Call(k_{true}; \\tau), Mul(A, Call(exp; Neg(Div(Pow(\\tau; 2); Mul(2, Pow(\\lambda; 2))))), Call(cos; Div(Mul(2, \\pi, \\tau); P_{true}))); =)",
+        "dfm/celerite/paper/ms.tex",
+    ),
+    (
+        "m \\ddot{\\boldsymbol{r}} = \\boldsymbol{F}_p + \\boldsymbol{F}_s",
+        "Chain(Mul(m, Call(\\ddot{\\boldsymbol{r}})), Add(\\boldsymbol{F}_p, \\boldsymbol{F}_s); =)",
+        "bryanwweber/orbital-mechanics-notes/interplanetary-maneuvers/sphere-of-influence.md",
+    ),
+    (
+        "\\begin{aligned} a_t &= \\dot{v} = \\ddot{s} \\\\ a_n &= \\frac{v^2}{\\rho} \\end{aligned}",
+        "System(Chain(a_t, Call(\\dot{v}), Call(\\ddot{s}); =, =), Chain(a_n, Div(Pow(Call(v); 2); \\rho); =))",
+        "bryanwweber/orbital-mechanics-notes/review/kinematics.md",
+    ),
+    (
+        "\\varepsilon = \\frac{1}{2}\\frac{\\mu^2}{h^2}\\left(1 - e^2\\right)",
+        "Chain(\\varepsilon, Mul(Div(1; 2), Div(Pow(\\mu; 2); Pow(h; 2)), Add(1, Neg(Pow(e; 2)))); =)",
+        "bryanwweber/orbital-mechanics-notes/time-since-periapsis-and-keplers-equation/universal-lagrange-coefficients-example.md",
+    ),
+    (
+        "T = \\frac12 m(\\dot{r}^2 + r^2 \\dot{\\theta}^2) + \\frac12 M\\dot{r}^2,\\quad V = Mg(r-l)",
+        "System(Chain(T, Add(Mul(Div(1; 2), m, Add(Pow(Call(\\dot{r}); 2), Mul(Pow(Call(r); 2), Pow(Call(\\dot{\\theta}); 2)))), Mul(Div(1; 2), M, Pow(Call(\\dot{r}); 2))); =), Chain(V, Mul(M, g, Add(Call(r), Neg(l))); =))",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/chapter2.tex",
+    ),
+    (
+        "Z(h) = e^{i\\theta(h)} \\zeta(1/2+ih).",
+        "Chain(Call(Z; h), Mul(Pow(e; Mul(i, Call(\\theta; h))), Call(\\zeta; Add(Div(1; 2), Mul(i, h)))); =)",
+        "fredrik-johansson/arb/doc/source/arb_poly.rst",
+    ),
+    (
+        "\\frac{di(t)}{dt} = -\\frac{R}{L} i(t) - \\frac{1}{L} v_C(t) + \\frac{1}{L} v_{in}(t)",
+        "Chain(Derivative(Call(i; t); t, 1), Add(Neg(Mul(Div(R; L), Call(i; t))), Neg(Mul(Div(1; L), Call(v_C; t))), Mul(Div(1; L), Call(v_{in}; t))); =)",
+        "sympy/sympy/doc/src/tutorials/physics/control/electrical_problems.rst",
+    ),
+    (
+        "\\cos\\eta = -\\frac{1}{e}",
+        "Chain(Call(cos; \\eta), Neg(Div(1; e)); =)",
+        "bryanwweber/orbital-mechanics-notes/interplanetary-maneuvers/planetary-depahture-trajectory.md",
+    ),
+    (
+        "t = \\sqrt{\\frac{\\mu a^3}{|\\alpha|}} (e\\sinh \\xi-\\xi)",
+        "Chain(t, Mul(Sqrt(Div(Mul(\\mu, Pow(a; 3)); Bars(\\alpha))), Add(Mul(e, Call(sinh; \\xi)), Neg(\\xi))); =)",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/chapter4.tex",
+    ),
+    (
+        "I_{ab} := \\bar{I}_{a} \\cdot \\hat{n}_b",
+        "Chain(I_{ab}, Mul(\\bar{I}_a, \\hat{n}_b; 1); =)",
+        "moorepants/learn-multibody-dynamics/mass.rst",
+    ),
+    (
+        "E = M_e + \\sum_{n = 1}^{\\infty}a_n e^n",
+        "Chain(E, Add(M_e, BigSum(n; 1; Infinity(); Mul(a_n, Pow(e; n)))); =)",
+        "bryanwweber/orbital-mechanics-notes/time-since-periapsis-and-keplers-equation/elliptical-orbits.md",
+    ),
+    (
+        "\\ddot{\\boldsymbol{\\rho}} = \\left(\\ddot{x}^* - 2\\dot{y}^* - x^*\\right)\\boldsymbol{\\hat{\\imath}} + \\left(\\ddot{y}^* + 2\\dot{x}^* - y^*\\right)\\boldsymbol{\\hat{\\jmath}} + \\ddot{z}^*\\boldsymbol{\\hat{k}}",
+        "Chain(Call(\\ddot{\\boldsymbol{\\rho}}), Add(Mul(Add(Call(\\ddot { x } ^ { * }), Neg(Mul(2, Call(\\dot { y } ^ { * }))), Neg(Call(x ^ { * }))), \\boldsymbol{\\hat{\\imath}}), Mul(Add(Call(\\ddot { y } ^ { * }), Mul(2, Call(\\dot { x } ^ { * })), Neg(Call(y ^ { * }))), \\boldsymbol{\\hat{\\jmath}}), Mul(Call(\\ddot { z } ^ { * }), \\boldsymbol{\\hat{k}})); =)",
+        "bryanwweber/orbital-mechanics-notes/the-n-body-problem/circular-restricted-three-body-problem.md",
+    ),
+    (
+        "x^{1/k} - (x-r)^{1/k} &= x^{1/k} [1 - (1-r/x)^{1/k}]",
+        "Chain(Add(Pow(x; Div(1; k)), Neg(Pow(Add(x, Neg(r)); Div(1; k)))), Mul(Pow(x; Div(1; k)), Add(1, Neg(Pow(Add(1, Neg(Div(r; x))); Div(1; k))))); =)",
+        "fredrik-johansson/arb/doc/source/formulas.rst",
+    ),
+    (
+        "\\begin{bmatrix}u\\\\ v\\end{bmatrix} = \\frac{f}{z}\\begin{bmatrix}x\\\\y\\end{bmatrix}",
+        "Chain(MatrixOf(u, v), Mul(Div(f; z), MatrixOf(x, y)); =)",
+        "AVSLab/basilisk/src/simulation/navigation/pinholeCamera/pinholeCamera.rst",
+    ),
+    (
+        "\\dot{y} = v s \\sin(\\phi)",
+        "Chain(Call(\\dot{y}), Mul(v, s, Call(sin; \\phi)); =)",
+        "AtsushiSakai/PythonRobotics/docs/modules/2_localization/extended_kalman_filter_localization_files/extended_kalman_filter_localization_main.rst",
+    ),
+    (
+        "\\frac{p_s}{a_p} < \\frac{P_p}{A_s}",
+        "Chain(Div(p_s; a_p), Div(P_p; A_s); <)",
+        "bryanwweber/orbital-mechanics-notes/interplanetary-maneuvers/sphere-of-influence.md",
+    ),
+    (
+        "\\ddot{\\tilde{z}} + k_d \\dot{\\tilde{z}} + k_p \\tilde{z} = 0,",
+        "Chain(Add(Call(\\ddot{\\tilde{z}}), Mul(k_d, Call(\\dot{\\tilde{z}})), Mul(k_p, Call(\\tilde{z}))), 0; =)",
+        "RussTedrake/manipulation/book/force.html",
+    ),
+    (
+        "M_e = \\frac{\\mu^2}{h^3} t \\left(1 - e^2\\right)^{3/2}",
+        "Chain(M_e, Mul(Div(Pow(\\mu; 2); Pow(h; 3)), t, Pow(Add(1, Neg(Pow(e; 2))); Div(3; 2))); =)",
+        "bryanwweber/orbital-mechanics-notes/time-since-periapsis-and-keplers-equation/elliptical-orbits.md",
+    ),
+    (
+        "x' = e^{\\lambda x} F(x,y)",
+        "Chain(x', Mul(Pow(e; Mul(\\lambda, x)), Call(F; x, y)); =)",
+        "sympy/sympy/sympy/solvers/ode/ode.py",
+    ),
+    (
+        "N = \\frac{\\cos \\alpha}{\\sin \\beta} mg",
+        "Chain(N, Mul(Div(Call(cos; \\alpha); Call(sin; \\beta)), m, g); =)",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/exercise2.tex",
+    ),
+    (
+        "\\log(10) = 46 \\operatorname{atanh}(1/31) + 34 \\operatorname{atanh}(1/49) + 20 \\operatorname{atanh}(1/161)",
+        "Chain(Call(log; 10), Add(Mul(46, Call(atanh; Div(1; 31))), Mul(34, Call(atanh; Div(1; 49))), Mul(20, Call(atanh; Div(1; 161)))); =)",
+        "fredrik-johansson/arb/doc/source/constants.rst",
+    ),
+    (
+        "\\mathbf{v}_t = \\mathbf{z}_t - \\bar{\\mathbf{z}}",
+        "Chain(\\mathbf{v}_t, Add(\\mathbf{z}_t, Neg(\\bar{\\mathbf{z}})); =)",
+        "Mayitzin/ahrs/ahrs/filters/ukf.py",
+    ),
+    (
+        "\\begin{aligned}\\boldsymbol{r}_0 &= 7000.0\\boldsymbol{\\hat{\\imath}} - 12124\\boldsymbol{\\hat{\\jmath}}\\\\\\boldsymbol{v}_0 &= 2.6679\\boldsymbol{\\hat{\\imath}} + 4.6210\\boldsymbol{\\hat{\\jmath}}\\end{aligned}",
+        "System(Chain(\\boldsymbol{r}_0, Add(Mul(7000.0, \\boldsymbol{\\hat{\\imath}}), Neg(Mul(12124, \\boldsymbol{\\hat{\\jmath}}))); =), Chain(\\boldsymbol{v}_0, Add(Mul(2.6679, \\boldsymbol{\\hat{\\imath}}), Mul(4.6210, \\boldsymbol{\\hat{\\jmath}})); =))",
+        "bryanwweber/orbital-mechanics-notes/time-since-periapsis-and-keplers-equation/universal-lagrange-coefficients-example.md",
+    ),
+    (
+        "\\ddot{\\bm{r}}_{M/N} = \\ddot{\\bm{r}}_{B/N} + \\ddot{\\bm{r}}_{M/B}",
+        "Chain(Call(\\ddot{\\bm{r}}_{M/N}), Add(Call(\\ddot{\\bm{r}}_{B/N}), Call(\\ddot{\\bm{r}}_{M/B})); =)",
+        "AVSLab/basilisk/src/simulation/dynamics/FuelTank/_Documentation/secModelDescription.tex",
+    ),
+    (
+        "\\bar{u} = u_1\\hat{b}_x + u_2\\hat{b}_y + u_3\\hat{b}_z",
+        "Chain(\\bar{u}, Add(Mul(u_1, \\hat{b}_x), Mul(u_2, \\hat{b}_y), Mul(u_3, \\hat{b}_z)); =)",
+        "moorepants/learn-multibody-dynamics/angular.rst",
+    ),
+    (
+        "f_c(b_i) = k_c \\left( \\frac{b_{i-1} - b_i}{\\|b_{i-1} - b_i\\|} + \\frac{b_{i+1} - b_i}{\\|b_{i+1} - b_i\\|} \\right)",
+        "Chain(Call(f_c; b_i), Mul(k_c, Add(Div(Add(b_{i-1}, Neg(b_i)); Norm(Add(b_{i-1}, Neg(b_i)))), Div(Add(b_{i+1}, Neg(b_i)); Norm(Add(b_{i+1}, Neg(b_i)))))); =)",
+        "AtsushiSakai/PythonRobotics/docs/modules/5_path_planning/elastic_bands/elastic_bands_main.rst",
+    ),
+    (
+        "y(t) = b_0+b_1t+b_2t^2+b_3t^3+b_4t^4+b_5t^5",
+        "Chain(Call(y; t), Add(b_0, Mul(b_1, t), Mul(b_2, Pow(t; 2)), Mul(b_3, Pow(t; 3)), Mul(b_4, Pow(t; 4)), Mul(b_5, Pow(t; 5))); =)",
+        "AtsushiSakai/PythonRobotics/docs/modules/5_path_planning/quintic_polynomials_planner/quintic_polynomials_planner_main.rst",
+    ),
+    (
+        "\\nu = \\cos^{-1}\\left(\\frac{\\boldsymbol{e}\\cdot\\boldsymbol{r}}{e r}\\right)",
+        "Chain(\\nu, Call(arccos; Div(Mul(\\boldsymbol{e}, \\boldsymbol{r}; 1); Mul(e, r))); =)",
+        "bryanwweber/orbital-mechanics-notes/classical-orbital-elements/orbital-elements-and-the-state-vector.md",
+    ),
+    (
+        "\\begin{cases} \\displaystyle v_1^+ = \\frac{(m_1-\\chi m_2)v_1^-+m_2(1+\\chi)v_2^-}{m_1+m_2} \\\\[1.5ex] \\displaystyle v_2^+ = \\frac{m_1(1+\\chi)v_1^-+(m_2-\\chi m_1)v_2^-}{m_1+m_2} \\end{cases}",
+        "System(Chain(v _ { 1 } ^ { + }, Div(Add(Mul(Add(m_1, Neg(Mul(\\chi, m_2))), v _ { 1 } ^ { - }), Mul(m_2, Add(1, \\chi), v _ { 2 } ^ { - })); Add(m_1, m_2)); =), Chain(v _ { 2 } ^ { + }, Div(Add(Mul(m_1, Add(1, \\chi), v _ { 1 } ^ { - }), Mul(Add(m_2, Neg(Mul(\\chi, m_1))), v _ { 2 } ^ { - })); Add(m_1, m_2)); =))",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/chapter8.tex",
+    ),
+    (
+        "{}^N\\bar{v}^{G} = 0",
+        "Chain(\\prescript { N } { } { \\bar { v } } ^ { G }, 0; =)",
+        "moorepants/learn-multibody-dynamics/motion.rst",
+    ),
+    (
+        "K = \\cos^{-1} M + M^3\\cosh^{-1} \\frac{1}{M} - 2M\\sqrt{1 - M^2}",
+        "Chain(K, Add(Call(arccos; M), Mul(Pow(M; 3), Call(arcosh; Div(1; M))), Neg(Mul(2, M, Sqrt(Add(1, Neg(Pow(M; 2))))))); =)",
+        "CalebBell/fluids/fluids/geometry.py",
+    ),
+    (
+        "\\left|\\det \\boldsymbol{M}\\right| = 1",
+        "Chain(Bars(Call(det; \\boldsymbol{M})), 1; =)",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/chapter10.tex",
+    ),
+    (
+        "c_2 e^{x} + 2 c_3 e^{2x} = 0 .",
+        "Chain(Add(Mul(c_2, Pow(e; x)), Mul(2, c_3, Pow(e; Mul(2, x)))), 0; =)",
+        "jirilebl/diffyqs/ch-higher-order-ode.tex",
+    ),
+    (
+        "x = x(t) = \\cos t + \\sin t",
+        "Chain(Call(x), Call(x; t), Add(Call(cos; t), Call(sin; t)); =, =)",
+        "jirilebl/diffyqs/ch-intro.tex",
+    ),
+    (
+        "u = \\underbrace{k_p(x_d-x) - k_d\\dot{x}}_{\\text{feedback force for position control}} - \\underbrace{f^{F_c}_{desired}}_{\\text{feedforward force}}",
+        "Chain(u, Add(Mul(k_p, Add(x_d, Neg(Call(x)))), Neg(Mul(k_d, Call(\\dot{x}))), Neg(f _ { d e s i r e d } ^ { F _ { c } })); =)",
+        "RussTedrake/manipulation/book/force.html",
+    ),
+    (
+        "r =\\sqrt{R^2 - \\frac{m_\\text{fuel}}{2\\,\\pi\\,\\rho\\,h}}",
+        "Chain(r, Sqrt(Add(Pow(R; 2), Neg(Div(m_{fuel}; Mul(2, \\pi, \\rho, h))))); =)",
+        "AVSLab/basilisk/src/simulation/dynamics/FuelTank/_Documentation/secModelDescription.tex",
+    ),
+    (
+        "v_1(t) = x_1(t)",
+        "Chain(Call(v_1; t), Call(x_1; t); =)",
+        "sympy/sympy/doc/src/tutorials/physics/control/electrical_problems.rst",
+    ),
+    (
+        "a = \\frac{18\\mu_f}{D^2\\rho_p}",
+        "Chain(a, Div(Mul(18, \\mu_f); Mul(Pow(D; 2), \\rho_p)); =)",
+        "CalebBell/fluids/fluids/drag.py",
+    ),
+    (
+        "\\begin{aligned} t_{\\text{wait}} &= \\frac{-2\\gamma_2 - 2\\pi N}{n_f - n_i} &&\\text{if } n_i > n_f \\\\ t_{\\text{wait}} &= \\frac{-2\\gamma_2 + 2\\pi N}{n_f - n_i} &&\\text{if } n_i < n_f \\end{aligned}",
+        "System(Implies(Chain(n_i, n_f; >); Chain(t_{wait}, Div(Add(Neg(Mul(2, \\gamma_2)), Neg(Mul(2, \\pi, N))); Add(n_f, Neg(n_i))); =)), Implies(Chain(n_i, n_f; <); Chain(t_{wait}, Div(Add(Neg(Mul(2, \\gamma_2)), Mul(2, \\pi, N)); Add(n_f, Neg(n_i))); =)))",
+        "bryanwweber/orbital-mechanics-notes/interplanetary-maneuvers/interplanetary-transfer-phasing.md",
+    ),
+    (
+        "X(t) = Y(tau)",
+        "Chain(Call(X; t), Call(Y; \\tau); =)",
+        "sympy/sympy/sympy/solvers/ode/systems.py",
+    ),
+    (
+        "\\mathbf{\\hat{n}_v} = \\frac{\\mathbf{v}}{\\Vert \\mathbf{v} \\Vert}",
+        "Chain(\\mathbf{\\hat{n}}_v, Div(\\mathbf{v}; Norm(\\mathbf{v})); =)",
+        "sympy/sympy/doc/src/explanation/modules/physics/vector/vectors/vectors.rst",
+    ),
+    (
+        "p(x) = 1 + (1-2x)^2 + x^2,",
+        "Chain(Call(p; x), Add(1, Pow(Add(1, Neg(Mul(2, x))); 2), Pow(x; 2)); =)",
+        "RussTedrake/underactuated/book/optimization.html",
+    ),
+    (
+        "\\dot{\\mathbf{q}} = \\frac{1}{2}\\boldsymbol\\Omega(\\boldsymbol\\omega)\\mathbf{q}",
+        "Chain(Call(\\dot{\\mathbf{q}}), Mul(Div(1; 2), Call(\\boldsymbol{\\Omega}; \\boldsymbol{\\omega}), Call(\\mathbf{q})); =)",
+        "Mayitzin/ahrs/ahrs/filters/angular.py",
+    ),
+    (
+        "x''(t) = 2a_2+6a_3t+12a_4t^2",
+        "Chain(Call(x''; t), Add(Mul(2, a_2), Mul(6, a_3, t), Mul(12, a_4, Pow(t; 2))); =)",
+        "AtsushiSakai/PythonRobotics/docs/modules/5_path_planning/quintic_polynomials_planner/quintic_polynomials_planner_main.rst",
+    ),
+    (
+        "T=& \\frac{1}{2} (m_c + m_p)\\dot{x}^2 + m_p \\dot{x}\\dot\\theta l \\cos{\\theta} + \\frac{1}{2}m_p l^2 \\dot\\theta^2 \\\\ U =& -m_p g l \\cos\\theta.",
+        "System(Chain(T, Add(Mul(Div(1; 2), Add(m_c, m_p), Pow(Call(\\dot{x}); 2)), Mul(m_p, Call(\\dot{x}), Call(\\dot{\\theta}), l, Call(cos; Call(\\theta))), Mul(Div(1; 2), m_p, Pow(l; 2), Pow(Call(\\dot{\\theta}); 2))); =), Chain(U, Neg(Mul(m_p, g, l, Call(cos; Call(\\theta)))); =))",
+        "RussTedrake/underactuated/book/acrobot.html",
+    ),
+    (
+        "f^{B}_{2, B_z} = f^{B}_{1, B_z} + \\frac{mgh}{l}\\sin\\gamma.",
+        "Chain(f _ { 2 , B _ { z } } ^ { B }, Add(f _ { 1 , B _ { z } } ^ { B }, Mul(Div(Mul(m, g, h); l), Call(sin; \\gamma))); =)",
+        "RussTedrake/manipulation/book/clutter.html",
+    ),
+    (
+        "I_{s_{i2,2}} ( \\dot\\omega_{s_{i2,2}} + \\ddot\\theta_{i1} + \\ddot\\theta_{i2}) = - (I_{s_{i2,1}} - I_{s_{i2,3}}) \\omega_{s_{i2,3}} \\omega_{s_{i2,1}} + L_{s_{i2,2}}",
+        "Chain(Mul(I_{s_i2,2}, Add(Call(\\dot{\\omega}_{s_i2,2}), Call(\\ddot{\\theta}_{i1}), Call(\\ddot{\\theta}_{i2}))), Add(Neg(Mul(Add(I_{s_i2,1}, Neg(I_{s_i2,3})), \\omega_{s_i2,3}, \\omega_{s_i2,1})), L_{s_i2,2}); =)",
+        "AVSLab/basilisk/src/simulation/dynamics/dualHingedRigidBodies/_Documentation/secModelDescription.tex",
+    ),
+    (
+        "[RN] = [B_cN][BN]",
+        "Chain([ R N ], Mul([ B _ { c } N ], [ B N ]); =)",
+        "AVSLab/basilisk/src/fswAlgorithms/attGuidance/attRefCorrection/attRefCorrection.rst",
+    ),
+    (
+        "\\frac{da}{dt} &= \\left( \\frac{1}{\\tau_a \\left(1 + 3a(t)\\right)} (1 + 2f) + \\frac{1 + 3a(t)}{4\\tau_d} (1 - 2f) \\right) \\left(e(t) - a(t) \\right) \\\\ f &= \\frac{1}{2} \\tanh{\\left(b \\left(e(t) -a(t)\\right)\\right)}",
+        "System(Chain(Derivative(Call(a); t, 1), Mul(Add(Mul(Div(1; Mul(\\tau_a, Add(1, Mul(3, Call(a; t))))), Add(1, Mul(2, f))), Mul(Div(Add(1, Mul(3, Call(a; t))); Mul(4, \\tau_d)), Add(1, Neg(Mul(2, f))))), Add(Call(e; t), Neg(Call(a; t)))); =), Chain(f, Mul(Div(1; 2), Call(tanh; Mul(b, Add(Call(e; t), Neg(Call(a; t)))))); =))",
+        "sympy/sympy/doc/src/explanation/modules/physics/biomechanics/biomechanics.rst",
+    ),
+    (
+        "v_{gm} = 1.41\\left[\\frac{g\\sigma(\\rho_l-\\rho_g)}{\\rho_l^2}\\right]^{0.25}",
+        "Chain(v_{gm}, Mul(1.41, Pow(Div(Mul(g, \\sigma, Add(\\rho_l, Neg(\\rho_g))); Pow(\\rho_l; 2)); 0.25)); =)",
+        "CalebBell/fluids/fluids/two_phase_voidage.py",
+    ),
+    (
+        "c_2 = s_0 - \\frac{r_P}{\\sin(f_2)}",
+        "Chain(c_2, Add(s_0, Neg(Div(r_P; Call(sin; f_2)))); =)",
+        "AVSLab/basilisk/src/simulation/environment/eclipse/eclipse.rst",
+    ),
+    (
+        "\\left| I - \\sum_{k=0}^{n-1} w_k f(x_k) \\right| \\le \\frac{64 M}{15 (\\rho-1) \\rho^{2n-1}}",
+        "Chain(Bars(Add(I, Neg(BigSum(k; 0; Add(n, Neg(1)); Mul(w_k, Call(f; x_k)))))), Div(Mul(64, M); Mul(15, Add(\\rho, Neg(1)), Pow(\\rho; Add(Mul(2, n), Neg(1))))); \\le)",
+        "fredrik-johansson/arb/doc/source/acb_calc.rst",
+    ),
+    (
+        "\\frac{dx}{dt} + x = \\underbrace{(-\\sin t + \\cos t - e^{-t})}_{\\frac{dx}{dt}} + \\underbrace{(\\cos t + \\sin t + e^{-t})}_{x} = 2\\cos t .",
+        "Chain(Add(Derivative(Call(x); t, 1), Call(x)), Add(Add(Neg(Call(sin; t)), Call(cos; t), Neg(Pow(e; Neg(t)))), Add(Call(cos; t), Call(sin; t), Pow(e; Neg(t)))), Mul(2, Call(cos; t)); =, =)",
+        "jirilebl/diffyqs/ch-intro.tex",
+    ),
+    (
+        "E(\\phi,m) = \\int_0^{\\phi} \\sqrt{1-m \\sin^2 t} \\, dt = \\int_0^{\\sin \\phi} \\frac{\\sqrt{1-mt^2}}{\\sqrt{1-t^2}} \\, dt",
+        "Chain(Call(E; \\phi, m), Integral(Sqrt(Add(1, Neg(Mul(m, Pow(Call(sin; t); 2))))); t; 0; \\phi), Integral(Div(Sqrt(Add(1, Neg(Mul(m, Pow(t; 2))))); Sqrt(Add(1, Neg(Pow(t; 2))))); t; 0; Call(sin; \\phi)); =, =)",
+        "fredrik-johansson/arb/doc/source/acb_elliptic.rst",
+    ),
+    (
+        "{}^N\\bar{v}^{P_4}\\cdot\\hat{n}_x = 0 \\\\ {}^N\\bar{v}^{P_4}\\cdot\\hat{n}_y = 0",
+        "System(Chain(Mul(\\prescript { N } { } { \\bar { v } } ^ { P _ { 4 } }, \\hat{n}_x; 1), 0; =), Chain(Mul(\\prescript { N } { } { \\bar { v } } ^ { P _ { 4 } }, \\hat{n}_y; 1), 0; =))",
+        "moorepants/learn-multibody-dynamics/configuration.rst",
+    ),
+    (
+        "K = L\\,D\\,L^\\mathrm{T}",
+        "Chain(K, Mul(L, D, Transpose(L)); =)",
+        "dfm/celerite/paper/ms.tex",
+    ),
+    (
+        "L = 112 + 17\\log_{10}\\left(\\frac{m}{\\text{tonne/hour}}\\right)",
+        "Chain(L, Add(112, Mul(17, Call(lg; Div(m; \\text{tonne/hour})))); =)",
+        "CalebBell/fluids/fluids/safety_valve.py",
+    ),
+    (
+        "\\lambda = \\mathrm{arctan2}\\left(x, \\,y\\right)",
+        "Chain(\\lambda, Call(\\text{arctan2}; x, y); =)",
+        "Mayitzin/ahrs/ahrs/common/frames.py",
+    ),
+    (
+        "x_A = a,\\quad y_A = a\\tan \\phi",
+        "System(Chain(x_A, a; =), Chain(y_A, Mul(a, Call(tan; \\phi)); =))",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/exercise2.tex",
+    ),
+    (
+        "r_m = \\left(\\frac{l^2}{n\\alpha \\mu}\\right)^{\\frac{1}{2-n}}",
+        "Chain(r_m, Pow(Div(Pow(l; 2); Mul(n, \\alpha, \\mu)); Div(1; Add(2, Neg(n)))); =)",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/chapter4.tex",
+    ),
+    (
+        "{ {\\boldsymbol{y}}} = { {\\boldsymbol{\\mu}}}_{ {\\boldsymbol{\\theta}}}({ {\\boldsymbol{t}}})+ K_{ {\\boldsymbol{\\alpha}}}^{1/2}\\,{ {\\boldsymbol{q}}}",
+        "Chain(\\boldsymbol{y}, Add(Call(\\boldsymbol{\\mu}_{\\boldsymbol\\theta}; \\boldsymbol{t}), Mul(Pow(K_{\\boldsymbol\\alpha}; Div(1; 2)), \\boldsymbol{q})); =)",
+        "dfm/celerite/paper/ms.tex",
+    ),
+    (
+        "x'(T)=a_1+2a_2T+3a_3T^2+4a_4T^3+5a_5T^4=v_e",
+        "Chain(Call(x'; T), Add(a_1, Mul(2, a_2, T), Mul(3, a_3, Pow(T; 2)), Mul(4, a_4, Pow(T; 3)), Mul(5, a_5, Pow(T; 4))), v_e; =, =)",
+        "AtsushiSakai/PythonRobotics/docs/modules/5_path_planning/quintic_polynomials_planner/quintic_polynomials_planner_main.rst",
+    ),
+    (
+        "v_{\\text{CoM}} = \\frac{1}{m_{\\text{tot}}}(m_{\\text{hub}} \\dot{y}_{B/N} + 2 m_{\\text{sp}}\\dot{ r}_{\\text{sp},y})",
+        "Chain(v_{CoM}, Mul(Div(1; m_{tot}), Add(Mul(m_{hub}, Call(\\dot{y}_{B/N})), Mul(2, m_{sp}, Call(\\dot{r}_{sp,y})))); =)",
+        "AVSLab/basilisk/src/simulation/dynamics/HingedRigidBodies/_Documentation/secTest.tex",
+    ),
+    (
+        "f(t) = \\begin{cases} -t & \\text{if } \\; {-1} < t \\leq 0 , \\\\ t^2 & \\text{if } \\; \\phantom{-}0 < t \\leq 1 , \\end{cases}",
+        "Chain(Call(f; t), Piecewise(Neg(t), Chain(Neg(1), t, 0; <, \\le), Pow(t; 2), Chain(0, t, 1; <, \\le)); =)",
+        "jirilebl/diffyqs/ch-fourier-and-pde.tex",
+    ),
+    (
+        "x y'' + y' + \\lambda^2 x y = 0 ,",
+        "Chain(Add(Mul(x, y''), y', Mul(Pow(\\lambda; 2), x, y)), 0; =)",
+        "jirilebl/diffyqs/ch-power-ser.tex",
+    ),
+    (
+        "V = \\frac{\\pi D^2}{12} (3h + 2a ),\\;\\; h \\ge |a|",
+        "System(Chain(V, Mul(Div(Mul(\\pi, Pow(D; 2)); 12), Add(Mul(3, h), Mul(2, a))); =), Chain(h, Bars(a); \\ge))",
+        "CalebBell/fluids/fluids/geometry.py",
+    ),
+    (
+        "v1 = p2 - p1",
+        "Chain(\\text{v1}, Add(\\text{p2}, Neg(\\text{p1})); =)",
+        "AtsushiSakai/PythonRobotics/docs/modules/3_mapping/normal_vector_estimation/normal_vector_estimation_main.rst",
+    ),
+    (
+        "\\frac{dA}{dt} = \\frac{h}{2}",
+        "Chain(Derivative(Call(A); t, 1), Div(h; 2); =)",
+        "bryanwweber/orbital-mechanics-notes/constants-of-orbital-motion/orbital-plane-and-keplers-second-law.md",
+    ),
+    (
+        "\\begin{aligned} \\dot{x}(t) &= Ax(t) + Bu(t) \\\\ y(t) &= Cx(t) + Du(t) \\end{aligned}",
+        "System(Chain(Call(\\dot{x}; t), Add(Mul(A, Call(x; t)), Mul(B, Call(u; t))); =), Chain(Call(y; t), Add(Mul(C, Call(x; t)), Mul(D, Call(u; t))); =))",
+        "sympy/sympy/sympy/physics/control/lti.py",
+    ),
+    (
+        "\\frac{d}{dt}\\left(\\dot{\\boldsymbol{r}}\\times\\boldsymbol{h}\\right) = \\frac{d}{dt}\\left(\\mu\\frac{\\boldsymbol{r}}{r}\\right)",
+        "Chain(Derivative(Cross(Call(\\dot{\\boldsymbol{r}}); \\boldsymbol{h}); t, 1), Derivative(Mul(\\mu, Div(Call(\\boldsymbol{r}); Call(r))); t, 1); =)",
+        "bryanwweber/orbital-mechanics-notes/the-orbit-equation/the-orbit-equation.md",
+    ),
+    (
+        "J(x, u) = \\int_0^T L(x, u)\\, dt + V \\bigl( x(T) \\bigr).",
+        "Chain(Call(J; x, u), Add(Integral(Call(L; x, u); t; 0; T), Mul(V, Mul(x, T))); =)",
+        "python-control/python-control/doc/optimal.rst",
+    ),
+    (
+        "\\left|\\frac{f'(m)}{f(m)}\\right| = \\left|\\sum_i \\frac{1}{m-\\zeta_i}\\right| \\le \\sum_i \\frac{1}{|m-\\zeta_i|} < \\frac{n}{r} = \\left|\\frac{f'(m)}{f(m)}\\right|",
+        "Chain(Bars(Div(Call(f'; m); Call(f; m))), Bars(BigSum(i; Div(1; Add(m, Neg(\\zeta_i))))), BigSum(i; Div(1; Bars(Add(m, Neg(\\zeta_i))))), Div(n; r), Bars(Div(Call(f'; m); Call(f; m))); =, \\le, <, =)",
+        "fredrik-johansson/arb/doc/source/acb_poly.rst",
+    ),
+    (
+        "y = C_1 e^{2x} + C_2 e^{4x} .",
+        "Chain(y, Add(Mul(C_1, Pow(e; Mul(2, x))), Mul(C_2, Pow(e; Mul(4, x)))); =)",
+        "jirilebl/diffyqs/ch-higher-order-ode.tex",
+    ),
+    (
+        "E_{\\text{capture}} = -\\frac{\\mu_f}{2a}",
+        "Chain(E_{capture}, Neg(Div(\\mu_f; Mul(2, a))); =)",
+        "bryanwweber/orbital-mechanics-notes/interplanetary-maneuvers/planetary-arrival-capture.md",
+    ),
+    (
+        "U = V + \\Phi",
+        "Chain(U, Add(V, \\Phi); =)",
+        "Mayitzin/ahrs/ahrs/utils/wgs84.py",
+    ),
+    (
+        "\\phi(\\boldsymbol{r}) = A(\\boldsymbol{r}) \\mathrm{e}^{\\mathrm{i}k_0 L(\\boldsymbol{r})}",
+        "Chain(Call(\\phi; \\boldsymbol{r}), Mul(Call(A; \\boldsymbol{r}), Pow(\\text{e}; Mul(\\text{i}, k_0, Call(L; \\boldsymbol{r})))); =)",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/chapter10.tex",
+    ),
+    (
+        "\\rho = \\tfrac{1}{2} |2a^2-2ab+b| + \\sigma' (1+ \\tfrac{1}{4} \\sigma') (1-\\sigma')^{-2}",
+        "Chain(\\rho, Add(Mul(Div(1; 2), Bars(Add(Mul(2, Pow(a; 2)), Neg(Mul(2, a, b)), b))), Mul(\\sigma', Add(1, Mul(Div(1; 4), \\sigma')), Pow(Add(1, Neg(\\sigma')); Neg(2)))); =)",
+        "fredrik-johansson/arb/doc/source/hypergeometric.rst",
+    ),
+    (
+        "2y = F_y (x,y) = A'(y) .",
+        "Chain(Mul(2, y), Call(F_y; x, y), Call(A'; y); =, =)",
+        "jirilebl/diffyqs/ch-first-order-ode.tex",
+    ),
+    (
+        "\\ddot{{\\bf q}} = {\\bf u}'.",
+        "Chain(Call(\\ddot{\\mathbf{q}}), \\mathbf{u}'; =)",
+        "RussTedrake/underactuated/book/intro.html",
+    ),
+    (
+        "R_N = \\frac{a}{\\sqrt{1-e^2\\sin^2\\phi}}",
+        "Chain(R_N, Div(a; Sqrt(Add(1, Neg(Mul(Pow(e; 2), Pow(Call(sin; \\phi); 2)))))); =)",
+        "Mayitzin/ahrs/ahrs/utils/geodesy.py",
+    ),
+    (
+        "\\ddot{\\boldsymbol{r}} = -G m_1 \\frac{\\boldsymbol{r}}{r^3} - G m_2 \\frac{\\boldsymbol{r}}{r^3}",
+        "Chain(Call(\\ddot{\\boldsymbol{r}}), Add(Neg(Mul(G, m_1, Div(Call(\\boldsymbol{r}); Pow(Call(r); 3)))), Neg(Mul(G, m_2, Div(Call(\\boldsymbol{r}); Pow(Call(r); 3))))); =)",
+        "bryanwweber/orbital-mechanics-notes/the-n-body-problem/two-body-relative-motion.md",
+    ),
+    (
+        "\\bm F_{2/1i} + \\bm F_{\\text{ext}_{i2}} = m_{sp_{i2}} \\ddot{\\bm{r}}_{S_{c,i2}/N}",
+        "Chain(Add(\\bm{F}_{2/1i}, \\bm{F}_{ext_i2}), Mul(m_{sp_i2}, Call(\\ddot{\\bm{r}}_{S_c,i2/N})); =)",
+        "AVSLab/basilisk/src/simulation/dynamics/dualHingedRigidBodies/_Documentation/secModelDescription.tex",
+    ),
+    (
+        "f^{B_{com}}_{gravity,W} = mg.",
+        "Chain(f _ { g r a v i t y , W } ^ { B _ { c o m } }, Mul(m, g); =)",
+        "RussTedrake/manipulation/book/force.html",
+    ),
+    (
+        "{}^N\\mathbf{C}^A = \\left({}^A\\mathbf{C}^N\\right)^{-1} = \\left({}^A\\mathbf{C}^N\\right)^T",
+        "Chain(\\prescript { N } { } { \\mathbf { C } } ^ { A }, Pow(\\prescript { A } { } { \\mathbf { C } } ^ { N }; Neg(1)), Transpose(\\prescript { A } { } { \\mathbf { C } } ^ { N }); =, =)",
+        "moorepants/learn-multibody-dynamics/orientation.rst",
+    ),
+    (
+        "\\Delta N = \\Omega_{\\text{in}}\\Delta t \\frac{n}{2\\pi} + \\Delta N - N",
+        "Chain(\\Delta N, Add(Mul(\\Omega_{in}, \\Delta t, Div(n; Mul(2, \\pi))), \\Delta N, Neg(N)); =)",
+        "AVSLab/basilisk/src/simulation/deviceInterface/encoder/encoder.rst",
+    ),
+    (
+        "C = 0.03948\\sqrt{\\frac{1}{e}}",
+        "Chain(C, Mul(0.03948, Sqrt(Div(1; e))); =)",
+        "CalebBell/fluids/fluids/safety_valve.py",
+    ),
+    (
+        "\\begin{aligned} A &= \\mathrm{INT}\\left(\\frac{M - 14}{12}\\right) \\\\ B &= 1461\\left(Y + 4800 + A\\right) \\\\ C &= 367\\left(M - 2 - 12A\\right) \\\\ E &= \\mathrm{INT}\\left(\\frac{Y + 4900 + A}{100}\\right) \\end{aligned}",
+        "System(Chain(A, Call(\\text{INT}; Div(Add(M, Neg(14)); 12)); =), Chain(B, Mul(1461, Add(Y, 4800, A)); =), Chain(C, Mul(367, Add(M, Neg(2), Neg(Mul(12, A)))); =), Chain(E, Call(\\text{INT}; Div(Add(Y, 4900, A); 100)); =))",
+        "bryanwweber/orbital-mechanics-notes/reference/julian-date.md",
+    ),
+    (
+        "v^2 = \\boldsymbol{v} \\cdot \\boldsymbol{v} = \\dot{r}^2 + r^2 \\dot{\\theta}^2 + r^2 \\dot{\\phi}^2 \\sin^2 \\theta",
+        "Chain(Pow(v; 2), Mul(\\boldsymbol{v}, \\boldsymbol{v}; 1), Add(Pow(Call(\\dot{r}); 2), Mul(Pow(Call(r); 2), Pow(Call(\\dot{\\theta}); 2)), Mul(Pow(Call(r); 2), Pow(Call(\\dot{\\phi}); 2), Pow(Call(sin; Call(\\theta)); 2))); =, =)",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/vectorial-mechanics/Kinematics.tex",
+    ),
+    (
+        "\\begin{bmatrix}e \\\\ n \\\\ u\\end{bmatrix} = \\begin{bmatrix} \\sin\\theta & -\\cos\\theta & 0 \\\\ \\cos\\theta & \\sin\\theta & 0 \\\\ 0 & 0 & 1 \\end{bmatrix} \\begin{bmatrix}d \\\\ c \\\\ a\\end{bmatrix}",
+        "Chain(MatrixOf(e, n, u), Mul(MatrixOf(Call(sin; \\theta), Neg(Call(cos; \\theta)), 0, Call(cos; \\theta), Call(sin; \\theta), 0, 0, 0, 1), MatrixOf(d, c, a)); =)",
+        "Mayitzin/ahrs/ahrs/common/frames.py",
+    ),
+    (
+        "\\begin{aligned}\\boldsymbol{r}_0 &= x_0\\boldsymbol{\\hat{p}} + y_0\\boldsymbol{\\hat{q}} & \\boldsymbol{v}_0 &= \\dot{x}_0\\boldsymbol{\\hat{p}} + \\dot{y}_0\\boldsymbol{\\hat{q}}\\end{aligned}",
+        "System(Chain(\\boldsymbol{r}_0, Add(Mul(Call(x_0), \\boldsymbol{\\hat{p}}), Mul(Call(y_0), \\boldsymbol{\\hat{q}})); =), Chain(\\boldsymbol{v}_0, Add(Mul(Call(\\dot{x}_0), \\boldsymbol{\\hat{p}}), Mul(Call(\\dot{y}_0), \\boldsymbol{\\hat{q}})); =))",
+        "bryanwweber/orbital-mechanics-notes/time-since-periapsis-and-keplers-equation/the-lagrange-coefficients.md",
+    ),
+    (
+        "\\theta(t) = a (t - t_0)^2 + \\theta_0",
+        "Chain(Call(\\theta; t), Add(Mul(a, Pow(Add(t, Neg(t_0)); 2)), \\theta_0); =)",
+        "AVSLab/basilisk/src/simulation/deviceInterface/prescribedRotation1DOF/prescribedRotation1DOF.rst",
+    ),
+    (
+        "M(q)\\ddot{q} + C(q,\\dot{q})\\dot{q} + K_p(q - q_d) + K_d(\\dot{q} - \\dot{q}_d) = \\tau_{ext},",
+        "Chain(Add(Mul(Call(M; Call(q)), Call(\\ddot{q})), Mul(Call(C; Call(q), Call(\\dot{q})), Call(\\dot{q})), Mul(K_p, Add(Call(q), Neg(Call(q_d)))), Mul(K_d, Add(Call(\\dot{q}), Neg(Call(\\dot{q}_d))))), \\tau_{ext}; =)",
+        "RussTedrake/manipulation/book/force.html",
+    ),
+    (
+        "v_0^2 = \\boldsymbol{v}_0 \\cdot\\boldsymbol{v}_0",
+        "Chain(Pow(v_0; 2), Mul(\\boldsymbol{v}_0, \\boldsymbol{v}_0; 1); =)",
+        "bryanwweber/orbital-mechanics-notes/time-since-periapsis-and-keplers-equation/universal-lagrange-coefficients-example.md",
+    ),
+    (
+        "C_{\\infty} = 0.6016 + 0.3312\\beta^{2.1} -1.5581\\beta^8 + \\frac{0.6510\\beta^4}{(1-\\beta^4)} - 0.7308\\beta^3",
+        "Chain(C_\\infty, Add(0.6016, Mul(0.3312, Pow(\\beta; 2.1)), Neg(Mul(1.5581, Pow(\\beta; 8))), Div(Mul(0.6510, Pow(\\beta; 4)); Add(1, Neg(Pow(\\beta; 4)))), Neg(Mul(0.7308, Pow(\\beta; 3)))); =)",
+        "CalebBell/fluids/fluids/flow_meter.py",
+    ),
+    (
+        "\\cosh^2 c - \\sinh^2 c = 1",
+        "Chain(Add(Pow(Call(cosh; c); 2), Neg(Pow(Call(sinh; c); 2))), 1; =)",
+        "bryanwweber/orbital-mechanics-notes/time-since-periapsis-and-keplers-equation/hyperbolic-trajectories.md",
+    ),
+    (
+        "\\vec{x} = e^{tP} \\vec{c} ,",
+        "Chain(\\vec{x}, Mul(Pow(e; Mul(t, P)), \\vec{c}); =)",
+        "jirilebl/diffyqs/ch-systems.tex",
+    ),
+    (
+        "K = 1.12 - 22\\frac{t}{d} + 216\\left(\\frac{t}{d}\\right)^2 + 80\\left(\\frac{t}{d}\\right)^3",
+        "Chain(K, Add(1.12, Neg(Mul(22, Div(t; d))), Mul(216, Pow(Div(t; d); 2)), Mul(80, Pow(Div(t; d); 3))); =)",
+        "CalebBell/fluids/fluids/fittings.py",
+    ),
+    (
+        "p = a \\left(1 - e^2\\right)",
+        "Chain(p, Mul(a, Add(1, Neg(Pow(e; 2)))); =)",
+        "bryanwweber/orbital-mechanics-notes/the-orbit-equation/elliptical-orbits.md",
+    ),
+    (
+        "\\hat{\\bm e}_{180} = \\frac{ \\hat{\\bm h}_{c} \\times \\hat{\\bm b}_{2}}{| \\hat{\\bm h}_{c} \\times \\hat{\\bm b}_{2}|}",
+        "Chain(\\hat{\\bm{e}}_{180}, Div(Cross(\\hat{\\bm{h}}_c; \\hat{\\bm{b}}_2); Bars(Cross(\\hat{\\bm{h}}_c; \\hat{\\bm{b}}_2))); =)",
+        "AVSLab/basilisk/src/fswAlgorithms/attGuidance/opNavPoint/_Documentation/secModelDescription.tex",
+    ),
+    (
+        "3^{2x} = 2^{x + 3}",
+        "Chain(Pow(3; Mul(2, x)), Pow(2; Add(x, 3)); =)",
+        "sympy/sympy/sympy/solvers/solveset.py",
+    ),
+    (
+        "y_t (x,t) = \\frac{\\partial}{\\partial t} \\left[ C u\\bigl(t-\\nicefrac{x}{\\alpha}\\bigr) \\right] = C u'\\bigl(t-\\nicefrac{x}{\\alpha}\\bigr) = C \\delta\\bigl(t-\\nicefrac{x}{\\alpha}\\bigr)",
+        "Chain(Call(y_t; x, t), Derivative(Mul(C, u, Add(t, Neg(Div(x; \\alpha)))); t, 1; True), Mul(C, u', Add(t, Neg(Div(x; \\alpha)))), Mul(C, \\delta, Add(t, Neg(Div(x; \\alpha)))); =, =, =)",
+        "jirilebl/diffyqs/ch-laplace.tex",
+    ),
+    (
+        "\\boldsymbol{r}_A \\cdot \\boldsymbol{e}_n = \\boldsymbol{r}_B \\cdot \\boldsymbol{e}_n = 0",
+        "Chain(Mul(\\boldsymbol{r}_A, \\boldsymbol{e}_n; 1), Mul(\\boldsymbol{r}_B, \\boldsymbol{e}_n; 1), 0; =, =)",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/chapter9.tex",
+    ),
+    (
+        "k(\\tau) = \\frac{a}{2+b}\\,e^{-c\\,\\tau}\\left[ \\cos\\left(\\frac{2\\,\\pi\\,\\tau}{P}\\right) + (1+b) \\right]",
+        "Chain(Call(k; \\tau), Mul(Div(a; Add(2, b)), Pow(e; Neg(Mul(c, \\tau))), Add(Call(cos; Div(Mul(2, \\pi, \\tau); P)), Add(1, b))); =)",
+        "dfm/celerite/docs/python/kernel.rst",
+    ),
+    (
+        "v_r = \\frac{\\mu}{h} e \\sin\\nu",
+        "Chain(v_r, Mul(Div(\\mu; h), e, Call(sin; \\nu)); =)",
+        "bryanwweber/orbital-mechanics-notes/time-since-periapsis-and-keplers-equation/universal-variables-example.md",
+    ),
+    (
+        "\\begin{aligned} \\boldsymbol{r} &= \\boldsymbol{R}_2 - \\boldsymbol{R}_1 \\end{aligned}",
+        "Chain(\\boldsymbol{r}, Add(\\boldsymbol{R}_2, Neg(\\boldsymbol{R}_1)); =)",
+        "bryanwweber/orbital-mechanics-notes/the-n-body-problem/two-body-relative-motion.md",
+    ),
+    (
+        "a_x = g\\sin\\theta",
+        "Chain(a_x, Mul(g, Call(sin; \\theta)); =)",
+        "Mayitzin/ahrs/ahrs/filters/fqa.py",
+    ),
+    (
+        "\\vec{x} = A^{-1} A \\vec{x} = A^{-1} \\vec{b} .",
+        "Chain(\\vec{x}, Mul(Pow(A; Neg(1)), A, \\vec{x}), Mul(Pow(A; Neg(1)), \\vec{b}); =, =)",
+        "jirilebl/diffyqs/ap-linear-algebra.tex",
+    ),
+    (
+        "u_{s_{i}} = I_{w_{s_{i}}}(\\dot{\\Omega}_{i} + \\hat{\\boldsymbol{ g}}_{s_{i}}^{T}\\dot{\\boldsymbol{ \\omega}} + \\dot{\\gamma}_{i}\\omega_{t_{i}})",
+        "Chain(u_{s_i}, Mul(I_{w_s_i}, Add(Call(\\dot{\\Omega}_i), Mul(Transpose(\\hat{\\boldsymbol{g}}_{s_i}), Call(\\dot{\\boldsymbol{\\omega}})), Mul(Call(\\dot{\\gamma}_i), \\omega_{t_i}))); =)",
+        "AVSLab/basilisk/src/fswAlgorithms/effectorInterfaces/vscmgGimbalRateServo/vscmgGimbalRateServo.rst",
+    ),
+    (
+        "Q_k(z) = -{\\rm rem}(Q_{k-2},\\,Q_{k-1})",
+        "Chain(Call(Q_k; z), Neg(Call(\\text{rem}; Q_{k-2}, Q_{k-1})); =)",
+        "dfm/celerite/paper/ms.tex",
+    ),
+    (
+        "{\\bf S}(t_f) = {\\bf Q}_f.",
+        "Chain(Call(\\mathbf{S}; t_f), \\mathbf{Q}_f; =)",
+        "RussTedrake/underactuated/book/lqr.html",
+    ),
+    (
+        "V_f = \\frac{\\pi}{4}\\left(\\frac{Dh}{a}\\right)^2 \\left(a - \\frac{h}{3}\\right),\\; h < a",
+        "System(Chain(V_f, Mul(Div(\\pi; 4), Pow(Div(Mul(D, h); a); 2), Add(a, Neg(Div(h; 3)))); =), Chain(h, a; <))",
+        "CalebBell/fluids/fluids/geometry.py",
+    ),
+    (
+        "C_{\\infty} = (0.7746 - 0.1334\\beta^{2.1} + 1.4098\\beta^8 + \\frac{0.0675\\beta^4}{(1 - \\beta^4)} + 0.3865\\beta^3)",
+        "Chain(C_\\infty, Add(0.7746, Neg(Mul(0.1334, Pow(\\beta; 2.1))), Mul(1.4098, Pow(\\beta; 8)), Div(Mul(0.0675, Pow(\\beta; 4)); Add(1, Neg(Pow(\\beta; 4)))), Mul(0.3865, Pow(\\beta; 3))); =)",
+        "CalebBell/fluids/fluids/flow_meter.py",
+    ),
+    (
+        "(M + m)y'' - ml \\phi'' \\sin(\\phi) - ml(\\phi')^2 \\cos(\\phi) + k_1 y + k_2 y^3 + c_1 y' = F_0 \\cos(\\nu t)",
+        "Chain(Add(Mul(Add(M, m), y''), Neg(Mul(m, l, \\phi'', Call(sin; \\phi))), Neg(Mul(m, l, Pow(\\phi'; 2), Call(cos; \\phi))), Mul(k_1, y), Mul(k_2, Pow(y; 3)), Mul(c_1, y')), Mul(F_0, Call(cos; Mul(\\nu, t))); =)",
+        "sympy/sympy/doc/src/tutorials/physics/mechanics/duffing-example.rst",
+    ),
 )
 REFUSED = (  # LaTeX with two readings, repository and path
     ("C_D = \\frac{24}{Re} + \\frac{7.3}{1+Re^{0.5}} + 0.25", "CalebBell/fluids/fluids/drag.py"),
@@ -457,9 +1462,5 @@ REFUSED = (  # LaTeX with two readings, repository and path
     ),
     ("Re = \\frac{\\rho v_s d_p}{\\mu}", "CalebBell/fluids/fluids/packed_bed.py"),
     ("q = f^{-1}_{kin}(X^G),", "RussTedrake/manipulation/book/trajectories.html"),
-    (
-        "A_{l,l}[u] &= (2 l -1) A_{l-1,l-1}[u] \\\\ A_{l,l-1}[u] &= u A_{l,l}[u]",
-        "AVSLab/basilisk/src/fswAlgorithms/formationFlying/spacecraftPointing/_Documentation/example/secModelDescription.tex",
-    ),
     ("y'' + \\lambda y = 0, \\quad y'(0) = 0, \\quad y'(1) = 0.", "jirilebl/diffyqs/ch-eigenvalue-probs.tex"),
 )

@@ -9,10 +9,11 @@ import itertools
 import re
 from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from functools import lru_cache
 
 from symcheck.reading import tex
 from symcheck.reading.lexer import SPACES
-from symcheck.reading.occurrences import occurrences
+from symcheck.reading.occurrences import first, occurrences
 
 # a conjugate: "\bar{z}", or by its tokens "z ^ *"
 _CONJUGATE = re.compile(r"\\(?:bar|overline)\{(.+)\}|(.+?) \^ (?:\{ )?(?:\*|\\ast|\\star|\\dagger)(?: \})?")
@@ -107,15 +108,18 @@ def _without_real(formula: str) -> str:
 def equated(formulas: Sequence[str]) -> Iterator[tuple[str, str]]:
     """Letters with what they are equal to."""
     for formula in formulas:
-        for a, b in itertools.pairwise(_members(formula)):
-            for x, other in ((a, b), (b, a)):
-                if (letter := _letter(x)) and _plain(letter) == _plain(x):
-                    yield letter, other
+        yield from _equated(formula)
+
+
+@lru_cache(maxsize=512)  # each reading of a formula asks for them
+def _equated(formula: str) -> tuple[tuple[str, str], ...]:
+    pairs = [pair for a, b in itertools.pairwise(_members(formula)) for pair in ((a, b), (b, a))]
+    return tuple((letter, other) for x, other in pairs if (letter := _letter(x)) and _plain(letter) == _plain(x))
 
 
 def _letter(latex: str) -> str:
     """The spelling of the first letter."""
-    place = next(iter(occurrences(latex)), None)
+    place = first(latex)
     if place is None:
         return ""
     return place.word + (tex.subscript([tex.Tok(t, 0) for t in place.subscript]) if place.subscript else "")

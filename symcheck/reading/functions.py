@@ -56,7 +56,10 @@ SPELLED = {  # other names of the same functions
 }  # fmt: skip
 INVERSES = {"sin": "arcsin", "cos": "arccos", "tan": "arctan", "sinh": "arsinh", "cosh": "arcosh", "tanh": "artanh"}
 OF_MATRICES = ("det", "tr", "Tr", "Re", "Im", "rank", "sign", "max", "min", "log")
-NAMES = frozenset(REAL) | frozenset(SPELLED) | frozenset(OF_MATRICES)
+OPAQUE = (  # that are read and have no algebraic form
+    "arg", "Arg", "Pr", "dim", "deg", "gcd", "ker", "erf", "erfc", "adj", "span", "sgn", "floor", "ceil",
+)  # fmt: skip
+NAMES = frozenset(REAL) | frozenset(SPELLED) | frozenset(OF_MATRICES) | frozenset(OPAQUE)
 
 
 def applied(name: str, t: Term) -> Term | None:

@@ -30,8 +30,8 @@ entry: LABEL? formula (COLON formula)? | FORALL formula
 ?both: chain | chain (AND chain)+
 exists: EXISTS NAME (COMMA NAME)* COLON implies
 ?chain: sum | sum (REL sum)+
-sum: (MINUS | PM)? term ((PLUS | MINUS | PM) term)*
-term: product ((SLASH | TIMES) product)?
+sum: (MINUS | PM | PLUS)? term ((PLUS | MINUS | PM) term)*
+term: product ((SLASH | TIMES) product | (OPERATOR product)+)?
 product: (item | CDOT)+
 item: primary BANG? (CARET LB sum RB | TRANSPOSE | DEGREE | PRIMES | MARK | AT LB chain RB (LB sum RB)?)?
 primary: NUMBER | BLANK | NAME | FN | D | DOTS | INFINITY | LPAR listing RPAR | LBRA listing RBRA | LSET listing RSET
@@ -39,13 +39,14 @@ primary: NUMBER | BLANK | NAME | FN | D | DOTS | INFINITY | LPAR listing RPAR | 
        | SQRT LB sum RB | ROOT LB sum RB LB sum RB | BINOMIAL LB sum RB LB sum RB | LLIST listing RLIST
        | SUM LB listing RB (LB sum RB)? | INT LB sum RB LB sum RB | ANTI
        | PROD LB listing RB (LB sum RB)? | UNDER | LPAR listing MID listing RPAR | LBRA listing MID listing RBRA
+       | LFLOOR sum RFLOOR | LCEIL sum RCEIL
        | DIAG (LPAR listing RPAR | LBRA listing RBRA) | MBEGIN row (ROW row)* MEND
        | CBEGIN case (ROW case)* CEND
 case: sum COMMA? CELL COMMA? (chain COMMA? | OTHERWISE)
 row: sum (CELL sum)*
 %declare NUMBER NAME FN D DOTS LPAR RPAR LBRA RBRA LSET RSET LBAR RBAR LNORM RNORM LB RB FRAC SQRT SUM DIAG MBEGIN MEND
 %declare ROW CELL CARET TRANSPOSE DEGREE CDOT SLASH TIMES PLUS MINUS REL AND OR IMPLIES IFF EXISTS COLON COMMA SEMI
-%declare NEWLINE FOR LABEL PRIMES PM INT ANTI INFINITY LANGLE RANGLE LHALF RHALF ROOT
+%declare NEWLINE FOR OPERATOR LFLOOR RFLOOR LCEIL RCEIL LABEL PRIMES PM INT ANTI INFINITY LANGLE RANGLE LHALF RHALF ROOT
 %declare BINOMIAL LLIST RLIST AT BANG CBEGIN CEND OTHERWISE BLANK PROD UNDER MID FORALL MARK
 """
 

@@ -9,6 +9,7 @@ import itertools
 import re
 from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
+from functools import cached_property
 
 from symcheck.core.verdicts import SymcheckError
 from symcheck.reading import tex
@@ -57,16 +58,16 @@ class Guess:
     remote: bool = False
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True)
 class Inference:
-    """One reading of a set of formulas: the notation, what each letter is taken for, and what was chosen.
+    """One reading of a set of formulas: what each letter is taken for, and what was chosen.
 
     Parameters
     ----------
-    notation
-        All letters.
     guesses
         One for each letter, in order of appearance.
+    habits
+        What the signs mean that have several meanings, by the names that a notation has for them.
     choices
         What distinguishes this reading from the others; nothing if it is the only one.
     facts
@@ -75,11 +76,16 @@ class Inference:
         Whether hardly anybody would read it so: then it can raise a doubt, and a proof in another reading stands.
     """
 
-    notation: Notation
     guesses: tuple[Guess, ...]
+    habits: tuple[tuple[str, str], ...] = ()
     choices: tuple[str, ...] = ()
     facts: tuple[str, ...] = ()
     remote: bool = False
+
+    @cached_property
+    def notation(self) -> Notation:
+        """All letters; made when it is asked for, because most readings are never tried."""
+        return _notation(self.guesses, **dict(self.habits))
 
 
 @dataclass(slots=True)
@@ -96,6 +102,7 @@ class Evidence:
     doubt: str = ""
     running: bool = False
     orbital: bool = False
+    below: bool = False  # does it stand in a subscript anywhere?
     endless: bool = False  # does an infinite sum, or a factorial, stand beside it?
     shape: tuple[int, ...] = ()  # of the matrix or the column to which it is equal
 
@@ -113,6 +120,11 @@ class Evidence:
     def multiplied(self) -> bool:
         """Is it capital, and does a bold letter that is not follow without a sign: is it a matrix for certain?"""
         return self.capital and any(place.followed for place in self.places)
+
+    @property
+    def idle(self) -> bool:
+        """Would all brackets behind it be idle if they were factors?"""
+        return all(map(_is_product, self.arguments)) and not any(place.powered for place in self.places)
 
     @property
     def framed(self) -> str:
@@ -229,7 +241,7 @@ def _related(inference: Inference, by: Relatives, defined: Collection[str]) -> I
     remote = inference.remote and (
         any(guess.remote for guess in guesses) or not any(guess.remote for guess in inference.guesses)
     )
-    return replace(inference, notation=_with(inference, guesses), guesses=tuple(guesses), facts=by.facts, remote=remote)
+    return replace(inference, guesses=tuple(guesses), facts=by.facts, remote=remote)
 
 
 def _complexed(inference: Inference, formulas: Sequence[str]) -> Iterator[Inference]:
@@ -263,6 +275,9 @@ UNIT = r"\text{i}"
 _CROSS = re.compile(r"(?<![\d}])\s*\\times(?!\s*\d)|\}\s*\\times(?!\s*\d)")  # not beside a printed number
 
 
+_SCALAR = re.compile(r"[(|\[]|\\(?:frac|cdot|sqrt)|\d")
+
+
 def _crossed(inference: Inference, evidence: Mapping[str, Evidence], formulas: Sequence[str]) -> Iterator[Inference]:
     r"""The readings of a cross between letters that are not bold: a product of vectors, or of numbers."""
     plain = {
@@ -274,6 +289,9 @@ def _crossed(inference: Inference, evidence: Mapping[str, Evidence], formulas: S
     if not crossed or not any(map(_CROSS.search, formulas)):
         yield inference
         return
+    for letter, other in equated(formulas):
+        if letter in plain and r"\times" in other and not _SCALAR.search(other):
+            crossed.add(letter)  # it is equal to a cross
     while more := {x for key in crossed for p in evidence[key].places for x in p.beside if x in plain} - crossed:
         crossed |= more
     spelled = {evidence[key].spelling for key in crossed}
@@ -283,8 +301,9 @@ def _crossed(inference: Inference, evidence: Mapping[str, Evidence], formulas: S
         else g
         for g in inference.guesses
     )
-    yield replace(inference, notation=_with(inference, guesses), guesses=guesses, choices=(*inference.choices, VECTORS))
-    yield replace(inference, choices=(*inference.choices, NUMBERS))
+    yield replace(inference, guesses=guesses, choices=(*inference.choices, VECTORS))
+    accented = any(map(_ACCENT.match, spelled))
+    yield replace(inference, choices=(*inference.choices, NUMBERS), remote=inference.remote or accented)
 
 
 VECTORS, NUMBERS = "a cross between vectors", "a cross between numbers"
@@ -324,13 +343,7 @@ def _with_parts(
             ]
             changed += [Guess(each, "a real number", f"a part of {own}") for each in names]
     told = f"{', '.join(why)}: complex"
-    return replace(
-        inference, notation=_with(inference, changed), guesses=tuple(changed), choices=(*inference.choices, told)
-    )
-
-
-def _with(inference: Inference, guesses: Iterable[Guess]) -> Notation:
-    return _notation(guesses, **inference.notation.habits)
+    return replace(inference, guesses=tuple(changed), choices=(*inference.choices, told))
 
 
 def _sized(inferences: Iterable[Inference], size: int, *, first: bool) -> Iterator[Inference]:
@@ -339,9 +352,7 @@ def _sized(inferences: Iterable[Inference], size: int, *, first: bool) -> Iterat
         guesses = [_of_size(guess, size) for guess in inference.guesses]
         if any(map(_unsized, inference.guesses)):
             told = f"vectors and matrices of {size} components and rows"
-            yield Inference(
-                _with(inference, guesses), tuple(guesses), (*inference.choices, told), inference.facts, inference.remote
-            )
+            yield replace(inference, guesses=tuple(guesses), choices=(*inference.choices, told))
         elif first:
             yield inference
 
@@ -377,16 +388,15 @@ def _inferred(
         several = ", ".join([o[0].letter.latex for o in options if len(o) > 1] + [h[0][0] for h in habits])
         doubt = f"{count} readings are possible; say what these are: {several}"
         chosen = tuple(_in_doubt(o[0], doubt) if len(o) > 1 else o[0] for o in options)
-        return [Inference(_notation(chosen, **dict(h[0] for h in habits)), chosen, (doubt,))]
+        return [Inference(chosen, tuple(h[0] for h in habits), (doubt,))]
     found = []
     for chosen in itertools.product(*options):
         choices = tuple(
             f"{g.letter.latex}: {g.taken}" for g, each in zip(chosen, options, strict=True) if len(each) > 1
         )
         for meaning in itertools.product(*habits):
-            notation = _notation(chosen, **dict(meaning))
             told = (*choices, *(f"{name}={value}" for name, value in meaning))
-            found.append(Inference(notation, chosen, told, remote=any(guess.remote for guess in chosen)))
+            found.append(Inference(chosen, meaning, told, remote=any(guess.remote for guess in chosen)))
     return found
 
 
@@ -410,7 +420,7 @@ def gathered(formulas: Sequence[str], said: Mapping[str, str]) -> dict[str, Evid
     phrases = {latex if latex in wholes else canonical(latex): phrase for latex, phrase in said.items()}
     shapes = {letter: shape for letter, other in equated(formulas) if (shape := _shape(other))}
     found: dict[str, Evidence] = {}
-    initials = _initials(formulas)
+    initials = _initials(formulas) | _forms(formulas)
     for place in places:
         if place.role == "subscript":
             continue
@@ -426,6 +436,7 @@ def gathered(formulas: Sequence[str], said: Mapping[str, str]) -> dict[str, Evid
         own.index = latex in index and not tokens
         own.whole, own.doubt = latex in wholes, wholes.get(latex, "") or initials.get(place.word, "")
         own.shape = shapes.get(latex, ())
+        own.below = latex in below
         own.endless = latex == "e" and any(r"\infty" in formula or "!" in formula for formula in formulas)
         own.orbital = latex == "e" and any(map(_ECCENTRIC.search, formulas))
         for low, high in (ends.get(t, ("", "")) for t in tokens) if family else ():
@@ -437,21 +448,32 @@ def gathered(formulas: Sequence[str], said: Mapping[str, str]) -> dict[str, Evid
     return found
 
 
-# two capitals that an equation begins with, which may be one name, and their subscript
-_INITIALS = re.compile(r"\s*([A-Z])\s*([A-Z])\s*(?:_\s*(?:\{[^{}]*(?:\{[^{}]*\}[^{}]*)*\}|\w)\s*)?=")
+# capitals that an equation begins with, which may be one name, and its subscript
+_INITIALS = re.compile(r"\s*([A-Z](?:\s*[A-Z])+)\s*(?:_\s*(?:\{[^{}]*(?:\{[^{}]*\}[^{}]*)*\}|\w)\s*)?=")
 
 
 def _initials(formulas: Sequence[str]) -> dict[str, str]:
-    """Two capitals alone before an equality sign that occur nowhere else: one name rather than a product."""
+    """Capitals alone before an equality sign that occur nowhere else: one name rather than a product."""
     toks = [tok.text for formula in formulas for tok in tex.tokenize(formula)]
     bare = [text for text, after in itertools.pairwise([*toks, ""]) if after != "_"]
-    found = [match.groups() for match in map(_INITIALS.match, formulas) if match]
-    return {
-        letter: f"one name {a}{b}, or {a} times {b}? say what {a} and {b} are, or write \\mathrm{{{a}{b}}}"
-        for a, b in found
-        if bare.count(a) == 1 and (bare.count(b) or toks.count(b)) == 1
-        for letter in (a, b)
-    }
+    found: dict[str, str] = {}
+    for match in filter(None, map(_INITIALS.match, formulas)):
+        *letters, last = match[1].split()
+        once = [bare.count(letter) == 1 for letter in letters] + [(bare.count(last) or toks.count(last)) == 1]
+        if all(once) or (len(once) > 2 and any(once)):
+            name = "".join([*letters, last])
+            told = f"one name {name}, or a product? say what its letters are, or write \\mathrm{{{name}}}"
+            found |= dict.fromkeys([*letters, last], told)
+    return found
+
+
+_FORM = re.compile(r"(?<![A-Za-z\\])([a-z]) ' (?:[A-Z]|\\mathbf \{ [A-Z] \}) ([a-z])(?![A-Za-z])")
+
+
+def _forms(formulas: Sequence[str]) -> dict[str, str]:
+    """The letters of quadratic forms `x' Q x`, where a prime may transpose."""
+    found = {match[1] for formula in formulas for match in _FORM.finditer(formula)}
+    return dict.fromkeys(found, "does the prime transpose? write a T for that, or name another letter")
 
 
 _RANGE = re.compile(
@@ -478,7 +500,8 @@ def _complete(evidence: dict[str, Evidence]) -> None:
     if used and "d" not in evidence:
         evidence["d"] = Evidence("d", [Occurrence("d")], said="differential")
     own = evidence.get("d")
-    if own is not None and not own.said and len({place.after for place in own.places}) > 1:
+    behind = {place.after for place in own.places} if own is not None else set()
+    if own is not None and not own.said and (len(behind) > 1 or behind == {"t"}):
         forms = all(p.arguments is None and p.superscript is None and tex.is_letter(p.after) for p in own.places)
         own.said = "differential" if forms and not own.dotted else ""
     for each in [*evidence.values()]:
@@ -569,16 +592,16 @@ def _options(of: Evidence, every: Mapping[str, Evidence], defined: Mapping[str, 
         for kind in kinds:
             dependent = _letter(of, kind=kind, depends=", ".join(simple))
             yield Guess(dependent, f"a function of {', '.join(simple)}", "it stands before them")
-    elif of.arguments and not of.bare and (re.match(r"\\text\{\w\w", latex) or all(map(_is_product, of.arguments))):
+    elif of.arguments and not of.bare and (re.match(r"\\text\{\w\w", latex) or of.idle):
         yield Guess(_letter(of, kind="function"), "a function", "a product needs no brackets there")
-    elif of.arguments and not of.bare and not _face(latex):
+    elif of.arguments and not of.bare and not of.dotted and not _face(latex):
         product = Guess(_letter(of, depends=""), "a number", "it stands before brackets with a sum")
         function = Guess(_letter(of, kind="function"), "a function", "it stands before brackets only")
         factor = all(args[0].lstrip()[:1].isdigit() for args in of.arguments)  # as in a(1 - x)
         weight = latex == "g" and any(place.before in _MASSES for place in of.places)
-        yield from (
-            (function, product) if latex in _TYPICAL and not weight else (product, replace(function, remote=factor))
-        )
+        coefficient = factor and latex[:1] == "\\" and latex != r"\zeta"  # as in \phi(1.4 - x)
+        typical = latex in _TYPICAL and not weight and not coefficient
+        yield from (function, product) if typical else (product, replace(function, remote=factor))
     elif of.dotted or _is_derived(of):
         yield from _dependent(of, every, latex in defined)
     elif of.framed:
@@ -716,7 +739,11 @@ def _number(of: Evidence, every: Mapping[str, Evidence]) -> list[Guess]:
             return [Guess(replace(_letter(of, depends=""), doubt=doubt), "a letter in doubt", "i and j stand here")]
         unit = Guess(Letter(latex, number="i"), "the imaginary unit", "so it is written")
         plain = Guess(_letter(of, depends="", name=_plain(latex)), "a real number", "it is a letter like others", True)
-        return [unit] if latex[0] == "\\" or any(place.exponent for place in of.places) else [unit, plain]
+        if latex[0] == "\\" or any(place.exponent for place in of.places):
+            return [unit]
+        if of.below:
+            return [replace(plain, why="it is an index elsewhere", remote=False)]
+        return [unit, plain]
     return []
 
 
@@ -736,13 +763,14 @@ def _may_be_factor(of: Evidence) -> bool:
 
 def _is_product(args: Sequence[str]) -> bool:
     """Is this one product of letters and numbers, around which brackets would be idle?"""
-    toks = args[0].split()
+    toks = [tok for tok in args[0].split() if tok not in ("^", "{", "}")]
     return len(args) == 1 and len(toks) > 1 and all(tex.is_letter(tok) or tok.isdigit() for tok in toks)
 
 
 def _varies(of: Evidence) -> bool:
+    defined = any(p.after == "=" and p.arguments is None for p in of.places)  # as in x = x(t)
     return all(place.dots or place.primes or place.arguments is not None for place in of.places) or bool(
-        of.dotted or any(place.role == "derived" for place in of.places)
+        (defined and len(of.arguments) == 1) or of.dotted or any(place.role == "derived" for place in of.places)
     )
 
 
@@ -866,7 +894,14 @@ def _letter(of: Evidence, **given: object) -> Letter:
     )
 
 
+_SPOKEN = {  # signs in the names of variables
+    "-": "minus", "+": "plus", "/": "per", "*": "star", "'": "dash", "=": "is", "<": "below", ">": "above",
+}  # fmt: skip
+
+
 def _plain(latex: str) -> str:
+    for sign, word in _SPOKEN.items():
+        latex = latex.replace(sign, f" {word} ")
     name = re.sub(r"[^A-Za-z0-9]+", "_", re.sub(r"\\(mathbf|boldsymbol|bm|text|mathrm)\b", "", latex)).strip("_")
     return name if name[:1].isalpha() else f"x{name}"
 

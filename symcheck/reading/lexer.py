@@ -44,9 +44,10 @@ LOGIC = {
 }  # fmt: skip
 TAKING = {r"\sqrt": ("SQRT", 1), **dict.fromkeys((r"\frac", r"\dfrac", r"\tfrac"), ("FRAC", 2))}  # TeX arguments
 TAKING |= dict.fromkeys((r"\binom", r"\dbinom", r"\tbinom"), ("BINOMIAL", 2))
-OPEN = {"(": "LPAR", "[": "LBRA", r"\{": "LSET", r"\lbrace": "LSET"}
-CLOSE = {")": "RPAR", "]": "RBRA", r"\}": "RSET", r"\rbrace": "RSET"}
+OPEN = {"(": "LPAR", "[": "LBRA", r"\{": "LSET", r"\lbrace": "LSET", r"\lfloor": "LFLOOR", r"\lceil": "LCEIL"}
+CLOSE = {")": "RPAR", "]": "RBRA", r"\}": "RSET", r"\rbrace": "RSET", r"\rfloor": "RFLOOR", r"\rceil": "RCEIL"}
 PARTNER = {
+    "RFLOOR": "LFLOOR", "RCEIL": "LCEIL",
     "RPAR": "LPAR", "RBRA": "LBRA", "RSET": "LSET", "RB": "LB", "RBAR": "LBAR", "RNORM": "LNORM", "MEND": "MBEGIN",
     "RANGLE": "LANGLE", "RHALF": "LHALF", "RLIST": "LLIST", "CEND": "CBEGIN",
 }  # fmt: skip
@@ -56,6 +57,13 @@ SIMPLE = {
     r"\ddots": "DOTS",
     "!": "BANG", r"\pm": "PM", r"\mp": "PM", r"\infty": "INFINITY", r"\langle": "LANGLE",
 }  # fmt: skip
+OPERATORS = frozenset(  # between two terms, of which no notation says what they are
+    {
+        r"\otimes", r"\oplus", r"\ominus", r"\odot", r"\boxplus", r"\boxminus", r"\setminus", r"\bmod", r"\mod",
+        r"\circ",
+        r"\star", r"\cup", r"\cap", r"\bullet", r"\diamond", r"\ltimes", r"\rtimes",
+    }
+)  # fmt: skip
 LIMITING = frozenset({"lim", "min", "max", "sup", "inf", "argmin", "argmax", "limsup", "liminf"})
 MARKS = frozenset({"+", "-", "*", r"\dagger", r"\star", r"\ddagger", r"\sharp", r"\flat"})  # scripts that are no power
 SETS = frozenset({r"\in", "<", ">", r"\le", r"\leq", r"\ge", r"\geq", r"\ne", r"\neq", r"\notin", r"\subset"})
@@ -63,7 +71,10 @@ BASES = {"10": "lg", "2": "lb", "e": "ln"}  # of logarithms, with the functions 
 _ENDS = frozenset(
     {"MARK", "BLANK", "NUMBER", "NAME", "BANG", "TRANSPOSE", "DEGREE", "PRIMES", "DOTS", "INFINITY", *PARTNER}
 )
-_OPERATORS = frozenset({"PLUS", "MINUS", "PM", "REL", "AND", "OR", "IMPLIES", "IFF", "CDOT", "TIMES", "SLASH"})
+_OPERATORS = frozenset(
+    {"OPERATOR", "PLUS", "MINUS", "PM", "REL", "AND", "OR", "IMPLIES", "IFF", "CDOT", "TIMES", "SLASH"}
+)
+_MARKED = frozenset({"RPAR", "RBRA", "RSET", "RNORM", "RBAR", "MEND", "RFLOOR"})  # what may have a mark
 _BREAKS = frozenset({"COMMA", "SEMI", "COLON", "FOR"})
 WIDE_COMMA = r",\quad"
 COMMA_AT_END = r",\\"  # of a line
@@ -174,6 +185,9 @@ class Lexer(tex.Reader):
             self.cell()
         elif text == r"\mid" and self.mid():
             return
+        elif text == r"\middle" and self.peek(1) == "|":
+            self.i += 2
+            self.emit("MID", "|", at)
         elif text in ("|", r"\|", r"\Vert"):
             self.bar()
         elif text in TAKING:
@@ -210,6 +224,11 @@ class Lexer(tex.Reader):
         elif text == ";" and self.parameters():
             self.i += 1
             self.emit("MID", ";", at)
+        elif text == "*" or text in OPERATORS:
+            self.i += 1
+            self.emit("CDOT" if text == "*" and self.star_multiplies() else "OPERATOR", text, at)
+        elif text in "+-" and self.peek(1) == "=":
+            self.fail(f"{text}= assigns a value and states nothing; write an equation")
         elif text in SIMPLE or text in RELATIONS or text in LOGIC:
             self.i += 1
             kind = SIMPLE.get(text) or LOGIC.get(text) or "REL"
@@ -232,6 +251,12 @@ class Lexer(tex.Reader):
             self.out.append(Lexeme("GAP", text, at))
         if text not in (r"\!", r"\displaystyle", r"\limits", r"\nolimits"):
             self.spaced.add(self.at())
+
+    def star_multiplies(self) -> bool:
+        """Is the star of this display the sign of a product: does it stand beside a number anywhere?"""
+        texts = [tok.text for tok in self.toks]
+        beside = (a + b for a, text, b in zip(texts, texts[1:], texts[2:], strict=False) if text == "*")
+        return any(char.isdigit() for both in beside for char in both)
 
     def sentence_ends(self) -> bool:
         """Is this full stop the last thing on its line?"""
@@ -371,7 +396,11 @@ class Lexer(tex.Reader):
         if opening is None or opening.type not in ("LPAR", "LBRA") or self.last() not in _ENDS:
             return False
         start = self.out.index(opening)
-        if not start or self.out[start - 1].type != "NAME" or any(x.type in ("MID", "LBAR") for x in self.out[start:]):
+        if (
+            not start
+            or self.out[start - 1].type not in ("NAME", "FN")
+            or any(x.type in ("MID", "LBAR") for x in self.out[start:])
+        ):
             return False
         depth = 1
         for tok in self.toks[self.i :]:
@@ -388,7 +417,7 @@ class Lexer(tex.Reader):
             return False
         start, at = self.i, self.at()
         self.i += 1
-        word = "".join(tok.text for tok in self.group()).strip(",.:~").lower()
+        word = "".join(tok.text for tok in self.group() if tok.text not in SPACES).strip(",.:").lower()
         if word in CONDITIONS:
             return True
         if word in OTHERWISE:
@@ -548,10 +577,11 @@ class Lexer(tex.Reader):
 
     def evaluated(self, at: int) -> None:
         r"""The place at which what is in brackets, or before a bar, is taken: `_{t=0}^1`."""
-        closed = self.last() in ("RPAR", "RBRA", "RSET") and bool(self.out) and self.out[-1].type != "GAP"
-        if not closed:
-            self.fail("a subscript without a letter before it")
         self.i += 1
+        sized = self.last() == "NUMBER" and r"\times" in [t.text for t in self.toks[self.i : self.i + self.length()]]
+        closed = (self.last() in _MARKED or sized) and bool(self.out) and self.out[-1].type != "GAP"
+        if not closed:
+            self.fail("a subscript without a letter before it", at)
         inside = [tok.text for tok in self.toks[self.i : self.i + self.length()]]
         if "=" not in inside or self.last() != "RBRA":
             self.group()
@@ -797,7 +827,8 @@ class Lexer(tex.Reader):
         bare, dots = undotted(word)
         found, kind = self.declared(bare, tokens, primes, at, place)
         letter = self.notation.find(found.letter, len(found.subscripts))
-        if kind != "NAME" or letter is None or (letter.depends is None and letter.components is None):
+        known = letter is not None and (letter.depends or letter.components or letter.kind == "function")
+        if kind != "NAME" or not known:
             self.fail(f"unknown letter {word}: declare it, or say on what {bare} depends, as depends='t'", at)
         return replace(found, dots=dots), kind
 

@@ -83,6 +83,7 @@ from symcheck.reading.tree import (
     Forall,
     Iff,
     Implies,
+    Indexed,
     Infinity,
     Integral,
     Interval,
@@ -110,7 +111,7 @@ from symcheck.reading.tree import (
     Values,
     Words,
     children,
-    walk,
+    nodes,
     with_children,
 )
 
@@ -310,7 +311,7 @@ class Lowering:
 
     def signed(self, left: Tree, sign: str, right: Tree, env: Env) -> list[Formula]:
         """One link; the double signs in it switch together."""
-        double = [any(isinstance(tree, PlusMinus) for _, tree in walk(side)) for side in (left, right)]
+        double = [any(isinstance(tree, PlusMinus) for tree in nodes(side)) for side in (left, right)]
         if not any(double):
             return self.compare(left, sign, right, env)
         upper, lower = (
@@ -326,9 +327,9 @@ class Lowering:
         return [node("or", _and(upper), _and(lower))]
 
     def compare(self, left: Tree, sign: str, right: Tree, env: Env) -> list[Formula]:
-        if found := [part for side in (left, right) for _, part in walk(side) if isinstance(part, Piecewise)]:
+        if found := [part for side in (left, right) for part in nodes(side) if isinstance(part, Piecewise)]:
             return [self.by_cases(found[0], left, sign, right, env)]
-        if any(isinstance(part, Antiderivative) for side in (left, right) for _, part in walk(side)):
+        if any(isinstance(part, Antiderivative) for side in (left, right) for part in nodes(side)):
             return self.primitive(left, sign, right, env)
         if orders := terms_of_order(left, right, notation=self.notation):
             return self.up_to_order(orders, left, sign, right, env)
@@ -366,7 +367,7 @@ class Lowering:
         (side, path, call), printed = found[0], Chain((left, right), (sign,))
         for each in (left, right):
             head = each.function if isinstance(each, Call) else each
-            same = [part for _, part in walk(printed) if isinstance(part, Name)]
+            same = [part for part in nodes(printed) if isinstance(part, Name)]
             if not isinstance(head, Name) or head.letter in self.defined or each is call:
                 continue
             if same.count(head) == 1:
@@ -793,7 +794,7 @@ class Lowering:
 
     def primitive(self, left: Tree, sign: str, right: Tree, env: Env) -> list[Formula]:
         """An equation with integrals without bounds: both sides have one derivative."""
-        found = [node for side in (left, right) for _, node in walk(side) if isinstance(node, Antiderivative)]
+        found = [node for side in (left, right) for node in nodes(side) if isinstance(node, Antiderivative)]
         variables = {self.variable(node.variable, env) for node in found}
         if sign != "=" or len(variables) != 1:
             raise SymcheckError(
@@ -816,7 +817,7 @@ class Lowering:
                 if any(by in _names(each) for each in constant):
                     raise SymcheckError(f"{to_latex(tree)}: a factor before this integral depends on its letter")
                 return node("*", *constant, self.scalar(last.body, env))
-        if any(isinstance(part, Antiderivative) for _, part in walk(tree)):
+        if any(isinstance(part, Antiderivative) for part in nodes(tree)):
             raise SymcheckError(f"{to_latex(tree)}: an integral without bounds is an addend of an equation")
         return self.slope(self.scalar(tree, env), by, 1, tree, partial=False)
 
@@ -841,6 +842,12 @@ class Lowering:
             )
         self.met = {x: at for x, at in self.met.items() if x not in varying}
         return total(term, varying)
+
+    def of_indexed(self, tree: Indexed, env: Env) -> Value:
+        name = to_latex(tree.name)
+        raise SymcheckError(
+            f"{to_latex(tree)}: {name} of what is in these brackets, or times it? write round brackets, or \\cdot"
+        )
 
     def of_call(self, tree: Call, env: Env) -> Value:
         if isinstance(tree.function, Name):
@@ -903,7 +910,8 @@ class Lowering:
         if name.dots and arguments == declared:
             return self.value(name, env)
         if name.dots and len(arguments) == 1:
-            self.time(letter, env)
+            if letter.depends is not None or not _is_time(tree.arguments[0]):
+                self.time(letter, env)
             name = Name(name.letter, name.subscripts, name.primes + name.dots)
         if name.dots or (name.primes and len(arguments) != 1):
             raise SymcheckError(f"{to_latex(tree)}: by which argument? write the derivative as a fraction")
@@ -1222,6 +1230,11 @@ def _series(index: str, low: Term, high: Term, body: Value) -> Value:
     if isinstance(body, Complex):
         return Complex(*(node("sum", part, index, low, high) if part != 0 else 0 for part in parts(body)))
     return node("sum", body, index, low, high)
+
+
+def _is_time(tree: Tree) -> bool:
+    """Is this the time, or an instant such as `t_0`?"""
+    return isinstance(tree, Name) and tree.letter.partition("_")[0] in TIMES
 
 
 def _names(tree: object) -> Iterator[str]:

@@ -6,6 +6,7 @@ neither is certain the name is in doubt: it is read as it is printed, and not lo
 
 from __future__ import annotations
 
+import re
 from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
@@ -46,6 +47,7 @@ def names_of_several_tokens(formulas: Sequence[str], said: Mapping[str, str]) ->
     `said` are the letters of which something is said; names of several tokens among them are names.
     """
     found = {latex: "" for latex in said if not is_letter(latex)}
+    declared = {re.sub(r"[\s{}]", "", latex) for latex in found}
     numbers = {word for formula in formulas for word in _Numbers(formula).run()} | said.keys()
     bound = {place.word for formula in formulas for place in occurrences(formula) if place.role == "index"}
     scripted = [each for formula in formulas for each in _scripted(formula)]
@@ -53,6 +55,8 @@ def names_of_several_tokens(formulas: Sequence[str], said: Mapping[str, str]) ->
         each.word for each in scripted for text in each.above if text[:1].isupper() and text not in _TRANSPOSING
     }
     for each in scripted:
+        if re.sub(r"[\s{}]", "", each.latex) in declared:
+            continue
         if each.word not in bound and (doubt := _doubt(each, numbers, labelled)) is not None:
             found.setdefault(each.latex, doubt)
         elif each.framed:
@@ -263,7 +267,7 @@ def _bracketed(toks: Sequence[tex.Tok], start: int) -> int:
     """Where a matrix in brackets ends that begins here: one letter with its scripts, or two capitals; 0 without one."""
     end = next((k for k in range(start, len(toks)) if toks[k].text == "]"), 0)
     inner = [tok.text for tok in toks[start + 1 : end]]
-    letters = [text for text in inner if text not in ("_", "{", "}") and not text.isdigit()]
+    letters = _outside_scripts(inner)
     pair = len(letters) == 2 and all(len(text) == 1 and text.isupper() for text in letters)
     styled = bool(inner) and ((inner[0].isalpha() and inner[0].isupper()) or inner[0] in STYLES | ACCENTS)
     if not end or not (pair or (styled and is_letter(" ".join(inner)))):
@@ -289,3 +293,16 @@ def is_letter(latex: str) -> bool:
     except SymcheckError:
         return False
     return reader.i == len(reader.toks) and not (known(word) and word != r"\Gamma")
+
+
+def _outside_scripts(inner: Sequence[str]) -> list[str]:
+    """The tokens that stand in no script."""
+    reader, found = tex.Reader(" ".join(inner)), list[str]()
+    while reader.i < len(reader.toks):
+        text = reader.peek()
+        reader.i += 1
+        if text == "_" and reader.peek():
+            reader.group()
+        elif text not in ("{", "}"):
+            found.append(text)
+    return found

@@ -84,10 +84,10 @@ class Letter:
         Whether its indices run up to a letter: then it is a function of them.
     identity
         Whether this matrix is the identity.
-    doubt
-        Why nothing is said of it though it can be read: what its scripts may mean.
     partial
         For a letter such as f_{xy}, a derivative of a function: that function, and the letters by which it is taken.
+    doubt
+        Why nothing is said of it though it can be read: what its scripts may mean.
     order
         For the O of terms of an order, as in O(x^2), 0; for the o of terms of a higher order, 1.
     varies
@@ -348,7 +348,7 @@ class Notation:
         self._check_variables()
         if bracket and self.letter(bracket, 1).kind != "vector":
             raise SymcheckError(f"brackets cannot combine {bracket}; declare it as a vector with one index")
-        self.wholes = tex.names(x.latex for x in self.letters if x.whole)
+        self.wholes = tex.names(tuple(x.latex for x in self.letters if x.whole))
         self.words = tuple(sorted({k for k, _ in self._letters if len(k) > 1 and k.isalpha()}, key=len, reverse=True))
 
     def _check_variables(self) -> None:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
+from functools import lru_cache
 
 from symcheck.core.verdicts import SymcheckError
 from symcheck.reading import tex
@@ -52,6 +53,7 @@ class Occurrence:
     beside: tuple[str, ...] = ()  # letters behind a dot or a cross before it or behind it
     exponent: bool = False  # does it stand in an exponent of e?
     transposed: bool = False  # does a T stand above it?
+    powered: bool = False  # does an exponent stand behind the brackets that follow it?
     followed: bool = False  # does a small bold letter follow without a sign, behind its arguments?
 
 
@@ -70,7 +72,17 @@ def occurrences(source: str, wholes: Sequence[str] = ()) -> list[Occurrence]:
 
     `wholes` are names that are printed with several tokens.
     """
-    return [*Scan(source, wholes).run(Scope())]
+    return [*_occurrences(source, tuple(wholes))]
+
+
+@lru_cache(maxsize=512)  # several kinds of evidence are taken from one formula
+def _occurrences(source: str, wholes: tuple[str, ...]) -> tuple[Occurrence, ...]:
+    return tuple(Scan(source, wholes).run(Scope()))
+
+
+def first(source: str) -> Occurrence | None:
+    """The first letter of a formula, if it has any."""
+    return next(Scan(source).run(Scope()), None)
 
 
 class Scan(tex.Reader):
@@ -78,7 +90,7 @@ class Scan(tex.Reader):
 
     def __init__(self, source: str, wholes: Sequence[str] = ()) -> None:
         super().__init__(source)
-        self.wholes = tex.names(wholes)
+        self.wholes = tex.names(tuple(wholes))
 
     def whole(self) -> tuple[str, int]:
         """The name of several tokens that begins here, and the dots over it; "" if none does."""
@@ -309,19 +321,25 @@ class Scan(tex.Reader):
             scope.by,
             exponent=scope.exponent,
             transposed=transposed,
+            powered=arguments is not None and self.peek_at(self.behind()) == "^",
             followed=self.vector_follows(),
         )
         yield from inner
 
-    def vector_follows(self) -> bool:
-        """Does a small bold letter stand behind this letter and its arguments, without a sign?"""
+    def behind(self) -> int:
+        """The place behind the brackets that follow here, or here where none do."""
         start, ahead = self.i, self.i
         while self.peek_at(ahead) in SIZES:
             ahead += 1
-        if self.peek_at(ahead) == "(":
-            self.i = ahead
-            ahead = self.closing() + 1
-            self.i = start
+        if self.peek_at(ahead) != "(":
+            return start
+        self.i = ahead
+        end, self.i = self.closing() + 1, start
+        return end
+
+    def vector_follows(self) -> bool:
+        """Does a small bold letter stand behind this letter and its arguments, without a sign?"""
+        ahead = self.behind()
         while self.peek_at(ahead) in SPACES or self.peek_at(ahead) in ACCENTS or self.peek_at(ahead) == "{":
             ahead += 1
         inner = self.peek_at(ahead + 2 if self.peek_at(ahead + 1) == "{" else ahead + 1)

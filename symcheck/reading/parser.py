@@ -46,6 +46,7 @@ from symcheck.reading.tree import (
     Given,
     Iff,
     Implies,
+    Indexed,
     Infinity,
     Integral,
     Interval,
@@ -59,6 +60,7 @@ from symcheck.reading.tree import (
     Neg,
     Norm,
     Number,
+    Operated,
     Or,
     Pair,
     Piecewise,
@@ -75,7 +77,7 @@ from symcheck.reading.tree import (
     Values,
     Words,
     children,
-    walk,
+    nodes,
 )
 
 OF_MATRICES = ("det", "tr")  # functions of which one letter without brackets is the argument
@@ -86,10 +88,14 @@ DIMENSIONLESS = {  # numbers that print abbreviates with two letters
     "Sh": "Sherwood", "Bo": "Bond", "Bi": "Biot", "Pe": "Peclet", "Ec": "Eckert", "Eu": "Euler", "Kn": "Knudsen",
     "Oh": "Ohnesorge", "Bd": "Bond", "Ja": "Jakob", "Fr": "Froude", "Pr": "Prandtl", "Ca": "capillary", "St": "Stokes",
     "Ra": "Rayleigh", "Ga": "Galilei", "Ar": "Archimedes", "Gz": "Graetz", "Ma": "Mach",
+    "Mo": "Morton", "Le": "Lewis", "Ro": "Rossby", "Ta": "Taylor", "Ek": "Ekman",
 }  # fmt: skip
+COUNTERS = frozenset("nkijml")  # letters that count
 ANGLES = frozenset({r"\theta", r"\vartheta", r"\phi", r"\varphi", r"\psi"})
-_PRODUCTS = frozenset({"Fr", "Pr", "Ca", "St", "Ra", "Ga", "Ar", "Ja", "Gr", "Sh", "Sc", "Ma"})  # which they may be too
+# Those of them that may be products too: forces times radii, masses times accelerations.
+_PRODUCTS = frozenset({"Fr", "Pr", "Ca", "St", "Ra", "Ga", "Ar", "Ja", "Gr", "Sh", "Sc", "Ma", "Mo", "Le", "Ro", "Ta"})
 _REMARK = re.compile(r"\\text\{(?:.*~|[A-Za-z][a-z]{4})")  # several words, or a long one, which is no unit
+_WORD = re.compile(r"\\text\{[a-z]{2,}\}")  # in small letters, as a function is called
 _WORDS = re.compile(r"\\text \{[^{}]*\}")  # upright type, in which letters are none
 _PLAIN = (Number, Dots, Name, Add, Neg, Mul)  # of what the values of an index consist
 _LOOSE = frozenset({"exists", "iff", "implies", "either"})  # rules of logical connectives
@@ -220,7 +226,9 @@ class Builder:
 
     def refuse_signs(self, tree: Tree) -> None:
         """Double signs of several relations may switch together or not; only where both hold it does not matter."""
-        chains = [node for _, node in walk(tree) if isinstance(node, Chain)]
+        if r"\pm" not in self.source and r"\mp" not in self.source:
+            return
+        chains = [node for node in nodes(tree) if isinstance(node, Chain)]
         signed = [[_is_signed(member) for member in chain.members] for chain in chains]
         links = [pair for chain in signed for pair in itertools.pairwise(chain) if any(pair)]
         if sum(map(any, signed)) > 1 and not all(map(all, links)):
@@ -316,7 +324,7 @@ class Builder:
         said = [index for qualifier in qualifiers for index in qualifier.indices]
         if twice := [index for index, count in Counter(said).items() if count > 1]:
             raise self.fail(at, f"the values of {twice[0]} are given twice")
-        names = [node for part in parts for _, node in walk(part) if isinstance(node, Name)]
+        names = [node for part in parts for node in nodes(part) if isinstance(node, Name)]
         used = {index for name in names for index in (name.letter, *name.subscripts)}
         if parts and (idle := [index for index in said if index not in used]):
             raise self.fail(at, f"values are given for {idle[0]}, which does not occur")
@@ -454,7 +462,7 @@ class Builder:
         names = [tree for tree in (*trees[:start], first.members[0]) if isinstance(tree, Name)]
         values = (first.members[1], *trees[start + 1 : run])
         finite = all(isinstance(value, Number | Dots) for value in values) and not isinstance(values[-1], Dots)
-        plain = all(type(part) in _PLAIN for value in values for _, part in walk(value))
+        plain = all(type(part) in _PLAIN for value in values for part in nodes(value))
         if Dots() not in values or not plain or (finite and all(map(self.is_index, names))):
             return [], 1
         return [Values(name, values) for name in names], run
@@ -581,6 +589,8 @@ class Builder:
         if len(nodes) == 1:
             return self.product(left)
         right = self.items(nodes[2])
+        if nodes[1].type == "OPERATOR":
+            return self.operated(nodes)
         if nodes[1].type == "TIMES":
             if any(item.kind in ("sum", "integral", "under") for item in left):
                 raise self.fail(nodes[1].value.at, "a cross product behind a sum is ambiguous")
@@ -597,6 +607,16 @@ class Builder:
         if any(item.kind in ("sum", "integral", "under") for item in left + right) or bare:
             raise self.fail(at, "a slash behind a sum or a function without brackets is ambiguous")
         return Div(self.checked(top, at, statements=False), self.checked(bottom, at, statements=False))
+
+    def operated(self, nodes: list[ParseNode]) -> Tree:
+        """Terms with signs between them of which nothing is said: from the left to the right."""
+        several = [self.items(node) for node in nodes[0::2]]
+        if any(item.kind in ("sum", "integral", "under") for items in several for item in items):
+            raise self.fail(nodes[1].value.at, f"{nodes[1].value.value} behind a sum is ambiguous")
+        found = self.plain(several[0])
+        for sign, items in zip(nodes[1::2], several[1:], strict=True):
+            found = Operated(str(sign.value.value), found, self.plain(items))
+        return found
 
     def refuse_quotient(self, top: Tree, bottom: Tree, at: int) -> None:
         """Where d is a letter, d f / d x is no quotient without a word."""
@@ -637,8 +657,8 @@ class Builder:
             node, after = self.factor(items, k, dotted=dotted)
             factors.append(self.checked(node, item.at, statements=False))
             self.refuse_product(item, factors[-1], items[after:], alone=after == k + 1)
-            beside = [*items[max(k - 1, 0) : k], *items[k + 1 : k + 2]]
-            self.refuse_words(factors[-1], item, alone=all(other.kind == "dot" for other in beside))
+            before, behind = items[max(k - 1, 0) : k], items[k + 1 : k + 2]
+            self.refuse_words(factors[-1], item, before, behind)
             k = after
             dotted = False
         vectors = tuple(k for k in dots if self.is_vector(factors[k - 1]) and self.is_vector(factors[k]))
@@ -650,6 +670,9 @@ class Builder:
         if len(names) < 2 or names[0].subscripts or names[0].primes or items[0].postfix:
             return
         word = names[0].letter + names[1].letter.partition("_")[0]
+        told = self.notation.find(names[0].letter, 0)
+        if word != "Re" and (names[1].subscripts or (told is not None and told.meaning)):
+            return
         power = items[1].power.value if isinstance(items[1].power, Neg) else items[1].power
         if word not in DIMENSIONLESS or (word != "Re" and not isinstance(power, Number | None)):
             return
@@ -663,10 +686,14 @@ class Builder:
                 f"the {DIMENSIONLESS[word]} number, or {word[0]} times {word[1]}? write \\cdot, or name one letter",
             )
 
-    def refuse_words(self, factor: Tree, item: Item, *, alone: bool) -> None:
-        """Words are no factor beside others, but a remark, or a part of a name."""
-        if isinstance(factor, Name) and not alone and _REMARK.match(factor.letter):
-            raise self.fail(item.at, "words among factors; leave them out, or write a comma before them")
+    def refuse_words(self, factor: Tree, item: Item, before: list[Item], behind: list[Item]) -> None:
+        """Words are no factor beside others, but a remark, a part of a name, or a function without brackets."""
+        if not isinstance(factor, Name) or not factor.letter.startswith(r"\text{"):
+            return
+        beside = [other for other in (*before, *behind) if other.kind != "dot"]
+        function = _WORD.fullmatch(factor.letter) and any(self.simple(other) for other in behind)
+        if (beside and _REMARK.match(factor.letter)) or function:
+            raise self.fail(item.at, "words among factors; leave them out, or write a comma before them, or brackets")
 
     def refuse_product(self, item: Item, node: Tree, rest: list[Item], *, alone: bool) -> None:
         """What stands behind a factor without a sign must be a factor without a doubt."""
@@ -721,11 +748,11 @@ class Builder:
 
     def has_function(self, tree: Tree) -> bool:
         """Does a function stand here without its arguments?"""
-        calls = [node for _, node in walk(tree) if isinstance(node, Call) and not node.arguments]
+        calls = [node for node in nodes(tree) if isinstance(node, Call) and not node.arguments]
         return any(isinstance(call.function, Name) and self.kind(call.function) == "function" for call in calls)
 
     def is_vector(self, tree: Tree) -> bool:
-        for _, node in walk(tree):
+        for node in nodes(tree):
             if isinstance(node, Tuple | Name) and self.kind(node) == "vector":
                 return True
             letter = self.notation.find(node.letter, len(node.subscripts)) if isinstance(node, Name) else None
@@ -831,6 +858,8 @@ class Builder:
         if isinstance(name, Name) and after is not None and after.kind == "given" and not item.postfix:
             assert after.node is not None
             return self.postfixed(Call(name, (after.node,)), after), k + 2
+        if isinstance(name, Name) and after is not None and not item.postfix and (places := self.places(name, after)):
+            return self.postfixed(Indexed(name, places), after), k + 2
         if not isinstance(name, Name) or after is None or after.kind != "group" or item.postfix not in ("", "CARET"):
             return self.atom(item), k + 1
         if not self.applies(name):
@@ -853,6 +882,20 @@ class Builder:
             )
         return Pow(call, item.power), k + 2
 
+    def places(self, name: Name, after: Item) -> tuple[Tree, ...]:
+        """What stands in square brackets behind a letter as a place: `x[n]`, `x[n + 1]`, `f[x, y]`; else nothing."""
+        letter, inside = self.notation.find(name.letter, len(name.subscripts)), after.node
+        told = letter is not None and letter.meaning and not letter.applies
+        if not after.square or inside is None or told or self.notation.bracket or self.kind(name) == "index":
+            return ()
+        if isinstance(inside, Interval | Tuple):
+            return children(inside)
+        counted = isinstance(inside, Add) and all(
+            isinstance(part.value if isinstance(part, Neg) else part, Name | Number) for part in inside.terms
+        )
+        counts = counted and any(node.letter in COUNTERS for node in nodes(inside) if isinstance(node, Name))
+        return (inside,) if counts or isinstance(inside, Name | Number | Call) else ()
+
     def is_declared(self, name: Name, arguments: tuple[Tree, ...]) -> bool:
         """Are these the very letters that the letter is declared to depend on?"""
         letter = self.notation.letter(name.letter, len(name.subscripts))
@@ -865,6 +908,10 @@ class Builder:
         k += 1
         if head.name in BRACKETED and (k == len(items) or items[k].kind != "group"):
             raise self.fail(head.at, f"the argument of {head.name} must stand in brackets")
+        if k < len(items) and items[k].kind == "given" and head.power is None:
+            given = items[k].node
+            assert given is not None
+            return self.postfixed(Call(head.name, (given,)), items[k]), k + 1
         if k < len(items) and items[k].kind == "group":
             if items[k].postfix:
                 raise self.fail(items[k].at, f"does this power belong to {head.name} or to its argument?")
@@ -889,6 +936,7 @@ class Builder:
                 raise self.fail(items[k].at, f"does what follows belong to the argument of {head.name}? write brackets")
             return self.powered(head, (self.atom(items[k]),)), k + 1
         start = k
+        self.refuse_numbers(items[k : k + 2])
         while k < len(items) and self.simple(items[k]):
             item = items[k]
             if item.postfix and item.postfix != "DEGREE" and not (k == start and self.is_euler(item)):
@@ -921,6 +969,8 @@ class Builder:
         if len(names) != 2 or len(items) != 2:
             return False
         first, second = (name.letter.partition("_")[0] for name in names)
+        if second.startswith(("\\hat", "\\vec", "\\tilde", "\\widehat")):
+            return True
         return first in ANGLES and second not in ("t", r"\tau", "x") and second not in ANGLES
 
     def is_euler(self, item: Item) -> bool:
@@ -1181,6 +1231,12 @@ class Builder:
     def from_int(self, nodes: list[ParseNode], at: int) -> Item:
         return Item("integral", at, bounds=((), self.term_of(nodes[2]), self.term_of(nodes[5])))
 
+    def from_lfloor(self, nodes: list[ParseNode], at: int) -> Item:
+        return Item("atom", at, Call("floor", (self.term_of(nodes[1]),)))
+
+    def from_lceil(self, nodes: list[ParseNode], at: int) -> Item:
+        return Item("atom", at, Call("ceil", (self.term_of(nodes[1]),)))
+
     def from_lset(self, nodes: list[ParseNode], at: int) -> Item:
         return Item("atom", at, self.bracketed(self.build(nodes[1]), "{}"))
 
@@ -1292,7 +1348,7 @@ def _signed(sign: str, term: Tree) -> Tree:
 
 
 def _is_signed(tree: Tree) -> bool:
-    return any(isinstance(node, PlusMinus) for _, node in walk(tree))
+    return any(isinstance(node, PlusMinus) for node in nodes(tree))
 
 
 def _is_words(tree: Tree) -> bool:

@@ -64,6 +64,9 @@ Part = str | Group
 
 def plain(source: str) -> str:
     """The same formula without what is layout alone; what is not balanced is left as it is."""
+    source = _OPTIONS.sub("", source)
+    if not _GAMMA.search(source):
+        source = re.sub(r"\\Gamma(?![A-Za-z])", r"\\varGamma ", source)  # a letter, and no function
     tokens = _with_numbers(source)
     try:
         parts, rest = _groups(tokens, 0)
@@ -72,6 +75,7 @@ def plain(source: str) -> str:
     if rest != len(tokens):
         return source
     text = _TRANSPOSED.sub("^ { T }", _DEFINES.sub("=", _printed(_made_plain(parts))))
+    text = _STOP.sub("", text)
     for pattern, sign in WORDS:
         text = pattern.sub(partial(_parting, sign), text)
     return text
@@ -93,20 +97,50 @@ def _with_words(source: str) -> list[tex.Tok]:
     """The tokens of TeX; functions printed as italic letters become commands, and words in text keep a space."""
     toks, found = tex.tokenize(source), list[tex.Tok]()
     k, text_ends = 0, -1
+    scripts: list[bool] = []  # is each open brace that of a script, or of an argument?
     while k < len(toks):
         tok = toks[k]
+        if tok.text == "{":
+            scripts.append(k > 0 and (toks[k - 1].text in ("_", "^") or toks[k - 1].text[:1] == "\\"))
+        elif tok.text == "}" and scripts:
+            scripts.pop()
         if tok.text in _TEXTS and k + 1 < len(toks) and toks[k + 1].text == "{":
             text_ends = _closing(toks, k + 1)
         if k < text_ends:
             spaced = k > 1 and toks[k - 1].text.isalpha() and tok.text.isalpha() and tok.at > toks[k - 1].at + 1
             found += [tex.Tok("~", tok.at - 1)] if spaced else []
-        elif tok.text.isalpha() and (name := _function_of_letters(toks, k)):
-            found.append(tex.Tok(f"\\{_OTHERWISE.get(name, name)}", tok.at))
-            k += len(name)
+        elif not any(scripts) and (count := _digits_behind(toks, k)):
+            found += [
+                tex.Tok(text, tok.at) for text in (r"\text", "{", *(t.text for t in toks[k : k + 1 + count]), "}")
+            ]
+            k += 1 + count
+            continue
+        elif tok.text.isalpha() and (greek := _greek(toks, k)):
+            found.append(tex.Tok(f"\\{greek}", tok.at))
+            k += len(greek)
+            continue
+        elif tok.text.isalpha() and (word := _function_of_letters(toks, k)):
+            found.append(tex.Tok(f"\\{_OTHERWISE.get(word, word)}", tok.at))
+            k += len(word)
             continue
         found.append(tok)
         k += 1
     return found
+
+
+def _digits_behind(toks: Sequence[tex.Tok], k: int) -> int:
+    """The number of digits that are printed at a letter, as in `v1`, and belong to its name."""
+    before = toks[k - 1] if k else tex.Tok("", -2)
+    if not toks[k].text.isalpha() or before.text in ("_", "^") or before.text[:1] == "\\":
+        return 0
+    if before.at == toks[k].at - 1 and before.text.isalnum():
+        return 0
+    end = k + 1
+    while end < len(toks) and toks[end].text.isdigit() and toks[end].at == toks[k].at + end - k:
+        end += 1
+    behind = toks[end] if end < len(toks) else tex.Tok("", -2)
+    adjacent = behind.at == toks[k].at + end - k and (behind.text.isalnum() or behind.text == ".")
+    return 0 if adjacent else end - k - 1
 
 
 _TEXTS = frozenset({r"\text", r"\textrm", r"\mbox", r"\textnormal", r"\textit", r"\mathrm", r"\mathit"})
@@ -123,6 +157,17 @@ def _closing(toks: Sequence[tex.Tok], k: int) -> int:
         if not depth:
             return m
     return len(toks)
+
+
+def _greek(toks: Sequence[tex.Tok], k: int) -> str:
+    """The Greek letter that is typed here by its name; those of two letters may be products."""
+    if k and toks[k - 1].text.isalpha() and toks[k - 1].at == toks[k].at - 1:
+        return ""
+    end = k
+    while end < len(toks) and toks[end].text.isalpha() and toks[end].at == toks[k].at + end - k:
+        end += 1
+    word = "".join(tok.text for tok in toks[k:end])
+    return word if len(word) > 2 and f"\\{word}" in LETTER_COMMANDS else ""
 
 
 def _function_of_letters(toks: Sequence[tex.Tok], k: int) -> str:
@@ -268,10 +313,9 @@ def _made_plain_here(parts: list[Part]) -> list[Part]:
         part = parts[k]
         if isinstance(part, Group):
             inner, after = _made_plain(part.parts), parts[k + 1] if k + 1 < len(parts) else ""
-            argument = (
-                bool(found) and str(found[-1]) in _BARE and after not in ("^", "_", "'") and not _is_bracket(inner)
-            )
-            found += ["(", *inner, ")"] if argument and inner else _loose(inner, found, after)
+            argument = bool(inner and found) and str(found[-1]) in _BARE and after not in ("^", "_", "'")
+            bracketed = argument and not _is_bracket(inner)
+            found += ["(", *inner, ")"] if bracketed else _loose(inner, found, after)
             k += 1
             continue
         part = SAME.get(part, part)
@@ -452,6 +496,9 @@ def _texts(parts: Sequence[Part]) -> Iterator[str]:
 
 
 _QUADS = r"(?:(?:\\q?quad|\\[,;: ]|,)\s*)*"
+_OPTIONS = re.compile(r"\[\s*[a-z]{3,}=[^\]]*\]\s*(?=\{)")  # of a command that is not there any more
+_STOP = re.compile(r"\\text \{ (?:[.,;:~] )+\}")  # punctuation in text
+_GAMMA = re.compile(r"\\Gamma(?![A-Za-z])(?:\s|_\s*(?:\w|\{[^{}]*\}))*(?:\\left|\\[bB]igg?l?)?\s*\(")
 WIDE = r", \quad"
 WORDS = tuple(  # that part relations: what stands behind them holds as well, or says when the others hold
     (re.compile(rf"(?:{_QUADS} )?\\(?:text|mathrm) {{ \s*(?:{words})[\s,:~]* }}(?: {_QUADS})?"), sign)

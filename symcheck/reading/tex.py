@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import lru_cache
 from typing import NoReturn
 
 from symcheck.core.verdicts import SymcheckError
@@ -19,6 +20,8 @@ _TAG = re.compile(
 _TAIL = re.compile(rf"(?:{_SPACE}|[.,;])+$")  # spaces and punctuation at the end of a formula
 
 MAX_DEPTH = 30  # of brackets; the papers have less than ten
+_LETTERS = STYLES | ACCENTS | ROMAN | LETTER_COMMANDS
+_STYLED = STYLES | ACCENTS
 _OPENING, _CLOSING = frozenset({"{", "(", "[", r"\{"}), frozenset({"}", ")", "]", r"\}"})
 
 
@@ -67,7 +70,12 @@ def split_tag(latex: str) -> tuple[str, str | None]:
 
 def tokenize(source: str) -> list[Tok]:
     """All TeX tokens; white space separates and is dropped."""
-    return [Tok(m[0], m.start()) for m in _TOKEN.finditer(source)]
+    return [*_tokens(source)]
+
+
+@lru_cache(maxsize=2048)  # a formula is scanned for several kinds of evidence, and by the reader
+def _tokens(source: str) -> tuple[Tok, ...]:
+    return tuple(Tok(m[0], m.start()) for m in _TOKEN.finditer(source))
 
 
 class Reader:
@@ -128,7 +136,7 @@ class Reader:
             if not inside:
                 self.fail("an empty name", start)
             return f"\\text{{{''.join(t.text for t in inside)}}}"
-        if text in STYLES | ACCENTS:
+        if text in _STYLED:
             self.i += 1
             start = self.at()
             inside = self.group()
@@ -148,7 +156,7 @@ def _spaced(tokens: list[Tok]) -> list[str]:
 
 def is_letter(text: str) -> bool:
     """Can this token begin a letter?"""
-    return text in STYLES | ACCENTS | ROMAN | LETTER_COMMANDS or text.isalpha()
+    return text in _LETTERS or text.isalpha()
 
 
 def no_letter(latex: str) -> str:
@@ -223,7 +231,8 @@ def without_dots(latex: str) -> str:
     return " ".join([*tokens[:start], *tokens[start + 2 : end - 1], *tokens[end:]])
 
 
-def names(wholes: Iterable[str]) -> tuple[tuple[tuple[str, ...], str, int], ...]:
+@lru_cache(maxsize=512)  # all readings of a formula have the same
+def names(wholes: tuple[str, ...]) -> tuple[tuple[tuple[str, ...], str, int], ...]:
     """The tokens of names of several tokens, also with dots over their letters, the longest first."""
     forms = {
         (tuple(tok.text for tok in tokenize(with_dots(latex, dots))), latex, dots)

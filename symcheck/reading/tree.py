@@ -157,6 +157,23 @@ class Marked(Tree):
 
 
 @dataclass(frozen=True, slots=True)
+class Indexed(Tree):
+    """`x[n]`: a letter with places in square brackets, as an entry of a sequence has, or a value of a function."""
+
+    name: Tree
+    places: tuple[Tree, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Operated(Tree):
+    r"""`a \otimes b`: two terms with a sign between them of which the notation says nothing."""
+
+    sign: str
+    left: Tree
+    right: Tree
+
+
+@dataclass(frozen=True, slots=True)
 class Given(Tree):
     """`(a | b)`: what stands before a bar in brackets, on the condition behind it; or `(x; p)`, with parameters."""
 
@@ -413,15 +430,26 @@ Path = tuple[int, ...]
 
 def children(tree: Tree) -> tuple[Tree, ...]:
     """The nodes directly below, in printed order."""
-    return tuple(_trees([getattr(tree, f.name) for f in fields(tree)]))  # type: ignore[arg-type]
+    return tuple(_trees([getattr(tree, name) for name in _names(type(tree))]))
 
 
-def _trees(value: object) -> Iterator[Tree]:
+_FIELDS: dict[type[Tree], tuple[str, ...]] = {}
+
+
+def _names(kind: type[Tree]) -> tuple[str, ...]:
+    """The names of the fields of a kind of node."""
+    found = _FIELDS.get(kind)
+    if found is None:
+        found = _FIELDS[kind] = tuple(field.name for field in fields(kind))  # type: ignore[arg-type]
+    return found
+
+
+def _trees(value: object) -> list[Tree]:
     if isinstance(value, Tree):
-        yield value
-    elif isinstance(value, list | tuple):
-        for item in value:
-            yield from _trees(item)
+        return [value]
+    if isinstance(value, list | tuple):
+        return [each for item in value for each in _trees(item)]
+    return []
 
 
 def with_children(tree: T, new: tuple[Tree, ...]) -> T:
@@ -433,7 +461,7 @@ def with_children(tree: T, new: tuple[Tree, ...]) -> T:
             return next(supply)
         return tuple(map(swap, value)) if isinstance(value, tuple) else value
 
-    return type(tree)(*[swap(getattr(tree, f.name)) for f in fields(tree)])  # type: ignore[arg-type]
+    return type(tree)(*[swap(getattr(tree, name)) for name in _names(type(tree))])
 
 
 def walk(tree: Tree, path: Path = ()) -> Iterator[tuple[Path, Tree]]:
@@ -441,6 +469,15 @@ def walk(tree: Tree, path: Path = ()) -> Iterator[tuple[Path, Tree]]:
     yield path, tree
     for k, child in enumerate(children(tree)):
         yield from walk(child, (*path, k))
+
+
+def nodes(tree: Tree) -> Iterator[Tree]:
+    """Every node, the root first, without its path."""
+    waiting = [tree]
+    while waiting:
+        tree = waiting.pop()
+        yield tree
+        waiting += reversed(children(tree))
 
 
 def replaced(tree: Tree, path: Path, new: Tree) -> Tree:
