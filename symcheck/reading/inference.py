@@ -275,6 +275,7 @@ UNIT = r"\text{i}"
 _CROSS = re.compile(r"(?<![\d}])\s*\\times(?!\s*\d)|\}\s*\\times(?!\s*\d)")  # not beside a printed number
 
 
+# what shows that brackets hold a number
 _SCALAR = re.compile(r"[(|\[]|\\(?:frac|cdot|sqrt)|\d")
 
 
@@ -467,6 +468,7 @@ def _initials(formulas: Sequence[str]) -> dict[str, str]:
     return found
 
 
+# x'Qx, a quadratic form
 _FORM = re.compile(r"(?<![A-Za-z\\])([a-z]) ' (?:[A-Z]|\\mathbf \{ [A-Z] \}) ([a-z])(?![A-Za-z])")
 
 

@@ -498,6 +498,7 @@ def _texts(parts: Sequence[Part]) -> Iterator[str]:
 _QUADS = r"(?:(?:\\q?quad|\\[,;: ]|,)\s*)*"
 _OPTIONS = re.compile(r"\[\s*[a-z]{3,}=[^\]]*\]\s*(?=\{)")  # of a command that is not there any more
 _STOP = re.compile(r"\\text \{ (?:[.,;:~] )+\}")  # punctuation in text
+# the gamma function, which stands before its argument
 _GAMMA = re.compile(r"\\Gamma(?![A-Za-z])(?:\s|_\s*(?:\w|\{[^{}]*\}))*(?:\\left|\\[bB]igg?l?)?\s*\(")
 WIDE = r", \quad"
 WORDS = tuple(  # that part relations: what stands behind them holds as well, or says when the others hold

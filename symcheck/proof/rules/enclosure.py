@@ -12,7 +12,7 @@ from fractions import Fraction
 from typing import NamedTuple
 
 from symcheck.checker.enclosures import FUNCTIONS, between
-from symcheck.core.calculus import Unknown, letters, substituted
+from symcheck.core.calculus import Unknown, letters, nodes, substituted
 from symcheck.core.problems import Problem
 from symcheck.core.terms import PI, RELATIONS, Connective, Formula, Node, Term, Value, node
 from symcheck.proof.algebra.facts import NOTHING, Assumed, Hypothesis, Positive, Signed
@@ -113,8 +113,13 @@ class Numbers:
 
     def ends(self, pair: Compared) -> Ends:
         """Decimals of the term, as few digits as tell it from the bound, or the most there are."""
+        number = self.number(pair.term)
+        if any(
+            part.tag == "integral" for whole in nodes(number) if whole.tag == "integral" for part in nodes(*whole[1:])
+        ):
+            raise Unknown("the digits of an integral in an integral, which take seconds")
         for digits in DIGITS:
-            low, high = map(constant, between(self.number(pair.term), digits))
+            low, high = map(constant, between(number, digits))
             found = Ends(digits, low, high)
             if found.side(pair.bound) is not None:
                 break
