@@ -15,7 +15,21 @@ from symcheck.question.order_of_factors import relies_on_order
 from symcheck.question.prepare import DEFINED, Reading
 from symcheck.reading import Tree, read, tex, to_latex
 from symcheck.reading.landau import terms_of_order
-from symcheck.reading.tree import Add, Antiderivative, BigSum, Call, Chain, Div, Name, Number, Pow, Root, Sqrt, walk
+from symcheck.reading.tree import (
+    Add,
+    Antiderivative,
+    BigSum,
+    Call,
+    Chain,
+    Div,
+    Limiting,
+    Name,
+    Number,
+    Pow,
+    Root,
+    Sqrt,
+    walk,
+)
 
 GREEK = frozenset({r"\mu", r"\nu", r"\rho", r"\sigma", r"\lambda", r"\kappa"})  # indices, above too: hardly exponents
 INDICES = frozenset("ijklmn") | GREEK
@@ -96,6 +110,8 @@ def doubt(reading: Reading) -> str:
         return f"is {units[0].latex} always of length 1? say so, as |{units[0].latex}| = 1, or what it is"
     if name := _integrated(reading):
         return f"does the integral say what {name} is? give another equation for it, or the integral with its bounds"
+    if name := _limited(reading):
+        return f"does the limit say what {name} is? give another equation for it"
     if polynomial := _order_of_polynomials(reading):
         return f"{polynomial} where its letter goes to 0, or to infinity? compare coefficients"
     if index := next(_repeated(reading.tree), ""):
@@ -139,7 +155,12 @@ def _order_of_polynomials(reading: Reading) -> str:
     orders = terms_of_order(reading.tree, notation=notation)
     trees = [reading.tree, *(read(right, notation) for _, _, right in defined.values())] if orders else []
     parts = [part for tree in trees for _, part in walk(tree) if part not in {call for _, _, call in orders}]
-    bends = any(isinstance(p, Call | Sqrt | Root) or (isinstance(p, Div) and _has_letters(p.bottom)) for p in parts)
+    bends = any(
+        isinstance(p, Call | Sqrt | Root)
+        or (isinstance(p, Div) and _has_letters(p.bottom))
+        or (isinstance(p, Pow) and _has_letters(p.exponent))
+        for p in parts
+    )
     return "" if bends or not orders else to_latex(orders[0][2])
 
 
@@ -177,6 +198,17 @@ def _matrix_of_vector(reading: Reading, said: set[str]) -> str:
         of_vector = any(isinstance(each, Name) and each.letter in vectors for each in arguments)
         if isinstance(name, Name) and name.letter not in {*said, *known} and of_vector:
             return f"is {name.letter} of a vector a number, a vector or a matrix? say what it is"
+    return ""
+
+
+def _limited(reading: Reading) -> str:
+    """A letter that is equal to a limit and occurs nowhere else."""
+    members = reading.tree.members if isinstance(reading.tree, Chain) else ()
+    elsewhere = " ".join((*reading.source[0].where, *reading.source[0].given))
+    names = [part for _, part in walk(reading.tree) if isinstance(part, Name)]
+    for name in (m for m in members if isinstance(m, Name) and any(isinstance(other, Limiting) for other in members)):
+        if names.count(name) == 1 and name.letter not in elsewhere:
+            return to_latex(name)
     return ""
 
 

@@ -77,9 +77,9 @@ def of(problem: Problem) -> Jets | None:
 
 
 def without(problem: Problem) -> Jets:
-    """The problem itself, its derivatives at 0 taken."""
+    """The problem itself, its derivatives at places taken."""
     trees = [problem.claim, *(f for _, fs in problem.hypotheses for f in fs)]
-    if any(part.tag == "diff" and part.outside[-1] == 0 for part in nodes(*trees)):
+    if any(part.tag == "diff" and part.outside[-1] != part.bound[0] for part in nodes(*trees)):
         with suppress(Unknown, Unsupported):
             problem = _expanded(problem)
     return Jets(problem, True)

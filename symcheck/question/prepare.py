@@ -29,6 +29,7 @@ from symcheck.reading.names import is_letter, names_of_several_tokens
 from symcheck.reading.occurrences import occurrences
 from symcheck.reading.parser import dependence
 from symcheck.reading.surface import plain, with_plain_differentials
+from symcheck.reading.tree import Limiting, walk
 
 _MEMBER = re.compile(r"^(.+?)\s*\\in\s*(.+)$", re.DOTALL)  # "a, b \in \mathbb{R}"
 _SETS = {"R": "", "Z": "integer", "N": "integer", "Q": "", "C": "complex"}
@@ -292,13 +293,15 @@ def _reading(
     stated_ = [*claims, *(f for _, fs in hypotheses for f in fs)]
     order = _sorted(terms)
     whole = [*stated_, *(terms[name] for name in order)]
-    if any(letter.order is not None for letter in notation.letters):
+    limiting = any(isinstance(part, Limiting) for _, part in walk(tree))
+    if limiting or any(letter.order is not None for letter in notation.letters):
         _refuse_unsolved(claims, [f for _, fs in hypotheses for f in fs])
     printed = dict.fromkeys((*domain(*whole), *begun(*whole)))
     valued = tuple(each for each in printed if letters(each) or functions(each))
     for each in printed:
         if each not in valued and not _may_hold(each):
-            raise SymcheckError(f"a printed term has no value, as {term(each)} is not so")
+            error = NoForm if limiting else SymcheckError
+            raise error(f"a printed term has no value, as {term(each)} is not so")
     if valued:
         hypotheses.append((DEFINED, valued))
     needed = set().union(*map(letters, (*stated_, *valued)))
@@ -336,6 +339,8 @@ def _differentiated(
         if x not in varying:
             continue
         rate = total(terms[x], varying)
+        if rate == 0:
+            raise SymcheckError(f"how does {x} vary? print the differentials of what it depends on")
         if differential(x) not in terms:
             terms[differential(x)] = rate
             held[""] |= _held([rate], varying)

@@ -54,6 +54,7 @@ from symcheck.reading.components import (
 from symcheck.reading.differentials import differential, refuse_uneven, total
 from symcheck.reading.functions import SPELLED, applied
 from symcheck.reading.landau import coefficient, terms_of_order, vanishing, without
+from symcheck.reading.limits import equated, tends
 from symcheck.reading.notation import TIMES, Letter, Notation, variable
 from symcheck.reading.parser import dependence, read
 from symcheck.reading.printing import to_latex
@@ -331,6 +332,8 @@ class Lowering:
             return [self.by_cases(found[0], left, sign, right, env)]
         if any(isinstance(part, Antiderivative) for side in (left, right) for part in nodes(side)):
             return self.primitive(left, sign, right, env)
+        if isinstance(left, Limiting) != isinstance(right, Limiting) and sign == "=":
+            return self.limit(left, right, env) if isinstance(left, Limiting) else self.limit(right, left, env)
         if orders := terms_of_order(left, right, notation=self.notation):
             return self.up_to_order(orders, left, sign, right, env)
         if sign == r"\in" and isinstance(right, Interval | Pair):
@@ -359,6 +362,25 @@ class Lowering:
         if sign == r"\ne":
             return [node("or", *pairs)]
         raise SymcheckError(f"{to_latex(left)} {sign} {to_latex(right)} orders vectors; only scalars can be")
+
+    def limit(self, tree: Tree, value: Tree, env: Env) -> list[Formula]:
+        """An equation that says what a limit is."""
+        assert isinstance(tree, Limiting)
+        goes = tends(tree.scripts) if tree.operator == "lim" else None
+        if goes is None:
+            raise NoForm(f"{to_latex(tree)} has no algebraic form; state it formally")
+        letter, place = goes
+        elsewhere = {part.letter for part in nodes(value) if isinstance(part, Name)}
+        for call in (part for part in nodes(tree.body) if isinstance(part, Call)):
+            name = call.function
+            if isinstance(name, Name) and name.letter not in self.defined and name.letter not in elsewhere:
+                raise NoForm(f"{to_latex(tree)}: what is {to_latex(name)}? say it in an equation")
+        x = self.variable(read(letter, self.notation), env)
+        at = self.scalar(read(place, self.notation), env) if place else None
+        body = self.written_out(self.scalar(tree.body, env), tree, env)
+        found = equated(body, x, at, self.written_out(self.scalar(value, env), tree, env))
+        self.met.pop(x, None)
+        return found
 
     def up_to_order(
         self, found: list[tuple[Tree, Path, Call]], left: Tree, sign: str, right: Tree, env: Env

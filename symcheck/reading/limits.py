@@ -1,0 +1,99 @@
+r"""Equations that say what a limit is: `\lim_{x \to a} N/D = L`, decided by derivatives at a.
+
+If D vanishes at a to the order k, N/D tends to L exactly if the derivatives of N - L D up to the k-th vanish there.
+"""
+
+from __future__ import annotations
+
+import re
+
+from symcheck.core.calculus import letters
+from symcheck.core.terms import Formula, Node, Term, node
+from symcheck.core.verdicts import NoForm, SymcheckError
+from symcheck.reading.sympy_bridge import from_sympy, to_sympy
+
+# x \to a, from one side perhaps
+_TENDS = re.compile(r"^_\{\s*(.+?)\s*\\(?:to|rightarrow|longrightarrow)(?![A-Za-z])\s*(.+?)\s*\}$")
+_SIDE = re.compile(r"\s*\^\s*\{?\s*[+-]\s*\}?$")  # from above or from below
+_INFINITE = re.compile(r"\+?\s*\\infty$")
+MOST = 6  # derivatives: each is longer than the one before
+FAULTS = (ArithmeticError, ValueError, TypeError, AttributeError, NotImplementedError, RecursionError)  # of SymPy
+
+
+def tends(scripts: str) -> tuple[str, str] | None:
+    r"""What goes where, from the scripts of a limit as printed; "" for infinity."""
+    match = _TENDS.match(scripts)
+    if match is None:
+        return None
+    place = _SIDE.sub("", match[2])
+    return match[1], "" if _INFINITE.match(place) else place
+
+
+def equated(body: Term, x: str, place: Term | None, value: Term) -> list[Formula]:
+    """That a term tends to a value as a letter goes to a place, or to infinity."""
+    if x in letters(value):
+        raise NoForm(f"a limit that depends on {x}, of which it is taken")
+    top, bottom = quotient(body) if place is not None else _inverted(body, x)
+    at: Term = 0 if place is None else place
+    order = _order(bottom, x, at)
+    gap = node("+", top, node("-", node("*", value, bottom)))
+    lowest = node("diff", bottom, x, order, at)
+    found: list[Formula] = [node("=", node("diff", bottom, x, n, at), 0) for n in range(order)]
+    found += [node("=", node("diff", gap, x, n, at), 0) for n in range(order)]
+    return [*found, node("=", node("/", node("diff", gap, x, order, at), lowest), 0)]
+
+
+def quotient(term: Term) -> tuple[Term, Term]:
+    """Top and bottom of a term made of fractions."""
+    if not isinstance(term, Node) or term.tag not in ("+", "*", "-", "/", "^"):
+        return term, 1
+    if term.tag == "^":
+        base, exponent = term.terms
+        top, bottom = quotient(base)
+        if not isinstance(exponent, int) or (exponent > 0 and bottom == 1):
+            return term, 1
+        powers = [part if part == 1 else node("^", part, abs(exponent)) for part in (top, bottom)]
+        return (powers[0], powers[1]) if exponent > 0 else (powers[1], powers[0])
+    parts = [quotient(part) for part in term.terms]
+    if term.tag == "-":
+        return node("-", parts[0][0]), parts[0][1]
+    if term.tag == "/":
+        (a, b), (c, d) = parts
+        return _product(a, d), _product(b, c)
+    if term.tag == "*":
+        return _product(*(top for top, _ in parts)), _product(*(bottom for _, bottom in parts))
+    bottoms = [bottom for _, bottom in parts]
+    tops = [_product(top, *bottoms[:k], *bottoms[k + 1 :]) for k, (top, _) in enumerate(parts)]
+    return node("+", *tops), _product(*bottoms)
+
+
+def _product(*terms: Term) -> Term:
+    kept = [term for term in terms if term != 1]
+    return node("*", *kept) if len(kept) > 1 else kept[0] if kept else 1
+
+
+def _inverted(body: Term, x: str) -> tuple[Term, Term]:
+    """Top and bottom in the inverse of a letter that goes to infinity."""
+    import sympy
+
+    letter, small = sympy.Symbol(x, real=True), sympy.Symbol(x, positive=True)
+    try:
+        expr = sympy.cancel(sympy.together(to_sympy(body).subs(letter, 1 / small)))
+        top, bottom = (from_sympy(part.subs(small, letter)) for part in sympy.fraction(expr))
+    except (SymcheckError, *FAULTS):
+        raise NoForm(f"a limit for large {x} that is no quotient of sums has no algebraic form") from None
+    return top, bottom
+
+
+def _order(bottom: Term, x: str, at: Term) -> int:
+    """How often a denominator vanishes at a place; that it does is part of what is stated."""
+    import sympy
+
+    try:
+        expr, letter, place = to_sympy(bottom), to_sympy(x), to_sympy(at)
+        for order in range(MOST):
+            if sympy.simplify(sympy.diff(expr, letter, order).subs(letter, place)) != 0:
+                return order
+    except (SymcheckError, *FAULTS):
+        pass
+    raise NoForm("a limit whose denominator vanishes to a high order, or has no derivatives, has no algebraic form")
