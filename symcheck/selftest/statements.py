@@ -19,7 +19,7 @@ from symcheck.audit.obligation import obligation_of
 from symcheck.core.claims import Erratum, Hypothesis, for_letter
 from symcheck.core.ids import Id
 from symcheck.core.problems import Problem
-from symcheck.core.terms import node
+from symcheck.core.terms import Formula, node
 from symcheck.core.verdicts import Role, SymcheckError, Verdict
 from symcheck.ledger.record import Record
 from symcheck.proof import fails_without
@@ -108,7 +108,7 @@ def status_of(original: Proved, edit: Edit) -> Status:
     """
     try:
         changed = with_slip(original, edit)
-        if _is_lost_in_reading(original, changed, edit):
+        if _is_lost_in_reading(original, edit):
             return Status.ACCEPTED  # the reader drops the slip
         if edit.kind != EQUALITY and says_the_same(original, changed):
             return Status.EQUIVALENT
@@ -134,20 +134,24 @@ def with_slip(original: Proved, edit: Edit) -> Proved:
     return Proved(context.having(item=replace(context.item, statement=statement)), unit, given)
 
 
-def _is_lost_in_reading(original: Proved, changed: Proved, edit: Edit) -> bool:
+def _is_lost_in_reading(original: Proved, edit: Edit) -> bool:
     """Whether the reader, or the way from what is read to formulas, forgets that there is a slip.
 
     If the formulas are the same, but for any other change at the place too, the place is dropped.
     """
-    if edit.kind == EQUALITY:
-        return original.context.lower(original.equality) == changed.context.lower(changed.equality)
-    if changed.unit.formulas != original.unit.formulas:
+
+    def stated(tree: Tree) -> tuple[Formula, ...]:
+        if edit.kind == EQUALITY:
+            return lower(tree, original.context.notation)
+        return original.unit.reworded(original.context, tree).formulas
+
+    before = read(original.equality, original.context.notation) if edit.kind == EQUALITY else original.unit.tree
+    if stated(edit.tree) != stated(before):
         return False
-    path = _where(original.unit.tree, edit.tree)
-    node = dict(walk(original.unit.tree))[path]
+    path = _where(before, edit.tree)
+    node = dict(walk(before))[path]
     try:
-        other = replaced(original.unit.tree, path, Add((node, Number("7"))))
-        return original.unit.reworded(original.context, other).formulas == original.unit.formulas
+        return stated(replaced(before, path, Add((node, Number("7"))))) == stated(before)
     except SymcheckError:
         return False  # what stands there matters
 
