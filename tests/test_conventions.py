@@ -57,6 +57,9 @@ VERDICTS: dict[str, list[tuple[str, list[str]]]] = {
         (r"d(x y) = x\,dy + y\,dx", []),
         (r"\lim_{x \to 0} \frac{\sin a x}{\sin b x} = \frac{a}{b}", []),
         (r"\lim_{h \to 0} \frac{f(x + h) - f(x)}{h} = f'(x)", []),
+        (r"\frac{d}{dx} (x e^x) = (x + 1) e^x", []),
+        (r"\frac{d e^x}{dx} = e^x", []),
+        (r"\frac{d}{dx} e^{ix} = i e^{ix}", []),
         (r"\lim_{x \to 1} \frac{x^2 - 1}{x - 1} = 2", []),
         (r"\lim_{x \to \infty} \frac{2x^2 + 1}{x^2 - x} = 2", []),
         (r"\lim_{s \to 0} s G(s) = \frac{K}{a}", [r"G(s) = \frac{K}{s(s + a)}"]),
@@ -112,6 +115,7 @@ VERDICTS: dict[str, list[tuple[str, list[str]]]] = {
     ],
     "refuted": [
         (r"\sin x = 2x + O(x^3)", []),
+        (r"\left(\sum_{i=1}^n a_i\right)^2 = n \sum_{i=1}^n a_i^2", []),
         (r"\lim_{x \to 0} \frac{\sin a x}{\sin b x} = \frac{b}{a}", []),
         (r"\lim_{x \to 0} \frac{1 - \cos x}{x^2} = 1", []),
         (r"\lim_{x \to 0} \frac{1}{x} = 0", []),
@@ -155,6 +159,7 @@ VERDICTS: dict[str, list[tuple[str, list[str]]]] = {
         (r"[\mathbf{a}]_\times \mathbf{b} = \mathbf{b}\times\mathbf{a}", []),
     ],
     "ambiguous": [
+        (r"\hat{\mathbf{a}} = \frac{\mathbf{a}}{|\mathbf{a}|}", []),
         ("x^2 + x + 1 = x^2 + O(x)", []),
         (r"y = \lim_{h \to 0} \frac{f(x + h) - f(x)}{h}", ["f(x) = x^2"]),
         (r"d(x y) = x\,dy", []),
@@ -187,6 +192,8 @@ VERDICTS: dict[str, list[tuple[str, list[str]]]] = {
         (r"\sigma^2 = E[X^2] - \mu^2", []),
     ],
     "undecided": [
+        (r"\int_0^1 f(t)^2 \,dt = \left(\int_0^1 f(t) \,dt\right)^2", []),
+        (r"\int_0^1 f(t) \,dt = f(t)", []),
         (r"y = 1 + \frac{x}{2} + O(x^2)", ["y^2 = 1 + x"]),
         (r"\sin n = n + O(n)", []),
         ("x < 1 + O(x)", []),

@@ -108,6 +108,9 @@ def doubt(reading: Reading) -> str:
     units = [g.letter for g in reading.inference.guesses if _UNIT_VECTOR.match(g.letter.latex) and g.letter.depends]
     if units and not {*said, *reading.source[2]} & {each.latex for each in units}:
         return f"is {units[0].latex} always of length 1? say so, as |{units[0].latex}| = 1, or what it is"
+    spelled = {g.letter.latex for g in reading.inference.guesses}
+    if named := [x for x in spelled if _UNIT_VECTOR.match(x) and x[x.find("{") + 1 : -1] in spelled and x not in said]:
+        return f"is {named[0]} the unit vector along {named[0][named[0].find('{') + 1 : -1]}? say what it is"
     if name := _integrated(reading):
         return f"does the integral say what {name} is? give another equation for it, or the integral with its bounds"
     if name := _limited(reading):

@@ -56,6 +56,9 @@ def of(problem: Problem) -> Jets | None:
     places = {call.terms for call in calls}
     if len(places) != 1 or not all(isinstance(x, str) for x in next(iter(places))):
         return None
+    bound = {x for part in nodes(*stated) for x in part.bound}
+    if any(set(place) & bound for place in places):
+        return None  # these are many places, at which a function has many values
     (place,) = places
     names = {call: _name(call) for call in calls}
     taken = set().union(*map(letters, stated)) | {name for name, _ in plain.definitions}

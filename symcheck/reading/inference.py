@@ -714,7 +714,8 @@ def _as_said(of: Evidence, every: Mapping[str, Evidence]) -> Guess:
 def _number(of: Evidence, every: Mapping[str, Evidence]) -> list[Guess]:
     """What e, i, j and pi may be."""
     latex = of.spelling
-    if latex != r"\pi" and (of.dotted or (of.arguments and _common_arguments(of)) or _is_derived(of)):
+    derived = any(p.role == "derived" and p.before in ("d", r"\partial") and p.superscript is None for p in of.places)
+    if latex != r"\pi" and (of.dotted or (of.arguments and _common_arguments(of)) or derived):
         return []  # a number depends on nothing
     if latex == r"\pi":
         return [Guess(Letter(latex, number="pi"), "the number pi", "so it is written")]
