@@ -16,6 +16,7 @@ BOLD = frozenset({r"\mathbf", r"\boldsymbol", r"\bm", r"\pmb", r"\vec"})
 SIGNED_SUMS = frozenset({r"\sum", r"\prod"})
 FRACTIONS = frozenset({r"\frac", r"\dfrac", r"\tfrac"})
 TRANSPOSED = frozenset({("T",), (r"\top",), (r"\intercal",)})  # superscripts that transpose a matrix
+INTEGRALS = frozenset({r"\int", r"\iint", r"\iiint", r"\oint"})
 DIFFERENTIALS = frozenset({"d", r"\partial", r"\text{d}"})
 
 
@@ -128,11 +129,14 @@ class Scan(tex.Reader):
                 self.environment()
             elif text in SIGNED_SUMS:
                 yield from self.bounded(scope)
-            elif text in (r"\int", r"\iint", r"\iiint", r"\oint"):
+            elif text in INTEGRALS:
                 scope.integral = True
                 self.i += 1
             elif text in FRACTIONS:
                 yield from self.fraction(scope)
+            elif text == "_" and before in INTEGRALS:
+                self.i += 1
+                yield from self.inside(Scope(scope.role, scope.by, exponent=scope.exponent))
             elif text == "_":
                 yield from self.script(scope, "subscript")
             elif text == "^" and self.transposes():

@@ -786,6 +786,7 @@ class Builder:
             alone = k + 2 == len(items) and items[k + 1].kind in ("group", "atom", "fraction")
             if not alone and k + 1 < len(items) and items[k + 1].kind == "function":
                 alone = self.call(items, k + 1)[1] == len(items)
+            alone = alone or (k + 1 < len(items) and items[k + 1].kind == "integral")  # which reaches to the end
             if not alone:
                 raise self.fail(item.at, "what this operator applies to is ambiguous; put it in brackets")
             body, variables, partial = self.plain(items[k + 1 :]), item.variables, item.partial
