@@ -15,6 +15,7 @@ from symcheck.reading.sympy_bridge import from_sympy, to_sympy
 # x \to a, from one side perhaps
 _TENDS = re.compile(r"^_\{\s*(.+?)\s*\\(?:to|rightarrow|longrightarrow)(?![A-Za-z])\s*(.+?)\s*\}$")
 _SIDE = re.compile(r"\s*\^\s*\{?\s*[+-]\s*\}?$")  # from above or from below
+# the place of a limit for large values
 _INFINITE = re.compile(r"\+?\s*\\infty$")
 MOST = 6  # derivatives: each is longer than the one before
 FAULTS = (ArithmeticError, ValueError, TypeError, AttributeError, NotImplementedError, RecursionError)  # of SymPy

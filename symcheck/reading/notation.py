@@ -86,12 +86,12 @@ class Letter:
         Whether this matrix is the identity.
     partial
         For a letter such as f_{xy}, a derivative of a function: that function, and the letters by which it is taken.
-    doubt
-        Why nothing is said of it though it can be read: what its scripts may mean.
     order
         For the O of terms of an order, as in O(x^2), 0; for the o of terms of a higher order, 1.
     varies
         Whether differentials of it are printed, as in dx; other letters are constant in differentials.
+    doubt
+        Why nothing is said of it though it can be read: what its scripts may mean.
 
     Raises
     ------
