@@ -11,7 +11,7 @@ from collections.abc import Callable, Iterable, Sequence
 
 from symcheck.checker.algebra import Algebra, Divisors, Known, exact, height
 from symcheck.checker.residues import PRIME, Reject, inverse, polynomials, rational, require
-from symcheck.checker.theorems import Argument, instance
+from symcheck.checker.theorems import Argument, instance, shown
 from symcheck.core.calculus import letters, substituted
 from symcheck.core.fields import Fields, by_key, listed, raw, text
 from symcheck.core.formulas import FALSE, conjuncts, contrary
@@ -261,7 +261,7 @@ class Prover:
         premises, conclusion = instance(name, given, {self.reader.letter(x): t for x, t in numbers.items()})
         for premise, proof in paired(premises, step.take("premises", LIST)):
             self.branch(premise, proof)
-        nonzero = self.cleared(conclusion.outside[0]) if name.startswith("antiderivative") else ()
+        nonzero = [value for part in shown(name, given) for value in self.cleared(part)]
         if isinstance(conclusion, Quantified):
             conclusion = self.opened(conclusion, step, goal)
         self.branch(goal, step.take("then", raw), conclusion, nonzero=nonzero)

@@ -16,7 +16,7 @@ from typing import NamedTuple
 
 from symcheck.checker.enclosures import between
 from symcheck.core.calculus import Lambda, domain, letters, nodes, polynomial_in, regular, substituted
-from symcheck.core.terms import RELATIONS, Call, Formula, Malformed, Node, Quantified, Term, Value, node
+from symcheck.core.terms import RELATIONS, Binder, Call, Formula, Malformed, Node, Quantified, Term, Value, node
 
 QUADRANTS = "-(pi/2) <= a; a <= pi/2"  # from -90 to 90 degrees
 S = "(k + u + 1)"  # an integrand of the shape below is like x**(S - 1) near 0 and like x**(S - 1 - 2*r) far away
@@ -65,6 +65,16 @@ power_as_exp(b, u): b > 0 |- pow(b, u) == exp(u * log(b))
 power_diverges(f, c, u): c != 0; forall(x, implies(x > 0, f(x) == c * pow(x, u))) |- diverges(f(x), {HALF}) == 1
 beta(f, c, k, u, r, p, q): p > 0; q > 0; {S} > 0; 2*r - {S} > 0; {SHAPE} |- diverges(f(x), {HALF}) == 0 and {EULER} * gamma(r - {S}/2) and gamma(r) > 0 and gamma({S}/2) > 0 and gamma(r - {S}/2) > 0 and pow(p, -({S}/2)) > 0 and pow(q, -(r - {S}/2)) > 0
 beta_diverges(f, c, k, u, r, p, q): p > 0; q > 0; c != 0; {S} <= 0 or 2*r - {S} <= 0; {SHAPE} |- diverges(f(x), {HALF}) == 1
+decaying(f, g, a, s): a > 0; forall(x, implies(x > s, f(x) == diff(exp(-(a * x)) * g(x), x))) |- integral(f(x), x, s, oo) == -(exp(-(a * s)) * g(s)) and diverges(f(x), x, s, oo) == 0
+gaussian(f, g, a, b, c): a > 0; forall(x, f(x) == diff(exp(b * x - a * x**2) * g(x), x) + c * exp(b * x - a * x**2)) |- integral(f(x), {LINE}) == c * exp(b**2/(4 * a)) * sqrt(pi/a) and diverges(f(x), {LINE}) == 0
+half_gaussian(f, g, a, c): a > 0; forall(x, implies(x > 0, f(x) == diff(exp(-(a * x**2)) * g(x), x) + c * exp(-(a * x**2)))) |- integral(f(x), {HALF}) == c/2 * sqrt(pi/a) - g(0) and diverges(f(x), {HALF}) == 0
+gamma_integral(f, c, u, a): a > 0; u > -1; forall(x, implies(x > 0, f(x) == c * pow(x, u) * exp(-(a * x)))) |- integral(f(x), {HALF}) == c * gamma(u + 1) * pow(a, -(u + 1)) and diverges(f(x), {HALF}) == 0
+power_tail(f, c, u, s): s > 0; u < -1; forall(x, implies(x > 0 and x > s, f(x) == c * pow(x, u))) |- integral(f(x), x, s, oo) == -(c * pow(s, u + 1)/(u + 1)) and diverges(f(x), x, s, oo) == 0
+power_head(f, c, u, s): s > 0; u > -1; forall(x, implies(x > 0 and x < s, f(x) == c * pow(x, u))) |- integral(f(x), x, 0, s) == c * pow(s, u + 1)/(u + 1) and diverges(f(x), x, 0, s) == 0
+sum_of_integrals(f, g, h, s): diverges(g(x), x, s, oo) == 0; diverges(h(x), x, s, oo) == 0; forall(x, implies(x > s, f(x) == g(x) + h(x))) |- integral(f(x), x, s, oo) == integral(g(x), x, s, oo) + integral(h(x), x, s, oo) and diverges(f(x), x, s, oo) == 0
+reflected(f, g, s): forall(x, implies(x < s, f(x) == g(-x))) |- integral(f(x), x, -oo, s) == integral(g(x), x, -s, oo) and diverges(f(x), x, -oo, s) == diverges(g(x), x, -s, oo)
+halves(f, s): diverges(f(x), x, -oo, s) == 0; diverges(f(x), x, s, oo) == 0 |- integral(f(x), {LINE}) == integral(f(x), x, -oo, s) + integral(f(x), x, s, oo) and diverges(f(x), {LINE}) == 0
+sum_of_sums(f, g, h, a, b, s, t): forall(x, f(x) == a * g(x) + b * h(x)) |- sum(f(x), x, s, t) == a * sum(g(x), x, s, t) + b * sum(h(x), x, s, t)
 even(f): forall(x, f(-x) == f(x)) |- integral(f(x), {LINE}) == 2 * integral(f(x), {HALF}) and diverges(f(x), {LINE}) == diverges(f(x), {HALF})
 odd(f): forall(x, f(-x) == -f(x)); diverges(f(x), {HALF}) == 0 |- integral(f(x), {LINE}) == 0 and diverges(f(x), {LINE}) == 0
 """  # noqa: E501
@@ -73,8 +83,13 @@ SINES = ("0", "1/2", "sqrt(2)/2", "sqrt(3)/2", "1")  # of these angles; of the l
 KNOWN = {"arctan": ("0", "1/sqrt(3)", "1", "sqrt(3)"), "arcsin": SINES, "arccos": SINES[::-1]}
 SMOOTH = {  # what else must be so: a polynomial in the sine and cosine of its letter, or in the letter itself
     "mean": ("g", "sin", "cos"), "quarter_turn": ("f", "sin", "cos"), "intermediate_value": ("f",),
-    "power_rule": ("g",),
+    "power_rule": ("g",), "decaying": ("g",), "gaussian": ("g",), "half_gaussian": ("g",),
 }  # fmt: skip
+WAVES = ("decaying", "gaussian", "half_gaussian")  # here also in sines and cosines, which do not grow
+SHOWN = (  # by their premises integrands are defined between the ends: what these divide by is not zero there
+    "antiderivative", "antiderivative_everywhere", "beta", "decaying", "gaussian", "half_gaussian", "gamma_integral",
+    "power_tail", "power_head", "sum_of_integrals", "reflected", "even", "odd",
+)  # fmt: skip
 
 
 class Theorem(NamedTuple):
@@ -185,6 +200,25 @@ def instance(
         return congruence(given)
     if name == "enclosure":
         return enclosure(given, numbers)
+    terms, lambdas = _told_apart(name, given)
+    stated = theorem(name)
+    premises = [substituted(premise, terms, lambdas) for premise in stated.premises]
+    if name.startswith("antiderivative"):
+        premises[-1:] = smoothly(premises[-1], lambdas["g"])
+    return premises, substituted(stated.conclusion, terms, lambdas)
+
+
+def shown(name: str, given: Mapping[str, Argument]) -> list[Binder]:
+    """The integrals whose integrands are defined between the ends, as the premises show."""
+    if name not in SHOWN:
+        return []
+    terms, lambdas = _told_apart(name, given)
+    integrals = (part for part in nodes(theorem(name).conclusion) if isinstance(part, Binder))
+    return [substituted(part, terms, lambdas) for part in integrals]
+
+
+def _told_apart(name: str, given: Mapping[str, Argument]) -> tuple[dict[str, Term], dict[str, Lambda]]:
+    """The terms and the functions that a theorem is applied to; Malformed where one does not fit."""
     parameters = theorem(name).parameters
     if given.keys() != {*parameters}:
         raise Malformed(f"{name} is a theorem about {', '.join(parameters) or 'no parameters'}")
@@ -206,13 +240,12 @@ def instance(
         parameter, *of = SMOOTH[name]
         (x,), body = lambdas[parameter]
         atoms: list[Term] = [node(each, x) for each in of] or [x]
+        if name in WAVES:
+            waves = (part for part in nodes(body) if part.tag in ("sin", "cos"))
+            atoms += [wave for wave in waves if polynomial_in(wave.outside[0], x)]
         if not polynomial_in(body, *atoms):
             raise Malformed(f"{body!r} is no polynomial in {' and '.join(of)} {x}")
-    stated = theorem(name)
-    premises = [substituted(premise, terms, lambdas) for premise in stated.premises]
-    if name.startswith("antiderivative"):
-        premises[-1:] = smoothly(premises[-1], lambdas["g"])
-    return premises, substituted(stated.conclusion, terms, lambdas)
+    return terms, lambdas
 
 
 def _grows(g: Lambda) -> bool:

@@ -5,10 +5,11 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import replace
 
-from symcheck.core.calculus import substituted
+from symcheck.core.calculus import nodes, substituted
 from symcheck.core.problems import Applied, Problem
 from symcheck.core.terms import Binder, End, Node, Term, mapped, node
 from symcheck.core.verdicts import SymcheckError
+from symcheck.question.improper import improper
 from symcheck.question.limit import OutOfTime, limited
 from symcheck.reading import from_sympy, to_sympy
 
@@ -30,7 +31,7 @@ def _binders(tree: Term) -> Iterator[Binder]:
     """Those that stand under no other."""
     if not isinstance(tree, Node):
         return
-    if isinstance(tree, Binder) and tree.tag in THEOREMS and _is_finite(tree):
+    if isinstance(tree, Binder) and tree.tag in THEOREMS:
         yield tree
     for part in tree.outside:
         yield from _binders(part)
@@ -54,13 +55,24 @@ def _hints(binder: Binder) -> tuple[Term, list[Applied[Term]]]:
 
     body = known(binder.body)
     own = (binder.letter,)
+    if not _is_finite(binder):
+        return binder, [*_improper(binder), *inner]
     if (closed := _closed(binder, body)) is None:
-        return binder, []
+        return binder, [*_improper(binder), *inner]
     outer = [Applied(name, tuple(binder.outside), ((own, binder.body), (own, closed))) for name in THEOREMS[binder.tag]]
     low, high = binder.outside
     at = [substituted(closed, {binder.letter: end}) for end in (high, low)]
     value = node("+", at[0], node("-", at[1])) if binder.tag == "integral" else at[0]
-    return value, [*outer, *inner]
+    powers = any(part.tag == "pow" for part in nodes(binder.body))
+    return value, [*outer, *(_improper(binder) if powers else ()), *inner]
+
+
+def _improper(binder: Binder) -> list[Applied[Term]]:
+    try:
+        with limited(SECONDS):
+            return improper(binder.body, binder.letter, *binder.outside) if binder.tag == "integral" else []
+    except (SymcheckError, OutOfTime, *FAULTS):
+        return []
 
 
 def _closed(binder: Binder, body: Term) -> Term | None:

@@ -98,7 +98,7 @@ class Knowledge:
     def _sign_of_value(self, term: Value) -> tuple[int, Grounds]:
         kind, parts = term.tag, term.terms
         match kind, parts:
-            case "exp", _:
+            case (("exp" | "pi"), _):
                 return 2, NOTHING
             case "+", _:
                 signs = [self.sign(t) for t in parts]

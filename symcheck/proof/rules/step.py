@@ -106,7 +106,7 @@ class Whole(Step):
         return own | {name: part for name, part in named.items() if part}
 
 
-def _parts(step: Step) -> Iterator[object]:
+def _parts(step: object) -> Iterator[object]:
     """The steps, cofactors, signed terms and printed denominators of a proof, from the top."""
     open_: list[object] = [step]
     while open_:
@@ -157,7 +157,7 @@ def mentioned(step: Step, definitions: Mapping[str, Term]) -> list[Term]:
     return terms
 
 
-def printed(step: Step) -> Iterator[str]:
+def printed(step: object) -> Iterator[str]:
     """The polynomials of a proof: those that are not zero, and cofactors."""
     for part in _parts(step):
         match part:

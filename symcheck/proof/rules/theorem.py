@@ -105,14 +105,14 @@ def of(letter: str, term: Term) -> Lambda:
 
 def applied(name: str, *given: Term | Lambda) -> Instance:
     """A theorem applied to terms in the order of its parameters; the letter of the first function is the new one."""
-    parameters = theorems.theorem(name).parameters
+    parameters = ("s", "t") if name == "congruence" else theorems.theorem(name).parameters
     functions = (argument for argument in given if not isinstance(argument, int | str | Node))
     return Instance(name, tuple(zip(parameters, given, strict=True)), next((own[0] for own, _ in functions), ""))
 
 
 def congruence(s: Term, t: Term) -> Instance:
     """That a function has equal values at equal arguments."""
-    return Instance("congruence", (("s", s), ("t", t)))
+    return applied("congruence", s, t)
 
 
 def enclosure(term: Term, digits: int, numbers: Mapping[str, Term]) -> Instance:

@@ -6,7 +6,7 @@ What digits cannot tell, such as that the tangent of arctan t is t, has a proof.
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
-from dataclasses import replace
+from dataclasses import dataclass, field, replace
 from itertools import cycle, islice, pairwise
 
 from symcheck.checker.enclosures import enclosed
@@ -14,14 +14,15 @@ from symcheck.core.calculus import Unknown
 from symcheck.core.calculus import letters as letters_in
 from symcheck.core.formulas import conjuncts, contrary
 from symcheck.core.problems import Applied, Problem
-from symcheck.core.terms import PI, Formula, Node, Quantified, Term, Value, mapped, node
+from symcheck.core.terms import PI, Binder, Formula, Node, Quantified, Term, Value, mapped, node
 from symcheck.proof.algebra.knowledge import formulas_of, ring_of, stated
-from symcheck.proof.algebra.polynomial import Ring, Unsupported, subterms, unfold, with_arguments
+from symcheck.proof.algebra.polynomial import Ring, Unsupported, canonical, subterms, unfold, with_arguments
 from symcheck.proof.algebra.variables import circle
 from symcheck.proof.rules.compute import AT_POINT, Point
 from symcheck.proof.rules.enclosure import Numbers, prove_numbers
 from symcheck.proof.rules.proof import Prover
 from symcheck.proof.rules.step import Step
+from symcheck.proof.rules.theorem import applied
 from symcheck.proof.search.angles import KNOWN_ANGLES, KNOWN_SINES, compared, compares_angles, multiple_of_pi
 from symcheck.proof.search.number_points import refute_at
 
@@ -29,6 +30,7 @@ MAX_LETTERS = 3  # each has some twenty values: with more letters no point would
 MAX_POINTS = 80  # of which the papers need 16
 MAX_PROOFS = 8  # of some seconds each, of which the papers need three
 FEW_NUMBERS: tuple[tuple[Term, ...], ...] = ((1, 2, 3), (2, 3, 1), (3, 1, 2), (1, 1, 1))  # a second each
+MAX_FACTS = 3  # rounds in which what a proof divides by is shown not to vanish
 SAME = 20  # bits: ends of intervals that differ in fewer (of 160) are the same angle
 Ends = dict[str, list[Term]]  # by angle: what it is compared with
 
@@ -129,32 +131,75 @@ def _may_refute(problem: Problem, point: Mapping[str, Term]) -> bool:
 
 def _proved(problem: Problem, point: Mapping[str, Term], prove: Prover) -> Point | None:
     """Proofs that at the point no denominator vanishes, the hypotheses hold and the claim does not."""
+    there = _There(problem, dict(sorted(point.items())), prove)
     given = [formula for _, formula in stated(problem)]
-    values = dict(sorted(point.items()))  # facts about the point are numbered in this order
-    there: list[Formula] = [node("=", x, value) for x, value in values.items()]
-    facts: list[tuple[Formula, Step]] = []
-    for bottom in dict.fromkeys(part for f in (*given, problem.claim) for part in _denominators(f)):
-        if (proof := _proof(node("!=", bottom, 0), problem, there, prove)) is None:
-            return None
-        facts.append((node("!=", bottom, 0), proof))
-        there.append(node("!=", bottom, 0))
-    goal = node("and", *given, contrary(problem.claim))
-    proof = _proof(goal, problem, there, prove)
-    if proof is None:  # what digits tell need not follow from the theorems that tell the rest
-        parts = ((part, _proof(part, problem, there, prove_numbers)) for part in conjuncts(goal))
-        told = [(part, known) for part, known in parts if known is not None]
-        facts += told
-        proof = _proof(goal, problem, [*there, *(part for part, _ in told)], prove) if told else None
-    return None if proof is None else Point(values, facts=tuple(facts), proof=proof)
-
-
-def _proof(claim: Formula, problem: Problem, there: list[Formula], prove: Prover) -> Step | None:
-    """The proof of something at the point, without any condition."""
-    try:
-        proof = prove(replace(problem, claim=claim, hypotheses=((AT_POINT, tuple(there)),), hints=_applied(problem)))
-    except Unsupported:
+    bottoms = [part for f in (*given, problem.claim) for part in _denominators(f) if _letters([part]) <= point.keys()]
+    if not all(there.learn(node("!=", bottom, 0)) for bottom in dict.fromkeys(bottoms)):
         return None
-    return None if proof is None or proof.nonzero else proof.step
+    for formula in given if _applied(problem) else ():
+        there.learn(formula)
+    goal = node("and", *given, contrary(problem.claim))
+    proof = there.proof(goal, hints=True)
+    if proof is None:  # what digits tell need not follow from the theorems that tell the rest
+        parts = dict.fromkeys([*conjuncts(goal), contrary(_told(problem))])
+        told = [there.learn(part, prove_numbers) for part in parts]
+        proof = there.proof(goal, hints=True) if any(told) else None
+    return None if proof is None else Point(there.values, facts=tuple(there.facts.items()), proof=proof)
+
+
+@dataclass
+class _There:
+    """What is proved at a point; facts about the point are numbered in the order of its letters."""
+
+    problem: Problem
+    values: Mapping[str, Term]
+    prove: Prover
+    facts: dict[Formula, Step] = field(default_factory=dict)
+    tried: set[Formula] = field(default_factory=set)
+
+    def learn(self, claim: Formula, prove: Prover | None = None) -> bool:
+        """One more fact, if it has a proof."""
+        if claim not in self.tried:
+            self.tried.add(claim)
+            if (proof := self.proof(claim, prove)) is not None:
+                self.facts[claim] = proof
+        return claim in self.facts
+
+    def proof(self, claim: Formula, prove: Prover | None = None, *, hints: bool = False) -> Step | None:
+        """The proof without any condition: of what must not vanish there is one first."""
+        kept = _applied(self.problem) if hints else ()
+        for _ in range(MAX_FACTS):
+            points: list[Formula] = [node("=", x, value) for x, value in self.values.items()]
+            known = ((AT_POINT, (*points, *self.facts)),)
+            try:
+                proof = (prove or self.prove)(replace(self.problem, claim=claim, hypotheses=known, hints=kept))
+            except Unsupported:
+                return None
+            if proof is None:
+                return None
+            missing = [f for bottom in proof.nonzero if (f := node("!=", bottom, 0)) not in self.facts]
+            if not missing:
+                return proof.step
+            if not all(map(self.learn, missing)):
+                return None
+        return None
+
+
+def _told(problem: Problem) -> Formula:
+    """The claim with what theorems say in the place of integrals and sums."""
+    definitions = dict(problem.definitions)
+    values: dict[str, Term] = {}
+    for hint in _applied(problem):
+        said = applied(hint.theorem, *hint.functions, *hint.terms).said(definitions).conclusion
+        equations = (part.terms for part in conjuncts(said) if part.tag == "=")
+        values |= {canonical(left): right for left, right in equations if isinstance(left, Binder)}
+
+    def told(tree: Term) -> Term:
+        if isinstance(tree, Binder) and (text := canonical(tree)) in values:
+            return told(values[text])
+        return mapped(tree, told) if isinstance(tree, Node) else tree
+
+    return mapped(unfold(problem.claim, definitions), told)
 
 
 def _denominators(formula: Formula) -> Iterator[Term]:

@@ -6,6 +6,7 @@ import re
 from collections.abc import Iterable
 from dataclasses import replace
 
+from symcheck.checker.theorems import SHOWN
 from symcheck.core.calculus import letters
 from symcheck.core.problems import Outcome, Problem
 from symcheck.core.terms import Formula, Node, Relation, Term, node
@@ -20,6 +21,7 @@ from symcheck.proof.algebra.variables import atoms, prime, table
 from symcheck.proof.rules.enclosure import prove_numbers
 from symcheck.proof.rules.proof import Proof
 from symcheck.proof.rules.step import Step, Whole, mentioned, printed, written
+from symcheck.proof.rules.theorem import Theorem
 from symcheck.proof.search import splitting
 from symcheck.proof.search.counterexample import refute
 from symcheck.proof.search.number_points import refute_numbers
@@ -104,9 +106,24 @@ def _completed(problem: Problem, ring: Ring, step: Step) -> Proof | None:
             if conditions is None:
                 return None
             nonzero, positive, given = conditions
+    whole = Whole(_named(step), {}, tuple(positive)) if positive else _named(step)
+    return Proof(whole, given, tuple(_fraction(*texts) for texts in sorted(nonzero)))
+
+
+def _named(step: Step) -> Whole:
+    """The step with what variables stand for: integrals only behind the theorems that show that they have values."""
+    if isinstance(step, Theorem) and _shows_values(step):
+        return Whole(replace(step, then=_named(step.then)), _atoms(step.premises))
+    return Whole(step, _atoms(step))
+
+
+def _shows_values(step: Step) -> bool:
+    return isinstance(step, Theorem) and (step.instance.name in SHOWN or _shows_values(step.then))
+
+
+def _atoms(step: object) -> dict[str, Term]:
     names = {name for text in printed(step) for name in _NAMES.findall(text)}
-    meant = {name: table().term(name) for name in sorted(names) if table().stands(name)}
-    return Proof(Whole(step, meant, tuple(positive)), given, tuple(_fraction(*texts) for texts in sorted(nonzero)))
+    return {name: table().term(name) for name in sorted(names) if table().stands(name)}
 
 
 def _fraction(top: str, *below: str) -> Term:

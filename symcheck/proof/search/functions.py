@@ -12,7 +12,7 @@ from itertools import combinations
 from math import comb, prod
 
 from symcheck.checker.theorems import KNOWN, theorem
-from symcheck.core.calculus import Unknown, substituted
+from symcheck.core.calculus import Unknown, letters, substituted
 from symcheck.core.terms import INFINITY, MINUS_INFINITY, PI, Binder, End, Node, Relation, Term, mapped, node
 from symcheck.proof.algebra.flint import Poly, by_powers, fraction, occurring, rational
 from symcheck.proof.algebra.forms import number_term, term_of
@@ -22,7 +22,10 @@ from symcheck.proof.algebra.polynomial import (
     Ratio,
     Ring,
     Unsupported,
+    angle,
+    beneath,
     canonical,
+    exponents,
     number_of,
     parts,
     square_free,
@@ -33,6 +36,7 @@ from symcheck.proof.algebra.polynomial import (
 from symcheck.proof.algebra.variables import atoms, cosine, sine, table
 from symcheck.proof.rules.theorem import Instance, applied, congruence, of
 
+MAX_ADDENDS = 8  # of an exponent or angle that is expanded: each becomes a variable
 HALF_LINE = (0, INFINITY)
 WHOLE_LINE = (MINUS_INFINITY, INFINITY)
 
@@ -46,6 +50,26 @@ def instances(name: str, names: set[str]) -> Iterator[Instance]:
             yield from _ABOUT[tree.tag](tree, [other for other in others if other.tag == tree.tag])
     except (Unsupported, Unknown):
         return
+
+
+def expanded(name: str) -> Iterator[Instance]:
+    """An exponential, sine or cosine of anything is that of a sum of multiples of powers of letters."""
+    tree = table().term(name)
+    if not beneath(name) or not isinstance(tree, Node):
+        return
+    (term,) = tree.terms
+    inverse, _ = table().exponentials.get(name, ("", tree))
+    if inverse and term == node("-", *table().exponentials[inverse][1].terms):
+        return  # what is said of that other one is enough
+    value = Ring(variables(term)).ratio(term)
+    scale, known = fraction(value.bottom().leading_coefficient()), exponents if tree.tag == "exp" else angle
+    monic = Ratio(value.num, {"": (value.bottom() / value.bottom().leading_coefficient(), 1)})
+    addends: list[Term] = []
+    for powers, number in value.num.terms():
+        monomial = _over(value.num.context().from_dict({powers: 1}), monic)
+        addends.append(node("*", number_term(fraction(number) / scale), monomial))
+    if 0 < len(addends) <= MAX_ADDENDS and known(term) != known(whole := node("+", *addends)):
+        yield congruence(tree, node(tree.tag, whole))
 
 
 def simplified(name: str, known: Knowledge) -> Iterator[Instance]:
@@ -74,8 +98,12 @@ def _root(tree: Node, others: Sequence[Node]) -> Iterator[Instance]:
         yield applied("equal_squares", node("sqrt", PI), node("gamma", node("/", 1, 2)))
     radicands = [radicand for root in (tree, *others) for radicand in root.terms]
     for s, t in combinations(radicands, 2):
-        if any(canonical(node("*", s, t)) == canonical(r) for r in radicands):
+        product = node("*", s, t)
+        if number_of(product) is not None or any(canonical(product) == canonical(r) for r in radicands):
             yield applied("root_of_product", s, t)
+    for (other,) in (root.terms for root in others):
+        if (times := number_of(node("/", *tree.terms, other))) is not None and times > 1:
+            yield applied("root_of_product", number_term(times), other)
 
 
 def _power(tree: Node, others: Sequence[Node]) -> Iterator[Instance]:
@@ -137,9 +165,9 @@ def _mean(tree: Node, others: Sequence[Node]) -> Iterator[Instance]:
     value = ring.ratio(body)
     s, c = ring.names.index(sine(x)), ring.names.index(cosine(x))
     mean, primitive = ring.number(0), ring.number(0)
-    for exponents, coefficient in value.num.terms():
-        i, j = int(exponents[c]), int(exponents[s])
-        others_ = tuple(0 if k in (s, c) else int(e) for k, e in enumerate(exponents))
+    for powers, coefficient in value.num.terms():
+        i, j = int(powers[c]), int(powers[s])
+        others_ = tuple(0 if k in (s, c) else int(e) for k, e in enumerate(powers))
         outside = ring.context.from_dict({others_: coefficient})
         for k, (real, imaginary) in _harmonics(i, j).items():
             if k == 0:
@@ -199,6 +227,11 @@ def _factors(body: Term, x: str) -> tuple[Ring, Poly, list[tuple[Poly, int]]]:
     return ring, ring.number(fraction(unit)), [*((poly, int(e)) for poly, e in factors), *below]
 
 
+def _depends(poly: Poly, x: str) -> bool:
+    """Whether x occurs in a polynomial, or in a function that stands there as a variable."""
+    return any(x in letters(table().term(name)) for name in occurring(poly))
+
+
 def _power_named(name: str) -> tuple[Term, ...]:
     """Base and exponent of the power that a variable stands for, if it stands for one."""
     tree = atoms().get(name)
@@ -215,7 +248,7 @@ def _pure_power(body: Term, x: str) -> tuple[Term, Term] | None:
             exponents.append(e)
         elif (power := _power_named(name)) and canonical(power[0]) == canonical(x):
             exponents.append(node("*", e, power[1]))
-        elif e > 0 and x not in occurring(poly) and x not in with_arguments({name} & set(atoms())):
+        elif e > 0 and not _depends(poly, x):
             outside *= poly**e
         else:
             return None
@@ -244,6 +277,8 @@ def _shape(body: Term, x: str) -> tuple[Term, int, Term, Term, Term, Term]:
             r.append(node("*", -e, power[1]))
         elif x in occurring(poly):
             quadratic.append((poly, e))
+        elif _depends(poly, x):
+            raise Unsupported("a function of the variable that is no power")
         elif e > 0:
             outside *= poly**e
         else:

@@ -24,15 +24,15 @@ from symcheck.proof.rules.implies import implication
 from symcheck.proof.rules.nonnegative import prove_order
 from symcheck.proof.rules.step import Prove, Step
 from symcheck.proof.rules.theorem import Instance, Said, applied
-from symcheck.proof.search.functions import instances, simplified
+from symcheck.proof.search.functions import expanded, instances, simplified
 
 MAX_INSTANCES = 40  # theorems: whenever one has been applied, all others are tried again
 MAX_CASES = 4  # one inside another, each of which doubles the work: the papers need one
 
 
 def has_functions(ring: Ring) -> bool:
-    """Whether atoms are among the variables, or stand in the arguments of sines, cosines and exponentials."""
-    return any(name in atoms() for name in with_arguments(ring.names))
+    """Whether atoms are among the variables, or anything but letters in arguments of sines, cosines, exponentials."""
+    return any(name in atoms() or any(expanded(name)) for name in with_arguments(ring.names))
 
 
 def prove_with_theorems(problem: Problem, prove_here: Prove) -> Step | None:
@@ -90,9 +90,9 @@ class _Plan:
 
     def _collect(self) -> None:
         seen: set[str] = set()
-        while fresh := sorted(name for name in self.names - seen if name in atoms()):
+        while fresh := sorted(name for name in self.names - seen if name in atoms() or beneath(name)):
             seen |= set(fresh)
-            bound = {x for name in seen for x in atoms()[name].bound}
+            bound = {x for name in seen & atoms().keys() for x in atoms()[name].bound}
             for instance in (i for name in fresh for i in self._instances(name)):
                 about = variables(*instance.terms) if not instance.letter else set()
                 kept = (
@@ -102,6 +102,9 @@ class _Plan:
                     self._add(instance, kept)
 
     def _instances(self, name: str) -> Iterator[Instance]:
+        if name not in atoms():
+            yield from expanded(name)
+            return
         yield from simplified(name, self.assumed)
         yield from instances(name, self.names)
 

@@ -1,0 +1,276 @@
+"""Hints about integrals without an upper or a lower end: exponentials, Gaussians, powers, and what they outweigh."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from symcheck.core.calculus import letters, nodes, substituted
+from symcheck.core.problems import Applied
+from symcheck.core.terms import INFINITY, MINUS_INFINITY, PI, Node, Term, Value, mapped, node
+from symcheck.core.verdicts import SymcheckError
+from symcheck.reading import from_sympy, to_sympy
+
+if TYPE_CHECKING:
+    from sympy import Expr, Symbol
+
+Hints = list[Applied[Term]]
+MAX_ADDENDS = 12  # of an integrand: each has theorems of its own, which are all tried
+
+
+def improper(body: Term, x: str, low: Term, high: Term) -> Hints:
+    """The theorems that say what the integral is; SymcheckError, or what SymPy raises, if there are none."""
+    names: dict[str, Term] = {}
+
+    def plain(tree: Term) -> Term:
+        """The same with letters for functions that do not depend on x, which SymPy would write in another way."""
+        if isinstance(tree, Node) and tree.tag in ("sqrt", "pow", "gamma", "log") and x not in letters(tree):
+            names.setdefault(f"{x}_free_{len(names)}", tree)
+            return next(name for name, known in names.items() if known == tree)
+        return mapped(tree, plain) if isinstance(tree, Node) else tree
+
+    return [
+        Applied(
+            hint.theorem,
+            tuple(substituted(term, names) for term in hint.terms),
+            tuple((own, substituted(term, names)) for own, term in hint.functions),
+        )
+        for hint in _hints(plain(body), x, low, high)
+    ]
+
+
+def _hints(body: Term, x: str, low: Term, high: Term) -> Hints:
+    """The same where nothing is to be hidden from SymPy."""
+    f = ((x,), body)
+    if low == 0 and high != INFINITY:
+        c, u = _power(*_symbols(body, x))
+        return [Applied("power_head", (from_sympy(c), from_sympy(u), high), (f,))]
+    if low == MINUS_INFINITY and high == INFINITY:
+        if whole := _gaussian(body, x):
+            return whole
+        middle = _kink(body, x)
+        sides = [*_hints(body, x, MINUS_INFINITY, middle), *_hints(body, x, middle, INFINITY)]
+        return [Applied("halves", (middle,), (f,)), *sides]
+    if low == MINUS_INFINITY:
+        mirrored = substituted(body, {x: node("-", x)})
+        turned = Applied("reflected", (high,), (f, ((x,), mirrored)))
+        return [turned, *_hints(mirrored, x, node("-", high) if high != 0 else 0, INFINITY)]
+    return list(_tail(body, x, low))
+
+
+def _symbols(body: Term, x: str) -> tuple[Expr, Symbol]:
+    """The integrand as a sum of products, and its letter."""
+    import sympy
+
+    return sympy.expand(to_sympy(body)), sympy.Symbol(x, real=True)
+
+
+def _kink(body: Term, x: str) -> Term:
+    """Where the absolute value of a linear function has its corner; else 0."""
+    import sympy
+
+    expr, symbol = _symbols(body, x)
+    for part in sorted(expr.atoms(sympy.Abs), key=str):
+        inner = sympy.Poly(part.args[0], symbol)
+        if inner.degree() == 1:
+            return from_sympy(-inner.nth(0) / inner.nth(1))
+    return 0
+
+
+def _without_absolute_values(body: Term, x: str, low: Term) -> tuple[Term, Hints]:
+    """The integrand where those of x + b and b - x have one sign, as they vanish at the lower end; why it is equal."""
+    import sympy
+
+    signs: dict[Term, Term] = {}
+    for part in nodes(body):
+        match part:
+            case Value(tag="sqrt", terms=(Value(tag="^", terms=(inner, 2)),)):
+                line = sympy.expand(to_sympy(inner))
+                slope, end = sympy.diff(line, sympy.Symbol(x, real=True)), substituted(inner, {x: low})
+                if slope in (1, -1) and sympy.expand(to_sympy(end)) == 0:
+                    signs[part] = inner if slope == 1 else node("-", inner)
+
+    def plain(tree: Term) -> Term:
+        if isinstance(tree, Node) and tree in signs:
+            return signs[tree]
+        return mapped(tree, plain) if isinstance(tree, Node) else tree
+
+    known = [Applied("equal_squares", (part, value), ()) for part, value in signs.items()]
+    calls = [part for part in nodes(body) if part.tag in ("exp", "sin", "cos") and plain(part) != part]
+    return plain(body), [*known, *(Applied("congruence", (part, plain(part)), ()) for part in calls)]
+
+
+def _groups(expr: Expr, x: Symbol) -> dict[Expr, Expr]:
+    """The coefficients of the exponentials of polynomials, by what in their exponents depends on x."""
+    import sympy
+
+    found: dict[Expr, Expr] = {}
+    for addend in sympy.Add.make_args(expr):
+        exponent, rest = sympy.Integer(0), sympy.Integer(1)
+        for factor in sympy.Mul.make_args(addend):
+            if isinstance(factor, sympy.exp):
+                exponent += factor.args[0]
+            else:
+                rest *= factor
+        exponent = sympy.expand(exponent)
+        constant = exponent.as_independent(x, as_Add=True)[0]
+        key = sympy.collect(exponent - constant, x)
+        found[key] = found.get(key, 0) + rest * sympy.exp(constant)
+    return found
+
+
+def _tail(body: Term, x: str, low: Term) -> Iterator[Applied[Term]]:
+    """What a sum of exponentials, Gaussians and powers says of the integral from an end to infinity."""
+    import sympy
+
+    plain, signs = _without_absolute_values(body, x, low)
+    yield from signs
+    groups = _groups(*_symbols(plain, x))
+    parts = [(key, rest) for key, rest in groups.items() if key != 0]
+    parts += [(sympy.Integer(0), addend) for addend in sympy.Add.make_args(groups.get(sympy.Integer(0), sympy.S.Zero))]
+    parts = [(key, rest) for key, rest in parts if rest != 0]
+    if not 0 < len(parts) <= MAX_ADDENDS:
+        raise SymcheckError("no integrand with exponentials or powers")
+    own = (x,)
+    whole = body
+    for k, (key, rest) in enumerate(parts):
+        here = body if len(parts) == 1 else from_sympy(rest * sympy.exp(key))
+        if k + 1 < len(parts):
+            later = from_sympy(sympy.Add(*(r * sympy.exp(e) for e, r in parts[k + 1 :])))
+            yield Applied("sum_of_integrals", (low,), ((own, whole), (own, here), (own, later)))
+            whole = later
+        else:
+            here = whole
+        yield from _one(here, x, low, key, sympy.expand(rest))
+
+
+def _one(body: Term, x: str, low: Term, exponent: Expr, rest: Expr) -> Iterator[Applied[Term]]:
+    """The theorems about one exponential of a polynomial times its coefficient."""
+    import sympy
+
+    symbol = sympy.Symbol(x, real=True)
+    own = (x,)
+    if exponent == 0:
+        c, u = _power(rest, symbol)
+        yield Applied("power_tail", (from_sympy(c), from_sympy(u), low), ((own, body),))
+        return
+    degree = sympy.degree(exponent, symbol)
+    a = -sympy.Poly(exponent, symbol).LC()
+    if degree == 1 and _is_wavy(rest, symbol):
+        primitive = _undone(rest, symbol, a)
+        yield Applied("decaying", (from_sympy(a), low), ((own, body), (own, from_sympy(primitive))))
+    elif degree == 1 and low == 0:
+        c, u = _power(rest, symbol)
+        yield Applied("gamma_integral", (from_sympy(c), from_sympy(u), from_sympy(a)), ((own, body),))
+        yield Applied("power_of_power", (from_sympy(1 / a), -1, from_sympy(-u - 1)), ())
+    elif degree == 2 and low == 0 and sympy.Poly(exponent, symbol).nth(1) == 0:
+        g, c = _reduced(rest, symbol, a, sympy.Integer(0))
+        yield Applied("half_gaussian", (from_sympy(a), from_sympy(c)), ((own, body), (own, from_sympy(g))))
+        yield _root(a)
+    else:
+        raise SymcheckError("no theorem about this integrand")
+
+
+def _gaussian(body: Term, x: str) -> Hints:
+    """The theorems about one Gaussian times a polynomial, if the integrand is that."""
+    import sympy
+
+    expr, symbol = _symbols(body, x)
+    groups = _groups(expr, symbol)
+    if len(groups) != 1:
+        return []
+    ((exponent, rest),) = groups.items()
+    if not exponent.is_polynomial(symbol) or sympy.degree(exponent, symbol) != 2 or not rest.is_polynomial(symbol):
+        return []
+    q = sympy.Poly(exponent, symbol)
+    g, c = _reduced(rest, symbol, -q.nth(2), q.nth(1))
+    terms = from_sympy(-q.nth(2)), from_sympy(q.nth(1)), from_sympy(c)
+    return [Applied("gaussian", terms, (((x,), body), ((x,), from_sympy(g)))), _root(-q.nth(2))]
+
+
+def _root(a: Expr) -> Applied[Term]:
+    """That the root of pi/a is what it is where letters are positive."""
+    import sympy
+
+    whole = node("sqrt", node("/", PI, from_sympy(a)))
+    apart = sympy.sqrt(sympy.pi / sympy.factor(a)).replace(sympy.Abs, lambda inner: inner)
+    return Applied("equal_squares", (from_sympy(apart), whole), ())
+
+
+def _power(rest: Expr, x: Symbol) -> tuple[Expr, Expr]:
+    """(c, u) with c x^u; SymcheckError for anything else."""
+    import sympy
+
+    c, factors = sympy.powsimp(rest).as_independent(x, as_Add=False)
+    u = sympy.Integer(0)
+    for factor in sympy.Mul.make_args(factors):
+        base, exponent = factor.as_base_exp()
+        if base != x or exponent.has(x):
+            if factor == 1:
+                continue
+            raise SymcheckError(f"{factor} is no power of {x}")
+        u += exponent
+    return c, sympy.expand(u)
+
+
+def _is_wavy(rest: Expr, x: Symbol) -> bool:
+    """Whether it is a polynomial in the letter, sines and cosines of its multiples."""
+    import sympy
+
+    waves = rest.atoms(sympy.sin, sympy.cos)
+    plain = rest.subs({wave: sympy.Dummy() for wave in waves})
+    return bool(plain.is_polynomial(x)) and all(
+        w.args[0].is_polynomial(x) and sympy.degree(w.args[0], x) <= 1 for w in waves
+    )
+
+
+def _undone(rest: Expr, x: Symbol, a: Expr) -> Expr:
+    """g with (exp(-a x) g)' = exp(-a x) rest."""
+    import sympy
+    from sympy.simplify.fu import TR8
+
+    total = sympy.Integer(0)
+    for addend in sympy.Add.make_args(sympy.expand(TR8(rest))):
+        waves = [
+            factor
+            for factor in sympy.Mul.make_args(addend)
+            if isinstance(factor, sympy.sin | sympy.cos) and factor.has(x)
+        ]
+        if len(waves) > 1:
+            raise SymcheckError("products of sines")
+        slope = sympy.Poly(waves[0].args[0], x).nth(1) if waves else sympy.Integer(0)
+        rate, p = addend / waves[0] if waves else addend, sympy.Integer(0)
+        # divided by -a + i slope again and again, in real and imaginary parts
+        real, imaginary = sympy.Integer(1), sympy.Integer(0)
+        g_real, g_imaginary, sign = sympy.Integer(0), sympy.Integer(0), 1
+        while rate != p:
+            below = a**2 + slope**2 if waves else a
+            if waves:
+                real, imaginary = (-a * real + slope * imaginary) / below, (-a * imaginary - slope * real) / below
+            else:
+                real = -real / below
+            g_real, g_imaginary = g_real + sign * rate * real, g_imaginary + sign * rate * imaginary
+            rate, sign = sympy.expand(sympy.diff(rate, x)), -sign
+        if not waves:
+            total += g_real
+        else:
+            angle = waves[0].args[0]
+            c, s = sympy.cos(angle), sympy.sin(angle)
+            cosine = isinstance(waves[0], sympy.cos)
+            total += g_real * c - g_imaginary * s if cosine else g_real * s + g_imaginary * c
+    return total
+
+
+def _reduced(rest: Expr, x: Symbol, a: Expr, b: Expr) -> tuple[Expr, Expr]:
+    """(g, c) with rest = g' + (b - 2 a x) g + c."""
+    import sympy
+
+    if not rest.is_polynomial(x):
+        raise SymcheckError(f"no polynomial in {x}")
+    g, left = sympy.Integer(0), sympy.Poly(rest, x)
+    while left.degree() > 0:
+        step = -left.LC() / (2 * a) * x ** (left.degree() - 1)
+        g += step
+        left = sympy.Poly(sympy.expand(left.as_expr() - sympy.diff(step, x) - (b - 2 * a * x) * step), x)
+        left = sympy.Poly({m: sympy.cancel(c) for m, c in left.terms()}, x) if left.as_expr() != 0 else left
+    return g, left.as_expr()
