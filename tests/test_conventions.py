@@ -218,6 +218,58 @@ def test_what_authors_mean_is_decided(verdict: str, relation: str, where: list[s
     assert decide(relation, where=where).verdict == verdict
 
 
+# improper integrals, sums up to a letter, conditions beside relations, what only surfaces tell apart
+UNDER = {
+    "proved": [
+        (r"\int_0^\infty e^{-st} \sin(\omega t) dt = \frac{\omega}{s^2+\omega^2}", "s > 0"),
+        (
+            r"\int_{-\infty}^\infty (x-\mu)^2 \frac{1}{\sigma\sqrt{2\pi}} e^{-\frac{(x-\mu)^2}{2\sigma^2}} dx = \sigma^2",
+            "\\sigma > 0",
+        ),
+        (r"\int_0^\infty x^{k-1} e^{-x/\theta} dx = \Gamma(k) \theta^k", "k > 0, \\theta > 0"),
+        (r"\int_{-\infty}^\infty \frac{1}{2b} e^{-|x-\mu|/b} dx = 1", "b > 0"),
+        (r"\int_a^\infty \frac{G m M}{r^2} dr = \frac{GmM}{a}", "a > 0"),
+        (r"\int_0^\infty (e^{-at} - e^{-bt}) dt = \frac{1}{a} - \frac1b", "a > 0, b > 0"),
+        (r"\int_{-\infty}^\infty \frac{dx}{1+x^2} = \pi", ""),
+        (r"\int_0^1 x^n dx = \frac{1}{n+1}", "n > 0"),
+        (r"\int_{-\infty}^0 e^{ax} dx = \frac1a", "a > 0"),
+        (r"e^{-\frac{(x-m)^2}{2s^2}} = e^{-\frac{m^2}{2s^2}} e^{\frac{mx}{s^2} - \frac{x^2}{2s^2}}", ""),
+        (r"\sin(\omega (t+\tau)) = \sin\omega t\cos\omega\tau+\cos\omega t\sin\omega\tau", ""),
+        (r"\sum_{i=1}^n \sum_{j=1}^m a_i b_j = \left(\sum_{i=1}^n a_i\right)\left(\sum_{j=1}^m b_j\right)", ""),
+        (r"\sum_{k=1}^n (2k + c a_k) = n(n+1) + c \sum_{k=1}^n a_k", ""),
+        (r"\sqrt{x^2} = x, \quad x \ge 0", ""),
+        (r"\arcsin(\sin x) = x, \quad -\frac{\pi}{2} \le x \le \frac{\pi}{2}", ""),
+        (r"\sqrt{x^2} = x \text{ where } x \ge 0", ""),
+        (r"{\bf a} \cdot {\bf b} = {\bf b} \cdot {\bf a}", ""),
+        (r"{\left(x+y\right)}^2 = x^2 + 2xy + y^2", ""),
+    ],
+    "refuted": [
+        (r"\int_0^\infty e^{-st} \sin(\omega t) dt = \frac{s}{s^2+\omega^2}", "s > 0"),
+        (r"\int_{-\infty}^\infty e^{-x^2} dx = \pi", ""),
+        (r"\int_{-\infty}^\infty e^{-a|t|} dt = \frac{1}{a}", "a > 0"),
+        (r"\int_{-\infty}^{\infty} e^{-a x^2 + bx} dx = \sqrt{\frac{\pi}{a}} e^{\frac{b^2}{2a}}", "a > 0"),
+        (r"\sum_{i=1}^n (x_i - m)^2 = \sum_{i=1}^n x_i^2 - m^2", ""),
+        (r"\sqrt{x^2} = -x, \quad x \ge 0", ""),
+        (r"{\bf A} {\bf B} = {\bf B} {\bf A}", ""),
+    ],
+    "undecided": [
+        (r"\int_1^\infty \frac{1}{x} dx = 1", ""),
+        (r"\int_0^\infty e^{x} dx = -1", ""),
+        (r"\int_0^\infty e^{-ax} dx = \frac{1}{a}", ""),
+        (r"\int_0^\infty \sin x\, dx = 1", ""),
+    ],
+    "ambiguous": [("sin^2 x + cos^2 x = 1", ""), (r"\frac{sin x}{x} = 1", ""), (r"e^{exp x} = 1", "")],
+    "unreadable": [(r"\overline{x^2} - \bar{x}^2 = 0", ""), (r"\dot{x^2} = \dot{x}^2", ""), ("{-x}^2 = x^2", "")],
+}
+
+
+@pytest.mark.parametrize(
+    ("verdict", "relation", "given"), [(v, *each) for v, several in UNDER.items() for each in several]
+)
+def test_what_holds_under_conditions_is_decided(verdict: str, relation: str, given: str) -> None:
+    assert decide(relation, given=given).verdict == verdict
+
+
 COMPLEX = r"z \in \mathbb{C}"
 OF_COMPLEX = {
     r"|1 + z|^2 = 1 + 2 \operatorname{Re} z + |z|^2": "proved",

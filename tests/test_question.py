@@ -140,7 +140,7 @@ REFUSED = (
     r"\int x^2 = \frac{x^3}{3}", r"\frac{d}{dx} f g = f' g + f g'",
     "x_12 = x_{12}", "2^3^2 = 512", r"f^{-1}(x) = \frac{1}{f(x)}", r"\arctan x/y = \arctan \frac{x}{y}",
     r"\ln x^2 = 2 \ln x", r"\det \mathbf{A} \mathbf{B} = \det \mathbf{A}", "[x] = x", r"\{x\} = x - [x]", "(a, b) = 0",
-    "a:b = c:d", r"5\% = 0.05", r"a \mod b = 0", r"\mathrm{d}x/\mathrm{d}t = v", r"\foo = 1",
+    "a:b = c:d", r"5\% = 0.05", r"a \mod b = 0", r"\foo = 1",
     r"\nabla \cdot (\nabla \times \mathbf{A}) = 0", r"x \approx y", "[A, B] = AB - BA", "", "x = ", r"\frac{1}{x = 2",
     r"\sqrt{-1} = i", r"(-1)^{1/2} = i", r"\sqrt{-1} = x", r"\ln(-1) = x",
     r"\left( x = 1", "x == 1", "x = 1 = ", "((x) = 1",

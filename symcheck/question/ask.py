@@ -19,9 +19,9 @@ from symcheck.proof import certificate, identity
 from symcheck.question import jets
 from symcheck.question.answer import Answer, Status
 from symcheck.question.antiderivatives import hinted
-from symcheck.question.doubts import defines, doubt, doubt_of_proofs, held
+from symcheck.question.doubts import defines, doubt, doubt_of_proofs, held, spelled_function
 from symcheck.question.limit import OutOfTime, limited
-from symcheck.question.prepare import DEFINED, VARIABLES, Asked, Reading, Understood, readings, sizes
+from symcheck.question.prepare import DEFINED, VARIABLES, Asked, Reading, Understood, plainly, readings, sizes
 from symcheck.question.repairs import repairs
 from symcheck.reading import Tree, with_brackets
 from symcheck.reading.inference import NUMBERS, VECTORS, Inference
@@ -77,7 +77,11 @@ def decide(
     started = time.perf_counter()
     asked = None
     try:
-        asked = Asked(relation, _several(where), _several(given), tuple((letters or {}).items()))
+        printed = Asked(relation, _several(where), _several(given), tuple((letters or {}).items()))
+        asked = plainly(printed)
+        spelled = dict(zip((*asked.where, *asked.given), (*printed.where, *printed.given), strict=True))
+        if reason := spelled_function((printed.relation, *printed.where, *printed.given)):
+            return Answer(Status.AMBIGUOUS, reason=reason)
         with limited(TOTAL):
             found = [(reading, _decided(reading, asked)) for reading in readings(asked)]
     except Understood as error:
@@ -98,7 +102,7 @@ def decide(
     if NUMBERS in choices and VECTORS not in choices:
         return replace(found[0][1], verdict=Status.AMBIGUOUS, certificate=(), reason=CROSS, seconds=seconds)
     if (answer := _agreed(found)) is not None:
-        return replace(answer, seconds=seconds)
+        return replace(answer, used=tuple(spelled.get(text, text) for text in answer.used), seconds=seconds)
     shown = "; ".join(f"{', '.join(r.inference.choices)}: {a.verdict}" for r, a in found)
     return Answer(Status.AMBIGUOUS, reading=" | ".join(a.reading for _, a in found), reason=shown, seconds=seconds)
 

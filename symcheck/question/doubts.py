@@ -35,6 +35,7 @@ GREEK = frozenset({r"\mu", r"\nu", r"\rho", r"\sigma", r"\lambda", r"\kappa"})  
 INDICES = frozenset("ijklmn") | GREEK
 EXACT = (1, 2, 4, 5, 8)  # denominators of decimals that nobody means to be rounded: 0.5, 0.25, 0.2
 ANGULAR = ("sin", "cos", "tan", "tg", "cot", "ctg")
+CONNECTIVES = ("for", "and", "or", "otherwise")  # words that stand between relations, and are no units
 TURN = 6  # radians are about one turn; whole numbers above it are rather degrees
 # a number with a unit: "5\,\text{kg}"
 _UNIT = re.compile(r"\d(?:\s|~|\\[,;:!> ]|\\quad)*\\(?:text|mathrm|textrm|mbox|rm)\s*\{([^{}]*)\}")
@@ -48,8 +49,21 @@ _ACCENTED = re.compile(r"\\(?:tilde|hat|widetilde|widehat|breve|check)\{(.+)\}")
 _APPLIED = re.compile(
     r"(\\mathbb\s*\{?[A-Z]\}?|\\mathcal\s*\{?[A-Z]\}?|\\operatorname\{\w+\}|(?<![A-Za-z\\{])[EP])\s*(?:\\left|\\[bB]igl?)?\s*(?:\[|\\\{)"
 )
+# names of functions without a backslash: "sin x"
+_FUNCTION = re.compile(r"(?<![A-Za-z\\])(?:a?rc)?(?:sin|cos|tan|cot|exp|log|ln|max|min|det|sqrt)h?(?![A-Za-z])")
+# what opens a name of several letters, or words: "x_{max", "\mathrm{max"
+_NAMED = re.compile(r"(?:_\s*|\\(?:math|text|operator|mbox|rm|begin|end|label|tag)[a-z]*\*?\s*)\{[^{}]*$")
 _UNIT_VECTOR = re.compile(r"\\(?:hat|widehat)\{\\(?:mathbf|boldsymbol|bm|pmb|vec)\{")  # a bold letter with a hat
 _SUBSCRIPT = re.compile(r"_\{?([^{}]*)\}?$")  # the last subscript of a letter
+
+
+def spelled_function(texts: Iterable[str]) -> str:
+    """The doubt whether letters such as those of sin, outside of names and words, are meant as the function."""
+    for text in texts:
+        for found in _FUNCTION.finditer(text):
+            if not _NAMED.search(text[: found.start()]):
+                return f"is {found[0]} the function, or a product of letters? write \\{found[0]}, or spaces"
+    return ""
 
 
 def defines(problem: Problem, *, bare: bool = False) -> bool:
@@ -92,7 +106,8 @@ def doubt(reading: Reading) -> str:
     """The convention on which a relation may rely; the empty text if none is seen."""
     asked = reading.source[0]
     said = {letter for letter, _ in asked.letters}
-    if (unit := _UNIT.search(asked.relation)) and unit[1] not in said and unit[0][unit[0].find("\\text") :] not in said:
+    unit = next((each for each in _UNIT.finditer(asked.relation) if each[1].strip() not in CONNECTIVES), None)
+    if unit and unit[1] not in said and unit[0][unit[0].find("\\text") :] not in said:
         return f"{unit[1]} behind a number: a unit, or a letter? leave units out, or say what it is"
     for _, part in walk(reading.tree):
         if isinstance(part, Number) and "." in part.text and Fraction(part.text).denominator not in EXACT:

@@ -71,9 +71,9 @@ def _kink(body: Term, x: str) -> Term:
 
     expr, symbol = _symbols(body, x)
     for part in sorted(expr.atoms(sympy.Abs), key=str):
-        inner = sympy.Poly(part.args[0], symbol)
-        if inner.degree() == 1:
-            return from_sympy(-inner.nth(0) / inner.nth(1))
+        line = sympy.expand(part.args[0])
+        if (slope := sympy.diff(line, symbol)) != 0 and not slope.has(symbol):
+            return from_sympy(sympy.expand(symbol - line / slope))
     return 0
 
 
@@ -154,6 +154,8 @@ def _one(body: Term, x: str, low: Term, exponent: Expr, rest: Expr) -> Iterator[
         c, u = _power(rest, symbol)
         yield Applied("power_tail", (from_sympy(c), from_sympy(u), low), ((own, body),))
         return
+    if not exponent.is_polynomial(symbol):
+        raise SymcheckError("no exponential of a polynomial")
     degree = sympy.degree(exponent, symbol)
     a = -sympy.Poly(exponent, symbol).LC()
     if degree == 1 and _is_wavy(rest, symbol):

@@ -12,7 +12,7 @@ from symcheck.checker.algebra import Algebra
 from symcheck.checker.residues import Reject
 from symcheck.core.calculus import Unknown, domain, functions, letters, nodes
 from symcheck.core.problems import Problem
-from symcheck.core.terms import Binder, End, Formula, Node, T, Term, Value, mapped, node
+from symcheck.core.terms import Binder, End, Formula, Node, Relation, T, Term, Value, mapped, node
 from symcheck.core.terms import Call as Applied
 from symcheck.core.verdicts import NoForm, SymcheckError
 from symcheck.core.words import term
@@ -29,7 +29,7 @@ from symcheck.reading.names import is_letter, names_of_several_tokens
 from symcheck.reading.occurrences import occurrences
 from symcheck.reading.parser import dependence
 from symcheck.reading.surface import plain, with_plain_differentials
-from symcheck.reading.tree import Limiting, walk
+from symcheck.reading.tree import Limiting, System, walk
 
 _MEMBER = re.compile(r"^(.+?)\s*\\in\s*(.+)$", re.DOTALL)  # "a, b \in \mathbb{R}"
 _SETS = {"R": "", "Z": "integer", "N": "integer", "Q": "", "C": "complex"}
@@ -89,11 +89,13 @@ class Understood(SymcheckError):
 def plainly(asked: Asked) -> Asked:
     """The same without what is layout alone."""
 
-    def made(text: str) -> str:
-        return with_plain_differentials(plain(text))
+    texts = (asked.relation, *asked.where, *asked.given)
 
-    said = tuple((made(letter), phrase) for letter, phrase in asked.letters)
-    return Asked(made(asked.relation), tuple(map(made, asked.where)), tuple(map(made, asked.given)), said)
+    def made(text: str) -> str:
+        return tex.compact(with_plain_differentials(plain(text, texts)))
+
+    given = tuple(text if _MEMBER.match(text) else made(text) for text in asked.given)
+    return Asked(made(asked.relation), tuple(map(made, asked.where)), given, asked.letters)
 
 
 def sizes(asked: Asked) -> list[str]:
@@ -283,6 +285,13 @@ def _reading(
                 hypotheses.append((_named(stated, text), (formula,)))
     for text in conditions:
         hypotheses.append((_named(stated, text), lower(read(text, notation), notation, meant)))
+    if isinstance(tree, System):
+        equations_ = [f for _, fs in hypotheses for f in fs if f.tag == "="]
+        free = letters(node("and", *claims)).difference(terms, *map(letters, equations_))
+        restricting = [claim for claim in claims if _restricts(claim, free)]
+        if len(restricting) < len(claims):
+            claims = tuple(claim for claim in claims if claim not in restricting)
+            hypotheses += [(_named(stated, term(claim)), (claim,)) for claim in restricting]
     hypotheses, held, regular = _differentiated(claims, hypotheses, terms, notation)
     claims = tuple(map(rooted, claims))
     hypotheses = [(name, tuple(map(rooted, formulas))) for name, formulas in hypotheses]
@@ -369,6 +378,25 @@ def _regular(equation: Formula, varying: Iterable[str]) -> Formula:
     gap = node("+", equation[1], node("-", equation[2]))
     slopes = [node("^", slope(gap, x), 2) for x in sorted(letters(equation) & {*varying})]
     return node("!=", node("+", *slopes) if len(slopes) > 1 else slopes[0], 0)
+
+
+def _restricts(claim: Formula, free: Iterable[str]) -> bool:
+    """Is this beside other relations their condition, as x > 0 or |x| < 1 are where nothing else is said of the letter?
+
+    Nobody claims that all numbers are positive, or equal to 2.
+    """
+    if not isinstance(claim, Relation) or not letters(claim) <= {*free}:
+        return False
+    bare = [isinstance(side, str) or _is_absolute_value(side) for side in claim.terms]
+    constant = [not letters(side) for side in claim.terms]
+    return any(bare) and (any(constant) or (all(bare) and claim.tag != "="))
+
+
+def _is_absolute_value(side: Term) -> bool:
+    match side:
+        case Value(tag="sqrt", terms=(Value(tag="^", terms=(str(), 2)),)):
+            return True
+    return False
 
 
 def _has_differentials(formula: Formula, varying: Iterable[str]) -> bool:

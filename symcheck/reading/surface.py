@@ -7,7 +7,7 @@ stays what it is: nothing is dropped that a reader sees, but phantoms, colours, 
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from functools import partial
 
@@ -62,10 +62,13 @@ class Group:
 Part = str | Group
 
 
-def plain(source: str) -> str:
-    """The same formula without what is layout alone; what is not balanced is left as it is."""
+def plain(source: str, beside: Iterable[str] = ()) -> str:
+    """The same formula without what is layout alone; what is not balanced is left as it is.
+
+    Formulas beside it tell whether a capital gamma is the function.
+    """
     source = _OPTIONS.sub("", source)
-    if not _GAMMA.search(source):
+    if not any(map(_GAMMA.search, (source, *beside))):
         source = re.sub(r"\\Gamma(?![A-Za-z])", r"\\varGamma ", source)  # a letter, and no function
     tokens = _with_numbers(source)
     try:
@@ -360,12 +363,18 @@ def _made_plain_here(parts: list[Part]) -> list[Part]:
     return found
 
 
+# scripts that are no powers
+MARKS = frozenset({"{", "}", "*", "+", "-", "'", r"\ast", r"\star", r"\prime", r"\dagger"})
+
+
 def _over_letters(command: str, inner: list[Part]) -> list[Part]:
     """An accent or style over a letter with scripts, which stand behind it; a style over several letters is of each."""
     letter, end = _letter_here(inner, 0)
     rest = inner[end:]
     scripts = all(rest[k] in ("^", "_") and isinstance(rest[k + 1], Group) for k in range(0, len(rest) - 1, 2))
-    if letter and rest and len(rest) % 2 == 0 and scripts:
+    above = (rest[k + 1] for k in range(0, len(rest) - 1, 2) if rest[k] == "^")
+    power = command not in STYLES and any(text not in MARKS for part in above for text in _texts([part]))
+    if letter and rest and len(rest) % 2 == 0 and scripts and not power:  # the mean of x^2 is not the square of a mean
         return [command, Group(letter), *rest]
     if command in STYLES and len(inner) > 1 and all(isinstance(part, str) and tex.is_letter(part) for part in inner):
         return [each for part in inner for each in (command, Group([part]))]

@@ -78,6 +78,16 @@ def _tokens(source: str) -> tuple[Tok, ...]:
     return tuple(Tok(m[0], m.start()) for m in _TOKEN.finditer(source))
 
 
+def compact(source: str) -> str:
+    """The same tokens with spaces only where they would run together: behind commands and between digits."""
+    made, end = "", 0
+    for tok in tokenize(source):
+        command = re.search(r"\\[A-Za-z]+$", made) and tok.text[0].isalpha()
+        number = made[-1:].isdigit() and tok.text[0] in "0123456789." and tok.at > end
+        made, end = made + " " * bool(command or number) + tok.text, tok.at + len(tok.text)
+    return made
+
+
 class Reader:
     """A place in a token list, with the errors that name it."""
 

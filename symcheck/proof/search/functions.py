@@ -12,7 +12,7 @@ from itertools import combinations
 from math import comb, prod
 
 from symcheck.checker.theorems import KNOWN, theorem
-from symcheck.core.calculus import Unknown, letters, substituted
+from symcheck.core.calculus import Unknown, letters, nodes, substituted
 from symcheck.core.terms import INFINITY, MINUS_INFINITY, PI, Binder, End, Node, Relation, Term, mapped, node
 from symcheck.proof.algebra.flint import Poly, by_powers, fraction, occurring, rational
 from symcheck.proof.algebra.forms import number_term, term_of
@@ -37,6 +37,7 @@ from symcheck.proof.algebra.variables import atoms, cosine, sine, table
 from symcheck.proof.rules.theorem import Instance, applied, congruence, of
 
 MAX_ADDENDS = 8  # of an exponent or angle that is expanded: each becomes a variable
+MAX_POWER_SUM = 8  # of an index: the sums that people print have at most the fourth
 HALF_LINE = (0, INFINITY)
 WHOLE_LINE = (MINUS_INFINITY, INFINITY)
 
@@ -218,6 +219,65 @@ def _integral(tree: Node, others: Sequence[Node]) -> Iterator[Instance]:
         yield applied("beta_diverges", of(x, body), *shape)
 
 
+def _sum(tree: Node, others: Sequence[Node]) -> Iterator[Instance]:
+    """A sum of powers of its index; any other is that of its first addend and that of the rest."""
+    assert isinstance(tree, Binder)
+    body, x, ends = _linear_inside(tree.body), tree.letter, tree.outside
+    addends = _by_index(body, x)
+    if len(addends) == 1 and addends[0][0] == 1:
+        ring = Ring({x})
+        value = ring.ratio(addends[0][1]) if variables(addends[0][1]) <= {x} else None
+        if value and not value.den and len(value.num) == 1 and (k := int(value.num.degrees()[0])) <= MAX_POWER_SUM:
+            whole = power_sum(k, x)
+            first = substituted(whole, {x: node("+", ends[0], -1)})
+            yield applied("telescope", of(x, tree.body), of(x, node("+", whole, node("-", first))), *ends)
+        return
+    for inner in nodes(tree.body):
+        if inner.tag == "sum":
+            yield from _sum(inner, others)
+    if addends:
+        (number, first), *rest = addends
+        below = node("+", *(node("*", *each) for each in rest)) if rest else 0
+        yield applied("sum_of_sums", of(x, tree.body), of(x, first), of(x, below), number, int(bool(rest)), *ends)
+
+
+def _linear_inside(body: Term) -> Term:
+    """The same with sums in it taken apart: what is free of their index stands before them."""
+    if isinstance(body, Binder) and body.tag == "sum":
+        addends = _by_index(_linear_inside(body.body), body.letter)
+        return node("+", 0, *(node("*", c, node("sum", part, body.letter, *body.outside)) for c, part in addends))
+    return mapped(body, _linear_inside) if isinstance(body, Node) and not body.bound else body
+
+
+def _by_index(body: Term, x: str) -> list[tuple[Term, Term]]:
+    """Coefficients and what depends on the index, as factors of the addends of a body."""
+    value = Ring(with_arguments({*variables(body), x})).ratio(body)
+    context, free = value.num.context(), value.num**0
+    below = {text: (poly, n) for text, (poly, n) in value.den.items() if _depends(poly, x)}
+    depending = [_depends(generator, x) for generator in context.gens()]
+    found: dict[tuple[int, ...], Poly] = {}
+    for powers, number in value.num.terms():
+        inside = tuple(int(n) * depends for n, depends in zip(powers, depending, strict=True))
+        outside = tuple(int(n) - k for n, k in zip(powers, inside, strict=True))
+        found[inside] = found.get(inside, free * 0) + context.from_dict({outside: number})
+    above = Ratio(value.num, {text: each for text, each in value.den.items() if text not in below})
+    return [
+        (_over(coefficient, above), _over(context.from_dict({inside: 1}), Ratio(value.num, below)))
+        for inside, coefficient in found.items()
+    ]
+
+
+def power_sum(k: int, x: str) -> Term:
+    """1^k + 2^k + ... + x^k."""
+    ring = Ring({x})
+    one, n = ring.number(1), ring.generator[x]
+    sums: list[Poly] = []
+    for j in range(k + 1):  # (x + 1)^(j + 1) - 1 is the sum of C(j + 1, i) times the sums of i-th powers
+        rest = sum((poly * comb(j + 1, i) for i, poly in enumerate(sums)), start=ring.number(0))
+        sums.append(((n + one) ** (j + 1) - one - rest) / (j + 1))
+    return term_of(sums[k])
+
+
 def _factors(body: Term, x: str) -> tuple[Ring, Poly, list[tuple[Poly, int]]]:
     """A product in the ring of its letters and x: the ring, the number in it, and its factors with their exponents."""
     ring = Ring(with_arguments({*variables(body), x}))
@@ -364,6 +424,7 @@ _ABOUT: dict[str, Callable[[Node, Sequence[Node]], Iterator[Instance]]] = {
     "mean": _mean,
     "integral": _integral,
     "diverges": _integral,
+    "sum": _sum,
 }
 
 

@@ -94,7 +94,7 @@ class _Plan:
             seen |= set(fresh)
             bound = {x for name in seen & atoms().keys() for x in atoms()[name].bound}
             for instance in (i for name in fresh for i in self._instances(name)):
-                about = variables(*instance.terms) if not instance.letter else set()
+                about = variables(*instance.terms) if not instance.letter else _around(instance)
                 kept = (
                     self.inner if with_arguments(about) & bound else self.outer
                 )  # nothing is assumed of what is bound
