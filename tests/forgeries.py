@@ -1773,6 +1773,274 @@ THEOREMS: dict[str, Forgery] = {
             ),
         ),
     ),
+    "an exponential that grows": Forgery(
+        NO_SIGN,
+        proved(
+            ["=", integral(["exp", "x"], high=OO), -1],
+            theorem(
+                "decaying",
+                {"f": of("x", ["exp", "x"]), "g": of("x", 1), "a": -1, "s": 0},
+                [above(-1), every(["y"], implies(ID))],
+                by(here()),
+            ),
+        ),
+    ),
+    "a decaying integral by another derivative": Forgery(
+        NOT_EQUAL,
+        proved(
+            ["=", integral(["exp", ["-", "x"]], high=OO), 2],
+            theorem(
+                "decaying",
+                {"f": of("x", ["exp", ["-", "x"]]), "g": of("x", -2), "a": 1, "s": 0},
+                [above(1), every(["y"], implies(ID))],
+                by(here()),
+            ),
+        ),
+    ),
+    "an exponential that outweighs what decays": Forgery(
+        "is no polynomial",
+        proved(
+            ["=", integral(["exp", "x"], high=OO), -1],
+            theorem(
+                "decaying",
+                {"f": of("x", ["exp", "x"]), "g": of("x", ["exp", ["*", 2, "x"]]), "a": 1, "s": 0},
+                [above(1), every(["y"], implies(ID))],
+                by(here()),
+            ),
+        ),
+    ),
+    "a decaying integral across a pole": Forgery(
+        "is no polynomial",
+        proved(
+            [
+                "=",
+                integral(["-", ["*", ["exp", ["-", "x"]], ["+", ["/", 1, "x"], ["^", "x", -2]]]], low=-1, high=OO),
+                ["exp", 1],
+            ],
+            theorem(
+                "decaying",
+                {
+                    "f": of("x", ["-", ["*", ["exp", ["-", "x"]], ["+", ["/", 1, "x"], ["^", "x", -2]]]]),
+                    "g": of("x", ["/", 1, "x"]),
+                    "a": 1,
+                    "s": -1,
+                },
+                [above(1), every(["y"], implies(ID))],
+                by(here()),
+            ),
+        ),
+    ),
+    "a sine of an exponential that decays": Forgery(
+        "is no polynomial",
+        proved(
+            ["=", integral(["exp", ["-", "x"]], high=OO), 1],
+            theorem(
+                "decaying",
+                {"f": of("x", ["exp", ["-", "x"]]), "g": of("x", ["*", 0, ["sin", ["exp", "x"]]]), "a": 1, "s": 0},
+                [above(1), every(["y"], implies(ID))],
+                by(here()),
+            ),
+        ),
+    ),
+    "a Gaussian that grows": Forgery(
+        NO_SIGN,
+        proved(
+            ["=", integral(["exp", sq("x")], low=NOO, high=OO), 0],
+            theorem(
+                "gaussian",
+                {"f": of("x", ["exp", sq("x")]), "g": of("x", 0), "a": -1, "b": 0, "c": 1},
+                [above(-1), every(["y"], ID)],
+                by(here()),
+            ),
+        ),
+    ),
+    "a Gaussian with another middle": Forgery(
+        NOT_EQUAL,
+        proved(
+            ["=", integral(["exp", ["-", sq("x")]], low=NOO, high=OO), ["sqrt", PI]],
+            theorem(
+                "gaussian",
+                {"f": of("x", ["exp", ["-", sq("x")]]), "g": of("x", 0), "a": 1, "b": 1, "c": 1},
+                [above(1), every(["y"], ID)],
+                by(here()),
+            ),
+        ),
+    ),
+    "a Gaussian beside what outweighs it": Forgery(
+        "is no polynomial",
+        proved(
+            ["=", integral(["exp", ["-", sq("x")]], low=NOO, high=OO), ["sqrt", PI]],
+            theorem(
+                "gaussian",
+                {"f": of("x", ["exp", ["-", sq("x")]]), "g": of("x", ["exp", sq("x")]), "a": 1, "b": 0, "c": 1},
+                [above(1), every(["y"], ID)],
+                by(here()),
+            ),
+        ),
+    ),
+    "half a Gaussian without its end": Forgery(
+        NOT_EQUAL,
+        proved(
+            ["=", integral(["*", 2, "x", ["exp", ["-", sq("x")]]], high=OO), 0],
+            theorem(
+                "half_gaussian",
+                {"f": of("x", ["*", 2, "x", ["exp", ["-", sq("x")]]]), "g": of("x", -1), "a": 1, "c": 0},
+                [above(1), every(["y"], implies(ID))],
+                by(here()),
+            ),
+        ),
+    ),
+    "half a Gaussian that does not decay": Forgery(
+        NO_SIGN,
+        proved(
+            ["=", integral(1, high=OO), 1],
+            theorem(
+                "half_gaussian",
+                {"f": of("x", 1), "g": of("x", 0), "a": 0, "c": 1},
+                [above(0), every(["y"], implies(ID))],
+                by(here()),
+            ),
+        ),
+    ),
+    "a gamma function at zero": Forgery(
+        NO_SIGN,
+        proved(
+            ["=", integral(["*", ["pow", "x", -1], ["exp", ["-", "x"]]], high=OO), ["gamma", 0]],
+            theorem(
+                "gamma_integral",
+                {"f": of("x", ["*", ["pow", "x", -1], ["exp", ["-", "x"]]]), "c": 1, "u": -1, "a": 1},
+                [above(1), above(0), every(["y"], implies(ID))],
+                by(here()),
+            ),
+        ),
+    ),
+    "a gamma function without decay": Forgery(
+        NO_SIGN,
+        proved(
+            ["=", integral(["pow", "x", 2], high=OO), ["gamma", 3]],
+            theorem(
+                "gamma_integral",
+                {"f": of("x", ["pow", "x", 2]), "c": 1, "u": 2, "a": 0},
+                [above(0), above(3), every(["y"], implies(ID))],
+                by(here()),
+            ),
+        ),
+    ),
+    "the tail of one over x": Forgery(
+        NO_SIGN,
+        proved(
+            ["=", integral(["pow", "x", -1], low=1, high=OO), 0],
+            theorem(
+                "power_tail",
+                {"f": of("x", ["pow", "x", -1]), "c": 1, "u": -1, "s": 1},
+                [above(1), above(0), every(["y"], implies(ID))],
+                by(here()),
+            ),
+        ),
+    ),
+    "a tail of a power from zero": Forgery(
+        NO_SIGN,
+        proved(
+            ["=", integral(["pow", "x", -2], high=OO), 0],
+            theorem(
+                "power_tail",
+                {"f": of("x", ["pow", "x", -2]), "c": 1, "u": -2, "s": 0},
+                [above(0), above(1), every(["y"], implies(ID))],
+                by(here()),
+            ),
+        ),
+    ),
+    "one over x from zero": Forgery(
+        NO_SIGN,
+        proved(
+            ["=", integral(["pow", "x", -1]), 0],
+            theorem(
+                "power_head",
+                {"f": of("x", ["pow", "x", -1]), "c": 1, "u": -1, "s": 1},
+                [above(1), above(0), every(["y"], implies(ID))],
+                by(here()),
+            ),
+        ),
+    ),
+    "a power from zero to before it": Forgery(
+        NO_SIGN,
+        proved(
+            ["=", integral("x", high=-1), 1],
+            theorem(
+                "power_head",
+                {"f": of("x", "x"), "c": 1, "u": 1, "s": -1},
+                [above(-1), above(2), every(["y"], implies(ID))],
+                by(here()),
+            ),
+        ),
+    ),
+    "a sum of integrals that have no values": Forgery(
+        NOT_EQUAL,
+        proved(
+            ["=", integral(0, high=OO), ["+", integral("x", high=OO), integral(["-", "x"], high=OO)]],
+            theorem(
+                "sum_of_integrals",
+                {"f": of("x", 0), "g": of("x", "x"), "h": of("x", ["-", "x"]), "s": 0},
+                [ID, ID, every(["y"], implies(ID))],
+                by(here()),
+            ),
+        ),
+    ),
+    "a sum of other integrals": Forgery(
+        NOT_EQUAL,
+        proved(
+            ["=", integral(1, high=OO), 0],
+            theorem(
+                "sum_of_integrals",
+                {"f": of("x", 1), "g": of("x", 0), "h": of("x", 0), "s": 0},
+                [ID, ID, every(["y"], implies(ID))],
+                by(here()),
+            ),
+        ),
+    ),
+    "what is not reflected": Forgery(
+        NOT_EQUAL,
+        proved(
+            ["=", integral(["exp", "x"], low=NOO, high=0), integral(["exp", "x"], high=OO)],
+            theorem(
+                "reflected",
+                {"f": of("x", ["exp", "x"]), "g": of("x", ["exp", "x"]), "s": 0},
+                [every(["y"], implies(ID))],
+                by(here()),
+            ),
+        ),
+    ),
+    "halves without values": Forgery(
+        NOT_EQUAL,
+        proved(
+            ["=", integral("x", low=NOO, high=OO), ["+", integral("x", low=NOO, high=0), integral("x", high=OO)]],
+            theorem("halves", {"f": of("x", "x"), "s": 0}, [ID, ID], by(here())),
+        ),
+    ),
+    "a sum of other sums": Forgery(
+        NOT_EQUAL,
+        proved(
+            ["=", ["sum", "k", "k", 1, 3], ["sum", sq("k"), "k", 1, 3]],
+            theorem(
+                "sum_of_sums",
+                {"f": of("k", "k"), "g": of("k", sq("k")), "h": of("k", 0), "a": 1, "b": 0, "s": 1, "t": 3},
+                [every(["y"], ID)],
+                by(here()),
+            ),
+        ),
+    ),
+    "a pole between other ends than those of the theorem": Forgery(
+        "a denominator may be zero",
+        proved(
+            ["=", minus(integral(["^", "x", -2], low=-1, high=OO), integral(["^", "x", -2], low=-1, high=OO)), 0],
+            theorem(
+                "power_tail",
+                {"f": of("x", ["^", "x", -2]), "c": 1, "u": -2, "s": 1},
+                [above(1), above(1), every(["y"], implies(ID))],
+                ID,
+            ),
+        ),
+    ),
     "a sum that grows by another number": Forgery(
         NOT_EQUAL,
         proved(

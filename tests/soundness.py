@@ -329,11 +329,43 @@ class Forger:
             begun = ["+", ["+", "x", ["-", given["s"]]], 1]
             given["g"] = {"letter": "x", "term": ["*", step, ["^", begun, power]]}
             given["f"] = {"letter": "x", "term": [step, ["*", step, ["+", ["*", 2, begun], -1]]][power - 1]}
+        if name in ("decaying", "gaussian", "half_gaussian") and isinstance(given.get("g"), dict):
+            self.decay(name, given)
+        if name in ("gamma_integral", "power_tail", "power_head"):
+            given["u"] = self.rng.choice((1, 2, ["/", 1, 2], ["/", -1, 2], -2, ["-", "a"], ["/", -5, 2], 0))
+            given |= {p: self.rng.choice((1, 2, 3, ["/", 1, 2], "a", 0, -1)) for p in "as" if p in given}
+            more = [["exp", ["-", ["*", given["a"], "x"]]]] if name == "gamma_integral" else []
+            given["f"] = {"letter": "x", "term": ["*", given["c"], ["pow", "x", given["u"]], *more]}
+        if name in ("sum_of_integrals", "reflected", "halves"):
+            bodies = [["*", self.number(), ["exp", ["-", ["^", "x", 2]]]], ["pow", ["+", ["^", "x", 2], 1], -2]]
+            bodies += [["*", "x", bodies[0]], ["exp", ["-", "x"]], ["sin", "x"]]
+            given |= {p: {"letter": "x", "term": self.rng.choice(bodies)} for p in "fgh" if p in given}
+            given["s"] = self.rng.choice((0, 1, -2, ["/", 1, 3]))
+            if name == "sum_of_integrals":
+                given["f"] = {"letter": "x", "term": ["+", given["g"]["term"], given["h"]["term"]]}
+            if name == "reflected":
+                given["f"] = {"letter": "x", "term": put(given["g"]["term"], "x", ["-", "x"])}
+        if name == "sum_of_sums" and all(isinstance(given[p], dict) for p in "gh"):
+            given["s"], given["t"] = self.rng.choice(((1, 3), (0, 4), (2, 2), (-1, 2), (3, 1)))
+            parts = [["*", given[n], put(given[p]["term"], given[p]["letter"], "x")] for n, p in ("ag", "bh")]
+            given["f"] = {"letter": "x", "term": ["+", *parts]}
         if name in ("beta", "beta_diverges"):
             self.integrand(given)
         if name == "power_diverges":
             given["u"] = self.number()
             given["f"] = {"letter": "x", "term": ["*", given["c"], ["pow", "x", given["u"]]]}
+
+    def decay(self, name: str, given: dict[str, JSON]) -> None:
+        """The derivative of an exponential times g, and what is left of a Gaussian."""
+        given["a"] = self.rng.choice((1, 2, ["/", 1, 2], "a", -1, 0))
+        given |= {p: self.number() if p != "s" else self.rng.choice((0, 1, -2, "y")) for p in "bcs" if p in given}
+        x, g = given["g"]["letter"], given["g"]["term"]
+        square = ["-", ["*", given["a"], ["^", x, 2]]]
+        linear = ["*", given.get("b", 0), x]
+        exponent = ["-", ["*", given["a"], x]] if name == "decaying" else ["+", linear, square]
+        rate = self.derived(["diff", ["*", ["exp", exponent], g], x, 1, x])
+        rest = [] if name == "decaying" else [["*", given["c"], ["exp", exponent]]]
+        given["f"] = {"letter": x, "term": ["+", rate, *rest]}
 
     def integrand(self, given: dict[str, JSON]) -> None:
         """c x^k x^u (p x^2 + q)^-r."""

@@ -19,6 +19,7 @@ from forgeries import (
     HALF_PI,
     ID,
     INVERSES,
+    NOO,
     OO,
     PI,
     SIN,
@@ -59,6 +60,7 @@ from symcheck.core.terms import Reader, node
 JSON = Any
 ROOT = Path(__file__).resolve().parent.parent
 DOUBLE = minus(sq(["cos", "y"]), sq(["sin", "y"]))
+FALLING, BELL = ["exp", ["-", "x"]], ["exp", ["-", sq("x")]]
 NOT_ZERO = implies(absurd([], [here(), "1"]))
 EULER = ["pow", ["+", sq("x"), 1], ["-", 1]]
 INTEGRAND = ["*", 1, ["^", "x", 0], ["pow", "x", 0], ["pow", ["+", ["*", 1, sq("x")], 1], ["-", 1]]]
@@ -376,6 +378,109 @@ THEOREMS: dict[str, JSON] = {
         [[">=", "n", 0]],
         at={"n": 2},
     ),
+    "decaying": proved(
+        ["=", integral(FALLING, "x", 0, OO), 1],
+        theorem(
+            "decaying",
+            {"f": of("x", FALLING), "g": of("x", -1), "a": 1, "s": 0},
+            [above(1), every(["y"], implies(ID))],
+            by(here()),
+        ),
+    ),
+    "gaussian": proved(
+        ["=", integral(BELL, "x", NOO, OO), ["sqrt", PI]],
+        theorem(
+            "gaussian",
+            {"f": of("x", BELL), "g": of("x", 0), "a": 1, "b": 0, "c": 1},
+            [above(1), every(["y"], ID)],
+            by(here()),
+        ),
+    ),
+    "half_gaussian": proved(
+        ["=", integral(["*", 2, BELL], "x", 0, OO), ["sqrt", PI]],
+        theorem(
+            "half_gaussian",
+            {"f": of("x", ["*", 2, BELL]), "g": of("x", 0), "a": 1, "c": 2},
+            [above(1), every(["y"], implies(ID))],
+            by(here()),
+        ),
+    ),
+    "gamma_integral": proved(
+        [
+            "=",
+            integral(["*", ["pow", "x", ["/", 1, 2]], FALLING], "x", 0, OO),
+            ["*", ["gamma", ["/", 3, 2]], ["pow", 1, ["/", -3, 2]]],
+        ],
+        theorem(
+            "gamma_integral",
+            {"f": of("x", ["*", ["pow", "x", ["/", 1, 2]], FALLING]), "c": 1, "u": ["/", 1, 2], "a": 1},
+            [above(1), above(["/", 3, 2]), every(["y"], implies(ID))],
+            by(here()),
+        ),
+    ),
+    "power_tail": proved(
+        ["=", integral(["pow", "x", -2], "x", 1, OO), 1],
+        theorem(
+            "power_tail",
+            {"f": of("x", ["pow", "x", -2]), "c": 1, "u": -2, "s": 1},
+            [above(1), above(1), every(["y"], implies(ID))],
+            by(here()),
+        ),
+    ),
+    "power_head": proved(
+        ["=", integral(["pow", "x", 2], "x", 0, 1), ["/", 1, 3]],
+        theorem(
+            "power_head",
+            {"f": of("x", ["pow", "x", 2]), "c": 1, "u": 2, "s": 1},
+            [above(1), above(3), every(["y"], implies(ID))],
+            by(here()),
+        ),
+    ),
+    "sum_of_integrals": proved(
+        ["=", integral(["+", "x", 1], "x", 0, OO), ["+", integral("x", "x", 0, OO), integral(1, "x", 0, OO)]],
+        theorem(
+            "sum_of_integrals",
+            {"f": of("x", ["+", "x", 1]), "g": of("x", "x"), "h": of("x", 1), "s": 0},
+            [by(hyp()), by(hyp(1)), every(["y"], implies(ID))],
+            by(here()),
+        ),
+        [["=", ["diverges", "x", "x", 0, OO], 0], ["=", ["diverges", 1, "x", 0, OO], 0]],
+    ),
+    "reflected": proved(
+        ["=", integral(["exp", "x"], "x", NOO, 0), integral(FALLING, "x", 0, OO)],
+        theorem(
+            "reflected",
+            {"f": of("x", ["exp", "x"]), "g": of("x", FALLING), "s": 0},
+            [every(["y"], implies(ID))],
+            by(here()),
+        ),
+    ),
+    "halves": proved(
+        ["=", integral("x", "x", NOO, OO), ["+", integral("x", "x", NOO, 1), integral("x", "x", 1, OO)]],
+        theorem("halves", {"f": of("x", "x"), "s": 1}, [by(hyp()), by(hyp(1))], by(here())),
+        [["=", ["diverges", "x", "x", NOO, 1], 0], ["=", ["diverges", "x", "x", 1, OO], 0]],
+    ),
+    "sum_of_sums": proved(
+        [
+            "=",
+            ["sum", ["+", ["*", 2, "k"], 3], "k", 1, "n"],
+            ["+", ["*", 2, ["sum", "k", "k", 1, "n"]], ["*", 3, ["sum", 1, "k", 1, "n"]]],
+        ],
+        theorem(
+            "sum_of_sums",
+            {
+                "f": of("k", ["+", ["*", 2, "k"], 3]),
+                "g": of("k", "k"),
+                "h": of("k", 1),
+                "a": 2,
+                "b": 3,
+                "s": 1,
+                "t": "n",
+            },
+            [every(["y"], ID)],
+            by(here()),
+        ),
+    ),
     "exp_of_log": proved(["=", ["exp", ["log", 2]], 2], theorem("exp_of_log", {"t": 2}, [above(2)], by(here()))),
     "log_of_one": proved(["=", ["log", 1], 0], theorem("log_of_one", {}, [], by(here()))),
     "log_of_exp": proved(
@@ -459,7 +564,12 @@ THEOREMS: dict[str, JSON] = {
         for back in ("", " back")
     },
 }
-WITHOUT_A_POINT = {"odd", *(name for name in THEOREMS if name.startswith(("arctangent", "arcsine", "arccosine")))}
+WITHOUT_A_POINT = {
+    "odd",
+    "sum_of_integrals",
+    "halves",
+    *(name for name in THEOREMS if name.startswith(("arctangent", "arcsine", "arccosine"))),
+}
 
 
 @pytest.mark.parametrize("name", RIGHT)

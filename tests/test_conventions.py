@@ -223,8 +223,8 @@ UNDER = {
     "proved": [
         (r"\int_0^\infty e^{-st} \sin(\omega t) dt = \frac{\omega}{s^2+\omega^2}", "s > 0"),
         (
-            r"\int_{-\infty}^\infty (x-\mu)^2 \frac{1}{\sigma\sqrt{2\pi}} e^{-\frac{(x-\mu)^2}{2\sigma^2}} dx = \sigma^2",
-            "\\sigma > 0",
+            r"\int_{-\infty}^\infty (x-\mu)^2 \frac{1}{s\sqrt{2\pi}} e^{-\frac{(x-\mu)^2}{2s^2}} dx = s^2",
+            "s > 0",
         ),
         (r"\int_0^\infty x^{k-1} e^{-x/\theta} dx = \Gamma(k) \theta^k", "k > 0, \\theta > 0"),
         (r"\int_{-\infty}^\infty \frac{1}{2b} e^{-|x-\mu|/b} dx = 1", "b > 0"),

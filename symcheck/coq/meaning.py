@@ -292,13 +292,16 @@ class Meaning(Evaluator):
     def between(self, body: Tree, bound: Tree, at: Values) -> list[Number]:
         """Where the premise of an implication may hold: between the numbers with which it compares a bound letter."""
         ends = []
-        for part in body[1][1:] if body[0] == "=>" and body[1][0] == "and" else ():
+        premise = body[1] if body[0] == "=>" else ["and"]
+        for part in premise[1:] if premise[0] == "and" else [premise]:
             for side in part[1:] if any(side in bound for side in part[1:] if isinstance(side, str)) else ():
                 try:
                     ends.append(self.term(side, at))
                 except NoValue:
                     continue
-        return [ends[0] + (ends[1] - ends[0]) * k / 5 for k in range(6)] if len(ends) >= 2 else []
+        places = [ends[0] + (ends[1] - ends[0]) * mpf(k) / 5 for k in range(-3, 9)] if len(ends) > 1 else []
+        places += [end + mpf(k) / 4 for end in ends[:1] for k in (-9, -2, 1, 3, 14)]
+        return [place for place in places if self.formula(premise, self.inside(at, dict.fromkeys(bound, place)))]
 
     def existence(self, node: Tree, at: Values) -> bool | None:
         """By trial; for one letter also by change of sign. An equation of at most second degree is decided."""
@@ -355,17 +358,12 @@ def quadrature(inside: Callable[[Number], Number], places: list[Number]) -> Numb
 
 
 def converges(inside: Callable[[Number], Number], low: Tree, high: Tree) -> bool:
-    """Whether an integral to infinity is finite, by the decay of a power; between numbers nothing is said."""
+    """Whether an integral has a finite value, by the decay of a power far away and near 0; others are left out."""
     endless = [is_endless(end) for end in (low, high)]
-    if not any(endless):
-        return True
-    if not all(endless) and low != 0:
-        raise NoValue("a half-line from elsewhere")
-    sides = (1, -1) if all(endless) else (1,) if endless[1] else (-1,)
-    logarithmic = [abs(inside(side * mp.exp(s)) * mp.exp(s)) for side in sides for s in (-2 * FAR, -FAR, FAR, 2 * FAR)]
-    for near, far in zip(
-        [*logarithmic[1::4], *logarithmic[2::4]], [*logarithmic[::4], *logarithmic[3::4]], strict=True
-    ):
+    sides = [(1, FAR)] * endless[1] + [(-1, FAR)] * endless[0]
+    sides += [(1, -FAR)] * (all(endless) or low == 0) + [(-1, -FAR)] * (all(endless) or high == 0)
+    for side, s in sides:
+        near, far = (abs(inside(side * mp.exp(k * s)) * mp.exp(k * s)) for k in (1, 2))
         if far != 0 and far >= near * mpf(10) ** -12:
             return False
     return True
