@@ -177,9 +177,10 @@ class _There:
                 return None
             if proof is None:
                 return None
-            missing = [f for bottom in proof.nonzero if (f := node("!=", bottom, 0)) not in self.facts]
+            bottoms = (*proof.nonzero, *proof.step.positive)  # facts of this place are not known to a whole proof
+            missing = [f for bottom in bottoms if (f := node("!=", bottom, 0)) not in self.facts]
             if not missing:
-                return proof.step
+                return replace(proof.step, positive=())
             if not all(map(self.learn, missing)):
                 return None
         return None

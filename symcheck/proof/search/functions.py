@@ -100,8 +100,11 @@ def _root(tree: Node, others: Sequence[Node]) -> Iterator[Instance]:
     radicands = [radicand for root in (tree, *others) for radicand in root.terms]
     for s, t in combinations(radicands, 2):
         product = node("*", s, t)
-        if number_of(product) is not None or any(canonical(product) == canonical(r) for r in radicands):
+        if any(canonical(product) == canonical(r) for r in radicands):
             yield applied("root_of_product", s, t)
+        elif (number := number_of(product)) is not None and number > 0:
+            roots = node("*", node("sqrt", s), node("sqrt", t))
+            yield applied("equal_squares", roots, node("sqrt", number_term(number)))
     for (other,) in (root.terms for root in others):
         if (times := number_of(node("/", *tree.terms, other))) is not None and times > 1:
             yield applied("root_of_product", number_term(times), other)
