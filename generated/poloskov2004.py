@@ -811,7 +811,7 @@ def density_of_amplitude(a, alpha, beta, gamma):
             'poloskov2004:3.4.2': '6a0fedfb75dc',
             'poloskov2004:3.5.1': '9ebdaa94d36f',
             'poloskov2004:4.0.5': 'fedbb5637deb',
-            'poloskov2004:B.5': 'cbe1a14d6c97',
+            'poloskov2004:B.5': '5e4b27a1cc3c',
         },
     ),
 )
@@ -851,7 +851,7 @@ def density_of_frequency(Omega, k, g_13, g_23, d_33):
     NaN outputs. A ValueError names what does not broadcast, and an `out` that does not fit.
 
     Rests on poloskov2004:3.4.2 (sha256 6a0fedfb75dc), poloskov2004:3.5.1 (sha256 9ebdaa94d36f),
-    poloskov2004:4.0.5 (sha256 fedbb5637deb), poloskov2004:B.5 (sha256 cbe1a14d6c97).
+    poloskov2004:4.0.5 (sha256 fedbb5637deb), poloskov2004:B.5 (sha256 5e4b27a1cc3c).
 
     Examples
     --------
@@ -958,7 +958,7 @@ def logarithm_of_constant_of_amplitude(alpha, beta, gamma):
             'poloskov2004:3.4.2': '6a0fedfb75dc',
             'poloskov2004:3.5.1': '9ebdaa94d36f',
             'poloskov2004:4.0.5': 'fedbb5637deb',
-            'poloskov2004:B.5': 'cbe1a14d6c97',
+            'poloskov2004:B.5': '5e4b27a1cc3c',
         },
     ),
 )
@@ -996,7 +996,7 @@ def logarithm_of_constant_of_frequency(k, g_13, g_23, d_33):
     NaN outputs. A ValueError names what does not broadcast, and an `out` that does not fit.
 
     Rests on poloskov2004:3.4.2 (sha256 6a0fedfb75dc), poloskov2004:3.5.1 (sha256 9ebdaa94d36f),
-    poloskov2004:4.0.5 (sha256 fedbb5637deb), poloskov2004:B.5 (sha256 cbe1a14d6c97).
+    poloskov2004:4.0.5 (sha256 fedbb5637deb), poloskov2004:B.5 (sha256 5e4b27a1cc3c).
 
     Examples
     --------
@@ -1172,7 +1172,7 @@ def quantile_of_amplitude(q, alpha, beta, gamma):
         claims={
             'poloskov2004:4.0.9': '3a73e58c5dd1',
             'poloskov2004:B.2': '75e272e9ef26',
-            'poloskov2004:B.6': '41c46c7cb035',
+            'poloskov2004:B.6': '070b97d8b7fb',
         },
     ),
 )
@@ -1211,7 +1211,7 @@ def moment_of_amplitude(m, alpha, beta, gamma):
     NaN outputs. A ValueError names what does not broadcast, and an `out` that does not fit.
 
     Rests on poloskov2004:4.0.9 (sha256 3a73e58c5dd1), poloskov2004:B.2 (sha256 75e272e9ef26), poloskov2004:B.6
-    (sha256 41c46c7cb035).
+    (sha256 070b97d8b7fb).
 
     Examples
     --------
@@ -1248,8 +1248,8 @@ def moment_of_amplitude(m, alpha, beta, gamma):
         degenerate='Beyond the domain the moment is infinite, and the formula means nothing.',
         claims={
             'poloskov2004:4.0.11': 'e330cba03040',
-            'poloskov2004:B.5': 'cbe1a14d6c97',
-            'poloskov2004:B.7': '56d9fc5b6314',
+            'poloskov2004:B.5': '5e4b27a1cc3c',
+            'poloskov2004:B.7': '67d96b8a092e',
         },
     ),
 )
@@ -1289,8 +1289,8 @@ def moment_of_frequency(m, k, g_13, g_23, d_33):
     Arguments broadcast. Floats give floats; arrays give float64, or float32 if all of them are. NaN inputs give
     NaN outputs. A ValueError names what does not broadcast, and an `out` that does not fit.
 
-    Rests on poloskov2004:4.0.11 (sha256 e330cba03040), poloskov2004:B.5 (sha256 cbe1a14d6c97), poloskov2004:B.7
-    (sha256 56d9fc5b6314).
+    Rests on poloskov2004:4.0.11 (sha256 e330cba03040), poloskov2004:B.5 (sha256 5e4b27a1cc3c), poloskov2004:B.7
+    (sha256 67d96b8a092e).
 
     Examples
     --------

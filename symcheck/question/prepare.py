@@ -305,7 +305,7 @@ def _reading(
     limiting = any(isinstance(part, Limiting) for _, part in walk(tree))
     if limiting or any(letter.order is not None for letter in notation.letters):
         _refuse_unsolved(claims, [f for _, fs in hypotheses for f in fs])
-    printed = dict.fromkeys((*domain(*whole), *begun(*whole)))
+    printed = dict.fromkeys((*domain(*whole, divisors=True), *begun(*whole)))
     valued = tuple(each for each in printed if letters(each) or functions(each))
     for each in printed:
         if each not in valued and not _may_hold(each):

@@ -357,7 +357,7 @@ def function_arguments(tree: Term, bodies: bool) -> Iterator[Term]:
     binding = tree.tag in BINDING
     if binding and bodies:
         yield from tree.inside
-    elif tree.tag in FUNCTIONS and not bodies:
+    elif tree.tag in (*FUNCTIONS, "sin", "cos", "tan", "exp") and not bodies:
         yield from (part for part in tree.outside if not isinstance(part, End))
     for part in tree.outside if binding and not bodies else parts(tree):
         yield from function_arguments(part, bodies)

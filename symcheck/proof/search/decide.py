@@ -15,7 +15,7 @@ from symcheck.proof.algebra.facts import Grounds
 from symcheck.proof.algebra.flint import Poly, occurring
 from symcheck.proof.algebra.forms import form_on_the_circle
 from symcheck.proof.algebra.knowledge import Knowledge, formulas_of, hypotheses_of, ring_of, starting, stated
-from symcheck.proof.algebra.polynomial import Ring, Unsupported, function_arguments, unfold, variables
+from symcheck.proof.algebra.polynomial import Ring, Unsupported, beneath, function_arguments, unfold, variables
 from symcheck.proof.algebra.printed import term_of_text
 from symcheck.proof.algebra.variables import atoms, prime, table
 from symcheck.proof.rules.enclosure import prove_numbers
@@ -95,7 +95,7 @@ def _completed(problem: Problem, ring: Ring, step: Step) -> Proof | None:
     nonzero: list[tuple[str, ...]] = []
     positive: list[Term] = []
     own = [unfold(term, ring.definitions) for term in mentioned(step, ring.definitions)]
-    if ring.divisors or own or atoms().keys() & set(ring.names):
+    if ring.divisors or own or any(name in atoms() or beneath(name) for name in ring.names):
         own += [unfold(side, ring.definitions) for formula in formulas_of(problem) for side in _sides(formula)]
         inner = [t for term in own for bodies in (True, False) for t in function_arguments(term, bodies)]
         names = set(ring.names).union(*map(variables, [*own, *inner]))

@@ -36,6 +36,12 @@ from symcheck.proof.algebra.polynomial import (
 from symcheck.proof.algebra.variables import atoms, cosine, sine, table
 from symcheck.proof.rules.theorem import Instance, applied, congruence, of
 
+# acute angles, in half turns, and the theorems that say of which numbers they are the inverse functions
+ACUTE = {
+    Fraction(1, 6): "known_angle_arcsin_1",
+    Fraction(1, 4): "known_angle_arctan_2",
+    Fraction(1, 3): "known_angle_arccos_3",
+}
 MAX_ADDENDS = 8  # of an exponent or angle that is expanded: each becomes a variable
 MAX_POWER_SUM = 8  # of an index: the sums that people print have at most the fourth
 HALF_LINE = (0, INFINITY)
@@ -62,6 +68,9 @@ def expanded(name: str) -> Iterator[Instance]:
     inverse, _ = table().exponentials.get(name, ("", tree))
     if inverse and term == node("-", *table().exponentials[inverse][1].terms):
         return  # what is said of that other one is enough
+    if tree.tag != "exp" and (turns := number_of(node("/", term, PI))) is not None:
+        yield from _known_turn(tree.tag, turns)
+        return
     value = Ring(variables(term)).ratio(term)
     scale, known = fraction(value.bottom().leading_coefficient()), exponents if tree.tag == "exp" else angle
     monic = Ratio(value.num, {"": (value.bottom() / value.bottom().leading_coefficient(), 1)})
@@ -71,6 +80,17 @@ def expanded(name: str) -> Iterator[Instance]:
         addends.append(node("*", number_term(fraction(number) / scale), monomial))
     if 0 < len(addends) <= MAX_ADDENDS and known(term) != known(whole := node("+", *addends)):
         yield congruence(tree, node(tree.tag, whole))
+
+
+def _known_turn(function: str, turns: Fraction) -> Iterator[Instance]:
+    """The sine or cosine of so many times pi as that of a well-known acute angle and of right ones."""
+    right, rest = divmod(2 * turns, 1)
+    if rest / 2 not in ACUTE:
+        return
+    known = theorem(ACUTE[rest / 2]).conclusion
+    assert isinstance(known, Relation)
+    by_right_angles = node("+", node("*", number_term(Fraction(right, 2)), PI), known.terms[0])
+    yield congruence(node(function, node("*", number_term(turns), PI)), node(function, by_right_angles))
 
 
 def simplified(name: str, known: Knowledge) -> Iterator[Instance]:
