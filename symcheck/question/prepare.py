@@ -95,7 +95,8 @@ def plainly(asked: Asked) -> Asked:
         return tex.compact(with_plain_differentials(plain(text, texts)))
 
     given = tuple(text if _MEMBER.match(text) else made(text) for text in asked.given)
-    return Asked(made(asked.relation), tuple(map(made, asked.where)), given, asked.letters)
+    said = tuple((made(letter), phrase) for letter, phrase in asked.letters)
+    return Asked(made(asked.relation), tuple(map(made, asked.where)), given, said)
 
 
 def sizes(asked: Asked) -> list[str]:

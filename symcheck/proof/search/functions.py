@@ -142,6 +142,17 @@ def _power(tree: Node, others: Sequence[Node]) -> Iterator[Instance]:
         partners = [other for other, more in powers if canonical(more) in opposite]
         if (doubled is not None and doubled.denominator == 1) or canonical(half) in map(canonical, partners):
             yield applied("power_of_power", half, 2, exponent)
+    same = [more for other, more in powers if canonical(other) == canonical(base)]
+    for s, t in combinations(same, 2):
+        if canonical(node("+", s, t)) == canonical(exponent):
+            yield applied("power_of_sum", base, s, t)
+    for (s, first), (t, second) in combinations(powers, 2):
+        if canonical(first) == canonical(second) == canonical(exponent) and canonical(node("*", s, t)) == canonical(
+            base
+        ):
+            yield applied("power_of_product", s, t, exponent)
+    if any(_nested(power) for power in (tree, *others)):
+        yield applied("power_as_exp", base, exponent)
     for other, more in powers:
         if canonical(other) == canonical(base):
             gap, whole = (number_of(node("+", exponent, other)) for other in (node("-", more), more))
@@ -149,6 +160,12 @@ def _power(tree: Node, others: Sequence[Node]) -> Iterator[Instance]:
                 yield applied("power_of_sum", base, more, int(gap))
             if whole is not None and whole.denominator == 1:
                 yield applied("power_of_sum", base, exponent, more)
+
+
+def _nested(power: Node) -> bool:
+    """Whether a power has a power for its base, or a logarithm in its exponent."""
+    base, exponent = (term if isinstance(term, Node) else node("pi") for term in power.terms)
+    return base.tag == "pow" or any(part.tag == "log" for part in nodes(exponent))
 
 
 def _square_root(term: Term) -> Term | None:
@@ -389,6 +406,8 @@ def _logarithm(tree: Node, others: Sequence[Node]) -> Iterator[Instance]:
         yield applied("log_of_exp", t.terms[0])
     if isinstance(t, Node) and t.tag == "sqrt":
         yield applied("log_of_root", t.terms[0])
+    if isinstance(t, Node) and t.tag == "pow":
+        yield applied("log_of_power", *t.terms)
     if table().exponentials:
         yield applied("exp_of_log", t)
     if number_of(t) == 1:

@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 
 from symcheck.core.problems import Problem
-from symcheck.core.terms import RELATIONS, Formula, Term
+from symcheck.core.terms import RELATIONS, Formula, Term, node
+from symcheck.proof.algebra.forms import term_of
 from symcheck.proof.algebra.knowledge import ORDERS, Knowledge, hints_of, starting
 from symcheck.proof.algebra.place import Place
 from symcheck.proof.algebra.polynomial import Ring
@@ -14,10 +15,10 @@ from symcheck.proof.rules.absurd import absurd_at, opposite_signs, vanishing
 from symcheck.proof.rules.cases_or import split_disjunction
 from symcheck.proof.rules.choose import first_of
 from symcheck.proof.rules.each import all_of
-from symcheck.proof.rules.identity import identity_at, prove_identity
+from symcheck.proof.rules.identity import identity_at, identity_here, prove_identity
 from symcheck.proof.rules.implies import by_contrary, implication
 from symcheck.proof.rules.nonnegative import prove_order
-from symcheck.proof.rules.split import shorten, split_basis, split_product
+from symcheck.proof.rules.split import Split, shorten, split_basis, split_product
 from symcheck.proof.rules.step import Attempt, Search, Step, written
 from symcheck.proof.rules.vanish import vanishing_sum
 from symcheck.proof.rules.witness import prove_existence
@@ -104,6 +105,21 @@ def close(goal: Formula, place: Place, search: Search) -> Attempt:
     return proof, proof is not None
 
 
+def split_alternatives(goal: Formula, place: Place, search: Search) -> Attempt:
+    """One of several equations holds, as the product of their differences is zero."""
+    if goal.tag != "or" or any(part.tag != "=" for part in goal.formulas):
+        return None, False
+    known = place.known
+    factors = [known.ring.subtract(*part.terms).num for part in goal.formulas]
+    form = node("*", *map(term_of, factors))
+    product = identity_here(node("=", form, 0), known)
+    cases = [search(goal, known.with_fact(factor), place) for factor in factors] if product else []
+    proofs = tuple(case for case in cases if case is not None)
+    if product is None or len(proofs) < len(factors):
+        return None, False
+    return Split(form, (), product.cofactors, proofs), True  # a polynomial: nothing is multiplied with it
+
+
 def _direct(goal: Formula, place: Place) -> Step | None:
     match goal.tag:
         case "=":
@@ -123,6 +139,7 @@ MOVES: tuple[tuple[bool, Callable[[Formula, Place, Search], Attempt]], ...] = (
     (True, vanishing_sum),
     (False, close),
     (False, vanishing_sum),
+    (False, split_alternatives),
     (False, split_disjunction),
     (False, split_product),
 )

@@ -8,7 +8,7 @@ from functools import partial
 
 from symcheck.core.calculus import letters
 from symcheck.core.problems import Applied, Problem
-from symcheck.core.terms import Formula, Term, node
+from symcheck.core.terms import Formula, Term, Value, node
 from symcheck.proof.algebra.facts import Assumed
 from symcheck.proof.algebra.flint import fraction, occurring
 from symcheck.proof.algebra.forms import positive_form, term_of
@@ -159,7 +159,8 @@ class _Search:
     def _premise(self, formula: Formula, known: Knowledge) -> Step | None:
         match formula.tag:
             case "=":
-                return identity_here(formula, known) or self._with_inner(formula, known)
+                direct = identity_here(formula, known) or self._with_inner(formula, known)
+                return direct or (self.prove_here(formula, known) if _are_squares(formula) else None)
             case "=>":
                 return implication(formula, known, self._conclusion)
             case "and":
@@ -196,6 +197,11 @@ class _Search:
                 split = in_cases(goal, alternative, ways, below, partial(self.prove, pending=pending, cases=cases - 1))
                 return split and applied("dichotomy", t).step([], split)
         return None
+
+
+def _are_squares(formula: Formula) -> bool:
+    """Whether squares are compared, of roots perhaps, whose facts may have factors that are to be divided out."""
+    return all(isinstance(side, Value) and side.tag == "^" for side in formula.terms)
 
 
 def _around(instance: Instance) -> set[str]:
