@@ -278,11 +278,18 @@ def _decided_one(problem: Problem) -> tuple[Verdict, Certificate | None, tuple[s
             with limited(LIMIT):
                 if (numbers := way(problem)) is None:
                     continue
-                outcome = identity.decide(hinted(numbers.problem))
-                if outcome.verdict is Verdict.UNDECIDED or (outcome.verdict is Verdict.REFUTED and not numbers.refutes):
-                    reasons.append(outcome.reason or "no functions are known that have the values of a counterexample")
+                about = numbers.problem
+                outcome = identity.decide(hinted(about))
+                if outcome.verdict is Verdict.REFUTED and numbers.calls:
+                    if (stricter := numbers.refutable()) is None:
+                        reasons.append("no functions are known that have the values of a counterexample")
+                        continue
+                    if stricter != about:
+                        about, outcome = stricter, identity.decide(hinted(stricter))
+                if outcome.verdict is Verdict.UNDECIDED:
+                    reasons.append(outcome.reason)
                     continue
-                made = certificate(numbers.problem, outcome)
+                made = certificate(about, outcome)
                 if (fault := check(made)) is None:
                     return outcome.verdict, made, outcome.used
                 reasons.append(f"the certificate was not accepted ({fault})")

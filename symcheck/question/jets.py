@@ -8,9 +8,9 @@ which holds nearby if it holds at the place, as a weak one is made; or it has no
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from contextlib import suppress
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 
 from symcheck.core.calculus import Unknown, derivative, differentiated, letters, nodes, substituted
 from symcheck.core.problems import Problem
@@ -31,18 +31,22 @@ STRICT = {
 
 @dataclass(frozen=True)
 class Jets:
-    """A problem about numbers, and whether a counterexample to it is one of functions.
+    """A problem about numbers in the place of one about functions.
 
     Parameters
     ----------
     problem
         The problem with letters for the values of functions and their derivatives.
-    refutes
-        Whether functions exist for every point that fails, once the conditions "leading" are added.
+    calls
+        What these letters stand for.
     """
 
     problem: Problem
-    refutes: bool
+    calls: Mapping[str, Call] = field(default_factory=dict)
+
+    def refutable(self) -> Problem | None:
+        """The problem with stricter conditions, whose counterexamples are those of functions; None if not known."""
+        return _solved(self.problem, self.calls) if self.calls else self.problem
 
 
 def of(problem: Problem) -> Jets | None:
@@ -76,7 +80,7 @@ def of(problem: Problem) -> Jets | None:
     trees: list[Term] = [found.claim, *(f for _, fs in hypotheses for f in fs), *(t for _, t in definitions)]
     if set().union(*map(letters, trees)) & {str(x) for x in place}:
         return None  # what a function is may depend on its argument
-    return _solved(found, {name: call for call, name in names.items()})
+    return Jets(found, {name: call for call, name in names.items()})
 
 
 def without(problem: Problem) -> Jets:
@@ -85,7 +89,7 @@ def without(problem: Problem) -> Jets:
     if any(part.tag == "diff" and part.outside[-1] != part.bound[0] for part in nodes(*trees)):
         with suppress(Unknown, Unsupported):
             problem = _expanded(problem)
-    return Jets(problem, True)
+    return Jets(problem)
 
 
 def _expanded(problem: Problem) -> Problem:
@@ -120,13 +124,13 @@ def _name(call: Call) -> str:
     return "_".join([call.function, "at", *map(str, call.orders)])
 
 
-def _solved(problem: Problem, jets: dict[str, Call]) -> Jets:
+def _solved(problem: Problem, jets: Mapping[str, Call]) -> Problem | None:
     """Whether the conditions are equations for highest derivatives; what must not vanish for that is one more."""
     known = dict(problem.definitions)
     formulas = [substituted(f, known) for _, fs in problem.hypotheses for f in fs if isinstance(f, Relation)]
     open_ = [f for f in formulas if letters(f) & jets.keys() and f.tag not in STRICT and not _is_always_so(f)]
     if any(letters(f) & jets.keys() for _, fs in problem.hypotheses for f in fs if not isinstance(f, Relation)):
-        return Jets(problem, False)
+        return None
     weak = [f for f in formulas if f.tag in ("<=", ">=") and letters(f) & jets.keys()]
     if weak:
         strict = tuple(node(STRICT[f.tag], *f.terms) for f in weak)
@@ -141,14 +145,14 @@ def _solved(problem: Problem, jets: dict[str, Call]) -> Jets:
     if any(orders[name] > tops.get(jets[name].function, 8) for name in said) or any(
         len(c.orders) > 1 for c in jets.values()
     ):
-        return Jets(problem, not open_)
+        return None if open_ else problem
     leading: list[Formula] = []
     while open_:
         chosen = next(
             ((f, x) for f in sorted(open_, key=str, reverse=False) for x in _tops(f, jets, tops, orders)), None
         )
         if chosen is None:
-            return Jets(problem, False)
+            return None
         formula, x = chosen
         left, right = formula.terms
         gap = node("+", left, node("-", right))
@@ -161,7 +165,7 @@ def _solved(problem: Problem, jets: dict[str, Call]) -> Jets:
         open_ = [f for f in open_ if letters(f) & jets.keys()]
     if leading:
         problem = replace(problem, hypotheses=(*problem.hypotheses, ("leading", tuple(leading))))
-    return Jets(problem, True)
+    return problem
 
 
 def _is_always_so(formula: Formula) -> bool:
@@ -169,7 +173,7 @@ def _is_always_so(formula: Formula) -> bool:
     return identity.decide(Problem("always so", formula)).verdict is Verdict.PROVED
 
 
-def _tops(formula: Formula, jets: dict[str, Call], tops: dict[str, int], orders: dict[str, int]) -> Iterable[str]:
+def _tops(formula: Formula, jets: Mapping[str, Call], tops: dict[str, int], orders: dict[str, int]) -> Iterable[str]:
     """The highest derivatives for which an equation can be solved."""
     if formula.tag != "=":
         return

@@ -10,7 +10,7 @@ from math import lcm
 
 from symcheck.checker.algebra import Algebra
 from symcheck.checker.residues import Reject
-from symcheck.core.calculus import Unknown, domain, functions, letters, nodes
+from symcheck.core.calculus import Unknown, derivative, domain, functions, letters, nodes
 from symcheck.core.problems import Problem
 from symcheck.core.terms import Binder, End, Formula, Node, Relation, T, Term, Value, mapped, node
 from symcheck.core.terms import Call as Applied
@@ -284,6 +284,9 @@ def _reading(
                 terms[letter] = formula[2]
             else:
                 hypotheses.append((_named(stated, text), (formula,)))
+                rate = _rate(formula) if _has_rates(claims) else None
+                if rate is not None:  # an earlier equation holds at all times
+                    hypotheses.append((_named(stated, f"the derivative of {text}"), (rate,)))
     for text in conditions:
         hypotheses.append((_named(stated, text), lower(read(text, notation), notation, meant)))
     if isinstance(tree, System):
@@ -379,6 +382,24 @@ def _regular(equation: Formula, varying: Iterable[str]) -> Formula:
     gap = node("+", equation[1], node("-", equation[2]))
     slopes = [node("^", slope(gap, x), 2) for x in sorted(letters(equation) & {*varying})]
     return node("!=", node("+", *slopes) if len(slopes) > 1 else slopes[0], 0)
+
+
+def _has_rates(formulas: Iterable[Formula]) -> bool:
+    return any(isinstance(part, Applied) and any(part.orders) for part in nodes(*formulas))
+
+
+def _rate(equation: Formula) -> Formula | None:
+    """The derivative of an equation between functions of one letter, as that of a constraint by time."""
+    calls = [part for part in nodes(equation) if isinstance(part, Applied)]
+    places = {call.terms for call in calls}
+    if equation.tag != "=" or len(places) != 1 or any(any(call.orders) for call in calls):
+        return None
+    ((place, *more),) = places
+    if more or not isinstance(place, str):
+        return None
+    with suppress(Unknown):
+        return node("=", derivative(node("+", equation[1], node("-", equation[2])), place), 0)
+    return None
 
 
 def _restricts(claim: Formula, free: Iterable[str]) -> bool:
