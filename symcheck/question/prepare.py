@@ -309,7 +309,8 @@ def _reading(
     limiting = any(isinstance(part, Limiting) for _, part in walk(tree))
     if limiting or any(letter.order is not None for letter in notation.letters):
         _refuse_unsolved(claims, [f for _, fs in hypotheses for f in fs])
-    printed = dict.fromkeys((*domain(*whole, divisors=True), *begun(*whole)))
+    divided = (each for each in domain(*whole, divisors=True) if each.tag == "!=" and _is_rational(each[1], terms))
+    printed = dict.fromkeys((*domain(*whole), *divided, *begun(*whole)))
     valued = tuple(each for each in printed if letters(each) or functions(each))
     for each in printed:
         if each not in valued and not _may_hold(each):
@@ -382,6 +383,12 @@ def _regular(equation: Formula, varying: Iterable[str]) -> Formula:
     gap = node("+", equation[1], node("-", equation[2]))
     slopes = [node("^", slope(gap, x), 2) for x in sorted(letters(equation) & {*varying})]
     return node("!=", node("+", *slopes) if len(slopes) > 1 else slopes[0], 0)
+
+
+def _is_rational(divisor: Term, terms: Mapping[str, Term]) -> bool:
+    """Is it made of free letters? Of other divisors the search finds out for itself that they do not vanish."""
+    plain = all(part.tag in ("+", "-", "*", "/", "^", "pi") for part in nodes(divisor))
+    return plain and letters(divisor).isdisjoint(terms)
 
 
 def _has_rates(formulas: Iterable[Formula]) -> bool:

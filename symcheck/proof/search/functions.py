@@ -68,7 +68,7 @@ def expanded(name: str) -> Iterator[Instance]:
     inverse, _ = table().exponentials.get(name, ("", tree))
     if inverse and term == node("-", *table().exponentials[inverse][1].terms):
         return  # what is said of that other one is enough
-    if tree.tag != "exp" and (turns := number_of(node("/", term, PI))) is not None:
+    if tree.tag != "exp" and (turns := number_of(node("/", term, PI))) is not None and (2 * turns).denominator != 1:
         yield from _known_turn(tree.tag, turns)
         return
     value = Ring(variables(term)).ratio(term)
