@@ -732,7 +732,7 @@ def averaged_diffusion(a, Omega, k, alpha, beta, g_13, g_23):
             'poloskov2004:3.5': '9b09838828a8',
             'poloskov2004:4.0.3': 'c717004439c9',
             'poloskov2004:B.2': '75e272e9ef26',
-            'poloskov2004:B.3': 'a3f4d031d5cf',
+            'poloskov2004:B.3': 'c68c40b1b8ed',
         },
     ),
 )
@@ -770,7 +770,7 @@ def density_of_amplitude(a, alpha, beta, gamma):
     NaN outputs. A ValueError names what does not broadcast, and an `out` that does not fit.
 
     Rests on poloskov2004:3.4 (sha256 1151d266f39f), poloskov2004:3.5 (sha256 9b09838828a8), poloskov2004:4.0.3
-    (sha256 c717004439c9), poloskov2004:B.2 (sha256 75e272e9ef26), poloskov2004:B.3 (sha256 a3f4d031d5cf).
+    (sha256 c717004439c9), poloskov2004:B.2 (sha256 75e272e9ef26), poloskov2004:B.3 (sha256 c68c40b1b8ed).
 
     Examples
     --------
@@ -1027,7 +1027,7 @@ def logarithm_of_constant_of_frequency(k, g_13, g_23, d_33):
         ulp=8,
         condition='The exponent of the power is rounded.',
         claims={
-            'poloskov2004:B.3': 'a3f4d031d5cf',
+            'poloskov2004:B.3': 'c68c40b1b8ed',
         },
     ),
 )
@@ -1063,7 +1063,7 @@ def distribution_of_amplitude(a, alpha, beta, gamma):
     Arguments broadcast. Floats give floats; arrays give float64, or float32 if all of them are. NaN inputs give
     NaN outputs. A ValueError names what does not broadcast, and an `out` that does not fit.
 
-    Rests on poloskov2004:B.3 (sha256 a3f4d031d5cf).
+    Rests on poloskov2004:B.3 (sha256 c68c40b1b8ed).
 
     Examples
     --------
@@ -1096,7 +1096,7 @@ def distribution_of_amplitude(a, alpha, beta, gamma):
         condition='The ulp are those of the value times its condition number, 1 + |log(1 - q)|/nu with nu = |kappa_1| - 1.',
         degenerate='Nearer to gamma = alpha/2, where the density ends to exist, quantiles may be infinite.',
         claims={
-            'poloskov2004:B.3': 'a3f4d031d5cf',
+            'poloskov2004:B.3': 'c68c40b1b8ed',
             'poloskov2004:B.4': '62615be373ca',
         },
     ),
@@ -1135,7 +1135,7 @@ def quantile_of_amplitude(q, alpha, beta, gamma):
     Arguments broadcast. Floats give floats; arrays give float64, or float32 if all of them are. NaN inputs give
     NaN outputs. A ValueError names what does not broadcast, and an `out` that does not fit.
 
-    Rests on poloskov2004:B.3 (sha256 a3f4d031d5cf), poloskov2004:B.4 (sha256 62615be373ca).
+    Rests on poloskov2004:B.3 (sha256 c68c40b1b8ed), poloskov2004:B.4 (sha256 62615be373ca).
 
     Examples
     --------

@@ -111,7 +111,7 @@ def split_alternatives(goal: Formula, place: Place, search: Search) -> Attempt:
         return None, False
     known = place.known
     factors = [known.ring.subtract(*part.terms).num for part in goal.formulas]
-    form = node("*", *map(term_of, factors))
+    form = node("*", *(node("^", term_of(factor), 1) for factor in factors))
     product = identity_here(node("=", form, 0), known)
     cases = [search(goal, known.with_fact(factor), place) for factor in factors] if product else []
     proofs = tuple(case for case in cases if case is not None)
