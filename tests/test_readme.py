@@ -50,7 +50,7 @@ def test_the_engineers_example_runs_as_it_is_printed(
 def test_the_readers_own_formulas_are_decided_as_it_is_said(capsys: pytest.CaptureFixture[str]) -> None:
     exec(example("import decide"), {})
     told = "proved the length of \\mathbf{u} (the same letter stands in bold type)"
-    assert capsys.readouterr().out.splitlines() == [told, "refuted {'n': '1'}"]
+    assert capsys.readouterr().out.splitlines() == [told, "refuted {'n': '3'}"]
 
 
 def test_the_erratum_is_what_is_printed(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
