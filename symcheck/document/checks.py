@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Sequence
+from collections import Counter
+from collections.abc import Container, Iterable, Iterator, Sequence
 from dataclasses import dataclass
 
 from symcheck.document.letters import Letter, said
@@ -24,6 +25,9 @@ CONDITIONAL = re.compile(
 )
 # words before a formula that say that it holds for all values of its letters
 IDENTITY = re.compile(r"\b(identit\w+|for (?:all|every|any|each)|trigonometric|expand\w*|simplif\w*)\b", re.IGNORECASE)
+AGAIN = re.compile(
+    r"\b(recall\w*|again|as before|as above|repeat\w*|remember)\b", re.IGNORECASE
+)  # before what is known
 SENTENCES = 2  # before a formula in which such a word counts
 MOST_CONDITIONS = 8  # relations that share letters with one that fails, the nearest ones, which must not save it
 NEAR = 3  # formulas behind one that may say for what it holds
@@ -77,6 +81,19 @@ def _confirmed(question: Question) -> Answer:
     return answered(question.relation, question.where, (), said)
 
 
+@dataclass(frozen=True)
+class Definition:
+    """An equation that says what a letter is, with the number of its formula."""
+
+    number: int
+    link: Link
+
+    @property
+    def names(self) -> frozenset[str]:
+        """All of its letters."""
+        return self.link.names[0] | self.link.names[1]
+
+
 class Checks:
     """The questions that a document raises."""
 
@@ -87,7 +104,7 @@ class Checks:
     def alone(self) -> Iterator[Question]:
         """Whether formulas that define nothing hold for all values."""
         for k, seen in enumerate(self.seen):
-            if seen.links and not seen.reason and not (seen.head and len(seen.links) == 1):
+            if seen.links and not seen.reason and len(seen.heads) < len(seen.links):
                 yield Question(k, self.formulas[k].latex, "alone", letters=self._said(seen))
 
     def _said(self, *seen: Seen) -> tuple[tuple[str, str], ...]:
@@ -107,72 +124,73 @@ class Checks:
         for k, seen in enumerate(self.seen):
             if not self.is_statement(k):
                 continue
-            for n, link in enumerate(seen.links):
-                if (question := self._chained(k, link) or self._defined(k, n, link)) is not None:
+            for link in seen.links:
+                if (question := self._chained(k, link) or self._defined(k, link)) is not None:
                     yield question
+
+    def continued(self, asked: Iterable[Question], proved: Container[Question]) -> Iterator[int]:
+        """The definitions that go on, where all that follows on the first equation holds."""
+        count = Counter(question.number for question in asked if question.kind == "chain" and question in proved)
+        for k, number in count.items():
+            seen = self.seen[k]
+            if number == len(seen.links) - len(seen.heads):
+                yield k
 
     def _chained(self, k: int, link: Link) -> Question | None:
         """A link behind another one, with the same letters on both sides."""
         if link.names[0] != link.names[1] or not link.names[0] or min(link.sizes) < SMALLEST:
             return None
-        relation = f"{link.left} = {link.right}"
         kind = "chain" if link.chained else "identity"
         if not link.chained and not IDENTITY.search(self.formulas[k].before):
             return None
         conditions = self._conditions(k, link.names[0], ())
-        return Question(k, relation, kind, given=conditions, letters=self._said(self.seen[k]), sure=not link.chained)
+        return Question(k, link.latex, kind, given=conditions, letters=self._said(self.seen[k]), sure=not link.chained)
 
-    def _defined(self, k: int, n: int, link: Link) -> Question | None:
+    def _defined(self, k: int, link: Link) -> Question | None:
         """A relation between letters that are all defined before it, or free in these definitions."""
-        seen = self.seen[k]
         known = self._definitions(k)
         names = link.names[0] | link.names[1]
-        used: dict[str, int] = {}
+        used: dict[str, Definition] = {}
         more = {x for x in names if x in known}
         while more:
-            used |= {x: known[x] for x in more}
-            more = {x for m in (known[x] for x in more) for x in self._own(m)} & known.keys() - used.keys()
-        free = {x for m in used.values() for x in self._own(m)}
-        if not used or not names <= free | used.keys() or link.sizes[1] < SMALLEST:
+            used |= {x: known[x] for x in sorted(more)}
+            more = {x for x in more for x in known[x].names} & known.keys() - used.keys()
+        free = frozenset(x for each in used.values() for x in each.names)
+        if not used or not names <= free | used.keys() or max(link.sizes) < SMALLEST:
             return None
-        first = n == 0 and bool(seen.head)
-        if first and seen.head not in known:
+        if link.head and not (link.head in known and AGAIN.search(self.formulas[k].before)):
             return None
-        again = first and self._own(known[seen.head]) != frozenset(names)
-        if again:
+        if link.head and known[link.head].names != names:
             return None
-        where = tuple(self._definition(m) for m in dict.fromkeys(used.values()))
-        sources = tuple(sorted(set(used.values())))
-        conditions = self._conditions(k, frozenset(names | free), sources)
-        letters = self._said(seen, *(self.seen[m] for m in sources))
-        kind = "again" if first else "defined"
-        return Question(k, f"{link.left} = {link.right}", kind, where, sources, conditions, letters, sure=True)
+        sources = [*dict.fromkeys(used.values())]
+        numbers = tuple(each.number for each in sources)
+        return Question(
+            k,
+            link.latex,
+            "defined",
+            tuple(each.link.latex for each in sources),
+            numbers,
+            self._conditions(k, names | free, numbers),
+            self._said(self.seen[k], *(self.seen[m] for m in numbers)),
+            sure=True,
+        )
 
-    def _own(self, m: int) -> frozenset[str]:
-        """The letters of the definition that a formula states."""
-        link = self.seen[m].links[0]
-        return link.names[0] | link.names[1]
-
-    def _definition(self, m: int) -> str:
-        link = self.seen[m].links[0]
-        return f"{link.left} = {link.right}"
-
-    def _definitions(self, k: int) -> dict[str, int]:
+    def _definitions(self, k: int) -> dict[str, Definition]:
         """The letters that are defined before a formula, once, in the same part of the document."""
         section, local = self.formulas[k].scope
-        found: dict[str, int] = {}
+        found: dict[str, Definition] = {}
         twice = set()
         for m in range(k):
             theirs = self.formulas[m].scope
-            seen = self.seen[m]
-            if theirs[0] != section or theirs[1] not in (0, local) or not seen.head or not self.is_statement(m):
+            if theirs[0] != section or theirs[1] not in (0, local) or not self.is_statement(m):
                 continue
-            if not seen.links[0].names[1]:
-                continue  # a value in one case
-            if seen.head in found and self._definition(found[seen.head]) != self._definition(m):
-                twice.add(seen.head)
-            found.setdefault(seen.head, m)
-        return {letter: m for letter, m in found.items() if letter not in twice}
+            for head, link in self.seen[m].heads.items():
+                if not link.names[1]:
+                    continue  # a value in one case
+                if head in found and found[head].link.latex != link.latex:
+                    twice.add(head)
+                found.setdefault(head, Definition(m, link))
+        return {letter: each for letter, each in found.items() if letter not in twice}
 
     def _conditions(self, k: int, names: frozenset[str], used: Sequence[int]) -> tuple[str, ...]:
         """What else the document says of the letters: all before, and what follows at once."""

@@ -7,8 +7,8 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
 from itertools import chain
 
-from symcheck.document.macros import Expander, Tok, argument, optional, tokens, written
-from symcheck.document.printed import Fault, Printed
+from symcheck.document.macros import MISSING, Expander, Tok, argument, optional, tokens, written
+from symcheck.document.printed import Fault, Printed, place
 from symcheck.reading import split_tag
 
 ROWS = frozenset(
@@ -38,6 +38,10 @@ _WITHIN = re.compile(
     r"(?:\{?\\the(chapter|section|subsection)\}?|\\arabic\{(chapter|section)\})\.?\\arabic\{equation\}"
 )
 _ENVIRONMENT = re.compile(r"\\(begin|end)\{(.*)\}", re.DOTALL)  # as one token
+BEFORE = frozenset(
+    {"", "=", ",", r"\in", r"\subset", r"\cup", r"\quad", r"\qquad", r"\times", r"\colon", ":"}
+)  # an operand
+BEHIND = frozenset({".", ",", ";", r"\quad", r"\qquad", r"\,", "~"})  # an environment that is all of a formula
 TAIL = 30  # tokens at the end of a row in which its number may stand: `\quad (12.34a)`
 APART = frozenset({r"\quad", r"\qquad", r"\\", "&", ";", ",", ".", "~"})  # what stands before the number of an item
 MAX_PROSE = 60  # words before a formula that are looked at: two sentences
@@ -150,6 +154,8 @@ class Scanner:
         if text in HEADINGS:
             starred = bool(stack) and stack[-1].text == "*"
             self.heading(LEVELS[HEADINGS[text]], numbered=not starred)
+        elif text == MISSING:
+            self.counters.known = False
         elif text == r"\appendix":
             self.counters.appendix = True
             self.counters.values |= {"chapter": 0} if "chapter" in self.counters.values else {"section": 0}
@@ -183,7 +189,7 @@ class Scanner:
         self.prose.clear()
 
     def _fault(self, tok: Tok, message: str) -> None:
-        self.faults.append(Fault(tok.file, tok.line, self.cell, message))
+        self.faults.append(Fault(len(self.found), place(tok.file, tok.line, self.cell), message))
 
     def display(self, body: Sequence[Tok], name: str, label: str = "") -> None:
         """A display: its formulas, each with all of its rows."""
@@ -216,7 +222,10 @@ class Scanner:
         plain = _without_words(body)
         for k, tok in enumerate(plain):
             before = plain[k - 1].text if k else ""
-            if before == r"\left" or (tok.text in ("(", "[") and before != r"\right"):
+            mirrored = tok.text == "]" and before in BEFORE  # as in ]a, b[
+            if tok.text == "[" and opened and opened[-1].text == "]":
+                opened.pop()
+            elif mirrored or before == r"\left" or (tok.text in ("(", "[") and before != r"\right"):
                 opened.append(tok)
             elif before == r"\right" or tok.text in (")", "]"):
                 if opened:
@@ -239,7 +248,7 @@ class Scanner:
             if within is None:
                 return ""
             self.counters.within = within[1] or within[2]
-        return number if self.counters.known and not self.expander.notes else ""
+        return number if self.counters.known else ""
 
     def _inner(self, row: Row) -> list[list[Tok]]:
         """The rows of the environment that is all of this one, or itself."""
@@ -248,7 +257,7 @@ class Scanner:
         name = match[2] if match and match[1] == "begin" else ""
         if name in INNER or name.rstrip("*") in ROWS:
             end = _end(toks, 0, name)
-            if end >= 0 and not any(t.text not in ".,;" and not t.is_space for t in toks[end + 1 :]):
+            if end >= 0 and all(t.is_space or t.text in BEHIND for t in toks[end + 1 :]):
                 inside = [_numbered(part).toks for part in _rows(_without_arguments(toks[1:end], name))]
                 return [found for part in inside if part for found in self._inner(Row(part))]
         return [_numbered(part).toks for part in _rows(row.toks)]

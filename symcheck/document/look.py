@@ -16,7 +16,7 @@ from symcheck.audit.library import executor
 from symcheck.core.terms import JSON
 from symcheck.document.checks import SEARCH, SECONDS, Checks, Question, confirmed, decided
 from symcheck.document.letters import Letter, letters
-from symcheck.document.printed import Printed, place
+from symcheck.document.printed import Printed
 from symcheck.document.sources import source
 from symcheck.document.structure import Mark, marks
 from symcheck.document.survey import READING, Seen, surveyed
@@ -27,6 +27,8 @@ T = TypeVar("T")
 HARD = 3  # times a limit after which a worker that does not heed it is killed
 # what distinguishes two refusals of one kind: the place, and what is printed there
 _PLACE = re.compile(r",? at character \d+: .*$", re.DOTALL)
+_BOUNDS = re.compile(r"(\S+) ≤ (.*) and \2 ≤ (\S+)", re.DOTALL)  # as the decision tells the value of a difference
+NEAREST = 2  # relations that are shown in the place of one that fails
 FAILS = "fails with these definitions: an error, or a condition printed elsewhere?"
 CHAIN = "the links of this chain do not agree: an error, or a condition printed elsewhere?"
 Progress = Callable[[int, int], None]
@@ -176,22 +178,22 @@ def look(file: str | PathLike[str], *, jobs: int = 0, progress: Progress = lambd
     answers = work.all(decided, [*alone, *suspicious], SECONDS, _undecided)
     failing = [question for question in suspicious if answers[question].verdict is Status.REFUTED]
     sure = work.all(confirmed, failing, SEARCH, _undecided)
-    found = [_finding(formulas, q, sure[q]) for q in failing if _is_to_be_told(q, sure[q])]
-    holds = dict.fromkeys(formulas[q.number].place for q in alone if answers[q].verdict is Status.PROVED)
-    follows = dict.fromkeys(
-        formulas[q.number].place for q in suspicious if q.where and answers[q].verdict is Status.PROVED
-    )
-    faults = [Finding(place(f.file, f.line, f.cell), "", f.message) for f in printed.faults]
-    marked = [_marked(formulas, mark) for mark in marks(formulas, seen, printed.mentions)]
+    found = [(fault.number, Finding(fault.place, "", fault.message)) for fault in printed.faults]
+    found += [(mark.number, _marked(formulas, mark)) for mark in marks(formulas, seen, printed.mentions)]
+    found += [(q.number, _finding(formulas, q, sure[q])) for q in failing if _is_to_be_told(q, sure[q])]
+    proved = {question for question, answer in answers.items() if answer.verdict is Status.PROVED}
+    holding = {question.number for question in alone if question in proved} | {*checks.continued(suspicious, proved)}
+    holds = [formulas[k].place for k in sorted(holding)]
+    follows = dict.fromkeys(formulas[q.number].place for q in suspicious if q.where and q in proved)
     return Look(
         str(file),
         formulas,
         tuple(each.read for each in seen),
         tuple(every),
         tuple(_refusals(formulas, seen)),
-        tuple(holds),
+        tuple(dict.fromkeys(holds)),
         tuple(follows),
-        (*faults, *marked, *found),
+        tuple(finding for _, finding in sorted(found, key=lambda each: each[0])),
         printed.notes,
         time.perf_counter() - started,
     )
@@ -238,10 +240,16 @@ def _finding(formulas: Sequence[Printed], question: Question, answer: Answer) ->
         question.relation,
         CHAIN if question.kind == "chain" else FAILS,
         answer.counterexample,
-        answer.values,
+        tuple(map(_enclosed, answer.values)),
         tuple(f"{formulas[k].place}: {text}" for k, text in zip(question.sources, question.where, strict=True)),
-        tuple(repair["relation"] for repair in answer.repairs),
+        tuple(repair["relation"] for repair in answer.repairs[:NEAREST]),
     )
+
+
+def _enclosed(value: str) -> str:
+    """What is shown of the sides at a point; a difference between two bounds in words."""
+    between = _BOUNDS.fullmatch(value)
+    return f"the left side less the right one is between {between[1]} and {between[3]}" if between else value
 
 
 def _marked(formulas: Sequence[Printed], mark: Mark) -> Finding:

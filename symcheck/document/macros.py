@@ -15,9 +15,10 @@ from typing import NamedTuple
 from symcheck.core.verdicts import SymcheckError
 from symcheck.document.packages import PACKAGES
 
-MAX_STEPS = 2_000_000  # tokens of one document; a book of 500 pages has half of it
+MAX_MADE = 1_000_000  # tokens that macros of one document make; those of a book of 500 pages make half of it
 MAX_FILES = 30  # included files within one another; TeX itself has 15
 ENDS = "\0"  # begins the token that stands where an included file ends; no text that is read has this character
+MISSING = "\1"  # stands where a file is missing
 LONGEST_NAME = 80  # characters of the name of an environment, a counter or a macro
 
 # what is printed as it is typed, or not at all; then a comment with the spaces of the next line; then tokens
@@ -87,16 +88,15 @@ class Expander:
     macros: dict[str, Macro] = field(default_factory=dict)
     environments: dict[str, tuple[Macro, tuple[Tok, ...]]] = field(default_factory=dict)
     notes: list[str] = field(default_factory=list)
-    steps: int = 0
+    made: int = 0
 
     def run(self, toks: Sequence[Tok]) -> Iterator[Tok]:
         """What is left of the tokens."""
         stack = [*reversed(toks)]
         while stack:
             tok = stack.pop()
-            self._count(tok)
             text = tok.text
-            if tok.final and text[:1] == ENDS:
+            if text.startswith(ENDS):
                 continue
             if text[:1] != "\\" or tok.final:
                 yield tok
@@ -109,16 +109,18 @@ class Expander:
             else:
                 yield tok
 
-    def _count(self, tok: Tok, many: int = 1) -> None:
-        self.steps += many
-        if self.steps > MAX_STEPS:
+    def _count(self, tok: Tok, many: int) -> None:
+        self.made += many
+        if self.made > MAX_MADE:
             raise SymcheckError(
-                f"{_place(tok)}: macros or files expand to more than {MAX_STEPS} tokens at {tok.text[:20]}; "
+                f"{_place(tok)}: macros expand to more than {MAX_MADE} tokens at {tok.text[:20]}; "
                 "does one of them call itself?"
             )
 
     def _expand(self, macro: Macro, tok: Tok, stack: list[Tok]) -> None:
         arguments: list[Sequence[Tok]] = []
+        if stack and stack[-1].is_space and stack[-1].text.count("\n") < 2 and tok.text[-1:].isalpha():
+            stack.pop()  # as TeX does behind a command
         for kind in macro.takes:
             if kind == "m":
                 arguments.append(argument(stack))
@@ -137,7 +139,7 @@ class Expander:
             else:
                 _skip_text(stack, kind)
         made = _substituted(macro.body, arguments, tok)
-        self._count(tok, len(made))
+        self._count(tok, len(made) + 1)
         stack.extend(reversed(made))
 
     def _environment(self, tok: Tok, stack: list[Tok]) -> Iterator[Tok]:
@@ -264,6 +266,7 @@ class Expander:
         found = [f for f in (self.folder / f"{name}.tex", self.folder / name) if f.is_file()]
         if not found:
             self.notes.append(f"{_place(tok)}: {tok.text}{{{name}}}: there is no such file")
+            stack.append(Tok(MISSING, tok.line, tok.file, True))
             return
         self._open(found[0], tok, stack)
 

@@ -47,11 +47,10 @@ class Printed:
 
 @dataclass(frozen=True)
 class Fault:
-    """Something that is wrong with the source itself, at a place."""
+    """Something that is wrong with the source itself, at a place before the formula of a number."""
 
-    file: str
-    line: int
-    cell: int
+    number: int
+    place: str
     message: str
 
 

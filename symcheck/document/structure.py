@@ -108,12 +108,12 @@ def _too_early(
         named[text] = min(k, named.get(text, k))
     heads: dict[str, int] = {}
     for k, each in enumerate(seen):
-        if each.head:
-            heads.setdefault(each.head, k)
+        for head in each.heads:
+            heads.setdefault(head, k)
     for letter, k in heads.items():
         used = first.get(letter, k)
         if formulas[used].scope[0] >= formulas[k].scope[0] or not formulas[k].display:
             continue
         introduced = _INTRODUCES.search(formulas[k].before) is not None
-        if introduced and named.get(letter, k) > used + 1 and ("_" in letter or letter[:1] == "\\"):
+        if introduced and named.get(letter, len(seen)) > used + 1 and ("_" in letter or letter[:1] == "\\"):
             yield Mark(used, f"{letter} is used here and introduced at {formulas[k].place}")

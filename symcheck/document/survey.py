@@ -37,6 +37,12 @@ class Link:
     names: tuple[frozenset[str], frozenset[str]]
     sizes: tuple[int, int]
     chained: bool  # does it stand behind another one?
+    head: str = ""  # the letter that it may define
+
+    @property
+    def latex(self) -> str:
+        """The equation."""
+        return f"{self.left} = {self.right}"
 
 
 @dataclass(frozen=True)
@@ -47,13 +53,16 @@ class Seen:
     partly: bool = False
     roles: tuple[Role, ...] = ()
     links: tuple[Link, ...] = ()
-    head: str = ""
-    arguments: tuple[str, ...] = ()
     plain: bool = False  # equations alone, without conditions beside them
 
     @property
     def read(self) -> bool:
         return not self.reason or self.partly
+
+    @property
+    def heads(self) -> dict[str, Link]:
+        """The letters that it may define, each with the equation that does."""
+        return {link.head: link for link in self.links if link.head}
 
     @property
     def names(self) -> frozenset[str]:
@@ -70,6 +79,8 @@ def surveyed(latex: str) -> Seen:
         return Seen(f"it could not be read in {READING:g} s")
     except SymcheckError as error:
         return Seen(str(error))
+    except RecursionError:
+        return Seen("it is nested too deeply")
 
 
 def _surveyed(latex: str) -> Seen:
@@ -87,11 +98,8 @@ def _surveyed(latex: str) -> Seen:
             inferences = []
         return Seen(str(error), roles=tuple(replace(role, known=False) for role in _roles(inferences)))
     links = tuple(_links(tree))
-    head, arguments = "", tuple[str, ...]()
-    if links and (own := definitions([f"{links[0].left} = {links[0].right}"])[0]):
-        (head, (_, arguments, _)), *_ = own.items()
     plain = isinstance(tree, Chain) or (isinstance(tree, System) and not tree.qualifiers)
-    return Seen(reason, partly, tuple(_roles(inferences)), links, head, arguments, plain)
+    return Seen(reason, partly, tuple(_roles(inferences)), links, plain)
 
 
 def _links(tree: Tree) -> Iterator[Link]:
@@ -101,7 +109,10 @@ def _links(tree: Tree) -> Iterator[Link]:
         left, right = relation.left, relation.right
         if left is not None and right is not None and relation.sign == "=":
             names = frozenset(_names(left)), frozenset(_names(right))
-            yield Link(to_latex(left), to_latex(right), names, (_size(left), _size(right)), before is left)
+            sides = to_latex(left), to_latex(right)
+            chained = before is left
+            head = "" if chained else next(iter(definitions([" = ".join(sides)])[0]), "")
+            yield Link(*sides, names, (_size(left), _size(right)), chained, head)
         before = right
 
 
