@@ -18,6 +18,7 @@ WHOLE = frozenset({"equation", "displaymath", "multline", "dmath", "math", "IEEE
 INNER = frozenset({"split", "aligned", "alignedat", "gathered", "multlined", "aligned*", "equation", "equation*"})
 NUMBERED = (ROWS | WHOLE) - {"displaymath", "math", "xxalignat", "IEEEeqnarraybox"}
 COLUMNS = frozenset({"alignat", "xalignat", "xxalignat", "alignedat", "IEEEeqnarray", "darray"})  # take an argument
+# environments whose letters are their own
 LOCAL = re.compile(
     r"example|exercise|problem|question|solution|proof|theorem|lemma|corollary|remark|case|exer|exm", re.I
 )

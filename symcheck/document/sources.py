@@ -17,8 +17,9 @@ MARKUPS = {
     **dict.fromkeys((".rst", ".rest"), "restructured"),
     ".ipynb": "notebook",
 }
-# what only LaTeX has, or only reStructuredText, where the name of a file does not say it
+# what only LaTeX has, where the name of a file does not say it
 _LATEX = re.compile(r"\\(?:documentclass|begin\{document\}|(?:sub)*section\*?\{|input\{)")
+# only reStructuredText has these
 _RESTRUCTURED = re.compile(r"^\s*\.\. math::|:math:`", re.MULTILINE)
 
 

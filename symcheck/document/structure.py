@@ -10,17 +10,21 @@ from itertools import pairwise
 from symcheck.document.printed import Printed
 from symcheck.document.survey import Seen
 
+# a printed matrix that contains no other environment
 _MATRIX = re.compile(r"\\begin\{([pbB]?matrix)\}((?:(?!\\begin).)*?)\\end\{\1\}", re.DOTALL)
 _ROW = re.compile(r"\\\\(?:\[[^\]]*\])?")  # the end of a row, with a space behind it
 # entries that may be blocks, or stand for several: dots, bold letters and capitals, and nothing at all
 _BLOCK = re.compile(r"dots|\\(?:math|bm|bold|vec|hat|text|operatorname|multicol)|[A-Z]|&\s*&|&\s*$|^\s*&")
+# a size that stands for a printed matrix, and the T of its transposed
 _SIZE = re.compile(r"<(\d+),(\d+)>\s*(\^\s*(?:\{\s*)?(?:T|\\top|\\mathsf T|\\intercal)(?:\s*\})?)?")
+# matrices one behind the other, and nothing else
 _PRODUCT = re.compile(rf"(?:{_SIZE.pattern}\s*)+")
 _EQUALS = re.compile(r"(?<![<>:])=")  # between the sides of an equation
 # all components of a vector, each printed: `(x_1, x_2, x_3)`
 _COMPONENTS = re.compile(
     r"(?:=|\\in)\s*(?:\\left)?[(\[]\s*((?:\\?[A-Za-z]+)_\{?1\}?(?:\s*,\s*\\?[A-Za-z]+_\{?\d\}?)+)\s*(?:\\right)?[)\]]"
 )
+# one of them
 _COMPONENT = re.compile(r"(\\?[A-Za-z]+)_\{?(\d+)\}?")
 # words that introduce the letter that the next display defines
 _INTRODUCES = re.compile(r"\b(?:defin\w+|denot\w+|introduc\w+)\b[^.]*$", re.IGNORECASE)
