@@ -11,6 +11,7 @@ if TYPE_CHECKING:
     from symcheck.audit.library import check, errata
     from symcheck.core.claims import Declaration, Erratum, Hypothesis, Paper, Section
     from symcheck.core.verdicts import Group, Origin, Reading, Role, SymcheckError, Verdict
+    from symcheck.document.look import Look, look
     from symcheck.ledger.record import Record
     from symcheck.numeric.chunked.kernels import kernel
     from symcheck.papers.declare import claim, definition, exclusion, ours, premise
@@ -28,6 +29,7 @@ __all__ = [
     "Group",
     "Hypothesis",
     "Letter",
+    "Look",
     "Notation",
     "Origin",
     "Paper",
@@ -44,6 +46,7 @@ __all__ = [
     "errata",
     "exclusion",
     "kernel",
+    "look",
     "ours",
     "papers",
     "premise",
@@ -54,6 +57,7 @@ _HOMES = {
     "symcheck.audit.library": ("check", "errata"),
     "symcheck.core.claims": ("Declaration", "Erratum", "Hypothesis", "Paper", "Section"),
     "symcheck.core.verdicts": ("Group", "Origin", "Reading", "Role", "SymcheckError", "Verdict"),
+    "symcheck.document.look": ("Look", "look"),
     "symcheck.ledger.record": ("Record",),
     "symcheck.numeric.chunked.kernels": ("kernel",),
     "symcheck.papers.declare": ("claim", "definition", "exclusion", "ours", "premise"),

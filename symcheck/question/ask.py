@@ -74,6 +74,18 @@ def decide(
     >>> decide(r"\ln x = x", given="x > 0").counterexample
     {'x': '1'}
     """
+    return answered(relation, where, given, letters)
+
+
+def answered(
+    relation: str,
+    where: Iterable[str] | str = (),
+    given: Iterable[str] | str = (),
+    letters: Mapping[str, str] | None = None,
+    *,
+    wanted: bool = True,
+) -> Answer:
+    """The answer to a question; repairs of what is refuted are looked for if they are wanted."""
     started = time.perf_counter()
     asked = None
     try:
@@ -83,7 +95,7 @@ def decide(
         if reason := spelled_function((printed.relation, *printed.where, *printed.given)):
             return Answer(Status.AMBIGUOUS, reason=reason)
         with limited(TOTAL):
-            found = [(reading, _decided(reading, asked)) for reading in readings(asked)]
+            found = [(reading, _decided(reading, asked, wanted)) for reading in readings(asked)]
     except Understood as error:
         found, other = [], Answer(Status.UNDECIDED, *_shown(error.tree, error.inference), reason=error.reason)
     except SymcheckError as error:

@@ -211,7 +211,7 @@ def _base(tokens: Sequence[str]) -> tuple[int, int]:
             groups -= tokens[start] == "}" and not depth
             start += 1
         start += 1  # into the third group
-    elif tokens[0] in (r"\Delta", r"\delta"):
+    elif tokens[0] in (r"\Delta", r"\delta") and is_letter("".join(tokens[1:2])):
         start = 1
     end = start + 1
     if tokens[start] in STYLES | ACCENTS | ROMAN and tokens[end : end + 1] == ["{"]:

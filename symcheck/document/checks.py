@@ -1,0 +1,213 @@
+"""What can be asked of a document without knowing more than it prints: questions with definitions and conditions."""
+
+from __future__ import annotations
+
+import re
+from collections import Counter
+from collections.abc import Container, Iterable, Iterator, Sequence
+from dataclasses import dataclass
+
+from symcheck.document.letters import Letter, said
+from symcheck.document.printed import Printed
+from symcheck.document.survey import Link, Seen
+from symcheck.question import Answer, Status
+from symcheck.question.ask import answered
+from symcheck.question.limit import OutOfTime, limited
+
+# words before a formula that make it a condition, an equation to be solved, or a case, and no statement
+CONDITIONAL = re.compile(
+    r"\b(if|when|whenever|unless|suppos\w*|assum\w*|such that|so that|solv\w*|requir\w*|condition\w*|constrain\w*|"
+    r"constraint|satisf\w*|choos\w*|choice|set|sets|setting|find|for which|impos\w*|subject to|provided|case|cases|"
+    r"equation\w* of|unknown\w*|roots?|initial|boundary|minimi[sz]\w*|maximi[sz]\w*|example|consider\w*|approximat\w*|"
+    r"neglect\w*|small|limit\w*|equilibri\w*|wrong|false|incorrect|not true|mistake\w*|naive\w*|instead|replac\w*|"
+    r"substitut\w*|modulo|mod|model\w*|law|hypothes\w*|contradict\w*|iterat\w*|updat\w*|assign\w*)\b",
+    re.IGNORECASE,
+)
+# words before a formula that say that it holds for all values of its letters
+IDENTITY = re.compile(r"\b(identit\w+|for (?:all|every|any|each)|trigonometric|expand\w*|simplif\w*)\b", re.IGNORECASE)
+AGAIN = re.compile(
+    r"\b(recall\w*|again|as before|as above|repeat\w*|remember)\b", re.IGNORECASE
+)  # before what is known
+SENTENCES = 2  # before a formula in which such a word counts
+MOST_CONDITIONS = 8  # relations that share letters with one that fails, the nearest ones, which must not save it
+NEAR = 3  # formulas behind one that may say for what it holds
+SECONDS = 1.0  # for a formula alone; nearly all that are decided at all are decided in a fifth
+SEARCH = 4.0  # seconds for one that seems to fail
+SMALLEST = 3  # parts of a side that is more than a letter with a sign: of shorter ones nothing can be told
+
+
+@dataclass(frozen=True)
+class Question:
+    """One relation with what the document says before it."""
+
+    number: int  # of the formula
+    relation: str
+    kind: str
+    where: tuple[str, ...] = ()
+    sources: tuple[int, ...] = ()  # the formulas that define
+    given: tuple[str, ...] = ()
+    letters: tuple[tuple[str, str], ...] = ()
+    sure: bool = False  # does it fail only if a slip of the pen away from it stands what holds?
+
+
+def decided(question: Question) -> Answer:
+    """The answer, without a search for repairs."""
+    try:
+        with limited(SECONDS):
+            return answered(question.relation, question.where, (), dict(question.letters), wanted=False)
+    except OutOfTime:
+        return Answer(Status.UNDECIDED, reason=f"the search was not over after {SECONDS:g} s")
+
+
+def confirmed(question: Question) -> Answer:
+    """The answer to what seems to fail: with what else the document says of the letters, and with repairs."""
+    try:
+        with limited(SEARCH):
+            return _confirmed(question)
+    except OutOfTime:
+        return Answer(Status.UNDECIDED, reason=f"the search was not over after {SEARCH:g} s")
+
+
+def _confirmed(question: Question) -> Answer:
+    said = dict(question.letters)
+    if question.given:
+        together = answered(question.relation, question.where, question.given, said, wanted=False)
+        if together.verdict in (Status.PROVED, Status.UNDECIDED, Status.VACUOUS):
+            return together
+        for condition in question.given if together.verdict is not Status.REFUTED else ():
+            alone = answered(question.relation, question.where, (condition,), said, wanted=False)
+            if alone.verdict not in (Status.REFUTED, Status.UNREADABLE):
+                return alone
+    return answered(question.relation, question.where, (), said)
+
+
+@dataclass(frozen=True)
+class Definition:
+    """An equation that says what a letter is, with the number of its formula."""
+
+    number: int
+    link: Link
+
+    @property
+    def names(self) -> frozenset[str]:
+        """All of its letters."""
+        return self.link.names[0] | self.link.names[1]
+
+
+class Checks:
+    """The questions that a document raises."""
+
+    def __init__(self, formulas: Sequence[Printed], seen: Sequence[Seen], letters: Sequence[Letter]) -> None:
+        self.formulas, self.seen = formulas, seen
+        self.letters = {each.letter: each for each in letters}
+
+    def alone(self) -> Iterator[Question]:
+        """Whether formulas that define nothing hold for all values."""
+        for k, seen in enumerate(self.seen):
+            if seen.links and not seen.reason and len(seen.heads) < len(seen.links):
+                yield Question(k, self.formulas[k].latex, "alone", letters=self._said(seen))
+
+    def _said(self, *seen: Seen) -> tuple[tuple[str, str], ...]:
+        found: dict[str, str] = {}
+        for each in seen:
+            found |= said(each, self.letters)
+        return tuple(found.items())
+
+    def is_statement(self, k: int) -> bool:
+        """Is a formula printed as something that holds, by the words before it?"""
+        formula, seen = self.formulas[k], self.seen[k]
+        words = ". ".join(re.split(r"[.;:]\s+(?=[A-Z\\])", formula.before)[-SENTENCES:])
+        return formula.display and seen.plain and not seen.reason and not CONDITIONAL.search(words)
+
+    def suspicious(self) -> Iterator[Question]:
+        """Relations that ought to hold by what stands before them."""
+        for k, seen in enumerate(self.seen):
+            if not self.is_statement(k):
+                continue
+            for link in seen.links:
+                if (question := self._chained(k, link) or self._defined(k, link)) is not None:
+                    yield question
+
+    def continued(self, asked: Iterable[Question], proved: Container[Question]) -> Iterator[int]:
+        """The definitions that go on, where all that follows on the first equation holds."""
+        count = Counter(question.number for question in asked if question.kind == "chain" and question in proved)
+        for k, number in count.items():
+            seen = self.seen[k]
+            if number == len(seen.links) - len(seen.heads):
+                yield k
+
+    def _chained(self, k: int, link: Link) -> Question | None:
+        """A link behind another one, with the same letters on both sides."""
+        if link.names[0] != link.names[1] or not link.names[0] or min(link.sizes) < SMALLEST:
+            return None
+        kind = "chain" if link.chained else "identity"
+        if not link.chained and not IDENTITY.search(self.formulas[k].before):
+            return None
+        conditions = self._conditions(k, link.names[0], ())
+        return Question(k, link.latex, kind, given=conditions, letters=self._said(self.seen[k]), sure=not link.chained)
+
+    def _defined(self, k: int, link: Link) -> Question | None:
+        """A relation between letters that are all defined before it, or free in these definitions."""
+        known = self._definitions(k)
+        names = link.names[0] | link.names[1]
+        used: dict[str, Definition] = {}
+        more = {x for x in names if x in known}
+        while more:
+            used |= {x: known[x] for x in sorted(more)}
+            more = {x for x in more for x in known[x].names} & known.keys() - used.keys()
+        free = frozenset(x for each in used.values() for x in each.names)
+        if not used or not names <= free | used.keys() or max(link.sizes) < SMALLEST:
+            return None
+        if link.head and not (link.head in known and AGAIN.search(self.formulas[k].before)):
+            return None
+        if link.head and known[link.head].names != names:
+            return None
+        sources = [*dict.fromkeys(used.values())]
+        numbers = tuple(each.number for each in sources)
+        return Question(
+            k,
+            link.latex,
+            "defined",
+            tuple(each.link.latex for each in sources),
+            numbers,
+            self._conditions(k, names | free, numbers),
+            self._said(self.seen[k], *(self.seen[m] for m in numbers)),
+            sure=True,
+        )
+
+    def _definitions(self, k: int) -> dict[str, Definition]:
+        """The letters that are defined before a formula, once, in the same part of the document."""
+        section, local = self.formulas[k].scope
+        found: dict[str, Definition] = {}
+        twice = set()
+        for m in range(k):
+            theirs = self.formulas[m].scope
+            if theirs[0] != section or theirs[1] not in (0, local) or not self.is_statement(m):
+                continue
+            for head, link in self.seen[m].heads.items():
+                if not link.names[1]:
+                    continue  # a value in one case
+                if head in found and found[head].link.latex != link.latex:
+                    twice.add(head)
+                found.setdefault(head, Definition(m, link))
+        return {letter: each for letter, each in found.items() if letter not in twice}
+
+    def _conditions(self, k: int, names: frozenset[str], used: Sequence[int]) -> tuple[str, ...]:
+        """What else the document says of the letters: all before, and what follows at once."""
+        own = _bare(self.formulas[k].latex)
+        found: list[str] = []
+        order = [*range(k + 1, min(k + 1 + NEAR, len(self.seen))), *range(k - 1, -1, -1)]
+        for m in order:
+            seen = self.seen[m]
+            if m in used or seen.reason or not seen.names & names or _bare(self.formulas[m].latex) == own:
+                continue
+            if not seen.names <= names:
+                continue
+            found.append(self.formulas[m].latex)
+            if len(found) == MOST_CONDITIONS:
+                break
+        return tuple(dict.fromkeys(found))
+
+
+def _bare(latex: str) -> str:
+    return re.sub(r"\s|[{}]", "", latex)

@@ -1,0 +1,100 @@
+"""One guess for a document: what each letter is by all the formulas in which it stands, and where these disagree."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+
+from symcheck.document.macros import tokens, written
+from symcheck.document.printed import Printed
+from symcheck.document.survey import Role, Seen
+from symcheck.reading.inference import PRINTED
+
+# of letters that are said to be one of these in one place and another of them elsewhere, the places disagree
+KINDS = {
+    "vector": "a vector",
+    "matrix": "a matrix",
+    "function": "a function",
+    "index": "an index",
+    "number": "a number",
+}
+
+
+@dataclass(frozen=True)
+class Letter:
+    """What one letter of a document is taken for.
+
+    Parameters
+    ----------
+    letter
+        As it is printed.
+    taken, why
+        What it is taken for, and the evidence.
+    phrase
+        The same as `decide` takes it; "" where nothing more is known than that it is a number, or places disagree.
+    count
+        In how many formulas it stands.
+    first
+        The place of the first of them.
+    others
+        What it is elsewhere, each with a place, if places disagree.
+    """
+
+    letter: str
+    taken: str
+    why: str
+    phrase: str
+    count: int
+    first: str
+    others: tuple[str, ...] = ()
+
+
+def letters(formulas: Sequence[Printed], seen: Sequence[Seen]) -> list[Letter]:
+    """All letters in the order of appearance."""
+    places: dict[str, list[tuple[Role, Printed]]] = {}
+    for formula, each in zip(formulas, seen, strict=True):
+        for role in each.roles:
+            if role.kind != "differential":
+                places.setdefault(role.letter, []).append((role, formula))
+    return [_letter(letter, roles) for letter, roles in places.items()]
+
+
+def shown(letter: str) -> str:
+    """A letter without idle spaces, as somebody would type it."""
+    return written([tok for tok in tokens(letter) if not tok.is_space])
+
+
+def _letter(letter: str, places: Sequence[tuple[Role, Printed]]) -> Letter:
+    """The letter by those places that tell more of it than that it is a number."""
+    count, first = len(places), places[0][1].place
+    telling: dict[str, tuple[Role, Printed]] = {}
+    for role, formula in places:
+        if role.phrase and role.sure and role.known:
+            telling.setdefault(role.phrase, (role, formula))
+    if not telling:
+        role = places[0][0]
+        return Letter(letter, role.taken, role.why, "", count, first)
+    if printed := [role for role, _ in telling.values() if role.why == PRINTED]:
+        telling = {phrase: each for phrase, each in telling.items() if phrase == printed[0].phrase}
+    (role, _), *_ = telling.values()
+    kinds: dict[str, Printed] = {}
+    for other, formula in telling.values():
+        kinds.setdefault(other.kind, formula)
+    if len(kinds) > 1:
+        others = tuple(f"{KINDS.get(kind, kind)} at {formula.place}" for kind, formula in kinds.items())
+        return Letter(letter, role.taken, role.why, "", count, first, others)
+    return Letter(letter, role.taken, role.why, role.phrase if len(telling) == 1 else "", count, first)
+
+
+def said(seen: Seen, known: Mapping[str, Letter]) -> dict[str, str]:
+    """What the document says of letters of which a formula alone does not tell what they are."""
+    found = {}
+    for role in seen.roles:
+        phrase = known[role.letter].phrase if role.letter in known else ""
+        open_ = not role.sure or not role.phrase
+        if open_ and role.kind not in ("index", "differential", "number") and phrase.split(" ")[0] in _SAYABLE:
+            found[role.letter] = phrase
+    return found
+
+
+_SAYABLE = frozenset({"vector", "matrix", "function", "depends"})  # first words of phrases that `decide` takes

@@ -1,0 +1,268 @@
+"""`symcheck.look`: the first look at a document, without a declaration."""
+
+from __future__ import annotations
+
+import re
+import time
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, field
+from itertools import groupby
+from os import PathLike
+from pathlib import Path
+from typing import TypeVar
+
+from symcheck.audit.executor import Done, Executor, Timeout
+from symcheck.audit.library import executor
+from symcheck.core.terms import JSON
+from symcheck.document.checks import SEARCH, SECONDS, Checks, Question, confirmed, decided
+from symcheck.document.letters import Letter, letters
+from symcheck.document.printed import Printed
+from symcheck.document.sources import source
+from symcheck.document.structure import Mark, marks
+from symcheck.document.survey import READING, Seen, surveyed
+from symcheck.question import Answer, Status
+
+K = TypeVar("K")
+T = TypeVar("T")
+HARD = 3  # times a limit after which a worker that does not heed it is killed
+# what distinguishes two refusals of one kind: the place, and what is printed there
+_PLACE = re.compile(r",? at character \d+: .*$", re.DOTALL)
+_BOUNDS = re.compile(r"(\S+) ≤ (.*) and \2 ≤ (\S+)", re.DOTALL)  # as the decision tells the value of a difference
+NEAREST = 2  # relations that are shown in the place of one that fails
+FAILS = "fails with these definitions: an error, or a condition printed elsewhere?"
+CHAIN = "the links of this chain do not agree: an error, or a condition printed elsewhere?"
+Progress = Callable[[int, int], None]
+
+
+@dataclass(frozen=True)
+class Finding:
+    """Something in a document to look at.
+
+    Parameters
+    ----------
+    place
+        The line, and the number if it has one.
+    formula
+        The relation that fails, or what is printed there.
+    message
+        What is wrong, or may be.
+    point
+        Values of the letters at which it fails.
+    values
+        Both sides there.
+    definitions
+        The places of the definitions that were put in.
+    nearest
+        Relations that are one slip of the pen away and hold.
+    """
+
+    place: str
+    formula: str
+    message: str
+    point: dict[str, str] = field(default_factory=dict)
+    values: tuple[str, ...] = ()
+    definitions: tuple[str, ...] = ()
+    nearest: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True)
+class Refusal:
+    """One reason for which formulas are not read, or not decided, with all their places."""
+
+    reason: str
+    places: tuple[str, ...]
+    example: str
+
+
+@dataclass(frozen=True)
+class Look:
+    """What a first look at a document shows.
+
+    Parameters
+    ----------
+    file
+        The document.
+    formulas
+        All of its displays and inline relations, in printed order.
+    read
+        Whether each of them is read.
+    letters
+        Each letter with what it is taken for.
+    refusals
+        Why formulas are not read, each reason once.
+    holds
+        The places of relations that hold for all values of their letters.
+    follows
+        The places of relations that follow from definitions before them.
+    findings
+        What to look at.
+    notes
+        What was left out, such as files that are missing.
+    seconds
+        How long it took.
+    """
+
+    file: str
+    formulas: tuple[Printed, ...]
+    read: tuple[bool, ...]
+    letters: tuple[Letter, ...]
+    refusals: tuple[Refusal, ...]
+    holds: tuple[str, ...]
+    follows: tuple[str, ...]
+    findings: tuple[Finding, ...]
+    notes: tuple[str, ...] = ()
+    seconds: float = 0.0
+
+    def as_json(self) -> dict[str, JSON]:
+        """All of it as JSON data."""
+        import json
+        from dataclasses import asdict
+
+        data: dict[str, JSON] = json.loads(json.dumps(asdict(self)))
+        return data
+
+
+def look(file: str | PathLike[str], *, jobs: int = 0, progress: Progress = lambda done, total: None) -> Look:
+    r"""Look at a document for the first time, without a single declaration.
+
+    Its displays and inline relations are found with lines, labels and numbers, macros expanded; the letters are
+    inferred from all formulas together; then it is said what holds for all values of the letters, and what fails
+    although everything that it needs is defined before it. Nothing is called refuted: what fails may rest on a
+    condition that is printed in words.
+
+    Parameters
+    ----------
+    file
+        LaTeX, Markdown (also of Quarto and MyST), reStructuredText, or a notebook.
+    jobs
+        Worker processes; 0 works in this process. With workers a script needs ``if __name__ == "__main__"``.
+    progress
+        Called with the numbers of steps that are done and that are to be done.
+
+    Returns
+    -------
+    Look
+        All of it; nothing is written to disk.
+
+    Raises
+    ------
+    SymcheckError
+        If the file cannot be read, or has no formula.
+
+    See Also
+    --------
+    decide : One formula.
+
+    Examples
+    --------
+    >>> from pathlib import Path
+    >>> from tempfile import TemporaryDirectory
+    >>> from symcheck import look
+    >>> with TemporaryDirectory() as folder:
+    ...     paper = Path(folder) / "paper.md"
+    ...     _ = paper.write_text(r"Then $$E = (a + b)^2 - 4ab = a^2 + 2ab + b^2.$$")
+    ...     found = look(paper).findings
+    >>> [(each.place, each.point) for each in found]
+    [('line 1', {'a': '3', 'b': '2'})]
+    """
+    started = time.perf_counter()
+    printed = source(Path(file))
+    work = Work(executor(jobs, ["symcheck.document.checks"]), progress)
+    formulas = printed.formulas
+    distinct = [*dict.fromkeys(each.latex for each in formulas)]
+    looked_at = work.all(surveyed, distinct, READING, lambda reason: Seen(reason))
+    seen = [looked_at[each.latex] for each in formulas]
+    every = letters(formulas, seen)
+    checks = Checks(formulas, seen, every)
+    alone, suspicious = [*checks.alone()], [*checks.suspicious()]
+    answers = work.all(decided, [*alone, *suspicious], SECONDS, _undecided)
+    failing = [question for question in suspicious if answers[question].verdict is Status.REFUTED]
+    sure = work.all(confirmed, failing, SEARCH, _undecided)
+    found = [(fault.number, Finding(fault.place, "", fault.message)) for fault in printed.faults]
+    found += [(mark.number, _marked(formulas, mark)) for mark in marks(formulas, seen, printed.mentions)]
+    found += [(q.number, _finding(formulas, q, sure[q])) for q in failing if _is_to_be_told(q, sure[q])]
+    proved = {question for question, answer in answers.items() if answer.verdict is Status.PROVED}
+    holding = {question.number for question in alone if question in proved} | {*checks.continued(suspicious, proved)}
+    holds = [formulas[k].place for k in sorted(holding)]
+    follows = dict.fromkeys(formulas[q.number].place for q in suspicious if q.where and q in proved)
+    return Look(
+        str(file),
+        formulas,
+        tuple(each.read for each in seen),
+        tuple(every),
+        tuple(_refusals(formulas, seen)),
+        tuple(dict.fromkeys(holds)),
+        tuple(follows),
+        tuple(finding for _, finding in sorted(found, key=lambda each: each[0])),
+        printed.notes,
+        time.perf_counter() - started,
+    )
+
+
+@dataclass
+class Work:
+    """Tasks for workers, with one progress for all of them."""
+
+    executor: Executor
+    progress: Progress
+    done: int = 0
+    total: int = 0
+
+    def all(
+        self, function: Callable[[K], T], tasks: Sequence[K], seconds: float, lost: Callable[[str], T]
+    ) -> dict[K, T]:
+        """The answer to each task; what takes too long, or breaks, has the answer of `lost`."""
+        self.total += len(tasks)
+        found: dict[K, T] = {}
+        for task, answer in self.executor.map(function, tasks, HARD * seconds) if tasks else ():
+            if isinstance(answer, Done):
+                found[task] = answer.value
+            elif isinstance(answer, Timeout):
+                found[task] = lost(f"it took more than {HARD * seconds:g} s")
+            else:
+                found[task] = lost(f"an internal error: {answer.reason}")
+            self.done += 1
+            self.progress(self.done, self.total)
+        return found
+
+
+def _undecided(reason: str) -> Answer:
+    return Answer(Status.UNDECIDED, reason=reason)
+
+
+def _is_to_be_told(question: Question, answer: Answer) -> bool:
+    return answer.verdict is Status.REFUTED and (bool(answer.repairs) or not question.sure)
+
+
+def _finding(formulas: Sequence[Printed], question: Question, answer: Answer) -> Finding:
+    return Finding(
+        formulas[question.number].place,
+        question.relation,
+        CHAIN if question.kind == "chain" else FAILS,
+        answer.counterexample,
+        tuple(map(_enclosed, answer.values)),
+        tuple(f"{formulas[k].place}: {text}" for k, text in zip(question.sources, question.where, strict=True)),
+        tuple(repair["relation"] for repair in answer.repairs[:NEAREST]),
+    )
+
+
+def _enclosed(value: str) -> str:
+    """What is shown of the sides at a point; a difference between two bounds in words."""
+    between = _BOUNDS.fullmatch(value)
+    return f"the left side less the right one is between {between[1]} and {between[3]}" if between else value
+
+
+def _marked(formulas: Sequence[Printed], mark: Mark) -> Finding:
+    formula = formulas[mark.number]
+    return Finding(formula.place, formula.latex, mark.message)
+
+
+def _refusals(formulas: Sequence[Printed], seen: Sequence[Seen]) -> list[Refusal]:
+    """Each reason once, the most frequent first."""
+    unread = [(_PLACE.sub("", each.reason), f) for f, each in zip(formulas, seen, strict=True) if not each.read]
+    unread.sort(key=lambda each: each[0])
+    found = []
+    for reason, group in groupby(unread, key=lambda each: each[0]):
+        those = [formula for _, formula in group]
+        found.append(Refusal(reason, tuple(f.place for f in those), those[0].latex))
+    return sorted(found, key=lambda each: -len(each.places))

@@ -1,0 +1,97 @@
+"""Markdown, also of Quarto and MyST, and notebooks: the formulas that markdown-it finds."""
+
+from __future__ import annotations
+
+import json
+import re
+from collections.abc import Sequence
+
+from markdown_it import MarkdownIt
+from markdown_it.token import Token
+from mdit_py_plugins.amsmath import amsmath_plugin
+from mdit_py_plugins.dollarmath import dollarmath_plugin
+from mdit_py_plugins.front_matter import front_matter_plugin
+from mdit_py_plugins.myst_role import myst_role_plugin
+from mdit_py_plugins.texmath import texmath_plugin
+
+from symcheck.core.verdicts import SymcheckError
+from symcheck.document.latex import Scanner
+
+MAX_NESTING = 50  # lists and quotations in one another; deeper ones are left out
+_FENCED = re.compile(r"\{math\}|math")  # the language of a fence that is a formula
+_OPTION = re.compile(r"\s*:(\w+):[^\S\n]*(.*)\n?")  # `:label: name`, at the top of a fence
+_LABEL = re.compile(r"\s*(?:\(([\w:.-]+)\)|\{#([\w:.-]+)[^}]*\})")  # behind a formula: `(name)` or `{#name}`
+_DIRECTIVES = re.compile(r"^:::.*$", re.MULTILINE)  # the lines of Quarto and MyST around a part, which itself is read
+
+
+def markdown(text: str, scanner: Scanner) -> None:
+    """The formulas of Markdown."""
+    lines = text.split("\n")
+    at = 0
+    for token in _parser().parse(_DIRECTIVES.sub("", text)):
+        at = token.map[0] if token.map else at
+        if token.type == "heading_open":
+            scanner.heading({"h1": "section", "h2": "section"}.get(token.tag, "subsection"))
+        elif token.type == "inline":
+            _inline(token.children or [], lines, at, scanner)
+        elif token.type in ("math_block", "math_block_label", "amsmath"):
+            scanner.put(
+                token.content,
+                _line(lines, at, token.content),
+                label=token.info if token.type == "math_block_label" else "",
+            )
+        elif token.type == "fence" and _FENCED.fullmatch(token.info.strip()):
+            body, label = _options(token.content)
+            scanner.put(body, _line(lines, at, body), label=label)
+
+
+def _parser() -> MarkdownIt:
+    parser = MarkdownIt("commonmark", {"maxNesting": MAX_NESTING}).enable("table")
+    parser.use(front_matter_plugin).use(texmath_plugin, delimiters="brackets")
+    parser.use(dollarmath_plugin, double_inline=True, allow_labels=True)
+    return parser.use(amsmath_plugin).use(myst_role_plugin)
+
+
+def _inline(parts: Sequence[Token], lines: Sequence[str], at: int, scanner: Scanner) -> None:
+    for k, part in enumerate(parts):
+        if part.type == "text":
+            scanner.prose.append(part.content)
+        elif part.type == "softbreak":
+            scanner.prose.append(" ")
+        elif part.type == "math_inline_double":
+            behind = parts[k + 1].content if k + 1 < len(parts) else ""
+            found = _LABEL.match(behind)
+            scanner.put(part.content, _line(lines, at, part.content), (found[1] or found[2]) if found else "")
+        elif part.type == "math_inline" or (part.type == "myst_role" and part.meta.get("name") == "math"):
+            scanner.put(part.content, _line(lines, at, part.content), display=False)
+
+
+def _line(lines: Sequence[str], start: int, content: str) -> int:
+    """The line, counted from 1, on which a formula begins that stands at a line or below."""
+    first = next((line.strip() for line in content.split("\n") if line.strip()), "")
+    return next((k + 1 for k in range(start, len(lines)) if first in lines[k]), start + 1)
+
+
+def _options(content: str) -> tuple[str, str]:
+    """A formula without the options at its top, and its label."""
+    label = ""
+    while found := _OPTION.match(content):
+        label = found[2].strip() if found[1] in ("label", "name") else label
+        content = content[found.end() :]
+    return content, label
+
+
+def notebook(text: str, scanner: Scanner) -> None:
+    """The formulas in the Markdown cells of a notebook."""
+    try:
+        data = json.loads(text)
+    except (ValueError, RecursionError) as error:
+        raise SymcheckError(f"it is no notebook ({error}); give one that Jupyter has written") from None
+    cells = data.get("cells") if isinstance(data, dict) else None
+    if not isinstance(cells, list):
+        raise SymcheckError("it is no notebook of version 4; open it in Jupyter and save it anew")
+    for number, cell in enumerate(cells, 1):
+        if isinstance(cell, dict) and cell.get("cell_type") == "markdown":
+            source = cell.get("source", "")
+            scanner.cell = number
+            markdown("".join(map(str, source)) if isinstance(source, list) else str(source), scanner)

@@ -1,0 +1,150 @@
+"""What is known of each formula alone: read or not, its letters, its relations, what it may define."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+
+from symcheck.core.verdicts import SymcheckError
+from symcheck.question.limit import OutOfTime, limited
+from symcheck.question.prepare import Asked, Understood, definitions, plainly, readings
+from symcheck.reading import System, Tree, relations, to_latex
+from symcheck.reading.inference import Guess, Inference, inferred
+from symcheck.reading.tree import Chain, Name, walk
+
+READING = 1.0  # seconds for the reading of one formula; hardly one of the corpora takes a tenth
+
+
+@dataclass(frozen=True)
+class Role:
+    """What one letter is in one formula."""
+
+    letter: str
+    kind: str
+    phrase: str  # as `decide` takes it; "" where nothing more is known than that it is a number
+    taken: str
+    why: str
+    sure: bool
+    known: bool = True  # is the formula read?
+
+
+@dataclass(frozen=True)
+class Link:
+    """One equation of a formula: two sides, each with its letters."""
+
+    left: str
+    right: str
+    names: tuple[frozenset[str], frozenset[str]]
+    sizes: tuple[int, int]
+    chained: bool  # does it stand behind another one?
+    head: str = ""  # the letter that it may define
+
+    @property
+    def latex(self) -> str:
+        """The equation."""
+        return f"{self.left} = {self.right}"
+
+
+@dataclass(frozen=True)
+class Seen:
+    """What a formula is, alone."""
+
+    reason: str = ""
+    partly: bool = False
+    roles: tuple[Role, ...] = ()
+    links: tuple[Link, ...] = ()
+    plain: bool = False  # equations alone, without conditions beside them
+
+    @property
+    def read(self) -> bool:
+        return not self.reason or self.partly
+
+    @property
+    def heads(self) -> dict[str, Link]:
+        """The letters that it may define, each with the equation that does."""
+        return {link.head: link for link in self.links if link.head}
+
+    @property
+    def names(self) -> frozenset[str]:
+        """The letters that stand for something."""
+        return frozenset(role.letter for role in self.roles if role.kind not in ("index", "differential", "number"))
+
+
+def surveyed(latex: str) -> Seen:
+    """One formula, alone."""
+    try:
+        with limited(READING):
+            return _surveyed(latex)
+    except OutOfTime:
+        return Seen(f"it could not be read in {READING:g} s")
+    except SymcheckError as error:
+        return Seen(str(error))
+    except RecursionError:
+        return Seen("it is nested too deeply")
+
+
+def _surveyed(latex: str) -> Seen:
+    asked = plainly(Asked(latex))
+    reason, partly = "", False
+    try:
+        found = readings(asked)
+        inferences, tree = [reading.inference for reading in found], found[0].tree
+    except Understood as error:
+        reason, partly, inferences, tree = error.reason, True, [error.inference], error.tree
+    except SymcheckError as error:
+        try:
+            inferences = inferred([asked.relation], {}, {})
+        except SymcheckError:
+            inferences = []
+        return Seen(str(error), roles=tuple(replace(role, known=False) for role in _roles(inferences)))
+    links = tuple(_links(tree))
+    plain = isinstance(tree, Chain) or (isinstance(tree, System) and not tree.qualifiers)
+    return Seen(reason, partly, tuple(_roles(inferences)), links, plain)
+
+
+def _links(tree: Tree) -> Iterator[Link]:
+    """The equations of a formula, in printed order."""
+    before: Tree | None = None
+    for relation in relations(tree):
+        left, right = relation.left, relation.right
+        if left is not None and right is not None and relation.sign == "=":
+            names = frozenset(_names(left)), frozenset(_names(right))
+            sides = to_latex(left), to_latex(right)
+            chained = before is left
+            head = "" if chained else next(iter(definitions([" = ".join(sides)])[0]), "")
+            yield Link(*sides, names, (_size(left), _size(right)), chained, head)
+        before = right
+
+
+def _names(tree: Tree) -> Iterator[str]:
+    return (part.letter for _, part in walk(tree) if isinstance(part, Name))
+
+
+def _size(tree: Tree) -> int:
+    return sum(1 for _ in walk(tree))
+
+
+def _roles(inferences: list[Inference]) -> Iterator[Role]:
+    """Each letter once; one that is something else in another likely reading is not sure."""
+    near = [each for each in inferences if not each.remote] or inferences
+    for guess in near[0].guesses if near else ():
+        own = _phrase(guess)
+        others = (g for each in near[1:] for g in each.guesses if g.letter.latex == guess.letter.latex)
+        sure = all(_phrase(g) == own for g in others)
+        yield Role(guess.letter.latex, _kind(guess), own, guess.taken, guess.why, sure)
+
+
+def _kind(guess: Guess) -> str:
+    letter = guess.letter
+    if letter.number:
+        return "number"
+    return "function" if letter.kind == "scalar" and letter.depends else letter.kind
+
+
+def _phrase(guess: Guess) -> str:
+    letter = guess.letter
+    if letter.kind in ("vector", "matrix"):
+        return letter.kind
+    if letter.depends:
+        return f"{'function of' if letter.kind == 'function' else 'depends on'} {letter.depends}"
+    return letter.number or ("" if letter.kind == "scalar" else letter.kind)

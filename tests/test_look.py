@@ -1,0 +1,255 @@
+"""`symcheck look`: what is found in a document, what is said of it, and what never is."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+from click.testing import CliRunner, Result
+from documents import BAD, FAULTY, PLANTED, SOUND, Maker
+
+from symcheck import look
+from symcheck.cli import cli
+from symcheck.document.sources import source
+
+Placed = list[tuple[int, str, str, str]]  # line, number, label and LaTeX
+BODY = r"\documentclass{article}\begin{document}" + "\n"
+
+# documents with what is found in them
+DOCUMENTS: dict[str, tuple[str, str, Placed]] = {
+    "displays of LaTeX": (
+        "a.tex",
+        BODY + "\\[ a = 1 \\]\n$$b = 2$$\n\\begin{equation}c = 3\\label{c}\\end{equation}\n"
+        "\\begin{displaymath} d = 4 \\end{displaymath}\n\\begin{equation*} e = 5 \\end{equation*}\n"
+        "\\begin{multline} f = 6 \\\\ + 7 \\end{multline}",
+        [
+            (2, "", "", "a = 1"),
+            (3, "", "", "b = 2"),
+            (4, "1", "c", "c = 3"),
+            (5, "", "", "d = 4"),
+            (6, "", "", "e = 5"),
+            (7, "2", "", r"f = 6 \\ + 7"),
+        ],
+    ),
+    "rows with labels and numbers": (
+        "a.tex",
+        BODY + "\\begin{align}\na &= b \\label{a}\\\\\n&= c \\nonumber\\\\[2pt]\nd &= e & f &= g \\tag{A}\\\\\nh &= i\n"
+        "\\end{align}\n\\begin{eqnarray} j &=& k \\\\ l &=& m \\end{eqnarray}\n"
+        "\\begin{gather} n = 1 \\\\ o = 2 \\notag \\end{gather}\n"
+        "\\begin{alignat}{2} p &= q &\\quad r &= s \\end{alignat}",
+        [
+            (3, "1", "a", "a = b = c"),
+            (5, "A", "", "d = e"),
+            (5, "A", "", "f = g"),
+            (6, "2", "", "h = i"),
+            (8, "3", "", "j = k"),
+            (8, "4", "", "l = m"),
+            (9, "5", "", "n = 1"),
+            (9, "", "", "o = 2"),
+            (10, "6", "", "p = q"),
+            (10, "6", "", r"\quad r = s"),
+        ],
+    ),
+    "numbers within sections, appendices and subequations": (
+        "a.tex",
+        "\\documentclass{article}\\numberwithin{equation}{section}\n\\section{A}\\begin{equation}a=1\\end{equation}\n"
+        "\\section*{B}\\begin{subequations}\\begin{align}b=1\\\\c=1\\end{align}\\end{subequations}\n"
+        "\\appendix\\section{C}\\begin{equation}d=1\\end{equation}\\setcounter{equation}{6}\n"
+        "\\begin{equation}e=1\\end{equation}",
+        [
+            (2, "1.1", "", "a=1"),
+            (3, "1.2a", "", "b=1"),
+            (3, "1.2b", "", "c=1"),
+            (4, "A.1", "", "d=1"),
+            (5, "A.7", "", "e=1"),
+        ],
+    ),
+    "no numbers in a part of a document": ("a.tex", r"\begin{equation} a = 1 \end{equation}", [(1, "", "", "a = 1")]),
+    "inline relations, and no other formulas": (
+        "a.tex",
+        "Let $a = b$$c<d$ and \\(e \\le f\\), with $x$ and \\verb|$y=1$|. % $z = 1$\n\n\\begin{verbatim}\n$w=1$\n"
+        "\\end{verbatim}\n\\begin{lstlisting}\n\\[ v = 1 \\]\n\\end{lstlisting}\n",
+        [(1, "", "", "a = b"), (1, "", "", "c<d"), (1, "", "", r"e \le f")],
+    ),
+    "macros": (
+        "a.tex",
+        "\\usepackage{physics}\n\\newcommand{\\vect}[1]{\\mathbf{#1}}\\newcommand\\half[1][1]{\\frac{#1}{2}}\n"
+        "\\def\\pair#1,#2;{(#1 + #2)}\\DeclareMathOperator{\\sinc}{sinc}\\let\\eps=\\varepsilon\n"
+        "\\DeclarePairedDelimiter{\\size}{\\lvert}{\\rvert}\\newenvironment{eq}{\\begin{equation}}{\\end{equation}}\n"
+        "\\renewcommand{\\vect}[1]{\\vec{#1}}\\providecommand{\\half}{no}\\newcommand{\\be}{\\[}\n"
+        "\\begin{eq} \\vect a = \\half + \\half[3] \\end{eq}\n\\be \\pair b,c; = \\sinc\\eps \\]\n"
+        "$\\size{x} = \\dv[2]{y}{t}$ \\iffalse $n = 0$ \\fi",
+        [
+            (6, "", "", r"\vec{a} = \frac{1}{2}+ \frac{3}{2}"),
+            (7, "", "", r"(b + c) = \operatorname{sinc}\varepsilon"),
+            (8, "", "", r"\left\lvert x\right\rvert = \frac{\mathrm{d}^{2} y}{\mathrm{d} t^{2}}"),
+        ],
+    ),
+    "split and cases": (
+        "a.tex",
+        "\\[ \\begin{split} a &= b \\\\ &\\quad + c, \\end{split} \\]\n"
+        "\\[ d = \\begin{cases} 1 & x > 0 \\\\ 2 & x < 0 \\end{cases} \\]\n"
+        "\\[ \\begin{aligned} e &= 1, \\\\ f &= 2 \\end{aligned} \\quad (3.1) \\]",
+        [
+            (1, "", "", r"a = b \quad + c"),
+            (2, "", "", r"d = \begin{cases} 1 & x > 0 \\ 2 & x < 0 \end{cases}"),
+            (3, "3.1", "", "e = 1"),
+            (3, "3.1", "", "f = 2"),
+        ],
+    ),
+    "Markdown": (
+        "a.md",
+        "---\ntitle: x\n---\n# A\nwith $a=b$ and \\(c=d\\) and `$no = 1$`\n\n$$ e = f \\tag{2} $$\n\n"
+        "$$\ng = h\n$$ (gh)\n\n$$ i = j $$ {#eq-ij}\n\n```{math}\n:label: kl\nk = l\n```\n\n"
+        "\\begin{align} m &= n \\\\ o &= p \\end{align}\n\n    $no = 2$\n\n\\[ q = r \\]\n\n"
+        "::: {.note}\n{math}`s=t`\n:::\n",
+        [
+            (5, "", "", "a=b"),
+            (5, "", "", "c=d"),
+            (7, "2", "", "e = f"),
+            (10, "", "gh", "g = h"),
+            (13, "", "eq-ij", "i = j"),
+            (17, "", "kl", "k = l"),
+            (20, "", "", "m = n"),
+            (20, "", "", "o = p"),
+            (24, "", "", "q = r"),
+            (27, "", "", "s=t"),
+        ],
+    ),
+    "reStructuredText": (
+        "a.rst",
+        "A\n=\n\n.. math::\n   :label: ab\n\n   a = b\n\n   c &= d \\\\\n   &= e\n\nText :math:`f = g`, :ref:`ab`.\n\n"
+        ".. py:function:: run(x)\n\n   .. math:: h = i\n\n::\n\n   :math:`no = 1`\n\n.. no comment :math:`no = 2`\n",
+        [
+            (7, "", "ab", "a = b"),
+            (9, "", "ab", "c = d = e"),
+            (12, "", "", "f = g"),
+            (16, "", "", "h = i"),
+        ],
+    ),
+    "a notebook": (
+        "a.ipynb",
+        json.dumps(
+            {
+                "cells": [
+                    {"cell_type": "code", "source": "$no = 1$"},
+                    {"cell_type": "markdown", "source": ["Text\n", "$$a = b$$\n"]},
+                    {"cell_type": "markdown", "source": "with $c = d$"},
+                ]
+            }
+        ),
+        [(2, "", "", "a = b"), (1, "", "", "c = d")],
+    ),
+}
+
+
+@pytest.mark.parametrize(("name", "text", "expected"), DOCUMENTS.values(), ids=DOCUMENTS)
+def test_the_formulas_of_a_document_have_lines_numbers_and_labels(
+    name: str, text: str, expected: Placed, tmp_path: Path
+) -> None:
+    file = tmp_path / name
+    file.write_text(text, encoding="utf-8")
+    found = source(file).formulas
+    assert [(each.line, each.number, each.label, each.latex) for each in found] == expected
+
+
+def test_included_files_are_read_and_missing_ones_are_told(tmp_path: Path) -> None:
+    (tmp_path / "parts").mkdir()
+    (tmp_path / "parts" / "one.tex").write_text("\n\\begin{equation}\\x = 1\\end{equation}", encoding="utf-8")
+    main = tmp_path / "main.tex"
+    main.write_text(
+        "\\documentclass{article}\\newcommand{\\x}{y}\n\\input{parts/one}\\include{two}\n"
+        "\\begin{equation}b = 1\\end{equation}",
+        encoding="utf-8",
+    )
+    found = source(main)
+    assert [(each.place, each.latex) for each in found.formulas] == [
+        ("parts/one.tex, line 2 (1)", "y= 1"),
+        ("line 3", "b = 1"),  # its number cannot be known
+    ]
+    assert found.notes == ("the document, line 2: \\include{two}: there is no such file",)
+
+
+def test_planted_errors_are_found_from_the_source_alone(tmp_path: Path) -> None:
+    file = tmp_path / "paper.tex"
+    file.write_text(FAULTY, encoding="utf-8")
+    found = {int(each.place.split()[1]): each for each in look(file).findings}
+    told = {line: finding.message for line, finding in found.items()}
+    assert told == PLANTED
+    assert not any("refuted" in message for message in told.values())
+    assert found[11].definitions == (r"line 9 (1.1): x(t) = A \cos \omega t + \frac{b}{2} t^2",)
+    assert found[11].nearest == (r"x'(t) = -A \omega \sin\left(\omega t\right) + b t",)
+    assert found[14].point == {"m": "3", "u": "2", "w": "1"}
+
+
+def test_nothing_is_said_against_a_sound_document(tmp_path: Path) -> None:
+    file = tmp_path / "paper.tex"
+    file.write_text(SOUND, encoding="utf-8")
+    found = look(file)
+    assert found.findings == ()
+    assert all(found.read[:-2])
+    assert {"line 7 (2)", "line 16 (7)", "line 19 (9)"} <= {*found.follows}
+
+
+def test_letters_are_inferred_from_the_whole_document_and_contradictions_told(tmp_path: Path) -> None:
+    file = tmp_path / "paper.md"
+    file.write_text(
+        "$$a = f(x) + 1$$\n\n$$b = \\dot{q} + \\mathbf{v} \\cdot \\mathbf{w}$$\n\n$$c = 3 q$$\n\n"
+        "$$\\mathbf{R} = \\begin{pmatrix} 1 & 2 \\\\ 3 & 4 \\end{pmatrix}$$\n\n$$d = \\sum_{v=1}^3 u_v$$\n\n"
+        "$$\\dot f = g, \\quad f_0 = \\mathbf{R} \\mathbf{v} \\cdot \\mathbf{w}$$\n\n$$\\sum_{g=1}^3 u_g = \\dot{g}$$",
+        encoding="utf-8",
+    )
+    letters = {each.letter: each for each in look(file).letters}
+    assert letters["q"].phrase == "depends on t"
+    assert letters["q"].count == 2
+    assert letters["q"].first == "line 3"
+    assert letters[r"\mathbf{R}"].phrase == "matrix"
+
+
+def test_one_cause_is_told_once_with_its_places(tmp_path: Path) -> None:
+    file = tmp_path / "paper.md"
+    file.write_text("$$a = \\unknown b$$\n\n$$c = d$$\n\n$$e = 1 + \\unknown$$\n", encoding="utf-8")
+    found = look(file)
+    assert [(each.places, r"\unknown" in each.reason) for each in found.refusals] == [(("line 1", "line 5"), True)]
+    assert found.read == (False, True, False)
+
+
+def run(*args: str) -> Result:
+    return CliRunner().invoke(cli, ["look", *args], prog_name="symcheck")
+
+
+def test_the_command_prints_eighty_columns_and_exits_by_what_it_found(tmp_path: Path) -> None:
+    for text, code in (("$$a = b + 1$$", 0), ("$$E = (a + b)^2 = a^2 + b^2 + a b$$", 1)):
+        file = tmp_path / "paper.md"
+        file.write_text(text, encoding="utf-8")
+        result = run(str(file), "--jobs", "1")
+        assert result.exit_code == code, result.stderr
+        assert max(map(len, result.stdout.splitlines())) <= 80
+        assert [*tmp_path.iterdir()] == [file]
+    assert "\n  line 1: the links of this chain do not agree" in result.stdout
+    data = json.loads(run(str(file), "--jobs", "1", "--json").stdout)
+    assert data["findings"][0]["point"] == {"a": "3", "b": "2"}
+    assert data["formulas"][0]["line"] == 1
+
+
+@pytest.mark.parametrize(("name", "make"), BAD.values(), ids=BAD)
+def test_what_is_no_document_ends_in_one_line(name: str, make: Maker, tmp_path: Path) -> None:
+    file = tmp_path / name
+    make(file)
+    result = run(str(file), "--jobs", "1")
+    assert result.exit_code == 2
+    assert result.stdout == ""
+    assert len(result.stderr.splitlines()) == 1
+    assert name[:20] in result.stderr
+
+
+def test_deep_formulas_are_refused_and_the_others_read(tmp_path: Path) -> None:
+    file = tmp_path / "paper.tex"
+    deep: Callable[[str, str, int], str] = lambda a, b, n: a * n + "x" + b * n  # noqa: E731
+    formulas = [deep("{", "}", 5000), deep("(", ")", 3000), deep(r"\frac{1}{", "}", 2000), deep(r"\sqrt{", "}", 900)]
+    file.write_text("\n\n".join(f"$$y = {each}$$" for each in formulas) + "\n\n$$a = b$$", encoding="utf-8")
+    found = look(file)
+    assert found.read == (False, False, False, False, True)
+    assert found.findings == ()
