@@ -91,7 +91,13 @@ and with the velocity of escape
 \begin{equation} v = \sqrt{\frac{2 \mu}{r}}. \end{equation}
 With the squares
 \begin{equation} G = u^2 + w^2 = 2 u w \end{equation}
-where $u = w$. The interval is $0 \le s < 1$, or \[ s \in [0, 1), \quad s \in ]a, b] . \]
+where $u = w$. The radius and the coefficients are
+\begin{align}
+  \rho &= \sqrt{u^2 w^2} = u w, & b_n &= \frac{1 - \cos^2 (n \pi)}{2 n} = \frac{n - n}{2}, \\
+  \Gamma &= g(y) + 1 = g(-y) + 1, & \mathbf{C} &= \mathbf{A} \mathbf{B} = \mathbf{B} \mathbf{A}, \\
+  \mathbf{P} &= \mathbf{Q}^T \mathbf{Q} = \mathbf{Q} \mathbf{Q}^T, & \eta &= \arctan(\tan y) = y.
+\end{align}
+The interval is $0 \le s < 1$, or \[ s \in [0, 1), \quad s \in ]a, b] . \]
 1) The first case is \[ 2) \quad c = d . \]
 \end{document}
 """

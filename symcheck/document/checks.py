@@ -5,14 +5,17 @@ from __future__ import annotations
 import re
 from collections import Counter
 from collections.abc import Container, Iterable, Iterator, Sequence
-from dataclasses import dataclass
+from contextlib import suppress
+from dataclasses import dataclass, replace
 
+from symcheck.document.conditions import holds_elsewhere
 from symcheck.document.letters import Letter, said
 from symcheck.document.printed import Printed
 from symcheck.document.survey import Link, Seen
 from symcheck.question import Answer, Status
 from symcheck.question.ask import answered
 from symcheck.question.limit import OutOfTime, limited
+from symcheck.question.prepare import Asked
 
 # words before a formula that make it a condition, an equation to be solved, or a case, and no statement
 CONDITIONAL = re.compile(
@@ -33,6 +36,7 @@ MOST_CONDITIONS = 8  # relations that share letters with one that fails, the nea
 NEAR = 3  # formulas behind one that may say for what it holds
 SECONDS = 1.0  # for a formula alone; nearly all that are decided at all are decided in a fifth
 SEARCH = 4.0  # seconds for one that seems to fail
+REPAIRING = 2.5  # of these for slips of the pen; nearly all that are found are found in one
 SMALLEST = 3  # parts of a side that is more than a letter with a sign: of shorter ones nothing can be told
 
 
@@ -78,7 +82,16 @@ def _confirmed(question: Question) -> Answer:
             alone = answered(question.relation, question.where, (condition,), said, wanted=False)
             if alone.verdict not in (Status.REFUTED, Status.UNREADABLE):
                 return alone
-    return answered(question.relation, question.where, (), said)
+    asked = Asked(question.relation, question.where, (), question.letters)
+    if elsewhere := holds_elsewhere(asked):
+        return Answer(Status.UNDECIDED, reason="it holds for some positive numbers: a condition may be meant")
+    found = answered(question.relation, question.where, (), said, wanted=False)
+    with suppress(OutOfTime), limited(REPAIRING):
+        more = answered(question.relation, question.where, (), said)
+        found = more if more.verdict is Status.REFUTED else found
+    if not found.repairs and (question.sure or elsewhere is None):
+        return replace(found, verdict=Status.UNDECIDED, reason="no slip of the pen is near that would explain it")
+    return found
 
 
 @dataclass(frozen=True)
@@ -144,7 +157,18 @@ class Checks:
         if not link.chained and not IDENTITY.search(self.formulas[k].before):
             return None
         conditions = self._conditions(k, link.names[0], ())
-        return Question(k, link.latex, kind, given=conditions, letters=self._said(self.seen[k]), sure=not link.chained)
+        return Question(
+            k,
+            link.latex,
+            kind,
+            given=conditions,
+            letters=self._said(self.seen[k]),
+            sure=not (link.chained and self._of_numbers(k)),
+        )
+
+    def _of_numbers(self, k: int) -> bool:
+        """Are all letters of a formula numbers, of which words hardly say more?"""
+        return all(role.kind in ("scalar", "index", "number", "differential") for role in self.seen[k].roles)
 
     def _defined(self, k: int, link: Link) -> Question | None:
         """A relation between letters that are all defined before it, or free in these definitions."""

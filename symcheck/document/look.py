@@ -180,7 +180,7 @@ def look(file: str | PathLike[str], *, jobs: int = 0, progress: Progress = lambd
     sure = work.all(confirmed, failing, SEARCH, _undecided)
     found = [(fault.number, Finding(fault.place, "", fault.message)) for fault in printed.faults]
     found += [(mark.number, _marked(formulas, mark)) for mark in marks(formulas, seen, printed.mentions)]
-    found += [(q.number, _finding(formulas, q, sure[q])) for q in failing if _is_to_be_told(q, sure[q])]
+    found += [(q.number, _finding(formulas, q, sure[q])) for q in failing if sure[q].verdict is Status.REFUTED]
     proved = {question for question, answer in answers.items() if answer.verdict is Status.PROVED}
     holding = {question.number for question in alone if question in proved} | {*checks.continued(suspicious, proved)}
     holds = [formulas[k].place for k in sorted(holding)]
@@ -228,10 +228,6 @@ class Work:
 
 def _undecided(reason: str) -> Answer:
     return Answer(Status.UNDECIDED, reason=reason)
-
-
-def _is_to_be_told(question: Question, answer: Answer) -> bool:
-    return answer.verdict is Status.REFUTED and (bool(answer.repairs) or not question.sure)
 
 
 def _finding(formulas: Sequence[Printed], question: Question, answer: Answer) -> Finding:

@@ -214,7 +214,7 @@ def _base(tokens: Sequence[str]) -> tuple[int, int]:
     elif tokens[0] in (r"\Delta", r"\delta") and is_letter("".join(tokens[1:2])):
         start = 1
     end = start + 1
-    if tokens[start] in STYLES | ACCENTS | ROMAN and tokens[end : end + 1] == ["{"]:
+    if {*tokens[start:end]} & (STYLES | ACCENTS | ROMAN) and tokens[end : end + 1] == ["{"]:
         depth = 1
         while depth:
             end += 1
@@ -236,7 +236,7 @@ def without_dots(latex: str) -> str:
     """A name of several tokens without the dots over its letter."""
     tokens = [tok.text for tok in tokenize(latex)]
     start, end = _base(tokens)
-    if tokens[start] not in DOTTED:
+    if start >= len(tokens) or tokens[start] not in DOTTED:
         return latex
     return " ".join([*tokens[:start], *tokens[start + 2 : end - 1], *tokens[end:]])
 

@@ -1,0 +1,65 @@
+"""Whether what fails somewhere holds elsewhere: texts rarely say that letters are positive, or count."""
+
+from __future__ import annotations
+
+import random
+from typing import TYPE_CHECKING
+
+from symcheck.core.verdicts import SymcheckError
+from symcheck.proof.algebra.polynomial import unfold
+from symcheck.question.antiderivatives import FAULTS
+from symcheck.question.prepare import Asked, plainly, readings
+from symcheck.reading import to_sympy
+
+if TYPE_CHECKING:
+    from sympy import Expr
+
+COUNTING = frozenset("ijklmnpqNMKL")  # letters that are whole numbers in many texts
+POINTS = 10  # positive numbers, large and small, that are tried for all letters together
+ENOUGH = 2  # points at which it holds, that are no accident
+CLOSE = 1e-9  # relative difference of sides that are equal; they are worked out to 15 digits
+
+
+def holds_elsewhere(asked: Asked) -> bool | None:
+    """Whether a relation holds at several positive points, whole ones where letters may count; None if it is not known.
+
+    What holds there is no error, but a statement with a condition: the root of a square, the cosine of n pi.
+    """
+    try:
+        sides = _sides(asked)
+        points = [_at(sides, k) for k in range(POINTS)]
+    except (SymcheckError, *FAULTS):
+        return None
+    known = [point for point in points if point is not None]
+    return sum(known) >= ENOUGH if len(known) > ENOUGH else None
+
+
+def _sides(asked: Asked) -> list[tuple[Expr, Expr]]:
+    """Both sides of each component, with the definitions put in."""
+    from sympy.core.function import AppliedUndef
+
+    found = []
+    for problem in readings(plainly(asked))[0].problems:
+        definitions = dict(problem.definitions)
+        left, right = (to_sympy(unfold(side, definitions)) for side in problem.claim.terms)
+        if left.has(AppliedUndef) or right.has(AppliedUndef):
+            raise SymcheckError("nothing is known of a function")
+        found.append((left, right))
+    return found
+
+
+def _at(sides: list[tuple[Expr, Expr]], seed: int) -> bool | None:
+    """Whether all components hold at one point; None if one of them has no value there."""
+    symbols = sorted({x for pair in sides for side in pair for x in side.free_symbols}, key=str)
+    numbers = random.Random(seed)
+    values = {
+        x: numbers.randint(2, 6) if x.name.partition("_")[0] in COUNTING else numbers.uniform(0.2, 1.0 + seed)
+        for x in symbols
+    }
+    for pair in sides:
+        left, right = (side.subs(values).evalf(15) for side in pair)
+        if not (left.is_real and right.is_real and left.is_number and right.is_number):
+            return None
+        if abs(left - right) > CLOSE * max(abs(left), abs(right), 1):
+            return False
+    return True
