@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import gc
+from collections import defaultdict
 from collections.abc import Callable, Generator, Iterable, Iterator, Mapping, Sequence
 from contextlib import closing, contextmanager
 from difflib import get_close_matches
@@ -182,12 +183,16 @@ def _with_later(records: list[Record]) -> list[Record]:
 
     Told of the relations at hand only: those that refer to the declaration, and the following links of the same chain.
     """
-    return [replace(r, erratum=replace(r.erratum, later=_later(r, records))) if r.erratum else r for r in records]
+    about: defaultdict[str, list[Record]] = defaultdict(list)
+    for record in records:
+        for declaration in {record.declaration, *record.uses}:
+            about[declaration].append(record)
+    later = {r.id: _later(r, about[r.declaration]) for r in records if r.erratum}
+    return [replace(r, erratum=replace(r.erratum, later=later[r.id])) if r.erratum else r for r in records]
 
 
-def _later(wrong: Record, records: list[Record]) -> tuple[Later, ...]:
-    own = wrong.declaration
-    resting = (r for r in records if own in r.uses or (r.id > wrong.id and r.declaration == own))
+def _later(wrong: Record, about: list[Record]) -> tuple[Later, ...]:
+    resting = (r for r in about if r.id > wrong.id or wrong.declaration in r.uses)
     fate = {Verdict.PROVED: "is right", Verdict.REFUTED: "shares the fault or has another one"}
     return tuple(Later(id=r.id, fate=fate[r.verdict]) for r in resting if r.verdict in fate)
 
