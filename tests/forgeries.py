@@ -609,10 +609,13 @@ RULES: dict[str, Forgery] = {
     ),
     "a finite sum that is another": Forgery("is not so", proved(["=", ["sum", "k", "k", 1, 4], 9], compute())),
     "a sum to what is no whole number": Forgery(
-        "an end of a sum that is no whole number", proved(["<", ["sum", "k", "k", 1, ["/", 5, 2]], 9], compute())
+        "a sum between ends that may not be whole", proved(["<", ["sum", "k", "k", 1, ["/", 5, 2]], 9], compute())
     ),
     "a sum to the root of four": Forgery(
-        "an end of a sum that is no whole number", proved(["<", ["sum", "k", "k", 1, ["sqrt", 4]], 9], compute())
+        "a sum between ends that may not be whole", proved(["<", ["sum", "k", "k", 1, ["sqrt", 4]], 9], compute())
+    ),
+    "a point where a sum ends at a half": Forgery(
+        "an end of a sum that is no whole number", refuted(["=", ["sum", 1, "k", 1, "n"], 1], {"n": ["/", 1, 2]})
     ),
     "a sum of too many addends": Forgery(
         "a sum of more than 1000 terms", proved(["<", 0, ["sum", 1, "k", 1, 10**9]], compute())
@@ -1558,7 +1561,7 @@ CERTIFICATES: dict[str, Forgery] = {
         refuted(["=", integral("x"), ["/", 1, 2]], {}),
     ),
     "a fraction that vanishes under a binder at a point": Forgery(
-        "('+', ('sqrt', ('^', 'x', 2)), ('-', 'x')) may be zero under a binder",
+        MAY_BE_ZERO,
         refuted(
             ["=", integral(["/", minus(["sqrt", sq("x")], "x"), minus(["sqrt", sq("x")], "x")]), 2],
             {},
@@ -1666,6 +1669,16 @@ FROM = {"p": 1, "q": 1, "r": 1, "k": 0, "u": 0, "c": 1}
 FRACTION = of("x", ["pow", ["+", sq("x"), 1], -1])
 
 DISTANCE = ["sqrt", sq(minus("k", ["/", 3, 2]))]  # from 3/2
+
+
+def counted(t: JSON, order: JSON, then: JSON) -> JSON:
+    """The sum of so many ones."""
+    given = {"f": of("k", 1), "g": of("k", "k"), "s": 1, "t": t}
+    return theorem("telescope", given, [order, ID, every(["x"], implies(ID))], then)
+
+
+ONES = ["sum", 1, "k", 1, "n"]
+NO_BASE = minus(["sqrt", sq("x")], "x")  # zero for all positive x
 AHEAD = sq(minus(["+", "x", 1], ["/", 3, 2]))
 THEOREMS: dict[str, Forgery] = {
     "the exponential of the logarithm of what may be negative": Forgery(
@@ -2099,6 +2112,68 @@ THEOREMS: dict[str, Forgery] = {
                 ],
                 by(here()),
             ),
+        ),
+    ),
+    "half a one": Forgery(
+        "a sum between ends that may not be whole",
+        proved(
+            ["=", ["sum", 1, "k", 1, ["/", 1, 2]], ["/", 1, 2]], counted(["/", 1, 2], above(["/", 1, 2]), by(here()))
+        ),
+    ),
+    "as many ones as a hypothesis does not let there be": Forgery(
+        "a sum between ends that may not be whole",
+        proved(
+            ["=", ONES, ["/", 1, 2]],
+            counted("n", above(["/", 1, 2], [hyp(), "1/2"]), {**ID, "cofactors": [[here(), "1"], [hyp(), "1/2"]]}),
+            [["=", ["*", 2, "n"], 1]],
+            at={"n": ["/", 1, 2]},
+        ),
+    ),
+    "a hypothesis that holds of no whole number of ones": Forgery(
+        "a sum between ends that may not be whole",
+        proved(
+            ["=", "n", ["/", 1, 2]],
+            counted("n", above("n"), {**ID, "cofactors": [[here(), "-1"], [hyp(), "1"]]}),
+            [["=", ONES, ["/", 1, 2]], [">=", "n", 0]],
+            witnesses=[
+                {
+                    "values": {"n": ["/", 1, 2]},
+                    "proof": counted(
+                        ["/", 1, 2], above(["/", 1, 2]), each({**ID, "cofactors": [[here(), "1"]]}, compute())
+                    ),
+                }
+            ],
+        ),
+    ),
+    "a sum to all numbers": Forgery(
+        "a sum between ends that may not be whole",
+        proved(
+            ["forall", ["n"], ["=>", [">=", "n", 0], ["=", ONES, "n"]]],
+            every(["m"], implies(counted("m", above("m"), by(here(1))))),
+        ),
+    ),
+    "the rate of a sum by its end": Forgery(
+        "a sum between ends that may not be whole",
+        proved(["=", ["integral", ONES, "n", 0, 1], ["integral", ONES, "n", 0, 1]], ID),
+    ),
+    "a lemma about a sum to a half": Forgery(
+        "a sum between ends that may not be whole",
+        proved(["=", "n", "n"], implies(ID), lemmas=[["l", ["=", ["sum", 1, "k", 1, ["/", 1, 2]], ["/", 1, 2]]]]),
+    ),
+    "a power of zero times zero in a sum": Forgery(
+        MAY_BE_ZERO, proved(["=", ["sum", ["*", ["pow", "k", -1], "k"], "k", 0, 3], ["sum", 1, "k", 0, 3]], ID)
+    ),
+    "a power of zero times zero in a product": Forgery(
+        MAY_BE_ZERO, proved(["=", ["product", ["*", ["pow", "k", -1], "k"], "k", 0, 3], ["product", 1, "k", 0, 3]], ID)
+    ),
+    "a power of zero times zero all along an integral": Forgery(
+        MAY_BE_ZERO, proved(["=", integral(["*", ["pow", NO_BASE, -1], NO_BASE]), 1], constant(1, by(here())))
+    ),
+    "a power of zero times zero in an integral that has a value": Forgery(
+        MAY_BE_ZERO,
+        proved(
+            ["=", integral(["*", ["pow", NO_BASE, -1], NO_BASE]), 1],
+            have(["=", integral(1), 1], constant(1, by(here())), compute(here())),
         ),
     ),
     "a sum with a term that has a period": Forgery(

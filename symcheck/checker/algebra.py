@@ -42,6 +42,7 @@ class Algebra:
         self.scale = 1  # product of the exponents around
         self.divisors: Divisors = {}  # that were met
         self.outermost: Term | None = None  # at a point, the binder inside of which values are taken
+        self.asked = point is None  # whether somebody asks later about divisors under binders
 
     def value(self, term: Term) -> int:
         """The value of a term; sums and products are not reduced modulo the prime."""
@@ -124,13 +125,15 @@ class Algebra:
             if term.tag == "^" and (exponent := term.terms[1]) > 0:  # type: ignore[operator]
                 return self.raised(term.terms[0], -exponent)  # type: ignore[operator]
         value = self.value(term) % PRIME
+        if self.point is not None and self.bound:
+            shown = exact(term) or rational(value) or (self.outermost is not None and has_digits(self.outermost))
+            require(shown or self.asked, "{} may be zero under a binder", term)
+            if shown:
+                return inverse(value)
         if self.bound and letters(term) & self.bound.keys():  # between other ends the same divisor may be zero
             self.divisors[draw("divisor", value, *self.binders)] = None
         else:
             self.divisors[value] = self.divisors.get(value) or (term if exact(term) or not self.bound else None)
-        if self.point is not None and self.bound:  # nobody asks later
-            shown = exact(term) or rational(value) or (self.outermost is not None and has_digits(self.outermost))
-            require(shown, "{} may be zero under a binder", term)
         return inverse(value)
 
     def function(self, term: Value) -> int:
@@ -153,9 +156,7 @@ class Algebra:
             self.exactly(fraction is not None and has_root(fraction), name)
             return root(fraction)
         if name == "pow" and (whole := rational(values[1])) and whole[1] == 1:
-            if whole[0] >= 0 or not self.bound:  # under an integral the base is positive by the meaning of such a power
-                return self.raised(inner, whole[0])
-            return inverse(pow(values[0], -whole[0], PRIME))
+            return self.raised(inner, whole[0])
         return self.settle(name, *values)
 
     def settle(self, *key: object) -> int:

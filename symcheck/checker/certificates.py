@@ -9,7 +9,7 @@ from functools import lru_cache
 from symcheck.checker.algebra import Algebra, Known, exact
 from symcheck.checker.residues import PRIME, Reject, require
 from symcheck.checker.rules import Prover, Reference, paired
-from symcheck.core.calculus import Unknown, domain, functions, letters, substituted
+from symcheck.core.calculus import Unknown, domain, functions, letters, nodes, substituted
 from symcheck.core.fields import Fields, by_key, listed, raw, text
 from symcheck.core.formulas import FALSE, conjuncts, contrary
 from symcheck.core.terms import (
@@ -115,6 +115,8 @@ class Certificate:
         """Rejects unless the evidence shows the verdict; lemmas are taken for granted."""
         require(self.verdict in ("proved", "refuted"), "the verdict {}", self.verdict)
         if self.verdict == "proved":
+            stated = (*self.assumed, self.claim, *(formula for _, formula in self.lemmas))
+            require(summed(*stated), "a sum between ends that may not be whole")
             self.check_proof()
             self.check_witnesses()
         else:
@@ -207,29 +209,30 @@ class Certificate:
                 prover.learn(("point", k), node("=", x, number))
         for each in domain(*formulas, divisors=True) if refuting and not computed else ():
             require(at.holds(each), "a term has no value at the point: {} is not so", each)
-        if refuting and not computed:
-            integers = frozenset(x for x, number in values.items() if isinstance(number, int))
-            require(all(summed(each, integers) for each in formulas), "a sum between ends that may not be whole")
+        broken = frozenset(x for x, number in values.items() if not isinstance(number, int))
+        ends = (refuting and computed) or summed(*formulas, self.claim, broken=broken)  # to compute finds the ends
+        require(ends, "a sum between ends that may not be whole")
         prover.prove(node("and", *formulas), step.take("proof", raw, {"rule": "compute"}))  # to compute finds values
         prover.finish()
         step.end()
 
 
-def summed(tree: Term, integers: frozenset[str]) -> bool:
-    """Whether all sums and products have ends that are whole, where some letters are."""
-    if not isinstance(tree, Node):
-        return True
-    counted = tree.tag in ("sum", "product")
-    inner = integers.union(tree.bound) if counted else integers.difference(tree.bound)
-    ends = all(isinstance(each, End) or integer(each, integers) for each in tree.outside) if counted else True
-    return ends and all(summed(each, integers) for each in tree.outside) and all(summed(t, inner) for t in tree.inside)
+def summed(*trees: Term, broken: frozenset[str] = frozenset()) -> bool:
+    """Whether all sums and products have ends that are whole, where all letters but some are."""
+    for part in nodes(*trees):
+        counted = part.tag in ("sum", "product")
+        if counted and not all(isinstance(each, End) or integer(each, broken) for each in part.outside):
+            return False
+        if not summed(*part.inside, broken=broken.difference(part.bound) if counted else broken.union(part.bound)):
+            return False
+    return True
 
 
-def integer(term: Term, integers: frozenset[str]) -> bool:
-    """Whether a term is put together of whole numbers by addition and multiplication."""
+def integer(term: Term, broken: frozenset[str]) -> bool:
+    """Whether a term is put together by addition and multiplication of whole numbers, as letters are but for some."""
     if isinstance(term, Node):
-        return term.tag in ("+", "-", "*") and all(integer(each, integers) for each in term.outside)
-    return isinstance(term, int) or term in integers
+        return term.tag in ("+", "-", "*") and all(integer(each, broken) for each in term.outside)
+    return isinstance(term, int) or term not in broken
 
 
 def supposed(claim: Formula) -> list[list[Formula]]:

@@ -252,7 +252,9 @@ class Prover:
         """What is proved once may be used often."""
         formula = step.take("formula", self.reader.formula)
         self.branch(formula, step.take("proof", raw))
-        self.branch(goal, step.take("then", raw), formula)
+        met = self.met(formula.terms)  # by a relation's proof: what it left over may still be zero
+        nonzero = [value for value in met if value not in self.algebra.divisors]
+        self.branch(goal, step.take("then", raw), formula, nonzero=nonzero)
 
     def theorem(self, goal: Formula, step: Fields) -> None:
         """The premises of a theorem have proofs; its conclusion is one more fact. What it says to exist is named."""
@@ -261,17 +263,18 @@ class Prover:
         premises, conclusion = instance(name, given, {self.reader.letter(x): t for x, t in numbers.items()})
         for premise, proof in paired(premises, step.take("premises", LIST)):
             self.branch(premise, proof)
-        nonzero = [value for part in shown(name, given) for value in self.cleared(part)]
+        integrals = [part for part in shown(name, given) if height(part) == 1]  # defined there, as the premises show
+        nonzero = [value for value, term in self.met(integrals).items() if term is None]
         if isinstance(conclusion, Quantified):
             conclusion = self.opened(conclusion, step, goal)
         self.branch(goal, step.take("then", raw), conclusion, nonzero=nonzero)
 
-    def cleared(self, integral: Term) -> Iterable[int]:
-        """What an integrand divides by: it is not zero between the ends, as the premises were proved there."""
+    def met(self, terms: Iterable[Term]) -> Divisors:
+        """What some terms divide by."""
         around, self.algebra.divisors = self.algebra.divisors, {}
-        self.value(integral)
+        self.algebra.residues(terms)
         met, self.algebra.divisors = self.algebra.divisors, around
-        return [value for value, term in met.items() if term is None] if height(integral) == 1 else ()
+        return met
 
     def argument(self, data: JSON) -> Argument:
         """What a theorem is applied to: a term, or {"letter": x, "term": t} for a term in a letter."""
@@ -303,13 +306,15 @@ class Prover:
         if names := step.take("values", LIST, []):
             settled = at.settled
             at = Algebra({}, at.point)
-            at.settled = {**settled}
+            at.settled, at.asked = {**settled}, True
             for name in names:
                 formula, _ = self.fact(("=",), name, "{} is no value")
                 require(not letters(formula), "{} is no value", formula)
                 function, value = formula.outside
                 at.settled[self.value(function)] = at.value(value) % PRIME
         require(at.holds(goal), "{} is not so", goal)
+        if names:
+            self.algebra.divisors.update({value: None for value, term in at.divisors.items() if term is None})
 
     def finish(self) -> None:
         """No denominator that was met may be zero."""
