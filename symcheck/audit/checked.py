@@ -42,19 +42,18 @@ def _reasons(certificates: Sequence[Certificate]) -> list[str | None]:
 
     context = get_context("fork")
     receiver, sender = context.Pipe(duplex=False)
-    own, other = (_with_lemmas(certificates[k::2], certificates) for k in range(2))
+    half = len(certificates) // 2  # neighbours have the same definitions and hypotheses, which are read once
+    own, other = (_with_lemmas(part, certificates) for part in (certificates[:half], certificates[half:]))
     helper = context.Process(target=_send, args=(sender, other), daemon=True)
     helper.start()
     sender.close()
-    found: list[str | None] = [None] * len(certificates)
-    found[0::2] = reasons(own)[: len(certificates[0::2])]
+    found = reasons(own)[:half]
     try:
         answers = receiver.recv()
     except (EOFError, OSError):  # it was killed
         answers = reasons(other)
     helper.join()
-    found[1::2] = answers[: len(certificates[1::2])]
-    return found
+    return found + answers[: len(certificates) - half]
 
 
 def _may_fork() -> bool:

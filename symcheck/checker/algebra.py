@@ -46,10 +46,10 @@ class Algebra:
 
     def value(self, term: Term) -> int:
         """The value of a term; sums and products are not reduced modulo the prime."""
-        if isinstance(term, int):
-            return term
         if isinstance(term, str):
             return self.letters[term] if term in self.letters else self.letter(term)
+        if isinstance(term, int):
+            return term
         if self.bound or id(term) not in self.known:
             return self.computed(term)
         values = self.known[id(term)]  # of a shared node: its divisors are met wherever it stands

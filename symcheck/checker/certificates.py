@@ -9,7 +9,7 @@ from functools import lru_cache
 from symcheck.checker.algebra import Algebra, Known, exact
 from symcheck.checker.residues import PRIME, Reject, require
 from symcheck.checker.rules import Prover, Reference, paired
-from symcheck.core.calculus import Unknown, domain, functions, letters, nodes, substituted
+from symcheck.core.calculus import Unknown, conditions, domain, functions, letters, nodes, substituted
 from symcheck.core.fields import Fields, by_key, listed, raw, text
 from symcheck.core.formulas import FALSE, conjuncts, contrary
 from symcheck.core.terms import (
@@ -42,7 +42,8 @@ class Context:
         self.assumed = [part for each in self.hypotheses.values() for part in conjuncts(each)]
         sides = (side for each in self.assumed if isinstance(each, Relation) for side in each.terms)
         self.known = known | unknown(*self.assumed, *sides)
-        self.conditions = domain(*self.assumed)
+        parts = nodes(*self.assumed)
+        self.conditions, self.binders = conditions(parts), [part for part in parts if part.inside]
         self.points: dict[bytes, tuple[dict[str, Term], Known]] = {}
 
     def point(self, written: bytes) -> tuple[dict[str, Term], Known]:
@@ -50,10 +51,9 @@ class Context:
         if written not in self.points:
             values = by_key(self.reader.term)(marshal.loads(written))
             for x, number in values.items():
-                closed = (
-                    not letters(number) and not functions(number) and self.reader.letter(x) not in self.reader.names
-                )
-                require(closed, "a coordinate is no number, or of a defined letter: {} = {}", x, number)
+                closed = isinstance(number, int) or not letters(number) | functions(number)
+                free = closed and self.reader.letter(x) not in self.reader.names
+                require(free, "a coordinate is no number, or of a defined letter: {} = {}", x, number)
             for each in domain(*values.values(), divisors=True):
                 require(Algebra({}, {}).holds(each), "a coordinate has no value: {} is not so", each)
             self.points[written] = values, {each: {} for each in self.known}
@@ -96,6 +96,10 @@ class Certificate:
         self.lemmas = [(text(name), read(stated)) for name, stated in step.take("lemmas", listed(listed(raw, 2)), [])]
         self.claim = read(step.take("claim", raw))
         self.assumed = [*self.context.assumed, *self.nonzero]
+        parts = nodes(*self.nonzero, self.claim)
+        self.conditions = dict.fromkeys((*self.context.conditions, *conditions(parts)))
+        parts = [*parts, *nodes(*(formula for _, formula in self.lemmas))]
+        self.binders = [*self.context.binders, *(part for part in parts if part.inside)]
 
     def supported(self, proved: Iterable[tuple[str, Certificate]]) -> bool:
         """Whether each lemma is part of a statement that is proved under no more than is assumed here.
@@ -115,8 +119,7 @@ class Certificate:
         """Rejects unless the evidence shows the verdict; lemmas are taken for granted."""
         require(self.verdict in ("proved", "refuted"), "the verdict {}", self.verdict)
         if self.verdict == "proved":
-            stated = (*self.assumed, self.claim, *(formula for _, formula in self.lemmas))
-            require(summed(*stated), "a sum between ends that may not be whole")
+            require(summed(*self.binders), "a sum between ends that may not be whole")
             self.check_proof()
             self.check_witnesses()
         else:
@@ -164,9 +167,8 @@ class Certificate:
 
         What does so without letters needs no point.
         """
-        conditions = dict.fromkeys((*self.context.conditions, *domain(*self.nonzero, self.claim)))
-        varying = [each for each in conditions if letters(each) or functions(each)]
-        for each in conditions:
+        varying = [each for each in self.conditions if letters(each) or functions(each)]
+        for each in self.conditions:
             require(each in varying or Algebra({}, {}).holds(each), "a term has no value, as {} is not so", each)
         needed = [[*premises, *varying] for premises in supposed(self.claim)]
         points = self.step.take("witnesses", listed(raw), [])
@@ -210,7 +212,7 @@ class Certificate:
         for each in domain(*formulas, divisors=True) if refuting and not computed else ():
             require(at.holds(each), "a term has no value at the point: {} is not so", each)
         broken = frozenset(x for x, number in values.items() if not isinstance(number, int))
-        ends = (refuting and computed) or summed(*formulas, self.claim, broken=broken)  # to compute finds the ends
+        ends = (refuting and computed) or summed(*self.binders, *more, broken=broken)  # to compute finds the ends
         require(ends, "a sum between ends that may not be whole")
         prover.prove(node("and", *formulas), step.take("proof", raw, {"rule": "compute"}))  # to compute finds values
         prover.finish()
@@ -220,11 +222,12 @@ class Certificate:
 def summed(*trees: Term, broken: frozenset[str] = frozenset()) -> bool:
     """Whether all sums and products have ends that are whole, where all letters but some are."""
     for part in nodes(*trees):
-        counted = part.tag in ("sum", "product")
-        if counted and not all(isinstance(each, End) or integer(each, broken) for each in part.outside):
-            return False
-        if not summed(*part.inside, broken=broken.difference(part.bound) if counted else broken.union(part.bound)):
-            return False
+        if part.inside:
+            counted = part.tag in ("sum", "product")
+            inner = broken.difference(part.bound) if counted else broken.union(part.bound)
+            ends = not counted or all(isinstance(each, End) or integer(each, broken) for each in part.outside)
+            if not ends or not summed(*part.inside, broken=inner):
+                return False
     return True
 
 

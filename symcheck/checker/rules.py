@@ -63,8 +63,13 @@ class Prover:
         """One more fact."""
         self.facts[name] = formula, self.gap(formula) if isinstance(formula, Relation) else 0
 
-    def branch(self, goal: Formula, proof: JSON, *assumed: Formula, nonzero: Iterable[int] = ()) -> None:
-        """Proves a goal under more assumptions, which are forgotten afterwards; `nonzero` are divisors they clear."""
+    def branch(
+        self, goal: Formula, proof: JSON, *assumed: Formula, nonzero: Iterable[int] = (), proved: bool = False
+    ) -> None:
+        """Proves a goal under more assumptions, which are forgotten afterwards; `nonzero` are divisors they clear.
+
+        Of what is proved, and not only assumed, the proof has cleared all divisors but those that it left over.
+        """
         facts, depth = self.facts, self.depth
         around, self.algebra.divisors = self.algebra.divisors, {}
         self.around.append(around)
@@ -72,6 +77,8 @@ class Prover:
         for formula in (part for each in assumed for part in conjuncts(each)):
             self.learn(("here", self.depth), formula)
             self.depth += 1
+        if proved:
+            nonzero = [value for value in self.algebra.divisors if value not in around]
         self.prove(goal, proof)
         met, self.algebra.divisors = self.algebra.divisors, self.around.pop()
         cleared = {*nonzero, *(value for value, term in met.items() if self.is_known(value, term))}
@@ -252,9 +259,7 @@ class Prover:
         """What is proved once may be used often."""
         formula = step.take("formula", self.reader.formula)
         self.branch(formula, step.take("proof", raw))
-        met = self.met(formula.terms)  # by a relation's proof: what it left over may still be zero
-        nonzero = [value for value in met if value not in self.algebra.divisors]
-        self.branch(goal, step.take("then", raw), formula, nonzero=nonzero)
+        self.branch(goal, step.take("then", raw), formula, proved=True)
 
     def theorem(self, goal: Formula, step: Fields) -> None:
         """The premises of a theorem have proofs; its conclusion is one more fact. What it says to exist is named."""
@@ -328,10 +333,12 @@ class Prover:
         """Whether a fact that is in force says that a value is not zero, or is the root of what is positive."""
         known = [(name, gap) for name, (formula, gap) in self.facts.items() if gap and formula.tag in ("!=", *STRICT)]
         by = next((name for name, gap in known if gap == divisor), None)
-        by = by or next((name for name, gap in known if divisor and rational(gap * inverse(divisor))), None)
+        if by is None and known and divisor:
+            below = inverse(divisor)
+            by = next((name for name, gap in known if rational(gap * below)), None)
         if by is None and isinstance(term, Value) and term.tag == "sqrt":
             inner = self.value(term.terms[0]) % PRIME
-            by = next((name for name, gap in known if gap == inner and self.facts[name][0].tag in STRICT), None)
+            by = next((n for n, (fact, gap) in self.facts.items() if gap == inner and fact.tag in STRICT), None)
         self.used |= {by} if by else set()
         return by is not None
 

@@ -9,13 +9,14 @@ from symcheck.core.terms import Binder, Call, Formula, Malformed, Node, Quantifi
 
 def nodes(*trees: Term) -> Iterable[Node]:
     """All nodes in them that stand under no binder, once: what is defined may stand in many places."""
-    found, todo = dict[int, Node](), [*trees]
-    while todo:
-        tree = todo.pop()
-        if isinstance(tree, Node) and id(tree) not in found:
-            found[id(tree)] = tree
-            todo += tree.outside
-    return found.values()
+    found = {id(tree): tree for tree in trees if isinstance(tree, Node)}
+    todo = [*found.values()]
+    for tree in todo:  # it grows
+        for part in tree.outside:
+            if isinstance(part, Node) and id(part) not in found:
+                found[id(part)] = part
+                todo.append(part)
+    return todo
 
 
 def letters(tree: Term) -> set[str]:
@@ -185,8 +186,13 @@ def domain(*trees: Term, divisors: bool = False) -> list[Formula]:
 
     Divisors are told on demand: what a proof divides by has to be shown not to vanish anyhow.
     """
+    return conditions(nodes(*trees), divisors)
+
+
+def conditions(parts: Iterable[Node], divisors: bool = False) -> list[Formula]:
+    """The same of nodes, one by one."""
     found = dict[Formula, None]()
-    for part in nodes(*trees):
+    for part in parts:
         if part[0] in DOMAINS:
             found[DOMAINS[part.tag](part.outside[0])] = None
         if divisors and (below := divisor(part)) != 1:

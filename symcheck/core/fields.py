@@ -51,9 +51,11 @@ class Fields:
 
     def take(self, key: str, read: Callable[[JSON], T], *absent: JSON) -> T:
         """A field as it is to be read; if it is not there, what is said for that case."""
-        if key not in self.data and not absent:
+        if key in self.data:
+            return read(self.data.pop(key))
+        if not absent:
             raise Malformed(f"a step without {key}")
-        return read(self.data.pop(key, *absent))
+        return read(*absent)
 
     def end(self) -> None:
         if self.data:

@@ -179,14 +179,14 @@ class Reader:
 
     def _term(self, data: JSON, allowed: Set[str] = TERMS) -> Term:
         """A node, a number, a letter, or what is defined."""
-        if type(data) is list:
-            return self._node(data, allowed)
+        if type(data) is str:
+            if data in self.names:
+                self.size += self.sizes[data]
+                return self.names[data]
+            return self.letter(data)
         if type(data) is int:
             return data
-        if type(data) is str and data in self.names:
-            self.size += self.sizes[data]
-            return self.names[data]
-        return self.letter(data)
+        return self._node(data, allowed)
 
     def _node(self, data: JSON, allowed: Set[str]) -> Node:
         if type(data) is not list or not data or type(tag := data[0]) is not str or tag not in allowed:
@@ -195,9 +195,10 @@ class Reader:
         if count is not None and len(data) != 1 + count:
             raise Malformed(f"{tag} with {len(data) - 1} fields")
         fields: Sequence[Field] = ()
-        whole = data[2] if tag == "^" else data[3] if tag == "diff" else 1
-        if type(whole) is not int or (tag == "diff" and not 0 < whole < 9):
-            raise Malformed(f"{whole!r} is no whole number that fits")
+        if tag == "^" or tag == "diff":
+            whole = data[-1] if tag == "^" else data[3]
+            if type(whole) is not int or (tag == "diff" and not 0 < whole < 9):
+                raise Malformed(f"{whole!r} is no whole number that fits")
         if kind is Value or kind is Relation:
             fields = [self._node(each, TERMS) if type(each) is list else self._term(each) for each in data[1:]]
         elif kind is Connective:
