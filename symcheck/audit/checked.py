@@ -49,7 +49,7 @@ def _reasons(certificates: Sequence[Certificate]) -> list[str | None]:
     sender.close()
     found = reasons(own)[:half]
     try:
-        answers = receiver.recv()
+        answers: list[str | None] = receiver.recv()
     except (EOFError, OSError):  # it was killed
         answers = reasons(other)
     helper.join()

@@ -179,14 +179,14 @@ class Reader:
 
     def _term(self, data: JSON, allowed: Set[str] = TERMS) -> Term:
         """A node, a number, a letter, or what is defined."""
-        if type(data) is str:
-            if data in self.names:
-                self.size += self.sizes[data]
-                return self.names[data]
-            return self.letter(data)
+        if type(data) is list:
+            return self._node(data, allowed)
         if type(data) is int:
             return data
-        return self._node(data, allowed)
+        if type(data) is str and data in self.names:
+            self.size += self.sizes[data]
+            return self.names[data]
+        return self.letter(data)
 
     def _node(self, data: JSON, allowed: Set[str]) -> Node:
         if type(data) is not list or not data or type(tag := data[0]) is not str or tag not in allowed:
